@@ -1,0 +1,100 @@
+#include "base/file.hpp"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+
+#include "base/error.hpp"
+
+namespace simreel {
+
+namespace {
+
+/// Owns a POSIX descriptor: iostreams hide why a write failed.
+class Descriptor {
+ public:
+  explicit Descriptor(int value) : value_(value) {}
+  ~Descriptor() {
+    if (value_ >= 0) ::close(value_);
+  }
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  [[nodiscard]] int get() const { return value_; }
+  [[nodiscard]] int release() { return std::exchange(value_, -1); }
+
+ private:
+  int value_;
+};
+
+}  // namespace
+
+std::string readFile(const std::filesystem::path& path, const char* what, std::size_t mostBytes) {
+  const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+  if (file.get() < 0) {
+    const int reason = errno;
+    fail(reason == ENOENT ? ExitCode::usage : ExitCode::inputOutput, "cannot open {} {}: {}", what,
+         path.string(), std::strerror(reason));
+  }
+  struct stat status {};
+  if (::fstat(file.get(), &status) == 0 && S_ISDIR(status.st_mode))
+    fail(ExitCode::usage, "{} {} is a folder, a file is needed", what, path.string());
+  std::string text;
+  char block[1 << 16];
+  while (true) {
+    const ssize_t got = ::read(file.get(), block, sizeof block);
+    if (got < 0 && errno == EINTR) continue;
+    if (got < 0)
+      fail(ExitCode::inputOutput, "cannot read {} {}: {}", what, path.string(), std::strerror(errno));
+    if (got == 0) return text;
+    text.append(block, static_cast<std::size_t>(got));
+    if (text.size() > mostBytes)
+      fail(ExitCode::usage, "{} {} is larger than the limit of {} bytes", what, path.string(), mostBytes);
+  }
+}
+
+void writeFileAtomically(const std::filesystem::path& path, std::span<const std::byte> bytes) {
+  const std::filesystem::path part = path.string() + ".part";
+  const auto failed = [&](const char* verb) {
+    const int reason = errno;
+    ::unlink(part.c_str());
+    fail(ExitCode::inputOutput, "cannot {} {}: {}", verb, path.string(), std::strerror(reason));
+  };
+  Descriptor file(::open(part.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
+  if (file.get() < 0) failed("create");
+  while (!bytes.empty()) {
+    const ssize_t put = ::write(file.get(), bytes.data(), bytes.size());
+    if (put < 0 && errno == EINTR) continue;
+    if (put < 0) failed("write");
+    bytes = bytes.subspan(static_cast<std::size_t>(put));
+  }
+  // Some file systems report a full disk only here.
+  if (::close(file.release()) != 0) failed("write");
+  if (::rename(part.c_str(), path.c_str()) != 0) failed("rename into");
+}
+
+void writeFileAtomically(const std::filesystem::path& path, std::string_view text) {
+  writeFileAtomically(path, std::as_bytes(std::span(text.data(), text.size())));
+}
+
+std::filesystem::path programFolder() {
+  std::error_code error;
+  const auto program = std::filesystem::read_symlink("/proc/self/exe", error);
+  return error ? std::filesystem::path() : program.parent_path();
+}
+
+std::filesystem::path assetFolder() {
+  // NOLINTNEXTLINE(concurrency-mt-unsafe): the environment is only read.
+  if (const char* chosen = std::getenv("SIMREEL_ASSETS")) return chosen;
+  for (const char* place : {"../share/simreel/assets", "../assets"}) {
+    std::error_code error;
+    const auto folder = std::filesystem::weakly_canonical(programFolder() / place, error);
+    if (!error && std::filesystem::is_directory(folder, error)) return folder;
+  }
+  return {};
+}
+
+}  // namespace simreel

@@ -1,0 +1,28 @@
+#pragma once
+#include <cstddef>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace simreel {
+
+/// Whole file as text. Throws UserError(missing) when it cannot be read or exceeds `mostBytes`;
+/// `what` names the file's role in the message ("scene", "texture").
+[[nodiscard]] std::string readFile(const std::filesystem::path& path, const char* what,
+                                   std::size_t mostBytes = std::size_t{1} << 30);
+
+/// Writes to `path` + ".part" in the same folder, then renames, so a reader sees the old file or the
+/// whole new one. Throws UserError(inputOutput) naming the path and the system's reason; the
+/// temporary file is removed then.
+void writeFileAtomically(const std::filesystem::path& path, std::span<const std::byte> bytes);
+void writeFileAtomically(const std::filesystem::path& path, std::string_view text);
+
+/// The folder of shipped assets: $SIMREEL_ASSETS, else share/simreel/assets or assets beside the
+/// program's folder. Empty when none exists.
+[[nodiscard]] std::filesystem::path assetFolder();
+
+/// Folder of the running program.
+[[nodiscard]] std::filesystem::path programFolder();
+
+}  // namespace simreel

@@ -1,0 +1,13 @@
+#pragma once
+#include <cstddef>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace simreel {
+
+/// 128-bit XXH3 of the bytes as 32 lower-case hexadecimal digits. Not cryptographic.
+[[nodiscard]] std::string hashHex(std::span<const std::byte> bytes);
+[[nodiscard]] std::string hashHex(std::string_view text);
+
+}  // namespace simreel

@@ -1,0 +1,57 @@
+#pragma once
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "frame/image.hpp"
+
+namespace simreel::frame {
+
+/// What is known of a frame besides its pixels.
+struct FrameInfo {
+  int frame = 0;
+  std::string stateHash;
+};
+
+/// What every manifest says of the run as a whole. No times, no paths: two runs write the same bytes.
+struct RunInfo {
+  std::string title;
+  std::string sceneHash;
+  int seed = 0;
+  int width = 0;
+  int height = 0;
+  double fps = 60;
+  std::string numerics;     ///< "exact" or "fast"
+  std::string fingerprint;  ///< of the driver's numerics
+  std::string driver;       ///< renderer and version string
+};
+
+enum class Existing { error, overwrite, skip, resume };
+
+/// Where rendered frames go: a numbered sequence, one picture, a video file, or standard output.
+/// add() may return before the frame is stored; finish() waits, and throws what went wrong.
+class FrameSink {
+ public:
+  virtual ~FrameSink() = default;
+  /// False when this frame need not be drawn: it is already there (--skip-existing), or the manifest
+  /// and the file's hash say it is whole (--resume).
+  [[nodiscard]] virtual bool wants(int frame) = 0;
+  /// The state hash that an earlier run's manifest holds for a frame that is not wanted again.
+  [[nodiscard]] virtual std::optional<std::string> knownStateHash(int frame) const = 0;
+  /// Hands over one frame; blocks while too many are waiting. Throws UserError(inputOutput).
+  virtual void add(FrameInfo info, Image image) = 0;
+  /// Writes all that is pending, then the manifest. Call once; also after an interrupt.
+  virtual void finish() = 0;
+  /// Seconds of processor time spent encoding and writing so far, over all threads.
+  [[nodiscard]] virtual double encodeSeconds() const = 0;
+  /// "out/flag_0000.png ... out/flag_0119.png" for the closing line.
+  [[nodiscard]] virtual std::string summary() const = 0;
+};
+
+/// Makes the sink that `output` asks for. `frameCount` tells whether a plain name.png may be used.
+/// Throws UserError: usage for a senseless name, inputOutput where nothing can be written or files exist.
+[[nodiscard]] std::unique_ptr<FrameSink> openSink(const std::string& output, Existing existing, const RunInfo& run,
+                                                  std::span<const int> frames, const std::string& streamFormat);
+
+}  // namespace simreel::frame

@@ -1,0 +1,28 @@
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace simreel::frame {
+
+/// Rows from the top, RGBA, 8 bits each, sRGB encoded: bytes.size() == width * height * 4.
+struct Image {
+  int width = 0;
+  int height = 0;
+  std::vector<std::uint8_t> bytes;
+};
+
+/// Text chunks of a PNG, keyword and value.
+using ImageText = std::vector<std::pair<std::string, std::string>>;
+
+/// RGBA image -> RGB PNG file. Alpha is dropped. Safe to call from several threads.
+[[nodiscard]] std::vector<std::byte> encodePng(const Image& image, const ImageText& text);
+/// PNG (or any format stb_image reads) -> RGBA. `name` is used in the UserError(inputOutput) thrown.
+[[nodiscard]] Image decodeImage(std::span<const std::byte> file, const std::string& name);
+/// Hash of size and RGB values (alpha left out), independent of the encoder. 32 hexadecimal digits.
+[[nodiscard]] std::string pixelHash(const Image& image);
+
+}  // namespace simreel::frame

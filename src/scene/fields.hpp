@@ -1,0 +1,101 @@
+#pragma once
+#include <cstddef>
+#include <filesystem>
+#include <functional>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include "scene/animated.hpp"
+
+namespace simreel::scene {
+
+/// Closed interval of allowed values.
+struct Range {
+  double least = -std::numeric_limits<double>::infinity();
+  double most = std::numeric_limits<double>::infinity();
+};
+inline constexpr Range positive{1e-9, 1e9};
+inline constexpr Range notNegative{0.0, 1e9};
+inline constexpr Range anyNumber{-1e9, 1e9};
+
+/// Where parameters are declared, once. A struct's `describe(Fields&)` names each of its members with
+/// default (the value it has then), range, unit and one sentence; the same call reads a scene, writes
+/// the JSON Schema or prints the help, whichever Fields it is given. Units: "" when there is none.
+class Fields {
+ public:
+  virtual ~Fields() = default;
+
+  virtual void boolean(const char* name, bool& value, const char* doc) = 0;
+  virtual void integer(const char* name, int& value, Range range, const char* unit, const char* doc) = 0;
+  virtual void number(const char* name, float& value, Range range, const char* unit, const char* doc) = 0;
+  virtual void number(const char* name, double& value, Range range, const char* unit, const char* doc) = 0;
+  virtual void number(const char* name, Animated<float>& value, Range range, const char* unit, const char* doc) = 0;
+  /// Three numbers; the range holds for each.
+  virtual void vector(const char* name, glm::vec3& value, Range range, const char* unit, const char* doc) = 0;
+  virtual void vector(const char* name, Animated<glm::vec3>& value, Range range, const char* unit,
+                      const char* doc) = 0;
+  /// Two integers, for example a grid's [width, height]; the range holds for each.
+  virtual void pair(const char* name, glm::ivec2& value, Range range, const char* unit, const char* doc) = 0;
+  virtual void pairs(const char* name, std::vector<glm::ivec2>& value, Range range, const char* unit,
+                     const char* doc) = 0;
+  virtual void text(const char* name, std::string& value, const char* doc) = 0;
+  /// An integer or one word, for example 4 or "auto" (empty value).
+  virtual void integerOr(const char* name, std::optional<int>& value, const char* word, Range range,
+                         const char* unit, const char* doc) = 0;
+  virtual void integers(const char* name, std::vector<int>& value, Range range, const char* unit, const char* doc) = 0;
+  /// One of `names`; value is its index. Use `choice` below for an enum.
+  virtual void oneOf(const char* name, int& value, const std::vector<const char*>& names, const char* doc) = 0;
+  virtual void someOf(const char* name, std::vector<int>& value, const std::vector<const char*>& names,
+                      const char* doc) = 0;
+  /// A file of the scene's folder or the asset folder; the value becomes its full path. Empty: none.
+  virtual void asset(const char* name, std::filesystem::path& value, const char* doc) = 0;
+  virtual void group(const char* name, const char* doc, const std::function<void(Fields&)>& describe) = 0;
+  /// A group that switches a feature on by being there.
+  virtual void optionalGroup(const char* name, bool& present, const char* doc,
+                             const std::function<void(Fields&)>& describe) = 0;
+  /// A list of groups: `resize(n)` makes room, then `describe(fields, i)` is called for each element.
+  virtual void listOf(const char* name, const char* doc, std::size_t mostItems,
+                      const std::function<void(std::size_t)>& resize,
+                      const std::function<void(Fields&, std::size_t)>& describe) = 0;
+
+  /// Reports a mistake that involves several values, at the place of field `name`. Nothing happens
+  /// unless a scene is being read.
+  virtual void error(const char* name, const std::string& message) = 0;
+  /// Whether the scene gives this field itself (false while writing schema or help).
+  [[nodiscard]] virtual bool given(const char* name) const = 0;
+
+  template <class Enum>
+  void choice(const char* name, Enum& value, const std::vector<const char*>& names, const char* doc) {
+    int index = static_cast<int>(value);
+    oneOf(name, index, names, doc);
+    value = static_cast<Enum>(index);
+  }
+  template <class Item, class Describe>
+  void list(const char* name, std::vector<Item>& items, const char* doc, Describe describe,
+            std::size_t mostItems = 256) {
+    listOf(
+        name, doc, mostItems, [&](std::size_t count) { items.resize(count); },
+        [&](Fields& fields, std::size_t i) { describe(fields, items[i]); });
+  }
+};
+
+/// Parameters of one kind of object; each simulation derives its own.
+struct Parameters {
+  virtual ~Parameters() = default;
+  virtual void describe(Fields& fields) = 0;
+};
+
+/// One line of the list of simulations: what a scene calls it, one sentence, and how to make its parameters.
+struct Kind {
+  const char* name;
+  const char* doc;
+  std::function<std::unique_ptr<Parameters>()> makeParameters;
+};
+
+}  // namespace simreel::scene

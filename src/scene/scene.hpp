@@ -1,0 +1,133 @@
+#pragma once
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include "scene/animated.hpp"
+#include "scene/fields.hpp"
+
+namespace simreel::scene {
+
+enum class Numerics { exact, fast };
+
+/// Metal/rough surface. Colours are linear RGB.
+struct Material {
+  glm::vec3 color{0.8F, 0.7F, 0.6F};
+  std::filesystem::path texture;      ///< sRGB image multiplied with the colour; empty: none
+  glm::vec3 textureScale{1, 1, 1};    ///< repeats along u and v (z unused)
+  float roughness = 0.8F;
+  float metallic = 0.0F;
+  float translucency = 0.0F;          ///< share of light from behind that shines through
+  void describe(Fields& fields);
+};
+
+struct Render {
+  glm::ivec2 size{1280, 720};  ///< pixels
+  int samples = 4;             ///< per pixel: 1 or 4 (more where the driver has them)
+  Animated<float> exposure = 0.0F;  ///< EV
+  float vignette = 0.0F;
+  void describe(Fields& fields);
+};
+
+struct Time {
+  double fps = 60.0;
+  double start = 0.0;     ///< s simulated before frame 0
+  double duration = 2.0;  ///< s; frames = round(duration * fps)
+  void describe(Fields& fields);
+};
+
+struct Camera {
+  Animated<glm::vec3> position = glm::vec3(0, 1.5F, 6);
+  Animated<glm::vec3> target = glm::vec3(0, 0, 0);
+  Animated<float> fieldOfView = 40.0F;  ///< degrees, vertical
+  Animated<float> roll = 0.0F;          ///< degrees
+  float near = 0.05F;
+  float far = 200.0F;
+  void describe(Fields& fields);
+};
+
+struct Sun {
+  Animated<glm::vec3> direction = glm::vec3(0.4F, 0.8F, 0.45F);  ///< towards the light
+  Animated<glm::vec3> color = glm::vec3(1, 0.95F, 0.88F);
+  Animated<float> intensity = 3.0F;
+  bool shadow = true;
+  int shadowSize = 1024;       ///< texels on a side
+  float shadowSoftness = 1.5F; ///< radius of the filter, texels
+  void describe(Fields& fields);
+};
+
+/// Ambient light and the background gradient.
+struct Sky {
+  Animated<glm::vec3> zenith = glm::vec3(0.16F, 0.30F, 0.55F);
+  Animated<glm::vec3> horizon = glm::vec3(0.75F, 0.80F, 0.85F);
+  Animated<glm::vec3> ground = glm::vec3(0.25F, 0.22F, 0.20F);
+  Animated<float> ambient = 1.0F;  ///< factor on the light the sky gives
+  void describe(Fields& fields);
+};
+
+/// The ground plane, drawn and collided with.
+struct Ground {
+  float height = -5.0F;  ///< m
+  bool visible = true;
+  glm::vec3 color{0.35F, 0.33F, 0.30F};
+  float roughness = 0.9F;
+  float fadeStart = 15.0F;  ///< m from the camera's target where the ground begins to dissolve into the sky
+  float fadeEnd = 40.0F;
+  void describe(Fields& fields);
+};
+
+struct Object {
+  std::string name;
+  std::string kind;  ///< a name from the list of simulations
+  std::unique_ptr<Parameters> parameters;
+  Material material;
+};
+
+struct Scene {
+  std::string title;
+  int seed = 1;
+  Numerics numerics = Numerics::exact;
+  Render render;
+  Time time;
+  Camera camera;
+  Sun sun;
+  Sky sky;
+  bool hasGround = false;
+  Ground ground;
+  std::vector<Object> objects;
+  std::string hash;  ///< of the scene's text and overrides; 32 hexadecimal digits
+
+  [[nodiscard]] int frameCount() const;
+};
+
+/// `path=value` of -D; value is JSON, or bare text taken as a string.
+struct Override {
+  std::string path;
+  std::string value;
+};
+
+/// Reads and checks a scene. Throws UserError(usage) whose message holds *every* mistake, each as
+/// "file:line:column: error: text", the line, and a caret.
+[[nodiscard]] Scene loadScene(const std::filesystem::path& file, std::span<const Override> overrides,
+                              std::span<const Kind> kinds);
+/// The same from text; `file` names it in messages and locates assets.
+[[nodiscard]] Scene parseScene(std::string_view text, const std::filesystem::path& file,
+                               std::span<const Override> overrides, std::span<const Kind> kinds);
+
+/// JSON Schema (draft 2020-12) of scene files, pretty-printed, ending in a newline.
+[[nodiscard]] std::string schemaText(std::span<const Kind> kinds);
+
+/// Help for one kind (or "scene", "render", "camera", ..., "material"): name, default, range, unit, sentence.
+/// Throws UserError(usage) with a suggestion for an unknown name.
+[[nodiscard]] std::string helpText(std::string_view name, std::span<const Kind> kinds);
+/// One line per kind and per scene section.
+[[nodiscard]] std::string listText(std::span<const Kind> kinds);
+
+}  // namespace simreel::scene
