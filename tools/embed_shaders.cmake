@@ -12,5 +12,5 @@ foreach(FILE IN LISTS FILES)
   math(EXPR COUNT "${COUNT} + 1")
 endforeach()
 file(WRITE ${OUT} "#include \"gl/shader_source.hpp\"\n\nnamespace {\n${ARRAYS}}  // namespace\n
-namespace simreel::gl {\nconst std::span<const EmbeddedShader> embeddedShaders() {
+namespace simreel::gl {\nstd::span<const EmbeddedShader> embeddedShaders() {
   static const EmbeddedShader table[] = {\n${TABLE}  };\n  return table;\n}\n}  // namespace simreel::gl\n")
