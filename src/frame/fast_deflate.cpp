@@ -329,8 +329,8 @@ void putStored(BitWriter& out, std::span<const std::uint8_t> bytes, bool last) {
   }
 }
 
-void putBlock(BitWriter& out, std::span<const std::uint8_t> bytes, const std::vector<Sequence>& sequences,
-              bool last) {
+void putBlock(BitWriter& writer, std::span<const std::uint8_t> bytes,
+              const std::vector<Sequence>& sequences, bool last) {
   const Counts counts = count(bytes.data(), sequences);
   const auto literal = makeCode(counts.literal, longestCode);
   const auto distance = makeCode(counts.distance, longestCode);
@@ -340,11 +340,13 @@ void putBlock(BitWriter& out, std::span<const std::uint8_t> bytes, const std::ve
   for (std::size_t s = 0; s < distance.size(); ++s)
     bits += std::size_t{counts.distance[s]} * distance[s].length;
   if (bits / 8 >= bytes.size()) {
-    putStored(out, bytes, last);
+    putStored(writer, bytes, last);
     return;
   }
-  out.put(last ? 5 : 4, 3);  // type 2 in the upper two bits
-  putCodeLengths(out, literal, distance);
+  writer.put(last ? 5 : 4, 3);  // type 2 in the upper two bits
+  putCodeLengths(writer, literal, distance);
+  // A copy of which no address is taken stays in registers; bytes written could alias any other.
+  BitWriter out = writer;
   const std::uint8_t* in = bytes.data();
   for (const Sequence& sequence : sequences) {
     std::uint32_t k = 0;
@@ -365,6 +367,7 @@ void putBlock(BitWriter& out, std::span<const std::uint8_t> bytes, const std::ve
   }
   out.put(literal[endOfBlock]);
   out.flush();
+  writer = out;
 }
 
 }  // namespace

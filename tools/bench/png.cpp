@@ -107,11 +107,12 @@ Image render(Colour (*shade)(int, int)) {
 }
 
 std::size_t encodeStock(const Image& image) {
-  std::vector<std::uint8_t> rgb;
-  rgb.reserve(std::size_t(width) * height * 3);
-  for (std::size_t i = 0; i < image.bytes.size(); i += 4)
-    rgb.insert(rgb.end(), image.bytes.begin() + std::ptrdiff_t(i),
-               image.bytes.begin() + std::ptrdiff_t(i) + 3);
+  std::vector<std::uint8_t> rgb(std::size_t(width) * height * 3);
+  for (std::size_t from = 0, to = 0; to < rgb.size(); from += 4, to += 3) {
+    rgb[to] = image.bytes[from];
+    rgb[to + 1] = image.bytes[from + 1];
+    rgb[to + 2] = image.bytes[from + 2];
+  }
   int size = 0;
   std::free(stbi_write_png_to_mem(rgb.data(), image.width * 3, image.width, image.height, 3, &size));
   return std::size_t(size);
