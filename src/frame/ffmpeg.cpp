@@ -136,6 +136,7 @@ Ffmpeg::~Ffmpeg() {
 }
 
 void Ffmpeg::kill() noexcept {
+  const std::lock_guard lock(mutex_);
   if (process_ > 0) ::kill(process_, SIGKILL);
 }
 
@@ -143,7 +144,12 @@ void Ffmpeg::write(std::span<const std::byte> bytes) {
   const int error = writeAll(input_, bytes);
   if (error == 0) return;
   if (error != EPIPE) fail(ExitCode::inputOutput, "cannot write to ffmpeg: {}", std::strerror(error));
-  // It closed its end, so it has ended or is about to; one that lingers is not waited for.
+  // It closed its end, so it has ended or is about to; one that lingers is not waited for long.
+  siginfo_t ended{};
+  for (int k = 0; k < 200 && ended.si_pid == 0; ++k) {
+    if (k > 0) ::usleep(10'000);
+    if (::waitid(P_PID, static_cast<id_t>(process_), &ended, WEXITED | WNOWAIT | WNOHANG) != 0) break;
+  }
   kill();
   failed(wait());
 }
@@ -155,6 +161,11 @@ void Ffmpeg::finish() {
 }
 
 int Ffmpeg::wait() {
+  // Waits first and reaps second, so that kill() in another thread never meets a reused id.
+  siginfo_t ended{};
+  while (::waitid(P_PID, static_cast<id_t>(process_), &ended, WEXITED | WNOWAIT) != 0 && errno == EINTR) {
+  }
+  const std::lock_guard lock(mutex_);
   int status = 0;
   while (::waitpid(process_, &status, 0) < 0 && errno == EINTR) {
   }
@@ -164,7 +175,7 @@ int Ffmpeg::wait() {
 
 void Ffmpeg::failed(int status) {
   closeIfOpen(input_);
-  std::string how = "closed its input before all frames were written";
+  std::string how = "closed its input";
   if (WIFEXITED(status)) how = fmt::format("ended with status {}", WEXITSTATUS(status));
   if (WIFSIGNALED(status) && WTERMSIG(status) != SIGKILL)
     how = fmt::format("ended by signal {}", WTERMSIG(status));

@@ -1,6 +1,7 @@
 #pragma once
 #include <cstddef>
 #include <filesystem>
+#include <mutex>
 #include <span>
 #include <string>
 #include <sys/types.h>
@@ -35,6 +36,7 @@ class Ffmpeg {
   [[noreturn]] void failed(int status);
   [[nodiscard]] std::string lastLine() const;
 
+  std::mutex mutex_;  ///< held to signal the process, and to reap it
   pid_t process_ = -1;
   int input_ = -1;
   int messages_ = -1;

@@ -66,7 +66,8 @@ void Progress::show() {
   lastShown_ = Clock::now();
   shown_ = true;
   // One column less: a full line would wrap on some terminals. Erase what a longer line left.
-  write("\r" + progressLine(done_, total_, secondsSince(begin_), columns(descriptor_) - 1) + "\x1b[K");
+  write(fmt::format("\r{}\x1b[K",
+                    progressLine(done_, total_, secondsSince(begin_), columns(descriptor_) - 1)));
 }
 
 void Progress::write(const std::string& text) const {
