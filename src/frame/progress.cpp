@@ -95,8 +95,8 @@ std::string progressLine(int done, int total, double seconds, int width) {
     return text.substr(std::min<std::size_t>(1, text.size()), static_cast<std::size_t>(std::max(0, width)));
   const double part = total > 0 ? std::clamp(static_cast<double>(done) / total, 0.0, 1.0) : 1.0;
   const auto filled = static_cast<std::size_t>(part * room);
-  return "[" + std::string(filled, '#') + std::string(static_cast<std::size_t>(room) - filled, '.') + "]" +
-         text;
+  const auto empty = static_cast<std::size_t>(room) - filled;
+  return fmt::format("[{}{}]{}", std::string(filled, '#'), std::string(empty, '.'), text);
 }
 
 std::string closingLine(int frames, double seconds, const StageTimes& stages, const std::string& where) {

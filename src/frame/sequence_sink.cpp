@@ -10,6 +10,7 @@
 #include <mutex>
 #include <thread>
 
+#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
@@ -251,8 +252,11 @@ class SequenceSink final : public FrameSink {
   bool writingManifest_ = false;
   Clock::time_point manifestTime_ = Clock::now();
   std::exception_ptr error_;
-  /// No place is reserved for the caller, which goes on drawing. Last, so that it ends first.
-  tbb::task_arena arena_{static_cast<int>(std::max(1u, std::thread::hardware_concurrency())), 0};
+  /// As many workers as processors: the caller mostly waits for the device, or for these. Without the
+  /// control TBB would grant one less, and warn. The arena is last, so that it ends first.
+  std::size_t workers_ = std::max<std::size_t>(1, std::thread::hardware_concurrency());
+  tbb::global_control control_{tbb::global_control::max_allowed_parallelism, workers_ + 1};
+  tbb::task_arena arena_{static_cast<int>(workers_), 0};
 };
 
 }  // namespace

@@ -161,10 +161,10 @@ TEST_CASE("sequence: what cannot be written is one user error") {
   CHECK(code == ExitCode::inputOutput);
   CHECK(contains(message, "cannot create folder"));
   // A folder where the frame should go.
-  std::filesystem::create_directories(folder / "g/000001.png/x");
+  std::filesystem::create_directories(folder / "g/000030.png/x");
   const auto blocked = errorOf([&] { renderInto((folder / "g").string(), Existing::overwrite, 40); });
   CHECK(blocked.first == ExitCode::inputOutput);
-  CHECK(contains(blocked.second, "000001.png"));
+  CHECK(contains(blocked.second, "000030.png"));
   CHECK(parseManifest(text(folder / "g/manifest.json"), "manifest").frames.contains(0));
 }
 
