@@ -13,6 +13,7 @@
 #include "sim/numerics.hpp"
 
 #include <doctest/doctest.h>
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 using namespace simreel;
