@@ -29,12 +29,7 @@ std::string sizeValue(const std::string& text) {
 
 std::vector<scene::Override> parseOverrides(const std::vector<std::string>& texts) {
   std::vector<scene::Override> result;
-  for (const std::string& text : texts) {
-    const auto equals = text.find('=');
-    if (equals == std::string::npos || equals == 0)
-      fail(ExitCode::usage, "-D takes path=value, for example -D time.fps=30, not \"{}\"", text);
-    result.push_back({text.substr(0, equals), text.substr(equals + 1)});
-  }
+  for (const std::string& text : texts) result.push_back(scene::parseOverride(text));
   return result;
 }
 

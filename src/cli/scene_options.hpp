@@ -25,7 +25,7 @@ struct SceneOptions {
   [[nodiscard]] scene::Scene load() const;
 };
 
-/// "-D path=value" split at the first '='. Throws UserError(usage).
+/// Each "path=value" of -D. Throws UserError(usage).
 [[nodiscard]] std::vector<scene::Override> parseOverrides(const std::vector<std::string>& texts);
 
 }  // namespace simreel::cli

@@ -1,46 +1,46 @@
 #pragma once
+#include "scene/diagnostics.hpp"
+
 #include <cstddef>
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace simreel::scene {
 
-/// A stretch of the text a message points at. `source` 0 is the scene file; i > 0 the i-th override.
-struct Place {
-  std::size_t source = 0;
-  std::size_t begin = 0;
-  std::size_t end = 0;
-};
+/// What a hostile scene may make us hold.
+inline constexpr std::size_t mostSceneBytes = std::size_t{4} << 20;
+inline constexpr std::size_t mostDepth = 64;
+inline constexpr std::size_t mostValues = 1'000'000;
 
-/// A JSON value that remembers where it stands.
+/// One JSON value that knows where it was written.
 struct Node {
-  enum class Kind { null, boolean, number, text, list, object };
+  enum class Kind : std::uint8_t { null, boolean, number, text, list, object };
+
   Kind kind = Kind::null;
   bool boolean = false;
-  double number = 0;
-  bool whole = false;  ///< the number was written without fraction or exponent
+  int source = 0;  ///< which text (see Place)
+  double number = 0.0;
   std::string text;
-  std::vector<Node> items;         ///< of a list, or the values of an object's members
-  std::vector<std::string> keys;   ///< of an object, in file order
-  std::vector<Place> keyPlaces;
-  Place place;
+  std::vector<Node> children;  ///< of a list or object, in file order
+  std::string key;             ///< of an object's member
+  std::uint32_t begin = 0, end = 0;
+  std::uint32_t keyBegin = 0, keyEnd = 0;  ///< the quotes included; both 0 for a value without key
 
-  [[nodiscard]] const Node* find(std::string_view key) const;
-  [[nodiscard]] Node* find(std::string_view key);
+  [[nodiscard]] const Node* find(std::string_view name) const;
+  [[nodiscard]] Node* find(std::string_view name);
+  [[nodiscard]] Place place() const { return {source, begin, end}; }
+  /// Of the key; of the first byte when there is no key. Good for messages about a whole group.
+  [[nodiscard]] Place headPlace() const;
+  /// "a number", "a string", ...
+  [[nodiscard]] const char* kindText() const;
 };
 
-/// "a number", "a string", ... for messages.
-[[nodiscard]] const char* kindName(Node::Kind kind);
-
-/// A syntax mistake.
-struct JsonError {
-  Place place;
-  std::string message;
-};
-
-/// Parses JSON with // and /* */ comments. Refuses duplicate keys, numbers beyond double, more than 64 levels and
-/// more than a million values. False with `error` filled in when the text is no such JSON.
-[[nodiscard]] bool parseJson(std::string_view text, std::size_t source, Node& root, JsonError& error);
+/// Parses `text`, all of source `source` from byte `base` on; `//` and `/* */` comments are skipped.
+/// Mistakes go to `diagnostics`; nothing is returned when the text cannot be read to its end.
+[[nodiscard]] std::optional<Node> parseJson(std::string_view text, int source, std::size_t base,
+                                            Diagnostics& diagnostics);
 
 }  // namespace simreel::scene
