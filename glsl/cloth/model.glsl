@@ -247,8 +247,15 @@ FUNCTION vec3 constraintShift(vec4 a, vec4 b, float restLength, float compliance
   return a.w + b.w > 0.0f ? shift : vec3(0.0f);
 }
 
-// A position or speed no cloth should have; catches NaN, for which every comparison fails.
+// NaN or infinity, by its bits: compilers may assume that comparisons never meet NaN.
+FUNCTION bool isNumber(float x) {
+  return (floatBitsToInt(x) & 0x7f800000) != 0x7f800000;
+}
+
+// A position or speed no cloth should have.
 FUNCTION bool isLost(Motion m) {
-  bool fine = exactDot(m.position, m.position) < 1e10f && exactDot(m.velocity, m.velocity) < 1e10f;
-  return !fine;
+  float distanceSquared = exactDot(m.position, m.position);
+  float speedSquared = exactDot(m.velocity, m.velocity);
+  bool numbers = isNumber(distanceSquared) && isNumber(speedSquared);
+  return !numbers || distanceSquared > 1e10f || speedSquared > 1e10f;
 }

@@ -24,6 +24,7 @@ struct RenderOptions {
   std::string output;
   std::string frames;
   std::string device;
+  std::string memoryPath;
   std::string progress = "auto";
   std::string streamFormat = "rgba";
   bool overwrite = false;
@@ -56,7 +57,7 @@ void render(const RenderOptions& o) {
   frame::catchInterrupts();
   frame::ignoreBrokenPipes();
 
-  const gl::Context context({.device = o.device, .debug = o.debug, .memoryPath = ""});
+  const gl::Context context({.device = o.device, .debug = o.debug, .memoryPath = o.memoryPath});
   const auto numerics = sim::probeNumerics();
   if (scene.numerics == scene::Numerics::exact && !numerics.exactHolds)
     fail(ExitCode::device, "this driver does not compute exactly ({}); use another device, or \"numerics\": \"fast\"",
@@ -91,6 +92,7 @@ void addRender(CLI::App& app) {
       ->required();
   command->add_option("--frames", o->frames, "Frames to write, for example 0-99x2,150; all are simulated");
   command->add_option("--device", o->device, "Index or part of a name (see `simreel doctor`)");
+  command->add_option("--memory-path", o->memoryPath, "How kernels read: storage or texel (default: by driver)");
   command->add_option("--progress", o->progress, "auto, tty, ndjson or none");
   command->add_option("--stream-format", o->streamFormat, "Of -o -: rgba or y4m");
   command->add_flag("--overwrite", o->overwrite, "Replace frames that exist");

@@ -20,9 +20,7 @@ class Buffer {
   template <class T>
   static Buffer of(const std::string& label, std::span<const T> items) {
     static_assert(std::is_trivially_copyable_v<T>);
-    Buffer buffer(label, items.size_bytes());
-    buffer.write(0, std::as_bytes(items));
-    return buffer;
+    return Buffer(label, items.size_bytes(), items.data());
   }
 
   /// Copies into the buffer, ordered with the GL commands around it.
@@ -35,8 +33,6 @@ class Buffer {
     read(0, std::as_writable_bytes(std::span(items)));
     return items;
   }
-  void clear();
-
   void bindStorage(GLuint binding) const { glBindBufferBase(GL_SHADER_STORAGE_BUFFER, binding, name()); }
   void bindUniform(GLuint binding, std::size_t offset, std::size_t bytes) const {
     glBindBufferRange(GL_UNIFORM_BUFFER, binding, name(), static_cast<GLintptr>(offset),
@@ -47,6 +43,8 @@ class Buffer {
   [[nodiscard]] std::size_t bytes() const { return bytes_; }
 
  private:
+  Buffer(const std::string& label, std::size_t bytes, const void* items);
+
   Handle<DeleteBuffer> handle_;
   std::size_t bytes_ = 0;
 };

@@ -60,6 +60,10 @@ TEST_CASE("cloth equals its CPU twin over 300 steps on 7x5") {
   compare(sheet(7, 5), 75);
 }
 
+TEST_CASE("cloth equals its CPU twin on 131x97") {
+  compare(sheet(131, 97), 10);
+}
+
 TEST_CASE("cloth in gusting air equals its CPU twin") {
   auto p = sheet(33, 21);
   p.hasAir = true;

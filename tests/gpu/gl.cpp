@@ -73,6 +73,16 @@ TEST_CASE("a buffer keeps what is written and survives moves") {
   CHECK(other.readAll<int>() == std::vector<int>{0, 0, 0});
 }
 
+TEST_CASE("large contents arrive whole, first and when written later") {
+  testContext();
+  std::vector<int> items(1 << 20);
+  for (std::size_t i = 0; i < items.size(); ++i) items[i] = static_cast<int>(i * 2654435761U);
+  CHECK(gl::Buffer::of<int>("large", items).readAll<int>() == items);
+  gl::Buffer later("large, written later", items.size() * sizeof(int));
+  later.write(0, std::as_bytes(std::span(items)));
+  CHECK(later.readAll<int>() == items);
+}
+
 TEST_CASE("limits are named before anything is allocated") {
   testContext();
   const auto tooMany = static_cast<std::size_t>(gl::limits().storageBlockBytes) + 16;
