@@ -1,6 +1,8 @@
 #pragma once
 #include <span>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 namespace simreel::gl {
@@ -11,5 +13,22 @@ struct EmbeddedShader {
   const char* text;
 };
 [[nodiscard]] std::span<const EmbeddedShader> embeddedShaders();
+
+/// Preprocessor names given to a program, for example {"GRID", "1"}.
+using Defines = std::vector<std::pair<std::string, std::string>>;
+
+/// One shader ready for the driver: version line, defines, and the file with its includes.
+struct ShaderSource {
+  std::string text;
+  std::vector<std::string> files;  ///< by source-string number, as #line uses them
+
+  /// Replaces the source-string numbers in a driver's log ("1:20(5): error", "1(20) : error") by file names.
+  [[nodiscard]] std::string explain(std::string_view log) const;
+};
+
+/// Reads `path` (below glsl/) and pastes each `#include "path/below/glsl"` in, once a file. Files come from
+/// $SIMREEL_GLSL, else share/simreel/glsl beside the program's folder, else the copies built in.
+/// Throws UserError(device) naming the file, line and what is missing.
+[[nodiscard]] ShaderSource loadShader(const std::string& path, const Defines& defines);
 
 }  // namespace simreel::gl

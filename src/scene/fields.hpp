@@ -59,7 +59,7 @@ class Fields {
   /// A group that switches a feature on by being there.
   virtual void optionalGroup(const char* name, bool& present, const char* doc,
                              const std::function<void(Fields&)>& describe) = 0;
-  /// A list of groups: `resize(n)` makes room, then `describe(fields, i)` is called for each element.
+  /// A list of groups: `resize(n)` makes n fresh items, then `describe(fields, i)` is called for each element.
   virtual void listOf(const char* name, const char* doc, std::size_t mostItems,
                       const std::function<void(std::size_t)>& resize,
                       const std::function<void(Fields&, std::size_t)>& describe) = 0;
@@ -80,7 +80,7 @@ class Fields {
   void list(const char* name, std::vector<Item>& items, const char* doc, Describe describe,
             std::size_t mostItems = 256) {
     listOf(
-        name, doc, mostItems, [&](std::size_t count) { items.resize(count); },
+        name, doc, mostItems, [&](std::size_t count) { items.assign(count, Item{}); },
         [&](Fields& fields, std::size_t i) { describe(fields, items[i]); });
   }
 };

@@ -1,0 +1,33 @@
+// One colour of one family of XPBD constraints: no particle belongs to two constraints of a colour, so
+// all of them may move their ends at once.
+#include "cloth/bindings.glsl"
+layout(local_size_x = 8, local_size_y = 8) in;
+STATE_ARRAY(1, NextBlock, nextPositions)
+uniform ivec2 reach;  // from one end to the other, in particles
+uniform int color;    // 0 or 1
+uniform int family;   // 0 structural, 1 shear, 2 bend
+
+vec4 loadPosition(int i) {
+  return LOAD_STATE(nextPositions, i);
+}
+#include "cloth/model.glsl"
+
+void main() {
+  ivec2 at = ivec2(gl_GlobalInvocationID.xy);
+  ivec2 to = at + reach;
+  if (at.x >= size.x || at.y >= size.y || to.x < 0 || to.x >= size.x || to.y >= size.y) return;
+  int along = reach.x > 0 ? at.x / reach.x : at.y / reach.y;
+  if ((along & 1) != color) return;
+  int i = at.y * size.x + at.x;
+  int j = to.y * size.x + to.x;
+  vec4 a = loadPosition(i);
+  vec4 b = loadPosition(j);
+  precise float restLength = stepData.alongX.w * (family == 0 ? 1.0f : (family == 1 ? 1.41421356f : 2.0f));
+  float compliance =
+      family == 0 ? stepData.compliance.x : (family == 1 ? stepData.compliance.y : stepData.compliance.z);
+  vec3 shift = constraintShift(a, b, restLength, compliance);
+  precise vec3 newA = a.xyz - shift * a.w;
+  precise vec3 newB = b.xyz + shift * b.w;
+  STORE_STATE(nextPositions, i, vec4(newA, a.w));
+  STORE_STATE(nextPositions, j, vec4(newB, b.w));
+}

@@ -1,0 +1,254 @@
+// One particle of the mass-spring cloth over one substep. Compiles as GLSL and as C++, where it is the
+// CPU twin. Whoever includes it provides `size` (ivec2), `stepData` (ClothStep), loadPosition(int),
+// and the files types.glsl, common/exact.glsl, common/hash.glsl before it.
+
+FUNCTION int neighbour(ivec2 at, int dx, int dy) {
+  // A neighbour beyond the border becomes the particle itself: its springs then have no length and no force.
+  int x = at.x + dx;
+  int y = at.y + dy;
+  bool inside = x >= 0 && y >= 0 && x < size.x && y < size.y;
+  return inside ? y * size.x + x : at.y * size.x + at.x;
+}
+
+// F = k (|d| - L0) d / |d| = k (1 - L0 / |d|) d, none where |d| < 1e-4 m.
+FUNCTION vec3 springForce(vec3 d, float restLength, float stiffness) {
+  precise float squared = exactDot(d, d);
+  precise float ratio = restLength * exactInverseSqrt(squared);
+  precise float scale = 1.0f - ratio;
+  scale = scale * stiffness;
+  precise vec3 force = d * scale;
+  return squared < 1e-8f ? vec3(0.0f) : force;
+}
+
+FUNCTION vec3 springTo(ivec2 at, vec3 here, int dx, int dy, float restLength, float stiffness) {
+  precise vec3 d = vec3(loadPosition(neighbour(at, dx, dy))) - here;
+  return springForce(d, restLength, stiffness);
+}
+
+FUNCTION vec3 springForces(ivec2 at, vec3 here) {
+  float k = stepData.stiffness.x;
+  float restLength = stepData.alongX.w;
+  precise vec3 sum = springTo(at, here, -1, 0, restLength, k);
+  sum = sum + springTo(at, here, 1, 0, restLength, k);
+  sum = sum + springTo(at, here, 0, -1, restLength, k);
+  sum = sum + springTo(at, here, 0, 1, restLength, k);
+  precise float diagonal = restLength * 1.41421356f;
+  k = stepData.stiffness.y;
+  sum = sum + springTo(at, here, -1, -1, diagonal, k);
+  sum = sum + springTo(at, here, 1, -1, diagonal, k);
+  sum = sum + springTo(at, here, -1, 1, diagonal, k);
+  sum = sum + springTo(at, here, 1, 1, diagonal, k);
+  precise float twice = restLength * 2.0f;
+  k = stepData.stiffness.z;
+  sum = sum + springTo(at, here, -2, 0, twice, k);
+  sum = sum + springTo(at, here, 2, 0, twice, k);
+  sum = sum + springTo(at, here, 0, -2, twice, k);
+  sum = sum + springTo(at, here, 0, 2, twice, k);
+  return sum;
+}
+
+// Value noise with three components in [-1, 1): a random vector at each lattice point, blended by
+// 3u^2 - 2u^3.
+FUNCTION vec3 latticeVector(ivec2 xy, int z) {
+  uvec3 bits = hash3(uvec3(uint(xy.x), uint(xy.y), uint(z) ^ (uint(stepData.counts.z) * 0x9e3779b9u)));
+  return vec3(signedUnit(bits.x), signedUnit(bits.y), signedUnit(bits.z));
+}
+
+FUNCTION vec3 blend(vec3 a, vec3 b, float t) {
+  precise vec3 difference = b - a;
+  difference = difference * t;
+  precise vec3 sum = a + difference;
+  return sum;
+}
+
+FUNCTION float smoothCurve(float u) {
+  precise float twice = 2.0f * u;
+  precise float t = 3.0f - twice;
+  t = t * u;
+  t = t * u;
+  return t;
+}
+
+FUNCTION vec3 noise(vec3 p) {
+  precise vec3 base = floor(p);
+  precise vec3 u = p - base;
+  int x = int(base.x);
+  int y = int(base.y);
+  int z = int(base.z);
+  float tx = smoothCurve(u.x);
+  float ty = smoothCurve(u.y);
+  vec3 low = blend(blend(latticeVector(ivec2(x, y), z), latticeVector(ivec2(x + 1, y), z), tx),
+                   blend(latticeVector(ivec2(x, y + 1), z), latticeVector(ivec2(x + 1, y + 1), z), tx), ty);
+  vec3 high = blend(blend(latticeVector(ivec2(x, y), z + 1), latticeVector(ivec2(x + 1, y), z + 1), tx),
+                    blend(latticeVector(ivec2(x, y + 1), z + 1), latticeVector(ivec2(x + 1, y + 1), z + 1), tx), ty);
+  return blend(low, high, smoothCurve(u.z));
+}
+
+// Air force on a corner of a face: c = a x b has twice the area of the triangle (here, a, b), and half of
+// that triangle belongs to this particle, so A n = c/4. With v the air's velocity relative to the cloth:
+//   drag = 1/2 rho Cd A |v.n| v,   lift = 1/2 rho Cl A (v.n) (|v|^2 n - (v.n) v) / |v|,
+// the lift being perpendicular to v and zero both edge-on and face-on.
+FUNCTION vec3 airForceOnFace(vec3 a, vec3 b, vec3 v, float speedSquared, float inverseSpeed) {
+  vec3 c = exactCross(a, b);
+  float through = exactDot(v, c);
+  precise float share = 0.125f * stepData.air.w;
+  precise float drag = share * stepData.airShape.x;
+  drag = drag * abs(through);
+  precise vec3 force = v * drag;
+  float inverseArea = exactInverseSqrt(max(exactDot(c, c), 1e-24f));
+  precise float lift = share * stepData.airShape.y;
+  lift = lift * through;
+  lift = lift * inverseSpeed;
+  lift = lift * inverseArea;
+  precise vec3 up = c * speedSquared;
+  precise vec3 along = v * through;
+  up = up - along;
+  up = up * lift;
+  force = force + up;
+  return force;
+}
+
+FUNCTION vec3 airForces(ivec2 at, vec3 here, vec3 velocity) {
+  precise vec3 place = here - vec3(stepData.airDrift);
+  place = place * stepData.airShape.w;
+  precise vec3 gust = noise(place) * stepData.airDrift.w;
+  precise vec3 v = vec3(stepData.air) + gust;
+  v = v - velocity;
+  float speedSquared = max(exactDot(v, v), 1e-12f);
+  float inverseSpeed = exactInverseSqrt(speedSquared);
+  precise vec3 left = vec3(loadPosition(neighbour(at, -1, 0))) - here;
+  precise vec3 right = vec3(loadPosition(neighbour(at, 1, 0))) - here;
+  precise vec3 up = vec3(loadPosition(neighbour(at, 0, -1))) - here;
+  precise vec3 down = vec3(loadPosition(neighbour(at, 0, 1))) - here;
+  precise vec3 sum = airForceOnFace(right, up, v, speedSquared, inverseSpeed);
+  sum = sum + airForceOnFace(up, left, v, speedSquared, inverseSpeed);
+  sum = sum + airForceOnFace(left, down, v, speedSquared, inverseSpeed);
+  sum = sum + airForceOnFace(down, right, v, speedSquared, inverseSpeed);
+  return sum;
+}
+
+// v' = (v + (F w + g) dt) keep. `springs` and `air` switch terms off that a variant does not have.
+FUNCTION vec3 newVelocity(ivec2 at, vec4 here, vec3 velocity, bool springs, bool air) {
+  precise vec3 force = vec3(stepData.windForce);
+  if (springs) force = force + springForces(at, vec3(here));
+  if (air) force = force + airForces(at, vec3(here), velocity);
+  precise vec3 acceleration = force * here.w;
+  acceleration = acceleration + vec3(stepData.gravity);
+  acceleration = acceleration * stepData.gravity.w;
+  precise vec3 v = velocity + acceleration;
+  v = v * stepData.windForce.w;
+  return v;
+}
+
+FUNCTION float applyRow(vec4 row, vec3 p) {
+  precise float value = exactDot(vec3(row), p) + row.w;
+  return value;
+}
+
+// Where the pin's frame carries the particle's rest position.
+FUNCTION vec3 pinnedPosition(ivec2 at, int frame) {
+  precise vec3 right = vec3(stepData.alongX) * float(at.x);
+  precise vec3 down = vec3(stepData.alongY) * float(at.y);
+  precise vec3 rest = vec3(stepData.origin) + right;
+  rest = rest + down;
+  return vec3(applyRow(stepData.frames[frame].row0, rest), applyRow(stepData.frames[frame].row1, rest),
+              applyRow(stepData.frames[frame].row2, rest));
+}
+
+struct Motion {
+  vec3 position;
+  vec3 velocity;
+};
+
+// Out of every collider along its normal; relative to the collider the inward velocity goes and a share of
+// the tangential velocity stays.
+FUNCTION Motion contact(Motion m) {
+  for (int i = 0; i < stepData.counts.x; ++i) {
+    vec4 a = stepData.colliders[i].a;
+    vec4 b = stepData.colliders[i].b;
+    bool plane = b.w > 0.5f;
+    precise vec3 axis = vec3(b) - vec3(a);
+    precise vec3 fromA = m.position - vec3(a);
+    precise float t = exactDot(fromA, axis) * stepData.colliders[i].velocityB.w;
+    t = min(max(t, 0.0f), 1.0f);
+    precise vec3 nearest = vec3(a) + axis * t;
+    precise vec3 offset = m.position - nearest;
+    float squared = exactDot(offset, offset);
+    float inverse = exactInverseSqrt(max(squared, 1e-12f));
+    precise vec3 outward = offset * inverse;
+    precise float distanceToAxis = squared * inverse;
+    vec3 normal = plane ? vec3(a) : outward;
+    precise float beyond = plane ? exactDot(vec3(a), m.position) : distanceToAxis;
+    precise float depth = a.w + stepData.origin.w;
+    depth = depth - beyond;
+    bool touching = depth > 0.0f;
+    precise vec3 spin = vec3(stepData.colliders[i].velocityB) - vec3(stepData.colliders[i].velocityA);
+    spin = spin * t;
+    precise vec3 surface = vec3(stepData.colliders[i].velocityA) + spin;
+    surface = plane ? vec3(0.0f) : surface;
+    precise vec3 relative = m.velocity - surface;
+    float inward = exactDot(relative, normal);
+    precise vec3 along = normal * inward;
+    precise vec3 tangential = relative - along;
+    precise vec3 kept = tangential * stepData.colliders[i].velocityA.w;
+    kept = kept + normal * max(inward, 0.0f);
+    kept = kept + surface;
+    precise vec3 pushed = m.position + normal * depth;
+    m.position = touching ? pushed : m.position;
+    m.velocity = touching ? kept : m.velocity;
+  }
+  return m;
+}
+
+// Semi-implicit Euler: x' = x + v' dt, then contact unless constraints still have to act.
+FUNCTION Motion advance(ivec2 at, vec4 here, vec4 velocity, bool springs, bool air, bool touch) {
+  Motion m;
+  if (here.w == 0.0f) {
+    m.position = pinnedPosition(at, int(velocity.w));
+    m.velocity = vec3(0.0f);
+    return m;
+  }
+  m.velocity = newVelocity(at, here, vec3(velocity), springs, air);
+  precise vec3 moved = vec3(here) + m.velocity * stepData.gravity.w;
+  m.position = moved;
+  if (touch) m = contact(m);
+  return m;
+}
+
+// After the constraints: v = (x - x_before) / dt, then contact.
+FUNCTION Motion settled(vec4 before, vec4 here) {
+  precise vec3 moved = vec3(here) - vec3(before);
+  Motion m;
+  m.position = vec3(here);
+  precise vec3 v = moved * stepData.stiffness.w;
+  m.velocity = v;
+  if (here.w == 0.0f) {
+    m.velocity = vec3(0.0f);
+    return m;
+  }
+  return contact(m);
+}
+
+// How far XPBD (Macklin et al. 2016; one iteration per substep, 2019) moves each end of a constraint
+// C = |d| - L0 along d = b - a: lambda = -C / (wa + wb + compliance/dt^2), a -= wa lambda d/|d|, b += ...
+// Returns lambda d/|d|.
+FUNCTION vec3 constraintShift(vec4 a, vec4 b, float restLength, float compliance) {
+  precise vec3 d = vec3(b) - vec3(a);
+  float squared = max(exactDot(d, d), 1e-12f);
+  float inverse = exactInverseSqrt(squared);
+  precise float stretch = squared * inverse;
+  stretch = stretch - restLength;
+  precise float weight = compliance * stepData.alongY.w;
+  weight = weight + a.w;
+  weight = weight + b.w;
+  precise float lambda = stretch * exactReciprocal(max(weight, 1e-20f));
+  lambda = lambda * inverse;
+  precise vec3 shift = d * -lambda;
+  return a.w + b.w > 0.0f ? shift : vec3(0.0f);
+}
+
+// A position or speed no cloth should have; catches NaN, for which every comparison fails.
+FUNCTION bool isLost(Motion m) {
+  bool fine = exactDot(m.position, m.position) < 1e10f && exactDot(m.velocity, m.velocity) < 1e10f;
+  return !fine;
+}

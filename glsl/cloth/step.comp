@@ -1,0 +1,24 @@
+// Forces and semi-implicit Euler in one pass: reads every position of the last substep, writes the next
+// ones elsewhere, so no order of work groups changes the result.
+#include "cloth/bindings.glsl"
+layout(local_size_x = 8, local_size_y = 8) in;
+INPUT_ARRAY(0, PositionBlock, positions)
+STATE_ARRAY(1, NextBlock, nextPositions)
+STATE_ARRAY(2, VelocityBlock, velocities)
+
+vec4 loadPosition(int i) {
+  return LOAD_INPUT(positions, i);
+}
+#include "cloth/model.glsl"
+
+void main() {
+  ivec2 at = ivec2(gl_GlobalInvocationID.xy);
+  if (at.x >= size.x || at.y >= size.y) return;
+  int i = at.y * size.x + at.x;
+  vec4 here = loadPosition(i);
+  vec4 velocity = LOAD_STATE(velocities, i);
+  Motion m = advance(at, here, velocity, SPRINGS, AIR, CONTACT);
+  STORE_STATE(nextPositions, i, vec4(m.position, here.w));
+  STORE_STATE(velocities, i, vec4(m.velocity, velocity.w));
+  if (isLost(m)) noteLost(uint(stepData.counts.y), uint(i));
+}

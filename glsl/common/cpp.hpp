@@ -1,0 +1,36 @@
+#pragma once
+// Lets the shared shader files compile as C++: include this, open a namespace or struct, include them.
+// Built with -ffp-contract=off, every C++ operation rounds as a `precise` one does.
+#include <bit>
+#include <cmath>
+#include <cstdint>
+
+#include <glm/common.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+namespace simreel::shader {
+
+using glm::abs;
+using glm::clamp;
+using glm::floor;
+using glm::ivec2;
+using glm::ivec4;
+using glm::max;
+using glm::min;
+using glm::uvec3;
+using glm::uvec4;
+using glm::vec2;
+using glm::vec3;
+using glm::vec4;
+using uint = std::uint32_t;
+
+inline int floatBitsToInt(float x) {
+  return std::bit_cast<int>(x);
+}
+inline float intBitsToFloat(int x) {
+  return std::bit_cast<float>(x);
+}
+
+}  // namespace simreel::shader

@@ -1,0 +1,25 @@
+// Random numbers: an integer hash of where and when, nothing else (PCG family; Jarzynski and Olano,
+// "Hash Functions for GPU Rendering", JCGT 9(3), 2020). Compiles as GLSL and as C++.
+#ifndef FUNCTION
+#define FUNCTION
+#endif
+
+// Three words in, three well-mixed words out.
+FUNCTION uvec3 hash3(uvec3 v) {
+  v = v * 1664525u + 1013904223u;
+  v.x += v.y * v.z;
+  v.y += v.z * v.x;
+  v.z += v.x * v.y;
+  v = v ^ (v >> 16u);
+  v.x += v.y * v.z;
+  v.y += v.z * v.x;
+  v.z += v.x * v.y;
+  return v;
+}
+
+// The upper 24 bits of a word as a number in [-1, 1), exactly.
+FUNCTION float signedUnit(uint bits) {
+  precise float u = float(int(bits >> 8u) - 8388608);
+  precise float scaled = u * 1.1920929e-7f;
+  return scaled;
+}

@@ -1,0 +1,10 @@
+// Counts to `rounds` in a loop: some software drivers stop silently after 65,535 iterations.
+layout(local_size_x = 1) in;
+layout(std430, binding = 0) writeonly restrict buffer OutputBlock { uint reached; };
+uniform int rounds;
+
+void main() {
+  uint n = 0u;
+  for (int i = 0; i < rounds; ++i) n = (n + 1u) ^ uint(i & 0);
+  reached = n;
+}

@@ -1,0 +1,12 @@
+// Where a simulation notes the first step and element whose state is not a number (binding 7).
+layout(std430, binding = 7) restrict buffer StatusBlock {
+  uint firstStep;     // 0xffffffff while all is well
+  uint firstElement;  // the lowest of that step
+  uint spare0;
+  uint spare1;
+} status;
+
+void noteLost(uint step, uint element) {
+  uint before = atomicCompSwap(status.firstStep, 0xffffffffu, step);
+  if (before == 0xffffffffu || before == step) atomicMin(status.firstElement, element);
+}

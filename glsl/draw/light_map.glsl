@@ -1,0 +1,12 @@
+// The light's map as shadow_fit.comp wrote it. Read by vertex shaders only: coordinates are affine in space,
+// so they may be interpolated.
+layout(binding = 4) uniform samplerBuffer light;
+
+// Place of a world position in the shadow map: xy 0 to 1 over the map, z depth from the light.
+vec3 shadowPlace(vec3 p) {
+  vec4 q = vec4(p, 1.0);
+  return vec3(dot(texelFetch(light, 0), q), dot(texelFetch(light, 1), q), dot(texelFetch(light, 2), q));
+}
+float shadowTexel() {
+  return texelFetch(light, 3).x;
+}

@@ -1,0 +1,27 @@
+// Share of the sun that reaches a place of the shadow map, filtered over frame.lightUp.w texels.
+#ifdef SHADOW
+layout(binding = 5) uniform sampler2DShadow shadowMap;
+
+float sunShare(vec3 place) {
+  float depth = min(place.z, 1.0);  // behind every caster still counts as inside the map
+  float radius = frame.lightUp.w / frame.lightRight.w;
+#if SHADOW_TAPS == 4
+  // A square turned by 27 degrees: with bilinear taps its steps overlap into a smooth ramp.
+  vec2 a = radius * vec2(0.667, 0.333), b = radius * vec2(-0.333, 0.667);
+  return 0.25 * (texture(shadowMap, vec3(place.xy + a, depth)) + texture(shadowMap, vec3(place.xy - a, depth)) +
+                 texture(shadowMap, vec3(place.xy + b, depth)) + texture(shadowMap, vec3(place.xy - b, depth)));
+#else
+  float sum = 0.0;
+  for (int i = 0; i < SHADOW_TAPS; ++i) {  // sunflower disc
+    float turn = 2.399963 * float(i);
+    vec2 offset = radius * sqrt((float(i) + 0.5) / float(SHADOW_TAPS)) * vec2(cos(turn), sin(turn));
+    sum += texture(shadowMap, vec3(place.xy + offset, depth));
+  }
+  return sum / float(SHADOW_TAPS);
+#endif
+}
+#else
+float sunShare(vec3 place) {
+  return 1.0;
+}
+#endif

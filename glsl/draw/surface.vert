@@ -1,0 +1,54 @@
+#include "draw/frame_block.glsl"
+#include "draw/vertex_pull.glsl"
+#include "draw/light_map.glsl"
+#ifdef GRID
+uniform ivec2 grid;
+#else
+layout(binding = 1) uniform samplerBuffer normals;
+layout(binding = 2) uniform samplerBuffer uvs;
+#endif
+#ifdef TEXTURED
+uniform vec2 textureScale;
+out vec2 uv;
+#endif
+out vec3 worldPosition;
+out vec3 worldNormal;
+#ifdef SHADOW
+out vec3 place;
+#endif
+
+#ifdef GRID
+// Central differences, one-sided at the borders; agrees with the triangles (a, a + width, a + 1).
+vec3 gridNormal(int i) {
+  int x = i % grid.x, y = i / grid.x;
+  vec3 left = worldPoint(i - min(x, 1)), right = worldPoint(i + min(grid.x - 1 - x, 1));
+  vec3 above = worldPoint(i - grid.x * min(y, 1)), below = worldPoint(i + grid.x * min(grid.y - 1 - y, 1));
+  return cross(below - above, right - left);
+}
+#endif
+
+void main() {
+  int i = gl_VertexID;
+  vec3 p = worldPoint(i);
+#ifdef GRID
+  vec3 normal = gridNormal(i);
+#else
+  vec3 normal = mat3(model) * texelFetch(normals, i).xyz;
+#endif
+  normal *= inversesqrt(max(dot(normal, normal), 1e-30));
+  worldPosition = p;
+  worldNormal = normal;
+#ifdef TEXTURED
+#ifdef GRID
+  uv = textureScale * vec2(i % grid.x, i / grid.x) / vec2(grid - 1);
+#else
+  uv = textureScale * texelFetch(uvs, i).xy;
+#endif
+#endif
+#ifdef SHADOW
+  // Looked up a little to the lit side of the surface, so it does not shade itself.
+  float side = clamp(4.0 * dot(normal, frame.sunDirection.xyz), -1.0, 1.0);
+  place = shadowPlace(p + normal * (side * shadowTexel() * (0.5 + 0.5 * frame.lightUp.w)));
+#endif
+  gl_Position = frame.viewProjection * vec4(p, 1.0);
+}

@@ -1,0 +1,10 @@
+// One triangle over the whole picture.
+#include "draw/frame_block.glsl"
+out vec3 ray;
+
+void main() {
+  vec2 at = vec2(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0);
+  // Row 0 of the target is the picture's top row.
+  ray = frame.rayForward.xyz + frame.rayRight.xyz * at.x - frame.rayUp.xyz * at.y;
+  gl_Position = vec4(at, 0.0, 1.0);
+}

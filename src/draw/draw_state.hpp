@@ -1,0 +1,53 @@
+#pragma once
+#include "gl/buffer.hpp"
+#include "gl/handle.hpp"
+
+namespace simreel::draw {
+
+/// Fixed-function state of a pass. Each pass sets all of it, so none depends on the pass before.
+struct DrawState {
+  bool depthTest = true;
+  bool cullBack = false;
+  bool depthOffset = false;
+
+  void set() const {
+    const auto turn = [](GLenum what, bool on) { on ? glEnable(what) : glDisable(what); };
+    turn(GL_DEPTH_TEST, depthTest);
+    turn(GL_CULL_FACE, cullBack);
+    turn(GL_POLYGON_OFFSET_FILL, depthOffset);
+    turn(GL_MULTISAMPLE, true);
+    for (const GLenum off : {GL_BLEND, GL_SCISSOR_TEST, GL_STENCIL_TEST, GL_FRAMEBUFFER_SRGB, GL_PRIMITIVE_RESTART,
+                             GL_DEPTH_CLAMP, GL_SAMPLE_SHADING, GL_SAMPLE_ALPHA_TO_COVERAGE})
+      glDisable(off);
+    glDepthFunc(GL_LESS);
+    glDepthMask(depthTest ? GL_TRUE : GL_FALSE);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    glFrontFace(GL_CCW);
+    glCullFace(GL_BACK);
+    glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+  }
+};
+
+/// Texture units of glsl/draw.
+enum Unit : GLuint { positionUnit = 0, normalUnit = 1, uvUnit = 2, albedoUnit = 3, lightUnit = 4, shadowUnit = 5 };
+
+/// Vertices are pulled by number, yet drawing needs a vertex array: this one has no attributes.
+class VertexArray {
+ public:
+  VertexArray() : handle_(create()) {}
+  void bind() const { glBindVertexArray(handle_.get()); }
+  void bind(const gl::Buffer& indices) const {
+    glVertexArrayElementBuffer(handle_.get(), indices.name());
+    bind();
+  }
+
+ private:
+  static GLuint create() {
+    GLuint name = 0;
+    glCreateVertexArrays(1, &name);
+    return name;
+  }
+  gl::Handle<gl::DeleteVertexArray> handle_;
+};
+
+}  // namespace simreel::draw

@@ -1,0 +1,60 @@
+#include "draw/frame_values.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "draw/camera.hpp"
+
+namespace simreel::draw {
+
+namespace {
+
+void setSun(shader::Frame& frame, const scene::Sun& sun, double seconds) {
+  const glm::vec3 given = sun.direction.at(seconds);
+  const glm::vec3 direction = glm::length(given) > 1e-6F ? glm::normalize(given) : glm::vec3(0, 1, 0);
+  const glm::vec3 helper = std::abs(direction.y) > 0.9F ? glm::vec3(0, 0, 1) : glm::vec3(0, 1, 0);
+  const glm::vec3 right = glm::normalize(glm::cross(helper, direction));
+  frame.sunDirection = glm::vec4(direction, 0.12F);
+  frame.sunLight = glm::vec4(sun.color.at(seconds) * (sun.intensity.at(seconds) * 0.31830989F), 0);
+  frame.lightRight = glm::vec4(right, static_cast<float>(sun.shadowSize));
+  frame.lightUp = glm::vec4(glm::cross(direction, right), sun.shadowSoftness);
+}
+
+/// Cosine-weighted means of the gradient in glsl/draw/sky.glsl, to a few per cent.
+void setSky(shader::Frame& frame, const scene::Sky& sky, double seconds) {
+  const glm::vec3 zenith = sky.zenith.at(seconds);
+  const glm::vec3 horizon = sky.horizon.at(seconds);
+  const glm::vec3 ground = sky.ground.at(seconds);
+  const float ambient = sky.ambient.at(seconds);
+  frame.zenith = glm::vec4(zenith, 0);
+  frame.horizon = glm::vec4(horizon, 0);
+  frame.nadir = glm::vec4(ground, 0);
+  frame.ambientUp = glm::vec4(ambient * glm::mix(zenith, horizon, 0.2F), 0);
+  frame.ambientSide = glm::vec4(ambient * (0.5F * glm::mix(zenith, horizon, 0.45F) + 0.5F * ground), 0);
+  frame.ambientDown = glm::vec4(ambient * ground, 0);
+}
+
+}  // namespace
+
+shader::Frame frameValues(const scene::Scene& scene, glm::ivec2 size, double seconds) {
+  shader::Frame frame{};
+  const View view = viewAt(scene.camera, seconds, size);
+  const scene::Ground& ground = scene.ground;
+  frame.viewProjection = view.viewProjection;
+  frame.eye = glm::vec4(view.eye, 1.0F / std::max(ground.fadeEnd - ground.fadeStart, 1e-3F));
+  frame.target = glm::vec4(view.target, ground.fadeStart);
+  frame.rayForward = glm::vec4(view.forward, 0);
+  frame.rayRight = glm::vec4(view.right, 0);
+  frame.rayUp = glm::vec4(view.up, 0);
+  setSun(frame, scene.sun, seconds);
+  setSky(frame, scene.sky, seconds);
+  frame.groundColor = glm::vec4(ground.color, ground.height);
+  frame.groundShape = glm::vec4(ground.roughness, std::max(ground.fadeEnd, ground.fadeStart), scene.hasGround, 0);
+  frame.lens = glm::vec4(std::exp2(scene.render.exposure.at(seconds)), scene.render.vignette, size);
+  return frame;
+}
+
+}  // namespace simreel::draw

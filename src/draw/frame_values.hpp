@@ -1,0 +1,21 @@
+#pragma once
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec4.hpp>
+
+#include "scene/scene.hpp"
+
+namespace simreel::shader {
+
+using glm::mat4;
+using glm::vec4;
+#include "glsl/draw/frame.glsl"
+
+}  // namespace simreel::shader
+
+namespace simreel::draw {
+
+/// Everything of the scene that the passes read, at `seconds` of scene time.
+[[nodiscard]] shader::Frame frameValues(const scene::Scene& scene, glm::ivec2 size, double seconds);
+
+}  // namespace simreel::draw

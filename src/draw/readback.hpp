@@ -1,0 +1,52 @@
+#pragma once
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include <glm/vec2.hpp>
+
+#include "gl/handle.hpp"
+#include "gl/texture.hpp"
+
+namespace simreel::draw {
+
+/// Copies finished pictures to the CPU while later frames are drawn: up to three are under way.
+class Readback {
+ public:
+  explicit Readback(glm::ivec2 size);
+  ~Readback();
+  Readback(Readback&&) = delete;
+  Readback& operator=(Readback&&) = delete;
+  Readback(const Readback&) = delete;
+  Readback& operator=(const Readback&) = delete;
+
+  /// Starts copying the framebuffer's RGBA8 pixels. Call take() first when full.
+  void start(const gl::Framebuffer& framebuffer, int tag);
+  [[nodiscard]] bool full() const { return count_ == slots_.size(); }
+  [[nodiscard]] bool empty() const { return count_ == 0; }
+  /// Blocks until the oldest copy is complete, so that take() only copies.
+  void waitForOldest() const { static_cast<void>(reached(true)); }
+  /// The oldest picture, in the order of start(): its tag and width * height * 4 bytes, row 0 of the
+  /// framebuffer first. Nothing when none is under way or, unless `wait`, when it is not there yet.
+  [[nodiscard]] std::optional<std::pair<int, std::vector<std::uint8_t>>> take(bool wait);
+
+
+ private:
+  [[nodiscard]] bool reached(bool wait) const;
+  struct Slot {
+    gl::Handle<gl::DeleteBuffer> buffer;
+    const std::uint8_t* bytes = nullptr;  ///< mapped for the slot's whole life
+    GLsync done = nullptr;
+    int tag = 0;
+  };
+  glm::ivec2 size_;
+  std::size_t bytes_;
+  std::array<Slot, 3> slots_;
+  std::size_t oldest_ = 0;
+  std::size_t count_ = 0;
+};
+
+}  // namespace simreel::draw

@@ -1,0 +1,65 @@
+#include "draw/renderer.hpp"
+
+#include <span>
+
+#include "draw/frame_values.hpp"
+#include "draw/ground_pass.hpp"
+#include "draw/shadow_pass.hpp"
+#include "draw/surface_pass.hpp"
+#include "draw/targets.hpp"
+#include "draw/tone_map_pass.hpp"
+
+namespace simreel::draw {
+
+struct Renderer::State {
+  State(const scene::Scene& shown, glm::ivec2 pixels, int samples)
+      : scene(shown),
+        size(pixels),
+        targets(pixels, samples),
+        shadow(shown.sun),
+        surfaces(shown, shadow),
+        ground(shown, shadow),
+        toneMap(samples),
+        frame("frame values", sizeof(shader::Frame)) {
+  }
+
+  const scene::Scene& scene;
+  glm::ivec2 size;
+  Targets targets;
+  ShadowPass shadow;
+  SurfacePass surfaces;
+  GroundPass ground;
+  ToneMapPass toneMap;
+  gl::Buffer frame;
+};
+
+Renderer::Renderer(const scene::Scene& scene, glm::ivec2 size, int samples)
+    : state_(std::make_unique<State>(scene, size, samples)) {}
+Renderer::~Renderer() = default;
+Renderer::Renderer(Renderer&&) noexcept = default;
+Renderer& Renderer::operator=(Renderer&&) noexcept = default;
+
+void Renderer::draw(double seconds, const sim::Drawables& drawables) {
+  State& s = *state_;
+  const shader::Frame values = frameValues(s.scene, s.size, seconds);
+  s.frame.write(0, std::as_bytes(std::span(&values, 1)));
+  s.frame.bindUniform(0, 0, sizeof values);
+  // Whatever the simulations wrote, vertex pulling and index fetch see it.
+  glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_ELEMENT_ARRAY_BARRIER_BIT);
+  if (s.shadow.on()) {
+    s.shadow.fit(drawables);
+    s.shadow.draw(drawables);
+  }
+  s.targets.clear();
+  s.targets.scene.bind();
+  s.shadow.bind();
+  s.surfaces.draw(drawables);
+  s.ground.draw();
+  s.toneMap.draw(s.targets);
+}
+
+const gl::Framebuffer& Renderer::target() const {
+  return state_->targets.picture;
+}
+
+}  // namespace simreel::draw

@@ -1,0 +1,36 @@
+#pragma once
+#include <memory>
+
+#include <glm/vec2.hpp>
+
+#include "gl/texture.hpp"
+#include "scene/scene.hpp"
+#include "sim/drawable.hpp"
+
+namespace simreel::draw {
+
+/// Draws one frame: shadow map, background, ground and surfaces into a multisampled linear target,
+/// resolve, tone map, sRGB encoding.
+class Renderer {
+ public:
+  /// Compiles every shader and loads every texture the scene's materials name. Throws UserError:
+  /// device for limits (samples, size), inputOutput or usage for textures.
+  Renderer(const scene::Scene& scene, glm::ivec2 size, int samples);
+  ~Renderer();
+  Renderer(Renderer&&) noexcept;
+  Renderer& operator=(Renderer&&) noexcept;
+  Renderer(const Renderer&) = delete;
+  Renderer& operator=(const Renderer&) = delete;
+
+  /// Issues the commands for the frame at `seconds` (of scene time); does not wait.
+  void draw(double seconds, const sim::Drawables& drawables);
+
+  /// RGBA8, sRGB-encoded; row 0 of a read-back is the picture's top row.
+  [[nodiscard]] const gl::Framebuffer& target() const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace simreel::draw

@@ -1,0 +1,91 @@
+#include "draw/shadow_pass.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include <glm/vec4.hpp>
+
+#include "base/error.hpp"
+#include "gl/limits.hpp"
+
+namespace simreel::draw {
+
+namespace {
+
+constexpr int axes = 5;  // boundCount of glsl/draw/bounds.glsl
+constexpr GLuint boundsBinding = 6;
+constexpr GLuint lightBinding = 7;
+
+gl::Texture makeMap(int size) {
+  const int most = gl::limits().textureSize;
+  if (size > most)
+    fail(ExitCode::device, "a shadow map of {} texels a side: this device allows {} (GL_MAX_TEXTURE_SIZE); lower \"shadowSize\"",
+         size, most);
+  gl::Texture map = gl::Texture::image("shadow map", GL_DEPTH_COMPONENT32F, size, size);
+  // The border texels hold no caster, so clamping to them finds light outside the map.
+  glTextureParameteri(map.name(), GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+  glTextureParameteri(map.name(), GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+  glTextureParameteri(map.name(), GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
+  glTextureParameteri(map.name(), GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
+  return map;
+}
+
+}  // namespace
+
+ShadowPass::ShadowPass(const scene::Sun& sun) : on_(sun.shadow), softness_(sun.shadowSoftness) {
+  if (!on_) return;
+  defines_ = {{"SHADOW", "1"}, {"SHADOW_TAPS", softness_ <= 2.0F ? "4" : "16"}};
+  bounds_ = gl::Program::compute("draw/shadow_bounds.comp");
+  fit_ = gl::Program::compute("draw/shadow_fit.comp");
+  draw_ = gl::Program::graphics("draw/shadow.vert", "draw/shadow.frag");
+  std::array<GLuint, 2 * axes> empty{};
+  std::fill_n(empty.begin(), axes, 0xffffffffU);
+  boundKeys_ = gl::Buffer::of<GLuint>("shadow bounds", empty);
+  light_ = gl::Buffer("light map", 5 * sizeof(glm::vec4));
+  lightView_ = gl::Texture::view("light map", GL_RGBA32F, light_);
+  map_ = makeMap(sun.shadowSize);
+  target_ = gl::Framebuffer("shadow map", nullptr, &map_);
+}
+
+void ShadowPass::fit(const sim::Drawables& drawables) const {
+  constexpr int mostInvocations = 1 << 14;
+  constexpr int verticesEach = 32;
+  boundKeys_.bindStorage(boundsBinding);
+  light_.bindStorage(lightBinding);
+  for (const sim::Surface& surface : drawables.surfaces) {
+    const int invocations = std::clamp((surface.vertexCount + verticesEach - 1) / verticesEach, 1, mostInvocations);
+    bounds_.set("vertexCount", surface.vertexCount);
+    bounds_.set("invocations", invocations);
+    bounds_.set("model", surface.model);
+    surface.positions->bind(positionUnit);
+    bounds_.dispatch(invocations);
+  }
+  glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+  fit_.dispatch(1);
+  glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT);
+}
+
+void ShadowPass::draw(const sim::Drawables& drawables) const {
+  constexpr GLfloat farthest = 1;
+  DrawState{.depthTest = true, .cullBack = false, .depthOffset = true}.set();
+  // A filter of r texels reads depths up to r + 1 texels of slope away.
+  glPolygonOffset(1.5F + softness_, 4.0F);
+  glClearNamedFramebufferfv(target_.name(), GL_DEPTH, 0, &farthest);
+  target_.bind();
+  draw_.use();
+  lightView_.bind(lightUnit);
+  for (const sim::Surface& surface : drawables.surfaces) {
+    draw_.set("model", surface.model);
+    surface.positions->bind(positionUnit);
+    vertices_.bind(*surface.indices);
+    glDrawElements(GL_TRIANGLES, surface.indexCount, GL_UNSIGNED_INT, nullptr);
+  }
+}
+
+void ShadowPass::bind() const {
+  if (!on_) return;
+  lightView_.bind(lightUnit);
+  map_.bind(shadowUnit);
+}
+
+}  // namespace simreel::draw

@@ -1,0 +1,36 @@
+#pragma once
+#include "draw/draw_state.hpp"
+#include "gl/buffer.hpp"
+#include "gl/program.hpp"
+#include "gl/texture.hpp"
+#include "scene/scene.hpp"
+#include "sim/drawable.hpp"
+
+namespace simreel::draw {
+
+/// The sun's shadow map, orthographic, fitted on the GPU to what casts shadows. The ground casts none.
+class ShadowPass {
+ public:
+  explicit ShadowPass(const scene::Sun& sun);
+
+  /// Bounds and light map; then draw() may be called, and bind() by the passes that read.
+  void fit(const sim::Drawables& drawables) const;
+  void draw(const sim::Drawables& drawables) const;
+  /// Makes the map and its place in space readable by shaders.
+  void bind() const;
+  [[nodiscard]] bool on() const { return on_; }
+  /// Defines for shaders that include draw/shadow_read.glsl; empty when there is no shadow.
+  [[nodiscard]] const gl::Defines& defines() const { return defines_; }
+
+ private:
+  bool on_;
+  float softness_;
+  gl::Defines defines_;
+  gl::Program bounds_, fit_, draw_;
+  gl::Buffer boundKeys_, light_;
+  gl::Texture lightView_, map_;
+  gl::Framebuffer target_;
+  VertexArray vertices_;
+};
+
+}  // namespace simreel::draw

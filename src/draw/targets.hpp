@@ -1,0 +1,23 @@
+#pragma once
+#include <glm/vec2.hpp>
+
+#include "gl/texture.hpp"
+
+namespace simreel::draw {
+
+/// What the passes draw into: linear light with coverage in alpha, and the finished picture.
+struct Targets {
+  /// Throws UserError(device) naming the limit when the device has no such size or number of samples.
+  Targets(glm::ivec2 size, int samples);
+
+  /// Empty and without depth: light 0, alpha 0 (nothing drawn: sky).
+  void clear() const;
+
+  gl::Texture light;
+  gl::Texture depth;
+  gl::Framebuffer scene;
+  gl::Texture color;
+  gl::Framebuffer picture;
+};
+
+}  // namespace simreel::draw

@@ -1,0 +1,51 @@
+#include "gl/buffer.hpp"
+
+#include <algorithm>
+
+#include "base/error.hpp"
+#include "gl/limits.hpp"
+
+namespace simreel::gl {
+
+namespace {
+
+GLuint createBuffer() {
+  GLuint name = 0;
+  glCreateBuffers(1, &name);
+  return name;
+}
+
+}  // namespace
+
+Buffer::Buffer(const std::string& label, std::size_t bytes) : handle_(createBuffer()), bytes_(bytes) {
+  const auto most = static_cast<std::size_t>(limits().storageBlockBytes);
+  if (bytes > most)
+    fail(ExitCode::device,
+         "{} needs {} bytes, this device allows {} in one buffer (GL_MAX_SHADER_STORAGE_BLOCK_SIZE); make it smaller",
+         label, bytes, most);
+  while (glGetError() != GL_NO_ERROR) {}
+  glNamedBufferStorage(name(), static_cast<GLsizeiptr>(std::max<std::size_t>(bytes, 1)), nullptr,
+                       GL_DYNAMIC_STORAGE_BIT);
+  if (glGetError() == GL_OUT_OF_MEMORY)
+    fail(ExitCode::device, "the device has no memory left for {} ({} bytes); make it smaller", label, bytes);
+  glObjectLabel(GL_BUFFER, name(), -1, label.c_str());
+  clear();
+}
+
+void Buffer::write(std::size_t offset, std::span<const std::byte> bytes) {
+  SIMREEL_CHECK(offset + bytes.size() <= bytes_);
+  glNamedBufferSubData(name(), static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(bytes.size()), bytes.data());
+}
+
+void Buffer::read(std::size_t offset, std::span<std::byte> bytes) const {
+  SIMREEL_CHECK(offset + bytes.size() <= bytes_);
+  glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+  glGetNamedBufferSubData(name(), static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(bytes.size()), bytes.data());
+}
+
+void Buffer::clear() {
+  const GLuint zero = 0;
+  glClearNamedBufferData(name(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, &zero);
+}
+
+}  // namespace simreel::gl

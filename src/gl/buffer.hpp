@@ -1,0 +1,54 @@
+#pragma once
+#include <cstddef>
+#include <span>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+#include "gl/handle.hpp"
+
+namespace simreel::gl {
+
+/// GPU memory of fixed size. Allocation beyond the device's block limit throws UserError(device)
+/// naming the limit. An empty Buffer (default constructed) has size 0 and name 0.
+class Buffer {
+ public:
+  Buffer() = default;
+  /// `label` shows in debug messages and limit errors. Contents are zero.
+  Buffer(const std::string& label, std::size_t bytes);
+
+  template <class T>
+  static Buffer of(const std::string& label, std::span<const T> items) {
+    static_assert(std::is_trivially_copyable_v<T>);
+    Buffer buffer(label, items.size_bytes());
+    buffer.write(0, std::as_bytes(items));
+    return buffer;
+  }
+
+  /// Copies into the buffer, ordered with the GL commands around it.
+  void write(std::size_t offset, std::span<const std::byte> bytes);
+  /// Waits for the GPU and copies out.
+  void read(std::size_t offset, std::span<std::byte> bytes) const;
+  template <class T>
+  [[nodiscard]] std::vector<T> readAll() const {
+    std::vector<T> items(bytes_ / sizeof(T));
+    read(0, std::as_writable_bytes(std::span(items)));
+    return items;
+  }
+  void clear();
+
+  void bindStorage(GLuint binding) const { glBindBufferBase(GL_SHADER_STORAGE_BUFFER, binding, name()); }
+  void bindUniform(GLuint binding, std::size_t offset, std::size_t bytes) const {
+    glBindBufferRange(GL_UNIFORM_BUFFER, binding, name(), static_cast<GLintptr>(offset),
+                      static_cast<GLsizeiptr>(bytes));
+  }
+
+  [[nodiscard]] GLuint name() const { return handle_.get(); }
+  [[nodiscard]] std::size_t bytes() const { return bytes_; }
+
+ private:
+  Handle<DeleteBuffer> handle_;
+  std::size_t bytes_ = 0;
+};
+
+}  // namespace simreel::gl

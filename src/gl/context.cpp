@@ -1,0 +1,295 @@
+#include "gl/context.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <cstring>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+#include "base/error.hpp"
+#include "base/log.hpp"
+#include "gl/limits.hpp"
+
+#include <epoxy/egl.h>
+#include <epoxy/gl.h>
+
+namespace simreel::gl {
+
+namespace {
+
+Limits currentLimits;
+MemoryPath currentPath = MemoryPath::storage;
+
+/// An EGL display of one device with a current context on it.
+class Display {
+ public:
+  Display(EGLDeviceEXT device, bool debug);
+  ~Display() { release(); }
+  Display(Display&& other) noexcept
+      : display_(std::exchange(other.display_, EGL_NO_DISPLAY)),
+        context_(std::exchange(other.context_, EGL_NO_CONTEXT)) {}
+  Display& operator=(Display&& other) noexcept {
+    if (this != &other) {
+      release();
+      display_ = std::exchange(other.display_, EGL_NO_DISPLAY);
+      context_ = std::exchange(other.context_, EGL_NO_CONTEXT);
+    }
+    return *this;
+  }
+  Display(const Display&) = delete;
+  Display& operator=(const Display&) = delete;
+
+ private:
+  void release() {
+    if (display_ == EGL_NO_DISPLAY) return;
+    eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+    if (context_ != EGL_NO_CONTEXT) eglDestroyContext(display_, context_);
+    eglTerminate(display_);
+    display_ = EGL_NO_DISPLAY;
+  }
+  EGLDisplay display_ = EGL_NO_DISPLAY;
+  EGLContext context_ = EGL_NO_CONTEXT;
+};
+
+bool hasExtension(const char* list, std::string_view name) {
+  if (list == nullptr) return false;
+  const std::string_view all = list;
+  for (auto at = all.find(name); at != std::string_view::npos; at = all.find(name, at + 1)) {
+    const auto end = at + name.size();
+    if ((at == 0 || all[at - 1] == ' ') && (end == all.size() || all[end] == ' ')) return true;
+  }
+  return false;
+}
+
+EGLDisplay openDisplay(EGLDeviceEXT device) {
+  if (device == EGL_NO_DEVICE_EXT)
+    return eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
+  return eglGetPlatformDisplayEXT(EGL_PLATFORM_DEVICE_EXT, device, nullptr);
+}
+
+Display::Display(EGLDeviceEXT device, bool debug) {
+  display_ = openDisplay(device);
+  if (display_ == EGL_NO_DISPLAY) fail(ExitCode::device, "EGL opens no display on it");
+  EGLint major = 0;
+  EGLint minor = 0;
+  if (eglInitialize(display_, &major, &minor) == EGL_FALSE) {
+    display_ = EGL_NO_DISPLAY;
+    fail(ExitCode::device, "its driver does not start (EGL error {:#x})", eglGetError());
+  }
+  const char* extensions = eglQueryString(display_, EGL_EXTENSIONS);
+  if (!hasExtension(extensions, "EGL_KHR_surfaceless_context") ||
+      eglBindAPI(EGL_OPENGL_API) == EGL_FALSE) {
+    release();
+    fail(ExitCode::device, "its driver has no surfaceless OpenGL contexts");
+  }
+  EGLConfig config = EGL_NO_CONFIG_KHR;
+  if (!hasExtension(extensions, "EGL_KHR_no_config_context")) {
+    const EGLint wanted[] = {EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_SURFACE_TYPE, EGL_DONT_CARE, EGL_NONE};
+    EGLint count = 0;
+    eglChooseConfig(display_, wanted, &config, 1, &count);
+  }
+  // Robust access first: an index beyond a buffer then reads zero on every driver.
+  for (const bool robust : {true, false}) {
+    std::vector<EGLint> attributes = {EGL_CONTEXT_MAJOR_VERSION, 4, EGL_CONTEXT_MINOR_VERSION, 5,
+                                      EGL_CONTEXT_OPENGL_PROFILE_MASK, EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT};
+    if (debug) attributes.insert(attributes.end(), {EGL_CONTEXT_OPENGL_DEBUG, EGL_TRUE});
+    if (robust) attributes.insert(attributes.end(), {EGL_CONTEXT_OPENGL_ROBUST_ACCESS, EGL_TRUE});
+    attributes.push_back(EGL_NONE);
+    context_ = eglCreateContext(display_, config, EGL_NO_CONTEXT, attributes.data());
+    if (context_ != EGL_NO_CONTEXT) break;
+  }
+  if (context_ == EGL_NO_CONTEXT ||
+      eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_) == EGL_FALSE) {
+    release();
+    fail(ExitCode::device, "its driver offers no OpenGL 4.5 core context");
+  }
+}
+
+/// Devices of the system; one EGL_NO_DEVICE_EXT where the driver cannot enumerate.
+std::vector<EGLDeviceEXT> enumerate() {
+  const char* client = eglQueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS);
+  if (!hasExtension(client, "EGL_EXT_platform_device") && !hasExtension(client, "EGL_EXT_platform_base")) return {};
+  if (!hasExtension(client, "EGL_EXT_device_enumeration") && !hasExtension(client, "EGL_EXT_device_base"))
+    return {EGL_NO_DEVICE_EXT};
+  EGLint count = 0;
+  if (eglQueryDevicesEXT(0, nullptr, &count) == EGL_FALSE) return {};
+  std::vector<EGLDeviceEXT> devices(static_cast<std::size_t>(count));
+  eglQueryDevicesEXT(count, devices.data(), &count);
+  return devices;
+}
+
+std::string glText(GLenum name) {
+  const GLubyte* text = glGetString(name);
+  return text == nullptr ? "" : reinterpret_cast<const char*>(text);
+}
+
+/// Fills in what the current context says of itself.
+void describe(DeviceInfo& info) {
+  info.name = glText(GL_RENDERER);
+  info.vendor = glText(GL_VENDOR);
+  info.version = glText(GL_VERSION);
+  for (const char* word : {"llvmpipe", "softpipe", "swrast", "SwiftShader"})
+    if (info.name.find(word) != std::string::npos) info.software = true;
+}
+
+DeviceInfo firstLook(EGLDeviceEXT device, int index) {
+  DeviceInfo info;
+  info.index = index;
+  if (device == EGL_NO_DEVICE_EXT) {
+    info.name = "default";
+    return info;
+  }
+  const char* extensions = eglQueryDeviceStringEXT(device, EGL_EXTENSIONS);
+  info.software = hasExtension(extensions, "EGL_MESA_device_software");
+  const char* file =
+      hasExtension(extensions, "EGL_EXT_device_drm") ? eglQueryDeviceStringEXT(device, EGL_DRM_DEVICE_FILE_EXT) : nullptr;
+  info.name = info.software ? "software" : (file != nullptr ? file : "device");
+  return info;
+}
+
+std::string lower(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
+  return text;
+}
+
+Limits readLimits() {
+  Limits found;
+  glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &found.storageBlockBytes);
+  glGetInteger64v(GL_MAX_TEXTURE_BUFFER_SIZE, &found.texelBufferTexels);
+  glGetIntegerv(GL_MAX_TEXTURE_SIZE, &found.textureSize);
+  glGetIntegerv(GL_MAX_SAMPLES, &found.samples);
+  glGetIntegeri_v(GL_MAX_COMPUTE_WORK_GROUP_COUNT, 0, &found.groupsX);
+  glGetIntegerv(GL_MAX_COMPUTE_SHARED_MEMORY_SIZE, &found.sharedBytes);
+  glGetIntegerv(GL_UNIFORM_BUFFER_OFFSET_ALIGNMENT, &found.uniformAlignment);
+  if (epoxy_has_gl_extension("GL_ARB_texture_filter_anisotropic") ||
+      epoxy_has_gl_extension("GL_EXT_texture_filter_anisotropic"))
+    glGetFloatv(GL_MAX_TEXTURE_MAX_ANISOTROPY_EXT, &found.anisotropy);
+  return found;
+}
+
+constexpr const char* advice =
+    "install a driver (Debian/Ubuntu: apt install libegl1 libegl-mesa0 libgl1-mesa-dri) and see `simreel doctor`";
+
+}  // namespace
+
+const Limits& limits() {
+  return currentLimits;
+}
+
+MemoryPath memoryPath() {
+  return currentPath;
+}
+
+std::vector<DeviceInfo> listDevices() {
+  std::vector<DeviceInfo> result;
+  for (const EGLDeviceEXT device : enumerate()) {
+    DeviceInfo info = firstLook(device, static_cast<int>(result.size()));
+    try {
+      const Display display(device, false);
+      describe(info);
+    } catch (const UserError& error) {
+      info.problem = error.what();
+    }
+    result.push_back(info);
+  }
+  return result;
+}
+
+struct Context::State {
+  std::optional<Display> display;
+  DeviceInfo device;
+  std::string reason;
+  std::string message;  ///< first high-severity debug message not yet reported
+
+  static void GLAPIENTRY receive(GLenum /*source*/, GLenum /*type*/, GLuint /*id*/, GLenum severity, GLsizei length,
+                                 const GLchar* text, const void* user) {
+    auto* state = static_cast<State*>(const_cast<void*>(user));
+    const std::string line = length < 0 ? std::string(text) : std::string(text, static_cast<std::size_t>(length));
+    if (severity == GL_DEBUG_SEVERITY_HIGH && state->message.empty()) state->message = line;
+    if (severity == GL_DEBUG_SEVERITY_HIGH || severity == GL_DEBUG_SEVERITY_MEDIUM) detail("GL: {}", line);
+  }
+
+  /// Opens devices[index] and keeps it if it runs; false with the problem noted otherwise.
+  bool tryDevice(EGLDeviceEXT handle, int index, bool debug, std::string& problems) {
+    device = firstLook(handle, index);
+    try {
+      display.emplace(handle, debug);
+      describe(device);
+      return true;
+    } catch (const UserError& error) {
+      problems += fmt::format("; device {} ({}): {}", index, device.name, error.what());
+      return false;
+    }
+  }
+
+  void choose(const ContextOptions& options);
+};
+
+void Context::State::choose(const ContextOptions& options) {
+  const auto devices = enumerate();
+  if (devices.empty()) fail(ExitCode::device, "EGL finds no device to render with; {}", advice);
+  std::vector<int> order(devices.size());
+  for (std::size_t i = 0; i < order.size(); ++i) order[i] = static_cast<int>(i);
+  std::stable_sort(order.begin(), order.end(), [&](int a, int b) {
+    return !firstLook(devices[static_cast<std::size_t>(a)], a).software &&
+           firstLook(devices[static_cast<std::size_t>(b)], b).software;
+  });
+  const bool byIndex = !options.device.empty() && options.device.size() < 4 &&
+                       std::all_of(options.device.begin(), options.device.end(),
+                                   [](unsigned char c) { return std::isdigit(c) != 0; });
+  std::string problems;
+  std::string seen;
+  for (const int index : order) {
+    if (byIndex && std::to_string(index) != options.device) continue;
+    if (!tryDevice(devices[static_cast<std::size_t>(index)], index, options.debug, problems)) continue;
+    seen += (seen.empty() ? "" : ", ") + fmt::format("{}: {}", index, device.name);
+    if (!byIndex && lower(device.name + " " + device.vendor).find(lower(options.device)) == std::string::npos) {
+      display.reset();
+      continue;
+    }
+    reason = !options.device.empty() ? fmt::format("--device {} asks for it", options.device)
+             : device.software       ? "no hardware device can run the program"
+                                     : "the first hardware device";
+    return;
+  }
+  display.reset();
+  if (!options.device.empty())
+    fail(ExitCode::device, "no device matches --device {} (there is {}){}", options.device,
+         seen.empty() ? fmt::format("{} device(s)", devices.size()) : seen, problems);
+  fail(ExitCode::device, "no device can run the program{}; {}", problems, advice);
+}
+
+Context::Context(const ContextOptions& options) : state_(std::make_unique<State>()) {
+  state_->choose(options);
+  currentLimits = readLimits();
+  if (!options.memoryPath.empty() && options.memoryPath != "storage" && options.memoryPath != "texel")
+    fail(ExitCode::usage, "the memory path is \"storage\" or \"texel\", not \"{}\"", options.memoryPath);
+  const bool texel = options.memoryPath.empty() ? state_->device.software : options.memoryPath == "texel";
+  currentPath = texel ? MemoryPath::texel : MemoryPath::storage;
+  if (options.debug) {
+    glEnable(GL_DEBUG_OUTPUT);
+    glEnable(GL_DEBUG_OUTPUT_SYNCHRONOUS);
+    glDebugMessageCallback(State::receive, state_.get());
+  }
+  detail("device {}: {} ({}), {}; memory path {}", state_->device.index, state_->device.name, state_->device.version,
+         state_->reason, texel ? "texel" : "storage");
+}
+
+Context::~Context() = default;
+
+const DeviceInfo& Context::device() const {
+  return state_->device;
+}
+
+const std::string& Context::reason() const {
+  return state_->reason;
+}
+
+void Context::check() const {
+  if (state_->message.empty()) return;
+  const std::string message = std::exchange(state_->message, {});
+  fail(ExitCode::device, "the driver reports: {}", message);
+}
+
+}  // namespace simreel::gl

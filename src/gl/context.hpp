@@ -1,0 +1,55 @@
+#pragma once
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace simreel::gl {
+
+/// How shaders read hot inputs. Software drivers load texels 10 to 30 times faster than storage
+/// blocks; GPUs prefer storage blocks and shared memory (DESIGN.md).
+enum class MemoryPath { storage, texel };
+
+/// One EGL device as the system lists it.
+struct DeviceInfo {
+  int index = 0;
+  std::string name;  ///< GL_RENDERER when a context could be made, else what EGL says
+  std::string vendor;
+  std::string version;  ///< GL_VERSION
+  bool software = false;
+  std::string problem;  ///< empty when the device can run the program
+};
+
+/// Every EGL device, each tried by making a context on it. Empty when EGL finds none.
+[[nodiscard]] std::vector<DeviceInfo> listDevices();
+
+struct ContextOptions {
+  std::string device;  ///< index or part of a name, case ignored; empty: hardware before software
+  bool debug = false;  ///< debug context: high-severity messages become UserError(device) at the next check
+  std::string memoryPath;  ///< "storage", "texel" or empty: by driver
+};
+
+/// An OpenGL 4.5 core context without a surface, current on the thread that made it. Throws
+/// UserError(device) saying what was looked for, what was found and what to install.
+class Context {
+ public:
+  explicit Context(const ContextOptions& options = {});
+  ~Context();
+  Context(Context&&) = delete;
+  Context(const Context&) = delete;
+  Context& operator=(Context&&) = delete;
+  Context& operator=(const Context&) = delete;
+
+  [[nodiscard]] const DeviceInfo& device() const;
+  [[nodiscard]] const std::string& reason() const;  ///< why this device was chosen, one clause
+  /// Throws UserError(device) with the first high-severity debug message since the last call, if any.
+  void check() const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+/// Of the current context.
+[[nodiscard]] MemoryPath memoryPath();
+
+}  // namespace simreel::gl

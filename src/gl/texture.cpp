@@ -1,0 +1,105 @@
+#include "gl/texture.hpp"
+
+#include <algorithm>
+#include <bit>
+
+#include "base/error.hpp"
+#include "gl/limits.hpp"
+
+namespace simreel::gl {
+
+namespace {
+
+GLuint createTexture(GLenum target, const std::string& label) {
+  GLuint name = 0;
+  glCreateTextures(target, 1, &name);
+  glObjectLabel(GL_TEXTURE, name, -1, label.c_str());
+  return name;
+}
+
+void checkSize(const std::string& label, int width, int height) {
+  const int most = limits().textureSize;
+  if (width > most || height > most)
+    fail(ExitCode::device, "{} is {}x{}, this device allows textures up to {}x{} (GL_MAX_TEXTURE_SIZE)", label, width,
+         height, most, most);
+}
+
+}  // namespace
+
+Texture Texture::image(const std::string& label, GLenum format, int width, int height, int levels) {
+  checkSize(label, width, height);
+  Texture texture;
+  texture.handle_ = Handle<DeleteTexture>(createTexture(GL_TEXTURE_2D, label));
+  texture.format_ = format;
+  texture.width_ = width;
+  texture.height_ = height;
+  const int all = std::bit_width(static_cast<unsigned>(std::max(width, height)));
+  glTextureStorage2D(texture.name(), levels == 0 ? all : levels, format, width, height);
+  glTextureParameteri(texture.name(), GL_TEXTURE_MIN_FILTER, levels == 1 ? GL_LINEAR : GL_LINEAR_MIPMAP_LINEAR);
+  glTextureParameteri(texture.name(), GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  return texture;
+}
+
+Texture Texture::multisampled(const std::string& label, GLenum format, int width, int height, int samples) {
+  checkSize(label, width, height);
+  Texture texture;
+  texture.handle_ = Handle<DeleteTexture>(createTexture(GL_TEXTURE_2D_MULTISAMPLE, label));
+  texture.format_ = format;
+  texture.width_ = width;
+  texture.height_ = height;
+  glTextureStorage2DMultisample(texture.name(), samples, format, width, height, GL_TRUE);
+  return texture;
+}
+
+Texture Texture::view(const std::string& label, GLenum format, const Buffer& buffer, std::size_t texelBytes) {
+  const auto most = static_cast<std::size_t>(limits().texelBufferTexels);
+  if (buffer.bytes() / texelBytes > most)
+    fail(ExitCode::device, "{} has {} elements, this device allows {} in a texel view (GL_MAX_TEXTURE_BUFFER_SIZE)",
+         label, buffer.bytes() / texelBytes, most);
+  Texture texture;
+  texture.handle_ = Handle<DeleteTexture>(createTexture(GL_TEXTURE_BUFFER, label));
+  texture.format_ = format;
+  glTextureBuffer(texture.name(), format, buffer.name());
+  return texture;
+}
+
+Framebuffer::Framebuffer(const std::string& label, const Texture* color, const Texture* depth) {
+  GLuint created = 0;
+  glCreateFramebuffers(1, &created);
+  handle_ = Handle<DeleteFramebuffer>(created);
+  glObjectLabel(GL_FRAMEBUFFER, name(), -1, label.c_str());
+  const Texture* any = color != nullptr ? color : depth;
+  SIMREEL_CHECK(any != nullptr);
+  width_ = any->width();
+  height_ = any->height();
+  if (color != nullptr) {
+    glNamedFramebufferTexture(name(), GL_COLOR_ATTACHMENT0, color->name(), 0);
+  } else {
+    glNamedFramebufferDrawBuffer(name(), GL_NONE);
+    glNamedFramebufferReadBuffer(name(), GL_NONE);
+  }
+  if (depth != nullptr) glNamedFramebufferTexture(name(), GL_DEPTH_ATTACHMENT, depth->name(), 0);
+  const GLenum status = glCheckNamedFramebufferStatus(name(), GL_FRAMEBUFFER);
+  if (status != GL_FRAMEBUFFER_COMPLETE)
+    fail(ExitCode::device, "the driver refuses the render target {} ({}x{}, status {:#x})", label, width_, height_,
+         status);
+}
+
+void Framebuffer::bind() const {
+  glBindFramebuffer(GL_FRAMEBUFFER, name());
+  glViewport(0, 0, width_, height_);
+}
+
+TimerQuery::TimerQuery() {
+  GLuint name = 0;
+  glCreateQueries(GL_TIME_ELAPSED, 1, &name);
+  handle_ = Handle<DeleteQuery>(name);
+}
+
+double TimerQuery::nanoseconds() const {
+  GLuint64 result = 0;
+  glGetQueryObjectui64v(handle_.get(), GL_QUERY_RESULT, &result);
+  return static_cast<double>(result);
+}
+
+}  // namespace simreel::gl

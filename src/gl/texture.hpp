@@ -1,0 +1,66 @@
+#pragma once
+#include <cstddef>
+#include <string>
+
+#include "gl/buffer.hpp"
+#include "gl/handle.hpp"
+
+namespace simreel::gl {
+
+/// A 2-D texture, a multisampled one, or a texel view of a Buffer.
+class Texture {
+ public:
+  Texture() = default;
+  /// Immutable storage. levels 0: the whole mip chain.
+  static Texture image(const std::string& label, GLenum format, int width, int height, int levels = 1);
+  static Texture multisampled(const std::string& label, GLenum format, int width, int height, int samples);
+  /// The same memory seen through samplerBuffer / imageBuffer; `format` for example GL_RGBA32F. The
+  /// Buffer must outlive the view. Throws UserError(device) beyond GL_MAX_TEXTURE_BUFFER_SIZE.
+  static Texture view(const std::string& label, GLenum format, const Buffer& buffer, std::size_t texelBytes = 16);
+
+  void bind(GLuint unit) const { glBindTextureUnit(unit, name()); }
+  void bindImage(GLuint unit, GLenum access) const {
+    glBindImageTexture(unit, name(), 0, GL_FALSE, 0, access, format_);
+  }
+
+  [[nodiscard]] GLuint name() const { return handle_.get(); }
+  [[nodiscard]] int width() const { return width_; }
+  [[nodiscard]] int height() const { return height_; }
+  explicit operator bool() const { return static_cast<bool>(handle_); }
+
+ private:
+  Handle<DeleteTexture> handle_;
+  GLenum format_ = GL_NONE;
+  int width_ = 0;
+  int height_ = 0;
+};
+
+/// Colour and optional depth attachments.
+class Framebuffer {
+ public:
+  Framebuffer() = default;
+  /// Either may be null. Throws UserError(device) when the driver refuses the combination.
+  Framebuffer(const std::string& label, const Texture* color, const Texture* depth);
+  void bind() const;
+  [[nodiscard]] GLuint name() const { return handle_.get(); }
+
+ private:
+  Handle<DeleteFramebuffer> handle_;
+  int width_ = 0;
+  int height_ = 0;
+};
+
+/// GPU time between begin and end, nanoseconds.
+class TimerQuery {
+ public:
+  TimerQuery();
+  void begin() { glBeginQuery(GL_TIME_ELAPSED, handle_.get()); }
+  void end() { glEndQuery(GL_TIME_ELAPSED); }
+  /// Waits for the result.
+  [[nodiscard]] double nanoseconds() const;
+
+ private:
+  Handle<DeleteQuery> handle_;
+};
+
+}  // namespace simreel::gl

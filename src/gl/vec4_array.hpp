@@ -1,0 +1,59 @@
+#pragma once
+#include <span>
+#include <string>
+
+#include <glm/vec4.hpp>
+
+#include "gl/buffer.hpp"
+#include "gl/context.hpp"
+#include "gl/shader_source.hpp"
+#include "gl/texture.hpp"
+
+namespace simreel::gl {
+
+/// Simulation state of vec4 elements, reachable both as a storage block and as texels; binds the way that
+/// glsl/common/memory.glsl declares for the current memory path.
+class Vec4Array {
+ public:
+  Vec4Array() = default;
+  Vec4Array(const std::string& label, std::span<const glm::vec4> items)
+      : buffer_(Buffer::of(label, items)), view_(Texture::view(label, GL_RGBA32F, buffer_)) {}
+
+  /// For INPUT_ARRAY(unit, ...).
+  void bindInput(GLuint unit) const {
+    if (memoryPath() == MemoryPath::texel)
+      view_.bind(unit);
+    else
+      buffer_.bindStorage(unit);
+  }
+  /// For STATE_ARRAY(unit, ...).
+  void bindState(GLuint unit) const {
+    if (memoryPath() == MemoryPath::texel)
+      view_.bindImage(unit, GL_READ_WRITE);
+    else
+      buffer_.bindStorage(unit);
+  }
+
+  [[nodiscard]] const Buffer& buffer() const { return buffer_; }
+  [[nodiscard]] const Texture& view() const { return view_; }
+
+ private:
+  Buffer buffer_;
+  Texture view_;
+};
+
+/// Makes writes of the last dispatch visible to the next one and to drawing.
+inline void barrier() {
+  glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT |
+                  GL_UNIFORM_BARRIER_BIT);
+}
+
+/// Defines that select the memory path, and built-in arithmetic when `fast`.
+inline Defines kernelDefines(bool fast) {
+  Defines defines;
+  if (memoryPath() == MemoryPath::texel) defines.emplace_back("TEXEL_PATH", "1");
+  if (fast) defines.emplace_back("FAST_NUMERICS", "1");
+  return defines;
+}
+
+}  // namespace simreel::gl

@@ -1,0 +1,23 @@
+#pragma once
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
+
+#include "scene/animated.hpp"
+
+namespace simreel::sim {
+
+/// Something solid that may move along keyframes.
+struct ColliderShape {
+  enum class Kind { sphere, capsule, plane };
+  Kind kind = Kind::sphere;
+  scene::Animated<glm::vec3> position;  ///< centre, m; a point of the plane
+  scene::Animated<glm::vec3> rotation;  ///< degrees; a capsule lies along local y, a plane faces local y
+  float radius = 1.0F;                  ///< m
+  float length = 0.0F;                  ///< m between the centres of a capsule's ends
+  float grip = 25.3F;                   ///< 1/s at which tangential velocity is lost in contact
+};
+
+/// Rotation by degrees about x, then y, then z (R = Rz Ry Rx), through the exact sine: same bits everywhere.
+[[nodiscard]] glm::mat4 rotationMatrix(const glm::vec3& degrees);
+
+}  // namespace simreel::sim

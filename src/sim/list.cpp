@@ -1,0 +1,29 @@
+#include "sim/list.hpp"
+
+#include <vector>
+
+#include "sim/cloth.hpp"
+#include "sim/shape.hpp"
+
+namespace simreel::sim {
+
+std::span<const SimulationKind> simulations() {
+  static const std::vector<SimulationKind> list = {
+      clothKind(),
+      sphereKind(),
+      capsuleKind(),
+      planeKind(),
+  };
+  return list;
+}
+
+std::span<const scene::Kind> kinds() {
+  static const std::vector<scene::Kind> list = [] {
+    std::vector<scene::Kind> all;
+    for (const SimulationKind& simulation : simulations()) all.push_back(simulation.kind);
+    return all;
+  }();
+  return list;
+}
+
+}  // namespace simreel::sim

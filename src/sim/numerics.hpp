@@ -1,0 +1,20 @@
+#pragma once
+#include <string>
+
+namespace simreel::sim {
+
+/// How the current context computes.
+struct Numerics {
+  bool exactHolds = false;   ///< glsl/common/exact.glsl gives the bits of its C++ twin
+  std::string firstFailure;  ///< "exactSin(1.5): GPU ..., CPU ..." when it does not
+  /// Hash of what the built-ins gave: equal on drivers that round alike. Pixels are compared exactly only
+  /// between equal fingerprints.
+  std::string fingerprint;
+};
+[[nodiscard]] Numerics probeNumerics();
+
+/// Iterations a shader loop of 70,001 rounds really makes.
+[[nodiscard]] unsigned probeLoop();
+inline constexpr unsigned loopProbeRounds = 70001;
+
+}  // namespace simreel::sim

@@ -1,0 +1,12 @@
+#pragma once
+// The shared shader files of glsl/common as C++, in simreel::shader.
+#include "glsl/common/cpp.hpp"
+
+#define FUNCTION inline
+#define precise
+namespace simreel::shader {
+#include "glsl/common/exact.glsl"
+#include "glsl/common/hash.glsl"
+}  // namespace simreel::shader
+#undef precise
+#undef FUNCTION

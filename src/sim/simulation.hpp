@@ -1,0 +1,52 @@
+#pragma once
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "gl/buffer.hpp"
+#include "scene/scene.hpp"
+#include "sim/collider.hpp"
+#include "sim/drawable.hpp"
+
+namespace simreel::sim {
+
+/// What a simulation may know of the scene around it.
+struct Setting {
+  bool fast = false;          ///< numerics: built-ins and contraction allowed
+  int seed = 1;
+  double frameSeconds = 1.0 / 60.0;
+  const std::vector<ColliderShape>* colliders = nullptr;
+};
+
+/// State that is hashed, compared and can be read back: whole vec4 elements.
+struct StateArray {
+  const char* name;
+  const gl::Buffer* buffer;
+};
+
+/// Owns its state on the GPU and publishes drawables. It never draws.
+class Simulation {
+ public:
+  virtual ~Simulation() = default;
+  /// Advances by one frame: from `time` to `time + frameSeconds` (s of scene time).
+  virtual void step(double time) = 0;
+  /// Appends what is to be drawn of the state at `time`.
+  virtual void publish(double time, Drawables& drawables) const = 0;
+  /// State arrays in a fixed order; empty for things without state.
+  [[nodiscard]] virtual std::vector<StateArray> state() const { return {}; }
+  /// Four words as glsl/common/status.glsl writes them, or null.
+  [[nodiscard]] virtual const gl::Buffer* status() const { return nullptr; }
+  /// One line for a user: where and why the state was lost, and what to change.
+  [[nodiscard]] virtual std::string explainLoss(unsigned step, unsigned element) const {
+    return "step " + std::to_string(step) + ", element " + std::to_string(element);
+  }
+};
+
+/// One entry of the list of simulations.
+struct SimulationKind {
+  scene::Kind kind;
+  std::function<std::unique_ptr<Simulation>(const scene::Object&, const Setting&)> make;
+};
+
+}  // namespace simreel::sim

@@ -1,0 +1,44 @@
+#pragma once
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "scene/scene.hpp"
+#include "sim/simulation.hpp"
+
+namespace simreel::sim {
+
+/// All objects of a scene, stepped together. Frame 0 is at time 0; the pre-roll runs before it.
+class World {
+ public:
+  /// Makes every simulation on the current context.
+  explicit World(const scene::Scene& scene);
+  ~World();
+  World(World&&) noexcept;
+  World& operator=(World&&) noexcept;
+  World(const World&) = delete;
+  World& operator=(const World&) = delete;
+
+  /// Simulates up to `frame` (0: the pre-roll only). Never goes back.
+  void advanceTo(int frame);
+  [[nodiscard]] int frame() const;
+  [[nodiscard]] double time() const;  ///< s, of the current frame
+  [[nodiscard]] Drawables drawables() const;
+  [[nodiscard]] const Simulation& object(std::size_t index) const;
+
+  /// Starts hashing the state of the current frame on the GPU; at most 8 may be under way.
+  void startSummary();
+  /// A finished summary, oldest first: frame and hash (32 hexadecimal digits over every state array of every
+  /// object). With `wait` blocks for the oldest. Throws UserError(device) when a simulation lost its state.
+  struct Summary {
+    int frame = 0;
+    std::string stateHash;
+  };
+  [[nodiscard]] std::optional<Summary> takeSummary(bool wait);
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace simreel::sim

@@ -1,0 +1,103 @@
+#include "reference/cloth_twin.hpp"
+
+#include <utility>
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include "sim/shader_code.hpp"
+
+namespace {
+
+using namespace simreel::shader;
+
+#define FUNCTION inline
+#define precise
+/// What a kernel sees: the globals that model.glsl asks for, and the model itself.
+struct Kernel {
+  ivec2 size;
+  const ClothStep& stepData;
+  const vec4* source;
+
+  [[nodiscard]] vec4 loadPosition(int i) const { return source[i]; }
+#include "glsl/cloth/model.glsl"
+};
+#undef precise
+#undef FUNCTION
+
+template <class Body>
+void forRows(int rows, int threads, const Body& body) {
+  if (threads == 1) {
+    for (int y = 0; y < rows; ++y) body(y);
+    return;
+  }
+  tbb::task_arena arena(threads == 0 ? tbb::task_arena::automatic : threads);
+  arena.execute([&] {
+    tbb::parallel_for(tbb::blocked_range<int>(0, rows), [&](const tbb::blocked_range<int>& range) {
+      for (int y = range.begin(); y < range.end(); ++y) body(y);
+    });
+  });
+}
+
+}  // namespace
+
+ClothTwin::ClothTwin(simreel::sim::ClothPlan plan)
+    : positions(plan.firstPositions()),
+      velocities(plan.firstVelocities()),
+      plan_(std::move(plan)),
+      next_(positions) {}
+
+void ClothTwin::step(double time, int threads) {
+  for (const ClothStep& data : plan_.frame(time)) substep(data, threads);
+}
+
+void ClothTwin::substep(const ClothStep& data, int threads) {
+  const bool constraints = plan_.parameters().solver == simreel::sim::ClothSolver::constraints;
+  const bool air = plan_.parameters().hasAir;
+  const ivec2 size = plan_.parameters().size;
+  forRows(size.y, threads, [&](int y) {
+    Kernel kernel{size, data, positions.data()};
+    for (int x = 0; x < size.x; ++x) {
+      const auto i = static_cast<std::size_t>(y * size.x + x);
+      const auto m = kernel.advance({x, y}, positions[i], velocities[i], !constraints, air, !constraints);
+      next_[i] = vec4(m.position, positions[i].w);
+      velocities[i] = vec4(m.velocity, velocities[i].w);
+    }
+  });
+  if (constraints) {
+    constrain(data);
+    Kernel kernel{size, data, positions.data()};
+    for (std::size_t i = 0; i < next_.size(); ++i) {
+      const auto m = kernel.settled(positions[i], next_[i]);
+      next_[i] = vec4(m.position, next_[i].w);
+      velocities[i] = vec4(m.velocity, velocities[i].w);
+    }
+  }
+  std::swap(positions, next_);
+}
+
+void ClothTwin::constrain(const ClothStep& data) {
+  const ivec2 size = plan_.parameters().size;
+  Kernel kernel{size, data, next_.data()};
+  const float restLengths[] = {1.0F, 1.41421356F, 2.0F};
+  const struct {
+    ivec2 reach;
+    int family;
+  } families[] = {{{1, 0}, 0}, {{0, 1}, 0}, {{1, 1}, 1}, {{-1, 1}, 1}, {{2, 0}, 2}, {{0, 2}, 2}};
+  for (const auto& f : families)
+    for (int color = 0; color < 2; ++color)
+      for (int y = 0; y < size.y; ++y)
+        for (int x = 0; x < size.x; ++x) {
+          const ivec2 to = ivec2(x, y) + f.reach;
+          if (to.x < 0 || to.x >= size.x || to.y >= size.y) continue;
+          const int along = f.reach.x > 0 ? x / f.reach.x : y / f.reach.y;
+          if ((along & 1) != color) continue;
+          vec4& a = next_[static_cast<std::size_t>(y * size.x + x)];
+          vec4& b = next_[static_cast<std::size_t>(to.y * size.x + to.x)];
+          const float restLength = data.alongX.w * restLengths[f.family];
+          const vec3 shift = kernel.constraintShift(a, b, restLength, data.compliance[f.family]);
+          a = vec4(vec3(a) - shift * a.w, a.w);
+          b = vec4(vec3(b) + shift * b.w, b.w);
+        }
+}
