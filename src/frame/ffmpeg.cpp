@@ -15,8 +15,6 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-extern char** environ;
-
 namespace simreel::frame {
 
 namespace {
@@ -68,6 +66,8 @@ class SpawnSettings {
   }
   SpawnSettings(const SpawnSettings&) = delete;
   SpawnSettings& operator=(const SpawnSettings&) = delete;
+  SpawnSettings(SpawnSettings&&) = delete;
+  SpawnSettings& operator=(SpawnSettings&&) = delete;
   [[nodiscard]] int spawn(pid_t& process, const char* program, char* const* arguments) const {
     return ::posix_spawnp(&process, program, &actions_, &attributes_, arguments, environ);
   }
@@ -112,6 +112,7 @@ Ffmpeg::Ffmpeg(const std::vector<std::string>& arguments) {
   input_ = ends[1];
   messages_ = ::memfd_create("simreel-ffmpeg", MFD_CLOEXEC);
   std::vector<char*> pointers;
+  pointers.reserve(arguments.size() + 1);
   for (const std::string& argument : arguments) pointers.push_back(const_cast<char*>(argument.c_str()));
   pointers.push_back(nullptr);
   const int error =

@@ -23,6 +23,8 @@ class Ffmpeg {
   ~Ffmpeg();
   Ffmpeg(const Ffmpeg&) = delete;
   Ffmpeg& operator=(const Ffmpeg&) = delete;
+  Ffmpeg(Ffmpeg&&) = delete;
+  Ffmpeg& operator=(Ffmpeg&&) = delete;
 
   /// Throws UserError(inputOutput) with ffmpeg's last line when it has ended.
   void write(std::span<const std::byte> bytes);

@@ -21,6 +21,8 @@ class FrameQueue {
   ~FrameQueue();
   FrameQueue(const FrameQueue&) = delete;
   FrameQueue& operator=(const FrameQueue&) = delete;
+  FrameQueue(FrameQueue&&) = delete;
+  FrameQueue& operator=(FrameQueue&&) = delete;
 
   /// Blocks while the queue is full. Throws what the handler threw.
   void push(FrameInfo info, Image image);

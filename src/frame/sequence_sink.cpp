@@ -42,6 +42,8 @@ class SequenceSink final : public FrameSink {
   }
   SequenceSink(const SequenceSink&) = delete;
   SequenceSink& operator=(const SequenceSink&) = delete;
+  SequenceSink(SequenceSink&&) = delete;
+  SequenceSink& operator=(SequenceSink&&) = delete;
 
   bool wants(int frame) override { return !kept_.contains(frame); }
 

@@ -50,6 +50,8 @@ class VideoSink final : public FrameSink {
   }
   VideoSink(const VideoSink&) = delete;
   VideoSink& operator=(const VideoSink&) = delete;
+  VideoSink(VideoSink&&) = delete;
+  VideoSink& operator=(VideoSink&&) = delete;
 
   bool wants(int /*frame*/) override { return !skipped_; }
 

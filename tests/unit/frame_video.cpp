@@ -36,6 +36,8 @@ class SearchPath {
   ~SearchPath() { ::setenv("PATH", old_.c_str(), 1); }
   SearchPath(const SearchPath&) = delete;
   SearchPath& operator=(const SearchPath&) = delete;
+  SearchPath(SearchPath&&) = delete;
+  SearchPath& operator=(SearchPath&&) = delete;
 
  private:
   std::string old_;
