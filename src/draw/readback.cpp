@@ -39,14 +39,19 @@ void Readback::start(const gl::Framebuffer& framebuffer, int tag) {
   ++count_;
 }
 
-std::optional<std::pair<int, std::vector<std::uint8_t>>> Readback::take(bool wait) {
-  if (empty()) return std::nullopt;
-  Slot& slot = slots_[oldest_];
+bool Readback::reached(bool wait) const {
+  if (empty()) return false;
+  const Slot& slot = slots_[oldest_];
   constexpr GLuint64 second = 1'000'000'000;
   GLenum state = glClientWaitSync(slot.done, GL_SYNC_FLUSH_COMMANDS_BIT, wait ? second : 0);
   while (wait && state == GL_TIMEOUT_EXPIRED) state = glClientWaitSync(slot.done, 0, second);
   if (state == GL_WAIT_FAILED) fail(ExitCode::device, "the device was lost while a picture was copied out");
-  if (state == GL_TIMEOUT_EXPIRED) return std::nullopt;
+  return state != GL_TIMEOUT_EXPIRED;
+}
+
+std::optional<std::pair<int, std::vector<std::uint8_t>>> Readback::take(bool wait) {
+  if (!reached(wait)) return std::nullopt;
+  Slot& slot = slots_[oldest_];
   glDeleteSync(slot.done);
   slot.done = nullptr;
   oldest_ = (oldest_ + 1) % slots_.size();

@@ -27,11 +27,15 @@ class Readback {
   void start(const gl::Framebuffer& framebuffer, int tag);
   [[nodiscard]] bool full() const { return count_ == slots_.size(); }
   [[nodiscard]] bool empty() const { return count_ == 0; }
+  /// Blocks until the oldest copy is complete, so that take() only copies.
+  void waitForOldest() const { static_cast<void>(reached(true)); }
   /// The oldest picture, in the order of start(): its tag and width * height * 4 bytes, row 0 of the
   /// framebuffer first. Nothing when none is under way or, unless `wait`, when it is not there yet.
   [[nodiscard]] std::optional<std::pair<int, std::vector<std::uint8_t>>> take(bool wait);
 
+
  private:
+  [[nodiscard]] bool reached(bool wait) const;
   struct Slot {
     gl::Handle<gl::DeleteBuffer> buffer;
     const std::uint8_t* bytes = nullptr;  ///< mapped for the slot's whole life

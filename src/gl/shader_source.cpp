@@ -23,9 +23,10 @@ std::filesystem::path shaderFolder() {
 
 std::string shaderText(const std::string& path, const std::string& asker) {
   const auto folder = shaderFolder();
-  if (!folder.empty()) return readFile(folder / path, "shader");
+  std::error_code error;
+  if (!folder.empty() && std::filesystem::exists(folder / path, error)) return readFile(folder / path, "shader");
   for (const EmbeddedShader& shader : embeddedShaders())
-    if (path == shader.path) return shader.text;
+    if (folder.empty() && path == shader.path) return shader.text;
   fail(ExitCode::device, "{} asks for the shader file {}, which does not exist", asker, path);
 }
 

@@ -39,7 +39,7 @@ struct Render {
 struct Time {
   double fps = 60.0;
   double start = 0.0;     ///< s simulated before frame 0
-  double duration = 2.0;  ///< s; frames = round(duration * fps)
+  double duration = 2.0;  ///< s; frames = round(duration * fps), at least 1
   void describe(Fields& fields);
 };
 
@@ -112,6 +112,9 @@ struct Override {
   std::string path;
   std::string value;
 };
+
+/// Splits "path=value". Throws UserError(usage) when there is no path or no '='.
+[[nodiscard]] Override parseOverride(std::string_view argument);
 
 /// Reads and checks a scene. Throws UserError(usage) whose message holds *every* mistake, each as
 /// "file:line:column: error: text", the line, and a caret.

@@ -1,0 +1,22 @@
+#pragma once
+
+namespace CLI {
+class App;
+}
+
+namespace simreel::cli {
+
+/// Picks the command, prints a UserError as "simreel: error: ..." on standard error, and returns the exit code.
+int run(int argc, char** argv);
+
+// One command each; the callback throws UserError, or sets the exit code through setExitCode.
+void addRender(CLI::App& app);
+void addValidate(CLI::App& app);
+void addSchema(CLI::App& app);
+void addList(CLI::App& app);
+void addDoctor(CLI::App& app);
+
+/// Exit code of a command that ended without an error of its own (130 after an interrupt).
+void setExitCode(int code);
+
+}  // namespace simreel::cli

@@ -1,0 +1,103 @@
+#include <memory>
+#include <string>
+
+#include "base/error.hpp"
+#include "base/log.hpp"
+#include "cli/commands.hpp"
+#include "cli/scene_options.hpp"
+#include "frame/frame_sink.hpp"
+#include "frame/frames_spec.hpp"
+#include "frame/interrupt.hpp"
+#include "frame/progress.hpp"
+#include "frame/sequence.hpp"
+#include "gl/context.hpp"
+#include "sim/numerics.hpp"
+
+#include <CLI/CLI.hpp>
+
+namespace simreel::cli {
+
+namespace {
+
+struct RenderOptions {
+  SceneOptions scene;
+  std::string output;
+  std::string frames;
+  std::string device;
+  std::string progress = "auto";
+  std::string streamFormat = "rgba";
+  bool overwrite = false;
+  bool resume = false;
+  bool skipExisting = false;
+  bool debug = false;
+};
+
+frame::Existing existingPolicy(const RenderOptions& o) {
+  if (int{o.overwrite} + int{o.resume} + int{o.skipExisting} > 1)
+    fail(ExitCode::usage, "--overwrite, --resume and --skip-existing exclude each other");
+  return o.overwrite ? frame::Existing::overwrite
+         : o.resume  ? frame::Existing::resume
+         : o.skipExisting ? frame::Existing::skip
+                          : frame::Existing::error;
+}
+
+std::vector<int> framesToRender(const RenderOptions& o, const scene::Scene& scene) {
+  if (!o.frames.empty()) return frame::parseFrames(o.frames);
+  std::vector<int> all(static_cast<std::size_t>(scene.frameCount()));
+  for (std::size_t i = 0; i < all.size(); ++i) all[i] = static_cast<int>(i);
+  return all;
+}
+
+void render(const RenderOptions& o) {
+  const auto existing = existingPolicy(o);
+  frame::Progress progress(frame::parseProgressMode(o.progress));
+  const scene::Scene scene = o.scene.load();
+  const auto frames = framesToRender(o, scene);
+  frame::catchInterrupts();
+  frame::ignoreBrokenPipes();
+
+  const gl::Context context({.device = o.device, .debug = o.debug, .memoryPath = ""});
+  const auto numerics = sim::probeNumerics();
+  if (scene.numerics == scene::Numerics::exact && !numerics.exactHolds)
+    fail(ExitCode::device, "this driver does not compute exactly ({}); use another device, or \"numerics\": \"fast\"",
+         numerics.firstFailure);
+  const frame::RunInfo run{
+      .title = scene.title,
+      .sceneHash = scene.hash,
+      .seed = scene.seed,
+      .width = scene.render.size.x,
+      .height = scene.render.size.y,
+      .fps = scene.time.fps,
+      .numerics = scene.numerics == scene::Numerics::exact ? "exact" : "fast",
+      .fingerprint = numerics.fingerprint,
+      .driver = context.device().name + ", OpenGL " + context.device().version,
+  };
+  const auto sink = frame::openSink(o.output, existing, run, frames, o.streamFormat);
+  const auto result = frame::renderSequence(scene, context, frames, *sink, progress);
+  info("{}", frame::closingLine(result.frames, result.seconds, result.stages, sink->summary()));
+  if (result.signal != 0) {
+    info("simreel: interrupted; what is listed in the manifest is whole, --resume goes on from there");
+    setExitCode(128 + result.signal);
+  }
+}
+
+}  // namespace
+
+void addRender(CLI::App& app) {
+  auto o = std::make_shared<RenderOptions>();
+  auto* command = app.add_subcommand("render", "Render a scene to pictures or a video");
+  o->scene.add(*command);
+  command->add_option("-o,--output", o->output, "Folder, pattern (out/flag_####.png), picture, video file, or -")
+      ->required();
+  command->add_option("--frames", o->frames, "Frames to write, for example 0-99x2,150; all are simulated");
+  command->add_option("--device", o->device, "Index or part of a name (see `simreel doctor`)");
+  command->add_option("--progress", o->progress, "auto, tty, ndjson or none");
+  command->add_option("--stream-format", o->streamFormat, "Of -o -: rgba or y4m");
+  command->add_flag("--overwrite", o->overwrite, "Replace frames that exist");
+  command->add_flag("--resume", o->resume, "Keep the frames that the manifest and their hashes say are whole");
+  command->add_flag("--skip-existing", o->skipExisting, "Keep every frame whose file exists");
+  command->add_flag("--debug", o->debug, "Ask the driver for debug messages; serious ones are errors");
+  command->callback([o] { render(*o); });
+}
+
+}  // namespace simreel::cli

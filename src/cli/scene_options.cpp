@@ -1,0 +1,55 @@
+#include "cli/scene_options.hpp"
+
+#include <charconv>
+
+#include "base/error.hpp"
+#include "sim/list.hpp"
+
+#include <CLI/CLI.hpp>
+
+namespace simreel::cli {
+
+namespace {
+
+/// "1280x720" -> "[1280,720]".
+std::string sizeValue(const std::string& text) {
+  int width = 0;
+  int height = 0;
+  const char* end = text.data() + text.size();
+  const auto first = std::from_chars(text.data(), end, width);
+  if (first.ec != std::errc() || first.ptr == end || *first.ptr != 'x')
+    fail(ExitCode::usage, "--size takes WxH, for example 1280x720, not \"{}\"", text);
+  const auto second = std::from_chars(first.ptr + 1, end, height);
+  if (second.ec != std::errc() || second.ptr != end || width < 1 || height < 1)
+    fail(ExitCode::usage, "--size takes WxH, for example 1280x720, not \"{}\"", text);
+  return fmt::format("[{},{}]", width, height);
+}
+
+}  // namespace
+
+std::vector<scene::Override> parseOverrides(const std::vector<std::string>& texts) {
+  std::vector<scene::Override> result;
+  for (const std::string& text : texts) result.push_back(scene::parseOverride(text));
+  return result;
+}
+
+void SceneOptions::add(CLI::App& command) {
+  command.add_option("scene", file, "Scene file")->required();
+  command.add_option("-D", overrides, "Override any value of the scene: path=value, repeatable")
+      ->allow_extra_args(false);
+  command.add_option("--seed", seed, "Seed of all random numbers");
+  command.add_option("--size", size, "Picture size in pixels, WxH");
+  command.add_option("--fps", fps, "Frames per second of scene time");
+  command.add_option("--samples", samples, "Samples per pixel");
+}
+
+scene::Scene SceneOptions::load() const {
+  auto all = parseOverrides(overrides);
+  if (seed) all.push_back({"seed", std::to_string(*seed)});
+  if (!size.empty()) all.push_back({"render.size", sizeValue(size)});
+  if (fps) all.push_back({"time.fps", fmt::format("{}", *fps)});
+  if (samples) all.push_back({"render.samples", std::to_string(*samples)});
+  return scene::loadScene(file, all, sim::kinds());
+}
+
+}  // namespace simreel::cli

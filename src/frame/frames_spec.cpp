@@ -1,0 +1,77 @@
+#include "frame/frames_spec.hpp"
+
+#include "base/error.hpp"
+
+#include <algorithm>
+#include <string_view>
+
+namespace simreel::frame {
+
+namespace {
+
+class Reader {
+ public:
+  explicit Reader(const std::string& text) : text_(text) {}
+
+  std::vector<int> read() {
+    std::vector<int> frames;
+    do {
+      skipBlanks();
+      const std::size_t begin = at_;
+      const int first = number("a frame number");
+      int last = first, step = 1;
+      if (take('-')) {
+        last = number("the last frame of the range");
+        if (last < first) wrong(begin, fmt::format("the range {}-{} runs backwards", first, last));
+        if (take('x') && (step = number("a step after the x")) == 0)
+          wrong(at_ - 1, "the step must be at least 1");
+      }
+      const std::size_t count = static_cast<std::size_t>((last - first) / step) + 1;
+      if (frames.size() + count > mostFrames) wrong(begin, fmt::format("more than {} frames", mostFrames));
+      for (int frame = first; frame <= last; frame += step) frames.push_back(frame);
+      skipBlanks();
+    } while (take(','));
+    if (at_ < text_.size()) wrong(at_, fmt::format("unexpected '{}'", text_[at_]));
+    std::sort(frames.begin(), frames.end());
+    frames.erase(std::unique(frames.begin(), frames.end()), frames.end());
+    return frames;
+  }
+
+ private:
+  void skipBlanks() {
+    while (at_ < text_.size() && text_[at_] == ' ') ++at_;
+  }
+
+  bool take(char c) {
+    if (at_ >= text_.size() || text_[at_] != c) return false;
+    ++at_;
+    return true;
+  }
+
+  int number(const char* what) {
+    const std::size_t begin = at_;
+    long value = 0;
+    for (; at_ < text_.size() && text_[at_] >= '0' && text_[at_] <= '9'; ++at_) {
+      value = value * 10 + (text_[at_] - '0');
+      if (value > largestFrame) wrong(begin, fmt::format("a number above {}", largestFrame));
+    }
+    if (at_ == begin) wrong(begin, fmt::format("{} is expected", what));
+    return static_cast<int>(value);
+  }
+
+  [[noreturn]] void wrong(std::size_t at, const std::string& what) const {
+    fail(ExitCode::usage, "--frames {}: {} at character {}; write for example 0-99, 0-99x2, or 0-9,20",
+         text_, what, at + 1);
+  }
+
+  const std::string& text_;
+  std::size_t at_ = 0;
+};
+
+}  // namespace
+
+std::vector<int> parseFrames(const std::string& text) {
+  return Reader(text).read();
+}
+
+}  // namespace simreel::frame

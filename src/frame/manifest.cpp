@@ -1,0 +1,114 @@
+#include "frame/manifest.hpp"
+
+#include "base/error.hpp"
+#include "base/file.hpp"
+#include "base/version.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace simreel::frame {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr const char* formatName = "simreel-manifest";
+constexpr int formatVersion = 1;
+
+template <class T>
+T get(const Json& object, const char* key) {
+  const auto found = object.find(key);
+  if (found == object.end()) throw std::runtime_error(fmt::format("\"{}\" is missing", key));
+  try {
+    return found->get<T>();
+  } catch (const Json::exception&) {
+    throw std::runtime_error(fmt::format("\"{}\" is of the wrong type", key));
+  }
+}
+
+Manifest readObject(const Json& object) {
+  if (!object.is_object() || get<std::string>(object, "format") != formatName)
+    throw std::runtime_error("it is not a simreel manifest");
+  if (const int version = get<int>(object, "version"); version != formatVersion)
+    throw std::runtime_error(
+        fmt::format("its version is {}, this program reads {}", version, formatVersion));
+  Manifest result;
+  RunInfo& run = result.run;
+  run.title = get<std::string>(object, "title");
+  run.sceneHash = get<std::string>(object, "scene");
+  run.seed = get<int>(object, "seed");
+  run.width = get<int>(object, "width");
+  run.height = get<int>(object, "height");
+  run.fps = get<double>(object, "fps");
+  run.numerics = get<std::string>(object, "numerics");
+  run.fingerprint = get<std::string>(object, "fingerprint");
+  run.driver = get<std::string>(object, "driver");
+  const auto frames = object.find("frames");
+  if (frames == object.end() || !frames->is_array()) throw std::runtime_error("\"frames\" is not a list");
+  for (const Json& item : *frames)
+    result.frames[get<int>(item, "frame")] = {
+        get<std::string>(item, "file"), get<std::string>(item, "pixels"), get<std::string>(item, "state")};
+  return result;
+}
+
+}  // namespace
+
+std::string manifestText(const Manifest& manifest) {
+  const RunInfo& run = manifest.run;
+  Json object = {{"format", formatName},     {"version", formatVersion},       {"program", version()},
+                 {"title", run.title},       {"scene", run.sceneHash},         {"seed", run.seed},
+                 {"width", run.width},       {"height", run.height},           {"fps", run.fps},
+                 {"numerics", run.numerics}, {"fingerprint", run.fingerprint}, {"driver", run.driver}};
+  const auto dump = [](const Json& value, int indent) {
+    return value.dump(indent, ' ', false, Json::error_handler_t::replace);
+  };
+  std::string text = dump(object, 2);
+  text.resize(text.size() - 2);  // the closing "\n}"
+  text += ",\n  \"frames\": [";
+  // One line a frame, so that a text diff of two manifests names the frames.
+  const char* separator = "\n";
+  for (const auto& [number, frame] : manifest.frames) {
+    const Json item = {
+        {"frame", number}, {"file", frame.file}, {"pixels", frame.pixels}, {"state", frame.state}};
+    text += separator + ("    " + dump(item, -1));
+    separator = ",\n";
+  }
+  return text + (manifest.frames.empty() ? "]\n}\n" : "\n  ]\n}\n");
+}
+
+Manifest parseManifest(const std::string& text, const std::string& name) {
+  try {
+    return readObject(Json::parse(text));
+  } catch (const Json::parse_error& error) {
+    fail(ExitCode::usage,
+         "manifest {} cannot be read: not valid JSON at byte {}; remove it or use --overwrite", name,
+         error.byte);
+  } catch (const std::exception& error) {
+    fail(ExitCode::usage, "manifest {} cannot be read: {}; remove it or use --overwrite", name,
+         error.what());
+  }
+}
+
+std::optional<Manifest> readManifest(const std::filesystem::path& path) {
+  std::error_code error;
+  if (path.empty() || !std::filesystem::exists(path, error)) return std::nullopt;
+  return parseManifest(readFile(path, "manifest"), path.string());
+}
+
+std::optional<std::string> runDifference(const RunInfo& wanted, const RunInfo& stored) {
+  const auto say = [](const char* item, const auto& here, const auto& there) {
+    return fmt::format("{} is {} in this run and {} in the manifest", item, here, there);
+  };
+  if (wanted.sceneHash != stored.sceneHash) return say("scene hash", wanted.sceneHash, stored.sceneHash);
+  if (wanted.seed != stored.seed) return say("seed", wanted.seed, stored.seed);
+  if (wanted.width != stored.width || wanted.height != stored.height)
+    return say("size", fmt::format("{}x{}", wanted.width, wanted.height),
+               fmt::format("{}x{}", stored.width, stored.height));
+  if (wanted.fps != stored.fps) return say("fps", wanted.fps, stored.fps);
+  if (wanted.numerics != stored.numerics) return say("numerics", wanted.numerics, stored.numerics);
+  if (wanted.fingerprint != stored.fingerprint)
+    return say("numerics fingerprint", wanted.fingerprint, stored.fingerprint);
+  return std::nullopt;
+}
+
+}  // namespace simreel::frame

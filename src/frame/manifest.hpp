@@ -1,0 +1,32 @@
+#pragma once
+#include "frame/frame_sink.hpp"
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+
+namespace simreel::frame {
+
+struct ManifestFrame {
+  std::string file;    ///< name beside the manifest
+  std::string pixels;  ///< pixelHash; empty when unknown
+  std::string state;   ///< state hash; empty when unknown
+};
+
+/// What is written beside the frames: the run, and the hashes of each frame. Holds no time and no
+/// path, so two runs of one scene write the same bytes.
+struct Manifest {
+  RunInfo run;
+  std::map<int, ManifestFrame> frames;
+};
+
+[[nodiscard]] std::string manifestText(const Manifest& manifest);
+/// Throws UserError(usage) naming the file and what is wrong in it.
+[[nodiscard]] Manifest parseManifest(const std::string& text, const std::string& name);
+/// Nothing when the file does not exist. Throws as parseManifest does.
+[[nodiscard]] std::optional<Manifest> readManifest(const std::filesystem::path& path);
+/// "seed is 1 here and 2 there": the first item in which frames of the two runs could differ.
+[[nodiscard]] std::optional<std::string> runDifference(const RunInfo& wanted, const RunInfo& stored);
+
+}  // namespace simreel::frame

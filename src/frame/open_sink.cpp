@@ -1,0 +1,21 @@
+#include "base/error.hpp"
+#include "frame/sinks.hpp"
+
+namespace simreel::frame {
+
+std::unique_ptr<FrameSink> openSink(const std::string& output, Existing existing, const RunInfo& run,
+                                    std::span<const int> frames, const std::string& streamFormat) {
+  const OutputName name = parseOutput(output, frames.size());
+  switch (name.kind) {
+    case OutputName::Kind::video:
+      return openVideoSink(name, existing, run);
+    case OutputName::Kind::stream:
+      return openStreamSink(streamFormat, run);
+    case OutputName::Kind::sequence:
+    case OutputName::Kind::single:
+      break;
+  }
+  return openSequenceSink(name, existing, run, frames);
+}
+
+}  // namespace simreel::frame

@@ -1,0 +1,228 @@
+#include "base/error.hpp"
+#include "base/hash.hpp"
+#include "frame/fast_deflate.hpp"
+#include "frame/image.hpp"
+
+#include <cstdlib>
+#include <cstring>
+#include <limits>
+#include <memory>
+#include <new>
+
+#include <fmt/format.h>
+#include <libdeflate.h>
+
+namespace {
+
+/// Memory that stb asks for, kept by each thread for the next picture: fresh pages for every frame
+/// took more than half of the time of an easy one.
+class Scratch {
+ public:
+  void* take(std::size_t size) {
+    auto best = free_.end();
+    for (auto block = free_.begin(); block != free_.end(); ++block)
+      if (block->size() >= size && (best == free_.end() || block->size() < best->size())) best = block;
+    if (best == free_.end()) {
+      if (free_.size() >= mostKept) free_.erase(free_.begin());
+      used_.emplace_back(size);
+    } else {
+      used_.push_back(std::move(*best));
+      free_.erase(best);
+    }
+    return used_.back().data();
+  }
+  void giveBack(const void* data) {
+    for (auto block = used_.begin(); block != used_.end(); ++block) {
+      if (block->data() != data) continue;
+      free_.push_back(std::move(*block));
+      used_.erase(block);
+      return;
+    }
+  }
+
+ private:
+  static constexpr std::size_t mostKept = 4;  // stb holds four at most
+  std::vector<std::vector<unsigned char>> free_, used_;
+};
+
+thread_local Scratch scratch;
+
+void* takeForStb(std::size_t size) {
+  try {
+    return scratch.take(size);
+  } catch (const std::bad_alloc&) {
+    return nullptr;  // stb is C: it hands the failure on
+  }
+}
+
+void giveBackForStb(const void* data) {
+  scratch.giveBack(data);
+}
+
+/// stb's hook: the result is given back by stb, nullptr means failure.
+unsigned char* compressForStb(const unsigned char* data, int size, int* resultSize, int /*quality*/) {
+  const auto length = static_cast<std::size_t>(size);
+  const std::size_t bound = simreel::frame::fastZlibBound(length);
+  if (size < 0 || bound > static_cast<std::size_t>(std::numeric_limits<int>::max())) return nullptr;
+  auto* result = static_cast<unsigned char*>(takeForStb(bound));
+  if (result == nullptr) return nullptr;
+  *resultSize = static_cast<int>(simreel::frame::fastZlib({data, length}, {result, bound}));
+  return result;
+}
+
+unsigned int crcForStb(const unsigned char* data, int size) {
+  return libdeflate_crc32(0, data, static_cast<std::size_t>(size));
+}
+
+}  // namespace
+
+#define STB_IMAGE_WRITE_IMPLEMENTATION
+#define STB_IMAGE_WRITE_STATIC
+#define STBI_WRITE_NO_STDIO
+#define STBIW_ZLIB_COMPRESS compressForStb
+#define STBIW_CRC32 crcForStb
+#define STBIW_MALLOC(size) takeForStb(static_cast<std::size_t>(size))
+#define STBIW_REALLOC(data, size) nullptr  // stb's own compressor alone would need it
+#define STBIW_FREE(data) giveBackForStb(data)
+#include <stb/stb_image_write.h>
+
+#define STB_IMAGE_IMPLEMENTATION
+#define STB_IMAGE_STATIC
+#define STBI_NO_STDIO
+#define STBI_FAILURE_USERMSG
+#define STBI_MAX_DIMENSIONS 16384
+#include <stb/stb_image.h>
+
+namespace simreel::frame {
+
+namespace {
+
+/// PNG row filter for every row: 1 is Sub (left), 2 Up, 4 Paeth. Measured by tools/bench/png.cpp: Sub
+/// and Up cost a third of Paeth, and Sub's worst file is the smaller. Set when the program is loaded,
+/// so before any thread can read it.
+[[maybe_unused]] const int rowFilter = stbi_write_force_png_filter = 1;
+
+constexpr int largestSide = STBI_MAX_DIMENSIONS;
+constexpr std::size_t signatureAndHeader = 8 + 25;  // the signature, then the whole IHDR chunk
+
+/// RGB of an image, followed by one byte of slack, in a buffer that each thread keeps: fresh pages for
+/// every frame cost as much as a tenth of the encoding.
+std::span<unsigned char> packRgb(const Image& image) {
+  const std::size_t pixels = std::size_t(image.width) * std::size_t(image.height);
+  SIMREEL_CHECK(image.width > 0 && image.height > 0);
+  SIMREEL_CHECK_EQ(image.bytes.size(), pixels * 4);
+  // Four bytes are copied for each three; the next pixel overwrites the fourth.
+  thread_local std::vector<unsigned char> rgb;
+  rgb.resize(pixels * 3 + 1);
+  const std::uint8_t* from = image.bytes.data();
+  unsigned char* to = rgb.data();
+  for (std::size_t i = 0; i < pixels; ++i, from += 4, to += 3) std::memcpy(to, from, 4);
+  return std::span(rgb).first(pixels * 3);
+}
+
+void appendBigEndian(std::string& out, std::uint32_t value) {
+  for (const int shift : {24, 16, 8, 0}) out += static_cast<char>((value >> shift) & 0xff);
+}
+
+/// Decodes one UTF-8 character from `text` at `i`, moving `i` past it; -1 when it is malformed.
+int nextCharacter(std::string_view text, std::size_t& i) {
+  const auto lead = static_cast<unsigned char>(text[i++]);
+  if (lead < 0x80) return lead;
+  const int more = lead >= 0xf0 ? 3 : lead >= 0xe0 ? 2 : 1;
+  if (lead < 0xc2 || lead > 0xf4) return -1;
+  int code = lead & (0x3f >> more);
+  for (int k = 0; k < more; ++k, ++i) {
+    if (i >= text.size() || (static_cast<unsigned char>(text[i]) & 0xc0) != 0x80) return -1;
+    code = (code << 6) | (text[i] & 0x3f);
+  }
+  return code;
+}
+
+struct ChunkText {
+  std::string latin1;
+  std::string utf8;
+  bool fitsLatin1 = true;
+};
+
+/// Both encodings of a value. Malformed bytes and NUL, which would end the text, become '?'.
+ChunkText convertText(std::string_view value) {
+  ChunkText result;
+  for (std::size_t i = 0; i < value.size();) {
+    const std::size_t begin = i;
+    const int code = nextCharacter(value, i);
+    if (code <= 0) {
+      result.latin1 += '?';
+      result.utf8 += '?';
+      continue;
+    }
+    result.utf8 += value.substr(begin, i - begin);
+    result.latin1 += static_cast<char>(code <= 0xff ? code : '?');
+    result.fitsLatin1 = result.fitsLatin1 && code <= 0xff;
+  }
+  return result;
+}
+
+/// tEXt holds Latin-1 only; anything else goes into an uncompressed iTXt (PNG specification 11.3.4).
+std::string textChunk(const std::string& keyword, std::string_view value) {
+  SIMREEL_CHECK(!keyword.empty() && keyword.size() <= 79);
+  const ChunkText text = convertText(value);
+  std::string body = text.fitsLatin1 ? "tEXt" : "iTXt";
+  body += keyword;
+  // After the keyword's NUL, iTXt has: not compressed, method 0, no language, no translated keyword.
+  body.append(text.fitsLatin1 ? 1 : 5, '\0');
+  body += text.fitsLatin1 ? text.latin1 : text.utf8;
+  std::string chunk;
+  appendBigEndian(chunk, static_cast<std::uint32_t>(body.size() - 4));
+  chunk += body;
+  appendBigEndian(chunk, libdeflate_crc32(0, body.data(), body.size()));
+  return chunk;
+}
+
+}  // namespace
+
+std::vector<std::byte> encodePng(const Image& image, const ImageText& text) {
+  SIMREEL_CHECK(image.width <= largestSide && image.height <= largestSide);
+  const std::span<unsigned char> rgb = packRgb(image);
+  int size = 0;
+  const std::unique_ptr<unsigned char, decltype(&giveBackForStb)> png(
+      stbi_write_png_to_mem(rgb.data(), image.width * 3, image.width, image.height, 3, &size),
+      &giveBackForStb);
+  if (!png)
+    fail(ExitCode::inputOutput, "out of memory while encoding a {}x{} PNG", image.width, image.height);
+
+  std::string chunks;
+  for (const auto& [keyword, value] : text) chunks += textChunk(keyword, value);
+  const auto stored = static_cast<std::size_t>(size);
+  std::vector<std::byte> file(stored + chunks.size());
+  std::memcpy(file.data(), png.get(), signatureAndHeader);
+  std::memcpy(file.data() + signatureAndHeader, chunks.data(), chunks.size());
+  std::memcpy(file.data() + signatureAndHeader + chunks.size(), png.get() + signatureAndHeader,
+              stored - signatureAndHeader);
+  return file;
+}
+
+Image decodeImage(std::span<const std::byte> file, const std::string& name) {
+  if (file.empty()) fail(ExitCode::inputOutput, "cannot read image {}: the file is empty", name);
+  if (file.size() > static_cast<std::size_t>(std::numeric_limits<int>::max()))
+    fail(ExitCode::inputOutput, "cannot read image {}: {} bytes are too many", name, file.size());
+  const auto* bytes = reinterpret_cast<const stbi_uc*>(file.data());
+  const int size = static_cast<int>(file.size());
+  int width = 0, height = 0, channels = 0;
+  if (stbi_info_from_memory(bytes, size, &width, &height, &channels) == 0)
+    fail(ExitCode::inputOutput, "cannot read image {}: {}", name, stbi_failure_reason());
+  if (width > largestSide || height > largestSide || width < 1 || height < 1)
+    fail(ExitCode::inputOutput, "cannot read image {}: {}x{} is outside 1x1 to {}x{}", name, width, height,
+         largestSide, largestSide);
+  const std::unique_ptr<stbi_uc, decltype(&stbi_image_free)> pixels(
+      stbi_load_from_memory(bytes, size, &width, &height, &channels, 4), &stbi_image_free);
+  if (!pixels) fail(ExitCode::inputOutput, "cannot read image {}: {}", name, stbi_failure_reason());
+  const std::size_t length = std::size_t(width) * std::size_t(height) * 4;
+  return {width, height, std::vector<std::uint8_t>(pixels.get(), pixels.get() + length)};
+}
+
+std::string pixelHash(const Image& image) {
+  const std::span<const unsigned char> rgb = packRgb(image);
+  return hashHex(fmt::format("{}x{} {}", image.width, image.height, hashHex(std::as_bytes(rgb))));
+}
+
+}  // namespace simreel::frame

@@ -1,0 +1,56 @@
+#pragma once
+#include <chrono>
+#include <string>
+
+namespace simreel::frame {
+
+/// Seconds spent so far in each stage.
+struct StageTimes {
+  double simulate = 0;
+  double draw = 0;
+  double readBack = 0;
+  double encode = 0;
+};
+
+/// How far a run is, on standard error. Use from one thread.
+class Progress {
+ public:
+  enum class Mode { automatic, terminal, ndjson, none };
+
+  /// `automatic` shows a bar on a terminal and nothing when piped. The descriptor is for tests.
+  explicit Progress(Mode mode, int descriptor = 2);
+  void start(int total);
+  /// One frame is done (or was already there). `stages` are the times of this frame alone.
+  void frame(int number, const StageTimes& stages);
+  /// Clears the bar. `status` is "ok", "interrupted" or "failed".
+  void finish(const char* status = "ok");
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  void show();
+  void write(const std::string& text) const;
+
+  Mode mode_;
+  int descriptor_;
+  int total_ = 0;
+  int done_ = 0;
+  bool shown_ = false;
+  Clock::time_point begin_;
+  Clock::time_point lastShown_;
+};
+
+/// "auto", "tty", "ndjson" or "none". Throws UserError(usage).
+[[nodiscard]] Progress::Mode parseProgressMode(const std::string& text);
+
+/// The bar, at most `width` columns wide.
+[[nodiscard]] std::string progressLine(int done, int total, double seconds, int width);
+
+/// "120 frames in 9.8 s (12.2 frames/s): simulate 2.1 s, draw 5.9 s, read back 0.3 s, encode 1.6 s ->
+/// WHERE"
+[[nodiscard]] std::string closingLine(int frames, double seconds, const StageTimes& stages,
+                                      const std::string& where);
+
+/// "9.8 s", "3 min 05 s", "2 h 04 min".
+[[nodiscard]] std::string formatDuration(double seconds);
+
+}  // namespace simreel::frame

@@ -1,0 +1,197 @@
+#include "frame/sequence.hpp"
+
+#include <chrono>
+#include <deque>
+#include <exception>
+#include <utility>
+
+#include "base/error.hpp"
+#include "draw/readback.hpp"
+#include "draw/renderer.hpp"
+#include "frame/interrupt.hpp"
+#include "sim/world.hpp"
+
+namespace simreel::frame {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double secondsSince(Clock::time_point begin) {
+  return std::chrono::duration<double>(Clock::now() - begin).count();
+}
+
+/// Adds the time of its own life to a stage.
+class Stopwatch {
+ public:
+  explicit Stopwatch(double& stage) : stage_(stage), begin_(Clock::now()) {}
+  ~Stopwatch() { stage_ += secondsSince(begin_); }
+  Stopwatch(const Stopwatch&) = delete;
+  Stopwatch& operator=(const Stopwatch&) = delete;
+
+ private:
+  double& stage_;
+  Clock::time_point begin_;
+};
+
+/// Keeps a few frames under way: while the device draws one, the last is read back and encoded.
+class Pipeline {
+ public:
+  Pipeline(const scene::Scene& scene, const gl::Context& context, FrameSink& sink, Progress& progress)
+      : context_(context),
+        sink_(sink),
+        progress_(progress),
+        size_(scene.render.size),
+        world_(scene),
+        renderer_(scene, scene.render.size, scene.render.samples),
+        readback_(scene.render.size) {}
+
+  /// Simulates every frame up to this one, watching each for a lost state, and draws it if it is wanted.
+  void render(int frame) {
+    simulateTo(frame);
+    const bool wanted = sink_.wants(frame);
+    if (wanted) {
+      if (readback_.full()) deliverOldest();
+      const Stopwatch watch(stages_.draw);
+      renderer_.draw(world_.time(), world_.drawables());
+      readback_.start(renderer_.target(), frame);
+    }
+    waiting_.push_back({frame, wanted});
+    while (waiting_.size() > 2) deliverOldest();
+    context_.check();
+  }
+
+  void drain() {
+    while (!waiting_.empty()) deliverOldest();
+  }
+
+  [[nodiscard]] int delivered() const { return delivered_; }
+  [[nodiscard]] const StageTimes& stages() const { return stages_; }
+
+ private:
+  struct Waiting {
+    int frame;
+    bool drawn;
+  };
+
+  void simulateTo(int frame) {
+    const Stopwatch watch(stages_.simulate);
+    while (world_.frame() < frame || !started_) {
+      // The pre-roll is watched too: frame 0's summary tells of everything before it.
+      world_.advanceTo(started_ ? world_.frame() + 1 : 0);
+      started_ = true;
+      if (summariesUnderWay_ == 6) takeSummary();
+      world_.startSummary();
+      ++summariesUnderWay_;
+    }
+  }
+
+  void takeSummary() {
+    latest_ = world_.takeSummary(true);
+    --summariesUnderWay_;
+    if (!waiting_.empty() && latest_->frame >= waiting_.front().frame) summaries_.push_back(*latest_);
+  }
+
+  /// The state hash of a frame that waits; summaries come in the order of frames.
+  std::string stateHash(int frame) {
+    while (true) {
+      while (!summaries_.empty() && summaries_.front().frame < frame) summaries_.pop_front();
+      if (!summaries_.empty() && summaries_.front().frame == frame) return summaries_.front().stateHash;
+      SIMREEL_CHECK(summariesUnderWay_ > 0);
+      takeSummary();
+    }
+  }
+
+  void deliverOldest() {
+    const Waiting oldest = waiting_.front();
+    const StageTimes before = stages_;
+    std::string hash;
+    {
+      const Stopwatch watch(stages_.simulate);
+      hash = stateHash(oldest.frame);
+    }
+    waiting_.pop_front();
+    if (oldest.drawn) {
+      store(oldest.frame, std::move(hash));
+    } else if (const auto known = sink_.knownStateHash(oldest.frame); known && !known->empty() && *known != hash) {
+      fail(ExitCode::different,
+           "frame {} is kept from an earlier run, but its state was {} and is {} now; render anew with --overwrite",
+           oldest.frame, *known, hash);
+    }
+    ++delivered_;
+    progress_.frame(oldest.frame, {stages_.simulate - before.simulate, stages_.draw - before.draw,
+                                   stages_.readBack - before.readBack, stages_.encode - before.encode});
+  }
+
+  void store(int frame, std::string hash) {
+    {
+      // On a software driver drawing happens in the background; waiting for it is drawing time.
+      const Stopwatch watch(stages_.draw);
+      readback_.waitForOldest();
+    }
+    Image image{size_.x, size_.y, {}};
+    {
+      const Stopwatch watch(stages_.readBack);
+      auto taken = readback_.take(true);
+      SIMREEL_CHECK(taken.has_value());
+      SIMREEL_CHECK_EQ(taken->first, frame);
+      image.bytes = std::move(taken->second);
+    }
+    sink_.add({frame, std::move(hash)}, std::move(image));
+  }
+
+  const gl::Context& context_;
+  FrameSink& sink_;
+  Progress& progress_;
+  glm::ivec2 size_;
+  sim::World world_;
+  draw::Renderer renderer_;
+  draw::Readback readback_;
+  std::deque<Waiting> waiting_;
+  std::deque<sim::World::Summary> summaries_;
+  std::optional<sim::World::Summary> latest_;
+  int summariesUnderWay_ = 0;
+  bool started_ = false;
+  int delivered_ = 0;
+  StageTimes stages_;
+};
+
+}  // namespace
+
+SequenceResult renderSequence(const scene::Scene& scene, const gl::Context& context, const std::vector<int>& frames,
+                              FrameSink& sink, Progress& progress) {
+  const auto begin = Clock::now();
+  SequenceResult result;
+  std::exception_ptr failure;
+  progress.start(static_cast<int>(frames.size()));
+  try {
+    Pipeline pipeline(scene, context, sink, progress);
+    try {
+      for (const int frame : frames) {
+        result.signal = interruptSignal();
+        if (result.signal != 0) break;
+        pipeline.render(frame);
+      }
+      pipeline.drain();
+    } catch (...) {
+      failure = std::current_exception();
+    }
+    result.frames = pipeline.delivered();
+    result.stages = pipeline.stages();
+  } catch (...) {
+    failure = std::current_exception();
+  }
+  progress.finish(failure ? "failed" : result.signal != 0 ? "interrupted" : "ok");
+  try {
+    sink.finish();
+  } catch (...) {
+    // The first failure is the cause; what the sink says after it is a consequence.
+    if (!failure) failure = std::current_exception();
+  }
+  if (failure) std::rethrow_exception(failure);
+  result.stages.encode = sink.encodeSeconds();
+  result.seconds = secondsSince(begin);
+  return result;
+}
+
+}  // namespace simreel::frame

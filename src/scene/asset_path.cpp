@@ -1,0 +1,66 @@
+#include "scene/asset_path.hpp"
+
+#include "scene/words.hpp"
+
+#include <algorithm>
+#include <system_error>
+
+#include <fmt/format.h>
+
+namespace simreel::scene {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+bool isInside(const fs::path& file, const fs::path& root) {
+  return std::mismatch(root.begin(), root.end(), file.begin(), file.end()).first == root.end();
+}
+
+}  // namespace
+
+AssetFolders::AssetFolders(const fs::path& sceneFile, const fs::path& assets) {
+  const fs::path sceneFolder = sceneFile.has_parent_path() ? sceneFile.parent_path() : fs::path(".");
+  for (const fs::path& folder : {sceneFolder, assets}) {
+    if (folder.empty()) continue;
+    std::error_code error;
+    const fs::path canonical = fs::canonical(folder, error);
+    // A root with a trailing slash would end in an empty name that no file has.
+    if (!error && std::find(roots_.begin(), roots_.end(), canonical) == roots_.end())
+      roots_.push_back(canonical);
+  }
+}
+
+fs::path AssetFolders::find(const std::string& name, std::string& problem) const {
+  const auto insideAny = [&](const fs::path& file) {
+    return std::any_of(roots_.begin(), roots_.end(),
+                       [&](const fs::path& root) { return isInside(file, root); });
+  };
+  std::string folders;
+  for (const fs::path& root : roots_) folders += (folders.empty() ? "" : " and ") + root.string();
+  if (name.find('\0') != std::string::npos) {
+    problem = "a file name holds no zero byte";
+    return {};
+  }
+  bool outside = false;
+  for (const fs::path& root : roots_) {
+    std::error_code error;
+    const fs::path file = fs::weakly_canonical(root / name, error);
+    if (error) continue;
+    if (!insideAny(file)) {
+      outside = true;
+      continue;
+    }
+    const fs::file_status status = fs::status(file, error);
+    if (error || !fs::exists(status)) continue;
+    if (fs::is_regular_file(status)) return file;
+    problem = fmt::format("{} is not a file", inQuotes(name));
+    return {};
+  }
+  problem = outside
+                ? fmt::format("{} lies outside the folders a scene may read: {}", inQuotes(name), folders)
+                : fmt::format("no file {} in {}", inQuotes(name), folders.empty() ? "any folder" : folders);
+  return {};
+}
+
+}  // namespace simreel::scene

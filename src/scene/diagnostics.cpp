@@ -1,0 +1,115 @@
+#include "scene/diagnostics.hpp"
+
+#include "scene/words.hpp"
+
+#include <algorithm>
+#include <tuple>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace simreel::scene {
+
+namespace {
+
+bool continues(char c) {
+  return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U;
+}
+
+constexpr std::string_view byteOrderMark = "\xEF\xBB\xBF";
+
+/// Part of the line around a mistake, and the caret line below it.
+std::string excerpt(std::string_view line, std::size_t begin, std::size_t end) {
+  constexpr std::size_t before = 60, most = 110;
+  std::size_t from = 0, to = line.size();
+  if (line.size() > most) {
+    from = begin > before ? begin - before : 0;
+    while (from > 0 && continues(line[from])) --from;
+    to = std::min(line.size(), from + most);
+    while (to < line.size() && continues(line[to])) ++to;
+  }
+  std::string shown = from > 0 ? "  ..." : "  ";
+  std::string marks(shown.size(), ' ');
+  for (std::size_t at = from; at < to;) {
+    const std::size_t length = std::max<std::size_t>(1, codePointLength(line, at));
+    const std::string glyph = line[at] == '\t' ? "    " : printable(line.substr(at, length));
+    const std::size_t width = line[at] == '\t' ? 4 : 1;
+    shown += glyph;
+    if (at <= begin && begin < at + length) {
+      marks += '^';
+      if (begin + length < end) marks.append(width - 1, '~');
+    } else if (at < begin) {
+      marks.append(width, ' ');
+    } else if (at < end) {
+      marks.append(width, '~');
+    }
+    at += length;
+  }
+  if (begin >= to) marks += '^';
+  if (to < line.size()) shown += "...";
+  return shown + "\n" + marks + "\n";
+}
+
+}  // namespace
+
+Diagnostics::Diagnostics(std::string file, std::string_view text) {
+  sources_.push_back({std::move(file), {}, text});
+}
+
+int Diagnostics::addOverride(std::string argument) {
+  std::string name =
+      "-D " + (argument.size() <= 60 ? argument : argument.substr(0, argument.find('=') + 1) + "...");
+  sources_.push_back({std::move(name), std::move(argument), {}});
+  return static_cast<int>(sources_.size()) - 1;
+}
+
+void Diagnostics::add(Place place, std::string message) {
+  ++count_;
+  if (!full()) errors_.push_back({place, std::move(message)});
+}
+
+std::string_view Diagnostics::sourceText(int source) const {
+  const Source& found = sources_[static_cast<std::size_t>(source)];
+  return source == 0 ? found.text : std::string_view(found.owned);
+}
+
+std::string_view Diagnostics::textAt(Place place) const {
+  return sourceText(place.source).substr(place.begin, place.end - place.begin);
+}
+
+std::string Diagnostics::describe(const Error& error) const {
+  const std::string_view text = sourceText(error.place.source);
+  const std::size_t begin = std::min(error.place.begin, text.size());
+  std::size_t lineBegin = text.substr(0, begin).rfind('\n') + 1;  // npos + 1 is 0
+  std::size_t lineEnd = std::min(text.find('\n', begin), text.size());
+  if (lineEnd > lineBegin && text[lineEnd - 1] == '\r') --lineEnd;
+  if (lineBegin == 0 && text.starts_with(byteOrderMark) && begin >= byteOrderMark.size())
+    lineBegin = byteOrderMark.size();
+  lineEnd = std::max({lineEnd, lineBegin, begin});
+
+  const std::string_view head = text.substr(lineBegin, begin - lineBegin);
+  const auto column =
+      head.size() - static_cast<std::size_t>(std::count_if(head.begin(), head.end(), continues)) + 1;
+  const auto line = std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(begin), '\n') + 1;
+  const std::string name = printable(sources_[static_cast<std::size_t>(error.place.source)].name);
+  const std::string where = error.place.source == 0 ? fmt::format("{}:{}:{}", name, line, column) : name;
+  const std::size_t end = std::max(error.place.end, begin + 1) - lineBegin;
+  return fmt::format("{}: error: {}\n{}", where, printable(error.message),
+                     excerpt(text.substr(lineBegin, lineEnd - lineBegin), begin - lineBegin, end));
+}
+
+std::string Diagnostics::report() const {
+  constexpr std::size_t mostShown = 50;
+  std::vector<const Error*> ordered;
+  for (const Error& error : errors_) ordered.push_back(&error);
+  std::stable_sort(ordered.begin(), ordered.end(), [](const Error* a, const Error* b) {
+    return std::tie(a->place.source, a->place.begin) < std::tie(b->place.source, b->place.begin);
+  });
+  std::string out;
+  for (std::size_t i = 0; i < std::min(mostShown, ordered.size()); ++i) out += describe(*ordered[i]);
+  if (count_ > mostShown) out += fmt::format("and {} more\n", count_ - mostShown);
+  if (!out.empty()) out.pop_back();  // whoever prints a message ends its line
+  return out;
+}
+
+}  // namespace simreel::scene

@@ -1,0 +1,55 @@
+#pragma once
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace simreel::scene {
+
+/// Bytes [begin, end) of one source text: 0 is the scene file, i the i-th -D override.
+struct Place {
+  int source = 0;
+  std::size_t begin = 0;
+  std::size_t end = 0;
+};
+
+/// Collects every mistake of a scene and prints them in the order of their places.
+class Diagnostics {
+ public:
+  /// `text` must outlive this object.
+  Diagnostics(std::string file, std::string_view text);
+
+  /// Another text that mistakes may lie in, `path=value` of a -D. Returns its source number.
+  int addOverride(std::string argument);
+  void add(Place place, std::string message);
+
+  [[nodiscard]] bool empty() const { return count_ == 0; }
+  [[nodiscard]] std::size_t count() const { return count_; }
+  /// No more mistakes are kept from here on, only counted; callers may stop looking.
+  [[nodiscard]] bool full() const { return errors_.size() >= mostKept; }
+  [[nodiscard]] std::string_view textAt(Place place) const;
+
+  /// Each mistake as "file:line:column: error: message", the line and a caret; at most 50, then
+  /// "and N more". Columns count code points from 1.
+  [[nodiscard]] std::string report() const;
+
+ private:
+  static constexpr std::size_t mostKept = 1000;
+  struct Source {
+    std::string name;
+    std::string owned;      ///< of an override
+    std::string_view text;  ///< of the scene file; empty for an override
+  };
+  struct Error {
+    Place place;
+    std::string message;
+  };
+  [[nodiscard]] std::string_view sourceText(int source) const;
+  [[nodiscard]] std::string describe(const Error& error) const;
+
+  std::vector<Source> sources_;
+  std::vector<Error> errors_;
+  std::size_t count_ = 0;
+};
+
+}  // namespace simreel::scene

@@ -1,0 +1,127 @@
+#include "scene/override.hpp"
+
+#include "base/error.hpp"
+#include "scene/words.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <optional>
+#include <utility>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace simreel::scene {
+
+namespace {
+
+/// The value as JSON, or bare text as a string. What opens like JSON must be JSON: `[1,2` is a slip.
+std::optional<Node> parseValue(const std::string& value, int source, std::size_t base,
+                               Diagnostics& diagnostics) {
+  const std::size_t first = value.find_first_not_of(' ');
+  const bool opensJson =
+      first != std::string::npos && std::string_view("[{\"").find(value[first]) != std::string::npos;
+  if (opensJson || nlohmann::json::accept(value)) return parseJson(value, source, base, diagnostics);
+  Node node;
+  node.kind = Node::Kind::text;
+  node.source = source;
+  node.text = value;
+  node.begin = static_cast<std::uint32_t>(base);
+  node.end = static_cast<std::uint32_t>(base + value.size());
+  return node;
+}
+
+Node* listItem(Node& list, std::string_view segment, Place place, Diagnostics& diagnostics) {
+  std::size_t index = 0;
+  const auto [rest, error] = std::from_chars(segment.data(), segment.data() + segment.size(), index);
+  if (error != std::errc() || rest != segment.data() + segment.size()) {
+    diagnostics.add(place,
+                    fmt::format("{} is not an index; this part of the scene is a list", inQuotes(segment)));
+    return nullptr;
+  }
+  if (index >= list.children.size()) {
+    diagnostics.add(
+        place, fmt::format("no item {}; the list has {}, counted from 0", index, list.children.size()));
+    return nullptr;
+  }
+  return &list.children[index];
+}
+
+Node* member(Node& object, std::string_view segment, Place place) {
+  if (Node* found = object.find(segment)) return found;
+  Node& made = object.children.emplace_back();
+  made.kind = Node::Kind::object;
+  made.source = place.source;
+  made.key = segment;
+  made.begin = made.keyBegin = static_cast<std::uint32_t>(place.begin);
+  made.end = made.keyEnd = static_cast<std::uint32_t>(place.end);
+  return &made;
+}
+
+/// Whether the path has the form a.b.c; checked before anything is made on its way.
+bool checkPath(const std::string& path, int source, Diagnostics& diagnostics) {
+  std::size_t depth = 0;
+  for (std::size_t begin = 0; begin <= path.size(); ++depth) {
+    const std::size_t end = std::min(path.find('.', begin), path.size());
+    if (begin == end || depth >= mostDepth) {
+      diagnostics.add({source, begin, end},
+                      begin == end ? "a name is missing in this path" : "this path is too deep");
+      return false;
+    }
+    begin = end + 1;
+  }
+  return true;
+}
+
+/// The node that `path` names; null after a mistake.
+Node* walk(Node& scene, const std::string& path, int source, Diagnostics& diagnostics) {
+  Node* node = &scene;
+  for (std::size_t begin = 0; begin <= path.size();) {
+    const std::size_t end = std::min(path.find('.', begin), path.size());
+    const std::string_view segment = std::string_view(path).substr(begin, end - begin);
+    const Place place{source, begin, end};
+    if (node->kind == Node::Kind::list) {
+      node = listItem(*node, segment, place, diagnostics);
+      if (node == nullptr) return nullptr;
+    } else if (node->kind == Node::Kind::object) {
+      node = member(*node, segment, place);
+    } else {
+      diagnostics.add(place, fmt::format("{} is {}, which holds nothing named {}",
+                                         begin == 0 ? "the scene" : inQuotes(path.substr(0, begin - 1)),
+                                         node->kindText(), inQuotes(segment)));
+      return nullptr;
+    }
+    begin = end + 1;
+  }
+  return node;
+}
+
+}  // namespace
+
+void applyOverride(Node& scene, const Override& change, Diagnostics& diagnostics) {
+  const int source = diagnostics.addOverride(change.path + "=" + change.value);
+  const std::size_t valueAt = change.path.size() + 1;
+  if (!isUtf8(change.path) || !isUtf8(change.value)) {
+    diagnostics.add({source, 0, 1}, "not valid UTF-8");
+    return;
+  }
+  std::optional<Node> value = parseValue(change.value, source, valueAt, diagnostics);
+  if (!value || !checkPath(change.path, source, diagnostics)) return;
+  Node* place = walk(scene, change.path, source, diagnostics);
+  if (place == nullptr) return;
+  value->key = place->key;
+  // Messages about the key (it may be unknown) belong to the -D as well.
+  const std::size_t lastDot = change.path.rfind('.');
+  value->keyBegin = static_cast<std::uint32_t>(lastDot == std::string::npos ? 0 : lastDot + 1);
+  value->keyEnd = static_cast<std::uint32_t>(change.path.size());
+  *place = std::move(*value);
+}
+
+Override parseOverride(std::string_view argument) {
+  const std::size_t equals = argument.find('=');
+  if (equals == std::string_view::npos || equals == 0)
+    fail(ExitCode::usage, "-D {}: expected path=value, for example -D time.fps=30", printable(argument));
+  return {std::string(argument.substr(0, equals)), std::string(argument.substr(equals + 1))};
+}
+
+}  // namespace simreel::scene

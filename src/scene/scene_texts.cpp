@@ -1,0 +1,113 @@
+// What simreel says about scenes: the schema, the help tables and the list.
+#include "base/error.hpp"
+#include "scene/help.hpp"
+#include "scene/scene.hpp"
+#include "scene/schema.hpp"
+#include "scene/sections.hpp"
+#include "scene/words.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+namespace simreel::scene {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr const char* objectNamePattern = "^[A-Za-z0-9_-]{1,64}$";
+
+Json objectsSchema(std::span<const Kind> kinds) {
+  Json properties = Json::object();
+  Json oneKind = Json::array();
+  for (const Kind& kind : kinds) {
+    properties[kind.name] = {{"$ref", fmt::format("#/$defs/{}", kind.name)}};
+    oneKind.push_back({{"required", Json::array({kind.name})}});
+  }
+  properties["material"] = {{"$ref", "#/$defs/material"}};
+  Json object = {{"type", "object"}, {"properties", properties}, {"additionalProperties", false}};
+  if (!oneKind.empty()) object["oneOf"] = oneKind;
+  return {{"type", "object"},
+          {"propertyNames", {{"pattern", objectNamePattern}}},
+          {"maxProperties", mostObjects},
+          {"additionalProperties", object},
+          {"description", "What is simulated and drawn: one kind each, and perhaps a material."}};
+}
+
+std::string sceneHelp() {
+  Scene scene;
+  HelpWriter table(false);
+  table.add("version", "", std::to_string(sceneVersion), "", "Version of the scene format; must be given.");
+  describeScene(table, scene);
+  table.add("objects", "{}", fmt::format("up to {}", mostObjects), "",
+            "What is simulated and drawn, each {kind, material} by name.");
+  return "scene: a scene file.\n\n" + table.table() +
+         "\nrender, time, camera, sun, sky, ground and material have their own help: simreel list NAME.\n"
+         "Keyframes of a value that may move: {\"keys\": [[time, value], ...], \"ease\": \"linear\" or "
+         "\"smooth\"}.\n";
+}
+
+}  // namespace
+
+std::string schemaText(std::span<const Kind> kinds) {
+  Scene scene;
+  SchemaWriter writer;
+  writer.add("$schema", {{"type", "string"}});
+  writer.add("version", {{"const", sceneVersion}, {"description", "Version of the scene format."}});
+  describeScene(writer, scene);
+  writer.add("objects", objectsSchema(kinds));
+
+  Json definitions = Json::object();
+  for (const Kind& kind : kinds) {
+    SchemaWriter inner;
+    kind.makeParameters()->describe(inner);
+    Json& schema = definitions[kind.name] = inner.object();
+    schema["description"] = kind.doc;
+  }
+  SchemaWriter material;
+  Material().describe(material);
+  definitions["material"] = material.object();
+
+  Json schema = {{"$schema", "https://json-schema.org/draft/2020-12/schema"}, {"title", "simreel scene"}};
+  schema.update(writer.object());
+  schema["required"] = Json::array({"version"});
+  schema["$defs"] = definitions;
+  return schema.dump(2) + "\n";
+}
+
+std::string helpText(std::string_view name, std::span<const Kind> kinds) {
+  if (name == "scene") return sceneHelp();
+  std::vector<std::string> known = {"scene"};
+  for (const Section& section : sections()) {
+    known.emplace_back(section.name);
+    if (name != section.name) continue;
+    HelpWriter table(true);
+    section.describe(table);
+    return fmt::format("{}: {}\n\n{}", section.name, section.doc, table.table());
+  }
+  for (const Kind& kind : kinds) {
+    known.emplace_back(kind.name);
+    if (name != kind.name) continue;
+    HelpWriter table(true);
+    kind.makeParameters()->describe(table);
+    return fmt::format(
+        "{}: {}\nIn a scene: \"objects\": {{\"name\": {{\"{}\": {{...}}, \"material\": {{...}}}}}}\n\n{}",
+        kind.name, kind.doc, kind.name, table.table());
+  }
+  fail(ExitCode::usage, "no simulation or scene section is named {}; {}", inQuotes(printable(name)),
+       suggestion(name, known));
+}
+
+std::string listText(std::span<const Kind> kinds) {
+  std::size_t width = 8;
+  for (const Kind& kind : kinds) width = std::max(width, std::string_view(kind.name).size());
+  std::string out = "Simulations:\n";
+  for (const Kind& kind : kinds) out += fmt::format("  {:<{}}  {}\n", kind.name, width, kind.doc);
+  out += fmt::format("\nScene sections:\n  {:<{}}  {}\n", "scene", width, "The scene file as a whole.");
+  for (const Section& section : sections())
+    out += fmt::format("  {:<{}}  {}\n", section.name, width, section.doc);
+  return out;
+}
+
+}  // namespace simreel::scene

@@ -1,0 +1,141 @@
+#include "scene/sections.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace simreel::scene {
+
+namespace {
+
+constexpr Range share{0.0, 1.0};
+
+constexpr const char* renderDoc = "Size and look of the images.";
+constexpr const char* timeDoc = "Frame rate and length.";
+constexpr const char* cameraDoc = "Where the images are taken from.";
+constexpr const char* sunDoc = "The one directional light and its shadow.";
+constexpr const char* skyDoc = "Ambient light and background gradient.";
+constexpr const char* groundDoc = "A ground plane, drawn and collided with.";
+constexpr const char* materialDoc = "Surface of an object.";
+
+template <class T>
+Section section(const char* name, const char* doc) {
+  return {name, doc, [](Fields& fields) { T().describe(fields); }};
+}
+
+}  // namespace
+
+void Material::describe(Fields& fields) {
+  fields.vector("color", color, notNegative, "", "Base colour, linear RGB.");
+  fields.asset("texture", texture, "sRGB image multiplied with the colour.");
+  fields.vector("textureScale", textureScale, anyNumber, "",
+                "Repeats of the texture along u and v; the third is unused.");
+  fields.number("roughness", roughness, share, "", "0 mirrors, 1 is matt.");
+  fields.number("metallic", metallic, share, "", "0 for plastic, cloth and wood; 1 for metal.");
+  fields.number("translucency", translucency, share, "",
+                "Share of the light from behind that shines through.");
+}
+
+void Render::describe(Fields& fields) {
+  fields.pair("size", size, {1, 16384}, "pixels", "Width and height of the images.");
+  fields.integer("samples", samples, {1, 16}, "", "Samples per pixel; every driver has 1 and 4.");
+  fields.number("exposure", exposure, {-20, 20}, "EV", "Brightness; one more doubles it.");
+  fields.number("vignette", vignette, share, "", "Darkening towards the corners.");
+}
+
+void Time::describe(Fields& fields) {
+  fields.number("fps", fps, positive, "frames/s", "Frames per second.");
+  fields.number("start", start, notNegative, "s", "Simulated time before frame 0.");
+  fields.number("duration", duration, notNegative, "s",
+                "Length; there are round(duration * fps) frames, at least one.");
+  constexpr double mostFrames = 1e7;
+  if (!((start + duration) * fps < mostFrames))
+    fields.error(fields.given("duration") ? "duration"
+                 : fields.given("start")  ? "start"
+                                          : "fps",
+                 fmt::format("(start + duration) * fps is {:g} frames; the limit is 10 million",
+                             (start + duration) * fps));
+}
+
+void Camera::describe(Fields& fields) {
+  fields.vector("position", position, anyNumber, "m", "Where the camera stands.");
+  fields.vector("target", target, anyNumber, "m", "What it looks at.");
+  fields.number("fieldOfView", fieldOfView, {1, 170}, "degrees", "Vertical angle of view.");
+  fields.number("roll", roll, anyNumber, "degrees", "Turn about the line of sight.");
+  fields.number("near", near, positive, "m", "Nearest distance drawn.");
+  fields.number("far", far, positive, "m", "Farthest distance drawn.");
+  if (!(near < far))
+    fields.error(fields.given("near") ? "near" : "far",
+                 fmt::format("\"near\" ({} m) must be less than \"far\" ({} m)", near, far));
+  if (!position.moves() && !target.moves() && position.at(0) == target.at(0))
+    fields.error(fields.given("target") ? "target" : "position",
+                 "\"position\" and \"target\" are the same point; the camera looks nowhere");
+}
+
+void Sun::describe(Fields& fields) {
+  fields.vector("direction", direction, anyNumber, "", "Towards the sun; its length does not matter.");
+  fields.vector("color", color, notNegative, "", "Colour of its light, linear RGB.");
+  fields.number("intensity", intensity, notNegative, "", "Factor on the colour.");
+  fields.boolean("shadow", shadow, "Whether it casts shadows.");
+  fields.integer("shadowSize", shadowSize, {16, 8192}, "texels", "Side of the shadow map.");
+  fields.number("shadowSoftness", shadowSoftness, {0, 16}, "texels", "Radius of the shadow's soft edge.");
+  for (const auto& key : direction.keys()) {
+    if (key.value != glm::vec3(0)) continue;
+    fields.error("direction", "\"direction\" is [0, 0, 0], which points nowhere");
+    break;
+  }
+}
+
+void Sky::describe(Fields& fields) {
+  fields.vector("zenith", zenith, notNegative, "", "Colour overhead, linear RGB.");
+  fields.vector("horizon", horizon, notNegative, "", "Colour at the horizon, linear RGB.");
+  fields.vector("ground", ground, notNegative, "", "Colour below the horizon, linear RGB.");
+  fields.number("ambient", ambient, notNegative, "", "Factor on the light that the sky gives.");
+}
+
+void Ground::describe(Fields& fields) {
+  fields.number("height", height, anyNumber, "m", "Height of the plane.");
+  fields.boolean("visible", visible, "Whether it is drawn; things collide with it in any case.");
+  fields.vector("color", color, notNegative, "", "Base colour, linear RGB.");
+  fields.number("roughness", roughness, share, "", "0 mirrors, 1 is matt.");
+  fields.number("fadeStart", fadeStart, notNegative, "m",
+                "Distance from the camera's target where it begins to dissolve into the sky.");
+  fields.number("fadeEnd", fadeEnd, notNegative, "m", "Distance where nothing is left of it.");
+  if (!(fadeStart < fadeEnd))
+    fields.error(
+        fields.given("fadeStart") ? "fadeStart" : "fadeEnd",
+        fmt::format("\"fadeStart\" ({} m) must be less than \"fadeEnd\" ({} m)", fadeStart, fadeEnd));
+}
+
+void describeScene(Fields& fields, Scene& scene) {
+  fields.text("title", scene.title, "What the scene shows.");
+  fields.integer("seed", scene.seed, {0, 2147483647}, "",
+                 "Start of every random number; another one gives another take.");
+  fields.choice("numerics", scene.numerics, {"exact", "fast"},
+                "exact: the same bits on every device. fast: the device's own functions.");
+  fields.group("render", renderDoc, [&](Fields& inner) { scene.render.describe(inner); });
+  fields.group("time", timeDoc, [&](Fields& inner) { scene.time.describe(inner); });
+  fields.group("camera", cameraDoc, [&](Fields& inner) { scene.camera.describe(inner); });
+  fields.group("sun", sunDoc, [&](Fields& inner) { scene.sun.describe(inner); });
+  fields.group("sky", skyDoc, [&](Fields& inner) { scene.sky.describe(inner); });
+  fields.optionalGroup("ground", scene.hasGround, groundDoc,
+                       [&](Fields& inner) { scene.ground.describe(inner); });
+}
+
+std::span<const Section> sections() {
+  static const Section all[] = {section<Render>("render", renderDoc),
+                                section<Time>("time", timeDoc),
+                                section<Camera>("camera", cameraDoc),
+                                section<Sun>("sun", sunDoc),
+                                section<Sky>("sky", skyDoc),
+                                section<Ground>("ground", groundDoc),
+                                section<Material>("material", materialDoc)};
+  return all;
+}
+
+int Scene::frameCount() const {
+  return std::max(1, static_cast<int>(std::lround(time.duration * time.fps)));
+}
+
+}  // namespace simreel::scene

@@ -1,0 +1,120 @@
+#include "scene/value_reader.hpp"
+
+#include "scene/words.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+
+namespace simreel::scene {
+
+std::string rangeText(Range range, const char* unit) {
+  const std::string suffix = *unit == '\0' ? "" : fmt::format(" {}", unit);
+  const bool below = range.least > anyNumber.least, above = range.most < anyNumber.most;
+  if (range.least == positive.least) {
+    return above ? fmt::format("greater than 0 and at most {:g}{}", range.most, suffix)
+                 : "greater than 0" + suffix;
+  }
+  if (below && above) return fmt::format("between {} and {}{}", range.least, range.most, suffix);
+  if (below) return fmt::format("at least {}{}", range.least, suffix);
+  if (above) return fmt::format("at most {}{}", range.most, suffix);
+  return {};
+}
+
+bool ValueReader::expect(const Node& node, Node::Kind kind, const char* expected) const {
+  if (node.kind == kind) return true;
+  diagnostics_.add(node.place(), fmt::format("expected {}, found {}", expected, node.kindText()));
+  return false;
+}
+
+bool ValueReader::isList(const Node& node, const char* expected) const {
+  return expect(node, Node::Kind::list, expected);
+}
+
+bool ValueReader::inRange(const Node& node) const {
+  if (node.number >= range_.least && node.number <= range_.most) return true;
+  // A value beyond the silent bounds gets to hear of them.
+  const bool beyond = std::abs(node.number) > anyNumber.most;
+  const std::string unit = *unit_ == '\0' ? "" : fmt::format(" {}", unit_);
+  const std::string allowed = beyond
+                                  ? fmt::format("between {:g} and {:g}{}", range_.least, range_.most, unit)
+                                  : rangeText(range_, unit_);
+  diagnostics_.add(node.place(), fmt::format("\"{}\" must be {}, found {}", name_, allowed, node.number));
+  return false;
+}
+
+std::optional<bool> ValueReader::boolean(const Node& node) const {
+  if (!expect(node, Node::Kind::boolean, "true or false")) return std::nullopt;
+  return node.boolean;
+}
+
+std::optional<double> ValueReader::number(const Node& node) const {
+  if (!expect(node, Node::Kind::number, "a number") || !inRange(node)) return std::nullopt;
+  return node.number;
+}
+
+std::optional<int> ValueReader::wholeNumber(const Node& node, const char* expected) const {
+  if (!expect(node, Node::Kind::number, expected)) return std::nullopt;
+  if (node.number != std::floor(node.number)) {
+    diagnostics_.add(node.place(), fmt::format("expected {}, found {}", expected, node.number));
+    return std::nullopt;
+  }
+  if (!inRange(node)) return std::nullopt;
+  if (std::abs(node.number) > std::numeric_limits<int>::max()) {  // only where no range is declared
+    diagnostics_.add(node.place(), fmt::format("\"{}\" must fit in 32 bits, found {}", name_, node.number));
+    return std::nullopt;
+  }
+  return static_cast<int>(node.number);
+}
+
+std::optional<int> ValueReader::integer(const Node& node) const {
+  return wholeNumber(node, "a whole number");
+}
+
+std::optional<std::string> ValueReader::text(const Node& node) const {
+  if (!expect(node, Node::Kind::text, "a string")) return std::nullopt;
+  return node.text;
+}
+
+std::optional<glm::vec3> ValueReader::vector(const Node& node) const {
+  if (!expect(node, Node::Kind::list, "a list of three numbers")) return std::nullopt;
+  if (node.children.size() != 3) {
+    diagnostics_.add(node.place(),
+                     fmt::format("expected a list of three numbers, found {} items", node.children.size()));
+    return std::nullopt;
+  }
+  glm::vec3 value(0);
+  bool good = true;
+  for (int i = 0; i < 3; ++i) {
+    const auto part = number(node.children[static_cast<std::size_t>(i)]);
+    good = good && part.has_value();
+    value[i] = static_cast<float>(part.value_or(0.0));
+  }
+  return good ? std::optional(value) : std::nullopt;
+}
+
+std::optional<glm::ivec2> ValueReader::pair(const Node& node) const {
+  if (!expect(node, Node::Kind::list, "a list of two whole numbers")) return std::nullopt;
+  if (node.children.size() != 2) {
+    diagnostics_.add(node.place(), fmt::format("expected a list of two whole numbers, found {} items",
+                                               node.children.size()));
+    return std::nullopt;
+  }
+  const auto first = integer(node.children[0]);
+  const auto second = integer(node.children[1]);
+  if (!first || !second) return std::nullopt;
+  return glm::ivec2(*first, *second);
+}
+
+std::optional<int> ValueReader::oneOf(const Node& node, const std::vector<const char*>& names) const {
+  if (!expect(node, Node::Kind::text, "a string")) return std::nullopt;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    if (node.text == names[i]) return static_cast<int>(i);
+  const std::vector<std::string> known(names.begin(), names.end());
+  diagnostics_.add(node.place(), fmt::format("unknown {} {}; {}", name_, inQuotes(node.text),
+                                             suggestion(node.text, known)));
+  return std::nullopt;
+}
+
+}  // namespace simreel::scene

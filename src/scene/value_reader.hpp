@@ -1,0 +1,57 @@
+#pragma once
+#include "scene/diagnostics.hpp"
+#include "scene/fields.hpp"
+#include "scene/json_node.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+namespace simreel::scene {
+
+/// Turns nodes into values of the field `name`. Each function reports what is wrong and then returns
+/// nothing.
+class ValueReader {
+ public:
+  ValueReader(const char* name, Range range, const char* unit, Diagnostics& diagnostics)
+      : name_(name),
+        range_{std::max(range.least, -mostMagnitude), std::min(range.most, mostMagnitude)},
+        unit_(unit),
+        diagnostics_(diagnostics) {}
+  ValueReader(const char* name, Diagnostics& diagnostics) : ValueReader(name, Range{}, "", diagnostics) {}
+
+  [[nodiscard]] std::optional<bool> boolean(const Node& node) const;
+  [[nodiscard]] std::optional<double> number(const Node& node) const;
+  [[nodiscard]] std::optional<int> integer(const Node& node) const;
+  [[nodiscard]] std::optional<std::string> text(const Node& node) const;
+  [[nodiscard]] std::optional<glm::vec3> vector(const Node& node) const;
+  [[nodiscard]] std::optional<glm::ivec2> pair(const Node& node) const;
+  [[nodiscard]] std::optional<int> oneOf(const Node& node, const std::vector<const char*>& names) const;
+
+  /// Whether the node is a list; reports `expected` otherwise.
+  [[nodiscard]] bool isList(const Node& node, const char* expected) const;
+  /// Whether the node has the kind; otherwise reports "expected <expected>, found ...".
+  [[nodiscard]] bool expect(const Node& node, Node::Kind kind, const char* expected) const;
+
+ private:
+  [[nodiscard]] bool inRange(const Node& node) const;
+  [[nodiscard]] std::optional<int> wholeNumber(const Node& node, const char* expected) const;
+
+  /// Where no range is declared: a float still holds it.
+  static constexpr double mostMagnitude = 1e30;
+
+  const char* name_;
+  Range range_;
+  const char* unit_;
+  Diagnostics& diagnostics_;
+};
+
+/// "between 0 and 1 m", "at least 0 s", "greater than 0", "at most 3"; empty for any number. A bound
+/// beyond 1e9 is there only to keep arithmetic finite and is not spoken of.
+[[nodiscard]] std::string rangeText(Range range, const char* unit);
+
+}  // namespace simreel::scene

@@ -1,0 +1,83 @@
+#include <array>
+#include <filesystem>
+#include <fstream>
+#include <utility>
+
+#include "base/error.hpp"
+#include "gl/limits.hpp"
+#include "gl/program.hpp"
+#include "gl/texture.hpp"
+#include "gl/vec4_array.hpp"
+#include "gpu/context.hpp"
+
+#include <doctest/doctest.h>
+
+using namespace simreel;
+
+namespace {
+
+/// Shaders of a test's own, found through SIMREEL_GLSL.
+class ShaderFolder {
+ public:
+  ShaderFolder() : path_(std::filesystem::temp_directory_path() / "simreel_test_glsl") {
+    std::filesystem::create_directories(path_);
+    setenv("SIMREEL_GLSL", path_.c_str(), 1);  // NOLINT(concurrency-mt-unsafe): one thread
+  }
+  ~ShaderFolder() {
+    unsetenv("SIMREEL_GLSL");  // NOLINT(concurrency-mt-unsafe): one thread
+    std::filesystem::remove_all(path_);
+  }
+  ShaderFolder(const ShaderFolder&) = delete;
+  ShaderFolder& operator=(const ShaderFolder&) = delete;
+  void write(const char* name, const char* text) const { std::ofstream(path_ / name) << text; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+std::string messageOf(const char* shader) {
+  try {
+    static_cast<void>(gl::Program::compute(shader));
+  } catch (const UserError& error) {
+    CHECK(error.code() == ExitCode::device);
+    return error.what();
+  }
+  return {};
+}
+
+}  // namespace
+
+TEST_CASE("shader errors name the original file and line, also of includes") {
+  testContext();
+  const ShaderFolder folder;
+  folder.write("part.glsl", "float half_(float x) {\n  return x * 0.5;\n}\nfloat broken(float x) { return nonsense; }\n");
+  folder.write("good.comp", "layout(local_size_x = 1) in;\nvoid main() {}\n");
+  folder.write("user.comp", "layout(local_size_x = 1) in;\n#include \"part.glsl\"\nvoid main() {}\n");
+  folder.write("late.comp", "#include \"good2.glsl\"\nlayout(local_size_x = 1) in;\nvoid main() { wrong(); }\n");
+  folder.write("good2.glsl", "float one() {\n  return 1.0;\n}\n");
+  folder.write("missing.comp", "\n#include \"nowhere.glsl\"\nvoid main() {}\n");
+  CHECK(messageOf("good.comp").empty());
+  CHECK(messageOf("user.comp").find("glsl/part.glsl:4") != std::string::npos);
+  CHECK(messageOf("late.comp").find("glsl/late.comp:3") != std::string::npos);
+  CHECK(messageOf("missing.comp").find("nowhere.glsl") != std::string::npos);
+}
+
+TEST_CASE("a buffer keeps what is written and survives moves") {
+  testContext();
+  const std::array<int, 5> items = {1, 2, 3, 4, 5};
+  auto buffer = gl::Buffer::of<int>("five", items);
+  gl::Buffer other = std::move(buffer);
+  CHECK(other.readAll<int>() == std::vector<int>(items.begin(), items.end()));
+  CHECK(buffer.name() == 0);  // NOLINT(bugprone-use-after-move): that it is empty is the point
+  other = gl::Buffer("zeros", 12);
+  CHECK(other.readAll<int>() == std::vector<int>{0, 0, 0});
+}
+
+TEST_CASE("limits are named before anything is allocated") {
+  testContext();
+  const auto tooMany = static_cast<std::size_t>(gl::limits().storageBlockBytes) + 16;
+  CHECK_THROWS_WITH_AS(gl::Buffer("sheet positions", tooMany), doctest::Contains("GL_MAX_SHADER_STORAGE_BLOCK_SIZE"),
+                       UserError);
+  CHECK_THROWS_WITH_AS(gl::Texture::image("wide", GL_RGBA8, gl::limits().textureSize + 1, 1),
+                       doctest::Contains("GL_MAX_TEXTURE_SIZE"), UserError);
+}

@@ -1,0 +1,244 @@
+// Analytic answers and conserved quantities, checked on the CPU twin: the GPU has the same bits.
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "reference/cloth_twin.hpp"
+
+#include <doctest/doctest.h>
+#include <glm/geometric.hpp>
+
+using namespace simreel;
+
+namespace {
+
+constexpr double frameSeconds = 1.0 / 60;
+
+/// A sheet without gravity, wind, damping or pins.
+sim::ClothParameters freeSheet(int width, int height) {
+  sim::ClothParameters p;
+  p.size = {width, height};
+  p.gravity = glm::vec3(0);
+  p.wind = glm::vec3(0);
+  p.damping = 0;
+  p.pins.clear();
+  return p;
+}
+
+ClothTwin makeTwin(const sim::ClothParameters& p, const std::vector<sim::ColliderShape>& colliders = {}) {
+  return ClothTwin(sim::ClothPlan(p, 3, frameSeconds, colliders));
+}
+
+glm::dvec3 momentum(const ClothTwin& twin) {
+  glm::dvec3 sum(0);
+  for (std::size_t i = 0; i < twin.positions.size(); ++i)
+    if (twin.positions[i].w > 0) sum += glm::dvec3(twin.velocities[i]) / static_cast<double>(twin.positions[i].w);
+  return sum;
+}
+
+/// Kinetic, elastic and gravitational energy, J.
+double energy(ClothTwin& twin) {
+  const auto& p = twin.plan().parameters();
+  const glm::dvec3 g(p.gravity.at(0));
+  double sum = 0;
+  const auto at = [&](int x, int y) { return static_cast<std::size_t>(y * p.size.x + x); };
+  const auto spring = [&](int x, int y, int dx, int dy, double rest, double k) {
+    if (x + dx < 0 || x + dx >= p.size.x || y + dy >= p.size.y) return;
+    const double d = glm::length(glm::dvec3(twin.positions[at(x + dx, y + dy)]) - glm::dvec3(twin.positions[at(x, y)]));
+    sum += 0.5 * k * (d - rest) * (d - rest);
+  };
+  for (int y = 0; y < p.size.y; ++y)
+    for (int x = 0; x < p.size.x; ++x) {
+      const auto i = at(x, y);
+      if (twin.positions[i].w > 0) {
+        const glm::dvec3 v(twin.velocities[i]);
+        sum += 0.5 * p.mass * glm::dot(v, v) - p.mass * glm::dot(g, glm::dvec3(twin.positions[i]));
+      }
+      const double rest = p.spacing;
+      spring(x, y, 1, 0, rest, p.stiffness);
+      spring(x, y, 0, 1, rest, p.stiffness);
+      spring(x, y, 1, 1, rest * std::sqrt(2.0), static_cast<double>(p.stiffness) * p.shear);
+      spring(x, y, -1, 1, rest * std::sqrt(2.0), static_cast<double>(p.stiffness) * p.shear);
+      spring(x, y, 2, 0, rest * 2, static_cast<double>(p.stiffness) * p.bend);
+      spring(x, y, 0, 2, rest * 2, static_cast<double>(p.stiffness) * p.bend);
+    }
+  return sum;
+}
+
+}  // namespace
+
+TEST_CASE("a mass on a spring swings with period 2 pi sqrt(m/k)") {
+  auto p = freeSheet(2, 2);
+  p.shear = 0;
+  p.bend = 0;
+  p.pins.emplace_back().columns = {0};
+  p.substeps = 64;
+  ClothTwin twin = makeTwin(p);
+  for (const std::size_t i : {1U, 3U}) twin.positions[i].x += 0.01F;
+  const double rest = 0.05;
+  std::vector<double> crossings;
+  double before = twin.positions[1].x - rest;
+  int substep = 0;
+  for (int frame = 0; frame < 120; ++frame)
+    for (const auto& data : twin.plan().frame(frame * frameSeconds)) {
+      twin.substep(data);
+      ++substep;
+      const double now = twin.positions[1].x - rest;
+      if (before < 0 && now >= 0) crossings.push_back((substep - now / (now - before)) * frameSeconds / 64);
+      before = now;
+    }
+  REQUIRE(crossings.size() > 4);
+  const double period = (crossings.back() - crossings.front()) / static_cast<double>(crossings.size() - 1);
+  CHECK(period == doctest::Approx(2 * 3.14159265358979 * std::sqrt(1.0 / 500)).epsilon(1e-3));
+}
+
+TEST_CASE("a hanging chain takes the shape of a catenary") {
+  // Two rows of 41 that move alike are a chain of length 4 m; its ends are 3 m apart.
+  sim::ClothParameters p = freeSheet(41, 2);
+  p.gravity = glm::vec3(0, -9.8F, 0);
+  p.solver = sim::ClothSolver::constraints;
+  p.shearCompliance = 1e3F;
+  p.bendCompliance = 1e3F;
+  p.substeps = 32;
+  p.damping = 2;
+  p.pins.emplace_back().columns = {0};
+  p.pins.emplace_back().columns = {-1};
+  p.pins[0].move = glm::vec3(0.5F, 0, 0);
+  p.pins[1].move = glm::vec3(-0.5F, 0, 0);
+  ClothTwin twin = makeTwin(p);
+  for (auto& position : twin.positions) position.x *= 0.75F;
+  for (int frame = 0; frame < 600; ++frame) twin.step(frame * frameSeconds);
+  // Half length s = a sinh(h/a) with half span h = 1.5, s = 2: solve for a; the sag is a (cosh(h/a) - 1).
+  double low = 0.5;
+  double high = 5;
+  for (int i = 0; i < 60; ++i) {
+    const double a = 0.5 * (low + high);
+    (a * std::sinh(1.5 / a) > 2.0 ? low : high) = a;
+  }
+  const double sag = low * (std::cosh(1.5 / low) - 1);
+  CHECK(-twin.positions[20].y == doctest::Approx(sag).epsilon(0.01));
+  for (std::size_t i = 0; i < 41; ++i) {
+    const double x = twin.positions[i].x;
+    const double y = low * (std::cosh(x / low) - std::cosh(1.5 / low));
+    CHECK(std::abs(twin.positions[i].y - y) < 0.02);
+  }
+}
+
+TEST_CASE("constraints stretch by compliance times load, whatever the number of substeps") {
+  // Three masses of 1 kg under a pin: the first link carries 3 g, the last 1 g.
+  for (const int substeps : {8, 16, 40}) {
+    sim::ClothParameters p = freeSheet(2, 4);
+    p.gravity = glm::vec3(0, -9.8F, 0);
+    p.rotation = glm::vec3(90, 0, 0);
+    p.solver = sim::ClothSolver::constraints;
+    p.compliance = 1e-3F;
+    p.shearCompliance = 1e6F;
+    p.bendCompliance = 1e6F;
+    p.damping = 5;
+    p.substeps = substeps;
+    p.pins.emplace_back().rows = {0};
+    ClothTwin twin = makeTwin(p);
+    for (int frame = 0; frame < 600; ++frame) twin.step(frame * frameSeconds);
+    const double first = twin.positions[0].y - twin.positions[2].y;
+    const double last = twin.positions[4].y - twin.positions[6].y;
+    CHECK(first - 0.1 == doctest::Approx(3 * 9.8e-3).epsilon(0.03));
+    CHECK(last - 0.1 == doctest::Approx(9.8e-3).epsilon(0.03));
+  }
+}
+
+TEST_CASE("energy decays and never grows with the wind off") {
+  sim::ClothParameters p;
+  p.size = {17, 13};
+  p.wind = glm::vec3(0);
+  p.substeps = 16;
+  p.damping = 1;
+  ClothTwin twin = makeTwin(p);
+  const double first = energy(twin);
+  double before = first;
+  double lowest = first;
+  for (int frame = 0; frame < 600; ++frame) {
+    twin.step(frame * frameSeconds);
+    const double now = energy(twin);
+    CHECK(now < before + 0.002 * (first - lowest) + 0.02);
+    before = now;
+    lowest = std::min(lowest, now);
+  }
+  CHECK(before < first - 100);
+}
+
+TEST_CASE("a free sheet keeps its momentum, and gravity adds M g t") {
+  auto p = freeSheet(19, 11);
+  p.jitter = 0.03F;
+  ClothTwin twin = makeTwin(p);
+  double magnitude = 0;
+  for (int frame = 0; frame < 120; ++frame) twin.step(frame * frameSeconds);
+  for (const auto& v : twin.velocities) magnitude += glm::length(glm::vec3(v));
+  CHECK(magnitude > 1);
+  CHECK(glm::length(momentum(twin)) < 1e-4 * magnitude);
+
+  p.gravity = glm::vec3(0, -9.8F, 0);
+  ClothTwin falling = makeTwin(p);
+  for (int frame = 0; frame < 60; ++frame) falling.step(frame * frameSeconds);
+  CHECK(momentum(falling).y == doctest::Approx(-9.8 * 19 * 11).epsilon(1e-4));
+}
+
+TEST_CASE("a mirrored sheet moves as the mirror image") {
+  sim::ClothParameters p;
+  p.size = {15, 9};
+  p.wind = glm::vec3(0, 0, 0.3F);
+  ClothTwin twin = makeTwin(p);
+  for (int frame = 0; frame < 120; ++frame) twin.step(frame * frameSeconds);
+  for (int y = 0; y < 9; ++y)
+    for (int x = 0; x < 7; ++x) {
+      const auto left = twin.positions[static_cast<std::size_t>(y * 15 + x)];
+      const auto right = twin.positions[static_cast<std::size_t>(y * 15 + 14 - x)];
+      CHECK(std::abs(left.x + right.x) < 2e-3);
+      CHECK(std::abs(left.y - right.y) < 2e-3);
+      CHECK(std::abs(left.z - right.z) < 2e-3);
+    }
+}
+
+TEST_CASE("no particle ends below the ground") {
+  sim::ClothParameters p;
+  p.size = {13, 13};
+  p.pins.clear();
+  p.rotation = glm::vec3(35, 20, 10);
+  p.margin = 0;
+  sim::ColliderShape ground;
+  ground.kind = sim::ColliderShape::Kind::plane;
+  ground.position = glm::vec3(0, -1, 0);
+  for (const auto solver : {sim::ClothSolver::springs, sim::ClothSolver::constraints}) {
+    p.solver = solver;
+    ClothTwin twin = makeTwin(p, {ground});
+    bool touched = false;
+    for (int frame = 0; frame < 240; ++frame) {
+      twin.step(frame * frameSeconds);
+      for (const auto& position : twin.positions) {
+        REQUIRE(position.y >= -1.0F);
+        touched = touched || position.y < -0.999F;
+      }
+    }
+    CHECK(touched);
+  }
+}
+
+TEST_CASE("air drags a flat face with half rho Cd A v^2 and lifts nothing face-on") {
+  auto p = freeSheet(5, 5);
+  p.hasAir = true;
+  p.air.velocity = glm::vec3(0, 3, 0);
+  p.air.gusts = 0;
+  p.substeps = 1;
+  ClothTwin twin = makeTwin(p);
+  twin.substep(twin.plan().frame(0).front());
+  const glm::vec3 v(twin.velocities[12]);
+  CHECK(v.y == doctest::Approx(0.5 * 1.2 * 1.0 * 0.01 * 9.0 * frameSeconds).epsilon(1e-4));
+  CHECK(std::abs(v.x) < 1e-6);
+  // At 45 degrees the lift points across the flow: half rho Cl A sin cos v^2, up for air from below.
+  p.air.velocity = glm::vec3(3, 3, 0);
+  p.air.drag = 0;
+  ClothTwin inclined = makeTwin(p);
+  inclined.substep(inclined.plan().frame(0).front());
+  const glm::vec3 w(inclined.velocities[12]);
+  CHECK(std::abs(w.x + w.y) < 1e-6);
+  CHECK(glm::length(w) == doctest::Approx(0.5 * 1.2 * 0.6 * 0.01 * 18.0 * 0.5 * frameSeconds).epsilon(1e-3));
+}

@@ -1,0 +1,115 @@
+#pragma once
+#include "base/error.hpp"
+#include "scene/scene.hpp"
+
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace simreel::scene::toy {
+
+enum class Shape { round, flat };
+
+struct Pin {
+  int row = 0;
+  float weight = 1.0F;
+};
+
+/// Uses every function of Fields once.
+struct Cloth final : Parameters {
+  bool torn = false;
+  int threads = 3;
+  float stretch = 0.05F;
+  double slack = 0.25;
+  Animated<float> gust = 1.0F;
+  glm::vec3 wind{0, 0, 0};
+  Animated<glm::vec3> lift = glm::vec3(0, 1, 0);
+  glm::ivec2 grid{8, 4};
+  std::vector<glm::ivec2> holes{{1, 1}};
+  std::string note = "plain";
+  std::optional<int> passes;
+  std::vector<int> cuts{1, 2};
+  Shape shape = Shape::flat;
+  std::vector<int> sides{0};
+  std::filesystem::path picture;
+  bool hasWear = false;
+  float wear = 0.5F;
+  float seam = 0.1F;
+  std::vector<Pin> pins;
+
+  void describe(Fields& fields) override {
+    fields.boolean("torn", torn, "Torn.");
+    fields.integer("threads", threads, {1, 10}, "", "Threads.");
+    fields.number("stretch", stretch, {0, 1}, "m/N", "Stretch.");
+    fields.number("slack", slack, notNegative, "m", "Slack.");
+    fields.number("gust", gust, {0, 5}, "m/s", "Gust.");
+    fields.vector("wind", wind, anyNumber, "m/s", "Wind.");
+    fields.vector("lift", lift, {-9, 9}, "N", "Lift.");
+    fields.pair("grid", grid, {2, 64}, "threads", "Grid.");
+    fields.pairs("holes", holes, {0, 64}, "", "Holes.");
+    fields.text("note", note, "Note.");
+    fields.integerOr("passes", passes, "auto", {1, 99}, "", "Passes.");
+    fields.integers("cuts", cuts, {0, 9}, "", "Cuts.");
+    fields.choice("shape", shape, {"round", "flat"}, "Shape.");
+    fields.someOf("sides", sides, {"left", "right"}, "Sides.");
+    fields.asset("picture", picture, "Picture.");
+    fields.optionalGroup("worn", hasWear, "Wear.", [&](Fields& inner) {
+      inner.number("amount", wear, {0, 1}, "", "Amount.");
+    });
+    fields.group("seam", "Seam.",
+                 [&](Fields& inner) { inner.number("width", seam, positive, "m", "Width."); });
+    fields.list(
+        "pins", pins, "Pins.",
+        [](Fields& inner, Pin& pin) {
+          inner.integer("row", pin.row, {0, 9}, "", "Row.");
+          inner.number("weight", pin.weight, notNegative, "kg", "Weight.");
+        },
+        4);
+    if (threads == 7) fields.error("threads", "seven threads tangle");
+  }
+};
+
+struct Capsule final : Parameters {
+  float radius = 0.5F;
+  void describe(Fields& fields) override { fields.number("radius", radius, positive, "m", "Radius."); }
+};
+
+inline std::span<const Kind> kinds() {
+  static const Kind all[] = {{"cloth", "A toy cloth.", [] { return std::make_unique<Cloth>(); }},
+                             {"capsule", "A toy capsule.", [] { return std::make_unique<Capsule>(); }}};
+  return all;
+}
+
+inline Scene parse(std::string_view text, const std::vector<std::string>& changes = {},
+                   const std::filesystem::path& file = "s.json") {
+  std::vector<Override> overrides;
+  for (const std::string& change : changes) overrides.push_back(parseOverride(change));
+  return parseScene(text, file, overrides, kinds());
+}
+
+/// The report of a scene's mistakes; "" when there is none.
+inline std::string mistakes(std::string_view text, const std::vector<std::string>& changes = {},
+                            const std::filesystem::path& file = "s.json") {
+  try {
+    static_cast<void>(parse(text, changes, file));
+    return "";
+  } catch (const UserError& error) {
+    return error.code() == ExitCode::usage ? error.what() : "wrong exit code";
+  }
+}
+
+/// A scene with one cloth that has the given members.
+inline std::string withCloth(const std::string& members) {
+  return "{\"version\": 1,\n\"objects\": {\"flag\": {\"cloth\":\n{" + members + "}}}}";
+}
+inline const Cloth& clothOf(const Scene& scene) {
+  return dynamic_cast<const Cloth&>(*scene.objects.at(0).parameters);
+}
+
+inline bool has(std::string_view text, std::string_view part) {
+  return text.find(part) != std::string_view::npos;
+}
+
+}  // namespace simreel::scene::toy
