@@ -1,9 +1,9 @@
 // Shading and shadows against geometry worked out by hand.
+#include "gpu/draw_stage.hpp"
+
 #include <cmath>
 
 #include <doctest/doctest.h>
-
-#include "gpu/draw_stage.hpp"
 
 using namespace simreel;
 
@@ -87,14 +87,16 @@ TEST_CASE("a sheet throws its shadow where the sun puts it") {
   for (const int samples : {1, 4}) {
     const Picture picture = drawn(scene, {.surfaces = {sheet.surface}}, {64, 64}, samples);
     const auto ground = [&](float x, float z) {
-      return picture.brightness(32 + static_cast<int>(std::floor(x * 8)), 32 + static_cast<int>(std::floor(z * 8)));
+      return picture.brightness(32 + static_cast<int>(std::floor(x * 8)),
+                                32 + static_cast<int>(std::floor(z * 8)));
     };
     // Shadow: x from -1.5 to 0.5, z from -1 to 1 (the sheet hides x > 0.55 from above).
     const int lit = ground(-3, 3);
     CHECK(lit > 200);
     for (const float x : {-1.3F, -0.5F, 0.3F})
       for (const float z : {-0.8F, 0.0F, 0.8F}) CHECK(ground(x, z) < lit / 8);
-    for (const auto& [x, z] : {std::pair{-1.8F, 0.0F}, {-0.5F, 1.3F}, {-0.5F, -1.3F}, {3.5F, 0.0F}, {0.0F, 3.0F}})
+    for (const auto& [x, z] :
+         {std::pair{-1.8F, 0.0F}, {-0.5F, 1.3F}, {-0.5F, -1.3F}, {3.5F, 0.0F}, {0.0F, 3.0F}})
       CHECK(std::abs(ground(x, z) - lit) < 12);
   }
 }

@@ -1,13 +1,13 @@
 // The renderer's finished pictures: sky, tone map, orientation, sizes, samples, limits.
-#include <filesystem>
-#include <string>
-
-#include <doctest/doctest.h>
-
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "gl/limits.hpp"
 #include "gpu/draw_stage.hpp"
+
+#include <filesystem>
+#include <string>
+
+#include <doctest/doctest.h>
 
 using namespace simreel;
 
@@ -37,7 +37,8 @@ TEST_CASE("sRGB bytes follow the film curve over its whole range") {
   for (const double light : {0.0, 0.001, 0.004, 0.02, 0.1, 0.18, 0.5, 1.0, 3.0, 20.0}) {
     CAPTURE(light);
     scene::Scene scene = darkScene();
-    const glm::vec3 sky(static_cast<float>(light), static_cast<float>(light * 0.5), static_cast<float>(light * 0.25));
+    const glm::vec3 sky(static_cast<float>(light), static_cast<float>(light * 0.5),
+                        static_cast<float>(light * 0.25));
     scene.sky.zenith = sky;
     scene.sky.horizon = sky;
     scene.sky.ground = sky;
@@ -76,8 +77,8 @@ TEST_CASE("the sky runs from zenith at the top of the picture over the horizon t
     const glm::ivec3 bottom = picture.at(16, 100);
     CHECK(top.z > 2 * top.x);
     CHECK(top.z > top.y);
-    CHECK(middle.y > 2 * middle.x);
-    CHECK(middle.y > 2 * middle.z);
+    CHECK(middle.y > middle.x + 60);
+    CHECK(middle.y > middle.z + 60);
     CHECK(bottom.x > 2 * bottom.y);
     CHECK(bottom.x > 2 * bottom.z);
   }

@@ -1,4 +1,11 @@
 #pragma once
+#include "draw/readback.hpp"
+#include "draw/renderer.hpp"
+#include "gl/buffer.hpp"
+#include "gl/texture.hpp"
+#include "gpu/context.hpp"
+#include "sim/drawable.hpp"
+
 #include <array>
 #include <cmath>
 #include <utility>
@@ -7,13 +14,6 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
-
-#include "draw/readback.hpp"
-#include "draw/renderer.hpp"
-#include "gl/buffer.hpp"
-#include "gl/texture.hpp"
-#include "gpu/context.hpp"
-#include "sim/drawable.hpp"
 
 /// Grid of vertices as a cloth publishes it: rows along x, next row below (towards -y of the grid's plane).
 struct GridStage {
@@ -69,8 +69,8 @@ struct Picture {
   }
 };
 
-inline Picture drawn(const simreel::scene::Scene& scene, const simreel::sim::Drawables& drawables, glm::ivec2 size,
-                     int samples = 4) {
+inline Picture drawn(const simreel::scene::Scene& scene, const simreel::sim::Drawables& drawables,
+                     glm::ivec2 size, int samples = 4) {
   simreel::draw::Renderer renderer(scene, size, samples);
   simreel::draw::Readback readback(size);
   renderer.draw(0, drawables);
@@ -95,13 +95,14 @@ inline simreel::scene::Scene darkScene() {
 
 /// The tone map of glsl/draw/film.glsl in double precision: linear light to an sRGB byte, before dithering.
 inline std::array<double, 3> filmByte(std::array<double, 3> light) {
-  const double into[3][3] = {{0.59719, 0.35458, 0.04823}, {0.07600, 0.90834, 0.01566}, {0.02840, 0.13383, 0.83777}};
+  const double into[3][3] = {
+      {0.59719, 0.35458, 0.04823}, {0.07600, 0.90834, 0.01566}, {0.02840, 0.13383, 0.83777}};
   const double out[3][3] = {
       {1.60475, -0.53108, -0.07367}, {-0.10208, 1.10813, -0.00605}, {-0.00327, -0.07276, 1.07602}};
   std::array<double, 3> v{};
   std::array<double, 3> result{};
   for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = 0; j < 3; ++j) v[i] += into[i][j] * 1.5 * light[j];
+    for (std::size_t j = 0; j < 3; ++j) v[i] += into[i][j] * 1.3 * light[j];
     v[i] = (v[i] * (v[i] + 0.0245786) - 0.000090537) / (v[i] * (0.983729 * v[i] + 0.4329510) + 0.238081);
   }
   for (std::size_t i = 0; i < 3; ++i) {
