@@ -16,8 +16,9 @@ struct DrawState {
     turn(GL_CULL_FACE, cullBack);
     turn(GL_POLYGON_OFFSET_FILL, depthOffset);
     turn(GL_MULTISAMPLE, true);
-    for (const GLenum off : {GL_BLEND, GL_SCISSOR_TEST, GL_STENCIL_TEST, GL_FRAMEBUFFER_SRGB, GL_PRIMITIVE_RESTART,
-                             GL_DEPTH_CLAMP, GL_SAMPLE_SHADING, GL_SAMPLE_ALPHA_TO_COVERAGE})
+    for (const GLenum off :
+         {GL_BLEND, GL_SCISSOR_TEST, GL_STENCIL_TEST, GL_FRAMEBUFFER_SRGB, GL_PRIMITIVE_RESTART,
+          GL_DEPTH_CLAMP, GL_SAMPLE_SHADING, GL_SAMPLE_ALPHA_TO_COVERAGE})
       glDisable(off);
     glDepthFunc(GL_LESS);
     glDepthMask(depthTest ? GL_TRUE : GL_FALSE);
@@ -29,7 +30,14 @@ struct DrawState {
 };
 
 /// Texture units of glsl/draw.
-enum Unit : GLuint { positionUnit = 0, normalUnit = 1, uvUnit = 2, albedoUnit = 3, lightUnit = 4, shadowUnit = 5 };
+enum Unit : GLuint {
+  positionUnit = 0,
+  normalUnit = 1,
+  uvUnit = 2,
+  albedoUnit = 3,
+  lightUnit = 4,
+  shadowUnit = 5
+};
 
 /// Vertices are pulled by number, yet drawing needs a vertex array: this one has no attributes.
 class VertexArray {

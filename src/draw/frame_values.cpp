@@ -1,12 +1,12 @@
 #include "draw/frame_values.hpp"
 
+#include "draw/camera.hpp"
+
 #include <algorithm>
 #include <cmath>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
-
-#include "draw/camera.hpp"
 
 namespace simreel::draw {
 
@@ -23,7 +23,9 @@ void setSun(shader::Frame& frame, const scene::Sun& sun, double seconds) {
   frame.lightUp = glm::vec4(glm::cross(direction, right), sun.shadowSoftness);
 }
 
-/// Cosine-weighted means of the gradient in glsl/draw/sky.glsl, to a few per cent.
+/// The exact cosine-weighted mean of the gradient in glsl/draw/sky.glsl is nearly the zenith alone, which
+/// makes shadows too blue: clouds and haze near the sun are missing from it, so the horizon gets a larger
+/// share.
 void setSky(shader::Frame& frame, const scene::Sky& sky, double seconds) {
   const glm::vec3 zenith = sky.zenith.at(seconds);
   const glm::vec3 horizon = sky.horizon.at(seconds);
@@ -32,7 +34,7 @@ void setSky(shader::Frame& frame, const scene::Sky& sky, double seconds) {
   frame.zenith = glm::vec4(zenith, 0);
   frame.horizon = glm::vec4(horizon, 0);
   frame.nadir = glm::vec4(ground, 0);
-  frame.ambientUp = glm::vec4(ambient * glm::mix(zenith, horizon, 0.2F), 0);
+  frame.ambientUp = glm::vec4(ambient * glm::mix(zenith, horizon, 0.3F), 0);
   frame.ambientSide = glm::vec4(ambient * (0.5F * glm::mix(zenith, horizon, 0.45F) + 0.5F * ground), 0);
   frame.ambientDown = glm::vec4(ambient * ground, 0);
 }
@@ -52,7 +54,8 @@ shader::Frame frameValues(const scene::Scene& scene, glm::ivec2 size, double sec
   setSun(frame, scene.sun, seconds);
   setSky(frame, scene.sky, seconds);
   frame.groundColor = glm::vec4(ground.color, ground.height);
-  frame.groundShape = glm::vec4(ground.roughness, std::max(ground.fadeEnd, ground.fadeStart), scene.hasGround, 0);
+  frame.groundShape =
+      glm::vec4(ground.roughness, std::max(ground.fadeEnd, ground.fadeStart), scene.hasGround, 0);
   frame.lens = glm::vec4(std::exp2(scene.render.exposure.at(seconds)), scene.render.vignette, size);
   return frame;
 }

@@ -1,9 +1,9 @@
 #pragma once
+#include "scene/scene.hpp"
+
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
-
-#include "scene/scene.hpp"
 
 namespace simreel::shader {
 

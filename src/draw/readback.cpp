@@ -15,7 +15,8 @@ Readback::Readback(glm::ivec2 size)
     glNamedBufferStorage(name, bytes, nullptr, mapping | GL_CLIENT_STORAGE_BIT);
     slot.bytes = static_cast<const std::uint8_t*>(glMapNamedBufferRange(name, 0, bytes, mapping));
     if (slot.bytes == nullptr)
-      fail(ExitCode::device, "the device has no memory left to copy pictures of {}x{} pixels out", size.x, size.y);
+      fail(ExitCode::device, "the device has no memory left to copy pictures of {}x{} pixels out", size.x,
+           size.y);
     glObjectLabel(GL_BUFFER, name, -1, "readback");
   }
 }

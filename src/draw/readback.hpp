@@ -1,4 +1,7 @@
 #pragma once
+#include "gl/handle.hpp"
+#include "gl/texture.hpp"
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -7,9 +10,6 @@
 #include <vector>
 
 #include <glm/vec2.hpp>
-
-#include "gl/handle.hpp"
-#include "gl/texture.hpp"
 
 namespace simreel::draw {
 
@@ -32,7 +32,6 @@ class Readback {
   /// The oldest picture, in the order of start(): its tag and width * height * 4 bytes, row 0 of the
   /// framebuffer first. Nothing when none is under way or, unless `wait`, when it is not there yet.
   [[nodiscard]] std::optional<std::pair<int, std::vector<std::uint8_t>>> take(bool wait);
-
 
  private:
   [[nodiscard]] bool reached(bool wait) const;

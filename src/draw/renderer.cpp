@@ -1,13 +1,13 @@
 #include "draw/renderer.hpp"
 
-#include <span>
-
 #include "draw/frame_values.hpp"
 #include "draw/ground_pass.hpp"
 #include "draw/shadow_pass.hpp"
 #include "draw/surface_pass.hpp"
 #include "draw/targets.hpp"
 #include "draw/tone_map_pass.hpp"
+
+#include <span>
 
 namespace simreel::draw {
 
@@ -20,8 +20,7 @@ struct Renderer::State {
         surfaces(shown, shadow),
         ground(shown, shadow),
         toneMap(samples),
-        frame("frame values", sizeof(shader::Frame)) {
-  }
+        frame("frame values", sizeof(shader::Frame)) {}
 
   const scene::Scene& scene;
   glm::ivec2 size;

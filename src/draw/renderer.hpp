@@ -1,11 +1,11 @@
 #pragma once
-#include <memory>
-
-#include <glm/vec2.hpp>
-
 #include "gl/texture.hpp"
 #include "scene/scene.hpp"
 #include "sim/drawable.hpp"
+
+#include <memory>
+
+#include <glm/vec2.hpp>
 
 namespace simreel::draw {
 
@@ -14,7 +14,7 @@ namespace simreel::draw {
 class Renderer {
  public:
   /// Compiles every shader and loads every texture the scene's materials name. Throws UserError:
-  /// device for limits (samples, size), inputOutput or usage for textures.
+  /// device for limits (samples, size), inputOutput or usage for textures. The scene must outlive it.
   Renderer(const scene::Scene& scene, glm::ivec2 size, int samples);
   ~Renderer();
   Renderer(Renderer&&) noexcept;

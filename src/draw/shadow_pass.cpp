@@ -1,12 +1,12 @@
 #include "draw/shadow_pass.hpp"
 
+#include "base/error.hpp"
+#include "gl/limits.hpp"
+
 #include <algorithm>
 #include <array>
 
 #include <glm/vec4.hpp>
-
-#include "base/error.hpp"
-#include "gl/limits.hpp"
 
 namespace simreel::draw {
 
@@ -19,7 +19,9 @@ constexpr GLuint lightBinding = 7;
 gl::Texture makeMap(int size) {
   const int most = gl::limits().textureSize;
   if (size > most)
-    fail(ExitCode::device, "a shadow map of {} texels a side: this device allows {} (GL_MAX_TEXTURE_SIZE); lower \"shadowSize\"",
+    fail(ExitCode::device,
+         "a shadow map of {} texels a side: this device allows {} (GL_MAX_TEXTURE_SIZE); lower "
+         "\"shadowSize\"",
          size, most);
   gl::Texture map = gl::Texture::image("shadow map", GL_DEPTH_COMPONENT32F, size, size);
   // The border texels hold no caster, so clamping to them finds light outside the map.
@@ -53,7 +55,8 @@ void ShadowPass::fit(const sim::Drawables& drawables) const {
   boundKeys_.bindStorage(boundsBinding);
   light_.bindStorage(lightBinding);
   for (const sim::Surface& surface : drawables.surfaces) {
-    const int invocations = std::clamp((surface.vertexCount + verticesEach - 1) / verticesEach, 1, mostInvocations);
+    const int invocations =
+        std::clamp((surface.vertexCount + verticesEach - 1) / verticesEach, 1, mostInvocations);
     bounds_.set("vertexCount", surface.vertexCount);
     bounds_.set("invocations", invocations);
     bounds_.set("model", surface.model);

@@ -19,7 +19,8 @@ unsigned features(const scene::Material& material) {
 
 }  // namespace
 
-SurfacePass::SurfacePass(const scene::Scene& scene, const ShadowPass& shadow) : shadowDefines_(shadow.defines()) {
+SurfacePass::SurfacePass(const scene::Scene& scene, const ShadowPass& shadow)
+    : shadowDefines_(shadow.defines()) {
   for (const scene::Object& object : scene.objects) {
     textures_.load(object.material.texture);
     // Whether a simulation publishes a grid or a solid mesh is not known yet; both are common.

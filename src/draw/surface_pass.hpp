@@ -1,12 +1,12 @@
 #pragma once
-#include <map>
-
 #include "draw/draw_state.hpp"
 #include "draw/shadow_pass.hpp"
 #include "draw/texture_store.hpp"
 #include "gl/program.hpp"
 #include "scene/scene.hpp"
 #include "sim/drawable.hpp"
+
+#include <map>
 
 namespace simreel::draw {
 

@@ -1,12 +1,12 @@
 #include "draw/targets.hpp"
 
+#include "base/error.hpp"
+#include "gl/limits.hpp"
+
 #include <algorithm>
 #include <array>
 #include <string>
 #include <vector>
-
-#include "base/error.hpp"
-#include "gl/limits.hpp"
 
 namespace simreel::draw {
 
@@ -20,8 +20,8 @@ std::vector<GLint> sampleCounts(GLenum format) {
   glGetInternalformativ(GL_TEXTURE_2D_MULTISAMPLE, format, GL_NUM_SAMPLE_COUNTS, 1, &number);
   std::vector<GLint> counts(static_cast<std::size_t>(std::max(number, 0)));
   if (!counts.empty())
-    glGetInternalformativ(GL_TEXTURE_2D_MULTISAMPLE, format, GL_SAMPLES, static_cast<GLsizei>(counts.size()),
-                          counts.data());
+    glGetInternalformativ(GL_TEXTURE_2D_MULTISAMPLE, format, GL_SAMPLES,
+                          static_cast<GLsizei>(counts.size()), counts.data());
   return counts;
 }
 
@@ -35,16 +35,18 @@ void checkSamples(int samples) {
     if (*count == samples) return;
     list += fmt::format(", {}", *count);
   }
-  fail(ExitCode::device, "{} samples per pixel: this device has {} (GL_MAX_SAMPLES is {}); set \"samples\" to one of them",
+  fail(ExitCode::device,
+       "{} samples per pixel: this device has {} (GL_MAX_SAMPLES is {}); set \"samples\" to one of them",
        samples, list, gl::limits().samples);
 }
 
 void checkSize(glm::ivec2 size) {
   const int most = gl::limits().textureSize;
-  if (size.x < 1 || size.y < 1) fail(ExitCode::usage, "a picture of {}x{} pixels has no pixels", size.x, size.y);
+  if (size.x < 1 || size.y < 1)
+    fail(ExitCode::usage, "a picture of {}x{} pixels has no pixels", size.x, size.y);
   if (size.x > most || size.y > most)
-    fail(ExitCode::device, "a picture of {}x{} pixels: this device draws up to {}x{} (GL_MAX_TEXTURE_SIZE)", size.x,
-         size.y, most, most);
+    fail(ExitCode::device, "a picture of {}x{} pixels: this device draws up to {}x{} (GL_MAX_TEXTURE_SIZE)",
+         size.x, size.y, most, most);
 }
 
 gl::Texture layer(const std::string& label, GLenum format, glm::ivec2 size, int samples) {

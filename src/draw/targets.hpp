@@ -1,7 +1,7 @@
 #pragma once
-#include <glm/vec2.hpp>
-
 #include "gl/texture.hpp"
+
+#include <glm/vec2.hpp>
 
 namespace simreel::draw {
 

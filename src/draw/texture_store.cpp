@@ -1,12 +1,12 @@
 #include "draw/texture_store.hpp"
 
-#include <algorithm>
-#include <memory>
-
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "gl/context.hpp"
 #include "gl/limits.hpp"
+
+#include <algorithm>
+#include <memory>
 
 #define STB_IMAGE_IMPLEMENTATION
 #define STB_IMAGE_STATIC
@@ -25,12 +25,12 @@ gl::Texture readPicture(const std::filesystem::path& file) {
   int height = 0;
   int channels = 0;
   const std::unique_ptr<stbi_uc, decltype(&stbi_image_free)> texels(
-      stbi_load_from_memory(reinterpret_cast<const stbi_uc*>(bytes.data()), static_cast<int>(bytes.size()), &width,
-                            &height, &channels, 4),
+      stbi_load_from_memory(reinterpret_cast<const stbi_uc*>(bytes.data()), static_cast<int>(bytes.size()),
+                            &width, &height, &channels, 4),
       &stbi_image_free);
   if (!texels)
-    fail(ExitCode::usage, "the texture {} is not a picture this program reads ({}); use PNG or JPEG", file.string(),
-         stbi_failure_reason());
+    fail(ExitCode::usage, "the texture {} is not a picture this program reads ({}); use PNG or JPEG",
+         file.string(), stbi_failure_reason());
   gl::Texture texture = gl::Texture::image("texture " + file.string(), GL_SRGB8_ALPHA8, width, height, 0);
   glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
   glTextureSubImage2D(texture.name(), 0, 0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, texels.get());

@@ -1,8 +1,8 @@
 #pragma once
+#include "gl/texture.hpp"
+
 #include <filesystem>
 #include <map>
-
-#include "gl/texture.hpp"
 
 namespace simreel::draw {
 

@@ -5,7 +5,8 @@
 
 namespace simreel::draw {
 
-/// Averages the samples, lays them over the sky, applies exposure, vignette and film curve, and encodes sRGB.
+/// Averages the samples, lays them over the sky, applies exposure, vignette and film curve, and encodes
+/// sRGB.
 class ToneMapPass {
  public:
   explicit ToneMapPass(int samples);

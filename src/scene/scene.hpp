@@ -55,8 +55,8 @@ struct Camera {
 
 struct Sun {
   Animated<glm::vec3> direction = glm::vec3(0.4F, 0.8F, 0.45F);  ///< towards the light
-  Animated<glm::vec3> color = glm::vec3(1, 0.95F, 0.88F);
-  Animated<float> intensity = 3.0F;
+  Animated<glm::vec3> color = glm::vec3(1, 0.92F, 0.80F);
+  Animated<float> intensity = 4.0F;
   bool shadow = true;
   int shadowSize = 1024;       ///< texels on a side
   float shadowSoftness = 1.5F; ///< radius of the filter, texels
@@ -65,9 +65,9 @@ struct Sun {
 
 /// Ambient light and the background gradient.
 struct Sky {
-  Animated<glm::vec3> zenith = glm::vec3(0.16F, 0.30F, 0.55F);
-  Animated<glm::vec3> horizon = glm::vec3(0.75F, 0.80F, 0.85F);
-  Animated<glm::vec3> ground = glm::vec3(0.25F, 0.22F, 0.20F);
+  Animated<glm::vec3> zenith = glm::vec3(0.08F, 0.22F, 0.52F);
+  Animated<glm::vec3> horizon = glm::vec3(0.68F, 0.80F, 0.93F);
+  Animated<glm::vec3> ground = glm::vec3(0.26F, 0.23F, 0.20F);
   Animated<float> ambient = 1.0F;  ///< factor on the light the sky gives
   void describe(Fields& fields);
 };
@@ -76,7 +76,7 @@ struct Sky {
 struct Ground {
   float height = -5.0F;  ///< m
   bool visible = true;
-  glm::vec3 color{0.35F, 0.33F, 0.30F};
+  glm::vec3 color{0.32F, 0.29F, 0.25F};
   float roughness = 0.9F;
   float fadeStart = 15.0F;  ///< m from the camera's target where the ground begins to dissolve into the sky
   float fadeEnd = 40.0F;

@@ -27,7 +27,7 @@ void connectRings(Mesh& mesh, unsigned rows, unsigned columns) {
     for (unsigned column = 0; column < columns; ++column) {
       const unsigned a = row * (columns + 1) + column;
       const unsigned b = a + columns + 1;
-      mesh.indices.insert(mesh.indices.end(), {a, a + 1, b, b, a + 1, b + 1});
+      mesh.indices.insert(mesh.indices.end(), {a, b, a + 1, a + 1, b, b + 1});
     }
 }
 
