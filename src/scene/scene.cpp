@@ -106,7 +106,8 @@ Scene parseScene(std::string_view text, const std::filesystem::path& file, std::
   stop();
   applyOverrides(root, overrides, diagnostics);
 
-  ReadContext context{diagnostics, file.parent_path()};
+  // A bare name has no parent path; its folder is the working folder.
+  ReadContext context{diagnostics, file.has_parent_path() ? file.parent_path() : std::filesystem::path(".")};
   Reader reader(root, context);
   std::string unused;
   reader.text("$schema", unused, "");
