@@ -32,7 +32,7 @@ SLOW = {"render.size": [320, 240], "time.fps": 30, "time.duration": 2, "objects.
 
 # Must never be seen, whatever goes wrong.
 CRASH = ("terminate called", "Aborted", "Segmentation", "Assertion", "core dumped", "AddressSanitizer",
-         "runtime error:", "broken invariant", "std::")
+         "runtime error:", "internal error at", "std::")
 
 
 def with_values(values, scene=None):

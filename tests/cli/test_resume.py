@@ -22,6 +22,8 @@ class Interrupted(Case):
 
     def test_interrupt(self):
         for number in (signal.SIGINT, signal.SIGTERM):
+            for picture in self.folder.glob("out/*"):
+                picture.unlink()
             code, messages = self.signal_after(4, "out", number, *self.arguments, "--overwrite")
             self.assertEqual(code, 128 + number, messages)
             self.assertIn("--resume", messages)
