@@ -11,6 +11,8 @@ enum class Verbosity { quiet, normal, verbose };
 void setVerbosity(Verbosity verbosity);
 [[nodiscard]] Verbosity verbosity();
 
+/// One line on standard error, always; nothing happens where it cannot be written.
+void errorLine(const std::string& message);
 /// One line on standard error, "simreel: warning: ..."; shown unless quiet.
 void warnLine(const std::string& message);
 /// One line on standard error; shown unless quiet.

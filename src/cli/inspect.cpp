@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/error.hpp"
+#include "base/log.hpp"
 #include "cli/commands.hpp"
 #include "cli/scene_options.hpp"
 #include "sim/list.hpp"
@@ -26,7 +27,7 @@ void validate(const std::vector<std::string>& files, const std::vector<std::stri
       if (error.code() != ExitCode::usage && files.size() == 1) throw;
       ++bad;
       std::fflush(stdout);
-      fmt::print(stderr, "{}\n", error.what());
+      errorLine(error.what());
     }
   }
   if (bad > 0) fail(ExitCode::usage, "{} of {} scene{} cannot be used", bad, files.size(), files.size() == 1 ? "" : "s");

@@ -1,4 +1,5 @@
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "base/error.hpp"
@@ -22,7 +23,7 @@ namespace {
 struct RenderOptions {
   SceneOptions scene;
   std::string output;
-  std::string frames;
+  std::optional<std::string> frames;
   std::string device;
   std::string memoryPath;
   std::string progress = "auto";
@@ -43,7 +44,7 @@ frame::Existing existingPolicy(const RenderOptions& o) {
 }
 
 std::vector<int> framesToRender(const RenderOptions& o, const scene::Scene& scene) {
-  if (!o.frames.empty()) return frame::parseFrames(o.frames);
+  if (o.frames) return frame::parseFrames(*o.frames);
   std::vector<int> all(static_cast<std::size_t>(scene.frameCount()));
   for (std::size_t i = 0; i < all.size(); ++i) all[i] = static_cast<int>(i);
   return all;
@@ -94,7 +95,7 @@ void addRender(CLI::App& app) {
   command->add_option("--device", o->device, "Index or part of a name (see `simreel doctor`)");
   command->add_option("--memory-path", o->memoryPath, "How kernels read: storage or texel (default: by driver)");
   command->add_option("--progress", o->progress, "auto, tty, ndjson or none");
-  command->add_option("--stream-format", o->streamFormat, "Of -o -: rgba or y4m");
+  command->add_option("--stream-format", o->streamFormat, "Of -o -: rgba or y4m")->check(CLI::IsMember({"rgba", "y4m"}));
   command->add_flag("--overwrite", o->overwrite, "Replace frames that exist");
   command->add_flag("--resume", o->resume, "Keep the frames that the manifest and their hashes say are whole");
   command->add_flag("--skip-existing", o->skipExisting, "Keep every frame whose file exists");

@@ -1,10 +1,16 @@
+#include <fcntl.h>
+
+#include <cstdio>
 #include <exception>
+#include <iostream>
 #include <string>
+#include <vector>
 
 #include "base/error.hpp"
 #include "base/log.hpp"
 #include "base/version.hpp"
 #include "cli/commands.hpp"
+#include "scene/diagnostics.hpp"
 
 #include <CLI/CLI.hpp>
 
@@ -15,8 +21,32 @@ namespace {
 int exitCode = 0;
 
 int print(const std::string& message, ExitCode code) {
-  fmt::print(stderr, "simreel: error: {}\n", message);
+  errorLine("simreel: error: " + message);
   return static_cast<int>(code);
+}
+
+/// A descriptor 0 to 2 that the caller closed would be given to the next file opened, and messages would land in it.
+/// Reading is all that /dev/null allows here, so writing fails as it would on the closed one.
+void holdStandardDescriptors() {
+  for (int descriptor = 0; descriptor <= 2; ++descriptor)
+    if (::fcntl(descriptor, F_GETFD) < 0) (void)::open("/dev/null", O_RDONLY);
+}
+
+/// Text that waits in the buffer is written; a full disk shows only then.
+int flushed(int code) {
+  std::cout.flush();
+  const bool written = std::fflush(stdout) == 0 && std::ferror(stdout) == 0 && std::cout.good();
+  if (code != 0 || written) return code;
+  return print("cannot write to standard output", ExitCode::inputOutput);
+}
+
+std::string explain(const CLI::App& app, const CLI::ParseError& error) {
+  const auto unknown = app.remaining(true);
+  if (!app.get_subcommands().empty() || unknown.empty() || unknown.front().starts_with('-')) return error.what();
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
+    names.push_back(command->get_name());
+  return fmt::format("unknown command \"{}\"; {}", unknown.front(), scene::suggestion(unknown.front(), names));
 }
 
 }  // namespace
@@ -26,6 +56,7 @@ void setExitCode(int code) {
 }
 
 int run(int argc, char** argv) {
+  holdStandardDescriptors();
   CLI::App app("Renders GPU simulations without a display.", "simreel");
   app.set_version_flag("--version", std::string("simreel ") + version());
   app.require_subcommand(1);
@@ -39,15 +70,15 @@ int run(int argc, char** argv) {
   addDoctor(app);
   try {
     app.parse(argc, argv);
-    return exitCode;
+    return flushed(exitCode);
   } catch (const CLI::CallForHelp& help) {
-    return app.exit(help);
+    return flushed(app.exit(help));
   } catch (const CLI::CallForAllHelp& help) {
-    return app.exit(help);
+    return flushed(app.exit(help));
   } catch (const CLI::CallForVersion& versionCall) {
-    return app.exit(versionCall);
+    return flushed(app.exit(versionCall));
   } catch (const CLI::ParseError& error) {
-    return print(std::string(error.what()) + "; see `simreel --help`", ExitCode::usage);
+    return print(explain(app, error) + "; see `simreel --help`", ExitCode::usage);
   } catch (const UserError& error) {
     return print(error.what(), error.code());
   } catch (const std::bad_alloc&) {

@@ -46,7 +46,7 @@ void SceneOptions::add(CLI::App& command) {
 scene::Scene SceneOptions::load() const {
   auto all = parseOverrides(overrides);
   if (seed) all.push_back({"seed", std::to_string(*seed)});
-  if (!size.empty()) all.push_back({"render.size", sizeValue(size)});
+  if (size) all.push_back({"render.size", sizeValue(*size)});
   if (fps) all.push_back({"time.fps", fmt::format("{}", *fps)});
   if (samples) all.push_back({"render.samples", std::to_string(*samples)});
   return scene::loadScene(file, all, sim::kinds());

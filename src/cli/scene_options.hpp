@@ -16,7 +16,7 @@ struct SceneOptions {
   std::string file;
   std::vector<std::string> overrides;  ///< -D path=value
   std::optional<int> seed;
-  std::string size;  ///< WxH
+  std::optional<std::string> size;  ///< WxH
   std::optional<double> fps;
   std::optional<int> samples;
   void add(CLI::App& command);

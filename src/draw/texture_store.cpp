@@ -24,13 +24,19 @@ gl::Texture readPicture(const std::filesystem::path& file) {
   int width = 0;
   int height = 0;
   int channels = 0;
+  const auto* data = reinterpret_cast<const stbi_uc*>(bytes.data());
+  const int size = static_cast<int>(bytes.size());
+  const int most = gl::limits().textureSize;
+  // The header first: a small file may promise a picture that takes all memory.
+  if (stbi_info_from_memory(data, size, &width, &height, &channels) != 0 && std::max(width, height) > most)
+    fail(ExitCode::device, "the texture {} is {}x{}, this device allows up to {}x{} (GL_MAX_TEXTURE_SIZE)",
+         file.string(), width, height, most, most);
   const std::unique_ptr<stbi_uc, decltype(&stbi_image_free)> texels(
-      stbi_load_from_memory(reinterpret_cast<const stbi_uc*>(bytes.data()), static_cast<int>(bytes.size()),
-                            &width, &height, &channels, 4),
+      stbi_load_from_memory(data, size, &width, &height, &channels, 4),
       &stbi_image_free);
   if (!texels)
-    fail(ExitCode::usage, "the texture {} is not a picture this program reads ({}); use PNG or JPEG",
-         file.string(), stbi_failure_reason());
+    fail(ExitCode::inputOutput, "the texture {} is not a picture this program reads ({}); use PNG or JPEG", file.string(),
+         stbi_failure_reason());
   gl::Texture texture = gl::Texture::image("texture " + file.string(), GL_SRGB8_ALPHA8, width, height, 0);
   glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
   glTextureSubImage2D(texture.name(), 0, 0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, texels.get());

@@ -70,7 +70,8 @@ class SequenceSink final : public FrameSink {
     waitForWorkers();
     if (error_) giveUp();
     finished_ = true;
-    writeFileAtomically(output_.manifestFile(), manifestText(manifest_));
+    // Nothing rendered, nothing to say: an empty manifest would only stand in the way of the next scene.
+    if (!manifest_.frames.empty()) writeFileAtomically(output_.manifestFile(), manifestText(manifest_));
   }
 
   double encodeSeconds() const override { return static_cast<double>(encodeNanoseconds_.load()) * 1e-9; }
@@ -196,6 +197,7 @@ class SequenceSink final : public FrameSink {
     {
       const std::lock_guard lock(mutex_);
       manifest_.frames[info.frame] = {output_.fileName(info.frame), hash, info.stateHash};
+      written_.push_back(info.frame);
       if (writingManifest_ || Clock::now() - manifestTime_ < manifestEvery) return;
       writingManifest_ = true;
       text = manifestText(manifest_);
@@ -233,8 +235,21 @@ class SequenceSink final : public FrameSink {
     }
   }
 
+  /// On a full disk the last frames of this run make room for the manifest: without it --resume trusts no frame.
+  void makeRoomForManifest() {
+    for (; !written_.empty(); written_.pop_back()) {
+      std::error_code error;
+      const auto space = fs::space(output_.folder.empty() ? fs::path(".") : output_.folder, error);
+      // Twice, for the blocks of the file system.
+      if (error || space.available > 2 * manifestText(manifest_).size() + 8192) return;
+      if (!fs::remove(output_.file(written_.back()), error)) return;
+      manifest_.frames.erase(written_.back());
+    }
+  }
+
   [[noreturn]] void giveUp() {
     waitForWorkers();
+    makeRoomForManifest();
     writeManifestQuietly();
     finished_ = true;
     std::rethrow_exception(error_);
@@ -250,6 +265,7 @@ class SequenceSink final : public FrameSink {
   mutable std::mutex mutex_;  ///< guards all below
   std::condition_variable changed_;
   Manifest manifest_;
+  std::vector<int> written_;  ///< frames of this run, in the order they were stored
   std::size_t pending_ = 0;
   bool writingManifest_ = false;
   Clock::time_point manifestTime_ = Clock::now();

@@ -1,5 +1,6 @@
 #include "sim/cloth.hpp"
 
+#include <cstdint>
 #include <cstring>
 #include <utility>
 
@@ -41,6 +42,7 @@ class Cloth : public Simulation {
         plan_(dynamic_cast<const ClothParameters&>(*object.parameters), setting.seed, setting.frameSeconds,
               *setting.colliders),
         size_(plan_.parameters().size) {
+    checkLimits();
     const auto positions = plan_.firstPositions();
     positions_[0] = gl::Vec4Array(name_ + " positions", positions);
     positions_[1] = gl::Vec4Array(name_ + " next positions", positions);
@@ -95,6 +97,17 @@ class Cloth : public Simulation {
   }
 
  private:
+  /// Before anything is filled: a cloth far beyond the limit would first take gigabytes.
+  void checkLimits() const {
+    const auto bytes = std::int64_t{24} * (size_.x - 1) * (size_.y - 1);
+    const std::int64_t most = gl::limits().storageBlockBytes;
+    if (bytes > most)
+      fail(ExitCode::device,
+           "cloth \"{}\" of {}x{} particles needs {} bytes of indices, this device allows {} in one buffer "
+           "(GL_MAX_SHADER_STORAGE_BLOCK_SIZE); make it smaller",
+           name_, size_.x, size_.y, bytes, most);
+  }
+
   void makePrograms(bool fast) {
     const bool constraints = plan_.parameters().solver == ClothSolver::constraints;
     gl::Defines defines = gl::kernelDefines(fast);

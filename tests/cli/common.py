@@ -1,0 +1,152 @@
+"""What the tests of the command line share: tiny scenes, a runner, and checks of messages and folders."""
+import copy
+import json
+import os
+import pathlib
+import shutil
+import signal
+import struct
+import subprocess
+import tempfile
+import time
+import unittest
+import zlib
+
+PROGRAM = os.environ.get("SIMREEL", "simreel")
+SOURCE = pathlib.Path(__file__).resolve().parents[2]
+
+CLOTH = {"size": [9, 7], "spacing": 0.1, "position": [0, 1, 0], "rotation": [90, 0, 0], "jitter": 0.01, "substeps": 4}
+SCENE = {
+    "version": 1,
+    "render": {"size": [64, 36], "samples": 1},
+    "time": {"fps": 30, "duration": 0.2},
+    "camera": {"position": [0, 1, 3], "target": [0, 1, 0]},
+    "sun": {"shadowSize": 64},
+    "objects": {"flag": {"cloth": CLOTH}},
+}
+FRAMES = 6
+
+# Stable, but slow enough per frame for a signal to arrive midway.
+SLOW = {"render.size": [320, 240], "time.fps": 30, "time.duration": 2, "objects.flag.cloth.size": [64, 48],
+        "objects.flag.cloth.spacing": 0.02, "objects.flag.cloth.substeps": 64}
+
+# Must never be seen, whatever goes wrong.
+CRASH = ("terminate called", "Aborted", "Segmentation", "Assertion", "core dumped", "AddressSanitizer",
+         "runtime error:", "internal error at", "std::")
+
+
+def with_values(values, scene=None):
+    """A copy of the scene with some dotted paths set."""
+    result = copy.deepcopy(SCENE if scene is None else scene)
+    for path, value in values.items():
+        steps = path.split(".")
+        node = result
+        for step in steps[:-1]:
+            node = node.setdefault(step, {})
+        node[steps[-1]] = value
+    return result
+
+
+def png_rows(data):
+    """(width, height, raw filtered rows) of a PNG whose chunks are all checked; ValueError if it is not whole."""
+    if data[:8] != b"\x89PNG\r\n\x1a\n":
+        raise ValueError("no PNG signature")
+    at, pixels, size, ended = 8, b"", None, False
+    while at < len(data):
+        length, kind = struct.unpack(">I4s", data[at:at + 8])
+        body = data[at + 8:at + 8 + length]
+        (check,) = struct.unpack(">I", data[at + 8 + length:at + 12 + length])
+        if zlib.crc32(kind + body) != check:
+            raise ValueError(f"bad checksum of {kind}")
+        if kind == b"IHDR":
+            size = struct.unpack(">II", body[:8])
+        elif kind == b"IDAT":
+            pixels += body
+        ended = kind == b"IEND"
+        at += 12 + length
+    if not ended:
+        raise ValueError("no end")
+    return size[0], size[1], zlib.decompress(pixels)
+
+
+class Case(unittest.TestCase):
+    """Each test runs in a temporary folder of its own, which holds scene.json."""
+
+    def setUp(self):
+        self.folder = pathlib.Path(tempfile.mkdtemp(prefix="simreel-cli-"))
+        self.addCleanup(shutil.rmtree, self.folder, True)
+        self.write("scene.json", SCENE)
+
+    def write(self, name, content):
+        path = self.folder / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        if isinstance(content, bytes):
+            path.write_bytes(content)
+        else:
+            path.write_text(content if isinstance(content, str) else json.dumps(content, indent=1), encoding="utf-8")
+        return path
+
+    def run_program(self, *arguments, env=None, stdout=subprocess.PIPE, **options):
+        environment = dict(os.environ, **(env or {}))
+        done = subprocess.run([PROGRAM, *map(str, arguments)], cwd=self.folder, env=environment, stdout=stdout,
+                              stderr=subprocess.PIPE, stdin=subprocess.DEVNULL, timeout=60, check=False, **options)
+        done.err = done.stderr.decode("utf-8", "replace")
+        for word in CRASH:
+            self.assertNotIn(word, done.err)
+        self.assertGreaterEqual(done.returncode, 0, f"ended by a signal: {done.err}")
+        return done
+
+    def good(self, *arguments, **options):
+        done = self.run_program(*arguments, **options)
+        self.assertEqual(done.returncode, 0, done.err)
+        return done
+
+    def bad(self, code, words, *arguments, **options):
+        """Runs, and expects the code and exactly one error that holds every word."""
+        done = self.run_program(*arguments, **options)
+        self.assertEqual(done.returncode, code, f"{arguments}: {done.err}")
+        starts = [line for line in done.err.splitlines() if line.startswith("simreel: error: ")]
+        self.assertEqual(len(starts), 1, f"one error line is expected: {done.err}")
+        for word in [words] if isinstance(words, str) else words:
+            self.assertIn(word, done.err)
+        return done
+
+    def manifest(self, folder):
+        return json.loads((self.folder / folder / "manifest.json").read_text(encoding="utf-8"))
+
+    def content(self, folder):
+        """Bytes of every file of a folder, by name."""
+        return {p.name: p.read_bytes() for p in (self.folder / folder).iterdir()}
+
+    def assert_manifest_is_whole(self, folder):
+        """Every frame that the manifest lists exists and decodes; returns their numbers."""
+        manifest = self.manifest(folder)
+        for frame in manifest["frames"]:
+            width, height, _ = png_rows((self.folder / folder / frame["file"]).read_bytes())
+            self.assertEqual((width, height), (manifest["width"], manifest["height"]))
+        return [frame["frame"] for frame in manifest["frames"]]
+
+    def start(self, *arguments, **options):
+        process = subprocess.Popen([PROGRAM, *map(str, arguments)], cwd=self.folder, stdin=subprocess.DEVNULL,
+                                   stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, **options)
+        self.addCleanup(process.stderr.close)
+        return process
+
+    def signal_after(self, count, folder, number, *arguments):
+        """Runs in the background, sends the signal once `count` frames are there, and returns code and messages."""
+        process = self.start(*arguments)
+        end = time.monotonic() + 40
+        while process.poll() is None and time.monotonic() < end:
+            if len(list((self.folder / folder).glob("*.png"))) >= count:
+                process.send_signal(number)
+                break
+            time.sleep(0.002)
+        messages = process.communicate(timeout=40)[1].decode("utf-8", "replace")
+        if number != signal.SIGKILL:
+            for word in CRASH:
+                self.assertNotIn(word, messages)
+        return process.returncode, messages
+
+
+def main():
+    unittest.main(verbosity=2)

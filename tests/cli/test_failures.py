@@ -1,0 +1,150 @@
+"""Exit codes 4 (device, limit, lost state) and 6 (input and output)."""
+import os
+import resource
+import subprocess
+
+from common import SOURCE, Case, main, with_values
+
+
+class Device(Case):
+    def test_no_such_device(self):
+        for name in ("nonsense", "99"):
+            self.bad(4, [f"--device {name}", "no device matches"], "render", "scene.json", "-o", "out/",
+                     "--device", name)
+        self.bad(4, ["no device matches"], "doctor", "--device", "nonsense")
+        self.assertFalse((self.folder / "out").exists())
+
+    def test_no_driver(self):
+        for env in ({"__EGL_VENDOR_LIBRARY_FILENAMES": "/nonexistent"}, {"__EGL_VENDOR_LIBRARY_DIRS": str(self.folder)}):
+            self.bad(4, ["install a driver", "simreel doctor"], "render", "scene.json", "-o", "out/", env=env)
+            done = self.bad(4, "install a driver", "doctor", env=env)
+            self.assertIn(b"EGL devices: none", done.stdout)
+        self.assertFalse((self.folder / "out").exists())
+        self.good("validate", "scene.json", env={"__EGL_VENDOR_LIBRARY_FILENAMES": "/nonexistent"})
+
+    def test_picture_beyond_the_limits(self):
+        self.bad(4, ["16 samples", "GL_MAX_SAMPLES"], "render", "scene.json", "-o", "out/",
+                 "-D", "render.size=[16384,16384]", "--samples", "16")
+        self.assertEqual(list(self.folder.glob("out/*")), [])
+
+    def test_cloth_beyond_the_limits(self):
+        """Says so at once, and before it takes gigabytes."""
+        limit = lambda: resource.setrlimit(resource.RLIMIT_AS, (3 << 30, 3 << 30))
+        for size in ([16384, 16384], [5000, 5000]):
+            self.bad(4, ["flag", "16384x16384" if size[0] > 9999 else "5000x5000", "GL_MAX_SHADER_STORAGE_BLOCK_SIZE"],
+                     "render", "scene.json", "-o", "out/", "-D", f"objects.flag.cloth.size={size}", preexec_fn=limit)
+        self.assertEqual(list(self.folder.glob("out/*")), [])
+
+    def test_blow_up(self):
+        scene = with_values({"objects.flag.cloth": {"size": [9, 7], "stiffness": 1e7, "mass": 0.001, "substeps": 2,
+                                                    "jitter": 0.01}, "time.duration": 2})
+        self.write("wild.json", scene)
+        done = self.bad(4, ["\"flag\" blew up in substep ", "particle (", "use more substeps (2 per frame",
+                            "simreel: warning: ", "stable"], "render", "wild.json", "-o", "out/")
+        self.assertLessEqual(len(done.err.splitlines()), 2)
+        frames = self.assert_manifest_is_whole("out")
+        self.assertEqual(frames, list(range(len(frames))))
+        self.assertLess(len(frames), 60)
+        self.assertGreaterEqual(len(frames), 1)
+
+
+class InputOutput(Case):
+    def test_existing_frames(self):
+        self.good("render", "scene.json", "-o", "out/")
+        before = self.content("out")
+        self.bad(6, ["out/000000.png", "5 more", "--overwrite", "--resume"], "render", "scene.json", "-o", "out/",
+                 "--seed", "7")
+        self.bad(6, ["out/000002.png", "exists"], "render", "scene.json", "-o", "out/", "--frames", "2")
+        self.assertEqual(self.content("out"), before)
+        self.good("render", "scene.json", "-o", "out/", "--frames", "9")
+
+    def test_folders_that_cannot_be(self):
+        self.write("file", "x")
+        for output in ("file/", "file/deep/", "file/a.mp4", "file/a_####.png", "/proc/x/"):
+            self.bad(6, ["cannot create", output.split("/")[-2]], "render", "scene.json", "-o", output)
+        self.assertEqual((self.folder / "file").read_text(), "x")
+
+    def test_read_only_folder(self):
+        out = self.folder / "out"
+        out.mkdir()
+        if os.geteuid() == 0:
+            done = subprocess.run(["chattr", "+i", out], capture_output=True, check=False)
+            if done.returncode != 0:
+                self.skipTest("root may write everywhere, and chattr does not work here")
+            self.addCleanup(subprocess.run, ["chattr", "-i", out], check=False)
+        else:
+            out.chmod(0o555)
+        self.bad(6, ["cannot create out/"], "render", "scene.json", "-o", "out/")
+
+    def test_a_folder_in_the_place_of_a_frame(self):
+        (self.folder / "out/000001.png").mkdir(parents=True)
+        self.bad(6, ["out/000001.png"], "render", "scene.json", "-o", "out/", "--overwrite")
+
+    def test_full_disk(self):
+        disk = self.folder / "disk"
+        disk.mkdir()
+        mounted = os.geteuid() == 0 and subprocess.run(["mount", "-t", "tmpfs", "-o", "size=40k", "tmpfs", disk],
+                                                       capture_output=True, check=False).returncode == 0
+        if not mounted:
+            self.skipTest("a small file system can be mounted by root only")
+        try:
+            # One page is gone already, then eight frames fit, and no manifest beside them.
+            self.write("disk/other", "x")
+            arguments = ("render", "scene.json", "-o", "disk/", "-D", "time.duration=2")
+            self.bad(6, ["disk/0000", "No space left"], *arguments)
+            frames = self.assert_manifest_is_whole("disk")
+            self.assertGreaterEqual(len(frames), 3)
+            pictures = list(disk.glob("*.png"))
+            self.assertEqual(len(pictures), len(frames))
+            self.assertEqual(list(disk.glob("*.part")), [])
+            subprocess.run(["mount", "-o", "remount,size=4m", disk], check=True)
+            self.good(*arguments, "--resume")
+            self.assertEqual(len(self.assert_manifest_is_whole("disk")), 60)
+        finally:
+            subprocess.run(["umount", disk], check=True)
+
+    def test_full_disk_for_text(self):
+        with open("/dev/full", "wb") as full:
+            for arguments in (["schema"], ["list"], ["list", "sun"], ["--version"], ["--help"]):
+                self.bad(6, ["simreel: error: cannot write"], *arguments, stdout=full)
+            self.bad(6, "No space left", "render", "scene.json", "-o", "-", stdout=full)
+
+    def test_corrupt_textures(self):
+        self.write("scene.json", with_values({"objects.flag.material": {"texture": "t.png"}}))
+        whole = (SOURCE / "assets/textures/flag.png").read_bytes()
+        for content in (b"", b"not a picture", whole[:2000], whole[:40] + bytes(1000)):
+            self.write("t.png", content)
+            self.bad(6, ["t.png", "PNG or JPEG"], "render", "scene.json", "-o", "out/")
+        # A header that promises far more than a device can hold is refused before memory is taken.
+        self.write("t.png", b"BM" + bytes(8) + b"\x36\0\0\0\x28\0\0\0" + (60000).to_bytes(4, "little") * 2 +
+                   b"\1\0\x18\0" + bytes(24) + bytes(300))
+        self.bad(4, ["t.png", "60000x60000", "GL_MAX_TEXTURE_SIZE"], "render", "scene.json", "-o", "out/")
+        self.assertEqual(list(self.folder.glob("out/*")), [])
+
+    def test_no_ffmpeg(self):
+        self.bad(6, ["ffmpeg is not installed", "apt install ffmpeg"], "render", "scene.json", "-o", "a.mp4",
+                 env={"PATH": str(self.folder)})
+        self.assertEqual(sorted(p.name for p in self.folder.iterdir()), ["scene.json"])
+
+    def test_ffmpeg_dies(self):
+        for name, body, words in (("late", "head -c 20000 >/dev/null; echo trouble >&2; exit 3", ["status 3", "trouble"]),
+                                  ("early", "exit 1", ["ffmpeg", "status 1"]),
+                                  ("signal", "head -c 100 >/dev/null; kill -11 $$", ["signal 11"]),
+                                  ("end", "cat >/dev/null; exit 4", ["status 4"])):
+            fake = self.write(f"{name}/ffmpeg", f"#!/bin/sh\n{body}\n")
+            fake.chmod(0o755)
+            self.bad(6, words, "render", "scene.json", "-o", "a.mp4",
+                     env={"PATH": f"{fake.parent}:{os.environ['PATH']}"})
+        self.assertEqual(list(self.folder.glob("*.mp4*")) + list(self.folder.glob("*part*")), [])
+
+    def test_closed_pipe(self):
+        for form in ("rgba", "y4m"):
+            reader, writer = os.pipe()
+            os.close(reader)
+            self.bad(6, "standard output was closed", "render", "scene.json", "-o", "-", "--stream-format", form,
+                     stdout=writer)
+            os.close(writer)
+
+
+if __name__ == "__main__":
+    main()

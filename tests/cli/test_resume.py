@@ -1,0 +1,174 @@
+"""Interrupts, --resume, --skip-existing, --overwrite, and determinism."""
+import random
+import signal
+
+from common import FRAMES, SLOW, Case, main, with_values
+
+
+class Interrupted(Case):
+    """Killed runs go on with --resume, and then equal a run that nobody disturbed, byte for byte."""
+
+    def setUp(self):
+        super().setUp()
+        self.write("slow.json", with_values(SLOW))
+        self.arguments = ("render", "slow.json", "-o", "out/")
+
+    def assert_resumed_equals_undisturbed(self):
+        self.good(*self.arguments, "--resume")
+        self.good("render", "slow.json", "-o", "whole/")
+        resumed, whole = self.content("out"), self.content("whole")
+        self.assertEqual(sorted(resumed), sorted(whole))
+        self.assertEqual([name for name in whole if resumed[name] != whole[name]], [])
+
+    def test_interrupt(self):
+        for number in (signal.SIGINT, signal.SIGTERM):
+            for picture in self.folder.glob("out/*"):
+                picture.unlink()
+            code, messages = self.signal_after(4, "out", number, *self.arguments, "--overwrite")
+            self.assertEqual(code, 128 + number, messages)
+            self.assertIn("--resume", messages)
+            frames = self.assert_manifest_is_whole("out")
+            self.assertEqual(len(list(self.folder.glob("out/*.png"))), len(frames))
+            self.assertEqual(list(self.folder.glob("out/*.part")), [])
+        self.assertTrue(4 <= len(frames) < 60, frames)
+        self.assert_resumed_equals_undisturbed()
+
+    def test_kill(self):
+        for _ in range(2):
+            self.signal_after(random.randint(1, 20), "out", signal.SIGKILL, *self.arguments, "--resume")
+        for part in self.folder.glob("out/*.part"):
+            part.unlink()  # the frame being written at that moment
+        self.assert_resumed_equals_undisturbed()
+
+    def test_interrupted_video_is_whole(self):
+        code, messages = self.interrupt_at_once("a.mp4")
+        self.assertIn(code, (0, 130), messages)
+        self.assertEqual(list(self.folder.glob("*part*")), [])
+
+    def interrupt_at_once(self, output):
+        process = self.start("render", "slow.json", "-o", output)
+        try:
+            process.wait(0.7)
+        except Exception:  # subprocess.TimeoutExpired: still at work, as it should be
+            process.send_signal(signal.SIGINT)
+        messages = process.communicate(timeout=40)[1].decode()
+        return process.returncode, messages
+
+
+class Resume(Case):
+    def setUp(self):
+        super().setUp()
+        self.good("render", "scene.json", "-o", "out/")
+        self.whole = self.content("out")
+
+    def path(self, frame):
+        return self.folder / f"out/{frame:06}.png"
+
+    def damage(self):
+        """A truncated, a tampered, a foreign, an empty and a missing frame."""
+        self.path(0).write_bytes(self.whole["000000.png"][:-40])
+        changed = bytearray(self.whole["000001.png"])
+        changed[len(changed) // 2] ^= 0xFF
+        self.path(1).write_bytes(changed)
+        self.path(2).write_bytes(self.whole["000003.png"])
+        self.path(3).write_bytes(b"")
+        self.path(4).unlink()
+
+    def test_damaged_frames_are_rendered_again(self):
+        self.damage()
+        self.good("render", "scene.json", "-o", "out/", "--resume")
+        self.assertEqual(self.content("out"), self.whole)
+
+    def test_nothing_to_do(self):
+        times = {i: self.path(i).stat().st_mtime_ns for i in range(FRAMES)}
+        self.good("render", "scene.json", "-o", "out/", "--resume")
+        self.assertEqual({i: self.path(i).stat().st_mtime_ns for i in range(FRAMES)}, times)
+        self.assertEqual(self.content("out"), self.whole)
+
+    def test_into_nothing(self):
+        self.good("render", "scene.json", "-o", "fresh/", "--resume")
+        self.assertEqual(self.content("fresh"), self.whole)
+
+    def test_lost_manifest(self):
+        (self.folder / "out/manifest.json").unlink()
+        self.good("render", "scene.json", "-o", "out/", "--resume")
+        self.assertEqual(self.content("out"), self.whole)
+
+    def test_another_scene(self):
+        self.bad(2, ["cannot resume", "scene hash", "--overwrite"], "render", "scene.json", "-o", "out/", "--resume",
+                 "--seed", "7")
+        self.write("scene.json", with_values({"title": "other"}))
+        self.bad(2, ["cannot resume", "out/manifest.json"], "render", "scene.json", "-o", "out/", "--resume")
+        self.assertEqual(self.content("out"), self.whole)
+
+    def test_malformed_manifests(self):
+        whole = self.whole["manifest.json"].decode()
+        for text in ("", "{", "[]", "null", "{}", "\0\0", whole[:-30], whole.replace('"version": 1', '"version": 99'),
+                     whole.replace('"frame":0', '"frame":"a"'), whole.replace('"frame":0', '"frame":1e99'),
+                     whole.replace('"fps": 30.0', '"fps": 1e999'), "[" * 100000):
+            self.write("out/manifest.json", text)
+            self.bad(2, ["manifest out/manifest.json", "remove it or use --overwrite"], "render", "scene.json",
+                     "-o", "out/", "--resume")
+        self.good("render", "scene.json", "-o", "out/", "--overwrite")
+        self.assertEqual(self.content("out"), self.whole)
+
+    def test_manifest_with_wicked_names(self):
+        text = self.whole["manifest.json"].decode().replace("000001.png", "../scene.json")
+        self.write("out/manifest.json", text)
+        self.good("render", "scene.json", "-o", "out/", "--resume")
+        self.assertEqual(self.content("out"), self.whole)
+
+    def test_wrong_state_is_noticed(self):
+        text = self.whole["manifest.json"].decode()
+        state = self.manifest("out")["frames"][3]["state"]
+        self.write("out/manifest.json", text.replace(state, "0" * len(state)))
+        self.bad(1, ["frame 3", "--overwrite"], "render", "scene.json", "-o", "out/", "--resume")
+
+    def test_skip_existing_keeps(self):
+        self.damage()
+        damaged = self.content("out")
+        self.good("render", "scene.json", "-o", "out/", "--skip-existing", "--seed", "7")
+        after = self.content("out")
+        for frame in (0, 1, 2, 3, 5):
+            self.assertEqual(after[f"{frame:06}.png"], damaged[f"{frame:06}.png"])
+        self.assertIn("000004.png", after)
+
+    def test_overwrite_replaces(self):
+        self.damage()
+        self.good("render", "scene.json", "-o", "out/", "--overwrite")
+        self.assertEqual(self.content("out"), self.whole)
+        self.good("render", "scene.json", "-o", "out/", "--overwrite", "--frames", "2")
+        self.assertEqual(self.content("out"), self.whole)
+
+
+class Determinism(Case):
+    def test_two_runs_are_the_same(self):
+        self.good("render", "scene.json", "-o", "a/")
+        self.good("render", "scene.json", "-o", "b/", "--progress", "ndjson", env={"LP_NUM_THREADS": "1"})
+        self.assertEqual(self.content("a"), self.content("b"))
+
+    def test_some_frames_equal_those_of_all(self):
+        self.good("render", "scene.json", "-o", "a/")
+        self.good("render", "scene.json", "-o", "b/", "--frames", "5")
+        self.assertEqual(set(self.content("b")), {"000005.png", "manifest.json"})
+        self.assertEqual(self.content("b")["000005.png"], self.content("a")["000005.png"])
+        self.assertEqual(self.manifest("b")["frames"], self.manifest("a")["frames"][5:])
+        self.good("render", "scene.json", "-o", "b/", "--frames", "0-4")
+        self.assertEqual(self.content("b"), self.content("a"))
+
+    def test_seed(self):
+        self.good("render", "scene.json", "-o", "a/", "--seed", "2")
+        self.good("render", "scene.json", "-o", "b/", "--seed", "3")
+        a, b = self.manifest("a"), self.manifest("b")
+        self.assertEqual((a["seed"], b["seed"]), (2, 3))
+        for first, second in zip(a["frames"], b["frames"]):
+            self.assertNotEqual(first["state"], second["state"])
+            self.assertNotEqual(first["pixels"], second["pixels"])
+        still = ("-D", "objects.flag.cloth.jitter=0", "--frames", "0")
+        self.good("render", "scene.json", "-o", "c/", "--seed", "2", *still)
+        self.good("render", "scene.json", "-o", "d/", "--seed", "3", *still)
+        self.assertEqual(self.manifest("c")["frames"], self.manifest("d")["frames"])
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,171 @@
+"""Exit code 0: what each command does when all is well."""
+import json
+import shutil
+import subprocess
+import unittest
+
+from common import FRAMES, SOURCE, Case, main, png_rows, with_values
+
+
+class Success(Case):
+    def test_folder(self):
+        done = self.good("render", "scene.json", "-o", "out/")
+        self.assertEqual(self.assert_manifest_is_whole("out"), list(range(FRAMES)))
+        names = {f"{i:06}.png" for i in range(FRAMES)} | {"manifest.json"}
+        self.assertEqual(set(self.content("out")), names)
+        self.assertEqual(done.stdout, b"")
+        self.assertIn("6 frames", done.err)
+        self.assertEqual(len(done.err.splitlines()), 1)
+
+    def test_patterns(self):
+        for pattern, first in (("p/f_####.png", "f_0000.png"), ("q/g%04d.png", "g0000.png"), ("r/%d.png", "0.png")):
+            self.good("render", "scene.json", "-o", pattern, "--frames", "0-2")
+            self.assertTrue((self.folder / pattern).parent.joinpath(first).exists(), pattern)
+
+    def test_one_picture(self):
+        self.good("render", "scene.json", "-o", "one.png", "--frames", "3")
+        self.assertEqual(png_rows((self.folder / "one.png").read_bytes())[:2], (64, 36))
+
+    def test_options_in_any_order(self):
+        self.good("render", "--frames", "0", "-o", "a/", "--size", "32x20", "scene.json", "-q")
+        self.good("-q", "render", "scene.json", "--size", "32x20", "--frames=0", "--output=b/")
+        self.good("render", "-q", "-o", "c/", "scene.json", "--frames", "0", "-D", "render.size=[32,20]")
+        self.assertEqual(self.content("a"), self.content("b"))
+        self.assertEqual(self.content("a"), self.content("c"))
+
+    def test_quiet_and_verbose(self):
+        done = self.good("render", "scene.json", "-o", "a/", "-q")
+        self.assertEqual((done.stdout, done.err), (b"", ""))
+        done = self.good("render", "scene.json", "-o", "b/", "-v")
+        self.assertEqual(done.stdout, b"")
+        self.assertIn("device", done.err)
+
+    def test_validate(self):
+        self.write("other scene.json", with_values({"title": "ü"}))
+        done = self.good("validate", "scene.json", "other scene.json")
+        self.assertEqual(done.stdout.decode().splitlines(), ["scene.json: ok", "other scene.json: ok"])
+        self.assertEqual(done.err, "")
+        self.good("validate", *sorted((SOURCE / "assets/scenes").glob("*.json")))
+
+    def test_schema_is_the_committed_one(self):
+        done = self.good("schema")
+        self.assertEqual(done.stdout, (SOURCE / "assets/scene.schema.json").read_bytes())
+        json.loads(done.stdout)
+
+    def test_list(self):
+        self.assertIn(b"cloth", self.good("list").stdout)
+        self.assertIn(b"stiffness", self.good("list", "cloth").stdout)
+        self.assertIn(b"fieldOfView", self.good("list", "camera").stdout)
+
+    def test_doctor(self):
+        done = self.good("doctor")
+        self.assertIn(b"Chosen: ", done.stdout)
+        self.assertIn(b"Exact numerics: hold", done.stdout)
+
+    def test_version_and_help(self):
+        self.assertRegex(self.good("--version").stdout, rb"^simreel \d+\.\d+\.\d+\n$")
+        for arguments in (["--help"], ["render", "--help"], ["validate", "-h"]):
+            self.assertIn(b"Usage", self.good(*arguments).stdout)
+
+    def test_texture_beside_a_scene_given_by_its_bare_name(self):
+        shutil.copy(SOURCE / "assets/textures/flag.png", self.folder / "my flag.png")
+        self.write("scene.json", with_values({"objects.flag.material": {"texture": "my flag.png"}}))
+        for name in ("scene.json", "./scene.json", self.folder / "scene.json"):
+            self.good("render", name, "-o", "out/", "--frames", "0", "--overwrite")
+
+
+class Streams(Case):
+    def test_raw_stream(self):
+        done = self.good("render", "scene.json", "-o", "-")
+        self.assertEqual(len(done.stdout), 64 * 36 * 4 * FRAMES)
+
+    def test_y4m_stream(self):
+        done = self.good("render", "scene.json", "-o", "-", "--stream-format", "y4m")
+        header, _, rest = done.stdout.partition(b"\n")
+        self.assertTrue(header.startswith(b"YUV4MPEG2 W64 H36 F30:1 "), header)
+        self.assertEqual(len(rest), FRAMES * (len(b"FRAME\n") + 64 * 36 * 3))
+
+    def test_progress_lines_are_json(self):
+        done = self.good("render", "scene.json", "-o", "out/", "--progress", "ndjson", "-q")
+        events = [json.loads(line) for line in done.err.splitlines()]
+        self.assertEqual([e["event"] for e in events], ["start"] + ["frame"] * FRAMES + ["end"])
+        self.assertEqual([e["frame"] for e in events[1:-1]], list(range(FRAMES)))
+        self.assertEqual(events[-1]["status"], "ok")
+
+    def test_terminal_progress_leaves_a_clean_line(self):
+        done = self.good("render", "scene.json", "-o", "out/", "--progress", "tty", "-q")
+        self.assertTrue(done.err.endswith("\r\x1b[K"), repr(done.err))
+
+    @unittest.skipUnless(shutil.which("ffmpeg") and shutil.which("ffprobe"), "ffmpeg is not installed")
+    def test_video(self):
+        self.good("render", "scene.json", "-o", "a video.mp4")
+        probe = subprocess.run(["ffprobe", "-v", "error", "-count_frames", "-show_entries", "stream=nb_read_frames",
+                                "-of", "csv=p=0", "a video.mp4"], cwd=self.folder, capture_output=True, check=True)
+        self.assertEqual(int(probe.stdout), FRAMES)
+        self.good("render", "scene.json", "-o", "again.mp4")
+        self.assertEqual((self.folder / "a video.mp4").read_bytes(), (self.folder / "again.mp4").read_bytes())
+        self.bad(6, ["a video.mp4", "exists", "--overwrite"], "render", "scene.json", "-o", "a video.mp4")
+        self.good("render", "scene.json", "-o", "a video.mp4", "--skip-existing")
+        self.assertEqual([p.name for p in self.folder.glob("*part*")], [])
+
+
+class OddButRight(Case):
+    """What a nasty user may ask for, and get."""
+
+    def test_names(self):
+        scene = self.write("größe 图/scène ÿ.json", with_values({"title": "ein \"Titel\" 🏴\n"}))
+        self.good("render", scene, "-o", "mit Leerzeichen 布/", "--frames", "0")
+        self.assertEqual(self.assert_manifest_is_whole("mit Leerzeichen 布"), [0])
+        self.good("render", "scene.json", "-o", "-D####.png", "--frames=1")
+        self.assertTrue((self.folder / "-D0001.png").exists())
+
+    def test_smallest(self):
+        self.write("two.json", with_values({"objects.flag.cloth.size": [2, 2], "render.size": [1, 1],
+                                            "time.duration": 0}))
+        self.good("render", "two.json", "-o", "out/")
+        self.assertEqual(self.assert_manifest_is_whole("out"), [0])
+
+    def test_no_objects(self):
+        scene = with_values({})
+        scene["objects"] = {}
+        self.write("none.json", scene)
+        self.good("render", "none.json", "-o", "out/", "--frames", "0")
+
+    def test_slow_clock_and_late_start(self):
+        self.good("render", "scene.json", "-o", "a/", "--fps", "0.001", "-D", "objects.flag.cloth.substeps=1024",
+                  "-D", "objects.flag.cloth.stiffness=0", "-D", "objects.flag.cloth.gravity=[0,0,0]")
+        self.good("render", "scene.json", "-o", "b/", "-D", "time.start=10", "--frames", "0")
+
+    def test_overrides_of_list_items(self):
+        pins = [{"corners": ["top-left"]}, {"corners": ["top-right"]}]
+        self.write("pins.json", with_values({"objects.flag.cloth.pins": pins}))
+        self.good("render", "pins.json", "-o", "a/", "-D", "objects.flag.cloth.pins.1.corners=[\"bottom-left\"]",
+                  "-D", "render.size.0=32", "--frames", "0")
+        self.assertEqual(self.manifest("a")["width"], 32)
+        self.bad(2, ["pins.2", "list of 2 items"], "render", "pins.json", "-o", "b/",
+                 "-D", "objects.flag.cloth.pins.2.corners=[\"top-left\"]")
+
+    def test_frames_beyond_the_end(self):
+        self.good("render", "scene.json", "-o", "out/", "--frames", "20,3-5x2,3")
+        self.assertEqual(self.assert_manifest_is_whole("out"), [3, 5, 20])
+
+    def test_closed_standard_error(self):
+        """Nobody listens: the run goes on, and no message lands in a file that took over its descriptor."""
+        for closing in ("2>&-", ">&-", ">&- 2>&-", "<&-"):
+            script = f'exec "$0" render scene.json -o out/ --overwrite {closing}'
+            done = subprocess.run(["sh", "-c", script, self.program()], cwd=self.folder, timeout=60, check=False,
+                                  capture_output=True)
+            self.assertEqual(done.returncode, 0, closing)
+            self.assertEqual(self.assert_manifest_is_whole("out"), list(range(FRAMES)))
+        done = subprocess.run(["sh", "-c", 'exec "$0" render nothing.json -o out/ 2>&-', self.program()],
+                              cwd=self.folder, timeout=60, check=False, capture_output=True)
+        self.assertEqual(done.returncode, 2)
+
+    @staticmethod
+    def program():
+        from common import PROGRAM
+        return PROGRAM
+
+
+if __name__ == "__main__":
+    main()
