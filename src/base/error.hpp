@@ -39,14 +39,15 @@ template <class... Args>
 }  // namespace simreel
 
 /// Stops the program when an invariant of ours is broken, printing both values.
-#define SIMREEL_CHECK_EQ(a, b)                                                                \
-  do {                                                                                        \
-    const auto checkA = (a);                                                                  \
-    const auto checkB = (b);                                                                  \
-    if (!(checkA == checkB))                                                                  \
-      ::simreel::brokenInvariant(__FILE__, __LINE__, #a " == " #b, fmt::format("{} and {}", checkA, checkB)); \
+#define SIMREEL_CHECK_EQ(a, b)                                              \
+  do {                                                                      \
+    const auto checkA = (a);                                                \
+    const auto checkB = (b);                                                \
+    if (!(checkA == checkB))                                                \
+      ::simreel::brokenInvariant(__FILE__, __LINE__, #a " == " #b,          \
+                                 fmt::format("{} and {}", checkA, checkB)); \
   } while (false)
-#define SIMREEL_CHECK(condition)                                                              \
-  do {                                                                                        \
-    if (!(condition)) ::simreel::brokenInvariant(__FILE__, __LINE__, #condition, "false");    \
+#define SIMREEL_CHECK(condition)                                                           \
+  do {                                                                                     \
+    if (!(condition)) ::simreel::brokenInvariant(__FILE__, __LINE__, #condition, "false"); \
   } while (false)

@@ -1,14 +1,13 @@
 #include "base/file.hpp"
 
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
+#include "base/error.hpp"
 
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
-
-#include "base/error.hpp"
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 namespace simreel {
 

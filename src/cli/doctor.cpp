@@ -1,5 +1,3 @@
-#include <string>
-
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "base/version.hpp"
@@ -7,6 +5,8 @@
 #include "gl/context.hpp"
 #include "gl/limits.hpp"
 #include "sim/numerics.hpp"
+
+#include <string>
 
 #include <CLI/CLI.hpp>
 
@@ -44,29 +44,33 @@ void doctor(const std::string& device) {
   printDevices(gl::listDevices());
   // Throws with the advice what to install where nothing can run.
   const gl::Context context({.device = device, .debug = false, .memoryPath = ""});
-  fmt::print("Chosen: {}: {}, because {}\n", context.device().index, context.device().name, context.reason());
+  fmt::print("Chosen: {}: {}, because {}\n", context.device().index, context.device().name,
+             context.reason());
   fmt::print("Memory path: {}\n", gl::memoryPath() == gl::MemoryPath::texel
                                       ? "texel (software drivers load texels fastest)"
                                       : "storage (storage blocks and shared memory)");
   printLimits();
   const auto numerics = sim::probeNumerics();
-  fmt::print("Exact numerics: {}\n", numerics.exactHolds ? "hold, bit for bit" : "BROKEN: " + numerics.firstFailure);
+  fmt::print("Exact numerics: {}\n",
+             numerics.exactHolds ? "hold, bit for bit" : "BROKEN: " + numerics.firstFailure);
   fmt::print("Numerics fingerprint: {}\n", numerics.fingerprint);
   const unsigned reached = sim::probeLoop();
   if (reached == sim::loopProbeRounds)
     fmt::print("Long loops: run to the end ({} iterations)\n", reached);
   else
-    fmt::print("Long loops: end silently after {} of {} iterations; simreel splits its loops below that\n", reached,
-               sim::loopProbeRounds);
+    fmt::print("Long loops: end silently after {} of {} iterations; simreel splits its loops below that\n",
+               reached, sim::loopProbeRounds);
   if (!numerics.exactHolds)
-    fail(ExitCode::device, "this driver does not compute exactly ({}); use another one, or \"numerics\": \"fast\"",
+    fail(ExitCode::device,
+         "this driver does not compute exactly ({}); use another one, or \"numerics\": \"fast\"",
          numerics.firstFailure);
 }
 
 }  // namespace
 
 void addDoctor(CLI::App& app) {
-  auto* command = app.add_subcommand("doctor", "Show devices, drivers and limits, and what is wrong with them");
+  auto* command =
+      app.add_subcommand("doctor", "Show devices, drivers and limits, and what is wrong with them");
   auto device = std::make_shared<std::string>();
   command->add_option("--device", *device, "Index or part of a name");
   command->callback([device] { doctor(*device); });

@@ -1,14 +1,14 @@
 // Commands that only read: validate, schema, list.
-#include <cstdio>
-#include <memory>
-#include <string>
-#include <vector>
-
 #include "base/error.hpp"
 #include "base/log.hpp"
 #include "cli/commands.hpp"
 #include "cli/scene_options.hpp"
 #include "sim/list.hpp"
+
+#include <cstdio>
+#include <memory>
+#include <string>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 
@@ -30,7 +30,9 @@ void validate(const std::vector<std::string>& files, const std::vector<std::stri
       errorLine(error.what());
     }
   }
-  if (bad > 0) fail(ExitCode::usage, "{} of {} scene{} cannot be used", bad, files.size(), files.size() == 1 ? "" : "s");
+  if (bad > 0)
+    fail(ExitCode::usage, "{} of {} scene{} cannot be used", bad, files.size(),
+         files.size() == 1 ? "" : "s");
 }
 
 }  // namespace
@@ -42,7 +44,8 @@ void addValidate(CLI::App& app) {
   auto arguments = std::make_shared<Arguments>();
   auto* command = app.add_subcommand("validate", "Check scene files and report every mistake");
   command->add_option("scenes", arguments->files, "Scene files")->required();
-  command->add_option("-D", arguments->overrides, "Override any value: path=value, repeatable")->allow_extra_args(false);
+  command->add_option("-D", arguments->overrides, "Override any value: path=value, repeatable")
+      ->allow_extra_args(false);
   command->callback([arguments] { validate(arguments->files, arguments->overrides); });
 }
 
@@ -54,7 +57,8 @@ void addSchema(CLI::App& app) {
 
 void addList(CLI::App& app) {
   auto name = std::make_shared<std::string>();
-  auto* command = app.add_subcommand("list", "Print what a scene may hold, or every parameter of one thing");
+  auto* command =
+      app.add_subcommand("list", "Print what a scene may hold, or every parameter of one thing");
   command->add_option("name", *name, "A simulation or section, for example cloth");
   command->callback([name] {
     fmt::print("{}", name->empty() ? scene::listText(sim::kinds()) : scene::helpText(*name, sim::kinds()));

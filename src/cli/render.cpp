@@ -1,7 +1,3 @@
-#include <memory>
-#include <optional>
-#include <string>
-
 #include "base/error.hpp"
 #include "base/log.hpp"
 #include "cli/commands.hpp"
@@ -13,6 +9,10 @@
 #include "frame/sequence.hpp"
 #include "gl/context.hpp"
 #include "sim/numerics.hpp"
+
+#include <memory>
+#include <optional>
+#include <string>
 
 #include <CLI/CLI.hpp>
 
@@ -37,8 +37,8 @@ struct RenderOptions {
 frame::Existing existingPolicy(const RenderOptions& o) {
   if (int{o.overwrite} + int{o.resume} + int{o.skipExisting} > 1)
     fail(ExitCode::usage, "--overwrite, --resume and --skip-existing exclude each other");
-  return o.overwrite ? frame::Existing::overwrite
-         : o.resume  ? frame::Existing::resume
+  return o.overwrite      ? frame::Existing::overwrite
+         : o.resume       ? frame::Existing::resume
          : o.skipExisting ? frame::Existing::skip
                           : frame::Existing::error;
 }
@@ -61,7 +61,8 @@ void render(const RenderOptions& o) {
   const gl::Context context({.device = o.device, .debug = o.debug, .memoryPath = o.memoryPath});
   const auto numerics = sim::probeNumerics();
   if (scene.numerics == scene::Numerics::exact && !numerics.exactHolds)
-    fail(ExitCode::device, "this driver does not compute exactly ({}); use another device, or \"numerics\": \"fast\"",
+    fail(ExitCode::device,
+         "this driver does not compute exactly ({}); use another device, or \"numerics\": \"fast\"",
          numerics.firstFailure);
   const frame::RunInfo run{
       .title = scene.title,
@@ -89,15 +90,20 @@ void addRender(CLI::App& app) {
   auto o = std::make_shared<RenderOptions>();
   auto* command = app.add_subcommand("render", "Render a scene to pictures or a video");
   o->scene.add(*command);
-  command->add_option("-o,--output", o->output, "Folder, pattern (out/flag_####.png), picture, video file, or -")
+  command
+      ->add_option("-o,--output", o->output,
+                   "Folder, pattern (out/flag_####.png), picture, video file, or -")
       ->required();
   command->add_option("--frames", o->frames, "Frames to write, for example 0-99x2,150; all are simulated");
   command->add_option("--device", o->device, "Index or part of a name (see `simreel doctor`)");
-  command->add_option("--memory-path", o->memoryPath, "How kernels read: storage or texel (default: by driver)");
+  command->add_option("--memory-path", o->memoryPath,
+                      "How kernels read: storage or texel (default: by driver)");
   command->add_option("--progress", o->progress, "auto, tty, ndjson or none");
-  command->add_option("--stream-format", o->streamFormat, "Of -o -: rgba or y4m")->check(CLI::IsMember({"rgba", "y4m"}));
+  command->add_option("--stream-format", o->streamFormat, "Of -o -: rgba or y4m")
+      ->check(CLI::IsMember({"rgba", "y4m"}));
   command->add_flag("--overwrite", o->overwrite, "Replace frames that exist");
-  command->add_flag("--resume", o->resume, "Keep the frames that the manifest and their hashes say are whole");
+  command->add_flag("--resume", o->resume,
+                    "Keep the frames that the manifest and their hashes say are whole");
   command->add_flag("--skip-existing", o->skipExisting, "Keep every frame whose file exists");
   command->add_flag("--debug", o->debug, "Ask the driver for debug messages; serious ones are errors");
   command->callback([o] { render(*o); });

@@ -1,16 +1,15 @@
-#include <fcntl.h>
-
-#include <cstdio>
-#include <exception>
-#include <iostream>
-#include <string>
-#include <vector>
-
 #include "base/error.hpp"
 #include "base/log.hpp"
 #include "base/version.hpp"
 #include "cli/commands.hpp"
-#include "scene/diagnostics.hpp"
+#include "scene/words.hpp"
+
+#include <cstdio>
+#include <exception>
+#include <fcntl.h>
+#include <iostream>
+#include <string>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 
@@ -25,8 +24,8 @@ int print(const std::string& message, ExitCode code) {
   return static_cast<int>(code);
 }
 
-/// A descriptor 0 to 2 that the caller closed would be given to the next file opened, and messages would land in it.
-/// Reading is all that /dev/null allows here, so writing fails as it would on the closed one.
+/// A descriptor 0 to 2 that the caller closed would be given to the next file opened, and messages would
+/// land in it. Reading is all that /dev/null allows here, so writing fails as it would on the closed one.
 void holdStandardDescriptors() {
   for (int descriptor = 0; descriptor <= 2; ++descriptor)
     if (::fcntl(descriptor, F_GETFD) < 0) (void)::open("/dev/null", O_RDONLY);
@@ -42,11 +41,13 @@ int flushed(int code) {
 
 std::string explain(const CLI::App& app, const CLI::ParseError& error) {
   const auto unknown = app.remaining(true);
-  if (!app.get_subcommands().empty() || unknown.empty() || unknown.front().starts_with('-')) return error.what();
+  if (!app.get_subcommands().empty() || unknown.empty() || unknown.front().starts_with('-'))
+    return error.what();
   std::vector<std::string> names;
   for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
     names.push_back(command->get_name());
-  return fmt::format("unknown command \"{}\"; {}", unknown.front(), scene::suggestion(unknown.front(), names));
+  return fmt::format("unknown command \"{}\"; {}", unknown.front(),
+                     scene::suggestion(unknown.front(), names));
 }
 
 }  // namespace
@@ -61,8 +62,10 @@ int run(int argc, char** argv) {
   app.set_version_flag("--version", std::string("simreel ") + version());
   app.require_subcommand(1);
   app.fallthrough();
-  app.add_flag_callback("-q,--quiet", [] { setVerbosity(Verbosity::quiet); }, "Say nothing but errors");
-  app.add_flag_callback("-v,--verbose", [] { setVerbosity(Verbosity::verbose); }, "Say more");
+  app.add_flag_callback(
+      "-q,--quiet", [] { setVerbosity(Verbosity::quiet); }, "Say nothing but errors");
+  app.add_flag_callback(
+      "-v,--verbose", [] { setVerbosity(Verbosity::verbose); }, "Say more");
   addRender(app);
   addValidate(app);
   addSchema(app);

@@ -1,9 +1,9 @@
 #include "cli/scene_options.hpp"
 
-#include <charconv>
-
 #include "base/error.hpp"
 #include "sim/list.hpp"
+
+#include <charconv>
 
 #include <CLI/CLI.hpp>
 

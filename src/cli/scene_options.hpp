@@ -1,9 +1,9 @@
 #pragma once
+#include "scene/scene.hpp"
+
 #include <optional>
 #include <string>
 #include <vector>
-
-#include "scene/scene.hpp"
 
 namespace CLI {
 class App;
@@ -20,8 +20,8 @@ struct SceneOptions {
   std::optional<double> fps;
   std::optional<int> samples;
   void add(CLI::App& command);
-  /// Reads the scene with all of them applied. --size, --fps, --samples and --seed are shorthands of -D, so the
-  /// scene's hash tells them apart.
+  /// Reads the scene with all of them applied. --size, --fps, --samples and --seed are shorthands of -D, so
+  /// the scene's hash tells them apart.
   [[nodiscard]] scene::Scene load() const;
 };
 

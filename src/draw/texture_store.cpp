@@ -32,11 +32,10 @@ gl::Texture readPicture(const std::filesystem::path& file) {
     fail(ExitCode::device, "the texture {} is {}x{}, this device allows up to {}x{} (GL_MAX_TEXTURE_SIZE)",
          file.string(), width, height, most, most);
   const std::unique_ptr<stbi_uc, decltype(&stbi_image_free)> texels(
-      stbi_load_from_memory(data, size, &width, &height, &channels, 4),
-      &stbi_image_free);
+      stbi_load_from_memory(data, size, &width, &height, &channels, 4), &stbi_image_free);
   if (!texels)
-    fail(ExitCode::inputOutput, "the texture {} is not a picture this program reads ({}); use PNG or JPEG", file.string(),
-         stbi_failure_reason());
+    fail(ExitCode::inputOutput, "the texture {} is not a picture this program reads ({}); use PNG or JPEG",
+         file.string(), stbi_failure_reason());
   gl::Texture texture = gl::Texture::image("texture " + file.string(), GL_SRGB8_ALPHA8, width, height, 0);
   glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
   glTextureSubImage2D(texture.name(), 0, 0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, texels.get());

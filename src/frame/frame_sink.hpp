@@ -1,10 +1,10 @@
 #pragma once
+#include "frame/image.hpp"
+
 #include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
-
-#include "frame/image.hpp"
 
 namespace simreel::frame {
 
@@ -51,7 +51,8 @@ class FrameSink {
 
 /// Makes the sink that `output` asks for. `frameCount` tells whether a plain name.png may be used.
 /// Throws UserError: usage for a senseless name, inputOutput where nothing can be written or files exist.
-[[nodiscard]] std::unique_ptr<FrameSink> openSink(const std::string& output, Existing existing, const RunInfo& run,
-                                                  std::span<const int> frames, const std::string& streamFormat);
+[[nodiscard]] std::unique_ptr<FrameSink> openSink(const std::string& output, Existing existing,
+                                                  const RunInfo& run, std::span<const int> frames,
+                                                  const std::string& streamFormat);
 
 }  // namespace simreel::frame

@@ -23,7 +23,8 @@ T get(const Json& object, const char* key) {
   const auto found = object.find(key);
   if (found == object.end()) throw std::runtime_error(fmt::format("\"{}\" is missing", key));
   // A number such as 1e99 has no int; the library would convert it all the same.
-  if (std::is_same_v<T, int> && (!found->is_number_integer() || found->get<std::int64_t>() != found->get<int>()))
+  if (std::is_same_v<T, int> &&
+      (!found->is_number_integer() || found->get<std::int64_t>() != found->get<int>()))
     throw std::runtime_error(fmt::format("\"{}\" is no whole number", key));
   try {
     return found->get<T>();

@@ -1,15 +1,15 @@
 #include "frame/sequence.hpp"
 
-#include <chrono>
-#include <deque>
-#include <exception>
-#include <utility>
-
 #include "base/error.hpp"
 #include "draw/readback.hpp"
 #include "draw/renderer.hpp"
 #include "frame/interrupt.hpp"
 #include "sim/world.hpp"
+
+#include <chrono>
+#include <deque>
+#include <exception>
+#include <utility>
 
 namespace simreel::frame {
 
@@ -113,9 +113,11 @@ class Pipeline {
     waiting_.pop_front();
     if (oldest.drawn) {
       store(oldest.frame, std::move(hash));
-    } else if (const auto known = sink_.knownStateHash(oldest.frame); known && !known->empty() && *known != hash) {
+    } else if (const auto known = sink_.knownStateHash(oldest.frame);
+               known && !known->empty() && *known != hash) {
       fail(ExitCode::different,
-           "frame {} is kept from an earlier run, but its state was {} and is {} now; render anew with --overwrite",
+           "frame {} is kept from an earlier run, but its state was {} and is {} now; render anew with "
+           "--overwrite",
            oldest.frame, *known, hash);
     }
     ++delivered_;
@@ -158,8 +160,8 @@ class Pipeline {
 
 }  // namespace
 
-SequenceResult renderSequence(const scene::Scene& scene, const gl::Context& context, const std::vector<int>& frames,
-                              FrameSink& sink, Progress& progress) {
+SequenceResult renderSequence(const scene::Scene& scene, const gl::Context& context,
+                              const std::vector<int>& frames, FrameSink& sink, Progress& progress) {
   const auto begin = Clock::now();
   SequenceResult result;
   std::exception_ptr failure;

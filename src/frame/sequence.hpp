@@ -1,27 +1,28 @@
 #pragma once
-#include <optional>
-#include <vector>
-
 #include "frame/frame_sink.hpp"
 #include "frame/progress.hpp"
 #include "gl/context.hpp"
 #include "scene/scene.hpp"
 
+#include <optional>
+#include <vector>
+
 namespace simreel::frame {
 
 /// How a sequence ended.
 struct SequenceResult {
-  int frames = 0;        ///< delivered or found whole
-  int signal = 0;        ///< that interrupted it, or 0
-  double seconds = 0;    ///< wall clock
-  StageTimes stages;     ///< on the main thread; encode is over all threads
+  int frames = 0;      ///< delivered or found whole
+  int signal = 0;      ///< that interrupted it, or 0
+  double seconds = 0;  ///< wall clock
+  StageTimes stages;   ///< on the main thread; encode is over all threads
 };
 
-/// Simulates the scene from its start, draws the wanted frames and hands them to the sink, which is finished in
-/// every case. Frames that the sink does not want are simulated all the same. Throws UserError: device when the state is
-/// lost (frames before that are stored), inputOutput from the sink, and different when a frame kept from an earlier
-/// run has another state hash now.
+/// Simulates the scene from its start, draws the wanted frames and hands them to the sink, which is
+/// finished in every case. Frames that the sink does not want are simulated all the same. Throws UserError:
+/// device when the state is lost (frames before that are stored), inputOutput from the sink, and different
+/// when a frame kept from an earlier run has another state hash now.
 [[nodiscard]] SequenceResult renderSequence(const scene::Scene& scene, const gl::Context& context,
-                                            const std::vector<int>& frames, FrameSink& sink, Progress& progress);
+                                            const std::vector<int>& frames, FrameSink& sink,
+                                            Progress& progress);
 
 }  // namespace simreel::frame

@@ -235,7 +235,8 @@ class SequenceSink final : public FrameSink {
     }
   }
 
-  /// On a full disk the last frames of this run make room for the manifest: without it --resume trusts no frame.
+  /// On a full disk the last frames of this run make room for the manifest: without it --resume trusts no
+  /// frame.
   void makeRoomForManifest() {
     for (; !written_.empty(); written_.pop_back()) {
       std::error_code error;

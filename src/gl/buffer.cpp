@@ -1,10 +1,10 @@
 #include "gl/buffer.hpp"
 
-#include <algorithm>
-#include <vector>
-
 #include "base/error.hpp"
 #include "gl/limits.hpp"
+
+#include <algorithm>
+#include <vector>
 
 namespace simreel::gl {
 
@@ -18,8 +18,8 @@ GLuint createBuffer() {
 
 }  // namespace
 
-// Zeros come as data, not through glClearNamedBufferData: with NVIDIA's driver 580 a clear overtakes a large
-// glNamedBufferSubData issued after it.
+// Zeros come as data, not through glClearNamedBufferData: with NVIDIA's driver 580 a clear overtakes a
+// large glNamedBufferSubData issued after it.
 Buffer::Buffer(const std::string& label, std::size_t bytes)
     : Buffer(label, bytes, std::vector<std::byte>(std::max<std::size_t>(bytes, 1)).data()) {}
 
@@ -28,25 +28,30 @@ Buffer::Buffer(const std::string& label, std::size_t bytes, const void* items)
   const auto most = static_cast<std::size_t>(limits().storageBlockBytes);
   if (bytes > most)
     fail(ExitCode::device,
-         "{} needs {} bytes, this device allows {} in one buffer (GL_MAX_SHADER_STORAGE_BLOCK_SIZE); make it smaller",
+         "{} needs {} bytes, this device allows {} in one buffer (GL_MAX_SHADER_STORAGE_BLOCK_SIZE); make "
+         "it smaller",
          label, bytes, most);
-  while (glGetError() != GL_NO_ERROR) {}
+  while (glGetError() != GL_NO_ERROR) {
+  }
   glNamedBufferStorage(name(), static_cast<GLsizeiptr>(std::max<std::size_t>(bytes, 1)),
                        bytes == 0 ? nullptr : items, GL_DYNAMIC_STORAGE_BIT);
   if (glGetError() == GL_OUT_OF_MEMORY)
-    fail(ExitCode::device, "the device has no memory left for {} ({} bytes); make it smaller", label, bytes);
+    fail(ExitCode::device, "the device has no memory left for {} ({} bytes); make it smaller", label,
+         bytes);
   glObjectLabel(GL_BUFFER, name(), -1, label.c_str());
 }
 
 void Buffer::write(std::size_t offset, std::span<const std::byte> bytes) {
   SIMREEL_CHECK(offset + bytes.size() <= bytes_);
-  glNamedBufferSubData(name(), static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(bytes.size()), bytes.data());
+  glNamedBufferSubData(name(), static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(bytes.size()),
+                       bytes.data());
 }
 
 void Buffer::read(std::size_t offset, std::span<std::byte> bytes) const {
   SIMREEL_CHECK(offset + bytes.size() <= bytes_);
   glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
-  glGetNamedBufferSubData(name(), static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(bytes.size()), bytes.data());
+  glGetNamedBufferSubData(name(), static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(bytes.size()),
+                          bytes.data());
 }
 
 }  // namespace simreel::gl

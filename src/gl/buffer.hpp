@@ -1,11 +1,11 @@
 #pragma once
+#include "gl/handle.hpp"
+
 #include <cstddef>
 #include <span>
 #include <string>
 #include <type_traits>
 #include <vector>
-
-#include "gl/handle.hpp"
 
 namespace simreel::gl {
 

@@ -1,15 +1,15 @@
 #include "gl/context.hpp"
 
+#include "base/error.hpp"
+#include "base/log.hpp"
+#include "gl/limits.hpp"
+
 #include <algorithm>
 #include <cctype>
 #include <cstring>
 #include <optional>
 #include <string_view>
 #include <utility>
-
-#include "base/error.hpp"
-#include "base/log.hpp"
-#include "gl/limits.hpp"
 
 #include <epoxy/egl.h>
 #include <epoxy/gl.h>
@@ -78,20 +78,21 @@ Display::Display(EGLDeviceEXT device, bool debug) {
     fail(ExitCode::device, "its driver does not start (EGL error {:#x})", eglGetError());
   }
   const char* extensions = eglQueryString(display_, EGL_EXTENSIONS);
-  if (!hasExtension(extensions, "EGL_KHR_surfaceless_context") ||
-      eglBindAPI(EGL_OPENGL_API) == EGL_FALSE) {
+  if (!hasExtension(extensions, "EGL_KHR_surfaceless_context") || eglBindAPI(EGL_OPENGL_API) == EGL_FALSE) {
     release();
     fail(ExitCode::device, "its driver has no surfaceless OpenGL contexts");
   }
   EGLConfig config = EGL_NO_CONFIG_KHR;
   if (!hasExtension(extensions, "EGL_KHR_no_config_context")) {
-    const EGLint wanted[] = {EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_SURFACE_TYPE, EGL_DONT_CARE, EGL_NONE};
+    const EGLint wanted[] = {EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_SURFACE_TYPE, EGL_DONT_CARE,
+                             EGL_NONE};
     EGLint count = 0;
     eglChooseConfig(display_, wanted, &config, 1, &count);
   }
   // Robust access first: an index beyond a buffer then reads zero on every driver.
   for (const bool robust : {true, false}) {
-    std::vector<EGLint> attributes = {EGL_CONTEXT_MAJOR_VERSION, 4, EGL_CONTEXT_MINOR_VERSION, 5,
+    std::vector<EGLint> attributes = {EGL_CONTEXT_MAJOR_VERSION,       4,
+                                      EGL_CONTEXT_MINOR_VERSION,       5,
                                       EGL_CONTEXT_OPENGL_PROFILE_MASK, EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT};
     if (debug) attributes.insert(attributes.end(), {EGL_CONTEXT_OPENGL_DEBUG, EGL_TRUE});
     if (robust) attributes.insert(attributes.end(), {EGL_CONTEXT_OPENGL_ROBUST_ACCESS, EGL_TRUE});
@@ -109,7 +110,8 @@ Display::Display(EGLDeviceEXT device, bool debug) {
 /// Devices of the system; one EGL_NO_DEVICE_EXT where the driver cannot enumerate.
 std::vector<EGLDeviceEXT> enumerate() {
   const char* client = eglQueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS);
-  if (!hasExtension(client, "EGL_EXT_platform_device") && !hasExtension(client, "EGL_EXT_platform_base")) return {};
+  if (!hasExtension(client, "EGL_EXT_platform_device") && !hasExtension(client, "EGL_EXT_platform_base"))
+    return {};
   if (!hasExtension(client, "EGL_EXT_device_enumeration") && !hasExtension(client, "EGL_EXT_device_base"))
     return {EGL_NO_DEVICE_EXT};
   EGLint count = 0;
@@ -142,8 +144,9 @@ DeviceInfo firstLook(EGLDeviceEXT device, int index) {
   }
   const char* extensions = eglQueryDeviceStringEXT(device, EGL_EXTENSIONS);
   info.software = hasExtension(extensions, "EGL_MESA_device_software");
-  const char* file =
-      hasExtension(extensions, "EGL_EXT_device_drm") ? eglQueryDeviceStringEXT(device, EGL_DRM_DEVICE_FILE_EXT) : nullptr;
+  const char* file = hasExtension(extensions, "EGL_EXT_device_drm")
+                         ? eglQueryDeviceStringEXT(device, EGL_DRM_DEVICE_FILE_EXT)
+                         : nullptr;
   info.name = info.software ? "software" : (file != nullptr ? file : "device");
   return info;
 }
@@ -169,7 +172,8 @@ Limits readLimits() {
 }
 
 constexpr const char* advice =
-    "install a driver (Debian/Ubuntu: apt install libegl1 libegl-mesa0 libgl1-mesa-dri) and see `simreel doctor`";
+    "install a driver (Debian/Ubuntu: apt install libegl1 libegl-mesa0 libgl1-mesa-dri) and see `simreel "
+    "doctor`";
 
 }  // namespace
 
@@ -202,10 +206,11 @@ struct Context::State {
   std::string reason;
   std::string message;  ///< first high-severity debug message not yet reported
 
-  static void GLAPIENTRY receive(GLenum /*source*/, GLenum /*type*/, GLuint /*id*/, GLenum severity, GLsizei length,
-                                 const GLchar* text, const void* user) {
+  static void GLAPIENTRY receive(GLenum /*source*/, GLenum /*type*/, GLuint /*id*/, GLenum severity,
+                                 GLsizei length, const GLchar* text, const void* user) {
     auto* state = static_cast<State*>(const_cast<void*>(user));
-    const std::string line = length < 0 ? std::string(text) : std::string(text, static_cast<std::size_t>(length));
+    const std::string line =
+        length < 0 ? std::string(text) : std::string(text, static_cast<std::size_t>(length));
     if (severity == GL_DEBUG_SEVERITY_HIGH && state->message.empty()) state->message = line;
     if (severity == GL_DEBUG_SEVERITY_HIGH || severity == GL_DEBUG_SEVERITY_MEDIUM) detail("GL: {}", line);
   }
@@ -244,7 +249,8 @@ void Context::State::choose(const ContextOptions& options) {
     if (byIndex && std::to_string(index) != options.device) continue;
     if (!tryDevice(devices[static_cast<std::size_t>(index)], index, options.debug, problems)) continue;
     seen += (seen.empty() ? "" : ", ") + fmt::format("{}: {}", index, device.name);
-    if (!byIndex && lower(device.name + " " + device.vendor).find(lower(options.device)) == std::string::npos) {
+    if (!byIndex &&
+        lower(device.name + " " + device.vendor).find(lower(options.device)) == std::string::npos) {
       display.reset();
       continue;
     }
@@ -272,8 +278,8 @@ Context::Context(const ContextOptions& options) : state_(std::make_unique<State>
     glEnable(GL_DEBUG_OUTPUT_SYNCHRONOUS);
     glDebugMessageCallback(State::receive, state_.get());
   }
-  detail("device {}: {} ({}), {}; memory path {}", state_->device.index, state_->device.name, state_->device.version,
-         state_->reason, texel ? "texel" : "storage");
+  detail("device {}: {} ({}), {}; memory path {}", state_->device.index, state_->device.name,
+         state_->device.version, state_->reason, texel ? "texel" : "storage");
 }
 
 Context::~Context() = default;

@@ -53,7 +53,8 @@ Program Program::compute(const std::string& path, const Defines& defines) {
   return program;
 }
 
-Program Program::graphics(const std::string& vertexPath, const std::string& fragmentPath, const Defines& defines) {
+Program Program::graphics(const std::string& vertexPath, const std::string& fragmentPath,
+                          const Defines& defines) {
   Program program;
   program.handle_ = Handle<DeleteProgram>(glCreateProgram());
   const auto vertex = compile(GL_VERTEX_SHADER, vertexPath, defines);
@@ -71,8 +72,9 @@ void Program::dispatch(int x, int y) const {
   const GLint groupsX = (x - 1) / groupSize_[0] + 1;
   const GLint groupsY = (y - 1) / groupSize_[1] + 1;
   if (groupsX > limits().groupsX || groupsY > limits().groupsX)
-    fail(ExitCode::device, "{} needs {}x{} work groups, this device allows {} (GL_MAX_COMPUTE_WORK_GROUP_COUNT)",
-         label_, groupsX, groupsY, limits().groupsX);
+    fail(ExitCode::device,
+         "{} needs {}x{} work groups, this device allows {} (GL_MAX_COMPUTE_WORK_GROUP_COUNT)", label_,
+         groupsX, groupsY, limits().groupsX);
   use();
   glDispatchCompute(static_cast<GLuint>(groupsX), static_cast<GLuint>(groupsY), 1);
 }

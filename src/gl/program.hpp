@@ -1,4 +1,7 @@
 #pragma once
+#include "gl/handle.hpp"
+#include "gl/shader_source.hpp"
+
 #include <map>
 #include <string>
 
@@ -6,9 +9,6 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
-
-#include "gl/handle.hpp"
-#include "gl/shader_source.hpp"
 
 namespace simreel::gl {
 
@@ -18,7 +18,8 @@ class Program {
  public:
   Program() = default;
   static Program compute(const std::string& path, const Defines& defines = {});
-  static Program graphics(const std::string& vertexPath, const std::string& fragmentPath, const Defines& defines = {});
+  static Program graphics(const std::string& vertexPath, const std::string& fragmentPath,
+                          const Defines& defines = {});
 
   void use() const { glUseProgram(name()); }
   /// Runs at least `items` (or x by y) invocations; shaders guard the rest. At most

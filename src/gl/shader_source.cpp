@@ -1,13 +1,13 @@
 #include "gl/shader_source.hpp"
 
+#include "base/error.hpp"
+#include "base/file.hpp"
+
 #include <algorithm>
 #include <cctype>
 #include <cstdlib>
 #include <filesystem>
 #include <sstream>
-
-#include "base/error.hpp"
-#include "base/file.hpp"
 
 namespace simreel::gl {
 
@@ -24,7 +24,8 @@ std::filesystem::path shaderFolder() {
 std::string shaderText(const std::string& path, const std::string& asker) {
   const auto folder = shaderFolder();
   std::error_code error;
-  if (!folder.empty() && std::filesystem::exists(folder / path, error)) return readFile(folder / path, "shader");
+  if (!folder.empty() && std::filesystem::exists(folder / path, error))
+    return readFile(folder / path, "shader");
   for (const EmbeddedShader& shader : embeddedShaders())
     if (folder.empty() && path == shader.path) return shader.text;
   fail(ExitCode::device, "{} asks for the shader file {}, which does not exist", asker, path);
@@ -67,7 +68,8 @@ std::string ShaderSource::explain(std::string_view log) const {
       while (end < line.size() && std::isdigit(static_cast<unsigned char>(line[end])) != 0) ++end;
       if (file < files.size() && end > digits + 1) {
         const auto rest = line[digits] == '(' && end < line.size() ? end + 1 : end;
-        line = fmt::format("glsl/{}:{}{}", files[file], line.substr(digits + 1, end - digits - 1), line.substr(rest));
+        line = fmt::format("glsl/{}:{}{}", files[file], line.substr(digits + 1, end - digits - 1),
+                           line.substr(rest));
       }
     }
     result += line + '\n';

@@ -22,7 +22,8 @@ struct ShaderSource {
   std::string text;
   std::vector<std::string> files;  ///< by source-string number, as #line uses them
 
-  /// Replaces the source-string numbers in a driver's log ("1:20(5): error", "1(20) : error") by file names.
+  /// Replaces the source-string numbers in a driver's log ("1:20(5): error", "1(20) : error") by file
+  /// names.
   [[nodiscard]] std::string explain(std::string_view log) const;
 };
 

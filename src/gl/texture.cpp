@@ -1,10 +1,10 @@
 #include "gl/texture.hpp"
 
-#include <algorithm>
-#include <bit>
-
 #include "base/error.hpp"
 #include "gl/limits.hpp"
+
+#include <algorithm>
+#include <bit>
 
 namespace simreel::gl {
 
@@ -20,8 +20,8 @@ GLuint createTexture(GLenum target, const std::string& label) {
 void checkSize(const std::string& label, int width, int height) {
   const int most = limits().textureSize;
   if (width > most || height > most)
-    fail(ExitCode::device, "{} is {}x{}, this device allows textures up to {}x{} (GL_MAX_TEXTURE_SIZE)", label, width,
-         height, most, most);
+    fail(ExitCode::device, "{} is {}x{}, this device allows textures up to {}x{} (GL_MAX_TEXTURE_SIZE)",
+         label, width, height, most, most);
 }
 
 }  // namespace
@@ -35,7 +35,8 @@ Texture Texture::image(const std::string& label, GLenum format, int width, int h
   texture.height_ = height;
   const int all = std::bit_width(static_cast<unsigned>(std::max(width, height)));
   glTextureStorage2D(texture.name(), levels == 0 ? all : levels, format, width, height);
-  glTextureParameteri(texture.name(), GL_TEXTURE_MIN_FILTER, levels == 1 ? GL_LINEAR : GL_LINEAR_MIPMAP_LINEAR);
+  glTextureParameteri(texture.name(), GL_TEXTURE_MIN_FILTER,
+                      levels == 1 ? GL_LINEAR : GL_LINEAR_MIPMAP_LINEAR);
   glTextureParameteri(texture.name(), GL_TEXTURE_MAG_FILTER, GL_LINEAR);
   return texture;
 }
@@ -51,11 +52,13 @@ Texture Texture::multisampled(const std::string& label, GLenum format, int width
   return texture;
 }
 
-Texture Texture::view(const std::string& label, GLenum format, const Buffer& buffer, std::size_t texelBytes) {
+Texture Texture::view(const std::string& label, GLenum format, const Buffer& buffer,
+                      std::size_t texelBytes) {
   const auto most = static_cast<std::size_t>(limits().texelBufferTexels);
   if (buffer.bytes() / texelBytes > most)
-    fail(ExitCode::device, "{} has {} elements, this device allows {} in a texel view (GL_MAX_TEXTURE_BUFFER_SIZE)",
-         label, buffer.bytes() / texelBytes, most);
+    fail(ExitCode::device,
+         "{} has {} elements, this device allows {} in a texel view (GL_MAX_TEXTURE_BUFFER_SIZE)", label,
+         buffer.bytes() / texelBytes, most);
   Texture texture;
   texture.handle_ = Handle<DeleteTexture>(createTexture(GL_TEXTURE_BUFFER, label));
   texture.format_ = format;
@@ -81,8 +84,8 @@ Framebuffer::Framebuffer(const std::string& label, const Texture* color, const T
   if (depth != nullptr) glNamedFramebufferTexture(name(), GL_DEPTH_ATTACHMENT, depth->name(), 0);
   const GLenum status = glCheckNamedFramebufferStatus(name(), GL_FRAMEBUFFER);
   if (status != GL_FRAMEBUFFER_COMPLETE)
-    fail(ExitCode::device, "the driver refuses the render target {} ({}x{}, status {:#x})", label, width_, height_,
-         status);
+    fail(ExitCode::device, "the driver refuses the render target {} ({}x{}, status {:#x})", label, width_,
+         height_, status);
 }
 
 void Framebuffer::bind() const {

@@ -1,9 +1,9 @@
 #pragma once
-#include <cstddef>
-#include <string>
-
 #include "gl/buffer.hpp"
 #include "gl/handle.hpp"
+
+#include <cstddef>
+#include <string>
 
 namespace simreel::gl {
 
@@ -16,7 +16,8 @@ class Texture {
   static Texture multisampled(const std::string& label, GLenum format, int width, int height, int samples);
   /// The same memory seen through samplerBuffer / imageBuffer; `format` for example GL_RGBA32F. The
   /// Buffer must outlive the view. Throws UserError(device) beyond GL_MAX_TEXTURE_BUFFER_SIZE.
-  static Texture view(const std::string& label, GLenum format, const Buffer& buffer, std::size_t texelBytes = 16);
+  static Texture view(const std::string& label, GLenum format, const Buffer& buffer,
+                      std::size_t texelBytes = 16);
 
   void bind(GLuint unit) const { glBindTextureUnit(unit, name()); }
   void bindImage(GLuint unit, GLenum access) const {

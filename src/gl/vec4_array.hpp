@@ -1,13 +1,13 @@
 #pragma once
-#include <span>
-#include <string>
-
-#include <glm/vec4.hpp>
-
 #include "gl/buffer.hpp"
 #include "gl/context.hpp"
 #include "gl/shader_source.hpp"
 #include "gl/texture.hpp"
+
+#include <span>
+#include <string>
+
+#include <glm/vec4.hpp>
 
 namespace simreel::gl {
 
@@ -44,8 +44,8 @@ class Vec4Array {
 
 /// Makes writes of the last dispatch visible to the next one and to drawing.
 inline void barrier() {
-  glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT |
-                  GL_UNIFORM_BARRIER_BIT);
+  glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT |
+                  GL_TEXTURE_FETCH_BARRIER_BIT | GL_UNIFORM_BARRIER_BIT);
 }
 
 /// Defines that select the memory path, and built-in arithmetic when `fast`.

@@ -1,9 +1,9 @@
 #include "golden/compare.hpp"
 
+#include "base/error.hpp"
+
 #include <algorithm>
 #include <cstdlib>
-
-#include "base/error.hpp"
 
 namespace simreel::golden {
 
@@ -13,7 +13,8 @@ Comparison compareImages(const frame::Image& a, const frame::Image& b, const Tol
   Comparison result;
   for (std::size_t pixel = 0; pixel < a.bytes.size(); pixel += 4) {
     int apart = 0;
-    for (std::size_t c = 0; c < 3; ++c) apart = std::max(apart, std::abs(int{a.bytes[pixel + c]} - b.bytes[pixel + c]));
+    for (std::size_t c = 0; c < 3; ++c)
+      apart = std::max(apart, std::abs(int{a.bytes[pixel + c]} - b.bytes[pixel + c]));
     result.mostDifferent = std::max(result.mostDifferent, apart);
     result.differentPixels += apart > 0 ? 1 : 0;
     result.pixelsBeyond += apart > tolerance.channel ? 1 : 0;

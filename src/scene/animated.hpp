@@ -29,7 +29,8 @@ class Animated {
   /// every machine computes the same bits.
   [[nodiscard]] T at(double seconds) const {
     if (keys_.empty()) return T{};
-    const auto next = std::find_if(keys_.begin(), keys_.end(), [&](const Key& k) { return k.time > seconds; });
+    const auto next =
+        std::find_if(keys_.begin(), keys_.end(), [&](const Key& k) { return k.time > seconds; });
     if (next == keys_.begin()) return next->value;
     if (next == keys_.end()) return keys_.back().value;
     const Key& from = *(next - 1);

@@ -1,4 +1,6 @@
 #pragma once
+#include "scene/animated.hpp"
+
 #include <cstddef>
 #include <filesystem>
 #include <functional>
@@ -10,8 +12,6 @@
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
-
-#include "scene/animated.hpp"
 
 namespace simreel::scene {
 
@@ -35,22 +35,27 @@ class Fields {
   virtual void integer(const char* name, int& value, Range range, const char* unit, const char* doc) = 0;
   virtual void number(const char* name, float& value, Range range, const char* unit, const char* doc) = 0;
   virtual void number(const char* name, double& value, Range range, const char* unit, const char* doc) = 0;
-  virtual void number(const char* name, Animated<float>& value, Range range, const char* unit, const char* doc) = 0;
+  virtual void number(const char* name, Animated<float>& value, Range range, const char* unit,
+                      const char* doc) = 0;
   /// Three numbers; the range holds for each.
-  virtual void vector(const char* name, glm::vec3& value, Range range, const char* unit, const char* doc) = 0;
+  virtual void vector(const char* name, glm::vec3& value, Range range, const char* unit,
+                      const char* doc) = 0;
   virtual void vector(const char* name, Animated<glm::vec3>& value, Range range, const char* unit,
                       const char* doc) = 0;
   /// Two integers, for example a grid's [width, height]; the range holds for each.
-  virtual void pair(const char* name, glm::ivec2& value, Range range, const char* unit, const char* doc) = 0;
+  virtual void pair(const char* name, glm::ivec2& value, Range range, const char* unit,
+                    const char* doc) = 0;
   virtual void pairs(const char* name, std::vector<glm::ivec2>& value, Range range, const char* unit,
                      const char* doc) = 0;
   virtual void text(const char* name, std::string& value, const char* doc) = 0;
   /// An integer or one word, for example 4 or "auto" (empty value).
   virtual void integerOr(const char* name, std::optional<int>& value, const char* word, Range range,
                          const char* unit, const char* doc) = 0;
-  virtual void integers(const char* name, std::vector<int>& value, Range range, const char* unit, const char* doc) = 0;
+  virtual void integers(const char* name, std::vector<int>& value, Range range, const char* unit,
+                        const char* doc) = 0;
   /// One of `names`; value is its index. Use `choice` below for an enum.
-  virtual void oneOf(const char* name, int& value, const std::vector<const char*>& names, const char* doc) = 0;
+  virtual void oneOf(const char* name, int& value, const std::vector<const char*>& names,
+                     const char* doc) = 0;
   virtual void someOf(const char* name, std::vector<int>& value, const std::vector<const char*>& names,
                       const char* doc) = 0;
   /// A file of the scene's folder or the asset folder; the value becomes its full path. Empty: none.
@@ -59,7 +64,8 @@ class Fields {
   /// A group that switches a feature on by being there.
   virtual void optionalGroup(const char* name, bool& present, const char* doc,
                              const std::function<void(Fields&)>& describe) = 0;
-  /// A list of groups: `resize(n)` makes n fresh items, then `describe(fields, i)` is called for each element.
+  /// A list of groups: `resize(n)` makes n fresh items, then `describe(fields, i)` is called for each
+  /// element.
   virtual void listOf(const char* name, const char* doc, std::size_t mostItems,
                       const std::function<void(std::size_t)>& resize,
                       const std::function<void(Fields&, std::size_t)>& describe) = 0;
@@ -91,7 +97,8 @@ struct Parameters {
   virtual void describe(Fields& fields) = 0;
 };
 
-/// One line of the list of simulations: what a scene calls it, one sentence, and how to make its parameters.
+/// One line of the list of simulations: what a scene calls it, one sentence, and how to make its
+/// parameters.
 struct Kind {
   const char* name;
   const char* doc;

@@ -1,4 +1,7 @@
 #pragma once
+#include "scene/animated.hpp"
+#include "scene/fields.hpp"
+
 #include <cstdint>
 #include <filesystem>
 #include <memory>
@@ -10,9 +13,6 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
-#include "scene/animated.hpp"
-#include "scene/fields.hpp"
-
 namespace simreel::scene {
 
 enum class Numerics { exact, fast };
@@ -20,17 +20,17 @@ enum class Numerics { exact, fast };
 /// Metal/rough surface. Colours are linear RGB.
 struct Material {
   glm::vec3 color{0.8F, 0.7F, 0.6F};
-  std::filesystem::path texture;      ///< sRGB image multiplied with the colour; empty: none
-  glm::vec3 textureScale{1, 1, 1};    ///< repeats along u and v (z unused)
+  std::filesystem::path texture;    ///< sRGB image multiplied with the colour; empty: none
+  glm::vec3 textureScale{1, 1, 1};  ///< repeats along u and v (z unused)
   float roughness = 0.8F;
   float metallic = 0.0F;
-  float translucency = 0.0F;          ///< share of light from behind that shines through
+  float translucency = 0.0F;  ///< share of light from behind that shines through
   void describe(Fields& fields);
 };
 
 struct Render {
-  glm::ivec2 size{1280, 720};  ///< pixels
-  int samples = 4;             ///< per pixel: 1 or 4 (more where the driver has them)
+  glm::ivec2 size{1280, 720};       ///< pixels
+  int samples = 4;                  ///< per pixel: 1 or 4 (more where the driver has them)
   Animated<float> exposure = 0.0F;  ///< EV
   float vignette = 0.0F;
   void describe(Fields& fields);
@@ -58,8 +58,8 @@ struct Sun {
   Animated<glm::vec3> color = glm::vec3(1, 0.92F, 0.80F);
   Animated<float> intensity = 4.0F;
   bool shadow = true;
-  int shadowSize = 1024;       ///< texels on a side
-  float shadowSoftness = 1.5F; ///< radius of the filter, texels
+  int shadowSize = 1024;        ///< texels on a side
+  float shadowSoftness = 1.5F;  ///< radius of the filter, texels
   void describe(Fields& fields);
 };
 
@@ -127,8 +127,8 @@ struct Override {
 /// JSON Schema (draft 2020-12) of scene files, pretty-printed, ending in a newline.
 [[nodiscard]] std::string schemaText(std::span<const Kind> kinds);
 
-/// Help for one kind (or "scene", "render", "camera", ..., "material"): name, default, range, unit, sentence.
-/// Throws UserError(usage) with a suggestion for an unknown name.
+/// Help for one kind (or "scene", "render", "camera", ..., "material"): name, default, range, unit,
+/// sentence. Throws UserError(usage) with a suggestion for an unknown name.
 [[nodiscard]] std::string helpText(std::string_view name, std::span<const Kind> kinds);
 /// One line per kind and per scene section.
 [[nodiscard]] std::string listText(std::span<const Kind> kinds);

@@ -1,14 +1,14 @@
 #include "sim/cloth.hpp"
 
-#include <cstdint>
-#include <cstring>
-#include <utility>
-
 #include "base/error.hpp"
 #include "gl/limits.hpp"
 #include "gl/program.hpp"
 #include "gl/vec4_array.hpp"
 #include "sim/cloth_plan.hpp"
+
+#include <cstdint>
+#include <cstring>
+#include <utility>
 
 namespace simreel::sim {
 
@@ -32,7 +32,8 @@ struct Family {
   glm::ivec2 reach;
   int family;
 };
-constexpr Family families[] = {{{1, 0}, 0}, {{0, 1}, 0}, {{1, 1}, 1}, {{-1, 1}, 1}, {{2, 0}, 2}, {{0, 2}, 2}};
+constexpr Family families[] = {{{1, 0}, 0},  {{0, 1}, 0}, {{1, 1}, 1},
+                               {{-1, 1}, 1}, {{2, 0}, 2}, {{0, 2}, 2}};
 
 class Cloth : public Simulation {
  public:
@@ -91,7 +92,8 @@ class Cloth : public Simulation {
   [[nodiscard]] std::string explainLoss(unsigned step, unsigned element) const override {
     const auto width = static_cast<unsigned>(size_.x);
     return fmt::format(
-        "cloth \"{}\" blew up in substep {} at particle ({}, {}): its position or velocity is no longer a sensible "
+        "cloth \"{}\" blew up in substep {} at particle ({}, {}): its position or velocity is no longer a "
+        "sensible "
         "number; use more substeps ({} per frame now, or \"auto\"), lower the stiffness or raise the mass",
         name_, step, element % width, element / width, plan_.substeps());
   }
@@ -127,7 +129,8 @@ class Cloth : public Simulation {
 
   void upload(const std::vector<shader::ClothStep>& steps) {
     std::vector<std::byte> bytes(steps_.bytes());
-    for (std::size_t i = 0; i < steps.size(); ++i) std::memcpy(&bytes[i * stepStride_], &steps[i], sizeof steps[i]);
+    for (std::size_t i = 0; i < steps.size(); ++i)
+      std::memcpy(&bytes[i * stepStride_], &steps[i], sizeof steps[i]);
     steps_.write(0, bytes);
   }
 

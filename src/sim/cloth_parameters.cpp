@@ -1,5 +1,7 @@
 #include "sim/cloth_parameters.hpp"
 
+#include "glsl/common/cpp.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -7,8 +9,6 @@
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
-
-#include "glsl/common/cpp.hpp"
 
 namespace simreel::shader {
 #include "glsl/cloth/types.glsl"
@@ -30,8 +30,9 @@ double fastestAir(const Air& air) {
 void checkLines(scene::Fields& f, const char* name, const std::vector<int>& lines, int count) {
   for (const int line : lines)
     if (line >= count || line < -count)
-      f.error(name, fmt::format("{} {} is outside the cloth: it has {} (0 to {}, or -1 for the last)",
-                                std::string_view(name) == "rows" ? "row" : "column", line, count, count - 1));
+      f.error(name,
+              fmt::format("{} {} is outside the cloth: it has {} (0 to {}, or -1 for the last)",
+                          std::string_view(name) == "rows" ? "row" : "column", line, count, count - 1));
 }
 
 }  // namespace
@@ -57,7 +58,8 @@ void PinGroup::describe(scene::Fields& f, const glm::ivec2& grid) {
   checkLines(f, "columns", columns, grid.x);
   for (const glm::ivec2& p : points)
     if (p.x >= grid.x || p.y >= grid.y)
-      f.error("points", fmt::format("[{}, {}] is outside the cloth of {}x{} particles", p.x, p.y, grid.x, grid.y));
+      f.error("points",
+              fmt::format("[{}, {}] is outside the cloth of {}x{} particles", p.x, p.y, grid.x, grid.y));
 }
 
 void ClothParameters::describe(scene::Fields& f) {
@@ -79,14 +81,16 @@ void ClothParameters::describe(scene::Fields& f) {
   f.number("damping", damping, {0, 1e4}, "1/s", "Rate at which velocity decays.");
   f.vector("gravity", gravity, scene::anyNumber, "m/s^2", "Acceleration of every particle.");
   f.vector("wind", wind, scene::anyNumber, "N", "Constant force on every particle.");
-  f.optionalGroup("air", hasAir, "Moving air that drags and lifts the cloth's faces.", [&](scene::Fields& a) {
-    a.vector("velocity", air.velocity, {-200, 200}, "m/s", "Of the air.");
-    a.number("density", air.density, {0, 1e4}, "kg/m^3", "Of the air.");
-    a.number("drag", air.drag, {0, 100}, "", "Drag coefficient.");
-    a.number("lift", air.lift, {0, 100}, "", "Lift coefficient.");
-    a.number("gusts", air.gusts, {0, 10}, "", "How much the velocity varies, as a share of its magnitude.");
-    a.number("gustSize", air.gustSize, {1e-2, 1e3}, "m", "Size of the gusts.");
-  });
+  f.optionalGroup("air", hasAir, "Moving air that drags and lifts the cloth's faces.",
+                  [&](scene::Fields& a) {
+                    a.vector("velocity", air.velocity, {-200, 200}, "m/s", "Of the air.");
+                    a.number("density", air.density, {0, 1e4}, "kg/m^3", "Of the air.");
+                    a.number("drag", air.drag, {0, 100}, "", "Drag coefficient.");
+                    a.number("lift", air.lift, {0, 100}, "", "Lift coefficient.");
+                    a.number("gusts", air.gusts, {0, 10}, "",
+                             "How much the velocity varies, as a share of its magnitude.");
+                    a.number("gustSize", air.gustSize, {1e-2, 1e3}, "m", "Size of the gusts.");
+                  });
   f.number("margin", margin, {0, 10}, "m", "Distance kept from colliders.");
   f.integerOr("substeps", substeps, "auto", {1, 1024}, "per frame",
               "Steps a frame is divided into; \"auto\" takes as many as the springs need to be stable.");
@@ -101,9 +105,11 @@ double ClothParameters::stableSeconds(double airSpeed) const {
   double seconds = std::numeric_limits<double>::infinity();
   const double total = static_cast<double>(stiffness) * (1.0 + shear + bend);
   if (solver == ClothSolver::springs && total > 0) seconds = 2.0 / std::sqrt(4.0 * total / mass);
-  // Drag alone, explicit: rate dt < 2 with rate = rho Cd A |v| / m (|v.n| v differentiated gives twice the half).
+  // Drag alone, explicit: rate dt < 2 with rate = rho Cd A |v| / m (|v.n| v differentiated gives twice the
+  // half).
   if (hasAir) {
-    const double rate = air.density * static_cast<double>(air.drag + air.lift) * spacing * spacing * airSpeed / mass;
+    const double rate =
+        air.density * static_cast<double>(air.drag + air.lift) * spacing * spacing * airSpeed / mass;
     if (rate > 0) seconds = std::min(seconds, 2.0 / rate);
   }
   return seconds;

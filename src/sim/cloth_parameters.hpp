@@ -1,67 +1,68 @@
 #pragma once
+#include "scene/fields.hpp"
+
 #include <optional>
 #include <vector>
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
-#include "scene/fields.hpp"
-
 namespace simreel::sim {
 
 /// Particles that do not move by themselves, and the moving frame they may be attached to.
 struct PinGroup {
-  std::vector<int> rows;           ///< negative counts from the end
+  std::vector<int> rows;  ///< negative counts from the end
   std::vector<int> columns;
   std::vector<int> corners;        ///< 0 top-left, 1 top-right, 2 bottom-left, 3 bottom-right
   std::vector<glm::ivec2> points;  ///< (x, y)
   int every = 1;                   ///< of a row or column only each n-th particle, the ends included
-  scene::Animated<glm::vec3> move = glm::vec3(0);      ///< m
-  scene::Animated<glm::vec3> rotate = glm::vec3(0);    ///< degrees
+  scene::Animated<glm::vec3> move = glm::vec3(0);    ///< m
+  scene::Animated<glm::vec3> rotate = glm::vec3(0);  ///< degrees
   scene::Animated<glm::vec3> scale = glm::vec3(1);
-  glm::vec3 pivot{0, 0, 0};        ///< m, world; rotation and scale act about it
+  glm::vec3 pivot{0, 0, 0};  ///< m, world; rotation and scale act about it
   void describe(scene::Fields& fields, const glm::ivec2& grid);
 };
 
 /// The air around the cloth.
 struct Air {
   scene::Animated<glm::vec3> velocity = glm::vec3(5, 0, 0);  ///< m/s
-  float density = 1.2F;      ///< kg/m^3
+  float density = 1.2F;                                      ///< kg/m^3
   float drag = 1.0F;
   float lift = 0.6F;
-  float gusts = 0.3F;        ///< size of the velocity's variation as a share of its magnitude
-  float gustSize = 0.8F;     ///< m
+  float gusts = 0.3F;     ///< size of the velocity's variation as a share of its magnitude
+  float gustSize = 0.8F;  ///< m
 };
 
 enum class ClothSolver { springs, constraints };
 
 struct ClothParameters : scene::Parameters {
-  glm::ivec2 size{32, 32};     ///< particles
-  float spacing = 0.1F;        ///< m between neighbours at rest
-  glm::vec3 position{0, 0, 0}; ///< m, middle of the sheet at rest
-  glm::vec3 rotation{0, 0, 0}; ///< degrees; unrotated it lies in the xz plane, rows along x
-  float jitter = 0.0F;         ///< m
-  float mass = 1.0F;           ///< kg per particle
-  float stiffness = 500.0F;    ///< N/m
-  float shear = 1.0F;          ///< ratio to stiffness
-  float bend = 0.3F;           ///< ratio to stiffness
+  glm::ivec2 size{32, 32};      ///< particles
+  float spacing = 0.1F;         ///< m between neighbours at rest
+  glm::vec3 position{0, 0, 0};  ///< m, middle of the sheet at rest
+  glm::vec3 rotation{0, 0, 0};  ///< degrees; unrotated it lies in the xz plane, rows along x
+  float jitter = 0.0F;          ///< m
+  float mass = 1.0F;            ///< kg per particle
+  float stiffness = 500.0F;     ///< N/m
+  float shear = 1.0F;           ///< ratio to stiffness
+  float bend = 0.3F;            ///< ratio to stiffness
   ClothSolver solver = ClothSolver::springs;
-  float compliance = 0.0F;        ///< m/N
-  float shearCompliance = 0.0F;   ///< m/N
-  float bendCompliance = 0.01F;   ///< m/N
-  float damping = 4.85F;       ///< 1/s
+  float compliance = 0.0F;       ///< m/N
+  float shearCompliance = 0.0F;  ///< m/N
+  float bendCompliance = 0.01F;  ///< m/N
+  float damping = 4.85F;         ///< 1/s
   scene::Animated<glm::vec3> gravity = glm::vec3(0, -9.8F, 0);
   scene::Animated<glm::vec3> wind = glm::vec3(0.5F, 0, 0.3F);  ///< N on each particle
   bool hasAir = false;
   Air air;
-  float margin = 0.01F;        ///< m kept from colliders
+  float margin = 0.01F;  ///< m kept from colliders
   std::optional<int> substeps = 4;
   std::vector<PinGroup> pins;
 
   ClothParameters();
   void describe(scene::Fields& fields) override;
 
-  /// Largest stable substep in seconds for the given speed of air (explicit springs; infinite for constraints).
+  /// Largest stable substep in seconds for the given speed of air (explicit springs; infinite for
+  /// constraints).
   [[nodiscard]] double stableSeconds(double airSpeed) const;
   /// Substeps a frame takes: the given number, or what "auto" comes to.
   [[nodiscard]] int substepsPerFrame(double frameSeconds) const;

@@ -1,11 +1,11 @@
 #include "sim/cloth_plan.hpp"
 
-#include <array>
-#include <cmath>
-
 #include "base/error.hpp"
 #include "base/log.hpp"
 #include "sim/shader_code.hpp"
+
+#include <array>
+#include <cmath>
 
 namespace simreel::sim {
 
@@ -35,21 +35,28 @@ shader::PinFrame pinFrame(const PinGroup& group, double time) {
 
 ClothPlan::ClothPlan(const ClothParameters& parameters, int seed, double frameSeconds,
                      const std::vector<ColliderShape>& colliders)
-    : parameters_(parameters), seed_(seed), substeps_(parameters.substepsPerFrame(frameSeconds)), colliders_(colliders) {
+    : parameters_(parameters),
+      seed_(seed),
+      substeps_(parameters.substepsPerFrame(frameSeconds)),
+      colliders_(colliders) {
   substepSeconds_ = frameSeconds / substeps_;
   if (colliders_.size() > shader::mostColliders)
-    fail(ExitCode::usage, "a cloth collides with at most {} shapes, the scene has {}; set \"collides\": false on some",
+    fail(ExitCode::usage,
+         "a cloth collides with at most {} shapes, the scene has {}; set \"collides\": false on some",
          shader::mostColliders, colliders_.size());
   double speed = 0;
   if (parameters_.hasAir) {
     const glm::vec3 v = parameters_.air.velocity.at(0);
-    speed = std::sqrt(static_cast<double>(v.x) * v.x + static_cast<double>(v.y) * v.y + static_cast<double>(v.z) * v.z);
+    speed = std::sqrt(static_cast<double>(v.x) * v.x + static_cast<double>(v.y) * v.y +
+                      static_cast<double>(v.z) * v.z);
   }
   const double stable = parameters_.stableSeconds(speed * (1.0 + parameters_.air.gusts));
   if (substepSeconds_ > stable)
-    warn("cloth: {} substeps are fewer than the {} its springs need to be stable (substep {:.3g} s, limit {:.3g} s); "
-         "set \"substeps\": \"auto\", lower the stiffness or raise the mass",
-         substeps_, static_cast<int>(std::ceil(frameSeconds / stable)), substepSeconds_, stable);
+    warn(
+        "cloth: {} substeps are fewer than the {} its springs need to be stable (substep {:.3g} s, limit "
+        "{:.3g} s); "
+        "set \"substeps\": \"auto\", lower the stiffness or raise the mass",
+        substeps_, static_cast<int>(std::ceil(frameSeconds / stable)), substepSeconds_, stable);
   const glm::mat4 turn = rotationMatrix(parameters_.rotation);
   alongX_ = glm::vec3(turn[0]) * parameters_.spacing;
   alongY_ = glm::vec3(turn[2]) * parameters_.spacing;
@@ -63,8 +70,10 @@ std::vector<glm::vec4> ClothPlan::firstPositions() const {
   positions.reserve(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y));
   for (int y = 0; y < size.y; ++y)
     for (int x = 0; x < size.x; ++x) {
-      const auto bits = shader::hash3({static_cast<unsigned>(x), static_cast<unsigned>(y), static_cast<unsigned>(seed_)});
-      const glm::vec3 noise(shader::signedUnit(bits.x), shader::signedUnit(bits.y), shader::signedUnit(bits.z));
+      const auto bits =
+          shader::hash3({static_cast<unsigned>(x), static_cast<unsigned>(y), static_cast<unsigned>(seed_)});
+      const glm::vec3 noise(shader::signedUnit(bits.x), shader::signedUnit(bits.y),
+                            shader::signedUnit(bits.z));
       const glm::vec3 rest = origin_ + alongX_ * static_cast<float>(x) + alongY_ * static_cast<float>(y);
       positions.emplace_back(rest + noise * parameters_.jitter, 1.0F / parameters_.mass);
     }
@@ -75,7 +84,8 @@ std::vector<glm::vec4> ClothPlan::firstPositions() const {
 
 std::vector<glm::vec4> ClothPlan::firstVelocities() const {
   const glm::ivec2 size = parameters_.size;
-  std::vector<glm::vec4> velocities(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y), glm::vec4(0));
+  std::vector<glm::vec4> velocities(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y),
+                                    glm::vec4(0));
   for (std::size_t group = 0; group < parameters_.pins.size(); ++group)
     for (const int i : parameters_.pinnedBy(parameters_.pins[group]))
       velocities[static_cast<std::size_t>(i)].w = static_cast<float>(group);
@@ -105,7 +115,8 @@ shader::Collider ClothPlan::colliderAt(const ColliderShape& shape, double time) 
   c.a = glm::vec4(now[0], shape.radius);
   c.b = glm::vec4(now[1], 0);
   c.velocityA = glm::vec4((now[0] - before[0]) * rate, keep);
-  c.velocityB = glm::vec4((now[1] - before[1]) * rate, shape.length > 0 ? 1.0F / (shape.length * shape.length) : 0.0F);
+  c.velocityB = glm::vec4((now[1] - before[1]) * rate,
+                          shape.length > 0 ? 1.0F / (shape.length * shape.length) : 0.0F);
   return c;
 }
 
@@ -121,7 +132,8 @@ std::vector<shader::ClothStep> ClothPlan::frame(double time) {
     s.windForce = glm::vec4(p.wind.at(start), kept(p.damping, substepSeconds_));
     const glm::vec3 air = p.hasAir ? p.air.velocity.at(start) : glm::vec3(0);
     const auto speed = static_cast<float>(std::sqrt(static_cast<double>(air.x) * air.x +
-                                                    static_cast<double>(air.y) * air.y + static_cast<double>(air.z) * air.z));
+                                                    static_cast<double>(air.y) * air.y +
+                                                    static_cast<double>(air.z) * air.z));
     for (int axis = 0; axis < 3; ++axis) drift_[axis] += air[axis] * substepSeconds_;
     s.air = glm::vec4(air, p.air.density);
     s.airShape = glm::vec4(p.air.drag, p.air.lift, p.air.gusts, 1.0F / p.air.gustSize);

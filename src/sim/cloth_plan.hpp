@@ -1,13 +1,13 @@
 #pragma once
+#include "glsl/common/cpp.hpp"
+#include "sim/cloth_parameters.hpp"
+#include "sim/collider.hpp"
+
 #include <cstdint>
 #include <vector>
 
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
-
-#include "glsl/common/cpp.hpp"
-#include "sim/cloth_parameters.hpp"
-#include "sim/collider.hpp"
 
 namespace simreel::shader {
 #include "glsl/cloth/types.glsl"
@@ -18,8 +18,8 @@ static_assert(sizeof(ClothStep) == 11 * 16 + mostColliders * 64 + mostPinFrames 
 
 namespace simreel::sim {
 
-/// Everything of a cloth that is decided on the CPU: its first state and, frame by frame, what each substep is
-/// told. Shared by the GPU simulation and its CPU twin, so both start and go on from the same numbers.
+/// Everything of a cloth that is decided on the CPU: its first state and, frame by frame, what each substep
+/// is told. Shared by the GPU simulation and its CPU twin, so both start and go on from the same numbers.
 class ClothPlan {
  public:
   /// Throws UserError(usage) when there are more colliders than the kernels hold; warns once when the

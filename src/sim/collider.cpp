@@ -13,7 +13,8 @@ glm::mat4 rotationMatrix(const glm::vec3& degrees) {
   const float cz = shader::exactCos(angle.z);
   const float sz = shader::exactSin(angle.z);
   // Columns of Rz Ry Rx.
-  return {glm::vec4(cz * cy, sz * cy, -sy, 0), glm::vec4(cz * sy * sx - sz * cx, sz * sy * sx + cz * cx, cy * sx, 0),
+  return {glm::vec4(cz * cy, sz * cy, -sy, 0),
+          glm::vec4(cz * sy * sx - sz * cx, sz * sy * sx + cz * cx, cy * sx, 0),
           glm::vec4(cz * sy * cx + sz * sx, sz * sy * cx - cz * sx, cy * cx, 0), glm::vec4(0, 0, 0, 1)};
 }
 

@@ -1,8 +1,8 @@
 #pragma once
+#include "scene/animated.hpp"
+
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
-
-#include "scene/animated.hpp"
 
 namespace simreel::sim {
 
@@ -17,7 +17,8 @@ struct ColliderShape {
   float grip = 25.3F;                   ///< 1/s at which tangential velocity is lost in contact
 };
 
-/// Rotation by degrees about x, then y, then z (R = Rz Ry Rx), through the exact sine: same bits everywhere.
+/// Rotation by degrees about x, then y, then z (R = Rz Ry Rx), through the exact sine: same bits
+/// everywhere.
 [[nodiscard]] glm::mat4 rotationMatrix(const glm::vec3& degrees);
 
 }  // namespace simreel::sim

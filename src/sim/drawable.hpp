@@ -1,12 +1,12 @@
 #pragma once
+#include "gl/buffer.hpp"
+#include "gl/texture.hpp"
+#include "scene/scene.hpp"
+
 #include <vector>
 
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
-
-#include "gl/buffer.hpp"
-#include "gl/texture.hpp"
-#include "scene/scene.hpp"
 
 namespace simreel::sim {
 

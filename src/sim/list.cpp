@@ -1,9 +1,9 @@
 #include "sim/list.hpp"
 
-#include <vector>
-
 #include "sim/cloth.hpp"
 #include "sim/shape.hpp"
+
+#include <vector>
 
 namespace simreel::sim {
 

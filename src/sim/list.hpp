@@ -1,8 +1,8 @@
 #pragma once
+#include "sim/simulation.hpp"
+
 #include <memory>
 #include <span>
-
-#include "sim/simulation.hpp"
 
 namespace simreel::sim {
 

@@ -1,17 +1,17 @@
 #include "sim/numerics.hpp"
 
+#include "base/hash.hpp"
+#include "gl/buffer.hpp"
+#include "gl/program.hpp"
+#include "gl/vec4_array.hpp"
+#include "sim/shader_code.hpp"
+
 #include <array>
 #include <bit>
 #include <cstdint>
 #include <vector>
 
 #include <fmt/format.h>
-
-#include "base/hash.hpp"
-#include "gl/buffer.hpp"
-#include "gl/program.hpp"
-#include "gl/vec4_array.hpp"
-#include "sim/shader_code.hpp"
 
 namespace simreel::sim {
 
@@ -35,9 +35,10 @@ std::vector<float> inputs() {
 
 std::array<float, exactFunctions> twin(float x) {
   const float a = shader::abs(x);
-  return {shader::exactFlush(x),      shader::exactInverseSqrt(a), shader::exactSqrt(a), shader::exactReciprocal(x),
-          shader::exactSin(x),        shader::exactCos(x),         shader::exactExp(x),
-          shader::exactDot({x, a, 1.5F}, {0.3F, x, a})};
+  return {shader::exactFlush(x), shader::exactInverseSqrt(a),
+          shader::exactSqrt(a),  shader::exactReciprocal(x),
+          shader::exactSin(x),   shader::exactCos(x),
+          shader::exactExp(x),   shader::exactDot({x, a, 1.5F}, {0.3F, x, a})};
 }
 
 }  // namespace
@@ -65,7 +66,8 @@ Numerics probeNumerics() {
       const float got = results[i * functions + f];
       if (std::bit_cast<std::uint32_t>(got) == std::bit_cast<std::uint32_t>(expected[f])) continue;
       if (found.exactHolds)
-        found.firstFailure = fmt::format("{}({:.9g}): GPU {:.9g}, CPU {:.9g}", names[f], values[i], got, expected[f]);
+        found.firstFailure =
+            fmt::format("{}({:.9g}): GPU {:.9g}, CPU {:.9g}", names[f], values[i], got, expected[f]);
       found.exactHolds = false;
     }
     for (std::size_t f = exactFunctions; f < functions; ++f) builtIns.push_back(results[i * functions + f]);

@@ -1,14 +1,14 @@
 #include "sim/shape.hpp"
 
+#include "gl/buffer.hpp"
+#include "gl/texture.hpp"
+
 #include <cmath>
 #include <numbers>
 #include <vector>
 
 #include <glm/ext/matrix_transform.hpp>
 #include <glm/geometric.hpp>
-
-#include "gl/buffer.hpp"
-#include "gl/texture.hpp"
 
 namespace simreel::sim {
 
@@ -120,7 +120,8 @@ template <ColliderShape::Kind kind>
 SimulationKind shapeKind(const char* name, const char* doc) {
   return {{name, doc, [] { return std::make_unique<ShapeParameters>(kind); }},
           [](const scene::Object& object, const Setting&) -> std::unique_ptr<Simulation> {
-            return std::make_unique<Shape>(object, dynamic_cast<const ShapeParameters&>(*object.parameters));
+            return std::make_unique<Shape>(object,
+                                           dynamic_cast<const ShapeParameters&>(*object.parameters));
           }};
 }
 
@@ -133,19 +134,23 @@ void ShapeParameters::describe(scene::Fields& f) {
   f.vector("rotation", shape.rotation, scene::anyNumber, "degrees", "About x, then y, then z.");
   if (shape.kind != Kind::plane) f.number("radius", shape.radius, {1e-4, 1e4}, "m", "Radius.");
   if (shape.kind == Kind::capsule)
-    f.number("length", shape.length, {0, 1e4}, "m", "Distance between the centres of the two ends, along local y.");
+    f.number("length", shape.length, {0, 1e4}, "m",
+             "Distance between the centres of the two ends, along local y.");
   if (shape.kind == Kind::plane)
-    f.vector("size", size, {0, 1e4}, "m", "Width and depth of the drawn part (x and z); it collides without end.");
+    f.vector("size", size, {0, 1e4}, "m",
+             "Width and depth of the drawn part (x and z); it collides without end.");
   f.boolean("collides", collides, "Whether simulations touch it.");
   f.boolean("visible", visible, "Whether it is drawn.");
-  f.number("grip", shape.grip, {0, 1e6}, "1/s", "Rate at which cloth sliding over it loses speed; 25.3 keeps 0.9 at 240 Hz.");
+  f.number("grip", shape.grip, {0, 1e6}, "1/s",
+           "Rate at which cloth sliding over it loses speed; 25.3 keeps 0.9 at 240 Hz.");
 }
 
 SimulationKind sphereKind() {
   return shapeKind<ColliderShape::Kind::sphere>("sphere", "A solid ball that may move along keyframes.");
 }
 SimulationKind capsuleKind() {
-  return shapeKind<ColliderShape::Kind::capsule>("capsule", "A solid rod with round ends that may move along keyframes.");
+  return shapeKind<ColliderShape::Kind::capsule>(
+      "capsule", "A solid rod with round ends that may move along keyframes.");
 }
 SimulationKind planeKind() {
   return shapeKind<ColliderShape::Kind::plane>("plane", "A solid plane facing its local y.");

@@ -1,9 +1,9 @@
 #pragma once
-#include <glm/vec3.hpp>
-
 #include "scene/fields.hpp"
 #include "sim/collider.hpp"
 #include "sim/simulation.hpp"
+
+#include <glm/vec3.hpp>
 
 namespace simreel::sim {
 
@@ -11,7 +11,9 @@ namespace simreel::sim {
 struct ShapeParameters : scene::Parameters {
   explicit ShapeParameters(ColliderShape::Kind kind) {
     shape.kind = kind;
-    shape.radius = kind == ColliderShape::Kind::plane ? 0.0F : kind == ColliderShape::Kind::capsule ? 0.1F : 1.0F;
+    shape.radius = kind == ColliderShape::Kind::plane     ? 0.0F
+                   : kind == ColliderShape::Kind::capsule ? 0.1F
+                                                          : 1.0F;
     shape.length = kind == ColliderShape::Kind::capsule ? 2.0F : 0.0F;
   }
   ColliderShape shape;

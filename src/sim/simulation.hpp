@@ -1,19 +1,19 @@
 #pragma once
-#include <functional>
-#include <memory>
-#include <string>
-#include <vector>
-
 #include "gl/buffer.hpp"
 #include "scene/scene.hpp"
 #include "sim/collider.hpp"
 #include "sim/drawable.hpp"
 
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
 namespace simreel::sim {
 
 /// What a simulation may know of the scene around it.
 struct Setting {
-  bool fast = false;          ///< numerics: built-ins and contraction allowed
+  bool fast = false;  ///< numerics: built-ins and contraction allowed
   int seed = 1;
   double frameSeconds = 1.0 / 60.0;
   const std::vector<ColliderShape>* colliders = nullptr;

@@ -1,14 +1,14 @@
 #include "sim/world.hpp"
 
-#include <cmath>
-#include <deque>
-#include <vector>
-
 #include "base/error.hpp"
 #include "gl/program.hpp"
 #include "gl/vec4_array.hpp"
 #include "sim/list.hpp"
 #include "sim/shape.hpp"
+
+#include <cmath>
+#include <deque>
+#include <vector>
 
 namespace simreel::sim {
 
@@ -58,7 +58,8 @@ struct World::State {
         preroll(static_cast<int>(std::lround(scene.time.start * scene.time.fps))),
         colliders(collect(scene)),
         hash(gl::Program::compute("common/state_hash.comp")) {
-    const Setting setting{scene.numerics == scene::Numerics::fast, scene.seed, 1.0 / scene.time.fps, &colliders};
+    const Setting setting{scene.numerics == scene::Numerics::fast, scene.seed, 1.0 / scene.time.fps,
+                          &colliders};
     for (const scene::Object& object : scene.objects)
       for (const SimulationKind& kind : simulations())
         if (object.kind == kind.kind.name) objects.push_back(kind.make(object, setting));
@@ -95,7 +96,8 @@ struct World::State {
     gl::barrier();
     unsigned salt = 0;
     for (std::size_t i = 0; i < objects.size(); ++i) {
-      for (const StateArray& array : objects[i]->state()) addToHash(*array.buffer, slot, ++salt * 0x9e3779b9U);
+      for (const StateArray& array : objects[i]->state())
+        addToHash(*array.buffer, slot, ++salt * 0x9e3779b9U);
       if (const gl::Buffer* status = objects[i]->status()) {
         glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
         glCopyNamedBufferSubData(status->name(), statuses.name(), 0, statusOffset(slot, i), 16);
@@ -113,8 +115,10 @@ struct World::State {
     for (std::size_t i = 0; i < objects.size(); ++i) {
       if (objects[i]->status() == nullptr) continue;
       unsigned words[4] = {};
-      statuses.read(static_cast<std::size_t>(statusOffset(slot, i)), std::as_writable_bytes(std::span(words)));
-      if (words[0] != 0xffffffffU) throw UserError(ExitCode::device, objects[i]->explainLoss(words[0], words[1]));
+      statuses.read(static_cast<std::size_t>(statusOffset(slot, i)),
+                    std::as_writable_bytes(std::span(words)));
+      if (words[0] != 0xffffffffU)
+        throw UserError(ExitCode::device, objects[i]->explainLoss(words[0], words[1]));
     }
   }
 
@@ -167,7 +171,8 @@ std::optional<World::Summary> World::takeSummary(bool wait) {
   GLenum result = glClientWaitSync(oldest.fence, GL_SYNC_FLUSH_COMMANDS_BIT, patience);
   while (wait && result == GL_TIMEOUT_EXPIRED) result = glClientWaitSync(oldest.fence, 0, patience);
   if (result == GL_TIMEOUT_EXPIRED) return std::nullopt;
-  if (result == GL_WAIT_FAILED) fail(ExitCode::device, "the device stopped answering at frame {}", oldest.frame);
+  if (result == GL_WAIT_FAILED)
+    fail(ExitCode::device, "the device stopped answering at frame {}", oldest.frame);
   glDeleteSync(oldest.fence);
   state_->pending.pop_front();
   state_->checkStatus(oldest.slot);

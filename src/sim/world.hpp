@@ -1,10 +1,10 @@
 #pragma once
+#include "scene/scene.hpp"
+#include "sim/simulation.hpp"
+
 #include <memory>
 #include <optional>
 #include <string>
-
-#include "scene/scene.hpp"
-#include "sim/simulation.hpp"
 
 namespace simreel::sim {
 
@@ -28,8 +28,9 @@ class World {
 
   /// Starts hashing the state of the current frame on the GPU; at most 8 may be under way.
   void startSummary();
-  /// A finished summary, oldest first: frame and hash (32 hexadecimal digits over every state array of every
-  /// object). With `wait` blocks for the oldest. Throws UserError(device) when a simulation lost its state.
+  /// A finished summary, oldest first: frame and hash (32 hexadecimal digits over every state array of
+  /// every object). With `wait` blocks for the oldest. Throws UserError(device) when a simulation lost its
+  /// state.
   struct Summary {
     int frame = 0;
     std::string stateHash;

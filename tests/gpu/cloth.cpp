@@ -1,10 +1,10 @@
-#include <bit>
-#include <cstdint>
-#include <functional>
-
 #include "gpu/context.hpp"
 #include "reference/cloth_twin.hpp"
 #include "sim/list.hpp"
+
+#include <bit>
+#include <cstdint>
+#include <functional>
 
 #include <doctest/doctest.h>
 
@@ -13,8 +13,8 @@ using namespace simreel;
 namespace {
 
 /// Steps both sides and compares every word of the state.
-void compare(const sim::ClothParameters& parameters, int frames, const std::vector<sim::ColliderShape>& colliders = {},
-             double frameSeconds = 1.0 / 60.0) {
+void compare(const sim::ClothParameters& parameters, int frames,
+             const std::vector<sim::ColliderShape>& colliders = {}, double frameSeconds = 1.0 / 60.0) {
   testContext();
   scene::Object object;
   object.name = "sheet";
@@ -81,9 +81,11 @@ TEST_CASE("cloth over colliders with moving pins equals its CPU twin") {
   auto p = sheet(21, 33);
   p.pins[0].move = scene::Animated<glm::vec3>({{0.0, glm::vec3(0)}, {0.5, glm::vec3(0.3F, -0.2F, 0.1F)}},
                                               scene::Ease::smooth);
-  p.pins[0].rotate = scene::Animated<glm::vec3>({{0.0, glm::vec3(0)}, {1.0, glm::vec3(10, 40, -5)}}, scene::Ease::linear);
+  p.pins[0].rotate =
+      scene::Animated<glm::vec3>({{0.0, glm::vec3(0)}, {1.0, glm::vec3(10, 40, -5)}}, scene::Ease::linear);
   sim::ColliderShape ball;
-  ball.position = scene::Animated<glm::vec3>({{0.0, glm::vec3(0, -1, 0)}, {1.0, glm::vec3(0.5F, 0, 0)}}, scene::Ease::smooth);
+  ball.position = scene::Animated<glm::vec3>({{0.0, glm::vec3(0, -1, 0)}, {1.0, glm::vec3(0.5F, 0, 0)}},
+                                             scene::Ease::smooth);
   ball.radius = 0.7F;
   sim::ColliderShape rod;
   rod.kind = sim::ColliderShape::Kind::capsule;

@@ -1,14 +1,14 @@
-#include <array>
-#include <filesystem>
-#include <fstream>
-#include <utility>
-
 #include "base/error.hpp"
 #include "gl/limits.hpp"
 #include "gl/program.hpp"
 #include "gl/texture.hpp"
 #include "gl/vec4_array.hpp"
 #include "gpu/context.hpp"
+
+#include <array>
+#include <filesystem>
+#include <fstream>
+#include <utility>
 
 #include <doctest/doctest.h>
 
@@ -50,10 +50,13 @@ std::string messageOf(const char* shader) {
 TEST_CASE("shader errors name the original file and line, also of includes") {
   testContext();
   const ShaderFolder folder;
-  folder.write("part.glsl", "float half_(float x) {\n  return x * 0.5;\n}\nfloat broken(float x) { return nonsense; }\n");
+  folder.write(
+      "part.glsl",
+      "float half_(float x) {\n  return x * 0.5;\n}\nfloat broken(float x) { return nonsense; }\n");
   folder.write("good.comp", "layout(local_size_x = 1) in;\nvoid main() {}\n");
   folder.write("user.comp", "layout(local_size_x = 1) in;\n#include \"part.glsl\"\nvoid main() {}\n");
-  folder.write("late.comp", "#include \"good2.glsl\"\nlayout(local_size_x = 1) in;\nvoid main() { wrong(); }\n");
+  folder.write("late.comp",
+               "#include \"good2.glsl\"\nlayout(local_size_x = 1) in;\nvoid main() { wrong(); }\n");
   folder.write("good2.glsl", "float one() {\n  return 1.0;\n}\n");
   folder.write("missing.comp", "\n#include \"nowhere.glsl\"\nvoid main() {}\n");
   CHECK(messageOf("good.comp").empty());
@@ -86,8 +89,8 @@ TEST_CASE("large contents arrive whole, first and when written later") {
 TEST_CASE("limits are named before anything is allocated") {
   testContext();
   const auto tooMany = static_cast<std::size_t>(gl::limits().storageBlockBytes) + 16;
-  CHECK_THROWS_WITH_AS(gl::Buffer("sheet positions", tooMany), doctest::Contains("GL_MAX_SHADER_STORAGE_BLOCK_SIZE"),
-                       UserError);
+  CHECK_THROWS_WITH_AS(gl::Buffer("sheet positions", tooMany),
+                       doctest::Contains("GL_MAX_SHADER_STORAGE_BLOCK_SIZE"), UserError);
   CHECK_THROWS_WITH_AS(gl::Texture::image("wide", GL_RGBA8, gl::limits().textureSize + 1, 1),
                        doctest::Contains("GL_MAX_TEXTURE_SIZE"), UserError);
 }

@@ -1,16 +1,16 @@
-// Every shipped scene at 320x180, three frames: equal to the baseline where the driver's numerics are those it was made
-// with, within a tolerance elsewhere. SIMREEL_UPDATE_GOLDEN=1 writes baselines; nothing else does.
+// Every shipped scene at 320x180, three frames: equal to the baseline where the driver's numerics are those
+// it was made with, within a tolerance elsewhere. SIMREEL_UPDATE_GOLDEN=1 writes baselines; nothing else
+// does.
+#include "base/file.hpp"
+#include "frame/sequence.hpp"
 #include "golden/compare.hpp"
+#include "gpu/context.hpp"
+#include "sim/list.hpp"
+#include "sim/numerics.hpp"
 
 #include <cstdlib>
 #include <filesystem>
 #include <map>
-
-#include "base/file.hpp"
-#include "frame/sequence.hpp"
-#include "gpu/context.hpp"
-#include "sim/list.hpp"
-#include "sim/numerics.hpp"
 
 #include <doctest/doctest.h>
 #include <fmt/format.h>
@@ -31,7 +31,9 @@ class MemorySink : public frame::FrameSink {
   std::map<int, Kept> kept;
 
   bool wants(int /*frame*/) override { return true; }
-  [[nodiscard]] std::optional<std::string> knownStateHash(int /*frame*/) const override { return std::nullopt; }
+  [[nodiscard]] std::optional<std::string> knownStateHash(int /*frame*/) const override {
+    return std::nullopt;
+  }
   void add(frame::FrameInfo info, frame::Image image) override {
     kept[info.frame] = {std::move(image), std::move(info.stateHash)};
   }
@@ -46,16 +48,18 @@ std::string frameName(int frame) {
 
 void writeBaseline(const fs::path& folder, const MemorySink& sink, const std::string& fingerprint) {
   fs::create_directories(folder);
-  nlohmann::ordered_json json = {{"fingerprint", fingerprint}, {"frames", nlohmann::ordered_json::object()}};
+  nlohmann::ordered_json json = {{"fingerprint", fingerprint},
+                                 {"frames", nlohmann::ordered_json::object()}};
   for (const auto& [frame, kept] : sink.kept) {
     writeFileAtomically(folder / frameName(frame), frame::encodePng(kept.image, {}));
-    json["frames"][std::to_string(frame)] = {{"pixels", frame::pixelHash(kept.image)}, {"state", kept.stateHash}};
+    json["frames"][std::to_string(frame)] = {{"pixels", frame::pixelHash(kept.image)},
+                                             {"state", kept.stateHash}};
   }
   writeFileAtomically(folder / "baseline.json", json.dump(2) + "\n");
 }
 
-void compareFrame(const fs::path& folder, int frame, const MemorySink::Kept& kept, const nlohmann::json& expected,
-                  bool sameNumerics) {
+void compareFrame(const fs::path& folder, int frame, const MemorySink::Kept& kept,
+                  const nlohmann::json& expected, bool sameNumerics) {
   INFO("frame ", frame);
   // Exact state is the same on every driver.
   CHECK(kept.stateHash == expected.at("state").get<std::string>());
@@ -65,7 +69,8 @@ void compareFrame(const fs::path& folder, int frame, const MemorySink::Kept& kep
   }
   const auto file = folder / frameName(frame);
   const std::string text = readFile(file, "baseline");
-  const auto baseline = frame::decodeImage(std::as_bytes(std::span(text.data(), text.size())), file.string());
+  const auto baseline =
+      frame::decodeImage(std::as_bytes(std::span(text.data(), text.size())), file.string());
   REQUIRE(baseline.width == kept.image.width);
   REQUIRE(baseline.height == kept.image.height);
   // Other drivers filter textures and place edge samples differently: thin edges differ, areas do not.
@@ -102,8 +107,9 @@ TEST_CASE("golden: every shipped scene has a baseline") {
   for (const auto& entry : fs::directory_iterator(fs::path(SOURCE_FOLDER) / "assets/scenes")) {
     if (entry.path().extension() != ".json") continue;
     ++scenes;
-    CHECK_MESSAGE(fs::exists(fs::path(SOURCE_FOLDER) / "tests/golden" / entry.path().stem() / "baseline.json"),
-                  entry.path().string());
+    CHECK_MESSAGE(
+        fs::exists(fs::path(SOURCE_FOLDER) / "tests/golden" / entry.path().stem() / "baseline.json"),
+        entry.path().string());
   }
   CHECK(scenes >= 3);
 }

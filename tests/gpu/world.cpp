@@ -12,9 +12,10 @@ using namespace simreel;
 namespace {
 
 scene::Scene sheet(const char* cloth) {
-  return scene::parseScene(fmt::format(R"({{"version": 1, "time": {{"start": 0.1}}, "objects": {{"a": {{"cloth": {}}}}}}})",
-                                       cloth),
-                           "test.json", {}, sim::kinds());
+  return scene::parseScene(
+      fmt::format(R"({{"version": 1, "time": {{"start": 0.1}}, "objects": {{"a": {{"cloth": {}}}}}}})",
+                  cloth),
+      "test.json", {}, sim::kinds());
 }
 
 std::string hashAt(const scene::Scene& scene, int frame) {
@@ -41,13 +42,15 @@ TEST_CASE("the state hash tells frames and seeds apart and repeats") {
 
 TEST_CASE("the state hash is the same on every device") {
   testContext();
-  // Pinned: any change of the cloth's arithmetic shows here first. Same value on llvmpipe and on an NVIDIA H200.
+  // Pinned: any change of the cloth's arithmetic shows here first. Same value on llvmpipe and on an NVIDIA
+  // H200.
   CHECK(hashAt(sheet(R"({"size": [33, 21], "jitter": 0.01})"), 60) == "46b24cd56ceb9d8a0eed4d324a5f5e43");
 }
 
 TEST_CASE("a blow-up is found within its frame, with step, particle and advice") {
   testContext();
-  const auto scene = sheet(R"({"size": [9, 7], "stiffness": 1e7, "mass": 0.001, "substeps": 2, "jitter": 0.01})");
+  const auto scene =
+      sheet(R"({"size": [9, 7], "stiffness": 1e7, "mass": 0.001, "substeps": 2, "jitter": 0.01})");
   sim::World world(scene);
   std::string message;
   int frame = 0;

@@ -1,12 +1,12 @@
 #include "reference/cloth_twin.hpp"
 
+#include "sim/shader_code.hpp"
+
 #include <utility>
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
-
-#include "sim/shader_code.hpp"
 
 namespace {
 

@@ -1,12 +1,12 @@
 #pragma once
+#include "sim/cloth_plan.hpp"
+
 #include <vector>
 
 #include <glm/vec4.hpp>
 
-#include "sim/cloth_plan.hpp"
-
-/// The cloth on the CPU: the kernels' own model (glsl/cloth/model.glsl compiled as C++) in plain loops. Equals the
-/// GPU bit for bit in exact mode.
+/// The cloth on the CPU: the kernels' own model (glsl/cloth/model.glsl compiled as C++) in plain loops.
+/// Equals the GPU bit for bit in exact mode.
 class ClothTwin {
  public:
   explicit ClothTwin(simreel::sim::ClothPlan plan);

@@ -1,9 +1,9 @@
 // Analytic answers and conserved quantities, checked on the CPU twin: the GPU has the same bits.
+#include "reference/cloth_twin.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <vector>
-
-#include "reference/cloth_twin.hpp"
 
 #include <doctest/doctest.h>
 #include <glm/geometric.hpp>
@@ -32,7 +32,8 @@ ClothTwin makeTwin(const sim::ClothParameters& p, const std::vector<sim::Collide
 glm::dvec3 momentum(const ClothTwin& twin) {
   glm::dvec3 sum(0);
   for (std::size_t i = 0; i < twin.positions.size(); ++i)
-    if (twin.positions[i].w > 0) sum += glm::dvec3(twin.velocities[i]) / static_cast<double>(twin.positions[i].w);
+    if (twin.positions[i].w > 0)
+      sum += glm::dvec3(twin.velocities[i]) / static_cast<double>(twin.positions[i].w);
   return sum;
 }
 
@@ -44,7 +45,8 @@ double energy(ClothTwin& twin) {
   const auto at = [&](int x, int y) { return static_cast<std::size_t>(y * p.size.x + x); };
   const auto spring = [&](int x, int y, int dx, int dy, double rest, double k) {
     if (x + dx < 0 || x + dx >= p.size.x || y + dy >= p.size.y) return;
-    const double d = glm::length(glm::dvec3(twin.positions[at(x + dx, y + dy)]) - glm::dvec3(twin.positions[at(x, y)]));
+    const double d =
+        glm::length(glm::dvec3(twin.positions[at(x + dx, y + dy)]) - glm::dvec3(twin.positions[at(x, y)]));
     sum += 0.5 * k * (d - rest) * (d - rest);
   };
   for (int y = 0; y < p.size.y; ++y)
@@ -240,5 +242,6 @@ TEST_CASE("air drags a flat face with half rho Cd A v^2 and lifts nothing face-o
   inclined.substep(inclined.plan().frame(0).front());
   const glm::vec3 w(inclined.velocities[12]);
   CHECK(std::abs(w.x + w.y) < 1e-6);
-  CHECK(glm::length(w) == doctest::Approx(0.5 * 1.2 * 0.6 * 0.01 * 18.0 * 0.5 * frameSeconds).epsilon(1e-3));
+  CHECK(glm::length(w) ==
+        doctest::Approx(0.5 * 1.2 * 0.6 * 0.01 * 18.0 * 0.5 * frameSeconds).epsilon(1e-3));
 }

@@ -1,8 +1,8 @@
 #include "sim/cloth_plan.hpp"
 
-#include <cmath>
-
 #include "sim/shader_code.hpp"
+
+#include <cmath>
 
 #include <doctest/doctest.h>
 
@@ -69,7 +69,8 @@ TEST_CASE("pins by row, column, corner and point") {
 TEST_CASE("auto takes as many substeps as the springs need") {
   sim::ClothParameters p;
   p.substeps.reset();
-  // w = sqrt(4 * 500 * 2.3 / 1) = 67.8 1/s, limit 2/w = 29.5 ms, times 0.7 = 20.6 ms: one substep of 16.7 ms.
+  // w = sqrt(4 * 500 * 2.3 / 1) = 67.8 1/s, limit 2/w = 29.5 ms, times 0.7 = 20.6 ms: one substep of 16.7
+  // ms.
   CHECK(p.substepsPerFrame(1.0 / 60) == 1);
   p.stiffness = 50000;
   CHECK(p.stableSeconds(0) == doctest::Approx(2.0 / std::sqrt(4 * 50000 * 2.3)).epsilon(1e-6));

@@ -1,11 +1,11 @@
 // Cloth substeps on the device beside the CPU twin on one thread and on all. Items are particles, so
 // items_per_second reads as particle-steps/s. Traffic of a substep with springs: every particle reads its
 // position (neighbours come from the cache) and velocity and writes both, 64 bytes.
-#include <memory>
-
 #include "gl/context.hpp"
 #include "reference/cloth_twin.hpp"
 #include "sim/list.hpp"
+
+#include <memory>
 
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
@@ -63,7 +63,10 @@ int main(int argc, char** argv) {
   for (const int side : {256, 1024}) {
     if (software && side > 256) continue;
     const auto add = [&](const char* name, auto function, auto... args) {
-      benchmark::RegisterBenchmark(name, function, args...)->Arg(side)->UseRealTime()->Unit(benchmark::kMillisecond);
+      benchmark::RegisterBenchmark(name, function, args...)
+          ->Arg(side)
+          ->UseRealTime()
+          ->Unit(benchmark::kMillisecond);
     };
     add("cloth/twin/one-thread", twin, 1);
     add("cloth/twin/all-threads", twin, 0);
