@@ -93,7 +93,8 @@ void addRender(CLI::App& app) {
   command->add_option("--frames", o->frames, "Frames to write, for example 0-99x2,150; all are simulated");
   command->add_option("--device", o->device, "Index or part of a name (see `simreel doctor`)");
   command->add_option("--progress", o->progress, "auto, tty, ndjson or none");
-  command->add_option("--stream-format", o->streamFormat, "Of -o -: rgba or y4m")->check(CLI::IsMember({"rgba", "y4m"}));
+  command->add_option("--stream-format", o->streamFormat, "Of -o -: rgba or y4m")
+      ->check(CLI::IsMember({"rgba", "y4m"}));
   command->add_flag("--overwrite", o->overwrite, "Replace frames that exist");
   command->add_flag("--resume", o->resume, "Keep the frames that the manifest and their hashes say are whole");
   command->add_flag("--skip-existing", o->skipExisting, "Keep every frame whose file exists");

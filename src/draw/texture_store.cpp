@@ -32,8 +32,7 @@ gl::Texture readPicture(const std::filesystem::path& file) {
     fail(ExitCode::device, "the texture {} is {}x{}, this device allows up to {}x{} (GL_MAX_TEXTURE_SIZE)",
          file.string(), width, height, most, most);
   const std::unique_ptr<stbi_uc, decltype(&stbi_image_free)> texels(
-      stbi_load_from_memory(data, size, &width, &height, &channels, 4),
-      &stbi_image_free);
+      stbi_load_from_memory(data, size, &width, &height, &channels, 4), &stbi_image_free);
   if (!texels)
     fail(ExitCode::inputOutput, "the texture {} is not a picture this program reads ({}); use PNG or JPEG", file.string(),
          stbi_failure_reason());
