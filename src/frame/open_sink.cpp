@@ -10,6 +10,9 @@ std::unique_ptr<FrameSink> openSink(const std::string& output, Existing existing
     case OutputName::Kind::video:
       return openVideoSink(name, existing, run);
     case OutputName::Kind::stream:
+      if (existing == Existing::resume || existing == Existing::skip)
+        fail(ExitCode::usage,
+             "--output -: --resume and --skip-existing keep frames of an earlier run, a stream has none");
       return openStreamSink(streamFormat, run);
     case OutputName::Kind::sequence:
     case OutputName::Kind::single:

@@ -1,6 +1,7 @@
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "base/version.hpp"
+#include "frame/reserved_room.hpp"
 #include "frame/sinks.hpp"
 
 #include <algorithm>
@@ -31,6 +32,7 @@ class SequenceSink final : public FrameSink {
     manifest_.run = run;
     if (existing == Existing::error) refuseExisting();
     createFolders(output_.folder);
+    room_ = ReservedRoom(output_.folder, 1024 + 192 * frames_.size());
     inherit(existing);
     if (existing == Existing::skip || existing == Existing::resume) keepWholeFrames(existing);
   }
@@ -197,7 +199,6 @@ class SequenceSink final : public FrameSink {
     {
       const std::lock_guard lock(mutex_);
       manifest_.frames[info.frame] = {output_.fileName(info.frame), hash, info.stateHash};
-      written_.push_back(info.frame);
       if (writingManifest_ || Clock::now() - manifestTime_ < manifestEvery) return;
       writingManifest_ = true;
       text = manifestText(manifest_);
@@ -235,22 +236,9 @@ class SequenceSink final : public FrameSink {
     }
   }
 
-  /// On a full disk the last frames of this run make room for the manifest: without it --resume trusts no
-  /// frame.
-  void makeRoomForManifest() {
-    for (; !written_.empty(); written_.pop_back()) {
-      std::error_code error;
-      const auto space = fs::space(output_.folder.empty() ? fs::path(".") : output_.folder, error);
-      // Twice, for the blocks of the file system.
-      if (error || space.available > 2 * manifestText(manifest_).size() + 8192) return;
-      if (!fs::remove(output_.file(written_.back()), error)) return;
-      manifest_.frames.erase(written_.back());
-    }
-  }
-
   [[noreturn]] void giveUp() {
     waitForWorkers();
-    makeRoomForManifest();
+    room_.release();
     writeManifestQuietly();
     finished_ = true;
     std::rethrow_exception(error_);
@@ -263,10 +251,10 @@ class SequenceSink final : public FrameSink {
   std::size_t mostPending_ = 2 * std::max<std::size_t>(1, std::thread::hardware_concurrency());
   bool finished_ = false;
 
+  ReservedRoom room_;         ///< on a full disk the manifest takes its place
   mutable std::mutex mutex_;  ///< guards all below
   std::condition_variable changed_;
   Manifest manifest_;
-  std::vector<int> written_;  ///< frames of this run, in the order they were stored
   std::size_t pending_ = 0;
   bool writingManifest_ = false;
   Clock::time_point manifestTime_ = Clock::now();

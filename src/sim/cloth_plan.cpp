@@ -4,8 +4,10 @@
 #include "base/log.hpp"
 #include "sim/shader_code.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 
 namespace simreel::sim {
 
@@ -55,8 +57,9 @@ ClothPlan::ClothPlan(const ClothParameters& parameters, int seed, double frameSe
     warn(
         "cloth: {} substeps are fewer than the {} its springs need to be stable (substep {:.3g} s, limit "
         "{:.3g} s); "
-        "set \"substeps\": \"auto\", lower the stiffness or raise the mass",
-        substeps_, static_cast<int>(std::ceil(frameSeconds / stable)), substepSeconds_, stable);
+        "{}lower the stiffness or raise the mass",
+        substeps_, static_cast<std::int64_t>(std::ceil(std::min(frameSeconds / stable, 1e15))),
+        substepSeconds_, stable, parameters_.substeps ? "set \"substeps\": \"auto\", " : "");
   const glm::mat4 turn = rotationMatrix(parameters_.rotation);
   alongX_ = glm::vec3(turn[0]) * parameters_.spacing;
   alongY_ = glm::vec3(turn[2]) * parameters_.spacing;

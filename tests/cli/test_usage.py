@@ -76,6 +76,10 @@ class CommandLine(Case):
         self.render(["99", "16"], "--samples", "99")
         self.render(["--samples", "x"], "--samples", "x")
 
+    def test_a_stream_keeps_nothing(self):
+        for flag in ("--resume", "--skip-existing"):
+            self.usage(["--output -", flag], "render", "scene.json", "-o", "-", flag)
+
     def test_a_video_cannot_be_resumed(self):
         self.bad(2, ["--resume", "a.mp4", "folder"], "render", "scene.json", "-o", "a.mp4", "--resume")
 
