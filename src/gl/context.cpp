@@ -20,6 +20,7 @@ namespace {
 
 Limits currentLimits;
 MemoryPath currentPath = MemoryPath::storage;
+bool currentIsSoftware = false;
 
 /// An EGL display of one device with a current context on it.
 class Display {
@@ -185,6 +186,10 @@ MemoryPath memoryPath() {
   return currentPath;
 }
 
+bool softwareDriver() {
+  return currentIsSoftware;
+}
+
 std::vector<DeviceInfo> listDevices() {
   std::vector<DeviceInfo> result;
   for (const EGLDeviceEXT device : enumerate()) {
@@ -269,6 +274,7 @@ void Context::State::choose(const ContextOptions& options) {
 Context::Context(const ContextOptions& options) : state_(std::make_unique<State>()) {
   state_->choose(options);
   currentLimits = readLimits();
+  currentIsSoftware = state_->device.software;
   if (!options.memoryPath.empty() && options.memoryPath != "storage" && options.memoryPath != "texel")
     fail(ExitCode::usage, "the memory path is \"storage\" or \"texel\", not \"{}\"", options.memoryPath);
   const bool texel = options.memoryPath.empty() ? state_->device.software : options.memoryPath == "texel";

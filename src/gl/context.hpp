@@ -51,5 +51,7 @@ class Context {
 
 /// Of the current context.
 [[nodiscard]] MemoryPath memoryPath();
+/// Whether the current context draws on the CPU, where some filters cost more than they show.
+[[nodiscard]] bool softwareDriver();
 
 }  // namespace simreel::gl
