@@ -82,6 +82,7 @@ void compareFrame(const fs::path& folder, int frame, const MemorySink::Kept& kep
 
 void checkScene(const std::string& name) {
   const fs::path root = SOURCE_FOLDER;
+  setenv("SIMREEL_ASSETS", (root / "assets").c_str(), 1);  // NOLINT(concurrency-mt-unsafe): one thread
   const std::vector<scene::Override> small = {{"render.size", "[320,180]"}};
   const auto scene = scene::loadScene(root / "assets/scenes" / (name + ".json"), small, sim::kinds());
   const int last = scene.frameCount() - 1;
