@@ -146,7 +146,7 @@ TEST_CASE("a missing or broken texture is named") {
   const auto file = std::filesystem::temp_directory_path() / "simreel_broken.png";
   writeFileAtomically(file, "\x89PNG but not really");
   scene.objects[0].material.texture = file;
-  CHECK(failure(scene, {8, 8}, 1, ExitCode::usage).find(file.string()) != std::string::npos);
+  CHECK(failure(scene, {8, 8}, 1, ExitCode::inputOutput).find(file.string()) != std::string::npos);
   std::filesystem::remove(file);
 }
 
