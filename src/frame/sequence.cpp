@@ -34,6 +34,48 @@ class Stopwatch {
   Clock::time_point begin_;
 };
 
+/// Times a stage: on a GPU by timer queries, since its commands run later; on a software driver by the
+/// clock.
+class StageTimers {
+ public:
+  explicit StageTimers(StageTimes& stages) : stages_(stages), byQuery_(!gl::softwareDriver()) {}
+
+  template <class Work>
+  void run(double StageTimes::*stage, int frame, Work work) {
+    if (!byQuery_) {
+      const Stopwatch watch(stages_.*stage);
+      work();
+      return;
+    }
+    pending_.push_back({{}, frame, stage});
+    pending_.back().query.begin();
+    work();
+    pending_.back().query.end();
+  }
+  /// Waiting for the device counts for a software driver only: elsewhere the queries have it.
+  template <class Work>
+  void wait(double StageTimes::*stage, Work work) {
+    if (byQuery_) return work();
+    const Stopwatch watch(stages_.*stage);
+    work();
+  }
+  /// Adds the results of everything up to a frame that the device has finished.
+  void collect(int frame) {
+    for (; !pending_.empty() && pending_.front().frame <= frame; pending_.pop_front())
+      stages_.*pending_.front().stage += pending_.front().query.nanoseconds() * 1e-9;
+  }
+
+ private:
+  struct Pending {
+    gl::TimerQuery query;
+    int frame;
+    double StageTimes::*stage;
+  };
+  StageTimes& stages_;
+  bool byQuery_;
+  std::deque<Pending> pending_;
+};
+
 /// Keeps a few frames under way: while the device draws one, the last is read back and encoded.
 class Pipeline {
  public:
@@ -52,8 +94,7 @@ class Pipeline {
     const bool wanted = sink_.wants(frame);
     if (wanted) {
       if (readback_.full()) deliverOldest();
-      const Stopwatch watch(stages_.draw);
-      renderer_.draw(world_.time(), world_.drawables());
+      timers_.run(&StageTimes::draw, frame, [&] { renderer_.draw(world_.time(), world_.drawables()); });
       readback_.start(renderer_.target(), frame);
     }
     waiting_.push_back({frame, wanted});
@@ -75,10 +116,10 @@ class Pipeline {
   };
 
   void simulateTo(int frame) {
-    const Stopwatch watch(stages_.simulate);
     while (world_.frame() < frame || !started_) {
       // The pre-roll is watched too: frame 0's summary tells of everything before it.
-      world_.advanceTo(started_ ? world_.frame() + 1 : 0);
+      const int next = started_ ? world_.frame() + 1 : 0;
+      timers_.run(&StageTimes::simulate, next, [&] { world_.advanceTo(next); });
       started_ = true;
       if (summariesUnderWay_ == 6) takeSummary();
       world_.startSummary();
@@ -89,6 +130,7 @@ class Pipeline {
   void takeSummary() {
     latest_ = world_.takeSummary(true);
     --summariesUnderWay_;
+    timers_.collect(latest_->frame - 1);  // a frame's summary comes after all of the frame before
     if (!waiting_.empty() && latest_->frame >= waiting_.front().frame) summaries_.push_back(*latest_);
   }
 
@@ -106,10 +148,7 @@ class Pipeline {
     const Waiting oldest = waiting_.front();
     const StageTimes before = stages_;
     std::string hash;
-    {
-      const Stopwatch watch(stages_.simulate);
-      hash = stateHash(oldest.frame);
-    }
+    timers_.wait(&StageTimes::simulate, [&] { hash = stateHash(oldest.frame); });
     waiting_.pop_front();
     if (oldest.drawn) {
       store(oldest.frame, std::move(hash));
@@ -126,11 +165,9 @@ class Pipeline {
   }
 
   void store(int frame, std::string hash) {
-    {
-      // On a software driver drawing happens in the background; waiting for it is drawing time.
-      const Stopwatch watch(stages_.draw);
-      readback_.waitForOldest();
-    }
+    // A software driver draws in the background: waiting for it is drawing time.
+    timers_.wait(&StageTimes::draw, [&] { readback_.waitForOldest(); });
+    timers_.collect(frame);
     Image image{size_.x, size_.y, {}};
     {
       const Stopwatch watch(stages_.readBack);
@@ -156,6 +193,7 @@ class Pipeline {
   bool started_ = false;
   int delivered_ = 0;
   StageTimes stages_;
+  StageTimers timers_{stages_};
 };
 
 }  // namespace

@@ -14,7 +14,7 @@ struct SequenceResult {
   int frames = 0;      ///< delivered or found whole
   int signal = 0;      ///< that interrupted it, or 0
   double seconds = 0;  ///< wall clock
-  StageTimes stages;   ///< on the main thread; encode is over all threads
+  StageTimes stages;   ///< simulate and draw: device time on a GPU; encode is over all threads
 };
 
 /// Simulates the scene from its start, draws the wanted frames and hands them to the sink, which is
