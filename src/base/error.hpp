@@ -21,11 +21,17 @@ enum class ExitCode {
 /// A mistake the user can mend. The message says what, where and what to do; main prints it.
 class UserError : public std::runtime_error {
  public:
-  UserError(ExitCode code, const std::string& message) : std::runtime_error(message), code_(code) {}
+  /// A sentence is printed after "simreel: error: "; a report's lines say "place: error: " themselves.
+  enum class Form { sentence, report };
+
+  UserError(ExitCode code, const std::string& message, Form form = Form::sentence)
+      : std::runtime_error(message), code_(code), form_(form) {}
   [[nodiscard]] ExitCode code() const { return code_; }
+  [[nodiscard]] Form form() const { return form_; }
 
  private:
   ExitCode code_;
+  Form form_;
 };
 
 /// Throws a UserError with a formatted message.

@@ -6,8 +6,8 @@ class App;
 
 namespace simreel::cli {
 
-/// Picks the command, prints a UserError as "simreel: error: ..." on standard error, and returns the exit
-/// code.
+/// Picks the command, prints a UserError on standard error, as "simreel: error: ..." unless it is a report,
+/// and returns the exit code.
 int run(int argc, char** argv);
 
 // One command each; the callback throws UserError, or sets the exit code through setExitCode.

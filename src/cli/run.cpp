@@ -19,9 +19,14 @@ namespace {
 
 int exitCode = 0;
 
+int print(const UserError& error) {
+  const bool report = error.form() == UserError::Form::report;
+  errorLine((report ? "" : "simreel: error: ") + std::string(error.what()));
+  return static_cast<int>(error.code());
+}
+
 int print(const std::string& message, ExitCode code) {
-  errorLine("simreel: error: " + message);
-  return static_cast<int>(code);
+  return print(UserError(code, message));
 }
 
 /// A descriptor 0 to 2 that the caller closed would be given to the next file opened, and messages would
@@ -83,7 +88,7 @@ int run(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return print(explain(app, error) + "; see `simreel --help`", ExitCode::usage);
   } catch (const UserError& error) {
-    return print(error.what(), error.code());
+    return print(error);
   } catch (const std::bad_alloc&) {
     return print("not enough memory", ExitCode::device);
   } catch (const std::exception& error) {

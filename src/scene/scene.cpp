@@ -125,7 +125,7 @@ Scene parseScene(std::string_view text, const std::filesystem::path& file,
     for (const Override& change : overrides) applyOverride(*root, change, diagnostics);
     readScene(*root, {diagnostics, assets}, kinds, scene);
   }
-  if (!diagnostics.empty()) throw UserError(ExitCode::usage, diagnostics.report());
+  if (!diagnostics.empty()) throw UserError(ExitCode::usage, diagnostics.report(), UserError::Form::report);
 
   std::string hashed(text);
   for (const Override& change : overrides) hashed += "\n" + change.path + "=" + change.value;

@@ -45,7 +45,7 @@ void Render::describe(Fields& fields) {
 }
 
 void Time::describe(Fields& fields) {
-  fields.number("fps", fps, positive, "frames/s", "Frames per second.");
+  fields.number("fps", fps, {0.001, 1e5}, "frames/s", "Frames per second.");
   fields.number("start", start, notNegative, "s", "Simulated time before frame 0.");
   fields.number("duration", duration, notNegative, "s",
                 "Length; there are round(duration * fps) frames, at least one.");

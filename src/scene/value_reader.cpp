@@ -35,7 +35,8 @@ bool ValueReader::isList(const Node& node, const char* expected) const {
 bool ValueReader::inRange(const Node& node) const {
   if (node.number >= range_.least && node.number <= range_.most) return true;
   // A value beyond the silent bounds gets to hear of them.
-  const bool beyond = std::abs(node.number) > anyNumber.most;
+  const bool tiny = range_.least == positive.least && node.number > 0 && node.number < positive.least;
+  const bool beyond = tiny || std::abs(node.number) > anyNumber.most;
   const std::string unit = *unit_ == '\0' ? "" : fmt::format(" {}", unit_);
   const std::string allowed = beyond
                                   ? fmt::format("between {:g} and {:g}{}", range_.least, range_.most, unit)

@@ -102,14 +102,32 @@ class Case(unittest.TestCase):
         return done
 
     def bad(self, code, words, *arguments, **options):
-        """Runs, and expects the code and exactly one error that holds every word."""
+        """Runs, and expects the code and one error that holds every word: a sentence after "simreel: error: "."""
         done = self.run_program(*arguments, **options)
         self.assertEqual(done.returncode, code, f"{arguments}: {done.err}")
         starts = [line for line in done.err.splitlines() if line.startswith("simreel: error: ")]
         self.assertEqual(len(starts), 1, f"one error line is expected: {done.err}")
+        self.assert_words(words, done)
+        return done
+
+    def bad_scene(self, words, *arguments, **options):
+        """Runs, and expects code 2 and a report: three lines for each mistake, and nothing else."""
+        done = self.run_program(*arguments, **options)
+        self.assertEqual(done.returncode, 2, f"{arguments}: {done.err}")
+        self.assertEqual(done.stdout, b"")
+        lines = done.err.removesuffix("\n").split("\n")
+        self.assertEqual(len(lines) % 3, 0, done.err)
+        for head, line, caret in zip(lines[::3], lines[1::3], lines[2::3]):
+            self.assertRegex(head, r"^([^:]+:\d+:\d+|-D .+?): error: ")
+            self.assertEqual(head.count("error: "), 1, head)
+            self.assertRegex(line, "^  ")
+            self.assertRegex(caret, r"^  +\^~*$")
+        self.assert_words(words, done)
+        return done
+
+    def assert_words(self, words, done):
         for word in [words] if isinstance(words, str) else words:
             self.assertIn(word, done.err)
-        return done
 
     def manifest(self, folder):
         return json.loads((self.folder / folder / "manifest.json").read_text(encoding="utf-8"))

@@ -142,8 +142,12 @@ class OddButRight(Case):
         self.good("render", "pins.json", "-o", "a/", "-D", "objects.flag.cloth.pins.1.corners=[\"bottom-left\"]",
                   "-D", "render.size.0=32", "--frames", "0")
         self.assertEqual(self.manifest("a")["width"], 32)
-        self.bad(2, ["pins.2", "list of 2 items"], "render", "pins.json", "-o", "b/",
-                 "-D", "objects.flag.cloth.pins.2.corners=[\"top-left\"]")
+        override = "objects.flag.cloth.pins.2.corners=[\"top-left\"]"
+        done = self.bad_scene([], "render", "pins.json", "-o", "b/", "-D", override)
+        self.assertEqual(done.err.splitlines(), [
+            f"-D {override}: error: no item 2; the list has 2, counted from 0",
+            "  " + override,
+            "  " + " " * override.index("2") + "^"])
 
     def test_frames_beyond_the_end(self):
         self.good("render", "scene.json", "-o", "out/", "--frames", "20,3-5x2,3")

@@ -2,7 +2,7 @@
 import json
 import os
 
-from common import SCENE, Case, main, with_values
+from common import SCENE, SOURCE, Case, main, with_values
 
 
 class CommandLine(Case):
@@ -31,21 +31,31 @@ class CommandLine(Case):
         done = self.bad(2, ["none.json", "1 of 2 scenes"], "validate", "scene.json", "none.json")
         self.assertEqual(done.stdout, b"scene.json: ok\n")
 
+    def override(self, message, caret, argument, *arguments):
+        """Expects one mistake of `-D argument`, with the caret line below it."""
+        done = self.bad_scene([], "render", "scene.json", "-o", "out/", *(arguments or ("-D", argument)))
+        self.assertEqual(done.err.splitlines(), [f"-D {argument}: error: {message}", "  " + argument, "  " + caret])
+        self.assertFalse((self.folder / "out").exists(), argument)
+
     def test_overrides(self):
-        self.render(["-D takes path=value", "\"foo\""], "-D", "foo")
-        self.render(["-D takes path=value"], "-D", "=3")
-        self.render(["time.fsp=3", "did you mean \"fps\"?"], "-D", "time.fsp=3")
-        self.render(["expected a number, found a string"], "-D", "time.fps=abc")
-        self.render(["time..fps", "empty part"], "-D", "time..fps=3")
-        self.render(["there is no \"x\""], "-D", "time.fps.x=3")
-        self.render(["whole number", "1.5"], "-D", "render.samples=1.5")
-        self.render(["expected a number"], "-D", "time.fps=NaN")
-        self.render(["expected"], "-D", "render=3")
+        self.render(["error: -D foo: expected path=value, for example -D time.fps=30\n"], "-D", "foo")
+        self.render(["error: -D =3: expected path=value, for example -D time.fps=30\n"], "-D", "=3")
+        self.override('unknown key "fsp"; did you mean "fps"?', "     ^~~", "time.fsp=3")
+        self.override("expected a number, found a string", "         ^~~", "time.fps=abc")
+        self.override("expected a number, found a string", "         ^~~", "time.fps=NaN")
+        self.override("expected a number, found a string", "         ^", "time.fps=")
+        self.override("a name is missing in this path", "     ^", "time..fps=3")
+        self.override('"time.fps" is a number, which holds nothing named "x"', "         ^", "time.fps.x=3")
+        self.override("expected a whole number, found 1.5", "               ^~~", "render.samples=1.5")
+        self.override("expected an object, found a number", "       ^", "render=3")
+        self.override("no item 2; the list has 2, counted from 0", "            ^", "render.size.2=3")
+        self.override("expected ',' or ']'; is a comma missing?", "               ^", "render.size=[3 4]")
 
     def test_sizes(self):
         for size in ("3", "3x", "x3", "0x4", "-1x4", "3x4x5", "99999999999x2", "3 x 4", "3X4", ""):
             self.render(["--size takes WxH", f"\"{size}\""], f"--size={size}" if size else "--size", *([] if size else [""]))
-        self.render(["20000", "16384"], "--size", "20000x3")
+        self.override('"size" must be between 1 and 16384 pixels, found 20000', "             ^~~~~", "render.size=[20000,3]",
+                      "--size", "20000x3")
 
     def test_frames(self):
         for frames, word in (("5-2", "backwards"), ("abc", "a frame number is expected"), ("-3", "is expected"),
@@ -68,12 +78,15 @@ class CommandLine(Case):
         self.render(["jpg", "y4m"], "--stream-format", "jpg")
         self.render(["jpg", "y4m"], "--stream-format", "jpg", output="-")
         self.render(["--seed", "abc"], "--seed", "abc")
-        self.render(["seed", "-1"], "--seed", "-1")
+        self.override('"seed" must be at least 0, found -1', "     ^~", "seed=-1", "--seed", "-1")
         self.render(["--seed"], "--seed", "99999999999")
-        self.render(["fps", "number"], "--fps", "nan")
-        self.render(["fps", "number"], "--fps", "inf")
-        self.render(["0.001"], "--fps", "0")
-        self.render(["99", "16"], "--samples", "99")
+        for fps in ("nan", "inf"):
+            self.override("expected a number, found a string", "         ^~~", f"time.fps={fps}", "--fps", fps)
+        for fps in ("0", "1e-30"):
+            self.override(f'"fps" must be between 0.001 and 100000 frames/s, found {fps}',
+                          " " * 9 + "^".ljust(len(fps), "~"), f"time.fps={fps}", "--fps", fps)
+        self.override('"samples" must be between 1 and 16, found 99', "               ^~", "render.samples=99",
+                      "--samples", "99")
         self.render(["--samples", "x"], "--samples", "x")
 
     def test_a_stream_keeps_nothing(self):
@@ -89,39 +102,52 @@ class SceneMistakes(Case):
         """The same report from validate and from render."""
         self.write("bad.json", text)
         checked = self.bad(2, words, "validate", "bad.json")
-        rendered = self.bad(2, words, "render", "bad.json", "-o", "out/")
+        rendered = self.bad_scene(words, "render", "bad.json", "-o", "out/")
         self.assertFalse((self.folder / "out").exists())
-        self.assertEqual(rendered.err.replace("simreel: error: ", "", 1).splitlines(),
-                         checked.err.splitlines()[:-1])
+        self.assertEqual(rendered.err + "simreel: error: 1 of 1 scene cannot be used\n", checked.err)
         return rendered.err
 
+    def only(self, head, caret, text):
+        """Expects one mistake, its head after "bad.json:", and the caret line below it."""
+        lines = self.mistake([], text).splitlines()
+        self.assertEqual([lines[0], *lines[2:]], ["bad.json:" + head, caret])
+
     def test_syntax(self):
-        self.mistake(["bad.json:2:3: error: not valid JSON", "\n    \"title\": x}\n    ^~~~~~~~~~\n"], '{"version": 1,\n  "title": x}')
-        self.mistake(["bad.json:", "error:", "^"], '{"version": 1')
-        self.mistake(["bad.json:1:1: error: the file is empty"], "")
-        self.mistake(["bad.json:", "not valid JSON"], '{"version": 1, "time": {"fps": NaN}}')
-        self.mistake(["bad.json:1:32: error: this number is too large"], '{"version": 1, "time": {"fps": 1e999}}')
-        self.mistake(["bad.json:1:65: error: nested deeper than 64"], "[" * 100000)
-        self.mistake(["bad.json:1:", "nested deeper"], '{"a":' * 100000)
-        self.mistake(["the key \"seed\" is given twice"], '{"version": 1, "seed": 1, "seed": 2}')
-        self.mistake(["bad.json:1:1: error: a scene is an object"], "[]")
-        self.mistake(["\"version\": 1"], "{}")
-        self.mistake(["version 1"], '{"version": 2}')
+        self.mistake(['bad.json:2:12: error: unknown word "x"; strings and keys need double quotes\n'
+                      '    "title": x}\n'
+                      '             ^\n'], '{"version": 1,\n  "title": x}')
+        self.only("1:14: error: the text ends, but the '{' of line 1 is still open", " " * 15 + "^", '{"version": 1')
+        self.only("1:1: error: the text is empty; a scene begins with {", "  ^", "")
+        self.only("1:32: error: NaN is not a number in JSON; give a finite number", " " * 33 + "^~~",
+                  '{"version": 1, "time": {"fps": NaN}}')
+        self.only('1:32: error: "1e999" is beyond the largest number there is, 1.8e308', " " * 33 + "^~~~~",
+                  '{"version": 1, "time": {"fps": 1e999}}')
+        self.only("1:65: error: nested deeper than 64 levels", " " * 65 + "^", "[" * 100000)
+        self.only("1:321: error: nested deeper than 64 levels", " " * 65 + "^", '{"a":' * 100000)
+        self.only('1:27: error: key "seed" is given twice in this object', " " * 28 + "^~~~~~",
+                  '{"version": 1, "seed": 1, "seed": 2}')
+        self.only("1:1: error: expected a scene in { }, found a list", "  ^~", "[]")
+        self.only('1:1: error: the scene has no version; add "version": 1', "  ^", "{}")
+        self.only("1:13: error: unknown version 2; this program reads version 1", " " * 14 + "^", '{"version": 2}')
 
     def test_binary(self):
-        err = self.mistake(["bad.json:1:1: error: not valid JSON"], b"\x89PNG\r\n\x1a\n\0\0\x1b[31m" + bytes(range(256)))
+        err = self.mistake(["bad.json:3:1: error: zero byte; is this a text file?"],
+                           b"\x89PNG\r\n\x1a\n\0\0\x1b[31m" + bytes(range(256)))
         self.assertNotIn("\x1b", err)
-        self.mistake(["bad.json:1:", "error:"], b'{"version": 1, "title": "\xff\xfe"}')
-        self.mistake(["larger than the limit"], b" " * (5 << 20))
+        self.only("1:26: error: not valid UTF-8; save the text as UTF-8", " " * 27 + "^",
+                  b'{"version": 1, "title": "\xff\xfe"}')
+        self.write("bad.json", b" " * (5 << 20))
+        for command in (["validate", "bad.json"], ["render", "bad.json", "-o", "out/"]):
+            self.bad(2, ["bad.json is larger than the limit of 4194304 bytes"], *command)
 
     def test_every_mistake_at_once(self):
         err = self.mistake([
             "bad.json:3:2: error: unknown key \"titel\"; did you mean \"title\"?",
             "bad.json:4:18: error: expected a number, found a string",
             "bad.json:6:9: error: unknown kind of object \"clothh\"; did you mean \"cloth\"?",
-            "bad.json:7:28: error: 1 is outside the range 2 to 16384",
+            "bad.json:7:28: error: \"size\" must be between 2 and 16384 particles, found 1",
             "bad.json:7:35: error: unknown key \"stifness\"; did you mean \"stiffness\"?",
-            "already",
+            "bad.json:8:22: error: object \"c\" is a \"cloth\" already; an object has one kind",
         ], """{
  "version": 1,
  "titel": "x",
@@ -139,18 +165,28 @@ class SceneMistakes(Case):
     def test_textures(self):
         def scene(texture):
             return json.dumps(with_values({"objects.flag.material": {"texture": texture}}))
-        self.mistake(["none.png", "no file"], scene("none.png"))
-        for outside in ("../../etc/passwd", "/etc/passwd"):
-            self.mistake([outside, "leaves the scene's folder"], scene(outside))
+        def refused(texture, message):
+            err = self.mistake([f'error: "{texture}" {message}' if message else f'error: no file "{texture}" in '],
+                               scene(texture)).splitlines()
+            self.assertEqual(err[1].index(f'"{texture}"'), err[2].index("^"))
+            self.assertIn("^" + "~" * (len(texture) + 1), err[2])
+            return err[0]
+        self.assertIn(f"{self.folder} and {SOURCE / 'assets'}", refused("none.png", None))
         os.symlink("/etc/passwd", self.folder / "link.png")
-        self.mistake(["link.png", "leaves the scene's folder"], scene("link.png"))
-        self.mistake(["no file"], scene("."))
+        for outside in ("../../etc/passwd", "/etc/passwd", "link.png"):
+            refused(outside, f"lies outside the folders a scene may read: {self.folder} and ")
+        refused(".", "is not a file")
 
     def test_values(self):
-        self.mistake(["same point"], json.dumps(with_values({"camera": {"position": [1, 1, 1], "target": [1, 1, 1]}})))
-        self.mistake(["10 million"], json.dumps(with_values({"time": {"fps": 1e5, "duration": 1e6}})))
-        self.mistake(["row 7 is outside"], json.dumps(with_values({"objects.flag.cloth.pins": [{"rows": [7]}]})))
-        self.mistake(["16384"], json.dumps(with_values({"objects.flag.cloth.size": [16385, 3]})))
+        def at(line, column, message, values):
+            self.mistake([f"bad.json:{line}:{column}: error: {message}\n"], json.dumps(with_values(values), indent=1))
+        at(20, 13, '"position" and "target" are the same point; the camera looks nowhere',
+           {"camera": {"position": [1, 1, 1], "target": [1, 1, 1]}})
+        at(12, 15, "(start + duration) * fps is 1e+11 frames; the limit is 10 million",
+           {"time": {"fps": 1e5, "duration": 1e6}})
+        at(51, 15, "row 7 is outside the cloth: it has 7 (0 to 6, or -1 for the last)",
+           {"objects.flag.cloth.pins": [{"rows": [7]}]})
+        at(33, 6, '"size" must be between 2 and 16384 particles, found 16385', {"objects.flag.cloth.size": [16385, 3]})
 
     def test_too_many_colliders(self):
         scene = with_values({})

@@ -103,6 +103,7 @@ TEST_CASE("each type says what it expected") {
   CHECK(says(R"("slack": -1)", "\"slack\" must be at least 0 m, found -1"));
   CHECK(says(R"("slack": 1e10)", "\"slack\" must be between 0 and 1e+09 m"));
   CHECK(says(R"("seam": {"width": 0})", "\"width\" must be greater than 0 m, found 0"));
+  CHECK(says(R"("seam": {"width": 1e-30})", "\"width\" must be between 1e-09 and 1e+09 m, found 1e-30"));
   CHECK(says(R"("seam": 3)", "expected an object, found a number"));
   CHECK(says(R"("wind": 3)", "expected a list of three numbers, found a number"));
   CHECK(says(R"("wind": [1, 2])", "expected a list of three numbers, found 2 items"));
@@ -162,7 +163,7 @@ TEST_CASE("mistakes that involve several values") {
   CHECK(says(R"("camera": {"position": [0, 0, 0]})", "are the same point"));
   CHECK(!says(R"("camera": {"near": "x", "far": 0.01})", "must be less than"));
   CHECK(says(R"("time": {"duration": 1e6})", "the limit is 10 million"));
-  CHECK(says(R"("time": {"fps": 0})", "\"fps\" must be greater than 0 frames/s, found 0"));
+  CHECK(says(R"("time": {"fps": 0})", "\"fps\" must be between 0.001 and 100000 frames/s, found 0"));
   CHECK(says(R"("sun": {"direction": [0, 0, 0]})", "points nowhere"));
   CHECK(says(R"("sun": {"color": [1, -0.1, 1]})", "\"color\" must be at least 0, found -0.1"));
   CHECK(
