@@ -42,8 +42,8 @@ gl::Texture readPicture(const std::filesystem::path& file) {
   glGenerateTextureMipmap(texture.name());
   glTextureParameteri(texture.name(), GL_TEXTURE_WRAP_S, GL_REPEAT);
   glTextureParameteri(texture.name(), GL_TEXTURE_WRAP_T, GL_REPEAT);
-  // On llvmpipe 8 costs a third of the whole frame of a textured flag, 2 a tenth.
-  const float anisotropy = std::min(gl::limits().anisotropy, gl::softwareDriver() ? 2.0F : 8.0F);
+  // llvmpipe filters anisotropically in software: even 2 takes the flag from 15.9 to 11.6 frames/s.
+  const float anisotropy = std::min(gl::limits().anisotropy, gl::softwareDriver() ? 1.0F : 8.0F);
   if (anisotropy > 1.0F) glTextureParameterf(texture.name(), GL_TEXTURE_MAX_ANISOTROPY_EXT, anisotropy);
   return texture;
 }
