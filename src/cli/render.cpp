@@ -5,6 +5,7 @@
 #include "frame/frame_sink.hpp"
 #include "frame/frames_spec.hpp"
 #include "frame/interrupt.hpp"
+#include "frame/output_name.hpp"
 #include "frame/progress.hpp"
 #include "frame/sequence.hpp"
 #include "gl/context.hpp"
@@ -55,6 +56,8 @@ void render(const RenderOptions& o) {
   frame::Progress progress(frame::parseProgressMode(o.progress));
   const scene::Scene scene = o.scene.load();
   const auto frames = framesToRender(o, scene);
+  static_cast<void>(
+      frame::parseOutput(o.output, frames.size()));  // a senseless name fails before a device starts
   frame::catchInterrupts();
   frame::ignoreBrokenPipes();
 
