@@ -90,7 +90,7 @@ std::filesystem::path assetFolder() {
   if (const char* chosen = std::getenv("SIMREEL_ASSETS")) return chosen;
   for (const char* place : {"../share/simreel/assets", "../assets"}) {
     std::error_code error;
-    const auto folder = std::filesystem::weakly_canonical(programFolder() / place, error);
+    auto folder = std::filesystem::weakly_canonical(programFolder() / place, error);
     if (!error && std::filesystem::is_directory(folder, error)) return folder;
   }
   return {};

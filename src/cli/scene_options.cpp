@@ -29,6 +29,7 @@ std::string sizeValue(const std::string& text) {
 
 std::vector<scene::Override> parseOverrides(const std::vector<std::string>& texts) {
   std::vector<scene::Override> result;
+  result.reserve(texts.size());
   for (const std::string& text : texts) result.push_back(scene::parseOverride(text));
   return result;
 }

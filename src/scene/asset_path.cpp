@@ -45,7 +45,7 @@ fs::path AssetFolders::find(const std::string& name, std::string& problem) const
   bool outside = false;
   for (const fs::path& root : roots_) {
     std::error_code error;
-    const fs::path file = fs::weakly_canonical(root / name, error);
+    fs::path file = fs::weakly_canonical(root / name, error);
     if (error) continue;
     if (!insideAny(file)) {
       outside = true;
