@@ -63,7 +63,12 @@ void SurfacePass::draw(const sim::Surface& surface) {
     surface.normals->bind(normalUnit);
     surface.uvs->bind(uvUnit);
   }
-  if (const gl::Texture* albedo = textures_.load(material.texture)) albedo->bind(albedoUnit);
+  if (const gl::Texture* albedo = textures_.load(material.texture)) {
+    // A sheet that shows the picture once must not blend its border with the opposite one.
+    const bool once = isGrid && glm::vec2(material.textureScale) == glm::vec2(1);
+    albedo->wrap(once ? GL_CLAMP_TO_EDGE : GL_REPEAT);
+    albedo->bind(albedoUnit);
+  }
   vertices_.bind(*surface.indices);
   glDrawElements(GL_TRIANGLES, surface.indexCount, GL_UNSIGNED_INT, nullptr);
 }

@@ -40,8 +40,6 @@ gl::Texture readPicture(const std::filesystem::path& file) {
   glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
   glTextureSubImage2D(texture.name(), 0, 0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, texels.get());
   glGenerateTextureMipmap(texture.name());
-  glTextureParameteri(texture.name(), GL_TEXTURE_WRAP_S, GL_REPEAT);
-  glTextureParameteri(texture.name(), GL_TEXTURE_WRAP_T, GL_REPEAT);
   // llvmpipe filters anisotropically in software: even 2 takes the flag from 15.9 to 11.6 frames/s.
   const float anisotropy = std::min(gl::limits().anisotropy, gl::softwareDriver() ? 1.0F : 8.0F);
   if (anisotropy > 1.0F) glTextureParameterf(texture.name(), GL_TEXTURE_MAX_ANISOTROPY_EXT, anisotropy);

@@ -6,7 +6,7 @@
 
 namespace simreel::draw {
 
-/// Pictures of materials: each file is read once. sRGB is decoded on reading a texel; mip maps, repeat,
+/// Pictures of materials: each file is read once. sRGB is decoded on reading a texel; mip maps,
 /// anisotropic filtering. Row 0 of the file is v = 0.
 class TextureStore {
  public:

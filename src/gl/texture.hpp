@@ -20,6 +20,11 @@ class Texture {
                       std::size_t texelBytes = 16);
 
   void bind(GLuint unit) const { glBindTextureUnit(unit, name()); }
+  /// What reads beyond the border find: GL_REPEAT or GL_CLAMP_TO_EDGE.
+  void wrap(GLint mode) const {
+    glTextureParameteri(name(), GL_TEXTURE_WRAP_S, mode);
+    glTextureParameteri(name(), GL_TEXTURE_WRAP_T, mode);
+  }
   void bindImage(GLuint unit, GLenum access) const {
     glBindImageTexture(unit, name(), 0, GL_FALSE, 0, access, format_);
   }

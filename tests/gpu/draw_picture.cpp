@@ -1,6 +1,7 @@
 // The renderer's finished pictures: sky, tone map, orientation, sizes, samples, limits.
 #include "base/error.hpp"
 #include "base/file.hpp"
+#include "frame/image.hpp"
 #include "gl/limits.hpp"
 #include "gpu/draw_stage.hpp"
 
@@ -129,6 +130,35 @@ TEST_CASE("limits are named with their value") {
   CHECK(samples.find("GL_MAX_SAMPLES") != std::string::npos);
   scene.sun.shadowSize = most + 1;
   CHECK(failure(scene, {8, 8}, 1, ExitCode::device).find("shadowSize") != std::string::npos);
+}
+
+TEST_CASE("a texture shown once does not bleed from one border into the opposite one") {
+  testContext();
+  // Two texels, black then white: at the right border repeating would give grey, at the left one too.
+  const auto file = std::filesystem::temp_directory_path() / "simreel_two_texels.png";
+  writeFileAtomically(file, frame::encodePng({2, 1, {0, 0, 0, 255, 255, 255, 255, 255}}, {}));
+  GridStage stage({5, 4}, {-1, 1, 0}, {2, 0, 0}, {0, -2, 0});
+  stage.material.color = glm::vec3(1);
+  stage.material.texture = file;
+  scene::Scene scene = darkScene();
+  scene.sun.shadow = false;
+  const auto spread = [&](float repeats) {
+    stage.material.textureScale = glm::vec3(repeats);
+    const Picture picture = drawn(scene, {{stage.surface}}, {200, 200}, 1);
+    int first = 0;
+    int last = 0;
+    for (int x = 0; x < 200; ++x) {
+      if (picture.brightness(x, 100) == 0) continue;
+      first = first == 0 ? x : first;
+      last = x;
+    }
+    return glm::ivec2(picture.brightness(first, 100), picture.brightness(last, 100));
+  };
+  const glm::ivec2 once = spread(1);
+  CHECK(once.y > 600);
+  const glm::ivec2 repeated = spread(2);
+  CHECK(repeated.y < once.y - 60);
+  std::filesystem::remove(file);
 }
 
 TEST_CASE("a missing or broken texture is named") {
