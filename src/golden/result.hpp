@@ -1,0 +1,128 @@
+#pragma once
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace simreel::golden {
+
+/// How a scene (or one frame of it) came out. The JSON report spells them as statusName() does.
+enum class Status {
+  pass,
+  updated,           ///< baselines were written, as asked
+  xfail,             ///< failed as the scene expects
+  flaky,             ///< failed, then passed on a retry
+  fail,              ///< pixels, state or a check differ
+  nondeterministic,  ///< two runs of the same program differ
+  missing,           ///< no baseline
+  xpass,             ///< expected to fail, but passed
+  error,             ///< scene or baseline cannot be used, or the device lost the state
+};
+[[nodiscard]] const char* statusName(Status status);
+
+/// What is measured between two pictures of equal size. Ratios and FLIP are 0 to 1; x grows right, y down.
+struct Metrics {
+  int worst = 0;                 ///< largest difference of one channel, 0 to 255
+  int worstX = 0, worstY = 0;    ///< where
+  long differentPixels = 0;      ///< with any difference
+  long pixelsBeyond = 0;         ///< with a channel further apart than max_channel_diff
+  double ratioBeyond = 0;        ///< pixelsBeyond / pixels
+  double windowRatio = 0;        ///< share of pixelsBeyond in the densest window
+  int windowX = 0, windowY = 0;  ///< its top left corner
+  double psnr = 0;               ///< dB over R, G and B; infinite when equal (null in JSON)
+  double ssim = 1;
+  double flipMean = 0;
+};
+
+struct FrameResult {
+  int frame = 0;
+  double time = 0;  ///< s
+  Status status = Status::pass;
+  std::string message;                 ///< one line, empty when it passed
+  std::string pixels, expectedPixels;  ///< hashes; expected is empty without a baseline
+  int alternate = 0;               ///< 0: the baseline itself; n: its n-th accepted alternate was nearest
+  std::string state;               ///< "equal", "different", "missing", "not compared"
+  std::optional<Metrics> metrics;  ///< of pictures that were compared pixel by pixel
+  /// Relative to the folder of report.json; empty where there is none.
+  std::string expectedImage, actualImage, differenceImage;
+};
+
+struct CheckResult {
+  std::string what;  ///< "energy of flag", "max of flag positions.y", "not-blank"
+  int frame = 0;
+  std::optional<double> value, least, most;
+  bool passed = true;
+  std::string message;  ///< "frame 60: energy of flag is 3.1, above 3" when it failed
+};
+
+/// Where a run first leaves the baseline's state.
+struct Divergence {
+  int frame = 0;  ///< the frame that is being stepped to; negative during pre-roll
+  int step = 0;   ///< of the frame, from 1; 0: known to the frame only
+  int steps = 0;  ///< steps a frame
+  std::string object, buffer;
+  long firstElement = 0,
+       lastElement = 0;  ///< the first block that differs; equal when one element is known
+  std::string message;
+};
+
+/// One tolerance bound: its value and who said so ("default", "assets/scenes/flag.json",
+/// "--max-diff-ratio").
+struct Bound {
+  double value = 0;
+  std::string origin;
+};
+
+struct Attempt {
+  Status status = Status::pass;
+  std::vector<std::string> messages;
+};
+
+struct SceneResult {
+  std::string name;  ///< unique in the run: the scene's path below the folder, without extension
+  std::string file;
+  std::string baselines;  ///< folder of the scene's baselines
+  Status status = Status::pass;
+  std::vector<std::string> messages;  ///< why it failed, one line each
+  std::vector<std::string> notes;     ///< worth knowing: a fallback, a tolerance much looser than needed
+  std::string xfail;                  ///< the scene's reason
+  std::string profile;                ///< the one whose baselines were used; empty: none
+  bool sameNumerics = false;          ///< baseline of the same fingerprint: exact pixels were asked
+  std::string baselineDriver, baselineVersion, baselineReason;
+  std::map<std::string, Bound> tolerance;  ///< by field name, those in force
+  double seconds = 0;                      ///< in all
+  double simulateSeconds = 0;              ///< of it stepping the simulation
+  int repeats = 0;
+  std::vector<Attempt> attempts;  ///< failed tries before the last, with --retries
+  std::vector<FrameResult> frames;
+  std::vector<CheckResult> checks;
+  std::optional<Divergence> divergence;
+  std::string
+      candidate;  ///< folder with what `simreel accept` would promote, relative to report.json; or empty
+};
+
+struct SuiteResult {
+  std::string version;
+  std::string driver, profile, fingerprint, memoryPath;  ///< of this run
+  std::string command;                                   ///< as typed
+  std::string acceptCommand;  ///< to promote this run; empty where nothing was kept
+  double seconds = 0;
+  std::vector<SceneResult> scenes;
+};
+
+/// The report as JSON (report.json), pretty-printed, ending in a newline.
+[[nodiscard]] std::string reportText(const SuiteResult& suite);
+/// Throws UserError(usage) naming the file and what is wrong with it.
+[[nodiscard]] SuiteResult parseReport(const std::string& text, const std::string& name);
+
+/// JUnit XML: one suite, a case for each scene; times in s.
+[[nodiscard]] std::string junitText(const SuiteResult& suite);
+/// Workflow commands for GitHub's log ("::error file=...,title=...::..."), a line each.
+[[nodiscard]] std::string githubAnnotations(const SuiteResult& suite);
+/// Markdown for GitHub's job summary.
+[[nodiscard]] std::string githubSummary(const SuiteResult& suite);
+/// Writes index.html into `folder`, which holds report.json and the images already.
+void writeHtmlReport(const std::filesystem::path& folder, const SuiteResult& suite);
+
+}  // namespace simreel::golden

@@ -1,0 +1,49 @@
+#pragma once
+#include "scene/fields.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <glm/vec2.hpp>
+
+namespace simreel::scene {
+
+/// How far a picture may be from its baseline where the driver rounds differently. Every bound that is
+/// given must hold. Field names are those of the scene file.
+struct Tolerance {
+  int max_channel_diff = 12;              ///< a pixel differs when a channel is further apart, 0 to 255
+  std::optional<double> max_diff_pixels;  ///< pixels that may differ
+  std::optional<double>
+      max_diff_ratio;    ///< share of all pixels that may differ; 0.02 when neither is given
+  int window_size = 16;  ///< N of the densest N x N window
+  std::optional<double> max_window_ratio;  ///< share of the densest window's pixels that may differ
+  std::optional<double> max_flip_mean;     ///< mean FLIP error, 0 to 1
+  std::optional<double> hard_fail;         ///< no channel of any pixel may ever be further apart than this
+  void describe(Fields& fields);
+};
+
+/// "test" of a scene: what `simreel test` compares.
+struct Test {
+  std::vector<int> frames;     ///< ascending, without repeats; empty: first, middle and last
+  glm::ivec2 size{320, 180};   ///< pixels
+  std::optional<int> samples;  ///< per pixel; empty: the scene's
+  Tolerance tolerance;
+  std::string xfail;  ///< why the scene is expected to fail; empty: it is expected to pass
+  void describe(Fields& fields);
+};
+
+/// One invariant of "checks".
+struct Check {
+  /// "not-blank", "no-nan", or a statistic of an array's component ("mean", "min", "max", "sum" with `of`),
+  /// or a quantity that the simulation measures ("mass", "energy", "population", ...).
+  std::string what;
+  std::string object;       ///< name; empty: the only object that has it
+  std::string of;           ///< "positions.y": state array and component (x y z w, or "length" of xyz)
+  std::vector<int> frames;  ///< empty: every tested frame
+  std::optional<double> least, most;
+  std::optional<double> drift;  ///< most relative change from the first tested frame's value
+  void describe(Fields& fields);
+};
+
+}  // namespace simreel::scene
