@@ -79,6 +79,17 @@ void writeFileAtomically(const std::filesystem::path& path, std::string_view tex
   writeFileAtomically(path, std::as_bytes(std::span(text.data(), text.size())));
 }
 
+void makeFolders(const std::filesystem::path& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) fail(ExitCode::inputOutput, "cannot create folder {}: {}", folder.string(), error.message());
+}
+
+bool exists(const std::filesystem::path& path) {
+  std::error_code error;
+  return std::filesystem::exists(path, error);
+}
+
 std::filesystem::path programFolder() {
   std::error_code error;
   const auto program = std::filesystem::read_symlink("/proc/self/exe", error);

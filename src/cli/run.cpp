@@ -18,6 +18,7 @@ namespace simreel::cli {
 namespace {
 
 int exitCode = 0;
+std::string typed;
 
 int print(const UserError& error) {
   const bool report = error.form() == UserError::Form::report;
@@ -55,7 +56,21 @@ std::string explain(const CLI::App& app, const CLI::ParseError& error) {
                      scene::suggestion(unknown.front(), names));
 }
 
+std::string inShellQuotes(const std::string& word) {
+  const bool plain = word.find_first_not_of(
+                         "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789"
+                         "-_=./,:+%@") == std::string::npos;
+  if (plain && !word.empty()) return word;
+  std::string quoted = "'";
+  for (const char c : word) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return quoted + "'";
+}
+
 }  // namespace
+
+const std::string& commandLine() {
+  return typed;
+}
 
 void setExitCode(int code) {
   exitCode = code;
@@ -63,6 +78,7 @@ void setExitCode(int code) {
 
 int run(int argc, char** argv) {
   holdStandardDescriptors();
+  for (int i = 0; i < argc; ++i) typed += (i == 0 ? "" : " ") + inShellQuotes(argv[i]);
   CLI::App app("Renders GPU simulations without a display.", "simreel");
   app.set_version_flag("--version", std::string("simreel ") + version());
   app.require_subcommand(1);
@@ -76,6 +92,8 @@ int run(int argc, char** argv) {
   addSchema(app);
   addList(app);
   addDoctor(app);
+  addTest(app);
+  addAccept(app);
   try {
     app.parse(argc, argv);
     return flushed(exitCode);
