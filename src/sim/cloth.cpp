@@ -5,6 +5,7 @@
 #include "gl/program.hpp"
 #include "gl/vec4_array.hpp"
 #include "sim/cloth_plan.hpp"
+#include "sim/cloth_quantities.hpp"
 
 #include <cstdint>
 #include <cstring>
@@ -42,7 +43,8 @@ class Cloth : public Simulation {
         material_(object.material),
         plan_(dynamic_cast<const ClothParameters&>(*object.parameters), setting.seed, setting.frameSeconds,
               *setting.colliders),
-        size_(plan_.parameters().size) {
+        size_(plan_.parameters().size),
+        frameSeconds_(setting.frameSeconds) {
     checkLimits();
     const auto positions = plan_.firstPositions();
     positions_[0] = gl::Vec4Array(name_ + " positions", positions);
@@ -71,6 +73,7 @@ class Cloth : public Simulation {
       std::swap(positions_[0], positions_[1]);
     }
     gl::barrier();
+    time_ = time + frameSeconds_;
   }
 
   void publish(double /*time*/, Drawables& drawables) const override {
@@ -89,6 +92,11 @@ class Cloth : public Simulation {
     return {{"positions", &positions_[0].buffer()}, {"velocities", &velocities_.buffer()}};
   }
   [[nodiscard]] const gl::Buffer* status() const override { return &status_; }
+  [[nodiscard]] std::vector<Quantity> quantities() const override {
+    return clothQuantities(plan_.parameters(), positions_[0].buffer().readAll<glm::vec4>(),
+                           velocities_.buffer().readAll<glm::vec4>(), time_);
+  }
+  [[nodiscard]] std::vector<const char*> quantityNames() const override { return clothQuantityNames(); }
   [[nodiscard]] std::string explainLoss(unsigned step, unsigned element) const override {
     const auto width = static_cast<unsigned>(size_.x);
     return fmt::format(
@@ -151,6 +159,8 @@ class Cloth : public Simulation {
   scene::Material material_;
   ClothPlan plan_;
   glm::ivec2 size_;
+  double frameSeconds_;
+  double time_ = 0;             ///< s, of the present state
   gl::Vec4Array positions_[2];  ///< now, and where the next substep writes
   gl::Vec4Array velocities_;
   gl::Buffer indices_;

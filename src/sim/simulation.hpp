@@ -25,6 +25,14 @@ struct StateArray {
   const gl::Buffer* buffer;
 };
 
+/// One number that a simulation measures of its state, for checks of tests.
+struct Quantity {
+  const char* name;
+  double value;
+  const char* unit;  ///< "" when there is none
+  const char* doc;
+};
+
 /// Owns its state on the GPU and publishes drawables. It never draws.
 class Simulation {
  public:
@@ -37,6 +45,11 @@ class Simulation {
   [[nodiscard]] virtual std::vector<StateArray> state() const { return {}; }
   /// Four words as glsl/common/status.glsl writes them, or null.
   [[nodiscard]] virtual const gl::Buffer* status() const { return nullptr; }
+  /// Measures the present state, which is read back: summed up on the CPU in double and in a fixed order,
+  /// so equal states give equal numbers. Waits for the GPU.
+  [[nodiscard]] virtual std::vector<Quantity> quantities() const { return {}; }
+  /// The names that quantities() will give, in its order. Costs nothing.
+  [[nodiscard]] virtual std::vector<const char*> quantityNames() const { return {}; }
   /// One line for a user: where and why the state was lost, and what to change.
   [[nodiscard]] virtual std::string explainLoss(unsigned step, unsigned element) const {
     return "step " + std::to_string(step) + ", element " + std::to_string(element);
