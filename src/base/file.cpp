@@ -85,7 +85,7 @@ void makeFolders(const std::filesystem::path& folder) {
   if (error) fail(ExitCode::inputOutput, "cannot create folder {}: {}", folder.string(), error.message());
 }
 
-bool exists(const std::filesystem::path& path) {
+bool pathExists(const std::filesystem::path& path) {
   std::error_code error;
   return std::filesystem::exists(path, error);
 }

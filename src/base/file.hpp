@@ -21,7 +21,7 @@ void writeFileAtomically(const std::filesystem::path& path, std::string_view tex
 /// Creates the folder and those above it. Throws UserError(inputOutput).
 void makeFolders(const std::filesystem::path& folder);
 /// Whether something is there; false where that cannot be found out.
-[[nodiscard]] bool exists(const std::filesystem::path& path);
+[[nodiscard]] bool pathExists(const std::filesystem::path& path);
 
 /// The folder of shipped assets: $SIMREEL_ASSETS, else share/simreel/assets or assets beside the
 /// program's folder. Empty when none exists.

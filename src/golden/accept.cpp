@@ -19,7 +19,7 @@ namespace {
 std::string profileOf(const fs::path& folder) {
   std::error_code error;
   for (const auto& entry : fs::directory_iterator(folder, error))
-    if (exists(entry.path() / "baseline.json")) return entry.path().filename().string();
+    if (pathExists(entry.path() / "baseline.json")) return entry.path().filename().string();
   fail(ExitCode::inputOutput, "{} is gone or incomplete; run the test again with --report",
        folder.string());
 }
@@ -28,7 +28,7 @@ Candidate readCandidate(const fs::path& folder, const SceneResult& scene) {
   const std::string profile = profileOf(folder);
   Candidate kept;
   kept.pictures = *readPictures(folder, profile);
-  kept.exact = !exists(folder / profile / "state.json");
+  kept.exact = !pathExists(folder / profile / "state.json");
   const fs::path statePlace = stateFolder(folder, profile, kept.exact);
   if (auto state = readState(statePlace)) kept.state = *state;
   kept.steps = readSteps(statePlace);
@@ -88,7 +88,7 @@ Accepted acceptScene(const fs::path& reportFolder, const SceneResult& scene, con
     if (scene.candidate.empty())
       fail(ExitCode::usage, "{}: nothing was kept to accept",
            scene.messages.empty() ? statusName(scene.status) : scene.messages.front());
-    if (!exists(scene.file))
+    if (!pathExists(scene.file))
       fail(ExitCode::usage, "there is no {} here; accept from the folder in which the test ran",
            scene.file);
     const fs::path folder = reportFolder / scene.candidate;

@@ -82,7 +82,7 @@ StateBaseline parseState(const std::string& text) {
 /// Reads a file of the baseline if it is there; a mistake in it names the file.
 template <class Result>
 std::optional<Result> readBaseline(const fs::path& file, Result (*parse)(const std::string&)) {
-  if (!exists(file)) return std::nullopt;
+  if (!pathExists(file)) return std::nullopt;
   try {
     return parse(readFile(file, "baseline", std::size_t{16} << 20));
   } catch (const UserError&) {
@@ -207,7 +207,7 @@ std::optional<StateBaseline> readState(const fs::path& stateFolder) {
 
 std::vector<std::byte> readSteps(const fs::path& stateFolder) {
   const fs::path file = stateFolder / "steps.bin";
-  if (!exists(file)) return {};
+  if (!pathExists(file)) return {};
   const std::string text = readFile(file, "baseline", std::size_t{16} << 20);
   const auto bytes = std::as_bytes(std::span(text.data(), text.size()));
   return {bytes.begin(), bytes.end()};
@@ -220,7 +220,7 @@ std::optional<PictureBaseline> choosePictures(const fs::path& folder, const std:
 
 std::string profileToWrite(const fs::path& folder, const std::string& ownProfile,
                            const std::string& fingerprint) {
-  if (exists(folder / ownProfile / "baseline.json")) return ownProfile;
+  if (pathExists(folder / ownProfile / "baseline.json")) return ownProfile;
   const auto shared = orFresh<PictureBaseline>([&] { return readPictures(folder, sharedProfile); });
   const bool ours = std::all_of(shared.frames.begin(), shared.frames.end(),
                                 [&](const auto& entry) { return entry.second.fingerprint == fingerprint; });

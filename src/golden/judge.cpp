@@ -99,7 +99,7 @@ bool judgePixels(const RunFrame& made, const Reference& reference, FrameResult& 
     return true;
   }
   for (int i = 0; i <= static_cast<int>(stored->alternates.size()); ++i)
-    if (const auto file = pictureFile(reference, made.frame, i); !exists(file))
+    if (const auto file = pictureFile(reference, made.frame, i); !pathExists(file))
       fail(ExitCode::inputOutput, "baseline picture {} is missing, though baseline.json lists it",
            file.string());
   const auto known = std::find(stored->alternates.begin(), stored->alternates.end(), made.pixels);
