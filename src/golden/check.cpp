@@ -16,7 +16,7 @@ namespace simreel::golden {
 
 namespace {
 
-/// Below this deviation of luma (half a step of 8 bits either side of the mean) a picture shows nothing.
+/// One step of 8 bits: a picture whose luma deviates less shows nothing.
 constexpr double leastDeviation = 1.0 / 255.0;
 /// Drift is relative to the first value; one smaller than this counts as this.
 constexpr double tiny = 1e-12;
