@@ -16,6 +16,7 @@ void addValidate(CLI::App& app);
 void addSchema(CLI::App& app);
 void addList(CLI::App& app);
 void addDoctor(CLI::App& app);
+void addDiff(CLI::App& app);
 
 /// Exit code of a command that ended without an error of its own (130 after an interrupt).
 void setExitCode(int code);

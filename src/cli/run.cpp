@@ -76,6 +76,7 @@ int run(int argc, char** argv) {
   addSchema(app);
   addList(app);
   addDoctor(app);
+  addDiff(app);
   try {
     app.parse(argc, argv);
     return flushed(exitCode);
