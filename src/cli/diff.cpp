@@ -78,6 +78,11 @@ void checkOutput(const fs::path& output, const fs::path& a, const fs::path& b) {
   }
 }
 
+/// File names may hold bytes that are not UTF-8; JSON may not.
+void printJson(const nlohmann::ordered_json& json) {
+  fmt::print("{}\n", json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+}
+
 void comparePictures(const DiffOptions& options, const scene::Tolerance& tolerance) {
   if (!options.output.empty()) {
     if (fs::is_directory(options.output))
@@ -87,7 +92,7 @@ void comparePictures(const DiffOptions& options, const scene::Tolerance& toleran
   const auto result =
       golden::comparePair({options.a, options.a, options.b}, tolerance, options.output, true);
   if (options.json)
-    fmt::print("{}\n", pairJson(options.a, options.b, result).dump(2));
+    printJson(pairJson(options.a, options.b, result));
   else if (verbosity() != Verbosity::quiet)
     fmt::print("{}", pairText(result, tolerance));
   if (result.outcome == Outcome::different) setExitCode(static_cast<int>(ExitCode::different));
@@ -119,7 +124,7 @@ void compareSequences(const DiffOptions& options, const scene::Tolerance& tolera
                          if (text) fmt::print("{}", pairLine(pair, result));
                        });
   if (options.json)
-    fmt::print("{}\n", report.json(options.a, options.b).dump(2));
+    printJson(report.json(options.a, options.b));
   else if (text)
     fmt::print("{}", report.summary(options.a, options.b));
   if (report.unreadable > 0) {

@@ -148,12 +148,14 @@ void SeenRow::look(const Band& band, int middle, int width) {
         toHuntLab(clampedLinearRgb({values.row(0)[x], values.row(1)[x], values.row(2)[x]}));
 }
 
-/// Difference of the lengths of two gradients. Detectors ran on Y = 116 y - 16; their weights sum to 0, so
-/// dividing by 116 makes them those of y.
+float length(const Rows& rows, int row, int x) {
+  const float along = rows.row(row)[x], down = rows.row(row + 1)[x];
+  return std::sqrt(along * along + down * down);
+}
+
+/// Difference of the lengths of two gradients. Detectors ran on Y = 116 y; dividing makes them those of y.
 float featureDifference(const Rows& a, const Rows& b, int row, int x) {
-  const float lengthA = std::hypot(a.row(row)[x], a.row(row + 1)[x]);
-  const float lengthB = std::hypot(b.row(row)[x], b.row(row + 1)[x]);
-  return std::abs(lengthA - lengthB) / 116;
+  return std::abs(length(a, row, x) - length(b, row, x)) / 116;
 }
 
 void combine(const SeenRow& a, const SeenRow& b, int width, float* errors) {

@@ -22,7 +22,8 @@ bool same(const std::vector<std::byte>& a, const std::vector<std::byte>& b) {
 
 TEST_CASE("files that differ in text alone hold the same pixels") {
   const auto plain = frame::encodePng(picture(30, 20), {});
-  const auto text = frame::encodePng(picture(30, 20), {{"Software", "simreel"}, {"Title", "a flag \xe2\x9a\x91"}});
+  const auto text =
+      frame::encodePng(picture(30, 20), {{"Software", "simreel"}, {"Title", "a flag \xe2\x9a\x91"}});
   const auto other = frame::encodePng(picture(30, 20, 1), {});
   REQUIRE(plain != text);
   CHECK(same(plain, plain));
@@ -53,7 +54,8 @@ TEST_CASE("a picture that was written is read; one flipped bit anywhere is notic
   for (std::size_t size = 0; size < file.size(); ++size)
     CHECK(errorOf([&] { golden::checkPng(std::span(file).first(size), "baseline", "a"); }).first ==
           ExitCode::inputOutput);
-  const auto [code, message] = errorOf([&] { static_cast<void>(golden::readPng(folder / "b.png", "baseline")); });
+  const auto [code, message] =
+      errorOf([&] { static_cast<void>(golden::readPng(folder / "b.png", "baseline")); });
   CHECK(code == ExitCode::inputOutput);
   CHECK(contains(message, "baseline"));
   CHECK(contains(message, "b.png"));
