@@ -17,6 +17,7 @@ void addValidate(CLI::App& app);
 void addSchema(CLI::App& app);
 void addList(CLI::App& app);
 void addDoctor(CLI::App& app);
+void addDiff(CLI::App& app);
 void addTest(CLI::App& app);
 void addAccept(CLI::App& app);
 

@@ -94,6 +94,7 @@ int run(int argc, char** argv) {
   addDoctor(app);
   addTest(app);
   addAccept(app);
+  addDiff(app);
   try {
     app.parse(argc, argv);
     return flushed(exitCode);
