@@ -3,8 +3,10 @@
 #include "base/log.hpp"
 #include "cli/commands.hpp"
 #include "cli/diff_report.hpp"
+#include "cli/tolerance_options.hpp"
 #include "frame/output_name.hpp"
 #include "golden/sequence_diff.hpp"
+#include "golden/tolerance.hpp"
 
 #include <cmath>
 #include <cstdio>
@@ -26,39 +28,16 @@ using Outcome = golden::PairResult::Outcome;
 
 struct DiffOptions {
   std::string a, b, output;
-  std::optional<double> maxChannelDiff, maxDiffPixels, maxDiffRatio, windowSize, maxWindowRatio,
-      maxFlipMean, hardFail;
+  ToleranceOptions tolerance;
   bool json = false;
 };
-
-/// An option's value, refused outside its range (NaN is outside) or, where it counts, between whole
-/// numbers.
-void check(const char* option, const std::optional<double>& value, double least, double most, bool whole) {
-  if (!value) return;
-  if (!(*value >= least && *value <= most) || (whole && *value != std::floor(*value)))
-    fail(ExitCode::usage, "{} takes a {} from {} to {}, not {}", option, whole ? "whole number" : "number",
-         least, most, *value);
-}
 
 /// What the flags allow. Equality is exact where none is given; --max-channel-diff alone is kept by every
 /// pixel; a bound on how many pixels, on a window, on FLIP or on the worst pixel replaces that.
 scene::Tolerance toleranceOf(const DiffOptions& options) {
-  constexpr double manyPixels = 16384.0 * 16384;
-  check("--max-channel-diff", options.maxChannelDiff, 0, 255, true);
-  check("--max-diff-pixels", options.maxDiffPixels, 0, manyPixels, true);
-  check("--max-diff-ratio", options.maxDiffRatio, 0, 1, false);
-  check("--window-size", options.windowSize, 1, 16384, true);
-  check("--max-window-ratio", options.maxWindowRatio, 0, 1, false);
-  check("--max-flip-mean", options.maxFlipMean, 0, 1, false);
-  check("--hard-fail", options.hardFail, 0, 255, true);
   scene::Tolerance tolerance;
-  tolerance.max_channel_diff = static_cast<int>(options.maxChannelDiff.value_or(0));
-  tolerance.max_diff_pixels = options.maxDiffPixels;
-  tolerance.max_diff_ratio = options.maxDiffRatio;
-  tolerance.window_size = static_cast<int>(options.windowSize.value_or(tolerance.window_size));
-  tolerance.max_window_ratio = options.maxWindowRatio;
-  tolerance.max_flip_mean = options.maxFlipMean;
-  tolerance.hard_fail = options.hardFail;
+  tolerance.max_channel_diff = 0;
+  for (const auto& [field, value] : options.tolerance.given()) golden::setBound(tolerance, field, value);
   if (!tolerance.max_diff_pixels && !tolerance.max_diff_ratio) {
     if (tolerance.max_window_ratio || tolerance.max_flip_mean || tolerance.hard_fail)
       tolerance.max_diff_ratio = 1;
@@ -161,15 +140,7 @@ void addDiff(CLI::App& app) {
   command->add_option("B", options->b, "What to compare with it: the same kind")->required();
   command->add_option("-o,--output", options->output,
                       "Difference image, blue (small) to red (large); a folder for sequences");
-  command->add_option("--max-channel-diff", options->maxChannelDiff,
-                      "A pixel differs when a channel is further apart, 0 to 255 [0]");
-  command->add_option("--max-diff-pixels", options->maxDiffPixels, "Pixels that may differ");
-  command->add_option("--max-diff-ratio", options->maxDiffRatio, "Share of pixels that may differ, 0 to 1");
-  command->add_option("--window-size", options->windowSize, "N of the densest N x N window [16]");
-  command->add_option("--max-window-ratio", options->maxWindowRatio,
-                      "Share of that window's pixels that may differ, 0 to 1");
-  command->add_option("--max-flip-mean", options->maxFlipMean, "Mean FLIP error, 0 to 1");
-  command->add_option("--hard-fail", options->hardFail, "No channel may be further apart, 0 to 255");
+  options->tolerance.add(*command);
   command->add_flag("--json", options->json, "Print one JSON object instead of text");
   command->footer(
       "Without a bound, pictures must be equal. --max-channel-diff alone holds for every pixel. Every "

@@ -13,7 +13,7 @@ namespace simreel::cli {
 struct ToleranceOptions {
   std::map<std::string, std::optional<double>> values;  ///< by field name
   void add(CLI::App& command);
-  /// Those on the command line, by field name.
+  /// Those on the command line, by field name. Throws UserError(usage) for one outside its range.
   [[nodiscard]] std::map<std::string, double> given() const;
 };
 

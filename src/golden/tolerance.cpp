@@ -1,6 +1,7 @@
 #include "golden/tolerance.hpp"
 
 #include "base/error.hpp"
+#include "golden/compare.hpp"
 
 #include <cmath>
 #include <optional>
@@ -8,8 +9,6 @@
 namespace simreel::golden {
 
 namespace {
-
-constexpr double defaultRatio = 0.02;
 
 struct OptionalField {
   const char* name;
@@ -51,7 +50,8 @@ std::map<std::string, double> boundsInForce(const scene::Tolerance& tolerance) {
   std::map<std::string, double> bounds = {{"max_channel_diff", tolerance.max_channel_diff}};
   for (const OptionalField& optional : optionalFields)
     if (const auto& value = tolerance.*optional.member) bounds[optional.name] = *value;
-  if (!tolerance.max_diff_pixels && !tolerance.max_diff_ratio) bounds["max_diff_ratio"] = defaultRatio;
+  if (!tolerance.max_diff_pixels && !tolerance.max_diff_ratio)
+    bounds["max_diff_ratio"] = allowedRatio(tolerance);
   if (tolerance.max_window_ratio) bounds["window_size"] = tolerance.window_size;
   return bounds;
 }

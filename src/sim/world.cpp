@@ -6,6 +6,7 @@
 #include "sim/list.hpp"
 #include "sim/shape.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <deque>
 #include <vector>
@@ -17,7 +18,8 @@ namespace {
 constexpr int slots = 8;
 constexpr int texelsPerInvocation = 64;
 
-/// Hash sum and loss report of one frame: 16 bytes of sums, then 16 bytes of status for each object.
+/// Hash sums and loss report of one frame: 16 bytes for each state array, and 16 bytes of status for each
+/// object.
 struct Pending {
   int frame;
   int slot;
@@ -46,9 +48,10 @@ struct World::State {
   int done = 0;  ///< frames simulated, the pre-roll's included
   std::vector<ColliderShape> colliders;
   std::vector<std::unique_ptr<Simulation>> objects;
+  std::vector<ArrayName> arrays;
 
   gl::Program hash;
-  gl::Buffer sums;      ///< uvec4 per slot
+  gl::Buffer sums;      ///< uvec4 per array per slot
   gl::Buffer statuses;  ///< uvec4 per object per slot
   std::deque<Pending> pending;
   int nextSlot = 0;
@@ -64,7 +67,11 @@ struct World::State {
       for (const SimulationKind& kind : simulations())
         if (object.kind == kind.kind.name) objects.push_back(kind.make(object, setting));
     SIMREEL_CHECK_EQ(objects.size(), scene.objects.size());
-    sums = gl::Buffer("state hash sums", slots * 16);
+    for (std::size_t i = 0; i < objects.size(); ++i)
+      for (const StateArray& array : objects[i]->state())
+        arrays.push_back(
+            {scene.objects[i].name, array.name, static_cast<long>(array.buffer->bytes() / 16)});
+    sums = gl::Buffer("state hash sums", std::max<std::size_t>(1, arrays.size()) * slots * 16);
     statuses = gl::Buffer("status copies", std::max<std::size_t>(1, objects.size()) * slots * 16);
   }
 
@@ -75,14 +82,14 @@ struct World::State {
   }
 
   /// Adds one state array to the slot's sum; `salt` tells arrays of equal content apart.
-  void addToHash(const gl::Buffer& buffer, int slot, unsigned salt) const {
+  void addToHash(const gl::Buffer& buffer, std::size_t place, unsigned salt) const {
     const gl::Texture words = gl::Texture::view("state words", GL_RGBA32UI, buffer);
     const int texels = static_cast<int>(buffer.bytes() / 16);
     words.bind(0);
     sums.bindStorage(0);
     hash.set("texels", texels);
     hash.set("perInvocation", texelsPerInvocation);
-    hash.set("slot", slot);
+    hash.set("slot", static_cast<int>(place));
     hash.set("salt", salt);
     hash.dispatch((texels - 1) / texelsPerInvocation + 1);
   }
@@ -91,13 +98,15 @@ struct World::State {
     SIMREEL_CHECK(pending.size() < slots);
     const int slot = nextSlot;
     nextSlot = (nextSlot + 1) % slots;
-    const unsigned zero[4] = {0, 0, 0, 0};
-    sums.write(static_cast<std::size_t>(slot) * 16, std::as_bytes(std::span(zero)));
+    const std::vector<unsigned> zero(4 * arrays.size());
+    sums.write(sumOffset(slot), std::as_bytes(std::span(zero)));
     gl::barrier();
-    unsigned salt = 0;
+    std::size_t array = 0;
     for (std::size_t i = 0; i < objects.size(); ++i) {
-      for (const StateArray& array : objects[i]->state())
-        addToHash(*array.buffer, slot, ++salt * 0x9e3779b9U);
+      for (const StateArray& state : objects[i]->state()) {
+        const std::size_t place = static_cast<std::size_t>(slot) * arrays.size() + array;
+        addToHash(*state.buffer, place, static_cast<unsigned>(++array) * 0x9e3779b9U);
+      }
       if (const gl::Buffer* status = objects[i]->status()) {
         glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
         glCopyNamedBufferSubData(status->name(), statuses.name(), 0, statusOffset(slot, i), 16);
@@ -105,6 +114,10 @@ struct World::State {
     }
     pending.push_back({frame, slot, glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0)});
     glFlush();
+  }
+
+  [[nodiscard]] std::size_t sumOffset(int slot) const {
+    return static_cast<std::size_t>(slot) * arrays.size() * 16;
   }
 
   [[nodiscard]] GLintptr statusOffset(int slot, std::size_t object) const {
@@ -122,10 +135,21 @@ struct World::State {
     }
   }
 
-  [[nodiscard]] std::string hashText(int slot) const {
-    unsigned words[4] = {};
-    sums.read(static_cast<std::size_t>(slot) * 16, std::as_writable_bytes(std::span(words)));
-    return fmt::format("{:08x}{:08x}{:08x}{:08x}", words[0], words[1], words[2], words[3]);
+  /// The hash of all state is the sum of its arrays' hashes, word by word.
+  [[nodiscard]] Summary summary(int frame, int slot) const {
+    std::vector<glm::uvec4> words(arrays.size());
+    sums.read(sumOffset(slot), std::as_writable_bytes(std::span(words)));
+    const auto text = [](const glm::uvec4& w) {
+      return fmt::format("{:08x}{:08x}{:08x}{:08x}", w.x, w.y, w.z, w.w);
+    };
+    Summary result{frame, {}, {}};
+    glm::uvec4 total(0);
+    for (const glm::uvec4& w : words) {
+      total += w;
+      result.arrays.push_back(text(w));
+    }
+    result.stateHash = text(total);
+    return result;
   }
 };
 
@@ -156,6 +180,10 @@ Drawables World::drawables() const {
   return all;
 }
 
+std::vector<World::ArrayName> World::arrays() const {
+  return state_->arrays;
+}
+
 const Simulation& World::object(std::size_t index) const {
   return *state_->objects.at(index);
 }
@@ -176,7 +204,7 @@ std::optional<World::Summary> World::takeSummary(bool wait) {
   glDeleteSync(oldest.fence);
   state_->pending.pop_front();
   state_->checkStatus(oldest.slot);
-  return Summary{oldest.frame, state_->hashText(oldest.slot)};
+  return state_->summary(oldest.frame, oldest.slot);
 }
 
 }  // namespace simreel::sim

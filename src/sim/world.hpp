@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace simreel::sim {
 
@@ -26,6 +27,13 @@ class World {
   [[nodiscard]] Drawables drawables() const;
   [[nodiscard]] const Simulation& object(std::size_t index) const;
 
+  /// Every state array of every object, in the order in which they are hashed.
+  struct ArrayName {
+    std::string object, array;
+    long elements = 0;  ///< vec4 each
+  };
+  [[nodiscard]] std::vector<ArrayName> arrays() const;
+
   /// Starts hashing the state of the current frame on the GPU; at most 8 may be under way.
   void startSummary();
   /// A finished summary, oldest first: frame and hash (32 hexadecimal digits over every state array of
@@ -34,6 +42,7 @@ class World {
   struct Summary {
     int frame = 0;
     std::string stateHash;
+    std::vector<std::string> arrays;  ///< hash of each state array, in the order of arrays()
   };
   [[nodiscard]] std::optional<Summary> takeSummary(bool wait);
 
