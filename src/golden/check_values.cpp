@@ -69,7 +69,7 @@ Contrast contrastOf(const frame::Image& image) {
   Contrast contrast;
   if (image.bytes.empty()) return contrast;
   const std::uint8_t* first = image.bytes.data();
-  const auto pixels = static_cast<double>(image.bytes.size() / 4);
+  const double pixels = static_cast<double>(image.width) * image.height;
   double sum = 0;
   for (std::size_t i = 0; i < image.bytes.size(); i += 4) {
     const std::uint8_t* pixel = first + i;

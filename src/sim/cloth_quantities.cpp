@@ -53,11 +53,14 @@ std::vector<SpringFamily> families(const ClothParameters& p) {
 /// E = sum 1/2 k (|d| - L0)^2.
 void addFamily(const SpringFamily& family, glm::ivec2 size, std::span<const glm::vec4> positions,
                Springs& sum) {
+  const auto width = static_cast<std::size_t>(size.x);
+  const auto at = [&](int x, int y) {
+    return positions[static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x)];
+  };
   for (int y = 0; y + family.reach.y < size.y; ++y)
     for (int x = std::max(0, -family.reach.x); x + std::max(0, family.reach.x) < size.x; ++x) {
-      const auto here = static_cast<std::size_t>(y * size.x + x);
-      const auto there = static_cast<std::size_t>((y + family.reach.y) * size.x + x + family.reach.x);
-      const glm::dvec3 d = glm::dvec3(positions[there]) - glm::dvec3(positions[here]);
+      const glm::dvec3 here(at(x, y));
+      const glm::dvec3 d = glm::dvec3(at(x + family.reach.x, y + family.reach.y)) - here;
       const double length = std::sqrt(dot(d, d));
       const double beyond = length - family.restLength;
       sum.energy += 0.5 * family.stiffness * beyond * beyond;
