@@ -74,7 +74,7 @@ std::string problem(std::string_view file) {
   // A file that ends inside the signature was a PNG, as far as one can tell.
   if (file.substr(0, signature.size()) != signature.substr(0, std::min(file.size(), signature.size())))
     return "is not a PNG file; convert it to an 8-bit RGB PNG";
-  const std::string cutOff = fmt::format("is cut off after {} bytes; make it again", file.size());
+  std::string cutOff = fmt::format("is cut off after {} bytes; make it again", file.size());
   if (file.size() < signature.size()) return cutOff;
   std::string_view rest = file.substr(signature.size());
   bool first = true, pixels = false;
