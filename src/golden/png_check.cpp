@@ -1,14 +1,17 @@
 #include "golden/png_check.hpp"
 
 #include "base/error.hpp"
-#include "base/file.hpp"
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <cstdint>
+#include <cstdio>
 #include <cstring>
+#include <memory>
 #include <optional>
 #include <string_view>
+#include <system_error>
 
 #include <isa-l/crc.h>
 
@@ -74,7 +77,7 @@ std::string problem(std::string_view file) {
   // A file that ends inside the signature was a PNG, as far as one can tell.
   if (file.substr(0, signature.size()) != signature.substr(0, std::min(file.size(), signature.size())))
     return "is not a PNG file; convert it to an 8-bit RGB PNG";
-  const std::string cutOff = fmt::format("is cut off after {} bytes; make it again", file.size());
+  std::string cutOff = fmt::format("is cut off after {} bytes; make it again", file.size());
   if (file.size() < signature.size()) return cutOff;
   std::string_view rest = file.substr(signature.size());
   bool first = true, pixels = false;
@@ -114,20 +117,30 @@ void checkPng(std::span<const std::byte> file, const char* what, const std::stri
   if (!wrong.empty()) fail(ExitCode::inputOutput, "{} {} {}", what, name, wrong);
 }
 
-std::string readPngFile(const std::filesystem::path& path, const char* what) {
-  std::string file;
-  try {
-    file = readFile(path, what);
-  } catch (const UserError& error) {
-    // To readFile a missing file is a mistake on the command line; here it is a picture that is not there.
-    throw UserError(ExitCode::inputOutput, error.what(), error.form());
+void readPngFile(const std::filesystem::path& path, const char* what, std::string& file) {
+  const auto failed = [&](const char* verb) {
+    fail(ExitCode::inputOutput, "cannot {} {} {}: {}", verb, what, path.string(), std::strerror(errno));
+  };
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> stream(std::fopen(path.c_str(), "rbe"),
+                                                               &std::fclose);
+  if (!stream) failed("open");
+  std::setvbuf(stream.get(), nullptr, _IONBF, 0);  // straight into `file`
+  std::error_code unknown;
+  const auto size = std::filesystem::file_size(path, unknown);
+  file.resize(unknown ? 65536 : size + 1);
+  std::size_t used = 0;
+  while (const std::size_t got = std::fread(file.data() + used, 1, file.size() - used, stream.get())) {
+    used += got;
+    if (used == file.size()) file.resize(2 * used);
   }
+  if (std::ferror(stream.get()) != 0) failed("read");
+  file.resize(used);
   checkPng(std::as_bytes(std::span(file)), what, path.string());
-  return file;
 }
 
 frame::Image readPng(const std::filesystem::path& path, const char* what) {
-  const std::string file = readPngFile(path, what);
+  std::string file;
+  readPngFile(path, what, file);
   return frame::decodeImage(std::as_bytes(std::span(file)), path.string());
 }
 

@@ -13,8 +13,9 @@ namespace simreel::golden {
 /// Throws UserError(inputOutput) in one line that begins with `what` ("baseline") and `name`.
 void checkPng(std::span<const std::byte> file, const char* what, const std::string& name);
 
-/// The bytes of a PNG file that checkPng is content with. Throws as it does, also when it cannot be read.
-[[nodiscard]] std::string readPngFile(const std::filesystem::path& path, const char* what);
+/// Fills `file`, whose memory is used again, with the bytes of a PNG file that checkPng is content with.
+/// Throws as it does, also when the file cannot be read.
+void readPngFile(const std::filesystem::path& path, const char* what, std::string& file);
 
 /// Reads, checks and decodes. Throws as readPngFile does.
 [[nodiscard]] frame::Image readPng(const std::filesystem::path& path, const char* what);
