@@ -140,10 +140,13 @@ std::vector<golden::SceneFile> chosenScenes(const TestOptions& o) {
   return chosen;
 }
 
+bool colored() {
+  return ::isatty(STDOUT_FILENO) == 1;
+}
+
 /// Runs the scenes, printing each as it ends. Returns the signal that interrupted, or 0.
-int runAll(const std::vector<golden::SceneFile>& scenes, golden::Suite& suite,
+int runAll(const std::vector<golden::SceneFile>& scenes, golden::Suite& suite, const fs::path& reportFolder,
            golden::SuiteResult& result) {
-  const bool color = ::isatty(STDOUT_FILENO) == 1;
   for (const golden::SceneFile& scene : scenes) {
     try {
       result.scenes.push_back(suite.test(scene));
@@ -151,7 +154,7 @@ int runAll(const std::vector<golden::SceneFile>& scenes, golden::Suite& suite,
       return interrupted.signal;
     }
     if (verbosity() != Verbosity::quiet) {
-      fmt::print("{}", golden::sceneLine(result.scenes.back(), color));
+      fmt::print("{}", golden::sceneLine(result.scenes.back(), colored(), reportFolder));
       std::fflush(stdout);
     }
   }
@@ -189,13 +192,13 @@ void test(const TestOptions& o) {
   result.memoryPath = device.memoryPath;
   result.command = o.command;
   result.allowFlaky = o.allowFlaky;
-  const int signal = runAll(scenes, suite, result);
+  const int signal = runAll(scenes, suite, options.reportFolder, result);
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   const std::string reportFile = !o.report.empty() ? (fs::path(o.report) / "report.json").string() : o.json;
   for (const golden::SceneResult& scene : result.scenes)
     if (!scene.candidate.empty()) result.acceptCommand = "simreel accept " + reportFile;
   writeReports(o, result);
-  if (verbosity() != Verbosity::quiet) fmt::print("{}", golden::closingText(result, o.report));
+  if (verbosity() != Verbosity::quiet) fmt::print("{}", golden::closingText(result, colored(), o.report));
   if (signal != 0) info("simreel: interrupted after {} of {} scenes", result.scenes.size(), scenes.size());
   setExitCode(signal != 0 ? 128 + signal : static_cast<int>(suite.exitCode()));
 }

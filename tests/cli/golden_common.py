@@ -37,7 +37,7 @@ class GoldenCase(Case):
         done = self.good("test", "scenes", "--update", *arguments)
         return done
 
-    def tested(self, code, *arguments, **options):
+    def run_suite(self, code, *arguments, **options):
         """Runs `simreel test scenes`, expects the code, returns the report."""
         done = self.run_program("test", "scenes", "--json", "report.json", *arguments, **options)
         out = done.stdout.decode("utf-8", "replace") if done.stdout else ""
@@ -48,7 +48,7 @@ class GoldenCase(Case):
 
     def one(self, code, *arguments, **options):
         """The same for the one scene; returns its part of the report."""
-        report, done = self.tested(code, *arguments, **options)
+        report, done = self.run_suite(code, *arguments, **options)
         self.assertEqual(len(report["scenes"]), 1)
         scene = report["scenes"][0]
         scene["text"] = done.out
