@@ -59,7 +59,7 @@ class Cloth : public Simulation {
     steps_ = gl::Buffer(name_ + " steps", stepStride_ * static_cast<std::size_t>(plan_.substeps()));
   }
 
-  void step(double time) override {
+  void step(double time, const StepWatch& watch) override {
     upload(plan_.frame(time));
     status_.bindStorage(7);
     for (int i = 0; i < plan_.substeps(); ++i) {
@@ -71,9 +71,15 @@ class Cloth : public Simulation {
       step_.dispatch(size_.x, size_.y);
       if (plan_.parameters().solver == ClothSolver::constraints) constrain();
       std::swap(positions_[0], positions_[1]);
+      if (watch) watch(i + 1);
     }
     gl::barrier();
     time_ = time + frameSeconds_;
+  }
+
+  [[nodiscard]] int stepsPerFrame() const override { return plan_.substeps(); }
+  [[nodiscard]] std::string elementName(long element) const override {
+    return fmt::format("particle ({}, {})", element % size_.x, element / size_.x);
   }
 
   void publish(double /*time*/, Drawables& drawables) const override {

@@ -33,12 +33,22 @@ struct Quantity {
   const char* doc;
 };
 
+/// Called after each step of a frame, counted from 1, while state() holds what that step left. Empty:
+/// nobody watches.
+using StepWatch = std::function<void(int step)>;
+
 /// Owns its state on the GPU and publishes drawables. It never draws.
 class Simulation {
  public:
   virtual ~Simulation() = default;
   /// Advances by one frame: from `time` to `time + frameSeconds` (s of scene time).
-  virtual void step(double time) = 0;
+  virtual void step(double time, const StepWatch& watch) = 0;
+  /// Steps that a frame takes: the calls of a watch.
+  [[nodiscard]] virtual int stepsPerFrame() const { return 1; }
+  /// What a user would call an element of a state array.
+  [[nodiscard]] virtual std::string elementName(long element) const {
+    return "element " + std::to_string(element);
+  }
   /// Appends what is to be drawn of the state at `time`.
   virtual void publish(double time, Drawables& drawables) const = 0;
   /// State arrays in a fixed order; empty for things without state.

@@ -48,6 +48,7 @@ struct World::State {
   int done = 0;  ///< frames simulated, the pre-roll's included
   std::vector<ColliderShape> colliders;
   std::vector<std::unique_ptr<Simulation>> objects;
+  std::vector<std::string> names;
   std::vector<ArrayName> arrays;
 
   gl::Program hash;
@@ -67,6 +68,7 @@ struct World::State {
       for (const SimulationKind& kind : simulations())
         if (object.kind == kind.kind.name) objects.push_back(kind.make(object, setting));
     SIMREEL_CHECK_EQ(objects.size(), scene.objects.size());
+    for (const scene::Object& object : scene.objects) names.push_back(object.name);
     for (std::size_t i = 0; i < objects.size(); ++i)
       for (const StateArray& array : objects[i]->state())
         arrays.push_back(
@@ -158,12 +160,27 @@ World::~World() = default;
 World::World(World&&) noexcept = default;
 World& World::operator=(World&&) noexcept = default;
 
-void World::advanceTo(int frame) {
+void World::advanceTo(int frame, const Watch& watch) {
   SIMREEL_CHECK(frame + state_->preroll >= state_->done);
   for (; state_->done < frame + state_->preroll; ++state_->done) {
     const double time = (state_->done - state_->preroll) / state_->fps;
-    for (const auto& object : state_->objects) object->step(time);
+    for (std::size_t i = 0; i < state_->objects.size(); ++i) {
+      const StepWatch one = watch ? StepWatch([&](int step) { watch(i, step); }) : StepWatch();
+      state_->objects[i]->step(time, one);
+    }
   }
+}
+
+int World::firstFrame() const {
+  return -state_->preroll;
+}
+
+std::size_t World::objectCount() const {
+  return state_->objects.size();
+}
+
+const std::string& World::objectName(std::size_t index) const {
+  return state_->names.at(index);
 }
 
 int World::frame() const {

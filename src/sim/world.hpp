@@ -2,6 +2,7 @@
 #include "scene/scene.hpp"
 #include "sim/simulation.hpp"
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -20,8 +21,14 @@ class World {
   World(const World&) = delete;
   World& operator=(const World&) = delete;
 
+  /// Called after each step, counted from 1, of each object in turn.
+  using Watch = std::function<void(std::size_t object, int step)>;
   /// Simulates up to `frame` (0: the pre-roll only). Never goes back.
-  void advanceTo(int frame);
+  void advanceTo(int frame, const Watch& watch = {});
+  /// The frame in which it starts: 0, or below it by the pre-roll.
+  [[nodiscard]] int firstFrame() const;
+  [[nodiscard]] std::size_t objectCount() const;
+  [[nodiscard]] const std::string& objectName(std::size_t index) const;
   [[nodiscard]] int frame() const;
   [[nodiscard]] double time() const;  ///< s, of the current frame
   [[nodiscard]] Drawables drawables() const;
