@@ -19,8 +19,12 @@ void addList(CLI::App& app);
 void addDoctor(CLI::App& app);
 void addDiff(CLI::App& app);
 void addTest(CLI::App& app);
+void addTrace(CLI::App& app);
+void addBisect(CLI::App& app);
 void addAccept(CLI::App& app);
 
+/// A word as a shell takes it for itself.
+[[nodiscard]] std::string inShellQuotes(const std::string& word);
 /// What was typed, quoted for a shell where needed.
 [[nodiscard]] const std::string& commandLine();
 

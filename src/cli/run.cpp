@@ -56,6 +56,8 @@ std::string explain(const CLI::App& app, const CLI::ParseError& error) {
                      scene::suggestion(unknown.front(), names));
 }
 
+}  // namespace
+
 std::string inShellQuotes(const std::string& word) {
   const bool plain = word.find_first_not_of(
                          "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789"
@@ -65,8 +67,6 @@ std::string inShellQuotes(const std::string& word) {
   for (const char c : word) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
   return quoted + "'";
 }
-
-}  // namespace
 
 const std::string& commandLine() {
   return typed;
@@ -93,6 +93,8 @@ int run(int argc, char** argv) {
   addList(app);
   addDoctor(app);
   addTest(app);
+  addTrace(app);
+  addBisect(app);
   addAccept(app);
   addDiff(app);
   try {
