@@ -4,6 +4,8 @@
 #include "base/error.hpp"
 #include "cli/commands.hpp"
 #include "cli/scene_options.hpp"
+#include "gl/context.hpp"
+#include "sim/world.hpp"
 
 #include <bit>
 #include <cstdio>
@@ -86,6 +88,16 @@ void printJson(const golden::Bisection& found) {
   fmt::print("{}\n", json.dump(2));
 }
 
+/// As the simulation calls it, which takes a device: this one is started when the sides have ended.
+std::string elementName(const scene::Scene& scene, const golden::Difference& difference,
+                        const BisectOptions& o) {
+  const gl::Context context({.device = o.device, .debug = false, .memoryPath = o.memoryPath});
+  const sim::World world(scene);
+  for (std::size_t i = 0; i < world.objectCount(); ++i)
+    if (world.objectName(i) == difference.object) return world.object(i).elementName(difference.element);
+  return fmt::format("element {}", difference.element);
+}
+
 void bisect(const BisectOptions& o) {
   const scene::Scene scene = o.scene.load();  // a mistake in the scene is told once
   const std::string self = inShellQuotes(std::filesystem::read_symlink("/proc/self/exe").string());
@@ -98,9 +110,7 @@ void bisect(const BisectOptions& o) {
   if (o.json) {
     printJson(found);
   } else {
-    const std::string element =
-        found.difference ? fmt::format("element {}", found.difference->element) : "";
-    print(found, element);
+    print(found, found.difference ? elementName(scene, *found.difference, o) : "");
   }
   if (found.difference) setExitCode(static_cast<int>(ExitCode::different));
 }

@@ -41,7 +41,8 @@ bool printLine(const Json& json) {
   const bool written =
       std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0;
   if (!written && errno != EPIPE) fail(ExitCode::inputOutput, "cannot write to standard output");
-  if (!written) std::clearerr(stdout);
+  if (!written)
+    static_cast<void>(std::freopen("/dev/null", "w", stdout));  // what waits in the buffer goes with it
   return written;
 }
 

@@ -136,8 +136,8 @@ std::int64_t ordered(std::uint32_t bits) {
   return (bits >> 31) != 0 ? -magnitude : magnitude;
 }
 
-/// Compares the object's arrays, the first one that differs.
-void firstElement(const Side (&sides)[2], Difference& found) {
+/// Compares the object's arrays, up to the first one that differs; false when none does.
+bool firstElement(const Side (&sides)[2], Difference& found) {
   Pair pair(sides, fmt::format("--dump={}:{} --object {}", found.frame, found.step, found.object));
   const Json head = pair.a.needLine();
   if (head != pair.b.needLine()) fail(ExitCode::usage, "the two sides do not have the same arrays");
@@ -162,10 +162,9 @@ void firstElement(const Side (&sides)[2], Difference& found) {
       found.mostUlp =
           std::max(found.mostUlp, static_cast<std::uint32_t>(std::min<std::int64_t>(apart, 0xffffffff)));
     }
-    if (found.elementsThatDiffer > 0) return;
+    if (found.elementsThatDiffer > 0) return true;
   }
-  fail(ExitCode::inputOutput, "the arrays of frame {}, step {} are equal now: a side is not deterministic",
-       found.frame, found.step);
+  return false;
 }
 
 }  // namespace
@@ -180,19 +179,15 @@ Bisection bisect(const Side (&sides)[2], std::optional<int> lastFrame) {
   if (found.frames == 1) {  // the state that both start from
     for (const auto& [object, count] : steps.items()) {
       difference.object = object;
-      try {
-        firstElement(sides, difference);
-        return found;
-      } catch (const UserError&) {
-        if (object == steps.items().end().key()) throw;
-      }
+      if (firstElement(sides, difference)) return found;
     }
-    return found;
+  } else {
+    firstStep(sides, difference);
+    difference.steps = steps.at(difference.object).get<int>();
+    if (firstElement(sides, difference)) return found;
   }
-  firstStep(sides, difference);
-  difference.steps = steps.at(difference.object).get<int>();
-  firstElement(sides, difference);
-  return found;
+  fail(ExitCode::inputOutput,
+       "frame {} differed, but its arrays are equal now: a side is not deterministic", difference.frame);
 }
 
 }  // namespace simreel::golden
