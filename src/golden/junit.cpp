@@ -62,7 +62,7 @@ std::string outputText(const SuiteResult& suite, const SceneResult& scene) {
 }
 
 std::string folderOf(const SceneResult& scene) {
-  const std::string folder = std::filesystem::path(scene.file).parent_path().string();
+  std::string folder = std::filesystem::path(scene.file).parent_path().string();
   if (!folder.empty()) return folder;
   return scene.file.empty() ? "simreel" : scene.file;
 }
