@@ -48,7 +48,7 @@ Candidate readCandidate(const fs::path& folder, const SceneResult& scene) {
 
 /// Frames whose baseline is what the report saw are promoted; another one means that somebody was faster.
 void checkUnchanged(const SceneResult& scene, const Candidate& kept) {
-  const auto current = scene.profile.empty() ? std::nullopt : readPictures(scene.baselines, scene.profile);
+  const auto current = scene.profile.empty() ? std::nullopt : readPictures(baselineFolder(scene.file), scene.profile);
   for (const FrameResult& frame : scene.frames) {
     std::string now;
     if (current)
@@ -91,14 +91,16 @@ Accepted acceptScene(const fs::path& reportFolder, const SceneResult& scene, con
     if (!pathExists(scene.file))
       fail(ExitCode::usage, "there is no {} here; accept from the folder in which the test ran",
            scene.file);
+    // Where baselines are follows from the scene: a report from elsewhere does not choose it.
+    const fs::path baselines = baselineFolder(scene.file);
     const fs::path folder = reportFolder / scene.candidate;
     Candidate kept = readCandidate(folder, scene);
     checkUnchanged(scene, kept);
     const std::string profile = profileOf(folder);
     leaveOutPassed(scene, profile, kept);
-    result.already = holdsAlready(scene.baselines, profile, kept);
+    result.already = holdsAlready(baselines, profile, kept);
     if (!result.already)
-      promote(scene.baselines, profile, kept, {how.reason, how.alternate, how.alternate});
+      promote(baselines, profile, kept, {how.reason, how.alternate, how.alternate});
   } catch (const UserError& mistake) {
     result.problem = mistake.what();
   }

@@ -1,0 +1,171 @@
+// The report's data, what is derived from it, and what is chosen: suite, scene, frame, view.
+
+const suite = JSON.parse(document.getElementById("data").textContent);
+
+/// In the order of the list: what needs attention first.
+const statusOrder =
+    ["error", "fail", "nondeterministic", "missing", "xpass", "flaky", "xfail", "updated", "pass"];
+const statusWords = {
+  error: "error", fail: "failed", nondeterministic: "nondeterministic", missing: "no baseline",
+  xpass: "passed unexpectedly", flaky: "flaky", xfail: "failed as expected", updated: "updated", pass: "passed",
+};
+const statusGlyphs = {
+  error: "!", fail: "✕", nondeterministic: "≠", missing: "?", xpass: "⊕", flaky: "~", xfail: "⊖", updated: "↑",
+  pass: "✓",
+};
+
+function isFailure(status) {
+  if (status === "flaky") return !suite.allowFlaky;
+  return !["pass", "updated", "xfail"].includes(status);
+}
+
+const views = [
+  {id: "side", label: "side by side"},
+  {id: "swipe", label: "swipe"},
+  {id: "blink", label: "blink"},
+  {id: "difference", label: "difference"},
+];
+
+/// What the curve can show, as a number of a frame's metrics; `bound` is the tolerance that limits it.
+const curves = [
+  {id: "worst", label: "worst channel", of: (m) => m.worst, bound: "hard_fail", text: (v) => format(v, 3)},
+  {id: "ratioBeyond", label: "pixels beyond", of: (m) => m.ratioBeyond, bound: "max_diff_ratio", text: percent},
+  {id: "flipMean", label: "FLIP mean", of: (m) => m.flipMean, bound: "max_flip_mean", text: (v) => format(v, 3)},
+  {id: "ssim", label: "1 − SSIM", of: (m) => 1 - m.ssim, bound: null, text: (v) => format(v, 3)},
+];
+
+/// What is chosen. Change it with go(), which redraws and writes the link.
+const state = {scene: null, frame: 0, view: "side"};
+
+const byName = new Map(suite.scenes.map((scene) => [scene.name, scene]));
+const failing = suite.scenes.filter((scene) => isFailure(scene.status));
+
+const frameOf = (scene) => scene.frames[state.frame] || null;
+const hasPictures = (frame) => Boolean(frame.expectedImage || frame.actualImage || frame.differenceImage);
+const equalPixels = (frame) => !frame.metrics && frame.pixels !== "" && frame.pixels === frame.expectedPixels;
+
+/// Largest of a curve's values over the scene's frames; 0 where nothing was measured.
+function largest(scene, of) {
+  return scene.frames.reduce((most, frame) => frame.metrics ? Math.max(most, of(frame.metrics)) : most, 0);
+}
+
+/// Index of the frame to show first: where the scene first fails.
+function firstFrame(scene) {
+  return Math.max(0, scene.frames.findIndex((frame) => frame.status !== "pass" && frame.status !== "updated"));
+}
+
+/// The value of a curve at a frame: 0 where the pixels are equal, null where nothing can be compared.
+function curveValue(curve, frame) {
+  if (frame.metrics) return curve.of(frame.metrics);
+  return equalPixels(frame) || frame.alternate > 0 ? 0 : null;
+}
+
+// ---- text ----
+
+function format(value, digits = 4) {
+  if (value === null || value === undefined) return "–";
+  return String(Number(Number(value).toPrecision(digits)));
+}
+function percent(ratio) {
+  return format(ratio * 100, 3) + " %";
+}
+function seconds(value) {
+  if (value < 60) return value.toFixed(value < 10 ? 2 : 1) + " s";
+  return Math.floor(value / 60) + " min " + Math.round(value % 60) + " s";
+}
+function plural(count, noun) {
+  return count + " " + noun + (count === 1 ? "" : "s");
+}
+const natural = new Intl.Collator("en", {numeric: true}).compare;
+
+/// One word of a POSIX shell.
+function shellWord(text) {
+  return "'" + text.replaceAll("'", "'\\''") + "'";
+}
+
+/// The command that accepts this scene, or "" where nothing was kept.
+function acceptCommand(scene) {
+  if (!suite.acceptCommand || !scene.candidate) return "";
+  return suite.acceptCommand + " --only " + shellWord(scene.name);
+}
+
+/// "first leaves the baseline at frame 37, step 4 of 22: flag.positions, elements 128–191"
+function divergenceText(divergence) {
+  const d = divergence;
+  const when = d.frame < 0 ? "before frame 0, at pre-roll frame " + d.frame : "at frame " + d.frame;
+  const step = d.step > 0 ? ", step " + d.step + " of " + d.steps : "";
+  const elements = d.firstElement === d.lastElement ? "element " + d.firstElement :
+                                                      "elements " + d.firstElement + "–" + d.lastElement;
+  const where = [d.object, d.buffer].filter(Boolean).join(".");
+  return "first leaves the baseline " + when + step + (where ? ": " + where + ", " + elements : "");
+}
+
+// ---- document ----
+
+const byId = (id) => document.getElementById(id);
+
+/// An element; text goes through text nodes, so data is never markup.
+function element(tag, properties, ...children) {
+  const made = document.createElement(tag);
+  for (const [key, value] of Object.entries(properties || {})) {
+    if (value === null || value === undefined || value === false) continue;
+    if (key === "class") made.className = value;
+    else if (key.startsWith("on")) made.addEventListener(key.slice(2), value);
+    else made.setAttribute(key, value === true ? "" : value);
+  }
+  made.append(...children.filter((child) => child !== null && child !== undefined && child !== ""));
+  return made;
+}
+function svgElement(tag, attributes, text) {
+  const made = document.createElementNS("http://www.w3.org/2000/svg", tag);
+  for (const [key, value] of Object.entries(attributes)) made.setAttribute(key, value);
+  if (text) made.textContent = text;
+  return made;
+}
+function badge(status) {
+  return element("span", {class: "badge " + status}, statusGlyphs[status] + " " + statusWords[status]);
+}
+
+/// localStorage may be denied (a page from disk, a private window): settings then last as long as the page.
+function remembered(key) {
+  try {
+    return window.localStorage.getItem("simreel." + key);
+  } catch {
+    return null;
+  }
+}
+function remember(key, value) {
+  try {
+    window.localStorage.setItem("simreel." + key, value);
+  } catch {
+    // Nothing is kept.
+  }
+}
+
+/// Of the asynchronous interface, or, where that is refused, of a selected text field.
+async function copyText(text) {
+  try {
+    await navigator.clipboard.writeText(text);
+    return true;
+  } catch {
+    const field = element("textarea", {readonly: true, class: "copyField", "aria-hidden": "true"});
+    const focused = document.activeElement;
+    field.value = text;
+    document.body.append(field);
+    field.select();
+    const copied = document.execCommand("copy");
+    field.remove();
+    if (focused) focused.focus({preventScroll: true});
+    return copied;
+  }
+}
+
+/// A command with a button that copies it.
+function commandLine(text, label) {
+  const button = element("button", {class: "copy", "aria-label": "Copy: " + label, title: "Copy"}, "copy");
+  button.addEventListener("click", async () => {
+    button.textContent = await copyText(text) ? "copied" : "select it by hand";
+    setTimeout(() => button.textContent = "copy", 1500);
+  });
+  return [element("code", {}, text), button];
+}

@@ -1,0 +1,187 @@
+// The four views of a frame's pictures: side by side, swipe, blink, difference.
+
+const blink = {
+  playing: !window.matchMedia("(prefers-reduced-motion: reduce)").matches,
+  timer: null,
+  first: true,  // shows the expected picture
+};
+
+const pictureKeys = ["expected", "actual", "difference"];
+
+/// What a picture is called; runs that disagree with each other have no expected one.
+function pictureLabel(frame, key) {
+  if (frame.status === "nondeterministic" && key !== "difference") return key === "expected" ? "first run" : "second run";
+  if (key === "expected" && frame.alternate > 0) return "expected (alternate " + frame.alternate + ")";
+  return key;
+}
+
+/// A path as a relative link: a name may hold "#", "?" or "%".
+function link(path) {
+  return path.split("/").map(encodeURIComponent).join("/");
+}
+
+function pictureLoaded(image) {
+  const images = viewer.panes.flatMap((pane) => pane.layers).map((layer) => layer.image)
+                     .filter((other) => other.naturalWidth > 0);
+  if (!images.includes(image)) return;  // of a frame that is no longer shown
+  viewer.size = {
+    width: Math.max(...images.map((other) => other.naturalWidth)),
+    height: Math.max(...images.map((other) => other.naturalHeight)),
+  };
+  sizePanes();
+}
+
+/// The picture's element; one that is shown already is used again, so that switching views does not flicker.
+function pictureElement(path) {
+  const shown = viewer.panes.flatMap((pane) => pane.layers).find((layer) => layer.path === path);
+  if (shown) return shown.image;
+  const image = element("img", {draggable: "false", decoding: "sync"});
+  image.addEventListener("load", () => pictureLoaded(image));
+  image.addEventListener("error", () => {
+    image.after(element("p", {class: "lost"}, path + " cannot be loaded; index.html needs the files beside it"));
+    image.hidden = true;
+  });
+  image.src = link(path);
+  return image;
+}
+
+function makeLayer(frame, key) {
+  const path = frame[key + "Image"];
+  const image = pictureElement(path);
+  image.alt = pictureLabel(frame, key) + ", frame " + frame.frame;
+  return {box: element("div", {class: "layer"}, image), image, key, path};
+}
+
+/// A pane of one or more pictures on top of each other, with a caption in its corner.
+function makePane(frame, keys) {
+  const layers = keys.map((key) => makeLayer(frame, key));
+  const window = element("i", {class: "mark window", title: "densest window", hidden: true});
+  const worst = element("i", {class: "mark worst", title: "worst pixel", hidden: true});
+  const captions = keys.map((key) => element("figcaption", {class: key}, pictureLabel(frame, key)));
+  const box = element("figure", {class: "pane"}, ...layers.map((layer) => layer.box), window, worst, ...captions);
+  return {box, layers, window, worst, captions, handle: null};
+}
+
+function addHandle(pane) {
+  pane.handle = element("div", {class: "handle", role: "slider", tabindex: "0", "aria-label": "Swipe position",
+                                "aria-valuemin": "0", "aria-valuemax": "100", "aria-orientation": "horizontal"});
+  pane.handle.addEventListener("keydown", (event) => {
+    const step = {ArrowLeft: -0.02, ArrowRight: 0.02, PageDown: -0.1, PageUp: 0.1, Home: -1, End: 1}[event.key];
+    if (step === undefined) return;
+    event.preventDefault();
+    event.stopPropagation();
+    viewer.split = clamp(viewer.split + step, 0, 1);
+    drawPanes();
+  });
+  pane.box.append(pane.handle);
+}
+
+function makePanes(frame, existing) {
+  const both = existing.includes("expected") && existing.includes("actual");
+  if (state.view === "difference") return existing.includes("difference") ? [makePane(frame, ["difference"])] : [];
+  if (state.view === "side" || !both) {
+    const keys = state.view === "side" ? existing : existing.filter((key) => key !== "difference");
+    return keys.map((key) => makePane(frame, [key]));
+  }
+  const pane = makePane(frame, ["expected", "actual"]);
+  if (state.view === "swipe") addHandle(pane);
+  return [pane];
+}
+
+/// Why there is nothing to see.
+function emptyText(frame, existing) {
+  if (!frame) return state.scene.status === "error" ? "No frame was made." : "No frame was tested.";
+  if (existing.length > 0)
+    return existing.length === 1 ? "No difference picture: there is nothing to compare with." :
+                                   "No difference picture: the pictures differ in size.";
+  if (frame.status === "pass" || frame.status === "updated") {
+    const what = frame.metrics ? "within tolerance of" : "equal to";
+    const alternate = frame.alternate > 0 ? "its accepted alternate " + frame.alternate : "its baseline";
+    return frame.status === "updated" ? "The baseline was written; its picture is not stored here." :
+                                        "Frame " + frame.frame + " is " + what + " " + alternate + "; not stored.";
+  }
+  return equalPixels(frame) ? "The pixels are equal, not stored." : "No pictures were stored.";
+}
+
+function showPictures() {
+  const frame = frameOf(state.scene);
+  const existing = frame ? pictureKeys.filter((key) => frame[key + "Image"]) : [];
+  viewer.panes = frame ? makePanes(frame, existing) : [];
+  viewer.pointers.clear();
+  viewer.drag = null;
+  const panes = byId("panes");
+  panes.className = "view-" + state.view + " of-" + viewer.panes.length;
+  panes.replaceChildren(...viewer.panes.map((pane) => pane.box));
+  if (viewer.panes.length === 0) panes.append(element("p", {class: "empty"}, emptyText(frame, existing)));
+  for (const button of byId("views").children)
+    button.setAttribute("aria-pressed", String(button.dataset.view === state.view));
+  for (const id of ["zoomIn", "zoomOut", "fit", "oneToOne", "marks"]) byId(id).disabled = viewer.panes.length === 0;
+  byId("worst").disabled = viewer.panes.length === 0 || !frame.metrics || frame.metrics.worst === 0;
+  byId("pixel").textContent = "";
+  startBlink();
+  sizePanes();
+}
+
+/// Heights follow the pictures' shape, so that no pane is half empty.
+function sizePanes() {
+  const box = byId("panes");
+  const columns = getComputedStyle(box).gridTemplateColumns.split(" ").length;
+  const width = box.clientWidth / Math.max(1, columns);
+  const most = window.innerHeight * (columns > 1 || viewer.panes.length === 1 ? 0.58 : 0.42);
+  const height = clamp(width * viewer.size.height / viewer.size.width, 150, Math.max(150, most));
+  box.style.setProperty("--pane", Math.round(height) + "px");
+  drawPanes();
+}
+
+// ---- blink ----
+
+const blinkPane = () => state.view === "blink" && viewer.panes.length === 1 && viewer.panes[0].layers.length === 2 ?
+    viewer.panes[0] : null;
+
+function showBlink() {
+  const pane = blinkPane();
+  if (!pane) return;
+  pane.layers[1].box.style.visibility = blink.first ? "hidden" : "visible";
+  pane.captions[0].hidden = !blink.first;
+  pane.captions[1].hidden = blink.first;
+}
+
+function swapBlink() {
+  blink.first = !blink.first;
+  showBlink();
+}
+
+function startBlink() {
+  clearInterval(blink.timer);
+  blink.timer = null;
+  byId("blinkTools").hidden = !blinkPane();
+  byId("play").setAttribute("aria-pressed", String(blink.playing));
+  if (!blinkPane()) return;
+  showBlink();
+  if (blink.playing) blink.timer = setInterval(swapBlink, Number(byId("interval").value));
+}
+
+/// By hand: the timer stops, or the next swap would come at once.
+function blinkByHand() {
+  if (state.view !== "blink") return go({view: "blink"});
+  blink.playing = false;
+  startBlink();
+  swapBlink();
+}
+
+function toggleBlinkTimer() {
+  blink.playing = !blink.playing;
+  startBlink();
+}
+
+function startPanes() {
+  views.forEach((view, index) => {
+    byId("views").append(element("button", {"data-view": view.id, "aria-pressed": "false",
+                                            title: view.label + " (" + (index + 1) + ")",
+                                            onclick: () => go({view: view.id})},
+                                 view.label));
+  });
+  byId("play").addEventListener("click", toggleBlinkTimer);
+  byId("swap").addEventListener("click", blinkByHand);
+  byId("interval").addEventListener("change", startBlink);
+}

@@ -1,0 +1,242 @@
+// Looking at pictures: zoom, pan and marks, the same in every pane. Positions are in picture pixels, x right
+// and y down; a pane shows picture point (x, y) at its middle, `scale` screen pixels (CSS) a picture pixel.
+
+const viewer = {
+  scale: null,                 // null: fit
+  x: 0, y: 0,                  // picture point in the middle of each pane, where scale is given
+  size: {width: 16, height: 9},  // of the pictures, once known
+  panes: [],                   // {box, layers: [{box, image, key}], window, worst}
+  split: 0.5,                  // of swipe: share of the pane that shows the expected picture
+  marks: true,
+  pointers: new Map(),         // id -> {x, y}
+  drag: null,                  // "pan", "split" or "pinch"
+};
+
+const zoomLadder = [1 / 8, 1 / 4, 1 / 2, 1, 2, 3, 4, 6, 8, 12, 16, 24, 32, 48, 64];
+const clamp = (value, least, most) => Math.min(most, Math.max(least, value));
+const fitScale = (pane) =>
+    Math.min(pane.box.clientWidth / viewer.size.width, pane.box.clientHeight / viewer.size.height);
+/// Screen pixels of CSS a device pixel.
+const devicePixel = () => 1 / (window.devicePixelRatio || 1);
+
+/// Where a pane shows the picture: screen = offset + scale * picture.
+function placement(pane) {
+  const fitted = viewer.scale === null;
+  const scale = fitted ? fitScale(pane) : viewer.scale;
+  const x = fitted ? viewer.size.width / 2 : viewer.x;
+  const y = fitted ? viewer.size.height / 2 : viewer.y;
+  // Whole device pixels, or a picture pixel's edges fall between.
+  const snap = (value) => Math.round(value / devicePixel()) * devicePixel();
+  return {scale, left: snap(pane.box.clientWidth / 2 - x * scale), top: snap(pane.box.clientHeight / 2 - y * scale)};
+}
+
+function placeMark(mark, place, x, y, size, visible) {
+  mark.hidden = !visible;
+  if (!visible) return;
+  const side = Math.max(size * place.scale, 5);
+  mark.style.left = place.left + x * place.scale + (size * place.scale - side) / 2 + "px";
+  mark.style.top = place.top + y * place.scale + (size * place.scale - side) / 2 + "px";
+  mark.style.width = mark.style.height = side + "px";
+}
+
+/// Side of the densest window in pixels, as the comparison took it.
+function windowSize() {
+  const given = state.scene.tolerance.window_size;
+  return Math.min(given ? given.value : 16, viewer.size.width, viewer.size.height);
+}
+
+function drawPanes() {
+  for (const pane of viewer.panes) {
+    const place = placement(pane);
+    for (const layer of pane.layers) {
+      layer.image.style.transform = `translate(${place.left}px, ${place.top}px) scale(${place.scale})`;
+      layer.image.classList.toggle("shrunk", place.scale < devicePixel());
+    }
+    const metrics = frameOf(state.scene) ? frameOf(state.scene).metrics : null;
+    const shown = viewer.marks && metrics !== null;
+    placeMark(pane.window, place, metrics ? metrics.windowX : 0, metrics ? metrics.windowY : 0, windowSize(),
+              shown && metrics.windowRatio > 0);
+    placeMark(pane.worst, place, metrics ? metrics.worstX : 0, metrics ? metrics.worstY : 0, 1,
+              shown && metrics.worst > 0);
+    if (pane.handle) {
+      pane.layers[1].box.style.clipPath = `inset(0 0 0 ${viewer.split * 100}%)`;
+      pane.handle.style.left = viewer.split * 100 + "%";
+      pane.handle.setAttribute("aria-valuenow", Math.round(viewer.split * 100));
+    }
+    pane.box.classList.toggle("zoomed", viewer.scale !== null);
+  }
+  const first = viewer.panes[0];
+  byId("zoom").textContent = first ? Math.round(placement(first).scale / devicePixel() * 100) + " %" : "–";
+}
+
+/// Zooms so that the picture point under (clientX, clientY) stays where it is.
+function zoomAt(pane, clientX, clientY, scale) {
+  const box = pane.box.getBoundingClientRect();
+  const place = placement(pane);
+  const wanted = clamp(scale, zoomLadder[0], zoomLadder[zoomLadder.length - 1]);
+  const dx = clientX - box.left, dy = clientY - box.top;
+  const x = (dx - place.left) / place.scale, y = (dy - place.top) / place.scale;
+  viewer.scale = wanted;
+  lookAt(x + (pane.box.clientWidth / 2 - dx) / wanted, y + (pane.box.clientHeight / 2 - dy) / wanted);
+}
+
+function lookAt(x, y) {
+  viewer.x = clamp(x, 0, viewer.size.width);
+  viewer.y = clamp(y, 0, viewer.size.height);
+  drawPanes();
+}
+
+function setScale(scale) {
+  const pane = viewer.panes[0];
+  if (!pane) return;
+  const box = pane.box.getBoundingClientRect();
+  if (scale === null) {
+    viewer.scale = null;
+    drawPanes();
+  } else {
+    zoomAt(pane, box.left + box.width / 2, box.top + box.height / 2, scale);
+  }
+}
+
+/// The next step of the ladder up (1) or down (-1).
+function stepZoom(direction) {
+  if (!viewer.panes[0]) return;
+  const now = placement(viewer.panes[0]).scale / devicePixel();
+  const next = direction > 0 ? zoomLadder.find((step) => step > now * 1.001) :
+                               zoomLadder.findLast((step) => step < now * 0.999);
+  if (next !== undefined) setScale(next * devicePixel());
+}
+
+function pan(dx, dy) {
+  const pane = viewer.panes[0];
+  if (!pane || viewer.scale === null) return;
+  lookAt(viewer.x - dx / viewer.scale, viewer.y - dy / viewer.scale);
+}
+
+/// To the pixel that differs most, near enough to see its neighbours.
+function goToWorst() {
+  const frame = frameOf(state.scene);
+  if (!frame || !frame.metrics || viewer.panes.length === 0) return;
+  viewer.scale = Math.max(placement(viewer.panes[0]).scale, 12 * devicePixel());
+  viewer.marks = true;
+  byId("marks").setAttribute("aria-pressed", "true");
+  lookAt(frame.metrics.worstX + 0.5, frame.metrics.worstY + 0.5);
+}
+
+function toggleMarks() {
+  viewer.marks = !viewer.marks;
+  byId("marks").setAttribute("aria-pressed", String(viewer.marks));
+  drawPanes();
+}
+
+// ---- the pixel under the pointer ----
+
+const probe = {context: null, refused: false};
+
+/// [r, g, b] or null: browsers do not let a page from disk read the pictures beside it.
+function colourAt(image, x, y) {
+  if (probe.refused || !image.complete || x >= image.naturalWidth || y >= image.naturalHeight) return null;
+  try {
+    if (!probe.context) {
+      const canvas = document.createElement("canvas");
+      canvas.width = canvas.height = 1;
+      probe.context = canvas.getContext("2d", {willReadFrequently: true});
+    }
+    probe.context.drawImage(image, x, y, 1, 1, 0, 0, 1, 1);
+    return [...probe.context.getImageData(0, 0, 1, 1).data.slice(0, 3)];
+  } catch {
+    probe.refused = true;
+    return null;
+  }
+}
+
+function readPixel(pane, event) {
+  const box = pane.box.getBoundingClientRect();
+  const place = placement(pane);
+  const x = Math.floor((event.clientX - box.left - place.left) / place.scale);
+  const y = Math.floor((event.clientY - box.top - place.top) / place.scale);
+  if (x < 0 || y < 0 || x >= viewer.size.width || y >= viewer.size.height) {
+    byId("pixel").textContent = "";
+    return;
+  }
+  let text = `x ${x}  y ${y}`;
+  for (const layer of viewer.panes.flatMap((other) => other.layers)) {
+    if (layer.key === "difference") continue;
+    const colour = colourAt(layer.image, x, y);
+    if (colour) text += `  ·  ${layer.key} ${colour.join(" ")}`;
+  }
+  byId("pixel").textContent = text;
+}
+
+// ---- pointer ----
+
+const paneOf = (event) => viewer.panes.find((pane) => pane.box.contains(event.target));
+
+function setSplit(pane, clientX) {
+  const box = pane.box.getBoundingClientRect();
+  viewer.split = clamp((clientX - box.left) / box.width, 0, 1);
+  drawPanes();
+}
+
+function pointerDown(event) {
+  const pane = paneOf(event);
+  if (!pane || event.button !== 0) return;
+  viewer.pointers.set(event.pointerId, {x: event.clientX, y: event.clientY});
+  byId("panes").setPointerCapture(event.pointerId);
+  const onHandle = pane.handle && pane.handle.contains(event.target);
+  // A picture that fits cannot be moved: dragging anywhere moves the slider then.
+  viewer.drag = viewer.pointers.size > 1 ? "pinch" : pane.handle && (onHandle || viewer.scale === null) ? "split" : "pan";
+  viewer.dragPane = pane;
+  if (viewer.drag === "split") setSplit(pane, event.clientX);
+  if (viewer.drag === "pan") pane.box.classList.add("dragging");
+}
+
+function pointerMove(event) {
+  const last = viewer.pointers.get(event.pointerId);
+  const pane = last ? viewer.dragPane : paneOf(event);
+  if (pane) readPixel(pane, event);
+  if (!last) return;
+  const now = {x: event.clientX, y: event.clientY};
+  if (viewer.drag === "split") setSplit(pane, now.x);
+  if (viewer.drag === "pan") pan(now.x - last.x, now.y - last.y);
+  if (viewer.drag === "pinch") {
+    const other = [...viewer.pointers].find(([id]) => id !== event.pointerId)[1];
+    const apart = (point) => Math.hypot(point.x - other.x, point.y - other.y) || 1;
+    zoomAt(pane, (now.x + other.x) / 2, (now.y + other.y) / 2, placement(pane).scale * apart(now) / apart(last));
+  }
+  viewer.pointers.set(event.pointerId, now);
+}
+
+function pointerUp(event) {
+  viewer.pointers.delete(event.pointerId);
+  if (viewer.drag === "pinch" && viewer.pointers.size === 1) viewer.drag = "pan";
+  if (viewer.pointers.size === 0) viewer.drag = null;
+  for (const pane of viewer.panes) pane.box.classList.remove("dragging");
+}
+
+function wheel(event) {
+  const pane = paneOf(event);
+  if (!pane || pane.layers.length === 0) return;
+  event.preventDefault();
+  const lines = event.deltaMode === 1 ? 16 : 1;
+  const factor = Math.exp(clamp(-event.deltaY * lines * (event.ctrlKey ? 0.01 : 0.002), -1, 1));
+  zoomAt(pane, event.clientX, event.clientY, placement(pane).scale * factor);
+}
+
+function startViewer() {
+  const panes = byId("panes");
+  panes.addEventListener("pointerdown", pointerDown);
+  panes.addEventListener("pointermove", pointerMove);
+  panes.addEventListener("pointerup", pointerUp);
+  panes.addEventListener("pointercancel", pointerUp);
+  panes.addEventListener("pointerleave", () => byId("pixel").textContent = "");
+  panes.addEventListener("wheel", wheel, {passive: false});
+  panes.addEventListener("dragstart", (event) => event.preventDefault());
+  byId("zoomIn").addEventListener("click", () => stepZoom(1));
+  byId("zoomOut").addEventListener("click", () => stepZoom(-1));
+  byId("fit").addEventListener("click", () => setScale(null));
+  byId("oneToOne").addEventListener("click", () => setScale(devicePixel()));
+  byId("worst").addEventListener("click", goToWorst);
+  byId("marks").addEventListener("click", toggleMarks);
+  new ResizeObserver(sizePanes).observe(panes);
+}
