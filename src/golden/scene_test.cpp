@@ -119,12 +119,13 @@ void SceneTest::judge() {
   for (const RunFrame& made : run_.frames) {
     auto [frame, pictureFails] = judgeFrame(made, reference_);
     if (pictureFails) failedPictures_.insert(frame.frame);
+    if (!frame.message.empty()) frame.message = fmt::format("frame {}: {}", frame.frame, frame.message);
     result_.frames.push_back(frame);
     if (result_.status == Status::nondeterministic) continue;
     if (frame.status == Status::fail) result_.status = Status::fail;
     if (frame.status == Status::missing && result_.status == Status::pass) result_.status = Status::missing;
     if (frame.status != Status::pass)
-      result_.messages.push_back(fmt::format("frame {}: {}", frame.frame, frame.message));
+      result_.messages.push_back(frame.message);
   }
   for (const CheckResult& check : result_.checks) {
     if (check.passed) continue;
