@@ -1,5 +1,6 @@
 #include "base/error.hpp"
 #include "base/log.hpp"
+#include "base/process.hpp"
 #include "base/version.hpp"
 #include "cli/commands.hpp"
 #include "scene/words.hpp"
@@ -56,16 +57,6 @@ std::string explain(const CLI::App& app, const CLI::ParseError& error) {
                      scene::suggestion(unknown.front(), names));
 }
 
-std::string inShellQuotes(const std::string& word) {
-  const bool plain = word.find_first_not_of(
-                         "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789"
-                         "-_=./,:+%@") == std::string::npos;
-  if (plain && !word.empty()) return word;
-  std::string quoted = "'";
-  for (const char c : word) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return quoted + "'";
-}
-
 }  // namespace
 
 const std::string& commandLine() {
@@ -95,6 +86,8 @@ int run(int argc, char** argv) {
   addTest(app);
   addAccept(app);
   addDiff(app);
+  addTrace(app);
+  addBisect(app);
   try {
     app.parse(argc, argv);
     return flushed(exitCode);
