@@ -19,9 +19,9 @@ void addList(CLI::App& app);
 void addDoctor(CLI::App& app);
 void addDiff(CLI::App& app);
 void addTest(CLI::App& app);
-void addAccept(CLI::App& app);
 void addTrace(CLI::App& app);
 void addBisect(CLI::App& app);
+void addAccept(CLI::App& app);
 
 /// What was typed, quoted for a shell where needed.
 [[nodiscard]] const std::string& commandLine();

@@ -84,10 +84,10 @@ int run(int argc, char** argv) {
   addList(app);
   addDoctor(app);
   addTest(app);
-  addAccept(app);
-  addDiff(app);
   addTrace(app);
   addBisect(app);
+  addAccept(app);
+  addDiff(app);
   try {
     app.parse(argc, argv);
     return flushed(exitCode);

@@ -96,7 +96,7 @@ class Writer {
 };
 
 /// In one line, whatever the file holds.
-std::string inQuotes(const std::string& text) {
+std::string shown(const std::string& text) {
   return scene::inQuotes(scene::printable(text));
 }
 
@@ -115,7 +115,7 @@ struct Place {
     const bool plain = !key.empty() && key.size() <= 60 && std::all_of(key.begin(), key.end(), [](char c) {
       return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
     });
-    if (!plain) return fmt::format("{}[{}]", path, inQuotes(key));
+    if (!plain) return fmt::format("{}[{}]", path, shown(key));
     return path.empty() ? key : path + "." + key;
   }
   [[nodiscard]] Place at(const std::string& key) const {
@@ -160,7 +160,7 @@ void read(const Place& place, Status& value) {
   std::string name;
   read(place, name);
   const std::optional<Status> status = statusOfName(name);
-  if (!status) place.wrong("is {}, which is no status", inQuotes(name));
+  if (!status) place.wrong("is {}, which is no status", shown(name));
   value = *status;
 }
 
@@ -268,7 +268,7 @@ Json parseOnce(const std::string& text, const std::string& file) {
     if (event == Json::parse_event_t::object_end) open.pop_back();
     if (event == Json::parse_event_t::key && !open.back().insert(value.get<std::string>()).second)
       fail(ExitCode::usage, "{}: the key {} stands twice in one object", file,
-           inQuotes(value.get<std::string>()));
+           shown(value.get<std::string>()));
     return true;
   };
   return Json::parse(text, watch);

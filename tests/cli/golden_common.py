@@ -78,7 +78,9 @@ class GoldenCase(Case):
             shutil.copytree(SOURCE / "glsl", folder)
         text = (SOURCE / "glsl" / name).read_text(encoding="utf-8")
         self.assertEqual(text.count(old), 1, f"{old!r} stands once in glsl/{name}")
-        (folder / name).write_text(text.replace(old, new), encoding="utf-8")
+        part = folder / (name + ".part")
+        part.write_text(text.replace(old, new), encoding="utf-8")
+        part.replace(folder / name)  # at once: the program may be reading it
         return {"SIMREEL_GLSL": str(folder)}
 
 
