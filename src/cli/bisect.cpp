@@ -1,21 +1,22 @@
-// `simreel bisect`: where two builds or two drivers first compute something else.
-#include "golden/bisect.hpp"
-
+// simreel bisect: where two builds or two drivers stop agreeing.
 #include "base/error.hpp"
+#include "base/log.hpp"
+#include "base/process.hpp"
+#include "cli/bisect_report.hpp"
 #include "cli/commands.hpp"
 #include "cli/scene_options.hpp"
+#include "frame/frames_spec.hpp"
+#include "frame/interrupt.hpp"
 #include "gl/context.hpp"
+#include "golden/scene_run.hpp"
 #include "sim/world.hpp"
 
-#include <bit>
-#include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
 
 #include <CLI/CLI.hpp>
-#include <nlohmann/json.hpp>
 
 namespace simreel::cli {
 
@@ -24,117 +25,95 @@ namespace {
 struct BisectOptions {
   SceneOptions scene;
   std::string device, memoryPath;
-  std::string against, againstDevice, againstMemoryPath;
-  std::optional<int> last;
+  std::optional<std::string> against, againstDevice, againstMemoryPath;
+  std::optional<int> frames;
   bool json = false;
 };
 
-std::string withScene(const std::string& program, const BisectOptions& o, const std::string& device,
-                      const std::string& memoryPath) {
-  std::string command = program + " trace " + inShellQuotes(o.scene.file);
-  for (const std::string& change : o.scene.overrides) command += " -D " + inShellQuotes(change);
-  if (o.scene.seed) command += fmt::format(" --seed {}", *o.scene.seed);
-  if (o.scene.fps) command += fmt::format(" --fps {}", *o.scene.fps);
-  if (!device.empty()) command += " --device " + inShellQuotes(device);
-  if (!memoryPath.empty()) command += " --memory-path " + inShellQuotes(memoryPath);
-  return command;
+std::string ownCommand() {
+  std::error_code error;
+  const auto program = std::filesystem::read_symlink("/proc/self/exe", error);
+  if (error) fail(ExitCode::inputOutput, "cannot find this program: /proc/self/exe: {}", error.message());
+  return inShellQuotes(program.string());
 }
 
-const char* componentName(int component) {
-  constexpr const char* names[] = {"x", "y", "z", "w"};
-  return names[component];
+golden::BisectSide side(const char* name, const std::string& command, const BisectOptions& o,
+                        const std::string& device, const std::string& memoryPath) {
+  golden::BisectSide result{name, command, o.scene.arguments()};
+  if (!device.empty()) result.arguments.push_back("--device=" + device);
+  if (!memoryPath.empty()) result.arguments.push_back("--memory-path=" + memoryPath);
+  return result;
 }
 
-void print(const golden::Bisection& found, const std::string& elementName) {
-  for (int side = 0; side < 2; ++side)
-    fmt::print("{}: simreel {}, {}\n", side == 0 ? "here " : "there", found.versions[side],
-               found.drivers[side]);
-  if (!found.difference) {
-    fmt::print("the same state, bit for bit, over {} frames\n", found.frames);
-    return;
-  }
-  const golden::Difference& d = *found.difference;
-  if (d.step == 0)
-    fmt::print("they differ in the state they start from: {}.{}, {}\n", d.object, d.array, elementName);
-  else
-    fmt::print("they first differ at frame {}, step {} of {}: {}.{}, {}\n", d.frame, d.step, d.steps,
-               d.object, d.array, elementName);
-  for (int side = 0; side < 2; ++side)
-    fmt::print("  {} {} = {:.9g} (0x{:08x})\n", side == 0 ? "here " : "there", componentName(d.component),
-               std::bit_cast<float>(d.words[side]), d.words[side]);
-  fmt::print("  {} element{} of the array differ there, by at most {} ulp\n", d.elementsThatDiffer,
-             d.elementsThatDiffer == 1 ? "" : "s", d.mostUlp);
-}
-
-void printJson(const golden::Bisection& found) {
-  nlohmann::ordered_json json = {{"here", {{"simreel", found.versions[0]}, {"driver", found.drivers[0]}}},
-                                 {"there", {{"simreel", found.versions[1]}, {"driver", found.drivers[1]}}},
-                                 {"frames", found.frames},
-                                 {"difference", nullptr}};
-  if (found.difference) {
-    const golden::Difference& d = *found.difference;
-    json["difference"] = {
-        {"frame", d.frame},
-        {"step", d.step},
-        {"steps", d.steps},
-        {"object", d.object},
-        {"array", d.array},
-        {"element", d.element},
-        {"component", componentName(d.component)},
-        {"bits", {fmt::format("0x{:08x}", d.words[0]), fmt::format("0x{:08x}", d.words[1])}},
-        {"elementsThatDiffer", d.elementsThatDiffer},
-        {"mostUlp", d.mostUlp}};
-  }
-  fmt::print("{}\n", json.dump(2));
-}
-
-/// As the simulation calls it, which takes a device: this one is started when the sides have ended.
-std::string elementName(const scene::Scene& scene, const golden::Difference& difference,
-                        const BisectOptions& o) {
+/// The simulation knows what its elements are called; the children's contexts have gone by now.
+std::string elementName(const BisectOptions& o, const scene::Scene& scene, const std::string& object,
+                        long element) {
   const gl::Context context({.device = o.device, .debug = false, .memoryPath = o.memoryPath});
   const sim::World world(scene);
   for (std::size_t i = 0; i < world.objectCount(); ++i)
-    if (world.objectName(i) == difference.object) return world.object(i).elementName(difference.element);
-  return fmt::format("element {}", difference.element);
+    if (world.objectName(i) == object) return world.object(i).elementName(element);
+  return fmt::format("element {}", element);
+}
+
+int lastFrame(const BisectOptions& o, const scene::Scene& scene) {
+  if (!o.frames) return scene.frameCount() - 1;
+  if (*o.frames < 1 || *o.frames > frame::largestFrame)
+    fail(ExitCode::usage, "--frames takes how many frames to compare, at least 1, not {}", *o.frames);
+  return *o.frames - 1;
 }
 
 void bisect(const BisectOptions& o) {
-  const scene::Scene scene = o.scene.load();  // a mistake in the scene is told once
-  const std::string self = inShellQuotes(std::filesystem::read_symlink("/proc/self/exe").string());
-  const golden::Side sides[2] = {
-      {withScene(self, o, o.device, o.memoryPath)},
-      {withScene(o.against.empty() ? self : o.against, o,
-                 o.againstDevice.empty() ? o.device : o.againstDevice,
-                 o.againstMemoryPath.empty() ? o.memoryPath : o.againstMemoryPath)}};
-  const auto found = golden::bisect(sides, o.last);
-  if (o.json) {
-    printJson(found);
-  } else {
-    print(found, found.difference ? elementName(scene, *found.difference, o) : "");
+  if (o.against && o.against->find_first_not_of(" \t\n") == std::string::npos)
+    fail(ExitCode::usage,
+         "--against is empty, so there is nothing to compare with; give the command of the other simreel, "
+         "for "
+         "example --against ./old/simreel");
+  const scene::Scene scene = o.scene.load();
+  const int last = lastFrame(o, scene);
+  const std::string own = ownCommand();
+  const auto here = side("this side", own, o, o.device, o.memoryPath);
+  const auto there = side("the other side", o.against.value_or(own), o, o.againstDevice.value_or(o.device),
+                          o.againstMemoryPath.value_or(o.memoryPath));
+  if (!o.against && !o.againstDevice && !o.againstMemoryPath)
+    info(
+        "simreel: comparing this program with itself on the same device, which shows whether it repeats; "
+        "--against, --against-device or --against-memory-path name another side");
+  frame::catchInterrupts();
+  frame::ignoreBrokenPipes();
+  try {
+    BisectReport report{golden::bisect(here, there, last), here.command, there.command, {}};
+    const auto& difference = report.result.difference;
+    if (difference && !difference->arrays.empty()) {
+      const golden::DifferentArray& first = difference->arrays.front();
+      report.element = elementName(o, scene, first.object, static_cast<long>(first.difference.first));
+    }
+    fmt::print("{}", o.json ? bisectJson(report) : bisectText(report));
+    if (difference) setExitCode(static_cast<int>(ExitCode::different));
+  } catch (const golden::Interrupted& interrupted) {
+    info("simreel: interrupted");
+    setExitCode(128 + interrupted.signal);
   }
-  if (found.difference) setExitCode(static_cast<int>(ExitCode::different));
 }
 
 }  // namespace
 
 void addBisect(CLI::App& app) {
   auto o = std::make_shared<BisectOptions>();
-  auto* command =
-      app.add_subcommand("bisect", "Find the step and element at which two builds or drivers differ");
+  auto* command = app.add_subcommand(
+      "bisect", "Find the first frame, step and element at which two builds or drivers differ");
   o->scene.add(*command);
-  command->add_option("--device", o->device, "Index or part of a name (see `simreel doctor`)");
-  command->add_option("--memory-path", o->memoryPath, "storage or texel");
   command->add_option(
       "--against", o->against,
-      "Command of the other build, for example ./old/simreel or \"ssh box simreel\" (default: this one)");
-  command->add_option("--against-device", o->againstDevice, "Device of the other side");
-  command->add_option("--against-memory-path", o->againstMemoryPath, "Memory path of the other side");
-  command->add_option("--last", o->last, "Last frame (default: the scene's)")
-      ->check(CLI::Range(0, 10'000'000));
-  command->add_flag("--json", o->json, "Print one JSON object instead of text");
-  command->footer(
-      "Without --against... the program is compared with itself: a test of determinism.\n"
-      "Exit code: 0 the same state, 1 different, 2 usage, 4 or 6 a side failed.");
+      "Command of the other simreel: ./old/simreel, \"env A=1 simreel\", \"ssh box simreel\"");
+  command->add_option("--against-device", o->againstDevice, "Device of the other side (default: the same)");
+  command->add_option("--against-memory-path", o->againstMemoryPath,
+                      "Memory path of the other side (default: the same)");
+  command->add_option("--frames", o->frames,
+                      "How many frames to compare (default: all), beside the pre-roll");
+  command->add_option("--device", o->device, "Index or part of a name (see `simreel doctor`)");
+  command->add_option("--memory-path", o->memoryPath,
+                      "How kernels read: storage or texel (default: by driver)");
+  command->add_flag("--json", o->json, "Print the result as JSON");
   command->callback([o] { bisect(*o); });
 }
 

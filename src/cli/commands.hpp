@@ -23,8 +23,6 @@ void addTrace(CLI::App& app);
 void addBisect(CLI::App& app);
 void addAccept(CLI::App& app);
 
-/// A word as a shell takes it for itself.
-[[nodiscard]] std::string inShellQuotes(const std::string& word);
 /// What was typed, quoted for a shell where needed.
 [[nodiscard]] const std::string& commandLine();
 

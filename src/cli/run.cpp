@@ -1,5 +1,6 @@
 #include "base/error.hpp"
 #include "base/log.hpp"
+#include "base/process.hpp"
 #include "base/version.hpp"
 #include "cli/commands.hpp"
 #include "scene/words.hpp"
@@ -57,16 +58,6 @@ std::string explain(const CLI::App& app, const CLI::ParseError& error) {
 }
 
 }  // namespace
-
-std::string inShellQuotes(const std::string& word) {
-  const bool plain = word.find_first_not_of(
-                         "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789"
-                         "-_=./,:+%@") == std::string::npos;
-  if (plain && !word.empty()) return word;
-  std::string quoted = "'";
-  for (const char c : word) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return quoted + "'";
-}
 
 const std::string& commandLine() {
   return typed;

@@ -1,193 +1,221 @@
 #include "golden/bisect.hpp"
 
 #include "base/error.hpp"
+#include "base/log.hpp"
+#include "base/process.hpp"
+#include "golden/child_command.hpp"
 
-#include <bit>
-#include <cstdio>
-#include <cstring>
-#include <memory>
-#include <sys/wait.h>
-
-#include <nlohmann/json.hpp>
+#include <algorithm>
+#include <cstdint>
+#include <stdexcept>
+#include <utility>
 
 namespace simreel::golden {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
+/// Appends the arguments of `trace` to a side's command.
+std::string traceCommand(const BisectSide& side, const std::vector<std::string>& more) {
+  std::string command = side.command + " trace -q";
+  for (const auto* words : {&side.arguments, &more})
+    for (const std::string& word : *words) command += " " + inShellQuotes(word);
+  return command;
+}
 
-/// A child whose output is read line by line. Closing before its end stops it at its next line.
-class Child {
+/// What a child printed, read; a mistake in it is the child's.
+template <class Read>
+auto understood(const ChildCommand& child, const Read& read) {
+  try {
+    return read();
+  } catch (const std::runtime_error& error) {
+    fail(ExitCode::inputOutput, "{} prints no trace that this simreel understands: {}", child.name(),
+         error.what());
+  }
+}
+
+/// `trace` running on one side.
+class Tracing {
  public:
-  explicit Child(const std::string& command) : command_(command), pipe_(::popen(command.c_str(), "r")) {
-    if (pipe_ == nullptr) fail(ExitCode::inputOutput, "cannot run {}", command);
-  }
-  ~Child() {
-    if (pipe_ != nullptr) ::pclose(pipe_);
-  }
-  Child(const Child&) = delete;
-  Child& operator=(const Child&) = delete;
+  Tracing(const BisectSide& side, const std::vector<std::string>& arguments)
+      : child_(traceCommand(side, arguments), side.name) {}
 
-  /// Nothing at the end, which has to be a good one.
-  std::optional<Json> line() {
-    std::string text;
-    for (int c = std::fgetc(pipe_); c != EOF && c != '\n'; c = std::fgetc(pipe_))
-      text += static_cast<char>(c);
-    if (text.empty()) {
-      finish();
+  TraceHeader header() {
+    const auto line = child_.line();
+    if (!line) endedEarly("its header");
+    return understood(child_, [&] { return readHeaderLine(*line); });
+  }
+  /// Nothing after the last.
+  std::optional<StateLine> state() {
+    const auto line = child_.line();
+    if (!line) {
+      child_.finish();
       return std::nullopt;
     }
-    Json json = Json::parse(text, nullptr, false);
-    if (!json.is_object())
-      fail(ExitCode::inputOutput, "{} does not answer as `simreel trace` does", command_);
-    return json;
+    return understood(child_, [&] { return readStateLine(*line); });
   }
-  Json needLine() {
-    auto json = line();
-    if (!json) fail(ExitCode::inputOutput, "{} ended early", command_);
-    return std::move(*json);
+  StateDump dump(std::size_t mostBytes) {
+    const auto bytes = child_.rest(mostBytes);
+    child_.finish();
+    return understood(child_, [&] { return readDump(bytes); });
   }
-  void read(void* to, std::size_t size) {
-    if (std::fread(to, 1, size, pipe_) != size) {
-      finish();
-      fail(ExitCode::inputOutput, "{} ended early", command_);
-    }
+  [[noreturn]] void endedEarly(const std::string& before) {
+    child_.finish();
+    fail(ExitCode::inputOutput, "{} ended before {}", child_.name(), before);
   }
-  [[nodiscard]] const std::string& command() const { return command_; }
 
  private:
-  /// What went wrong the child has said on standard error.
-  void finish() {
-    const int status = ::pclose(std::exchange(pipe_, nullptr));
-    if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return;
-    fail(ExitCode::inputOutput, "{} failed with {} {}", command_, WIFEXITED(status) ? "status" : "signal",
-         WIFEXITED(status) ? WEXITSTATUS(status) : WTERMSIG(status));
-  }
-  std::string command_;
-  std::FILE* pipe_;
+  ChildCommand child_;
 };
 
-struct Pair {
-  Pair(const Side (&sides)[2], const std::string& options)
-      : a(sides[0].command + " " + options), b(sides[1].command + " " + options) {}
-  Child a, b;
-};
-
-template <class T>
-T member(const Json& json, const char* key, const Child& child) {
-  try {
-    return json.at(key).get<T>();
-  } catch (const Json::exception&) {
-    fail(ExitCode::inputOutput, "{} does not answer as `simreel trace` does: \"{}\" is missing",
-         child.command(), key);
+/// Throws UserError(usage) unless both sides step the same arrays from the same frame on.
+void checkHeaders(const BisectSide& a, const TraceHeader& here, const BisectSide& b,
+                  const TraceHeader& there) {
+  const auto refuse = [&](const std::string& first, const std::string& second) {
+    fail(ExitCode::usage, "the two sides do not simulate the same: {} {}, {} {}", a.name, first, b.name,
+         second);
+  };
+  if (here.firstFrame != there.firstFrame)
+    refuse(fmt::format("starts at frame {}", here.firstFrame),
+           fmt::format("at frame {}", there.firstFrame));
+  for (std::size_t i = 0; i < std::max(here.arrays.size(), there.arrays.size()); ++i) {
+    const auto text = [&](const TraceHeader& header) {
+      if (i >= header.arrays.size()) return std::string("has no further array");
+      const TraceHeader::Array& array = header.arrays[i];
+      return fmt::format("has {} of {} elements in {} steps a frame", array.name(), array.elements,
+                         array.steps);
+    };
+    if (text(here) != text(there)) refuse(text(here), text(there));
   }
+  if (here.arrays.empty())
+    fail(ExitCode::usage, "the scene has nothing that is simulated, so there is no state to compare");
 }
 
-/// Compares frame by frame; the first that differs, if any.
-std::optional<int> firstFrame(const Side (&sides)[2], std::optional<int> last, Bisection& found,
-                              Json& steps) {
-  Pair pair(sides, last ? fmt::format("--last {}", *last) : "");
-  const Json heads[2] = {pair.a.needLine(), pair.b.needLine()};
-  found.drivers[0] = member<std::string>(heads[0], "driver", pair.a);
-  found.drivers[1] = member<std::string>(heads[1], "driver", pair.b);
-  found.versions[0] = member<std::string>(heads[0], "simreel", pair.a);
-  found.versions[1] = member<std::string>(heads[1], "simreel", pair.b);
-  for (const char* key : {"first", "steps", "arrays"})
-    if (member<Json>(heads[0], key, pair.a) != member<Json>(heads[1], key, pair.b))
-      fail(ExitCode::usage, "the two sides do not simulate the same: \"{}\" is {} here and {} there", key,
-           heads[0][key].dump(), heads[1][key].dump());
-  steps = heads[0]["steps"];
-  while (true) {
-    const auto a = pair.a.line();
-    const auto b = pair.b.line();
-    if (!a && !b) return std::nullopt;
-    if (!a || !b) fail(ExitCode::inputOutput, "{} ended early", (a ? pair.b : pair.a).command());
-    ++found.frames;
-    if (*a != *b) return member<int>(*a, "frame", pair.a);
-  }
+std::size_t dumpBytes(const TraceHeader& header) {
+  std::size_t bytes = std::size_t{1} << 20;  // of header
+  for (const TraceHeader::Array& array : header.arrays)
+    bytes += static_cast<std::size_t>(array.elements) * 16;
+  return bytes;
 }
 
-/// The first step of the frame at which an array differs, as seen by both sides.
-void firstStep(const Side (&sides)[2], Difference& found) {
-  Pair pair(sides, fmt::format("--steps-of {}", found.frame));
-  static_cast<void>(pair.a.needLine());
-  static_cast<void>(pair.b.needLine());
-  bool any = false;
-  while (true) {
-    const auto a = pair.a.line();
-    const auto b = pair.b.line();
-    if (!a || !b) break;
-    const int step = member<int>(*a, "step", pair.a);
-    if (*a == *b || (any && step >= found.step)) continue;
-    any = true;
-    found.step = step;
-    found.object = member<std::string>(*a, "object", pair.a);
-  }
-  if (!any)
-    fail(ExitCode::inputOutput,
-         "frame {} differed, but its steps do not: a side is not deterministic; test it with "
-         "--repeat",
-         found.frame);
-}
+class Search {
+ public:
+  Search(const BisectSide& here, const BisectSide& there) : here_(here), there_(there) {}
 
-/// Floats in the order of their values: neighbours differ by one.
-std::int64_t ordered(std::uint32_t bits) {
-  const auto magnitude = static_cast<std::int64_t>(bits & 0x7fffffffU);
-  return (bits >> 31) != 0 ? -magnitude : magnitude;
-}
-
-/// Compares the object's arrays, up to the first one that differs; false when none does.
-bool firstElement(const Side (&sides)[2], Difference& found) {
-  Pair pair(sides, fmt::format("--dump={}:{} --object {}", found.frame, found.step, found.object));
-  const Json head = pair.a.needLine();
-  if (head != pair.b.needLine()) fail(ExitCode::usage, "the two sides do not have the same arrays");
-  for (const Json& array : head.at("arrays")) {
-    const auto words = static_cast<std::size_t>(member<long>(array, "elements", pair.a)) * 4;
-    std::vector<std::uint32_t> a(words), b(words);
-    pair.a.read(a.data(), words * 4);
-    pair.b.read(b.data(), words * 4);
-    long counted = -1;
-    for (std::size_t i = 0; i < words; ++i) {
-      if (a[i] == b[i]) continue;
-      if (found.elementsThatDiffer == 0) {
-        found.array = member<std::string>(array, "array", pair.a);
-        found.element = static_cast<long>(i / 4);
-        found.component = static_cast<int>(i % 4);
-        found.words[0] = a[i];
-        found.words[1] = b[i];
+  BisectResult run(int lastFrame) {
+    result_.lastFrame = lastFrame;
+    const auto frame = firstFrame(lastFrame);
+    if (!frame) return result_;
+    result_.difference.emplace();
+    result_.difference->frame = *frame;
+    if (*frame > result_.here.firstFrame) {
+      const auto step = firstStep(*frame);
+      if (!step) {
+        unstable(fmt::format("frame {} differed at first and not when it was run again", *frame));
+        return result_;
       }
-      if (static_cast<long>(i / 4) != counted) ++found.elementsThatDiffer;
-      counted = static_cast<long>(i / 4);
-      const std::int64_t apart = std::abs(ordered(a[i]) - ordered(b[i]));
-      found.mostUlp =
-          std::max(found.mostUlp, static_cast<std::uint32_t>(std::min<std::int64_t>(apart, 0xffffffff)));
+      result_.difference->step = step->step;
+      result_.difference->steps = step->steps;
+      elements(step->object);
+    } else {
+      elements({});
     }
-    if (found.elementsThatDiffer > 0) return true;
+    return result_;
   }
-  return false;
-}
+
+ private:
+  /// The next lines of both sides, which must be of the same step; nothing after the last. `before`: what
+  /// is missing where one ends first.
+  std::optional<std::pair<StateLine, StateLine>> nextLines(Tracing& a, Tracing& b,
+                                                           const std::string& before) {
+    const auto x = a.state();
+    const auto y = b.state();
+    if (!x && !y) return std::nullopt;
+    if (!x) a.endedEarly(before);
+    if (!y) b.endedEarly(before);
+    if (x->frame != y->frame || x->object != y->object || x->step != y->step)
+      fail(ExitCode::inputOutput, "the traces of {} and {} do not run in step", here_.name, there_.name);
+    return std::pair(*x, *y);
+  }
+
+  std::optional<int> firstFrame(int lastFrame) {
+    detail("bisect: both sides up to frame {}", lastFrame);
+    const std::vector<std::string> arguments = {fmt::format("--frames=start-{}", lastFrame)};
+    Tracing a(here_, arguments);
+    Tracing b(there_, arguments);
+    result_.here = a.header();
+    result_.there = b.header();
+    checkHeaders(here_, result_.here, there_, result_.there);
+    int read = 0;
+    for (; const auto lines = nextLines(a, b, fmt::format("frame {}", lastFrame)); ++read)
+      if (lines->first.arrays != lines->second.arrays) return lines->first.frame;
+    const int expected = lastFrame - result_.here.firstFrame + 1;
+    if (read != expected)
+      fail(ExitCode::inputOutput, "both traces ended after {} of {} frames", read, expected);
+    return std::nullopt;
+  }
+
+  /// Objects are stepped in turn, each through the whole frame: the first is the one earliest in its time.
+  std::optional<StateLine> firstStep(int frame) {
+    detail("bisect: the steps of frame {}", frame);
+    const std::vector<std::string> arguments = {fmt::format("--steps-of={}", frame)};
+    Tracing a(here_, arguments);
+    Tracing b(there_, arguments);
+    static_cast<void>(a.header());
+    static_cast<void>(b.header());
+    std::optional<StateLine> first;
+    while (const auto lines = nextLines(a, b, fmt::format("the last step of frame {}", frame))) {
+      const auto& [x, y] = *lines;
+      if (x.arrays == y.arrays) continue;
+      if (!first || std::int64_t{x.step} * first->steps < std::int64_t{first->step} * x.steps) first = x;
+    }
+    return first;
+  }
+
+  /// Compares the arrays of the object (empty: of the first that differs) after the step that was found.
+  void elements(const std::string& object) {
+    StateDifference& found = *result_.difference;
+    detail("bisect: the state after step {} of frame {}", found.step, found.frame);
+    const std::vector<std::string> arguments = {fmt::format("--dump={}:{}", found.frame, found.step), "-o",
+                                                "-"};
+    Tracing a(here_, arguments);
+    Tracing b(there_, arguments);
+    const StateDump here = a.dump(dumpBytes(result_.here));
+    const StateDump there = b.dump(dumpBytes(result_.there));
+    if (here.arrays.size() != there.arrays.size())
+      fail(ExitCode::inputOutput, "the dumps of {} and {} hold different arrays", here_.name, there_.name);
+    std::string wanted = object;
+    for (std::size_t i = 0; i < here.arrays.size(); ++i) {
+      const StateDump::Array& x = here.arrays[i];
+      const StateDump::Array& y = there.arrays[i];
+      if (x.object != y.object || x.array != y.array || x.words.size() != y.words.size())
+        fail(ExitCode::inputOutput, "the dumps of {} and {} hold different arrays", here_.name,
+             there_.name);
+      if (!wanted.empty() && x.object != wanted) continue;
+      const ArrayDifference difference = compareWords(x.words, y.words);
+      if (difference.differing == 0) continue;
+      wanted = x.object;
+      found.arrays.push_back({x.object, x.array, difference});
+    }
+    if (found.arrays.empty())
+      unstable(fmt::format("step {} of frame {} differed at first and not when it was run again",
+                           found.step, found.frame));
+  }
+
+  void unstable(const std::string& why) {
+    result_.difference->unstable =
+        why +
+        "; a side does not repeat itself (`simreel bisect` without --against compares one with itself)";
+  }
+
+  const BisectSide& here_;
+  const BisectSide& there_;
+  BisectResult result_;
+};
 
 }  // namespace
 
-Bisection bisect(const Side (&sides)[2], std::optional<int> lastFrame) {
-  Bisection found;
-  Json steps;
-  const auto frame = firstFrame(sides, lastFrame, found, steps);
-  if (!frame) return found;
-  Difference& difference = found.difference.emplace();
-  difference.frame = *frame;
-  if (found.frames == 1) {  // the state that both start from
-    for (const auto& [object, count] : steps.items()) {
-      difference.object = object;
-      if (firstElement(sides, difference)) return found;
-    }
-  } else {
-    firstStep(sides, difference);
-    difference.steps = steps.at(difference.object).get<int>();
-    if (firstElement(sides, difference)) return found;
-  }
-  fail(ExitCode::inputOutput,
-       "frame {} differed, but its arrays are equal now: a side is not deterministic", difference.frame);
+BisectResult bisect(const BisectSide& here, const BisectSide& there, int lastFrame) {
+  return Search(here, there).run(lastFrame);
 }
 
 }  // namespace simreel::golden

@@ -1,39 +1,44 @@
 #pragma once
-#include <cstdint>
+#include "golden/state_difference.hpp"
+#include "golden/trace_lines.hpp"
+
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace simreel::golden {
 
-/// One side of a bisection: a shell command that answers as `simreel trace` does when options of trace are
-/// appended to it.
-struct Side {
-  std::string command;
+/// One of the two programs that are compared.
+struct BisectSide {
+  std::string name;                    ///< in messages: "this side"
+  std::string command;                 ///< for /bin/sh; `trace` and the arguments are appended
+  std::vector<std::string> arguments;  ///< scene, its options, the device: what says which run it is
 };
 
-/// Where two sides first differ.
-struct Difference {
-  int frame = 0;  ///< that is being stepped to; negative in the pre-roll
-  int step = 0;   ///< from 1; 0: in the first state
-  int steps = 0;
+/// An array that differs after the first step that does.
+struct DifferentArray {
   std::string object, array;
-  long element = 0;                 ///< vec4
-  int component = 0;                ///< 0 to 3
-  std::uint32_t words[2] = {0, 0};  ///< the component's bits on both sides
-  long elementsThatDiffer = 0;
-  std::uint32_t mostUlp = 0;  ///< largest distance of two floats, in units in the last place
+  ArrayDifference difference;
 };
 
-struct Bisection {
-  std::string drivers[2], versions[2];
-  int frames = 0;  ///< compared
-  std::optional<Difference> difference;
+struct StateDifference {
+  int frame = 0;
+  int step = 0;  ///< of `steps`, from 1; 0: the first state, before any step
+  int steps = 0;
+  std::vector<DifferentArray> arrays;  ///< those of one object; none when the runs do not repeat
+  std::string unstable;  ///< why the search ended early: a side does not repeat itself; or empty
 };
 
-/// Runs both sides, first frame by frame until they differ, then step by step in that frame, then compares
-/// the arrays. `lastFrame`: of the run; nothing: the scene's. Throws UserError(inputOutput) when a side
-/// fails or does not speak as `simreel trace` does, usage when they simulate different arrays.
-[[nodiscard]] Bisection bisect(const Side (&sides)[2], std::optional<int> lastFrame);
+struct BisectResult {
+  TraceHeader here, there;
+  int lastFrame = 0;
+  std::optional<StateDifference> difference;
+};
+
+/// Finds the first frame, step and element at which two runs differ, by running `trace` on both sides:
+/// frame by frame side by side, then the steps of the first frame that differs, then the state itself.
+/// Throws UserError with a child's own message when it fails, UserError(usage) when the sides simulate
+/// different arrays, and Interrupted after SIGINT or SIGTERM.
+[[nodiscard]] BisectResult bisect(const BisectSide& here, const BisectSide& there, int lastFrame);
 
 }  // namespace simreel::golden

@@ -1,10 +1,10 @@
 #include "sim/world.hpp"
 
 #include "base/error.hpp"
-#include "gl/program.hpp"
 #include "gl/vec4_array.hpp"
 #include "sim/list.hpp"
 #include "sim/shape.hpp"
+#include "sim/state_hash.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -16,7 +16,6 @@ namespace simreel::sim {
 namespace {
 
 constexpr int slots = 8;
-constexpr int texelsPerInvocation = 64;
 
 /// Hash sums and loss report of one frame: 16 bytes for each state array, and 16 bytes of status for each
 /// object.
@@ -51,7 +50,7 @@ struct World::State {
   std::vector<std::string> names;
   std::vector<ArrayName> arrays;
 
-  gl::Program hash;
+  StateHash hash;
   gl::Buffer sums;      ///< uvec4 per array per slot
   gl::Buffer statuses;  ///< uvec4 per object per slot
   std::deque<Pending> pending;
@@ -60,8 +59,7 @@ struct World::State {
   explicit State(const scene::Scene& scene)
       : fps(scene.time.fps),
         preroll(static_cast<int>(std::lround(scene.time.start * scene.time.fps))),
-        colliders(collect(scene)),
-        hash(gl::Program::compute("common/state_hash.comp")) {
+        colliders(collect(scene)) {
     const Setting setting{scene.numerics == scene::Numerics::fast, scene.seed, 1.0 / scene.time.fps,
                           &colliders};
     for (const scene::Object& object : scene.objects)
@@ -83,19 +81,6 @@ struct World::State {
     for (const Pending& p : pending) glDeleteSync(p.fence);
   }
 
-  /// Adds one state array to the slot's sum; `salt` tells arrays of equal content apart.
-  void addToHash(const gl::Buffer& buffer, std::size_t place, unsigned salt) const {
-    const gl::Texture words = gl::Texture::view("state words", GL_RGBA32UI, buffer);
-    const int texels = static_cast<int>(buffer.bytes() / 16);
-    words.bind(0);
-    sums.bindStorage(0);
-    hash.set("texels", texels);
-    hash.set("perInvocation", texelsPerInvocation);
-    hash.set("slot", static_cast<int>(place));
-    hash.set("salt", salt);
-    hash.dispatch((texels - 1) / texelsPerInvocation + 1);
-  }
-
   void start(int frame) {
     SIMREEL_CHECK(pending.size() < slots);
     const int slot = nextSlot;
@@ -106,8 +91,8 @@ struct World::State {
     std::size_t array = 0;
     for (std::size_t i = 0; i < objects.size(); ++i) {
       for (const StateArray& state : objects[i]->state()) {
-        const std::size_t place = static_cast<std::size_t>(slot) * arrays.size() + array;
-        addToHash(*state.buffer, place, static_cast<unsigned>(++array) * 0x9e3779b9U);
+        hash.add(*state.buffer, array, sums, static_cast<std::size_t>(slot) * arrays.size() + array);
+        ++array;
       }
       if (const gl::Buffer* status = objects[i]->status()) {
         glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
@@ -141,16 +126,13 @@ struct World::State {
   [[nodiscard]] Summary summary(int frame, int slot) const {
     std::vector<glm::uvec4> words(arrays.size());
     sums.read(sumOffset(slot), std::as_writable_bytes(std::span(words)));
-    const auto text = [](const glm::uvec4& w) {
-      return fmt::format("{:08x}{:08x}{:08x}{:08x}", w.x, w.y, w.z, w.w);
-    };
     Summary result{frame, {}, {}};
     glm::uvec4 total(0);
     for (const glm::uvec4& w : words) {
       total += w;
-      result.arrays.push_back(text(w));
+      result.arrays.push_back(StateHash::text(w));
     }
-    result.stateHash = text(total);
+    result.stateHash = StateHash::text(total);
     return result;
   }
 };
