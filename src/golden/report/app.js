@@ -15,6 +15,7 @@ function go(change, keepLink) {
     showDetails(scene);
     markSelected(true);
   }
+  byId("viewer").hidden = scene.frames.length === 0;
   showPictures();
   showMetrics(scene, frameOf(scene));
   showFrames();

@@ -10,6 +10,12 @@ function table(title, heads, rows, name) {
                                  element("tbody", {}, ...rows.map((row) => element("tr", {class: row.class}, ...cells(row)))))));
 }
 
+/// A path that may be broken after its slashes.
+function breakable(path) {
+  const parts = path.split("/");
+  return element("span", {}, ...parts.flatMap((part, i) => i < parts.length - 1 ? [part + "/", element("wbr")] : [part]));
+}
+
 /// Names and values; empty values are left out.
 function facts(title, pairs, name) {
   const known = pairs.filter(([, value]) => value !== "" && value !== null && value !== undefined);
@@ -59,7 +65,7 @@ function toleranceTable(scene) {
                  // max_channel_diff decides which pixels count; it is no limit itself.
                  const over = !scene.sameNumerics && value !== null && field !== "max_channel_diff" && value > bound.value;
                  return {class: over ? "fails" : "",
-                         cells: [field, format(bound.value), value === null ? "–" : format(value), bound.origin]};
+                         cells: [field, format(bound.value), value === null ? "–" : format(value), breakable(bound.origin)]};
                }), "tolerance");
 }
 
@@ -77,7 +83,7 @@ function baselineFacts(scene) {
 function divergenceCard(scene) {
   if (!scene.divergence) return null;
   const text = divergenceText(scene.divergence);
-  const message = scene.divergence.message;
+  const message = scene.messages.includes(scene.divergence.message) ? "" : scene.divergence.message;
   return element("section", {class: "card divergence"}, element("h3", {}, "Divergence"),
                  element("p", {}, "The state " + text + "."), message ? element("p", {class: "dim"}, message) : null);
 }
@@ -104,21 +110,38 @@ function showDetails(scene) {
     facts("Scene", [["file", scene.file], ["took", seconds(scene.seconds) + ", " + seconds(scene.simulateSeconds) + " of it simulating"],
                     ["runs", scene.repeats > 1 ? String(scene.repeats) : ""]], "sceneFacts"),
   ];
-  byId("details").replaceChildren(...cards.filter(Boolean));
+  const whole = cards.filter((card) => card && (card.matches(".divergence, .checks")));
+  const others = cards.filter((card) => card && !whole.includes(card));
+  byId("details").replaceChildren(...whole, element("div", {class: "columns"}, ...others));
 }
 
 // ---- above the pictures ----
+
+/// The first few, and a button for the others.
+function showMessages(messages) {
+  const most = 4;
+  const box = byId("messages");
+  const more = messages.length > most ? messages.length - most + 1 : 0;
+  box.replaceChildren(...messages.slice(0, messages.length - more));
+  if (more === 0) return;
+  const button = element("button", {class: "link"}, more + " more");
+  button.addEventListener("click", () => box.replaceChildren(...messages));
+  box.append(element("li", {class: "more"}, button));
+}
 
 function showHead(scene) {
   byId("name").textContent = scene.name;
   byId("badge").replaceChildren(badge(scene.status));
   byId("file").textContent = scene.file;
-  const messages = scene.messages.map((text) => element("li", {}, text));
+  // Those that each frame repeats come last.
+  const ofFrames = new Set(scene.frames.map((frame) => "frame " + frame.frame + ": " + frame.message));
+  const texts = [...scene.messages].sort((a, b) => ofFrames.has(a) - ofFrames.has(b));
+  const messages = texts.map((text) => element("li", {}, text));
   if (scene.xfail) {
     const reason = (scene.status === "xpass" ? "it was expected to fail: " : "expected to fail: ") + scene.xfail;
     messages.unshift(element("li", {class: "xfail"}, reason));
   }
-  byId("messages").replaceChildren(...messages);
+  showMessages(messages);
   const command = acceptCommand(scene);
   byId("accept").hidden = command === "" && !isFailure(scene.status);
   byId("accept").replaceChildren(...command ? [element("span", {class: "dim"}, "accept"), ...commandLine(command, "the command that accepts this scene")] :
@@ -142,16 +165,16 @@ function showMetrics(scene, frame) {
   // With equal numerics any difference is one too many, and the bounds are not in force.
   const over = (field, value) => scene.sameNumerics ? value > 0 : scene.tolerance[field] !== undefined && value > scene.tolerance[field].value;
   const bound = (field, text) => !scene.sameNumerics && scene.tolerance[field] !== undefined ? "≤ " + text(scene.tolerance[field].value) : "";
-  const ssim = frame.metrics.ssim;
+  const beyond = scene.tolerance.max_channel_diff ? scene.tolerance.max_channel_diff.value : 0;
   box.replaceChildren(
       metric("worst", m.worst + " at " + m.worstX + ", " + m.worstY, over("hard_fail", m.worst), bound("hard_fail", format)),
-      metric("different", plural(m.differentPixels, "pixel"), scene.sameNumerics && m.differentPixels > 0),
-      metric("beyond", m.pixelsBeyond + " = " + percent(m.ratioBeyond),
+      metric("differ", plural(m.differentPixels, "pixel"), scene.sameNumerics && m.differentPixels > 0),
+      metric("beyond " + format(beyond), m.pixelsBeyond + " = " + percent(m.ratioBeyond),
              over("max_diff_ratio", m.ratioBeyond) || over("max_diff_pixels", m.pixelsBeyond),
              bound("max_diff_ratio", percent) || bound("max_diff_pixels", format)),
-      metric("densest window", percent(m.windowRatio) + " at " + m.windowX + ", " + m.windowY,
+      metric("densest " + windowSize() + "×" + windowSize(), percent(m.windowRatio) + " at " + m.windowX + ", " + m.windowY,
              over("max_window_ratio", m.windowRatio), bound("max_window_ratio", percent)),
-      metric("PSNR", m.psnr === null ? "∞" : m.psnr.toFixed(1) + " dB"), metric("SSIM", format(ssim, 5)),
+      metric("PSNR", m.psnr === null ? "∞" : m.psnr.toFixed(1) + " dB"), metric("SSIM", format(m.ssim, 5)),
       metric("FLIP", format(m.flipMean, 3), over("max_flip_mean", m.flipMean), bound("max_flip_mean", format)),
       ...stateWord);
 }

@@ -52,7 +52,7 @@ function showStrip() {
 
 // ---- curve ----
 
-const curveArea = {left: 52, right: 14, top: 12, bottom: 18, height: 104};  // px
+const curveArea = {left: 62, right: 14, top: 12, bottom: 18, height: 104};  // px
 
 function curveScales(scene, chosen, width) {
   const values = scene.frames.map((frame) => curveValue(chosen, frame));
@@ -134,7 +134,7 @@ function showCurve() {
     const y = scales.toY(scales.bound);
     svg.append(curveLine(left, y, right, y, "bound"),
                svgElement("text", {x: right, y: y - 3, "text-anchor": "end", class: "bound"},
-                          chosen.bound + " " + format(scales.bound)));
+                          chosen.bound + " " + chosen.text(scales.bound)));
   }
   const current = frameOf(scene);
   if (current) {

@@ -120,9 +120,9 @@ function startList() {
     const count = suite.scenes.filter((scene) => scene.status === status).length;
     const chip = element("button", {
       class: "chip " + status, "data-status": status, "aria-pressed": "true",
-      "aria-label": statusWords[status] + ": " + count, title: "Show or hide; with Alt: only these",
+      "aria-label": statusWords[status] + ": " + count, title: statusWords[status] + ": show or hide (with Alt: only these)",
     },
-    element("b", {}, String(count)), " " + statusWords[status]);
+    element("b", {}, String(count)), " " + statusShort[status]);
     chip.addEventListener("click", (event) => {
       const hidden = new Set(event.altKey ? present : list.hidden);
       if (hidden.has(status)) hidden.delete(status);

@@ -9,6 +9,8 @@ const statusWords = {
   error: "error", fail: "failed", nondeterministic: "nondeterministic", missing: "no baseline",
   xpass: "passed unexpectedly", flaky: "flaky", xfail: "failed as expected", updated: "updated", pass: "passed",
 };
+/// Where room is short.
+const statusShort = {...statusWords, xpass: "xpass", xfail: "xfail"};
 const statusGlyphs = {
   error: "!", fail: "✕", nondeterministic: "≠", missing: "?", xpass: "⊕", flaky: "~", xfail: "⊖", updated: "↑",
   pass: "✓",
@@ -40,7 +42,7 @@ const state = {scene: null, frame: 0, view: "side"};
 const byName = new Map(suite.scenes.map((scene) => [scene.name, scene]));
 const failing = suite.scenes.filter((scene) => isFailure(scene.status));
 
-const frameOf = (scene) => scene.frames[state.frame] || null;
+const frameOf = (scene) => (scene && scene.frames[state.frame]) || null;
 const hasPictures = (frame) => Boolean(frame.expectedImage || frame.actualImage || frame.differenceImage);
 const equalPixels = (frame) => !frame.metrics && frame.pixels !== "" && frame.pixels === frame.expectedPixels;
 

@@ -98,7 +98,7 @@ function emptyText(frame, existing) {
     const what = frame.metrics ? "within tolerance of" : "equal to";
     const alternate = frame.alternate > 0 ? "its accepted alternate " + frame.alternate : "its baseline";
     return frame.status === "updated" ? "The baseline was written; its picture is not stored here." :
-                                        "Frame " + frame.frame + " is " + what + " " + alternate + "; not stored.";
+                                        "Frame " + frame.frame + " is " + what + " " + alternate + "; its picture is not stored.";
   }
   return equalPixels(frame) ? "The pixels are equal, not stored." : "No pictures were stored.";
 }
@@ -127,8 +127,9 @@ function sizePanes() {
   const box = byId("panes");
   const columns = getComputedStyle(box).gridTemplateColumns.split(" ").length;
   const width = box.clientWidth / Math.max(1, columns);
-  const most = window.innerHeight * (columns > 1 || viewer.panes.length === 1 ? 0.58 : 0.42);
-  const height = clamp(width * viewer.size.height / viewer.size.width, 150, Math.max(150, most));
+  const most = window.innerHeight * (columns > 1 || viewer.panes.length === 1 ? 0.5 : 0.42);
+  const shape = viewer.size.height / viewer.size.width;
+  const height = viewer.panes.length === 0 ? 84 : clamp(width * shape, 150, Math.max(150, most));
   box.style.setProperty("--pane", Math.round(height) + "px");
   drawPanes();
 }

@@ -39,10 +39,10 @@ function placeMark(mark, place, x, y, size, visible) {
   mark.style.width = mark.style.height = side + "px";
 }
 
-/// Side of the densest window in pixels, as the comparison took it.
+/// Side of the densest window in pixels.
 function windowSize() {
   const given = state.scene.tolerance.window_size;
-  return Math.min(given ? given.value : 16, viewer.size.width, viewer.size.height);
+  return given ? given.value : 16;
 }
 
 function drawPanes() {
@@ -54,7 +54,8 @@ function drawPanes() {
     }
     const metrics = frameOf(state.scene) ? frameOf(state.scene).metrics : null;
     const shown = viewer.marks && metrics !== null;
-    placeMark(pane.window, place, metrics ? metrics.windowX : 0, metrics ? metrics.windowY : 0, windowSize(),
+    placeMark(pane.window, place, metrics ? metrics.windowX : 0, metrics ? metrics.windowY : 0,
+              Math.min(windowSize(), viewer.size.width, viewer.size.height),
               shown && metrics.windowRatio > 0);
     placeMark(pane.worst, place, metrics ? metrics.worstX : 0, metrics ? metrics.worstY : 0, 1,
               shown && metrics.worst > 0);
