@@ -57,6 +57,13 @@ golden::Update updateMode(const TestOptions& o) {
                                  : golden::Update::all;
 }
 
+/// A profile is a folder beside the scenes.
+void checkProfile(const std::string& name) {
+  constexpr const char* plain = "abcdefghijklmnopqrstuvwxyz0123456789-";
+  if (name.find_first_not_of(plain) != std::string::npos || name.size() > 64)
+    fail(ExitCode::usage, "--profile takes a name of small letters, digits and '-', not \"{}\"", name);
+}
+
 /// Where failures' pictures go: <report>/files, or beside the JSON report.
 void choosePlaces(const TestOptions& o, golden::SuiteOptions& suite) {
   if (!o.report.empty()) {
@@ -162,6 +169,7 @@ int runAll(const std::vector<golden::SceneFile>& scenes, golden::Suite& suite, c
 }
 
 void test(const TestOptions& o) {
+  checkProfile(o.profile);
   golden::SuiteOptions options;
   options.repeats = o.repeat;
   options.retries = o.retries;

@@ -44,6 +44,14 @@ void searchFolder(const fs::path& folder, std::vector<SceneFile>& found) {
   if (error) fail(ExitCode::inputOutput, "cannot read folder {}: {}", folder.string(), error.message());
 }
 
+/// A file's whole path as a name below any folder: no root, no way up.
+std::string wholeName(const fs::path& file) {
+  fs::path name;
+  for (const fs::path& part : file.lexically_normal().replace_extension().relative_path())
+    name /= part == ".." ? fs::path("up") : part;
+  return name.generic_string();
+}
+
 }  // namespace
 
 std::vector<SceneFile> findScenes(std::span<const std::string> paths) {
@@ -60,8 +68,7 @@ std::vector<SceneFile> findScenes(std::span<const std::string> paths) {
   std::map<std::string, int> uses;
   for (const SceneFile& scene : found) ++uses[scene.name];
   for (SceneFile& scene : found)
-    if (uses[scene.name] > 1)
-      scene.name = scene.file.lexically_normal().replace_extension().generic_string();
+    if (uses[scene.name] > 1) scene.name = wholeName(scene.file);
   std::sort(found.begin(), found.end(),
             [](const SceneFile& a, const SceneFile& b) { return a.name < b.name; });
   // The same file given twice is one scene.

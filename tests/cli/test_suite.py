@@ -289,11 +289,16 @@ class Running(GoldenCase):
         self.assertEqual(listed("scenes", "--filter", "[ab]", "--filter", "c"), ["a", "b", "c"])
         self.assertEqual(listed("scenes/b.json", "scenes/deep"), ["b", "d"])
         self.assertEqual(listed("scenes", "--shard", "1/2") + listed("scenes", "--shard", "2/2"), ["a", "c", "b", "deep/d"])
+        # Two of one name: told apart by their paths, and never a way out of the report's folder.
+        self.write("more/a.json", TESTED)
+        self.assertEqual(listed("scenes/a.json", self.folder / "more/a.json"),
+                         [str(self.folder / "more/a")[1:], "scenes/a"])
         self.bad(5, "no scene to test", "test", "scenes", "--filter", "nobody")
         self.bad(5, "no scene to test", "test", "scenes", "--shard", "9/9")
         self.bad(2, "nowhere", "test", "nowhere")
         for shard in ("0/2", "3/2", "x", "1/", "1/2/3", ""):
             self.bad(2, "--shard", "test", "scenes", f"--shard={shard or 'x'}")
+        self.bad(2, "--profile", "test", "scenes", "--profile", "../x")
         self.bad(2, "--reason", "test", "scenes", "--reason", "x")
 
     def test_one_bad_scene_does_not_stop_the_others(self):
