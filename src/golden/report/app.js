@@ -26,7 +26,8 @@ function go(change, keepLink) {
 
 function writeLink(push) {
   const frame = frameOf(state.scene);
-  const link = "#scene=" + encodeURIComponent(state.scene.name) + (frame ? "&frame=" + frame.frame : "") + "&view=" + state.view;
+  const link = "#scene=" + encodeURIComponent(state.scene.name) + (frame ? "&frame=" + frame.frame : "") +
+      "&view=" + state.view;
   document.title = state.scene.name + " – simreel test report";
   if (link === location.hash) return;
   try {
@@ -82,10 +83,11 @@ const keyGroups = [
   ["Scenes", [["j / k", "next, previous scene"], ["f / F", "next, previous failure"], ["/", "filter by text"]]],
   ["Frames", [["l / h or → / ←", "next, previous frame"], ["g / G", "first, last frame"]]],
   ["Pictures", [["1 2 3 4", "side by side, swipe, blink, difference"], ["b", "blink; there: swap by hand"],
-                ["p", "blink by timer, on and off"], ["+ / −", "zoom"], ["0", "fit"], ["o", "1:1"], ["w", "worst pixel"],
-                ["m", "marks on and off"], ["shift + arrows", "pan"], ["wheel, drag", "zoom about the pointer, pan"]]],
-  ["Report", [["c", "copy the command that accepts the scene"], ["t", "light, dark, as the system"], ["?", "this help"],
-              ["esc", "leave the filter or the help"]]],
+                ["p", "blink by timer, on and off"], ["+ / −", "zoom"], ["0", "fit"], ["o", "1:1"],
+                ["w", "worst pixel"], ["m", "marks on and off"], ["shift + arrows", "pan"],
+                ["wheel, drag", "zoom about the pointer, pan"]]],
+  ["Report", [["c", "copy the command that accepts the scene"], ["t", "light, dark, as the system"],
+              ["?", "this help"], ["esc", "leave the filter or the help"]]],
 ];
 
 const keyActions = {
@@ -93,7 +95,8 @@ const keyActions = {
   ArrowRight: () => stepFrame(1), ArrowLeft: () => stepFrame(-1),
   g: () => go({frame: 0}), G: () => stepFrame(Infinity),
   f: () => stepFailure(1), F: () => stepFailure(-1),
-  1: () => go({view: "side"}), 2: () => go({view: "swipe"}), 3: () => go({view: "blink"}), 4: () => go({view: "difference"}),
+  1: () => go({view: "side"}), 2: () => go({view: "swipe"}), 3: () => go({view: "blink"}),
+  4: () => go({view: "difference"}),
   b: blinkByHand, p: () => state.view === "blink" && toggleBlinkTimer(),
   "+": () => stepZoom(1), "=": () => stepZoom(1), "-": () => stepZoom(-1), 0: () => setScale(null),
   o: () => setScale(devicePixel()), w: goToWorst, m: toggleMarks,
@@ -129,9 +132,11 @@ function keyDown(event) {
 function startKeys() {
   const dialog = byId("keys");
   const close = element("button", {class: "quiet", "aria-label": "Close", onclick: () => dialog.close()}, "✕");
-  dialog.append(element("header", {}, element("h2", {}, "Keyboard"), close), element("div", {class: "groups"}, ...keyGroups.map(([title, keys]) =>
-      element("section", {}, element("h3", {}, title),
-              element("dl", {}, ...keys.flatMap(([key, what]) => [element("dt", {}, element("kbd", {}, key)), element("dd", {}, what)]))))));
+  const line = ([key, what]) => [element("dt", {}, element("kbd", {}, key)), element("dd", {}, what)];
+  const groups = keyGroups.map(([title, keys]) =>
+      element("section", {}, element("h3", {}, title), element("dl", {}, ...keys.flatMap(line))));
+  dialog.append(element("header", {}, element("h2", {}, "Keyboard"), close),
+                element("div", {class: "groups"}, ...groups));
   dialog.addEventListener("click", (event) => event.target === dialog && dialog.close());
   dialog.addEventListener("keydown", (event) => {
     if (event.key !== "?") return;
@@ -151,7 +156,8 @@ function showVerdict() {
   byId("verdict").textContent = suite.scenes.length === 0 ? "no scenes" :
       failing.length > 0 ? failing.length + " of " + total + " failed" : total + ": none failed";
   const environment = suite.environment;
-  byId("run").textContent = [environment.driver, environment.profile, seconds(suite.seconds)].filter(Boolean).join(" · ");
+  const run = [environment.driver, environment.profile, seconds(suite.seconds)];
+  byId("run").textContent = run.filter(Boolean).join(" · ");
   byId("run").title = "numerics " + environment.fingerprint + ", " + environment.memoryPath;
 }
 

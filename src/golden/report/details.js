@@ -1,118 +1,148 @@
 // Everything about a scene that is words and numbers.
 
-/// A table with a heading; rows are lists of cells, each text or an element.
-function table(title, heads, rows, name) {
-  const cells = (row) => row.cells.map((cell, i) => element(i === 0 ? "th" : "td", i === 0 ? {scope: "row"} : {}, cell));
-  return element("section", {class: "card " + (name || "")}, element("h3", {}, title),
-                 element("div", {class: "wide"},
-                         element("table", {},
-                                 element("thead", {}, element("tr", {}, ...heads.map((head) => element("th", {scope: "col"}, head)))),
-                                 element("tbody", {}, ...rows.map((row) => element("tr", {class: row.class}, ...cells(row)))))));
+function card(title, name, ...content) {
+  return element("section", {class: "card " + name}, element("h3", {}, title), ...content);
+}
+
+/// A table; rows are {class, cells}, each cell text or an element.
+function table(title, name, heads, rows) {
+  const head = element("tr", {}, ...heads.map((text) => element("th", {scope: "col"}, text)));
+  const line = ({cells: [first, ...others], class: kind}) =>
+      element("tr", {class: kind}, element("th", {scope: "row"}, first),
+              ...others.map((cell) => element("td", {}, cell)));
+  const made = element("table", {}, element("thead", {}, head), element("tbody", {}, ...rows.map(line)));
+  return card(title, name, element("div", {class: "wide"}, made));
+}
+
+/// Names and values; empty values are left out.
+function facts(title, name, pairs) {
+  const lines = pairs.filter(([, value]) => value !== "" && value !== null && value !== undefined)
+                    .flatMap(([key, value]) => [element("dt", {}, key), element("dd", {}, value)]);
+  return lines.length > 0 ? card(title, name, element("dl", {}, ...lines)) : null;
+}
+
+function lines(title, name, texts) {
+  if (texts.length === 0) return null;
+  return card(title, name, element("ul", {}, ...texts.map((text) => element("li", {}, text))));
 }
 
 /// A path that may be broken after its slashes.
 function breakable(path) {
-  const parts = path.split("/");
-  return element("span", {}, ...parts.flatMap((part, i) => i < parts.length - 1 ? [part + "/", element("wbr")] : [part]));
+  const made = element("span", {});
+  path.split("/").forEach((part, i) => made.append(...i > 0 ? ["/", element("wbr"), part] : [part]));
+  return made;
 }
 
-/// Names and values; empty values are left out.
-function facts(title, pairs, name) {
-  const known = pairs.filter(([, value]) => value !== "" && value !== null && value !== undefined);
-  if (known.length === 0) return null;
-  return element("section", {class: "card " + (name || "")}, element("h3", {}, title),
-                 element("dl", {}, ...known.flatMap(([key, value]) => [element("dt", {}, key), element("dd", {}, value)])));
+// ---- cards below the pictures ----
+
+function checkBounds(check) {
+  const {least, most} = check;
+  if (least !== null && most !== null) return format(least, 6) + " to " + format(most, 6);
+  if (least !== null) return "≥ " + format(least, 6);
+  return most !== null ? "≤ " + format(most, 6) : "–";
 }
 
-function lines(title, texts, name) {
-  if (texts.length === 0) return null;
-  return element("section", {class: "card " + name}, element("h3", {}, title),
-                 element("ul", {}, ...texts.map((text) => element("li", {}, text))));
-}
-
+/// Failures first; each line leads to its frame where that frame is shown.
 function checksTable(scene) {
   if (scene.checks.length === 0) return null;
-  const limits = (check) => {
-    if (check.least !== null && check.most !== null) return format(check.least, 6) + " to " + format(check.most, 6);
-    if (check.least !== null) return "≥ " + format(check.least, 6);
-    return check.most !== null ? "≤ " + format(check.most, 6) : "–";
-  };
-  // Failures first; each line leads to its frame where that frame is shown.
   const checks = [...scene.checks].sort((a, b) => a.passed - b.passed);
-  return table("Checks", ["check", "frame", "value", "bounds", ""], checks.map((check) => {
+  return table("Checks", "checks", ["check", "frame", "value", "bounds", ""], checks.map((check) => {
     const index = scene.frames.findIndex((frame) => frame.frame === check.frame);
-    const place = index < 0 ? String(check.frame) :
-        element("button", {class: "link", onclick: () => go({frame: index})}, String(check.frame));
+    const number = String(check.frame);
+    const place = index < 0 ? number : element("button", {class: "link", onclick: () => go({frame: index})}, number);
     const result = check.passed ? "✓ holds" : "✕ " + (check.message || "fails");
-    return {class: check.passed ? "holds" : "fails", cells: [check.what, place, format(check.value, 6), limits(check), result]};
-  }), "checks");
+    return {
+      class: check.passed ? "holds" : "fails",
+      cells: [check.what, place, format(check.value, 6), checkBounds(check), result],
+    };
+  }));
 }
 
-/// The largest measured value that each bound limits, over the scene's frames.
+/// What each bound limits.
 const measuredFor = {
-  max_channel_diff: (m) => m.worst, max_diff_pixels: (m) => m.pixelsBeyond, max_diff_ratio: (m) => m.ratioBeyond,
-  max_window_ratio: (m) => m.windowRatio, max_flip_mean: (m) => m.flipMean, hard_fail: (m) => m.worst,
+  max_channel_diff: (m) => m.worst,
+  max_diff_pixels: (m) => m.pixelsBeyond,
+  max_diff_ratio: (m) => m.ratioBeyond,
+  max_window_ratio: (m) => m.windowRatio,
+  max_flip_mean: (m) => m.flipMean,
+  hard_fail: (m) => m.worst,
 };
 
 function toleranceTable(scene) {
-  const fields = Object.keys(scene.tolerance);
+  const fields = Object.entries(scene.tolerance);
   if (fields.length === 0) return null;
   const measured = scene.frames.some((frame) => frame.metrics);
-  return table(scene.sameNumerics ? "Tolerance (not used: equal numerics ask for equal pixels)" : "Tolerance",
-               ["bound", "value", "largest measured", "set by"], fields.map((field) => {
-                 const value = measured && measuredFor[field] ? largest(scene, measuredFor[field]) : null;
-                 const bound = scene.tolerance[field];
-                 // max_channel_diff decides which pixels count; it is no limit itself.
-                 const over = !scene.sameNumerics && value !== null && field !== "max_channel_diff" && value > bound.value;
-                 return {class: over ? "fails" : "",
-                         cells: [field, format(bound.value), value === null ? "–" : format(value), breakable(bound.origin)]};
-               }), "tolerance");
+  const title = "Tolerance" + (scene.sameNumerics ? " (not used: equal numerics ask for equal pixels)" : "");
+  return table(title, "tolerance", ["bound", "value", "largest measured", "set by"], fields.map(([field, bound]) => {
+    const value = measured && measuredFor[field] ? largest(scene, measuredFor[field]) : null;
+    // max_channel_diff decides which pixels count; it is no limit itself.
+    const limit = !scene.sameNumerics && field !== "max_channel_diff";
+    return {
+      class: limit && value !== null && value > bound.value ? "fails" : "",
+      cells: [field, format(bound.value), format(value), breakable(bound.origin)],
+    };
+  }));
 }
 
-function baselineFacts(scene) {
-  const used = !scene.profile ? "none" :
-      scene.profile + (scene.profile === suite.environment.profile ? "" : " (this run is " + suite.environment.profile + ")");
-  return facts("Baseline", [
-    ["profile", used],
-    ["compared", !scene.profile ? "" : scene.sameNumerics ? "pixel by pixel, exactly: same numerics" : "within the tolerance: other numerics"],
-    ["made by", [scene.baselineDriver, scene.baselineVersion && "simreel " + scene.baselineVersion].filter(Boolean).join(", ")],
-    ["reason", scene.baselineReason], ["folder", scene.baselines],
-  ], "baseline");
+function baselineCard(scene) {
+  const own = suite.environment.profile;
+  const exact = scene.sameNumerics ? "pixel by pixel, exactly: same numerics" : "within the tolerance: other numerics";
+  const version = scene.baselineVersion ? "simreel " + scene.baselineVersion : "";
+  return facts("Baseline", "baseline", [
+    ["profile", !scene.profile ? "none" : scene.profile + (scene.profile === own ? "" : ` (this run is ${own})`)],
+    ["compared", scene.profile ? exact : ""],
+    ["made by", [scene.baselineDriver, version].filter(Boolean).join(", ")],
+    ["reason", scene.baselineReason],
+    ["folder", breakable(scene.baselines)],
+  ]);
 }
 
 function divergenceCard(scene) {
   if (!scene.divergence) return null;
-  const text = divergenceText(scene.divergence);
+  // The scene's messages stand above already.
   const message = scene.messages.includes(scene.divergence.message) ? "" : scene.divergence.message;
-  return element("section", {class: "card divergence"}, element("h3", {}, "Divergence"),
-                 element("p", {}, "The state " + text + "."), message ? element("p", {class: "dim"}, message) : null);
+  return card("Divergence", "divergence", element("p", {}, "The state " + divergenceText(scene.divergence) + "."),
+              message ? element("p", {class: "dim"}, message) : null);
+}
+
+/// A failed try before the last, each a line; then the last.
+function attemptsCard(scene) {
+  if (scene.attempts.length === 0) return null;
+  const tries = scene.attempts.map(({status, messages}) =>
+      statusWords[status] + (messages.length > 0 ? ": " : "") + messages.join("; "));
+  tries.push(scene.status === "flaky" ? "passed" : statusWords[scene.status]);
+  return lines("Attempts", "attempts", tries.map((text, i) => "attempt " + (i + 1) + ": " + text));
 }
 
 function runCard() {
-  const card = facts("This run", [
-    ["driver", suite.environment.driver], ["profile", suite.environment.profile],
-    ["numerics", suite.environment.fingerprint], ["memory path", suite.environment.memoryPath],
-    ["simreel", suite.simreel], ["took", seconds(suite.seconds)],
-    ["command", suite.command ? element("span", {class: "command"}, ...commandLine(suite.command, "the command of this run")) : ""],
-    ["accept all", suite.acceptCommand ?
-       element("span", {class: "command"}, ...commandLine(suite.acceptCommand, "the command that accepts every scene")) : ""],
-  ], "environment");
-  return card;
+  const environment = suite.environment;
+  const command = (text, label) => text ? element("span", {class: "command"}, ...commandLine(text, label)) : "";
+  return facts("This run", "environment", [
+    ["driver", environment.driver],
+    ["profile", environment.profile],
+    ["numerics", environment.fingerprint],
+    ["memory path", environment.memoryPath],
+    ["simreel", suite.simreel],
+    ["took", seconds(suite.seconds)],
+    ["command", command(suite.command, "the command of this run")],
+    ["accept all", command(suite.acceptCommand, "the command that accepts every scene")],
+  ]);
+}
+
+function sceneCard(scene) {
+  return facts("Scene", "sceneFacts", [
+    ["file", breakable(scene.file)],
+    ["took", seconds(scene.seconds) + ", " + seconds(scene.simulateSeconds) + " of it simulating"],
+    ["runs", scene.repeats > 1 ? String(scene.repeats) : ""],
+  ]);
 }
 
 function showDetails(scene) {
-  const attempts = scene.attempts.map((attempt, i) =>
-      "attempt " + (i + 1) + ": " + statusWords[attempt.status] + (attempt.messages.length ? ": " : "") + attempt.messages.join("; "));
-  if (attempts.length > 0) attempts.push("attempt " + (attempts.length + 1) + ": " + (scene.status === "flaky" ? "passed" : statusWords[scene.status]));
-  const cards = [
-    divergenceCard(scene), lines("Attempts", attempts, "attempts"), checksTable(scene), toleranceTable(scene),
-    baselineFacts(scene), lines("Notes", scene.notes, "notes"), runCard(),
-    facts("Scene", [["file", scene.file], ["took", seconds(scene.seconds) + ", " + seconds(scene.simulateSeconds) + " of it simulating"],
-                    ["runs", scene.repeats > 1 ? String(scene.repeats) : ""]], "sceneFacts"),
-  ];
-  const whole = cards.filter((card) => card && (card.matches(".divergence, .checks")));
-  const others = cards.filter((card) => card && !whole.includes(card));
-  byId("details").replaceChildren(...whole, element("div", {class: "columns"}, ...others));
+  const whole = [divergenceCard(scene), checksTable(scene)];
+  const others = [attemptsCard(scene), toleranceTable(scene), baselineCard(scene),
+                  lines("Notes", "notes", scene.notes), runCard(), sceneCard(scene)];
+  const columns = element("div", {class: "columns"}, ...others.filter(Boolean));
+  byId("details").replaceChildren(...whole.filter(Boolean), columns);
 }
 
 // ---- above the pictures ----
@@ -129,52 +159,64 @@ function showMessages(messages) {
   box.append(element("li", {class: "more"}, button));
 }
 
+function showAccept(scene) {
+  const command = acceptCommand(scene);
+  const box = byId("accept");
+  box.hidden = command === "" && !isFailure(scene.status);
+  const word = element("span", {class: "dim"}, command ? "accept" : "Nothing was kept to accept.");
+  box.replaceChildren(word, ...command ? commandLine(command, "the command that accepts this scene") : []);
+}
+
 function showHead(scene) {
   byId("name").textContent = scene.name;
   byId("badge").replaceChildren(badge(scene.status));
   byId("file").textContent = scene.file;
-  // Those that each frame repeats come last.
+  // Messages that each frame repeats come last.
   const ofFrames = new Set(scene.frames.map((frame) => "frame " + frame.frame + ": " + frame.message));
   const texts = [...scene.messages].sort((a, b) => ofFrames.has(a) - ofFrames.has(b));
   const messages = texts.map((text) => element("li", {}, text));
   if (scene.xfail) {
-    const reason = (scene.status === "xpass" ? "it was expected to fail: " : "expected to fail: ") + scene.xfail;
-    messages.unshift(element("li", {class: "xfail"}, reason));
+    const word = scene.status === "xpass" ? "it was expected to fail: " : "expected to fail: ";
+    messages.unshift(element("li", {class: "xfail"}, word + scene.xfail));
   }
   showMessages(messages);
-  const command = acceptCommand(scene);
-  byId("accept").hidden = command === "" && !isFailure(scene.status);
-  byId("accept").replaceChildren(...command ? [element("span", {class: "dim"}, "accept"), ...commandLine(command, "the command that accepts this scene")] :
-                                              [element("span", {class: "dim"}, "Nothing was kept to accept.")]);
+  showAccept(scene);
 }
 
+// ---- measurements below the pictures ----
+
 /// One measurement; `over` where it breaks its bound.
-function metric(label, value, over, note) {
-  return element("div", {class: over ? "over" : ""}, element("dt", {}, label), element("dd", {}, value, note ? element("small", {}, " " + note) : null));
+function metric(label, value, over, bound) {
+  return element("div", {class: over ? "over" : ""}, element("dt", {}, label),
+                 element("dd", {}, value, bound ? element("small", {}, " " + bound) : null));
+}
+
+function metricsOf(scene, m) {
+  const beyond = scene.tolerance.max_channel_diff ? scene.tolerance.max_channel_diff.value : 0;
+  const side = windowSize();
+  const exact = scene.sameNumerics;
+  const limit = (field) => exact || !scene.tolerance[field] ? null : scene.tolerance[field].value;
+  const over = (field, value) => limit(field) !== null && value > limit(field);
+  const bound = (field, text) => limit(field) === null ? "" : "≤ " + text(limit(field));
+  return [
+    metric("worst", `${m.worst} at ${m.worstX}, ${m.worstY}`, over("hard_fail", m.worst), bound("hard_fail", format)),
+    // With equal numerics any difference is one too many, and no bound is in force.
+    metric("differ", plural(m.differentPixels, "pixel"), exact && m.differentPixels > 0, exact ? "none may" : ""),
+    metric("beyond " + format(beyond), m.pixelsBeyond + " = " + percent(m.ratioBeyond),
+           over("max_diff_ratio", m.ratioBeyond) || over("max_diff_pixels", m.pixelsBeyond),
+           bound("max_diff_ratio", percent) || bound("max_diff_pixels", format)),
+    metric(`densest ${side}×${side}`, percent(m.windowRatio) + ` at ${m.windowX}, ${m.windowY}`,
+           over("max_window_ratio", m.windowRatio), bound("max_window_ratio", percent)),
+    metric("PSNR", m.psnr === null ? "∞" : m.psnr.toFixed(1) + " dB"),
+    metric("SSIM", format(m.ssim, 5)),
+    metric("FLIP", format(m.flipMean, 3), over("max_flip_mean", m.flipMean), bound("max_flip_mean", format)),
+  ];
 }
 
 function showMetrics(scene, frame) {
-  const box = byId("metrics");
-  const stateWord = frame && frame.state && frame.state !== "equal" ? [metric("state", frame.state, frame.state === "different")] :
-                                                                     frame && frame.state ? [metric("state", "equal")] : [];
-  if (!frame || !frame.metrics) {
-    const pixels = frame && equalPixels(frame) ? [metric("pixels", "equal")] : [];
-    return box.replaceChildren(...pixels, ...stateWord);
-  }
-  const m = frame.metrics;
-  // With equal numerics any difference is one too many, and the bounds are not in force.
-  const over = (field, value) => scene.sameNumerics ? value > 0 : scene.tolerance[field] !== undefined && value > scene.tolerance[field].value;
-  const bound = (field, text) => !scene.sameNumerics && scene.tolerance[field] !== undefined ? "≤ " + text(scene.tolerance[field].value) : "";
-  const beyond = scene.tolerance.max_channel_diff ? scene.tolerance.max_channel_diff.value : 0;
-  box.replaceChildren(
-      metric("worst", m.worst + " at " + m.worstX + ", " + m.worstY, over("hard_fail", m.worst), bound("hard_fail", format)),
-      metric("differ", plural(m.differentPixels, "pixel"), scene.sameNumerics && m.differentPixels > 0),
-      metric("beyond " + format(beyond), m.pixelsBeyond + " = " + percent(m.ratioBeyond),
-             over("max_diff_ratio", m.ratioBeyond) || over("max_diff_pixels", m.pixelsBeyond),
-             bound("max_diff_ratio", percent) || bound("max_diff_pixels", format)),
-      metric("densest " + windowSize() + "×" + windowSize(), percent(m.windowRatio) + " at " + m.windowX + ", " + m.windowY,
-             over("max_window_ratio", m.windowRatio), bound("max_window_ratio", percent)),
-      metric("PSNR", m.psnr === null ? "∞" : m.psnr.toFixed(1) + " dB"), metric("SSIM", format(m.ssim, 5)),
-      metric("FLIP", format(m.flipMean, 3), over("max_flip_mean", m.flipMean), bound("max_flip_mean", format)),
-      ...stateWord);
+  const shown = [];
+  if (frame && frame.metrics) shown.push(...metricsOf(scene, frame.metrics));
+  else if (frame && equalPixels(frame)) shown.push(metric("pixels", "equal"));
+  if (frame && frame.state) shown.push(metric("state", frame.state, frame.state === "different"));
+  byId("metrics").replaceChildren(...shown);
 }

@@ -26,7 +26,7 @@ function tile(frame, index) {
     title: "frame " + frame.frame + ", " + format(frame.time) + " s: " + (frame.message || statusWords[frame.status]),
     onclick: () => go({frame: index}),
   },
-  element("span", {class: "slot"}, hasPictures(frame) ? null : element("span", {class: "same"}, statusGlyphs[frame.status])),
+  element("span", {class: "slot"}, hasPictures(frame) ? null : statusGlyphs[frame.status]),
   element("span", {class: "number"}, String(frame.frame)));
 }
 
@@ -65,7 +65,8 @@ function curveScales(scene, chosen, width) {
   const numbers = scene.frames.map((frame) => frame.frame);
   const first = Math.min(...numbers), last = Math.max(...numbers);
   const inner = width - curveArea.left - curveArea.right;
-  const toX = (frame) => curveArea.left + (last === first ? 0.5 : clamp((frame - first) / (last - first), 0, 1)) * inner;
+  const share = (frame) => last === first ? 0.5 : clamp((frame - first) / (last - first), 0, 1);
+  const toX = (frame) => curveArea.left + share(frame) * inner;
   const bottom = curveArea.height - curveArea.bottom;
   const toY = (value) => bottom - value / top * (bottom - curveArea.top);
   return {values, bound: showBound ? bound : null, most, top, first, last, toX, toY, bottom};
@@ -73,6 +74,10 @@ function curveScales(scene, chosen, width) {
 
 function curveLine(x1, y1, x2, y2, name) {
   return svgElement("line", {x1, y1, x2, y2, class: name});
+}
+
+function curveText(x, y, anchor, text, name) {
+  return svgElement("text", {x, y, "text-anchor": anchor, class: name || ""}, text);
 }
 
 /// Segments between neighbours that were both measured.
@@ -107,8 +112,7 @@ function divergenceMark(scene, scales, width) {
   const text = "leaves the baseline: frame " + d.frame + (d.step > 0 ? ", step " + d.step + "/" + d.steps : "");
   return [
     curveLine(x, curveArea.top - 4, x, scales.bottom, "diverges"),
-    svgElement("text", {x: x + (end ? -5 : 5), y: curveArea.top + 4, class: "diverges", "text-anchor": end ? "end" : "start"},
-               text),
+    curveText(x + (end ? -5 : 5), curveArea.top + 4, end ? "end" : "start", text, "diverges"),
   ];
 }
 
@@ -123,18 +127,17 @@ function showCurve() {
   svg.setAttribute("viewBox", `0 0 ${width} ${curveArea.height}`);
   svg.setAttribute("aria-label", `${chosen.label} by frame, at most ${chosen.text(scales.most)}`);
   const right = width - curveArea.right, left = curveArea.left;
+  const below = curveArea.height - 4;
   svg.append(curveLine(left, scales.bottom, right, scales.bottom, "axis"),
              curveLine(left, curveArea.top, left, scales.bottom, "axis"),
-             svgElement("text", {x: left - 6, y: curveArea.top + 4, "text-anchor": "end"}, chosen.text(scales.top)),
-             svgElement("text", {x: left - 6, y: scales.bottom + 3, "text-anchor": "end"}, "0"),
-             svgElement("text", {x: scales.toX(scales.first), y: curveArea.height - 4, "text-anchor": "middle"}, String(scales.first)));
-  if (scales.last !== scales.first)
-    svg.append(svgElement("text", {x: right, y: curveArea.height - 4, "text-anchor": "middle"}, String(scales.last)));
+             curveText(left - 6, curveArea.top + 4, "end", chosen.text(scales.top)),
+             curveText(left - 6, scales.bottom + 3, "end", "0"),
+             curveText(scales.toX(scales.first), below, "middle", String(scales.first)));
+  if (scales.last !== scales.first) svg.append(curveText(right, below, "middle", String(scales.last)));
   if (scales.bound !== null) {
     const y = scales.toY(scales.bound);
-    svg.append(curveLine(left, y, right, y, "bound"),
-               svgElement("text", {x: right, y: y - 3, "text-anchor": "end", class: "bound"},
-                          chosen.bound + " " + chosen.text(scales.bound)));
+    const text = chosen.bound + " " + chosen.text(scales.bound);
+    svg.append(curveLine(left, y, right, y, "bound"), curveText(right, y - 3, "end", text, "bound"));
   }
   const current = frameOf(scene);
   if (current) {

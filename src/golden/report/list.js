@@ -47,7 +47,8 @@ function listRow(scene, index) {
     "aria-label": scene.name + ", " + statusWords[scene.status],
   },
   element("span", {class: "glyph " + scene.status, "aria-hidden": "true"}, statusGlyphs[scene.status]),
-  element("span", {class: "rowName"}, scene.name), frameMarks(scene), element("span", {class: "why"}, summary(scene)));
+  element("span", {class: "rowName"}, scene.name), frameMarks(scene),
+  element("span", {class: "why"}, summary(scene)));
   row.addEventListener("click", () => {
     showScenePage();
     go({scene});
@@ -120,7 +121,8 @@ function startList() {
     const count = suite.scenes.filter((scene) => scene.status === status).length;
     const chip = element("button", {
       class: "chip " + status, "data-status": status, "aria-pressed": "true",
-      "aria-label": statusWords[status] + ": " + count, title: statusWords[status] + ": show or hide (with Alt: only these)",
+      "aria-label": statusWords[status] + ": " + count,
+      title: statusWords[status] + ": show or hide (with Alt: only these)",
     },
     element("b", {}, String(count)), " " + statusShort[status]);
     chip.addEventListener("click", (event) => {

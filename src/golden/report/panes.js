@@ -10,7 +10,8 @@ const pictureKeys = ["expected", "actual", "difference"];
 
 /// What a picture is called; runs that disagree with each other have no expected one.
 function pictureLabel(frame, key) {
-  if (frame.status === "nondeterministic" && key !== "difference") return key === "expected" ? "first run" : "second run";
+  if (frame.status === "nondeterministic" && key !== "difference")
+    return key === "expected" ? "first run" : "second run";
   if (key === "expected" && frame.alternate > 0) return "expected (alternate " + frame.alternate + ")";
   return key;
 }
@@ -94,11 +95,11 @@ function emptyText(frame, existing) {
   if (existing.length > 0)
     return existing.length === 1 ? "No difference picture: there is nothing to compare with." :
                                    "No difference picture: the pictures differ in size.";
-  if (frame.status === "pass" || frame.status === "updated") {
-    const what = frame.metrics ? "within tolerance of" : "equal to";
+  if (frame.status === "updated") return "The baseline was written; its picture is not stored here.";
+  if (frame.status === "pass") {
     const alternate = frame.alternate > 0 ? "its accepted alternate " + frame.alternate : "its baseline";
-    return frame.status === "updated" ? "The baseline was written; its picture is not stored here." :
-                                        "Frame " + frame.frame + " is " + what + " " + alternate + "; its picture is not stored.";
+    return "Frame " + frame.frame + " is " + (frame.metrics ? "within tolerance of " : "equal to ") + alternate +
+        "; its picture is not stored.";
   }
   return equalPixels(frame) ? "The pixels are equal, not stored." : "No pictures were stored.";
 }

@@ -186,7 +186,8 @@ function pointerDown(event) {
   byId("panes").setPointerCapture(event.pointerId);
   const onHandle = pane.handle && pane.handle.contains(event.target);
   // A picture that fits cannot be moved: dragging anywhere moves the slider then.
-  viewer.drag = viewer.pointers.size > 1 ? "pinch" : pane.handle && (onHandle || viewer.scale === null) ? "split" : "pan";
+  const split = pane.handle && (onHandle || viewer.scale === null);
+  viewer.drag = viewer.pointers.size > 1 ? "pinch" : split ? "split" : "pan";
   viewer.dragPane = pane;
   if (viewer.drag === "split") setSplit(pane, event.clientX);
   if (viewer.drag === "pan") pane.box.classList.add("dragging");

@@ -1,0 +1,127 @@
+"""The page as a whole: links, colours, narrow screens, many scenes, errors."""
+import pathlib
+import subprocess
+
+from common import FLAG, MAKE_REPORT, ReportTest
+from driver import Keys
+
+
+class PageTest(ReportTest):
+    def test_link_keeps_scene_frame_and_view(self):
+        b = self.open(FLAG + "swipe")
+        self.assertEqual(self.chosen(), ("cloth/flag", 120, "swipe"))
+        b.keys("l", "4")
+        self.assertEqual(b.value("location.hash"), "#scene=cloth%2Fflag&frame=150&view=difference")
+        b.keys("j")
+        self.assertEqual(self.chosen()[0], "cloth/long")
+        b.driver.back()
+        self.assertTrue(b.until("state.scene.name === 'cloth/flag'"))
+        self.assertEqual(self.chosen(), ("cloth/flag", 150, "difference"))
+        self.open("#scene=no%2Fsuch&frame=7")
+        self.assertEqual(b.text("#name"), "life/broken")
+
+    def test_light_and_dark(self):
+        light, dark = "rgb(243, 244, 246)", "rgb(18, 21, 24)"
+        page = lambda: self.browser.value("getComputedStyle(document.body).backgroundColor")
+        b = self.open()
+        b.run("localStorage.clear()")
+        b = self.open()
+        self.assertEqual(page(), light)
+        b.dark(True)
+        self.assertEqual(page(), dark)
+        b.click("#theme")
+        self.assertEqual((page(), b.text("#theme")), (light, "○ light"))
+        self.open()
+        self.assertEqual(page(), light)  # kept
+        b.keys("t")
+        b.dark(False)
+        self.assertEqual(page(), dark)
+        b.keys("t")
+        self.assertEqual(page(), light)
+        b.run("localStorage.clear()")
+
+    def test_without_local_storage(self):
+        denied = "Object.defineProperty(window, 'localStorage', {get() { throw new DOMException('denied', 'SecurityError'); }})"
+        script = self.browser.command("Page.addScriptToEvaluateOnNewDocument", source=denied)
+        try:
+            b = self.open(FLAG + "side")
+            b.keys("t", "t")
+            self.assertEqual(b.value("document.documentElement.dataset.theme"), "dark")
+            self.assertEqual(b.text("#name"), "cloth/flag")
+        finally:
+            self.browser.command("Page.removeScriptToEvaluateOnNewDocument", identifier=script["identifier"])
+
+    def test_asks_for_its_own_pictures_only(self):
+        self.browser.requests()
+        self.open(FLAG + "side")
+        asked = [a for a in self.browser.requests() if not a.startswith(("about:", "data:"))]
+        self.assertGreater(len(asked), 3)
+        for address in asked:
+            self.assertTrue(address.startswith(self.page.parent.as_uri()), address)
+
+    def test_phone(self):
+        b = self.browser
+        b.size(400, 800)
+        self.open()
+        self.assertEqual((len(b.visible("#list")), len(b.visible("#scene"))), (1, 0))
+        b.click(".row[aria-posinset='2']")
+        self.assertEqual((len(b.visible("#list")), len(b.visible("#scene"))), (0, 1))
+        self.assertEqual(b.text("#name"), "cloth/flag")
+        panes = b.value("[...document.querySelectorAll('.pane')].map((p) => p.getBoundingClientRect().toJSON())")
+        self.assertEqual(len({round(p["x"]) for p in panes}), 1)
+        self.assertGreater(panes[0]["width"], 340)
+        for name in b.value("suite.scenes.map((s) => s.name)"):
+            self.scene(name)
+            self.assertLessEqual(b.value("document.documentElement.scrollWidth"), 400, name)
+            self.assertLessEqual(b.value("byId('scene').scrollWidth - byId('scene').clientWidth"), 0, name)
+        b.click("#back")
+        self.assertEqual((len(b.visible("#list")), len(b.visible("#scene"))), (1, 0))
+        self.open(FLAG + "side")  # a link to a scene shows the scene
+        self.assertEqual(len(b.visible("#scene")), 1)
+
+    def test_nothing_is_cut_off_on_the_desktop(self):
+        b = self.open()
+        for name in b.value("suite.scenes.map((s) => s.name)"):
+            self.scene(name)
+            self.assertEqual(b.value("byId('scene').scrollWidth - byId('scene').clientWidth"), 0, name)
+
+    def test_no_scene(self):
+        self.browser.open(self.make("none", "none"))
+        self.assertEqual(self.browser.text("#nothing"), "This run tested no scene.")
+        self.assertEqual(self.browser.visible("#side, #viewer, #time"), [])
+        self.browser.keys("j", "f", "l", "w", "b", "+", "c", "2")
+
+    def test_page_that_cannot_be_written(self):
+        folder = pathlib.Path(self.folder.name) / "blocked"
+        (folder / "index.html").mkdir(parents=True)
+        made = subprocess.run([MAKE_REPORT, folder, "none"], capture_output=True, text=True)
+        self.assertEqual((made.returncode, made.stderr.count("\n")), (6, 1), made.stderr)
+        self.assertIn(str(folder / "index.html"), made.stderr)
+        self.assertEqual([p.name for p in folder.iterdir()], ["index.html"])
+
+    def test_five_hundred_failing_scenes(self):
+        page = self.make("bulk", "bulk", "500")
+        b = self.browser
+        times = []
+        for _ in range(3):
+            b.open(page)
+            times.append(b.value("performance.getEntriesByType('navigation')[0].domContentLoadedEventEnd"))
+        self.assertLess(min(times), 1000)
+        self.assertEqual(len(self.names()), 500)
+        self.assertLess(len(b.all(".row")), 60)
+        b.run("byId('list').focus()")
+        for _ in range(40):
+            b.keys("f")
+        self.assertLess(len(b.all("img")), 36)
+        took = b.value("(() => {const t = performance.now(); for (let i = 0; i < 50; ++i) stepScene(1);"
+                       " return (performance.now() - t) / 50;})()")
+        self.assertLess(took, 100)  # ms a scene
+        b.keys(Keys.END)
+        self.assertEqual(b.text("#name"), self.names()[-1])
+        self.assertEqual(b.text(".row[aria-selected=true] .rowName"), self.names()[-1])
+        self.assertLess(len(b.all(".row")), 60)
+        self.assertLess(len(b.all("img")), 36)
+        took = b.value("(() => {const t = performance.now(); byId('filter').value = 'scene49'; filterList();"
+                       " return performance.now() - t;})()")
+        self.assertLess(took, 200)
+        self.assertEqual(len(self.names()), 11)
