@@ -18,6 +18,7 @@ void addSchema(CLI::App& app);
 void addList(CLI::App& app);
 void addDoctor(CLI::App& app);
 void addDiff(CLI::App& app);
+void addBake(CLI::App& app);
 void addTest(CLI::App& app);
 void addTrace(CLI::App& app);
 void addBisect(CLI::App& app);

@@ -1,5 +1,6 @@
 // simreel diff A B: two pictures, or two sequences of them.
 #include "base/error.hpp"
+#include "base/file.hpp"
 #include "base/log.hpp"
 #include "cli/commands.hpp"
 #include "cli/diff_report.hpp"
@@ -90,7 +91,7 @@ void compareSequences(const DiffOptions& options, const scene::Tolerance& tolera
   const fs::path folderB = folders ? fs::path(options.b) : fs::path(options.b).parent_path();
   const auto list = findPairs(options, folders);
   if (!options.output.empty()) {
-    frame::createFolders(options.output);
+    makeFolders(options.output);
     checkOutput(options.output, folderA.empty() ? "." : folderA, folderB.empty() ? "." : folderB);
   }
   const bool text = !options.json && verbosity() != Verbosity::quiet;

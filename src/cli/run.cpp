@@ -83,6 +83,7 @@ int run(int argc, char** argv) {
   addSchema(app);
   addList(app);
   addDoctor(app);
+  addBake(app);
   addTest(app);
   addTrace(app);
   addBisect(app);

@@ -97,6 +97,16 @@ class Cloth : public Simulation {
   [[nodiscard]] std::vector<StateArray> state() const override {
     return {{"positions", &positions_[0].buffer()}, {"velocities", &velocities_.buffer()}};
   }
+  [[nodiscard]] PointTable points() const override {
+    const auto positions = positions_[0].buffer().readAll<glm::vec4>();
+    const auto velocities = velocities_.buffer().readAll<glm::vec4>();
+    PointTable table{{"x", "y", "z", "vx", "vy", "vz"}, {}};
+    table.values.reserve(positions.size() * table.columns.size());
+    for (std::size_t i = 0; i < positions.size(); ++i)
+      table.values.insert(table.values.end(), {positions[i].x, positions[i].y, positions[i].z,
+                                               velocities[i].x, velocities[i].y, velocities[i].z});
+    return table;
+  }
   [[nodiscard]] const gl::Buffer* status() const override { return &status_; }
   [[nodiscard]] std::vector<Quantity> quantities() const override {
     return clothQuantities(plan_.parameters(), positions_[0].buffer().readAll<glm::vec4>(),

@@ -33,6 +33,12 @@ struct Quantity {
   const char* doc;
 };
 
+/// The state as a table for other programs: a row for each point, read back from the GPU.
+struct PointTable {
+  std::vector<const char*> columns;  ///< "x", "y", "z", "vx", ... as point files call them
+  std::vector<float> values;         ///< row by row
+};
+
 /// Called after each step of a frame, counted from 1, while state() holds what that step left. Empty:
 /// nobody watches.
 using StepWatch = std::function<void(int step)>;
@@ -53,6 +59,8 @@ class Simulation {
   virtual void publish(double time, Drawables& drawables) const = 0;
   /// State arrays in a fixed order; empty for things without state.
   [[nodiscard]] virtual std::vector<StateArray> state() const { return {}; }
+  /// What `simreel bake` writes; empty for things that are no points.
+  [[nodiscard]] virtual PointTable points() const { return {}; }
   /// Four words as glsl/common/status.glsl writes them, or null.
   [[nodiscard]] virtual const gl::Buffer* status() const { return nullptr; }
   /// Measures the present state, which is read back: summed up on the CPU in double and in a fixed order,
