@@ -80,9 +80,14 @@ void writeFileAtomically(const std::filesystem::path& path, std::string_view tex
 }
 
 void makeFolders(const std::filesystem::path& folder) {
+  if (folder.empty()) return;
   std::error_code error;
   std::filesystem::create_directories(folder, error);
-  if (error) fail(ExitCode::inputOutput, "cannot create folder {}: {}", folder.string(), error.message());
+  // create_directories also reports an error for a link to a folder, which will do.
+  std::error_code ignored;
+  if (std::filesystem::is_directory(folder, ignored)) return;
+  fail(ExitCode::inputOutput, "cannot create folder {}: {}", folder.string(),
+       error ? error.message() : "a file of that name exists");
 }
 
 bool pathExists(const std::filesystem::path& path) {
