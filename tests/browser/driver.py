@@ -67,6 +67,12 @@ class Browser:
     def texts(self, selector):
         return self.value(f"[...document.querySelectorAll({json.dumps(selector)})].map((e) => e.textContent)")
 
+    def style(self, selector, name):
+        return self.run("return getComputedStyle(document.querySelector(arguments[0]))[arguments[1]]", selector, name)
+
+    def picture_widths(self):
+        return self.value("[...document.querySelectorAll('#panes img')].map((image) => image.naturalWidth)")
+
     def visible(self, selector):
         return [element for element in self.all(selector) if element.is_displayed()]
 
@@ -77,6 +83,10 @@ class Browser:
     def keys(self, *keys):
         for key in keys:
             ActionChains(self.driver).send_keys(key).perform()
+        self.settle()
+
+    def keys_with_shift(self, key):
+        ActionChains(self.driver).key_down(Keys.SHIFT).send_keys(key).key_up(Keys.SHIFT).perform()
         self.settle()
 
     def box(self, selector):
@@ -109,24 +119,26 @@ class Browser:
 
     def transform(self, pane=0):
         """Scale and offset of the first picture of a pane."""
-        matrix = self.value(f"getComputedStyle(document.querySelectorAll('.pane')[{pane}].querySelector('img')).transform")
+        matrix = self.style(f".pane:nth-child({pane + 1}) img", "transform")
         numbers = [float(n) for n in matrix[len("matrix("):-1].split(",")]
         return numbers[0], numbers[4], numbers[5]
 
     def picture_at(self, x, y, pane=0):
         """The picture's point that a point of the screen shows."""
         scale, left, top = self.transform(pane)
-        box = self.value(f"document.querySelectorAll('.pane')[{pane}].getBoundingClientRect().toJSON()")
+        box = self.box(f".pane:nth-child({pane + 1})")
         return (x - box["x"] - left) / scale, (y - box["y"] - top) / scale
 
     def problems(self):
         """What the console holds since the last call."""
-        return [entry["message"] for entry in self.driver.get_log("browser") if entry["level"] in ("SEVERE", "WARNING")]
+        entries = self.driver.get_log("browser")
+        return [entry["message"] for entry in entries if entry["level"] in ("SEVERE", "WARNING")]
 
     def requests(self):
         """Addresses asked for since the last call."""
         events = [json.loads(entry["message"])["message"] for entry in self.driver.get_log("performance")]
-        return [event["params"]["request"]["url"] for event in events if event["method"] == "Network.requestWillBeSent"]
+        asked = [event["params"]["request"] for event in events if event["method"] == "Network.requestWillBeSent"]
+        return [request["url"] for request in asked]
 
 
 __all__ = ["Browser", "Keys"]

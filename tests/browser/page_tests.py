@@ -41,7 +41,8 @@ class PageTest(ReportTest):
         b.run("localStorage.clear()")
 
     def test_without_local_storage(self):
-        denied = "Object.defineProperty(window, 'localStorage', {get() { throw new DOMException('denied', 'SecurityError'); }})"
+        denied = """Object.defineProperty(window, 'localStorage',
+                        {get() { throw new DOMException('denied', 'SecurityError'); }})"""
         script = self.browser.command("Page.addScriptToEvaluateOnNewDocument", source=denied)
         try:
             b = self.open(FLAG + "side")

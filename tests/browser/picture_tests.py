@@ -10,13 +10,13 @@ from driver import Keys
 
 class PictureTest(ReportTest):
     def middle(self, pane=0):
-        box = self.browser.value(f"document.querySelectorAll('.pane')[{pane}].getBoundingClientRect().toJSON()")
+        box = self.browser.box(f".pane:nth-child({pane + 1})")
         return box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
 
     def test_panes_side_by_side_move_together(self):
         b = self.open(FLAG + "side")
         self.assertEqual(b.texts(".pane figcaption"), ["expected", "actual", "difference"])
-        self.assertEqual(b.value("[...document.querySelectorAll('#panes img')].map((i) => i.naturalWidth)"), [320] * 3)
+        self.assertEqual(b.picture_widths(), [320] * 3)
         before = b.transform()
         x, y = self.middle(1)
         point = b.picture_at(x + 40, y - 20, 1)
@@ -44,7 +44,7 @@ class PictureTest(ReportTest):
         self.assertEqual(b.transform()[0], 3)
         b.keys("-")
         self.assertEqual(b.transform()[0], 2)
-        self.assertEqual(b.value("getComputedStyle(document.querySelector('.layer img')).imageRendering"), "pixelated")
+        self.assertEqual(b.style(".layer img", "imageRendering"), "pixelated")
         b.keys("0")
         self.assertEqual(b.transform(), fit)
         b.click("#zoomIn")
@@ -54,7 +54,7 @@ class PictureTest(ReportTest):
         self.assertEqual(b.transform(), fit)
         b.keys("o")
         left = b.transform()[1]
-        b.run("document.body.dispatchEvent(new KeyboardEvent('keydown', {key: 'ArrowRight', shiftKey: true, bubbles: true}))")
+        b.keys_with_shift(Keys.ARROW_RIGHT)
         self.assertEqual(b.transform()[1], left - 60)
 
     def test_zoom_stays_from_frame_to_frame(self):
@@ -112,18 +112,18 @@ class PictureTest(ReportTest):
 
     def test_blink(self):
         b = self.open(FLAG + "side")
-        shown = lambda: b.value("getComputedStyle(document.querySelectorAll('.layer')[1]).visibility")
+        other = "getComputedStyle(document.querySelectorAll('.layer')[1]).visibility"
+        shown = lambda: b.value(other)
         b.keys("b")
         self.assertEqual(self.chosen()[2], "blink")
         first = shown()
-        b.until(f"getComputedStyle(document.querySelectorAll('.layer')[1]).visibility !== '{first}'")
+        b.until(f"{other} !== '{first}'")
         self.assertNotEqual(shown(), first)  # by the timer
         b.keys("b")  # by hand, which stops the timer
         now = shown()
-        self.assertEqual(b.value("[...document.querySelectorAll('figcaption')].filter((c) => !c.hidden).map((c) => c.textContent)"),
-                         ["actual" if now == "visible" else "expected"])
+        self.assertEqual(b.texts("figcaption:not([hidden])"), ["actual" if now == "visible" else "expected"])
         self.assertEqual(b.one("#play").get_attribute("aria-pressed"), "false")
-        self.assertFalse(b.until(f"getComputedStyle(document.querySelectorAll('.layer')[1]).visibility !== '{now}'", 0.8))
+        self.assertFalse(b.until(f"{other} !== '{now}'", 0.8))
         b.click("#swap")
         self.assertNotEqual(shown(), now)
         b.keys("p")
@@ -140,10 +140,13 @@ class PictureTest(ReportTest):
         self.assertEqual(b.text("#pixel"), "")
 
     def test_colours_where_the_browser_allows(self):
+
         class Quiet(http.server.SimpleHTTPRequestHandler):
             def log_message(self, *_):
                 pass
-        server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), functools.partial(Quiet, directory=str(self.page.parent)))
+
+        files = functools.partial(Quiet, directory=str(self.page.parent))
+        server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), files)
         threading.Thread(target=server.serve_forever, daemon=True).start()
         self.addCleanup(server.server_close)
         self.addCleanup(server.shutdown)
