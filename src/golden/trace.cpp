@@ -7,6 +7,7 @@
 #include "sim/world.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace simreel::golden {
 
@@ -15,8 +16,10 @@ namespace {
 /// Steps a world and hashes what each step leaves.
 class Tracer {
  public:
-  explicit Tracer(const scene::Scene& scene)
-      : world_(scene), hash_(gl::Program::compute("common/block_hash.comp")) {
+  explicit Tracer(const scene::Scene& scene, AfterStep afterStep = {})
+      : world_(scene),
+        hash_(gl::Program::compute("common/block_hash.comp")),
+        afterStep_(std::move(afterStep)) {
     const auto names = world_.arrays();
     for (std::size_t object = 0; object < world_.objectCount(); ++object)
       for (std::size_t i = 0; i < world_.object(object).state().size(); ++i) owners_.push_back(object);
@@ -41,6 +44,7 @@ class Tracer {
       for (std::size_t object = 0; object < world_.objectCount(); ++object) add(layout, object, 0);
     } else {
       world_.advanceTo(layout.firstFrame + static_cast<int>(index), [&](std::size_t object, int step) {
+        if (afterStep_) afterStep_(world_, object, step);
         const int steps = world_.object(object).stepsPerFrame();
         if (every || step == steps) add(layout, object, every ? static_cast<std::uint32_t>(step) - 1 : 0);
       });
@@ -81,13 +85,14 @@ class Tracer {
   sim::World world_;
   gl::Program hash_;
   gl::Buffer sums_;
+  AfterStep afterStep_;
   std::vector<StepTrace::Array> arrays_;
   std::vector<std::size_t> owners_;  ///< object of each array
 };
 
 /// Whether the traces are of the same arrays, however they are cut into blocks.
 std::optional<Divergence> differentArrays(const std::vector<StepTrace::Array>& run,
-                                          const std::vector<StepTrace::Array>& baseline) {
+                                          const std::vector<StepTrace::Array>& baseline, int firstFrame) {
   const auto differs = [](const StepTrace::Array& a, const StepTrace::Array& b) {
     return a.object != b.object || a.name != b.name || a.elements != b.elements || a.steps != b.steps;
   };
@@ -98,6 +103,7 @@ std::optional<Divergence> differentArrays(const std::vector<StepTrace::Array>& r
   for (std::size_t i = 0; i < std::max(run.size(), baseline.size()); ++i) {
     if (i < run.size() && i < baseline.size() && !differs(run[i], baseline[i])) continue;
     Divergence found;
+    found.frame = firstFrame;
     found.object = i < run.size() ? run[i].object : baseline[i].object;
     found.buffer = i < run.size() ? run[i].name : baseline[i].name;
     found.message = fmt::format("leaves the baseline before the first step: it has {}, the baseline {}",
@@ -108,10 +114,21 @@ std::optional<Divergence> differentArrays(const std::vector<StepTrace::Array>& r
   return std::nullopt;
 }
 
+std::optional<Divergence> differentStart(int run, int baseline) {
+  if (run == baseline) return std::nullopt;
+  Divergence found;
+  found.frame = run;
+  found.message = fmt::format(
+      "leaves the baseline before the first step: its pre-roll starts at frame {}, the baseline's at {}",
+      run, baseline);
+  return found;
+}
+
 }  // namespace
 
-StepTrace traceRun(const scene::Scene& scene, int lastFrame, std::size_t mostBytes) {
-  Tracer tracer(scene);
+StepTrace traceRun(const scene::Scene& scene, int lastFrame, std::size_t mostBytes,
+                   const AfterStep& afterStep) {
+  Tracer tracer(scene, afterStep);
   StepTrace trace = layOut(tracer.arrays(), tracer.firstFrame(), lastFrame, mostBytes);
   trace.words.reserve(trace.totalWords());
   for (std::uint32_t index = 0; index <= trace.frames; ++index) {
@@ -122,9 +139,13 @@ StepTrace traceRun(const scene::Scene& scene, int lastFrame, std::size_t mostByt
 }
 
 std::optional<Divergence> compareTraces(const StepTrace& run, const StepTrace& baseline) {
-  if (auto other = differentArrays(run.arrays, baseline.arrays)) return other;
-  SIMREEL_CHECK(run.arrays == baseline.arrays && run.firstFrame == baseline.firstFrame &&
-                run.detailed == baseline.detailed);
+  if (auto other = differentArrays(run.arrays, baseline.arrays, run.firstFrame)) return other;
+  if (auto other = differentStart(run.firstFrame, baseline.firstFrame)) return other;
+  if (run.arrays != baseline.arrays || run.detailed != baseline.detailed) {
+    const bool whole = run.arrays != baseline.arrays;
+    const std::uint32_t detailed = std::min(run.detailed, baseline.detailed);
+    return compareTraces(reduced(run, whole, detailed), reduced(baseline, whole, detailed));
+  }
   std::size_t at = 0;
   for (std::uint32_t index = 0; index <= std::min(run.frames, baseline.frames); ++index) {
     const std::size_t count = baseline.frameWords(index);
@@ -139,22 +160,14 @@ std::optional<Divergence> compareTraces(const StepTrace& run, const StepTrace& b
 
 std::optional<Divergence> firstDivergence(const scene::Scene& scene, const StepTrace& baseline) {
   Tracer tracer(scene);
-  if (auto other = differentArrays(tracer.arrays(), baseline.arrays)) return other;
+  if (auto other = differentArrays(tracer.arrays(), baseline.arrays, tracer.firstFrame())) return other;
+  if (auto other = differentStart(tracer.firstFrame(), baseline.firstFrame)) return other;
   const auto elementName = [&](const Divergence& where, long element) {
     for (std::size_t i = 0; i < tracer.world().objectCount(); ++i)
       if (tracer.world().objectName(i) == where.object)
         return tracer.world().object(i).elementName(element);
     return fmt::format("element {}", element);
   };
-  if (tracer.firstFrame() != baseline.firstFrame) {
-    Divergence found;
-    found.frame = tracer.firstFrame();
-    found.message = fmt::format(
-        "leaves the baseline before the first step: its pre-roll starts at frame {}, the "
-        "baseline's at {}",
-        tracer.firstFrame(), baseline.firstFrame);
-    return found;
-  }
   std::size_t at = 0;
   for (std::uint32_t index = 0; index <= baseline.frames; ++index) {
     const std::size_t count = baseline.frameWords(index);

@@ -1,9 +1,11 @@
 #pragma once
 #include "golden/result.hpp"
 #include "scene/scene.hpp"
+#include "sim/world.hpp"
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -36,15 +38,22 @@ struct StepTrace {
   [[nodiscard]] std::size_t totalWords() const;
 };
 
+/// Called after each step (counted from 1) of each object, before it is hashed, while the world stands at
+/// the frame before: tests disturb the state here.
+using AfterStep = std::function<void(const sim::World& world, std::size_t object, int step)>;
+
 /// Simulates the scene from its start to `lastFrame`, without drawing, and hashes as it goes, in blocks as
 /// fine as `mostBytes` allows; where not even whole arrays do, later frames keep their last step only.
 /// Throws UserError as World does.
-[[nodiscard]] StepTrace traceRun(const scene::Scene& scene, int lastFrame, std::size_t mostBytes);
+[[nodiscard]] StepTrace traceRun(const scene::Scene& scene, int lastFrame, std::size_t mostBytes,
+                                 const AfterStep& afterStep = {});
 [[nodiscard]] std::vector<std::byte> encodeTrace(const StepTrace& trace);
 /// Throws UserError(inputOutput) naming the file and what is wrong with it.
 [[nodiscard]] StepTrace decodeTrace(std::span<const std::byte> bytes, const std::string& name);
 
-/// The first step at which the run leaves the baseline; nothing when it never does. Elements go by number.
+/// The first step at which the run leaves the baseline; nothing when it never does in the frames that both
+/// have. Traces that are cut into different blocks, or that keep every step of different frames, are
+/// compared by what both know. Elements go by number.
 [[nodiscard]] std::optional<Divergence> compareTraces(const StepTrace& run, const StepTrace& baseline);
 /// Runs the scene as far as needed and compares; elements have the names that users know.
 [[nodiscard]] std::optional<Divergence> firstDivergence(const scene::Scene& scene,

@@ -2,6 +2,7 @@
 #include "base/error.hpp"
 #include "base/hash.hpp"
 #include "golden/trace.hpp"
+#include "golden/trace_layout.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -75,6 +76,8 @@ StepTrace::Array readArray(Input& in) {
   if (array.elements < 1 || array.elements > most || array.perBlock < 1 || array.perBlock > most ||
       array.steps < 1 || array.steps > most)
     in.wrong("its sizes make no sense");
+  // The kernel adds up a block in equal shares.
+  if (array.perBlock % invocationShare(array.perBlock) != 0) in.wrong("its sizes make no sense");
   return array;
 }
 

@@ -3,6 +3,7 @@
 #include "base/error.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 namespace simreel::golden {
 
@@ -58,6 +59,32 @@ StepTrace layOut(std::vector<StepTrace::Array> arrays, int firstFrame, int lastF
                                                     : static_cast<std::uint32_t>(std::min<std::size_t>(
                                                           trace.frames, (most - least) / (every - single)));
   return trace;
+}
+
+StepTrace reduced(const StepTrace& trace, bool whole, std::uint32_t detailed) {
+  SIMREEL_CHECK(detailed <= trace.detailed);
+  StepTrace result = trace;
+  result.detailed = detailed;
+  result.words.clear();
+  if (whole)
+    for (StepTrace::Array& array : result.arrays) array.perBlock = array.elements;
+  std::span<const std::uint32_t> rest = trace.words;
+  for (std::uint32_t index = 0; index <= trace.frames; ++index)
+    for (const StepTrace::Array& array : trace.arrays) {
+      const std::uint32_t steps = index > 0 && index <= trace.detailed ? array.steps : 1;
+      for (std::uint32_t step = 1; step <= steps; ++step) {
+        const auto words = rest.first(array.words());
+        rest = rest.subspan(array.words());
+        if (step < steps && index > detailed) continue;
+        const auto blocks = words.first(array.blocks());
+        if (whole)  // sums of blocks add up to the array's, modulo 2^32 as the kernel's do
+          result.words.push_back(std::accumulate(blocks.begin(), blocks.end(), 0U));
+        else
+          result.words.insert(result.words.end(), blocks.begin(), blocks.end());
+        result.words.push_back(words.back());
+      }
+    }
+  return result;
 }
 
 namespace {
