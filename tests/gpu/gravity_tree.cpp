@@ -3,6 +3,7 @@
 #include "gpu/context.hpp"
 #include "reference/gravity_tree_twin.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -112,10 +113,20 @@ TEST_CASE("gravity tree converges to all pairs as the opening angle falls") {
   for (const float opening : {1.0F, 0.5F, 0.25F, 0.0F}) {
     setup.opening = opening;
     const Errors errors = errorsOf(bodies, onDevice(bodies, setup), setup);
-    CHECK(errors.median < 0.7 * last);
+    CHECK(errors.median < std::max(0.7 * last, 1e-6));  // single precision ends it
     last = errors.median;
   }
-  CHECK(last < 2e-6);
+  CHECK(last < 1e-6);
+}
+
+TEST_CASE("gravity tree opened to the last body loses none, also where shaders' loops are limited") {
+  // 32768 bodies and 8191 nodes are the most that one dispatch may walk.
+  const auto bodies = bodiesOf(Cloud::plummer, 33001);
+  const auto got = onDevice(bodies, {1, 0.02F, 0});
+  std::vector<int> of;
+  for (int i = 5; i < 33001; i += 1031) of.push_back(i);
+  const auto errors = relativeErrors(got, allPairs(bodies, of, 1, 0.02F), of);
+  CHECK(errors.back() < 1e-4);
 }
 
 TEST_CASE("gravity tree gives the same bits on every run") {
