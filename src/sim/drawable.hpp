@@ -3,10 +3,12 @@
 #include "gl/texture.hpp"
 #include "scene/scene.hpp"
 
+#include <filesystem>
 #include <vector>
 
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
 
 namespace simreel::sim {
 
@@ -27,9 +29,36 @@ struct Surface {
   const scene::Material* material = nullptr;
 };
 
+/// Many copies of one small mesh, or camera-facing sprites, one for each living particle. Nothing about
+/// them is known to the CPU but their greatest number: a kernel drops the dead and those out of sight and
+/// fills the arguments of the indirect draw.
+struct Instances {
+  enum class Shape { sprite, sphere, mesh };
+  enum class ColorBy { material, speed, mass, age };
+  const gl::Texture* positions = nullptr;  ///< RGBA32F texel view: xyz in m, w mass in kg
+  const gl::Texture* velocities =
+      nullptr;                  ///< RGBA32F texel view: xyz in m/s, w age 0 to 1; negative: not alive
+  int capacity = 0;             ///< elements of both
+  Shape shape = Shape::sprite;  ///< sprites are lit as balls, or glow when additive
+  std::filesystem::path mesh;   ///< OBJ or PLY file of Shape::mesh
+  bool alongVelocity = false;   ///< turns the mesh's z axis along the velocity
+  float size = 0.1F;            ///< m: diameter; of a mesh, factor on its coordinates
+  float massExponent = 0.0F;    ///< size is multiplied with (mass / massReference)^exponent
+  float massReference = 1.0F;   ///< kg
+  ColorBy colorBy = ColorBy::material;
+  glm::vec2 colorRange{0, 1};                      ///< of speed (m/s), mass (kg) or age, mapped to 0..1
+  const std::vector<glm::vec3>* colors = nullptr;  ///< linear RGB stops of the colour map, evenly spaced
+  bool additive = false;                 ///< light that adds up (HDR), no shadow; else opaque, with shadow
+  float brightness = 1.0F;               ///< factor on the colours of additive ones
+  float fade = 0.0F;                     ///< share of life over which additive ones fade in and out
+  glm::vec3 boundsMin{0}, boundsMax{0};  ///< m; a box for the shadow map's fit; empty: measured on the GPU
+  const scene::Material* material = nullptr;
+};
+
 /// What a simulation publishes for drawing: a list per kind, one pass each.
 struct Drawables {
   std::vector<Surface> surfaces;
+  std::vector<Instances> instances;
 };
 
 }  // namespace simreel::sim

@@ -1,0 +1,96 @@
+#include "gl/radix_sort.hpp"
+
+#include "base/error.hpp"
+#include "gl/vec4_array.hpp"
+
+#include <utility>
+
+namespace simreel::gl {
+
+namespace {
+
+// What one tile of records is: what an invocation counts by itself in bytes (texels), or what a work group
+// of 256 invocations ranks in shared memory, 8 each (sort_tile.glsl).
+constexpr int texelTile = 64;
+constexpr int mostTexelTile = 255;
+constexpr int storageTile = 2048;
+// A software driver ends a shader's loops after 65,535 iterations; the scan loops over tiles.
+constexpr int mostTexelTiles = 65000;
+
+constexpr int tilesOf(int count, int tile) {
+  return (count - 1) / tile + 1;
+}
+
+}  // namespace
+
+WordsArray::WordsArray(const std::string& label, int count)
+    : buffer_(label, static_cast<std::size_t>(count) * 16),
+      view_(Texture::view(label, GL_RGBA32UI, buffer_)) {}
+
+void WordsArray::bindInput(GLuint unit) const {
+  if (memoryPath() == MemoryPath::texel)
+    view_.bind(unit);
+  else
+    buffer_.bindStorage(unit);
+}
+
+void WordsArray::bindState(GLuint unit) const {
+  if (memoryPath() == MemoryPath::texel)
+    view_.bindImage(unit, GL_READ_WRITE);
+  else
+    buffer_.bindStorage(unit);
+}
+
+RadixSort::RadixSort(const std::string& label, int capacity)
+    : capacity_(capacity), texels_(memoryPath() == MemoryPath::texel) {
+  SIMREEL_CHECK(capacity > 0);
+  if (texels_ && tilesOf(capacity, mostTexelTile) > mostTexelTiles)
+    fail(ExitCode::device, "{} has {} records, a software driver sorts at most {}; make it smaller", label,
+         capacity, mostTexelTile * mostTexelTiles);
+  records_ = WordsArray(label + " records", capacity);
+  next_ = WordsArray(label + " next records", capacity);
+  digits_ = WordsArray(label + " digits", 4 * (tilesOf(capacity, tileFor(capacity)) + 1));
+  const Defines defines = kernelDefines(false);
+  count_ = Program::compute("common/sort_count.comp", defines);
+  scan_ = Program::compute("common/sort_scan.comp", defines);
+  scatter_ = Program::compute("common/sort_scatter.comp", defines);
+}
+
+int RadixSort::tileFor(int count) const {
+  if (!texels_) return storageTile;
+  return tilesOf(count, texelTile) > mostTexelTiles ? mostTexelTile : texelTile;
+}
+
+void RadixSort::sort(int count, int lowBits, int highBits) {
+  SIMREEL_CHECK(count <= capacity_ && lowBits % 4 == 0 && highBits % 4 == 0);
+  if (count <= 0) return;
+  for (int shift = 0; shift < lowBits; shift += 4) pass(count, 0, shift);
+  for (int shift = 0; shift < highBits; shift += 4) pass(count, 1, shift);
+  barrier();
+}
+
+void RadixSort::pass(int count, int word, int shift) {
+  const int tile = tileFor(count);
+  const int tiles = tilesOf(count, tile);
+  for (const Program* program : {&count_, &scan_, &scatter_}) {
+    program->set("count", count);
+    program->set("tiles", tiles);
+    program->set("tileRecords", tile);
+    program->set("word", word);
+    program->set("shift", shift);
+  }
+  // A tile is an invocation or a work group of 256.
+  const int invocations = texels_ ? tiles : tiles * 256;
+  records_.bindInput(0);
+  next_.bindState(1);
+  digits_.bindState(2);
+  barrier();
+  count_.dispatch(invocations);
+  barrier();
+  scan_.dispatch(1);
+  barrier();
+  scatter_.dispatch(invocations);
+  std::swap(records_, next_);
+}
+
+}  // namespace simreel::gl

@@ -1,0 +1,62 @@
+#pragma once
+#include "gl/buffer.hpp"
+#include "gl/program.hpp"
+#include "gl/texture.hpp"
+
+#include <span>
+#include <string>
+
+#include <glm/vec4.hpp>
+
+namespace simreel::gl {
+
+/// Elements of four words, reachable as a storage block and as texels; binds the way that
+/// glsl/common/words.glsl declares for the current memory path.
+class WordsArray {
+ public:
+  WordsArray() = default;
+  WordsArray(const std::string& label, int count);
+
+  /// For INPUT_WORDS(unit, ...).
+  void bindInput(GLuint unit) const;
+  /// For STATE_WORDS(unit, ...).
+  void bindState(GLuint unit) const;
+  /// Copies elements to the front.
+  void write(std::span<const glm::uvec4> elements) { buffer_.write(0, std::as_bytes(elements)); }
+  [[nodiscard]] const Buffer& buffer() const { return buffer_; }
+
+ private:
+  Buffer buffer_;
+  Texture view_;
+};
+
+/// Sorts records of four words {lower key, upper key, value, value} on the device, without readback: least
+/// significant digit first, four bits a pass of three dispatches. Stable, so the result is the same on
+/// every driver. A pass reads a record twice and writes it once, 48 bytes.
+class RadixSort {
+ public:
+  /// For up to `capacity` records. Throws UserError(device) beyond the device's limits, which the message
+  /// names.
+  RadixSort(const std::string& label, int capacity);
+
+  /// Sorts records 0..count-1 by the lower `lowBits` (0, 4, .. 32) of their first word and the lower
+  /// `highBits` of their second, which counts for more. Waits for writes before it; what follows sees the
+  /// result.
+  void sort(int count, int lowBits, int highBits);
+
+  /// To be filled before sort(), in order after it. Bind it anew after a sort: the memory changes.
+  [[nodiscard]] WordsArray& records() { return records_; }
+  [[nodiscard]] const WordsArray& records() const { return records_; }
+
+ private:
+  void pass(int count, int word, int shift);
+  [[nodiscard]] int tileFor(int count) const;
+
+  int capacity_;
+  bool texels_;
+  WordsArray records_, next_;
+  WordsArray digits_;  ///< four elements a tile: how many of its records have each digit; then the totals
+  Program count_, scan_, scatter_;
+};
+
+}  // namespace simreel::gl

@@ -1,0 +1,134 @@
+// A step of gravity by the tree: milliseconds a phase by timer queries, beside the CPU twin on one thread
+// and on all, and the error against all pairs in double on 512 bodies.
+//
+//     bench_gravity_tree [N...]     default 16384 on software drivers, 1048576 on GPUs
+//
+// What a step has to do is counted with it: operations and bytes as src/sim/gravity_tree.cpp states them
+// for the walk; sorting moves 12 passes of 48 bytes a body, building about 440 bytes a body.
+#include "sim/gravity_tree.hpp"
+
+#include "gl/context.hpp"
+#include "reference/gravity_tree_twin.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdlib>
+#include <limits>
+#include <vector>
+
+#include <fmt/format.h>
+
+using namespace simreel;
+
+namespace {
+
+constexpr float gravity = 1;
+constexpr float softening = 0.01F;
+
+struct Phases {
+  double sort, build, walk, total;  ///< ms; total: the whole step by the clock, until the device is done
+};
+
+double milliseconds(const auto& work) {
+  const auto start = std::chrono::steady_clock::now();
+  work();
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+}
+
+/// By timer query; software drivers answer it with zero, so there by the clock.
+double deviceMilliseconds(const auto& work) {
+  if (gl::softwareDriver())
+    return milliseconds([&] {
+      work();
+      glFinish();
+    });
+  gl::TimerQuery timer;
+  timer.begin();
+  work();
+  timer.end();
+  return timer.nanoseconds() * 1e-6;
+}
+
+/// The least of several steps, after one that is not counted.
+Phases measure(sim::GravityTree& tree, const gl::Vec4Array& positions, const gl::Vec4Array& accelerations,
+               int count, float opening, int steps) {
+  const double most = std::numeric_limits<double>::max();
+  Phases least{most, most, most, most};
+  for (int step = 0; step <= steps; ++step) {
+    const double sort = deviceMilliseconds([&] { tree.sort(positions, count); });
+    const double build = deviceMilliseconds([&] { tree.build(positions, count, opening); });
+    const double walk = deviceMilliseconds([&] { tree.walk(accelerations, count, gravity, softening); });
+    const double total = milliseconds([&] {
+      tree.accelerate(positions, accelerations, count, gravity, softening, opening);
+      glFinish();
+    });
+    if (step == 0) continue;
+    least = {std::min(least.sort, sort), std::min(least.build, build), std::min(least.walk, walk),
+             std::min(least.total, total)};
+  }
+  return least;
+}
+
+void printErrors(const std::vector<glm::vec4>& got, const std::vector<glm::dvec3>& exact,
+                 const std::vector<int>& of) {
+  const auto errors = relativeErrors(got, exact, of);
+  fmt::print("    error: median {:.2e}, 99th percentile {:.2e}\n", errors[errors.size() / 2],
+             errors[errors.size() * 99 / 100]);
+}
+
+void runTwin(const std::vector<glm::vec4>& bodies, float opening) {
+  for (const int threads : {1, 0}) {
+    GravityTreeTwin::Work work;
+    const double time = milliseconds([&] {
+      GravityTreeTwin twin(bodies, opening, threads);
+      [[maybe_unused]] const auto accelerations = twin.accelerations(gravity, softening);
+      work = twin.work;
+    });
+    fmt::print("    twin, {}: {:.1f} ms\n", threads == 1 ? "one thread" : "all threads", time);
+    if (threads == 1) continue;
+    const double groups = static_cast<double>(bodies.size()) / shader::groupBodies;
+    fmt::print("    a group of {}: {:.0f} visits, {:.0f} multipoles, {:.0f} leaves\n", shader::groupBodies,
+               static_cast<double>(work.visits) / groups, static_cast<double>(work.far) / groups,
+               static_cast<double>(work.leaves) / groups);
+  }
+}
+
+void run(Cloud cloud, const char* name, int count, bool software) {
+  const auto bodies = bodiesOf(cloud, count);
+  std::vector<int> of(512);
+  for (std::size_t i = 0; i < of.size(); ++i)
+    of[i] = static_cast<int>(static_cast<std::int64_t>(i) * count / static_cast<std::int64_t>(of.size()));
+  const auto exact = allPairs(bodies, of, gravity, softening);
+  const gl::Vec4Array positions("positions", bodies);
+  const gl::Vec4Array accelerations("accelerations", bodies);
+  for (const float opening : {0.5F, 0.7F}) {
+    fmt::print("{} of {}, opening {}\n", name, count, opening);
+    for (const bool fast : {false, true}) {
+      sim::GravityTree tree(name, count, fast);
+      const Phases p = measure(tree, positions, accelerations, count, opening, software ? 3 : 10);
+      fmt::print("    device, {}: sort {:.2f}, build {:.2f}, walk {:.2f}; step {:.2f} ms by the clock\n",
+                 fast ? "fast" : "exact", p.sort, p.build, p.walk, p.total);
+      printErrors(accelerations.buffer().readAll<glm::vec4>(), exact, of);
+    }
+    runTwin(bodies, opening);
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const gl::Context context;
+  const bool software = context.device().software;
+  fmt::print("device: {}\n", context.device().name);
+  std::vector<int> counts;
+  for (int i = 1; i < argc; ++i) counts.push_back(std::atoi(argv[i]));
+  if (counts.empty()) counts.push_back(software ? 16384 : 1048576);
+  for (const int count : counts) {
+    if (count < 1) {
+      fmt::print(stderr, "numbers of bodies are at least 1\n");
+      return 2;
+    }
+    run(Cloud::plummer, "Plummer sphere", count, software);
+    run(Cloud::disk, "disk", count, software);
+  }
+}
