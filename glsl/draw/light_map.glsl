@@ -10,3 +10,8 @@ vec3 shadowPlace(vec3 p) {
 float shadowTexel() {
   return texelFetch(light, 3).x;
 }
+// A step to the lit side of a surface: looked up there, it does not shade itself.
+vec3 shadowLift(vec3 normal) {
+  float side = clamp(4.0 * dot(normal, frame.sunDirection.xyz), -1.0, 1.0);
+  return normal * (side * shadowTexel() * (0.5 + 0.5 * frame.lightUp.w));
+}

@@ -1,3 +1,4 @@
+#include "draw/frame_block.glsl"
 #include "draw/vertex_pull.glsl"
 #include "draw/light_map.glsl"
 

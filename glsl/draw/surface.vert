@@ -46,9 +46,7 @@ void main() {
 #endif
 #endif
 #ifdef SHADOW
-  // Looked up a little to the lit side of the surface, so it does not shade itself.
-  float side = clamp(4.0 * dot(normal, frame.sunDirection.xyz), -1.0, 1.0);
-  place = shadowPlace(p + normal * (side * shadowTexel() * (0.5 + 0.5 * frame.lightUp.w)));
+  place = shadowPlace(p + shadowLift(normal));
 #endif
   gl_Position = frame.viewProjection * vec4(p, 1.0);
 }

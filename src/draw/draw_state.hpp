@@ -9,6 +9,7 @@ struct DrawState {
   bool depthTest = true;
   bool cullBack = false;
   bool depthOffset = false;
+  bool adding = false;  ///< light adds to what is there; depth is tested, not written
 
   void set() const {
     const auto turn = [](GLenum what, bool on) { on ? glEnable(what) : glDisable(what); };
@@ -16,12 +17,14 @@ struct DrawState {
     turn(GL_CULL_FACE, cullBack);
     turn(GL_POLYGON_OFFSET_FILL, depthOffset);
     turn(GL_MULTISAMPLE, true);
-    for (const GLenum off :
-         {GL_BLEND, GL_SCISSOR_TEST, GL_STENCIL_TEST, GL_FRAMEBUFFER_SRGB, GL_PRIMITIVE_RESTART,
-          GL_DEPTH_CLAMP, GL_SAMPLE_SHADING, GL_SAMPLE_ALPHA_TO_COVERAGE})
+    turn(GL_BLEND, adding);
+    for (const GLenum off : {GL_SCISSOR_TEST, GL_STENCIL_TEST, GL_FRAMEBUFFER_SRGB, GL_PRIMITIVE_RESTART,
+                             GL_DEPTH_CLAMP, GL_SAMPLE_SHADING, GL_SAMPLE_ALPHA_TO_COVERAGE})
       glDisable(off);
     glDepthFunc(GL_LESS);
-    glDepthMask(depthTest ? GL_TRUE : GL_FALSE);
+    glDepthMask(depthTest && !adding ? GL_TRUE : GL_FALSE);
+    glBlendEquation(GL_FUNC_ADD);
+    glBlendFunc(GL_ONE, GL_ONE);
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     glFrontFace(GL_CCW);
     glCullFace(GL_BACK);
@@ -36,7 +39,12 @@ enum Unit : GLuint {
   uvUnit = 2,
   albedoUnit = 3,
   lightUnit = 4,
-  shadowUnit = 5
+  shadowUnit = 5,
+  velocityUnit = 6,
+  shapeUnit = 7,
+  listUnit = 8,
+  argumentUnit = 9,
+  stopUnit = 10
 };
 
 /// Vertices are pulled by number, yet drawing needs a vertex array: this one has no attributes.

@@ -2,6 +2,7 @@
 
 #include "draw/frame_values.hpp"
 #include "draw/ground_pass.hpp"
+#include "draw/instances_pass.hpp"
 #include "draw/shadow_pass.hpp"
 #include "draw/surface_pass.hpp"
 #include "draw/targets.hpp"
@@ -18,6 +19,7 @@ struct Renderer::State {
         targets(pixels, samples),
         shadow(shown.sun),
         surfaces(shown, shadow),
+        instances(shadow, targets.scene, samples),
         ground(shown, shadow),
         toneMap(samples),
         frame("frame values", sizeof(shader::Frame)) {}
@@ -27,6 +29,7 @@ struct Renderer::State {
   Targets targets;
   ShadowPass shadow;
   SurfacePass surfaces;
+  InstancesPass instances;
   GroundPass ground;
   ToneMapPass toneMap;
   gl::Buffer frame;
@@ -46,14 +49,18 @@ void Renderer::draw(double seconds, const sim::Drawables& drawables) {
   // Whatever the simulations wrote, vertex pulling and index fetch see it.
   glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_ELEMENT_ARRAY_BARRIER_BIT);
   if (s.shadow.on()) {
-    s.shadow.fit(drawables);
-    s.shadow.draw(drawables);
+    s.shadow.fit(drawables, [&] { s.instances.growBounds(drawables); });
+    s.instances.cullForLight(drawables);
+    s.shadow.draw(drawables, [&] { s.instances.castShadows(drawables); });
   }
+  s.instances.cull(drawables);
   s.targets.clear();
   s.targets.scene.bind();
   s.shadow.bind();
   s.surfaces.draw(drawables);
+  s.instances.drawOpaque(drawables);
   s.ground.draw();
+  s.instances.drawAdditive(drawables);
   s.toneMap.draw(s.targets);
 }
 

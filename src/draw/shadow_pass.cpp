@@ -49,7 +49,7 @@ ShadowPass::ShadowPass(const scene::Sun& sun) : on_(sun.shadow), softness_(sun.s
   target_ = gl::Framebuffer("shadow map", nullptr, &map_);
 }
 
-void ShadowPass::fit(const sim::Drawables& drawables) const {
+void ShadowPass::fit(const sim::Drawables& drawables, const std::function<void()>& growMore) const {
   constexpr int mostInvocations = 1 << 14;
   constexpr int verticesEach = 32;
   boundKeys_.bindStorage(boundsBinding);
@@ -63,12 +63,13 @@ void ShadowPass::fit(const sim::Drawables& drawables) const {
     surface.positions->bind(positionUnit);
     bounds_.dispatch(invocations);
   }
+  growMore();
   glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
   fit_.dispatch(1);
   glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT);
 }
 
-void ShadowPass::draw(const sim::Drawables& drawables) const {
+void ShadowPass::draw(const sim::Drawables& drawables, const std::function<void()>& drawMore) const {
   constexpr GLfloat farthest = 1;
   DrawState{.depthTest = true, .cullBack = false, .depthOffset = true}.set();
   // A filter of r texels reads depths up to r + 1 texels of slope away.
@@ -83,6 +84,7 @@ void ShadowPass::draw(const sim::Drawables& drawables) const {
     vertices_.bind(*surface.indices);
     glDrawElements(GL_TRIANGLES, surface.indexCount, GL_UNSIGNED_INT, nullptr);
   }
+  drawMore();
 }
 
 void ShadowPass::bind() const {

@@ -6,6 +6,8 @@
 #include "scene/scene.hpp"
 #include "sim/drawable.hpp"
 
+#include <functional>
+
 namespace simreel::draw {
 
 /// The sun's shadow map, orthographic, fitted on the GPU to what casts shadows. The ground casts none.
@@ -13,9 +15,11 @@ class ShadowPass {
  public:
   explicit ShadowPass(const scene::Sun& sun);
 
-  /// Bounds and light map; then draw() may be called, and bind() by the passes that read.
-  void fit(const sim::Drawables& drawables) const;
-  void draw(const sim::Drawables& drawables) const;
+  /// Bounds and light map; then draw() may be called, and bind() by the passes that read. `growMore` grows
+  /// the bounds (storage binding 6, glsl/draw/bounds.glsl) by what other passes draw.
+  void fit(const sim::Drawables& drawables, const std::function<void()>& growMore) const;
+  /// `drawMore` draws into the map, which is bound with its state set.
+  void draw(const sim::Drawables& drawables, const std::function<void()>& drawMore) const;
   /// Makes the map and its place in space readable by shaders.
   void bind() const;
   [[nodiscard]] bool on() const { return on_; }

@@ -9,15 +9,17 @@ namespace {
 constexpr const char* featureNames[] = {"GRID", "DOUBLE_SIDED", "TEXTURED", "TRANSLUCENT", "REFLECTIVE"};
 enum Feature : unsigned { grid = 1, doubleSided = 2, textured = 4, translucent = 8, reflective = 16 };
 
-/// Rougher dielectrics mirror too little of the sky to see.
-constexpr float mattRoughness = 0.6F;
-
 unsigned features(const scene::Material& material) {
   return (material.texture.empty() ? 0U : textured) | (material.translucency > 0 ? translucent : 0U) |
-         (material.metallic > 0 || material.roughness < mattRoughness ? reflective : 0U);
+         (isReflective(material) ? reflective : 0U);
 }
 
 }  // namespace
+
+bool isReflective(const scene::Material& material) {
+  constexpr float mattRoughness = 0.6F;  // rougher dielectrics mirror too little
+  return material.metallic > 0 || material.roughness < mattRoughness;
+}
 
 SurfacePass::SurfacePass(const scene::Scene& scene, const ShadowPass& shadow)
     : shadowDefines_(shadow.defines()) {

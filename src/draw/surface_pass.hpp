@@ -10,6 +10,9 @@
 
 namespace simreel::draw {
 
+/// Whether a material mirrors enough of the sky to see; shaders leave the mirror out where it does not.
+[[nodiscard]] bool isReflective(const scene::Material& material);
+
 /// Draws surfaces with their materials. A program per combination of features that materials use: software
 /// drivers run both sides of a branch.
 class SurfacePass {

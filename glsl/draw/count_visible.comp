@@ -1,0 +1,17 @@
+// Prefix sums of the bits inside blocks of 64 words: an invocation takes one block.
+layout(local_size_x = 64) in;
+layout(binding = 0) uniform usamplerBuffer masks;
+layout(std430, binding = 1) writeonly restrict buffer BeforeBlock { uint before[]; };
+layout(std430, binding = 2) writeonly restrict buffer BlockBlock { uint blockCount[]; };
+uniform int blocks;
+
+void main() {
+  int block = int(gl_GlobalInvocationID.x);
+  if (block >= blocks) return;
+  uint sum = 0u;
+  for (int word = block * 64; word < block * 64 + 64; ++word) {
+    before[word] = sum;
+    sum += uint(bitCount(texelFetch(masks, word).x));
+  }
+  blockCount[block] = sum;
+}

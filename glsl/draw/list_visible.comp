@@ -1,0 +1,21 @@
+// Writes the slots whose bits are set, in the order of slots within each level of detail.
+layout(local_size_x = 64) in;
+layout(binding = 0) uniform usamplerBuffer masks;
+layout(binding = 1) uniform usamplerBuffer before;
+layout(binding = 2) uniform usamplerBuffer blockFirst;
+layout(std430, binding = 0) writeonly restrict buffer ListBlock { uint list[]; };
+uniform int allWords;
+uniform int words;  // of one level
+
+void main() {
+  int word = int(gl_GlobalInvocationID.x);
+  if (word >= allWords) return;
+  uint mask = texelFetch(masks, word).x;
+  if (mask == 0u) return;
+  uint at = texelFetch(blockFirst, word / 64).x + texelFetch(before, word).x;
+  uint slot = uint(word % words) * 32u;
+  while (mask != 0u) {
+    list[at++] = slot + uint(findLSB(mask));
+    mask &= mask - 1u;
+  }
+}

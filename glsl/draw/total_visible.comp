@@ -1,0 +1,51 @@
+// One work group: prefix sums of the blocks' counts, then the arguments of the indirect draws, one for each level
+// of detail: {count, instanceCount, firstIndex, baseVertex, baseInstance}, then the level's first place in the
+// list and its number of instances. `batch` instances of the shape are one drawn instance.
+layout(local_size_x = 256) in;
+layout(binding = 0) uniform usamplerBuffer blockCount;
+layout(std430, binding = 1) writeonly restrict buffer FirstBlock { uint blockFirst[]; };
+layout(std430, binding = 2) writeonly restrict buffer ArgumentBlock { uint arguments[]; };
+uniform int blocks;           // of all levels
+uniform ivec2 indices[LEVELS];  // first and count
+uniform int batch[LEVELS];
+shared uint strip[256];
+shared uint levelFirst[LEVELS + 1];
+
+void main() {
+  int me = int(gl_LocalInvocationID.x);
+  int each = (blocks + 255) / 256;
+  int first = min(me * each, blocks), last = min(first + each, blocks);
+  uint sum = 0u;
+  for (int block = first; block < last; ++block) sum += texelFetch(blockCount, block).x;
+  strip[me] = sum;
+  barrier();
+  if (me == 0) {
+    uint all = 0u;
+    for (int i = 0; i < 256; ++i) {
+      uint here = strip[i];
+      strip[i] = all;
+      all += here;
+    }
+    levelFirst[LEVELS] = all;
+  }
+  barrier();
+  uint at = strip[me];
+  int levelBlocks = blocks / LEVELS;
+  for (int block = first; block < last; ++block) {
+    if (block % levelBlocks == 0) levelFirst[block / levelBlocks] = at;
+    blockFirst[block] = at;
+    at += texelFetch(blockCount, block).x;
+  }
+  barrier();
+  if (me >= LEVELS) return;
+  uint visible = levelFirst[me + 1] - levelFirst[me];
+  uint group = uint(batch[me]);
+  arguments[me * 8] = uint(indices[me].y);
+  arguments[me * 8 + 1] = (visible + group - 1u) / group;
+  arguments[me * 8 + 2] = uint(indices[me].x);
+  arguments[me * 8 + 3] = 0u;
+  arguments[me * 8 + 4] = 0u;
+  arguments[me * 8 + 5] = levelFirst[me];
+  arguments[me * 8 + 6] = visible;
+  arguments[me * 8 + 7] = 0u;
+}

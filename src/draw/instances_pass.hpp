@@ -1,0 +1,70 @@
+#pragma once
+#include "draw/draw_state.hpp"
+#include "draw/instance_shape.hpp"
+#include "draw/shadow_pass.hpp"
+#include "draw/visible_list.hpp"
+#include "gl/program.hpp"
+#include "scene/scene.hpp"
+#include "sim/drawable.hpp"
+
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <vector>
+
+namespace simreel::draw {
+
+/// Draws crowds by indirect draws whose arguments a kernel fills. The commands of a frame do not depend on
+/// the number of instances. Programs and shapes are made when first needed.
+class InstancesPass {
+ public:
+  InstancesPass(const ShadowPass& shadow, const gl::Framebuffer& target, int samples);
+
+  /// Grows the shadow's bounds.
+  void growBounds(const sim::Drawables& drawables);
+  /// Finds those in the light's box (its map is bound), then draws them into the bound shadow map.
+  void cullForLight(const sim::Drawables& drawables);
+  void castShadows(const sim::Drawables& drawables);
+  /// Finds those in the camera's sight.
+  void cull(const sim::Drawables& drawables);
+  /// Into the bound framebuffer. Opaque ones, then (after everything opaque) those that add light.
+  void drawOpaque(const sim::Drawables& drawables) { draw(drawables, false); }
+  void drawAdditive(const sim::Drawables& drawables) { draw(drawables, true); }
+
+  /// Of drawables.instances[i], for tests.
+  [[nodiscard]] const VisibleList& visible(std::size_t i) const { return *entries_.at(i).forCamera; }
+
+ private:
+  /// What belongs to drawables.instances[i].
+  struct Entry {
+    std::unique_ptr<VisibleList> forCamera, forLight;
+    std::vector<glm::vec3> stops;
+    gl::Buffer stopBuffer;
+    gl::Texture stopView;
+  };
+
+  Entry& entry(const sim::Instances& instances, std::size_t i);
+  const InstanceShape& shape(const sim::Instances& instances);
+  const CullPrograms& cullPrograms(bool forLight, int levels);
+  const gl::Program& program(unsigned features);
+  /// Everything instance.glsl reads.
+  void setInstance(const gl::Program& program, const sim::Instances& instances, bool forLight);
+  void fill(const sim::Instances& instances, std::size_t i, bool forLight);
+  void draw(const sim::Drawables& drawables, bool additive);
+  void drawLevels(const gl::Program& program, const sim::Instances& instances, const VisibleList& list);
+  [[nodiscard]] unsigned features(const sim::Instances& instances) const;
+
+  gl::Defines shadowDefines_;
+  bool shadowed_;
+  int samples_;
+  std::vector<glm::vec2> sampleOffsets_;
+  std::vector<Entry> entries_;
+  std::map<std::filesystem::path, InstanceShape> meshes_;
+  std::unique_ptr<InstanceShape> square_, sphere_;
+  std::map<int, CullPrograms> cullPrograms_;
+  std::map<unsigned, gl::Program> programs_;
+  gl::Program bounds_, boxBounds_;
+  VertexArray vertices_;
+};
+
+}  // namespace simreel::draw

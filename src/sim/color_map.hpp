@@ -1,0 +1,18 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+namespace simreel::sim {
+
+/// Names of the colour maps, in the order to list them.
+[[nodiscard]] const std::vector<std::string>& colorMapNames();
+
+/// Evenly spaced stops of a colour map, linear RGB; empty for an unknown name. Interpolated linearly they
+/// stay within 5/255 (sRGB) of the published map.
+/// viridis, magma, inferno, plasma: N. J. Smith, S. van der Walt, E. Firing (CC0). turbo: A. Mikhailov,
+/// Google (Apache 2.0).
+[[nodiscard]] std::vector<glm::vec3> colorMapStops(const std::string& name);
+
+}  // namespace simreel::sim

@@ -1,0 +1,25 @@
+#pragma once
+#include <filesystem>
+#include <vector>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+namespace simreel::sim {
+
+/// Indexed triangles. Positions in m, unit normals, one of each per vertex; uvs are empty when the file has
+/// none.
+struct Mesh {
+  std::vector<glm::vec3> positions;
+  std::vector<glm::vec3> normals;
+  std::vector<glm::vec2> uvs;
+  std::vector<unsigned> indices;  ///< three a triangle, counter-clockwise seen from outside
+};
+
+/// Reads OBJ, PLY, glTF or GLB: every mesh of the file with its node's transform, polygons as triangles,
+/// points and lines left out; normals are computed where the file has none. Throws UserError: usage for
+/// another extension, inputOutput for a file that cannot be read, is not what it says, holds no triangle,
+/// numbers that are not finite, or more than 8 million vertices or triangles.
+[[nodiscard]] Mesh loadMesh(const std::filesystem::path& file);
+
+}  // namespace simreel::sim
