@@ -79,6 +79,22 @@ void writeFileAtomically(const std::filesystem::path& path, std::string_view tex
   writeFileAtomically(path, std::as_bytes(std::span(text.data(), text.size())));
 }
 
+void makeFolders(const std::filesystem::path& folder) {
+  if (folder.empty()) return;
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  // create_directories also reports an error for a link to a folder, which will do.
+  std::error_code ignored;
+  if (std::filesystem::is_directory(folder, ignored)) return;
+  fail(ExitCode::inputOutput, "cannot create folder {}: {}", folder.string(),
+       error ? error.message() : "a file of that name exists");
+}
+
+bool pathExists(const std::filesystem::path& path) {
+  std::error_code error;
+  return std::filesystem::exists(path, error);
+}
+
 std::filesystem::path programFolder() {
   std::error_code error;
   const auto program = std::filesystem::read_symlink("/proc/self/exe", error);

@@ -18,6 +18,11 @@ namespace simreel {
 void writeFileAtomically(const std::filesystem::path& path, std::span<const std::byte> bytes);
 void writeFileAtomically(const std::filesystem::path& path, std::string_view text);
 
+/// Creates the folder and those above it. Throws UserError(inputOutput).
+void makeFolders(const std::filesystem::path& folder);
+/// Whether something is there; false where that cannot be found out.
+[[nodiscard]] bool pathExists(const std::filesystem::path& path);
+
 /// The folder of shipped assets: $SIMREEL_ASSETS, else share/simreel/assets or assets beside the
 /// program's folder. Empty when none exists.
 [[nodiscard]] std::filesystem::path assetFolder();

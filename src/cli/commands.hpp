@@ -1,4 +1,5 @@
 #pragma once
+#include <string>
 
 namespace CLI {
 class App;
@@ -16,6 +17,15 @@ void addValidate(CLI::App& app);
 void addSchema(CLI::App& app);
 void addList(CLI::App& app);
 void addDoctor(CLI::App& app);
+void addDiff(CLI::App& app);
+void addBake(CLI::App& app);
+void addTest(CLI::App& app);
+void addTrace(CLI::App& app);
+void addBisect(CLI::App& app);
+void addAccept(CLI::App& app);
+
+/// What was typed, quoted for a shell where needed.
+[[nodiscard]] const std::string& commandLine();
 
 /// Exit code of a command that ended without an error of its own (130 after an interrupt).
 void setExitCode(int code);

@@ -1,5 +1,6 @@
 #include "base/error.hpp"
 #include "base/log.hpp"
+#include "base/process.hpp"
 #include "base/version.hpp"
 #include "cli/commands.hpp"
 #include "scene/words.hpp"
@@ -18,6 +19,7 @@ namespace simreel::cli {
 namespace {
 
 int exitCode = 0;
+std::string typed;
 
 int print(const UserError& error) {
   const bool report = error.form() == UserError::Form::report;
@@ -57,12 +59,17 @@ std::string explain(const CLI::App& app, const CLI::ParseError& error) {
 
 }  // namespace
 
+const std::string& commandLine() {
+  return typed;
+}
+
 void setExitCode(int code) {
   exitCode = code;
 }
 
 int run(int argc, char** argv) {
   holdStandardDescriptors();
+  for (int i = 0; i < argc; ++i) typed += (i == 0 ? "" : " ") + inShellQuotes(argv[i]);
   CLI::App app("Renders GPU simulations without a display.", "simreel");
   app.set_version_flag("--version", std::string("simreel ") + version());
   app.require_subcommand(1);
@@ -76,6 +83,12 @@ int run(int argc, char** argv) {
   addSchema(app);
   addList(app);
   addDoctor(app);
+  addBake(app);
+  addTest(app);
+  addTrace(app);
+  addBisect(app);
+  addAccept(app);
+  addDiff(app);
   try {
     app.parse(argc, argv);
     return flushed(exitCode);

@@ -53,4 +53,14 @@ scene::Scene SceneOptions::load() const {
   return scene::loadScene(file, all, sim::kinds());
 }
 
+std::vector<std::string> SceneOptions::arguments() const {
+  std::vector<std::string> words = {file};
+  for (const std::string& change : overrides) words.insert(words.end(), {"-D", change});
+  if (seed) words.push_back(fmt::format("--seed={}", *seed));
+  if (size) words.push_back(fmt::format("--size={}", *size));
+  if (fps) words.push_back(fmt::format("--fps={}", *fps));
+  if (samples) words.push_back(fmt::format("--samples={}", *samples));
+  return words;
+}
+
 }  // namespace simreel::cli

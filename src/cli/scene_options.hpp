@@ -23,6 +23,8 @@ struct SceneOptions {
   /// Reads the scene with all of them applied. --size, --fps, --samples and --seed are shorthands of -D, so
   /// the scene's hash tells them apart.
   [[nodiscard]] scene::Scene load() const;
+  /// The same as words of a command line.
+  [[nodiscard]] std::vector<std::string> arguments() const;
 };
 
 /// Each "path=value" of -D. Throws UserError(usage).

@@ -1,6 +1,7 @@
 #include "frame/ffmpeg.hpp"
 
 #include "base/error.hpp"
+#include "base/process.hpp"
 #include "frame/interrupt.hpp"
 #include "frame/sinks.hpp"
 
@@ -10,8 +11,6 @@
 #include <cstring>
 #include <fcntl.h>
 #include <signal.h>
-#include <spawn.h>
-#include <sys/mman.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -43,39 +42,6 @@ std::vector<std::string> encoderArguments(const std::string& extension) {
   }
   return result;
 }
-
-/// Attributes of the child: its own group, so that Ctrl-C reaches us alone and the file is finished.
-class SpawnSettings {
- public:
-  SpawnSettings(int input, int messages) {
-    ::posix_spawn_file_actions_init(&actions_);
-    ::posix_spawn_file_actions_adddup2(&actions_, input, STDIN_FILENO);
-    ::posix_spawn_file_actions_addopen(&actions_, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
-    ::posix_spawn_file_actions_adddup2(&actions_, messages, STDERR_FILENO);
-    ::posix_spawnattr_init(&attributes_);
-    ::posix_spawnattr_setflags(&attributes_, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGDEF);
-    ::posix_spawnattr_setpgroup(&attributes_, 0);
-    sigset_t pipe;
-    ::sigemptyset(&pipe);
-    ::sigaddset(&pipe, SIGPIPE);
-    ::posix_spawnattr_setsigdefault(&attributes_, &pipe);
-  }
-  ~SpawnSettings() {
-    ::posix_spawnattr_destroy(&attributes_);
-    ::posix_spawn_file_actions_destroy(&actions_);
-  }
-  SpawnSettings(const SpawnSettings&) = delete;
-  SpawnSettings& operator=(const SpawnSettings&) = delete;
-  SpawnSettings(SpawnSettings&&) = delete;
-  SpawnSettings& operator=(SpawnSettings&&) = delete;
-  [[nodiscard]] int spawn(pid_t& process, const char* program, char* const* arguments) const {
-    return ::posix_spawnp(&process, program, &actions_, &attributes_, arguments, environ);
-  }
-
- private:
-  posix_spawn_file_actions_t actions_{};
-  posix_spawnattr_t attributes_{};
-};
 
 void closeIfOpen(int& descriptor) {
   if (descriptor >= 0) ::close(descriptor);
@@ -110,16 +76,13 @@ Ffmpeg::Ffmpeg(const std::vector<std::string>& arguments) {
   if (::pipe2(ends, O_CLOEXEC) != 0)
     fail(ExitCode::inputOutput, "cannot make a pipe: {}", std::strerror(errno));
   input_ = ends[1];
-  messages_ = ::memfd_create("simreel-ffmpeg", MFD_CLOEXEC);
-  std::vector<char*> pointers;
-  pointers.reserve(arguments.size() + 1);
-  for (const std::string& argument : arguments) pointers.push_back(const_cast<char*>(argument.c_str()));
-  pointers.push_back(nullptr);
+  messages_ = makeMemoryFile("simreel-ffmpeg");
   const int error =
-      messages_ < 0 ? errno : SpawnSettings(ends[0], messages_).spawn(process_, "ffmpeg", pointers.data());
+      messages_ < 0
+          ? errno
+          : startProcess(arguments, {.input = ends[0], .output = -1, .messages = messages_}, process_);
   ::close(ends[0]);
   if (error == 0) return;
-  process_ = -1;
   closeIfOpen(input_);
   closeIfOpen(messages_);
   if (error == ENOENT)
@@ -186,11 +149,7 @@ void Ffmpeg::failed(int status) {
 }
 
 std::string Ffmpeg::lastLine() const {
-  std::string text(1 << 14, '\0');
-  const off_t size = ::lseek(messages_, 0, SEEK_END);
-  const off_t from = std::max<off_t>(0, size - static_cast<off_t>(text.size()));
-  const ssize_t got = ::pread(messages_, text.data(), text.size(), from);
-  text.resize(static_cast<std::size_t>(std::max<ssize_t>(0, got)));
+  std::string text = endOfMemoryFile(messages_);
   while (!text.empty() && std::isspace(static_cast<unsigned char>(text.back())) != 0) text.pop_back();
   const std::size_t begin = text.find_last_of("\r\n");
   return begin == std::string::npos ? text : text.substr(begin + 1);

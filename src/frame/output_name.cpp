@@ -161,15 +161,4 @@ OutputName parseOutput(const std::string& output, std::size_t frameCount) {
        extension, supported);
 }
 
-void createFolders(const std::filesystem::path& folder) {
-  if (folder.empty()) return;
-  std::error_code error;
-  fs::create_directories(folder, error);
-  // create_directories also reports an error for a link to a folder, which will do.
-  std::error_code ignored;
-  if (fs::is_directory(folder, ignored)) return;
-  fail(ExitCode::inputOutput, "cannot create folder {}: {}", folder.string(),
-       error ? error.message() : "a file of that name exists");
-}
-
 }  // namespace simreel::frame

@@ -29,7 +29,4 @@ struct OutputName {
 /// Throws UserError(usage) saying what is supported.
 [[nodiscard]] OutputName parseOutput(const std::string& output, std::size_t frameCount);
 
-/// Creates the folder and its parents. Throws UserError(inputOutput).
-void createFolders(const std::filesystem::path& folder);
-
 }  // namespace simreel::frame

@@ -31,7 +31,7 @@ class SequenceSink final : public FrameSink {
       : output_(std::move(output)), frames_(frames.begin(), frames.end()) {
     manifest_.run = run;
     if (existing == Existing::error) refuseExisting();
-    createFolders(output_.folder);
+    makeFolders(output_.folder);
     room_ = ReservedRoom(output_.folder, 1024 + 192 * frames_.size());
     inherit(existing);
     if (existing == Existing::skip || existing == Existing::resume) keepWholeFrames(existing);

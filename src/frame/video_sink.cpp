@@ -36,7 +36,7 @@ class VideoSink final : public FrameSink {
         return;
       }
     }
-    createFolders(output_.folder);
+    makeFolders(output_.folder);
     refuseReadOnly();
     ffmpeg_.emplace(ffmpegArguments(part_, run.width, run.height, run.fps));
     queue_.emplace(4, [this](const FrameInfo& info, const Image& image) { handle(info, image); });

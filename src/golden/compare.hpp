@@ -1,25 +1,32 @@
 #pragma once
 #include "frame/image.hpp"
+#include "golden/result.hpp"
+#include "scene/test.hpp"
+
+#include <string>
+#include <vector>
 
 namespace simreel::golden {
 
-/// How far two pictures of equal size are apart (RGB, 8 bits each).
-struct Comparison {
-  int mostDifferent = 0;    ///< largest difference of one channel, 0 to 255
-  int differentPixels = 0;  ///< with any difference
-  int pixelsBeyond = 0;     ///< with a channel further apart than the tolerance's
-};
+/// Compares two pictures of equal size (an invariant; check before). A pixel differs where any of R, G, B,
+/// A does; PSNR, SSIM and FLIP are of R, G and B, and cost time only where those differ. The first of
+/// several equally bad pixels or windows, in reading order, is named. The result does not depend on the
+/// thread count.
+[[nodiscard]] Metrics measure(const frame::Image& a, const frame::Image& b,
+                              const scene::Tolerance& tolerance);
 
-/// A channel may be `channel` apart, and at most the share `pixels` of all pixels further.
-struct Tolerance {
-  int channel = 0;
-  double pixels = 0;
-};
+/// Share of all pixels that may differ: max_diff_ratio; 1 where only max_diff_pixels is given; 0.02 where
+/// neither is.
+[[nodiscard]] double allowedRatio(const scene::Tolerance& tolerance);
 
-/// Sizes must be equal (an invariant; check before).
-[[nodiscard]] Comparison compareImages(const frame::Image& a, const frame::Image& b,
-                                       const Tolerance& tolerance);
-[[nodiscard]] bool within(const Comparison& comparison, const frame::Image& image,
-                          const Tolerance& tolerance);
+/// One clause for each bound that does not hold, hard_fail first: "2.31% of the pixels differ by more than
+/// 12 (max_diff_ratio is 0.02)". Empty: within the tolerance. Width and height are those of the pictures.
+[[nodiscard]] std::vector<std::string> brokenBounds(const Metrics& metrics,
+                                                    const scene::Tolerance& tolerance, int width,
+                                                    int height);
+
+/// Where pictures of equal size differ: dim grey where they do not; from blue (1/255, still bright) over
+/// green and yellow to red (255/255), by the logarithm of the largest channel's difference. Opaque.
+[[nodiscard]] frame::Image differenceImage(const frame::Image& a, const frame::Image& b);
 
 }  // namespace simreel::golden

@@ -3,6 +3,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace simreel::golden {
@@ -19,7 +20,12 @@ enum class Status {
   xpass,             ///< expected to fail, but passed
   error,             ///< scene or baseline cannot be used, or the device lost the state
 };
+inline constexpr int statusCount = 9;
 [[nodiscard]] const char* statusName(Status status);
+/// Nothing for a word that is no status.
+[[nodiscard]] std::optional<Status> statusOfName(std::string_view name);
+/// Whether a scene that came out so makes the run fail. A flaky one does unless --allow-flaky was given.
+[[nodiscard]] bool isFailure(Status status, bool allowFlaky);
 
 /// What is measured between two pictures of equal size. Ratios and FLIP are 0 to 1; x grows right, y down.
 struct Metrics {
@@ -33,6 +39,7 @@ struct Metrics {
   double psnr = 0;               ///< dB over R, G and B; infinite when equal (null in JSON)
   double ssim = 1;
   double flipMean = 0;
+  bool operator==(const Metrics&) const = default;
 };
 
 struct FrameResult {
@@ -46,6 +53,7 @@ struct FrameResult {
   std::optional<Metrics> metrics;  ///< of pictures that were compared pixel by pixel
   /// Relative to the folder of report.json; empty where there is none.
   std::string expectedImage, actualImage, differenceImage;
+  bool operator==(const FrameResult&) const = default;
 };
 
 struct CheckResult {
@@ -54,6 +62,7 @@ struct CheckResult {
   std::optional<double> value, least, most;
   bool passed = true;
   std::string message;  ///< "frame 60: energy of flag is 3.1, above 3" when it failed
+  bool operator==(const CheckResult&) const = default;
 };
 
 /// Where a run first leaves the baseline's state.
@@ -65,6 +74,7 @@ struct Divergence {
   long firstElement = 0,
        lastElement = 0;  ///< the first block that differs; equal when one element is known
   std::string message;
+  bool operator==(const Divergence&) const = default;
 };
 
 /// One tolerance bound: its value and who said so ("default", "assets/scenes/flag.json",
@@ -72,11 +82,13 @@ struct Divergence {
 struct Bound {
   double value = 0;
   std::string origin;
+  bool operator==(const Bound&) const = default;
 };
 
 struct Attempt {
   Status status = Status::pass;
   std::vector<std::string> messages;
+  bool operator==(const Attempt&) const = default;
 };
 
 struct SceneResult {
@@ -100,6 +112,7 @@ struct SceneResult {
   std::optional<Divergence> divergence;
   std::string
       candidate;  ///< folder with what `simreel accept` would promote, relative to report.json; or empty
+  bool operator==(const SceneResult&) const = default;
 };
 
 struct SuiteResult {
@@ -107,21 +120,41 @@ struct SuiteResult {
   std::string driver, profile, fingerprint, memoryPath;  ///< of this run
   std::string command;                                   ///< as typed
   std::string acceptCommand;  ///< to promote this run; empty where nothing was kept
+  bool allowFlaky = false;    ///< a flaky scene does not fail the run
   double seconds = 0;
   std::vector<SceneResult> scenes;
+  bool operator==(const SuiteResult&) const = default;
 };
 
-/// The report as JSON (report.json), pretty-printed, ending in a newline.
+/// The report as JSON (report.json), pretty-printed, ending in a newline. Never throws: bytes that are no
+/// UTF-8 become U+FFFD; a check's NaN or infinite numbers and an infinite PSNR become null.
 [[nodiscard]] std::string reportText(const SuiteResult& suite);
-/// Throws UserError(usage) naming the file and what is wrong with it.
+/// Reads what reportText wrote. Throws UserError(usage) naming the file and the value that is wrong with it
+/// ("report.json: scenes[3].frames[0].pixels must be text"): unknown, missing or repeated keys, wrong
+/// types, another format, counts that are not those of the scenes, and paths of images or candidates that
+/// are absolute or lead out of the report's folder.
 [[nodiscard]] SuiteResult parseReport(const std::string& text, const std::string& name);
 
-/// JUnit XML: one suite, a case for each scene; times in s.
+/// JUnit XML: one suite, a case for each scene; times in s. Characters that XML 1.0 forbids become U+FFFD.
 [[nodiscard]] std::string junitText(const SuiteResult& suite);
-/// Workflow commands for GitHub's log ("::error file=...,title=...::..."), a line each.
+/// Workflow commands for GitHub's log ("::error file=...,title=...::..."), a line each: an error for every
+/// scene that fails the run, a warning for a flaky one that does not and for every note that speaks of a
+/// loose tolerance (holds "loose"), a notice for updated baselines.
 [[nodiscard]] std::string githubAnnotations(const SuiteResult& suite);
-/// Markdown for GitHub's job summary.
+/// Markdown for GitHub's job summary, below 1 MB (GitHub drops one above 1 MiB): where scenes had to be
+/// left out it says how many.
 [[nodiscard]] std::string githubSummary(const SuiteResult& suite);
+
+/// For people at a terminal; lines that end in newlines, with ANSI colours if asked. Messages that a scene
+/// repeats (of a frame, a check, the divergence) are shown once.
+/// `reportFolder` is put before the paths of images; empty: they are shown as they are.
+[[nodiscard]] std::string sceneLine(const SceneResult& scene, bool color = false,
+                                    const std::filesystem::path& reportFolder = {});
+/// "3 scenes: 2 passed, 1 failed (flag) in 6.2 s", the command that accepts the run, and where the report
+/// is.
+[[nodiscard]] std::string closingText(const SuiteResult& suite, bool color = false,
+                                      const std::filesystem::path& report = {});
+
 /// Writes index.html into `folder`, which holds report.json and the images already.
 void writeHtmlReport(const std::filesystem::path& folder, const SuiteResult& suite);
 

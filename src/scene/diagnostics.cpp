@@ -53,13 +53,18 @@ std::string excerpt(std::string_view line, std::size_t begin, std::size_t end) {
 }  // namespace
 
 Diagnostics::Diagnostics(std::string file, std::string_view text) {
-  sources_.push_back({std::move(file), {}, text});
+  addFile(std::move(file), text);
+}
+
+int Diagnostics::addFile(std::string file, std::string_view text) {
+  sources_.push_back({std::move(file), {}, text, true});
+  return static_cast<int>(sources_.size()) - 1;
 }
 
 int Diagnostics::addOverride(std::string argument) {
   std::string name =
       "-D " + (argument.size() <= 60 ? argument : argument.substr(0, argument.find('=') + 1) + "...");
-  sources_.push_back({std::move(name), std::move(argument), {}});
+  sources_.push_back({std::move(name), std::move(argument), {}, false});
   return static_cast<int>(sources_.size()) - 1;
 }
 
@@ -70,7 +75,7 @@ void Diagnostics::add(Place place, std::string message) {
 
 std::string_view Diagnostics::sourceText(int source) const {
   const Source& found = sources_[static_cast<std::size_t>(source)];
-  return source == 0 ? found.text : std::string_view(found.owned);
+  return found.isFile ? found.text : std::string_view(found.owned);
 }
 
 std::string_view Diagnostics::textAt(Place place) const {
@@ -91,8 +96,9 @@ std::string Diagnostics::describe(const Error& error) const {
   const auto column =
       head.size() - static_cast<std::size_t>(std::count_if(head.begin(), head.end(), continues)) + 1;
   const auto line = std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(begin), '\n') + 1;
-  const std::string name = printable(sources_[static_cast<std::size_t>(error.place.source)].name);
-  const std::string where = error.place.source == 0 ? fmt::format("{}:{}:{}", name, line, column) : name;
+  const Source& source = sources_[static_cast<std::size_t>(error.place.source)];
+  const std::string name = printable(source.name);
+  const std::string where = source.isFile ? fmt::format("{}:{}:{}", name, line, column) : name;
   const std::size_t end = std::max(error.place.end, begin + 1) - lineBegin;
   return fmt::format("{}: error: {}\n{}", where, printable(error.message),
                      excerpt(text.substr(lineBegin, lineEnd - lineBegin), begin - lineBegin, end));

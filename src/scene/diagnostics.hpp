@@ -6,7 +6,7 @@
 
 namespace simreel::scene {
 
-/// Bytes [begin, end) of one source text: 0 is the scene file, i the i-th -D override.
+/// Bytes [begin, end) of one source text: 0 is the scene file, others are further files and -D overrides.
 struct Place {
   int source = 0;
   std::size_t begin = 0;
@@ -21,6 +21,8 @@ class Diagnostics {
 
   /// Another text that mistakes may lie in, `path=value` of a -D. Returns its source number.
   int addOverride(std::string argument);
+  /// Another file that mistakes may lie in. Returns its source number. `text` must outlive this object.
+  int addFile(std::string file, std::string_view text);
   void add(Place place, std::string message);
 
   [[nodiscard]] bool empty() const { return count_ == 0; }
@@ -38,7 +40,8 @@ class Diagnostics {
   struct Source {
     std::string name;
     std::string owned;      ///< of an override
-    std::string_view text;  ///< of the scene file; empty for an override
+    std::string_view text;  ///< of a file; empty for an override
+    bool isFile;
   };
   struct Error {
     Place place;

@@ -37,6 +37,9 @@ class Fields {
   virtual void number(const char* name, double& value, Range range, const char* unit, const char* doc) = 0;
   virtual void number(const char* name, Animated<float>& value, Range range, const char* unit,
                       const char* doc) = 0;
+  /// A number that has no value unless it is given.
+  virtual void optionalNumber(const char* name, std::optional<double>& value, Range range, const char* unit,
+                              const char* doc) = 0;
   /// Three numbers; the range holds for each.
   virtual void vector(const char* name, glm::vec3& value, Range range, const char* unit,
                       const char* doc) = 0;

@@ -76,6 +76,11 @@ void HelpWriter::number(const char* name, Animated<float>& value, Range range, c
   add(name, written(value), shortRange(range), unit, moving(doc));
 }
 
+void HelpWriter::optionalNumber(const char* name, std::optional<double>& /*value*/, Range range,
+                                const char* unit, const char* doc) {
+  add(name, "off", shortRange(range), unit, doc);
+}
+
 void HelpWriter::vector(const char* name, glm::vec3& value, Range range, const char* unit,
                         const char* doc) {
   add(name, written(value), shortRange(range), unit, doc);
@@ -153,6 +158,7 @@ void HelpWriter::listOf(const char* name, const char* doc, std::size_t mostItems
                         const std::function<void(std::size_t)>& resize,
                         const std::function<void(Fields&, std::size_t)>& describe) {
   add(name, "[]", fmt::format("up to {}", mostItems), "", doc);
+  if (!expandGroups_) return;
   resize(0);
   resize(1);
   const std::string outer = prefix_;

@@ -10,7 +10,7 @@ namespace simreel::scene {
 /// named `group.member`, of lists `list[].member`.
 class HelpWriter final : public Fields {
  public:
-  /// `expandGroups`: false shows a group as one line.
+  /// `expandGroups`: false shows a group or list as one line.
   explicit HelpWriter(bool expandGroups) : expandGroups_(expandGroups) {}
   void add(const std::string& name, std::string standard, std::string range, const char* unit,
            std::string doc);
@@ -23,6 +23,8 @@ class HelpWriter final : public Fields {
   void number(const char* name, double& value, Range range, const char* unit, const char* doc) override;
   void number(const char* name, Animated<float>& value, Range range, const char* unit,
               const char* doc) override;
+  void optionalNumber(const char* name, std::optional<double>& value, Range range, const char* unit,
+                      const char* doc) override;
   void vector(const char* name, glm::vec3& value, Range range, const char* unit, const char* doc) override;
   void vector(const char* name, Animated<glm::vec3>& value, Range range, const char* unit,
               const char* doc) override;

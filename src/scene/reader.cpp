@@ -115,6 +115,12 @@ void Reader::number(const char* name, Animated<float>& value, Range range, const
     readAnimated(*node, context_, value, [&](const Node& part) { return one.number(part); });
 }
 
+void Reader::optionalNumber(const char* name, std::optional<double>& value, Range range, const char* unit,
+                            const char* /*doc*/) {
+  if (const Node* node = take(name))
+    if (const auto read = ValueReader(name, range, unit, context_.diagnostics).number(*node)) value = *read;
+}
+
 void Reader::vector(const char* name, glm::vec3& value, Range range, const char* unit,
                     const char* /*doc*/) {
   if (const Node* node = take(name))

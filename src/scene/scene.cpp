@@ -12,7 +12,10 @@
 #include "scene/words.hpp"
 
 #include <algorithm>
+#include <map>
 #include <optional>
+#include <system_error>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -102,28 +105,83 @@ bool checkVersion(const Node* version, const Node& root, Diagnostics& diagnostic
   return false;
 }
 
-void readScene(const Node& root, ReadContext context, std::span<const Kind> kinds, Scene& scene) {
+/// Where a scene's text, or its sidecar's, comes from.
+struct Sources {
+  std::string file;
+  std::string sidecar;    ///< empty: none
+  int sidecarNumber = 0;  ///< source number of places in it
+};
+
+/// The bounds that test.tolerance gives, and where each was written.
+std::map<std::string, std::string> toleranceOrigin(const Node& root, const Sources& sources) {
+  std::map<std::string, std::string> origins;
+  const Node* test = root.find("test");
+  const Node* tolerance = test == nullptr ? nullptr : test->find("tolerance");
+  if (tolerance == nullptr) return origins;
+  for (const Node& bound : tolerance->children)
+    origins[bound.key] = bound.source == 0                       ? sources.file
+                         : bound.source == sources.sidecarNumber ? sources.sidecar
+                                                                 : "-D";
+  return origins;
+}
+
+/// The sidecar's members take the place of the scene's own.
+void applySidecar(Node& root, Node sidecar, ReadContext context) {
+  if (!ValueReader("", context.diagnostics).expect(sidecar, Node::Kind::object, "an object")) return;
+  Reader fields(&sidecar, sidecar.headPlace(), context);
+  for (const char* name : {"test", "checks"}) static_cast<void>(fields.take(name));
+  fields.finish();
+  if (root.kind != Node::Kind::object) return;
+  for (Node& member : sidecar.children) {
+    if (member.key != "test" && member.key != "checks") continue;
+    Node* own = root.find(member.key);
+    if (own != nullptr)
+      *own = std::move(member);
+    else
+      root.children.push_back(std::move(member));
+  }
+}
+
+bool changesTime(std::span<const Override> overrides) {
+  return std::any_of(overrides.begin(), overrides.end(), [](const Override& change) {
+    return change.path == "time" || change.path.starts_with("time.");
+  });
+}
+
+/// `heldToLength`: whether frames of tests beyond the scene's end are mistakes.
+void readScene(const Node& root, ReadContext context, std::span<const Kind> kinds, bool heldToLength,
+               Scene& scene) {
   if (!ValueReader("", context.diagnostics).expect(root, Node::Kind::object, "a scene in { }")) return;
   Reader fields(&root, root.headPlace(), context);
   // What another version means by the rest is anyone's guess.
   if (!checkVersion(fields.take("version"), root, context.diagnostics)) return;
+  const std::size_t errorsBefore = context.diagnostics.count();
   describeScene(fields, scene);
+  // A length that could not be read says nothing about the frames.
+  const bool lengthKnown = heldToLength && context.diagnostics.count() == errorsBefore;
   if (const Node* objects = fields.take("objects")) readObjects(*objects, context, kinds, scene.objects);
+  describeTests(fields, scene, lengthKnown ? std::optional(scene.frameCount()) : std::nullopt);
   std::string schemaAddress;  // for editors
   fields.text("$schema", schemaAddress, "");
   fields.finish();
 }
 
-}  // namespace
-
-Scene parseScene(std::string_view text, const std::filesystem::path& file,
-                 std::span<const Override> overrides, std::span<const Kind> kinds) {
-  Diagnostics diagnostics(file.string(), text);
+/// `sidecar`: the text of the file beside the scene; null when there is none or no test is to be made.
+Scene parse(std::string_view text, const std::filesystem::path& file, const std::string* sidecar,
+            std::span<const Override> overrides, std::span<const Kind> kinds, bool heldToLength) {
+  Sources sources{file.string(), sidecarOf(file).string(), 0};
+  Diagnostics diagnostics(sources.file, text);
   const AssetFolders assets(file, assetFolder());
   Scene scene;
   if (std::optional<Node> root = parseJson(text, 0, 0, diagnostics)) {
+    if (sidecar != nullptr) {
+      sources.sidecarNumber = diagnostics.addFile(sources.sidecar, *sidecar);
+      if (std::optional<Node> beside = parseJson(*sidecar, sources.sidecarNumber, 0, diagnostics))
+        applySidecar(*root, std::move(*beside), {diagnostics, assets});
+    }
     for (const Override& change : overrides) applyOverride(*root, change, diagnostics);
-    readScene(*root, {diagnostics, assets}, kinds, scene);
+    readScene(*root, {diagnostics, assets}, kinds, heldToLength, scene);
+    scene.test.toleranceOrigin = toleranceOrigin(*root, sources);
   }
   if (!diagnostics.empty()) throw UserError(ExitCode::usage, diagnostics.report(), UserError::Form::report);
 
@@ -133,9 +191,31 @@ Scene parseScene(std::string_view text, const std::filesystem::path& file,
   return scene;
 }
 
+}  // namespace
+
+Scene parseScene(std::string_view text, const std::filesystem::path& file,
+                 std::span<const Override> overrides, std::span<const Kind> kinds) {
+  // Whoever renders a shorter or slower take is not to be stopped by the frames of its tests.
+  return parse(text, file, nullptr, overrides, kinds, !changesTime(overrides));
+}
+
 Scene loadScene(const std::filesystem::path& file, std::span<const Override> overrides,
                 std::span<const Kind> kinds) {
   return parseScene(readFile(file, "scene", mostSceneBytes), file, overrides, kinds);
+}
+
+std::filesystem::path sidecarOf(const std::filesystem::path& sceneFile) {
+  return std::filesystem::path(sceneFile).replace_extension(".test.json");
+}
+
+Scene loadTestScene(const std::filesystem::path& file, std::span<const Override> overrides,
+                    std::span<const Kind> kinds) {
+  const std::string text = readFile(file, "scene", mostSceneBytes);
+  const std::filesystem::path beside = sidecarOf(file);
+  std::error_code ignored;
+  if (!std::filesystem::exists(beside, ignored)) return parse(text, file, nullptr, overrides, kinds, true);
+  const std::string sidecar = readFile(beside, "test settings", mostSceneBytes);
+  return parse(text, file, &sidecar, overrides, kinds, true);
 }
 
 }  // namespace simreel::scene

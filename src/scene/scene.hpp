@@ -1,6 +1,7 @@
 #pragma once
 #include "scene/animated.hpp"
 #include "scene/fields.hpp"
+#include "scene/test.hpp"
 
 #include <cstdint>
 #include <filesystem>
@@ -102,9 +103,13 @@ struct Scene {
   bool hasGround = false;
   Ground ground;
   std::vector<Object> objects;
+  Test test;
+  std::vector<Check> checks;
   std::string hash;  ///< of the scene's text and overrides; 32 hexadecimal digits
 
   [[nodiscard]] int frameCount() const;
+  /// The frames that a test compares: the given ones, or first, middle and last; ascending, no repeats.
+  [[nodiscard]] std::vector<int> testFrames() const;
 };
 
 /// `path=value` of -D; value is JSON, or bare text taken as a string.
@@ -123,6 +128,15 @@ struct Override {
 /// The same from text; `file` names it in messages and locates assets.
 [[nodiscard]] Scene parseScene(std::string_view text, const std::filesystem::path& file,
                                std::span<const Override> overrides, std::span<const Kind> kinds);
+
+/// The file that may lie beside a scene and hold its tests: flag.test.json for flag.json.
+[[nodiscard]] std::filesystem::path sidecarOf(const std::filesystem::path& sceneFile);
+/// As loadScene, for testing: where the sidecar exists, its "test" and "checks" replace the scene's own,
+/// each as a whole; overrides come last. Its mistakes are reported with its own file:line:column. Frames of
+/// tests are held against the scene's length even when an override changes that length, which loadScene
+/// allows.
+[[nodiscard]] Scene loadTestScene(const std::filesystem::path& file, std::span<const Override> overrides,
+                                  std::span<const Kind> kinds);
 
 /// JSON Schema (draft 2020-12) of scene files, pretty-printed, ending in a newline.
 [[nodiscard]] std::string schemaText(std::span<const Kind> kinds);

@@ -7,6 +7,7 @@
 #include "scene/words.hpp"
 
 #include <algorithm>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -42,8 +43,10 @@ std::string sceneHelp() {
   describeScene(table, scene);
   table.add("objects", "{}", fmt::format("up to {}", mostObjects), "",
             "What is simulated and drawn, each {kind, material} by name.");
+  describeTests(table, scene, std::nullopt);
   return "scene: a scene file.\n\n" + table.table() +
-         "\nrender, time, camera, sun, sky, ground and material have their own help: simreel list NAME.\n"
+         "\nrender, time, camera, sun, sky, ground, material, test and checks have their own help: simreel "
+         "list NAME.\n"
          "Keyframes of a value that may move: {\"keys\": [[time, value], ...], \"ease\": \"linear\" or "
          "\"smooth\"}.\n";
 }
@@ -57,6 +60,7 @@ std::string schemaText(std::span<const Kind> kinds) {
   writer.add("version", {{"const", sceneVersion}, {"description", "Version of the scene format."}});
   describeScene(writer, scene);
   writer.add("objects", objectsSchema(kinds));
+  describeTests(writer, scene, std::nullopt);
 
   Json definitions = Json::object();
   for (const Kind& kind : kinds) {

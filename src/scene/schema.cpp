@@ -81,6 +81,13 @@ void SchemaWriter::number(const char* name, Animated<float>& value, Range range,
   add(name, described(animatedSchema(numberSchema("number", range)), shortest(value), sentence(doc, unit)));
 }
 
+void SchemaWriter::optionalNumber(const char* name, std::optional<double>& /*value*/, Range range,
+                                  const char* unit, const char* doc) {
+  Json schema = numberSchema("number", range);
+  schema["description"] = sentence(doc, unit);
+  add(name, std::move(schema));
+}
+
 void SchemaWriter::vector(const char* name, glm::vec3& value, Range range, const char* unit,
                           const char* doc) {
   add(name, described(tuple(numberSchema("number", range), 3), shortest(value), sentence(doc, unit)));

@@ -19,6 +19,8 @@ class SchemaWriter final : public Fields {
   void number(const char* name, double& value, Range range, const char* unit, const char* doc) override;
   void number(const char* name, Animated<float>& value, Range range, const char* unit,
               const char* doc) override;
+  void optionalNumber(const char* name, std::optional<double>& value, Range range, const char* unit,
+                      const char* doc) override;
   void vector(const char* name, glm::vec3& value, Range range, const char* unit, const char* doc) override;
   void vector(const char* name, Animated<glm::vec3>& value, Range range, const char* unit,
               const char* doc) override;

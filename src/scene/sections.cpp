@@ -130,7 +130,9 @@ std::span<const Section> sections() {
                                 section<Sun>("sun", sunDoc),
                                 section<Sky>("sky", skyDoc),
                                 section<Ground>("ground", groundDoc),
-                                section<Material>("material", materialDoc)};
+                                section<Material>("material", materialDoc),
+                                section<Test>("test", testDoc),
+                                section<Check>("checks", checksDoc)};
   return all;
 }
 

@@ -3,6 +3,7 @@
 #include "scene/scene.hpp"
 
 #include <functional>
+#include <optional>
 #include <span>
 
 namespace simreel::scene {
@@ -10,8 +11,14 @@ namespace simreel::scene {
 inline constexpr int sceneVersion = 1;
 inline constexpr std::size_t mostObjects = 1000;
 
-/// What a scene holds besides "$schema", "version" and "objects".
+/// What a scene holds besides "$schema", "version", "objects" and its tests.
 void describeScene(Fields& fields, Scene& scene);
+/// "test" and "checks"; the scene's objects must be there. `frameCount`: the scene's length, or nothing
+/// where frames cannot be held against it.
+void describeTests(Fields& fields, Scene& scene, std::optional<int> frameCount);
+
+inline constexpr const char* testDoc = "What \"simreel test\" compares with baselines.";
+inline constexpr const char* checksDoc = "What must hold of state and pictures while the scene is tested.";
 
 /// A part of a scene that help is given for.
 struct Section {
@@ -19,7 +26,7 @@ struct Section {
   const char* doc;
   std::function<void(Fields&)> describe;
 };
-/// render, time, camera, sun, sky, ground and material, with their defaults.
+/// render, time, camera, sun, sky, ground, material, test and checks, with their defaults.
 [[nodiscard]] std::span<const Section> sections();
 
 }  // namespace simreel::scene

@@ -1,6 +1,7 @@
 #pragma once
 #include "scene/fields.hpp"
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -29,6 +30,8 @@ struct Test {
   glm::ivec2 size{320, 180};   ///< pixels
   std::optional<int> samples;  ///< per pixel; empty: the scene's
   Tolerance tolerance;
+  /// Who gave a tolerance: field name -> file as it was named, or "-D"; absent: the default holds.
+  std::map<std::string, std::string> toleranceOrigin;
   std::string xfail;  ///< why the scene is expected to fail; empty: it is expected to pass
   void describe(Fields& fields);
 };
@@ -42,8 +45,11 @@ struct Check {
   std::string of;           ///< "positions.y": state array and component (x y z w, or "length" of xyz)
   std::vector<int> frames;  ///< empty: every tested frame
   std::optional<double> least, most;
-  std::optional<double> drift;  ///< most relative change from the first tested frame's value
+  std::optional<double> drift;  ///< most relative change from the value at the first of the check's frames
   void describe(Fields& fields);
+
+  /// "mean", "min", "max" or "sum".
+  [[nodiscard]] bool isStatistic() const;
 };
 
 }  // namespace simreel::scene

@@ -5,6 +5,7 @@
 #include "gl/program.hpp"
 #include "gl/vec4_array.hpp"
 #include "sim/cloth_plan.hpp"
+#include "sim/cloth_quantities.hpp"
 
 #include <cstdint>
 #include <cstring>
@@ -42,7 +43,8 @@ class Cloth : public Simulation {
         material_(object.material),
         plan_(dynamic_cast<const ClothParameters&>(*object.parameters), setting.seed, setting.frameSeconds,
               *setting.colliders),
-        size_(plan_.parameters().size) {
+        size_(plan_.parameters().size),
+        frameSeconds_(setting.frameSeconds) {
     checkLimits();
     const auto positions = plan_.firstPositions();
     positions_[0] = gl::Vec4Array(name_ + " positions", positions);
@@ -57,7 +59,7 @@ class Cloth : public Simulation {
     steps_ = gl::Buffer(name_ + " steps", stepStride_ * static_cast<std::size_t>(plan_.substeps()));
   }
 
-  void step(double time) override {
+  void step(double time, const StepWatch& watch) override {
     upload(plan_.frame(time));
     status_.bindStorage(7);
     for (int i = 0; i < plan_.substeps(); ++i) {
@@ -69,8 +71,15 @@ class Cloth : public Simulation {
       step_.dispatch(size_.x, size_.y);
       if (plan_.parameters().solver == ClothSolver::constraints) constrain();
       std::swap(positions_[0], positions_[1]);
+      if (watch) watch(i + 1);
     }
     gl::barrier();
+    time_ = time + frameSeconds_;
+  }
+
+  [[nodiscard]] int stepsPerFrame() const override { return plan_.substeps(); }
+  [[nodiscard]] std::string elementName(long element) const override {
+    return fmt::format("particle ({}, {})", element % size_.x, element / size_.x);
   }
 
   void publish(double /*time*/, Drawables& drawables) const override {
@@ -88,7 +97,22 @@ class Cloth : public Simulation {
   [[nodiscard]] std::vector<StateArray> state() const override {
     return {{"positions", &positions_[0].buffer()}, {"velocities", &velocities_.buffer()}};
   }
+  [[nodiscard]] PointTable points() const override {
+    const auto positions = positions_[0].buffer().readAll<glm::vec4>();
+    const auto velocities = velocities_.buffer().readAll<glm::vec4>();
+    PointTable table{{"x", "y", "z", "vx", "vy", "vz"}, {}};
+    table.values.reserve(positions.size() * table.columns.size());
+    for (std::size_t i = 0; i < positions.size(); ++i)
+      table.values.insert(table.values.end(), {positions[i].x, positions[i].y, positions[i].z,
+                                               velocities[i].x, velocities[i].y, velocities[i].z});
+    return table;
+  }
   [[nodiscard]] const gl::Buffer* status() const override { return &status_; }
+  [[nodiscard]] std::vector<Quantity> quantities() const override {
+    return clothQuantities(plan_.parameters(), positions_[0].buffer().readAll<glm::vec4>(),
+                           velocities_.buffer().readAll<glm::vec4>(), time_);
+  }
+  [[nodiscard]] std::vector<const char*> quantityNames() const override { return clothQuantityNames(); }
   [[nodiscard]] std::string explainLoss(unsigned step, unsigned element) const override {
     const auto width = static_cast<unsigned>(size_.x);
     return fmt::format(
@@ -151,6 +175,8 @@ class Cloth : public Simulation {
   scene::Material material_;
   ClothPlan plan_;
   glm::ivec2 size_;
+  double frameSeconds_;
+  double time_ = 0;             ///< s, of the present state
   gl::Vec4Array positions_[2];  ///< now, and where the next substep writes
   gl::Vec4Array velocities_;
   gl::Buffer indices_;

@@ -89,7 +89,7 @@ class Shape : public Simulation {
     indexCount_ = static_cast<int>(mesh.indices.size());
   }
 
-  void step(double /*time*/) override {}
+  void step(double /*time*/, const StepWatch& /*watch*/) override {}
 
   void publish(double time, Drawables& drawables) const override {
     if (!parameters_.visible) return;

@@ -25,18 +25,49 @@ struct StateArray {
   const gl::Buffer* buffer;
 };
 
+/// One number that a simulation measures of its state, for checks of tests.
+struct Quantity {
+  const char* name;
+  double value;
+  const char* unit;  ///< "" when there is none
+  const char* doc;
+};
+
+/// The state as a table for other programs: a row for each point, read back from the GPU.
+struct PointTable {
+  std::vector<const char*> columns;  ///< "x", "y", "z", "vx", ... as point files call them
+  std::vector<float> values;         ///< row by row
+};
+
+/// Called after each step of a frame, counted from 1, while state() holds what that step left. Empty:
+/// nobody watches.
+using StepWatch = std::function<void(int step)>;
+
 /// Owns its state on the GPU and publishes drawables. It never draws.
 class Simulation {
  public:
   virtual ~Simulation() = default;
   /// Advances by one frame: from `time` to `time + frameSeconds` (s of scene time).
-  virtual void step(double time) = 0;
+  virtual void step(double time, const StepWatch& watch) = 0;
+  /// Steps that a frame takes: the calls of a watch.
+  [[nodiscard]] virtual int stepsPerFrame() const { return 1; }
+  /// What a user would call an element of a state array.
+  [[nodiscard]] virtual std::string elementName(long element) const {
+    return "element " + std::to_string(element);
+  }
   /// Appends what is to be drawn of the state at `time`.
   virtual void publish(double time, Drawables& drawables) const = 0;
   /// State arrays in a fixed order; empty for things without state.
   [[nodiscard]] virtual std::vector<StateArray> state() const { return {}; }
+  /// What `simreel bake` writes; empty for things that are no points.
+  [[nodiscard]] virtual PointTable points() const { return {}; }
   /// Four words as glsl/common/status.glsl writes them, or null.
   [[nodiscard]] virtual const gl::Buffer* status() const { return nullptr; }
+  /// Measures the present state, which is read back: summed up on the CPU in double and in a fixed order,
+  /// so equal states give equal numbers. Waits for the GPU.
+  [[nodiscard]] virtual std::vector<Quantity> quantities() const { return {}; }
+  /// The names that quantities() will give, in its order. Costs nothing.
+  [[nodiscard]] virtual std::vector<const char*> quantityNames() const { return {}; }
   /// One line for a user: where and why the state was lost, and what to change.
   [[nodiscard]] virtual std::string explainLoss(unsigned step, unsigned element) const {
     return "step " + std::to_string(step) + ", element " + std::to_string(element);

@@ -1,11 +1,12 @@
 #include "sim/world.hpp"
 
 #include "base/error.hpp"
-#include "gl/program.hpp"
 #include "gl/vec4_array.hpp"
 #include "sim/list.hpp"
 #include "sim/shape.hpp"
+#include "sim/state_hash.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <deque>
 #include <vector>
@@ -15,9 +16,9 @@ namespace simreel::sim {
 namespace {
 
 constexpr int slots = 8;
-constexpr int texelsPerInvocation = 64;
 
-/// Hash sum and loss report of one frame: 16 bytes of sums, then 16 bytes of status for each object.
+/// Hash sums and loss report of one frame: 16 bytes for each state array, and 16 bytes of status for each
+/// object.
 struct Pending {
   int frame;
   int slot;
@@ -46,9 +47,11 @@ struct World::State {
   int done = 0;  ///< frames simulated, the pre-roll's included
   std::vector<ColliderShape> colliders;
   std::vector<std::unique_ptr<Simulation>> objects;
+  std::vector<std::string> names;
+  std::vector<ArrayName> arrays;
 
-  gl::Program hash;
-  gl::Buffer sums;      ///< uvec4 per slot
+  StateHash hash;
+  gl::Buffer sums;      ///< uvec4 per array per slot
   gl::Buffer statuses;  ///< uvec4 per object per slot
   std::deque<Pending> pending;
   int nextSlot = 0;
@@ -56,15 +59,19 @@ struct World::State {
   explicit State(const scene::Scene& scene)
       : fps(scene.time.fps),
         preroll(static_cast<int>(std::lround(scene.time.start * scene.time.fps))),
-        colliders(collect(scene)),
-        hash(gl::Program::compute("common/state_hash.comp")) {
+        colliders(collect(scene)) {
     const Setting setting{scene.numerics == scene::Numerics::fast, scene.seed, 1.0 / scene.time.fps,
                           &colliders};
     for (const scene::Object& object : scene.objects)
       for (const SimulationKind& kind : simulations())
         if (object.kind == kind.kind.name) objects.push_back(kind.make(object, setting));
     SIMREEL_CHECK_EQ(objects.size(), scene.objects.size());
-    sums = gl::Buffer("state hash sums", slots * 16);
+    for (const scene::Object& object : scene.objects) names.push_back(object.name);
+    for (std::size_t i = 0; i < objects.size(); ++i)
+      for (const StateArray& array : objects[i]->state())
+        arrays.push_back(
+            {scene.objects[i].name, array.name, static_cast<long>(array.buffer->bytes() / 16)});
+    sums = gl::Buffer("state hash sums", std::max<std::size_t>(1, arrays.size()) * slots * 16);
     statuses = gl::Buffer("status copies", std::max<std::size_t>(1, objects.size()) * slots * 16);
   }
 
@@ -74,30 +81,19 @@ struct World::State {
     for (const Pending& p : pending) glDeleteSync(p.fence);
   }
 
-  /// Adds one state array to the slot's sum; `salt` tells arrays of equal content apart.
-  void addToHash(const gl::Buffer& buffer, int slot, unsigned salt) const {
-    const gl::Texture words = gl::Texture::view("state words", GL_RGBA32UI, buffer);
-    const int texels = static_cast<int>(buffer.bytes() / 16);
-    words.bind(0);
-    sums.bindStorage(0);
-    hash.set("texels", texels);
-    hash.set("perInvocation", texelsPerInvocation);
-    hash.set("slot", slot);
-    hash.set("salt", salt);
-    hash.dispatch((texels - 1) / texelsPerInvocation + 1);
-  }
-
   void start(int frame) {
     SIMREEL_CHECK(pending.size() < slots);
     const int slot = nextSlot;
     nextSlot = (nextSlot + 1) % slots;
-    const unsigned zero[4] = {0, 0, 0, 0};
-    sums.write(static_cast<std::size_t>(slot) * 16, std::as_bytes(std::span(zero)));
+    const std::vector<unsigned> zero(4 * arrays.size());
+    sums.write(sumOffset(slot), std::as_bytes(std::span(zero)));
     gl::barrier();
-    unsigned salt = 0;
+    std::size_t array = 0;
     for (std::size_t i = 0; i < objects.size(); ++i) {
-      for (const StateArray& array : objects[i]->state())
-        addToHash(*array.buffer, slot, ++salt * 0x9e3779b9U);
+      for (const StateArray& state : objects[i]->state()) {
+        hash.add(*state.buffer, array, sums, static_cast<std::size_t>(slot) * arrays.size() + array);
+        ++array;
+      }
       if (const gl::Buffer* status = objects[i]->status()) {
         glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
         glCopyNamedBufferSubData(status->name(), statuses.name(), 0, statusOffset(slot, i), 16);
@@ -105,6 +101,10 @@ struct World::State {
     }
     pending.push_back({frame, slot, glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0)});
     glFlush();
+  }
+
+  [[nodiscard]] std::size_t sumOffset(int slot) const {
+    return static_cast<std::size_t>(slot) * arrays.size() * 16;
   }
 
   [[nodiscard]] GLintptr statusOffset(int slot, std::size_t object) const {
@@ -122,10 +122,18 @@ struct World::State {
     }
   }
 
-  [[nodiscard]] std::string hashText(int slot) const {
-    unsigned words[4] = {};
-    sums.read(static_cast<std::size_t>(slot) * 16, std::as_writable_bytes(std::span(words)));
-    return fmt::format("{:08x}{:08x}{:08x}{:08x}", words[0], words[1], words[2], words[3]);
+  /// The hash of all state is the sum of its arrays' hashes, word by word.
+  [[nodiscard]] Summary summary(int frame, int slot) const {
+    std::vector<glm::uvec4> words(arrays.size());
+    sums.read(sumOffset(slot), std::as_writable_bytes(std::span(words)));
+    Summary result{frame, {}, {}};
+    glm::uvec4 total(0);
+    for (const glm::uvec4& w : words) {
+      total += w;
+      result.arrays.push_back(StateHash::text(w));
+    }
+    result.stateHash = StateHash::text(total);
+    return result;
   }
 };
 
@@ -134,12 +142,27 @@ World::~World() = default;
 World::World(World&&) noexcept = default;
 World& World::operator=(World&&) noexcept = default;
 
-void World::advanceTo(int frame) {
+void World::advanceTo(int frame, const Watch& watch) {
   SIMREEL_CHECK(frame + state_->preroll >= state_->done);
   for (; state_->done < frame + state_->preroll; ++state_->done) {
     const double time = (state_->done - state_->preroll) / state_->fps;
-    for (const auto& object : state_->objects) object->step(time);
+    for (std::size_t i = 0; i < state_->objects.size(); ++i) {
+      const StepWatch one = watch ? StepWatch([&](int step) { watch(i, step); }) : StepWatch();
+      state_->objects[i]->step(time, one);
+    }
   }
+}
+
+int World::firstFrame() const {
+  return -state_->preroll;
+}
+
+std::size_t World::objectCount() const {
+  return state_->objects.size();
+}
+
+const std::string& World::objectName(std::size_t index) const {
+  return state_->names.at(index);
 }
 
 int World::frame() const {
@@ -154,6 +177,10 @@ Drawables World::drawables() const {
   Drawables all;
   for (const auto& object : state_->objects) object->publish(time(), all);
   return all;
+}
+
+std::vector<World::ArrayName> World::arrays() const {
+  return state_->arrays;
 }
 
 const Simulation& World::object(std::size_t index) const {
@@ -176,7 +203,7 @@ std::optional<World::Summary> World::takeSummary(bool wait) {
   glDeleteSync(oldest.fence);
   state_->pending.pop_front();
   state_->checkStatus(oldest.slot);
-  return Summary{oldest.frame, state_->hashText(oldest.slot)};
+  return state_->summary(oldest.frame, oldest.slot);
 }
 
 }  // namespace simreel::sim

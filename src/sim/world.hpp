@@ -2,9 +2,11 @@
 #include "scene/scene.hpp"
 #include "sim/simulation.hpp"
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace simreel::sim {
 
@@ -19,12 +21,25 @@ class World {
   World(const World&) = delete;
   World& operator=(const World&) = delete;
 
+  /// Called after each step, counted from 1, of each object in turn.
+  using Watch = std::function<void(std::size_t object, int step)>;
   /// Simulates up to `frame` (0: the pre-roll only). Never goes back.
-  void advanceTo(int frame);
+  void advanceTo(int frame, const Watch& watch = {});
+  /// The frame in which it starts: 0, or below it by the pre-roll.
+  [[nodiscard]] int firstFrame() const;
+  [[nodiscard]] std::size_t objectCount() const;
+  [[nodiscard]] const std::string& objectName(std::size_t index) const;
   [[nodiscard]] int frame() const;
   [[nodiscard]] double time() const;  ///< s, of the current frame
   [[nodiscard]] Drawables drawables() const;
   [[nodiscard]] const Simulation& object(std::size_t index) const;
+
+  /// Every state array of every object, in the order in which they are hashed.
+  struct ArrayName {
+    std::string object, array;
+    long elements = 0;  ///< vec4 each
+  };
+  [[nodiscard]] std::vector<ArrayName> arrays() const;
 
   /// Starts hashing the state of the current frame on the GPU; at most 8 may be under way.
   void startSummary();
@@ -34,6 +49,7 @@ class World {
   struct Summary {
     int frame = 0;
     std::string stateHash;
+    std::vector<std::string> arrays;  ///< hash of each state array, in the order of arrays()
   };
   [[nodiscard]] std::optional<Summary> takeSummary(bool wait);
 

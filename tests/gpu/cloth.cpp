@@ -24,7 +24,7 @@ void compare(const sim::ClothParameters& parameters, int frames,
   const auto gpu = sim::simulations()[0].make(object, setting);
   ClothTwin twin(sim::ClothPlan(parameters, 5, frameSeconds, colliders));
   for (int frame = 0; frame < frames; ++frame) {
-    gpu->step(frame * frameSeconds);
+    gpu->step(frame * frameSeconds, {});
     twin.step(frame * frameSeconds);
   }
   const auto state = gpu->state();

@@ -20,6 +20,9 @@ TEST_CASE("the schema says what the reader checks") {
   CHECK(cloth["stretch"]["maximum"] == 1);
   CHECK(cloth["stretch"]["default"].dump() == "0.05");
   CHECK(cloth["stretch"]["description"] == "Stretch. Unit: m/N.");
+  CHECK(cloth["fray"]["maximum"] == 3);
+  CHECK(cloth["fray"]["description"] == "Fray. Unit: mm.");
+  CHECK(!cloth["fray"].contains("default"));
   CHECK(cloth["threads"]["type"] == "integer");
   CHECK(cloth["gust"]["anyOf"][0]["maximum"] == 5);
   const auto& key = cloth["gust"]["anyOf"][1]["properties"]["keys"]["items"];
@@ -36,8 +39,8 @@ TEST_CASE("the schema says what the reader checks") {
   CHECK(cloth["pins"]["items"]["properties"]["row"]["maximum"] == 9);
   CHECK(schema["properties"]["objects"]["additionalProperties"]["oneOf"].size() == 2);
   CHECK(schema["$defs"]["material"]["properties"]["roughness"]["default"].dump() == "0.8");
-  for (const char* name :
-       {"title", "seed", "numerics", "render", "time", "camera", "sun", "sky", "ground", "objects"})
+  for (const char* name : {"title", "seed", "numerics", "render", "time", "camera", "sun", "sky", "ground",
+                           "objects", "test", "checks"})
     CHECK_MESSAGE(schema["properties"][name].contains("description"), name);
 }
 
@@ -53,6 +56,7 @@ TEST_CASE("help is a table of name, default, range, unit and sentence") {
   CHECK(line("stretch") == " stretch 0.05 0..1 m/N Stretch.");
   CHECK(line("gust") == " gust 1 0..5 m/s Gust. May move along keyframes.");
   CHECK(line("slack") == " slack 0.25 >= 0 m Slack.");
+  CHECK(line("fray") == " fray off 0..3 mm Fray.");
   CHECK(line("seam.width") == " seam.width 0.1 > 0 m Width.");
   CHECK(line("pins[].row") == " pins[].row 0 0..9 Row.");
   CHECK(line("shape") == " shape \"flat\" round, flat Shape.");
@@ -61,8 +65,8 @@ TEST_CASE("help is a table of name, default, range, unit and sentence") {
 }
 
 TEST_CASE("every section has help, and a wrong name gets a suggestion") {
-  for (const char* name :
-       {"scene", "render", "time", "camera", "sun", "sky", "ground", "material", "capsule"})
+  for (const char* name : {"scene", "render", "time", "camera", "sun", "sky", "ground", "material", "test",
+                           "checks", "capsule"})
     CHECK_MESSAGE(has(helpText(name, kinds()), std::string(name) + ": "), name);
   try {
     static_cast<void>(helpText("cloht", kinds()));

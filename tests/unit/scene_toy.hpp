@@ -23,6 +23,7 @@ struct Cloth final : Parameters {
   int threads = 3;
   float stretch = 0.05F;
   double slack = 0.25;
+  std::optional<double> fray;
   Animated<float> gust = 1.0F;
   glm::vec3 wind{0, 0, 0};
   Animated<glm::vec3> lift = glm::vec3(0, 1, 0);
@@ -44,6 +45,7 @@ struct Cloth final : Parameters {
     fields.integer("threads", threads, {1, 10}, "", "Threads.");
     fields.number("stretch", stretch, {0, 1}, "m/N", "Stretch.");
     fields.number("slack", slack, notNegative, "m", "Slack.");
+    fields.optionalNumber("fray", fray, {0, 3}, "mm", "Fray.");
     fields.number("gust", gust, {0, 5}, "m/s", "Gust.");
     fields.vector("wind", wind, anyNumber, "m/s", "Wind.");
     fields.vector("lift", lift, {-9, 9}, "N", "Lift.");

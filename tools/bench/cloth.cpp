@@ -37,10 +37,10 @@ void device(benchmark::State& state, bool fast, bool constraints) {
   object.parameters = std::make_unique<sim::ClothParameters>(p);
   const std::vector<sim::ColliderShape> colliders;
   const auto cloth = sim::simulations()[0].make(object, {fast, 1, 1.0 / 60, &colliders});
-  cloth->step(0);
+  cloth->step(0, {});
   glFinish();
   for (auto _ : state) {
-    cloth->step(0);
+    cloth->step(0, {});
     glFinish();
   }
   report(state, side);

@@ -1,0 +1,51 @@
+#include "golden/accept.hpp"
+
+#include "base/error.hpp"
+#include "base/log.hpp"
+#include "cli/commands.hpp"
+
+#include <memory>
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+namespace simreel::cli {
+
+namespace {
+
+void accept(const std::string& report, const golden::Acceptance& how) {
+  const auto all = golden::acceptReport(report, how);
+  if (all.empty())
+    fail(ExitCode::nothingRan, "nothing to accept: {}",
+         how.only.empty() ? "every scene of the report passed" : "no failing scene matches --only");
+  int refused = 0;
+  for (const golden::Accepted& one : all) {
+    if (one.problem.empty()) {
+      fmt::print("{}  {}\n", one.already ? "already accepted" : "accepted", one.scene);
+      continue;
+    }
+    ++refused;
+    errorLine(fmt::format("simreel: error: {}: {}", one.scene, one.problem));
+  }
+  if (refused > 0) setExitCode(static_cast<int>(ExitCode::different));
+}
+
+}  // namespace
+
+void addAccept(CLI::App& app) {
+  struct Arguments {
+    std::string report;
+    golden::Acceptance how;
+  };
+  auto o = std::make_shared<Arguments>();
+  auto* command = app.add_subcommand(
+      "accept", "Make what a test run rendered the new baselines, without rendering again");
+  command->add_option("report", o->report, "report.json, or the folder of --report")->required();
+  command->add_option("--only", o->how.only, "Only scenes whose name matches, repeatable")
+      ->allow_extra_args(false);
+  command->add_option("--reason", o->how.reason, "Why, kept in the baselines");
+  command->add_flag("--alternate", o->how.alternate, "Accept beside the baseline instead of in its place");
+  command->callback([o] { accept(o->report, o->how); });
+}
+
+}  // namespace simreel::cli

@@ -1,0 +1,155 @@
+// simreel diff A B: two pictures, or two sequences of them.
+#include "base/error.hpp"
+#include "base/file.hpp"
+#include "base/log.hpp"
+#include "cli/commands.hpp"
+#include "cli/diff_report.hpp"
+#include "cli/tolerance_options.hpp"
+#include "frame/output_name.hpp"
+#include "golden/sequence_diff.hpp"
+#include "golden/tolerance.hpp"
+
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+namespace simreel::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Outcome = golden::PairResult::Outcome;
+
+struct DiffOptions {
+  std::string a, b, output;
+  ToleranceOptions tolerance;
+  bool json = false;
+};
+
+/// What the flags allow. Equality is exact where none is given; --max-channel-diff alone is kept by every
+/// pixel; a bound on how many pixels, on a window, on FLIP or on the worst pixel replaces that.
+scene::Tolerance toleranceOf(const DiffOptions& options) {
+  scene::Tolerance tolerance;
+  tolerance.max_channel_diff = 0;
+  for (const auto& [field, value] : options.tolerance.given()) golden::setBound(tolerance, field, value);
+  if (!tolerance.max_diff_pixels && !tolerance.max_diff_ratio) {
+    if (tolerance.max_window_ratio || tolerance.max_flip_mean || tolerance.hard_fail)
+      tolerance.max_diff_ratio = 1;
+    else
+      tolerance.max_diff_pixels = 0;
+  }
+  return tolerance;
+}
+
+/// Writing over what is compared would be a slip of the finger.
+void checkOutput(const fs::path& output, const fs::path& a, const fs::path& b) {
+  for (const fs::path& input : {a, b}) {
+    std::error_code unknown;
+    if (!input.empty() && fs::equivalent(output, input, unknown))
+      fail(ExitCode::usage, "-o {} is one of the two that are compared; choose another name",
+           output.string());
+  }
+}
+
+/// File names may hold bytes that are not UTF-8; JSON may not.
+void printJson(const nlohmann::ordered_json& json) {
+  fmt::print("{}\n", json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+}
+
+void comparePictures(const DiffOptions& options, const scene::Tolerance& tolerance) {
+  if (!options.output.empty()) {
+    if (fs::is_directory(options.output))
+      fail(ExitCode::usage, "-o {} is a folder; two pictures need a file name", options.output);
+    checkOutput(options.output, options.a, options.b);
+  }
+  const auto result =
+      golden::comparePair({options.a, options.a, options.b}, tolerance, options.output, true);
+  if (options.json)
+    printJson(pairJson(options.a, options.b, result));
+  else if (verbosity() != Verbosity::quiet)
+    fmt::print("{}", pairText(result, tolerance));
+  if (result.outcome == Outcome::different) setExitCode(static_cast<int>(ExitCode::different));
+}
+
+golden::PairList findPairs(const DiffOptions& options, bool folders) {
+  const auto list =
+      folders ? golden::pairFolders(options.a, options.b) : golden::pairPatterns(options.a, options.b);
+  if (list.pairs.empty() && list.onlyA.empty() && list.onlyB.empty())
+    fail(ExitCode::nothingRan, "neither {} nor {} has any PNG files", options.a, options.b);
+  return list;
+}
+
+void compareSequences(const DiffOptions& options, const scene::Tolerance& tolerance, bool folders) {
+  const fs::path folderA = folders ? fs::path(options.a) : fs::path(options.a).parent_path();
+  const fs::path folderB = folders ? fs::path(options.b) : fs::path(options.b).parent_path();
+  const auto list = findPairs(options, folders);
+  if (!options.output.empty()) {
+    makeFolders(options.output);
+    checkOutput(options.output, folderA.empty() ? "." : folderA, folderB.empty() ? "." : folderB);
+  }
+  const bool text = !options.json && verbosity() != Verbosity::quiet;
+  SequenceReport report;
+  report.onlyA = list.onlyA;
+  report.onlyB = list.onlyB;
+  golden::comparePairs(list.pairs, tolerance, options.output,
+                       [&](const golden::Pair& pair, const golden::PairResult& result) {
+                         report.add(pair, result);
+                         if (text) fmt::print("{}", pairLine(pair, result));
+                       });
+  if (options.json)
+    printJson(report.json(options.a, options.b));
+  else if (text)
+    fmt::print("{}", report.summary(options.a, options.b));
+  if (report.unreadable > 0) {
+    std::fflush(stdout);
+    fail(ExitCode::inputOutput, "{} of {} pairs could not be compared; the lines above say why",
+         report.unreadable, list.pairs.size());
+  }
+  if (report.differs()) setExitCode(static_cast<int>(ExitCode::different));
+}
+
+void diff(const DiffOptions& options) {
+  const scene::Tolerance tolerance = toleranceOf(options);
+  const auto kindOf = [](const std::string& name) -> std::string {
+    std::error_code unknown;
+    if (fs::is_directory(name, unknown)) return "a folder";
+    return golden::isPattern(name) && !fs::exists(name, unknown) ? "a pattern" : "a picture";
+  };
+  const std::string kind = kindOf(options.a), other = kindOf(options.b);
+  if (kind != other)
+    fail(ExitCode::usage, "{} is {}, {} is {}; give two pictures, two folders or two patterns", options.a,
+         kind, options.b, other);
+  if (kind == "a picture")
+    comparePictures(options, tolerance);
+  else
+    compareSequences(options, tolerance, kind == "a folder");
+}
+
+}  // namespace
+
+void addDiff(CLI::App& app) {
+  const auto options = std::make_shared<DiffOptions>();
+  CLI::App* command = app.add_subcommand("diff", "Compare two pictures, or two sequences of them");
+  command->add_option("A", options->a, "A PNG, a folder of PNGs, or a pattern (####, %04d)")->required();
+  command->add_option("B", options->b, "What to compare with it: the same kind")->required();
+  command->add_option("-o,--output", options->output,
+                      "Difference image, blue (small) to red (large); a folder for sequences");
+  options->tolerance.add(*command);
+  command->add_flag("--json", options->json, "Print one JSON object instead of text");
+  command->footer(
+      "Without a bound, pictures must be equal. --max-channel-diff alone holds for every pixel. Every "
+      "bound "
+      "that is given must hold.\nExit code: 0 equal or within the bounds, 1 different, 2 usage, 6 a file "
+      "cannot "
+      "be read.");
+  command->callback([options] { diff(*options); });
+}
+
+}  // namespace simreel::cli

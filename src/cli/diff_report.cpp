@@ -1,0 +1,155 @@
+#include "cli/diff_report.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace simreel::cli {
+
+namespace {
+
+using golden::Metrics;
+using golden::PairResult;
+using nlohmann::ordered_json;
+
+std::string percent(double part, double whole) {
+  return fmt::format("{:.3g}%", 100 * part / whole);
+}
+
+std::string verdict(const PairResult& result) {
+  if (result.broken.empty()) return golden::outcomeName(result.outcome);
+  return fmt::format("different: {}", fmt::join(result.broken, "; "));
+}
+
+ordered_json metricsJson(const Metrics& m) {
+  // JSON has no infinity.
+  const ordered_json psnr = std::isfinite(m.psnr) ? ordered_json(m.psnr) : ordered_json(nullptr);
+  return {{"worst", m.worst},
+          {"worstX", m.worstX},
+          {"worstY", m.worstY},
+          {"differentPixels", m.differentPixels},
+          {"pixelsBeyond", m.pixelsBeyond},
+          {"ratioBeyond", m.ratioBeyond},
+          {"windowRatio", m.windowRatio},
+          {"windowX", m.windowX},
+          {"windowY", m.windowY},
+          {"psnr", psnr},
+          {"ssim", m.ssim},
+          {"flipMean", m.flipMean}};
+}
+
+/// The members that a pair has by itself and in a sequence. "within" is the word of a program's switch.
+void addResult(ordered_json& json, const PairResult& result) {
+  json["result"] =
+      result.outcome == PairResult::Outcome::within ? "within" : golden::outcomeName(result.outcome);
+  if (result.width > 0) {
+    json["width"] = result.width;
+    json["height"] = result.height;
+  }
+  if (result.metrics) json["metrics"] = metricsJson(*result.metrics);
+  if (!result.broken.empty()) json["broken"] = result.broken;
+  if (!result.message.empty()) json["message"] = result.message;
+}
+
+std::string onlyLine(const std::vector<std::string>& names, const std::string& place) {
+  if (names.empty()) return {};
+  return fmt::format("only in {}: {}\n", place, fmt::join(names, ", "));
+}
+
+}  // namespace
+
+std::string pairText(const PairResult& result, const scene::Tolerance& tolerance) {
+  if (!result.metrics) return verdict(result) + "\n";
+  const Metrics& m = *result.metrics;
+  const double pixels = double(result.width) * result.height;
+  std::string text = fmt::format("size            {}x{}\n", result.width, result.height);
+  text += m.worst == 0
+              ? "worst pixel     0\n"
+              : fmt::format("worst pixel     {} of 255 at x {}, y {}\n", m.worst, m.worstX, m.worstY);
+  text += fmt::format("pixels          {} differ ({})", m.differentPixels,
+                      percent(double(m.differentPixels), pixels));
+  if (tolerance.max_channel_diff > 0)
+    text += fmt::format(", {} by more than {} ({})", m.pixelsBeyond, tolerance.max_channel_diff,
+                        percent(double(m.pixelsBeyond), pixels));
+  text += fmt::format("\ndensest window  {}", percent(m.windowRatio, 1));
+  if (m.windowRatio > 0)
+    text += fmt::format(" of {}x{} pixels at x {}, y {}", std::min(tolerance.window_size, result.width),
+                        std::min(tolerance.window_size, result.height), m.windowX, m.windowY);
+  text += std::isfinite(m.psnr) ? fmt::format("\nPSNR            {:.3f} dB\n", m.psnr)
+                                : std::string("\nPSNR            infinite\n");
+  text += fmt::format("SSIM            {:.6f}\nFLIP mean       {:.6f}\n", m.ssim, m.flipMean);
+  return text + verdict(result) + "\n";
+}
+
+ordered_json pairJson(const std::string& a, const std::string& b, const PairResult& result) {
+  ordered_json json = {{"a", a}, {"b", b}};
+  addResult(json, result);
+  return json;
+}
+
+std::string pairLine(const golden::Pair& pair, const PairResult& result) {
+  if (result.outcome == PairResult::Outcome::equal) return {};
+  if (result.outcome == PairResult::Outcome::unreadable)
+    return fmt::format("{}: unreadable: {}\n", pair.name, result.message);
+  std::string line = fmt::format("{}: {}", pair.name, verdict(result));
+  if (result.metrics) {
+    const Metrics& m = *result.metrics;
+    line += fmt::format(" [worst {} at x {}, y {}; PSNR {:.2f} dB; SSIM {:.5f}; FLIP {:.5f}]", m.worst,
+                        m.worstX, m.worstY, m.psnr, m.ssim, m.flipMean);
+  }
+  return line + "\n";
+}
+
+void SequenceReport::add(const golden::Pair& pair, const PairResult& result) {
+  switch (result.outcome) {
+    case PairResult::Outcome::equal:
+      ++equal;
+      break;
+    case PairResult::Outcome::within:
+      ++within;
+      break;
+    case PairResult::Outcome::different:
+      ++different;
+      break;
+    case PairResult::Outcome::unreadable:
+      ++unreadable;
+      break;
+  }
+  ordered_json frame = {{"name", pair.name}};
+  addResult(frame, result);
+  frames.push_back(std::move(frame));
+}
+
+std::string SequenceReport::summary(const std::string& a, const std::string& b) const {
+  const int pairs = equal + within + different + unreadable;
+  std::string text = onlyLine(onlyA, a) + onlyLine(onlyB, b);
+  text += fmt::format("{} pair{}: {} equal", pairs, pairs == 1 ? "" : "s", equal);
+  if (within > 0) text += fmt::format(", {} within tolerance", within);
+  if (different > 0) text += fmt::format(", {} different", different);
+  if (unreadable > 0) text += fmt::format(", {} unreadable", unreadable);
+  if (const auto single = onlyA.size() + onlyB.size(); single > 0)
+    text += fmt::format(", {} without a partner", single);
+  return text + "\n";
+}
+
+ordered_json SequenceReport::json(const std::string& a, const std::string& b) const {
+  const char* result = unreadable > 0 ? "unreadable"
+                       : differs()    ? "different"
+                       : within > 0   ? "within"
+                                      : "equal";
+  return {{"a", a},
+          {"b", b},
+          {"result", result},
+          {"pairs", equal + within + different + unreadable},
+          {"equal", equal},
+          {"within", within},
+          {"different", different},
+          {"unreadable", unreadable},
+          {"onlyInA", onlyA},
+          {"onlyInB", onlyB},
+          {"frames", frames}};
+}
+
+}  // namespace simreel::cli

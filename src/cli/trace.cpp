@@ -1,0 +1,180 @@
+// simreel trace: hashes of the state, frame by frame or step by step, and the state itself.
+#include "base/error.hpp"
+#include "base/file.hpp"
+#include "base/version.hpp"
+#include "cli/commands.hpp"
+#include "cli/scene_options.hpp"
+#include "frame/frames_spec.hpp"
+#include "frame/interrupt.hpp"
+#include "frame/sinks.hpp"
+#include "gl/context.hpp"
+#include "golden/trace_stream.hpp"
+#include "sim/numerics.hpp"
+
+#include <cerrno>
+#include <charconv>
+#include <cstring>
+#include <memory>
+#include <optional>
+#include <signal.h>
+#include <string>
+#include <string_view>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+
+namespace simreel::cli {
+
+namespace {
+
+struct TraceOptions {
+  SceneOptions scene;
+  std::string device, memoryPath;
+  std::optional<std::string> frames, dump, output;
+  std::optional<int> stepsOf;
+};
+
+struct Range {
+  int first, last;
+};
+
+/// Takes a whole number, which may be negative, off the front.
+std::optional<int> takeNumber(std::string_view& text) {
+  int value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc()) return std::nullopt;
+  text.remove_prefix(static_cast<std::size_t>(end - text.data()));
+  return value;
+}
+
+void checkFrame(int frame, int first) {
+  if (frame < first)
+    fail(ExitCode::usage, "there is no frame {}: the scene starts at frame {}", frame, first);
+  if (frame > frame::largestFrame)
+    fail(ExitCode::usage, "frame {} is above the largest, {}", frame, frame::largestFrame);
+}
+
+/// "all", "7", "0-99", "-30-99" or "start-99"; frames before 0 are the pre-roll's.
+Range parseRange(const std::string& text, int firstFrame, int frameCount) {
+  if (text == "all") return {firstFrame, frameCount - 1};
+  std::string_view rest = text;
+  std::optional<int> first;
+  if (rest.starts_with("start")) {
+    rest.remove_prefix(5);
+    first = firstFrame;
+  } else {
+    first = takeNumber(rest);
+  }
+  std::optional<int> last = first;
+  if (rest.starts_with('-')) {
+    rest.remove_prefix(1);
+    last = takeNumber(rest);
+  }
+  if (!first || !last || !rest.empty())
+    fail(ExitCode::usage,
+         "--frames takes all, one frame, or a range such as 0-99, -30-99 or start-99, not \"{}\"", text);
+  if (*last < *first) fail(ExitCode::usage, "--frames {}: the range runs backwards", text);
+  checkFrame(*first, firstFrame);
+  checkFrame(*last, firstFrame);
+  return {*first, *last};
+}
+
+struct FrameAndStep {
+  int frame, step;
+};
+
+FrameAndStep parseStep(const std::string& text, int firstFrame) {
+  std::string_view rest = text;
+  const auto frame = takeNumber(rest);
+  const bool colon = rest.starts_with(':');
+  if (colon) rest.remove_prefix(1);
+  const auto step = takeNumber(rest);
+  if (!frame || !colon || !step || !rest.empty())
+    fail(ExitCode::usage, "--dump takes FRAME:STEP, for example 37:4, not \"{}\"", text);
+  checkFrame(*frame, firstFrame);
+  return {*frame, *step};
+}
+
+/// Writes at once. False where the reader has gone: then nobody wants the rest.
+bool putOut(std::span<const std::byte> bytes) {
+  const int error = frame::writeAll(STDOUT_FILENO, bytes);
+  if (error == 0) return true;
+  if (error != EPIPE)
+    fail(ExitCode::inputOutput, "cannot write to standard output: {}", std::strerror(error));
+  setExitCode(128 + SIGPIPE);
+  return false;
+}
+
+bool putLine(const std::string& line) {
+  const std::string whole = line + "\n";
+  return putOut(std::as_bytes(std::span(whole.data(), whole.size())));
+}
+
+void checkOptions(const TraceOptions& o) {
+  if (int{o.frames.has_value()} + int{o.stepsOf.has_value()} + int{o.dump.has_value()} > 1)
+    fail(ExitCode::usage, "--frames, --steps-of and --dump exclude each other");
+  if (o.dump && !o.output)
+    fail(ExitCode::usage, "--dump writes raw numbers; say where: -o FILE, or -o - for standard output");
+  if (o.output && !o.dump)
+    fail(ExitCode::usage, "-o is where --dump writes; give --dump FRAME:STEP with it");
+}
+
+golden::TraceHeader header(const sim::World& world, const gl::Context& context) {
+  golden::TraceHeader result = golden::describeWorld(world);
+  const auto numerics = sim::probeNumerics();
+  result.version = version();
+  result.driver = context.device().name + ", OpenGL " + context.device().version;
+  result.fingerprint = numerics.fingerprint;
+  result.memoryPath = gl::memoryPath() == gl::MemoryPath::texel ? "texel" : "storage";
+  if (!numerics.exactHolds) result.inexact = numerics.firstFailure;
+  return result;
+}
+
+void trace(const TraceOptions& o) {
+  checkOptions(o);
+  const scene::Scene scene = o.scene.load();
+  frame::ignoreBrokenPipes();
+  const gl::Context context({.device = o.device, .debug = false, .memoryPath = o.memoryPath});
+  sim::World world(scene);
+  const int first = world.firstFrame();
+  if (o.dump) {
+    const auto [frame, step] = parseStep(*o.dump, first);
+    const auto bytes = golden::encodeDump(golden::dumpState(world, frame, step));
+    if (*o.output == "-")
+      (void)putOut(bytes);
+    else
+      writeFileAtomically(*o.output, bytes);
+    return;
+  }
+  if (o.stepsOf) {
+    checkFrame(*o.stepsOf, first);
+    if (*o.stepsOf == first)
+      fail(ExitCode::usage, "frame {} is what the scene starts from: no step leads to it", first);
+    if (putLine(golden::headerLine(header(world, context)))) golden::traceSteps(world, *o.stepsOf, putLine);
+    return;
+  }
+  const Range range = parseRange(o.frames.value_or("all"), first, scene.frameCount());
+  if (putLine(golden::headerLine(header(world, context))))
+    golden::traceFrames(world, range.first, range.last, putLine);
+}
+
+}  // namespace
+
+void addTrace(CLI::App& app) {
+  auto o = std::make_shared<TraceOptions>();
+  auto* command = app.add_subcommand("trace", "Print hashes of the state, frame by frame or step by step");
+  o->scene.add(*command);
+  command->add_option(
+      "--frames", o->frames,
+      "all (default), one frame, or a range; frames below 0 are the pre-roll: --frames=-30-99");
+  command->add_option("--steps-of", o->stepsOf, "Instead, one line for each step of this frame");
+  command->add_option("--dump", o->dump,
+                      "Instead, FRAME:STEP: the state after that step, as float32 after a line of JSON");
+  command->add_option("-o,--output", o->output, "File that --dump writes, or -");
+  command->add_option("--device", o->device, "Index or part of a name (see `simreel doctor`)");
+  command->add_option("--memory-path", o->memoryPath,
+                      "How kernels read: storage or texel (default: by driver)");
+  command->callback([o] { trace(*o); });
+}
+
+}  // namespace simreel::cli

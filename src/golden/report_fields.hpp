@@ -1,0 +1,131 @@
+#pragma once
+#include "golden/result.hpp"
+
+#include <concepts>
+#include <type_traits>
+
+namespace simreel::golden {
+
+// The keys of report.json, once for writing and reading. A visitor is called with each key and member, in
+// the file's order; some have a form of their own:
+//   decibels  a number, or null for infinity
+//   path      a path below the folder of the report
+//   format    the number of this format
+//   group     an object whose keys belong to the same struct
+//   counts    how many scenes came out in each way
+
+/// T itself or const T: fields() serves the Writer (const) and the Reader.
+template <class S, class T>
+concept Is = std::same_as<std::remove_const_t<S>, T>;
+
+template <class Visit>
+void fields(Visit& visit, Is<Metrics> auto& m) {
+  visit("worst", m.worst);
+  visit("worstX", m.worstX);
+  visit("worstY", m.worstY);
+  visit("differentPixels", m.differentPixels);
+  visit("pixelsBeyond", m.pixelsBeyond);
+  visit("ratioBeyond", m.ratioBeyond);
+  visit("windowRatio", m.windowRatio);
+  visit("windowX", m.windowX);
+  visit("windowY", m.windowY);
+  visit.decibels("psnr", m.psnr);
+  visit("ssim", m.ssim);
+  visit("flipMean", m.flipMean);
+}
+
+template <class Visit>
+void fields(Visit& visit, Is<FrameResult> auto& f) {
+  visit("frame", f.frame);
+  visit("time", f.time);
+  visit("status", f.status);
+  visit("message", f.message);
+  visit("pixels", f.pixels);
+  visit("expectedPixels", f.expectedPixels);
+  visit("alternate", f.alternate);
+  visit("state", f.state);
+  visit("metrics", f.metrics);
+  visit.path("expectedImage", f.expectedImage);
+  visit.path("actualImage", f.actualImage);
+  visit.path("differenceImage", f.differenceImage);
+}
+
+template <class Visit>
+void fields(Visit& visit, Is<CheckResult> auto& c) {
+  visit("what", c.what);
+  visit("frame", c.frame);
+  visit("value", c.value);
+  visit("least", c.least);
+  visit("most", c.most);
+  visit("passed", c.passed);
+  visit("message", c.message);
+}
+
+template <class Visit>
+void fields(Visit& visit, Is<Divergence> auto& d) {
+  visit("frame", d.frame);
+  visit("step", d.step);
+  visit("steps", d.steps);
+  visit("object", d.object);
+  visit("buffer", d.buffer);
+  visit("firstElement", d.firstElement);
+  visit("lastElement", d.lastElement);
+  visit("message", d.message);
+}
+
+template <class Visit>
+void fields(Visit& visit, Is<Bound> auto& b) {
+  visit("value", b.value);
+  visit("origin", b.origin);
+}
+
+template <class Visit>
+void fields(Visit& visit, Is<Attempt> auto& a) {
+  visit("status", a.status);
+  visit("messages", a.messages);
+}
+
+template <class Visit>
+void fields(Visit& visit, Is<SceneResult> auto& s) {
+  visit("name", s.name);
+  visit("file", s.file);
+  visit("baselines", s.baselines);
+  visit("status", s.status);
+  visit("messages", s.messages);
+  visit("notes", s.notes);
+  visit("xfail", s.xfail);
+  visit("profile", s.profile);
+  visit("sameNumerics", s.sameNumerics);
+  visit("baselineDriver", s.baselineDriver);
+  visit("baselineVersion", s.baselineVersion);
+  visit("baselineReason", s.baselineReason);
+  visit("tolerance", s.tolerance);
+  visit("seconds", s.seconds);
+  visit("simulateSeconds", s.simulateSeconds);
+  visit("repeats", s.repeats);
+  visit("attempts", s.attempts);
+  visit("frames", s.frames);
+  visit("checks", s.checks);
+  visit("divergence", s.divergence);
+  visit.path("candidate", s.candidate);
+}
+
+template <class Visit>
+void fields(Visit& visit, Is<SuiteResult> auto& s) {
+  visit("simreel", s.version);
+  visit.format("format");
+  visit.group("environment", [&](auto& inside) {
+    inside("driver", s.driver);
+    inside("profile", s.profile);
+    inside("fingerprint", s.fingerprint);
+    inside("memoryPath", s.memoryPath);
+  });
+  visit("command", s.command);
+  visit("acceptCommand", s.acceptCommand);
+  visit("allowFlaky", s.allowFlaky);
+  visit("seconds", s.seconds);
+  visit.counts("counts", s);
+  visit("scenes", s.scenes);
+}
+
+}  // namespace simreel::golden

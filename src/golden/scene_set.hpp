@@ -1,0 +1,32 @@
+#pragma once
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace simreel::golden {
+
+/// A scene to test. `name` is unique in a set: the path below the folder that was given, without extension.
+struct SceneFile {
+  std::string name;
+  std::filesystem::path file;
+};
+
+/// The scenes among files and folders, sorted by name. A file is taken as it is. A folder is searched with
+/// all below it, except hidden folders and those called "golden"; a .json file there counts unless it is a
+/// sidecar (*.test.json) or plainly something else: valid JSON with neither "version" nor "objects". Throws
+/// UserError(usage) for a path that does not exist.
+[[nodiscard]] std::vector<SceneFile> findScenes(std::span<const std::string> paths);
+
+/// Those whose name or path matches one of the globs (`*`, `?`, `[a-z]`; `*` crosses '/'); all without
+/// globs.
+[[nodiscard]] std::vector<SceneFile> filtered(const std::vector<SceneFile>& scenes,
+                                              std::span<const std::string> globs);
+/// Whether the whole name matches the glob.
+[[nodiscard]] bool matches(const std::string& glob, const std::string& name);
+
+/// The k-th of n nearly equal parts, "k/n" counted from 1, as every n-th scene. Throws UserError(usage).
+[[nodiscard]] std::vector<SceneFile> shardOf(const std::vector<SceneFile>& scenes,
+                                             const std::string& shard);
+
+}  // namespace simreel::golden

@@ -1,0 +1,58 @@
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace simreel::golden {
+
+// What `simreel trace` prints and `simreel bisect` reads: JSON, a line each, and one binary dump. Readers
+// ignore members that they do not know, so builds of different versions understand each other. They throw
+// std::runtime_error saying what is wrong with the text.
+
+/// The first line: who traces what.
+struct TraceHeader {
+  struct Array {
+    std::string object, array;
+    std::int64_t elements = 0;  ///< vec4 each
+    int steps = 1;              ///< of its object, a frame
+    bool operator==(const Array&) const = default;
+    [[nodiscard]] std::string name() const { return object + "." + array; }
+  };
+  std::string version, driver, fingerprint, memoryPath;
+  std::string inexact;  ///< how the driver breaks exact numerics; empty: it does not
+  int firstFrame = 0;   ///< that of the state before any step
+  std::vector<Array> arrays;
+};
+[[nodiscard]] std::string headerLine(const TraceHeader& header);
+[[nodiscard]] TraceHeader readHeaderLine(const std::string& line);
+
+/// The state at a frame, or after one step of one object.
+struct StateLine {
+  int frame = 0;
+  std::string object;  ///< empty: of a whole frame
+  int step = 0;        ///< of `steps`, from 1; 0: of a whole frame
+  int steps = 0;
+  std::vector<std::pair<std::string, std::string>> arrays;  ///< "flag.positions", 32 hexadecimal digits
+  bool operator==(const StateLine&) const = default;
+};
+[[nodiscard]] std::string stateLine(const StateLine& state);
+[[nodiscard]] StateLine readStateLine(const std::string& line);
+
+/// The words of every state array: a JSON line that says which, then the words as little-endian 32-bit
+/// floats, array by array.
+struct StateDump {
+  struct Array {
+    std::string object, array;
+    std::vector<std::uint32_t> words;  ///< bits of x, y, z, w of each element
+  };
+  int frame = 0;
+  int step = 0;
+  std::vector<Array> arrays;
+};
+[[nodiscard]] std::vector<std::byte> encodeDump(const StateDump& dump);
+[[nodiscard]] StateDump readDump(std::span<const std::byte> bytes);
+
+}  // namespace simreel::golden

@@ -1,0 +1,178 @@
+// "test" and "checks" of a scene.
+#include "scene/test.hpp"
+
+#include "scene/scene.hpp"
+#include "scene/sections.hpp"
+#include "scene/words.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include <fmt/format.h>
+
+namespace simreel::scene {
+
+namespace {
+
+constexpr Range share{0.0, 1.0};
+constexpr Range channel{0.0, 255.0};
+constexpr Range frameNumber{0.0, 1e7};
+
+void checkAscending(Fields& fields, const std::vector<int>& frames) {
+  for (std::size_t i = 1; i < frames.size(); ++i)
+    if (frames[i] <= frames[i - 1])
+      fields.error("frames", frames[i] == frames[i - 1] ? fmt::format("frame {} is listed twice", frames[i])
+                                                        : fmt::format("frames must ascend; {} follows {}",
+                                                                      frames[i], frames[i - 1]));
+}
+
+void checkLength(Fields& fields, const std::vector<int>& frames, int frameCount) {
+  if (!frames.empty() && frames.back() >= frameCount)
+    fields.error("frames", fmt::format("frame {} is beyond the scene's last frame, {}", frames.back(),
+                                       frameCount - 1));
+}
+
+/// "positions.y": a name, a dot, a component.
+bool namesComponent(const std::string& of) {
+  const std::size_t dot = of.rfind('.');
+  if (dot == std::string::npos || dot == 0) return false;
+  const std::string component = of.substr(dot + 1);
+  return component == "length" || (component.size() == 1 && component.find_first_of("xyzw") == 0);
+}
+
+/// What a check of this kind needs and must not have.
+void checkForm(Fields& fields, const Check& check) {
+  const bool builtIn = check.what == "not-blank" || check.what == "no-nan";
+  if (check.what.empty()) {
+    fields.error("what",
+                 "\"what\" is missing: not-blank, no-nan, mean, min, max, sum, or a quantity such as "
+                 "\"mass\"");
+  } else if (check.isStatistic() && check.of.empty()) {
+    fields.error("of", fmt::format("\"{}\" needs \"of\", a state array and component such as "
+                                   "\"positions.y\"",
+                                   check.what));
+  } else if (check.isStatistic() && !namesComponent(check.of)) {
+    fields.error("of", fmt::format("{} is not a state array and component; components are x, y, z, w and "
+                                   "length, as in \"positions.y\"",
+                                   inQuotes(check.of)));
+  } else if (!check.isStatistic() && fields.given("of")) {
+    fields.error("of",
+                 fmt::format("\"of\" belongs to mean, min, max and sum, not to {}", inQuotes(check.what)));
+  } else if (check.what == "not-blank" && fields.given("object")) {
+    fields.error("object", "\"not-blank\" looks at the whole picture, not at an object");
+  } else if (builtIn) {
+    for (const char* bound : {"least", "most", "drift"})
+      if (fields.given(bound)) fields.error(bound, fmt::format("\"{}\" takes no bounds", check.what));
+  } else if (!check.least && !check.most && !check.drift) {
+    const std::string near = suggestion(check.what, std::array<std::string, 2>{"not-blank", "no-nan"});
+    fields.error("what", fmt::format("{} needs a bound: \"least\", \"most\" or \"drift\"{}",
+                                     inQuotes(check.what), near.starts_with("did") ? "; " + near : ""));
+  }
+}
+
+/// What a check says against the scene it belongs to.
+void checkAgainstScene(Fields& fields, const Check& check, const Scene& scene,
+                       std::optional<int> frameCount) {
+  std::vector<std::string> names;
+  for (const Object& object : scene.objects) names.push_back(object.name);
+  if (!check.object.empty() && std::find(names.begin(), names.end(), check.object) == names.end())
+    fields.error("object", fmt::format("no object is named {}; {}", inQuotes(check.object),
+                                       suggestion(check.object, names)));
+  if (!frameCount) return;
+  checkLength(fields, check.frames, *frameCount);
+  const std::vector<int> tested = scene.testFrames();
+  if (check.drift && check.frames.empty() && tested.size() < 2)
+    fields.error("drift", "\"drift\" compares frames with the first, and the scene tests one frame only");
+  if (check.what != "not-blank") return;
+  for (const int frame : check.frames)
+    if (!std::binary_search(tested.begin(), tested.end(), frame))
+      fields.error("frames",
+                   fmt::format("\"not-blank\" needs a picture, and frame {} is no tested frame; add it to "
+                               "\"frames\" of \"test\"",
+                               frame));
+}
+
+}  // namespace
+
+void Tolerance::describe(Fields& fields) {
+  fields.integer("max_channel_diff", max_channel_diff, channel, "",
+                 "A pixel differs when one of its channels is further apart than this.");
+  fields.optionalNumber("max_diff_pixels", max_diff_pixels, notNegative, "pixels",
+                        "How many pixels may differ.");
+  fields.optionalNumber(
+      "max_diff_ratio", max_diff_ratio, share, "",
+      "Share of all pixels that may differ; 0.02 while neither this nor max_diff_pixels is given.");
+  fields.integer("window_size", window_size, {1, 4096}, "pixels",
+                 "Side of the window that max_window_ratio looks through.");
+  fields.optionalNumber("max_window_ratio", max_window_ratio, share, "",
+                        "Share of the pixels of any window that may differ.");
+  fields.optionalNumber("max_flip_mean", max_flip_mean, share, "", "Mean FLIP error allowed.");
+  fields.optionalNumber("hard_fail", hard_fail, channel, "",
+                        "No channel of any pixel may ever be further apart than this.");
+  if (fields.given("window_size") && !max_window_ratio)
+    fields.error("window_size", "\"window_size\" does nothing without \"max_window_ratio\"");
+}
+
+void Test::describe(Fields& fields) {
+  fields.integers("frames", frames, frameNumber, "",
+                  "Frames that are compared, ascending; none given: first, middle and last.");
+  fields.pair("size", size, {1, 16384}, "pixels", "Width and height of the compared images.");
+  fields.integerOr("samples", samples, "scene", {1, 16}, "",
+                   "Samples per pixel; \"scene\" takes what the scene renders with.");
+  fields.group(
+      "tolerance",
+      "How far an image may be from a baseline of a driver that rounds differently; every bound that "
+      "is given must hold.",
+      [&](Fields& inner) { tolerance.describe(inner); });
+  fields.text("xfail", xfail, "Why the scene is expected to fail for now; passing is a failure then.");
+  checkAscending(fields, frames);
+  if (fields.given("xfail") && xfail.find_first_not_of(" \t") == std::string::npos)
+    fields.error("xfail", "\"xfail\" needs a reason; leave it out when the scene is to pass");
+}
+
+bool Check::isStatistic() const {
+  return what == "mean" || what == "min" || what == "max" || what == "sum";
+}
+
+void Check::describe(Fields& fields) {
+  fields.text(
+      "what", what,
+      "not-blank (the picture is not one colour), no-nan (every number of the state is finite), mean, "
+      "min, max or sum of a component, or a quantity that the simulation measures, such as mass.");
+  fields.text("object", object, "Name of the object; none given: the only one that has it.");
+  fields.text("of", of,
+              "State array and component, such as \"positions.y\"; x, y, z, w or length (of xyz).");
+  fields.integers("frames", frames, frameNumber, "",
+                  "Frames where it must hold, ascending; none given: every tested frame.");
+  fields.optionalNumber("least", least, {}, "", "The value may not be below.");
+  fields.optionalNumber("most", most, {}, "", "The value may not be above.");
+  fields.optionalNumber("drift", drift, notNegative, "",
+                        "Most relative change from the value at the first of the frames.");
+  checkForm(fields, *this);
+  checkAscending(fields, frames);
+  if (least && most && !(*least <= *most))
+    fields.error("least", fmt::format("\"least\" ({}) must not be above \"most\" ({})", *least, *most));
+  if (drift && frames.size() == 1)
+    fields.error("drift", "\"drift\" compares frames with the first, and \"frames\" lists one only");
+}
+
+void describeTests(Fields& fields, Scene& scene, std::optional<int> frameCount) {
+  fields.group("test", testDoc, [&](Fields& inner) {
+    scene.test.describe(inner);
+    if (frameCount) checkLength(inner, scene.test.frames, *frameCount);
+  });
+  fields.list("checks", scene.checks, checksDoc, [&](Fields& inner, Check& check) {
+    check.describe(inner);
+    checkAgainstScene(inner, check, scene, frameCount);
+  });
+}
+
+std::vector<int> Scene::testFrames() const {
+  if (!test.frames.empty()) return test.frames;
+  const int last = frameCount() - 1;
+  std::vector<int> frames = {0, last / 2, last};
+  frames.erase(std::unique(frames.begin(), frames.end()), frames.end());
+  return frames;
+}
+
+}  // namespace simreel::scene

@@ -1,0 +1,112 @@
+#include "sim/cloth_quantities.hpp"
+
+#include "base/error.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/vec3.hpp>
+
+namespace simreel::sim {
+
+namespace {
+
+/// One sort of spring (glsl/cloth/model.glsl): to the neighbours at `reach`, each pair once.
+struct SpringFamily {
+  glm::ivec2 reach;
+  double restLength;  ///< m
+  double stiffness;   ///< N/m; 0: stores no energy
+  bool structural;
+};
+
+struct Springs {
+  double energy = 0;   ///< J
+  double stretch = 0;  ///< largest |d| / L0 of a structural spring
+};
+
+double dot(const glm::dvec3& a, const glm::dvec3& b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+/// The larger one; NaN once there was one, which std::max and std::fmax would lose.
+double larger(double a, double b) {
+  return std::isnan(a) || a >= b ? a : b;
+}
+
+/// Springs as forces have the stiffnesses of the parameters. A constraint of compliance c stores
+/// C^2 / (2 c) (Macklin et al. 2016), so 1/c stands for its stiffness; one of compliance 0 is rigid and
+/// stores nothing.
+std::vector<SpringFamily> families(const ClothParameters& p) {
+  const auto inverse = [](float compliance) { return compliance > 0 ? 1.0 / compliance : 0.0; };
+  const bool constraints = p.solver == ClothSolver::constraints;
+  const double k = p.stiffness;
+  const double structural = constraints ? inverse(p.compliance) : k;
+  const double shear = constraints ? inverse(p.shearCompliance) : k * p.shear;
+  const double bend = constraints ? inverse(p.bendCompliance) : k * p.bend;
+  const double rest = p.spacing;
+  const double diagonal = rest * std::sqrt(2.0);
+  return {{{1, 0}, rest, structural, true}, {{0, 1}, rest, structural, true},
+          {{1, 1}, diagonal, shear, false}, {{-1, 1}, diagonal, shear, false},
+          {{2, 0}, 2 * rest, bend, false},  {{0, 2}, 2 * rest, bend, false}};
+}
+
+/// E = sum 1/2 k (|d| - L0)^2.
+void addFamily(const SpringFamily& family, glm::ivec2 size, std::span<const glm::vec4> positions,
+               Springs& sum) {
+  const auto width = static_cast<std::size_t>(size.x);
+  const auto at = [&](int x, int y) {
+    return positions[static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x)];
+  };
+  for (int y = 0; y + family.reach.y < size.y; ++y)
+    for (int x = std::max(0, -family.reach.x); x + std::max(0, family.reach.x) < size.x; ++x) {
+      const glm::dvec3 here(at(x, y));
+      const glm::dvec3 d = glm::dvec3(at(x + family.reach.x, y + family.reach.y)) - here;
+      const double length = std::sqrt(dot(d, d));
+      const double beyond = length - family.restLength;
+      sum.energy += 0.5 * family.stiffness * beyond * beyond;
+      if (family.structural) sum.stretch = larger(sum.stretch, length / family.restLength);
+    }
+}
+
+}  // namespace
+
+std::vector<Quantity> clothQuantities(const ClothParameters& parameters,
+                                      std::span<const glm::vec4> positions,
+                                      std::span<const glm::vec4> velocities, double time) {
+  SIMREEL_CHECK_EQ(positions.size(), velocities.size());
+  SIMREEL_CHECK_EQ(positions.size(), static_cast<std::size_t>(parameters.size.x) *
+                                         static_cast<std::size_t>(parameters.size.y));
+  const double mass = parameters.mass;
+  const glm::dvec3 gravity(parameters.gravity.at(time));
+  double kinetic = 0;
+  double potential = 0;
+  double fastestSquared = 0;
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    const glm::dvec3 v(velocities[i]);
+    const double squared = dot(v, v);
+    kinetic += 0.5 * mass * squared;                             // T = 1/2 m v^2
+    potential -= mass * dot(gravity, glm::dvec3(positions[i]));  // U = -m g.x
+    fastestSquared = larger(fastestSquared, squared);
+  }
+  Springs springs;
+  for (const SpringFamily& family : families(parameters))
+    addFamily(family, parameters.size, positions, springs);
+  const auto count = static_cast<double>(positions.size());
+  return {{"population", count, "", "Particles."},
+          {"mass", count * mass, "kg", "Of all particles, the pinned ones included."},
+          {"kineticEnergy", kinetic, "J", "Of all particles."},
+          {"potentialEnergy", potential, "J",
+           "In the field of gravity, against the plane through the origin across it."},
+          {"elasticEnergy", springs.energy, "J",
+           "Of all springs; of the constraints solver that of compliant constraints."},
+          {"energy", kinetic + potential + springs.energy, "J", "Kinetic, potential and elastic."},
+          {"stretch", springs.stretch, "", "Largest length of a structural spring as a ratio to rest."},
+          {"speed", std::sqrt(fastestSquared), "m/s", "Of the fastest particle."}};
+}
+
+std::vector<const char*> clothQuantityNames() {
+  return {"population",    "mass",   "kineticEnergy", "potentialEnergy",
+          "elasticEnergy", "energy", "stretch",       "speed"};
+}
+
+}  // namespace simreel::sim

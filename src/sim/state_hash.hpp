@@ -1,0 +1,28 @@
+#pragma once
+#include "gl/buffer.hpp"
+#include "gl/program.hpp"
+
+#include <cstddef>
+#include <string>
+
+#include <glm/vec4.hpp>
+
+namespace simreel::sim {
+
+/// 128-bit hashes of state arrays, made on the GPU: sums of integers, so no order of work groups changes
+/// them.
+class StateHash {
+ public:
+  StateHash();
+  /// Adds the array's hash to uvec4 number `place` of `sums`. `number` is the array's place among all that
+  /// are hashed, from 0: it tells arrays of equal content apart. Writes of earlier dispatches must be
+  /// visible (gl::barrier).
+  void add(const gl::Buffer& array, std::size_t number, const gl::Buffer& sums, std::size_t place) const;
+  /// 32 hexadecimal digits.
+  [[nodiscard]] static std::string text(const glm::uvec4& hash);
+
+ private:
+  gl::Program program_;
+};
+
+}  // namespace simreel::sim

@@ -1,0 +1,87 @@
+"""What the tests of `simreel test` and `simreel accept` share."""
+import json
+import shutil
+import struct
+import zlib
+
+from common import SCENE, SOURCE, Case, png_rows, with_values
+
+# 9x7 particles, three tested frames, quick.
+TESTED = with_values({"test": {"frames": [0, 3, 5], "size": [64, 36], "samples": 1}})
+
+
+def png(width, height, rows, depth=8, kind=2):
+    """A PNG file of raw rows (without filter bytes)."""
+    def chunk(name, body):
+        return struct.pack(">I", len(body)) + name + body + struct.pack(">I", zlib.crc32(name + body))
+    header = struct.pack(">IIBBBBB", width, height, depth, kind, 0, 0, 0)
+    palette = chunk(b"PLTE", bytes(range(6))) if kind == 3 else b""
+    return (b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) + palette +
+            chunk(b"IDAT", zlib.compress(b"".join(b"\0" + row for row in rows))) + chunk(b"IEND", b""))
+
+
+class GoldenCase(Case):
+    """A folder `scenes` with one scene, `a`, and its baselines."""
+
+    def setUp(self):
+        super().setUp()
+        self.write("scenes/a.json", TESTED)
+
+    def golden(self, *parts):
+        return self.folder.joinpath("scenes/golden", *parts)
+
+    def set_scene(self, values, name="a"):
+        self.write(f"scenes/{name}.json", with_values(values, TESTED))
+
+    def make_baselines(self, *arguments):
+        done = self.good("test", "scenes", "--update", *arguments)
+        return done
+
+    def run_suite(self, code, *arguments, **options):
+        """Runs `simreel test scenes`, expects the code, returns the report."""
+        done = self.run_program("test", "scenes", "--json", "report.json", *arguments, **options)
+        out = done.stdout.decode("utf-8", "replace") if done.stdout else ""
+        self.assertEqual(done.returncode, code, f"{arguments}: {done.err}\n{out}")
+        done.out = out
+        report = json.loads((self.folder / "report.json").read_text(encoding="utf-8"))
+        return report, done
+
+    def one(self, code, *arguments, **options):
+        """The same for the one scene; returns its part of the report."""
+        report, done = self.run_suite(code, *arguments, **options)
+        self.assertEqual(len(report["scenes"]), 1)
+        scene = report["scenes"][0]
+        scene["text"] = done.out
+        return scene
+
+    def edit_json(self, path, change):
+        content = json.loads(path.read_text(encoding="utf-8"))
+        change(content)
+        path.write_text(json.dumps(content), encoding="utf-8")
+
+    def pretend_other_numerics(self):
+        """As if another driver had made the pictures: tolerances count from here on."""
+        def change(baseline):
+            for frame in baseline["frames"].values():
+                frame["fingerprint"] = "0123456789abcdef"
+        self.edit_json(self.golden("a/any/baseline.json"), change)
+
+    def tree(self, folder):
+        """Bytes of every file below a folder, by path."""
+        root = self.folder / folder
+        return {str(p.relative_to(root)): p.read_bytes() for p in sorted(root.rglob("*")) if p.is_file()}
+
+    def mutated_glsl(self, name, old, new):
+        """A copy of the shaders with one place of one file changed, for $SIMREEL_GLSL."""
+        folder = self.folder / "glsl"
+        if not folder.exists():
+            shutil.copytree(SOURCE / "glsl", folder)
+        text = (SOURCE / "glsl" / name).read_text(encoding="utf-8")
+        self.assertEqual(text.count(old), 1, f"{old!r} stands once in glsl/{name}")
+        part = folder / (name + ".part")
+        part.write_text(text.replace(old, new), encoding="utf-8")
+        part.replace(folder / name)  # at once: the program may be reading it
+        return {"SIMREEL_GLSL": str(folder)}
+
+
+__all__ = ["GoldenCase", "SCENE", "TESTED", "png", "png_rows", "with_values"]

@@ -1,0 +1,56 @@
+"""The shipped scenes guard the shipped simulations: one constant of a simulation 1 % off, and `simreel test` fails
+for every scene that has one. Whoever adds a simulation adds its mutation here, or this fails."""
+import json
+import pathlib
+import re
+import shutil
+
+from common import SOURCE, main
+from golden_common import GoldenCase
+
+# kind of object: (file, text that stands there once, the text with one constant 1 % off)
+MUTATIONS = {
+    "cloth": ("cloth/model.glsl", "precise vec3 moved = vec3(here) + m.velocity * stepData.gravity.w;",
+              "precise vec3 moved = vec3(here) + m.velocity * (stepData.gravity.w * 1.01f);"),
+}
+SCENERY = {"sphere", "capsule", "plane"}  # nothing of theirs is simulated
+
+
+class Mutation(GoldenCase):
+    def scenes(self):
+        return sorted((SOURCE / "assets/scenes").glob("*.json"))
+
+    def has_kind(self, file, kind):
+        # A string is kept, a comment goes.
+        text = re.sub(r'("(?:\\.|[^"\\])*")|//[^\n]*', lambda m: m.group(1) or "", file.read_text(encoding="utf-8"))
+        return any(kind in thing for thing in json.loads(text)["objects"].values())
+
+    def test_every_simulation_has_a_mutation(self):
+        simulations = self.good("list").stdout.decode().split("\n\n")[0]
+        self.assertEqual(set(re.findall(r"^  (\w+)", simulations, re.M)), set(MUTATIONS) | SCENERY)
+
+    def test_one_percent_fails_every_scene(self):
+        seen = set()
+        scenes = pathlib.Path(self.folder / "shipped")
+        scenes.mkdir()
+        for file in self.scenes():
+            shutil.copy(file, scenes)
+        shutil.copytree(SOURCE / "assets/scenes/golden", scenes / "golden")
+        assets = {"SIMREEL_ASSETS": str(SOURCE / "assets")}
+        for kind, (name, old, new) in MUTATIONS.items():
+            env = {**self.mutated_glsl(name, old, new), **assets}
+            names = [f.stem for f in self.scenes() if self.has_kind(f, kind)]
+            self.assertTrue(names, f"no shipped scene has a {kind}")
+            filters = [word for scene in names for word in ("--filter", scene)]
+            done = self.run_program("test", "shipped", "--repeat", "1", "--json", "report.json", *filters, env=env)
+            self.assertEqual(done.returncode, 1, done.err)
+            report = json.loads((self.folder / "report.json").read_text(encoding="utf-8"))
+            for scene in report["scenes"]:
+                self.assertEqual(scene["status"], "fail", f"{scene['name']} does not notice {new}")
+                self.assertIsNotNone(scene["divergence"], scene["messages"])
+            seen.update(names)
+        self.assertEqual(seen, {f.stem for f in self.scenes()})
+
+
+if __name__ == "__main__":
+    main()
