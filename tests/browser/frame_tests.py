@@ -22,7 +22,11 @@ class FrameTest(ReportTest):
         b = self.open("#scene=cloth%2Flong&frame=2&view=side")
         self.assertEqual(len(b.all(".tile")), 90)
         self.assertTrue(b.until("document.querySelectorAll('.tile img').length > 5"))
-        self.assertLess(len(b.all("img")), 36)
+        for left in range(0, 7000, 700):
+            b.run("byId('strip').scrollLeft = arguments[0]", left)
+            index = left // 89 + 2
+            self.assertTrue(b.until(f"document.querySelector('.tile[data-index=\"{index}\"] img') !== null"))
+        self.assertTrue(b.until("document.querySelectorAll('img').length < 36"))
         b.keys("G")
         self.assertTrue(b.until("document.querySelector('.tile[data-index=\"89\"] img') !== null"))
         self.assertTrue(b.until("document.querySelectorAll('img').length < 36"))
@@ -68,6 +72,7 @@ class FrameTest(ReportTest):
     def test_frames_that_cannot_be_compared_are_gaps(self):
         self.open("#scene=particles%2Fnew&view=side")
         self.assertEqual(len(self.browser.all("#curve .dot.gap")), 3)
+        self.assertIn("not measured", self.browser.one("#curve").get_attribute("aria-label"))
 
 
 class WordsTest(ReportTest):
@@ -79,13 +84,14 @@ class WordsTest(ReportTest):
         self.assertEqual(b.text("#badge"), "✕ failed")
         messages = b.texts("#messages li")
         self.assertEqual(messages[1], "frame 60: energy of flag is 3.1, above 3")
-        self.assertEqual(messages[-1], "6 more")
+        self.assertEqual((len(messages), b.text("#messages .more")), (3, "6 more"))
         b.click("#messages button")
         self.assertEqual(len(b.all("#messages li")), 9)
         self.assertIn("leaves the baseline at frame 37, step 4 of 22: flag.positions, elements 128–191",
                       self.card("divergence"))
         row = lambda i: b.texts(f".checks tbody tr:nth-child({i + 1}) > *")
-        self.assertEqual(row(0), ["energy of flag", "60", "3.1", "0 to 3", "✕ frame 60: energy of flag is 3.1, above 3"])
+        self.assertEqual(row(0)[:4], ["energy of flag", "60", "3.1", "0 to 3"])
+        self.assertEqual(row(0)[4], "✕ frame 60: energy of flag is 3.1, above 3")
         self.assertEqual(row(2), ["max of flag positions.y", "240", "2.75", "≤ 3.2", "✓ holds"])
         b.click(".checks .link")
         self.assertEqual(self.chosen()[1], 60)

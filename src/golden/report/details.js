@@ -149,14 +149,16 @@ function showDetails(scene) {
 
 /// The first few, and a button for the others.
 function showMessages(messages) {
-  const most = 4;
+  const most = 3;
   const box = byId("messages");
-  const more = messages.length > most ? messages.length - most + 1 : 0;
-  box.replaceChildren(...messages.slice(0, messages.length - more));
-  if (more === 0) return;
-  const button = element("button", {class: "link"}, more + " more");
-  button.addEventListener("click", () => box.replaceChildren(...messages));
-  box.append(element("li", {class: "more"}, button));
+  box.replaceChildren(...messages.slice(0, most));
+  if (messages.length <= most) return;
+  const button = element("button", {class: "link more"}, messages.length - most + " more");
+  button.addEventListener("click", () => {
+    button.remove();
+    box.replaceChildren(...messages);
+  });
+  box.lastChild.append(button);
 }
 
 function showAccept(scene) {

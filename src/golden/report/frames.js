@@ -69,7 +69,8 @@ function curveScales(scene, chosen, width) {
   const toX = (frame) => curveArea.left + share(frame) * inner;
   const bottom = curveArea.height - curveArea.bottom;
   const toY = (value) => bottom - value / top * (bottom - curveArea.top);
-  return {values, bound: showBound ? bound : null, most, top, first, last, toX, toY, bottom};
+  const measured = values.some((value) => value !== null);
+  return {values, measured, bound: showBound ? bound : null, most, top, first, last, toX, toY, bottom};
 }
 
 function curveLine(x1, y1, x2, y2, name) {
@@ -125,12 +126,13 @@ function showCurve() {
   const scales = curveScales(scene, chosen, width);
   curve.toX = scales.toX;
   svg.setAttribute("viewBox", `0 0 ${width} ${curveArea.height}`);
-  svg.setAttribute("aria-label", `${chosen.label} by frame, at most ${chosen.text(scales.most)}`);
+  const most = scales.measured ? "at most " + chosen.text(scales.most) : "not measured";
+  svg.setAttribute("aria-label", `${chosen.label} by frame, ${most}`);
   const right = width - curveArea.right, left = curveArea.left;
   const below = curveArea.height - 4;
   svg.append(curveLine(left, scales.bottom, right, scales.bottom, "axis"),
              curveLine(left, curveArea.top, left, scales.bottom, "axis"),
-             curveText(left - 6, curveArea.top + 4, "end", chosen.text(scales.top)),
+             curveText(left - 6, curveArea.top + 4, "end", scales.measured ? chosen.text(scales.top) : ""),
              curveText(left - 6, scales.bottom + 3, "end", "0"),
              curveText(scales.toX(scales.first), below, "middle", String(scales.first)));
   if (scales.last !== scales.first) svg.append(curveText(right, below, "middle", String(scales.last)));

@@ -72,6 +72,7 @@ function percent(ratio) {
   return format(ratio * 100, 3) + " %";
 }
 function seconds(value) {
+  if (value === null) return "–";
   if (value < 60) return value.toFixed(value < 10 ? 2 : 1) + " s";
   return Math.floor(value / 60) + " min " + Math.round(value % 60) + " s";
 }

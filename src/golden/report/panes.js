@@ -128,7 +128,7 @@ function sizePanes() {
   const box = byId("panes");
   const columns = getComputedStyle(box).gridTemplateColumns.split(" ").length;
   const width = box.clientWidth / Math.max(1, columns);
-  const most = window.innerHeight * (columns > 1 || viewer.panes.length === 1 ? 0.5 : 0.42);
+  const most = window.innerHeight * (columns > 1 || viewer.panes.length === 1 ? 0.45 : 0.42);
   const shape = viewer.size.height / viewer.size.width;
   const height = viewer.panes.length === 0 ? 84 : clamp(width * shape, 150, Math.max(150, most));
   box.style.setProperty("--pane", Math.round(height) + "px");
