@@ -3,18 +3,23 @@
 // are shared and the order of a body's sum is the same on every device. Without shared memory, barriers or a
 // stack: the next node follows from the number of the last. A tree is walked in at most 8191 visits and
 // 32768 bodies, whatever the positions are.
+//
+// An invocation carries two REALs of bodies, eight or two in all: what is loaded and tested serves them all.
 #ifdef TEXEL_PATH
-#define LANES 4  // bodies an invocation carries: loads cost more than arithmetic there
+#define LANES 4
 #define REAL vec4
+#define LANE(v, k) v[k]
+layout(local_size_x = 32) in;
 #else
-#define LANES 2
-#define REAL vec2
+#define LANES 1
+#define REAL float
+#define LANE(v, k) v
+layout(local_size_x = 128) in;
 #endif
 #include "common/exact.glsl"
 #include "common/memory.glsl"
 #include "common/words.glsl"
 #include "tree/types.glsl"
-layout(local_size_x = 128) in;
 INPUT_ARRAY(0, BodyBlock, bodies)
 INPUT_ARRAY(1, BoxBlock, boxes)
 INPUT_ARRAY(2, CellBlock, cells)
@@ -33,73 +38,85 @@ vec4 loadBody(int i) {
 }
 #include "tree/model.glsl"
 
-Pull walkTree(int root, vec3 middle, vec3 halfSize, REAL x, REAL y, REAL z, Pull pull) {
-  Pull sum = pull;
-  int node = 1;
-  do {
-    int at = root * rootNodes + node;
-    vec4 cell = LOAD_INPUT(cells, at);
-    if (isFar(cell, middle, halfSize)) {
-      sum = plusNode(sum, x, y, z, cell.xyz, LOAD_INPUT(moments, 2 * at), LOAD_INPUT(moments, 2 * at + 1),
-                     softening2);
-      node = nodeAfter(node);
-    } else if (node >= rootLeaves) {
-      int first = root * rootBodies + (node - rootLeaves) * leafBodies;
-      for (int i = 0; i < leafBodies; ++i) sum = plusBody(sum, x, y, z, loadBody(first + i), softening2);
-      node = nodeAfter(node);
-    } else {
-      node = 2 * node;
-    }
-  } while (node != 1);
-  return sum;
+// As many bodies as a REAL has components, and the sums over what pulled them so far.
+struct Bodies {
+  REAL x;
+  REAL y;
+  REAL z;
+  Pull sum;
+};
+
+Bodies fetch(int first) {
+  Bodies result;
+  for (int k = 0; k < LANES; ++k) {
+    vec4 body = loadBody(first + k);
+    LANE(result.x, k) = body.x;
+    LANE(result.y, k) = body.y;
+    LANE(result.z, k) = body.z;
+    vec4 before = vec4(0.0f);
+    if (firstRoot > 0 && first + k < count)
+      before = LOAD_STATE(accelerations, int(LOAD_INPUT_WORDS(records, first + k).z));
+    LANE(result.sum.x, k) = before.x;
+    LANE(result.sum.y, k) = before.y;
+    LANE(result.sum.z, k) = before.z;
+  }
+  return result;
 }
 
-void store(int i, int index, bool takes, vec3 sum) {
-  if (i >= count) return;
-  precise vec3 scaled = sum * gravity;
-  vec3 result = finish ? flushed(scaled) : sum;
-  STORE_STATE(accelerations, index, vec4(takes ? result : vec3(0.0f), 0.0f));
+void store(int first, Pull sum) {
+  for (int k = 0; k < LANES; ++k) {
+    if (first + k >= count) return;
+    vec3 total = vec3(LANE(sum.x, k), LANE(sum.y, k), LANE(sum.z, k));
+    precise vec3 scaled = total * gravity;
+    vec3 result = finish ? flushed(scaled) : total;
+    bool takes = loadBody(first + k).w > 0.0f;
+    int index = int(LOAD_INPUT_WORDS(records, first + k).z);
+    STORE_STATE(accelerations, index, vec4(takes ? result : vec3(0.0f), 0.0f));
+  }
 }
 
 void main() {
-  int first = int(gl_GlobalInvocationID.x) * LANES;
+  int first = int(gl_GlobalInvocationID.x) * 2 * LANES;
   if (first >= count) return;
-  REAL x, y, z;
-  bool takes[LANES];
-  int index[LANES];
-  Pull sum;
-  sum.x = REAL(0.0f);
-  sum.y = REAL(0.0f);
-  sum.z = REAL(0.0f);
-  for (int k = 0; k < LANES; ++k) {
-    vec4 body = loadBody(first + k);
-    x[k] = body.x;
-    y[k] = body.y;
-    z[k] = body.z;
-    takes[k] = body.w > 0.0f;
-    index[k] = first + k < count ? int(LOAD_INPUT_WORDS(records, first + k).z) : 0;
-    if (firstRoot > 0 && first + k < count) {
-      vec4 before = LOAD_STATE(accelerations, index[k]);
-      sum.x[k] = before.x;
-      sum.y[k] = before.y;
-      sum.z[k] = before.z;
-    }
-  }
+  Bodies a = fetch(first);
+  Bodies b = fetch(first + LANES);
   int group = first / groupBodies;
-  const int perRoot = rootBodies / groupBodies;
-  int box = group / perRoot * rootNodes + perRoot + group % perRoot;
+  const int groupsOfRoot = rootBodies / groupBodies;
+  int box = group / groupsOfRoot * rootNodes + groupsOfRoot + group % groupsOfRoot;
   vec3 low = LOAD_INPUT(boxes, 2 * box).xyz;
   vec3 high = LOAD_INPUT(boxes, 2 * box + 1).xyz;
-  if (low.x <= high.x) {
-    precise vec3 middle = high - low;
-    middle = middle * 0.5f;
-    middle = middle + low;
-    precise vec3 above = high - middle;
-    precise vec3 below = middle - low;
-    vec3 halfSize = max(above, below);
-    for (int root = firstRoot; root < lastRoot; ++root)
-      sum = walkTree(root, middle, halfSize, x, y, z, sum);
+  precise vec3 middle = high - low;
+  middle = middle * 0.5f;
+  middle = middle + low;
+  precise vec3 above = high - middle;
+  precise vec3 below = middle - low;
+  vec3 halfSize = max(above, below);
+  // The trees one after the other; a group without bodies walks none.
+  int last = low.x <= high.x ? lastRoot : firstRoot;
+  for (int root = firstRoot; root < last; ++root) {
+    int node = 1;
+    do {
+      int at = root * rootNodes + node;
+      vec4 cell = LOAD_INPUT(cells, at);
+      if (isFar(cell, middle, halfSize)) {
+        vec4 moments0 = LOAD_INPUT(moments, 2 * at);
+        vec4 moments1 = LOAD_INPUT(moments, 2 * at + 1);
+        a.sum = plusNode(a.sum, a.x, a.y, a.z, cell.xyz, moments0, moments1, softening2);
+        b.sum = plusNode(b.sum, b.x, b.y, b.z, cell.xyz, moments0, moments1, softening2);
+        node = nodeAfter(node);
+      } else if (node >= rootLeaves) {
+        int body = root * rootBodies + (node - rootLeaves) * leafBodies;
+        for (int end = body + leafBodies; body < end; ++body) {
+          vec4 other = loadBody(body);
+          a.sum = plusBody(a.sum, a.x, a.y, a.z, other, softening2);
+          b.sum = plusBody(b.sum, b.x, b.y, b.z, other, softening2);
+        }
+        node = nodeAfter(node);
+      } else {
+        node = 2 * node;
+      }
+    } while (node != 1);
   }
-  for (int k = 0; k < LANES; ++k)
-    store(first + k, index[k], takes[k], vec3(sum.x[k], sum.y[k], sum.z[k]));
+  store(first, a.sum);
+  store(first + LANES, b.sum);
 }

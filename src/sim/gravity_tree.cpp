@@ -167,7 +167,7 @@ void GravityTree::walk(const gl::Vec4Array& accelerations, int count, float grav
     walk_.set("lastRoot", root + step);
     walk_.set("finish", root + step == roots ? 1 : 0);
     gl::barrier();
-    walk_.dispatch(ceilDivide(count, texels ? 4 : 2));
+    walk_.dispatch(ceilDivide(count, texels ? 8 : 2));
   }
   gl::barrier();
 }

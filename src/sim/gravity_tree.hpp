@@ -20,7 +20,7 @@ namespace simreel::sim {
 /// they pull nothing and their acceleration is zero. The masses' sum has to stay below 1e30 kg.
 class GravityTree {
  public:
-  /// For up to `capacity` bodies; about 440 bytes each. `fast` allows built-in arithmetic. Throws
+  /// For up to `capacity` bodies; about 75 bytes each. `fast` allows built-in arithmetic. Throws
   /// UserError(device) naming the device's limit.
   GravityTree(const std::string& name, int capacity, bool fast);
 
