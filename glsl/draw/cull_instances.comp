@@ -10,7 +10,7 @@ layout(local_size_x = 64) in;
 layout(std430, binding = 0) writeonly restrict buffer MaskBlock { uint masks[]; };
 uniform int capacity;
 uniform int words;
-uniform float levelError;  // pixels by which the silhouette of a coarse sphere may miss the true one
+uniform float levelError;  // pixels by which the outline of a coarse shape may miss the true one
 
 #ifdef FOR_LIGHT
 bool isSeen(vec3 p, float radius) {
@@ -54,7 +54,12 @@ void main() {
     radius = max(radius, leastRadius(position.xyz));
 #endif
     if (!(isShown(position, velocity) && radius > 0.0 && isSeen(position.xyz, radius))) continue;
-#if LEVELS > 1
+#if LEVELS == 2
+    // A square of a disk's area misses the disk by 1/8 of the radius.
+    bool fine = pixelRadius(position.xyz, radius) * 0.125 > levelError;
+    found[0] |= fine ? 0u : 1u << i;
+    found[1] |= fine ? 1u << i : 0u;
+#elif LEVELS > 1
     // An icosphere's edges span 63.4 degrees / 2^level; their middles lie 1 - cos(half) inside.
     float missed = pixelRadius(position.xyz, radius);
     int wanted = int(missed * 0.149 > levelError) + int(missed * 0.0489 > levelError) +

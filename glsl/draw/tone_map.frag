@@ -1,4 +1,4 @@
-// Averages the samples, lays them over the sky, then lens and film. SAMPLES: 1 or more.
+// Averages the samples, lays them over the sky, then lens and film. SAMPLES: 1 or more. BLOOM: adds scattered light.
 #include "draw/frame_block.glsl"
 #include "draw/sky.glsl"
 #include "draw/film.glsl"
@@ -7,6 +7,10 @@ layout(binding = 0) uniform sampler2DMS scene;
 #else
 layout(binding = 0) uniform sampler2D scene;
 #endif
+#ifdef BLOOM
+layout(binding = 1) uniform sampler2D scattered;  // half the size
+uniform float bloomStrength;
+#endif
 in vec3 ray;
 layout(location = 0) out vec4 pixel;
 
@@ -14,9 +18,10 @@ vec4 resolved(ivec2 at) {
 #if SAMPLES > 1
   vec4 sum = texelFetch(scene, at, 0);
   for (int i = 1; i < SAMPLES; ++i) sum += texelFetch(scene, at, i);
-  return sum / float(SAMPLES);
+  sum /= float(SAMPLES);
+  return min(sum, 6e4);  // glows may add up beyond what half floats hold
 #else
-  return texelFetch(scene, at, 0);
+  return min(texelFetch(scene, at, 0), 6e4);
 #endif
 }
 
@@ -30,6 +35,11 @@ void main() {
   glow *= glow;
   vec3 light = drawn.rgb + (1.0 - drawn.a) * (skyRadiance(direction.y) +
                                              frame.sunLight.rgb * (frame.sunDirection.w * glow * glow));
+#ifdef BLOOM
+  // Level 0 has (size + 1) / 2 texels, each over two pixels.
+  vec2 place = vec2(gl_FragCoord.x, frame.lens.w - gl_FragCoord.y) * 0.5 / vec2(textureSize(scattered, 0));
+  light += bloomStrength * texture(scattered, place).rgb;
+#endif
   vec2 aside = gl_FragCoord.xy / frame.lens.zw * 2.0 - 1.0;
   light *= frame.lens.x * (1.0 - frame.lens.y * 0.5 * dot(aside, aside));
   pixel = vec4(encoded(filmed(light)) + dither(at), 1.0);

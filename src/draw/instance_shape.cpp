@@ -106,9 +106,9 @@ struct InstanceShape::Builder {
   }
 };
 
-InstanceShape InstanceShape::square() {
+InstanceShape InstanceShape::square(int levels) {
   Builder builder;
-  builder.levels = {{0, 1, 2, 2, 1, 3}};
+  builder.levels.assign(static_cast<std::size_t>(levels), {0, 1, 2, 2, 1, 3});
   return builder.build(4);
 }
 

@@ -19,8 +19,9 @@ class InstanceShape {
     int batch = 1;
   };
 
-  /// Corners of a square, numbered 0 to 3; no vertex data. Diameter 1.
-  static InstanceShape square();
+  /// Corners of a square, numbered 0 to 3; no vertex data. Diameter 1. All levels are the same: what
+  /// differs are their shaders.
+  static InstanceShape square(int levels);
   /// Icospheres of diameter 1: level n has 20 * 4^n triangles.
   static InstanceShape sphere();
   /// Triangles with unit normals per vertex.

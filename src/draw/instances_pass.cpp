@@ -14,12 +14,19 @@ namespace simreel::draw {
 
 namespace {
 
-constexpr const char* featureNames[] = {"SPRITE", "ADDITIVE", "TRANSLUCENT", "REFLECTIVE", "DEPTH_ONLY"};
-enum Feature : unsigned { sprite = 1, additive = 2, translucent = 4, reflective = 8, depthOnly = 16 };
-
 /// Smaller glows shimmer as they move over the pixels; smaller balls fall between samples.
 constexpr float leastGlow = 1.25F;  // pixels of radius
 constexpr float leastBall = 0.5F;
+
+bool isSprite(const sim::Instances& instances) {
+  return instances.shape == sim::Instances::Shape::sprite;
+}
+
+template <class Make>
+const InstanceShape& made(std::unique_ptr<InstanceShape>& shape, Make make) {
+  if (!shape) shape = std::make_unique<InstanceShape>(make());
+  return *shape;
+}
 
 std::vector<glm::vec2> offsetsOf(const gl::Framebuffer& target, int samples) {
   std::vector<glm::vec2> offsets;
@@ -44,11 +51,10 @@ InstancesPass::InstancesPass(const ShadowPass& shadow, const gl::Framebuffer& ta
 const InstanceShape& InstancesPass::shape(const sim::Instances& instances) {
   switch (instances.shape) {
     case sim::Instances::Shape::sprite:
-      if (!square_) square_ = std::make_unique<InstanceShape>(InstanceShape::square());
-      return *square_;
+      return instances.additive ? made(glow_, [] { return InstanceShape::square(1); })
+                                : made(ball_, [] { return InstanceShape::square(2); });
     case sim::Instances::Shape::sphere:
-      if (!sphere_) sphere_ = std::make_unique<InstanceShape>(InstanceShape::sphere());
-      return *sphere_;
+      return made(sphere_, InstanceShape::sphere);
     case sim::Instances::Shape::mesh:
       break;
   }
@@ -63,25 +69,38 @@ const CullPrograms& InstancesPass::cullPrograms(bool forLight, int levels) {
   return cullPrograms_.try_emplace(levels * 2 + (forLight ? 1 : 0), forLight, levels).first->second;
 }
 
-unsigned InstancesPass::features(const sim::Instances& instances) const {
-  const unsigned form = instances.shape == sim::Instances::Shape::sprite ? sprite : 0U;
-  if (instances.additive) return form | additive;
-  const scene::Material& material = *instances.material;
-  return form | (material.translucency > 0 ? translucent : 0U) | (isReflective(material) ? reflective : 0U);
+const gl::Program& InstancesPass::cached(const char* vertexPath, const char* fragmentPath,
+                                         gl::Defines defines) {
+  std::string key = std::string(vertexPath) + " " + fragmentPath;
+  for (const auto& [name, value] : defines) key += " " + name;
+  const auto found = programs_.find(key);
+  if (found != programs_.end()) return found->second;
+  return programs_.emplace(key, gl::Program::graphics(vertexPath, fragmentPath, defines)).first->second;
 }
 
-const gl::Program& InstancesPass::program(unsigned wanted) {
-  const auto found = programs_.find(wanted);
-  if (found != programs_.end()) return found->second;
-  gl::Defines defines = {{"SAMPLES", std::to_string(samples_)}};
-  // Neither light nor the depth of the light's map is shaded.
-  if ((wanted & (additive | depthOnly)) == 0)
-    defines.insert(defines.end(), shadowDefines_.begin(), shadowDefines_.end());
-  for (unsigned i = 0; i < std::size(featureNames); ++i)
-    if ((wanted >> i & 1U) != 0) defines.emplace_back(featureNames[i], "1");
-  return programs_
-      .emplace(wanted, gl::Program::graphics("draw/instances.vert", "draw/instances.frag", defines))
-      .first->second;
+const gl::Program& InstancesPass::program(const sim::Instances& instances, std::size_t level) {
+  if (instances.additive)
+    return isSprite(instances) ? cached("draw/glow.vert", "draw/glow.frag", {})
+                               : cached("draw/copy.vert", "draw/copy.frag", {{"ADDITIVE", "1"}});
+  gl::Defines defines = shadowDefines_;
+  defines.emplace_back("SAMPLES", std::to_string(samples_));
+  if (isReflective(*instances.material)) defines.emplace_back("REFLECTIVE", "1");
+  if (instances.material->translucency > 0) defines.emplace_back("TRANSLUCENT", "1");
+  if (!isSprite(instances)) {
+    // A mesh may be open.
+    if (instances.shape == sim::Instances::Shape::mesh) defines.emplace_back("DOUBLE_SIDED", "1");
+    return cached("draw/copy.vert", "draw/copy.frag", defines);
+  }
+  if (level > 0) return cached("draw/ball.vert", "draw/ball.frag", defines);
+  defines.emplace_back("SMALL", "1");
+  return cached("draw/ball.vert", "draw/small_ball.frag", defines);
+}
+
+const gl::Program& InstancesPass::shadowProgram(const sim::Instances& instances, std::size_t level) {
+  constexpr const char* vertices = "draw/instance_shadow.vert";
+  if (!isSprite(instances)) return cached(vertices, "draw/shadow.frag", {});
+  if (level > 0) return cached(vertices, "draw/disk_shadow.frag", {{"SPRITE", "1"}});
+  return cached(vertices, "draw/shadow.frag", {{"SPRITE", "1"}, {"SMALL", "1"}});
 }
 
 InstancesPass::Entry& InstancesPass::entry(const sim::Instances& instances, std::size_t i) {
@@ -109,11 +128,12 @@ InstancesPass::Entry& InstancesPass::entry(const sim::Instances& instances, std:
 
 void InstancesPass::setInstance(const gl::Program& program, const sim::Instances& instances,
                                 bool forLight) {
-  const bool isSprite = instances.shape == sim::Instances::Shape::sprite;
   program.set("size", instances.size);
   program.set("shapeRadius", shape(instances).radius());
   program.set("massScale", glm::vec2(instances.massExponent, 1.0F / instances.massReference));
-  program.set("leastPixels", !isSprite || forLight ? 0.0F : instances.additive ? leastGlow : leastBall);
+  program.set("leastPixels", !isSprite(instances) || forLight ? 0.0F
+                             : instances.additive             ? leastGlow
+                                                              : leastBall);
   instances.positions->bind(positionUnit);
   instances.velocities->bind(velocityUnit);
 }
@@ -123,8 +143,9 @@ void InstancesPass::fill(const sim::Instances& instances, std::size_t i, bool fo
   const InstanceShape& form = shape(instances);
   const CullPrograms& programs = cullPrograms(forLight, static_cast<int>(form.levels().size()));
   setInstance(programs.cull, instances, forLight);
-  // Coarser on the CPU, where triangles cost most.
-  programs.cull.set("levelError", gl::softwareDriver() ? 0.5F : 0.2F);
+  // Coarser on the CPU, where triangles cost most, and for shadows, which are filtered.
+  const bool coarse = forLight || (gl::softwareDriver() && !isSprite(instances));
+  programs.cull.set("levelError", coarse ? 0.5F : 0.2F);
   (forLight ? own.forLight : own.forCamera)->fill(programs, form);
 }
 
@@ -160,63 +181,70 @@ void InstancesPass::growBounds(const sim::Drawables& drawables) {
   }
 }
 
-void InstancesPass::drawLevels(const gl::Program& program, const sim::Instances& instances,
-                               const VisibleList& list) {
+void InstancesPass::drawLevel(const gl::Program& program, const sim::Instances& instances,
+                              const VisibleList& list, std::size_t level) {
   const InstanceShape& form = shape(instances);
   program.set("vertexBits", form.vertexBits());
   program.set("alongVelocity", static_cast<int>(instances.alongVelocity));
-  instances.positions->bind(positionUnit);
+  program.set("level", static_cast<int>(level));
+  program.set("batch", form.levels()[level].batch);
   if (form.vertices()) form.vertices().bind(shapeUnit);
   list.bind();
   vertices_.bind(form.indices());
   program.use();
-  for (std::size_t level = 0; level < form.levels().size(); ++level) {
-    program.set("level", static_cast<int>(level));
-    program.set("batch", form.levels()[level].batch);
-    glDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_INT,
-                           reinterpret_cast<const void*>(level * VisibleList::argumentBytes));
-  }
+  glDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_INT,
+                         reinterpret_cast<const void*>(level * VisibleList::argumentBytes));
 }
 
 void InstancesPass::castShadows(const sim::Drawables& drawables) {
   for (std::size_t i = 0; i < drawables.instances.size(); ++i) {
     const sim::Instances& instances = drawables.instances[i];
     if (instances.additive) continue;
-    const gl::Program& shader = program((features(instances) & sprite) | depthOnly);
-    setInstance(shader, instances, true);
-    drawLevels(shader, instances, *entries_[i].forLight);
+    DrawState{.depthTest = true,
+              .cullBack = instances.shape == sim::Instances::Shape::sphere,
+              .depthOffset = true}
+        .set();
+    for (std::size_t level = 0; level < shape(instances).levels().size(); ++level) {
+      const gl::Program& shader = shadowProgram(instances, level);
+      setInstance(shader, instances, true);
+      drawLevel(shader, instances, *entries_[i].forLight, level);
+    }
   }
+}
+
+void InstancesPass::setLook(const gl::Program& program, const sim::Instances& instances,
+                            const Entry& own) const {
+  const scene::Material& material = *instances.material;
+  const glm::vec2 range = instances.colorRange;
+  const float scale = 1.0F / (range.y > range.x ? range.y - range.x : 1e-20F);
+  program.set("colorBy", static_cast<int>(instances.colorBy));
+  program.set("colorScale", glm::vec2(scale, -range.x * scale));
+  program.set("stopCount", static_cast<int>(own.stops.size()));
+  program.set("color", material.color);
+  program.set("glow", glm::vec2(instances.brightness, instances.fade));
+  program.set("roughness", material.roughness);
+  program.set("metallic", material.metallic);
+  program.set("translucency", material.translucency);
+  for (std::size_t s = 0; s < sampleOffsets_.size(); ++s)
+    program.set(("sampleOffsets[" + std::to_string(s) + "]").c_str(), sampleOffsets_[s]);
+  own.stopView.bind(stopUnit);
 }
 
 void InstancesPass::draw(const sim::Drawables& drawables, bool adding) {
   for (std::size_t i = 0; i < drawables.instances.size(); ++i) {
     const sim::Instances& instances = drawables.instances[i];
     if (instances.additive != adding) continue;
-    const Entry& own = entries_[i];
-    const unsigned wanted = features(instances);
-    const gl::Program& shader = program(wanted);
-    const scene::Material& material = *instances.material;
-    // Sprites face the eye, but a mesh may be open.
     DrawState{.depthTest = true,
               .cullBack = instances.shape == sim::Instances::Shape::sphere,
               .depthOffset = false,
               .adding = adding}
         .set();
-    setInstance(shader, instances, false);
-    const glm::vec2 range = instances.colorRange;
-    const float scale = 1.0F / (range.y > range.x ? range.y - range.x : 1e-20F);
-    shader.set("colorBy", static_cast<int>(instances.colorBy));
-    shader.set("colorScale", glm::vec2(scale, -range.x * scale));
-    shader.set("stopCount", static_cast<int>(own.stops.size()));
-    shader.set("color", material.color);
-    shader.set("glow", glm::vec2(instances.brightness, instances.fade));
-    shader.set("roughness", material.roughness);
-    shader.set("metallic", material.metallic);
-    shader.set("translucency", material.translucency);
-    for (std::size_t s = 0; s < sampleOffsets_.size(); ++s)
-      shader.set(("sampleOffsets[" + std::to_string(s) + "]").c_str(), sampleOffsets_[s]);
-    own.stopView.bind(stopUnit);
-    drawLevels(shader, instances, *own.forCamera);
+    for (std::size_t level = 0; level < shape(instances).levels().size(); ++level) {
+      const gl::Program& shader = program(instances, level);
+      setInstance(shader, instances, false);
+      setLook(shader, instances, entries_[i]);
+      drawLevel(shader, instances, *entries_[i].forCamera, level);
+    }
   }
 }
 

@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace simreel::draw {
@@ -46,23 +47,27 @@ class InstancesPass {
   Entry& entry(const sim::Instances& instances, std::size_t i);
   const InstanceShape& shape(const sim::Instances& instances);
   const CullPrograms& cullPrograms(bool forLight, int levels);
-  const gl::Program& program(unsigned features);
-  /// Everything instance.glsl reads.
-  void setInstance(const gl::Program& program, const sim::Instances& instances, bool forLight);
+  /// Of one level of detail.
+  const gl::Program& program(const sim::Instances& instances, std::size_t level);
+  const gl::Program& shadowProgram(const sim::Instances& instances, std::size_t level);
+  const gl::Program& cached(const char* vertexPath, const char* fragmentPath, gl::Defines defines);
   void fill(const sim::Instances& instances, std::size_t i, bool forLight);
+  /// What glsl/draw/instance.glsl reads.
+  void setInstance(const gl::Program& program, const sim::Instances& instances, bool forLight);
+  void setLook(const gl::Program& program, const sim::Instances& instances, const Entry& entry) const;
   void draw(const sim::Drawables& drawables, bool additive);
-  void drawLevels(const gl::Program& program, const sim::Instances& instances, const VisibleList& list);
-  [[nodiscard]] unsigned features(const sim::Instances& instances) const;
+  void drawLevel(const gl::Program& program, const sim::Instances& instances, const VisibleList& list,
+                 std::size_t level);
 
   gl::Defines shadowDefines_;
   bool shadowed_;
   int samples_;
   std::vector<glm::vec2> sampleOffsets_;
   std::vector<Entry> entries_;
+  std::unique_ptr<InstanceShape> ball_, glow_, sphere_;
   std::map<std::filesystem::path, InstanceShape> meshes_;
-  std::unique_ptr<InstanceShape> square_, sphere_;
   std::map<int, CullPrograms> cullPrograms_;
-  std::map<unsigned, gl::Program> programs_;
+  std::map<std::string, gl::Program> programs_;
   gl::Program bounds_, boxBounds_;
   VertexArray vertices_;
 };

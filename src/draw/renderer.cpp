@@ -1,5 +1,6 @@
 #include "draw/renderer.hpp"
 
+#include "draw/bloom_pass.hpp"
 #include "draw/frame_values.hpp"
 #include "draw/ground_pass.hpp"
 #include "draw/instances_pass.hpp"
@@ -21,7 +22,8 @@ struct Renderer::State {
         surfaces(shown, shadow),
         instances(shadow, targets.scene, samples),
         ground(shown, shadow),
-        toneMap(samples),
+        bloom(shown.render.bloom, pixels, samples),
+        toneMap(samples, bloom.on()),
         frame("frame values", sizeof(shader::Frame)) {}
 
   const scene::Scene& scene;
@@ -31,6 +33,7 @@ struct Renderer::State {
   SurfacePass surfaces;
   InstancesPass instances;
   GroundPass ground;
+  BloomPass bloom;
   ToneMapPass toneMap;
   gl::Buffer frame;
 };
@@ -61,7 +64,8 @@ void Renderer::draw(double seconds, const sim::Drawables& drawables) {
   s.instances.drawOpaque(drawables);
   s.ground.draw();
   s.instances.drawAdditive(drawables);
-  s.toneMap.draw(s.targets);
+  const gl::Texture* glow = s.bloom.on() ? &s.bloom.draw(s.targets) : nullptr;
+  s.toneMap.draw(s.targets, glow, s.scene.render.bloom.strength.at(seconds));
 }
 
 const gl::Framebuffer& Renderer::target() const {

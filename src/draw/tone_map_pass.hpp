@@ -9,8 +9,9 @@ namespace simreel::draw {
 /// sRGB.
 class ToneMapPass {
  public:
-  explicit ToneMapPass(int samples);
-  void draw(const Targets& targets) const;
+  ToneMapPass(int samples, bool bloom);
+  /// `glow` times `strength` is added to the light; null without bloom.
+  void draw(const Targets& targets, const gl::Texture* glow, float strength) const;
 
  private:
   gl::Program program_;

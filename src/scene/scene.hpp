@@ -29,11 +29,20 @@ struct Material {
   void describe(Fields& fields);
 };
 
+/// Light scattered around what is bright.
+struct Bloom {
+  Animated<float> strength = 0.0F;  ///< share of the light above the threshold; 0: off
+  float threshold = 1.0F;           ///< linear light
+  float radius = 0.1F;              ///< share of the picture's height
+  void describe(Fields& fields);
+};
+
 struct Render {
   glm::ivec2 size{1280, 720};       ///< pixels
   int samples = 4;                  ///< per pixel: 1 or 4 (more where the driver has them)
   Animated<float> exposure = 0.0F;  ///< EV
   float vignette = 0.0F;
+  Bloom bloom;
   void describe(Fields& fields);
 };
 

@@ -42,6 +42,15 @@ void Render::describe(Fields& fields) {
   fields.integer("samples", samples, {1, 16}, "", "Samples per pixel; every driver has 1 and 4.");
   fields.number("exposure", exposure, {-20, 20}, "EV", "Brightness; one more doubles it.");
   fields.number("vignette", vignette, share, "", "Darkening towards the corners.");
+  fields.group("bloom", "Light scattered around what is bright.",
+               [&](Fields& inner) { bloom.describe(inner); });
+}
+
+void Bloom::describe(Fields& fields) {
+  fields.number("strength", strength, {0, 100}, "",
+                "Factor on the scattered light; 0 switches it off and costs nothing.");
+  fields.number("threshold", threshold, notNegative, "", "Only light above this is scattered.");
+  fields.number("radius", radius, {0.001, 1}, "", "How far, as a share of the picture's height.");
 }
 
 void Time::describe(Fields& fields) {

@@ -1,0 +1,27 @@
+// Copies of a mesh or sphere. Variants: ADDITIVE, and those of draw/lighting.glsl.
+#include "draw/frame_block.glsl"
+#include "draw/instance_pull.glsl"
+#include "draw/copy_vertex.glsl"
+#include "draw/light_map.glsl"
+flat out vec3 tint;
+out vec3 worldNormal;
+out vec3 worldPosition;
+out vec3 place;
+
+void main() {
+  vec4 position, velocity;
+  gl_Position = nowhere;
+  tint = worldNormal = worldPosition = place = vec3(0);
+  if (!pulled(position, velocity)) return;
+  mat3 axes = turned(velocity.xyz);
+  worldPosition = position.xyz + axes * (instanceSize(position.w) * texelFetch(shape, vertexOfShape() * 2).xyz);
+  worldNormal = axes * texelFetch(shape, vertexOfShape() * 2 + 1).xyz;
+  tint = tintOf(position, velocity);
+#ifdef ADDITIVE
+  tint *= brightnessAt(velocity.w);
+#endif
+#ifdef SHADOW
+  place = shadowPlace(worldPosition + shadowLift(worldNormal));
+#endif
+  gl_Position = frame.viewProjection * vec4(worldPosition, 1.0);
+}

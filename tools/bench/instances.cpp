@@ -1,0 +1,96 @@
+// Crowds at 640x360 and 4 samples: shadow, culling, drawing, tone map, without a simulation and without
+// reading back. Items are instances.
+#include "draw/renderer.hpp"
+#include "gl/buffer.hpp"
+#include "gl/context.hpp"
+#include "sim/color_map.hpp"
+
+#include <cmath>
+#include <random>
+
+#include <benchmark/benchmark.h>
+#include <fmt/format.h>
+#include <glm/geometric.hpp>
+
+using namespace simreel;
+
+namespace {
+
+struct Crowd {
+  explicit Crowd(int count) {
+    std::mt19937 dice(1);
+    std::vector<glm::vec4> places;
+    std::vector<glm::vec4> speeds;
+    const auto number = [&] { return static_cast<float>(dice() >> 8U) / 8388608.0F - 1.0F; };
+    while (static_cast<int>(places.size()) < count) {
+      const glm::vec3 p(number(), number(), number());
+      if (glm::dot(p, p) > 1) continue;
+      places.emplace_back(p + glm::vec3(0, 1.2F, 0), 1.0F);
+      speeds.emplace_back(glm::cross(p, glm::vec3(0, 1, 0)), 0.5F);
+    }
+    positions = gl::Buffer::of<glm::vec4>("positions", places);
+    velocities = gl::Buffer::of<glm::vec4>("velocities", speeds);
+    positionView = gl::Texture::view("positions", GL_RGBA32F, positions);
+    velocityView = gl::Texture::view("velocities", GL_RGBA32F, velocities);
+    instances.positions = &positionView;
+    instances.velocities = &velocityView;
+    instances.capacity = count;
+    instances.material = &material;
+    instances.colors = &stops;
+    instances.colorBy = sim::Instances::ColorBy::speed;
+    instances.size = 1.0F / std::cbrt(static_cast<float>(count));
+  }
+  gl::Buffer positions, velocities;
+  gl::Texture positionView, velocityView;
+  std::vector<glm::vec3> stops = sim::colorMapStops("viridis");
+  scene::Material material;
+  sim::Instances instances;
+};
+
+void frame(benchmark::State& state, sim::Instances::Shape shape, bool additive, float bloom) {
+  Crowd crowd(static_cast<int>(state.range(0)));
+  crowd.instances.shape = shape;
+  crowd.instances.additive = additive;
+  scene::Scene scene;
+  scene.camera.position = glm::vec3(0, 2.2F, 5);
+  scene.camera.target = glm::vec3(0, 1, 0);
+  scene.hasGround = true;
+  scene.ground.height = 0;
+  scene.render.bloom.strength = bloom;
+  draw::Renderer renderer(scene, {640, 360}, 4);
+  const sim::Drawables drawables = {.surfaces = {}, .instances = {crowd.instances}};
+  renderer.draw(0, drawables);
+  glFinish();
+  for (auto _ : state) {
+    renderer.draw(0, drawables);
+    glFinish();
+  }
+  state.SetItemsProcessed(state.iterations() * state.range(0));
+  state.counters["frames/s"] =
+      benchmark::Counter(static_cast<double>(state.iterations()), benchmark::Counter::kIsRate);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  benchmark::Initialize(&argc, argv);
+  const gl::Context context;
+  fmt::print("device: {}\n", context.device().name);
+  const bool software = context.device().software;
+  for (const int count : {1024, 131072, 1 << 20}) {
+    if (software && count > 131072) continue;
+    const auto add = [&](const char* name, auto... args) {
+      benchmark::RegisterBenchmark(name, frame, args...)
+          ->Arg(count)
+          ->MeasureProcessCPUTime()
+          ->UseRealTime()
+          ->Unit(benchmark::kMillisecond);
+    };
+    using Shape = sim::Instances::Shape;
+    add("instances/sprites", Shape::sprite, false, 0.0F);
+    add("instances/spheres", Shape::sphere, false, 0.0F);
+    add("instances/glows", Shape::sprite, true, 0.0F);
+    add("instances/glows-bloom", Shape::sprite, true, 0.5F);
+  }
+  benchmark::RunSpecifiedBenchmarks();
+}
