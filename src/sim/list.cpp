@@ -1,6 +1,7 @@
 #include "sim/list.hpp"
 
 #include "sim/cloth.hpp"
+#include "sim/particles.hpp"
 #include "sim/shape.hpp"
 
 #include <vector>
@@ -9,10 +10,7 @@ namespace simreel::sim {
 
 std::span<const SimulationKind> simulations() {
   static const std::vector<SimulationKind> list = {
-      clothKind(),
-      sphereKind(),
-      capsuleKind(),
-      planeKind(),
+      clothKind(), particlesKind(), sphereKind(), capsuleKind(), planeKind(),
   };
   return list;
 }

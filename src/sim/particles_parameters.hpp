@@ -84,6 +84,9 @@ struct ParticleParameters : scene::Parameters {
   float fade = 0.1F;
 
   void describe(scene::Fields& fields) override;
+
+ private:
+  void describeLook(scene::Fields& fields);
 };
 
 }  // namespace simreel::sim

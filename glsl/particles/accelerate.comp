@@ -1,0 +1,80 @@
+// All-pairs gravity on a range of targets by a range of bodies, O(N^2). Bodies are taken in order, each
+// chunk of chunkBodies in a sum of its own, so both memory paths, every split over dispatches and the
+// CPU twin give the same bits.
+#include "common/exact.glsl"
+#include "common/memory.glsl"
+#include "particles/types.glsl"
+#include "particles/pairs.glsl"
+
+INPUT_ARRAY(0, PositionBlock, positions)
+STATE_ARRAY(1, AccelerationBlock, accelerations)
+uniform ivec2 targets;  // first and one past the last
+uniform ivec2 bodies;   // the same; the first a multiple of chunkBodies
+uniform vec2 factors;   // eps^2 (m^2), G
+uniform bool continued;  // earlier dispatches left their sum in accelerations
+uniform bool last;       // multiplies with G
+
+void finish(int i, vec3 sum) {
+  precise vec3 scaled = sum * factors.y;
+  STORE_STATE(accelerations, i, vec4(last ? scaled : sum, 0.0f));
+}
+
+vec3 begin(int i) {
+  return continued ? LOAD_STATE(accelerations, i).xyz : vec3(0.0f);
+}
+
+#ifdef TEXEL_PATH
+// A texel load is dear beside the arithmetic: eight targets share each. A SIMD lane is an invocation.
+layout(local_size_x = 16) in;
+#define EACH(DO) DO(0) DO(1) DO(2) DO(3) DO(4) DO(5) DO(6) DO(7)
+
+void main() {
+  int first = targets.x + int(gl_GlobalInvocationID.x) * 8;
+  if (first >= targets.y) return;
+#define START(k)                                                     \
+  int i##k = min(first + k, targets.y - 1);                          \
+  vec3 here##k = LOAD_INPUT(positions, i##k).xyz;                    \
+  precise vec3 total##k = begin(i##k);
+  EACH(START)
+  for (int chunk = bodies.x; chunk < bodies.y; chunk += chunkBodies) {
+#define ZERO(k) vec3 sum##k = vec3(0.0f);
+    EACH(ZERO)
+    int end = min(chunk + chunkBodies, bodies.y);
+    for (int j = chunk; j < end; ++j) {
+      vec4 body = LOAD_INPUT(positions, j);
+#define PULL(k) sum##k = addPull(sum##k, here##k, body, factors.x);
+      EACH(PULL)
+    }
+#define JOIN(k) total##k = total##k + sum##k;
+    EACH(JOIN)
+  }
+#define FINISH(k) finish(i##k, total##k);
+  EACH(FINISH)
+}
+#else
+layout(local_size_x = 256) in;
+shared vec4 tile[256];
+
+void main() {
+  int i = targets.x + int(gl_GlobalInvocationID.x);
+  int lane = int(gl_LocalInvocationID.x);
+  bool real = i < targets.y;
+  int target = min(i, targets.y - 1);
+  vec3 here = LOAD_INPUT(positions, target).xyz;
+  precise vec3 total = begin(target);
+  for (int chunk = bodies.x; chunk < bodies.y; chunk += chunkBodies) {
+    vec3 sum = vec3(0.0f);
+    int end = min(chunk + chunkBodies, bodies.y);
+    for (int start = chunk; start < end; start += 256) {
+      // Beyond the end stand bodies without mass; only whole tiles are unrolled.
+      tile[lane] = start + lane < end ? LOAD_INPUT(positions, start + lane) : vec4(0.0f);
+      barrier();
+      int count = min(256, end - start);
+      for (int j = 0; j < count; ++j) sum = addPull(sum, here, tile[j], factors.x);
+      barrier();
+    }
+    total = total + sum;
+  }
+  if (real) finish(i, total);
+}
+#endif

@@ -1,0 +1,11 @@
+// First half kick and drift of every particle; births and deaths.
+#include "particles/bindings.glsl"
+
+void main() {
+  int i = int(gl_GlobalInvocationID.x);
+  if (i >= stepData.counts.x) return;
+  ParticleMotion m =
+      drifted(i, LOAD_STATE(positions, i), LOAD_STATE(velocities, i), LOAD_STATE(accelerations, i).xyz);
+  STORE_STATE(positions, i, m.position);
+  STORE_STATE(velocities, i, m.velocity);
+}

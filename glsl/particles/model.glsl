@@ -1,0 +1,213 @@
+// One particle over one substep of a leapfrog (kick, drift, kick), apart from the particles' own gravity.
+// Compiles as GLSL and as C++, where it is the CPU twin. Whoever includes it provides `stepData`
+// (ParticleStep) and the files types.glsl, common/exact.glsl, common/hash.glsl, particles/pairs.glsl.
+
+struct ParticleMotion {
+  vec4 position;  // xyz m; w kg, 0 while not alive
+  vec4 velocity;  // xyz m/s; w age from 0 to 1, negative while not alive
+};
+
+// The upper 24 bits of a word as a number in [0, 1), exactly.
+FUNCTION float unit(uint bits) {
+  precise float u = float(int(bits >> 8u));
+  u = u * 5.9604645e-8f;
+  return u;
+}
+
+FUNCTION uvec3 randomWords(int item, int purpose, int draw) {
+  return hash3(uvec3(uint(item), uint(purpose * 8 + draw), uint(stepData.counts.z) * 0x9e3779b9u));
+}
+
+// s = 6u^5 - 15u^4 + 10u^3: its first and second derivatives vanish at 0 and 1.
+FUNCTION float quintic(float u) {
+  precise float s = u * 6.0f;
+  s = s - 15.0f;
+  s = s * u;
+  s = s + 10.0f;
+  s = s * u;
+  s = s * u;
+  s = s * u;
+  return s;
+}
+
+// s' = 30 u^2 (u - 1)^2.
+FUNCTION float quinticSlope(float u) {
+  precise float s = u - 1.0f;
+  s = s * u;
+  s = s * s;
+  s = s * 30.0f;
+  return s;
+}
+
+FUNCTION vec3 mixed(vec3 a, vec3 b, float t) {
+  precise vec3 sum = b - a;
+  sum = sum * t;
+  sum = sum + a;
+  return sum;
+}
+
+FUNCTION vec3 latticePotential(int x, int y, int z) {
+  uvec3 bits = hash3(uvec3(uint(x), uint(y), uint(z) ^ (uint(stepData.counts.z) * 0x85ebca6bu)));
+  return vec3(signedUnit(bits.x), signedUnit(bits.y), signedUnit(bits.z));
+}
+
+// Curl of a vector potential of value noise at p (in units of its lattice): no sources, no sinks.
+//   curl psi = (dpsi_z/dy - dpsi_y/dz, dpsi_x/dz - dpsi_z/dx, dpsi_y/dx - dpsi_x/dy),
+// the derivatives taken exactly from the blend of the eight corners. Root mean square near 1.
+FUNCTION vec3 curlNoise(vec3 p) {
+  precise vec3 base = clamp(floor(p), -1e6f, 1e6f);
+  precise vec3 u = min(max(p - base, 0.0f), 1.0f);
+  int x = int(base.x);
+  int y = int(base.y);
+  int z = int(base.z);
+  float tx = quintic(u.x);
+  float ty = quintic(u.y);
+  float tz = quintic(u.z);
+  vec3 c000 = latticePotential(x, y, z);
+  vec3 c100 = latticePotential(x + 1, y, z);
+  vec3 c010 = latticePotential(x, y + 1, z);
+  vec3 c110 = latticePotential(x + 1, y + 1, z);
+  vec3 c001 = latticePotential(x, y, z + 1);
+  vec3 c101 = latticePotential(x + 1, y, z + 1);
+  vec3 c011 = latticePotential(x, y + 1, z + 1);
+  vec3 c111 = latticePotential(x + 1, y + 1, z + 1);
+  precise vec3 dx = mixed(mixed(c100, c110, ty), mixed(c101, c111, ty), tz) -
+                    mixed(mixed(c000, c010, ty), mixed(c001, c011, ty), tz);
+  precise vec3 dy = mixed(mixed(c010, c110, tx), mixed(c011, c111, tx), tz) -
+                    mixed(mixed(c000, c100, tx), mixed(c001, c101, tx), tz);
+  precise vec3 dz = mixed(mixed(c001, c101, tx), mixed(c011, c111, tx), ty) -
+                    mixed(mixed(c000, c100, tx), mixed(c010, c110, tx), ty);
+  dx = dx * quinticSlope(u.x);
+  dy = dy * quinticSlope(u.y);
+  dz = dz * quinticSlope(u.z);
+  precise vec3 curl = vec3(dy.z, dz.x, dx.y) - vec3(dz.y, dx.z, dy.x);
+  return curl;
+}
+
+// Acceleration by everything but the other particles. ATTRACTOR and TURBULENCE switch terms off.
+FUNCTION vec3 fieldAcceleration(vec3 here, bool attractor, bool turbulence) {
+  precise vec3 sum = vec3(stepData.acceleration);
+  if (attractor)
+    sum = sum + addPull(vec3(0.0f), here, stepData.attractor, stepData.factors.z);
+  if (turbulence) {
+    precise vec3 place = here - vec3(stepData.turbulence);
+    place = place * stepData.factors.w;
+    precise vec3 push = curlNoise(place) * stepData.turbulence.w;
+    sum = sum + push;
+  }
+  return sum;
+}
+
+// A point of the unit sphere: height uniform in [-1, 1), then the angle.
+FUNCTION vec3 onSphere(float height, float turn) {
+  precise float angle = turn * 6.2831853f;
+  precise float squared = height * height;
+  squared = 1.0f - squared;
+  float across = exactSqrt(squared);
+  precise float x = across * exactCos(angle);
+  precise float z = across * exactSin(angle);
+  return vec3(x, height, z);
+}
+
+// Lifetime of a slot: the same for each particle that lives in it, so the ring never overtakes itself.
+FUNCTION float lifetimeOf(int slot, int e) {
+  precise float factor = signedUnit(randomWords(slot, e, 0).x) * stepData.emitters[e].life.y;
+  factor = factor + 1.0f;
+  factor = factor * stepData.emitters[e].life.x;
+  return factor;
+}
+
+// The k-th newborn of this substep, as it is at the substep's end: births are spread evenly over it.
+FUNCTION ParticleMotion newborn(int slot, int e, int k) {
+  EmitterStep emitter = stepData.emitters[e];
+  int serial = emitter.births.x + k;
+  uvec3 a = randomWords(serial, e, 1);
+  uvec3 b = randomWords(serial, e, 2);
+  uvec3 c = randomWords(serial, e, 3);
+  // Uniform in a cone: cos = 1 - u (1 - cos spread).
+  precise float cosine = unit(a.x) * emitter.up.w;
+  cosine = 1.0f - cosine;
+  precise float squared = cosine * cosine;
+  squared = 1.0f - squared;
+  float sine = exactSqrt(max(squared, 0.0f));
+  precise float angle = unit(a.y) * 6.2831853f;
+  precise float sideways = sine * exactCos(angle);
+  precise float upwards = sine * exactSin(angle);
+  precise vec3 direction = vec3(emitter.forward) * cosine;
+  direction = direction + vec3(emitter.side) * sideways;
+  direction = direction + vec3(emitter.up) * upwards;
+  precise float speed = signedUnit(a.z) * emitter.side.w;
+  speed = speed + 1.0f;
+  speed = speed * emitter.forward.w;
+  precise vec3 velocity = direction * speed;
+  // The greatest of three uniform numbers is distributed like the radius in a ball.
+  precise float radius = max(max(unit(c.x), unit(c.y)), unit(c.z)) * emitter.position.w;
+  precise vec3 offset = onSphere(signedUnit(b.x), unit(b.y)) * radius;
+  precise float lived = float(emitter.slots.w - k) - 0.5f;
+  lived = lived * exactReciprocal(float(emitter.slots.w));
+  lived = lived * stepData.acceleration.w;
+  precise vec3 moved = velocity * lived;
+  precise vec3 place = vec3(emitter.position) + offset;
+  place = place + moved;
+  precise float age = lived * exactReciprocal(lifetimeOf(slot, e));
+  ParticleMotion m;
+  m.position = vec4(place, emitter.life.z);
+  m.velocity = vec4(velocity, min(age, 0.999f));
+  return m;
+}
+
+// First half kick and drift: v' = v + a dt/2, x' = x + v' dt. Slots of emitters also age, die, are born.
+FUNCTION ParticleMotion drifted(int i, vec4 position, vec4 velocity, vec3 acceleration) {
+  ParticleMotion m;
+  int owner = -1;
+  for (int e = 0; e < stepData.counts.w; ++e) {
+    int place = i - stepData.emitters[e].slots.x;
+    if (place >= 0 && place < stepData.emitters[e].slots.y) owner = e;
+  }
+  if (owner >= 0) {
+    ivec4 slots = stepData.emitters[owner].slots;
+    int k = i - slots.x - slots.z;
+    k = k < 0 ? k + slots.y : k;
+    if (k < slots.w) return newborn(i, owner, k);
+  }
+  m.position = position;
+  m.velocity = velocity;
+  if (velocity.w < 0.0f) return m;
+  precise vec3 kick = acceleration * stepData.factors.x;
+  precise vec3 v = vec3(velocity) + kick;
+  precise vec3 drift = v * stepData.acceleration.w;
+  precise vec3 x = vec3(position) + drift;
+  m.position = vec4(x, position.w);
+  m.velocity = vec4(v, velocity.w);
+  if (owner >= 0) {
+    precise float age = stepData.acceleration.w * exactReciprocal(lifetimeOf(i, owner));
+    age = age + velocity.w;
+    m.velocity.w = age;
+    if (age >= 1.0f) {
+      m.velocity.w = -1.0f;
+      m.position.w = 0.0f;
+    }
+  }
+  return m;
+}
+
+// Second half kick, then damping: v' = (v + a dt/2) keep.
+FUNCTION vec4 kicked(vec4 velocity, vec3 acceleration) {
+  precise vec3 kick = acceleration * stepData.factors.x;
+  precise vec3 v = vec3(velocity) + kick;
+  v = v * stepData.factors.y;
+  return velocity.w < 0.0f ? velocity : vec4(v, velocity.w);
+}
+
+// NaN or infinity, by its bits: compilers may assume that comparisons never meet NaN.
+FUNCTION bool isNumber(float x) {
+  return (floatBitsToInt(x) & 0x7f800000) != 0x7f800000;
+}
+
+// A position or speed beyond 1e8: the arithmetic of exact.glsl ends there.
+FUNCTION bool isLost(vec4 position, vec4 velocity) {
+  float distanceSquared = exactDot(vec3(position), vec3(position));
+  float speedSquared = exactDot(vec3(velocity), vec3(velocity));
+  bool numbers = isNumber(distanceSquared) && isNumber(speedSquared);
+  return velocity.w >= 0.0f && (!numbers || distanceSquared > 1e16f || speedSquared > 1e16f);
+}

@@ -1,0 +1,15 @@
+// A whole substep of particles that do not attract each other: half kick, drift, half kick.
+#include "particles/bindings.glsl"
+
+void main() {
+  int i = int(gl_GlobalInvocationID.x);
+  if (i >= stepData.counts.x) return;
+  ParticleMotion m =
+      drifted(i, LOAD_STATE(positions, i), LOAD_STATE(velocities, i), LOAD_STATE(accelerations, i).xyz);
+  vec3 acceleration = fieldAcceleration(m.position.xyz, ATTRACTOR, TURBULENCE);
+  vec4 velocity = kicked(m.velocity, acceleration);
+  STORE_STATE(positions, i, m.position);
+  STORE_STATE(velocities, i, velocity);
+  STORE_STATE(accelerations, i, vec4(acceleration, 0.0f));
+  if (isLost(m.position, velocity)) noteLost(uint(stepData.counts.y), uint(i));
+}

@@ -1,0 +1,180 @@
+#include "sim/particles.hpp"
+
+#include "base/error.hpp"
+#include "gl/limits.hpp"
+#include "gl/program.hpp"
+#include "gl/vec4_array.hpp"
+#include "sim/particles_pairs.hpp"
+#include "sim/particles_plan.hpp"
+
+#include <algorithm>
+#include <cstring>
+#include <memory>
+
+namespace simreel::sim {
+
+namespace {
+
+/// What one array of the current device holds.
+int mostParticles() {
+  constexpr std::int64_t bytes = sizeof(glm::vec4);
+  std::int64_t most = gl::limits().storageBlockBytes / bytes;
+  most = std::min(most, gl::limits().texelBufferTexels);
+  return static_cast<int>(std::min<std::int64_t>(most, 1 << 26));
+}
+
+class Particles : public Simulation {
+ public:
+  Particles(const scene::Object& object, const Setting& setting)
+      : name_(object.name),
+        material_(object.material),
+        plan_(dynamic_cast<const ParticleParameters&>(*object.parameters), setting.seed,
+              setting.frameSeconds, mostParticles()) {
+    const ParticleParameters& p = plan_.parameters();
+    if (p.method == GravityMethod::tree) fail(ExitCode::usage, "method \"tree\" is not available yet");
+    if (p.method == GravityMethod::allPairs) pairs_ = PairGravity(setting.fast);
+    const ParticleCloud cloud = plan_.firstCloud();
+    positions_ = gl::Vec4Array(name_ + " positions", cloud.positions);
+    velocities_ = gl::Vec4Array(name_ + " velocities", cloud.velocities);
+    accelerations_ =
+        gl::Vec4Array(name_ + " accelerations", std::vector<glm::vec4>(cloud.positions.size()));
+    const unsigned fine[4] = {0xffffffffU, 0xffffffffU, 0, 0};
+    status_ = gl::Buffer::of<unsigned>(name_ + " status", fine);
+    makePrograms(setting.fast);
+    const auto alignment = static_cast<std::size_t>(gl::limits().uniformAlignment);
+    stepStride_ = (sizeof(shader::ParticleStep) + alignment - 1) / alignment * alignment;
+    steps_ = gl::Buffer(name_ + " steps", stepStride_ * static_cast<std::size_t>(p.substeps));
+    if (colors_.empty()) colors_ = {glm::vec3(0.02F), glm::vec3(1.0F)};
+  }
+
+  void step(double time) override {
+    if (!primed_) prime(time);
+    upload(plan_.frame(time));
+    for (int i = 0; i < plan_.parameters().substeps; ++i) {
+      bind(i);
+      gl::barrier();
+      if (plan_.parameters().method == GravityMethod::none) {
+        step_.dispatch(plan_.count());
+        continue;
+      }
+      drift_.dispatch(plan_.count());
+      attract();
+      bind(i);
+      kick_.dispatch(plan_.count());
+    }
+    gl::barrier();
+  }
+
+  void publish(double /*time*/, Drawables& drawables) const override {
+    const ParticleParameters& p = plan_.parameters();
+    Instances instances;
+    instances.positions = &positions_.view();
+    instances.velocities = &velocities_.view();
+    instances.capacity = plan_.count();
+    instances.shape = p.shape;
+    instances.mesh = p.mesh;
+    instances.alongVelocity = p.alongVelocity;
+    instances.size = p.size;
+    instances.massExponent = p.massExponent;
+    instances.massReference = massReference();
+    instances.colorBy = p.colorBy;
+    instances.colorRange = p.colorRange;
+    instances.colors = p.colors.empty() ? &colors_ : &p.colors;
+    instances.additive = p.additive;
+    instances.brightness = p.brightness;
+    instances.fade = p.emitters.empty() ? 0.0F : p.fade;
+    instances.material = &material_;
+    drawables.instances.push_back(instances);
+  }
+
+  [[nodiscard]] std::vector<StateArray> state() const override {
+    return {{"positions", &positions_.buffer()}, {"velocities", &velocities_.buffer()}};
+  }
+  [[nodiscard]] const gl::Buffer* status() const override { return &status_; }
+  [[nodiscard]] std::string explainLoss(unsigned step, unsigned element) const override {
+    return fmt::format(
+        "particles \"{}\" blew up in substep {} at particle {}: its position or velocity is not a number "
+        "or "
+        "beyond 1e8; use more substeps ({} per frame now), a greater softening or smaller masses",
+        name_, step, element, plan_.parameters().substeps);
+  }
+
+ private:
+  void makePrograms(bool fast) {
+    const ParticleParameters& p = plan_.parameters();
+    gl::Defines defines = gl::kernelDefines(fast);
+    defines.emplace_back("ATTRACTOR", p.hasAttractor ? "true" : "false");
+    defines.emplace_back("TURBULENCE", p.turbulence.strength > 0 ? "true" : "false");
+    kick_ = gl::Program::compute("particles/kick.comp", defines);
+    kick_.checkUniformBlock("StepBlock", sizeof(shader::ParticleStep));
+    if (p.method == GravityMethod::none)
+      step_ = gl::Program::compute("particles/step.comp", defines);
+    else
+      drift_ = gl::Program::compute("particles/drift.comp", defines);
+  }
+
+  /// The first accelerations: a kick of no length.
+  void prime(double time) {
+    upload({plan_.prime(time)});
+    if (plan_.parameters().method != GravityMethod::none) attract();
+    bind(0);
+    gl::barrier();
+    kick_.dispatch(plan_.count());
+    gl::barrier();
+    primed_ = true;
+  }
+
+  void attract() {
+    const ParticleParameters& p = plan_.parameters();
+    gl::barrier();
+    pairs_.accelerate(positions_, accelerations_, plan_.count(), p.gravity, p.softening);
+    gl::barrier();
+  }
+
+  void bind(int substep) const {
+    steps_.bindUniform(0, stepStride_ * static_cast<std::size_t>(substep), sizeof(shader::ParticleStep));
+    positions_.bindState(0);
+    velocities_.bindState(1);
+    accelerations_.bindState(2);
+    status_.bindStorage(7);
+  }
+
+  void upload(const std::vector<shader::ParticleStep>& steps) {
+    std::vector<std::byte> bytes(stepStride_ * steps.size());
+    for (std::size_t i = 0; i < steps.size(); ++i)
+      std::memcpy(&bytes[i * stepStride_], &steps[i], sizeof steps[i]);
+    steps_.write(0, bytes);
+  }
+
+  /// Mass of an ordinary particle: of the first group, else of the first emitter.
+  [[nodiscard]] float massReference() const {
+    const ParticleParameters& p = plan_.parameters();
+    if (p.groups.empty()) return p.emitters.empty() ? 1.0F : p.emitters.front().mass;
+    const ParticleGroup& group = p.groups.front();
+    return group.totalMass / static_cast<float>(std::max(plan_.groupCount(0), 1));
+  }
+
+  std::string name_;
+  scene::Material material_;
+  ParticlePlan plan_;
+  gl::Vec4Array positions_, velocities_, accelerations_;
+  gl::Buffer status_;
+  gl::Buffer steps_;
+  std::size_t stepStride_ = 0;
+  gl::Program drift_, kick_, step_;
+  PairGravity pairs_;
+  std::vector<glm::vec3> colors_;  ///< where the parameters give none
+  bool primed_ = false;
+};
+
+}  // namespace
+
+SimulationKind particlesKind() {
+  return {{"particles", "Particles that attract each other, follow fields or stream from emitters.",
+           [] { return std::make_unique<ParticleParameters>(); }},
+          [](const scene::Object& object, const Setting& setting) -> std::unique_ptr<Simulation> {
+            return std::make_unique<Particles>(object, setting);
+          }};
+}
+
+}  // namespace simreel::sim

@@ -1,0 +1,157 @@
+#include "sim/particles_plan.hpp"
+
+#include "base/error.hpp"
+#include "sim/particles_file.hpp"
+#include "sim/particles_start.hpp"
+#include "sim/shader_code.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <utility>
+
+#include <glm/geometric.hpp>
+
+namespace simreel::sim {
+
+namespace {
+
+/// Most slots an emitter may need at once.
+double ringSize(const Emitter& emitter) {
+  return std::ceil(static_cast<double>(emitter.rate) * emitter.lifetime *
+                   (1.0 + emitter.lifetimeVariation)) +
+         1.0;
+}
+
+int centralCount(const ParticleGroup& group) {
+  return group.shape != ParticleGroup::Shape::file && group.centralMass > 0 ? 1 : 0;
+}
+
+double lengthOf(const glm::dvec3& v) {
+  return std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z);
+}
+
+}  // namespace
+
+ParticlePlan::ParticlePlan(ParticleParameters parameters, int seed, double frameSeconds, int mostParticles)
+    : parameters_(std::move(parameters)),
+      seed_(seed),
+      substepSeconds_(frameSeconds / parameters_.substeps) {
+  double total = 0;
+  for (const ParticleGroup& group : parameters_.groups) {
+    files_.emplace_back();
+    if (group.shape == ParticleGroup::Shape::file)
+      files_.back() = readParticles(group.file, group.totalMass, mostParticles);
+    total += groupCount(files_.size() - 1) + centralCount(group);
+  }
+  for (const Emitter& emitter : parameters_.emitters) total += ringSize(emitter);
+  if (total > mostParticles)
+    fail(ExitCode::usage,
+         "{:.0f} particles, emitters' slots included, are more than the {} that fit here; lower \"count\", "
+         "\"rate\" or \"lifetime\"",
+         total, mostParticles);
+  for (std::size_t i = 0; i < parameters_.groups.size(); ++i)
+    count_ += groupCount(i) + centralCount(parameters_.groups[i]);
+  for (const Emitter& emitter : parameters_.emitters) {
+    Ring ring;
+    ring.first = count_;
+    ring.size = static_cast<int>(ringSize(emitter));
+    count_ += ring.size;
+    rings_.push_back(ring);
+  }
+}
+
+int ParticlePlan::groupCount(std::size_t group) const {
+  const ParticleGroup& g = parameters_.groups[group];
+  return g.shape == ParticleGroup::Shape::file ? static_cast<int>(files_[group].positions.size()) : g.count;
+}
+
+ParticleCloud ParticlePlan::firstCloud() const {
+  ParticleCloud all;
+  all.positions.reserve(static_cast<std::size_t>(count_));
+  all.velocities.reserve(static_cast<std::size_t>(count_));
+  for (std::size_t i = 0; i < parameters_.groups.size(); ++i) {
+    const ParticleGroup& group = parameters_.groups[i];
+    ParticleCloud cloud =
+        group.shape == ParticleGroup::Shape::file
+            ? files_[i]
+            : startGroup(group, static_cast<int>(i), seed_, parameters_.gravity, parameters_.softening);
+    placeGroup(cloud, group);
+    all.positions.insert(all.positions.end(), cloud.positions.begin(), cloud.positions.end());
+    all.velocities.insert(all.velocities.end(), cloud.velocities.begin(), cloud.velocities.end());
+  }
+  for (std::size_t i = 0; i < rings_.size(); ++i) {
+    const auto slots = static_cast<std::size_t>(rings_[i].size);
+    all.positions.insert(all.positions.end(), slots,
+                         glm::vec4(parameters_.emitters[i].position.at(0), 0.0F));
+    all.velocities.insert(all.velocities.end(), slots, glm::vec4(0, 0, 0, -1));
+  }
+  SIMREEL_CHECK_EQ(all.positions.size(), static_cast<std::size_t>(count_));
+  return all;
+}
+
+void ParticlePlan::fields(shader::ParticleStep& s, double time) const {
+  const ParticleParameters& p = parameters_;
+  s.acceleration = glm::vec4(p.acceleration.at(time), 0.0F);
+  s.attractor = glm::vec4(p.attractorPosition.at(time), p.gravity * p.attractorMass.at(time));
+  // The field drifts along a fixed direction, none of the axes.
+  const glm::dvec3 way = glm::dvec3(0.36, 0.48, 0.8) * (p.turbulence.speed * time);
+  s.turbulence = glm::vec4(way.x, way.y, way.z, p.turbulence.strength);
+  s.factors = glm::vec4(0.0F, 1.0F, p.attractorSoftening * p.attractorSoftening, 1.0F / p.turbulence.size);
+  s.counts = glm::ivec4(count_, done_, seed_, static_cast<int>(rings_.size()));
+}
+
+shader::ParticleStep ParticlePlan::prime(double time) const {
+  shader::ParticleStep s{};
+  fields(s, time);
+  return s;
+}
+
+std::vector<shader::ParticleStep> ParticlePlan::frame(double time) {
+  std::vector<shader::ParticleStep> steps(static_cast<std::size_t>(parameters_.substeps));
+  for (int i = 0; i < parameters_.substeps; ++i) {
+    const double start = time + i * substepSeconds_;
+    const double end = time + (i + 1) * substepSeconds_;
+    shader::ParticleStep& s = steps[static_cast<std::size_t>(i)];
+    fields(s, end);
+    s.acceleration.w = static_cast<float>(substepSeconds_);
+    s.factors.x = static_cast<float>(0.5 * substepSeconds_);
+    s.factors.y = shader::exactExp(static_cast<float>(-parameters_.damping * substepSeconds_));
+    for (std::size_t e = 0; e < rings_.size(); ++e)
+      births(s.emitters[e], parameters_.emitters[e], rings_[e], start, end);
+    ++done_;
+  }
+  return steps;
+}
+
+void ParticlePlan::births(shader::EmitterStep& s, const Emitter& emitter, Ring& ring, double start,
+                          double end) const {
+  if (!ring.started) {
+    // "from" zero means from the start, pre-roll included.
+    ring.begin = emitter.from > 0 ? std::max<double>(emitter.from, start) : start;
+    ring.started = true;
+  }
+  const double until = std::min<double>(end, emitter.until);
+  // A little more, so that a whole number of periods is not missed by rounding.
+  const auto due = static_cast<long long>(
+      std::floor(static_cast<double>(emitter.rate) * std::max(until - ring.begin, 0.0) + 1e-6));
+  const auto newborns = static_cast<int>(std::clamp<long long>(due - ring.born, 0, ring.size));
+  const glm::dvec3 velocity(emitter.velocity.at(end));
+  const double speed = lengthOf(velocity);
+  const glm::dvec3 forward = speed > 0 ? velocity / speed : glm::dvec3(0, 1, 0);
+  const glm::dvec3 other = std::abs(forward.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0);
+  glm::dvec3 side = glm::cross(forward, other);
+  side /= lengthOf(side);
+  const glm::dvec3 up = glm::cross(forward, side);
+  const float cosine = shader::exactCos(emitter.spread * 0.0174532925F);
+  s.position = glm::vec4(emitter.position.at(end), emitter.radius);
+  s.forward = glm::vec4(glm::vec3(forward), static_cast<float>(speed));
+  s.side = glm::vec4(glm::vec3(side), emitter.speedVariation);
+  s.up = glm::vec4(glm::vec3(up), 1.0F - cosine);
+  s.life = glm::vec4(emitter.lifetime, emitter.lifetimeVariation, emitter.mass, 0.0F);
+  s.slots = glm::ivec4(ring.first, ring.size, static_cast<int>(ring.born % ring.size), newborns);
+  s.births = glm::ivec4(static_cast<int>(static_cast<std::uint32_t>(ring.born)), 0, 0, 0);
+  ring.born += newborns;
+}
+
+}  // namespace simreel::sim
