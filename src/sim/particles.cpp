@@ -4,12 +4,14 @@
 #include "gl/limits.hpp"
 #include "gl/program.hpp"
 #include "gl/vec4_array.hpp"
+#include "sim/gravity_tree.hpp"
 #include "sim/particles_pairs.hpp"
 #include "sim/particles_plan.hpp"
 
 #include <algorithm>
 #include <cstring>
 #include <memory>
+#include <optional>
 
 namespace simreel::sim {
 
@@ -31,8 +33,8 @@ class Particles : public Simulation {
         plan_(dynamic_cast<const ParticleParameters&>(*object.parameters), setting.seed,
               setting.frameSeconds, mostParticles()) {
     const ParticleParameters& p = plan_.parameters();
-    if (p.method == GravityMethod::tree) fail(ExitCode::usage, "method \"tree\" is not available yet");
     if (p.method == GravityMethod::allPairs) pairs_ = PairGravity(setting.fast);
+    if (p.method == GravityMethod::tree) tree_.emplace(name_, plan_.count(), setting.fast);
     const ParticleCloud cloud = plan_.firstCloud();
     positions_ = gl::Vec4Array(name_ + " positions", cloud.positions);
     velocities_ = gl::Vec4Array(name_ + " velocities", cloud.velocities);
@@ -47,7 +49,7 @@ class Particles : public Simulation {
     if (colors_.empty()) colors_ = {glm::vec3(0.02F), glm::vec3(1.0F)};
   }
 
-  void step(double time) override {
+  void step(double time, const StepWatch& watch) override {
     if (!primed_) prime(time);
     upload(plan_.frame(time));
     for (int i = 0; i < plan_.parameters().substeps; ++i) {
@@ -55,12 +57,13 @@ class Particles : public Simulation {
       gl::barrier();
       if (plan_.parameters().method == GravityMethod::none) {
         step_.dispatch(plan_.count());
-        continue;
+      } else {
+        drift_.dispatch(plan_.count());
+        attract();
+        bind(i);
+        kick_.dispatch(plan_.count());
       }
-      drift_.dispatch(plan_.count());
-      attract();
-      bind(i);
-      kick_.dispatch(plan_.count());
+      if (watch) watch(i + 1);
     }
     gl::barrier();
   }
@@ -89,6 +92,21 @@ class Particles : public Simulation {
 
   [[nodiscard]] std::vector<StateArray> state() const override {
     return {{"positions", &positions_.buffer()}, {"velocities", &velocities_.buffer()}};
+  }
+  [[nodiscard]] int stepsPerFrame() const override { return plan_.parameters().substeps; }
+  [[nodiscard]] std::string elementName(long element) const override {
+    return fmt::format("particle {}", element);
+  }
+  [[nodiscard]] PointTable points() const override {
+    const auto positions = positions_.buffer().readAll<glm::vec4>();
+    const auto velocities = velocities_.buffer().readAll<glm::vec4>();
+    PointTable table{{"x", "y", "z", "mass", "vx", "vy", "vz", "age"}, {}};
+    for (std::size_t i = 0; i < static_cast<std::size_t>(plan_.count()); ++i) {
+      const glm::vec4& p = positions[i];
+      const glm::vec4& v = velocities[i];
+      if (v.w >= 0) table.values.insert(table.values.end(), {p.x, p.y, p.z, p.w, v.x, v.y, v.z, v.w});
+    }
+    return table;
   }
   [[nodiscard]] const gl::Buffer* status() const override { return &status_; }
   [[nodiscard]] std::string explainLoss(unsigned step, unsigned element) const override {
@@ -127,7 +145,10 @@ class Particles : public Simulation {
   void attract() {
     const ParticleParameters& p = plan_.parameters();
     gl::barrier();
-    pairs_.accelerate(positions_, accelerations_, plan_.count(), p.gravity, p.softening);
+    if (p.method == GravityMethod::tree)
+      tree_->accelerate(positions_, accelerations_, plan_.count(), p.gravity, p.softening, p.opening);
+    else
+      pairs_.accelerate(positions_, accelerations_, plan_.count(), p.gravity, p.softening);
     gl::barrier();
   }
 
@@ -163,6 +184,7 @@ class Particles : public Simulation {
   std::size_t stepStride_ = 0;
   gl::Program drift_, kick_, step_;
   PairGravity pairs_;
+  std::optional<GravityTree> tree_;
   std::vector<glm::vec3> colors_;  ///< where the parameters give none
   bool primed_ = false;
 };
