@@ -21,6 +21,11 @@ constexpr int tilesOf(int count, int tile) {
   return (count - 1) / tile + 1;
 }
 
+int tileFor(int capacity) {
+  if (memoryPath() == MemoryPath::storage) return storageTile;
+  return tilesOf(capacity, texelTile) > mostTexelTiles ? mostTexelTile : texelTile;
+}
+
 }  // namespace
 
 WordsArray::WordsArray(const std::string& label, int count)
@@ -42,23 +47,18 @@ void WordsArray::bindState(GLuint unit) const {
 }
 
 RadixSort::RadixSort(const std::string& label, int capacity)
-    : capacity_(capacity), texels_(memoryPath() == MemoryPath::texel) {
+    : capacity_(capacity), texels_(memoryPath() == MemoryPath::texel), tile_(tileFor(capacity)) {
   SIMREEL_CHECK(capacity > 0);
   if (texels_ && tilesOf(capacity, mostTexelTile) > mostTexelTiles)
     fail(ExitCode::device, "{} has {} records, a software driver sorts at most {}; make it smaller", label,
          capacity, mostTexelTile * mostTexelTiles);
   records_ = WordsArray(label + " records", capacity);
   next_ = WordsArray(label + " next records", capacity);
-  digits_ = WordsArray(label + " digits", 4 * (tilesOf(capacity, tileFor(capacity)) + 1));
+  digits_ = WordsArray(label + " digits", 4 * (tilesOf(capacity, tile_) + 1));
   const Defines defines = kernelDefines(false);
   count_ = Program::compute("common/sort_count.comp", defines);
   scan_ = Program::compute("common/sort_scan.comp", defines);
   scatter_ = Program::compute("common/sort_scatter.comp", defines);
-}
-
-int RadixSort::tileFor(int count) const {
-  if (!texels_) return storageTile;
-  return tilesOf(count, texelTile) > mostTexelTiles ? mostTexelTile : texelTile;
 }
 
 void RadixSort::sort(int count, int lowBits, int highBits) {
@@ -70,12 +70,11 @@ void RadixSort::sort(int count, int lowBits, int highBits) {
 }
 
 void RadixSort::pass(int count, int word, int shift) {
-  const int tile = tileFor(count);
-  const int tiles = tilesOf(count, tile);
+  const int tiles = tilesOf(count, tile_);
   for (const Program* program : {&count_, &scan_, &scatter_}) {
     program->set("count", count);
     program->set("tiles", tiles);
-    program->set("tileRecords", tile);
+    program->set("tileRecords", tile_);
     program->set("word", word);
     program->set("shift", shift);
   }

@@ -50,10 +50,10 @@ class RadixSort {
 
  private:
   void pass(int count, int word, int shift);
-  [[nodiscard]] int tileFor(int count) const;
 
   int capacity_;
   bool texels_;
+  int tile_;  ///< records of a tile
   WordsArray records_, next_;
   WordsArray digits_;  ///< four elements a tile: how many of its records have each digit; then the totals
   Program count_, scan_, scatter_;

@@ -1,5 +1,6 @@
 #include "sim/gravity_tree.hpp"
 
+#include "base/error.hpp"
 #include "gpu/context.hpp"
 #include "reference/gravity_tree_twin.hpp"
 
@@ -218,4 +219,10 @@ TEST_CASE("gravity tree spends few visits on many bodies at one point") {
   GravityTreeTwin twin(bodiesOf(Cloud::onePoint, 40009), 0.5F);
   for (const glm::vec4& a : twin.accelerations(1, 0)) CHECK(a == glm::vec4(0));
   CHECK(twin.work.visits < 2 * 40009);
+}
+
+TEST_CASE("gravity tree of too many bodies names the limit") {
+  testContext();
+  CHECK_THROWS_WITH_AS(sim::GravityTree("stars", 2000000000, false),
+                       doctest::Contains("GL_MAX_SHADER_STORAGE_BLOCK_SIZE"), UserError);
 }
