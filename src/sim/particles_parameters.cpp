@@ -1,4 +1,5 @@
 #include "sim/particles_parameters.hpp"
+#include "sim/color_map.hpp"
 
 #include "sim/particles_plan.hpp"
 
@@ -7,11 +8,6 @@
 namespace simreel::sim {
 
 namespace {
-
-/// Stand-in for color_map.hpp, which is not here yet: grey, whatever the name.
-std::vector<glm::vec3> colorMapStops(const std::string& /*name*/) {
-  return {glm::vec3(0.02F), glm::vec3(0.25F), glm::vec3(1.0F)};
-}
 
 struct ColorStop {
   glm::vec3 color{1, 1, 1};
