@@ -57,8 +57,8 @@ struct Instances {
 
 /// What a simulation publishes for drawing: a list per kind, one pass each.
 struct Drawables {
-  std::vector<Surface> surfaces;
-  std::vector<Instances> instances;
+  std::vector<Surface> surfaces = {};
+  std::vector<Instances> instances = {};
 };
 
 }  // namespace simreel::sim
