@@ -53,7 +53,8 @@ FUNCTION vec3 latticePotential(int x, int y, int z) {
 
 // Curl of a vector potential of value noise at p (in units of its lattice): no sources, no sinks.
 //   curl psi = (dpsi_z/dy - dpsi_y/dz, dpsi_x/dz - dpsi_z/dx, dpsi_y/dx - dpsi_x/dy),
-// the derivatives taken exactly from the blend of the eight corners. Root mean square near 1.
+// the derivatives taken exactly from the blend of the eight corners. Scaled to a root mean square of 1
+// (1.873 measured without).
 FUNCTION vec3 curlNoise(vec3 p) {
   precise vec3 base = clamp(floor(p), -1e6f, 1e6f);
   precise vec3 u = min(max(p - base, 0.0f), 1.0f);
@@ -81,6 +82,7 @@ FUNCTION vec3 curlNoise(vec3 p) {
   dy = dy * quinticSlope(u.y);
   dz = dz * quinticSlope(u.z);
   precise vec3 curl = vec3(dy.z, dz.x, dx.y) - vec3(dz.y, dx.z, dy.x);
+  curl = curl * 0.5338f;
   return curl;
 }
 

@@ -72,7 +72,7 @@ void ParticleParameters::describe(scene::Fields& f) {
   f.number("gravity", gravity, {0, 1e6}, "m^3/(kg s^2)", "The constant G.");
   f.number("softening", softening, {1e-6, 1e4}, "m",
            "Length below which the attraction between particles fades.");
-  f.number("opening", opening, {0.05, 1.5}, "rad",
+  f.number("opening", opening, {0, 1.15}, "rad",
            "Of \"tree\": the angle below which a cell counts as one body; smaller is more exact.");
   f.optionalGroup("attractor", hasAttractor, "A heavy body that moves along keyframes and is not moved.",
                   [&](scene::Fields& a) {

@@ -1,0 +1,108 @@
+#include "reference/particles_twin.hpp"
+
+#include "sim/shader_code.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+namespace {
+
+using namespace simreel::shader;
+
+#define FUNCTION inline
+#define precise
+#include "glsl/particles/pairs.glsl"
+/// What a kernel sees: the globals that model.glsl asks for, and the model itself.
+struct Kernel {
+  const ParticleStep& stepData;
+#include "glsl/particles/model.glsl"
+};
+#undef precise
+#undef FUNCTION
+
+template <class Body>
+void forAll(std::size_t count, int threads, const Body& body) {
+  if (threads == 1) {
+    for (std::size_t i = 0; i < count; ++i) body(i);
+    return;
+  }
+  tbb::task_arena arena(threads == 0 ? tbb::task_arena::automatic : threads);
+  arena.execute([&] {
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count),
+                      [&](const tbb::blocked_range<std::size_t>& range) {
+                        for (std::size_t i = range.begin(); i < range.end(); ++i) body(i);
+                      });
+  });
+}
+
+}  // namespace
+
+glm::vec3 pairAcceleration(const std::vector<glm::vec4>& bodies, glm::vec3 here, float gravity,
+                           float softening) {
+  const float softeningSquared = softening * softening;
+  vec3 total(0);
+  for (std::size_t chunk = 0; chunk < bodies.size(); chunk += chunkBodies) {
+    vec3 sum(0);
+    const std::size_t end = std::min(bodies.size(), chunk + chunkBodies);
+    for (std::size_t j = chunk; j < end; ++j) sum = addPull(sum, here, bodies[j], softeningSquared);
+    total = total + sum;
+  }
+  return total * gravity;
+}
+
+glm::vec3 curlNoiseAt(glm::vec3 p, int seed) {
+  ParticleStep data{};
+  data.counts.z = seed;
+  return Kernel{data}.curlNoise(p);
+}
+
+ParticlesTwin::ParticlesTwin(simreel::sim::ParticlePlan plan) : plan_(std::move(plan)) {
+  auto cloud = plan_.firstCloud();
+  positions = std::move(cloud.positions);
+  velocities = std::move(cloud.velocities);
+  accelerations.assign(positions.size(), vec4(0));
+}
+
+void ParticlesTwin::step(double time, int threads) {
+  if (!primed_) {
+    attract(threads);
+    kick(plan_.prime(time), threads);
+    primed_ = true;
+  }
+  for (const ParticleStep& data : plan_.frame(time)) {
+    forAll(positions.size(), threads, [&](std::size_t i) {
+      Kernel kernel{data};
+      const auto m =
+          kernel.drifted(static_cast<int>(i), positions[i], velocities[i], vec3(accelerations[i]));
+      positions[i] = m.position;
+      velocities[i] = m.velocity;
+    });
+    attract(threads);
+    kick(data, threads);
+  }
+}
+
+void ParticlesTwin::attract(int threads) {
+  const auto& p = plan_.parameters();
+  if (p.method == simreel::sim::GravityMethod::none) return;
+  forAll(positions.size(), threads, [&](std::size_t i) {
+    accelerations[i] = vec4(pairAcceleration(positions, vec3(positions[i]), p.gravity, p.softening), 0);
+  });
+}
+
+void ParticlesTwin::kick(const ParticleStep& data, int threads) {
+  const auto& p = plan_.parameters();
+  const bool pairs = p.method != simreel::sim::GravityMethod::none;
+  forAll(positions.size(), threads, [&](std::size_t i) {
+    Kernel kernel{data};
+    const vec3 field =
+        kernel.fieldAcceleration(vec3(positions[i]), p.hasAttractor, p.turbulence.strength > 0);
+    const vec3 acceleration = pairs ? vec3(accelerations[i]) + field : field;
+    accelerations[i] = vec4(acceleration, 0);
+    velocities[i] = kernel.kicked(velocities[i], acceleration);
+  });
+}

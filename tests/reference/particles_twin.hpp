@@ -1,0 +1,38 @@
+#pragma once
+#include "sim/particles_plan.hpp"
+
+#include <functional>
+#include <vector>
+
+#include <glm/vec4.hpp>
+
+/// Particles on the CPU: the kernels' own model (glsl/particles compiled as C++) in plain loops. Equals the
+/// GPU bit for bit in exact mode with the methods "none" and "all-pairs".
+class ParticlesTwin {
+ public:
+  explicit ParticlesTwin(simreel::sim::ParticlePlan plan);
+
+  /// One frame starting at `time` (s). `threads` 0: all processors.
+  void step(double time, int threads = 1);
+
+  std::vector<glm::vec4> positions;      ///< xyz m, w kg
+  std::vector<glm::vec4> velocities;     ///< xyz m/s, w age
+  std::vector<glm::vec4> accelerations;  ///< xyz m/s^2
+  [[nodiscard]] const simreel::sim::ParticlePlan& plan() const { return plan_; }
+  /// Forgets the accelerations, after the state was changed from outside.
+  void restart() { primed_ = false; }
+
+ private:
+  void attract(int threads);
+  void kick(const simreel::shader::ParticleStep& data, int threads);
+
+  simreel::sim::ParticlePlan plan_;
+  bool primed_ = false;
+};
+
+/// Acceleration of one target by `bodies` in the kernels' order of summation.
+[[nodiscard]] glm::vec3 pairAcceleration(const std::vector<glm::vec4>& bodies, glm::vec3 here,
+                                         float gravity, float softening);
+
+/// Curl noise at p as the kernels have it, for tests.
+[[nodiscard]] glm::vec3 curlNoiseAt(glm::vec3 p, int seed);

@@ -1,0 +1,219 @@
+// All-pairs gravity on the device, exact and fast, beside plain loops on the CPU in the same run: rates in
+// interactions/s (one body pulled by one body), best of several runs. Then particles that do not attract
+// each other, in particle-steps/s. With particles/pairs.cu built in (where nvcc is found), a plain CUDA
+// kernel beside them.
+//   bench_particles [bodies] [free particles]
+#include "sim/particles.hpp"
+
+#include "gl/context.hpp"
+#include "reference/particles_twin.hpp"
+#include "sim/particles_pairs.hpp"
+#include "sim/shader_code.hpp"
+
+#include <chrono>
+#include <cmath>
+#include <cstdlib>
+#include <functional>
+#include <memory>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include <fmt/format.h>
+
+using namespace simreel;
+
+/// particles/soa.cpp: vectorised by the compiler for this machine; three floats a target into `sums`.
+void soaPairs(const float* x, const float* y, const float* z, const float* mass, int count, int first,
+              int end, float softening, float* sums);
+
+#ifdef SIMREEL_BENCH_CUDA
+/// particles/pairs.cu: seconds of the best of `runs`, negative without a device; sums into xyzw of
+/// `accelerations`.
+double cudaPairs(const float* bodies, float* accelerations, int count, float gravity, float softening,
+                 int runs);
+#endif
+
+namespace {
+
+constexpr float gravity = 0.01F;
+constexpr float softening = 0.1F;
+
+std::vector<glm::vec4> cloud(int count) {
+  std::vector<glm::vec4> bodies;
+  for (unsigned i = 0; i < static_cast<unsigned>(count); ++i) {
+    const auto bits = shader::hash3({i, 1, 2});
+    bodies.emplace_back(shader::signedUnit(bits.x), shader::signedUnit(bits.y), shader::signedUnit(bits.z),
+                        1.0F / static_cast<float>(count));
+  }
+  return bodies;
+}
+
+/// Seconds of the shortest of some runs, at least three and half a second of them.
+double best(const std::function<void()>& body) {
+  double shortest = 1e300;
+  double total = 0;
+  for (int run = 0; run < 3 || total < 0.5; ++run) {
+    const auto begin = std::chrono::steady_clock::now();
+    body();
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    shortest = std::min(shortest, seconds);
+    total += seconds;
+  }
+  return shortest;
+}
+
+/// As a textbook writes it.
+void plainLoop(const std::vector<glm::vec4>& bodies, std::vector<glm::vec4>& out) {
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    glm::vec3 sum(0);
+    for (const glm::vec4& body : bodies) {
+      const glm::vec3 d = glm::vec3(body) - glm::vec3(bodies[i]);
+      const float squared = d.x * d.x + d.y * d.y + d.z * d.z + softening * softening;
+      const float inverse = 1.0F / std::sqrt(squared);
+      sum += d * (body.w * inverse * inverse * inverse);
+    }
+    out[i] = glm::vec4(sum * gravity, 0);
+  }
+}
+
+/// Separate arrays of each coordinate.
+struct Soa {
+  std::vector<float> x, y, z, mass;
+  explicit Soa(const std::vector<glm::vec4>& bodies) {
+    for (const glm::vec4& b : bodies) {
+      x.push_back(b.x);
+      y.push_back(b.y);
+      z.push_back(b.z);
+      mass.push_back(b.w);
+    }
+  }
+};
+
+/// Shares the targets out to threads.
+void soaLoop(const Soa& bodies, std::vector<glm::vec4>& out, unsigned threads) {
+  std::vector<float> sums(out.size() * 3);
+  const auto count = static_cast<int>(out.size());
+  const auto part = [&](unsigned t) {
+    const auto bound = [&](unsigned i) {
+      return static_cast<int>(static_cast<long long>(count) * i / threads);
+    };
+    soaPairs(bodies.x.data(), bodies.y.data(), bodies.z.data(), bodies.mass.data(), count, bound(t),
+             bound(t + 1), softening, sums.data());
+  };
+  std::vector<std::thread> others;
+  for (unsigned t = 1; t < threads; ++t) others.emplace_back(part, t);
+  part(0);
+  for (std::thread& thread : others) thread.join();
+  for (std::size_t i = 0; i < out.size(); ++i)
+    out[i] = glm::vec4(sums[i * 3], sums[i * 3 + 1], sums[i * 3 + 2], 0) * gravity;
+}
+
+/// In doubles, to see how far each is off.
+std::vector<glm::vec4> exactSums(const std::vector<glm::vec4>& bodies, std::size_t targets) {
+  std::vector<glm::vec4> out;
+  for (std::size_t i = 0; i < targets; ++i) {
+    glm::dvec3 sum(0);
+    for (const glm::vec4& body : bodies) {
+      const glm::dvec3 d = glm::dvec3(body) - glm::dvec3(bodies[i]);
+      const double squared = d.x * d.x + d.y * d.y + d.z * d.z + static_cast<double>(softening) * softening;
+      sum += d * (static_cast<double>(body.w) / (squared * std::sqrt(squared)));
+    }
+    out.emplace_back(glm::vec3(sum * static_cast<double>(gravity)), 0.0F);
+  }
+  return out;
+}
+
+/// Greatest difference as a share of the greatest acceleration: all must have solved the same problem.
+double difference(const std::vector<glm::vec4>& a, const std::vector<glm::vec4>& b) {
+  float most = 0;
+  float scale = 0;
+  for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i)
+    for (int c = 0; c < 3; ++c) {
+      most = std::max(most, std::abs(a[i][c] - b[i][c]));
+      scale = std::max(scale, std::abs(a[i][c]));
+    }
+  return most / scale;
+}
+
+void pairs(int count) {
+  const auto bodies = cloud(count);
+  const auto truth = exactSums(bodies, std::min<std::size_t>(bodies.size(), 1024));
+  std::vector<glm::vec4> out(bodies.size());
+  const double interactions = static_cast<double>(count) * count;
+  double plainSeconds = 0;
+  double twoSeconds = 0;
+  const auto line = [&](const char* what, double seconds) {
+    fmt::print("{:30} {:9.3f} ms {:9.3e} interactions/s", what, seconds * 1e3, interactions / seconds);
+    if (plainSeconds > 0)
+      fmt::print(" {:8.2f}x plain {:8.2f}x two threads", plainSeconds / seconds, twoSeconds / seconds);
+    fmt::print("  off by {:.1e}\n", difference(truth, out));
+  };
+  fmt::print("all pairs, {} bodies\n", count);
+  const Soa soa(bodies);
+  if (count <= 32768) {
+    twoSeconds = best([&] { soaLoop(soa, out, 2); });
+    plainSeconds = best([&] { plainLoop(bodies, out); });
+    line("plain loop, one thread", plainSeconds);
+    line("vectorised, one thread", best([&] { soaLoop(soa, out, 1); }));
+    line("vectorised, two threads", twoSeconds);
+  }
+  const unsigned all = std::thread::hardware_concurrency();
+  if (all > 2) line("vectorised, all threads", best([&] { soaLoop(soa, out, all); }));
+  const gl::Vec4Array positions("bodies", bodies);
+  const gl::Vec4Array accelerations("accelerations", out);
+  for (const bool fast : {false, true}) {
+    sim::PairGravity kernel(fast);
+    const auto run = [&] {
+      kernel.accelerate(positions, accelerations, count, gravity, softening);
+      glFinish();
+    };
+    run();
+    const double seconds = best(run);
+    out = accelerations.buffer().readAll<glm::vec4>();
+    line(fast ? "device, fast" : "device, exact", seconds);
+  }
+#ifdef SIMREEL_BENCH_CUDA
+  const double seconds = cudaPairs(&bodies[0].x, &out[0].x, count, gravity, softening, 10);
+  if (seconds > 0) line("CUDA, shared tile", seconds);
+#endif
+}
+
+void freeParticles(int count, bool turbulence) {
+  sim::ParticleParameters p;
+  p.method = sim::GravityMethod::none;
+  p.groups.emplace_back().count = count;
+  p.groups[0].totalMass = 1000;
+  p.hasAttractor = true;
+  p.turbulence.strength = turbulence ? 1.0F : 0.0F;
+  p.substeps = 8;
+  scene::Object object;
+  object.name = "cloud";
+  object.parameters = std::make_unique<sim::ParticleParameters>(p);
+  const std::vector<sim::ColliderShape> colliders;
+  for (const bool fast : {false, true}) {
+    const auto particles = sim::particlesKind().make(object, {fast, 1, 1.0 / 60, &colliders});
+    particles->step(0, {});
+    glFinish();
+    const double seconds = best([&] {
+      particles->step(0, {});
+      glFinish();
+    });
+    fmt::print("{} free particles, attractor{}, {}: {:.3f} ms a substep, {:.3e} particle-steps/s\n", count,
+               turbulence ? " and turbulence" : "", fast ? "fast" : "exact", seconds / 8 * 1e3,
+               8.0 * count / seconds);
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const gl::Context context;
+  fmt::print("device: {}; {} processors\n", context.device().name, std::thread::hardware_concurrency());
+  pairs(argc > 1 ? std::atoi(argv[1]) : 8192);
+  const int count = argc > 2 ? std::atoi(argv[2]) : 1000000;
+  if (count > 0) {
+    freeParticles(count, false);
+    freeParticles(count, true);
+  }
+}
