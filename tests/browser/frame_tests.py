@@ -87,7 +87,7 @@ class WordsTest(ReportTest):
         self.assertEqual((len(messages), b.text("#messages .more")), (3, "6 more"))
         b.click("#messages button")
         self.assertEqual(len(b.all("#messages li")), 9)
-        self.assertIn("leaves the baseline at frame 37, step 4 of 22: flag.positions, elements 128–191",
+        self.assertIn("leaves the baseline at frame 37, step 4 of 22: flag.positions, within elements 128–191",
                       self.card("divergence"))
         row = lambda i: b.texts(f".checks tbody tr:nth-child({i + 1}) > *")
         self.assertEqual(row(0)[:4], ["energy of flag", "60", "3.1", "0 to 3"])
@@ -100,6 +100,10 @@ class WordsTest(ReportTest):
         self.assertIn("any (this run is llvmpipe)", self.card("baseline"))
         self.assertIn("which is not tested", self.card("notes"))
         self.assertIn("5f1c09b24e7d4c38", self.card("environment"))
+
+    def test_a_frame_does_not_repeat_its_number(self):
+        b = self.open(FLAG + "side")
+        self.assertRegex(b.text("#frameMessage"), r"^2 s · 5 of 9 ✕ failed 3\.88 % of the pixels")
 
     def test_measurements_over_their_bounds(self):
         b = self.open(FLAG + "side")

@@ -83,8 +83,8 @@ Json failedFrame(const Maker& make, const std::string& scene, int frame, double 
   result["metrics"] = metricsOf(expected, actual);
   result["status"] = "fail";
   result["pixels"] = frame::pixelHash(actual);
-  result["message"] = fmt::format("{:.2f} % of the pixels differ by more than {}, {} % may",
-                                  result["metrics"]["ratioBeyond"].get<double>() * 100, beyond, 0.5);
+  result["message"] = fmt::format("frame {}: {:.2f} % of the pixels differ by more than {}, {} % may",
+                                  frame, result["metrics"]["ratioBeyond"].get<double>() * 100, beyond, 0.5);
   result["expectedImage"] = make.keep(scene, number + ".expected.png", expected);
   result["actualImage"] = make.keep(scene, number + ".actual.png", actual);
   result["differenceImage"] = make.keep(scene, number + ".difference.png", difference(expected, actual));
@@ -132,9 +132,7 @@ Json failedScene(const Maker& make, const std::string& name, int frames, int eve
   scene["frames"].push_back(equalFrame(0));
   for (int i = 1; i < frames; ++i) {
     scene["frames"].push_back(failedFrame(make, name, i * every, shift * i / frames));
-    const Json& frame = scene["frames"].back();
-    scene["messages"].push_back(
-        fmt::format("frame {}: {}", i * every, frame["message"].get<std::string>()));
+    scene["messages"].push_back(scene["frames"].back()["message"]);
   }
   scene["candidate"] = "files/" + name + "/candidate";
   return scene;

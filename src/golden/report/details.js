@@ -174,7 +174,7 @@ function showHead(scene) {
   byId("badge").replaceChildren(badge(scene.status));
   byId("file").textContent = scene.file;
   // Messages that each frame repeats come last.
-  const ofFrames = new Set(scene.frames.map((frame) => "frame " + frame.frame + ": " + frame.message));
+  const ofFrames = new Set(scene.frames.map((frame) => frame.message));
   const texts = [...scene.messages].sort((a, b) => ofFrames.has(a) - ofFrames.has(b));
   const messages = texts.map((text) => element("li", {}, text));
   if (scene.xfail) {

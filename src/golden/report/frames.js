@@ -23,7 +23,7 @@ function tile(frame, index) {
   return element("button", {
     class: "tile " + frame.status, "data-index": index,
     "aria-label": "Frame " + frame.frame + ", " + statusWords[frame.status],
-    title: "frame " + frame.frame + ", " + format(frame.time) + " s: " + (frame.message || statusWords[frame.status]),
+    title: "frame " + frame.frame + ", " + format(frame.time) + " s: " + (ownMessage(frame) || statusWords[frame.status]),
     onclick: () => go({frame: index}),
   },
   element("span", {class: "slot"}, hasPictures(frame) ? null : statusGlyphs[frame.status]),
@@ -174,7 +174,7 @@ function showFrames() {
   byId("next").disabled = state.frame === scene.frames.length - 1;
   byId("frameMessage").replaceChildren(
       element("span", {}, format(frame.time) + " s · " + (state.frame + 1) + " of " + scene.frames.length), " ",
-      badge(frame.status), " ", frame.message);
+      badge(frame.status), " ", ownMessage(frame));
   showStrip();
   showCurve();
 }

@@ -46,6 +46,12 @@ const frameOf = (scene) => (scene && scene.frames[state.frame]) || null;
 const hasPictures = (frame) => Boolean(frame.expectedImage || frame.actualImage || frame.differenceImage);
 const equalPixels = (frame) => !frame.metrics && frame.pixels !== "" && frame.pixels === frame.expectedPixels;
 
+/// A frame's message where its number stands beside it already.
+function ownMessage(frame) {
+  const prefix = "frame " + frame.frame + ": ";
+  return frame.message.startsWith(prefix) ? frame.message.slice(prefix.length) : frame.message;
+}
+
 /// Largest of a curve's values over the scene's frames; 0 where nothing was measured.
 function largest(scene, of) {
   return scene.frames.reduce((most, frame) => frame.metrics ? Math.max(most, of(frame.metrics)) : most, 0);
@@ -92,13 +98,13 @@ function acceptCommand(scene) {
   return suite.acceptCommand + " --only " + shellWord(scene.name);
 }
 
-/// "first leaves the baseline at frame 37, step 4 of 22: flag.positions, elements 128–191"
+/// "first leaves the baseline at frame 37, step 4 of 22: flag.positions, within elements 128–191"
 function divergenceText(divergence) {
   const d = divergence;
   const when = d.frame < 0 ? "before frame 0, at pre-roll frame " + d.frame : "at frame " + d.frame;
   const step = d.step > 0 ? ", step " + d.step + " of " + d.steps : "";
-  const elements = d.firstElement === d.lastElement ? "element " + d.firstElement :
-                                                      "elements " + d.firstElement + "–" + d.lastElement;
+  const block = "within elements " + d.firstElement + "–" + d.lastElement;
+  const elements = d.firstElement === d.lastElement ? "element " + d.firstElement : block;
   const where = [d.object, d.buffer].filter(Boolean).join(".");
   return "first leaves the baseline " + when + step + (where ? ": " + where + ", " + elements : "");
 }
