@@ -24,7 +24,8 @@ vec3 begin(int i) {
 }
 
 #ifdef TEXEL_PATH
-// A texel load is dear beside the arithmetic: eight targets share each. A SIMD lane is an invocation.
+// A texel load is dear beside the arithmetic, so eight targets share each; a round of the loop costs too, so
+// it takes four bodies. A SIMD lane is an invocation.
 layout(local_size_x = 16) in;
 #define EACH(DO) DO(0) DO(1) DO(2) DO(3) DO(4) DO(5) DO(6) DO(7)
 
@@ -40,10 +41,23 @@ void main() {
 #define ZERO(k) vec3 sum##k = vec3(0.0f);
     EACH(ZERO)
     int end = min(chunk + chunkBodies, bodies.y);
-    for (int j = chunk; j < end; ++j) {
-      vec4 body = LOAD_INPUT(positions, j);
-#define PULL(k) sum##k = addPull(sum##k, here##k, body, factors.x);
+    int j = chunk;
+    for (; j + 4 <= end; j += 4) {
+      vec4 body0 = LOAD_INPUT(positions, j);
+      vec4 body1 = LOAD_INPUT(positions, j + 1);
+      vec4 body2 = LOAD_INPUT(positions, j + 2);
+      vec4 body3 = LOAD_INPUT(positions, j + 3);
+#define PULL(k)                                        \
+  sum##k = addPull(sum##k, here##k, body0, factors.x); \
+  sum##k = addPull(sum##k, here##k, body1, factors.x); \
+  sum##k = addPull(sum##k, here##k, body2, factors.x); \
+  sum##k = addPull(sum##k, here##k, body3, factors.x);
       EACH(PULL)
+    }
+    for (; j < end; ++j) {
+      vec4 body = LOAD_INPUT(positions, j);
+#define PULL_ONE(k) sum##k = addPull(sum##k, here##k, body, factors.x);
+      EACH(PULL_ONE)
     }
 #define JOIN(k) total##k = total##k + sum##k;
     EACH(JOIN)
@@ -66,11 +80,10 @@ void main() {
     vec3 sum = vec3(0.0f);
     int end = min(chunk + chunkBodies, bodies.y);
     for (int start = chunk; start < end; start += 256) {
-      // Beyond the end stand bodies without mass; only whole tiles are unrolled.
+      // Beyond the end stand bodies without mass: adding their zero changes no bit of the sum.
       tile[lane] = start + lane < end ? LOAD_INPUT(positions, start + lane) : vec4(0.0f);
       barrier();
-      int count = min(256, end - start);
-      for (int j = 0; j < count; ++j) sum = addPull(sum, here, tile[j], factors.x);
+      for (int j = 0; j < 256; ++j) sum = addPull(sum, here, tile[j], factors.x);
       barrier();
     }
     total = total + sum;

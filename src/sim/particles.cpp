@@ -17,11 +17,12 @@ namespace simreel::sim {
 
 namespace {
 
-/// What one array of the current device holds.
+/// What one array of the current device holds and one dispatch of 64 a group reaches.
 int mostParticles() {
   constexpr std::int64_t bytes = sizeof(glm::vec4);
   std::int64_t most = gl::limits().storageBlockBytes / bytes;
   most = std::min(most, gl::limits().texelBufferTexels);
+  most = std::min(most, std::int64_t{64} * gl::limits().groupsX);
   return static_cast<int>(std::min<std::int64_t>(most, 1 << 26));
 }
 
