@@ -145,7 +145,8 @@ void InstancesPass::fill(const sim::Instances& instances, std::size_t i, bool fo
   setInstance(programs.cull, instances, forLight);
   // Coarser on the CPU, where triangles cost most, and for shadows, which are filtered.
   const bool coarse = forLight || (gl::softwareDriver() && !isSprite(instances));
-  programs.cull.set("levelError", coarse ? 0.5F : 0.2F);
+  const bool coarsest = forLight && gl::softwareDriver() && !isSprite(instances);
+  programs.cull.set("levelError", coarsest ? 1.5F : coarse ? 0.5F : 0.2F);
   (forLight ? own.forLight : own.forCamera)->fill(programs, form);
 }
 

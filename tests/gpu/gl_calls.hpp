@@ -1,0 +1,80 @@
+#pragma once
+#include <epoxy/egl.h>
+#include <epoxy/gl.h>
+
+/// Counts calls of GL functions while it lives, by standing in for libepoxy's function pointers.
+class GlCalls {
+ public:
+  GlCalls() {
+    count = 0;
+    install(true);
+  }
+  ~GlCalls() { install(false); }
+  GlCalls(const GlCalls&) = delete;
+  GlCalls& operator=(const GlCalls&) = delete;
+  GlCalls(GlCalls&&) = delete;
+  GlCalls& operator=(GlCalls&&) = delete;
+
+  static inline long count = 0;
+
+ private:
+  /// The counting stand-in of one pointer variable.
+  template <auto* Pointer>
+  struct Counted;
+  template <class Result, class... Args, Result (**Pointer)(Args...)>
+  struct Counted<Pointer> {
+    static inline Result (*before)(Args...) = nullptr;
+    static inline Result (*driver)(Args...) = nullptr;
+    static Result call(Args... args) {
+      ++count;
+      return driver(args...);
+    }
+    static void install(bool on, const char* name) {
+      if (on) {
+        // Not what the variable holds: libepoxy's first call goes through the variable once more.
+        driver = reinterpret_cast<Result (*)(Args...)>(eglGetProcAddress(name));
+        before = *Pointer;
+      }
+      *Pointer = on ? &call : before;
+    }
+  };
+
+  /// Every function that the passes of src/draw call for a frame, and those that would wait or copy.
+  static void install(bool on) {
+#define COUNT_CALLS(function) Counted<&epoxy_##function>::install(on, #function)
+    COUNT_CALLS(glBindBuffer);
+    COUNT_CALLS(glBindBufferBase);
+    COUNT_CALLS(glBindBufferRange);
+    COUNT_CALLS(glBindFramebuffer);
+    COUNT_CALLS(glBindImageTexture);
+    COUNT_CALLS(glBindTextureUnit);
+    COUNT_CALLS(glBindVertexArray);
+    COUNT_CALLS(glClearNamedFramebufferfv);
+    COUNT_CALLS(glClientWaitSync);
+    COUNT_CALLS(glDisable);
+    COUNT_CALLS(glDispatchCompute);
+    COUNT_CALLS(glDrawArrays);
+    COUNT_CALLS(glDrawElements);
+    COUNT_CALLS(glDrawElementsIndirect);
+    COUNT_CALLS(glEnable);
+    COUNT_CALLS(glFinish);
+    COUNT_CALLS(glFlush);
+    COUNT_CALLS(glGetNamedBufferSubData);
+    COUNT_CALLS(glMemoryBarrier);
+    COUNT_CALLS(glNamedBufferSubData);
+    COUNT_CALLS(glProgramUniform1f);
+    COUNT_CALLS(glProgramUniform1i);
+    COUNT_CALLS(glProgramUniform1ui);
+    COUNT_CALLS(glProgramUniform2f);
+    COUNT_CALLS(glProgramUniform2i);
+    COUNT_CALLS(glProgramUniform3f);
+    COUNT_CALLS(glProgramUniform4f);
+    COUNT_CALLS(glProgramUniformMatrix4fv);
+    COUNT_CALLS(glReadPixels);
+    COUNT_CALLS(glTextureParameteri);
+    COUNT_CALLS(glUseProgram);
+    COUNT_CALLS(glVertexArrayElementBuffer);
+    COUNT_CALLS(glViewport);
+#undef COUNT_CALLS
+  }
+};
