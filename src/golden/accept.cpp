@@ -48,7 +48,8 @@ Candidate readCandidate(const fs::path& folder, const SceneResult& scene) {
 
 /// Frames whose baseline is what the report saw are promoted; another one means that somebody was faster.
 void checkUnchanged(const SceneResult& scene, const Candidate& kept) {
-  const auto current = scene.profile.empty() ? std::nullopt : readPictures(baselineFolder(scene.file), scene.profile);
+  const auto current =
+      scene.profile.empty() ? std::nullopt : readPictures(baselineFolder(scene.file), scene.profile);
   for (const FrameResult& frame : scene.frames) {
     std::string now;
     if (current)
@@ -99,8 +100,7 @@ Accepted acceptScene(const fs::path& reportFolder, const SceneResult& scene, con
     const std::string profile = profileOf(folder);
     leaveOutPassed(scene, profile, kept);
     result.already = holdsAlready(baselines, profile, kept);
-    if (!result.already)
-      promote(baselines, profile, kept, {how.reason, how.alternate, how.alternate});
+    if (!result.already) promote(baselines, profile, kept, {how.reason, how.alternate, how.alternate});
   } catch (const UserError& mistake) {
     result.problem = mistake.what();
   }

@@ -124,8 +124,7 @@ void SceneTest::judge() {
     if (result_.status == Status::nondeterministic) continue;
     if (frame.status == Status::fail) result_.status = Status::fail;
     if (frame.status == Status::missing && result_.status == Status::pass) result_.status = Status::missing;
-    if (frame.status != Status::pass)
-      result_.messages.push_back(frame.message);
+    if (frame.status != Status::pass) result_.messages.push_back(frame.message);
   }
   for (const CheckResult& check : result_.checks) {
     if (check.passed) continue;
