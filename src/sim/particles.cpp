@@ -94,6 +94,28 @@ class Particles : public Simulation {
   [[nodiscard]] std::vector<StateArray> state() const override {
     return {{"positions", &positions_.buffer()}, {"velocities", &velocities_.buffer()}};
   }
+  [[nodiscard]] std::vector<const char*> quantityNames() const override {
+    return {"population", "mass", "momentum", "kineticEnergy"};
+  }
+  [[nodiscard]] std::vector<Quantity> quantities() const override {
+    double alive = 0, mass = 0, kinetic = 0;
+    glm::dvec3 momentum(0);
+    const auto positions = positions_.buffer().readAll<glm::vec4>();
+    const auto velocities = velocities_.buffer().readAll<glm::vec4>();
+    for (std::size_t i = 0; i < static_cast<std::size_t>(plan_.count()); ++i) {
+      if (velocities[i].w < 0) continue;
+      const double m = positions[i].w;
+      const glm::dvec3 v(velocities[i]);
+      alive += 1;
+      mass += m;
+      momentum += m * v;
+      kinetic += 0.5 * m * glm::dot(v, v);
+    }
+    return {{"population", alive, "", "Living particles."},
+            {"mass", mass, "kg", "Of all living particles."},
+            {"momentum", glm::length(momentum), "kg m/s", "Size of the sum of mass times velocity."},
+            {"kineticEnergy", kinetic, "J", "Sum of m v^2 / 2."}};
+  }
   [[nodiscard]] int stepsPerFrame() const override { return plan_.parameters().substeps; }
   [[nodiscard]] std::string elementName(long element) const override {
     return fmt::format("particle {}", element);

@@ -1,6 +1,6 @@
 #include "sim/particles_parameters.hpp"
-#include "sim/color_map.hpp"
 
+#include "sim/color_map.hpp"
 #include "sim/particles_plan.hpp"
 
 #include <fmt/format.h>

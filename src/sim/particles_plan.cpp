@@ -66,16 +66,34 @@ int ParticlePlan::groupCount(std::size_t group) const {
   return g.shape == ParticleGroup::Shape::file ? static_cast<int>(files_[group].positions.size()) : g.count;
 }
 
+/// What sits in the middle of a group, at most a hundredth of its radius off.
+std::vector<Companion> ParticlePlan::companionsOf(std::size_t group) const {
+  const ParticleGroup& disk = parameters_.groups[group];
+  const auto near = [&](const glm::vec3& position) {
+    return glm::length(position - disk.position) <= 0.01F * disk.radius;
+  };
+  std::vector<Companion> found;
+  for (std::size_t i = 0; i < parameters_.groups.size(); ++i) {
+    const ParticleGroup& other = parameters_.groups[i];
+    const bool round =
+        other.shape == ParticleGroup::Shape::plummer || other.shape == ParticleGroup::Shape::ball;
+    if (i != group && round && near(other.position)) found.push_back({other.totalMass, other.radius});
+  }
+  if (parameters_.hasAttractor && near(parameters_.attractorPosition.at(0)))
+    found.push_back({parameters_.attractorMass.at(0), parameters_.attractorSoftening});
+  return found;
+}
+
 ParticleCloud ParticlePlan::firstCloud() const {
   ParticleCloud all;
   all.positions.reserve(static_cast<std::size_t>(count_));
   all.velocities.reserve(static_cast<std::size_t>(count_));
   for (std::size_t i = 0; i < parameters_.groups.size(); ++i) {
     const ParticleGroup& group = parameters_.groups[i];
-    ParticleCloud cloud =
-        group.shape == ParticleGroup::Shape::file
-            ? files_[i]
-            : startGroup(group, static_cast<int>(i), seed_, parameters_.gravity, parameters_.softening);
+    ParticleCloud cloud = group.shape == ParticleGroup::Shape::file
+                              ? files_[i]
+                              : startGroup(group, static_cast<int>(i), seed_, parameters_.gravity,
+                                           parameters_.softening, companionsOf(i));
     placeGroup(cloud, group);
     all.positions.insert(all.positions.end(), cloud.positions.begin(), cloud.positions.end());
     all.velocities.insert(all.velocities.end(), cloud.velocities.begin(), cloud.velocities.end());

@@ -14,6 +14,8 @@ static_assert(sizeof(ParticleStep) == 5 * 16 + mostEmitters * 112);
 
 namespace simreel::sim {
 
+struct Companion;
+
 /// Particles at one moment: positions xyz in m, w mass in kg (0: not alive); velocities xyz in m/s, w age 0
 /// to 1 (negative: not alive).
 struct ParticleCloud {
@@ -45,6 +47,7 @@ class ParticlePlan {
   [[nodiscard]] double substepSeconds() const { return substepSeconds_; }
 
  private:
+  [[nodiscard]] std::vector<Companion> companionsOf(std::size_t group) const;
   struct Ring {
     int first = 0;
     int size = 0;

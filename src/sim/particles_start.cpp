@@ -121,13 +121,21 @@ Body plummerBody(const ParticleGroup& g, double gm, Draws& draws) {
 /// Circular motion in an exponential disk about a softened centre; R and lengths in m.
 struct DiskModel {
   double scale, gmDisk, gmCentre, softeningSquared;
+  double gravity;
+  std::span<const Companion> companions;
 
-  /// v^2 = G M(<R) R^2 / (R^2 + eps^2)^(3/2), M the disk within R taken as round, and the centre.
+  /// v^2 = G M(<R) R^2 / (R^2 + eps^2)^(3/2), M the disk within R taken as round, and the centre; with each
+  /// companion's G M R^2 / (R^2 + a^2 + eps^2)^(3/2).
   [[nodiscard]] double speedSquared(double radius) const {
     const double x = radius / scale;
     const double within = gmDisk * (1 - (1 + x) * exponential(-x)) + gmCentre;
     const double squared = radius * radius + softeningSquared;
-    return within * radius * radius / (squared * std::sqrt(squared));
+    double sum = within * radius * radius / (squared * std::sqrt(squared));
+    for (const Companion& c : companions) {
+      const double wide = squared + double(c.radius) * c.radius;
+      sum += gravity * c.mass * radius * radius / (wide * std::sqrt(wide));
+    }
+    return sum;
   }
   /// kappa^2 = R^-3 d(R^2 v^2)/dR.
   [[nodiscard]] double epicyclicSquared(double radius) const {
@@ -172,10 +180,15 @@ Body diskBody(const ParticleGroup& g, const DiskModel& disk, double gravity, Dra
 
 }  // namespace
 
-ParticleCloud startGroup(const ParticleGroup& g, int groupIndex, int seed, float gravity, float softening) {
+ParticleCloud startGroup(const ParticleGroup& g, int groupIndex, int seed, float gravity, float softening,
+                         std::span<const Companion> companions) {
   const double gm = static_cast<double>(gravity) * g.totalMass;
-  const DiskModel disk{g.radius, gm, static_cast<double>(gravity) * g.centralMass,
-                       static_cast<double>(softening) * softening};
+  const DiskModel disk{g.radius,
+                       gm,
+                       static_cast<double>(gravity) * g.centralMass,
+                       static_cast<double>(softening) * softening,
+                       gravity,
+                       companions};
   std::vector<Body> bodies;
   bodies.reserve(static_cast<std::size_t>(g.count));
   for (int i = 0; i < g.count; ++i) {

@@ -12,6 +12,7 @@ from golden_common import GoldenCase
 MUTATIONS = {
     "cloth": ("cloth/model.glsl", "precise vec3 moved = vec3(here) + m.velocity * stepData.gravity.w;",
               "precise vec3 moved = vec3(here) + m.velocity * (stepData.gravity.w * 1.01f);"),
+    "particles": ("particles/model.glsl", "OLD", "NEW"),
 }
 SCENERY = {"sphere", "capsule", "plane"}  # nothing of theirs is simulated
 
