@@ -130,7 +130,7 @@ StepTrace decodeTrace(std::span<const std::byte> bytes, const std::string& name)
     in.wrong("its length is not what it says");
   trace.words.resize(in.left() / sizeof(std::uint32_t));
   const auto words = in.take(in.left());
-  std::memcpy(trace.words.data(), words.data(), words.size());
+  if (!words.empty()) std::memcpy(trace.words.data(), words.data(), words.size());
   return trace;
 }
 
