@@ -12,7 +12,8 @@ from golden_common import GoldenCase
 MUTATIONS = {
     "cloth": ("cloth/model.glsl", "precise vec3 moved = vec3(here) + m.velocity * stepData.gravity.w;",
               "precise vec3 moved = vec3(here) + m.velocity * (stepData.gravity.w * 1.01f);"),
-    "particles": ("particles/model.glsl", "OLD", "NEW"),
+    "particles": ("particles/model.glsl", "precise vec3 drift = v * stepData.acceleration.w;",
+                  "precise vec3 drift = v * (stepData.acceleration.w * 1.01f);"),
 }
 SCENERY = {"sphere", "capsule", "plane"}  # nothing of theirs is simulated
 
