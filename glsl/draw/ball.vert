@@ -9,12 +9,11 @@
 out vec3 shade;
 #else
 flat out vec3 tint;
-flat out vec3 towards;     // the eye
-flat out vec3 bulge;       // from the middle to the ball's nearest point, and
-flat out vec3 placeBulge;  //     the same in the light's map
-out vec3 across;           // from the middle, in radii
+flat out vec3 middle;
+flat out vec2 radii;  // of the ball, and of its outline on the square (m)
 out vec3 worldPosition;
 out vec3 place;
+out vec3 placeRay;  // from the eye to the place
 #endif
 
 void main() {
@@ -23,30 +22,30 @@ void main() {
 #ifdef SMALL
   shade = vec3(0);
 #else
-  tint = towards = bulge = placeBulge = across = worldPosition = place = vec3(0);
+  tint = middle = worldPosition = place = placeRay = vec3(0);
+  radii = vec2(0);
 #endif
   if (!pulled(position, velocity)) return;
   Facing facing = facingEye(position.xyz);
-  float radius = outlineRadius(instanceSize(position.w) * shapeRadius, facing.distance);
-  radius = max(radius, leastRadius(position.xyz));
+  float radius = max(instanceSize(position.w) * shapeRadius, leastRadius(position.xyz));
+  float outline = outlineRadius(radius, facing.distance);
   vec2 corner = squareCorner();
   vec3 outwards = corner.x * facing.right + corner.y * facing.up;
   vec3 lift = shadowLift(frame.sunDirection.xyz);
 #ifdef SMALL
   const float halfSide = 0.8862269;  // sqrt(pi) / 2
-  gl_Position = frame.viewProjection * vec4(position.xyz + radius * halfSide * outwards, 1.0);
-  // Half way between middle and outline the ball has its mean shade.
-  vec3 normal = 0.5 * outwards + 0.7071068 * facing.towards;
+  gl_Position = frame.viewProjection * vec4(position.xyz + outline * halfSide * outwards, 1.0);
+  // The part of the ball that is seen faces the eye by 2/3 in the mean.
+  vec3 normal = 0.5270463 * outwards + 0.6666667 * facing.towards;
   float share = sunShare(shadowPlace(position.xyz + radius * normal + lift));
   shade = surfaceLight(tintOf(position, velocity), normal, facing.towards, share);
 #else
   tint = tintOf(position, velocity);
-  towards = facing.towards;
-  across = outwards;
-  bulge = radius * towards;
-  worldPosition = position.xyz + radius * across;
+  middle = position.xyz;
+  radii = vec2(radius, outline);
+  worldPosition = position.xyz + outline * outwards;
   place = shadowPlace(worldPosition + lift);
-  placeBulge = shadowPlace(worldPosition + lift + bulge) - place;
+  placeRay = place - shadowPlace(frame.eye.xyz + lift);
   gl_Position = frame.viewProjection * vec4(worldPosition, 1.0);
 #endif
 }

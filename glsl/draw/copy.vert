@@ -3,6 +3,7 @@
 #include "draw/instance_pull.glsl"
 #include "draw/copy_vertex.glsl"
 #include "draw/light_map.glsl"
+uniform float swell;  // share of a round shape's size by which its facets lie inside it
 flat out vec3 tint;
 out vec3 worldNormal;
 out vec3 worldPosition;
@@ -21,7 +22,8 @@ void main() {
   tint *= brightnessAt(velocity.w);
 #endif
 #ifdef SHADOW
-  place = shadowPlace(worldPosition + shadowLift(worldNormal));
+  vec3 onRound = worldPosition + (swell * shapeRadius * instanceSize(position.w)) * worldNormal;
+  place = shadowPlace(onRound + shadowLift(worldNormal));
 #endif
   gl_Position = frame.viewProjection * vec4(worldPosition, 1.0);
 }

@@ -44,6 +44,16 @@ Triangles icosahedron() {
   return t;
 }
 
+float depthOfFacets(const Triangles& sphere) {
+  float depth = 0;
+  for (std::size_t i = 0; i < sphere.corners.size(); i += 3) {
+    const glm::vec3 sum = sphere.points[sphere.corners[i]] + sphere.points[sphere.corners[i + 1]] +
+                          sphere.points[sphere.corners[i + 2]];
+    depth = std::max(depth, 1.0F - glm::length(sum) / 3.0F);
+  }
+  return depth;
+}
+
 /// Each triangle in four, new points on the unit sphere.
 Triangles divided(const Triangles& coarse) {
   Triangles fine;
@@ -93,7 +103,7 @@ struct InstanceShape::Builder {
       const std::size_t copies =
           std::clamp(batchIndices / std::max<std::size_t>(level.size(), 1), std::size_t{1}, mostCopies);
       shape.levels_.push_back({static_cast<int>(all.size()), static_cast<int>(copies * level.size()),
-                               static_cast<int>(copies)});
+                               static_cast<int>(copies), 0.0F});
       for (std::size_t copy = 0; copy < copies; ++copy)
         for (const unsigned corner : level)
           all.push_back(static_cast<unsigned>(copy) << static_cast<unsigned>(shape.vertexBits_) | corner);
@@ -114,12 +124,16 @@ InstanceShape InstanceShape::square(int levels) {
 
 InstanceShape InstanceShape::sphere() {
   Builder builder;
+  std::vector<float> depths;
   Triangles t = icosahedron();
   for (int level = 0; level < sphereLevels; ++level) {
     if (level > 0) t = divided(t);
     builder.add(t.points, t.points, t.corners, 0.5F);
+    depths.push_back(depthOfFacets(t));
   }
-  return builder.build(static_cast<unsigned>(builder.vertices.size() / 2));
+  InstanceShape shape = builder.build(static_cast<unsigned>(builder.vertices.size() / 2));
+  for (std::size_t level = 0; level < depths.size(); ++level) shape.levels_[level].swell = depths[level];
+  return shape;
 }
 
 InstanceShape InstanceShape::mesh(std::span<const glm::vec3> positions, std::span<const glm::vec3> normals,

@@ -17,6 +17,7 @@ class InstanceShape {
     int firstIndex = 0;
     int indexCount = 0;  ///< of all copies
     int batch = 1;
+    float swell = 0;  ///< of spheres: share of the radius by which facets lie inside it
   };
 
   /// Corners of a square, numbered 0 to 3; no vertex data. Diameter 1. All levels are the same: what

@@ -189,6 +189,7 @@ void InstancesPass::drawLevel(const gl::Program& program, const sim::Instances& 
   program.set("alongVelocity", static_cast<int>(instances.alongVelocity));
   program.set("level", static_cast<int>(level));
   program.set("batch", form.levels()[level].batch);
+  program.set("swell", form.levels()[level].swell);
   if (form.vertices()) form.vertices().bind(shapeUnit);
   list.bind();
   vertices_.bind(form.indices());

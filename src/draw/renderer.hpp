@@ -9,7 +9,7 @@
 
 namespace simreel::draw {
 
-/// Draws one frame: shadow map, background, ground and surfaces into a multisampled linear target,
+/// Draws one frame: shadow map, surfaces, crowds and ground into a multisampled linear target, bloom,
 /// resolve, tone map, sRGB encoding.
 class Renderer {
  public:

@@ -37,10 +37,10 @@ struct Instances {
   enum class ColorBy { material, speed, mass, age };
   const gl::Texture* positions = nullptr;  ///< RGBA32F texel view: xyz in m, w mass in kg
   const gl::Texture* velocities =
-      nullptr;                  ///< RGBA32F texel view: xyz in m/s, w age 0 to 1; negative: not alive
+      nullptr;  ///< RGBA32F texel view: xyz in m/s, w age 0 to 1, exactly 0: ages not; negative: not alive
   int capacity = 0;             ///< elements of both
   Shape shape = Shape::sprite;  ///< sprites are lit as balls, or glow when additive
-  std::filesystem::path mesh;   ///< OBJ or PLY file of Shape::mesh
+  std::filesystem::path mesh;   ///< OBJ, PLY or glTF file of Shape::mesh
   bool alongVelocity = false;   ///< turns the mesh's z axis along the velocity
   float size = 0.1F;            ///< m: diameter; of a mesh, factor on its coordinates
   float massExponent = 0.0F;    ///< size is multiplied with (mass / massReference)^exponent
