@@ -23,9 +23,15 @@ vec3 begin(int i) {
   return continued ? LOAD_STATE(accelerations, i).xyz : vec3(0.0f);
 }
 
+// Four bodies a round of the loops, which costs too.
+#define PULL(k)                                        \
+  sum##k = addPull(sum##k, here##k, body0, factors.x); \
+  sum##k = addPull(sum##k, here##k, body1, factors.x); \
+  sum##k = addPull(sum##k, here##k, body2, factors.x); \
+  sum##k = addPull(sum##k, here##k, body3, factors.x);
+
 #ifdef TEXEL_PATH
-// A texel load is dear beside the arithmetic, so eight targets share each; a round of the loop costs too, so
-// it takes four bodies. A SIMD lane is an invocation.
+// A texel load is dear beside the arithmetic, so eight targets share each. A SIMD lane is an invocation.
 layout(local_size_x = 16) in;
 #define EACH(DO) DO(0) DO(1) DO(2) DO(3) DO(4) DO(5) DO(6) DO(7)
 
@@ -47,11 +53,6 @@ void main() {
       vec4 body1 = LOAD_INPUT(positions, j + 1);
       vec4 body2 = LOAD_INPUT(positions, j + 2);
       vec4 body3 = LOAD_INPUT(positions, j + 3);
-#define PULL(k)                                        \
-  sum##k = addPull(sum##k, here##k, body0, factors.x); \
-  sum##k = addPull(sum##k, here##k, body1, factors.x); \
-  sum##k = addPull(sum##k, here##k, body2, factors.x); \
-  sum##k = addPull(sum##k, here##k, body3, factors.x);
       EACH(PULL)
     }
     for (; j < end; ++j) {
@@ -66,28 +67,47 @@ void main() {
   EACH(FINISH)
 }
 #else
+// Each load from shared memory serves as many targets as an invocation has; few bodies would leave most of the
+// GPU without work then.
 layout(local_size_x = 256) in;
+#if TARGETS == 4
+#define EACH(DO) DO(0) DO(1) DO(2) DO(3)
+#else
+#define EACH(DO) DO(0)
+#endif
 shared vec4 tile[256];
 
 void main() {
-  int i = targets.x + int(gl_GlobalInvocationID.x);
   int lane = int(gl_LocalInvocationID.x);
-  bool real = i < targets.y;
-  int target = min(i, targets.y - 1);
-  vec3 here = LOAD_INPUT(positions, target).xyz;
-  precise vec3 total = begin(target);
+  int first = targets.x + int(gl_WorkGroupID.x) * 256 * TARGETS + lane;
+#define START(k)                                      \
+  int i##k = min(first + k * 256, targets.y - 1);     \
+  vec3 here##k = LOAD_INPUT(positions, i##k).xyz;     \
+  precise vec3 total##k = begin(i##k);
+  EACH(START)
   for (int chunk = bodies.x; chunk < bodies.y; chunk += chunkBodies) {
-    vec3 sum = vec3(0.0f);
+#define ZERO(k) vec3 sum##k = vec3(0.0f);
+    EACH(ZERO)
     int end = min(chunk + chunkBodies, bodies.y);
     for (int start = chunk; start < end; start += 256) {
       // Beyond the end stand bodies without mass: adding their zero changes no bit of the sum.
       tile[lane] = start + lane < end ? LOAD_INPUT(positions, start + lane) : vec4(0.0f);
       barrier();
-      for (int j = 0; j < 256; ++j) sum = addPull(sum, here, tile[j], factors.x);
+      for (int j = 0; j < 256; j += 4) {
+        vec4 body0 = tile[j];
+        vec4 body1 = tile[j + 1];
+        vec4 body2 = tile[j + 2];
+        vec4 body3 = tile[j + 3];
+        EACH(PULL)
+      }
       barrier();
     }
-    total = total + sum;
+#define JOIN(k) total##k = total##k + sum##k;
+    EACH(JOIN)
   }
-  if (real) finish(i, total);
+  // A target beyond the end is the last one once more: only the one in its own place stores.
+#define FINISH(k) \
+  if (first + k * 256 < targets.y) finish(i##k, total##k);
+  EACH(FINISH)
 }
 #endif

@@ -4,12 +4,30 @@
 #include "sim/particles_plan.hpp"
 
 #include <algorithm>
+#include <string>
 
 namespace simreel::sim {
 
-PairGravity::PairGravity(bool fast)
-    : pairs_(gl::Program::compute("particles/accelerate.comp", gl::kernelDefines(fast))) {
+namespace {
+
+constexpr int targetsPerTexelInvocation = 8;
+constexpr int manyTargets = 4;
+
+gl::Program makeProgram(bool fast, int targets) {
+  gl::Defines defines = gl::kernelDefines(fast);
+  defines.emplace_back("TARGETS", std::to_string(targets));
+  return gl::Program::compute("particles/accelerate.comp", defines);
+}
+
+}  // namespace
+
+PairGravity::PairGravity(bool fast) : pairs_(makeProgram(fast, 1)) {
+  if (gl::memoryPath() == gl::MemoryPath::storage) manyPairs_ = makeProgram(fast, manyTargets);
   splitAfter(gl::softwareDriver() ? 32768 : 1 << 24);
+}
+
+void PairGravity::useManyFrom(int targets) {
+  manyFrom_ = targets;
 }
 
 void PairGravity::splitAfter(int bodies) {
@@ -23,21 +41,22 @@ void PairGravity::accelerate(const gl::Vec4Array& positions, const gl::Vec4Array
 
 void PairGravity::accelerate(const gl::Vec4Array& positions, const gl::Vec4Array& accelerations, int count,
                              float gravity, float softening, glm::ivec2 targets) const {
-  constexpr int targetsPerTexelInvocation = 8;
+  const int wanted = targets.y - targets.x;
+  const bool texel = gl::memoryPath() == gl::MemoryPath::texel;
+  const bool many = !texel && wanted >= manyFrom_;
+  const gl::Program& program = many ? manyPairs_ : pairs_;
+  const int each = texel ? targetsPerTexelInvocation : many ? manyTargets : 1;
   positions.bindInput(0);
   accelerations.bindState(1);
-  pairs_.set("targets", targets);
-  pairs_.set("factors", glm::vec2(softening * softening, gravity));
-  const int invocations = gl::memoryPath() == gl::MemoryPath::texel
-                              ? (targets.y - targets.x - 1) / targetsPerTexelInvocation + 1
-                              : targets.y - targets.x;
+  program.set("targets", targets);
+  program.set("factors", glm::vec2(softening * softening, gravity));
   for (int first = 0; first < count; first += bodiesPerDispatch_) {
     const int end = std::min(count - first, bodiesPerDispatch_) + first;
-    pairs_.set("bodies", glm::ivec2(first, end));
-    pairs_.set("continued", first > 0 ? 1 : 0);
-    pairs_.set("last", end == count ? 1 : 0);
+    program.set("bodies", glm::ivec2(first, end));
+    program.set("continued", first > 0 ? 1 : 0);
+    program.set("last", end == count ? 1 : 0);
     gl::barrier();
-    pairs_.dispatch(invocations);
+    program.dispatch((wanted - 1) / each + 1);
   }
   gl::barrier();
 }

@@ -23,9 +23,13 @@ class PairGravity {
   /// Bodies a dispatch goes through, rounded up to whole chunks: software drivers end loops silently after
   /// 65,535 iterations. For tests; the driver's kind decides otherwise.
   void splitAfter(int bodies);
+  /// Targets from which on an invocation of the storage path takes four. For tests.
+  void useManyFrom(int targets);
 
  private:
-  gl::Program pairs_;
+  gl::Program pairs_, manyPairs_;
+  /// Four an invocation still give every multiprocessor of a large GPU a group then.
+  int manyFrom_ = 131072;
   int bodiesPerDispatch_ = 0;
 };
 

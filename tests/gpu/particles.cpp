@@ -165,6 +165,30 @@ TEST_CASE("particles: gravity of 70,001 bodies is whole") {
   }
 }
 
+TEST_CASE("particles: four targets an invocation have the bits of one") {
+  const int count = 3 * 1024 + 517;
+  std::vector<glm::vec4> bodies;
+  for (int i = 0; i < count; ++i) {
+    const auto bits = shader::hash3({static_cast<unsigned>(i), 3, 9});
+    bodies.emplace_back(shader::signedUnit(bits.x), shader::signedUnit(bits.y), shader::signedUnit(bits.z),
+                        1.5F);
+  }
+  const gl::Vec4Array positions("bodies", bodies);
+  std::vector<glm::vec4> results[2];
+  for (const int many : {0, 1}) {
+    const gl::Vec4Array accelerations("accelerations", std::vector<glm::vec4>(bodies.size(), glm::vec4(7)));
+    sim::PairGravity gravity(false);
+    if (many == 1) gravity.useManyFrom(1);
+    gravity.accelerate(positions, accelerations, count, 0.01F, 0.1F, {5, count - 3});
+    results[many] = accelerations.buffer().readAll<glm::vec4>();
+  }
+  CHECK(results[0] == results[1]);
+  CHECK(results[1][4] == glm::vec4(7));
+  CHECK(results[1][5] != glm::vec4(7));
+  CHECK(results[1][static_cast<std::size_t>(count) - 4] != glm::vec4(7));
+  CHECK(results[1][static_cast<std::size_t>(count) - 3] == glm::vec4(7));
+}
+
 TEST_CASE("particles: a lost particle is noted with its number") {
   for (const auto method : {sim::GravityMethod::none, sim::GravityMethod::allPairs}) {
     auto p = cloud(sim::ParticleGroup::Shape::ball, 131);
