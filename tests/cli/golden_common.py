@@ -9,6 +9,10 @@ from common import SCENE, SOURCE, Case, png_rows, with_values
 # 9x7 particles, three tested frames, quick.
 TESTED = with_values({"test": {"frames": [0, 3, 5], "size": [64, 36], "samples": 1}})
 
+RED = {"objects.flag.material": {"color": [0.9, 0.1, 0.1]}}
+# Another green by a hair: pixels differ by a few units, state does not.
+HAIR = {"objects.flag.material": {"color": [0.8, 0.705, 0.6]}}
+
 
 def png(width, height, rows, depth=8, kind=2):
     """A PNG file of raw rows (without filter bytes)."""
@@ -84,4 +88,4 @@ class GoldenCase(Case):
         return {"SIMREEL_GLSL": str(folder)}
 
 
-__all__ = ["GoldenCase", "SCENE", "TESTED", "png", "png_rows", "with_values"]
+__all__ = ["GoldenCase", "HAIR", "RED", "SCENE", "TESTED", "png", "png_rows", "with_values"]

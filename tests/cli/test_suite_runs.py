@@ -1,0 +1,248 @@
+"""Which scenes `simreel test` runs, how runs end, what it writes, and what bad input does to it."""
+import json
+import os
+import shutil
+import signal
+import subprocess
+import threading
+import time
+
+from common import main
+from golden_common import HAIR, RED, TESTED, GoldenCase, png, with_values
+
+
+class Running(GoldenCase):
+    def test_which_scenes(self):
+        for name in ("b", "c", "deep/d"):
+            self.write(f"scenes/{name}.json", TESTED)
+        self.write("scenes/notes.json", {"colour": "blue"})
+        self.write("scenes/.hidden/e.json", TESTED)
+        def listed(*arguments):
+            done = self.good("test", "--list", *arguments)
+            return [line.split("\t")[0] for line in done.stdout.decode().splitlines()]
+        self.assertEqual(listed("scenes"), ["a", "b", "c", "deep/d"])
+        self.assertEqual(listed("scenes", "--filter", "deep/*"), ["deep/d"])
+        self.assertEqual(listed("scenes", "--filter", "[ab]", "--filter", "c"), ["a", "b", "c"])
+        self.assertEqual(listed("scenes/b.json", "scenes/deep"), ["b", "d"])
+        self.assertEqual(listed("scenes", "--shard", "1/2") + listed("scenes", "--shard", "2/2"), ["a", "c", "b", "deep/d"])
+        # Two of one name: told apart by their paths, and never a way out of the report's folder.
+        self.write("more/a.json", TESTED)
+        self.assertEqual(listed("scenes/a.json", self.folder / "more/a.json"),
+                         sorted([str(self.folder / "more/a")[1:], "scenes/a"]))
+        self.bad(5, "no scene to test", "test", "scenes", "--filter", "nobody")
+        self.bad(5, "no scene to test", "test", "scenes", "--shard", "9/9")
+        self.bad(2, "nowhere", "test", "nowhere")
+        for shard in ("0/2", "3/2", "x", "1/", "1/2/3", ""):
+            self.bad(2, "--shard", "test", "scenes", f"--shard={shard or 'x'}")
+        self.bad(2, "--profile", "test", "scenes", "--profile", "../x")
+        self.bad(2, "--reason", "test", "scenes", "--reason", "x")
+
+    def test_one_bad_scene_does_not_stop_the_others(self):
+        self.write("scenes/b.json", "{\"version\": 1, \"objects\": {\"x\": {\"clothh\": {}}}}")
+        self.write("scenes/c.json", "no json")
+        self.write("scenes/d.json", with_values({"checks": [{"what": "mass", "object": "nobody", "most": 1}]}, TESTED))
+        self.write("scenes/e.json", TESTED)
+        report, done = self.run_suite(2, "--update")
+        self.assertEqual([s["status"] for s in report["scenes"]], ["updated", "error", "error", "error", "updated"])
+        self.assertIn("clothh", " ".join(report["scenes"][1]["messages"]))
+        self.assertIn("nobody", " ".join(report["scenes"][3]["messages"]))
+        self.assertIn("b.json:1:", done.out)
+
+    def test_a_lost_simulation_is_its_own_error(self):
+        self.set_scene({"objects.flag.cloth.stiffness": 1e9, "objects.flag.cloth.substeps": 1})
+        self.write("scenes/b.json", TESTED)
+        report, _ = self.run_suite(4, "--update")
+        self.assertEqual([s["status"] for s in report["scenes"]], ["error", "updated"])
+        self.assertIn("blew up", report["scenes"][0]["messages"][-1])
+
+    def test_nondeterministic(self):
+        """The shaders change while the runs go on."""
+        self.make_baselines()
+        env = self.mutated_glsl("cloth/model.glsl", "precise float scale = 1.0f - ratio;",
+                                "precise float scale = 1.0f - ratio;")
+        timer = threading.Timer(1.0, lambda: self.mutated_glsl(
+            "cloth/model.glsl", "precise float scale = 1.0f - ratio;", "precise float scale = 1.0f - ratio * 1.01f;"))
+        timer.start()
+        self.addCleanup(timer.join)
+        scene = self.one(1, "--repeat", "500", env=env)
+        self.assertEqual(scene["status"], "nondeterministic")
+        self.assertIn("runs 1 and", scene["text"])
+        self.assertEqual(scene["candidate"] or "", "")
+
+    def test_flaky(self):
+        self.make_baselines()
+        env = self.mutated_glsl("cloth/model.glsl", "precise float scale = 1.0f - ratio;",
+                                "precise float scale = 1.0f - ratio * 1.01f;")
+        def mend():
+            time.sleep(1.0)
+            self.mutated_glsl("cloth/model.glsl", "precise float scale = 1.0f - ratio;",
+                              "precise float scale = 1.0f - ratio;")
+        for code, arguments in ((1, []), (0, ["--allow-flaky"])):
+            self.mutated_glsl("cloth/model.glsl", "precise float scale = 1.0f - ratio;",
+                              "precise float scale = 1.0f - ratio * 1.01f;")
+            thread = threading.Thread(target=mend)
+            thread.start()
+            scene = self.one(code, "--retries", "100", *arguments, env=env)
+            thread.join()
+            self.assertEqual(scene["status"], "flaky")
+            self.assertGreaterEqual(len(scene["attempts"]), 1)
+            self.assertEqual({a["status"] for a in scene["attempts"]} - {"nondeterministic"}, {"fail"})
+
+    def test_interrupt(self):
+        for k in range(40):
+            self.write(f"scenes/s{k:02}.json", TESTED)
+        process = self.start("test", "scenes", "--update", "--json", "report.json")
+        end = time.monotonic() + 40
+        while time.monotonic() < end and not self.golden("s01").exists():
+            time.sleep(0.005)
+        process.send_signal(signal.SIGINT)
+        messages = process.communicate(timeout=40)[1].decode()
+        self.assertEqual(process.returncode, 130, messages)
+        report = json.loads((self.folder / "report.json").read_text())
+        self.assertLess(1, len(report["scenes"]))
+        self.assertLess(len(report["scenes"]), 41)
+        self.assertEqual({s["status"] for s in report["scenes"]}, {"updated"})
+        self.assertEqual(list(self.folder.rglob("*.part")), [])
+
+
+class Outputs(GoldenCase):
+    def test_report_folder(self):
+        self.make_baselines()
+        self.set_scene(RED)
+        done = self.run_program("test", "scenes", "--report", "out")
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("simreel accept out/report.json", done.stdout.decode())
+        page = (self.folder / "out/index.html").read_text(encoding="utf-8")
+        self.assertNotRegex(page, r"https?://(?!www\.w3\.org)")
+        report = json.loads((self.folder / "out/report.json").read_text())
+        for frame in report["scenes"][0]["frames"]:
+            self.assertTrue((self.folder / "out" / frame["actualImage"]).exists())
+        # A second run replaces it; a folder of somebody else's is left alone.
+        self.set_scene({})
+        self.good("test", "scenes", "--report", "out")
+        self.assertEqual(sorted(p.name for p in (self.folder / "out").iterdir()), ["index.html", "report.json"])
+        self.bad(2, ["scenes", "not empty"], "test", "scenes", "--report", "scenes")
+        self.bad(2, ["scenes/a.json", "file"], "test", "scenes", "--report", "scenes/a.json")
+
+    def test_junit(self):
+        self.make_baselines()
+        self.write("scenes/b.json", with_values({**RED}, TESTED))
+        self.write("scenes/c.json", "no json")
+        self.write("scenes/d.json", with_values({"test.xfail": "a <reason>"}, TESTED))
+        self.run_program("test", "scenes", "--junit", "out.xml")
+        text = (self.folder / "out.xml").read_text(encoding="utf-8")
+        self.assertIn('tests="4"', text)
+        self.assertIn("<error", text)
+        self.assertIn("<failure", text)
+        xmllint = shutil.which("xmllint")
+        if xmllint is None:
+            self.skipTest("xmllint is not installed (apt install libxml2-utils)")
+        schema = os.path.join(os.path.dirname(__file__), "..", "unit", "junit.xsd")
+        done = subprocess.run([xmllint, "--noout", "--schema", schema, self.folder / "out.xml"], capture_output=True,
+                              check=False)
+        self.assertEqual(done.returncode, 0, done.stderr)
+
+    def test_github(self):
+        self.make_baselines()
+        self.set_scene(RED)
+        summary = self.write("summary.md", "# Before\n")
+        done = self.run_program("test", "scenes", "--github", env={"GITHUB_STEP_SUMMARY": str(summary)})
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("::error file=scenes/a.json,title=", done.stdout.decode())
+        text = summary.read_text(encoding="utf-8")
+        self.assertTrue(text.startswith("# Before\n"))
+        self.assertIn("| a |", text.replace("`", ""))
+
+
+class BadInput(GoldenCase):
+    def test_pictures(self):
+        """One clear line each, and the others go on."""
+        self.make_baselines()
+        self.write("scenes/b.json", TESTED)
+        self.good("test", "scenes", "--update")
+        self.pretend_other_numerics()
+        self.set_scene(HAIR)
+        whole = self.golden("a/any/000003.png").read_bytes()
+        row = bytes(64 * 3)
+        for content, words in (
+                (whole[:len(whole) // 2], "cut off"), (b"", "empty"), (b"GIF89a" + whole, "not a PNG"),
+                (whole[:60] + bytes([whole[60] ^ 1]) + whole[61:], "checksum"),
+                (png(64, 36, [bytes(64 * 6)] * 36, depth=16), "16"), (png(64, 36, [bytes(64)] * 36, kind=3), "palette"),
+                (png(64, 35, [row] * 35), "64x35"), (png(64, 36, [row] * 36), "does not have the pixels")):
+            self.golden("a/any/000003.png").write_bytes(content)
+            report, done = self.run_suite(1)
+            self.assertEqual([s["status"] for s in report["scenes"]], ["fail", "pass"], words)
+            messages = [m for m in report["scenes"][0]["messages"] if "000003.png" in m]
+            self.assertEqual(len(messages), 1, report["scenes"][0]["messages"])
+            self.assertIn(words, messages[0])
+        self.golden("a/any/000003.png").unlink()
+        self.set_scene({})
+        report, _ = self.run_suite(1)
+        self.assertIn("missing", report["scenes"][0]["messages"][0])
+        self.run_suite(0, "--update")
+        self.assertEqual(self.run_suite(0)[0]["scenes"][0]["status"], "pass")
+
+    def test_baseline_json(self):
+        self.make_baselines()
+        path = self.golden("a/any/baseline.json")
+        whole = path.read_text()
+        changes = ((lambda b: b.update(colour=1), "colour is unknown"), (lambda b: b.update(format=7), "format is 7"),
+                   (lambda b: b["frames"]["3"].update(x=1), "frames.3.x is unknown"),
+                   (lambda b: b["frames"]["3"].pop("pixels"), "frames.3.pixels is missing"),
+                   (lambda b: b.update(width="wide"), "width must be"), (lambda b: b.update(frames=[]), "frames"),
+                   (lambda b: b["frames"].update({"x": {"pixels": "", "fingerprint": ""}}), "\"x\" is no number"),
+                   (lambda b: b["frames"]["3"].update(alternates=["a"] * 4), "alternates"),
+                   (lambda b: b.update(tolerance={"max": 1}), "tolerance.max is unknown"))
+        for change, words in changes:
+            path.write_text(whole)
+            self.edit_json(path, change)
+            scene = self.one(6)
+            self.assertEqual(scene["status"], "error")
+            self.assertEqual(len(scene["messages"]), 1)
+            self.assertIn("golden/a/any/baseline.json", scene["messages"][0])
+            self.assertIn(words, scene["messages"][0])
+        path.write_text(whole[:50])
+        self.assertIn("not valid JSON", self.one(6)["messages"][0])
+        self.golden("a/state.json").write_text("{\"format\": 1, \"frames\": 3}")
+        path.write_text(whole)
+        self.assertIn("state.json", self.one(6)["messages"][0])
+        self.one(0, "--update")
+        self.assertEqual(self.one(0)["status"], "pass")
+        # A damaged steps.bin matters only when the state differs.
+        self.golden("a/steps.bin").write_bytes(b"nonsense")
+        self.one(0)
+
+    def test_read_only_folder(self):
+        self.write("scenes/golden/a", "a file where a folder has to be")
+        self.write("scenes/b.json", TESTED)
+        report, _ = self.run_suite(6, "--update")
+        self.assertEqual([s["status"] for s in report["scenes"]], ["error", "updated"])
+        self.assertIn("scenes/golden/a", report["scenes"][0]["messages"][-1])
+
+    def test_full_disk(self):
+        disk = self.golden()
+        disk.mkdir()
+        mounted = os.geteuid() == 0 and subprocess.run(["mount", "-t", "tmpfs", "-o", "size=24k", "tmpfs", disk],
+                                                       capture_output=True, check=False).returncode == 0
+        if not mounted:
+            self.skipTest("a small file system can be mounted by root only")
+        try:
+            self.write("scenes/b.json", TESTED)
+            report, _ = self.run_suite(6, "--update")
+            self.assertIn("error", [s["status"] for s in report["scenes"]])
+            messages = [s["messages"][-1] for s in report["scenes"] if s["status"] == "error"]
+            self.assertTrue(all("No space left" in m for m in messages), messages)
+            self.assertEqual(list(disk.rglob("*.part")), [])
+        finally:
+            subprocess.run(["umount", disk], check=True)
+
+    def test_report_on_a_full_disk(self):
+        self.make_baselines()
+        for flag in ("--json", "--junit"):
+            self.bad(6, ["nowhere/x"], "test", "scenes", flag, "nowhere/x")
+        done = self.bad(6, ["job summary"], "test", "scenes", "--github", env={"GITHUB_STEP_SUMMARY": "/dev/full"})
+        self.assertIn("pass", done.stdout.decode())
+
+
+if __name__ == "__main__":
+    main()
