@@ -166,6 +166,7 @@ TEST_CASE("particles: gravity of 70,001 bodies is whole") {
 }
 
 TEST_CASE("particles: four targets an invocation have the bits of one") {
+  testContext();
   const int count = 3 * 1024 + 517;
   std::vector<glm::vec4> bodies;
   for (int i = 0; i < count; ++i) {
