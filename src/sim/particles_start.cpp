@@ -223,7 +223,9 @@ ParticleCloud startGroup(const ParticleGroup& g, int groupIndex, int seed, float
 }
 
 void placeGroup(ParticleCloud& cloud, const ParticleGroup& group) {
-  const glm::mat3 turn(rotationMatrix(group.rotation));
+  // The exact cosine of 0 is 1 - 1.2e-7: a group that is not turned keeps its bits.
+  const bool turned = group.rotation != glm::vec3(0);
+  const glm::mat3 turn = turned ? glm::mat3(rotationMatrix(group.rotation)) : glm::mat3(1.0F);
   for (glm::vec4& p : cloud.positions) p = glm::vec4(turn * glm::vec3(p) + group.position, p.w);
   for (glm::vec4& v : cloud.velocities) v = glm::vec4(turn * glm::vec3(v) + group.velocity, v.w);
 }

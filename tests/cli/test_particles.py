@@ -1,0 +1,51 @@
+"""Particles as a user meets them: files that cannot be used, and a state that other programs can."""
+from common import Case, main
+from test_bake import read_ply
+
+PLY = "ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\nproperty float y\nproperty float z\nend_header\n"
+
+
+class Particles(Case):
+    def set_groups(self, groups, **others):
+        self.write("scene.json", {"version": 1, "time": {"fps": 30, "duration": 0.1},
+                                  "render": {"size": [64, 36], "samples": 1},
+                                  "objects": {"p": {"particles": {"groups": groups, **others}}}})
+
+    def test_files_that_cannot_be_used(self):
+        for name, content, words in (
+                ("a.csv", "", "no particles"), ("a.csv", "x,y,z\n1,2\n", ["line 2", "2 values"]),
+                ("a.csv", "x,y,z,mass\n1,2,3,nan\n", ["line 2", "mass is not a finite number"]),
+                ("a.csv", "x,y,z,mass\n1,2,3,0\n", ["line 2", "the mass is 0"]),
+                ("a.csv", "a,b\n1,2\n", 'no column "x"'), ("a.csv", "x,y,z\n1,2,hello\n", '"hello" is not a number'),
+                ("a.ply", PLY + "1 2 3\n", "vertex 1 of 2"), ("a.ply", "plx\n", "a.ply")):
+            self.write(name, content)
+            self.set_groups([{"shape": "file", "file": name}])
+            done = self.run_program("render", "scene.json", "-o", "out/")
+            self.assertEqual(done.returncode, 2, f"{content!r}: {done.err}")
+            self.assertEqual(len(done.err.splitlines()), 1, done.err)
+            self.assert_words(words, done)
+            self.assertEqual(list(self.folder.glob("out/*")), [])
+
+    def test_too_many(self):
+        self.set_groups([{"count": 200_000_000}])
+        self.bad_scene("16777216", "render", "scene.json", "-o", "out/")
+
+    def test_a_file_goes_in_and_comes_out(self):
+        self.write("a.csv", "x,y,z,vx,vy,vz,mass\n1,0,0,0,0.5,0,2\n-1,0,0,0,-0.5,0,2\n0,3,0,0,0,0,1\n")
+        self.set_groups([{"shape": "file", "file": "a.csv"}], method="none")
+        self.good("bake", "scene.json", "-o", "out")
+        _, names, rows = read_ply((self.folder / "out/p_000000.ply").read_bytes())
+        self.assertEqual(names, ["x", "y", "z", "mass", "vx", "vy", "vz", "age"])
+        self.assertEqual([row[:4] for row in rows], [(1, 0, 0, 2), (-1, 0, 0, 2), (0, 3, 0, 1)])
+        # Nothing pulls: straight on, 1/30 s a frame.
+        _, _, rows = read_ply((self.folder / "out/p_000002.ply").read_bytes())
+        self.assertAlmostEqual(rows[0][1], 0.5 * 2 / 30, places=6)
+        # What was baked goes in again.
+        (self.folder / "out/p_000002.ply").rename(self.folder / "b.ply")
+        self.set_groups([{"shape": "file", "file": "b.ply"}], method="none")
+        self.good("bake", "scene.json", "-o", "again", "--frames", "0")
+        self.assertEqual(read_ply((self.folder / "again/p_000000.ply").read_bytes())[2], rows)
+
+
+if __name__ == "__main__":
+    main()
