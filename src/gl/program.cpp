@@ -99,6 +99,9 @@ void Program::set(const char* uniform, float value) const {
 void Program::set(const char* uniform, const glm::ivec2& value) const {
   glProgramUniform2i(name(), location(uniform), value.x, value.y);
 }
+void Program::set(const char* uniform, const glm::ivec4& value) const {
+  glProgramUniform4i(name(), location(uniform), value.x, value.y, value.z, value.w);
+}
 void Program::set(const char* uniform, const glm::vec2& value) const {
   glProgramUniform2f(name(), location(uniform), value.x, value.y);
 }

@@ -28,24 +28,6 @@ int tileFor(int capacity) {
 
 }  // namespace
 
-WordsArray::WordsArray(const std::string& label, int count)
-    : buffer_(label, static_cast<std::size_t>(count) * 16),
-      view_(Texture::view(label, GL_RGBA32UI, buffer_)) {}
-
-void WordsArray::bindInput(GLuint unit) const {
-  if (memoryPath() == MemoryPath::texel)
-    view_.bind(unit);
-  else
-    buffer_.bindStorage(unit);
-}
-
-void WordsArray::bindState(GLuint unit) const {
-  if (memoryPath() == MemoryPath::texel)
-    view_.bindImage(unit, GL_READ_WRITE);
-  else
-    buffer_.bindStorage(unit);
-}
-
 RadixSort::RadixSort(const std::string& label, int capacity)
     : capacity_(capacity), texels_(memoryPath() == MemoryPath::texel), tile_(tileFor(capacity)) {
   SIMREEL_CHECK(capacity > 0);

@@ -1,7 +1,7 @@
 #pragma once
 #include "gl/buffer.hpp"
 #include "gl/program.hpp"
-#include "gl/texture.hpp"
+#include "gl/words_array.hpp"
 
 #include <span>
 #include <string>
@@ -9,26 +9,6 @@
 #include <glm/vec4.hpp>
 
 namespace simreel::gl {
-
-/// Elements of four words, reachable as a storage block and as texels; binds the way that
-/// glsl/common/words.glsl declares for the current memory path.
-class WordsArray {
- public:
-  WordsArray() = default;
-  WordsArray(const std::string& label, int count);
-
-  /// For INPUT_WORDS(unit, ...).
-  void bindInput(GLuint unit) const;
-  /// For STATE_WORDS(unit, ...).
-  void bindState(GLuint unit) const;
-  /// Copies elements to the front.
-  void write(std::span<const glm::uvec4> elements) { buffer_.write(0, std::as_bytes(elements)); }
-  [[nodiscard]] const Buffer& buffer() const { return buffer_; }
-
- private:
-  Buffer buffer_;
-  Texture view_;
-};
 
 /// Sorts records of four words {lower key, upper key, value, value} on the device, without readback: least
 /// significant digit first, four bits a pass of three dispatches. Stable, so the result is the same on

@@ -180,7 +180,12 @@ class Checker::StateOfFrame {
 
   [[nodiscard]] const std::vector<glm::vec4>& array(std::size_t object, std::size_t index) {
     auto [place, isNew] = arrays_.try_emplace({object, index});
-    if (isNew) place->second = world_.object(object).state().at(index).buffer->readAll<glm::vec4>();
+    if (!isNew) return place->second;
+    const sim::StateArray array = world_.object(object).state().at(index);
+    if (array.integers)
+      for (const glm::uvec4& words : array.buffer->readAll<glm::uvec4>()) place->second.emplace_back(words);
+    else
+      place->second = array.buffer->readAll<glm::vec4>();
     return place->second;
   }
   [[nodiscard]] double quantity(std::size_t object, std::size_t index) {

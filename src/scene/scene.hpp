@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -18,6 +19,22 @@ namespace simreel::scene {
 
 enum class Numerics { exact, fast };
 
+/// A material grown from a field while it runs (SPEC 5), laid over the object's surface.
+struct Skin {
+  enum class Look { leather, spots, cracks, map };  ///< map: the field's own colours
+  enum class Projection { uv, triplanar };
+  std::string field;  ///< name of the object whose field it is
+  Look look = Look::leather;
+  Projection projection = Projection::uv;
+  float repeats = 1.0F;             ///< of the field along u and v, or in a metre (triplanar)
+  std::optional<double> threshold;  ///< value of the field where the colours meet; else the look's own
+  glm::vec3 low{-1};                ///< linear RGB where the field is low; negative: the look's own
+  glm::vec3 high{-1};               ///< and where it is high
+  float bump = 1.0F;                ///< factor on the relief's height
+  std::optional<double> roughness;  ///< else the look's own
+  void describe(Fields& fields);
+};
+
 /// Metal/rough surface. Colours are linear RGB.
 struct Material {
   glm::vec3 color{0.8F, 0.7F, 0.6F};
@@ -26,6 +43,8 @@ struct Material {
   float roughness = 0.8F;
   float metallic = 0.0F;
   float translucency = 0.0F;  ///< share of light from behind that shines through
+  bool hasSkin = false;
+  Skin skin;  ///< replaces colour and roughness
   void describe(Fields& fields);
 };
 

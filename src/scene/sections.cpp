@@ -35,6 +35,22 @@ void Material::describe(Fields& fields) {
   fields.number("metallic", metallic, share, "", "0 for plastic, cloth and wood; 1 for metal.");
   fields.number("translucency", translucency, share, "",
                 "Share of the light from behind that shines through.");
+  fields.optionalGroup("skin", hasSkin, "A live material grown from a field of the scene.",
+                       [&](Fields& inner) { skin.describe(inner); });
+}
+
+void Skin::describe(Fields& fields) {
+  fields.text("field", field, "Name of the object whose field it is.");
+  fields.choice("look", look, {"leather", "spots", "cracks", "map"},
+                "What the field's values look like; map: the field's own colours.");
+  fields.choice("projection", projection, {"uv", "triplanar"},
+                "By the surface's uv, or from three sides in its own space (for meshes without uv).");
+  fields.number("repeats", repeats, positive, "", "Copies of the field along u and v, or in a metre.");
+  fields.optionalNumber("threshold", threshold, anyNumber, "", "Value where low and high meet.");
+  fields.vector("low", low, {-1, 1e9}, "", "Colour where the field is low, linear RGB.");
+  fields.vector("high", high, {-1, 1e9}, "", "Colour where the field is high, linear RGB.");
+  fields.number("bump", bump, {-100, 100}, "", "Factor on the height of the relief.");
+  fields.optionalNumber("roughness", roughness, share, "", "0 mirrors, 1 is matt.");
 }
 
 void Render::describe(Fields& fields) {

@@ -4,6 +4,7 @@
 #include "scene/scene.hpp"
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include <glm/mat4x4.hpp>
@@ -55,10 +56,43 @@ struct Instances {
   const scene::Material* material = nullptr;
 };
 
+/// Where and how a field is laid over the picture (field_display.hpp).
+struct FieldDisplay;
+
+/// A 2-D grid of cells, read straight from the simulation's memory. Cell (0, 0) is the top left one of the
+/// picture and the one at uv (0, 0) of a skin.
+struct Field {
+  enum class Cells { bits, bytes, floats };
+  const std::string* name = nullptr;   ///< of the object; skins ask for it
+  const gl::Texture* words = nullptr;  ///< RGBA32UI texel view of the state, of floats too
+  Cells cells = Cells::floats;         ///< lowest bit or byte of a word first; bytes are 0 to 255
+  glm::ivec2 size{0, 0};               ///< cells
+  int rowWords = 0;                    ///< 32-bit words from one row to the next
+  int firstWord = 0;                   ///< of cell (0, 0)
+  int cellWords = 1;                   ///< of floats: words from a cell to the next
+  bool categories = false;             ///< a value is the number of its colour; else a place in `range`
+  glm::vec2 range{0, 1};               ///< values of the first and the last colour
+  const std::vector<glm::vec3>* colors =
+      nullptr;                            ///< linear RGB: stops, evenly spaced, or one per category
+  const FieldDisplay* display = nullptr;  ///< null: not laid over the picture
+};
+
+/// Curves over the picture: what a simulation counted in each step so far.
+struct Chart {
+  const gl::Texture* counts = nullptr;  ///< RGBA32UI texel view, one texel a step: up to four counts
+  int steps = 0;                        ///< counted so far
+  int width = 1;                        ///< steps along the whole x axis, at least `steps`
+  unsigned most = 1;                    ///< count at the top of the y axis
+  std::vector<std::string> names;       ///< of the first counts, at most four
+  std::vector<glm::vec3> colors;        ///< linear RGB, one each
+};
+
 /// What a simulation publishes for drawing: a list per kind, one pass each.
 struct Drawables {
   std::vector<Surface> surfaces = {};
   std::vector<Instances> instances = {};
+  std::vector<Field> fields = {};
+  std::vector<Chart> charts = {};
 };
 
 }  // namespace simreel::sim

@@ -7,6 +7,7 @@
 namespace simreel::shader {
 #include "glsl/common/exact.glsl"
 #include "glsl/common/hash.glsl"
+#include "glsl/common/stroke.glsl"
 }  // namespace simreel::shader
 #undef precise
 #undef FUNCTION

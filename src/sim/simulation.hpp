@@ -19,10 +19,17 @@ struct Setting {
   const std::vector<ColliderShape>* colliders = nullptr;
 };
 
-/// State that is hashed, compared and can be read back: whole vec4 elements.
+/// State that is hashed, compared and can be read back: whole elements of four words, floats unless said.
 struct StateArray {
   const char* name;
   const gl::Buffer* buffer;
+  bool integers = false;  ///< bits or counts: no word of them is a NaN
+};
+
+/// What a simulation counts in each step: for a table beside the frames.
+struct CountTable {
+  std::vector<const char*> columns;   ///< at most four
+  const gl::Buffer* steps = nullptr;  ///< uvec4 a step of the present frame, stepsPerFrame() of them
 };
 
 /// One number that a simulation measures of its state, for checks of tests.
@@ -61,6 +68,8 @@ class Simulation {
   [[nodiscard]] virtual std::vector<StateArray> state() const { return {}; }
   /// What `simreel bake` writes; empty for things that are no points.
   [[nodiscard]] virtual PointTable points() const { return {}; }
+  /// What it counts per step; no columns for things that count nothing.
+  [[nodiscard]] virtual CountTable counts() const { return {}; }
   /// Four words as glsl/common/status.glsl writes them, or null.
   [[nodiscard]] virtual const gl::Buffer* status() const { return nullptr; }
   /// Measures the present state, which is read back: summed up on the CPU in double and in a fixed order,

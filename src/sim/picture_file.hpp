@@ -1,0 +1,33 @@
+#pragma once
+#include <cstdint>
+#include <filesystem>
+#include <vector>
+
+#include <glm/vec2.hpp>
+
+namespace simreel::sim {
+
+/// Rows from the top, RGBA, 8 bits each, as the file has them (sRGB): rgba.size() == 4 * width * height.
+struct Picture {
+  glm::ivec2 size{0, 0};
+  std::vector<std::uint8_t> rgba;
+
+  /// Luma of a pixel, 0 to 255: (54 r + 183 g + 19 b) / 256, in integers, so every machine reads the same
+  /// map.
+  [[nodiscard]] int level(int x, int y) const {
+    const std::uint8_t* p = &rgba[4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(size.x) +
+                                       static_cast<std::size_t>(x))];
+    return (54 * p[0] + 183 * p[1] + 19 * p[2]) >> 8;
+  }
+};
+
+/// Reads PNG, JPEG and what else stb_image knows. `what` names its use in messages ("texture", "fuel map").
+/// Throws UserError: what readFile says for a file that cannot be read, inputOutput for one that is no
+/// picture, device for one wider or higher than `mostSide`.
+[[nodiscard]] Picture loadPicture(const std::filesystem::path& file, const char* what, int mostSide);
+
+/// Levels (0 to 255) of a picture drawn onto a grid: nearest pixel to the middle of each cell, x fastest. A
+/// picture of the grid's size is taken pixel for pixel.
+[[nodiscard]] std::vector<std::uint8_t> levelsOnGrid(const Picture& picture, glm::ivec2 grid);
+
+}  // namespace simreel::sim
