@@ -17,6 +17,7 @@ struct DrawState {
     turn(GL_CULL_FACE, cullBack);
     turn(GL_POLYGON_OFFSET_FILL, depthOffset);
     turn(GL_MULTISAMPLE, true);
+    turn(GL_PROGRAM_POINT_SIZE, true);
     turn(GL_BLEND, adding);
     for (const GLenum off : {GL_SCISSOR_TEST, GL_STENCIL_TEST, GL_FRAMEBUFFER_SRGB, GL_PRIMITIVE_RESTART,
                              GL_DEPTH_CLAMP, GL_SAMPLE_SHADING, GL_SAMPLE_ALPHA_TO_COVERAGE})

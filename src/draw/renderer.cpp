@@ -20,7 +20,7 @@ struct Renderer::State {
         targets(pixels, samples),
         shadow(shown.sun),
         surfaces(shown, shadow),
-        instances(shadow, targets.scene, samples),
+        instances(shadow, targets.scene, pixels, samples),
         ground(shown, shadow),
         bloom(shown.render.bloom, pixels, samples),
         toneMap(samples, bloom.on()),

@@ -23,6 +23,7 @@ class ShadowPass {
   /// Makes the map and its place in space readable by shaders.
   void bind() const;
   [[nodiscard]] bool on() const { return on_; }
+  [[nodiscard]] glm::ivec2 size() const { return {map_.width(), map_.height()}; }
   /// Defines for shaders that include draw/shadow_read.glsl; empty when there is no shadow.
   [[nodiscard]] const gl::Defines& defines() const { return defines_; }
 
