@@ -71,7 +71,7 @@ void Renderer::draw(double seconds, const sim::Drawables& drawables, const Stage
   s.instances.drawOpaque(drawables);
   issued("crowds", crowds);
   s.ground.draw();
-  issued("ground");
+  issued("ground", s.ground.on());
   s.instances.drawAdditive(drawables);
   issued("crowds", crowds);
   const gl::Texture* glow = s.bloom.on() ? &s.bloom.draw(s.targets) : nullptr;
