@@ -81,12 +81,13 @@ frame::Timing timingOf(const BenchOptions& o) {
                                : frame::Timing::whole;
 }
 
-/// What a row's mistake has to do with it.
+/// A mistake is the row's: the message says whose.
 template <class Work>
-void ofRow(const BenchReport& report, const BenchRow& row, Work work) {
+void ofRow(const BenchReport& report, const BenchRow& row, frame::Progress& progress, Work work) {
   try {
     work();
   } catch (const UserError& error) {
+    progress.finish("failed");
     if (report.rows.size() == 1) throw;
     fail(error.code(), "{}: {}", row.asked.name, error.what());
   }
@@ -103,14 +104,15 @@ void measure(BenchReport& report, std::vector<scene::Scene> scenes, const gl::Co
   progress.start(rows * (report.warmUp + (rounds - 1) * later + report.frames));
   int done = 0;
   const auto frameDone = [&] {
-    progress.frame(done++, {});
+    progress.frame(done, {});
+    ++done;
     return frame::interruptSignal() == 0;
   };
   for (int round = 0; round < rounds; ++round)
     for (std::size_t i = 0; i < report.rows.size(); ++i) {
       if (frame::interruptSignal() != 0) break;
       const int frames = report.frames / rounds + int{round < report.frames % rounds};
-      ofRow(report, report.rows[i], [&] {
+      ofRow(report, report.rows[i], progress, [&] {
         if (round == 0) runs.emplace_back(std::move(scenes[i]), context, report.timing);
         runs[i].run(round == 0 ? report.warmUp : later, frames, frameDone);
       });

@@ -122,7 +122,7 @@ class Chart {
     }
     keys_ = keysOf(rows_);
     twoBars_ = report.timing == frame::Timing::query;
-    left_ = std::clamp(24 + 7.6 * static_cast<double>(longest), 90.0, 300.0) + (twoBars_ ? 34 : 0);
+    left_ = std::clamp(28 + 8.4 * static_cast<double>(longest), 90.0, 300.0) + (twoBars_ ? 34 : 0);
     rowHeight_ = twoBars_ ? 2 * barHeight + 24 : barHeight + 26;
     bottom_ = top + rowHeight_ * static_cast<double>(rows_.size());
   }
@@ -219,7 +219,8 @@ class Chart {
       line(x(end), middle - 5, x(end), middle + 5, ink);
     line(x(figures.frame.median), y - 2, x(figures.frame.median), y + high + 2, ink);
     text(column, middle - 3,
-         fmt::format("{:.3g} ms, {:.4g} frames/s", figures.frame.median, figures.perSecond));
+         fmt::format("{:.{}f} ms, {:.1f} frames/s", figures.frame.median, figures.frame.median < 10 ? 3 : 1,
+                     figures.perSecond));
     text(column, middle + 12, figures.bound, "fill=\"#63676d\" font-size=\"11\"");
   }
 
