@@ -75,7 +75,8 @@ struct RowFigures {
 ///       "stages": [{"name", "cpu": spread, "gpu": spread or null, "parts": {name: spread}}],
 ///       "samples": {"frame": [number...], "ms": [...]}}]
 ///
-/// Means add up: the sum of "cpu" means and the sum of "gpu" means are each at most the mean of "frame".
+/// Means add up: those of "cpu" are together at most the mean of "frame", and so are those of "gpu"; with
+/// "query" but for the two frames that are under way where measuring begins and ends.
 [[nodiscard]] nlohmann::ordered_json benchJson(const BenchReport& report);
 
 }  // namespace simreel::cli

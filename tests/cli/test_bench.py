@@ -31,7 +31,8 @@ class BenchCase(Case):
                 self.assertTrue(all(stage["gpu"] is None for stage in row["stages"]))
                 continue
             spent = sum(stage[side]["mean"] for stage in row["stages"])
-            self.assertLessEqual(spent, row["frame"]["mean"] * (1.0001 if side == "cpu" else 1.05))
+            # With frames under way, a stage's time may lie before the frames that are measured.
+            self.assertLessEqual(spent, row["frame"]["mean"] * (1.0001 if result["timing"] == "wait" else 1.5))
         for spread in [row["frame"]] + [stage["cpu"] for stage in row["stages"]]:
             ordered = [spread[key] for key in ("least", "p5", "median", "p95", "most")]
             self.assertEqual(ordered, sorted(ordered))
