@@ -44,8 +44,12 @@ Renderer::~Renderer() = default;
 Renderer::Renderer(Renderer&&) noexcept = default;
 Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 
-void Renderer::draw(double seconds, const sim::Drawables& drawables) {
+void Renderer::draw(double seconds, const sim::Drawables& drawables, const StageWatch& watch) {
   State& s = *state_;
+  const auto issued = [&](const char* stage, bool any = true) {
+    if (watch && any) watch(stage);
+  };
+  const bool crowds = !drawables.instances.empty();
   const shader::Frame values = frameValues(s.scene, s.size, seconds);
   s.frame.write(0, std::as_bytes(std::span(&values, 1)));
   s.frame.bindUniform(0, 0, sizeof values);
@@ -55,17 +59,25 @@ void Renderer::draw(double seconds, const sim::Drawables& drawables) {
     s.shadow.fit(drawables, [&] { s.instances.growBounds(drawables); });
     s.instances.cullForLight(drawables);
     s.shadow.draw(drawables, [&] { s.instances.castShadows(drawables); });
+    issued("shadow");
   }
   s.instances.cull(drawables);
+  issued("crowds", crowds);
   s.targets.clear();
   s.targets.scene.bind();
   s.shadow.bind();
   s.surfaces.draw(drawables);
+  issued("surfaces");
   s.instances.drawOpaque(drawables);
+  issued("crowds", crowds);
   s.ground.draw();
+  issued("ground", s.ground.on());
   s.instances.drawAdditive(drawables);
+  issued("crowds", crowds);
   const gl::Texture* glow = s.bloom.on() ? &s.bloom.draw(s.targets) : nullptr;
+  issued("bloom", s.bloom.on());
   s.toneMap.draw(s.targets, glow, s.scene.render.bloom.strength.at(seconds));
+  issued("tone map");
 }
 
 const gl::Framebuffer& Renderer::target() const {

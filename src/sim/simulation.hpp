@@ -7,6 +7,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace simreel::sim {
@@ -77,6 +78,9 @@ class Simulation {
   [[nodiscard]] virtual std::vector<Quantity> quantities() const { return {}; }
   /// The names that quantities() will give, in its order. Costs nothing.
   [[nodiscard]] virtual std::vector<const char*> quantityNames() const { return {}; }
+  /// How `step` splits, for `simreel bench`: names (the same in every frame) and ms, of the latest frame that
+  /// is known. Never waits for the device.
+  [[nodiscard]] virtual std::vector<std::pair<const char*, double>> stageTimes() const { return {}; }
   /// One line for a user: where and why the state was lost, and what to change.
   [[nodiscard]] virtual std::string explainLoss(unsigned step, unsigned element) const {
     return "step " + std::to_string(step) + ", element " + std::to_string(element);

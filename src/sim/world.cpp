@@ -142,13 +142,14 @@ World::~World() = default;
 World::World(World&&) noexcept = default;
 World& World::operator=(World&&) noexcept = default;
 
-void World::advanceTo(int frame, const Watch& watch) {
+void World::advanceTo(int frame, const Watch& watch, const Stepped& stepped) {
   SIMREEL_CHECK(frame + state_->preroll >= state_->done);
   for (; state_->done < frame + state_->preroll; ++state_->done) {
     const double time = (state_->done - state_->preroll) / state_->fps;
     for (std::size_t i = 0; i < state_->objects.size(); ++i) {
       const StepWatch one = watch ? StepWatch([&](int step) { watch(i, step); }) : StepWatch();
       state_->objects[i]->step(time, one);
+      if (stepped) stepped(i);
     }
   }
 }
