@@ -1,6 +1,7 @@
 #include "sim/mesh.hpp"
 
 #include "base/log.hpp"
+#include "sim/deform.hpp"
 #include "sim/mesh_buffers.hpp"
 #include "sim/mesh_parameters.hpp"
 
@@ -31,19 +32,20 @@ class RigidMesh : public Simulation {
   MeshBuffers buffers_;
 };
 
-std::unique_ptr<Simulation> makeMesh(const scene::Object& object, const Setting& /*setting*/) {
+std::unique_ptr<Simulation> makeMesh(const scene::Object& object, const Setting& setting) {
   const auto& parameters = dynamic_cast<const MeshParameters&>(*object.parameters);
-  const Mesh mesh = parameters.make();
+  const Mesh mesh = parameters.make(setting.seed);
   if (mesh.uvs.empty() && !object.material.texture.empty())
     warn("mesh \"{}\": {} has no texture coordinates, so its texture shows the colour of one corner",
          object.name, parameters.file.string());
+  if (!parameters.deform.list.empty()) return makeDeformedMesh(object, parameters, mesh, setting);
   return std::make_unique<RigidMesh>(object, parameters, mesh);
 }
 
 }  // namespace
 
 SimulationKind meshKind() {
-  return {{"mesh", "A generated mesh or one from a file, that may move along keyframes.",
+  return {{"mesh", "A generated mesh or one from a file, that may move along keyframes and be deformed.",
            [] { return std::make_unique<MeshParameters>(); }},
           makeMesh};
 }

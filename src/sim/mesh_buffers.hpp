@@ -8,8 +8,22 @@
 
 namespace simreel::sim {
 
-/// A mesh on the GPU as a Surface wants it: vec4 positions and normals, vec2 uvs (zero where the mesh has
-/// none), 32-bit indices.
+/// What stays of a mesh while it deforms: vec2 uvs (zero where it has none) and 32-bit indices.
+class MeshTopology {
+ public:
+  MeshTopology(const std::string& name, const Mesh& mesh);
+  /// Everything of a surface but positions, normals, model, sides and material; the pointers live as long
+  /// as this.
+  [[nodiscard]] Surface surface() const;
+
+ private:
+  gl::Buffer uvs_, indices_;
+  gl::Texture uvView_;
+  int vertexCount_;
+  int indexCount_;
+};
+
+/// A mesh on the GPU as a Surface wants it: vec4 positions and normals, and its topology.
 class MeshBuffers {
  public:
   MeshBuffers(const std::string& name, const Mesh& mesh);
@@ -18,10 +32,9 @@ class MeshBuffers {
   [[nodiscard]] Surface surface() const;
 
  private:
-  gl::Buffer positions_, normals_, uvs_, indices_;
-  gl::Texture positionView_, normalView_, uvView_;
-  int vertexCount_ = 0;
-  int indexCount_ = 0;
+  MeshTopology topology_;
+  gl::Buffer positions_, normals_;
+  gl::Texture positionView_, normalView_;
 };
 
 }  // namespace simreel::sim

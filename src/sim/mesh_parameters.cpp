@@ -28,21 +28,28 @@ glm::ivec2 leastResolution(MeshShape shape) {
 }  // namespace
 
 void MeshParameters::describe(scene::Fields& f) {
-  f.choice("shape", shape, {"plane", "sphere", "torus", "file"}, "Generated, or read from \"file\".");
+  f.choice("shape", shape, {"plane", "sphere", "torus", "grass", "file"},
+           "Generated, or read from \"file\".");
   f.asset("file", file, "OBJ, PLY, glTF or GLB, in m, for the shape \"file\".");
-  f.vector("size", size, {0, 1e4}, "m", "Width and depth of a plane (x and z).");
+  f.vector("size", size, {0, 1e4}, "m", "Width and depth of a plane or of a field of grass (x and z).");
   f.number("radius", radius, {1e-4, 1e4}, "m", "Of a sphere; of a torus to the middle of its tube.");
   f.number("tube", tube, {1e-4, 1e4}, "m", "Radius of a torus' tube.");
   f.pair(
       "resolution", resolution, {2, 16384}, "vertices",
       "Along u and v: x and z of a plane; around and from pole to pole of a sphere; along and around the "
       "tube of a torus.");
+  f.integer("blades", blades, {1, 1'000'000}, "",
+            "Of grass, scattered over its field by the scene's seed.");
+  f.number("bladeHeight", bladeHeight, {1e-4, 1e3}, "m", "Of the tallest blades of grass.");
+  f.number("bladeWidth", bladeWidth, {1e-5, 1e2}, "m", "Of a blade of grass at its root.");
   f.vector("position", position, scene::anyNumber, "m", "Where the mesh's origin is.");
   f.vector("rotation", rotation, scene::anyNumber, "degrees", "About x, then y, then z.");
   f.number("scale", scale, {1e-6, 1e6}, "", "Factor on the mesh's coordinates.");
-  f.choice("sides", sides, {"auto", "one", "both"},
-           "Which sides of the triangles are drawn; \"auto\": both of a plane, else the front.");
+  f.choice(
+      "sides", sides, {"auto", "one", "both"},
+      "Which sides of the triangles are drawn; \"auto\": both of a plane and of grass, else the front.");
   f.boolean("visible", visible, "Whether it is drawn.");
+  deform.describe(f);
   if (shape == MeshShape::file && file.empty())
     f.error("shape", "the shape \"file\" needs \"file\": the mesh to read");
   if (shape != MeshShape::file && f.given("file"))
@@ -58,7 +65,8 @@ void MeshParameters::describe(scene::Fields& f) {
 }
 
 bool MeshParameters::doubleSided() const {
-  return sides == MeshSides::both || (sides == MeshSides::fitting && shape == MeshShape::plane);
+  return sides == MeshSides::both ||
+         (sides == MeshSides::fitting && (shape == MeshShape::plane || shape == MeshShape::grass));
 }
 
 glm::mat4 MeshParameters::model(double time) const {
@@ -69,7 +77,7 @@ glm::mat4 MeshParameters::model(double time) const {
   return m;
 }
 
-Mesh MeshParameters::make() const {
+Mesh MeshParameters::make(int seed) const {
   switch (shape) {
     case MeshShape::plane:
       return planeMesh(size, resolution);
@@ -77,6 +85,8 @@ Mesh MeshParameters::make() const {
       return sphereMesh(radius, resolution);
     case MeshShape::torus:
       return torusMesh(radius, tube, resolution);
+    case MeshShape::grass:
+      return grassMesh(size, blades, bladeHeight, bladeWidth, seed);
     case MeshShape::file:
       break;
   }

@@ -1,5 +1,6 @@
 #pragma once
 #include "scene/fields.hpp"
+#include "sim/deform_parameters.hpp"
 #include "sim/mesh_file.hpp"
 
 #include <filesystem>
@@ -10,7 +11,7 @@
 
 namespace simreel::sim {
 
-enum class MeshShape { plane, sphere, torus, file };
+enum class MeshShape { plane, sphere, torus, grass, file };
 enum class MeshSides { fitting, one, both };
 
 /// Parameters of the kind mesh.
@@ -23,6 +24,10 @@ struct MeshParameters : scene::Parameters {
   glm::ivec2 resolution{101, 65};  ///< vertices along u and v
   MeshSides sides = MeshSides::fitting;
   bool visible = true;
+  int blades = 4000;          ///< of grass
+  float bladeHeight = 0.5F;   ///< m
+  float bladeWidth = 0.012F;  ///< m
+  DeformParameters deform;
   scene::Animated<glm::vec3> position = glm::vec3(0);  ///< m
   scene::Animated<glm::vec3> rotation = glm::vec3(0);  ///< degrees
   scene::Animated<float> scale = 1.0F;
@@ -32,7 +37,7 @@ struct MeshParameters : scene::Parameters {
   /// From the mesh's own space to the world's at `time`.
   [[nodiscard]] glm::mat4 model(double time) const;
   /// Generates or reads the mesh. Throws what loadMesh throws.
-  [[nodiscard]] Mesh make() const;
+  [[nodiscard]] Mesh make(int seed) const;
 };
 
 }  // namespace simreel::sim

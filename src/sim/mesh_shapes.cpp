@@ -1,7 +1,11 @@
 #include "sim/mesh_shapes.hpp"
 
+#include "sim/shader_code.hpp"
+
 #include <cmath>
 #include <numbers>
+
+#include <glm/geometric.hpp>
 
 namespace simreel::sim {
 
@@ -108,6 +112,39 @@ Mesh torusMesh(float radius, float tube, glm::ivec2 vertices) {
     }
   }
   connectRows(mesh, rows, columns);
+  return mesh;
+}
+
+Mesh grassMesh(const glm::vec3& size, int blades, float height, float width, int seed) {
+  constexpr unsigned segments = 4;
+  Mesh mesh;
+  for (int blade = 0; blade < blades; ++blade) {
+    const auto number = static_cast<unsigned>(blade);
+    const auto bits = shader::hash3({number, 1U, static_cast<unsigned>(seed)});
+    const auto more = shader::hash3({number, 2U, static_cast<unsigned>(seed)});
+    const glm::vec3 root(0.5F * size.x * shader::signedUnit(bits.x), 0,
+                         0.5F * size.z * shader::signedUnit(bits.y));
+    const float angle = 3.14159265F * shader::signedUnit(bits.z);
+    const glm::vec3 across(shader::exactCos(angle), 0, shader::exactSin(angle));
+    const glm::vec3 out(-across.z, 0, across.x);  // where the blade bends to
+    const float tall = height * (0.75F + 0.25F * shader::signedUnit(more.x));
+    const float bend = tall * (0.3F + 0.2F * shader::signedUnit(more.y));
+    const auto first = static_cast<unsigned>(mesh.positions.size());
+    for (unsigned step = 0; step <= segments; ++step) {
+      const float s = static_cast<float>(step) / segments;
+      const glm::vec3 middle = root + out * (bend * s * s) + glm::vec3(0, tall * s * (1 - 0.15F * s), 0);
+      const glm::vec3 rise = out * (2 * bend * s) + glm::vec3(0, tall * (1 - 0.3F * s), 0);
+      const glm::vec3 normal = glm::normalize(glm::cross(rise, across));
+      const float half = 0.5F * width * (1 - 0.75F * s * s);
+      for (const float side : {-1.0F, 1.0F}) {
+        mesh.positions.push_back(middle + across * (side * half));
+        mesh.normals.push_back(normal);
+        mesh.uvs.emplace_back(0.5F + 0.5F * side, s);
+      }
+      const unsigned a = first + 2 * step;
+      if (step < segments) mesh.indices.insert(mesh.indices.end(), {a, a + 2, a + 1, a + 1, a + 2, a + 3});
+    }
+  }
   return mesh;
 }
 

@@ -21,4 +21,8 @@ namespace simreel::sim {
 /// ring and around the tube, the seams twice (at least 4x4).
 [[nodiscard]] Mesh torusMesh(float radius, float tube, glm::ivec2 vertices);
 
+/// Blades of grass, each of four quads and a tip, curved, the tallest `height` m high and `width` m wide at
+/// the root, scattered over size.x by size.z m of the xz plane; u across a blade, v from root to tip.
+[[nodiscard]] Mesh grassMesh(const glm::vec3& size, int blades, float height, float width, int seed);
+
 }  // namespace simreel::sim

@@ -6,8 +6,13 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
 
 namespace simreel::sim {
 
@@ -17,6 +22,7 @@ struct Setting {
   int seed = 1;
   double frameSeconds = 1.0 / 60.0;
   const std::vector<ColliderShape>* colliders = nullptr;
+  bool timing = false;  ///< whether simulations measure their stages
 };
 
 /// State that is hashed, compared and can be read back: whole vec4 elements.
@@ -37,6 +43,15 @@ struct Quantity {
 struct PointTable {
   std::vector<const char*> columns;  ///< "x", "y", "z", "vx", ... as point files call them
   std::vector<float> values;         ///< row by row
+};
+
+/// A surface as a table for other programs, read back from the GPU where it is there: metres, the object's
+/// own position, rotation and scale applied; uvs are empty where the mesh has none.
+struct MeshTable {
+  std::vector<glm::vec3> positions;
+  std::vector<glm::vec3> normals;
+  std::vector<glm::vec2> uvs;
+  std::vector<unsigned> indices;  ///< three a triangle
 };
 
 /// Called after each step of a frame, counted from 1, while state() holds what that step left. Empty:
@@ -61,6 +76,11 @@ class Simulation {
   [[nodiscard]] virtual std::vector<StateArray> state() const { return {}; }
   /// What `simreel bake` writes; empty for things that are no points.
   [[nodiscard]] virtual PointTable points() const { return {}; }
+  /// What `simreel bake` writes of things that deform a mesh; nothing for others.
+  [[nodiscard]] virtual std::optional<MeshTable> mesh() const { return std::nullopt; }
+  /// Milliseconds that the stages of the newest finished frame took, when Setting::timing is on: CPU stages
+  /// by the clock, those of the GPU by timer queries, which are read without waiting.
+  [[nodiscard]] virtual std::vector<std::pair<const char*, double>> stageTimes() const { return {}; }
   /// Four words as glsl/common/status.glsl writes them, or null.
   [[nodiscard]] virtual const gl::Buffer* status() const { return nullptr; }
   /// Measures the present state, which is read back: summed up on the CPU in double and in a fixed order,
