@@ -105,14 +105,12 @@ FUNCTION vec2 trailAt(vec3 rest) {
   return upper;
 }
 
-// Down by the print's depth; beside it up by the rim, which fades as the print deepens.
+// Down by the print's depth; beside it up by the rim, which is gone where the print is half as deep as it is high.
 FUNCTION vec3 pressed(vec3 rest, vec3 p) {
   vec2 print_ = trailAt(rest);
-  precise float share = print_.x * deformStep.trailRim.z;
-  share = 1.0f - share;
-  share = max(share, 0.0f);
-  share = share * share;
-  precise float lift = print_.y * share;
+  precise float lift = print_.x * 2.0f;
+  lift = print_.y - lift;
+  lift = max(lift, 0.0f);
   lift = lift - print_.x;
   precise float y = p.y + lift;
   return vec3(p.x, y, p.z);

@@ -31,8 +31,7 @@ struct DeformStep {
   ivec4 trailCells;  // cells of the trail along x and z
   vec4 trailPlace;   // xy: x and z of the middle of cell (0, 0) (m); zw: 1/size of a cell (1/m)
   vec4 trailShape;   // xy: size of a cell (m); z: height of the surface that is pressed (m); w: deepest print (m)
-  vec4 trailRim;     // x: height of the rim as a share of the print's depth; y: 1/width of the rim (1/m);
-                     // z: 1/depth at which the rim is gone (1/m)
+  vec4 trailRim;     // x: height of the rim as a share of the print's depth; y: 1/width of the rim (1/m)
   Displacement displacements[mostDisplacements];
   Presser pressers[mostPressers];
 };

@@ -144,7 +144,7 @@ void DeformPlan::setTrail(shader::DeformStep& step) const {
   step.trailCells = {trailCells_, 0, 0};
   step.trailPlace = {low_.x, low_.z, 1.0F / width, 1.0F / depth};
   step.trailShape = {width, depth, f.height, f.depth};
-  step.trailRim = {f.rim, 1.0F / f.rimWidth, 2.0F / f.depth, 0};
+  step.trailRim = {f.rim, 1.0F / f.rimWidth, 0, 0};
 }
 
 shader::DeformStep DeformPlan::at(double time) const {

@@ -129,6 +129,7 @@ Mesh grassMesh(const glm::vec3& size, int blades, float height, float width, int
     const glm::vec3 out(-across.z, 0, across.x);  // where the blade bends to
     const float tall = height * (0.75F + 0.25F * shader::signedUnit(more.x));
     const float bend = tall * (0.3F + 0.2F * shader::signedUnit(more.y));
+    const float hue = 0.5F + 0.49F * shader::signedUnit(more.z);
     const auto first = static_cast<unsigned>(mesh.positions.size());
     for (unsigned step = 0; step <= segments; ++step) {
       const float s = static_cast<float>(step) / segments;
@@ -139,7 +140,7 @@ Mesh grassMesh(const glm::vec3& size, int blades, float height, float width, int
       for (const float side : {-1.0F, 1.0F}) {
         mesh.positions.push_back(middle + across * (side * half));
         mesh.normals.push_back(normal);
-        mesh.uvs.emplace_back(0.5F + 0.5F * side, s);
+        mesh.uvs.emplace_back(hue + 0.004F * side, 1 - s);
       }
       const unsigned a = first + 2 * step;
       if (step < segments) mesh.indices.insert(mesh.indices.end(), {a, a + 2, a + 1, a + 1, a + 2, a + 3});

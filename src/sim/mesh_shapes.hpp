@@ -22,7 +22,8 @@ namespace simreel::sim {
 [[nodiscard]] Mesh torusMesh(float radius, float tube, glm::ivec2 vertices);
 
 /// Blades of grass, each of four quads and a tip, curved, the tallest `height` m high and `width` m wide at
-/// the root, scattered over size.x by size.z m of the xz plane; u across a blade, v from root to tip.
+/// the root, scattered over size.x by size.z m of the xz plane; u is a number of each blade (almost the
+/// same across it), v = 1 at the root and 0 at the tip, so that a texture colours blades and shades them.
 [[nodiscard]] Mesh grassMesh(const glm::vec3& size, int blades, float height, float width, int seed);
 
 }  // namespace simreel::sim
