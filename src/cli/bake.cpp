@@ -7,6 +7,7 @@
 #include "cli/scene_options.hpp"
 #include "frame/frames_spec.hpp"
 #include "frame/interrupt.hpp"
+#include "frame/obj.hpp"
 #include "frame/ply.hpp"
 #include "gl/context.hpp"
 #include "sim/world.hpp"
@@ -14,6 +15,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -28,27 +30,57 @@ namespace fs = std::filesystem;
 struct BakeOptions {
   SceneOptions scene;
   std::string output, object, device, memoryPath;
+  std::string format = "ply";
   std::optional<std::string> frames;
   bool overwrite = false;
 };
 
-/// Objects whose state is points: the one asked for, or all.
+/// Objects whose state is points or a mesh: the one asked for, or all.
 std::vector<std::size_t> bakedObjects(const sim::World& world, const std::string& wanted) {
   std::vector<std::size_t> objects;
   std::string names;
   for (std::size_t i = 0; i < world.objectCount(); ++i) {
-    if (world.object(i).points().columns.empty()) continue;
+    if (world.object(i).points().columns.empty() && !world.object(i).mesh()) continue;
     names += (names.empty() ? "" : ", ") + world.objectName(i);
     if (wanted.empty() || wanted == world.objectName(i)) objects.push_back(i);
   }
-  if (objects.empty() && names.empty()) fail(ExitCode::usage, "no object of the scene has points to bake");
+  if (objects.empty() && names.empty())
+    fail(ExitCode::usage, "no object of the scene has points or a deformed mesh to bake");
   if (objects.empty())
-    fail(ExitCode::usage, "--object: there is no \"{}\" with points; there is {}", wanted, names);
+    fail(ExitCode::usage, "--object: there is no \"{}\" with points or a deformed mesh; there is {}",
+         wanted, names);
   return objects;
 }
 
 fs::path fileOf(const BakeOptions& o, const std::string& object, int frame) {
-  return fs::path(o.output) / fmt::format("{}_{:06}.ply", object, frame);
+  return fs::path(o.output) / fmt::format("{}_{:06}.{}", object, frame, o.format);
+}
+
+/// Position, normal and, where there is one, uv of each vertex; then the triangles.
+std::vector<std::byte> meshPly(const sim::MeshTable& mesh, std::span<const std::string> comments) {
+  std::vector<const char*> columns = {"x", "y", "z", "nx", "ny", "nz"};
+  if (!mesh.uvs.empty()) columns.insert(columns.end(), {"s", "t"});
+  std::vector<float> values;
+  values.reserve(mesh.positions.size() * columns.size());
+  for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+    const glm::vec3& p = mesh.positions[i];
+    const glm::vec3& n = mesh.normals[i];
+    values.insert(values.end(), {p.x, p.y, p.z, n.x, n.y, n.z});
+    if (!mesh.uvs.empty()) values.insert(values.end(), {mesh.uvs[i].x, mesh.uvs[i].y});
+  }
+  return frame::encodePly(columns, values, mesh.indices, comments);
+}
+
+void writeObject(const BakeOptions& o, const fs::path& file, const sim::Simulation& object,
+                 const std::vector<std::string>& comments) {
+  const std::optional<sim::MeshTable> mesh = object.mesh();
+  if (o.format == "obj") {
+    const std::string text = frame::encodeObj(*mesh, comments);
+    return writeFileAtomically(file, text);
+  }
+  if (mesh) return writeFileAtomically(file, meshPly(*mesh, comments));
+  const sim::PointTable table = object.points();
+  writeFileAtomically(file, frame::encodePly(table.columns, table.values, comments));
 }
 
 void bake(const BakeOptions& o) {
@@ -62,6 +94,10 @@ void bake(const BakeOptions& o) {
   const gl::Context context({.device = o.device, .debug = false, .memoryPath = o.memoryPath});
   sim::World world(scene);
   const auto objects = bakedObjects(world, o.object);
+  for (const std::size_t object : objects)
+    if (o.format == "obj" && !world.object(object).mesh())
+      fail(ExitCode::usage, "--format obj: \"{}\" has points and no triangles; use ply, or --object",
+           world.objectName(object));
   for (const int frame : frames)
     for (const std::size_t object : objects)
       if (const auto file = fileOf(o, world.objectName(object), frame); !o.overwrite && pathExists(file))
@@ -80,13 +116,11 @@ void bake(const BakeOptions& o) {
       static_cast<void>(world.takeSummary(true));  // throws when the state is lost
     }
     for (const std::size_t object : objects) {
-      const sim::PointTable table = world.object(object).points();
       const std::vector<std::string> comments = {
           fmt::format("simreel {}", version()), fmt::format("scene {}", scene.hash),
           fmt::format("object {} frame {} time {:g} s seed {}", world.objectName(object), frame,
                       world.time(), scene.seed)};
-      writeFileAtomically(fileOf(o, world.objectName(object), frame),
-                          frame::encodePly(table.columns, table.values, comments));
+      writeObject(o, fileOf(o, world.objectName(object), frame), world.object(object), comments);
       ++files;
     }
   }
@@ -98,9 +132,13 @@ void bake(const BakeOptions& o) {
 
 void addBake(CLI::App& app) {
   auto o = std::make_shared<BakeOptions>();
-  auto* command = app.add_subcommand("bake", "Write the points of a simulation as PLY files, one a frame");
+  auto* command =
+      app.add_subcommand("bake", "Write points and deformed meshes as PLY or OBJ files, one a frame");
   o->scene.add(*command);
   command->add_option("-o,--output", o->output, "Folder for NAME_000000.ply ...")->required();
+  command->add_option("--format", o->format, "ply or, of meshes, obj")
+      ->check(CLI::IsMember({"ply", "obj"}))
+      ->capture_default_str();
   command->add_option("--frames", o->frames, "Frames to write, for example 0-99x2,150; all are simulated");
   command->add_option("--object", o->object, "Only this object");
   command->add_option("--device", o->device, "Index or part of a name (see `simreel doctor`)");

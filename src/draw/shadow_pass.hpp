@@ -31,7 +31,12 @@ class ShadowPass {
   bool on_;
   float softness_;
   gl::Defines defines_;
+  /// The program for a surface: the second of a pair displaces its vertices, and is made when first needed.
+  [[nodiscard]] const gl::Program& boundsOf(const sim::Surface& surface) const;
+  [[nodiscard]] const gl::Program& drawOf(const sim::Surface& surface) const;
+
   gl::Program bounds_, fit_, draw_;
+  mutable gl::Program deformedBounds_, deformedDraw_;
   gl::Buffer boundKeys_, light_;
   gl::Texture lightView_, map_;
   gl::Framebuffer target_;

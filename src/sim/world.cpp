@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <deque>
 #include <vector>
 
@@ -61,7 +62,7 @@ struct World::State {
         preroll(static_cast<int>(std::lround(scene.time.start * scene.time.fps))),
         colliders(collect(scene)) {
     const Setting setting{scene.numerics == scene::Numerics::fast, scene.seed, 1.0 / scene.time.fps,
-                          &colliders};
+                          &colliders, std::getenv("SIMREEL_STAGE_TIMES") != nullptr};
     for (const scene::Object& object : scene.objects)
       for (const SimulationKind& kind : simulations())
         if (object.kind == kind.kind.name) objects.push_back(kind.make(object, setting));
