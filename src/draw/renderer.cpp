@@ -44,7 +44,7 @@ struct Renderer::State {
   gl::Buffer frame;
 
   /// All but what lies over the finished picture.
-  void drawScene(double seconds, const sim::Drawables& drawables);
+  void drawScene(double seconds, const sim::Drawables& drawables, const StageWatch& watch);
 };
 
 Renderer::Renderer(const scene::Scene& scene, glm::ivec2 size, int samples)
@@ -55,10 +55,6 @@ Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 
 void Renderer::draw(double seconds, const sim::Drawables& drawables, const StageWatch& watch) {
   State& s = *state_;
-  const auto issued = [&](const char* stage, bool any = true) {
-    if (watch && any) watch(stage);
-  };
-  const bool crowds = !drawables.instances.empty();
   const shader::Frame values = frameValues(s.scene, s.size, seconds);
   s.frame.write(0, std::as_bytes(std::span(&values, 1)));
   s.frame.bindUniform(0, 0, sizeof values);
@@ -66,13 +62,19 @@ void Renderer::draw(double seconds, const sim::Drawables& drawables, const Stage
   glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_ELEMENT_ARRAY_BARRIER_BIT);
   s.fieldTextures.update(drawables);
   s.fields.prepare(drawables, seconds);
-  if (!s.fields.hidesAll(drawables, seconds)) s.drawScene(seconds, drawables);
+  if (watch && !drawables.fields.empty()) watch("fields");
+  if (!s.fields.hidesAll(drawables, seconds)) s.drawScene(seconds, drawables, watch);
   s.targets.picture.bind();
   s.fields.draw(drawables, sim::FieldDisplay::Layer::over, seconds);
+  if (watch && !drawables.fields.empty()) watch("fields");
 }
 
-void Renderer::State::drawScene(double seconds, const sim::Drawables& drawables) {
+void Renderer::State::drawScene(double seconds, const sim::Drawables& drawables, const StageWatch& watch) {
   State& s = *this;
+  const auto issued = [&](const char* stage, bool any = true) {
+    if (watch && any) watch(stage);
+  };
+  const bool crowds = !drawables.instances.empty();
   if (s.shadow.on()) {
     s.shadow.fit(drawables, [&] { s.instances.growBounds(drawables); });
     s.instances.cullForLight(drawables);

@@ -43,7 +43,7 @@ struct BenchRun::State {
         context(device),
         timing(how),
         depth(timing == Timing::wait ? 0 : 2),
-        world(scene),
+        world(scene, timing != Timing::whole),
         renderer(scene, scene.render.size, scene.render.samples),
         readback(scene.render.size) {
     for (std::size_t i = 0; timing != Timing::whole && i < world.objectCount(); ++i)

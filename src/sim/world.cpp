@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <deque>
 #include <vector>
 
@@ -57,12 +56,12 @@ struct World::State {
   std::deque<Pending> pending;
   int nextSlot = 0;
 
-  explicit State(const scene::Scene& scene)
+  State(const scene::Scene& scene, bool timing)
       : fps(scene.time.fps),
         preroll(static_cast<int>(std::lround(scene.time.start * scene.time.fps))),
         colliders(collect(scene)) {
     const Setting setting{scene.numerics == scene::Numerics::fast, scene.seed, 1.0 / scene.time.fps,
-                          &colliders, std::getenv("SIMREEL_STAGE_TIMES") != nullptr};
+                          &colliders, timing};
     for (const scene::Object& object : scene.objects)
       for (const SimulationKind& kind : simulations())
         if (object.kind == kind.kind.name) objects.push_back(kind.make(object, setting));
@@ -138,7 +137,7 @@ struct World::State {
   }
 };
 
-World::World(const scene::Scene& scene) : state_(std::make_unique<State>(scene)) {}
+World::World(const scene::Scene& scene, bool timing) : state_(std::make_unique<State>(scene, timing)) {}
 World::~World() = default;
 World::World(World&&) noexcept = default;
 World& World::operator=(World&&) noexcept = default;

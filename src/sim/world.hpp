@@ -13,8 +13,8 @@ namespace simreel::sim {
 /// All objects of a scene, stepped together. Frame 0 is at time 0; the pre-roll runs before it.
 class World {
  public:
-  /// Makes every simulation on the current context.
-  explicit World(const scene::Scene& scene);
+  /// Makes every simulation on the current context. `timing`: they measure their stages (Setting::timing).
+  explicit World(const scene::Scene& scene, bool timing = false);
   ~World();
   World(World&&) noexcept;
   World& operator=(World&&) noexcept;
