@@ -172,7 +172,7 @@ void DeformedMesh::makePrograms(bool fast) {
 }
 
 void DeformedMesh::press(double time) {
-  const shader::DeformStep step = plan_.at(time);
+  const shader::DeformStep step = plan_.swept(time - frameSeconds_, time);
   if (!onDevice()) {
     cpu_.press(step, threads());
     trail_.write(cpu_.trail());

@@ -127,14 +127,27 @@ shader::Presser DeformPlan::presser(const ColliderShape& shape, double time) con
   const glm::vec3 centre = shape.position.at(time);
   const glm::vec3 a = unturned(turned, centre - along - origin) * smaller;
   const glm::vec3 b = unturned(turned, centre + along - origin) * smaller;
+  return presserBetween(a, b, shape.radius * smaller);
+}
+
+shader::Presser DeformPlan::presserBetween(const glm::vec3& a, const glm::vec3& b, float radius) {
   const glm::vec3 axis = b - a;
   const float flat = axis.x * axis.x + axis.z * axis.z;
   const float squared = flat + axis.y * axis.y;
   shader::Presser p{};
-  p.a = {a, shape.radius * smaller};
+  p.a = {a, radius};
   p.b = {b, squared > 1e-12F ? 1.0F / squared : 0.0F};
   p.c = {flat > 1e-12F ? 1.0F / flat : 0.0F, 0, 0, 0};
   return p;
+}
+
+shader::DeformStep DeformPlan::swept(double before, double now) const {
+  shader::DeformStep step = at(now);
+  for (std::size_t i = 0; i < pressers_.size(); ++i)
+    if (pressers_[i].length == 0)
+      step.pressers[i] = presserBetween(glm::vec3(presser(pressers_[i], before).a),
+                                        glm::vec3(step.pressers[i].a), step.pressers[i].a.w);
+  return step;
 }
 
 void DeformPlan::setTrail(shader::DeformStep& step) const {

@@ -25,12 +25,15 @@ class DeformPlan {
              const std::vector<ColliderShape>& colliders);
 
   [[nodiscard]] shader::DeformStep at(double time) const;
+  /// The same with each sphere swept over its way from `before` to `now`, so that a trail has no gaps.
+  [[nodiscard]] shader::DeformStep swept(double before, double now) const;
   /// Of the trail; {2, 2} where there is none.
   [[nodiscard]] glm::ivec2 trailCells() const { return trailCells_; }
   [[nodiscard]] bool hasTrail() const { return hasTrail_; }
 
  private:
   void checkPhases(const std::string& name) const;
+  [[nodiscard]] static shader::Presser presserBetween(const glm::vec3& a, const glm::vec3& b, float radius);
   [[nodiscard]] shader::Presser presser(const ColliderShape& shape, double time) const;
   void setTrail(shader::DeformStep& step) const;
 

@@ -120,6 +120,23 @@ class Gatherer {
   bool hasUvs_ = false;
 };
 
+/// The library's own steps take for granted, some by assertion, what broken files do not keep.
+void checkBeforeProcessing(const std::filesystem::path& file, const aiScene& scene) {
+  if (scene.mNumMeshes == 0) refuse(file, "holds no triangle");
+  for (unsigned m = 0; m < scene.mNumMeshes; ++m) {
+    const aiMesh& part = *scene.mMeshes[m];
+    if (part.mNumFaces == 0 || part.mNumVertices == 0 || part.mVertices == nullptr)
+      refuse(file, "has a part without faces");
+    for (unsigned i = 0; i < part.mNumFaces; ++i) {
+      const aiFace& face = part.mFaces[i];
+      if (face.mNumIndices == 0) refuse(file, fmt::format("has a face without corners (number {})", i));
+      for (unsigned k = 0; k < face.mNumIndices; ++k)
+        if (face.mIndices[k] >= part.mNumVertices)
+          refuse(file, fmt::format("has a face with vertex {} of {}", face.mIndices[k], part.mNumVertices));
+    }
+  }
+}
+
 /// Opens nothing beside the mesh that lies outside its folder (buffers of glTF, materials of OBJ), links
 /// followed.
 class FolderOnly : public Assimp::DefaultIOSystem {
@@ -152,7 +169,10 @@ class FolderOnly : public Assimp::DefaultIOSystem {
 
 /// The library believes counts before it looks for what they count.
 void checkPlyCounts(const std::filesystem::path& file, std::string_view text) {
-  std::string_view head = text.substr(0, std::min(text.find("end_header"), std::size_t{1} << 20U));
+  const std::size_t end = text.find("\nend_header");
+  if (end == std::string_view::npos)
+    refuse(file, "has no \"end_header\"");  // the library would look for ever
+  const std::string_view head = text.substr(0, end);
   for (std::size_t at = head.find("element "); at != std::string_view::npos;
        at = head.find("element ", at + 8)) {
     const std::size_t digits = head.find_first_of("0123456789", at);
@@ -198,8 +218,7 @@ Mesh loadMesh(const std::filesystem::path& file) {
   importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE, aiPrimitiveType_POINT | aiPrimitiveType_LINE);
   auto* const io = new FolderOnly(file);  // the importer's own from here
   importer.SetIOHandler(io);
-  const aiScene* scene = importer.ReadFile(
-      file.string(), aiProcess_Triangulate | aiProcess_SortByPType | aiProcess_JoinIdenticalVertices);
+  const aiScene* scene = importer.ReadFile(file.string(), 0);
   if (!io->refused().empty())
     refuse(file, fmt::format("names {}, which lies outside its folder", io->refused()));
   if (scene == nullptr || scene->mRootNode == nullptr) {
@@ -207,6 +226,10 @@ Mesh loadMesh(const std::filesystem::path& file) {
     why = why.substr(0, why.find('\n'));
     refuse(file, fmt::format("cannot be read ({})", why.empty() ? "unknown reason" : why));
   }
+  checkBeforeProcessing(file, *scene);
+  scene = importer.ApplyPostProcessing(aiProcess_Triangulate | aiProcess_SortByPType |
+                                       aiProcess_JoinIdenticalVertices);
+  if (scene == nullptr || scene->mRootNode == nullptr) refuse(file, "cannot be divided into triangles");
   return Gatherer(file, *scene).gather();
 }
 

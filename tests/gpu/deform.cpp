@@ -72,7 +72,10 @@ std::vector<std::vector<glm::vec4>> twinAfter(const std::string& mesh, const std
   const sim::RestMesh rest("mesh", shape);
   sim::DeformCpu cpu(rest, plan.trailCells());
   for (int frame = 1; frame <= frames; ++frame)
-    if (plan.hasTrail()) cpu.press(plan.at((frame - 1) / 60.0 + 1.0 / 60.0), sim::Threads::one);
+    if (plan.hasTrail()) {
+      const double now = (frame - 1) / 60.0 + 1.0 / 60.0;
+      cpu.press(plan.swept(now - 1.0 / 60.0, now), sim::Threads::one);
+    }
   cpu.displace(plan.at((frames - 1) / 60.0 + 1.0 / 60.0), sim::Threads::one);
   if (!plan.hasTrail()) return {cpu.positions()};
   return {cpu.positions(), cpu.trail()};

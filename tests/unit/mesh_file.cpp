@@ -119,9 +119,6 @@ TEST_CASE("a mesh that cannot be used says why in one line") {
   CHECK(failure("cut.ply", cut) != "no failure");
   std::string beyond = squarePly;
   beyond.replace(beyond.rfind("2 3"), 3, "2 7");
-  // The library mends this index; what comes out must be within bounds.
-  const Temporary mended("beyond.ply", beyond);
-  const sim::Mesh mesh = sim::loadMesh(mended.path);
-  for (const unsigned i : mesh.indices) CHECK(i < mesh.positions.size());
+  CHECK(failure("beyond.ply", beyond).find("vertex 7 of 4") != std::string::npos);
   CHECK(failure("far.obj", "v 0 0 0\nv 1e20 0 0\nv 1 1 0\nf 1 2 3\n").find("1e9 m") != std::string::npos);
 }
