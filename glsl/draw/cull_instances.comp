@@ -10,6 +10,7 @@ layout(local_size_x = 64) in;
 layout(std430, binding = 0) writeonly restrict buffer MaskBlock { uint masks[]; };
 uniform int capacity;
 uniform int words;
+uniform float pointPixels;  // sprites of at most this radius are points
 uniform float levelError;  // pixels by which the outline of a coarse shape may miss the true one
 
 #ifdef FOR_LIGHT
@@ -21,6 +22,10 @@ bool isSeen(vec3 p, float radius) {
 }
 float pixelRadius(vec3 p, float radius) {
   return radius / shadowTexel();
+}
+// A point is dropped as a whole with its middle.
+bool isMiddleSeen(vec3 p) {
+  return all(lessThan(abs(shadowPlace(p) - 0.5), vec3(0.4999)));
 }
 #else
 // Outside when wholly behind one plane of the frustum. A plane is a sum or difference of rows of the matrix.
@@ -37,6 +42,10 @@ bool isSeen(vec3 p, float radius) {
 float pixelRadius(vec3 p, float radius) {
   float distance = max(dot(p - frame.eye.xyz, frame.rayForward.xyz) - radius, 1e-3);
   return radius * pixelsPerMetre() / distance;
+}
+bool isMiddleSeen(vec3 p) {
+  vec4 place = frame.viewProjection * vec4(p, 1);
+  return all(lessThan(abs(place.xyz), vec3(0.9999 * place.w)));
 }
 #endif
 
@@ -55,8 +64,7 @@ void main() {
 #endif
     if (!(isShown(position, velocity) && radius > 0.0 && isSeen(position.xyz, radius))) continue;
 #if LEVELS == 2
-    // A square of a disk's area misses the disk by 1/8 of the radius.
-    bool fine = pixelRadius(position.xyz, radius) * 0.125 > levelError;
+    bool fine = pixelRadius(position.xyz, radius) > pointPixels || !isMiddleSeen(position.xyz);
     found[0] |= fine ? 0u : 1u << i;
     found[1] |= fine ? 1u << i : 0u;
 #elif LEVELS > 1

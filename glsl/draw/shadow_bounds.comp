@@ -18,10 +18,9 @@ vec4 ball(int i) {
   return vec4(corners[i & 1].x, corners[i >> 1 & 1].y, corners[i >> 2 & 1].z, 0);
 }
 #else
-layout(binding = 0) uniform samplerBuffer positions;
-uniform mat4 model;
+#include "draw/vertex_pull.glsl"
 vec4 ball(int i) {
-  return vec4((model * vec4(texelFetch(positions, i).xyz, 1.0)).xyz, 0);
+  return vec4(worldPoint(i), 0);
 }
 #endif
 

@@ -32,6 +32,9 @@ void main() {
   vec3 p = worldPoint(i);
 #ifdef GRID
   vec3 normal = gridNormal(i);
+#elif defined(DEFORMED)
+  vec4 rest = texelFetch(positions, i);
+  vec3 normal = mat3(model) * displacedNormal(rest.xyz, texelFetch(normals, i).xyz, rest.w);
 #else
   vec3 normal = mat3(model) * texelFetch(normals, i).xyz;
 #endif

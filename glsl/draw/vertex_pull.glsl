@@ -2,6 +2,13 @@
 layout(binding = 0) uniform samplerBuffer positions;
 uniform mat4 model;
 
+#ifdef DEFORMED
+#include "draw/deformed_vertex.glsl"
+#endif
 vec3 worldPoint(int i) {
-  return (model * vec4(texelFetch(positions, i).xyz, 1.0)).xyz;
+  vec3 p = texelFetch(positions, i).xyz;
+#ifdef DEFORMED
+  p = displaced(p);
+#endif
+  return (model * vec4(p, 1.0)).xyz;
 }

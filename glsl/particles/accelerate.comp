@@ -23,7 +23,7 @@ vec3 begin(int i) {
   return continued ? LOAD_STATE(accelerations, i).xyz : vec3(0.0f);
 }
 
-// Four bodies a round of the loops, which costs too.
+// Four bodies a round of the loops, which costs too; eight where an invocation has registers for them.
 #define PULL(k)                                        \
   sum##k = addPull(sum##k, here##k, body0, factors.x); \
   sum##k = addPull(sum##k, here##k, body1, factors.x); \
@@ -93,11 +93,16 @@ void main() {
       // Beyond the end stand bodies without mass: adding their zero changes no bit of the sum.
       tile[lane] = start + lane < end ? LOAD_INPUT(positions, start + lane) : vec4(0.0f);
       barrier();
-      for (int j = 0; j < 256; j += 4) {
+      for (int j = 0; j < 256; j += 8) {
         vec4 body0 = tile[j];
         vec4 body1 = tile[j + 1];
         vec4 body2 = tile[j + 2];
         vec4 body3 = tile[j + 3];
+        EACH(PULL)
+        body0 = tile[j + 4];
+        body1 = tile[j + 5];
+        body2 = tile[j + 6];
+        body3 = tile[j + 7];
         EACH(PULL)
       }
       barrier();

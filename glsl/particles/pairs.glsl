@@ -29,9 +29,13 @@ FUNCTION vec3 addPull(vec3 sum, vec3 here, vec4 body, float softeningSquared) {
   precise float xx = d.x * d.x;
   precise float yy = d.y * d.y;
   precise float zz = d.z * d.z;
+#ifdef FAST_NUMERICS
+  float squared = fma(d.z, d.z, fma(d.y, d.y, fma(d.x, d.x, softeningSquared)));  // one operation less
+#else
   precise float squared = xx + yy;
   squared = squared + zz;
   squared = squared + softeningSquared;
+#endif
   float inverse = pairInverseSqrt(squared);
   precise float cube = inverse * inverse;
   cube = cube * inverse;

@@ -79,6 +79,19 @@ void writeFileAtomically(const std::filesystem::path& path, std::string_view tex
   writeFileAtomically(path, std::as_bytes(std::span(text.data(), text.size())));
 }
 
+void checkWritable(const std::filesystem::path& path) {
+  std::error_code error;
+  if (std::filesystem::is_directory(path, error))
+    fail(ExitCode::inputOutput, "cannot write {}: it is a folder", path.string());
+  const std::filesystem::path part = path.string() + ".part";
+  const Descriptor file(::open(part.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666));
+  if (file.get() < 0) {
+    const int reason = errno;
+    fail(ExitCode::inputOutput, "cannot create {}: {}", path.string(), std::strerror(reason));
+  }
+  ::unlink(part.c_str());
+}
+
 void makeFolders(const std::filesystem::path& folder) {
   if (folder.empty()) return;
   std::error_code error;

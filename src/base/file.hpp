@@ -18,6 +18,9 @@ namespace simreel {
 void writeFileAtomically(const std::filesystem::path& path, std::span<const std::byte> bytes);
 void writeFileAtomically(const std::filesystem::path& path, std::string_view text);
 
+/// Throws UserError(inputOutput) where writeFileAtomically() could not make this file; leaves no trace.
+void checkWritable(const std::filesystem::path& path);
+
 /// Creates the folder and those above it. Throws UserError(inputOutput).
 void makeFolders(const std::filesystem::path& folder);
 /// Whether something is there; false where that cannot be found out.

@@ -8,6 +8,7 @@
 #include "frame/field_file.hpp"
 #include "frame/frames_spec.hpp"
 #include "frame/interrupt.hpp"
+#include "frame/obj.hpp"
 #include "frame/ply.hpp"
 #include "gl/context.hpp"
 #include "sim/field_values.hpp"
@@ -16,6 +17,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -35,7 +37,10 @@ struct BakeOptions {
   bool overwrite = false;
 };
 
-constexpr const char* pointFormat = "ply";
+/// Whether the format is one of fields; else it is of points and meshes.
+bool ofFields(const BakeOptions& o) {
+  return o.format == "npy" || o.format == "pfm";
+}
 
 /// The field that an object publishes at present, or null.
 const sim::Field* fieldOf(const sim::Drawables& drawables, const std::string& object) {
@@ -44,15 +49,17 @@ const sim::Field* fieldOf(const sim::Drawables& drawables, const std::string& ob
   return nullptr;
 }
 
-/// Objects that the format is for: the one asked for, or all.
-std::vector<std::size_t> bakedObjects(const sim::World& world, const std::string& wanted, bool points) {
-  const char* what = points ? "points" : "a field";
+/// Objects that have what the format is for: the one asked for, or all.
+std::vector<std::size_t> bakedObjects(const BakeOptions& o, const sim::World& world) {
+  const char* what = ofFields(o) ? "a field" : "points or a deformed mesh";
+  const std::string& wanted = o.object;
   const sim::Drawables drawables = world.drawables();
   std::vector<std::size_t> objects;
   std::string names;
   for (std::size_t i = 0; i < world.objectCount(); ++i) {
-    if (points ? world.object(i).points().columns.empty()
-               : fieldOf(drawables, world.objectName(i)) == nullptr)
+    const sim::Simulation& object = world.object(i);
+    if (ofFields(o) ? fieldOf(drawables, world.objectName(i)) == nullptr
+                    : object.points().columns.empty() && !object.mesh())
       continue;
     names += (names.empty() ? "" : ", ") + world.objectName(i);
     if (wanted.empty() || wanted == world.objectName(i)) objects.push_back(i);
@@ -68,21 +75,38 @@ fs::path fileOf(const BakeOptions& o, const std::string& object, int frame) {
   return fs::path(o.output) / fmt::format("{}_{:06}.{}", object, frame, o.format);
 }
 
-/// The file of an object at the world's present frame.
-std::vector<std::byte> encoded(const BakeOptions& o, const scene::Scene& scene, const sim::World& world,
-                               std::size_t object) {
-  const std::string& name = world.objectName(object);
-  if (o.format != pointFormat) {
-    const sim::Drawables drawables = world.drawables();
-    const sim::Field* field = fieldOf(drawables, name);
-    SIMREEL_CHECK(field != nullptr);
-    return frame::encodeField(frame::parseFieldFormat(o.format), field->size, sim::fieldValues(*field));
+/// Position, normal and, where there is one, uv of each vertex; then the triangles.
+std::vector<std::byte> meshPly(const sim::MeshTable& mesh, std::span<const std::string> comments) {
+  std::vector<const char*> columns = {"x", "y", "z", "nx", "ny", "nz"};
+  if (!mesh.uvs.empty()) columns.insert(columns.end(), {"s", "t"});
+  std::vector<float> values;
+  values.reserve(mesh.positions.size() * columns.size());
+  for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+    const glm::vec3& p = mesh.positions[i];
+    const glm::vec3& n = mesh.normals[i];
+    values.insert(values.end(), {p.x, p.y, p.z, n.x, n.y, n.z});
+    if (!mesh.uvs.empty()) values.insert(values.end(), {mesh.uvs[i].x, mesh.uvs[i].y});
   }
-  const sim::PointTable table = world.object(object).points();
-  const std::vector<std::string> comments = {
-      fmt::format("simreel {}", version()), fmt::format("scene {}", scene.hash),
-      fmt::format("object {} frame {} time {:g} s seed {}", name, world.frame(), world.time(), scene.seed)};
-  return frame::encodePly(table.columns, table.values, comments);
+  return frame::encodePly(columns, values, mesh.indices, comments);
+}
+
+void writeObject(const BakeOptions& o, const fs::path& file, const sim::Simulation& object,
+                 const std::vector<std::string>& comments) {
+  const std::optional<sim::MeshTable> mesh = object.mesh();
+  if (o.format == "obj") {
+    const std::string text = frame::encodeObj(*mesh, comments);
+    return writeFileAtomically(file, text);
+  }
+  if (mesh) return writeFileAtomically(file, meshPly(*mesh, comments));
+  const sim::PointTable table = object.points();
+  writeFileAtomically(file, frame::encodePly(table.columns, table.values, comments));
+}
+
+std::vector<std::byte> fieldFile(const BakeOptions& o, const sim::World& world, const std::string& object) {
+  const sim::Drawables drawables = world.drawables();
+  const sim::Field* field = fieldOf(drawables, object);
+  SIMREEL_CHECK(field != nullptr);
+  return frame::encodeField(frame::parseFieldFormat(o.format), field->size, sim::fieldValues(*field));
 }
 
 void bake(const BakeOptions& o) {
@@ -95,7 +119,11 @@ void bake(const BakeOptions& o) {
   frame::catchInterrupts();
   const gl::Context context({.device = o.device, .debug = false, .memoryPath = o.memoryPath});
   sim::World world(scene);
-  const auto objects = bakedObjects(world, o.object, o.format == pointFormat);
+  const auto objects = bakedObjects(o, world);
+  for (const std::size_t object : objects)
+    if (o.format == "obj" && !world.object(object).mesh())
+      fail(ExitCode::usage, "--format obj: \"{}\" has points and no triangles; use ply, or --object",
+           world.objectName(object));
   for (const int frame : frames)
     for (const std::size_t object : objects)
       if (const auto file = fileOf(o, world.objectName(object), frame); !o.overwrite && pathExists(file))
@@ -114,7 +142,16 @@ void bake(const BakeOptions& o) {
       static_cast<void>(world.takeSummary(true));  // throws when the state is lost
     }
     for (const std::size_t object : objects) {
-      writeFileAtomically(fileOf(o, world.objectName(object), frame), encoded(o, scene, world, object));
+      const fs::path file = fileOf(o, world.objectName(object), frame);
+      if (ofFields(o)) {
+        writeFileAtomically(file, fieldFile(o, world, world.objectName(object)));
+      } else {
+        const std::vector<std::string> comments = {
+            fmt::format("simreel {}", version()), fmt::format("scene {}", scene.hash),
+            fmt::format("object {} frame {} time {:g} s seed {}", world.objectName(object), frame,
+                        world.time(), scene.seed)};
+        writeObject(o, file, world.object(object), comments);
+      }
       ++files;
     }
   }
@@ -127,11 +164,12 @@ void bake(const BakeOptions& o) {
 void addBake(CLI::App& app) {
   auto o = std::make_shared<BakeOptions>();
   auto* command = app.add_subcommand(
-      "bake", "Write what a simulation computed as files, one a frame: points, or the values of fields");
+      "bake", "Write points and deformed meshes (PLY, OBJ) or values of fields (NPY, PFM), a file a frame");
   o->scene.add(*command);
   command->add_option("-o,--output", o->output, "Folder for NAME_000000.ply ...")->required();
-  command->add_option("--format", o->format, "ply: points. npy or pfm: values of fields")
-      ->check(CLI::IsMember({"ply", "npy", "pfm"}));
+  command->add_option("--format", o->format, "ply or, of meshes, obj; of fields npy or pfm")
+      ->check(CLI::IsMember({"ply", "obj", "npy", "pfm"}))
+      ->capture_default_str();
   command->add_option("--frames", o->frames, "Frames to write, for example 0-99x2,150; all are simulated");
   command->add_option("--object", o->object, "Only this object");
   command->add_option("--device", o->device, "Index or part of a name (see `simreel doctor`)");

@@ -22,6 +22,7 @@ void addBake(CLI::App& app);
 void addTest(CLI::App& app);
 void addTrace(CLI::App& app);
 void addBisect(CLI::App& app);
+void addBench(CLI::App& app);
 void addAccept(CLI::App& app);
 
 /// What was typed, quoted for a shell where needed.

@@ -89,6 +89,7 @@ int run(int argc, char** argv) {
   addBisect(app);
   addAccept(app);
   addDiff(app);
+  addBench(app);
   try {
     app.parse(argc, argv);
     return flushed(exitCode);

@@ -44,12 +44,13 @@ void SceneOptions::add(CLI::App& command) {
   command.add_option("--samples", samples, "Samples per pixel");
 }
 
-scene::Scene SceneOptions::load() const {
+scene::Scene SceneOptions::load(const std::vector<scene::Override>& more) const {
   auto all = parseOverrides(overrides);
   if (seed) all.push_back({"seed", std::to_string(*seed)});
   if (size) all.push_back({"render.size", sizeValue(*size)});
   if (fps) all.push_back({"time.fps", fmt::format("{}", *fps)});
   if (samples) all.push_back({"render.samples", std::to_string(*samples)});
+  all.insert(all.end(), more.begin(), more.end());
   return scene::loadScene(file, all, sim::kinds());
 }
 

@@ -21,8 +21,8 @@ struct SceneOptions {
   std::optional<int> samples;
   void add(CLI::App& command);
   /// Reads the scene with all of them applied. --size, --fps, --samples and --seed are shorthands of -D, so
-  /// the scene's hash tells them apart.
-  [[nodiscard]] scene::Scene load() const;
+  /// the scene's hash tells them apart. `more` comes last.
+  [[nodiscard]] scene::Scene load(const std::vector<scene::Override>& more = {}) const;
   /// The same as words of a command line.
   [[nodiscard]] std::vector<std::string> arguments() const;
 };

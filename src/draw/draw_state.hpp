@@ -1,6 +1,7 @@
 #pragma once
 #include "gl/buffer.hpp"
 #include "gl/handle.hpp"
+#include "sim/drawable.hpp"
 
 namespace simreel::draw {
 
@@ -17,6 +18,7 @@ struct DrawState {
     turn(GL_CULL_FACE, cullBack);
     turn(GL_POLYGON_OFFSET_FILL, depthOffset);
     turn(GL_MULTISAMPLE, true);
+    turn(GL_PROGRAM_POINT_SIZE, true);
     turn(GL_BLEND, adding);
     for (const GLenum off : {GL_SCISSOR_TEST, GL_STENCIL_TEST, GL_FRAMEBUFFER_SRGB, GL_PRIMITIVE_RESTART,
                              GL_DEPTH_CLAMP, GL_SAMPLE_SHADING, GL_SAMPLE_ALPHA_TO_COVERAGE})
@@ -44,8 +46,16 @@ enum Unit : GLuint {
   shapeUnit = 7,
   listUnit = 8,
   argumentUnit = 9,
-  stopUnit = 10
+  stopUnit = 10,
+  trailUnit = 14
 };
+
+/// What a surface that the vertex shader displaces needs (glsl/draw/deformed_vertex.glsl).
+inline void bindDeformation(const sim::Surface& surface) {
+  if (surface.deform == nullptr) return;
+  surface.deform->bindUniform(1, 0, surface.deform->bytes());
+  surface.trail->bind(trailUnit);
+}
 
 /// Vertices are pulled by number, yet drawing needs a vertex array: this one has no attributes.
 class VertexArray {

@@ -12,6 +12,7 @@ class GroundPass {
   GroundPass(const scene::Scene& scene, const ShadowPass& shadow);
   /// Into the bound framebuffer.
   void draw() const;
+  [[nodiscard]] bool on() const { return on_; }
 
  private:
   bool on_;

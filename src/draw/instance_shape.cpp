@@ -102,8 +102,8 @@ struct InstanceShape::Builder {
     for (const auto& level : levels) {
       const std::size_t copies =
           std::clamp(batchIndices / std::max<std::size_t>(level.size(), 1), std::size_t{1}, mostCopies);
-      shape.levels_.push_back({static_cast<int>(all.size()), static_cast<int>(copies * level.size()),
-                               static_cast<int>(copies), 0.0F});
+      shape.levels_.push_back({GL_TRIANGLES, static_cast<int>(all.size()),
+                               static_cast<int>(copies * level.size()), static_cast<int>(copies), 0.0F});
       for (std::size_t copy = 0; copy < copies; ++copy)
         for (const unsigned corner : level)
           all.push_back(static_cast<unsigned>(copy) << static_cast<unsigned>(shape.vertexBits_) | corner);
@@ -116,10 +116,13 @@ struct InstanceShape::Builder {
   }
 };
 
-InstanceShape InstanceShape::square(int levels) {
+InstanceShape InstanceShape::sprite(bool points) {
+  const std::vector<unsigned> square = {0, 1, 2, 2, 1, 3};
   Builder builder;
-  builder.levels.assign(static_cast<std::size_t>(levels), {0, 1, 2, 2, 1, 3});
-  return builder.build(4);
+  builder.levels = {points ? std::vector<unsigned>{0} : square, square};
+  InstanceShape shape = builder.build(4);
+  if (points) shape.levels_[0].mode = GL_POINTS;
+  return shape;
 }
 
 InstanceShape InstanceShape::sphere() {

@@ -14,15 +14,16 @@ namespace simreel::draw {
 class InstanceShape {
  public:
   struct Level {
+    GLenum mode = GL_TRIANGLES;
     int firstIndex = 0;
     int indexCount = 0;  ///< of all copies
     int batch = 1;
     float swell = 0;  ///< of spheres: share of the radius by which facets lie inside it
   };
 
-  /// Corners of a square, numbered 0 to 3; no vertex data. Diameter 1. All levels are the same: what
-  /// differs are their shaders.
-  static InstanceShape square(int levels);
+  /// No vertex data, diameter 1. Level 0, for sprites of few pixels, is a point, or a square where `points`
+  /// is false; level 1 is a square with corners 0 to 3.
+  static InstanceShape sprite(bool points);
   /// Icospheres of diameter 1: level n has 20 * 4^n triangles.
   static InstanceShape sphere();
   /// Triangles with unit normals per vertex.

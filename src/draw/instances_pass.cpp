@@ -16,7 +16,9 @@ namespace {
 
 /// Smaller glows shimmer as they move over the pixels; smaller balls fall between samples.
 constexpr float leastGlow = 1.25F;  // pixels of radius
-constexpr float leastBall = 0.5F;
+constexpr float leastBall = 0.57F;
+/// Points have a greatest size, 255 pixels on some drivers.
+constexpr float mostPointGlow = 64.0F;
 
 bool isSprite(const sim::Instances& instances) {
   return instances.shape == sim::Instances::Shape::sprite;
@@ -42,17 +44,19 @@ std::vector<glm::vec2> offsetsOf(const gl::Framebuffer& target, int samples) {
 
 }  // namespace
 
-InstancesPass::InstancesPass(const ShadowPass& shadow, const gl::Framebuffer& target, int samples)
+InstancesPass::InstancesPass(const ShadowPass& shadow, const gl::Framebuffer& target, glm::ivec2 size,
+                             int samples)
     : shadowDefines_(shadow.defines()),
       shadowed_(shadow.on()),
+      shadowSize_(shadow.size()),
+      size_(size),
       samples_(samples),
       sampleOffsets_(offsetsOf(target, samples)) {}
 
 const InstanceShape& InstancesPass::shape(const sim::Instances& instances) {
   switch (instances.shape) {
     case sim::Instances::Shape::sprite:
-      return instances.additive ? made(glow_, [] { return InstanceShape::square(1); })
-                                : made(ball_, [] { return InstanceShape::square(2); });
+      return made(sprite_, [] { return InstanceShape::sprite(SmallSprites::points()); });
     case sim::Instances::Shape::sphere:
       return made(sphere_, InstanceShape::sphere);
     case sim::Instances::Shape::mesh:
@@ -78,29 +82,29 @@ const gl::Program& InstancesPass::cached(const char* vertexPath, const char* fra
   return programs_.emplace(key, gl::Program::graphics(vertexPath, fragmentPath, defines)).first->second;
 }
 
-const gl::Program& InstancesPass::program(const sim::Instances& instances, std::size_t level) {
+gl::Defines InstancesPass::lightingDefines(const sim::Instances& instances) const {
+  gl::Defines defines = shadowDefines_;
+  if (isReflective(*instances.material)) defines.emplace_back("REFLECTIVE", "1");
+  if (instances.material->translucency > 0) defines.emplace_back("TRANSLUCENT", "1");
+  return defines;
+}
+
+const gl::Program& InstancesPass::program(const sim::Instances& instances) {
   if (instances.additive)
     return isSprite(instances) ? cached("draw/glow.vert", "draw/glow.frag", {})
                                : cached("draw/copy.vert", "draw/copy.frag", {{"ADDITIVE", "1"}});
-  gl::Defines defines = shadowDefines_;
+  gl::Defines defines = lightingDefines(instances);
   defines.emplace_back("SAMPLES", std::to_string(samples_));
-  if (isReflective(*instances.material)) defines.emplace_back("REFLECTIVE", "1");
-  if (instances.material->translucency > 0) defines.emplace_back("TRANSLUCENT", "1");
-  if (!isSprite(instances)) {
-    // A mesh may be open.
-    if (instances.shape == sim::Instances::Shape::mesh) defines.emplace_back("DOUBLE_SIDED", "1");
-    return cached("draw/copy.vert", "draw/copy.frag", defines);
-  }
-  if (level > 0) return cached("draw/ball.vert", "draw/ball.frag", defines);
-  defines.emplace_back("SMALL", "1");
-  return cached("draw/ball.vert", "draw/small_ball.frag", defines);
+  if (isSprite(instances)) return cached("draw/ball.vert", "draw/ball.frag", defines);
+  // A mesh may be open.
+  if (instances.shape == sim::Instances::Shape::mesh) defines.emplace_back("DOUBLE_SIDED", "1");
+  return cached("draw/copy.vert", "draw/copy.frag", defines);
 }
 
-const gl::Program& InstancesPass::shadowProgram(const sim::Instances& instances, std::size_t level) {
+const gl::Program& InstancesPass::shadowProgram(const sim::Instances& instances) {
   constexpr const char* vertices = "draw/instance_shadow.vert";
-  if (!isSprite(instances)) return cached(vertices, "draw/shadow.frag", {});
-  if (level > 0) return cached(vertices, "draw/disk_shadow.frag", {{"SPRITE", "1"}});
-  return cached(vertices, "draw/shadow.frag", {{"SPRITE", "1"}, {"SMALL", "1"}});
+  return isSprite(instances) ? cached(vertices, "draw/disk_shadow.frag", {{"SPRITE", "1"}})
+                             : cached(vertices, "draw/shadow.frag", {});
 }
 
 InstancesPass::Entry& InstancesPass::entry(const sim::Instances& instances, std::size_t i) {
@@ -146,6 +150,8 @@ void InstancesPass::fill(const sim::Instances& instances, std::size_t i, bool fo
   // Coarser on the CPU, where triangles cost most, and for shadows, which are filtered.
   const bool coarse = forLight || (gl::softwareDriver() && !isSprite(instances));
   const bool coarsest = forLight && gl::softwareDriver() && !isSprite(instances);
+  // A square of a disk's area misses the disk by 1/8 of the radius; a glow is the same as a point.
+  programs.cull.set("pointPixels", instances.additive ? mostPointGlow : coarse ? 4.0F : 1.6F);
   programs.cull.set("levelError", coarsest ? 1.5F : coarse ? 0.5F : 0.2F);
   (forLight ? own.forLight : own.forCamera)->fill(programs, form);
 }
@@ -194,8 +200,18 @@ void InstancesPass::drawLevel(const gl::Program& program, const sim::Instances& 
   list.bind();
   vertices_.bind(form.indices());
   program.use();
-  glDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_INT,
+  glDrawElementsIndirect(form.levels()[level].mode, GL_UNSIGNED_INT,
                          reinterpret_cast<const void*>(level * VisibleList::argumentBytes));
+}
+
+void InstancesPass::drawSmall(const gl::Program& kernel, SmallSprites::Use use,
+                              const sim::Instances& instances, const VisibleList& list, glm::ivec2 target) {
+  kernel.set("level", 0);
+  list.bind();
+  small_.prepare(kernel, instances.capacity);
+  const gl::Program& shader = small_.shader(use);
+  shader.set("targetSize", glm::vec2(target));
+  drawLevel(shader, instances, list, 0);
 }
 
 void InstancesPass::castShadows(const sim::Drawables& drawables) {
@@ -206,11 +222,16 @@ void InstancesPass::castShadows(const sim::Drawables& drawables) {
               .cullBack = instances.shape == sim::Instances::Shape::sphere,
               .depthOffset = true}
         .set();
-    for (std::size_t level = 0; level < shape(instances).levels().size(); ++level) {
-      const gl::Program& shader = shadowProgram(instances, level);
-      setInstance(shader, instances, true);
-      drawLevel(shader, instances, *entries_[i].forLight, level);
+    const VisibleList& list = *entries_[i].forLight;
+    if (isSprite(instances)) {
+      const gl::Program& kernel = small_.kernel(SmallSprites::Use::shadow, {});
+      setInstance(kernel, instances, true);
+      drawSmall(kernel, SmallSprites::Use::shadow, instances, list, shadowSize_);
     }
+    const gl::Program& shader = shadowProgram(instances);
+    setInstance(shader, instances, true);
+    for (std::size_t level = isSprite(instances) ? 1 : 0; level < shape(instances).levels().size(); ++level)
+      drawLevel(shader, instances, list, level);
   }
 }
 
@@ -241,12 +262,19 @@ void InstancesPass::draw(const sim::Drawables& drawables, bool adding) {
               .depthOffset = false,
               .adding = adding}
         .set();
-    for (std::size_t level = 0; level < shape(instances).levels().size(); ++level) {
-      const gl::Program& shader = program(instances, level);
-      setInstance(shader, instances, false);
-      setLook(shader, instances, entries_[i]);
-      drawLevel(shader, instances, *entries_[i].forCamera, level);
+    const VisibleList& list = *entries_[i].forCamera;
+    if (isSprite(instances)) {
+      const auto use = adding ? SmallSprites::Use::glow : SmallSprites::Use::ball;
+      const gl::Program& kernel = small_.kernel(use, lightingDefines(instances));
+      setInstance(kernel, instances, false);
+      setLook(kernel, instances, entries_[i]);
+      drawSmall(kernel, use, instances, list, size_);
     }
+    const gl::Program& shader = program(instances);
+    setInstance(shader, instances, false);
+    setLook(shader, instances, entries_[i]);
+    for (std::size_t level = isSprite(instances) ? 1 : 0; level < shape(instances).levels().size(); ++level)
+      drawLevel(shader, instances, list, level);
   }
 }
 

@@ -2,6 +2,7 @@
 #include "draw/draw_state.hpp"
 #include "draw/instance_shape.hpp"
 #include "draw/shadow_pass.hpp"
+#include "draw/small_sprites.hpp"
 #include "draw/visible_list.hpp"
 #include "gl/program.hpp"
 #include "scene/scene.hpp"
@@ -19,7 +20,7 @@ namespace simreel::draw {
 /// the number of instances. Programs and shapes are made when first needed.
 class InstancesPass {
  public:
-  InstancesPass(const ShadowPass& shadow, const gl::Framebuffer& target, int samples);
+  InstancesPass(const ShadowPass& shadow, const gl::Framebuffer& target, glm::ivec2 size, int samples);
 
   /// Grows the shadow's bounds.
   void growBounds(const sim::Drawables& drawables);
@@ -47,28 +48,34 @@ class InstancesPass {
   Entry& entry(const sim::Instances& instances, std::size_t i);
   const InstanceShape& shape(const sim::Instances& instances);
   const CullPrograms& cullPrograms(bool forLight, int levels);
-  /// Of one level of detail.
-  const gl::Program& program(const sim::Instances& instances, std::size_t level);
-  const gl::Program& shadowProgram(const sim::Instances& instances, std::size_t level);
+  [[nodiscard]] gl::Defines lightingDefines(const sim::Instances& instances) const;
+  /// For all levels of detail but the small ones of sprites.
+  const gl::Program& program(const sim::Instances& instances);
+  const gl::Program& shadowProgram(const sim::Instances& instances);
   const gl::Program& cached(const char* vertexPath, const char* fragmentPath, gl::Defines defines);
   void fill(const sim::Instances& instances, std::size_t i, bool forLight);
   /// What glsl/draw/instance.glsl reads.
   void setInstance(const gl::Program& program, const sim::Instances& instances, bool forLight);
   void setLook(const gl::Program& program, const sim::Instances& instances, const Entry& entry) const;
   void draw(const sim::Drawables& drawables, bool additive);
+  /// The sprites of few pixels, level 0; the kernel's description of the instances is set.
+  void drawSmall(const gl::Program& kernel, SmallSprites::Use use, const sim::Instances& instances,
+                 const VisibleList& list, glm::ivec2 target);
   void drawLevel(const gl::Program& program, const sim::Instances& instances, const VisibleList& list,
                  std::size_t level);
 
   gl::Defines shadowDefines_;
   bool shadowed_;
+  glm::ivec2 shadowSize_, size_;  ///< of the targets, pixels
   int samples_;
   std::vector<glm::vec2> sampleOffsets_;
   std::vector<Entry> entries_;
-  std::unique_ptr<InstanceShape> ball_, glow_, sphere_;
+  std::unique_ptr<InstanceShape> sprite_, sphere_;
   std::map<std::filesystem::path, InstanceShape> meshes_;
   std::map<int, CullPrograms> cullPrograms_;
   std::map<std::string, gl::Program> programs_;
   gl::Program bounds_, boxBounds_;
+  SmallSprites small_;
   VertexArray vertices_;
 };
 

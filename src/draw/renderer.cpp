@@ -26,7 +26,7 @@ struct Renderer::State {
         charts(pixels),
         shadow(shown.sun),
         surfaces(shown, shadow),
-        instances(shadow, targets.scene, samples),
+        instances(shadow, targets.scene, pixels, samples),
         ground(shown, shadow),
         bloom(shown.render.bloom, pixels, samples),
         toneMap(samples, bloom.on()),
@@ -47,7 +47,7 @@ struct Renderer::State {
   gl::Buffer frame;
 
   /// All but what lies over the finished picture.
-  void drawScene(double seconds, const sim::Drawables& drawables);
+  void drawScene(double seconds, const sim::Drawables& drawables, const StageWatch& watch);
 };
 
 Renderer::Renderer(const scene::Scene& scene, glm::ivec2 size, int samples)
@@ -56,7 +56,7 @@ Renderer::~Renderer() = default;
 Renderer::Renderer(Renderer&&) noexcept = default;
 Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 
-void Renderer::draw(double seconds, const sim::Drawables& drawables) {
+void Renderer::draw(double seconds, const sim::Drawables& drawables, const StageWatch& watch) {
   State& s = *state_;
   const shader::Frame values = frameValues(s.scene, s.size, seconds);
   s.frame.write(0, std::as_bytes(std::span(&values, 1)));
@@ -65,30 +65,44 @@ void Renderer::draw(double seconds, const sim::Drawables& drawables) {
   glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_ELEMENT_ARRAY_BARRIER_BIT);
   s.fieldTextures.update(drawables);
   s.fields.prepare(drawables, seconds);
-  if (!s.fields.hidesAll(drawables, seconds)) s.drawScene(seconds, drawables);
+  if (watch && !drawables.fields.empty()) watch("fields");
+  if (!s.fields.hidesAll(drawables, seconds)) s.drawScene(seconds, drawables, watch);
   s.targets.picture.bind();
   s.fields.draw(drawables, sim::FieldDisplay::Layer::over, seconds);
   s.charts.draw(drawables);
+  if (watch && !(drawables.fields.empty() && drawables.charts.empty())) watch("fields");
 }
 
-void Renderer::State::drawScene(double seconds, const sim::Drawables& drawables) {
+void Renderer::State::drawScene(double seconds, const sim::Drawables& drawables, const StageWatch& watch) {
   State& s = *this;
+  const auto issued = [&](const char* stage, bool any = true) {
+    if (watch && any) watch(stage);
+  };
+  const bool crowds = !drawables.instances.empty();
   if (s.shadow.on()) {
     s.shadow.fit(drawables, [&] { s.instances.growBounds(drawables); });
     s.instances.cullForLight(drawables);
     s.shadow.draw(drawables, [&] { s.instances.castShadows(drawables); });
+    issued("shadow");
   }
   s.instances.cull(drawables);
+  issued("crowds", crowds);
   s.targets.clear();
   s.targets.scene.bind();
   s.fields.draw(drawables, sim::FieldDisplay::Layer::behind, seconds);
   s.shadow.bind();
   s.surfaces.draw(drawables);
+  issued("surfaces");
   s.instances.drawOpaque(drawables);
+  issued("crowds", crowds);
   s.ground.draw();
+  issued("ground", s.ground.on());
   s.instances.drawAdditive(drawables);
+  issued("crowds", crowds);
   const gl::Texture* glow = s.bloom.on() ? &s.bloom.draw(s.targets) : nullptr;
+  issued("bloom", s.bloom.on());
   s.toneMap.draw(s.targets, glow, s.scene.render.bloom.strength.at(seconds));
+  issued("tone map");
 }
 
 const gl::Framebuffer& Renderer::target() const {

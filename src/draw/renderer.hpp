@@ -3,6 +3,7 @@
 #include "scene/scene.hpp"
 #include "sim/drawable.hpp"
 
+#include <functional>
 #include <memory>
 
 #include <glm/vec2.hpp>
@@ -22,8 +23,11 @@ class Renderer {
   Renderer(const Renderer&) = delete;
   Renderer& operator=(const Renderer&) = delete;
 
+  /// Called when the commands of a stage have been issued; stages that have nothing to do are left out. A
+  /// stage may come in parts. Names: "shadow", "surfaces", "crowds", "ground", "bloom", "tone map".
+  using StageWatch = std::function<void(const char* stage)>;
   /// Issues the commands for the frame at `seconds` (of scene time); does not wait.
-  void draw(double seconds, const sim::Drawables& drawables);
+  void draw(double seconds, const sim::Drawables& drawables, const StageWatch& watch = {});
 
   /// RGBA8, sRGB-encoded; row 0 of a read-back is the picture's top row.
   [[nodiscard]] const gl::Framebuffer& target() const;

@@ -57,11 +57,13 @@ void ShadowPass::fit(const sim::Drawables& drawables, const std::function<void()
   for (const sim::Surface& surface : drawables.surfaces) {
     const int invocations =
         std::clamp((surface.vertexCount + verticesEach - 1) / verticesEach, 1, mostInvocations);
-    bounds_.set("vertexCount", surface.vertexCount);
-    bounds_.set("invocations", invocations);
-    bounds_.set("model", surface.model);
+    const gl::Program& bounds = boundsOf(surface);
+    bounds.set("vertexCount", surface.vertexCount);
+    bounds.set("invocations", invocations);
+    bounds.set("model", surface.model);
     surface.positions->bind(positionUnit);
-    bounds_.dispatch(invocations);
+    bindDeformation(surface);
+    bounds.dispatch(invocations);
   }
   growMore();
   glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
@@ -76,15 +78,31 @@ void ShadowPass::draw(const sim::Drawables& drawables, const std::function<void(
   glPolygonOffset(1.5F + softness_, 4.0F);
   glClearNamedFramebufferfv(target_.name(), GL_DEPTH, 0, &farthest);
   target_.bind();
-  draw_.use();
   lightView_.bind(lightUnit);
   for (const sim::Surface& surface : drawables.surfaces) {
-    draw_.set("model", surface.model);
+    const gl::Program& shader = drawOf(surface);
+    shader.use();
+    shader.set("model", surface.model);
     surface.positions->bind(positionUnit);
+    bindDeformation(surface);
     vertices_.bind(*surface.indices);
     glDrawElements(GL_TRIANGLES, surface.indexCount, GL_UNSIGNED_INT, nullptr);
   }
   drawMore();
+}
+
+const gl::Program& ShadowPass::boundsOf(const sim::Surface& surface) const {
+  if (surface.deform == nullptr) return bounds_;
+  if (deformedBounds_.name() == 0)
+    deformedBounds_ = gl::Program::compute("draw/shadow_bounds.comp", {{"DEFORMED", "1"}});
+  return deformedBounds_;
+}
+
+const gl::Program& ShadowPass::drawOf(const sim::Surface& surface) const {
+  if (surface.deform == nullptr) return draw_;
+  if (deformedDraw_.name() == 0)
+    deformedDraw_ = gl::Program::graphics("draw/shadow.vert", "draw/shadow.frag", {{"DEFORMED", "1"}});
+  return deformedDraw_;
 }
 
 void ShadowPass::bind() const {

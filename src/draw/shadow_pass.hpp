@@ -23,6 +23,7 @@ class ShadowPass {
   /// Makes the map and its place in space readable by shaders.
   void bind() const;
   [[nodiscard]] bool on() const { return on_; }
+  [[nodiscard]] glm::ivec2 size() const { return {map_.width(), map_.height()}; }
   /// Defines for shaders that include draw/shadow_read.glsl; empty when there is no shadow.
   [[nodiscard]] const gl::Defines& defines() const { return defines_; }
 
@@ -30,7 +31,12 @@ class ShadowPass {
   bool on_;
   float softness_;
   gl::Defines defines_;
+  /// The program for a surface: the second of a pair displaces its vertices, and is made when first needed.
+  [[nodiscard]] const gl::Program& boundsOf(const sim::Surface& surface) const;
+  [[nodiscard]] const gl::Program& drawOf(const sim::Surface& surface) const;
+
   gl::Program bounds_, fit_, draw_;
+  mutable gl::Program deformedBounds_, deformedDraw_;
   gl::Buffer boundKeys_, light_;
   gl::Texture lightView_, map_;
   gl::Framebuffer target_;

@@ -6,8 +6,16 @@ namespace simreel::draw {
 
 namespace {
 
-constexpr const char* featureNames[] = {"GRID", "DOUBLE_SIDED", "TEXTURED", "TRANSLUCENT", "REFLECTIVE"};
-enum Feature : unsigned { grid = 1, doubleSided = 2, textured = 4, translucent = 8, reflective = 16 };
+constexpr const char* featureNames[] = {"GRID",        "DOUBLE_SIDED", "TEXTURED",
+                                        "TRANSLUCENT", "REFLECTIVE",   "DEFORMED"};
+enum Feature : unsigned {
+  grid = 1,
+  doubleSided = 2,
+  textured = 4,
+  translucent = 8,
+  reflective = 16,
+  deformed = 32
+};
 
 unsigned features(const scene::Material& material) {
   return (material.texture.empty() ? 0U : textured) | (material.translucency > 0 ? translucent : 0U) |
@@ -49,7 +57,8 @@ void SurfacePass::draw(const sim::Surface& surface) {
   const scene::Material& material = *surface.material;
   const bool isGrid = surface.normals == nullptr;
   const gl::Program& shader =
-      program(features(material) | (isGrid ? grid : 0U) | (surface.doubleSided ? doubleSided : 0U));
+      program(features(material) | (isGrid ? grid : 0U) | (surface.doubleSided ? doubleSided : 0U) |
+              (surface.deform != nullptr ? deformed : 0U));
   DrawState{.depthTest = true, .cullBack = !surface.doubleSided, .depthOffset = false}.set();
   shader.use();
   shader.set("model", surface.model);
@@ -59,6 +68,7 @@ void SurfacePass::draw(const sim::Surface& surface) {
   shader.set("translucency", material.translucency);
   shader.set("textureScale", glm::vec2(material.textureScale));
   surface.positions->bind(positionUnit);
+  bindDeformation(surface);
   if (isGrid) {
     shader.set("grid", surface.grid);
   } else {

@@ -12,4 +12,10 @@ namespace simreel::frame {
                                                std::span<const float> values,
                                                std::span<const std::string> comments);
 
+/// The same with triangles over the rows: three indices each.
+[[nodiscard]] std::vector<std::byte> encodePly(std::span<const char* const> columns,
+                                               std::span<const float> values,
+                                               std::span<const unsigned> indices,
+                                               std::span<const std::string> comments);
+
 }  // namespace simreel::frame

@@ -23,6 +23,12 @@ class Buffer {
     return Buffer(label, items.size_bytes(), items.data());
   }
 
+  /// Memory that stays mapped for the buffer's whole life, coherent, for writing by the CPU (`writing`) or
+  /// for reading; whoever uses it keeps away, by fences, from what the GPU is at. Contents are undefined.
+  static Buffer mapped(const std::string& label, std::size_t bytes, bool writing);
+  /// Of a mapped buffer, else null.
+  [[nodiscard]] void* memory() const { return memory_; }
+
   /// Copies into the buffer, ordered with the GL commands around it.
   void write(std::size_t offset, std::span<const std::byte> bytes);
   /// Waits for the GPU and copies out.
@@ -47,6 +53,7 @@ class Buffer {
 
   Handle<DeleteBuffer> handle_;
   std::size_t bytes_ = 0;
+  void* memory_ = nullptr;  ///< as long as the buffer
 };
 
 }  // namespace simreel::gl

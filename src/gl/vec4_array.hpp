@@ -6,6 +6,7 @@
 
 #include <span>
 #include <string>
+#include <utility>
 
 #include <glm/vec4.hpp>
 
@@ -18,6 +19,10 @@ class Vec4Array {
   Vec4Array() = default;
   Vec4Array(const std::string& label, std::span<const glm::vec4> items)
       : buffer_(Buffer::of(label, items)), view_(Texture::view(label, GL_RGBA32F, buffer_)) {}
+
+  /// Over memory that is there, whole elements.
+  Vec4Array(const std::string& label, Buffer buffer)
+      : buffer_(std::move(buffer)), view_(Texture::view(label, GL_RGBA32F, buffer_)) {}
 
   /// For INPUT_ARRAY(unit, ...).
   void bindInput(GLuint unit) const {
@@ -34,6 +39,8 @@ class Vec4Array {
       buffer_.bindStorage(unit);
   }
 
+  /// Copies to the front, ordered with the GL commands around it.
+  void write(std::span<const glm::vec4> items) { buffer_.write(0, std::as_bytes(items)); }
   [[nodiscard]] const Buffer& buffer() const { return buffer_; }
   [[nodiscard]] const Texture& view() const { return view_; }
 

@@ -25,7 +25,11 @@ struct Surface {
   int vertexCount = 0;
   const gl::Buffer* indices = nullptr;  ///< 32-bit
   int indexCount = 0;
-  glm::mat4 model{1.0F};  ///< rigid, or uniformly scaled
+  /// Set when the vertex shader displaces: uniform DeformStep of glsl/deform/types.glsl, and the trail;
+  /// positions and normals are those at rest, positions' w the distance between vertices.
+  const gl::Buffer* deform = nullptr;
+  const gl::Texture* trail = nullptr;  ///< RGBA32F texel view
+  glm::mat4 model{1.0F};               ///< rigid, or uniformly scaled
   bool doubleSided = false;
   const scene::Material* material = nullptr;
 };

@@ -1,6 +1,8 @@
 #include "sim/list.hpp"
 
 #include "sim/cloth.hpp"
+#include "sim/gray_scott.hpp"
+#include "sim/mesh.hpp"
 #include "sim/particles.hpp"
 #include "sim/shape.hpp"
 
@@ -10,7 +12,7 @@ namespace simreel::sim {
 
 std::span<const SimulationKind> simulations() {
   static const std::vector<SimulationKind> list = {
-      clothKind(), particlesKind(), sphereKind(), capsuleKind(), planeKind(),
+      clothKind(), particlesKind(), meshKind(), grayScottKind(), sphereKind(), capsuleKind(), planeKind(),
   };
   return list;
 }

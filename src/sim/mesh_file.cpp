@@ -4,15 +4,21 @@
 #include "base/file.hpp"
 
 #include <algorithm>
+#include <assimp/DefaultIOSystem.h>
 #include <assimp/Importer.hpp>
 #include <assimp/config.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 #include <cctype>
+#include <charconv>
 #include <cmath>
+#include <cstdint>
+#include <cstring>
 #include <string>
+#include <string_view>
 
 #include <glm/geometric.hpp>
+#include <nlohmann/json.hpp>
 
 namespace simreel::sim {
 
@@ -114,17 +120,88 @@ class Gatherer {
   bool hasUvs_ = false;
 };
 
+/// Opens nothing beside the mesh that lies outside its folder (buffers of glTF, materials of OBJ), links
+/// followed.
+class FolderOnly : public Assimp::DefaultIOSystem {
+ public:
+  explicit FolderOnly(const std::filesystem::path& file)
+      : file_(file.string()),
+        folder_(std::filesystem::weakly_canonical(std::filesystem::absolute(file).parent_path())) {}
+
+  Assimp::IOStream* Open(const char* name, const char* mode) override {
+    return allowed(name) ? DefaultIOSystem::Open(name, mode) : nullptr;
+  }
+  bool Exists(const char* name) const override { return allowed(name) && DefaultIOSystem::Exists(name); }
+  /// The first name that was refused; empty when none was.
+  [[nodiscard]] const std::string& refused() const { return refused_; }
+
+ private:
+  bool allowed(const char* name) const {
+    if (file_ == name) return true;
+    std::error_code error;
+    const auto path = std::filesystem::weakly_canonical(std::filesystem::absolute(name, error), error);
+    const std::string inside = path.lexically_relative(folder_).string();
+    const bool good = !error && !inside.empty() && inside.rfind("..", 0) != 0;
+    if (!good && refused_.empty()) refused_ = name;
+    return good;
+  }
+  std::string file_;
+  std::filesystem::path folder_;
+  mutable std::string refused_;
+};
+
+/// The library believes counts before it looks for what they count.
+void checkPlyCounts(const std::filesystem::path& file, std::string_view text) {
+  std::string_view head = text.substr(0, std::min(text.find("end_header"), std::size_t{1} << 20U));
+  for (std::size_t at = head.find("element "); at != std::string_view::npos;
+       at = head.find("element ", at + 8)) {
+    const std::size_t digits = head.find_first_of("0123456789", at);
+    if (digits == std::string_view::npos) return;
+    std::uint64_t count = 0;
+    std::from_chars(head.data() + digits, head.data() + head.size(), count);
+    const std::size_t length = head.find_first_not_of("0123456789", digits) - digits;
+    if (count > text.size() || length > 18)
+      refuse(file,
+             fmt::format("promises {} elements in {} bytes", head.substr(digits, length), text.size()));
+  }
+}
+
+void checkGltfCounts(const std::filesystem::path& file, std::string_view text) {
+  if (text.substr(0, 4) == "glTF" && text.size() > 20) {  // binary: the JSON is the first chunk
+    std::uint32_t length = 0;
+    std::memcpy(&length, text.data() + 12, sizeof length);
+    text = text.substr(20, length);
+  }
+  const auto document = nlohmann::json::parse(text, nullptr, false);
+  if (!document.is_object()) refuse(file, "is no glTF");
+  const auto accessors = document.value("accessors", nlohmann::json::array());
+  if (!accessors.is_array()) refuse(file, "has accessors that are no list");
+  for (const auto& accessor : accessors) {
+    if (!accessor.is_object()) refuse(file, "has an accessor that is no object");
+    const auto count = accessor.find("count");
+    if (count == accessor.end() || !count->is_number_unsigned() ||
+        count->get<std::uint64_t>() > 3 * std::uint64_t{mostItems})
+      refuse(file, fmt::format("has an accessor whose count is not between 0 and {}", 3 * mostItems));
+  }
+}
+
 }  // namespace
 
 Mesh loadMesh(const std::filesystem::path& file) {
   const std::string extension = extensionOf(file);
   if (extension != ".obj" && extension != ".ply" && extension != ".gltf" && extension != ".glb")
     fail(ExitCode::usage, "the mesh {} is none of .obj, .ply, .gltf and .glb", file.string());
-  static_cast<void>(readFile(file, "mesh"));  // says why a file cannot be read, or is too large
+  const std::string text = readFile(file, "mesh");  // says why a file cannot be read, or is too large
+  if (extension == ".ply") checkPlyCounts(file, text);
+  if (extension == ".gltf" || extension == ".glb") checkGltfCounts(file, text);
   Assimp::Importer importer;
   importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE, aiPrimitiveType_POINT | aiPrimitiveType_LINE);
+  auto* const io = new FolderOnly(file);  // the importer's own from here
+  importer.SetIOHandler(io);
   const aiScene* scene = importer.ReadFile(
       file.string(), aiProcess_Triangulate | aiProcess_SortByPType | aiProcess_JoinIdenticalVertices);
+  if (!io->refused().empty())
+    refuse(file, fmt::format("names {}, which lies outside its folder", io->refused()));
   if (scene == nullptr || scene->mRootNode == nullptr) {
     std::string why = importer.GetErrorString();
     why = why.substr(0, why.find('\n'));

@@ -6,8 +6,13 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
 
 namespace simreel::sim {
 
@@ -17,6 +22,7 @@ struct Setting {
   int seed = 1;
   double frameSeconds = 1.0 / 60.0;
   const std::vector<ColliderShape>* colliders = nullptr;
+  bool timing = false;  ///< whether simulations measure their stages
 };
 
 /// State that is hashed, compared and can be read back: whole elements of four words, floats unless said.
@@ -46,6 +52,15 @@ struct PointTable {
   std::vector<float> values;         ///< row by row
 };
 
+/// A surface as a table for other programs, read back from the GPU where it is there: metres, the object's
+/// own position, rotation and scale applied; uvs are empty where the mesh has none.
+struct MeshTable {
+  std::vector<glm::vec3> positions;
+  std::vector<glm::vec3> normals;
+  std::vector<glm::vec2> uvs;
+  std::vector<unsigned> indices;  ///< three a triangle
+};
+
 /// Called after each step of a frame, counted from 1, while state() holds what that step left. Empty:
 /// nobody watches.
 using StepWatch = std::function<void(int step)>;
@@ -70,6 +85,8 @@ class Simulation {
   [[nodiscard]] virtual PointTable points() const { return {}; }
   /// What it counts per step; no columns for things that count nothing.
   [[nodiscard]] virtual CountTable counts() const { return {}; }
+  /// What `simreel bake` writes of things that deform a mesh; nothing for others.
+  [[nodiscard]] virtual std::optional<MeshTable> mesh() const { return std::nullopt; }
   /// Four words as glsl/common/status.glsl writes them, or null.
   [[nodiscard]] virtual const gl::Buffer* status() const { return nullptr; }
   /// Measures the present state, which is read back: summed up on the CPU in double and in a fixed order,
@@ -77,6 +94,10 @@ class Simulation {
   [[nodiscard]] virtual std::vector<Quantity> quantities() const { return {}; }
   /// The names that quantities() will give, in its order. Costs nothing.
   [[nodiscard]] virtual std::vector<const char*> quantityNames() const { return {}; }
+  /// How `step` splits, for `simreel bench`: names (the same in every frame) and ms, of the latest frame that
+  /// is known, when Setting::timing is on. CPU stages by the clock, those of the GPU by timer queries. Never waits
+  /// for the device.
+  [[nodiscard]] virtual std::vector<std::pair<const char*, double>> stageTimes() const { return {}; }
   /// One line for a user: where and why the state was lost, and what to change.
   [[nodiscard]] virtual std::string explainLoss(unsigned step, unsigned element) const {
     return "step " + std::to_string(step) + ", element " + std::to_string(element);

@@ -56,12 +56,12 @@ struct World::State {
   std::deque<Pending> pending;
   int nextSlot = 0;
 
-  explicit State(const scene::Scene& scene)
+  State(const scene::Scene& scene, bool timing)
       : fps(scene.time.fps),
         preroll(static_cast<int>(std::lround(scene.time.start * scene.time.fps))),
         colliders(collect(scene)) {
     const Setting setting{scene.numerics == scene::Numerics::fast, scene.seed, 1.0 / scene.time.fps,
-                          &colliders};
+                          &colliders, timing};
     for (const scene::Object& object : scene.objects)
       for (const SimulationKind& kind : simulations())
         if (object.kind == kind.kind.name) objects.push_back(kind.make(object, setting));
@@ -137,18 +137,19 @@ struct World::State {
   }
 };
 
-World::World(const scene::Scene& scene) : state_(std::make_unique<State>(scene)) {}
+World::World(const scene::Scene& scene, bool timing) : state_(std::make_unique<State>(scene, timing)) {}
 World::~World() = default;
 World::World(World&&) noexcept = default;
 World& World::operator=(World&&) noexcept = default;
 
-void World::advanceTo(int frame, const Watch& watch) {
+void World::advanceTo(int frame, const Watch& watch, const Stepped& stepped) {
   SIMREEL_CHECK(frame + state_->preroll >= state_->done);
   for (; state_->done < frame + state_->preroll; ++state_->done) {
     const double time = (state_->done - state_->preroll) / state_->fps;
     for (std::size_t i = 0; i < state_->objects.size(); ++i) {
       const StepWatch one = watch ? StepWatch([&](int step) { watch(i, step); }) : StepWatch();
       state_->objects[i]->step(time, one);
+      if (stepped) stepped(i);
     }
   }
 }

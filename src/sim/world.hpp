@@ -13,8 +13,8 @@ namespace simreel::sim {
 /// All objects of a scene, stepped together. Frame 0 is at time 0; the pre-roll runs before it.
 class World {
  public:
-  /// Makes every simulation on the current context.
-  explicit World(const scene::Scene& scene);
+  /// Makes every simulation on the current context. `timing`: they measure their stages (Setting::timing).
+  explicit World(const scene::Scene& scene, bool timing = false);
   ~World();
   World(World&&) noexcept;
   World& operator=(World&&) noexcept;
@@ -23,8 +23,10 @@ class World {
 
   /// Called after each step, counted from 1, of each object in turn.
   using Watch = std::function<void(std::size_t object, int step)>;
+  /// Called when an object has issued all of its steps of a frame.
+  using Stepped = std::function<void(std::size_t object)>;
   /// Simulates up to `frame` (0: the pre-roll only). Never goes back.
-  void advanceTo(int frame, const Watch& watch = {});
+  void advanceTo(int frame, const Watch& watch = {}, const Stepped& stepped = {});
   /// The frame in which it starts: 0, or below it by the pre-roll.
   [[nodiscard]] int firstFrame() const;
   [[nodiscard]] std::size_t objectCount() const;

@@ -1,4 +1,5 @@
 """`simreel bake` as a user meets it."""
+import math
 import struct
 
 from common import Case, main, with_values
@@ -48,10 +49,31 @@ class Bake(Case):
         self.good("bake", "scene.json", "-o", "out", "--overwrite")
         self.assertEqual(len(self.content("out")), 6)
 
+    def test_a_deformed_mesh_as_obj_and_ply(self):
+        mesh = {"resolution": [7, 5], "deform": [{"ripple": {}}]}
+        self.write("scene.json", with_values({"objects": {"sheet": {"mesh": mesh}}}))
+        self.good("bake", "scene.json", "-o", "out", "--frames", "0,5", "--format", "obj")
+        self.good("bake", "scene.json", "-o", "out", "--frames", "0,5")
+        lines = (self.folder / "out/sheet_000005.obj").read_text(encoding="utf-8").splitlines()
+        count = {kind: sum(line.startswith(kind + " ") for line in lines) for kind in ("v", "vt", "vn", "f")}
+        self.assertEqual(count, {"v": 35, "vt": 35, "vn": 35, "f": 48})
+        head, _, body = (self.folder / "out/sheet_000005.ply").read_bytes().partition(b"end_header\n")
+        self.assertIn(b"element face 48\nproperty list uchar uint vertex_indices\n", head)
+        self.assertEqual(len(body), 35 * 8 * 4 + 48 * 13)
+        vertices = [tuple(map(float, line.split()[1:])) for line in lines if line.startswith("v ")]
+        for i, vertex in enumerate(vertices):  # both files hold the same floats
+            self.assertEqual(struct.pack("<3f", *vertex), body[i * 32:i * 32 + 12])
+        for x, y, z in vertices:  # the ripple at frame 5
+            self.assertAlmostEqual(y, 0.25 * math.sin(2 * 5 / 30 + 6 - math.hypot(x, z)), places=5)
+        self.assertNotEqual(self.content("out")["sheet_000000.obj"], self.content("out")["sheet_000005.obj"])
+        # And back: what bake wrote is read as a mesh.
+        self.write("again.json", with_values({"objects": {"m": {"mesh": {"shape": "file", "file": "out/sheet_000005.ply"}}}}))
+        self.good("render", "again.json", "-o", "again.png", "--frames", "0")
+
     def test_mistakes(self):
         self.bad(2, ["nobody", "flag"], "bake", "scene.json", "-o", "out", "--object", "nobody")
         self.write("scene.json", with_values({"objects": {"ball": {"sphere": {}}}}))
-        self.bad(2, "no object of the scene has points", "bake", "scene.json", "-o", "out")
+        self.bad(2, "no object of the scene has points or a deformed mesh", "bake", "scene.json", "-o", "out")
         self.assertFalse((self.folder / "out").exists())
 
 

@@ -14,6 +14,8 @@ MUTATIONS = {
               "precise vec3 moved = vec3(here) + m.velocity * (stepData.gravity.w * 1.01f);"),
     "particles": ("particles/model.glsl", "precise vec3 drift = v * stepData.acceleration.w;",
                   "precise vec3 drift = v * (stepData.acceleration.w * 1.01f);"),
+    "mesh": ("deform/displace.comp", "vec4(displaced(LOAD_INPUT(rests, i).xyz), 1)",
+             "vec4(displaced(LOAD_INPUT(rests, i).xyz * 1.01), 1)"),
 }
 SCENERY = {"sphere", "capsule", "plane"}  # nothing of theirs is simulated
 

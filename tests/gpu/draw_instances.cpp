@@ -62,7 +62,7 @@ struct PassStage {
         buffer("frame values", sizeof values),
         targets(size, 1),
         shadow(scene.sun),
-        pass(shadow, targets.scene, 1) {
+        pass(shadow, targets.scene, size, 1) {
     buffer.write(0, std::as_bytes(std::span(&values, 1)));
     buffer.bindUniform(0, 0, sizeof values);
   }
@@ -117,24 +117,35 @@ TEST_CASE("instances in sight are listed in the order of their slots, dead and l
     crowd.instances.size = 0.5F;
     crowd.instances.massExponent = 1.0F / 3;
     crowd.instances.massReference = 2.0F;
-    crowd.instances.additive = true;  // one level of detail
+    crowd.instances.additive = true;
     stage.pass.cull({{}, {crowd.instances}});
     const auto& visible = stage.pass.visible(0);
     const auto arguments = visible.arguments().readAll<unsigned>();
-    const auto list = visible.list().readAll<unsigned>();
-    REQUIRE(arguments.size() == 8);
-    // A batch of b squares has 6 b indices; 0 comes before all others.
-    CHECK(arguments[0] % 6 == 0);
-    const unsigned batch = arguments[0] / 6;
-    CHECK(arguments[1] == (arguments[6] + batch - 1) / batch);
-    for (const int zero : {2, 3, 4, 5}) CHECK(arguments[static_cast<std::size_t>(zero)] == 0);
-    REQUIRE(arguments[6] <= list.size());
+    auto list = visible.list().readAll<unsigned>();
+    REQUIRE(arguments.size() == 16);
+    // Small ones are points or squares, large ones squares. A batch of b squares has 6 b indices.
+    for (const std::size_t level : {0U, 1U}) {
+      const unsigned* a = &arguments[level * 8];
+      const unsigned corners = level == 0 && draw::SmallSprites::points() ? 1 : 6;
+      CHECK(a[0] % corners == 0);
+      const unsigned batch = a[0] / corners;
+      CHECK(a[1] == (a[6] + batch - 1) / batch);
+      for (const int zero : {3, 4}) CHECK(a[zero] == 0);
+      REQUIRE(a[5] + a[6] <= list.size());
+      CHECK(std::is_sorted(list.begin() + a[5], list.begin() + a[5] + a[6]));
+    }
+    const unsigned small = arguments[6];
+    const unsigned all = small + arguments[14];
+    CHECK(arguments[5] == 0);
+    CHECK(arguments[13] == small);
+    if (count > 1000) CHECK((small > 0 && small < all));
+    std::inplace_merge(list.begin(), list.begin() + small, list.begin() + all);
     std::size_t at = 0;
     int edges = 0;
     for (unsigned slot = 0; slot < places.size(); ++slot) {
       const double mass = static_cast<double>(places[slot].w);
       const Sight sight = inSight(stage.values.viewProjection, places[slot], 0.25 * std::cbrt(mass / 2));
-      const bool listed = at < arguments[6] && list[at] == slot;
+      const bool listed = at < all && list[at] == slot;
       at += listed ? 1 : 0;
       edges += sight == Sight::edge ? 1 : 0;
       if (sight == Sight::edge) continue;
@@ -142,7 +153,7 @@ TEST_CASE("instances in sight are listed in the order of their slots, dead and l
       if (listed != wanted) CAPTURE(slot);
       CHECK(listed == wanted);
     }
-    CHECK(at == arguments[6]);
+    CHECK(at == all);
     CHECK(edges < count / 500 + 1);
     if (count == 1021) CHECK((at > 100 && at < 700));
   }
@@ -183,7 +194,8 @@ TEST_CASE("levels of detail share the list, each ordered; together they hold eve
   PassStage flat(scene, {640, 360});
   flat.pass.cull({{}, {crowd.instances}});
   // Glows are widened to a least size, so none is lost and a few more may reach into the picture.
-  CHECK(flat.pass.visible(0).arguments().readAll<unsigned>()[6] >= all.size());
+  const auto sprites = flat.pass.visible(0).arguments().readAll<unsigned>();
+  CHECK(sprites[6] + sprites[14] >= all.size());
 }
 
 TEST_CASE("the GL calls of a frame do not depend on the number of instances") {

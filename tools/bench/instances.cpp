@@ -1,5 +1,5 @@
-// Crowds at 640x360 and 4 samples: shadow, culling, drawing, tone map, without a simulation and without
-// reading back. Items are instances.
+// Crowds at 640x360 and 4 samples (and a million at 1280x720): shadow, culling, drawing, tone map, without
+// a simulation and without reading back. Items are instances.
 #include "draw/renderer.hpp"
 #include "gl/buffer.hpp"
 #include "gl/context.hpp"
@@ -47,7 +47,8 @@ struct Crowd {
   sim::Instances instances;
 };
 
-void frame(benchmark::State& state, sim::Instances::Shape shape, bool additive, float bloom) {
+void frame(benchmark::State& state, sim::Instances::Shape shape, bool additive, float bloom,
+           glm::ivec2 size = {640, 360}, int samples = 4, bool shadow = true) {
   Crowd crowd(static_cast<int>(state.range(0)));
   crowd.instances.shape = shape;
   crowd.instances.additive = additive;
@@ -57,13 +58,15 @@ void frame(benchmark::State& state, sim::Instances::Shape shape, bool additive, 
   scene.hasGround = true;
   scene.ground.height = 0;
   scene.render.bloom.strength = bloom;
-  draw::Renderer renderer(scene, {640, 360}, 4);
-  const sim::Drawables drawables = {.surfaces = {}, .instances = {crowd.instances}};
+  scene.sun.shadow = shadow;
+  draw::Renderer renderer(scene, size, samples);
+  const sim::Drawables drawables = {.instances = {crowd.instances}};
   renderer.draw(0, drawables);
   glFinish();
+  int drawn = 0;
   for (auto _ : state) {
     renderer.draw(0, drawables);
-    glFinish();
+    if (++drawn % 8 == 0) glFinish();  // a sequence has frames in flight, too
   }
   state.SetItemsProcessed(state.iterations() * state.range(0));
   state.counters["frames/s"] =
@@ -77,16 +80,27 @@ int main(int argc, char** argv) {
   const gl::Context context;
   fmt::print("device: {}\n", context.device().name);
   const bool software = context.device().software;
+  using Shape = sim::Instances::Shape;
+  const auto addFor = [](int count, const char* name, auto... args) {
+    benchmark::RegisterBenchmark(name, [=](benchmark::State& state) { frame(state, args...); })
+        ->Arg(count)
+        ->MeasureProcessCPUTime()
+        ->UseRealTime()
+        ->Unit(benchmark::kMillisecond);
+  };
+  if (!software) {
+    const glm::ivec2 hd(1280, 720);
+    addFor(1000000, "hd/sprites", Shape::sprite, false, 0.0F, hd, 4, true);
+    addFor(1000000, "hd/sprites-unshadowed", Shape::sprite, false, 0.0F, hd, 4, false);
+    addFor(1000000, "hd/sprites-unshadowed-1-sample", Shape::sprite, false, 0.0F, hd, 1, false);
+    addFor(1000000, "hd/glows", Shape::sprite, true, 0.0F, hd, 4, false);
+    addFor(1000000, "hd/glows-1-sample", Shape::sprite, true, 0.0F, hd, 1, false);
+  }
   for (const int count : {1024, 131072, 1 << 20}) {
     if (software && count > 131072) continue;
     const auto add = [&](const char* name, auto... args) {
-      benchmark::RegisterBenchmark(name, frame, args...)
-          ->Arg(count)
-          ->MeasureProcessCPUTime()
-          ->UseRealTime()
-          ->Unit(benchmark::kMillisecond);
+      addFor(count, name, args..., glm::ivec2(640, 360), 4, true);
     };
-    using Shape = sim::Instances::Shape;
     add("instances/sprites", Shape::sprite, false, 0.0F);
     add("instances/spheres", Shape::sphere, false, 0.0F);
     add("instances/glows", Shape::sprite, true, 0.0F);

@@ -1,0 +1,219 @@
+#include "frame/bench.hpp"
+
+#include "base/error.hpp"
+#include "draw/readback.hpp"
+#include "draw/renderer.hpp"
+#include "gl/timestamp.hpp"
+#include "sim/world.hpp"
+
+#include <chrono>
+#include <deque>
+#include <utility>
+
+namespace simreel::frame {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double milliseconds(Clock::time_point begin, Clock::time_point end) {
+  return std::chrono::duration<double, std::milli>(end - begin).count();
+}
+
+/// Timestamps of one frame: the first at its start, one after each mark. Kept and used again.
+using Stamps = std::vector<gl::Timestamp>;
+
+/// A frame under way.
+struct Pending {
+  int frame = 0;
+  bool timed = false;
+  double waited = 0;
+  std::vector<std::size_t> order;  ///< stage of each mark
+  std::vector<double> cpu;         ///< ms of each mark
+  Stamps stamps;
+  std::size_t stamped = 0;                                         ///< marks that have a timestamp
+  std::vector<std::vector<std::pair<const char*, double>>> parts;  ///< of each object
+};
+
+}  // namespace
+
+struct BenchRun::State {
+  State(scene::Scene shown, const gl::Context& device, Timing how)
+      : scene(std::move(shown)),
+        context(device),
+        timing(how),
+        depth(timing == Timing::wait ? 0 : 2),
+        world(scene, timing != Timing::whole),
+        renderer(scene, scene.render.size, scene.render.samples),
+        readback(scene.render.size) {
+    for (std::size_t i = 0; timing != Timing::whole && i < world.objectCount(); ++i)
+      stepStage.push_back(stage("step " + world.objectName(i)));
+  }
+
+  scene::Scene scene;
+  const gl::Context& context;
+  Timing timing;
+  std::size_t depth;  ///< frames under way, beside the one being issued
+  sim::World world;
+  draw::Renderer renderer;
+  draw::Readback readback;
+  std::vector<std::size_t> stepStage;
+  std::deque<Pending> pending;
+  std::vector<Stamps> spare;
+  Pending current;  ///< being issued
+  Clock::time_point lastMark, lastDelivered;
+  bool started = false;
+  FrameTimes times;
+
+  /// Index of the stage of that name, which is made where it is new.
+  std::size_t stage(const std::string& name) {
+    auto& stages = times.stages;
+    for (std::size_t i = 0; i < stages.size(); ++i)
+      if (stages[i].name == name) return i;
+    stages.push_back({name, std::vector<double>(times.wall.size()), {}, {}});
+    if (timing == Timing::query) stages.back().gpu.resize(times.wall.size());
+    return stages.size() - 1;
+  }
+
+  void stamp() {
+    if (timing != Timing::query) return;
+    const std::size_t next = current.order.size();
+    if (current.stamps.size() <= next) current.stamps.resize(next + 1);
+    current.stamps[next].record();
+    current.stamped = next;
+  }
+
+  void mark(std::size_t stage) {
+    if (timing == Timing::whole) return;
+    if (timing == Timing::wait) glFinish();
+    const auto now = Clock::now();
+    current.order.push_back(stage);
+    current.cpu.push_back(milliseconds(lastMark, now));
+    stamp();
+    lastMark = Clock::now();
+  }
+
+  void mark(const char* name) {
+    if (timing != Timing::whole) mark(stage(name));
+  }
+
+  void issue(bool timed) {
+    current = {};
+    if (!spare.empty()) {
+      current.stamps = std::move(spare.back());
+      spare.pop_back();
+    }
+    lastMark = Clock::now();
+    stamp();
+    current.frame = started ? world.frame() + 1 : 0;
+    current.timed = timed;
+    const auto stepped = [&](std::size_t object) { mark(stepStage[object]); };
+    world.advanceTo(current.frame, {}, started && !stepStage.empty() ? stepped : sim::World::Stepped());
+    started = true;
+    for (std::size_t i = 0; timing != Timing::whole && i < world.objectCount(); ++i)
+      current.parts.push_back(world.object(i).stageTimes());
+    world.startSummary();
+    mark("state hash");
+    renderer.draw(world.time(), world.drawables(), [&](const char* name) { mark(name); });
+    readback.start(renderer.target(), current.frame);
+    mark("readback");
+    context.check();
+    pending.push_back(std::move(current));
+  }
+
+  void deliver() {
+    Pending oldest = std::move(pending.front());
+    pending.pop_front();
+    const auto begin = Clock::now();
+    readback.waitForOldest();
+    const auto summary = world.takeSummary(true);
+    SIMREEL_CHECK_EQ(summary->frame, oldest.frame);
+    const auto there = Clock::now();
+    const auto picture = readback.take(true);
+    SIMREEL_CHECK_EQ(picture->first, oldest.frame);
+    const auto end = Clock::now();
+    // Where every stage was waited for, what is left to wait for is the copy of the summary.
+    const double waited = milliseconds(begin, there);
+    if (timing == Timing::wait) {
+      oldest.order.push_back(stage("state hash"));
+      oldest.cpu.push_back(waited);
+    } else {
+      oldest.waited = waited;
+    }
+    if (timing != Timing::whole) {
+      oldest.order.push_back(stage("readback"));
+      oldest.cpu.push_back(milliseconds(there, end));
+    }
+    if (oldest.timed) add(oldest, milliseconds(lastDelivered, Clock::now()));
+    lastDelivered = Clock::now();
+    if (timing == Timing::query) spare.push_back(std::move(oldest.stamps));
+  }
+
+  void add(const Pending& frame, double wall) {
+    times.frames.push_back(frame.frame);
+    times.wall.push_back(wall);
+    times.waited.push_back(frame.waited);
+    for (StageSeries& stage : times.stages) {
+      stage.cpu.push_back(0);
+      if (timing == Timing::query) stage.gpu.push_back(0);
+    }
+    for (std::size_t i = 0; i < frame.order.size(); ++i) {
+      StageSeries& stage = times.stages[frame.order[i]];
+      stage.cpu.back() += frame.cpu[i];
+      if (i < frame.stamped) stage.gpu.back() += frame.stamps[i + 1].millisecondsSince(frame.stamps[i]);
+    }
+    for (std::size_t i = 0; i < frame.parts.size(); ++i)
+      for (const auto& [name, value] : frame.parts[i]) addPart(times.stages[stepStage[i]], name, value);
+    for (StageSeries& stage : times.stages)
+      for (StageSeries::Part& part : stage.parts) part.values.resize(times.wall.size());
+  }
+
+  void addPart(StageSeries& stage, const std::string& name, double value) const {
+    for (StageSeries::Part& part : stage.parts)
+      if (part.name == name) return part.values.push_back(value);
+    // A part that shows up late was zero before.
+    stage.parts.push_back({name, std::vector<double>(times.wall.size() - 1)});
+    stage.parts.back().values.push_back(value);
+  }
+};
+
+Timing usualTiming() {
+  return gl::softwareDriver() ? Timing::wait : Timing::query;
+}
+
+BenchRun::BenchRun(scene::Scene scene, const gl::Context& context, Timing timing)
+    : state_(std::make_unique<State>(std::move(scene), context, timing)) {}
+BenchRun::~BenchRun() = default;
+BenchRun::BenchRun(BenchRun&&) noexcept = default;
+BenchRun& BenchRun::operator=(BenchRun&&) noexcept = default;
+
+void BenchRun::run(int warmUp, int frames, const std::function<bool()>& done) {
+  State& s = *state_;
+  if (!s.started) {
+    // Frame 0 comes after the pre-roll, which is nobody's frame time.
+    s.issue(false);
+    s.deliver();
+  }
+  glFinish();
+  s.lastDelivered = Clock::now();
+  // Frames issued after the timed ones keep the pipeline full until the last of those is there.
+  const int all = warmUp + frames + static_cast<int>(s.depth);
+  for (int i = 0; i < all; ++i) {
+    s.issue(i >= warmUp && i < warmUp + frames);
+    if (s.pending.size() <= s.depth) continue;
+    s.deliver();
+    if (!done()) break;
+  }
+  for (Pending& frame : s.pending) frame.timed = false;
+  while (!s.pending.empty()) s.deliver();
+}
+
+const FrameTimes& BenchRun::times() const {
+  return state_->times;
+}
+
+const scene::Scene& BenchRun::scene() const {
+  return state_->scene;
+}
+
+}  // namespace simreel::frame

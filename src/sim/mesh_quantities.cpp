@@ -1,0 +1,51 @@
+#include "sim/mesh_quantities.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace simreel::sim {
+
+namespace {
+
+glm::dvec3 cross(const glm::dvec3& a, const glm::dvec3& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+double dot(const glm::dvec3& a, const glm::dvec3& b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+}  // namespace
+
+std::vector<Quantity> meshQuantities(const MeshTable& mesh) {
+  double lowest = mesh.positions.at(0).y;
+  double highest = lowest;
+  double sum = 0;
+  for (const glm::vec3& p : mesh.positions) {
+    lowest = std::min(lowest, double{p.y});
+    highest = std::max(highest, double{p.y});
+    sum += p.y;
+  }
+  double area = 0;
+  double volume = 0;
+  for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
+    const glm::dvec3 a(mesh.positions[mesh.indices[i]]);
+    const glm::dvec3 b(mesh.positions[mesh.indices[i + 1]]);
+    const glm::dvec3 c(mesh.positions[mesh.indices[i + 2]]);
+    const glm::dvec3 n = cross(b - a, c - a);
+    area += 0.5 * std::sqrt(dot(n, n));
+    volume += dot(a, cross(b, c)) / 6.0;
+  }
+  const auto count = static_cast<double>(mesh.positions.size());
+  return {{"population", count, "", "Vertices."},
+          {"lowest", lowest, "m", "Height of the lowest vertex."},
+          {"highest", highest, "m", "Height of the highest vertex."},
+          {"meanHeight", sum / count, "m", "Of all vertices."},
+          {"area", area, "m^2", "Of all triangles."},
+          {"volume", volume, "m^3", "Enclosed; of an open mesh, with the origin as the tip of its cones."}};
+}
+
+std::vector<const char*> meshQuantityNames() {
+  return {"population", "lowest", "highest", "meanHeight", "area", "volume"};
+}
+
+}  // namespace simreel::sim
