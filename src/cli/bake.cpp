@@ -5,11 +5,13 @@
 #include "base/version.hpp"
 #include "cli/commands.hpp"
 #include "cli/scene_options.hpp"
+#include "frame/field_file.hpp"
 #include "frame/frames_spec.hpp"
 #include "frame/interrupt.hpp"
 #include "frame/obj.hpp"
 #include "frame/ply.hpp"
 #include "gl/context.hpp"
+#include "sim/field_values.hpp"
 #include "sim/world.hpp"
 
 #include <filesystem>
@@ -35,20 +37,37 @@ struct BakeOptions {
   bool overwrite = false;
 };
 
-/// Objects whose state is points or a mesh: the one asked for, or all.
-std::vector<std::size_t> bakedObjects(const sim::World& world, const std::string& wanted) {
+/// Whether the format is one of fields; else it is of points and meshes.
+bool ofFields(const BakeOptions& o) {
+  return o.format == "npy" || o.format == "pfm";
+}
+
+/// The field that an object publishes at present, or null.
+const sim::Field* fieldOf(const sim::Drawables& drawables, const std::string& object) {
+  for (const sim::Field& field : drawables.fields)
+    if (*field.name == object) return &field;
+  return nullptr;
+}
+
+/// Objects that have what the format is for: the one asked for, or all.
+std::vector<std::size_t> bakedObjects(const BakeOptions& o, const sim::World& world) {
+  const char* what = ofFields(o) ? "a field" : "points or a deformed mesh";
+  const std::string& wanted = o.object;
+  const sim::Drawables drawables = world.drawables();
   std::vector<std::size_t> objects;
   std::string names;
   for (std::size_t i = 0; i < world.objectCount(); ++i) {
-    if (world.object(i).points().columns.empty() && !world.object(i).mesh()) continue;
+    const sim::Simulation& object = world.object(i);
+    if (ofFields(o) ? fieldOf(drawables, world.objectName(i)) == nullptr
+                    : object.points().columns.empty() && !object.mesh())
+      continue;
     names += (names.empty() ? "" : ", ") + world.objectName(i);
     if (wanted.empty() || wanted == world.objectName(i)) objects.push_back(i);
   }
   if (objects.empty() && names.empty())
-    fail(ExitCode::usage, "no object of the scene has points or a deformed mesh to bake");
+    fail(ExitCode::usage, "no object of the scene has {} to bake", what);
   if (objects.empty())
-    fail(ExitCode::usage, "--object: there is no \"{}\" with points or a deformed mesh; there is {}",
-         wanted, names);
+    fail(ExitCode::usage, "--object: there is no \"{}\" with {}; there is {}", wanted, what, names);
   return objects;
 }
 
@@ -83,6 +102,13 @@ void writeObject(const BakeOptions& o, const fs::path& file, const sim::Simulati
   writeFileAtomically(file, frame::encodePly(table.columns, table.values, comments));
 }
 
+std::vector<std::byte> fieldFile(const BakeOptions& o, const sim::World& world, const std::string& object) {
+  const sim::Drawables drawables = world.drawables();
+  const sim::Field* field = fieldOf(drawables, object);
+  SIMREEL_CHECK(field != nullptr);
+  return frame::encodeField(frame::parseFieldFormat(o.format), field->size, sim::fieldValues(*field));
+}
+
 void bake(const BakeOptions& o) {
   const scene::Scene scene = o.scene.load();
   std::vector<int> frames;
@@ -93,7 +119,7 @@ void bake(const BakeOptions& o) {
   frame::catchInterrupts();
   const gl::Context context({.device = o.device, .debug = false, .memoryPath = o.memoryPath});
   sim::World world(scene);
-  const auto objects = bakedObjects(world, o.object);
+  const auto objects = bakedObjects(o, world);
   for (const std::size_t object : objects)
     if (o.format == "obj" && !world.object(object).mesh())
       fail(ExitCode::usage, "--format obj: \"{}\" has points and no triangles; use ply, or --object",
@@ -116,11 +142,16 @@ void bake(const BakeOptions& o) {
       static_cast<void>(world.takeSummary(true));  // throws when the state is lost
     }
     for (const std::size_t object : objects) {
-      const std::vector<std::string> comments = {
-          fmt::format("simreel {}", version()), fmt::format("scene {}", scene.hash),
-          fmt::format("object {} frame {} time {:g} s seed {}", world.objectName(object), frame,
-                      world.time(), scene.seed)};
-      writeObject(o, fileOf(o, world.objectName(object), frame), world.object(object), comments);
+      const fs::path file = fileOf(o, world.objectName(object), frame);
+      if (ofFields(o)) {
+        writeFileAtomically(file, fieldFile(o, world, world.objectName(object)));
+      } else {
+        const std::vector<std::string> comments = {
+            fmt::format("simreel {}", version()), fmt::format("scene {}", scene.hash),
+            fmt::format("object {} frame {} time {:g} s seed {}", world.objectName(object), frame,
+                        world.time(), scene.seed)};
+        writeObject(o, file, world.object(object), comments);
+      }
       ++files;
     }
   }
@@ -132,12 +163,12 @@ void bake(const BakeOptions& o) {
 
 void addBake(CLI::App& app) {
   auto o = std::make_shared<BakeOptions>();
-  auto* command =
-      app.add_subcommand("bake", "Write points and deformed meshes as PLY or OBJ files, one a frame");
+  auto* command = app.add_subcommand(
+      "bake", "Write points and deformed meshes (PLY, OBJ) or values of fields (NPY, PFM), a file a frame");
   o->scene.add(*command);
   command->add_option("-o,--output", o->output, "Folder for NAME_000000.ply ...")->required();
-  command->add_option("--format", o->format, "ply or, of meshes, obj")
-      ->check(CLI::IsMember({"ply", "obj"}))
+  command->add_option("--format", o->format, "ply or, of meshes, obj; of fields npy or pfm")
+      ->check(CLI::IsMember({"ply", "obj", "npy", "pfm"}))
       ->capture_default_str();
   command->add_option("--frames", o->frames, "Frames to write, for example 0-99x2,150; all are simulated");
   command->add_option("--object", o->object, "Only this object");

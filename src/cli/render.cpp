@@ -2,6 +2,7 @@
 #include "base/log.hpp"
 #include "cli/commands.hpp"
 #include "cli/scene_options.hpp"
+#include "frame/field_files.hpp"
 #include "frame/frame_sink.hpp"
 #include "frame/frames_spec.hpp"
 #include "frame/interrupt.hpp"
@@ -25,6 +26,7 @@ struct RenderOptions {
   SceneOptions scene;
   std::string output;
   std::optional<std::string> frames;
+  std::optional<std::string> fields;
   std::string device;
   std::string memoryPath;
   std::string progress = "auto";
@@ -56,8 +58,10 @@ void render(const RenderOptions& o) {
   frame::Progress progress(frame::parseProgressMode(o.progress));
   const scene::Scene scene = o.scene.load();
   const auto frames = framesToRender(o, scene);
-  static_cast<void>(
-      frame::parseOutput(o.output, frames.size()));  // a senseless name fails before a device starts
+  // A senseless name fails before a device starts.
+  const frame::OutputName output = frame::parseOutput(o.output, frames.size());
+  std::optional<frame::FieldFiles> fields;
+  if (o.fields) fields.emplace(output, frame::parseFieldFormat(*o.fields), existing, frames);
   frame::catchInterrupts();
   frame::ignoreBrokenPipes();
 
@@ -79,7 +83,8 @@ void render(const RenderOptions& o) {
       .driver = context.device().name + ", OpenGL " + context.device().version,
   };
   const auto sink = frame::openSink(o.output, existing, run, frames, o.streamFormat);
-  const auto result = frame::renderSequence(scene, context, frames, *sink, progress);
+  const auto result =
+      frame::renderSequence(scene, context, frames, *sink, progress, fields ? &*fields : nullptr);
   info("{}", frame::closingLine(result.frames, result.seconds, result.stages, sink->summary()));
   if (result.signal != 0) {
     info("simreel: interrupted; what is listed in the manifest is whole, --resume goes on from there");
@@ -98,6 +103,10 @@ void addRender(CLI::App& app) {
                    "Folder, pattern (out/flag_####.png), picture, video file, or -")
       ->required();
   command->add_option("--frames", o->frames, "Frames to write, for example 0-99x2,150; all are simulated");
+  command
+      ->add_option("--fields", o->fields,
+                   "Also the raw values of every field, beside each picture: npy or pfm")
+      ->check(CLI::IsMember({"npy", "pfm"}));
   command->add_option("--device", o->device, "Index or part of a name (see `simreel doctor`)");
   command->add_option("--memory-path", o->memoryPath,
                       "How kernels read: storage or texel (default: by driver)");

@@ -79,9 +79,11 @@ class StageTimers {
 /// Keeps a few frames under way: while the device draws one, the last is read back and encoded.
 class Pipeline {
  public:
-  Pipeline(const scene::Scene& scene, const gl::Context& context, FrameSink& sink, Progress& progress)
+  Pipeline(const scene::Scene& scene, const gl::Context& context, FrameSink& sink, Progress& progress,
+           FieldFiles* fields)
       : context_(context),
         sink_(sink),
+        fields_(fields),
         progress_(progress),
         size_(scene.render.size),
         world_(scene),
@@ -90,14 +92,18 @@ class Pipeline {
 
   /// Simulates every frame up to this one, watching each for a lost state, and draws it if it is wanted.
   void render(int frame) {
+    const bool first = !started_;
     simulateTo(frame);
+    if (fields_ != nullptr && first) fields_->begin(world_.drawables().fields);
     const bool wanted = sink_.wants(frame);
     if (wanted) {
       if (readback_.full()) deliverOldest();
       timers_.run(&StageTimes::draw, frame, [&] { renderer_.draw(world_.time(), world_.drawables()); });
       readback_.start(renderer_.target(), frame);
     }
-    waiting_.push_back({frame, wanted});
+    waiting_.push_back({frame, wanted, {}});
+    if (fields_ != nullptr && fields_->wants(frame))
+      waiting_.back().files = fields_->read(frame, world_.drawables().fields);
     while (waiting_.size() > 2) deliverOldest();
     context_.check();
   }
@@ -113,6 +119,7 @@ class Pipeline {
   struct Waiting {
     int frame;
     bool drawn;
+    FieldFiles::Contents files;  ///< stored when the frame is known to be sound
   };
 
   void simulateTo(int frame) {
@@ -145,7 +152,7 @@ class Pipeline {
   }
 
   void deliverOldest() {
-    const Waiting oldest = waiting_.front();
+    const Waiting oldest = std::move(waiting_.front());
     const StageTimes before = stages_;
     std::string hash;
     timers_.wait(&StageTimes::simulate, [&] { hash = stateHash(oldest.frame); });
@@ -158,6 +165,10 @@ class Pipeline {
            "frame {} is kept from an earlier run, but its state was {} and is {} now; render anew with "
            "--overwrite",
            oldest.frame, *known, hash);
+    }
+    if (fields_ != nullptr) {
+      const Stopwatch watch(stages_.encode);
+      fields_->write(oldest.files);
     }
     ++delivered_;
     progress_.frame(oldest.frame, {stages_.simulate - before.simulate, stages_.draw - before.draw,
@@ -181,6 +192,7 @@ class Pipeline {
 
   const gl::Context& context_;
   FrameSink& sink_;
+  FieldFiles* fields_;
   Progress& progress_;
   glm::ivec2 size_;
   sim::World world_;
@@ -199,13 +211,14 @@ class Pipeline {
 }  // namespace
 
 SequenceResult renderSequence(const scene::Scene& scene, const gl::Context& context,
-                              const std::vector<int>& frames, FrameSink& sink, Progress& progress) {
+                              const std::vector<int>& frames, FrameSink& sink, Progress& progress,
+                              FieldFiles* fields) {
   const auto begin = Clock::now();
   SequenceResult result;
   std::exception_ptr failure;
   progress.start(static_cast<int>(frames.size()));
   try {
-    Pipeline pipeline(scene, context, sink, progress);
+    Pipeline pipeline(scene, context, sink, progress, fields);
     try {
       for (const int frame : frames) {
         result.signal = interruptSignal();
@@ -229,7 +242,7 @@ SequenceResult renderSequence(const scene::Scene& scene, const gl::Context& cont
     if (!failure) failure = std::current_exception();
   }
   if (failure) std::rethrow_exception(failure);
-  result.stages.encode = sink.encodeSeconds();
+  result.stages.encode += sink.encodeSeconds();
   result.seconds = secondsSince(begin);
   return result;
 }

@@ -1,4 +1,5 @@
 #pragma once
+#include "frame/field_files.hpp"
 #include "frame/frame_sink.hpp"
 #include "frame/progress.hpp"
 #include "gl/context.hpp"
@@ -20,9 +21,10 @@ struct SequenceResult {
 /// Simulates the scene from its start, draws the wanted frames and hands them to the sink, which is
 /// finished in every case. Frames that the sink does not want are simulated all the same. Throws UserError:
 /// device when the state is lost (frames before that are stored), inputOutput from the sink, and different
-/// when a frame kept from an earlier run has another state hash now.
+/// when a frame kept from an earlier run has another state hash now. `fields` (or null) gets the raw values
+/// of the same frames.
 [[nodiscard]] SequenceResult renderSequence(const scene::Scene& scene, const gl::Context& context,
                                             const std::vector<int>& frames, FrameSink& sink,
-                                            Progress& progress);
+                                            Progress& progress, FieldFiles* fields = nullptr);
 
 }  // namespace simreel::frame
