@@ -39,7 +39,7 @@ std::vector<glm::uvec4> elementsOf(const std::vector<std::uint32_t>& words) {
 }  // namespace
 
 GrayScottKernels::Cut GrayScottKernels::bestCut() {
-  return gl::memoryPath() == gl::MemoryPath::texel ? Cut{2, 8, 8, 8, 1} : Cut{1, 8, 32, 4, 4};
+  return gl::memoryPath() == gl::MemoryPath::texel ? Cut{1, 4, 32, 4, 1} : Cut{1, 8, 32, 4, 4};
 }
 
 GrayScottKernels::GrayScottKernels(const std::string& name, const GrayScottPlan& plan, bool fast,

@@ -14,6 +14,7 @@ MUTATIONS = {
               "precise vec3 moved = vec3(here) + m.velocity * (stepData.gravity.w * 1.01f);"),
     "particles": ("particles/model.glsl", "precise vec3 drift = v * stepData.acceleration.w;",
                   "precise vec3 drift = v * (stepData.acceleration.w * 1.01f);"),
+    "grayScott": ("gray_scott/model.glsl", "precise float lack = 1.0f - u;", "precise float lack = 1.01f - u;"),
 }
 SCENERY = {"sphere", "capsule", "plane"}  # nothing of theirs is simulated
 
