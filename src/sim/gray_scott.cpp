@@ -1,6 +1,7 @@
 #include "sim/gray_scott.hpp"
 
 #include "sim/gray_scott_kernels.hpp"
+#include "sim/gray_scott_quantities.hpp"
 
 #include <utility>
 
@@ -65,6 +66,10 @@ class GrayScott : public Simulation {
 
   [[nodiscard]] std::vector<StateArray> state() const override {
     return {{"cells", &kernels_.cells().buffer()}};
+  }
+  [[nodiscard]] std::vector<const char*> quantityNames() const override { return grayScottQuantityNames(); }
+  [[nodiscard]] std::vector<Quantity> quantities() const override {
+    return grayScottQuantities(kernels_.cells().buffer().readAll<glm::vec4>(), plan_.parameters().size);
   }
 
  private:

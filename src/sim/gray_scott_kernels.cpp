@@ -11,6 +11,10 @@ namespace simreel::sim {
 
 namespace {
 
+/// Of a pass of several steps: elements and rows of its tile (32 KiB, which every driver has), and rows
+/// that an invocation keeps in registers.
+constexpr int tileX = 32, tileY = 64, tileRows = 8;
+
 /// Before anything is filled: a grid far beyond the limit would first take gigabytes.
 void checkLimits(const std::string& name, glm::ivec2 size, int columns) {
   const std::int64_t elements = std::int64_t{columns} * size.y;
@@ -35,12 +39,13 @@ std::vector<glm::uvec4> elementsOf(const std::vector<std::uint32_t>& words) {
 }  // namespace
 
 GrayScottKernels::Cut GrayScottKernels::bestCut() {
-  return gl::memoryPath() == gl::MemoryPath::texel ? Cut{2, 8, 8, 8, 1} : Cut{1, 8, 32, 4, 1};
+  return gl::memoryPath() == gl::MemoryPath::texel ? Cut{1, 4, 32, 4, 1} : Cut{1, 8, 32, 4, 4};
 }
 
 GrayScottKernels::GrayScottKernels(const std::string& name, const GrayScottPlan& plan, bool fast,
                                    const Cut& cut)
     : size_(plan.parameters().size), columns_(plan.columns()), cut_(cut), mapped_(plan.mapped()) {
+  if (mapped_) cut_.stepsPerPass = 1;  // its kernel knows no map of rates
   checkLimits(name, size_, columns_);
   const std::vector<glm::vec4> first = plan.firstCells();
   cells_[0] = gl::Vec4Array(name + " cells", first);
@@ -63,20 +68,40 @@ GrayScottKernels::GrayScottKernels(const std::string& name, const GrayScottPlan&
   define("ROWS", cut_.rows);
   define("GROUP_X", cut_.groupX);
   define("GROUP_Y", cut_.groupY);
-  step_ = gl::Program::compute("gray_scott/step.comp", defines);
-  step_.set("size", size_);
-  step_.set("columns", columns_);
+  makeProgram(step_, "gray_scott/step.comp", defines);
+  if (cut_.stepsPerPass == 1) return;
+  gl::Defines tiled = gl::kernelDefines(fast);
+  if (size_.x % 2 == 1) tiled.emplace_back("ODD_WIDTH", "1");
+  for (const auto& [key, value] : {std::pair{"TILE_X", tileX}, std::pair{"TILE_Y", tileY},
+                                   std::pair{"ROWS", tileRows}, std::pair{"STEPS", cut_.stepsPerPass}})
+    tiled.emplace_back(key, std::to_string(value));
+  makeProgram(fused_, "gray_scott/fused.comp", tiled);
+}
+
+void GrayScottKernels::makeProgram(gl::Program& program, const char* path,
+                                   const gl::Defines& defines) const {
+  program = gl::Program::compute(path, defines);
+  program.set("size", size_);
+  program.set("columns", columns_);
 }
 
 void GrayScottKernels::setRates(const GrayScottPlan::Rates& rates) {
   const shader::GrayScottRates& r = rates.base;
-  step_.set("rates", glm::vec4(r.diffuseU, r.diffuseV, r.dt, 0));
-  step_.set("feedKill", glm::vec4(r.feed, r.kill, rates.feedSpan, rates.killSpan));
+  for (const gl::Program* program : {&step_, &fused_}) {
+    if (program->name() == 0) continue;
+    program->set("rates", glm::vec4(r.diffuseU, r.diffuseV, r.dt, 0));
+    program->set("feedKill", glm::vec4(r.feed, r.kill, rates.feedSpan, rates.killSpan));
+  }
 }
 
 void GrayScottKernels::advance(int steps) {
-  for (int i = 0; i < steps; ++i)
-    pass(step_, (columns_ - 1) / cut_.across + 1, (size_.y - 1) / cut_.rows + 1);
+  int left = steps;
+  for (; cut_.stepsPerPass > 1 && left >= cut_.stepsPerPass; left -= cut_.stepsPerPass) {
+    const int width = tileX - (cut_.stepsPerPass + 1) / 2 * 2;
+    const int height = tileY - 2 * cut_.stepsPerPass;
+    pass(fused_, ((columns_ - 1) / width + 1) * tileX, ((size_.y - 1) / height + 1) * (tileY / tileRows));
+  }
+  for (; left > 0; --left) pass(step_, (columns_ - 1) / cut_.across + 1, (size_.y - 1) / cut_.rows + 1);
 }
 
 void GrayScottKernels::pass(const gl::Program& program, int width, int height) {

@@ -16,7 +16,7 @@ class GrayScottKernels {
     int across = 2;  ///< elements (two cells) that an invocation of a single step takes in a row
     int rows = 8;    ///< and rows
     int groupX = 8, groupY = 8;
-    int stepsPerPass = 1;  ///< 2 to 8: several steps in shared memory, storage path only
+    int stepsPerPass = 1;  ///< 2 to 8: several steps in shared memory, a pass each
   };
   /// What is fastest on this device's memory path.
   [[nodiscard]] static Cut bestCut();
@@ -36,6 +36,7 @@ class GrayScottKernels {
   [[nodiscard]] const gl::Texture& words() const { return words_[0]; }
 
  private:
+  void makeProgram(gl::Program& program, const char* path, const gl::Defines& defines) const;
   void pass(const gl::Program& program, int width, int height);
 
   glm::ivec2 size_;

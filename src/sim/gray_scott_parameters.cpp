@@ -6,7 +6,8 @@ namespace simreel::sim {
 
 namespace {
 
-const std::vector<const char*> presetNames = {"spots", "stripes", "maze", "solitons", "unstable", "chaos"};
+const std::vector<const char*> presetNames = {"spots",    "stripes", "maze", "solitons",
+                                              "unstable", "leopard", "chaos"};
 
 /// A number that has a preset's value, and may move, unless the scene gives it.
 void rate(scene::Fields& f, const char* name, std::optional<scene::Animated<float>>& value, float standard,
@@ -19,21 +20,9 @@ void rate(scene::Fields& f, const char* name, std::optional<scene::Animated<floa
 }  // namespace
 
 FeedKill ratesOf(GrayScottPreset preset) {
-  switch (preset) {
-    case GrayScottPreset::spots:
-      return {0.035F, 0.065F};
-    case GrayScottPreset::stripes:
-      return {0.040F, 0.060F};
-    case GrayScottPreset::maze:
-      return {0.025F, 0.055F};
-    case GrayScottPreset::solitons:
-      return {0.050F, 0.065F};
-    case GrayScottPreset::unstable:
-      return {0.060F, 0.062F};
-    case GrayScottPreset::chaos:
-      return {0.026F, 0.051F};
-  }
-  return {0.035F, 0.065F};
+  constexpr FeedKill rates[] = {{0.035F, 0.065F}, {0.040F, 0.060F}, {0.025F, 0.055F}, {0.050F, 0.065F},
+                                {0.060F, 0.062F}, {0.032F, 0.063F}, {0.026F, 0.051F}};
+  return rates[static_cast<std::size_t>(preset)];
 }
 
 GrayScottParameters::GrayScottParameters() {

@@ -11,8 +11,9 @@
 
 namespace simreel::sim {
 
-/// Named pairs of rates. What each really grows stands in README.md beside this file.
-enum class GrayScottPreset { spots, stripes, maze, solitons, unstable, chaos };
+/// Named pairs of rates, those of SPEC 4 first. What each really grows stands in README.md beside this
+/// file: "spots" dies out; leopard grows spots.
+enum class GrayScottPreset { spots, stripes, maze, solitons, unstable, leopard, chaos };
 
 /// Rates at which u is fed and v is removed, per unit of time.
 struct FeedKill {
@@ -23,11 +24,11 @@ struct FeedKill {
 /// Gray-Scott reaction-diffusion (SPEC 4) as a scene says it.
 struct GrayScottParameters : scene::Parameters {
   glm::ivec2 size{256, 256};  ///< cells
-  GrayScottPreset preset = GrayScottPreset::spots;
+  GrayScottPreset preset = GrayScottPreset::leopard;
   std::optional<scene::Animated<float>> feed, kill;  ///< instead of the preset's
   bool hasHealth = false;
   scene::Animated<float> health = 1.0F;  ///< 1: rates of `well`, 0: of `ill`, in between a mixture
-  GrayScottPreset well = GrayScottPreset::spots, ill = GrayScottPreset::chaos;
+  GrayScottPreset well = GrayScottPreset::leopard, ill = GrayScottPreset::chaos;
   std::optional<double> feedAcross, killDown;  ///< rates at the right and at the bottom edge
   std::filesystem::path feedImage, killImage;  ///< shares of the way to feedWhite, killWhite
   double feedWhite = 0.06, killWhite = 0.065;

@@ -1,5 +1,6 @@
 #include "sim/gray_scott_plan.hpp"
 
+#include "base/log.hpp"
 #include "sim/picture_file.hpp"
 
 #include <algorithm>
@@ -37,7 +38,11 @@ GrayScottPlan::GrayScottPlan(GrayScottParameters parameters, int seed, double fr
     : parameters_(std::move(parameters)),
       seed_(seed),
       frameSeconds_(frameSeconds),
-      strokes_(parameters_.strokes, seed) {}
+      strokes_(parameters_.strokes, seed) {
+  const GrayScottParameters& p = parameters_;
+  if (p.preset == GrayScottPreset::spots && !p.feed && !p.kill && !p.hasHealth && !mapped())
+    warn("the rates of the grayScott preset \"spots\" let every pattern die out; \"leopard\" grows spots");
+}
 
 std::vector<float> GrayScottPlan::firstV() const {
   const GrayScottParameters& p = parameters_;

@@ -16,6 +16,7 @@ MUTATIONS = {
                   "precise vec3 drift = v * (stepData.acceleration.w * 1.01f);"),
     "mesh": ("deform/displace.comp", "vec4(displaced(LOAD_INPUT(rests, i).xyz), 1)",
              "vec4(displaced(LOAD_INPUT(rests, i).xyz * 1.01), 1)"),
+    "grayScott": ("gray_scott/model.glsl", "precise float lack = 1.0f - u;", "precise float lack = 1.01f - u;"),
 }
 SCENERY = {"sphere", "capsule", "plane"}  # nothing of theirs is simulated
 

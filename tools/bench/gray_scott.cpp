@@ -1,0 +1,114 @@
+// Gray-Scott steps on the device, cut up in several ways, beside the CPU twin on one thread and on all.
+// Items are cell-steps. A pass reads and writes u and v of every cell, 16 bytes; a step is 16 operations
+// for two Laplacians with shared side sums (8 each: 4 additions, 3 multiplications or so), 3 for the
+// reaction, 12 for the two sums and 4 for the bounds: 35. Several steps a pass divide the bytes and repeat
+// the tile's border.
+//
+// With --patterns: what each preset has grown after 10,000 steps on 129x127, as the table of
+// src/sim/README.md.
+#include "gl/context.hpp"
+#include "reference/gray_scott_twin.hpp"
+#include "sim/gray_scott_kernels.hpp"
+#include "sim/gray_scott_quantities.hpp"
+
+#include <string_view>
+
+#include <benchmark/benchmark.h>
+#include <fmt/format.h>
+
+using namespace simreel;
+
+namespace {
+
+sim::GrayScottPlan planOf(int side) {
+  sim::GrayScottParameters p;
+  p.size = {side, side};
+  p.preset = sim::GrayScottPreset::stripes;
+  p.seedCount = side;
+  return {p, 1, 1.0 / 30};
+}
+
+void report(benchmark::State& state, int side, int steps) {
+  const double cells = static_cast<double>(state.iterations()) * steps * side * side;
+  state.counters["cell-steps/s"] = benchmark::Counter(cells, benchmark::Counter::kIsRate);
+  state.counters["op/s at 35"] = benchmark::Counter(cells * 35, benchmark::Counter::kIsRate);
+}
+
+void device(benchmark::State& state, sim::GrayScottKernels::Cut cut, int steps) {
+  const int side = static_cast<int>(state.range(0));
+  const sim::GrayScottPlan plan = planOf(side);
+  sim::GrayScottKernels kernels("bench", plan, false, cut);
+  kernels.setRates(plan.ratesAt(0));
+  kernels.advance(steps);
+  glFinish();
+  for (auto _ : state) {
+    kernels.advance(steps);
+    glFinish();
+  }
+  report(state, side, steps);
+  const double passes = static_cast<double>(state.iterations()) * steps / cut.stepsPerPass;
+  state.counters["bytes/s at 16 B a pass"] =
+      benchmark::Counter(passes * 16 * side * side, benchmark::Counter::kIsRate);
+}
+
+void twin(benchmark::State& state, int threads) {
+  const int side = static_cast<int>(state.range(0));
+  GrayScottTwin field(planOf(side));
+  const auto rates = field.plan().ratesAt(0);
+  for (auto _ : state) field.advance(rates, 8, threads);
+  report(state, side, 8);
+}
+
+void patterns() {
+  const char* names[] = {"spots", "stripes", "maze", "solitons", "unstable", "leopard", "chaos"};
+  for (int preset = 0; preset < 7; ++preset) {
+    sim::GrayScottParameters p;
+    p.size = {129, 127};
+    p.preset = static_cast<sim::GrayScottPreset>(preset);
+    const sim::GrayScottPlan plan(p, 1, 1.0 / 30);
+    sim::GrayScottKernels kernels(names[preset], plan, false);
+    kernels.setRates(plan.ratesAt(0));
+    kernels.advance(10000);
+    gl::barrier();
+    fmt::print("{:9}", names[preset]);
+    for (const sim::Quantity& q :
+         sim::grayScottQuantities(kernels.cells().buffer().readAll<glm::vec4>(), p.size))
+      fmt::print(" {} {:.4g}", q.name, q.value);
+    fmt::print("\n");
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  benchmark::Initialize(&argc, argv);
+  const gl::Context context;
+  fmt::print("device: {}\n", context.device().name);
+  if (argc > 1 && std::string_view(argv[1]) == "--patterns") {
+    patterns();
+    return 0;
+  }
+  const bool software = context.device().software;
+  const auto add = [&](const std::string& name, int side, auto function, auto... args) {
+    benchmark::RegisterBenchmark(("grayScott/" + name).c_str(), function, args...)
+        ->Arg(side)
+        ->MeasureProcessCPUTime()
+        ->UseRealTime()
+        ->Unit(benchmark::kMillisecond);
+  };
+  const int side = software ? 512 : 8192;
+  add("twin/one-thread", side, twin, 1);
+  add("twin/all-threads", side, twin, 0);
+  const int steps = software ? 8 : 48;
+  using Cut = sim::GrayScottKernels::Cut;
+  for (const Cut cut : {Cut{1, 1, 32, 4, 1}, Cut{1, 2, 32, 4, 1}, Cut{1, 4, 32, 4, 1}, Cut{1, 8, 32, 4, 1},
+                        Cut{1, 16, 32, 4, 1}, Cut{1, 4, 8, 8, 1}, Cut{2, 4, 8, 8, 1}, Cut{2, 8, 8, 8, 1},
+                        Cut{4, 4, 8, 8, 1}, Cut{4, 8, 4, 4, 1}, Cut{1, 8, 32, 4, 2}, Cut{1, 8, 32, 4, 4},
+                        Cut{1, 8, 32, 4, 6}, Cut{1, 8, 32, 4, 8}}) {
+    if (software && cut.stepsPerPass > 1) continue;  // shared memory is slow there
+    add(fmt::format("device/{}x{} of {}x{}, {} a pass", cut.groupX, cut.groupY, 2 * cut.across, cut.rows,
+                    cut.stepsPerPass),
+        side, device, cut, steps);
+  }
+  benchmark::RunSpecifiedBenchmarks();
+}
