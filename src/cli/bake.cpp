@@ -27,28 +27,49 @@ namespace fs = std::filesystem;
 
 struct BakeOptions {
   SceneOptions scene;
-  std::string output, object, device, memoryPath;
+  std::string output, object, format, device, memoryPath;
   std::optional<std::string> frames;
   bool overwrite = false;
 };
 
-/// Objects whose state is points: the one asked for, or all.
-std::vector<std::size_t> bakedObjects(const sim::World& world, const std::string& wanted) {
+/// The format in which an object is written: its suffix, or nothing when it has not the one asked for.
+std::string formatOf(const sim::Simulation& simulation, const std::string& wanted) {
+  const char* own = simulation.stateFile().suffix;
+  if (own != nullptr && (wanted.empty() || wanted == own)) return own;
+  return (wanted.empty() || wanted == "ply") && !simulation.points().columns.empty() ? "ply" : "";
+}
+
+/// Objects that can be written: the one asked for, or all.
+std::vector<std::size_t> bakedObjects(const sim::World& world, const BakeOptions& o) {
   std::vector<std::size_t> objects;
   std::string names;
+  const std::string what = o.format == "rle" ? "cells" : "points";
   for (std::size_t i = 0; i < world.objectCount(); ++i) {
-    if (world.object(i).points().columns.empty()) continue;
+    if (formatOf(world.object(i), o.format).empty()) continue;
     names += (names.empty() ? "" : ", ") + world.objectName(i);
-    if (wanted.empty() || wanted == world.objectName(i)) objects.push_back(i);
+    if (o.object.empty() || o.object == world.objectName(i)) objects.push_back(i);
   }
-  if (objects.empty() && names.empty()) fail(ExitCode::usage, "no object of the scene has points to bake");
+  if (objects.empty() && names.empty())
+    fail(ExitCode::usage, "no object of the scene has {} to bake", what);
   if (objects.empty())
-    fail(ExitCode::usage, "--object: there is no \"{}\" with points; there is {}", wanted, names);
+    fail(ExitCode::usage, "--object: there is no \"{}\" with {}; there is {}", o.object, what, names);
   return objects;
 }
 
-fs::path fileOf(const BakeOptions& o, const std::string& object, int frame) {
-  return fs::path(o.output) / fmt::format("{}_{:06}.ply", object, frame);
+fs::path fileOf(const BakeOptions& o, const sim::World& world, std::size_t object, int frame) {
+  return fs::path(o.output) / fmt::format("{}_{:06}.{}", world.objectName(object), frame,
+                                          formatOf(world.object(object), o.format));
+}
+
+void writeObject(const fs::path& file, const sim::Simulation& simulation,
+                 const std::vector<std::string>& comments) {
+  if (file.extension() != ".ply") {
+    std::string lines;
+    for (const std::string& line : comments) lines += line + "\n";
+    return writeFileAtomically(file, simulation.stateFile().text(lines));
+  }
+  const sim::PointTable table = simulation.points();
+  writeFileAtomically(file, frame::encodePly(table.columns, table.values, comments));
 }
 
 void bake(const BakeOptions& o) {
@@ -61,10 +82,10 @@ void bake(const BakeOptions& o) {
   frame::catchInterrupts();
   const gl::Context context({.device = o.device, .debug = false, .memoryPath = o.memoryPath});
   sim::World world(scene);
-  const auto objects = bakedObjects(world, o.object);
+  const auto objects = bakedObjects(world, o);
   for (const int frame : frames)
     for (const std::size_t object : objects)
-      if (const auto file = fileOf(o, world.objectName(object), frame); !o.overwrite && pathExists(file))
+      if (const auto file = fileOf(o, world, object, frame); !o.overwrite && pathExists(file))
         fail(ExitCode::inputOutput, "{} exists; use --overwrite to replace it", file.string());
   makeFolders(o.output);
   int files = 0;
@@ -80,27 +101,26 @@ void bake(const BakeOptions& o) {
       static_cast<void>(world.takeSummary(true));  // throws when the state is lost
     }
     for (const std::size_t object : objects) {
-      const sim::PointTable table = world.object(object).points();
       const std::vector<std::string> comments = {
           fmt::format("simreel {}", version()), fmt::format("scene {}", scene.hash),
           fmt::format("object {} frame {} time {:g} s seed {}", world.objectName(object), frame,
                       world.time(), scene.seed)};
-      writeFileAtomically(fileOf(o, world.objectName(object), frame),
-                          frame::encodePly(table.columns, table.values, comments));
+      writeObject(fileOf(o, world, object, frame), world.object(object), comments);
       ++files;
     }
   }
-  info("{} files -> {}", files,
-       fileOf(o, world.objectName(objects.front()), frames.front()).string() + " ...");
+  info("{} files -> {}", files, fileOf(o, world, objects.front(), frames.front()).string() + " ...");
 }
 
 }  // namespace
 
 void addBake(CLI::App& app) {
   auto o = std::make_shared<BakeOptions>();
-  auto* command = app.add_subcommand("bake", "Write the points of a simulation as PLY files, one a frame");
+  auto* command = app.add_subcommand("bake", "Write points as PLY or cells as RLE, a file for each frame");
   o->scene.add(*command);
   command->add_option("-o,--output", o->output, "Folder for NAME_000000.ply ...")->required();
+  command->add_option("--format", o->format, "ply: points; rle: cells of automata (default: what there is)")
+      ->check(CLI::IsMember({"ply", "rle"}));
   command->add_option("--frames", o->frames, "Frames to write, for example 0-99x2,150; all are simulated");
   command->add_option("--object", o->object, "Only this object");
   command->add_option("--device", o->device, "Index or part of a name (see `simreel doctor`)");
