@@ -14,6 +14,8 @@ MUTATIONS = {
               "precise vec3 moved = vec3(here) + m.velocity * (stepData.gravity.w * 1.01f);"),
     "particles": ("particles/model.glsl", "precise vec3 drift = v * stepData.acceleration.w;",
                   "precise vec3 drift = v * (stepData.acceleration.w * 1.01f);"),
+    # Counts have no percent: a carry of the adder is wrong.
+    "life": ("life/model.glsl", "WORD carry = highs.low & lows.high;", "WORD carry = highs.low & ~lows.high;"),
 }
 SCENERY = {"sphere", "capsule", "plane"}  # nothing of theirs is simulated
 
