@@ -2,6 +2,7 @@
 
 #include "sim/cloth.hpp"
 #include "sim/gray_scott.hpp"
+#include "sim/life.hpp"
 #include "sim/mesh.hpp"
 #include "sim/particles.hpp"
 #include "sim/shape.hpp"
@@ -12,7 +13,8 @@ namespace simreel::sim {
 
 std::span<const SimulationKind> simulations() {
   static const std::vector<SimulationKind> list = {
-      clothKind(), particlesKind(), meshKind(), grayScottKind(), sphereKind(), capsuleKind(), planeKind(),
+      clothKind(), particlesKind(), lifeKind(),    grayScottKind(),
+      meshKind(),  sphereKind(),    capsuleKind(), planeKind(),
   };
   return list;
 }

@@ -61,6 +61,13 @@ struct MeshTable {
   std::vector<unsigned> indices;  ///< three a triangle
 };
 
+/// The state as a file that programs for its kind of simulation exchange.
+struct StateFile {
+  const char* suffix = nullptr;  ///< "rle"; null: there is none
+  /// Reads the state back and writes the file's text; `comment`: lines for it where the format has room.
+  std::function<std::string(const std::string& comment)> text = {};
+};
+
 /// Called after each step of a frame, counted from 1, while state() holds what that step left. Empty:
 /// nobody watches.
 using StepWatch = std::function<void(int step)>;
@@ -83,6 +90,8 @@ class Simulation {
   [[nodiscard]] virtual std::vector<StateArray> state() const { return {}; }
   /// What `simreel bake` writes; empty for things that are no points.
   [[nodiscard]] virtual PointTable points() const { return {}; }
+  /// What `simreel bake` writes of things that have a format of their own.
+  [[nodiscard]] virtual StateFile stateFile() const { return {}; }
   /// What it counts per step; no columns for things that count nothing.
   [[nodiscard]] virtual CountTable counts() const { return {}; }
   /// What `simreel bake` writes of things that deform a mesh; nothing for others.

@@ -17,6 +17,8 @@ MUTATIONS = {
     "mesh": ("deform/displace.comp", "vec4(displaced(LOAD_INPUT(rests, i).xyz), 1)",
              "vec4(displaced(LOAD_INPUT(rests, i).xyz * 1.01), 1)"),
     "grayScott": ("gray_scott/model.glsl", "precise float lack = 1.0f - u;", "precise float lack = 1.01f - u;"),
+    # Counts have no percent: a carry of the adder is wrong.
+    "life": ("life/model.glsl", "WORD carry = highs.low & lows.high;", "WORD carry = highs.low & ~lows.high;"),
 }
 SCENERY = {"sphere", "capsule", "plane"}  # nothing of theirs is simulated
 

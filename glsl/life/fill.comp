@@ -1,0 +1,30 @@
+// The random start: a cell is alive when the hash of (x, y, seed) is below the share. 32 cells an invocation
+// would race for a block, so each writes one block of 128.
+#include "common/hash.glsl"
+#include "common/words.glsl"
+layout(local_size_x = 64) in;
+STATE_WORDS(1, NextBlock, newCells)
+uniform ivec2 size;
+uniform int rowBlocks;
+uniform int seed;
+uniform int share;  // 2^24 times the share alive
+uniform int firstBlock;
+
+#include "life/fill.glsl"
+
+void main() {
+  int i = firstBlock + int(gl_GlobalInvocationID.x);
+  int y = i / rowBlocks;
+  int x = (i - y * rowBlocks) * 128;
+  if (y >= size.y) return;
+  uvec4 block = uvec4(0u);
+  for (int word = 0; word < 4; ++word) {
+    uint bits = 0u;
+    for (int bit = 0; bit < 32; ++bit) {
+      int column = x + word * 32 + bit;
+      if (column < size.x && startsAlive(column, y, seed, share)) bits |= 1u << uint(bit);
+    }
+    block[word] = bits;
+  }
+  STORE_WORDS(newCells, i, block);
+}

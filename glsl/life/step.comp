@@ -1,0 +1,137 @@
+// STEPS generations in one pass over the cells. An invocation owns BLOCKS * 128 cells of a row and goes down
+// ROWS rows, keeping the sums of the two rows above in registers for each generation, so every cell is read
+// once (and the rows at both ends of its strip, and a word to the left and right, by the neighbours too).
+// Generation t + 1 is right in all but t + 1 bits at the far ends of those two words: up to 32 steps.
+// Defines: BORN, SURVIVE; TORUS or not; WHOLE where rows are whole multiples of BLOCKS * 128 cells (needed for
+// STEPS > 1, and so are at least STEPS rows); GROUP_X, GROUP_Y.
+#include "common/words.glsl"
+layout(local_size_x = GROUP_X, local_size_y = GROUP_Y) in;
+INPUT_WORDS(0, CellBlock, cells)
+STATE_WORDS(1, NextBlock, newCells)
+uniform ivec2 size;  // cells
+uniform int rowBlocks;  // of 128 cells in a row
+
+#define WORD uint
+#include "life/model.glsl"
+
+const int WORDS = BLOCKS * 4 + 2;  // with the one on the left and the one on the right
+
+struct Row {
+  uint word[WORDS];
+};
+struct RowSums {
+  RowSum word[WORDS];
+};
+
+int wrappedRow(int y) {
+  y = y < 0 ? y + size.y : (y >= size.y ? y - size.y : y);
+  return min(y, size.y - 1);  // far below the last row: read, never used
+}
+
+// Row y of the strip with what lies beside it; y may lie STEPS rows outside the grid.
+Row loadRow(int y, int first) {
+  Row row;
+  int start = wrappedRow(y) * rowBlocks;
+  for (int k = 0; k < BLOCKS; ++k) {
+#ifdef WHOLE
+    uvec4 block = LOAD_INPUT_WORDS(cells, start + first + k);
+#else
+    uvec4 block = first + k < rowBlocks ? LOAD_INPUT_WORDS(cells, start + first + k) : uvec4(0u);
+#endif
+    row.word[4 * k + 1] = block.x;
+    row.word[4 * k + 2] = block.y;
+    row.word[4 * k + 3] = block.z;
+    row.word[4 * k + 4] = block.w;
+  }
+  bool leftmost = first == 0;
+  bool rightmost = first + BLOCKS >= rowBlocks;
+  uvec4 left = LOAD_INPUT_WORDS(cells, start + (leftmost ? rowBlocks - 1 : first - 1));
+  uint right = LOAD_INPUT_WORDS(cells, start + (rightmost ? 0 : first + BLOCKS)).x;
+#ifdef WHOLE
+  row.word[0] = left.w;
+  row.word[WORDS - 1] = right;
+#else
+  // The last cell of the row, moved to the place left of the first one.
+  int last = size.x - 1;
+  row.word[0] = leftmost ? left[last >> 5 & 3] << uint(31 - (last & 31)) : left.w;
+  row.word[WORDS - 1] = right;
+#endif
+#ifndef TORUS
+  if (leftmost) row.word[0] = 0u;
+  if (rightmost) row.word[WORDS - 1] = 0u;
+  if (y < 0 || y >= size.y)
+    for (int k = 0; k < WORDS; ++k) row.word[k] = 0u;
+#elif !defined(WHOLE)
+  // The first cell of the row, moved to the place right of the last one, where that is within the strip.
+  int end = size.x - first * 128;
+  if (rightmost)
+    for (int k = 1; k < WORDS; ++k) row.word[k] |= end >> 5 == k - 1 ? (right & 1u) << uint(end & 31) : 0u;
+#endif
+  return row;
+}
+
+RowSums sumsOf(Row row) {
+  RowSums sums;
+  for (int k = 0; k < WORDS; ++k) {
+    uint west = row.word[k] << 1u | (k > 0 ? row.word[max(k - 1, 0)] >> 31u : 0u);
+    uint east = row.word[k] >> 1u | (k + 1 < WORDS ? row.word[min(k + 1, WORDS - 1)] << 31u : 0u);
+    sums.word[k] = rowSum(west, row.word[k], east);
+  }
+  return sums;
+}
+
+// Cells beyond a dead border stay dead in the generations between, whatever the rule.
+void killOutside(inout Row row, int y, int first) {
+#ifndef TORUS
+  if (first == 0) row.word[0] = 0u;
+  if (first + BLOCKS >= rowBlocks) row.word[WORDS - 1] = 0u;
+  if (y < 0 || y >= size.y)
+    for (int k = 0; k < WORDS; ++k) row.word[k] = 0u;
+#endif
+}
+
+void storeRow(Row row, int y, int first) {
+  for (int k = 0; k < BLOCKS; ++k) {
+    uvec4 block = uvec4(row.word[4 * k + 1], row.word[4 * k + 2], row.word[4 * k + 3], row.word[4 * k + 4]);
+#ifndef WHOLE
+    // Bits beyond the row's end are zero.
+    ivec4 left = size.x - (first + k) * 128 - ivec4(0, 32, 64, 96);
+    uvec4 some = (uvec4(1u) << uvec4(clamp(left, ivec4(0), ivec4(31)))) - 1u;
+    block &= mix(some, uvec4(0xffffffffu), greaterThan(left, ivec4(31)));
+    if (first + k < rowBlocks)
+#endif
+      STORE_WORDS(newCells, y * rowBlocks + first + k, block);
+  }
+}
+
+void main() {
+  int first = int(gl_GlobalInvocationID.x) * BLOCKS;
+  int top = int(gl_GlobalInvocationID.y) * ROWS;
+  if (first >= rowBlocks || top >= size.y) return;
+  int rows = min(ROWS, size.y - top);
+  RowSums above[STEPS];  // of generation t: two rows back,
+  RowSums here[STEPS];   // one row back,
+  Row alive[STEPS];      // and that row itself
+  for (int t = 0; t < STEPS; ++t)
+    for (int k = 0; k < WORDS; ++k) {
+      above[t].word[k].low = above[t].word[k].high = 0u;
+      here[t].word[k].low = here[t].word[k].high = 0u;
+      alive[t].word[k] = 0u;
+    }
+  for (int i = -STEPS; i < rows + STEPS; ++i) {
+    Row row = loadRow(top + i, first);
+    for (int t = 0; t < STEPS; ++t) {
+      // `row` is row top + i - t of generation t; it completes the neighbours of the row above it.
+      RowSums below = sumsOf(row);
+      Row next;
+      for (int k = 0; k < WORDS; ++k)
+        next.word[k] = nextCells(above[t].word[k], here[t].word[k], below.word[k], alive[t].word[k]);
+      above[t] = here[t];
+      here[t] = below;
+      alive[t] = row;
+      row = next;
+      if (t + 1 < STEPS) killOutside(row, top + i - t - 1, first);
+    }
+    if (i >= STEPS) storeRow(row, top + i - STEPS, first);
+  }
+}

@@ -1,0 +1,89 @@
+#include "cli/bake_files.hpp"
+
+#include "base/error.hpp"
+#include "frame/field_file.hpp"
+#include "frame/obj.hpp"
+#include "frame/ply.hpp"
+#include "sim/field_values.hpp"
+
+#include <optional>
+
+namespace simreel::cli {
+
+namespace {
+
+/// The field that an object publishes at present, or null.
+const sim::Field* fieldOf(const sim::Drawables& drawables, const std::string& object) {
+  for (const sim::Field& field : drawables.fields)
+    if (*field.name == object) return &field;
+  return nullptr;
+}
+
+std::vector<std::byte> bytesOf(const std::string& text) {
+  const auto bytes = std::as_bytes(std::span(text));
+  return {bytes.begin(), bytes.end()};
+}
+
+/// Position, normal and, where there is one, uv of each vertex; then the triangles.
+std::vector<std::byte> meshPly(const sim::MeshTable& mesh, std::span<const std::string> comments) {
+  std::vector<const char*> columns = {"x", "y", "z", "nx", "ny", "nz"};
+  if (!mesh.uvs.empty()) columns.insert(columns.end(), {"s", "t"});
+  std::vector<float> values;
+  values.reserve(mesh.positions.size() * columns.size());
+  for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+    const glm::vec3& p = mesh.positions[i];
+    const glm::vec3& n = mesh.normals[i];
+    values.insert(values.end(), {p.x, p.y, p.z, n.x, n.y, n.z});
+    if (!mesh.uvs.empty()) values.insert(values.end(), {mesh.uvs[i].x, mesh.uvs[i].y});
+  }
+  return frame::encodePly(columns, values, mesh.indices, comments);
+}
+
+bool has(const sim::World& world, std::size_t object, const std::string& format) {
+  const sim::Simulation& simulation = world.object(object);
+  if (format == "npy" || format == "pfm")
+    return fieldOf(world.drawables(), world.objectName(object)) != nullptr;
+  if (format == "obj") return simulation.mesh().has_value();
+  if (format == "ply") return !simulation.points().columns.empty() || simulation.mesh();
+  const char* own = simulation.stateFile().suffix;
+  return own != nullptr && format == own;
+}
+
+}  // namespace
+
+std::string formatFor(const sim::World& world, std::size_t object, const std::string& wanted) {
+  if (!wanted.empty()) return has(world, object, wanted) ? wanted : "";
+  for (const char* format : {"rle", "ply", "npy"})
+    if (has(world, object, format)) return format;
+  return "";
+}
+
+const char* contentsOf(const std::string& format) {
+  if (format == "ply") return "points or a deformed mesh";
+  if (format == "obj") return "a deformed mesh";
+  if (format == "rle") return "cells";
+  return format.empty() ? "state" : "a field";
+}
+
+std::vector<std::byte> stateFile(const sim::World& world, std::size_t object, const std::string& format,
+                                 std::span<const std::string> comments) {
+  const sim::Simulation& simulation = world.object(object);
+  if (format == "npy" || format == "pfm") {
+    const sim::Drawables drawables = world.drawables();
+    const sim::Field* field = fieldOf(drawables, world.objectName(object));
+    SIMREEL_CHECK(field != nullptr);
+    return frame::encodeField(frame::parseFieldFormat(format), field->size, sim::fieldValues(*field));
+  }
+  if (const sim::StateFile own = simulation.stateFile(); own.suffix != nullptr && format == own.suffix) {
+    std::string lines;
+    for (const std::string& line : comments) lines += line + "\n";
+    return bytesOf(own.text(lines));
+  }
+  const std::optional<sim::MeshTable> mesh = simulation.mesh();
+  if (format == "obj") return bytesOf(frame::encodeObj(*mesh, comments));
+  if (mesh) return meshPly(*mesh, comments);
+  const sim::PointTable table = simulation.points();
+  return frame::encodePly(table.columns, table.values, comments);
+}
+
+}  // namespace simreel::cli

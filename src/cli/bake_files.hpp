@@ -1,0 +1,27 @@
+#pragma once
+#include "sim/world.hpp"
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace simreel::cli {
+
+/// Formats of `simreel bake` that hold one object's state at one frame. ply: points, or a deformed mesh;
+/// obj: a deformed mesh; npy, pfm: the values of a field; rle: cells of automata.
+inline constexpr std::array<const char*, 5> stateFormats = {"ply", "obj", "npy", "pfm", "rle"};
+
+/// The format in which an object is written: the one asked for, or with "" what suits it best; "" when it
+/// has nothing for that.
+[[nodiscard]] std::string formatFor(const sim::World& world, std::size_t object, const std::string& wanted);
+/// What a format holds, for messages: "points or a deformed mesh", "cells", ...; of "": "state".
+[[nodiscard]] const char* contentsOf(const std::string& format);
+/// The file; `format` is one that formatFor gave. `comments` are written where the format has room for
+/// them.
+[[nodiscard]] std::vector<std::byte> stateFile(const sim::World& world, std::size_t object,
+                                               const std::string& format,
+                                               std::span<const std::string> comments);
+
+}  // namespace simreel::cli

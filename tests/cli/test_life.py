@@ -1,0 +1,162 @@
+"""Automata as a user meets them: RLE in and out, and Golly's bgolly (Debian package golly) run beside the program."""
+import re
+import shutil
+import subprocess
+import unittest
+
+from common import SOURCE, Case, main
+
+GOLLY = shutil.which("bgolly") or shutil.which("bgolly", path="/usr/games")
+
+
+def read_rle(text):
+    """(width, height, rule, set of living cells) of an RLE file that is taken at its word."""
+    lines = [line for line in text.splitlines() if not line.startswith("#")]
+    width, height, rule = re.fullmatch(r"x = (\d+), y = (\d+), rule = (\S+)", lines[0]).groups()
+    cells, x, y = set(), 0, 0
+    for count, kind in re.findall(r"(\d*)([bo$!])", "".join(lines[1:])):
+        count = int(count or 1)
+        if kind == "$":
+            x, y = 0, y + count
+        elif kind == "o":
+            cells.update((x + i, y) for i in range(count))
+        if kind in "bo":
+            x += count
+    return int(width), int(height), rule, cells
+
+
+def read_macrocell(text):
+    """Living cells of a macrocell file, about its middle: the only one of Golly's formats that tells where they are."""
+    nodes = [None]
+    for line in text.splitlines():
+        if line[:1] in ("[", "#", ""):
+            continue
+        if line[0] in ".*$":
+            rows = line.split("$")
+            nodes.append([(x, y) for y, row in enumerate(rows) for x, c in enumerate(row) if c == "*"])
+        else:
+            nodes.append(tuple(map(int, line.split())))
+    cells = set()
+
+    def add(node, left, top):
+        if isinstance(node, list):
+            cells.update((left + x, top + y) for x, y in node)
+            return
+        half = 1 << (node[0] - 1)
+        for child, (dx, dy) in zip(node[1:], ((0, 0), (half, 0), (0, half), (half, half))):
+            if child:
+                add(nodes[child], left + dx, top + dy)
+
+    if nodes[-1]:
+        half = 1 << (nodes[-1][0] - 1) if isinstance(nodes[-1], tuple) else 4
+        add(nodes[-1], -half, -half)
+    return cells
+
+
+def scene(size, generations, **life):
+    """Frame 0 is the start and frame 10 is `generations` later."""
+    return {"version": 1, "seed": 4, "render": {"size": [64, 36], "samples": 1},
+            "time": {"fps": 10, "duration": 1.1},
+            "objects": {"cells": {"life": {"size": size, "stepsPerSecond": generations, **life}}}}
+
+
+@unittest.skipUnless(GOLLY, "bgolly is not installed (Debian package golly; tools/setup installs it)")
+class Golly(Case):
+    def run_golly(self, file, generations):
+        subprocess.run([GOLLY, "-q", "-q", "-h", "-m", str(generations), "-i", "1", "-o", "golly.mc", file],
+                       cwd=self.folder, stdout=subprocess.DEVNULL, check=True, timeout=200)
+        return read_macrocell((self.folder / "golly.mc").read_text(encoding="ascii"))
+
+    def compare(self, size, rule, generations):
+        self.write("s.json", scene(size, generations, rule=rule, fill=0.3))
+        self.good("bake", "s.json", "-o", "out", "--frames", "0,10", "--format", "rle", "--overwrite")
+        texts = [(self.folder / f"out/cells_{frame:06}.rle").read_text(encoding="ascii") for frame in (0, 10)]
+        start, end = (read_rle(text) for text in texts)
+        self.assertEqual(start[:3], (*size, f"{rule}:T{size[0]},{size[1]}"))
+        self.assertLessEqual(max(map(len, texts[1].splitlines())), 70)
+        # Where Golly puts the grid follows from the start; then nothing may be moved any more.
+        first = self.run_golly("out/cells_000000.rle", 0)
+        left, top = (min(c[i] for c in first) - min(c[i] for c in start[3]) for i in (0, 1))
+        self.assertEqual({(x - left, y - top) for x, y in first}, start[3])
+        last = self.run_golly("out/cells_000000.rle", generations)
+        self.assertEqual({(x - left, y - top) for x, y in last}, end[3])
+        self.assertNotEqual(end[3], start[3])
+        return len(end[3])
+
+    def test_same_cells_after_1000_generations(self):
+        for rule in ("B3/S23", "B36/S23", "B3678/S34678", "B2/S"):
+            for size in ([257, 130], [61, 45]):
+                with self.subTest(rule=rule, size=size):
+                    self.compare(size, rule, 1000)
+
+    def test_whole_blocks_several_generations_a_pass(self):
+        self.compare([128, 67], "B3/S23", 1000)
+
+
+class Life(Case):
+    def test_what_is_written_is_read(self):
+        self.write("s.json", scene([257, 130], 1000, fill=0.3))
+        self.good("bake", "s.json", "-o", "out", "--frames", "0,10")
+        shutil.copy(self.folder / "out/cells_000000.rle", self.folder / "start.rle")
+        self.write("again.json", scene([257, 130], 1000, patterns=[{"file": "start.rle"}]))
+        self.good("bake", "again.json", "-o", "again", "--frames", "0,10", "--memory-path", "storage")
+        for frame in (0, 10):
+            one, two = ((self.folder / f"{folder}/cells_{frame:06}.rle").read_text(encoding="ascii")
+                        for folder in ("out", "again"))
+            self.assertEqual(read_rle(one), read_rle(two))
+        self.assertIn("#C object cells frame 10 time 1 s seed 4", one)
+
+    def test_the_rule_of_a_file(self):
+        self.write("hi.rle", "x = 3, y = 3, rule = B36/S23\nbo$2bo$3o!")
+        self.write("s.json", scene([33, 31], 10, patterns=[{"file": "hi.rle", "at": [3, 4]}], border="dead"))
+        self.good("bake", "s.json", "-o", "out", "--frames", "0")
+        self.assertEqual(read_rle((self.folder / "out/cells_000000.rle").read_text(encoding="ascii")),
+                         (33, 31, "B36/S23:P33,31", {(4, 4), (5, 5), (3, 6), (4, 6), (5, 6)}))
+        self.write("lo.rle", "x = 1, y = 1, rule = B3/S23\no!")
+        two = [{"file": "hi.rle"}, {"file": "lo.rle"}]
+        self.write("two.json", scene([33, 31], 10, patterns=two))
+        self.bad(2, ["hi.rle is for the rule B36/S23", "lo.rle for B3/S23", "\"rule\""], "bake", "two.json", "-o", "two")
+        self.write("two.json", scene([33, 31], 10, patterns=two, rule="B2/S"))
+        self.good("bake", "two.json", "-o", "two", "--frames", "0")
+        self.write("torus.rle", "x = 1, y = 1, rule = B3/S23:T32,31\no!")
+        self.write("torus.json", scene([33, 31], 10, patterns=[{"file": "torus.rle"}]))
+        self.bad(2, ["torus.rle is for a grid of 32 x 31", "33 x 31"], "bake", "torus.json", "-o", "torus")
+
+    def test_mistakes(self):
+        self.write("s.json", scene([33, 31], 10, rule="B39/S23"))
+        self.bad_scene(["s.json:", "character 3 of the rule", "8 neighbours, not 9"], "bake", "s.json", "-o", "out")
+        self.write("s.json", scene([33, 0], 10))
+        self.bad_scene("s.json:", "bake", "s.json", "-o", "out")
+        self.write("s.json", scene([33, 31], 10, patterns=[{"file": "none.rle"}]))
+        self.bad_scene("none.rle", "bake", "s.json", "-o", "out")
+        self.write("s.json", scene([33, 31], 10, patterns=[{"at": [1, 2]}]))
+        self.bad_scene("needs \"file\"", "bake", "s.json", "-o", "out")
+        self.write("p.rle", "x = 3, y = 1\n2oA!")
+        self.write("s.json", scene([33, 31], 10, patterns=[{"file": "p.rle"}]))
+        self.bad(2, ["p.rle:2:3", "more than two states"], "bake", "s.json", "-o", "out")
+        self.write("s.json", scene([33, 31], 10, patterns=[{"file": "p.rle", "rotate": 45}]))
+        self.bad_scene("0, 90, 180 or 270", "bake", "s.json", "-o", "out")
+        self.write("p.rle", "x = 3, y = 1\n3o!")
+        self.write("s.json", scene([33, 31], 10, border="dead", patterns=[{"file": "p.rle", "at": [31, 0]}]))
+        self.bad(2, ["p.rle", "[33, 0]", "outside the grid of 33 x 31", "torus"], "bake", "s.json", "-o", "out")
+        self.write("s.json", scene([1048576, 1048576], 10))
+        self.bad(4, ["1048576 x 1048576", "GL_MAX_SHADER_STORAGE_BLOCK_SIZE"], "bake", "s.json", "-o", "out")
+        self.write("s.json", scene([33, 31], 10))
+        self.bad(2, "no object of the scene has points", "bake", "s.json", "-o", "out", "--format", "ply")
+        self.bad(2, "no object of the scene has cells", "bake", "scene.json", "-o", "out", "--format", "rle")
+        self.assertFalse((self.folder / "out").exists())
+
+    def test_every_shipped_pattern_is_read(self):
+        files = sorted((SOURCE / "assets/patterns").glob("*.rle"))
+        self.assertGreater(len(files), 4)
+        patterns = [{"file": f"patterns/{file.name}", "at": [5, 45 * i]} for i, file in enumerate(files)]
+        self.write("s.json", scene([128, 45 * len(files)], 10, patterns=patterns))
+        self.good("bake", "s.json", "-o", "out", "--frames", "0", env={"SIMREEL_ASSETS": str(SOURCE / "assets")})
+        cells = read_rle((self.folder / "out/cells_000000.rle").read_text(encoding="ascii"))[3]
+        for i, file in enumerate(files):
+            self.assertEqual({(x - 5, y - 45 * i) for x, y in cells if 45 * i <= y < 45 * (i + 1)},
+                             read_rle(file.read_text(encoding="ascii"))[3])
+
+
+if __name__ == "__main__":
+    main()
