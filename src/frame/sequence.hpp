@@ -4,6 +4,7 @@
 #include "gl/context.hpp"
 #include "scene/scene.hpp"
 
+#include <filesystem>
 #include <optional>
 #include <vector>
 
@@ -20,9 +21,11 @@ struct SequenceResult {
 /// Simulates the scene from its start, draws the wanted frames and hands them to the sink, which is
 /// finished in every case. Frames that the sink does not want are simulated all the same. Throws UserError:
 /// device when the state is lost (frames before that are stored), inputOutput from the sink, and different
-/// when a frame kept from an earlier run has another state hash now.
+/// when a frame kept from an earlier run has another state hash now. What the simulations count goes to
+/// `countFile` (count_table.hpp); empty: nowhere.
 [[nodiscard]] SequenceResult renderSequence(const scene::Scene& scene, const gl::Context& context,
                                             const std::vector<int>& frames, FrameSink& sink,
-                                            Progress& progress);
+                                            Progress& progress,
+                                            const std::filesystem::path& countFile = {});
 
 }  // namespace simreel::frame

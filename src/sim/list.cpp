@@ -1,8 +1,10 @@
 #include "sim/list.hpp"
 
 #include "sim/cloth.hpp"
+#include "sim/epidemic.hpp"
 #include "sim/particles.hpp"
 #include "sim/shape.hpp"
+#include "sim/wildfire.hpp"
 
 #include <vector>
 
@@ -10,7 +12,8 @@ namespace simreel::sim {
 
 std::span<const SimulationKind> simulations() {
   static const std::vector<SimulationKind> list = {
-      clothKind(), particlesKind(), sphereKind(), capsuleKind(), planeKind(),
+      clothKind(),  particlesKind(), epidemicKind(), wildfireKind(),
+      sphereKind(), capsuleKind(),   planeKind(),
   };
   return list;
 }
