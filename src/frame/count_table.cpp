@@ -10,14 +10,6 @@ namespace simreel::frame {
 
 namespace {
 
-/// RFC 4180: quotes around what would end a cell.
-std::string cell(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + '"';
-}
-
 /// Whether the file holds at least this text, at its start.
 bool beginsWith(const std::filesystem::path& file, const std::string& text) {
   if (!pathExists(file)) return false;
@@ -34,7 +26,7 @@ CountTable::CountTable(std::filesystem::path file, double fps, std::vector<sim::
     : file_(std::move(file)), fps_(fps), names_(std::move(names)) {
   text_ = "step,time";
   for (const auto& object : names_)
-    for (const std::string& column : object.columns) text_ += "," + cell(object.object + "." + column);
+    for (const std::string& column : object.columns) text_ += "," + object.object + "." + column;
   text_ += "\n";
 }
 

@@ -14,6 +14,10 @@ MUTATIONS = {
               "precise vec3 moved = vec3(here) + m.velocity * (stepData.gravity.w * 1.01f);"),
     "particles": ("particles/model.glsl", "precise vec3 drift = v * stepData.acceleration.w;",
                   "precise vec3 drift = v * (stepData.acceleration.w * 1.01f);"),
+    "epidemic": ("epidemic/model.glsl", "return random < infectionThreshold ?",
+                 "return random < infectionThreshold / 100u * 101u ?"),
+    "wildfire": ("wildfire/model.glsl", "(stepData.spread[d >> 2u][d & 3u] * fuel) >> 8u",
+                 "(stepData.spread[d >> 2u][d & 3u] * fuel) / 100u * 101u >> 8u"),
 }
 SCENERY = {"sphere", "capsule", "plane"}  # nothing of theirs is simulated
 

@@ -102,7 +102,7 @@ void EpidemicTwin::step(double time, int threads) {
 
 void EpidemicTwin::oneStep(const simreel::sim::EpidemicPlan::Step& step, int threads) {
   const auto& p = plan_.parameters();
-  const EpidemicModel model{step.data};
+  EpidemicModel model{step.data};
   const auto width = static_cast<std::size_t>(p.size.x);
   for (const Stroke& stroke : step.strokes)
     for (std::size_t i = 0; i < cells.size(); ++i)
@@ -141,7 +141,7 @@ void WildfireTwin::step(double time, int threads) {
 
 void WildfireTwin::oneStep(const simreel::sim::WildfirePlan::Step& step, int threads) {
   const auto& p = plan_.parameters();
-  const WildfireModel model{step.data};
+  WildfireModel model{step.data};
   const auto& numbers = step.data.numbers;
   const auto width = static_cast<std::size_t>(p.size.x);
   for (const Stroke& stroke : step.strokes)
