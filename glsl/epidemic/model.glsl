@@ -17,12 +17,12 @@ FUNCTION uint mixedThreshold(uint infected) {
   return uint(int(q * 1073741824.0f)) << 1u;
 }
 
-// The next state of a person that is susceptible (with the threshold of its infection), infected or recovered.
+// The next state of a cell; the threshold is that of a susceptible person's infection.
 FUNCTION uint nextPerson(uint cell, uint infectionThreshold, uint random) {
   uint kind = cell & classMask;
   if (kind == classReady) return random < infectionThreshold ? classActive : cell;
   if (kind == classActive) return random < stepData.infection[2].y ? classSpent : cell;
-  return random < stepData.infection[2].z ? classReady : cell;
+  return kind == classSpent && random < stepData.infection[2].z ? classReady : cell;
 }
 
 // Strokes: 1 infects the susceptible, 0 makes susceptible and infected immune.

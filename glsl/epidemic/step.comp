@@ -4,7 +4,9 @@
 layout(std140, binding = 0) uniform StepBlock { EpidemicStep stepData; };
 #include "epidemic/model.glsl"
 
-// A loop over the cells to which something may happen: mostly few of the sixteen.
+uint thresholdFor(uint n) { return stepData.infection[n >> 2u][n & 3u]; }
+
+// A loop over the places in a word where something may happen to one of the four cells there: mostly few.
 uvec4 stepElement(ivec2 at, Row above, Row here, Row below) {
   uvec4 ready = readyCells(here.state);
   uvec4 infected = above.left + above.here + above.right + here.left + here.right + below.left + below.here + below.right;
@@ -17,16 +19,22 @@ uvec4 stepElement(ivec2 at, Row above, Row here, Row below) {
 #endif
   if (stepData.infection[2].z != 0u) drawn |= spentCells(here.state);
   uint first = uint(at.y) * uint(size.x) + uint(16 * at.x);
-  for (uint todo = bitsOf(drawn); todo != 0u; todo &= todo - 1u) {
-    int k = findLSB(todo);
+  for (uint todo = drawn.x | drawn.y | drawn.z | drawn.w; todo != 0u; todo &= todo - 1u) {
+    uint place = uint(findLSB(todo));
+    uint cell = first + (place >> 3u);
+    uvec4 before = next >> place & 255u;
 #ifdef MIXED
-    uint threshold = everywhere;
+    uvec4 threshold = uvec4(everywhere);
 #else
-    uint n = byteOf(infected, k);
-    uint threshold = stepData.infection[n >> 2u][n & 3u];
+    uvec4 n = infected >> place & 15u;
+    uvec4 threshold = uvec4(thresholdFor(n.x), thresholdFor(n.y), thresholdFor(n.z), thresholdFor(n.w));
 #endif
-    uint random = spreadRandom(first + uint(k), stepData.numbers.x, stepData.numbers.y);
-    setByte(next, k, nextPerson(byteOf(next, k), threshold, random));
+    uint step = stepData.numbers.x, seed = stepData.numbers.y;
+    uvec4 after = uvec4(nextPerson(before.x, threshold.x, spreadRandom(cell, step, seed)),
+                        nextPerson(before.y, threshold.y, spreadRandom(cell + 4u, step, seed)),
+                        nextPerson(before.z, threshold.z, spreadRandom(cell + 8u, step, seed)),
+                        nextPerson(before.w, threshold.w, spreadRandom(cell + 12u, step, seed)));
+    next ^= (before ^ after) << place;
   }
   return next;
 }

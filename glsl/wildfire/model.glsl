@@ -30,20 +30,17 @@ FUNCTION ivec2 emberFlight(uvec3 random) {
   return ivec2((dx - ((dy * aside) >> 8)) >> 8, (dy + ((dx * aside) >> 8)) >> 8);
 }
 
-// A cell of fuel that caught fire, and what it leaves: burnt ground keeps the upper three of its shade's four bits
-// below the three of its age.
-FUNCTION uint burntCell(uint age, uint ground) {
-  return classSpent | age << 3u | (ground & 15u) >> 1u;
-}
-
-// The next state of a burning cell.
+// What a fire leaves: burnt ground keeps the upper three of its shade's four bits below the three of its age.
+// A burning cell ages by one in a step.
 FUNCTION uint nextBurning(uint cell, uint ground) {
-  return (cell & 63u) + 1u < stepData.numbers.z ? cell + 1u : burntCell(0u, ground);
+  return (cell & 63u) + 1u < stepData.numbers.z ? cell + 1u : classSpent | (ground & 15u) >> 1u;
 }
 
-// Burnt ground cools by chance, so that no rings of equal age show.
-FUNCTION uint nextBurnt(uint cell, uint random) {
-  return (cell & 56u) != 56u && random < stepData.numbers.w ? cell + 8u : cell;
+// Burnt ground cools by one age when it is the turn of its phase, the upper four bits of `ground`, which are a hash:
+// no rings of equal age show.
+FUNCTION uint nextBurnt(uint cell, uint ground) {
+  bool turn = (((ground >> 4u) - stepData.numbers.w) & 15u) < stepData.numbers.w >> 8u;
+  return turn && (cell & 56u) != 56u ? cell + 8u : cell;
 }
 
 // Strokes: 1 lights fuel, 0 clears it away.

@@ -12,6 +12,7 @@ namespace {
 
 constexpr unsigned fuelSeed = 0x68bc21ebU;
 constexpr unsigned terrainSeed = 0x02e5be93U;
+constexpr unsigned phaseSeed = 0x1b56c4e9U;
 constexpr unsigned ditherSeed = 0x967a889bU;
 
 /// Means over 3x3 cells: pictures have 256 heights only, whose steps would show in the shading.
@@ -110,7 +111,9 @@ void WildfirePlan::makeGround() {
       const double slope = 0.5 * (at(x + 1, y) - at(x - 1, y)) + 0.5 * (at(x, y + 1) - at(x, y - 1));
       const double rise = parameters_.relief * slope;
       const double shade = 0.5 + 0.5 * rise / std::sqrt(0.2 + rise * rise);
-      ground_.push_back(static_cast<std::uint8_t>(dithered(shade, 15, ground_.size(), ditherSeed)));
+      const std::size_t cell = ground_.size();
+      const auto phase = static_cast<unsigned>(16 * cellShare(cell, seed_ ^ phaseSeed));
+      ground_.push_back(static_cast<std::uint8_t>(phase << 4U | dithered(shade, 15, cell, ditherSeed)));
     }
 }
 
@@ -131,7 +134,7 @@ void WildfirePlan::makeFuel() {
     // Noise of octaves crowds around its mean: stretched, so that its thin and its dense places both show.
     const double patch = std::clamp(0.5 + 1.8 * (noise[i] - 0.5), 0.0, 1.0);
     const double level = fuel[i] * p.fuelLevel * (1 - p.patchiness * (1 - patch));
-    const unsigned shade = ground_[i];
+    const unsigned shade = ground_[i] & 15U;
     if (obstacles[i] > 0.5) {
       cells_[i] = static_cast<std::uint8_t>(shader::classNobody | 16U | shade);
     } else if (level * 255 < 0.5) {
@@ -169,7 +172,13 @@ shader::WildfireStep WildfirePlan::stepAt(double time) const {
       data.spread[d / 4][static_cast<int>(d % 4)] = static_cast<unsigned>(std::lround(65536 * chance));
       ++d;
     }
-  data.numbers = glm::uvec4(done_, seed_, p.burnSteps, thresholdOf(7.0 / p.coolSteps));
+  // Seven ages in coolSteps steps, each a round through the sixteen phases: so many phases until a step.
+  const auto phases = [&](std::uint64_t steps) {
+    return static_cast<unsigned>(steps * 112 / static_cast<unsigned>(p.coolSteps));
+  };
+  const unsigned firstPhase = phases(done_);
+  data.numbers =
+      glm::uvec4(done_, seed_, p.burnSteps, (firstPhase & 15U) | (phases(done_ + 1ULL) - firstPhase) << 8U);
   if (p.hasEmbers)
     data.embers = glm::ivec4(
         std::lround(256 * p.embers.distance * windX), std::lround(256 * p.embers.distance * windY),

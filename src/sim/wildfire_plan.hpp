@@ -56,7 +56,7 @@ class WildfirePlan {
   [[nodiscard]] const std::vector<std::uint8_t>& firstCells() const { return cells_; }
   /// How readily each cell burns, 0 to 255.
   [[nodiscard]] const std::vector<std::uint8_t>& fuels() const { return fuels_; }
-  /// The ground's shade, 0 to 15.
+  /// The ground's shade, 0 to 15, and 16 times the phase in which it cools.
   [[nodiscard]] const std::vector<std::uint8_t>& ground() const { return ground_; }
 
   struct Step {

@@ -173,7 +173,7 @@ void WildfireTwin::oneStep(const simreel::sim::WildfirePlan::Step& step, int thr
       } else if (kind == classActive) {
         cell = model.nextBurning(cell, plan_.ground()[i]);
       } else if (kind == classSpent) {
-        cell = model.nextBurnt(cell, spreadRandom(static_cast<std::uint32_t>(i), numbers.x, numbers.y));
+        cell = model.nextBurnt(cell, plan_.ground()[i]);
       }
       next_[i] = static_cast<std::uint8_t>(cell);
       countCell(sums, cell);
