@@ -73,9 +73,10 @@ vec3 lit(vec3 color, vec2 from, vec2 to) {
   const vec3 halfway = normalize(light + vec3(0.0, 0.0, 1.0));
   float facing = dot(normal, light) / light.z;
   float diffuse = facing > 1.0 ? 1.0 + 0.45 * (1.0 - exp(1.0 - facing)) : max(0.16 + 0.84 * facing, 0.16 * exp(facing));
-  float flatGlint = pow(halfway.z, 48.0);
-  float glint = max(pow(max(dot(normal, halfway), 0.0), 48.0) - flatGlint, 0.0);
-  return color * diffuse + 0.22 * glint;
+  // Broad, and fainter on dark colours, where it would draw thin lines.
+  float shine = pow(max(dot(normal, halfway), 0.0), 24.0) - pow(halfway.z, 24.0);
+  float brightness = dot(color, vec3(0.2126, 0.7152, 0.0722));
+  return color * diffuse + max(shine, 0.0) * (0.02 + 0.3 * sqrt(brightness) * vec3(1.0, 0.97, 0.92));
 }
 #endif
 

@@ -1,6 +1,7 @@
 #include "draw/renderer.hpp"
 
 #include "draw/bloom_pass.hpp"
+#include "draw/chart_pass.hpp"
 #include "draw/field_pass.hpp"
 #include "draw/field_textures.hpp"
 #include "draw/frame_values.hpp"
@@ -22,6 +23,7 @@ struct Renderer::State {
         targets(pixels, samples),
         fieldTextures(shown),
         fields(pixels),
+        charts(pixels),
         shadow(shown.sun),
         surfaces(shown, shadow),
         instances(shadow, targets.scene, samples),
@@ -35,6 +37,7 @@ struct Renderer::State {
   Targets targets;
   FieldTextures fieldTextures;
   FieldPass fields;
+  ChartPass charts;
   ShadowPass shadow;
   SurfacePass surfaces;
   InstancesPass instances;
@@ -65,6 +68,7 @@ void Renderer::draw(double seconds, const sim::Drawables& drawables) {
   if (!s.fields.hidesAll(drawables, seconds)) s.drawScene(seconds, drawables);
   s.targets.picture.bind();
   s.fields.draw(drawables, sim::FieldDisplay::Layer::over, seconds);
+  s.charts.draw(drawables);
 }
 
 void Renderer::State::drawScene(double seconds, const sim::Drawables& drawables) {

@@ -85,6 +85,8 @@ struct Chart {
   unsigned most = 1;                    ///< count at the top of the y axis
   std::vector<std::string> names;       ///< of the first counts, at most four
   std::vector<glm::vec3> colors;        ///< linear RGB, one each
+  glm::vec2 corner{0.025F, 0.6F};       ///< top left of its panel, as shares of the picture
+  glm::vec2 extent{0.36F, 0.36F};       ///< width and height of its panel, as shares of the picture
 };
 
 /// What a simulation publishes for drawing: a list per kind, one pass each.

@@ -1,0 +1,8 @@
+// The panel of a chart, as a strip. Row 0 of the picture is its top row.
+uniform vec4 panel;    // whole pixels: left, top, right, bottom
+uniform vec2 picture;  // pixels
+
+void main() {
+  vec2 corner = vec2((gl_VertexID & 1) == 0 ? panel.x : panel.z, (gl_VertexID & 2) == 0 ? panel.y : panel.w);
+  gl_Position = vec4(corner / picture * 2.0 - 1.0, 0.0, 1.0);
+}

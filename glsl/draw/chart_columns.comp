@@ -1,0 +1,40 @@
+// What the curves of a chart are in each column of pixels, as shares of its height: where they enter it, where
+// they leave it, the least and the most in it. Where nothing is counted yet: -1. So the cost of drawing does
+// not grow with the number of steps.
+layout(local_size_x = 64) in;
+layout(binding = 0) uniform usamplerBuffer counts;
+layout(rgba32f, binding = 0) writeonly uniform restrict image2D columns;
+uniform int columnCount;
+uniform int steps;     // counted so far
+uniform float perColumn;  // steps
+uniform float most;
+const int mostLooked = 16384;  // at, a column: above it some steps are passed over
+
+vec4 at(float place) {
+  int step = clamp(int(place), 0, steps - 1);
+  vec4 low = vec4(texelFetch(counts, step)), high = vec4(texelFetch(counts, min(step + 1, steps - 1)));
+  return clamp(mix(low, high, clamp(place - float(step), 0.0, 1.0)) / most, 0.0, 1.0);
+}
+
+void main() {
+  int column = int(gl_GlobalInvocationID.x);
+  if (column >= columnCount) return;
+  float first = float(column) * perColumn, end = min(float(column + 1) * perColumn, float(steps - 1));
+  vec4 enter = vec4(-1.0), leave = vec4(-1.0), least = vec4(-1.0), highest = vec4(-1.0);
+  if (first <= float(steps - 1)) {
+    enter = at(first);
+    leave = at(end);
+    least = min(enter, leave);
+    highest = max(enter, leave);
+    int last = int(ceil(end)) - 1, stride = max(1, (last - int(first)) / mostLooked);
+    for (int step = int(first) + 1; step <= last; step += stride) {
+      vec4 here = clamp(vec4(texelFetch(counts, step)) / most, 0.0, 1.0);
+      least = min(least, here);
+      highest = max(highest, here);
+    }
+  }
+  imageStore(columns, ivec2(column, 0), enter);
+  imageStore(columns, ivec2(column, 1), leave);
+  imageStore(columns, ivec2(column, 2), least);
+  imageStore(columns, ivec2(column, 3), highest);
+}

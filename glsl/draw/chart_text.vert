@@ -1,0 +1,12 @@
+// Rectangles of letters: two texels each, the rectangle in pixels and its encoded colour.
+layout(binding = 0) uniform samplerBuffer boxes;
+uniform vec2 picture;  // pixels
+flat out vec3 color;
+
+void main() {
+  vec4 box = texelFetch(boxes, gl_VertexID / 6 * 2);
+  color = texelFetch(boxes, gl_VertexID / 6 * 2 + 1).rgb;
+  int corner = gl_VertexID % 6;
+  vec2 at = vec2((corner & 1) == 0 ? box.x : box.z, corner == 0 || corner == 1 || corner == 3 ? box.y : box.w);
+  gl_Position = vec4(at / picture * 2.0 - 1.0, 0.0, 1.0);
+}
