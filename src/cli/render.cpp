@@ -35,6 +35,7 @@ struct RenderOptions {
   bool resume = false;
   bool skipExisting = false;
   bool debug = false;
+  bool noCounts = false;
 };
 
 frame::Existing existingPolicy(const RenderOptions& o) {
@@ -83,8 +84,10 @@ void render(const RenderOptions& o) {
       .driver = context.device().name + ", OpenGL " + context.device().version,
   };
   const auto sink = frame::openSink(o.output, existing, run, frames, o.streamFormat);
-  const auto result =
-      frame::renderSequence(scene, context, frames, *sink, progress, fields ? &*fields : nullptr);
+  frame::BesideFrames beside;
+  if (fields) beside.fields = &*fields;
+  if (!o.noCounts) beside.countFile = output.countFile();
+  const auto result = frame::renderSequence(scene, context, frames, *sink, progress, beside);
   info("{}", frame::closingLine(result.frames, result.seconds, result.stages, sink->summary()));
   if (result.signal != 0) {
     info("simreel: interrupted; what is listed in the manifest is whole, --resume goes on from there");
@@ -117,6 +120,8 @@ void addRender(CLI::App& app) {
   command->add_flag("--resume", o->resume,
                     "Keep the frames that the manifest and their hashes say are whole");
   command->add_flag("--skip-existing", o->skipExisting, "Keep every frame whose file exists");
+  command->add_flag("--no-counts", o->noCounts,
+                    "Do not write what epidemics and fires count (NAME.counts.csv beside the frames)");
   command->add_flag("--debug", o->debug, "Ask the driver for debug messages; serious ones are errors");
   command->callback([o] { render(*o); });
 }

@@ -126,12 +126,20 @@ std::filesystem::path OutputName::file(int frame) const {
 }
 
 std::filesystem::path OutputName::manifestFile() const {
+  return besideFrames("manifest.json");
+}
+
+std::filesystem::path OutputName::countFile() const {
+  return besideFrames("counts.csv");
+}
+
+std::filesystem::path OutputName::besideFrames(const char* ending) const {
   if (kind == Kind::stream) return {};
-  if (kind == Kind::video) return folder / (prefix + ".manifest.json");
+  if (kind == Kind::video) return folder / fmt::format("{}.{}", prefix, ending);
   std::string stem = kind == Kind::single ? fs::path(prefix).stem().string() : prefix;
   while (!stem.empty() && std::string_view("_-.").find(stem.back()) != std::string_view::npos)
     stem.pop_back();
-  return folder / (wholeFolder || stem.empty() ? "manifest.json" : stem + ".manifest.json");
+  return folder / (wholeFolder || stem.empty() ? ending : fmt::format("{}.{}", stem, ending));
 }
 
 OutputName parseOutput(const std::string& output, std::size_t frameCount) {

@@ -22,6 +22,11 @@ struct OutputName {
   [[nodiscard]] std::string fileName(int frame) const;
   /// Where the manifest goes. Empty for standard output.
   [[nodiscard]] std::filesystem::path manifestFile() const;
+  /// Where the counts of simulations go, beside the manifest. Empty for standard output.
+  [[nodiscard]] std::filesystem::path countFile() const;
+
+ private:
+  [[nodiscard]] std::filesystem::path besideFrames(const char* ending) const;
 };
 
 /// Reads `-o`: a folder (existing, with a trailing slash, or without an extension), a pattern with

@@ -3,6 +3,7 @@
 #include "base/error.hpp"
 #include "draw/readback.hpp"
 #include "draw/renderer.hpp"
+#include "frame/count_table.hpp"
 #include "frame/interrupt.hpp"
 #include "sim/world.hpp"
 
@@ -80,13 +81,15 @@ class StageTimers {
 class Pipeline {
  public:
   Pipeline(const scene::Scene& scene, const gl::Context& context, FrameSink& sink, Progress& progress,
-           FieldFiles* fields)
+           const BesideFrames& beside)
       : context_(context),
         sink_(sink),
-        fields_(fields),
+        fields_(beside.fields),
         progress_(progress),
         size_(scene.render.size),
         world_(scene),
+        counts_(beside.countFile, scene.time.fps, world_.countNames()),
+        counting_(!world_.countNames().empty()),
         renderer_(scene, scene.render.size, scene.render.samples),
         readback_(scene.render.size) {}
 
@@ -112,6 +115,9 @@ class Pipeline {
     while (!waiting_.empty()) deliverOldest();
   }
 
+  /// Every count that is there, also of a run that ended early.
+  void writeCounts() { counts_.write(); }
+
   [[nodiscard]] int delivered() const { return delivered_; }
   [[nodiscard]] const StageTimes& stages() const { return stages_; }
 
@@ -124,8 +130,9 @@ class Pipeline {
 
   void simulateTo(int frame) {
     while (world_.frame() < frame || !started_) {
-      // The pre-roll is watched too: frame 0's summary tells of everything before it.
-      const int next = started_ ? world_.frame() + 1 : 0;
+      // The pre-roll is watched too: frame 0's summary tells of everything before it. Only counts need each
+      // of its frames.
+      const int next = started_ ? world_.frame() + 1 : counting_ ? world_.firstFrame() : 0;
       timers_.run(&StageTimes::simulate, next, [&] { world_.advanceTo(next); });
       started_ = true;
       if (summariesUnderWay_ == 6) takeSummary();
@@ -137,6 +144,7 @@ class Pipeline {
   void takeSummary() {
     latest_ = world_.takeSummary(true);
     --summariesUnderWay_;
+    counts_.add(*latest_);
     timers_.collect(latest_->frame - 1);  // a frame's summary comes after all of the frame before
     if (!waiting_.empty() && latest_->frame >= waiting_.front().frame) summaries_.push_back(*latest_);
   }
@@ -196,6 +204,8 @@ class Pipeline {
   Progress& progress_;
   glm::ivec2 size_;
   sim::World world_;
+  CountTable counts_;
+  bool counting_;
   draw::Renderer renderer_;
   draw::Readback readback_;
   std::deque<Waiting> waiting_;
@@ -212,13 +222,13 @@ class Pipeline {
 
 SequenceResult renderSequence(const scene::Scene& scene, const gl::Context& context,
                               const std::vector<int>& frames, FrameSink& sink, Progress& progress,
-                              FieldFiles* fields) {
+                              const BesideFrames& beside) {
   const auto begin = Clock::now();
   SequenceResult result;
   std::exception_ptr failure;
   progress.start(static_cast<int>(frames.size()));
   try {
-    Pipeline pipeline(scene, context, sink, progress, fields);
+    Pipeline pipeline(scene, context, sink, progress, beside);
     try {
       for (const int frame : frames) {
         result.signal = interruptSignal();
@@ -228,6 +238,11 @@ SequenceResult renderSequence(const scene::Scene& scene, const gl::Context& cont
       pipeline.drain();
     } catch (...) {
       failure = std::current_exception();
+    }
+    try {
+      pipeline.writeCounts();
+    } catch (...) {
+      if (!failure) failure = std::current_exception();
     }
     result.frames = pipeline.delivered();
     result.stages = pipeline.stages();

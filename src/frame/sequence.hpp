@@ -5,6 +5,7 @@
 #include "gl/context.hpp"
 #include "scene/scene.hpp"
 
+#include <filesystem>
 #include <optional>
 #include <vector>
 
@@ -18,13 +19,19 @@ struct SequenceResult {
   StageTimes stages;   ///< simulate and draw: device time on a GPU; encode is over all threads
 };
 
+/// What is written beside the pictures.
+struct BesideFrames {
+  FieldFiles* fields = nullptr;  ///< gets the raw values of fields in the same frames; null: nothing does
+  std::filesystem::path
+      countFile;  ///< gets what the simulations count (count_table.hpp); empty: nothing does
+};
+
 /// Simulates the scene from its start, draws the wanted frames and hands them to the sink, which is
 /// finished in every case. Frames that the sink does not want are simulated all the same. Throws UserError:
 /// device when the state is lost (frames before that are stored), inputOutput from the sink, and different
-/// when a frame kept from an earlier run has another state hash now. `fields` (or null) gets the raw values
-/// of the same frames.
+/// when a frame kept from an earlier run has another state hash now.
 [[nodiscard]] SequenceResult renderSequence(const scene::Scene& scene, const gl::Context& context,
                                             const std::vector<int>& frames, FrameSink& sink,
-                                            Progress& progress, FieldFiles* fields = nullptr);
+                                            Progress& progress, const BesideFrames& beside = {});
 
 }  // namespace simreel::frame

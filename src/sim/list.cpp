@@ -1,11 +1,13 @@
 #include "sim/list.hpp"
 
 #include "sim/cloth.hpp"
+#include "sim/epidemic.hpp"
 #include "sim/gray_scott.hpp"
 #include "sim/life.hpp"
 #include "sim/mesh.hpp"
 #include "sim/particles.hpp"
 #include "sim/shape.hpp"
+#include "sim/wildfire.hpp"
 
 #include <vector>
 
@@ -13,8 +15,8 @@ namespace simreel::sim {
 
 std::span<const SimulationKind> simulations() {
   static const std::vector<SimulationKind> list = {
-      clothKind(), particlesKind(), lifeKind(),    grayScottKind(),
-      meshKind(),  sphereKind(),    capsuleKind(), planeKind(),
+      clothKind(),    particlesKind(), lifeKind(),   grayScottKind(), epidemicKind(),
+      wildfireKind(), meshKind(),      sphereKind(), capsuleKind(),   planeKind(),
   };
   return list;
 }

@@ -23,6 +23,7 @@ struct Pending {
   int frame;
   int slot;
   GLsync fence;
+  std::vector<int> countRows;  ///< of each object that counts
 };
 
 std::vector<ColliderShape> collect(const scene::Scene& scene) {
@@ -53,6 +54,14 @@ struct World::State {
   StateHash hash;
   gl::Buffer sums;      ///< uvec4 per array per slot
   gl::Buffer statuses;  ///< uvec4 per object per slot
+  /// Objects that count, and the first of their rows in a slot of countCopies.
+  struct Counting {
+    std::size_t object;
+    std::size_t firstRow;
+  };
+  std::vector<Counting> counting;
+  std::size_t countRowsOfSlot = 0;
+  gl::Buffer countCopies;  ///< uvec4 per step of a frame per slot
   std::deque<Pending> pending;
   int nextSlot = 0;
 
@@ -71,6 +80,12 @@ struct World::State {
       for (const StateArray& array : objects[i]->state())
         arrays.push_back(
             {scene.objects[i].name, array.name, static_cast<long>(array.buffer->bytes() / 16)});
+    for (std::size_t i = 0; i < objects.size(); ++i)
+      if (objects[i]->counts().steps != nullptr) {
+        counting.push_back({i, countRowsOfSlot});
+        countRowsOfSlot += objects[i]->counts().steps->bytes() / 16;
+      }
+    countCopies = gl::Buffer("copies of counts", countRowsOfSlot * slots * 16);
     sums = gl::Buffer("state hash sums", std::max<std::size_t>(1, arrays.size()) * slots * 16);
     statuses = gl::Buffer("status copies", std::max<std::size_t>(1, objects.size()) * slots * 16);
   }
@@ -99,8 +114,35 @@ struct World::State {
         glCopyNamedBufferSubData(status->name(), statuses.name(), 0, statusOffset(slot, i), 16);
       }
     }
-    pending.push_back({frame, slot, glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0)});
+    const std::vector<int> countRows = copyCounts(slot);
+    pending.push_back({frame, slot, glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0), countRows});
     glFlush();
+  }
+
+  /// Returns how many rows each object has.
+  [[nodiscard]] std::vector<int> copyCounts(int slot) const {
+    std::vector<int> rows;
+    if (!counting.empty()) glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+    for (const Counting& c : counting) {
+      const CountTable table = objects[c.object]->counts();
+      glCopyNamedBufferSubData(table.steps->name(), countCopies.name(), 0,
+                               static_cast<GLintptr>(countOffset(slot, c)),
+                               static_cast<GLsizeiptr>(table.rows) * 16);
+      rows.push_back(table.rows);
+    }
+    return rows;
+  }
+
+  [[nodiscard]] std::size_t countOffset(int slot, const Counting& counts) const {
+    return (static_cast<std::size_t>(slot) * countRowsOfSlot + counts.firstRow) * 16;
+  }
+
+  void readCounts(const Pending& from, Summary& summary) const {
+    for (std::size_t i = 0; i < counting.size(); ++i) {
+      auto& rows = summary.counts.emplace_back(static_cast<std::size_t>(from.countRows[i]));
+      if (!rows.empty())
+        countCopies.read(countOffset(from.slot, counting[i]), std::as_writable_bytes(std::span(rows)));
+    }
   }
 
   [[nodiscard]] std::size_t sumOffset(int slot) const {
@@ -126,7 +168,7 @@ struct World::State {
   [[nodiscard]] Summary summary(int frame, int slot) const {
     std::vector<glm::uvec4> words(arrays.size());
     sums.read(sumOffset(slot), std::as_writable_bytes(std::span(words)));
-    Summary result{frame, {}, {}};
+    Summary result{frame, {}, {}, {}};
     glm::uvec4 total(0);
     for (const glm::uvec4& w : words) {
       total += w;
@@ -184,6 +226,17 @@ std::vector<World::ArrayName> World::arrays() const {
   return state_->arrays;
 }
 
+std::vector<World::CountNames> World::countNames() const {
+  std::vector<CountNames> names;
+  for (const State::Counting& c : state_->counting) {
+    CountNames& entry = names.emplace_back();
+    entry.object = state_->names[c.object];
+    for (const char* column : state_->objects[c.object]->counts().columns)
+      entry.columns.emplace_back(column);
+  }
+  return names;
+}
+
 const Simulation& World::object(std::size_t index) const {
   return *state_->objects.at(index);
 }
@@ -204,7 +257,9 @@ std::optional<World::Summary> World::takeSummary(bool wait) {
   glDeleteSync(oldest.fence);
   state_->pending.pop_front();
   state_->checkStatus(oldest.slot);
-  return state_->summary(oldest.frame, oldest.slot);
+  Summary summary = state_->summary(oldest.frame, oldest.slot);
+  state_->readCounts(oldest, summary);
+  return summary;
 }
 
 }  // namespace simreel::sim

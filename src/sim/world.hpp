@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include <glm/vec4.hpp>
+
 namespace simreel::sim {
 
 /// All objects of a scene, stepped together. Frame 0 is at time 0; the pre-roll runs before it.
@@ -43,7 +45,15 @@ class World {
   };
   [[nodiscard]] std::vector<ArrayName> arrays() const;
 
-  /// Starts hashing the state of the current frame on the GPU; at most 8 may be under way.
+  /// Every object that counts something, in the order of objects.
+  struct CountNames {
+    std::string object;
+    std::vector<std::string> columns;
+  };
+  [[nodiscard]] std::vector<CountNames> countNames() const;
+
+  /// Starts hashing the state of the current frame on the GPU, and copying its counts; at most 8 may be
+  /// under way.
   void startSummary();
   /// A finished summary, oldest first: frame and hash (32 hexadecimal digits over every state array of
   /// every object). With `wait` blocks for the oldest. Throws UserError(device) when a simulation lost its
@@ -52,6 +62,9 @@ class World {
     int frame = 0;
     std::string stateHash;
     std::vector<std::string> arrays;  ///< hash of each state array, in the order of arrays()
+    /// Counts of each step of the frame, for each entry of countNames(); where nothing has stepped yet, one
+    /// row of the start.
+    std::vector<std::vector<glm::uvec4>> counts = {};
   };
   [[nodiscard]] std::optional<Summary> takeSummary(bool wait);
 

@@ -19,6 +19,10 @@ MUTATIONS = {
     "grayScott": ("gray_scott/model.glsl", "precise float lack = 1.0f - u;", "precise float lack = 1.01f - u;"),
     # Counts have no percent: a carry of the adder is wrong.
     "life": ("life/model.glsl", "WORD carry = highs.low & lows.high;", "WORD carry = highs.low & ~lows.high;"),
+    "epidemic": ("epidemic/model.glsl", "return random < infectionThreshold ?",
+                 "return random < infectionThreshold / 100u * 101u ?"),
+    "wildfire": ("wildfire/model.glsl", "(stepData.spread[d >> 2u][d & 3u] * fuel) >> 8u",
+                 "(stepData.spread[d >> 2u][d & 3u] * fuel) / 100u * 101u >> 8u"),
 }
 SCENERY = {"sphere", "capsule", "plane"}  # nothing of theirs is simulated
 

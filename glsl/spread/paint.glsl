@@ -1,0 +1,9 @@
+// A brush stroke on cells; one invocation an element of the stroke's box, which is in elements. The kernel that
+// includes it gives `uint painted(uint cell, int value, ivec2 at)`.
+#include "common/words.glsl"
+layout(local_size_x = 8, local_size_y = 8) in;
+INPUT_WORDS(0, StrokeBlock, strokeBits)
+STATE_WORDS(1, CellBlock, cells)
+uniform ivec2 size;
+#include "common/stroke_paint.glsl"
+#include "spread/cells.glsl"

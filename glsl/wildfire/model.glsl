@@ -1,0 +1,50 @@
+// A fire that walks from cell to neighbouring cell (SPEC 6). Compiles as GLSL and, inside a struct that has `stepData`
+// (WildfireStep), as C++.
+#ifndef FUNCTION
+#define FUNCTION
+#endif
+
+// Chance in 1/65536 that a cell catches fire from its burning neighbours (a bit each, in the order of
+// WildfireStep.spread). Fuel 0 to 256 weighs each chance t; chances join as p + t (1 - p), in integers.
+FUNCTION uint catchChance(uint burning, uint fuel) {
+  uint p = 0u;
+  for (uint d = 0u; d < 8u; ++d) {
+    uint t = (burning >> d & 1u) != 0u ? (stepData.spread[d >> 2u][d & 3u] * fuel) >> 8u : 0u;
+    p = t + (((p - (p >> 16u)) * (65536u - t)) >> 16u);
+  }
+  return p;
+}
+
+// Fuel bytes 0 to 255 as 0 to 256, so that the fullest counts whole.
+FUNCTION uint fuelWeight(uint level) {
+  return level + (level >> 7u);
+}
+
+// From where an ember falls onto a cell now: its displacement, along the wind and to its side, both by hash.
+FUNCTION ivec2 emberFlight(uvec3 random) {
+  int along = int(random.y >> 20u);            // 0 to 4095
+  int side = int(random.z >> 20u) - 2048;      // -2048 to 2047
+  int aside = (stepData.embers.z * side) >> 11;  // 1/256 of the flight
+  int dx = (stepData.embers.x * along) >> 12;
+  int dy = (stepData.embers.y * along) >> 12;
+  return ivec2((dx - ((dy * aside) >> 8)) >> 8, (dy + ((dx * aside) >> 8)) >> 8);
+}
+
+// What a fire leaves: burnt ground keeps the upper three of its shade's four bits below the three of its age.
+// A burning cell ages by one in a step.
+FUNCTION uint nextBurning(uint cell, uint ground) {
+  return (cell & 63u) + 1u < stepData.numbers.z ? cell + 1u : classSpent | (ground & 15u) >> 1u;
+}
+
+// Burnt ground cools by one age when it is the turn of its phase, the upper four bits of `ground`, which are a hash:
+// no rings of equal age show.
+FUNCTION uint nextBurnt(uint cell, uint ground) {
+  bool turn = (((ground >> 4u) - stepData.numbers.w) & 15u) < stepData.numbers.w >> 8u;
+  return turn && (cell & 56u) != 56u ? cell + 8u : cell;
+}
+
+// Strokes: 1 lights fuel, 0 clears it away.
+FUNCTION uint paintedFuel(uint cell, int value, uint ground) {
+  if ((cell & classMask) != classReady) return cell;
+  return value == 1 ? classActive : classNobody | (ground & 15u);
+}

@@ -1,0 +1,35 @@
+#pragma once
+#include "sim/world.hpp"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace simreel::frame {
+
+/// What the simulations of a run count in each of their steps, as CSV: step (since the start, which is step
+/// 0), time (s), and a column for each count, "object.column". Objects with steps of other lengths share
+/// rows where their times agree and leave cells empty elsewhere.
+class CountTable {
+ public:
+  /// `file` empty: nothing is written. `fps` of the scene.
+  CountTable(std::filesystem::path file, double fps, std::vector<sim::World::CountNames> names);
+
+  /// The next frame's counts, in order of frames, the pre-roll's too.
+  void add(const sim::World::Summary& summary);
+  /// Writes the table atomically; without counting objects nothing. Throws UserError(inputOutput). An
+  /// existing table that begins with all of this one stays: it is of the same run, which went further then.
+  void write() const;
+  [[nodiscard]] const std::string& text() const { return text_; }
+
+ private:
+  void addRow(double time, const std::vector<const glm::uvec4*>& counts);
+
+  std::filesystem::path file_;
+  double fps_;
+  std::vector<sim::World::CountNames> names_;
+  std::string text_;
+  long rows_ = 0;
+};
+
+}  // namespace simreel::frame

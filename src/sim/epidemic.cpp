@@ -1,0 +1,99 @@
+#include "sim/epidemic.hpp"
+
+#include "gl/limits.hpp"
+#include "gl/vec4_array.hpp"
+#include "sim/epidemic_plan.hpp"
+#include "sim/spread_grid.hpp"
+#include "sim/spread_steps.hpp"
+
+#include <algorithm>
+#include <optional>
+
+namespace simreel::sim {
+
+namespace {
+
+class Epidemic final : public Simulation {
+ public:
+  Epidemic(const scene::Object& object, const Setting& setting)
+      : name_(object.name),
+        plan_(checked(object), setting.seed, setting.frameSeconds),
+        palette_(plan_.palette()),
+        steps_(name_ + " steps", plan_.stepsPerFrame()) {
+    gl::Defines defines = gl::kernelDefines(setting.fast);
+    if (parameters().mixing == EpidemicParameters::Mixing::global) defines.emplace_back("MIXED", "1");
+    grid_.emplace(name_, parameters(), plan_.firstCells(), plan_.stepsPerFrame(), "epidemic", defines,
+                  plan_.strokes());
+    const glm::uvec4 start = grid_->latestCounts();
+    plan_.setPeople(start.x + start.y + start.z);
+  }
+
+  void step(double time, const StepWatch& watch) override {
+    const auto steps = plan_.frame(time);
+    steps_.upload(steps);
+    grid_->beginFrame(static_cast<int>(steps.size()));
+    for (std::size_t i = 0; i < steps.size(); ++i) {
+      steps_.bind(i);
+      grid_->paint(steps[i].strokes);
+      grid_->step();
+      if (watch) watch(static_cast<int>(i) + 1);
+    }
+    grid_->endFrame();
+    if (watch)  // a frame with a step less than others
+      for (int i = static_cast<int>(steps.size()); i < plan_.stepsPerFrame(); ++i) watch(i + 1);
+  }
+
+  [[nodiscard]] int stepsPerFrame() const override { return plan_.stepsPerFrame(); }
+  [[nodiscard]] std::string elementName(long element) const override { return grid_->elementName(element); }
+  void publish(double /*time*/, Drawables& drawables) const override {
+    grid_->publishField(name_, palette_, parameters().display, drawables);
+    if (!parameters().chart) return;
+    const auto vivid = [](const glm::vec3& c) { return c * (0.8F / std::max({c.r, c.g, c.b, 1e-3F})); };
+    grid_->publishChart(
+        {"susceptible", "infected", "recovered"},
+        {vivid(parameters().susceptible), parameters().infection, vivid(parameters().recovered)},
+        parameters().chartSeconds * parameters().stepsPerSecond, drawables);
+  }
+  [[nodiscard]] std::vector<StateArray> state() const override {
+    return {{"cells", &grid_->cells().buffer(), true}};
+  }
+  [[nodiscard]] CountTable counts() const override {
+    return {{"susceptible", "infected", "recovered"}, &grid_->frameCounts(), grid_->frameSteps()};
+  }
+  [[nodiscard]] std::vector<const char*> quantityNames() const override {
+    return {"susceptible", "infected", "recovered", "people"};
+  }
+  [[nodiscard]] std::vector<Quantity> quantities() const override {
+    const glm::uvec4 n = grid_->latestCounts();
+    return {{"susceptible", static_cast<double>(n.x), "", "People that can be infected."},
+            {"infected", static_cast<double>(n.y), "", "People that infect others."},
+            {"recovered", static_cast<double>(n.z), "", "People that are immune."},
+            {"people", static_cast<double>(n.x) + n.y + n.z, "", "All people; stays the same."}};
+  }
+
+ private:
+  [[nodiscard]] const EpidemicParameters& parameters() const { return plan_.parameters(); }
+  static const EpidemicParameters& checked(const scene::Object& object) {
+    const auto& parameters = dynamic_cast<const EpidemicParameters&>(*object.parameters);
+    SpreadGrid::checkLimits(object.name, parameters.size);
+    return parameters;
+  }
+
+  std::string name_;
+  EpidemicPlan plan_;
+  std::vector<glm::vec3> palette_;
+  SpreadSteps<EpidemicPlan::Step> steps_;
+  std::optional<SpreadGrid> grid_;
+};
+
+}  // namespace
+
+SimulationKind epidemicKind() {
+  return {{"epidemic", "Susceptible, infected and recovered people on a grid of cells.",
+           [] { return std::make_unique<EpidemicParameters>(); }},
+          [](const scene::Object& object, const Setting& setting) -> std::unique_ptr<Simulation> {
+            return std::make_unique<Epidemic>(object, setting);
+          }};
+}
+
+}  // namespace simreel::sim

@@ -1,0 +1,73 @@
+#pragma once
+#include "sim/spread_plan.hpp"
+
+#include <cstdint>
+#include <filesystem>
+#include <vector>
+
+#define FUNCTION inline
+namespace simreel::shader {
+#include "glsl/epidemic/types.glsl"
+static_assert(sizeof(EpidemicStep) == 5 * 16);
+}  // namespace simreel::shader
+#undef FUNCTION
+
+namespace simreel::sim {
+
+/// Susceptible, infected and recovered people on a grid (Kermack and McKendrick, 1927, as an automaton).
+struct EpidemicParameters final : scene::Parameters, SpreadParameters {
+  enum class Mixing { local, global };
+  scene::Animated<float> beta = 0.06F;   ///< probability that one infected neighbour infects in a step
+  scene::Animated<float> gamma = 0.08F;  ///< probability to recover in a step
+  scene::Animated<float> waning = 0.0F;  ///< probability to become susceptible again in a step
+  Mixing mixing = Mixing::local;
+  double infected = 0.0;             ///< share of the people at the start, by hash
+  double immune = 0.0;               ///< share of the people at the start, by hash
+  std::filesystem::path population;  ///< level 0 to 255: share of inhabited cells there
+  int trail = 63;  ///< steps over which colours follow the age of an infection or immunity
+  glm::vec3 susceptible{0.030F, 0.085F, 0.150F};
+  glm::vec3 infection{1.0F, 0.72F, 0.28F};  ///< caught just now
+  glm::vec3 infectious{0.85F, 0.10F, 0.05F};
+  glm::vec3 recovering{0.35F, 0.06F, 0.20F};
+  glm::vec3 recovered{0.10F, 0.09F, 0.20F};
+  glm::vec3 nobody{0.004F, 0.007F, 0.013F};
+
+  void describe(scene::Fields& fields) override;
+};
+
+/// Everything of an epidemic that is decided on the CPU; shared by the GPU simulation and its CPU twin.
+class EpidemicPlan {
+ public:
+  /// Loads maps. Throws UserError: what loadPicture says.
+  EpidemicPlan(const EpidemicParameters& parameters, int seed, double frameSeconds);
+
+  /// One byte a cell (glsl/spread/cells.glsl), size.x * size.y, x fastest. Throws UserError(usage) when
+  /// nobody lives on the map.
+  [[nodiscard]] std::vector<std::uint8_t> firstCells() const;
+
+  struct Step {
+    shader::EpidemicStep data;
+    std::vector<shader::Stroke> strokes;
+  };
+  /// The steps of the frame that starts at `time` (s). Call in order: each continues the numbers of the
+  /// last.
+  [[nodiscard]] std::vector<Step> frame(double time);
+  /// `people`: how many cells are inhabited, for mixing.
+  void setPeople(unsigned people) { people_ = people; }
+
+  [[nodiscard]] const EpidemicParameters& parameters() const { return parameters_; }
+  [[nodiscard]] const Strokes& strokes() const { return strokes_; }
+  [[nodiscard]] int stepsPerFrame() const { return pace_.stepsPerFrame(); }
+  /// Colours of the 256 values of a cell, linear RGB.
+  [[nodiscard]] std::vector<glm::vec3> palette() const;
+
+ private:
+  EpidemicParameters parameters_;
+  unsigned seed_;
+  Pace pace_;
+  Strokes strokes_;
+  unsigned people_ = 1;
+  unsigned done_ = 0;  ///< steps so far
+};
+
+}  // namespace simreel::sim

@@ -1,0 +1,100 @@
+#include "sim/wildfire.hpp"
+
+#include "gl/limits.hpp"
+#include "gl/vec4_array.hpp"
+#include "sim/spread_grid.hpp"
+#include "sim/spread_steps.hpp"
+#include "sim/wildfire_plan.hpp"
+
+namespace simreel::sim {
+
+namespace {
+
+class Wildfire final : public Simulation {
+ public:
+  Wildfire(const scene::Object& object, const Setting& setting)
+      : name_(object.name),
+        plan_(checked(object), setting.seed, setting.frameSeconds),
+        palette_(plan_.palette()),
+        steps_(name_ + " steps", plan_.stepsPerFrame()),
+        grid_(name_, parameters(), plan_.firstCells(), plan_.stepsPerFrame(), "wildfire",
+              defines(parameters(), setting.fast), plan_.strokes()),
+        fuels_(name_ + " fuel", packedCells(plan_.fuels(), parameters().size)),
+        ground_(name_ + " ground", packedCells(plan_.ground(), parameters().size)) {}
+
+  void step(double time, const StepWatch& watch) override {
+    const auto steps = plan_.frame(time);
+    steps_.upload(steps);
+    grid_.beginFrame(static_cast<int>(steps.size()));
+    for (std::size_t i = 0; i < steps.size(); ++i) {
+      steps_.bind(i);
+      if (!steps[i].strokes.empty()) ground_.bindInput(2);
+      grid_.paint(steps[i].strokes);
+      fuels_.bindInput(2);
+      ground_.bindInput(3);
+      grid_.step();
+      if (watch) watch(static_cast<int>(i) + 1);
+    }
+    grid_.endFrame();
+    if (watch)  // a frame with a step less than others
+      for (int i = static_cast<int>(steps.size()); i < plan_.stepsPerFrame(); ++i) watch(i + 1);
+  }
+
+  [[nodiscard]] int stepsPerFrame() const override { return plan_.stepsPerFrame(); }
+  [[nodiscard]] std::string elementName(long element) const override { return grid_.elementName(element); }
+  void publish(double /*time*/, Drawables& drawables) const override {
+    grid_.publishField(name_, palette_, parameters().display, drawables);
+    if (!parameters().chart) return;
+    grid_.publishChart({"unburnt", "burning", "burnt"},
+                       {{0.20F, 0.55F, 0.16F}, {1.0F, 0.45F, 0.08F}, {0.45F, 0.40F, 0.38F}},
+                       parameters().chartSeconds * parameters().stepsPerSecond, drawables);
+  }
+  [[nodiscard]] std::vector<StateArray> state() const override {
+    return {{"cells", &grid_.cells().buffer(), true}};
+  }
+  [[nodiscard]] CountTable counts() const override {
+    return {{"unburnt", "burning", "burnt", "bare"}, &grid_.frameCounts(), grid_.frameSteps()};
+  }
+  [[nodiscard]] std::vector<const char*> quantityNames() const override {
+    return {"unburnt", "burning", "burnt", "bare"};
+  }
+  [[nodiscard]] std::vector<Quantity> quantities() const override {
+    const glm::uvec4 n = grid_.latestCounts();
+    return {{"unburnt", static_cast<double>(n.x), "", "Cells with fuel."},
+            {"burning", static_cast<double>(n.y), "", "Cells on fire."},
+            {"burnt", static_cast<double>(n.z), "", "Cells that have burnt."},
+            {"bare", static_cast<double>(n.w), "", "Cells without fuel, and obstacles."}};
+  }
+
+ private:
+  [[nodiscard]] const WildfireParameters& parameters() const { return plan_.parameters(); }
+  static const WildfireParameters& checked(const scene::Object& object) {
+    const auto& parameters = dynamic_cast<const WildfireParameters&>(*object.parameters);
+    SpreadGrid::checkLimits(object.name, parameters.size);
+    return parameters;
+  }
+  static gl::Defines defines(const WildfireParameters& parameters, bool fast) {
+    gl::Defines defines = gl::kernelDefines(fast);
+    if (parameters.hasEmbers) defines.emplace_back("EMBERS", "1");
+    return defines;
+  }
+
+  std::string name_;
+  WildfirePlan plan_;
+  std::vector<glm::vec3> palette_;
+  SpreadSteps<WildfirePlan::Step> steps_;
+  SpreadGrid grid_;
+  gl::WordsArray fuels_, ground_;
+};
+
+}  // namespace
+
+SimulationKind wildfireKind() {
+  return {{"wildfire", "Fire on a map of fuel, carried by wind from cell to cell.",
+           [] { return std::make_unique<WildfireParameters>(); }},
+          [](const scene::Object& object, const Setting& setting) -> std::unique_ptr<Simulation> {
+            return std::make_unique<Wildfire>(object, setting);
+          }};
+}
+
+}  // namespace simreel::sim

@@ -1,0 +1,167 @@
+"""Epidemics and wildfires through the program: their counts as a table, and mistakes."""
+import csv
+import io
+import json
+import signal
+
+from common import Case, main, with_values
+
+SCENE = {
+    "version": 1,
+    "render": {"size": [64, 36], "samples": 1},
+    "time": {"fps": 30, "duration": 0.4},
+    "objects": {"town": {"epidemic": {"size": [67, 35], "stepsPerSecond": 60, "infected": 0.02, "beta": 0.2}}},
+}
+FIRE = {
+    "version": 1,
+    "render": {"size": [64, 36], "samples": 1},
+    "time": {"fps": 30, "duration": 0.4},
+    "objects": {"fire": {"wildfire": {"size": [67, 35], "strokes": [{"from": [30, 20, 0], "radius": 3}]}}},
+}
+FRAMES = 12
+
+
+class SpreadCase(Case):
+    def setUp(self):
+        super().setUp()
+        self.write("town.json", SCENE)
+        self.write("fire.json", FIRE)
+
+    def rows(self, name):
+        return list(csv.reader(io.StringIO((self.folder / name).read_text(encoding="utf-8"))))
+
+
+class Counts(SpreadCase):
+    def test_table(self):
+        self.good("render", "town.json", "-o", "out/")
+        rows = self.rows("out/counts.csv")
+        self.assertEqual(rows[0], ["step", "time", "town.susceptible", "town.infected", "town.recovered"])
+        # 11 frames lie between the first picture and the last, two steps each, after the start.
+        self.assertEqual([int(row[0]) for row in rows[1:]], list(range(1 + 2 * (FRAMES - 1))))
+        self.assertEqual([row[1] for row in rows[1:4]], ["0.000000", "0.016667", "0.033333"])
+        for row in rows[1:]:
+            self.assertEqual(sum(map(int, row[2:])), 67 * 35)
+        self.assertNotEqual(rows[1][2:], rows[-1][2:])
+
+    def test_names(self):
+        for output, table in (("out/", "out/counts.csv"), ("a_####.png", "a.counts.csv"), ("b.mp4", "b.mp4.counts.csv")):
+            self.good("render", "fire.json", "-o", output)
+            self.assertEqual(self.rows(table)[0],
+                             ["step", "time", "fire.unburnt", "fire.burning", "fire.burnt", "fire.bare"])
+        self.good("render", "fire.json", "-o", "c.png", "--frames", "3")
+        self.assertEqual(len(self.rows("c.counts.csv")), 2 + 6)
+        self.good("render", "fire.json", "-o", "quiet/", "--no-counts")
+        self.assertNotIn("counts.csv", self.content("quiet"))
+        self.good("render", "scene.json", "-o", "cloth/")
+        self.assertNotIn("counts.csv", self.content("cloth"))
+        self.good("render", "fire.json", "-o", "-")
+
+    def test_pre_roll_and_a_slow_clock(self):
+        self.write("slow.json", with_values({"time.start": 0.2, "objects.town.epidemic.stepsPerSecond": 15}, SCENE))
+        self.good("render", "slow.json", "-o", "out/")
+        rows = self.rows("out/counts.csv")[1:]
+        self.assertEqual(rows[0][:2], ["0", "-0.200000"])
+        self.assertEqual([row[1] for row in rows[1:4]], ["-0.133333", "-0.066667", "0.000000"])
+        self.assertEqual(len(rows), 1 + 3 + 5)
+
+    def test_two_clocks_share_a_table(self):
+        scene = with_values({"objects.fire": FIRE["objects"]["fire"], "objects.fire.wildfire.stepsPerSecond": 30}, SCENE)
+        self.write("both.json", scene)
+        self.good("render", "both.json", "-o", "out/")
+        rows = self.rows("out/counts.csv")
+        fire = rows[0].index("fire.burning")
+        self.assertEqual([row[fire] == "" for row in rows[1:6]], [False, True, False, True, False])
+        town = rows[0].index("town.infected")
+        self.assertTrue(all(row[town] for row in rows[1:]))
+
+    def test_a_shorter_run_keeps_the_longer_table(self):
+        self.good("render", "town.json", "-o", "out/")
+        whole = self.content("out")
+        self.good("render", "town.json", "-o", "out/", "--overwrite", "--frames", "2")
+        self.assertEqual(self.content("out"), whole)
+        self.good("render", "town.json", "-o", "out/", "--overwrite", "--seed", "9")
+        self.assertNotEqual(self.content("out")["counts.csv"], whole["counts.csv"])
+
+    def test_resume(self):
+        self.good("render", "town.json", "-o", "out/")
+        whole = self.content("out")
+        (self.folder / "out/000004.png").unlink()
+        for damage in (lambda p: p.unlink(), lambda p: p.write_bytes(p.read_bytes()[:50]), lambda p: p.write_text("x")):
+            damage(self.folder / "out/counts.csv")
+            self.good("render", "town.json", "-o", "out/", "--resume")
+            self.assertEqual(self.content("out"), whole)
+
+    def test_interrupted_and_resumed(self):
+        self.write("long.json", with_values({"time.duration": 4, "render.size": [320, 240],
+                                             "objects.town.epidemic.size": [515, 257],
+                                             "objects.town.epidemic.stepsPerSecond": 600}, SCENE))
+        arguments = ("render", "long.json", "-o", "out/")
+        code, messages = self.signal_after(3, "out", signal.SIGINT, *arguments)
+        self.assertEqual(code, 128 + signal.SIGINT, messages)
+        self.good("render", "long.json", "-o", "whole/")
+        part = (self.folder / "out/counts.csv").read_bytes()
+        whole = (self.folder / "whole/counts.csv").read_bytes()
+        self.assertTrue(whole.startswith(part) and len(part) < len(whole))
+        self.good(*arguments, "--resume")
+        self.assertEqual(self.content("out"), self.content("whole"))
+
+    def test_memory_paths_agree(self):
+        for scene in ("town.json", "fire.json"):
+            for path in ("texel", "storage"):
+                self.good("render", scene, "-o", f"{scene}.{path}/", "--memory-path", path)
+            self.assertEqual(self.content(f"{scene}.texel"), self.content(f"{scene}.storage"))
+
+    def test_table_that_cannot_be_written(self):
+        (self.folder / "out/counts.csv").mkdir(parents=True)
+        self.bad(6, ["counts.csv"], "render", "town.json", "-o", "out/")
+
+
+class Mistakes(SpreadCase):
+    def wrong(self, words, path, value, scene="fire"):
+        done = self.bad_scene(words, "render", f"{scene}.json", "-o", "out/", "-D", f"objects.{path}={json.dumps(value)}")
+        self.assertFalse((self.folder / "out").exists())
+        return done
+
+    def test_values(self):
+        for name in ("beta", "gamma", "waning", "infected", "immune"):
+            self.wrong(name, f"town.epidemic.{name}", 1.5, "town")
+            self.wrong(name, f"town.epidemic.{name}", -0.1, "town")
+        self.wrong("more than all people", "town.epidemic.immune", 0.99, "town")
+        self.wrong("size", "town.epidemic.size", [2, 9], "town")
+        self.wrong("size", "town.epidemic.size", [9, 70000], "town")
+        self.wrong(["mixing", "did you mean \"global\"?"], "town.epidemic.mixing", "globl", "town")
+        self.wrong("\"colors\"", "town.epidemic.display", {"map": "magma"}, "town")
+        for name in ("spread", "moisture", "fuelLevel", "patchiness"):
+            self.wrong(name, f"fire.wildfire.{name}", 1.5)
+        self.wrong("burnSteps", "fire.wildfire.burnSteps", 64)
+        self.wrong("chance", "fire.wildfire.embers", {"chance": 0.5})
+        self.wrong("strength", "fire.wildfire.wind", {"strength": -1})
+
+    def test_nothing_to_start_from(self):
+        self.wrong("nobody is ever infected", "town.epidemic.infected", 0, "town")
+        self.wrong("nothing is ever lit", "fire.wildfire.strokes", [])
+        self.wrong("nothing is ever lit", "fire.wildfire.strokes", [{"value": 0}])
+
+    def test_maps(self):
+        self.write("text.png", "no picture")
+        for scene, kind, names in (("town", "epidemic", [("population", "population map")]),
+                                   ("fire", "wildfire", [("fuel", "fuel map"), ("obstacles", "obstacle map"),
+                                                         ("terrain", "terrain map"), ("moistureMap", "moisture map")])):
+            for name, words in names:
+                self.bad(6, [words, "text.png", "PNG"], "render", f"{scene}.json", "-o", "out/", "-D",
+                         f"objects.{scene}.{kind}.{name}=text.png")
+                self.bad_scene([name, "nowhere.png"], "render", f"{scene}.json", "-o", "out/", "-D",
+                               f"objects.{scene}.{kind}.{name}=nowhere.png")
+
+    def test_limits(self):
+        for scene, kind in (("town", "epidemic"), ("fire", "wildfire")):
+            self.bad(4, [scene, "65536x65536", "make \"size\" smaller"], "render", f"{scene}.json", "-o", "out/", "-D",
+                     f"objects.{scene}.{kind}.size=[65536,65536]")
+
+    def test_nothing_burns(self):
+        self.bad(2, ["nothing on the wildfire's map can burn"], "render", "fire.json", "-o", "out/", "-D",
+                 "objects.fire.wildfire.fuelLevel=0")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,183 @@
+#include "reference/spread_twin.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <utility>
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+namespace {
+
+using namespace simreel::shader;
+using simreel::sim::SpreadParameters;
+
+#define FUNCTION inline
+#define precise
+struct EpidemicModel {
+  const EpidemicStep& stepData;
+#include "glsl/epidemic/model.glsl"
+};
+struct WildfireModel {
+  const WildfireStep& stepData;
+#include "glsl/wildfire/model.glsl"
+};
+#undef precise
+#undef FUNCTION
+
+/// Rows in bands, each with counts of its own.
+template <class Body>
+glm::uvec4 forRows(int rows, int threads, const Body& body) {
+  const int bands = (rows + 15) / 16;
+  std::vector<glm::uvec4> counts(static_cast<std::size_t>(bands), glm::uvec4(0));
+  const auto band = [&](int b) {
+    for (int y = 16 * b; y < std::min(rows, 16 * (b + 1)); ++y)
+      body(y, counts[static_cast<std::size_t>(b)]);
+  };
+  if (threads == 1) {
+    for (int b = 0; b < bands; ++b) band(b);
+  } else {
+    tbb::task_arena arena(threads == 0 ? tbb::task_arena::automatic : threads);
+    arena.execute([&] { tbb::parallel_for(0, bands, band); });
+  }
+  glm::uvec4 total(0);
+  for (const glm::uvec4& c : counts) total += c;
+  return total;
+}
+
+void countCell(glm::uvec4& counts, std::uint32_t cell) {
+  ++counts[static_cast<int>((cell / 64 + 3) % 4)];
+}
+
+glm::uvec4 countAll(const std::vector<std::uint8_t>& cells) {
+  glm::uvec4 counts(0);
+  for (const std::uint8_t cell : cells) countCell(counts, cell);
+  return counts;
+}
+
+/// What lies around a cell.
+struct Grid {
+  const std::vector<std::uint8_t>& cells;
+  glm::ivec2 size;
+  bool torus;
+
+  Grid(const std::vector<std::uint8_t>& all, const SpreadParameters& p)
+      : cells(all), size(p.size), torus(p.border == SpreadParameters::Border::torus) {}
+  [[nodiscard]] std::size_t index(int x, int y) const {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(size.x) + static_cast<std::size_t>(x);
+  }
+  [[nodiscard]] bool isActive(int x, int y) const {
+    if (torus) {
+      x = (x + 1024 * size.x) % size.x;
+      y = (y + 1024 * size.y) % size.y;
+    }
+    if (x < 0 || y < 0 || x >= size.x || y >= size.y) return false;
+    return (cells[index(x, y)] & classMask) == classActive;
+  }
+  /// A bit for each active neighbour, row by row.
+  [[nodiscard]] std::uint32_t neighbours(int x, int y) const {
+    std::uint32_t bits = 0;
+    int d = 0;
+    for (int j = -1; j <= 1; ++j)
+      for (int i = -1; i <= 1; ++i) {
+        if (i == 0 && j == 0) continue;
+        if (isActive(x + i, y + j)) bits |= 1U << d;
+        ++d;
+      }
+    return bits;
+  }
+};
+
+}  // namespace
+
+EpidemicTwin::EpidemicTwin(simreel::sim::EpidemicPlan plan)
+    : cells(plan.firstCells()), counts{countAll(cells)}, plan_(std::move(plan)), next_(cells) {
+  plan_.setPeople(counts[0].x + counts[0].y + counts[0].z);
+}
+
+void EpidemicTwin::step(double time, int threads) {
+  for (const auto& one : plan_.frame(time)) oneStep(one, threads);
+}
+
+void EpidemicTwin::oneStep(const simreel::sim::EpidemicPlan::Step& step, int threads) {
+  const auto& p = plan_.parameters();
+  EpidemicModel model{step.data};
+  const auto width = static_cast<std::size_t>(p.size.x);
+  for (const Stroke& stroke : step.strokes)
+    for (std::size_t i = 0; i < cells.size(); ++i)
+      if (plan_.strokes().paints(stroke, {static_cast<int>(i % width), static_cast<int>(i / width)}))
+        cells[i] = static_cast<std::uint8_t>(
+            model.paintedPerson(cells[i], static_cast<int>(stroke.shape.z + 0.5F)));
+  const bool mixed = p.mixing == simreel::sim::EpidemicParameters::Mixing::global;
+  const std::uint32_t everywhere = mixed ? model.mixedThreshold(counts.back().y) : 0;
+  const Grid grid(cells, p);
+  counts.push_back(forRows(p.size.y, threads, [&](int y, glm::uvec4& sums) {
+    for (int x = 0; x < p.size.x; ++x) {
+      const std::size_t i = grid.index(x, y);
+      std::uint32_t cell = cells[i];
+      const std::uint32_t kind = cell & classMask;
+      if (step.data.numbers.z != 0 && kind >= classActive && (cell & 63U) != 63U) ++cell;
+      const int n = mixed || kind != classReady ? 0 : std::popcount(grid.neighbours(x, y));
+      const std::uint32_t threshold = mixed ? everywhere : step.data.infection[n / 4][n % 4];
+      if (kind != classNobody) {
+        const auto random =
+            spreadRandom(static_cast<std::uint32_t>(i), step.data.numbers.x, step.data.numbers.y);
+        cell = model.nextPerson(cell, threshold, random);
+      }
+      next_[i] = static_cast<std::uint8_t>(cell);
+      countCell(sums, cell);
+    }
+  }));
+  std::swap(cells, next_);
+}
+
+WildfireTwin::WildfireTwin(simreel::sim::WildfirePlan plan)
+    : cells(plan.firstCells()), counts{countAll(cells)}, plan_(std::move(plan)), next_(cells) {}
+
+void WildfireTwin::step(double time, int threads) {
+  for (const auto& one : plan_.frame(time)) oneStep(one, threads);
+}
+
+void WildfireTwin::oneStep(const simreel::sim::WildfirePlan::Step& step, int threads) {
+  const auto& p = plan_.parameters();
+  WildfireModel model{step.data};
+  const auto& numbers = step.data.numbers;
+  const auto width = static_cast<std::size_t>(p.size.x);
+  for (const Stroke& stroke : step.strokes)
+    for (std::size_t i = 0; i < cells.size(); ++i)
+      if (plan_.strokes().paints(stroke, {static_cast<int>(i % width), static_cast<int>(i / width)}))
+        cells[i] = static_cast<std::uint8_t>(
+            model.paintedFuel(cells[i], static_cast<int>(stroke.shape.z + 0.5F), plan_.ground()[i]));
+  const Grid grid(cells, p);
+  const auto groups = static_cast<std::uint32_t>((p.size.x + 15) / 16);
+  counts.push_back(forRows(p.size.y, threads, [&](int y, glm::uvec4& sums) {
+    for (int x = 0; x < p.size.x; ++x) {
+      const std::size_t i = grid.index(x, y);
+      std::uint32_t cell = cells[i];
+      const std::uint32_t kind = cell & classMask;
+      if (kind == classReady) {
+        const auto random = spreadRandom(static_cast<std::uint32_t>(i), numbers.x, numbers.y);
+        const std::uint32_t weight = model.fuelWeight(plan_.fuels()[i]);
+        bool caught = random >> 15U < model.catchChance(grid.neighbours(x, y), weight);
+        if (p.hasEmbers && (random & 255U) < weight) {
+          const std::uint32_t group =
+              static_cast<std::uint32_t>(y) * groups + static_cast<std::uint32_t>(x) / 16;
+          const uvec3 flight = hash3(uvec3(group, numbers.x, numbers.y ^ 0x5bd1e995U));
+          const ivec2 from = ivec2(x, y) - model.emberFlight(flight);
+          if (flight.x >> 5U < static_cast<std::uint32_t>(step.data.embers.w) &&
+              (flight.x & 15U) == (x & 15) && grid.isActive(from.x, from.y))
+            caught = true;
+        }
+        if (caught) cell = classActive;
+      } else if (kind == classActive) {
+        cell = model.nextBurning(cell, plan_.ground()[i]);
+      } else if (kind == classSpent) {
+        cell = model.nextBurnt(cell, plan_.ground()[i]);
+      }
+      next_[i] = static_cast<std::uint8_t>(cell);
+      countCell(sums, cell);
+    }
+  }));
+  std::swap(cells, next_);
+}

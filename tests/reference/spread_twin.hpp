@@ -1,0 +1,42 @@
+#pragma once
+#include "sim/epidemic_plan.hpp"
+#include "sim/wildfire_plan.hpp"
+
+#include <cstdint>
+#include <vector>
+
+#include <glm/vec4.hpp>
+
+/// The epidemic on the CPU, a byte a cell and neighbours looked up one by one; decisions by the kernels'
+/// own model (glsl/epidemic/model.glsl compiled as C++). Equals the GPU bit for bit.
+class EpidemicTwin {
+ public:
+  explicit EpidemicTwin(simreel::sim::EpidemicPlan plan);
+  /// One frame starting at `time` (s). `threads` 0: all processors.
+  void step(double time, int threads = 1);
+  void oneStep(const simreel::sim::EpidemicPlan::Step& step, int threads = 1);
+
+  std::vector<std::uint8_t> cells;
+  std::vector<glm::uvec4> counts;  ///< of the start and of every step so far
+  [[nodiscard]] simreel::sim::EpidemicPlan& plan() { return plan_; }
+
+ private:
+  simreel::sim::EpidemicPlan plan_;
+  std::vector<std::uint8_t> next_;
+};
+
+/// The same for a wildfire.
+class WildfireTwin {
+ public:
+  explicit WildfireTwin(simreel::sim::WildfirePlan plan);
+  void step(double time, int threads = 1);
+  void oneStep(const simreel::sim::WildfirePlan::Step& step, int threads = 1);
+
+  std::vector<std::uint8_t> cells;
+  std::vector<glm::uvec4> counts;
+  [[nodiscard]] simreel::sim::WildfirePlan& plan() { return plan_; }
+
+ private:
+  simreel::sim::WildfirePlan plan_;
+  std::vector<std::uint8_t> next_;
+};

@@ -1,0 +1,169 @@
+// Cells of an epidemic that never ends and of a growing wildfire per second: on the device, on the CPU twin
+// on one thread and on all, and in a plain loop over bytes. All take the same steps from the same start.
+#include "gl/context.hpp"
+#include "reference/spread_twin.hpp"
+#include "sim/epidemic.hpp"
+#include "sim/wildfire.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <ctime>
+#include <memory>
+
+#include <fmt/format.h>
+
+using namespace simreel;
+
+namespace {
+
+constexpr double frameSeconds = 1.0 / 60;
+constexpr int stepsEach = 16;
+
+/// About a tenth is infected when it has settled.
+sim::EpidemicParameters city(int side) {
+  sim::EpidemicParameters p;
+  p.size = {side, side};
+  p.border = sim::SpreadParameters::Border::torus;
+  p.stepsPerSecond = 60 * stepsEach;
+  p.infected = 0.1;
+  p.immune = 0.5;
+  p.beta = 0.05F;
+  p.gamma = 0.1F;
+  p.waning = 0.02F;
+  return p;
+}
+
+/// A hundred fires.
+sim::WildfireParameters forest(int side) {
+  sim::WildfireParameters p;
+  p.size = {side, side};
+  p.border = sim::SpreadParameters::Border::torus;
+  p.stepsPerSecond = 60 * stepsEach;
+  p.windStrength = 0.5F;
+  for (int i = 0; i < 100; ++i) {
+    sim::StrokeParameters spot;
+    spot.from = spot.to = glm::vec3((i % 10 + 0.5F) * side / 10, (i / 10 + 0.5F) * side / 10, 0);
+    p.strokes.push_back(spot);
+  }
+  return p;
+}
+
+/// Processor seconds of all threads so far.
+double processorSeconds() {
+  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
+
+struct Times {
+  double seconds = 1e9;
+  double processor = 1e9;
+};
+
+/// Frames to warm up, then the best of as many.
+template <class Frame>
+Times secondsOf(int frames, const Frame& frame) {
+  Times best;
+  for (int i = 0; i < frames; ++i) {
+    const auto begin = std::chrono::steady_clock::now();
+    const double before = processorSeconds();
+    frame(i * frameSeconds);
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    if (i < frames / 2) continue;
+    best.seconds = std::min(best.seconds, seconds);
+    best.processor = std::min(best.processor, processorSeconds() - before);
+  }
+  return best;
+}
+
+/// The epidemic as one would write it first: a byte of state a cell, eight look-ups, the same hash.
+class PlainEpidemic {
+ public:
+  explicit PlainEpidemic(int side) : twin_(sim::EpidemicPlan(city(side), 1, frameSeconds)), side_(side) {
+    for (const std::uint8_t cell : twin_.cells) cells_.push_back(static_cast<std::uint8_t>(cell >> 6));
+    next_ = cells_;
+  }
+  void frame(double time) {
+    for (const auto& step : twin_.plan().frame(time)) {
+      std::size_t at = 0;
+      for (int y = 0; y < side_; ++y) {
+        const std::uint8_t* row = &cells_[static_cast<std::size_t>(y) * static_cast<std::size_t>(side_)];
+        const std::uint8_t* above =
+            &cells_[static_cast<std::size_t>((y + side_ - 1) % side_) * static_cast<std::size_t>(side_)];
+        const std::uint8_t* below =
+            &cells_[static_cast<std::size_t>((y + 1) % side_) * static_cast<std::size_t>(side_)];
+        for (int x = 0; x < side_; ++x, ++at) {
+          const int l = x == 0 ? side_ - 1 : x - 1;
+          const int r = x == side_ - 1 ? 0 : x + 1;
+          const int n = (above[l] == 2) + (above[x] == 2) + (above[r] == 2) + (row[l] == 2) +
+                        (row[r] == 2) + (below[l] == 2) + (below[x] == 2) + (below[r] == 2);
+          const auto random = shader::spreadRandom(static_cast<std::uint32_t>(at), step.data.numbers.x, 1);
+          const std::uint8_t cell = row[x];
+          next_[at] = cell == 1
+                          ? (random < step.data.infection[n / 4][n % 4] ? std::uint8_t{2} : std::uint8_t{1})
+                      : cell == 2 ? (random < step.data.infection[2].y ? 3 : 2)
+                                  : (random < step.data.infection[2].z ? 1 : 3);
+          ++counts_[next_[at]];
+        }
+      }
+      std::swap(cells_, next_);
+    }
+  }
+
+ private:
+  EpidemicTwin twin_;
+  int side_;
+  std::vector<std::uint8_t> cells_, next_;
+  unsigned counts_[4] = {};
+};
+
+template <class Parameters>
+std::unique_ptr<sim::Simulation> onDevice(const sim::SimulationKind& kind, const Parameters& parameters) {
+  scene::Object object;
+  object.name = "field";
+  object.parameters = std::make_unique<Parameters>(parameters);
+  static const std::vector<sim::ColliderShape> none;
+  return kind.make(object, {false, 1, frameSeconds, &none});
+}
+
+void line(const char* what, int side, const Times& times) {
+  const double cells = static_cast<double>(side) * side * stepsEach;
+  fmt::print("{:34} {:6}x{:<6} {:10.3f} ms a step {:10.3e} cells/s {:10.3e} a processor second\n", what,
+             side, side, times.seconds / stepsEach * 1e3, cells / times.seconds,
+             cells / std::max(times.processor, 1e-9));
+}
+
+template <class Parameters>
+void device(const char* name, const sim::SimulationKind& kind, const Parameters& parameters, int frames) {
+  const std::unique_ptr<sim::Simulation> simulation = onDevice(kind, parameters);
+  line(name, parameters.size.x, secondsOf(frames, [&](double time) {
+         simulation->step(time, {});
+         glFinish();
+       }));
+  const auto rows = simulation->counts().steps->readAll<glm::uvec4>();
+  fmt::print("  of a thousand cells {:.0f} spread\n",
+             1e3 * rows[0].y / parameters.size.x / parameters.size.y);
+}
+
+}  // namespace
+
+int main() {
+  const gl::Context context;
+  fmt::print("device: {}\n", context.device().name);
+  for (const int side : {1024, 8192}) {
+    if (context.device().software && side > 1024) continue;
+    const int frames = 10;
+    if (side <= 1024) {
+      PlainEpidemic plain(side);
+      line("epidemic, plain loop, one thread", side, secondsOf(frames, [&](double t) { plain.frame(t); }));
+      for (const int threads : {1, 0}) {
+        EpidemicTwin people(sim::EpidemicPlan(city(side), 1, frameSeconds));
+        line(threads == 1 ? "epidemic, twin, one thread" : "epidemic, twin, all threads", side,
+             secondsOf(frames, [&](double t) { people.step(t, threads); }));
+        WildfireTwin fire(sim::WildfirePlan(forest(side), 1, frameSeconds));
+        line(threads == 1 ? "wildfire, twin, one thread" : "wildfire, twin, all threads", side,
+             secondsOf(frames, [&](double t) { fire.step(t, threads); }));
+      }
+    }
+    device("epidemic, device", sim::epidemicKind(), city(side), frames);
+    device("wildfire, device", sim::wildfireKind(), forest(side), frames);
+  }
+}
