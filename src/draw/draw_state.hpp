@@ -44,7 +44,9 @@ enum Unit : GLuint {
   shapeUnit = 7,
   listUnit = 8,
   argumentUnit = 9,
-  stopUnit = 10
+  stopUnit = 10,
+  reliefUnit = 11,
+  skinColorUnit = 12
 };
 
 /// Vertices are pulled by number, yet drawing needs a vertex array: this one has no attributes.
