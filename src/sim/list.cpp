@@ -1,6 +1,7 @@
 #include "sim/list.hpp"
 
 #include "sim/cloth.hpp"
+#include "sim/mesh.hpp"
 #include "sim/particles.hpp"
 #include "sim/shape.hpp"
 
@@ -10,7 +11,7 @@ namespace simreel::sim {
 
 std::span<const SimulationKind> simulations() {
   static const std::vector<SimulationKind> list = {
-      clothKind(), particlesKind(), sphereKind(), capsuleKind(), planeKind(),
+      clothKind(), particlesKind(), meshKind(), sphereKind(), capsuleKind(), planeKind(),
   };
   return list;
 }

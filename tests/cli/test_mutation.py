@@ -15,7 +15,7 @@ MUTATIONS = {
     "particles": ("particles/model.glsl", "precise vec3 drift = v * stepData.acceleration.w;",
                   "precise vec3 drift = v * (stepData.acceleration.w * 1.01f);"),
 }
-SCENERY = {"sphere", "capsule", "plane"}  # nothing of theirs is simulated
+SCENERY = {"mesh", "sphere", "capsule", "plane"}  # nothing of theirs is simulated
 
 
 class Mutation(GoldenCase):

@@ -1,0 +1,51 @@
+#include "sim/mesh.hpp"
+
+#include "base/log.hpp"
+#include "sim/mesh_buffers.hpp"
+#include "sim/mesh_parameters.hpp"
+
+namespace simreel::sim {
+
+namespace {
+
+/// A mesh that keeps its shape: scenery, moved by keyframes.
+class RigidMesh : public Simulation {
+ public:
+  RigidMesh(const scene::Object& object, const MeshParameters& parameters, const Mesh& mesh)
+      : parameters_(parameters), material_(object.material), buffers_(object.name, mesh) {}
+
+  void step(double /*time*/, const StepWatch& /*watch*/) override {}
+
+  void publish(double time, Drawables& drawables) const override {
+    if (!parameters_.visible) return;
+    Surface surface = buffers_.surface();
+    surface.model = parameters_.model(time);
+    surface.doubleSided = parameters_.doubleSided();
+    surface.material = &material_;
+    drawables.surfaces.push_back(surface);
+  }
+
+ private:
+  MeshParameters parameters_;
+  scene::Material material_;
+  MeshBuffers buffers_;
+};
+
+std::unique_ptr<Simulation> makeMesh(const scene::Object& object, const Setting& /*setting*/) {
+  const auto& parameters = dynamic_cast<const MeshParameters&>(*object.parameters);
+  const Mesh mesh = parameters.make();
+  if (mesh.uvs.empty() && !object.material.texture.empty())
+    warn("mesh \"{}\": {} has no texture coordinates, so its texture shows the colour of one corner",
+         object.name, parameters.file.string());
+  return std::make_unique<RigidMesh>(object, parameters, mesh);
+}
+
+}  // namespace
+
+SimulationKind meshKind() {
+  return {{"mesh", "A generated mesh or one from a file, that may move along keyframes.",
+           [] { return std::make_unique<MeshParameters>(); }},
+          makeMesh};
+}
+
+}  // namespace simreel::sim

@@ -1,0 +1,38 @@
+#pragma once
+#include "scene/fields.hpp"
+#include "sim/mesh_file.hpp"
+
+#include <filesystem>
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+namespace simreel::sim {
+
+enum class MeshShape { plane, sphere, torus, file };
+enum class MeshSides { fitting, one, both };
+
+/// Parameters of the kind mesh.
+struct MeshParameters : scene::Parameters {
+  MeshShape shape = MeshShape::plane;
+  std::filesystem::path file;
+  glm::vec3 size{4, 0, 4};         ///< m, of a plane
+  float radius = 1.0F;             ///< m
+  float tube = 0.35F;              ///< m
+  glm::ivec2 resolution{101, 65};  ///< vertices along u and v
+  MeshSides sides = MeshSides::fitting;
+  bool visible = true;
+  scene::Animated<glm::vec3> position = glm::vec3(0);  ///< m
+  scene::Animated<glm::vec3> rotation = glm::vec3(0);  ///< degrees
+  scene::Animated<float> scale = 1.0F;
+  void describe(scene::Fields& fields) override;
+
+  [[nodiscard]] bool doubleSided() const;
+  /// From the mesh's own space to the world's at `time`.
+  [[nodiscard]] glm::mat4 model(double time) const;
+  /// Generates or reads the mesh. Throws what loadMesh throws.
+  [[nodiscard]] Mesh make() const;
+};
+
+}  // namespace simreel::sim
