@@ -3,8 +3,8 @@
 #include "draw/shading.glsl"
 #include "draw/shadow_read.glsl"
 #ifdef SKIN  // both vary from place to place
-float roughness;
-float openness;  // share of the surroundings' light that gets into a cavity
+float roughness = 1.0;
+float openness = 1.0;  // share of the surroundings' light that gets into a cavity
 #else
 uniform float roughness;
 const float openness = 1.0;

@@ -1,6 +1,6 @@
 // A field as skins read it: how far each value lies above the threshold, the square of that, and the slope. Mip maps
 // average all of it, so that the first two give mean and variance of whatever a pixel covers. Values are shares of
-// the field's range, slopes are per cell. COLORED: the field is a picture, its value the luminance.
+// the field's range, slopes are per cell. COLORED: the field is a picture with the values' shares in its alpha.
 layout(local_size_x = 8, local_size_y = 8) in;
 #ifdef COLORED
 layout(rgba16f, binding = 0) uniform readonly restrict image2D field;
@@ -16,7 +16,7 @@ uniform float texelCells;  // cells a texel on a side
 float aboveThreshold(ivec2 at) {
   at += texels * ivec2(lessThan(at, ivec2(0))) - texels * ivec2(greaterThanEqual(at, texels));
 #ifdef COLORED
-  float value = dot(imageLoad(field, at).rgb, vec3(0.2126, 0.7152, 0.0722));
+  float value = imageLoad(field, at).a;
 #else
   float value = imageLoad(field, at).r;
 #endif

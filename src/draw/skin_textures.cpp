@@ -50,7 +50,7 @@ void SkinTextures::update(const scene::Skin& skin, const FieldTextures::Entry& f
     entry.relief = emptyTexture("relief of " + skin.field, width, height);
     if (own) entry.colors = emptyTexture("colours of " + skin.field, width, height);
   }
-  entry.threshold = thresholdShare(skin, field.colored ? glm::vec2(0, 1) : field.range);
+  entry.threshold = thresholdShare(skin, field.range);
   entry.cells = field.cells;
   run(reliefPath, field, entry.relief, entry.threshold);
   if (own) run(colorsPath, field, entry.colors, 0.0F);
