@@ -1,6 +1,7 @@
 #include "sim/list.hpp"
 
 #include "sim/cloth.hpp"
+#include "sim/gray_scott.hpp"
 #include "sim/mesh.hpp"
 #include "sim/particles.hpp"
 #include "sim/shape.hpp"
@@ -11,7 +12,7 @@ namespace simreel::sim {
 
 std::span<const SimulationKind> simulations() {
   static const std::vector<SimulationKind> list = {
-      clothKind(), particlesKind(), meshKind(), sphereKind(), capsuleKind(), planeKind(),
+      clothKind(), particlesKind(), grayScottKind(), meshKind(), sphereKind(), capsuleKind(), planeKind(),
   };
   return list;
 }

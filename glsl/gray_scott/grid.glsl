@@ -1,0 +1,60 @@
+// How the cells lie in memory: rows of `columns` elements, each two cells (u, v, u, v), x fastest. In rows of
+// odd width (ODD_WIDTH) the last element's second half is cell 0 of the row again, computed from the same
+// numbers, so the torus closes without a case of its own in the arithmetic.
+#include "common/memory.glsl"
+#include "gray_scott/model.glsl"
+
+INPUT_ARRAY(0, CellBlock, cells)
+uniform ivec2 size;    // cells
+uniform int columns;   // elements of a row
+uniform vec4 rates;    // dt Du / 20, dt Dv / 20, dt, unused
+uniform vec4 feedKill; // dt F, dt k, and what a weight of 1 adds to them
+
+#ifdef MAPPED
+INPUT_ARRAY(2, WeightBlock, weights)
+#endif
+
+// Row and element indices one step beyond the border come back on the other side; further out any will do.
+int wrappedRow(int y) {
+  return y < 0 ? y + size.y : y >= size.y ? 0 : y;
+}
+
+// Element x of a row, -1 <= x; at and beyond the border what follows on the torus.
+vec4 cellPair(int x, int row) {
+  int inside = x < 0 ? columns - 1 : x >= columns ? 0 : x;
+  vec4 pair = LOAD_INPUT(cells, row * columns + inside);
+#ifdef ODD_WIDTH
+  if (x < 0) pair = pair.xyxy;
+  if (x >= columns) pair = pair.zwzw;
+#endif
+  return pair;
+}
+
+// Sums of left and right neighbour of the two cells of an element.
+vec4 sideSums(vec4 left, vec4 here, vec4 right) {
+  precise vec4 sums = vec4(left.zw, here.xy) + vec4(here.zw, right.xy);
+  return sums;
+}
+
+// The rates of the two cells of an element as (feed, kill, feed, kill).
+vec4 ratesAt(int element) {
+#ifdef MAPPED
+  vec4 w = LOAD_INPUT(weights, element);
+  return vec4(mappedRate(feedKill.x, feedKill.z, w.x), mappedRate(feedKill.y, feedKill.w, w.y),
+              mappedRate(feedKill.x, feedKill.z, w.z), mappedRate(feedKill.y, feedKill.w, w.w));
+#else
+  return feedKill.xyxy;
+#endif
+}
+
+// The two cells of an element one step later: `edges` and `corners` are sums of four neighbours, componentwise.
+vec4 steppedPair(vec4 here, vec4 edges, vec4 corners, vec4 local) {
+  GrayScottRates a = GrayScottRates(rates.x, rates.y, local.x, local.y, rates.z);
+  GrayScottRates b = GrayScottRates(rates.x, rates.y, local.z, local.w, rates.z);
+  float reactedA = reaction(here.x, here.y, rates.z);
+  float reactedB = reaction(here.z, here.w, rates.z);
+  return vec4(nextU(here.x, laplacian20(here.x, edges.x, corners.x), reactedA, a),
+              nextV(here.y, laplacian20(here.y, edges.y, corners.y), reactedA, a),
+              nextU(here.z, laplacian20(here.z, edges.z, corners.z), reactedB, b),
+              nextV(here.w, laplacian20(here.w, edges.w, corners.w), reactedB, b));
+}

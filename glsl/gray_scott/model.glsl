@@ -1,0 +1,69 @@
+// One step of Gray-Scott in one cell, only additions, multiplications and comparisons. Compiles as GLSL and
+// as C++ (src/sim/gray_scott_plan.hpp).
+//
+//   u' = u + dt (Du lap(u) - u v^2 + F (1 - u)),   v' = v + dt (Dv lap(v) + u v^2 - (F + k) v)
+//
+// lap: edge neighbours 0.2, corners 0.05, centre -1, on a torus.
+#ifndef FUNCTION
+#define FUNCTION
+#endif
+
+struct GrayScottRates {
+  float diffuseU;  // dt Du / 20
+  float diffuseV;  // dt Dv / 20
+  float feed;      // dt F
+  float kill;      // dt k
+  float dt;
+};
+
+// 20 lap = 4 edges + corners - 20 centre, from sums of the four neighbours each. Exactly zero where all nine
+// are equal.
+FUNCTION float laplacian20(float centre, float edges, float corners) {
+  precise float sum = 4.0f * edges;
+  sum = sum + corners;
+  precise float own = 20.0f * centre;
+  precise float difference = sum - own;
+  return difference;
+}
+
+// dt u v^2
+FUNCTION float reaction(float u, float v, float dt) {
+  precise float r = u * v;
+  r = r * v;
+  r = r * dt;
+  return r;
+}
+
+// Within [0, 1]; what is below 1e-20 becomes zero, so that no product here is a subnormal number that a sum
+// would show: drivers disagree on those.
+FUNCTION float heldToUnit(float x) {
+  float most = x > 1.0f ? 1.0f : x;
+  return most < 1e-20f ? 0.0f : most;
+}
+
+FUNCTION float nextU(float u, float laplacian, float reacted, GrayScottRates rates) {
+  precise float change = rates.diffuseU * laplacian;
+  change = change - reacted;
+  precise float lack = 1.0f - u;
+  lack = rates.feed * lack;
+  change = change + lack;
+  precise float next = u + change;
+  return heldToUnit(next);
+}
+
+FUNCTION float nextV(float v, float laplacian, float reacted, GrayScottRates rates) {
+  precise float change = rates.diffuseV * laplacian;
+  change = change + reacted;
+  precise float loss = rates.feed + rates.kill;
+  loss = loss * v;
+  change = change - loss;
+  precise float next = v + change;
+  return heldToUnit(next);
+}
+
+// A rate that varies over the grid: weight 0 is `base`, weight 1 is base + span.
+FUNCTION float mappedRate(float base, float span, float weight) {
+  precise float rate = span * weight;
+  rate = base + rate;
+  return rate;
+}

@@ -1,0 +1,25 @@
+// A brush stroke: v becomes the stroke's value and u what is left of 1. An invocation takes an element of the
+// rows that the stroke's box covers, so that the copy of cell 0 in rows of odd width is painted with it.
+#include "common/memory.glsl"
+#include "common/words.glsl"
+layout(local_size_x = 16, local_size_y = 4) in;
+STATE_ARRAY(1, CellBlock, cells)
+INPUT_WORDS(2, StrokeBlock, strokeBits)
+#include "common/stroke_paint.glsl"
+uniform ivec2 size;
+uniform int columns;
+
+vec2 painted(vec2 cell, int x, int y) {
+  if (!strokePaints(ivec2(x < size.x ? x : 0, y))) return cell;
+  precise float rest = 1.0f - strokeShape.z;
+  return vec2(rest, strokeShape.z);
+}
+
+void main() {
+  ivec2 at = ivec2(gl_GlobalInvocationID.xy);
+  if (at.x >= columns || at.y >= strokeBox.w) return;
+  int y = strokeBox.y + at.y;
+  int element = y * columns + at.x;
+  vec4 pair = LOAD_STATE(cells, element);
+  STORE_STATE(cells, element, vec4(painted(pair.xy, 2 * at.x, y), painted(pair.zw, 2 * at.x + 1, y)));
+}

@@ -1,0 +1,47 @@
+// One step. An invocation takes ACROSS elements (two cells each) of ROWS rows and goes down them with the sums
+// of three rows in registers, so each element is loaded once in its column.
+#include "gray_scott/grid.glsl"
+layout(local_size_x = GROUP_X, local_size_y = GROUP_Y) in;
+STATE_ARRAY(1, NextBlock, nextCells)
+
+struct RowSums {
+  vec4 cell[ACROSS];
+  vec4 sides[ACROSS];
+};
+
+RowSums loadRow(int first, int y) {
+  int row = wrappedRow(y);
+  RowSums r;
+  vec4 left = cellPair(first - 1, row);
+  vec4 here = cellPair(first, row);
+  for (int i = 0; i < ACROSS; ++i) {
+    vec4 right = cellPair(first + i + 1, row);
+    r.cell[i] = here;
+    r.sides[i] = sideSums(left, here, right);
+    left = here;
+    here = right;
+  }
+  return r;
+}
+
+void main() {
+  int first = int(gl_GlobalInvocationID.x) * ACROSS;
+  int top = int(gl_GlobalInvocationID.y) * ROWS;
+  if (first >= columns || top >= size.y) return;
+  RowSums above = loadRow(first, top - 1);
+  RowSums here = loadRow(first, top);
+  for (int j = 0; j < ROWS; ++j) {
+    int y = top + j;
+    RowSums below = loadRow(first, y + 1);
+    for (int i = 0; i < ACROSS; ++i) {
+      if (y >= size.y || first + i >= columns) continue;
+      int element = y * columns + first + i;
+      precise vec4 corners = above.sides[i] + below.sides[i];
+      precise vec4 edges = above.cell[i] + below.cell[i];
+      edges = here.sides[i] + edges;
+      STORE_STATE(nextCells, element, steppedPair(here.cell[i], edges, corners, ratesAt(element)));
+    }
+    above = here;
+    here = below;
+  }
+}

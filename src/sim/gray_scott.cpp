@@ -1,0 +1,87 @@
+#include "sim/gray_scott.hpp"
+
+#include "sim/gray_scott_kernels.hpp"
+
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace simreel::sim {
+
+namespace {
+
+class GrayScott : public Simulation {
+ public:
+  GrayScott(const scene::Object& object, const Setting& setting)
+      : name_(object.name),
+        plan_(dynamic_cast<const GrayScottParameters&>(*object.parameters), setting.seed,
+              setting.frameSeconds),
+        kernels_(name_, plan_, setting.fast),
+        colors_(plan_.parameters().display.colors()) {
+    kernels_.setRates(plan_.ratesAt(0));
+    kernels_.advance(plan_.parameters().presteps);
+    gl::barrier();
+  }
+
+  void step(double time, const StepWatch& watch) override {
+    const int steps = plan_.parameters().steps;
+    kernels_.setRates(plan_.ratesAt(time));
+    int together = 0;  // steps that nobody looks between
+    for (int i = 0; i < steps; ++i) {
+      const auto strokes = plan_.strokesBefore(time, i);
+      if (!strokes.empty()) kernels_.advance(std::exchange(together, 0));
+      for (const shader::Stroke& stroke : strokes) kernels_.paint(stroke);
+      ++together;
+      if (!watch) continue;
+      kernels_.advance(std::exchange(together, 0));
+      watch(i + 1);
+    }
+    kernels_.advance(together);
+    gl::barrier();
+  }
+
+  [[nodiscard]] int stepsPerFrame() const override { return plan_.parameters().steps; }
+  [[nodiscard]] std::string elementName(long element) const override {
+    const int x = static_cast<int>(element % plan_.columns()) * 2;
+    return fmt::format("cells ({}, {}) and ({}, {})", x, element / plan_.columns(),
+                       (x + 1) % plan_.parameters().size.x, element / plan_.columns());
+  }
+
+  void publish(double /*time*/, Drawables& drawables) const override {
+    const GrayScottParameters& p = plan_.parameters();
+    Field field;
+    field.name = &name_;
+    field.words = &kernels_.words();
+    field.cells = Field::Cells::floats;
+    field.size = p.size;
+    field.rowWords = 4 * plan_.columns();
+    field.firstWord = 1;  // v of (u, v)
+    field.cellWords = 2;
+    field.range = {static_cast<float>(p.display.low), static_cast<float>(p.display.high)};
+    field.colors = &colors_;
+    field.display = &p.display;
+    drawables.fields.push_back(field);
+  }
+
+  [[nodiscard]] std::vector<StateArray> state() const override {
+    return {{"cells", &kernels_.cells().buffer()}};
+  }
+
+ private:
+  std::string name_;
+  GrayScottPlan plan_;
+  GrayScottKernels kernels_;
+  std::vector<glm::vec3> colors_;
+};
+
+}  // namespace
+
+SimulationKind grayScottKind() {
+  return {{"grayScott", "Two substances that react and spread: spots, stripes, mazes (Gray-Scott).",
+           [] { return std::make_unique<GrayScottParameters>(); }},
+          [](const scene::Object& object, const Setting& setting) -> std::unique_ptr<Simulation> {
+            return std::make_unique<GrayScott>(object, setting);
+          }};
+}
+
+}  // namespace simreel::sim

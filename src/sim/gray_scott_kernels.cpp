@@ -1,0 +1,102 @@
+#include "sim/gray_scott_kernels.hpp"
+
+#include "base/error.hpp"
+#include "gl/limits.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <utility>
+
+namespace simreel::sim {
+
+namespace {
+
+/// Before anything is filled: a grid far beyond the limit would first take gigabytes.
+void checkLimits(const std::string& name, glm::ivec2 size, int columns) {
+  const std::int64_t elements = std::int64_t{columns} * size.y;
+  const auto refuse = [&](std::int64_t need, const char* what, std::int64_t most, const char* limit) {
+    if (need > most)
+      fail(ExitCode::device,
+           "grayScott \"{}\" of {}x{} cells needs {} {} in one buffer, this device allows {} ({}); make it "
+           "smaller",
+           name, size.x, size.y, need, what, most, limit);
+  };
+  refuse(elements * 16, "bytes", gl::limits().storageBlockBytes, "GL_MAX_SHADER_STORAGE_BLOCK_SIZE");
+  refuse(elements, "texels", gl::limits().texelBufferTexels, "GL_MAX_TEXTURE_BUFFER_SIZE");
+}
+
+std::vector<glm::uvec4> elementsOf(const std::vector<std::uint32_t>& words) {
+  std::vector<glm::uvec4> elements;
+  for (std::size_t i = 0; i + 3 < words.size(); i += 4)
+    elements.emplace_back(words[i], words[i + 1], words[i + 2], words[i + 3]);
+  return elements;
+}
+
+}  // namespace
+
+GrayScottKernels::Cut GrayScottKernels::bestCut() {
+  return gl::memoryPath() == gl::MemoryPath::texel ? Cut{2, 8, 8, 8, 1} : Cut{1, 8, 32, 4, 1};
+}
+
+GrayScottKernels::GrayScottKernels(const std::string& name, const GrayScottPlan& plan, bool fast,
+                                   const Cut& cut)
+    : size_(plan.parameters().size), columns_(plan.columns()), cut_(cut), mapped_(plan.mapped()) {
+  checkLimits(name, size_, columns_);
+  const std::vector<glm::vec4> first = plan.firstCells();
+  cells_[0] = gl::Vec4Array(name + " cells", first);
+  cells_[1] = gl::Vec4Array(name + " next cells", first);
+  for (int i = 0; i < 2; ++i)
+    words_[i] = gl::Texture::view(name + " words", GL_RGBA32UI, cells_[i].buffer());
+  if (mapped_) weights_ = gl::Vec4Array(name + " rate map", plan.weights());
+
+  gl::Defines defines = gl::kernelDefines(fast);
+  if (!plan.strokes().empty()) {
+    strokeBits_ = gl::WordsArray(name + " brush images", elementsOf(plan.strokes().imageBits()));
+    paint_ = gl::Program::compute("gray_scott/paint.comp", defines);
+    paint_.set("size", size_);
+    paint_.set("columns", columns_);
+  }
+  if (mapped_) defines.emplace_back("MAPPED", "1");
+  if (size_.x % 2 == 1) defines.emplace_back("ODD_WIDTH", "1");
+  const auto define = [&](const char* key, int value) { defines.emplace_back(key, std::to_string(value)); };
+  define("ACROSS", cut_.across);
+  define("ROWS", cut_.rows);
+  define("GROUP_X", cut_.groupX);
+  define("GROUP_Y", cut_.groupY);
+  step_ = gl::Program::compute("gray_scott/step.comp", defines);
+  step_.set("size", size_);
+  step_.set("columns", columns_);
+}
+
+void GrayScottKernels::setRates(const GrayScottPlan::Rates& rates) {
+  const shader::GrayScottRates& r = rates.base;
+  step_.set("rates", glm::vec4(r.diffuseU, r.diffuseV, r.dt, 0));
+  step_.set("feedKill", glm::vec4(r.feed, r.kill, rates.feedSpan, rates.killSpan));
+}
+
+void GrayScottKernels::advance(int steps) {
+  for (int i = 0; i < steps; ++i)
+    pass(step_, (columns_ - 1) / cut_.across + 1, (size_.y - 1) / cut_.rows + 1);
+}
+
+void GrayScottKernels::pass(const gl::Program& program, int width, int height) {
+  cells_[0].bindInput(0);
+  cells_[1].bindState(1);
+  if (mapped_) weights_.bindInput(2);
+  gl::barrier();
+  program.dispatch(width, height);
+  std::swap(cells_[0], cells_[1]);
+  std::swap(words_[0], words_[1]);
+}
+
+void GrayScottKernels::paint(const shader::Stroke& stroke) {
+  const glm::ivec4 box = Strokes::box(stroke, size_);
+  if (box.z == 0) return;
+  setStroke(paint_, stroke, box);
+  cells_[0].bindState(1);
+  strokeBits_.bindInput(2);
+  gl::barrier();
+  paint_.dispatch(columns_, box.w);
+}
+
+}  // namespace simreel::sim

@@ -1,0 +1,52 @@
+#pragma once
+#include "gl/program.hpp"
+#include "gl/vec4_array.hpp"
+#include "gl/words_array.hpp"
+#include "sim/gray_scott_plan.hpp"
+
+#include <string>
+
+namespace simreel::sim {
+
+/// The cells of a Gray-Scott field on the GPU and the kernels that step them.
+class GrayScottKernels {
+ public:
+  /// How the work is cut up; every choice gives the same bits.
+  struct Cut {
+    int across = 2;  ///< elements (two cells) that an invocation of a single step takes in a row
+    int rows = 8;    ///< and rows
+    int groupX = 8, groupY = 8;
+    int stepsPerPass = 1;  ///< 2 to 8: several steps in shared memory, storage path only
+  };
+  /// What is fastest on this device's memory path.
+  [[nodiscard]] static Cut bestCut();
+
+  /// Throws UserError(device) when the grid is beyond a limit of the device.
+  GrayScottKernels(const std::string& name, const GrayScottPlan& plan, bool fast,
+                   const Cut& cut = bestCut());
+
+  /// What the following steps use.
+  void setRates(const GrayScottPlan::Rates& rates);
+  /// Advances by `steps`, several in a pass where the cut says so.
+  void advance(int steps);
+  void paint(const shader::Stroke& stroke);
+
+  [[nodiscard]] const gl::Vec4Array& cells() const { return cells_[0]; }
+  /// The same as words, for Field.
+  [[nodiscard]] const gl::Texture& words() const { return words_[0]; }
+
+ private:
+  void pass(const gl::Program& program, int width, int height);
+
+  glm::ivec2 size_;
+  int columns_;
+  Cut cut_;
+  gl::Vec4Array cells_[2];  ///< now, and where the next pass writes
+  gl::Texture words_[2];
+  gl::Vec4Array weights_;
+  gl::WordsArray strokeBits_;
+  gl::Program step_, fused_, paint_;
+  bool mapped_;
+};
+
+}  // namespace simreel::sim
