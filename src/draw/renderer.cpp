@@ -1,6 +1,8 @@
 #include "draw/renderer.hpp"
 
 #include "draw/bloom_pass.hpp"
+#include "draw/field_pass.hpp"
+#include "draw/field_textures.hpp"
 #include "draw/frame_values.hpp"
 #include "draw/ground_pass.hpp"
 #include "draw/instances_pass.hpp"
@@ -18,6 +20,8 @@ struct Renderer::State {
       : scene(shown),
         size(pixels),
         targets(pixels, samples),
+        fieldTextures(shown),
+        fields(pixels),
         shadow(shown.sun),
         surfaces(shown, shadow),
         instances(shadow, targets.scene, samples),
@@ -29,6 +33,8 @@ struct Renderer::State {
   const scene::Scene& scene;
   glm::ivec2 size;
   Targets targets;
+  FieldTextures fieldTextures;
+  FieldPass fields;
   ShadowPass shadow;
   SurfacePass surfaces;
   InstancesPass instances;
@@ -36,6 +42,9 @@ struct Renderer::State {
   BloomPass bloom;
   ToneMapPass toneMap;
   gl::Buffer frame;
+
+  /// All but what lies over the finished picture.
+  void drawScene(double seconds, const sim::Drawables& drawables);
 };
 
 Renderer::Renderer(const scene::Scene& scene, glm::ivec2 size, int samples)
@@ -51,6 +60,15 @@ void Renderer::draw(double seconds, const sim::Drawables& drawables) {
   s.frame.bindUniform(0, 0, sizeof values);
   // Whatever the simulations wrote, vertex pulling and index fetch see it.
   glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_ELEMENT_ARRAY_BARRIER_BIT);
+  s.fieldTextures.update(drawables);
+  s.fields.prepare(drawables, seconds);
+  if (!s.fields.hidesAll(drawables, seconds)) s.drawScene(seconds, drawables);
+  s.targets.picture.bind();
+  s.fields.draw(drawables, sim::FieldDisplay::Layer::over, seconds);
+}
+
+void Renderer::State::drawScene(double seconds, const sim::Drawables& drawables) {
+  State& s = *this;
   if (s.shadow.on()) {
     s.shadow.fit(drawables, [&] { s.instances.growBounds(drawables); });
     s.instances.cullForLight(drawables);
@@ -59,6 +77,7 @@ void Renderer::draw(double seconds, const sim::Drawables& drawables) {
   s.instances.cull(drawables);
   s.targets.clear();
   s.targets.scene.bind();
+  s.fields.draw(drawables, sim::FieldDisplay::Layer::behind, seconds);
   s.shadow.bind();
   s.surfaces.draw(drawables);
   s.instances.drawOpaque(drawables);

@@ -9,8 +9,8 @@
 
 namespace simreel::draw {
 
-/// Draws one frame: shadow map, surfaces, crowds and ground into a multisampled linear target, bloom,
-/// resolve, tone map, sRGB encoding.
+/// Draws one frame: shadow map; fields behind, surfaces, crowds and ground into a multisampled linear
+/// target; bloom, resolve, tone map, sRGB encoding; fields and charts over it.
 class Renderer {
  public:
   /// Compiles every shader and loads every texture the scene's materials name. Throws UserError:
