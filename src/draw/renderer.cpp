@@ -7,6 +7,7 @@
 #include "draw/ground_pass.hpp"
 #include "draw/instances_pass.hpp"
 #include "draw/shadow_pass.hpp"
+#include "draw/skin_textures.hpp"
 #include "draw/surface_pass.hpp"
 #include "draw/targets.hpp"
 #include "draw/tone_map_pass.hpp"
@@ -21,6 +22,7 @@ struct Renderer::State {
         size(pixels),
         targets(pixels, samples),
         fieldTextures(shown),
+        skins(shown),
         fields(pixels),
         shadow(shown.sun),
         surfaces(shown, shadow),
@@ -34,6 +36,7 @@ struct Renderer::State {
   glm::ivec2 size;
   Targets targets;
   FieldTextures fieldTextures;
+  SkinTextures skins;
   FieldPass fields;
   ShadowPass shadow;
   SurfacePass surfaces;
@@ -69,6 +72,7 @@ void Renderer::draw(double seconds, const sim::Drawables& drawables) {
 
 void Renderer::State::drawScene(double seconds, const sim::Drawables& drawables) {
   State& s = *this;
+  s.skins.update(s.fieldTextures);
   if (s.shadow.on()) {
     s.shadow.fit(drawables, [&] { s.instances.growBounds(drawables); });
     s.instances.cullForLight(drawables);
@@ -79,7 +83,7 @@ void Renderer::State::drawScene(double seconds, const sim::Drawables& drawables)
   s.targets.scene.bind();
   s.fields.draw(drawables, sim::FieldDisplay::Layer::behind, seconds);
   s.shadow.bind();
-  s.surfaces.draw(drawables);
+  s.surfaces.draw(drawables, s.skins);
   s.instances.drawOpaque(drawables);
   s.ground.draw();
   s.instances.drawAdditive(drawables);

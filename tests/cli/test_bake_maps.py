@@ -5,7 +5,8 @@ from common import Case, main, png_rows, with_values
 
 MAPS = ("albedo", "height", "normal", "occlusion", "roughness")
 SIDE = 64
-GRAY_SCOTT = {"size": [SIDE, SIDE], "presteps": 1500, "steps": 8, "seeds": {"count": 12, "radius": 3}}
+GRAY_SCOTT = {"size": [SIDE, SIDE], "presteps": 1500, "steps": 8, "seeds": {"count": 12, "radius": 3},
+              "display": {"layer": "none"}}
 SKINNED = {
     "version": 1,
     "time": {"fps": 30, "duration": 0.1},
