@@ -17,7 +17,8 @@ SkinArea areaOnSurface(vec3 normal, out vec3 rise) {
   SkinArea x = skinArea(vec2(-side.x * p.z, -p.y) * skinRepeats);
   SkinArea y = skinArea(vec2(p.x, side.y * p.z) * skinRepeats);
   SkinArea z = skinArea(vec2(side.z * p.x, -p.y) * skinRepeats);
-  vec3 weight = objectNormal * objectNormal;
+  vec3 weight = objectNormal * objectNormal;  // to the 16th power: sharp borders, yet no edges
+  weight *= weight;
   weight *= weight;
   weight *= weight;
   weight /= max(weight.x + weight.y + weight.z, 1e-30);
