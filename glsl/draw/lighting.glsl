@@ -1,8 +1,14 @@
-// Light that a metal/rough surface under sun and sky sends to the eye. Variants: TRANSLUCENT, REFLECTIVE, SHADOW.
+// Light that a metal/rough surface under sun and sky sends to the eye. Variants: TRANSLUCENT, REFLECTIVE, SHADOW, SKIN.
 #include "draw/sky.glsl"
 #include "draw/shading.glsl"
 #include "draw/shadow_read.glsl"
+#ifdef SKIN  // both vary from place to place
+float roughness = 1.0;
+float openness = 1.0;  // share of the surroundings' light that gets into a cavity
+#else
 uniform float roughness;
+const float openness = 1.0;
+#endif
 uniform float metallic;
 uniform float translucency;
 
@@ -26,12 +32,12 @@ vec3 surfaceLight(vec3 base, vec3 normal, vec3 view, float share) {
   float direct = lit;
   vec3 ambient = ambientLight(normal.y);
 #endif
-  vec3 light = matt * (frame.sunLight.rgb * direct + ambient) + mirror * (frame.sunLight.rgb * lobe);
+  vec3 light = matt * (frame.sunLight.rgb * direct + openness * ambient) + mirror * (frame.sunLight.rgb * lobe);
 #ifdef REFLECTIVE
   float nv = abs(dot(normal, view));
   float height = 2.0 * dot(normal, view) * normal.y - view.y;  // of the mirrored direction
   vec2 weight = ambientLobe(roughness, nv);
-  light += (mirror * weight.x + weight.y) * mix(skyRadiance(height), ambientLight(height), roughness);
+  light += openness * (mirror * weight.x + weight.y) * mix(skyRadiance(height), ambientLight(height), roughness);
 #endif
   return light;
 }

@@ -1,4 +1,5 @@
-// Metal/rough surface under sun and sky. Variants: TEXTURED, DOUBLE_SIDED, TRANSLUCENT, REFLECTIVE, SHADOW.
+// Metal/rough surface under sun and sky. Variants: TEXTURED, DOUBLE_SIDED, TRANSLUCENT, REFLECTIVE, SHADOW, SKIN (with
+// SKIN_UV or TRIPLANAR, and LOOK_ one of skin.glsl).
 #include "draw/frame_block.glsl"
 #include "draw/lighting.glsl"
 in vec3 worldPosition;
@@ -11,6 +12,9 @@ const vec3 place = vec3(0);
 #ifdef TEXTURED
 in vec2 uv;
 layout(binding = 3) uniform sampler2D albedo;
+#endif
+#ifdef SKIN
+#include "draw/skin_surface.glsl"
 #endif
 uniform vec3 color;
 layout(location = 0) out vec4 radiance;
@@ -25,5 +29,12 @@ void main() {
   normal = gl_FrontFacing ? normal : -normal;
 #endif
   vec3 view = normalize(frame.eye.xyz - worldPosition);
+#ifdef SKIN
+  Skin skin = skinOnSurface(normal);
+  roughness = skin.roughness;
+  openness = skin.openness;
+  radiance = vec4(surfaceLight(skin.albedo, normal, view, sunShare(place)) + skin.emission, 1.0);
+#else
   radiance = vec4(surfaceLight(base, normal, view, sunShare(place)), 1.0);
+#endif
 }

@@ -7,9 +7,13 @@ uniform ivec2 grid;
 layout(binding = 1) uniform samplerBuffer normals;
 layout(binding = 2) uniform samplerBuffer uvs;
 #endif
-#ifdef TEXTURED
+#if defined TEXTURED || defined SKIN_UV
 uniform vec2 textureScale;
 out vec2 uv;
+#endif
+#ifdef TRIPLANAR
+out vec3 objectPosition;
+out vec3 objectNormal;
 #endif
 out vec3 worldPosition;
 out vec3 worldNormal;
@@ -41,7 +45,12 @@ void main() {
   normal *= inversesqrt(max(dot(normal, normal), 1e-30));
   worldPosition = p;
   worldNormal = normal;
-#ifdef TEXTURED
+#ifdef TRIPLANAR
+  float scale2 = max(dot(model[0].xyz, model[0].xyz), 1e-30);
+  objectPosition = texelFetch(positions, i).xyz * sqrt(scale2);
+  objectNormal = transpose(mat3(model)) * normal * inversesqrt(scale2);
+#endif
+#if defined TEXTURED || defined SKIN_UV
 #ifdef GRID
   uv = textureScale * vec2(i % grid.x, i / grid.x) / vec2(grid - 1);
 #else

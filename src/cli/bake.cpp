@@ -4,6 +4,7 @@
 #include "base/log.hpp"
 #include "base/version.hpp"
 #include "cli/bake_files.hpp"
+#include "cli/bake_maps.hpp"
 #include "cli/commands.hpp"
 #include "cli/scene_options.hpp"
 #include "frame/frames_spec.hpp"
@@ -27,7 +28,7 @@ namespace fs = std::filesystem;
 
 struct BakeOptions {
   SceneOptions scene;
-  std::string output, object, format, device, memoryPath;
+  std::string output, object, format, look, device, memoryPath;
   std::optional<std::string> frames;
   bool overwrite = false;
 };
@@ -55,6 +56,16 @@ fs::path fileOf(const BakeOptions& o, const sim::World& world, std::size_t objec
 }
 
 void bake(const BakeOptions& o) {
+  if (o.format == "maps")
+    return bakeMaps({.scene = o.scene,
+                     .output = o.output,
+                     .object = o.object,
+                     .look = o.look,
+                     .device = o.device,
+                     .memoryPath = o.memoryPath,
+                     .frames = o.frames,
+                     .overwrite = o.overwrite});
+  if (!o.look.empty()) fail(ExitCode::usage, "--look belongs to --format maps");
   const scene::Scene scene = o.scene.load();
   std::vector<int> frames;
   if (o.frames)
@@ -100,16 +111,23 @@ void bake(const BakeOptions& o) {
 void addBake(CLI::App& app) {
   auto o = std::make_shared<BakeOptions>();
   auto* command =
-      app.add_subcommand("bake", "Write the state of a simulation for other programs, a file a frame");
+      app.add_subcommand("bake", "Write what was simulated for other programs: states, materials");
   o->scene.add(*command);
-  command->add_option("-o,--output", o->output, "Folder for NAME_000000.ply ...")->required();
+  command->add_option("-o,--output", o->output, "Folder for NAME_000000.ply, NAME_000000_albedo.png ...")
+      ->required();
+  std::vector<std::string> formats(stateFormats.begin(), stateFormats.end());
+  formats.emplace_back("maps");
   command
       ->add_option(
           "--format", o->format,
           "ply: points or deformed meshes; obj: deformed meshes; npy, pfm: values of fields; rle: cells of "
-          "automata (default: what there is)")
-      ->check(CLI::IsMember(std::vector<std::string>(stateFormats.begin(), stateFormats.end())));
-  command->add_option("--frames", o->frames, "Frames to write, for example 0-99x2,150; all are simulated");
+          "automata; maps: of skins, textures that tile (albedo, normal with +y up, 16-bit height, "
+          "roughness, "
+          "occlusion; --size sets theirs). None given: rle, ply or npy, what there is")
+      ->check(CLI::IsMember(formats));
+  command->add_option("--frames", o->frames,
+                      "Frames to write, for example 0-99x2,150; none given: all, of maps the last");
+  command->add_option("--look", o->look, "With maps: a field as it is, as leather, spots, cracks or map");
   command->add_option("--object", o->object, "Only this object");
   command->add_option("--device", o->device, "Index or part of a name (see `simreel doctor`)");
   command->add_option("--memory-path", o->memoryPath,

@@ -47,6 +47,8 @@ enum Unit : GLuint {
   listUnit = 8,
   argumentUnit = 9,
   stopUnit = 10,
+  reliefUnit = 11,
+  skinColorUnit = 12,
   trailUnit = 14
 };
 

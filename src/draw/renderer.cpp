@@ -8,6 +8,7 @@
 #include "draw/ground_pass.hpp"
 #include "draw/instances_pass.hpp"
 #include "draw/shadow_pass.hpp"
+#include "draw/skin_textures.hpp"
 #include "draw/surface_pass.hpp"
 #include "draw/targets.hpp"
 #include "draw/tone_map_pass.hpp"
@@ -22,6 +23,7 @@ struct Renderer::State {
         size(pixels),
         targets(pixels, samples),
         fieldTextures(shown),
+        skins(shown),
         fields(pixels),
         charts(pixels),
         shadow(shown.sun),
@@ -36,6 +38,7 @@ struct Renderer::State {
   glm::ivec2 size;
   Targets targets;
   FieldTextures fieldTextures;
+  SkinTextures skins;
   FieldPass fields;
   ChartPass charts;
   ShadowPass shadow;
@@ -79,6 +82,7 @@ void Renderer::State::drawScene(double seconds, const sim::Drawables& drawables,
     if (watch && any) watch(stage);
   };
   const bool crowds = !drawables.instances.empty();
+  s.skins.update(s.fieldTextures);
   if (s.shadow.on()) {
     s.shadow.fit(drawables, [&] { s.instances.growBounds(drawables); });
     s.instances.cullForLight(drawables);
@@ -91,7 +95,7 @@ void Renderer::State::drawScene(double seconds, const sim::Drawables& drawables,
   s.targets.scene.bind();
   s.fields.draw(drawables, sim::FieldDisplay::Layer::behind, seconds);
   s.shadow.bind();
-  s.surfaces.draw(drawables);
+  s.surfaces.draw(drawables, s.skins);
   issued("surfaces");
   s.instances.drawOpaque(drawables);
   issued("crowds", crowds);

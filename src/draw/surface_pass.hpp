@@ -1,6 +1,7 @@
 #pragma once
 #include "draw/draw_state.hpp"
 #include "draw/shadow_pass.hpp"
+#include "draw/skin_textures.hpp"
 #include "draw/texture_store.hpp"
 #include "gl/program.hpp"
 #include "scene/scene.hpp"
@@ -19,12 +20,14 @@ class SurfacePass {
  public:
   /// Compiles the programs and loads the textures that the scene's materials need.
   SurfacePass(const scene::Scene& scene, const ShadowPass& shadow);
-  /// Into the bound framebuffer.
-  void draw(const sim::Drawables& drawables);
+  /// Into the bound framebuffer. A skin whose field is not there leaves the material as it is without one.
+  void draw(const sim::Drawables& drawables, const SkinTextures& skins);
 
  private:
   const gl::Program& program(unsigned features);
-  void draw(const sim::Surface& surface);
+  void draw(const sim::Surface& surface, const SkinTextures& skins);
+  void setPlain(const scene::Material& material, bool isGrid, const gl::Program& shader);
+  static void setSkin(const SkinTextures::Entry& entry, const scene::Skin& skin, const gl::Program& shader);
 
   gl::Defines shadowDefines_;
   std::map<unsigned, gl::Program> programs_;

@@ -237,14 +237,18 @@ std::vector<std::byte> encodePng(const Image& image, const ImageText& text) {
     fail(ExitCode::inputOutput, "cannot encode a {}x{} PNG; is there enough memory?", image.width,
          image.height);
 
+  return withText(std::as_bytes(std::span(png.get(), static_cast<std::size_t>(size))), text);
+}
+
+std::vector<std::byte> withText(std::span<const std::byte> png, const ImageText& text) {
   std::string chunks;
   for (const auto& [keyword, value] : text) chunks += textChunk(keyword, value);
-  const auto stored = static_cast<std::size_t>(size);
-  std::vector<std::byte> file(stored + chunks.size());
-  std::memcpy(file.data(), png.get(), signatureAndHeader);
+  SIMREEL_CHECK(png.size() >= signatureAndHeader);
+  std::vector<std::byte> file(png.size() + chunks.size());
+  std::memcpy(file.data(), png.data(), signatureAndHeader);
   std::memcpy(file.data() + signatureAndHeader, chunks.data(), chunks.size());
-  std::memcpy(file.data() + signatureAndHeader + chunks.size(), png.get() + signatureAndHeader,
-              stored - signatureAndHeader);
+  std::memcpy(file.data() + signatureAndHeader + chunks.size(), png.data() + signatureAndHeader,
+              png.size() - signatureAndHeader);
   return file;
 }
 

@@ -98,6 +98,8 @@ class Fields {
 struct Parameters {
   virtual ~Parameters() = default;
   virtual void describe(Fields& fields) = 0;
+  /// Whether the object publishes a field, which a skin may be grown from.
+  [[nodiscard]] virtual bool isField() const { return false; }
 };
 
 /// One line of the list of simulations: what a scene calls it, one sentence, and how to make its

@@ -81,6 +81,31 @@ Object readObject(const Node& node, ReadContext context, std::span<const Kind> k
   return object;
 }
 
+/// What a skin says against the objects of its scene.
+void checkSkin(const Node& object, std::span<const Object> objects, Diagnostics& diagnostics) {
+  const Node* material = object.find("material");
+  const Node* skin = material == nullptr ? nullptr : material->find("skin");
+  if (skin == nullptr || skin->kind != Node::Kind::object) return;
+  std::vector<std::string> fields;
+  for (const Object& candidate : objects)
+    if (candidate.parameters != nullptr && candidate.parameters->isField())
+      fields.push_back(candidate.name);
+  const Node* field = skin->find("field");
+  if (field != nullptr && field->kind != Node::Kind::text) return;  // reported by who read it
+  const std::string name = field == nullptr ? "" : field->text;
+  if (std::find(fields.begin(), fields.end(), name) != fields.end()) return;
+  const auto named = std::find_if(objects.begin(), objects.end(),
+                                  [&](const Object& candidate) { return candidate.name == name; });
+  if (named != objects.end() && named->parameters == nullptr) return;  // a mistake of its own
+  const std::string what = field == nullptr ? "the skin has no \"field\""
+                           : named == objects.end()
+                               ? fmt::format("no object is named {}", inQuotes(name))
+                               : fmt::format("object \"{}\" is a {}, not a field", name, named->kind);
+  diagnostics.add(
+      field == nullptr ? skin->headPlace() : field->place(),
+      fmt::format("{}; {}", what, fields.empty() ? "the scene has no field" : suggestion(name, fields)));
+}
+
 void readObjects(const Node& node, ReadContext context, std::span<const Kind> kinds,
                  std::vector<Object>& objects) {
   if (!ValueReader("", context.diagnostics).expect(node, Node::Kind::object, "an object")) return;
@@ -89,6 +114,7 @@ void readObjects(const Node& node, ReadContext context, std::span<const Kind> ki
     return;
   }
   for (const Node& child : node.children) objects.push_back(readObject(child, context, kinds));
+  for (const Node& child : node.children) checkSkin(child, objects, context.diagnostics);
 }
 
 /// Whether this program can read the scene's version; reports otherwise.

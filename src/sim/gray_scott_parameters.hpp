@@ -46,6 +46,7 @@ struct GrayScottParameters : scene::Parameters {
 
   GrayScottParameters();
   void describe(scene::Fields& fields) override;
+  [[nodiscard]] bool isField() const override { return true; }
 
   /// Rates at `time` (s), before they vary in space.
   [[nodiscard]] FeedKill ratesAt(double time) const;

@@ -1,0 +1,26 @@
+// The field's own colours for skins of the look "map". COLORED: the field is a picture.
+layout(local_size_x = 8, local_size_y = 8) in;
+#ifdef COLORED
+layout(rgba16f, binding = 0) uniform readonly restrict image2D field;
+#else
+layout(r32f, binding = 0) uniform readonly restrict image2D field;
+layout(binding = 2) uniform samplerBuffer stops;
+uniform int stopCount;
+#endif
+layout(rgba16f, binding = 1) uniform writeonly restrict image2D colors;
+uniform ivec2 texels;
+uniform vec2 range;  // value that counts as 0, factor on what is above it
+
+void main() {
+  ivec2 at = ivec2(gl_GlobalInvocationID.xy);
+  if (any(greaterThanEqual(at, texels))) return;
+#ifdef COLORED
+  vec3 color = imageLoad(field, at).rgb;
+#else
+  float share = (imageLoad(field, at).r - range.x) * range.y;
+  float place = (share > 0.0 ? min(share, 1.0) : 0.0) * float(stopCount - 1);
+  int stop = min(int(place), max(stopCount - 2, 0));
+  vec3 color = mix(texelFetch(stops, stop).rgb, texelFetch(stops, min(stop + 1, stopCount - 1)).rgb, place - float(stop));
+#endif
+  imageStore(colors, at, vec4(color, 1.0));
+}

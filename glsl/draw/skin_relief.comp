@@ -1,0 +1,35 @@
+// A field as skins read it: how far each value lies above the threshold, the square of that, and the slope. Mip maps
+// average all of it, so that the first two give mean and variance of whatever a pixel covers. Values are shares of
+// the field's range, slopes are per cell. COLORED: the field is a picture with the values' shares in its alpha.
+layout(local_size_x = 8, local_size_y = 8) in;
+#ifdef COLORED
+layout(rgba16f, binding = 0) uniform readonly restrict image2D field;
+#else
+layout(r32f, binding = 0) uniform readonly restrict image2D field;
+#endif
+layout(rgba16f, binding = 1) uniform writeonly restrict image2D relief;
+uniform ivec2 texels;
+uniform vec2 range;        // value that counts as 0, factor on what is above it
+uniform float threshold;   // share of the range
+uniform float texelCells;  // cells a texel on a side
+
+float aboveThreshold(ivec2 at) {
+  at += texels * ivec2(lessThan(at, ivec2(0))) - texels * ivec2(greaterThanEqual(at, texels));
+#ifdef COLORED
+  float value = imageLoad(field, at).a;
+#else
+  float value = imageLoad(field, at).r;
+#endif
+  float share = (value - range.x) * range.y;
+  share = share > -1.0 ? min(share, 2.0) : -1.0;  // lost numbers too
+  return share - threshold;
+}
+
+void main() {
+  ivec2 at = ivec2(gl_GlobalInvocationID.xy);
+  if (any(greaterThanEqual(at, texels))) return;
+  float q = aboveThreshold(at);
+  vec2 slope = vec2(aboveThreshold(at + ivec2(1, 0)) - aboveThreshold(at - ivec2(1, 0)),
+                    aboveThreshold(at + ivec2(0, 1)) - aboveThreshold(at - ivec2(0, 1)));
+  imageStore(relief, at, vec4(q, q * q, slope * (0.5 / texelCells)));
+}

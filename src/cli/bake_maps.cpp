@@ -1,0 +1,178 @@
+#include "cli/bake_maps.hpp"
+
+#include "base/error.hpp"
+#include "base/file.hpp"
+#include "base/log.hpp"
+#include "base/version.hpp"
+#include "draw/field_textures.hpp"
+#include "draw/skin_look.hpp"
+#include "draw/skin_maps.hpp"
+#include "draw/skin_textures.hpp"
+#include "frame/frames_spec.hpp"
+#include "frame/interrupt.hpp"
+#include "frame/map_pictures.hpp"
+#include "gl/context.hpp"
+#include "scene/words.hpp"
+#include "sim/world.hpp"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <vector>
+
+#include <fmt/ranges.h>
+
+namespace simreel::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int largestSide = 8192;  // texels; more would take gigabytes while they are encoded
+
+/// Options hold the scene, whose render.size is that of the maps when --size is given.
+std::optional<glm::ivec2> mapSize(const MapsOptions& o, const scene::Scene& scene) {
+  if (!o.scene.size) return std::nullopt;
+  const glm::ivec2 size = scene.render.size;
+  if (size.x > largestSide || size.y > largestSide)
+    fail(ExitCode::usage, "--size: maps are at most {}x{}, not {}x{}", largestSide, largestSide, size.x,
+         size.y);
+  return size;
+}
+
+/// --look makes a skin of a field that nothing wears: the field wears it itself.
+void wearOwnField(const MapsOptions& o, scene::Scene& scene) {
+  static const std::array<std::string, 4> looks = {"leather", "spots", "cracks", "map"};
+  const auto* const look = std::find(looks.begin(), looks.end(), o.look);
+  if (look == looks.end())
+    fail(ExitCode::usage, "--look: there is no \"{}\"; {}", o.look, scene::suggestion(o.look, looks));
+  std::vector<std::string> fields;
+  for (scene::Object& object : scene.objects) {
+    if (!object.parameters->isField()) continue;
+    fields.push_back(object.name);
+    if (!o.object.empty() && o.object != object.name) continue;
+    object.material.hasSkin = true;
+    object.material.skin = scene::Skin();
+    object.material.skin.field = object.name;
+    object.material.skin.look = static_cast<scene::Skin::Look>(look - looks.begin());
+  }
+  if (fields.empty()) fail(ExitCode::usage, "--look: the scene has no field");
+  if (!o.object.empty() && std::find(fields.begin(), fields.end(), o.object) == fields.end())
+    fail(ExitCode::usage, "--look: \"{}\" is no field of the scene; {}", o.object,
+         scene::suggestion(o.object, fields));
+}
+
+/// Objects whose skin is baked: the one asked for, or all.
+std::vector<const scene::Object*> bakedSkins(const MapsOptions& o, const scene::Scene& scene) {
+  std::vector<const scene::Object*> found;
+  std::vector<std::string> names;
+  for (const scene::Object& object : scene.objects) {
+    if (!object.material.hasSkin) continue;
+    if (!o.look.empty() && object.material.skin.field != object.name) continue;
+    names.push_back(object.name);
+    if (o.object.empty() || o.object == object.name) found.push_back(&object);
+  }
+  if (names.empty())
+    fail(ExitCode::usage, "no material of the scene has a skin to bake; --look takes a field as it is");
+  if (found.empty())
+    fail(ExitCode::usage, "--object: there is no \"{}\" with a skin; {}", o.object,
+         scene::suggestion(o.object, names));
+  return found;
+}
+
+/// Radiance at most; black for looks that do not glow.
+glm::vec3 glowOf(const scene::Skin& skin) {
+  return skin.look == scene::Skin::Look::cracks ? draw::lookOf(skin).high : glm::vec3(0);
+}
+
+fs::path fileOf(const MapsOptions& o, const scene::Object& object, int frame, const std::string& map) {
+  return fs::path(o.output) / fmt::format("{}_{:06}_{}.png", object.name, frame, map);
+}
+
+void refuseExisting(const MapsOptions& o, const std::vector<const scene::Object*>& objects,
+                    const std::vector<int>& frames) {
+  if (o.overwrite) return;
+  for (const int frame : frames)
+    for (const scene::Object* object : objects)
+      for (const std::string& map : frame::mapNames(glowOf(object->material.skin)))
+        if (const fs::path file = fileOf(o, *object, frame, map); pathExists(file))
+          fail(ExitCode::inputOutput, "{} exists; use --overwrite to replace it", file.string());
+}
+
+/// Draws and writes the maps of one frame.
+class MapWriter {
+ public:
+  MapWriter(const MapsOptions& o, const scene::Scene& scene, std::optional<glm::ivec2> size)
+      : options_(o), scene_(scene), size_(size), fields_(scene), skins_(scene) {}
+
+  void write(const sim::World& world, const std::vector<const scene::Object*>& objects) {
+    const sim::Drawables drawables = world.drawables();
+    glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
+    fields_.update(drawables);
+    skins_.update(fields_);
+    for (const scene::Object* object : objects) write(world, *object);
+  }
+  [[nodiscard]] int files() const { return files_; }
+
+ private:
+  void write(const sim::World& world, const scene::Object& object) {
+    const scene::Skin& skin = object.material.skin;
+    const draw::SkinTextures::Entry* entry = skins_.find(skin);
+    if (entry == nullptr)
+      fail(ExitCode::usage, "frame {}: \"{}\" shows no field to grow the skin of \"{}\" from",
+           world.frame(), skin.field, object.name);
+    const glm::ivec2 size = size_.value_or(glm::min(entry->cells, glm::ivec2(largestSide)));
+    const frame::ImageText text = {{"Software", fmt::format("simreel {}", version())},
+                                   {"simreel:scene", scene_.hash},
+                                   {"simreel:object", object.name},
+                                   {"simreel:frame", std::to_string(world.frame())},
+                                   {"simreel:seed", std::to_string(scene_.seed)}};
+    for (const frame::MapPicture& map :
+         frame::encodeMaps(mapper_.draw(*entry, skin, size), glowOf(skin), text)) {
+      writeFileAtomically(fileOf(options_, object, world.frame(), map.name), map.png);
+      ++files_;
+    }
+  }
+
+  const MapsOptions& options_;
+  const scene::Scene& scene_;
+  std::optional<glm::ivec2> size_;
+  draw::FieldTextures fields_;
+  draw::SkinTextures skins_;
+  draw::SkinMapper mapper_;
+  int files_ = 0;
+};
+
+}  // namespace
+
+void bakeMaps(const MapsOptions& o) {
+  scene::Scene scene = o.scene.load();
+  const std::optional<glm::ivec2> size = mapSize(o, scene);
+  if (!o.look.empty()) wearOwnField(o, scene);
+  const auto objects = bakedSkins(o, scene);
+  const std::vector<int> frames =
+      o.frames ? frame::parseFrames(*o.frames) : std::vector<int>{scene.frameCount() - 1};
+  refuseExisting(o, objects, frames);
+  frame::catchInterrupts();
+  const gl::Context context({.device = o.device, .debug = false, .memoryPath = o.memoryPath});
+  sim::World world(scene);
+  MapWriter writer(o, scene, size);
+  makeFolders(o.output);
+  int simulated = world.firstFrame();
+  for (const int frame : frames) {
+    for (; simulated <= frame; ++simulated) {
+      if (const int signal = frame::interruptSignal()) {
+        info("simreel: interrupted; the {} files written so far are whole", writer.files());
+        return setExitCode(128 + signal);
+      }
+      world.advanceTo(simulated);
+      world.startSummary();
+      static_cast<void>(world.takeSummary(true));  // throws when the state is lost
+    }
+    writer.write(world, objects);
+  }
+  info("{} files -> {}", writer.files(),
+       fileOf(o, *objects.front(), frames.front(), "albedo").string() + " ...");
+}
+
+}  // namespace simreel::cli

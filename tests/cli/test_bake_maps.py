@@ -1,0 +1,186 @@
+"""`simreel bake --format maps` as a user meets it, and skins in scenes."""
+import struct
+
+from common import Case, main, png_rows, with_values
+
+MAPS = ("albedo", "height", "normal", "occlusion", "roughness")
+SIDE = 64
+GRAY_SCOTT = {"size": [SIDE, SIDE], "presteps": 1500, "steps": 8, "seeds": {"count": 12, "radius": 3},
+              "display": {"layer": "none"}}
+SKINNED = {
+    "version": 1,
+    "time": {"fps": 30, "duration": 0.1},
+    "render": {"size": [48, 32], "samples": 1},
+    "objects": {
+        "hide": {"grayScott": GRAY_SCOTT},
+        "ball": {"sphere": {"radius": 1}, "material": {"skin": {"field": "hide", "look": "leather"}}},
+    },
+}
+
+
+def unfiltered(rows, stride, step):
+    """Bytes of a PNG's rows (specification 9.2); `step` bytes a pixel."""
+    result, above = [], bytes(stride)
+    for start in range(0, len(rows), stride + 1):
+        kind, line = rows[start], bytearray(rows[start + 1:start + 1 + stride])
+        for i in range(stride):
+            left = line[i - step] if i >= step else 0
+            corner = above[i - step] if i >= step else 0
+            if kind == 4:
+                guess = left + above[i] - corner
+                nearest = min((abs(guess - left), 0, left), (abs(guess - above[i]), 1, above[i]),
+                              (abs(guess - corner), 2, corner))[2]
+            else:
+                nearest = (0, left, above[i], (left + above[i]) // 2)[kind]
+            line[i] = (line[i] + nearest) & 255
+        above = bytes(line)
+        result.append(above)
+    return result
+
+
+def read_map(data):
+    """(width, height, rows of tuples) of an 8-bit RGB or a 16-bit grey PNG."""
+    width, height, rows = png_rows(data)
+    depth, kind = data[24], data[25]
+    if (depth, kind) == (16, 0):
+        lines = unfiltered(rows, 2 * width, 2)
+        return width, height, [[(v,) for v in struct.unpack(f">{width}H", line)] for line in lines]
+    assert (depth, kind) == (8, 2), (depth, kind)
+    lines = unfiltered(rows, 3 * width, 3)
+    return width, height, [[tuple(line[i:i + 3]) for i in range(0, 3 * width, 3)] for line in lines]
+
+
+def apart(a, b):
+    return max(abs(x - y) for x, y in zip(a, b))
+
+
+class BakeMaps(Case):
+    def setUp(self):
+        super().setUp()
+        self.write("scene.json", SKINNED)
+
+    def read(self, name):
+        return read_map((self.folder / name).read_bytes())
+
+    def test_a_skin_becomes_its_maps(self):
+        self.good("bake", "scene.json", "-o", "out", "--format", "maps")
+        self.assertEqual(sorted(self.content("out")), [f"ball_000002_{name}.png" for name in MAPS])
+        for name in MAPS:
+            data = (self.folder / f"out/ball_000002_{name}.png").read_bytes()
+            self.assertEqual(read_map(data)[:2], (SIDE, SIDE))
+            self.assertIn(b"simreel:object\0ball", data)
+        colours = {c for row in self.read("out/ball_000002_albedo.png")[2] for c in row}
+        self.assertIn((149, 108, 63), colours)  # (0.3, 0.15, 0.05) in sRGB
+        self.assertIn((89, 63, 39), colours)    # (0.1, 0.05, 0.02)
+        normals = [n for row in self.read("out/ball_000002_normal.png")[2] for n in row]
+        for x, y, z in normals:
+            length = sum((c / 127.5 - 1) ** 2 for c in (x, y, z)) ** 0.5
+            self.assertAlmostEqual(length, 1, delta=0.02)
+            self.assertGreater(z, 127)
+        self.assertGreater(max(n[0] for n in normals), 160)
+        self.assertEqual({c for row in self.read("out/ball_000002_roughness.png")[2] for c in row}, {(179, 179, 179)})
+        heights = {h for row in self.read("out/ball_000002_height.png")[2] for (h,) in row}
+        self.assertGreater(len(heights), 600)  # more than 8 bits hold
+
+    def test_normals_follow_the_heights_with_y_up(self):
+        self.good("bake", "scene.json", "-o", "out", "--format", "maps")
+        heights = self.read("out/ball_000002_height.png")[2]
+        normals = self.read("out/ball_000002_normal.png")[2]
+        agree = {0: 0, 1: 0}
+        count = {0: 0, 1: 0}
+        for y in range(SIDE):
+            for x in range(SIDE):
+                rise_right = heights[y][(x + 1) % SIDE][0] - heights[y][x - 1][0]
+                rise_up = heights[y - 1][x][0] - heights[(y + 1) % SIDE][x][0]
+                for axis, rise in ((0, rise_right), (1, rise_up)):
+                    if abs(rise) > 3000:  # steep enough to be sure
+                        count[axis] += 1
+                        agree[axis] += (normals[y][x][axis] < 127.5) == (rise > 0)
+        for axis in (0, 1):
+            self.assertGreater(count[axis], 200)
+            self.assertEqual(agree[axis], count[axis])
+
+    def test_maps_tile(self):
+        """No step across the border is larger than those inside, at several texels a cell and less than one."""
+        for width, height in ((SIDE, SIDE), (201, 167), (45, 38)):
+            self.good("bake", "scene.json", "-o", "out", "--format", "maps", "--size", f"{width}x{height}", "--overwrite")
+            for name in MAPS:
+                found, rows_found, rows = self.read(f"out/ball_000002_{name}.png")
+                self.assertEqual((found, rows_found), (width, height))
+                inside = sorted([apart(row[x], row[x + 1]) for row in rows for x in range(width - 1)] +
+                                [apart(rows[y][x], rows[y + 1][x]) for y in range(height - 1) for x in range(width)])
+                seam = sorted([apart(row[-1], row[0]) for row in rows] +
+                              [apart(a, b) for a, b in zip(rows[-1], rows[0])])
+                self.assertLessEqual(seam[-1], inside[-1], name)
+                at99 = len(seam) * 99 // 100
+                self.assertLessEqual(seam[at99], inside[len(inside) * 998 // 1000] + 1, name)
+
+    def test_a_field_with_a_look(self):
+        self.good("bake", "scene.json", "-o", "out", "--format", "maps", "--look", "cracks", "--frames", "0,2")
+        names = sorted(MAPS + ("emission",))
+        self.assertEqual(sorted(self.content("out")),
+                         [f"hide_{frame:06}_{name}.png" for frame in (0, 2) for name in names])
+
+    def test_existing_files_are_kept(self):
+        self.write("out/ball_000002_normal.png", "mine")
+        self.bad(6, ["out/ball_000002_normal.png", "--overwrite"], "bake", "scene.json", "-o", "out", "--format", "maps")
+        self.assertEqual(self.content("out"), {"ball_000002_normal.png": b"mine"})
+        self.good("bake", "scene.json", "-o", "out", "--format", "maps", "--overwrite")
+        self.assertEqual(len(self.content("out")), 5)
+
+    def test_twice_the_same(self):
+        self.good("bake", "scene.json", "-o", "a", "--format", "maps")
+        self.good("bake", "scene.json", "-o", "b", "--format", "maps")
+        self.assertEqual(self.content("a"), self.content("b"))
+
+    def test_mistakes(self):
+        maps = ("bake", "scene.json", "-o", "out", "--format", "maps")
+        self.bad(2, ["bal", "did you mean \"ball\"?"], *maps, "--object", "bal")
+        self.bad(2, ["lether", "did you mean \"leather\"?"], *maps, "--look", "lether")
+        self.bad(2, ["\"ball\" is no field", "hide"], *maps, "--look", "leather", "--object", "ball")
+        self.bad(2, ["at most 8192x8192"], *maps, "--size", "9000x16")
+        self.bad(2, ["--format"], "bake", "scene.json", "-o", "out", "--format", "mapz")
+        self.bad(2, ["--look", "maps"], "bake", "scene.json", "-o", "out", "--look", "leather")
+        self.write("scene.json", with_values({}))
+        self.bad(2, ["no material of the scene has a skin"], *maps)
+        self.bad(2, ["the scene has no field"], *maps, "--look", "leather")
+        self.assertFalse((self.folder / "out").exists())
+
+
+class SkinsInScenes(Case):
+    def check(self, skin, words, extra=None):
+        scene = with_values({"objects.ball.material.skin": skin, **(extra or {})}, SKINNED)
+        self.write("scene.json", scene)
+        self.bad_scene(words, "validate", "scene.json")
+
+    def test_fields_are_checked(self):
+        self.write("scene.json", SKINNED)
+        self.good("validate", "scene.json")
+        self.check({"field": "hid"}, ["no object is named \"hid\"", "did you mean \"hide\"?"])
+        self.check({"field": "ball"}, ["object \"ball\" is a sphere, not a field", "hide"])
+        self.check({"look": "leather"}, ["the skin has no \"field\"", "hide"])
+        self.check({"field": 3}, ["field"])
+        self.check({"field": "hide", "look": "lether"}, ["did you mean \"leather\"?"])
+        self.check({"field": "hide", "repeats": 0}, ["repeats"])
+        self.check({"field": "hide", "roughness": 2}, ["roughness"])
+        self.write("scene.json", with_values({"objects.flag.material": {"skin": {"field": "flag"}}}))
+        self.bad_scene(["object \"flag\" is a cloth, not a field", "the scene has no field"], "validate", "scene.json")
+
+    def test_place_of_a_mistake(self):
+        self.write("scene.json", '{"version": 1, "objects": {\n"hide": {"grayScott": {}},\n'
+                                 '"ball": {"sphere": {}, "material": {"skin":\n  {"field": "hude"}}}}}')
+        done = self.bad_scene([], "validate", "scene.json")
+        self.assertIn("scene.json:4:13: error: no object is named \"hude\"", done.err)
+        self.write("scene.json", SKINNED)
+        done = self.bad_scene([], "render", "scene.json", "-o", "out/", "-D", "objects.ball.material.skin.field=hude")
+        self.assertIn("hude", done.err)
+
+    def test_a_skin_is_drawn(self):
+        self.write("scene.json", SKINNED)
+        self.good("render", "scene.json", "-o", "skin.png", "--frames", "0")
+        self.good("render", "scene.json", "-o", "other.png", "--frames", "0", "-D", "objects.ball.material.skin.look=cracks")
+        self.assertNotEqual((self.folder / "skin.png").read_bytes(), (self.folder / "other.png").read_bytes())
+
+
+if __name__ == "__main__":
+    main()
