@@ -1,5 +1,5 @@
-// The random start: a cell is alive when the hash of (x, y, seed) is below the share. 32 cells an invocation
-// would race for a block, so each writes one block of 128.
+// The random start: a cell is alive when the hash of (x, y, seed) is below the share. An invocation writes a whole
+// block of 128 cells, so none shares a word with another.
 #include "common/hash.glsl"
 #include "common/words.glsl"
 layout(local_size_x = 64) in;
