@@ -34,8 +34,9 @@ struct StateArray {
 
 /// What a simulation counts in each step: for a table beside the frames.
 struct CountTable {
-  std::vector<const char*> columns;   ///< at most four
-  const gl::Buffer* steps = nullptr;  ///< uvec4 a step of the present frame, room for stepsPerFrame() of them
+  std::vector<const char*> columns;  ///< at most four
+  const gl::Buffer* steps =
+      nullptr;   ///< uvec4 a step of the present frame, room for stepsPerFrame() of them
   int rows = 0;  ///< of them in use; before the first step one: the counts of the start
 };
 
