@@ -5,7 +5,7 @@ import zlib
 
 from common import SCENE, Case, main, with_values
 
-ROWS = ["#....", "..#..", "##..#"]  # of the start: size 5 x 3, # is v = 0.5
+ROWS = ["#....", "..#..", "....#", "##..#"]  # of the start: size 5 x 4, # is v = 0.5
 
 
 def read_npy(data):
@@ -43,7 +43,7 @@ class Fields(Case):
     def setUp(self):
         super().setUp()
         self.write("start.png", grey_png(ROWS))
-        dish = {"size": [5, 3], "image": "start.png", "seeds": {"value": 0.5, "noise": 0}, "steps": 3}
+        dish = {"size": [5, 4], "image": "start.png", "seeds": {"value": 0.5, "noise": 0}, "steps": 3}
         scene = with_values({"objects": {"dish": {"grayScott": dish}}, "time.duration": 4 / 30}, SCENE)
         self.write("scene.json", scene)
 
@@ -56,7 +56,7 @@ class Fields(Case):
         self.assertEqual(sorted(files), sorted(["manifest.json"] + [f"{i:06}.{kind}" for i in range(4)
                                                                     for kind in ("png", "dish.npy")]))
         rows, columns, values = read_npy(files["000000.dish.npy"])
-        self.assertEqual((rows, columns), (3, 5))
+        self.assertEqual((rows, columns), (4, 5))
         self.assertEqual(values, tuple(0.5 if c == "#" else 0.0 for row in ROWS for c in row))
         _, _, later = read_npy(files["000003.dish.npy"])
         self.assertNotEqual(later, values)
@@ -80,7 +80,7 @@ class Fields(Case):
         self.assertEqual((self.folder / "out/000002.dish.npy").read_bytes(), b"mine")
         self.good(*self.render("--fields", "npy", "--overwrite"))
         whole = self.content("out")
-        self.assertEqual(read_npy(whole["000002.dish.npy"])[:2], (3, 5))
+        self.assertEqual(read_npy(whole["000002.dish.npy"])[:2], (4, 5))
         # Resuming mends what is cut short or missing, and leaves the rest.
         (self.folder / "out/000001.dish.npy").write_bytes(whole["000001.dish.npy"][:-3])
         (self.folder / "out/000003.dish.npy").unlink()
