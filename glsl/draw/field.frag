@@ -61,13 +61,11 @@ float shareIn(float from, float to, float low, float high) {
 
 #ifdef RELIEF
 /// A soft light from the top left, and what of it a polished surface mirrors. Flat ground keeps its colour.
-vec3 lit(vec3 color, vec2 from, vec2 to) {
-  vec2 d = max(to - from, vec2(1.0));
-  vec2 middle = 0.5 * (from + to);
-  vec2 a = middle - 0.5 * d, b = middle + 0.5 * d;
-  vec2 right = vec2(d.x, 0.0), down = vec2(0.0, d.y);
+vec3 lit(vec3 color, vec2 middle, vec2 reach) {
+  vec2 a = middle - reach, b = middle + reach;
+  vec2 right = vec2(2.0 * reach.x, 0.0), down = vec2(0.0, 2.0 * reach.y);
   vec2 rise = vec2(meanOver(a + right, b + right).a - meanOver(a - right, b - right).a,
-                   meanOver(a + down, b + down).a - meanOver(a - down, b - down).a) / (2.0 * d);
+                   meanOver(a + down, b + down).a - meanOver(a - down, b - down).a) / (4.0 * reach);
   vec3 normal = normalize(vec3(-slope * rise, 1.0));
   const vec3 light = normalize(vec3(-0.55, -0.65, 0.75));
   const vec3 halfway = normalize(light + vec3(0.0, 0.0, 1.0));
@@ -82,12 +80,12 @@ vec3 lit(vec3 color, vec2 from, vec2 to) {
 
 void main() {
   vec2 at = vec2(gl_FragCoord.x, topFirst ? gl_FragCoord.y : picture.y - gl_FragCoord.y) - 0.5;
-  vec2 from = start + perPixel * at, to = from + perPixel;
+  vec2 from = start + perPixel * at, to = from + perPixel, middle = 0.5 * (from + to);
+  // Where a small field is repeated many times in a pixel, part of them will do.
 #ifdef COLORED
-  vec2 a = from, b = to;
+  vec2 reach = 0.5 * min(perPixel, vec2(40.0));
 #else
-  vec2 widened = 0.5 * max(1.0 - perPixel, 0.0);
-  vec2 a = from - widened, b = to + widened;
+  vec2 reach = 0.5 * clamp(perPixel, vec2(1.0), vec2(40.0));
 #endif
   float inside = 1.0;
   if (!tiled) {
@@ -96,14 +94,14 @@ void main() {
   }
   vec3 color = border;
   if (inside > 0.0) {
-    vec4 mean = meanOver(a, b);
+    vec4 mean = meanOver(middle - reach, middle + reach);
 #ifdef COLORED
     vec3 own = mean.rgb;
 #else
     vec3 own = colorAtPlace(mean.a);
 #endif
 #ifdef RELIEF
-    own = lit(own, from, to);
+    own = lit(own, middle, max(reach, vec2(0.5)));
 #endif
     color = mix(border, own, inside);
   }

@@ -22,7 +22,8 @@ void FieldDisplay::describe(scene::Fields& fields) {
   fields.boolean("smooth", smooth, "Linear between cells; else each cell is a square.");
   fields.boolean("tiled", tiled, "Repeated beyond its border.");
   fields.vector("border", border, scene::notNegative, "", "Colour beyond its border, linear RGB.");
-  fields.number("relief", relief, {-100, 100}, "", "Shading by the slope of the values, as if lit.");
+  fields.number("relief", relief, {-100, 100}, "",
+                "Shaded as if lit from the top left: height of the whole range, 1 being 7 cells.");
   const std::vector<std::string>& names = colorMapNames();
   std::vector<const char*> maps;
   for (const std::string& name : names) maps.push_back(name.c_str());

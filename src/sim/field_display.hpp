@@ -25,7 +25,7 @@ struct FieldDisplay {
   bool smooth = true;            ///< linear between cells; else each cell is a square
   bool tiled = false;            ///< repeated beyond its border; else `border` is shown there
   glm::vec3 border{0.01F};       ///< linear RGB
-  float relief = 0.0F;           ///< shading by the slope of the values; 0: none
+  float relief = 0.0F;           ///< shaded as a height of 7 cells times this; 0: not
   std::string map = "viridis";   ///< name of a colour map
   std::vector<glm::vec3> stops;  ///< linear RGB, given instead of a map
   double low = 0, high = 1;      ///< values of the first and the last colour

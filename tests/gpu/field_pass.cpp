@@ -234,3 +234,15 @@ TEST_CASE("fields: relief is brighter towards the top left, and flat values keep
   const Picture dent = shown({stage.field}, {99, 99});
   CHECK(dent.brightness(36, 36) + 100 < dent.brightness(62, 62));
 }
+
+TEST_CASE("fields: a small field repeated many times in a pixel is its mean") {
+  testContext();
+  FieldStage stage(Cells::bits, {5, 3}, [](int x, int) { return x < 2 ? 1 : 0; });
+  stage.display.tiled = true;
+  stage.display.zoom = 1e-3F;
+  const Picture picture = shown({stage.field}, {33, 17});
+  for (int x = 0; x < 33; ++x) CHECK(has(picture, x, x / 2, glm::dvec3(0.4), 3));
+  stage.display.tiled = false;
+  stage.display.border = {0.3F, 0, 0};
+  CHECK(has(shown({stage.field}, {33, 17}), 1, 1, {0.3, 0, 0}));
+}

@@ -1,0 +1,105 @@
+"""Raw values of fields: `render --fields` beside the pictures, `bake --format`; files read with struct alone."""
+import ast
+import struct
+import zlib
+
+from common import SCENE, Case, main, with_values
+
+ROWS = ["#....", "..#..", "....#", "##..#"]  # of the start: size 5 x 4, # is v = 0.5
+
+
+def read_npy(data):
+    """(rows, columns, values) of an NPY 1.0 file of little-endian floats."""
+    assert data[:8] == b"\x93NUMPY\x01\x00", data[:8]
+    (length,) = struct.unpack("<H", data[8:10])
+    assert (10 + length) % 64 == 0, length
+    header = data[10:10 + length].decode("ascii")
+    assert header.endswith("\n"), header
+    fields = ast.literal_eval(header)
+    assert fields["descr"] == "<f4" and fields["fortran_order"] is False, fields
+    rows, columns = fields["shape"]
+    assert len(data) == 10 + length + 4 * rows * columns, len(data)
+    return rows, columns, struct.unpack(f"<{rows * columns}f", data[10 + length:])
+
+
+def read_pfm(data):
+    kind, size, scale, body = data.split(b"\n", 3)
+    assert kind == b"Pf" and float(scale) < 0, (kind, scale)
+    columns, rows = map(int, size.split())
+    values = struct.unpack(f"<{rows * columns}f", body)
+    flipped = [value for row in reversed(range(rows)) for value in values[row * columns:(row + 1) * columns]]
+    return rows, columns, tuple(flipped)
+
+
+def grey_png(rows):
+    def chunk(kind, body):
+        return struct.pack(">I", len(body)) + kind + body + struct.pack(">I", zlib.crc32(kind + body))
+    pixels = b"".join(b"\0" + bytes(255 if c == "#" else 0 for c in row) for row in rows)
+    return (b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", len(rows[0]), len(rows), 8, 0, 0, 0, 0)) +
+            chunk(b"IDAT", zlib.compress(pixels)) + chunk(b"IEND", b""))
+
+
+class Fields(Case):
+    def setUp(self):
+        super().setUp()
+        self.write("start.png", grey_png(ROWS))
+        dish = {"size": [5, 4], "image": "start.png", "seeds": {"value": 0.5, "noise": 0}, "steps": 3}
+        scene = with_values({"objects": {"dish": {"grayScott": dish}}, "time.duration": 4 / 30}, SCENE)
+        self.write("scene.json", scene)
+
+    def render(self, *more):
+        return ["render", "scene.json", "-o", "out/", *more]
+
+    def test_values_are_beside_the_pictures(self):
+        self.good(*self.render("--fields", "npy"))
+        files = self.content("out")
+        self.assertEqual(sorted(files), sorted(["manifest.json"] + [f"{i:06}.{kind}" for i in range(4)
+                                                                    for kind in ("png", "dish.npy")]))
+        rows, columns, values = read_npy(files["000000.dish.npy"])
+        self.assertEqual((rows, columns), (4, 5))
+        self.assertEqual(values, tuple(0.5 if c == "#" else 0.0 for row in ROWS for c in row))
+        _, _, later = read_npy(files["000003.dish.npy"])
+        self.assertNotEqual(later, values)
+        self.assertTrue(all(0 <= value <= 1 for value in later), later)
+
+    def test_pfm_and_bake_hold_the_same_values(self):
+        self.good(*self.render("--fields", "npy"))
+        self.good("render", "scene.json", "-o", "other_##.png", "--fields", "pfm", "--frames", "3")
+        self.good("bake", "scene.json", "-o", "baked", "--format", "npy", "--frames", "1,3")
+        wanted = self.content("out")["000003.dish.npy"]
+        self.assertEqual(read_pfm((self.folder / "other_03.dish.pfm").read_bytes()), read_npy(wanted))
+        baked = self.content("baked")
+        self.assertEqual(sorted(baked), ["dish_000001.npy", "dish_000003.npy"])
+        self.assertEqual(baked["dish_000003.npy"], wanted)
+
+    def test_existing_files(self):
+        self.write("out/000002.dish.npy", "mine")
+        self.bad(6, ["000002.dish.npy", "--overwrite"], *self.render("--fields", "npy"))
+        self.assertEqual(self.content("out"), {"000002.dish.npy": b"mine"})
+        self.good(*self.render("--fields", "npy", "--skip-existing"))
+        self.assertEqual((self.folder / "out/000002.dish.npy").read_bytes(), b"mine")
+        self.good(*self.render("--fields", "npy", "--overwrite"))
+        whole = self.content("out")
+        self.assertEqual(read_npy(whole["000002.dish.npy"])[:2], (4, 5))
+        # Resuming mends what is cut short or missing, and leaves the rest.
+        (self.folder / "out/000001.dish.npy").write_bytes(whole["000001.dish.npy"][:-3])
+        (self.folder / "out/000003.dish.npy").unlink()
+        before = (self.folder / "out/000002.dish.npy").stat().st_mtime_ns
+        self.good(*self.render("--fields", "npy", "--resume"))
+        self.assertEqual(self.content("out"), whole)
+        self.assertEqual((self.folder / "out/000002.dish.npy").stat().st_mtime_ns, before)
+
+    def test_mistakes(self):
+        self.bad(2, ["--fields", "folder"], "render", "scene.json", "-o", "film.mp4", "--fields", "npy")
+        self.bad(2, "tiff", *self.render("--fields", "tiff"))
+        self.write("cloth.json", SCENE)
+        self.bad(2, "no object of the scene is a field", "render", "cloth.json", "-o", "out/", "--fields", "npy")
+        self.bad(2, "no object of the scene has a field", "bake", "cloth.json", "-o", "out", "--format", "npy")
+        self.bad(2, ["nobody", "dish"], "bake", "scene.json", "-o", "out", "--format", "pfm", "--object", "nobody")
+        # A folder is in the way: nothing can be written there.
+        (self.folder / "out/000001.dish.npy").mkdir(parents=True)
+        self.bad(6, "000001.dish.npy", *self.render("--fields", "npy", "--overwrite"))
+
+
+if __name__ == "__main__":
+    main()
