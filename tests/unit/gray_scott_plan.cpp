@@ -36,7 +36,9 @@ TEST_CASE("grayScott: mistakes of a scene are named") {
             "dt * diffuseU is 2, and a step is stable up to 1.25; lower dt to 2.5 or less"));
   CHECK(mistakes(R"({"dt": 4, "diffuseU": 0.3125})").empty());
   CHECK(has(mistakes(R"({"health": {"level": 0.5}, "feed": 0.03})"), "leave out \"feed\""));
-  CHECK(has(mistakes(R"({"feedAcross": 0.06, "feedImage": "textures/flag.png"})"), "leave out one"));
+  const std::string flag = SOURCE_FOLDER "/assets/textures/flag.png";
+  CHECK(has(mistakes(R"({"feedAcross": 0.06, "feedImage": ")" + flag + "\"}"), "leave out one"));
+  CHECK(mistakes(R"({"feedImage": ")" + flag + "\"}").empty());
   CHECK(has(mistakes(R"({"size": [3, 9]})"), "dish.json:1:"));
   CHECK(has(mistakes(R"({"feed": 0.5})"), "0.2"));
   CHECK(has(mistakes(R"({"image": "no such picture.png"})"), "no such picture.png"));
