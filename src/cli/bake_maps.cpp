@@ -4,6 +4,7 @@
 #include "base/file.hpp"
 #include "base/log.hpp"
 #include "base/version.hpp"
+#include "cli/commands.hpp"
 #include "draw/field_textures.hpp"
 #include "draw/skin_look.hpp"
 #include "draw/skin_maps.hpp"

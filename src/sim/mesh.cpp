@@ -35,7 +35,11 @@ class RigidMesh : public Simulation {
 std::unique_ptr<Simulation> makeMesh(const scene::Object& object, const Setting& setting) {
   const auto& parameters = dynamic_cast<const MeshParameters&>(*object.parameters);
   const Mesh mesh = parameters.make(setting.seed);
-  if (mesh.uvs.empty() && !object.material.texture.empty())
+  if (mesh.uvs.empty() && object.material.hasSkin &&
+      object.material.skin.projection == scene::Skin::Projection::uv)
+    warn("mesh \"{}\": {} has no texture coordinates; \"projection\": \"triplanar\" lays its skin without",
+         object.name, parameters.file.string());
+  if (mesh.uvs.empty() && !object.material.hasSkin && !object.material.texture.empty())
     warn("mesh \"{}\": {} has no texture coordinates, so its texture shows the colour of one corner",
          object.name, parameters.file.string());
   if (!parameters.deform.list.empty()) return makeDeformedMesh(object, parameters, mesh, setting);
