@@ -1,5 +1,6 @@
 // Materials grown from a field, alike on surfaces and in baked maps. LOOK_LEATHER, LOOK_SPOTS, LOOK_CRACKS, LOOK_MAP.
 layout(binding = 11) uniform sampler2D relief;  // skin_relief.comp: q, q^2, slope along u and v per cell
+layout(binding = 13) uniform sampler2D surroundings;  // mean of q around
 #ifdef LOOK_MAP
 layout(binding = 12) uniform sampler2D skinColors;
 #endif
@@ -13,7 +14,7 @@ uniform float skinDepth;  // height of the whole range in cells; negative: what 
 struct SkinArea {
   float q;         // mean of what is above the threshold
   float variance;  // of that
-  float around;    // mean of a wider area
+  float around;    // mean of a ring around it
   vec2 slope;      // of q along u and v
   vec3 color;
 };
@@ -28,7 +29,7 @@ SkinArea skinArea(vec2 uv) {
   // Between texels that a pixel does not even fill there is no variance, only interpolation.
   area.variance = max(mean.y - mean.x * mean.x, 0.0) * clamp(level, 0.0, 1.0);
   area.slope = mean.zw;
-  area.around = texture(relief, uv, 3.0).x;
+  area.around = texture(surroundings, uv).x;
 #ifdef LOOK_MAP
   area.color = texture(skinColors, uv).rgb;
 #else
@@ -56,7 +57,7 @@ Skin skinOf(SkinArea area) {
   skin.emission = vec3(0);
   skin.roughness = skinRoughness;
   skin.height = skinDepth < 0.0 ? 1.0 - share : share;
-  skin.openness = 1.0 / (1.0 + 0.5 * max(skinDepth * (area.around - area.q), 0.0));
+  skin.openness = 1.0 / (1.0 + 0.4 * max(skinDepth * (area.around - area.q), 0.0));
 #if defined LOOK_LEATHER
   skin.albedo = mix(skinLow, skinHigh, cover);
 #elif defined LOOK_SPOTS

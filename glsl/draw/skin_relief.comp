@@ -1,6 +1,6 @@
 // A field as skins read it: how far each value lies above the threshold, the square of that, and the slope. Mip maps
-// average all of it, so that the first two give mean and variance of whatever a pixel covers. Values are shares of
-// the field's range, slopes are per cell. COLORED: the field is a picture with the values' shares in its alpha.
+// average all of it, so that the first two give mean and variance of whatever a pixel covers. Beside it the mean of a
+// ring around, below which cavities lie. Values are shares of the field's range, slopes are per cell. COLORED: the field is a picture with the values' shares in its alpha.
 layout(local_size_x = 8, local_size_y = 8) in;
 #ifdef COLORED
 layout(rgba16f, binding = 0) uniform readonly restrict image2D field;
@@ -8,6 +8,7 @@ layout(rgba16f, binding = 0) uniform readonly restrict image2D field;
 layout(r32f, binding = 0) uniform readonly restrict image2D field;
 #endif
 layout(rgba16f, binding = 1) uniform writeonly restrict image2D relief;
+layout(r16f, binding = 2) uniform writeonly restrict image2D around;
 uniform ivec2 texels;
 uniform vec2 range;        // value that counts as 0, factor on what is above it
 uniform float threshold;   // share of the range
@@ -31,5 +32,12 @@ void main() {
   float q = aboveThreshold(at);
   vec2 slope = vec2(aboveThreshold(at + ivec2(1, 0)) - aboveThreshold(at - ivec2(1, 0)),
                     aboveThreshold(at + ivec2(0, 1)) - aboveThreshold(at - ivec2(0, 1)));
+  // Half a wavelength of most patterns away.
+  ivec2 far = min(ivec2(4), texels - 1), near = min(ivec2(3), texels - 1);
+  float ring = aboveThreshold(at + ivec2(far.x, 0)) + aboveThreshold(at - ivec2(far.x, 0)) +
+               aboveThreshold(at + ivec2(0, far.y)) + aboveThreshold(at - ivec2(0, far.y)) +
+               aboveThreshold(at + near) + aboveThreshold(at - near) +
+               aboveThreshold(at + ivec2(near.x, -near.y)) + aboveThreshold(at + ivec2(-near.x, near.y));
+  imageStore(around, at, vec4(0.125 * ring));
   imageStore(relief, at, vec4(q, q * q, slope * (0.5 / texelCells)));
 }

@@ -49,6 +49,7 @@ enum Unit : GLuint {
   stopUnit = 10,
   reliefUnit = 11,
   skinColorUnit = 12,
+  surroundingsUnit = 13,
   trailUnit = 14
 };
 

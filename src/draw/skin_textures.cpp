@@ -14,8 +14,8 @@ namespace {
 constexpr const char* reliefPath = "draw/skin_relief.comp";
 constexpr const char* colorsPath = "draw/skin_colors.comp";
 
-gl::Texture emptyTexture(const std::string& label, int width, int height) {
-  gl::Texture texture = gl::Texture::image(label, GL_RGBA16F, width, height, 0);
+gl::Texture emptyTexture(const std::string& label, GLenum format, int width, int height) {
+  gl::Texture texture = gl::Texture::image(label, format, width, height, 0);
   texture.wrap(GL_REPEAT);
   // As texture files are read: software drivers filter anisotropically at too high a price.
   const float anisotropy = std::min(gl::limits().anisotropy, gl::softwareDriver() ? 1.0F : 8.0F);
@@ -47,26 +47,29 @@ void SkinTextures::update(const scene::Skin& skin, const FieldTextures::Entry& f
   const int height = field.texture.height();
   const bool own = skin.look == scene::Skin::Look::map;
   if (!entry.relief || entry.relief.width() != width || entry.relief.height() != height) {
-    entry.relief = emptyTexture("relief of " + skin.field, width, height);
-    if (own) entry.colors = emptyTexture("colours of " + skin.field, width, height);
+    entry.relief = emptyTexture("relief of " + skin.field, GL_RGBA16F, width, height);
+    entry.surroundings = emptyTexture("surroundings of " + skin.field, GL_R16F, width, height);
+    if (own) entry.colors = emptyTexture("colours of " + skin.field, GL_RGBA16F, width, height);
   }
   entry.threshold = thresholdShare(skin, field.range);
   entry.cells = field.cells;
-  run(reliefPath, field, entry.relief, entry.threshold);
-  if (own) run(colorsPath, field, entry.colors, 0.0F);
+  run(reliefPath, field, entry);
+  if (own) run(colorsPath, field, entry);
 }
 
-void SkinTextures::run(const char* path, const FieldTextures::Entry& field, const gl::Texture& result,
-                       float threshold) {
+void SkinTextures::run(const char* path, const FieldTextures::Entry& field, const Entry& entry) {
   const glm::vec2 range = field.colored ? glm::vec2(0, 1) : field.range;
+  const bool ownColors = path == colorsPath;
+  const gl::Texture& result = ownColors ? entry.colors : entry.relief;
   const gl::Program& program = kernel(path, field.colored);
   program.use();
   field.texture.bindImage(0, GL_READ_ONLY);
   result.bindImage(1, GL_WRITE_ONLY);
-  if (!field.colored && path == colorsPath) field.stops.bind(2);
+  if (!ownColors) entry.surroundings.bindImage(2, GL_WRITE_ONLY);
+  if (ownColors && !field.colored) field.stops.bind(2);
   program.set("texels", glm::ivec2(result.width(), result.height()));
   program.set("range", glm::vec2(range.x, 1.0F / (range.y == range.x ? 1.0F : range.y - range.x)));
-  program.set("threshold", threshold);
+  program.set("threshold", entry.threshold);
   program.set("texelCells", static_cast<float>(std::max(field.reduction, 1)));
   program.set("stopCount", field.stopCount);
   glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
@@ -74,6 +77,7 @@ void SkinTextures::run(const char* path, const FieldTextures::Entry& field, cons
   glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT |
                   GL_FRAMEBUFFER_BARRIER_BIT);
   glGenerateTextureMipmap(result.name());
+  if (!ownColors) glGenerateTextureMipmap(entry.surroundings.name());
 }
 
 const SkinTextures::Entry* SkinTextures::find(const scene::Skin& skin) const {
@@ -84,6 +88,7 @@ const SkinTextures::Entry* SkinTextures::find(const scene::Skin& skin) const {
 void SkinTextures::bind(const Entry& entry, const scene::Skin& skin, const gl::Program& program) {
   const SkinLook look = lookOf(skin);
   entry.relief.bind(reliefUnit);
+  entry.surroundings.bind(surroundingsUnit);
   if (entry.colors) entry.colors.bind(skinColorUnit);
   program.set("skinThreshold", entry.threshold);
   program.set("skinLow", look.low);

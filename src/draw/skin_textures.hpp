@@ -15,10 +15,11 @@ namespace simreel::draw {
 class SkinTextures {
  public:
   struct Entry {
-    gl::Texture relief;      ///< RGBA16F, mip-mapped, repeating: what glsl/draw/skin_relief.comp says
-    gl::Texture colors;      ///< RGBA16F, mip-mapped, repeating; of the look "map" only
-    float threshold = 0.5F;  ///< share of the field's range
-    glm::ivec2 cells{1, 1};  ///< of the field
+    gl::Texture relief;        ///< RGBA16F, mip-mapped, repeating: what glsl/draw/skin_relief.comp says
+    gl::Texture surroundings;  ///< R16F of the same kind: mean around
+    gl::Texture colors;        ///< RGBA16F, mip-mapped, repeating; of the look "map" only
+    float threshold = 0.5F;    ///< share of the field's range
+    glm::ivec2 cells{1, 1};    ///< of the field
   };
 
   /// Compiles the kernels if any material of the scene has a skin. The scene must outlive it.
@@ -37,7 +38,7 @@ class SkinTextures {
   using Key = std::tuple<std::string, scene::Skin::Look, std::optional<double>>;
   static Key keyOf(const scene::Skin& skin) { return {skin.field, skin.look, skin.threshold}; }
   const gl::Program& kernel(const char* path, bool colored);
-  void run(const char* path, const FieldTextures::Entry& field, const gl::Texture& result, float threshold);
+  void run(const char* path, const FieldTextures::Entry& field, const Entry& entry);
 
   const scene::Scene& scene_;
   std::map<std::pair<std::string, bool>, gl::Program> kernels_;
