@@ -31,6 +31,7 @@ class SequenceSink final : public FrameSink {
       : output_(std::move(output)), frames_(frames.begin(), frames.end()) {
     manifest_.run = run;
     if (existing == Existing::error) refuseExisting();
+    madeFolder_ = !pathExists(output_.folder);
     makeFolders(output_.folder);
     room_ = ReservedRoom(output_.folder, 1024 + 192 * frames_.size());
     inherit(existing);
@@ -73,7 +74,11 @@ class SequenceSink final : public FrameSink {
     if (error_) giveUp();
     finished_ = true;
     // Nothing rendered, nothing to say: an empty manifest would only stand in the way of the next scene.
-    if (!manifest_.frames.empty()) writeFileAtomically(output_.manifestFile(), manifestText(manifest_));
+    if (!manifest_.frames.empty())
+      return writeFileAtomically(output_.manifestFile(), manifestText(manifest_));
+    room_.release();
+    std::error_code notEmpty;
+    if (madeFolder_) fs::remove(output_.folder, notEmpty);
   }
 
   double encodeSeconds() const override { return static_cast<double>(encodeNanoseconds_.load()) * 1e-9; }
@@ -231,7 +236,11 @@ class SequenceSink final : public FrameSink {
 
   void writeManifestQuietly() noexcept {
     try {
-      if (!manifest_.frames.empty()) writeFileAtomically(output_.manifestFile(), manifestText(manifest_));
+      if (!manifest_.frames.empty())
+        return writeFileAtomically(output_.manifestFile(), manifestText(manifest_));
+      room_.release();
+      std::error_code notEmpty;
+      if (madeFolder_) fs::remove(output_.folder, notEmpty);
     } catch (...) {  // NOLINT(bugprone-empty-catch): the error that ended the run is the one to report.
     }
   }
@@ -250,6 +259,7 @@ class SequenceSink final : public FrameSink {
   std::atomic<std::int64_t> encodeNanoseconds_ = 0;
   std::size_t mostPending_ = 2 * std::max<std::size_t>(1, std::thread::hardware_concurrency());
   bool finished_ = false;
+  bool madeFolder_ = false;  ///< it was not there before
 
   ReservedRoom room_;         ///< on a full disk the manifest takes its place
   mutable std::mutex mutex_;  ///< guards all below
