@@ -33,6 +33,7 @@ struct EpidemicParameters final : scene::Parameters, SpreadParameters {
   glm::vec3 nobody{0.004F, 0.007F, 0.013F};
 
   void describe(scene::Fields& fields) override;
+  [[nodiscard]] bool isField() const override { return true; }
 };
 
 /// Everything of an epidemic that is decided on the CPU; shared by the GPU simulation and its CPU twin.

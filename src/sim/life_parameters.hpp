@@ -34,6 +34,7 @@ struct LifeParameters : scene::Parameters {
   int trail = 0;  ///< steps for which a dead cell is still seen
   FieldDisplay display;
   void describe(scene::Fields& fields) override;
+  [[nodiscard]] bool isField() const override { return true; }
 
   /// Level of a living cell in the trail, above all levels of dead ones.
   [[nodiscard]] int brightLevel() const { return trail + (trail > 2 ? trail / 3 : 1); }

@@ -43,6 +43,7 @@ struct WildfireParameters final : scene::Parameters, SpreadParameters {
   glm::vec3 ash{0.030F, 0.027F, 0.026F};
 
   void describe(scene::Fields& fields) override;
+  [[nodiscard]] bool isField() const override { return true; }
 };
 
 /// Everything of a wildfire that is decided on the CPU; shared by the GPU simulation and its CPU twin.
