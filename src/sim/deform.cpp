@@ -260,7 +260,9 @@ std::optional<MeshTable> DeformedMesh::mesh() const {
   std::vector<glm::vec4> positions;
   std::vector<glm::vec4> normals;
   if (technique_ == DeformTechnique::compute) {
-    positions = readback_ ? readback_->wait() : now().positions.buffer().readAll<glm::vec4>();
+    // A device that lags behind may have left out the copy of the latest frame.
+    const bool copied = readback_ && readback_->current();
+    positions = copied ? readback_->wait() : now().positions.buffer().readAll<glm::vec4>();
     normals = now().normals.buffer().readAll<glm::vec4>();
   } else {
     if (technique_ == DeformTechnique::vertexShader) {

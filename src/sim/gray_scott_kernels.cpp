@@ -12,7 +12,7 @@ namespace simreel::sim {
 namespace {
 
 /// Of a pass of several steps: elements and rows of its tile (32 KiB, which every driver has), and rows
-/// that an invocation keeps in registers.
+/// that an invocation keeps in registers (fused.comp unrolls them).
 constexpr int tileX = 32, tileY = 64, tileRows = 8;
 
 /// Before anything is filled: a grid far beyond the limit would first take gigabytes.
@@ -39,7 +39,7 @@ std::vector<glm::uvec4> elementsOf(const std::vector<std::uint32_t>& words) {
 }  // namespace
 
 GrayScottKernels::Cut GrayScottKernels::bestCut() {
-  return gl::memoryPath() == gl::MemoryPath::texel ? Cut{1, 4, 32, 4, 1} : Cut{1, 8, 32, 4, 4};
+  return gl::memoryPath() == gl::MemoryPath::texel ? Cut{1, 4, 32, 4, 1} : Cut{1, 8, 32, 4, 8};
 }
 
 GrayScottKernels::GrayScottKernels(const std::string& name, const GrayScottPlan& plan, bool fast,
@@ -72,8 +72,8 @@ GrayScottKernels::GrayScottKernels(const std::string& name, const GrayScottPlan&
   if (cut_.stepsPerPass == 1) return;
   gl::Defines tiled = gl::kernelDefines(fast);
   if (size_.x % 2 == 1) tiled.emplace_back("ODD_WIDTH", "1");
-  for (const auto& [key, value] : {std::pair{"TILE_X", tileX}, std::pair{"TILE_Y", tileY},
-                                   std::pair{"ROWS", tileRows}, std::pair{"STEPS", cut_.stepsPerPass}})
+  for (const auto& [key, value] :
+       {std::pair{"TILE_X", tileX}, std::pair{"TILE_Y", tileY}, std::pair{"STEPS", cut_.stepsPerPass}})
     tiled.emplace_back(key, std::to_string(value));
   makeProgram(fused_, "gray_scott/fused.comp", tiled);
 }

@@ -41,7 +41,8 @@ bool PositionReadback::takeOldest(bool waiting) {
 void PositionReadback::start(const gl::Buffer& source) {
   while (takeOldest(false)) {
   }
-  if (count_ == slots_.size()) return;
+  current_ = count_ < slots_.size();
+  if (!current_) return;
   Slot& slot = slots_[(oldest_ + count_) % slots_.size()];
   SIMREEL_CHECK_EQ(source.bytes(), slot.buffer.bytes());
   glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);

@@ -23,6 +23,8 @@ class PositionReadback {
   void start(const gl::Buffer& source);
   /// The newest copy that has arrived; empty before the first.
   [[nodiscard]] const std::vector<glm::vec4>& newest();
+  /// Whether the latest start() began a copy.
+  [[nodiscard]] bool current() const { return current_; }
   /// Waits for the copies under way, then as newest().
   [[nodiscard]] const std::vector<glm::vec4>& wait();
 
@@ -35,6 +37,7 @@ class PositionReadback {
   std::array<Slot, 3> slots_;
   std::size_t oldest_ = 0;
   std::size_t count_ = 0;
+  bool current_ = false;
   std::vector<glm::vec4> newest_;
 };
 
