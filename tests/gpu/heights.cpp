@@ -222,21 +222,3 @@ TEST_CASE("heights: what falls has the same bits by every technique") {
     CHECK(words == first);
   }
 }
-
-TEST_CASE("heights: a flat plane that rises carries what lies on it along") {
-  // One frame of rest at height 0, then the plane is at 0.3 m: a particle on it rises with 18 m/s.
-  std::string text = grains;
-  text.replace(text.find("0.4"), 3, "0.0");
-  ParticlesTwin twin = particlesTwin(sceneOf(text));
-  sim::MeshParameters mesh;
-  mesh.resolution = {5, 3};
-  mesh.grip = 0;
-  twin.heightPlan = sim::HeightPlan(mesh, frameSeconds);
-  twin.heights.assign(15, glm::vec4(0, 0.3F, 0, 0));
-  twin.positions[0] = glm::vec4(0.3F, 0.05F, 0.2F, 1);
-  twin.velocities[0] = glm::vec4(1, 0, 0, 0);
-  twin.step(0);
-  CHECK(twin.positions[0].y == doctest::Approx(0.35));
-  CHECK(twin.velocities[0].y > 17.8F);
-  CHECK(twin.velocities[0].x == doctest::Approx(1));
-}
