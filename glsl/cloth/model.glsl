@@ -1,6 +1,6 @@
 // One particle of the mass-spring cloth over one substep. Compiles as GLSL and as C++, where it is the
 // CPU twin. Whoever includes it provides `size` (ivec2), `stepData` (ClothStep), loadPosition(int),
-// and the files types.glsl, common/exact.glsl, common/hash.glsl before it.
+// and the files types.glsl, common/exact.glsl, common/hash.glsl, deform/height_model.glsl before it.
 
 FUNCTION int neighbour(ivec2 at, int dx, int dy) {
   // A neighbour beyond the border becomes the particle itself: its springs then have no length and no force.
@@ -161,8 +161,8 @@ struct Motion {
 };
 
 // Out of every collider along its normal; relative to the collider the inward velocity goes and a share of
-// the tangential velocity stays.
-FUNCTION Motion contact(Motion m) {
+// the tangential velocity stays. With `lands`, at last onto the mesh that collides.
+FUNCTION Motion contact(Motion m, bool lands) {
   for (int i = 0; i < stepData.counts.x; ++i) {
     vec4 a = stepData.colliders[i].a;
     vec4 b = stepData.colliders[i].b;
@@ -197,11 +197,16 @@ FUNCTION Motion contact(Motion m) {
     m.position = touching ? pushed : m.position;
     m.velocity = touching ? kept : m.velocity;
   }
+  if (lands) {
+    Landing l = landed(m.position, m.velocity);
+    m.position = l.position;
+    m.velocity = l.velocity;
+  }
   return m;
 }
 
 // Semi-implicit Euler: x' = x + v' dt, then contact unless constraints still have to act.
-FUNCTION Motion advance(ivec2 at, vec4 here, vec4 velocity, bool springs, bool air, bool touch) {
+FUNCTION Motion advance(ivec2 at, vec4 here, vec4 velocity, bool springs, bool air, bool touch, bool lands) {
   Motion m;
   if (here.w == 0.0f) {
     m.position = pinnedPosition(at, int(velocity.w));
@@ -211,12 +216,12 @@ FUNCTION Motion advance(ivec2 at, vec4 here, vec4 velocity, bool springs, bool a
   m.velocity = newVelocity(at, here, vec3(velocity), springs, air);
   precise vec3 moved = vec3(here) + m.velocity * stepData.gravity.w;
   m.position = moved;
-  if (touch) m = contact(m);
+  if (touch) m = contact(m, lands);
   return m;
 }
 
 // After the constraints: v = (x - x_before) / dt, then contact.
-FUNCTION Motion settled(vec4 before, vec4 here) {
+FUNCTION Motion settled(vec4 before, vec4 here, bool lands) {
   precise vec3 moved = vec3(here) - vec3(before);
   Motion m;
   m.position = vec3(here);
@@ -226,7 +231,7 @@ FUNCTION Motion settled(vec4 before, vec4 here) {
     m.velocity = vec3(0.0f);
     return m;
   }
-  return contact(m);
+  return contact(m, lands);
 }
 
 // How far XPBD (Macklin et al. 2016; one iteration per substep, 2019) moves each end of a constraint

@@ -16,7 +16,7 @@ void main() {
   int i = at.y * size.x + at.x;
   vec4 here = LOAD_STATE(nextPositions, i);
   vec4 velocity = LOAD_STATE(velocities, i);
-  Motion m = settled(loadPosition(i), here);
+  Motion m = settled(loadPosition(i), here, HEIGHTS == 1);
   STORE_STATE(nextPositions, i, vec4(m.position, here.w));
   STORE_STATE(velocities, i, vec4(m.velocity, velocity.w));
   if (isLost(m)) noteLost(uint(stepData.counts.y), uint(i));

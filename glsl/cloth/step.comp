@@ -17,7 +17,7 @@ void main() {
   int i = at.y * size.x + at.x;
   vec4 here = loadPosition(i);
   vec4 velocity = LOAD_STATE(velocities, i);
-  Motion m = advance(at, here, velocity, SPRINGS, AIR, CONTACT);
+  Motion m = advance(at, here, velocity, SPRINGS, AIR, CONTACT, HEIGHTS == 1);
   STORE_STATE(nextPositions, i, vec4(m.position, here.w));
   STORE_STATE(velocities, i, vec4(m.velocity, velocity.w));
   if (isLost(m)) noteLost(uint(stepData.counts.y), uint(i));

@@ -6,6 +6,7 @@ void main() {
   if (i >= stepData.counts.x) return;
   ParticleMotion m =
       drifted(i, LOAD_STATE(positions, i), LOAD_STATE(velocities, i), LOAD_STATE(accelerations, i).xyz);
+  if (HEIGHTS == 1) m = overHeights(m);
   STORE_STATE(positions, i, m.position);
   STORE_STATE(velocities, i, m.velocity);
 }

@@ -1,6 +1,7 @@
 // One particle over one substep of a leapfrog (kick, drift, kick), apart from the particles' own gravity.
 // Compiles as GLSL and as C++, where it is the CPU twin. Whoever includes it provides `stepData`
-// (ParticleStep) and the files types.glsl, common/exact.glsl, common/hash.glsl, particles/pairs.glsl.
+// (ParticleStep) and the files types.glsl, common/exact.glsl, common/hash.glsl, particles/pairs.glsl,
+// deform/height_model.glsl.
 
 struct ParticleMotion {
   vec4 position;  // xyz m; w kg, 0 while not alive
@@ -190,6 +191,15 @@ FUNCTION ParticleMotion drifted(int i, vec4 position, vec4 velocity, vec3 accele
       m.position.w = 0.0f;
     }
   }
+  return m;
+}
+
+// After the drift: out of the mesh that collides.
+FUNCTION ParticleMotion overHeights(ParticleMotion m) {
+  Landing l = landed(vec3(m.position), vec3(m.velocity));
+  bool alive = m.velocity.w >= 0.0f;
+  m.position = alive ? vec4(l.position, m.position.w) : m.position;
+  m.velocity = alive ? vec4(l.velocity, m.velocity.w) : m.velocity;
   return m;
 }
 

@@ -6,6 +6,7 @@ void main() {
   if (i >= stepData.counts.x) return;
   ParticleMotion m =
       drifted(i, LOAD_STATE(positions, i), LOAD_STATE(velocities, i), LOAD_STATE(accelerations, i).xyz);
+  if (HEIGHTS == 1) m = overHeights(m);
   vec3 acceleration = fieldAcceleration(m.position.xyz, ATTRACTOR, TURBULENCE);
   vec4 velocity = kicked(m.velocity, acceleration);
   STORE_STATE(positions, i, m.position);

@@ -100,6 +100,10 @@ struct Parameters {
   virtual void describe(Fields& fields) = 0;
   /// Whether the object publishes a field, which a skin may be grown from.
   [[nodiscard]] virtual bool isField() const { return false; }
+  /// Whether it is a surface of heights that others fall onto; a scene has at most one.
+  [[nodiscard]] virtual bool publishesHeights() const { return false; }
+  /// Whether it asks for such a surface.
+  [[nodiscard]] virtual bool needsHeights() const { return false; }
 };
 
 /// One line of the list of simulations: what a scene calls it, one sentence, and how to make its

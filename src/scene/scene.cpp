@@ -106,6 +106,27 @@ void checkSkin(const Node& object, std::span<const Object> objects, Diagnostics&
       fmt::format("{}; {}", what, fields.empty() ? "the scene has no field" : suggestion(name, fields)));
 }
 
+/// One surface of heights for those that ask for it.
+void checkHeights(const Node& node, std::span<const Object> objects, Diagnostics& diagnostics) {
+  const Object* surface = nullptr;
+  const auto report = [&](std::size_t i, const std::string& what) {
+    const Node* parameters = node.children[i].find(objects[i].kind);
+    const Node* flag = parameters == nullptr ? nullptr : parameters->find("collides");
+    diagnostics.add(flag == nullptr ? node.children[i].headPlace() : flag->place(), what);
+  };
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    if (objects[i].parameters == nullptr || !objects[i].parameters->publishesHeights()) continue;
+    if (surface != nullptr)
+      report(i,
+             fmt::format("a scene has one mesh that collides, and \"{}\" is one already", surface->name));
+    else
+      surface = &objects[i];
+  }
+  for (std::size_t i = 0; surface == nullptr && i < objects.size(); ++i)
+    if (objects[i].parameters != nullptr && objects[i].parameters->needsHeights())
+      report(i, "there is nothing to fall onto; give a \"mesh\" of this scene \"collides\": true");
+}
+
 void readObjects(const Node& node, ReadContext context, std::span<const Kind> kinds,
                  std::vector<Object>& objects) {
   if (!ValueReader("", context.diagnostics).expect(node, Node::Kind::object, "an object")) return;
@@ -115,6 +136,7 @@ void readObjects(const Node& node, ReadContext context, std::span<const Kind> ki
   }
   for (const Node& child : node.children) objects.push_back(readObject(child, context, kinds));
   for (const Node& child : node.children) checkSkin(child, objects, context.diagnostics);
+  checkHeights(node, objects, context.diagnostics);
 }
 
 /// Whether this program can read the scene's version; reports otherwise.

@@ -6,6 +6,7 @@
 #include "gl/vec4_array.hpp"
 #include "sim/cloth_plan.hpp"
 #include "sim/cloth_quantities.hpp"
+#include "sim/height_field.hpp"
 
 #include <cstdint>
 #include <cstring>
@@ -44,6 +45,7 @@ class Cloth : public Simulation {
         plan_(dynamic_cast<const ClothParameters&>(*object.parameters), setting.seed, setting.frameSeconds,
               *setting.colliders),
         size_(plan_.parameters().size),
+        heights_(setting.heights),
         frameSeconds_(setting.frameSeconds) {
     checkLimits();
     const auto positions = plan_.firstPositions();
@@ -67,6 +69,10 @@ class Cloth : public Simulation {
       positions_[0].bindInput(0);
       positions_[1].bindState(1);
       velocities_.bindState(2);
+      if (heights_ != nullptr) {
+        heights_->bind();
+        heights_->tell(touching(), i, plan_.substeps(), plan_.parameters().margin, 0.0F);
+      }
       gl::barrier();
       step_.dispatch(size_.x, size_.y);
       if (plan_.parameters().solver == ClothSolver::constraints) constrain();
@@ -137,6 +143,7 @@ class Cloth : public Simulation {
   void makePrograms(bool fast) {
     const bool constraints = plan_.parameters().solver == ClothSolver::constraints;
     gl::Defines defines = gl::kernelDefines(fast);
+    defines.emplace_back("HEIGHTS", heights_ != nullptr ? "1" : "0");
     if (constraints) {
       constrain_ = gl::Program::compute("cloth/constrain.comp", defines);
       settle_ = gl::Program::compute("cloth/settle.comp", defines);
@@ -149,6 +156,11 @@ class Cloth : public Simulation {
     step_ = gl::Program::compute("cloth/step.comp", defines);
     step_.set("size", size_);
     step_.checkUniformBlock("StepBlock", sizeof(shader::ClothStep));
+  }
+
+  /// The kernel that touches colliders.
+  [[nodiscard]] const gl::Program& touching() const {
+    return plan_.parameters().solver == ClothSolver::constraints ? settle_ : step_;
   }
 
   void upload(const std::vector<shader::ClothStep>& steps) {
@@ -175,6 +187,7 @@ class Cloth : public Simulation {
   scene::Material material_;
   ClothPlan plan_;
   glm::ivec2 size_;
+  const HeightField* heights_;  ///< null: none in the scene
   double frameSeconds_;
   double time_ = 0;             ///< s, of the present state
   gl::Vec4Array positions_[2];  ///< now, and where the next substep writes

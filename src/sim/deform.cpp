@@ -6,6 +6,7 @@
 #include "gl/vec4_array.hpp"
 #include "sim/deform_cpu.hpp"
 #include "sim/deform_plan.hpp"
+#include "sim/height_field.hpp"
 #include "sim/mesh_buffers.hpp"
 #include "sim/mesh_quantities.hpp"
 #include "sim/position_readback.hpp"
@@ -51,6 +52,7 @@ class DeformedMesh : public Simulation {
                                : StageClock::Of::cpu) {
     makeVertices();
     if (onDevice()) makePrograms(setting.fast);
+    if (parameters.collides) heights_.emplace(name_, HeightPlan(parameters, frameSeconds_));
     deform(0.0);
   }
   ~DeformedMesh() override {
@@ -62,8 +64,14 @@ class DeformedMesh : public Simulation {
 
   void step(double time, const StepWatch& watch) override {
     time_ = time + frameSeconds_;
+    if (heights_ && !hasHeights_) {
+      deform(time);
+      heights_->take(now().positions);
+      hasHeights_ = true;
+    }
     if (plan_.hasTrail()) press(time_);
     deform(time_);
+    if (heights_) heights_->take(now().positions);
     if (watch) watch(1);
   }
 
@@ -92,6 +100,7 @@ class DeformedMesh : public Simulation {
     return "vertex " + std::to_string(element);
   }
   [[nodiscard]] std::optional<MeshTable> mesh() const override;
+  [[nodiscard]] const HeightField* heights() const override { return heights_ ? &*heights_ : nullptr; }
   [[nodiscard]] std::vector<Quantity> quantities() const override { return meshQuantities(*mesh()); }
   [[nodiscard]] std::vector<const char*> quantityNames() const override { return meshQuantityNames(); }
   [[nodiscard]] std::vector<std::pair<const char*, double>> stageTimes() const override {
@@ -136,6 +145,8 @@ class DeformedMesh : public Simulation {
   gl::WordsArray fans_, faces_;
   gl::Program press_, displace_, gather_;
   std::unique_ptr<PositionReadback> readback_;
+  std::optional<HeightField> heights_;  ///< of a mesh that collides
+  bool hasHeights_ = false;             ///< whether they begin with the first frame
 };
 
 void DeformedMesh::makeVertices() {

@@ -50,6 +50,7 @@ void MeshParameters::describe(scene::Fields& f) {
       "Which sides of the triangles are drawn; \"auto\": both of a plane and of grass, else the front.");
   f.boolean("visible", visible, "Whether it is drawn.");
   deform.describe(f);
+  describeCollision(f);
   if (shape == MeshShape::file && file.empty())
     f.error("shape", "the shape \"file\" needs \"file\": the mesh to read");
   if (shape != MeshShape::file && f.given("file"))
@@ -62,6 +63,32 @@ void MeshParameters::describe(scene::Fields& f) {
             fmt::format("{}x{} are more than {} vertices", resolution.x, resolution.y, mostVertices));
   if (shape == MeshShape::torus && tube >= radius)
     f.error("tube", fmt::format("a tube of {} m closes the hole of a torus of {} m", tube, radius));
+}
+
+void MeshParameters::describeCollision(scene::Fields& f) {
+  f.boolean("collides", collides,
+            "Whether cloth, and particles that ask for it, fall onto this deformed plane; one of a scene.");
+  f.number("grip", grip, {0, 1e6}, "1/s",
+           "Rate at which what slides over it loses speed, where it collides.");
+  if (!collides) {
+    if (f.given("grip")) f.error("grip", "\"grip\" is for a mesh with \"collides\": true");
+    return;
+  }
+  if (shape != MeshShape::plane)
+    f.error("shape", "a mesh that collides is a \"plane\", whose heights others fall onto");
+  if (deform.list.empty())
+    f.error("collides",
+            "a mesh collides by what \"deform\" makes of it; give it one, or use a \"plane\" object");
+  if (deform.technique == DeformTechnique::vertexShader)
+    f.error("technique", "\"vertex-shader\" keeps no positions to collide with; use \"compute\"");
+  if (size.x < 1e-3F || size.z < 1e-3F)
+    f.error("size", "a mesh that collides is at least 0.001 m wide and deep");
+  if (position.moves())
+    f.error("position", "a mesh that collides stays where it is: one position, no keys");
+  if (rotation.moves() || rotation.at(0) != glm::vec3(0))
+    f.error("rotation", "a mesh that collides is not turned");
+  if (scale.moves() || scale.at(0) != 1.0F)
+    f.error("scale", "a mesh that collides is not scaled; give it another \"size\"");
 }
 
 bool MeshParameters::doubleSided() const {

@@ -31,13 +31,19 @@ struct MeshParameters : scene::Parameters {
   scene::Animated<glm::vec3> position = glm::vec3(0);  ///< m
   scene::Animated<glm::vec3> rotation = glm::vec3(0);  ///< degrees
   scene::Animated<float> scale = 1.0F;
+  bool collides = false;
+  float grip = 25.3F;  ///< 1/s
   void describe(scene::Fields& fields) override;
+  [[nodiscard]] bool publishesHeights() const override { return collides; }
 
   [[nodiscard]] bool doubleSided() const;
   /// From the mesh's own space to the world's at `time`.
   [[nodiscard]] glm::mat4 model(double time) const;
   /// Generates or reads the mesh. Throws what loadMesh throws.
   [[nodiscard]] Mesh make(int seed) const;
+
+ private:
+  void describeCollision(scene::Fields& fields);
 };
 
 }  // namespace simreel::sim

@@ -5,6 +5,7 @@
 #include "gl/program.hpp"
 #include "gl/vec4_array.hpp"
 #include "sim/gravity_tree.hpp"
+#include "sim/height_field.hpp"
 #include "sim/particles_pairs.hpp"
 #include "sim/particles_plan.hpp"
 
@@ -34,6 +35,7 @@ class Particles : public Simulation {
         plan_(dynamic_cast<const ParticleParameters&>(*object.parameters), setting.seed,
               setting.frameSeconds, mostParticles()) {
     const ParticleParameters& p = plan_.parameters();
+    if (p.collides) heights_ = setting.heights;
     if (p.method == GravityMethod::allPairs) pairs_ = PairGravity(setting.fast);
     if (p.method == GravityMethod::tree) tree_.emplace(name_, plan_.count(), setting.fast);
     const ParticleCloud cloud = plan_.firstCloud();
@@ -144,6 +146,7 @@ class Particles : public Simulation {
   void makePrograms(bool fast) {
     const ParticleParameters& p = plan_.parameters();
     gl::Defines defines = gl::kernelDefines(fast);
+    defines.emplace_back("HEIGHTS", heights_ != nullptr ? "1" : "0");
     defines.emplace_back("ATTRACTOR", p.hasAttractor ? "true" : "false");
     defines.emplace_back("TURBULENCE", p.turbulence.strength > 0 ? "true" : "false");
     kick_ = gl::Program::compute("particles/kick.comp", defines);
@@ -181,6 +184,11 @@ class Particles : public Simulation {
     velocities_.bindState(1);
     accelerations_.bindState(2);
     status_.bindStorage(7);
+    if (heights_ == nullptr) return;
+    const ParticleParameters& p = plan_.parameters();
+    heights_->bind();
+    heights_->tell(p.method == GravityMethod::none ? step_ : drift_, substep, p.substeps, p.margin,
+                   p.bounce);
   }
 
   void upload(const std::vector<shader::ParticleStep>& steps) {
@@ -205,6 +213,7 @@ class Particles : public Simulation {
   gl::Buffer status_;
   gl::Buffer steps_;
   std::size_t stepStride_ = 0;
+  const HeightField* heights_ = nullptr;  ///< null: it falls onto nothing
   gl::Program drift_, kick_, step_;
   PairGravity pairs_;
   std::optional<GravityTree> tree_;

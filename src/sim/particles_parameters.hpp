@@ -69,6 +69,9 @@ struct ParticleParameters : scene::Parameters {
   float damping = 0.0F;  ///< 1/s, towards rest; 0.06 keeps 0.999 at 60 Hz
   Turbulence turbulence;
   int substeps = 1;
+  bool collides = false;
+  float bounce = 0.3F;
+  float margin = 0.0F;  ///< m
 
   // How they look.
   Instances::Shape shape = Instances::Shape::sprite;
@@ -84,6 +87,7 @@ struct ParticleParameters : scene::Parameters {
   float fade = 0.1F;
 
   void describe(scene::Fields& fields) override;
+  [[nodiscard]] bool needsHeights() const override { return collides; }
 
  private:
   void describeLook(scene::Fields& fields);

@@ -16,6 +16,8 @@
 
 namespace simreel::sim {
 
+class HeightField;
+
 /// What a simulation may know of the scene around it.
 struct Setting {
   bool fast = false;  ///< numerics: built-ins and contraction allowed
@@ -23,6 +25,8 @@ struct Setting {
   double frameSeconds = 1.0 / 60.0;
   const std::vector<ColliderShape>* colliders = nullptr;
   bool timing = false;  ///< whether simulations measure their stages
+  /// Of the mesh that collides, already stepped when others step; null: none.
+  const HeightField* heights = nullptr;
 };
 
 /// State that is hashed, compared and can be read back: whole elements of four words, floats unless said.
@@ -98,6 +102,8 @@ class Simulation {
   [[nodiscard]] virtual CountTable counts() const { return {}; }
   /// What `simreel bake` writes of things that deform a mesh; nothing for others.
   [[nodiscard]] virtual std::optional<MeshTable> mesh() const { return std::nullopt; }
+  /// What others fall onto; null for things that are no such surface.
+  [[nodiscard]] virtual const HeightField* heights() const { return nullptr; }
   /// Four words as glsl/common/status.glsl writes them, or null.
   [[nodiscard]] virtual const gl::Buffer* status() const { return nullptr; }
   /// Measures the present state, which is read back: summed up on the CPU in double and in a fixed order,
@@ -105,9 +111,9 @@ class Simulation {
   [[nodiscard]] virtual std::vector<Quantity> quantities() const { return {}; }
   /// The names that quantities() will give, in its order. Costs nothing.
   [[nodiscard]] virtual std::vector<const char*> quantityNames() const { return {}; }
-  /// How `step` splits, for `simreel bench`: names (the same in every frame) and ms, of the latest frame that
-  /// is known, when Setting::timing is on. CPU stages by the clock, those of the GPU by timer queries. Never waits
-  /// for the device.
+  /// How `step` splits, for `simreel bench`: names (the same in every frame) and ms, of the latest frame
+  /// that is known, when Setting::timing is on. CPU stages by the clock, those of the GPU by timer queries.
+  /// Never waits for the device.
   [[nodiscard]] virtual std::vector<std::pair<const char*, double>> stageTimes() const { return {}; }
   /// One line for a user: where and why the state was lost, and what to change.
   [[nodiscard]] virtual std::string explainLoss(unsigned step, unsigned element) const {

@@ -40,6 +40,16 @@ std::vector<ColliderShape> collect(const scene::Scene& scene) {
   return shapes;
 }
 
+/// Meshes that others fall onto come first, the rest as the scene has them: who falls finds the heights of
+/// the frame's beginning and end.
+std::vector<std::size_t> stepOrder(const scene::Scene& scene) {
+  std::vector<std::size_t> order;
+  for (const bool first : {true, false})
+    for (std::size_t i = 0; i < scene.objects.size(); ++i)
+      if (scene.objects[i].parameters->publishesHeights() == first) order.push_back(i);
+  return order;
+}
+
 }  // namespace
 
 struct World::State {
@@ -48,6 +58,7 @@ struct World::State {
   int done = 0;  ///< frames simulated, the pre-roll's included
   std::vector<ColliderShape> colliders;
   std::vector<std::unique_ptr<Simulation>> objects;
+  std::vector<std::size_t> order;  ///< in which objects are made and stepped
   std::vector<std::string> names;
   std::vector<ArrayName> arrays;
 
@@ -68,13 +79,17 @@ struct World::State {
   State(const scene::Scene& scene, bool timing)
       : fps(scene.time.fps),
         preroll(static_cast<int>(std::lround(scene.time.start * scene.time.fps))),
-        colliders(collect(scene)) {
-    const Setting setting{scene.numerics == scene::Numerics::fast, scene.seed, 1.0 / scene.time.fps,
-                          &colliders, timing};
-    for (const scene::Object& object : scene.objects)
+        colliders(collect(scene)),
+        objects(scene.objects.size()),
+        order(stepOrder(scene)) {
+    Setting setting{scene.numerics == scene::Numerics::fast, scene.seed, 1.0 / scene.time.fps, &colliders,
+                    timing};
+    for (const std::size_t i : order) {
       for (const SimulationKind& kind : simulations())
-        if (object.kind == kind.kind.name) objects.push_back(kind.make(object, setting));
-    SIMREEL_CHECK_EQ(objects.size(), scene.objects.size());
+        if (scene.objects[i].kind == kind.kind.name) objects[i] = kind.make(scene.objects[i], setting);
+      SIMREEL_CHECK(objects[i] != nullptr);
+      if (objects[i]->heights() != nullptr) setting.heights = objects[i]->heights();
+    }
     for (const scene::Object& object : scene.objects) names.push_back(object.name);
     for (std::size_t i = 0; i < objects.size(); ++i)
       for (const StateArray& array : objects[i]->state())
@@ -188,7 +203,7 @@ void World::advanceTo(int frame, const Watch& watch, const Stepped& stepped) {
   SIMREEL_CHECK(frame + state_->preroll >= state_->done);
   for (; state_->done < frame + state_->preroll; ++state_->done) {
     const double time = (state_->done - state_->preroll) / state_->fps;
-    for (std::size_t i = 0; i < state_->objects.size(); ++i) {
+    for (const std::size_t i : state_->order) {
       const StepWatch one = watch ? StepWatch([&](int step) { watch(i, step); }) : StepWatch();
       state_->objects[i]->step(time, one);
       if (stepped) stepped(i);

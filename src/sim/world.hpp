@@ -12,7 +12,8 @@
 
 namespace simreel::sim {
 
-/// All objects of a scene, stepped together. Frame 0 is at time 0; the pre-roll runs before it.
+/// All objects of a scene, stepped together: a mesh that collides first, the others in the scene's order.
+/// Frame 0 is at time 0; the pre-roll runs before it.
 class World {
  public:
   /// Makes every simulation on the current context. `timing`: they measure their stages (Setting::timing).

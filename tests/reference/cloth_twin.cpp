@@ -19,9 +19,13 @@ struct Kernel {
   ivec2 size;
   const ClothStep& stepData;
   const vec4* source;
+  HeightGrid heightGrid{};
+  const vec4* heights = nullptr;
 
   [[nodiscard]] vec4 loadPosition(int i) const { return source[i]; }
+  [[nodiscard]] vec4 loadHeights(int i) const { return heights[i]; }
 #include "glsl/cloth/model.glsl"
+#include "glsl/deform/height_model.glsl"
 };
 #undef precise
 #undef FUNCTION
@@ -49,27 +53,32 @@ ClothTwin::ClothTwin(simreel::sim::ClothPlan plan)
       next_(positions) {}
 
 void ClothTwin::step(double time, int threads) {
-  for (const ClothStep& data : plan_.frame(time)) substep(data, threads);
+  int index = 0;
+  for (const ClothStep& data : plan_.frame(time)) substep(data, threads, index++);
 }
 
-void ClothTwin::substep(const ClothStep& data, int threads) {
+void ClothTwin::substep(const ClothStep& data, int threads, int index) {
+  const bool lands = heightPlan.has_value();
+  HeightGrid grid{};
+  if (lands) grid = heightPlan->at(index, plan_.substeps(), plan_.parameters().margin, 0.0F);
   const bool constraints = plan_.parameters().solver == simreel::sim::ClothSolver::constraints;
   const bool air = plan_.parameters().hasAir;
   const ivec2 size = plan_.parameters().size;
   forRows(size.y, threads, [&](int y) {
-    Kernel kernel{size, data, positions.data()};
+    Kernel kernel{size, data, positions.data(), grid, heights.data()};
     for (int x = 0; x < size.x; ++x) {
       const auto i = static_cast<std::size_t>(y * size.x + x);
-      const auto m = kernel.advance({x, y}, positions[i], velocities[i], !constraints, air, !constraints);
+      const auto m =
+          kernel.advance({x, y}, positions[i], velocities[i], !constraints, air, !constraints, lands);
       next_[i] = vec4(m.position, positions[i].w);
       velocities[i] = vec4(m.velocity, velocities[i].w);
     }
   });
   if (constraints) {
     constrain(data);
-    Kernel kernel{size, data, positions.data()};
+    Kernel kernel{size, data, positions.data(), grid, heights.data()};
     for (std::size_t i = 0; i < next_.size(); ++i) {
-      const auto m = kernel.settled(positions[i], next_[i]);
+      const auto m = kernel.settled(positions[i], next_[i], lands);
       next_[i] = vec4(m.position, next_[i].w);
       velocities[i] = vec4(m.velocity, velocities[i].w);
     }

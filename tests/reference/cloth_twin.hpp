@@ -1,6 +1,8 @@
 #pragma once
 #include "sim/cloth_plan.hpp"
+#include "sim/height_plan.hpp"
 
+#include <optional>
 #include <vector>
 
 #include <glm/vec4.hpp>
@@ -13,11 +15,14 @@ class ClothTwin {
 
   /// One frame starting at `time` (s). `threads` 0: all processors.
   void step(double time, int threads = 1);
-  /// One substep with the given data.
-  void substep(const simreel::shader::ClothStep& data, int threads = 1);
+  /// One substep with the given data, the frame's number `index`.
+  void substep(const simreel::shader::ClothStep& data, int threads = 1, int index = 0);
 
   std::vector<glm::vec4> positions;   ///< xyz m, w inverse mass
   std::vector<glm::vec4> velocities;  ///< xyz m/s, w pin group
+  /// The mesh it falls onto; none without a plan.
+  std::optional<simreel::sim::HeightPlan> heightPlan;
+  std::vector<glm::vec4> heights;  ///< of the frame to step: x at its beginning, y at its end (m)
   [[nodiscard]] simreel::sim::ClothPlan& plan() { return plan_; }
 
  private:

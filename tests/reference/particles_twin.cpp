@@ -19,6 +19,11 @@ using namespace simreel::shader;
 /// What a kernel sees: the globals that model.glsl asks for, and the model itself.
 struct Kernel {
   const ParticleStep& stepData;
+  HeightGrid heightGrid{};
+  const vec4* heights = nullptr;
+
+  [[nodiscard]] vec4 loadHeights(int i) const { return heights[i]; }
+#include "glsl/deform/height_model.glsl"
 #include "glsl/particles/model.glsl"
 };
 #undef precise
@@ -73,11 +78,15 @@ void ParticlesTwin::step(double time, int threads) {
     kick(plan_.prime(time), threads);
     primed_ = true;
   }
+  const auto& p = plan_.parameters();
+  int index = 0;
   for (const ParticleStep& data : plan_.frame(time)) {
+    Kernel kernel{data};
+    if (heightPlan) kernel.heightGrid = heightPlan->at(index++, p.substeps, p.margin, p.bounce);
+    kernel.heights = heights.data();
     forAll(positions.size(), threads, [&](std::size_t i) {
-      Kernel kernel{data};
-      const auto m =
-          kernel.drifted(static_cast<int>(i), positions[i], velocities[i], vec3(accelerations[i]));
+      auto m = kernel.drifted(static_cast<int>(i), positions[i], velocities[i], vec3(accelerations[i]));
+      if (heightPlan) m = kernel.overHeights(m);
       positions[i] = m.position;
       velocities[i] = m.velocity;
     });

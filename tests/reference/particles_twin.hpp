@@ -1,7 +1,9 @@
 #pragma once
+#include "sim/height_plan.hpp"
 #include "sim/particles_plan.hpp"
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include <glm/vec4.hpp>
@@ -18,6 +20,9 @@ class ParticlesTwin {
   std::vector<glm::vec4> positions;      ///< xyz m, w kg
   std::vector<glm::vec4> velocities;     ///< xyz m/s, w age
   std::vector<glm::vec4> accelerations;  ///< xyz m/s^2
+  /// The mesh they fall onto; none without a plan.
+  std::optional<simreel::sim::HeightPlan> heightPlan;
+  std::vector<glm::vec4> heights;  ///< of the frame to step: x at its beginning, y at its end (m)
   [[nodiscard]] const simreel::sim::ParticlePlan& plan() const { return plan_; }
   /// Forgets the accelerations, after the state was changed from outside.
   void restart() { primed_ = false; }

@@ -1,0 +1,94 @@
+// What falls onto a deformed plane. Its vertices count where they are at rest, only lifted: what waves move sideways
+// is left out. Compiles as GLSL and as C++. Whoever includes it provides `heightGrid` (HeightGrid), loadHeights(int)
+// (x height at the frame's beginning, y at its end, m), and before it height_types.glsl and common/exact.glsl.
+
+// The surface over (x, z) at one moment.
+struct SurfacePoint {
+  vec3 normal;   // unit; y > 0
+  float height;  // m
+  float speed;   // m/s, upwards
+  bool there;    // false beside the mesh
+};
+
+FUNCTION vec2 mixedHeights(vec2 a, vec2 b, float t) {
+  precise vec2 sum = b - a;
+  sum = sum * t;
+  sum = sum + a;
+  return sum;
+}
+
+// From the beginning's value to the end's: at t of the frame.
+FUNCTION float heightWithin(vec2 values) {
+  precise float value = values.y - values.x;
+  value = value * heightGrid.moment.x;
+  value = value + values.x;
+  return value;
+}
+
+// Bilinear between the four vertices around: h = mix(mix(a, b, u), mix(c, d, u), v), its slopes
+// dh/dx = mix(b - a, d - c, v) / cell and dh/dz = (lower - upper) / cell, n = (-dh/dx, 1, -dh/dz) / |...|.
+FUNCTION SurfacePoint surfaceUnder(float px, float pz) {
+  precise float x = px - heightGrid.place.x;
+  precise float z = pz - heightGrid.place.y;
+  x = x * heightGrid.place.z;
+  z = z * heightGrid.place.w;
+  float mostX = float(heightGrid.size.x - 1);
+  float mostZ = float(heightGrid.size.y - 1);
+  SurfacePoint s;
+  s.there = x >= 0.0f && z >= 0.0f && x <= mostX && z <= mostZ;
+  x = s.there ? x : 0.0f;  // a lost particle's place is no number
+  z = s.there ? z : 0.0f;
+  int column = min(int(floor(x)), heightGrid.size.x - 2);
+  int row = min(int(floor(z)), heightGrid.size.y - 2);
+  precise float u = x - float(column);
+  precise float v = z - float(row);
+  int i = row * heightGrid.size.x + column;
+  vec2 a = vec2(loadHeights(i));
+  vec2 b = vec2(loadHeights(i + 1));
+  vec2 c = vec2(loadHeights(i + heightGrid.size.x));
+  vec2 d = vec2(loadHeights(i + heightGrid.size.x + 1));
+  vec2 upper = mixedHeights(a, b, u);
+  vec2 lower = mixedHeights(c, d, u);
+  vec2 here = mixedHeights(upper, lower, v);
+  precise vec2 first = b - a;
+  precise vec2 second = d - c;
+  precise vec2 down = lower - upper;
+  s.height = heightWithin(here);
+  precise float rise = here.y - here.x;
+  s.speed = rise * heightGrid.moment.y;
+  precise float slopeX = heightWithin(mixedHeights(first, second, v)) * heightGrid.place.z;
+  precise float slopeZ = heightWithin(down) * heightGrid.place.w;
+  precise vec3 n = vec3(-slopeX, 1.0f, -slopeZ);
+  n = n * exactInverseSqrt(exactDot(n, n));
+  s.normal = n;
+  return s;
+}
+
+struct Landing {
+  vec3 position;
+  vec3 velocity;
+};
+
+// Straight up to the margin over the surface. Relative to the surface's own rise the speed of impact turns round by
+// the share that is given back, and a share of the tangential velocity stays.
+FUNCTION Landing landed(vec3 position, vec3 velocity) {
+  SurfacePoint s = surfaceUnder(position.x, position.z);
+  precise float least = s.height + heightGrid.margin;
+  bool touching = s.there && position.y < least;
+  vec3 surface = vec3(0.0f, s.speed, 0.0f);
+  precise vec3 relative = velocity - surface;
+  float inward = exactDot(relative, s.normal);
+  precise vec3 along = s.normal * inward;
+  precise vec3 kept = relative - along;
+  kept = kept * heightGrid.moment.z;
+  precise float back = -inward;
+  back = back * heightGrid.moment.w;
+  back = max(inward, back);
+  precise vec3 outward = s.normal * back;
+  kept = kept + outward;
+  kept = kept + surface;
+  Landing l;
+  l.position = touching ? vec3(position.x, least, position.z) : position;
+  l.velocity = touching ? kept : velocity;
+  return l;
+}

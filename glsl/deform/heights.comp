@@ -1,0 +1,15 @@
+// Keeps the heights of the last frame beside those of the present one, one vertex an invocation.
+#include "common/exact.glsl"
+#include "common/memory.glsl"
+layout(local_size_x = 64) in;
+INPUT_ARRAY(0, PositionBlock, positions)
+STATE_ARRAY(1, HeightBlock, heights)
+uniform int count;
+uniform float lift;  // height of the mesh's origin (m)
+
+void main() {
+  int i = int(gl_GlobalInvocationID.x);
+  if (i >= count) return;
+  precise float now = LOAD_INPUT(positions, i).y + lift;
+  STORE_STATE(heights, i, vec4(LOAD_STATE(heights, i).y, now, 0.0f, 0.0f));
+}
