@@ -55,7 +55,8 @@ FUNCTION SurfacePoint surfaceUnder(float px, float pz) {
   precise vec2 down = lower - upper;
   s.height = heightWithin(here);
   precise float rise = here.y - here.x;
-  s.speed = rise * heightGrid.moment.y;
+  rise = rise * heightGrid.moment.y;
+  s.speed = rise;
   precise float slopeX = heightWithin(mixedHeights(first, second, v)) * heightGrid.place.z;
   precise float slopeZ = heightWithin(down) * heightGrid.place.w;
   precise vec3 n = vec3(-slopeX, 1.0f, -slopeZ);

@@ -73,8 +73,8 @@ bool says(const std::string& message, const std::string& part) {
 }  // namespace
 
 TEST_CASE("heights: without grip a slope is slid down with g sin(angle)") {
-  // Slopes along x and z together: y falls by 0.3 a metre along x and rises by 0.4 along z, so the way down is
-  // (0.3, -0.4) / 0.5 and tan(angle) = 0.5.
+  // Slopes along x and z together: y falls by 0.3 a metre along x and rises by 0.4 along z, so the way down
+  // is (0.3, -0.4) / 0.5 and tan(angle) = 0.5.
   const auto height = [](float x, float z) { return 5.0F - 0.3F * (x - 10) + 0.4F * (z + 3); };
   auto twin = onSurface({10, 5.1F, -3}, {0, 0, 0}, 0, 0, height);
   for (int frame = 0; frame < 40; ++frame) twin.step(frame * frameSeconds);
@@ -153,6 +153,8 @@ TEST_CASE("heights: a scene has one mesh to fall onto, and particles that collid
   says(second, "one mesh that collides, and \"a\" is one already");
   says(second, "test.json:3:");
   says(failure("\"p\": " + grains), "nothing to fall onto");
-  says(failure(R"("p": {"particles": {"groups": [{}], "bounce": 0.2}})"), "for particles with \"collides\"");
-  says(failure(R"("p": {"particles": {"groups": [{}], "margin": 0.2}})"), "for particles with \"collides\"");
+  says(failure(R"("p": {"particles": {"groups": [{}], "bounce": 0.2}})"),
+       "for particles with \"collides\"");
+  says(failure(R"("p": {"particles": {"groups": [{}], "margin": 0.2}})"),
+       "for particles with \"collides\"");
 }
