@@ -73,7 +73,8 @@ class Bake(Case):
     def test_mistakes(self):
         self.bad(2, ["nobody", "flag"], "bake", "scene.json", "-o", "out", "--object", "nobody")
         self.write("scene.json", with_values({"objects": {"ball": {"sphere": {}}}}))
-        self.bad(2, "no object of the scene has points or a deformed mesh", "bake", "scene.json", "-o", "out")
+        self.bad(2, "no object of the scene has state to bake", "bake", "scene.json", "-o", "out")
+        self.bad(2, "no object of the scene has points or a deformed mesh", "bake", "scene.json", "-o", "out", "--format", "ply")
         self.assertFalse((self.folder / "out").exists())
 
 

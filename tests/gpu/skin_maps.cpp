@@ -66,6 +66,7 @@ float share(const std::vector<float>& sorted, double part) {
 }  // namespace
 
 TEST_CASE("skin maps: rolling the field by half moves them by exactly half") {
+  testContext();
   const auto value = [](int x, int y) { return waves(x / 62.0, y / 46.0); };
   const FieldStage field(Cells::floats, {62, 46}, value);
   const FieldStage rolled(Cells::floats, {62, 46},
@@ -92,6 +93,7 @@ TEST_CASE("skin maps: rolling the field by half moves them by exactly half") {
 }
 
 TEST_CASE("skin maps: no step over the border is larger than those inside") {
+  testContext();
   const FieldStage field(Cells::floats, {61, 47}, [](int x, int y) { return waves(x / 61.0, y / 47.0); });
   for (const Look look : {Look::leather, Look::cracks, Look::map})
     for (const glm::ivec2 size : {glm::ivec2(61, 47), glm::ivec2(203, 155), glm::ivec2(37, 29)}) {
@@ -106,6 +108,7 @@ TEST_CASE("skin maps: no step over the border is larger than those inside") {
 }
 
 TEST_CASE("skin maps: values follow theory on a slope") {
+  testContext();
   // A triangle wave of 64 cells: slope 1/32 a cell, to the right up, then down. depth cells high.
   const FieldStage field(Cells::floats, {64, 6},
                          [](int x, int) { return x < 32 ? x / 32.0 : (64 - x) / 32.0; });
