@@ -19,8 +19,8 @@ struct Mesh {
 /// Reads OBJ, PLY, glTF or GLB: every mesh of the file with its node's transform, polygons as triangles,
 /// points and lines left out; normals are computed where the file has none. Throws UserError: usage for
 /// another extension, what readFile says for a file that cannot be read, inputOutput for one that is not
-/// what it says, promises more than its bytes can hold, names a file outside its folder, holds no triangle, a vertex that is not finite or beyond 1e9 m, or more than 8 million
-/// vertices or triangles.
+/// what it says, promises more than its bytes can hold, names a file outside its folder, holds no triangle,
+/// a vertex that is not finite or beyond 1e9 m, or more than 8 million vertices or triangles.
 [[nodiscard]] Mesh loadMesh(const std::filesystem::path& file);
 
 }  // namespace simreel::sim
