@@ -36,8 +36,9 @@ vec4 pairAnywhere(int x, int y) {
 void main() {
   int x = int(gl_LocalInvocationID.x);
   int top = int(gl_LocalInvocationID.y) * 8;
-  ivec2 origin = ivec2(gl_WorkGroupID.xy) * ivec2(TILE_X - 2 * borderX, TILE_Y - 2 * borderY) -
-                 ivec2(borderX, borderY);
+  ivec2 useful = ivec2(TILE_X - 2 * borderX, TILE_Y - 2 * borderY);
+  ivec2 origin = ivec2(gl_WorkGroupID.xy) * useful + ivec2(-borderX, rowRange.x - borderY);
+  int last = rowRange.x + rowRange.y;
   int base = top * TILE_X + x;
   int toLeft = x > 0 ? -1 : 0;
   int toRight = x < TILE_X - 1 ? 1 : 0;
@@ -94,8 +95,8 @@ void main() {
 #define STORE(r)                                                                       \
   {                                                                                    \
     int y = origin.y + top + r;                                                        \
-    bool sound = top + r >= borderY && top + r < TILE_Y - borderY && y < size.y;       \
-    if (sound) STORE_STATE(nextCells, y * columns + toX, own##r);                      \
+    bool sound = top + r >= borderY && top + r < TILE_Y - borderY && y < last;         \
+    if (sound) STORE_STATE(nextCells, wrappedRow(y) * columns + toX, own##r);          \
   }
   EACH(STORE)
 }

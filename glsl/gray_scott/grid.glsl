@@ -7,6 +7,7 @@
 INPUT_ARRAY(0, CellBlock, cells)
 uniform ivec2 size;    // cells
 uniform int columns;   // elements of a row
+uniform ivec2 rowRange; // first row of this pass, and how many; they may go over the border
 uniform vec4 rates;    // dt Du / 20, dt Dv / 20, dt, unused
 uniform vec4 feedKill; // dt F, dt k, and what a weight of 1 adds to them
 
@@ -14,12 +15,12 @@ uniform vec4 feedKill; // dt F, dt k, and what a weight of 1 adds to them
 INPUT_ARRAY(2, WeightBlock, weights)
 #endif
 
-// Row and element indices one step beyond the border come back on the other side; further out any will do.
+// Rows beyond the border come back on the other side, up to twice the size; further out any will do.
 int wrappedRow(int y) {
-  return y < 0 ? y + size.y : y >= size.y ? 0 : y;
+  return y < 0 ? y + size.y : y >= size.y ? min(y - size.y, size.y - 1) : y;
 }
 
-// Element x of a row, -1 <= x; at and beyond the border what follows on the torus.
+// Element x of a row, -1 <= x <= columns; at and beyond the border what follows on the torus.
 vec4 cellPair(int x, int row) {
   int inside = x < 0 ? columns - 1 : x >= columns ? 0 : x;
   vec4 pair = LOAD_INPUT(cells, row * columns + inside);

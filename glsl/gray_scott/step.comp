@@ -27,14 +27,14 @@ RowSums loadRow(int first, int y) {
 void main() {
   int first = int(gl_GlobalInvocationID.x) * ACROSS;
   int top = int(gl_GlobalInvocationID.y) * ROWS;
-  if (first >= columns || top >= size.y) return;
-  RowSums above = loadRow(first, top - 1);
-  RowSums here = loadRow(first, top);
+  if (first >= columns || top >= rowRange.y) return;
+  RowSums above = loadRow(first, rowRange.x + top - 1);
+  RowSums here = loadRow(first, rowRange.x + top);
   for (int j = 0; j < ROWS; ++j) {
-    int y = top + j;
-    RowSums below = loadRow(first, y + 1);
+    int y = wrappedRow(rowRange.x + top + j);
+    RowSums below = loadRow(first, rowRange.x + top + j + 1);
     for (int i = 0; i < ACROSS; ++i) {
-      if (y >= size.y || first + i >= columns) continue;
+      if (top + j >= rowRange.y || first + i >= columns) continue;
       int element = y * columns + first + i;
       precise vec4 corners = above.sides[i] + below.sides[i];
       precise vec4 edges = above.cell[i] + below.cell[i];

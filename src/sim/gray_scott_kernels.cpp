@@ -29,6 +29,16 @@ void checkLimits(const std::string& name, glm::ivec2 size, int columns) {
   refuse(elements, "texels", gl::limits().texelBufferTexels, "GL_MAX_TEXTURE_BUFFER_SIZE");
 }
 
+/// An H200 reads and writes 3.35e12 bytes/s while both arrays are within 512 MiB, 2.1e12 when they are
+/// twice that (its cache of addresses, it seems): bands have half of it. None for software drivers and
+/// smaller grids.
+int bandRowsFor(int columns, int rows) {
+  constexpr std::int64_t reach = 512LL << 20;
+  const std::int64_t rowBytes = std::int64_t{columns} * 32;
+  if (gl::memoryPath() == gl::MemoryPath::texel || rowBytes * rows <= reach) return 0;
+  return static_cast<int>(std::max<std::int64_t>(reach / 2 / rowBytes, 1));
+}
+
 std::vector<glm::uvec4> elementsOf(const std::vector<std::uint32_t>& words) {
   std::vector<glm::uvec4> elements;
   for (std::size_t i = 0; i + 3 < words.size(); i += 4)
@@ -46,6 +56,8 @@ GrayScottKernels::GrayScottKernels(const std::string& name, const GrayScottPlan&
                                    const Cut& cut)
     : size_(plan.parameters().size), columns_(plan.columns()), cut_(cut), mapped_(plan.mapped()) {
   if (mapped_) cut_.stepsPerPass = 1;  // its kernel knows no map of rates
+  if (cut_.bandRows < 0) cut_.bandRows = bandRowsFor(columns_, size_.y);
+  cut_.bandRows = std::min(cut_.bandRows, size_.y / 2);
   checkLimits(name, size_, columns_);
   const std::vector<glm::vec4> first = plan.firstCells();
   cells_[0] = gl::Vec4Array(name + " cells", first);
@@ -95,23 +107,58 @@ void GrayScottKernels::setRates(const GrayScottPlan::Rates& rates) {
 }
 
 void GrayScottKernels::advance(int steps) {
-  int left = steps;
-  for (; cut_.stepsPerPass > 1 && left >= cut_.stepsPerPass; left -= cut_.stepsPerPass) {
-    const int width = tileX - (cut_.stepsPerPass + 1) / 2 * 2;
-    const int height = tileY - 2 * cut_.stepsPerPass;
-    pass(fused_, ((columns_ - 1) / width + 1) * tileX, ((size_.y - 1) / height + 1) * (tileY / tileRows));
-  }
-  for (; left > 0; --left) pass(step_, (columns_ - 1) / cut_.across + 1, (size_.y - 1) / cut_.rows + 1);
+  const int fused = cut_.stepsPerPass > 1 ? steps / cut_.stepsPerPass : 0;
+  run(fused_, fused, cut_.stepsPerPass);
+  run(step_, steps - fused * cut_.stepsPerPass, 1);
 }
 
-void GrayScottKernels::pass(const gl::Program& program, int width, int height) {
-  cells_[0].bindInput(0);
-  cells_[1].bindState(1);
+void GrayScottKernels::run(const gl::Program& program, int count, int reach) {
+  const int depth = cut_.bandRows / (4 * reach);
+  while (count > 0) {
+    const int passes = depth > 1 ? std::min(count, depth) : 1;
+    if (passes > 1)
+      bands(program, passes, reach);
+    else
+      pass(program, 0, 0, size_.y);
+    if (passes % 2 == 1) {
+      std::swap(cells_[0], cells_[1]);
+      std::swap(words_[0], words_[1]);
+    }
+    count -= passes;
+  }
+}
+
+// Sweeping a grid larger than the device's caches of memory and addresses misses them in every pass. Bands
+// of rows that fit take several passes in turn: pass s computes the rows of a band that are s * reach or
+// more from its edges, from values that are there; then what is missing around each edge, s * reach to both
+// sides. A row keeps the values of its last two passes, and those are what its neighbours still ask for:
+// two arrays are enough.
+void GrayScottKernels::bands(const gl::Program& program, int count, int reach) {
+  const int number = (size_.y - 1) / cut_.bandRows + 1;
+  const auto edge = [&](int band) { return static_cast<int>(std::int64_t{size_.y} * band / number); };
+  for (int band = 0; band < number; ++band)
+    for (int s = 1; s <= count; ++s) {
+      const int first = edge(band) + s * reach;
+      pass(program, (s - 1) % 2, first, edge(band + 1) - s * reach - first);
+    }
+  for (int band = 0; band < number; ++band)
+    for (int s = 1; s <= count; ++s)
+      pass(program, (s - 1) % 2, (edge(band) - s * reach + size_.y) % size_.y, 2 * s * reach);
+}
+
+void GrayScottKernels::pass(const gl::Program& program, int from, int first, int rows) {
+  cells_[from].bindInput(0);
+  cells_[1 - from].bindState(1);
   if (mapped_) weights_.bindInput(2);
+  program.set("rowRange", glm::ivec2(first, rows));
   gl::barrier();
-  program.dispatch(width, height);
-  std::swap(cells_[0], cells_[1]);
-  std::swap(words_[0], words_[1]);
+  if (&program == &fused_) {
+    const int width = tileX - (cut_.stepsPerPass + 1) / 2 * 2;
+    const int height = tileY - 2 * cut_.stepsPerPass;
+    program.dispatch(((columns_ - 1) / width + 1) * tileX, ((rows - 1) / height + 1) * (tileY / tileRows));
+  } else {
+    program.dispatch((columns_ - 1) / cut_.across + 1, (rows - 1) / cut_.rows + 1);
+  }
 }
 
 void GrayScottKernels::paint(const shader::Stroke& stroke) {

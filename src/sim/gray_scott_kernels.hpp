@@ -17,6 +17,7 @@ class GrayScottKernels {
     int rows = 8;    ///< and rows
     int groupX = 8, groupY = 8;
     int stepsPerPass = 1;  ///< 2 to 8: several steps in shared memory, a pass each
+    int bandRows = -1;  ///< rows that several passes stay in (bands()); 0: all; -1: as the grid's size asks
   };
   /// What is fastest on this device's memory path.
   [[nodiscard]] static Cut bestCut();
@@ -37,7 +38,11 @@ class GrayScottKernels {
 
  private:
   void makeProgram(gl::Program& program, const char* path, const gl::Defines& defines) const;
-  void pass(const gl::Program& program, int width, int height);
+  /// `count` passes that each reach `reach` rows.
+  void run(const gl::Program& program, int count, int reach);
+  void bands(const gl::Program& program, int count, int reach);
+  /// From cells_[from] to the other array, `rows` of them from `first` on, over the border where need be.
+  void pass(const gl::Program& program, int from, int first, int rows);
 
   glm::ivec2 size_;
   int columns_;

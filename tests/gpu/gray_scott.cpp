@@ -115,10 +115,12 @@ TEST_CASE("grayScott: every cut of the work gives the same bits") {
   twin.advance(plan.ratesAt(0), 61);
   using Cut = sim::GrayScottKernels::Cut;
   for (const Cut cut : {Cut{1, 1, 8, 8, 1}, Cut{1, 8, 32, 4, 1}, Cut{2, 4, 8, 8, 1}, Cut{3, 5, 4, 4, 1},
-                        Cut{1, 4, 8, 8, 2}, Cut{1, 4, 8, 8, 3}, Cut{1, 4, 8, 8, 4}, Cut{1, 4, 8, 8, 8}}) {
+                        Cut{1, 4, 8, 8, 2}, Cut{1, 4, 8, 8, 3}, Cut{1, 4, 8, 8, 4}, Cut{1, 4, 8, 8, 8},
+                        Cut{1, 8, 32, 4, 1, 16}, Cut{1, 4, 8, 8, 1, 9}, Cut{1, 4, 8, 8, 2, 20}}) {
     CAPTURE(cut.across);
     CAPTURE(cut.rows);
     CAPTURE(cut.stepsPerPass);
+    CAPTURE(cut.bandRows);
     sim::GrayScottKernels kernels("dish", plan, false, cut);
     kernels.setRates(plan.ratesAt(0));
     kernels.advance(61);
