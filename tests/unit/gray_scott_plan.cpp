@@ -15,7 +15,7 @@ namespace {
 std::string mistakes(const std::string& parameters) {
   const std::string text = R"({"version": 1, "objects": {"dish": {"grayScott": )" + parameters + "}}}";
   try {
-    (void)scene::parseScene(text, "dish.json", {}, sim::kinds());
+    (void)scene::parseScene(text, SOURCE_FOLDER "/assets/dish.json", {}, sim::kinds());
   } catch (const UserError& error) {
     CHECK(error.code() == ExitCode::usage);
     return error.what();
@@ -36,7 +36,7 @@ TEST_CASE("grayScott: mistakes of a scene are named") {
             "dt * diffuseU is 2, and a step is stable up to 1.25; lower dt to 2.5 or less"));
   CHECK(mistakes(R"({"dt": 4, "diffuseU": 0.3125})").empty());
   CHECK(has(mistakes(R"({"health": {"level": 0.5}, "feed": 0.03})"), "leave out \"feed\""));
-  const std::string flag = SOURCE_FOLDER "/assets/textures/flag.png";
+  const std::string flag = "textures/flag.png";
   CHECK(has(mistakes(R"({"feedAcross": 0.06, "feedImage": ")" + flag + "\"}"), "leave out one"));
   CHECK(mistakes(R"({"feedImage": ")" + flag + "\"}").empty());
   CHECK(has(mistakes(R"({"size": [3, 9]})"), "dish.json:1:"));
