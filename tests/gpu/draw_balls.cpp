@@ -191,6 +191,21 @@ TEST_CASE("small balls cover as much as large ones of their size, on either side
   CHECK(light(4.0F) == doctest::Approx(fine).epsilon(0.1));
 }
 
+TEST_CASE("small balls are brighter on the side of the sun") {
+  testContext();
+  scene::Scene scene = darkScene();
+  scene.sun.shadow = false;
+  scene.sun.intensity = 1.0F;
+  scene.sun.direction = glm::vec3(1, 0.7F, 0.5F);
+  CrowdStage ball(std::vector<glm::vec3>(1, glm::vec3(0)));
+  // 1.5 pixels of radius, in the middle of a pixel.
+  ball.instances.size = 2 * 1.5F / (0.5F * 65 / std::tan(0.5F * 0.6981317F)) * 5;
+  ball.material.color = glm::vec3(0.5F);
+  const Picture p = drawn(scene, {{}, {ball.instances}}, {65, 65});
+  CHECK(p.at(33, 32).y > p.at(31, 32).y + 10);
+  CHECK(p.at(32, 31).y > p.at(32, 33).y + 10);
+}
+
 TEST_CASE("meshes turn their z axis along the velocity") {
   testContext();
   scene::Scene scene = darkScene();

@@ -4,6 +4,8 @@
 // reaction, 12 for the two sums and 4 for the bounds: 35. Several steps a pass divide the bytes and repeat
 // the tile's border.
 //
+//   bench_gray_scott [SIDE]     8192 on a GPU, 512 on a software driver
+//
 // With --patterns: what each preset has grown after 10,000 steps on 129x127, as the table of
 // src/sim/README.md.
 #include "gl/context.hpp"
@@ -11,6 +13,7 @@
 #include "sim/gray_scott_kernels.hpp"
 #include "sim/gray_scott_quantities.hpp"
 
+#include <cstdlib>
 #include <string_view>
 
 #include <benchmark/benchmark.h>
@@ -96,7 +99,7 @@ int main(int argc, char** argv) {
         ->UseRealTime()
         ->Unit(benchmark::kMillisecond);
   };
-  const int side = software ? 512 : 8192;
+  const int side = argc > 1 ? std::atoi(argv[1]) : software ? 512 : 8192;
   add("twin/one-thread", side, twin, 1);
   add("twin/all-threads", side, twin, 0);
   const int steps = software ? 8 : 96;
