@@ -30,9 +30,11 @@ class BenchCase(Case):
             if side == "gpu" and result["timing"] != "query":
                 self.assertTrue(all(stage["gpu"] is None for stage in row["stages"]))
                 continue
-            spent = sum(stage[side]["mean"] for stage in row["stages"])
-            # With frames under way, a stage's time may lie before the frames that are measured.
-            self.assertLessEqual(spent, row["frame"]["mean"] * (1.0001 if result["timing"] == "wait" else 1.5))
+            # With frames under way, a stage's time may lie before the frames that are measured; only when each is
+            # waited for do the stages lie within their frame.
+            if result["timing"] == "wait":
+                spent = sum(stage[side]["mean"] for stage in row["stages"])
+                self.assertLessEqual(spent, row["frame"]["mean"] * 1.0001)
         for spread in [row["frame"]] + [stage["cpu"] for stage in row["stages"]]:
             ordered = [spread[key] for key in ("least", "p5", "median", "p95", "most")]
             self.assertEqual(ordered, sorted(ordered))
@@ -104,8 +106,9 @@ class Bench(BenchCase):
 
     def test_by_waiting(self):
         (row,) = self.bench("scene.json", *FEW, "--timing", "wait")["rows"]
-        spent = sum(stage["cpu"]["mean"] for stage in row["stages"])
-        self.assertGreater(spent, 0.5 * row["frame"]["mean"])
+        # Medians: on a busy machine the process may be held up between two stages of any one frame.
+        spent = sum(stage["cpu"]["median"] for stage in row["stages"])
+        self.assertGreater(spent, 0.5 * row["frame"]["median"])
         self.bad(2, "--timing", "bench", "scene.json", "--timing", "guess")
 
     def test_whole_frames(self):
