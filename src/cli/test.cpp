@@ -1,3 +1,4 @@
+#include "base/clock.hpp"
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "base/log.hpp"
@@ -10,7 +11,6 @@
 #include "golden/suite.hpp"
 #include "sim/numerics.hpp"
 
-#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -187,7 +187,7 @@ void test(const TestOptions& o) {
   if (!o.report.empty()) prepareReport(o.report, options.artifacts);
   frame::catchInterrupts();
   frame::ignoreBrokenPipes();
-  const auto begin = std::chrono::steady_clock::now();
+  const Clock::time_point begin = Clock::now();
   const gl::Context context({.device = o.device, .debug = o.debug, .memoryPath = o.memoryPath});
   const golden::Device device = describeDevice(context, o.profile);
 
@@ -201,7 +201,7 @@ void test(const TestOptions& o) {
   result.command = o.command;
   result.allowFlaky = o.allowFlaky;
   const int signal = runAll(scenes, suite, options.reportFolder, result);
-  result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  result.seconds = secondsSince(begin);
   const std::string reportFile = !o.report.empty() ? (fs::path(o.report) / "report.json").string() : o.json;
   for (const golden::SceneResult& scene : result.scenes)
     if (!scene.candidate.empty()) result.acceptCommand = "simreel accept " + reportFile;

@@ -11,8 +11,9 @@ namespace simreel::draw {
 
 namespace {
 
+/// Texture units of the kernels.
 constexpr GLuint wordUnit = 0;
-constexpr GLuint stopUnit = 1;
+constexpr GLuint colorUnit = 1;
 
 }  // namespace
 
@@ -47,7 +48,7 @@ void setField(const gl::Program& program, const sim::Field& field, const FieldCo
   program.set("stopCount", colors.stopCount);
   program.set("range", field.range);
   field.words->bind(wordUnit);
-  colors.stops.bind(stopUnit);
+  colors.stops.bind(colorUnit);
 }
 
 gl::Texture FieldKernel::texture(const sim::Field& field, int reduction, bool colored, int levels) {

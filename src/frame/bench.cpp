@@ -1,5 +1,6 @@
 #include "frame/bench.hpp"
 
+#include "base/clock.hpp"
 #include "base/error.hpp"
 #include "draw/readback.hpp"
 #include "draw/renderer.hpp"
@@ -13,8 +14,6 @@
 namespace simreel::frame {
 
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 double milliseconds(Clock::time_point begin, Clock::time_point end) {
   return std::chrono::duration<double, std::milli>(end - begin).count();

@@ -1,5 +1,6 @@
 #pragma once
-#include <chrono>
+#include "base/clock.hpp"
+
 #include <string>
 
 namespace simreel::frame {
@@ -26,7 +27,6 @@ class Progress {
   void finish(const char* status = "ok");
 
  private:
-  using Clock = std::chrono::steady_clock;
   void show();
   void write(const std::string& text) const;
 

@@ -1,5 +1,6 @@
 #include "frame/sequence.hpp"
 
+#include "base/clock.hpp"
 #include "base/error.hpp"
 #include "draw/readback.hpp"
 #include "draw/renderer.hpp"
@@ -7,7 +8,6 @@
 #include "frame/interrupt.hpp"
 #include "sim/world.hpp"
 
-#include <chrono>
 #include <deque>
 #include <exception>
 #include <utility>
@@ -15,12 +15,6 @@
 namespace simreel::frame {
 
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double secondsSince(Clock::time_point begin) {
-  return std::chrono::duration<double>(Clock::now() - begin).count();
-}
 
 /// Adds the time of its own life to a stage.
 class Stopwatch {

@@ -1,3 +1,4 @@
+#include "base/clock.hpp"
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "base/version.hpp"
@@ -20,8 +21,6 @@ namespace simreel::frame {
 namespace {
 
 namespace fs = std::filesystem;
-using Clock = std::chrono::steady_clock;
-
 constexpr std::chrono::milliseconds manifestEvery{1000};
 
 /// PNG files, encoded by worker threads, and the manifest beside them.

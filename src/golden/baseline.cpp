@@ -18,7 +18,7 @@ namespace {
 
 using Json = StrictObject::Json;
 
-constexpr int formatVersion = 1;
+constexpr int baselineFormat = 1;
 
 int frameNumber(const std::string& key) {
   int frame = 0;
@@ -29,8 +29,9 @@ int frameNumber(const std::string& key) {
 }
 
 void checkFormat(StrictObject& root) {
-  if (const int format = root.integer("format"); format != formatVersion)
-    throw std::runtime_error(fmt::format("its format is {}, this program reads {}", format, formatVersion));
+  if (const int format = root.integer("format"); format != baselineFormat)
+    throw std::runtime_error(
+        fmt::format("its format is {}, this program reads {}", format, baselineFormat));
 }
 
 PictureBaseline parsePictures(const std::string& text) {
@@ -235,7 +236,7 @@ void promote(const fs::path& folder, const std::string& profile, const Candidate
 }
 
 std::string picturesText(const PictureBaseline& baseline) {
-  Json json = {{"format", formatVersion}, {"simreel", baseline.version}, {"driver", baseline.driver}};
+  Json json = {{"format", baselineFormat}, {"simreel", baseline.version}, {"driver", baseline.driver}};
   if (!baseline.reason.empty()) json["reason"] = baseline.reason;
   json["width"] = baseline.width;
   json["height"] = baseline.height;
@@ -251,7 +252,7 @@ std::string picturesText(const PictureBaseline& baseline) {
 }
 
 std::string stateText(const StateBaseline& baseline) {
-  Json json = {{"format", formatVersion}, {"frames", Json::object()}};
+  Json json = {{"format", baselineFormat}, {"frames", Json::object()}};
   for (const auto& [frame, hashes] : baseline.frames) {
     Json& item = json["frames"][std::to_string(frame)] = Json::object();
     for (const auto& [name, hash] : hashes) item[name] = hash;

@@ -16,8 +16,6 @@ namespace simreel::golden {
 
 namespace {
 
-constexpr int bandRows = 32;
-
 struct RowDifference {
   int worst = 0, worstX = 0;
   int different = 0, beyond = 0;
@@ -101,7 +99,7 @@ Metrics measure(const frame::Image& a, const frame::Image& b, const scene::Toler
   const std::size_t width = std::size_t(a.width);
   std::vector<RowDifference> rows(std::size_t(a.height));
   std::vector<std::uint8_t> beyond(width * std::size_t(a.height), 0);
-  forEachBand(a.height, bandRows, [&](int first, int last) {
+  forEachBand(a.height, [&](int first, int last) {
     for (std::size_t y = std::size_t(first); y < std::size_t(last); ++y)
       rows[y] = compareRow(a.bytes.data() + y * width * 4, b.bytes.data() + y * width * 4, a.width,
                            tolerance.max_channel_diff, beyond.data() + y * width);

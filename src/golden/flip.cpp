@@ -16,7 +16,6 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 constexpr double pixelsPerDegree = 3840 * pi / 180;  // 0.7 m * (3840 / 0.7 m) * pi / 180
-constexpr int bandRows = 32;
 
 /// All filters of the paper, as one-dimensional halves: Gaussians and their derivatives separate.
 struct Filters {
@@ -176,7 +175,7 @@ std::vector<float> flipMap(const frame::Image& a, const frame::Image& b) {
   SIMREEL_CHECK_EQ(a.height, b.height);
   const int width = a.width, radius = filters().radius;
   std::vector<float> errors(std::size_t(width) * std::size_t(a.height), 0.0f);
-  forEachBand(a.height, bandRows, [&](int first, int last) {
+  forEachBand(a.height, [&](int first, int last) {
     if (equalRows(a, b, first, last, radius)) return;
     const Band bandA(a, first, last), bandB(b, first, last);
     SeenRow seenA(width), seenB(width);

@@ -77,12 +77,6 @@ Nearest nearest(const RunFrame& made, const Reference& reference, const PictureB
   return *best;
 }
 
-std::string joined(const std::vector<std::string>& clauses) {
-  std::string text;
-  for (const std::string& clause : clauses) text += (text.empty() ? "" : "; ") + clause;
-  return text;
-}
-
 /// Whether the picture fails.
 bool judgePixels(const RunFrame& made, const Reference& reference, FrameResult& result) {
   const PictureBaseline::Frame* stored = find(reference, made.frame);
@@ -115,7 +109,8 @@ bool judgePixels(const RunFrame& made, const Reference& reference, FrameResult& 
                            found.metrics.differentPixels, found.metrics.worst));
     return true;
   }
-  if (!found.broken.empty()) addMessage(result, Status::fail, joined(found.broken));
+  if (!found.broken.empty())
+    addMessage(result, Status::fail, fmt::format("{}", fmt::join(found.broken, "; ")));
   return !found.broken.empty();
 }
 

@@ -36,7 +36,7 @@ std::vector<std::string> wordsOf(std::string_view text) {
 }
 
 /// Words joined by '-', cut to the allowed length.
-std::string joined(const std::vector<std::string>& words) {
+std::string nameOf(const std::vector<std::string>& words) {
   std::string name;
   for (const std::string& word : words) name += (name.empty() ? "" : "-") + word;
   if (name.size() > mostCharacters) name.resize(mostCharacters);
@@ -77,7 +77,7 @@ std::string nvidiaName(const std::string& renderer) {
   std::erase(words, "nvidia");
   std::erase(words, "corporation");
   words.insert(words.begin(), "nvidia");
-  return joined(words);
+  return nameOf(words);
 }
 
 /// What stands in the last parentheses, and what stands before them.
@@ -94,13 +94,13 @@ std::string amdName(const std::string& renderer) {
   if (has(details, ",")) {
     const std::size_t at = details.starts_with("radeonsi, ") ? std::string_view("radeonsi, ").size() : 0;
     const std::vector<std::string> chip = wordsOf(details.substr(at, details.find(',', at) - at));
-    if (chip.size() == 1) return joined({"amd", chip[0]});
+    if (chip.size() == 1) return nameOf({"amd", chip[0]});
   }
   std::vector<std::string> words = wordsOf(has(details, ",") ? product : renderer);
   std::erase_if(words,
                 [](const std::string& word) { return word == "amd" || word == "tm" || word == "mesa"; });
   words.insert(words.begin(), "amd");
-  return joined(words);
+  return nameOf(words);
 }
 
 /// "Mesa Intel(R) UHD Graphics 630 (CFL GT2)": the product where it has a number, else the chip with it.
@@ -123,7 +123,7 @@ std::string intelName(const std::string& renderer) {
   if (!numbered)
     for (const std::string& word : wordsOf(chip)) words.push_back(word);
   words.insert(words.begin(), "intel");
-  return joined(words);
+  return nameOf(words);
 }
 
 }  // namespace
@@ -135,7 +135,7 @@ std::string profileName(const std::string& renderer, bool fma) {
     const std::size_t open = text.find('(');
     if (!text.starts_with(layer) || open == std::string::npos) continue;
     const std::string below = text.substr(open + 1, text.rfind(')') - open - 1);
-    return joined({layer, profileName(below, fma)});
+    return nameOf({layer, profileName(below, fma)});
   }
   if (has(text, "llvmpipe")) return fma ? "llvmpipe-fma" : "llvmpipe";
   if (has(text, "softpipe")) return "softpipe";
@@ -143,7 +143,7 @@ std::string profileName(const std::string& renderer, bool fma) {
   // Since Mesa 22.2 some have the chip for a name: "NAVI22 (navi22, LLVM 14.0.6, DRM 3.48, ...)".
   if (matches(text, R"(\b(amd|ati|radeon|radeonsi|firepro)\b|, drm \d)")) return amdName(text);
   if (matches(text, R"(\bintel\b)")) return intelName(text);
-  return joined(wordsOf(text));
+  return nameOf(wordsOf(text));
 }
 
 bool processorHasFma() {

@@ -22,7 +22,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int formatVersion = 1;
+constexpr int reportFormat = 1;
 
 Json statusCounts(const SuiteResult& suite) {
   Json counts = Json::object();
@@ -45,7 +45,7 @@ class Writer {
     object_[key] = std::isfinite(value) ? Json(value) : Json(nullptr);
   }
   void path(const char* key, const std::string& value) { object_[key] = value; }
-  void format(const char* key) { object_[key] = formatVersion; }
+  void format(const char* key) { object_[key] = reportFormat; }
   void counts(const char* key, const SuiteResult& suite) { object_[key] = statusCounts(suite); }
   template <class Inside>
   void group(const char* key, const Inside& inside) {
@@ -216,8 +216,8 @@ class Reader {
   }
   void format(const char* key) {
     const Place place = at(key);
-    if (place.json != formatVersion)
-      place.wrong("must be {}: this program reads no other; run simreel test again", formatVersion);
+    if (place.json != reportFormat)
+      place.wrong("must be {}: this program reads no other; run simreel test again", reportFormat);
   }
   void counts(const char* key, const SuiteResult&) { countsAt_.emplace(at(key)); }
   template <class Inside>
@@ -230,7 +230,7 @@ class Reader {
     for (const auto& item : place_.json.items())
       if (!known_.contains(item.key()))
         fail(ExitCode::usage, "{}: {} is not known in format {}", place_.file, place_.pathOf(item.key()),
-             formatVersion);
+             reportFormat);
   }
   /// Once the scenes are read.
   void checkCounts(const SuiteResult& suite) const {

@@ -1,5 +1,6 @@
 #include "golden/scene_run.hpp"
 
+#include "base/clock.hpp"
 #include "base/error.hpp"
 #include "draw/readback.hpp"
 #include "draw/renderer.hpp"
@@ -8,7 +9,6 @@
 #include "sim/world.hpp"
 
 #include <algorithm>
-#include <chrono>
 
 namespace simreel::golden {
 
@@ -71,7 +71,7 @@ class Runner {
 
  private:
   void simulateTo(int frame) {
-    const auto begin = std::chrono::steady_clock::now();
+    const Clock::time_point begin = Clock::now();
     while (!started_ || world_.frame() < frame) {
       if (const int signal = frame::interruptSignal()) throw Interrupted{signal};
       world_.advanceTo(started_ ? world_.frame() + 1 : 0);
@@ -80,8 +80,7 @@ class Runner {
     }
     summary_ = summaries_.last();
     glFinish();
-    result_.simulateSeconds +=
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    result_.simulateSeconds += secondsSince(begin);
   }
 
   RunFrame draw(int frame) {

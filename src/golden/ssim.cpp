@@ -15,7 +15,6 @@ namespace simreel::golden {
 namespace {
 
 constexpr int radius = 5;
-constexpr int bandRows = 32;
 constexpr float c1 = 0.01f * 255 * 0.01f * 255;
 constexpr float c2 = 0.03f * 255 * 0.03f * 255;
 
@@ -72,7 +71,7 @@ double rowSum(const Maps& maps, int middle, int width, Rows& filtered) {
 template <class RowValue>
 double sumOfRows(int height, const RowValue& value) {
   std::vector<double> sums(static_cast<std::size_t>(height));
-  forEachBand(height, bandRows, [&](int first, int last) {
+  forEachBand(height, [&](int first, int last) {
     for (int y = first; y < last; ++y) sums[std::size_t(y)] = value(y);
   });
   return std::accumulate(sums.begin(), sums.end(), 0.0);
@@ -103,7 +102,7 @@ double ssim(const frame::Image& a, const frame::Image& b) {
   SIMREEL_CHECK_EQ(a.height, b.height);
   const int width = a.width;
   std::vector<double> sums(std::size_t(a.height), 0.0);
-  forEachBand(a.height, bandRows, [&](int first, int last) {
+  forEachBand(a.height, [&](int first, int last) {
     if (equalRows(a, b, first, last, radius)) {
       std::fill(sums.begin() + first, sums.begin() + last, 3.0 * width);
       return;

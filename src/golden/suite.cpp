@@ -1,16 +1,14 @@
 #include "golden/suite.hpp"
 
+#include "base/clock.hpp"
 #include "golden/scene_test.hpp"
 
-#include <chrono>
 #include <sstream>
 #include <utility>
 
 namespace simreel::golden {
 
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 std::vector<std::string> lines(const std::string& text) {
   std::vector<std::string> all;
@@ -87,7 +85,7 @@ SceneResult Suite::test(const SceneFile& scene) {
   }
   result.attempts = std::move(attempts);
   applyExpectation(made);
-  result.seconds = std::chrono::duration<double>(Clock::now() - begin).count();
+  result.seconds = secondsSince(begin);
 
   ++scenes_;
   const bool flakyFails = result.status == Status::flaky && (!options_.allowFlaky || everHardFailed);

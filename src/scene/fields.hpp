@@ -22,6 +22,7 @@ struct Range {
 };
 inline constexpr Range positive{1e-9, 1e9};
 inline constexpr Range notNegative{0.0, 1e9};
+inline constexpr Range share{0.0, 1.0};
 inline constexpr Range anyNumber{-1e9, 1e9};
 
 /// Where parameters are declared, once. A struct's `describe(Fields&)` names each of its members with

@@ -9,8 +9,6 @@ namespace simreel::scene {
 
 namespace {
 
-constexpr Range share{0.0, 1.0};
-
 constexpr const char* renderDoc = "Size and look of the images.";
 constexpr const char* timeDoc = "Frame rate and length.";
 constexpr const char* cameraDoc = "Where the images are taken from.";

@@ -14,7 +14,6 @@ namespace simreel::scene {
 
 namespace {
 
-constexpr Range share{0.0, 1.0};
 constexpr Range channel{0.0, 255.0};
 constexpr Range frameNumber{0.0, 1e7};
 

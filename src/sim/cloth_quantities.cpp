@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
 namespace simreel::sim {
@@ -24,10 +25,6 @@ struct Springs {
   double stretch = 0;  ///< largest |d| / L0 of a structural spring
 };
 
-double dot(const glm::dvec3& a, const glm::dvec3& b) {
-  return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-
 /// The larger one; NaN once there was one, which std::max and std::fmax would lose.
 double larger(double a, double b) {
   return std::isnan(a) || a >= b ? a : b;
@@ -36,7 +33,7 @@ double larger(double a, double b) {
 /// Springs as forces have the stiffnesses of the parameters. A constraint of compliance c stores
 /// C^2 / (2 c) (Macklin et al. 2016), so 1/c stands for its stiffness; one of compliance 0 is rigid and
 /// stores nothing.
-std::vector<SpringFamily> families(const ClothParameters& p) {
+std::vector<SpringFamily> springFamilies(const ClothParameters& p) {
   const auto inverse = [](float compliance) { return compliance > 0 ? 1.0 / compliance : 0.0; };
   const bool constraints = p.solver == ClothSolver::constraints;
   const double k = p.stiffness;
@@ -61,7 +58,7 @@ void addFamily(const SpringFamily& family, glm::ivec2 size, std::span<const glm:
     for (int x = std::max(0, -family.reach.x); x + std::max(0, family.reach.x) < size.x; ++x) {
       const glm::dvec3 here(at(x, y));
       const glm::dvec3 d = glm::dvec3(at(x + family.reach.x, y + family.reach.y)) - here;
-      const double length = std::sqrt(dot(d, d));
+      const double length = std::sqrt(glm::dot(d, d));
       const double beyond = length - family.restLength;
       sum.energy += 0.5 * family.stiffness * beyond * beyond;
       if (family.structural) sum.stretch = larger(sum.stretch, length / family.restLength);
@@ -83,13 +80,13 @@ std::vector<Quantity> clothQuantities(const ClothParameters& parameters,
   double fastestSquared = 0;
   for (std::size_t i = 0; i < positions.size(); ++i) {
     const glm::dvec3 v(velocities[i]);
-    const double squared = dot(v, v);
-    kinetic += 0.5 * mass * squared;                             // T = 1/2 m v^2
-    potential -= mass * dot(gravity, glm::dvec3(positions[i]));  // U = -m g.x
+    const double squared = glm::dot(v, v);
+    kinetic += 0.5 * mass * squared;                                  // T = 1/2 m v^2
+    potential -= mass * glm::dot(gravity, glm::dvec3(positions[i]));  // U = -m g.x
     fastestSquared = larger(fastestSquared, squared);
   }
   Springs springs;
-  for (const SpringFamily& family : families(parameters))
+  for (const SpringFamily& family : springFamilies(parameters))
     addFamily(family, parameters.size, positions, springs);
   const auto count = static_cast<double>(positions.size());
   return {{"population", count, "", "Particles."},

@@ -17,7 +17,7 @@ using shader::rootLeaves;
 using shader::rootNodes;
 
 /// Items an invocation of the reduction takes.
-constexpr int reduced = 64;
+constexpr int reduction = 64;
 
 constexpr int ceilDivide(int a, int b) {
   return (a - 1) / b + 1;
@@ -41,7 +41,7 @@ GravityTree::GravityTree(const std::string& name, int capacity, bool fast)
     : name_(name), capacity_(capacity), sort_((checkLimits(), name + " order"), capacity) {
   const std::int64_t roots = ceilDivide(capacity, rootBodies);
   // Pairs of all reductions: capacity/64 + capacity/64^2 + ... and one for each that rounds up.
-  corners_ = zeros(name + " box", 2 * (std::int64_t{capacity} / (reduced - 1) + 8));
+  corners_ = zeros(name + " box", 2 * (std::int64_t{capacity} / (reduction - 1) + 8));
   bodies_ = zeros(name + " sorted bodies", roots * rootBodies);
   boxes_ = zeros(name + " node boxes", 2 * roots * rootNodes);
   cells_ = zeros(name + " node centers", roots * rootNodes);
@@ -87,7 +87,7 @@ void GravityTree::findBox(const gl::Vec4Array& positions, int count) {
   int result = 0;
   do {
     const gl::Program& program = result == 0 ? reduceBodies_ : reduceBoxes_;
-    const int results = ceilDivide(items, reduced);
+    const int results = ceilDivide(items, reduction);
     positions.bindInput(0);
     corners_.bindState(1);
     program.set("count", items);

@@ -3,18 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include <glm/geometric.hpp>
+
 namespace simreel::sim {
-
-namespace {
-
-glm::dvec3 cross(const glm::dvec3& a, const glm::dvec3& b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-double dot(const glm::dvec3& a, const glm::dvec3& b) {
-  return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-
-}  // namespace
 
 std::vector<Quantity> meshQuantities(const MeshTable& mesh) {
   double lowest = mesh.positions.at(0).y;
@@ -31,9 +22,9 @@ std::vector<Quantity> meshQuantities(const MeshTable& mesh) {
     const glm::dvec3 a(mesh.positions[mesh.indices[i]]);
     const glm::dvec3 b(mesh.positions[mesh.indices[i + 1]]);
     const glm::dvec3 c(mesh.positions[mesh.indices[i + 2]]);
-    const glm::dvec3 n = cross(b - a, c - a);
-    area += 0.5 * std::sqrt(dot(n, n));
-    volume += dot(a, cross(b, c)) / 6.0;
+    const glm::dvec3 n = glm::cross(b - a, c - a);
+    area += 0.5 * std::sqrt(glm::dot(n, n));
+    volume += glm::dot(a, glm::cross(b, c)) / 6.0;
   }
   const auto count = static_cast<double>(mesh.positions.size());
   return {{"population", count, "", "Vertices."},

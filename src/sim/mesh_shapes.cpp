@@ -11,7 +11,7 @@ namespace simreel::sim {
 
 namespace {
 
-constexpr double turn = 2.0 * std::numbers::pi;
+constexpr double fullTurn = 2.0 * std::numbers::pi;
 
 void reserve(Mesh& mesh, unsigned rows, unsigned columns) {
   const std::size_t vertices = (std::size_t{rows} + 1) * (columns + 1);
@@ -44,7 +44,7 @@ Mesh roundMesh(float radius, float length, unsigned rows, unsigned columns) {
     const double polar = std::numbers::pi * step / rows;
     const double across = step == rows ? 0.0 : std::sin(polar);  // both poles are exactly one point
     for (unsigned column = 0; column <= columns; ++column) {
-      const double angle = turn * (column % columns) / columns;
+      const double angle = fullTurn * (column % columns) / columns;
       const glm::vec3 normal(static_cast<float>(across * std::sin(angle)),
                              static_cast<float>(std::cos(polar)),
                              static_cast<float>(across * std::cos(angle)));
@@ -95,10 +95,10 @@ Mesh torusMesh(float radius, float tube, glm::ivec2 vertices) {
   reserve(mesh, rows, columns);
   for (unsigned row = 0; row <= rows; ++row) {
     // From the outer rim over the underside, so that rows run down on the outside.
-    const double around = -turn * (row % rows) / rows;
+    const double around = -fullTurn * (row % rows) / rows;
     const double reach = radius + tube * std::cos(around);
     for (unsigned column = 0; column <= columns; ++column) {
-      const double along = turn * (column % columns) / columns;
+      const double along = fullTurn * (column % columns) / columns;
       const double x = std::sin(along);
       const double z = std::cos(along);
       mesh.positions.emplace_back(static_cast<float>(reach * x),

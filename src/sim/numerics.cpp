@@ -17,14 +17,14 @@ namespace simreel::sim {
 
 namespace {
 
-constexpr int count = 253;
+constexpr int probes = 253;
 constexpr int exactFunctions = 8;
 constexpr int functions = 16;
 
 /// Numbers of both signs over many magnitudes, by integer hash.
 std::vector<float> inputs() {
   std::vector<float> values;
-  for (unsigned i = 0; i < count; ++i) {
+  for (unsigned i = 0; i < probes; ++i) {
     const auto bits = shader::hash3({i, 7, 11});
     const float unit = shader::signedUnit(bits.x);
     const float scales[] = {1.0F, 30.0F, 1e-3F, 1e-6F};
@@ -48,19 +48,19 @@ Numerics probeNumerics() {
                                        "exactSin",   "exactCos",         "exactExp",  "exactDot"};
   const auto values = inputs();
   const auto in = gl::Buffer::of<float>("probe inputs", values);
-  const gl::Buffer out("probe outputs", count * functions * sizeof(float));
+  const gl::Buffer out("probe outputs", probes * functions * sizeof(float));
   const auto program = gl::Program::compute("common/probe.comp");
   in.bindStorage(0);
   out.bindStorage(1);
-  program.set("count", count);
-  program.dispatch(count);
+  program.set("count", probes);
+  program.dispatch(probes);
   gl::barrier();
   const auto results = out.readAll<float>();
 
   Numerics found;
   found.exactHolds = true;
   std::vector<float> builtIns;
-  for (std::size_t i = 0; i < count; ++i) {
+  for (std::size_t i = 0; i < probes; ++i) {
     const auto expected = twin(values[i]);
     for (std::size_t f = 0; f < exactFunctions; ++f) {
       const float got = results[i * functions + f];

@@ -14,7 +14,7 @@ using namespace simreel;
 
 namespace {
 
-constexpr double frameSeconds = 1.0 / 30;
+constexpr double dishFrame = 1.0 / 30;
 
 sim::GrayScottParameters field(int width, int height) {
   sim::GrayScottParameters p;
@@ -51,11 +51,11 @@ void compare(const sim::GrayScottParameters& parameters, int frames, double star
   object.kind = "grayScott";
   object.parameters = std::make_unique<sim::GrayScottParameters>(parameters);
   const std::vector<sim::ColliderShape> none;
-  const auto gpu = sim::grayScottKind().make(object, {false, 5, frameSeconds, &none});
-  GrayScottTwin twin(sim::GrayScottPlan(parameters, 5, frameSeconds));
+  const auto gpu = sim::grayScottKind().make(object, {false, 5, dishFrame, &none});
+  GrayScottTwin twin(sim::GrayScottPlan(parameters, 5, dishFrame));
   for (int frame = 0; frame < frames; ++frame) {
-    gpu->step(start + frame * frameSeconds, {});
-    twin.step(start + frame * frameSeconds);
+    gpu->step(start + frame * dishFrame, {});
+    twin.step(start + frame * dishFrame);
   }
   checkSame(gpu->state()[0].buffer->readAll<glm::vec4>(), twin.cells(), parameters.size.x);
 }
@@ -110,7 +110,7 @@ TEST_CASE("grayScott with health, strokes and presteps equals its CPU twin") {
 TEST_CASE("grayScott: every cut of the work gives the same bits") {
   testContext();
   const auto p = field(147, 83);
-  const sim::GrayScottPlan plan(p, 5, frameSeconds);
+  const sim::GrayScottPlan plan(p, 5, dishFrame);
   GrayScottTwin twin(plan);
   twin.advance(plan.ratesAt(0), 61);
   using Cut = sim::GrayScottKernels::Cut;

@@ -19,7 +19,7 @@ using namespace simreel;
 
 namespace {
 
-constexpr double frameSeconds = 1.0 / 60.0;
+constexpr double heightsFrame = 1.0 / 60.0;
 
 const char* const swell = R"("shape": "plane", "size": [5, 0, 4], "resolution": [67, 51], "collides": true,
   "position": [0.3, -0.2, 0.1],
@@ -42,7 +42,7 @@ class HeightsTwin {
  public:
   explicit HeightsTwin(const scene::Scene& scene)
       : mesh(dynamic_cast<const sim::MeshParameters&>(*scene.objects.at(1).parameters)),
-        plan(mesh, frameSeconds),
+        plan(mesh, heightsFrame),
         shape_(mesh.make(1)),
         deform_("swell", mesh, shape_, colliders()),
         rest_("swell", shape_),
@@ -58,7 +58,7 @@ class HeightsTwin {
   std::vector<glm::vec4> frame(double time) {
     std::vector<glm::vec4> heights(shape_.positions.size(), glm::vec4(0));
     for (int end = 0; end < 2; ++end) {
-      cpu_.displace(deform_.at(end == 0 ? time : time + frameSeconds), sim::Threads::all);
+      cpu_.displace(deform_.at(end == 0 ? time : time + heightsFrame), sim::Threads::all);
       for (std::size_t i = 0; i < heights.size(); ++i)
         heights[i][end] = cpu_.positions()[i].y + plan.lift();
     }
@@ -136,12 +136,12 @@ Clearance fall(const scene::Scene& scene, Twin& twin, int frames, double margin,
 ClothTwin clothTwin(const scene::Scene& scene) {
   return ClothTwin(
       sim::ClothPlan(dynamic_cast<const sim::ClothParameters&>(*scene.objects.at(0).parameters), 5,
-                     frameSeconds, HeightsTwin::colliders()));
+                     heightsFrame, HeightsTwin::colliders()));
 }
 
 ParticlesTwin particlesTwin(const scene::Scene& scene) {
   return ParticlesTwin(sim::ParticlePlan(
-      dynamic_cast<const sim::ParticleParameters&>(*scene.objects.at(0).parameters), 5, frameSeconds));
+      dynamic_cast<const sim::ParticleParameters&>(*scene.objects.at(0).parameters), 5, heightsFrame));
 }
 
 // A third of it hangs over the swell's edge.

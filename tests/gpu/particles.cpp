@@ -15,7 +15,7 @@ using namespace simreel;
 
 namespace {
 
-constexpr double frameSeconds = 1.0 / 60.0;
+constexpr double particleFrame = 1.0 / 60.0;
 
 std::unique_ptr<sim::Simulation> makeParticles(const sim::ParticleParameters& parameters, int seed = 5) {
   testContext();
@@ -24,7 +24,7 @@ std::unique_ptr<sim::Simulation> makeParticles(const sim::ParticleParameters& pa
   object.kind = "particles";
   object.parameters = std::make_unique<sim::ParticleParameters>(parameters);
   static const std::vector<sim::ColliderShape> colliders;
-  return sim::particlesKind().make(object, {false, seed, frameSeconds, &colliders});
+  return sim::particlesKind().make(object, {false, seed, particleFrame, &colliders});
 }
 
 std::size_t differentWords(const gl::Buffer& buffer, const std::vector<glm::vec4>& expected) {
@@ -39,11 +39,11 @@ std::size_t differentWords(const gl::Buffer& buffer, const std::vector<glm::vec4
 /// Steps both sides and compares every word of the state; returns the twin for further checks.
 ParticlesTwin compare(const sim::ParticleParameters& parameters, int frames, double start = 0) {
   const auto gpu = makeParticles(parameters);
-  ParticlesTwin twin(sim::ParticlePlan(parameters, 5, frameSeconds));
+  ParticlesTwin twin(sim::ParticlePlan(parameters, 5, particleFrame));
   const auto before = twin.positions;
   for (int frame = 0; frame < frames; ++frame) {
-    gpu->step(start + frame * frameSeconds, {});
-    twin.step(start + frame * frameSeconds);
+    gpu->step(start + frame * particleFrame, {});
+    twin.step(start + frame * particleFrame);
   }
   const auto state = gpu->state();
   CHECK(differentWords(*state[0].buffer, twin.positions) == 0);
@@ -197,7 +197,7 @@ TEST_CASE("particles: a lost particle is noted with its number") {
     p.method = method;
     const auto gpu = makeParticles(p);
     for (int frame = 0; frame < 1100 && gpu->status()->readAll<unsigned>()[0] == 0xffffffffU; ++frame)
-      gpu->step(frame * frameSeconds, {});
+      gpu->step(frame * particleFrame, {});
     const auto words = gpu->status()->readAll<unsigned>();
     REQUIRE(words[0] != 0xffffffffU);
     CHECK(words[1] < 131);

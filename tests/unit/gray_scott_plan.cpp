@@ -2,12 +2,14 @@
 
 #include "base/error.hpp"
 #include "sim/list.hpp"
+#include "unit/help.hpp"
 
 #include <string>
 
 #include <doctest/doctest.h>
 
 using namespace simreel;
+using simreel::test::has;
 
 namespace {
 
@@ -21,10 +23,6 @@ std::string mistakes(const std::string& parameters) {
     return error.what();
   }
   return "";
-}
-
-bool has(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // What is known of automata, on the twin; and the twin against a plain loop over neighbours.
 #include "base/error.hpp"
 #include "reference/life_twin.hpp"
+#include "unit/help.hpp"
 
 #include <bit>
 #include <random>
@@ -8,6 +9,7 @@
 #include <doctest/doctest.h>
 
 using namespace simreel;
+using simreel::test::checkHas;
 using namespace simreel::sim;
 
 namespace {
@@ -43,12 +45,6 @@ std::string mistake(const LifeParameters& p) {
     return error.what();
   }
   return "no mistake";
-}
-
-bool has(const std::string& text, const std::string& part) {
-  const bool found = text.find(part) != std::string::npos;
-  CHECK_MESSAGE(found, "\"", text, "\" lacks \"", part, "\"");
-  return found;
 }
 
 }  // namespace
@@ -247,13 +243,13 @@ TEST_CASE("the random start is alive at the share asked for, and another for ano
 
 TEST_CASE("patterns that do not fit are refused") {
   auto p = grid(20, 20, "gosper_gun", {0, 0});
-  has(mistake(p), "gosper_gun.rle has 36 x 9 cells, more than the grid's 20 x 20");
+  checkHas(mistake(p), "gosper_gun.rle has 36 x 9 cells, more than the grid's 20 x 20");
   p = grid(40, 20, "gosper_gun", {6, 0});
   CHECK(mistake(p) == "no mistake");
   p.border = LifeBorder::dead;
-  has(mistake(p), "at [6, 0] reaches to [41, 8], outside the grid of 40 x 20");
+  checkHas(mistake(p), "at [6, 0] reaches to [41, 8], outside the grid of 40 x 20");
   p.patterns[0].at = {2, -1};
-  has(mistake(p), "outside the grid");
+  checkHas(mistake(p), "outside the grid");
   p.patterns[0].at = {2, 3};
   CHECK(mistake(p) == "no mistake");
 }

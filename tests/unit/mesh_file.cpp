@@ -3,6 +3,7 @@
 
 #include "base/error.hpp"
 #include "base/file.hpp"
+#include "unit/help.hpp"
 
 #include <cmath>
 #include <string>
@@ -11,22 +12,9 @@
 #include <glm/geometric.hpp>
 
 using namespace simreel;
+using simreel::test::TemporaryFile;
 
 namespace {
-
-/// A file that is gone at the end of the test.
-struct Temporary {
-  Temporary(const std::string& name, const std::string& text)
-      : path(std::filesystem::temp_directory_path() / ("simreel_mesh_" + name)) {
-    writeFileAtomically(path, text);
-  }
-  ~Temporary() { std::filesystem::remove(path); }
-  Temporary(const Temporary&) = delete;
-  Temporary& operator=(const Temporary&) = delete;
-  Temporary(Temporary&&) = delete;
-  Temporary& operator=(Temporary&&) = delete;
-  std::filesystem::path path;
-};
 
 std::string failure(const std::filesystem::path& path, ExitCode code) {
   try {
@@ -42,8 +30,8 @@ std::string failure(const std::filesystem::path& path, ExitCode code) {
 }
 
 std::string failure(const std::string& name, const std::string& text) {
-  const Temporary file(name, text);
-  return failure(file.path, ExitCode::inputOutput);
+  const TemporaryFile file(name, text);
+  return failure(file.path(), ExitCode::inputOutput);
 }
 
 /// A square in the xy plane seen from +z.
@@ -62,7 +50,7 @@ void checkSquare(const sim::Mesh& mesh) {
   for (const glm::vec3& n : mesh.normals) CHECK(glm::length(n - glm::vec3(0, 0, 1)) < 1e-5F);
 }
 
-const char* const squarePly =
+const char* const asciiSquare =
     "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
     "element face 1\nproperty list uchar int vertex_indices\nend_header\n"
     "0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n";
@@ -70,13 +58,13 @@ const char* const squarePly =
 }  // namespace
 
 TEST_CASE("OBJ, PLY and glTF give the same square, with normals computed") {
-  const Temporary obj("square.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n");
-  checkSquare(sim::loadMesh(obj.path));
-  CHECK(sim::loadMesh(obj.path).uvs.empty());
-  const Temporary ply("square.PLY", squarePly);
-  checkSquare(sim::loadMesh(ply.path));
+  const TemporaryFile obj("square.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n");
+  checkSquare(sim::loadMesh(obj.path()));
+  CHECK(sim::loadMesh(obj.path()).uvs.empty());
+  const TemporaryFile ply("square.PLY", asciiSquare);
+  checkSquare(sim::loadMesh(ply.path()));
   // Two triangles facing +z; their node mirrors along x, which must not turn them inside out.
-  const Temporary gltf(
+  const TemporaryFile gltf(
       "square.gltf",
       R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0,"scale":[-1,1,1]}],)"
       R"("meshes":[{"primitives":[{"attributes":{"POSITION":0},"mode":4}]}],)"
@@ -85,16 +73,16 @@ TEST_CASE("OBJ, PLY and glTF give the same square, with normals computed") {
       "AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAACAPwAAgD8AAAAA"
       "AAAAAAAAAAAAAAAAAACAPwAAgD8AAAAAAAAAAAAAgD8AAAAA"
       R"("}]})");
-  const sim::Mesh mirrored = sim::loadMesh(gltf.path);
+  const sim::Mesh mirrored = sim::loadMesh(gltf.path());
   REQUIRE(mirrored.indices.size() == 6);
   for (const glm::vec3& p : mirrored.positions) CHECK(p.x <= 0);
   for (const glm::vec3& n : mirrored.normals) CHECK(n.z == doctest::Approx(1));
 }
 
 TEST_CASE("normals and texture coordinates of the file are kept") {
-  const Temporary obj(
+  const TemporaryFile obj(
       "lit.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 0.5 0\nvt 0 0.25\nvn 0 3 4\nf 1/1/1 2/2/1 3/3/1\n");
-  const sim::Mesh mesh = sim::loadMesh(obj.path);
+  const sim::Mesh mesh = sim::loadMesh(obj.path());
   REQUIRE(mesh.indices.size() == 3);
   for (const glm::vec3& n : mesh.normals) CHECK(glm::length(n - glm::vec3(0, 0.6F, 0.8F)) < 1e-5F);
   REQUIRE(mesh.uvs.size() == mesh.positions.size());
@@ -114,10 +102,10 @@ TEST_CASE("a mesh that cannot be used says why in one line") {
   CHECK(failure("words.gltf", "{\"asset\": 7") != "no failure");
   CHECK(failure("words.glb", "glTF and nothing else") != "no failure");
   CHECK(failure("index.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 9\n") != "no failure");
-  std::string cut = squarePly;
+  std::string cut = asciiSquare;
   cut.resize(cut.size() - 24);
   CHECK(failure("cut.ply", cut) != "no failure");
-  std::string beyond = squarePly;
+  std::string beyond = asciiSquare;
   beyond.replace(beyond.rfind("2 3"), 3, "2 7");
   CHECK(failure("beyond.ply", beyond).find("vertex 7 of 4") != std::string::npos);
   CHECK(failure("far.obj", "v 0 0 0\nv 1e20 0 0\nv 1 1 0\nf 1 2 3\n").find("1e9 m") != std::string::npos);

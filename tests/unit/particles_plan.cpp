@@ -2,6 +2,7 @@
 #include "reference/particles_twin.hpp"
 #include "sim/list.hpp"
 #include "sim/particles_file.hpp"
+#include "unit/help.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,28 +16,13 @@
 #include <glm/geometric.hpp>
 
 using namespace simreel;
+using simreel::test::TemporaryFile;
 namespace fs = std::filesystem;
 
 namespace {
 
-/// A file in the system's temporary folder that goes away with its test.
-class Temporary {
- public:
-  Temporary(const std::string& name, const std::string& text)
-      : path_(fs::temp_directory_path() / ("simreel_particles_" + name)) {
-    std::ofstream(path_, std::ios::binary) << text;
-  }
-  ~Temporary() { fs::remove(path_); }
-  Temporary(const Temporary&) = delete;
-  Temporary& operator=(const Temporary&) = delete;
-  [[nodiscard]] const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
-
 std::string problemOf(const std::string& text, int most = 100) {
-  const Temporary file("bad", text);
+  const TemporaryFile file("bad", text);
   try {
     (void)sim::readParticles(file.path(), 1, most);
   } catch (const UserError& error) {
@@ -83,8 +69,8 @@ std::string sceneProblem(const std::string& object) {
 }  // namespace
 
 TEST_CASE("particle CSV files are read by the names of their columns") {
-  const Temporary file("good.csv",
-                       "# made by hand\nmass, z, y,x,name,vy\r\n2,3,2,1,alpha,-1\r\n\n4,6,5,+4,b,1e-1\n");
+  const TemporaryFile file(
+      "good.csv", "# made by hand\nmass, z, y,x,name,vy\r\n2,3,2,1,alpha,-1\r\n\n4,6,5,+4,b,1e-1\n");
   const auto cloud = sim::readParticles(file.path(), 1, 10);
   REQUIRE(cloud.positions.size() == 2);
   CHECK(cloud.positions[0] == glm::vec4(1, 2, 3, 2));
@@ -93,7 +79,7 @@ TEST_CASE("particle CSV files are read by the names of their columns") {
 }
 
 TEST_CASE("particles of a file without masses share the group's") {
-  const Temporary file("shared.csv", "x,y,z\n1,2,3\n4,5,6");
+  const TemporaryFile file("shared.csv", "x,y,z\n1,2,3\n4,5,6");
   CHECK(sim::readParticles(file.path(), 3, 10).positions[1].w == 1.5F);
 }
 
@@ -102,7 +88,7 @@ TEST_CASE("particle PLY files are read, ascii and binary") {
       "element vertex 2\nproperty float x\nproperty double y\nproperty float z\nproperty uchar red\n"
       "property float vx\nproperty short mass\nelement face 0\nproperty list uchar int vertex_indices\n"
       "end_header\n";
-  const Temporary ascii(
+  const TemporaryFile ascii(
       "a.ply", "ply\nformat ascii 1.0\ncomment hello\n" + rest + "1 2 3 255 0.5 7\n4 5 6 0 -1 8\n");
   std::string bytes = "ply\nformat binary_little_endian 1.0\n" + rest;
   const double rows[2][6] = {{1, 2, 3, 255, 0.5, 7}, {4, 5, 6, 0, -1, 8}};
@@ -114,7 +100,7 @@ TEST_CASE("particle PLY files are read, ascii and binary") {
     append(bytes, static_cast<float>(row[4]));
     append(bytes, static_cast<short>(row[5]));
   }
-  const Temporary binary("b.ply", bytes);
+  const TemporaryFile binary("b.ply", bytes);
   for (const fs::path& path : {ascii.path(), binary.path()}) {
     const auto cloud = sim::readParticles(path, 1, 10);
     REQUIRE(cloud.positions.size() == 2);

@@ -2,10 +2,12 @@
 
 #include "base/error.hpp"
 #include "reference/life_twin.hpp"
+#include "unit/help.hpp"
 
 #include <doctest/doctest.h>
 
 using namespace simreel;
+using simreel::test::checkHas;
 using namespace simreel::sim;
 
 namespace {
@@ -24,12 +26,6 @@ std::string ruleMistake(std::string_view text) {
   LifeRule rule;
   const LifeRuleProblem problem = parseLifeRule(text, rule);
   return problem.message.empty() ? rule.text() : std::to_string(problem.at) + ": " + problem.message;
-}
-
-bool has(const std::string& text, const std::string& part) {
-  const bool found = text.find(part) != std::string::npos;
-  CHECK_MESSAGE(found, "\"", text, "\" lacks \"", part, "\"");
-  return found;
 }
 
 }  // namespace
@@ -51,19 +47,19 @@ TEST_CASE("life rules are read in both spellings") {
 }
 
 TEST_CASE("rules that make no sense are refused at their place") {
-  has(ruleMistake(""), "0: the rule is empty");
-  has(ruleMistake("B3"), "2: a slash is missing");
-  has(ruleMistake("B3S23"), "2: 'S' is not a number");
-  has(ruleMistake("B39/S23"), "2: a cell has 8 neighbours");
-  has(ruleMistake("B33/S23"), "2: 3 is there twice");
-  has(ruleMistake("B3/23"), "3: an S is missing");
-  has(ruleMistake("B3/"), "3: an S is missing");
-  has(ruleMistake("B2/S/3"), "4: a second slash");
-  has(ruleMistake("B2-a/S12"), "2: '-' is not a number");
-  has(ruleMistake("B3/S23V"), "6: 'V' is not a number");
-  has(ruleMistake("23/3/2"), "4: a second slash");
-  has(ruleMistake("Life"), "0: 'L' is not a number");
-  has(ruleMistake("B3/S2\n"), "5: '?' is not");
+  checkHas(ruleMistake(""), "0: the rule is empty");
+  checkHas(ruleMistake("B3"), "2: a slash is missing");
+  checkHas(ruleMistake("B3S23"), "2: 'S' is not a number");
+  checkHas(ruleMistake("B39/S23"), "2: a cell has 8 neighbours");
+  checkHas(ruleMistake("B33/S23"), "2: 3 is there twice");
+  checkHas(ruleMistake("B3/23"), "3: an S is missing");
+  checkHas(ruleMistake("B3/"), "3: an S is missing");
+  checkHas(ruleMistake("B2/S/3"), "4: a second slash");
+  checkHas(ruleMistake("B2-a/S12"), "2: '-' is not a number");
+  checkHas(ruleMistake("B3/S23V"), "6: 'V' is not a number");
+  checkHas(ruleMistake("23/3/2"), "4: a second slash");
+  checkHas(ruleMistake("Life"), "0: 'L' is not a number");
+  checkHas(ruleMistake("B3/S2\n"), "5: '?' is not");
 }
 
 TEST_CASE("RLE with comments, a rule, runs over lines and blanks") {
@@ -88,29 +84,29 @@ TEST_CASE("RLE with comments, a rule, runs over lines and blanks") {
 }
 
 TEST_CASE("malformed RLE is refused with line and column") {
-  has(mistake(""), "p.rle:1:1: 'x' is expected");
-  has(mistake("#C only\n"), "p.rle:2:1: 'x' is expected");
-  has(mistake("bo$2bo$3o!"), "p.rle:1:1: 'x' is expected");
-  has(mistake("x = 3, z = 3\n3o!"), "p.rle:1:8: 'y' is expected");
-  has(mistake("x = , y = 3\n3o!"), "p.rle:1:5: the width is missing");
-  has(mistake("x = -3, y = 3\n3o!"), "p.rle:1:5: the width is missing");
-  has(mistake("x = 3, y = 99999999999999999999\n3o!"), "p.rle:1:12: the height is above 1048576");
-  has(mistake("x = 3, y = 3, colour = 2\n3o!"), "p.rle:1:15: only \"rule = ...\"");
-  has(mistake("x = 3, y = 3, rule = B3/S29\n3o!"), "p.rle:1:27: a cell has 8 neighbours");
-  has(mistake("x = 3, y = 3, rule = B3/S23:K3,4\n3o!"), "p.rle:1:29: of bounded grids only");
-  has(mistake("x = 3, y = 3 3o!"), "p.rle:1:14: '3' after the header");
-  has(mistake("x = 3, y = 3\n3o"), "p.rle:2:3: the pattern ends without '!'");
-  has(mistake("x = 3, y = 3\n3"), "ends after a count");
-  has(mistake("x = 3, y = 3\n3 2o!"), "p.rle:2:3: a second count");
-  has(mistake("x = 3, y = 3\n0o!"), "p.rle:2:1: a count of 0");
-  has(mistake("x = 3, y = 3\n3!"), "p.rle:2:2: a count before '!'");
-  has(mistake("x = 3, y = 3\n3o$\n b3o!"), "p.rle:3:3: living cells 1 to 3 of row 1 lie outside");
-  has(mistake("x = 3, y = 3\n3o3$o!"), "p.rle:2:5: living cells 0 to 0 of row 3 lie outside");
-  has(mistake("x = 3, y = 3\n2000000o!"), "p.rle:2:1: the count is above 1048576");
-  has(mistake("x = 3, y = 3\n.A$2B!"), "p.rle:2:1: '.' is of a pattern with more than two states");
-  has(mistake("x = 3, y = 3\npA$2B!"), "p.rle:2:1: 'p' is of a pattern with more than two states");
-  has(mistake("x = 3, y = 3\nbo?!"), "p.rle:2:3: '?' where b, o, $ or ! is expected");
-  has(mistake(std::string_view("x = 3, y = 3\nb\0o!", 17)), "p.rle:2:2: a byte 0x00");
+  checkHas(mistake(""), "p.rle:1:1: 'x' is expected");
+  checkHas(mistake("#C only\n"), "p.rle:2:1: 'x' is expected");
+  checkHas(mistake("bo$2bo$3o!"), "p.rle:1:1: 'x' is expected");
+  checkHas(mistake("x = 3, z = 3\n3o!"), "p.rle:1:8: 'y' is expected");
+  checkHas(mistake("x = , y = 3\n3o!"), "p.rle:1:5: the width is missing");
+  checkHas(mistake("x = -3, y = 3\n3o!"), "p.rle:1:5: the width is missing");
+  checkHas(mistake("x = 3, y = 99999999999999999999\n3o!"), "p.rle:1:12: the height is above 1048576");
+  checkHas(mistake("x = 3, y = 3, colour = 2\n3o!"), "p.rle:1:15: only \"rule = ...\"");
+  checkHas(mistake("x = 3, y = 3, rule = B3/S29\n3o!"), "p.rle:1:27: a cell has 8 neighbours");
+  checkHas(mistake("x = 3, y = 3, rule = B3/S23:K3,4\n3o!"), "p.rle:1:29: of bounded grids only");
+  checkHas(mistake("x = 3, y = 3 3o!"), "p.rle:1:14: '3' after the header");
+  checkHas(mistake("x = 3, y = 3\n3o"), "p.rle:2:3: the pattern ends without '!'");
+  checkHas(mistake("x = 3, y = 3\n3"), "ends after a count");
+  checkHas(mistake("x = 3, y = 3\n3 2o!"), "p.rle:2:3: a second count");
+  checkHas(mistake("x = 3, y = 3\n0o!"), "p.rle:2:1: a count of 0");
+  checkHas(mistake("x = 3, y = 3\n3!"), "p.rle:2:2: a count before '!'");
+  checkHas(mistake("x = 3, y = 3\n3o$\n b3o!"), "p.rle:3:3: living cells 1 to 3 of row 1 lie outside");
+  checkHas(mistake("x = 3, y = 3\n3o3$o!"), "p.rle:2:5: living cells 0 to 0 of row 3 lie outside");
+  checkHas(mistake("x = 3, y = 3\n2000000o!"), "p.rle:2:1: the count is above 1048576");
+  checkHas(mistake("x = 3, y = 3\n.A$2B!"), "p.rle:2:1: '.' is of a pattern with more than two states");
+  checkHas(mistake("x = 3, y = 3\npA$2B!"), "p.rle:2:1: 'p' is of a pattern with more than two states");
+  checkHas(mistake("x = 3, y = 3\nbo?!"), "p.rle:2:3: '?' where b, o, $ or ! is expected");
+  checkHas(mistake(std::string_view("x = 3, y = 3\nb\0o!", 17)), "p.rle:2:2: a byte 0x00");
 }
 
 TEST_CASE("what is written is read back, cell for cell, in lines of at most 70 characters") {

@@ -85,13 +85,13 @@ TEST_CASE("a scene is loaded from a file") {
   const fs::path file = folders.root / "scenes" / "s.json";
   std::ofstream(file) << "{\"version\": 1, \"sed\": 2}";
   try {
-    static_cast<void>(loadScene(file, {}, kinds()));
+    static_cast<void>(loadScene(file, {}, toyKinds()));
     FAIL("no error");
   } catch (const simreel::UserError& error) {
     CHECK(has(error.what(), file.string() + ":1:16: error: unknown key \"sed\""));
   }
   std::ofstream(file) << "{\"version\": 1, \"seed\": 2}";
-  CHECK(loadScene(file, {}, kinds()).seed == 2);
-  CHECK_THROWS_AS(static_cast<void>(loadScene(folders.root / "none.json", {}, kinds())),
+  CHECK(loadScene(file, {}, toyKinds()).seed == 2);
+  CHECK_THROWS_AS(static_cast<void>(loadScene(folders.root / "none.json", {}, toyKinds())),
                   simreel::UserError);
 }

@@ -7,7 +7,7 @@ using namespace simreel::scene;
 using namespace simreel::scene::toy;
 
 TEST_CASE("the schema says what the reader checks") {
-  const std::string text = schemaText(kinds());
+  const std::string text = schemaText(toyKinds());
   CHECK(text.back() == '\n');
   const auto schema = nlohmann::json::parse(text);
   CHECK(schema["$schema"] == "https://json-schema.org/draft/2020-12/schema");
@@ -45,7 +45,7 @@ TEST_CASE("the schema says what the reader checks") {
 }
 
 TEST_CASE("help is a table of name, default, range, unit and sentence") {
-  const std::string help = helpText("cloth", kinds());
+  const std::string help = helpText("cloth", toyKinds());
   const auto line = [&](const std::string& name) {
     const std::size_t begin = help.find("\n  " + name + " ") + 1;
     std::string found = help.substr(begin, help.find('\n', begin) - begin);
@@ -67,9 +67,9 @@ TEST_CASE("help is a table of name, default, range, unit and sentence") {
 TEST_CASE("every section has help, and a wrong name gets a suggestion") {
   for (const char* name : {"scene", "render", "time", "camera", "sun", "sky", "ground", "material", "test",
                            "checks", "capsule"})
-    CHECK_MESSAGE(has(helpText(name, kinds()), std::string(name) + ": "), name);
+    CHECK_MESSAGE(has(helpText(name, toyKinds()), std::string(name) + ": "), name);
   try {
-    static_cast<void>(helpText("cloht", kinds()));
+    static_cast<void>(helpText("cloht", toyKinds()));
     FAIL("no error");
   } catch (const simreel::UserError& error) {
     CHECK(error.code() == simreel::ExitCode::usage);
@@ -78,7 +78,7 @@ TEST_CASE("every section has help, and a wrong name gets a suggestion") {
 }
 
 TEST_CASE("the list has one line per kind and section") {
-  const std::string list = listText(kinds());
+  const std::string list = listText(toyKinds());
   CHECK(has(list, "  cloth     A toy cloth.\n"));
   CHECK(has(list, "  camera    "));
   CHECK(has(list, "  scene     "));

@@ -39,7 +39,7 @@ class Files {
   [[nodiscard]] Scene load(const std::vector<std::string>& changes = {}) const {
     std::vector<Override> overrides;
     for (const std::string& change : changes) overrides.push_back(parseOverride(change));
-    return loadTestScene(root / "flag.json", overrides, kinds());
+    return loadTestScene(root / "flag.json", overrides, toyKinds());
   }
   [[nodiscard]] std::string errors(const std::vector<std::string>& changes = {}) const {
     try {
@@ -221,8 +221,8 @@ TEST_CASE("the sidecar's members replace the scene's own as a whole") {
   CHECK(scene.checks.size() == 1);  // kept: the sidecar has none
   REQUIRE(scene.test.toleranceOrigin.size() == 1);
   CHECK(scene.test.toleranceOrigin.at("max_diff_ratio") == (files.root / "flag.test.json").string());
-  CHECK(scene.hash == loadScene(files.root / "flag.json", {}, kinds()).hash);
-  CHECK(loadScene(files.root / "flag.json", {}, kinds()).test.frames == std::vector<int>{5});
+  CHECK(scene.hash == loadScene(files.root / "flag.json", {}, toyKinds()).hash);
+  CHECK(loadScene(files.root / "flag.json", {}, toyKinds()).test.frames == std::vector<int>{5});
 
   const Scene changed = files.load({"test.tolerance.max_diff_ratio=0.25"});
   CHECK(changed.test.tolerance.max_diff_ratio == 0.25);

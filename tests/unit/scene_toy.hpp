@@ -1,6 +1,7 @@
 #pragma once
 #include "base/error.hpp"
 #include "scene/scene.hpp"
+#include "unit/help.hpp"
 
 #include <memory>
 #include <span>
@@ -78,7 +79,7 @@ struct Capsule final : Parameters {
   void describe(Fields& fields) override { fields.number("radius", radius, positive, "m", "Radius."); }
 };
 
-inline std::span<const Kind> kinds() {
+inline std::span<const Kind> toyKinds() {
   static const Kind all[] = {{"cloth", "A toy cloth.", [] { return std::make_unique<Cloth>(); }},
                              {"capsule", "A toy capsule.", [] { return std::make_unique<Capsule>(); }}};
   return all;
@@ -88,7 +89,7 @@ inline Scene parse(std::string_view text, const std::vector<std::string>& change
                    const std::filesystem::path& file = "s.json") {
   std::vector<Override> overrides;
   for (const std::string& change : changes) overrides.push_back(parseOverride(change));
-  return parseScene(text, file, overrides, kinds());
+  return parseScene(text, file, overrides, toyKinds());
 }
 
 /// The report of a scene's mistakes; "" when there is none.
@@ -110,8 +111,6 @@ inline const Cloth& clothOf(const Scene& scene) {
   return dynamic_cast<const Cloth&>(*scene.objects.at(0).parameters);
 }
 
-inline bool has(std::string_view text, std::string_view part) {
-  return text.find(part) != std::string_view::npos;
-}
+using simreel::test::has;
 
 }  // namespace simreel::scene::toy

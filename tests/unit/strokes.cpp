@@ -12,9 +12,9 @@ using namespace simreel::sim;
 
 namespace {
 
-using Shape = StrokeParameters::Shape;
+using Brush = StrokeParameters::Shape;
 
-StrokeParameters stroke(Shape shape, glm::vec3 from, glm::vec3 to, float radius) {
+StrokeParameters stroke(Brush shape, glm::vec3 from, glm::vec3 to, float radius) {
   StrokeParameters p;
   p.shape = shape;
   p.from = from;
@@ -65,13 +65,13 @@ double distance(glm::ivec2 cell, glm::dvec2 a, glm::dvec2 b) {
 
 TEST_CASE("a circle and a line paint the cells whose middle is within the radius") {
   struct {
-    Shape shape;
+    Brush shape;
     glm::dvec2 from, to;
     double radius;
   } const cases[] = {
-      {Shape::circle, {30.3, 20.1}, {30.3, 20.1}, 7.2}, {Shape::line, {5.7, 40.2}, {55.1, 3.9}, 3.3},
-      {Shape::line, {-20, 10}, {90, 10}, 0.7},          {Shape::circle, {0, 0}, {0, 0}, 11.9},
-      {Shape::line, {12.4, 13.6}, {12.4, 13.6}, 2.6},   {Shape::circle, {500, 500}, {500, 500}, 30}};
+      {Brush::circle, {30.3, 20.1}, {30.3, 20.1}, 7.2}, {Brush::line, {5.7, 40.2}, {55.1, 3.9}, 3.3},
+      {Brush::line, {-20, 10}, {90, 10}, 0.7},          {Brush::circle, {0, 0}, {0, 0}, 11.9},
+      {Brush::line, {12.4, 13.6}, {12.4, 13.6}, 2.6},   {Brush::circle, {500, 500}, {500, 500}, 30}};
   for (const auto& c : cases) {
     const auto cells = paintedAtOnce(
         stroke(c.shape, glm::vec3(c.from, 0), glm::vec3(c.to, 0), static_cast<float>(c.radius)));
@@ -86,7 +86,7 @@ TEST_CASE("a circle and a line paint the cells whose middle is within the radius
 TEST_CASE("a stroke of no duration paints in exactly one step, at any rate and from any start") {
   for (const double rate : {10.0, 7.0, 60.0, 29.97})
     for (const double at : {0.0, 0.1, 0.25, 0.7, 1.0, -0.3, 2.999}) {
-      auto p = stroke(Shape::circle, {5, 5, 0}, {5, 5, 0}, 2);
+      auto p = stroke(Brush::circle, {5, 5, 0}, {5, 5, 0}, 2);
       p.at = p.until = at;
       const Strokes strokes({p}, 1);
       int times = 0;
@@ -102,7 +102,7 @@ TEST_CASE("a stroke of no duration paints in exactly one step, at any rate and f
 }
 
 TEST_CASE("a long stroke paints in every step that it touches and no other") {
-  auto p = stroke(Shape::line, {5, 5, 0}, {9, 5, 0}, 2);
+  auto p = stroke(Brush::line, {5, 5, 0}, {9, 5, 0}, 2);
   p.at = 0.35;
   p.until = 0.8;
   const Strokes strokes({p}, 1);
@@ -111,7 +111,7 @@ TEST_CASE("a long stroke paints in every step that it touches and no other") {
 }
 
 TEST_CASE("a moving circle leaves no gap between steps") {
-  auto p = stroke(Shape::circle, {3.2, 40.1, 0}, {57.6, 5.4, 0}, 2.3F);
+  auto p = stroke(Brush::circle, {3.2, 40.1, 0}, {57.6, 5.4, 0}, 2.3F);
   p.at = 0;
   p.until = 1;
   for (const int rate : {4, 10, 37}) {
@@ -131,7 +131,7 @@ TEST_CASE("a moving circle leaves no gap between steps") {
 }
 
 TEST_CASE("a sparse stroke paints its share, others in each step and for each seed") {
-  auto p = stroke(Shape::circle, {30, 23, 0}, {30, 23, 0}, 100);
+  auto p = stroke(Brush::circle, {30, 23, 0}, {30, 23, 0}, 100);
   const std::size_t all = paintedAtOnce(p).size();
   CHECK(all == static_cast<std::size_t>(grid.x * grid.y));
   p.share = 0;
@@ -150,7 +150,7 @@ TEST_CASE("a sparse stroke paints its share, others in each step and for each se
 }
 
 TEST_CASE("an image stamps its light pixels at its place") {
-  auto p = stroke(Shape::image, {-3, 5, 0}, {-3, 5, 0}, 2);
+  auto p = stroke(Brush::image, {-3, 5, 0}, {-3, 5, 0}, 2);
   p.image = std::string(SOURCE_FOLDER) + "/assets/textures/gingham.png";
   const auto here = paintedAtOnce(p);
   CHECK_FALSE(here.empty());
