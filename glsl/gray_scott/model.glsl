@@ -7,6 +7,12 @@
 #ifndef FUNCTION
 #define FUNCTION
 #endif
+// a b + c where the product is exact: the same bits in one instruction as in two.
+#ifdef __cplusplus
+#define PLUS_EXACT_PRODUCT(a, b, c) ((a) * (b) + (c))
+#else
+#define PLUS_EXACT_PRODUCT(a, b, c) fma(a, b, c)
+#endif
 
 struct GrayScottRates {
   float diffuseU;  // dt Du / 20
@@ -19,8 +25,7 @@ struct GrayScottRates {
 // 20 lap = 4 edges + corners - 20 centre, from sums of the four neighbours each. Exactly zero where all nine
 // are equal.
 FUNCTION float laplacian20(float centre, float edges, float corners) {
-  precise float sum = 4.0f * edges;
-  sum = sum + corners;
+  precise float sum = PLUS_EXACT_PRODUCT(4.0f, edges, corners);
   precise float own = 20.0f * centre;
   precise float difference = sum - own;
   return difference;
@@ -37,7 +42,7 @@ FUNCTION float reaction(float u, float v, float dt) {
 // Within [0, 1]; what is below 1e-20 becomes zero, so that no product here is a subnormal number that a sum
 // would show: drivers disagree on those.
 FUNCTION float heldToUnit(float x) {
-  float most = x > 1.0f ? 1.0f : x;
+  float most = min(x, 1.0f);
   return most < 1e-20f ? 0.0f : most;
 }
 

@@ -166,6 +166,16 @@ Limits readLimits() {
   glGetIntegeri_v(GL_MAX_COMPUTE_WORK_GROUP_COUNT, 0, &found.groupsX);
   glGetIntegerv(GL_MAX_COMPUTE_SHARED_MEMORY_SIZE, &found.sharedBytes);
   glGetIntegerv(GL_UNIFORM_BUFFER_OFFSET_ALIGNMENT, &found.uniformAlignment);
+  if (epoxy_has_gl_extension("GL_KHR_shader_subgroup")) {
+    GLint invocations = 0;
+    GLint stages = 0;
+    GLint features = 0;
+    glGetIntegerv(GL_SUBGROUP_SIZE_KHR, &invocations);
+    glGetIntegerv(GL_SUBGROUP_SUPPORTED_STAGES_KHR, &stages);
+    glGetIntegerv(GL_SUBGROUP_SUPPORTED_FEATURES_KHR, &features);
+    found.shuffle32 = invocations == 32 && (stages & GL_COMPUTE_SHADER_BIT) != 0 &&
+                      (features & GL_SUBGROUP_FEATURE_SHUFFLE_RELATIVE_BIT_KHR) != 0;
+  }
   if (epoxy_has_gl_extension("GL_ARB_texture_filter_anisotropic") ||
       epoxy_has_gl_extension("GL_EXT_texture_filter_anisotropic"))
     glGetFloatv(GL_MAX_TEXTURE_MAX_ANISOTROPY_EXT, &found.anisotropy);

@@ -13,6 +13,7 @@ namespace {
 
 /// Of a pass of several steps: elements and rows of its tile (32 KiB, which every driver has), and rows
 /// that an invocation keeps in registers (fused.comp unrolls them).
+constexpr int stripGroup = 32;
 constexpr int tileX = 32, tileY = 64, tileRows = 8;
 
 /// Before anything is filled: a grid far beyond the limit would first take gigabytes.
@@ -82,12 +83,14 @@ GrayScottKernels::GrayScottKernels(const std::string& name, const GrayScottPlan&
   define("GROUP_Y", cut_.groupY);
   makeProgram(step_, "gray_scott/step.comp", defines);
   if (cut_.stepsPerPass == 1) return;
-  gl::Defines tiled = gl::kernelDefines(fast);
-  if (size_.x % 2 == 1) tiled.emplace_back("ODD_WIDTH", "1");
+  gl::Defines several = gl::kernelDefines(fast);
+  if (size_.x % 2 == 1) several.emplace_back("ODD_WIDTH", "1");
+  if (cut_.stripPairs > 0 && gl::limits().shuffle32) several.emplace_back("SUBGROUPS", "1");
   for (const auto& [key, value] :
-       {std::pair{"TILE_X", tileX}, std::pair{"TILE_Y", tileY}, std::pair{"STEPS", cut_.stepsPerPass}})
-    tiled.emplace_back(key, std::to_string(value));
-  makeProgram(fused_, "gray_scott/fused.comp", tiled);
+       {std::pair{"TILE_X", tileX}, std::pair{"TILE_Y", tileY}, std::pair{"STEPS", cut_.stepsPerPass},
+        std::pair{"PAIRS", cut_.stripPairs}, std::pair{"ROWS", cut_.stripRows}})
+    several.emplace_back(key, std::to_string(value));
+  makeProgram(fused_, cut_.stripPairs > 0 ? "gray_scott/strips.comp" : "gray_scott/fused.comp", several);
 }
 
 void GrayScottKernels::makeProgram(gl::Program& program, const char* path,
@@ -152,8 +155,12 @@ void GrayScottKernels::pass(const gl::Program& program, int from, int first, int
   if (mapped_) weights_.bindInput(2);
   program.set("rowRange", glm::ivec2(first, rows));
   gl::barrier();
-  if (&program == &fused_) {
-    const int width = tileX - (cut_.stepsPerPass + 1) / 2 * 2;
+  const int borders = (cut_.stepsPerPass + 1) / 2 * 2;
+  if (&program == &fused_ && cut_.stripPairs > 0) {
+    const int width = stripGroup * cut_.stripPairs - borders;
+    program.dispatch(((columns_ - 1) / width + 1) * stripGroup, (rows - 1) / cut_.stripRows + 1);
+  } else if (&program == &fused_) {
+    const int width = tileX - borders;
     const int height = tileY - 2 * cut_.stepsPerPass;
     program.dispatch(((columns_ - 1) / width + 1) * tileX, ((rows - 1) / height + 1) * (tileY / tileRows));
   } else {

@@ -16,8 +16,10 @@ class GrayScottKernels {
     int across = 2;  ///< elements (two cells) that an invocation of a single step takes in a row
     int rows = 8;    ///< and rows
     int groupX = 8, groupY = 8;
-    int stepsPerPass = 1;  ///< 2 to 8: several steps in shared memory, a pass each
+    int stepsPerPass = 1;  ///< 2, 3, 4, 6 or 8: several steps a pass, in tiles or strips
     int bandRows = -1;  ///< rows that several passes stay in (bands()); 0: all; -1: as the grid's size asks
+    int stripPairs = 0;  ///< elements across a strip that each of 32 invocations takes, 1 or 2; 0: tiles
+    int stripRows = 128;
   };
   /// What is fastest on this device's memory path.
   [[nodiscard]] static Cut bestCut();

@@ -114,13 +114,17 @@ TEST_CASE("grayScott: every cut of the work gives the same bits") {
   GrayScottTwin twin(plan);
   twin.advance(plan.ratesAt(0), 61);
   using Cut = sim::GrayScottKernels::Cut;
-  for (const Cut cut : {Cut{1, 1, 8, 8, 1}, Cut{1, 8, 32, 4, 1}, Cut{2, 4, 8, 8, 1}, Cut{3, 5, 4, 4, 1},
-                        Cut{1, 4, 8, 8, 2}, Cut{1, 4, 8, 8, 3}, Cut{1, 4, 8, 8, 4}, Cut{1, 4, 8, 8, 8},
-                        Cut{1, 8, 32, 4, 1, 16}, Cut{1, 4, 8, 8, 1, 9}, Cut{1, 4, 8, 8, 2, 20}}) {
+  for (const Cut cut :
+       {Cut{1, 1, 8, 8, 1}, Cut{1, 8, 32, 4, 1}, Cut{2, 4, 8, 8, 1}, Cut{3, 5, 4, 4, 1}, Cut{1, 4, 8, 8, 2},
+        Cut{1, 4, 8, 8, 3}, Cut{1, 4, 8, 8, 4}, Cut{1, 4, 8, 8, 8}, Cut{1, 8, 32, 4, 1, 16},
+        Cut{1, 4, 8, 8, 1, 9}, Cut{1, 4, 8, 8, 2, 20}, Cut{1, 4, 8, 8, 2, -1, 1, 20},
+        Cut{1, 4, 8, 8, 3, -1, 1, 9}, Cut{1, 4, 8, 8, 8, -1, 1, 31}, Cut{1, 4, 8, 8, 3, -1, 2, 50},
+        Cut{1, 4, 8, 8, 4, -1, 2, 128}, Cut{1, 4, 8, 8, 4, 34, 2, 7}}) {
     CAPTURE(cut.across);
     CAPTURE(cut.rows);
     CAPTURE(cut.stepsPerPass);
     CAPTURE(cut.bandRows);
+    CAPTURE(cut.stripPairs);
     sim::GrayScottKernels kernels("dish", plan, false, cut);
     kernels.setRates(plan.ratesAt(0));
     kernels.advance(61);
