@@ -39,14 +39,6 @@ bool isSeen(vec3 p, float radius) {
   }
   return seen;
 }
-float pixelRadius(vec3 p, float radius) {
-  float distance = max(dot(p - frame.eye.xyz, frame.rayForward.xyz) - radius, 1e-3);
-  return radius * pixelsPerMetre() / distance;
-}
-bool isMiddleSeen(vec3 p) {
-  vec4 place = frame.viewProjection * vec4(p, 1);
-  return all(lessThan(abs(place.xyz), vec3(0.9999 * place.w)));
-}
 #endif
 
 void main() {

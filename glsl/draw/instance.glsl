@@ -25,3 +25,17 @@ float pixelsPerMetre() {
 float leastRadius(vec3 p) {
   return max(dot(p - frame.eye.xyz, frame.rayForward.xyz), 0.0) * leastPixels / pixelsPerMetre();
 }
+
+#ifndef FOR_LIGHT
+// Radius on screen, pixels, of a ball's nearest point.
+float pixelRadius(vec3 p, float radius) {
+  float distance = max(dot(p - frame.eye.xyz, frame.rayForward.xyz) - radius, 1e-3);
+  return radius * pixelsPerMetre() / distance;
+}
+
+// A point is dropped as a whole with its middle.
+bool isMiddleSeen(vec3 p) {
+  vec4 place = frame.viewProjection * vec4(p, 1);
+  return all(lessThan(abs(place.xyz), vec3(0.9999 * place.w)));
+}
+#endif

@@ -12,11 +12,7 @@ namespace {
 
 constexpr float mostLevels = 9.0F;
 
-gl::Texture layer(const char* label, glm::ivec2 size) {
-  gl::Texture texture = gl::Texture::image(label, GL_RGBA16F, size.x, size.y);
-  texture.wrap(GL_CLAMP_TO_EDGE);
-  return texture;
-}
+constexpr const char* layout = "rgba16f";
 
 }  // namespace
 
@@ -26,54 +22,42 @@ BloomPass::BloomPass(const scene::Bloom& bloom, glm::ivec2 size, int samples)
       // Level i spreads light over about 2^(i + 1) pixels.
       reach_(std::clamp(std::log2(bloom.radius * static_cast<float>(size.y)), 1.0F, mostLevels)) {
   if (!on_) return;
-  first_ = gl::Program::graphics("draw/screen.vert", "draw/bloom_first.frag",
-                                 {{"SAMPLES", std::to_string(samples)}});
-  down_ = gl::Program::graphics("draw/screen.vert", "draw/bloom_down.frag");
-  up_ = gl::Program::graphics("draw/screen.vert", "draw/bloom_up.frag");
+  first_ = ScreenProgram("draw/bloom_first.glsl", layout, {{"SAMPLES", std::to_string(samples)}});
+  down_ = ScreenProgram("draw/bloom_down.glsl", layout);
+  up_ = ScreenProgram("draw/bloom_up.glsl", layout);
   for (int i = 0; i < static_cast<int>(std::ceil(reach_)); ++i) {
     size = (size + 1) / 2;
-    Level level;
-    level.down = layer("bloom down", size);
-    level.up = layer("bloom up", size);
-    level.downTarget = gl::Framebuffer("bloom down", &level.down, nullptr);
-    level.upTarget = gl::Framebuffer("bloom up", &level.up, nullptr);
-    levels_.push_back(std::move(level));
+    levels_.push_back(
+        {ScreenTarget("bloom down", GL_RGBA16F, size), ScreenTarget("bloom up", GL_RGBA16F, size)});
     if (std::max(size.x, size.y) <= 2) break;
   }
 }
 
-const gl::Texture& BloomPass::draw(const Targets& targets) const {
+const gl::Texture& BloomPass::draw(const gl::Texture& light) const {
   const auto texel = [](const gl::Texture& t) {
     return 1.0F / glm::vec2(static_cast<float>(t.width()), static_cast<float>(t.height()));
   };
-  const auto fill = [&](const gl::Framebuffer& target, const gl::Program& program) {
-    target.bind();
-    program.use();
-    glDrawArrays(GL_TRIANGLES, 0, 3);
-  };
-  DrawState{.depthTest = false}.set();
-  vertices_.bind();
-  first_.set("size", glm::ivec2(targets.light.width(), targets.light.height()));
-  first_.set("threshold", threshold_);
-  targets.light.bind(0);
-  fill(levels_[0].downTarget, first_);
+  first_.program().set("size", glm::ivec2(light.width(), light.height()));
+  first_.program().set("threshold", threshold_);
+  light.bind(0);
+  first_.fill(levels_[0].down);
   for (std::size_t i = 1; i < levels_.size(); ++i) {
-    down_.set("texel", texel(levels_[i - 1].down));
-    levels_[i - 1].down.bind(0);
-    fill(levels_[i].downTarget, down_);
+    down_.program().set("texel", texel(levels_[i - 1].down.texture));
+    levels_[i - 1].down.texture.bind(0);
+    down_.fill(levels_[i].down);
   }
   // Each level has the same share, the last what is left of `reach_`.
   const float whole = std::min(reach_, static_cast<float>(levels_.size()));
-  const gl::Texture* coarse = &levels_.back().down;
+  const gl::Texture* coarse = &levels_.back().down.texture;
   float coarseShare = whole - static_cast<float>(levels_.size() - 1);
   for (std::size_t i = levels_.size() - 1; i-- > 0;) {
     const float sum = 1.0F + coarseShare;
-    up_.set("coarseTexel", texel(*coarse));
-    up_.set("share", glm::vec2(1.0F, coarseShare) / sum);
+    up_.program().set("coarseTexel", texel(*coarse));
+    up_.program().set("share", glm::vec2(1.0F, coarseShare) / sum);
     coarse->bind(0);
-    levels_[i].down.bind(1);
-    fill(levels_[i].upTarget, up_);
-    coarse = &levels_[i].up;
+    levels_[i].down.texture.bind(1);
+    up_.fill(levels_[i].up);
+    coarse = &levels_[i].up.texture;
     coarseShare = sum;
   }
   return *coarse;

@@ -1,8 +1,5 @@
 #pragma once
-#include "draw/draw_state.hpp"
-#include "draw/targets.hpp"
-#include "gl/program.hpp"
-#include "gl/texture.hpp"
+#include "draw/screen_program.hpp"
 #include "scene/scene.hpp"
 
 #include <vector>
@@ -15,22 +12,21 @@ namespace simreel::draw {
 /// ever smaller pictures, then up again. Nothing is made and nothing runs when the scene has no bloom.
 class BloomPass {
  public:
+  /// `samples`: of the light that draw() gets.
   BloomPass(const scene::Bloom& bloom, glm::ivec2 size, int samples);
   [[nodiscard]] bool on() const { return on_; }
-  /// Scattered light of targets.light, half its size, of the same total; needs on().
-  const gl::Texture& draw(const Targets& targets) const;
+  /// Scattered light of a scene's light, half its size, of the same total; needs on().
+  const gl::Texture& draw(const gl::Texture& light) const;
 
  private:
   struct Level {
-    gl::Texture down, up;
-    gl::Framebuffer downTarget, upTarget;
+    ScreenTarget down, up;
   };
   bool on_;
   float threshold_;
   float reach_;  ///< levels that share the light, the last one in part
-  gl::Program first_, down_, up_;
+  ScreenProgram first_, down_, up_;
   std::vector<Level> levels_;
-  VertexArray vertices_;
 };
 
 }  // namespace simreel::draw

@@ -19,6 +19,8 @@ constexpr float leastGlow = 1.25F;  // pixels of radius
 constexpr float leastBall = 0.57F;
 /// Points have a greatest size, 255 pixels on some drivers.
 constexpr float mostPointGlow = 64.0F;
+/// Larger glows are shared among the invocations of a group.
+constexpr float mostSmallSum = 5.0F;
 
 bool isSprite(const sim::Instances& instances) {
   return instances.shape == sim::Instances::Shape::sprite;
@@ -151,7 +153,8 @@ void InstancesPass::fill(const sim::Instances& instances, std::size_t i, bool fo
   const bool coarse = forLight || (gl::softwareDriver() && !isSprite(instances));
   const bool coarsest = forLight && gl::softwareDriver() && !isSprite(instances);
   // A square of a disk's area misses the disk by 1/8 of the radius; a glow is the same as a point.
-  programs.cull.set("pointPixels", instances.additive ? mostPointGlow : coarse ? 4.0F : 1.6F);
+  const float mostGlow = GlowSums::takes(instances) ? mostSmallSum : mostPointGlow;
+  programs.cull.set("pointPixels", instances.additive ? mostGlow : coarse ? 4.0F : 1.6F);
   programs.cull.set("levelError", coarsest ? 1.5F : coarse ? 0.5F : 0.2F);
   (forLight ? own.forLight : own.forCamera)->fill(programs, form);
 }
@@ -256,7 +259,7 @@ void InstancesPass::setLook(const gl::Program& program, const sim::Instances& in
 void InstancesPass::draw(const sim::Drawables& drawables, bool adding) {
   for (std::size_t i = 0; i < drawables.instances.size(); ++i) {
     const sim::Instances& instances = drawables.instances[i];
-    if (instances.additive != adding) continue;
+    if (instances.additive != adding || GlowSums::takes(instances)) continue;
     DrawState{.depthTest = true,
               .cullBack = instances.shape == sim::Instances::Shape::sphere,
               .depthOffset = false,
@@ -276,6 +279,29 @@ void InstancesPass::draw(const sim::Drawables& drawables, bool adding) {
     for (std::size_t level = isSprite(instances) ? 1 : 0; level < shape(instances).levels().size(); ++level)
       drawLevel(shader, instances, list, level);
   }
+}
+
+void InstancesPass::sumUp(const sim::Instances& instances, const Entry& own, const gl::Texture& depth,
+                          const GlowSums& sums) {
+  const VisibleList& list = *own.forCamera;
+  for (int level = 0; level < 2; ++level) {
+    const gl::Program& kernel = sums.kernel(level == 1);
+    setInstance(kernel, instances, false);
+    setLook(kernel, instances, own);
+    kernel.set("level", level);
+    kernel.set("roundPixels", mostPointGlow);
+    list.bind();
+    sums.add(level == 1, depth, instances.capacity);
+  }
+}
+
+void InstancesPass::drawAdditive(const sim::Drawables& drawables, const gl::Texture& depth,
+                                 GlowSums* sums) {
+  draw(drawables, true);
+  if (sums == nullptr) return;
+  sums->start(drawables);
+  for (std::size_t i = 0; i < drawables.instances.size(); ++i)
+    if (GlowSums::takes(drawables.instances[i])) sumUp(drawables.instances[i], entries_[i], depth, *sums);
 }
 
 }  // namespace simreel::draw

@@ -1,5 +1,6 @@
 #pragma once
 #include "draw/draw_state.hpp"
+#include "draw/glow_sums.hpp"
 #include "draw/instance_shape.hpp"
 #include "draw/shadow_pass.hpp"
 #include "draw/small_sprites.hpp"
@@ -31,7 +32,8 @@ class InstancesPass {
   void cull(const sim::Drawables& drawables);
   /// Into the bound framebuffer. Opaque ones, then (after everything opaque) those that add light.
   void drawOpaque(const sim::Drawables& drawables) { draw(drawables, false); }
-  void drawAdditive(const sim::Drawables& drawables) { draw(drawables, true); }
+  /// `depth`: of that framebuffer. Where GlowSums takes sprites, sums gets their light; else null.
+  void drawAdditive(const sim::Drawables& drawables, const gl::Texture& depth, GlowSums* sums);
 
   /// Of drawables.instances[i], for tests.
   [[nodiscard]] const VisibleList& visible(std::size_t i) const { return *entries_.at(i).forCamera; }
@@ -58,6 +60,8 @@ class InstancesPass {
   void setInstance(const gl::Program& program, const sim::Instances& instances, bool forLight);
   void setLook(const gl::Program& program, const sim::Instances& instances, const Entry& entry) const;
   void draw(const sim::Drawables& drawables, bool additive);
+  void sumUp(const sim::Instances& instances, const Entry& own, const gl::Texture& depth,
+             const GlowSums& sums);
   /// The sprites of few pixels, level 0; the kernel's description of the instances is set.
   void drawSmall(const gl::Program& kernel, SmallSprites::Use use, const sim::Instances& instances,
                  const VisibleList& list, glm::ivec2 target);

@@ -7,6 +7,7 @@
 #include "draw/frame_values.hpp"
 #include "draw/ground_pass.hpp"
 #include "draw/instances_pass.hpp"
+#include "draw/resolve_pass.hpp"
 #include "draw/shadow_pass.hpp"
 #include "draw/skin_textures.hpp"
 #include "draw/surface_pass.hpp"
@@ -30,8 +31,9 @@ struct Renderer::State {
         surfaces(shown, shadow),
         instances(shadow, targets.scene, pixels, samples),
         ground(shown, shadow),
-        bloom(shown.render.bloom, pixels, samples),
-        toneMap(samples, bloom.on()),
+        resolve(pixels, samples),
+        bloom(shown.render.bloom, pixels, resolve.samples()),
+        toneMap(resolve.samples(), bloom.on()),
         frame("frame values", sizeof(shader::Frame)) {}
 
   const scene::Scene& scene;
@@ -45,6 +47,7 @@ struct Renderer::State {
   SurfacePass surfaces;
   InstancesPass instances;
   GroundPass ground;
+  ResolvePass resolve;
   BloomPass bloom;
   ToneMapPass toneMap;
   gl::Buffer frame;
@@ -101,11 +104,13 @@ void Renderer::State::drawScene(double seconds, const sim::Drawables& drawables,
   issued("crowds", crowds);
   s.ground.draw();
   issued("ground", s.ground.on());
-  s.instances.drawAdditive(drawables);
+  GlowSums* glows = s.resolve.glows(drawables);
+  s.instances.drawAdditive(drawables, s.targets.depth, glows);
   issued("crowds", crowds);
-  const gl::Texture* glow = s.bloom.on() ? &s.bloom.draw(s.targets) : nullptr;
+  const gl::Texture& light = s.resolve.draw(s.targets, glows);
+  const gl::Texture* scattered = s.bloom.on() ? &s.bloom.draw(light) : nullptr;
   issued("bloom", s.bloom.on());
-  s.toneMap.draw(s.targets, glow, s.scene.render.bloom.strength.at(seconds));
+  s.toneMap.draw(light, s.targets, scattered, s.scene.render.bloom.strength.at(seconds));
   issued("tone map");
 }
 

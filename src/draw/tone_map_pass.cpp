@@ -17,22 +17,18 @@ gl::Defines definesFor(int samples, bool bloom) {
 }  // namespace
 
 ToneMapPass::ToneMapPass(int samples, bool bloom)
-    : program_(
-          gl::Program::graphics("draw/tone_map.vert", "draw/tone_map.frag", definesFor(samples, bloom))) {
-  program_.checkUniformBlock("FrameBlock", sizeof(shader::Frame));
+    : program_("draw/tone_map.glsl", "rgba8", definesFor(samples, bloom), "draw/tone_map.vert") {
+  program_.program().checkUniformBlock("FrameBlock", sizeof(shader::Frame));
 }
 
-void ToneMapPass::draw(const Targets& targets, const gl::Texture* glow, float strength) const {
-  DrawState{.depthTest = false, .cullBack = false, .depthOffset = false}.set();
-  targets.picture.bind();
-  targets.light.bind(0);
+void ToneMapPass::draw(const gl::Texture& light, const Targets& targets, const gl::Texture* glow,
+                       float strength) const {
+  light.bind(0);
   if (glow != nullptr) {
     glow->bind(1);
-    program_.set("bloomStrength", strength);
+    program_.program().set("bloomStrength", strength);
   }
-  program_.use();
-  vertices_.bind();
-  glDrawArrays(GL_TRIANGLES, 0, 3);
+  program_.fill(targets.color, targets.picture);
 }
 
 }  // namespace simreel::draw

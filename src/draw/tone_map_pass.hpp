@@ -1,7 +1,6 @@
 #pragma once
-#include "draw/draw_state.hpp"
+#include "draw/screen_program.hpp"
 #include "draw/targets.hpp"
-#include "gl/program.hpp"
 
 namespace simreel::draw {
 
@@ -9,13 +8,14 @@ namespace simreel::draw {
 /// sRGB.
 class ToneMapPass {
  public:
+  /// `samples`: of the light that draw() gets.
   ToneMapPass(int samples, bool bloom);
-  /// `glow` times `strength` is added to the light; null without bloom.
-  void draw(const Targets& targets, const gl::Texture* glow, float strength) const;
+  /// Fills the picture of `targets`. `glow` times `strength` is added to the light; null without bloom.
+  void draw(const gl::Texture& light, const Targets& targets, const gl::Texture* glow,
+            float strength) const;
 
  private:
-  gl::Program program_;
-  VertexArray vertices_;
+  ScreenProgram program_;
 };
 
 }  // namespace simreel::draw

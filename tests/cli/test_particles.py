@@ -46,6 +46,29 @@ class Particles(Case):
         self.good("bake", "scene.json", "-o", "again", "--frames", "0")
         self.assertEqual(read_ply((self.folder / "again/p_000000.ply").read_bytes())[2], rows)
 
+    def test_glows_look_the_same_blended_and_summed_up(self):
+        """From specks to such that cover the picture, before, in and behind a ball, and behind the eye."""
+        rows = [(x, y, z, 8.0 ** (i % 5 - 2)) for i, (x, y, z) in enumerate(
+            (0.37 * (i % 9) - 1.5, 0.29 * (i % 7) - 0.9, 0.41 * (i % 11) - 2.2) for i in range(83))]
+        self.write("a.csv", "x,y,z,mass\n0.2,0.1,4.7,300\n" + "".join(
+            f"{x:.3f},{y:.3f},{z:.3f},{mass}\n" for x, y, z, mass in rows))
+        look = {"additive": True, "brightness": 0.15, "size": 0.03, "massExponent": 0.6}
+        for samples in (1, 4):
+            self.write("scene.json", {
+                "version": 1, "time": {"fps": 30, "duration": 0}, "camera": {"position": [0, 0.3, 4], "target": [0, 0, 0]},
+                "sky": {"zenith": [0, 0, 0.01], "horizon": [0.01, 0.01, 0.02], "ground": [0, 0, 0]},
+                "render": {"size": [203, 117], "samples": samples, "bloom": {"strength": 0.3}},
+                "objects": {"ball": {"sphere": {"radius": 0.8}},
+                            "p": {"particles": {"groups": [{"shape": "file", "file": "a.csv"}], "method": "none",
+                                                "look": look}}}})
+            for path in ("texel", "storage"):
+                self.good("render", "scene.json", "-o", f"{path}.png", "--memory-path", path, "--overwrite")
+            self.good("diff", "texel.png", "storage.png", "--max-channel-diff", "3", "--max-diff-ratio", "0.002",
+                      "--hard-fail", "12")
+            self.good("render", "scene.json", "-o", "none.png", "-D", "objects.p.particles.look.brightness=0", "--overwrite")
+            done = self.run_program("diff", "texel.png", "none.png", "--max-channel-diff", "3", "--max-diff-ratio", "0.3")
+            self.assertEqual(done.returncode, 1, "the glows do not show")
+
 
 if __name__ == "__main__":
     main()

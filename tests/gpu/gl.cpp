@@ -63,6 +63,7 @@ TEST_CASE("shader errors name the original file and line, also of includes") {
   CHECK(messageOf("user.comp").find("glsl/part.glsl:4") != std::string::npos);
   CHECK(messageOf("late.comp").find("glsl/late.comp:3") != std::string::npos);
   CHECK(messageOf("missing.comp").find("nowhere.glsl") != std::string::npos);
+  CHECK_THROWS_AS(testContext().check(), UserError);  // or the next test would hear of it
 }
 
 TEST_CASE("a buffer keeps what is written and survives moves") {

@@ -1,0 +1,29 @@
+// The average of each pixel's samples and (GLOWS) the glows that kernels have summed up, whose sums are empty
+// afterwards. SAMPLES: 1 or more.
+#include "draw/frame_block.glsl"
+#ifdef GLOWS
+#include "draw/glow_block.glsl"
+#endif
+layout(local_size_x = 8, local_size_y = 8) in;
+layout(rgba16f, binding = 0) writeonly restrict uniform image2D resolved;
+#if SAMPLES > 1
+layout(binding = 0) uniform sampler2DMS scene;
+#else
+layout(binding = 0) uniform sampler2D scene;
+#endif
+
+void main() {
+  ivec2 at = ivec2(gl_GlobalInvocationID.xy);
+  if (any(greaterThanEqual(at, ivec2(frame.lens.zw)))) return;
+  vec4 light = vec4(0);
+  for (int i = 0; i < SAMPLES; ++i) light += texelFetch(scene, at, i * int(SAMPLES > 1));
+  light /= float(SAMPLES);
+#ifdef GLOWS
+  int word = 3 * (at.y * int(frame.lens.z) + at.x);
+  for (int i = 0; i < 3; ++i) {
+    light[i] += float(glowSums[word + i]) / glowScale;
+    glowSums[word + i] = 0u;
+  }
+#endif
+  imageStore(resolved, at, min(light, 6e4));  // glows may add up beyond what half floats hold
+}

@@ -1,0 +1,29 @@
+#pragma once
+#include "draw/glow_sums.hpp"
+#include "draw/targets.hpp"
+
+#include <memory>
+
+namespace simreel::draw {
+
+/// On the storage path: one picture of the scene's light for the kernels after it, the glows' sums in it.
+/// On the texel path those passes read the samples themselves, and there is nothing to do.
+class ResolvePass {
+ public:
+  ResolvePass(glm::ivec2 size, int samples);
+  /// Of the light that draw() gives.
+  [[nodiscard]] int samples() const { return program_.name() == 0 ? samples_ : 1; }
+  /// Where additive sprites go, if they go there at all.
+  [[nodiscard]] GlowSums* glows(const sim::Drawables& drawables);
+  /// `glows` as above.
+  const gl::Texture& draw(const Targets& targets, const GlowSums* glows);
+
+ private:
+  glm::ivec2 size_;
+  int samples_;
+  gl::Program program_, glowProgram_;
+  gl::Texture resolved_;
+  std::unique_ptr<GlowSums> glows_;
+};
+
+}  // namespace simreel::draw
