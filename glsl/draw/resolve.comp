@@ -8,15 +8,21 @@ layout(local_size_x = 8, local_size_y = 8) in;
 layout(rgba16f, binding = 0) writeonly restrict uniform image2D resolved;
 #if SAMPLES > 1
 layout(binding = 0) uniform sampler2DMS scene;
+layout(binding = 1) uniform sampler2DMS sceneDepth;
 #else
 layout(binding = 0) uniform sampler2D scene;
+layout(binding = 1) uniform sampler2D sceneDepth;
 #endif
+uniform int cleared;  // 0: where nothing has written depth, the light is what an earlier frame left
 
 void main() {
   ivec2 at = ivec2(gl_GlobalInvocationID.xy);
   if (any(greaterThanEqual(at, ivec2(frame.lens.zw)))) return;
   vec4 light = vec4(0);
-  for (int i = 0; i < SAMPLES; ++i) light += texelFetch(scene, at, i * int(SAMPLES > 1));
+  for (int i = 0; i < SAMPLES; ++i) {
+    int s = i * int(SAMPLES > 1);
+    if (cleared != 0 || texelFetch(sceneDepth, at, s).x < 1.0) light += texelFetch(scene, at, s);
+  }
   light /= float(SAMPLES);
 #ifdef GLOWS
   int word = 3 * (at.y * int(frame.lens.z) + at.x);

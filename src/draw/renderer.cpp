@@ -94,7 +94,8 @@ void Renderer::State::drawScene(double seconds, const sim::Drawables& drawables,
   }
   s.instances.cull(drawables);
   issued("crowds", crowds);
-  s.targets.clear();
+  const bool cleared = s.resolve.needsClearedLight(drawables);
+  s.targets.clear(cleared);
   s.targets.scene.bind();
   s.fields.draw(drawables, sim::FieldDisplay::Layer::behind, seconds);
   s.shadow.bind();
@@ -107,7 +108,7 @@ void Renderer::State::drawScene(double seconds, const sim::Drawables& drawables,
   GlowSums* glows = s.resolve.glows(drawables);
   s.instances.drawAdditive(drawables, s.targets.depth, glows);
   issued("crowds", crowds);
-  const gl::Texture& light = s.resolve.draw(s.targets, glows);
+  const gl::Texture& light = s.resolve.draw(s.targets, glows, cleared);
   const gl::Texture* scattered = s.bloom.on() ? &s.bloom.draw(light) : nullptr;
   issued("bloom", s.bloom.on());
   s.toneMap.draw(light, s.targets, scattered, s.scene.render.bloom.strength.at(seconds));

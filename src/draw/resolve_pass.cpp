@@ -1,6 +1,7 @@
 #include "draw/resolve_pass.hpp"
 
 #include "gl/context.hpp"
+#include "sim/field_display.hpp"
 
 #include <algorithm>
 #include <string>
@@ -11,6 +12,18 @@ ResolvePass::ResolvePass(glm::ivec2 size, int samples) : size_(size), samples_(s
   if (gl::memoryPath() == gl::MemoryPath::texel) return;
   program_ = gl::Program::compute("draw/resolve.comp", {{"SAMPLES", std::to_string(samples)}});
   resolved_ = gl::Texture::image("resolved light", GL_RGBA16F, size.x, size.y);
+}
+
+bool ResolvePass::needsClearedLight(const sim::Drawables& drawables) const {
+  if (program_.name() == 0) return true;
+  return std::any_of(drawables.fields.begin(), drawables.fields.end(),
+                     [](const sim::Field& field) {
+                       return field.display != nullptr &&
+                              field.display->layer == sim::FieldDisplay::Layer::behind;
+                     }) ||
+         std::any_of(drawables.instances.begin(), drawables.instances.end(), [](const sim::Instances& i) {
+           return i.additive && !GlowSums::takes(i);
+         });
 }
 
 GlowSums* ResolvePass::glows(const sim::Drawables& drawables) {
@@ -24,14 +37,17 @@ GlowSums* ResolvePass::glows(const sim::Drawables& drawables) {
   return glows_.get();
 }
 
-const gl::Texture& ResolvePass::draw(const Targets& targets, const GlowSums* glows) {
+const gl::Texture& ResolvePass::draw(const Targets& targets, const GlowSums* glows,
+                                     bool cleared) {
   if (program_.name() == 0) return targets.light;
   const gl::Program& program = glows != nullptr ? glowProgram_ : program_;
   if (glows != nullptr) {
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
     glows->bind(program);
   }
+  program.set("cleared", static_cast<int>(cleared));
   targets.light.bind(0);
+  targets.depth.bind(1);
   resolved_.bindImage(0, GL_WRITE_ONLY);
   program.dispatch(size_.x, size_.y);
   glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT);

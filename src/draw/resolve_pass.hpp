@@ -13,10 +13,13 @@ class ResolvePass {
   ResolvePass(glm::ivec2 size, int samples);
   /// Of the light that draw() gives.
   [[nodiscard]] int samples() const { return program_.name() == 0 ? samples_ : 1; }
+  /// Whether draw() needs light where no depth was written. Cards for computing clear four samples of a
+  /// 1280x720 picture in 0.8 ms, two thirds of it for the light.
+  [[nodiscard]] bool needsClearedLight(const sim::Drawables& drawables) const;
   /// Where additive sprites go, if they go there at all.
   [[nodiscard]] GlowSums* glows(const sim::Drawables& drawables);
-  /// `glows` as above.
-  const gl::Texture& draw(const Targets& targets, const GlowSums* glows);
+  /// `glows` and `cleared` as above.
+  const gl::Texture& draw(const Targets& targets, const GlowSums* glows, bool cleared);
 
  private:
   glm::ivec2 size_;

@@ -66,13 +66,13 @@ Targets::Targets(glm::ivec2 size, int samples) {
   picture = gl::Framebuffer("picture", &color, nullptr);
 }
 
-void Targets::clear() const {
+void Targets::clear(bool lightToo) const {
   constexpr std::array<GLfloat, 4> none = {0, 0, 0, 0};
   constexpr GLfloat farthest = 1;
   glDisable(GL_SCISSOR_TEST);
   glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   glDepthMask(GL_TRUE);
-  glClearNamedFramebufferfv(scene.name(), GL_COLOR, 0, none.data());
+  if (lightToo) glClearNamedFramebufferfv(scene.name(), GL_COLOR, 0, none.data());
   glClearNamedFramebufferfv(scene.name(), GL_DEPTH, 0, &farthest);
 }
 

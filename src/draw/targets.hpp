@@ -10,8 +10,8 @@ struct Targets {
   /// Throws UserError(device) naming the limit when the device has no such size or number of samples.
   Targets(glm::ivec2 size, int samples);
 
-  /// Empty and without depth: light 0, alpha 0 (nothing drawn: sky).
-  void clear() const;
+  /// Without depth and, unless `lightToo` is false, empty: light 0, alpha 0 (nothing drawn: sky).
+  void clear(bool lightToo) const;
 
   gl::Texture light;
   gl::Texture depth;

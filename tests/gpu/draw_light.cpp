@@ -1,5 +1,5 @@
 // Shading and shadows against geometry worked out by hand.
-#include "gpu/draw_stage.hpp"
+#include "gpu/crowd_stage.hpp"
 
 #include <cmath>
 
@@ -117,6 +117,26 @@ TEST_CASE("no shadow when the sun's shadow is off, and no acne on a lit sheet") 
   CHECK(middle > 20);
   for (int y = 12; y < 52; ++y)
     for (int x = 12; x < 52; ++x) CHECK(std::abs(lit.brightness(x, y) - middle) < 30);
+}
+
+TEST_CASE("a picture forgets the frame before, also behind glows") {
+  testContext();
+  const scene::Scene scene = darkScene();
+  GridStage sheet({4, 4}, {-1.5F, -1.5F, 0}, {3, 0, 0}, {0, 3, 0});
+  GridStage aside({4, 4}, {-3, -1, 0}, {2, 0, 0}, {0, 1.5F, 0});
+  CrowdStage glow(std::vector<glm::vec3>(1, glm::vec3(0.3F)));
+  glow.instances.additive = true;
+  for (const auto shape : {sim::Instances::Shape::sprite, sim::Instances::Shape::sphere})
+    for (const int samples : {1, 4}) {
+      glow.instances.shape = shape;
+      const sim::Drawables last = {.surfaces = {aside.surface}, .instances = {glow.instances}};
+      draw::Renderer renderer(scene, {65, 47}, samples);
+      draw::Readback readback({65, 47});
+      renderer.draw(0, {.surfaces = {sheet.surface}});
+      renderer.draw(0, last);
+      readback.start(renderer.target(), 0);
+      CHECK(readback.take(true).value().second == drawn(scene, last, {65, 47}, samples).bytes);
+    }
 }
 
 TEST_CASE("the shadow map forgets the frame before") {
