@@ -21,9 +21,8 @@ bool ResolvePass::needsClearedLight(const sim::Drawables& drawables) const {
                        return field.display != nullptr &&
                               field.display->layer == sim::FieldDisplay::Layer::behind;
                      }) ||
-         std::any_of(drawables.instances.begin(), drawables.instances.end(), [](const sim::Instances& i) {
-           return i.additive && !GlowSums::takes(i);
-         });
+         std::any_of(drawables.instances.begin(), drawables.instances.end(),
+                     [](const sim::Instances& i) { return i.additive && !GlowSums::takes(i); });
 }
 
 GlowSums* ResolvePass::glows(const sim::Drawables& drawables) {
@@ -37,8 +36,7 @@ GlowSums* ResolvePass::glows(const sim::Drawables& drawables) {
   return glows_.get();
 }
 
-const gl::Texture& ResolvePass::draw(const Targets& targets, const GlowSums* glows,
-                                     bool cleared) {
+const gl::Texture& ResolvePass::draw(const Targets& targets, const GlowSums* glows, bool cleared) {
   if (program_.name() == 0) return targets.light;
   const gl::Program& program = glows != nullptr ? glowProgram_ : program_;
   if (glows != nullptr) {

@@ -12,8 +12,8 @@ struct Limits {
   std::int32_t groupsX = 0;             ///< GL_MAX_COMPUTE_WORK_GROUP_COUNT[0]
   std::int32_t sharedBytes = 0;         ///< GL_MAX_COMPUTE_SHARED_MEMORY_SIZE
   std::int32_t uniformAlignment = 256;  ///< GL_UNIFORM_BUFFER_OFFSET_ALIGNMENT
-  bool shuffle32 = false;               ///< subgroups of 32 that exchange registers (GL_KHR_shader_subgroup)
-  float anisotropy = 1.0F;              ///< GL_MAX_TEXTURE_MAX_ANISOTROPY, 1 where it is missing
+  bool shuffle32 = false;   ///< subgroups of 32 that exchange registers (GL_KHR_shader_subgroup)
+  float anisotropy = 1.0F;  ///< GL_MAX_TEXTURE_MAX_ANISOTROPY, 1 where it is missing
 };
 
 /// Of the current context; read once when the context is made.
