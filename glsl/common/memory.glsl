@@ -1,5 +1,5 @@
 // One kernel source, two memory paths: texel views of the buffers where the driver is software, storage
-// blocks on a GPU (defines TEXEL_PATH; src/gl/vec4_array.hpp binds accordingly). Inputs and states share the
+// blocks on a GPU (defines TEXEL_PATH; src/gl/element_array.hpp binds accordingly). Inputs and states share the
 // binding numbers of the storage path, so a kernel gives each array its own.
 #ifdef TEXEL_PATH
 #define INPUT_ARRAY(unit, block, name) layout(binding = unit) uniform samplerBuffer name;

@@ -55,7 +55,7 @@ std::vector<BenchChoice> parseVary(const std::string& text) {
   std::vector<BenchChoice> choices;
   for (const std::string& value : split(std::string_view(text).substr(equals + 1))) {
     if (value.empty()) fail(ExitCode::usage, "--vary {}: a value is missing between commas", text);
-    choices.push_back({last + "=" + value, {{path, value}}});
+    choices.push_back({fmt::format("{}={}", last, value), {{path, value}}});
   }
   return choices;
 }

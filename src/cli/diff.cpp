@@ -79,7 +79,7 @@ void comparePictures(const DiffOptions& options, const scene::Tolerance& toleran
 }
 
 golden::PairList findPairs(const DiffOptions& options, bool folders) {
-  const auto list =
+  auto list =
       folders ? golden::pairFolders(options.a, options.b) : golden::pairPatterns(options.a, options.b);
   if (list.pairs.empty() && list.onlyA.empty() && list.onlyB.empty())
     fail(ExitCode::nothingRan, "neither {} nor {} has any PNG files", options.a, options.b);

@@ -1,7 +1,7 @@
 #include "gl/radix_sort.hpp"
 
 #include "base/error.hpp"
-#include "gl/vec4_array.hpp"
+#include "gl/element_array.hpp"
 
 #include <utility>
 

@@ -1,7 +1,7 @@
 #pragma once
 #include "gl/buffer.hpp"
+#include "gl/element_array.hpp"
 #include "gl/program.hpp"
-#include "gl/words_array.hpp"
 
 #include <span>
 #include <string>

@@ -1,8 +1,8 @@
 #include "golden/trace.hpp"
 
 #include "base/error.hpp"
+#include "gl/element_array.hpp"
 #include "gl/program.hpp"
-#include "gl/vec4_array.hpp"
 #include "golden/trace_layout.hpp"
 #include "sim/world.hpp"
 

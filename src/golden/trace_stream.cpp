@@ -1,7 +1,7 @@
 #include "golden/trace_stream.hpp"
 
 #include "base/error.hpp"
-#include "gl/vec4_array.hpp"
+#include "gl/element_array.hpp"
 #include "sim/state_hash.hpp"
 
 #include <algorithm>

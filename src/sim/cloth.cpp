@@ -1,9 +1,9 @@
 #include "sim/cloth.hpp"
 
 #include "base/error.hpp"
+#include "gl/element_array.hpp"
 #include "gl/limits.hpp"
 #include "gl/program.hpp"
-#include "gl/vec4_array.hpp"
 #include "sim/cloth_plan.hpp"
 #include "sim/cloth_quantities.hpp"
 #include "sim/height_field.hpp"

@@ -1,9 +1,9 @@
 #include "sim/deform.hpp"
 
 #include "base/error.hpp"
+#include "gl/element_array.hpp"
 #include "gl/program.hpp"
 #include "gl/radix_sort.hpp"
-#include "gl/vec4_array.hpp"
 #include "sim/deform_cpu.hpp"
 #include "sim/deform_plan.hpp"
 #include "sim/height_field.hpp"

@@ -1,7 +1,7 @@
 #include "sim/epidemic.hpp"
 
+#include "gl/element_array.hpp"
 #include "gl/limits.hpp"
-#include "gl/vec4_array.hpp"
 #include "sim/epidemic_plan.hpp"
 #include "sim/spread_grid.hpp"
 #include "sim/spread_steps.hpp"

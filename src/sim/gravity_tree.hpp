@@ -1,6 +1,6 @@
 #pragma once
+#include "gl/element_array.hpp"
 #include "gl/radix_sort.hpp"
-#include "gl/vec4_array.hpp"
 #include "sim/shader_code.hpp"
 
 #include <string>

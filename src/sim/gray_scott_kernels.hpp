@@ -1,7 +1,6 @@
 #pragma once
+#include "gl/element_array.hpp"
 #include "gl/program.hpp"
-#include "gl/vec4_array.hpp"
-#include "gl/words_array.hpp"
 #include "sim/gray_scott_plan.hpp"
 
 #include <string>

@@ -1,6 +1,6 @@
 #pragma once
+#include "gl/element_array.hpp"
 #include "gl/program.hpp"
-#include "gl/vec4_array.hpp"
 #include "sim/height_plan.hpp"
 
 #include <string>

@@ -1,10 +1,9 @@
 #include "sim/life.hpp"
 
 #include "base/error.hpp"
+#include "gl/element_array.hpp"
 #include "gl/limits.hpp"
 #include "gl/program.hpp"
-#include "gl/vec4_array.hpp"
-#include "gl/words_array.hpp"
 #include "sim/life_plan.hpp"
 #include "sim/life_stepper.hpp"
 

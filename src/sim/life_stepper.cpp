@@ -1,6 +1,6 @@
 #include "sim/life_stepper.hpp"
 
-#include "gl/vec4_array.hpp"
+#include "gl/element_array.hpp"
 
 #include <string>
 

@@ -1,6 +1,6 @@
 #pragma once
+#include "gl/element_array.hpp"
 #include "gl/program.hpp"
-#include "gl/words_array.hpp"
 #include "sim/life_rule.hpp"
 
 #include <map>

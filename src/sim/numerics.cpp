@@ -2,8 +2,8 @@
 
 #include "base/hash.hpp"
 #include "gl/buffer.hpp"
+#include "gl/element_array.hpp"
 #include "gl/program.hpp"
-#include "gl/vec4_array.hpp"
 #include "sim/shader_code.hpp"
 
 #include <array>

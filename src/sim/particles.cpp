@@ -1,9 +1,9 @@
 #include "sim/particles.hpp"
 
 #include "base/error.hpp"
+#include "gl/element_array.hpp"
 #include "gl/limits.hpp"
 #include "gl/program.hpp"
-#include "gl/vec4_array.hpp"
 #include "sim/gravity_tree.hpp"
 #include "sim/height_field.hpp"
 #include "sim/particles_pairs.hpp"

@@ -1,8 +1,8 @@
 #include "sim/spread_grid.hpp"
 
 #include "base/error.hpp"
+#include "gl/element_array.hpp"
 #include "gl/limits.hpp"
-#include "gl/vec4_array.hpp"
 
 #include <algorithm>
 #include <bit>

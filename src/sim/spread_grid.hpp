@@ -1,5 +1,5 @@
 #pragma once
-#include "gl/words_array.hpp"
+#include "gl/element_array.hpp"
 #include "sim/drawable.hpp"
 #include "sim/simulation.hpp"
 #include "sim/spread_plan.hpp"

@@ -1,7 +1,7 @@
 #include "sim/wildfire.hpp"
 
+#include "gl/element_array.hpp"
 #include "gl/limits.hpp"
-#include "gl/vec4_array.hpp"
 #include "sim/spread_grid.hpp"
 #include "sim/spread_steps.hpp"
 #include "sim/wildfire_plan.hpp"

@@ -1,7 +1,7 @@
 #include "sim/world.hpp"
 
 #include "base/error.hpp"
-#include "gl/vec4_array.hpp"
+#include "gl/element_array.hpp"
 #include "sim/list.hpp"
 #include "sim/shape.hpp"
 #include "sim/state_hash.hpp"

@@ -1,8 +1,8 @@
 #include "base/error.hpp"
+#include "gl/element_array.hpp"
 #include "gl/limits.hpp"
 #include "gl/program.hpp"
 #include "gl/texture.hpp"
-#include "gl/vec4_array.hpp"
 #include "gpu/context.hpp"
 
 #include <array>

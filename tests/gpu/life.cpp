@@ -1,7 +1,7 @@
 #include "sim/life.hpp"
 
 #include "base/error.hpp"
-#include "gl/vec4_array.hpp"
+#include "gl/element_array.hpp"
 #include "gpu/context.hpp"
 #include "reference/life_twin.hpp"
 #include "sim/life_stepper.hpp"

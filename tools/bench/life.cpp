@@ -4,7 +4,7 @@
 //   bench_life [WIDTH HEIGHT [STEPS [plain]]]     defaults 4096 4096 64; "plain": no CPU loops
 // Memory is 2 bits a cell; one pass reads and writes 2 bits a cell, however many generations it takes.
 #include "gl/context.hpp"
-#include "gl/vec4_array.hpp"
+#include "gl/element_array.hpp"
 #include "reference/life_twin.hpp"
 #include "sim/life_stepper.hpp"
 

@@ -12,26 +12,29 @@
 
 namespace simreel::gl {
 
-/// Simulation state of vec4 elements, reachable both as a storage block and as texels; binds the way that
-/// glsl/common/memory.glsl declares for the current memory path.
-class Vec4Array {
+/// Simulation state of elements of 16 bytes, reachable both as a storage block and as texels; binds the way
+/// that glsl/common/memory.glsl (vec4) and words.glsl (uvec4) declare for the current memory path.
+template <class Element, GLenum format>
+class ElementArray {
  public:
-  Vec4Array() = default;
-  Vec4Array(const std::string& label, std::span<const glm::vec4> items)
-      : buffer_(Buffer::of(label, items)), view_(Texture::view(label, GL_RGBA32F, buffer_)) {}
-
+  ElementArray() = default;
+  /// Zeros.
+  ElementArray(const std::string& label, int count)
+      : ElementArray(label, Buffer(label, static_cast<std::size_t>(count) * sizeof(Element))) {}
+  ElementArray(const std::string& label, std::span<const Element> items)
+      : ElementArray(label, Buffer::of(label, items)) {}
   /// Over memory that is there, whole elements.
-  Vec4Array(const std::string& label, Buffer buffer)
-      : buffer_(std::move(buffer)), view_(Texture::view(label, GL_RGBA32F, buffer_)) {}
+  ElementArray(const std::string& label, Buffer buffer)
+      : buffer_(std::move(buffer)), view_(Texture::view(label, format, buffer_)) {}
 
-  /// For INPUT_ARRAY(unit, ...).
+  /// For INPUT_ARRAY(unit, ...) and INPUT_WORDS.
   void bindInput(GLuint unit) const {
     if (memoryPath() == MemoryPath::texel)
       view_.bind(unit);
     else
       buffer_.bindStorage(unit);
   }
-  /// For STATE_ARRAY(unit, ...).
+  /// For STATE_ARRAY(unit, ...) and STATE_WORDS.
   void bindState(GLuint unit) const {
     if (memoryPath() == MemoryPath::texel)
       view_.bindImage(unit, GL_READ_WRITE);
@@ -40,14 +43,18 @@ class Vec4Array {
   }
 
   /// Copies to the front, ordered with the GL commands around it.
-  void write(std::span<const glm::vec4> items) { buffer_.write(0, std::as_bytes(items)); }
+  void write(std::span<const Element> items) { buffer_.write(0, std::as_bytes(items)); }
   [[nodiscard]] const Buffer& buffer() const { return buffer_; }
   [[nodiscard]] const Texture& view() const { return view_; }
 
  private:
+  static_assert(sizeof(Element) == 16);
   Buffer buffer_;
   Texture view_;
 };
+
+using Vec4Array = ElementArray<glm::vec4, GL_RGBA32F>;
+using WordsArray = ElementArray<glm::uvec4, GL_RGBA32UI>;
 
 /// Makes writes of the last dispatch visible to the next one and to drawing.
 inline void barrier() {
