@@ -6,6 +6,7 @@
 #include "cli/bake_files.hpp"
 #include "cli/bake_maps.hpp"
 #include "cli/commands.hpp"
+#include "cli/device_options.hpp"
 #include "cli/scene_options.hpp"
 #include "frame/frames_spec.hpp"
 #include "frame/interrupt.hpp"
@@ -28,7 +29,8 @@ namespace fs = std::filesystem;
 
 struct BakeOptions {
   SceneOptions scene;
-  std::string output, object, format, look, device, memoryPath;
+  std::string output, object, format, look;
+  gl::ContextOptions on;
   std::optional<std::string> frames;
   bool overwrite = false;
 };
@@ -61,8 +63,7 @@ void bake(const BakeOptions& o) {
                      .output = o.output,
                      .object = o.object,
                      .look = o.look,
-                     .device = o.device,
-                     .memoryPath = o.memoryPath,
+                     .on = o.on,
                      .frames = o.frames,
                      .overwrite = o.overwrite});
   if (!o.look.empty()) fail(ExitCode::usage, "--look belongs to --format maps");
@@ -73,7 +74,7 @@ void bake(const BakeOptions& o) {
   else
     for (int frame = 0; frame < scene.frameCount(); ++frame) frames.push_back(frame);
   frame::catchInterrupts();
-  const gl::Context context({.device = o.device, .debug = false, .memoryPath = o.memoryPath});
+  const gl::Context context(o.on);
   sim::World world(scene);
   const auto objects = bakedObjects(world, o);
   for (const int frame : frames)
@@ -129,9 +130,7 @@ void addBake(CLI::App& app) {
                       "Frames to write, for example 0-99x2,150; none given: all, of maps the last");
   command->add_option("--look", o->look, "With maps: a field as it is, as leather, spots, cracks or map");
   command->add_option("--object", o->object, "Only this object");
-  command->add_option("--device", o->device, "Index or part of a name (see `simreel doctor`)");
-  command->add_option("--memory-path", o->memoryPath,
-                      "How kernels read: storage or texel (default: by driver)");
+  addDevice(*command, o->on);
   command->add_flag("--overwrite", o->overwrite, "Replace files that exist");
   command->callback([o] { bake(*o); });
 }

@@ -155,7 +155,7 @@ void bakeMaps(const MapsOptions& o) {
       o.frames ? frame::parseFrames(*o.frames) : std::vector<int>{scene.frameCount() - 1};
   refuseExisting(o, objects, frames);
   frame::catchInterrupts();
-  const gl::Context context({.device = o.device, .debug = false, .memoryPath = o.memoryPath});
+  const gl::Context context(o.on);
   sim::World world(scene);
   MapWriter writer(o, scene, size);
   makeFolders(o.output);

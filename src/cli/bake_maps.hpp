@@ -1,5 +1,6 @@
 #pragma once
 #include "cli/scene_options.hpp"
+#include "gl/context.hpp"
 
 #include <optional>
 #include <string>
@@ -9,7 +10,8 @@ namespace simreel::cli {
 /// What `simreel bake --format maps` is asked for.
 struct MapsOptions {
   SceneOptions scene;  ///< its size is that of the maps; none: as many texels as the field has cells
-  std::string output, object, look, device, memoryPath;
+  std::string output, object, look;
+  gl::ContextOptions on;
   std::optional<std::string> frames;  ///< none: the last one
   bool overwrite = false;
 };

@@ -8,6 +8,7 @@
 #include "cli/bench_report.hpp"
 #include "cli/bench_rows.hpp"
 #include "cli/commands.hpp"
+#include "cli/device_options.hpp"
 #include "cli/scene_options.hpp"
 #include "frame/interrupt.hpp"
 #include "frame/progress.hpp"
@@ -37,7 +38,7 @@ struct BenchOptions {
   int rounds = 3;
   std::string timing;
   std::string json, chart;
-  std::string device, memoryPath;
+  gl::ContextOptions on;
   std::string progress = "auto";
 };
 
@@ -130,7 +131,7 @@ void bench(const BenchOptions& o) {
   auto rows = rowsOf(o, scenes);
   frame::catchInterrupts();
   frame::ignoreBrokenPipes();
-  const gl::Context context({.device = o.device, .debug = false, .memoryPath = o.memoryPath});
+  const gl::Context context(o.on);
   BenchReport report{.scene = o.scene.file,
                      .device = context.device().name,
                      .driver = context.device().version,
@@ -176,9 +177,7 @@ void addBench(CLI::App& app) {
       ->check(CLI::IsMember({"wait", "query", "whole"}));
   command->add_option("--json", o->json, "File for all of it as JSON, or -");
   command->add_option("--chart", o->chart, "File for a chart, .svg");
-  command->add_option("--device", o->device, "Index or part of a name (see `simreel doctor`)");
-  command->add_option("--memory-path", o->memoryPath,
-                      "How kernels read: storage or texel (default: by driver)");
+  addDevice(*command, o->on);
   command->add_option("--progress", o->progress, "auto, tty, ndjson or none");
   command->callback([o] { bench(*o); });
 }

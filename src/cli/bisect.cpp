@@ -4,6 +4,7 @@
 #include "base/process.hpp"
 #include "cli/bisect_report.hpp"
 #include "cli/commands.hpp"
+#include "cli/device_options.hpp"
 #include "cli/scene_options.hpp"
 #include "frame/frames_spec.hpp"
 #include "frame/interrupt.hpp"
@@ -24,7 +25,7 @@ namespace {
 
 struct BisectOptions {
   SceneOptions scene;
-  std::string device, memoryPath;
+  gl::ContextOptions on;
   std::optional<std::string> against, againstDevice, againstMemoryPath;
   std::optional<int> frames;
   bool json = false;
@@ -48,7 +49,7 @@ golden::BisectSide side(const char* name, const std::string& command, const Bise
 /// The simulation knows what its elements are called; the children's contexts have gone by now.
 std::string elementName(const BisectOptions& o, const scene::Scene& scene, const std::string& object,
                         long element) {
-  const gl::Context context({.device = o.device, .debug = false, .memoryPath = o.memoryPath});
+  const gl::Context context(o.on);
   const sim::World world(scene);
   for (std::size_t i = 0; i < world.objectCount(); ++i)
     if (world.objectName(i) == object) return world.object(i).elementName(element);
@@ -71,9 +72,10 @@ void bisect(const BisectOptions& o) {
   const scene::Scene scene = o.scene.load();
   const int last = lastFrame(o, scene);
   const std::string own = ownCommand();
-  const auto here = side("this side", own, o, o.device, o.memoryPath);
-  const auto there = side("the other side", o.against.value_or(own), o, o.againstDevice.value_or(o.device),
-                          o.againstMemoryPath.value_or(o.memoryPath));
+  const auto here = side("this side", own, o, o.on.device, o.on.memoryPath);
+  const auto there =
+      side("the other side", o.against.value_or(own), o, o.againstDevice.value_or(o.on.device),
+           o.againstMemoryPath.value_or(o.on.memoryPath));
   if (!o.against && !o.againstDevice && !o.againstMemoryPath)
     info(
         "simreel: comparing this program with itself on the same device, which shows whether it repeats; "
@@ -110,9 +112,7 @@ void addBisect(CLI::App& app) {
                       "Memory path of the other side (default: the same)");
   command->add_option("--frames", o->frames,
                       "How many frames to compare (default: all), beside the pre-roll");
-  command->add_option("--device", o->device, "Index or part of a name (see `simreel doctor`)");
-  command->add_option("--memory-path", o->memoryPath,
-                      "How kernels read: storage or texel (default: by driver)");
+  addDevice(*command, o->on);
   command->add_flag("--json", o->json, "Print the result as JSON");
   command->callback([o] { bisect(*o); });
 }

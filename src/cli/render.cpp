@@ -1,6 +1,7 @@
 #include "base/error.hpp"
 #include "base/log.hpp"
 #include "cli/commands.hpp"
+#include "cli/device_options.hpp"
 #include "cli/scene_options.hpp"
 #include "frame/field_files.hpp"
 #include "frame/frame_sink.hpp"
@@ -27,14 +28,12 @@ struct RenderOptions {
   std::string output;
   std::optional<std::string> frames;
   std::optional<std::string> fields;
-  std::string device;
-  std::string memoryPath;
+  gl::ContextOptions on;
   std::string progress = "auto";
   std::string streamFormat = "rgba";
   bool overwrite = false;
   bool resume = false;
   bool skipExisting = false;
-  bool debug = false;
   bool noCounts = false;
 };
 
@@ -66,7 +65,7 @@ void render(const RenderOptions& o) {
   frame::catchInterrupts();
   frame::ignoreBrokenPipes();
 
-  const gl::Context context({.device = o.device, .debug = o.debug, .memoryPath = o.memoryPath});
+  const gl::Context context(o.on);
   const auto numerics = sim::probeNumerics();
   if (scene.numerics == scene::Numerics::exact && !numerics.exactHolds)
     fail(ExitCode::device,
@@ -110,9 +109,7 @@ void addRender(CLI::App& app) {
       ->add_option("--fields", o->fields,
                    "Also the raw values of every field, beside each picture: npy or pfm")
       ->check(CLI::IsMember({"npy", "pfm"}));
-  command->add_option("--device", o->device, "Index or part of a name (see `simreel doctor`)");
-  command->add_option("--memory-path", o->memoryPath,
-                      "How kernels read: storage or texel (default: by driver)");
+  addDevice(*command, o->on);
   command->add_option("--progress", o->progress, "auto, tty, ndjson or none");
   command->add_option("--stream-format", o->streamFormat, "Of -o -: rgba or y4m")
       ->check(CLI::IsMember({"rgba", "y4m"}));
@@ -122,7 +119,7 @@ void addRender(CLI::App& app) {
   command->add_flag("--skip-existing", o->skipExisting, "Keep every frame whose file exists");
   command->add_flag("--no-counts", o->noCounts,
                     "Do not write what epidemics and fires count (NAME.counts.csv beside the frames)");
-  command->add_flag("--debug", o->debug, "Ask the driver for debug messages; serious ones are errors");
+  command->add_flag("--debug", o->on.debug, "Ask the driver for debug messages; serious ones are errors");
   command->callback([o] { render(*o); });
 }
 

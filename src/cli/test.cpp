@@ -4,6 +4,7 @@
 #include "base/log.hpp"
 #include "base/version.hpp"
 #include "cli/commands.hpp"
+#include "cli/device_options.hpp"
 #include "cli/tolerance_options.hpp"
 #include "frame/interrupt.hpp"
 #include "gl/context.hpp"
@@ -40,8 +41,7 @@ struct TestOptions {
   std::string update;
   bool updateGiven = false;
   std::string reason, profile;
-  std::string device, memoryPath;
-  bool debug = false;
+  gl::ContextOptions on;
   bool list = false;
   ToleranceOptions tolerance;
   std::string command;  ///< as typed
@@ -188,7 +188,7 @@ void test(const TestOptions& o) {
   frame::catchInterrupts();
   frame::ignoreBrokenPipes();
   const Clock::time_point begin = Clock::now();
-  const gl::Context context({.device = o.device, .debug = o.debug, .memoryPath = o.memoryPath});
+  const gl::Context context(o.on);
   const golden::Device device = describeDevice(context, o.profile);
 
   golden::Suite suite(options, device);
@@ -247,13 +247,11 @@ void addTest(CLI::App& app) {
       ->check(CLI::IsMember({"missing", "changed", "all"}));
   command->add_option("--reason", o->reason, "Why, kept in the baselines that are written");
   command->add_option("--profile", o->profile, "Name of the numerics family (default: by driver)");
-  command->add_option("--device", o->device, "Index or part of a name (see `simreel doctor`)");
-  command->add_option("--memory-path", o->memoryPath,
-                      "How kernels read: storage or texel (default: by driver)");
-  command->add_flag("--debug", o->debug, "Ask the driver for debug messages; serious ones are errors");
+  addDevice(*command, o->on);
+  command->add_flag("--debug", o->on.debug, "Ask the driver for debug messages; serious ones are errors");
   command->add_flag("--list", o->list, "Only print the scenes that would be tested");
   o->tolerance.add(*command);
-  command->callback([o, &app] {
+  command->callback([o] {
     o->command = commandLine();
     test(*o);
   });

@@ -3,6 +3,7 @@
 #include "base/file.hpp"
 #include "base/version.hpp"
 #include "cli/commands.hpp"
+#include "cli/device_options.hpp"
 #include "cli/scene_options.hpp"
 #include "frame/frames_spec.hpp"
 #include "frame/interrupt.hpp"
@@ -29,7 +30,7 @@ namespace {
 
 struct TraceOptions {
   SceneOptions scene;
-  std::string device, memoryPath;
+  gl::ContextOptions on;
   std::optional<std::string> frames, dump, output;
   std::optional<int> stepsOf;
 };
@@ -134,7 +135,7 @@ void trace(const TraceOptions& o) {
   checkOptions(o);
   const scene::Scene scene = o.scene.load();
   frame::ignoreBrokenPipes();
-  const gl::Context context({.device = o.device, .debug = false, .memoryPath = o.memoryPath});
+  const gl::Context context(o.on);
   sim::World world(scene);
   const int first = world.firstFrame();
   if (o.dump) {
@@ -171,9 +172,7 @@ void addTrace(CLI::App& app) {
   command->add_option("--dump", o->dump,
                       "Instead, FRAME:STEP: the state after that step, as float32 after a line of JSON");
   command->add_option("-o,--output", o->output, "File that --dump writes, or -");
-  command->add_option("--device", o->device, "Index or part of a name (see `simreel doctor`)");
-  command->add_option("--memory-path", o->memoryPath,
-                      "How kernels read: storage or texel (default: by driver)");
+  addDevice(*command, o->on);
   command->callback([o] { trace(*o); });
 }
 
