@@ -47,8 +47,8 @@ template <class... Args>
 /// Stops the program when an invariant of ours is broken, printing both values.
 #define SIMREEL_CHECK_EQ(a, b)                                              \
   do {                                                                      \
-    const auto checkA = (a);                                                \
-    const auto checkB = (b);                                                \
+    const auto& checkA = (a);                                               \
+    const auto& checkB = (b);                                               \
     if (!(checkA == checkB))                                                \
       ::simreel::brokenInvariant(__FILE__, __LINE__, #a " == " #b,          \
                                  fmt::format("{} and {}", checkA, checkB)); \

@@ -76,7 +76,7 @@ const CullPrograms& InstancesPass::cullPrograms(bool forLight, int levels) {
 }
 
 const gl::Program& InstancesPass::cached(const char* vertexPath, const char* fragmentPath,
-                                         gl::Defines defines) {
+                                         const gl::Defines& defines) {
   std::string key = std::string(vertexPath) + " " + fragmentPath;
   for (const auto& [name, value] : defines) key += " " + name;
   const auto found = programs_.find(key);
@@ -124,6 +124,7 @@ InstancesPass::Entry& InstancesPass::entry(const sim::Instances& instances, std:
   if (entry.stops != stops) {
     entry.stops = stops;
     std::vector<glm::vec4> texels;
+    texels.reserve(stops.size());
     for (const glm::vec3& stop : stops) texels.emplace_back(stop, 1.0F);
     entry.stopView = {};
     entry.stopBuffer = gl::Buffer::of<glm::vec4>("colour stops", texels);
@@ -204,6 +205,7 @@ void InstancesPass::drawLevel(const gl::Program& program, const sim::Instances& 
   vertices_.bind(form.indices());
   program.use();
   glDrawElementsIndirect(form.levels()[level].mode, GL_UNSIGNED_INT,
+                         // NOLINTNEXTLINE(performance-no-int-to-ptr): OpenGL takes an offset for a pointer.
                          reinterpret_cast<const void*>(level * VisibleList::argumentBytes));
 }
 

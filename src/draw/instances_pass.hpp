@@ -54,7 +54,7 @@ class InstancesPass {
   /// For all levels of detail but the small ones of sprites.
   const gl::Program& program(const sim::Instances& instances);
   const gl::Program& shadowProgram(const sim::Instances& instances);
-  const gl::Program& cached(const char* vertexPath, const char* fragmentPath, gl::Defines defines);
+  const gl::Program& cached(const char* vertexPath, const char* fragmentPath, const gl::Defines& defines);
   void fill(const sim::Instances& instances, std::size_t i, bool forLight);
   /// What glsl/draw/instance.glsl reads.
   void setInstance(const gl::Program& program, const sim::Instances& instances, bool forLight);

@@ -41,8 +41,8 @@ std::vector<glm::vec4> textBoxes(const std::string& text, glm::ivec2 topLeft, in
   const glm::vec2 from(topLeft);
   const auto times = static_cast<float>(scale);
   for (int i = 0; i < boxes; ++i) {
-    const Corner& a = corners[static_cast<std::size_t>(4 * i)];
-    const Corner& c = corners[static_cast<std::size_t>(4 * i + 2)];
+    const Corner& a = corners[4 * static_cast<std::size_t>(i)];
+    const Corner& c = corners[4 * static_cast<std::size_t>(i) + 2];
     result.emplace_back(from + times * glm::vec2(a.x, a.y), from + times * glm::vec2(c.x, c.y));
   }
   return result;

@@ -12,8 +12,6 @@
 
 namespace simreel::golden {
 
-namespace fs = std::filesystem;
-
 namespace {
 
 /// steps.bin stays below what a repository should hold.

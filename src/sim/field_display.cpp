@@ -26,6 +26,7 @@ void FieldDisplay::describe(scene::Fields& fields) {
                 "Shaded as if lit from the top left: height of the whole range, 1 being 7 cells.");
   const std::vector<std::string>& names = colorMapNames();
   std::vector<const char*> maps;
+  maps.reserve(names.size());
   for (const std::string& name : names) maps.push_back(name.c_str());
   int index = static_cast<int>(std::find(names.begin(), names.end(), map) - names.begin());
   fields.oneOf("map", index, maps, "Colour map.");

@@ -20,6 +20,7 @@ constexpr float leastPattern = 0.05F;
 /// e^(-2 pi i k / count) for k from 0.
 std::vector<Complex> roots(int count) {
   std::vector<Complex> r;
+  r.reserve(static_cast<std::size_t>(count));
   for (int k = 0; k < count; ++k) r.push_back(std::polar(1.0, -2 * std::numbers::pi * k / count));
   return r;
 }
@@ -28,10 +29,13 @@ std::vector<Complex> roots(int count) {
 std::vector<double> averaged(std::span<const float> values, glm::ivec2 size, int factor) {
   const int width = size.x / factor;
   const int height = size.y / factor;
+  const auto smallIndex = [&](int x, int y) {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
+  };
   std::vector<double> small(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
   for (int y = 0; y < height * factor; ++y)
     for (int x = 0; x < width * factor; ++x)
-      small[static_cast<std::size_t>(y / factor * width + x / factor)] +=
+      small[smallIndex(x / factor, y / factor)] +=
           values[static_cast<std::size_t>(y) * static_cast<std::size_t>(size.x) +
                  static_cast<std::size_t>(x)];
   const double mean = std::accumulate(small.begin(), small.end(), 0.0) / static_cast<double>(small.size());
@@ -56,7 +60,9 @@ std::vector<Ring> ringPower(const std::vector<double>& field, glm::ivec2 size) {
     for (int y = 0; y < size.y; ++y) {
       Complex sum = 0;
       for (int x = 0, turn = 0; x < size.x; ++x, turn = (turn + kx) % size.x)
-        sum += field[static_cast<std::size_t>(y * size.x + x)] * rootX[static_cast<std::size_t>(turn)];
+        sum += field[static_cast<std::size_t>(y) * static_cast<std::size_t>(size.x) +
+                     static_cast<std::size_t>(x)] *
+               rootX[static_cast<std::size_t>(turn)];
       column[static_cast<std::size_t>(y)] = sum;
     }
     for (int ky = 0; ky < size.y; ++ky) {

@@ -208,14 +208,18 @@ std::vector<glm::vec3> WildfirePlan::palette() const {
     colors.push_back(isWater ? p.water * static_cast<float>(0.85 + 0.3 * (i % 16) / 15.0)
                              : shaded(p.rock, i % 16 / 15.0));
   }
-  for (int i = 0; i < 64; ++i)
-    colors.push_back(shaded(glm::mix(p.grass, p.forest, static_cast<float>(i / 16) / 3.0F), i % 16 / 15.0));
+  for (int i = 0; i < 64; ++i) {
+    const int density = i / 16;
+    colors.push_back(
+        shaded(glm::mix(p.grass, p.forest, static_cast<float>(density) / 3.0F), i % 16 / 15.0));
+  }
   const std::vector<glm::vec3> flames = {
       {1.0F, 0.93F, 0.62F}, {1.0F, 0.62F, 0.14F}, {0.95F, 0.26F, 0.03F}, {0.55F, 0.07F, 0.01F}};
   appendGradient(colors, flames, std::max(2, p.burnSteps));
   while (colors.size() < 192) colors.push_back(flames.back());
   for (int i = 0; i < 64; ++i) {
-    const float hot = 1.0F - static_cast<float>(i / 8) / 7.0F;
+    const int age = i / 8;
+    const float hot = 1.0F - static_cast<float>(age) / 7.0F;
     const glm::vec3 glow = glm::vec3(0.34F, 0.035F, 0.006F) * hot * hot;
     colors.push_back(shaded(p.ash, i % 8 / 7.0) + glow);
   }
