@@ -72,6 +72,7 @@ Numerics probeNumerics() {
     }
     for (std::size_t f = exactFunctions; f < functions; ++f) builtIns.push_back(results[i * functions + f]);
   }
+  if (gl::memoryPath() == gl::MemoryPath::storage) builtIns.push_back(1);
   found.fingerprint = hashHex(std::as_bytes(std::span(builtIns))).substr(0, 16);
   return found;
 }
