@@ -7,8 +7,8 @@ namespace simreel::sim {
 struct Numerics {
   bool exactHolds = false;   ///< glsl/common/exact.glsl gives the bits of its C++ twin
   std::string firstFailure;  ///< "exactSin(1.5): GPU ..., CPU ..." when it does not
-  /// Hash of what the built-ins gave, and of the memory path, which adds up light in another order: equal on
-  /// drivers that round alike. Pixels are compared exactly only between equal fingerprints.
+  /// Hash of what the built-ins gave, and of the memory path, which adds up light in another order: equal
+  /// on drivers that round alike. Pixels are compared exactly only between equal fingerprints.
   std::string fingerprint;
 };
 [[nodiscard]] Numerics probeNumerics();
