@@ -47,15 +47,15 @@ vec3 placed(vec4 clip) {
   return clip.xyz / clip.w * 0.5 + 0.5;
 }
 
-// A disk on the picture, the pixels from `aside` on, `step` apart.
-void addDisk(Glow g, ivec2 aside, ivec2 step) {
+// A disk on the picture, the pixels from `aside` on, `stride` apart.
+void addDisk(Glow g, ivec2 aside, ivec2 stride) {
   vec3 place = placed(frame.viewProjection * vec4(g.middle, 1.0));
   vec2 middle = place.xy * frame.lens.zw;
   float radius = g.radius * pixelsPerMetre() / max(dot(g.middle - frame.eye.xyz, frame.rayForward.xyz), 1e-6);
   ivec2 first = max(ivec2(ceil(middle - radius - 0.5)), 0) + aside;
   ivec2 last = min(ivec2(floor(middle + radius - 0.5)), ivec2(frame.lens.zw) - 1);
-  for (int y = first.y; y <= last.y; y += step.y)
-    for (int x = first.x; x <= last.x; x += step.x) {
+  for (int y = first.y; y <= last.y; y += stride.y)
+    for (int x = first.x; x <= last.x; x += stride.x) {
       vec2 across = (vec2(x, y) + 0.5 - middle) / radius;
       add(ivec2(x, y), g.light, dot(across, across), place.z);
     }
@@ -65,7 +65,7 @@ void addDisk(Glow g, ivec2 aside, ivec2 step) {
 layout(local_size_x = 8, local_size_y = 8) in;
 
 // A disk that faces the eye, pixel by pixel through the picture's rays.
-void addFacing(Glow g, ivec2 aside, ivec2 step) {
+void addFacing(Glow g, ivec2 aside, ivec2 stride) {
   Facing facing = facingEye(g.middle);
   vec2 low = vec2(1), high = vec2(0);
   bool before = true;
@@ -81,8 +81,8 @@ void addFacing(Glow g, ivec2 aside, ivec2 step) {
   if (!before) low = vec2(0), high = vec2(1);
   ivec2 first = ivec2(clamp(low, 0.0, 1.0) * frame.lens.zw) + aside;
   ivec2 last = min(ivec2(clamp(high, 0.0, 1.0) * frame.lens.zw), ivec2(frame.lens.zw) - 1);
-  for (int y = first.y; y <= last.y; y += step.y)
-    for (int x = first.x; x <= last.x; x += step.x) {
+  for (int y = first.y; y <= last.y; y += stride.y)
+    for (int x = first.x; x <= last.x; x += stride.x) {
       vec2 onPicture = (vec2(x, y) + 0.5) / frame.lens.zw * 2.0 - 1.0;
       vec3 ray = frame.rayForward.xyz + frame.rayRight.xyz * onPicture.x + frame.rayUp.xyz * onPicture.y;
       float towards = -dot(ray, facing.towards);
@@ -97,13 +97,13 @@ void addFacing(Glow g, ivec2 aside, ivec2 step) {
 void main() {
   uint count = texelFetch(arguments, level * 8 + 6).x;
   ivec2 aside = ivec2(gl_LocalInvocationID.xy) + ivec2(0, 8 * gl_WorkGroupID.y);
-  const ivec2 step = ivec2(8, 8 * SLICES);
+  const ivec2 stride = ivec2(8, 8 * SLICES);
   for (uint at = gl_WorkGroupID.x; at < count; at += uint(strides)) {
     Glow g = glowAt(at);
     if (pixelRadius(g.middle, g.radius) <= roundPixels && isMiddleSeen(g.middle))
-      addDisk(g, aside, step);
+      addDisk(g, aside, stride);
     else
-      addFacing(g, aside, step);
+      addFacing(g, aside, stride);
   }
 }
 #else
