@@ -283,27 +283,21 @@ void InstancesPass::draw(const sim::Drawables& drawables, bool adding) {
   }
 }
 
-void InstancesPass::sumUp(const sim::Instances& instances, const Entry& own, const gl::Texture& depth,
-                          const GlowSums& sums) {
-  const VisibleList& list = *own.forCamera;
-  for (int level = 0; level < 2; ++level) {
-    const gl::Program& kernel = sums.kernel(level == 1);
-    setInstance(kernel, instances, false);
-    setLook(kernel, instances, own);
-    kernel.set("level", level);
-    kernel.set("roundPixels", mostPointGlow);
-    list.bind();
-    sums.add(level == 1, depth, instances.capacity);
+void InstancesPass::sumUp(const sim::Drawables& drawables, const gl::Texture& depth, GlowSums& sums) {
+  sums.start(drawables);
+  for (std::size_t i = 0; i < drawables.instances.size(); ++i) {
+    const sim::Instances& instances = drawables.instances[i];
+    if (!GlowSums::takes(instances)) continue;
+    for (int level = 0; level < 2; ++level) {
+      const gl::Program& kernel = sums.kernel(level == 1);
+      setInstance(kernel, instances, false);
+      setLook(kernel, instances, entries_[i]);
+      kernel.set("level", level);
+      kernel.set("roundPixels", mostPointGlow);
+      entries_[i].forCamera->bind();
+      sums.add(level == 1, depth, instances.capacity);
+    }
   }
-}
-
-void InstancesPass::drawAdditive(const sim::Drawables& drawables, const gl::Texture& depth,
-                                 GlowSums* sums) {
-  draw(drawables, true);
-  if (sums == nullptr) return;
-  sums->start(drawables);
-  for (std::size_t i = 0; i < drawables.instances.size(); ++i)
-    if (GlowSums::takes(drawables.instances[i])) sumUp(drawables.instances[i], entries_[i], depth, *sums);
 }
 
 }  // namespace simreel::draw

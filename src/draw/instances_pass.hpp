@@ -32,8 +32,9 @@ class InstancesPass {
   void cull(const sim::Drawables& drawables);
   /// Into the bound framebuffer. Opaque ones, then (after everything opaque) those that add light.
   void drawOpaque(const sim::Drawables& drawables) { draw(drawables, false); }
-  /// `depth`: of that framebuffer. Where GlowSums takes sprites, sums gets their light; else null.
-  void drawAdditive(const sim::Drawables& drawables, const gl::Texture& depth, GlowSums* sums);
+  void drawAdditive(const sim::Drawables& drawables) { draw(drawables, true); }
+  /// Adds the light of those that GlowSums takes, before what `depth` holds.
+  void sumUp(const sim::Drawables& drawables, const gl::Texture& depth, GlowSums& sums);
 
   /// Of drawables.instances[i], for tests.
   [[nodiscard]] const VisibleList& visible(std::size_t i) const { return *entries_.at(i).forCamera; }
@@ -60,8 +61,6 @@ class InstancesPass {
   void setInstance(const gl::Program& program, const sim::Instances& instances, bool forLight);
   void setLook(const gl::Program& program, const sim::Instances& instances, const Entry& entry) const;
   void draw(const sim::Drawables& drawables, bool additive);
-  void sumUp(const sim::Instances& instances, const Entry& own, const gl::Texture& depth,
-             const GlowSums& sums);
   /// The sprites of few pixels, level 0; the kernel's description of the instances is set.
   void drawSmall(const gl::Program& kernel, SmallSprites::Use use, const sim::Instances& instances,
                  const VisibleList& list, glm::ivec2 target);

@@ -105,8 +105,10 @@ void Renderer::State::drawScene(double seconds, const sim::Drawables& drawables,
   issued("crowds", crowds);
   s.ground.draw();
   issued("ground", s.ground.on());
+  s.instances.drawAdditive(drawables);
+  if (s.resolve.on()) s.targets.finish();
   GlowSums* glows = s.resolve.glows(drawables);
-  s.instances.drawAdditive(drawables, s.targets.depth, glows);
+  if (glows != nullptr) s.instances.sumUp(drawables, s.targets.depth, *glows);
   issued("crowds", crowds);
   const gl::Texture& light = s.resolve.draw(s.targets, glows, cleared);
   const gl::Texture* scattered = s.bloom.on() ? &s.bloom.draw(light) : nullptr;

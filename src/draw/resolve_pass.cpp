@@ -15,7 +15,7 @@ ResolvePass::ResolvePass(glm::ivec2 size, int samples) : size_(size), samples_(s
 }
 
 bool ResolvePass::needsClearedLight(const sim::Drawables& drawables) const {
-  if (program_.name() == 0) return true;
+  if (!on()) return true;
   return std::any_of(drawables.fields.begin(), drawables.fields.end(),
                      [](const sim::Field& field) {
                        return field.display != nullptr &&
@@ -37,7 +37,7 @@ GlowSums* ResolvePass::glows(const sim::Drawables& drawables) {
 }
 
 const gl::Texture& ResolvePass::draw(const Targets& targets, const GlowSums* glows, bool cleared) {
-  if (program_.name() == 0) return targets.light;
+  if (!on()) return targets.light;
   const gl::Program& program = glows != nullptr ? glowProgram_ : program_;
   if (glows != nullptr) {
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);

@@ -76,4 +76,9 @@ void Targets::clear(bool lightToo) const {
   glClearNamedFramebufferfv(scene.name(), GL_DEPTH, 0, &farthest);
 }
 
+void Targets::finish() const {
+  picture.bind();
+  glTextureBarrier();
+}
+
 }  // namespace simreel::draw

@@ -12,6 +12,8 @@ struct Targets {
 
   /// Without depth and, unless `lightToo` is false, empty: light 0, alpha 0 (nothing drawn: sky).
   void clear(bool lightToo) const;
+  /// Before kernels read light and depth: nothing draws into them any more.
+  void finish() const;
 
   gl::Texture light;
   gl::Texture depth;
