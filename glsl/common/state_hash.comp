@@ -1,28 +1,47 @@
 // Adds a position-dependent hash of every four words to a 128-bit sum. Sums of integers do not depend on
-// order, so the result is the same on every driver and for every number of work groups.
+// order, so the result is the same on every driver and for every number of work groups. GROUPED, for GPUs: neighbouring
+// invocations read neighbouring words, and a group adds up before it adds to the sum.
 #include "common/hash.glsl"
-layout(local_size_x = 64) in;
 layout(binding = 0) uniform usamplerBuffer words;
 layout(std430, binding = 0) restrict buffer SumBlock { uint sums[]; };
 uniform int texels;
-uniform int perInvocation;
 uniform int slot;
 uniform uint salt;
+
+uvec4 hashOf(int i) {
+  uvec4 w = texelFetch(words, i);
+  uvec3 a = hash3(uvec3(w.x ^ uint(i), w.y, w.z ^ salt));
+  uvec3 b = hash3(uvec3(w.w + a.x, a.y, a.z ^ uint(i)));
+  return uvec4(a.x ^ b.y, b);
+}
+
+#ifdef GROUPED
+layout(local_size_x = 256) in;
+shared uvec4 totals[256];
+uniform int invocations;
+
+void main() {
+  int own = int(gl_LocalInvocationID.x);
+  uvec4 total = uvec4(0u);
+  for (int i = int(gl_GlobalInvocationID.x); i < texels; i += invocations) total += hashOf(i);
+  totals[own] = total;
+  for (int reach = 128; reach > 0; reach >>= 1) {
+    barrier();
+    if (own < reach) totals[own] += totals[own + reach];
+  }
+  barrier();
+  if (own < 4) atomicAdd(sums[slot * 4 + own], totals[0][own]);
+}
+#else
+layout(local_size_x = 64) in;
+uniform int perInvocation;
 
 void main() {
   int first = int(gl_GlobalInvocationID.x) * perInvocation;
   int last = min(first + perInvocation, texels);
   uvec4 total = uvec4(0u);
-  for (int i = first; i < last; ++i) {
-    uvec4 w = texelFetch(words, i);
-    uvec3 a = hash3(uvec3(w.x ^ uint(i), w.y, w.z ^ salt));
-    uvec3 b = hash3(uvec3(w.w + a.x, a.y, a.z ^ uint(i)));
-    total += uvec4(a.x ^ b.y, b);
-  }
-  if (first < last) {
-    atomicAdd(sums[slot * 4], total.x);
-    atomicAdd(sums[slot * 4 + 1], total.y);
-    atomicAdd(sums[slot * 4 + 2], total.z);
-    atomicAdd(sums[slot * 4 + 3], total.w);
-  }
+  for (int i = first; i < last; ++i) total += hashOf(i);
+  if (first < last)
+    for (int i = 0; i < 4; ++i) atomicAdd(sums[slot * 4 + i], total[i]);
 }
+#endif

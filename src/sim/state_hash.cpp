@@ -1,16 +1,29 @@
 #include "sim/state_hash.hpp"
 
+#include "gl/context.hpp"
 #include "gl/texture.hpp"
+
+#include <algorithm>
 
 #include <fmt/format.h>
 
 namespace simreel::sim {
 
 namespace {
-constexpr int texelsPerInvocation = 64;
+
+constexpr int texelsPerInvocation = 64;  // of the texel path
+constexpr int groupSize = 256;           // of the storage path
+constexpr int mostGroups = 1024;
+
+bool grouped() {
+  return gl::memoryPath() == gl::MemoryPath::storage;
 }
 
-StateHash::StateHash() : program_(gl::Program::compute("common/state_hash.comp")) {}
+}  // namespace
+
+StateHash::StateHash()
+    : program_(gl::Program::compute("common/state_hash.comp",
+                                    grouped() ? gl::Defines{{"GROUPED", "1"}} : gl::Defines{})) {}
 
 void StateHash::add(const gl::Buffer& array, std::size_t number, const gl::Buffer& sums,
                     std::size_t place) const {
@@ -19,10 +32,16 @@ void StateHash::add(const gl::Buffer& array, std::size_t number, const gl::Buffe
   words.bind(0);
   sums.bindStorage(0);
   program_.set("texels", texels);
-  program_.set("perInvocation", texelsPerInvocation);
   program_.set("slot", static_cast<int>(place));
   program_.set("salt", static_cast<unsigned>(number + 1) * 0x9e3779b9U);
-  program_.dispatch((texels - 1) / texelsPerInvocation + 1);
+  if (grouped()) {
+    const int invocations = std::min((texels - 1) / groupSize + 1, mostGroups) * groupSize;
+    program_.set("invocations", invocations);
+    program_.dispatch(invocations);
+  } else {
+    program_.set("perInvocation", texelsPerInvocation);
+    program_.dispatch((texels - 1) / texelsPerInvocation + 1);
+  }
 }
 
 std::string StateHash::text(const glm::uvec4& hash) {
