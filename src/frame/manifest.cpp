@@ -114,7 +114,7 @@ std::optional<std::string> runDifference(const RunInfo& wanted, const RunInfo& s
   if (wanted.fps != stored.fps) return say("fps", wanted.fps, stored.fps);
   if (wanted.numerics != stored.numerics) return say("numerics", wanted.numerics, stored.numerics);
   if (wanted.fingerprint != stored.fingerprint)
-    return say("numerics fingerprint", wanted.fingerprint, stored.fingerprint);
+    return say("numerics fingerprint (driver and memory path)", wanted.fingerprint, stored.fingerprint);
   return std::nullopt;
 }
 
