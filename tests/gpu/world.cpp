@@ -1,9 +1,12 @@
 #include "sim/world.hpp"
 
 #include "base/error.hpp"
+#include "gl/element_array.hpp"
 #include "gpu/context.hpp"
 #include "scene/scene.hpp"
 #include "sim/list.hpp"
+#include "sim/shader_code.hpp"
+#include "sim/state_hash.hpp"
 
 #include <doctest/doctest.h>
 
@@ -45,6 +48,31 @@ TEST_CASE("the state hash is the same on every device") {
   // Pinned: any change of the cloth's arithmetic shows here first. Same value on llvmpipe and on an NVIDIA
   // H200.
   CHECK(hashAt(sheet(R"({"size": [33, 21], "jitter": 0.01})"), 60) == "46b24cd56ceb9d8a0eed4d324a5f5e43");
+}
+
+TEST_CASE("the state hash takes in every word of small and large arrays") {
+  testContext();
+  const sim::StateHash kernel;
+  // Odd, and more than the invocations of one dispatch.
+  for (const unsigned count : {1U, 63U, 257U, 300007U}) {
+    CAPTURE(count);
+    std::vector<glm::uvec4> words;
+    glm::uvec4 expected(3, 0, 0, 9);
+    for (unsigned i = 0; i < count; ++i) {
+      words.emplace_back(shader::hash3({i, 3, 5}), i * 7);
+      const glm::uvec4 w = words.back();
+      const auto a = shader::hash3({w.x ^ i, w.y, w.z ^ (5 * 0x9e3779b9U)});
+      const auto b = shader::hash3({w.w + a.x, a.y, a.z ^ i});
+      expected += glm::uvec4(a.x ^ b.y, b);
+    }
+    const gl::Buffer sums =
+        gl::Buffer::of<glm::uvec4>("sums", std::vector<glm::uvec4>{glm::uvec4(1), {3, 0, 0, 9}});
+    kernel.add(gl::Buffer::of<glm::uvec4>("words", words), 4, sums, 1);
+    gl::barrier();
+    const auto found = sums.readAll<glm::uvec4>();
+    CHECK(found[0] == glm::uvec4(1));
+    CHECK(found[1] == expected);
+  }
 }
 
 TEST_CASE("a blow-up is found within its frame, with step, particle and advice") {
