@@ -1,4 +1,10 @@
-// Light of additive sprites as whole numbers, three words (r, g, b) a pixel of the scene: kernels may add them in any
-// order and the sums are the same.
+// Light of additive sprites as whole numbers of 64 bits, in units of 2^-24: kernels may add it in any order and the sums
+// are the same. Six words a pixel of the scene: the lower ones of r, g, b, then the upper ones.
 layout(std430, binding = 1) restrict buffer GlowBlock { uint glowSums[]; };
-uniform float glowScale;  // of light 1
+
+const float glowUnits = 16777216.0;  // of light 1
+const float glowUpper = 256.0;       // light that the upper word counts
+
+int glowWord(ivec2 pixel) {
+  return 6 * (pixel.y * int(frame.lens.z) + pixel.x);
+}

@@ -37,10 +37,16 @@ void add(ivec2 pixel, vec3 light, float across, float depth) {
   for (int i = 0; i < SAMPLES; ++i)
     before += int(depth < texelFetch(sceneDepth, pixel, i * int(SAMPLES > 1)).x);
   float inside = (1.0 - across) * (1.0 - across) * float(before) / float(SAMPLES);
-  uvec3 whole = uvec3(light * (inside * glowScale) + 0.5);
-  int word = 3 * (pixel.y * int(frame.lens.z) + pixel.x);
-  for (int i = 0; i < 3; ++i)
-    if (whole[i] != 0u) atomicAdd(glowSums[word + i], whole[i]);
+  // More than half floats hold shows white in any case.
+  vec3 all = min(light * inside, 6e4);
+  vec3 upper = floor(all / glowUpper);
+  uvec3 lower = uvec3((all - upper * glowUpper) * glowUnits + 0.5);
+  int word = glowWord(pixel);
+  for (int i = 0; i < 3; ++i) {
+    uint carry = uint(upper[i]);
+    if (lower[i] != 0u && atomicAdd(glowSums[word + i], lower[i]) > 0xffffffffu - lower[i]) ++carry;
+    if (carry != 0u) atomicAdd(glowSums[word + 3 + i], carry);
+  }
 }
 
 vec3 placed(vec4 clip) {

@@ -25,10 +25,10 @@ void main() {
   }
   light /= float(SAMPLES);
 #ifdef GLOWS
-  int word = 3 * (at.y * int(frame.lens.z) + at.x);
+  int word = glowWord(at);
   for (int i = 0; i < 3; ++i) {
-    light[i] += float(glowSums[word + i]) / glowScale;
-    glowSums[word + i] = 0u;
+    light[i] += float(glowSums[word + 3 + i]) * glowUpper + float(glowSums[word + i]) / glowUnits;
+    glowSums[word + i] = glowSums[word + 3 + i] = 0u;
   }
 #endif
   imageStore(resolved, at, min(light, 6e4));  // glows may add up beyond what half floats hold

@@ -1,9 +1,12 @@
 #include "draw/glow_sums.hpp"
 
+#include "base/error.hpp"
 #include "draw/draw_state.hpp"
 #include "gl/context.hpp"
+#include "gl/limits.hpp"
 
 #include <algorithm>
+#include <cstdint>
 #include <string>
 
 namespace simreel::draw {
@@ -13,19 +16,14 @@ namespace {
 constexpr GLuint sumBinding = 1;
 constexpr GLuint depthUnit = normalUnit;
 
-/// Light in the middle of the brightest glow that a crowd can have.
-double brightest(const sim::Instances& instances) {
-  double most = 0;
-  const auto grow = [&](const glm::vec3& color) {
-    most = std::max({most, double{color.r}, double{color.g}, double{color.b}});
-  };
-  if (instances.colorBy == sim::Instances::ColorBy::material)
-    grow(instances.material->color);
-  else if (instances.colors == nullptr || instances.colors->empty())
-    grow(glm::vec3(1));
-  else
-    for (const glm::vec3& stop : *instances.colors) grow(stop);
-  return most * instances.brightness;
+gl::Buffer sumsFor(glm::ivec2 size) {
+  const std::int64_t bytes = std::int64_t{24} * size.x * size.y;
+  if (bytes > gl::limits().storageBlockBytes)
+    fail(ExitCode::device,
+         "a picture of {}x{} pixels with glows needs {} bytes in one buffer, this device allows {} "
+         "(GL_MAX_SHADER_STORAGE_BLOCK_SIZE); make the picture smaller",
+         size.x, size.y, bytes, gl::limits().storageBlockBytes);
+  return {"glow sums", static_cast<std::size_t>(bytes)};
 }
 
 }  // namespace
@@ -38,8 +36,7 @@ bool GlowSums::takes(const sim::Instances& instances) {
   return used() && instances.additive && instances.shape == sim::Instances::Shape::sprite;
 }
 
-GlowSums::GlowSums(glm::ivec2 size, int samples)
-    : sums_("glow sums", 12 * static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y)) {
+GlowSums::GlowSums(glm::ivec2 size, int samples) : sums_(sumsFor(size)) {
   gl::Defines defines = {{"SAMPLES", std::to_string(samples)}};
   small_ = gl::Program::compute("draw/glow_sums.comp", defines);
   defines.emplace_back("LARGE", "1");
@@ -47,23 +44,11 @@ GlowSums::GlowSums(glm::ivec2 size, int samples)
   large_ = gl::Program::compute("draw/glow_sums.comp", defines);
 }
 
-void GlowSums::start(const sim::Drawables& drawables) {
-  double whole = 0;
-  double count = 0;
-  for (const sim::Instances& instances : drawables.instances) {
-    if (!takes(instances)) continue;
-    whole += instances.capacity * brightest(instances);
-    count += instances.capacity;
-  }
-  // Each is rounded up by at most half a unit.
-  scale_ = static_cast<float>((4294967295.0 - count) * 0.999 / std::max(whole, 1e-9));
-}
-
 void GlowSums::add(bool large, const gl::Texture& depth, int capacity) const {
   constexpr int mostInvocations = 1 << 20;
   constexpr int mostGroups = 1 << 12;
   const gl::Program& program = kernel(large);
-  bind(program);
+  bind();
   depth.bind(depthUnit);
   if (large) {
     const int groups = std::min(capacity, mostGroups);
@@ -76,8 +61,7 @@ void GlowSums::add(bool large, const gl::Texture& depth, int capacity) const {
   }
 }
 
-void GlowSums::bind(const gl::Program& program) const {
-  program.set("glowScale", scale_);
+void GlowSums::bind() const {
   sums_.bindStorage(sumBinding);
 }
 

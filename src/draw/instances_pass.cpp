@@ -283,8 +283,7 @@ void InstancesPass::draw(const sim::Drawables& drawables, bool adding) {
   }
 }
 
-void InstancesPass::sumUp(const sim::Drawables& drawables, const gl::Texture& depth, GlowSums& sums) {
-  sums.start(drawables);
+void InstancesPass::sumUp(const sim::Drawables& drawables, const gl::Texture& depth, const GlowSums& sums) {
   for (std::size_t i = 0; i < drawables.instances.size(); ++i) {
     const sim::Instances& instances = drawables.instances[i];
     if (!GlowSums::takes(instances)) continue;

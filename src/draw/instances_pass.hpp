@@ -34,7 +34,7 @@ class InstancesPass {
   void drawOpaque(const sim::Drawables& drawables) { draw(drawables, false); }
   void drawAdditive(const sim::Drawables& drawables) { draw(drawables, true); }
   /// Adds the light of those that GlowSums takes, before what `depth` holds.
-  void sumUp(const sim::Drawables& drawables, const gl::Texture& depth, GlowSums& sums);
+  void sumUp(const sim::Drawables& drawables, const gl::Texture& depth, const GlowSums& sums);
 
   /// Of drawables.instances[i], for tests.
   [[nodiscard]] const VisibleList& visible(std::size_t i) const { return *entries_.at(i).forCamera; }

@@ -107,7 +107,7 @@ void Renderer::State::drawScene(double seconds, const sim::Drawables& drawables,
   issued("ground", s.ground.on());
   s.instances.drawAdditive(drawables);
   if (s.resolve.on()) s.targets.finish();
-  GlowSums* glows = s.resolve.glows(drawables);
+  const GlowSums* glows = s.resolve.glows(drawables);
   if (glows != nullptr) s.instances.sumUp(drawables, s.targets.depth, *glows);
   issued("crowds", crowds);
   const gl::Texture& light = s.resolve.draw(s.targets, glows, cleared);

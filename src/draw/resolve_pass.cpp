@@ -25,7 +25,7 @@ bool ResolvePass::needsClearedLight(const sim::Drawables& drawables) const {
                      [](const sim::Instances& i) { return i.additive && !GlowSums::takes(i); });
 }
 
-GlowSums* ResolvePass::glows(const sim::Drawables& drawables) {
+const GlowSums* ResolvePass::glows(const sim::Drawables& drawables) {
   const auto& all = drawables.instances;
   if (std::none_of(all.begin(), all.end(), GlowSums::takes)) return nullptr;
   if (!glows_) {
@@ -41,7 +41,7 @@ const gl::Texture& ResolvePass::draw(const Targets& targets, const GlowSums* glo
   const gl::Program& program = glows != nullptr ? glowProgram_ : program_;
   if (glows != nullptr) {
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
-    glows->bind(program);
+    glows->bind();
   }
   program.set("cleared", static_cast<int>(cleared));
   targets.light.bind(0);

@@ -280,6 +280,48 @@ TEST_CASE("small glows keep their light however small") {
   CHECK(total(0.0336F, 5.2F, glm::vec3(0.028F, 0.028F, 0)) == doctest::Approx(fine).epsilon(0.3));
 }
 
+TEST_CASE("a glow looks the same among many that are not alive") {
+  testContext();
+  const scene::Scene scene = plainScene();
+  const auto picture = [&](std::size_t count) {
+    const std::vector<glm::vec4> places(count, glm::vec4(0.1F, 0.2F, 0, 1));
+    std::vector<glm::vec4> speeds(count, glm::vec4(0, 0, 0, -1));
+    speeds[count / 2].w = 0;
+    CrowdStage glow(places, speeds);
+    glow.instances.additive = true;
+    // A hundredth of a pixel wide, so its light is spread over many times its area.
+    glow.instances.size = 0.001F;
+    glow.instances.brightness = 2000;
+    return drawn(scene, {{}, {glow.instances}}, {65, 65}, 1);
+  };
+  const Picture alone = picture(1);
+  CHECK(alone.brightness(34, 28) > 30);
+  CHECK(picture(400001).bytes == alone.bytes);
+}
+
+TEST_CASE("the light of many bright glows is that of one as bright as all") {
+  testContext();
+  scene::Scene scene = plainScene();
+  scene.render.exposure = -11.0F;
+  const auto picture = [&](std::size_t count, float brightness) {
+    CrowdStage glow(std::vector<glm::vec3>(count, glm::vec3(0.01F)));
+    glow.instances.additive = true;
+    glow.instances.size = 0.5F;
+    glow.instances.brightness = brightness;
+    return drawn(scene, {{}, {glow.instances}}, {33, 33}, 1);
+  };
+  const Picture one = picture(1, 1400);
+  CHECK(one.brightness(16, 16) > 150);
+  CHECK(one.brightness(16, 16) < 700);
+  for (const auto& [count, each] : {std::pair{7U, 200.0F}, {700U, 2.0F}}) {
+    const Picture many = picture(count, each);
+    int apart = 0;
+    for (std::size_t i = 0; i < one.bytes.size(); ++i)
+      apart = std::max(apart, std::abs(int{one.bytes[i]} - int{many.bytes[i]}));
+    CHECK(apart <= (draw::GlowSums::used() ? 1 : 20));  // blended half floats round at each step
+  }
+}
+
 TEST_CASE("colours follow speed, mass and age through the stops; light fades over the life") {
   testContext();
   const std::vector<glm::vec3> stops = {{0, 0, 0}, {0.4F, 0, 0}, {0.4F, 0.4F, 0}};

@@ -132,7 +132,9 @@ TEST_CASE("a picture forgets the frame before, also behind glows") {
       const sim::Drawables last = {.surfaces = {aside.surface}, .instances = {glow.instances}};
       draw::Renderer renderer(scene, {65, 47}, samples);
       draw::Readback readback({65, 47});
-      renderer.draw(0, last);
+      sim::Drawables first = last;
+      first.instances[0].brightness = 5000;
+      renderer.draw(0, first);
       renderer.draw(0, {.surfaces = {sheet.surface}});
       renderer.draw(0, last);
       readback.start(renderer.target(), 0);
