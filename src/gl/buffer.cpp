@@ -10,6 +10,9 @@ namespace simreel::gl {
 
 namespace {
 
+/// Up to which size a buffer is written directly, and how much a large one takes at a time.
+constexpr std::size_t directBytes = 4 << 20, stagedBytes = 64 << 20;
+
 GLuint createBuffer() {
   GLuint name = 0;
   glCreateBuffers(1, &name);
@@ -27,22 +30,44 @@ void checkBlock(const std::string& label, std::size_t bytes) {
 
 }  // namespace
 
-// Zeros come as data, not through glClearNamedBufferData: with NVIDIA's driver 580 a clear overtakes a
-// large glNamedBufferSubData issued after it.
-Buffer::Buffer(const std::string& label, std::size_t bytes)
-    : Buffer(label, bytes, std::vector<std::byte>(std::max<std::size_t>(bytes, 1)).data()) {}
+Buffer::Buffer(const std::string& label, std::size_t bytes) : Buffer(label, bytes, nullptr) {}
 
 Buffer::Buffer(const std::string& label, std::size_t bytes, const void* items)
     : handle_(createBuffer()), bytes_(bytes) {
   checkBlock(label, bytes);
   while (glGetError() != GL_NO_ERROR) {
   }
-  glNamedBufferStorage(name(), static_cast<GLsizeiptr>(std::max<std::size_t>(bytes, 1)),
-                       bytes == 0 ? nullptr : items, GL_DYNAMIC_STORAGE_BIT);
+  // Zeros come as data, not through glClearNamedBufferData: with NVIDIA's driver 580 a clear overtakes a
+  // large glNamedBufferSubData issued after it.
+  const bool zero = items == nullptr || bytes == 0;
+  const std::vector<std::byte> zeros(zero ? std::clamp<std::size_t>(bytes, 1, stagedBytes) : 0);
+  if (!staged())
+    glNamedBufferStorage(name(), static_cast<GLsizeiptr>(std::max<std::size_t>(bytes, 1)),
+                         zero ? zeros.data() : items, GL_DYNAMIC_STORAGE_BIT);
+  else {
+    glNamedBufferStorage(name(), static_cast<GLsizeiptr>(bytes), nullptr, 0);
+    for (std::size_t at = 0; at < bytes; at += stagedBytes)
+      copyStaged(at, zero ? zeros.data() : static_cast<const std::byte*>(items) + at,
+                 std::min(stagedBytes, bytes - at));
+  }
   if (glGetError() == GL_OUT_OF_MEMORY)
     fail(ExitCode::device, "the device has no memory left for {} ({} bytes); make it smaller", label,
          bytes);
   glObjectLabel(GL_BUFFER, name(), -1, label.c_str());
+}
+
+// NVIDIA's driver 580 keeps a second copy of a large buffer that the CPU may write, and kernels that step 1
+// GiB of such buffers ran at a third of their speed from time to time; never where the buffer is the GPU's
+// alone. What the CPU writes to a large buffer comes by way of another one.
+bool Buffer::staged() const {
+  return bytes_ > directBytes && memory_ == nullptr;
+}
+
+void Buffer::copyStaged(std::size_t offset, const std::byte* items, std::size_t bytes) {
+  const Handle<DeleteBuffer> staging(createBuffer());
+  glNamedBufferStorage(staging.get(), static_cast<GLsizeiptr>(bytes), items, GL_CLIENT_STORAGE_BIT);
+  glCopyNamedBufferSubData(staging.get(), name(), 0, static_cast<GLintptr>(offset),
+                           static_cast<GLsizeiptr>(bytes));
 }
 
 Buffer Buffer::mapped(const std::string& label, std::size_t bytes, bool writing) {
@@ -65,8 +90,12 @@ Buffer Buffer::mapped(const std::string& label, std::size_t bytes, bool writing)
 
 void Buffer::write(std::size_t offset, std::span<const std::byte> bytes) {
   SIMREEL_CHECK(offset + bytes.size() <= bytes_);
-  glNamedBufferSubData(name(), static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(bytes.size()),
-                       bytes.data());
+  if (!staged())
+    glNamedBufferSubData(name(), static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(bytes.size()),
+                         bytes.data());
+  else
+    for (std::size_t at = 0; at < bytes.size(); at += stagedBytes)
+      copyStaged(offset + at, bytes.data() + at, std::min(stagedBytes, bytes.size() - at));
 }
 
 void Buffer::read(std::size_t offset, std::span<std::byte> bytes) const {

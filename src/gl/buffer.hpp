@@ -49,7 +49,10 @@ class Buffer {
   [[nodiscard]] std::size_t bytes() const { return bytes_; }
 
  private:
+  /// Null: zeros.
   Buffer(const std::string& label, std::size_t bytes, const void* items);
+  [[nodiscard]] bool staged() const;
+  void copyStaged(std::size_t offset, const std::byte* items, std::size_t bytes);
 
   Handle<DeleteBuffer> handle_;
   std::size_t bytes_ = 0;

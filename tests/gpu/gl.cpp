@@ -5,6 +5,7 @@
 #include "gl/texture.hpp"
 #include "gpu/context.hpp"
 
+#include <algorithm>
 #include <array>
 #include <filesystem>
 #include <fstream>
@@ -82,12 +83,21 @@ TEST_CASE("a buffer keeps what is written and survives moves") {
 
 TEST_CASE("large contents arrive whole, first and when written later") {
   testContext();
-  std::vector<int> items(1 << 20);
-  for (std::size_t i = 0; i < items.size(); ++i) items[i] = static_cast<int>(i * 2654435761U);
-  CHECK(gl::Buffer::of<int>("large", items).readAll<int>() == items);
-  gl::Buffer later("large, written later", items.size() * sizeof(int));
-  later.write(0, std::as_bytes(std::span(items)));
-  CHECK(later.readAll<int>() == items);
+  for (const std::size_t count :
+       {std::size_t{1} << 20, (std::size_t{17} << 20) + 13}) {  // 4 MiB; 68 and a bit
+    CAPTURE(count);
+    std::vector<int> items(count);
+    for (std::size_t i = 0; i < count; ++i) items[i] = static_cast<int>(i * 2654435761U);
+    CHECK((gl::Buffer::of<int>("large", items).readAll<int>() == items));
+    gl::Buffer later("large, written later", count * sizeof(int));
+    CHECK((later.readAll<int>() == std::vector<int>(count)));
+    later.write(0, std::as_bytes(std::span(items)));
+    CHECK((later.readAll<int>() == items));
+    const std::array<int, 3> three = {1, 2, 3};
+    later.write(4 * (count - 3), std::as_bytes(std::span(three)));
+    std::copy(three.begin(), three.end(), items.end() - 3);
+    CHECK((later.readAll<int>() == items));
+  }
 }
 
 TEST_CASE("limits are named before anything is allocated") {
