@@ -1,5 +1,5 @@
 // STEPS steps in one pass, without a tile: the 32 invocations of a work group lie side by side across a strip, PAIRS
-// elements each, and go down ROWS rows of it. A row that is loaded completes the row above it one step later, which
+// elements each, and go down STRIP_ROWS rows of it. A row that is loaded completes the row above it one step later, which
 // completes the row above that another step later, and so on, so a pass keeps two rows of each step in registers and
 // repeats only the strip's sides and its first and last 2 * STEPS rows. The order of operations is that of step.comp,
 // so the bits are the same.
@@ -116,8 +116,8 @@ vec4 loadPair(Source source, int start) {
 
 void main() {
   int x = int(gl_WorkGroupID.x) * (32 * PAIRS - 2 * border) - border + lane * PAIRS;
-  int top = rowRange.x + int(gl_WorkGroupID.y) * ROWS;
-  int count = min(ROWS, rowRange.x + rowRange.y - top) + 2 * STEPS;
+  int top = rowRange.x + int(gl_WorkGroupID.y) * STRIP_ROWS;
+  int count = min(STRIP_ROWS, rowRange.x + rowRange.y - top) + 2 * STEPS;
   int row = wrapped(top - STEPS, size.y);
   int to = top - 2 * STEPS;
   Source firstSource = sourceOf(x);

@@ -11,10 +11,14 @@ namespace simreel::sim {
 
 namespace {
 
-/// Of a pass of several steps: elements and rows of its tile (32 KiB, which every driver has), and rows
-/// that an invocation keeps in registers (fused.comp unrolls them).
+/// Invocations side by side across a strip (strips.comp).
 constexpr int stripGroup = 32;
-constexpr int tileX = 32, tileY = 64, tileRows = 8;
+
+/// How many groups a pass of several steps takes; each repeats `steps` cells around its part.
+int stripCount(glm::ivec2 size, int steps, int pairs, int rows) {
+  const int width = stripGroup * pairs - (steps + 1) / 2 * 2;
+  return (((size.x + 1) / 2 - 1) / width + 1) * ((size.y - 1) / rows + 1);
+}
 
 /// Before anything is filled: a grid far beyond the limit would first take gigabytes.
 void checkLimits(const std::string& name, glm::ivec2 size, int columns) {
@@ -49,8 +53,15 @@ std::vector<glm::uvec4> elementsOf(const std::vector<std::uint32_t>& words) {
 
 }  // namespace
 
-GrayScottKernels::Cut GrayScottKernels::bestCut() {
-  return gl::memoryPath() == gl::MemoryPath::texel ? Cut{1, 4, 32, 4, 1} : Cut{1, 8, 32, 4, 8};
+// Long, wide strips repeat least; an H200 wants some 4,000 of them (9 of the widest are at work on each of
+// its 132 multiprocessors at a time). Measured from 512x512 to 8192x8192, tools/bench/README.md.
+GrayScottKernels::Cut GrayScottKernels::bestCut(glm::ivec2 size) {
+  if (gl::memoryPath() == gl::MemoryPath::texel) return {1, 4, 32, 4};
+  constexpr int steps = 4, wanted = 4000;
+  if (stripCount(size, steps, 2, 128) >= wanted) return {1, 1, 32, 4, -1, steps, 2, 128};
+  int rows = 128;
+  while (rows > 16 && stripCount(size, steps, 1, rows) < wanted) rows /= 2;
+  return {1, 1, 32, 4, -1, steps, 1, rows};
 }
 
 GrayScottKernels::GrayScottKernels(const std::string& name, const GrayScottPlan& plan, bool fast,
@@ -83,14 +94,11 @@ GrayScottKernels::GrayScottKernels(const std::string& name, const GrayScottPlan&
   define("GROUP_Y", cut_.groupY);
   makeProgram(step_, "gray_scott/step.comp", defines);
   if (cut_.stepsPerPass == 1) return;
-  gl::Defines several = gl::kernelDefines(fast);
-  if (size_.x % 2 == 1) several.emplace_back("ODD_WIDTH", "1");
-  if (cut_.stripPairs > 0 && gl::limits().shuffle32) several.emplace_back("SUBGROUPS", "1");
-  for (const auto& [key, value] :
-       {std::pair{"TILE_X", tileX}, std::pair{"TILE_Y", tileY}, std::pair{"STEPS", cut_.stepsPerPass},
-        std::pair{"PAIRS", cut_.stripPairs}, std::pair{"ROWS", cut_.stripRows}})
-    several.emplace_back(key, std::to_string(value));
-  makeProgram(fused_, cut_.stripPairs > 0 ? "gray_scott/strips.comp" : "gray_scott/fused.comp", several);
+  if (gl::limits().shuffle32) defines.emplace_back("SUBGROUPS", "1");
+  define("STEPS", cut_.stepsPerPass);
+  define("PAIRS", cut_.stripPairs);
+  define("STRIP_ROWS", cut_.stripRows);
+  makeProgram(strips_, "gray_scott/strips.comp", defines);
 }
 
 void GrayScottKernels::makeProgram(gl::Program& program, const char* path,
@@ -102,7 +110,7 @@ void GrayScottKernels::makeProgram(gl::Program& program, const char* path,
 
 void GrayScottKernels::setRates(const GrayScottPlan::Rates& rates) {
   const shader::GrayScottRates& r = rates.base;
-  for (const gl::Program* program : {&step_, &fused_}) {
+  for (const gl::Program* program : {&step_, &strips_}) {
     if (program->name() == 0) continue;
     program->set("rates", glm::vec4(r.diffuseU, r.diffuseV, r.dt, 0));
     program->set("feedKill", glm::vec4(r.feed, r.kill, rates.feedSpan, rates.killSpan));
@@ -110,43 +118,40 @@ void GrayScottKernels::setRates(const GrayScottPlan::Rates& rates) {
 }
 
 void GrayScottKernels::advance(int steps) {
-  const int fused = cut_.stepsPerPass > 1 ? steps / cut_.stepsPerPass : 0;
-  run(fused_, fused, cut_.stepsPerPass);
-  run(step_, steps - fused * cut_.stepsPerPass, 1);
-}
-
-void GrayScottKernels::run(const gl::Program& program, int count, int reach) {
-  const int depth = cut_.bandRows / (4 * reach);
-  while (count > 0) {
-    const int passes = depth > 1 ? std::min(count, depth) : 1;
-    if (passes > 1)
-      bands(program, passes, reach);
-    else
-      pass(program, 0, 0, size_.y);
-    if (passes % 2 == 1) {
-      std::swap(cells_[0], cells_[1]);
-      std::swap(words_[0], words_[1]);
+  if (cut_.stepsPerPass > 1)
+    for (; steps >= cut_.stepsPerPass; steps -= cut_.stepsPerPass) {
+      pass(strips_, 0, 0, size_.y);
+      swapCells();
     }
-    count -= passes;
+  while (steps > 0) {
+    const int passes = std::clamp(steps, 1, std::max(cut_.bandRows / 4, 1));
+    if (passes > 1)
+      bands(passes);
+    else
+      pass(step_, 0, 0, size_.y);
+    if (passes % 2 == 1) swapCells();
+    steps -= passes;
   }
 }
 
+void GrayScottKernels::swapCells() {
+  std::swap(cells_[0], cells_[1]);
+  std::swap(words_[0], words_[1]);
+}
+
 // Sweeping a grid larger than the device's caches of memory and addresses misses them in every pass. Bands
-// of rows that fit take several passes in turn: pass s computes the rows of a band that are s * reach or
-// more from its edges, from values that are there; then what is missing around each edge, s * reach to both
+// of rows that fit take several passes of a step in turn: pass s computes the rows of a band that are s or
+// more from its edges, from values that are there; then what is missing around each edge, s rows to both
 // sides. A row keeps the values of its last two passes, and those are what its neighbours still ask for:
 // two arrays are enough.
-void GrayScottKernels::bands(const gl::Program& program, int count, int reach) {
+void GrayScottKernels::bands(int steps) {
   const int number = (size_.y - 1) / cut_.bandRows + 1;
   const auto edge = [&](int band) { return static_cast<int>(std::int64_t{size_.y} * band / number); };
   for (int band = 0; band < number; ++band)
-    for (int s = 1; s <= count; ++s) {
-      const int first = edge(band) + s * reach;
-      pass(program, (s - 1) % 2, first, edge(band + 1) - s * reach - first);
-    }
+    for (int s = 1; s <= steps; ++s)
+      pass(step_, (s - 1) % 2, edge(band) + s, edge(band + 1) - edge(band) - 2 * s);
   for (int band = 0; band < number; ++band)
-    for (int s = 1; s <= count; ++s)
-      pass(program, (s - 1) % 2, (edge(band) - s * reach + size_.y) % size_.y, 2 * s * reach);
+    for (int s = 1; s <= steps; ++s) pass(step_, (s - 1) % 2, (edge(band) - s + size_.y) % size_.y, 2 * s);
 }
 
 void GrayScottKernels::pass(const gl::Program& program, int from, int first, int rows) {
@@ -155,14 +160,10 @@ void GrayScottKernels::pass(const gl::Program& program, int from, int first, int
   if (mapped_) weights_.bindInput(2);
   program.set("rowRange", glm::ivec2(first, rows));
   gl::barrier();
-  const int borders = (cut_.stepsPerPass + 1) / 2 * 2;
-  if (&program == &fused_ && cut_.stripPairs > 0) {
-    const int width = stripGroup * cut_.stripPairs - borders;
-    program.dispatch(((columns_ - 1) / width + 1) * stripGroup, (rows - 1) / cut_.stripRows + 1);
-  } else if (&program == &fused_) {
-    const int width = tileX - borders;
-    const int height = tileY - 2 * cut_.stepsPerPass;
-    program.dispatch(((columns_ - 1) / width + 1) * tileX, ((rows - 1) / height + 1) * (tileY / tileRows));
+  if (&program == &strips_) {
+    const int down = (rows - 1) / cut_.stripRows + 1;
+    const int across = stripCount({size_.x, 1}, cut_.stepsPerPass, cut_.stripPairs, 1);
+    program.dispatch(across * stripGroup, down);
   } else {
     program.dispatch((columns_ - 1) / cut_.across + 1, (rows - 1) / cut_.rows + 1);
   }

@@ -12,20 +12,21 @@ class GrayScottKernels {
  public:
   /// How the work is cut up; every choice gives the same bits.
   struct Cut {
-    int across = 2;  ///< elements (two cells) that an invocation of a single step takes in a row
-    int rows = 8;    ///< and rows
-    int groupX = 8, groupY = 8;
-    int stepsPerPass = 1;  ///< 2, 3, 4, 6 or 8: several steps a pass, in tiles or strips
-    int bandRows = -1;  ///< rows that several passes stay in (bands()); 0: all; -1: as the grid's size asks
-    int stripPairs = 0;  ///< elements across a strip that each of 32 invocations takes, 1 or 2; 0: tiles
-    int stripRows = 128;
+    int across = 1;  ///< elements (two cells) that an invocation of a single step takes in a row
+    int rows = 1;    ///< and rows
+    int groupX = 32, groupY = 4;
+    int bandRows = -1;  ///< rows that single steps stay in (bands()); 0: all; -1: as the grid's size asks
+    int stepsPerPass = 1;  ///< 2, 3, 4, 6 or 8: several steps a pass, in strips
+    int stripPairs = 1;    ///< elements across a strip that each of 32 invocations takes, 1 or 2
+    int stripRows = 64;    ///< and rows that they go down
   };
-  /// What is fastest on this device's memory path.
-  [[nodiscard]] static Cut bestCut();
+  /// What is fastest for a grid of that size on this device's memory path.
+  [[nodiscard]] static Cut bestCut(glm::ivec2 size);
 
   /// Throws UserError(device) when the grid is beyond a limit of the device.
-  GrayScottKernels(const std::string& name, const GrayScottPlan& plan, bool fast,
-                   const Cut& cut = bestCut());
+  GrayScottKernels(const std::string& name, const GrayScottPlan& plan, bool fast, const Cut& cut);
+  GrayScottKernels(const std::string& name, const GrayScottPlan& plan, bool fast)
+      : GrayScottKernels(name, plan, fast, bestCut(plan.parameters().size)) {}
 
   /// What the following steps use.
   void setRates(const GrayScottPlan::Rates& rates);
@@ -39,9 +40,8 @@ class GrayScottKernels {
 
  private:
   void makeProgram(gl::Program& program, const char* path, const gl::Defines& defines) const;
-  /// `count` passes that each reach `reach` rows.
-  void run(const gl::Program& program, int count, int reach);
-  void bands(const gl::Program& program, int count, int reach);
+  void bands(int steps);
+  void swapCells();
   /// From cells_[from] to the other array, `rows` of them from `first` on, over the border where need be.
   void pass(const gl::Program& program, int from, int first, int rows);
 
@@ -52,7 +52,7 @@ class GrayScottKernels {
   gl::Texture words_[2];
   gl::Vec4Array weights_;
   gl::WordsArray strokeBits_;
-  gl::Program step_, fused_, paint_;
+  gl::Program step_, strips_, paint_;
   bool mapped_;
 };
 

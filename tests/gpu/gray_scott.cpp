@@ -115,11 +115,11 @@ TEST_CASE("grayScott: every cut of the work gives the same bits") {
   twin.advance(plan.ratesAt(0), 61);
   using Cut = sim::GrayScottKernels::Cut;
   for (const Cut cut :
-       {Cut{1, 1, 8, 8, 1}, Cut{1, 8, 32, 4, 1}, Cut{2, 4, 8, 8, 1}, Cut{3, 5, 4, 4, 1}, Cut{1, 4, 8, 8, 2},
-        Cut{1, 4, 8, 8, 3}, Cut{1, 4, 8, 8, 4}, Cut{1, 4, 8, 8, 8}, Cut{1, 8, 32, 4, 1, 16},
-        Cut{1, 4, 8, 8, 1, 9}, Cut{1, 4, 8, 8, 2, 20}, Cut{1, 4, 8, 8, 2, -1, 1, 20},
-        Cut{1, 4, 8, 8, 3, -1, 1, 9}, Cut{1, 4, 8, 8, 8, -1, 1, 31}, Cut{1, 4, 8, 8, 3, -1, 2, 50},
-        Cut{1, 4, 8, 8, 4, -1, 2, 128}, Cut{1, 4, 8, 8, 4, 34, 2, 7}}) {
+       {Cut{1, 1, 8, 8}, Cut{1, 8, 32, 4}, Cut{2, 4, 8, 8}, Cut{3, 5, 4, 4}, Cut{1, 8, 32, 4, 16},
+        Cut{1, 4, 8, 8, 9}, Cut{1, 1, 32, 4, 41}, Cut{1, 4, 8, 8, -1, 2, 1, 20},
+        Cut{1, 4, 8, 8, -1, 3, 1, 9}, Cut{1, 4, 8, 8, -1, 6, 1, 16}, Cut{1, 4, 8, 8, -1, 8, 1, 31},
+        Cut{1, 4, 8, 8, -1, 3, 2, 50}, Cut{1, 4, 8, 8, 34, 4, 2, 7},
+        sim::GrayScottKernels::bestCut(p.size)}) {
     CAPTURE(cut.across);
     CAPTURE(cut.rows);
     CAPTURE(cut.stepsPerPass);
