@@ -33,12 +33,6 @@ std::vector<std::string> arrayNames(const sim::Simulation& simulation) {
   return names;
 }
 
-std::vector<std::string> quantityNames(const sim::Simulation& simulation) {
-  std::vector<std::string> names;
-  for (const char* name : simulation.quantityNames()) names.emplace_back(name);
-  return names;
-}
-
 }  // namespace
 
 /// Finds what a check names in a scene and its world.
@@ -62,14 +56,12 @@ class Checker::Resolver {
     } else if (check.isStatistic()) {
       resolveStatistic(where, item);
     } else {
-      resolveQuantity(where, item);
+      resolveQuantity(item);
     }
     return item;
   }
 
  private:
-  using NamesOf = std::vector<std::string> (*)(const sim::Simulation&);
-
   void requirePictures(const std::string& where, const std::vector<int>& frames) const {
     for (const int frame : frames)
       if (!std::binary_search(tested_.begin(), tested_.end(), frame))
@@ -111,14 +103,14 @@ class Checker::Resolver {
     return {};
   }
 
-  /// The one object that has `name` among its names; "array" or "quantity" in messages.
-  [[nodiscard]] std::size_t owner(const std::string& where, const scene::Check& check, const char* sort,
-                                  const std::string& name, NamesOf namesOf) const {
+  /// The one object that has a state array of that name.
+  [[nodiscard]] std::size_t owner(const std::string& where, const scene::Check& check,
+                                  const std::string& name) const {
     std::set<std::string> known;
     std::vector<std::size_t> owners;
     std::vector<std::string> ownerNames;
     for (const std::size_t i : candidates(where, check)) {
-      const std::vector<std::string> names = namesOf(world_.object(i));
+      const std::vector<std::string> names = arrayNames(world_.object(i));
       known.insert(names.begin(), names.end());
       if (!contains(names, name)) continue;
       owners.push_back(i);
@@ -130,8 +122,8 @@ class Checker::Resolver {
               ? "no object of the scene has"
               : fmt::format("object \"{}\" is a {} and does not have", check.object, kindOf(check.object));
       const std::vector<std::string> names(known.begin(), known.end());
-      fail(ExitCode::usage, "{}: {} a{} {} named {}; {}", where, holder, *sort == 'a' ? "n" : "", sort,
-           scene::inQuotes(name), scene::suggestion(name, names));
+      fail(ExitCode::usage, "{}: {} an array named {}; {}", where, holder, scene::inQuotes(name),
+           scene::suggestion(name, names));
     }
     if (owners.size() > 1)
       fail(ExitCode::usage, "{}: several objects have {}: {}; name one of them with \"object\"", where,
@@ -152,20 +144,24 @@ class Checker::Resolver {
       fail(ExitCode::usage, "{}: {} has no component {}; known here: x, y, z, w, length", where,
            scene::inQuotes(check.of), scene::inQuotes(component));
     item.component = *known;
-    const std::size_t object = owner(where, check, "array", array, arrayNames);
+    const std::size_t object = owner(where, check, array);
     const auto names = arrayNames(world_.object(object));
     item.index = static_cast<std::size_t>(std::find(names.begin(), names.end(), array) - names.begin());
     item.objects = {object};
     item.label = fmt::format("{} of {} {}", check.what, scene_.objects[object].name, check.of);
   }
 
-  void resolveQuantity(const std::string& where, Item& item) const {
+  void resolveQuantity(Item& item) const {
     const std::string& what = item.check.what;
-    const std::size_t object = owner(where, item.check, "quantity", what, quantityNames);
-    const auto names = quantityNames(world_.object(object));
-    item.index = static_cast<std::size_t>(std::find(names.begin(), names.end(), what) - names.begin());
-    item.objects = {object};
-    item.label = fmt::format("{} of {}", what, scene_.objects[object].name);
+    const std::vector<std::size_t> owners = scene_.owners(item.check);
+    SIMREEL_CHECK_EQ(owners.size(), 1U);  // the scene's reader sees to it
+    const scene::Object& object = scene_.objects[owners.front()];
+    const auto table = object.parameters->quantities();
+    item.index = static_cast<std::size_t>(
+        std::find_if(table.begin(), table.end(), [&](const auto& q) { return what == q.name; }) -
+        table.begin());
+    item.objects = owners;
+    item.label = fmt::format("{} of {}", what, object.name);
   }
 
   const scene::Scene& scene_;
@@ -190,8 +186,8 @@ class Checker::StateOfFrame {
   }
   [[nodiscard]] double quantity(std::size_t object, std::size_t index) {
     auto [place, isNew] = quantities_.try_emplace(object);
-    if (isNew) place->second = world_.object(object).quantities();
-    return place->second.at(index).value;
+    if (isNew) place->second = world_.object(object).measure();
+    return place->second.at(index);
   }
   [[nodiscard]] std::vector<sim::StateArray> arraysOf(std::size_t object) const {
     return world_.object(object).state();
@@ -200,7 +196,7 @@ class Checker::StateOfFrame {
  private:
   const sim::World& world_;
   std::map<std::pair<std::size_t, std::size_t>, std::vector<glm::vec4>> arrays_;
-  std::map<std::size_t, std::vector<sim::Quantity>> quantities_;
+  std::map<std::size_t, std::vector<double>> quantities_;
 };
 
 Checker::Checker(const scene::Scene& scene, const sim::World& world, std::span<const int> testedFrames)

@@ -7,6 +7,7 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -95,6 +96,13 @@ class Fields {
   }
 };
 
+/// One number that a simulation measures of its state, for checks of tests.
+struct Quantity {
+  const char* name;
+  const char* unit;  ///< "" when there is none
+  const char* doc;
+};
+
 /// Parameters of one kind of object; each simulation derives its own.
 struct Parameters {
   virtual ~Parameters() = default;
@@ -105,6 +113,10 @@ struct Parameters {
   [[nodiscard]] virtual bool publishesHeights() const { return false; }
   /// Whether it asks for such a surface.
   [[nodiscard]] virtual bool needsHeights() const { return false; }
+  /// What this kind of simulation measures of its state, if measures().
+  [[nodiscard]] virtual std::span<const Quantity> quantities() const { return {}; }
+  /// Whether it does with these values.
+  [[nodiscard]] virtual bool measures() const { return !quantities().empty(); }
 };
 
 /// One line of the list of simulations: what a scene calls it, one sentence, and how to make its

@@ -136,6 +136,8 @@ struct Scene {
   std::string hash;  ///< of the scene's text and overrides; 32 hexadecimal digits
 
   [[nodiscard]] int frameCount() const;
+  /// The objects that measure the quantity a check names, among those it may mean; it should be one.
+  [[nodiscard]] std::vector<std::size_t> owners(const Check& check) const;
   /// The frames that a test compares: the given ones, or first, middle and last; ascending, no repeats.
   [[nodiscard]] std::vector<int> testFrames() const;
 };

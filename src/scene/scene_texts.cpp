@@ -51,6 +51,20 @@ std::string sceneHelp() {
          "\"smooth\"}.\n";
 }
 
+/// What checks may ask for.
+std::string quantitiesText(std::span<const Quantity> quantities) {
+  if (quantities.empty()) return "";
+  std::size_t name = 0, unit = 0;
+  for (const Quantity& q : quantities) {
+    name = std::max(name, std::string_view(q.name).size());
+    unit = std::max(unit, std::string_view(q.unit).size());
+  }
+  std::string out = "\nMeasured, for \"what\" of \"checks\":\n\n";
+  for (const Quantity& q : quantities)
+    out += fmt::format("  {:<{}}  {:<{}}{}{}\n", q.name, name, q.unit, unit, unit > 0 ? "  " : "", q.doc);
+  return out;
+}
+
 }  // namespace
 
 std::string schemaText(std::span<const Kind> kinds) {
@@ -94,10 +108,11 @@ std::string helpText(std::string_view name, std::span<const Kind> kinds) {
     known.emplace_back(kind.name);
     if (name != kind.name) continue;
     HelpWriter table(true);
-    kind.makeParameters()->describe(table);
+    const auto parameters = kind.makeParameters();
+    parameters->describe(table);
     return fmt::format(
-        "{}: {}\nIn a scene: \"objects\": {{\"name\": {{\"{}\": {{...}}, \"material\": {{...}}}}}}\n\n{}",
-        kind.name, kind.doc, kind.name, table.table());
+        "{}: {}\nIn a scene: \"objects\": {{\"name\": {{\"{}\": {{...}}, \"material\": {{...}}}}}}\n\n{}{}",
+        kind.name, kind.doc, kind.name, table.table(), quantitiesText(parameters->quantities()));
   }
   fail(ExitCode::usage, "no simulation or scene section is named {}; {}", inQuotes(printable(name)),
        suggestion(name, known));

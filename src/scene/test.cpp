@@ -9,6 +9,7 @@
 #include <array>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace simreel::scene {
 
@@ -41,7 +42,6 @@ bool namesComponent(const std::string& of) {
 
 /// What a check of this kind needs and must not have.
 void checkForm(Fields& fields, const Check& check) {
-  const bool builtIn = check.what == "not-blank" || check.what == "no-nan";
   if (check.what.empty()) {
     fields.error("what",
                  "\"what\" is missing: not-blank, no-nan, mean, min, max, sum, or a quantity such as "
@@ -59,7 +59,7 @@ void checkForm(Fields& fields, const Check& check) {
                  fmt::format("\"of\" belongs to mean, min, max and sum, not to {}", inQuotes(check.what)));
   } else if (check.what == "not-blank" && fields.given("object")) {
     fields.error("object", "\"not-blank\" looks at the whole picture, not at an object");
-  } else if (builtIn) {
+  } else if (!check.isStatistic() && !check.isQuantity()) {
     for (const char* bound : {"least", "most", "drift"})
       if (fields.given(bound)) fields.error(bound, fmt::format("\"{}\" takes no bounds", check.what));
   } else if (!check.least && !check.most && !check.drift) {
@@ -67,6 +67,33 @@ void checkForm(Fields& fields, const Check& check) {
     fields.error("what", fmt::format("{} needs a bound: \"least\", \"most\" or \"drift\"{}",
                                      inQuotes(check.what), near.starts_with("did") ? "; " + near : ""));
   }
+}
+
+/// One object must measure the quantity that a check names.
+void checkQuantity(Fields& fields, const Check& check, const Scene& scene) {
+  std::vector<std::string> known;
+  for (const Object& object : scene.objects) {
+    if (object.parameters == nullptr) return;  // a mistake of its own
+    if (object.parameters->measures() && (check.object.empty() || object.name == check.object))
+      for (const Quantity& quantity : object.parameters->quantities())
+        if (std::find(known.begin(), known.end(), quantity.name) == known.end())
+          known.emplace_back(quantity.name);
+  }
+  const std::vector<std::size_t> owners = scene.owners(check);
+  std::vector<std::string> names;
+  for (const std::size_t i : owners) names.push_back(scene.objects[i].name);
+  if (owners.size() > 1)
+    fields.error("what", fmt::format("several objects have {}: {}; name one of them with \"object\"",
+                                     inQuotes(check.what), fmt::join(names, ", ")));
+  if (!owners.empty()) return;
+  const auto named = std::find_if(scene.objects.begin(), scene.objects.end(),
+                                  [&](const Object& object) { return object.name == check.object; });
+  if (named != scene.objects.end())
+    fields.error("what", fmt::format("object \"{}\" is a {} and has no quantity {}; {}", named->name,
+                                     named->kind, inQuotes(check.what), suggestion(check.what, known)));
+  else if (check.object.empty())
+    fields.error("what", fmt::format("no object of the scene has a quantity {}; {}", inQuotes(check.what),
+                                     suggestion(check.what, known)));
 }
 
 /// What a check says against the scene it belongs to.
@@ -77,6 +104,7 @@ void checkAgainstScene(Fields& fields, const Check& check, const Scene& scene,
   if (!check.object.empty() && std::find(names.begin(), names.end(), check.object) == names.end())
     fields.error("object", fmt::format("no object is named {}; {}", inQuotes(check.object),
                                        suggestion(check.object, names)));
+  if (check.isQuantity() && (check.least || check.most || check.drift)) checkQuantity(fields, check, scene);
   if (!frameCount) return;
   checkLength(fields, check.frames, *frameCount);
   const std::vector<int> tested = scene.testFrames();
@@ -133,11 +161,17 @@ bool Check::isStatistic() const {
   return what == "mean" || what == "min" || what == "max" || what == "sum";
 }
 
+bool Check::isQuantity() const {
+  return !what.empty() && what != "not-blank" && what != "no-nan" && !isStatistic();
+}
+
 void Check::describe(Fields& fields) {
   fields.text(
       "what", what,
       "not-blank (the picture is not one colour), no-nan (every number of the state is finite), mean, "
-      "min, max or sum of a component, or a quantity that the simulation measures, such as mass.");
+      "min, max or sum of a component, or a quantity that the simulation measures, such as mass (simreel "
+      "list "
+      "KIND names them).");
   fields.text("object", object, "Name of the object; none given: the only one that has it.");
   fields.text("of", of,
               "State array and component, such as \"positions.y\"; x, y, z, w or length (of xyz).");
@@ -164,6 +198,18 @@ void describeTests(Fields& fields, Scene& scene, std::optional<int> frameCount) 
     check.describe(inner);
     checkAgainstScene(inner, check, scene, frameCount);
   });
+}
+
+std::vector<std::size_t> Scene::owners(const Check& check) const {
+  std::vector<std::size_t> found;
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    if (!objects[i].parameters->measures()) continue;
+    if (!check.object.empty() && objects[i].name != check.object) continue;
+    const auto table = objects[i].parameters->quantities();
+    if (std::any_of(table.begin(), table.end(), [&](const Quantity& q) { return check.what == q.name; }))
+      found.push_back(i);
+  }
+  return found;
 }
 
 std::vector<int> Scene::testFrames() const {

@@ -50,6 +50,8 @@ struct Check {
 
   /// "mean", "min", "max" or "sum".
   [[nodiscard]] bool isStatistic() const;
+  /// Whether `what` is one that a simulation measures.
+  [[nodiscard]] bool isQuantity() const;
 };
 
 }  // namespace simreel::scene

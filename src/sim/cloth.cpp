@@ -114,11 +114,10 @@ class Cloth : public Simulation {
     return table;
   }
   [[nodiscard]] const gl::Buffer* status() const override { return &status_; }
-  [[nodiscard]] std::vector<Quantity> quantities() const override {
-    return clothQuantities(plan_.parameters(), positions_[0].buffer().readAll<glm::vec4>(),
-                           velocities_.buffer().readAll<glm::vec4>(), time_);
+  [[nodiscard]] std::vector<double> measure() const override {
+    return measureCloth(plan_.parameters(), positions_[0].buffer().readAll<glm::vec4>(),
+                        velocities_.buffer().readAll<glm::vec4>(), time_);
   }
-  [[nodiscard]] std::vector<const char*> quantityNames() const override { return clothQuantityNames(); }
   [[nodiscard]] std::string explainLoss(unsigned step, unsigned element) const override {
     const auto width = static_cast<unsigned>(size_.x);
     return fmt::format(

@@ -60,6 +60,7 @@ struct ClothParameters : scene::Parameters {
 
   ClothParameters();
   void describe(scene::Fields& fields) override;
+  [[nodiscard]] std::span<const scene::Quantity> quantities() const override;
 
   /// Largest stable substep in seconds for the given speed of air (explicit springs; infinite for
   /// constraints).

@@ -67,9 +67,21 @@ void addFamily(const SpringFamily& family, glm::ivec2 size, std::span<const glm:
 
 }  // namespace
 
-std::vector<Quantity> clothQuantities(const ClothParameters& parameters,
-                                      std::span<const glm::vec4> positions,
-                                      std::span<const glm::vec4> velocities, double time) {
+std::span<const scene::Quantity> ClothParameters::quantities() const {
+  static const scene::Quantity table[] = {
+      {"population", "", "Particles."},
+      {"mass", "kg", "Of all particles, the pinned ones included."},
+      {"kineticEnergy", "J", "Of all particles."},
+      {"potentialEnergy", "J", "In the field of gravity, against the plane through the origin across it."},
+      {"elasticEnergy", "J", "Of all springs; of the constraints solver that of compliant constraints."},
+      {"energy", "J", "Kinetic, potential and elastic."},
+      {"stretch", "", "Largest length of a structural spring as a ratio to rest."},
+      {"speed", "m/s", "Of the fastest particle."}};
+  return table;
+}
+
+std::vector<double> measureCloth(const ClothParameters& parameters, std::span<const glm::vec4> positions,
+                                 std::span<const glm::vec4> velocities, double time) {
   SIMREEL_CHECK_EQ(positions.size(), velocities.size());
   SIMREEL_CHECK_EQ(positions.size(), static_cast<std::size_t>(parameters.size.x) *
                                          static_cast<std::size_t>(parameters.size.y));
@@ -89,21 +101,10 @@ std::vector<Quantity> clothQuantities(const ClothParameters& parameters,
   for (const SpringFamily& family : springFamilies(parameters))
     addFamily(family, parameters.size, positions, springs);
   const auto count = static_cast<double>(positions.size());
-  return {{"population", count, "", "Particles."},
-          {"mass", count * mass, "kg", "Of all particles, the pinned ones included."},
-          {"kineticEnergy", kinetic, "J", "Of all particles."},
-          {"potentialEnergy", potential, "J",
-           "In the field of gravity, against the plane through the origin across it."},
-          {"elasticEnergy", springs.energy, "J",
-           "Of all springs; of the constraints solver that of compliant constraints."},
-          {"energy", kinetic + potential + springs.energy, "J", "Kinetic, potential and elastic."},
-          {"stretch", springs.stretch, "", "Largest length of a structural spring as a ratio to rest."},
-          {"speed", std::sqrt(fastestSquared), "m/s", "Of the fastest particle."}};
-}
-
-std::vector<const char*> clothQuantityNames() {
-  return {"population",    "mass",   "kineticEnergy", "potentialEnergy",
-          "elasticEnergy", "energy", "stretch",       "speed"};
+  return {count,           count * mass,
+          kinetic,         potential,
+          springs.energy,  kinetic + potential + springs.energy,
+          springs.stretch, std::sqrt(fastestSquared)};
 }
 
 }  // namespace simreel::sim

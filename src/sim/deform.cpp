@@ -101,8 +101,7 @@ class DeformedMesh : public Simulation {
   }
   [[nodiscard]] std::optional<MeshTable> mesh() const override;
   [[nodiscard]] const HeightField* heights() const override { return heights_ ? &*heights_ : nullptr; }
-  [[nodiscard]] std::vector<Quantity> quantities() const override { return meshQuantities(*mesh()); }
-  [[nodiscard]] std::vector<const char*> quantityNames() const override { return meshQuantityNames(); }
+  [[nodiscard]] std::vector<double> measure() const override { return measureMesh(*mesh()); }
   [[nodiscard]] std::vector<std::pair<const char*, double>> stageTimes() const override {
     return clock_.times();
   }

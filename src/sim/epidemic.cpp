@@ -60,15 +60,9 @@ class Epidemic final : public Simulation {
   [[nodiscard]] CountTable counts() const override {
     return {{"susceptible", "infected", "recovered"}, &grid_->frameCounts(), grid_->frameSteps()};
   }
-  [[nodiscard]] std::vector<const char*> quantityNames() const override {
-    return {"susceptible", "infected", "recovered", "people"};
-  }
-  [[nodiscard]] std::vector<Quantity> quantities() const override {
-    const glm::uvec4 n = grid_->latestCounts();
-    return {{"susceptible", static_cast<double>(n.x), "", "People that can be infected."},
-            {"infected", static_cast<double>(n.y), "", "People that infect others."},
-            {"recovered", static_cast<double>(n.z), "", "People that are immune."},
-            {"people", static_cast<double>(n.x) + n.y + n.z, "", "All people; stays the same."}};
+  [[nodiscard]] std::vector<double> measure() const override {
+    const glm::dvec4 n(grid_->latestCounts());
+    return {n.x, n.y, n.z, n.x + n.y + n.z};
   }
 
  private:

@@ -119,4 +119,12 @@ std::vector<glm::vec3> EpidemicPlan::palette() const {
   return colors;
 }
 
+std::span<const scene::Quantity> EpidemicParameters::quantities() const {
+  static const scene::Quantity table[] = {{"susceptible", "", "People that can be infected."},
+                                          {"infected", "", "People that infect others."},
+                                          {"recovered", "", "People that are immune."},
+                                          {"people", "", "All people; stays the same."}};
+  return table;
+}
+
 }  // namespace simreel::sim

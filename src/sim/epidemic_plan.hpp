@@ -34,6 +34,7 @@ struct EpidemicParameters final : scene::Parameters, SpreadParameters {
 
   void describe(scene::Fields& fields) override;
   [[nodiscard]] bool isField() const override { return true; }
+  [[nodiscard]] std::span<const scene::Quantity> quantities() const override;
 };
 
 /// Everything of an epidemic that is decided on the CPU; shared by the GPU simulation and its CPU twin.

@@ -67,9 +67,8 @@ class GrayScott : public Simulation {
   [[nodiscard]] std::vector<StateArray> state() const override {
     return {{"cells", &kernels_.cells().buffer()}};
   }
-  [[nodiscard]] std::vector<const char*> quantityNames() const override { return grayScottQuantityNames(); }
-  [[nodiscard]] std::vector<Quantity> quantities() const override {
-    return grayScottQuantities(kernels_.cells().buffer().readAll<glm::vec4>(), plan_.parameters().size);
+  [[nodiscard]] std::vector<double> measure() const override {
+    return measureGrayScott(kernels_.cells().buffer().readAll<glm::vec4>(), plan_.parameters().size);
   }
 
  private:

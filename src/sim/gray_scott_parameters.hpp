@@ -47,6 +47,7 @@ struct GrayScottParameters : scene::Parameters {
   GrayScottParameters();
   void describe(scene::Fields& fields) override;
   [[nodiscard]] bool isField() const override { return true; }
+  [[nodiscard]] std::span<const scene::Quantity> quantities() const override;
 
   /// Rates at `time` (s), before they vary in space.
   [[nodiscard]] FeedKill ratesAt(double time) const;

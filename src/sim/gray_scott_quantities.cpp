@@ -126,11 +126,20 @@ Patches patchesOf(const std::vector<char>& inside, glm::ivec2 size) {
   return patches;
 }
 
-std::vector<const char*> grayScottQuantityNames() {
-  return {"meanU", "meanV", "mostV", "coverage", "spots", "largestSpot", "holes", "wavelength"};
+std::span<const scene::Quantity> GrayScottParameters::quantities() const {
+  static const scene::Quantity table[] = {
+      {"meanU", "", "Mean of u."},
+      {"meanV", "", "Mean of v."},
+      {"mostV", "", "Greatest v."},
+      {"coverage", "", "Share of cells with v above half the greatest."},
+      {"spots", "", "Patches of such cells, joined over edges."},
+      {"largestSpot", "", "Share of cells in the largest patch."},
+      {"holes", "", "Patches of the other cells."},
+      {"wavelength", "cells", "Of most of the variance of v."}};
+  return table;
 }
 
-std::vector<Quantity> grayScottQuantities(std::span<const glm::vec4> cells, glm::ivec2 size) {
+std::vector<double> measureGrayScott(std::span<const glm::vec4> cells, glm::ivec2 size) {
   const int columns = (size.x + 1) / 2;
   double sumU = 0;
   double sumV = 0;
@@ -154,15 +163,14 @@ std::vector<Quantity> grayScottQuantities(std::span<const glm::vec4> cells, glm:
   }
   const Patches spots = patchesOf(inside, size);
   const auto cellCount = static_cast<double>(v.size());
-  return {{"meanU", sumU / cellCount, "", "Mean of u."},
-          {"meanV", sumV / cellCount, "", "Mean of v."},
-          {"mostV", most, "", "Greatest v."},
-          {"coverage", covered / cellCount, "", "Share of cells with v above half the greatest."},
-          {"spots", static_cast<double>(spots.count), "", "Patches of such cells, joined over edges."},
-          {"largestSpot", spots.largest / cellCount, "", "Share of cells in the largest patch."},
-          {"holes", static_cast<double>(patchesOf(outside, size).count), "", "Patches of the other cells."},
-          {"wavelength", most < leastPattern ? 0 : dominantWavelength(v, size), "cells",
-           "Of most of the variance of v."}};
+  return {sumU / cellCount,
+          sumV / cellCount,
+          most,
+          covered / cellCount,
+          static_cast<double>(spots.count),
+          spots.largest / cellCount,
+          static_cast<double>(patchesOf(outside, size).count),
+          most < leastPattern ? 0 : dominantWavelength(v, size)};
 }
 
 }  // namespace simreel::sim

@@ -1,5 +1,4 @@
 #pragma once
-#include "sim/simulation.hpp"
 
 #include <span>
 #include <vector>
@@ -9,10 +8,9 @@
 
 namespace simreel::sim {
 
-/// What a Gray-Scott field measures of its state, in the order of grayScottQuantityNames(). `cells`: two
+/// GrayScottParameters::quantities() of a state, in that order. `cells`: two
 /// cells (u, v, u, v) an element, rows of (width + 1) / 2.
-[[nodiscard]] std::vector<Quantity> grayScottQuantities(std::span<const glm::vec4> cells, glm::ivec2 size);
-[[nodiscard]] std::vector<const char*> grayScottQuantityNames();
+[[nodiscard]] std::vector<double> measureGrayScott(std::span<const glm::vec4> cells, glm::ivec2 size);
 
 /// Patches of a torus where `inside` is not 0, joined over edges: their number, and the cells of the
 /// largest.

@@ -105,17 +105,13 @@ class Life : public Simulation {
             }};
   }
 
-  [[nodiscard]] std::vector<Quantity> quantities() const override {
+  [[nodiscard]] std::vector<double> measure() const override {
     long alive = 0;
     for (const std::uint32_t word : cells_[0].buffer().readAll<std::uint32_t>())
       alive += std::popcount(word);
     const auto population = static_cast<double>(alive);
-    return {{"population", population, "cells", "Living cells."},
-            {"density", population / (static_cast<double>(size_.x) * size_.y), "", "Share of cells alive."},
-            {"generation", static_cast<double>(generation_ - firstGeneration_), "steps", "Steps taken."}};
-  }
-  [[nodiscard]] std::vector<const char*> quantityNames() const override {
-    return {"population", "density", "generation"};
+    return {population, population / (static_cast<double>(size_.x) * size_.y),
+            static_cast<double>(generation_ - firstGeneration_)};
   }
 
  private:

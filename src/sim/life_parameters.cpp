@@ -58,4 +58,11 @@ void LifeParameters::describe(scene::Fields& f) {
           [&](scene::Fields& g) { display.describe(g); });
 }
 
+std::span<const scene::Quantity> LifeParameters::quantities() const {
+  static const scene::Quantity table[] = {{"population", "cells", "Living cells."},
+                                          {"density", "", "Share of cells alive."},
+                                          {"generation", "steps", "Steps taken."}};
+  return table;
+}
+
 }  // namespace simreel::sim

@@ -35,6 +35,7 @@ struct LifeParameters : scene::Parameters {
   FieldDisplay display;
   void describe(scene::Fields& fields) override;
   [[nodiscard]] bool isField() const override { return true; }
+  [[nodiscard]] std::span<const scene::Quantity> quantities() const override;
 
   /// Level of a living cell in the trail, above all levels of dead ones.
   [[nodiscard]] int brightLevel() const { return trail + (trail > 2 ? trail / 3 : 1); }

@@ -34,6 +34,8 @@ struct MeshParameters : scene::Parameters {
   bool collides = false;
   float grip = 25.3F;  ///< 1/s
   void describe(scene::Fields& fields) override;
+  [[nodiscard]] std::span<const scene::Quantity> quantities() const override;
+  [[nodiscard]] bool measures() const override { return !deform.list.empty(); }
   [[nodiscard]] bool publishesHeights() const override { return collides; }
 
   [[nodiscard]] bool doubleSided() const;

@@ -1,5 +1,7 @@
 #include "sim/mesh_quantities.hpp"
 
+#include "sim/mesh_parameters.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -7,7 +9,18 @@
 
 namespace simreel::sim {
 
-std::vector<Quantity> meshQuantities(const MeshTable& mesh) {
+std::span<const scene::Quantity> MeshParameters::quantities() const {
+  static const scene::Quantity table[] = {
+      {"population", "", "Vertices."},
+      {"lowest", "m", "Height of the lowest vertex."},
+      {"highest", "m", "Height of the highest vertex."},
+      {"meanHeight", "m", "Of all vertices."},
+      {"area", "m^2", "Of all triangles."},
+      {"volume", "m^3", "Enclosed; of an open mesh, with the origin as the tip of its cones."}};
+  return table;
+}
+
+std::vector<double> measureMesh(const MeshTable& mesh) {
   double lowest = mesh.positions.at(0).y;
   double highest = lowest;
   double sum = 0;
@@ -27,16 +40,7 @@ std::vector<Quantity> meshQuantities(const MeshTable& mesh) {
     volume += glm::dot(a, glm::cross(b, c)) / 6.0;
   }
   const auto count = static_cast<double>(mesh.positions.size());
-  return {{"population", count, "", "Vertices."},
-          {"lowest", lowest, "m", "Height of the lowest vertex."},
-          {"highest", highest, "m", "Height of the highest vertex."},
-          {"meanHeight", sum / count, "m", "Of all vertices."},
-          {"area", area, "m^2", "Of all triangles."},
-          {"volume", volume, "m^3", "Enclosed; of an open mesh, with the origin as the tip of its cones."}};
-}
-
-std::vector<const char*> meshQuantityNames() {
-  return {"population", "lowest", "highest", "meanHeight", "area", "volume"};
+  return {count, lowest, highest, sum / count, area, volume};
 }
 
 }  // namespace simreel::sim

@@ -5,9 +5,8 @@
 
 namespace simreel::sim {
 
-/// What checks may ask of a deformed mesh, in world space, summed in double in the order of vertices and
-/// triangles.
-[[nodiscard]] std::vector<Quantity> meshQuantities(const MeshTable& mesh);
-[[nodiscard]] std::vector<const char*> meshQuantityNames();
+/// MeshParameters::quantities() of a mesh, in that order, in world space, summed in the order of vertices
+/// and triangles.
+[[nodiscard]] std::vector<double> measureMesh(const MeshTable& mesh);
 
 }  // namespace simreel::sim

@@ -96,10 +96,7 @@ class Particles : public Simulation {
   [[nodiscard]] std::vector<StateArray> state() const override {
     return {{"positions", &positions_.buffer()}, {"velocities", &velocities_.buffer()}};
   }
-  [[nodiscard]] std::vector<const char*> quantityNames() const override {
-    return {"population", "mass", "momentum", "kineticEnergy"};
-  }
-  [[nodiscard]] std::vector<Quantity> quantities() const override {
+  [[nodiscard]] std::vector<double> measure() const override {
     double alive = 0, mass = 0, kinetic = 0;
     glm::dvec3 momentum(0);
     const auto positions = positions_.buffer().readAll<glm::vec4>();
@@ -113,10 +110,7 @@ class Particles : public Simulation {
       momentum += m * v;
       kinetic += 0.5 * m * glm::dot(v, v);
     }
-    return {{"population", alive, "", "Living particles."},
-            {"mass", mass, "kg", "Of all living particles."},
-            {"momentum", glm::length(momentum), "kg m/s", "Size of the sum of mass times velocity."},
-            {"kineticEnergy", kinetic, "J", "Sum of m v^2 / 2."}};
+    return {alive, mass, glm::length(momentum), kinetic};
   }
   [[nodiscard]] int stepsPerFrame() const override { return plan_.parameters().substeps; }
   [[nodiscard]] std::string elementName(long element) const override {

@@ -139,4 +139,12 @@ void ParticleParameters::describeLook(scene::Fields& l) {
   }
 }
 
+std::span<const scene::Quantity> ParticleParameters::quantities() const {
+  static const scene::Quantity table[] = {{"population", "", "Living particles."},
+                                          {"mass", "kg", "Of all living particles."},
+                                          {"momentum", "kg m/s", "Size of the sum of mass times velocity."},
+                                          {"kineticEnergy", "J", "Sum of m v^2 / 2."}};
+  return table;
+}
+
 }  // namespace simreel::sim

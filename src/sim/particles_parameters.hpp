@@ -87,6 +87,7 @@ struct ParticleParameters : scene::Parameters {
   float fade = 0.1F;
 
   void describe(scene::Fields& fields) override;
+  [[nodiscard]] std::span<const scene::Quantity> quantities() const override;
   [[nodiscard]] bool needsHeights() const override { return collides; }
 
  private:

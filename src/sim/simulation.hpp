@@ -44,14 +44,6 @@ struct CountTable {
   int rows = 0;  ///< of them in use; before the first step one: the counts of the start
 };
 
-/// One number that a simulation measures of its state, for checks of tests.
-struct Quantity {
-  const char* name;
-  double value;
-  const char* unit;  ///< "" when there is none
-  const char* doc;
-};
-
 /// The state as a table for other programs: a row for each point, read back from the GPU.
 struct PointTable {
   std::vector<const char*> columns;  ///< "x", "y", "z", "vx", ... as point files call them
@@ -106,11 +98,9 @@ class Simulation {
   [[nodiscard]] virtual const HeightField* heights() const { return nullptr; }
   /// Four words as glsl/common/status.glsl writes them, or null.
   [[nodiscard]] virtual const gl::Buffer* status() const { return nullptr; }
-  /// Measures the present state, which is read back: summed up on the CPU in double and in a fixed order,
-  /// so equal states give equal numbers. Waits for the GPU.
-  [[nodiscard]] virtual std::vector<Quantity> quantities() const { return {}; }
-  /// The names that quantities() will give, in its order. Costs nothing.
-  [[nodiscard]] virtual std::vector<const char*> quantityNames() const { return {}; }
+  /// The quantities of its parameters, in that order, of the present state, which is read back: summed up
+  /// on the CPU in double and in a fixed order, so equal states give equal numbers. Waits for the GPU.
+  [[nodiscard]] virtual std::vector<double> measure() const { return {}; }
   /// How `step` splits, for `simreel bench`: names (the same in every frame) and ms, of the latest frame
   /// that is known, when Setting::timing is on. CPU stages by the clock, those of the GPU by timer queries.
   /// Never waits for the device.

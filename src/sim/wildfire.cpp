@@ -55,15 +55,9 @@ class Wildfire final : public Simulation {
   [[nodiscard]] CountTable counts() const override {
     return {{"unburnt", "burning", "burnt", "bare"}, &grid_.frameCounts(), grid_.frameSteps()};
   }
-  [[nodiscard]] std::vector<const char*> quantityNames() const override {
-    return {"unburnt", "burning", "burnt", "bare"};
-  }
-  [[nodiscard]] std::vector<Quantity> quantities() const override {
-    const glm::uvec4 n = grid_.latestCounts();
-    return {{"unburnt", static_cast<double>(n.x), "", "Cells with fuel."},
-            {"burning", static_cast<double>(n.y), "", "Cells on fire."},
-            {"burnt", static_cast<double>(n.z), "", "Cells that have burnt."},
-            {"bare", static_cast<double>(n.w), "", "Cells without fuel, and obstacles."}};
+  [[nodiscard]] std::vector<double> measure() const override {
+    const glm::dvec4 n(grid_.latestCounts());
+    return {n.x, n.y, n.z, n.w};
   }
 
  private:

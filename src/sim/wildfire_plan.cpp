@@ -226,4 +226,12 @@ std::vector<glm::vec3> WildfirePlan::palette() const {
   return colors;
 }
 
+std::span<const scene::Quantity> WildfireParameters::quantities() const {
+  static const scene::Quantity table[] = {{"unburnt", "cells", "With fuel."},
+                                          {"burning", "cells", "On fire."},
+                                          {"burnt", "cells", "That have burnt."},
+                                          {"bare", "cells", "Without fuel, and obstacles."}};
+  return table;
+}
+
 }  // namespace simreel::sim

@@ -44,6 +44,7 @@ struct WildfireParameters final : scene::Parameters, SpreadParameters {
 
   void describe(scene::Fields& fields) override;
   [[nodiscard]] bool isField() const override { return true; }
+  [[nodiscard]] std::span<const scene::Quantity> quantities() const override;
 };
 
 /// Everything of a wildfire that is decided on the CPU; shared by the GPU simulation and its CPU twin.

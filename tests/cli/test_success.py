@@ -55,6 +55,8 @@ class Success(Case):
     def test_list(self):
         self.assertIn(b"cloth", self.good("list").stdout)
         self.assertIn(b"stiffness", self.good("list", "cloth").stdout)
+        self.assertIn(b"kineticEnergy", self.good("list", "cloth").stdout)
+        self.assertNotIn(b"Measured", self.good("list", "sphere").stdout)
         self.assertIn(b"fieldOfView", self.good("list", "camera").stdout)
 
     def test_doctor(self):

@@ -168,13 +168,12 @@ TEST_CASE("life steps at its own rate; a watch sees idle steps too") {
   p.stepsPerSecond = 25;
   const auto life = lifeOf(p, 1, 1.0 / 10);
   CHECK(life->stepsPerFrame() == 3);
-  CHECK(life->quantityNames().size() == life->quantities().size());
   std::vector<int> generations;
   for (int frame = 0; frame < 4; ++frame) {
     int calls = 0;
     life->step(frame * 0.1, [&](int step) { CHECK(step == ++calls); });
     CHECK(calls == 3);
-    generations.push_back(static_cast<int>(life->quantities()[2].value));
+    generations.push_back(static_cast<int>(life->measure()[2]));
   }
   CHECK(generations == std::vector<int>{2, 5, 7, 10});
 }
@@ -193,9 +192,9 @@ TEST_CASE("life watched and not watched ends the same; its quantities count") {
   CHECK(words == b->state()[0].buffer->readAll<std::uint32_t>());
   const auto cells = bytesOf(words, p.size);
   const auto alive = std::count(cells.begin(), cells.end(), 1);
-  CHECK(a->quantities()[0].value == static_cast<double>(alive));
-  CHECK(a->quantities()[1].value == static_cast<double>(alive) / (256 * 128));
-  CHECK(a->quantities()[2].value == 27);
+  CHECK(a->measure()[0] == static_cast<double>(alive));
+  CHECK(a->measure()[1] == static_cast<double>(alive) / (256 * 128));
+  CHECK(a->measure()[2] == 27);
   CHECK(alive > 1000);
 }
 

@@ -1,3 +1,4 @@
+#include "measured.hpp"
 #include "reference/gray_scott_twin.hpp"
 #include "sim/gray_scott_quantities.hpp"
 
@@ -24,17 +25,14 @@ double sum(const std::vector<float>& values) {
   return std::accumulate(values.begin(), values.end(), 0.0);
 }
 
-std::vector<sim::Quantity> grown(sim::GrayScottPreset preset) {
+std::vector<double> grown(sim::GrayScottPreset preset) {
   auto twin = twinOf({97, 91}, preset, 12);
   twin.advance(twin.plan().ratesAt(0), 5000);
-  return sim::grayScottQuantities(twin.cells(), {97, 91});
+  return sim::measureGrayScott(twin.cells(), {97, 91});
 }
 
-double of(const std::vector<sim::Quantity>& all, std::string_view name) {
-  for (const sim::Quantity& q : all)
-    if (name == q.name) return q.value;
-  FAIL("no quantity ", std::string(name));
-  return 0;
+double of(const std::vector<double>& measured, const char* name) {
+  return named(sim::GrayScottParameters(), measured, name);
 }
 
 }  // namespace

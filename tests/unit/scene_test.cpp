@@ -9,6 +9,7 @@
 
 using namespace simreel::scene;
 using namespace simreel::scene::toy;
+using simreel::test::checkHas;
 namespace fs = std::filesystem;
 
 namespace {
@@ -197,6 +198,25 @@ TEST_CASE("mistakes in checks") {
   CHECK(!says(R"("what": "not-blank", "frames": [0, 59])", "error"));
   CHECK(!says(R"("what": "mass", "least": 1, "most": 1)", "error"));
   CHECK(!says(R"("what": "mass", "drift": 0, "frames": [5, 6])", "error"));
+}
+
+TEST_CASE("checks of quantities that no object has") {
+  const auto says = [](const std::string& objects, const std::string& check) {
+    return mistakes("{\"version\": 1, \"objects\": {" + objects + "},\n\"checks\": [{" + check + "}]}");
+  };
+  const char* flag = R"("flag": {"cloth": {}}, "ball": {"capsule": {}})";
+  checkHas(says(flag, R"("what": "enrgy", "most": 1)"),
+           "s.json:2:21: error: no object of the scene has a quantity \"enrgy\"; did you mean \"energy\"?");
+  checkHas(says(flag, R"("what": "infected", "most": 1, "object": "flag")"),
+           "object \"flag\" is a cloth and has no quantity \"infected\"; known here: mass, energy");
+  checkHas(says(flag, R"("what": "mass", "most": 1, "object": "ball")"),
+           "object \"ball\" is a capsule and has no quantity \"mass\"; nothing is known here");
+  const char* two = R"("a": {"cloth": {}}, "b": {"cloth": {}})";
+  checkHas(says(two, R"("what": "mass", "most": 1)"),
+           "several objects have \"mass\": a, b; name one of them with \"object\"");
+  CHECK(says(two, R"("what": "mass", "most": 1, "object": "b")").empty());
+  CHECK(!has(says(flag, R"("what": "mass", "most": 1, "object": "flga")"), "quantity"));  // said once
+  CHECK(!has(says(R"("a": {"cloht": {}})", R"("what": "enrgy", "most": 1)"), "quantity"));
 }
 
 TEST_CASE("drift needs a second frame, also of the tested ones") {

@@ -41,6 +41,10 @@ struct Cloth final : Parameters {
   float seam = 0.1F;
   std::vector<Pin> pins;
 
+  [[nodiscard]] std::span<const Quantity> quantities() const override {
+    static const Quantity table[] = {{"mass", "kg", "Of it all."}, {"energy", "", "Sum."}};
+    return table;
+  }
   void describe(Fields& fields) override {
     fields.boolean("torn", torn, "Torn.");
     fields.integer("threads", threads, {1, 10}, "", "Threads.");

@@ -77,9 +77,9 @@ void patterns() {
     kernels.advance(10000);
     gl::barrier();
     fmt::print("{:9}", names[preset]);
-    for (const sim::Quantity& q :
-         sim::grayScottQuantities(kernels.cells().buffer().readAll<glm::vec4>(), p.size))
-      fmt::print(" {} {:.4g}", q.name, q.value);
+    const auto measured = sim::measureGrayScott(kernels.cells().buffer().readAll<glm::vec4>(), p.size);
+    for (std::size_t i = 0; i < measured.size(); ++i)
+      fmt::print(" {} {:.4g}", p.quantities()[i].name, measured[i]);
     fmt::print("\n");
   }
 }

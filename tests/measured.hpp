@@ -1,0 +1,18 @@
+#pragma once
+#include "scene/fields.hpp"
+
+#include <string>
+#include <vector>
+
+#include <doctest/doctest.h>
+
+/// What `measured`, in the order of the parameters' quantities, has under a name.
+inline double named(const simreel::scene::Parameters& parameters, const std::vector<double>& measured,
+                    const std::string& name) {
+  const auto table = parameters.quantities();
+  REQUIRE(table.size() == measured.size());
+  for (std::size_t i = 0; i < table.size(); ++i)
+    if (name == table[i].name) return measured[i];
+  FAIL("no quantity " << name);
+  return 0;
+}
