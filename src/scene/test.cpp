@@ -81,6 +81,7 @@ void checkQuantity(Fields& fields, const Check& check, const Scene& scene) {
   }
   const std::vector<std::size_t> owners = scene.owners(check);
   std::vector<std::string> names;
+  names.reserve(owners.size());
   for (const std::size_t i : owners) names.push_back(scene.objects[i].name);
   if (owners.size() > 1)
     fields.error("what", fmt::format("several objects have {}: {}; name one of them with \"object\"",

@@ -1,5 +1,7 @@
 #include "sim/gray_scott_quantities.hpp"
 
+#include "sim/gray_scott_parameters.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <complex>
