@@ -35,6 +35,7 @@ struct RenderOptions {
   bool resume = false;
   bool skipExisting = false;
   bool noCounts = false;
+  std::optional<double> checkpoint;
 };
 
 frame::Existing existingPolicy(const RenderOptions& o) {
@@ -62,6 +63,8 @@ void render(const RenderOptions& o) {
   const frame::OutputName output = frame::parseOutput(o.output, frames.size());
   std::optional<frame::FieldFiles> fields;
   if (o.fields) fields.emplace(output, frame::parseFieldFormat(*o.fields), existing, frames);
+  if (o.checkpoint && output.checkpointFile().empty())
+    fail(ExitCode::usage, "--checkpoint: a video or stream cannot be resumed; render a folder of pictures");
   frame::catchInterrupts();
   frame::ignoreBrokenPipes();
 
@@ -86,6 +89,10 @@ void render(const RenderOptions& o) {
   frame::BesideFrames beside;
   if (fields) beside.fields = &*fields;
   if (!o.noCounts) beside.countFile = output.countFile();
+  beside.checkpoints.file = output.checkpointFile();
+  beside.checkpoints.resume = existing == frame::Existing::resume;
+  beside.checkpoints.run = run;
+  if (o.checkpoint) beside.checkpoints.seconds = *o.checkpoint;
   const auto result = frame::renderSequence(scene, context, frames, *sink, progress, beside);
   info("{}", frame::closingLine(result.frames, result.seconds, result.stages, sink->summary()));
   if (result.signal != 0) {
@@ -115,7 +122,14 @@ void addRender(CLI::App& app) {
       ->check(CLI::IsMember({"rgba", "y4m"}));
   command->add_flag("--overwrite", o->overwrite, "Replace frames that exist");
   command->add_flag("--resume", o->resume,
-                    "Keep the frames that the manifest and their hashes say are whole");
+                    "Keep the frames that the manifest and their hashes say are whole, and go on from the "
+                    "last checkpoint");
+  command
+      ->add_option(
+          "--checkpoint", o->checkpoint,
+          "Seconds after which the state is kept beside the frames, for --resume to go on from; 0: "
+          "never (default: 60)")
+      ->check(CLI::Range(0.0, 1e6));
   command->add_flag("--skip-existing", o->skipExisting, "Keep every frame whose file exists");
   command->add_flag("--no-counts", o->noCounts,
                     "Do not write what epidemics and fires count (NAME.counts.csv beside the frames)");

@@ -59,6 +59,11 @@ void CountTable::add(const sim::World::Summary& summary) {
   }
 }
 
+void CountTable::resume(std::string_view text) {
+  text_ = text;
+  rows_ = std::count(text.begin(), text.end(), '\n') - 1;
+}
+
 void CountTable::addRow(double time, const std::vector<const glm::uvec4*>& counts) {
   text_ += fmt::format("{},{:.6f}", rows_++, time);
   for (std::size_t i = 0; i < counts.size(); ++i)

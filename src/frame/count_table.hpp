@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace simreel::frame {
@@ -17,6 +18,8 @@ class CountTable {
 
   /// The next frame's counts, in order of frames, the pre-roll's too.
   void add(const sim::World::Summary& summary);
+  /// Goes on after another run's rows, text() of it.
+  void resume(std::string_view text);
   /// Writes the table atomically; without counting objects nothing. Throws UserError(inputOutput). An
   /// existing table that begins with all of this one stays: it is of the same run, which went further then.
   void write() const;

@@ -48,7 +48,10 @@ void FieldFiles::begin(const std::vector<sim::Field>& fields) {
 }
 
 bool FieldFiles::wants(int frame) const {
-  if (existing_ != Existing::skip) return true;
+  return existing_ != Existing::skip || misses(frame);
+}
+
+bool FieldFiles::misses(int frame) const {
   return !std::all_of(names_.begin(), names_.end(),
                       [&](const std::string& name) { return pathExists(file(frame, name)); });
 }

@@ -24,6 +24,8 @@ class FieldFiles {
   void begin(const std::vector<sim::Field>& fields);
   /// Whether anything of a frame is to be written.
   [[nodiscard]] bool wants(int frame) const;
+  /// Whether it wants a frame whose files are not all there.
+  [[nodiscard]] bool misses(int frame) const;
 
   using Contents = std::vector<std::pair<std::filesystem::path, std::vector<std::byte>>>;
   /// Reads the fields of the present frame back, encoded. Waits for the GPU.

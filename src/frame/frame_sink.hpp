@@ -41,6 +41,8 @@ class FrameSink {
   [[nodiscard]] virtual std::optional<std::string> knownStateHash(int frame) const = 0;
   /// Hands over one frame; blocks while too many are waiting. Throws UserError(inputOutput).
   virtual void add(FrameInfo info, Image image) = 0;
+  /// Waits until all that was added is stored, and the manifest says so where --resume asks it.
+  virtual void settle() {}
   /// Writes all that is pending, then the manifest. Call once; also after an interrupt.
   virtual void finish() = 0;
   /// Seconds of processor time spent encoding and writing so far, over all threads.

@@ -133,6 +133,10 @@ std::filesystem::path OutputName::countFile() const {
   return besideFrames("counts.csv");
 }
 
+std::filesystem::path OutputName::checkpointFile() const {
+  return kind == Kind::video ? std::filesystem::path() : besideFrames("checkpoint");
+}
+
 std::filesystem::path OutputName::besideFrames(const char* ending) const {
   if (kind == Kind::stream) return {};
   if (kind == Kind::video) return folder / fmt::format("{}.{}", prefix, ending);

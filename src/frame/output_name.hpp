@@ -24,6 +24,9 @@ struct OutputName {
   [[nodiscard]] std::filesystem::path manifestFile() const;
   /// Where the counts of simulations go, beside the manifest. Empty for standard output.
   [[nodiscard]] std::filesystem::path countFile() const;
+  /// Where checkpoints go, beside the manifest. Empty where nothing can be resumed: videos, standard
+  /// output.
+  [[nodiscard]] std::filesystem::path checkpointFile() const;
 
  private:
   [[nodiscard]] std::filesystem::path besideFrames(const char* ending) const;

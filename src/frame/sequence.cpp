@@ -2,14 +2,17 @@
 
 #include "base/clock.hpp"
 #include "base/error.hpp"
+#include "base/log.hpp"
 #include "draw/readback.hpp"
 #include "draw/renderer.hpp"
+#include "frame/checkpoint.hpp"
 #include "frame/count_table.hpp"
 #include "frame/interrupt.hpp"
 #include "sim/world.hpp"
 
 #include <deque>
 #include <exception>
+#include <limits>
 #include <utility>
 
 namespace simreel::frame {
@@ -80,6 +83,7 @@ class Pipeline {
         sink_(sink),
         fields_(beside.fields),
         progress_(progress),
+        checkpoints_(beside.checkpoints),
         size_(scene.render.size),
         world_(scene),
         counts_(beside.countFile, scene.time.fps, world_.countNames()),
@@ -87,11 +91,35 @@ class Pipeline {
         renderer_(scene, scene.render.size, scene.render.samples),
         readback_(scene.render.size) {}
 
+  /// Call first. Goes on from a checkpoint before which no frame is missing, where that is asked for.
+  void begin(const std::vector<int>& frames) {
+    if (fields_ != nullptr) fields_->begin(world_.drawables().fields);
+    if (checkpoints_.file.empty()) return;
+    if (!checkpoints_.resume) return removeCheckpoint();
+    const auto checkpoint = Checkpoint::read(checkpoints_.file, checkpoints_.run);
+    if (!checkpoint) return;
+    stored_ = checkpoint->frame();
+    for (const int frame : frames) {
+      if (frame >= checkpoint->frame()) break;
+      if (!sink_.wants(frame) && (fields_ == nullptr || !fields_->misses(frame))) continue;
+      info("frame {} is missing, the checkpoint is of frame {}: simulating from the start", frame,
+           checkpoint->frame());
+      return;
+    }
+    checkpoint->restore(world_);
+    counts_.resume(checkpoint->counts());
+    resumed_ = {checkpoint->frame(), checkpoint->stateHash()};
+    info("going on from the checkpoint of frame {}", checkpoint->frame());
+  }
+
   /// Simulates every frame up to this one, watching each for a lost state, and draws it if it is wanted.
   void render(int frame) {
-    const bool first = !started_;
+    if (frame < resumed_.frame) {  // whole, or there would be no going on from there
+      ++delivered_;
+      progress_.frame(frame, {});
+      return;
+    }
     simulateTo(frame);
-    if (fields_ != nullptr && first) fields_->begin(world_.drawables().fields);
     const bool wanted = sink_.wants(frame);
     if (wanted) {
       if (readback_.full()) deliverOldest();
@@ -112,6 +140,26 @@ class Pipeline {
   /// Every count that is there, also of a run that ended early.
   void writeCounts() { counts_.write(); }
 
+  /// Between two frames: stores all before, then the state. Without room for it the run goes on.
+  void saveCheckpoint() {
+    if (checkpoints_.file.empty() || checkpoints_.seconds <= 0 || !started_) return;
+    drain();
+    while (summariesUnderWay_ > 0) takeSummary();
+    sink_.settle();
+    try {
+      Checkpoint::write(checkpoints_.file, checkpoints_.run, latest_->stateHash, counts_.text(), world_);
+      stored_ = world_.frame();
+    } catch (const UserError& error) {
+      warn("no more checkpoints: {}", error.what());
+      checkpoints_.seconds = 0;
+    }
+    saved_ = Clock::now();
+  }
+  /// Once a run has all frames up to `last`: only a longer one needs the checkpoint still.
+  void leaveCheckpoint(int last) const {
+    if (stored_ <= last) removeCheckpoint();
+  }
+
   [[nodiscard]] int delivered() const { return delivered_; }
   [[nodiscard]] const StageTimes& stages() const { return stages_; }
 
@@ -122,25 +170,43 @@ class Pipeline {
     FieldFiles::Contents files;  ///< stored when the frame is known to be sound
   };
 
+  void removeCheckpoint() const {
+    std::error_code none;
+    if (!checkpoints_.file.empty()) std::filesystem::remove(checkpoints_.file, none);
+  }
+
   void simulateTo(int frame) {
     while (world_.frame() < frame || !started_) {
       // The pre-roll is watched too: frame 0's summary tells of everything before it. Only counts need each
       // of its frames.
-      const int next = started_ ? world_.frame() + 1 : counting_ ? world_.firstFrame() : 0;
+      const int next = started_              ? world_.frame() + 1
+                       : resumed_.frame >= 0 ? resumed_.frame
+                       : counting_           ? world_.firstFrame()
+                                             : 0;
       timers_.run(&StageTimes::simulate, next, [&] { world_.advanceTo(next); });
       started_ = true;
       if (summariesUnderWay_ == 6) takeSummary();
       world_.startSummary();
       ++summariesUnderWay_;
+      if (checkpoints_.seconds > 0 && secondsSince(saved_) >= checkpoints_.seconds) saveCheckpoint();
     }
   }
 
   void takeSummary() {
     latest_ = world_.takeSummary(true);
     --summariesUnderWay_;
-    counts_.add(*latest_);
+    if (latest_->frame > resumed_.frame) {
+      counts_.add(*latest_);
+    } else if (latest_->stateHash != resumed_.stateHash) {
+      fail(ExitCode::different,
+           "the state of frame {} is {} after going on from checkpoint {}, and was {}; remove it to "
+           "simulate "
+           "from the start",
+           latest_->frame, latest_->stateHash, checkpoints_.file.string(), resumed_.stateHash);
+    }
     timers_.collect(latest_->frame - 1);  // a frame's summary comes after all of the frame before
-    if (!waiting_.empty() && latest_->frame >= waiting_.front().frame) summaries_.push_back(*latest_);
+    if (latest_->frame >= (waiting_.empty() ? world_.frame() : waiting_.front().frame))
+      summaries_.push_back(*latest_);
   }
 
   /// The state hash of a frame that waits; summaries come in the order of frames.
@@ -196,6 +262,7 @@ class Pipeline {
   FrameSink& sink_;
   FieldFiles* fields_;
   Progress& progress_;
+  Checkpoints checkpoints_;
   glm::ivec2 size_;
   sim::World world_;
   CountTable counts_;
@@ -208,6 +275,12 @@ class Pipeline {
   int summariesUnderWay_ = 0;
   bool started_ = false;
   int delivered_ = 0;
+  struct {
+    int frame = std::numeric_limits<int>::min();  ///< none: before every frame
+    std::string stateHash;
+  } resumed_;
+  Clock::time_point saved_ = Clock::now();
+  int stored_ = std::numeric_limits<int>::min();  ///< frame of the checkpoint on disk, if it is of use
   StageTimes stages_;
   StageTimers timers_{stages_};
 };
@@ -220,16 +293,22 @@ SequenceResult renderSequence(const scene::Scene& scene, const gl::Context& cont
   const auto begin = Clock::now();
   SequenceResult result;
   std::exception_ptr failure;
+  bool whole = false;
   progress.start(static_cast<int>(frames.size()));
   try {
     Pipeline pipeline(scene, context, sink, progress, beside);
     try {
+      pipeline.begin(frames);
       for (const int frame : frames) {
         result.signal = interruptSignal();
         if (result.signal != 0) break;
         pipeline.render(frame);
       }
       pipeline.drain();
+      if (result.signal != 0)
+        pipeline.saveCheckpoint();
+      else
+        whole = true;
     } catch (...) {
       failure = std::current_exception();
     }
@@ -240,6 +319,7 @@ SequenceResult renderSequence(const scene::Scene& scene, const gl::Context& cont
     }
     result.frames = pipeline.delivered();
     result.stages = pipeline.stages();
+    if (whole && !failure && !frames.empty()) pipeline.leaveCheckpoint(frames.back());
   } catch (...) {
     failure = std::current_exception();
   }

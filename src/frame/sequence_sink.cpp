@@ -68,6 +68,12 @@ class SequenceSink final : public FrameSink {
     arena_.enqueue([this, task] { work(task->first, task->second); });
   }
 
+  void settle() override {
+    waitForWorkers();
+    if (error_) giveUp();
+    if (!manifest_.frames.empty()) writeFileAtomically(output_.manifestFile(), manifestText(manifest_));
+  }
+
   void finish() override {
     waitForWorkers();
     if (error_) giveUp();

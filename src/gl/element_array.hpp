@@ -45,6 +45,7 @@ class ElementArray {
   /// Copies to the front, ordered with the GL commands around it.
   void write(std::span<const Element> items) { buffer_.write(0, std::as_bytes(items)); }
   [[nodiscard]] const Buffer& buffer() const { return buffer_; }
+  [[nodiscard]] Buffer& buffer() { return buffer_; }
   [[nodiscard]] const Texture& view() const { return view_; }
 
  private:

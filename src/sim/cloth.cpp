@@ -100,6 +100,13 @@ class Cloth : public Simulation {
     drawables.surfaces.push_back(surface);
   }
 
+  void carryOver(CarryOver& carry) override {
+    plan_.carryOver(carry);
+    carry.array("positions", positions_[0].buffer());
+    carry.array("velocities", velocities_.buffer());
+  }
+  void resumed(double time) override { time_ = time; }
+
   [[nodiscard]] std::vector<StateArray> state() const override {
     return {{"positions", &positions_[0].buffer()}, {"velocities", &velocities_.buffer()}};
   }

@@ -1,5 +1,6 @@
 #pragma once
 #include "glsl/common/cpp.hpp"
+#include "sim/carry_over.hpp"
 #include "sim/cloth_parameters.hpp"
 #include "sim/collider.hpp"
 
@@ -33,6 +34,10 @@ class ClothPlan {
   [[nodiscard]] std::vector<glm::vec4> firstVelocities() const;
   /// The substeps of the frame that starts at `time` (s). Call in order: gusts drift from frame to frame.
   [[nodiscard]] std::vector<shader::ClothStep> frame(double time);
+  void carryOver(CarryOver& carry) {
+    carry.number("steps begun", done_);
+    for (double& drift : drift_) carry.number("gusts' drift", drift);
+  }
 
   [[nodiscard]] const ClothParameters& parameters() const { return parameters_; }
   [[nodiscard]] int substeps() const { return substeps_; }

@@ -75,6 +75,18 @@ class DeformedMesh : public Simulation {
     if (watch) watch(1);
   }
 
+  void carryOver(CarryOver& carry) override {
+    if (plan_.hasTrail()) carry.array("trail", trail_.buffer());
+    if (!heights_) return;
+    carry.number("has heights", hasHeights_);
+    heights_->carryOver(carry);
+  }
+  void resumed(double time) override {
+    time_ = time;
+    if (plan_.hasTrail() && !onDevice()) cpu_.setTrail(trail_.buffer().readAll<glm::vec4>());
+    deform(time);
+  }
+
   void publish(double time, Drawables& drawables) const override {
     if (!parameters_.visible) return;
     Surface surface = topology_.surface();

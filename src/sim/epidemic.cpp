@@ -54,6 +54,10 @@ class Epidemic final : public Simulation {
         {vivid(parameters().susceptible), parameters().infection, vivid(parameters().recovered)},
         parameters().chartSeconds * parameters().stepsPerSecond, drawables);
   }
+  void carryOver(CarryOver& carry) override {
+    plan_.carryOver(carry);
+    grid_->carryOver(carry);
+  }
   [[nodiscard]] std::vector<StateArray> state() const override {
     return {{"cells", &grid_->cells().buffer(), true}};
   }

@@ -1,4 +1,5 @@
 #pragma once
+#include "sim/carry_over.hpp"
 #include "sim/spread_plan.hpp"
 
 #include <cstdint>
@@ -54,6 +55,7 @@ class EpidemicPlan {
   /// The steps of the frame that starts at `time` (s). Call in order: each continues the numbers of the
   /// last.
   [[nodiscard]] std::vector<Step> frame(double time);
+  void carryOver(CarryOver& carry) { carry.number("steps begun", done_); }
   /// `people`: how many cells are inhabited, for mixing.
   void setPeople(unsigned people) { people_ = people; }
 

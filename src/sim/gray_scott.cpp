@@ -64,6 +64,8 @@ class GrayScott : public Simulation {
     drawables.fields.push_back(field);
   }
 
+  void carryOver(CarryOver& carry) override { carry.array("cells", kernels_.cells().buffer()); }
+
   [[nodiscard]] std::vector<StateArray> state() const override {
     return {{"cells", &kernels_.cells().buffer()}};
   }

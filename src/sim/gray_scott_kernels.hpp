@@ -35,6 +35,7 @@ class GrayScottKernels {
   void paint(const shader::Stroke& stroke);
 
   [[nodiscard]] const gl::Vec4Array& cells() const { return cells_[0]; }
+  [[nodiscard]] gl::Vec4Array& cells() { return cells_[0]; }
   /// The same as words, for Field.
   [[nodiscard]] const gl::Texture& words() const { return words_[0]; }
 

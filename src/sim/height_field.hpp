@@ -1,6 +1,7 @@
 #pragma once
 #include "gl/element_array.hpp"
 #include "gl/program.hpp"
+#include "sim/carry_over.hpp"
 #include "sim/height_plan.hpp"
 
 #include <string>
@@ -15,6 +16,7 @@ class HeightField {
 
   /// The next frame's end: `positions` in the mesh's own space. Before a first frame, its beginning.
   void take(const gl::Vec4Array& positions);
+  void carryOver(CarryOver& carry) { carry.array("heights", heights_.buffer()); }
   /// For height_array.glsl of a kernel.
   void bind() const { heights_.bindInput(3); }
   /// Tells a kernel where in the frame it is; arguments as of HeightPlan::at.

@@ -92,6 +92,14 @@ class Life : public Simulation {
     drawables.fields.push_back(field);
   }
 
+  void carryOver(CarryOver& carry) override {
+    carry.number("started", started_);
+    carry.number("generation", generation_);
+    carry.number("first generation", firstGeneration_);
+    carry.array("cells", cells_[0].buffer());
+    if (trailQuads_ > 0) carry.array("trail", trail_.buffer());
+  }
+
   [[nodiscard]] std::vector<StateArray> state() const override {
     std::vector<StateArray> arrays = {{"cells", &cells_[0].buffer(), true}};
     if (trailQuads_ > 0) arrays.push_back({"trail", &trail_.buffer(), true});

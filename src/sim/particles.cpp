@@ -93,6 +93,14 @@ class Particles : public Simulation {
     drawables.instances.push_back(instances);
   }
 
+  void carryOver(CarryOver& carry) override {
+    plan_.carryOver(carry);
+    carry.number("primed", primed_);
+    carry.array("positions", positions_.buffer());
+    carry.array("velocities", velocities_.buffer());
+    carry.array("accelerations", accelerations_.buffer());
+  }
+
   [[nodiscard]] std::vector<StateArray> state() const override {
     return {{"positions", &positions_.buffer()}, {"velocities", &velocities_.buffer()}};
   }

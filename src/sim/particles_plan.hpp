@@ -1,5 +1,6 @@
 #pragma once
 #include "glsl/common/cpp.hpp"
+#include "sim/carry_over.hpp"
 #include "sim/particles_parameters.hpp"
 
 #include <vector>
@@ -42,6 +43,14 @@ class ParticlePlan {
   [[nodiscard]] shader::ParticleStep prime(double time) const;
   /// The substeps of the frame that starts at `time` (s). Call in order: emitters go on where they were.
   [[nodiscard]] std::vector<shader::ParticleStep> frame(double time);
+  void carryOver(CarryOver& carry) {
+    carry.number("steps begun", done_);
+    for (Ring& ring : rings_) {
+      carry.number("born", ring.born);
+      carry.number("first birth", ring.begin);
+      carry.number("births begun", ring.started);
+    }
+  }
 
   [[nodiscard]] const ParticleParameters& parameters() const { return parameters_; }
   [[nodiscard]] double substepSeconds() const { return substepSeconds_; }

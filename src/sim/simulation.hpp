@@ -1,6 +1,7 @@
 #pragma once
 #include "gl/buffer.hpp"
 #include "scene/scene.hpp"
+#include "sim/carry_over.hpp"
 #include "sim/collider.hpp"
 #include "sim/drawable.hpp"
 
@@ -76,6 +77,10 @@ class Simulation {
   virtual ~Simulation() = default;
   /// Advances by one frame: from `time` to `time + frameSeconds` (s of scene time).
   virtual void step(double time, const StepWatch& watch) = 0;
+  /// Names what the next frame depends on beyond scene and time, to be read or put back.
+  virtual void carryOver(CarryOver& /*carry*/) {}
+  /// After it was put back: makes what else belongs to the state at `time`.
+  virtual void resumed(double /*time*/) {}
   /// Steps that a frame takes: the calls of a watch.
   [[nodiscard]] virtual int stepsPerFrame() const { return 1; }
   /// What a user would call an element of a state array.

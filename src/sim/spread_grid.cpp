@@ -125,6 +125,18 @@ void SpreadGrid::endFrame() {
                            static_cast<GLsizeiptr>(frameSteps_) * 16);
 }
 
+void SpreadGrid::carryOver(CarryOver& carry) {
+  const int room = capacity_;
+  carry.number("steps", done_);
+  carry.number("first step of the frame", frameStart_);
+  carry.number("steps of the frame", frameSteps_);
+  carry.number("room for counts", capacity_);
+  if (capacity_ != room) history_ = gl::WordsArray(name_ + " counts", capacity_);
+  carry.array("cells", cells_[0].buffer());
+  carry.array("counts", history_.buffer());
+  carry.array("counts of the frame", frameCounts_);
+}
+
 glm::uvec4 SpreadGrid::latestCounts() const {
   glm::uvec4 row(0);
   history_.buffer().read(static_cast<std::size_t>(done_) * 16, std::as_writable_bytes(std::span(&row, 1)));

@@ -36,6 +36,8 @@ class SpreadGrid {
   /// Copies the frame's counts to where counts() says.
   void endFrame();
 
+  void carryOver(CarryOver& carry);
+
   [[nodiscard]] const gl::WordsArray& cells() const { return cells_[0]; }
   [[nodiscard]] int rowElements() const { return (size_.x + 15) / 16; }
   /// Rows of the present frame; before the first step, the start as one row.
@@ -57,10 +59,10 @@ class SpreadGrid {
   glm::ivec2 size_;
   bool torus_;
   gl::WordsArray cells_[2];  ///< now, and where the next step writes
-  gl::WordsArray history_;   ///< counts of every step, the start first
+  gl::WordsArray history_;   ///< counts of every step, the start first; capacity_ of them
   gl::WordsArray strokeBits_;
   gl::Buffer frameCounts_;
-  int capacity_ = 0;  ///< steps of history_
+  int capacity_ = 0;
   int done_ = 0;
   int frameStart_ = 0;
   int frameSteps_ = 1;

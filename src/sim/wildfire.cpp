@@ -49,6 +49,10 @@ class Wildfire final : public Simulation {
                        {{0.20F, 0.55F, 0.16F}, {1.0F, 0.45F, 0.08F}, {0.45F, 0.40F, 0.38F}},
                        parameters().chartSeconds * parameters().stepsPerSecond, drawables);
   }
+  void carryOver(CarryOver& carry) override {
+    plan_.carryOver(carry);
+    grid_.carryOver(carry);
+  }
   [[nodiscard]] std::vector<StateArray> state() const override {
     return {{"cells", &grid_.cells().buffer(), true}};
   }

@@ -1,4 +1,5 @@
 #pragma once
+#include "sim/carry_over.hpp"
 #include "sim/spread_plan.hpp"
 
 #include <cstdint>
@@ -68,6 +69,7 @@ class WildfirePlan {
   /// The steps of the frame that starts at `time` (s). Call in order: each continues the numbers of the
   /// last.
   [[nodiscard]] std::vector<Step> frame(double time);
+  void carryOver(CarryOver& carry) { carry.number("steps begun", done_); }
 
   [[nodiscard]] const WildfireParameters& parameters() const { return parameters_; }
   [[nodiscard]] const Strokes& strokes() const { return strokes_; }

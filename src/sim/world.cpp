@@ -211,6 +211,19 @@ void World::advanceTo(int frame, const Watch& watch, const Stepped& stepped) {
   }
 }
 
+void World::carryOver(CarryOver& carry, const std::function<void(const std::string& object)>& begin) {
+  for (std::size_t i = 0; i < state_->objects.size(); ++i) {
+    begin(state_->names[i]);
+    state_->objects[i]->carryOver(carry);
+  }
+}
+
+void World::resumeAt(int frame) {
+  SIMREEL_CHECK(frame >= firstFrame());
+  state_->done = frame + state_->preroll;
+  for (const std::size_t i : state_->order) state_->objects[i]->resumed(time());
+}
+
 int World::firstFrame() const {
   return -state_->preroll;
 }

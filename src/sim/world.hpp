@@ -30,6 +30,10 @@ class World {
   using Stepped = std::function<void(std::size_t object)>;
   /// Simulates up to `frame` (0: the pre-roll only). Never goes back.
   void advanceTo(int frame, const Watch& watch = {}, const Stepped& stepped = {});
+  /// What the next frame depends on, object by object: `begin` hears the name of each before its parts.
+  void carryOver(CarryOver& carry, const std::function<void(const std::string& object)>& begin);
+  /// After it was put back: the present frame is `frame`, which must not be before the first.
+  void resumeAt(int frame);
   /// The frame in which it starts: 0, or below it by the pre-roll.
   [[nodiscard]] int firstFrame() const;
   [[nodiscard]] std::size_t objectCount() const;

@@ -1,0 +1,140 @@
+#include "frame/checkpoint.hpp"
+
+#include "base/error.hpp"
+#include "base/file.hpp"
+#include "base/hash.hpp"
+#include "base/log.hpp"
+#include "base/version.hpp"
+#include "frame/manifest.hpp"
+
+#include <cstdint>
+#include <cstring>
+#include <limits>
+#include <span>
+#include <stdexcept>
+
+#include <nlohmann/json.hpp>
+
+namespace simreel::frame {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr const char* formatName = "simreel-checkpoint";
+
+/// Appends every part to a text.
+class Saver final : public sim::CarryOver {
+ public:
+  Saver(std::string& text, Json& parts) : text_(text), parts_(parts) {}
+  void begin(const std::string& object) { object_ = object; }
+  void array(const char* name, gl::Buffer& buffer) override {
+    const std::size_t at = text_.size();
+    text_.resize(at + buffer.bytes());
+    buffer.read(0, std::as_writable_bytes(std::span(text_).subspan(at)));
+    parts_.push_back({object_, name, buffer.bytes()});
+  }
+
+ private:
+  void word(const char* name, std::int64_t& bits) override {
+    text_.append(reinterpret_cast<const char*>(&bits), sizeof bits);
+    parts_.push_back({object_, name, sizeof bits});
+  }
+
+  std::string& text_;
+  Json& parts_;
+  std::string object_;
+};
+
+}  // namespace
+
+void Checkpoint::write(const std::filesystem::path& file, const RunInfo& run, const std::string& stateHash,
+                       const std::string& counts, sim::World& world) {
+  std::string payload = counts;
+  Json parts = Json::array();
+  Saver saver(payload, parts);
+  world.carryOver(saver, [&](const std::string& object) { saver.begin(object); });
+  const Json header = {
+      {"format", formatName},      {"program", version()},    {"run", Json::parse(manifestText({run, {}}))},
+      {"frame", world.frame()},    {"state", stateHash},      {"counts", counts.size()},
+      {"parts", std::move(parts)}, {"hash", hashHex(payload)}};
+  writeFileAtomically(file, header.dump() + "\n" + payload);
+}
+
+std::optional<Checkpoint> Checkpoint::read(const std::filesystem::path& file, const RunInfo& run) {
+  if (!pathExists(file)) return std::nullopt;
+  try {
+    Checkpoint c;
+    c.file_ = file;
+    c.text_ = readFile(file, "checkpoint", std::numeric_limits<std::size_t>::max() / 2);
+    c.payload_ = c.text_.find('\n') + 1;
+    const Json header = Json::parse(c.text_.begin(), c.text_.begin() + static_cast<long>(c.payload_));
+    if (header.at("format") != formatName) throw std::runtime_error("it is no checkpoint");
+    if (header.at("program") != version())
+      throw std::runtime_error(fmt::format("simreel {} wrote it", header.at("program").get<std::string>()));
+    const Manifest stored = parseManifest(header.at("run").dump(), file.string());
+    if (const auto difference = runDifference(run, stored.run)) throw std::runtime_error(*difference);
+    if (header.at("hash") != hashHex(std::string_view(c.text_).substr(c.payload_)))
+      throw std::runtime_error("it is damaged");
+    c.frame_ = header.at("frame");
+    c.stateHash_ = header.at("state");
+    c.countBytes_ = header.at("counts");
+    for (const Json& part : header.at("parts")) c.parts_.push_back({part.at(0), part.at(1), part.at(2)});
+    std::size_t bytes = c.countBytes_;
+    for (const Part& part : c.parts_) bytes += part.bytes;
+    if (bytes != c.text_.size() - c.payload_ || c.frame_ < 0) throw std::runtime_error("it is damaged");
+    return c;
+  } catch (const Json::exception&) {
+    warn("checkpoint {} is not used: it is damaged", file.string());
+  } catch (const std::exception& error) {
+    warn("checkpoint {} is not used: {}", file.string(), error.what());
+  }
+  return std::nullopt;
+}
+
+std::string_view Checkpoint::counts() const {
+  return std::string_view(text_).substr(payload_, countBytes_);
+}
+
+void Checkpoint::restore(sim::World& world) const {
+  /// Puts the parts back one after the other.
+  class Restorer final : public sim::CarryOver {
+   public:
+    explicit Restorer(const Checkpoint& from) : from_(from), at_(from.payload_ + from.countBytes_) {}
+    void begin(const std::string& object) { object_ = object; }
+    void array(const char* name, gl::Buffer& buffer) override {
+      buffer.write(0, std::as_bytes(std::span(next(name, buffer.bytes()))));
+    }
+    [[nodiscard]] bool ended() const { return part_ == from_.parts_.size(); }
+
+   private:
+    void word(const char* name, std::int64_t& bits) override {
+      std::memcpy(&bits, next(name, sizeof bits).data(), sizeof bits);
+    }
+    std::string_view next(const char* name, std::size_t bytes) {
+      if (ended() || from_.parts_[part_].object != object_ || from_.parts_[part_].name != name ||
+          from_.parts_[part_].bytes != bytes)
+        fail(ExitCode::usage,
+             "checkpoint {} does not fit: it has no {} of \"{}\" with {} bytes next; remove it to simulate "
+             "from the start",
+             from_.file_.string(), name, object_, bytes);
+      ++part_;
+      at_ += bytes;
+      return std::string_view(from_.text_).substr(at_ - bytes, bytes);
+    }
+
+    const Checkpoint& from_;
+    std::string object_;
+    std::size_t part_ = 0;
+    std::size_t at_;
+  };
+
+  Restorer restorer(*this);
+  world.carryOver(restorer, [&](const std::string& object) { restorer.begin(object); });
+  if (!restorer.ended())
+    fail(ExitCode::usage, "checkpoint {} does not fit: it holds more; remove it to simulate from the start",
+         file_.string());
+  world.resumeAt(frame_);
+}
+
+}  // namespace simreel::frame

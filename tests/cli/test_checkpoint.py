@@ -1,0 +1,121 @@
+"""Checkpoints: a run that ends early goes on from its last one, and its folder is that of an undisturbed run."""
+import json
+import re
+import signal
+
+from common import SLOW, Case, main, with_values
+
+FIELDS = {
+    "version": 1, "render": {"size": [96, 54], "samples": 1}, "time": {"fps": 30, "duration": 2, "start": 0.1},
+    "objects": {
+        "people": {"epidemic": {"size": [331, 257], "infected": 0.01, "stepsPerSecond": 200, "chart": True}},
+        "skin": {"grayScott": {"size": [255, 131], "steps": 30}},
+        "cells": {"life": {"size": [257, 130], "fill": 0.3, "trail": 20}},
+    },
+}
+
+
+class Checkpoints(Case):
+    def setUp(self):
+        super().setUp()
+        self.write("slow.json", with_values(SLOW))
+        self.checkpoint = self.folder / "out/checkpoint"
+
+    def kill(self, number, count, *arguments):
+        code, messages = self.signal_after(count, "out", number, "render", *arguments)
+        self.assertEqual(code, -9 if number == signal.SIGKILL else 128 + number, messages)
+        return messages
+
+    def resumed(self, *arguments):
+        """Where the run went on from, or nothing."""
+        done = self.good("render", *arguments, "--resume")
+        found = re.search(r"going on from the checkpoint of frame (\d+)", done.err)
+        return int(found[1]) if found else None
+
+    def assert_out_equals(self, *arguments):
+        self.good("render", *arguments, "-o", "whole/")
+        out, whole = self.content("out"), self.content("whole")
+        self.assertEqual(sorted(out), sorted(whole))  # the checkpoint is gone, too
+        self.assertEqual([name for name in whole if out[name] != whole[name]], [])
+
+    def test_kill(self):
+        run = ("slow.json", "-o", "out/", "--checkpoint", "0.1")
+        self.kill(signal.SIGKILL, 12, *run)
+        self.assertTrue(self.checkpoint.exists())
+        self.kill(signal.SIGKILL, 25, *run, "--resume")
+        self.assertGreater(self.resumed(*run), 5)
+        self.assert_out_equals("slow.json")
+
+    def test_interrupt_keeps_one_however_short_the_run(self):
+        self.kill(signal.SIGINT, 5, "slow.json", "-o", "out/")
+        frames = self.assert_manifest_is_whole("out")
+        self.assertEqual(self.resumed("slow.json", "-o", "out/"), max(frames))
+        self.assert_out_equals("slow.json")
+
+    def test_none_are_asked_for(self):
+        self.kill(signal.SIGINT, 5, "slow.json", "-o", "out/", "--checkpoint", "0")
+        self.assertFalse(self.checkpoint.exists())
+        self.assertIsNone(self.resumed("slow.json", "-o", "out/"))
+        self.assert_out_equals("slow.json")
+
+    def test_fields_counts_and_charts(self):
+        self.write("fields.json", json.dumps(FIELDS))
+        run = ("fields.json", "-o", "out/", "--fields", "npy")
+        self.kill(signal.SIGINT, 7, *run)
+        self.assertGreater(self.resumed(*run), 3)
+        self.assert_out_equals("fields.json", "--fields", "npy")
+
+    def test_missing_frames_before_it_are_rendered(self):
+        self.kill(signal.SIGINT, 8, "slow.json", "-o", "out/")
+        (self.folder / "out/000002.png").unlink()
+        done = self.good("render", "slow.json", "-o", "out/", "--resume")
+        self.assertIn("frame 2 is missing", done.err)
+        self.assert_out_equals("slow.json")
+
+    def test_a_run_of_its_first_frames_leaves_it(self):
+        self.kill(signal.SIGINT, 8, "slow.json", "-o", "out/")
+        self.assertGreaterEqual(self.resumed("slow.json", "-o", "out/", "--frames", "0-4"), 7)
+        self.assertTrue(self.checkpoint.exists())
+        self.assertGreaterEqual(self.resumed("slow.json", "-o", "out/"), 7)
+        self.assert_out_equals("slow.json")
+
+    def test_one_far_frame(self):
+        run = ("slow.json", "-o", "out/", "--frames", "0,59", "--checkpoint", "0.05")
+        process = self.start("render", *run)
+        while process.poll() is None and not self.checkpoint.exists():
+            pass
+        process.kill()
+        process.communicate()
+        self.assertGreater(self.resumed(*run), 0)
+        self.assert_out_equals("slow.json", "--frames", "0,59")
+
+    def test_damaged_and_foreign_ones_are_not_used(self):
+        self.kill(signal.SIGINT, 5, "slow.json", "-o", "out/")
+        whole = self.checkpoint.read_bytes()
+        for data in (b"", b"\0" * 99, whole[:-1], whole[:200], whole[:-50] + b"x" + whole[-49:], whole[:-9] + b"x" * 9):
+            self.checkpoint.write_bytes(data)
+            done = self.good("render", "slow.json", "-o", "out/", "--resume", "--frames", "0-5")
+            self.assertIn("simreel: warning: checkpoint out/checkpoint is not used", done.err)
+        self.good("render", "slow.json", "-o", "out/", "--resume")
+        self.assert_out_equals("slow.json")
+
+    def test_a_new_run_does_not_go_on_from_an_old_one(self):
+        self.kill(signal.SIGINT, 5, "slow.json", "-o", "out/")
+        self.good("render", "slow.json", "-o", "out/", "--overwrite", "--seed", "7")
+        self.assertFalse(self.checkpoint.exists())
+
+    def test_without_room_for_it_the_run_goes_on(self):
+        (self.folder / "out/checkpoint.part").mkdir(parents=True)
+        done = self.good("render", "slow.json", "-o", "out/", "--checkpoint", "0.1", "--frames", "0-20")
+        self.assertEqual(done.err.count("no more checkpoints: cannot create out/checkpoint"), 1)
+        (self.folder / "out/checkpoint.part").rmdir()
+        self.assert_out_equals("slow.json", "--frames", "0-20")
+
+    def test_usage(self):
+        self.bad(2, ["--checkpoint", "cannot be resumed"], "render", "slow.json", "-o", "a.mp4", "--checkpoint", "5")
+        self.bad(2, ["--checkpoint", "cannot be resumed"], "render", "slow.json", "-o", "-", "--checkpoint", "5")
+        self.bad(2, ["--checkpoint"], "render", "slow.json", "-o", "out/", "--checkpoint", "-1")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,169 @@
+// A world that goes on from a checkpoint is the world that was never stopped.
+#include "frame/checkpoint.hpp"
+
+#include "base/error.hpp"
+#include "base/file.hpp"
+#include "draw/readback.hpp"
+#include "draw/renderer.hpp"
+#include "gpu/context.hpp"
+#include "sim/list.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <unistd.h>
+#include <vector>
+
+#include <doctest/doctest.h>
+
+using namespace simreel;
+namespace fs = std::filesystem;
+
+namespace {
+
+/// A file in the system's temporary folder, removed again.
+struct Place {
+  fs::path file = fs::temp_directory_path() / ("simreel-checkpoint-" + std::to_string(::getpid()));
+  ~Place() {
+    std::error_code none;
+    fs::remove(file, none);
+  }
+};
+
+frame::RunInfo runOf(const scene::Scene& scene) {
+  frame::RunInfo run;
+  run.sceneHash = scene.hash;
+  run.seed = scene.seed;
+  run.fingerprint = "test";
+  return run;
+}
+
+sim::World::Summary summaryAt(sim::World& world, int frame) {
+  world.advanceTo(frame);
+  world.startSummary();
+  return *world.takeSummary(true);
+}
+
+std::vector<std::uint8_t> pictureOf(const scene::Scene& scene, const sim::World& world) {
+  draw::Renderer renderer(scene, {96, 54}, 1);
+  draw::Readback readback({96, 54});
+  renderer.draw(world.time(), world.drawables());
+  readback.start(renderer.target(), world.frame());
+  return readback.take(true)->second;
+}
+
+scene::Scene ofText(const std::string& text) {
+  return scene::parseScene(text, "test.json", {}, sim::kinds());
+}
+
+constexpr const char* fire = R"({"version": 1, "objects": {"hill": {"wildfire": {"size": [97, 53],
+  "stepsPerSecond": 40, "strokes": [{"from": [30, 20, 0], "radius": 4}]}}}})";
+
+}  // namespace
+
+TEST_CASE("checkpoint: every shipped scene goes on as if it had not been stopped") {
+  testContext();
+  const Place place;
+  ::setenv("SIMREEL_ASSETS", (fs::path(SOURCE_FOLDER) / "assets").c_str(), 1);
+  std::vector<fs::path> scenes;
+  for (const auto& entry : fs::directory_iterator(fs::path(SOURCE_FOLDER) / "assets/scenes"))
+    if (entry.path().extension() == ".json") scenes.push_back(entry.path());
+  std::sort(scenes.begin(), scenes.end());
+  REQUIRE(scenes.size() >= 19);
+  int changed = 0;
+  for (const fs::path& file : scenes) {
+    CAPTURE(file.filename().string());
+    const std::vector<scene::Override> noPreroll = {scene::parseOverride("time.start=0")};
+    const scene::Scene scene = scene::loadScene(file, noPreroll, sim::kinds());
+    sim::World whole(scene);
+    const auto at = summaryAt(whole, 3);
+    frame::Checkpoint::write(place.file, runOf(scene), at.stateHash, "rows", whole);
+
+    sim::World resumed(scene);
+    const auto checkpoint = frame::Checkpoint::read(place.file, runOf(scene));
+    REQUIRE(checkpoint);
+    checkpoint->restore(resumed);
+    CHECK(checkpoint->counts() == "rows");
+    CHECK(resumed.frame() == 3);
+    const auto again = summaryAt(resumed, 3);
+    CHECK(again.stateHash == checkpoint->stateHash());
+    CHECK(again.counts == at.counts);
+    CHECK((pictureOf(scene, resumed) == pictureOf(scene, whole)));
+    const auto later = summaryAt(whole, 5);
+    const auto laterAgain = summaryAt(resumed, 5);
+    CHECK(laterAgain.stateHash == later.stateHash);
+    CHECK(laterAgain.counts == later.counts);
+    CHECK((pictureOf(scene, resumed) == pictureOf(scene, whole)));
+    changed += later.stateHash == at.stateHash ? 0 : 1;
+  }
+  CHECK(changed >= 15);  // or the test would prove nothing
+  ::unsetenv("SIMREEL_ASSETS");
+}
+
+TEST_CASE("checkpoint: counts that needed more room, and both techniques of a trail") {
+  testContext();
+  const Place place;
+  for (const std::string& text : {std::string(fire), std::string(R"({"version": 1, "objects": {
+          "ball": {"sphere": {"radius": 0.5, "position": {"keys": [[0, [-1, 0.3, 0]], [2, [1, 0.3, 0]]]}}},
+          "snow": {"mesh": {"shape": "plane", "size": [4, 0, 4], "resolution": [33, 31],
+            "technique": "jobs", "deform": [{"footprints": {}}]}}}})")}) {
+    CAPTURE(text);
+    const scene::Scene scene = ofText(text);
+    sim::World whole(scene);
+    const auto at = summaryAt(whole, 60);
+    frame::Checkpoint::write(place.file, runOf(scene), at.stateHash, "", whole);
+    sim::World resumed(scene);
+    frame::Checkpoint::read(place.file, runOf(scene)).value().restore(resumed);
+    CHECK(summaryAt(resumed, 90).stateHash == summaryAt(whole, 90).stateHash);
+    CHECK((pictureOf(scene, resumed) == pictureOf(scene, whole)));
+  }
+}
+
+TEST_CASE("checkpoint: what is damaged, of another run or of another program is not used") {
+  testContext();
+  const Place place;
+  const scene::Scene scene = ofText(fire);
+  const frame::RunInfo run = runOf(scene);
+  CHECK(!frame::Checkpoint::read(place.file, run));  // there is none
+  sim::World world(scene);
+  frame::Checkpoint::write(place.file, run, summaryAt(world, 2).stateHash, "", world);
+  CHECK(frame::Checkpoint::read(place.file, run));
+  frame::RunInfo other = run;
+  other.seed = 7;
+  CHECK(!frame::Checkpoint::read(place.file, other));
+  const std::string text = readFile(place.file, "checkpoint");
+  const auto usable = [&](const std::string& changed) {
+    std::ofstream(place.file, std::ios::binary) << changed;
+    return frame::Checkpoint::read(place.file, run).has_value();
+  };
+  CHECK(usable(text));
+  std::string flipped = text;
+  flipped[text.size() - 100] ^= 1;
+  CHECK(!usable(flipped));
+  CHECK(!usable(text.substr(0, text.size() - 1)));
+  CHECK(!usable(text + "x"));
+  CHECK(!usable(text.substr(0, 40)));
+  CHECK(!usable(""));
+  CHECK(!usable("{}\n"));
+  CHECK(!usable("[1]\n"));
+  std::string program = text;
+  program.replace(text.find("\"program\":\"") + 11, 1, "9");
+  CHECK(!usable(program));
+}
+
+TEST_CASE("checkpoint: one that does not fit its world is refused") {
+  testContext();
+  const Place place;
+  const scene::Scene scene = ofText(fire);
+  sim::World world(scene);
+  frame::Checkpoint::write(place.file, runOf(scene), summaryAt(world, 2).stateHash, "", world);
+  const auto checkpoint = frame::Checkpoint::read(place.file, runOf(scene));
+  REQUIRE(checkpoint);
+  sim::World cloth(ofText(R"({"version": 1, "objects": {"hill": {"cloth": {}}}})"));
+  CHECK_THROWS_WITH_AS(checkpoint->restore(cloth), doctest::Contains("does not fit"), UserError);
+  sim::World none(ofText(R"({"version": 1})"));
+  CHECK_THROWS_WITH_AS(checkpoint->restore(none), doctest::Contains("it holds more"), UserError);
+}
