@@ -7,6 +7,7 @@
 #include "draw/renderer.hpp"
 #include "gpu/context.hpp"
 #include "sim/list.hpp"
+#include "unit/help.hpp"
 
 #include <algorithm>
 #include <cstdint>
@@ -14,7 +15,6 @@
 #include <filesystem>
 #include <fstream>
 #include <string>
-#include <unistd.h>
 #include <vector>
 
 #include <doctest/doctest.h>
@@ -23,15 +23,6 @@ using namespace simreel;
 namespace fs = std::filesystem;
 
 namespace {
-
-/// A file in the system's temporary folder, removed again.
-struct Place {
-  fs::path file = fs::temp_directory_path() / ("simreel-checkpoint-" + std::to_string(::getpid()));
-  ~Place() {
-    std::error_code none;
-    fs::remove(file, none);
-  }
-};
 
 frame::RunInfo runOf(const scene::Scene& scene) {
   frame::RunInfo run;
@@ -59,14 +50,15 @@ scene::Scene ofText(const std::string& text) {
   return scene::parseScene(text, "test.json", {}, sim::kinds());
 }
 
+/// 20 steps a frame: more than the 1,024 that there is room for at first, from frame 52 on.
 constexpr const char* fire = R"({"version": 1, "objects": {"hill": {"wildfire": {"size": [97, 53],
-  "stepsPerSecond": 40, "strokes": [{"from": [30, 20, 0], "radius": 4}]}}}})";
+  "stepsPerSecond": 1200, "strokes": [{"from": [30, 20, 0], "radius": 4}]}}}})";
 
 }  // namespace
 
 TEST_CASE("checkpoint: every shipped scene goes on as if it had not been stopped") {
   testContext();
-  const Place place;
+  const test::TemporaryFile place("checkpoint", "");
   ::setenv("SIMREEL_ASSETS", (fs::path(SOURCE_FOLDER) / "assets").c_str(), 1);
   std::vector<fs::path> scenes;
   for (const auto& entry : fs::directory_iterator(fs::path(SOURCE_FOLDER) / "assets/scenes"))
@@ -80,10 +72,10 @@ TEST_CASE("checkpoint: every shipped scene goes on as if it had not been stopped
     const scene::Scene scene = scene::loadScene(file, noPreroll, sim::kinds());
     sim::World whole(scene);
     const auto at = summaryAt(whole, 3);
-    frame::Checkpoint::write(place.file, runOf(scene), at.stateHash, "rows", whole);
+    frame::Checkpoint::write(place.path(), runOf(scene), at.stateHash, "rows", whole);
 
     sim::World resumed(scene);
-    const auto checkpoint = frame::Checkpoint::read(place.file, runOf(scene));
+    const auto checkpoint = frame::Checkpoint::read(place.path(), runOf(scene));
     REQUIRE(checkpoint);
     checkpoint->restore(resumed);
     CHECK(checkpoint->counts() == "rows");
@@ -105,7 +97,7 @@ TEST_CASE("checkpoint: every shipped scene goes on as if it had not been stopped
 
 TEST_CASE("checkpoint: counts that needed more room, and both techniques of a trail") {
   testContext();
-  const Place place;
+  const test::TemporaryFile place("checkpoint", "");
   for (const std::string& text : {std::string(fire), std::string(R"({"version": 1, "objects": {
           "ball": {"sphere": {"radius": 0.5, "position": {"keys": [[0, [-1, 0.3, 0]], [2, [1, 0.3, 0]]]}}},
           "snow": {"mesh": {"shape": "plane", "size": [4, 0, 4], "resolution": [33, 31],
@@ -114,9 +106,9 @@ TEST_CASE("checkpoint: counts that needed more room, and both techniques of a tr
     const scene::Scene scene = ofText(text);
     sim::World whole(scene);
     const auto at = summaryAt(whole, 60);
-    frame::Checkpoint::write(place.file, runOf(scene), at.stateHash, "", whole);
+    frame::Checkpoint::write(place.path(), runOf(scene), at.stateHash, "", whole);
     sim::World resumed(scene);
-    frame::Checkpoint::read(place.file, runOf(scene)).value().restore(resumed);
+    frame::Checkpoint::read(place.path(), runOf(scene)).value().restore(resumed);
     CHECK(summaryAt(resumed, 90).stateHash == summaryAt(whole, 90).stateHash);
     CHECK((pictureOf(scene, resumed) == pictureOf(scene, whole)));
   }
@@ -124,20 +116,21 @@ TEST_CASE("checkpoint: counts that needed more room, and both techniques of a tr
 
 TEST_CASE("checkpoint: what is damaged, of another run or of another program is not used") {
   testContext();
-  const Place place;
+  const test::TemporaryFile place("checkpoint", "");
   const scene::Scene scene = ofText(fire);
   const frame::RunInfo run = runOf(scene);
-  CHECK(!frame::Checkpoint::read(place.file, run));  // there is none
+  CHECK(!frame::Checkpoint::read(place.path(), run));
+  CHECK(!frame::Checkpoint::read(place.path() / "nowhere", run));
   sim::World world(scene);
-  frame::Checkpoint::write(place.file, run, summaryAt(world, 2).stateHash, "", world);
-  CHECK(frame::Checkpoint::read(place.file, run));
+  frame::Checkpoint::write(place.path(), run, summaryAt(world, 2).stateHash, "", world);
+  CHECK(frame::Checkpoint::read(place.path(), run));
   frame::RunInfo other = run;
   other.seed = 7;
-  CHECK(!frame::Checkpoint::read(place.file, other));
-  const std::string text = readFile(place.file, "checkpoint");
+  CHECK(!frame::Checkpoint::read(place.path(), other));
+  const std::string text = readFile(place.path(), "checkpoint");
   const auto usable = [&](const std::string& changed) {
-    std::ofstream(place.file, std::ios::binary) << changed;
-    return frame::Checkpoint::read(place.file, run).has_value();
+    std::ofstream(place.path(), std::ios::binary) << changed;
+    return frame::Checkpoint::read(place.path(), run).has_value();
   };
   CHECK(usable(text));
   std::string flipped = text;
@@ -156,11 +149,11 @@ TEST_CASE("checkpoint: what is damaged, of another run or of another program is 
 
 TEST_CASE("checkpoint: one that does not fit its world is refused") {
   testContext();
-  const Place place;
+  const test::TemporaryFile place("checkpoint", "");
   const scene::Scene scene = ofText(fire);
   sim::World world(scene);
-  frame::Checkpoint::write(place.file, runOf(scene), summaryAt(world, 2).stateHash, "", world);
-  const auto checkpoint = frame::Checkpoint::read(place.file, runOf(scene));
+  frame::Checkpoint::write(place.path(), runOf(scene), summaryAt(world, 2).stateHash, "", world);
+  const auto checkpoint = frame::Checkpoint::read(place.path(), runOf(scene));
   REQUIRE(checkpoint);
   sim::World cloth(ofText(R"({"version": 1, "objects": {"hill": {"cloth": {}}}})"));
   CHECK_THROWS_WITH_AS(checkpoint->restore(cloth), doctest::Contains("does not fit"), UserError);
