@@ -264,6 +264,10 @@ Image decodeImage(std::span<const std::byte> file, const std::string& name) {
   if (width > largestSide || height > largestSide || width < 1 || height < 1)
     fail(ExitCode::inputOutput, "cannot read image {}: {}x{} is outside 1x1 to {}x{}", name, width, height,
          largestSide, largestSide);
+  // stb_image 2.27 reads beyond such a picture's end.
+  if (file[0] == std::byte{'P'} && stbi_is_16_bit_from_memory(bytes, size) != 0)
+    fail(ExitCode::inputOutput, "cannot read image {}: PNM pictures of 16 bits are not read; use PNG",
+         name);
   const std::unique_ptr<stbi_uc, decltype(&stbi_image_free)> pixels(
       stbi_load_from_memory(bytes, size, &width, &height, &channels, 4), &stbi_image_free);
   if (!pixels) fail(ExitCode::inputOutput, "cannot read image {}: {}", name, stbi_failure_reason());

@@ -27,6 +27,11 @@ Picture loadPicture(const std::filesystem::path& file, const char* what, int mos
       std::max(width, height) > mostSide)
     fail(ExitCode::device, "the {} {} is {}x{}, this device allows up to {}x{} (GL_MAX_TEXTURE_SIZE)", what,
          file.string(), width, height, mostSide, mostSide);
+  // stb_image 2.27 reads beyond such a picture's end.
+  if (bytes.starts_with('P') && stbi_is_16_bit_from_memory(data, size) != 0)
+    fail(ExitCode::inputOutput,
+         "the {} {} is a PNM picture of 16 bits, which this program does not read; use PNG", what,
+         file.string());
   const std::unique_ptr<stbi_uc, decltype(&stbi_image_free)> texels(
       stbi_load_from_memory(data, size, &width, &height, &channels, 4), &stbi_image_free);
   if (!texels)

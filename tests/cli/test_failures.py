@@ -117,6 +117,9 @@ class InputOutput(Case):
         for content in (b"", b"not a picture", whole[:2000], whole[:40] + bytes(1000)):
             self.write("t.png", content)
             self.bad(6, ["t.png", "PNG or JPEG"], "render", "scene.json", "-o", "out/")
+        for magic, channels in ((b"P5", 1), (b"P6", 3)):
+            self.write("t.png", magic + b" 64 64 65535\n" + bytes(64 * 64 * 2 * channels))
+            self.bad(6, ["t.png", "PNM picture of 16 bits", "use PNG"], "render", "scene.json", "-o", "out/")
         # A header that promises far more than a device can hold is refused before memory is taken.
         self.write("t.png", b"BM" + bytes(8) + b"\x36\0\0\0\x28\0\0\0" + (60000).to_bytes(4, "little") * 2 +
                    b"\1\0\x18\0" + bytes(24) + bytes(300))

@@ -118,6 +118,9 @@ TEST_CASE("png: a broken file is a user error that names it") {
   auto huge = file;
   huge[16 + 2] = std::byte{0x7f};  // width 32552
   CHECK(errorOf([&] { (void)decodeImage(huge, "huge.png"); }).first == ExitCode::inputOutput);
+  const std::string deep = "P5 64 64 65535\n" + std::string(std::size_t{64} * 64 * 2, 'x');
+  CHECK(errorOf([&] { (void)decodeImage(std::as_bytes(std::span(deep)), "deep.pgm"); }).first ==
+        ExitCode::inputOutput);
   // Any single wrong byte either decodes to something or is a user error; it never crashes.
   for (std::size_t i = 0; i < file.size(); ++i) {
     auto wrong = file;
