@@ -4,12 +4,26 @@
 #define FUNCTION
 #endif
 
+// The chance t that a neighbour lights a cell, times that of the ground's rise on the way from it: an incline holds
+// the rises to the right and downwards in eighths of a cell a cell, each plus 8, in four bits. At most certain.
+FUNCTION uint climbed(uint t, uint d, uint incline) {
+  uint place = d + (d >> 2u);  // of the eight around, in three rows of three
+  int x = int(place % 3u) - 1;
+  int y = int(place / 3u) - 1;
+  int rise = -(x * (int(incline & 15u) - 8) + y * (int(incline >> 4u) - 8));
+  uint entry = uint(x == 0 || y == 0 ? rise + 8 : rise + 33);
+  uint factor = stepData.climb[entry >> 2u][entry & 3u];
+  return min(65536u, (t * factor) >> 9u);
+}
+
 // Chance in 1/65536 that a cell catches fire from its burning neighbours (a bit each, in the order of
 // WildfireStep.spread). Fuel 0 to 256 weighs each chance t; chances join as p + t (1 - p), in integers.
-FUNCTION uint catchChance(uint burning, uint fuel) {
+FUNCTION uint catchChance(uint burning, uint fuel, uint incline) {
   uint p = 0u;
   for (uint d = 0u; d < 8u; ++d) {
-    uint t = (burning >> d & 1u) != 0u ? (stepData.spread[d >> 2u][d & 3u] * fuel) >> 8u : 0u;
+    uint t = (burning >> d & 1u) != 0u ? stepData.spread[d >> 2u][d & 3u] : 0u;
+    if (incline != evenGround) t = climbed(t, d, incline);
+    t = (t * fuel) >> 8u;
     p = t + (((p - (p >> 16u)) * (65536u - t)) >> 16u);
   }
   return p;

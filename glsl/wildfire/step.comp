@@ -1,9 +1,12 @@
-// One step of the fire. EMBERS: sparks that fly ahead.
+// One step of the fire. EMBERS: sparks that fly ahead. SLOPE: it climbs.
 #include "spread/rows.glsl"
 #include "wildfire/types.glsl"
 layout(std140, binding = 0) uniform StepBlock { WildfireStep stepData; };
 INPUT_WORDS(2, FuelBlock, fuels)     // bytes: how readily a cell burns
 INPUT_WORDS(3, GroundBlock, ground)  // bytes: the ground's shade, 0 to 15, and 16 times its phase
+#ifdef SLOPE
+INPUT_WORDS(4, InclineBlock, inclines)  // bytes: climbed()
+#endif
 #include "wildfire/model.glsl"
 
 #ifdef EMBERS
@@ -51,11 +54,19 @@ uvec4 stepElement(ivec2 at, Row above, Row here, Row below) {
   if (todo == 0u) return next;
   uvec4 fuel = LOAD_INPUT_WORDS(fuels, place);
   uint first = uint(at.y) * uint(size.x) + uint(16 * at.x);
+#ifdef SLOPE
+  uvec4 steep = LOAD_INPUT_WORDS(inclines, place);
+#endif
   for (; todo != 0u; todo &= todo - 1u) {
     int k = findLSB(todo);
     uint random = spreadRandom(first + uint(k), stepData.numbers.x, stepData.numbers.y);
     uint weight = fuelWeight(byteOf(fuel, k));
-    bool caught = random >> 15u < catchChance(byteOf(burning, k), weight);
+#ifdef SLOPE
+    uint incline = byteOf(steep, k);
+#else
+    const uint incline = evenGround;
+#endif
+    bool caught = random >> 15u < catchChance(byteOf(burning, k), weight, incline);
 #ifdef EMBERS
     if (k == hit && (random & 255u) < weight) caught = true;
 #endif

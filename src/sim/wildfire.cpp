@@ -20,7 +20,10 @@ class Wildfire final : public Simulation {
         grid_(name_, parameters(), plan_.firstCells(), plan_.stepsPerFrame(), "wildfire",
               defines(parameters(), setting.fast), plan_.strokes()),
         fuels_(name_ + " fuel", packedCells(plan_.fuels(), parameters().size)),
-        ground_(name_ + " ground", packedCells(plan_.ground(), parameters().size)) {}
+        ground_(name_ + " ground", packedCells(plan_.ground(), parameters().size)) {
+    if (climbs())
+      inclines_ = gl::WordsArray(name_ + " inclines", packedCells(plan_.inclines(), parameters().size));
+  }
 
   void step(double time, const StepWatch& watch) override {
     const auto steps = plan_.frame(time);
@@ -32,6 +35,7 @@ class Wildfire final : public Simulation {
       grid_.paint(steps[i].strokes);
       fuels_.bindInput(2);
       ground_.bindInput(3);
+      if (climbs()) inclines_.bindInput(4);
       grid_.step();
       if (watch) watch(static_cast<int>(i) + 1);
     }
@@ -66,6 +70,7 @@ class Wildfire final : public Simulation {
 
  private:
   [[nodiscard]] const WildfireParameters& parameters() const { return plan_.parameters(); }
+  [[nodiscard]] bool climbs() const { return parameters().slope > 0; }
   static const WildfireParameters& checked(const scene::Object& object) {
     const auto& parameters = dynamic_cast<const WildfireParameters&>(*object.parameters);
     SpreadGrid::checkLimits(object.name, parameters.size);
@@ -74,6 +79,7 @@ class Wildfire final : public Simulation {
   static gl::Defines defines(const WildfireParameters& parameters, bool fast) {
     gl::Defines defines = gl::kernelDefines(fast);
     if (parameters.hasEmbers) defines.emplace_back("EMBERS", "1");
+    if (parameters.slope > 0) defines.emplace_back("SLOPE", "1");
     return defines;
   }
 
@@ -82,7 +88,7 @@ class Wildfire final : public Simulation {
   std::vector<glm::vec3> palette_;
   SpreadSteps<WildfirePlan::Step> steps_;
   SpreadGrid grid_;
-  gl::WordsArray fuels_, ground_;
+  gl::WordsArray fuels_, ground_, inclines_;
 };
 
 }  // namespace

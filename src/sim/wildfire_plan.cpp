@@ -14,6 +14,7 @@ constexpr unsigned fuelSeed = 0x68bc21ebU;
 constexpr unsigned terrainSeed = 0x02e5be93U;
 constexpr unsigned phaseSeed = 0x1b56c4e9U;
 constexpr unsigned ditherSeed = 0x967a889bU;
+constexpr unsigned inclineSeed = 0x5f356495U;
 
 /// Means over 3x3 cells: pictures have 256 heights only, whose steps would show in the shading.
 std::vector<double> smoothed(const std::vector<double>& values, glm::ivec2 size) {
@@ -40,6 +41,12 @@ unsigned dithered(double share, unsigned most, std::size_t cell, unsigned seed) 
   return std::min(static_cast<unsigned>(level), most);
 }
 
+/// A rise (cells a cell) in eighths, -8 to 7, plus 8; rounded by the cell's hash, so that the mean is
+/// right.
+unsigned eighths(double rise, std::size_t cell, unsigned seed) {
+  return static_cast<unsigned>(std::clamp(std::floor(8 * rise + cellShare(cell, seed)), -8.0, 7.0) + 8);
+}
+
 }  // namespace
 
 void WildfireParameters::describe(scene::Fields& f) {
@@ -49,8 +56,11 @@ void WildfireParameters::describe(scene::Fields& f) {
   f.number("patchiness", patchiness, {0, 1}, "", "Share of the fuel that noise may take away.");
   f.number("patchSize", patchSize, {1, 1e4}, "cells", "Size of the noise's largest patches.");
   f.asset("obstacles", obstacles, "Picture: nothing burns where it is light, as on water.");
-  f.asset("terrain", terrain, "Picture of heights, for the shading only; none: hills of noise.");
+  f.asset("terrain", terrain, "Picture of heights, for the shading and \"slope\"; none: hills of noise.");
   f.number("relief", relief, {0, 1e4}, "cells", "Height of white above black in the terrain.");
+  f.number("slope", slope, {0, 3}, "",
+           "It spreads e^slope times as likely up a slope of 45 degrees, where the terrain rises a cell in "
+           "a cell, and e^-slope times down one; 0: terrain is for the eye only.");
   f.number("moisture", moisture, {0, 1}, "", "1: nothing catches fire.");
   f.asset("moistureMap", moistureMap, "Picture: white is too wet to burn.");
   f.number("spread", spread, {0, 1}, "per step",
@@ -108,10 +118,14 @@ void WildfirePlan::makeGround() {
   ground_.reserve(heights.size());
   for (int y = 0; y < size.y; ++y)
     for (int x = 0; x < size.x; ++x) {
-      const double slope = 0.5 * (at(x + 1, y) - at(x - 1, y)) + 0.5 * (at(x, y + 1) - at(x, y - 1));
-      const double rise = parameters_.relief * slope;
+      const double riseX = parameters_.relief * 0.5 * (at(x + 1, y) - at(x - 1, y));
+      const double riseY = parameters_.relief * 0.5 * (at(x, y + 1) - at(x, y - 1));
+      const double rise = riseX + riseY;
       const double shade = 0.5 + 0.5 * rise / std::sqrt(0.2 + rise * rise);
       const std::size_t cell = ground_.size();
+      if (parameters_.slope > 0)
+        inclines_.push_back(static_cast<std::uint8_t>(eighths(riseX, cell, seed_ ^ inclineSeed) |
+                                                      eighths(riseY, cell, ~seed_ ^ inclineSeed) << 4U));
       const auto phase = static_cast<unsigned>(16 * cellShare(cell, seed_ ^ phaseSeed));
       ground_.push_back(static_cast<std::uint8_t>(phase << 4U | dithered(shade, 15, cell, ditherSeed)));
     }
@@ -172,6 +186,13 @@ shader::WildfireStep WildfirePlan::stepAt(double time) const {
       data.spread[d / 4][static_cast<int>(d % 4)] = static_cast<unsigned>(std::lround(65536 * chance));
       ++d;
     }
+  // e^(slope * tangent): a neighbour diagonally is the root of two away.
+  const auto factor = [&](int entry, int rise, double length) {
+    data.climb[entry / 4][entry % 4] =
+        static_cast<unsigned>(std::lround(512 * std::exp(p.slope * rise / 8 / length)));
+  };
+  for (int rise = -8; rise <= 8; ++rise) factor(rise + 8, rise, 1);
+  for (int rise = -16; rise <= 16; ++rise) factor(rise + 33, rise, std::numbers::sqrt2);
   // Seven ages in coolSteps steps, each a round through the sixteen phases: so many phases until a step.
   const auto phases = [&](std::uint64_t steps) {
     return static_cast<unsigned>(steps * 112 / static_cast<unsigned>(p.coolSteps));

@@ -9,7 +9,7 @@
 #define FUNCTION inline
 namespace simreel::shader {
 #include "glsl/wildfire/types.glsl"
-static_assert(sizeof(WildfireStep) == 4 * 16);
+static_assert(sizeof(WildfireStep) == 17 * 16);
 }  // namespace simreel::shader
 #undef FUNCTION
 
@@ -28,7 +28,8 @@ struct WildfireParameters final : scene::Parameters, SpreadParameters {
   double fuelLevel = 1;  ///< of full fuel, 0 to 1
   double patchiness = 0.5;
   double patchSize = 40;  ///< cells
-  double relief = 60;     ///< cells: height of the terrain's white above its black, for the shading
+  double relief = 60;     ///< cells: height of the terrain's white above its black
+  double slope = 0;       ///< logarithm of how much faster it spreads up a slope of 45 degrees
   scene::Animated<float> moisture = 0.0F;
   scene::Animated<float> spread = 0.12F;
   scene::Animated<float> windDirection = 0.0F;  ///< degrees: 0 to the right, 90 up
@@ -61,6 +62,9 @@ class WildfirePlan {
   [[nodiscard]] const std::vector<std::uint8_t>& fuels() const { return fuels_; }
   /// The ground's shade, 0 to 15, and 16 times the phase in which it cools.
   [[nodiscard]] const std::vector<std::uint8_t>& ground() const { return ground_; }
+  /// The ground's rise at each cell, as climbed() of glsl/wildfire/model.glsl wants it; empty where the
+  /// fire asks for none.
+  [[nodiscard]] const std::vector<std::uint8_t>& inclines() const { return inclines_; }
 
   struct Step {
     shader::WildfireStep data;
@@ -86,7 +90,7 @@ class WildfirePlan {
   unsigned seed_;
   Pace pace_;
   Strokes strokes_;
-  std::vector<std::uint8_t> cells_, fuels_, ground_;
+  std::vector<std::uint8_t> cells_, fuels_, ground_, inclines_;
   unsigned done_ = 0;  ///< steps so far
 };
 

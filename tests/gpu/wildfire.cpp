@@ -1,5 +1,6 @@
 #include "base/error.hpp"
 #include "gpu/spread.hpp"
+#include "unit/help.hpp"
 
 #include <cmath>
 
@@ -169,6 +170,87 @@ TEST_CASE("wildfire: without wind as far to every side, with wind further that w
     INFO("wind to ", direction, " degrees: ", along, " along, ", aside, " aside");
     CHECK(along > 8);
     CHECK(std::abs(aside) < 5);
+  }
+}
+
+TEST_CASE("wildfire equals its CPU twin on 131x97 with hills") {
+  auto p = plain(131, 97);
+  p.border = Parameters::Border::torus;
+  p.relief = 90;
+  p.slope = 3;
+  p.windStrength = 0.7F;
+  p.windDirection = 130.0F;
+  p.hasEmbers = true;
+  p.embers = {0.01, 20, 0.5};
+  compare(p, 40);
+  p.slope = 0.8;
+  p.size = {47, 33};
+  p.strokes[0].from = p.strokes[0].to = {20, 20, 0};
+  compare(p, 20);
+}
+
+// On a slope of half a cell a cell, wherever it rises to: further up than down, and to both sides alike.
+TEST_CASE("wildfire: further uphill than downhill") {
+  const auto rising = [](glm::ivec2 way) {  // white is 127.5 cells above black
+    std::string pgm = "P5 255 255 255\n";
+    for (int y = 0; y < 255; ++y)
+      for (int x = 0; x < 255; ++x)
+        pgm += static_cast<char>(way.x > 0 ? x : way.x < 0 ? 254 - x : way.y > 0 ? y : 254 - y);
+    return pgm;
+  };
+  auto p = plain(255, 255);
+  p.spread = 0.12F;
+  p.relief = 127.5;
+  p.slope = 2;
+  for (const glm::ivec2 way : {glm::ivec2(1, 0), glm::ivec2(-1, 0), glm::ivec2(0, 1), glm::ivec2(0, -1)}) {
+    const test::TemporaryFile terrain("terrain.pgm", rising(way));
+    p.terrain = terrain.path();
+    const Scar scar = burn(p, 20);
+    const double up = scar.x * way.x + scar.y * way.y;
+    const double aside = scar.x * way.y + scar.y * way.x;
+    INFO("rising to ", way.x, " ", way.y, ": ", up, " up, ", aside, " aside");
+    CHECK(up > 8);
+    CHECK(std::abs(aside) < 5);
+    auto even = p;
+    even.slope = 0;
+    const Scar ignored = burn(even, 20);
+    CHECK(std::abs(ignored.x * way.x + ignored.y * way.y) < 5);
+  }
+}
+
+// e^(slope * tangent) as the table and the rounded inclines give it: 45 degrees up and down, beside and
+// diagonally.
+TEST_CASE("wildfire: the chance up a slope is e^slope times that on even ground") {
+  for (const int rise : {7, -7}) {
+    auto p = plain(900, 255);
+    p.stepsPerSecond = 30;
+    p.spread = 0.05F;
+    p.slope = 1;
+    p.relief = 255.0 * std::abs(rise) / 8;
+    std::string pgm = "P5 900 255 255\n";
+    for (int y = 0; y < 255; ++y) pgm.append(900, static_cast<char>(rise > 0 ? y : 254 - y));
+    const test::TemporaryFile terrain("terrain.pgm", pgm);
+    p.terrain = terrain.path();
+    p.strokes.clear();
+    for (int y = 2; y < 253; y += 4) {  // below each row that burns, one that only it can light
+      auto line = spread::dot({-1, static_cast<float>(y) + 0.5F, 0}, 0.4F);
+      line.shape = sim::StrokeParameters::Shape::line;
+      line.to = {901, static_cast<float>(y) + 0.5F, 0};
+      p.strokes.push_back(line);
+    }
+    const auto gpu = spread::make(sim::wildfireKind(), p);
+    gpu->step(0, {});
+    const auto cells = spread::cellsOf(*gpu, p.size);
+    double caught = 0;
+    double all = 0;
+    for (int y = 6; y < 246; y += 4)
+      for (int x = 1; x < 899; ++x, ++all)
+        if (cells[static_cast<std::size_t>((y + 1) * 900 + x)] == 128) ++caught;
+    const double beside = 0.05 * std::exp(rise / 8.0);
+    const double diagonal = 0.05 / std::sqrt(2.0) * std::exp(rise / 8.0 / std::sqrt(2.0));
+    const double chance = 1 - (1 - beside) * std::pow(1 - diagonal, 2);
+    INFO("rise ", rise, ": ", caught / all, " against ", chance);
+    CHECK(std::abs(caught - chance * all) < 4 * std::sqrt(all * chance * (1 - chance)));
   }
 }
 

@@ -159,7 +159,8 @@ void WildfireTwin::oneStep(const simreel::sim::WildfirePlan::Step& step, int thr
       if (kind == classReady) {
         const auto random = spreadRandom(static_cast<std::uint32_t>(i), numbers.x, numbers.y);
         const std::uint32_t weight = model.fuelWeight(plan_.fuels()[i]);
-        bool caught = random >> 15U < model.catchChance(grid.neighbours(x, y), weight);
+        const std::uint32_t incline = plan_.inclines().empty() ? evenGround : plan_.inclines()[i];
+        bool caught = random >> 15U < model.catchChance(grid.neighbours(x, y), weight, incline);
         if (p.hasEmbers && (random & 255U) < weight) {
           const std::uint32_t group =
               static_cast<std::uint32_t>(y) * groups + static_cast<std::uint32_t>(x) / 16;
