@@ -104,7 +104,7 @@ std::optional<Manifest> readManifest(const std::filesystem::path& path) {
 
 std::optional<std::string> runDifference(const RunInfo& wanted, const RunInfo& stored) {
   const auto say = [](const char* item, const auto& here, const auto& there) {
-    return fmt::format("{} is {} in this run and {} in the manifest", item, here, there);
+    return fmt::format("{} is {} in this run and {} in the earlier one", item, here, there);
   };
   if (wanted.sceneHash != stored.sceneHash) return say("scene hash", wanted.sceneHash, stored.sceneHash);
   if (wanted.seed != stored.seed) return say("seed", wanted.seed, stored.seed);

@@ -26,7 +26,8 @@ struct Manifest {
 [[nodiscard]] Manifest parseManifest(const std::string& text, const std::string& name);
 /// Nothing when the file does not exist. Throws as parseManifest does.
 [[nodiscard]] std::optional<Manifest> readManifest(const std::filesystem::path& path);
-/// "seed is 1 here and 2 there": the first item in which frames of the two runs could differ.
+/// "seed is 1 in this run and 2 in the earlier one": the first item in which frames of the two runs could
+/// differ.
 [[nodiscard]] std::optional<std::string> runDifference(const RunInfo& wanted, const RunInfo& stored);
 
 }  // namespace simreel::frame

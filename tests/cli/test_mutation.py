@@ -21,8 +21,7 @@ MUTATIONS = {
     "life": ("life/model.glsl", "WORD carry = highs.low & lows.high;", "WORD carry = highs.low & ~lows.high;"),
     "epidemic": ("epidemic/model.glsl", "return random < infectionThreshold ?",
                  "return random < infectionThreshold / 100u * 101u ?"),
-    "wildfire": ("wildfire/model.glsl", "(stepData.spread[d >> 2u][d & 3u] * fuel) >> 8u",
-                 "(stepData.spread[d >> 2u][d & 3u] * fuel) / 100u * 101u >> 8u"),
+    "wildfire": ("wildfire/model.glsl", "t = (t * fuel) >> 8u;", "t = (t * fuel * 101u / 100u) >> 8u;"),
 }
 SCENERY = {"sphere", "capsule", "plane"}  # nothing of theirs is simulated
 

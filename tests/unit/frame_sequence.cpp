@@ -112,7 +112,7 @@ TEST_CASE("sequence: resume refuses another run, or a broken manifest") {
   };
   RunInfo other = runInfo();
   other.seed = 8;
-  CHECK(contains(refusal(other), "seed is 8 in this run and 7 in the manifest"));
+  CHECK(contains(refusal(other), "seed is 8 in this run and 7 in the earlier one"));
   CHECK(contains(refusal(runInfo(64, 18)), "size is 64x18 in this run and 32x18"));
   for (const char* broken : {"", "{", "[]", "{\"format\":\"simreel-manifest\",\"version\":9}",
                              "{\"format\":\"simreel-manifest\",\"version\":1,\"title\":3}"}) {
