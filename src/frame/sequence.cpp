@@ -84,6 +84,7 @@ class Pipeline {
         fields_(beside.fields),
         progress_(progress),
         checkpoints_(beside.checkpoints),
+        stored_(scene.frameCount() - 1),
         size_(scene.render.size),
         world_(scene),
         counts_(beside.countFile, scene.time.fps, world_.countNames()),
@@ -94,11 +95,10 @@ class Pipeline {
   /// Call first. Goes on from a checkpoint before which no frame is missing, where that is asked for.
   void begin(const std::vector<int>& frames) {
     if (fields_ != nullptr) fields_->begin(world_.drawables().fields);
-    if (checkpoints_.file.empty()) return;
-    if (!checkpoints_.resume) return removeCheckpoint();
+    if (checkpoints_.file.empty() || !checkpoints_.resume) return;
     const auto checkpoint = Checkpoint::read(checkpoints_.file, checkpoints_.run);
+    stored_ = checkpoint ? checkpoint->frame() : std::numeric_limits<int>::min();
     if (!checkpoint) return;
-    stored_ = checkpoint->frame();
     for (const int frame : frames) {
       if (frame >= checkpoint->frame()) break;
       if (!sink_.wants(frame) && (fields_ == nullptr || !fields_->misses(frame))) continue;
@@ -142,7 +142,7 @@ class Pipeline {
 
   /// Between two frames: stores all before, then the state. Without room for it the run goes on.
   void saveCheckpoint() {
-    if (checkpoints_.file.empty() || checkpoints_.seconds <= 0 || !started_) return;
+    if (checkpoints_.file.empty() || checkpoints_.seconds <= 0 || !started_ || world_.frame() < 0) return;
     drain();
     while (summariesUnderWay_ > 0) takeSummary();
     sink_.settle();
@@ -155,9 +155,15 @@ class Pipeline {
     }
     saved_ = Clock::now();
   }
-  /// Once a run has all frames up to `last`: only a longer one needs the checkpoint still.
+  /// Once a run has all frames up to `last`: only a longer one needs the checkpoint still. Takes along what
+  /// a kill in the middle of writing one has left.
   void leaveCheckpoint(int last) const {
-    if (stored_ <= last) removeCheckpoint();
+    if (checkpoints_.file.empty() || stored_ > last) return;
+    std::error_code none;
+    for (const char* ending : {"", ".part"})
+      if (const auto file = checkpoints_.file.string() + ending;
+          std::filesystem::is_regular_file(file, none))
+        std::filesystem::remove(file, none);
   }
 
   [[nodiscard]] int delivered() const { return delivered_; }
@@ -169,11 +175,6 @@ class Pipeline {
     bool drawn;
     FieldFiles::Contents files;  ///< stored when the frame is known to be sound
   };
-
-  void removeCheckpoint() const {
-    std::error_code none;
-    if (!checkpoints_.file.empty()) std::filesystem::remove(checkpoints_.file, none);
-  }
 
   void simulateTo(int frame) {
     while (world_.frame() < frame || !started_) {
@@ -263,6 +264,7 @@ class Pipeline {
   FieldFiles* fields_;
   Progress& progress_;
   Checkpoints checkpoints_;
+  int stored_;  ///< frame of the checkpoint on disk: the scene's last one where that is not known
   glm::ivec2 size_;
   sim::World world_;
   CountTable counts_;
@@ -280,7 +282,6 @@ class Pipeline {
     std::string stateHash;
   } resumed_;
   Clock::time_point saved_ = Clock::now();
-  int stored_ = std::numeric_limits<int>::min();  ///< frame of the checkpoint on disk, if it is of use
   StageTimes stages_;
   StageTimers timers_{stages_};
 };

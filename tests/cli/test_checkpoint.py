@@ -52,6 +52,12 @@ class Checkpoints(Case):
         self.assertEqual(self.resumed("slow.json", "-o", "out/"), max(frames))
         self.assert_out_equals("slow.json")
 
+    def test_killed_while_one_is_written(self):
+        self.kill(signal.SIGKILL, 5, "slow.json", "-o", "out/")
+        (self.folder / "out/checkpoint.part").write_bytes(b"half of one")
+        self.resumed("slow.json", "-o", "out/")
+        self.assert_out_equals("slow.json")
+
     def test_none_are_asked_for(self):
         self.kill(signal.SIGINT, 5, "slow.json", "-o", "out/", "--checkpoint", "0")
         self.assertFalse(self.checkpoint.exists())
@@ -78,6 +84,22 @@ class Checkpoints(Case):
         self.assertTrue(self.checkpoint.exists())
         self.assertGreaterEqual(self.resumed("slow.json", "-o", "out/"), 7)
         self.assert_out_equals("slow.json")
+
+    def test_a_still_beside_an_interrupted_run_leaves_it(self):
+        self.kill(signal.SIGINT, 8, "slow.json", "-o", "out/")
+        self.good("render", "slow.json", "-o", "out/", "--frames", "3", "--overwrite")
+        self.assertGreaterEqual(self.resumed("slow.json", "-o", "out/"), 7)
+        self.assert_out_equals("slow.json")
+
+    def test_none_before_the_first_frame(self):
+        self.write("fields.json", json.dumps(FIELDS | {"time": {"fps": 30, "duration": 2, "start": 40}}))
+        process = self.start("render", "fields.json", "-o", "out/", "--checkpoint", "0.05")
+        while process.poll() is None and not self.checkpoint.exists():
+            pass
+        process.kill()
+        process.communicate()
+        self.assertRegex(self.checkpoint.read_bytes()[:4000].split(b"\n")[0], rb'"frame":\d')
+        self.assertIsNotNone(self.resumed("fields.json", "-o", "out/"))
 
     def test_one_far_frame(self):
         run = ("slow.json", "-o", "out/", "--frames", "0,59", "--checkpoint", "0.05")

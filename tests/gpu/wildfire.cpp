@@ -41,6 +41,18 @@ void compare(const Parameters& parameters, int frames) {
   CHECK(twin.cells != start);
 }
 
+/// Lights every so many rows, whole, and nothing else.
+void lightRows(Parameters& p, int first, int each) {
+  p.strokes.clear();
+  for (int y = first; y < p.size.y; y += each) {
+    const float middle = static_cast<float>(y) + 0.5F;
+    auto line = spread::dot({-1, middle, 0}, 0.4F);
+    line.shape = sim::StrokeParameters::Shape::line;
+    line.to = {static_cast<float>(p.size.x) + 1, middle, 0};
+    p.strokes.push_back(line);
+  }
+}
+
 struct Scar {
   double x = 0, y = 0;  ///< mean place of what burns and has burnt, from the middle
   int cells = 0;
@@ -231,13 +243,7 @@ TEST_CASE("wildfire: the chance up a slope is e^slope times that on even ground"
     for (int y = 0; y < 255; ++y) pgm.append(900, static_cast<char>(rise > 0 ? y : 254 - y));
     const test::TemporaryFile terrain("terrain.pgm", pgm);
     p.terrain = terrain.path();
-    p.strokes.clear();
-    for (int y = 2; y < 253; y += 4) {  // below each row that burns, one that only it can light
-      auto line = spread::dot({-1, static_cast<float>(y) + 0.5F, 0}, 0.4F);
-      line.shape = sim::StrokeParameters::Shape::line;
-      line.to = {901, static_cast<float>(y) + 0.5F, 0};
-      p.strokes.push_back(line);
-    }
+    lightRows(p, 2, 4);  // below each row that burns, one that only it can light
     const auto gpu = spread::make(sim::wildfireKind(), p);
     gpu->step(0, {});
     const auto cells = spread::cellsOf(*gpu, p.size);
@@ -275,14 +281,7 @@ TEST_CASE("wildfire: the chance of catching fire is spread, weighed by fuel and 
     p.stepsPerSecond = 30;
     p.spread = 0.3F;
     p.moisture = static_cast<float>(moisture);
-    p.strokes.clear();
-    for (int y = 1; y < 900;
-         y += 3) {  // every third row burns: each other cell has three burning neighbours
-      auto line = spread::dot({-1, static_cast<float>(y) + 0.5F, 0}, 0.4F);
-      line.shape = sim::StrokeParameters::Shape::line;
-      line.to = {901, static_cast<float>(y) + 0.5F, 0};
-      p.strokes.push_back(line);
-    }
+    lightRows(p, 1, 3);  // each other cell has three burning neighbours
     const auto gpu = spread::make(sim::wildfireKind(), p);
     gpu->step(0, {});
     const auto cells = spread::cellsOf(*gpu, p.size);
