@@ -7,6 +7,7 @@
 #include "draw/renderer.hpp"
 #include "gpu/context.hpp"
 #include "sim/list.hpp"
+#include "source_folder.hpp"
 #include "unit/help.hpp"
 
 #include <algorithm>
@@ -59,9 +60,9 @@ constexpr const char* fire = R"({"version": 1, "objects": {"hill": {"wildfire": 
 TEST_CASE("checkpoint: every shipped scene goes on as if it had not been stopped") {
   testContext();
   const test::TemporaryFile place("checkpoint", "");
-  ::setenv("SIMREEL_ASSETS", (fs::path(SOURCE_FOLDER) / "assets").c_str(), 1);
+  ::setenv("SIMREEL_ASSETS", (fs::path(sourceFolder()) / "assets").c_str(), 1);
   std::vector<fs::path> scenes;
-  for (const auto& entry : fs::directory_iterator(fs::path(SOURCE_FOLDER) / "assets/scenes"))
+  for (const auto& entry : fs::directory_iterator(fs::path(sourceFolder()) / "assets/scenes"))
     if (entry.path().extension() == ".json") scenes.push_back(entry.path());
   std::sort(scenes.begin(), scenes.end());
   REQUIRE(scenes.size() >= 19);

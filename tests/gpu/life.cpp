@@ -5,6 +5,7 @@
 #include "gpu/context.hpp"
 #include "reference/life_twin.hpp"
 #include "sim/life_stepper.hpp"
+#include "source_folder.hpp"
 
 #include <algorithm>
 #include <cstring>
@@ -142,7 +143,7 @@ TEST_CASE("life with strokes and a trail equals its CPU twin") {
   eraser.value = 0;
   StrokeParameters stamp;
   stamp.shape = StrokeParameters::Shape::image;
-  stamp.image = std::string(SOURCE_FOLDER) + "/assets/textures/gingham.png";
+  stamp.image = sourceFolder() + "/assets/textures/gingham.png";
   stamp.from = {-40, 11, 0};
   stamp.at = 1;
   p.strokes = {moving, eraser, stamp};

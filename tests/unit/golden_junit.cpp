@@ -1,3 +1,4 @@
+#include "source_folder.hpp"
 #include "unit/frame_test_help.hpp"
 #include "unit/golden_suite.hpp"
 
@@ -30,7 +31,7 @@ std::string lint(const std::string& text) {
   const frame::test::TemporaryFolder folder;
   writeFileAtomically(folder / "junit.xml", text);
   const std::string command =
-      fmt::format("xmllint --noout --schema '{}/tests/unit/junit.xsd' '{}' > '{}' 2>&1", SOURCE_FOLDER,
+      fmt::format("xmllint --noout --schema '{}/tests/unit/junit.xsd' '{}' > '{}' 2>&1", sourceFolder(),
                   (folder / "junit.xml").string(), (folder / "said").string());
   const int code = std::system(command.c_str());
   return code == 0 ? "" : "refused: " + readFile(folder / "said", "output");

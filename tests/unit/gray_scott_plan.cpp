@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 #include "sim/list.hpp"
+#include "source_folder.hpp"
 #include "unit/help.hpp"
 
 #include <string>
@@ -17,7 +18,7 @@ namespace {
 std::string mistakes(const std::string& parameters) {
   const std::string text = R"({"version": 1, "objects": {"dish": {"grayScott": )" + parameters + "}}}";
   try {
-    (void)scene::parseScene(text, SOURCE_FOLDER "/assets/dish.json", {}, sim::kinds());
+    (void)scene::parseScene(text, sourceFolder() + "/assets/dish.json", {}, sim::kinds());
   } catch (const UserError& error) {
     CHECK(error.code() == ExitCode::usage);
     return error.what();
@@ -44,7 +45,7 @@ TEST_CASE("grayScott: mistakes of a scene are named") {
 
 TEST_CASE("grayScott: a picture that is none is refused") {
   sim::GrayScottParameters p;
-  p.image = SOURCE_FOLDER "/README.md";
+  p.image = sourceFolder() + "/README.md";
   const sim::GrayScottPlan plan(p, 1, 1.0 / 30);
   try {
     (void)plan.firstCells();
@@ -87,7 +88,7 @@ TEST_CASE("grayScott: rates by preset, keys, health, ramp and picture") {
   p.hasHealth = false;
   p.size = {5, 4};
   p.feedAcross = 0.065;
-  p.killImage = SOURCE_FOLDER "/assets/textures/gingham.png";
+  p.killImage = sourceFolder() + "/assets/textures/gingham.png";
   const sim::GrayScottPlan plan(p, 1, 0.1);
   CHECK(plan.mapped());
   CHECK(plan.ratesAt(0).feedSpan == doctest::Approx(0.02));

@@ -1,6 +1,7 @@
 // What is known of automata, on the twin; and the twin against a plain loop over neighbours.
 #include "base/error.hpp"
 #include "reference/life_twin.hpp"
+#include "source_folder.hpp"
 #include "unit/help.hpp"
 
 #include <bit>
@@ -21,7 +22,7 @@ LifeParameters grid(int width, int height, const char* pattern = nullptr, glm::i
   if (pattern == nullptr) return p;
   p.fill = 0;
   LifePattern placed;
-  placed.file = std::string(SOURCE_FOLDER) + "/assets/patterns/" + pattern + ".rle";
+  placed.file = sourceFolder() + "/assets/patterns/" + pattern + ".rle";
   placed.at = at;
   p.patterns.push_back(placed);
   return p;

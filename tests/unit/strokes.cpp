@@ -1,6 +1,7 @@
 #include "sim/strokes.hpp"
 
 #include "base/error.hpp"
+#include "source_folder.hpp"
 
 #include <cmath>
 #include <string>
@@ -151,7 +152,7 @@ TEST_CASE("a sparse stroke paints its share, others in each step and for each se
 
 TEST_CASE("an image stamps its light pixels at its place") {
   auto p = stroke(Brush::image, {-3, 5, 0}, {-3, 5, 0}, 2);
-  p.image = std::string(SOURCE_FOLDER) + "/assets/textures/gingham.png";
+  p.image = sourceFolder() + "/assets/textures/gingham.png";
   const auto here = paintedAtOnce(p);
   CHECK_FALSE(here.empty());
   CHECK(here.size() < static_cast<std::size_t>(grid.x * grid.y));

@@ -1,0 +1,5 @@
+#include "source_folder.hpp"
+
+std::string sourceFolder() {
+  return SOURCE_FOLDER;
+}
