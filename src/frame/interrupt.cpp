@@ -1,6 +1,7 @@
 #include "frame/interrupt.hpp"
 
 #include <atomic>
+#include <initializer_list>
 #include <signal.h>
 #include <unistd.h>
 

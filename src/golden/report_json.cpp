@@ -129,7 +129,7 @@ struct Place {
 };
 
 template <class Int>
-requires std::same_as<Int, int> || std::same_as<Int, long>
+  requires std::same_as<Int, int> || std::same_as<Int, long>
 void read(const Place& place, Int& value) {
   if (!place.json.is_number_integer()) place.wrong("must be a whole number");
   // An unsigned number beyond int64 would wrap.
@@ -165,7 +165,7 @@ void read(const Place& place, Status& value) {
 }
 
 template <class T>
-requires std::is_class_v<T>
+  requires std::is_class_v<T>
 void read(const Place& place, T& value);
 template <class T>
 void read(const Place& place, std::optional<T>& value);
@@ -252,7 +252,7 @@ class Reader {
 };
 
 template <class T>
-requires std::is_class_v<T>
+  requires std::is_class_v<T>
 void read(const Place& place, T& value) {
   Reader reader(place);
   fields(reader, value);
