@@ -4,6 +4,7 @@
 #include "common/status.glsl"
 #include "particles/types.glsl"
 #include "particles/pairs.glsl"
+#include "particles/pace.glsl"
 #include "deform/height_array.glsl"
 
 layout(std140, binding = 0) uniform StepBlock { ParticleStep stepData; };

@@ -1,14 +1,21 @@
-// Adds the fields to the particles' own gravity and makes the second half kick.
+// Adds the fields to the particles' own gravity and makes the second kick.
 #include "particles/bindings.glsl"
 
 void main() {
   int i = int(gl_GlobalInvocationID.x);
   if (i >= stepData.counts.x) return;
-  vec4 position = LOAD_STATE(positions, i);
-  precise vec3 acceleration =
-      LOAD_STATE(accelerations, i).xyz + fieldAcceleration(position.xyz, ATTRACTOR, TURBULENCE);
-  vec4 velocity = kicked(LOAD_STATE(velocities, i), acceleration);
+  ParticleMotion m = ParticleMotion(LOAD_STATE(positions, i), LOAD_STATE(velocities, i));
+  vec3 pull = LOAD_STATE(accelerations, i).xyz;
+  vec4 pace = stepData.pace;
+  ivec2 place = ringPlace(i);
+  if (place.y >= 0) {
+    pace = paceOf(livedSeconds(place.x, place.y), stepData.factors.y);
+    m = pulledSinceBirth(m, pull, pace);
+    STORE_STATE(positions, i, m.position);
+  }
+  precise vec3 acceleration = pull + fieldAcceleration(stepData.fields, m.position.xyz, ATTRACTOR, TURBULENCE);
+  vec4 velocity = kicked(m.velocity, acceleration, pace);
   STORE_STATE(accelerations, i, vec4(acceleration, 0.0f));
   STORE_STATE(velocities, i, velocity);
-  if (isLost(position, velocity)) noteLost(uint(stepData.counts.y), uint(i));
+  if (isLost(m.position, velocity)) noteLost(uint(stepData.counts.y), uint(i));
 }

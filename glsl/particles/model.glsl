@@ -1,7 +1,7 @@
 // One particle over one substep of a leapfrog (kick, drift, kick), apart from the particles' own gravity.
 // Compiles as GLSL and as C++, where it is the CPU twin. Whoever includes it provides `stepData`
 // (ParticleStep) and the files types.glsl, common/exact.glsl, common/hash.glsl, particles/pairs.glsl,
-// deform/height_model.glsl.
+// particles/pace.glsl, deform/height_model.glsl.
 
 struct ParticleMotion {
   vec4 position;  // xyz m; w kg, 0 while not alive
@@ -87,15 +87,32 @@ FUNCTION vec3 curlNoise(vec3 p) {
   return curl;
 }
 
+// On a straight line from `end` (share 0) to `start` (share 1).
+FUNCTION vec4 backTo(vec4 end, vec4 start, float share) {
+  precise vec4 sum = start - end;
+  sum = sum * share;
+  sum = sum + end;
+  return sum;
+}
+
+// The fields at a moment within the substep, that share of it before its end.
+FUNCTION ParticleFields fieldsAt(float share) {
+  ParticleFields f;
+  f.acceleration = backTo(stepData.fields.acceleration, stepData.fieldsBefore.acceleration, share);
+  f.attractor = backTo(stepData.fields.attractor, stepData.fieldsBefore.attractor, share);
+  f.turbulence = backTo(stepData.fields.turbulence, stepData.fieldsBefore.turbulence, share);
+  return f;
+}
+
 // Acceleration by everything but the other particles. ATTRACTOR and TURBULENCE switch terms off.
-FUNCTION vec3 fieldAcceleration(vec3 here, bool attractor, bool turbulence) {
-  precise vec3 sum = vec3(stepData.acceleration);
+FUNCTION vec3 fieldAcceleration(ParticleFields fields, vec3 here, bool attractor, bool turbulence) {
+  precise vec3 sum = vec3(fields.acceleration);
   if (attractor)
-    sum = sum + addPull(vec3(0.0f), here, stepData.attractor, stepData.factors.z);
+    sum = sum + addPull(vec3(0.0f), here, fields.attractor, stepData.factors.z);
   if (turbulence) {
-    precise vec3 place = here - vec3(stepData.turbulence);
+    precise vec3 place = here - vec3(fields.turbulence);
     place = place * stepData.factors.w;
-    precise vec3 push = curlNoise(place) * stepData.turbulence.w;
+    precise vec3 push = curlNoise(place) * fields.turbulence.w;
     sum = sum + push;
   }
   return sum;
@@ -120,78 +137,116 @@ FUNCTION float lifetimeOf(int slot, int e) {
   return factor;
 }
 
-// The k-th newborn of this substep, as it is at the substep's end: births are spread evenly over it.
-FUNCTION ParticleMotion newborn(int slot, int e, int k) {
+// A slot's place in this substep: its emitter, -1 for particles of groups, and which newborn it is, -1 for none.
+FUNCTION ivec2 ringPlace(int slot) {
+  for (int e = 0; e < stepData.counts.w; ++e) {
+    ivec4 slots = stepData.emitters[e].slots;
+    int place = slot - slots.x;
+    if (place < 0 || place >= slots.y) continue;
+    int k = place - slots.z;
+    k = k < 0 ? k + slots.y : k;
+    return ivec2(e, k < slots.w ? k : -1);
+  }
+  return ivec2(-1, -1);
+}
+
+// The inverse of ringPlace: the slot of newborn k.
+FUNCTION int newbornSlot(int e, int k) {
+  ivec4 slots = stepData.emitters[e].slots;
+  int place = slots.z + k;
+  return slots.x + (place < slots.y ? place : place - slots.y);
+}
+
+// Seconds that newborn k has lived at the substep's end.
+FUNCTION float livedSeconds(int e, int k) {
+  precise float younger = float(k) * stepData.emitters[e].positionBefore.w;
+  younger = stepData.emitters[e].life.w - younger;
+  return min(max(younger, 0.0f), stepData.factors.x);
+}
+
+// v' = v + a first kick, x' = x + v' drift.
+FUNCTION ParticleMotion drifted(ParticleMotion m, vec3 acceleration, vec4 pace) {
+  precise vec3 kick = acceleration * pace.x;
+  precise vec3 v = vec3(m.velocity) + kick;
+  precise vec3 drift = v * pace.y;
+  precise vec3 x = vec3(m.position) + drift;
+  m.position = vec4(x, m.position.w);
+  m.velocity = vec4(v, m.velocity.w);
+  return m;
+}
+
+FUNCTION ParticleMotion grownOlder(ParticleMotion m, float seconds, int slot, int e) {
+  precise float age = seconds * exactReciprocal(lifetimeOf(slot, e));
+  age = age + m.velocity.w;
+  m.velocity.w = age;
+  if (age >= 1.0f) {
+    m.velocity.w = -1.0f;
+    m.position.w = 0.0f;
+  }
+  return m;
+}
+
+// First kick and drift of a particle that lives since before the substep. Slots of emitters also age and die.
+FUNCTION ParticleMotion moved(int i, vec4 position, vec4 velocity, vec3 acceleration) {
+  ParticleMotion m;
+  m.position = position;
+  m.velocity = velocity;
+  if (velocity.w < 0.0f) return m;
+  m = drifted(m, acceleration, stepData.pace);
+  ivec2 place = ringPlace(i);
+  if (place.x >= 0) m = grownOlder(m, stepData.factors.x, i, place.x);
+  return m;
+}
+
+// Newborn k at its birth; age 0. `share` of the substep is left to live.
+FUNCTION ParticleMotion newborn(int e, int k, float share) {
   EmitterStep emitter = stepData.emitters[e];
+  vec4 mean = backTo(emitter.velocity, emitter.velocityBefore, share);
+  float meanSquared = exactDot(vec3(mean), vec3(mean));
+  precise vec3 scaled = vec3(mean) * exactInverseSqrt(meanSquared);
+  vec3 forward = meanSquared < 1e-30f ? vec3(0.0f, 1.0f, 0.0f) : scaled;
+  vec3 across = exactCross(forward, abs(forward.y) < 0.9f ? vec3(0.0f, 1.0f, 0.0f) : vec3(1.0f, 0.0f, 0.0f));
+  precise vec3 side = across * exactInverseSqrt(exactDot(across, across));
+  vec3 up = exactCross(forward, side);
   int serial = emitter.births.x + k;
   uvec3 a = randomWords(serial, e, 1);
   uvec3 b = randomWords(serial, e, 2);
   uvec3 c = randomWords(serial, e, 3);
-  // Uniform in a cone: cos = 1 - u (1 - cos spread).
-  precise float cosine = unit(a.x) * emitter.up.w;
-  cosine = 1.0f - cosine;
-  precise float squared = cosine * cosine;
-  squared = 1.0f - squared;
+  // Uniform in a cone: h = 1 - cos = u (1 - cos spread), sin^2 = h (2 - h), where nothing cancels.
+  precise float height = unit(a.x) * emitter.velocityBefore.w;
+  precise float cosine = 1.0f - height;
+  precise float squared = 2.0f - height;
+  squared = squared * height;
   float sine = exactSqrt(max(squared, 0.0f));
   precise float angle = unit(a.y) * 6.2831853f;
   precise float sideways = sine * exactCos(angle);
   precise float upwards = sine * exactSin(angle);
-  precise vec3 direction = vec3(emitter.forward) * cosine;
-  direction = direction + vec3(emitter.side) * sideways;
-  direction = direction + vec3(emitter.up) * upwards;
-  precise float speed = signedUnit(a.z) * emitter.side.w;
+  precise vec3 direction = forward * cosine;
+  direction = direction + side * sideways;
+  direction = direction + up * upwards;
+  precise float speed = signedUnit(a.z) * emitter.velocity.w;
   speed = speed + 1.0f;
-  speed = speed * emitter.forward.w;
+  speed = speed * exactSqrt(meanSquared);
   precise vec3 velocity = direction * speed;
   // The greatest of three uniform numbers is distributed like the radius in a ball.
   precise float radius = max(max(unit(c.x), unit(c.y)), unit(c.z)) * emitter.position.w;
   precise vec3 offset = onSphere(signedUnit(b.x), unit(b.y)) * radius;
-  precise float lived = float(emitter.slots.w - k) - 0.5f;
-  lived = lived * exactReciprocal(float(emitter.slots.w));
-  lived = lived * stepData.acceleration.w;
-  precise vec3 moved = velocity * lived;
-  precise vec3 place = vec3(emitter.position) + offset;
-  place = place + moved;
-  precise float age = lived * exactReciprocal(lifetimeOf(slot, e));
+  precise vec3 place = vec3(backTo(emitter.position, emitter.positionBefore, share)) + offset;
   ParticleMotion m;
   m.position = vec4(place, emitter.life.z);
-  m.velocity = vec4(velocity, min(age, 0.999f));
+  m.velocity = vec4(velocity, 0.0f);
   return m;
 }
 
-// First half kick and drift: v' = v + a dt/2, x' = x + v' dt. Slots of emitters also age, die, are born.
-FUNCTION ParticleMotion drifted(int i, vec4 position, vec4 velocity, vec3 acceleration) {
-  ParticleMotion m;
-  int owner = -1;
-  for (int e = 0; e < stepData.counts.w; ++e) {
-    int place = i - stepData.emitters[e].slots.x;
-    if (place >= 0 && place < stepData.emitters[e].slots.y) owner = e;
-  }
-  if (owner >= 0) {
-    ivec4 slots = stepData.emitters[owner].slots;
-    int k = i - slots.x - slots.z;
-    k = k < 0 ? k + slots.y : k;
-    if (k < slots.w) return newborn(i, owner, k);
-  }
-  m.position = position;
-  m.velocity = velocity;
-  if (velocity.w < 0.0f) return m;
-  precise vec3 kick = acceleration * stepData.factors.x;
-  precise vec3 v = vec3(velocity) + kick;
-  precise vec3 drift = v * stepData.acceleration.w;
-  precise vec3 x = vec3(position) + drift;
-  m.position = vec4(x, position.w);
-  m.velocity = vec4(v, velocity.w);
-  if (owner >= 0) {
-    precise float age = stepData.acceleration.w * exactReciprocal(lifetimeOf(i, owner));
-    age = age + velocity.w;
-    m.velocity.w = age;
-    if (age >= 1.0f) {
-      m.velocity.w = -1.0f;
-      m.position.w = 0.0f;
-    }
-  }
-  return m;
+// Newborn k after the first kick and drift of the part of the substep that it lives, by the fields at its birth.
+FUNCTION ParticleMotion newbornMoved(int e, int k, bool attractor, bool turbulence) {
+  float lived = livedSeconds(e, k);
+  precise float share = lived * exactReciprocal(stepData.factors.x);
+  share = min(share, 1.0f);
+  ParticleMotion m = newborn(e, k, share);
+  vec3 acceleration = fieldAcceleration(fieldsAt(share), vec3(m.position), attractor, turbulence);
+  m = drifted(m, acceleration, paceOf(lived, stepData.factors.y));
+  return grownOlder(m, lived, newbornSlot(e, k), e);
 }
 
 // After the drift: out of the mesh that collides.
@@ -203,12 +258,24 @@ FUNCTION ParticleMotion overHeights(ParticleMotion m) {
   return m;
 }
 
-// Second half kick, then damping: v' = (v + a dt/2) keep.
-FUNCTION vec4 kicked(vec4 velocity, vec3 acceleration) {
-  precise vec3 kick = acceleration * stepData.factors.x;
-  precise vec3 v = vec3(velocity) + kick;
-  v = v * stepData.factors.y;
+// Damping and second kick: v' = v keep + a second kick.
+FUNCTION vec4 kicked(vec4 velocity, vec3 acceleration, vec4 pace) {
+  precise vec3 kick = acceleration * pace.w;
+  precise vec3 v = vec3(velocity) * pace.z;
+  v = v + kick;
   return velocity.w < 0.0f ? velocity : vec4(v, velocity.w);
+}
+
+// The others' pull at a newborn is known only where its drift ended. It stands for the one at the birth, too, and makes
+// up here for a first kick and a drift without it.
+FUNCTION ParticleMotion pulledSinceBirth(ParticleMotion m, vec3 pull, vec4 pace) {
+  precise vec3 kick = pull * pace.x;
+  precise vec3 drift = kick * pace.y;
+  precise vec3 x = vec3(m.position) + drift;
+  precise vec3 v = vec3(m.velocity) + kick;
+  m.position = vec4(x, m.position.w);
+  m.velocity = vec4(v, m.velocity.w);
+  return m;
 }
 
 // NaN or infinity, by its bits: compilers may assume that comparisons never meet NaN.

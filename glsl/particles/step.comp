@@ -1,14 +1,14 @@
-// A whole substep of particles that do not attract each other: half kick, drift, half kick.
+// A whole substep of particles that do not attract each other: kick, drift, kick.
 #include "particles/bindings.glsl"
 
 void main() {
   int i = int(gl_GlobalInvocationID.x);
   if (i >= stepData.counts.x) return;
   ParticleMotion m =
-      drifted(i, LOAD_STATE(positions, i), LOAD_STATE(velocities, i), LOAD_STATE(accelerations, i).xyz);
+      moved(i, LOAD_STATE(positions, i), LOAD_STATE(velocities, i), LOAD_STATE(accelerations, i).xyz);
   if (HEIGHTS == 1) m = overHeights(m);
-  vec3 acceleration = fieldAcceleration(m.position.xyz, ATTRACTOR, TURBULENCE);
-  vec4 velocity = kicked(m.velocity, acceleration);
+  vec3 acceleration = fieldAcceleration(stepData.fields, m.position.xyz, ATTRACTOR, TURBULENCE);
+  vec4 velocity = kicked(m.velocity, acceleration, stepData.pace);
   STORE_STATE(positions, i, m.position);
   STORE_STATE(velocities, i, velocity);
   STORE_STATE(accelerations, i, vec4(acceleration, 0.0f));

@@ -54,14 +54,14 @@ class Particles : public Simulation {
 
   void step(double time, const StepWatch& watch) override {
     if (!primed_) prime(time);
-    upload(plan_.frame(time));
+    const auto steps = plan_.frame(time);
+    upload(steps);
     for (int i = 0; i < plan_.parameters().substeps; ++i) {
       bind(i);
       gl::barrier();
-      if (plan_.parameters().method == GravityMethod::none) {
-        step_.dispatch(plan_.count());
-      } else {
-        drift_.dispatch(plan_.count());
+      move_.dispatch(plan_.count());
+      giveBirth(steps[static_cast<std::size_t>(i)]);
+      if (attracts()) {
         attract();
         bind(i);
         kick_.dispatch(plan_.count());
@@ -153,16 +153,26 @@ class Particles : public Simulation {
     defines.emplace_back("TURBULENCE", p.turbulence.strength > 0 ? "true" : "false");
     kick_ = gl::Program::compute("particles/kick.comp", defines);
     kick_.checkUniformBlock("StepBlock", sizeof(shader::ParticleStep));
-    if (p.method == GravityMethod::none)
-      step_ = gl::Program::compute("particles/step.comp", defines);
-    else
-      drift_ = gl::Program::compute("particles/drift.comp", defines);
+    move_ = gl::Program::compute(attracts() ? "particles/drift.comp" : "particles/step.comp", defines);
+    if (p.emitters.empty()) return;
+    if (attracts()) defines.emplace_back("ATTRACTS", "1");
+    birth_ = gl::Program::compute("particles/birth.comp", defines);
+  }
+
+  [[nodiscard]] bool attracts() const { return plan_.parameters().method != GravityMethod::none; }
+
+  void giveBirth(const shader::ParticleStep& step) const {
+    int newborns = 0;
+    for (const shader::EmitterStep& emitter : step.emitters) newborns += emitter.slots.w;
+    if (newborns == 0) return;
+    gl::barrier();
+    birth_.dispatch(newborns);
   }
 
   /// The first accelerations: a kick of no length.
   void prime(double time) {
     upload({plan_.prime(time)});
-    if (plan_.parameters().method != GravityMethod::none) attract();
+    if (attracts()) attract();
     bind(0);
     gl::barrier();
     kick_.dispatch(plan_.count());
@@ -189,8 +199,8 @@ class Particles : public Simulation {
     if (heights_ == nullptr) return;
     const ParticleParameters& p = plan_.parameters();
     heights_->bind();
-    heights_->tell(p.method == GravityMethod::none ? step_ : drift_, substep, p.substeps, p.margin,
-                   p.bounce);
+    heights_->tell(move_, substep, p.substeps, p.margin, p.bounce);
+    if (!p.emitters.empty()) heights_->tell(birth_, substep, p.substeps, p.margin, p.bounce);
   }
 
   void upload(const std::vector<shader::ParticleStep>& steps) {
@@ -216,7 +226,7 @@ class Particles : public Simulation {
   gl::Buffer steps_;
   std::size_t stepStride_ = 0;
   const HeightField* heights_ = nullptr;  ///< null: it falls onto nothing
-  gl::Program drift_, kick_, step_;
+  gl::Program move_, birth_, kick_;       ///< move_: the whole substep unless they attract each other
   PairGravity pairs_;
   std::optional<GravityTree> tree_;
   std::vector<glm::vec3> colors_;  ///< where the parameters give none

@@ -12,6 +12,16 @@
 
 #include <glm/geometric.hpp>
 
+#define FUNCTION inline
+#define precise
+namespace simreel::shader {
+namespace {
+#include "glsl/particles/pace.glsl"
+}
+}  // namespace simreel::shader
+#undef precise
+#undef FUNCTION
+
 namespace simreel::sim {
 
 namespace {
@@ -25,10 +35,6 @@ double ringSize(const Emitter& emitter) {
 
 int centralCount(const ParticleGroup& group) {
   return group.shape != ParticleGroup::Shape::file && group.centralMass > 0 ? 1 : 0;
-}
-
-double lengthOf(const glm::dvec3& v) {
-  return std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z);
 }
 
 }  // namespace
@@ -108,21 +114,32 @@ ParticleCloud ParticlePlan::firstCloud() const {
   return all;
 }
 
-void ParticlePlan::fields(shader::ParticleStep& s, double time) const {
+shader::ParticleFields ParticlePlan::fields(double time) const {
   const ParticleParameters& p = parameters_;
-  s.acceleration = glm::vec4(p.acceleration.at(time), 0.0F);
-  s.attractor = glm::vec4(p.attractorPosition.at(time), p.gravity * p.attractorMass.at(time));
+  shader::ParticleFields f{};
+  f.acceleration = glm::vec4(p.acceleration.at(time), 0.0F);
+  f.attractor = glm::vec4(p.attractorPosition.at(time), p.gravity * p.attractorMass.at(time));
   // The field drifts along a fixed direction, none of the axes.
   const glm::dvec3 way = glm::dvec3(0.36, 0.48, 0.8) * (p.turbulence.speed * time);
-  s.turbulence = glm::vec4(way.x, way.y, way.z, p.turbulence.strength);
-  s.factors = glm::vec4(0.0F, 1.0F, p.attractorSoftening * p.attractorSoftening, 1.0F / p.turbulence.size);
+  f.turbulence = glm::vec4(way.x, way.y, way.z, p.turbulence.strength);
+  return f;
+}
+
+shader::ParticleStep ParticlePlan::between(double start, double end) const {
+  const ParticleParameters& p = parameters_;
+  const auto seconds = static_cast<float>(start < end ? substepSeconds_ : 0);
+  shader::ParticleStep s{};
+  s.fields = fields(end);
+  s.fieldsBefore = fields(start);
+  s.pace = shader::paceOf(seconds, p.damping);
+  s.factors =
+      glm::vec4(seconds, p.damping, p.attractorSoftening * p.attractorSoftening, 1.0F / p.turbulence.size);
   s.counts = glm::ivec4(count_, done_, seed_, static_cast<int>(rings_.size()));
+  return s;
 }
 
 shader::ParticleStep ParticlePlan::prime(double time) const {
-  shader::ParticleStep s{};
-  fields(s, time);
-  return s;
+  return between(time, time);
 }
 
 std::vector<shader::ParticleStep> ParticlePlan::frame(double time) {
@@ -131,10 +148,7 @@ std::vector<shader::ParticleStep> ParticlePlan::frame(double time) {
     const double start = time + i * substepSeconds_;
     const double end = time + (i + 1) * substepSeconds_;
     shader::ParticleStep& s = steps[static_cast<std::size_t>(i)];
-    fields(s, end);
-    s.acceleration.w = static_cast<float>(substepSeconds_);
-    s.factors.x = static_cast<float>(0.5 * substepSeconds_);
-    s.factors.y = shader::exactExp(static_cast<float>(-parameters_.damping * substepSeconds_));
+    s = between(start, end);
     for (std::size_t e = 0; e < rings_.size(); ++e)
       births(s.emitters[e], parameters_.emitters[e], rings_[e], start, end);
     ++done_;
@@ -149,27 +163,27 @@ void ParticlePlan::births(shader::EmitterStep& s, const Emitter& emitter, Ring& 
     ring.begin = emitter.from > 0 ? std::max<double>(emitter.from, start) : start;
     ring.started = true;
   }
+  const auto rate = static_cast<double>(emitter.rate);
   const double until = std::min<double>(end, emitter.until);
-  // A little more, so that a whole number of periods is not missed by rounding.
-  const auto due = static_cast<long long>(
-      std::floor(static_cast<double>(emitter.rate) * std::max(until - ring.begin, 0.0) + 1e-6));
-  const auto newborns = static_cast<int>(std::clamp<long long>(due - ring.born, 0, ring.size));
-  const glm::dvec3 velocity(emitter.velocity.at(end));
-  const double speed = lengthOf(velocity);
-  const glm::dvec3 forward = speed > 0 ? velocity / speed : glm::dvec3(0, 1, 0);
-  const glm::dvec3 other = std::abs(forward.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0);
-  glm::dvec3 side = glm::cross(forward, other);
-  side /= lengthOf(side);
-  const glm::dvec3 up = glm::cross(forward, side);
-  const float cosine = shader::exactCos(emitter.spread * 0.0174532925F);
+  // Particle n, counted from 0, is born at begin + (n + 1) / rate. A little more, so that a whole number of
+  // periods is not missed by rounding.
+  const auto due = std::max(
+      ring.born, static_cast<long long>(std::floor(rate * std::max(until - ring.begin, 0.0) + 1e-6)));
+  // Of more than fit into the ring all but the last are dead already at the substep's end.
+  const auto newborns = static_cast<int>(std::min<long long>(due - ring.born, ring.size));
+  const long long first = due - newborns;
+  const double birth = ring.begin + static_cast<double>(first + 1) / rate;
   s.position = glm::vec4(emitter.position.at(end), emitter.radius);
-  s.forward = glm::vec4(glm::vec3(forward), static_cast<float>(speed));
-  s.side = glm::vec4(glm::vec3(side), emitter.speedVariation);
-  s.up = glm::vec4(glm::vec3(up), 1.0F - cosine);
-  s.life = glm::vec4(emitter.lifetime, emitter.lifetimeVariation, emitter.mass, 0.0F);
-  s.slots = glm::ivec4(ring.first, ring.size, static_cast<int>(ring.born % ring.size), newborns);
-  s.births = glm::ivec4(static_cast<int>(static_cast<std::uint32_t>(ring.born)), 0, 0, 0);
-  ring.born += newborns;
+  s.positionBefore = glm::vec4(emitter.position.at(start), static_cast<float>(1 / rate));
+  s.velocity = glm::vec4(emitter.velocity.at(end), emitter.speedVariation);
+  // 1 - cos = 2 sin^2 of the half, which is 0 without spread.
+  const float half = shader::exactSin(emitter.spread * 0.00872664626F);
+  s.velocityBefore = glm::vec4(emitter.velocity.at(start), 2.0F * half * half);
+  s.life =
+      glm::vec4(emitter.lifetime, emitter.lifetimeVariation, emitter.mass, static_cast<float>(end - birth));
+  s.slots = glm::ivec4(ring.first, ring.size, static_cast<int>(first % ring.size), newborns);
+  s.births = glm::ivec4(static_cast<int>(static_cast<std::uint32_t>(first)), 0, 0, 0);
+  ring.born = due;
 }
 
 }  // namespace simreel::sim

@@ -10,7 +10,7 @@
 namespace simreel::shader {
 #include "glsl/particles/types.glsl"
 static_assert(sizeof(EmitterStep) == 7 * 16);
-static_assert(sizeof(ParticleStep) == 5 * 16 + mostEmitters * 112);
+static_assert(sizeof(ParticleStep) == 9 * 16 + mostEmitters * 112);
 }  // namespace simreel::shader
 
 namespace simreel::sim {
@@ -65,7 +65,8 @@ class ParticlePlan {
     bool started = false;  ///< begin is known
   };
 
-  void fields(shader::ParticleStep& step, double time) const;
+  [[nodiscard]] shader::ParticleFields fields(double time) const;
+  [[nodiscard]] shader::ParticleStep between(double start, double end) const;
   void births(shader::EmitterStep& step, const Emitter& emitter, Ring& ring, double start,
               double end) const;
 

@@ -15,6 +15,7 @@ using namespace simreel::shader;
 
 #define FUNCTION inline
 #define precise
+#include "glsl/particles/pace.glsl"
 #include "glsl/particles/pairs.glsl"
 /// What a kernel sees: the globals that model.glsl asks for, and the model itself.
 struct Kernel {
@@ -84,12 +85,18 @@ void ParticlesTwin::step(double time, int threads) {
     Kernel kernel{data};
     if (heightPlan) kernel.heightGrid = heightPlan->at(index++, p.substeps, p.margin, p.bounce);
     kernel.heights = heights.data();
-    forAll(positions.size(), threads, [&](std::size_t i) {
-      auto m = kernel.drifted(static_cast<int>(i), positions[i], velocities[i], vec3(accelerations[i]));
+    const auto store = [&](std::size_t i, Kernel::ParticleMotion m) {
       if (heightPlan) m = kernel.overHeights(m);
       positions[i] = m.position;
       velocities[i] = m.velocity;
+    };
+    forAll(positions.size(), threads, [&](std::size_t i) {
+      store(i, kernel.moved(static_cast<int>(i), positions[i], velocities[i], vec3(accelerations[i])));
     });
+    for (int e = 0; e < data.counts.w; ++e)
+      for (int k = 0; k < data.emitters[e].slots.w; ++k)
+        store(static_cast<std::size_t>(kernel.newbornSlot(e, k)),
+              kernel.newbornMoved(e, k, p.hasAttractor, p.turbulence.strength > 0));
     attract(threads);
     kick(data, threads);
   }
@@ -108,10 +115,18 @@ void ParticlesTwin::kick(const ParticleStep& data, int threads) {
   const bool pairs = p.method != simreel::sim::GravityMethod::none;
   forAll(positions.size(), threads, [&](std::size_t i) {
     Kernel kernel{data};
+    Kernel::ParticleMotion m{positions[i], velocities[i]};
+    const vec3 pull = pairs ? vec3(accelerations[i]) : vec3(0);
+    vec4 pace = data.pace;
+    if (const auto place = kernel.ringPlace(static_cast<int>(i)); place.y >= 0) {
+      pace = paceOf(kernel.livedSeconds(place.x, place.y), data.factors.y);
+      if (pairs) m = kernel.pulledSinceBirth(m, pull, pace);
+    }
     const vec3 field =
-        kernel.fieldAcceleration(vec3(positions[i]), p.hasAttractor, p.turbulence.strength > 0);
-    const vec3 acceleration = pairs ? vec3(accelerations[i]) + field : field;
+        kernel.fieldAcceleration(data.fields, vec3(m.position), p.hasAttractor, p.turbulence.strength > 0);
+    const vec3 acceleration = pairs ? pull + field : field;
+    positions[i] = m.position;
     accelerations[i] = vec4(acceleration, 0);
-    velocities[i] = kernel.kicked(velocities[i], acceleration);
+    velocities[i] = kernel.kicked(m.velocity, acceleration, pace);
   });
 }

@@ -1,0 +1,26 @@
+// The newborns of a substep, from their birth to its end; after the other particles' drift. With ATTRACTS the kick is
+// left to kick.comp, which knows the others' pull.
+#include "particles/bindings.glsl"
+
+void main() {
+  int k = int(gl_GlobalInvocationID.x);
+  int e = 0;
+  while (e < stepData.counts.w && k >= stepData.emitters[e].slots.w) {
+    k -= stepData.emitters[e].slots.w;
+    ++e;
+  }
+  if (e == stepData.counts.w) return;
+  int i = newbornSlot(e, k);
+  ParticleMotion m = newbornMoved(e, k, ATTRACTOR, TURBULENCE);
+  if (HEIGHTS == 1) m = overHeights(m);
+  STORE_STATE(positions, i, m.position);
+#ifdef ATTRACTS
+  STORE_STATE(velocities, i, m.velocity);
+#else
+  vec3 acceleration = fieldAcceleration(stepData.fields, m.position.xyz, ATTRACTOR, TURBULENCE);
+  vec4 velocity = kicked(m.velocity, acceleration, paceOf(livedSeconds(e, k), stepData.factors.y));
+  STORE_STATE(velocities, i, velocity);
+  STORE_STATE(accelerations, i, vec4(acceleration, 0.0f));
+  if (isLost(m.position, velocity)) noteLost(uint(stepData.counts.y), uint(i));
+#endif
+}
