@@ -29,6 +29,21 @@ class Descriptor {
   int value_;
 };
 
+/// All that can be read; `place` stands for it in messages.
+std::string readAll(int descriptor, const char* what, const std::string& place, std::size_t mostBytes) {
+  std::string text;
+  char block[1 << 16];
+  while (true) {
+    const ssize_t got = ::read(descriptor, block, sizeof block);
+    if (got < 0 && errno == EINTR) continue;
+    if (got < 0) fail(ExitCode::inputOutput, "cannot read {} {}: {}", what, place, std::strerror(errno));
+    if (got == 0) return text;
+    text.append(block, static_cast<std::size_t>(got));
+    if (text.size() > mostBytes)
+      fail(ExitCode::usage, "{} {} is larger than the limit of {} bytes", what, place, mostBytes);
+  }
+}
+
 }  // namespace
 
 std::string readFile(const std::filesystem::path& path, const char* what, std::size_t mostBytes) {
@@ -41,18 +56,12 @@ std::string readFile(const std::filesystem::path& path, const char* what, std::s
   struct stat status {};
   if (::fstat(file.get(), &status) == 0 && S_ISDIR(status.st_mode))
     fail(ExitCode::usage, "{} {} is a folder, a file is needed", what, path.string());
-  std::string text;
-  char block[1 << 16];
-  while (true) {
-    const ssize_t got = ::read(file.get(), block, sizeof block);
-    if (got < 0 && errno == EINTR) continue;
-    if (got < 0)
-      fail(ExitCode::inputOutput, "cannot read {} {}: {}", what, path.string(), std::strerror(errno));
-    if (got == 0) return text;
-    text.append(block, static_cast<std::size_t>(got));
-    if (text.size() > mostBytes)
-      fail(ExitCode::usage, "{} {} is larger than the limit of {} bytes", what, path.string(), mostBytes);
-  }
+  return readAll(file.get(), what, path.string(), mostBytes);
+}
+
+const std::string& standardInput(const char* what, std::size_t mostBytes) {
+  static const std::string text = readAll(STDIN_FILENO, what, "on standard input", mostBytes);
+  return text;
 }
 
 void writeFileAtomically(const std::filesystem::path& path, std::span<const std::byte> bytes) {
@@ -117,7 +126,8 @@ std::filesystem::path programFolder() {
 std::filesystem::path assetFolder() {
   // NOLINTNEXTLINE(concurrency-mt-unsafe): the environment is only read.
   if (const char* chosen = std::getenv("SIMREEL_ASSETS")) return chosen;
-  for (const char* place : {"../share/simreel/assets", "../assets"}) {
+  // The last is absolute, which takes the place of the program's folder.
+  for (const char* place : {"../share/simreel/assets", "../assets", SIMREEL_SOURCE_ASSETS}) {
     std::error_code error;
     auto folder = std::filesystem::weakly_canonical(programFolder() / place, error);
     if (!error && std::filesystem::is_directory(folder, error)) return folder;

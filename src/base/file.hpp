@@ -12,6 +12,9 @@ namespace simreel {
 [[nodiscard]] std::string readFile(const std::filesystem::path& path, const char* what,
                                    std::size_t mostBytes = std::size_t{1} << 30);
 
+/// The text on standard input, read when first asked for and kept: it comes once. Throws as readFile does.
+[[nodiscard]] const std::string& standardInput(const char* what, std::size_t mostBytes);
+
 /// Writes to `path` + ".part" in the same folder, then renames, so a reader sees the old file or the
 /// whole new one. Throws UserError(inputOutput) naming the path and the system's reason; the
 /// temporary file is removed then.
@@ -27,7 +30,7 @@ void makeFolders(const std::filesystem::path& folder);
 [[nodiscard]] bool pathExists(const std::filesystem::path& path);
 
 /// The folder of shipped assets: $SIMREEL_ASSETS, else share/simreel/assets or assets beside the
-/// program's folder. Empty when none exists.
+/// program's folder, else those of the source tree that the program was built in. Empty when none exists.
 [[nodiscard]] std::filesystem::path assetFolder();
 
 /// Folder of the running program.

@@ -95,10 +95,11 @@ void bake(const BakeOptions& o) {
       static_cast<void>(world.takeSummary(true));  // throws when the state is lost
     }
     for (const std::size_t object : objects) {
-      const std::vector<std::string> comments = {
+      std::vector<std::string> comments = {
           fmt::format("simreel {}", version()), fmt::format("scene {}", scene.hash),
           fmt::format("object {} frame {} time {:g} s seed {}", world.objectName(object), frame,
                       world.time(), scene.seed)};
+      if (!scene.overrides.empty()) comments.push_back("overrides " + scene::asArguments(scene.overrides));
       writeFileAtomically(fileOf(o, world, object, frame),
                           stateFile(world, object, formatFor(world, object, o.format), comments));
       ++files;

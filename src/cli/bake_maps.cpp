@@ -123,11 +123,13 @@ class MapWriter {
       fail(ExitCode::usage, "frame {}: \"{}\" shows no field to grow the skin of \"{}\" from",
            world.frame(), skin.field, object.name);
     const glm::ivec2 size = size_.value_or(glm::min(entry->cells, glm::ivec2(largestSide)));
-    const frame::ImageText text = {{"Software", fmt::format("simreel {}", version())},
-                                   {"simreel:scene", scene_.hash},
-                                   {"simreel:object", object.name},
-                                   {"simreel:frame", std::to_string(world.frame())},
-                                   {"simreel:seed", std::to_string(scene_.seed)}};
+    frame::ImageText text = {{"Software", fmt::format("simreel {}", version())},
+                             {"simreel:scene", scene_.hash},
+                             {"simreel:object", object.name},
+                             {"simreel:frame", std::to_string(world.frame())},
+                             {"simreel:seed", std::to_string(scene_.seed)}};
+    if (!scene_.overrides.empty())
+      text.emplace_back("simreel:overrides", scene::asArguments(scene_.overrides));
     for (const frame::MapPicture& map :
          frame::encodeMaps(mapper_.draw(*entry, skin, size), glowOf(skin), text)) {
       writeFileAtomically(fileOf(options_, object, world.frame(), map.name), map.png);

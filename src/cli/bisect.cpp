@@ -69,6 +69,9 @@ void bisect(const BisectOptions& o) {
          "--against is empty, so there is nothing to compare with; give the command of the other simreel, "
          "for "
          "example --against ./old/simreel");
+  if (o.scene.file == "-")
+    fail(ExitCode::usage,
+         "bisect runs the scene several times, and standard input comes once; give a file");
   const scene::Scene scene = o.scene.load();
   const int last = lastFrame(o, scene);
   const std::string own = ownCommand();

@@ -16,12 +16,19 @@ namespace simreel::cli {
 
 namespace {
 
-void validate(const std::vector<std::string>& files, const std::vector<std::string>& overrides) {
-  const auto all = parseOverrides(overrides);
+struct ValidateOptions {
+  std::vector<std::string> files, overrides, assets;
+};
+
+void validate(const ValidateOptions& o) {
+  const auto all = parseOverrides(o.overrides);
+  const auto folders = assetFolders(o.assets);
+  const std::vector<std::string>& files = o.files;
   std::size_t bad = 0;
   for (const std::string& file : files) {
     try {
-      const auto scene = scene::loadTestScene(file, all, sim::kinds());  // with what stands beside it
+      const auto scene =
+          scene::loadTestScene(file, all, sim::kinds(), folders);  // with what stands beside it
       fmt::print("{}: ok\n", file);
     } catch (const UserError& error) {
       if (error.code() != ExitCode::usage && files.size() == 1) throw;
@@ -38,15 +45,13 @@ void validate(const std::vector<std::string>& files, const std::vector<std::stri
 }  // namespace
 
 void addValidate(CLI::App& app) {
-  struct Arguments {
-    std::vector<std::string> files, overrides;
-  };
-  auto arguments = std::make_shared<Arguments>();
+  auto o = std::make_shared<ValidateOptions>();
   auto* command = app.add_subcommand("validate", "Check scene files and report every mistake");
-  command->add_option("scenes", arguments->files, "Scene files")->required();
-  command->add_option("-D", arguments->overrides, "Override any value: path=value, repeatable")
+  command->add_option("scenes", o->files, "Scene files, or - for standard input")->required();
+  command->add_option("-D", o->overrides, "Override any value: path=value, repeatable")
       ->allow_extra_args(false);
-  command->callback([arguments] { validate(arguments->files, arguments->overrides); });
+  addAssets(*command, o->assets);
+  command->callback([o] { validate(*o); });
 }
 
 void addSchema(CLI::App& app) {

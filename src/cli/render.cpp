@@ -84,6 +84,7 @@ void render(const RenderOptions& o) {
       .numerics = scene.numerics == scene::Numerics::exact ? "exact" : "fast",
       .fingerprint = numerics.fingerprint,
       .driver = context.device().name + ", OpenGL " + context.device().version,
+      .overrides = scene.overrides,
   };
   const auto sink = frame::openSink(o.output, existing, run, frames, o.streamFormat);
   frame::BesideFrames beside;

@@ -4,6 +4,7 @@
 #include "sim/list.hpp"
 
 #include <charconv>
+#include <system_error>
 
 #include <CLI/CLI.hpp>
 
@@ -34,14 +35,30 @@ std::vector<scene::Override> parseOverrides(const std::vector<std::string>& text
   return result;
 }
 
+void addAssets(CLI::App& command, std::vector<std::string>& folders) {
+  command
+      .add_option("--assets", folders,
+                  "Folder below which scenes may find files, beside their own and the shipped ones; "
+                  "repeatable")
+      ->allow_extra_args(false);
+}
+
+std::vector<std::filesystem::path> assetFolders(const std::vector<std::string>& folders) {
+  for (const std::string& folder : folders)
+    if (std::error_code error; !std::filesystem::is_directory(folder, error))
+      fail(ExitCode::usage, "--assets {}: there is no such folder", folder);
+  return {folders.begin(), folders.end()};
+}
+
 void SceneOptions::add(CLI::App& command) {
-  command.add_option("scene", file, "Scene file")->required();
+  command.add_option("scene", file, "Scene file, or - for standard input")->required();
   command.add_option("-D", overrides, "Override any value of the scene: path=value, repeatable")
       ->allow_extra_args(false);
   command.add_option("--seed", seed, "Seed of all random numbers");
   command.add_option("--size", size, "Picture size in pixels, WxH");
   command.add_option("--fps", fps, "Frames per second of scene time");
   command.add_option("--samples", samples, "Samples per pixel");
+  addAssets(command, assets);
 }
 
 scene::Scene SceneOptions::load(const std::vector<scene::Override>& more) const {
@@ -51,7 +68,7 @@ scene::Scene SceneOptions::load(const std::vector<scene::Override>& more) const 
   if (fps) all.push_back({"time.fps", fmt::format("{}", *fps)});
   if (samples) all.push_back({"render.samples", std::to_string(*samples)});
   all.insert(all.end(), more.begin(), more.end());
-  return scene::loadScene(file, all, sim::kinds());
+  return scene::loadScene(file, all, sim::kinds(), assetFolders(assets));
 }
 
 std::vector<std::string> SceneOptions::arguments() const {
@@ -61,6 +78,7 @@ std::vector<std::string> SceneOptions::arguments() const {
   if (size) words.push_back(fmt::format("--size={}", *size));
   if (fps) words.push_back(fmt::format("--fps={}", *fps));
   if (samples) words.push_back(fmt::format("--samples={}", *samples));
+  for (const std::string& folder : assets) words.push_back("--assets=" + folder);
   return words;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 #include "scene/scene.hpp"
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -19,6 +20,7 @@ struct SceneOptions {
   std::optional<std::string> size;  ///< WxH
   std::optional<double> fps;
   std::optional<int> samples;
+  std::vector<std::string> assets;  ///< folders that the scene may read, too
   void add(CLI::App& command);
   /// Reads the scene with all of them applied. --size, --fps, --samples and --seed are shorthands of -D, so
   /// the scene's hash tells them apart. `more` comes last.
@@ -27,6 +29,10 @@ struct SceneOptions {
   [[nodiscard]] std::vector<std::string> arguments() const;
 };
 
+/// --assets, repeatable.
+void addAssets(CLI::App& command, std::vector<std::string>& folders);
+/// They as paths. Throws UserError(usage) for one that is no folder.
+[[nodiscard]] std::vector<std::filesystem::path> assetFolders(const std::vector<std::string>& folders);
 /// Each "path=value" of -D. Throws UserError(usage).
 [[nodiscard]] std::vector<scene::Override> parseOverrides(const std::vector<std::string>& texts);
 

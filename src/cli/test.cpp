@@ -5,6 +5,7 @@
 #include "base/version.hpp"
 #include "cli/commands.hpp"
 #include "cli/device_options.hpp"
+#include "cli/scene_options.hpp"
 #include "cli/tolerance_options.hpp"
 #include "frame/interrupt.hpp"
 #include "gl/context.hpp"
@@ -32,6 +33,7 @@ namespace fs = std::filesystem;
 struct TestOptions {
   std::vector<std::string> paths;
   std::vector<std::string> globs;
+  std::vector<std::string> assets;
   std::string shard;
   int repeat = 2;
   int retries = 0;
@@ -178,6 +180,7 @@ void test(const TestOptions& o) {
   options.reason = o.reason;
   options.profile = o.profile;
   options.tolerance = o.tolerance.given();
+  options.assets = assetFolders(o.assets);
   choosePlaces(o, options);
   const auto scenes = chosenScenes(o);
   if (o.list) {
@@ -247,6 +250,7 @@ void addTest(CLI::App& app) {
       ->check(CLI::IsMember({"missing", "changed", "all"}));
   command->add_option("--reason", o->reason, "Why, kept in the baselines that are written");
   command->add_option("--profile", o->profile, "Name of the numerics family (default: by driver)");
+  addAssets(*command, o->assets);
   addDevice(*command, o->on);
   command->add_flag("--debug", o->on.debug, "Ask the driver for debug messages; serious ones are errors");
   command->add_flag("--list", o->list, "Only print the scenes that would be tested");

@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace simreel::frame {
 
@@ -25,6 +26,8 @@ struct RunInfo {
   std::string numerics;     ///< "exact" or "fast"
   std::string fingerprint;  ///< of the driver's numerics
   std::string driver;       ///< renderer and version string
+  /// "path=value" of each -D, --seed, --size, --fps and --samples.
+  std::vector<std::string> overrides = {};
 };
 
 enum class Existing { error, overwrite, skip, resume };

@@ -3,6 +3,7 @@
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "base/version.hpp"
+#include "scene/scene.hpp"
 
 #include <cstdint>
 #include <type_traits>
@@ -43,6 +44,7 @@ Manifest readObject(const Json& object) {
   RunInfo& run = result.run;
   run.title = get<std::string>(object, "title");
   run.sceneHash = get<std::string>(object, "scene");
+  if (object.contains("overrides")) run.overrides = get<std::vector<std::string>>(object, "overrides");
   run.seed = get<int>(object, "seed");
   run.width = get<int>(object, "width");
   run.height = get<int>(object, "height");
@@ -62,10 +64,11 @@ Manifest readObject(const Json& object) {
 
 std::string manifestText(const Manifest& manifest) {
   const RunInfo& run = manifest.run;
-  Json object = {{"format", formatName},     {"version", formatVersion},       {"program", version()},
-                 {"title", run.title},       {"scene", run.sceneHash},         {"seed", run.seed},
-                 {"width", run.width},       {"height", run.height},           {"fps", run.fps},
-                 {"numerics", run.numerics}, {"fingerprint", run.fingerprint}, {"driver", run.driver}};
+  Json object = {{"format", formatName},      {"version", formatVersion},       {"program", version()},
+                 {"title", run.title},        {"scene", run.sceneHash},         {"seed", run.seed},
+                 {"width", run.width},        {"height", run.height},           {"fps", run.fps},
+                 {"numerics", run.numerics},  {"fingerprint", run.fingerprint}, {"driver", run.driver},
+                 {"overrides", run.overrides}};
   const auto dump = [](const Json& value, int indent) {
     return value.dump(indent, ' ', false, Json::error_handler_t::replace);
   };
@@ -106,6 +109,12 @@ std::optional<std::string> runDifference(const RunInfo& wanted, const RunInfo& s
   const auto say = [](const char* item, const auto& here, const auto& there) {
     return fmt::format("{} is {} in this run and {} in the earlier one", item, here, there);
   };
+  if (wanted.overrides != stored.overrides) {
+    const auto listed = [](const RunInfo& run) {
+      return run.overrides.empty() ? std::string("nothing") : scene::asArguments(run.overrides);
+    };
+    return say("what is changed in the scene", listed(wanted), listed(stored));
+  }
   if (wanted.sceneHash != stored.sceneHash) return say("scene hash", wanted.sceneHash, stored.sceneHash);
   if (wanted.seed != stored.seed) return say("seed", wanted.seed, stored.seed);
   if (wanted.width != stored.width || wanted.height != stored.height)

@@ -4,6 +4,7 @@
 #include "base/version.hpp"
 #include "frame/reserved_room.hpp"
 #include "frame/sinks.hpp"
+#include "scene/scene.hpp"
 
 #include <algorithm>
 #include <atomic>
@@ -226,12 +227,15 @@ class SequenceSink final : public FrameSink {
   }
 
   ImageText chunks(const FrameInfo& info) const {
-    return {{"Software", fmt::format("simreel {}", version())},
-            {"simreel:scene", manifest_.run.sceneHash},
-            {"simreel:seed", fmt::format("{}", manifest_.run.seed)},
-            {"simreel:frame", fmt::format("{}", info.frame)},
-            {"simreel:state", info.stateHash},
-            {"simreel:driver", manifest_.run.driver}};
+    ImageText text = {{"Software", fmt::format("simreel {}", version())},
+                      {"simreel:scene", manifest_.run.sceneHash},
+                      {"simreel:seed", fmt::format("{}", manifest_.run.seed)},
+                      {"simreel:frame", fmt::format("{}", info.frame)},
+                      {"simreel:state", info.stateHash},
+                      {"simreel:driver", manifest_.run.driver}};
+    if (!manifest_.run.overrides.empty())
+      text.emplace_back("simreel:overrides", scene::asArguments(manifest_.run.overrides));
+    return text;
   }
 
   void waitForWorkers() {

@@ -45,7 +45,7 @@ void SceneTest::run() {
 }
 
 void SceneTest::load() {
-  scene_ = scene::loadTestScene(file_.file, {}, sim::kinds());
+  scene_ = scene::loadTestScene(file_.file, {}, sim::kinds(), options_.assets);
   result_.xfail = scene_.test.xfail;
   scene_.render.size = scene_.test.size;
   if (scene_.test.samples) scene_.render.samples = *scene_.test.samples;

@@ -19,9 +19,13 @@ bool isInside(const fs::path& file, const fs::path& root) {
 
 }  // namespace
 
-AssetFolders::AssetFolders(const fs::path& sceneFile, const fs::path& assets) {
+AssetFolders::AssetFolders(const fs::path& sceneFile, std::span<const fs::path> given,
+                           const fs::path& shipped) {
   const fs::path sceneFolder = sceneFile.has_parent_path() ? sceneFile.parent_path() : fs::path(".");
-  for (const fs::path& folder : {sceneFolder, assets}) {
+  std::vector<fs::path> folders = {sceneFolder};
+  folders.insert(folders.end(), given.begin(), given.end());
+  folders.push_back(shipped);
+  for (const fs::path& folder : folders) {
     if (folder.empty()) continue;
     std::error_code error;
     const fs::path canonical = fs::canonical(folder, error);
@@ -58,7 +62,9 @@ fs::path AssetFolders::find(const std::string& name, std::string& problem) const
     return {};
   }
   problem = outside
-                ? fmt::format("{} lies outside the folders a scene may read: {}", inQuotes(name), folders)
+                ? fmt::format(
+                      "{} lies outside the folders a scene may read: {}; --assets DIR lets it read another",
+                      inQuotes(name), folders)
                 : fmt::format("no file {} in {}", inQuotes(name), folders.empty() ? "any folder" : folders);
   return {};
 }

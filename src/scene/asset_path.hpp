@@ -1,16 +1,19 @@
 #pragma once
 #include <filesystem>
+#include <span>
 #include <string>
 #include <vector>
 
 namespace simreel::scene {
 
 /// Finds the files a scene names. A scene may come from anywhere, so what it names must lie, symbolic
-/// links followed, inside the scene's own folder or the asset folder.
+/// links followed, below the scene's own folder, one the user gave or the asset folder.
 class AssetFolders {
  public:
-  /// `sceneFile` need not exist; its folder is looked in first. An empty `assets` means there is none.
-  AssetFolders(const std::filesystem::path& sceneFile, const std::filesystem::path& assets);
+  /// `sceneFile` need not exist; its folder is looked in first, then `given` in their order, then
+  /// `shipped`. Empty folders and ones that are not there count for nothing.
+  AssetFolders(const std::filesystem::path& sceneFile, std::span<const std::filesystem::path> given,
+               const std::filesystem::path& shipped);
 
   /// Full path of the file; empty, with the reason in `problem`, when it is missing or outside.
   [[nodiscard]] std::filesystem::path find(const std::string& name, std::string& problem) const;

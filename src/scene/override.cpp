@@ -1,6 +1,7 @@
 #include "scene/override.hpp"
 
 #include "base/error.hpp"
+#include "base/process.hpp"
 #include "scene/words.hpp"
 
 #include <algorithm>
@@ -115,6 +116,13 @@ void applyOverride(Node& scene, const Override& change, Diagnostics& diagnostics
   value->keyBegin = static_cast<std::uint32_t>(lastDot == std::string::npos ? 0 : lastDot + 1);
   value->keyEnd = static_cast<std::uint32_t>(change.path.size());
   *place = std::move(*value);
+}
+
+std::string asArguments(std::span<const std::string> overrides) {
+  std::string words;
+  for (const std::string& change : overrides)
+    words += (words.empty() ? "-D " : " -D ") + inShellQuotes(change);
+  return words;
 }
 
 Override parseOverride(std::string_view argument) {

@@ -14,7 +14,6 @@
 #include <algorithm>
 #include <map>
 #include <optional>
-#include <system_error>
 #include <utility>
 
 #include <fmt/format.h>
@@ -214,12 +213,19 @@ void readScene(const Node& root, ReadContext context, std::span<const Kind> kind
   fields.finish();
 }
 
+/// What a scene is read with besides its text.
+struct With {
+  std::span<const Override> overrides;
+  std::span<const Kind> kinds;
+  std::span<const std::filesystem::path> folders;
+};
+
 /// `sidecar`: the text of the file beside the scene; null when there is none or no test is to be made.
 Scene parse(std::string_view text, const std::filesystem::path& file, const std::string* sidecar,
-            std::span<const Override> overrides, std::span<const Kind> kinds, bool heldToLength) {
+            const With& with, bool heldToLength) {
   Sources sources{file.string(), sidecarOf(file).string(), 0};
   Diagnostics diagnostics(sources.file, text);
-  const AssetFolders assets(file, assetFolder());
+  const AssetFolders assets(file, with.folders, assetFolder());
   Scene scene;
   if (std::optional<Node> root = parseJson(text, 0, 0, diagnostics)) {
     if (sidecar != nullptr) {
@@ -227,29 +233,40 @@ Scene parse(std::string_view text, const std::filesystem::path& file, const std:
       if (std::optional<Node> beside = parseJson(*sidecar, sources.sidecarNumber, 0, diagnostics))
         applySidecar(*root, std::move(*beside), {diagnostics, assets});
     }
-    for (const Override& change : overrides) applyOverride(*root, change, diagnostics);
-    readScene(*root, {diagnostics, assets}, kinds, heldToLength, scene);
+    for (const Override& change : with.overrides) applyOverride(*root, change, diagnostics);
+    readScene(*root, {diagnostics, assets}, with.kinds, heldToLength, scene);
     scene.test.toleranceOrigin = toleranceOrigin(*root, sources);
   }
   if (!diagnostics.empty()) throw UserError(ExitCode::usage, diagnostics.report(), UserError::Form::report);
 
   std::string hashed(text);
-  for (const Override& change : overrides) hashed += "\n" + change.path + "=" + change.value;
+  for (const Override& change : with.overrides) {
+    scene.overrides.push_back(change.path + "=" + change.value);
+    hashed += "\n" + scene.overrides.back();
+  }
   scene.hash = hashHex(hashed);
   return scene;
+}
+
+/// A scene's text, and the file that messages and assets go by.
+std::pair<std::string, std::filesystem::path> source(const std::filesystem::path& file) {
+  if (file == "-") return {standardInput("scene", mostSceneBytes), "<stdin>"};
+  return {readFile(file, "scene", mostSceneBytes), file};
 }
 
 }  // namespace
 
 Scene parseScene(std::string_view text, const std::filesystem::path& file,
-                 std::span<const Override> overrides, std::span<const Kind> kinds) {
+                 std::span<const Override> overrides, std::span<const Kind> kinds,
+                 std::span<const std::filesystem::path> folders) {
   // Whoever renders a shorter or slower take is not to be stopped by the frames of its tests.
-  return parse(text, file, nullptr, overrides, kinds, !changesTime(overrides));
+  return parse(text, file, nullptr, {overrides, kinds, folders}, !changesTime(overrides));
 }
 
 Scene loadScene(const std::filesystem::path& file, std::span<const Override> overrides,
-                std::span<const Kind> kinds) {
-  return parseScene(readFile(file, "scene", mostSceneBytes), file, overrides, kinds);
+                std::span<const Kind> kinds, std::span<const std::filesystem::path> folders) {
+  const auto [text, name] = source(file);
+  return parseScene(text, name, overrides, kinds, folders);
 }
 
 std::filesystem::path sidecarOf(const std::filesystem::path& sceneFile) {
@@ -257,13 +274,13 @@ std::filesystem::path sidecarOf(const std::filesystem::path& sceneFile) {
 }
 
 Scene loadTestScene(const std::filesystem::path& file, std::span<const Override> overrides,
-                    std::span<const Kind> kinds) {
-  const std::string text = readFile(file, "scene", mostSceneBytes);
+                    std::span<const Kind> kinds, std::span<const std::filesystem::path> folders) {
+  const auto [text, name] = source(file);
+  const With with{overrides, kinds, folders};
   const std::filesystem::path beside = sidecarOf(file);
-  std::error_code ignored;
-  if (!std::filesystem::exists(beside, ignored)) return parse(text, file, nullptr, overrides, kinds, true);
+  if (file == "-" || !pathExists(beside)) return parse(text, name, nullptr, with, true);
   const std::string sidecar = readFile(beside, "test settings", mostSceneBytes);
-  return parse(text, file, &sidecar, overrides, kinds, true);
+  return parse(text, name, &sidecar, with, true);
 }
 
 }  // namespace simreel::scene

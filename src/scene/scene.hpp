@@ -133,7 +133,8 @@ struct Scene {
   std::vector<Object> objects;
   Test test;
   std::vector<Check> checks;
-  std::string hash;  ///< of the scene's text and overrides; 32 hexadecimal digits
+  std::string hash;                    ///< of the scene's text and overrides; 32 hexadecimal digits
+  std::vector<std::string> overrides;  ///< "path=value" of each, as they were applied
 
   [[nodiscard]] int frameCount() const;
   /// The objects that measure the quantity a check names, among those it may mean; it should be one.
@@ -151,13 +152,19 @@ struct Override {
 /// Splits "path=value". Throws UserError(usage) when there is no path or no '='.
 [[nodiscard]] Override parseOverride(std::string_view argument);
 
-/// Reads and checks a scene. Throws UserError(usage) whose message holds *every* mistake, each as
-/// "file:line:column: error: text", the line, and a caret.
+/// Overrides as words of a command line: -D seed=7 -D 'render.size=[320,180]'. Empty for none.
+[[nodiscard]] std::string asArguments(std::span<const std::string> overrides);
+
+/// Reads and checks a scene; the file "-" is standard input, which stands in the current folder. It may
+/// name files below its own folder, `folders` and the asset folder. Throws UserError(usage) whose message
+/// holds *every* mistake, each as "file:line:column: error: text", the line, and a caret.
 [[nodiscard]] Scene loadScene(const std::filesystem::path& file, std::span<const Override> overrides,
-                              std::span<const Kind> kinds);
+                              std::span<const Kind> kinds,
+                              std::span<const std::filesystem::path> folders = {});
 /// The same from text; `file` names it in messages and locates assets.
 [[nodiscard]] Scene parseScene(std::string_view text, const std::filesystem::path& file,
-                               std::span<const Override> overrides, std::span<const Kind> kinds);
+                               std::span<const Override> overrides, std::span<const Kind> kinds,
+                               std::span<const std::filesystem::path> folders = {});
 
 /// The file that may lie beside a scene and hold its tests: flag.test.json for flag.json.
 [[nodiscard]] std::filesystem::path sidecarOf(const std::filesystem::path& sceneFile);
@@ -166,7 +173,8 @@ struct Override {
 /// tests are held against the scene's length even when an override changes that length, which loadScene
 /// allows.
 [[nodiscard]] Scene loadTestScene(const std::filesystem::path& file, std::span<const Override> overrides,
-                                  std::span<const Kind> kinds);
+                                  std::span<const Kind> kinds,
+                                  std::span<const std::filesystem::path> folders = {});
 
 /// JSON Schema (draft 2020-12) of scene files, pretty-printed, ending in a newline.
 [[nodiscard]] std::string schemaText(std::span<const Kind> kinds);

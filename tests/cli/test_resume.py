@@ -93,7 +93,7 @@ class Resume(Case):
         self.assertEqual(self.content("out"), self.whole)
 
     def test_another_scene(self):
-        self.bad(2, ["cannot resume", "scene hash", "--overwrite"], "render", "scene.json", "-o", "out/", "--resume",
+        self.bad(2, ["cannot resume", "-D seed=7 in this run and nothing in the earlier one", "--overwrite"], "render", "scene.json", "-o", "out/", "--resume",
                  "--seed", "7")
         self.write("scene.json", with_values({"title": "other"}))
         self.bad(2, ["cannot resume", "out/manifest.json"], "render", "scene.json", "-o", "out/", "--resume")

@@ -70,6 +70,22 @@ TEST_CASE("nothing outside the folders is read") {
   CHECK(has(folders.errors((folders.root / "outside" / "outside.png").string()), outside));
 }
 
+TEST_CASE("a scene may read below folders that the user gives") {
+  const Folders folders;
+  const std::vector<fs::path> given = {folders.root / "none", folders.root / "outside"};
+  const auto parseWith = [&](const std::string& picture, std::span<const fs::path> extra) {
+    return parseScene(withCloth("\"picture\": \"" + picture + "\""), folders.root / "scenes" / "s.json", {},
+                      toyKinds(), extra);
+  };
+  for (const char* name : {"outside.png", "../outside/outside.png", "leak.png"}) {
+    CHECK(clothOf(parseWith(name, given)).picture == folders.root / "outside" / "outside.png");
+    CHECK_THROWS_AS(static_cast<void>(parseWith(name, {})), simreel::UserError);
+  }
+  CHECK(clothOf(parseWith("assets.png", given)).picture == folders.root / "assets" / "assets.png");
+  CHECK_THROWS_AS(static_cast<void>(parseWith("/etc/passwd", given)), simreel::UserError);
+  CHECK(has(folders.errors("leak.png"), "; --assets DIR lets it read another"));
+}
+
 TEST_CASE("a missing asset names the folders looked in") {
   const Folders folders;
   const std::string report = folders.errors("nope.png");

@@ -56,6 +56,13 @@ TEST_CASE("mistakes in overrides point at the -D") {
   CHECK(has(mistakes(text, {deep + "=1"}), "this path is too deep"));
 }
 
+TEST_CASE("a scene keeps its overrides, which can be typed again") {
+  const Scene scene = parse(withCloth(""), {"seed=3", "title=two words"});
+  CHECK(scene.overrides == std::vector<std::string>{"seed=3", "title=two words"});
+  CHECK(asArguments(scene.overrides) == "-D seed=3 -D 'title=two words'");
+  CHECK(asArguments(parse(withCloth("")).overrides).empty());
+}
+
 TEST_CASE("an override needs a path and a value") {
   CHECK_THROWS_AS(static_cast<void>(parseOverride("time.fps")), simreel::UserError);
   CHECK_THROWS_AS(static_cast<void>(parseOverride("=3")), simreel::UserError);
