@@ -1,9 +1,11 @@
 #include "sim/cloth_parameters.hpp"
 
+#include "base/error.hpp"
 #include "glsl/common/cpp.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <set>
 
@@ -18,13 +20,25 @@ namespace simreel::sim {
 
 namespace {
 
+constexpr int mostSubsteps = 1024;
+/// Share of the stable substep that "auto" takes. Half of its square: a sheet stretched to any length pulls
+/// sideways as strongly as along its springs at most, which doubles the square of its fastest frequency.
+constexpr double safety = 0.7;
+
+/// Greatest speed of the air, m/s: on a straight way between keys it is greatest at one of them, and each
+/// component of a gust comes up to its share.
 double fastestAir(const Air& air) {
   double fastest = 0;
   for (const auto& key : air.velocity.keys()) {
     const glm::dvec3 v(key.value);
     fastest = std::max(fastest, std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z));
   }
-  return fastest * (1.0 + air.gusts);
+  return fastest * (1.0 + std::sqrt(3.0) * air.gusts);
+}
+
+/// Substeps of a frame, none of them longer than `longest`; at most 1e15.
+std::int64_t substepsFor(double frameSeconds, double longest) {
+  return static_cast<std::int64_t>(std::ceil(std::min(frameSeconds / longest, 1e15)));
 }
 
 void checkLines(scene::Fields& f, const char* name, const std::vector<int>& lines, int count) {
@@ -92,7 +106,7 @@ void ClothParameters::describe(scene::Fields& f) {
                     a.number("gustSize", air.gustSize, {1e-2, 1e3}, "m", "Size of the gusts.");
                   });
   f.number("margin", margin, {0, 10}, "m", "Distance kept from colliders.");
-  f.integerOr("substeps", substeps, "auto", {1, 1024}, "per frame",
+  f.integerOr("substeps", substeps, "auto", {1, mostSubsteps}, "per frame",
               "Steps a frame is divided into; \"auto\" takes as many as the springs need to be stable.");
   f.list("pins", pins, "Particles that are held, and how they move.",
          [&](scene::Fields& p, PinGroup& group) { group.describe(p, size); });
@@ -100,27 +114,55 @@ void ClothParameters::describe(scene::Fields& f) {
     f.error("pins", fmt::format("at most {} groups of pins", shader::mostPinFrames));
 }
 
-double ClothParameters::stableSeconds(double airSpeed) const {
-  // Symplectic Euler needs w dt < 2; the lattice's fastest mode has w^2 <= 4 (k + ks + kb) / m.
-  double seconds = std::numeric_limits<double>::infinity();
-  const double total = static_cast<double>(stiffness) * (1.0 + shear + bend);
-  if (solver == ClothSolver::springs && total > 0) seconds = 2.0 / std::sqrt(4.0 * total / mass);
-  // Drag alone, explicit: rate dt < 2 with rate = rho Cd A |v| / m (|v.n| v differentiated gives twice the
-  // half).
-  if (hasAir) {
-    const double rate =
-        air.density * static_cast<double>(air.drag + air.lift) * spacing * spacing * airSpeed / mass;
-    if (rate > 0) seconds = std::min(seconds, 2.0 / rate);
-  }
-  return seconds;
+double ClothParameters::stableSeconds() const {
+  // Semi-implicit Euler of x'' = -w^2 x - c x' stays bounded while (w dt)^2 + 2 c dt < 4. At rest the
+  // lattice's fastest mode has w^2 <= 4 (k + ks + kb) / m. Drag alone slows down at c = rho (Cd + Cl) A |v|
+  // / m: the force's half of the square, differentiated.
+  const double w2 = solver == ClothSolver::springs
+                        ? 4.0 * static_cast<double>(stiffness) * (1.0 + shear + bend) / mass
+                        : 0.0;
+  const double c = hasAir ? air.density * static_cast<double>(air.drag + air.lift) * spacing * spacing *
+                                fastestAir(air) / mass
+                          : 0.0;
+  const double rate = c + std::sqrt(c * c + 4.0 * w2);
+  return rate > 0 ? 4.0 / rate : std::numeric_limits<double>::infinity();
+}
+
+std::string ClothParameters::steadierWay(double frameSeconds) const {
+  ClothParameters other = *this;
+  if (substeps && substepsFor(frameSeconds, safety * stableSeconds()) <= mostSubsteps)
+    return "set \"substeps\": \"auto\", lower the stiffness or raise the mass";
+  other.solver = ClothSolver::constraints;
+  if (solver == ClothSolver::springs &&
+      substepsFor(frameSeconds, safety * other.stableSeconds()) <= mostSubsteps)
+    return "set \"solver\": \"constraints\" (XPBD), which is stable at any stiffness, lower the stiffness "
+           "or "
+           "raise the mass";
+  return "slow the air, lower its density, drag or lift, or raise the mass";
+}
+
+std::string ClothParameters::instability(double frameSeconds) const {
+  const double stable = stableSeconds();
+  if (!substeps || frameSeconds / *substeps <= stable) return "";
+  return fmt::format(
+      "{} substeps are fewer than the {} that its {} need to be stable (substep {:.3g} s, limit {:.3g} s); "
+      "{}",
+      *substeps, substepsFor(frameSeconds, stable),
+      !hasAir                          ? "springs"
+      : solver == ClothSolver::springs ? "springs and the fastest air"
+                                       : "fastest air",
+      frameSeconds / *substeps, stable, steadierWay(frameSeconds));
 }
 
 int ClothParameters::substepsPerFrame(double frameSeconds) const {
   if (substeps) return *substeps;
-  constexpr double safety = 0.7;
-  const double stable = stableSeconds(hasAir ? fastestAir(air) : 0.0) * safety;
+  const std::int64_t needed = substepsFor(frameSeconds, safety * stableSeconds());
+  if (needed > mostSubsteps)
+    fail(ExitCode::usage,
+         "cloth: \"substeps\": \"auto\" would take {} a frame to be stable, more than {}; {}", needed,
+         mostSubsteps, steadierWay(frameSeconds));
   const int least = solver == ClothSolver::constraints ? 8 : 1;
-  return std::clamp(static_cast<int>(std::ceil(std::min(frameSeconds / stable, 1024.0))), least, 1024);
+  return std::max(static_cast<int>(needed), least);
 }
 
 std::vector<int> ClothParameters::pinnedBy(const PinGroup& group) const {

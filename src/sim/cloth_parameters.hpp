@@ -2,6 +2,7 @@
 #include "scene/fields.hpp"
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include <glm/vec2.hpp>
@@ -62,13 +63,19 @@ struct ClothParameters : scene::Parameters {
   void describe(scene::Fields& fields) override;
   [[nodiscard]] std::span<const scene::Quantity> quantities() const override;
 
-  /// Largest stable substep in seconds for the given speed of air (explicit springs; infinite for
-  /// constraints).
-  [[nodiscard]] double stableSeconds(double airSpeed) const;
-  /// Substeps a frame takes: the given number, or what "auto" comes to.
+  /// Longest stable substep in seconds, of the sheet near rest in the fastest air and gusts of the whole
+  /// run; infinite for constraints without air.
+  [[nodiscard]] double stableSeconds() const;
+  /// Why the given substeps are too few and what to do; empty when they are enough or "auto".
+  [[nodiscard]] std::string instability(double frameSeconds) const;
+  /// Substeps a frame takes: the given number, or what "auto" comes to. Throws UserError(usage) when that
+  /// is more than there may be.
   [[nodiscard]] int substepsPerFrame(double frameSeconds) const;
   /// Particle indices of a group, ascending, without repeats.
   [[nodiscard]] std::vector<int> pinnedBy(const PinGroup& group) const;
+
+ private:
+  [[nodiscard]] std::string steadierWay(double frameSeconds) const;
 };
 
 }  // namespace simreel::sim

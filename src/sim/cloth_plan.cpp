@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdint>
+#include <string>
 
 namespace simreel::sim {
 
@@ -46,20 +46,8 @@ ClothPlan::ClothPlan(const ClothParameters& parameters, int seed, double frameSe
     fail(ExitCode::usage,
          "a cloth collides with at most {} shapes, the scene has {}; set \"collides\": false on some",
          shader::mostColliders, colliders_.size());
-  double speed = 0;
-  if (parameters_.hasAir) {
-    const glm::vec3 v = parameters_.air.velocity.at(0);
-    speed = std::sqrt(static_cast<double>(v.x) * v.x + static_cast<double>(v.y) * v.y +
-                      static_cast<double>(v.z) * v.z);
-  }
-  const double stable = parameters_.stableSeconds(speed * (1.0 + parameters_.air.gusts));
-  if (substepSeconds_ > stable)
-    warn(
-        "cloth: {} substeps are fewer than the {} its springs need to be stable (substep {:.3g} s, limit "
-        "{:.3g} s); "
-        "{}lower the stiffness or raise the mass",
-        substeps_, static_cast<std::int64_t>(std::ceil(std::min(frameSeconds / stable, 1e15))),
-        substepSeconds_, stable, parameters_.substeps ? "set \"substeps\": \"auto\", " : "");
+  if (const std::string problem = parameters_.instability(frameSeconds); !problem.empty())
+    warn("cloth: {}", problem);
   const glm::mat4 turn = rotationMatrix(parameters_.rotation);
   alongX_ = glm::vec3(turn[0]) * parameters_.spacing;
   alongY_ = glm::vec3(turn[2]) * parameters_.spacing;

@@ -23,8 +23,8 @@ namespace simreel::sim {
 /// is told. Shared by the GPU simulation and its CPU twin, so both start and go on from the same numbers.
 class ClothPlan {
  public:
-  /// Throws UserError(usage) when there are more colliders than the kernels hold; warns once when the
-  /// given substeps are fewer than the springs need.
+  /// Throws UserError(usage) when there are more colliders than the kernels hold, or "auto" takes more
+  /// substeps than there may be; warns once when the given substeps are fewer than it needs.
   ClothPlan(const ClothParameters& parameters, int seed, double frameSeconds,
             const std::vector<ColliderShape>& colliders);
 

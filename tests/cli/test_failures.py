@@ -47,6 +47,22 @@ class Device(Case):
         self.assertLess(len(frames), 60)
         self.assertGreaterEqual(len(frames), 1)
 
+    def test_auto_takes_no_fewer_substeps_than_it_needs(self):
+        """It names the number and the solver that has no such limit, which then renders."""
+        self.write("stiff.json", with_values({"objects.flag.cloth": {"size": [9, 7], "stiffness": 1e7, "mass": 0.01,
+                                                                     "substeps": "auto"}}))
+        self.bad(2, ["\"auto\" would take 1142 a frame", "1024", "\"solver\": \"constraints\""],
+                 "render", "stiff.json", "-o", "out/", "--fps", "60")
+        self.good("render", "stiff.json", "-o", "out/", "--fps", "60", "-D", "objects.flag.cloth.solver=constraints")
+
+    def test_air_that_comes_up_later_warns_at_once(self):
+        light = {"size": [9, 7], "stiffness": 10, "mass": 0.0002, "substeps": 64, "air": {"velocity": {
+            "keys": [[0, [0, 0, 0]], [50, [150, 0, 0]]]}}}
+        self.write("storm.json", with_values({"objects.flag.cloth": light}))
+        done = self.good("render", "storm.json", "-o", "out/", "--frames", "0")
+        self.assert_words(["fewer than the ", "fastest air", "\"substeps\": \"auto\""], done)
+        self.assertEqual(done.err.count("warning"), 1)
+
 
 class InputOutput(Case):
     def test_existing_frames(self):

@@ -73,7 +73,7 @@ TEST_CASE("auto takes as many substeps as the springs need") {
   // ms.
   CHECK(p.substepsPerFrame(1.0 / 60) == 1);
   p.stiffness = 50000;
-  CHECK(p.stableSeconds(0) == doctest::Approx(2.0 / std::sqrt(4 * 50000 * 2.3)).epsilon(1e-6));
+  CHECK(p.stableSeconds() == doctest::Approx(2.0 / std::sqrt(4 * 50000 * 2.3)).epsilon(1e-6));
   CHECK(p.substepsPerFrame(1.0 / 60) == 9);
 }
 

@@ -1,0 +1,220 @@
+// When cloth stays stable: the declared limit against the spectrum of the lattice, against the equation of
+// one oscillator stepped in float64, and against cloth that is stepped near it.
+#include "base/error.hpp"
+#include "reference/cloth_twin.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include <doctest/doctest.h>
+#include <glm/geometric.hpp>
+
+using namespace simreel;
+
+namespace {
+
+/// A sheet without gravity, wind, damping or pins.
+sim::ClothParameters springs(glm::ivec2 size, float stiffness, float shear, float bend, float mass) {
+  sim::ClothParameters p;
+  p.size = size;
+  p.stiffness = stiffness;
+  p.shear = shear;
+  p.bend = bend;
+  p.mass = mass;
+  p.gravity = glm::vec3(0);
+  p.wind = glm::vec3(0);
+  p.damping = 0;
+  p.pins.clear();
+  return p;
+}
+
+/// Square of the fastest frequency of the sheet at rest, (1/s)^2: the largest eigenvalue of its stiffness
+/// matrix, the sum of k n n^T over the springs, by the power method.
+double fastestSquared(const sim::ClothParameters& p) {
+  const int w = p.size.x;
+  const int h = p.size.y;
+  std::vector<glm::dvec2> x(static_cast<std::size_t>(w) * static_cast<std::size_t>(h));
+  for (std::size_t i = 0; i < x.size(); ++i)
+    x[i] = {std::sin(1.7 * static_cast<double>(i * i) + 0.3), std::cos(2.3 * static_cast<double>(i * i))};
+  double largest = 0;
+  for (int round = 0; round < 4000; ++round) {
+    std::vector<glm::dvec2> y(x.size(), glm::dvec2(0));
+    const auto spring = [&](int dx, int dy, double k) {
+      const glm::dvec2 n = glm::normalize(glm::dvec2(dx, dy));
+      for (int j = 0; j + dy < h; ++j)
+        for (int i = std::max(0, -dx); i < w && i + dx < w; ++i) {
+          const auto a = static_cast<std::size_t>(j * w + i);
+          const auto b = static_cast<std::size_t>((j + dy) * w + i + dx);
+          const glm::dvec2 force = n * (k * glm::dot(n, x[b] - x[a]));
+          y[a] -= force;
+          y[b] += force;
+        }
+    };
+    const auto k = static_cast<double>(p.stiffness);
+    spring(1, 0, k);
+    spring(0, 1, k);
+    spring(1, 1, k * p.shear);
+    spring(-1, 1, k * p.shear);
+    spring(2, 0, k * p.bend);
+    spring(0, 2, k * p.bend);
+    double square = 0;
+    for (const glm::dvec2& v : y) square += glm::dot(v, v);
+    largest = std::sqrt(square);
+    for (std::size_t i = 0; i < x.size(); ++i) x[i] = y[i] / largest;
+  }
+  return largest / p.mass;
+}
+
+/// Greatest speed after two thousand substeps of `dt` from a little jitter, m/s.
+double speedAfter(sim::ClothParameters p, double dt) {
+  p.substeps = 1;
+  p.jitter = 1e-4F;
+  ClothTwin twin(sim::ClothPlan(p, 3, dt, {}));
+  double fastest = 0;
+  for (int i = 0; i < 2000; ++i) {
+    twin.step(i * dt);
+    fastest = 0;
+    for (const glm::vec4& v : twin.velocities)
+      fastest = std::max(fastest, static_cast<double>(glm::length(glm::vec3(v))));
+    if (!(fastest < 1e3)) return 1e3;
+  }
+  return fastest;
+}
+
+/// Whether semi-implicit Euler of x'' = -w^2 x - c x' keeps to itself.
+bool stays(double w2, double c, double dt) {
+  double x = 1;
+  double v = 1;
+  for (int i = 0; i < 20000; ++i) {
+    v += (-w2 * x - c * v) * dt;
+    x += v * dt;
+    if (!(std::abs(x) < 1e6)) return false;
+  }
+  return true;
+}
+
+std::string refusal(const sim::ClothParameters& p, double frameSeconds) {
+  try {
+    (void)sim::ClothPlan(p, 1, frameSeconds, {});
+  } catch (const UserError& error) {
+    CHECK(error.code() == ExitCode::usage);
+    return error.what();
+  }
+  return "";
+}
+
+bool has(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+}  // namespace
+
+TEST_CASE("cloth is stable up to its declared limit and blows up soon beyond it") {
+  const sim::ClothParameters sheets[] = {
+      springs({9, 7}, 500, 1, 0.3F, 1), springs({8, 13}, 40000, 0, 0, 0.02F),
+      springs({11, 6}, 3000, 0.2F, 2, 0.5F), springs({7, 7}, 800, 4, 0.1F, 3)};
+  for (const sim::ClothParameters& p : sheets) {
+    const double limit = 2 / std::sqrt(fastestSquared(p));
+    const double declared = p.stableSeconds();
+    CAPTURE(p.stiffness);
+    CAPTURE(declared / limit);
+    CHECK(declared <= limit * 1.0001);
+    CHECK(declared > limit * 0.7);
+    CHECK(speedAfter(p, declared * 0.98) < 10 * 1e-4 * 2 / limit);  // of the jitter's 0.1 mm
+    CHECK(speedAfter(p, limit * 1.05) == 1e3);
+  }
+}
+
+TEST_CASE("what auto takes is stable for a sheet that its weight stretches many times over") {
+  auto p = springs({9, 33}, 100, 1, 0.3F, 1);
+  p.pins.emplace_back().rows = {0};
+  p.gravity = glm::vec3(0, -9.8F, 0);
+  p.rotation = glm::vec3(90, 0, 0);
+  p.damping = 0.5F;
+  p.substeps.reset();
+  const double frame = 1 / 15.0;
+  const int substeps = p.substepsPerFrame(frame);
+  CHECK(substeps > 1);
+  CHECK(speedAfter(p, frame / substeps) < 100);
+}
+
+TEST_CASE("springs and drag together are stable up to the declared limit only") {
+  for (const double speed : {0.5, 20.0, 150.0})
+    for (const float stiffness : {0.0F, 10.0F, 5000.0F}) {
+      auto p = springs({8, 8}, stiffness, 1, 0.3F, 0.01F);
+      p.hasAir = true;
+      p.air.velocity = glm::vec3(0, static_cast<float>(speed), 0);
+      p.air.gusts = 0;
+      const double w2 = 4.0 * static_cast<double>(stiffness) * (1.0 + p.shear + p.bend) / p.mass;
+      const double c = 1.2 * (1.0 + 0.6) * 0.1 * 0.1 * speed / p.mass;  // of the defaults
+      CAPTURE(stiffness);
+      CAPTURE(speed);
+      CHECK(stays(w2, c, p.stableSeconds() * 0.999));
+      CHECK_FALSE(stays(w2, c, p.stableSeconds() * 1.01));
+    }
+}
+
+TEST_CASE("the air counts at its fastest in the whole run, gusts included") {
+  auto p = springs({8, 8}, 10, 1, 0.3F, 0.001F);
+  p.hasAir = true;
+  p.air.gusts = 0;
+  p.substeps = 4;
+  const auto limit = [&](const scene::Animated<glm::vec3>& velocity) {
+    p.air.velocity = velocity;
+    return p.stableSeconds();
+  };
+  using Moving = scene::Animated<glm::vec3>;
+  const double storm = limit(glm::vec3(0, 60, 80));
+  CHECK(limit(glm::vec3(3, 0, 0)) > 2 * storm);
+  CHECK(limit(Moving({{0, glm::vec3(0)}, {2, glm::vec3(0, 60, 80)}, {4, glm::vec3(1)}},
+                     scene::Ease::smooth)) == storm);
+  CHECK(p.instability(1 / 60.0) != "");
+  p.air.velocity = Moving({{0, glm::vec3(0)}, {2, glm::vec3(0.1F)}}, scene::Ease::linear);
+  CHECK(p.instability(1 / 60.0) == "");
+  // Each of a gust's three components comes up to the share: at most (1 + 3 sqrt 3) times as fast.
+  const double gusty = limit(glm::vec3(0, 10.0F * (1.0F + 3.0F * std::sqrt(3.0F)), 0));
+  p.air.gusts = 3;
+  CHECK(limit(glm::vec3(0, 10, 0)) == doctest::Approx(gusty).epsilon(1e-6));
+}
+
+TEST_CASE("too few substeps are told with a way that helps") {
+  auto p = springs({8, 8}, 50000, 1, 0.3F, 0.01F);
+  p.substeps = 4;
+  const std::string few = p.instability(1 / 60.0);
+  CHECK(has(few, "4 substeps are fewer than the 57 that its springs need"));
+  CHECK(has(few, "\"substeps\": \"auto\""));
+  p.stiffness = 1e9F;
+  const std::string stiff = p.instability(1 / 60.0);
+  CHECK(has(stiff, "\"solver\": \"constraints\""));
+  CHECK_FALSE(has(stiff, "auto"));
+  p.solver = sim::ClothSolver::constraints;
+  CHECK(p.instability(1 / 60.0) == "");
+}
+
+TEST_CASE("auto refuses what more substeps than there may be would take") {
+  auto p = springs({8, 8}, 1e7F, 1, 0.3F, 0.01F);
+  p.substeps.reset();
+  // w = sqrt(4 * 1e7 * 2.3 / 0.01) = 95917 1/s; 0.7 * 2 / w = 14.6 us in 1/60 s: 1142.
+  const std::string line = refusal(p, 1 / 60.0);
+  CHECK(has(line, "\"auto\" would take 1142 a frame to be stable, more than 1024"));
+  CHECK(has(line, "\"solver\": \"constraints\""));
+  CHECK_FALSE(has(line, "\n"));
+  CHECK(refusal(p, 1 / 67.0).empty());
+  CHECK(p.substepsPerFrame(1 / 67.0) == 1023);
+  p.solver = sim::ClothSolver::constraints;
+  CHECK(refusal(p, 1 / 60.0).empty());
+  // Drag limits both solvers.
+  p.hasAir = true;
+  p.air.velocity = glm::vec3(200, 0, 0);
+  p.air.density = 1e4F;
+  p.mass = 1e-4F;
+  for (const auto solver : {sim::ClothSolver::springs, sim::ClothSolver::constraints}) {
+    p.solver = solver;
+    const std::string air = refusal(p, 1 / 60.0);
+    CHECK(has(air, "slow the air"));
+    CHECK_FALSE(has(air, "constraints"));
+  }
+}
