@@ -1,19 +1,27 @@
 // A fire that walks from cell to neighbouring cell (SPEC 6). Compiles as GLSL and, inside a struct that has `stepData`
-// (WildfireStep), as C++.
+// (WildfireStep) and climbFactor(int), as C++.
 #ifndef FUNCTION
 #define FUNCTION
 #endif
 
-// The chance t that a neighbour lights a cell, times that of the ground's rise on the way from it: an incline holds
-// the rises to the right and downwards in eighths of a cell a cell, each plus 8, in four bits. At most certain.
+// The chance t that a neighbour lights a cell, times e^(slope * tangent) of the ground's rise on the way from it, at
+// most certain. An incline holds the rises to the right and downwards in sixteenths of a cell a cell, each plus 128, in
+// eight bits. climbFactor(i), which the includer gives, is e^(slope (i - 128) / 16) for i below 256, then the same with
+// the rise over the root of two: a neighbour diagonally is that far away, and lies both aside and above or below.
 FUNCTION uint climbed(uint t, uint d, uint incline) {
   uint place = d + (d >> 2u);  // of the eight around, in three rows of three
   int x = int(place % 3u) - 1;
   int y = int(place / 3u) - 1;
-  int rise = -(x * (int(incline & 15u) - 8) + y * (int(incline >> 4u) - 8));
-  uint entry = uint(x == 0 || y == 0 ? rise + 8 : rise + 33);
-  uint factor = stepData.climb[entry >> 2u][entry & 3u];
-  return min(65536u, (t * factor) >> 9u);
+  int across = -x * (int(incline & 255u) - 128);
+  int down = -y * (int(incline >> 8u) - 128);
+  precise float chance = float(int(t));
+  if (x == 0 || y == 0) {
+    chance = chance * climbFactor(128 + across + down);
+  } else {
+    chance = chance * climbFactor(384 + across);
+    chance = chance * climbFactor(384 + down);
+  }
+  return uint(int(min(chance, 65536.0f)));
 }
 
 // Chance in 1/65536 that a cell catches fire from its burning neighbours (a bit each, in the order of

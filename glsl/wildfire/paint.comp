@@ -2,6 +2,7 @@
 #include "wildfire/types.glsl"
 layout(std140, binding = 0) uniform StepBlock { WildfireStep stepData; };
 INPUT_WORDS(2, GroundBlock, ground)
+float climbFactor(int i) { return 1.0f; }
 #include "wildfire/model.glsl"
 
 uint painted(uint cell, int value, ivec2 at) {

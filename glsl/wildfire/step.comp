@@ -1,11 +1,18 @@
 // One step of the fire. EMBERS: sparks that fly ahead. SLOPE: it climbs.
+#include "common/memory.glsl"
 #include "spread/rows.glsl"
 #include "wildfire/types.glsl"
 layout(std140, binding = 0) uniform StepBlock { WildfireStep stepData; };
 INPUT_WORDS(2, FuelBlock, fuels)     // bytes: how readily a cell burns
 INPUT_WORDS(3, GroundBlock, ground)  // bytes: the ground's shade, 0 to 15, and 16 times its phase
 #ifdef SLOPE
-INPUT_WORDS(4, InclineBlock, inclines)  // bytes: climbed()
+INPUT_WORDS(4, InclineBlock, inclines)  // two bytes a cell: climbed()
+INPUT_ARRAY(5, ClimbBlock, climbs)
+float climbFactor(int i) {
+  return LOAD_INPUT(climbs, i >> 2)[i & 3];
+}
+#else
+float climbFactor(int i) { return 1.0f; }
 #endif
 #include "wildfire/model.glsl"
 
@@ -55,14 +62,16 @@ uvec4 stepElement(ivec2 at, Row above, Row here, Row below) {
   uvec4 fuel = LOAD_INPUT_WORDS(fuels, place);
   uint first = uint(at.y) * uint(size.x) + uint(16 * at.x);
 #ifdef SLOPE
-  uvec4 steep = LOAD_INPUT_WORDS(inclines, place);
+  uvec4 leftSteep = LOAD_INPUT_WORDS(inclines, 2 * place);
+  uvec4 rightSteep = LOAD_INPUT_WORDS(inclines, 2 * place + 1);
 #endif
   for (; todo != 0u; todo &= todo - 1u) {
     int k = findLSB(todo);
     uint random = spreadRandom(first + uint(k), stepData.numbers.x, stepData.numbers.y);
     uint weight = fuelWeight(byteOf(fuel, k));
 #ifdef SLOPE
-    uint incline = byteOf(steep, k);
+    uint pair = k < 8 ? leftSteep[k >> 1 & 3] : rightSteep[k >> 1 & 3];
+    uint incline = pair >> uint(16 * (k & 1)) & 0xffffu;
 #else
     const uint incline = evenGround;
 #endif

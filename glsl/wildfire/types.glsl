@@ -3,7 +3,8 @@
 #ifndef WILDFIRE_TYPES
 #define WILDFIRE_TYPES
 
-const uint evenGround = 0x88u;  // an incline of none
+const uint evenGround = 0x8080u;  // an incline of none
+const int mostRise = 127;         // of an incline, in sixteenths of a cell a cell: 82.8 degrees
 
 struct WildfireStep {
   uvec4 spread[2];  // chance, in 1/65536, that a burning neighbour lights full and dry fuel: above left, above, above
@@ -12,8 +13,6 @@ struct WildfireStep {
                     // 256 times how many of them
   ivec4 embers;     // how far the longest flight goes (x and y, 1/256 cell), how far to its side (1/256 of it),
                     // threshold of landing
-  uvec4 climb[13];  // factors in 1/512 on the chance for rises of -8 to 8 eighths of a cell a cell to a neighbour
-                    // beside, then of -16 to 16 eighths to one diagonally
 };
 
 #endif

@@ -130,7 +130,8 @@ class Cloth : public Simulation {
     return fmt::format(
         "cloth \"{}\" blew up in substep {} at particle ({}, {}): its position or velocity is no longer a "
         "sensible "
-        "number; use more substeps ({} per frame now, or \"auto\"){}, lower the stiffness or raise the mass",
+        "number; use more substeps ({} per frame now, or \"auto\"){}, lower the stiffness or raise the "
+        "mass",
         name_, step, element % width, element / width, plan_.substeps(),
         plan_.parameters().solver == ClothSolver::springs ? " or \"solver\": \"constraints\"" : "");
   }

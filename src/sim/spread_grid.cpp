@@ -27,21 +27,30 @@ std::vector<glm::uvec4> paddedWords(const std::vector<std::uint32_t>& words) {
   return elements;
 }
 
-}  // namespace
-
-std::vector<glm::uvec4> packedCells(const std::vector<std::uint8_t>& cells, glm::ivec2 size) {
+template <class Cell>
+std::vector<glm::uvec4> packed(const std::vector<Cell>& cells, glm::ivec2 size) {
   const auto width = static_cast<std::size_t>(size.x);
-  const std::size_t rowBytes = (width + 15) / 16 * 16;
+  const std::size_t rowBytes = (width + 15) / 16 * 16 * sizeof(Cell);
   std::vector<glm::uvec4> elements(rowBytes / 16 * static_cast<std::size_t>(size.y), glm::uvec4(0));
   static_assert(std::endian::native == std::endian::little);
   auto* bytes = reinterpret_cast<std::uint8_t*>(elements.data());
   for (std::size_t y = 0; y < static_cast<std::size_t>(size.y); ++y)
-    std::memcpy(bytes + y * rowBytes, &cells[y * width], width);
+    std::memcpy(bytes + y * rowBytes, &cells[y * width], width * sizeof(Cell));
   return elements;
 }
 
-void SpreadGrid::checkLimits(const std::string& name, glm::ivec2 size) {
-  const auto bytes = std::int64_t{(size.x + 15) / 16} * 16 * size.y;
+}  // namespace
+
+std::vector<glm::uvec4> packedCells(const std::vector<std::uint8_t>& cells, glm::ivec2 size) {
+  return packed(cells, size);
+}
+
+std::vector<glm::uvec4> packedCells(const std::vector<std::uint16_t>& cells, glm::ivec2 size) {
+  return packed(cells, size);
+}
+
+void SpreadGrid::checkLimits(const std::string& name, glm::ivec2 size, int bytesPerCell) {
+  const auto bytes = std::int64_t{(size.x + 15) / 16} * 16 * size.y * bytesPerCell;
   const auto& limits = gl::limits();
   if (bytes > limits.storageBlockBytes)
     fail(ExitCode::device,

@@ -11,16 +11,17 @@
 namespace simreel::sim {
 
 /// Cells of a grid, x fastest, as the kernels want them: four a word, sixteen an element, each row filled
-/// up with zeros to whole elements.
+/// up with zeros to whole elements; of two bytes a cell, half as many.
 [[nodiscard]] std::vector<glm::uvec4> packedCells(const std::vector<std::uint8_t>& cells, glm::ivec2 size);
+[[nodiscard]] std::vector<glm::uvec4> packedCells(const std::vector<std::uint16_t>& cells, glm::ivec2 size);
 
 /// The grid of an epidemic or a wildfire on the GPU: two bytes a cell, the counts of every step so far, and
 /// what runs the kernels of glsl/spread.
 class SpreadGrid {
  public:
   /// Before anything is filled: throws UserError(device) naming the limit that a grid of this size is
-  /// beyond.
-  static void checkLimits(const std::string& name, glm::ivec2 size);
+  /// beyond. `bytesPerCell` of its largest buffer.
+  static void checkLimits(const std::string& name, glm::ivec2 size, int bytesPerCell = 1);
 
   /// `folder` of the kernels step.comp and paint.comp.
   SpreadGrid(const std::string& name, const SpreadParameters& parameters,

@@ -21,8 +21,9 @@ class Wildfire final : public Simulation {
               defines(parameters(), setting.fast), plan_.strokes()),
         fuels_(name_ + " fuel", packedCells(plan_.fuels(), parameters().size)),
         ground_(name_ + " ground", packedCells(plan_.ground(), parameters().size)) {
-    if (climbs())
-      inclines_ = gl::WordsArray(name_ + " inclines", packedCells(plan_.inclines(), parameters().size));
+    if (!climbs()) return;
+    inclines_ = gl::WordsArray(name_ + " inclines", packedCells(plan_.inclines(), parameters().size));
+    climbs_ = gl::Vec4Array(name_ + " climb", plan_.climbFactors());
   }
 
   void step(double time, const StepWatch& watch) override {
@@ -35,7 +36,10 @@ class Wildfire final : public Simulation {
       grid_.paint(steps[i].strokes);
       fuels_.bindInput(2);
       ground_.bindInput(3);
-      if (climbs()) inclines_.bindInput(4);
+      if (climbs()) {
+        inclines_.bindInput(4);
+        climbs_.bindInput(5);
+      }
       grid_.step();
       if (watch) watch(static_cast<int>(i) + 1);
     }
@@ -73,7 +77,7 @@ class Wildfire final : public Simulation {
   [[nodiscard]] bool climbs() const { return parameters().slope > 0; }
   static const WildfireParameters& checked(const scene::Object& object) {
     const auto& parameters = dynamic_cast<const WildfireParameters&>(*object.parameters);
-    SpreadGrid::checkLimits(object.name, parameters.size);
+    SpreadGrid::checkLimits(object.name, parameters.size, parameters.slope > 0 ? 2 : 1);
     return parameters;
   }
   static gl::Defines defines(const WildfireParameters& parameters, bool fast) {
@@ -89,6 +93,7 @@ class Wildfire final : public Simulation {
   SpreadSteps<WildfirePlan::Step> steps_;
   SpreadGrid grid_;
   gl::WordsArray fuels_, ground_, inclines_;
+  gl::Vec4Array climbs_;
 };
 
 }  // namespace

@@ -41,10 +41,12 @@ unsigned dithered(double share, unsigned most, std::size_t cell, unsigned seed) 
   return std::min(static_cast<unsigned>(level), most);
 }
 
-/// A rise (cells a cell) in eighths, -8 to 7, plus 8; rounded by the cell's hash, so that the mean is
-/// right.
-unsigned eighths(double rise, std::size_t cell, unsigned seed) {
-  return static_cast<unsigned>(std::clamp(std::floor(8 * rise + cellShare(cell, seed)), -8.0, 7.0) + 8);
+/// A rise (cells a cell) in sixteenths, as far as mostRise to both sides, plus 128; rounded by the cell's
+/// hash, so that the mean is right.
+unsigned sixteenths(double rise, std::size_t cell, unsigned seed) {
+  constexpr double most = shader::mostRise;
+  return static_cast<unsigned>(std::clamp(std::floor(16 * rise + cellShare(cell, seed)), -most, most) +
+                               128);
 }
 
 }  // namespace
@@ -58,9 +60,11 @@ void WildfireParameters::describe(scene::Fields& f) {
   f.asset("obstacles", obstacles, "Picture: nothing burns where it is light, as on water.");
   f.asset("terrain", terrain, "Picture of heights, for the shading and \"slope\"; none: hills of noise.");
   f.number("relief", relief, {0, 1e4}, "cells", "Height of white above black in the terrain.");
-  f.number("slope", slope, {0, 3}, "",
-           "It spreads e^slope times as likely up a slope of 45 degrees, where the terrain rises a cell in "
-           "a cell, and e^-slope times down one; 0: terrain is for the eye only.");
+  f.number(
+      "slope", slope, {0, 3}, "",
+      "It spreads e^slope times as likely up a slope of 45 degrees, where the terrain rises a cell in "
+      "a cell, and e^-slope times down one, to all sides alike; steeper than 82 degrees counts as that; 0: "
+      "terrain is for the eye only.");
   f.number("moisture", moisture, {0, 1}, "", "1: nothing catches fire.");
   f.asset("moistureMap", moistureMap, "Picture: white is too wet to burn.");
   f.number("spread", spread, {0, 1}, "per step",
@@ -124,8 +128,9 @@ void WildfirePlan::makeGround() {
       const double shade = 0.5 + 0.5 * rise / std::sqrt(0.2 + rise * rise);
       const std::size_t cell = ground_.size();
       if (parameters_.slope > 0)
-        inclines_.push_back(static_cast<std::uint8_t>(eighths(riseX, cell, seed_ ^ inclineSeed) |
-                                                      eighths(riseY, cell, ~seed_ ^ inclineSeed) << 4U));
+        inclines_.push_back(
+            static_cast<std::uint16_t>(sixteenths(riseX, cell, seed_ ^ inclineSeed) |
+                                       sixteenths(riseY, cell, ~seed_ ^ inclineSeed) << 8U));
       const auto phase = static_cast<unsigned>(16 * cellShare(cell, seed_ ^ phaseSeed));
       ground_.push_back(static_cast<std::uint8_t>(phase << 4U | dithered(shade, 15, cell, ditherSeed)));
     }
@@ -165,6 +170,16 @@ void WildfirePlan::makeFuel() {
          "nothing on the wildfire's map can burn: no cell has fuel that is dry and no obstacle");
 }
 
+std::vector<glm::vec4> WildfirePlan::climbFactors() const {
+  std::vector<glm::vec4> factors(128);
+  for (int i = 0; i < 512; ++i) {
+    const double tangent = (i % 256 - 128) / 16.0 / (i < 256 ? 1.0 : std::numbers::sqrt2);
+    factors[static_cast<std::size_t>(i / 4)][i % 4] =
+        static_cast<float>(std::exp(parameters_.slope * tangent));
+  }
+  return factors;
+}
+
 shader::WildfireStep WildfirePlan::stepAt(double time) const {
   const WildfireParameters& p = parameters_;
   const double angle = static_cast<double>(p.windDirection.at(time)) * std::numbers::pi / 180;
@@ -186,13 +201,6 @@ shader::WildfireStep WildfirePlan::stepAt(double time) const {
       data.spread[d / 4][static_cast<int>(d % 4)] = static_cast<unsigned>(std::lround(65536 * chance));
       ++d;
     }
-  // e^(slope * tangent): a neighbour diagonally is the root of two away.
-  const auto factor = [&](int entry, int rise, double length) {
-    data.climb[entry / 4][entry % 4] =
-        static_cast<unsigned>(std::lround(512 * std::exp(p.slope * rise / 8 / length)));
-  };
-  for (int rise = -8; rise <= 8; ++rise) factor(rise + 8, rise, 1);
-  for (int rise = -16; rise <= 16; ++rise) factor(rise + 33, rise, std::numbers::sqrt2);
   // Seven ages in coolSteps steps, each a round through the sixteen phases: so many phases until a step.
   const auto phases = [&](std::uint64_t steps) {
     return static_cast<unsigned>(steps * 112 / static_cast<unsigned>(p.coolSteps));

@@ -9,7 +9,7 @@
 #define FUNCTION inline
 namespace simreel::shader {
 #include "glsl/wildfire/types.glsl"
-static_assert(sizeof(WildfireStep) == 17 * 16);
+static_assert(sizeof(WildfireStep) == 4 * 16);
 }  // namespace simreel::shader
 #undef FUNCTION
 
@@ -64,7 +64,9 @@ class WildfirePlan {
   [[nodiscard]] const std::vector<std::uint8_t>& ground() const { return ground_; }
   /// The ground's rise at each cell, as climbed() of glsl/wildfire/model.glsl wants it; empty where the
   /// fire asks for none.
-  [[nodiscard]] const std::vector<std::uint8_t>& inclines() const { return inclines_; }
+  [[nodiscard]] const std::vector<std::uint16_t>& inclines() const { return inclines_; }
+  /// The 512 factors of climbFactor() there, four an element.
+  [[nodiscard]] std::vector<glm::vec4> climbFactors() const;
 
   struct Step {
     shader::WildfireStep data;
@@ -90,7 +92,8 @@ class WildfirePlan {
   unsigned seed_;
   Pace pace_;
   Strokes strokes_;
-  std::vector<std::uint8_t> cells_, fuels_, ground_, inclines_;
+  std::vector<std::uint8_t> cells_, fuels_, ground_;
+  std::vector<std::uint16_t> inclines_;
   unsigned done_ = 0;  ///< steps so far
 };
 

@@ -21,6 +21,9 @@ struct EpidemicModel {
 };
 struct WildfireModel {
   const WildfireStep& stepData;
+  const std::vector<vec4>& climbs;
+
+  [[nodiscard]] float climbFactor(int i) const { return climbs[static_cast<std::size_t>(i / 4)][i % 4]; }
 #include "glsl/wildfire/model.glsl"
 };
 #undef precise
@@ -133,7 +136,11 @@ void EpidemicTwin::oneStep(const simreel::sim::EpidemicPlan::Step& step, int thr
 }
 
 WildfireTwin::WildfireTwin(simreel::sim::WildfirePlan plan)
-    : cells(plan.firstCells()), counts{countAll(cells)}, plan_(std::move(plan)), next_(cells) {}
+    : cells(plan.firstCells()),
+      counts{countAll(cells)},
+      plan_(std::move(plan)),
+      next_(cells),
+      climbs_(plan_.climbFactors()) {}
 
 void WildfireTwin::step(double time, int threads) {
   for (const auto& one : plan_.frame(time)) oneStep(one, threads);
@@ -141,7 +148,7 @@ void WildfireTwin::step(double time, int threads) {
 
 void WildfireTwin::oneStep(const simreel::sim::WildfirePlan::Step& step, int threads) {
   const auto& p = plan_.parameters();
-  WildfireModel model{step.data};
+  WildfireModel model{step.data, climbs_};
   const auto& numbers = step.data.numbers;
   const auto width = static_cast<std::size_t>(p.size.x);
   for (const Stroke& stroke : step.strokes)

@@ -39,4 +39,5 @@ class WildfireTwin {
  private:
   simreel::sim::WildfirePlan plan_;
   std::vector<std::uint8_t> next_;
+  std::vector<glm::vec4> climbs_;
 };
