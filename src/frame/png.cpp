@@ -1,6 +1,7 @@
 #include "base/error.hpp"
 #include "base/hash.hpp"
 #include "frame/image.hpp"
+#include "sim/picture_file.hpp"
 
 #include <array>
 #include <cstdlib>
@@ -9,6 +10,7 @@
 #include <memory>
 #include <new>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -131,13 +133,6 @@ unsigned int crcForStb(const unsigned char* data, int size) {
 #define STBIW_FREE(data) giveBackForStb(data)
 #include <stb/stb_image_write.h>
 
-#define STB_IMAGE_IMPLEMENTATION
-#define STB_IMAGE_STATIC
-#define STBI_NO_STDIO
-#define STBI_FAILURE_USERMSG
-#define STBI_MAX_DIMENSIONS 16384
-#include <stb/stb_image.h>
-
 namespace simreel::frame {
 
 namespace {
@@ -147,7 +142,7 @@ namespace {
 /// the average. Set when the program is loaded, so before any thread can read it.
 [[maybe_unused]] const int rowFilter = stbi_write_force_png_filter = 1;
 
-constexpr int largestSide = STBI_MAX_DIMENSIONS;
+constexpr int largestSide = 16384;
 constexpr std::size_t signatureAndHeader = 8 + 25;  // the signature, then the whole IHDR chunk
 
 /// RGB of an image, followed by one byte of slack, in a buffer that each thread keeps: fresh pages for
@@ -253,26 +248,13 @@ std::vector<std::byte> withText(std::span<const std::byte> png, const ImageText&
 }
 
 Image decodeImage(std::span<const std::byte> file, const std::string& name) {
-  if (file.empty()) fail(ExitCode::inputOutput, "cannot read image {}: the file is empty", name);
-  if (file.size() > static_cast<std::size_t>(std::numeric_limits<int>::max()))
-    fail(ExitCode::inputOutput, "cannot read image {}: {} bytes are too many", name, file.size());
-  const auto* bytes = reinterpret_cast<const stbi_uc*>(file.data());
-  const int size = static_cast<int>(file.size());
-  int width = 0, height = 0, channels = 0;
-  if (stbi_info_from_memory(bytes, size, &width, &height, &channels) == 0)
-    fail(ExitCode::inputOutput, "cannot read image {}: {}", name, stbi_failure_reason());
-  if (width > largestSide || height > largestSide || width < 1 || height < 1)
-    fail(ExitCode::inputOutput, "cannot read image {}: {}x{} is outside 1x1 to {}x{}", name, width, height,
-         largestSide, largestSide);
-  // stb_image 2.27 reads beyond such a picture's end.
-  if (file[0] == std::byte{'P'} && stbi_is_16_bit_from_memory(bytes, size) != 0)
-    fail(ExitCode::inputOutput, "cannot read image {}: PNM pictures of 16 bits are not read; use PNG",
-         name);
-  const std::unique_ptr<stbi_uc, decltype(&stbi_image_free)> pixels(
-      stbi_load_from_memory(bytes, size, &width, &height, &channels, 4), &stbi_image_free);
-  if (!pixels) fail(ExitCode::inputOutput, "cannot read image {}: {}", name, stbi_failure_reason());
-  const std::size_t length = std::size_t(width) * std::size_t(height) * 4;
-  return {width, height, std::vector<std::uint8_t>(pixels.get(), pixels.get() + length)};
+  try {
+    sim::Picture picture = sim::decodePicture({reinterpret_cast<const char*>(file.data()), file.size()},
+                                              name, "image", largestSide);
+    return {picture.size.x, picture.size.y, std::move(picture.rgba)};
+  } catch (const UserError& error) {
+    throw UserError(ExitCode::inputOutput, error.what());
+  }
 }
 
 std::string pixelHash(const Image& image) {

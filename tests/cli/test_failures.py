@@ -1,9 +1,19 @@
 """Exit codes 4 (device, limit, lost state) and 6 (input and output)."""
 import os
 import resource
+import struct
 import subprocess
+import zlib
 
-from common import SOURCE, Case, main, with_values
+from common import PROGRAM, SOURCE, Case, main, with_values
+
+
+def png(size, raw, extra=b"IEND"):
+    """A colour PNG of 8 bits, whatever its pixels; `extra` is the kind of a last, empty chunk."""
+    def chunk(kind, body):
+        return struct.pack(">I", len(body)) + kind + body + struct.pack(">I", zlib.crc32(kind + body))
+    return (b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", *size, 8, 2, 0, 0, 0)) +
+            chunk(b"IDAT", zlib.compress(raw, 9)) + chunk(extra, b""))
 
 
 class Device(Case):
@@ -137,10 +147,30 @@ class InputOutput(Case):
             self.write("t.png", magic + b" 64 64 65535\n" + bytes(64 * 64 * 2 * channels))
             self.bad(6, ["t.png", "PNM picture of 16 bits", "use PNG"], "render", "scene.json", "-o", "out/")
         # A header that promises far more than a device can hold is refused before memory is taken.
-        self.write("t.png", b"BM" + bytes(8) + b"\x36\0\0\0\x28\0\0\0" + (60000).to_bytes(4, "little") * 2 +
-                   b"\1\0\x18\0" + bytes(24) + bytes(300))
-        self.bad(4, ["t.png", "60000x60000", "GL_MAX_TEXTURE_SIZE"], "render", "scene.json", "-o", "out/")
+        self.write("t.png", png((20000, 10000), b"x"))
+        self.bad(4, ["t.png", "20000x10000", "limit of 16384"], "render", "scene.json", "-o", "out/")
+        for promise in (png((16000, 16000), bytes(16001 * 3)), b"P5 16000 16000 255 x"):
+            self.write("t.png", promise)
+            self.bad(6, ["t.png", "16000x16000 pixels do not fit"], "render", "scene.json", "-o", "out/")
+        for flat in (b"P5 2 P5 255 abcd", b"P6 0 2 255 x"):
+            self.write("t.png", flat)
+            self.bad(6, ["t.png", "PNG or JPEG"], "render", "scene.json", "-o", "out/")
+        # A reason may quote the file, but not break the line.
+        self.write("t.png", png((1, 1), bytes(4), extra=b"\n\x1bLT"))
+        self.bad(6, ["t.png", "PNG or JPEG"], "render", "scene.json", "-o", "out/")
         self.assertEqual(list(self.folder.glob("out/*")), [])
+
+    def test_picture_that_inflates(self):
+        """600 MB of zeros behind a picture of 64 pixels are not made."""
+        self.write("scene.json", with_values({"objects.flag.material": {"texture": "t.png"}}))
+        self.write("t.png", png((64, 1), bytes(600_000_000)))
+        ran = subprocess.Popen([PROGRAM, "render", "scene.json", "-o", "out/"], cwd=self.folder, stderr=subprocess.PIPE)
+        message = ran.stderr.read().decode()
+        _, status, usage = os.wait4(ran.pid, 0)
+        ran.stderr.close()
+        ran.returncode = os.waitstatus_to_exitcode(status)
+        self.assertEqual(ran.returncode, 6, message)
+        self.assertLess(usage.ru_maxrss, 400_000)  # KiB; the driver takes most of it
 
     def test_no_ffmpeg(self):
         self.bad(6, ["ffmpeg is not installed", "apt install ffmpeg"], "render", "scene.json", "-o", "a.mp4",
