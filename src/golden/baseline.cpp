@@ -34,7 +34,7 @@ void checkFormat(StrictObject& root) {
         fmt::format("its format is {}, this program reads {}", format, baselineFormat));
 }
 
-PictureBaseline parsePictures(const std::string& text) {
+PictureBaseline picturesOf(const std::string& text) {
   const Json json = parseStrictly(text);
   StrictObject root(json, "");
   checkFormat(root);
@@ -65,7 +65,7 @@ PictureBaseline parsePictures(const std::string& text) {
   return result;
 }
 
-StateBaseline parseState(const std::string& text) {
+StateBaseline stateOf(const std::string& text) {
   const Json json = parseStrictly(text);
   StrictObject root(json, "");
   checkFormat(root);
@@ -80,18 +80,24 @@ StateBaseline parseState(const std::string& text) {
   return result;
 }
 
-/// Reads a file of the baseline if it is there; a mistake in it names the file.
+/// A mistake in the text names the file.
 template <class Result>
-std::optional<Result> readBaseline(const fs::path& file, Result (*parse)(const std::string&)) {
-  if (!pathExists(file)) return std::nullopt;
+Result parseBaseline(const std::string& text, const std::string& name,
+                     Result (*parse)(const std::string&)) {
   try {
-    return parse(readFile(file, "baseline", std::size_t{16} << 20));
-  } catch (const UserError&) {
-    throw;
+    return parse(text);
   } catch (const std::exception& mistake) {
     fail(ExitCode::inputOutput, "baseline {} cannot be used: {}; mend it, or write it anew with --update",
-         file.string(), mistake.what());
+         name, mistake.what());
   }
+}
+
+/// Reads a file of the baseline if it is there.
+template <class Result>
+std::optional<Result> readBaseline(const fs::path& file,
+                                   Result (*parse)(const std::string&, const std::string&)) {
+  if (!pathExists(file)) return std::nullopt;
+  return parse(readFile(file, "baseline", std::size_t{16} << 20), file.string());
 }
 
 std::string dump(const Json& json) {
@@ -233,6 +239,14 @@ void promote(const fs::path& folder, const std::string& profile, const Candidate
   if (!candidate.png.empty() || !how.keepOthers) promotePictures(folder, profile, candidate, how);
   if (!candidate.state.frames.empty())
     promoteState(stateFolder(folder, profile, candidate.exact), candidate, how);
+}
+
+PictureBaseline parsePictures(const std::string& text, const std::string& name) {
+  return parseBaseline(text, name, picturesOf);
+}
+
+StateBaseline parseState(const std::string& text, const std::string& name) {
+  return parseBaseline(text, name, stateOf);
 }
 
 std::string picturesText(const PictureBaseline& baseline) {

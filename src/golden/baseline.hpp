@@ -84,6 +84,10 @@ struct Promotion {
 void promote(const std::filesystem::path& folder, const std::string& profile, const Candidate& candidate,
              const Promotion& how);
 
+/// The contents of baseline.json and state.json. Throw UserError(inputOutput) naming the file and the
+/// mistake. The profile is the folder's name, which the text does not hold.
+[[nodiscard]] PictureBaseline parsePictures(const std::string& text, const std::string& name);
+[[nodiscard]] StateBaseline parseState(const std::string& text, const std::string& name);
 /// The texts of baseline.json and state.json, ending in a newline.
 [[nodiscard]] std::string picturesText(const PictureBaseline& baseline);
 [[nodiscard]] std::string stateText(const StateBaseline& baseline);

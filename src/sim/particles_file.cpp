@@ -255,8 +255,12 @@ void readPly(std::string_view text, Collector& collector) {
 }  // namespace
 
 ParticleCloud readParticles(const std::filesystem::path& file, float totalMass, int mostParticles) {
-  const std::string text = readFile(file, "particle file");
-  Collector collector(file.string(), mostParticles);
+  return parseParticles(readFile(file, "particle file"), file.string(), totalMass, mostParticles);
+}
+
+ParticleCloud parseParticles(std::string_view text, const std::string& name, float totalMass,
+                             int mostParticles) {
+  Collector collector(name, mostParticles);
   if (text.starts_with("ply\n") || text.starts_with("ply\r"))
     readPly(text, collector);
   else

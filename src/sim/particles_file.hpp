@@ -2,6 +2,8 @@
 #include "sim/particles_plan.hpp"
 
 #include <filesystem>
+#include <string>
+#include <string_view>
 
 namespace simreel::sim {
 
@@ -12,5 +14,8 @@ namespace simreel::sim {
 /// NaN or infinity, a mass that is not positive, more than `mostParticles`.
 [[nodiscard]] ParticleCloud readParticles(const std::filesystem::path& file, float totalMass,
                                           int mostParticles);
+/// The same from the file's bytes; `name` is what messages call it.
+[[nodiscard]] ParticleCloud parseParticles(std::string_view text, const std::string& name, float totalMass,
+                                           int mostParticles);
 
 }  // namespace simreel::sim

@@ -1,0 +1,17 @@
+// baseline.json and state.json.
+#include "golden/baseline.hpp"
+
+#include "base/error.hpp"
+#include "fuzz/reader.hpp"
+
+void simreel::fuzz::read(std::string_view bytes) {
+  const std::string text(bytes);
+  try {
+    const std::string written = golden::picturesText(golden::parsePictures(text, "baseline.json"));
+    SIMREEL_CHECK_EQ(golden::picturesText(golden::parsePictures(written, "again.json")), written);
+    return;
+  } catch (const UserError&) {  // then it may be a state
+  }
+  const std::string written = golden::stateText(golden::parseState(text, "state.json"));
+  SIMREEL_CHECK_EQ(golden::stateText(golden::parseState(written, "again.json")), written);
+}

@@ -1,0 +1,53 @@
+// What libFuzzer calls; every harness is linked with it.
+#include "base/error.hpp"
+#include "base/log.hpp"
+#include "fuzz/reader.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <cstring>
+
+using namespace simreel;
+
+extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t most);
+
+namespace simreel::fuzz {
+
+[[gnu::weak]] void mend(std::string& /*bytes*/, std::size_t /*most*/) {}
+
+namespace {
+
+/// One line, unless it is a report with a line for each mistake.
+void checkMessage(const UserError& error) {
+  const std::string message = error.what();
+  SIMREEL_CHECK(!message.empty());
+  if (error.form() == UserError::Form::sentence) SIMREEL_CHECK_EQ(message.find('\n'), std::string::npos);
+}
+
+}  // namespace
+
+}  // namespace simreel::fuzz
+
+extern "C" int LLVMFuzzerInitialize(int* /*count*/, char*** /*arguments*/) {
+  setVerbosity(Verbosity::quiet);
+  return 0;
+}
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  try {
+    fuzz::read({reinterpret_cast<const char*>(data), size});
+  } catch (const UserError& error) {
+    fuzz::checkMessage(error);
+  }
+  return 0;
+}
+
+extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t most,
+                                               unsigned /*seed*/) {
+  const std::size_t mutated = LLVMFuzzerMutate(data, size, most);
+  std::string bytes(reinterpret_cast<const char*>(data), mutated);
+  fuzz::mend(bytes, most);
+  bytes.resize(std::min(bytes.size(), most));
+  std::memcpy(data, bytes.data(), bytes.size());
+  return bytes.size();
+}

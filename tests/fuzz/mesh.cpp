@@ -1,0 +1,33 @@
+// OBJ, PLY, glTF and GLB, told apart by how they begin.
+#include "base/error.hpp"
+#include "base/file.hpp"
+#include "fuzz/reader.hpp"
+#include "fuzz/scratch.hpp"
+#include "sim/mesh_file.hpp"
+
+#include <cmath>
+
+using namespace simreel;
+
+namespace {
+
+const char* extensionOf(std::string_view bytes) {
+  return bytes.starts_with("ply")    ? ".ply"
+         : bytes.starts_with("glTF") ? ".glb"
+         : bytes.starts_with("{")    ? ".gltf"
+                                     : ".obj";
+}
+
+}  // namespace
+
+void simreel::fuzz::read(std::string_view bytes) {
+  const auto file = scratchFolder() / (std::string("fuzz") + extensionOf(bytes));
+  writeFileAtomically(file, bytes);
+  const sim::Mesh mesh = sim::loadMesh(file);
+  SIMREEL_CHECK(!mesh.indices.empty() && mesh.indices.size() % 3 == 0);
+  SIMREEL_CHECK_EQ(mesh.normals.size(), mesh.positions.size());
+  SIMREEL_CHECK(mesh.uvs.empty() || mesh.uvs.size() == mesh.positions.size());
+  for (const unsigned i : mesh.indices) SIMREEL_CHECK(i < mesh.positions.size());
+  for (const glm::vec3& p : mesh.positions)
+    SIMREEL_CHECK(std::abs(p.x) + std::abs(p.y) + std::abs(p.z) < 1e9F);
+}

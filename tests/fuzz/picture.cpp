@@ -1,0 +1,13 @@
+// Pictures as assets: PNG, PNM and whatever else the bytes may claim to be.
+#include "base/error.hpp"
+#include "fuzz/reader.hpp"
+#include "sim/picture_file.hpp"
+
+void simreel::fuzz::read(std::string_view bytes) {
+  constexpr int mostSide = 16384;
+  const sim::Picture picture = sim::decodePicture(bytes, "fuzz.png", "texture", mostSide);
+  SIMREEL_CHECK(picture.size.x >= 1 && picture.size.x <= mostSide && picture.size.y >= 1 &&
+                picture.size.y <= mostSide);
+  SIMREEL_CHECK_EQ(picture.rgba.size(),
+                   4 * static_cast<std::size_t>(picture.size.x) * static_cast<std::size_t>(picture.size.y));
+}

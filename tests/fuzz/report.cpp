@@ -1,0 +1,15 @@
+// report.json, and what is made of one.
+#include "base/error.hpp"
+#include "fuzz/reader.hpp"
+#include "golden/result.hpp"
+
+void simreel::fuzz::read(std::string_view bytes) {
+  const golden::SuiteResult suite = golden::parseReport(std::string(bytes), "report.json");
+  const std::string text = golden::reportText(suite);
+  SIMREEL_CHECK_EQ(golden::reportText(golden::parseReport(text, "again.json")), text);
+  static_cast<void>(golden::junitText(suite));
+  static_cast<void>(golden::githubAnnotations(suite));
+  static_cast<void>(golden::githubSummary(suite));
+  static_cast<void>(golden::closingText(suite));
+  for (const auto& scene : suite.scenes) static_cast<void>(golden::sceneLine(scene));
+}

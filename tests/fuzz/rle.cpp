@@ -1,0 +1,36 @@
+// What is read, written and read again is the same pattern.
+#include "sim/rle.hpp"
+
+#include "base/error.hpp"
+#include "fuzz/reader.hpp"
+
+using namespace simreel;
+
+namespace {
+
+/// Cells of a written file are checked where the grid takes no more than this.
+constexpr long mostWords = 1 << 16;
+
+}  // namespace
+
+void simreel::fuzz::read(std::string_view bytes) {
+  const sim::RlePattern pattern = sim::parseRle(bytes, "fuzz.rle");
+  const long rowWords = sim::CellRows::rowWords(pattern.size.x);
+  for (const auto& run : pattern.runs)
+    SIMREEL_CHECK(run.x >= 0 && run.y >= 0 && run.length > 0 && run.x + run.length <= pattern.size.x &&
+                  run.y < pattern.size.y);
+  if (rowWords * pattern.size.y > mostWords) return;
+  std::vector<std::uint32_t> words(static_cast<std::size_t>(rowWords * pattern.size.y));
+  for (const auto& run : pattern.runs)
+    for (int x = run.x; x < run.x + run.length; ++x)
+      words[static_cast<std::size_t>(run.y * rowWords + x / 32)] |= 1U << (x % 32);
+  const sim::LifeRule rule = pattern.rule.value_or(sim::LifeRule());
+  const std::string text = sim::writeRle({pattern.size, words}, rule, 0, "fuzz");
+  const sim::RlePattern again = sim::parseRle(text, "again.rle");
+  SIMREEL_CHECK(again.size == pattern.size && again.rule == rule);
+  std::vector<std::uint32_t> back(words.size());
+  for (const auto& run : again.runs)
+    for (int x = run.x; x < run.x + run.length; ++x)
+      back[static_cast<std::size_t>(run.y * rowWords + x / 32)] |= 1U << (x % 32);
+  SIMREEL_CHECK(back == words);
+}

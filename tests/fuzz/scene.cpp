@@ -1,0 +1,12 @@
+#include "scene/scene.hpp"
+
+#include "base/error.hpp"
+#include "fuzz/reader.hpp"
+#include "sim/list.hpp"
+
+void simreel::fuzz::read(std::string_view bytes) {
+  const scene::Scene scene = scene::parseScene(bytes, "fuzz.json", {}, sim::kinds());
+  SIMREEL_CHECK(scene.frameCount() >= 1);
+  for (const scene::Object& object : scene.objects) SIMREEL_CHECK(object.parameters != nullptr);
+  for (const int frame : scene.testFrames()) SIMREEL_CHECK(frame >= 0 && frame < scene.frameCount());
+}

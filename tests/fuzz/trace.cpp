@@ -1,0 +1,34 @@
+// steps.bin: what is accepted is written as the same bytes.
+#include "golden/trace.hpp"
+
+#include "base/error.hpp"
+#include "base/hash.hpp"
+#include "fuzz/reader.hpp"
+#include "golden/trace_layout.hpp"
+
+#include <algorithm>
+
+using namespace simreel;
+
+namespace {
+
+constexpr std::size_t hashDigits = 32;
+
+}  // namespace
+
+/// The hash at the end.
+void simreel::fuzz::mend(std::string& bytes, std::size_t /*most*/) {
+  if (bytes.size() < hashDigits) return;
+  const std::string hash = hashHex(std::string_view(bytes).substr(0, bytes.size() - hashDigits));
+  bytes.replace(bytes.size() - hashDigits, hashDigits, hash);
+}
+
+void simreel::fuzz::read(std::string_view bytes) {
+  const auto file = std::as_bytes(std::span(bytes.data(), bytes.size()));
+  const golden::StepTrace trace = golden::decodeTrace(file, "steps.bin");
+  const auto written = golden::encodeTrace(trace);
+  SIMREEL_CHECK(std::equal(written.begin(), written.end(), file.begin(), file.end()));
+  SIMREEL_CHECK(!golden::compareTraces(trace, trace));
+  const golden::StepTrace last = golden::reduced(trace, true, 0);
+  SIMREEL_CHECK_EQ(last.words.size(), last.totalWords());
+}
