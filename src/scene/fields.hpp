@@ -75,6 +75,8 @@ class Fields {
                       const std::function<void(std::size_t)>& resize,
                       const std::function<void(Fields&, std::size_t)>& describe) = 0;
 
+  /// What help shows as the default of the field declared next, where it is no one value: "the middle".
+  virtual void saysDefault(const char* /*words*/) {}
   /// Reports a mistake that involves several values, at the place of field `name`. Nothing happens
   /// unless a scene is being read.
   virtual void error(const char* name, const std::string& message) = 0;
@@ -125,6 +127,9 @@ struct Kind {
   const char* name;
   const char* doc;
   std::function<std::unique_ptr<Parameters>()> makeParameters;
+  /// The text of a scene around a file of this kind's own format (a pattern of cells), which may be
+  /// rendered like a scene; empty for other files. Throws UserError for one that cannot be read.
+  std::function<std::string(const std::filesystem::path& file)> sceneAround = {};
 };
 
 }  // namespace simreel::scene

@@ -35,6 +35,7 @@ std::string written(const T& value) {
 
 void HelpWriter::add(const std::string& name, std::string standard, std::string range, const char* unit,
                      std::string doc) {
+  if (words_ != nullptr) standard = std::exchange(words_, nullptr);
   rows_.push_back({prefix_ + name, std::move(standard), std::move(range), unit, std::move(doc)});
 }
 

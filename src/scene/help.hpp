@@ -46,6 +46,7 @@ class HelpWriter final : public Fields {
   void listOf(const char* name, const char* doc, std::size_t mostItems,
               const std::function<void(std::size_t)>& resize,
               const std::function<void(Fields&, std::size_t)>& describe) override;
+  void saysDefault(const char* words) override { words_ = words; }
   void error(const char* /*name*/, const std::string& /*message*/) override {}
   [[nodiscard]] bool given(const char* /*name*/) const override { return false; }
 
@@ -59,6 +60,7 @@ class HelpWriter final : public Fields {
   bool expandGroups_;
   std::string prefix_;
   std::vector<Row> rows_;
+  const char* words_ = nullptr;  ///< of the next default
 };
 
 }  // namespace simreel::scene

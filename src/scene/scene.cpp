@@ -248,9 +248,14 @@ Scene parse(std::string_view text, const std::filesystem::path& file, const std:
   return scene;
 }
 
-/// A scene's text, and the file that messages and assets go by.
-std::pair<std::string, std::filesystem::path> source(const std::filesystem::path& file) {
+/// A scene's text (of a file of some kind's own format: that of the scene around it), and the file that
+/// messages and assets go by.
+std::pair<std::string, std::filesystem::path> source(const std::filesystem::path& file,
+                                                     std::span<const Kind> kinds) {
   if (file == "-") return {standardInput("scene", mostSceneBytes), "<stdin>"};
+  for (const Kind& kind : kinds)
+    if (kind.sceneAround)
+      if (std::string text = kind.sceneAround(file); !text.empty()) return {std::move(text), file};
   return {readFile(file, "scene", mostSceneBytes), file};
 }
 
@@ -265,7 +270,7 @@ Scene parseScene(std::string_view text, const std::filesystem::path& file,
 
 Scene loadScene(const std::filesystem::path& file, std::span<const Override> overrides,
                 std::span<const Kind> kinds, std::span<const std::filesystem::path> folders) {
-  const auto [text, name] = source(file);
+  const auto [text, name] = source(file, kinds);
   return parseScene(text, name, overrides, kinds, folders);
 }
 
@@ -275,7 +280,7 @@ std::filesystem::path sidecarOf(const std::filesystem::path& sceneFile) {
 
 Scene loadTestScene(const std::filesystem::path& file, std::span<const Override> overrides,
                     std::span<const Kind> kinds, std::span<const std::filesystem::path> folders) {
-  const auto [text, name] = source(file);
+  const auto [text, name] = source(file, kinds);
   const With with{overrides, kinds, folders};
   const std::filesystem::path beside = sidecarOf(file);
   if (file == "-" || !pathExists(beside)) return parse(text, name, nullptr, with, true);

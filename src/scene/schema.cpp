@@ -60,6 +60,15 @@ Json SchemaWriter::object() const {
   return {{"type", "object"}, {"properties", properties_}, {"additionalProperties", false}};
 }
 
+void SchemaWriter::add(const char* name, Json schema) {
+  if (words_ != nullptr) {
+    schema.erase("default");
+    schema["description"] =
+        fmt::format("{} Default: {}.", schema.value("description", ""), std::exchange(words_, nullptr));
+  }
+  properties_[name] = std::move(schema);
+}
+
 void SchemaWriter::boolean(const char* name, bool& value, const char* doc) {
   add(name, described({{"type", "boolean"}}, value, doc));
 }

@@ -5,7 +5,9 @@
 #include "gl/limits.hpp"
 #include "gl/program.hpp"
 #include "sim/life_plan.hpp"
+#include "sim/life_scene.hpp"
 #include "sim/life_stepper.hpp"
+#include "sim/rle.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -216,7 +218,7 @@ class Life : public Simulation {
 
 SimulationKind lifeKind() {
   return {{"life", "A cellular automaton: Conway's Game of Life or any rule that counts neighbours.",
-           [] { return std::make_unique<LifeParameters>(); }},
+           [] { return std::make_unique<LifeParameters>(); }, sceneAroundPattern},
           [](const scene::Object& object, const Setting& setting) -> std::unique_ptr<Simulation> {
             return std::make_unique<Life>(object, setting);
           }};

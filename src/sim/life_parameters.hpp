@@ -3,6 +3,7 @@
 #include "sim/strokes.hpp"
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,11 +13,12 @@ namespace simreel::sim {
 
 enum class LifeBorder { torus, dead };
 
-/// An RLE file set into the first state: an entry of the list "patterns".
+/// A pattern file set into the first state: an entry of the list "patterns".
 struct LifePattern {
   enum class Flip { none, horizontal, vertical };
   std::filesystem::path file;
-  glm::ivec2 at{0, 0};     ///< cell of its top left corner, after flipping and turning
+  std::optional<glm::ivec2>
+      at;                  ///< cell of its top left corner, after flipping and turning; else the middle
   Flip flip = Flip::none;  ///< before it is turned
   int rotate = 0;          ///< degrees clockwise, a multiple of 90
   void describe(scene::Fields& fields);
@@ -25,9 +27,11 @@ struct LifePattern {
 struct LifeParameters : scene::Parameters {
   LifeParameters();
   glm::ivec2 size{512, 512};  ///< cells
+  bool fitted = false;        ///< the size is not given: it fits the patterns
   std::string rule;           ///< empty: of the first pattern that names one, else B3/S23
   LifeBorder border = LifeBorder::torus;
-  float fill = 0.3F;  ///< share alive at the start; not given beside patterns: 0
+  bool borderGiven = false;  ///< else that of the first pattern whose file has one
+  float fill = 0.3F;         ///< share alive at the start; not given beside patterns: 0
   std::vector<LifePattern> patterns;
   std::vector<StrokeParameters> strokes;  ///< value 1: alive, 0: dead
   double stepsPerSecond = 10;

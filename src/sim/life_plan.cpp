@@ -7,6 +7,8 @@
 #include <cmath>
 #include <utility>
 
+#include <glm/common.hpp>
+
 #define FUNCTION inline
 namespace simreel::shader {
 namespace {
@@ -20,27 +22,36 @@ namespace simreel::sim {
 namespace {
 
 /// Where a cell of a pattern goes: flipped within its size, then turned clockwise.
-struct Placement {
-  const LifePattern& pattern;
-  glm::ivec2 size;
+class Placement {
+ public:
+  Placement(const LifePattern& pattern, glm::ivec2 size) : pattern_(pattern), size_(size) {}
 
   [[nodiscard]] glm::ivec2 turnedSize() const {
-    return pattern.rotate % 180 == 0 ? size : glm::ivec2(size.y, size.x);
+    return pattern_.rotate % 180 == 0 ? size_ : glm::ivec2(size_.y, size_.x);
   }
+  /// Cell of the top left corner in a grid.
+  [[nodiscard]] glm::ivec2 corner(glm::ivec2 grid) const {
+    return pattern_.at.value_or(grid / 2 - turnedSize() / 2);
+  }
+  /// From the corner.
   [[nodiscard]] glm::ivec2 operator()(glm::ivec2 cell) const {
-    if (pattern.flip == LifePattern::Flip::horizontal) cell.x = size.x - 1 - cell.x;
-    if (pattern.flip == LifePattern::Flip::vertical) cell.y = size.y - 1 - cell.y;
-    switch (pattern.rotate) {
+    if (pattern_.flip == LifePattern::Flip::horizontal) cell.x = size_.x - 1 - cell.x;
+    if (pattern_.flip == LifePattern::Flip::vertical) cell.y = size_.y - 1 - cell.y;
+    switch (pattern_.rotate) {
       case 90:
-        return pattern.at + glm::ivec2(size.y - 1 - cell.y, cell.x);
+        return {size_.y - 1 - cell.y, cell.x};
       case 180:
-        return pattern.at + glm::ivec2(size.x - 1 - cell.x, size.y - 1 - cell.y);
+        return {size_.x - 1 - cell.x, size_.y - 1 - cell.y};
       case 270:
-        return pattern.at + glm::ivec2(cell.y, size.x - 1 - cell.x);
+        return {cell.y, size_.x - 1 - cell.x};
       default:
-        return pattern.at + cell;
+        return cell;
     }
   }
+
+ private:
+  const LifePattern& pattern_;
+  glm::ivec2 size_;
 };
 
 int wrapped(int x, int size) {
@@ -54,19 +65,46 @@ LifePlan::LifePlan(LifeParameters parameters, const std::string& object, int see
       seed_(seed),
       frameSeconds_(frameSeconds),
       strokes_(parameters_.strokes, seed) {
-  std::vector<RlePattern> files;
-  for (const LifePattern& pattern : parameters_.patterns) {
-    // The same gun many times is read once.
-    const auto same = std::find_if(parameters_.patterns.begin(), parameters_.patterns.end(),
-                                   [&](const LifePattern& p) { return p.file == pattern.file; });
-    const auto index = static_cast<std::size_t>(same - parameters_.patterns.begin());
-    files.push_back(index < files.size() ? files[index] : readRle(pattern.file));
-  }
-  takeRule(files, object);
-  for (std::size_t i = 0; i < files.size(); ++i) place(parameters_.patterns[i], files[i], object);
+  for (const LifePattern& pattern : parameters_.patterns)
+    if (!files_.contains(pattern.file)) files_.emplace(pattern.file, readPattern(pattern.file));
+  if (parameters_.fitted) fitGrid();
+  takeRule(object);
+  checkPlaces(object);
 }
 
-void LifePlan::takeRule(const std::vector<RlePattern>& files, const std::string& object) {
+const CellPattern& LifePlan::cellsOf(const LifePattern& pattern) const {
+  return files_.at(pattern.file);
+}
+
+// A pattern that was made for a bounded grid gets that one. Else gliders have some way to go and the
+// picture's usual shape is filled.
+void LifePlan::fitGrid() {
+  constexpr int leastMargin = 12, mostMargin = 256;
+  constexpr glm::ivec2 shape(16, 9);
+  glm::ivec2 reach(0), least(0);
+  int longest = 0;
+  for (const LifePattern& pattern : parameters_.patterns) {
+    const CellPattern& cells = cellsOf(pattern);
+    if (cells.border != 0) {
+      parameters_.size = cells.grid;
+      if (!parameters_.borderGiven)
+        parameters_.border = cells.border == 'T' ? LifeBorder::torus : LifeBorder::dead;
+      return;
+    }
+    const glm::ivec2 turned = Placement(pattern, cells.size).turnedSize();
+    longest = std::max({longest, turned.x, turned.y});
+    if (pattern.at)
+      reach = glm::max(reach, *pattern.at + turned);
+    else
+      least = glm::max(least, turned);
+  }
+  const int margin = std::clamp(longest / 2, leastMargin, mostMargin);
+  const glm::ivec2 needed = glm::max(reach + margin, least + 2 * margin);
+  const int unit = std::max((needed.x - 1) / shape.x, (needed.y - 1) / shape.y) + 1;
+  parameters_.size = glm::min(unit * shape, glm::ivec2(mostLifeSide));
+}
+
+void LifePlan::takeRule(const std::string& object) {
   if (!parameters_.rule.empty()) {
     const LifeRuleProblem problem = parseLifeRule(parameters_.rule, rule_);
     SIMREEL_CHECK(problem.message.empty());  // the scene was checked
@@ -74,9 +112,8 @@ void LifePlan::takeRule(const std::vector<RlePattern>& files, const std::string&
   }
   const glm::ivec2 size = parameters_.size;
   const LifePattern* named = nullptr;
-  for (std::size_t i = 0; i < files.size(); ++i) {
-    const RlePattern& file = files[i];
-    const LifePattern& pattern = parameters_.patterns[i];
+  for (const LifePattern& pattern : parameters_.patterns) {
+    const CellPattern& file = cellsOf(pattern);
     if (!file.rule) continue;
     if (named != nullptr && *file.rule != rule_)
       fail(ExitCode::usage,
@@ -94,26 +131,23 @@ void LifePlan::takeRule(const std::vector<RlePattern>& files, const std::string&
   }
 }
 
-void LifePlan::place(const LifePattern& pattern, const RlePattern& cells, const std::string& object) {
+void LifePlan::checkPlaces(const std::string& object) const {
   const glm::ivec2 size = parameters_.size;
-  const Placement placement{pattern, cells.size};
-  const glm::ivec2 turned = placement.turnedSize();
-  if (turned.x > size.x || turned.y > size.y)
-    fail(ExitCode::usage,
-         "life \"{}\": {} has {} x {} cells, more than the grid's {} x {}; make \"size\" larger", object,
-         pattern.file.string(), turned.x, turned.y, size.x, size.y);
-  const glm::ivec2 end = pattern.at + turned;
-  if (!torus() && (pattern.at.x < 0 || pattern.at.y < 0 || end.x > size.x || end.y > size.y))
-    fail(ExitCode::usage,
-         "life \"{}\": {} at [{}, {}] reaches to [{}, {}], outside the grid of {} x {}; move it (\"at\") "
-         "or use "
-         "\"border\": \"torus\"",
-         object, pattern.file.string(), pattern.at.x, pattern.at.y, end.x - 1, end.y - 1, size.x, size.y);
-  for (const RlePattern::Run& run : cells.runs)
-    for (int i = 0; i < run.length; ++i) {
-      const glm::ivec2 cell = placement({run.x + i, run.y});
-      runs_.push_back({wrapped(cell.x, size.x), wrapped(cell.y, size.y), 1});
-    }
+  for (const LifePattern& pattern : parameters_.patterns) {
+    const Placement placement(pattern, cellsOf(pattern).size);
+    const glm::ivec2 turned = placement.turnedSize();
+    if (turned.x > size.x || turned.y > size.y)
+      fail(ExitCode::usage,
+           "life \"{}\": {} has {} x {} cells, more than the grid's {} x {}; make \"size\" larger", object,
+           pattern.file.string(), turned.x, turned.y, size.x, size.y);
+    const glm::ivec2 at = placement.corner(size);
+    const glm::ivec2 end = at + turned;
+    if (!torus() && (at.x < 0 || at.y < 0 || end.x > size.x || end.y > size.y))
+      fail(ExitCode::usage,
+           "life \"{}\": {} at [{}, {}] reaches to [{}, {}], outside the grid of {} x {}; move it (\"at\") "
+           "or use \"border\": \"torus\"",
+           object, pattern.file.string(), at.x, at.y, end.x - 1, end.y - 1, size.x, size.y);
+  }
 }
 
 int LifePlan::fillShare() const {
@@ -122,9 +156,19 @@ int LifePlan::fillShare() const {
 
 void LifePlan::addPatterns(std::vector<std::uint32_t>& words) const {
   const auto rowWords = static_cast<std::size_t>(rowBlocks()) * 4;
-  for (const RlePattern::Run& cell : runs_)
-    words[static_cast<std::size_t>(cell.y) * rowWords + static_cast<std::size_t>(cell.x) / 32] |=
-        1U << (cell.x % 32);
+  const glm::ivec2 size = parameters_.size;
+  for (const LifePattern& pattern : parameters_.patterns) {
+    const CellPattern& cells = cellsOf(pattern);
+    const Placement placement(pattern, cells.size);
+    const glm::ivec2 corner = placement.corner(size);
+    for (const CellPattern::Run& run : cells.runs)
+      for (int i = 0; i < run.length; ++i) {
+        const glm::ivec2 cell = corner + placement({run.x + i, run.y});
+        const auto x = static_cast<std::size_t>(wrapped(cell.x, size.x));
+        const auto y = static_cast<std::size_t>(wrapped(cell.y, size.y));
+        words[y * rowWords + x / 32] |= 1U << (x % 32);
+      }
+  }
 }
 
 std::vector<std::uint32_t> LifePlan::firstCells() const {

@@ -1,9 +1,10 @@
 #pragma once
+#include "sim/cell_pattern.hpp"
 #include "sim/life_parameters.hpp"
 #include "sim/life_rule.hpp"
-#include "sim/rle.hpp"
 
 #include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -30,7 +31,7 @@ class LifePlan {
   [[nodiscard]] long blocks() const { return long{rowBlocks()} * parameters_.size.y; }
   /// 2^24 times the share that the random fill leaves alive.
   [[nodiscard]] int fillShare() const;
-  [[nodiscard]] bool hasPatterns() const { return !runs_.empty(); }
+  [[nodiscard]] bool hasPatterns() const { return !parameters_.patterns.empty(); }
   /// Adds the living cells of the patterns.
   void addPatterns(std::vector<std::uint32_t>& words) const;
   /// The whole first state.
@@ -47,15 +48,17 @@ class LifePlan {
   [[nodiscard]] std::vector<shader::Stroke> strokesIn(long generation) const;
 
  private:
-  void place(const LifePattern& pattern, const RlePattern& cells, const std::string& object);
-  void takeRule(const std::vector<RlePattern>& files, const std::string& object);
+  [[nodiscard]] const CellPattern& cellsOf(const LifePattern& pattern) const;
+  void takeRule(const std::string& object);
+  void fitGrid();
+  void checkPlaces(const std::string& object) const;
 
   LifeParameters parameters_;
   int seed_;
   double frameSeconds_;
   LifeRule rule_;
   Strokes strokes_;
-  std::vector<RlePattern::Run> runs_;  ///< living cells of all patterns, within the grid
+  std::map<std::filesystem::path, CellPattern> files_;  ///< the same gun many times is read once
 };
 
 }  // namespace simreel::sim

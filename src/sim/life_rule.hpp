@@ -19,8 +19,9 @@ struct LifeRuleProblem {
   std::string message;  ///< empty: nothing
 };
 
-/// Reads "B3/S23" (letters of either case), or the older "23/3" (survival first). Digits are 0 to 8, each
-/// at most once. Nothing else: no Generations, no Hensel letters, no other neighbourhoods.
+/// Reads "B3/S23" and "S23/B3" (letters of either case, the slash may be missing), or the older "23/3"
+/// (survival first). Digits are 0 to 8, each at most once. Nothing else: what other programs know besides
+/// (Generations, Hensel's letters, other neighbourhoods) is named in the message.
 [[nodiscard]] LifeRuleProblem parseLifeRule(std::string_view text, LifeRule& rule);
 
 }  // namespace simreel::sim

@@ -1,15 +1,15 @@
 #include "sim/rle.hpp"
 
-#include "base/error.hpp"
-#include "base/file.hpp"
+#include "base/log.hpp"
 
 #include <algorithm>
+
+#include <glm/common.hpp>
 
 namespace simreel::sim {
 
 namespace {
 
-constexpr std::size_t mostFileBytes = std::size_t{256} << 20;
 constexpr std::size_t lineLength = 70;
 
 bool isBlank(char c) {
@@ -18,21 +18,22 @@ bool isBlank(char c) {
 bool isDigit(char c) {
   return c >= '0' && c <= '9';
 }
-std::string shown(char c) {
-  return c >= ' ' && c <= '~' ? fmt::format("'{}'", c)
-                              : fmt::format("a byte {:#04x}", static_cast<unsigned char>(c));
-}
 
-class RleReader {
+class RleReader : public PatternText {
  public:
-  RleReader(std::string_view text, const std::string& name) : text_(text), name_(name) {}
+  using PatternText::PatternText;
 
-  RlePattern read() {
+  CellPattern read() {
     skipComments();
-    header();
+    headed_ = at_ < text_.size() && text_[at_] == 'x';
+    if (headed_) header();
     while (true) {
       skipBlanks();
-      if (at_ == text_.size()) wrong(at_, "the pattern ends without '!'; the file may be cut off");
+      if (at_ == text_.size()) {
+        if (!headed_ && empty_) wrong(0, "no pattern: neither a header nor a cell");
+        if (headed_) warn("{}: the pattern ends without '!'; the file may be cut off", name_);
+        return std::move(pattern_);
+      }
       if (text_[at_] == '#' && atLineStart())
         skipLine();
       else if (!item())
@@ -41,14 +42,6 @@ class RleReader {
   }
 
  private:
-  [[noreturn]] void wrong(std::size_t at, const std::string& message) const {
-    const std::string_view before = text_.substr(0, at);
-    const auto line = std::count(before.begin(), before.end(), '\n') + 1;
-    const auto start = before.rfind('\n');
-    const std::size_t column = at - (start == std::string_view::npos ? 0 : start + 1) + 1;
-    fail(ExitCode::usage, "{}:{}:{}: {}", name_, line, column, message);
-  }
-
   [[nodiscard]] bool atLineStart() const { return at_ == 0 || text_[at_ - 1] == '\n'; }
   void skipLine() {
     const auto end = text_.find('\n', at_);
@@ -109,9 +102,8 @@ class RleReader {
   void rule() {
     const std::size_t start = at_;
     while (at_ < text_.size() && !isBlank(text_[at_]) && text_[at_] != ':') ++at_;
-    std::string_view name = text_.substr(start, at_ - start);
+    const std::string_view name = text_.substr(start, at_ - start);
     LifeRule rule;
-    if (name == "Life" || name == "life") name = "B3/S23";
     if (const LifeRuleProblem problem = parseLifeRule(name, rule); !problem.message.empty())
       wrong(start + problem.at, problem.message);
     pattern_.rule = rule;
@@ -137,6 +129,7 @@ class RleReader {
       if (isDigit(text_[at_])) wrong(at_, "a second count; b, o or $ is expected");
     }
     const char c = text_[at_];
+    empty_ = false;
     if (c == '!') {
       if (at_ != start) wrong(at_, "a count before '!'");
       return false;
@@ -144,14 +137,14 @@ class RleReader {
     if (c == '$') {
       place_.y = std::min(place_.y + count, 2 * mostLifeSide);
       place_.x = 0;
-    } else if (c == 'b') {
+    } else if (c == 'b' || c == '.') {
       place_.x = std::min(place_.x + count, 2 * mostLifeSide);
-    } else if (c == 'o') {
+    } else if (c == 'o' || c == 'A') {
       living(start, count);
-    } else if ((c >= 'A' && c <= 'X') || (c >= 'p' && c <= 'y') || c == '.') {
+    } else if ((c >= 'B' && c <= 'X') || (c >= 'p' && c <= 'y')) {
       wrong(at_,
-            fmt::format("{} is of a pattern with more than two states; only b (dead) and o (alive) are "
-                        "known",
+            fmt::format("{} is of a pattern with more than two states; only dead (b or .) and living (o "
+                        "or A) cells are known",
                         shown(c)));
     } else {
       wrong(at_, fmt::format("{} where b, o, $ or ! is expected", shown(c)));
@@ -161,22 +154,21 @@ class RleReader {
   }
 
   void living(std::size_t start, int count) {
-    if (place_.y >= pattern_.size.y || place_.x + count > pattern_.size.x)
+    const glm::ivec2 end(place_.x + count, place_.y + 1);
+    if (headed_ && (end.x > pattern_.size.x || end.y > pattern_.size.y))
       wrong(start, fmt::format("living cells {} to {} of row {} lie outside the header's {} x {}", place_.x,
-                               place_.x + count - 1, place_.y, pattern_.size.x, pattern_.size.y));
-    std::vector<RlePattern::Run>& runs = pattern_.runs;
-    if (!runs.empty() && runs.back().y == place_.y && runs.back().x + runs.back().length == place_.x)
-      runs.back().length += count;
-    else
-      runs.push_back({place_.x, place_.y, count});
-    place_.x += count;
+                               end.x - 1, place_.y, pattern_.size.x, pattern_.size.y));
+    if (end.x > mostLifeSide || end.y > mostLifeSide)
+      wrong(start, fmt::format("a living cell at [{}, {}], beyond {}, the most there is room for",
+                               end.x - 1, place_.y, mostLifeSide));
+    if (!headed_) pattern_.size = glm::max(pattern_.size, end);
+    add(place_.x, place_.y, count);
+    place_.x = end.x;
   }
 
-  std::string_view text_;
-  const std::string& name_;
-  std::size_t at_ = 0;
+  bool headed_ = false;  ///< a header says the size
+  bool empty_ = true;
   glm::ivec2 place_{0, 0};
-  RlePattern pattern_;
 };
 
 /// Collects items and breaks lines between them.
@@ -216,13 +208,8 @@ int nextColumn(const CellRows& cells, int x, int y, bool alive) {
 
 }  // namespace
 
-RlePattern parseRle(std::string_view text, const std::string& name) {
+CellPattern parseRle(std::string_view text, const std::string& name) {
   return RleReader(text, name).read();
-}
-
-RlePattern readRle(const std::filesystem::path& file) {
-  const std::string text = readFile(file, "pattern", mostFileBytes);
-  return parseRle(text, file.string());
 }
 
 std::string writeRle(const CellRows& cells, const LifeRule& rule, char border, std::string_view comment) {

@@ -1,13 +1,10 @@
 #pragma once
-#include "sim/life_rule.hpp"
+#include "sim/cell_pattern.hpp"
 
 #include <cstdint>
-#include <filesystem>
-#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include <glm/vec2.hpp>
 
@@ -25,32 +22,14 @@ struct CellRows {
   }
 };
 
-/// A pattern of living and dead cells, as the community's RLE files hold them.
-struct RlePattern {
-  /// Living cells side by side.
-  struct Run {
-    int x, y, length;
-  };
-  glm::ivec2 size{0, 0};         ///< of the header
-  std::vector<Run> runs;         ///< by rows, from the left
-  std::optional<LifeRule> rule;  ///< of the header
-  /// Bounded grid of the rule's suffix, as in "B3/S23:T257,130": 'T' torus, 'P' dead border, 0: none.
-  char border = 0;
-  glm::ivec2 grid{0, 0};
-};
+/// Reads RLE: comments (#), a header "x = 3, y = 3, rule = B3/S23" (all of it or the rule may be missing),
+/// runs of b or . (dead), o or A (alive) and $ (end of row) over any number of lines, and the final !,
+/// after which anything may follow; where a file with a header lacks it, a warning says so. `name` is what
+/// messages call it. Throws UserError with file:line:column for a file of more than two states, a malformed
+/// one, one cut off within a run, cells outside the header's size, or sides above mostLifeSide.
+[[nodiscard]] CellPattern parseRle(std::string_view text, const std::string& name);
 
-/// Sides of patterns and grids, cells.
-inline constexpr int mostLifeSide = 1 << 20;
-
-/// Reads an RLE file: comments (#), a header "x = 3, y = 3, rule = B3/S23" (the rule may be missing), runs
-/// of b (dead), o (alive) and $ (end of row) over any number of lines, and the final !, after which
-/// anything may follow. Throws UserError with file:line:column for a file of more than two states, a
-/// malformed or cut-off one, cells outside the header's size, or sides above mostLifeSide.
-[[nodiscard]] RlePattern readRle(const std::filesystem::path& file);
-/// The same from text; `name` is what messages call it.
-[[nodiscard]] RlePattern parseRle(std::string_view text, const std::string& name);
-
-/// A grid as RLE of its whole size, lines of at most 70 characters. `border`: as RlePattern::border; a
+/// A grid as RLE of its whole size, lines of at most 70 characters. `border`: as CellPattern::border; a
 /// comment may hold several lines.
 [[nodiscard]] std::string writeRle(const CellRows& cells, const LifeRule& rule, char border,
                                    std::string_view comment);

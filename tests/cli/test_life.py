@@ -60,6 +60,13 @@ def scene(size, generations, **life):
             "objects": {"cells": {"life": {"size": size, "stepsPerSecond": generations, **life}}}}
 
 
+def with_object(**life):
+    """Nothing is said about the grid."""
+    values = scene([1, 1], 10)
+    values["objects"]["cells"]["life"] = life
+    return values
+
+
 @unittest.skipUnless(GOLLY, "bgolly is not installed (Debian package golly; tools/setup installs it)")
 class Golly(Case):
     def run_golly(self, file, generations):
@@ -88,6 +95,48 @@ class Golly(Case):
             for size in ([257, 130], [61, 45]):
                 with self.subTest(rule=rule, size=size):
                     self.compare(size, rule, 1000)
+
+    def test_patterns_in_every_format_as_golly_reads_them(self):
+        gun = sorted(read_rle((SOURCE / "assets/patterns/gosper_gun.rle").read_text(encoding="ascii"))[3])
+        rows = ["".join("O" if (x, y) in gun else "." for x in range(36)) for y in range(9)]
+        runs = "$\n".join(row.rstrip(".").replace("O", "o").replace(".", "b") for row in rows)
+        files = {
+            "gun.cells": "!Name: Gun\n!\n" + "\n".join(row.rstrip(".") for row in rows) + "\n",
+            "six.lif": "#Life 1.06\n" + "".join(f"{x - 18} {y - 4}\n" for x, y in gun),
+            "five.lif": "#Life 1.05\n#N\n#P -18 -4\n" + "\n".join(row.replace("O", "*") for row in rows) + "\n",
+            "bare.rle": runs + "!\n",
+            "open.rle": "x = 36, y = 9, rule = b3s23\n" + runs + "\n",
+            "swapped.rle": "x = 36, y = 9, rule = S23/B36\n" + runs + "!\n",
+            "capital.rle": "x = 36, y = 9, rule = 23/3\n" + runs.replace("b", ".").replace("o", "A") + "!\n",
+        }
+
+        def put(cells):
+            left, top = (min(c[i] for c in cells) for i in (0, 1))
+            return {(x - left, y - top) for x, y in cells}
+        for name, text in files.items():
+            with self.subTest(file=name):
+                self.write(name, text)
+                self.write("s.json", scene([400, 300], 90, patterns=[{"file": name}], border="dead"))
+                self.good("bake", "s.json", "-o", "out", "--frames", "0,10", "--overwrite")
+                for frame, generations in ((0, 0), (10, 90)):
+                    ours = read_rle((self.folder / f"out/cells_{frame:06}.rle").read_text(encoding="ascii"))
+                    self.assertEqual(ours[2], ("B36" if "swapped" in name else "B3") + "/S23:P400,300")
+                    # bgolly needs a header.
+                    golly = self.run_golly("gun.cells" if name == "bare.rle" else name, generations)
+                    self.assertEqual(put(ours[3]), put(golly))
+
+    def test_a_bounded_grid_of_a_file(self):
+        """Dead borders tell where in the grid the pattern lies."""
+        for border, rule in (("P", "P31,20"), ("T", "T40,33")):
+            self.write("g.rle", f"x = 3, y = 3, rule = B3/S23:{rule}\nbo$2bo$3o!\n")
+            self.write("s.json", with_object(patterns=[{"file": "g.rle"}], stepsPerSecond=70))
+            self.good("bake", "s.json", "-o", "out", "--frames", "0,10", "--overwrite")
+            start, end = (read_rle((self.folder / f"out/cells_{frame:06}.rle").read_text(encoding="ascii"))
+                          for frame in (0, 10))
+            self.assertEqual(start[2], f"B3/S23:{rule}")
+            first, last = self.run_golly("g.rle", 0), self.run_golly("g.rle", 70)
+            left, top = (min(c[i] for c in first) - min(c[i] for c in start[3]) for i in (0, 1))
+            self.assertEqual({(x - left, y - top) for x, y in last}, end[3], border)
 
     def test_whole_blocks_several_generations_a_pass(self):
         self.compare([128, 67], "B3/S23", 1000)
@@ -122,6 +171,42 @@ class Life(Case):
         self.write("torus.json", scene([33, 31], 10, patterns=[{"file": "torus.rle"}]))
         self.bad(2, ["torus.rle is for a grid of 32 x 31", "33 x 31"], "bake", "torus.json", "-o", "torus")
 
+    def bright(self, name, width, height, *more):
+        """Pixels of frame 0 whose green is bright."""
+        data = self.good("render", name, "-o", "-", "--frames", "0", "--size", f"{width}x{height}", *more).stdout
+        self.assertEqual(len(data), 4 * width * height)
+        return [(i % width, i // width) for i in range(width * height) if data[4 * i + 1] > 150]
+
+    def test_the_smallest_scene_shows_its_pattern(self):
+        shutil.copy(SOURCE / "assets/patterns/gosper_gun.rle", self.folder)
+        self.write("s.json", {"version": 1, "objects": {"c": {"life": {"patterns": [{"file": "gosper_gun.rle"}]}}}})
+        pixels = self.bright("s.json", 320, 180)
+        self.assertEqual(len(pixels), 36 * 16)  # 80 x 45 cells of 4 x 4 pixels
+        for axis, (least, most) in enumerate(((88, 231), (72, 107))):
+            self.assertEqual((min(p[axis] for p in pixels), max(p[axis] for p in pixels)), (least, most))
+        # Another shape of picture: all of the grid is in it.
+        self.assertEqual(len(self.bright("s.json", 160, 160)), 36 * 4)
+        listed = self.good("list", "life").stdout.decode()
+        self.assertRegex(listed, r"(?m)^  size +\[512,512\], or fits the patterns ")
+        self.assertRegex(listed, r"(?m)^  patterns\[\]\.at +the middle ")
+
+    def test_a_pattern_is_a_scene(self):
+        for name, text in (("g.rle", "bo$2bo$3o!"), ("g.CELLS", "!\n.O\n..O\nOOO\n"),
+                           ("g.life", "#Life 1.06\n0 -1\n1 0\n-1 1\n0 1\n1 1\n")):
+            with self.subTest(file=name):
+                self.write(name, text)
+                self.good("validate", name)
+                # 48 x 27 cells of 4 x 4 pixels.
+                self.assertEqual(len(self.bright(name, 192, 108, "-D", "render.bloom.strength=0")), 5 * 16)
+        self.bad(2, ["unknown key \"trial\"", "\"trail\""], "validate", "g.rle", "-D", "objects.cells.life.trial=0")
+        self.good("bake", "g.rle", "-o", "cells", "--frames", "0")
+        self.assertEqual(read_rle((self.folder / "cells/cells_000000.rle").read_text(encoding="ascii"))[:3],
+                         (48, 27, "B3/S23:P48,27"))
+        self.write("h.rle", "x = 3, y = 3, rule = B2-a/S12\n3o!")
+        self.bad(2, ["h.rle:1:24", "Hensel"], "validate", "h.rle")
+        self.bad(2, ["h.rle:1:24", "Hensel"], "render", "h.rle", "-o", "h.png")
+        self.bad(2, ["2 of 2 scenes"], "validate", "h.rle", "none.rle")
+
     def test_mistakes(self):
         self.write("s.json", scene([33, 31], 10, rule="B39/S23"))
         self.bad_scene(["s.json:", "character 3 of the rule", "8 neighbours, not 9"], "bake", "s.json", "-o", "out")
@@ -133,6 +218,8 @@ class Life(Case):
         self.bad_scene("needs \"file\"", "bake", "s.json", "-o", "out")
         self.write("p.rle", "x = 3, y = 1\n2oA!")
         self.write("s.json", scene([33, 31], 10, patterns=[{"file": "p.rle"}]))
+        self.good("bake", "s.json", "-o", "two", "--frames", "0")  # A is alive
+        self.write("p.rle", "x = 3, y = 1\n2oB!")
         self.bad(2, ["p.rle:2:3", "more than two states"], "bake", "s.json", "-o", "out")
         self.write("s.json", scene([33, 31], 10, patterns=[{"file": "p.rle", "rotate": 45}]))
         self.bad_scene("0, 90, 180 or 270", "bake", "s.json", "-o", "out")

@@ -1,4 +1,4 @@
-// What is read, written and read again is the same pattern.
+// A pattern in any format that is read, written as RLE and read again is the same.
 #include "sim/rle.hpp"
 
 #include "base/error.hpp"
@@ -14,7 +14,7 @@ constexpr long mostWords = 1 << 16;
 }  // namespace
 
 void simreel::fuzz::read(std::string_view bytes) {
-  const sim::RlePattern pattern = sim::parseRle(bytes, "fuzz.rle");
+  const sim::CellPattern pattern = sim::parsePattern(bytes, "fuzz.rle");
   const long rowWords = sim::CellRows::rowWords(pattern.size.x);
   for (const auto& run : pattern.runs)
     SIMREEL_CHECK(run.x >= 0 && run.y >= 0 && run.length > 0 && run.x + run.length <= pattern.size.x &&
@@ -26,7 +26,7 @@ void simreel::fuzz::read(std::string_view bytes) {
       words[static_cast<std::size_t>(run.y * rowWords + x / 32)] |= 1U << (x % 32);
   const sim::LifeRule rule = pattern.rule.value_or(sim::LifeRule());
   const std::string text = sim::writeRle({pattern.size, words}, rule, 0, "fuzz");
-  const sim::RlePattern again = sim::parseRle(text, "again.rle");
+  const sim::CellPattern again = sim::parseRle(text, "again.rle");
   SIMREEL_CHECK(again.size == pattern.size && again.rule == rule);
   std::vector<std::uint32_t> back(words.size());
   for (const auto& run : again.runs)

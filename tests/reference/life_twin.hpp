@@ -1,5 +1,6 @@
 #pragma once
 #include "sim/life_plan.hpp"
+#include "sim/rle.hpp"
 
 #include <cstdint>
 #include <vector>
