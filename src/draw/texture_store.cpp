@@ -1,10 +1,13 @@
 #include "draw/texture_store.hpp"
 
+#include "draw/mip_levels.hpp"
 #include "gl/context.hpp"
 #include "gl/limits.hpp"
 #include "sim/picture_file.hpp"
 
 #include <algorithm>
+#include <cstdint>
+#include <vector>
 
 namespace simreel::draw {
 
@@ -15,9 +18,13 @@ gl::Texture readPicture(const std::filesystem::path& file) {
   gl::Texture texture =
       gl::Texture::image("texture " + file.string(), GL_SRGB8_ALPHA8, picture.size.x, picture.size.y, 0);
   glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
-  glTextureSubImage2D(texture.name(), 0, 0, 0, picture.size.x, picture.size.y, GL_RGBA, GL_UNSIGNED_BYTE,
-                      picture.rgba.data());
-  glGenerateTextureMipmap(texture.name());
+  GLint number = 0;
+  const auto upload = [&](glm::ivec2 size, const std::vector<std::uint8_t>& rgba) {
+    glTextureSubImage2D(texture.name(), number++, 0, 0, size.x, size.y, GL_RGBA, GL_UNSIGNED_BYTE,
+                        rgba.data());
+  };
+  upload(picture.size, picture.rgba);
+  for (const MipLevel& level : mipLevels(picture.size, picture.rgba)) upload(level.size, level.rgba);
   // llvmpipe filters anisotropically in software: even 2 takes the flag from 15.9 to 11.6 frames/s.
   const float anisotropy = std::min(gl::limits().anisotropy, gl::softwareDriver() ? 1.0F : 8.0F);
   if (anisotropy > 1.0F) glTextureParameterf(texture.name(), GL_TEXTURE_MAX_ANISOTROPY_EXT, anisotropy);
