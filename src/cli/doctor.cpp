@@ -2,8 +2,10 @@
 #include "base/file.hpp"
 #include "base/version.hpp"
 #include "cli/commands.hpp"
+#include "draw/picture_probe.hpp"
 #include "gl/context.hpp"
 #include "gl/limits.hpp"
+#include "gl/machine.hpp"
 #include "sim/numerics.hpp"
 
 #include <string>
@@ -54,6 +56,8 @@ void doctor(const std::string& device) {
   fmt::print("Exact numerics: {}\n",
              numerics.exactHolds ? "hold, bit for bit" : "BROKEN: " + numerics.firstFailure);
   fmt::print("Numerics fingerprint: {}\n", numerics.fingerprint);
+  fmt::print("Drawing fingerprint: {}\n", draw::probePictures());
+  fmt::print("Processor: {}\n", gl::machineOf(context).processor);
   const unsigned reached = sim::probeLoop();
   if (reached == sim::loopProbeRounds)
     fmt::print("Long loops: run to the end ({} iterations)\n", reached);

@@ -11,6 +11,7 @@
 #include "frame/progress.hpp"
 #include "frame/sequence.hpp"
 #include "gl/context.hpp"
+#include "gl/machine.hpp"
 #include "sim/numerics.hpp"
 
 #include <memory>
@@ -74,6 +75,7 @@ void render(const RenderOptions& o) {
     fail(ExitCode::device,
          "this driver does not compute exactly ({}); use another device, or \"numerics\": \"fast\"",
          numerics.firstFailure);
+  const auto machine = gl::machineOf(context);
   const frame::RunInfo run{
       .title = scene.title,
       .sceneHash = scene.hash,
@@ -83,7 +85,8 @@ void render(const RenderOptions& o) {
       .fps = scene.time.fps,
       .numerics = scene.numerics == scene::Numerics::exact ? "exact" : "fast",
       .fingerprint = numerics.fingerprint,
-      .driver = context.device().name + ", OpenGL " + context.device().version,
+      .driver = machine.driver,
+      .processor = machine.processor,
       .overrides = scene.overrides,
   };
   const auto sink = frame::openSink(o.output, existing, run, frames, o.streamFormat);

@@ -7,8 +7,10 @@
 #include "cli/device_options.hpp"
 #include "cli/scene_options.hpp"
 #include "cli/tolerance_options.hpp"
+#include "draw/picture_probe.hpp"
 #include "frame/interrupt.hpp"
 #include "gl/context.hpp"
+#include "gl/machine.hpp"
 #include "golden/profile.hpp"
 #include "golden/suite.hpp"
 #include "sim/numerics.hpp"
@@ -129,10 +131,10 @@ void writeReports(const TestOptions& o, const golden::SuiteResult& suite) {
 
 golden::Device describeDevice(const gl::Context& context, const std::string& profile) {
   const auto numerics = sim::probeNumerics();
+  const auto machine = gl::machineOf(context);
   golden::Device device;
-  device.driver = context.device().name + ", OpenGL " + context.device().version;
+  device.origin = {numerics.fingerprint, draw::probePictures(), machine.processor, machine.driver};
   device.profile = profile.empty() ? golden::ownProfile(context.device().name) : profile;
-  device.fingerprint = numerics.fingerprint;
   device.memoryPath = gl::memoryPath() == gl::MemoryPath::texel ? "texel" : "storage";
   if (!numerics.exactHolds) device.inexact = numerics.firstFailure;
   return device;
@@ -197,9 +199,11 @@ void test(const TestOptions& o) {
   golden::Suite suite(options, device);
   golden::SuiteResult result;
   result.version = version();
-  result.driver = device.driver;
+  result.driver = device.origin.driver;
+  result.processor = device.origin.processor;
   result.profile = device.profile;
-  result.fingerprint = device.fingerprint;
+  result.fingerprint = device.origin.numerics;
+  result.drawing = device.origin.drawing;
   result.memoryPath = device.memoryPath;
   result.command = o.command;
   result.allowFlaky = o.allowFlaky;

@@ -9,6 +9,7 @@
 #include "frame/interrupt.hpp"
 #include "frame/sinks.hpp"
 #include "gl/context.hpp"
+#include "gl/machine.hpp"
 #include "golden/trace_stream.hpp"
 #include "sim/numerics.hpp"
 
@@ -124,7 +125,7 @@ golden::TraceHeader header(const sim::World& world, const gl::Context& context) 
   golden::TraceHeader result = golden::describeWorld(world);
   const auto numerics = sim::probeNumerics();
   result.version = version();
-  result.driver = context.device().name + ", OpenGL " + context.device().version;
+  result.driver = gl::machineOf(context).driver;
   result.fingerprint = numerics.fingerprint;
   result.memoryPath = gl::memoryPath() == gl::MemoryPath::texel ? "texel" : "storage";
   if (!numerics.exactHolds) result.inexact = numerics.firstFailure;

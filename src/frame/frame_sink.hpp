@@ -23,9 +23,10 @@ struct RunInfo {
   int width = 0;
   int height = 0;
   double fps = 60;
-  std::string numerics;     ///< "exact" or "fast"
-  std::string fingerprint;  ///< of the driver's numerics
-  std::string driver;       ///< renderer and version string
+  std::string numerics;        ///< "exact" or "fast"
+  std::string fingerprint;     ///< of the driver's numerics
+  std::string driver;          ///< renderer and version string
+  std::string processor = {};  ///< with the driver, the machine; empty: not known
   /// "path=value" of each -D, --seed, --size, --fps and --samples.
   std::vector<std::string> overrides = {};
 };

@@ -34,6 +34,10 @@ T get(const Json& object, const char* key) {
   }
 }
 
+std::string getIfThere(const Json& object, const char* key) {
+  return object.contains(key) ? get<std::string>(object, key) : std::string();
+}
+
 Manifest readObject(const Json& object) {
   if (!object.is_object() || get<std::string>(object, "format") != formatName)
     throw std::runtime_error("it is not a simreel manifest");
@@ -52,11 +56,13 @@ Manifest readObject(const Json& object) {
   run.numerics = get<std::string>(object, "numerics");
   run.fingerprint = get<std::string>(object, "fingerprint");
   run.driver = get<std::string>(object, "driver");
+  run.processor = getIfThere(object, "processor");
   const auto frames = object.find("frames");
   if (frames == object.end() || !frames->is_array()) throw std::runtime_error("\"frames\" is not a list");
   for (const Json& item : *frames)
-    result.frames[get<int>(item, "frame")] = {
-        get<std::string>(item, "file"), get<std::string>(item, "pixels"), get<std::string>(item, "state")};
+    result.frames[get<int>(item, "frame")] = {get<std::string>(item, "file"),
+                                              get<std::string>(item, "pixels"),
+                                              get<std::string>(item, "state"), getIfThere(item, "machine")};
   return result;
 }
 
@@ -69,6 +75,7 @@ std::string manifestText(const Manifest& manifest) {
                  {"width", run.width},        {"height", run.height},           {"fps", run.fps},
                  {"numerics", run.numerics},  {"fingerprint", run.fingerprint}, {"driver", run.driver},
                  {"overrides", run.overrides}};
+  if (!run.processor.empty()) object["processor"] = run.processor;
   const auto dump = [](const Json& value, int indent) {
     return value.dump(indent, ' ', false, Json::error_handler_t::replace);
   };
@@ -78,8 +85,8 @@ std::string manifestText(const Manifest& manifest) {
   // One line a frame, so that a text diff of two manifests names the frames.
   const char* separator = "\n";
   for (const auto& [number, frame] : manifest.frames) {
-    const Json item = {
-        {"frame", number}, {"file", frame.file}, {"pixels", frame.pixels}, {"state", frame.state}};
+    Json item = {{"frame", number}, {"file", frame.file}, {"pixels", frame.pixels}, {"state", frame.state}};
+    if (!frame.machine.empty()) item["machine"] = frame.machine;
     text += separator + ("    " + dump(item, -1));
     separator = ",\n";
   }
@@ -125,6 +132,10 @@ std::optional<std::string> runDifference(const RunInfo& wanted, const RunInfo& s
   if (wanted.fingerprint != stored.fingerprint)
     return say("numerics fingerprint (driver and memory path)", wanted.fingerprint, stored.fingerprint);
   return std::nullopt;
+}
+
+std::string machineOf(const RunInfo& run) {
+  return run.processor.empty() ? std::string() : run.processor + "; " + run.driver;
 }
 
 }  // namespace simreel::frame

@@ -9,9 +9,10 @@
 namespace simreel::frame {
 
 struct ManifestFrame {
-  std::string file;    ///< name beside the manifest
-  std::string pixels;  ///< pixelHash; empty when unknown
-  std::string state;   ///< state hash; empty when unknown
+  std::string file;          ///< name beside the manifest
+  std::string pixels;        ///< pixelHash; empty when unknown
+  std::string state;         ///< state hash; empty when unknown
+  std::string machine = {};  ///< machineOf() another run, whose picture this is; empty: of the manifest's
 };
 
 /// What is written beside the frames: the run, and the hashes of each frame. Holds no time and no
@@ -27,7 +28,10 @@ struct Manifest {
 /// Nothing when the file does not exist. Throws as parseManifest does.
 [[nodiscard]] std::optional<Manifest> readManifest(const std::filesystem::path& path);
 /// "seed is 1 in this run and 2 in the earlier one": the first item in which frames of the two runs could
-/// differ.
+/// differ by more than a few bits of their pixels.
 [[nodiscard]] std::optional<std::string> runDifference(const RunInfo& wanted, const RunInfo& stored);
+/// Processor and driver of a run, or empty where they are not known. Pictures of one scene on two machines
+/// of the same fingerprints may differ in a few bits.
+[[nodiscard]] std::string machineOf(const RunInfo& run);
 
 }  // namespace simreel::frame

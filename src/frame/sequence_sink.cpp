@@ -1,10 +1,12 @@
 #include "base/clock.hpp"
 #include "base/error.hpp"
 #include "base/file.hpp"
+#include "base/log.hpp"
 #include "base/version.hpp"
 #include "frame/reserved_room.hpp"
 #include "frame/sinks.hpp"
 #include "scene/scene.hpp"
+#include "scene/words.hpp"
 
 #include <algorithm>
 #include <atomic>
@@ -136,6 +138,8 @@ class SequenceSink final : public FrameSink {
     }
     for (auto& [number, frame] : old->frames) {
       std::error_code error;
+      if (frame.machine.empty()) frame.machine = machineOf(old->run);
+      if (frame.machine == machineOf(manifest_.run)) frame.machine.clear();
       if (number >= 0 && frame.file == output_.fileName(number) && fs::exists(output_.file(number), error))
         manifest_.frames[number] = std::move(frame);
     }
@@ -165,6 +169,23 @@ class SequenceSink final : public FrameSink {
       else
         manifest_.frames.erase(frames_[i]);
     }
+    tellOfOtherMachines();
+  }
+
+  /// What is kept stays as it is; whoever wants pictures of one machine has to know.
+  void tellOfOtherMachines() const {
+    std::size_t count = 0;
+    std::string machine;
+    for (const auto& [number, frame] : kept_) {
+      if (frame.machine.empty()) continue;
+      ++count;
+      machine = frame.machine;
+    }
+    if (count > 0)
+      warn(
+          "{} of {} kept frames were drawn on another machine ({}) and may differ by a hair from what this "
+          "one draws; --overwrite draws all anew",
+          count, kept_.size(), scene::printable(machine));
   }
 
   /// Pixel hash of a picture, empty when it is not a whole one.

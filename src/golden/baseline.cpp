@@ -34,6 +34,19 @@ void checkFormat(StrictObject& root) {
         fmt::format("its format is {}, this program reads {}", format, baselineFormat));
 }
 
+/// Older files have only the fingerprint of the numerics.
+Origin parseOrigin(StrictObject& frame) {
+  Origin origin;
+  origin.numerics = frame.text("fingerprint");
+  origin.drawing = frame.text("drawing", "");
+  if (!frame.has("machine")) return origin;
+  StrictObject machine = frame.object("machine");
+  origin.processor = machine.text("processor");
+  origin.driver = machine.text("driver");
+  machine.finish();
+  return origin;
+}
+
 PictureBaseline picturesOf(const std::string& text) {
   const Json json = parseStrictly(text);
   StrictObject root(json, "");
@@ -55,7 +68,7 @@ PictureBaseline picturesOf(const std::string& text) {
     StrictObject frame = frames.object(key.c_str());
     PictureBaseline::Frame& stored = result.frames[frameNumber(key)];
     stored.pixels = frame.text("pixels");
-    stored.fingerprint = frame.text("fingerprint");
+    stored.origin = parseOrigin(frame);
     if (frame.has("alternates")) stored.alternates = frame.texts("alternates");
     if (stored.alternates.size() > mostAlternates)
       throw std::runtime_error(fmt::format("frames.{} has more than {} alternates", key, mostAlternates));
@@ -226,11 +239,12 @@ std::optional<PictureBaseline> choosePictures(const fs::path& folder, const std:
 }
 
 std::string profileToWrite(const fs::path& folder, const std::string& ownProfile,
-                           const std::string& fingerprint) {
+                           const std::string& numerics) {
   if (pathExists(folder / ownProfile / "baseline.json")) return ownProfile;
   const auto shared = orFresh<PictureBaseline>([&] { return readPictures(folder, sharedProfile); });
-  const bool ours = std::all_of(shared.frames.begin(), shared.frames.end(),
-                                [&](const auto& entry) { return entry.second.fingerprint == fingerprint; });
+  const bool ours = std::all_of(shared.frames.begin(), shared.frames.end(), [&](const auto& entry) {
+    return entry.second.origin.numerics == numerics;
+  });
   return ours ? sharedProfile : ownProfile;
 }
 
@@ -259,7 +273,10 @@ std::string picturesText(const PictureBaseline& baseline) {
   for (const auto& [frame, entry] : baseline.frames) {
     Json& item = json["frames"][std::to_string(frame)];
     item["pixels"] = entry.pixels;
-    item["fingerprint"] = entry.fingerprint;
+    item["fingerprint"] = entry.origin.numerics;
+    if (!entry.origin.drawing.empty()) item["drawing"] = entry.origin.drawing;
+    if (!entry.origin.processor.empty())
+      item["machine"] = {{"processor", entry.origin.processor}, {"driver", entry.origin.driver}};
     if (!entry.alternates.empty()) item["alternates"] = entry.alternates;
   }
   return dump(json);

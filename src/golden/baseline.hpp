@@ -1,5 +1,6 @@
 #pragma once
 #include "frame/image.hpp"
+#include "golden/origin.hpp"
 
 #include <cstddef>
 #include <filesystem>
@@ -14,7 +15,7 @@ namespace simreel::golden {
 ///
 ///     state.json              state hashes of exact numerics, the same on every driver
 ///     steps.bin               block hashes of every step (trace.hpp)
-///     any/baseline.json       who made the pictures, and their pixel hashes
+///     any/baseline.json       pixel hash and origin of each picture
 ///     any/000060.png          a frame; 000060.alt1.png ... its accepted alternates
 ///     nvidia-hopper/...       pictures of one numerics family, where its own are wanted
 ///
@@ -28,7 +29,7 @@ using StateHashes = std::map<std::string, std::string>;
 struct PictureBaseline {
   struct Frame {
     std::string pixels;                   ///< pixelHash
-    std::string fingerprint;              ///< of the numerics that drew it
+    Origin origin;                        ///< of the run that drew it
     std::vector<std::string> alternates;  ///< pixelHash of each
   };
   std::string profile;
@@ -68,9 +69,9 @@ struct Candidate {
 [[nodiscard]] std::optional<PictureBaseline> choosePictures(const std::filesystem::path& folder,
                                                             const std::string& ownProfile);
 /// Where a new baseline goes: `own` where that exists, else the shared one unless it was made by other
-/// numerics.
+/// numerics (a fingerprint as in Origin).
 [[nodiscard]] std::string profileToWrite(const std::filesystem::path& folder, const std::string& ownProfile,
-                                         const std::string& fingerprint);
+                                         const std::string& numerics);
 
 /// How promote() treats what it finds.
 struct Promotion {

@@ -154,4 +154,19 @@ std::vector<std::string> brokenBounds(const Metrics& metrics, const scene::Toler
   return broken;
 }
 
+std::vector<std::string> brokenNearness(const Metrics& metrics, int width, int height) {
+  std::vector<std::string> broken;
+  const double ratio = double(metrics.differentPixels) / (double(width) * height);
+  if (metrics.worst > nearChannel)
+    broken.push_back(fmt::format("the pixel at x {}, y {} differs by {} (on another machine by {} at most)",
+                                 metrics.worstX, metrics.worstY, metrics.worst, nearChannel));
+  if (ratio > nearRatio)
+    broken.push_back(fmt::format("{} of the pixels differ (on another machine {} at most)", percent(ratio),
+                                 percent(nearRatio)));
+  if (metrics.flipMean > nearFlipMean)
+    broken.push_back(fmt::format("the mean FLIP error is {:.4g} (on another machine {} at most)",
+                                 metrics.flipMean, nearFlipMean));
+  return broken;
+}
+
 }  // namespace simreel::golden

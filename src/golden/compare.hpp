@@ -25,6 +25,15 @@ namespace simreel::golden {
                                                     const scene::Tolerance& tolerance, int width,
                                                     int height);
 
+/// How far apart pictures of two machines with the same fingerprints may be: each channel of each pixel,
+/// share of the pixels, mean FLIP error. Larger than anything seen between such machines (1 of 255 on 0.96%
+/// of the pixels), smaller than what anybody sees.
+inline constexpr int nearChannel = 2;
+inline constexpr double nearRatio = 0.02;
+inline constexpr double nearFlipMean = 0.002;
+/// One clause for each of them that does not hold.
+[[nodiscard]] std::vector<std::string> brokenNearness(const Metrics& metrics, int width, int height);
+
 /// Where pictures of equal size differ: dim grey where they do not; from blue (1/255, still bright) over
 /// green and yellow to red (255/255), by the logarithm of the largest channel's difference. Opaque.
 [[nodiscard]] frame::Image differenceImage(const frame::Image& a, const frame::Image& b);

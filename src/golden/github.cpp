@@ -115,6 +115,8 @@ std::string heading(const SuiteResult& suite) {
       counts += fmt::format("{}{} {}", counts.empty() ? "" : ", ", n, statusName(static_cast<Status>(i)));
   text += fmt::format("{}{}{:.1f} s on {} ({}).\n\n", counts, counts.empty() ? "" : " in ", suite.seconds,
                       cell(suite.driver), cell(suite.profile));
+  if (const std::string compared = comparedText(suite); !compared.empty())
+    text += fmt::format("Pictures compared: {}.\n\n", compared);
   return text;
 }
 

@@ -17,13 +17,13 @@ struct Reference {
   std::optional<PictureBaseline> pictures;  ///< nothing: missing
   std::optional<StateBaseline> state;
   bool exact = true;           ///< the scene's numerics
-  std::string fingerprint;     ///< of this run's numerics
+  Origin here;                 ///< of this run's pictures
   scene::Tolerance tolerance;  ///< in force where the fingerprints differ
 };
 
 /// Reads what there is for the scene. Throws UserError(inputOutput) where it cannot be used.
 [[nodiscard]] Reference findReference(const std::filesystem::path& folder, const std::string& ownProfile,
-                                      bool exact, const std::string& fingerprint);
+                                      bool exact, const Origin& here);
 
 struct Judgement {
   FrameResult frame;
@@ -31,10 +31,10 @@ struct Judgement {
 };
 
 /// The verdict on one frame, in this order: a baseline must be there, state must be equal (always in exact
-/// numerics; between equal fingerprints in fast numerics), sizes must be equal, equal pixel hashes pass;
-/// then between equal fingerprints the frame fails, and otherwise every bound of the tolerance must hold.
-/// Alternates count as the baseline does. Fills the metrics of pictures that differ; the image paths stay
-/// empty.
+/// numerics; between equal numerics fingerprints in fast numerics), sizes must be equal, equal pixel hashes
+/// pass; then the frame fails on the machine that drew the baseline; on another one with its fingerprints
+/// it has to be near (brokenNearness), and everywhere every bound of the tolerance must hold. Alternates
+/// count as the baseline does. Fills the metrics of pictures that differ; the image paths stay empty.
 [[nodiscard]] Judgement judgeFrame(const RunFrame& made, const Reference& reference);
 
 /// The picture that judgeFrame compared with: number as in FrameResult::alternate. Throws

@@ -1,4 +1,5 @@
 // JUnit XML as Jenkins, GitLab and others read it: tests/unit/junit.xsd says what holds.
+#include "golden/origin.hpp"
 #include "golden/result.hpp"
 #include "golden/words.hpp"
 
@@ -57,6 +58,8 @@ std::string outputText(const SuiteResult& suite, const SceneResult& scene) {
   for (std::size_t i = 0; i < scene.attempts.size(); ++i)
     for (const std::string& message : scene.attempts[i].messages)
       text += fmt::format("attempt {}: {}\n", i + 1, message);
+  if (!scene.asked.empty() && scene.asked != askedName(Asked::equal))
+    text += "pictures compared " + comparedText(scene) + "\n";
   for (const std::string& note : scene.notes) text += "note: " + note + "\n";
   return text + imageLines(scene);
 }
@@ -117,8 +120,10 @@ std::string junitText(const SuiteResult& suite) {
     setText(entry, "value", value);
   };
   property("driver", suite.driver);
+  property("processor", suite.processor);
   property("profile", suite.profile);
   property("fingerprint", suite.fingerprint);
+  property("drawing", suite.drawing);
   property("version", suite.version);
   for (const SceneResult& scene : suite.scenes) addCase(node, suite, scene);
   std::ostringstream text;

@@ -44,6 +44,7 @@ void fields(Visit& visit, Is<FrameResult> auto& f) {
   visit("expectedPixels", f.expectedPixels);
   visit("alternate", f.alternate);
   visit("state", f.state);
+  visit("asked", f.asked);
   visit("metrics", f.metrics);
   visit.path("expectedImage", f.expectedImage);
   visit.path("actualImage", f.actualImage);
@@ -95,8 +96,9 @@ void fields(Visit& visit, Is<SceneResult> auto& s) {
   visit("notes", s.notes);
   visit("xfail", s.xfail);
   visit("profile", s.profile);
-  visit("sameNumerics", s.sameNumerics);
+  visit("asked", s.asked);
   visit("baselineDriver", s.baselineDriver);
+  visit("baselineProcessor", s.baselineProcessor);
   visit("baselineVersion", s.baselineVersion);
   visit("baselineReason", s.baselineReason);
   visit("tolerance", s.tolerance);
@@ -116,8 +118,10 @@ void fields(Visit& visit, Is<SuiteResult> auto& s) {
   visit.format("format");
   visit.group("environment", [&](auto& inside) {
     inside("driver", s.driver);
+    inside("processor", s.processor);
     inside("profile", s.profile);
     inside("fingerprint", s.fingerprint);
+    inside("drawing", s.drawing);
     inside("memoryPath", s.memoryPath);
   });
   visit("command", s.command);

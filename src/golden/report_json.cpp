@@ -22,7 +22,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int reportFormat = 1;
+constexpr int reportFormat = 2;
 
 Json statusCounts(const SuiteResult& suite) {
   Json counts = Json::object();

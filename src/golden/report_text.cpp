@@ -135,6 +135,8 @@ std::string closingText(const SuiteResult& suite, bool color, const std::filesys
   std::string text =
       fmt::format("{}{} in {:.1f} s\n", counted(static_cast<long>(suite.scenes.size()), "scene"), counts,
                   suite.seconds);
+  if (const std::string compared = comparedText(suite); !compared.empty())
+    text += fmt::format("Pictures compared: {}\n", compared);
   if (!suite.acceptCommand.empty()) text += fmt::format("To accept: {}\n", cleanText(suite.acceptCommand));
   if (!report.empty()) text += fmt::format("Report: {}\n", report.string());
   return text;

@@ -48,8 +48,9 @@ struct FrameResult {
   Status status = Status::pass;
   std::string message;                 ///< one line, empty when it passed
   std::string pixels, expectedPixels;  ///< hashes; expected is empty without a baseline
-  int alternate = 0;               ///< 0: the baseline itself; n: its n-th accepted alternate was nearest
-  std::string state;               ///< "equal", "different", "missing", "not compared"
+  int alternate = 0;  ///< 0: the baseline itself; n: its n-th accepted alternate was nearest
+  std::string state;  ///< "equal", "different", "missing", "not compared"
+  std::string asked;  ///< of its pixels: askedName() in golden/origin.hpp; empty without a baseline
   std::optional<Metrics> metrics;  ///< of pictures that were compared pixel by pixel
   /// Relative to the folder of report.json; empty where there is none.
   std::string expectedImage, actualImage, differenceImage;
@@ -100,8 +101,9 @@ struct SceneResult {
   std::vector<std::string> notes;     ///< worth knowing: a fallback, a tolerance much looser than needed
   std::string xfail;                  ///< the scene's reason
   std::string profile;                ///< the one whose baselines were used; empty: none
-  bool sameNumerics = false;          ///< baseline of the same fingerprint: exact pixels were asked
-  std::string baselineDriver, baselineVersion, baselineReason;
+  std::string asked;                  ///< the least that is asked of a frame's pixels; empty: no baseline
+  /// Of the run that wrote last; processor: empty where it is not known.
+  std::string baselineDriver, baselineProcessor, baselineVersion, baselineReason;
   std::map<std::string, Bound> tolerance;  ///< by field name, those in force
   double seconds = 0;                      ///< in all
   double simulateSeconds = 0;              ///< of it stepping the simulation
@@ -117,8 +119,9 @@ struct SceneResult {
 
 struct SuiteResult {
   std::string version;
-  std::string driver, profile, fingerprint, memoryPath;  ///< of this run
-  std::string command;                                   ///< as typed
+  /// Of this run; fingerprints of numerics and of drawing.
+  std::string driver, processor, profile, fingerprint, drawing, memoryPath;
+  std::string command;        ///< as typed
   std::string acceptCommand;  ///< to promote this run; empty where nothing was kept
   bool allowFlaky = false;    ///< a flaky scene does not fail the run
   double seconds = 0;

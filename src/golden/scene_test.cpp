@@ -57,24 +57,35 @@ void SceneTest::load() {
          "\"fast\"",
          device_.inexact);
   try {
-    reference_ = findReference(result_.baselines, device_.profile, exact, device_.fingerprint);
+    reference_ = findReference(result_.baselines, device_.profile, exact, device_.origin);
   } catch (const UserError& error) {
     if (options_.update != Update::all) throw;
     result_.notes.push_back(fmt::format("{} (written anew)", error.what()));
-    reference_ = {result_.baselines, std::nullopt, std::nullopt, exact, device_.fingerprint, {}};
+    reference_ = {result_.baselines, std::nullopt, std::nullopt, exact, device_.origin, {}};
   }
   resolveTolerance();
-  if (const auto& pictures = reference_.pictures) {
-    result_.profile = pictures->profile;
-    result_.baselineDriver = pictures->driver;
-    result_.baselineVersion = pictures->version;
-    result_.baselineReason = pictures->reason;
-    result_.sameNumerics =
-        std::all_of(pictures->frames.begin(), pictures->frames.end(),
-                    [&](const auto& f) { return f.second.fingerprint == device_.fingerprint; });
-    for (const auto& [frame, stored] : pictures->frames)
-      if (std::find(frames_.begin(), frames_.end(), frame) == frames_.end())
-        result_.notes.push_back(fmt::format("the baseline has frame {}, which is not tested", frame));
+  describeBaseline();
+  if (!reference_.pictures) return;
+  for (const auto& [frame, stored] : reference_.pictures->frames)
+    if (std::find(frames_.begin(), frames_.end(), frame) == frames_.end())
+      result_.notes.push_back(fmt::format("the baseline has frame {}, which is not tested", frame));
+}
+
+/// Whose baseline the pictures are held against, and how closely.
+void SceneTest::describeBaseline() {
+  if (!reference_.pictures) return;
+  const PictureBaseline& pictures = *reference_.pictures;
+  result_.profile = pictures.profile;
+  result_.baselineDriver = pictures.driver;
+  result_.baselineVersion = pictures.version;
+  result_.baselineReason = pictures.reason;
+  std::optional<Asked> least;
+  for (const auto& [frame, stored] : pictures.frames) {
+    const Asked one = asked(stored.origin, device_.origin);
+    if (least && one <= *least) continue;
+    least = one;
+    result_.asked = askedName(one);
+    result_.baselineProcessor = stored.origin.processor;
   }
 }
 
@@ -151,11 +162,11 @@ Candidate SceneTest::candidate(bool withSteps) const {
   Candidate made;
   made.exact = reference_.exact;
   made.pictures.version = version();
-  made.pictures.driver = device_.driver;
+  made.pictures.driver = device_.origin.driver;
   made.pictures.width = scene_.render.size.x;
   made.pictures.height = scene_.render.size.y;
   for (const RunFrame& frame : run_.frames) {
-    made.pictures.frames[frame.frame] = {frame.pixels, device_.fingerprint, {}};
+    made.pictures.frames[frame.frame] = {frame.pixels, device_.origin, {}};
     if (!frame.state.empty()) made.state.frames[frame.frame] = frame.state;
   }
   if (withSteps && !made.state.frames.empty())

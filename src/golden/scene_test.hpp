@@ -26,6 +26,7 @@ class SceneTest {
 
  private:
   void load();
+  void describeBaseline();
   void resolveTolerance();
   void repeat();
   void judge();

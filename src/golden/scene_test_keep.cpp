@@ -31,7 +31,7 @@ bool SceneTest::checkFails() const {
 
 std::string SceneTest::profileToPromote() const {
   if (!options_.profile.empty()) return options_.profile;
-  return profileToWrite(reference_.folder, device_.profile, device_.fingerprint);
+  return profileToWrite(reference_.folder, device_.profile, device_.origin.numerics);
 }
 
 void SceneTest::update() {
@@ -62,9 +62,9 @@ void SceneTest::update() {
   // Held against what was just written, every frame has to pass.
   const auto before = std::exchange(result_.frames, {});
   const scene::Tolerance tolerance = reference_.tolerance;
-  reference_ = findReference(reference_.folder, profile, reference_.exact, device_.fingerprint);
+  reference_ = findReference(reference_.folder, profile, reference_.exact, device_.origin);
   reference_.tolerance = tolerance;
-  result_.profile = profile;
+  describeBaseline();
   result_.divergence.reset();
   result_.messages.clear();
   result_.status = Status::pass;

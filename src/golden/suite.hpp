@@ -29,7 +29,8 @@ struct SuiteOptions {
 
 /// The device of this run.
 struct Device {
-  std::string driver, profile, fingerprint, memoryPath;
+  Origin origin;  ///< of the pictures it draws
+  std::string profile, memoryPath;
   std::string inexact;  ///< why exact numerics do not hold; empty: they do
 };
 

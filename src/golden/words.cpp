@@ -1,5 +1,7 @@
 #include "golden/words.hpp"
 
+#include "golden/compare.hpp"
+#include "golden/origin.hpp"
 #include "scene/words.hpp"
 
 #include <algorithm>
@@ -95,6 +97,30 @@ std::string firstReason(const SceneResult& scene) {
 
 std::string flakyText(const SceneResult& scene) {
   return fmt::format("failed, then passed on attempt {}", scene.attempts.size() + 1);
+}
+
+std::string comparedText(const SceneResult& scene) {
+  if (scene.asked.empty()) return "";
+  if (scene.asked == askedName(Asked::equal)) return "exactly: this machine drew the baseline";
+  if (scene.asked == askedName(Asked::near))
+    return fmt::format("within {} of 255: another machine with the same numerics drew the baseline",
+                       nearChannel);
+  return "within the tolerance: other numerics drew the baseline";
+}
+
+std::string comparedText(const SuiteResult& suite) {
+  const auto count = [&](Asked asked) {
+    return std::count_if(suite.scenes.begin(), suite.scenes.end(),
+                         [&](const SceneResult& scene) { return scene.asked == askedName(asked); });
+  };
+  std::string text;
+  if (const auto near = count(Asked::near); near > 0)
+    text = fmt::format("{} within {} of 255 (another machine with the same numerics drew the baseline)",
+                       counted(near, "scene"), nearChannel);
+  if (const auto loose = count(Asked::tolerance); loose > 0)
+    text += fmt::format("{}{} within the tolerance (other numerics drew the baseline)",
+                        text.empty() ? "" : ", ", counted(loose, "scene"));
+  return text;
 }
 
 long countOf(const SuiteResult& suite, Status status) {

@@ -24,6 +24,11 @@ namespace simreel::golden {
 [[nodiscard]] std::string firstReason(const SceneResult& scene);
 /// "failed, then passed on attempt 2"
 [[nodiscard]] std::string flakyText(const SceneResult& scene);
+/// "within 2 of 255: another machine with the same numerics drew the baseline"; empty without a baseline.
+[[nodiscard]] std::string comparedText(const SceneResult& scene);
+/// "15 scenes within 2 of 255 ...; 4 scenes within their tolerance ...": those whose pictures need not be
+/// equal to their baselines, and why; empty where all have to be.
+[[nodiscard]] std::string comparedText(const SuiteResult& suite);
 /// How many scenes came out so.
 [[nodiscard]] long countOf(const SuiteResult& suite, Status status);
 /// Those that make the run fail, in order.

@@ -10,7 +10,7 @@
 
 namespace simreel::scene {
 
-/// How far a picture may be from its baseline where the driver rounds differently. Every bound that is
+/// How far a picture may be from its baseline where the numerics are others. Every bound that is
 /// given must hold. Field names are those of the scene file.
 struct Tolerance {
   int max_channel_diff = 12;              ///< a pixel differs when a channel is further apart, 0 to 255

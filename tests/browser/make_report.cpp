@@ -66,9 +66,10 @@ Json metricsOf(const frame::Image& a, const frame::Image& b) {
 /// A frame whose pixels equal the baseline's.
 Json equalFrame(int frame) {
   const std::string hash = fmt::format("{:032x}", frame * 7919 + 1);
-  return {{"frame", frame}, {"time", frame / 60.0},   {"status", "pass"},  {"message", ""},
-          {"pixels", hash}, {"expectedPixels", hash}, {"alternate", 0},    {"state", "equal"},
-          {"metrics", {}},  {"expectedImage", ""},    {"actualImage", ""}, {"differenceImage", ""}};
+  return {{"frame", frame},       {"time", frame / 60.0},   {"status", "pass"},    {"message", ""},
+          {"pixels", hash},       {"expectedPixels", hash}, {"alternate", 0},      {"state", "equal"},
+          {"asked", "tolerance"}, {"metrics", {}},          {"expectedImage", ""}, {"actualImage", ""},
+          {"differenceImage", ""}};
 }
 
 /// A frame that is `shift` of the wave's phase away from its baseline, with its pictures.
@@ -100,8 +101,9 @@ Json emptyScene(const std::string& name, const char* status) {
           {"notes", Json::array()},
           {"xfail", ""},
           {"profile", "llvmpipe"},
-          {"sameNumerics", false},
+          {"asked", "tolerance"},
           {"baselineDriver", "llvmpipe (LLVM 15.0.6, 256 bits), OpenGL 4.5"},
+          {"baselineProcessor", "Testium 3, family 6"},
           {"baselineVersion", "0.1.0"},
           {"baselineReason", "first baseline"},
           {"tolerance",
@@ -271,11 +273,13 @@ Json suiteOf(const Json& scenes) {
     counts[status] = counts.value(status, 0) + 1;
   }
   return {{"simreel", "0.1.0"},
-          {"format", 1},
+          {"format", 2},
           {"environment",
            {{"driver", "llvmpipe (LLVM 15.0.6, 256 bits), OpenGL 4.5 (Core Profile) Mesa 22.3.6"},
             {"profile", "llvmpipe"},
+            {"processor", "Testium 4, family 6"},
             {"fingerprint", "5f1c09b24e7d4c38"},
+            {"drawing", "0c1d2e3f40516273"},
             {"memoryPath", "texel"}}},
           {"command", "simreel test scenes --report out/report"},
           {"acceptCommand", "simreel accept out/report"},

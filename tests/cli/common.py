@@ -69,6 +69,26 @@ def png_rows(data):
     return size[0], size[1], zlib.decompress(pixels)
 
 
+def unfiltered(rows, stride, step):
+    """Bytes of a PNG's rows (specification 9.2); `step` bytes a pixel."""
+    result, above = [], bytes(stride)
+    for start in range(0, len(rows), stride + 1):
+        kind, line = rows[start], bytearray(rows[start + 1:start + 1 + stride])
+        for i in range(stride):
+            left = line[i - step] if i >= step else 0
+            corner = above[i - step] if i >= step else 0
+            if kind == 4:
+                guess = left + above[i] - corner
+                nearest = min((abs(guess - left), 0, left), (abs(guess - above[i]), 1, above[i]),
+                              (abs(guess - corner), 2, corner))[2]
+            else:
+                nearest = (0, left, above[i], (left + above[i]) // 2)[kind]
+            line[i] = (line[i] + nearest) & 255
+        above = bytes(line)
+        result.append(above)
+    return result
+
+
 class Case(unittest.TestCase):
     """Each test runs in a temporary folder of its own, which holds scene.json."""
 

@@ -4,7 +4,9 @@ import shutil
 import struct
 import zlib
 
-from common import SCENE, SOURCE, Case, png_rows, with_values
+from common import SCENE, SOURCE, Case, png_rows, unfiltered, with_values
+
+OTHER_PROCESSOR = "Testium 3, family 6 model 1 stepping 0"
 
 # 9x7 particles, three tested frames, quick.
 TESTED = with_values({"test": {"frames": [0, 3, 5], "size": [64, 36], "samples": 1}})
@@ -70,6 +72,32 @@ class GoldenCase(Case):
                 frame["fingerprint"] = "0123456789abcdef"
         self.edit_json(self.golden("a/any/baseline.json"), change)
 
+    def pretend_another_machine(self):
+        """As if a machine with another processor and the same numerics had made the pictures."""
+        def change(baseline):
+            for frame in baseline["frames"].values():
+                frame["machine"]["processor"] = OTHER_PROCESSOR
+        self.edit_json(self.golden("a/any/baseline.json"), change)
+
+    def pixel_hash(self, picture):
+        """What the program takes for the hash of a PNG's pixels: that of a frame it finds."""
+        shutil.rmtree(self.folder / "found", ignore_errors=True)
+        self.write("found/000000.png", picture)
+        self.good("render", "scenes/a.json", "-o", "found/", "--frames", "0", "--skip-existing")
+        return self.manifest("found")["frames"][0]["pixels"]
+
+    def change_baseline(self, frame, x, y, step):
+        """One channel of one pixel of a baseline picture, by `step`."""
+        path = self.golden(f"a/any/{frame:06}.png")
+        width, height, data = png_rows(path.read_bytes())
+        rows = [bytearray(row) for row in unfiltered(data, 3 * width, 3)]
+        value = rows[y][3 * x]
+        rows[y][3 * x] = value + step if value < 128 else value - step
+        picture = png(width, height, rows)
+        path.write_bytes(picture)
+        listed = self.pixel_hash(picture)
+        self.edit_json(self.golden("a/any/baseline.json"), lambda b: b["frames"][str(frame)].update(pixels=listed))
+
     def tree(self, folder):
         """Bytes of every file below a folder, by path."""
         root = self.folder / folder
@@ -88,4 +116,4 @@ class GoldenCase(Case):
         return {"SIMREEL_GLSL": str(folder)}
 
 
-__all__ = ["GoldenCase", "HAIR", "RED", "SCENE", "TESTED", "png", "png_rows", "with_values"]
+__all__ = ["GoldenCase", "HAIR", "OTHER_PROCESSOR", "RED", "SCENE", "TESTED", "png", "png_rows", "with_values"]

@@ -1,7 +1,7 @@
 """`simreel bake --format maps` as a user meets it, and skins in scenes."""
 import struct
 
-from common import Case, main, png_rows, with_values
+from common import Case, main, png_rows, unfiltered, with_values
 
 MAPS = ("albedo", "height", "normal", "occlusion", "roughness")
 SIDE = 64
@@ -16,26 +16,6 @@ SKINNED = {
         "ball": {"sphere": {"radius": 1}, "material": {"skin": {"field": "hide", "look": "leather"}}},
     },
 }
-
-
-def unfiltered(rows, stride, step):
-    """Bytes of a PNG's rows (specification 9.2); `step` bytes a pixel."""
-    result, above = [], bytes(stride)
-    for start in range(0, len(rows), stride + 1):
-        kind, line = rows[start], bytearray(rows[start + 1:start + 1 + stride])
-        for i in range(stride):
-            left = line[i - step] if i >= step else 0
-            corner = above[i - step] if i >= step else 0
-            if kind == 4:
-                guess = left + above[i] - corner
-                nearest = min((abs(guess - left), 0, left), (abs(guess - above[i]), 1, above[i]),
-                              (abs(guess - corner), 2, corner))[2]
-            else:
-                nearest = (0, left, above[i], (left + above[i]) // 2)[kind]
-            line[i] = (line[i] + nearest) & 255
-        above = bytes(line)
-        result.append(above)
-    return result
 
 
 def read_map(data):

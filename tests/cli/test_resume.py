@@ -99,6 +99,37 @@ class Resume(Case):
         self.bad(2, ["cannot resume", "out/manifest.json"], "render", "scene.json", "-o", "out/", "--resume")
         self.assertEqual(self.content("out"), self.whole)
 
+    def test_another_machine(self):
+        """Its pictures stay, as those of another machine; the new ones are this one's."""
+        def change(old, new):
+            text = (self.folder / "out/manifest.json").read_text(encoding="utf-8")
+            self.assertIn(old, text)
+            self.write("out/manifest.json", text.replace(old, new))
+        processor = self.manifest("out")["processor"]
+        change(processor, "Testium 3")
+        (self.folder / "out/000004.png").unlink()
+        done = self.good("render", "scene.json", "-o", "out/", "--resume")
+        self.assertIn("5 of 5 kept frames were drawn on another machine (Testium 3; ", done.err)
+        after = self.manifest("out")
+        self.assertEqual(after["processor"], processor)
+        machines = [frame.get("machine", "") for frame in after["frames"]]
+        self.assertEqual([m.split(";")[0] for m in machines], ["Testium 3"] * 4 + ["", "Testium 3"])
+        # Back where they were drawn: nothing of theirs is strange any more.
+        change(f'"processor": "{processor}"', '"processor": "Testium 3"')
+        change("Testium 3; ", processor + "; ")
+        (self.folder / "out/000004.png").unlink()
+        done = self.good("render", "scene.json", "-o", "out/", "--resume")
+        self.assertNotIn("another machine", done.err)
+        self.assertEqual(self.content("out"), self.whole)
+        # Manifests of before machines were noted.
+        text = self.whole["manifest.json"].decode()
+        self.write("out/manifest.json", "".join(l for l in text.splitlines(True) if '"processor"' not in l))
+        done = self.good("render", "scene.json", "-o", "out/", "--resume")
+        self.assertNotIn("another machine", done.err)
+        # Numerics that differ are another matter.
+        change('"fingerprint": "', '"fingerprint": "0')
+        self.bad(2, ["cannot resume", "fingerprint"], "render", "scene.json", "-o", "out/", "--resume")
+
     def test_malformed_manifests(self):
         whole = self.whole["manifest.json"].decode()
         for text in ("", "{", "[]", "null", "{}", "\0\0", whole[:-30], whole.replace('"version": 1', '"version": 99'),

@@ -1,5 +1,6 @@
 """Exit code 0: what each command does when all is well."""
 import json
+import re
 import shutil
 import subprocess
 import unittest
@@ -63,6 +64,24 @@ class Success(Case):
         done = self.good("doctor")
         self.assertIn(b"Chosen: ", done.stdout)
         self.assertIn(b"Exact numerics: hold", done.stdout)
+
+    def test_the_drawing_fingerprint_is_of_the_driver(self):
+        """Whatever the probe draws differently changes it; the passes that scenes are drawn with do not."""
+        def fingerprint(name, old, new):
+            shutil.rmtree(self.folder / "glsl", ignore_errors=True)
+            shutil.copytree(SOURCE / "glsl", self.folder / "glsl")
+            text = (SOURCE / "glsl" / name).read_text(encoding="utf-8")
+            self.assertEqual(text.count(old), 1, f"{old!r} stands once in {name}")
+            self.write(f"glsl/{name}", text.replace(old, new))
+            done = self.good("doctor", env={"SIMREEL_GLSL": str(self.folder / "glsl")}).stdout.decode()
+            return re.search("^Drawing fingerprint: ([0-9a-f]{16})$", done, re.M).group(1)
+        own = fingerprint("draw/surface.frag", "vec3 base = color;", "vec3 base = 2.0 * color;")
+        for change in (("triangles.frag", "0.2 + sun", "0.2001 + sun"), ("triangles.frag", "0.7 * uv", "0.7001 * uv"),
+                       ("triangles.frag", "vec3(uv, fract", "vec3(1.01 * uv, fract"),
+                       ("triangles.vert", "vec4(first.xyz, 1.0)", "vec4(first.xyz, 1.0001)"),
+                       ("finish.frag", "mean + 0.6", "mean + 0.59")):
+            self.assertNotEqual(fingerprint("probe/" + change[0], *change[1:]), own, change)
+        self.assertEqual(fingerprint("probe/finish.vert", "whole picture", "picture"), own)
 
     def test_version_and_help(self):
         self.assertRegex(self.good("--version").stdout, rb"^simreel \d+\.\d+\.\d+\n$")

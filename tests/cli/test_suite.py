@@ -3,7 +3,7 @@ import json
 import shutil
 
 from common import main
-from golden_common import HAIR, RED, TESTED, GoldenCase, png_rows
+from golden_common import HAIR, OTHER_PROCESSOR, RED, TESTED, GoldenCase, png_rows
 
 
 class Baselines(GoldenCase):
@@ -23,7 +23,7 @@ class Baselines(GoldenCase):
         self.assertEqual(sorted(state["frames"]["3"]), ["flag.positions", "flag.velocities"])
         before = self.tree("scenes")
         scene = self.one(0)
-        self.assertEqual((scene["status"], scene["profile"], scene["sameNumerics"]), ("pass", "any", True))
+        self.assertEqual((scene["status"], scene["profile"], scene["asked"]), ("pass", "any", "equal"))
         self.assertEqual([f["state"] for f in scene["frames"]], ["equal"] * 3)
         self.assertEqual(scene["repeats"], 2)
         self.one(0, "--update")
@@ -163,19 +163,71 @@ class Ladder(GoldenCase):
         self.assertEqual(self.one(0, env=mutated)["status"], "pass")
         self.one(1)
 
-    def test_same_numerics_ask_for_equal_pixels(self):
+    def test_the_machine_that_drew_it_asks_for_equal_pixels(self):
         self.make_baselines()
         self.set_scene(HAIR)
         scene = self.one(1)
         self.assertLessEqual(max(f["metrics"]["worst"] for f in scene["frames"]), 12)
-        self.assertIn("equal numerics", scene["text"])
+        self.assertIn("on the machine that drew the baseline none may", scene["text"])
+        self.assertNotIn("Pictures compared", scene["text"])
+        for step in (1, 3):
+            self.set_scene({})
+            self.make_baselines()
+            self.assertEqual(self.one(0)["asked"], "equal")
+            self.change_baseline(3, 20, 10, step)
+            scene = self.one(1)
+            self.assertEqual([f["status"] for f in scene["frames"]], ["pass", "fail", "pass"])
+            self.assertIn(f"1 pixels differ, by {step} at most", scene["text"])
+
+    def test_another_machine_of_these_numerics_is_near(self):
+        self.make_baselines()
+        self.pretend_another_machine()
+        self.change_baseline(3, 20, 10, 1)
+        scene = self.one(0)
+        self.assertEqual((scene["asked"], scene["baselineProcessor"]), ("near", OTHER_PROCESSOR))
+        self.assertEqual([f["asked"] for f in scene["frames"]], ["near"] * 3)
+        self.assertEqual(scene["frames"][1]["metrics"]["differentPixels"], 1)
+        self.assertIn("1 scene within 2 of 255 (another machine", scene["text"])
+        shutil.rmtree(self.golden())
+        self.make_baselines()
+        self.pretend_another_machine()
+        self.change_baseline(3, 20, 10, 3)
+        scene = self.one(1)
+        self.assertIn("frame 3: the pixel at x 20, y 10 differs by 3 (on another machine by 2 at most)", scene["text"])
+        # State has to be equal everywhere.
+        mutated = self.mutated_glsl("cloth/model.glsl", "precise float scale = 1.0f - ratio;",
+                                    "precise float scale = 1.0f - ratio * 1.01f;")
+        self.assertEqual(self.one(1, env=mutated)["frames"][1]["state"], "different")
+
+    def test_baselines_of_before_machines_were_noted(self):
+        self.make_baselines()
+        def forget(baseline):
+            for frame in baseline["frames"].values():
+                del frame["machine"], frame["drawing"]
+        self.edit_json(self.golden("a/any/baseline.json"), forget)
+        self.assertEqual(self.one(0)["asked"], "near")
+        self.change_baseline(3, 20, 10, 2)
+        self.one(0)
+        self.change_baseline(3, 20, 10, 2)
+        self.one(1)
+
+    def test_the_machine_stands_in_the_baseline(self):
+        self.make_baselines()
+        done = self.good("doctor").stdout.decode()
+        for frame in json.loads(self.golden("a/any/baseline.json").read_text())["frames"].values():
+            self.assertIn(f"Processor: {frame['machine']['processor']}\n", done)
+            self.assertIn(frame["machine"]["driver"].split(", OpenGL")[0], done)
+            self.assertIn(f"Drawing fingerprint: {frame['drawing']}\n", done)
+            self.assertIn(f"Numerics fingerprint: {frame['fingerprint']}\n", done)
+        # A processor that software drivers take for another one is another one.
+        self.assertEqual(self.one(0, env={"GALLIVM_PERF": "nopt"})["asked"], "near")
 
     def test_other_numerics_have_a_tolerance(self):
         self.make_baselines()
         self.pretend_other_numerics()
         self.set_scene(HAIR)
         scene = self.one(0)
-        self.assertFalse(scene["sameNumerics"])
+        self.assertEqual(scene["asked"], "tolerance")
         self.assertEqual(scene["tolerance"]["max_channel_diff"], {"value": 12, "origin": "default"})
         self.set_scene(RED)
         scene = self.one(1)

@@ -189,6 +189,8 @@ class BadInput(GoldenCase):
         changes = ((lambda b: b.update(colour=1), "colour is unknown"), (lambda b: b.update(format=7), "format is 7"),
                    (lambda b: b["frames"]["3"].update(x=1), "frames.3.x is unknown"),
                    (lambda b: b["frames"]["3"].pop("pixels"), "frames.3.pixels is missing"),
+                   (lambda b: b["frames"]["3"]["machine"].pop("driver"), "frames.3.machine.driver is missing"),
+                   (lambda b: b["frames"]["3"].update(drawing=1), "frames.3.drawing must be"),
                    (lambda b: b.update(width="wide"), "width must be"), (lambda b: b.update(frames=[]), "frames"),
                    (lambda b: b["frames"].update({"x": {"pixels": "", "fingerprint": ""}}), "\"x\" is no number"),
                    (lambda b: b["frames"]["3"].update(alternates=["a"] * 4), "alternates"),

@@ -98,17 +98,18 @@ TEST_CASE("the keys of a report, in their order") {
   const Json json = Json::parse(reportText(test::fullSuite()));
   CHECK(keysOf(json) ==
         "simreel format environment command acceptCommand allowFlaky seconds counts scenes");
-  CHECK(keysOf(json["environment"]) == "driver profile fingerprint memoryPath");
+  CHECK(keysOf(json["environment"]) == "driver processor profile fingerprint drawing memoryPath");
   const Json& scene = json["scenes"][1];
-  CHECK(
-      keysOf(scene) ==
-      "name file baselines status messages notes xfail profile sameNumerics baselineDriver baselineVersion "
-      "baselineReason tolerance seconds simulateSeconds repeats attempts frames checks divergence "
-      "candidate");
+  CHECK(keysOf(scene) ==
+        "name file baselines status messages notes xfail profile asked baselineDriver baselineProcessor "
+        "baselineVersion "
+        "baselineReason tolerance seconds simulateSeconds repeats attempts frames checks divergence "
+        "candidate");
   CHECK(keysOf(scene["tolerance"]["max_diff_ratio"]) == "value origin");
   CHECK(keysOf(scene["attempts"][0]) == "status messages");
   CHECK(keysOf(scene["frames"][1]) ==
-        "frame time status message pixels expectedPixels alternate state metrics expectedImage actualImage "
+        "frame time status message pixels expectedPixels alternate state asked metrics expectedImage "
+        "actualImage "
         "differenceImage");
   CHECK(
       keysOf(scene["frames"][1]["metrics"]) ==
@@ -116,7 +117,7 @@ TEST_CASE("the keys of a report, in their order") {
       "flipMean");
   CHECK(keysOf(scene["checks"][0]) == "what frame value least most passed message");
   CHECK(keysOf(scene["divergence"]) == "frame step steps object buffer firstElement lastElement message");
-  CHECK(json["format"] == 1);
+  CHECK(json["format"] == 2);
   CHECK(json["counts"].dump() ==
         R"({"pass":1,"updated":1,"xfail":1,"flaky":1,"fail":1,"nondeterministic":1,"missing":1,"xpass":1,)"
         R"("error":1})");
@@ -156,9 +157,9 @@ TEST_CASE("missing, unknown and repeated keys of a report") {
   CHECK(refusalOf([](Json& j) { j["scenes"][1]["frames"][0].erase("state"); }) ==
         "out/report.json: scenes[1].frames[0].state is missing");
   CHECK(refusalOf([](Json& j) { j["scenes"][0]["colour"] = 1; }) ==
-        "out/report.json: scenes[0].colour is not known in format 1");
+        "out/report.json: scenes[0].colour is not known in format 2");
   CHECK(refusalOf([](Json& j) { j["environment"]["a\nb"] = 1; }) ==
-        "out/report.json: environment[\"a?b\"] is not known in format 1");
+        "out/report.json: environment[\"a?b\"] is not known in format 2");
   CHECK(refusal(R"({"format": 1, "format": 1})") ==
         "out/report.json: the key \"format\" stands twice in one object");
   // Keys of different objects may be equal, and order is free.
@@ -169,10 +170,10 @@ TEST_CASE("missing, unknown and repeated keys of a report") {
 }
 
 TEST_CASE("a report of another format, or whose counts are wrong, is refused") {
-  CHECK(refusalOf([](Json& j) { j["format"] = 2; }) ==
-        "out/report.json: format must be 1: this program reads no other; run simreel test again");
-  CHECK(refusalOf([](Json& j) { j["format"] = "1"; }) ==
-        "out/report.json: format must be 1: this program reads no other; run simreel test again");
+  CHECK(refusalOf([](Json& j) { j["format"] = 1; }) ==
+        "out/report.json: format must be 2: this program reads no other; run simreel test again");
+  CHECK(refusalOf([](Json& j) { j["format"] = "2"; }) ==
+        "out/report.json: format must be 2: this program reads no other; run simreel test again");
   CHECK(contains(refusalOf([](Json& j) { j["counts"]["pass"] = 2; }), "counts must be {\"error\":1"));
   CHECK(contains(refusalOf([](Json& j) { j["counts"].erase("fail"); }), "as the scenes say"));
 }

@@ -16,6 +16,7 @@ inline FrameResult failedFrame(int frame, long beyond) {
   f.expectedPixels = "bb";
   f.alternate = 2;
   f.state = "different";
+  f.asked = "equal";
   f.metrics = Metrics{200, 3, 4, 900, beyond, 0.25, 0.75, 16, 32, 21.5, 0.875, 0.0625};
   const std::string stem = "images/flag/" + std::to_string(frame);
   f.expectedImage = stem + "-expected.png";
@@ -47,7 +48,8 @@ inline SceneResult failedScene() {
   SceneResult s = scene("flag", Status::fail);
   s.messages = {"frame 60: 312 pixels differ", "the state differs from frame 60 on"};
   s.notes = {"max_diff_ratio is 40 times looser than this run needs", "no baseline of nvidia-ada"};
-  s.sameNumerics = true;
+  s.asked = "equal";
+  s.baselineProcessor = "Testium 3";
   s.baselineDriver = "llvmpipe (LLVM 15.0.6, 256 bits)";
   s.baselineVersion = "0.1.0";
   s.baselineReason = "wind is stronger";
@@ -71,6 +73,8 @@ inline SuiteResult fullSuite() {
   suite.driver = "llvmpipe (LLVM 15.0.6, 256 bits)";
   suite.profile = "llvmpipe-fma";
   suite.fingerprint = "0123456789abcdef";
+  suite.processor = "Testium 4";
+  suite.drawing = "fedcba9876543210";
   suite.memoryPath = "texel";
   suite.command = "simreel test assets/scenes --report out";
   suite.acceptCommand = "simreel accept out/report.json";

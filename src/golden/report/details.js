@@ -72,11 +72,13 @@ function toleranceTable(scene) {
   const fields = Object.entries(scene.tolerance);
   if (fields.length === 0) return null;
   const measured = scene.frames.some((frame) => frame.metrics);
-  const title = "Tolerance" + (scene.sameNumerics ? " (not used: equal numerics ask for equal pixels)" : "");
+  const unused = {equal: " (not used: on the machine that drew the baseline pixels have to be equal)",
+                  near: " (besides what is asked of another machine with the same numerics)"};
+  const title = "Tolerance" + (unused[scene.asked] || "");
   return table(title, "tolerance", ["bound", "value", "largest measured", "set by"], fields.map(([field, bound]) => {
     const value = measured && measuredFor[field] ? largest(scene, measuredFor[field]) : null;
     // max_channel_diff decides which pixels count; it is no limit itself.
-    const limit = !scene.sameNumerics && field !== "max_channel_diff";
+    const limit = scene.asked !== "equal" && field !== "max_channel_diff";
     return {
       class: limit && value !== null && value > bound.value ? "fails" : "",
       cells: [field, format(bound.value), format(value), breakable(bound.origin)],
@@ -86,12 +88,17 @@ function toleranceTable(scene) {
 
 function baselineCard(scene) {
   const own = suite.environment.profile;
-  const exact = scene.sameNumerics ? "pixel by pixel, exactly: same numerics" : "within the tolerance: other numerics";
+  const how = {
+    equal: "pixel by pixel, exactly: this machine drew it",
+    near: "within 2 of 255 on 2 % of the pixels and a FLIP mean of 0.002: another machine with the same numerics drew it",
+    tolerance: "within the tolerance: other numerics drew it",
+  };
   const version = scene.baselineVersion ? "simreel " + scene.baselineVersion : "";
   return facts("Baseline", "baseline", [
     ["profile", !scene.profile ? "none" : scene.profile + (scene.profile === own ? "" : ` (this run is ${own})`)],
-    ["compared", scene.profile ? exact : ""],
+    ["compared", how[scene.asked]],
     ["made by", [scene.baselineDriver, version].filter(Boolean).join(", ")],
+    ["on", scene.baselineProcessor],
     ["reason", scene.baselineReason],
     ["folder", breakable(scene.baselines)],
   ]);
@@ -119,8 +126,10 @@ function runCard() {
   const command = (text, label) => text ? element("span", {class: "command"}, ...commandLine(text, label)) : "";
   return facts("This run", "environment", [
     ["driver", environment.driver],
+    ["processor", environment.processor],
     ["profile", environment.profile],
     ["numerics", environment.fingerprint],
+    ["drawing", environment.drawing],
     ["memory path", environment.memoryPath],
     ["simreel", suite.simreel],
     ["took", seconds(suite.seconds)],
@@ -193,17 +202,21 @@ function metric(label, value, over, bound) {
                  element("dd", {}, value, bound ? element("small", {}, " " + bound) : null));
 }
 
-function metricsOf(scene, m) {
+function metricsOf(scene, frame) {
+  const m = frame.metrics;
   const beyond = scene.tolerance.max_channel_diff ? scene.tolerance.max_channel_diff.value : 0;
   const side = windowSize();
-  const exact = scene.sameNumerics;
+  const exact = frame.asked === "equal";
+  const near = frame.asked === "near";  // the bounds of brokenNearness in compare.cpp
   const limit = (field) => exact || !scene.tolerance[field] ? null : scene.tolerance[field].value;
   const over = (field, value) => limit(field) !== null && value > limit(field);
   const bound = (field, text) => limit(field) === null ? "" : "≤ " + text(limit(field));
   return [
-    metric("worst", `${m.worst} at ${m.worstX}, ${m.worstY}`, over("hard_fail", m.worst), bound("hard_fail", format)),
-    // With equal numerics any difference is one too many, and no bound is in force.
-    metric("differ", plural(m.differentPixels, "pixel"), exact && m.differentPixels > 0, exact ? "none may" : ""),
+    metric("worst", `${m.worst} at ${m.worstX}, ${m.worstY}`, over("hard_fail", m.worst) || (near && m.worst > 2),
+           near ? "≤ 2" : bound("hard_fail", format)),
+    // On the machine that drew the baseline any difference is one too many, and no bound is in force.
+    metric("differ", plural(m.differentPixels, "pixel"), exact && m.differentPixels > 0,
+           exact ? "none may" : near ? "≤ 2 % of them" : ""),
     metric("beyond " + format(beyond), m.pixelsBeyond + " = " + percent(m.ratioBeyond),
            over("max_diff_ratio", m.ratioBeyond) || over("max_diff_pixels", m.pixelsBeyond),
            bound("max_diff_ratio", percent) || bound("max_diff_pixels", format)),
@@ -211,13 +224,14 @@ function metricsOf(scene, m) {
            over("max_window_ratio", m.windowRatio), bound("max_window_ratio", percent)),
     metric("PSNR", m.psnr === null ? "∞" : m.psnr.toFixed(1) + " dB"),
     metric("SSIM", format(m.ssim, 5)),
-    metric("FLIP", format(m.flipMean, 3), over("max_flip_mean", m.flipMean), bound("max_flip_mean", format)),
+    metric("FLIP", format(m.flipMean, 3), over("max_flip_mean", m.flipMean) || (near && m.flipMean > 0.002),
+           near ? "≤ 0.002" : bound("max_flip_mean", format)),
   ];
 }
 
 function showMetrics(scene, frame) {
   const shown = [];
-  if (frame && frame.metrics) shown.push(...metricsOf(scene, frame.metrics));
+  if (frame && frame.metrics) shown.push(...metricsOf(scene, frame));
   else if (frame && equalPixels(frame)) shown.push(metric("pixels", "equal"));
   if (frame && frame.state) shown.push(metric("state", frame.state, frame.state === "different"));
   byId("metrics").replaceChildren(...shown);
