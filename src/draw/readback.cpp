@@ -1,6 +1,7 @@
 #include "draw/readback.hpp"
 
 #include "base/error.hpp"
+#include "gl/errors.hpp"
 
 namespace simreel::draw {
 
@@ -57,6 +58,7 @@ std::optional<std::pair<int, std::vector<std::uint8_t>>> Readback::take(bool wai
   slot.done = nullptr;
   oldest_ = (oldest_ + 1) % slots_.size();
   --count_;
+  gl::checkCalls();
   return std::pair(slot.tag, std::vector<std::uint8_t>(slot.bytes, slot.bytes + bytes_));
 }
 

@@ -1,6 +1,7 @@
 #include "draw/skin_maps.hpp"
 
 #include "draw/skin_look.hpp"
+#include "gl/errors.hpp"
 #include "gl/texture.hpp"
 
 namespace simreel::draw {
@@ -33,6 +34,7 @@ SkinMaps SkinMapper::draw(const SkinTextures::Entry& entry, const scene::Skin& s
     glPixelStorei(GL_PACK_ALIGNMENT, 4);
     glGetTextureImage(target.name(), 0, GL_RGBA, GL_FLOAT,
                       static_cast<GLsizei>(texels.size() * sizeof(glm::vec4)), texels.data());
+    gl::checkCalls();
   }
   return maps;
 }

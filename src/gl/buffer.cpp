@@ -1,6 +1,7 @@
 #include "gl/buffer.hpp"
 
 #include "base/error.hpp"
+#include "gl/errors.hpp"
 #include "gl/limits.hpp"
 
 #include <algorithm>
@@ -35,8 +36,7 @@ Buffer::Buffer(const std::string& label, std::size_t bytes) : Buffer(label, byte
 Buffer::Buffer(const std::string& label, std::size_t bytes, const void* items)
     : handle_(createBuffer()), bytes_(bytes) {
   checkBlock(label, bytes);
-  while (glGetError() != GL_NO_ERROR) {
-  }
+  checkCalls();
   // Zeros come as data, not through glClearNamedBufferData: with NVIDIA's driver 580 a clear overtakes a
   // large glNamedBufferSubData issued after it.
   const bool zero = items == nullptr || bytes == 0;
@@ -103,6 +103,7 @@ void Buffer::read(std::size_t offset, std::span<std::byte> bytes) const {
   glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
   glGetNamedBufferSubData(name(), static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(bytes.size()),
                           bytes.data());
+  checkCalls();
 }
 
 }  // namespace simreel::gl

@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 #include "base/log.hpp"
+#include "gl/errors.hpp"
 #include "gl/limits.hpp"
 
 #include <algorithm>
@@ -284,6 +285,7 @@ void Context::State::choose(const ContextOptions& options) {
 Context::Context(const ContextOptions& options) : state_(std::make_unique<State>()) {
   state_->choose(options);
   currentLimits = readLimits();
+  checkCalls();
   currentIsSoftware = state_->device.software;
   if (!options.memoryPath.empty() && options.memoryPath != "storage" && options.memoryPath != "texel")
     fail(ExitCode::usage, "the memory path is \"storage\" or \"texel\", not \"{}\"", options.memoryPath);

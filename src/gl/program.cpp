@@ -1,6 +1,7 @@
 #include "gl/program.hpp"
 
 #include "base/error.hpp"
+#include "gl/errors.hpp"
 #include "gl/limits.hpp"
 
 namespace simreel::gl {
@@ -117,9 +118,11 @@ void Program::set(const char* uniform, const glm::mat4& value) const {
 
 void Program::checkUniformBlock(const char* block, std::size_t bytes) const {
   const GLuint index = glGetUniformBlockIndex(name(), block);
+  checkCalls();
   SIMREEL_CHECK(index != GL_INVALID_INDEX);
   GLint size = 0;
   glGetActiveUniformBlockiv(name(), index, GL_UNIFORM_BLOCK_DATA_SIZE, &size);
+  checkCalls();
   SIMREEL_CHECK_EQ(static_cast<std::size_t>(size), bytes);
 }
 

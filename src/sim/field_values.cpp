@@ -1,6 +1,7 @@
 #include "sim/field_values.hpp"
 
 #include "base/error.hpp"
+#include "gl/errors.hpp"
 
 #include <bit>
 #include <cstdint>
@@ -17,11 +18,13 @@ std::vector<std::uint32_t> wordsOf(const Field& field) {
       std::int64_t{field.size.y - 1} * field.rowWords + (field.size.x - 1) * apart / perWord + 1;
   GLint buffer = 0;
   glGetTextureLevelParameteriv(field.words->name(), 0, GL_TEXTURE_BUFFER_DATA_STORE_BINDING, &buffer);
+  gl::checkCalls();
   SIMREEL_CHECK(buffer != 0);
   std::vector<std::uint32_t> words(static_cast<std::size_t>(count));
   glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
   glGetNamedBufferSubData(static_cast<GLuint>(buffer), GLintptr{field.firstWord} * 4,
                           static_cast<GLsizeiptr>(words.size() * 4), words.data());
+  gl::checkCalls();
   return words;
 }
 

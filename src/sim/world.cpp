@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 #include "gl/element_array.hpp"
+#include "gl/errors.hpp"
 #include "sim/list.hpp"
 #include "sim/shape.hpp"
 #include "sim/state_hash.hpp"
@@ -287,6 +288,7 @@ std::optional<World::Summary> World::takeSummary(bool wait) {
   state_->checkStatus(oldest.slot);
   Summary summary = state_->summary(oldest.frame, oldest.slot);
   state_->readCounts(oldest, summary);
+  gl::checkCalls();
   return summary;
 }
 

@@ -1,0 +1,20 @@
+#include "gl/errors.hpp"
+
+#include "base/error.hpp"
+
+#include <epoxy/gl.h>
+
+namespace simreel::gl {
+
+void checkCalls() {
+  const GLenum error = glGetError();
+  if (error == GL_NO_ERROR) return;
+  // One flag for each kind of error may be up.
+  while (glGetError() != GL_NO_ERROR) {
+  }
+  if (error == GL_OUT_OF_MEMORY)
+    fail(ExitCode::device, "the device has no memory left; make the scene or the picture smaller");
+  fail(ExitCode::device, "the driver refused a call (OpenGL error {:#x}); --debug makes it say why", error);
+}
+
+}  // namespace simreel::gl

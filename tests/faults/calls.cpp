@@ -1,0 +1,114 @@
+// Loaded before simreel (LD_PRELOAD): makes the Nth call of one class fail, or counts the calls of each.
+//
+//     FAULTS=write:3          the third write fails; "none": nothing fails
+//     FAULTS_LOG=FILE         gets what failed, and at the end how many calls of each class there were
+//
+// Only calls of simreel's own code count.
+#include "calls.hpp"
+
+#include <atomic>
+#include <cerrno>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <dlfcn.h>
+#include <fcntl.h>
+#include <link.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+
+namespace faults {
+
+namespace {
+
+struct Range {
+  std::uintptr_t begin = 0, end = 0;
+  [[nodiscard]] bool holds(const void* at) const {
+    const auto value = reinterpret_cast<std::uintptr_t>(at);
+    return value >= begin && value < end;
+  }
+};
+
+/// Where the code of the program and of the C++ libraries lies, and what is to fail.
+struct Plan {
+  Range program, libraries[2];
+  bool armed = false;
+  int what = -1;
+  long which = 0;
+  int log = -1;
+};
+Plan plan;
+std::atomic<long> counts[classes];
+
+/// Not by write(), which is ours.
+void say(const char* text) {
+  if (plan.log >= 0) (void)::syscall(SYS_write, plan.log, text, std::strlen(text));
+}
+
+int visit(dl_phdr_info* info, std::size_t /*size*/, void* data) {
+  bool& first = *static_cast<bool*>(data);
+  Range* range = nullptr;
+  if (first)
+    range = &plan.program;
+  else if (std::strstr(info->dlpi_name, "libstdc++") != nullptr)
+    range = &plan.libraries[0];
+  else if (std::strstr(info->dlpi_name, "libtbb.") != nullptr)
+    range = &plan.libraries[1];
+  first = false;
+  if (range == nullptr) return 0;
+  for (int i = 0; i < info->dlpi_phnum; ++i) {
+    const ElfW(Phdr)& segment = info->dlpi_phdr[i];
+    if (segment.p_type != PT_LOAD || (segment.p_flags & PF_X) == 0) continue;
+    range->begin = info->dlpi_addr + segment.p_vaddr;
+    range->end = range->begin + segment.p_memsz;
+  }
+  return 0;
+}
+
+/// Programs that simreel starts inherit the environment and are left in peace.
+[[gnu::constructor]] void start() {
+  if (std::strcmp(program_invocation_short_name, "simreel") != 0) return;
+  const char* wanted = std::getenv("FAULTS");
+  if (wanted == nullptr) return;
+  if (const char* file = std::getenv("FAULTS_LOG"))
+    plan.log = static_cast<int>(
+        ::syscall(SYS_openat, AT_FDCWD, file, O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666));
+  if (const char* colon = std::strchr(wanted, ':'))
+    for (int i = 0; i < classes; ++i)
+      if (std::strncmp(wanted, classNames[i], static_cast<std::size_t>(colon - wanted)) == 0 &&
+          classNames[i][colon - wanted] == '\0') {
+        plan.what = i;
+        plan.which = std::atol(colon + 1);
+      }
+  bool first = true;
+  ::dl_iterate_phdr(visit, &first);
+  plan.armed = true;
+}
+
+[[gnu::destructor]] void end() {
+  if (!plan.armed) return;
+  plan.armed = false;
+  char line[64];
+  for (int i = 0; i < classes; ++i) {
+    std::snprintf(line, sizeof line, "count %s %ld\n", classNames[i], counts[i].load());
+    say(line);
+  }
+}
+
+}  // namespace
+
+bool fails(Class what, const char* call, const void* caller, bool libraries) {
+  if (!plan.armed) return false;
+  const bool ours = plan.program.holds(caller) ||
+                    (libraries && (plan.libraries[0].holds(caller) || plan.libraries[1].holds(caller)));
+  if (!ours) return false;
+  const int index = static_cast<int>(what);
+  if (++counts[index] != plan.which || plan.what != index) return false;
+  char line[128];
+  std::snprintf(line, sizeof line, "failed %s at %#lx\n", call,
+                static_cast<unsigned long>(reinterpret_cast<std::uintptr_t>(caller) - plan.program.begin));
+  say(line);
+  return true;
+}
+
+}  // namespace faults

@@ -1,0 +1,198 @@
+#!/usr/bin/env python3
+"""Makes every call of simreel that can fail do so, one run for each, and looks at what is left.
+
+Whatever fails, a run may not crash, hang, end with 0 and something missing, or leave a file that a later --resume
+trusts wrongly: it ends with a documented code and one clear line, or with 0 and the folder that an undisturbed run
+makes; and the same command again, undisturbed, ends with that folder byte for byte.
+
+    SIMREEL=build/simreel FAULTS_LIBRARY=build/tests/faults/libfaults.so tests/faults/test_faults.py [--all]
+
+Without --all: every call for files, threads and processes, the first 200 allocations and GL calls, then every 101st;
+--runs and --classes choose."""
+import argparse
+import concurrent.futures
+import json
+import os
+import pathlib
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+
+SIMREEL = os.environ.get("SIMREEL", "simreel")
+LIBRARY = os.environ.get("FAULTS_LIBRARY", "libfaults.so")
+SECONDS = 120  # of one run: a hang
+MANY = ("alloc", "gl")  # classes with thousands of calls
+FIRST, STRIDE = 200, 101
+CRASHES = ("terminate called", "internal error", "std::", "AddressSanitizer", "Assertion")
+
+SCENE = {
+    "version": 1, "title": "faults", "render": {"size": [96, 54], "samples": 1}, "time": {"fps": 30, "duration": 0.13},
+    "camera": {"position": [0, 1, 3], "target": [0, 1, 0]}, "sun": {"shadowSize": 64},
+    "objects": {
+        "flag": {"cloth": {"size": [9, 7], "spacing": 0.1, "position": [0, 1, 0], "rotation": [90, 0, 0],
+                           "jitter": 0.01, "substeps": 4}},
+        "ill": {"epidemic": {"size": [32, 24], "infected": 0.1, "display": {"layer": "behind"}}}},
+    "test": {"frames": [0, 2]}, "checks": [{"what": "no-nan"}],
+}
+FRAMES = ["render", "scene.json", "-o", "out/", "--fields", "npy", "--checkpoint", "0.000001"]
+
+
+class Run:
+    """A command, what stands in its folder before, and the command that a user types after it failed."""
+
+    def __init__(self, command, again, before=None, made="out", codes=(2, 4, 6)):
+        self.command, self.again, self.before, self.made, self.codes = command, again, before, made, codes
+
+
+def interrupted(folder):
+    """A run that was stopped: two frames and a checkpoint."""
+    simreel(folder, FRAMES + ["--frames", "0-1"])
+    environment = os.environ | {"LD_PRELOAD": LIBRARY, "FAULTS": "rename:9"}
+    subprocess.run([SIMREEL, *FRAMES, "--resume"], cwd=folder, env=environment, capture_output=True, timeout=SECONDS)
+
+
+RUNS = {
+    "frames": Run(FRAMES, FRAMES + ["--resume"]),
+    "resume": Run(FRAMES + ["--resume"], FRAMES + ["--resume"], before=interrupted),
+    "video": Run(["render", "scene.json", "-o", "out/a.mp4"], ["render", "scene.json", "-o", "out/a.mp4", "--overwrite"]),
+    "bake": Run(["bake", "scene.json", "-o", "out/"], ["bake", "scene.json", "-o", "out/", "--overwrite"]),
+    "update": Run(["test", "scene.json", "--update"], ["test", "scene.json", "--update"], made="golden",
+                  codes=(1, 2, 4, 6)),
+}
+
+
+def simreel(folder, arguments, fault=None, log=None):
+    environment = dict(os.environ)
+    if fault:
+        environment |= {"LD_PRELOAD": LIBRARY, "FAULTS": fault, "FAULTS_LOG": str(log)}
+    ran = subprocess.Popen([SIMREEL, *arguments], cwd=folder, env=environment, stdout=subprocess.PIPE,
+                           stderr=subprocess.PIPE, start_new_session=True)
+    try:
+        _, message = ran.communicate(timeout=SECONDS)
+    except subprocess.TimeoutExpired:
+        os.killpg(ran.pid, signal.SIGKILL)
+        ran.communicate()
+        return None, ""
+    return ran.returncode, message.decode(errors="replace")
+
+
+def contents(folder):
+    return {str(f.relative_to(folder)): f.read_bytes() for f in sorted(folder.rglob("*")) if f.is_file()}
+
+
+def prepare(folder, before):
+    (folder / "scene.json").write_text(json.dumps(SCENE))
+    if before is not None:
+        shutil.copytree(before, folder, dirs_exist_ok=True)
+
+
+def different(found, wanted):
+    """In words; empty where both are the same."""
+    return ", ".join([f"{n} is missing" for n in wanted if n not in found] +
+                     [f"{n} is too much" for n in found if n not in wanted] +
+                     [f"{n} differs" for n in wanted if n in found and found[n] != wanted[n]])
+
+
+class Disturbed:
+    """The state that all disturbed runs of one command share."""
+
+    def __init__(self, name, scratch):
+        self.name, self.run = name, RUNS[name]
+        self.before = None
+        if self.run.before:
+            self.before = scratch / f"{name}.before"
+            self.before.mkdir()
+            prepare(self.before, None)
+            self.run.before(self.before)
+        with tempfile.TemporaryDirectory(dir=scratch) as folder_name:
+            folder, log = pathlib.Path(folder_name), scratch / f"{name}.log"
+            prepare(folder, self.before)
+            code, message = simreel(folder, self.run.command, "none", log)
+            if code != 0:
+                sys.exit(f"{name} fails undisturbed: {message}")
+            self.wanted = contents(folder / self.run.made)
+            lines = [line.split() for line in log.read_text().splitlines()]
+            self.counts = {line[1]: int(line[2]) for line in lines if line[0] == "count"}
+
+    def faults(self, everything, classes):
+        for kind, count in self.counts.items():
+            if classes and kind not in classes and not (kind not in MANY and "few" in classes):
+                continue
+            for number in range(1, count + 1):
+                if everything or kind not in MANY or number <= FIRST or (number - FIRST) % STRIDE == 0:
+                    yield f"{kind}:{number}"
+
+    def problem(self, fault, scratch):
+        """What is wrong after this call failed, with what failed and what was said; None where nothing is."""
+        with tempfile.TemporaryDirectory(dir=scratch) as folder_name:
+            folder = pathlib.Path(folder_name)
+            log = folder / "fault.log"
+            prepare(folder, self.before)
+            code, message = simreel(folder, self.run.command, fault, log)
+            what = " ".join(line for line in log.read_text().splitlines() if line.startswith("failed")) if log.exists() else ""
+            wrong = self.judge(folder, code, message)
+            return f"{self.name} {fault} ({what}): {wrong}; code {code}, said: {message.strip()[-400:]}" if wrong else None
+
+    def judge(self, folder, code, message):
+        if code is None:
+            return f"hangs: no end after {SECONDS} s"
+        if code < 0:
+            return f"killed by {signal.Signals(-code).name}"
+        for word in CRASHES:
+            if word in message:
+                return f"says \"{word}\""
+        made = folder / self.run.made
+        if code == 0:
+            missing = different(contents(made), self.wanted)
+            return f"ends with 0, but {missing}" if missing else None
+        if code not in self.run.codes:
+            return "an undocumented code"
+        errors = [line for line in message.splitlines() if line.startswith("simreel: error: ")]
+        if self.name != "update" and len(errors) != 1:
+            return f"{len(errors)} lines of error"
+        if not contents(made):
+            return None  # nothing is left that could be trusted
+        code, message = simreel(folder, self.run.again)
+        if code != 0:
+            return f"the next run ends with {code}, saying {message.strip()[-300:]}"
+        wrong = different(contents(made), self.wanted)
+        return f"after the next run {wrong}" if wrong else None
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--all", action="store_true", help="every call")
+    parser.add_argument("--runs", nargs="+", choices=RUNS, default=list(RUNS))
+    parser.add_argument("--classes", nargs="+", help="open, write, alloc, gl ...; few: all but alloc and gl")
+    parser.add_argument("--fault", help="only this one, for example write:3")
+    parser.add_argument("--jobs", type=int, default=os.cpu_count())
+    options = parser.parse_args()
+    begin = time.monotonic()
+    problems = []
+    with tempfile.TemporaryDirectory(prefix="simreel-faults-") as name:
+        scratch = pathlib.Path(name)
+        with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
+            for run in options.runs:
+                if run == "video" and not shutil.which("ffmpeg"):
+                    print("video: skipped, ffmpeg is not installed")
+                    continue
+                disturbed = Disturbed(run, scratch)
+                faults = [options.fault] if options.fault else list(disturbed.faults(options.all, options.classes))
+                found = [p for p in pool.map(lambda f: disturbed.problem(f, scratch), faults) if p]
+                kinds = {}
+                for fault in faults:
+                    kinds[fault.split(":")[0]] = kinds.get(fault.split(":")[0], 0) + 1
+                of = ", ".join(f"{n} of {disturbed.counts[kind]} {kind}" for kind, n in kinds.items())
+                print(f"{run}: {len(faults)} calls failed ({of}); {len(found)} problems", flush=True)
+                for problem in found:
+                    print("  " + problem, flush=True)
+                problems += found
+    print(f"{len(problems)} problems in {time.monotonic() - begin:.0f} s")
+    return 1 if problems else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
