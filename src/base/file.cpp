@@ -8,6 +8,7 @@
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
+#include <utility>
 
 namespace simreel {
 
@@ -44,6 +45,23 @@ std::string readAll(int descriptor, const char* what, const std::string& place, 
   }
 }
 
+/// Waits until a file's data, or a folder's names, are on the disk. True also where there is nothing to
+/// wait for: pipes, and file systems that cannot.
+bool synced(int descriptor) {
+  int result = 0;
+  while ((result = ::fdatasync(descriptor)) != 0 && errno == EINTR) {
+  }
+  return result == 0 || errno == EINVAL || errno == EROFS || errno == EOPNOTSUPP;
+}
+
+/// With errno set: removes the temporary file and throws.
+[[noreturn]] void removeAndFail(const std::filesystem::path& part, const char* verb,
+                                const std::filesystem::path& path) {
+  const int reason = errno;
+  ::unlink(part.c_str());
+  fail(ExitCode::inputOutput, "cannot {} {}: {}", verb, path.string(), std::strerror(reason));
+}
+
 }  // namespace
 
 std::string readFile(const std::filesystem::path& path, const char* what, std::size_t mostBytes) {
@@ -64,28 +82,42 @@ const std::string& standardInput(const char* what, std::size_t mostBytes) {
   return text;
 }
 
-void writeFileAtomically(const std::filesystem::path& path, std::span<const std::byte> bytes) {
+void writeFileAtomically(const std::filesystem::path& path, std::span<const std::byte> bytes,
+                         NameSync name) {
   const std::filesystem::path part = path.string() + ".part";
-  const auto failed = [&](const char* verb) {
-    const int reason = errno;
-    ::unlink(part.c_str());
-    fail(ExitCode::inputOutput, "cannot {} {}: {}", verb, path.string(), std::strerror(reason));
-  };
   Descriptor file(::open(part.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
-  if (file.get() < 0) failed("create");
+  if (file.get() < 0) removeAndFail(part, "create", path);
   while (!bytes.empty()) {
     const ssize_t put = ::write(file.get(), bytes.data(), bytes.size());
     if (put < 0 && errno == EINTR) continue;
-    if (put < 0) failed("write");
+    if (put < 0) removeAndFail(part, "write", path);
     bytes = bytes.subspan(static_cast<std::size_t>(put));
   }
+  if (!synced(file.get())) removeAndFail(part, "write", path);
   // Some file systems report a full disk only here.
-  if (::close(file.release()) != 0) failed("write");
-  if (::rename(part.c_str(), path.c_str()) != 0) failed("rename into");
+  if (::close(file.release()) != 0) removeAndFail(part, "write", path);
+  if (::rename(part.c_str(), path.c_str()) != 0) removeAndFail(part, "rename into", path);
+  if (name == NameSync::now) syncFolder(path.parent_path());
 }
 
-void writeFileAtomically(const std::filesystem::path& path, std::string_view text) {
-  writeFileAtomically(path, std::as_bytes(std::span(text.data(), text.size())));
+void writeFileAtomically(const std::filesystem::path& path, std::string_view text, NameSync name) {
+  writeFileAtomically(path, std::as_bytes(std::span(text.data(), text.size())), name);
+}
+
+void renameDurably(const std::filesystem::path& part, const std::filesystem::path& path) {
+  const Descriptor file(::open(part.c_str(), O_RDONLY | O_CLOEXEC));
+  if (file.get() < 0 || !synced(file.get())) removeAndFail(part, "write", path);
+  if (::rename(part.c_str(), path.c_str()) != 0) removeAndFail(part, "rename into", path);
+  syncFolder(path.parent_path());
+}
+
+void syncFolder(const std::filesystem::path& folder) {
+  const std::filesystem::path path = folder.empty() ? std::filesystem::path(".") : folder;
+  const Descriptor opened(::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (opened.get() < 0 && errno == EACCES) return;  // files may be made in it, but it must not be listed
+  if (opened.get() >= 0 && synced(opened.get())) return;
+  const int reason = errno;
+  fail(ExitCode::inputOutput, "cannot sync folder {}: {}", path.string(), std::strerror(reason));
 }
 
 void checkWritable(const std::filesystem::path& path) {

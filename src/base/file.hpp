@@ -15,11 +15,25 @@ namespace simreel {
 /// The text on standard input, read when first asked for and kept: it comes once. Throws as readFile does.
 [[nodiscard]] const std::string& standardInput(const char* what, std::size_t mostBytes);
 
-/// Writes to `path` + ".part" in the same folder, then renames, so a reader sees the old file or the
-/// whole new one. Throws UserError(inputOutput) naming the path and the system's reason; the
-/// temporary file is removed then.
-void writeFileAtomically(const std::filesystem::path& path, std::span<const std::byte> bytes);
-void writeFileAtomically(const std::filesystem::path& path, std::string_view text);
+/// When a written file's name is made to last: with the file, or by the caller's syncFolder(), which does
+/// so for all files of a folder at once.
+enum class NameSync { now, later };
+
+/// Writes to `path` + ".part" in the same folder, syncs it and renames it, so that a reader sees the old
+/// file or the whole new one, after a power cut too. Throws UserError(inputOutput) naming the path and the
+/// system's reason; the temporary file is removed then.
+void writeFileAtomically(const std::filesystem::path& path, std::span<const std::byte> bytes,
+                         NameSync name = NameSync::now);
+void writeFileAtomically(const std::filesystem::path& path, std::string_view text,
+                         NameSync name = NameSync::now);
+
+/// The same for a file that another program wrote as `part`: syncs it, renames it to `path`, syncs the
+/// folder. Throws UserError(inputOutput); `part` is removed then.
+void renameDurably(const std::filesystem::path& part, const std::filesystem::path& path);
+
+/// Makes the names in a folder last (empty: the current one). Where a file system cannot, nothing happens.
+/// Throws UserError(inputOutput).
+void syncFolder(const std::filesystem::path& folder);
 
 /// Throws UserError(inputOutput) where writeFileAtomically() could not make this file; leaves no trace.
 void checkWritable(const std::filesystem::path& path);

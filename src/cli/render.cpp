@@ -92,7 +92,7 @@ void render(const RenderOptions& o) {
   const auto sink = frame::openSink(o.output, existing, run, frames, o.streamFormat);
   frame::BesideFrames beside;
   if (fields) beside.fields = &*fields;
-  if (!o.noCounts) beside.countFile = output.countFile();
+  beside.counts = !o.noCounts;
   beside.checkpoints.file = output.checkpointFile();
   beside.checkpoints.resume = existing == frame::Existing::resume;
   beside.checkpoints.run = run;

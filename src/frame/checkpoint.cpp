@@ -22,6 +22,16 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr const char* formatName = "simreel-checkpoint";
+constexpr std::size_t hashDigits = 32;
+
+/// Takes the hash off its end. Throws std::runtime_error where it is not of all before.
+void checkHash(std::string& text) {
+  const std::string_view all(text);
+  if (all.size() < hashDigits ||
+      hashHex(all.substr(0, all.size() - hashDigits)) != all.substr(all.size() - hashDigits))
+    throw std::runtime_error("it is damaged, or of another version of simreel");
+  text.resize(text.size() - hashDigits);
+}
 
 /// Appends every part to a text.
 class Saver final : public sim::CarryOver {
@@ -55,18 +65,24 @@ void Checkpoint::write(const std::filesystem::path& file, const RunInfo& run, co
   Saver saver(payload, parts);
   world.carryOver(saver, [&](const std::string& object) { saver.begin(object); });
   const Json header = {
-      {"format", formatName},      {"program", version()},    {"run", Json::parse(manifestText({run, {}}))},
-      {"frame", world.frame()},    {"state", stateHash},      {"counts", counts.size()},
-      {"parts", std::move(parts)}, {"hash", hashHex(payload)}};
-  writeFileAtomically(file, header.dump() + "\n" + payload);
+      {"format", formatName},     {"program", version()}, {"run", Json::parse(manifestText({run, {}}))},
+      {"frame", world.frame()},   {"state", stateHash},   {"counts", counts.size()},
+      {"parts", std::move(parts)}};
+  std::string text = header.dump() + "\n";
+  text.reserve(text.size() + payload.size() + hashDigits);
+  text += payload;
+  text += hashHex(text);
+  writeFileAtomically(file, text);
 }
 
-std::optional<Checkpoint> Checkpoint::read(const std::filesystem::path& file, const RunInfo& run) {
+std::optional<Checkpoint> Checkpoint::read(const std::filesystem::path& file, const RunInfo& run,
+                                           int lastFrame) {
   if (!pathExists(file)) return std::nullopt;
   try {
     Checkpoint c;
     c.file_ = file;
     c.text_ = readFile(file, "checkpoint", std::numeric_limits<std::size_t>::max() / 2);
+    checkHash(c.text_);
     c.payload_ = c.text_.find('\n') + 1;
     const Json header = Json::parse(c.text_.begin(), c.text_.begin() + static_cast<long>(c.payload_));
     if (header.at("format") != formatName) throw std::runtime_error("it is no checkpoint");
@@ -74,15 +90,12 @@ std::optional<Checkpoint> Checkpoint::read(const std::filesystem::path& file, co
       throw std::runtime_error(fmt::format("simreel {} wrote it", header.at("program").get<std::string>()));
     const Manifest stored = parseManifest(header.at("run").dump(), file.string());
     if (const auto difference = runDifference(run, stored.run)) throw std::runtime_error(*difference);
-    if (header.at("hash") != hashHex(std::string_view(c.text_).substr(c.payload_)))
-      throw std::runtime_error("it is damaged");
-    c.frame_ = header.at("frame");
-    c.stateHash_ = header.at("state");
-    c.countBytes_ = header.at("counts");
-    for (const Json& part : header.at("parts")) c.parts_.push_back({part.at(0), part.at(1), part.at(2)});
-    std::size_t bytes = c.countBytes_;
-    for (const Part& part : c.parts_) bytes += part.bytes;
-    if (bytes != c.text_.size() - c.payload_ || c.frame_ < 0) throw std::runtime_error("it is damaged");
+    c.readParts(header);
+    const Json& frame = header.at("frame");
+    if (!frame.is_number_unsigned() || frame.get<std::uint64_t>() > static_cast<std::uint64_t>(lastFrame))
+      throw std::runtime_error(
+          fmt::format("it is of frame {}, and the run has 0 to {}", frame.dump(), lastFrame));
+    c.frame_ = frame;
     return c;
   } catch (const Json::exception&) {
     warn("checkpoint {} is not used: it is damaged", file.string());
@@ -90,6 +103,21 @@ std::optional<Checkpoint> Checkpoint::read(const std::filesystem::path& file, co
     warn("checkpoint {} is not used: {}", file.string(), error.what());
   }
   return std::nullopt;
+}
+
+/// Sizes are taken off what there is, so they can add up to nothing else.
+void Checkpoint::readParts(const nlohmann::ordered_json& header) {
+  std::size_t left = text_.size() - payload_;
+  const auto take = [&](const Json& size) {
+    const auto bytes = size.is_number_unsigned() ? size.get<std::uint64_t>() : left + 1;
+    if (bytes > left) throw std::runtime_error("it is damaged");
+    left -= bytes;
+    return static_cast<std::size_t>(bytes);
+  };
+  stateHash_ = header.at("state");
+  countBytes_ = take(header.at("counts"));
+  for (const Json& part : header.at("parts")) parts_.push_back({part.at(0), part.at(1), take(part.at(2))});
+  if (left != 0) throw std::runtime_error("it is damaged");
 }
 
 std::string_view Checkpoint::counts() const {

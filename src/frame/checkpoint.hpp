@@ -8,10 +8,13 @@
 #include <string_view>
 #include <vector>
 
+#include <nlohmann/json_fwd.hpp>
+
 namespace simreel::frame {
 
 /// The state between two frames of a run, on disk: a line of JSON that says of which run and frame it is
-/// and which parts follow, then their bytes. Only the program version that wrote it reads it.
+/// and which parts follow, their bytes, and a hash of all that. Only the program version that wrote it
+/// reads it.
 class Checkpoint {
  public:
   /// Reads the world's state back and writes it atomically. `counts`: the table of counts so far. Throws
@@ -19,9 +22,9 @@ class Checkpoint {
   static void write(const std::filesystem::path& file, const RunInfo& run, const std::string& stateHash,
                     const std::string& counts, sim::World& world);
   /// Nothing when the file does not exist, or is no whole checkpoint of this very run by this program: says
-  /// so in a warning then.
-  [[nodiscard]] static std::optional<Checkpoint> read(const std::filesystem::path& file,
-                                                      const RunInfo& run);
+  /// so in a warning then. `lastFrame` of the run: none lies beyond it.
+  [[nodiscard]] static std::optional<Checkpoint> read(const std::filesystem::path& file, const RunInfo& run,
+                                                      int lastFrame);
 
   /// Puts the state into the world of the same scene, whose present frame is frame() then. Throws
   /// UserError(usage) where a part does not fit; the world is of no use then.
@@ -36,6 +39,8 @@ class Checkpoint {
     std::string object, name;
     std::size_t bytes;
   };
+
+  void readParts(const nlohmann::ordered_json& header);
 
   std::filesystem::path file_;
   int frame_ = 0;

@@ -1,29 +1,14 @@
 #include "frame/count_table.hpp"
 
 #include "base/error.hpp"
-#include "base/file.hpp"
 
 #include <algorithm>
 #include <utility>
 
 namespace simreel::frame {
 
-namespace {
-
-/// Whether the file holds at least this text, at its start.
-bool beginsWith(const std::filesystem::path& file, const std::string& text) {
-  if (!pathExists(file)) return false;
-  try {
-    return readFile(file, "table of counts").starts_with(text);
-  } catch (const UserError&) {
-    return false;
-  }
-}
-
-}  // namespace
-
-CountTable::CountTable(std::filesystem::path file, double fps, std::vector<sim::World::CountNames> names)
-    : file_(std::move(file)), fps_(fps), names_(std::move(names)) {
+CountTable::CountTable(double fps, std::vector<sim::World::CountNames> names)
+    : fps_(fps), names_(std::move(names)) {
   text_ = "step,time";
   for (const auto& object : names_)
     for (const std::string& column : object.columns) text_ += "," + object.object + "." + column;
@@ -71,12 +56,6 @@ void CountTable::addRow(double time, const std::vector<const glm::uvec4*>& count
       text_ +=
           counts[i] == nullptr ? std::string(",") : fmt::format(",{}", (*counts[i])[static_cast<int>(c)]);
   text_ += "\n";
-}
-
-void CountTable::write() const {
-  if (file_.empty() || names_.empty() || rows_ == 0) return;
-  if (beginsWith(file_, text_)) return;
-  writeFileAtomically(file_, text_);
 }
 
 }  // namespace simreel::frame

@@ -1,7 +1,6 @@
 #pragma once
 #include "sim/world.hpp"
 
-#include <filesystem>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,22 +12,20 @@ namespace simreel::frame {
 /// rows where their times agree and leave cells empty elsewhere.
 class CountTable {
  public:
-  /// `file` empty: nothing is written. `fps` of the scene.
-  CountTable(std::filesystem::path file, double fps, std::vector<sim::World::CountNames> names);
+  /// `fps` of the scene.
+  CountTable(double fps, std::vector<sim::World::CountNames> names);
 
   /// The next frame's counts, in order of frames, the pre-roll's too.
   void add(const sim::World::Summary& summary);
   /// Goes on after another run's rows, text() of it.
   void resume(std::string_view text);
-  /// Writes the table atomically; without counting objects nothing. Throws UserError(inputOutput). An
-  /// existing table that begins with all of this one stays: it is of the same run, which went further then.
-  void write() const;
+  /// Without counting objects, or before the first frame.
+  [[nodiscard]] bool empty() const { return names_.empty() || rows_ == 0; }
   [[nodiscard]] const std::string& text() const { return text_; }
 
  private:
   void addRow(double time, const std::vector<const glm::uvec4*>& counts);
 
-  std::filesystem::path file_;
   double fps_;
   std::vector<sim::World::CountNames> names_;
   std::string text_;

@@ -1,8 +1,10 @@
 #include "frame/frame_queue.hpp"
 
+#include "base/log.hpp"
 #include "frame/sinks.hpp"
 
 #include <ctime>
+#include <system_error>
 #include <utility>
 
 namespace simreel::frame {
@@ -13,14 +15,26 @@ double threadSeconds() {
   return static_cast<double>(now.tv_sec) + static_cast<double>(now.tv_nsec) * 1e-9;
 }
 
-FrameQueue::FrameQueue(std::size_t most, Handler handler)
-    : most_(most), handler_(std::move(handler)), thread_([this] { work(); }) {}
+FrameQueue::FrameQueue(std::size_t threads, std::size_t most, Handler handler)
+    : most_(most), handler_(std::move(handler)) {
+  threads_.reserve(threads);
+  try {
+    while (threads_.size() < threads) threads_.emplace_back([this] { work(); });
+  } catch (const std::system_error& error) {
+    detail("{} of {} threads for encoding: {}", threads_.size(), threads, error.what());
+  }
+}
 
 FrameQueue::~FrameQueue() {
   abandon();
 }
 
-void FrameQueue::push(FrameInfo info, Image image) {
+void FrameQueue::push(FrameInfo info, std::optional<Image> image) {
+  if (threads_.empty()) {
+    rethrow();
+    handle({std::move(info), std::move(image)});
+    return rethrow();
+  }
   std::unique_lock lock(mutex_);
   changed_.wait(lock, [&] { return error_ || waiting_.size() < most_; });
   if (error_) std::rethrow_exception(error_);
@@ -28,9 +42,17 @@ void FrameQueue::push(FrameInfo info, Image image) {
   changed_.notify_all();
 }
 
+void FrameQueue::settle() {
+  {
+    std::unique_lock lock(mutex_);
+    changed_.wait(lock, [&] { return waiting_.empty() && atWork_ == 0; });
+  }
+  rethrow();
+}
+
 void FrameQueue::close() {
   join();
-  if (error_) std::rethrow_exception(error_);
+  rethrow();
 }
 
 void FrameQueue::abandon() noexcept {
@@ -46,37 +68,52 @@ double FrameQueue::seconds() const {
   return seconds_;
 }
 
-void FrameQueue::join() {
+void FrameQueue::join() noexcept {
   {
     const std::lock_guard lock(mutex_);
     closed_ = true;
     changed_.notify_all();
   }
-  if (thread_.joinable()) thread_.join();
+  for (std::thread& thread : threads_)
+    if (thread.joinable()) thread.join();
 }
 
-void FrameQueue::work() {
+void FrameQueue::rethrow() {
+  const std::lock_guard lock(mutex_);
+  if (error_) std::rethrow_exception(error_);
+}
+
+void FrameQueue::handle(const Item& item) noexcept {
+  const double begin = threadSeconds();
+  std::exception_ptr error;
+  try {
+    handler_(item.info, item.image);
+  } catch (...) {
+    error = std::current_exception();
+  }
+  const std::lock_guard lock(mutex_);
+  seconds_ += threadSeconds() - begin;
+  if (!error || error_) return;
+  error_ = error;
+  waiting_.clear();
+}
+
+void FrameQueue::work() noexcept {
+  std::unique_lock lock(mutex_);
   while (true) {
-    std::unique_lock lock(mutex_);
     changed_.wait(lock, [&] { return closed_ || !waiting_.empty(); });
     if (waiting_.empty()) return;
-    const Item item = std::move(waiting_.front());
-    waiting_.pop_front();
-    changed_.notify_all();
-    lock.unlock();
-    std::exception_ptr error;
-    try {
-      handler_(item.info, item.image);
-    } catch (...) {
-      error = std::current_exception();
+    {
+      const Item item = std::move(waiting_.front());
+      waiting_.pop_front();
+      ++atWork_;
+      changed_.notify_all();
+      lock.unlock();
+      handle(item);
     }
     lock.lock();
-    seconds_ = threadSeconds();
-    if (!error) continue;
-    error_ = error;
-    waiting_.clear();
+    --atWork_;
     changed_.notify_all();
-    return;
   }
 }
 

@@ -4,15 +4,24 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace simreel::frame {
+
+/// A file beside the picture of a frame.
+struct FrameFile {
+  std::string name;  ///< without a folder
+  std::vector<std::byte> bytes;
+};
 
 /// What is known of a frame besides its pixels.
 struct FrameInfo {
   int frame = 0;
   std::string stateHash;
+  std::vector<FrameFile> files = {};  ///< to be stored with it
 };
 
 /// What every manifest says of the run as a whole. No times, no paths: two runs write the same bytes.
@@ -43,10 +52,20 @@ class FrameSink {
   [[nodiscard]] virtual bool wants(int frame) = 0;
   /// The state hash that an earlier run's manifest holds for a frame that is not wanted again.
   [[nodiscard]] virtual std::optional<std::string> knownStateHash(int frame) const = 0;
-  /// Hands over one frame; blocks while too many are waiting. Throws UserError(inputOutput).
-  virtual void add(FrameInfo info, Image image) = 0;
+  /// Whether an earlier run's manifest lists this file beside a frame that is not wanted again, and it is
+  /// whole.
+  [[nodiscard]] virtual bool holds(int /*frame*/, const std::string& /*file*/) const { return false; }
+  /// Hands over one frame, or for one that is not wanted only the files beside it; blocks while too many
+  /// are waiting. Throws UserError(inputOutput).
+  virtual void add(FrameInfo info, std::optional<Image> image) = 0;
+  /// Writes what the simulations count (count_table.hpp) beside the manifest, where there is one. A table
+  /// that begins with all of this one stays: it is of the same run, which went further then.
+  virtual void addCounts(std::string_view /*text*/) {}
   /// Waits until all that was added is stored, and the manifest says so where --resume asks it.
   virtual void settle() {}
+  /// Whether a checkpoint beside the frames is this program's to write: of several that render frames of
+  /// one run it is one's.
+  [[nodiscard]] virtual bool ownsCheckpoint() const { return true; }
   /// Writes all that is pending, then the manifest. Call once; also after an interrupt.
   virtual void finish() = 0;
   /// Seconds of processor time spent encoding and writing so far, over all threads.

@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 #include "base/file.hpp"
+#include "base/hash.hpp"
 #include "base/version.hpp"
 #include "scene/scene.hpp"
 
@@ -17,7 +18,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr const char* formatName = "simreel-manifest";
-constexpr int formatVersion = 1;
+constexpr int formatVersion = 2;  // 2: hashes of files
 
 template <class T>
 T get(const Json& object, const char* key) {
@@ -36,6 +37,14 @@ T get(const Json& object, const char* key) {
 
 std::string getIfThere(const Json& object, const char* key) {
   return object.contains(key) ? get<std::string>(object, key) : std::string();
+}
+
+ManifestFrame readFrame(const Json& item) {
+  ManifestFrame frame = {get<std::string>(item, "file"), get<std::string>(item, "bytes"),
+                         get<std::string>(item, "pixels"), get<std::string>(item, "state")};
+  frame.machine = getIfThere(item, "machine");
+  if (item.contains("files")) frame.files = get<std::map<std::string, std::string>>(item, "files");
+  return frame;
 }
 
 Manifest readObject(const Json& object) {
@@ -57,12 +66,10 @@ Manifest readObject(const Json& object) {
   run.fingerprint = get<std::string>(object, "fingerprint");
   run.driver = get<std::string>(object, "driver");
   run.processor = getIfThere(object, "processor");
+  if (object.contains("counts")) result.counts = get<std::string>(object, "counts");
   const auto frames = object.find("frames");
   if (frames == object.end() || !frames->is_array()) throw std::runtime_error("\"frames\" is not a list");
-  for (const Json& item : *frames)
-    result.frames[get<int>(item, "frame")] = {get<std::string>(item, "file"),
-                                              get<std::string>(item, "pixels"),
-                                              get<std::string>(item, "state"), getIfThere(item, "machine")};
+  for (const Json& item : *frames) result.frames[get<int>(item, "frame")] = readFrame(item);
   return result;
 }
 
@@ -81,12 +88,18 @@ std::string manifestText(const Manifest& manifest) {
   };
   std::string text = dump(object, 2);
   text.resize(text.size() - 2);  // the closing "\n}"
+  if (!manifest.counts.empty()) text += ",\n  \"counts\": " + dump(manifest.counts, -1);
   text += ",\n  \"frames\": [";
   // One line a frame, so that a text diff of two manifests names the frames.
   const char* separator = "\n";
   for (const auto& [number, frame] : manifest.frames) {
-    Json item = {{"frame", number}, {"file", frame.file}, {"pixels", frame.pixels}, {"state", frame.state}};
+    Json item = {{"frame", number},
+                 {"file", frame.file},
+                 {"bytes", frame.bytes},
+                 {"pixels", frame.pixels},
+                 {"state", frame.state}};
     if (!frame.machine.empty()) item["machine"] = frame.machine;
+    if (!frame.files.empty()) item["files"] = frame.files;
     text += separator + ("    " + dump(item, -1));
     separator = ",\n";
   }
@@ -97,12 +110,9 @@ Manifest parseManifest(const std::string& text, const std::string& name) {
   try {
     return readObject(Json::parse(text));
   } catch (const Json::parse_error& error) {
-    fail(ExitCode::usage,
-         "manifest {} cannot be read: not valid JSON at byte {}; remove it or use --overwrite", name,
-         error.byte);
+    fail(ExitCode::usage, "manifest {} cannot be read: not valid JSON at byte {}", name, error.byte);
   } catch (const std::exception& error) {
-    fail(ExitCode::usage, "manifest {} cannot be read: {}; remove it or use --overwrite", name,
-         error.what());
+    fail(ExitCode::usage, "manifest {} cannot be read: {}", name, error.what());
   }
 }
 
@@ -136,6 +146,11 @@ std::optional<std::string> runDifference(const RunInfo& wanted, const RunInfo& s
 
 std::string machineOf(const RunInfo& run) {
   return run.processor.empty() ? std::string() : run.processor + "; " + run.driver;
+}
+
+std::string runIdentity(const RunInfo& run) {
+  return hashHex(fmt::format("{} {} {} {}x{} {} {} {}", scene::asArguments(run.overrides), run.sceneHash,
+                             run.seed, run.width, run.height, run.fps, run.numerics, run.fingerprint));
 }
 
 }  // namespace simreel::frame

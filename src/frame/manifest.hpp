@@ -9,9 +9,11 @@
 namespace simreel::frame {
 
 struct ManifestFrame {
-  std::string file;          ///< name beside the manifest
-  std::string pixels;        ///< pixelHash; empty when unknown
-  std::string state;         ///< state hash; empty when unknown
+  std::string file;                               ///< name beside the manifest
+  std::string bytes;                              ///< hash of that file; empty for a video
+  std::string pixels;                             ///< pixelHash; empty when unknown
+  std::string state;                              ///< state hash; empty when unknown
+  std::map<std::string, std::string> files = {};  ///< hashes of the files beside it (fields), by name
   std::string machine = {};  ///< machineOf() another run, whose picture this is; empty: of the manifest's
 };
 
@@ -19,7 +21,8 @@ struct ManifestFrame {
 /// path, so two runs of one scene write the same bytes.
 struct Manifest {
   RunInfo run;
-  std::map<int, ManifestFrame> frames;
+  std::string counts = {};  ///< hash of the table of counts; empty: there is none
+  std::map<int, ManifestFrame> frames = {};
 };
 
 [[nodiscard]] std::string manifestText(const Manifest& manifest);
@@ -33,5 +36,7 @@ struct Manifest {
 /// Processor and driver of a run, or empty where they are not known. Pictures of one scene on two machines
 /// of the same fingerprints may differ in a few bits.
 [[nodiscard]] std::string machineOf(const RunInfo& run);
+/// The same for any two runs in which runDifference() finds nothing, and for no others.
+[[nodiscard]] std::string runIdentity(const RunInfo& run);
 
 }  // namespace simreel::frame

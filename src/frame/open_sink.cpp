@@ -8,7 +8,7 @@ std::unique_ptr<FrameSink> openSink(const std::string& output, Existing existing
   const OutputName name = parseOutput(output, frames.size());
   switch (name.kind) {
     case OutputName::Kind::video:
-      return openVideoSink(name, existing, run);
+      return openVideoSink(name, existing, run, frames);
     case OutputName::Kind::stream:
       if (existing == Existing::resume || existing == Existing::skip)
         fail(ExitCode::usage,

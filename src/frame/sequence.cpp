@@ -10,6 +10,7 @@
 #include "frame/interrupt.hpp"
 #include "sim/world.hpp"
 
+#include <algorithm>
 #include <deque>
 #include <exception>
 #include <limits>
@@ -84,10 +85,12 @@ class Pipeline {
         fields_(beside.fields),
         progress_(progress),
         checkpoints_(beside.checkpoints),
-        stored_(scene.frameCount() - 1),
+        lastFrame_(scene.frameCount() - 1),
+        stored_(lastFrame_),
         size_(scene.render.size),
         world_(scene),
-        counts_(beside.countFile, scene.time.fps, world_.countNames()),
+        writesCounts_(beside.counts),
+        counts_(scene.time.fps, world_.countNames()),
         counting_(!world_.countNames().empty()),
         renderer_(scene, scene.render.size, scene.render.samples),
         readback_(scene.render.size) {}
@@ -96,12 +99,13 @@ class Pipeline {
   void begin(const std::vector<int>& frames) {
     if (fields_ != nullptr) fields_->begin(world_.drawables().fields);
     if (checkpoints_.file.empty() || !checkpoints_.resume) return;
-    const auto checkpoint = Checkpoint::read(checkpoints_.file, checkpoints_.run);
+    lastFrame_ = std::max(lastFrame_, frames.empty() ? 0 : frames.back());
+    const auto checkpoint = Checkpoint::read(checkpoints_.file, checkpoints_.run, lastFrame_);
     stored_ = checkpoint ? checkpoint->frame() : std::numeric_limits<int>::min();
     if (!checkpoint) return;
     for (const int frame : frames) {
       if (frame >= checkpoint->frame()) break;
-      if (!sink_.wants(frame) && (fields_ == nullptr || !fields_->misses(frame))) continue;
+      if (!sink_.wants(frame) && (fields_ == nullptr || !fields_->misses(frame, sink_))) continue;
       info("frame {} is missing, the checkpoint is of frame {}: simulating from the start", frame,
            checkpoint->frame());
       return;
@@ -127,8 +131,10 @@ class Pipeline {
       readback_.start(renderer_.target(), frame);
     }
     waiting_.push_back({frame, wanted, {}});
-    if (fields_ != nullptr && fields_->wants(frame))
-      waiting_.back().files = fields_->read(frame, world_.drawables().fields);
+    if (fields_ != nullptr) {
+      const Stopwatch watch(stages_.readBack);
+      waiting_.back().files = fields_->read(frame, world_.drawables().fields, sink_);
+    }
     while (waiting_.size() > 2) deliverOldest();
     context_.check();
   }
@@ -138,11 +144,14 @@ class Pipeline {
   }
 
   /// Every count that is there, also of a run that ended early.
-  void writeCounts() { counts_.write(); }
+  void writeCounts() {
+    if (writesCounts_ && !counts_.empty()) sink_.addCounts(counts_.text());
+  }
 
   /// Between two frames: stores all before, then the state. Without room for it the run goes on.
   void saveCheckpoint() {
     if (checkpoints_.file.empty() || checkpoints_.seconds <= 0 || !started_ || world_.frame() < 0) return;
+    if (!sink_.ownsCheckpoint()) return;
     drain();
     while (summariesUnderWay_ > 0) takeSummary();
     sink_.settle();
@@ -158,7 +167,7 @@ class Pipeline {
   /// Once a run has all frames up to `last`: only a longer one needs the checkpoint still. Takes along what
   /// a kill in the middle of writing one has left.
   void leaveCheckpoint(int last) const {
-    if (checkpoints_.file.empty() || stored_ > last) return;
+    if (checkpoints_.file.empty() || stored_ > last || !sink_.ownsCheckpoint()) return;
     std::error_code none;
     for (const char* ending : {"", ".part"})
       if (const auto file = checkpoints_.file.string() + ending;
@@ -173,7 +182,7 @@ class Pipeline {
   struct Waiting {
     int frame;
     bool drawn;
-    FieldFiles::Contents files;  ///< stored when the frame is known to be sound
+    std::vector<FrameFile> files;  ///< stored when the frame is known to be sound
   };
 
   void simulateTo(int frame) {
@@ -221,30 +230,31 @@ class Pipeline {
   }
 
   void deliverOldest() {
-    const Waiting oldest = std::move(waiting_.front());
+    Waiting oldest = std::move(waiting_.front());
+    const int number = oldest.frame;
     const StageTimes before = stages_;
     std::string hash;
     timers_.wait(&StageTimes::simulate, [&] { hash = stateHash(oldest.frame); });
     waiting_.pop_front();
     if (oldest.drawn) {
-      store(oldest.frame, std::move(hash));
-    } else if (const auto known = sink_.knownStateHash(oldest.frame);
-               known && !known->empty() && *known != hash) {
-      fail(ExitCode::different,
-           "frame {} is kept from an earlier run, but its state was {} and is {} now; render anew with "
-           "--overwrite",
-           oldest.frame, *known, hash);
-    }
-    if (fields_ != nullptr) {
-      const Stopwatch watch(stages_.encode);
-      fields_->write(oldest.files);
+      store(std::move(oldest), std::move(hash));
+    } else {
+      const auto known = sink_.knownStateHash(oldest.frame);
+      if (known && !known->empty() && *known != hash)
+        fail(ExitCode::different,
+             "frame {} is kept from an earlier run, but its state was {} and is {} now; render anew with "
+             "--overwrite",
+             oldest.frame, *known, hash);
+      if (!oldest.files.empty())
+        sink_.add({oldest.frame, std::move(hash), std::move(oldest.files)}, std::nullopt);
     }
     ++delivered_;
-    progress_.frame(oldest.frame, {stages_.simulate - before.simulate, stages_.draw - before.draw,
-                                   stages_.readBack - before.readBack, stages_.encode - before.encode});
+    progress_.frame(number, {stages_.simulate - before.simulate, stages_.draw - before.draw,
+                             stages_.readBack - before.readBack, stages_.encode - before.encode});
   }
 
-  void store(int frame, std::string hash) {
+  void store(Waiting waiting, std::string hash) {
+    const int frame = waiting.frame;
     // A software driver draws in the background: waiting for it is drawing time.
     timers_.wait(&StageTimes::draw, [&] { readback_.waitForOldest(); });
     timers_.collect(frame);
@@ -256,7 +266,7 @@ class Pipeline {
       SIMREEL_CHECK_EQ(taken->first, frame);
       image.bytes = std::move(taken->second);
     }
-    sink_.add({frame, std::move(hash)}, std::move(image));
+    sink_.add({frame, std::move(hash), std::move(waiting.files)}, std::move(image));
   }
 
   const gl::Context& context_;
@@ -264,9 +274,11 @@ class Pipeline {
   FieldFiles* fields_;
   Progress& progress_;
   Checkpoints checkpoints_;
-  int stored_;  ///< frame of the checkpoint on disk: the scene's last one where that is not known
+  int lastFrame_;  ///< of the scene, or beyond it of the run
+  int stored_;     ///< frame of the checkpoint on disk: the scene's last one where that is not known
   glm::ivec2 size_;
   sim::World world_;
+  bool writesCounts_;
   CountTable counts_;
   bool counting_;
   draw::Renderer renderer_;

@@ -30,8 +30,7 @@ struct Checkpoints {
 /// What is written beside the pictures.
 struct BesideFrames {
   FieldFiles* fields = nullptr;  ///< gets the raw values of fields in the same frames; null: nothing does
-  std::filesystem::path
-      countFile;  ///< gets what the simulations count (count_table.hpp); empty: nothing does
+  bool counts = true;            ///< what the simulations count goes to the sink
   Checkpoints checkpoints = {};
 };
 

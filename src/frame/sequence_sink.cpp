@@ -1,23 +1,24 @@
 #include "base/clock.hpp"
 #include "base/error.hpp"
 #include "base/file.hpp"
+#include "base/hash.hpp"
 #include "base/log.hpp"
 #include "base/version.hpp"
+#include "frame/frame_queue.hpp"
 #include "frame/reserved_room.hpp"
+#include "frame/shared_manifest.hpp"
 #include "frame/sinks.hpp"
 #include "scene/scene.hpp"
 #include "scene/words.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <chrono>
-#include <condition_variable>
+#include <exception>
+#include <map>
 #include <mutex>
 #include <thread>
 
-#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
 
 namespace simreel::frame {
 
@@ -26,24 +27,37 @@ namespace {
 namespace fs = std::filesystem;
 constexpr std::chrono::milliseconds manifestEvery{1000};
 
-/// PNG files, encoded by worker threads, and the manifest beside them.
+std::size_t processors() {
+  return std::max<std::size_t>(1, std::thread::hardware_concurrency());
+}
+
+/// PNG files and what lies beside them, encoded by worker threads, and the manifest.
 class SequenceSink final : public FrameSink {
  public:
   SequenceSink(OutputName output, Existing existing, const RunInfo& run, std::span<const int> frames)
-      : output_(std::move(output)), frames_(frames.begin(), frames.end()) {
+      : output_(std::move(output)),
+        frames_(frames.begin(), frames.end()),
+        folder_(output_.folder),
+        file_(output_, run, frames) {
     manifest_.run = run;
     if (existing == Existing::error) refuseExisting();
-    madeFolder_ = !pathExists(output_.folder);
-    makeFolders(output_.folder);
-    room_ = ReservedRoom(output_.folder, 1024 + 192 * frames_.size());
-    inherit(existing);
-    if (existing == Existing::skip || existing == Existing::resume) keepWholeFrames(existing);
+    room_ = ReservedRoom(output_.folder, 1024 + 256 * frames_.size());
+    auto known = file_.inherit(existing);
+    if (existing == Existing::skip || existing == Existing::resume)
+      keepWholeFrames(existing, known);
+    else
+      manifest_.frames = std::move(known);
   }
 
   ~SequenceSink() override {
-    waitForWorkers();
-    // Not finished: an error elsewhere ends the run. What is done can still be resumed.
-    if (!finished_) writeManifestQuietly();
+    if (finished_) return;
+    // An error elsewhere ends the run. What is done can still be resumed.
+    try {
+      queue_.settle();
+    } catch (...) {  // NOLINT(bugprone-empty-catch): the error elsewhere is the one to report.
+    }
+    queue_.abandon();
+    writeManifestQuietly();
   }
   SequenceSink(const SequenceSink&) = delete;
   SequenceSink& operator=(const SequenceSink&) = delete;
@@ -58,38 +72,36 @@ class SequenceSink final : public FrameSink {
     return found->second.state;
   }
 
-  void add(FrameInfo info, Image image) override {
-    std::unique_lock lock(mutex_);
-    changed_.wait(lock, [&] { return error_ || pending_ < mostPending_; });
-    if (error_) {
-      lock.unlock();
+  bool holds(int frame, const std::string& file) const override {
+    const auto found = kept_.find(frame);
+    return found != kept_.end() && found->second.files.contains(file);
+  }
+
+  void add(FrameInfo info, std::optional<Image> image) override {
+    try {
+      queue_.push(std::move(info), std::move(image));
+    } catch (...) {
       giveUp();
     }
-    ++pending_;
-    lock.unlock();
-    auto task = std::make_shared<std::pair<FrameInfo, Image>>(std::move(info), std::move(image));
-    arena_.enqueue([this, task] { work(task->first, task->second); });
   }
+
+  void addCounts(std::string_view text) override { counts_ = text; }
 
   void settle() override {
-    waitForWorkers();
-    if (error_) giveUp();
-    if (!manifest_.frames.empty()) writeFileAtomically(output_.manifestFile(), manifestText(manifest_));
+    waitForAll();
+    file_.write(manifest_);
   }
+
+  bool ownsCheckpoint() const override { return file_.ownsCheckpoint(); }
 
   void finish() override {
-    waitForWorkers();
-    if (error_) giveUp();
+    waitForAll();
     finished_ = true;
-    // Nothing rendered, nothing to say: an empty manifest would only stand in the way of the next scene.
-    if (!manifest_.frames.empty())
-      return writeFileAtomically(output_.manifestFile(), manifestText(manifest_));
-    room_.release();
-    std::error_code notEmpty;
-    if (madeFolder_) fs::remove(output_.folder, notEmpty);
+    writeManifest();
+    leaveFolder();
   }
 
-  double encodeSeconds() const override { return static_cast<double>(encodeNanoseconds_.load()) * 1e-9; }
+  double encodeSeconds() const override { return queue_.seconds(); }
 
   std::string summary() const override {
     const std::lock_guard lock(mutex_);
@@ -105,6 +117,12 @@ class SequenceSink final : public FrameSink {
   }
 
  private:
+  /// Made first; one that was not there before goes again where nothing is rendered into it.
+  struct Folder {
+    explicit Folder(const fs::path& path) : made(!pathExists(path)) { makeFolders(path); }
+    bool made;
+  };
+
   void refuseExisting() const {
     std::size_t count = 0;
     fs::path first;
@@ -120,55 +138,18 @@ class SequenceSink final : public FrameSink {
          first.string(), more, count == 1 ? "s" : "");
   }
 
-  /// Takes over the frames that an earlier manifest of the same run lists, so that rendering some
-  /// frames anew does not forget the others.
-  void inherit(Existing existing) {
-    std::optional<Manifest> old;
-    try {
-      old = readManifest(output_.manifestFile());
-    } catch (const UserError&) {
-      if (existing == Existing::resume) throw;
-    }
-    if (!old) return;
-    if (const auto difference = runDifference(manifest_.run, old->run)) {
-      if (existing == Existing::resume)
-        fail(ExitCode::usage, "cannot resume: {} ({}); use --overwrite to start afresh", *difference,
-             output_.manifestFile().string());
-      return;
-    }
-    for (auto& [number, frame] : old->frames) {
-      std::error_code error;
-      if (frame.machine.empty()) frame.machine = machineOf(old->run);
-      if (frame.machine == machineOf(manifest_.run)) frame.machine.clear();
-      if (number >= 0 && frame.file == output_.fileName(number) && fs::exists(output_.file(number), error))
-        manifest_.frames[number] = std::move(frame);
-    }
-  }
-
   /// Decides which frames need not be drawn. Reads the files, so on all cores.
-  void keepWholeFrames(Existing existing) {
+  void keepWholeFrames(Existing existing, const std::map<int, ManifestFrame>& known) {
     std::vector<std::optional<ManifestFrame>> found(frames_.size());
     tbb::parallel_for(std::size_t{0}, frames_.size(), [&](std::size_t i) {
-      const auto known = manifest_.frames.find(frames_[i]);
-      if (known == manifest_.frames.end() && existing == Existing::resume) return;
-      std::error_code error;
-      if (!fs::exists(output_.file(frames_[i]), error)) return;
-      if (known != manifest_.frames.end() && existing == Existing::skip) {
-        found[i] = known->second;
-        return;
-      }
-      const std::string hash = hashOfFile(output_.file(frames_[i]));
-      if (existing == Existing::skip)
-        found[i] = ManifestFrame{output_.fileName(frames_[i]), hash, ""};
-      else if (!hash.empty() && hash == known->second.pixels)
-        found[i] = known->second;
+      const auto entry = known.find(frames_[i]);
+      if (entry != known.end())
+        found[i] = wholeFrame(existing, frames_[i], entry->second);
+      else if (existing == Existing::skip)
+        found[i] = unknownFrame(frames_[i]);
     });
-    for (std::size_t i = 0; i < frames_.size(); ++i) {
-      if (found[i])
-        kept_[frames_[i]] = manifest_.frames[frames_[i]] = *found[i];
-      else
-        manifest_.frames.erase(frames_[i]);
-    }
+    for (std::size_t i = 0; i < frames_.size(); ++i)
+      if (found[i]) kept_[frames_[i]] = manifest_.frames[frames_[i]] = *found[i];
     tellOfOtherMachines();
   }
 
@@ -188,56 +169,74 @@ class SequenceSink final : public FrameSink {
           count, kept_.size(), scene::printable(machine));
   }
 
-  /// Pixel hash of a picture, empty when it is not a whole one.
-  static std::string hashOfFile(const fs::path& path) {
+  /// What of a frame that the manifest lists is whole: nothing where its picture is not.
+  [[nodiscard]] std::optional<ManifestFrame> wholeFrame(Existing existing, int frame,
+                                                        ManifestFrame listed) const {
+    if (existing == Existing::resume && hashOfFile(output_.file(frame)) != listed.bytes)
+      return std::nullopt;
+    std::erase_if(listed.files, [&](const auto& file) {
+      const auto& [name, hash] = file;
+      return name.find('/') != std::string::npos || hashOfFile(output_.folder / name) != hash;
+    });
+    return listed;
+  }
+
+  /// A picture of which only its existence is known.
+  [[nodiscard]] std::optional<ManifestFrame> unknownFrame(int frame) const {
+    const fs::path path = output_.file(frame);
+    if (!pathExists(path)) return std::nullopt;
+    ManifestFrame result = {output_.fileName(frame), hashOfFile(path), "", ""};
     try {
       const std::string bytes = readFile(path, "frame");
-      return pixelHash(decodeImage(std::as_bytes(std::span(bytes)), path.string()));
+      result.pixels = pixelHash(decodeImage(std::as_bytes(std::span(bytes)), path.string()));
+    } catch (const UserError&) {  // NOLINT(bugprone-empty-catch): it is kept, whatever it is.
+    }
+    return result;
+  }
+
+  /// Empty where it cannot be read.
+  static std::string hashOfFile(const fs::path& path) {
+    try {
+      return pathExists(path) ? hashHex(readFile(path, "frame")) : "";
     } catch (const UserError&) {
       return {};
     }
   }
 
-  void work(const FrameInfo& info, const Image& image) noexcept {
-    const double begin = threadSeconds();
-    try {
-      {
-        const std::lock_guard lock(mutex_);
-        if (error_) {
-          leave();
-          return;
-        }
-      }
-      const std::string hash = pixelHash(image);
-      writeFileAtomically(output_.file(info.frame), encodePng(image, chunks(info)));
-      encodeNanoseconds_ += static_cast<std::int64_t>((threadSeconds() - begin) * 1e9);
-      record(info, hash);
-    } catch (...) {
-      const std::lock_guard lock(mutex_);
-      if (!error_) error_ = std::current_exception();
+  void store(const FrameInfo& info, const std::optional<Image>& image) {
+    ManifestFrame entry;
+    for (const FrameFile& file : info.files) {
+      writeFileAtomically(output_.folder / file.name, file.bytes, NameSync::later);
+      entry.files[file.name] = hashHex(file.bytes);
     }
-    const std::lock_guard lock(mutex_);
-    leave();
+    if (image) {
+      const std::vector<std::byte> png = encodePng(*image, chunks(info));
+      writeFileAtomically(output_.file(info.frame), png, NameSync::later);
+      entry.file = output_.fileName(info.frame);
+      entry.bytes = hashHex(png);
+      entry.pixels = pixelHash(*image);
+      entry.state = info.stateHash;
+    }
+    record(info.frame, std::move(entry));
   }
 
-  /// With the mutex held: the destructor may go on as soon as it is released.
-  void leave() {
-    --pending_;
-    changed_.notify_all();
-  }
-
-  void record(const FrameInfo& info, const std::string& hash) {
-    std::string text;
+  /// Into the manifest, which is written now and then.
+  void record(int frame, ManifestFrame entry) {
+    Manifest present;
     {
       const std::lock_guard lock(mutex_);
-      manifest_.frames[info.frame] = {output_.fileName(info.frame), hash, info.stateHash};
+      ManifestFrame& listed = manifest_.frames[frame];
+      if (entry.file.empty())
+        for (auto& [name, hash] : entry.files) listed.files[name] = std::move(hash);
+      else
+        listed = std::move(entry);
       if (writingManifest_ || Clock::now() - manifestTime_ < manifestEvery) return;
       writingManifest_ = true;
-      text = manifestText(manifest_);
+      present = manifest_;
     }
     std::exception_ptr error;
     try {
-      writeFileAtomically(output_.manifestFile(), text);
+      file_.write(std::move(present));
     } catch (...) {
       error = std::current_exception();
     }
@@ -259,51 +258,66 @@ class SequenceSink final : public FrameSink {
     return text;
   }
 
-  void waitForWorkers() {
-    std::unique_lock lock(mutex_);
-    changed_.wait(lock, [&] { return pending_ == 0; });
+  void waitForAll() {
+    try {
+      queue_.settle();
+    } catch (...) {
+      giveUp();
+    }
+  }
+
+  /// With no worker at work. Nothing rendered, nothing to say: an empty manifest would only stand in the
+  /// way of the next scene.
+  void writeManifest() {
+    if (counts_.empty())
+      file_.write(manifest_);
+    else
+      file_.write(manifest_, counts_);
   }
 
   void writeManifestQuietly() noexcept {
     try {
-      if (!manifest_.frames.empty())
-        return writeFileAtomically(output_.manifestFile(), manifestText(manifest_));
-      room_.release();
-      std::error_code notEmpty;
-      if (madeFolder_) fs::remove(output_.folder, notEmpty);
+      writeManifest();
     } catch (...) {  // NOLINT(bugprone-empty-catch): the error that ended the run is the one to report.
     }
+    leaveFolder();
   }
 
-  [[noreturn]] void giveUp() {
-    waitForWorkers();
+  void leaveFolder() noexcept {
     room_.release();
-    writeManifestQuietly();
+    file_.release();
+    std::error_code notEmpty;
+    if (folder_.made) fs::remove(output_.folder, notEmpty);
+  }
+
+  /// In a handler: ends with what it caught.
+  [[noreturn]] void giveUp() {
+    const std::exception_ptr error = std::current_exception();
+    queue_.abandon();
+    room_.release();
+    if (!finished_) writeManifestQuietly();
     finished_ = true;
-    std::rethrow_exception(error_);
+    std::rethrow_exception(error);
   }
 
   OutputName output_;
   std::vector<int> frames_;
+  Folder folder_;
+  SharedManifest file_;
+  ReservedRoom room_;  ///< on a full disk the manifest takes its place
   std::map<int, ManifestFrame> kept_;
-  std::atomic<std::int64_t> encodeNanoseconds_ = 0;
-  std::size_t mostPending_ = 2 * std::max<std::size_t>(1, std::thread::hardware_concurrency());
+  std::string counts_;
   bool finished_ = false;
-  bool madeFolder_ = false;  ///< it was not there before
 
-  ReservedRoom room_;         ///< on a full disk the manifest takes its place
   mutable std::mutex mutex_;  ///< guards all below
-  std::condition_variable changed_;
   Manifest manifest_;
-  std::size_t pending_ = 0;
   bool writingManifest_ = false;
   Clock::time_point manifestTime_ = Clock::now();
-  std::exception_ptr error_;
-  /// As many workers as processors: the caller mostly waits for the device, or for these. Without the
-  /// control TBB would grant one less, and warn. The arena is last, so that it ends first.
-  std::size_t workers_ = std::max<std::size_t>(1, std::thread::hardware_concurrency());
-  tbb::global_control control_{tbb::global_control::max_allowed_parallelism, workers_ + 1};
-  tbb::task_arena arena_{static_cast<int>(workers_), 0};
+  /// As many workers as processors: the caller mostly waits for the device, or for these. Last, so that
+  /// they end first.
+  FrameQueue queue_{
+      processors(), processors(),
+      [this](const FrameInfo& info, const std::optional<Image>& image) { store(info, image); }};
 };
 
 }  // namespace

@@ -14,7 +14,7 @@ namespace simreel::frame {
 [[nodiscard]] std::unique_ptr<FrameSink> openSequenceSink(const OutputName& output, Existing existing,
                                                           const RunInfo& run, std::span<const int> frames);
 [[nodiscard]] std::unique_ptr<FrameSink> openVideoSink(const OutputName& output, Existing existing,
-                                                       const RunInfo& run);
+                                                       const RunInfo& run, std::span<const int> frames);
 /// Raw frames to a descriptor (standard output). `format`: "rgba" is bytes as in Image; "y4m" is
 /// YUV4MPEG2 C444, 8 bits, full range, BT.601 matrix, which readers assume when a stream names none.
 [[nodiscard]] std::unique_ptr<FrameSink> openStreamSink(const std::string& format, const RunInfo& run,

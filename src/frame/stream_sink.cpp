@@ -36,7 +36,9 @@ class StreamSink final : public FrameSink {
 
   bool wants(int /*frame*/) override { return true; }
   std::optional<std::string> knownStateHash(int /*frame*/) const override { return std::nullopt; }
-  void add(FrameInfo info, Image image) override { queue_.push(std::move(info), std::move(image)); }
+  void add(FrameInfo info, std::optional<Image> image) override {
+    queue_.push(std::move(info), std::move(image));
+  }
   void finish() override { queue_.close(); }
   double encodeSeconds() const override { return queue_.seconds(); }
   std::string summary() const override { return "standard output"; }
@@ -71,7 +73,9 @@ class StreamSink final : public FrameSink {
   bool y4m_;
   bool started_ = false;
   RunInfo run_;
-  FrameQueue queue_{4, [this](const FrameInfo&, const Image& image) { handle(image); }};
+  FrameQueue queue_{1, 4, [this](const FrameInfo&, const std::optional<Image>& image) {
+                      if (image) handle(*image);
+                    }};
 };
 
 }  // namespace

@@ -2,13 +2,12 @@
 #include "base/file.hpp"
 #include "frame/ffmpeg.hpp"
 #include "frame/frame_queue.hpp"
+#include "frame/shared_manifest.hpp"
 #include "frame/sinks.hpp"
 
 #include <algorithm>
 #include <cerrno>
-#include <cstdio>
 #include <cstring>
-#include <mutex>
 #include <unistd.h>
 
 namespace simreel::frame {
@@ -20,7 +19,7 @@ namespace fs = std::filesystem;
 /// A video file made by ffmpeg under a temporary name, renamed when it is whole, and its manifest.
 class VideoSink final : public FrameSink {
  public:
-  VideoSink(OutputName output, Existing existing, const RunInfo& run)
+  VideoSink(OutputName output, Existing existing, const RunInfo& run, std::span<const int> frames)
       : output_(std::move(output)), file_(output_.file(0)), part_(partName(file_)) {
     manifest_.run = run;
     if (existing == Existing::resume)
@@ -38,8 +37,11 @@ class VideoSink final : public FrameSink {
     }
     makeFolders(output_.folder);
     refuseReadOnly();
+    shared_.emplace(output_, run, frames);
     ffmpeg_.emplace(ffmpegArguments(part_, run.width, run.height, run.fps));
-    queue_.emplace(4, [this](const FrameInfo& info, const Image& image) { handle(info, image); });
+    queue_.emplace(1, 4, [this](const FrameInfo& info, const std::optional<Image>& image) {
+      if (image) handle(info, *image);
+    });
   }
 
   ~VideoSink() override {
@@ -61,7 +63,10 @@ class VideoSink final : public FrameSink {
     return found->second.state;
   }
 
-  void add(FrameInfo info, Image image) override { queue_->push(std::move(info), std::move(image)); }
+  void add(FrameInfo info, std::optional<Image> image) override {
+    queue_->push(std::move(info), std::move(image));
+  }
+  void addCounts(std::string_view text) override { counts_ = text; }
 
   void finish() override {
     if (skipped_ || !queue_) return;
@@ -70,12 +75,12 @@ class VideoSink final : public FrameSink {
     ffmpeg_->finish();
     seconds_ = queue_->seconds();
     queue_.reset();
-    if (std::rename(part_.c_str(), file_.c_str()) != 0) {
-      const int reason = errno;
-      removePart();
-      fail(ExitCode::inputOutput, "cannot rename into {}: {}", file_.string(), std::strerror(reason));
-    }
-    writeFileAtomically(output_.manifestFile(), manifestText(manifest_));
+    renameDurably(part_, file_);
+    if (counts_.empty())
+      shared_->write(manifest_);
+    else
+      shared_->write(manifest_, counts_);
+    shared_.reset();
   }
 
   double encodeSeconds() const override { return queue_ ? queue_->seconds() : seconds_; }
@@ -108,7 +113,7 @@ class VideoSink final : public FrameSink {
     SIMREEL_CHECK_EQ(image.width, manifest_.run.width);
     SIMREEL_CHECK_EQ(image.height, manifest_.run.height);
     ffmpeg_->write(std::as_bytes(std::span(image.bytes)));
-    manifest_.frames[info.frame] = {output_.fileName(info.frame), pixelHash(image), info.stateHash};
+    manifest_.frames[info.frame] = {output_.fileName(info.frame), "", pixelHash(image), info.stateHash};
   }
 
   void removePart() const noexcept {
@@ -122,14 +127,17 @@ class VideoSink final : public FrameSink {
   bool skipped_ = false;
   double seconds_ = 0;
   Manifest manifest_;  ///< written by the queue's thread until it is closed
+  std::string counts_;
+  std::optional<SharedManifest> shared_;
   std::optional<Ffmpeg> ffmpeg_;
   std::optional<FrameQueue> queue_;
 };
 
 }  // namespace
 
-std::unique_ptr<FrameSink> openVideoSink(const OutputName& output, Existing existing, const RunInfo& run) {
-  return std::make_unique<VideoSink>(output, existing, run);
+std::unique_ptr<FrameSink> openVideoSink(const OutputName& output, Existing existing, const RunInfo& run,
+                                         std::span<const int> frames) {
+  return std::make_unique<VideoSink>(output, existing, run, frames);
 }
 
 }  // namespace simreel::frame

@@ -114,7 +114,9 @@ class Checkpoints(Case):
     def test_damaged_and_foreign_ones_are_not_used(self):
         self.kill(signal.SIGINT, 5, "slow.json", "-o", "out/")
         whole = self.checkpoint.read_bytes()
-        for data in (b"", b"\0" * 99, whole[:-1], whole[:200], whole[:-50] + b"x" + whole[-49:], whole[:-9] + b"x" * 9):
+        frame = re.search(rb'"frame":(\d+)', whole)[0]
+        for data in (b"", b"\0" * 99, whole[:-1], whole[:200], whole[:-50] + b"x" + whole[-49:], whole[:-9] + b"x" * 9,
+                     whole.replace(frame, frame[:-1] + (b"0" if frame[-1:] == b"1" else b"1")), whole + b"x"):
             self.checkpoint.write_bytes(data)
             done = self.good("render", "slow.json", "-o", "out/", "--resume", "--frames", "0-5")
             self.assertIn("simreel: warning: checkpoint out/checkpoint is not used", done.err)

@@ -74,6 +74,39 @@ class Device(Case):
         self.assertEqual(done.err.count("warning"), 1)
 
 
+class Scarce(Case):
+    """Hardly any thread, hardly any address space: it takes longer, and the pictures are the same."""
+
+    def setUp(self):
+        super().setUp()
+        self.good("render", "scene.json", "-o", "whole/")
+
+    def assert_same(self, prepare):
+        done = self.good("render", "scene.json", "-o", "out/", "-v", preexec_fn=prepare)
+        self.assertEqual(self.content("out"), self.content("whole"))
+        return done
+
+    def test_no_threads(self):
+        for path in (self.folder, self.folder / "scene.json"):
+            path.chmod(0o777)
+
+        def prepare():
+            if os.geteuid() == 0:
+                os.setgid(65534)
+                os.setuid(65534)
+            resource.setrlimit(resource.RLIMIT_NPROC, (1, 1))
+
+        try:
+            subprocess.run([PROGRAM, "--version"], preexec_fn=prepare, capture_output=True, check=True)
+        except (OSError, subprocess.SubprocessError):
+            self.skipTest("the program cannot be run by another user here")
+        done = self.assert_same(prepare)
+        self.assertRegex(done.err, "0 of [0-9]+ threads for encoding")
+
+    def test_little_address_space(self):
+        self.assert_same(lambda: resource.setrlimit(resource.RLIMIT_AS, (600000 << 10, 600000 << 10)))
+
+
 class InputOutput(Case):
     def test_existing_frames(self):
         self.good("render", "scene.json", "-o", "out/")

@@ -101,5 +101,31 @@ class Fields(Case):
         self.bad(6, "000001.dish.npy", *self.render("--fields", "npy", "--overwrite"))
 
 
+    def test_damaged_ones_are_written_again(self):
+        self.good(*self.render("--fields", "npy"))
+        whole = self.content("out")
+        kept = (self.folder / "out/000000.dish.npy").stat().st_mtime_ns
+        for damage in (lambda p: p.write_bytes(b""), lambda p: p.write_bytes(p.read_bytes()[:-1] + b"x"),
+                       lambda p: p.unlink()):
+            damage(self.folder / "out/000002.dish.npy")
+            self.good(*self.render("--fields", "npy", "--resume"))
+            self.assertEqual(self.content("out"), whole)
+        self.assertEqual((self.folder / "out/000000.dish.npy").stat().st_mtime_ns, kept)
+
+    def test_damaged_and_not_asked_for(self):
+        """The manifest does not call them whole."""
+        self.good(*self.render("--fields", "npy"))
+        (self.folder / "out/000002.dish.npy").write_bytes(b"")
+        self.good(*self.render("--resume"))
+        self.assertEqual(["files" in frame for frame in self.manifest("out")["frames"]], [True, True, False, True])
+
+    def test_added_to_frames_that_are_kept(self):
+        self.good(*self.render())
+        self.good(*self.render("--fields", "npy", "--resume"))
+        files = self.content("out")
+        self.good("render", "scene.json", "-o", "whole/", "--fields", "npy")
+        self.assertEqual(files, self.content("whole"))
+
+
 if __name__ == "__main__":
     main()

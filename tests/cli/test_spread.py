@@ -86,7 +86,8 @@ class Counts(SpreadCase):
         self.good("render", "town.json", "-o", "out/")
         whole = self.content("out")
         (self.folder / "out/000004.png").unlink()
-        for damage in (lambda p: p.unlink(), lambda p: p.write_bytes(p.read_bytes()[:50]), lambda p: p.write_text("x")):
+        for damage in (lambda p: p.unlink(), lambda p: p.write_bytes(p.read_bytes()[:50]), lambda p: p.write_text("x"),
+                       lambda p: p.write_bytes(p.read_bytes() + b"9,9,9\n")):
             damage(self.folder / "out/counts.csv")
             self.good("render", "town.json", "-o", "out/", "--resume")
             self.assertEqual(self.content("out"), whole)

@@ -3,6 +3,7 @@
 
 #include "base/error.hpp"
 #include "base/file.hpp"
+#include "base/hash.hpp"
 #include "draw/readback.hpp"
 #include "draw/renderer.hpp"
 #include "gpu/context.hpp"
@@ -24,6 +25,8 @@ using namespace simreel;
 namespace fs = std::filesystem;
 
 namespace {
+
+constexpr int lastFrame = 500;
 
 frame::RunInfo runOf(const scene::Scene& scene) {
   frame::RunInfo run;
@@ -76,7 +79,7 @@ TEST_CASE("checkpoint: every shipped scene goes on as if it had not been stopped
     frame::Checkpoint::write(place.path(), runOf(scene), at.stateHash, "rows", whole);
 
     sim::World resumed(scene);
-    const auto checkpoint = frame::Checkpoint::read(place.path(), runOf(scene));
+    const auto checkpoint = frame::Checkpoint::read(place.path(), runOf(scene), lastFrame);
     REQUIRE(checkpoint);
     checkpoint->restore(resumed);
     CHECK(checkpoint->counts() == "rows");
@@ -109,7 +112,7 @@ TEST_CASE("checkpoint: counts that needed more room, and both techniques of a tr
     const auto at = summaryAt(whole, 60);
     frame::Checkpoint::write(place.path(), runOf(scene), at.stateHash, "", whole);
     sim::World resumed(scene);
-    frame::Checkpoint::read(place.path(), runOf(scene)).value().restore(resumed);
+    frame::Checkpoint::read(place.path(), runOf(scene), lastFrame).value().restore(resumed);
     CHECK(summaryAt(resumed, 90).stateHash == summaryAt(whole, 90).stateHash);
     CHECK((pictureOf(scene, resumed) == pictureOf(scene, whole)));
   }
@@ -120,18 +123,18 @@ TEST_CASE("checkpoint: what is damaged, of another run or of another program is 
   const test::TemporaryFile place("checkpoint", "");
   const scene::Scene scene = ofText(fire);
   const frame::RunInfo run = runOf(scene);
-  CHECK(!frame::Checkpoint::read(place.path(), run));
-  CHECK(!frame::Checkpoint::read(place.path() / "nowhere", run));
+  CHECK(!frame::Checkpoint::read(place.path(), run, lastFrame));
+  CHECK(!frame::Checkpoint::read(place.path() / "nowhere", run, lastFrame));
   sim::World world(scene);
   frame::Checkpoint::write(place.path(), run, summaryAt(world, 2).stateHash, "", world);
-  CHECK(frame::Checkpoint::read(place.path(), run));
+  CHECK(frame::Checkpoint::read(place.path(), run, lastFrame));
   frame::RunInfo other = run;
   other.seed = 7;
-  CHECK(!frame::Checkpoint::read(place.path(), other));
+  CHECK(!frame::Checkpoint::read(place.path(), other, lastFrame));
   const std::string text = readFile(place.path(), "checkpoint");
   const auto usable = [&](const std::string& changed) {
     std::ofstream(place.path(), std::ios::binary) << changed;
-    return frame::Checkpoint::read(place.path(), run).has_value();
+    return frame::Checkpoint::read(place.path(), run, lastFrame).has_value();
   };
   CHECK(usable(text));
   std::string flipped = text;
@@ -146,6 +149,27 @@ TEST_CASE("checkpoint: what is damaged, of another run or of another program is 
   std::string program = text;
   program.replace(text.find("\"program\":\"") + 11, 1, "9");
   CHECK(!usable(program));
+
+  // With the header changed; then with a hash that fits, as only a forger has it.
+  const std::string body = text.substr(0, text.size() - 32);
+  const auto withNumber = [&](const char* key, const std::string& number, bool forged) {
+    const std::size_t begin = body.find(key) + std::string_view(key).size();
+    std::string changed = body;
+    changed.replace(begin, body.find_first_of(",]", begin) - begin, number);
+    return changed + (forged ? hashHex(changed) : text.substr(body.size()));
+  };
+  CHECK(usable(withNumber("\"frame\":", "2", true)));
+  CHECK(usable(withNumber("\"frame\":", "3", true)));
+  CHECK(!usable(withNumber("\"frame\":", "3", false)));
+  for (const char* frame : {"-1", "501", "4294967298", "18446744073709551615", "2.5", "null"})
+    CHECK(!usable(withNumber("\"frame\":", frame, true)));
+  for (const char* counts : {"1", "18446744073709551615", "-1"})
+    CHECK(!usable(withNumber("\"counts\":", counts, true)));
+  // Two parts whose sizes add up to nothing in 64 bits.
+  std::string wrapped = body;
+  wrapped.insert(wrapped.find("\"parts\":[") + 9,
+                 R"(["a","b",9223372036854775808],["a","b",9223372036854775808],)");
+  CHECK(!usable(wrapped + hashHex(wrapped)));
 }
 
 TEST_CASE("checkpoint: one that does not fit its world is refused") {
@@ -154,7 +178,7 @@ TEST_CASE("checkpoint: one that does not fit its world is refused") {
   const scene::Scene scene = ofText(fire);
   sim::World world(scene);
   frame::Checkpoint::write(place.path(), runOf(scene), summaryAt(world, 2).stateHash, "", world);
-  const auto checkpoint = frame::Checkpoint::read(place.path(), runOf(scene));
+  const auto checkpoint = frame::Checkpoint::read(place.path(), runOf(scene), lastFrame);
   REQUIRE(checkpoint);
   sim::World cloth(ofText(R"({"version": 1, "objects": {"hill": {"cloth": {}}}})"));
   CHECK_THROWS_WITH_AS(checkpoint->restore(cloth), doctest::Contains("does not fit"), UserError);

@@ -101,7 +101,7 @@ TEST_CASE("sequence: resume draws anew what is missing, cut short or changed") {
   CHECK(renderInto(output, Existing::resume, 8).size() == 8);
 }
 
-TEST_CASE("sequence: resume refuses another run, or a broken manifest") {
+TEST_CASE("sequence: resume refuses another run, and starts over from a broken manifest") {
   const TemporaryFolder folder;
   renderInto(folder.string(), Existing::error, 2);
   const auto refusal = [&](const RunInfo& run) {
@@ -115,11 +115,38 @@ TEST_CASE("sequence: resume refuses another run, or a broken manifest") {
   CHECK(contains(refusal(other), "seed is 8 in this run and 7 in the earlier one"));
   CHECK(contains(refusal(runInfo(64, 18)), "size is 64x18 in this run and 32x18"));
   for (const char* broken : {"", "{", "[]", "{\"format\":\"simreel-manifest\",\"version\":9}",
-                             "{\"format\":\"simreel-manifest\",\"version\":1,\"title\":3}"}) {
+                             "{\"format\":\"simreel-manifest\",\"version\":2,\"title\":3}"}) {
     writeFileAtomically(folder / "manifest.json", std::string_view(broken));
-    CHECK(contains(refusal(runInfo()), "manifest.json cannot be read"));
+    CHECK(renderInto(folder.string(), Existing::resume, 2).size() == 2);
   }
-  CHECK(renderInto(folder.string(), Existing::overwrite, 2).size() == 2);
+}
+
+TEST_CASE("sequence: files beside a frame are kept where the manifest and their hash say so") {
+  const TemporaryFolder folder;
+  const std::vector<int> frames = {0};
+  const auto store = [&](Existing existing) {
+    const auto sink = openSink(folder.string(), existing, runInfo(), frames, "rgba");
+    FrameInfo info = frameInfo(0);
+    for (const char* name : {"000000.a.npy", "000000.b.npy"})
+      if (!sink->holds(0, name)) info.files.push_back({name, std::vector<std::byte>(9)});
+    const std::size_t stored = info.files.size();
+    if (sink->wants(0))
+      sink->add(std::move(info), picture(32, 18));
+    else
+      sink->add(std::move(info), std::nullopt);
+    sink->addCounts("step,time\n0,0\n");
+    sink->finish();
+    return stored;
+  };
+  CHECK(store(Existing::error) == 2);
+  const std::string manifest = text(folder / "manifest.json");
+  CHECK(store(Existing::resume) == 0);
+  writeFileAtomically(folder / "000000.b.npy", std::string_view("damaged"));
+  writeFileAtomically(folder / "counts.csv", std::string_view("step,time\n0,0\n1,damaged"));
+  CHECK(store(Existing::resume) == 1);
+  CHECK(text(folder / "000000.b.npy") == std::string(9, '\0'));
+  CHECK(text(folder / "counts.csv") == "step,time\n0,0\n");
+  CHECK(text(folder / "manifest.json") == manifest);
 }
 
 TEST_CASE("sequence: skipping goes by existence and keeps the frames in the manifest") {

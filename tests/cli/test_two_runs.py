@@ -1,0 +1,92 @@
+"""Two programs that write into one folder at the same time."""
+import signal
+import subprocess
+import time
+
+from common import SLOW, Case, main, with_values
+
+
+class TwoRuns(Case):
+    def setUp(self):
+        super().setUp()
+        self.write("slow.json", with_values(SLOW | {"time.duration": 1}))
+        self.run_of_slow = ("render", "slow.json", "-o", "out/")
+
+    def begin(self, *more):
+        """A run in the background that has stored its first frame."""
+        process = self.start(*self.run_of_slow, *more)
+        end = time.monotonic() + 40
+        while process.poll() is None and not list(self.folder.glob("out/*.png")) and time.monotonic() < end:
+            time.sleep(0.002)
+        self.assertIsNone(process.poll())
+        return process
+
+    def finish(self, process, code=0):
+        messages = process.communicate(timeout=60)[1].decode()
+        self.assertEqual(process.returncode, code, messages)
+
+    def assert_out_is_whole(self):
+        self.good("render", "slow.json", "-o", "whole/")
+        self.assertEqual(self.content("out"), self.content("whole"))
+
+    def test_the_same_frames_are_refused(self):
+        long = ("-D", "time.duration=30")
+        first = self.begin("--frames", "0-19,25-899", *long)
+        for more in (("--frames", "20-25"), ("--frames", "29", "--overwrite"), ("--resume",), ("--skip-existing",)):
+            self.bad(6, ["being rendered into out by another simreel", "--frames"], *self.run_of_slow, *long, *more)
+        for more in (("--seed", "7"), ("--size", "32x18")):
+            self.bad(6, ["another simreel is rendering another scene, seed or size into out"], *self.run_of_slow, *long,
+                     "--frames", "20-24", *more)
+        self.good("render", "slow.json", "-o", "out/still_####.png", "--frames", "0", "--seed", "7")
+        self.good(*self.run_of_slow, *long, "--frames", "20-24")
+        self.assertIsNone(first.poll())
+        first.kill()
+        first.communicate()
+
+    def test_other_frames_side_by_side(self):
+        runs = [self.start(*self.run_of_slow, "--frames", frames) for frames in ("0-29x2", "1-29x2")]
+        for process in runs:
+            self.finish(process)
+        self.assert_out_is_whole()
+
+    def test_the_checkpoint_is_of_one(self):
+        first = self.begin("--frames", "0-14", "--checkpoint", "0.02")
+        second = self.start(*self.run_of_slow, "--frames", "15-29", "--checkpoint", "0.02")
+        self.finish(first)
+        self.finish(second)
+        self.assert_out_is_whole()
+
+    def test_a_killed_one_holds_nothing(self):
+        self.finish_killed(self.begin())
+        self.good(*self.run_of_slow, "--resume")
+        self.assert_out_is_whole()
+
+    def finish_killed(self, process):
+        process.send_signal(signal.SIGKILL)
+        process.communicate()
+        self.assertTrue((self.folder / "out/manifest.json.lock").exists())
+
+    def test_many_at_once(self):
+        """Who removes the lock meets who opens it."""
+        self.write("tiny.json", with_values({"render.size": [8, 8], "time.duration": 0}))
+        runs = [self.start("render", "tiny.json", "-o", "out/", "--frames", str(i)) for i in range(6)]
+        for process in runs:
+            self.finish(process)
+        self.assertEqual(self.assert_manifest_is_whole("out"), list(range(6)))
+        self.assertEqual(len(self.content("out")), 7)
+
+    def test_one_video(self):
+        fake = self.write("bin/ffmpeg", "#!/bin/sh\ncat >/dev/null\nfor last; do :; done\necho video > \"${last#file:}\"\n")
+        fake.chmod(0o755)
+        path = {"PATH": f"{fake.parent}:/usr/bin:/bin"}
+        first = self.start("render", "slow.json", "-o", "a.mp4", env=path)
+        end = time.monotonic() + 40
+        while not (self.folder / "a.mp4.manifest.json.lock").exists() and time.monotonic() < end:
+            time.sleep(0.002)
+        self.bad(6, ["by another simreel"], "render", "slow.json", "-o", "a.mp4", "--frames", "0-3", env=path)
+        self.finish(first)
+        self.assertFalse((self.folder / "a.mp4.manifest.json.lock").exists())
+
+
+if __name__ == "__main__":
+    main()
