@@ -106,10 +106,11 @@ class Case(unittest.TestCase):
             path.write_text(content if isinstance(content, str) else json.dumps(content, indent=1), encoding="utf-8")
         return path
 
-    def run_program(self, *arguments, env=None, stdout=subprocess.PIPE, **options):
+    def run_program(self, *arguments, env=None, stdout=subprocess.PIPE, timeout=60, **options):
         environment = dict(os.environ, **(env or {}))
         done = subprocess.run([PROGRAM, *map(str, arguments)], cwd=self.folder, env=environment, stdout=stdout,
-                              stderr=subprocess.PIPE, stdin=subprocess.DEVNULL, timeout=60, check=False, **options)
+                              stderr=subprocess.PIPE, stdin=subprocess.DEVNULL, timeout=timeout, check=False,
+                              **options)
         done.err = done.stderr.decode("utf-8", "replace")
         for word in CRASH:
             self.assertNotIn(word, done.err)

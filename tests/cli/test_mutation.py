@@ -53,7 +53,8 @@ class Mutation(GoldenCase):
             names = [f.stem for f in self.scenes() if self.has_kind(f, kind)]
             self.assertTrue(names, f"no shipped scene has a {kind}")
             filters = [word for scene in names for word in ("--filter", scene)]
-            done = self.run_program("test", "shipped", "--repeat", "1", "--json", "report.json", *filters, env=env)
+            done = self.run_program("test", "shipped", "--repeat", "1", "--json", "report.json", *filters, env=env,
+                                    timeout=280)
             self.assertEqual(done.returncode, 1, done.err)
             report = json.loads((self.folder / "report.json").read_text(encoding="utf-8"))
             for scene in report["scenes"]:

@@ -1,6 +1,9 @@
 #include "sim/numerics.hpp"
 
+#include "draw/picture_probe.hpp"
 #include "gpu/context.hpp"
+
+#include <string>
 
 #include <doctest/doctest.h>
 
@@ -12,4 +15,12 @@ TEST_CASE("exact arithmetic has the bits of its C++ twin") {
   CHECK_MESSAGE(numerics.exactHolds, numerics.firstFailure);
   CHECK(numerics.fingerprint.size() == 16);
   CHECK(numerics.fingerprint == sim::probeNumerics().fingerprint);
+}
+
+TEST_CASE("the drawn probe gives the same fingerprint each time, and draws without complaints") {
+  const gl::Context& context = testContext();
+  const std::string fingerprint = draw::probePictures();
+  CHECK(fingerprint.size() == 16);
+  CHECK(fingerprint == draw::probePictures());
+  context.check();
 }
