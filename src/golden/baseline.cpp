@@ -275,7 +275,7 @@ std::string picturesText(const PictureBaseline& baseline) {
     item["pixels"] = entry.pixels;
     item["fingerprint"] = entry.origin.numerics;
     if (!entry.origin.drawing.empty()) item["drawing"] = entry.origin.drawing;
-    if (!entry.origin.processor.empty())
+    if (!entry.origin.processor.empty() || !entry.origin.driver.empty())
       item["machine"] = {{"processor", entry.origin.processor}, {"driver", entry.origin.driver}};
     if (!entry.alternates.empty()) item["alternates"] = entry.alternates;
   }
