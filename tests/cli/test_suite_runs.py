@@ -60,7 +60,7 @@ class Running(GoldenCase):
         self.make_baselines()
         env = self.mutated_glsl("cloth/model.glsl", "precise float scale = 1.0f - ratio;",
                                 "precise float scale = 1.0f - ratio;")
-        timer = threading.Timer(1.0, lambda: self.mutated_glsl(
+        timer = threading.Timer(3.0, lambda: self.mutated_glsl(
             "cloth/model.glsl", "precise float scale = 1.0f - ratio;", "precise float scale = 1.0f - ratio * 1.01f;"))
         timer.start()
         self.addCleanup(timer.join)
@@ -74,7 +74,7 @@ class Running(GoldenCase):
         env = self.mutated_glsl("cloth/model.glsl", "precise float scale = 1.0f - ratio;",
                                 "precise float scale = 1.0f - ratio * 1.01f;")
         def mend():
-            time.sleep(1.0)
+            time.sleep(3.0)  # the program has started by then
             self.mutated_glsl("cloth/model.glsl", "precise float scale = 1.0f - ratio;",
                               "precise float scale = 1.0f - ratio;")
         for code, arguments in ((1, []), (0, ["--allow-flaky"])):
