@@ -4,6 +4,9 @@
 layout(local_size_x = 8, local_size_y = 8) in;
 INPUT_WORDS(0, StrokeBlock, strokeBits)
 STATE_WORDS(1, CellBlock, cells)
+// As in rows.glsl: those of the state that is painted.
+layout(std430, binding = 6) restrict buffer CountBlock { uint counts[]; };
 uniform ivec2 size;
+uniform int countPlace;
 #include "common/stroke_paint.glsl"
 #include "spread/cells.glsl"

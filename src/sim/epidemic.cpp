@@ -17,7 +17,7 @@ class Epidemic final : public Simulation {
  public:
   Epidemic(const scene::Object& object, const Setting& setting)
       : name_(object.name),
-        plan_(checked(object), setting.seed, setting.frameSeconds),
+        plan_(checked(object), object.name, setting.seed, setting.frameSeconds),
         palette_(plan_.palette()),
         steps_(name_ + " steps", plan_.stepsPerFrame()) {
     gl::Defines defines = gl::kernelDefines(setting.fast);
@@ -26,6 +26,8 @@ class Epidemic final : public Simulation {
                   plan_.strokes());
     const glm::uvec4 start = grid_->latestCounts();
     plan_.setPeople(start.x + start.y + start.z);
+    steps_.bind(0);
+    grid_->paintFirst(plan_.firstStrokes(setting.startTime));
   }
 
   void step(double time, const StepWatch& watch) override {
@@ -34,8 +36,8 @@ class Epidemic final : public Simulation {
     grid_->beginFrame(static_cast<int>(steps.size()));
     for (std::size_t i = 0; i < steps.size(); ++i) {
       steps_.bind(i);
-      grid_->paint(steps[i].strokes);
       grid_->step();
+      grid_->paint(steps[i].strokes);
       if (watch) watch(static_cast<int>(i) + 1);
     }
     grid_->endFrame();

@@ -49,11 +49,14 @@ void EpidemicParameters::describe(scene::Fields& f) {
             "nobody is ever infected: give \"infected\" above 0, or a stroke of value 1");
 }
 
-EpidemicPlan::EpidemicPlan(const EpidemicParameters& parameters, int seed, double frameSeconds)
+EpidemicPlan::EpidemicPlan(const EpidemicParameters& parameters, const std::string& object, int seed,
+                           double frameSeconds)
     : parameters_(parameters),
       seed_(static_cast<unsigned>(seed)),
       pace_{parameters.stepsPerSecond, frameSeconds},
-      strokes_(parameters.strokes, seed) {}
+      strokes_(parameters.strokes, seed,
+               {parameters.size, parameters.border == SpreadParameters::Border::torus,
+                "epidemic \"" + object + "\""}) {}
 
 std::vector<std::uint8_t> EpidemicPlan::firstCells() const {
   const EpidemicParameters& p = parameters_;
@@ -79,6 +82,10 @@ std::vector<std::uint8_t> EpidemicPlan::firstCells() const {
   return cells;
 }
 
+std::vector<shader::Stroke> EpidemicPlan::firstStrokes(double time) const {
+  return strokes_.into(pace_.during(time).time, 1.0 / parameters_.stepsPerSecond, 0);
+}
+
 std::vector<EpidemicPlan::Step> EpidemicPlan::frame(double time) {
   const Pace::Steps pace = pace_.during(time);
   const EpidemicParameters& p = parameters_;
@@ -102,7 +109,7 @@ std::vector<EpidemicPlan::Step> EpidemicPlan::frame(double time) {
     step.data.numbers = glm::uvec4(done_, seed_, done_ % period == 0 ? 1 : 0, 0);
     const double each = beta / people_;
     step.data.mixing = glm::vec4(each, each * 4096, 0, 0);
-    step.strokes = strokes_.during(t, seconds, static_cast<long>(done_));
+    step.strokes = strokes_.into(t + seconds, seconds, static_cast<long>(done_) + 1);
     steps.push_back(std::move(step));
   }
   return steps;

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #define FUNCTION inline
@@ -42,7 +43,8 @@ struct EpidemicParameters final : scene::Parameters, SpreadParameters {
 class EpidemicPlan {
  public:
   /// Loads maps. Throws UserError: what loadPicture says.
-  EpidemicPlan(const EpidemicParameters& parameters, int seed, double frameSeconds);
+  EpidemicPlan(const EpidemicParameters& parameters, const std::string& object, int seed,
+               double frameSeconds);
 
   /// One byte a cell (glsl/spread/cells.glsl), size.x * size.y, x fastest. Throws UserError(usage) when
   /// nobody lives on the map.
@@ -55,6 +57,8 @@ class EpidemicPlan {
   /// The steps of the frame that starts at `time` (s). Call in order: each continues the numbers of the
   /// last.
   [[nodiscard]] std::vector<Step> frame(double time);
+  /// Strokes that paint into the first state, when a run starts at `time` (s).
+  [[nodiscard]] std::vector<shader::Stroke> firstStrokes(double time) const;
   void carryOver(CarryOver& carry) { carry.number("steps begun", done_); }
   /// `people`: how many cells are inhabited, for mixing.
   void setPeople(unsigned people) { people_ = people; }

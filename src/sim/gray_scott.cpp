@@ -15,12 +15,13 @@ class GrayScott : public Simulation {
  public:
   GrayScott(const scene::Object& object, const Setting& setting)
       : name_(object.name),
-        plan_(dynamic_cast<const GrayScottParameters&>(*object.parameters), setting.seed,
+        plan_(dynamic_cast<const GrayScottParameters&>(*object.parameters), object.name, setting.seed,
               setting.frameSeconds),
         kernels_(name_, plan_, setting.fast),
         colors_(plan_.parameters().display.colors()) {
     kernels_.setRates(plan_.ratesAt(0));
     kernels_.advance(plan_.parameters().presteps);
+    for (const shader::Stroke& stroke : plan_.strokesAt(setting.startTime, 0)) kernels_.paint(stroke);
     gl::barrier();
   }
 
@@ -28,14 +29,13 @@ class GrayScott : public Simulation {
     const int steps = plan_.parameters().steps;
     kernels_.setRates(plan_.ratesAt(time));
     int together = 0;  // steps that nobody looks between
-    for (int i = 0; i < steps; ++i) {
-      const auto strokes = plan_.strokesBefore(time, i);
-      if (!strokes.empty()) kernels_.advance(std::exchange(together, 0));
-      for (const shader::Stroke& stroke : strokes) kernels_.paint(stroke);
+    for (int i = 1; i <= steps; ++i) {
       ++together;
-      if (!watch) continue;
+      const auto strokes = plan_.strokesAt(time, i);
+      if (strokes.empty() && !watch) continue;
       kernels_.advance(std::exchange(together, 0));
-      watch(i + 1);
+      for (const shader::Stroke& stroke : strokes) kernels_.paint(stroke);
+      if (watch) watch(i);
     }
     kernels_.advance(together);
     gl::barrier();

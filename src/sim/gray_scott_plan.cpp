@@ -34,11 +34,12 @@ std::vector<float> sharesOf(const std::filesystem::path& file, const char* what,
 
 }  // namespace
 
-GrayScottPlan::GrayScottPlan(GrayScottParameters parameters, int seed, double frameSeconds)
+GrayScottPlan::GrayScottPlan(GrayScottParameters parameters, const std::string& object, int seed,
+                             double frameSeconds)
     : parameters_(std::move(parameters)),
       seed_(seed),
       frameSeconds_(frameSeconds),
-      strokes_(parameters_.strokes, seed) {
+      strokes_(parameters_.strokes, seed, {parameters_.size, true, "grayScott \"" + object + "\""}) {
   const GrayScottParameters& p = parameters_;
   if (p.preset == GrayScottPreset::spots && !p.feed && !p.kill && !p.hasHealth && !mapped())
     warn("the rates of the grayScott preset \"spots\" let every pattern die out; \"leopard\" grows spots");
@@ -122,11 +123,11 @@ GrayScottPlan::Rates GrayScottPlan::ratesAt(double time) const {
   return rates;
 }
 
-std::vector<shader::Stroke> GrayScottPlan::strokesBefore(double time, int step) const {
+std::vector<shader::Stroke> GrayScottPlan::strokesAt(double time, int step) const {
   if (strokes_.empty()) return {};
   const double seconds = frameSeconds_ / parameters_.steps;
-  const double begin = time + step * seconds;
-  return strokes_.during(begin, seconds, std::lround(begin / seconds));
+  const double now = time + step * seconds;
+  return strokes_.into(now, seconds, std::lround(now / seconds));
 }
 
 }  // namespace simreel::sim

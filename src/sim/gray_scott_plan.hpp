@@ -2,6 +2,7 @@
 #include "sim/gray_scott_parameters.hpp"
 #include "sim/shader_code.hpp"
 
+#include <string>
 #include <vector>
 
 #include <glm/vec2.hpp>
@@ -22,7 +23,7 @@ namespace simreel::sim {
 class GrayScottPlan {
  public:
   /// Reads the images. Throws UserError for one that cannot be read.
-  GrayScottPlan(GrayScottParameters parameters, int seed, double frameSeconds);
+  GrayScottPlan(GrayScottParameters parameters, const std::string& object, int seed, double frameSeconds);
 
   /// Two cells (u, v, u, v) an element, rows of columns() elements; the spare half of an odd row is cell 0.
   [[nodiscard]] std::vector<glm::vec4> firstCells() const;
@@ -36,8 +37,8 @@ class GrayScottPlan {
     float feedSpan = 0, killSpan = 0;
   };
   [[nodiscard]] Rates ratesAt(double time) const;
-  /// Strokes that paint before step `step` (from 0) of the frame that starts at `time` (s).
-  [[nodiscard]] std::vector<shader::Stroke> strokesBefore(double time, int step) const;
+  /// Strokes that paint into the state after `step` steps of the frame that starts at `time` (s).
+  [[nodiscard]] std::vector<shader::Stroke> strokesAt(double time, int step) const;
 
   [[nodiscard]] const GrayScottParameters& parameters() const { return parameters_; }
   [[nodiscard]] const Strokes& strokes() const { return strokes_; }

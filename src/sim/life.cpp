@@ -45,6 +45,7 @@ class Life : public Simulation {
       paint_.set("rowBlocks", plan_.rowBlocks());
       stamps_ = gl::WordsArray(name_ + " stamps", elements(plan_.strokes().imageBits()));
     }
+    paint(plan_.strokesInto(plan_.generationAt(plan_.frameAt(setting.startTime))));
     if (plan_.parameters().trail > 0) startTrail();
     gl::barrier();
   }
@@ -60,8 +61,8 @@ class Life : public Simulation {
       gl::barrier();
       stepper_.run(cells_[0], cells_[1], steps);
       std::swap(cells_[0], cells_[1]);
-      paint(plan_.strokesIn(generation_ + steps - 1));
       generation_ += steps;
+      paint(plan_.strokesInto(generation_));
       if (trailQuads_ > 0) fadeTrail();
       if (watch) watch(++done);
     }
@@ -185,7 +186,7 @@ class Life : public Simulation {
     const int most = static_cast<int>(std::min<long>(stepper_.mostSteps(), end - generation_));
     if (trailQuads_ > 0 || most < stepper_.mostSteps()) return 1;
     for (int i = 1; i < most; ++i)
-      if (!plan_.strokesIn(generation_ + i - 1).empty()) return 1;
+      if (!plan_.strokesInto(generation_ + i).empty()) return 1;
     return most;
   }
 

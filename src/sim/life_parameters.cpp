@@ -66,10 +66,9 @@ void LifeParameters::describe(scene::Fields& f) {
   if (!patterns.empty() && !f.given("fill")) fill = 0;
   fitted = !patterns.empty() && !f.given("size");
   if (fitted) display.fit = FieldDisplay::Fit::contain;
-  f.list("strokes", strokes, "Timed brush strokes, painted after the step of their time.",
-         [](scene::Fields& g, StrokeParameters& stroke) {
-           stroke.describe(g, 1, "1 paints living cells, 0 dead ones.");
-         });
+  f.list("strokes", strokes, "Timed brush strokes.", [](scene::Fields& g, StrokeParameters& stroke) {
+    stroke.describe(g, 1, "1 paints living cells, 0 dead ones.");
+  });
   f.number("stepsPerSecond", stepsPerSecond, {1e-3, 1e6}, "1/s",
            "Generations a second, whatever the frame rate.");
   if (fitted) trail = fittedTrail;

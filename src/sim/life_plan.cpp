@@ -61,15 +61,13 @@ int wrapped(int x, int size) {
 }  // namespace
 
 LifePlan::LifePlan(LifeParameters parameters, const std::string& object, int seed, double frameSeconds)
-    : parameters_(std::move(parameters)),
-      seed_(seed),
-      frameSeconds_(frameSeconds),
-      strokes_(parameters_.strokes, seed) {
+    : parameters_(std::move(parameters)), seed_(seed), frameSeconds_(frameSeconds) {
   for (const LifePattern& pattern : parameters_.patterns)
     if (!files_.contains(pattern.file)) files_.emplace(pattern.file, readPattern(pattern.file));
   if (parameters_.fitted) fitGrid();
   takeRule(object);
   checkPlaces(object);
+  strokes_ = Strokes(parameters_.strokes, seed, {parameters_.size, torus(), "life \"" + object + "\""});
 }
 
 const CellPattern& LifePlan::cellsOf(const LifePattern& pattern) const {
@@ -200,10 +198,10 @@ long LifePlan::frameAt(double time) const {
   return std::lround(time / frameSeconds_);
 }
 
-std::vector<shader::Stroke> LifePlan::strokesIn(long generation) const {
+std::vector<shader::Stroke> LifePlan::strokesInto(long generation) const {
   if (strokes_.empty()) return {};
   const double seconds = 1 / parameters_.stepsPerSecond;
-  return strokes_.during(static_cast<double>(generation) * seconds, seconds, generation);
+  return strokes_.into(static_cast<double>(generation) * seconds, seconds, generation);
 }
 
 }  // namespace simreel::sim

@@ -44,8 +44,8 @@ class LifePlan {
   [[nodiscard]] int stepsPerFrame() const;
   /// The frame that starts at this time (s).
   [[nodiscard]] long frameAt(double time) const;
-  /// Strokes painted after the step that leads from `generation` to the next.
-  [[nodiscard]] std::vector<shader::Stroke> strokesIn(long generation) const;
+  /// Strokes that paint into a generation, once it is there.
+  [[nodiscard]] std::vector<shader::Stroke> strokesInto(long generation) const;
 
  private:
   [[nodiscard]] const CellPattern& cellsOf(const LifePattern& pattern) const;

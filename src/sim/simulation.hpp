@@ -28,6 +28,7 @@ struct Setting {
   bool timing = false;  ///< whether simulations measure their stages
   /// Of the mesh that collides, already stepped when others step; null: none.
   const HeightField* heights = nullptr;
+  double startTime = 0;  ///< s of scene time of the first state: minus what is simulated before frame 0
 };
 
 /// State that is hashed, compared and can be read back: whole elements of four words, floats unless said.

@@ -109,9 +109,18 @@ void SpreadGrid::paint(const std::vector<shader::Stroke>& strokes) {
     setStroke(paint_, stroke, elements);
     strokeBits_.bindInput(0);
     cells_[0].bindState(1);
+    history_.buffer().bindStorage(6);
+    paint_.set("countPlace", done_);
     paint_.dispatch(elements.z, elements.w);
     gl::barrier();
   }
+}
+
+void SpreadGrid::paintFirst(const std::vector<shader::Stroke>& strokes) {
+  paint(strokes);
+  if (strokes.empty()) return;
+  glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+  glCopyNamedBufferSubData(history_.buffer().name(), frameCounts_.name(), 0, 0, 16);
 }
 
 void SpreadGrid::step() {

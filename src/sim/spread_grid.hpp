@@ -30,10 +30,12 @@ class SpreadGrid {
 
   /// Room for the counts of so many steps more.
   void beginFrame(int steps);
-  /// The strokes of a step, which come before its rule, and the rule. The caller binds the step's uniforms
-  /// at 0 and maps from 2 on. Both end with a barrier.
-  void paint(const std::vector<shader::Stroke>& strokes);
+  /// A step's rule, and the strokes that paint into what it leaves, which its counts count. The caller
+  /// binds the step's uniforms at 0 and maps from 2 on. Both end with a barrier.
   void step();
+  void paint(const std::vector<shader::Stroke>& strokes);
+  /// Strokes that paint into the first state.
+  void paintFirst(const std::vector<shader::Stroke>& strokes);
   /// Copies the frame's counts to where counts() says.
   void endFrame();
 

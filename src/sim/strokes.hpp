@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include <glm/vec2.hpp>
@@ -16,8 +17,8 @@ namespace simreel::sim {
 struct StrokeParameters {
   enum class Shape { circle, line, image };
   Shape shape = Shape::circle;
-  double at = 0;     ///< s of scene time when it begins
-  double until = 0;  ///< s when it ends; not after `at`: one step only
+  double at = 0;     ///< s of scene time when it begins; the first state at or after it shows it
+  double until = 0;  ///< s when it ends; not after `at`: it paints once
   glm::vec3 from{
       0};  ///< cells (third unused): middle of the circle, start of the line, top left of the image
   glm::vec3 to{0};   ///< cells: where a circle moves to by `until`, end of the line; not given: `from`
@@ -29,16 +30,27 @@ struct StrokeParameters {
   void describe(scene::Fields& fields, double most, const char* valueDoc);
 };
 
+/// The grid that strokes are painted on.
+struct StrokeGrid {
+  glm::ivec2 size{1, 1};  ///< cells
+  bool torus = false;     ///< strokes go on at the opposite border; else they end at it
+  std::string object;     ///< whose it is, as messages call it: life "guns"
+};
+
 /// The strokes of a scene as the kernels want them. Common to every field; the CPU twins use it too.
 class Strokes {
  public:
   Strokes() = default;
-  /// Loads the images of stamps. Throws UserError for one that cannot be read.
-  Strokes(std::vector<StrokeParameters> strokes, int seed);
+  /// Loads the images of stamps; warns of strokes that paint nothing because they lie wholly outside.
+  /// Throws UserError for an image that cannot be read (what loadPicture says) and usage for a stroke that
+  /// goes round a torus more often than is sensible.
+  Strokes(std::vector<StrokeParameters> strokes, int seed, StrokeGrid grid);
 
-  /// Those that paint in the step from `time` to `time + seconds`, with where the brush goes in it. A
-  /// stroke of no duration paints in the one step that holds `at`.
-  [[nodiscard]] std::vector<shader::Stroke> during(double time, double seconds, long step) const;
+  /// Those that paint into the state of `time` (s), number `step`, to which the step before took `seconds`:
+  /// what is due after time - seconds and no later than `time`, with where the brush went in between. The
+  /// first state of a run is painted as well, so a stroke at 0 is in frame 0. On a torus a stroke stands
+  /// here once for each of its images that may reach the grid.
+  [[nodiscard]] std::vector<shader::Stroke> into(double time, double seconds, long step) const;
   /// Bits of the stamps, one per pixel in words, rows packed without gaps (shader::Stroke::image).
   [[nodiscard]] const std::vector<std::uint32_t>& imageBits() const { return bits_; }
   /// Whether a stroke paints this cell: reach or stamp, and share. What the kernels do, for twins.
@@ -52,10 +64,14 @@ class Strokes {
     int firstWord = 0;
     glm::ivec2 size{0, 0};
   };
+  void check(std::size_t index) const;
+  void addImages(std::vector<shader::Stroke>& all, const shader::Stroke& stroke) const;
+
   std::vector<StrokeParameters> strokes_;
   std::vector<Stamp> stamps_;  ///< one per stroke
   std::vector<std::uint32_t> bits_;
   int seed_ = 0;
+  StrokeGrid grid_;
 };
 
 /// Sets the uniforms of glsl/common/stroke_paint.glsl.

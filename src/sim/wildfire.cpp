@@ -14,13 +14,16 @@ class Wildfire final : public Simulation {
  public:
   Wildfire(const scene::Object& object, const Setting& setting)
       : name_(object.name),
-        plan_(checked(object), setting.seed, setting.frameSeconds),
+        plan_(checked(object), object.name, setting.seed, setting.frameSeconds),
         palette_(plan_.palette()),
         steps_(name_ + " steps", plan_.stepsPerFrame()),
         grid_(name_, parameters(), plan_.firstCells(), plan_.stepsPerFrame(), "wildfire",
               defines(parameters(), setting.fast), plan_.strokes()),
         fuels_(name_ + " fuel", packedCells(plan_.fuels(), parameters().size)),
         ground_(name_ + " ground", packedCells(plan_.ground(), parameters().size)) {
+    steps_.bind(0);
+    ground_.bindInput(2);
+    grid_.paintFirst(plan_.firstStrokes(setting.startTime));
     if (!climbs()) return;
     inclines_ = gl::WordsArray(name_ + " inclines", packedCells(plan_.inclines(), parameters().size));
     climbs_ = gl::Vec4Array(name_ + " climb", plan_.climbFactors());
@@ -32,8 +35,6 @@ class Wildfire final : public Simulation {
     grid_.beginFrame(static_cast<int>(steps.size()));
     for (std::size_t i = 0; i < steps.size(); ++i) {
       steps_.bind(i);
-      if (!steps[i].strokes.empty()) ground_.bindInput(2);
-      grid_.paint(steps[i].strokes);
       fuels_.bindInput(2);
       ground_.bindInput(3);
       if (climbs()) {
@@ -41,6 +42,8 @@ class Wildfire final : public Simulation {
         climbs_.bindInput(5);
       }
       grid_.step();
+      if (!steps[i].strokes.empty()) ground_.bindInput(2);
+      grid_.paint(steps[i].strokes);
       if (watch) watch(static_cast<int>(i) + 1);
     }
     grid_.endFrame();

@@ -98,11 +98,14 @@ void WildfireParameters::describe(scene::Fields& f) {
     f.error("strokes", "nothing is ever lit: give a stroke of value 1");
 }
 
-WildfirePlan::WildfirePlan(const WildfireParameters& parameters, int seed, double frameSeconds)
+WildfirePlan::WildfirePlan(const WildfireParameters& parameters, const std::string& object, int seed,
+                           double frameSeconds)
     : parameters_(parameters),
       seed_(static_cast<unsigned>(seed)),
       pace_{parameters.stepsPerSecond, frameSeconds},
-      strokes_(parameters.strokes, seed) {
+      strokes_(parameters.strokes, seed,
+               {parameters.size, parameters.border == SpreadParameters::Border::torus,
+                "wildfire \"" + object + "\""}) {
   makeGround();
   makeFuel();
 }
@@ -215,13 +218,17 @@ shader::WildfireStep WildfirePlan::stepAt(double time) const {
   return data;
 }
 
+std::vector<shader::Stroke> WildfirePlan::firstStrokes(double time) const {
+  return strokes_.into(pace_.during(time).time, 1.0 / parameters_.stepsPerSecond, 0);
+}
+
 std::vector<WildfirePlan::Step> WildfirePlan::frame(double time) {
   const Pace::Steps pace = pace_.during(time);
   const double seconds = 1.0 / parameters_.stepsPerSecond;
   std::vector<Step> steps;
   for (int i = 0; i < pace.count; ++i, ++done_) {
     const double t = pace.time + i * seconds;
-    steps.push_back({stepAt(t), strokes_.during(t, seconds, static_cast<long>(done_))});
+    steps.push_back({stepAt(t), strokes_.into(t + seconds, seconds, static_cast<long>(done_) + 1)});
   }
   return steps;
 }

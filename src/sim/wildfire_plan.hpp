@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #define FUNCTION inline
@@ -53,7 +54,8 @@ struct WildfireParameters final : scene::Parameters, SpreadParameters {
 class WildfirePlan {
  public:
   /// Loads maps. Throws UserError: what loadPicture says; usage when nothing on the map burns.
-  WildfirePlan(const WildfireParameters& parameters, int seed, double frameSeconds);
+  WildfirePlan(const WildfireParameters& parameters, const std::string& object, int seed,
+               double frameSeconds);
 
   /// One byte a cell (glsl/spread/cells.glsl), size.x * size.y, x fastest: of fuel two bits of its amount
   /// above four of the ground's shade, of bare ground 0 or (obstacles) 1 above the shade.
@@ -75,6 +77,8 @@ class WildfirePlan {
   /// The steps of the frame that starts at `time` (s). Call in order: each continues the numbers of the
   /// last.
   [[nodiscard]] std::vector<Step> frame(double time);
+  /// Strokes that paint into the first state, when a run starts at `time` (s).
+  [[nodiscard]] std::vector<shader::Stroke> firstStrokes(double time) const;
   void carryOver(CarryOver& carry) { carry.number("steps begun", done_); }
 
   [[nodiscard]] const WildfireParameters& parameters() const { return parameters_; }

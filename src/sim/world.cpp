@@ -85,6 +85,7 @@ struct World::State {
         order(stepOrder(scene)) {
     Setting setting{scene.numerics == scene::Numerics::fast, scene.seed, 1.0 / scene.time.fps, &colliders,
                     timing};
+    setting.startTime = -preroll / fps;
     for (const std::size_t i : order) {
       for (const SimulationKind& kind : simulations())
         if (scene.objects[i].kind == kind.kind.name) objects[i] = kind.make(scene.objects[i], setting);

@@ -31,6 +31,30 @@ class SpreadCase(Case):
         return list(csv.reader(io.StringIO((self.folder / name).read_text(encoding="utf-8"))))
 
 
+class Strokes(SpreadCase):
+    def warnings(self, kind, name, extra, *strokes):
+        """Lines that rendering says of further strokes."""
+        scene = with_values({f"objects.{name}": {kind: {"size": [67, 35], **extra, "strokes": [
+            {"from": [30, 20, 0], "radius": 3}, *strokes]}}}, FIRE)
+        self.write("strokes.json", scene)
+        done = self.good("render", "strokes.json", "-o", "out/", "--overwrite", "--frames", "0")
+        return [line for line in done.err.splitlines() if "warning" in line]
+
+    def test_wholly_outside(self):
+        kinds = (("wildfire", "fire", {}), ("epidemic", "fire", {}), ("life", "fire", {"border": "dead"}))
+        for kind, name, bounded in kinds:
+            for stroke in ({"from": [71, 20, 0], "radius": 3}, {"from": [-3, 20, 0], "radius": 3.4},
+                           {"shape": "line", "from": [-9, 30, 0], "to": [9, 50, 0], "radius": 2},
+                           {"from": [5, 90, 0], "to": [60, 40, 0], "until": 1, "radius": 4}):
+                lines = self.warnings(kind, name, bounded, stroke)
+                self.assertEqual(len(lines), 1, lines)
+                self.assertIn(f"{kind} \"{name}\": strokes[1] paints nothing, it lies wholly outside", lines[0])
+                self.assertEqual(self.warnings(kind, name, {"border": "torus"}, stroke), [])
+            for stroke in ({"from": [-3, 20, 0], "radius": 3.6}, {"from": [-50, 0, 0], "to": [90, 30, 0], "until": 1},
+                           {"shape": "line", "from": [-9, 30, 0], "to": [9, 44, 0], "radius": 3}):
+                self.assertEqual(self.warnings(kind, name, bounded, stroke), [])
+
+
 class Counts(SpreadCase):
     def test_table(self):
         self.good("render", "town.json", "-o", "out/")

@@ -23,7 +23,7 @@ Parameters city(int width, int height) {
 /// Steps both sides and compares every byte of the state and every count.
 void compare(const Parameters& parameters, int frames) {
   const auto gpu = spread::make(sim::epidemicKind(), parameters);
-  EpidemicTwin twin(sim::EpidemicPlan(parameters, 5, spread::frameSeconds));
+  EpidemicTwin twin(sim::EpidemicPlan(parameters, "field", 5, spread::frameSeconds));
   const auto start = twin.cells;
   CHECK(spread::rowsOf(*gpu) == twin.counts);
   for (int frame = 0; frame < frames; ++frame) {

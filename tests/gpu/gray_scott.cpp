@@ -52,7 +52,7 @@ void compare(const sim::GrayScottParameters& parameters, int frames, double star
   object.parameters = std::make_unique<sim::GrayScottParameters>(parameters);
   const std::vector<sim::ColliderShape> none;
   const auto gpu = sim::grayScottKind().make(object, {false, 5, dishFrame, &none});
-  GrayScottTwin twin(sim::GrayScottPlan(parameters, 5, dishFrame));
+  GrayScottTwin twin(sim::GrayScottPlan(parameters, "dish", 5, dishFrame));
   for (int frame = 0; frame < frames; ++frame) {
     gpu->step(start + frame * dishFrame, {});
     twin.step(start + frame * dishFrame);
@@ -110,7 +110,7 @@ TEST_CASE("grayScott with health, strokes and presteps equals its CPU twin") {
 TEST_CASE("grayScott: every cut of the work gives the same bits") {
   testContext();
   const auto p = field(147, 83);
-  const sim::GrayScottPlan plan(p, 5, dishFrame);
+  const sim::GrayScottPlan plan(p, "dish", 5, dishFrame);
   GrayScottTwin twin(plan);
   twin.advance(plan.ratesAt(0), 61);
   using Cut = sim::GrayScottKernels::Cut;

@@ -26,7 +26,7 @@ Parameters plain(int width, int height) {
 
 void compare(const Parameters& parameters, int frames) {
   const auto gpu = spread::make(sim::wildfireKind(), parameters);
-  WildfireTwin twin(sim::WildfirePlan(parameters, 5, spread::frameSeconds));
+  WildfireTwin twin(sim::WildfirePlan(parameters, "field", 5, spread::frameSeconds));
   const auto start = twin.cells;
   CHECK(spread::rowsOf(*gpu) == twin.counts);
   for (int frame = 0; frame < frames; ++frame) {

@@ -35,20 +35,21 @@ struct Window {
 
 }  // namespace
 
-GrayScottTwin::GrayScottTwin(sim::GrayScottPlan plan)
+GrayScottTwin::GrayScottTwin(sim::GrayScottPlan plan, double start)
     : plan_(std::move(plan)), size_(plan_.parameters().size) {
   unpack(plan_.firstCells(), size_, u, v);
   if (plan_.mapped()) unpack(plan_.weights(), size_, feedWeights_, killWeights_);
   nextU_ = u;
   nextV_ = v;
   advance(plan_.ratesAt(0), plan_.parameters().presteps);
+  for (const shader::Stroke& stroke : plan_.strokesAt(start, 0)) paint(stroke);
 }
 
 void GrayScottTwin::step(double time, int threads) {
   const auto rates = plan_.ratesAt(time);
-  for (int i = 0; i < plan_.parameters().steps; ++i) {
-    for (const shader::Stroke& stroke : plan_.strokesBefore(time, i)) paint(stroke);
+  for (int i = 1; i <= plan_.parameters().steps; ++i) {
     advance(rates, 1, threads);
+    for (const shader::Stroke& stroke : plan_.strokesAt(time, i)) paint(stroke);
   }
 }
 

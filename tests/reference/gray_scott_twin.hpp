@@ -10,7 +10,8 @@
 /// mode.
 class GrayScottTwin {
  public:
-  explicit GrayScottTwin(simreel::sim::GrayScottPlan plan);
+  /// `start`: time (s) of the first state.
+  explicit GrayScottTwin(simreel::sim::GrayScottPlan plan, double start = 0);
 
   /// One frame starting at `time` (s). `threads` 0: all processors.
   void step(double time, int threads = 1);

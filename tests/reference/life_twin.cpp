@@ -168,9 +168,10 @@ std::vector<std::uint32_t> wordsOf(const std::vector<std::uint8_t>& cells, glm::
   return words;
 }
 
-LifeTwin::LifeTwin(simreel::sim::LifePlan plan)
+LifeTwin::LifeTwin(simreel::sim::LifePlan plan, double start)
     : words(plan.firstCells()), plan_(std::move(plan)), next_(words) {
   const glm::ivec2 size = plan_.parameters().size;
+  paint(plan_.generationAt(plan_.frameAt(start)));
   if (plan_.parameters().trail == 0) return;
   trail.resize(static_cast<std::size_t>((size.x + 15) / 16 * 4) * static_cast<std::size_t>(size.y));
   fade();
@@ -189,19 +190,23 @@ void LifeTwin::generation(int threads) {
   std::swap(words, next_);
 }
 
+void LifeTwin::paint(long generation) {
+  const glm::ivec2 size = plan_.parameters().size;
+  for (const Stroke& stroke : plan_.strokesInto(generation))
+    for (int y = 0; y < size.y; ++y)
+      for (int x = 0; x < size.x; ++x) {
+        if (!plan_.strokes().paints(stroke, {x, y})) continue;
+        std::uint32_t& word = words[static_cast<std::size_t>(y * plan_.rowBlocks() * 4 + x / 32)];
+        const std::uint32_t bit = 1U << (x % 32);
+        word = stroke.shape.z < 0.5F ? word & ~bit : word | bit;
+      }
+}
+
 void LifeTwin::step(double time, int threads) {
   const long frame = plan_.frameAt(time);
-  const glm::ivec2 size = plan_.parameters().size;
   for (long g = plan_.generationAt(frame); g < plan_.generationAt(frame + 1); ++g) {
     generation(threads);
-    for (const Stroke& stroke : plan_.strokesIn(g))
-      for (int y = 0; y < size.y; ++y)
-        for (int x = 0; x < size.x; ++x) {
-          if (!plan_.strokes().paints(stroke, {x, y})) continue;
-          std::uint32_t& word = words[static_cast<std::size_t>(y * plan_.rowBlocks() * 4 + x / 32)];
-          const std::uint32_t bit = 1U << (x % 32);
-          word = stroke.shape.z < 0.5F ? word & ~bit : word | bit;
-        }
+    paint(g + 1);
     if (!trail.empty()) fade();
   }
 }

@@ -24,7 +24,8 @@ std::vector<std::uint32_t> wordsOf(const std::vector<std::uint8_t>& cells, glm::
 /// Equals the GPU bit for bit.
 class LifeTwin {
  public:
-  explicit LifeTwin(simreel::sim::LifePlan plan);
+  /// `start`: time (s) of the first state.
+  explicit LifeTwin(simreel::sim::LifePlan plan, double start = 0);
 
   /// One frame starting at `time` (s). `threads` 0: all processors.
   void step(double time, int threads = 1);
@@ -36,6 +37,7 @@ class LifeTwin {
   [[nodiscard]] const simreel::sim::LifePlan& plan() const { return plan_; }
 
  private:
+  void paint(long generation);
   void fade();
 
   simreel::sim::LifePlan plan_;

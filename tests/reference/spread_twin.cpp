@@ -94,9 +94,21 @@ struct Grid {
 
 }  // namespace
 
-EpidemicTwin::EpidemicTwin(simreel::sim::EpidemicPlan plan)
+EpidemicTwin::EpidemicTwin(simreel::sim::EpidemicPlan plan, double start)
     : cells(plan.firstCells()), counts{countAll(cells)}, plan_(std::move(plan)), next_(cells) {
   plan_.setPeople(counts[0].x + counts[0].y + counts[0].z);
+  paint({{}, plan_.firstStrokes(start)});
+}
+
+void EpidemicTwin::paint(const simreel::sim::EpidemicPlan::Step& step) {
+  EpidemicModel model{step.data};
+  const auto width = static_cast<std::size_t>(plan_.parameters().size.x);
+  for (const Stroke& stroke : step.strokes)
+    for (std::size_t i = 0; i < cells.size(); ++i)
+      if (plan_.strokes().paints(stroke, {static_cast<int>(i % width), static_cast<int>(i / width)}))
+        cells[i] = static_cast<std::uint8_t>(
+            model.paintedPerson(cells[i], static_cast<int>(stroke.shape.z + 0.5F)));
+  if (!step.strokes.empty()) counts.back() = countAll(cells);
 }
 
 void EpidemicTwin::step(double time, int threads) {
@@ -106,12 +118,6 @@ void EpidemicTwin::step(double time, int threads) {
 void EpidemicTwin::oneStep(const simreel::sim::EpidemicPlan::Step& step, int threads) {
   const auto& p = plan_.parameters();
   EpidemicModel model{step.data};
-  const auto width = static_cast<std::size_t>(p.size.x);
-  for (const Stroke& stroke : step.strokes)
-    for (std::size_t i = 0; i < cells.size(); ++i)
-      if (plan_.strokes().paints(stroke, {static_cast<int>(i % width), static_cast<int>(i / width)}))
-        cells[i] = static_cast<std::uint8_t>(
-            model.paintedPerson(cells[i], static_cast<int>(stroke.shape.z + 0.5F)));
   const bool mixed = p.mixing == simreel::sim::EpidemicParameters::Mixing::global;
   const std::uint32_t everywhere = mixed ? model.mixedThreshold(counts.back().y) : 0;
   const Grid grid(cells, p);
@@ -133,14 +139,28 @@ void EpidemicTwin::oneStep(const simreel::sim::EpidemicPlan::Step& step, int thr
     }
   }));
   std::swap(cells, next_);
+  paint(step);
 }
 
-WildfireTwin::WildfireTwin(simreel::sim::WildfirePlan plan)
+WildfireTwin::WildfireTwin(simreel::sim::WildfirePlan plan, double start)
     : cells(plan.firstCells()),
       counts{countAll(cells)},
       plan_(std::move(plan)),
       next_(cells),
-      climbs_(plan_.climbFactors()) {}
+      climbs_(plan_.climbFactors()) {
+  paint({{}, plan_.firstStrokes(start)});
+}
+
+void WildfireTwin::paint(const simreel::sim::WildfirePlan::Step& step) {
+  WildfireModel model{step.data, climbs_};
+  const auto width = static_cast<std::size_t>(plan_.parameters().size.x);
+  for (const Stroke& stroke : step.strokes)
+    for (std::size_t i = 0; i < cells.size(); ++i)
+      if (plan_.strokes().paints(stroke, {static_cast<int>(i % width), static_cast<int>(i / width)}))
+        cells[i] = static_cast<std::uint8_t>(
+            model.paintedFuel(cells[i], static_cast<int>(stroke.shape.z + 0.5F), plan_.ground()[i]));
+  if (!step.strokes.empty()) counts.back() = countAll(cells);
+}
 
 void WildfireTwin::step(double time, int threads) {
   for (const auto& one : plan_.frame(time)) oneStep(one, threads);
@@ -150,12 +170,6 @@ void WildfireTwin::oneStep(const simreel::sim::WildfirePlan::Step& step, int thr
   const auto& p = plan_.parameters();
   WildfireModel model{step.data, climbs_};
   const auto& numbers = step.data.numbers;
-  const auto width = static_cast<std::size_t>(p.size.x);
-  for (const Stroke& stroke : step.strokes)
-    for (std::size_t i = 0; i < cells.size(); ++i)
-      if (plan_.strokes().paints(stroke, {static_cast<int>(i % width), static_cast<int>(i / width)}))
-        cells[i] = static_cast<std::uint8_t>(
-            model.paintedFuel(cells[i], static_cast<int>(stroke.shape.z + 0.5F), plan_.ground()[i]));
   const Grid grid(cells, p);
   const auto groups = static_cast<std::uint32_t>((p.size.x + 15) / 16);
   counts.push_back(forRows(p.size.y, threads, [&](int y, glm::uvec4& sums) {
@@ -188,4 +202,5 @@ void WildfireTwin::oneStep(const simreel::sim::WildfirePlan::Step& step, int thr
     }
   }));
   std::swap(cells, next_);
+  paint(step);
 }

@@ -11,7 +11,8 @@
 /// own model (glsl/epidemic/model.glsl compiled as C++). Equals the GPU bit for bit.
 class EpidemicTwin {
  public:
-  explicit EpidemicTwin(simreel::sim::EpidemicPlan plan);
+  /// `start`: time (s) of the first state.
+  explicit EpidemicTwin(simreel::sim::EpidemicPlan plan, double start = 0);
   /// One frame starting at `time` (s). `threads` 0: all processors.
   void step(double time, int threads = 1);
   void oneStep(const simreel::sim::EpidemicPlan::Step& step, int threads = 1);
@@ -21,6 +22,8 @@ class EpidemicTwin {
   [[nodiscard]] simreel::sim::EpidemicPlan& plan() { return plan_; }
 
  private:
+  void paint(const simreel::sim::EpidemicPlan::Step& step);
+
   simreel::sim::EpidemicPlan plan_;
   std::vector<std::uint8_t> next_;
 };
@@ -28,7 +31,8 @@ class EpidemicTwin {
 /// The same for a wildfire.
 class WildfireTwin {
  public:
-  explicit WildfireTwin(simreel::sim::WildfirePlan plan);
+  /// `start`: time (s) of the first state.
+  explicit WildfireTwin(simreel::sim::WildfirePlan plan, double start = 0);
   void step(double time, int threads = 1);
   void oneStep(const simreel::sim::WildfirePlan::Step& step, int threads = 1);
 
@@ -37,6 +41,8 @@ class WildfireTwin {
   [[nodiscard]] simreel::sim::WildfirePlan& plan() { return plan_; }
 
  private:
+  void paint(const simreel::sim::WildfirePlan::Step& step);
+
   simreel::sim::WildfirePlan plan_;
   std::vector<std::uint8_t> next_;
   std::vector<glm::vec4> climbs_;

@@ -18,7 +18,7 @@ GrayScottTwin twinOf(glm::ivec2 size, sim::GrayScottPreset preset, int seeds) {
   p.size = size;
   p.preset = preset;
   p.seedCount = seeds;
-  return GrayScottTwin(sim::GrayScottPlan(p, 3, 1.0 / 30));
+  return GrayScottTwin(sim::GrayScottPlan(p, "dish", 3, 1.0 / 30));
 }
 
 double sum(const std::vector<float>& values) {

@@ -46,7 +46,7 @@ TEST_CASE("grayScott: mistakes of a scene are named") {
 TEST_CASE("grayScott: a picture that is none is refused") {
   sim::GrayScottParameters p;
   p.image = sourceFolder() + "/README.md";
-  const sim::GrayScottPlan plan(p, 1, 1.0 / 30);
+  const sim::GrayScottPlan plan(p, "dish", 1, 1.0 / 30);
   try {
     (void)plan.firstCells();
     FAIL("read");
@@ -62,7 +62,7 @@ TEST_CASE("grayScott: the first state holds seeds on a torus, an odd row's spare
   p.seedCount = 1;
   p.seedRadius = 4;
   p.seedNoise = 0;
-  const auto cells = sim::GrayScottPlan(p, 7, 1.0 / 30).firstCells();
+  const auto cells = sim::GrayScottPlan(p, "dish", 7, 1.0 / 30).firstCells();
   REQUIRE(cells.size() == 19 * 21);
   int seeded = 0;
   for (std::size_t i = 0; i < cells.size(); ++i) {
@@ -78,7 +78,7 @@ TEST_CASE("grayScott: rates by preset, keys, health, ramp and picture") {
   sim::GrayScottParameters p;
   p.dt = 0.5;
   p.preset = sim::GrayScottPreset::maze;
-  CHECK(sim::GrayScottPlan(p, 1, 0.1).ratesAt(3).base.feed == doctest::Approx(0.0125));
+  CHECK(sim::GrayScottPlan(p, "dish", 1, 0.1).ratesAt(3).base.feed == doctest::Approx(0.0125));
   p.hasHealth = true;
   p.health = 0.25F;
   p.well = sim::GrayScottPreset::stripes;  // 0.040, 0.060
@@ -89,7 +89,7 @@ TEST_CASE("grayScott: rates by preset, keys, health, ramp and picture") {
   p.size = {5, 4};
   p.feedAcross = 0.065;
   p.killImage = sourceFolder() + "/assets/textures/gingham.png";
-  const sim::GrayScottPlan plan(p, 1, 0.1);
+  const sim::GrayScottPlan plan(p, "dish", 1, 0.1);
   CHECK(plan.mapped());
   CHECK(plan.ratesAt(0).feedSpan == doctest::Approx(0.02));
   CHECK(plan.ratesAt(0).killSpan == doctest::Approx(0.005));

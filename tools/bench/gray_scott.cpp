@@ -71,7 +71,7 @@ void patterns() {
     sim::GrayScottParameters p;
     p.size = {129, 127};
     p.preset = static_cast<sim::GrayScottPreset>(preset);
-    const sim::GrayScottPlan plan(p, 1, 1.0 / 30);
+    const sim::GrayScottPlan plan(p, "dish", 1, 1.0 / 30);
     sim::GrayScottKernels kernels(names[preset], plan, false);
     kernels.setRates(plan.ratesAt(0));
     kernels.advance(10000);

@@ -76,7 +76,8 @@ Times secondsOf(int frames, const Frame& frame) {
 /// The epidemic as one would write it first: a byte of state a cell, eight look-ups, the same hash.
 class PlainEpidemic {
  public:
-  explicit PlainEpidemic(int side) : twin_(sim::EpidemicPlan(city(side), 1, frameSeconds)), side_(side) {
+  explicit PlainEpidemic(int side)
+      : twin_(sim::EpidemicPlan(city(side), "city", 1, frameSeconds)), side_(side) {
     for (const std::uint8_t cell : twin_.cells) cells_.push_back(static_cast<std::uint8_t>(cell >> 6));
     next_ = cells_;
   }
@@ -162,10 +163,10 @@ int main() {
       PlainEpidemic plain(side);
       line("epidemic, plain loop, one thread", side, secondsOf(frames, [&](double t) { plain.frame(t); }));
       for (const int threads : {1, 0}) {
-        EpidemicTwin people(sim::EpidemicPlan(city(side), 1, frameSeconds));
+        EpidemicTwin people(sim::EpidemicPlan(city(side), "city", 1, frameSeconds));
         line(threads == 1 ? "epidemic, twin, one thread" : "epidemic, twin, all threads", side,
              secondsOf(frames, [&](double t) { people.step(t, threads); }));
-        WildfireTwin fire(sim::WildfirePlan(forest(side), 1, frameSeconds));
+        WildfireTwin fire(sim::WildfirePlan(forest(side), "forest", 1, frameSeconds));
         line(threads == 1 ? "wildfire, twin, one thread" : "wildfire, twin, all threads", side,
              secondsOf(frames, [&](double t) { fire.step(t, threads); }));
       }
