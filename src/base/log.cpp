@@ -1,5 +1,7 @@
 #include "base/log.hpp"
 
+#include "base/text.hpp"
+
 #include <atomic>
 #include <cstdio>
 
@@ -7,11 +9,33 @@ namespace simreel {
 
 namespace {
 std::atomic<Verbosity> level = Verbosity::normal;
+std::atomic<bool> commandsAvoided = false;
+
+void put(std::FILE* where, const std::string& text) {
+  // Not fmt::print, which throws when standard error is closed: a run does not end for want of a listener.
+  const std::string plain = commandsAvoided ? withoutCommands(text) : text;
+  static_cast<void>(std::fwrite(plain.data(), 1, plain.size(), where));
 }
+}  // namespace
 
 void errorLine(const std::string& message) {
-  // Not fmt::print, which throws when standard error is closed: a run does not end for want of a listener.
-  std::fputs((message + "\n").c_str(), stderr);
+  put(stderr, oneLine(message) + "\n");
+}
+
+void errorLines(const std::string& report) {
+  put(stderr, severalLines(report) + "\n");
+}
+
+void printText(const std::string& text) {
+  put(stdout, severalLines(text));
+}
+
+void printPainted(const std::string& text) {
+  put(stdout, text);
+}
+
+void avoidWorkflowCommands() {
+  commandsAvoided = true;
 }
 
 void setVerbosity(Verbosity verbosity) {

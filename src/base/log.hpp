@@ -11,8 +11,19 @@ enum class Verbosity { quiet, normal, verbose };
 void setVerbosity(Verbosity verbosity);
 [[nodiscard]] Verbosity verbosity();
 
+// What comes from files, names and arguments never reaches the terminal raw: each of these spells out what
+// would steer it (base/text.hpp).
+
 /// One line on standard error, always; nothing happens where it cannot be written.
 void errorLine(const std::string& message);
+/// The same for a report of several lines, all of them ours.
+void errorLines(const std::string& report);
+/// Text for standard output. Whether it could be written shows when the program flushes it.
+void printText(const std::string& text);
+/// The same for text that is clean already and may be coloured.
+void printPainted(const std::string& text);
+/// From here on no line of the above is one that GitHub Actions reads as a command.
+void avoidWorkflowCommands();
 /// One line on standard error, "simreel: warning: ..."; shown unless quiet.
 void warnLine(const std::string& message);
 /// One line on standard error; shown unless quiet.

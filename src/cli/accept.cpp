@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 #include "base/log.hpp"
+#include "base/text.hpp"
 #include "cli/commands.hpp"
 
 #include <memory>
@@ -21,7 +22,7 @@ void accept(const std::string& report, const golden::Acceptance& how) {
   int refused = 0;
   for (const golden::Accepted& one : all) {
     if (one.problem.empty()) {
-      fmt::print("{}  {}\n", one.already ? "already accepted" : "accepted", one.scene);
+      printText(fmt::format("{}  {}\n", one.already ? "already accepted" : "accepted", oneLine(one.scene)));
       continue;
     }
     ++refused;

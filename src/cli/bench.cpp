@@ -143,8 +143,8 @@ void bench(const BenchOptions& o) {
                      .rounds = o.rounds,
                      .rows = std::move(rows)};
   measure(report, std::move(scenes), context, progress);
-  const std::string json = o.json.empty() ? "" : benchJson(report).dump(1) + "\n";
-  fmt::print("{}", o.json == "-" ? json : benchText(report));
+  const std::string json = o.json.empty() ? "" : benchJson(report).dump(1, ' ', o.json == "-") + "\n";
+  printText(o.json == "-" ? json : benchText(report));
   if (!o.json.empty() && o.json != "-") writeFileAtomically(o.json, json);
   if (!o.chart.empty()) writeFileAtomically(o.chart, benchChart(report));
   if (const int signal = frame::interruptSignal(); signal != 0) {

@@ -1,5 +1,6 @@
 #include "cli/bench_report.hpp"
 
+#include "base/text.hpp"
 #include "base/version.hpp"
 #include "cli/commands.hpp"
 
@@ -64,12 +65,13 @@ std::string frameTable(const BenchReport& report, const std::vector<RowFigures>&
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const RowFigures& row = rows[i];
     if (row.frame.count == 0) {
-      lines.push_back({report.rows[i].asked.name, "0"});
+      lines.push_back({oneLine(report.rows[i].asked.name), "0"});
       continue;
     }
-    lines.push_back({report.rows[i].asked.name, fmt::format("{}", row.frame.count), ms(row.frame.median),
-                     ms(row.frame.p5), ms(row.frame.p95), fmt::format("{:.1f}", row.perSecond),
-                     outlierText(row, report.rows[i].times), row.bound});
+    lines.push_back({oneLine(report.rows[i].asked.name), fmt::format("{}", row.frame.count),
+                     ms(row.frame.median), ms(row.frame.p5), ms(row.frame.p95),
+                     fmt::format("{:.1f}", row.perSecond), outlierText(row, report.rows[i].times),
+                     row.bound});
   }
   return aligned(lines, true);
 }
@@ -126,7 +128,7 @@ std::string stageTable(const BenchReport& report, const std::vector<RowFigures>&
   };
   const bool queried = report.timing == frame::Timing::query;
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    const std::string& name = report.rows[i].asked.name;
+    const std::string name = oneLine(report.rows[i].asked.name);
     if (rows[i].frame.count == 0) continue;
     if (queried) add(name + ", GPU", rows[i], &StageFigures::gpu);
     add(queried ? name + ", CPU" : name, rows[i], &StageFigures::cpu);

@@ -1,5 +1,7 @@
 #include "cli/bisect_report.hpp"
 
+#include "base/text.hpp"
+
 #include <bit>
 #include <cstddef>
 
@@ -14,9 +16,10 @@ using Json = nlohmann::ordered_json;
 constexpr const char* components[] = {"x", "y", "z", "w"};
 
 std::string sideText(const char* name, const golden::TraceHeader& side, const std::string& command) {
-  return fmt::format("{:<10} simreel {}, {}, {} path, {}{}\n", name, side.version, side.driver,
-                     side.memoryPath, command,
-                     side.inexact.empty() ? "" : " (computes inexactly: " + side.inexact + ")");
+  const std::string about =
+      fmt::format("simreel {}, {}, {} path, {}{}", side.version, side.driver, side.memoryPath, command,
+                  side.inexact.empty() ? "" : " (computes inexactly: " + side.inexact + ")");
+  return fmt::format("{:<10} {}\n", name, oneLine(about));
 }
 
 std::string framesText(const golden::BisectResult& result) {
@@ -118,7 +121,7 @@ std::string bisectJson(const BisectReport& report) {
                      {"here", sideJson(result.here, report.commandHere)},
                      {"there", sideJson(result.there, report.commandThere)},
                      {"difference", result.difference ? differenceJson(report) : Json()}};
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json.dump(2, ' ', true, Json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace simreel::cli

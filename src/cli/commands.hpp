@@ -1,4 +1,6 @@
 #pragma once
+#include "base/error.hpp"
+
 #include <string>
 
 namespace CLI {
@@ -27,6 +29,9 @@ void addAccept(CLI::App& app);
 
 /// What was typed, quoted for a shell where needed.
 [[nodiscard]] const std::string& commandLine();
+
+/// A sentence after "simreel: error: ", or a report as it is, on standard error.
+void printError(const UserError& error);
 
 /// Exit code of a command that ended without an error of its own (130 after an interrupt).
 void setExitCode(int code);

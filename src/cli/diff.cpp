@@ -60,7 +60,7 @@ void checkOutput(const fs::path& output, const fs::path& a, const fs::path& b) {
 
 /// File names may hold bytes that are not UTF-8; JSON may not.
 void printJson(const nlohmann::ordered_json& json) {
-  fmt::print("{}\n", json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+  printText(json.dump(2, ' ', true, nlohmann::ordered_json::error_handler_t::replace) + "\n");
 }
 
 void comparePictures(const DiffOptions& options, const scene::Tolerance& tolerance) {
@@ -74,7 +74,7 @@ void comparePictures(const DiffOptions& options, const scene::Tolerance& toleran
   if (options.json)
     printJson(pairJson(options.a, options.b, result));
   else if (verbosity() != Verbosity::quiet)
-    fmt::print("{}", pairText(result, tolerance));
+    printText(pairText(result, tolerance));
   if (result.outcome == Outcome::different) setExitCode(static_cast<int>(ExitCode::different));
 }
 
@@ -101,12 +101,12 @@ void compareSequences(const DiffOptions& options, const scene::Tolerance& tolera
   golden::comparePairs(list.pairs, tolerance, options.output,
                        [&](const golden::Pair& pair, const golden::PairResult& result) {
                          report.add(pair, result);
-                         if (text) fmt::print("{}", pairLine(pair, result));
+                         if (text) printText(pairLine(pair, result));
                        });
   if (options.json)
     printJson(report.json(options.a, options.b));
   else if (text)
-    fmt::print("{}", report.summary(options.a, options.b));
+    printText(report.summary(options.a, options.b));
   if (report.unreadable > 0) {
     std::fflush(stdout);
     fail(ExitCode::inputOutput, "{} of {} pairs could not be compared; the lines above say why",

@@ -1,5 +1,7 @@
 #include "cli/diff_report.hpp"
 
+#include "base/text.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -55,7 +57,7 @@ void addResult(ordered_json& json, const PairResult& result) {
 
 std::string onlyLine(const std::vector<std::string>& names, const std::string& place) {
   if (names.empty()) return {};
-  return fmt::format("only in {}: {}\n", place, fmt::join(names, ", "));
+  return oneLine(fmt::format("only in {}: {}", place, fmt::join(names, ", "))) + "\n";
 }
 
 }  // namespace
@@ -92,8 +94,8 @@ ordered_json pairJson(const std::string& a, const std::string& b, const PairResu
 std::string pairLine(const golden::Pair& pair, const PairResult& result) {
   if (result.outcome == PairResult::Outcome::equal) return {};
   if (result.outcome == PairResult::Outcome::unreadable)
-    return fmt::format("{}: unreadable: {}\n", pair.name, result.message);
-  std::string line = fmt::format("{}: {}", pair.name, verdict(result));
+    return oneLine(fmt::format("{}: unreadable: {}", pair.name, result.message)) + "\n";
+  std::string line = oneLine(fmt::format("{}: {}", pair.name, verdict(result)));
   if (result.metrics) {
     const Metrics& m = *result.metrics;
     line += fmt::format(" [worst {} at x {}, y {}; PSNR {:.2f} dB; SSIM {:.5f}; FLIP {:.5f}]", m.worst,

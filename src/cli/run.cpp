@@ -9,6 +9,7 @@
 #include <exception>
 #include <fcntl.h>
 #include <iostream>
+#include <new>
 #include <string>
 #include <vector>
 
@@ -22,8 +23,7 @@ int exitCode = 0;
 std::string typed;
 
 int print(const UserError& error) {
-  const bool report = error.form() == UserError::Form::report;
-  errorLine((report ? "" : "simreel: error: ") + std::string(error.what()));
+  printError(error);
   return static_cast<int>(error.code());
 }
 
@@ -67,10 +67,16 @@ void setExitCode(int code) {
   exitCode = code;
 }
 
-int run(int argc, char** argv) {
-  holdStandardDescriptors();
-  for (int i = 0; i < argc; ++i) typed += (i == 0 ? "" : " ") + inShellQuotes(argv[i]);
-  CLI::App app("Renders GPU simulations without a display.", "simreel");
+void printError(const UserError& error) {
+  if (error.form() == UserError::Form::report)
+    errorLines(error.what());
+  else
+    errorLine("simreel: error: " + std::string(error.what()));
+}
+
+namespace {
+
+void addCommands(CLI::App& app) {
   app.set_version_flag("--version", std::string("simreel ") + version());
   app.require_subcommand(1);
   app.fallthrough();
@@ -78,18 +84,15 @@ int run(int argc, char** argv) {
       "-q,--quiet", [] { setVerbosity(Verbosity::quiet); }, "Say nothing but errors");
   app.add_flag_callback(
       "-v,--verbose", [] { setVerbosity(Verbosity::verbose); }, "Say more");
-  addRender(app);
-  addValidate(app);
-  addSchema(app);
-  addList(app);
-  addDoctor(app);
-  addBake(app);
-  addTest(app);
-  addTrace(app);
-  addBisect(app);
-  addAccept(app);
-  addDiff(app);
-  addBench(app);
+  for (const auto add : {addRender, addValidate, addSchema, addList, addDoctor, addBake, addTest, addTrace,
+                         addBisect, addAccept, addDiff, addBench})
+    add(app);
+}
+
+int runCommand(int argc, char** argv) {
+  for (int i = 0; i < argc; ++i) typed += (i == 0 ? "" : " ") + inShellQuotes(argv[i]);
+  CLI::App app("Renders GPU simulations without a display.", "simreel");
+  addCommands(app);
   try {
     app.parse(argc, argv);
     return flushed(exitCode);
@@ -101,12 +104,32 @@ int run(int argc, char** argv) {
     return flushed(app.exit(versionCall));
   } catch (const CLI::ParseError& error) {
     return print(explain(app, error) + "; see `simreel --help`", ExitCode::usage);
+  }
+}
+
+/// Whatever is thrown, while the command line is set up or later, becomes one line and its code.
+int explained(int argc, char** argv) {
+  try {
+    return runCommand(argc, argv);
   } catch (const UserError& error) {
     return print(error);
   } catch (const std::bad_alloc&) {
     return print("not enough memory", ExitCode::device);
   } catch (const std::exception& error) {
     return print(error.what(), ExitCode::inputOutput);
+  }
+}
+
+}  // namespace
+
+int run(int argc, char** argv) {
+  holdStandardDescriptors();
+  try {
+    return explained(argc, argv);
+  } catch (...) {
+    // Nothing was left to make a message of.
+    static_cast<void>(std::fputs("simreel: error: not enough memory\n", stderr));
+    return static_cast<int>(ExitCode::device);
   }
 }
 

@@ -166,6 +166,7 @@ Limits readLimits() {
   glGetIntegerv(GL_MAX_TEXTURE_SIZE, &found.textureSize);
   glGetIntegerv(GL_MAX_SAMPLES, &found.samples);
   glGetIntegeri_v(GL_MAX_COMPUTE_WORK_GROUP_COUNT, 0, &found.groupsX);
+  glGetIntegeri_v(GL_MAX_COMPUTE_WORK_GROUP_COUNT, 1, &found.groupsY);
   glGetIntegerv(GL_MAX_COMPUTE_SHARED_MEMORY_SIZE, &found.sharedBytes);
   glGetIntegerv(GL_UNIFORM_BUFFER_OFFSET_ALIGNMENT, &found.uniformAlignment);
   if (epoxy_has_gl_extension("GL_KHR_shader_subgroup")) {

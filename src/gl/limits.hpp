@@ -10,6 +10,7 @@ struct Limits {
   std::int32_t textureSize = 0;         ///< GL_MAX_TEXTURE_SIZE
   std::int32_t samples = 0;             ///< GL_MAX_SAMPLES
   std::int32_t groupsX = 0;             ///< GL_MAX_COMPUTE_WORK_GROUP_COUNT[0]
+  std::int32_t groupsY = 0;             ///< and [1], which on graphics cards is smaller by far
   std::int32_t sharedBytes = 0;         ///< GL_MAX_COMPUTE_SHARED_MEMORY_SIZE
   std::int32_t uniformAlignment = 256;  ///< GL_UNIFORM_BUFFER_OFFSET_ALIGNMENT
   bool shuffle32 = false;   ///< subgroups of 32 that exchange registers (GL_KHR_shader_subgroup)

@@ -21,7 +21,10 @@ Handle<DeleteShader> compile(GLenum stage, const std::string& path, const Define
     glGetShaderiv(shader.get(), GL_INFO_LOG_LENGTH, &length);
     std::string log(static_cast<std::size_t>(length), '\0');
     glGetShaderInfoLog(shader.get(), length, nullptr, log.data());
-    fail(ExitCode::device, "the driver cannot compile glsl/{}:\n{}", path, source.explain(log.c_str()));
+    throw UserError(ExitCode::device,
+                    fmt::format("simreel: error: the driver cannot compile glsl/{}:\n{}", path,
+                                source.explain(log.c_str())),
+                    UserError::Form::report);
   }
   return shader;
 }
@@ -38,7 +41,9 @@ void Program::link(const std::string& label) {
     glGetProgramiv(name(), GL_INFO_LOG_LENGTH, &length);
     std::string log(static_cast<std::size_t>(length), '\0');
     glGetProgramInfoLog(name(), length, nullptr, log.data());
-    fail(ExitCode::device, "the driver cannot link {}:\n{}", label, log.c_str());
+    throw UserError(ExitCode::device,
+                    fmt::format("simreel: error: the driver cannot link {}:\n{}", label, log.c_str()),
+                    UserError::Form::report);
   }
   glObjectLabel(GL_PROGRAM, name(), -1, label.c_str());
 }
@@ -68,14 +73,18 @@ Program Program::graphics(const std::string& vertexPath, const std::string& frag
   return program;
 }
 
+void checkGroups(const std::string& label, int x, int y, const Limits& allowed) {
+  if (x > allowed.groupsX || y > allowed.groupsY)
+    fail(ExitCode::device,
+         "{} needs {}x{} work groups, this device allows {}x{} (GL_MAX_COMPUTE_WORK_GROUP_COUNT)", label, x,
+         y, allowed.groupsX, allowed.groupsY);
+}
+
 void Program::dispatch(int x, int y) const {
   if (x <= 0 || y <= 0) return;
   const GLint groupsX = (x - 1) / groupSize_[0] + 1;
   const GLint groupsY = (y - 1) / groupSize_[1] + 1;
-  if (groupsX > limits().groupsX || groupsY > limits().groupsX)
-    fail(ExitCode::device,
-         "{} needs {}x{} work groups, this device allows {} (GL_MAX_COMPUTE_WORK_GROUP_COUNT)", label_,
-         groupsX, groupsY, limits().groupsX);
+  checkGroups(label_, groupsX, groupsY, limits());
   use();
   glDispatchCompute(static_cast<GLuint>(groupsX), static_cast<GLuint>(groupsY), 1);
 }

@@ -1,5 +1,6 @@
 #pragma once
 #include "gl/handle.hpp"
+#include "gl/limits.hpp"
 #include "gl/shader_source.hpp"
 
 #include <map>
@@ -52,5 +53,8 @@ class Program {
   GLint groupSize_[3] = {1, 1, 1};
   mutable std::map<std::string, GLint, std::less<>> locations_;
 };
+
+/// Throws UserError(device) where a dispatch of x by y work groups is beyond the limits.
+void checkGroups(const std::string& label, int x, int y, const Limits& allowed);
 
 }  // namespace simreel::gl

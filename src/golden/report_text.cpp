@@ -1,3 +1,4 @@
+#include "base/text.hpp"
 #include "golden/result.hpp"
 #include "golden/words.hpp"
 
@@ -93,7 +94,7 @@ std::string namesOf(const SuiteResult& suite, Status status) {
   long shown = 0;
   for (const SceneResult& scene : suite.scenes) {
     if (scene.status != status || shown == mostNames) continue;
-    names += (shown++ == 0 ? "" : ", ") + cleanText(scene.name);
+    names += (shown++ == 0 ? "" : ", ") + oneLine(scene.name);
   }
   if (count > shown) names += fmt::format(" and {} more", count - shown);
   return " (" + names + ")";
@@ -104,11 +105,11 @@ std::string namesOf(const SuiteResult& suite, Status status) {
 std::string sceneLine(const SceneResult& scene, bool color, const std::filesystem::path& reportFolder) {
   std::string about = counted(static_cast<long>(scene.frames.size()), "frame");
   about += fmt::format(", {:.1f} s", scene.seconds);
-  if (scene.status == Status::xfail && !scene.xfail.empty()) about += ": " + cleanText(scene.xfail);
+  if (scene.status == Status::xfail && !scene.xfail.empty()) about += ": " + oneLine(scene.xfail);
   if (scene.status == Status::flaky) about += ": " + flakyText(scene);
   std::string text =
       fmt::format("{}  {}  ({})\n", painted(label(scene.status), colorOf(scene.status), color),
-                  cleanText(scene.name), about);
+                  oneLine(scene.name), about);
   if (isFailure(scene.status, false)) {
     const std::vector<std::string> why = reasons(scene);
     if (why.empty() && scene.status != Status::flaky) text += indented(firstReason(scene));
@@ -136,9 +137,9 @@ std::string closingText(const SuiteResult& suite, bool color, const std::filesys
       fmt::format("{}{} in {:.1f} s\n", counted(static_cast<long>(suite.scenes.size()), "scene"), counts,
                   suite.seconds);
   if (const std::string compared = comparedText(suite); !compared.empty())
-    text += fmt::format("Pictures compared: {}\n", compared);
-  if (!suite.acceptCommand.empty()) text += fmt::format("To accept: {}\n", cleanText(suite.acceptCommand));
-  if (!report.empty()) text += fmt::format("Report: {}\n", report.string());
+    text += fmt::format("Pictures compared: {}\n", oneLine(compared));
+  if (!suite.acceptCommand.empty()) text += fmt::format("To accept: {}\n", oneLine(suite.acceptCommand));
+  if (!report.empty()) text += fmt::format("Report: {}\n", oneLine(report.string()));
   return text;
 }
 

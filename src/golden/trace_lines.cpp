@@ -16,7 +16,7 @@ using Json = nlohmann::ordered_json;
 static_assert(std::endian::native == std::endian::little, "dumps are copied as they lie in memory");
 
 std::string text(const Json& json) {
-  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+  return json.dump(-1, ' ', true, Json::error_handler_t::replace);
 }
 
 /// Calls `read` with the parsed line; what nlohmann says of a mistake is for its users, not for ours.

@@ -1,8 +1,8 @@
 #include "golden/words.hpp"
 
+#include "base/text.hpp"
 #include "golden/compare.hpp"
 #include "golden/origin.hpp"
-#include "scene/words.hpp"
 
 #include <algorithm>
 
@@ -16,10 +16,9 @@ constexpr std::string_view replacement = "\xEF\xBF\xBD";  // U+FFFD
 
 /// Whether every reader takes this character, well-formed UTF-8.
 bool isPlain(std::string_view character) {
-  const auto lead = static_cast<unsigned char>(character[0]);
-  if (character.size() == 1) return lead == '\t' || lead == '\n' || (lead >= 0x20 && lead != 0x7F);
-  const bool control = lead == 0xC2 && static_cast<unsigned char>(character[1]) < 0xA0;  // U+0080 to U+009F
-  return !control && character != "\xEF\xBF\xBE" && character != "\xEF\xBF\xBF";         // U+FFFE, U+FFFF
+  if (character == "\t" || character == "\n") return true;
+  return !steersTerminal(character) && character != "\xEF\xBF\xBE" &&
+         character != "\xEF\xBF\xBF";  // U+FFFE, U+FFFF
 }
 
 }  // namespace
@@ -28,7 +27,7 @@ std::string cleanText(std::string_view text) {
   std::string clean;
   clean.reserve(text.size());
   for (std::size_t at = 0; at < text.size();) {
-    const std::size_t bytes = scene::codePointLength(text, at);
+    const std::size_t bytes = codePointLength(text, at);
     const std::string_view character = text.substr(at, std::max<std::size_t>(bytes, 1));
     if (character == "\r")
       clean += text.substr(at + 1, 1) == "\n" ? "" : "\n";

@@ -8,7 +8,7 @@
 
 namespace simreel::golden {
 
-/// Text that any reader takes: what is no UTF-8, control characters other than tab and newline, and the
+/// Text that any reader takes: what is no UTF-8, what steers terminals other than tab and newline, and the
 /// code points that XML 1.0 forbids become U+FFFD; "\r\n" and "\r" become "\n".
 [[nodiscard]] std::string cleanText(std::string_view text);
 /// Up to the first newline.

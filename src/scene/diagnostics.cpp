@@ -1,5 +1,6 @@
 #include "scene/diagnostics.hpp"
 
+#include "base/text.hpp"
 #include "scene/words.hpp"
 
 #include <algorithm>
@@ -97,10 +98,10 @@ std::string Diagnostics::describe(const Error& error) const {
       head.size() - static_cast<std::size_t>(std::count_if(head.begin(), head.end(), continues)) + 1;
   const auto line = std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(begin), '\n') + 1;
   const Source& source = sources_[static_cast<std::size_t>(error.place.source)];
-  const std::string name = printable(source.name);
+  const std::string name = oneLine(source.name);
   const std::string where = source.isFile ? fmt::format("{}:{}:{}", name, line, column) : name;
   const std::size_t end = std::max(error.place.end, begin + 1) - lineBegin;
-  return fmt::format("{}: error: {}\n{}", where, printable(error.message),
+  return fmt::format("{}: error: {}\n{}", where, oneLine(error.message),
                      excerpt(text.substr(lineBegin, lineEnd - lineBegin), begin - lineBegin, end));
 }
 

@@ -1,19 +1,12 @@
 #pragma once
-#include <cstddef>
 #include <span>
 #include <string>
 #include <string_view>
 
 namespace simreel::scene {
 
-/// Bytes of the UTF-8 code point at `at`, 1 to 4; 0 when the bytes there are not valid UTF-8.
-[[nodiscard]] std::size_t codePointLength(std::string_view text, std::size_t at);
-
-/// Whether all of `text` is valid UTF-8.
-[[nodiscard]] bool isUtf8(std::string_view text);
-
-/// `text` with control characters and broken UTF-8 replaced by '?', so that printing a hostile scene
-/// cannot steer the terminal.
+/// `text` with what steers terminals and broken UTF-8 replaced by '?', each one column wide, so that a
+/// caret below it stands right.
 [[nodiscard]] std::string printable(std::string_view text);
 
 /// `text` in double quotes, shortened when very long.

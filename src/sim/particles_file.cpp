@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <cstdint>
@@ -47,6 +49,23 @@ std::vector<std::string_view> split(std::string_view line, char separator) {
   }
 }
 
+/// Parts of a line of CSV, which may be in quotes.
+std::vector<std::string_view> splitCsv(std::string_view line) {
+  std::vector<std::string_view> parts;
+  bool quoted = false;
+  std::size_t begin = 0;
+  for (std::size_t at = 0; at <= line.size(); ++at) {
+    if (at < line.size() && line[at] == '"') quoted = !quoted;
+    if (at < line.size() && (quoted || line[at] != ',')) continue;
+    std::string_view part = trimmed(line.substr(begin, at - begin));
+    if (part.size() >= 2 && part.front() == '"' && part.back() == '"')
+      part = trimmed(part.substr(1, part.size() - 2));
+    parts.push_back(part);
+    begin = at + 1;
+  }
+  return parts;
+}
+
 std::optional<double> numberOf(std::string_view text) {
   if (!text.empty() && text.front() == '+') text.remove_prefix(1);
   double value = 0;
@@ -56,8 +75,10 @@ std::optional<double> numberOf(std::string_view text) {
 }
 
 std::optional<Column> columnOf(std::string_view name) {
+  std::string small(name);
+  for (char& c : small) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   for (int i = 0; i < columns; ++i)
-    if (name == columnNames[i]) return static_cast<Column>(i);
+    if (small == columnNames[i]) return static_cast<Column>(i);
   return std::nullopt;
 }
 
@@ -110,13 +131,15 @@ class Collector {
 };
 
 void readCsv(std::string_view text, Collector& collector) {
+  if (constexpr std::string_view byteOrderMark = "\xEF\xBB\xBF"; text.starts_with(byteOrderMark))
+    text.remove_prefix(byteOrderMark.size());
   std::int64_t number = 0;
   std::vector<std::optional<Column>> layout;
   while (!text.empty()) {
     const std::string_view line = takeLine(text);
     ++number;
     if (line.empty() || line.front() == '#') continue;
-    const auto parts = split(line, ',');
+    const auto parts = splitCsv(line);
     if (layout.empty()) {
       std::array<bool, columns> given{};
       for (const std::string_view part : parts) {

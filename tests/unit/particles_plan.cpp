@@ -79,6 +79,10 @@ TEST_CASE("particle CSV files are read by the names of their columns") {
 }
 
 TEST_CASE("particles of a file without masses share the group's") {
+  // As spreadsheets write it: a byte-order mark, capitals, quotes, a comma within them.
+  const TemporaryFile sheet(
+      "sheet.csv", "\xEF\xBB\xBF\"X\",\"Y\", \"Z\",\"Name, first\",Mass\r\n1,2,\"3\",\"a, b\",4\r\n");
+  CHECK(sim::readParticles(sheet.path(), 1, 10).positions.at(0) == glm::vec4(1, 2, 3, 4));
   const TemporaryFile file("shared.csv", "x,y,z\n1,2,3\n4,5,6");
   CHECK(sim::readParticles(file.path(), 3, 10).positions[1].w == 1.5F);
 }
