@@ -2,12 +2,14 @@
 
 #include "base/error.hpp"
 #include "base/process.hpp"
+#include "base/text.hpp"
 #include "scene/words.hpp"
 
 #include <algorithm>
 #include <charconv>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -48,6 +50,34 @@ Node* listItem(Node& list, std::string_view segment, Place place, Diagnostics& d
   return &list.children[index];
 }
 
+/// Whether the path below a member that is not there would make something the scene does not have: an
+/// object, or an item of a list. Reports it.
+bool addsSilently(const Node& object, const std::string& path, std::size_t begin, std::size_t end,
+                  int source, Diagnostics& diagnostics) {
+  constexpr std::string_view objects = "objects.";
+  const std::string_view segment = std::string_view(path).substr(begin, end - begin);
+  if (end == path.size()) return false;  // the value is all of it
+  const std::string_view next = std::string_view(path).substr(end + 1, path.find('.', end + 1) - end - 1);
+  if (path.starts_with(objects) && begin <= objects.size()) {
+    if (begin == 0 && end + 1 + next.size() == path.size()) return false;
+    std::vector<std::string> names;
+    if (begin > 0)
+      for (const Node& child : object.children) names.push_back(child.key);
+    const std::string_view name = begin > 0 ? segment : next;
+    const std::size_t at = static_cast<std::size_t>(name.data() - path.data());
+    diagnostics.add(
+        {source, at, at + name.size()},
+        fmt::format("no object is named {}; {} (-D objects.{}={{...}} adds one)", inQuotes(name),
+                    names.empty() ? "the scene has none" : suggestion(name, names), name));
+    return true;
+  }
+  if (next.empty() || next.find_first_not_of("0123456789") != std::string_view::npos) return false;
+  diagnostics.add({source, begin, end},
+                  fmt::format("{} is not given, so it has no item {}; give all of it: -D {}=[...]",
+                              inQuotes(segment), next, path.substr(0, end)));
+  return true;
+}
+
 Node* member(Node& object, std::string_view segment, Place place) {
   if (Node* found = object.find(segment)) return found;
   Node& made = object.children.emplace_back();
@@ -85,6 +115,8 @@ Node* walk(Node& scene, const std::string& path, int source, Diagnostics& diagno
       node = listItem(*node, segment, place, diagnostics);
       if (node == nullptr) return nullptr;
     } else if (node->kind == Node::Kind::object) {
+      if (node->find(segment) == nullptr && addsSilently(*node, path, begin, end, source, diagnostics))
+        return nullptr;
       node = member(*node, segment, place);
     } else {
       diagnostics.add(place, fmt::format("{} is {}, which holds nothing named {}",
@@ -128,7 +160,7 @@ std::string asArguments(std::span<const std::string> overrides) {
 Override parseOverride(std::string_view argument) {
   const std::size_t equals = argument.find('=');
   if (equals == std::string_view::npos || equals == 0)
-    fail(ExitCode::usage, "-D {}: expected path=value, for example -D time.fps=30", printable(argument));
+    fail(ExitCode::usage, "-D {}: expected path=value, for example -D time.fps=30", argument);
   return {std::string(argument.substr(0, equals)), std::string(argument.substr(equals + 1))};
 }
 

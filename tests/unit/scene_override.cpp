@@ -56,6 +56,24 @@ TEST_CASE("mistakes in overrides point at the -D") {
   CHECK(has(mistakes(text, {deep + "=1"}), "this path is too deep"));
 }
 
+TEST_CASE("an override adds no object and no item in passing") {
+  const std::string text = withCloth(R"("wind": [1, 2, 3])");
+  CHECK(mistakes(text, {"objects.flga.cloth.wind=[3,0,1]"}) ==
+        "-D objects.flga.cloth.wind=[3,0,1]: error: no object is named \"flga\"; did you mean \"flag\"? "
+        "(-D objects.flga={...} adds one)\n"
+        "  objects.flga.cloth.wind=[3,0,1]\n"
+        "          ^~~~");
+  CHECK(has(mistakes(text, {"objects.pole.capsule={}"}), "no object is named \"pole\"; known here: flag"));
+  CHECK(has(mistakes("{\"version\": 1}", {"objects.a.cloth.wind=[1,2,3]"}),
+            "no object is named \"a\"; the scene has none"));
+  CHECK(
+      has(mistakes(text, {"objects.flag.cloth.pins.0.row=1"}),
+          "\"pins\" is not given, so it has no item 0; give all of it: -D objects.flag.cloth.pins=[...]"));
+  CHECK(parse("{\"version\": 1}", {"objects.a={\"cloth\": {}}"}).objects.at(0).name == "a");
+  CHECK(parse(text, {"objects.b={\"cloth\": {}}", "objects.b.cloth.wind=[7,8,9]"}).objects.size() == 2);
+  CHECK(parse(text, {"ground.height=-2"}).ground.height == -2.0F);
+}
+
 TEST_CASE("a scene keeps its overrides, which can be typed again") {
   const Scene scene = parse(withCloth(""), {"seed=3", "title=two words"});
   CHECK(scene.overrides == std::vector<std::string>{"seed=3", "title=two words"});
