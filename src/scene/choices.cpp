@@ -32,8 +32,9 @@ class ChoiceFinder final : public Fields {
   void asset(const char*, std::filesystem::path&, const char*) override {}
   void group(const char*, const char*, const std::function<void(Fields&)>&) override {}
   void optionalGroup(const char*, bool&, const char*, const std::function<void(Fields&)>&) override {}
-  void listOf(const char*, const char*, std::size_t, const std::function<void(std::size_t)>&,
+  void listOf(const char*, const char*, std::size_t, std::size_t, const std::function<void(std::size_t)>&,
               const std::function<void(Fields&, std::size_t)>&) override {}
+  void leftOut(const char*, const char*) override {}
   void error(const char*, const std::string&) override {}
   [[nodiscard]] bool given(const char*) const override { return false; }
 

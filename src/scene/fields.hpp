@@ -58,7 +58,8 @@ class Fields {
                          const char* unit, const char* doc) = 0;
   virtual void integers(const char* name, std::vector<int>& value, Range range, const char* unit,
                         const char* doc) = 0;
-  /// One of `names`; value is its index. Use `choice` below for an enum.
+  /// One of `names`; value is its index, or -1 where none applies unless one is given. Use `choice` below
+  /// for an enum.
   virtual void oneOf(const char* name, int& value, const std::vector<const char*>& names,
                      const char* doc) = 0;
   virtual void someOf(const char* name, std::vector<int>& value, const std::vector<const char*>& names,
@@ -69,14 +70,16 @@ class Fields {
   /// A group that switches a feature on by being there.
   virtual void optionalGroup(const char* name, bool& present, const char* doc,
                              const std::function<void(Fields&)>& describe) = 0;
-  /// A list of groups: `resize(n)` makes n fresh items, then `describe(fields, i)` is called for each
-  /// element.
-  virtual void listOf(const char* name, const char* doc, std::size_t mostItems,
+  /// A list of groups, which has `items` of them now: `resize(n)` makes n fresh ones, then
+  /// `describe(fields, i)` is called for each element.
+  virtual void listOf(const char* name, const char* doc, std::size_t mostItems, std::size_t items,
                       const std::function<void(std::size_t)>& resize,
                       const std::function<void(Fields&, std::size_t)>& describe) = 0;
 
-  /// What help shows as the default of the field declared next, where it is no one value: "the middle".
-  virtual void saysDefault(const char* /*words*/) {}
+  /// What stands for the field just declared where a scene leaves it out, when that is no constant
+  /// ("the preset's"): shown in place of the value.
+  virtual void leftOut(const char* name, const char* what) = 0;
+
   /// Reports a mistake that involves several values, at the place of field `name`. Nothing happens
   /// unless a scene is being read.
   virtual void error(const char* name, const std::string& message) = 0;
@@ -93,7 +96,7 @@ class Fields {
   void list(const char* name, std::vector<Item>& items, const char* doc, Describe describe,
             std::size_t mostItems = 256) {
     listOf(
-        name, doc, mostItems, [&](std::size_t count) { items.assign(count, Item{}); },
+        name, doc, mostItems, items.size(), [&](std::size_t count) { items.assign(count, Item{}); },
         [&](Fields& fields, std::size_t i) { describe(fields, items[i]); });
   }
 };

@@ -1,6 +1,7 @@
 #include "scene/help.hpp"
 
 #include "scene/default_text.hpp"
+#include "scene/value_writer.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -35,7 +36,6 @@ std::string written(const T& value) {
 
 void HelpWriter::add(const std::string& name, std::string standard, std::string range, const char* unit,
                      std::string doc) {
-  if (words_ != nullptr) standard = std::exchange(words_, nullptr);
   rows_.push_back({prefix_ + name, std::move(standard), std::move(range), unit, std::move(doc)});
 }
 
@@ -121,7 +121,7 @@ void HelpWriter::integers(const char* name, std::vector<int>& value, Range range
 
 void HelpWriter::oneOf(const char* name, int& value, const std::vector<const char*>& names,
                        const char* doc) {
-  add(name, fmt::format("\"{}\"", names[static_cast<std::size_t>(value)]),
+  add(name, value < 0 ? "off" : fmt::format("\"{}\"", names[static_cast<std::size_t>(value)]),
       fmt::format("{}", fmt::join(names, ", ")), "", doc);
 }
 
@@ -155,13 +155,20 @@ void HelpWriter::optionalGroup(const char* name, bool& /*present*/, const char* 
   addGroup(name, doc, "off", describe);
 }
 
-void HelpWriter::listOf(const char* name, const char* doc, std::size_t mostItems,
+void HelpWriter::leftOut(const char* name, const char* what) {
+  for (Row& row : rows_)
+    if (row.name == prefix_ + name) row.standard = what;
+}
+
+void HelpWriter::listOf(const char* name, const char* doc, std::size_t mostItems, std::size_t items,
                         const std::function<void(std::size_t)>& resize,
                         const std::function<void(Fields&, std::size_t)>& describe) {
-  add(name, "[]", fmt::format("up to {}", mostItems), "", doc);
+  const nlohmann::ordered_json standard = standardItems(items, resize, describe);
+  constexpr std::size_t widest = 30;  // the schema has longer ones
+  const std::string text = standard.dump();
+  add(name, text.size() <= widest ? text : fmt::format("{} items", standard.size()),
+      fmt::format("up to {}", mostItems), "", doc);
   if (!expandGroups_) return;
-  resize(0);
-  resize(1);
   const std::string outer = prefix_;
   prefix_ += std::string(name) + "[].";
   describe(*this, 0);

@@ -229,7 +229,7 @@ void Reader::optionalGroup(const char* name, bool& present, const char* /*doc*/,
   if (node != nullptr) readObject(*node, context_, describe);
 }
 
-void Reader::listOf(const char* name, const char* /*doc*/, std::size_t mostItems,
+void Reader::listOf(const char* name, const char* /*doc*/, std::size_t mostItems, std::size_t /*items*/,
                     const std::function<void(std::size_t)>& resize,
                     const std::function<void(Fields&, std::size_t)>& describe) {
   const Node* node = take(name);

@@ -61,9 +61,10 @@ class Reader final : public Fields {
   void group(const char* name, const char* doc, const std::function<void(Fields&)>& describe) override;
   void optionalGroup(const char* name, bool& present, const char* doc,
                      const std::function<void(Fields&)>& describe) override;
-  void listOf(const char* name, const char* doc, std::size_t mostItems,
+  void listOf(const char* name, const char* doc, std::size_t mostItems, std::size_t items,
               const std::function<void(std::size_t)>& resize,
               const std::function<void(Fields&, std::size_t)>& describe) override;
+  void leftOut(const char* /*name*/, const char* /*what*/) override {}
   void error(const char* name, const std::string& message) override;
   [[nodiscard]] bool given(const char* name) const override;
 

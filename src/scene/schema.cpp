@@ -1,6 +1,7 @@
 #include "scene/schema.hpp"
 
 #include "scene/default_text.hpp"
+#include "scene/value_writer.hpp"
 
 #include <cmath>
 #include <string>
@@ -58,15 +59,6 @@ Json described(Json schema, Json standard, const std::string& doc) {
 
 Json SchemaWriter::object() const {
   return {{"type", "object"}, {"properties", properties_}, {"additionalProperties", false}};
-}
-
-void SchemaWriter::add(const char* name, Json schema) {
-  if (words_ != nullptr) {
-    schema.erase("default");
-    schema["description"] =
-        fmt::format("{} Default: {}.", schema.value("description", ""), std::exchange(words_, nullptr));
-  }
-  properties_[name] = std::move(schema);
 }
 
 void SchemaWriter::boolean(const char* name, bool& value, const char* doc) {
@@ -139,7 +131,10 @@ void SchemaWriter::integers(const char* name, std::vector<int>& value, Range ran
 
 void SchemaWriter::oneOf(const char* name, int& value, const std::vector<const char*>& names,
                          const char* doc) {
-  add(name, described({{"enum", names}}, names[static_cast<std::size_t>(value)], doc));
+  Json schema = {{"enum", names}};
+  if (value >= 0) schema["default"] = names[static_cast<std::size_t>(value)];
+  schema["description"] = doc;
+  add(name, std::move(schema));
 }
 
 void SchemaWriter::someOf(const char* name, std::vector<int>& value, const std::vector<const char*>& names,
@@ -168,14 +163,20 @@ void SchemaWriter::optionalGroup(const char* name, bool& /*present*/, const char
   group(name, fmt::format("{} Off unless given.", doc).c_str(), describe);
 }
 
-void SchemaWriter::listOf(const char* name, const char* doc, std::size_t mostItems,
+void SchemaWriter::leftOut(const char* name, const char* what) {
+  Json& schema = properties_[name];
+  schema.erase("default");
+  schema["description"] = fmt::format("{} Left out: {}.", schema.value("description", ""), what);
+}
+
+void SchemaWriter::listOf(const char* name, const char* doc, std::size_t mostItems, std::size_t items,
                           const std::function<void(std::size_t)>& resize,
                           const std::function<void(Fields&, std::size_t)>& describe) {
+  Json standard = standardItems(items, resize, describe);
   SchemaWriter inner;
-  resize(0);
-  resize(1);
   describe(inner, 0);
-  add(name, {{"type", "array"}, {"items", inner.object()}, {"maxItems", mostItems}, {"description", doc}});
+  add(name, described({{"type", "array"}, {"items", inner.object()}, {"maxItems", mostItems}},
+                      std::move(standard), doc));
 }
 
 }  // namespace simreel::scene

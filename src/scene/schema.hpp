@@ -11,7 +11,7 @@ class SchemaWriter final : public Fields {
   /// Schema of the object described so far; unknown keys are not allowed in it.
   [[nodiscard]] nlohmann::ordered_json object() const;
   /// Adds a property that is not declared through Fields.
-  void add(const char* name, nlohmann::ordered_json schema);
+  void add(const char* name, nlohmann::ordered_json schema) { properties_[name] = std::move(schema); }
 
   void boolean(const char* name, bool& value, const char* doc) override;
   void integer(const char* name, int& value, Range range, const char* unit, const char* doc) override;
@@ -39,16 +39,15 @@ class SchemaWriter final : public Fields {
   void group(const char* name, const char* doc, const std::function<void(Fields&)>& describe) override;
   void optionalGroup(const char* name, bool& present, const char* doc,
                      const std::function<void(Fields&)>& describe) override;
-  void listOf(const char* name, const char* doc, std::size_t mostItems,
+  void listOf(const char* name, const char* doc, std::size_t mostItems, std::size_t items,
               const std::function<void(std::size_t)>& resize,
               const std::function<void(Fields&, std::size_t)>& describe) override;
-  void saysDefault(const char* words) override { words_ = words; }
+  void leftOut(const char* name, const char* what) override;
   void error(const char* /*name*/, const std::string& /*message*/) override {}
   [[nodiscard]] bool given(const char* /*name*/) const override { return false; }
 
  private:
   nlohmann::ordered_json properties_ = nlohmann::ordered_json::object();
-  const char* words_ = nullptr;  ///< of the next default
 };
 
 }  // namespace simreel::scene

@@ -28,13 +28,16 @@ void FieldDisplay::describe(scene::Fields& fields) {
   std::vector<const char*> maps;
   maps.reserve(names.size());
   for (const std::string& name : names) maps.push_back(name.c_str());
-  int index = static_cast<int>(std::find(names.begin(), names.end(), map) - names.begin());
+  // The colours of a simulation's own go before a map, unless a scene names one.
+  int index =
+      stops.empty() ? static_cast<int>(std::find(names.begin(), names.end(), map) - names.begin()) : -1;
   fields.oneOf("map", index, maps, "Colour map.");
-  map = names.at(static_cast<std::size_t>(index));
+  if (index >= 0) map = names.at(static_cast<std::size_t>(index));
   struct Stop {
     glm::vec3 color{1};
   };
   std::vector<Stop> given;
+  for (const glm::vec3& color : stops) given.push_back({color});
   fields.list("stops", given, "Evenly spaced colours instead of a map.", [](scene::Fields& f, Stop& stop) {
     f.vector("color", stop.color, scene::notNegative, "", "Linear RGB.");
   });

@@ -14,6 +14,7 @@ void rate(scene::Fields& f, const char* name, std::optional<scene::Animated<floa
           const char* doc) {
   scene::Animated<float> read = value ? *value : scene::Animated<float>(standard);
   f.number(name, read, {0, 0.2}, "per unit of time", doc);
+  f.leftOut(name, "the preset's");
   if (f.given(name)) value = read;
 }
 
@@ -75,6 +76,7 @@ void GrayScottParameters::describe(scene::Fields& f) {
     if (!image.empty()) seedCount = 0;
     s.integer("count", seedCount, {0, 1e6}, "",
               "How many, at random places; none beside an \"image\" unless given.");
+    s.leftOut("count", "24, or 0");
     s.number("radius", seedRadius, {0, 1e4}, "cells", "Of each.");
     s.number("value", seedValue, {0, 1}, "", "v within them; u is the rest of 1.");
     s.number("noise", seedNoise, {0, 1}, "", "Share by which v differs at random from cell to cell.");

@@ -27,9 +27,9 @@ LifeParameters::LifeParameters() {
 void LifePattern::describe(scene::Fields& f) {
   f.asset("file", file, "Pattern as RLE, plaintext (.cells) or Life 1.05 or 1.06.");
   glm::ivec2 corner = at.value_or(glm::ivec2(0));
-  f.saysDefault("the middle");
   f.pair("at", corner, {-mostLifeSide, mostLifeSide}, "cells",
          "Its top left corner, once flipped and turned; a torus wraps it round.");
+  f.leftOut("at", "the middle");
   if (f.given("at")) at = corner;
   f.choice("flip", flip, {"none", "horizontal", "vertical"}, "Mirrored, before it is turned.");
   f.integer("rotate", rotate, {0, 270}, "degrees", "Clockwise: 0, 90, 180 or 270.");
@@ -38,11 +38,11 @@ void LifePattern::describe(scene::Fields& f) {
 }
 
 void LifeParameters::describe(scene::Fields& f) {
-  f.saysDefault("[512,512], or fits the patterns");
   f.pair(
       "size", size, {1, mostLifeSide}, "cells",
       "Width and height of the grid; 2 bits of memory a cell. Not given beside patterns: that of a pattern "
       "made for a bounded grid, else 16 to 9 with a margin around them, half of the longest side.");
+  f.leftOut("size", "[512,512], or fits the patterns");
   f.text(
       "rule", rule,
       "Numbers of neighbours for birth and survival, \"B3/S23\" (or \"23/3\", survival first); not given: "
@@ -56,10 +56,12 @@ void LifeParameters::describe(scene::Fields& f) {
       "border", border, {"torus", "dead"},
       "torus: each edge meets the opposite one; dead: beyond the edge nothing lives. Not given: that of a "
       "pattern made for a bounded grid goes before.");
+  f.leftOut("border", "\"torus\", or a pattern's");
   borderGiven = f.given("border");
   f.number("fill", fill, {0, 1}, "",
            "Share of cells alive at the start, by a hash of place and seed; 0 where patterns are given and "
            "this is not.");
+  f.leftOut("fill", "0.3, or 0");
   f.list(
       "patterns", patterns, "Pattern files set into the first state; their living cells are added.",
       [](scene::Fields& g, LifePattern& pattern) { pattern.describe(g); }, 4096);
@@ -72,14 +74,18 @@ void LifeParameters::describe(scene::Fields& f) {
   f.number("stepsPerSecond", stepsPerSecond, {1e-3, 1e6}, "1/s",
            "Generations a second, whatever the frame rate.");
   if (fitted) trail = fittedTrail;
-  f.saysDefault("0, or 24 where the grid fits patterns");
   f.integer("trail", trail, {0, mostTrail}, "steps",
             "For how long dead cells fade; needs another byte a cell; 0: no trail.");
+  f.leftOut("trail", "0, or 24 where the grid fits patterns");
   if (trail > 0) display.high = brightLevel();
   f.group("display",
           "How it is laid over the picture. Values: 0 dead, 1 alive; with a trail 0 to trail for what has "
           "died, a third more for the living. A grid that fits its patterns is shown whole (\"contain\").",
-          [&](scene::Fields& g) { display.describe(g); });
+          [&](scene::Fields& g) {
+            display.describe(g);
+            g.leftOut("high", "1, or by trail");
+            g.leftOut("fit", "\"cover\", or \"contain\"");
+          });
 }
 
 std::span<const scene::Quantity> LifeParameters::quantities() const {

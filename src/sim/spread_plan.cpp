@@ -51,8 +51,10 @@ void SpreadParameters::describeLook(scene::Fields& f) {
            "Length of the chart's time axis, which grows when it is over.");
   f.group("display", "How it is laid over the picture.", [&](scene::Fields& d) {
     display.describe(d);
-    for (const char* name : {"map", "stops", "low", "high"})
+    for (const char* name : {"map", "stops", "low", "high"}) {
+      d.leftOut(name, "by \"colors\"");
       if (d.given(name)) d.error(name, "its colours are in \"colors\", one for each state");
+    }
   });
 }
 

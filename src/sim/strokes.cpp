@@ -66,6 +66,7 @@ void StrokeParameters::describe(scene::Fields& f, double most, const char* value
   f.vector("from", from, {-1e6, 1e6}, "cells",
            "Middle of the circle, start of the line, or top left of the image; the third is unused.");
   f.vector("to", to, {-1e6, 1e6}, "cells", "Where the circle moves to, or the line's end.");
+  f.leftOut("to", "\"from\"");
   if (!f.given("to")) to = from;
   f.number("radius", radius, {0, 1e5}, "cells", "Of the circle; half the width of the line.");
   f.asset("image", image, "Picture of shape \"image\"; its light pixels are painted.");
