@@ -2,13 +2,13 @@
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "base/log.hpp"
+#include "base/text.hpp"
 #include "base/version.hpp"
 #include "cli/bake_files.hpp"
 #include "cli/bake_maps.hpp"
 #include "cli/commands.hpp"
 #include "cli/device_options.hpp"
 #include "cli/scene_options.hpp"
-#include "frame/frames_spec.hpp"
 #include "frame/interrupt.hpp"
 #include "gl/context.hpp"
 #include "sim/world.hpp"
@@ -68,11 +68,7 @@ void bake(const BakeOptions& o) {
                      .overwrite = o.overwrite});
   if (!o.look.empty()) fail(ExitCode::usage, "--look belongs to --format maps");
   const scene::Scene scene = o.scene.load();
-  std::vector<int> frames;
-  if (o.frames)
-    frames = frame::parseFrames(*o.frames);
-  else
-    for (int frame = 0; frame < scene.frameCount(); ++frame) frames.push_back(frame);
+  const std::vector<int> frames = chosenFrames(o.frames, scene);
   frame::catchInterrupts();
   const gl::Context context(o.on);
   sim::World world(scene);
@@ -99,7 +95,8 @@ void bake(const BakeOptions& o) {
           fmt::format("simreel {}", version()), fmt::format("scene {}", scene.hash),
           fmt::format("object {} frame {} time {:g} s seed {}", world.objectName(object), frame,
                       world.time(), scene.seed)};
-      if (!scene.overrides.empty()) comments.push_back("overrides " + scene::asArguments(scene.overrides));
+      if (!scene.overrides.empty())
+        comments.push_back("overrides " + oneLine(scene::asArguments(scene.overrides)));
       writeFileAtomically(fileOf(o, world, object, frame),
                           stateFile(world, object, formatFor(world, object, o.format), comments));
       ++files;

@@ -9,7 +9,6 @@
 #include "draw/skin_look.hpp"
 #include "draw/skin_maps.hpp"
 #include "draw/skin_textures.hpp"
-#include "frame/frames_spec.hpp"
 #include "frame/interrupt.hpp"
 #include "frame/map_pictures.hpp"
 #include "gl/context.hpp"
@@ -154,7 +153,7 @@ void bakeMaps(const MapsOptions& o) {
   if (!o.look.empty()) wearOwnField(o, scene);
   const auto objects = bakedSkins(o, scene);
   const std::vector<int> frames =
-      o.frames ? frame::parseFrames(*o.frames) : std::vector<int>{scene.frameCount() - 1};
+      o.frames ? chosenFrames(o.frames, scene) : std::vector<int>{scene.frameCount() - 1};
   refuseExisting(o, objects, frames);
   frame::catchInterrupts();
   const gl::Context context(o.on);

@@ -74,6 +74,7 @@ void bisect(const BisectOptions& o) {
          "bisect runs the scene several times, and standard input comes once; give a file");
   const scene::Scene scene = o.scene.load();
   const int last = lastFrame(o, scene);
+  warnBeyondEnd(last, scene);
   const std::string own = ownCommand();
   const auto here = side("this side", own, o, o.on.device, o.on.memoryPath);
   const auto there =
@@ -92,7 +93,7 @@ void bisect(const BisectOptions& o) {
       const golden::DifferentArray& first = difference->arrays.front();
       report.element = elementName(o, scene, first.object, static_cast<long>(first.difference.first));
     }
-    fmt::print("{}", o.json ? bisectJson(report) : bisectText(report));
+    printText(o.json ? bisectJson(report) : bisectText(report));
     if (difference) setExitCode(static_cast<int>(ExitCode::different));
   } catch (const golden::Interrupted& interrupted) {
     info("simreel: interrupted");

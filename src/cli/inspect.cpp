@@ -1,12 +1,19 @@
 // Commands that only read: validate, schema, list.
 #include "base/error.hpp"
 #include "base/log.hpp"
+#include "base/text.hpp"
 #include "cli/commands.hpp"
+#include "cli/device_options.hpp"
 #include "cli/scene_options.hpp"
+#include "draw/renderer.hpp"
+#include "gl/context.hpp"
 #include "sim/list.hpp"
+#include "sim/numerics.hpp"
+#include "sim/world.hpp"
 
 #include <cstdio>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,28 +25,68 @@ namespace {
 
 struct ValidateOptions {
   std::vector<std::string> files, overrides, assets;
+  std::string device;  ///< empty: none is used
+  gl::ContextOptions on;
 };
 
-void validate(const ValidateOptions& o) {
-  const auto all = parseOverrides(o.overrides);
-  const auto folders = assetFolders(o.assets);
-  const std::vector<std::string>& files = o.files;
+/// What only a device can tell: its limits, and the first frame.
+void checkOnDevice(const scene::Scene& scene, const sim::Numerics& numerics) {
+  requireExact(scene, numerics);
+  sim::World world(scene);
+  draw::Renderer renderer(scene, scene.render.size, scene.render.samples);
+  renderer.draw(world.time(), world.drawables());
+  world.startSummary();
+  static_cast<void>(world.takeSummary(true));  // throws when the state is lost
+}
+
+/// The mistakes of one scene; none: it can be used.
+std::vector<UserError> problemsOf(const std::string& file, const ValidateOptions& o,
+                                  const std::optional<sim::Numerics>& numerics) {
+  std::vector<UserError> problems;
+  try {
+    const auto scene =  // with what stands beside it
+        scene::loadTestScene(file, parseOverrides(o.overrides), sim::kinds(), assetFolders(o.assets));
+    problems = sim::findProblems(scene);
+    if (problems.empty() && numerics) checkOnDevice(scene, *numerics);
+  } catch (const UserError& error) {
+    problems.push_back(error);
+  }
+  return problems;
+}
+
+/// A scene's sentences begin with its name, as the lines of its reports do.
+void printProblem(const std::string& file, const UserError& error) {
+  if (error.form() == UserError::Form::report)
+    printError(error);
+  else
+    errorLine(file + ": error: " + error.what());
+}
+
+void validate(ValidateOptions o) {
+  static_cast<void>(parseOverrides(o.overrides));
+  static_cast<void>(assetFolders(o.assets));
+  std::optional<gl::Context> context;
+  std::optional<sim::Numerics> numerics;
+  if (!o.device.empty()) {
+    if (o.device != "true") o.on.device = o.device;
+    context.emplace(o.on);
+    numerics = sim::probeNumerics();
+  }
   std::size_t bad = 0;
-  for (const std::string& file : files) {
-    try {
-      const auto scene =
-          scene::loadTestScene(file, all, sim::kinds(), folders);  // with what stands beside it
-      fmt::print("{}: ok\n", file);
-    } catch (const UserError& error) {
-      if (error.code() != ExitCode::usage && files.size() == 1) throw;
-      ++bad;
-      std::fflush(stdout);
-      errorLine(error.what());
+  ExitCode code = ExitCode::usage;
+  for (const std::string& file : o.files) {
+    const std::vector<UserError> problems = problemsOf(file, o, numerics);
+    if (problems.empty()) {
+      printText(oneLine(file) + ": ok\n");
+      continue;
     }
+    ++bad;
+    std::fflush(stdout);
+    for (const UserError& problem : problems) printProblem(file, problem);
+    if (o.files.size() == 1) code = problems.front().code();  // that of rendering it
   }
   if (bad > 0)
-    fail(ExitCode::usage, "{} of {} scene{} cannot be used", bad, files.size(),
-         files.size() == 1 ? "" : "s");
+    fail(code, "{} of {} scene{} cannot be used", bad, o.files.size(), o.files.size() == 1 ? "" : "s");
 }
 
 }  // namespace
@@ -51,12 +98,15 @@ void addValidate(CLI::App& app) {
   command->add_option("-D", o->overrides, "Override any value: path=value, repeatable")
       ->allow_extra_args(false);
   addAssets(*command, o->assets);
+  command->add_flag(
+      "--device", o->device,
+      "Also make each scene and draw its first frame on a device; =INDEX or =NAME chooses it");
   command->callback([o] { validate(*o); });
 }
 
 void addSchema(CLI::App& app) {
   app.add_subcommand("schema", "Print the JSON Schema of scene files")->callback([] {
-    fmt::print("{}", scene::schemaText(sim::kinds()));
+    printText(scene::schemaText(sim::kinds()));
   });
 }
 
@@ -66,7 +116,7 @@ void addList(CLI::App& app) {
       app.add_subcommand("list", "Print what a scene may hold, or every parameter of one thing");
   command->add_option("name", *name, "A simulation or section, for example cloth");
   command->callback([name] {
-    fmt::print("{}", name->empty() ? scene::listText(sim::kinds()) : scene::helpText(*name, sim::kinds()));
+    printText(name->empty() ? scene::listText(sim::kinds()) : scene::helpText(*name, sim::kinds()));
   });
 }
 

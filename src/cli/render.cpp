@@ -5,7 +5,6 @@
 #include "cli/scene_options.hpp"
 #include "frame/field_files.hpp"
 #include "frame/frame_sink.hpp"
-#include "frame/frames_spec.hpp"
 #include "frame/interrupt.hpp"
 #include "frame/output_name.hpp"
 #include "frame/progress.hpp"
@@ -48,18 +47,11 @@ frame::Existing existingPolicy(const RenderOptions& o) {
                           : frame::Existing::error;
 }
 
-std::vector<int> framesToRender(const RenderOptions& o, const scene::Scene& scene) {
-  if (o.frames) return frame::parseFrames(*o.frames);
-  std::vector<int> all(static_cast<std::size_t>(scene.frameCount()));
-  for (std::size_t i = 0; i < all.size(); ++i) all[i] = static_cast<int>(i);
-  return all;
-}
-
 void render(const RenderOptions& o) {
   const auto existing = existingPolicy(o);
   frame::Progress progress(frame::parseProgressMode(o.progress));
   const scene::Scene scene = o.scene.load();
-  const auto frames = framesToRender(o, scene);
+  const auto frames = chosenFrames(o.frames, scene);
   // A senseless name fails before a device starts.
   const frame::OutputName output = frame::parseOutput(o.output, frames.size());
   std::optional<frame::FieldFiles> fields;
@@ -71,10 +63,7 @@ void render(const RenderOptions& o) {
 
   const gl::Context context(o.on);
   const auto numerics = sim::probeNumerics();
-  if (scene.numerics == scene::Numerics::exact && !numerics.exactHolds)
-    fail(ExitCode::device,
-         "this driver does not compute exactly ({}); use another device, or \"numerics\": \"fast\"",
-         numerics.firstFailure);
+  requireExact(scene, numerics);
   const auto machine = gl::machineOf(context);
   const frame::RunInfo run{
       .title = scene.title,

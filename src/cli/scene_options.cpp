@@ -1,9 +1,12 @@
 #include "cli/scene_options.hpp"
 
 #include "base/error.hpp"
+#include "base/log.hpp"
+#include "frame/frames_spec.hpp"
 #include "sim/list.hpp"
 
 #include <charconv>
+#include <numeric>
 #include <system_error>
 
 #include <CLI/CLI.hpp>
@@ -41,6 +44,24 @@ void addAssets(CLI::App& command, std::vector<std::string>& folders) {
                   "Folder below which scenes may find files, beside their own and the shipped ones; "
                   "repeatable")
       ->allow_extra_args(false);
+}
+
+void warnBeyondEnd(int frame, const scene::Scene& scene) {
+  const int last = scene.frameCount() - 1;
+  if (frame > last)
+    warn("frame {} is beyond the scene's end, frame {} ({:g} s); it is simulated on from there", frame,
+         last, scene.time.duration);
+}
+
+std::vector<int> chosenFrames(const std::optional<std::string>& text, const scene::Scene& scene) {
+  if (text) {
+    std::vector<int> frames = frame::parseFrames(*text);
+    warnBeyondEnd(frames.back(), scene);
+    return frames;
+  }
+  std::vector<int> all(static_cast<std::size_t>(scene.frameCount()));
+  std::iota(all.begin(), all.end(), 0);
+  return all;
 }
 
 std::vector<std::filesystem::path> assetFolders(const std::vector<std::string>& folders) {

@@ -33,6 +33,11 @@ struct SceneOptions {
 void addAssets(CLI::App& command, std::vector<std::string>& folders);
 /// They as paths. Throws UserError(usage) for one that is no folder.
 [[nodiscard]] std::vector<std::filesystem::path> assetFolders(const std::vector<std::string>& folders);
+/// The frames that --frames names, ascending; not given: all of the scene. Warns of those beyond its end.
+[[nodiscard]] std::vector<int> chosenFrames(const std::optional<std::string>& text,
+                                            const scene::Scene& scene);
+/// Warns where a frame that is asked for lies beyond the scene's end.
+void warnBeyondEnd(int frame, const scene::Scene& scene);
 /// Each "path=value" of -D. Throws UserError(usage).
 [[nodiscard]] std::vector<scene::Override> parseOverrides(const std::vector<std::string>& texts);
 

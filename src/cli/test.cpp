@@ -2,6 +2,7 @@
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "base/log.hpp"
+#include "base/text.hpp"
 #include "base/version.hpp"
 #include "cli/commands.hpp"
 #include "cli/device_options.hpp"
@@ -104,7 +105,9 @@ golden::SuiteResult forElsewhere(golden::SuiteResult suite) {
 }
 
 void writeGithub(const golden::SuiteResult& suite) {
-  fmt::print("{}", golden::githubAnnotations(suite));
+  // The one text that is made of commands.
+  const std::string commands = golden::githubAnnotations(suite);
+  static_cast<void>(std::fwrite(commands.data(), 1, commands.size(), stdout));
   // NOLINTNEXTLINE(concurrency-mt-unsafe): the environment is only read.
   const char* place = std::getenv("GITHUB_STEP_SUMMARY");
   if (place == nullptr || *place == '\0') return;
@@ -165,7 +168,7 @@ int runAll(const std::vector<golden::SceneFile>& scenes, golden::Suite& suite, c
       return interrupted.signal;
     }
     if (verbosity() != Verbosity::quiet) {
-      fmt::print("{}", golden::sceneLine(result.scenes.back(), colored(), reportFolder));
+      printPainted(golden::sceneLine(result.scenes.back(), colored(), reportFolder));
       std::fflush(stdout);
     }
   }
@@ -173,6 +176,7 @@ int runAll(const std::vector<golden::SceneFile>& scenes, golden::Suite& suite, c
 }
 
 void test(const TestOptions& o) {
+  if (o.github) avoidWorkflowCommands();
   checkProfile(o.profile);
   golden::SuiteOptions options;
   options.repeats = o.repeat;
@@ -186,7 +190,8 @@ void test(const TestOptions& o) {
   choosePlaces(o, options);
   const auto scenes = chosenScenes(o);
   if (o.list) {
-    for (const golden::SceneFile& scene : scenes) fmt::print("{}\t{}\n", scene.name, scene.file.string());
+    for (const golden::SceneFile& scene : scenes)
+      printText(oneLine(scene.name) + "\t" + oneLine(scene.file.string()) + "\n");
     return;
   }
   if (!o.report.empty()) prepareReport(o.report, options.artifacts);
@@ -213,7 +218,7 @@ void test(const TestOptions& o) {
   for (const golden::SceneResult& scene : result.scenes)
     if (!scene.candidate.empty()) result.acceptCommand = "simreel accept " + reportFile;
   writeReports(o, result);
-  if (verbosity() != Verbosity::quiet) fmt::print("{}", golden::closingText(result, colored(), o.report));
+  if (verbosity() != Verbosity::quiet) printPainted(golden::closingText(result, colored(), o.report));
   if (signal != 0) info("simreel: interrupted after {} of {} scenes", result.scenes.size(), scenes.size());
   setExitCode(signal != 0 ? 128 + signal : static_cast<int>(suite.exitCode()));
 }

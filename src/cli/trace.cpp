@@ -156,6 +156,7 @@ void trace(const TraceOptions& o) {
     return;
   }
   const Range range = parseRange(o.frames.value_or("all"), first, scene.frameCount());
+  warnBeyondEnd(range.last, scene);
   if (putLine(golden::headerLine(header(world, context))))
     golden::traceFrames(world, range.first, range.last, putLine);
 }

@@ -18,6 +18,18 @@ namespace simreel::frame {
 
 namespace {
 
+/// With its dot, in lower case.
+std::string extensionOf(const std::filesystem::path& file) {
+  std::string extension = file.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension;
+}
+
+bool hasH264(const std::string& extension) {
+  return extension == ".mp4" || extension == ".m4v" || extension == ".mov" || extension == ".mkv";
+}
+
 /// Encoder for an extension (lower case, with dot); ffmpeg's own choice for the others.
 std::vector<std::string> encoderArguments(const std::string& extension) {
   // 4:2:0 needs even sides. The matrix is said in the file too, or players guess it from the size.
@@ -26,7 +38,7 @@ std::vector<std::string> encoderArguments(const std::string& extension) {
   const std::vector<std::string> colour = {"-colorspace", "bt709", "-color_primaries", "bt709",
                                            "-color_trc",  "bt709", "-color_range",     "tv"};
   std::vector<std::string> result;
-  if (extension == ".mp4" || extension == ".m4v" || extension == ".mov" || extension == ".mkv") {
+  if (hasH264(extension)) {
     result = {"-vf", even, "-c:v", "libx264", "-preset", "medium", "-crf", "18"};
     result.insert(result.end(), colour.begin(), colour.end());
     if (extension != ".mkv") result.insert(result.end(), {"-movflags", "+faststart"});
@@ -52,9 +64,6 @@ void closeIfOpen(int& descriptor) {
 
 std::vector<std::string> ffmpegArguments(const std::filesystem::path& file, int width, int height,
                                          double fps) {
-  std::string extension = file.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   std::vector<std::string> result = {"ffmpeg",   "-hide_banner",
                                      "-nostdin", "-loglevel",
                                      "error",    "-y",
@@ -63,11 +72,17 @@ std::vector<std::string> ffmpegArguments(const std::filesystem::path& file, int 
                                      "-s",       fmt::format("{}x{}", width, height),
                                      "-r",       fmt::format("{}", fps),
                                      "-i",       "pipe:0"};
-  const std::vector<std::string> encoder = encoderArguments(extension);
+  const std::vector<std::string> encoder = encoderArguments(extensionOf(file));
   result.insert(result.end(), encoder.begin(), encoder.end());
   // Bit-exact: no version or time in the file. "file:" keeps a name with - or : from being read otherwise.
   result.insert(result.end(), {"-fflags", "+bitexact", "-flags:v", "+bitexact", "file:" + file.string()});
   return result;
+}
+
+std::pair<int, int> videoSize(const std::filesystem::path& file, int width, int height) {
+  const std::string extension = extensionOf(file);
+  if (!hasH264(extension) && extension != ".webm") return {width, height};
+  return {width + width % 2, height + height % 2};
 }
 
 Ffmpeg::Ffmpeg(const std::vector<std::string>& arguments) {

@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 #include <sys/types.h>
+#include <utility>
 #include <vector>
 
 namespace simreel::frame {
@@ -13,6 +14,9 @@ namespace simreel::frame {
 /// extension suggests.
 [[nodiscard]] std::vector<std::string> ffmpegArguments(const std::filesystem::path& file, int width,
                                                        int height, double fps);
+
+/// Width and height that the video gets: 4:2:0 encoders need even sides, so an odd one is one pixel longer.
+[[nodiscard]] std::pair<int, int> videoSize(const std::filesystem::path& file, int width, int height);
 
 /// A running ffmpeg, fed through a pipe. What it says is kept in memory, so it never waits for a reader.
 class Ffmpeg {

@@ -1,5 +1,6 @@
 #include "base/error.hpp"
 #include "base/file.hpp"
+#include "base/log.hpp"
 #include "frame/ffmpeg.hpp"
 #include "frame/frame_queue.hpp"
 #include "frame/shared_manifest.hpp"
@@ -38,6 +39,12 @@ class VideoSink final : public FrameSink {
     makeFolders(output_.folder);
     refuseReadOnly();
     shared_.emplace(output_, run, frames);
+    if (const auto [width, height] = videoSize(file_, run.width, run.height);
+        width != run.width || height != run.height)
+      warn(
+          "{}: this encoder needs even sides, so {}x{} becomes {}x{} with a black edge; choose --size "
+          "{}x{}",
+          file_.string(), run.width, run.height, width, height, width, height);
     ffmpeg_.emplace(ffmpegArguments(part_, run.width, run.height, run.fps));
     queue_.emplace(1, 4, [this](const FrameInfo& info, const std::optional<Image>& image) {
       if (image) handle(info, *image);

@@ -212,6 +212,10 @@ class Cloth : public Simulation {
 SimulationKind clothKind() {
   return {{"cloth", "A sheet of particles held together by springs, in wind and over colliders.",
            [] { return std::make_unique<ClothParameters>(); }},
+          [](const scene::Object& object, const Setting& setting) {
+            static_cast<void>(ClothPlan(dynamic_cast<const ClothParameters&>(*object.parameters),
+                                        setting.seed, setting.frameSeconds, *setting.colliders));
+          },
           [](const scene::Object& object, const Setting& setting) -> std::unique_ptr<Simulation> {
             return std::make_unique<Cloth>(object, setting);
           }};

@@ -91,6 +91,11 @@ class Epidemic final : public Simulation {
 SimulationKind epidemicKind() {
   return {{"epidemic", "Susceptible, infected and recovered people on a grid of cells.",
            [] { return std::make_unique<EpidemicParameters>(); }},
+          [](const scene::Object& object, const Setting& setting) {
+            static_cast<void>(EpidemicPlan(dynamic_cast<const EpidemicParameters&>(*object.parameters),
+                                           object.name, setting.seed, setting.frameSeconds)
+                                  .firstCells());
+          },
           [](const scene::Object& object, const Setting& setting) -> std::unique_ptr<Simulation> {
             return std::make_unique<Epidemic>(object, setting);
           }};

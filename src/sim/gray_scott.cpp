@@ -85,6 +85,11 @@ class GrayScott : public Simulation {
 SimulationKind grayScottKind() {
   return {{"grayScott", "Two substances that react and spread: spots, stripes, mazes (Gray-Scott).",
            [] { return std::make_unique<GrayScottParameters>(); }},
+          [](const scene::Object& object, const Setting& setting) {
+            GrayScottPlan(dynamic_cast<const GrayScottParameters&>(*object.parameters), object.name,
+                          setting.seed, setting.frameSeconds)
+                .checkPictures();
+          },
           [](const scene::Object& object, const Setting& setting) -> std::unique_ptr<Simulation> {
             return std::make_unique<GrayScott>(object, setting);
           }};

@@ -45,6 +45,14 @@ GrayScottPlan::GrayScottPlan(GrayScottParameters parameters, const std::string& 
     warn("the rates of the grayScott preset \"spots\" let every pattern die out; \"leopard\" grows spots");
 }
 
+void GrayScottPlan::checkPictures() const {
+  const GrayScottParameters& p = parameters_;
+  for (const auto& [file, what] :
+       {std::pair(&p.image, "image of v"), std::pair(&p.feedImage, "image of feed rates"),
+        std::pair(&p.killImage, "image of kill rates")})
+    if (!file->empty()) static_cast<void>(loadPicture(*file, what, mostImageSide));
+}
+
 std::vector<float> GrayScottPlan::firstV() const {
   const GrayScottParameters& p = parameters_;
   const auto cells = static_cast<std::size_t>(p.size.x) * static_cast<std::size_t>(p.size.y);

@@ -24,6 +24,8 @@ class GrayScottPlan {
  public:
   /// Reads the images. Throws UserError for one that cannot be read.
   GrayScottPlan(GrayScottParameters parameters, const std::string& object, int seed, double frameSeconds);
+  /// Reads the pictures that the parameters name. Throws UserError: what loadPicture says.
+  void checkPictures() const;
 
   /// Two cells (u, v, u, v) an element, rows of columns() elements; the spare half of an odd row is cell 0.
   [[nodiscard]] std::vector<glm::vec4> firstCells() const;

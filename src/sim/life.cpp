@@ -220,6 +220,10 @@ class Life : public Simulation {
 SimulationKind lifeKind() {
   return {{"life", "A cellular automaton: Conway's Game of Life or any rule that counts neighbours.",
            [] { return std::make_unique<LifeParameters>(); }, sceneAroundPattern},
+          [](const scene::Object& object, const Setting& setting) {
+            static_cast<void>(LifePlan(dynamic_cast<const LifeParameters&>(*object.parameters), object.name,
+                                       setting.seed, setting.frameSeconds));
+          },
           [](const scene::Object& object, const Setting& setting) -> std::unique_ptr<Simulation> {
             return std::make_unique<Life>(object, setting);
           }};

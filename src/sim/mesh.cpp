@@ -2,6 +2,8 @@
 
 #include "base/log.hpp"
 #include "sim/deform.hpp"
+#include "sim/deform_plan.hpp"
+#include "sim/deform_rest.hpp"
 #include "sim/mesh_buffers.hpp"
 #include "sim/mesh_parameters.hpp"
 
@@ -32,9 +34,9 @@ class RigidMesh : public Simulation {
   MeshBuffers buffers_;
 };
 
-std::unique_ptr<Simulation> makeMesh(const scene::Object& object, const Setting& setting) {
+Mesh readMesh(const scene::Object& object, const Setting& setting) {
   const auto& parameters = dynamic_cast<const MeshParameters&>(*object.parameters);
-  const Mesh mesh = parameters.make(setting.seed);
+  Mesh mesh = parameters.make(setting.seed);
   if (mesh.uvs.empty() && object.material.hasSkin &&
       object.material.skin.projection == scene::Skin::Projection::uv)
     warn("mesh \"{}\": {} has no texture coordinates; \"projection\": \"triplanar\" lays its skin without",
@@ -42,6 +44,20 @@ std::unique_ptr<Simulation> makeMesh(const scene::Object& object, const Setting&
   if (mesh.uvs.empty() && !object.material.hasSkin && !object.material.texture.empty())
     warn("mesh \"{}\": {} has no texture coordinates, so its texture shows the colour of one corner",
          object.name, parameters.file.string());
+  return mesh;
+}
+
+void checkMesh(const scene::Object& object, const Setting& setting) {
+  const auto& parameters = dynamic_cast<const MeshParameters&>(*object.parameters);
+  const Mesh mesh = readMesh(object, setting);
+  if (parameters.deform.list.empty()) return;
+  static_cast<void>(DeformPlan(object.name, parameters, mesh, *setting.colliders));
+  static_cast<void>(RestMesh(object.name, mesh));
+}
+
+std::unique_ptr<Simulation> makeMesh(const scene::Object& object, const Setting& setting) {
+  const auto& parameters = dynamic_cast<const MeshParameters&>(*object.parameters);
+  const Mesh mesh = readMesh(object, setting);
   if (!parameters.deform.list.empty()) return makeDeformedMesh(object, parameters, mesh, setting);
   return std::make_unique<RigidMesh>(object, parameters, mesh);
 }
@@ -51,6 +67,7 @@ std::unique_ptr<Simulation> makeMesh(const scene::Object& object, const Setting&
 SimulationKind meshKind() {
   return {{"mesh", "A generated mesh or one from a file, that may move along keyframes and be deformed.",
            [] { return std::make_unique<MeshParameters>(); }},
+          checkMesh,
           makeMesh};
 }
 

@@ -18,13 +18,15 @@ namespace simreel::sim {
 
 namespace {
 
+constexpr int mostAnywhere = 1 << 26;
+
 /// What one array of the current device holds and one dispatch of 64 a group reaches.
 int mostParticles() {
   constexpr std::int64_t bytes = sizeof(glm::vec4);
   std::int64_t most = gl::limits().storageBlockBytes / bytes;
   most = std::min(most, gl::limits().texelBufferTexels);
   most = std::min(most, std::int64_t{64} * gl::limits().groupsX);
-  return static_cast<int>(std::min<std::int64_t>(most, 1 << 26));
+  return static_cast<int>(std::min<std::int64_t>(most, mostAnywhere));
 }
 
 class Particles : public Simulation {
@@ -238,6 +240,10 @@ class Particles : public Simulation {
 SimulationKind particlesKind() {
   return {{"particles", "Particles that attract each other, follow fields or stream from emitters.",
            [] { return std::make_unique<ParticleParameters>(); }},
+          [](const scene::Object& object, const Setting& setting) {
+            static_cast<void>(ParticlePlan(dynamic_cast<const ParticleParameters&>(*object.parameters),
+                                           setting.seed, setting.frameSeconds, mostAnywhere));
+          },
           [](const scene::Object& object, const Setting& setting) -> std::unique_ptr<Simulation> {
             return std::make_unique<Particles>(object, setting);
           }};

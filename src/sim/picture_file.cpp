@@ -2,7 +2,6 @@
 
 #include "base/error.hpp"
 #include "base/file.hpp"
-#include "scene/words.hpp"
 
 #include <algorithm>
 #include <cstdlib>
@@ -55,13 +54,21 @@ double pixelsIn(std::string_view bytes) {
 }  // namespace
 
 Picture loadPicture(const std::filesystem::path& file, const char* what, int mostSide) {
-  return decodePicture(readFile(file, what), file.string(), what, mostSide);
+  Picture picture = decodePicture(readFile(file, what), file.string(), what, mostSide);
+  std::size_t seenThrough = 0;
+  for (std::size_t at = 3; at < picture.rgba.size(); at += 4) seenThrough += picture.rgba[at] < 255 ? 1 : 0;
+  if (seenThrough > 0)
+    fail(ExitCode::usage,
+         "the {} {} is transparent in {} of {} pixels, and transparency is not drawn; flatten it onto a "
+         "colour, for example with ImageMagick: convert picture.png -background white -flatten flat.png",
+         what, file.string(), seenThrough, picture.rgba.size() / 4);
+  return picture;
 }
 
 Picture decodePicture(std::string_view bytes, const std::string& name, const char* what, int mostSide) {
   const auto refuse = [&](const std::string& why) {
     fail(ExitCode::inputOutput, "the {} {} is not a picture this program reads ({}); use PNG or JPEG", what,
-         name, scene::printable(why));  // the reason may quote the file
+         name, why);
   };
   if (bytes.size() > std::size_t{1} << 30) refuse("larger than 1 GiB");
   int width = 0;

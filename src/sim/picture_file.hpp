@@ -25,9 +25,10 @@ struct Picture {
 
 /// Reads PNG, JPEG and PNM of 8 bits. `what` names its use in messages ("texture", "fuel map"). Throws
 /// UserError: what readFile says for a file that cannot be read, inputOutput for one that is no picture or
-/// promises more pixels than its bytes can hold, device for one wider or higher than `mostSide`.
+/// promises more pixels than its bytes can hold, device for one wider or higher than `mostSide`, usage
+/// for one with a pixel that is not opaque.
 [[nodiscard]] Picture loadPicture(const std::filesystem::path& file, const char* what, int mostSide);
-/// The same from the file's bytes; `name` is what messages call it.
+/// The same from the file's bytes, opaque or not; `name` is what messages call it.
 [[nodiscard]] Picture decodePicture(std::string_view bytes, const std::string& name, const char* what,
                                     int mostSide);
 

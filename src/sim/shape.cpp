@@ -40,6 +40,7 @@ class Shape : public Simulation {
 template <ColliderShape::Kind kind>
 SimulationKind shapeKind(const char* name, const char* doc) {
   return {{name, doc, [] { return std::make_unique<ShapeParameters>(kind); }},
+          {},
           [](const scene::Object& object, const Setting&) -> std::unique_ptr<Simulation> {
             return std::make_unique<Shape>(object,
                                            dynamic_cast<const ShapeParameters&>(*object.parameters));

@@ -120,6 +120,9 @@ class Simulation {
 /// One entry of the list of simulations.
 struct SimulationKind {
   scene::Kind kind;
+  /// Reads the files of the object and throws the UserError that `make` would throw on any device; empty
+  /// where there is none. Needs no context; `heights` of the setting are null.
+  std::function<void(const scene::Object&, const Setting&)> check;
   std::function<std::unique_ptr<Simulation>(const scene::Object&, const Setting&)> make;
 };
 

@@ -104,6 +104,10 @@ class Wildfire final : public Simulation {
 SimulationKind wildfireKind() {
   return {{"wildfire", "Fire on a map of fuel, carried by wind from cell to cell.",
            [] { return std::make_unique<WildfireParameters>(); }},
+          [](const scene::Object& object, const Setting& setting) {
+            static_cast<void>(WildfirePlan(dynamic_cast<const WildfireParameters&>(*object.parameters),
+                                           object.name, setting.seed, setting.frameSeconds));
+          },
           [](const scene::Object& object, const Setting& setting) -> std::unique_ptr<Simulation> {
             return std::make_unique<Wildfire>(object, setting);
           }};

@@ -4,6 +4,7 @@
 #include "gl/element_array.hpp"
 #include "gl/errors.hpp"
 #include "sim/list.hpp"
+#include "sim/picture_file.hpp"
 #include "sim/shape.hpp"
 #include "sim/state_hash.hpp"
 
@@ -51,7 +52,31 @@ std::vector<std::size_t> stepOrder(const scene::Scene& scene) {
   return order;
 }
 
+/// Sides of textures that OpenGL 4.5 asks of every device.
+constexpr int mostTextureSide = 16384;
+
 }  // namespace
+
+std::vector<UserError> findProblems(const scene::Scene& scene) {
+  const std::vector<ColliderShape> colliders = collect(scene);
+  const Setting setting{scene.numerics == scene::Numerics::fast, scene.seed, 1.0 / scene.time.fps,
+                        &colliders};
+  std::vector<UserError> problems;
+  const auto attempt = [&](const auto& work) {
+    try {
+      work();
+    } catch (const UserError& error) {
+      problems.push_back(error);
+    }
+  };
+  for (const scene::Object& object : scene.objects) {
+    for (const SimulationKind& kind : simulations())
+      if (object.kind == kind.kind.name && kind.check) attempt([&] { kind.check(object, setting); });
+    if (!object.material.texture.empty())
+      attempt([&] { static_cast<void>(loadPicture(object.material.texture, "texture", mostTextureSide)); });
+  }
+  return problems;
+}
 
 struct World::State {
   double fps;

@@ -1,4 +1,5 @@
 #pragma once
+#include "base/error.hpp"
 #include "scene/scene.hpp"
 #include "sim/simulation.hpp"
 
@@ -11,6 +12,10 @@
 #include <glm/vec4.hpp>
 
 namespace simreel::sim {
+
+/// What making the scene's world and drawing it would be refused for on any device, one mistake an object
+/// and one a picture at most: reads every file the scene names. Needs no context.
+[[nodiscard]] std::vector<UserError> findProblems(const scene::Scene& scene);
 
 /// All objects of a scene, stepped together: a mesh that collides first, the others in the scene's order.
 /// Frame 0 is at time 0; the pre-roll runs before it.

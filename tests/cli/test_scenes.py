@@ -4,6 +4,7 @@ import os
 import shutil
 import struct
 import subprocess
+import unittest
 import zlib
 
 from common import PROGRAM, SOURCE, Case, main, with_values
@@ -86,6 +87,138 @@ class Folders(Case):
         done = subprocess.run([self.folder / "elsewhere", "validate", SOURCE / "assets/scenes/flag.json"], cwd=self.folder,
                               env=environment, capture_output=True, check=False)
         self.assertEqual((done.returncode, done.stderr), (0, b""))
+
+
+def gradient(width, height):
+    """A grey PNG, dark on its left."""
+    def chunk(kind, body):
+        return struct.pack(">I", len(body)) + kind + body + struct.pack(">I", zlib.crc32(kind + body))
+    rows = b"".join(b"\0" + bytes(255 * x // width for x in range(width)) for _ in range(height))
+    return (b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", width, height, 8, 0, 0, 0, 0)) +
+            chunk(b"IDAT", zlib.compress(rows)) + chunk(b"IEND", b""))
+
+
+class ValidateAndRender(Case):
+    """What render refuses, validate refuses: with the same words and the same code."""
+
+    def setUp(self):
+        super().setUp()
+        good = gradient(8, 8)
+        files = {
+            "good.png": good, "cut.png": good[:40], "text.png": b"hello", "black.png": png(4, 4, (0, 0, 0, 255)),
+            "clear.png": png(4, 4, (200, 100, 50, 128)), "one.png": png(4, 4, (9, 9, 9, 254)),
+            "m.stl": "solid x\nendsolid x\n", "empty.obj": "", "nan.obj": "v nan 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n",
+            "good.obj": "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "cut.glb": b"glTF\2\0\0\0", "x.gltf": "{",
+            "no.csv": "a,b\n1,2\n", "bad.csv": "x,y,z\n1,2,three\n", "good.csv": "x,y,z\n1,2,3\n",
+            "bad.ply": "ply\nformat ascii 1.0\n", "bad.rle": "x = 3, y = 3\nqqq!", "wide.rle": "x = 99, y = 1\n99o!",
+            "high.rle": "x = 3, y = 1, rule = B36/S23\n3o!", "life.rle": "x = 3, y = 1, rule = B3/S23\n3o!",
+        }
+        for name, content in files.items():
+            self.write(name, content)
+
+    def scene(self, objects):
+        return {"version": 1, "render": {"size": [32, 18], "samples": 1}, "time": {"fps": 30, "duration": 0.1},
+                "objects": objects}
+
+    def both(self, objects, code, words):
+        self.write("s.json", self.scene(objects))
+        rendered = self.run_program("render", "s.json", "-o", "out/", "--frames", "0", "--overwrite")
+        checked = self.run_program("validate", "s.json")
+        self.assertEqual((rendered.returncode, checked.returncode), (code, code), (objects, rendered.err, checked.err))
+        for done in (rendered, checked):
+            self.assertIn(words, done.err)
+        if code != 0:
+            self.assertEqual(checked.err, rendered.err.replace("simreel: error: ", "s.json: error: ") +
+                             "simreel: error: 1 of 1 scene cannot be used\n")
+        return checked
+
+    def test_pictures(self):
+        stroke = [{"from": [8, 8, 0], "radius": 3}]
+        for name, code, words in (("good", 0, ""), ("cut", 6, "not a picture"), ("text", 6, "not a picture"),
+                                  ("clear", 2, "transparent in 16 of 16 pixels"), ("one", 2, "flatten it onto a colour")):
+            picture = name + ".png"
+            self.both({"a": {"sphere": {}, "material": {"texture": picture}}}, code, words)
+            for member in ("image", "feedImage", "killImage"):
+                self.both({"a": {"grayScott": {"size": [16, 16], member: picture}}}, code, words)
+            self.both({"a": {"epidemic": {"size": [16, 16], "infected": 0.2, "population": picture}}}, code, words)
+            for member in ("fuel", "obstacles", "moistureMap", "terrain"):
+                self.both({"a": {"wildfire": {"size": [16, 16], "strokes": stroke, member: picture}}}, code, words)
+        self.both({"a": {"epidemic": {"size": [16, 16], "infected": 0.2, "population": "black.png"}}}, 2, "dark all over")
+        self.both({"a": {"wildfire": {"size": [16, 16], "strokes": stroke, "fuel": "black.png"}}}, 2, "can burn")
+
+    def test_meshes(self):
+        for name, code in (("good.obj", 0), ("m.stl", 2), ("empty.obj", 6), ("nan.obj", 6), ("cut.glb", 6), ("x.gltf", 6)):
+            self.both({"a": {"mesh": {"shape": "file", "file": name}}}, code, "" if code == 0 else name)
+        fine = {"size": [10000, 0, 10000], "deform": [{"waves": [{"length": 1e-3}]}]}
+        self.both({"a": {"mesh": fine}}, 2, "too short for a mesh")
+
+    def test_particles(self):
+        for name, code in (("good.csv", 0), ("no.csv", 2), ("bad.csv", 2), ("bad.ply", 2)):
+            self.both({"a": {"particles": {"groups": [{"shape": "file", "file": name}]}}}, code, "" if code == 0 else name)
+        self.write("s.json", self.scene({"a": {"particles": {"groups": [{"count": 16777216}] * 5}}}))
+        for command in (["render", "s.json", "-o", "new/"], ["validate", "s.json"]):
+            self.bad(2, ["83886080 particles", "that fit here"], *command)
+
+    def test_automata(self):
+        def life(*names, **more):
+            return {"a": {"life": dict(size=[32, 32], patterns=[{"file": name, "at": [0, 0]} for name in names], **more)}}
+        self.both(life("life.rle"), 0, "")
+        self.both(life("bad.rle"), 2, "bad.rle")
+        self.both(life("wide.rle"), 2, "99 x 1 cells")
+        self.both(life("life.rle", "high.rle"), 2, "say in the scene which \"rule\" is meant")
+        self.both({"a": {"life": {"size": [32, 32], "border": "dead", "patterns": [{"file": "life.rle", "at": [31, 0]}]}}}, 2,
+                  "outside the grid")
+
+    def test_what_several_objects_come_to(self):
+        balls = {f"s{i}": {"sphere": {}} for i in range(13)}
+        self.both(dict(balls, flag={"cloth": {}}), 2, "at most 12 shapes")
+
+    def test_every_object_and_every_scene_is_reported(self):
+        self.write("s.json", self.scene({"a": {"sphere": {}, "material": {"texture": "cut.png"}},
+                                         "b": {"mesh": {"shape": "file", "file": "m.stl"}}}))
+        checked = self.run_program("validate", "s.json", "scene.json", "none.json")
+        self.assertEqual(checked.returncode, 2)
+        self.assertEqual(checked.stdout, b"scene.json: ok\n")
+        lines = checked.err.splitlines()
+        self.assertEqual(len(lines), 4, lines)
+        for line, start in zip(lines, ("s.json: error: ", "s.json: error: ", "none.json: error: ", "simreel: error: 2 of 3 ")):
+            self.assertTrue(line.startswith(start), line)
+
+    def test_the_rest_is_known_to_a_device(self):
+        self.write("s.json", self.scene({"a": {"life": {"size": [65536, 65536]}}}))
+        self.good("validate", "s.json")
+        self.bad(4, ["s.json: error: life \"a\" of 65536 x 65536 cells needs"], "validate", "s.json", "--device")
+        done = self.good("validate", "--device", "scene.json", SOURCE / "assets/scenes/ripple.json")
+        self.assertEqual(len(done.stdout.splitlines()), 2)
+        self.good("validate", "--device=0", "scene.json")
+        self.bad(4, ["no such device"], "validate", "--device=no such device", "scene.json")
+
+
+class Warnings(Case):
+    def warned(self, *arguments):
+        return [line for line in self.good(*arguments).err.splitlines() if "warning" in line]
+
+    def test_frames_beyond_the_end(self):
+        words = ["simreel: warning: frame 9 is beyond the scene's end, frame 5 (0.2 s); it is simulated on from there"]
+        for command in (["render", "scene.json", "-o", "out/"], ["bake", "scene.json", "-o", "baked/"]):
+            self.assertEqual(self.warned(*command, "--frames", "4-5"), [])
+            self.assertEqual(self.warned(*command, "--frames", "5,9", "--overwrite"), words)
+        self.assertEqual(self.warned("trace", "scene.json", "--frames", "5-9"), words)
+        self.assertEqual(self.warned("bisect", "scene.json", "--frames", "10"), words)
+        self.assertEqual(len(list((self.folder / "out").glob("*.png"))), 3)
+
+    @unittest.skipUnless(shutil.which("ffmpeg"), "ffmpeg is not installed")
+    def test_sizes_that_an_encoder_changes(self):
+        for name, size, words in (("a.mp4", "33x19", "33x19 becomes 34x20"), ("b.webm", "32x19", "32x19 becomes 32x20"),
+                                  ("c.mp4", "32x18", None), ("d.gif", "33x19", None)):
+            warnings = self.warned("render", "scene.json", "-o", name, "--size", size, "--frames", "0-1")
+            self.assertEqual(len(warnings), 0 if words is None else 1)
+            if words is not None:
+                self.assertIn(words, warnings[0])
+            if shutil.which("ffprobe"):
+                shown = subprocess.run(["ffprobe", "-v", "error", "-show_entries", "stream=width,height", "-of", "csv=p=0:s=x",
+                                        self.folder / name], capture_output=True, check=True, text=True).stdout.strip()
+                self.assertEqual(shown, size if words is None else words.split()[-1])
 
 
 class StandardInput(Case):
