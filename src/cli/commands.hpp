@@ -12,6 +12,9 @@ namespace simreel::cli {
 /// Picks the command, prints a UserError on standard error, as "simreel: error: ..." unless it is a report,
 /// and returns the exit code.
 int run(int argc, char** argv);
+/// Exceptions that nothing can catch (memory that ran out in a destructor, a thread that a library could
+/// not start) end with one line and a documented code too, as at once as a kill.
+void explainTermination();
 
 // One command each; the callback throws UserError, or sets the exit code through setExitCode.
 void addRender(CLI::App& app);

@@ -168,11 +168,13 @@ class Pipeline {
   /// a kill in the middle of writing one has left.
   void leaveCheckpoint(int last) const {
     if (checkpoints_.file.empty() || stored_ > last || !sink_.ownsCheckpoint()) return;
-    std::error_code none;
-    for (const char* ending : {"", ".part"})
-      if (const auto file = checkpoints_.file.string() + ending;
-          std::filesystem::is_regular_file(file, none))
-        std::filesystem::remove(file, none);
+    for (const char* ending : {"", ".part"}) {
+      std::error_code none, error;
+      const auto file = checkpoints_.file.string() + ending;
+      if (!std::filesystem::is_regular_file(file, none)) continue;
+      std::filesystem::remove(file, error);
+      if (error) warn("cannot remove {}, which is needed no more: {}", file, error.message());
+    }
   }
 
   [[nodiscard]] int delivered() const { return delivered_; }

@@ -1,0 +1,42 @@
+#include "base/error.hpp"
+#include "cli/commands.hpp"
+
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <new>
+#include <unistd.h>
+
+namespace simreel::cli {
+
+namespace {
+
+/// One line without taking memory, and the code; what is on disk is whole, as after a kill.
+[[noreturn]] void end(const char* message, ExitCode code) {
+  static_cast<void>(std::fputs("simreel: error: ", stderr));
+  static_cast<void>(std::fputs(message, stderr));
+  static_cast<void>(std::fputs("\n", stderr));
+  ::_exit(static_cast<int>(code));
+}
+
+[[noreturn]] void terminated() {
+  if (std::current_exception() == nullptr) std::abort();
+  try {
+    throw;
+  } catch (const std::bad_alloc&) {
+    end("not enough memory", ExitCode::device);
+  } catch (const std::exception& error) {
+    end(error.what(), ExitCode::inputOutput);
+  } catch (...) {
+    std::abort();
+  }
+}
+
+}  // namespace
+
+// Static objects of libraries take memory before main: 101 is the first number that programs may use.
+[[gnu::constructor(101)]] void explainTermination() {
+  std::set_terminate(terminated);
+}
+
+}  // namespace simreel::cli
