@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
@@ -30,9 +31,15 @@ class Descriptor {
   int value_;
 };
 
-/// All that can be read; `place` stands for it in messages.
-std::string readAll(int descriptor, const char* what, const std::string& place, std::size_t mostBytes) {
+/// All that can be read, `promised` bytes as far as is known; `place` stands for it in messages.
+std::string readAll(int descriptor, const char* what, const std::string& place, std::size_t mostBytes,
+                    std::size_t promised = 0) {
+  const auto tooLarge = [&] {
+    fail(ExitCode::usage, "{} {} is larger than the limit of {} bytes", what, place, mostBytes);
+  };
+  if (promised > mostBytes) tooLarge();
   std::string text;
+  text.reserve(promised);
   char block[1 << 16];
   while (true) {
     const ssize_t got = ::read(descriptor, block, sizeof block);
@@ -40,8 +47,7 @@ std::string readAll(int descriptor, const char* what, const std::string& place, 
     if (got < 0) fail(ExitCode::inputOutput, "cannot read {} {}: {}", what, place, std::strerror(errno));
     if (got == 0) return text;
     text.append(block, static_cast<std::size_t>(got));
-    if (text.size() > mostBytes)
-      fail(ExitCode::usage, "{} {} is larger than the limit of {} bytes", what, place, mostBytes);
+    if (text.size() > mostBytes) tooLarge();
   }
 }
 
@@ -65,16 +71,23 @@ bool synced(int descriptor) {
 }  // namespace
 
 std::string readFile(const std::filesystem::path& path, const char* what, std::size_t mostBytes) {
-  const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+  // Not blocking: opening a pipe that nobody writes into would wait for ever.
+  const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
   if (file.get() < 0) {
     const int reason = errno;
     fail(reason == ENOENT ? ExitCode::usage : ExitCode::inputOutput, "cannot open {} {}: {}", what,
          path.string(), std::strerror(reason));
   }
   struct stat status {};
-  if (::fstat(file.get(), &status) == 0 && S_ISDIR(status.st_mode))
+  if (::fstat(file.get(), &status) != 0)
+    fail(ExitCode::inputOutput, "cannot read {} {}: {}", what, path.string(), std::strerror(errno));
+  if (S_ISDIR(status.st_mode))
     fail(ExitCode::usage, "{} {} is a folder, a file is needed", what, path.string());
-  return readAll(file.get(), what, path.string(), mostBytes);
+  if (!S_ISREG(status.st_mode))
+    fail(ExitCode::usage, "{} {} is a pipe, a device or a socket; copy what it gives into a file", what,
+         path.string());
+  const auto promised = static_cast<std::size_t>(std::max<off_t>(status.st_size, 0));
+  return readAll(file.get(), what, path.string(), mostBytes, promised);
 }
 
 const std::string& standardInput(const char* what, std::size_t mostBytes) {

@@ -7,8 +7,9 @@
 
 namespace simreel {
 
-/// Whole file as text. Throws UserError(missing) when it cannot be read or exceeds `mostBytes`;
-/// `what` names the file's role in the message ("scene", "texture").
+/// Whole file as text. `what` names the file's role in the message ("scene", "texture"). Throws UserError:
+/// usage for a file that is not there, is larger than `mostBytes` or no plain file (pipes and devices may
+/// never end), inputOutput for one that cannot be read.
 [[nodiscard]] std::string readFile(const std::filesystem::path& path, const char* what,
                                    std::size_t mostBytes = std::size_t{1} << 30);
 

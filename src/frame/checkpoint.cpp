@@ -3,6 +3,7 @@
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "base/hash.hpp"
+#include "base/json_depth.hpp"
 #include "base/log.hpp"
 #include "base/version.hpp"
 #include "frame/manifest.hpp"
@@ -84,6 +85,7 @@ std::optional<Checkpoint> Checkpoint::read(const std::filesystem::path& file, co
     c.text_ = readFile(file, "checkpoint", std::numeric_limits<std::size_t>::max() / 2);
     checkHash(c.text_);
     c.payload_ = c.text_.find('\n') + 1;
+    refuseDeepJson(std::string_view(c.text_).substr(0, c.payload_));
     const Json header = Json::parse(c.text_.begin(), c.text_.begin() + static_cast<long>(c.payload_));
     if (header.at("format") != formatName) throw std::runtime_error("it is no checkpoint");
     if (header.at("program") != version())

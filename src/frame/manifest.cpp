@@ -3,6 +3,7 @@
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "base/hash.hpp"
+#include "base/json_depth.hpp"
 #include "base/version.hpp"
 #include "scene/scene.hpp"
 
@@ -108,6 +109,7 @@ std::string manifestText(const Manifest& manifest) {
 
 Manifest parseManifest(const std::string& text, const std::string& name) {
   try {
+    refuseDeepJson(text);
     return readObject(Json::parse(text));
   } catch (const Json::parse_error& error) {
     fail(ExitCode::usage, "manifest {} cannot be read: not valid JSON at byte {}", name, error.byte);

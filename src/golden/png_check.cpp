@@ -121,11 +121,17 @@ void readPngFile(const std::filesystem::path& path, const char* what, std::strin
   const auto failed = [&](const char* verb) {
     fail(ExitCode::inputOutput, "cannot {} {} {}: {}", verb, what, path.string(), std::strerror(errno));
   };
+  // Opening a pipe that nobody writes into would wait for ever.
+  std::error_code unknown;
+  const auto kind = std::filesystem::status(path, unknown).type();
+  if (kind == std::filesystem::file_type::fifo || kind == std::filesystem::file_type::character ||
+      kind == std::filesystem::file_type::block || kind == std::filesystem::file_type::socket)
+    fail(ExitCode::inputOutput, "{} {} is a pipe, a device or a socket; copy what it gives into a file",
+         what, path.string());
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> stream(std::fopen(path.c_str(), "rbe"),
                                                                &std::fclose);
   if (!stream) failed("open");
   std::setvbuf(stream.get(), nullptr, _IONBF, 0);  // straight into `file`
-  std::error_code unknown;
   const auto size = std::filesystem::file_size(path, unknown);
   file.resize(unknown ? 65536 : size + 1);
   std::size_t used = 0;

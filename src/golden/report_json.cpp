@@ -1,5 +1,6 @@
 // report.json. The keys stand in report_fields.hpp; Writer and Reader visit them.
 #include "base/error.hpp"
+#include "base/json_depth.hpp"
 #include "golden/report_fields.hpp"
 #include "golden/result.hpp"
 #include "scene/words.hpp"
@@ -281,6 +282,9 @@ std::string reportText(const SuiteResult& suite) {
 }
 
 SuiteResult parseReport(const std::string& text, const std::string& name) {
+  if (jsonDepth(text) > mostJsonDepth)
+    fail(ExitCode::usage, "{}: nested deeper than {} levels, so no report; run simreel test again", name,
+         mostJsonDepth);
   try {
     const Json json = parseOnce(text, name);
     SuiteResult suite;

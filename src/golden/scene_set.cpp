@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 #include "base/file.hpp"
+#include "base/json_depth.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -23,7 +24,9 @@ bool isSceneName(const fs::path& file) {
 
 /// Text that is not JSON at all may be a scene with a mistake in it: that has to be reported, not skipped.
 bool mayBeScene(const fs::path& file) {
-  const auto json = nlohmann::json::parse(readFile(file, "scene"), nullptr, false, true);
+  const std::string text = readFile(file, "scene");
+  if (jsonDepth(text) > mostJsonDepth) return true;
+  const auto json = nlohmann::json::parse(text, nullptr, false, true);
   if (json.is_discarded()) return true;
   return json.is_object() && (json.contains("version") || json.contains("objects"));
 }

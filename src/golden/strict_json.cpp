@@ -1,5 +1,7 @@
 #include "golden/strict_json.hpp"
 
+#include "base/json_depth.hpp"
+
 #include <cmath>
 #include <stdexcept>
 #include <utility>
@@ -81,6 +83,7 @@ void StrictObject::finish() const {
 }
 
 StrictObject::Json parseStrictly(std::string_view text) {
+  refuseDeepJson(text);
   try {
     return StrictObject::Json::parse(text);
   } catch (const nlohmann::json::parse_error& error) {

@@ -1,5 +1,7 @@
 #include "golden/trace_lines.hpp"
 
+#include "base/json_depth.hpp"
+
 #include <algorithm>
 #include <bit>
 #include <cstring>
@@ -22,6 +24,7 @@ std::string text(const Json& json) {
 /// Calls `read` with the parsed line; what nlohmann says of a mistake is for its users, not for ours.
 template <class Read>
 auto reading(const std::string& line, const char* what, const Read& read) {
+  refuseDeepJson(line);
   try {
     return read(Json::parse(line));
   } catch (const Json::exception&) {

@@ -2,6 +2,9 @@
 
 #include "base/error.hpp"
 #include "base/file.hpp"
+#include "base/isolated.hpp"
+#include "sim/gltf_file.hpp"
+#include "sim/mesh_builder.hpp"
 
 #include <algorithm>
 #include <assimp/DefaultIOSystem.h>
@@ -11,21 +14,20 @@
 #include <assimp/scene.h>
 #include <cctype>
 #include <charconv>
-#include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 
-#include <glm/geometric.hpp>
-#include <nlohmann/json.hpp>
+#include <glm/mat4x4.hpp>
 
 namespace simreel::sim {
 
 namespace {
 
-constexpr std::size_t mostItems = 8'000'000;
-constexpr int mostDepth = 256;
+/// Most corners of a face: the library cuts faces into triangles in a time that grows with their square.
+constexpr unsigned mostCorners = 10'000;
 
 std::string extensionOf(const std::filesystem::path& file) {
   std::string extension = file.extension().string();
@@ -33,117 +35,79 @@ std::string extensionOf(const std::filesystem::path& file) {
   return extension;
 }
 
-[[noreturn]] void refuse(const std::filesystem::path& file, const std::string& why) {
-  fail(ExitCode::inputOutput, "the mesh {} {}", file.string(), why);
-}
-
 glm::vec3 toVec(const aiVector3D& v) {
   return {v.x, v.y, v.z};
 }
 
+glm::mat4 toMat(const aiMatrix4x4& m) {
+  return {m.a1, m.b1, m.c1, m.d1, m.a2, m.b2, m.c2, m.d2, m.a3, m.b3, m.c3, m.d3, m.a4, m.b4, m.c4, m.d4};
+}
+
 class Gatherer {
  public:
-  Gatherer(const std::filesystem::path& file, const aiScene& scene) : file_(file), scene_(scene) {}
+  Gatherer(const std::filesystem::path& file, const aiScene& scene)
+      : file_(file), scene_(scene), builder_(file) {}
 
   Mesh gather() {
-    node(*scene_.mRootNode, aiMatrix4x4(), 0);
-    if (mesh_.indices.empty()) refuse(file_, "holds no triangle");
-    if (!hasUvs_) mesh_.uvs.clear();
-    fillNormals();
-    return std::move(mesh_);
+    node(*scene_.mRootNode, glm::mat4(1), 0);
+    return builder_.finish();
   }
 
  private:
-  void node(const aiNode& here, const aiMatrix4x4& parent, int depth) {
-    if (depth > mostDepth) refuse(file_, "nests its nodes too deeply");
-    const aiMatrix4x4 transform = parent * here.mTransformation;
+  void node(const aiNode& here, const glm::mat4& parent, int depth) {
+    if (depth > mostNodeDepth) refuseMesh(file_, "nests its nodes too deeply");
+    const glm::mat4 transform = parent * toMat(here.mTransformation);
     for (unsigned i = 0; i < here.mNumMeshes; ++i) {
-      if (here.mMeshes[i] >= scene_.mNumMeshes) refuse(file_, "names a mesh that it does not hold");
+      if (here.mMeshes[i] >= scene_.mNumMeshes) refuseMesh(file_, "names a mesh that it does not hold");
       add(*scene_.mMeshes[here.mMeshes[i]], transform);
     }
     for (unsigned i = 0; i < here.mNumChildren; ++i) node(*here.mChildren[i], transform, depth + 1);
   }
 
-  void add(const aiMesh& part, const aiMatrix4x4& transform) {
+  void add(const aiMesh& part, const glm::mat4& transform) {
     if ((part.mPrimitiveTypes & aiPrimitiveType_TRIANGLE) == 0) return;
-    const auto first = static_cast<unsigned>(mesh_.positions.size());
-    if (first + std::size_t{part.mNumVertices} > mostItems ||
-        mesh_.indices.size() / 3 + part.mNumFaces > mostItems)
-      refuse(file_, fmt::format("has more than {} vertices or triangles; simplify it", mostItems));
-    aiMatrix3x3 turn(transform);
-    const bool mirrored = turn.Determinant() < 0;
-    turn.Inverse().Transpose();
-    for (unsigned i = 0; i < part.mNumVertices; ++i) {
-      const glm::vec3 p = toVec(transform * part.mVertices[i]);
-      if (!(std::abs(p.x) + std::abs(p.y) + std::abs(p.z) < 1e9F))
-        refuse(file_,
-               fmt::format("has a vertex that is not finite or farther than 1e9 m (number {})", first + i));
-      mesh_.positions.push_back(p);
-      const glm::vec3 n = part.HasNormals() ? toVec(turn * part.mNormals[i]) : glm::vec3(0);
-      const float length = glm::length(n);
-      mesh_.normals.push_back(length > 1e-20F && length < 1e20F ? n / length : glm::vec3(0));
-      const bool textured = part.HasTextureCoords(0);
-      hasUvs_ = hasUvs_ || textured;
-      mesh_.uvs.push_back(textured ? glm::vec2(toVec(part.mTextureCoords[0][i])) : glm::vec2(0));
-    }
+    const bool textured = part.HasTextureCoords(0);
+    builder_.begin(part.mNumVertices, part.mNumFaces, transform, textured);
+    for (unsigned i = 0; i < part.mNumVertices; ++i)
+      builder_.vertex(toVec(part.mVertices[i]), part.HasNormals() ? toVec(part.mNormals[i]) : glm::vec3(0),
+                      textured ? glm::vec2(toVec(part.mTextureCoords[0][i])) : glm::vec2(0));
     for (unsigned i = 0; i < part.mNumFaces; ++i) {
       const aiFace& face = part.mFaces[i];
-      if (face.mNumIndices != 3) continue;
-      for (const unsigned k : {0U, mirrored ? 2U : 1U, mirrored ? 1U : 2U}) {
-        if (face.mIndices[k] >= part.mNumVertices)
-          refuse(file_,
-                 fmt::format("has a triangle with vertex {} of {}", face.mIndices[k], part.mNumVertices));
-        mesh_.indices.push_back(first + face.mIndices[k]);
-      }
-    }
-  }
-
-  /// Where there is no normal: the sum of the triangles' normals around the vertex, weighted by area.
-  void fillNormals() {
-    std::vector<glm::vec3> sums(mesh_.positions.size(), glm::vec3(0));
-    for (std::size_t i = 0; i < mesh_.indices.size(); i += 3) {
-      const glm::vec3& a = mesh_.positions[mesh_.indices[i]];
-      const glm::vec3 normal =
-          glm::cross(mesh_.positions[mesh_.indices[i + 1]] - a, mesh_.positions[mesh_.indices[i + 2]] - a);
-      for (std::size_t k = 0; k < 3; ++k) sums[mesh_.indices[i + k]] += normal;
-    }
-    for (std::size_t i = 0; i < sums.size(); ++i) {
-      if (mesh_.normals[i] != glm::vec3(0)) continue;
-      const float length = glm::length(sums[i]);
-      mesh_.normals[i] = length > 0 && std::isfinite(length) ? sums[i] / length : glm::vec3(0, 1, 0);
+      if (face.mNumIndices == 3) builder_.triangle({face.mIndices[0], face.mIndices[1], face.mIndices[2]});
     }
   }
 
   const std::filesystem::path& file_;
   const aiScene& scene_;
-  Mesh mesh_;
-  bool hasUvs_ = false;
+  MeshBuilder builder_;
 };
 
 /// The library's own steps take for granted, some by assertion, what broken files do not keep.
 void checkBeforeProcessing(const std::filesystem::path& file, const aiScene& scene) {
-  if (scene.mNumMeshes == 0) refuse(file, "holds no triangle");
+  if (scene.mNumMeshes == 0) refuseMesh(file, "holds no triangle");
   for (unsigned m = 0; m < scene.mNumMeshes; ++m) {
     const aiMesh& part = *scene.mMeshes[m];
     if (part.mNumFaces == 0 || part.mNumVertices == 0 || part.mVertices == nullptr)
-      refuse(file, "has a part without faces");
+      refuseMesh(file, "has a part without faces");
     for (unsigned i = 0; i < part.mNumFaces; ++i) {
       const aiFace& face = part.mFaces[i];
-      if (face.mNumIndices == 0) refuse(file, fmt::format("has a face without corners (number {})", i));
+      if (face.mNumIndices == 0) refuseMesh(file, fmt::format("has a face without corners (number {})", i));
+      if (face.mNumIndices > mostCorners)
+        refuseMesh(file, fmt::format("has a face of {} corners (number {}), more than {}; cut it up",
+                                     face.mNumIndices, i, mostCorners));
       for (unsigned k = 0; k < face.mNumIndices; ++k)
         if (face.mIndices[k] >= part.mNumVertices)
-          refuse(file, fmt::format("has a face with vertex {} of {}", face.mIndices[k], part.mNumVertices));
+          refuseMesh(file,
+                     fmt::format("has a face with vertex {} of {}", face.mIndices[k], part.mNumVertices));
     }
   }
 }
 
-/// Opens nothing beside the mesh that lies outside its folder (buffers of glTF, materials of OBJ), links
-/// followed.
+/// Opens nothing beside the mesh that lies outside its folder (materials of OBJ), links followed, or is no
+/// plain file.
 class FolderOnly : public Assimp::DefaultIOSystem {
  public:
-  explicit FolderOnly(const std::filesystem::path& file)
-      : file_(file.string()),
-        folder_(std::filesystem::weakly_canonical(std::filesystem::absolute(file).parent_path())) {}
+  explicit FolderOnly(const std::filesystem::path& file) : file_(file) {}
 
   Assimp::IOStream* Open(const char* name, const char* mode) override {
     return allowed(name) ? DefaultIOSystem::Open(name, mode) : nullptr;
@@ -155,15 +119,13 @@ class FolderOnly : public Assimp::DefaultIOSystem {
  private:
   bool allowed(const char* name) const {
     if (file_ == name) return true;
+    const bool beside = liesBeside(file_, name);
+    if (!beside && refused_.empty()) refused_ = name;
     std::error_code error;
-    const auto path = std::filesystem::weakly_canonical(std::filesystem::absolute(name, error), error);
-    const std::string inside = path.lexically_relative(folder_).string();
-    const bool good = !error && !inside.empty() && inside.rfind("..", 0) != 0;
-    if (!good && refused_.empty()) refused_ = name;
-    return good;
+    return beside &&
+           (std::filesystem::is_regular_file(name, error) || !std::filesystem::exists(name, error));
   }
-  std::string file_;
-  std::filesystem::path folder_;
+  const std::filesystem::path& file_;
   mutable std::string refused_;
 };
 
@@ -171,7 +133,7 @@ class FolderOnly : public Assimp::DefaultIOSystem {
 void checkPlyCounts(const std::filesystem::path& file, std::string_view text) {
   const std::size_t end = text.find("\nend_header");
   if (end == std::string_view::npos)
-    refuse(file, "has no \"end_header\"");  // the library would look for ever
+    refuseMesh(file, "has no \"end_header\"");  // the library would look for ever
   const std::string_view head = text.substr(0, end);
   for (std::size_t at = head.find("element "); at != std::string_view::npos;
        at = head.find("element ", at + 8)) {
@@ -181,56 +143,98 @@ void checkPlyCounts(const std::filesystem::path& file, std::string_view text) {
     std::from_chars(head.data() + digits, head.data() + head.size(), count);
     const std::size_t length = head.find_first_not_of("0123456789", digits) - digits;
     if (count > text.size() || length > 18)
-      refuse(file,
-             fmt::format("promises {} elements in {} bytes", head.substr(digits, length), text.size()));
+      refuseMesh(file,
+                 fmt::format("promises {} elements in {} bytes", head.substr(digits, length), text.size()));
   }
 }
 
-void checkGltfCounts(const std::filesystem::path& file, std::string_view text) {
-  if (text.substr(0, 4) == "glTF" && text.size() > 20) {  // binary: the JSON is the first chunk
-    std::uint32_t length = 0;
-    std::memcpy(&length, text.data() + 12, sizeof length);
-    text = text.substr(20, length);
-  }
-  const auto document = nlohmann::json::parse(text, nullptr, false);
-  if (!document.is_object()) refuse(file, "is no glTF");
-  const auto accessors = document.value("accessors", nlohmann::json::array());
-  if (!accessors.is_array()) refuse(file, "has accessors that are no list");
-  for (const auto& accessor : accessors) {
-    if (!accessor.is_object()) refuse(file, "has an accessor that is no object");
-    const auto count = accessor.find("count");
-    if (count == accessor.end() || !count->is_number_unsigned() ||
-        count->get<std::uint64_t>() > 3 * std::uint64_t{mostItems})
-      refuse(file, fmt::format("has an accessor whose count is not between 0 and {}", 3 * mostItems));
-  }
-}
-
-}  // namespace
-
-Mesh loadMesh(const std::filesystem::path& file) {
-  const std::string extension = extensionOf(file);
-  if (extension != ".obj" && extension != ".ply" && extension != ".gltf" && extension != ".glb")
-    fail(ExitCode::usage, "the mesh {} is none of .obj, .ply, .gltf and .glb", file.string());
-  const std::string text = readFile(file, "mesh");  // says why a file cannot be read, or is too large
-  if (extension == ".ply") checkPlyCounts(file, text);
-  if (extension == ".gltf" || extension == ".glb") checkGltfCounts(file, text);
+Mesh readWithLibrary(const std::filesystem::path& file) {
   Assimp::Importer importer;
   importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE, aiPrimitiveType_POINT | aiPrimitiveType_LINE);
   auto* const io = new FolderOnly(file);  // the importer's own from here
   importer.SetIOHandler(io);
   const aiScene* scene = importer.ReadFile(file.string(), 0);
   if (!io->refused().empty())
-    refuse(file, fmt::format("names {}, which lies outside its folder", io->refused()));
+    refuseMesh(file, fmt::format("names {}, which lies outside its folder", io->refused()));
   if (scene == nullptr || scene->mRootNode == nullptr) {
     std::string why = importer.GetErrorString();
     why = why.substr(0, why.find('\n'));
-    refuse(file, fmt::format("cannot be read ({})", why.empty() ? "unknown reason" : why));
+    refuseMesh(file, fmt::format("cannot be read ({})", why.empty() ? "unknown reason" : why));
   }
   checkBeforeProcessing(file, *scene);
   scene = importer.ApplyPostProcessing(aiProcess_Triangulate | aiProcess_SortByPType |
                                        aiProcess_JoinIdenticalVertices);
-  if (scene == nullptr || scene->mRootNode == nullptr) refuse(file, "cannot be divided into triangles");
+  if (scene == nullptr || scene->mRootNode == nullptr) refuseMesh(file, "cannot be divided into triangles");
   return Gatherer(file, *scene).gather();
+}
+
+bool isGltf(const std::string& extension) {
+  return extension == ".gltf" || extension == ".glb";
+}
+
+/// A mesh as bytes: the lengths of its lists, then the lists.
+template <class Visit>
+void eachList(Mesh& mesh, const Visit& visit) {
+  visit(mesh.positions);
+  visit(mesh.normals);
+  visit(mesh.uvs);
+  visit(mesh.indices);
+}
+
+std::string pack(Mesh mesh) {
+  std::string bytes;
+  eachList(mesh, [&](auto& list) {
+    const std::size_t length = list.size();
+    bytes.append(reinterpret_cast<const char*>(&length), sizeof length);
+    bytes.append(reinterpret_cast<const char*>(list.data()), length * sizeof list[0]);
+  });
+  return bytes;
+}
+
+Mesh unpack(const std::string& bytes) {
+  Mesh mesh;
+  std::size_t at = 0;
+  const auto take = [&](void* to, std::size_t size) {
+    SIMREEL_CHECK(size <= bytes.size() - at);
+    if (size > 0) std::memcpy(to, bytes.data() + at, size);
+    at += size;
+  };
+  eachList(mesh, [&](auto& list) {
+    std::size_t length = 0;
+    take(&length, sizeof length);
+    list.resize(length);
+    take(list.data(), length * sizeof list[0]);
+  });
+  return mesh;
+}
+
+}  // namespace
+
+Mesh importMesh(const std::filesystem::path& file) {
+  const std::string extension = extensionOf(file);
+  if (extension != ".obj" && extension != ".ply" && !isGltf(extension))
+    fail(ExitCode::usage, "the mesh {} is none of .obj, .ply, .gltf and .glb", file.string());
+  const std::string text = readFile(file, "mesh");  // says why a file cannot be read, or is too large
+  if (isGltf(extension)) return readGltf(file, text);
+  if (extension == ".ply") checkPlyCounts(file, text);
+  return readWithLibrary(file);
+}
+
+Mesh loadMesh(const std::filesystem::path& file) {
+  std::error_code unknown;
+  const auto size = std::filesystem::file_size(file, unknown);
+  const std::size_t bytes = unknown ? 0 : size;
+  // What the library makes of a byte has been seen to take 30, what we make of glTF is counted beforehand.
+  const Allotment allotment{
+      isGltf(extensionOf(file)) ? std::size_t{4} << 30 : (std::size_t{256} << 20) + 64 * bytes,
+      10 + static_cast<int>(std::min<std::size_t>(bytes >> 20U, 3600))};
+  try {
+    return unpack(runIsolated(allotment, [&] { return pack(importMesh(file)); }));
+  } catch (const UserError&) {
+    throw;
+  } catch (const std::runtime_error& end) {
+    refuseMesh(file, fmt::format("cannot be read: the reader {}", end.what()));
+  }
 }
 
 }  // namespace simreel::sim

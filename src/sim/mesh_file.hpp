@@ -20,7 +20,13 @@ struct Mesh {
 /// points and lines left out; normals are computed where the file has none. Throws UserError: usage for
 /// another extension, what readFile says for a file that cannot be read, inputOutput for one that is not
 /// what it says, promises more than its bytes can hold, names a file outside its folder, holds no triangle,
-/// a vertex that is not finite or beyond 1e9 m, or more than 8 million vertices or triangles.
+/// a vertex that is not finite or beyond 1e9 m, a face of more than 10,000 corners, or more than 8 million
+/// vertices or triangles. A library reads OBJ and PLY, and no check of ours knows all that it does not
+/// survive: so all this happens in a process of its own with limits on memory and time, and a crash there
+/// is one such error here.
 [[nodiscard]] Mesh loadMesh(const std::filesystem::path& file);
+
+/// The same in this process, for those who look for such crashes.
+[[nodiscard]] Mesh importMesh(const std::filesystem::path& file);
 
 }  // namespace simreel::sim

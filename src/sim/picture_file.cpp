@@ -9,14 +9,20 @@
 
 namespace {
 
-/// Most bytes that the decoder may ask for at once, so that a few compressed bytes never become gigabytes.
+/// Most bytes that the decoder may ask for at once, so that a few compressed bytes never become gigabytes,
+/// and whether it asked for more.
 thread_local std::size_t mostBytes = 0;
+thread_local bool askedForMore = false;
 
+bool allowed(std::size_t size) {
+  askedForMore = askedForMore || size > mostBytes;
+  return size <= mostBytes;
+}
 void* takeForStb(std::size_t size) {
-  return size <= mostBytes ? std::malloc(size) : nullptr;
+  return allowed(size) ? std::malloc(size) : nullptr;
 }
 void* resizeForStb(void* data, std::size_t size) {
-  return size <= mostBytes ? std::realloc(data, size) : nullptr;
+  return allowed(size) ? std::realloc(data, size) : nullptr;
 }
 
 }  // namespace
@@ -94,8 +100,11 @@ Picture decodePicture(std::string_view bytes, const std::string& name, const cha
   mostBytes = std::max(8 * (static_cast<std::size_t>(width) + 64) * (static_cast<std::size_t>(height) + 64),
                        2 * bytes.size()) +
               forHeaders;
+  askedForMore = false;
   const std::unique_ptr<stbi_uc, decltype(&stbi_image_free)> texels(
       stbi_load_from_memory(data, size, &width, &height, &channels, 4), &stbi_image_free);
+  if (!texels && askedForMore)
+    refuse(fmt::format("it holds more than the {}x{} pixels of its header", width, height));
   if (!texels) refuse(stbi_failure_reason());
   Picture picture{{width, height}, {}};
   picture.rgba.assign(

@@ -142,14 +142,14 @@ TEST_CASE("bench: values of --vary") {
   CHECK(sizes[1].changes[0].value == "[11,7]");
   CHECK(parseVary(R"(title="a,b","\",",c)").size() == 3);
   for (const char* bad : {"", "a", "=1", "a=", "a=1,,2", "a=1,"})
-    CHECK_THROWS_AS(parseVary(bad), UserError);
+    CHECK_THROWS_AS(static_cast<void>(parseVary(bad)), UserError);
   const auto cases = combine(std::vector{sizes, parseVary("seed=1,2,3")}, "plain");
   REQUIRE(cases.size() == 6);
   CHECK(cases[1].name == "size=[9,7], seed=2");
   CHECK(cases[5].changes.size() == 2);
   CHECK(combine({}, "plain")[0].name == "plain");
   const std::vector<std::vector<BenchChoice>> many(7, parseVary("seed=1,2"));
-  CHECK_THROWS_AS(combine(many, "plain"), UserError);
+  CHECK_THROWS_AS(static_cast<void>(combine(many, "plain")), UserError);
 }
 
 TEST_CASE("bench: techniques are choices of that name") {
@@ -173,7 +173,7 @@ TEST_CASE("bench: techniques are choices of that name") {
   REQUIRE(all[1].changes.size() == 2);
   CHECK(all[1].changes[1].path == "objects.b.mesh.technique");
   CHECK(parseTechniques("compute", scene, kinds).size() == 1);
-  CHECK_THROWS_WITH_AS(parseTechniques("jobs,magic", scene, kinds),
+  CHECK_THROWS_WITH_AS(static_cast<void>(parseTechniques("jobs,magic", scene, kinds)),
                        "--technique magic: no object of this scene knows it; all, jobs, compute are known",
                        UserError);
   CHECK(contains(message("all", scene), "no object of this scene has techniques"));

@@ -1,0 +1,67 @@
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+namespace simreel::sim {
+
+/// The JSON of a glTF file and the bytes that it describes. Throws UserError, as loadMesh() does, for what
+/// is not so.
+class GltfDocument {
+ public:
+  using Json = nlohmann::json;
+
+  GltfDocument(const std::filesystem::path& file, std::string_view text);
+
+  [[nodiscard]] const Json& root() const { return root_; }
+  /// An object of a list of the document, such as the accessor 3.
+  [[nodiscard]] const Json& item(const char* list, std::size_t number) const;
+  [[nodiscard]] std::size_t size(const char* list) const;
+  /// A whole number of an object, `otherwise` where it has none; required without that.
+  [[nodiscard]] std::uint64_t number(const Json& object, const char* key,
+                                     std::optional<std::uint64_t> otherwise = {}) const;
+  /// Numbers of an object's list, which has to hold `count`; empty where there is no list.
+  [[nodiscard]] std::vector<float> numbers(const Json& object, const char* key, std::size_t count) const;
+  /// Whole numbers of an object's list; empty where there is none.
+  [[nodiscard]] std::vector<std::uint64_t> wholeNumbers(const Json& object, const char* key) const;
+
+  /// How many vertices or indices an accessor has; checked against its bytes.
+  [[nodiscard]] std::size_t count(std::size_t accessor) const;
+  /// The values of an accessor with that many components each, normalised where it says so.
+  [[nodiscard]] std::vector<float> floats(std::size_t accessor, std::size_t components) const;
+  /// The values of an accessor of whole numbers.
+  [[nodiscard]] std::vector<std::uint32_t> indices(std::size_t accessor) const;
+
+  [[noreturn]] void refuse(const std::string& why) const;
+
+ private:
+  /// Values that lie in a buffer view.
+  struct Values {
+    std::string_view bytes;
+    std::size_t count, stride, components;
+    std::uint64_t type;  ///< component type
+    bool normalised;
+  };
+
+  std::string_view openGlb(std::string_view text);
+  std::string_view buffer(std::size_t number) const;
+  std::string bytesOf(const std::string& uri, std::uint64_t promised) const;
+  [[nodiscard]] std::string_view view(std::size_t number, std::size_t& stride) const;
+  [[nodiscard]] Values values(const Json& accessor) const;
+  [[nodiscard]] Values slice(const Json& place, std::uint64_t type, std::size_t components,
+                             std::size_t count) const;
+  [[nodiscard]] float component(const Values& values, std::size_t element, std::size_t component) const;
+
+  const std::filesystem::path& file_;
+  Json root_;
+  std::optional<std::string_view> glbBytes_;
+  mutable std::vector<std::optional<std::string>> buffers_;  ///< what was loaded so far
+};
+
+}  // namespace simreel::sim

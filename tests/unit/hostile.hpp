@@ -1,0 +1,62 @@
+#pragma once
+#include <algorithm>
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <sys/resource.h>
+#include <sys/time.h>
+
+#include <doctest/doctest.h>
+
+/// What tests with files made to use up memory or time need.
+namespace simreel::test {
+
+/// Most memory that this process or a child of it has held so far, MiB.
+inline long peak() {
+  rusage own{}, children{};
+  ::getrusage(RUSAGE_SELF, &own);
+  ::getrusage(RUSAGE_CHILDREN, &children);
+  return std::max(own.ru_maxrss, children.ru_maxrss) / 1024;
+}
+
+/// Processor time of this process and its children, s.
+inline double spent() {
+  double seconds = 0;
+  for (const int who : {RUSAGE_SELF, RUSAGE_CHILDREN}) {
+    rusage usage{};
+    ::getrusage(who, &usage);
+    for (const timeval& time : {usage.ru_utime, usage.ru_stime})
+      seconds += static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+  }
+  return seconds;
+}
+
+#ifdef __SANITIZE_ADDRESS__
+constexpr bool measured = false;  // that slows down, and keeps freed memory
+#else
+constexpr bool measured = true;
+#endif
+
+/// The message with which `read` refuses, which takes less than a second of processor time and 200 MiB.
+inline std::string refusal(const std::function<void()>& read) {
+  const long before = peak();
+  const double start = spent();
+  std::string message = "nothing was refused";
+  try {
+    read();
+  } catch (const std::exception& error) {
+    message = error.what();
+  }
+  if (measured) CHECK(spent() - start < 1);
+  if (measured) CHECK(peak() - before < 200);
+  return message;
+}
+
+inline std::string times(std::size_t count, const std::string& text) {
+  std::string all;
+  all.reserve(count * text.size());
+  for (std::size_t i = 0; i < count; ++i) all += text;
+  return all;
+}
+
+}  // namespace simreel::test

@@ -1,0 +1,122 @@
+// Files made to use up memory, the stack or time: refused by counting, before anything is allocated for
+// them.
+#include "base/error.hpp"
+#include "base/file.hpp"
+#include "base/json_depth.hpp"
+#include "frame/checkpoint.hpp"
+#include "frame/image.hpp"
+#include "frame/manifest.hpp"
+#include "golden/baseline.hpp"
+#include "golden/png_check.hpp"
+#include "golden/result.hpp"
+#include "golden/strict_json.hpp"
+#include "golden/trace_lines.hpp"
+#include "sim/picture_file.hpp"
+#include "unit/help.hpp"
+#include "unit/hostile.hpp"
+
+#include <cstdint>
+#include <string>
+#include <sys/stat.h>
+#include <vector>
+
+#include <doctest/doctest.h>
+#include <isa-l/crc.h>
+#include <isa-l/igzip_lib.h>
+
+using namespace simreel;
+using namespace simreel::test;
+
+namespace {
+
+std::string bigEndian(std::uint32_t value) {
+  return {static_cast<char>(value >> 24), static_cast<char>(value >> 16), static_cast<char>(value >> 8),
+          static_cast<char>(value)};
+}
+
+std::string chunk(const std::string& type, const std::string& data) {
+  const std::string body = type + data;
+  return bigEndian(static_cast<std::uint32_t>(data.size())) + body +
+         bigEndian(crc32_gzip_refl(0, reinterpret_cast<const unsigned char*>(body.data()), body.size()));
+}
+
+/// `count` zeros as a zlib stream.
+std::string zeros(std::size_t count) {
+  isal_zstream stream;
+  isal_deflate_init(&stream);
+  stream.gzip_flag = IGZIP_ZLIB;
+  std::vector<unsigned char> in(std::size_t{1} << 20), out(std::size_t{1} << 20);
+  std::string packed;
+  while (count > 0) {
+    const std::size_t part = std::min(count, in.size());
+    count -= part;
+    stream.next_in = in.data();
+    stream.avail_in = static_cast<std::uint32_t>(part);
+    stream.end_of_stream = count == 0 ? 1 : 0;
+    do {
+      stream.next_out = out.data();
+      stream.avail_out = static_cast<std::uint32_t>(out.size());
+      REQUIRE(isal_deflate(&stream) == COMP_OK);
+      packed.append(reinterpret_cast<const char*>(out.data()), out.size() - stream.avail_out);
+    } while (stream.avail_out == 0);
+  }
+  return packed;
+}
+
+/// 8-bit RGB.
+std::string png(std::uint32_t width, std::uint32_t height, const std::string& pixels) {
+  return "\x89PNG\r\n\x1a\n" +
+         chunk("IHDR", bigEndian(width) + bigEndian(height) + std::string("\x08\x02\0\0\0", 5)) +
+         chunk("IDAT", pixels) + chunk("IEND", "");
+}
+
+}  // namespace
+
+TEST_CASE("depth of JSON is counted on its text, outside of texts and comments") {
+  CHECK(jsonDepth("") == 0);
+  CHECK(jsonDepth("7") == 0);
+  CHECK(jsonDepth(R"({"a": [1, [2], {}], "b": []})") == 3);
+  CHECK(jsonDepth(R"(["[[[", "\"[[", "\\", []])") == 2);
+  CHECK(jsonDepth("[ // [[[ \" \n [ /* [[ \" // */ ] ]") == 2);
+  CHECK(jsonDepth("]]][[") == 2);
+  CHECK(jsonDepth(times(200, "[")) == mostJsonDepth + 1);
+  CHECK_NOTHROW(refuseDeepJson(times(mostJsonDepth, "[")));
+  CHECK_THROWS(refuseDeepJson(times(mostJsonDepth + 1, "{\"a\":")));
+  CHECK(jsonDepth("\"never ended [[") == 0);
+  CHECK(jsonDepth("[\"ends in an escape \\") == 1);
+}
+
+TEST_CASE("JSON a million deep is refused in manifest, checkpoint, report, baseline and trace") {
+  const std::string deep = times(1'000'000, R"({"a":)") + "1" + times(1'000'000, "}");
+  checkHas(refusal([&] { static_cast<void>(frame::parseManifest(deep, "m.json")); }), "nested deeper");
+  checkHas(refusal([&] { static_cast<void>(golden::parseReport(deep, "r.json")); }), "nested deeper");
+  checkHas(refusal([&] { static_cast<void>(golden::parseStrictly(deep)); }), "nested deeper");
+  checkHas(refusal([&] { static_cast<void>(golden::readHeaderLine(deep)); }), "nested deeper");
+  const TemporaryFile file("deep.checkpoint",
+                           R"({"format":"simreel-checkpoint","program":"","run":)" + deep + "}\n");
+  const std::string none = refusal([&] { CHECK(!frame::Checkpoint::read(file.path(), {})); });
+  CHECK(none == "nothing was refused");  // it warns and starts over
+}
+
+TEST_CASE("pictures that inflate beyond their size, or promise what they cannot hold, are refused") {
+  const auto whole = [](const std::string& text) { return std::as_bytes(std::span(text)); };
+  CHECK(frame::decodeImage(whole(png(100, 100, zeros(100 * 301))), "whole.png").bytes.size() == 40000);
+  const TemporaryFile bomb("bomb.png", png(100, 100, zeros(3'000'000'000)));
+  checkHas(refusal([&] { static_cast<void>(sim::loadPicture(bomb.path(), "texture", 16384)); }),
+           "holds more than the 100x100");
+  checkHas(refusal([&] { static_cast<void>(golden::readPng(bomb.path(), "image")); }), "holds more than");
+  const std::string vast = png(16384, 16384, zeros(1000));
+  checkHas(refusal([&] { static_cast<void>(frame::decodeImage(whole(vast), "vast.png")); }),
+           "do not fit in its");
+}
+
+TEST_CASE("pipes and devices are refused at once") {
+  const std::filesystem::path pipe = std::filesystem::temp_directory_path() / "simreel-hostile-pipe";
+  std::filesystem::remove(pipe);
+  REQUIRE(::mkfifo(pipe.c_str(), 0600) == 0);
+  for (const std::filesystem::path& file : {pipe, std::filesystem::path("/dev/zero")}) {
+    checkHas(refusal([&] { static_cast<void>(readFile(file, "texture")); }), "is a pipe, a device");
+    checkHas(refusal([&] { static_cast<void>(golden::readPng(file, "image")); }), "is a pipe, a device");
+  }
+  std::filesystem::remove(pipe);
+}
