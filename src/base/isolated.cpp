@@ -24,7 +24,7 @@ namespace simreel {
 
 namespace {
 
-#ifdef __SANITIZE_ADDRESS__
+#ifdef SIMREEL_SANITIZED
 constexpr bool sanitized = true;  // takes address space by the terabyte, is slow, and has something to say
 #else
 constexpr bool sanitized = false;

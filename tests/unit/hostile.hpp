@@ -31,7 +31,7 @@ inline double spent() {
   return seconds;
 }
 
-#ifdef __SANITIZE_ADDRESS__
+#ifdef SIMREEL_SANITIZED
 constexpr bool measured = false;  // that slows down, and keeps freed memory
 #else
 constexpr bool measured = true;
