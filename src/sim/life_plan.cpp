@@ -68,6 +68,7 @@ LifePlan::LifePlan(LifeParameters parameters, const std::string& object, int see
   takeRule(object);
   checkPlaces(object);
   strokes_ = Strokes(parameters_.strokes, seed, {parameters_.size, torus(), "life \"" + object + "\""});
+  checkLiving(object);
 }
 
 const CellPattern& LifePlan::cellsOf(const LifePattern& pattern) const {
@@ -146,6 +147,23 @@ void LifePlan::checkPlaces(const std::string& object) const {
            "or use \"border\": \"torus\"",
            object, pattern.file.string(), at.x, at.y, end.x - 1, end.y - 1, size.x, size.y);
   }
+}
+
+// A file costs the same however often it is listed; setting its cells does not.
+void LifePlan::checkLiving(const std::string& object) const {
+  constexpr std::uint64_t alwaysAllowed = 1 << 24;
+  std::map<std::filesystem::path, std::uint64_t> living;
+  for (const auto& [file, cells] : files_)
+    for (const CellPattern::Run& run : cells.runs) living[file] += static_cast<std::uint64_t>(run.length);
+  std::uint64_t all = 0;
+  for (const LifePattern& pattern : parameters_.patterns) all += living[pattern.file];
+  const auto grid =
+      static_cast<std::uint64_t>(parameters_.size.x) * static_cast<std::uint64_t>(parameters_.size.y);
+  if (all > std::max(grid, alwaysAllowed))
+    fail(ExitCode::usage,
+         "life \"{}\": its {} patterns have {} living cells together, more than the grid has cells ({}); "
+         "list fewer",
+         object, parameters_.patterns.size(), all, grid);
 }
 
 int LifePlan::fillShare() const {

@@ -52,6 +52,7 @@ class LifePlan {
   void takeRule(const std::string& object);
   void fitGrid();
   void checkPlaces(const std::string& object) const;
+  void checkLiving(const std::string& object) const;
 
   LifeParameters parameters_;
   int seed_;

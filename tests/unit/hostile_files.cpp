@@ -11,6 +11,7 @@
 #include "golden/result.hpp"
 #include "golden/strict_json.hpp"
 #include "golden/trace_lines.hpp"
+#include "sim/life_plan.hpp"
 #include "sim/picture_file.hpp"
 #include "unit/help.hpp"
 #include "unit/hostile.hpp"
@@ -119,4 +120,21 @@ TEST_CASE("pipes and devices are refused at once") {
     checkHas(refusal([&] { static_cast<void>(golden::readPng(file, "image")); }), "is a pipe, a device");
   }
   std::filesystem::remove(pipe);
+}
+
+TEST_CASE(
+    "a pattern that is listed 4096 times is read once, and its cells are counted before they are set") {
+  std::string rows;
+  for (int y = 0; y < 1000; ++y) rows += times(500, "bo") + "$\n";
+  const TemporaryFile file("large.rle", "x = 1000, y = 1000\n" + rows + "!\n");
+  sim::LifeParameters parameters;
+  parameters.size = {1024, 1024};
+  sim::LifePattern pattern;
+  pattern.file = file.path();
+  parameters.patterns.assign(33, pattern);
+  CHECK(refusal([&] { static_cast<void>(sim::LifePlan(parameters, "cells", 1, 0.1).firstCells()); }) ==
+        "nothing was refused");
+  parameters.patterns.assign(4096, pattern);
+  checkHas(refusal([&] { static_cast<void>(sim::LifePlan(parameters, "cells", 1, 0.1)); }),
+           "4096 patterns have 2048000000 living cells");
 }
