@@ -2,6 +2,7 @@
 // them.
 #include "base/error.hpp"
 #include "base/file.hpp"
+#include "base/hash.hpp"
 #include "base/json_depth.hpp"
 #include "frame/checkpoint.hpp"
 #include "frame/image.hpp"
@@ -93,9 +94,9 @@ TEST_CASE("JSON a million deep is refused in manifest, checkpoint, report, basel
   checkHas(refusal([&] { static_cast<void>(golden::parseReport(deep, "r.json")); }), "nested deeper");
   checkHas(refusal([&] { static_cast<void>(golden::parseStrictly(deep)); }), "nested deeper");
   checkHas(refusal([&] { static_cast<void>(golden::readHeaderLine(deep)); }), "nested deeper");
-  const TemporaryFile file("deep.checkpoint",
-                           R"({"format":"simreel-checkpoint","program":"","run":)" + deep + "}\n");
-  const std::string none = refusal([&] { CHECK(!frame::Checkpoint::read(file.path(), {})); });
+  const std::string header = R"({"format":"simreel-checkpoint","program":"","run":)" + deep + "}\n";
+  const TemporaryFile file("deep.checkpoint", header + hashHex(header));
+  const std::string none = refusal([&] { CHECK(!frame::Checkpoint::read(file.path(), {}, 10)); });
   CHECK(none == "nothing was refused");  // it warns and starts over
 }
 
