@@ -27,11 +27,12 @@ struct EpidemicParameters final : scene::Parameters, SpreadParameters {
   double immune = 0.0;               ///< share of the people at the start, by hash
   std::filesystem::path population;  ///< level 0 to 255: share of inhabited cells there
   int trail = 63;  ///< steps over which colours follow the age of an infection or immunity
-  glm::vec3 susceptible{0.030F, 0.085F, 0.150F};
-  glm::vec3 infection{1.0F, 0.72F, 0.28F};  ///< caught just now
-  glm::vec3 infectious{0.85F, 0.10F, 0.05F};
-  glm::vec3 recovering{0.35F, 0.06F, 0.20F};
-  glm::vec3 recovered{0.10F, 0.09F, 0.20F};
+  // Blue, orange, grey: apart in hue and in lightness, also for those who see fewer colours.
+  glm::vec3 susceptible{0.010F, 0.075F, 0.210F};
+  glm::vec3 infection{1.0F, 0.62F, 0.10F};  ///< caught just now
+  glm::vec3 infectious{0.88F, 0.18F, 0.02F};
+  glm::vec3 recovering{0.46F, 0.42F, 0.37F};
+  glm::vec3 recovered{0.22F, 0.22F, 0.21F};
   glm::vec3 nobody{0.004F, 0.007F, 0.013F};
 
   void describe(scene::Fields& fields) override;

@@ -255,9 +255,11 @@ std::vector<glm::vec3> WildfirePlan::palette() const {
   while (colors.size() < 192) colors.push_back(flames.back());
   for (int i = 0; i < 64; ++i) {
     const int age = i / 8;
-    const float hot = 1.0F - static_cast<float>(age) / 7.0F;
-    const glm::vec3 glow = glm::vec3(0.34F, 0.035F, 0.006F) * hot * hot;
-    colors.push_back(shaded(p.ash, i % 8 / 7.0) + glow);
+    // Cells cool each in its own time: embers are specks in black char, which pales to ash.
+    const float old = static_cast<float>(age) / 7.0F;
+    const float hot = std::pow(1.0F - old, 7.0F);
+    const glm::vec3 glow = glm::vec3(0.40F, 0.050F, 0.006F) * hot;
+    colors.push_back(shaded(p.ash * (0.22F + 0.78F * old), i % 8 / 7.0) + glow);
   }
   return colors;
 }

@@ -41,9 +41,9 @@ struct WildfireParameters final : scene::Parameters, SpreadParameters {
   Embers embers;
   glm::vec3 forest{0.012F, 0.055F, 0.018F};
   glm::vec3 grass{0.150F, 0.190F, 0.050F};
-  glm::vec3 rock{0.240F, 0.210F, 0.170F};
+  glm::vec3 rock{0.200F, 0.150F, 0.085F};
   glm::vec3 water{0.012F, 0.050F, 0.095F};
-  glm::vec3 ash{0.030F, 0.027F, 0.026F};
+  glm::vec3 ash{0.052F, 0.047F, 0.043F};
 
   void describe(scene::Fields& fields) override;
   [[nodiscard]] bool isField() const override { return true; }
