@@ -2,7 +2,7 @@
 layout(std430, binding = 7) restrict buffer StatusBlock {
   uint firstStep;     // 0xffffffff while all is well
   uint firstElement;  // the lowest of that step
-  uint spare0;
+  uint remark;        // not 0: worth a word to the user (Simulation::remark)
   uint spare1;
 } status;
 

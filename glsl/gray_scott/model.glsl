@@ -46,24 +46,33 @@ FUNCTION float heldToUnit(float x) {
   return most < 1e-20f ? 0.0f : most;
 }
 
-FUNCTION float nextU(float u, float laplacian, float reacted, GrayScottRates rates) {
+// Before it is held to [0, 1].
+FUNCTION float freeU(float u, float laplacian, float reacted, GrayScottRates rates) {
   precise float change = rates.diffuseU * laplacian;
   change = change - reacted;
   precise float lack = 1.0f - u;
   lack = rates.feed * lack;
   change = change + lack;
   precise float next = u + change;
-  return heldToUnit(next);
+  return next;
 }
 
-FUNCTION float nextV(float v, float laplacian, float reacted, GrayScottRates rates) {
+FUNCTION float freeV(float v, float laplacian, float reacted, GrayScottRates rates) {
   precise float change = rates.diffuseV * laplacian;
   change = change + reacted;
   precise float loss = rates.feed + rates.kill;
   loss = loss * v;
   change = change - loss;
   precise float next = v + change;
-  return heldToUnit(next);
+  return next;
+}
+
+FUNCTION float nextU(float u, float laplacian, float reacted, GrayScottRates rates) {
+  return heldToUnit(freeU(u, laplacian, reacted, rates));
+}
+
+FUNCTION float nextV(float v, float laplacian, float reacted, GrayScottRates rates) {
+  return heldToUnit(freeV(v, laplacian, reacted, rates));
 }
 
 // A rate that varies over the grid: weight 0 is `base`, weight 1 is base + span.

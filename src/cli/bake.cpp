@@ -35,26 +35,33 @@ struct BakeOptions {
   bool overwrite = false;
 };
 
-/// Objects that can be written: the one asked for, or all.
-std::vector<std::size_t> bakedObjects(const sim::World& world, const BakeOptions& o) {
-  std::vector<std::size_t> objects;
+/// One of the files that a frame gives.
+struct BakedFile {
+  std::size_t object;
+  std::string name, format;
+};
+
+/// Of the object asked for, or of all that can be written.
+std::vector<BakedFile> bakedFiles(const sim::World& world, const BakeOptions& o) {
+  std::vector<BakedFile> files;
   std::string names;
   for (std::size_t i = 0; i < world.objectCount(); ++i) {
-    if (formatFor(world, i, o.format).empty()) continue;
+    const std::string format = formatFor(world, i, o.format);
+    if (format.empty()) continue;
     names += (names.empty() ? "" : ", ") + world.objectName(i);
-    if (o.object.empty() || o.object == world.objectName(i)) objects.push_back(i);
+    if (!o.object.empty() && o.object != world.objectName(i)) continue;
+    for (const std::string& name : fileNames(world, i, format)) files.push_back({i, name, format});
   }
-  if (objects.empty() && names.empty())
+  if (files.empty() && names.empty())
     fail(ExitCode::usage, "no object of the scene has {} to bake", contentsOf(o.format));
-  if (objects.empty())
+  if (files.empty())
     fail(ExitCode::usage, "--object: there is no \"{}\" with {}; there is {}", o.object,
          contentsOf(o.format), names);
-  return objects;
+  return files;
 }
 
-fs::path fileOf(const BakeOptions& o, const sim::World& world, std::size_t object, int frame) {
-  return fs::path(o.output) /
-         fmt::format("{}_{:06}.{}", world.objectName(object), frame, formatFor(world, object, o.format));
+fs::path fileOf(const BakeOptions& o, const BakedFile& baked, int frame) {
+  return fs::path(o.output) / fmt::format("{}_{:06}.{}", baked.name, frame, baked.format);
 }
 
 void bake(const BakeOptions& o) {
@@ -72,10 +79,10 @@ void bake(const BakeOptions& o) {
   frame::catchInterrupts();
   const gl::Context context(o.on);
   sim::World world(scene);
-  const auto objects = bakedObjects(world, o);
+  const auto all = bakedFiles(world, o);
   for (const int frame : frames)
-    for (const std::size_t object : objects)
-      if (const auto file = fileOf(o, world, object, frame); !o.overwrite && pathExists(file))
+    for (const BakedFile& baked : all)
+      if (const auto file = fileOf(o, baked, frame); !o.overwrite && pathExists(file))
         fail(ExitCode::inputOutput, "{} exists; use --overwrite to replace it", file.string());
   makeFolders(o.output);
   int files = 0;
@@ -90,19 +97,19 @@ void bake(const BakeOptions& o) {
       world.startSummary();
       static_cast<void>(world.takeSummary(true));  // throws when the state is lost
     }
-    for (const std::size_t object : objects) {
+    for (const BakedFile& baked : all) {
       std::vector<std::string> comments = {
           fmt::format("simreel {}", version()), fmt::format("scene {}", scene.hash),
-          fmt::format("object {} frame {} time {:g} s seed {}", world.objectName(object), frame,
+          fmt::format("object {} frame {} time {:g} s seed {}", world.objectName(baked.object), frame,
                       world.time(), scene.seed)};
       if (!scene.overrides.empty())
         comments.push_back("overrides " + oneLine(scene::asArguments(scene.overrides)));
-      writeFileAtomically(fileOf(o, world, object, frame),
-                          stateFile(world, object, formatFor(world, object, o.format), comments));
+      writeFileAtomically(fileOf(o, baked, frame),
+                          stateFile(world, baked.object, baked.name, baked.format, comments));
       ++files;
     }
   }
-  info("{} files -> {}", files, fileOf(o, world, objects.front(), frames.front()).string() + " ...");
+  info("{} files -> {}", files, fileOf(o, all.front(), frames.front()).string() + " ...");
 }
 
 }  // namespace

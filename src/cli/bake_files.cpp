@@ -12,11 +12,15 @@ namespace simreel::cli {
 
 namespace {
 
-/// The field that an object publishes at present, or null.
-const sim::Field* fieldOf(const sim::Drawables& drawables, const std::string& object) {
+/// The field of that name that is published at present, or null.
+const sim::Field* fieldOf(const sim::Drawables& drawables, const std::string& name) {
   for (const sim::Field& field : drawables.fields)
-    if (*field.name == object) return &field;
+    if (*field.name == name) return &field;
   return nullptr;
+}
+
+bool isFieldFormat(const std::string& format) {
+  return format == "npy" || format == "pfm";
 }
 
 std::vector<std::byte> bytesOf(const std::string& text) {
@@ -41,8 +45,7 @@ std::vector<std::byte> meshPly(const sim::MeshTable& mesh, std::span<const std::
 
 bool has(const sim::World& world, std::size_t object, const std::string& format) {
   const sim::Simulation& simulation = world.object(object);
-  if (format == "npy" || format == "pfm")
-    return fieldOf(world.drawables(), world.objectName(object)) != nullptr;
+  if (isFieldFormat(format)) return fieldOf(world.drawables(), world.objectName(object)) != nullptr;
   if (format == "obj") return simulation.mesh().has_value();
   if (format == "ply") return !simulation.points().columns.empty() || simulation.mesh();
   const char* own = simulation.stateFile().suffix;
@@ -65,12 +68,22 @@ const char* contentsOf(const std::string& format) {
   return format.empty() ? "state" : "a field";
 }
 
-std::vector<std::byte> stateFile(const sim::World& world, std::size_t object, const std::string& format,
-                                 std::span<const std::string> comments) {
+std::vector<std::string> fileNames(const sim::World& world, std::size_t object, const std::string& format) {
+  const std::string& name = world.objectName(object);
+  if (!isFieldFormat(format)) return {name};
+  std::vector<std::string> names;
+  const sim::Drawables drawables = world.drawables();
+  for (const sim::Field& field : drawables.fields)
+    if (*field.name == name || field.name->starts_with(name + ".")) names.push_back(*field.name);
+  return names;
+}
+
+std::vector<std::byte> stateFile(const sim::World& world, std::size_t object, const std::string& name,
+                                 const std::string& format, std::span<const std::string> comments) {
   const sim::Simulation& simulation = world.object(object);
-  if (format == "npy" || format == "pfm") {
+  if (isFieldFormat(format)) {
     const sim::Drawables drawables = world.drawables();
-    const sim::Field* field = fieldOf(drawables, world.objectName(object));
+    const sim::Field* field = fieldOf(drawables, name);
     SIMREEL_CHECK(field != nullptr);
     return frame::encodeField(frame::parseFieldFormat(format), field->size, sim::fieldValues(*field));
   }

@@ -18,10 +18,13 @@ inline constexpr std::array<const char*, 5> stateFormats = {"ply", "obj", "npy",
 [[nodiscard]] std::string formatFor(const sim::World& world, std::size_t object, const std::string& wanted);
 /// What a format holds, for messages: "points or a deformed mesh", "cells", ...; of "": "state".
 [[nodiscard]] const char* contentsOf(const std::string& format);
-/// The file; `format` is one that formatFor gave. `comments` are written where the format has room for
-/// them.
+/// What its files are called, one each: the object, and of fields NAME.u as well. `format` is one that
+/// formatFor gave.
+[[nodiscard]] std::vector<std::string> fileNames(const sim::World& world, std::size_t object,
+                                                 const std::string& format);
+/// The file of that name. `comments` are written where the format has room for them.
 [[nodiscard]] std::vector<std::byte> stateFile(const sim::World& world, std::size_t object,
-                                               const std::string& format,
+                                               const std::string& name, const std::string& format,
                                                std::span<const std::string> comments);
 
 }  // namespace simreel::cli

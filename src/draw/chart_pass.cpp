@@ -16,7 +16,6 @@ namespace {
 constexpr GLuint countUnit = 0;
 constexpr GLuint columnUnit = 1;
 constexpr GLuint boxUnit = 0;
-constexpr float linesPerPicture = 400.0F;  // pixels of height for each unit
 
 /// Thousands apart: 65 536.
 std::string grouped(unsigned number) {
@@ -72,7 +71,7 @@ std::vector<glm::vec4> labels(const sim::Chart& chart, const ChartLayout& layout
 
 ChartLayout chartLayout(const sim::Chart& chart, glm::ivec2 picture) {
   ChartLayout layout;
-  layout.unit = std::max(1, static_cast<int>(std::lround(static_cast<float>(picture.y) / linesPerPicture)));
+  layout.unit = letterUnit(picture);
   const int u = layout.unit;
   const glm::vec2 whole(picture);
   const glm::ivec2 from(glm::round(chart.corner * whole));

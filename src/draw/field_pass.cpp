@@ -123,9 +123,10 @@ void FieldPass::drawOne(const sim::Field& field, const Kept& kept, double second
 bool FieldPass::hidesAll(const sim::Drawables& drawables, double seconds) const {
   return std::any_of(drawables.fields.begin(), drawables.fields.end(), [&](const sim::Field& field) {
     if (!shown(field, seconds) || field.display->layer != Layer::over) return false;
-    const glm::vec4 part(fieldView(*field.display, field.size, picture_, seconds).part);
-    return field.display->opacity.at(seconds) >= 1 && part.x <= 0 && part.y <= 0 &&
-           part.z >= static_cast<float>(picture_.x) && part.w >= static_cast<float>(picture_.y);
+    const glm::ivec4 part(fieldView(*field.display, field.size, picture_, seconds).part);
+    const glm::ivec2 scales = axesMargin(*field.display, picture_);
+    return field.display->opacity.at(seconds) >= 1 && part.x <= scales.x && part.y <= 0 &&
+           part.z >= picture_.x && part.w + scales.y >= picture_.y;
   });
 }
 

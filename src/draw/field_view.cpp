@@ -1,5 +1,7 @@
 #include "draw/field_view.hpp"
 
+#include "draw/text_boxes.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -7,11 +9,20 @@
 
 namespace simreel::draw {
 
+glm::ivec2 axesMargin(const sim::FieldDisplay& display, glm::ivec2 picture) {
+  const int unit = letterUnit(picture);
+  const glm::dvec2 extent = glm::dvec2(display.extent) * glm::dvec2(picture);
+  if (extent.x < 160 * unit || extent.y < 100 * unit) return {0, 0};
+  return {display.down ? 46 * unit : 0, display.across ? 32 * unit : 0};
+}
+
 FieldView fieldView(const sim::FieldDisplay& display, glm::ivec2 cells, glm::ivec2 picture,
                     double seconds) {
   const glm::dvec2 whole(picture);
-  const glm::dvec2 corner = glm::round(glm::dvec2(display.corner) * whole);
-  const glm::dvec2 end = glm::round(glm::dvec2(display.corner + display.extent) * whole);
+  const glm::ivec2 margin = axesMargin(display, picture);
+  const glm::dvec2 corner = glm::round(glm::dvec2(display.corner) * whole) + glm::dvec2(margin.x, 0);
+  const glm::dvec2 end =
+      glm::round(glm::dvec2(display.corner + display.extent) * whole) - glm::dvec2(0, margin.y);
   const glm::dvec2 extent = glm::max(end - corner, 1.0);
   const glm::dvec2 each = extent / glm::dvec2(cells);  // pixels a cell
   glm::dvec2 scale = each;

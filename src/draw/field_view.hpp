@@ -13,6 +13,10 @@ struct FieldView {
   glm::dvec2 perPixel{1};  ///< cells a pixel
 };
 
+/// Pixels that the scales of a display take from its part: at the left, and below it. As FieldDisplay::Axis
+/// says; zero where there are none or the part is too small for letters.
+[[nodiscard]] glm::ivec2 axesMargin(const sim::FieldDisplay& display, glm::ivec2 picture);
+
 /// Fit, zoom and centre of a display at `seconds`. A field that holds still at a whole magnification has
 /// the edges of its cells on edges of pixels.
 [[nodiscard]] FieldView fieldView(const sim::FieldDisplay& display, glm::ivec2 cells, glm::ivec2 picture,

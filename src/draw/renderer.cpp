@@ -1,5 +1,6 @@
 #include "draw/renderer.hpp"
 
+#include "draw/axes_pass.hpp"
 #include "draw/bloom_pass.hpp"
 #include "draw/chart_pass.hpp"
 #include "draw/field_pass.hpp"
@@ -26,6 +27,7 @@ struct Renderer::State {
         fieldTextures(shown),
         skins(shown),
         fields(pixels),
+        axes(pixels),
         charts(pixels),
         shadow(shown.sun),
         surfaces(shown, shadow),
@@ -42,6 +44,7 @@ struct Renderer::State {
   FieldTextures fieldTextures;
   SkinTextures skins;
   FieldPass fields;
+  AxesPass axes;
   ChartPass charts;
   ShadowPass shadow;
   SurfacePass surfaces;
@@ -75,6 +78,7 @@ void Renderer::draw(double seconds, const sim::Drawables& drawables, const Stage
   if (!s.fields.hidesAll(drawables, seconds)) s.drawScene(seconds, drawables, watch);
   s.targets.picture.bind();
   s.fields.draw(drawables, sim::FieldDisplay::Layer::over, seconds);
+  s.axes.draw(drawables, seconds);
   s.charts.draw(drawables);
   if (watch && !(drawables.fields.empty() && drawables.charts.empty())) watch("fields");
 }

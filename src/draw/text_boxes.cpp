@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstring>
 
 #if defined(__GNUC__)
@@ -46,6 +47,10 @@ std::vector<glm::vec4> textBoxes(const std::string& text, glm::ivec2 topLeft, in
     result.emplace_back(from + times * glm::vec2(a.x, a.y), from + times * glm::vec2(c.x, c.y));
   }
   return result;
+}
+
+int letterUnit(glm::ivec2 picture) {
+  return std::max(1, static_cast<int>(std::lround(static_cast<float>(picture.y) / 400.0F)));
 }
 
 glm::ivec2 textSize(const std::string& text, int scale) {

@@ -1,6 +1,7 @@
 #pragma once
 #include "scene/fields.hpp"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,12 @@ struct FieldDisplay {
   std::string map = "viridis";   ///< name of a colour map
   std::vector<glm::vec3> stops;  ///< linear RGB, given instead of a map
   double low = 0, high = 1;      ///< values of the first and the last colour
+  /// What changes evenly over the field, from its first cell to its last: drawn as a scale at its edge.
+  struct Axis {
+    std::string name;  ///< the symbol, and after a comma its meaning: "F, feed rate"
+    scene::Animated<float> first = 0.0F, last = 1.0F;
+  };
+  std::optional<Axis> across, down;  ///< set by simulations, not by scenes
 
   /// The members of "display". Simulations set their own defaults first.
   void describe(scene::Fields& fields);

@@ -15,6 +15,7 @@ class GrayScott : public Simulation {
  public:
   GrayScott(const scene::Object& object, const Setting& setting)
       : name_(object.name),
+        uName_(object.name + ".u"),
         plan_(dynamic_cast<const GrayScottParameters&>(*object.parameters), object.name, setting.seed,
               setting.frameSeconds),
         kernels_(name_, plan_, setting.fast),
@@ -62,6 +63,11 @@ class GrayScott : public Simulation {
     field.colors = &colors_;
     field.display = &p.display;
     drawables.fields.push_back(field);
+    // For files only.
+    field.name = &uName_;
+    field.firstWord = 0;
+    field.display = nullptr;
+    drawables.fields.push_back(field);
   }
 
   void carryOver(CarryOver& carry) override { carry.array("cells", kernels_.cells().buffer()); }
@@ -69,12 +75,20 @@ class GrayScott : public Simulation {
   [[nodiscard]] std::vector<StateArray> state() const override {
     return {{"cells", &kernels_.cells().buffer()}};
   }
+  [[nodiscard]] const gl::Buffer* status() const override { return &kernels_.status(); }
+  [[nodiscard]] std::string remark(int frame) const override {
+    return fmt::format(
+        "grayScott \"{}\": u or v left 0 to 1 by frame {} and is held there, so the model's sums no longer "
+        "hold "
+        "(mass is not kept); smaller \"dt\", \"diffuseU\" and \"diffuseV\", or other rates, keep it within",
+        name_, frame);
+  }
   [[nodiscard]] std::vector<double> measure() const override {
     return measureGrayScott(kernels_.cells().buffer().readAll<glm::vec4>(), plan_.parameters().size);
   }
 
  private:
-  std::string name_;
+  std::string name_, uName_;
   GrayScottPlan plan_;
   GrayScottKernels kernels_;
   std::vector<glm::vec3> colors_;
@@ -83,7 +97,9 @@ class GrayScott : public Simulation {
 }  // namespace
 
 SimulationKind grayScottKind() {
-  return {{"grayScott", "Two substances that react and spread: spots, stripes, mazes (Gray-Scott).",
+  return {{"grayScott",
+           "Two substances that react and spread: spots, stripes, mazes (Gray-Scott); u and v are held to "
+           "0 to 1.",
            [] { return std::make_unique<GrayScottParameters>(); }},
           [](const scene::Object& object, const Setting& setting) {
             GrayScottPlan(dynamic_cast<const GrayScottParameters&>(*object.parameters), object.name,

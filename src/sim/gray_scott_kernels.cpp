@@ -76,6 +76,8 @@ GrayScottKernels::GrayScottKernels(const std::string& name, const GrayScottPlan&
   for (int i = 0; i < 2; ++i)
     words_[i] = gl::Texture::view(name + " words", GL_RGBA32UI, cells_[i].buffer());
   if (mapped_) weights_ = gl::Vec4Array(name + " rate map", plan.weights());
+  constexpr unsigned fine[] = {0xffffffffU, 0, 0, 0};
+  status_ = gl::Buffer::of<unsigned>(name + " status", fine);
 
   gl::Defines defines = gl::kernelDefines(fast);
   if (!plan.strokes().empty()) {
@@ -92,6 +94,7 @@ GrayScottKernels::GrayScottKernels(const std::string& name, const GrayScottPlan&
   define("GROUP_X", cut_.groupX);
   define("GROUP_Y", cut_.groupY);
   makeProgram(step_, "gray_scott/step.comp", defines);
+  makeProgram(look_, "gray_scott/look.comp", defines);
   if (cut_.stepsPerPass == 1) return;
   if (gl::limits().shuffle32) defines.emplace_back("SUBGROUPS", "1");
   define("STEPS", cut_.stepsPerPass);
@@ -109,7 +112,7 @@ void GrayScottKernels::makeProgram(gl::Program& program, const char* path,
 
 void GrayScottKernels::setRates(const GrayScottPlan::Rates& rates) {
   const shader::GrayScottRates& r = rates.base;
-  for (const gl::Program* program : {&step_, &strips_}) {
+  for (const gl::Program* program : {&step_, &strips_, &look_}) {
     if (program->name() == 0) continue;
     program->set("rates", glm::vec4(r.diffuseU, r.diffuseV, r.dt, 0));
     program->set("feedKill", glm::vec4(r.feed, r.kill, rates.feedSpan, rates.killSpan));
@@ -121,6 +124,7 @@ void GrayScottKernels::advance(int steps) {
     for (; steps >= cut_.stepsPerPass; steps -= cut_.stepsPerPass) {
       pass(strips_, 0, 0, size_.y);
       swapCells();
+      look(cut_.stepsPerPass);
     }
   while (steps > 0) {
     const int passes = std::clamp(steps, 1, std::max(cut_.bandRows / 4, 1));
@@ -130,7 +134,20 @@ void GrayScottKernels::advance(int steps) {
       pass(step_, 0, 0, size_.y);
     if (passes % 2 == 1) swapCells();
     steps -= passes;
+    look(passes);
   }
+}
+
+void GrayScottKernels::look(int steps) {
+  constexpr long rarest = 128;
+  taken_ += steps;
+  if (taken_ < nextLook_) return;
+  nextLook_ = taken_ + std::min(taken_, rarest);
+  cells_[0].bindInput(0);
+  if (mapped_) weights_.bindInput(2);
+  status_.bindStorage(7);
+  gl::barrier();
+  look_.dispatch(columns_, size_.y);
 }
 
 void GrayScottKernels::swapCells() {
@@ -176,6 +193,8 @@ void GrayScottKernels::paint(const shader::Stroke& stroke) {
   strokeBits_.bindInput(2);
   gl::barrier();
   paint_.dispatch(columns_, box.w);
+  taken_ = 0;
+  nextLook_ = 1;
 }
 
 }  // namespace simreel::sim

@@ -34,6 +34,10 @@ class GrayScottKernels {
   void advance(int steps);
   void paint(const shader::Stroke& stroke);
 
+  /// As Simulation::status(): a remark where a step held a cell to [0, 1]. Looked at after 1, 2, 4, ... 128
+  /// steps (as far as a pass ends there), after every 128 from then on, and in this order again after
+  /// strokes.
+  [[nodiscard]] const gl::Buffer& status() const { return status_; }
   [[nodiscard]] const gl::Vec4Array& cells() const { return cells_[0]; }
   [[nodiscard]] gl::Vec4Array& cells() { return cells_[0]; }
   /// The same as words, for Field.
@@ -43,6 +47,8 @@ class GrayScottKernels {
   void makeProgram(gl::Program& program, const char* path, const gl::Defines& defines) const;
   void bands(int steps);
   void swapCells();
+  /// After `steps` more.
+  void look(int steps);
   /// From cells_[from] to the other array, `rows` of them from `first` on, over the border where need be.
   void pass(const gl::Program& program, int from, int first, int rows);
 
@@ -53,7 +59,10 @@ class GrayScottKernels {
   gl::Texture words_[2];
   gl::Vec4Array weights_;
   gl::WordsArray strokeBits_;
-  gl::Program step_, strips_, paint_;
+  gl::Buffer status_;
+  gl::Program step_, strips_, look_, paint_;
+  long taken_ = 0;     ///< steps since the start or the latest stroke
+  long nextLook_ = 1;  ///< of those
   bool mapped_;
 };
 

@@ -22,7 +22,7 @@ void rate(scene::Fields& f, const char* name, std::optional<scene::Animated<floa
 
 FeedKill ratesOf(GrayScottPreset preset) {
   constexpr FeedKill rates[] = {{0.035F, 0.065F}, {0.040F, 0.060F}, {0.025F, 0.055F}, {0.050F, 0.065F},
-                                {0.060F, 0.062F}, {0.032F, 0.063F}, {0.026F, 0.051F}};
+                                {0.060F, 0.062F}, {0.032F, 0.063F}, {0.018F, 0.051F}};
   return rates[static_cast<std::size_t>(preset)];
 }
 
@@ -34,7 +34,9 @@ GrayScottParameters::GrayScottParameters() {
 
 void GrayScottParameters::describe(scene::Fields& f) {
   f.pair("size", size, {4, 32768}, "cells",
-         "Width and height; the left edge meets the right, the top the bottom.");
+         "Width and height; the left edge meets the right, the top the bottom. In every step u and v are "
+         "held to "
+         "0 to 1, with a warning when that changes one.");
   f.choice("preset", preset, presetNames, "Rates by name; README.md of src/sim says what each grows.");
   const FeedKill standard = ratesOf(preset);
   rate(f, "feed", feed, standard.feed, "F, at which u comes in; the preset's unless it is given.");
@@ -51,6 +53,11 @@ void GrayScottParameters::describe(scene::Fields& f) {
                    "F at the right edge; it changes evenly from \"feed\" at the left.");
   f.optionalNumber("killDown", killDown, {0, 0.2}, "per unit of time",
                    "k at the bottom; it changes evenly from \"kill\" at the top.");
+  f.boolean("axes", axes,
+            "Draws scales of F and k at the edges of the picture, where \"feedAcross\" and \"killDown\" "
+            "vary them.");
+  if (axes && !feedAcross && !killDown)
+    f.error("axes", "there is nothing to draw a scale of: give \"feedAcross\" or \"killDown\"");
   f.asset("feedImage", feedImage,
           "Picture that sets F: \"feed\" where it is black, \"feedWhite\" where white.");
   f.number("feedWhite", feedWhite, {0, 0.2}, "per unit of time", "F where \"feedImage\" is white.");
@@ -85,6 +92,13 @@ void GrayScottParameters::describe(scene::Fields& f) {
     stroke.describe(s, 1, "v that is painted; u becomes the rest of 1.");
   });
   f.group("display", "How v is laid over the picture.", [&](scene::Fields& d) { display.describe(d); });
+  if (axes && feedAcross)
+    display.across =
+        FieldDisplay::Axis{"F, feed rate", feed ? *feed : scene::Animated<float>(standard.feed),
+                           static_cast<float>(*feedAcross)};
+  if (axes && killDown)
+    display.down = FieldDisplay::Axis{"k, kill rate", kill ? *kill : scene::Animated<float>(standard.kill),
+                                      static_cast<float>(*killDown)};
 }
 
 FeedKill GrayScottParameters::ratesAt(double time) const {

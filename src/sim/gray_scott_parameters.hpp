@@ -30,6 +30,7 @@ struct GrayScottParameters : scene::Parameters {
   scene::Animated<float> health = 1.0F;  ///< 1: rates of `well`, 0: of `ill`, in between a mixture
   GrayScottPreset well = GrayScottPreset::leopard, ill = GrayScottPreset::chaos;
   std::optional<double> feedAcross, killDown;  ///< rates at the right and at the bottom edge
+  bool axes = false;                           ///< drawn where they vary so
   std::filesystem::path feedImage, killImage;  ///< shares of the way to feedWhite, killWhite
   double feedWhite = 0.06, killWhite = 0.065;
   double diffuseU = 0.21, diffuseV = 0.105;  ///< cells^2 per unit of time

@@ -111,6 +111,9 @@ class Simulation {
   /// that is known, when Setting::timing is on. CPU stages by the clock, those of the GPU by timer queries.
   /// Never waits for the device.
   [[nodiscard]] virtual std::vector<std::pair<const char*, double>> stageTimes() const { return {}; }
+  /// One line for a user, said once, where the third word of status() is not 0; `frame`: when that was
+  /// seen.
+  [[nodiscard]] virtual std::string remark(int /*frame*/) const { return {}; }
   /// One line for a user: where and why the state was lost, and what to change.
   [[nodiscard]] virtual std::string explainLoss(unsigned step, unsigned element) const {
     return "step " + std::to_string(step) + ", element " + std::to_string(element);

@@ -1,6 +1,7 @@
 #include "sim/world.hpp"
 
 #include "base/error.hpp"
+#include "base/log.hpp"
 #include "gl/element_array.hpp"
 #include "gl/errors.hpp"
 #include "sim/list.hpp"
@@ -86,6 +87,7 @@ struct World::State {
   std::vector<std::unique_ptr<Simulation>> objects;
   std::vector<std::size_t> order;  ///< in which objects are made and stepped
   std::vector<std::string> names;
+  std::vector<bool> remarked;  ///< of each object, whether its remark was made
   std::vector<ArrayName> arrays;
 
   StateHash hash;
@@ -107,7 +109,8 @@ struct World::State {
         preroll(static_cast<int>(std::lround(scene.time.start * scene.time.fps))),
         colliders(collect(scene)),
         objects(scene.objects.size()),
-        order(stepOrder(scene)) {
+        order(stepOrder(scene)),
+        remarked(scene.objects.size()) {
     Setting setting{scene.numerics == scene::Numerics::fast, scene.seed, 1.0 / scene.time.fps, &colliders,
                     timing};
     setting.startTime = -preroll / fps;
@@ -195,7 +198,7 @@ struct World::State {
     return static_cast<GLintptr>((static_cast<std::size_t>(slot) * objects.size() + object) * 16);
   }
 
-  void checkStatus(int slot) const {
+  void checkStatus(int frame, int slot) {
     for (std::size_t i = 0; i < objects.size(); ++i) {
       if (objects[i]->status() == nullptr) continue;
       unsigned words[4] = {};
@@ -203,6 +206,9 @@ struct World::State {
                     std::as_writable_bytes(std::span(words)));
       if (words[0] != 0xffffffffU)
         throw UserError(ExitCode::device, objects[i]->explainLoss(words[0], words[1]));
+      if (words[2] == 0 || remarked[i]) continue;
+      remarked[i] = true;
+      warn("{}", objects[i]->remark(frame));
     }
   }
 
@@ -311,7 +317,7 @@ std::optional<World::Summary> World::takeSummary(bool wait) {
     fail(ExitCode::device, "the device stopped answering at frame {}", oldest.frame);
   glDeleteSync(oldest.fence);
   state_->pending.pop_front();
-  state_->checkStatus(oldest.slot);
+  state_->checkStatus(oldest.frame, oldest.slot);
   Summary summary = state_->summary(oldest.frame, oldest.slot);
   state_->readCounts(oldest, summary);
   gl::checkCalls();

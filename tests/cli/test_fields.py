@@ -54,11 +54,14 @@ class Fields(Case):
         self.good(*self.render("--fields", "npy"))
         files = self.content("out")
         self.assertEqual(sorted(files), sorted(["manifest.json"] + [f"{i:06}.{kind}" for i in range(4)
-                                                                    for kind in ("png", "dish.npy")]))
+                                                                    for kind in ("png", "dish.npy", "dish.u.npy")]))
         rows, columns, values = read_npy(files["000000.dish.npy"])
         self.assertEqual((rows, columns), (4, 5))
         self.assertEqual(values, tuple(0.5 if c == "#" else 0.0 for row in ROWS for c in row))
+        # u is what v leaves of 1 at the start, and only then.
+        self.assertEqual(read_npy(files["000000.dish.u.npy"])[2], tuple(1 - value for value in values))
         _, _, later = read_npy(files["000003.dish.npy"])
+        self.assertNotEqual(read_npy(files["000003.dish.u.npy"])[2], tuple(1 - value for value in later))
         self.assertNotEqual(later, values)
         self.assertTrue(all(0 <= value <= 1 for value in later), later)
 
@@ -69,8 +72,32 @@ class Fields(Case):
         wanted = self.content("out")["000003.dish.npy"]
         self.assertEqual(read_pfm((self.folder / "other_03.dish.pfm").read_bytes()), read_npy(wanted))
         baked = self.content("baked")
-        self.assertEqual(sorted(baked), ["dish_000001.npy", "dish_000003.npy"])
+        self.assertEqual(sorted(baked), ["dish.u_000001.npy", "dish.u_000003.npy", "dish_000001.npy", "dish_000003.npy"])
+        self.assertEqual(baked["dish.u_000003.npy"], self.content("out")["000003.dish.u.npy"])
         self.assertEqual(baked["dish_000003.npy"], wanted)
+
+    def test_what_is_held_to_0_to_1_is_said_once(self):
+        """Without feed and kill the sum of u and v stays, but for what is cut off above 1."""
+        dish = {"size": [31, 24], "feed": 0, "kill": 0, "steps": 10, "seeds": {"count": 3, "radius": 4}}
+        scene = with_values({"objects": {"dish": {"grayScott": dish}}, "time.duration": 1}, SCENE)
+        self.write("scene.json", scene)
+
+        def mass(frame):
+            return sum(sum(read_npy(self.content("out")[f"{frame:06}.dish{name}.npy"])[2]) for name in ("", ".u"))
+        for path in ("texel", "storage"):
+            done = self.good(*self.render("--fields", "npy", "--overwrite", "--memory-path", path))
+            self.assertEqual(done.err.count("is held there"), 1, done.err)
+            self.assertIn("grayScott \"dish\"", done.err)
+            self.assertLess(mass(29), mass(0) - 0.1)
+        # The same where nothing is cut off.
+        for values in ({"diffuseV": 0.21, "dt": 0.4}, {"feed": 0.03, "kill": 0.06}):
+            scene["objects"]["dish"]["grayScott"] = {**dish, **values}
+            self.write("scene.json", scene)
+            for path in ("texel", "storage"):
+                done = self.good(*self.render("--fields", "npy", "--overwrite", "--memory-path", path))
+                self.assertNotIn("held", done.err)
+            if "dt" in values:
+                self.assertAlmostEqual(mass(29), mass(0), delta=0.001)
 
     def test_existing_files(self):
         self.write("out/000002.dish.npy", "mine")
@@ -117,7 +144,9 @@ class Fields(Case):
         self.good(*self.render("--fields", "npy"))
         (self.folder / "out/000002.dish.npy").write_bytes(b"")
         self.good(*self.render("--resume"))
-        self.assertEqual(["files" in frame for frame in self.manifest("out")["frames"]], [True, True, False, True])
+        frames = self.manifest("out")["frames"]
+        self.assertEqual([f"{i:06}.dish.npy" in frame["files"] for i, frame in enumerate(frames)], [True, True, False, True])
+        self.assertTrue(all(f"{i:06}.dish.u.npy" in frame["files"] for i, frame in enumerate(frames)))
 
     def test_added_to_frames_that_are_kept(self):
         self.good(*self.render())
