@@ -4,26 +4,55 @@
 
 #include <atomic>
 #include <cstdio>
+#include <cstring>
+#include <string_view>
+#include <unistd.h>
+
+#include <nlohmann/json.hpp>
 
 namespace simreel {
 
 namespace {
+
 std::atomic<Verbosity> level = Verbosity::normal;
 std::atomic<bool> commandsAvoided = false;
+std::atomic<bool> json = false;
 
 void put(std::FILE* where, const std::string& text) {
   // Not fmt::print, which throws when standard error is closed: a run does not end for want of a listener.
   const std::string plain = commandsAvoided ? withoutCommands(text) : text;
   static_cast<void>(std::fwrite(plain.data(), 1, plain.size(), where));
 }
+
+/// On standard error: plain text, or an object that does without what the text begins with.
+void say(const char* kind, std::string_view prefix, const std::string& text) {
+  if (!json) return put(stderr, text + "\n");
+  using Json = nlohmann::ordered_json;
+  const Json object = {{"event", "message"},
+                       {"level", kind},
+                       {"text", text.starts_with(prefix) ? text.substr(prefix.size()) : text}};
+  put(stderr, object.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n");
+}
+
 }  // namespace
 
+void logAsJson() {
+  json = true;
+}
+
+void rawErrorLine(const char* text) noexcept {
+  const auto part = [](const char* bytes) { (void)!::write(STDERR_FILENO, bytes, std::strlen(bytes)); };
+  if (json) part(R"({"event":"message","level":"error","text":")");
+  part(text);
+  part(json ? "\"}\n" : "\n");
+}
+
 void errorLine(const std::string& message) {
-  put(stderr, oneLine(message) + "\n");
+  say("error", "simreel: error: ", oneLine(message));
 }
 
 void errorLines(const std::string& report) {
-  put(stderr, severalLines(report) + "\n");
+  say("error", "", severalLines(report));
 }
 
 void printText(const std::string& text) {
@@ -47,15 +76,16 @@ Verbosity verbosity() {
 }
 
 void warnLine(const std::string& message) {
-  if (level != Verbosity::quiet) errorLine("simreel: warning: " + message);
+  if (level != Verbosity::quiet)
+    say("warning", "simreel: warning: ", "simreel: warning: " + oneLine(message));
 }
 
 void infoLine(const std::string& message) {
-  if (level != Verbosity::quiet) errorLine(message);
+  if (level != Verbosity::quiet) say("info", "simreel: ", oneLine(message));
 }
 
 void detailLine(const std::string& message) {
-  if (level == Verbosity::verbose) errorLine(message);
+  if (level == Verbosity::verbose) say("detail", "", oneLine(message));
 }
 
 }  // namespace simreel

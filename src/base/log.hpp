@@ -11,6 +11,11 @@ enum class Verbosity { quiet, normal, verbose };
 void setVerbosity(Verbosity verbosity);
 [[nodiscard]] Verbosity verbosity();
 
+/// From here on each line is a JSON object: {"event":"message","level":"error","text":"..."}.
+void logAsJson();
+/// One line of plain ASCII on standard error, for signal handlers.
+void rawErrorLine(const char* text) noexcept;
+
 // What comes from files, names and arguments never reaches the terminal raw: each of these spells out what
 // would steer it (base/text.hpp).
 

@@ -1,15 +1,23 @@
 #include "base/process.hpp"
 
 #include <algorithm>
+#include <array>
+#include <atomic>
 #include <fcntl.h>
 #include <signal.h>
 #include <spawn.h>
 #include <sys/mman.h>
+#include <time.h>
 #include <unistd.h>
 
 namespace simreel {
 
 namespace {
+
+// Signal handlers read these. One too many is not watched.
+std::array<std::atomic<pid_t>, 8> running{};
+std::atomic<bool> ended = false;
+static_assert(std::atomic<pid_t>::is_always_lock_free);
 
 class SpawnSettings {
  public:
@@ -59,8 +67,44 @@ int startProcess(const std::vector<std::string>& arguments, const ChildStreams& 
   pointers.push_back(nullptr);
   pid_t started = -1;
   const int error = SpawnSettings(streams).spawn(started, pointers.front(), pointers.data());
-  if (error == 0) child = started;
-  return error;
+  if (error != 0) return error;
+  child = started;
+  for (std::atomic<pid_t>& slot : running) {
+    pid_t none = 0;
+    if (slot.compare_exchange_strong(none, started)) break;
+  }
+  return 0;
+}
+
+void childEnded(pid_t child) noexcept {
+  for (std::atomic<pid_t>& slot : running) {
+    pid_t held = child;
+    slot.compare_exchange_strong(held, 0);
+  }
+}
+
+void endChildren() noexcept {
+  for (const std::atomic<pid_t>& slot : running)
+    if (const pid_t child = slot; child > 0) {
+      ended = true;
+      ::kill(-child, SIGKILL);
+    }
+}
+
+bool childrenWereEnded() noexcept {
+  return ended;
+}
+
+double childrenSeconds() noexcept {
+  double sum = 0;
+  for (const std::atomic<pid_t>& slot : running) {
+    clockid_t clock{};
+    timespec time{};
+    if (const pid_t child = slot;
+        child > 0 && ::clock_getcpuclockid(child, &clock) == 0 && ::clock_gettime(clock, &time) == 0)
+      sum += static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_nsec) * 1e-9;
+  }
+  return sum;
 }
 
 int makeMemoryFile(const char* label) {

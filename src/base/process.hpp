@@ -18,6 +18,15 @@ struct ChildStreams {
 [[nodiscard]] int startProcess(const std::vector<std::string>& arguments, const ChildStreams& streams,
                                pid_t& child);
 
+/// Call before a child is reaped, or right after.
+void childEnded(pid_t child) noexcept;
+/// Kills every child that has not ended, with its group. For signal handlers, too.
+void endChildren() noexcept;
+/// Whether endChildren() found one.
+[[nodiscard]] bool childrenWereEnded() noexcept;
+/// Processor time of the children that run, s. For signal handlers, too.
+[[nodiscard]] double childrenSeconds() noexcept;
+
 /// A file without a name, in memory: what a child says goes there, so it never waits for a reader. Returns
 /// a descriptor that children do not inherit, or -1 with errno set.
 [[nodiscard]] int makeMemoryFile(const char* label);

@@ -1,3 +1,4 @@
+#include "base/clock.hpp"
 #include "base/error.hpp"
 #include "base/log.hpp"
 #include "cli/commands.hpp"
@@ -48,6 +49,7 @@ frame::Existing existingPolicy(const RenderOptions& o) {
 }
 
 void render(const RenderOptions& o) {
+  const auto began = Clock::now();
   const auto existing = existingPolicy(o);
   frame::Progress progress(frame::parseProgressMode(o.progress));
   const scene::Scene scene = o.scene.load();
@@ -82,11 +84,20 @@ void render(const RenderOptions& o) {
   frame::BesideFrames beside;
   if (fields) beside.fields = &*fields;
   beside.counts = !o.noCounts;
+  beside.began = began;
   beside.checkpoints.file = output.checkpointFile();
   beside.checkpoints.resume = existing == frame::Existing::resume;
   beside.checkpoints.run = run;
   if (o.checkpoint) beside.checkpoints.seconds = *o.checkpoint;
-  const auto result = frame::renderSequence(scene, context, frames, *sink, progress, beside);
+  frame::SequenceResult result;
+  try {
+    result = frame::renderSequence(scene, context, frames, *sink, progress, beside);
+  } catch (const UserError& error) {
+    const int signal = frame::interruptSignal();
+    if (signal == 0 || error.code() != ExitCode::inputOutput) throw;
+    printError(error);  // of its end: the cause is the signal
+    return setExitCode(128 + signal);
+  }
   info("{}", frame::closingLine(result.frames, result.seconds, result.stages, sink->summary()));
   if (result.signal != 0) {
     info("simreel: interrupted; what is listed in the manifest is whole, --resume goes on from there");

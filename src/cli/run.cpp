@@ -11,6 +11,7 @@
 #include <iostream>
 #include <new>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <CLI/CLI.hpp>
@@ -44,6 +45,16 @@ int flushed(int code) {
   const bool written = std::fflush(stdout) == 0 && std::ferror(stdout) == 0 && std::cout.good();
   if (code != 0 || written) return code;
   return print("cannot write to standard output", ExitCode::inputOutput);
+}
+
+/// Known before the rest is read: what is wrong with that is a message, too.
+bool asksForNdjson(int argc, char** argv) {
+  for (int i = 1; i < argc; ++i) {
+    const std::string_view word = argv[i];
+    if (word == "--progress=ndjson") return true;
+    if (word == "--progress" && i + 1 < argc && std::string_view(argv[i + 1]) == "ndjson") return true;
+  }
+  return false;
 }
 
 std::string explain(const CLI::App& app, const CLI::ParseError& error) {
@@ -124,6 +135,7 @@ int explained(int argc, char** argv) {
 
 int run(int argc, char** argv) {
   holdStandardDescriptors();
+  if (asksForNdjson(argc, argv)) logAsJson();
   try {
     return explained(argc, argv);
   } catch (...) {

@@ -55,6 +55,12 @@ std::vector<std::string> encoderArguments(const std::string& extension) {
   return result;
 }
 
+/// " (SIGKILL)", or nothing for signals without a name.
+std::string signalName(int number) {
+  const char* name = ::sigabbrev_np(number);
+  return name == nullptr ? std::string() : fmt::format(" (SIG{})", name);
+}
+
 void closeIfOpen(int& descriptor) {
   if (descriptor >= 0) ::close(descriptor);
   descriptor = -1;
@@ -129,7 +135,10 @@ void Ffmpeg::write(std::span<const std::byte> bytes) {
     if (k > 0) ::usleep(10'000);
     if (::waitid(P_PID, static_cast<id_t>(process_), &ended, WEXITED | WNOWAIT | WNOHANG) != 0) break;
   }
-  kill();
+  if (ended.si_pid == 0) {
+    killed_ = true;
+    kill();
+  }
   failed(wait());
 }
 
@@ -145,6 +154,7 @@ int Ffmpeg::wait() {
   while (::waitid(P_PID, static_cast<id_t>(process_), &ended, WEXITED | WNOWAIT) != 0 && errno == EINTR) {
   }
   const std::lock_guard lock(mutex_);
+  childEnded(process_);
   int status = 0;
   while (::waitpid(process_, &status, 0) < 0 && errno == EINTR) {
   }
@@ -156,8 +166,10 @@ void Ffmpeg::failed(int status) {
   closeIfOpen(input_);
   std::string how = "closed its input";
   if (WIFEXITED(status)) how = fmt::format("ended with status {}", WEXITSTATUS(status));
-  if (WIFSIGNALED(status) && WTERMSIG(status) != SIGKILL)
-    how = fmt::format("ended by signal {}", WTERMSIG(status));
+  if (WIFSIGNALED(status) && childrenWereEnded())
+    how = "had stopped reading, and was ended,";
+  else if (WIFSIGNALED(status) && !killed_)
+    how = fmt::format("was ended by signal {}{}", WTERMSIG(status), signalName(WTERMSIG(status)));
   const std::string line = lastLine();
   fail(ExitCode::inputOutput, "ffmpeg {} before the video was complete{}{}", how, line.empty() ? "" : ": ",
        line);

@@ -46,6 +46,7 @@ class Ffmpeg {
   pid_t process_ = -1;
   int input_ = -1;
   int messages_ = -1;
+  bool killed_ = false;  ///< by us, since it went on without reading
 };
 
 }  // namespace simreel::frame

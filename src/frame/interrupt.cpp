@@ -1,8 +1,13 @@
 #include "frame/interrupt.hpp"
 
+#include "base/log.hpp"
+#include "base/process.hpp"
+
 #include <atomic>
+#include <cerrno>
 #include <initializer_list>
 #include <signal.h>
+#include <time.h>
 #include <unistd.h>
 
 namespace simreel::frame {
@@ -11,20 +16,62 @@ namespace {
 
 std::atomic<int> arrived = 0;
 // A handler may use lock-free atomics only.
-static_assert(std::atomic<int>::is_always_lock_free);
+static_assert(std::atomic<int>::is_always_lock_free && std::atomic<double>::is_always_lock_free);
 
-void onSignal(int number) {
-  if (arrived.exchange(number) != 0) ::_exit(128 + number);
+constexpr int childPatience = 3;  ///< s in which nothing has moved, before children are ended
+constexpr int patience = 10;      ///< and before the process is
+std::atomic<int> still = 0;       ///< s
+std::atomic<double> busyBefore = 0;
+
+/// s of processor time, of children too: what waits for a slow disk or reader still moves now and then.
+double busy() {
+  timespec time{};
+  ::clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_nsec) * 1e-9 + childrenSeconds();
+}
+
+[[noreturn]] void endNow(int number) {
+  endChildren();
+  ::_exit(128 + number);
+}
+
+/// Every second after a signal has come.
+void onSecond(int /*number*/) {
+  const int error = errno;
+  const double now = busy();
+  still = now - busyBefore.exchange(now) < 0.01 ? still + 1 : 0;
+  if (still == childPatience) endChildren();
+  if (still >= patience) {
+    rawErrorLine("simreel: error: interrupted, and nothing has moved for 10 s: ended");
+    endNow(arrived);
+  }
+  ::alarm(1);
+  errno = error;
+}
+
+void onSignal(int number, siginfo_t* info, void* /*context*/) {
+  // Our own, since a file grew beyond the limit: the write fails, and says so.
+  if (number == SIGXFSZ && (info->si_code == SI_KERNEL || info->si_pid == ::getpid())) return;
+  if (arrived.exchange(number) != 0) endNow(number);
+  ::alarm(1);
 }
 
 }  // namespace
 
 void catchInterrupts() {
   struct sigaction action {};
-  action.sa_handler = onSignal;
   action.sa_flags = SA_RESTART;
   ::sigemptyset(&action.sa_mask);
-  for (const int number : {SIGINT, SIGTERM}) ::sigaction(number, &action, nullptr);
+  action.sa_handler = onSecond;
+  ::sigaction(SIGALRM, &action, nullptr);
+  action.sa_flags = SA_RESTART | SA_SIGINFO;
+  action.sa_sigaction = onSignal;
+  for (const int number : {SIGINT, SIGTERM, SIGXFSZ, SIGHUP}) {
+    struct sigaction before {};
+    ::sigaction(number, nullptr, &before);
+    if (number == SIGHUP && before.sa_handler == SIG_IGN) continue;  // nohup
+    ::sigaction(number, &action, nullptr);
+  }
 }
 
 int interruptSignal() {

@@ -2,8 +2,15 @@
 
 namespace simreel::frame {
 
-/// From here on the first SIGINT or SIGTERM is only noted, so that the frame and the manifest can be
-/// finished; a second one ends the process at once with 128 + its number.
+/// Thrown by work that a signal has ended.
+struct Interrupted {
+  int signal;
+};
+
+/// From here on the first SIGINT, SIGTERM, SIGHUP (unless ignored, as by nohup) or SIGXFSZ that somebody
+/// sends is only noted, so that the frame and the manifest can be finished; a second one ends the process
+/// at once with 128 + its number. So does the first where nothing moves any more: after 3 s without
+/// processor time, its own or of children, these are ended; after 10 s the process.
 void catchInterrupts();
 
 /// The signal that arrived, or 0. Poll it between frames; then finish() the sink and exit 128 + it.

@@ -37,6 +37,21 @@ void Progress::start(int total) {
   if (mode_ == Mode::terminal) show();
 }
 
+void Progress::prepare(long done, long total) {
+  if (done < total && Clock::now() - lastShown_ < showEvery) return;
+  if (mode_ == Mode::ndjson) {
+    lastShown_ = Clock::now();
+    write(fmt::format("{{\"event\":\"prepare\",\"done\":{},\"total\":{},\"seconds\":{:.3f}}}\n", done,
+                      total, secondsSince(begin_)));
+  }
+  if (mode_ != Mode::terminal) return;
+  lastShown_ = Clock::now();
+  shown_ = true;
+  std::string text = fmt::format("before the first frame: {}/{} steps", done, total);
+  text.resize(std::min(text.size(), static_cast<std::size_t>(std::max(1, columns(descriptor_) - 1))));
+  write("\r" + text + "\x1b[K");
+}
+
 void Progress::frame(int number, const StageTimes& stages) {
   ++done_;
   if (mode_ == Mode::ndjson)
@@ -98,9 +113,10 @@ std::string progressLine(int done, int total, double seconds, int width) {
 std::string closingLine(int frames, double seconds, const StageTimes& stages, const std::string& where) {
   std::string line = fmt::format("{} in {}", count(frames), formatDuration(seconds));
   if (frames > 0 && seconds > 0) line += fmt::format(" ({:.1f} frames/s)", frames / seconds);
-  line += fmt::format(": simulate {}, draw {}, read back {}, encode {}", formatDuration(stages.simulate),
+  line += fmt::format(": start {}, simulate {}, draw {}, read back {}, encode {}, wait {}",
+                      formatDuration(stages.start), formatDuration(stages.simulate),
                       formatDuration(stages.draw), formatDuration(stages.readBack),
-                      formatDuration(stages.encode));
+                      formatDuration(stages.encode), formatDuration(stages.wait));
   return where.empty() ? line : line + " -> " + where;
 }
 

@@ -10,7 +10,9 @@ struct StageTimes {
   double simulate = 0;
   double draw = 0;
   double readBack = 0;
-  double encode = 0;
+  double encode = 0;  ///< processor time of other threads
+  double start = 0;   ///< device, shaders, textures: all before the first step
+  double wait = 0;    ///< for encoders, ffmpeg or the disk
 };
 
 /// How far a run is, on standard error. Use from one thread.
@@ -21,6 +23,8 @@ class Progress {
   /// `automatic` shows a bar on a terminal and nothing when piped. The descriptor is for tests.
   explicit Progress(Mode mode, int descriptor = 2);
   void start(int total);
+  /// How far the steps before the first frame are.
+  void prepare(long done, long total);
   /// One frame is done (or was already there). `stages` are the times of this frame alone.
   void frame(int number, const StageTimes& stages);
   /// Clears the bar. `status` is "ok", "interrupted" or "failed".
@@ -45,8 +49,8 @@ class Progress {
 /// The bar, at most `width` columns wide.
 [[nodiscard]] std::string progressLine(int done, int total, double seconds, int width);
 
-/// "120 frames in 9.8 s (12.2 frames/s): simulate 2.1 s, draw 5.9 s, read back 0.3 s, encode 1.6 s ->
-/// WHERE"
+/// "120 frames in 9.8 s (12.2 frames/s): start 0.8 s, simulate 2.1 s, draw 5.9 s, read back 0.3 s,
+/// encode 1.6 s, wait 0.7 s -> WHERE"
 [[nodiscard]] std::string closingLine(int frames, double seconds, const StageTimes& stages,
                                       const std::string& where);
 

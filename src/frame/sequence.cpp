@@ -11,6 +11,7 @@
 #include "sim/world.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <deque>
 #include <exception>
 #include <limits>
@@ -88,7 +89,7 @@ class Pipeline {
         lastFrame_(scene.frameCount() - 1),
         stored_(lastFrame_),
         size_(scene.render.size),
-        world_(scene),
+        world_(scene, false, [this](long done, long total) { prestepped(done, total); }),
         writesCounts_(beside.counts),
         counts_(scene.time.fps, world_.countNames()),
         counting_(!world_.countNames().empty()),
@@ -154,6 +155,7 @@ class Pipeline {
     if (!sink_.ownsCheckpoint()) return;
     drain();
     while (summariesUnderWay_ > 0) takeSummary();
+    const Stopwatch watch(stages_.wait);
     sink_.settle();
     try {
       Checkpoint::write(checkpoints_.file, checkpoints_.run, latest_->stateHash, counts_.text(), world_);
@@ -187,15 +189,36 @@ class Pipeline {
     std::vector<FrameFile> files;  ///< stored when the frame is known to be sound
   };
 
+  /// Of an object that steps before the first frame, while the world is made.
+  void prestepped(long done, long total) {
+    const auto now = Clock::now();
+    const double seconds = std::chrono::duration<double>(now - prestepTime_).count();
+    if (prestepTime_ > Clock::time_point()) stages_.simulate += seconds;
+    prestepTime_ = now;
+    progress_.prepare(done, total);
+    if (const int signal = interruptSignal()) throw Interrupted{signal};
+  }
+
+  /// Frame by frame, watching for signals: a pre-roll, or the way to a far frame, takes its time.
+  void advanceTo(int next) {
+    const long preroll = -world_.firstFrame();
+    while (world_.frame() < next) {
+      if (const int signal = interruptSignal()) throw Interrupted{signal};
+      world_.advanceTo(world_.frame() + 1);
+      if (world_.frame() <= 0) progress_.prepare(preroll + world_.frame(), preroll);
+    }
+  }
+
   void simulateTo(int frame) {
     while (world_.frame() < frame || !started_) {
+      if (const int signal = interruptSignal(); signal != 0 && started_) throw Interrupted{signal};
       // The pre-roll is watched too: frame 0's summary tells of everything before it. Only counts need each
       // of its frames.
       const int next = started_              ? world_.frame() + 1
                        : resumed_.frame >= 0 ? resumed_.frame
                        : counting_           ? world_.firstFrame()
                                              : 0;
-      timers_.run(&StageTimes::simulate, next, [&] { world_.advanceTo(next); });
+      timers_.run(&StageTimes::simulate, next, [&] { advanceTo(next); });
       started_ = true;
       if (summariesUnderWay_ == 6) takeSummary();
       world_.startSummary();
@@ -268,6 +291,7 @@ class Pipeline {
       SIMREEL_CHECK_EQ(taken->first, frame);
       image.bytes = std::move(taken->second);
     }
+    const Stopwatch watch(stages_.wait);
     sink_.add({frame, std::move(hash), std::move(waiting.files)}, std::move(image));
   }
 
@@ -279,6 +303,8 @@ class Pipeline {
   int lastFrame_;  ///< of the scene, or beyond it of the run
   int stored_;     ///< frame of the checkpoint on disk: the scene's last one where that is not known
   glm::ivec2 size_;
+  StageTimes stages_;
+  Clock::time_point prestepTime_;
   sim::World world_;
   bool writesCounts_;
   CountTable counts_;
@@ -296,7 +322,6 @@ class Pipeline {
     std::string stateHash;
   } resumed_;
   Clock::time_point saved_ = Clock::now();
-  StageTimes stages_;
   StageTimers timers_{stages_};
 };
 
@@ -305,19 +330,22 @@ class Pipeline {
 SequenceResult renderSequence(const scene::Scene& scene, const gl::Context& context,
                               const std::vector<int>& frames, FrameSink& sink, Progress& progress,
                               const BesideFrames& beside) {
-  const auto begin = Clock::now();
   SequenceResult result;
   std::exception_ptr failure;
   bool whole = false;
   progress.start(static_cast<int>(frames.size()));
   try {
     Pipeline pipeline(scene, context, sink, progress, beside);
+    const double start = secondsSince(beside.began) - pipeline.stages().simulate;
     try {
       pipeline.begin(frames);
-      for (const int frame : frames) {
-        result.signal = interruptSignal();
-        if (result.signal != 0) break;
-        pipeline.render(frame);
+      try {
+        for (const int frame : frames) {
+          if (const int signal = interruptSignal()) throw Interrupted{signal};
+          pipeline.render(frame);
+        }
+      } catch (const Interrupted& interrupted) {
+        result.signal = interrupted.signal;
       }
       pipeline.drain();
       if (result.signal != 0)
@@ -334,10 +362,14 @@ SequenceResult renderSequence(const scene::Scene& scene, const gl::Context& cont
     }
     result.frames = pipeline.delivered();
     result.stages = pipeline.stages();
+    result.stages.start = start;
     if (whole && !failure && !frames.empty()) pipeline.leaveCheckpoint(frames.back());
+  } catch (const Interrupted& interrupted) {  // before there was anything
+    result.signal = interrupted.signal;
   } catch (...) {
     failure = std::current_exception();
   }
+  const auto waited = Clock::now();
   progress.finish(failure ? "failed" : result.signal != 0 ? "interrupted" : "ok");
   try {
     sink.finish();
@@ -347,7 +379,8 @@ SequenceResult renderSequence(const scene::Scene& scene, const gl::Context& cont
   }
   if (failure) std::rethrow_exception(failure);
   result.stages.encode += sink.encodeSeconds();
-  result.seconds = secondsSince(begin);
+  result.stages.wait += secondsSince(waited);
+  result.seconds = secondsSince(beside.began);
   return result;
 }
 

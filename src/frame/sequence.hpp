@@ -30,7 +30,8 @@ struct Checkpoints {
 /// What is written beside the pictures.
 struct BesideFrames {
   FieldFiles* fields = nullptr;  ///< gets the raw values of fields in the same frames; null: nothing does
-  bool counts = true;            ///< what the simulations count goes to the sink
+  Clock::time_point began = Clock::now();  ///< of the command: what was before the first step counts
+  bool counts = true;                      ///< what the simulations count goes to the sink
   Checkpoints checkpoints = {};
 };
 

@@ -69,6 +69,7 @@ void ChildCommand::end() noexcept {
   if (process_ > 0) {
     // The whole group: the shell may have started the program as its child.
     ::kill(-process_, SIGKILL);
+    childEnded(process_);
     while (::waitpid(process_, nullptr, 0) < 0 && errno == EINTR) {
     }
   }
@@ -132,6 +133,7 @@ void ChildCommand::finish() {
     if (ended == process_ || (ended < 0 && errno != EINTR)) break;
     ::usleep(2000);
   }
+  childEnded(process_);
   process_ = -1;
   if (status != 0) failed(status);
 }

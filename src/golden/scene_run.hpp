@@ -1,5 +1,6 @@
 #pragma once
 #include "frame/image.hpp"
+#include "frame/interrupt.hpp"
 #include "golden/baseline.hpp"
 #include "golden/result.hpp"
 #include "scene/scene.hpp"
@@ -29,9 +30,7 @@ struct SceneRun {
 /// UserError as World, Renderer and Checker do, and Interrupted after SIGINT or SIGTERM.
 [[nodiscard]] SceneRun runScene(const scene::Scene& scene, std::span<const int> frames);
 
-struct Interrupted {
-  int signal;
-};
+using frame::Interrupted;
 
 /// "frame 60: flag.positions differs", or "frame 60: the pictures differ": the first difference between two
 /// runs of one scene, or empty.

@@ -1,8 +1,10 @@
 #include "sim/gray_scott.hpp"
 
+#include "base/clock.hpp"
 #include "sim/gray_scott_kernels.hpp"
 #include "sim/gray_scott_quantities.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include <fmt/format.h>
@@ -21,7 +23,7 @@ class GrayScott : public Simulation {
         kernels_(name_, plan_, setting.fast),
         colors_(plan_.parameters().display.colors()) {
     kernels_.setRates(plan_.ratesAt(0));
-    kernels_.advance(plan_.parameters().presteps);
+    prestep(setting);
     for (const shader::Stroke& stroke : plan_.strokesAt(setting.startTime, 0)) kernels_.paint(stroke);
     gl::barrier();
   }
@@ -88,6 +90,25 @@ class GrayScott : public Simulation {
   }
 
  private:
+  /// In pieces that take a moment each, so that they can be watched and ended.
+  void prestep(const Setting& setting) {
+    const int total = plan_.parameters().presteps;
+    if (!setting.presteps) return kernels_.advance(total);
+    int piece = 64;
+    for (int done = 0; done < total;) {
+      const int steps = std::min(piece, total - done);
+      const auto begin = Clock::now();
+      kernels_.advance(steps);
+      gl::barrier();
+      glFinish();
+      done += steps;
+      const double seconds = secondsSince(begin);
+      if (seconds < 0.05) piece = std::min(piece * 2, 1 << 20);
+      if (seconds > 0.2) piece = std::max(piece / 2, 8);
+      setting.presteps(done, total);
+    }
+  }
+
   std::string name_, uName_;
   GrayScottPlan plan_;
   GrayScottKernels kernels_;

@@ -29,6 +29,9 @@ struct Setting {
   /// Of the mesh that collides, already stepped when others step; null: none.
   const HeightField* heights = nullptr;
   double startTime = 0;  ///< s of scene time of the first state: minus what is simulated before frame 0
+  /// Hears how many of its steps before the first frame an object has done; may throw to end them. Empty:
+  /// nobody listens.
+  std::function<void(long done, long total)> presteps = {};
 };
 
 /// State that is hashed, compared and can be read back: whole elements of four words, floats unless said.

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
+#include <functional>
 #include <vector>
 
 namespace simreel::sim {
@@ -104,7 +105,7 @@ struct World::State {
   std::deque<Pending> pending;
   int nextSlot = 0;
 
-  State(const scene::Scene& scene, bool timing)
+  State(const scene::Scene& scene, bool timing, const std::function<void(long, long)>& presteps)
       : fps(scene.time.fps),
         preroll(static_cast<int>(std::lround(scene.time.start * scene.time.fps))),
         colliders(collect(scene)),
@@ -114,6 +115,7 @@ struct World::State {
     Setting setting{scene.numerics == scene::Numerics::fast, scene.seed, 1.0 / scene.time.fps, &colliders,
                     timing};
     setting.startTime = -preroll / fps;
+    setting.presteps = presteps;
     for (const std::size_t i : order) {
       for (const SimulationKind& kind : simulations())
         if (scene.objects[i].kind == kind.kind.name) objects[i] = kind.make(scene.objects[i], setting);
@@ -227,7 +229,9 @@ struct World::State {
   }
 };
 
-World::World(const scene::Scene& scene, bool timing) : state_(std::make_unique<State>(scene, timing)) {}
+World::World(const scene::Scene& scene, bool timing,
+             const std::function<void(long done, long total)>& presteps)
+    : state_(std::make_unique<State>(scene, timing, presteps)) {}
 World::~World() = default;
 World::World(World&&) noexcept = default;
 World& World::operator=(World&&) noexcept = default;

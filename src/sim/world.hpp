@@ -22,7 +22,9 @@ namespace simreel::sim {
 class World {
  public:
   /// Makes every simulation on the current context. `timing`: they measure their stages (Setting::timing).
-  explicit World(const scene::Scene& scene, bool timing = false);
+  /// `presteps`: Setting::presteps.
+  explicit World(const scene::Scene& scene, bool timing = false,
+                 const std::function<void(long done, long total)>& presteps = {});
   ~World();
   World(World&&) noexcept;
   World& operator=(World&&) noexcept;

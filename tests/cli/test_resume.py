@@ -1,10 +1,15 @@
 """Interrupts, --resume, --skip-existing, --overwrite, and determinism."""
+import json
+import os
 import random
+import resource
 import signal
 import struct
+import subprocess
+import time
 import zlib
 
-from common import FRAMES, SLOW, Case, main, with_values
+from common import FRAMES, PROGRAM, SLOW, Case, main, with_values
 
 
 class Interrupted(Case):
@@ -53,6 +58,75 @@ class Interrupted(Case):
             process.send_signal(signal.SIGINT)
         messages = process.communicate(timeout=40)[1].decode()
         return process.returncode, messages
+
+
+class Signals(Case):
+    """Whatever the run is at, one signal ends it."""
+
+    def setUp(self):
+        super().setUp()
+        self.write("slow.json", with_values(SLOW))
+
+    def test_hang_up_and_file_size(self):
+        for number in (signal.SIGHUP, signal.SIGXFSZ):
+            for picture in self.folder.glob("out/*"):
+                picture.unlink()
+            code, messages = self.signal_after(4, "out", number, "render", "slow.json", "-o", "out/", "--overwrite")
+            self.assertEqual(code, 128 + number, messages)
+            self.assertTrue((self.folder / "out/checkpoint").exists())
+
+    def test_nohup_stays(self):
+        process = self.start("render", "slow.json", "-o", "out/", "--frames", "0-19",
+                             preexec_fn=lambda: signal.signal(signal.SIGHUP, signal.SIG_IGN))
+        while process.poll() is None and not list(self.folder.glob("out/*.png")):
+            time.sleep(0.002)
+        process.send_signal(signal.SIGHUP)
+        messages = process.communicate(timeout=40)[1].decode()
+        self.assertEqual(process.returncode, 0, messages)
+
+    def test_a_file_too_large(self):
+        limit = lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (9000, 9000))
+        self.bad(6, ["File too large"], "render", "slow.json", "-o", "out/", preexec_fn=limit)
+
+    def ended(self, process, number=signal.SIGTERM):
+        process.send_signal(number)
+        begin = time.monotonic()
+        messages = process.communicate(timeout=40)[1].decode()
+        self.assertEqual(process.returncode, 128 + number, messages)
+        return time.monotonic() - begin
+
+    def test_before_the_first_frame(self):
+        dish = {"size": [400, 400], "presteps": 9000000}
+        self.write("presteps.json", {"version": 1, "objects": {"dish": {"grayScott": dish}}})
+        self.write("preroll.json", with_values(SLOW | {"time.start": 9000}))
+        for scene, more in (("presteps.json", ()), ("preroll.json", ()), ("slow.json", ("--frames", "900000"))):
+            process = self.start("render", scene, "-o", "out/", "--progress", "ndjson", *more)
+            events = []
+            while "prepare" not in events and (not more or len(events) < 1):
+                events.append(json.loads(process.stderr.readline())["event"])
+            time.sleep(0.5)
+            self.assertLess(self.ended(process), 20)
+
+    def test_ffmpeg_that_stops_reading(self):
+        fake = self.write("bin/ffmpeg", f"#!/bin/sh\necho $$ > {self.folder}/pid\nexec sleep 1000\n")
+        fake.chmod(0o755)
+        process = self.start("render", "slow.json", "-o", "a.mp4", env={"PATH": f"{fake.parent}:/usr/bin:/bin"})
+        while not (self.folder / "pid").exists() or not (self.folder / "pid").read_text():
+            time.sleep(0.01)
+        time.sleep(1)
+        self.assertLess(self.ended(process), 20)
+        with self.assertRaises(ProcessLookupError):
+            os.kill(int((self.folder / "pid").read_text()), 0)
+        self.assertEqual([p.name for p in self.folder.glob("a.*")], [])
+
+    def test_a_reader_that_stops_reading(self):
+        reader, writer = os.pipe()
+        process = subprocess.Popen([PROGRAM, "render", "slow.json", "-o", "-"], cwd=self.folder, stdout=writer,
+                                   stderr=subprocess.PIPE)
+        time.sleep(2)
+        self.assertLess(self.ended(process), 20)
+        os.close(reader)
+        os.close(writer)
 
 
 class Resume(Case):

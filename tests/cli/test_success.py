@@ -113,6 +113,28 @@ class Streams(Case):
         self.assertEqual([e["frame"] for e in events[1:-1]], list(range(FRAMES)))
         self.assertEqual(events[-1]["status"], "ok")
 
+    def test_all_messages_are_json(self):
+        """Warnings, errors of every kind and the closing line."""
+        def lines(*arguments):
+            done = self.run_program("render", *arguments, "--progress", "ndjson", "-v")
+            return [json.loads(line) for line in done.err.splitlines()]
+        events = lines("scene.json", "-o", "out/", "-D", "objects.flag.cloth.substeps=1",
+                       "-D", "objects.flag.cloth.stiffness=8000")
+        levels = {e["level"] for e in events if e["event"] == "message"}
+        self.assertLessEqual({"warning", "detail"}, levels)
+        self.assertIn("start", lines("scene.json", "-o", "good/")[-1]["text"])
+        for arguments in (("scene.json", "-o", "good/"), ("nothing.json", "-o", "a/"), ("scene.json", "--nonsense"),
+                          ("scene.json", "-o", "a/", "-D", "objects.flag.cloth.size=3")):
+            self.assertEqual(lines(*arguments)[-1]["level"], "error", arguments)
+
+    def test_steps_before_the_first_frame_count(self):
+        dish = {"size": [256, 256], "presteps": 3000}
+        self.write("dish.json", {"version": 1, "render": {"size": [32, 32]}, "objects": {"dish": {"grayScott": dish}}})
+        done = self.good("render", "dish.json", "-o", "out/", "--frames", "0", "--progress", "ndjson")
+        events = [json.loads(line) for line in done.err.splitlines()]
+        self.assertEqual([(e["done"], e["total"]) for e in events if e["event"] == "prepare"][-1], (3000, 3000))
+        self.assertNotIn("simulate 0.0 s", events[-1]["text"])
+
     def test_terminal_progress_leaves_a_clean_line(self):
         done = self.good("render", "scene.json", "-o", "out/", "--progress", "tty", "-q")
         self.assertTrue(done.err.endswith("\r\x1b[K"), repr(done.err))

@@ -72,9 +72,10 @@ TEST_CASE("progress: texts") {
   CHECK(formatDuration(9.84) == "9.8 s");
   CHECK(formatDuration(185.2) == "3 min 05 s");
   CHECK(formatDuration(7460) == "2 h 04 min");
-  CHECK(closingLine(120, 9.8, {2.1, 5.9, 0.3, 1.6}, "out/000000.png ... out/000119.png") ==
-        "120 frames in 9.8 s (12.2 frames/s): simulate 2.1 s, draw 5.9 s, read back 0.3 s, encode 1.6 s -> "
-        "out/000000.png ... out/000119.png");
+  CHECK(closingLine(120, 9.8, {2.1, 5.9, 0.3, 1.6, 0.8, 0.7}, "out/000000.png ... out/000119.png") ==
+        "120 frames in 9.8 s (12.2 frames/s): start 0.8 s, simulate 2.1 s, draw 5.9 s, read back 0.3 s, "
+        "encode "
+        "1.6 s, wait 0.7 s -> out/000000.png ... out/000119.png");
   CHECK(contains(closingLine(1, 1, {}, ""), "1 frame in 1.0 s (1.0 frames/s): "));
   const std::string line = progressLine(30, 120, 10, 79);
   CHECK(contains(line, "30/120  3.0 frames/s  30.0 s left"));

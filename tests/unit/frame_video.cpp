@@ -156,7 +156,8 @@ TEST_CASE("video: a missing or dying ffmpeg is one line, and never a hang") {
                  "No space left"));
   CHECK(contains(withFakeFfmpeg("cat >/dev/null; echo Conversion failed >&2; exit 1").second,
                  "Conversion failed"));
-  CHECK(contains(withFakeFfmpeg("kill -SEGV $$").second, "signal 11"));
+  CHECK(contains(withFakeFfmpeg("kill -SEGV $$").second, "signal 11 (SIGSEGV)"));
+  CHECK(contains(withFakeFfmpeg("kill -KILL $$").second, "was ended by signal 9 (SIGKILL)"));
   CHECK(contains(withFakeFfmpeg("exit 0").second, "before the video was complete"));
   // More on standard error than a pipe holds.
   CHECK(contains(
@@ -220,6 +221,7 @@ TEST_CASE("interrupt: the first signal is noted") {
   catchInterrupts();
   ::raise(SIGTERM);
   CHECK(interruptSignal() == SIGTERM);
+  ::alarm(0);
   ::signal(SIGTERM, SIG_DFL);
   ::signal(SIGINT, SIG_DFL);
 }
