@@ -12,7 +12,6 @@ namespace simreel::draw {
 
 namespace {
 
-constexpr GLuint boxUnit = 0;
 constexpr glm::vec3 groundColor(0.045F, 0.047F, 0.060F);  // encoded
 constexpr glm::vec3 letterColor(0.80F, 0.82F, 0.86F);
 

@@ -15,7 +15,6 @@ namespace {
 
 constexpr GLuint countUnit = 0;
 constexpr GLuint columnUnit = 1;
-constexpr GLuint boxUnit = 0;
 
 /// Thousands apart: 65 536.
 std::string grouped(unsigned number) {

@@ -49,7 +49,7 @@ TEST_CASE("text for any reader") {
 }
 
 TEST_CASE("annotations: an error for each failing scene, with the command that accepts it") {
-  const std::string text = githubAnnotations(test::fullSuite());
+  const std::string text = githubAnnotations(golden::test::fullSuite());
   CHECK(linesOf(text)[0] ==
         "::error file=assets/scenes/flag.json,title=simreel%3A flag (fail)::frame 60: 312 pixels differ%0A"
         "To accept: simreel accept out/report.json");
@@ -65,7 +65,7 @@ TEST_CASE("annotations: an error for each failing scene, with the command that a
 }
 
 TEST_CASE("annotations: a flaky scene that is allowed is a warning") {
-  SuiteResult suite = test::fullSuite();
+  SuiteResult suite = golden::test::fullSuite();
   suite.allowFlaky = true;
   suite.acceptCommand = "";
   const std::string text = githubAnnotations(suite);
@@ -77,7 +77,7 @@ TEST_CASE("annotations: a flaky scene that is allowed is a warning") {
 }
 
 TEST_CASE("annotations: one line each whatever the names hold") {
-  SuiteResult suite = test::oddSuite();
+  SuiteResult suite = golden::test::oddSuite();
   suite.scenes = {suite.scenes[1]};
   suite.scenes[0].notes.clear();
   suite.scenes[0].file = "./a,b:c%\n.json";
@@ -86,7 +86,7 @@ TEST_CASE("annotations: one line each whatever the names hold") {
   CHECK(linesOf(text).size() == 1);
   CHECK(text.starts_with("::error file=a%2Cb%3Ac%25%0A.json,title="));
   CHECK(contains(text, "100%25 a,b:c%0ATo accept: simreel accept%0A::stop-commands::x\n"));
-  for (const SuiteResult& odd : {test::oddSuite(), test::brokenSuite()})
+  for (const SuiteResult& odd : {golden::test::oddSuite(), golden::test::brokenSuite()})
     for (const std::string& line : linesOf(githubAnnotations(odd))) {
       CHECK(line.starts_with("::"));
       CHECK(line.find_first_of("\r\x1B\xFF") == std::string::npos);
@@ -94,7 +94,7 @@ TEST_CASE("annotations: one line each whatever the names hold") {
 }
 
 TEST_CASE("summary: heading, table, command and what passed") {
-  const std::string text = githubSummary(test::fullSuite());
+  const std::string text = githubSummary(golden::test::fullSuite());
   CHECK(text.starts_with(
       "## simreel: 6 of 9 scenes failed\n\n1 pass, 1 updated, 1 xfail, 1 flaky, 1 fail, "));
   CHECK(contains(
@@ -110,14 +110,14 @@ TEST_CASE("summary: heading, table, command and what passed") {
   CHECK(contains(text, "\n```sh\nsimreel accept out/report.json\n```\n"));
   CHECK(contains(text, "<details><summary>3 scenes did not fail</summary>\n\n- waves: pass (2.1 s)\n"));
   SuiteResult good;
-  good.scenes = {test::scene("waves", Status::pass)};
+  good.scenes = {golden::test::scene("waves", Status::pass)};
   CHECK(githubSummary(good).starts_with("## simreel: 1 scene good\n"));
   CHECK(!contains(githubSummary(good), "| Status"));
   CHECK(!contains(githubSummary(good), "```"));
 }
 
 TEST_CASE("summary: names and messages are shown, not read") {
-  SuiteResult suite = test::oddSuite();
+  SuiteResult suite = golden::test::oddSuite();
   suite.scenes = {suite.scenes[1]};
   suite.acceptCommand = "simreel accept ```` x";
   const std::string text = githubSummary(suite);
@@ -133,9 +133,9 @@ TEST_CASE("summary: thousands of scenes stay below GitHub's limit") {
   SuiteResult suite;
   const std::string longWords(2000, '|');
   for (int i = 0; i < 3000; ++i) {
-    suite.scenes.push_back(test::scene(fmt::format("failing-{:04}", i), Status::fail));
+    suite.scenes.push_back(golden::test::scene(fmt::format("failing-{:04}", i), Status::fail));
     suite.scenes.back().messages = {longWords};
-    suite.scenes.push_back(test::scene(fmt::format("passing-{:04}", i) + longWords, Status::pass));
+    suite.scenes.push_back(golden::test::scene(fmt::format("passing-{:04}", i) + longWords, Status::pass));
   }
   suite.driver = longWords;
   suite.acceptCommand = std::string(40000, 'x');

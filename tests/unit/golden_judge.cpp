@@ -105,7 +105,7 @@ TEST_CASE("judge: on the machine that drew the baseline no bit may differ") {
   const FrameResult result = baseline.judged(made(1, 1), maker);
   CHECK(result.status == Status::fail);
   CHECK(result.asked == "equal");
-  test::checkHas(result.message, "1 pixels differ, by 1 at most");
+  simreel::test::checkHas(result.message, "1 pixels differ, by 1 at most");
 }
 
 TEST_CASE("judge: another machine with the same numerics may be 2 of 255 apart on 2% of the pixels") {
@@ -118,8 +118,8 @@ TEST_CASE("judge: another machine with the same numerics may be 2 of 255 apart o
   CHECK(passes(judged(1, 2)));
   CHECK(passes(judged(24, 1)));  // 2% of 1200
   CHECK(judged(1, 1).asked == "near");
-  test::checkHas(judged(1, 3).message, "differs by 3 (on another machine by 2 at most)");
-  test::checkHas(judged(25, 1).message, "of the pixels differ (on another machine 2% at most)");
+  simreel::test::checkHas(judged(1, 3).message, "differs by 3 (on another machine by 2 at most)");
+  simreel::test::checkHas(judged(25, 1).message, "of the pixels differ (on another machine 2% at most)");
   // A scene that is stricter is stricter everywhere.
   scene::Tolerance none;
   none.max_channel_diff = 0;
@@ -128,7 +128,8 @@ TEST_CASE("judge: another machine with the same numerics may be 2 of 255 apart o
   // State has to be equal everywhere.
   RunFrame moved = made(0, 0);
   moved.state["flag.positions"] = "bb";
-  test::checkHas(baseline.judged(moved, otherMachine()).message, "the state differs: flag.positions");
+  simreel::test::checkHas(baseline.judged(moved, otherMachine()).message,
+                          "the state differs: flag.positions");
 }
 
 TEST_CASE("judge: the mean FLIP error counts on another machine") {
@@ -136,7 +137,7 @@ TEST_CASE("judge: the mean FLIP error counts on another machine") {
   CHECK(brokenNearness(metrics, width, height).empty());
   metrics.flipMean = 0.0021;
   REQUIRE(brokenNearness(metrics, width, height).size() == 1);
-  test::checkHas(brokenNearness(metrics, width, height).front(), "FLIP error is 0.0021");
+  simreel::test::checkHas(brokenNearness(metrics, width, height).front(), "FLIP error is 0.0021");
 }
 
 TEST_CASE("judge: other numerics have the scene's tolerance") {
@@ -152,8 +153,8 @@ TEST_CASE("judge: baselines of before machines were noted are read") {
   const Baseline baseline({"numerics", "", "", ""});
   std::ifstream file(baseline.folder() / "any/baseline.json");
   const std::string text{std::istreambuf_iterator<char>(file), {}};
-  CHECK(!test::has(text, "machine"));
-  CHECK(!test::has(text, "drawing"));
+  CHECK(!simreel::test::has(text, "machine"));
+  CHECK(!simreel::test::has(text, "drawing"));
   CHECK(passes(baseline.judged(made(1, 2), maker)));
   CHECK(!passes(baseline.judged(made(1, 3), maker)));
 }

@@ -40,7 +40,7 @@ std::string lint(const std::string& text) {
 }  // namespace
 
 TEST_CASE("JUnit: totals and the environment") {
-  SuiteResult suite = test::fullSuite();
+  SuiteResult suite = golden::test::fullSuite();
   pugi::xml_document document;
   pugi::xml_node node = suiteOf(document, suite);
   for (const pugi::xml_node& totals : {node.parent(), node}) {
@@ -65,7 +65,7 @@ TEST_CASE("JUnit: totals and the environment") {
 
 TEST_CASE("JUnit: how each status is told") {
   pugi::xml_document document;
-  const pugi::xml_node node = suiteOf(document, test::fullSuite());
+  const pugi::xml_node node = suiteOf(document, golden::test::fullSuite());
   const pugi::xml_node flag = caseOf(node, "flag");
   CHECK(flag.attribute("classname").value() == std::string("assets/scenes"));
   CHECK(flag.attribute("time").value() == std::string("2.125"));
@@ -96,7 +96,7 @@ TEST_CASE("JUnit: how each status is told") {
 }
 
 TEST_CASE("JUnit: a flaky scene passes where that is allowed, and says so") {
-  SuiteResult suite = test::fullSuite();
+  SuiteResult suite = golden::test::fullSuite();
   suite.allowFlaky = true;
   pugi::xml_document document;
   const pugi::xml_node node = suiteOf(document, suite);
@@ -109,8 +109,8 @@ TEST_CASE("JUnit: a flaky scene passes where that is allowed, and says so") {
 
 TEST_CASE("JUnit: characters that XML forbids are replaced") {
   pugi::xml_document document;
-  const pugi::xml_node node = suiteOf(document, test::brokenSuite());
-  const std::string text = junitText(test::brokenSuite());
+  const pugi::xml_node node = suiteOf(document, golden::test::brokenSuite());
+  const std::string text = junitText(golden::test::brokenSuite());
   for (const char* forbidden : {"\x1B", "\x01", "\xFF", "&#x1B;", "&#27;", "&#1;", "&#x1;"})
     CHECK(!contains(text, forbidden));
   const pugi::xml_node flag = node.first_child().next_sibling().next_sibling();
@@ -124,18 +124,18 @@ TEST_CASE("JUnit: the file is valid against the schema its readers share") {
     MESSAGE("skipped: xmllint is not installed (libxml2-utils)");
     return;
   }
-  SuiteResult strange = test::fullSuite();
+  SuiteResult strange = golden::test::fullSuite();
   strange.seconds = std::nan("");
   strange.scenes[0].seconds = -1;
   strange.scenes[0].file = "";
   strange.scenes[1].messages = {"", "\n"};
-  SuiteResult allowed = test::fullSuite();
+  SuiteResult allowed = golden::test::fullSuite();
   allowed.allowFlaky = true;
-  for (const SuiteResult& suite :
-       {test::fullSuite(), test::oddSuite(), test::brokenSuite(), SuiteResult{}, strange, allowed})
+  for (const SuiteResult& suite : {golden::test::fullSuite(), golden::test::oddSuite(),
+                                   golden::test::brokenSuite(), SuiteResult{}, strange, allowed})
     CHECK(lint(junitText(suite)) == "");
   // The schema must be able to refuse.
-  const std::string good = junitText(test::fullSuite());
+  const std::string good = junitText(golden::test::fullSuite());
   const auto damaged = [&](const std::string& from, const std::string& to) {
     std::string text = good;
     REQUIRE(contains(text, from));

@@ -8,7 +8,7 @@ using namespace simreel::golden;
 using frame::test::contains;
 
 TEST_CASE("console: a scene that passed is one line") {
-  SceneResult scene = test::scene("flag", Status::pass);
+  SceneResult scene = golden::test::scene("flag", Status::pass);
   scene.messages = {"never shown"};
   CHECK(sceneLine(scene) == "pass  flag  (1 frame, 2.1 s)\n");
   scene.frames.resize(3);
@@ -21,7 +21,7 @@ TEST_CASE("console: a scene that passed is one line") {
 }
 
 TEST_CASE("console: a scene that failed says why and where the pictures are") {
-  SceneResult scene = test::failedScene();
+  SceneResult scene = golden::test::failedScene();
   scene.frames.pop_back();
   scene.frames[1].differenceImage = "";
   scene.attempts.clear();
@@ -36,33 +36,35 @@ TEST_CASE("console: a scene that failed says why and where the pictures are") {
         "      note: max_diff_ratio is 40 times looser than this run needs\n"
         "      note: no baseline of nvidia-ada\n");
   CHECK(contains(sceneLine(scene), "expected images/flag/60-expected.png"));
-  CHECK(sceneLine(test::scene("a", Status::nondeterministic)) ==
+  CHECK(sceneLine(golden::test::scene("a", Status::nondeterministic)) ==
         "NONDETERMINISTIC  a  (1 frame, 2.1 s)\n      two runs of the same program differ\n");
 }
 
 TEST_CASE("console: a flaky scene") {
-  CHECK(sceneLine(test::fullSuite().scenes[4]) ==
+  CHECK(sceneLine(golden::test::fullSuite().scenes[4]) ==
         "flaky  is-flaky  (1 frame, 2.1 s: failed, then passed on attempt 2)\n"
         "      attempt 1: frame 9: 5 pixels differ\n");
 }
 
 TEST_CASE("console: colours only when asked, and no text steers the terminal") {
-  const SceneResult scene = test::scene("flag", Status::fail);
+  const SceneResult scene = golden::test::scene("flag", Status::fail);
   CHECK(!contains(sceneLine(scene), "\x1B"));
   CHECK(sceneLine(scene, true).starts_with("\x1B[1;31mFAIL\x1B[0m  flag"));
-  CHECK(sceneLine(test::scene("flag", Status::pass), true).starts_with("\x1B[32mpass\x1B[0m  flag"));
-  const SuiteResult odd = test::brokenSuite();
+  CHECK(
+      sceneLine(golden::test::scene("flag", Status::pass), true).starts_with("\x1B[32mpass\x1B[0m  flag"));
+  const SuiteResult odd = golden::test::brokenSuite();
   for (const SceneResult& one : odd.scenes)
     CHECK(sceneLine(one).find_first_of("\x1B\x01\r\xFF") == std::string::npos);
   CHECK(closingText(odd).find_first_of("\x1B\x01\r\xFF") == std::string::npos);
-  CHECK(contains(sceneLine(test::oddSuite().scenes[1]), "\n      ::error::injected\n      \n      ```\n"));
+  CHECK(contains(sceneLine(golden::test::oddSuite().scenes[1]),
+                 "\n      ::error::injected\n      \n      ```\n"));
 }
 
 TEST_CASE("console: the closing lines") {
   SuiteResult suite;
   suite.seconds = 6.2;
-  suite.scenes = {test::scene("a", Status::pass), test::scene("flag", Status::fail),
-                  test::scene("b", Status::pass)};
+  suite.scenes = {golden::test::scene("a", Status::pass), golden::test::scene("flag", Status::fail),
+                  golden::test::scene("b", Status::pass)};
   CHECK(closingText(suite) == "3 scenes: 2 passed, 1 failed (flag) in 6.2 s\n");
   suite.acceptCommand = "simreel accept out/report.json";
   CHECK(closingText(suite, false, "out/index.html") ==
@@ -73,10 +75,10 @@ TEST_CASE("console: the closing lines") {
   CHECK(closingText(SuiteResult{}) == "0 scenes in 0.0 s\n");
   suite = SuiteResult{};
   for (const char* name : {"a", "b", "c", "d", "e", "f", "g"})
-    suite.scenes.push_back(test::scene(name, Status::missing));
+    suite.scenes.push_back(golden::test::scene(name, Status::missing));
   CHECK(closingText(suite) == "7 scenes: 7 without baseline (a, b, c, d, e and 2 more) in 0.0 s\n");
   CHECK(
-      closingText(test::fullSuite()) ==
+      closingText(golden::test::fullSuite()) ==
       "9 scenes: 1 passed, 1 updated, 1 failed as expected, 1 flaky (is-flaky), 1 failed (flag), 1 "
       "nondeterministic (is-nondeterministic), 1 without baseline (is-missing), 1 passed unexpectedly "
       "(is-xpass), 1 could not be tested (is-error) in 6.2 s\nTo accept: simreel accept out/report.json\n");

@@ -29,7 +29,7 @@ std::string refusal(const std::string& text) {
 /// What is said of the full report after `change`.
 template <class Change>
 std::string refusalOf(const Change& change) {
-  Json json = Json::parse(reportText(test::fullSuite()));
+  Json json = Json::parse(reportText(golden::test::fullSuite()));
   change(json);
   return refusal(json.dump());
 }
@@ -57,28 +57,28 @@ TEST_CASE("every status has a name, and the name finds it") {
 }
 
 TEST_CASE("a report is read back as it was written") {
-  for (const SuiteResult& suite : {test::fullSuite(), test::oddSuite(), SuiteResult{}}) {
+  for (const SuiteResult& suite : {golden::test::fullSuite(), golden::test::oddSuite(), SuiteResult{}}) {
     const std::string text = reportText(suite);
     CHECK(text.ends_with("}\n"));
     CHECK(parseReport(text, "report.json") == suite);
   }
-  SuiteResult flaky = test::fullSuite();
+  SuiteResult flaky = golden::test::fullSuite();
   flaky.allowFlaky = true;
   CHECK(parseReport(reportText(flaky), "report.json").allowFlaky);
-  CHECK(parseReport(reportText(flaky), "report.json") != test::fullSuite());
+  CHECK(parseReport(reportText(flaky), "report.json") != golden::test::fullSuite());
 }
 
 TEST_CASE("bytes that are no UTF-8 are replaced in a report, and nothing else is") {
-  const std::string text = reportText(test::brokenSuite());
+  const std::string text = reportText(golden::test::brokenSuite());
   const SuiteResult back = parseReport(text, "report.json");
   CHECK(contains(back.scenes[1].messages[1], "bad \xEF\xBF\xBD"));
   CHECK(contains(back.scenes[1].messages[1], " end "));
-  CHECK(back.scenes[1].messages[0] == test::odd);
+  CHECK(back.scenes[1].messages[0] == golden::test::odd);
   CHECK(reportText(back) == text);
 }
 
 TEST_CASE("numbers that JSON does not have") {
-  SuiteResult suite = test::fullSuite();
+  SuiteResult suite = golden::test::fullSuite();
   const double infinity = std::numeric_limits<double>::infinity();
   suite.scenes[1].checks[0].value = std::nan("");
   suite.scenes[1].checks[0].most = infinity;
@@ -95,7 +95,7 @@ TEST_CASE("numbers that JSON does not have") {
 }
 
 TEST_CASE("the keys of a report, in their order") {
-  const Json json = Json::parse(reportText(test::fullSuite()));
+  const Json json = Json::parse(reportText(golden::test::fullSuite()));
   CHECK(keysOf(json) ==
         "simreel format environment command acceptCommand allowFlaky seconds counts scenes");
   CHECK(keysOf(json["environment"]) == "driver processor profile fingerprint drawing memoryPath");
@@ -163,10 +163,10 @@ TEST_CASE("missing, unknown and repeated keys of a report") {
   CHECK(refusal(R"({"format": 1, "format": 1})") ==
         "out/report.json: the key \"format\" stands twice in one object");
   // Keys of different objects may be equal, and order is free.
-  Json json = Json::parse(reportText(test::fullSuite()));
+  Json json = Json::parse(reportText(golden::test::fullSuite()));
   json["simreel"].swap(json["command"]);
   const auto sorted = nlohmann::json::parse(json.dump());
-  CHECK(parseReport(sorted.dump(), "report.json").version == test::fullSuite().command);
+  CHECK(parseReport(sorted.dump(), "report.json").version == golden::test::fullSuite().command);
 }
 
 TEST_CASE("a report of another format, or whose counts are wrong, is refused") {
@@ -191,7 +191,7 @@ TEST_CASE("paths of a report stay in its folder") {
                      fmt::format("{} must be relative to the report's folder", key)));
     CHECK(contains(refusalOf([&](Json& j) { at(j, key) = std::string("a\0b", 3); }), "NUL"));
     for (const char* path : {"", "a..b/c.png", "...", "./a.png"}) {
-      Json json = Json::parse(reportText(test::fullSuite()));
+      Json json = Json::parse(reportText(golden::test::fullSuite()));
       at(json, key) = path;
       CHECK_NOTHROW((void)parseReport(json.dump(), "report.json"));
     }
@@ -208,7 +208,7 @@ TEST_CASE("text that is no JSON is refused as such") {
 }
 
 TEST_CASE("no damage to a report does more than a refusal") {
-  const std::string whole = reportText(test::oddSuite());
+  const std::string whole = reportText(golden::test::oddSuite());
   const auto survives = [](const std::string& text) {
     try {
       (void)parseReport(text, "report.json");
@@ -238,7 +238,7 @@ TEST_CASE("no damage to a report does more than a refusal") {
 }
 
 TEST_CASE("any value of a report replaced by any kind of value does no more than a refusal") {
-  const Json whole = Json::parse(reportText(test::fullSuite()));
+  const Json whole = Json::parse(reportText(golden::test::fullSuite()));
   const Json flat = whole.flatten();
   const Json values[] = {nullptr,
                          true,

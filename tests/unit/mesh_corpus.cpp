@@ -57,7 +57,7 @@ const std::string squarePly =
     "0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n";
 
 /// A triangle with 16-bit indices; `uri` of its buffer of 36 + 6 bytes, `count` of its vertices.
-std::string gltf(const std::string& uri, const std::string& count = "3") {
+std::string triangleGltf(const std::string& uri, const std::string& count = "3") {
   return R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],)"
          R"("meshes":[{"primitives":[{"attributes":{"POSITION":0},"indices":1}]}],"accessors":[)"
          R"({"bufferView":0,"componentType":5126,"count":)" +
@@ -81,7 +81,7 @@ TEST_CASE("whole files of the corpus are read: 16-bit glTF indices, relative OBJ
   const Folder folder;
   CHECK(read(folder.path / "a.obj", squareObj).empty());
   CHECK(read(folder.path / "a.ply", squarePly).empty());
-  CHECK(read(folder.path / "a.gltf", gltf(triangleUri)).empty());
+  CHECK(read(folder.path / "a.gltf", triangleGltf(triangleUri)).empty());
   CHECK(sim::loadMesh(folder.path / "a.gltf").positions.size() == 3);
   CHECK(read(folder.path / "b.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nf -3 -2 -1\n").empty());
   CHECK(sim::loadMesh(folder.path / "b.obj").indices.size() == 3);
@@ -105,17 +105,17 @@ TEST_CASE("what a mesh file promises or names wrongly is refused in one line") {
   CHECK(says(read(inner / "d.ply", absurd), "4000000000 elements"));
   absurd.replace(absurd.find("4000000000"), 10, "99999999999999999999999");
   CHECK(says(read(inner / "d.ply", absurd), "elements in"));
-  CHECK(says(read(inner / "e.gltf", gltf(triangleUri, "4000000000")), "count"));
-  CHECK(says(read(inner / "e.gltf", gltf(triangleUri, "-3")), "count"));
-  CHECK(!read(inner / "e.gltf", gltf(triangleUri, "4")).empty());
+  CHECK(says(read(inner / "e.gltf", triangleGltf(triangleUri, "4000000000")), "count"));
+  CHECK(says(read(inner / "e.gltf", triangleGltf(triangleUri, "-3")), "count"));
+  CHECK(!read(inner / "e.gltf", triangleGltf(triangleUri, "4")).empty());
   // A buffer outside the folder, by way up and by link.
   const std::string bytes(42, '\0');
   writeFileAtomically(folder.path / "secret.bin", bytes);
-  CHECK(says(read(inner / "f.gltf", gltf("../secret.bin")), "outside its folder"));
+  CHECK(says(read(inner / "f.gltf", triangleGltf("../secret.bin")), "outside its folder"));
   fs::create_symlink(folder.path / "secret.bin", inner / "link.bin");
-  CHECK(says(read(inner / "f.gltf", gltf("link.bin")), "outside its folder"));
+  CHECK(says(read(inner / "f.gltf", triangleGltf("link.bin")), "outside its folder"));
   CHECK(says(read(inner / "g.obj", "mtllib ../secret.bin\n" + squareObj.substr(13)), "outside its folder"));
-  CHECK(!read(inner / "h.gltf", gltf("missing.bin")).empty());
+  CHECK(!read(inner / "h.gltf", triangleGltf("missing.bin")).empty());
 }
 
 TEST_CASE("truncated and damaged mesh files give a sound mesh or one clear line") {
@@ -125,7 +125,8 @@ TEST_CASE("truncated and damaged mesh files give a sound mesh or one clear line"
     std::string text;
   };
   std::uint32_t random = 7;
-  for (const Whole& whole : {Whole{".obj", squareObj}, {".ply", squarePly}, {".gltf", gltf(triangleUri)}}) {
+  for (const Whole& whole :
+       {Whole{".obj", squareObj}, {".ply", squarePly}, {".gltf", triangleGltf(triangleUri)}}) {
     const fs::path file = folder.path / (std::string("x") + whole.extension);
     for (std::size_t length = 0; length < whole.text.size(); length += 7)
       static_cast<void>(read(file, whole.text.substr(0, length)));

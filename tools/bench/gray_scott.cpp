@@ -31,7 +31,7 @@ sim::GrayScottPlan planOf(int side) {
   p.size = {side, side};
   p.preset = sim::GrayScottPreset::stripes;
   p.seedCount = side;
-  return {p, 1, 1.0 / 30};
+  return {p, "dish", 1, 1.0 / 30};
 }
 
 void report(benchmark::State& state, int side, int steps) {
