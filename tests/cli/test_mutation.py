@@ -12,8 +12,8 @@ from golden_common import GoldenCase
 MUTATIONS = {
     "cloth": ("cloth/model.glsl", "precise vec3 moved = vec3(here) + m.velocity * stepData.gravity.w;",
               "precise vec3 moved = vec3(here) + m.velocity * (stepData.gravity.w * 1.01f);"),
-    "particles": ("particles/model.glsl", "precise vec3 drift = v * stepData.acceleration.w;",
-                  "precise vec3 drift = v * (stepData.acceleration.w * 1.01f);"),
+    "particles": ("particles/model.glsl", "precise vec3 drift = v * pace.y;",
+                  "precise vec3 drift = v * (pace.y * 1.01f);"),
     "mesh": ("deform/displace.comp", "vec4(displaced(LOAD_INPUT(rests, i).xyz), 1)",
              "vec4(displaced(LOAD_INPUT(rests, i).xyz * 1.01), 1)"),
     "grayScott": ("gray_scott/model.glsl", "precise float lack = 1.0f - u;", "precise float lack = 1.01f - u;"),
