@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 #include "base/file.hpp"
+#include "base/text.hpp"
 
 #include <algorithm>
 #include <cstdlib>
@@ -74,7 +75,7 @@ Picture loadPicture(const std::filesystem::path& file, const char* what, int mos
 Picture decodePicture(std::string_view bytes, const std::string& name, const char* what, int mostSide) {
   const auto refuse = [&](const std::string& why) {
     fail(ExitCode::inputOutput, "the {} {} is not a picture this program reads ({}); use PNG or JPEG", what,
-         name, why);
+         name, oneLine(why));  // stb quotes the file
   };
   if (bytes.size() > std::size_t{1} << 30) refuse("larger than 1 GiB");
   int width = 0;

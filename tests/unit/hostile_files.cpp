@@ -139,3 +139,18 @@ TEST_CASE(
   checkHas(refusal([&] { static_cast<void>(sim::LifePlan(parameters, "cells", 1, 0.1)); }),
            "4096 patterns have 2048000000 living cells");
 }
+
+TEST_CASE("pictures whose chunks have line breaks for names are refused in one line") {
+  std::string bytes("\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0\0\x08\0\0\0\x08\x08\x03\0\0\0\0\0\0\0", 33);
+  bytes += std::string(
+      "\0\0\0\x04\n\x1b]\x07"
+      "abcd\0\0\0\0",
+      16);
+  try {
+    (void)sim::decodePicture(bytes, "odd.png", "texture", 4096);
+    FAIL("read as a picture");
+  } catch (const UserError& error) {
+    CHECK(std::string(error.what()).find("odd.png") != std::string::npos);
+    CHECK(std::string(error.what()).find_first_of("\n\x1b\x07") == std::string::npos);
+  }
+}
