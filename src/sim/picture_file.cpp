@@ -58,6 +58,23 @@ double pixelsIn(std::string_view bytes) {
   return bits == 0 ? 0 : size * 1032 * 8 / bits;  // deflate makes at most 1032 bytes of one
 }
 
+/// Whether width, height and most value of a PNM picture (P5, P6) have at most nine digits: stb_image
+/// overflows on more. White space and comments stand between them.
+bool pnmNumbersFit(std::string_view bytes) {
+  std::size_t at = 2;
+  const auto is = [&](std::string_view any) {
+    return at < bytes.size() && any.find(bytes[at]) != std::string_view::npos;
+  };
+  for (int number = 0; number < 3; ++number) {
+    while (is(" \t\n\v\f\r#"))
+      at = bytes[at] == '#' ? std::min(bytes.find_first_of("\r\n", at), bytes.size()) : at + 1;
+    const std::size_t first = at;
+    while (is("0123456789")) ++at;
+    if (at - first > 9) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 Picture loadPicture(const std::filesystem::path& file, const char* what, int mostSide) {
@@ -85,6 +102,7 @@ Picture decodePicture(std::string_view bytes, const std::string& name, const cha
   const int size = static_cast<int>(bytes.size());
   constexpr std::size_t forHeaders = 1 << 16;
   mostBytes = forHeaders;
+  if (bytes.starts_with('P') && !pnmNumbersFit(bytes)) refuse("a number of more than nine digits");
   // The header first: a small file may promise a picture that takes all memory.
   if (stbi_info_from_memory(data, size, &width, &height, &channels) == 0) refuse(stbi_failure_reason());
   if (width < 1 || height < 1) refuse("no width or no height");

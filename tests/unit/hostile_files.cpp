@@ -154,3 +154,21 @@ TEST_CASE("pictures whose chunks have line breaks for names are refused in one l
     CHECK(std::string(error.what()).find_first_of("\n\x1b\x07") == std::string::npos);
   }
 }
+
+TEST_CASE("pictures with numbers of many digits are refused, wherever the number stands") {
+  const auto refusal = [](const std::string& text) -> std::string {
+    try {
+      (void)sim::decodePicture(text, "odd.ppm", "texture", 4096);
+    } catch (const UserError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  for (const char* text : {"P666666666666666666", "P6\n# 1\n9999999999 1\n255\nabc",
+                           "P5 1 18446744073709551617 255\na", "P5 1 1 #x\n#y\r\n 99999999999\na"}) {
+    CAPTURE(text);
+    CHECK(refusal(text).find("nine digits") != std::string::npos);
+  }
+  // Digits in a comment or in the pixels are none of its numbers.
+  CHECK(refusal("P5\n# 12345678901\n11 1 255\n12345678901").empty());
+}
