@@ -141,6 +141,7 @@ StepTrace traceRun(const scene::Scene& scene, int lastFrame, std::size_t mostByt
 std::optional<Divergence> compareTraces(const StepTrace& run, const StepTrace& baseline) {
   if (auto other = differentArrays(run.arrays, baseline.arrays, run.firstFrame)) return other;
   if (auto other = differentStart(run.firstFrame, baseline.firstFrame)) return other;
+  if (run.arrays.empty()) return std::nullopt;  // nothing to compare, however many frames a file claims
   if (run.arrays != baseline.arrays || run.detailed != baseline.detailed) {
     const bool whole = run.arrays != baseline.arrays;
     const std::uint32_t detailed = std::min(run.detailed, baseline.detailed);
@@ -162,6 +163,7 @@ std::optional<Divergence> firstDivergence(const scene::Scene& scene, const StepT
   Tracer tracer(scene);
   if (auto other = differentArrays(tracer.arrays(), baseline.arrays, tracer.firstFrame())) return other;
   if (auto other = differentStart(tracer.firstFrame(), baseline.firstFrame)) return other;
+  if (baseline.arrays.empty()) return std::nullopt;
   const auto elementName = [&](const Divergence& where, long element) {
     for (std::size_t i = 0; i < tracer.world().objectCount(); ++i)
       if (tracer.world().objectName(i) == where.object)

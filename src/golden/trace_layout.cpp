@@ -66,6 +66,7 @@ StepTrace reduced(const StepTrace& trace, bool whole, std::uint32_t detailed) {
   StepTrace result = trace;
   result.detailed = detailed;
   result.words.clear();
+  if (trace.arrays.empty()) return result;
   if (whole)
     for (StepTrace::Array& array : result.arrays) array.perBlock = array.elements;
   std::span<const std::uint32_t> rest = trace.words;
