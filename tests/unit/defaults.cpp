@@ -108,7 +108,8 @@ std::map<std::string, std::string> shownDefaults(const std::string& page) {
 
 void comparePage(const std::map<std::string, std::string>& shown, const Json& schema,
                  const std::string& prefix, int& compared) {
-  for (const auto& [name, property] : schema.at("properties").items()) {
+  for (const auto& [key, property] : schema.at("properties").items()) {
+    const std::string name = key;  // Clang 14 captures no structured binding
     if (property.contains("default") && shown.contains(prefix + name)) {
       const Json& standard = property.at("default");
       const bool counted = shown.at(prefix + name) == fmt::format("{} items", standard.size());

@@ -49,20 +49,21 @@ TEST_CASE("frames: lists, ranges and steps") {
   CHECK(parseFrames("0-9x4,150") == std::vector{0, 4, 8, 150});
   CHECK(parseFrames("5,1-3, 2-6x2") == std::vector{1, 2, 3, 4, 5, 6});
   CHECK(parseFrames("0-999999").size() == 1000000);
-  for (const auto& [text, position] : {std::pair{"", 1},
-                                       {"a", 1},
-                                       {"1,", 3},
-                                       {"1-", 3},
-                                       {"5-1", 1},
-                                       {"1-5x0", 5},
-                                       {"1-5x", 5},
-                                       {"1;2", 2},
-                                       {"-3", 1},
-                                       {"99999999999999999999", 1},
-                                       {"0-1000000", 1},
-                                       {"1x2", 2}}) {
+  for (const auto& [typed, position] : {std::pair{"", 1},
+                                        {"a", 1},
+                                        {"1,", 3},
+                                        {"1-", 3},
+                                        {"5-1", 1},
+                                        {"1-5x0", 5},
+                                        {"1-5x", 5},
+                                        {"1;2", 2},
+                                        {"-3", 1},
+                                        {"99999999999999999999", 1},
+                                        {"0-1000000", 1},
+                                        {"1x2", 2}}) {
+    const std::string text = typed;  // Clang 14 captures no structured binding
     CAPTURE(text);
-    const auto [code, message] = errorOf([&, spec = std::string(text)] { (void)parseFrames(spec); });
+    const auto [code, message] = errorOf([&] { (void)parseFrames(text); });
     CHECK(code == ExitCode::usage);
     CHECK(contains(message, fmt::format("at character {};", position)));
   }
