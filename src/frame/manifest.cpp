@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <type_traits>
 
+#include <climits>
 #include <nlohmann/json.hpp>
 
 namespace simreel::frame {
@@ -26,8 +27,9 @@ T get(const Json& object, const char* key) {
   const auto found = object.find(key);
   if (found == object.end()) throw std::runtime_error(fmt::format("\"{}\" is missing", key));
   // A number such as 1e99 has no int; the library would convert it all the same.
-  if (std::is_same_v<T, int> &&
-      (!found->is_number_integer() || found->get<std::int64_t>() != found->get<int>()))
+  if (std::is_same_v<T, int> && (!found->is_number_integer() ||
+                                 (found->is_number_unsigned() && found->get<std::uint64_t>() > INT_MAX) ||
+                                 found->get<std::int64_t>() != found->get<int>()))
     throw std::runtime_error(fmt::format("\"{}\" is no whole number", key));
   try {
     return found->get<T>();

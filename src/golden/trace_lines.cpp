@@ -6,6 +6,7 @@
 #include <bit>
 #include <cstring>
 #include <stdexcept>
+#include <utility>
 
 #include <nlohmann/json.hpp>
 
@@ -21,17 +22,35 @@ std::string text(const Json& json) {
   return json.dump(-1, ' ', true, Json::error_handler_t::replace);
 }
 
+struct NoWholeNumber {};
+
+/// A number that Int holds. nlohmann would convert 1e300 without a word, which C++ leaves undefined.
+template <class Int>
+Int whole(const Json& json) {
+  if (json.is_number_unsigned() && std::in_range<Int>(json.get<std::uint64_t>()))
+    return static_cast<Int>(json.get<std::uint64_t>());
+  if (json.is_number_integer() && !json.is_number_unsigned() &&
+      std::in_range<Int>(json.get<std::int64_t>()))
+    return static_cast<Int>(json.get<std::int64_t>());
+  throw NoWholeNumber();
+}
+
 /// Calls `read` with the parsed line; what nlohmann says of a mistake is for its users, not for ours.
 template <class Read>
 auto reading(const std::string& line, const char* what, const Read& read) {
   refuseDeepJson(line);
-  try {
-    return read(Json::parse(line));
-  } catch (const Json::exception&) {
+  const auto refusal = [&] {
     std::string start = line.substr(0, 80);
     for (char& c : start)
       if (static_cast<unsigned char>(c) < 32) c = ' ';
-    throw std::runtime_error("\"" + start + "\" is no " + what);
+    return std::runtime_error("\"" + start + "\" is no " + what);
+  };
+  try {
+    return read(Json::parse(line));
+  } catch (const Json::exception&) {
+    throw refusal();
+  } catch (const NoWholeNumber&) {
+    throw refusal();
   }
 }
 
@@ -55,16 +74,17 @@ std::string headerLine(const TraceHeader& header) {
 TraceHeader readHeaderLine(const std::string& line) {
   return reading(line, "header of a trace", [](const Json& json) {
     TraceHeader header;
-    const int format = json.at("trace");
+    const int format = whole<int>(json.at("trace"));
     if (format != 1) throw std::runtime_error("its trace has format " + std::to_string(format) + ", not 1");
     header.version = json.at("version");
     header.driver = json.at("driver");
     header.fingerprint = json.at("fingerprint");
     header.memoryPath = json.at("memoryPath");
     if (json.at("inexact").is_string()) header.inexact = json.at("inexact");
-    header.firstFrame = json.at("firstFrame");
+    header.firstFrame = whole<int>(json.at("firstFrame"));
     for (const Json& a : json.at("arrays"))
-      header.arrays.push_back({a.at("object"), a.at("array"), a.at("elements"), a.at("stepsPerFrame")});
+      header.arrays.push_back({a.at("object"), a.at("array"), whole<std::int64_t>(a.at("elements")),
+                               whole<int>(a.at("stepsPerFrame"))});
     return header;
   });
 }
@@ -84,11 +104,11 @@ std::string stateLine(const StateLine& state) {
 StateLine readStateLine(const std::string& line) {
   return reading(line, "line of a trace", [](const Json& json) {
     StateLine state;
-    state.frame = json.at("frame");
+    state.frame = whole<int>(json.at("frame"));
     if (json.contains("step")) {
       state.object = json.at("object");
-      state.step = json.at("step");
-      state.steps = json.at("steps");
+      state.step = whole<int>(json.at("step"));
+      state.steps = whole<int>(json.at("steps"));
     }
     for (const auto& [name, hash] : json.at("arrays").items()) state.arrays.emplace_back(name, hash);
     return state;
@@ -117,10 +137,10 @@ StateDump readDump(std::span<const std::byte> bytes) {
   auto rest = bytes.subspan(size + 1);
   return reading(head, "header of a dump", [&](const Json& json) {
     StateDump dump;
-    dump.frame = json.at("frame");
-    dump.step = json.at("step");
+    dump.frame = whole<int>(json.at("frame"));
+    dump.step = whole<int>(json.at("step"));
     for (const Json& a : json.at("arrays")) {
-      const std::uint64_t elements = a.at("elements");
+      const auto elements = whole<std::uint64_t>(a.at("elements"));
       if (elements > rest.size() / 16) throw std::runtime_error("the dump is cut off");
       StateDump::Array array{a.at("object"), a.at("array"), std::vector<std::uint32_t>(elements * 4)};
       if (elements > 0) std::memcpy(array.words.data(), rest.data(), elements * 16);

@@ -82,6 +82,15 @@ TEST_CASE("a dump that claims absurd sizes is refused before memory is taken") {
   }
 }
 
+TEST_CASE("numbers of a trace's lines that no int holds are refused, never converted") {
+  for (const char* number : {"1e300", "2147483648", "-2147483649", "18446744073709551615", "1.5", "true"}) {
+    const std::string line = R"({"frame":)" + std::string(number) + R"(,"arrays":{}})";
+    CAPTURE(line);
+    CHECK_THROWS_AS(static_cast<void>(readStateLine(line)), std::runtime_error);
+  }
+  CHECK(readStateLine(R"({"frame":-2147483648,"arrays":{}})").frame == std::numeric_limits<int>::min());
+}
+
 TEST_CASE("ulps count the floats between two") {
   CHECK(ulpsBetween(bitsOf(1.0F), bitsOf(1.0F)) == 0);
   CHECK(ulpsBetween(bitsOf(1.0F), bitsOf(std::nextafter(1.0F, 2.0F))) == 1);

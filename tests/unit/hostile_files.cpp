@@ -100,6 +100,20 @@ TEST_CASE("JSON a million deep is refused in manifest, checkpoint, report, basel
   CHECK(none == "nothing was refused");  // it warns and starts over
 }
 
+TEST_CASE("a manifest's number that no int holds is refused, however it would wrap") {
+  frame::Manifest manifest;
+  manifest.run.seed = 77;
+  const std::string text = frame::manifestText(manifest);
+  const std::size_t at = text.find("77");
+  REQUIRE(at != std::string::npos);
+  for (const char* number : {"2147483648", "4294967295", "18446744073709551615", "-2147483649", "1e300"}) {
+    std::string other = text;
+    other.replace(at, 2, number);
+    CAPTURE(number);
+    checkHas(refusal([&] { static_cast<void>(frame::parseManifest(other, "m.json")); }), "no whole number");
+  }
+}
+
 TEST_CASE("pictures that inflate beyond their size, or promise what they cannot hold, are refused") {
   const auto whole = [](const std::string& text) { return std::as_bytes(std::span(text)); };
   CHECK(frame::decodeImage(whole(png(100, 100, zeros(100 * 301))), "whole.png").bytes.size() == 40000);
