@@ -26,7 +26,8 @@ namespace simreel::sim {
 
 namespace {
 
-/// Most corners of a face: the library cuts faces into triangles in a time that grows with their square.
+/// Most corners of a face: the library reads faces (since 5.3) and cuts them into triangles in a time that
+/// grows with their square.
 constexpr unsigned mostCorners = 10'000;
 
 std::string extensionOf(const std::filesystem::path& file) {
@@ -129,6 +130,41 @@ class FolderOnly : public Assimp::DefaultIOSystem {
   mutable std::string refused_;
 };
 
+std::size_t wordCount(std::string_view text, std::string_view blanks) {
+  std::size_t count = 0;
+  for (std::size_t at = text.find_first_not_of(blanks); at != std::string_view::npos; ++count)
+    at = text.find_first_not_of(blanks, std::min(text.find_first_of(blanks, at), text.size()));
+  return count;
+}
+
+/// The same bound for faces, lines and points of OBJ, before the library sees them. A line that ends in a
+/// backslash goes on in the next.
+void checkObjCorners(const std::filesystem::path& file, std::string_view text) {
+  constexpr std::string_view blanks = " \t\r";
+  std::size_t corners = 0, line = 0, first = 0;
+  bool counts = false, goesOn = false;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    std::string_view words = text.substr(0, end);
+    text.remove_prefix(std::min(end + 1, text.size()));
+    ++line;
+    words = words.substr(0, words.find_last_not_of(blanks) + 1);
+    if (!goesOn) {
+      words.remove_prefix(std::min(words.find_first_not_of(blanks), words.size()));
+      counts = words.starts_with('f') || words.starts_with('l') || words.starts_with('p');
+      if (counts) words.remove_prefix(1);
+      corners = 0;
+      first = line;
+    }
+    goesOn = words.ends_with('\\');
+    if (goesOn) words.remove_suffix(1);
+    if (counts) corners += wordCount(words, blanks);
+    if (corners > mostCorners)
+      refuseMesh(file, fmt::format("has a face of {} corners (line {}), more than {}; cut it up", corners,
+                                   first, mostCorners));
+  }
+}
+
 /// The library believes counts before it looks for what they count.
 void checkPlyCounts(const std::filesystem::path& file, std::string_view text) {
   const std::size_t end = text.find("\nend_header");
@@ -217,6 +253,7 @@ Mesh importMesh(const std::filesystem::path& file) {
   const std::string text = readFile(file, "mesh");  // says why a file cannot be read, or is too large
   if (isGltf(extension)) return readGltf(file, text);
   if (extension == ".ply") checkPlyCounts(file, text);
+  if (extension == ".obj") checkObjCorners(file, text);
   return readWithLibrary(file);
 }
 

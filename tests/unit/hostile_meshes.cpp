@@ -160,6 +160,18 @@ TEST_CASE("faces of 900,000 corners are refused") {
            "corners");
 }
 
+TEST_CASE("corners of an OBJ's face are counted over lines that go on, to the last one allowed") {
+  const std::string vertices = "# \\\nv 0 0 0\nv 1 0 0\nv 0 1 0\n";
+  const auto face = [&](int corners) {
+    std::string text = vertices + "  f";
+    for (int i = 0; i < corners; ++i)
+      text += " " + std::to_string(i % 3 + 1) + "//" + (i % 1000 == 999 ? " \\\r\n" : "");
+    return text + "\nf 1 2 3\n";
+  };
+  checkHas(refusalOf("face.obj", face(10'001)), "face of 10001 corners (line 5), more than 10000");
+  CHECK_FALSE(has(refusalOf("face.obj", face(10'000)), "corners"));
+}
+
 TEST_CASE("pipes beside a mesh are not waited for") {
   const std::filesystem::path folder = std::filesystem::temp_directory_path() / "simreel-hostile-folder";
   std::filesystem::remove_all(folder);
