@@ -3,7 +3,10 @@
 #include "frame/image.hpp"
 #include "sim/picture_file.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
+#include <cstdint>
 #include <cstdlib>
 #include <cstring>
 #include <limits>
@@ -74,28 +77,64 @@ struct Deflater {
   alignas(64) std::array<std::uint8_t, ISAL_DEF_LVL1_DEFAULT> levelBuffer;
 };
 
+/// Bytes at the start of a stream that are stored as they are. Without a history ISA-L (to 2.32 at least)
+/// hashes three bytes of a register that still holds the address of its stream, so that the matches it
+/// finds are another run's once in some thousands. With a dictionary it does not, and the stored bytes are
+/// one.
+constexpr std::size_t storedFirst = 32;
+
 /// Most that a zlib stream takes: stored blocks with 5 bytes each, header and checksum, and room for
 /// ISA-L's 8-byte stores.
 std::size_t zlibBound(std::size_t size) {
-  return size + 5 * (size / 65535 + 1) + 64 + ISAL_DEF_MAX_HDR_SIZE;
+  return size + 5 * (size / 65535 + 2) + 64 + ISAL_DEF_MAX_HDR_SIZE;
 }
 
-/// Bytes written, or nothing when `out` is too small.
-std::optional<std::size_t> compressZlib(std::span<const unsigned char> in, std::span<unsigned char> out) {
+/// One deflate stream without a wrapping, which goes on from `history`; bytes written, or nothing when
+/// `out` is too small.
+std::optional<std::size_t> deflate(std::span<const unsigned char> history,
+                                   std::span<const unsigned char> in, std::span<unsigned char> out) {
   thread_local const auto deflater = std::make_unique<Deflater>();
+  // Only read; the C interface has no const.
+  const auto writable = [](std::span<const unsigned char> bytes) {
+    return const_cast<unsigned char*>(bytes.data());
+  };
   isal_zstream& stream = deflater->stream;
-  isal_deflate_stateless_init(&stream);
+  isal_deflate_init(&stream);
   stream.level = Deflater::level;
   stream.level_buf = deflater->levelBuffer.data();
   stream.level_buf_size = static_cast<std::uint32_t>(deflater->levelBuffer.size());
-  stream.gzip_flag = IGZIP_ZLIB;
+  stream.gzip_flag = IGZIP_DEFLATE;
   stream.end_of_stream = 1;
-  stream.next_in = const_cast<unsigned char*>(in.data());  // only read; the C interface has no const
+  if (isal_deflate_set_dict(&stream, writable(history), static_cast<std::uint32_t>(history.size())) !=
+      COMP_OK)
+    return std::nullopt;
+  stream.next_in = writable(in);
   stream.avail_in = static_cast<std::uint32_t>(in.size());
   stream.next_out = out.data();
   stream.avail_out = static_cast<std::uint32_t>(out.size());
-  if (isal_deflate_stateless(&stream) != COMP_OK || stream.avail_in != 0) return std::nullopt;
+  if (isal_deflate(&stream) != COMP_OK || stream.internal_state.state != ZSTATE_END) return std::nullopt;
   return stream.total_out;
+}
+
+/// The zlib stream of `in` (RFC 1950): a stored block, a deflated rest; `out` holds zlibBound() bytes.
+/// Bytes written, or nothing if ISA-L fails.
+std::optional<std::size_t> compressZlib(std::span<const unsigned char> in, std::span<unsigned char> out) {
+  const std::size_t stored = std::min(storedFirst, in.size());
+  const bool isAll = stored == in.size();
+  const auto count = static_cast<unsigned char>(stored);
+  std::size_t size = 0;
+  for (const int byte : {0x78, 0x01, isAll ? 1 : 0, int{count}, 0, count ^ 0xff, 0xff})
+    out[size++] = static_cast<unsigned char>(byte);
+  std::copy_n(in.begin(), stored, out.begin() + static_cast<std::ptrdiff_t>(size));
+  size += stored;
+  if (!isAll) {
+    const auto deflated = deflate(in.first(stored), in.subspan(stored), out.subspan(size));
+    if (!deflated) return std::nullopt;
+    size += *deflated;
+  }
+  const std::uint32_t check = isal_adler32(1, in.data(), in.size());
+  for (const int shift : {24, 16, 8, 0}) out[size++] = static_cast<unsigned char>((check >> shift) & 0xff);
+  return size;
 }
 
 /// stb's hook: the result is given back by stb, nullptr means failure.
