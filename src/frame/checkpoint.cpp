@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <cstring>
 #include <limits>
+#include <new>
 #include <span>
 #include <stdexcept>
 
@@ -101,6 +102,8 @@ std::optional<Checkpoint> Checkpoint::read(const std::filesystem::path& file, co
     return c;
   } catch (const Json::exception&) {
     warn("checkpoint {} is not used: it is damaged", file.string());
+  } catch (const std::bad_alloc&) {
+    warn("checkpoint {} is not used: there is not enough memory to read it", file.string());
   } catch (const std::exception& error) {
     warn("checkpoint {} is not used: {}", file.string(), error.what());
   }

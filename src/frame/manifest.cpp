@@ -11,6 +11,7 @@
 #include <type_traits>
 
 #include <climits>
+#include <new>
 #include <nlohmann/json.hpp>
 
 namespace simreel::frame {
@@ -115,6 +116,8 @@ Manifest parseManifest(const std::string& text, const std::string& name) {
     return readObject(Json::parse(text));
   } catch (const Json::parse_error& error) {
     fail(ExitCode::usage, "manifest {} cannot be read: not valid JSON at byte {}", name, error.byte);
+  } catch (const std::bad_alloc&) {
+    throw;  // the file may be good: nobody starts over because of it
   } catch (const std::exception& error) {
     fail(ExitCode::usage, "manifest {} cannot be read: {}", name, error.what());
   }

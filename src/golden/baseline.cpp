@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <charconv>
 #include <functional>
+#include <new>
 #include <utility>
 
 namespace simreel::golden {
@@ -99,6 +100,8 @@ Result parseBaseline(const std::string& text, const std::string& name,
                      Result (*parse)(const std::string&)) {
   try {
     return parse(text);
+  } catch (const std::bad_alloc&) {
+    throw;  // no mistake of the text's
   } catch (const std::exception& mistake) {
     fail(ExitCode::inputOutput, "baseline {} cannot be used: {}; mend it, or write it anew with --update",
          name, mistake.what());
