@@ -8,10 +8,10 @@
 #include "scene/scene.hpp"
 
 #include <cstdint>
+#include <new>
 #include <type_traits>
 
 #include <climits>
-#include <new>
 #include <nlohmann/json.hpp>
 
 namespace simreel::frame {
