@@ -87,7 +87,6 @@ TEST_CASE("checkpoint: every shipped scene goes on as if it had not been stopped
     const auto again = summaryAt(resumed, 1);
     CHECK(again.stateHash == checkpoint->stateHash());
     CHECK(again.counts == at.counts);
-    CHECK((pictureOf(scene, resumed) == pictureOf(scene, whole)));
     const auto later = summaryAt(whole, 2);
     const auto laterAgain = summaryAt(resumed, 2);
     CHECK(laterAgain.stateHash == later.stateHash);
