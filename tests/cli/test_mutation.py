@@ -24,8 +24,8 @@ MUTATIONS = {
     "wildfire": ("wildfire/model.glsl", "t = (t * fuel) >> 8u;", "t = (t * fuel * 101u / 100u) >> 8u;"),
 }
 SCENERY = {"sphere", "capsule", "plane"}  # nothing of theirs is simulated
-# Ten seconds and more to their first frame where there is no GPU; each has kinds that other scenes have, too.
-LONG = {"creature", "parameter_map", "skin"}
+# Seconds to their first frame where there is no GPU; each has kinds that other scenes have, too.
+LONG = {"creature", "curtain", "parameter_map", "raft", "skin", "swarm"}
 
 
 class Mutation(GoldenCase):
