@@ -128,7 +128,9 @@ std::optional<std::size_t> compressZlib(std::span<const unsigned char> in, std::
   std::copy_n(in.begin(), stored, out.begin() + static_cast<std::ptrdiff_t>(size));
   size += stored;
   if (!isAll) {
-    const auto deflated = deflate(in.first(stored), in.subspan(stored), out.subspan(size));
+    constexpr std::size_t checksum = 4;
+    const auto deflated =
+        deflate(in.first(stored), in.subspan(stored), out.subspan(size, out.size() - size - checksum));
     if (!deflated) return std::nullopt;
     size += *deflated;
   }

@@ -25,7 +25,7 @@ MUTATIONS = {
 }
 SCENERY = {"sphere", "capsule", "plane"}  # nothing of theirs is simulated
 # Seconds to their first frame where there is no GPU; each has kinds that other scenes have, too.
-LONG = {"creature", "curtain", "parameter_map", "raft", "skin", "swarm"}
+LONG = set((SOURCE / "tests/long_scenes.txt").read_text(encoding="utf-8").split())
 
 
 class Mutation(GoldenCase):

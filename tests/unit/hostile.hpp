@@ -37,8 +37,8 @@ constexpr bool measured = false;  // that slows down, and keeps freed memory
 constexpr bool measured = true;
 #endif
 
-/// The message with which `read` refuses, which takes less than 4 s of processor time (a
-/// busy machine triples a second) and 200 MiB.
+/// The message with which `read` refuses, which takes less than 200 MiB and 4 s of processor time: a busy
+/// machine triples a second.
 inline std::string refusal(const std::function<void()>& read) {
   const long before = peak();
   const double start = spent();
