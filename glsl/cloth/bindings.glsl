@@ -2,7 +2,7 @@
 #include "common/hash.glsl"
 #include "common/memory.glsl"
 #include "common/status.glsl"
-#include "deform/height_array.glsl"
+#include "mesh/height_array.glsl"
 #include "cloth/types.glsl"
 
 layout(std140, binding = 0) uniform StepBlock { ClothStep stepData; };

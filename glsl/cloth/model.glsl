@@ -1,6 +1,6 @@
 // One particle of the mass-spring cloth over one substep. Compiles as GLSL and as C++, where it is the
 // CPU twin. Whoever includes it provides `size` (ivec2), `stepData` (ClothStep), loadPosition(int),
-// and the files types.glsl, common/exact.glsl, common/hash.glsl, deform/height_model.glsl before it.
+// and the files types.glsl, common/exact.glsl, common/hash.glsl, mesh/height_model.glsl before it.
 
 FUNCTION int neighbour(ivec2 at, int dx, int dy) {
   // A neighbour beyond the border becomes the particle itself: its springs then have no length and no force.

@@ -1,4 +1,4 @@
-// What the cloth kernels read once per substep. Compiles as GLSL and as C++ (src/sim/cloth.cpp). Only
+// What the cloth kernels read once per substep. Compiles as GLSL and as C++ (src/sim/cloth/cloth.cpp). Only
 // 16-byte members, so std140 and std430 agree.
 #ifndef CLOTH_TYPES
 #define CLOTH_TYPES

@@ -1,5 +1,5 @@
 // One step of Gray-Scott in one cell, only additions, multiplications and comparisons. Compiles as GLSL and
-// as C++ (src/sim/gray_scott_plan.hpp).
+// as C++ (src/sim/gray_scott/plan.hpp).
 //
 //   u' = u + dt (Du lap(u) - u v^2 + F (1 - u)),   v' = v + dt (Dv lap(v) + u v^2 - (F + k) v)
 //

@@ -5,7 +5,7 @@
 layout(local_size_x = 16, local_size_y = 4) in;
 STATE_ARRAY(1, CellBlock, cells)
 INPUT_WORDS(2, StrokeBlock, strokeBits)
-#include "common/stroke_paint.glsl"
+#include "grid/stroke_paint.glsl"
 uniform ivec2 size;
 uniform int columns;
 

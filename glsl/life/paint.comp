@@ -3,7 +3,7 @@
 layout(local_size_x = 8, local_size_y = 8) in;
 INPUT_WORDS(0, BitBlock, strokeBits)
 STATE_WORDS(1, NextBlock, newCells)
-#include "common/stroke_paint.glsl"
+#include "grid/stroke_paint.glsl"
 uniform int rowBlocks;
 
 void main() {

@@ -5,7 +5,7 @@
 #include "particles/types.glsl"
 #include "particles/pairs.glsl"
 #include "particles/pace.glsl"
-#include "deform/height_array.glsl"
+#include "mesh/height_array.glsl"
 
 layout(std140, binding = 0) uniform StepBlock { ParticleStep stepData; };
 layout(local_size_x = 64) in;

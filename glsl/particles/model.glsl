@@ -1,7 +1,7 @@
 // One particle over one substep of a leapfrog (kick, drift, kick), apart from the particles' own gravity.
 // Compiles as GLSL and as C++, where it is the CPU twin. Whoever includes it provides `stepData`
 // (ParticleStep) and the files types.glsl, common/exact.glsl, common/hash.glsl, particles/pairs.glsl,
-// particles/pace.glsl, deform/height_model.glsl.
+// particles/pace.glsl, mesh/height_model.glsl.
 
 struct ParticleMotion {
   vec4 position;  // xyz m; w kg, 0 while not alive

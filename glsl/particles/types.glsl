@@ -1,5 +1,5 @@
 // What the particle kernels read once per substep. Compiles as GLSL and as C++
-// (src/sim/particles_plan.hpp). Only 16-byte members, so std140 and std430 agree.
+// (src/sim/particles/plan.hpp). Only 16-byte members, so std140 and std430 agree.
 #ifndef PARTICLE_TYPES
 #define PARTICLE_TYPES
 

@@ -8,5 +8,5 @@ STATE_WORDS(1, CellBlock, cells)
 layout(std430, binding = 6) restrict buffer CountBlock { uint counts[]; };
 uniform ivec2 size;
 uniform int countPlace;
-#include "common/stroke_paint.glsl"
+#include "grid/stroke_paint.glsl"
 #include "spread/cells.glsl"

@@ -5,6 +5,11 @@
 
 namespace simreel {
 
+/// Whether the character is one of 0 to 9, whatever the locale.
+[[nodiscard]] constexpr bool isDigit(char c) {
+  return c >= '0' && c <= '9';
+}
+
 /// Bytes of the UTF-8 code point at `at`, 1 to 4; 0 when the bytes there are not valid UTF-8.
 [[nodiscard]] std::size_t codePointLength(std::string_view text, std::size_t at);
 

@@ -1,4 +1,4 @@
-#include "golden/accept.hpp"
+#include "golden/suite/accept.hpp"
 
 #include "base/error.hpp"
 #include "base/log.hpp"

@@ -11,7 +11,7 @@
 #include "cli/scene_options.hpp"
 #include "frame/interrupt.hpp"
 #include "gl/context.hpp"
-#include "sim/world.hpp"
+#include "sim/world/world.hpp"
 
 #include <filesystem>
 #include <memory>

@@ -1,10 +1,10 @@
 #include "cli/bake_files.hpp"
 
 #include "base/error.hpp"
-#include "frame/field_file.hpp"
-#include "frame/obj.hpp"
-#include "frame/ply.hpp"
-#include "sim/field_values.hpp"
+#include "frame/file/field_file.hpp"
+#include "frame/file/obj.hpp"
+#include "frame/file/ply.hpp"
+#include "sim/grid/field_values.hpp"
 
 #include <optional>
 

@@ -1,5 +1,5 @@
 #pragma once
-#include "sim/world.hpp"
+#include "sim/world/world.hpp"
 
 #include <array>
 #include <cstddef>

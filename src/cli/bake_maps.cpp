@@ -5,15 +5,15 @@
 #include "base/log.hpp"
 #include "base/version.hpp"
 #include "cli/commands.hpp"
-#include "draw/field_textures.hpp"
-#include "draw/skin_look.hpp"
-#include "draw/skin_maps.hpp"
-#include "draw/skin_textures.hpp"
+#include "draw/overlay/field_textures.hpp"
+#include "draw/surface/skin_look.hpp"
+#include "draw/surface/skin_maps.hpp"
+#include "draw/surface/skin_textures.hpp"
+#include "frame/file/map_pictures.hpp"
 #include "frame/interrupt.hpp"
-#include "frame/map_pictures.hpp"
 #include "gl/context.hpp"
 #include "scene/words.hpp"
-#include "sim/world.hpp"
+#include "sim/world/world.hpp"
 
 #include <algorithm>
 #include <array>

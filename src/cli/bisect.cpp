@@ -9,8 +9,8 @@
 #include "frame/frames_spec.hpp"
 #include "frame/interrupt.hpp"
 #include "gl/context.hpp"
-#include "golden/scene_run.hpp"
-#include "sim/world.hpp"
+#include "golden/suite/scene_run.hpp"
+#include "sim/world/world.hpp"
 
 #include <filesystem>
 #include <memory>

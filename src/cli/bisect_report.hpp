@@ -1,5 +1,5 @@
 #pragma once
-#include "golden/bisect.hpp"
+#include "golden/suite/bisect.hpp"
 
 #include <functional>
 #include <string>

@@ -1,7 +1,7 @@
 #pragma once
 #include "gl/context.hpp"
 #include "scene/scene.hpp"
-#include "sim/numerics.hpp"
+#include "sim/core/numerics.hpp"
 
 namespace CLI {
 class App;

@@ -5,9 +5,9 @@
 #include "cli/commands.hpp"
 #include "cli/diff_report.hpp"
 #include "cli/tolerance_options.hpp"
-#include "frame/output_name.hpp"
-#include "golden/sequence_diff.hpp"
-#include "golden/tolerance.hpp"
+#include "frame/file/output_name.hpp"
+#include "golden/baseline/tolerance.hpp"
+#include "golden/suite/sequence_diff.hpp"
 
 #include <cmath>
 #include <cstdio>

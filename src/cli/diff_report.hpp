@@ -1,5 +1,5 @@
 #pragma once
-#include "golden/sequence_diff.hpp"
+#include "golden/suite/sequence_diff.hpp"
 #include "scene/test.hpp"
 
 #include <string>

@@ -3,11 +3,11 @@
 #include "base/log.hpp"
 #include "base/version.hpp"
 #include "cli/commands.hpp"
-#include "draw/picture_probe.hpp"
+#include "draw/screen/picture_probe.hpp"
 #include "gl/context.hpp"
 #include "gl/limits.hpp"
 #include "gl/machine.hpp"
-#include "sim/numerics.hpp"
+#include "sim/core/numerics.hpp"
 
 #include <string>
 #include <utility>

@@ -5,11 +5,12 @@
 #include "cli/commands.hpp"
 #include "cli/device_options.hpp"
 #include "cli/scene_options.hpp"
-#include "draw/renderer.hpp"
+#include "draw/screen/renderer.hpp"
 #include "gl/context.hpp"
-#include "sim/list.hpp"
-#include "sim/numerics.hpp"
-#include "sim/world.hpp"
+#include "scene/scene_texts.hpp"
+#include "sim/core/numerics.hpp"
+#include "sim/world/list.hpp"
+#include "sim/world/world.hpp"
 
 #include <cstdio>
 #include <memory>

@@ -4,15 +4,16 @@
 #include "cli/commands.hpp"
 #include "cli/device_options.hpp"
 #include "cli/scene_options.hpp"
-#include "frame/field_files.hpp"
-#include "frame/frame_sink.hpp"
+#include "frame/file/output_name.hpp"
+#include "frame/file/run_info.hpp"
 #include "frame/interrupt.hpp"
-#include "frame/output_name.hpp"
-#include "frame/progress.hpp"
-#include "frame/sequence.hpp"
+#include "frame/sink/field_files.hpp"
+#include "frame/sink/open_sink.hpp"
+#include "frame/sink/progress.hpp"
+#include "frame/sink/sequence.hpp"
 #include "gl/context.hpp"
 #include "gl/machine.hpp"
-#include "sim/numerics.hpp"
+#include "sim/core/numerics.hpp"
 
 #include <memory>
 #include <optional>

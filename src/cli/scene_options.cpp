@@ -3,7 +3,7 @@
 #include "base/error.hpp"
 #include "base/log.hpp"
 #include "frame/frames_spec.hpp"
-#include "sim/list.hpp"
+#include "sim/world/list.hpp"
 
 #include <charconv>
 #include <numeric>

@@ -8,13 +8,18 @@
 #include "cli/device_options.hpp"
 #include "cli/scene_options.hpp"
 #include "cli/tolerance_options.hpp"
-#include "draw/picture_probe.hpp"
+#include "draw/screen/picture_probe.hpp"
 #include "frame/interrupt.hpp"
 #include "gl/context.hpp"
 #include "gl/machine.hpp"
-#include "golden/profile.hpp"
-#include "golden/suite.hpp"
-#include "sim/numerics.hpp"
+#include "golden/baseline/profile.hpp"
+#include "golden/report/github.hpp"
+#include "golden/report/html.hpp"
+#include "golden/report/json.hpp"
+#include "golden/report/junit.hpp"
+#include "golden/report/text.hpp"
+#include "golden/suite/suite.hpp"
+#include "sim/core/numerics.hpp"
 
 #include <cstdio>
 #include <cstdlib>

@@ -7,11 +7,11 @@
 #include "cli/scene_options.hpp"
 #include "frame/frames_spec.hpp"
 #include "frame/interrupt.hpp"
-#include "frame/sinks.hpp"
+#include "frame/sink/stream_sink.hpp"
 #include "gl/context.hpp"
 #include "gl/machine.hpp"
-#include "golden/trace_stream.hpp"
-#include "sim/numerics.hpp"
+#include "golden/trace/stream.hpp"
+#include "sim/core/numerics.hpp"
 
 #include <cerrno>
 #include <charconv>

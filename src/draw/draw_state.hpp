@@ -1,7 +1,7 @@
 #pragma once
 #include "gl/buffer.hpp"
 #include "gl/handle.hpp"
-#include "sim/drawable.hpp"
+#include "sim/core/drawable.hpp"
 
 namespace simreel::draw {
 
@@ -53,7 +53,7 @@ enum Unit : GLuint {
   trailUnit = 14
 };
 
-/// What a surface that the vertex shader displaces needs (glsl/draw/deformed_vertex.glsl).
+/// What a surface that the vertex shader displaces needs (glsl/draw/surface/deformed_vertex.glsl).
 inline void bindDeformation(const sim::Surface& surface) {
   if (surface.deform == nullptr) return;
   surface.deform->bindUniform(1, 0, surface.deform->bytes());

@@ -23,9 +23,9 @@ void setSun(shader::Frame& frame, const scene::Sun& sun, double seconds) {
   frame.lightUp = glm::vec4(glm::cross(direction, right), sun.shadowSoftness);
 }
 
-/// The exact cosine-weighted mean of the gradient in glsl/draw/sky.glsl is nearly the zenith alone, which
-/// makes shadows too blue: clouds and haze near the sun are missing from it, so the horizon gets a larger
-/// share.
+/// The exact cosine-weighted mean of the gradient in glsl/draw/sky.glsl is nearly the zenith alone,
+/// which makes shadows too blue: clouds and haze near the sun are missing from it, so the horizon gets a
+/// larger share.
 void setSky(shader::Frame& frame, const scene::Sky& sky, double seconds) {
   const glm::vec3 zenith = sky.zenith.at(seconds);
   const glm::vec3 horizon = sky.horizon.at(seconds);

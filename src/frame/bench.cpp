@@ -2,10 +2,10 @@
 
 #include "base/clock.hpp"
 #include "base/error.hpp"
-#include "draw/readback.hpp"
-#include "draw/renderer.hpp"
+#include "draw/screen/readback.hpp"
+#include "draw/screen/renderer.hpp"
 #include "gl/timestamp.hpp"
-#include "sim/world.hpp"
+#include "sim/world/world.hpp"
 
 #include <chrono>
 #include <deque>

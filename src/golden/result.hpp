@@ -50,7 +50,7 @@ struct FrameResult {
   std::string pixels, expectedPixels;  ///< hashes; expected is empty without a baseline
   int alternate = 0;  ///< 0: the baseline itself; n: its n-th accepted alternate was nearest
   std::string state;  ///< "equal", "different", "missing", "not compared"
-  std::string asked;  ///< of its pixels: askedName() in golden/origin.hpp; empty without a baseline
+  std::string asked;  ///< of its pixels: askedName() in golden/baseline/origin.hpp; empty without a baseline
   std::optional<Metrics> metrics;  ///< of pictures that were compared pixel by pixel
   /// Relative to the folder of report.json; empty where there is none.
   std::string expectedImage, actualImage, differenceImage;
@@ -128,37 +128,5 @@ struct SuiteResult {
   std::vector<SceneResult> scenes;
   bool operator==(const SuiteResult&) const = default;
 };
-
-/// The report as JSON (report.json), pretty-printed, ending in a newline. Never throws: bytes that are no
-/// UTF-8 become U+FFFD; a check's NaN or infinite numbers and an infinite PSNR become null.
-[[nodiscard]] std::string reportText(const SuiteResult& suite);
-/// Reads what reportText wrote. Throws UserError(usage) naming the file and the value that is wrong with it
-/// ("report.json: scenes[3].frames[0].pixels must be text"): unknown, missing or repeated keys, wrong
-/// types, another format, counts that are not those of the scenes, and paths of images or candidates that
-/// are absolute or lead out of the report's folder.
-[[nodiscard]] SuiteResult parseReport(const std::string& text, const std::string& name);
-
-/// JUnit XML: one suite, a case for each scene; times in s. Characters that XML 1.0 forbids become U+FFFD.
-[[nodiscard]] std::string junitText(const SuiteResult& suite);
-/// Workflow commands for GitHub's log ("::error file=...,title=...::..."), a line each: an error for every
-/// scene that fails the run, a warning for a flaky one that does not and for every note that speaks of a
-/// loose tolerance (holds "loose"), a notice for updated baselines.
-[[nodiscard]] std::string githubAnnotations(const SuiteResult& suite);
-/// Markdown for GitHub's job summary, below 1 MB (GitHub drops one above 1 MiB): where scenes had to be
-/// left out it says how many.
-[[nodiscard]] std::string githubSummary(const SuiteResult& suite);
-
-/// For people at a terminal; lines that end in newlines, with ANSI colours if asked. Messages that a scene
-/// repeats (of a frame, a check, the divergence) are shown once.
-/// `reportFolder` is put before the paths of images; empty: they are shown as they are.
-[[nodiscard]] std::string sceneLine(const SceneResult& scene, bool color = false,
-                                    const std::filesystem::path& reportFolder = {});
-/// "3 scenes: 2 passed, 1 failed (flag) in 6.2 s", the command that accepts the run, and where the report
-/// is.
-[[nodiscard]] std::string closingText(const SuiteResult& suite, bool color = false,
-                                      const std::filesystem::path& report = {});
-
-/// Writes index.html into `folder`, which holds report.json and the images already.
-void writeHtmlReport(const std::filesystem::path& folder, const SuiteResult& suite);
 
 }  // namespace simreel::golden

@@ -1,4 +1,6 @@
 // What simreel says about scenes: the schema, the help tables and the list.
+#include "scene/scene_texts.hpp"
+
 #include "base/error.hpp"
 #include "scene/help.hpp"
 #include "scene/scene.hpp"

@@ -3,7 +3,7 @@
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "frame/image.hpp"
-#include "golden/report_html.hpp"
+#include "golden/report/html.hpp"
 #include "pictures.hpp"
 
 #include <map>

@@ -14,14 +14,14 @@ MUTATIONS = {
               "precise vec3 moved = vec3(here) + m.velocity * (stepData.gravity.w * 1.01f);"),
     "particles": ("particles/model.glsl", "precise vec3 drift = v * pace.y;",
                   "precise vec3 drift = v * (pace.y * 1.01f);"),
-    "mesh": ("deform/displace.comp", "vec4(displaced(LOAD_INPUT(rests, i).xyz), 1)",
+    "mesh": ("mesh/displace.comp", "vec4(displaced(LOAD_INPUT(rests, i).xyz), 1)",
              "vec4(displaced(LOAD_INPUT(rests, i).xyz * 1.01), 1)"),
     "grayScott": ("gray_scott/model.glsl", "precise float lack = 1.0f - u;", "precise float lack = 1.01f - u;"),
     # Counts have no percent: a carry of the adder is wrong.
     "life": ("life/model.glsl", "WORD carry = highs.low & lows.high;", "WORD carry = highs.low & ~lows.high;"),
-    "epidemic": ("epidemic/model.glsl", "return random < infectionThreshold ?",
+    "epidemic": ("spread/epidemic/model.glsl", "return random < infectionThreshold ?",
                  "return random < infectionThreshold / 100u * 101u ?"),
-    "wildfire": ("wildfire/model.glsl", "t = (t * fuel) >> 8u;", "t = (t * fuel * 101u / 100u) >> 8u;"),
+    "wildfire": ("spread/wildfire/model.glsl", "t = (t * fuel) >> 8u;", "t = (t * fuel * 101u / 100u) >> 8u;"),
 }
 SCENERY = {"sphere", "capsule", "plane"}  # nothing of theirs is simulated
 # Seconds to their first frame where there is no GPU; each has kinds that other scenes have, too.

@@ -75,7 +75,7 @@ class Success(Case):
             self.write(f"glsl/{name}", text.replace(old, new))
             done = self.good("doctor", env={"SIMREEL_GLSL": str(self.folder / "glsl")}).stdout.decode()
             return re.search("^Drawing fingerprint: ([0-9a-f]{16})$", done, re.M).group(1)
-        own = fingerprint("draw/surface.frag", "vec3 base = color;", "vec3 base = 2.0 * color;")
+        own = fingerprint("draw/surface/surface.frag", "vec3 base = color;", "vec3 base = 2.0 * color;")
         for change in (("triangles.frag", "0.2 + sun", "0.2001 + sun"), ("triangles.frag", "0.7 * uv", "0.7001 * uv"),
                        ("triangles.frag", "vec3(uv, fract", "vec3(1.01 * uv, fract"),
                        ("triangles.vert", "vec4(first.xyz, 1.0)", "vec4(first.xyz, 1.0001)"),

@@ -136,18 +136,30 @@ class SetUp(unittest.TestCase):
 
 
 class Layers(unittest.TestCase):
-    def test_includes_of_folders_below_are_read(self):
+    def test_includes_are_read_in_every_folder(self):
         with tempfile.TemporaryDirectory() as name:
             folder = pathlib.Path(name)
-            for place in ("cli", "golden", "frame", "draw", "sim/cloth/deep", "gl", "scene", "base"):
-                (folder / "src" / place).mkdir(parents=True)
             (folder / "tools").mkdir()
             shutil.copy(SOURCE / "tools/check-layers", folder / "tools")
-            source = folder / "src/sim/cloth/deep/step.cpp"
-            for include, code in (("gl/buffer.hpp", 0), ("draw/camera.hpp", 1)):
-                source.write_text(f'#include "{include}"\n', encoding="utf-8")
+            shutil.copy(SOURCE / "CMakeLists.txt", folder)
+            for room in ("sim/core", "sim/cloth/deep"):
+                (folder / "src" / room).mkdir(parents=True)
+            step, core = folder / "src/sim/cloth/deep/step.cpp", folder / "src/sim/core/list.hpp"
+
+            def check(step_includes, core_includes):
+                step.write_text(f'#include "{step_includes}"\n', encoding="utf-8")
+                core.write_text(f'#include "{core_includes}"\n', encoding="utf-8")
                 done = subprocess.run([folder / "tools/check-layers"], capture_output=True, check=False, env=os.environ)
-                self.assertEqual(done.returncode, code, done.stderr)
+                return done.returncode, done.stderr.decode()
+
+            self.assertEqual(check("gl/buffer.hpp", "scene/scene.hpp"), (0, ""))
+            self.assertEqual(check("sim/core/list.hpp", "gl/buffer.hpp"), (0, ""))
+            code, message = check("draw/camera.hpp", "gl/buffer.hpp")
+            self.assertEqual(code, 1)
+            self.assertIn("src/sim/cloth/deep/step.cpp:1: sim does not link draw", message)
+            code, message = check("sim/core/list.hpp", "sim/cloth/deep/step.hpp")
+            self.assertEqual(code, 1)
+            self.assertIn("src/sim/core/list.hpp:1: sim/core includes from sim/cloth/deep", message)
 
 
 if __name__ == "__main__":

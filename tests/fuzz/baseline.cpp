@@ -1,5 +1,5 @@
 // baseline.json and state.json.
-#include "golden/baseline.hpp"
+#include "golden/baseline/baseline.hpp"
 
 #include "base/error.hpp"
 #include "fuzz/reader.hpp"

@@ -1,8 +1,9 @@
-#include "frame/checkpoint.hpp"
+#include "frame/file/checkpoint.hpp"
 
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "base/hash.hpp"
+#include "frame/file/run_info.hpp"
 #include "fuzz/reader.hpp"
 #include "fuzz/scratch.hpp"
 

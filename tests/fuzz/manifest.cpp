@@ -1,4 +1,4 @@
-#include "frame/manifest.hpp"
+#include "frame/file/manifest.hpp"
 
 #include "base/error.hpp"
 #include "fuzz/reader.hpp"

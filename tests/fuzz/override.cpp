@@ -2,7 +2,7 @@
 #include "base/error.hpp"
 #include "fuzz/reader.hpp"
 #include "scene/scene.hpp"
-#include "sim/list.hpp"
+#include "sim/world/list.hpp"
 
 namespace {
 

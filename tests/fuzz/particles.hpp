@@ -1,6 +1,6 @@
 #pragma once
 #include "base/error.hpp"
-#include "sim/particles_file.hpp"
+#include "sim/particles/file.hpp"
 
 #include <cmath>
 

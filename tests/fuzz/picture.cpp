@@ -1,7 +1,7 @@
 // Pictures as assets: PNG, PNM and whatever else the bytes may claim to be.
 #include "base/error.hpp"
 #include "fuzz/reader.hpp"
-#include "sim/picture_file.hpp"
+#include "sim/grid/picture_file.hpp"
 
 void simreel::fuzz::read(std::string_view bytes) {
   constexpr int mostSide = 16384;

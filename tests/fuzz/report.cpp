@@ -1,6 +1,10 @@
 // report.json, and what is made of one.
 #include "base/error.hpp"
 #include "fuzz/reader.hpp"
+#include "golden/report/github.hpp"
+#include "golden/report/json.hpp"
+#include "golden/report/junit.hpp"
+#include "golden/report/text.hpp"
 #include "golden/result.hpp"
 
 void simreel::fuzz::read(std::string_view bytes) {

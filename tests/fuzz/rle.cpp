@@ -1,5 +1,5 @@
 // A pattern in any format that is read, written as RLE and read again is the same.
-#include "sim/rle.hpp"
+#include "sim/life/rle.hpp"
 
 #include "base/error.hpp"
 #include "fuzz/reader.hpp"

@@ -2,7 +2,7 @@
 
 #include "base/error.hpp"
 #include "fuzz/reader.hpp"
-#include "sim/list.hpp"
+#include "sim/world/list.hpp"
 
 void simreel::fuzz::read(std::string_view bytes) {
   const scene::Scene scene = scene::parseScene(bytes, "fuzz.json", {}, sim::kinds());

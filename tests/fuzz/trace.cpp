@@ -1,10 +1,11 @@
 // steps.bin: what is accepted is written as the same bytes.
-#include "golden/trace.hpp"
+#include "golden/trace/trace.hpp"
 
 #include "base/error.hpp"
 #include "base/hash.hpp"
 #include "fuzz/reader.hpp"
-#include "golden/trace_layout.hpp"
+#include "golden/trace/file.hpp"
+#include "golden/trace/layout.hpp"
 
 #include <algorithm>
 

@@ -3,8 +3,8 @@
 #include "base/error.hpp"
 #include "gl/timestamp.hpp"
 #include "gpu/context.hpp"
-#include "sim/list.hpp"
-#include "sim/world.hpp"
+#include "sim/world/list.hpp"
+#include "sim/world/world.hpp"
 
 #include <doctest/doctest.h>
 

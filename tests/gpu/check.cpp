@@ -1,10 +1,10 @@
 // Quantities and checks on simulations whose answers are known.
-#include "golden/check.hpp"
+#include "golden/suite/check.hpp"
 
 #include "base/error.hpp"
 #include "gpu/context.hpp"
 #include "measured.hpp"
-#include "sim/list.hpp"
+#include "sim/world/list.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,13 +1,14 @@
 // A world that goes on from a checkpoint is the world that was never stopped.
-#include "frame/checkpoint.hpp"
+#include "frame/file/checkpoint.hpp"
 
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "base/hash.hpp"
-#include "draw/readback.hpp"
-#include "draw/renderer.hpp"
+#include "draw/screen/readback.hpp"
+#include "draw/screen/renderer.hpp"
+#include "frame/file/run_info.hpp"
 #include "gpu/context.hpp"
-#include "sim/list.hpp"
+#include "sim/world/list.hpp"
 #include "source_folder.hpp"
 #include "unit/help.hpp"
 

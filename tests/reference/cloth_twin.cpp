@@ -1,6 +1,6 @@
 #include "reference/cloth_twin.hpp"
 
-#include "sim/shader_code.hpp"
+#include "sim/core/shader_code.hpp"
 
 #include <utility>
 
@@ -25,7 +25,7 @@ struct Kernel {
   [[nodiscard]] vec4 loadPosition(int i) const { return source[i]; }
   [[nodiscard]] vec4 loadHeights(int i) const { return heights[i]; }
 #include "glsl/cloth/model.glsl"
-#include "glsl/deform/height_model.glsl"
+#include "glsl/mesh/height_model.glsl"
 };
 #undef precise
 #undef FUNCTION

@@ -1,6 +1,6 @@
 #pragma once
-#include "sim/cloth_plan.hpp"
-#include "sim/height_plan.hpp"
+#include "sim/cloth/plan.hpp"
+#include "sim/mesh/height_plan.hpp"
 
 #include <optional>
 #include <vector>

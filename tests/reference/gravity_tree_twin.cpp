@@ -1,7 +1,7 @@
 #include "reference/gravity_tree_twin.hpp"
 
-#include "sim/gravity_tree.hpp"
-#include "sim/shader_code.hpp"
+#include "sim/core/shader_code.hpp"
+#include "sim/particles/gravity_tree.hpp"
 
 #include <algorithm>
 #include <atomic>
@@ -28,7 +28,7 @@ struct Kernel {
   const vec4* bodies = nullptr;
 
   [[nodiscard]] vec4 loadBody(int i) const { return bodies[i]; }
-#include "glsl/tree/model.glsl"
+#include "glsl/particles/tree/model.glsl"
 };
 #undef REAL
 #undef precise

@@ -6,8 +6,8 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
-/// The gravity tree on the CPU: the kernels' own model (glsl/tree/model.glsl compiled as C++) in plain
-/// loops. Equals the GPU bit for bit in exact mode.
+/// The gravity tree on the CPU: the kernels' own model (glsl/particles/tree/model.glsl compiled as C++) in
+/// plain loops. Equals the GPU bit for bit in exact mode.
 class GravityTreeTwin {
  public:
   /// What a walk did, summed over groups of bodies.

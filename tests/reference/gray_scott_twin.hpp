@@ -1,5 +1,5 @@
 #pragma once
-#include "sim/gray_scott_plan.hpp"
+#include "sim/gray_scott/plan.hpp"
 
 #include <vector>
 

@@ -1,6 +1,6 @@
 #include "reference/life_twin.hpp"
 
-#include "sim/shader_code.hpp"
+#include "sim/core/shader_code.hpp"
 
 #include <algorithm>
 #include <cstring>

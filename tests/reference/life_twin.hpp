@@ -1,6 +1,6 @@
 #pragma once
-#include "sim/life_plan.hpp"
-#include "sim/rle.hpp"
+#include "sim/life/plan.hpp"
+#include "sim/life/rle.hpp"
 
 #include <cstdint>
 #include <vector>

@@ -1,6 +1,6 @@
 #include "reference/particles_twin.hpp"
 
-#include "sim/shader_code.hpp"
+#include "sim/core/shader_code.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -24,7 +24,7 @@ struct Kernel {
   const vec4* heights = nullptr;
 
   [[nodiscard]] vec4 loadHeights(int i) const { return heights[i]; }
-#include "glsl/deform/height_model.glsl"
+#include "glsl/mesh/height_model.glsl"
 #include "glsl/particles/model.glsl"
 };
 #undef precise

@@ -1,6 +1,6 @@
 #pragma once
-#include "sim/height_plan.hpp"
-#include "sim/particles_plan.hpp"
+#include "sim/mesh/height_plan.hpp"
+#include "sim/particles/plan.hpp"
 
 #include <functional>
 #include <optional>

@@ -17,14 +17,14 @@ using simreel::sim::SpreadParameters;
 #define precise
 struct EpidemicModel {
   const EpidemicStep& stepData;
-#include "glsl/epidemic/model.glsl"
+#include "glsl/spread/epidemic/model.glsl"
 };
 struct WildfireModel {
   const WildfireStep& stepData;
   const std::vector<vec4>& climbs;
 
   [[nodiscard]] float climbFactor(int i) const { return climbs[static_cast<std::size_t>(i / 4)][i % 4]; }
-#include "glsl/wildfire/model.glsl"
+#include "glsl/spread/wildfire/model.glsl"
 };
 #undef precise
 #undef FUNCTION

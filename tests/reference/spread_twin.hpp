@@ -1,6 +1,6 @@
 #pragma once
-#include "sim/epidemic_plan.hpp"
-#include "sim/wildfire_plan.hpp"
+#include "sim/spread/epidemic_plan.hpp"
+#include "sim/spread/wildfire_plan.hpp"
 
 #include <cstdint>
 #include <vector>
@@ -8,7 +8,7 @@
 #include <glm/vec4.hpp>
 
 /// The epidemic on the CPU, a byte a cell and neighbours looked up one by one; decisions by the kernels'
-/// own model (glsl/epidemic/model.glsl compiled as C++). Equals the GPU bit for bit.
+/// own model (glsl/spread/epidemic/model.glsl compiled as C++). Equals the GPU bit for bit.
 class EpidemicTwin {
  public:
   /// `start`: time (s) of the first state.

@@ -3,7 +3,7 @@
 // position (neighbours come from the cache) and velocity and writes both, 64 bytes.
 #include "gl/context.hpp"
 #include "reference/cloth_twin.hpp"
-#include "sim/list.hpp"
+#include "sim/world/list.hpp"
 
 #include <memory>
 

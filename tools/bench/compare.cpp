@@ -3,13 +3,14 @@
 #define STB_IMAGE_WRITE_IMPLEMENTATION
 #define STB_IMAGE_WRITE_STATIC
 #define STBI_WRITE_NO_STDIO
-#include "golden/compare.hpp"
+#include "golden/compare/compare.hpp"
 
 #include "frame/image.hpp"
-#include "golden/flip.hpp"
-#include "golden/png_check.hpp"
-#include "golden/sequence_diff.hpp"
-#include "golden/ssim.hpp"
+#include "golden/compare/difference_image.hpp"
+#include "golden/compare/flip.hpp"
+#include "golden/compare/png_check.hpp"
+#include "golden/compare/ssim.hpp"
+#include "golden/suite/sequence_diff.hpp"
 
 #include <cmath>
 #include <cstdint>

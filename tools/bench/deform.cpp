@@ -2,8 +2,8 @@
 // where drawing could begin, and its stages. "compute" once more with the readback. Run it on a quiet
 // machine.
 #include "gl/context.hpp"
-#include "sim/list.hpp"
-#include "sim/mesh_parameters.hpp"
+#include "sim/mesh/parameters.hpp"
+#include "sim/world/list.hpp"
 
 #include <algorithm>
 #include <chrono>

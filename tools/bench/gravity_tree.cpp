@@ -3,9 +3,9 @@
 //
 //     bench_gravity_tree [N...]     default 16384 on software drivers, 1048576 on GPUs
 //
-// What a step has to do is counted with it: operations and bytes as src/sim/gravity_tree.cpp states them
-// for the walk; sorting moves 12 passes of 48 bytes a body, building about 100.
-#include "sim/gravity_tree.hpp"
+// What a step has to do is counted with it: operations and bytes as src/sim/particles/gravity_tree.cpp
+// states them for the walk; sorting moves 12 passes of 48 bytes a body, building about 100.
+#include "sim/particles/gravity_tree.hpp"
 
 #include "gl/context.hpp"
 #include "reference/gravity_tree_twin.hpp"

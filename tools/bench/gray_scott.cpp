@@ -13,8 +13,8 @@
 // src/sim/README.md.
 #include "gl/context.hpp"
 #include "reference/gray_scott_twin.hpp"
-#include "sim/gray_scott_kernels.hpp"
-#include "sim/gray_scott_quantities.hpp"
+#include "sim/gray_scott/kernels.hpp"
+#include "sim/gray_scott/quantities.hpp"
 
 #include <cstdlib>
 #include <string_view>

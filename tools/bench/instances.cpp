@@ -1,9 +1,9 @@
 // Crowds at 640x360 and 4 samples (and a million at 1280x720): shadow, culling, drawing, tone map, without
 // a simulation and without reading back. Items are instances.
-#include "draw/renderer.hpp"
+#include "draw/screen/renderer.hpp"
 #include "gl/buffer.hpp"
 #include "gl/context.hpp"
-#include "sim/color_map.hpp"
+#include "sim/grid/color_map.hpp"
 
 #include <cmath>
 #include <random>

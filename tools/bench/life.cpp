@@ -6,7 +6,7 @@
 #include "gl/context.hpp"
 #include "gl/element_array.hpp"
 #include "reference/life_twin.hpp"
-#include "sim/life_stepper.hpp"
+#include "sim/life/stepper.hpp"
 
 #include <algorithm>
 #include <chrono>

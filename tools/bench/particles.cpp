@@ -3,12 +3,12 @@
 // each other, in particle-steps/s. With particles/pairs.cu built in (where nvcc is found), a plain CUDA
 // kernel beside them.
 //   bench_particles [bodies] [free particles]
-#include "sim/particles.hpp"
+#include "sim/particles/particles.hpp"
 
 #include "gl/context.hpp"
 #include "reference/particles_twin.hpp"
-#include "sim/particles_pairs.hpp"
-#include "sim/shader_code.hpp"
+#include "sim/core/shader_code.hpp"
+#include "sim/particles/pairs.hpp"
 
 #include <chrono>
 #include <cmath>

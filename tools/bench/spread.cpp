@@ -3,8 +3,8 @@
 #include "base/clock.hpp"
 #include "gl/context.hpp"
 #include "reference/spread_twin.hpp"
-#include "sim/epidemic.hpp"
-#include "sim/wildfire.hpp"
+#include "sim/spread/epidemic.hpp"
+#include "sim/spread/wildfire.hpp"
 
 #include <algorithm>
 #include <ctime>

@@ -1,6 +1,0 @@
-#include "common/exact.glsl"
-#include "common/memory.glsl"
-#include "common/words.glsl"
-#include "deform/types.glsl"
-
-layout(std140, binding = 0) uniform DeformBlock { DeformStep deformStep; };

@@ -1,0 +1,43 @@
+// A ball on the square of ball.vert. Variants of draw/surface/lighting.glsl. SAMPLES: 1 or more.
+#include "draw/frame_block.glsl"
+#include "draw/surface/lighting.glsl"
+flat in vec3 tint;
+flat in vec3 middle;
+flat in vec2 radii;
+in vec3 worldPosition;
+in vec3 place;
+in vec3 placeRay;
+#if SAMPLES > 1
+uniform vec2 sampleOffsets[SAMPLES];  // from the pixel's middle, in pixels
+#endif
+layout(location = 0) out vec4 radiance;
+
+// Which samples lie inside the disk: its edge is as smooth as a mesh's.
+int samplesInside(vec3 across) {
+#if SAMPLES > 1
+  vec3 alongX = dFdx(across), alongY = dFdy(across);
+  int mask = 0;
+  for (int i = 0; i < SAMPLES; ++i) {
+    vec3 at = across + sampleOffsets[i].x * alongX + sampleOffsets[i].y * alongY;
+    mask |= dot(at, at) < radii.y * radii.y ? 1 << i : 0;
+  }
+  return mask;
+#else
+  return dot(across, across) < radii.y * radii.y ? 1 : 0;
+#endif
+}
+
+void main() {
+  vec3 across = worldPosition - middle;
+  int inside = samplesInside(across);
+  if (inside == 0) discard;
+#if SAMPLES > 1
+  gl_SampleMask[0] = inside;
+#endif
+  // Where the ray from the eye through the square meets the ball: |across + t ray| = radius.
+  vec3 ray = worldPosition - frame.eye.xyz;
+  float rr = dot(ray, ray), b = dot(across, ray);
+  float t = -(b + sqrt(max(b * b - rr * (dot(across, across) - radii.x * radii.x), 0.0))) / rr;
+  vec3 normal = normalize(across + t * ray);
+  radiance = vec4(surfaceLight(tint, normal, -ray * inversesqrt(rr), sunShare(place + t * placeRay)), 1.0);
+}

@@ -1,0 +1,23 @@
+// Additive sprites: a square facing the eye for each.
+#include "draw/frame_block.glsl"
+#include "draw/instances/instance_pull.glsl"
+#include "draw/surface/facing.glsl"
+flat out vec3 tint;
+out vec2 across;  // from the middle, in radii
+
+void main() {
+  vec4 position, velocity;
+  gl_Position = nowhere;
+  tint = vec3(0);
+  across = vec2(0);
+  if (!pulled(position, velocity)) return;
+  Facing facing = facingEye(position.xyz);
+  float radius = instanceSize(position.w) * shapeRadius;
+  float least = leastRadius(position.xyz);
+  // Widened glows keep their light: they are dimmer by the ratio of areas.
+  float share = min(radius / max(least, 1e-12), 1.0);
+  tint = tintOf(position, velocity) * (brightnessAt(velocity.w) * share * share);
+  across = squareCorner();
+  vec3 outwards = across.x * facing.right + across.y * facing.up;
+  gl_Position = frame.viewProjection * vec4(position.xyz + max(radius, least) * outwards, 1.0);
+}

@@ -1,0 +1,73 @@
+// Makes the sprites of few pixels of a crowd ready to be drawn. GLOW: additive. FOR_LIGHT: into the light's map. Else
+// lit balls: squares of their outlines' area, shaded as if lit at four corners.
+#include "draw/frame_block.glsl"
+#include "draw/instances/instance_list.glsl"
+#include "draw/instances/small_sprite.glsl"
+#ifndef GLOW
+#include "draw/surface/light_map.glsl"
+#endif
+#if !defined(GLOW) && !defined(FOR_LIGHT)
+#include "draw/surface/facing.glsl"
+#include "draw/surface/lighting.glsl"
+#endif
+layout(local_size_x = 64) in;
+layout(std430, binding = 0) writeonly restrict buffer SpriteBlock { uvec4 sprites[]; };
+uniform int invocations;
+
+const float squareSide = 1.7724539;  // sqrt(pi): of the square with a disk's area
+
+vec3 placed(vec3 p) {
+  vec4 clip = frame.viewProjection * vec4(p, 1.0);
+  return clip.xyz / clip.w;
+}
+
+// Pixels that `radius` (m) spans at p.
+float pixelsOf(vec3 p, float radius) {
+  return radius * pixelsPerMetre() / max(dot(p - frame.eye.xyz, frame.rayForward.xyz), 1e-6);
+}
+
+#if defined(FOR_LIGHT)
+SmallSprite ready(vec4 position, vec4 velocity) {
+  float side = squareSide * instanceSize(position.w) * shapeRadius / shadowTexel();
+  return SmallSprite(shadowPlace(position.xyz) * 2.0 - 1.0, side, vec3(0), vec2(0));
+}
+#elif defined(GLOW)
+SmallSprite ready(vec4 position, vec4 velocity) {
+  float radius = instanceSize(position.w) * shapeRadius;
+  float least = leastRadius(position.xyz);
+  // Widened glows keep their light: they are dimmer by the ratio of areas.
+  float share = min(radius / max(least, 1e-12), 1.0);
+  vec3 light = tintOf(position, velocity) * (brightnessAt(velocity.w) * share * share);
+  return SmallSprite(placed(position.xyz), 2.0 * pixelsOf(position.xyz, max(radius, least)), light, vec2(0));
+}
+#else
+SmallSprite ready(vec4 position, vec4 velocity) {
+  Facing facing = facingEye(position.xyz);
+  float radius = max(instanceSize(position.w) * shapeRadius, leastRadius(position.xyz));
+  float side = squareSide * pixelsOf(position.xyz, outlineRadius(radius, facing.distance));
+  // The part of the ball that is seen faces the eye by 2/3 in the mean.
+  vec3 middle = 0.6666667 * facing.towards;
+  vec3 tint = tintOf(position, velocity);
+  float share = sunShare(shadowPlace(position.xyz + radius * middle + shadowLift(frame.sunDirection.xyz)));
+  vec3 light[4];
+  for (int i = 0; i < 4; ++i) {
+    vec3 aside = float((i & 1) * 2 - 1) * facing.right + float((i & 2) - 1) * facing.up;
+    light[i] = surfaceLight(tint, middle + 0.5270463 * aside, facing.towards, share);
+  }
+  vec3 mean = 0.25 * (light[0] + light[1] + light[2] + light[3]);
+  vec3 across = 0.25 * (light[1] - light[0] + light[3] - light[2]);
+  vec3 upwards = 0.25 * (light[2] - light[0] + light[3] - light[1]);
+  float whole = max(mean.r + mean.g + mean.b, 1e-9);
+  return SmallSprite(placed(position.xyz), side, mean,
+                     vec2(across.r + across.g + across.b, upwards.r + upwards.g + upwards.b) / whole);
+}
+#endif
+
+void main() {
+  uint count = texelFetch(arguments, level * 8 + 6).x;
+  for (uint at = gl_GlobalInvocationID.x; at < count; at += uint(invocations)) {
+    vec4 position, velocity;
+    listed(at, position, velocity);
+    sprites[at] = packedSprite(ready(position, velocity));
+  }
+}

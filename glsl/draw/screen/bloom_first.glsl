@@ -1,0 +1,25 @@
+// Light above the threshold, at half the size. SAMPLES: 1 or more.
+#include "draw/screen/screen.glsl"
+#if SAMPLES > 1
+layout(binding = 0) uniform sampler2DMS scene;
+#else
+layout(binding = 0) uniform sampler2D scene;
+#endif
+uniform ivec2 size;  // of the scene
+uniform float threshold;
+
+vec3 above(ivec2 at) {
+  at = min(at, size - 1);
+  vec3 light = vec3(0);
+  // No sample is brighter than half floats hold: infinite light would spread over the whole picture.
+  for (int i = 0; i < SAMPLES; ++i) light += min(texelFetch(scene, at, i * int(SAMPLES > 1)).rgb, 6e4);
+  light /= float(SAMPLES);
+  float most = max(light.r, max(light.g, light.b));
+  return light * (max(most - threshold, 0.0) / max(most, 1e-6));
+}
+
+void main() {
+  ivec2 at = 2 * ivec2(PIXEL);
+  vec3 sum = above(at) + above(at + ivec2(1, 0)) + above(at + ivec2(0, 1)) + above(at + ivec2(1, 1));
+  PUT(vec4(0.25 * sum, 1.0));
+}

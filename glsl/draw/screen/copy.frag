@@ -1,0 +1,21 @@
+// Variants: ADDITIVE (light of one colour), DOUBLE_SIDED, and those of draw/surface/lighting.glsl.
+#include "draw/frame_block.glsl"
+#include "draw/surface/lighting.glsl"
+flat in vec3 tint;
+in vec3 worldNormal;
+in vec3 worldPosition;
+in vec3 place;
+layout(location = 0) out vec4 radiance;
+
+void main() {
+#ifdef ADDITIVE
+  radiance = vec4(tint, 0.0);
+#else
+  vec3 normal = normalize(worldNormal);
+#ifdef DOUBLE_SIDED
+  normal = gl_FrontFacing ? normal : -normal;
+#endif
+  vec3 view = normalize(frame.eye.xyz - worldPosition);
+  radiance = vec4(surfaceLight(tint, normal, view, sunShare(place)), 1.0);
+#endif
+}

@@ -1,0 +1,29 @@
+// Copies of a mesh or sphere. Variants: ADDITIVE, and those of draw/surface/lighting.glsl.
+#include "draw/frame_block.glsl"
+#include "draw/instances/instance_pull.glsl"
+#include "draw/screen/copy_vertex.glsl"
+#include "draw/surface/light_map.glsl"
+uniform float swell;  // share of a round shape's size by which its facets lie inside it
+flat out vec3 tint;
+out vec3 worldNormal;
+out vec3 worldPosition;
+out vec3 place;
+
+void main() {
+  vec4 position, velocity;
+  gl_Position = nowhere;
+  tint = worldNormal = worldPosition = place = vec3(0);
+  if (!pulled(position, velocity)) return;
+  mat3 axes = turned(velocity.xyz);
+  worldPosition = position.xyz + axes * (instanceSize(position.w) * texelFetch(shape, vertexOfShape() * 2).xyz);
+  worldNormal = axes * texelFetch(shape, vertexOfShape() * 2 + 1).xyz;
+  tint = tintOf(position, velocity);
+#ifdef ADDITIVE
+  tint *= brightnessAt(velocity.w);
+#endif
+#ifdef SHADOW
+  vec3 onRound = worldPosition + (swell * shapeRadius * instanceSize(position.w)) * worldNormal;
+  place = shadowPlace(onRound + shadowLift(worldNormal));
+#endif
+  gl_Position = frame.viewProjection * vec4(worldPosition, 1.0);
+}

@@ -1,0 +1,21 @@
+// The technique "vertex-shader": vertices of a mesh at rest, displaced where they are drawn.
+#include "common/exact.glsl"
+#include "mesh/types.glsl"
+layout(std140, binding = 1) uniform DeformBlock { DeformStep deformStep; };
+layout(binding = 14) uniform samplerBuffer trail;
+
+vec4 loadTrail(int i) {
+  return texelFetch(trail, i);
+}
+#include "mesh/model.glsl"
+
+// From displaced neighbours half a step to both sides along tangent and bitangent; `spacing` as between vertices.
+vec3 displacedNormal(vec3 rest, vec3 normal, float spacing) {
+  vec3 tangent = normalize(abs(normal.x) < 0.7 ? cross(normal, cross(vec3(1, 0, 0), normal))
+                                               : cross(normal, cross(vec3(0, 0, 1), normal)));
+  vec3 bitangent = cross(normal, tangent);
+  vec3 offsets[4] = vec3[](tangent, -tangent, bitangent, -bitangent);
+  vec3 ends[4];
+  for (int i = 0; i < 4; ++i) ends[i] = displaced(rest + spacing * offsets[i]);
+  return cross(ends[0] - ends[1], ends[2] - ends[3]);
+}

@@ -1,0 +1,30 @@
+// Colour times alpha, so that the tone map can lay it over the sky. Variant: SHADOWED.
+#include "draw/frame_block.glsl"
+#include "draw/sky.glsl"
+#include "draw/surface/shading.glsl"
+#ifdef SHADOWED
+#include "draw/surface/shadow_read.glsl"
+in vec3 place;
+#endif
+in vec3 worldPosition;
+layout(location = 0) out vec4 radiance;
+
+void main() {
+  vec3 view = normalize(frame.eye.xyz - worldPosition);
+  vec3 sun = frame.sunDirection.xyz;
+  float lit = max(sun.y, 0.0);
+#ifdef SHADOWED
+  lit *= sunShare(place);
+#endif
+  vec3 normal = vec3(0, 1, 0);
+  float lobe = 0.04 * sunLobe(normal, view, sun, frame.groundShape.x);
+  vec3 light = frame.groundColor.rgb * (frame.sunLight.rgb * lit + frame.ambientUp.rgb) +
+               frame.sunLight.rgb * (lobe * lit);
+#ifdef REFLECTIVE
+  vec2 weight = ambientLobe(frame.groundShape.x, abs(view.y));
+  light += (0.04 * weight.x + weight.y) * mix(skyRadiance(abs(view.y)), frame.ambientUp.rgb, frame.groundShape.x);
+#endif
+  float far = clamp((distance(worldPosition.xz, frame.target.xz) - frame.target.w) * frame.eye.w, 0.0, 1.0);
+  float alpha = 1.0 - far * far * (3.0 - 2.0 * far);
+  radiance = vec4(light * alpha, alpha);
+}

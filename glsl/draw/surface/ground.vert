@@ -1,0 +1,39 @@
+// The ground: a square around the camera's target. SHADOWED draws the rectangle that shadows can reach; otherwise
+// the four strips around it, which need no look at the shadow map.
+#include "draw/frame_block.glsl"
+#ifdef SHADOW
+#include "draw/surface/light_map.glsl"
+#endif
+out vec3 worldPosition;
+#ifdef SHADOWED
+out vec3 place;
+#endif
+
+// Corner 0 to 3 of a rectangle (low, high), counter-clockwise seen from above (x right, z down).
+vec2 rectangleCorner(vec4 rectangle, int corner) {
+  return vec2(corner == 0 || corner == 3 ? rectangle.x : rectangle.z, corner < 2 ? rectangle.w : rectangle.y);
+}
+
+void main() {
+  float reach = frame.groundShape.y;
+  vec4 square = frame.target.xzxz + vec4(-reach, -reach, reach, reach);
+  vec4 inner = frame.target.xzxz;
+#ifdef SHADOW
+  inner = clamp(texelFetch(light, 4), square.xyxy, square.zwzw);
+#endif
+  // Two triangles (0 1 2, 2 3 0) of: the rectangle itself, or strip k between inner and outer corners k and k + 1.
+  int corner = gl_VertexID % 6;
+  corner = corner < 3 ? corner : corner == 5 ? 0 : corner - 1;
+#ifdef SHADOWED
+  vec2 p = rectangleCorner(inner, corner);
+#else
+  int strip = gl_VertexID / 6;
+  int which = (strip + (corner == 1 || corner == 2 ? 1 : 0)) % 4;
+  vec2 p = rectangleCorner(corner < 2 ? square : inner, which);
+#endif
+  worldPosition = vec3(p.x, frame.groundColor.w, p.y);
+#ifdef SHADOWED
+  place = shadowPlace(worldPosition);
+#endif
+  gl_Position = frame.viewProjection * vec4(worldPosition, 1.0);
+}

@@ -1,0 +1,53 @@
+// Grows the bounds by one surface, or by INSTANCES, or by a BOX. Each invocation reduces a strided share of the
+// vertices first.
+#include "draw/instances/bounds.glsl"
+layout(local_size_x = 64) in;
+uniform int vertexCount;
+uniform int invocations;
+#ifdef INSTANCES
+#include "draw/instances/instance.glsl"
+// xyz, w radius.
+vec4 ball(int i) {
+  vec4 position = texelFetch(positions, i);
+  bool shown = isShown(position, texelFetch(velocities, i));
+  return vec4(shown ? position.xyz : vec3(1e30), instanceSize(position.w) * shapeRadius);
+}
+#elif defined(BOX)
+uniform vec3 corners[2];
+vec4 ball(int i) {
+  return vec4(corners[i & 1].x, corners[i >> 1 & 1].y, corners[i >> 2 & 1].z, 0);
+}
+#else
+#include "draw/surface/vertex_pull.glsl"
+vec4 ball(int i) {
+  return vec4(worldPoint(i), 0);
+}
+#endif
+
+void main() {
+  int first = int(gl_GlobalInvocationID.x);
+  if (first >= min(invocations, vertexCount)) return;
+  vec3 low = vec3(3.4e38), high = vec3(-3.4e38);
+  vec2 groundLow = vec2(3.4e38), groundHigh = vec2(-3.4e38);
+  for (int i = first; i < vertexCount; i += invocations) {
+    vec4 found = ball(i);
+    vec3 p = found.xyz;
+    if (!(dot(abs(p), vec3(1)) + found.w < 1e6)) continue;  // lost particles must not blow the map up
+    vec3 q = vec3(dot(p, frame.lightRight.xyz), dot(p, frame.lightUp.xyz), dot(p, frame.sunDirection.xyz));
+    vec2 g = p.xz - frame.sunDirection.xz * ((p.y - frame.groundColor.w) / sunHeight());
+    low = min(low, q - found.w);
+    high = max(high, q + found.w);
+    // A ball's shadow reaches radius / sin(height of the sun) from its middle.
+    groundLow = min(groundLow, g - found.w / sunHeight());
+    groundHigh = max(groundHigh, g + found.w / sunHeight());
+  }
+  if (low.x > high.x) return;
+  for (int axis = 0; axis < 3; ++axis) {
+    atomicMin(boundLow[axis], orderedKey(low[axis]));
+    atomicMax(boundHigh[axis], orderedKey(high[axis]));
+  }
+  for (int axis = 0; axis < 2; ++axis) {
+    atomicMin(boundLow[3 + axis], orderedKey(groundLow[axis]));
+    atomicMax(boundHigh[3 + axis], orderedKey(groundHigh[axis]));
+  }
+}

@@ -1,0 +1,64 @@
+#include "draw/frame_block.glsl"
+#include "draw/surface/vertex_pull.glsl"
+#include "draw/surface/light_map.glsl"
+#ifdef GRID
+uniform ivec2 grid;
+#else
+layout(binding = 1) uniform samplerBuffer normals;
+layout(binding = 2) uniform samplerBuffer uvs;
+#endif
+#if defined TEXTURED || defined SKIN_UV
+uniform vec2 textureScale;
+out vec2 uv;
+#endif
+#ifdef TRIPLANAR
+out vec3 objectPosition;
+out vec3 objectNormal;
+#endif
+out vec3 worldPosition;
+out vec3 worldNormal;
+#ifdef SHADOW
+out vec3 place;
+#endif
+
+#ifdef GRID
+// Central differences, one-sided at the borders; agrees with the triangles (a, a + width, a + 1).
+vec3 gridNormal(int i) {
+  int x = i % grid.x, y = i / grid.x;
+  vec3 left = worldPoint(i - min(x, 1)), right = worldPoint(i + min(grid.x - 1 - x, 1));
+  vec3 above = worldPoint(i - grid.x * min(y, 1)), below = worldPoint(i + grid.x * min(grid.y - 1 - y, 1));
+  return cross(below - above, right - left);
+}
+#endif
+
+void main() {
+  int i = gl_VertexID;
+  vec3 p = worldPoint(i);
+#ifdef GRID
+  vec3 normal = gridNormal(i);
+#elif defined(DEFORMED)
+  vec4 rest = texelFetch(positions, i);
+  vec3 normal = mat3(model) * displacedNormal(rest.xyz, texelFetch(normals, i).xyz, rest.w);
+#else
+  vec3 normal = mat3(model) * texelFetch(normals, i).xyz;
+#endif
+  normal *= inversesqrt(max(dot(normal, normal), 1e-30));
+  worldPosition = p;
+  worldNormal = normal;
+#ifdef TRIPLANAR
+  float scale2 = max(dot(model[0].xyz, model[0].xyz), 1e-30);
+  objectPosition = texelFetch(positions, i).xyz * sqrt(scale2);
+  objectNormal = transpose(mat3(model)) * normal * inversesqrt(scale2);
+#endif
+#if defined TEXTURED || defined SKIN_UV
+#ifdef GRID
+  uv = textureScale * vec2(i % grid.x, i / grid.x) / vec2(grid - 1);
+#else
+  uv = textureScale * texelFetch(uvs, i).xy;
+#endif
+#endif
+#ifdef SHADOW
+  place = shadowPlace(p + shadowLift(normal));
+#endif
+  gl_Position = frame.viewProjection * vec4(p, 1.0);
+}

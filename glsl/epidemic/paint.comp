@@ -1,9 +1,0 @@
-#include "spread/paint.glsl"
-#include "epidemic/types.glsl"
-layout(std140, binding = 0) uniform StepBlock { EpidemicStep stepData; };
-#include "epidemic/model.glsl"
-
-uint painted(uint cell, int value, ivec2 at) {
-  return paintedPerson(cell, value);
-}
-#include "spread/paint_main.glsl"

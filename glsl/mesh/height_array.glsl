@@ -1,0 +1,15 @@
+// The heights that cloth and particles fall onto: binding 3 of their kernels, where HEIGHTS is 1; without, nothing
+// is bound or read.
+#include "mesh/height_types.glsl"
+uniform HeightGrid heightGrid;
+#if HEIGHTS
+INPUT_ARRAY(3, HeightBlock, heights)
+vec4 loadHeights(int i) {
+  return LOAD_INPUT(heights, i);
+}
+#else
+vec4 loadHeights(int i) {
+  return vec4(0.0f);
+}
+#endif
+#include "mesh/height_model.glsl"

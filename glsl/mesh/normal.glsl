@@ -1,0 +1,25 @@
+// The normal of a vertex from the faces around it. Compiles as GLSL and as C++ (src/sim/mesh/deform_cpu.cpp). Whoever
+// includes it provides loadDisplaced(int), loadFan(int) -> uvec4 and loadFaces(int) -> uvec4.
+
+FUNCTION vec3 faceNormal(vec3 here, uint b, uint c) {
+  precise vec3 left = loadDisplaced(int(b)) - here;
+  precise vec3 right = loadDisplaced(int(c)) - here;
+  return exactCross(left, right);
+}
+
+// n = sum (b - a) x (c - a) over the faces (a, b, c) around a: weighted by area, in the order of the faces. Two
+// faces an element; a missing one is (a, a, a) and adds nothing. Where nothing is left of the faces, the normal at
+// rest stays.
+FUNCTION vec3 gatheredNormal(int vertex, vec3 atRest) {
+  uvec4 fan = loadFan(vertex);
+  vec3 here = loadDisplaced(vertex);
+  precise vec3 sum = vec3(0.0f);
+  for (uint i = 0u; i < fan.y; ++i) {
+    uvec4 faces = loadFaces(int(fan.x + i));
+    sum = sum + faceNormal(here, faces.x, faces.y);
+    sum = sum + faceNormal(here, faces.z, faces.w);
+  }
+  float squared = exactDot(sum, sum);
+  precise vec3 unit = sum * exactInverseSqrt(max(squared, 1e-30f));
+  return squared < 1e-30f ? atRest : unit;
+}

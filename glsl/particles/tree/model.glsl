@@ -1,0 +1,355 @@
+// The gravity tree's arithmetic: keys, nodes and forces. Compiles as GLSL and as C++, where it is the CPU twin.
+// Whoever includes it provides loadBody(int), the bodies in sorted order (xyz m, w kg, all zero where there is
+// none), and the files particles/tree/types.glsl and common/exact.glsl before it.
+
+// Whether a body takes part: coordinates below 1e18 m, mass between 1e-30 and 1e30 kg. Compares bits, which
+// for positive floats are in the order of the values: what is not a number has larger ones.
+FUNCTION bool takesPart(vec4 body) {
+  int x = floatBitsToInt(body.x) & 0x7fffffff;
+  int y = floatBitsToInt(body.y) & 0x7fffffff;
+  int z = floatBitsToInt(body.z) & 0x7fffffff;
+  int mass = floatBitsToInt(body.w);
+  return x < 0x5d5e0b6b && y < 0x5d5e0b6b && z < 0x5d5e0b6b && mass > 0x0da24260 && mass < 0x7149f2ca;
+}
+
+// ---- Sort keys
+
+// The cell, of 65536 along each axis, in which a body lies. The box is made a cube.
+FUNCTION uvec3 cellOf(vec3 position, vec3 low, vec3 high) {
+  precise vec3 size = high - low;
+  float side = max(size.x, max(size.y, size.z));
+  precise float scale = 65536.0f * exactReciprocal(max(side, 1e-18f));
+  precise vec3 at = position - low;
+  at = at * scale;
+  at = min(max(at, vec3(0.0f)), vec3(65535.0f));
+  return uvec3(uint(at.x), uint(at.y), uint(at.z));
+}
+
+// Moves bit i of the lower eight to bit 3i.
+FUNCTION uint spread(uint bits) {
+  uint b = bits & 0xffu;
+  b = (b | (b << 8u)) & 0x00f00fu;
+  b = (b | (b << 4u)) & 0x0c30c3u;
+  b = (b | (b << 2u)) & 0x249249u;
+  return b;
+}
+
+// A cell's place along a Hilbert curve through 65536^3 cells: x the lower 24 bits, y the upper. The curve has no
+// jumps, so a run of sorted bodies of any length is compact. From the top level down, the lower bits are
+// reflected or exchanged as the curve's copy in that octant is; a Gray code then orders the octants
+// (J. Skilling, "Programming the Hilbert curve", AIP Conf. Proc. 707, 2004).
+FUNCTION uvec3 hilbertKey(uvec3 cell) {
+  uint x = cell.x;
+  uint y = cell.y;
+  uint z = cell.z;
+  for (int level = 15; level > 0; --level) {
+    uint bit = 1u << uint(level);
+    uint lower = bit - 1u;
+    x = (x & bit) != 0u ? x ^ lower : x;
+    uint swapped = (x ^ y) & lower;
+    bool reflect = (y & bit) != 0u;
+    x = x ^ (reflect ? lower : swapped);
+    y = y ^ (reflect ? 0u : swapped);
+    swapped = (x ^ z) & lower;
+    reflect = (z & bit) != 0u;
+    x = x ^ (reflect ? lower : swapped);
+    z = z ^ (reflect ? 0u : swapped);
+  }
+  y = y ^ x;
+  z = z ^ y;
+  uint parity = z >> 1u;
+  parity = parity ^ (parity >> 1u);
+  parity = parity ^ (parity >> 2u);
+  parity = parity ^ (parity >> 4u);
+  parity = parity ^ (parity >> 8u);
+  x = x ^ parity;
+  y = y ^ parity;
+  z = z ^ parity;
+  uint low = (spread(x) << 2u) | (spread(y) << 1u) | spread(z);
+  uint high = (spread(x >> 8u) << 2u) | (spread(y >> 8u) << 1u) | spread(z >> 8u);
+  return uvec3(low, high, 0u);
+}
+
+// ---- Nodes
+
+// What is known of a node's bodies. Spread is 3 sum_j (m_j/M) s_j s_j^T with s_j = x_j - center, in m^2: free of
+// the mass, so that neither a galaxy nor a marble leaves the range of floats.
+struct Node {
+  vec3 low;     // bounding box, m
+  vec3 high;
+  vec3 center;  // of mass, m
+  float mass;   // kg; 0: no bodies
+  vec3 along;   // xx, yy, zz of the spread
+  vec3 across;  // xy, xz, yz
+};
+
+FUNCTION Node emptyNode() {
+  Node node;
+  node.low = vec3(1e30f);
+  node.high = vec3(-1e30f);
+  node.center = vec3(0.0f);
+  node.mass = 0.0f;
+  node.along = vec3(0.0f);
+  node.across = vec3(0.0f);
+  return node;
+}
+
+FUNCTION vec3 flushed(vec3 v) {
+  return vec3(exactFlush(v.x), exactFlush(v.y), exactFlush(v.z));
+}
+
+// Adds share * (spread + 3 s s^T) to the node's spread.
+FUNCTION Node withSpread(Node node, float share, vec3 s, vec3 along, vec3 across) {
+  Node result = node;
+  precise vec3 weighted = s * 3.0f;
+  precise vec3 a = weighted * s;
+  a = a + along;
+  a = a * share;
+  a = a + node.along;
+  precise vec3 b = vec3(weighted.x * s.y, weighted.x * s.z, weighted.y * s.z);
+  b = b + across;
+  b = b * share;
+  b = b + node.across;
+  result.along = a;
+  result.across = b;
+  return result;
+}
+
+FUNCTION Node leafNode(int first) {
+  Node node = emptyNode();
+  precise float mass = 0.0f;
+  for (int i = 0; i < leafBodies; ++i) {
+    vec4 body = loadBody(first + i);
+    if (body.w > 0.0f) {
+      node.low = min(node.low, vec3(body));
+      node.high = max(node.high, vec3(body));
+      mass = mass + body.w;
+    }
+  }
+  if (mass == 0.0f) return node;
+  node.mass = mass;
+  float perMass = exactReciprocal(mass);
+  precise vec3 center = vec3(0.0f);
+  for (int i = 0; i < leafBodies; ++i) {
+    vec4 body = loadBody(first + i);
+    precise float share = body.w * perMass;
+    precise vec3 s = vec3(body) - node.low;
+    s = s * share;
+    center = center + s;
+  }
+  center = center + node.low;
+  node.center = center;
+  for (int i = 0; i < leafBodies; ++i) {
+    vec4 body = loadBody(first + i);
+    precise float share = body.w * perMass;
+    precise vec3 s = vec3(body) - center;
+    if (body.w > 0.0f) node = withSpread(node, share, s, vec3(0.0f), vec3(0.0f));
+  }
+  node.along = flushed(node.along);
+  node.across = flushed(node.across);
+  return node;
+}
+
+FUNCTION Node parentNode(Node left, Node right) {
+  if (right.mass == 0.0f) return left;
+  if (left.mass == 0.0f) return right;
+  Node node = emptyNode();
+  node.low = min(left.low, right.low);
+  node.high = max(left.high, right.high);
+  precise float mass = left.mass + right.mass;
+  node.mass = mass;
+  float perMass = exactReciprocal(mass);
+  precise float leftShare = left.mass * perMass;
+  precise float rightShare = right.mass * perMass;
+  precise vec3 between = right.center - left.center;
+  precise vec3 step = between * rightShare;
+  precise vec3 center = left.center + step;
+  node.center = center;
+  precise vec3 toLeft = left.center - center;
+  precise vec3 toRight = right.center - center;
+  node = withSpread(node, leftShare, toLeft, left.along, left.across);
+  node = withSpread(node, rightShare, toRight, right.along, right.across);
+  node.along = flushed(node.along);
+  node.across = flushed(node.across);
+  return node;
+}
+
+// The square of the distance from a node's centre of mass beyond which its moments stand for its bodies:
+// side/opening + |centre of mass - middle of the box| (Barnes 1994). Bodies at one point (or none at all) are
+// always taken together, which is no approximation: -1.
+FUNCTION float openingRadius2(Node node, float perOpening) {
+  precise vec3 size = node.high - node.low;
+  float side = max(size.x, max(size.y, size.z));
+  if (side <= 0.0f) return -1.0f;
+  precise vec3 middle = size * 0.5f;
+  middle = node.low + middle;
+  precise vec3 offset = node.center - middle;
+  precise float radius = side * perOpening;
+  radius = radius + exactSqrt(exactDot(offset, offset));
+  radius = radius * radius;
+  return radius;
+}
+
+// A node as the walk reads it: centre of mass and opening radius; mass and spread.
+FUNCTION vec4 nodeCell(Node node, float perOpening) {
+  float radius2 = openingRadius2(node, perOpening);
+  // Of bodies at one point the centre is that point, to the bit: their pull on each other is zero.
+  vec3 center = radius2 < 0.0f && node.mass > 0.0f ? node.low : node.center;
+  return vec4(center, radius2);
+}
+FUNCTION vec4 nodeMoments0(Node node) {
+  return vec4(node.mass, node.along.x, node.across.x, node.across.y);
+}
+FUNCTION vec4 nodeMoments1(Node node) {
+  precise float trace = node.along.x + node.along.y;
+  trace = trace + node.along.z;
+  trace = trace * 0.5f;
+  return vec4(node.along.y, node.across.z, node.along.z, trace);
+}
+FUNCTION Node unpackNode(vec4 low, vec4 high, vec4 cell, vec4 moments0, vec4 moments1) {
+  Node node;
+  node.low = vec3(low);
+  node.high = vec3(high);
+  node.center = vec3(cell);
+  node.mass = moments0.x;
+  node.along = vec3(moments0.y, moments1.x, moments1.z);
+  node.across = vec3(moments0.z, moments0.w, moments1.y);
+  return node;
+}
+
+// ---- Forces, on as many bodies at once as a REAL has components
+
+struct Pull {
+  REAL x;
+  REAL y;
+  REAL z;
+};
+
+// 1/sqrt(x) as exactInverseSqrt has it, for several numbers.
+FUNCTION REAL inverseRoot(REAL x) {
+#ifdef FAST_NUMERICS
+  return inversesqrt(x);
+#else
+  precise REAL half_ = 0.5f * x;
+  precise REAL y = intBitsToFloat(0x5f375a86 - (floatBitsToInt(x) >> 1));
+  precise REAL t = half_ * y;
+  t = t * y;
+  t = 1.5f - t;
+  y = y * t;
+  t = half_ * y;
+  t = t * y;
+  t = 1.5f - t;
+  y = y * t;
+  t = half_ * y;
+  t = t * y;
+  t = 1.5f - t;
+  y = y * t;
+  return y;
+#endif
+}
+
+FUNCTION REAL softenedSquare(REAL dx, REAL dy, REAL dz, float softening2) {
+  precise REAL sum = dx * dx;
+  precise REAL term = dy * dy;
+  sum = sum + term;
+  term = dz * dz;
+  sum = sum + term;
+  sum = sum + softening2;
+  return sum;
+}
+
+// The sum plus m d / R^3 with R^2 = |d|^2 + eps^2, d towards the body.
+FUNCTION Pull plusBody(Pull sum, REAL x, REAL y, REAL z, vec4 body, float softening2) {
+  precise REAL dx = body.x - x;
+  precise REAL dy = body.y - y;
+  precise REAL dz = body.z - z;
+  REAL inverse = inverseRoot(softenedSquare(dx, dy, dz, softening2));
+  precise REAL k = body.w * inverse;
+  k = k * inverse;
+  k = k * inverse;
+  dx = dx * k;
+  dy = dy * k;
+  dz = dz * k;
+  precise REAL sx = sum.x + dx;
+  precise REAL sy = sum.y + dy;
+  precise REAL sz = sum.z + dz;
+  Pull result;
+  result.x = sx;
+  result.y = sy;
+  result.z = sz;
+  return result;
+}
+
+// The sum plus the pull of a node to second order. The potential of its bodies about the centre of mass,
+// -M [1/R + (d.A d / R^5 - tr A / (3 R^3)) / 2] with the spread A, has the gradient
+// M/R^3 [(1 + (5/2 d.w - tr A / 2) / R^2) d - w] with w = A d / R^2: also with softening, since the trace stays.
+FUNCTION Pull plusNode(Pull sum, REAL x, REAL y, REAL z, vec3 center, vec4 m0, vec4 m1, float softening2) {
+  precise REAL dx = center.x - x;
+  precise REAL dy = center.y - y;
+  precise REAL dz = center.z - z;
+  REAL inverse = inverseRoot(softenedSquare(dx, dy, dz, softening2));
+  precise REAL inverse2 = inverse * inverse;
+  precise REAL term = m0.z * dy;
+  precise REAL wx = m0.y * dx;
+  wx = wx + term;
+  term = m0.w * dz;
+  wx = wx + term;
+  wx = wx * inverse2;
+  term = m1.x * dy;
+  precise REAL wy = m0.z * dx;
+  wy = wy + term;
+  term = m1.y * dz;
+  wy = wy + term;
+  wy = wy * inverse2;
+  term = m1.y * dy;
+  precise REAL wz = m0.w * dx;
+  wz = wz + term;
+  term = m1.z * dz;
+  wz = wz + term;
+  wz = wz * inverse2;
+  precise REAL scale = dx * wx;
+  term = dy * wy;
+  scale = scale + term;
+  term = dz * wz;
+  scale = scale + term;
+  scale = scale * 2.5f;
+  scale = scale - m1.w;
+  scale = scale * inverse2;
+  scale = scale + 1.0f;
+  precise REAL k = m0.x * inverse;
+  k = k * inverse2;
+  dx = dx * scale;
+  dy = dy * scale;
+  dz = dz * scale;
+  dx = dx - wx;
+  dy = dy - wy;
+  dz = dz - wz;
+  dx = dx * k;
+  dy = dy * k;
+  dz = dz * k;
+  precise REAL sx = sum.x + dx;
+  precise REAL sy = sum.y + dy;
+  precise REAL sz = sum.z + dz;
+  Pull result;
+  result.x = sx;
+  result.y = sy;
+  result.z = sz;
+  return result;
+}
+
+// Whether a node is far from a group's box, given by its middle and half its size.
+FUNCTION bool isFar(vec4 cell, vec3 middle, vec3 halfSize) {
+  precise vec3 away = vec3(cell) - middle;
+  away = abs(away) - halfSize;
+  away = max(away, vec3(0.0f));
+  precise vec3 squares = away * away;
+  precise float sum = squares.x + squares.y;
+  sum = sum + squares.z;
+  return sum > cell.w;
+}
+
+// The next node of the walk once all below `node` is done; 1 at the end of the tree.
+FUNCTION int nodeAfter(int node) {
+  int next = node + 1;
+  return next >> findLSB(next);
+}

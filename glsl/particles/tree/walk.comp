@@ -1,0 +1,122 @@
+// Forces on all bodies. The bodies of a group walk the trees together, depth first: what is far from the group's
+// box pulls by its moments, what is near is opened. Every invocation of a group takes the same way, so loads
+// are shared and the order of a body's sum is the same on every device. Without shared memory, barriers or a
+// stack: the next node follows from the number of the last. A tree is walked in at most 8191 visits and
+// 32768 bodies, whatever the positions are.
+//
+// An invocation carries two REALs of bodies, eight or two in all: what is loaded and tested serves them all.
+#ifdef TEXEL_PATH
+#define LANES 4
+#define REAL vec4
+#define LANE(v, k) v[k]
+layout(local_size_x = 32) in;
+#else
+#define LANES 1
+#define REAL float
+#define LANE(v, k) v
+layout(local_size_x = 128) in;
+#endif
+#include "common/exact.glsl"
+#include "common/memory.glsl"
+#include "common/words.glsl"
+#include "particles/tree/types.glsl"
+INPUT_ARRAY(0, BodyBlock, bodies)
+INPUT_ARRAY(1, BoxBlock, boxes)
+INPUT_ARRAY(2, CellBlock, cells)
+INPUT_ARRAY(3, MomentBlock, moments)
+INPUT_WORDS(4, RecordBlock, records)
+STATE_ARRAY(5, AccelerationBlock, accelerations)
+uniform int count;
+uniform int firstRoot;  // the trees of this dispatch; sums pass from one to the next in memory
+uniform int lastRoot;
+uniform bool finish;
+uniform float gravity;
+uniform float softening2;
+
+vec4 loadBody(int i) {
+  return LOAD_INPUT(bodies, i);
+}
+#include "particles/tree/model.glsl"
+
+// As many bodies as a REAL has components, and the sums over what pulled them so far.
+struct Bodies {
+  REAL x;
+  REAL y;
+  REAL z;
+  Pull sum;
+};
+
+Bodies fetch(int first) {
+  Bodies result;
+  for (int k = 0; k < LANES; ++k) {
+    vec4 body = loadBody(first + k);
+    LANE(result.x, k) = body.x;
+    LANE(result.y, k) = body.y;
+    LANE(result.z, k) = body.z;
+    vec4 before = vec4(0.0f);
+    if (firstRoot > 0 && first + k < count)
+      before = LOAD_STATE(accelerations, int(LOAD_INPUT_WORDS(records, first + k).z));
+    LANE(result.sum.x, k) = before.x;
+    LANE(result.sum.y, k) = before.y;
+    LANE(result.sum.z, k) = before.z;
+  }
+  return result;
+}
+
+void store(int first, Pull sum) {
+  for (int k = 0; k < LANES; ++k) {
+    if (first + k >= count) return;
+    vec3 total = vec3(LANE(sum.x, k), LANE(sum.y, k), LANE(sum.z, k));
+    precise vec3 scaled = total * gravity;
+    vec3 result = finish ? flushed(scaled) : total;
+    bool takes = loadBody(first + k).w > 0.0f;
+    int index = int(LOAD_INPUT_WORDS(records, first + k).z);
+    STORE_STATE(accelerations, index, vec4(takes ? result : vec3(0.0f), 0.0f));
+  }
+}
+
+void main() {
+  int first = int(gl_GlobalInvocationID.x) * 2 * LANES;
+  if (first >= count) return;
+  Bodies a = fetch(first);
+  Bodies b = fetch(first + LANES);
+  int group = first / groupBodies;
+  const int groupsOfRoot = rootBodies / groupBodies;
+  int box = group / groupsOfRoot * rootNodes + groupsOfRoot + group % groupsOfRoot;
+  vec3 low = LOAD_INPUT(boxes, 2 * box).xyz;
+  vec3 high = LOAD_INPUT(boxes, 2 * box + 1).xyz;
+  precise vec3 middle = high - low;
+  middle = middle * 0.5f;
+  middle = middle + low;
+  precise vec3 above = high - middle;
+  precise vec3 below = middle - low;
+  vec3 halfSize = max(above, below);
+  // The trees one after the other; a group without bodies walks none.
+  int last = low.x <= high.x ? lastRoot : firstRoot;
+  for (int root = firstRoot; root < last; ++root) {
+    int node = 1;
+    do {
+      int at = root * rootNodes + node;
+      vec4 cell = LOAD_INPUT(cells, at);
+      if (isFar(cell, middle, halfSize)) {
+        vec4 moments0 = LOAD_INPUT(moments, 2 * at);
+        vec4 moments1 = LOAD_INPUT(moments, 2 * at + 1);
+        a.sum = plusNode(a.sum, a.x, a.y, a.z, cell.xyz, moments0, moments1, softening2);
+        b.sum = plusNode(b.sum, b.x, b.y, b.z, cell.xyz, moments0, moments1, softening2);
+        node = nodeAfter(node);
+      } else if (node >= rootLeaves) {
+        int body = root * rootBodies + (node - rootLeaves) * leafBodies;
+        for (int end = body + leafBodies; body < end; ++body) {
+          vec4 other = loadBody(body);
+          a.sum = plusBody(a.sum, a.x, a.y, a.z, other, softening2);
+          b.sum = plusBody(b.sum, b.x, b.y, b.z, other, softening2);
+        }
+        node = nodeAfter(node);
+      } else {
+        node = 2 * node;
+      }
+    } while (node != 1);
+  }
+  store(first, a.sum);
+  store(first + LANES, b.sum);
+}

@@ -1,0 +1,86 @@
+// One step of the fire. EMBERS: sparks that fly ahead. SLOPE: it climbs.
+#include "common/memory.glsl"
+#include "spread/rows.glsl"
+#include "spread/wildfire/types.glsl"
+layout(std140, binding = 0) uniform StepBlock { WildfireStep stepData; };
+INPUT_WORDS(2, FuelBlock, fuels)     // bytes: how readily a cell burns
+INPUT_WORDS(3, GroundBlock, ground)  // bytes: the ground's shade, 0 to 15, and 16 times its phase
+#ifdef SLOPE
+INPUT_WORDS(4, InclineBlock, inclines)  // two bytes a cell: climbed()
+INPUT_ARRAY(5, ClimbBlock, climbs)
+float climbFactor(int i) {
+  return LOAD_INPUT(climbs, i >> 2)[i & 3];
+}
+#else
+float climbFactor(int i) { return 1.0f; }
+#endif
+#include "spread/wildfire/model.glsl"
+
+#ifdef EMBERS
+// In each step one cell of the sixteen may be hit by an ember, if its place of origin burns.
+int emberTarget(ivec2 at) {
+  uint group = uint(at.y) * uint(rowElements()) + uint(at.x);
+  uvec3 random = hash3(uvec3(group, stepData.numbers.x, stepData.numbers.y ^ 0x5bd1e995u));
+  if (random.x >> 5u >= uint(stepData.embers.w)) return -1;
+  int k = int(random.x & 15u);
+  ivec2 from = ivec2(16 * at.x + k, at.y) - emberFlight(random);
+  if (torus) from = (from + 1024 * size) % size;
+  if (any(lessThan(from, ivec2(0))) || any(greaterThanEqual(from, size))) return -1;
+  uvec4 there = LOAD_INPUT_WORDS(cells, from.y * rowElements() + (from.x >> 4));
+  return (byteOf(there, from.x & 15) & classMask) == classActive ? k : -1;
+}
+#endif
+
+// nextBurning() and nextBurnt() for sixteen cells at once.
+uvec4 grownOlder(Row here, uvec4 shade) {
+  uvec4 old = (here.state & 0x3f3f3f3fu) + ones * (129u - stepData.numbers.z);  // bit 7: it burns out now
+  uvec4 done = here.here & (old >> 7u);
+  uvec4 isDone = done * 255u;
+  uvec4 ash = 0xc0c0c0c0u | (shade >> 1u & 0x07070707u);
+  uvec4 next = ((here.state + (here.here ^ done)) & ~isDone) | (ash & isDone);
+
+  uvec4 wait = ((shade >> 4u & 0x0f0f0f0fu) + ones * (16u - (stepData.numbers.w & 15u))) & 0x0f0f0f0fu;
+  uvec4 turn = ~(((wait | 0x80808080u) - ones * (stepData.numbers.w >> 8u)) >> 7u);
+  uvec4 cold = here.state >> 3u & here.state >> 4u & here.state >> 5u;
+  return next + ((spentCells(here.state) & turn & ~cold) << 3u);
+}
+
+// A loop over the cells that something may light: mostly few of the sixteen.
+uvec4 stepElement(ivec2 at, Row above, Row here, Row below) {
+  uvec4 burning = above.left | above.here << 1u | above.right << 2u | here.left << 3u | here.right << 4u |
+                  below.left << 5u | below.here << 6u | below.right << 7u;
+  uvec4 touched = burning | burning >> 1u | burning >> 2u | burning >> 3u;
+  touched = (touched | touched >> 4u) & readyCells(here.state);
+  int place = at.y * rowElements() + at.x;
+  uvec4 next = grownOlder(here, LOAD_INPUT_WORDS(ground, place));
+  uint todo = bitsOf(touched);
+#ifdef EMBERS
+  int hit = emberTarget(at);
+  if (hit >= 0 && (byteOf(here.state, hit) & classMask) == classReady) todo |= 1u << uint(hit);
+#endif
+  if (todo == 0u) return next;
+  uvec4 fuel = LOAD_INPUT_WORDS(fuels, place);
+  uint first = uint(at.y) * uint(size.x) + uint(16 * at.x);
+#ifdef SLOPE
+  uvec4 leftSteep = LOAD_INPUT_WORDS(inclines, 2 * place);
+  uvec4 rightSteep = LOAD_INPUT_WORDS(inclines, 2 * place + 1);
+#endif
+  for (; todo != 0u; todo &= todo - 1u) {
+    int k = findLSB(todo);
+    uint random = spreadRandom(first + uint(k), stepData.numbers.x, stepData.numbers.y);
+    uint weight = fuelWeight(byteOf(fuel, k));
+#ifdef SLOPE
+    uint pair = k < 8 ? leftSteep[k >> 1 & 3] : rightSteep[k >> 1 & 3];
+    uint incline = pair >> uint(16 * (k & 1)) & 0xffffu;
+#else
+    const uint incline = evenGround;
+#endif
+    bool caught = random >> 15u < catchChance(byteOf(burning, k), weight, incline);
+#ifdef EMBERS
+    if (k == hit && (random & 255u) < weight) caught = true;
+#endif
+    if (caught) setByte(next, k, classActive);
+  }
+  return next;
+}
+#include "spread/step.glsl"

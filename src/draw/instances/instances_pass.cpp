@@ -1,0 +1,304 @@
+#include "draw/instances/instances_pass.hpp"
+
+#include "draw/surface/surface_pass.hpp"
+#include "gl/context.hpp"
+#include "sim/mesh/file.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <string>
+
+#include <glm/vec4.hpp>
+
+namespace simreel::draw {
+
+namespace {
+
+/// Smaller glows shimmer as they move over the pixels; smaller balls fall between samples.
+constexpr float leastGlow = 1.25F;  // pixels of radius
+constexpr float leastBall = 0.57F;
+/// Points have a greatest size, 255 pixels on some drivers.
+constexpr float mostPointGlow = 64.0F;
+/// Larger glows are shared among the invocations of a group.
+constexpr float mostSmallSum = 5.0F;
+
+bool isSprite(const sim::Instances& instances) {
+  return instances.shape == sim::Instances::Shape::sprite;
+}
+
+template <class Make>
+const InstanceShape& made(std::unique_ptr<InstanceShape>& shape, Make make) {
+  if (!shape) shape = std::make_unique<InstanceShape>(make());
+  return *shape;
+}
+
+std::vector<glm::vec2> offsetsOf(const gl::Framebuffer& target, int samples) {
+  std::vector<glm::vec2> offsets;
+  if (samples <= 1) return offsets;
+  target.bind();
+  for (int i = 0; i < samples; ++i) {
+    glm::vec2 place(0.5F);
+    glGetMultisamplefv(GL_SAMPLE_POSITION, static_cast<GLuint>(i), &place.x);
+    offsets.push_back(place - 0.5F);
+  }
+  return offsets;
+}
+
+}  // namespace
+
+InstancesPass::InstancesPass(const ShadowPass& shadow, const gl::Framebuffer& target, glm::ivec2 size,
+                             int samples)
+    : shadowDefines_(shadow.defines()),
+      shadowed_(shadow.on()),
+      shadowSize_(shadow.size()),
+      size_(size),
+      samples_(samples),
+      sampleOffsets_(offsetsOf(target, samples)) {}
+
+const InstanceShape& InstancesPass::shape(const sim::Instances& instances) {
+  switch (instances.shape) {
+    case sim::Instances::Shape::sprite:
+      return made(sprite_, [] { return InstanceShape::sprite(SmallSprites::points()); });
+    case sim::Instances::Shape::sphere:
+      return made(sphere_, InstanceShape::sphere);
+    case sim::Instances::Shape::mesh:
+      break;
+  }
+  const auto found = meshes_.find(instances.mesh);
+  if (found != meshes_.end()) return found->second;
+  const sim::Mesh mesh = sim::loadMesh(instances.mesh);
+  return meshes_.emplace(instances.mesh, InstanceShape::mesh(mesh.positions, mesh.normals, mesh.indices))
+      .first->second;
+}
+
+const CullPrograms& InstancesPass::cullPrograms(bool forLight, int levels) {
+  return cullPrograms_.try_emplace(levels * 2 + (forLight ? 1 : 0), forLight, levels).first->second;
+}
+
+const gl::Program& InstancesPass::cached(const char* vertexPath, const char* fragmentPath,
+                                         const gl::Defines& defines) {
+  std::string key = std::string(vertexPath) + " " + fragmentPath;
+  for (const auto& [name, value] : defines) key += " " + name;
+  const auto found = programs_.find(key);
+  if (found != programs_.end()) return found->second;
+  return programs_.emplace(key, gl::Program::graphics(vertexPath, fragmentPath, defines)).first->second;
+}
+
+gl::Defines InstancesPass::lightingDefines(const sim::Instances& instances) const {
+  gl::Defines defines = shadowDefines_;
+  if (isReflective(*instances.material)) defines.emplace_back("REFLECTIVE", "1");
+  if (instances.material->translucency > 0) defines.emplace_back("TRANSLUCENT", "1");
+  return defines;
+}
+
+const gl::Program& InstancesPass::program(const sim::Instances& instances) {
+  if (instances.additive)
+    return isSprite(instances)
+               ? cached("draw/instances/glow.vert", "draw/instances/glow.frag", {})
+               : cached("draw/screen/copy.vert", "draw/screen/copy.frag", {{"ADDITIVE", "1"}});
+  gl::Defines defines = lightingDefines(instances);
+  defines.emplace_back("SAMPLES", std::to_string(samples_));
+  if (isSprite(instances)) return cached("draw/instances/ball.vert", "draw/instances/ball.frag", defines);
+  // A mesh may be open.
+  if (instances.shape == sim::Instances::Shape::mesh) defines.emplace_back("DOUBLE_SIDED", "1");
+  return cached("draw/screen/copy.vert", "draw/screen/copy.frag", defines);
+}
+
+const gl::Program& InstancesPass::shadowProgram(const sim::Instances& instances) {
+  constexpr const char* vertices = "draw/instances/instance_shadow.vert";
+  return isSprite(instances) ? cached(vertices, "draw/instances/disk_shadow.frag", {{"SPRITE", "1"}})
+                             : cached(vertices, "draw/surface/shadow.frag", {});
+}
+
+InstancesPass::Entry& InstancesPass::entry(const sim::Instances& instances, std::size_t i) {
+  if (entries_.size() <= i) entries_.resize(i + 1);
+  Entry& entry = entries_[i];
+  const auto levels = static_cast<int>(shape(instances).levels().size());
+  const auto fits = [&](const std::unique_ptr<VisibleList>& list) {
+    return list && list->capacity() == instances.capacity && list->levels() == levels;
+  };
+  if (!fits(entry.forCamera)) entry.forCamera = std::make_unique<VisibleList>(instances.capacity, levels);
+  if (shadowed_ && !instances.additive && !fits(entry.forLight))
+    entry.forLight = std::make_unique<VisibleList>(instances.capacity, levels);
+  static const std::vector<glm::vec3> none(1, glm::vec3(1));
+  const auto& stops = instances.colors != nullptr && !instances.colors->empty() ? *instances.colors : none;
+  if (entry.stops != stops) {
+    entry.stops = stops;
+    std::vector<glm::vec4> texels;
+    texels.reserve(stops.size());
+    for (const glm::vec3& stop : stops) texels.emplace_back(stop, 1.0F);
+    entry.stopView = {};
+    entry.stopBuffer = gl::Buffer::of<glm::vec4>("colour stops", texels);
+    entry.stopView = gl::Texture::view("colour stops", GL_RGBA32F, entry.stopBuffer);
+  }
+  return entry;
+}
+
+void InstancesPass::setInstance(const gl::Program& program, const sim::Instances& instances,
+                                bool forLight) {
+  program.set("size", instances.size);
+  program.set("shapeRadius", shape(instances).radius());
+  program.set("massScale", glm::vec2(instances.massExponent, 1.0F / instances.massReference));
+  program.set("leastPixels", !isSprite(instances) || forLight ? 0.0F
+                             : instances.additive             ? leastGlow
+                                                              : leastBall);
+  instances.positions->bind(positionUnit);
+  instances.velocities->bind(velocityUnit);
+}
+
+void InstancesPass::fill(const sim::Instances& instances, std::size_t i, bool forLight) {
+  const Entry& own = entry(instances, i);
+  const InstanceShape& form = shape(instances);
+  const CullPrograms& programs = cullPrograms(forLight, static_cast<int>(form.levels().size()));
+  setInstance(programs.cull, instances, forLight);
+  // Coarser on the CPU, where triangles cost most, and for shadows, which are filtered.
+  const bool coarse = forLight || (gl::softwareDriver() && !isSprite(instances));
+  const bool coarsest = forLight && gl::softwareDriver() && !isSprite(instances);
+  // A square of a disk's area misses the disk by 1/8 of the radius; a glow is the same as a point.
+  const float mostGlow = GlowSums::takes(instances) ? mostSmallSum : mostPointGlow;
+  programs.cull.set("pointPixels", instances.additive ? mostGlow : coarse ? 4.0F : 1.6F);
+  programs.cull.set("levelError", coarsest ? 1.5F : coarse ? 0.5F : 0.2F);
+  (forLight ? own.forLight : own.forCamera)->fill(programs, form);
+}
+
+void InstancesPass::cull(const sim::Drawables& drawables) {
+  for (std::size_t i = 0; i < drawables.instances.size(); ++i) fill(drawables.instances[i], i, false);
+}
+
+void InstancesPass::cullForLight(const sim::Drawables& drawables) {
+  for (std::size_t i = 0; i < drawables.instances.size(); ++i)
+    if (!drawables.instances[i].additive) fill(drawables.instances[i], i, true);
+}
+
+void InstancesPass::growBounds(const sim::Drawables& drawables) {
+  constexpr int mostInvocations = 1 << 14;
+  constexpr int each = 32;
+  for (const sim::Instances& instances : drawables.instances) {
+    if (instances.additive) continue;
+    const bool boxed = instances.boundsMin != instances.boundsMax;
+    gl::Program& bounds = boxed ? boxBounds_ : bounds_;
+    if (bounds.name() == 0)
+      bounds =
+          gl::Program::compute("draw/surface/shadow_bounds.comp", {{boxed ? "BOX" : "INSTANCES", "1"}});
+    const int count = boxed ? 8 : instances.capacity;
+    const int invocations = boxed ? 8 : std::clamp((count + each - 1) / each, 1, mostInvocations);
+    bounds.set("vertexCount", count);
+    bounds.set("invocations", invocations);
+    if (boxed) {
+      bounds.set("corners[0]", instances.boundsMin);
+      bounds.set("corners[1]", instances.boundsMax);
+    } else {
+      setInstance(bounds, instances, true);
+    }
+    bounds.dispatch(invocations);
+  }
+}
+
+void InstancesPass::drawLevel(const gl::Program& program, const sim::Instances& instances,
+                              const VisibleList& list, std::size_t level) {
+  const InstanceShape& form = shape(instances);
+  program.set("vertexBits", form.vertexBits());
+  program.set("alongVelocity", static_cast<int>(instances.alongVelocity));
+  program.set("level", static_cast<int>(level));
+  program.set("batch", form.levels()[level].batch);
+  program.set("swell", form.levels()[level].swell);
+  if (form.vertices()) form.vertices().bind(shapeUnit);
+  list.bind();
+  vertices_.bind(form.indices());
+  program.use();
+  glDrawElementsIndirect(form.levels()[level].mode, GL_UNSIGNED_INT,
+                         // NOLINTNEXTLINE(performance-no-int-to-ptr): OpenGL takes an offset for a pointer.
+                         reinterpret_cast<const void*>(level * VisibleList::argumentBytes));
+}
+
+void InstancesPass::drawSmall(const gl::Program& kernel, SmallSprites::Use use,
+                              const sim::Instances& instances, const VisibleList& list, glm::ivec2 target) {
+  kernel.set("level", 0);
+  list.bind();
+  small_.prepare(kernel, instances.capacity);
+  const gl::Program& shader = small_.shader(use);
+  shader.set("targetSize", glm::vec2(target));
+  drawLevel(shader, instances, list, 0);
+}
+
+void InstancesPass::castShadows(const sim::Drawables& drawables) {
+  for (std::size_t i = 0; i < drawables.instances.size(); ++i) {
+    const sim::Instances& instances = drawables.instances[i];
+    if (instances.additive) continue;
+    DrawState{.depthTest = true,
+              .cullBack = instances.shape == sim::Instances::Shape::sphere,
+              .depthOffset = true}
+        .set();
+    const VisibleList& list = *entries_[i].forLight;
+    if (isSprite(instances)) {
+      const gl::Program& kernel = small_.kernel(SmallSprites::Use::shadow, {});
+      setInstance(kernel, instances, true);
+      drawSmall(kernel, SmallSprites::Use::shadow, instances, list, shadowSize_);
+    }
+    const gl::Program& shader = shadowProgram(instances);
+    setInstance(shader, instances, true);
+    for (std::size_t level = isSprite(instances) ? 1 : 0; level < shape(instances).levels().size(); ++level)
+      drawLevel(shader, instances, list, level);
+  }
+}
+
+void InstancesPass::setLook(const gl::Program& program, const sim::Instances& instances,
+                            const Entry& own) const {
+  const scene::Material& material = *instances.material;
+  const glm::vec2 range = instances.colorRange;
+  const float scale = 1.0F / (range.y > range.x ? range.y - range.x : 1e-20F);
+  program.set("colorBy", static_cast<int>(instances.colorBy));
+  program.set("colorScale", glm::vec2(scale, -range.x * scale));
+  program.set("stopCount", static_cast<int>(own.stops.size()));
+  program.set("color", material.color);
+  program.set("glow", glm::vec2(instances.brightness, instances.fade));
+  program.set("roughness", material.roughness);
+  program.set("metallic", material.metallic);
+  program.set("translucency", material.translucency);
+  for (std::size_t s = 0; s < sampleOffsets_.size(); ++s)
+    program.set(("sampleOffsets[" + std::to_string(s) + "]").c_str(), sampleOffsets_[s]);
+  own.stopView.bind(stopUnit);
+}
+
+void InstancesPass::draw(const sim::Drawables& drawables, bool adding) {
+  for (std::size_t i = 0; i < drawables.instances.size(); ++i) {
+    const sim::Instances& instances = drawables.instances[i];
+    if (instances.additive != adding || GlowSums::takes(instances)) continue;
+    DrawState{.depthTest = true,
+              .cullBack = instances.shape == sim::Instances::Shape::sphere,
+              .depthOffset = false,
+              .adding = adding}
+        .set();
+    const VisibleList& list = *entries_[i].forCamera;
+    if (isSprite(instances)) {
+      const auto use = adding ? SmallSprites::Use::glow : SmallSprites::Use::ball;
+      const gl::Program& kernel = small_.kernel(use, lightingDefines(instances));
+      setInstance(kernel, instances, false);
+      setLook(kernel, instances, entries_[i]);
+      drawSmall(kernel, use, instances, list, size_);
+    }
+    const gl::Program& shader = program(instances);
+    setInstance(shader, instances, false);
+    setLook(shader, instances, entries_[i]);
+    for (std::size_t level = isSprite(instances) ? 1 : 0; level < shape(instances).levels().size(); ++level)
+      drawLevel(shader, instances, list, level);
+  }
+}
+
+void InstancesPass::sumUp(const sim::Drawables& drawables, const gl::Texture& depth, const GlowSums& sums) {
+  for (std::size_t i = 0; i < drawables.instances.size(); ++i) {
+    const sim::Instances& instances = drawables.instances[i];
+    if (!GlowSums::takes(instances)) continue;
+    for (int level = 0; level < 2; ++level) {
+      const gl::Program& kernel = sums.kernel(level == 1);
+      setInstance(kernel, instances, false);
+      setLook(kernel, instances, entries_[i]);
+      kernel.set("level", level);
+      kernel.set("roundPixels", mostPointGlow);
+      entries_[i].forCamera->bind();
+      sums.add(level == 1, depth, instances.capacity);
+    }
+  }
+}
+
+}  // namespace simreel::draw

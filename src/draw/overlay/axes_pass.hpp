@@ -1,0 +1,42 @@
+#pragma once
+#include "draw/draw_state.hpp"
+#include "gl/program.hpp"
+#include "gl/texture.hpp"
+#include "sim/core/drawable.hpp"
+
+#include <string>
+#include <vector>
+
+#include <glm/vec2.hpp>
+#include <glm/vec4.hpp>
+
+namespace simreel::draw {
+
+/// A number of a scale: where it lies between the scale's ends, 0 to 1, and how it is written.
+struct Tick {
+  double place;
+  std::string label;
+};
+/// Round numbers between `first` and `last`, which may fall; about `most` of them at most.
+[[nodiscard]] std::vector<Tick> ticksBetween(double first, double last, int most);
+
+/// Draws the scales of fields (FieldDisplay::Axis) beside them, over the finished picture.
+class AxesPass {
+ public:
+  explicit AxesPass(glm::ivec2 picture) : picture_(picture) {}
+  /// Into the bound framebuffer, the finished picture.
+  void draw(const sim::Drawables& drawables, double seconds);
+
+ private:
+  /// Appends rectangles and their colours for one field.
+  void append(const sim::Field& field, double seconds, std::vector<glm::vec4>& boxes) const;
+
+  glm::ivec2 picture_;
+  gl::Program program_;
+  gl::Buffer buffer_;
+  gl::Texture view_;
+  std::vector<glm::vec4> present_;  ///< what the buffer holds
+  VertexArray vertices_;
+};
+
+}  // namespace simreel::draw

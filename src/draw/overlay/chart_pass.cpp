@@ -1,0 +1,163 @@
+#include "draw/overlay/chart_pass.hpp"
+
+#include "draw/overlay/text_boxes.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+#include <fmt/format.h>
+#include <glm/common.hpp>
+
+namespace simreel::draw {
+
+namespace {
+
+constexpr GLuint countUnit = 0;
+constexpr GLuint columnUnit = 1;
+
+/// Thousands apart: 65 536.
+std::string grouped(unsigned number) {
+  std::string digits = fmt::format("{}", number);
+  for (auto at = static_cast<int>(digits.size()) - 3; at > 0; at -= 3)
+    digits.insert(static_cast<std::size_t>(at), " ");
+  return digits;
+}
+
+int curveCount(const sim::Chart& chart) {
+  return static_cast<int>(std::min<std::size_t>({chart.names.size(), chart.colors.size(), 4}));
+}
+
+/// IEC 61966-2-1, 0 to 1.
+glm::vec3 encoded(glm::vec3 linear) {
+  for (int i = 0; i < 3; ++i) {
+    const float x = std::clamp(linear[i], 0.0F, 1.0F);
+    linear[i] = x <= 0.0031308F ? 12.92F * x : 1.055F * std::pow(x, 1 / 2.4F) - 0.055F;
+  }
+  return linear;
+}
+
+/// Rectangles with their colours: names in a row above the curves, the scales below.
+std::vector<glm::vec4> labels(const sim::Chart& chart, const ChartLayout& layout) {
+  std::vector<glm::vec4> boxes;
+  const auto add = [&](const std::string& text, glm::ivec2 at, glm::vec3 color) {
+    for (const glm::vec4& box : textBoxes(text, at, layout.unit)) {
+      boxes.push_back(box);
+      boxes.emplace_back(color, 1.0F);
+    }
+  };
+  const int u = layout.unit;
+  const glm::vec3 dim(0.62F, 0.65F, 0.70F);
+  glm::ivec2 at(layout.plot.x, layout.panel.y + 6 * u);
+  for (int i = 0; i < curveCount(chart); ++i) {
+    const std::string& name = chart.names[static_cast<std::size_t>(i)];
+    const int width = textSize(name, u).x;
+    if (at.x + width > layout.plot.z) break;
+    add(name, at, encoded(chart.colors[static_cast<std::size_t>(i)]));
+    at.x += width + 8 * u;
+  }
+  const int below = layout.plot.w + 4 * u;
+  const std::string top = "max " + grouped(chart.most);
+  const std::string right = grouped(static_cast<unsigned>(std::max(chart.width - 1, 0))) + " steps";
+  const int left = textSize(top, u).x;
+  const int wide = textSize(right, u).x;
+  if (layout.plot.x + left + wide + 6 * u <= layout.plot.z) add(top, {layout.plot.x, below}, dim);
+  if (layout.plot.x + wide <= layout.plot.z) add(right, {layout.plot.z - wide, below}, dim);
+  return boxes;
+}
+
+}  // namespace
+
+ChartLayout chartLayout(const sim::Chart& chart, glm::ivec2 picture) {
+  ChartLayout layout;
+  layout.unit = letterUnit(picture);
+  const int u = layout.unit;
+  const glm::vec2 whole(picture);
+  const glm::ivec2 from(glm::round(chart.corner * whole));
+  const glm::ivec2 end(glm::round((chart.corner + chart.extent) * whole));
+  layout.panel = {from, end};
+  layout.plot = {from.x + 9 * u, from.y + 20 * u, end.x - 9 * u, end.y - 18 * u};
+  // Too small for letters: curves alone, at least a pixel.
+  if (layout.plot.w - layout.plot.y < 12 * u || layout.plot.z - layout.plot.x < 24 * u)
+    layout.plot = {from.x + 2, from.y + 2, std::max(end.x - 2, from.x + 3),
+                   std::max(end.y - 2, from.y + 3)};
+  return layout;
+}
+
+void ChartPass::compile() {
+  if (columns_.name() != 0) return;
+  columns_ = gl::Program::compute("draw/overlay/chart_columns.comp");
+  curves_ = gl::Program::graphics("draw/overlay/chart.vert", "draw/overlay/chart.frag");
+  text_ = gl::Program::graphics("draw/overlay/chart_text.vert", "draw/overlay/chart_text.frag");
+}
+
+void ChartPass::draw(const sim::Drawables& drawables) {
+  if (drawables.charts.empty()) return;
+  compile();
+  if (kept_.size() != drawables.charts.size()) kept_ = std::vector<Kept>(drawables.charts.size());
+  DrawState{.depthTest = false}.set();
+  glEnable(GL_BLEND);
+  glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  for (std::size_t i = 0; i < kept_.size(); ++i) {
+    const sim::Chart& chart = drawables.charts[i];
+    const ChartLayout layout = chartLayout(chart, picture_);
+    condense(chart, layout, kept_[i]);
+    drawCurves(chart, layout, kept_[i]);
+    drawText(chart, layout, kept_[i]);
+  }
+}
+
+void ChartPass::condense(const sim::Chart& chart, const ChartLayout& layout, Kept& kept) const {
+  const int width = layout.plot.z - layout.plot.x;
+  if (kept.columns.width() != width)
+    kept.columns = gl::Texture::image("chart columns", GL_RGBA32F, width, 4);
+  if (chart.steps < 1) return;
+  columns_.use();
+  columns_.set("columnCount", width);
+  columns_.set("steps", chart.steps);
+  columns_.set("perColumn", static_cast<float>(std::max(chart.width - 1, 1)) / static_cast<float>(width));
+  columns_.set("most", static_cast<float>(std::max(chart.most, 1U)));
+  chart.counts->bind(countUnit);
+  kept.columns.bindImage(0, GL_WRITE_ONLY);
+  columns_.dispatch(width);
+  glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
+}
+
+void ChartPass::drawCurves(const sim::Chart& chart, const ChartLayout& layout, const Kept& kept) const {
+  constexpr const char* colorNames[] = {"colors[0]", "colors[1]", "colors[2]", "colors[3]"};
+  const float share =
+      static_cast<float>(std::max(chart.steps - 1, 0)) / static_cast<float>(std::max(chart.width - 1, 1));
+  curves_.use();
+  curves_.set("panel", glm::vec4(layout.panel));
+  curves_.set("plot", glm::vec4(layout.plot));
+  curves_.set("picture", glm::vec2(picture_));
+  curves_.set("unit", static_cast<float>(layout.unit));
+  curves_.set("curves", curveCount(chart));
+  for (int i = 0; i < curveCount(chart); ++i)
+    curves_.set(colorNames[i], chart.colors[static_cast<std::size_t>(i)]);
+  curves_.set("steps", chart.steps);
+  curves_.set("end", share * static_cast<float>(layout.plot.z - layout.plot.x));
+  curves_.set("most", static_cast<float>(std::max(chart.most, 1U)));
+  chart.counts->bind(countUnit);
+  kept.columns.bind(columnUnit);
+  vertices_.bind();
+  glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+}
+
+void ChartPass::drawText(const sim::Chart& chart, const ChartLayout& layout, Kept& kept) const {
+  if (layout.plot.x == layout.panel.x + 2) return;  // no room
+  std::vector<glm::vec4> boxes = labels(chart, layout);
+  if (boxes.empty()) return;
+  if (boxes != kept.present) {
+    kept.boxBuffer = gl::Buffer::of<glm::vec4>("chart letters", boxes);
+    kept.boxes = gl::Texture::view("chart letters", GL_RGBA32F, kept.boxBuffer);
+    kept.present = std::move(boxes);
+  }
+  text_.use();
+  text_.set("picture", glm::vec2(picture_));
+  kept.boxes.bind(boxUnit);
+  vertices_.bind();
+  glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(kept.present.size() / 2 * 6));
+}
+
+}  // namespace simreel::draw

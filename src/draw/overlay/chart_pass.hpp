@@ -1,0 +1,49 @@
+#pragma once
+#include "draw/draw_state.hpp"
+#include "gl/program.hpp"
+#include "gl/texture.hpp"
+#include "sim/core/drawable.hpp"
+
+#include <string>
+#include <vector>
+
+#include <glm/vec2.hpp>
+#include <glm/vec4.hpp>
+
+namespace simreel::draw {
+
+/// Where the parts of a chart lie in a picture: whole pixels from the top left.
+struct ChartLayout {
+  glm::ivec4 panel{0};  ///< left, top, right, bottom
+  glm::ivec4 plot{0};   ///< the same, of the curves
+  int unit = 1;         ///< magnification of letters, thickness of thin lines
+};
+[[nodiscard]] ChartLayout chartLayout(const sim::Chart& chart, glm::ivec2 picture);
+
+/// Draws curves of counts over the finished picture. A kernel condenses the steps to columns of pixels, so
+/// a frame costs the same after a million steps.
+class ChartPass {
+ public:
+  explicit ChartPass(glm::ivec2 picture) : picture_(picture) {}
+  /// Into the bound framebuffer, the finished picture.
+  void draw(const sim::Drawables& drawables);
+
+ private:
+  struct Kept {
+    gl::Texture columns;
+    gl::Buffer boxBuffer;
+    gl::Texture boxes;
+    std::vector<glm::vec4> present;  ///< what the buffer holds
+  };
+  void compile();
+  void condense(const sim::Chart& chart, const ChartLayout& layout, Kept& kept) const;
+  void drawCurves(const sim::Chart& chart, const ChartLayout& layout, const Kept& kept) const;
+  void drawText(const sim::Chart& chart, const ChartLayout& layout, Kept& kept) const;
+
+  glm::ivec2 picture_;
+  gl::Program columns_, curves_, text_;
+  std::vector<Kept> kept_;
+  VertexArray vertices_;
+};
+
+}  // namespace simreel::draw

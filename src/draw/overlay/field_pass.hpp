@@ -1,0 +1,51 @@
+#pragma once
+#include "draw/draw_state.hpp"
+#include "draw/overlay/field_kernel.hpp"
+#include "draw/overlay/field_view.hpp"
+#include "gl/program.hpp"
+#include "gl/texture.hpp"
+#include "sim/core/drawable.hpp"
+#include "sim/grid/field_display.hpp"
+
+#include <map>
+#include <vector>
+
+#include <glm/vec2.hpp>
+
+namespace simreel::draw {
+
+/// Lays fields over the picture, or behind everything drawn. Cells are read straight from the simulation's
+/// memory; where four or more lie under a pixel, a kernel averages blocks of them first.
+class FieldPass {
+ public:
+  explicit FieldPass(glm::ivec2 picture) : picture_(picture) {}
+
+  /// Averages what is shown small. Call once a frame, before drawing.
+  void prepare(const sim::Drawables& drawables, double seconds);
+  /// Into the bound framebuffer, in the order of the scene. behind: linear light and coverage, the last row
+  /// first; over: on the finished picture, encoded, the top row first.
+  void draw(const sim::Drawables& drawables, sim::FieldDisplay::Layer layer, double seconds);
+  /// Whether a field over the picture leaves nothing else of it to be seen.
+  [[nodiscard]] bool hidesAll(const sim::Drawables& drawables, double seconds) const;
+
+ private:
+  /// What is kept of the field at one place of the drawables.
+  struct Kept {
+    FieldColors colors;
+    gl::Texture reduced;
+    glm::ivec2 cells{0, 0};
+    int reduction = 1;
+    bool colored = false;
+  };
+  void reduce(const sim::Field& field, Kept& kept, double seconds);
+  void drawOne(const sim::Field& field, const Kept& kept, double seconds);
+  const gl::Program& program(const sim::Field& field, const Kept& kept);
+
+  glm::ivec2 picture_;
+  FieldKernel kernel_;
+  std::vector<Kept> kept_;
+  std::map<int, gl::Program> programs_;
+  VertexArray vertices_;
+};
+
+}  // namespace simreel::draw

@@ -1,0 +1,40 @@
+#pragma once
+#include "gl/texture.hpp"
+#include "scene/scene.hpp"
+#include "sim/core/drawable.hpp"
+
+#include <functional>
+#include <memory>
+
+#include <glm/vec2.hpp>
+
+namespace simreel::draw {
+
+/// Draws one frame: shadow map; fields behind, surfaces, crowds and ground into a multisampled linear
+/// target; bloom, resolve, tone map, sRGB encoding; fields and charts over it.
+class Renderer {
+ public:
+  /// Compiles every shader and loads every texture the scene's materials name. Throws UserError:
+  /// device for limits (samples, size), inputOutput or usage for textures. The scene must outlive it.
+  Renderer(const scene::Scene& scene, glm::ivec2 size, int samples);
+  ~Renderer();
+  Renderer(Renderer&&) noexcept;
+  Renderer& operator=(Renderer&&) noexcept;
+  Renderer(const Renderer&) = delete;
+  Renderer& operator=(const Renderer&) = delete;
+
+  /// Called when the commands of a stage have been issued; stages that have nothing to do are left out. A
+  /// stage may come in parts. Names: "shadow", "surfaces", "crowds", "ground", "bloom", "tone map".
+  using StageWatch = std::function<void(const char* stage)>;
+  /// Issues the commands for the frame at `seconds` (of scene time); does not wait.
+  void draw(double seconds, const sim::Drawables& drawables, const StageWatch& watch = {});
+
+  /// RGBA8, sRGB-encoded; row 0 of a read-back is the picture's top row.
+  [[nodiscard]] const gl::Framebuffer& target() const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace simreel::draw

@@ -1,0 +1,35 @@
+#include "draw/screen/tone_map_pass.hpp"
+
+#include "draw/frame_values.hpp"
+
+#include <string>
+
+namespace simreel::draw {
+
+namespace {
+
+gl::Defines definesFor(int samples, bool bloom) {
+  gl::Defines defines = {{"SAMPLES", std::to_string(samples)}};
+  if (bloom) defines.emplace_back("BLOOM", "1");
+  return defines;
+}
+
+}  // namespace
+
+ToneMapPass::ToneMapPass(int samples, bool bloom)
+    : program_("draw/screen/tone_map.glsl", "rgba8", definesFor(samples, bloom),
+               "draw/screen/tone_map.vert") {
+  program_.program().checkUniformBlock("FrameBlock", sizeof(shader::Frame));
+}
+
+void ToneMapPass::draw(const gl::Texture& light, const Targets& targets, const gl::Texture* glow,
+                       float strength) const {
+  light.bind(0);
+  if (glow != nullptr) {
+    glow->bind(1);
+    program_.program().set("bloomStrength", strength);
+  }
+  program_.fill(targets.color, targets.picture);
+}
+
+}  // namespace simreel::draw

@@ -1,0 +1,21 @@
+#pragma once
+#include "draw/screen/screen_program.hpp"
+#include "draw/screen/targets.hpp"
+
+namespace simreel::draw {
+
+/// Averages the samples, lays them over the sky, applies exposure, vignette and film curve, and encodes
+/// sRGB.
+class ToneMapPass {
+ public:
+  /// `samples`: of the light that draw() gets.
+  ToneMapPass(int samples, bool bloom);
+  /// Fills the picture of `targets`. `glow` times `strength` is added to the light; null without bloom.
+  void draw(const gl::Texture& light, const Targets& targets, const gl::Texture* glow,
+            float strength) const;
+
+ private:
+  ScreenProgram program_;
+};
+
+}  // namespace simreel::draw

@@ -1,0 +1,29 @@
+#include "draw/surface/ground_pass.hpp"
+
+namespace simreel::draw {
+
+GroundPass::GroundPass(const scene::Scene& scene, const ShadowPass& shadow)
+    : on_(scene.hasGround && scene.ground.visible), shadowed_(shadow.on()) {
+  if (!on_) return;
+  gl::Defines defines = shadow.defines();
+  if (scene.ground.roughness < 0.6F) defines.emplace_back("REFLECTIVE", "1");
+  lit_ = gl::Program::graphics("draw/surface/ground.vert", "draw/surface/ground.frag", defines);
+  if (!shadowed_) return;
+  defines.emplace_back("SHADOWED", "1");
+  shaded_ = gl::Program::graphics("draw/surface/ground.vert", "draw/surface/ground.frag", defines);
+}
+
+void GroundPass::draw() const {
+  constexpr int rectangle = 6;  // vertices
+  constexpr int strips = 4 * rectangle;
+  if (!on_) return;
+  DrawState{}.set();
+  vertices_.bind();
+  lit_.use();
+  glDrawArrays(GL_TRIANGLES, 0, strips);
+  if (!shadowed_) return;
+  shaded_.use();
+  glDrawArrays(GL_TRIANGLES, 0, rectangle);
+}
+
+}  // namespace simreel::draw

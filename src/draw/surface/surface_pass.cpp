@@ -1,0 +1,131 @@
+#include "draw/surface/surface_pass.hpp"
+
+#include "draw/surface/skin_look.hpp"
+
+#include <iterator>
+
+namespace simreel::draw {
+
+namespace {
+
+constexpr const char* featureNames[] = {"GRID",       "DOUBLE_SIDED", "TEXTURED",  "TRANSLUCENT",
+                                        "REFLECTIVE", "SKIN_UV",      "TRIPLANAR", "DEFORMED"};
+enum Feature : unsigned {
+  grid = 1,
+  doubleSided = 2,
+  textured = 4,
+  translucent = 8,
+  reflective = 16,
+  skinUv = 32,
+  triplanar = 64,
+  deformed = 128,
+  lookShift = 8  ///< of the number of the skin's look
+};
+
+unsigned features(const scene::Material& material) {
+  return (material.texture.empty() ? 0U : textured) | (material.translucency > 0 ? translucent : 0U) |
+         (isReflective(material) ? reflective : 0U);
+}
+
+unsigned skinFeatures(const scene::Material& material, bool hasUvs) {
+  const scene::Skin& skin = material.skin;
+  scene::Material skinned = material;
+  skinned.texture.clear();
+  skinned.roughness = lookOf(skin).roughness;
+  const bool byUv = hasUvs && skin.projection == scene::Skin::Projection::uv;
+  return features(skinned) | (byUv ? skinUv : triplanar) | static_cast<unsigned>(skin.look) << lookShift;
+}
+
+}  // namespace
+
+bool isReflective(const scene::Material& material) {
+  constexpr float mattRoughness = 0.6F;  // rougher dielectrics mirror too little
+  return material.metallic > 0 || material.roughness < mattRoughness;
+}
+
+SurfacePass::SurfacePass(const scene::Scene& scene, const ShadowPass& shadow)
+    : shadowDefines_(shadow.defines()) {
+  for (const scene::Object& object : scene.objects) {
+    textures_.load(object.material.texture);
+    // Whether a simulation publishes a grid or a solid mesh is not known yet; both are common.
+    const unsigned wanted =
+        object.material.hasSkin ? skinFeatures(object.material, true) : features(object.material);
+    program(wanted | grid | doubleSided);
+    program(wanted);
+  }
+}
+
+const gl::Program& SurfacePass::program(unsigned wanted) {
+  const auto found = programs_.find(wanted);
+  if (found != programs_.end()) return found->second;
+  gl::Defines defines = shadowDefines_;
+  for (unsigned i = 0; i < std::size(featureNames); ++i)
+    if ((wanted >> i & 1U) != 0) defines.emplace_back(featureNames[i], "1");
+  if ((wanted & (skinUv | triplanar)) != 0) {
+    scene::Skin skin;
+    skin.look = static_cast<scene::Skin::Look>(wanted >> lookShift);
+    defines.emplace_back("SKIN", "1");
+    defines.emplace_back(lookOf(skin).define, "1");
+  }
+  return programs_
+      .emplace(wanted,
+               gl::Program::graphics("draw/surface/surface.vert", "draw/surface/surface.frag", defines))
+      .first->second;
+}
+
+void SurfacePass::draw(const sim::Drawables& drawables, const SkinTextures& skins) {
+  for (const sim::Surface& surface : drawables.surfaces) draw(surface, skins);
+}
+
+void SurfacePass::draw(const sim::Surface& surface, const SkinTextures& skins) {
+  const scene::Material& material = *surface.material;
+  const bool isGrid = surface.normals == nullptr;
+  const SkinTextures::Entry* skin = material.hasSkin ? skins.find(material.skin) : nullptr;
+  const unsigned look =
+      skin == nullptr ? features(material) : skinFeatures(material, isGrid || surface.uvs != nullptr);
+  const gl::Program& shader =
+      program(look | (isGrid ? grid : 0U) | (surface.doubleSided ? doubleSided : 0U) |
+              (surface.deform != nullptr ? deformed : 0U));
+  DrawState{.depthTest = true, .cullBack = !surface.doubleSided, .depthOffset = false}.set();
+  shader.use();
+  shader.set("model", surface.model);
+  shader.set("metallic", material.metallic);
+  shader.set("translucency", material.translucency);
+  surface.positions->bind(positionUnit);
+  bindDeformation(surface);
+  if (isGrid) {
+    shader.set("grid", surface.grid);
+  } else {
+    surface.normals->bind(normalUnit);
+    if (surface.uvs != nullptr) surface.uvs->bind(uvUnit);
+  }
+  if (skin != nullptr)
+    setSkin(*skin, material.skin, shader);
+  else
+    setPlain(material, isGrid, shader);
+  vertices_.bind(*surface.indices);
+  glDrawElements(GL_TRIANGLES, surface.indexCount, GL_UNSIGNED_INT, nullptr);
+}
+
+void SurfacePass::setPlain(const scene::Material& material, bool isGrid, const gl::Program& shader) {
+  shader.set("color", material.color);
+  shader.set("roughness", material.roughness);
+  shader.set("textureScale", glm::vec2(material.textureScale));
+  if (const gl::Texture* albedo = textures_.load(material.texture)) {
+    // A sheet that shows the picture once must not blend its border with the opposite one.
+    const bool once = isGrid && glm::vec2(material.textureScale) == glm::vec2(1);
+    albedo->wrap(once ? GL_CLAMP_TO_EDGE : GL_REPEAT);
+    albedo->bind(albedoUnit);
+  }
+}
+
+void SurfacePass::setSkin(const SkinTextures::Entry& entry, const scene::Skin& skin,
+                          const gl::Program& shader) {
+  SkinTextures::bind(entry, skin, shader);
+  shader.set("textureScale", glm::vec2(skin.repeats));
+  // From three sides, cells are squares whatever the field's shape.
+  const float shape = static_cast<float>(entry.cells.x) / static_cast<float>(entry.cells.y);
+  shader.set("skinRepeats", glm::vec2(skin.repeats, skin.repeats * shape));
+}
+
+}  // namespace simreel::draw

@@ -1,0 +1,174 @@
+#include "frame/file/checkpoint.hpp"
+
+#include "base/error.hpp"
+#include "base/file.hpp"
+#include "base/hash.hpp"
+#include "base/json_depth.hpp"
+#include "base/log.hpp"
+#include "base/version.hpp"
+#include "frame/file/manifest.hpp"
+#include "frame/file/run_info.hpp"
+
+#include <cstdint>
+#include <cstring>
+#include <limits>
+#include <new>
+#include <span>
+#include <stdexcept>
+
+#include <nlohmann/json.hpp>
+
+namespace simreel::frame {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr const char* checkpointFormat = "simreel-checkpoint";
+constexpr std::size_t hashDigits = 32;
+
+/// Takes the hash off its end. Throws std::runtime_error where it is not of all before.
+void checkHash(std::string& text) {
+  const std::string_view all(text);
+  if (all.size() < hashDigits ||
+      hashHex(all.substr(0, all.size() - hashDigits)) != all.substr(all.size() - hashDigits))
+    throw std::runtime_error("it is damaged, or of another version of simreel");
+  text.resize(text.size() - hashDigits);
+}
+
+/// Appends every part to a text.
+class Saver final : public sim::CarryOver {
+ public:
+  Saver(std::string& text, Json& parts) : text_(text), parts_(parts) {}
+  void begin(const std::string& object) { object_ = object; }
+  void array(const char* name, gl::Buffer& buffer) override {
+    const std::size_t at = text_.size();
+    text_.resize(at + buffer.bytes());
+    buffer.read(0, std::as_writable_bytes(std::span(text_).subspan(at)));
+    parts_.push_back({object_, name, buffer.bytes()});
+  }
+
+ private:
+  void word(const char* name, std::int64_t& bits) override {
+    text_.append(reinterpret_cast<const char*>(&bits), sizeof bits);
+    parts_.push_back({object_, name, sizeof bits});
+  }
+
+  std::string& text_;
+  Json& parts_;
+  std::string object_;
+};
+
+}  // namespace
+
+void Checkpoint::write(const std::filesystem::path& file, const RunInfo& run, const std::string& stateHash,
+                       const std::string& counts, sim::World& world) {
+  std::string payload = counts;
+  Json parts = Json::array();
+  Saver saver(payload, parts);
+  world.carryOver(saver, [&](const std::string& object) { saver.begin(object); });
+  const Json header = {
+      {"format", checkpointFormat}, {"program", version()}, {"run", Json::parse(manifestText({run, {}}))},
+      {"frame", world.frame()},     {"state", stateHash},   {"counts", counts.size()},
+      {"parts", std::move(parts)}};
+  std::string text = header.dump() + "\n";
+  text.reserve(text.size() + payload.size() + hashDigits);
+  text += payload;
+  text += hashHex(text);
+  writeFileAtomically(file, text);
+}
+
+std::optional<Checkpoint> Checkpoint::read(const std::filesystem::path& file, const RunInfo& run,
+                                           int lastFrame) {
+  if (!pathExists(file)) return std::nullopt;
+  try {
+    Checkpoint c;
+    c.file_ = file;
+    c.text_ = readFile(file, "checkpoint", std::numeric_limits<std::size_t>::max() / 2);
+    checkHash(c.text_);
+    c.payload_ = c.text_.find('\n') + 1;
+    refuseDeepJson(std::string_view(c.text_).substr(0, c.payload_));
+    const Json header = Json::parse(c.text_.begin(), c.text_.begin() + static_cast<long>(c.payload_));
+    if (header.at("format") != checkpointFormat) throw std::runtime_error("it is no checkpoint");
+    if (header.at("program") != version())
+      throw std::runtime_error(fmt::format("simreel {} wrote it", header.at("program").get<std::string>()));
+    const Manifest stored = parseManifest(header.at("run").dump(), file.string());
+    if (const auto difference = runDifference(run, stored.run)) throw std::runtime_error(*difference);
+    c.readParts(header);
+    const Json& frame = header.at("frame");
+    if (!frame.is_number_unsigned() || frame.get<std::uint64_t>() > static_cast<std::uint64_t>(lastFrame))
+      throw std::runtime_error(
+          fmt::format("it is of frame {}, and the run has 0 to {}", frame.dump(), lastFrame));
+    c.frame_ = frame;
+    return c;
+  } catch (const Json::exception&) {
+    warn("checkpoint {} is not used: it is damaged", file.string());
+  } catch (const std::bad_alloc&) {
+    warn("checkpoint {} is not used: there is not enough memory to read it", file.string());
+  } catch (const std::exception& error) {
+    warn("checkpoint {} is not used: {}", file.string(), error.what());
+  }
+  return std::nullopt;
+}
+
+/// Sizes are taken off what there is, so they can add up to nothing else.
+void Checkpoint::readParts(const nlohmann::ordered_json& header) {
+  std::size_t left = text_.size() - payload_;
+  const auto take = [&](const Json& size) {
+    const auto bytes = size.is_number_unsigned() ? size.get<std::uint64_t>() : left + 1;
+    if (bytes > left) throw std::runtime_error("it is damaged");
+    left -= bytes;
+    return static_cast<std::size_t>(bytes);
+  };
+  stateHash_ = header.at("state");
+  countBytes_ = take(header.at("counts"));
+  for (const Json& part : header.at("parts")) parts_.push_back({part.at(0), part.at(1), take(part.at(2))});
+  if (left != 0) throw std::runtime_error("it is damaged");
+}
+
+std::string_view Checkpoint::counts() const {
+  return std::string_view(text_).substr(payload_, countBytes_);
+}
+
+void Checkpoint::restore(sim::World& world) const {
+  /// Puts the parts back one after the other.
+  class Restorer final : public sim::CarryOver {
+   public:
+    explicit Restorer(const Checkpoint& from) : from_(from), at_(from.payload_ + from.countBytes_) {}
+    void begin(const std::string& object) { object_ = object; }
+    void array(const char* name, gl::Buffer& buffer) override {
+      buffer.write(0, std::as_bytes(std::span(next(name, buffer.bytes()))));
+    }
+    [[nodiscard]] bool ended() const { return part_ == from_.parts_.size(); }
+
+   private:
+    void word(const char* name, std::int64_t& bits) override {
+      std::memcpy(&bits, next(name, sizeof bits).data(), sizeof bits);
+    }
+    std::string_view next(const char* name, std::size_t bytes) {
+      if (ended() || from_.parts_[part_].object != object_ || from_.parts_[part_].name != name ||
+          from_.parts_[part_].bytes != bytes)
+        fail(ExitCode::usage,
+             "checkpoint {} does not fit: it has no {} of \"{}\" with {} bytes next; remove it to simulate "
+             "from the start",
+             from_.file_.string(), name, object_, bytes);
+      ++part_;
+      at_ += bytes;
+      return std::string_view(from_.text_).substr(at_ - bytes, bytes);
+    }
+
+    const Checkpoint& from_;
+    std::string object_;
+    std::size_t part_ = 0;
+    std::size_t at_;
+  };
+
+  Restorer restorer(*this);
+  world.carryOver(restorer, [&](const std::string& object) { restorer.begin(object); });
+  if (!restorer.ended())
+    fail(ExitCode::usage, "checkpoint {} does not fit: it holds more; remove it to simulate from the start",
+         file_.string());
+  world.resumeAt(frame_);
+}
+
+}  // namespace simreel::frame

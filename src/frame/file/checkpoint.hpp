@@ -1,0 +1,54 @@
+#pragma once
+#include "frame/file/run_info.hpp"
+#include "sim/world/world.hpp"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <nlohmann/json_fwd.hpp>
+
+namespace simreel::frame {
+
+/// The state between two frames of a run, on disk: a line of JSON that says of which run and frame it is
+/// and which parts follow, their bytes, and a hash of all that. Only the program version that wrote it
+/// reads it.
+class Checkpoint {
+ public:
+  /// Reads the world's state back and writes it atomically. `counts`: the table of counts so far. Throws
+  /// UserError(inputOutput).
+  static void write(const std::filesystem::path& file, const RunInfo& run, const std::string& stateHash,
+                    const std::string& counts, sim::World& world);
+  /// Nothing when the file does not exist, or is no whole checkpoint of this very run by this program: says
+  /// so in a warning then. `lastFrame` of the run: none lies beyond it.
+  [[nodiscard]] static std::optional<Checkpoint> read(const std::filesystem::path& file, const RunInfo& run,
+                                                      int lastFrame);
+
+  /// Puts the state into the world of the same scene, whose present frame is frame() then. Throws
+  /// UserError(usage) where a part does not fit; the world is of no use then.
+  void restore(sim::World& world) const;
+
+  [[nodiscard]] int frame() const { return frame_; }
+  [[nodiscard]] const std::string& stateHash() const { return stateHash_; }
+  [[nodiscard]] std::string_view counts() const;
+
+ private:
+  struct Part {
+    std::string object, name;
+    std::size_t bytes;
+  };
+
+  void readParts(const nlohmann::ordered_json& header);
+
+  std::filesystem::path file_;
+  int frame_ = 0;
+  std::string stateHash_;
+  std::size_t countBytes_ = 0;
+  std::vector<Part> parts_;
+  std::string text_;         ///< the file
+  std::size_t payload_ = 0;  ///< where the table of counts begins in it; the parts follow
+};
+
+}  // namespace simreel::frame

@@ -1,0 +1,61 @@
+#include "frame/file/count_table.hpp"
+
+#include "base/error.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace simreel::frame {
+
+CountTable::CountTable(double fps, std::vector<sim::World::CountNames> names)
+    : fps_(fps), names_(std::move(names)) {
+  text_ = "step,time";
+  for (const auto& object : names_)
+    for (const std::string& column : object.columns) text_ += "," + object.object + "." + column;
+  text_ += "\n";
+}
+
+void CountTable::add(const sim::World::Summary& summary) {
+  SIMREEL_CHECK_EQ(summary.counts.size(), names_.size());
+  const auto count = [&](std::size_t i) { return static_cast<long>(summary.counts[i].size()); };
+  if (rows_ == 0) {  // the start: one row of each
+    std::vector<const glm::uvec4*> row;
+    for (const auto& counts : summary.counts) row.push_back(counts.empty() ? nullptr : counts.data());
+    addRow(summary.frame / fps_, row);
+    return;
+  }
+  // Row j of n (from 1) lies at j / n of the frame. Rows of all objects in order of time; fractions are
+  // compared as products, so equal times meet.
+  std::vector<long> next(names_.size(), 1);
+  while (true) {
+    long top = 0;
+    long bottom = 0;
+    for (std::size_t i = 0; i < next.size(); ++i)
+      if (next[i] <= count(i) && (bottom == 0 || next[i] * bottom < top * count(i))) {
+        top = next[i];
+        bottom = count(i);
+      }
+    if (bottom == 0) return;
+    std::vector<const glm::uvec4*> row(next.size(), nullptr);
+    for (std::size_t i = 0; i < next.size(); ++i)
+      if (next[i] <= count(i) && next[i] * bottom == top * count(i))
+        row[i] = &summary.counts[i][static_cast<std::size_t>(next[i]++ - 1)];
+    addRow((summary.frame - 1 + static_cast<double>(top) / static_cast<double>(bottom)) / fps_, row);
+  }
+}
+
+void CountTable::resume(std::string_view text) {
+  text_ = text;
+  rows_ = std::count(text.begin(), text.end(), '\n') - 1;
+}
+
+void CountTable::addRow(double time, const std::vector<const glm::uvec4*>& counts) {
+  text_ += fmt::format("{},{:.6f}", rows_++, time);
+  for (std::size_t i = 0; i < counts.size(); ++i)
+    for (std::size_t c = 0; c < names_[i].columns.size(); ++c)
+      text_ +=
+          counts[i] == nullptr ? std::string(",") : fmt::format(",{}", (*counts[i])[static_cast<int>(c)]);
+  text_ += "\n";
+}
+
+}  // namespace simreel::frame

@@ -1,0 +1,91 @@
+#include "frame/file/map_pictures.hpp"
+
+#include "base/error.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <png.h>
+
+namespace simreel::frame {
+
+namespace {
+
+std::uint8_t byteOf(float share) {
+  return static_cast<std::uint8_t>(std::lround(255.0F * std::clamp(share, 0.0F, 1.0F)));
+}
+
+/// Linear -> sRGB (IEC 61966-2-1).
+float encodedChannel(float x) {
+  return x < 0.0031308F ? 12.92F * x : 1.055F * std::pow(x, 1.0F / 2.4F) - 0.055F;
+}
+
+template <class ColorOf>
+std::vector<std::byte> picture(const draw::SkinMaps& maps, const std::vector<glm::vec4>& texels,
+                               const ImageText& text, ColorOf colorOf) {
+  Image image{maps.size.x, maps.size.y, {}};
+  image.bytes.reserve(texels.size() * 4);
+  for (const glm::vec4& texel : texels) {
+    const glm::vec3 color = colorOf(texel);
+    for (int i = 0; i < 3; ++i) image.bytes.push_back(byteOf(color[i]));
+    image.bytes.push_back(255);
+  }
+  return encodePng(image, text);
+}
+
+glm::vec3 encodedColor(const glm::vec3& linear) {
+  const auto channel = [](float x) { return encodedChannel(std::clamp(x, 0.0F, 1.0F)); };
+  return {channel(linear.x), channel(linear.y), channel(linear.z)};
+}
+
+float brightest(const glm::vec3& light) {
+  return std::max({light.x, light.y, light.z});
+}
+
+/// 16 bits a pixel, grey, linear: libpng's simplified interface.
+std::vector<std::byte> heightPicture(const draw::SkinMaps& maps, const ImageText& text) {
+  std::vector<std::uint16_t> heights;
+  heights.reserve(maps.relief.size());
+  for (const glm::vec4& texel : maps.relief)
+    heights.push_back(static_cast<std::uint16_t>(std::lround(65535.0F * std::clamp(texel.w, 0.0F, 1.0F))));
+  png_image image{};
+  image.version = PNG_IMAGE_VERSION;
+  image.width = static_cast<png_uint_32>(maps.size.x);
+  image.height = static_cast<png_uint_32>(maps.size.y);
+  image.format = PNG_FORMAT_LINEAR_Y;
+  png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(image);
+  std::vector<std::byte> png(size);
+  if (png_image_write_to_memory(&image, png.data(), &size, 0, heights.data(), 0, nullptr) == 0)
+    fail(ExitCode::inputOutput, "cannot encode a {}x{} height map: {}", maps.size.x, maps.size.y,
+         image.message);
+  png.resize(size);
+  return withText(png, text);
+}
+
+}  // namespace
+
+std::vector<std::string> mapNames(const glm::vec3& glow) {
+  std::vector<std::string> names = {"albedo", "normal", "height", "roughness", "occlusion"};
+  if (brightest(glow) > 0) names.emplace_back("emission");
+  return names;
+}
+
+std::vector<MapPicture> encodeMaps(const draw::SkinMaps& maps, const glm::vec3& glow,
+                                   const ImageText& text) {
+  std::vector<MapPicture> files;
+  files.push_back({"albedo", picture(maps, maps.surface, text,
+                                     [](const glm::vec4& t) { return encodedColor(glm::vec3(t)); })});
+  files.push_back({"normal", picture(maps, maps.relief, text,
+                                     [](const glm::vec4& t) { return 0.5F * glm::vec3(t) + 0.5F; })});
+  files.push_back({"height", heightPicture(maps, text)});
+  const auto last = [](const glm::vec4& t) { return glm::vec3(t.w); };
+  files.push_back({"roughness", picture(maps, maps.surface, text, last)});
+  files.push_back({"occlusion", picture(maps, maps.light, text, last)});
+  if (const float most = brightest(glow); most > 0)
+    files.push_back({"emission", picture(maps, maps.light, text, [most](const glm::vec4& t) {
+                       return encodedColor(glm::vec3(t) / most);
+                     })});
+  return files;
+}
+
+}  // namespace simreel::frame

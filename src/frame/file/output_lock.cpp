@@ -1,0 +1,162 @@
+#include "frame/file/output_lock.hpp"
+
+#include "base/error.hpp"
+#include "base/log.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+#include <vector>
+
+namespace simreel::frame {
+
+namespace {
+
+/// Bytes of the file, which need not exist to be locked.
+struct Range {
+  off_t begin;
+  off_t length;  ///< 0: to the end, wherever that comes to lie
+};
+constexpr Range sharedFiles{0, 1};
+constexpr Range checkpoint{1, 1};
+constexpr off_t firstFrame = 2;
+constexpr Range allFrames{firstFrame, 0};
+
+struct flock description(short kind, Range range) {
+  struct flock lock {};
+  lock.l_type = kind;
+  lock.l_whence = SEEK_SET;
+  lock.l_start = range.begin;
+  lock.l_len = range.length;
+  return lock;
+}
+
+/// Locks by open file description: they know no process id, and closing another descriptor does not end
+/// them.
+bool take(int file, Range range) {
+  struct flock lock = description(F_WRLCK, range);
+  return ::fcntl(file, F_OFD_SETLK, &lock) == 0;
+}
+
+bool waitFor(int file, Range range) {
+  struct flock lock = description(F_WRLCK, range);
+  int result = 0;
+  while ((result = ::fcntl(file, F_OFD_SETLKW, &lock)) != 0 && errno == EINTR) {
+  }
+  return result == 0;
+}
+
+void leave(int file, Range range) {
+  struct flock lock = description(F_UNLCK, range);
+  (void)::fcntl(file, F_OFD_SETLK, &lock);
+}
+
+/// Runs of frames as ranges. The kernel keeps them in a list: so many that searching it would take long
+/// become one, with frames in it that are nobody's.
+std::vector<Range> rangesOf(std::span<const int> frames) {
+  constexpr std::size_t most = 8192;
+  std::vector<Range> ranges;
+  for (const int frame : frames) {
+    const off_t at = firstFrame + frame;
+    if (!ranges.empty() && ranges.back().begin + ranges.back().length == at)
+      ++ranges.back().length;
+    else
+      ranges.push_back({at, 1});
+  }
+  if (ranges.size() > most)
+    ranges = {{ranges.front().begin, ranges.back().begin + ranges.back().length - ranges.front().begin}};
+  return ranges;
+}
+
+}  // namespace
+
+OutputLock::OutputLock(const std::filesystem::path& manifest, const std::string& run,
+                       std::span<const int> frames)
+    : path_(manifest.string() + ".lock") {
+  while (true) {
+    open();
+    if (!waitFor(file_, sharedFiles)) {
+      detail("{} cannot be locked ({}): nothing keeps another simreel from writing the same frames",
+             path_.string(), std::strerror(errno));
+      ::unlink(path_.c_str());
+      ::close(std::exchange(file_, -1));
+      return;
+    }
+    if (stillThere()) break;
+    ::close(std::exchange(file_, -1));  // the last of its users has just removed it
+  }
+  try {
+    claim(run, frames);
+  } catch (...) {
+    ::close(std::exchange(file_, -1));
+    throw;
+  }
+  leave(file_, sharedFiles);
+}
+
+void OutputLock::open() {
+  file_ = ::open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+  if (file_ >= 0) return;
+  const int reason = errno;
+  fail(ExitCode::inputOutput, "cannot create {}: {}", path_.string(), std::strerror(reason));
+}
+
+bool OutputLock::stillThere() const {
+  struct stat opened {
+  }, named{};
+  return ::fstat(file_, &opened) == 0 && ::stat(path_.c_str(), &named) == 0 &&
+         opened.st_ino == named.st_ino && opened.st_dev == named.st_dev;
+}
+
+void OutputLock::claim(const std::string& run, std::span<const int> frames) const {
+  const std::string folder = path_.parent_path().empty() ? "." : path_.parent_path().string();
+  if (take(file_, allFrames)) {
+    if (::ftruncate(file_, 0) != 0 ||
+        ::pwrite(file_, run.data(), run.size(), 0) != static_cast<ssize_t>(run.size()))
+      detail("{} cannot be written: other frames of this run cannot be rendered meanwhile", path_.string());
+    leave(file_, allFrames);
+  } else {
+    std::string other(run.size() + 1, '\0');
+    other.resize(
+        static_cast<std::size_t>(std::max<ssize_t>(0, ::pread(file_, other.data(), other.size(), 0))));
+    if (other != run)
+      fail(ExitCode::inputOutput,
+           "another simreel is rendering another scene, seed or size into {}; wait for it, or choose "
+           "another "
+           "folder",
+           folder);
+  }
+  for (const Range& range : rangesOf(frames)) {
+    if (take(file_, range)) continue;
+    struct flock held = description(F_WRLCK, range);
+    const bool known = ::fcntl(file_, F_OFD_GETLK, &held) == 0 && held.l_type != F_UNLCK;
+    fail(ExitCode::inputOutput,
+         "frame {} is being rendered into {} by another simreel; wait for it, or choose other frames with "
+         "--frames",
+         std::max(range.begin, known ? held.l_start : range.begin) - firstFrame, folder);
+  }
+}
+
+OutputLock::Shared::Shared(const OutputLock& lock) : file_(lock.file_) {
+  if (file_ >= 0) (void)waitFor(file_, sharedFiles);
+}
+
+OutputLock::Shared::~Shared() {
+  if (file_ >= 0) leave(file_, sharedFiles);
+}
+
+bool OutputLock::ownsCheckpoint() const {
+  return file_ < 0 || take(file_, checkpoint);
+}
+
+void OutputLock::release() noexcept {
+  if (file_ < 0) return;
+  // Who has opened it meanwhile finds it gone once it is his turn, and makes another.
+  if (waitFor(file_, sharedFiles) && take(file_, {checkpoint.begin, 0})) ::unlink(path_.c_str());
+  ::close(std::exchange(file_, -1));
+}
+
+}  // namespace simreel::frame

@@ -1,0 +1,30 @@
+#pragma once
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace simreel::frame {
+
+/// A file beside the picture of a frame.
+struct FrameFile {
+  std::string name;  ///< without a folder
+  std::vector<std::byte> bytes;
+};
+
+/// What every manifest says of the run as a whole. No times, no paths: two runs write the same bytes.
+struct RunInfo {
+  std::string title;
+  std::string sceneHash;
+  int seed = 0;
+  int width = 0;
+  int height = 0;
+  double fps = 60;
+  std::string numerics;        ///< "exact" or "fast"
+  std::string fingerprint;     ///< of the driver's numerics
+  std::string driver;          ///< renderer and version string
+  std::string processor = {};  ///< with the driver, the machine; empty: not known
+  /// "path=value" of each -D, --seed, --size, --fps and --samples.
+  std::vector<std::string> overrides = {};
+};
+
+}  // namespace simreel::frame

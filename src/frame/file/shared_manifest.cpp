@@ -1,0 +1,137 @@
+#include "frame/file/shared_manifest.hpp"
+
+#include "base/error.hpp"
+#include "base/file.hpp"
+#include "base/hash.hpp"
+#include "base/log.hpp"
+#include "frame/file/output_name.hpp"
+#include "frame/file/run_info.hpp"
+
+#include <exception>
+#include <optional>
+#include <sys/stat.h>
+#include <utility>
+#include <vector>
+
+namespace simreel::frame {
+
+namespace {
+
+/// One picture or video: the file is claimed, whatever frame it shows.
+std::vector<int> claimed(const OutputName& output, std::span<const int> frames) {
+  if (output.kind != OutputName::Kind::sequence) return {0};
+  return {frames.begin(), frames.end()};
+}
+
+/// A frame is of the machine of its manifest unless it says otherwise; here of that of `run`.
+std::string machineSeenFrom(const RunInfo& run, const Manifest& manifest, const ManifestFrame& frame) {
+  const std::string machine = frame.machine.empty() ? machineOf(manifest.run) : frame.machine;
+  return machine == machineOf(run) ? std::string() : machine;
+}
+
+std::string contentOf(const std::filesystem::path& file) {
+  if (!pathExists(file)) return {};
+  try {
+    return readFile(file, "table of counts");
+  } catch (const UserError&) {
+    return {};
+  }
+}
+
+}  // namespace
+
+SharedManifest::SharedManifest(const OutputName& output, const RunInfo& run, std::span<const int> frames)
+    : output_(output),
+      own_(frames.begin(), frames.end()),
+      lock_(output.manifestFile(), runIdentity(run), claimed(output, frames)) {
+  others_.run = run;
+}
+
+std::map<int, ManifestFrame> SharedManifest::inherit(Existing existing) {
+  known_ = versionOnDisk();
+  std::optional<Manifest> old;
+  try {
+    old = readManifest(output_.manifestFile());
+  } catch (const UserError& error) {
+    if (existing == Existing::resume) warn("{}; starting over", error.what());
+  }
+  if (!old) return {};
+  if (const auto difference = runDifference(others_.run, old->run)) {
+    if (existing == Existing::resume)
+      fail(ExitCode::usage, "cannot resume: {} ({}); use --overwrite to start afresh", *difference,
+           output_.manifestFile().string());
+    return {};
+  }
+  others_.counts = old->counts;
+  std::map<int, ManifestFrame> own;
+  for (auto& [number, frame] : old->frames) {
+    if (number < 0 || frame.file != output_.fileName(number) || !pathExists(output_.file(number))) continue;
+    frame.machine = machineSeenFrom(others_.run, *old, frame);
+    if (own_.contains(number))
+      own[number] = std::move(frame);
+    else if (output_.kind == OutputName::Kind::sequence)
+      others_.frames[number] = std::move(frame);
+  }
+  return own;
+}
+
+void SharedManifest::write(Manifest manifest) {
+  const OutputLock::Shared shared(lock_);
+  merge();
+  store(std::move(manifest));
+}
+
+void SharedManifest::write(Manifest manifest, std::string_view counts) {
+  const OutputLock::Shared shared(lock_);
+  merge();
+  std::exception_ptr failure;
+  try {
+    if (!manifest.frames.empty() || !others_.frames.empty()) storeCounts(counts);
+  } catch (const UserError&) {
+    failure = std::current_exception();  // the frames are whole all the same
+  }
+  store(std::move(manifest));
+  if (failure) std::rethrow_exception(failure);
+}
+
+void SharedManifest::storeCounts(std::string_view counts) {
+  const std::string present = contentOf(output_.countFile());
+  if (present.starts_with(counts) && hashHex(present) == others_.counts) return;
+  writeFileAtomically(output_.countFile(), counts, NameSync::later);
+  others_.counts = hashHex(counts);
+}
+
+SharedManifest::Version SharedManifest::versionOnDisk() const {
+  struct stat status {};
+  if (::stat(output_.manifestFile().c_str(), &status) != 0) return {};
+  return {status.st_ino, status.st_ctim.tv_sec, status.st_ctim.tv_nsec};
+}
+
+void SharedManifest::merge() {
+  const Version present = versionOnDisk();
+  if (present == known_ || output_.kind != OutputName::Kind::sequence) return;
+  known_ = present;
+  try {
+    auto found = readManifest(output_.manifestFile());
+    if (!found || runDifference(others_.run, found->run)) return;
+    others_.counts = found->counts;
+    others_.frames.clear();
+    for (auto& [number, frame] : found->frames) {
+      if (own_.contains(number)) continue;
+      frame.machine = machineSeenFrom(others_.run, *found, frame);
+      others_.frames[number] = std::move(frame);
+    }
+  } catch (const UserError&) {  // NOLINT(bugprone-empty-catch): it is replaced.
+  }
+}
+
+void SharedManifest::store(Manifest manifest) {
+  manifest.counts = others_.counts;
+  manifest.frames.insert(others_.frames.begin(), others_.frames.end());  // those that are not in it
+  if (manifest.frames.empty()) return;
+  syncFolder(output_.folder);
+  writeFileAtomically(output_.manifestFile(), manifestText(manifest));
+  known_ = versionOnDisk();
+}
+
+}  // namespace simreel::frame

@@ -1,0 +1,18 @@
+#pragma once
+#include "frame/file/output_name.hpp"
+#include "frame/file/run_info.hpp"
+#include "frame/sink/frame_sink.hpp"
+
+#include <memory>
+#include <span>
+#include <string>
+
+namespace simreel::frame {
+
+/// Makes the sink that `output` asks for. `frameCount` tells whether a plain name.png may be used.
+/// Throws UserError: usage for a senseless name, inputOutput where nothing can be written or files exist.
+[[nodiscard]] std::unique_ptr<FrameSink> openSink(const std::string& output, Existing existing,
+                                                  const RunInfo& run, std::span<const int> frames,
+                                                  const std::string& streamFormat);
+
+}  // namespace simreel::frame

@@ -1,0 +1,48 @@
+#pragma once
+#include "frame/sink/field_files.hpp"
+#include "frame/file/run_info.hpp"
+#include "frame/sink/frame_sink.hpp"
+#include "frame/sink/progress.hpp"
+#include "gl/context.hpp"
+#include "scene/scene.hpp"
+
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+namespace simreel::frame {
+
+/// How a sequence ended.
+struct SequenceResult {
+  int frames = 0;      ///< delivered or found whole
+  int signal = 0;      ///< that interrupted it, or 0
+  double seconds = 0;  ///< wall clock
+  StageTimes stages;   ///< simulate and draw: device time on a GPU; encode is over all threads
+};
+
+/// Where a run's state is kept from time to time, so that it can go on after an end that nobody wanted.
+struct Checkpoints {
+  std::filesystem::path file;  ///< empty: none are written or read
+  double seconds = 60;         ///< between two; 0: none are written
+  bool resume = false;         ///< go on from the one that is there
+  RunInfo run = {};
+};
+
+/// What is written beside the pictures.
+struct BesideFrames {
+  FieldFiles* fields = nullptr;  ///< gets the raw values of fields in the same frames; null: nothing does
+  Clock::time_point began = Clock::now();  ///< of the command: what was before the first step counts
+  bool counts = true;                      ///< what the simulations count goes to the sink
+  Checkpoints checkpoints = {};
+};
+
+/// Simulates the scene from its start, or from a checkpoint that no missing frame lies before, draws the
+/// wanted frames and hands them to the sink, which is finished in every case. Frames that the sink does not
+/// want are simulated all the same. Throws UserError: device when the state is lost (frames before that are
+/// stored), inputOutput from the sink, and different when a frame kept from an earlier run has another
+/// state hash now. A checkpoint that cannot be written is a warning. After the last frame it is removed.
+[[nodiscard]] SequenceResult renderSequence(const scene::Scene& scene, const gl::Context& context,
+                                            const std::vector<int>& frames, FrameSink& sink,
+                                            Progress& progress, const BesideFrames& beside = {});
+
+}  // namespace simreel::frame

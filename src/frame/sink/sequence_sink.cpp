@@ -1,0 +1,334 @@
+#include "frame/sink/sequence_sink.hpp"
+
+#include "base/clock.hpp"
+#include "base/error.hpp"
+#include "base/file.hpp"
+#include "base/hash.hpp"
+#include "base/log.hpp"
+#include "base/version.hpp"
+#include "frame/file/output_name.hpp"
+#include "frame/file/reserved_room.hpp"
+#include "frame/file/run_info.hpp"
+#include "frame/file/shared_manifest.hpp"
+#include "frame/sink/frame_queue.hpp"
+#include "frame/sink/frame_sink.hpp"
+#include "scene/scene.hpp"
+#include "scene/words.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <exception>
+#include <map>
+#include <mutex>
+#include <thread>
+
+#include <tbb/parallel_for.h>
+
+namespace simreel::frame {
+
+namespace {
+
+namespace fs = std::filesystem;
+constexpr std::chrono::milliseconds manifestEvery{1000};
+
+std::size_t processors() {
+  return std::max<std::size_t>(1, std::thread::hardware_concurrency());
+}
+
+/// PNG files and what lies beside them, encoded by worker threads, and the manifest.
+class SequenceSink final : public FrameSink {
+ public:
+  SequenceSink(OutputName output, Existing existing, const RunInfo& run, std::span<const int> frames)
+      : output_(std::move(output)),
+        frames_(frames.begin(), frames.end()),
+        folder_(output_.folder),
+        file_(output_, run, frames) {
+    manifest_.run = run;
+    if (existing == Existing::error) refuseExisting();
+    room_ = ReservedRoom(output_.folder, 1024 + 256 * frames_.size());
+    auto known = file_.inherit(existing);
+    if (existing == Existing::skip || existing == Existing::resume)
+      keepWholeFrames(existing, known);
+    else
+      manifest_.frames = std::move(known);
+  }
+
+  ~SequenceSink() override {
+    if (finished_) return;
+    // An error elsewhere ends the run. What is done can still be resumed.
+    try {
+      queue_.settle();
+    } catch (...) {  // NOLINT(bugprone-empty-catch): the error elsewhere is the one to report.
+    }
+    queue_.abandon();
+    writeManifestQuietly();
+  }
+  SequenceSink(const SequenceSink&) = delete;
+  SequenceSink& operator=(const SequenceSink&) = delete;
+  SequenceSink(SequenceSink&&) = delete;
+  SequenceSink& operator=(SequenceSink&&) = delete;
+
+  bool wants(int frame) override { return !kept_.contains(frame); }
+
+  std::optional<std::string> knownStateHash(int frame) const override {
+    const auto found = kept_.find(frame);
+    if (found == kept_.end() || found->second.state.empty()) return std::nullopt;
+    return found->second.state;
+  }
+
+  bool holds(int frame, const std::string& file) const override {
+    const auto found = kept_.find(frame);
+    return found != kept_.end() && found->second.files.contains(file);
+  }
+
+  void add(FrameInfo info, std::optional<Image> image) override {
+    try {
+      queue_.push(std::move(info), std::move(image));
+    } catch (...) {
+      giveUp();
+    }
+  }
+
+  void addCounts(std::string_view text) override { counts_ = text; }
+
+  void settle() override {
+    waitForAll();
+    file_.write(manifest_);
+  }
+
+  bool ownsCheckpoint() const override { return file_.ownsCheckpoint(); }
+
+  void finish() override {
+    waitForAll();
+    finished_ = true;
+    writeManifest();
+    leaveFolder();
+  }
+
+  double encodeSeconds() const override { return queue_.seconds(); }
+
+  std::string summary() const override {
+    const std::lock_guard lock(mutex_);
+    std::optional<int> first, last;
+    for (const int frame : frames_) {
+      if (!manifest_.frames.contains(frame)) continue;
+      first = std::min(first.value_or(frame), frame);
+      last = std::max(last.value_or(frame), frame);
+    }
+    if (!first) return {};
+    const std::string begin = output_.file(*first).string();
+    return *first == *last ? begin : begin + " ... " + output_.file(*last).string();
+  }
+
+ private:
+  /// Made first; one that was not there before goes again where nothing is rendered into it.
+  struct Folder {
+    explicit Folder(const fs::path& path) : made(!pathExists(path)) { makeFolders(path); }
+    bool made;
+  };
+
+  void refuseExisting() const {
+    std::size_t count = 0;
+    fs::path first;
+    for (const int frame : frames_) {
+      const fs::path file = output_.file(frame);
+      std::error_code error;
+      if (!fs::exists(fs::symlink_status(file, error))) continue;
+      if (count++ == 0) first = file;
+    }
+    if (count == 0) return;
+    const std::string more = count == 1 ? "" : fmt::format(" and {} more", count - 1);
+    fail(ExitCode::inputOutput, "{}{} exist{}; use --overwrite, --skip-existing or --resume",
+         first.string(), more, count == 1 ? "s" : "");
+  }
+
+  /// Decides which frames need not be drawn. Reads the files, so on all cores.
+  void keepWholeFrames(Existing existing, const std::map<int, ManifestFrame>& known) {
+    std::vector<std::optional<ManifestFrame>> found(frames_.size());
+    tbb::parallel_for(std::size_t{0}, frames_.size(), [&](std::size_t i) {
+      const auto entry = known.find(frames_[i]);
+      if (entry != known.end())
+        found[i] = wholeFrame(existing, frames_[i], entry->second);
+      else if (existing == Existing::skip)
+        found[i] = unknownFrame(frames_[i]);
+    });
+    for (std::size_t i = 0; i < frames_.size(); ++i)
+      if (found[i]) kept_[frames_[i]] = manifest_.frames[frames_[i]] = *found[i];
+    tellOfOtherMachines();
+  }
+
+  /// What is kept stays as it is; whoever wants pictures of one machine has to know.
+  void tellOfOtherMachines() const {
+    std::size_t count = 0;
+    std::string machine;
+    for (const auto& [number, frame] : kept_) {
+      if (frame.machine.empty()) continue;
+      ++count;
+      machine = frame.machine;
+    }
+    if (count > 0)
+      warn(
+          "{} of {} kept frames were drawn on another machine ({}) and may differ by a hair from what this "
+          "one draws; --overwrite draws all anew",
+          count, kept_.size(), scene::printable(machine));
+  }
+
+  /// What of a frame that the manifest lists is whole: nothing where its picture is not.
+  [[nodiscard]] std::optional<ManifestFrame> wholeFrame(Existing existing, int frame,
+                                                        ManifestFrame listed) const {
+    if (existing == Existing::resume && hashOfFile(output_.file(frame)) != listed.bytes)
+      return std::nullopt;
+    std::erase_if(listed.files, [&](const auto& file) {
+      const auto& [name, hash] = file;
+      return name.find('/') != std::string::npos || hashOfFile(output_.folder / name) != hash;
+    });
+    return listed;
+  }
+
+  /// A picture of which only its existence is known.
+  [[nodiscard]] std::optional<ManifestFrame> unknownFrame(int frame) const {
+    const fs::path path = output_.file(frame);
+    if (!pathExists(path)) return std::nullopt;
+    ManifestFrame result = {output_.fileName(frame), hashOfFile(path), "", ""};
+    try {
+      const std::string bytes = readFile(path, "frame");
+      result.pixels = pixelHash(decodeImage(std::as_bytes(std::span(bytes)), path.string()));
+    } catch (const UserError&) {  // NOLINT(bugprone-empty-catch): it is kept, whatever it is.
+    }
+    return result;
+  }
+
+  /// Empty where it cannot be read.
+  static std::string hashOfFile(const fs::path& path) {
+    try {
+      return pathExists(path) ? hashHex(readFile(path, "frame")) : "";
+    } catch (const UserError&) {
+      return {};
+    }
+  }
+
+  void store(const FrameInfo& info, const std::optional<Image>& image) {
+    ManifestFrame entry;
+    for (const FrameFile& file : info.files) {
+      writeFileAtomically(output_.folder / file.name, file.bytes, NameSync::later);
+      entry.files[file.name] = hashHex(file.bytes);
+    }
+    if (image) {
+      const std::vector<std::byte> png = encodePng(*image, chunks(info));
+      writeFileAtomically(output_.file(info.frame), png, NameSync::later);
+      entry.file = output_.fileName(info.frame);
+      entry.bytes = hashHex(png);
+      entry.pixels = pixelHash(*image);
+      entry.state = info.stateHash;
+    }
+    record(info.frame, std::move(entry));
+  }
+
+  /// Into the manifest, which is written now and then.
+  void record(int frame, ManifestFrame entry) {
+    Manifest present;
+    {
+      const std::lock_guard lock(mutex_);
+      ManifestFrame& listed = manifest_.frames[frame];
+      if (entry.file.empty())
+        for (auto& [name, hash] : entry.files) listed.files[name] = std::move(hash);
+      else
+        listed = std::move(entry);
+      if (writingManifest_ || Clock::now() - manifestTime_ < manifestEvery) return;
+      writingManifest_ = true;
+      present = manifest_;
+    }
+    std::exception_ptr error;
+    try {
+      file_.write(std::move(present));
+    } catch (...) {
+      error = std::current_exception();
+    }
+    const std::lock_guard lock(mutex_);
+    writingManifest_ = false;
+    manifestTime_ = Clock::now();
+    if (error) std::rethrow_exception(error);
+  }
+
+  ImageText chunks(const FrameInfo& info) const {
+    ImageText text = {{"Software", fmt::format("simreel {}", version())},
+                      {"simreel:scene", manifest_.run.sceneHash},
+                      {"simreel:seed", fmt::format("{}", manifest_.run.seed)},
+                      {"simreel:frame", fmt::format("{}", info.frame)},
+                      {"simreel:state", info.stateHash},
+                      {"simreel:driver", manifest_.run.driver}};
+    if (!manifest_.run.overrides.empty())
+      text.emplace_back("simreel:overrides", scene::asArguments(manifest_.run.overrides));
+    return text;
+  }
+
+  void waitForAll() {
+    try {
+      queue_.settle();
+    } catch (...) {
+      giveUp();
+    }
+  }
+
+  /// With no worker at work. Nothing rendered, nothing to say: an empty manifest would only stand in the
+  /// way of the next scene.
+  void writeManifest() {
+    if (counts_.empty())
+      file_.write(manifest_);
+    else
+      file_.write(manifest_, counts_);
+  }
+
+  void writeManifestQuietly() noexcept {
+    try {
+      writeManifest();
+    } catch (...) {  // NOLINT(bugprone-empty-catch): the error that ended the run is the one to report.
+    }
+    leaveFolder();
+  }
+
+  void leaveFolder() noexcept {
+    room_.release();
+    file_.release();
+    std::error_code notEmpty;
+    if (folder_.made) fs::remove(output_.folder, notEmpty);
+  }
+
+  /// In a handler: ends with what it caught.
+  [[noreturn]] void giveUp() {
+    const std::exception_ptr error = std::current_exception();
+    queue_.abandon();
+    room_.release();
+    if (!finished_) writeManifestQuietly();
+    finished_ = true;
+    std::rethrow_exception(error);
+  }
+
+  OutputName output_;
+  std::vector<int> frames_;
+  Folder folder_;
+  SharedManifest file_;
+  ReservedRoom room_;  ///< on a full disk the manifest takes its place
+  std::map<int, ManifestFrame> kept_;
+  std::string counts_;
+  bool finished_ = false;
+
+  mutable std::mutex mutex_;  ///< guards all below
+  Manifest manifest_;
+  bool writingManifest_ = false;
+  Clock::time_point manifestTime_ = Clock::now();
+  /// As many workers as processors: the caller mostly waits for the device, or for these. Last, so that
+  /// they end first.
+  FrameQueue queue_{
+      processors(), processors(),
+      [this](const FrameInfo& info, const std::optional<Image>& image) { store(info, image); }};
+};
+
+}  // namespace
+
+std::unique_ptr<FrameSink> openSequenceSink(const OutputName& output, Existing existing, const RunInfo& run,
+                                            std::span<const int> frames) {
+  return std::make_unique<SequenceSink>(output, existing, run, frames);
+}
+
+}  // namespace simreel::frame

@@ -1,0 +1,297 @@
+#include "golden/baseline/baseline.hpp"
+
+#include "base/error.hpp"
+#include "base/file.hpp"
+#include "golden/baseline/strict_json.hpp"
+#include "golden/baseline/tolerance.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <functional>
+#include <new>
+#include <utility>
+
+namespace simreel::golden {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+using Json = StrictObject::Json;
+
+constexpr int baselineFormat = 1;
+
+int frameNumber(const std::string& key) {
+  int frame = 0;
+  const auto [end, code] = std::from_chars(key.data(), key.data() + key.size(), frame);
+  if (code != std::errc() || end != key.data() + key.size() || frame < 0)
+    throw std::runtime_error(fmt::format("frame \"{}\" is no number", key));
+  return frame;
+}
+
+void checkFormat(StrictObject& root) {
+  if (const int format = root.integer("format"); format != baselineFormat)
+    throw std::runtime_error(
+        fmt::format("its format is {}, this program reads {}", format, baselineFormat));
+}
+
+/// Older files have only the fingerprint of the numerics.
+Origin parseOrigin(StrictObject& frame) {
+  Origin origin;
+  origin.numerics = frame.text("fingerprint");
+  origin.drawing = frame.text("drawing", "");
+  if (!frame.has("machine")) return origin;
+  StrictObject machine = frame.object("machine");
+  origin.processor = machine.text("processor");
+  origin.driver = machine.text("driver");
+  machine.finish();
+  return origin;
+}
+
+PictureBaseline picturesOf(const std::string& text) {
+  const Json json = parseStrictly(text);
+  StrictObject root(json, "");
+  checkFormat(root);
+  PictureBaseline result;
+  result.version = root.text("simreel");
+  result.driver = root.text("driver");
+  result.reason = root.text("reason", "");
+  result.width = root.integer("width");
+  result.height = root.integer("height");
+  if (root.has("tolerance")) {
+    StrictObject tolerance = root.object("tolerance");
+    for (const char* field : toleranceFields())
+      if (tolerance.has(field)) result.tolerance[field] = tolerance.number(field);
+    tolerance.finish();
+  }
+  StrictObject frames = root.object("frames");
+  for (const std::string& key : frames.keys()) {
+    StrictObject frame = frames.object(key.c_str());
+    PictureBaseline::Frame& stored = result.frames[frameNumber(key)];
+    stored.pixels = frame.text("pixels");
+    stored.origin = parseOrigin(frame);
+    if (frame.has("alternates")) stored.alternates = frame.texts("alternates");
+    if (stored.alternates.size() > mostAlternates)
+      throw std::runtime_error(fmt::format("frames.{} has more than {} alternates", key, mostAlternates));
+    frame.finish();
+  }
+  root.finish();
+  return result;
+}
+
+StateBaseline stateOf(const std::string& text) {
+  const Json json = parseStrictly(text);
+  StrictObject root(json, "");
+  checkFormat(root);
+  StateBaseline result;
+  StrictObject frames = root.object("frames");
+  for (const std::string& key : frames.keys()) {
+    StrictObject frame = frames.object(key.c_str());
+    StateHashes& hashes = result.frames[frameNumber(key)];
+    for (const std::string& name : frame.keys()) hashes[name] = frame.text(name.c_str());
+  }
+  root.finish();
+  return result;
+}
+
+/// A mistake in the text names the file.
+template <class Result>
+Result parseBaseline(const std::string& text, const std::string& name,
+                     Result (*parse)(const std::string&)) {
+  try {
+    return parse(text);
+  } catch (const std::bad_alloc&) {
+    throw;  // no mistake of the text's
+  } catch (const std::exception& mistake) {
+    fail(ExitCode::inputOutput, "baseline {} cannot be used: {}; mend it, or write it anew with --update",
+         name, mistake.what());
+  }
+}
+
+/// Reads a file of the baseline if it is there.
+template <class Result>
+std::optional<Result> readBaseline(const fs::path& file,
+                                   Result (*parse)(const std::string&, const std::string&)) {
+  if (!pathExists(file)) return std::nullopt;
+  return parse(readFile(file, "baseline", std::size_t{16} << 20), file.string());
+}
+
+std::string dump(const Json& json) {
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+/// The frame's entry after the candidate's picture was accepted, and the number its file takes: 0 for the
+/// baseline itself.
+int accept(PictureBaseline::Frame& stored, const PictureBaseline::Frame& made, bool alternate, int frame) {
+  if (!alternate || stored.pixels.empty()) {
+    stored = made;
+    return 0;
+  }
+  if (stored.pixels == made.pixels) return 0;
+  const auto known = std::find(stored.alternates.begin(), stored.alternates.end(), made.pixels);
+  if (known != stored.alternates.end()) return static_cast<int>(known - stored.alternates.begin()) + 1;
+  if (stored.alternates.size() == mostAlternates)
+    fail(ExitCode::usage,
+         "frame {} has {} alternates already; accept it as the baseline instead, without --alternate",
+         frame, mostAlternates);
+  stored.alternates.push_back(made.pixels);
+  return static_cast<int>(stored.alternates.size());
+}
+
+void removeFile(const fs::path& file) {
+  std::error_code error;
+  fs::remove(file, error);
+  if (error) fail(ExitCode::inputOutput, "cannot remove {}: {}", file.string(), error.message());
+}
+
+/// Pictures of the profile's folder that baseline.json does not list.
+void removeUnlisted(const fs::path& folder, const PictureBaseline& baseline) {
+  std::vector<std::string> listed;
+  for (const auto& [number, frame] : baseline.frames)
+    for (int i = 0; i <= static_cast<int>(frame.alternates.size()); ++i)
+      listed.push_back(pictureName(number, i));
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(folder, error))
+    if (entry.path().extension() == ".png" &&
+        std::find(listed.begin(), listed.end(), entry.path().filename().string()) == listed.end())
+      removeFile(entry.path());
+}
+
+/// What is there, or nothing where it cannot be read: then it is written anew.
+template <class Result>
+Result orFresh(const std::function<std::optional<Result>()>& read) {
+  try {
+    return read().value_or(Result());
+  } catch (const UserError&) {
+    return {};
+  }
+}
+
+void promotePictures(const fs::path& folder, const std::string& profile, const Candidate& candidate,
+                     const Promotion& how) {
+  const fs::path place = folder / profile;
+  makeFolders(place);
+  auto merged = orFresh<PictureBaseline>([&] { return readPictures(folder, profile); });
+  const PictureBaseline& made = candidate.pictures;
+  const bool sameSize = merged.width == made.width && merged.height == made.height;
+  if (!how.keepOthers || !sameSize) {
+    auto kept = std::exchange(merged.frames, {});
+    if (sameSize)
+      for (const auto& [frame, entry] : made.frames)
+        if (kept.contains(frame)) merged.frames[frame] = kept[frame];
+  }
+  merged.width = made.width;
+  merged.height = made.height;
+  for (const auto& [frame, png] : candidate.png) {
+    const int number = accept(merged.frames[frame], made.frames.at(frame), how.alternate, frame);
+    writeFileAtomically(place / pictureName(frame, number), png);
+  }
+  merged.version = made.version;
+  merged.driver = made.driver;
+  if (!how.reason.empty()) merged.reason = how.reason;
+  writeFileAtomically(place / "baseline.json", picturesText(merged));
+  removeUnlisted(place, merged);
+}
+
+void promoteState(const fs::path& place, const Candidate& candidate, const Promotion& how) {
+  makeFolders(place);
+  auto merged = orFresh<StateBaseline>([&] { return readState(place); });
+  // Two of three frames of another simulation's state would be a baseline that no run can meet.
+  if (!how.keepOthers) merged.frames.clear();
+  for (const auto& [frame, hashes] : candidate.state.frames) merged.frames[frame] = hashes;
+  if (!candidate.steps.empty()) writeFileAtomically(place / "steps.bin", candidate.steps);
+  writeFileAtomically(place / "state.json", stateText(merged));
+}
+
+}  // namespace
+
+fs::path baselineFolder(const fs::path& sceneFile) {
+  return sceneFile.parent_path() / "golden" / sceneFile.stem();
+}
+
+std::string pictureName(int frame, int alternate) {
+  return alternate == 0 ? fmt::format("{:06}.png", frame)
+                        : fmt::format("{:06}.alt{}.png", frame, alternate);
+}
+
+fs::path stateFolder(const fs::path& folder, const std::string& profile, bool exact) {
+  return exact ? folder : folder / profile;
+}
+
+std::optional<PictureBaseline> readPictures(const fs::path& folder, const std::string& profile) {
+  auto found = readBaseline(folder / profile / "baseline.json", parsePictures);
+  if (found) found->profile = profile;
+  return found;
+}
+
+std::optional<StateBaseline> readState(const fs::path& stateFolder) {
+  return readBaseline(stateFolder / "state.json", parseState);
+}
+
+std::vector<std::byte> readSteps(const fs::path& stateFolder) {
+  const fs::path file = stateFolder / "steps.bin";
+  if (!pathExists(file)) return {};
+  const std::string text = readFile(file, "baseline", std::size_t{16} << 20);
+  const auto bytes = std::as_bytes(std::span(text.data(), text.size()));
+  return {bytes.begin(), bytes.end()};
+}
+
+std::optional<PictureBaseline> choosePictures(const fs::path& folder, const std::string& ownProfile) {
+  if (auto own = readPictures(folder, ownProfile)) return own;
+  return readPictures(folder, sharedProfile);
+}
+
+std::string profileToWrite(const fs::path& folder, const std::string& ownProfile,
+                           const std::string& numerics) {
+  if (pathExists(folder / ownProfile / "baseline.json")) return ownProfile;
+  const auto shared = orFresh<PictureBaseline>([&] { return readPictures(folder, sharedProfile); });
+  const bool ours = std::all_of(shared.frames.begin(), shared.frames.end(), [&](const auto& entry) {
+    return entry.second.origin.numerics == numerics;
+  });
+  return ours ? sharedProfile : ownProfile;
+}
+
+void promote(const fs::path& folder, const std::string& profile, const Candidate& candidate,
+             const Promotion& how) {
+  if (!candidate.png.empty() || !how.keepOthers) promotePictures(folder, profile, candidate, how);
+  if (!candidate.state.frames.empty())
+    promoteState(stateFolder(folder, profile, candidate.exact), candidate, how);
+}
+
+PictureBaseline parsePictures(const std::string& text, const std::string& name) {
+  return parseBaseline(text, name, picturesOf);
+}
+
+StateBaseline parseState(const std::string& text, const std::string& name) {
+  return parseBaseline(text, name, stateOf);
+}
+
+std::string picturesText(const PictureBaseline& baseline) {
+  Json json = {{"format", baselineFormat}, {"simreel", baseline.version}, {"driver", baseline.driver}};
+  if (!baseline.reason.empty()) json["reason"] = baseline.reason;
+  json["width"] = baseline.width;
+  json["height"] = baseline.height;
+  for (const auto& [field, value] : baseline.tolerance) json["tolerance"][field] = value;
+  json["frames"] = Json::object();
+  for (const auto& [frame, entry] : baseline.frames) {
+    Json& item = json["frames"][std::to_string(frame)];
+    item["pixels"] = entry.pixels;
+    item["fingerprint"] = entry.origin.numerics;
+    if (!entry.origin.drawing.empty()) item["drawing"] = entry.origin.drawing;
+    if (!entry.origin.processor.empty() || !entry.origin.driver.empty())
+      item["machine"] = {{"processor", entry.origin.processor}, {"driver", entry.origin.driver}};
+    if (!entry.alternates.empty()) item["alternates"] = entry.alternates;
+  }
+  return dump(json);
+}
+
+std::string stateText(const StateBaseline& baseline) {
+  Json json = {{"format", baselineFormat}, {"frames", Json::object()}};
+  for (const auto& [frame, hashes] : baseline.frames) {
+    Json& item = json["frames"][std::to_string(frame)] = Json::object();
+    for (const auto& [name, hash] : hashes) item[name] = hash;
+  }
+  return dump(json);
+}
+
+}  // namespace simreel::golden

@@ -1,0 +1,58 @@
+#include "golden/compare/difference_image.hpp"
+
+#include "base/error.hpp"
+#include "golden/compare/compare.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+
+namespace simreel::golden {
+
+namespace {
+
+using Colour = std::array<std::uint8_t, 3>;
+
+/// Colour of each difference from 0 to 255; that of 0 is not used.
+std::array<Colour, 256> heatColours() {
+  constexpr std::array<std::array<double, 3>, 4> stops = {
+      {{70, 120, 255}, {0, 210, 140}, {255, 220, 0}, {255, 30, 20}}};
+  std::array<Colour, 256> colours{};
+  for (std::size_t apart = 1; apart < colours.size(); ++apart) {
+    const double at = std::log(double(apart)) / std::log(255.0) * (stops.size() - 1);
+    const std::size_t stop = std::min(stops.size() - 2, static_cast<std::size_t>(at));
+    const double t = at - double(stop);
+    for (std::size_t c = 0; c < 3; ++c)
+      colours[apart][c] =
+          static_cast<std::uint8_t>(std::lround(stops[stop][c] * (1 - t) + stops[stop + 1][c] * t));
+  }
+  return colours;
+}
+
+/// A quarter of the luma, so that the picture is recognised and no grey comes near a heat colour.
+std::uint8_t dimmed(const std::uint8_t* pixel) {
+  return static_cast<std::uint8_t>((54 * pixel[0] + 183 * pixel[1] + 19 * pixel[2]) / 1024 + 8);
+}
+
+}  // namespace
+
+frame::Image differenceImage(const frame::Image& a, const frame::Image& b) {
+  SIMREEL_CHECK_EQ(a.width, b.width);
+  SIMREEL_CHECK_EQ(a.height, b.height);
+  static const std::array<Colour, 256> heat = heatColours();
+  frame::Image result{a.width, a.height, std::vector<std::uint8_t>(a.bytes.size(), 255)};
+  for (std::size_t pixel = 0; pixel < a.bytes.size(); pixel += 4) {
+    int apart = 0;
+    for (std::size_t c = 0; c < 4; ++c)
+      apart = std::max(apart, std::abs(int{a.bytes[pixel + c]} - int{b.bytes[pixel + c]}));
+    std::uint8_t* const to = result.bytes.data() + pixel;
+    if (apart == 0)
+      std::fill(to, to + 3, dimmed(a.bytes.data() + pixel));
+    else
+      std::copy(heat[std::size_t(apart)].begin(), heat[std::size_t(apart)].end(), to);
+  }
+  return result;
+}
+
+}  // namespace simreel::golden

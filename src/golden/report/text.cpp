@@ -1,0 +1,148 @@
+#include "golden/report/text.hpp"
+
+#include "base/text.hpp"
+#include "golden/report/words.hpp"
+#include "golden/result.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+
+#include <fmt/format.h>
+
+namespace simreel::golden {
+
+namespace {
+
+constexpr const char* green = "32";
+constexpr const char* yellow = "33";
+constexpr const char* red = "1;31";
+
+const char* colorOf(Status status) {
+  switch (status) {
+    case Status::pass:
+    case Status::updated:
+      return green;
+    case Status::xfail:
+    case Status::flaky:
+      return yellow;
+    case Status::fail:
+    case Status::nondeterministic:
+    case Status::missing:
+    case Status::xpass:
+    case Status::error:
+      return red;
+  }
+  return red;
+}
+
+std::string painted(const std::string& text, const char* ansi, bool color) {
+  return color ? fmt::format("\x1B[{}m{}\x1B[0m", ansi, text) : text;
+}
+
+/// Capitals catch the eye where something is wrong.
+std::string label(Status status) {
+  std::string text = statusName(status);
+  if (status != Status::flaky && isFailure(status, false))
+    std::transform(text.begin(), text.end(), text.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+  return text;
+}
+
+/// Every line of `text`, below the scene's name.
+std::string indented(const std::string& text) {
+  std::string lines;
+  const std::string clean = cleanText(text);
+  for (std::string_view rest = clean; !rest.empty();) {
+    const std::string_view line = firstLine(rest);
+    lines += fmt::format("      {}\n", line);
+    rest.remove_prefix(std::min(rest.size(), line.size() + 1));
+  }
+  return lines;
+}
+
+std::string imageLine(const FrameResult& frame, const std::filesystem::path& folder) {
+  std::string line;
+  for (const auto& [what, path] :
+       {std::pair("expected", &frame.expectedImage), std::pair("actual", &frame.actualImage),
+        std::pair("difference", &frame.differenceImage)})
+    if (!path->empty())
+      line += fmt::format("{}{} {}", line.empty() ? "" : ", ", what, (folder / *path).string());
+  return line.empty() ? "" : fmt::format("pictures of frame {}: {}", frame.frame, line);
+}
+
+struct Words {
+  Status status;
+  const char* count;  ///< "2 passed"
+  bool named;         ///< with the names of the scenes
+};
+constexpr std::array<Words, statusCount> closingWords = {{
+    {Status::pass, "passed", false},
+    {Status::updated, "updated", false},
+    {Status::xfail, "failed as expected", false},
+    {Status::flaky, "flaky", true},
+    {Status::fail, "failed", true},
+    {Status::nondeterministic, "nondeterministic", true},
+    {Status::missing, "without baseline", true},
+    {Status::xpass, "passed unexpectedly", true},
+    {Status::error, "could not be tested", true},
+}};
+
+/// " (flag, curtain and 3 more)"
+std::string namesOf(const SuiteResult& suite, Status status) {
+  constexpr long mostNames = 5;
+  const long count = countOf(suite, status);
+  std::string names;
+  long shown = 0;
+  for (const SceneResult& scene : suite.scenes) {
+    if (scene.status != status || shown == mostNames) continue;
+    names += (shown++ == 0 ? "" : ", ") + oneLine(scene.name);
+  }
+  if (count > shown) names += fmt::format(" and {} more", count - shown);
+  return " (" + names + ")";
+}
+
+}  // namespace
+
+std::string sceneLine(const SceneResult& scene, bool color, const std::filesystem::path& reportFolder) {
+  std::string about = counted(static_cast<long>(scene.frames.size()), "frame");
+  about += fmt::format(", {:.1f} s", scene.seconds);
+  if (scene.status == Status::xfail && !scene.xfail.empty()) about += ": " + oneLine(scene.xfail);
+  if (scene.status == Status::flaky) about += ": " + flakyText(scene);
+  std::string text =
+      fmt::format("{}  {}  ({})\n", painted(label(scene.status), colorOf(scene.status), color),
+                  oneLine(scene.name), about);
+  if (isFailure(scene.status, false)) {
+    const std::vector<std::string> why = reasons(scene);
+    if (why.empty() && scene.status != Status::flaky) text += indented(firstReason(scene));
+    for (const std::string& reason : why) text += indented(reason);
+    for (std::size_t i = 0; i < scene.attempts.size(); ++i)
+      for (const std::string& message : scene.attempts[i].messages)
+        text += indented(fmt::format("attempt {}: {}", i + 1, message));
+    for (const FrameResult& frame : scene.frames)
+      if (frame.status != Status::pass) text += indented(imageLine(frame, reportFolder));
+  }
+  for (const std::string& note : scene.notes) text += indented("note: " + note);
+  return text;
+}
+
+std::string closingText(const SuiteResult& suite, bool color, const std::filesystem::path& report) {
+  std::string counts;
+  for (const Words& words : closingWords) {
+    const long count = countOf(suite, words.status);
+    if (count == 0) continue;
+    const std::string part =
+        fmt::format("{} {}{}", count, words.count, words.named ? namesOf(suite, words.status) : "");
+    counts += (counts.empty() ? ": " : ", ") + painted(part, colorOf(words.status), color);
+  }
+  std::string text =
+      fmt::format("{}{} in {:.1f} s\n", counted(static_cast<long>(suite.scenes.size()), "scene"), counts,
+                  suite.seconds);
+  if (const std::string compared = comparedText(suite); !compared.empty())
+    text += fmt::format("Pictures compared: {}\n", oneLine(compared));
+  if (!suite.acceptCommand.empty()) text += fmt::format("To accept: {}\n", oneLine(suite.acceptCommand));
+  if (!report.empty()) text += fmt::format("Report: {}\n", oneLine(report.string()));
+  return text;
+}
+
+}  // namespace simreel::golden

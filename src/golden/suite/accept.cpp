@@ -1,0 +1,129 @@
+#include "golden/suite/accept.hpp"
+
+#include "base/error.hpp"
+#include "base/file.hpp"
+#include "golden/baseline/baseline.hpp"
+#include "golden/compare/png_check.hpp"
+#include "golden/report/json.hpp"
+#include "golden/result.hpp"
+#include "golden/suite/scene_set.hpp"
+
+#include <algorithm>
+
+namespace simreel::golden {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// The profile's folder inside the candidate: the only one there.
+std::string profileOf(const fs::path& folder) {
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(folder, error))
+    if (pathExists(entry.path() / "baseline.json")) return entry.path().filename().string();
+  fail(ExitCode::inputOutput, "{} is gone or incomplete; run the test again with --report",
+       folder.string());
+}
+
+Candidate readCandidate(const fs::path& folder, const SceneResult& scene) {
+  const std::string profile = profileOf(folder);
+  Candidate kept;
+  kept.pictures = *readPictures(folder, profile);
+  kept.exact = !pathExists(folder / profile / "state.json");
+  const fs::path statePlace = stateFolder(folder, profile, kept.exact);
+  if (auto state = readState(statePlace)) kept.state = *state;
+  kept.steps = readSteps(statePlace);
+  for (const FrameResult& frame : scene.frames) {
+    const auto listed = kept.pictures.frames.find(frame.frame);
+    const fs::path file = folder / profile / pictureName(frame.frame);
+    if (listed == kept.pictures.frames.end() || listed->second.pixels != frame.pixels ||
+        frame::pixelHash(readPng(file, "picture")) != frame.pixels)
+      fail(ExitCode::inputOutput, "{} does not have the pixels of that run; run the test again",
+           file.string());
+    const std::string bytes = readFile(file, "picture");
+    const auto span = std::as_bytes(std::span(bytes.data(), bytes.size()));
+    kept.png[frame.frame] = {span.begin(), span.end()};
+  }
+  return kept;
+}
+
+/// Frames whose baseline is what the report saw are promoted; another one means that somebody was faster.
+void checkUnchanged(const SceneResult& scene, const Candidate& kept) {
+  const auto current =
+      scene.profile.empty() ? std::nullopt : readPictures(baselineFolder(scene.file), scene.profile);
+  for (const FrameResult& frame : scene.frames) {
+    std::string now;
+    if (current)
+      if (const auto found = current->frames.find(frame.frame); found != current->frames.end())
+        now = found->second.pixels;
+    if (now != frame.expectedPixels && now != kept.pictures.frames.at(frame.frame).pixels)
+      fail(ExitCode::usage, "the baseline of frame {} has changed since that run; run the test again",
+           frame.frame);
+  }
+}
+
+/// Frames that passed keep their baseline.
+void leaveOutPassed(const SceneResult& scene, const std::string& profile, Candidate& kept) {
+  if (profile != scene.profile) return;  // a new profile has to be complete
+  for (const FrameResult& frame : scene.frames)
+    if (frame.status == Status::pass || frame.pixels == frame.expectedPixels) kept.png.erase(frame.frame);
+}
+
+bool holdsAlready(const fs::path& folder, const std::string& profile, const Candidate& kept) {
+  const auto pictures = readPictures(folder, profile);
+  const auto state = readState(stateFolder(folder, profile, kept.exact));
+  const bool samePictures = std::all_of(kept.png.begin(), kept.png.end(), [&](const auto& entry) {
+    return pictures && pictures->frames.contains(entry.first) &&
+           pictures->frames.at(entry.first).pixels == kept.pictures.frames.at(entry.first).pixels;
+  });
+  const bool sameState =
+      std::all_of(kept.state.frames.begin(), kept.state.frames.end(), [&](const auto& entry) {
+        return state && state->frames.contains(entry.first) &&
+               state->frames.at(entry.first) == entry.second;
+      });
+  return samePictures && sameState;
+}
+
+Accepted acceptScene(const fs::path& reportFolder, const SceneResult& scene, const Acceptance& how) {
+  Accepted result{scene.name, "", false};
+  try {
+    if (scene.candidate.empty())
+      fail(ExitCode::usage, "{}: nothing was kept to accept",
+           scene.messages.empty() ? statusName(scene.status) : scene.messages.front());
+    if (!pathExists(scene.file))
+      fail(ExitCode::usage, "there is no {} here; accept from the folder in which the test ran",
+           scene.file);
+    // Where baselines are follows from the scene: a report from elsewhere does not choose it.
+    const fs::path baselines = baselineFolder(scene.file);
+    const fs::path folder = reportFolder / scene.candidate;
+    Candidate kept = readCandidate(folder, scene);
+    checkUnchanged(scene, kept);
+    const std::string profile = profileOf(folder);
+    leaveOutPassed(scene, profile, kept);
+    result.already = holdsAlready(baselines, profile, kept);
+    if (!result.already) promote(baselines, profile, kept, {how.reason, how.alternate, how.alternate});
+  } catch (const UserError& mistake) {
+    result.problem = mistake.what();
+  }
+  return result;
+}
+
+}  // namespace
+
+std::vector<Accepted> acceptReport(const fs::path& report, const Acceptance& how) {
+  std::error_code ignored;
+  const fs::path file = fs::is_directory(report, ignored) ? report / "report.json" : report;
+  const SuiteResult suite = parseReport(readFile(file, "report"), file.string());
+  std::vector<Accepted> all;
+  for (const SceneResult& scene : suite.scenes) {
+    const bool named =
+        how.only.empty() || std::any_of(how.only.begin(), how.only.end(),
+                                        [&](const auto& glob) { return matches(glob, scene.name); });
+    const bool accepted = scene.status == Status::pass || scene.status == Status::updated ||
+                          scene.status == Status::xfail || scene.status == Status::flaky;
+    if (named && !accepted) all.push_back(acceptScene(file.parent_path(), scene, how));
+  }
+  return all;
+}
+
+}  // namespace simreel::golden

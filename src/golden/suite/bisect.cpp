@@ -1,0 +1,221 @@
+#include "golden/suite/bisect.hpp"
+
+#include "base/error.hpp"
+#include "base/log.hpp"
+#include "base/process.hpp"
+#include "golden/suite/child_command.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <stdexcept>
+#include <utility>
+
+namespace simreel::golden {
+
+namespace {
+
+/// Appends the arguments of `trace` to a side's command.
+std::string traceCommand(const BisectSide& side, const std::vector<std::string>& more) {
+  std::string command = side.command + " trace -q";
+  for (const auto* words : {&side.arguments, &more})
+    for (const std::string& word : *words) command += " " + inShellQuotes(word);
+  return command;
+}
+
+/// What a child printed, read; a mistake in it is the child's.
+template <class Read>
+auto understood(const ChildCommand& child, const Read& read) {
+  try {
+    return read();
+  } catch (const std::runtime_error& error) {
+    fail(ExitCode::inputOutput, "{} prints no trace that this simreel understands: {}", child.name(),
+         error.what());
+  }
+}
+
+/// `trace` running on one side.
+class Tracing {
+ public:
+  Tracing(const BisectSide& side, const std::vector<std::string>& arguments)
+      : child_(traceCommand(side, arguments), side.name) {}
+
+  TraceHeader header() {
+    const auto line = child_.line();
+    if (!line) endedEarly("its header");
+    return understood(child_, [&] { return readHeaderLine(*line); });
+  }
+  /// Nothing after the last.
+  std::optional<StateLine> state() {
+    const auto line = child_.line();
+    if (!line) {
+      child_.finish();
+      return std::nullopt;
+    }
+    return understood(child_, [&] { return readStateLine(*line); });
+  }
+  StateDump dump(std::size_t mostBytes) {
+    const auto bytes = child_.rest(mostBytes);
+    child_.finish();
+    return understood(child_, [&] { return readDump(bytes); });
+  }
+  [[noreturn]] void endedEarly(const std::string& before) {
+    child_.finish();
+    fail(ExitCode::inputOutput, "{} ended before {}", child_.name(), before);
+  }
+
+ private:
+  ChildCommand child_;
+};
+
+/// Throws UserError(usage) unless both sides step the same arrays from the same frame on.
+void checkHeaders(const BisectSide& a, const TraceHeader& here, const BisectSide& b,
+                  const TraceHeader& there) {
+  const auto refuse = [&](const std::string& first, const std::string& second) {
+    fail(ExitCode::usage, "the two sides do not simulate the same: {} {}, {} {}", a.name, first, b.name,
+         second);
+  };
+  if (here.firstFrame != there.firstFrame)
+    refuse(fmt::format("starts at frame {}", here.firstFrame),
+           fmt::format("at frame {}", there.firstFrame));
+  for (std::size_t i = 0; i < std::max(here.arrays.size(), there.arrays.size()); ++i) {
+    const auto text = [&](const TraceHeader& header) {
+      if (i >= header.arrays.size()) return std::string("has no further array");
+      const TraceHeader::Array& array = header.arrays[i];
+      return fmt::format("has {} of {} elements in {} steps a frame", array.name(), array.elements,
+                         array.steps);
+    };
+    if (text(here) != text(there)) refuse(text(here), text(there));
+  }
+  if (here.arrays.empty())
+    fail(ExitCode::usage, "the scene has nothing that is simulated, so there is no state to compare");
+}
+
+std::size_t dumpBytes(const TraceHeader& header) {
+  std::size_t bytes = std::size_t{1} << 20;  // of header
+  for (const TraceHeader::Array& array : header.arrays)
+    bytes += static_cast<std::size_t>(array.elements) * 16;
+  return bytes;
+}
+
+class Search {
+ public:
+  Search(const BisectSide& here, const BisectSide& there) : here_(here), there_(there) {}
+
+  BisectResult run(int lastFrame) {
+    result_.lastFrame = lastFrame;
+    const auto frame = firstFrame(lastFrame);
+    if (!frame) return result_;
+    result_.difference.emplace();
+    result_.difference->frame = *frame;
+    if (*frame > result_.here.firstFrame) {
+      const auto step = firstStep(*frame);
+      if (!step) {
+        unstable(fmt::format("frame {} differed at first and not when it was run again", *frame));
+        return result_;
+      }
+      result_.difference->step = step->step;
+      result_.difference->steps = step->steps;
+      elements(step->object);
+    } else {
+      elements({});
+    }
+    return result_;
+  }
+
+ private:
+  /// The next lines of both sides, which must be of the same step; nothing after the last. `before`: what
+  /// is missing where one ends first.
+  std::optional<std::pair<StateLine, StateLine>> nextLines(Tracing& a, Tracing& b,
+                                                           const std::string& before) {
+    const auto x = a.state();
+    const auto y = b.state();
+    if (!x && !y) return std::nullopt;
+    if (!x) a.endedEarly(before);
+    if (!y) b.endedEarly(before);
+    if (x->frame != y->frame || x->object != y->object || x->step != y->step)
+      fail(ExitCode::inputOutput, "the traces of {} and {} do not run in step", here_.name, there_.name);
+    return std::pair(*x, *y);
+  }
+
+  std::optional<int> firstFrame(int lastFrame) {
+    detail("bisect: both sides up to frame {}", lastFrame);
+    const std::vector<std::string> arguments = {fmt::format("--frames=start-{}", lastFrame)};
+    Tracing a(here_, arguments);
+    Tracing b(there_, arguments);
+    result_.here = a.header();
+    result_.there = b.header();
+    checkHeaders(here_, result_.here, there_, result_.there);
+    int read = 0;
+    for (; const auto lines = nextLines(a, b, fmt::format("frame {}", lastFrame)); ++read)
+      if (lines->first.arrays != lines->second.arrays) return lines->first.frame;
+    const int expected = lastFrame - result_.here.firstFrame + 1;
+    if (read != expected)
+      fail(ExitCode::inputOutput, "both traces ended after {} of {} frames", read, expected);
+    return std::nullopt;
+  }
+
+  /// Objects are stepped in turn, each through the whole frame: the first is the one earliest in its time.
+  std::optional<StateLine> firstStep(int frame) {
+    detail("bisect: the steps of frame {}", frame);
+    const std::vector<std::string> arguments = {fmt::format("--steps-of={}", frame)};
+    Tracing a(here_, arguments);
+    Tracing b(there_, arguments);
+    static_cast<void>(a.header());
+    static_cast<void>(b.header());
+    std::optional<StateLine> first;
+    while (const auto lines = nextLines(a, b, fmt::format("the last step of frame {}", frame))) {
+      const auto& [x, y] = *lines;
+      if (x.arrays == y.arrays) continue;
+      if (!first || std::int64_t{x.step} * first->steps < std::int64_t{first->step} * x.steps) first = x;
+    }
+    return first;
+  }
+
+  /// Compares the arrays of the object (empty: of the first that differs) after the step that was found.
+  void elements(const std::string& object) {
+    StateDifference& found = *result_.difference;
+    detail("bisect: the state after step {} of frame {}", found.step, found.frame);
+    const std::vector<std::string> arguments = {fmt::format("--dump={}:{}", found.frame, found.step), "-o",
+                                                "-"};
+    Tracing a(here_, arguments);
+    Tracing b(there_, arguments);
+    const StateDump here = a.dump(dumpBytes(result_.here));
+    const StateDump there = b.dump(dumpBytes(result_.there));
+    if (here.arrays.size() != there.arrays.size())
+      fail(ExitCode::inputOutput, "the dumps of {} and {} hold different arrays", here_.name, there_.name);
+    std::string wanted = object;
+    for (std::size_t i = 0; i < here.arrays.size(); ++i) {
+      const StateDump::Array& x = here.arrays[i];
+      const StateDump::Array& y = there.arrays[i];
+      if (x.object != y.object || x.array != y.array || x.words.size() != y.words.size())
+        fail(ExitCode::inputOutput, "the dumps of {} and {} hold different arrays", here_.name,
+             there_.name);
+      if (!wanted.empty() && x.object != wanted) continue;
+      const ArrayDifference difference = compareWords(x.words, y.words);
+      if (difference.differing == 0) continue;
+      wanted = x.object;
+      found.arrays.push_back({x.object, x.array, difference});
+    }
+    if (found.arrays.empty())
+      unstable(fmt::format("step {} of frame {} differed at first and not when it was run again",
+                           found.step, found.frame));
+  }
+
+  void unstable(const std::string& why) {
+    result_.difference->unstable =
+        why +
+        "; a side does not repeat itself (`simreel bisect` without --against compares one with itself)";
+  }
+
+  const BisectSide& here_;
+  const BisectSide& there_;
+  BisectResult result_;
+};
+
+}  // namespace
+
+BisectResult bisect(const BisectSide& here, const BisectSide& there, int lastFrame) {
+  return Search(here, there).run(lastFrame);
+}
+
+}  // namespace simreel::golden

@@ -1,0 +1,311 @@
+#include "golden/suite/check.hpp"
+
+#include "base/error.hpp"
+#include "scene/words.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+#include <utility>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace simreel::golden {
+
+namespace {
+
+/// One step of 8 bits: a picture whose luma deviates less shows nothing.
+constexpr double leastDeviation = 1.0 / 255.0;
+/// Drift is relative to the first value; one smaller than this counts as this.
+constexpr double tiny = 1e-12;
+
+constexpr const char* statisticNames[] = {"mean", "min", "max", "sum"};
+
+bool contains(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+std::vector<std::string> arrayNames(const sim::Simulation& simulation) {
+  std::vector<std::string> names;
+  for (const sim::StateArray& array : simulation.state()) names.emplace_back(array.name);
+  return names;
+}
+
+}  // namespace
+
+/// Finds what a check names in a scene and its world.
+class Checker::Resolver {
+ public:
+  Resolver(const scene::Scene& scene, const sim::World& world, std::span<const int> tested)
+      : scene_(scene), world_(world), tested_(tested) {}
+
+  [[nodiscard]] Item resolve(std::size_t number) const {
+    const scene::Check& check = scene_.checks[number];
+    const std::string where = fmt::format("checks[{}]", number);
+    Item item{.check = check, .label = check.what, .objects = {}, .frames = check.frames};
+    if (item.frames.empty()) item.frames.assign(tested_.begin(), tested_.end());
+    if (check.what == "not-blank") {
+      item.kind = Item::Kind::notBlank;
+      requirePictures(where, item.frames);
+    } else if (check.what == "no-nan") {
+      item.kind = Item::Kind::noNan;
+      item.objects = withState(where, check);
+      if (!check.object.empty()) item.label += " of " + check.object;
+    } else if (check.isStatistic()) {
+      resolveStatistic(where, item);
+    } else {
+      resolveQuantity(item);
+    }
+    return item;
+  }
+
+ private:
+  void requirePictures(const std::string& where, const std::vector<int>& frames) const {
+    for (const int frame : frames)
+      if (!std::binary_search(tested_.begin(), tested_.end(), frame))
+        fail(ExitCode::usage,
+             "{}: \"not-blank\" needs a picture of frame {}, which is not tested; tested: {}", where, frame,
+             fmt::join(tested_, ", "));
+  }
+
+  /// Indices of the objects a check may mean: the named one, or all.
+  [[nodiscard]] std::vector<std::size_t> candidates(const std::string& where,
+                                                    const scene::Check& check) const {
+    std::vector<std::size_t> found;
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < scene_.objects.size(); ++i) {
+      names.push_back(scene_.objects[i].name);
+      if (check.object.empty() || names.back() == check.object) found.push_back(i);
+    }
+    if (found.empty() && !check.object.empty())
+      fail(ExitCode::usage, "{}: no object is named {}; {}", where, scene::inQuotes(check.object),
+           scene::suggestion(check.object, names));
+    return found;
+  }
+
+  [[nodiscard]] std::vector<std::size_t> withState(const std::string& where,
+                                                   const scene::Check& check) const {
+    std::vector<std::size_t> found = candidates(where, check);
+    std::erase_if(found, [&](std::size_t i) { return world_.object(i).state().empty(); });
+    if (found.empty() && check.object.empty())
+      fail(ExitCode::usage, "{}: \"no-nan\" looks at state, and no object of the scene has any", where);
+    if (found.empty())
+      fail(ExitCode::usage, "{}: object \"{}\" is a {}, which has no state to look at", where, check.object,
+           kindOf(check.object));
+    return found;
+  }
+
+  [[nodiscard]] std::string kindOf(const std::string& object) const {
+    for (const scene::Object& candidate : scene_.objects)
+      if (candidate.name == object) return candidate.kind;
+    return {};
+  }
+
+  /// The one object that has a state array of that name.
+  [[nodiscard]] std::size_t owner(const std::string& where, const scene::Check& check,
+                                  const std::string& name) const {
+    std::set<std::string> known;
+    std::vector<std::size_t> owners;
+    std::vector<std::string> ownerNames;
+    for (const std::size_t i : candidates(where, check)) {
+      const std::vector<std::string> names = arrayNames(world_.object(i));
+      known.insert(names.begin(), names.end());
+      if (!contains(names, name)) continue;
+      owners.push_back(i);
+      ownerNames.push_back(scene_.objects[i].name);
+    }
+    if (owners.empty()) {
+      const std::string holder =
+          check.object.empty()
+              ? "no object of the scene has"
+              : fmt::format("object \"{}\" is a {} and does not have", check.object, kindOf(check.object));
+      const std::vector<std::string> names(known.begin(), known.end());
+      fail(ExitCode::usage, "{}: {} an array named {}; {}", where, holder, scene::inQuotes(name),
+           scene::suggestion(name, names));
+    }
+    if (owners.size() > 1)
+      fail(ExitCode::usage, "{}: several objects have {}: {}; name one of them with \"object\"", where,
+           scene::inQuotes(name), fmt::join(ownerNames, ", "));
+    return owners.front();
+  }
+
+  void resolveStatistic(const std::string& where, Item& item) const {
+    const scene::Check& check = item.check;
+    item.kind = Item::Kind::statistic;
+    const auto* name = std::find(std::begin(statisticNames), std::end(statisticNames), check.what);
+    item.statistic = static_cast<Statistic>(name - std::begin(statisticNames));
+    const std::size_t dot = std::min(check.of.rfind('.'), check.of.size());
+    const std::string array = check.of.substr(0, dot);
+    const std::string component = dot < check.of.size() ? check.of.substr(dot + 1) : "";
+    const auto known = componentOf(component);
+    if (!known)
+      fail(ExitCode::usage, "{}: {} has no component {}; known here: x, y, z, w, length", where,
+           scene::inQuotes(check.of), scene::inQuotes(component));
+    item.component = *known;
+    const std::size_t object = owner(where, check, array);
+    const auto names = arrayNames(world_.object(object));
+    item.index = static_cast<std::size_t>(std::find(names.begin(), names.end(), array) - names.begin());
+    item.objects = {object};
+    item.label = fmt::format("{} of {} {}", check.what, scene_.objects[object].name, check.of);
+  }
+
+  void resolveQuantity(Item& item) const {
+    const std::string& what = item.check.what;
+    const std::vector<std::size_t> owners = scene_.owners(item.check);
+    SIMREEL_CHECK_EQ(owners.size(), 1U);  // the scene's reader sees to it
+    const scene::Object& object = scene_.objects[owners.front()];
+    const auto table = object.parameters->quantities();
+    item.index = static_cast<std::size_t>(
+        std::find_if(table.begin(), table.end(), [&](const auto& q) { return what == q.name; }) -
+        table.begin());
+    item.objects = owners;
+    item.label = fmt::format("{} of {}", what, object.name);
+  }
+
+  const scene::Scene& scene_;
+  const sim::World& world_;
+  std::span<const int> tested_;
+};
+
+/// What was read back of one frame, each array and each object's quantities once.
+class Checker::StateOfFrame {
+ public:
+  explicit StateOfFrame(const sim::World& world) : world_(world) {}
+
+  [[nodiscard]] const std::vector<glm::vec4>& array(std::size_t object, std::size_t index) {
+    auto [place, isNew] = arrays_.try_emplace({object, index});
+    if (!isNew) return place->second;
+    const sim::StateArray array = world_.object(object).state().at(index);
+    if (array.integers)
+      for (const glm::uvec4& words : array.buffer->readAll<glm::uvec4>()) place->second.emplace_back(words);
+    else
+      place->second = array.buffer->readAll<glm::vec4>();
+    return place->second;
+  }
+  [[nodiscard]] double quantity(std::size_t object, std::size_t index) {
+    auto [place, isNew] = quantities_.try_emplace(object);
+    if (isNew) place->second = world_.object(object).measure();
+    return place->second.at(index);
+  }
+  [[nodiscard]] std::vector<sim::StateArray> arraysOf(std::size_t object) const {
+    return world_.object(object).state();
+  }
+
+ private:
+  const sim::World& world_;
+  std::map<std::pair<std::size_t, std::size_t>, std::vector<glm::vec4>> arrays_;
+  std::map<std::size_t, std::vector<double>> quantities_;
+};
+
+Checker::Checker(const scene::Scene& scene, const sim::World& world, std::span<const int> testedFrames)
+    : tested_(testedFrames.begin(), testedFrames.end()) {
+  SIMREEL_CHECK(std::is_sorted(tested_.begin(), tested_.end()));
+  for (const scene::Object& object : scene.objects) names_.push_back(object.name);
+  const Resolver resolver(scene, world, tested_);
+  for (std::size_t i = 0; i < scene.checks.size(); ++i) items_.push_back(resolver.resolve(i));
+}
+
+std::vector<int> Checker::frames() const {
+  std::set<int> wanted;
+  for (const Item& item : items_) wanted.insert(item.frames.begin(), item.frames.end());
+  for (const int frame : tested_) wanted.erase(frame);
+  return {wanted.begin(), wanted.end()};
+}
+
+void Checker::frame(int frame, const sim::World& world, const frame::Image* image) {
+  SIMREEL_CHECK(frame > lastFrame_);
+  SIMREEL_CHECK_EQ(frame, world.frame());
+  lastFrame_ = frame;
+  StateOfFrame state(world);
+  for (Item& item : items_) {
+    if (!std::binary_search(item.frames.begin(), item.frames.end(), frame)) continue;
+    CheckResult result;
+    result.what = item.label;
+    result.frame = frame;
+    switch (item.kind) {
+      case Item::Kind::notBlank:
+        SIMREEL_CHECK(image != nullptr);
+        checkContrast(*image, result);
+        break;
+      case Item::Kind::noNan:
+        checkFinite(item, state, result);
+        break;
+      case Item::Kind::statistic:
+        checkBounds(
+            item, statistic(item.statistic, item.component, state.array(item.objects.front(), item.index)),
+            result);
+        break;
+      case Item::Kind::quantity:
+        checkBounds(item, state.quantity(item.objects.front(), item.index), result);
+        break;
+    }
+    result.passed = result.message.empty();
+    results_.push_back(std::move(result));
+  }
+}
+
+void Checker::checkContrast(const frame::Image& image, CheckResult& result) {
+  const Contrast contrast = contrastOf(image);
+  result.value = contrast.lumaDeviation;
+  result.least = leastDeviation;
+  if (contrast.oneColour)
+    result.message = fmt::format("frame {}: the picture is one colour", result.frame);
+  else if (contrast.lumaDeviation < leastDeviation)
+    result.message = fmt::format(
+        "frame {}: the picture is nearly one colour: the standard deviation of its luma is {:.3g}, below "
+        "{:.3g}",
+        result.frame, contrast.lumaDeviation, leastDeviation);
+}
+
+void Checker::checkFinite(const Item& item, StateOfFrame& state, CheckResult& result) const {
+  std::size_t count = 0;
+  std::string first;
+  for (const std::size_t object : item.objects) {
+    const auto arrays = state.arraysOf(object);
+    for (std::size_t a = 0; a < arrays.size(); ++a) {
+      const auto& items = state.array(object, a);
+      const NotFinite found = findNotFinite(items);
+      if (found.count > 0 && first.empty())
+        first = fmt::format("{}[{}].{} of {} is {}", arrays[a].name, found.element, "xyzw"[found.component],
+                            names_[object],
+                            std::isnan(items[found.element][found.component]) ? "NaN" : "infinite");
+      count += found.count;
+    }
+  }
+  result.value = static_cast<double>(count);
+  result.most = 0;
+  if (count == 0) return;
+  result.message = fmt::format("frame {}: {}", result.frame, first);
+  if (count > 1)
+    result.message +=
+        fmt::format(", and {} more number{} not finite", count - 1, count > 2 ? "s are" : " is");
+}
+
+void Checker::checkBounds(Item& item, double value, CheckResult& result) {
+  const scene::Check& check = item.check;
+  if (!item.first) item.first = value;
+  result.value = value;
+  result.least = check.least;
+  result.most = check.most;
+  const std::string head = fmt::format("frame {}: {} is ", result.frame, item.label);
+  const double first = *item.first;
+  if (!std::isfinite(value))
+    result.message = head + "not a finite number";
+  else if (check.least && value < *check.least)
+    result.message = fmt::format("{}{:.9g}, below {}", head, value, *check.least);
+  else if (check.most && value > *check.most)
+    result.message = fmt::format("{}{:.9g}, above {}", head, value, *check.most);
+  if (!check.drift) return;
+  // |v - v0| <= drift max(|v0|, tiny)
+  const double room = *check.drift * std::max(std::abs(first), tiny);
+  if (result.message.empty() && !(std::abs(value - first) <= room))
+    result.message =
+        fmt::format("{}{:.9g}, {:.3g} away from {:.9g} at frame {}; drift {} allows {:.3g}", head, value,
+                    std::abs(value - first), first, item.frames.front(), *check.drift, room);
+  result.least = std::max(first - room, check.least.value_or(first - room));
+  result.most = std::min(first + room, check.most.value_or(first + room));
+}
+
+}  // namespace simreel::golden

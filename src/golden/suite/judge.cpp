@@ -1,0 +1,205 @@
+#include "golden/suite/judge.hpp"
+
+#include "base/error.hpp"
+#include "base/file.hpp"
+#include "golden/baseline/tolerance.hpp"
+#include "golden/compare/compare.hpp"
+#include "golden/compare/png_check.hpp"
+
+#include <algorithm>
+#include <tuple>
+#include <utility>
+
+namespace simreel::golden {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+const PictureBaseline::Frame* find(const Reference& reference, int frame) {
+  if (!reference.pictures) return nullptr;
+  const auto found = reference.pictures->frames.find(frame);
+  return found == reference.pictures->frames.end() ? nullptr : &found->second;
+}
+
+fs::path pictureFile(const Reference& reference, int frame, int alternate) {
+  return reference.folder / reference.pictures->profile / pictureName(frame, alternate);
+}
+
+void addMessage(FrameResult& result, Status status, const std::string& message) {
+  // A difference outweighs a missing part.
+  if (result.status != Status::fail) result.status = status;
+  result.message += (result.message.empty() ? "" : "; ") + message;
+}
+
+void judgeState(const RunFrame& made, const Reference& reference, bool sameNumerics, FrameResult& result) {
+  result.state = "equal";
+  if (made.state.empty()) return;  // scenery only
+  if (!reference.exact && !sameNumerics) {
+    result.state = "not compared";
+    return;
+  }
+  const StateHashes* stored = nullptr;
+  if (reference.state)
+    if (const auto found = reference.state->frames.find(made.frame); found != reference.state->frames.end())
+      stored = &found->second;
+  if (stored == nullptr) {
+    result.state = "missing";
+    addMessage(result, Status::missing, "no baseline of its state");
+    return;
+  }
+  if (*stored == made.state) return;
+  result.state = "different";
+  std::string names;
+  for (const auto& [array, hash] : made.state)
+    if (const auto found = stored->find(array); found == stored->end() || found->second != hash)
+      names += (names.empty() ? "" : ", ") + array;
+  if (names.empty()) names = "an array that is gone";
+  addMessage(result, Status::fail, "the state differs: " + names);
+}
+
+struct Nearest {
+  int alternate = 0;
+  Metrics metrics;
+  std::vector<std::string> broken;
+};
+
+/// The baseline or alternate that breaks the fewest bounds; among equals the one with the fewest pixels
+/// beyond, then with the fewest that differ.
+Nearest nearest(const RunFrame& made, const Reference& reference, const PictureBaseline::Frame& stored) {
+  const bool near = asked(stored.origin, reference.here) == Asked::near;
+  std::optional<Nearest> best;
+  for (int i = 0; i <= static_cast<int>(stored.alternates.size()); ++i) {
+    const auto picture = referencePicture(reference, made.frame, i);
+    const auto metrics = measure(made.image, picture, reference.tolerance);
+    auto broken = brokenBounds(metrics, reference.tolerance, picture.width, picture.height);
+    if (near)
+      for (std::string& clause : brokenNearness(metrics, picture.width, picture.height))
+        broken.push_back(std::move(clause));
+    const auto rank = [](const Metrics& m, const std::vector<std::string>& clauses) {
+      return std::tuple(clauses.size(), m.pixelsBeyond, m.differentPixels);
+    };
+    if (!best || rank(metrics, broken) < rank(best->metrics, best->broken))
+      best = {i, metrics, std::move(broken)};
+  }
+  return *best;
+}
+
+/// Whether the picture fails.
+bool judgePixels(const RunFrame& made, const Reference& reference, FrameResult& result) {
+  const PictureBaseline::Frame* stored = find(reference, made.frame);
+  if (stored == nullptr) {
+    addMessage(result, Status::missing, "no baseline picture");
+    return false;
+  }
+  result.expectedPixels = stored->pixels;
+  const PictureBaseline& all = *reference.pictures;
+  if (all.width != made.image.width || all.height != made.image.height) {
+    addMessage(result, Status::fail,
+               fmt::format("the picture is {}x{}, its baseline {}x{}", made.image.width, made.image.height,
+                           all.width, all.height));
+    return true;
+  }
+  for (int i = 0; i <= static_cast<int>(stored->alternates.size()); ++i)
+    if (const auto file = pictureFile(reference, made.frame, i); !pathExists(file))
+      fail(ExitCode::inputOutput, "baseline picture {} is missing, though baseline.json lists it",
+           file.string());
+  const auto known = std::find(stored->alternates.begin(), stored->alternates.end(), made.pixels);
+  if (known != stored->alternates.end())
+    result.alternate = static_cast<int>(known - stored->alternates.begin()) + 1;
+  if (stored->pixels == made.pixels || known != stored->alternates.end()) return false;
+  Nearest found = nearest(made, reference, *stored);
+  result.alternate = found.alternate;
+  result.metrics = found.metrics;
+  if (asked(stored->origin, reference.here) == Asked::equal) {
+    addMessage(
+        result, Status::fail,
+        fmt::format("{} pixels differ, by {} at most; on the machine that drew the baseline none may",
+                    found.metrics.differentPixels, found.metrics.worst));
+    return true;
+  }
+  if (!found.broken.empty())
+    addMessage(result, Status::fail, fmt::format("{}", fmt::join(found.broken, "; ")));
+  return !found.broken.empty();
+}
+
+}  // namespace
+
+Reference findReference(const fs::path& folder, const std::string& ownProfile, bool exact,
+                        const Origin& here) {
+  Reference reference;
+  reference.folder = folder;
+  reference.exact = exact;
+  reference.here = here;
+  reference.pictures = choosePictures(folder, ownProfile);
+  const std::string profile = reference.pictures ? reference.pictures->profile : ownProfile;
+  reference.state = readState(stateFolder(folder, profile, exact));
+  return reference;
+}
+
+Judgement judgeFrame(const RunFrame& made, const Reference& reference) {
+  Judgement judged;
+  FrameResult& result = judged.frame;
+  result.frame = made.frame;
+  result.time = made.time;
+  result.pixels = made.pixels;
+  const PictureBaseline::Frame* stored = find(reference, made.frame);
+  if (stored != nullptr) result.asked = askedName(asked(stored->origin, reference.here));
+  const bool sameNumerics = stored == nullptr || stored->origin.numerics == reference.here.numerics;
+  judgeState(made, reference, sameNumerics, result);
+  try {
+    judged.pictureFails = judgePixels(made, reference, result);
+  } catch (const UserError& error) {
+    judged.pictureFails = true;
+    addMessage(result, Status::fail, error.what());
+  }
+  return judged;
+}
+
+frame::Image referencePicture(const Reference& reference, int frame, int alternate) {
+  const fs::path file = pictureFile(reference, frame, alternate);
+  frame::Image picture = readPng(file, "baseline picture");
+  const PictureBaseline& all = *reference.pictures;
+  if (picture.width != all.width || picture.height != all.height)
+    fail(ExitCode::inputOutput, "baseline picture {} is {}x{}, though baseline.json says {}x{}",
+         file.string(), picture.width, picture.height, all.width, all.height);
+  const PictureBaseline::Frame& stored = all.frames.at(frame);
+  const std::string& listed =
+      alternate == 0 ? stored.pixels : stored.alternates.at(static_cast<std::size_t>(alternate) - 1);
+  if (frame::pixelHash(picture) != listed)
+    fail(ExitCode::inputOutput, "baseline picture {} does not have the pixels that baseline.json lists",
+         file.string());
+  return picture;
+}
+
+std::vector<std::string> looseBounds(const std::vector<FrameResult>& frames,
+                                     const scene::Tolerance& tolerance) {
+  std::map<std::string, double> observed;
+  for (const FrameResult& frame : frames) {
+    // Elsewhere the tolerance decides nothing.
+    if (!frame.metrics || frame.asked != askedName(Asked::tolerance)) continue;
+    const Metrics& m = *frame.metrics;
+    const auto raise = [&](const char* field, double value) {
+      observed[field] = std::max(observed[field], value);
+    };
+    raise("max_channel_diff", m.worst);
+    raise("max_diff_pixels", static_cast<double>(m.pixelsBeyond));
+    raise("max_diff_ratio", m.ratioBeyond);
+    raise("max_window_ratio", m.windowRatio);
+    raise("max_flip_mean", m.flipMean);
+    raise("hard_fail", m.worst);
+  }
+  constexpr double muchLooser = 10;
+  std::vector<std::string> loose;
+  if (observed.empty()) return loose;
+  for (const auto& [field, bound] : boundsInForce(tolerance)) {
+    if (!observed.contains(field) || bound <= muchLooser * observed[field]) continue;
+    loose.push_back(observed[field] == 0
+                        ? fmt::format("{} is {:g}, though nothing was observed", field, bound)
+                        : fmt::format("{} is {:g}, {:.0f} times the {:.3g} observed", field, bound,
+                                      bound / observed[field], observed[field]));
+  }
+  return loose;
+}
+
+}  // namespace simreel::golden

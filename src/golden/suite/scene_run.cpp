@@ -1,0 +1,129 @@
+#include "golden/suite/scene_run.hpp"
+
+#include "base/clock.hpp"
+#include "base/error.hpp"
+#include "draw/screen/readback.hpp"
+#include "draw/screen/renderer.hpp"
+#include "frame/interrupt.hpp"
+#include "golden/suite/check.hpp"
+#include "sim/world/world.hpp"
+
+#include <algorithm>
+
+namespace simreel::golden {
+
+namespace {
+
+/// Every frame's loss report is looked at, as render does; the summary of `frame` is returned.
+class Summaries {
+ public:
+  explicit Summaries(sim::World& world) : world_(world) {}
+
+  void start() {
+    if (underWay_ == mostUnderWay) take();
+    world_.startSummary();
+    ++underWay_;
+  }
+  sim::World::Summary last() {
+    while (underWay_ > 0) take();
+    return latest_;
+  }
+
+ private:
+  static constexpr int mostUnderWay = 6;
+  void take() {
+    latest_ = *world_.takeSummary(true);
+    --underWay_;
+  }
+  sim::World& world_;
+  sim::World::Summary latest_;
+  int underWay_ = 0;
+};
+
+class Runner {
+ public:
+  Runner(const scene::Scene& scene, std::span<const int> frames)
+      : world_(scene),
+        summaries_(world_),
+        renderer_(scene, scene.render.size, scene.render.samples),
+        readback_(scene.render.size),
+        size_(scene.render.size),
+        checker_(scene, world_, frames) {}
+
+  SceneRun run(std::span<const int> frames) {
+    std::vector<int> stops(frames.begin(), frames.end());
+    const auto wanted = checker_.frames();
+    stops.insert(stops.end(), wanted.begin(), wanted.end());
+    std::sort(stops.begin(), stops.end());
+    stops.erase(std::unique(stops.begin(), stops.end()), stops.end());
+    for (const int frame : stops) {
+      simulateTo(frame);
+      if (std::find(frames.begin(), frames.end(), frame) == frames.end()) {
+        checker_.frame(frame, world_, nullptr);
+        continue;
+      }
+      result_.frames.push_back(draw(frame));
+      checker_.frame(frame, world_, &result_.frames.back().image);
+    }
+    result_.checks = checker_.results();
+    return std::move(result_);
+  }
+
+ private:
+  void simulateTo(int frame) {
+    const Clock::time_point begin = Clock::now();
+    while (!started_ || world_.frame() < frame) {
+      if (const int signal = frame::interruptSignal()) throw Interrupted{signal};
+      world_.advanceTo(started_ ? world_.frame() + 1 : 0);
+      started_ = true;
+      summaries_.start();
+    }
+    summary_ = summaries_.last();
+    glFinish();
+    result_.simulateSeconds += secondsSince(begin);
+  }
+
+  RunFrame draw(int frame) {
+    renderer_.draw(world_.time(), world_.drawables());
+    readback_.start(renderer_.target(), frame);
+    RunFrame made{frame, world_.time(), {size_.x, size_.y, {}}, {}, {}};
+    made.image.bytes = readback_.take(true)->second;
+    made.pixels = frame::pixelHash(made.image);
+    const auto arrays = world_.arrays();
+    SIMREEL_CHECK_EQ(arrays.size(), summary_.arrays.size());
+    for (std::size_t i = 0; i < arrays.size(); ++i)
+      made.state[arrays[i].object + "." + arrays[i].array] = summary_.arrays[i];
+    return made;
+  }
+
+  sim::World world_;
+  Summaries summaries_;
+  draw::Renderer renderer_;
+  draw::Readback readback_;
+  glm::ivec2 size_;
+  Checker checker_;
+  sim::World::Summary summary_;
+  SceneRun result_;
+  bool started_ = false;
+};
+
+}  // namespace
+
+SceneRun runScene(const scene::Scene& scene, std::span<const int> frames) {
+  return Runner(scene, frames).run(frames);
+}
+
+std::string runDifference(const SceneRun& first, const SceneRun& second) {
+  SIMREEL_CHECK_EQ(first.frames.size(), second.frames.size());
+  for (std::size_t i = 0; i < first.frames.size(); ++i) {
+    const RunFrame& a = first.frames[i];
+    const RunFrame& b = second.frames[i];
+    for (const auto& [array, hash] : a.state)
+      if (b.state.at(array) != hash)
+        return fmt::format("frame {}: the state of {} differs", a.frame, array);
+    if (a.pixels != b.pixels) return fmt::format("frame {}: the pictures differ", a.frame);
+  }
+  return {};
+}
+
+}  // namespace simreel::golden

@@ -1,0 +1,112 @@
+#include "golden/suite/scene_set.hpp"
+
+#include "base/error.hpp"
+#include "base/file.hpp"
+#include "base/json_depth.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <fnmatch.h>
+#include <map>
+
+#include <nlohmann/json.hpp>
+
+namespace simreel::golden {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+bool isSceneName(const fs::path& file) {
+  const std::string name = file.filename().string();
+  return file.extension() == ".json" && !name.starts_with('.') && !name.ends_with(".test.json");
+}
+
+/// Text that is not JSON at all may be a scene with a mistake in it: that has to be reported, not skipped.
+bool mayBeScene(const fs::path& file) {
+  const std::string text = readFile(file, "scene");
+  if (jsonDepth(text) > mostJsonDepth) return true;
+  const auto json = nlohmann::json::parse(text, nullptr, false, true);
+  if (json.is_discarded()) return true;
+  return json.is_object() && (json.contains("version") || json.contains("objects"));
+}
+
+void searchFolder(const fs::path& folder, std::vector<SceneFile>& found) {
+  std::error_code error;
+  fs::recursive_directory_iterator entries(folder, error);
+  for (; !error && entries != fs::recursive_directory_iterator(); entries.increment(error)) {
+    const fs::path path = entries->path();
+    const std::string name = path.filename().string();
+    if (entries->is_directory()) {
+      if (name.starts_with('.') || name == "golden") entries.disable_recursion_pending();
+      continue;
+    }
+    if (isSceneName(path) && entries->is_regular_file() && mayBeScene(path))
+      found.push_back({path.lexically_relative(folder).replace_extension().generic_string(), path});
+  }
+  if (error) fail(ExitCode::inputOutput, "cannot read folder {}: {}", folder.string(), error.message());
+}
+
+/// A file's whole path as a name below any folder: no root, no way up.
+std::string wholeName(const fs::path& file) {
+  fs::path name;
+  for (const fs::path& part : file.lexically_normal().replace_extension().relative_path())
+    name /= part == ".." ? fs::path("up") : part;
+  return name.generic_string();
+}
+
+}  // namespace
+
+std::vector<SceneFile> findScenes(std::span<const std::string> paths) {
+  std::vector<SceneFile> found;
+  for (const std::string& path : paths) {
+    std::error_code error;
+    if (fs::is_directory(path, error))
+      searchFolder(path, found);
+    else if (fs::exists(path, error))
+      found.push_back({fs::path(path).stem().string(), path});
+    else
+      fail(ExitCode::usage, "there is no scene or folder {}", path);
+  }
+  std::map<std::string, int> uses;
+  for (const SceneFile& scene : found) ++uses[scene.name];
+  for (SceneFile& scene : found)
+    if (uses[scene.name] > 1) scene.name = wholeName(scene.file);
+  std::sort(found.begin(), found.end(),
+            [](const SceneFile& a, const SceneFile& b) { return a.name < b.name; });
+  // The same file given twice is one scene.
+  found.erase(std::unique(found.begin(), found.end(),
+                          [](const SceneFile& a, const SceneFile& b) { return a.name == b.name; }),
+              found.end());
+  return found;
+}
+
+bool matches(const std::string& glob, const std::string& name) {
+  return ::fnmatch(glob.c_str(), name.c_str(), 0) == 0;
+}
+
+std::vector<SceneFile> filtered(const std::vector<SceneFile>& scenes, std::span<const std::string> globs) {
+  if (globs.empty()) return scenes;
+  std::vector<SceneFile> kept;
+  for (const SceneFile& scene : scenes)
+    if (std::any_of(globs.begin(), globs.end(), [&](const std::string& glob) {
+          return matches(glob, scene.name) || matches(glob, scene.file.generic_string());
+        }))
+      kept.push_back(scene);
+  return kept;
+}
+
+std::vector<SceneFile> shardOf(const std::vector<SceneFile>& scenes, const std::string& shard) {
+  std::size_t part = 0, parts = 0;
+  const char* end = shard.data() + shard.size();
+  const auto first = std::from_chars(shard.data(), end, part);
+  const bool slash = first.ec == std::errc() && first.ptr != end && *first.ptr == '/';
+  const auto second = slash ? std::from_chars(first.ptr + 1, end, parts) : first;
+  if (!slash || second.ec != std::errc() || second.ptr != end || part < 1 || part > parts)
+    fail(ExitCode::usage, "--shard takes k/n with 1 <= k <= n, for example 2/4, not \"{}\"", shard);
+  std::vector<SceneFile> kept;
+  for (std::size_t i = part - 1; i < scenes.size(); i += parts) kept.push_back(scenes[i]);
+  return kept;
+}
+
+}  // namespace simreel::golden

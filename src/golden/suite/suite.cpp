@@ -1,0 +1,106 @@
+#include "golden/suite/suite.hpp"
+
+#include "base/clock.hpp"
+#include "golden/suite/scene_test.hpp"
+
+#include <sstream>
+#include <utility>
+
+namespace simreel::golden {
+
+namespace {
+
+std::vector<std::string> lines(const std::string& text) {
+  std::vector<std::string> all;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) all.push_back(line);
+  return all;
+}
+
+struct Try {
+  SceneResult result;
+  ExitCode error = ExitCode::ok;
+  bool hardFailed = false;
+};
+
+Try tryScene(const SceneFile& scene, const SuiteOptions& options, const Device& device) {
+  SceneTest test(scene, options, device);
+  Try made;
+  try {
+    test.run();
+  } catch (const UserError& error) {
+    made.error = error.code();
+    test.result().status = Status::error;
+    const auto text = lines(error.what());
+    auto& messages = test.result().messages;
+    messages.insert(messages.end(), text.begin(), text.end());
+  }
+  made.hardFailed = test.hardFailed();
+  made.result = std::move(test.result());
+  return made;
+}
+
+bool mayPassOnRetry(Status status) {
+  return status == Status::fail || status == Status::nondeterministic || status == Status::error;
+}
+
+/// A failure that the scene announces is expected, unless hard_fail forbids it.
+void applyExpectation(Try& made) {
+  SceneResult& result = made.result;
+  if (result.xfail.empty()) return;
+  if (result.status == Status::pass) {
+    result.status = Status::xpass;
+    result.messages.push_back("passes, though the scene expects it to fail (" + result.xfail +
+                              "); remove its \"xfail\"");
+  } else if (result.status == Status::fail && made.hardFailed) {
+    result.notes.push_back("expected to fail, but hard_fail is not excused by xfail");
+  } else if (result.status == Status::fail) {
+    result.status = Status::xfail;
+  }
+}
+
+}  // namespace
+
+Suite::Suite(SuiteOptions options, Device device)
+    : options_(std::move(options)), device_(std::move(device)) {}
+
+SceneResult Suite::test(const SceneFile& scene) {
+  const auto begin = Clock::now();
+  std::vector<Attempt> attempts;
+  Try made = tryScene(scene, options_, device_);
+  bool everHardFailed = made.hardFailed;
+  while (made.result.xfail.empty() && mayPassOnRetry(made.result.status) &&
+         static_cast<int>(attempts.size()) < options_.retries) {
+    attempts.push_back({made.result.status, made.result.messages});
+    made = tryScene(scene, options_, device_);
+    everHardFailed = everHardFailed || made.hardFailed;
+  }
+  SceneResult& result = made.result;
+  if (!attempts.empty() && result.status == Status::pass) {
+    result.status = Status::flaky;
+    result.messages.push_back(fmt::format("passed on try {}; before that: {}", attempts.size() + 1,
+                                          attempts.front().messages.empty()
+                                              ? statusName(attempts.front().status)
+                                              : attempts.front().messages.front()));
+  }
+  result.attempts = std::move(attempts);
+  applyExpectation(made);
+  result.seconds = secondsSince(begin);
+
+  ++scenes_;
+  const bool flakyFails = result.status == Status::flaky && (!options_.allowFlaky || everHardFailed);
+  differs_ = differs_ || flakyFails || result.status == Status::fail ||
+             result.status == Status::nondeterministic || result.status == Status::xpass;
+  missing_ = missing_ || result.status == Status::missing;
+  if (result.status == Status::error && error_ == ExitCode::ok) error_ = made.error;
+  return std::move(made.result);
+}
+
+ExitCode Suite::exitCode() const {
+  if (scenes_ == 0) return ExitCode::nothingRan;
+  if (differs_) return ExitCode::different;
+  if (error_ != ExitCode::ok) return error_;
+  return missing_ ? ExitCode::baselineMissing : ExitCode::ok;
+}
+
+}  // namespace simreel::golden

@@ -1,0 +1,56 @@
+#pragma once
+#include "base/error.hpp"
+#include "golden/baseline/baseline.hpp"
+#include "golden/result.hpp"
+#include "golden/suite/scene_run.hpp"
+#include "golden/suite/scene_set.hpp"
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace simreel::golden {
+
+enum class Update { none, missing, changed, all };
+
+struct SuiteOptions {
+  int repeats = 2;  ///< runs of each scene, which have to agree
+  int retries = 0;  ///< further tries of a scene that fails
+  bool allowFlaky = false;
+  Update update = Update::none;
+  std::string reason;                         ///< kept in baselines that are written
+  std::string profile;                        ///< instead of the driver's own; empty: that
+  std::vector<std::filesystem::path> assets;  ///< folders that scenes may read beside the usual ones
+  std::map<std::string, double> tolerance;    ///< bounds from the command line, by field name
+  std::filesystem::path reportFolder;         ///< of report.json; image paths are relative to it
+  std::filesystem::path artifacts;            ///< pictures of failures go below it; empty: nowhere
+};
+
+/// The device of this run.
+struct Device {
+  Origin origin;  ///< of the pictures it draws
+  std::string profile, memoryPath;
+  std::string inexact;  ///< why exact numerics do not hold; empty: they do
+};
+
+/// Tests scenes one after the other on the current context.
+class Suite {
+ public:
+  Suite(SuiteOptions options, Device device);
+  /// Runs, compares and, where asked, updates. A mistake in the scene or its baseline, or a lost device, is
+  /// the scene's result; only Interrupted leaves.
+  SceneResult test(const SceneFile& scene);
+  /// The code to exit with after the scenes so far: 1 when anything differs, else the code of the first
+  /// error, else 3 when a baseline is missing, else 0; 5 when there was no scene.
+  [[nodiscard]] ExitCode exitCode() const;
+
+ private:
+  SuiteOptions options_;
+  Device device_;
+  bool differs_ = false, missing_ = false;
+  ExitCode error_ = ExitCode::ok;
+  int scenes_ = 0;
+};
+
+}  // namespace simreel::golden

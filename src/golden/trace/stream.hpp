@@ -1,0 +1,27 @@
+#pragma once
+#include "golden/trace/lines.hpp"
+#include "sim/world/world.hpp"
+
+#include <functional>
+#include <string>
+
+namespace simreel::golden {
+
+/// Takes a line without its end; false: nobody reads on.
+using TakeLine = std::function<bool(const std::string& line)>;
+
+/// The arrays and the first frame of a world that has not been stepped; who runs it is for the caller to
+/// add.
+[[nodiscard]] TraceHeader describeWorld(const sim::World& world);
+
+/// A line for the state at each frame from `first` to `last`. Throws UserError(device) when the state is
+/// lost, after the lines of the frames before.
+void traceFrames(sim::World& world, int first, int last, const TakeLine& take);
+/// A line for the state after each step of `frame`, object by object.
+void traceSteps(sim::World& world, int frame, const TakeLine& take);
+/// Every array after step `step` of `frame`, counted from 1; where an object takes fewer steps, after its
+/// last. Step 0 is for the first frame: the state before any step. Throws UserError(usage) for a step that
+/// the frame does not have.
+[[nodiscard]] StateDump dumpState(sim::World& world, int frame, int step);
+
+}  // namespace simreel::golden

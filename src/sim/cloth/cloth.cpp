@@ -1,0 +1,224 @@
+#include "sim/cloth/cloth.hpp"
+
+#include "base/error.hpp"
+#include "gl/element_array.hpp"
+#include "gl/limits.hpp"
+#include "gl/program.hpp"
+#include "sim/cloth/plan.hpp"
+#include "sim/cloth/quantities.hpp"
+#include "sim/mesh/height_field.hpp"
+
+#include <cstdint>
+#include <cstring>
+#include <utility>
+
+namespace simreel::sim {
+
+namespace {
+
+/// Two triangles a quad, x fastest.
+std::vector<unsigned> gridIndices(glm::ivec2 size) {
+  std::vector<unsigned> indices;
+  indices.reserve(static_cast<std::size_t>(size.x - 1) * static_cast<std::size_t>(size.y - 1) * 6);
+  for (int y = 0; y + 1 < size.y; ++y)
+    for (int x = 0; x + 1 < size.x; ++x) {
+      const auto a = static_cast<unsigned>(y * size.x + x);
+      const auto below = a + static_cast<unsigned>(size.x);
+      indices.insert(indices.end(), {a, below, a + 1, a + 1, below, below + 1});
+    }
+  return indices;
+}
+
+/// One family of constraints and the two colours that keep its pairs apart.
+struct Family {
+  glm::ivec2 reach;
+  int family;
+};
+constexpr Family families[] = {{{1, 0}, 0},  {{0, 1}, 0}, {{1, 1}, 1},
+                               {{-1, 1}, 1}, {{2, 0}, 2}, {{0, 2}, 2}};
+
+class Cloth : public Simulation {
+ public:
+  Cloth(const scene::Object& object, const Setting& setting)
+      : name_(object.name),
+        material_(object.material),
+        plan_(dynamic_cast<const ClothParameters&>(*object.parameters), setting.seed, setting.frameSeconds,
+              *setting.colliders),
+        size_(plan_.parameters().size),
+        heights_(setting.heights),
+        frameSeconds_(setting.frameSeconds) {
+    checkLimits();
+    const auto positions = plan_.firstPositions();
+    positions_[0] = gl::Vec4Array(name_ + " positions", positions);
+    positions_[1] = gl::Vec4Array(name_ + " next positions", positions);
+    velocities_ = gl::Vec4Array(name_ + " velocities", plan_.firstVelocities());
+    indices_ = gl::Buffer::of<unsigned>(name_ + " indices", gridIndices(size_));
+    const unsigned fine[4] = {0xffffffffU, 0xffffffffU, 0, 0};
+    status_ = gl::Buffer::of<unsigned>(name_ + " status", fine);
+    makePrograms(setting.fast);
+    const auto alignment = static_cast<std::size_t>(gl::limits().uniformAlignment);
+    stepStride_ = (sizeof(shader::ClothStep) + alignment - 1) / alignment * alignment;
+    steps_ = gl::Buffer(name_ + " steps", stepStride_ * static_cast<std::size_t>(plan_.substeps()));
+  }
+
+  void step(double time, const StepWatch& watch) override {
+    upload(plan_.frame(time));
+    status_.bindStorage(7);
+    for (int i = 0; i < plan_.substeps(); ++i) {
+      steps_.bindUniform(0, stepStride_ * static_cast<std::size_t>(i), sizeof(shader::ClothStep));
+      positions_[0].bindInput(0);
+      positions_[1].bindState(1);
+      velocities_.bindState(2);
+      if (heights_ != nullptr) {
+        heights_->bind();
+        heights_->tell(touching(), i, plan_.substeps(), plan_.parameters().margin, 0.0F);
+      }
+      gl::barrier();
+      step_.dispatch(size_.x, size_.y);
+      if (plan_.parameters().solver == ClothSolver::constraints) constrain();
+      std::swap(positions_[0], positions_[1]);
+      if (watch) watch(i + 1);
+    }
+    gl::barrier();
+    time_ = time + frameSeconds_;
+  }
+
+  [[nodiscard]] int stepsPerFrame() const override { return plan_.substeps(); }
+  [[nodiscard]] std::string elementName(long element) const override {
+    return fmt::format("particle ({}, {})", element % size_.x, element / size_.x);
+  }
+
+  void publish(double /*time*/, Drawables& drawables) const override {
+    Surface surface;
+    surface.positions = &positions_[0].view();
+    surface.grid = size_;
+    surface.vertexCount = size_.x * size_.y;
+    surface.indices = &indices_;
+    surface.indexCount = (size_.x - 1) * (size_.y - 1) * 6;
+    surface.doubleSided = true;
+    surface.material = &material_;
+    drawables.surfaces.push_back(surface);
+  }
+
+  void carryOver(CarryOver& carry) override {
+    plan_.carryOver(carry);
+    carry.array("positions", positions_[0].buffer());
+    carry.array("velocities", velocities_.buffer());
+  }
+  void resumed(double time) override { time_ = time; }
+
+  [[nodiscard]] std::vector<StateArray> state() const override {
+    return {{"positions", &positions_[0].buffer()}, {"velocities", &velocities_.buffer()}};
+  }
+  [[nodiscard]] PointTable points() const override {
+    const auto positions = positions_[0].buffer().readAll<glm::vec4>();
+    const auto velocities = velocities_.buffer().readAll<glm::vec4>();
+    PointTable table{{"x", "y", "z", "vx", "vy", "vz"}, {}};
+    table.values.reserve(positions.size() * table.columns.size());
+    for (std::size_t i = 0; i < positions.size(); ++i)
+      table.values.insert(table.values.end(), {positions[i].x, positions[i].y, positions[i].z,
+                                               velocities[i].x, velocities[i].y, velocities[i].z});
+    return table;
+  }
+  [[nodiscard]] const gl::Buffer* status() const override { return &status_; }
+  [[nodiscard]] std::vector<double> measure() const override {
+    return measureCloth(plan_.parameters(), positions_[0].buffer().readAll<glm::vec4>(),
+                        velocities_.buffer().readAll<glm::vec4>(), time_);
+  }
+  [[nodiscard]] std::string explainLoss(unsigned step, unsigned element) const override {
+    const auto width = static_cast<unsigned>(size_.x);
+    return fmt::format(
+        "cloth \"{}\" blew up in substep {} at particle ({}, {}): its position or velocity is no longer a "
+        "sensible "
+        "number; use more substeps ({} per frame now, or \"auto\"){}, lower the stiffness or raise the "
+        "mass",
+        name_, step, element % width, element / width, plan_.substeps(),
+        plan_.parameters().solver == ClothSolver::springs ? " or \"solver\": \"constraints\"" : "");
+  }
+
+ private:
+  /// Before anything is filled: a cloth far beyond the limit would first take gigabytes.
+  void checkLimits() const {
+    const auto bytes = std::int64_t{24} * (size_.x - 1) * (size_.y - 1);
+    const std::int64_t most = gl::limits().storageBlockBytes;
+    if (bytes > most)
+      fail(ExitCode::device,
+           "cloth \"{}\" of {}x{} particles needs {} bytes of indices, this device allows {} in one buffer "
+           "(GL_MAX_SHADER_STORAGE_BLOCK_SIZE); make it smaller",
+           name_, size_.x, size_.y, bytes, most);
+  }
+
+  void makePrograms(bool fast) {
+    const bool constraints = plan_.parameters().solver == ClothSolver::constraints;
+    gl::Defines defines = gl::kernelDefines(fast);
+    defines.emplace_back("HEIGHTS", heights_ != nullptr ? "1" : "0");
+    if (constraints) {
+      constrain_ = gl::Program::compute("cloth/constrain.comp", defines);
+      settle_ = gl::Program::compute("cloth/settle.comp", defines);
+      constrain_.set("size", size_);
+      settle_.set("size", size_);
+    }
+    defines.emplace_back("SPRINGS", constraints ? "false" : "true");
+    defines.emplace_back("AIR", plan_.parameters().hasAir ? "true" : "false");
+    defines.emplace_back("CONTACT", constraints ? "false" : "true");
+    step_ = gl::Program::compute("cloth/step.comp", defines);
+    step_.set("size", size_);
+    step_.checkUniformBlock("StepBlock", sizeof(shader::ClothStep));
+  }
+
+  /// The kernel that touches colliders.
+  [[nodiscard]] const gl::Program& touching() const {
+    return plan_.parameters().solver == ClothSolver::constraints ? settle_ : step_;
+  }
+
+  void upload(const std::vector<shader::ClothStep>& steps) {
+    std::vector<std::byte> bytes(steps_.bytes());
+    for (std::size_t i = 0; i < steps.size(); ++i)
+      std::memcpy(&bytes[i * stepStride_], &steps[i], sizeof steps[i]);
+    steps_.write(0, bytes);
+  }
+
+  void constrain() {
+    for (const Family& family : families)
+      for (int color = 0; color < 2; ++color) {
+        gl::barrier();
+        constrain_.set("reach", family.reach);
+        constrain_.set("family", family.family);
+        constrain_.set("color", color);
+        constrain_.dispatch(size_.x, size_.y);
+      }
+    gl::barrier();
+    settle_.dispatch(size_.x, size_.y);
+  }
+
+  std::string name_;
+  scene::Material material_;
+  ClothPlan plan_;
+  glm::ivec2 size_;
+  const HeightField* heights_;  ///< null: none in the scene
+  double frameSeconds_;
+  double time_ = 0;             ///< s, of the present state
+  gl::Vec4Array positions_[2];  ///< now, and where the next substep writes
+  gl::Vec4Array velocities_;
+  gl::Buffer indices_;
+  gl::Buffer status_;
+  gl::Buffer steps_;
+  std::size_t stepStride_ = 0;
+  gl::Program step_, constrain_, settle_;
+};
+
+}  // namespace
+
+SimulationKind clothKind() {
+  return {{"cloth", "A sheet of particles held together by springs, in wind and over colliders.",
+           [] { return std::make_unique<ClothParameters>(); }},
+          [](const scene::Object& object, const Setting& setting) {
+            static_cast<void>(ClothPlan(dynamic_cast<const ClothParameters&>(*object.parameters),
+                                        setting.seed, setting.frameSeconds, *setting.colliders));
+          },
+          [](const scene::Object& object, const Setting& setting) -> std::unique_ptr<Simulation> {
+            return std::make_unique<Cloth>(object, setting);
+          }};
+}
+
+}  // namespace simreel::sim

@@ -1,0 +1,146 @@
+#include "sim/cloth/plan.hpp"
+
+#include "base/error.hpp"
+#include "base/log.hpp"
+#include "sim/core/shader_code.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+
+namespace simreel::sim {
+
+namespace {
+
+/// Share of a quantity left after dt when it decays at `rate`.
+float kept(float rate, double dt) {
+  return shader::exactExp(static_cast<float>(-rate * dt));
+}
+
+shader::PinFrame pinFrame(const PinGroup& group, double time) {
+  // x' = pivot + move + R S (x - pivot)
+  glm::mat4 m = rotationMatrix(group.rotate.at(time));
+  const glm::vec3 scale = group.scale.at(time);
+  const glm::vec3 move = group.move.at(time);
+  for (int i = 0; i < 3; ++i) m[i] *= scale[i];
+  shader::PinFrame frame{};
+  glm::vec4* rows[3] = {&frame.row0, &frame.row1, &frame.row2};
+  for (int i = 0; i < 3; ++i) {
+    const float turned = m[0][i] * group.pivot.x + m[1][i] * group.pivot.y + m[2][i] * group.pivot.z;
+    *rows[i] = glm::vec4(m[0][i], m[1][i], m[2][i], group.pivot[i] - turned + move[i]);
+  }
+  return frame;
+}
+
+}  // namespace
+
+ClothPlan::ClothPlan(const ClothParameters& parameters, int seed, double frameSeconds,
+                     const std::vector<ColliderShape>& colliders)
+    : parameters_(parameters),
+      seed_(seed),
+      substeps_(parameters.substepsPerFrame(frameSeconds)),
+      colliders_(colliders) {
+  substepSeconds_ = frameSeconds / substeps_;
+  if (colliders_.size() > shader::mostColliders)
+    fail(ExitCode::usage,
+         "a cloth collides with at most {} shapes, the scene has {}; set \"collides\": false on some",
+         shader::mostColliders, colliders_.size());
+  if (const std::string problem = parameters_.instability(frameSeconds); !problem.empty())
+    warn("cloth: {}", problem);
+  const glm::mat4 turn = rotationMatrix(parameters_.rotation);
+  alongX_ = glm::vec3(turn[0]) * parameters_.spacing;
+  alongY_ = glm::vec3(turn[2]) * parameters_.spacing;
+  origin_ = parameters_.position - alongX_ * (0.5F * static_cast<float>(parameters_.size.x - 1)) -
+            alongY_ * (0.5F * static_cast<float>(parameters_.size.y - 1));
+}
+
+std::vector<glm::vec4> ClothPlan::firstPositions() const {
+  const glm::ivec2 size = parameters_.size;
+  std::vector<glm::vec4> positions;
+  positions.reserve(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y));
+  for (int y = 0; y < size.y; ++y)
+    for (int x = 0; x < size.x; ++x) {
+      const auto bits =
+          shader::hash3({static_cast<unsigned>(x), static_cast<unsigned>(y), static_cast<unsigned>(seed_)});
+      const glm::vec3 noise(shader::signedUnit(bits.x), shader::signedUnit(bits.y),
+                            shader::signedUnit(bits.z));
+      const glm::vec3 rest = origin_ + alongX_ * static_cast<float>(x) + alongY_ * static_cast<float>(y);
+      positions.emplace_back(rest + noise * parameters_.jitter, 1.0F / parameters_.mass);
+    }
+  for (const PinGroup& group : parameters_.pins)
+    for (const int i : parameters_.pinnedBy(group)) positions[static_cast<std::size_t>(i)].w = 0.0F;
+  return positions;
+}
+
+std::vector<glm::vec4> ClothPlan::firstVelocities() const {
+  const glm::ivec2 size = parameters_.size;
+  std::vector<glm::vec4> velocities(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y),
+                                    glm::vec4(0));
+  for (std::size_t group = 0; group < parameters_.pins.size(); ++group)
+    for (const int i : parameters_.pinnedBy(parameters_.pins[group]))
+      velocities[static_cast<std::size_t>(i)].w = static_cast<float>(group);
+  return velocities;
+}
+
+shader::Collider ClothPlan::colliderAt(const ColliderShape& shape, double time) const {
+  const auto ends = [&](double t) {
+    const glm::vec3 up(rotationMatrix(shape.rotation.at(t))[1]);
+    const glm::vec3 centre = shape.position.at(t);
+    const glm::vec3 reach = up * (0.5F * shape.length);
+    return std::array{centre - reach, centre + reach, up};
+  };
+  const auto now = ends(time);
+  const auto before = ends(time - substepSeconds_);
+  const auto rate = static_cast<float>(1.0 / substepSeconds_);
+  shader::Collider c{};
+  const float keep = kept(shape.grip, substepSeconds_);
+  if (shape.kind == ColliderShape::Kind::plane) {
+    const glm::vec3 n = now[2];
+    const glm::vec3 p = shape.position.at(time);
+    c.a = glm::vec4(n, n.x * p.x + n.y * p.y + n.z * p.z);
+    c.b = glm::vec4(0, 0, 0, 1);
+    c.velocityA = glm::vec4(0, 0, 0, keep);
+    return c;
+  }
+  c.a = glm::vec4(now[0], shape.radius);
+  c.b = glm::vec4(now[1], 0);
+  c.velocityA = glm::vec4((now[0] - before[0]) * rate, keep);
+  c.velocityB = glm::vec4((now[1] - before[1]) * rate,
+                          shape.length > 0 ? 1.0F / (shape.length * shape.length) : 0.0F);
+  return c;
+}
+
+std::vector<shader::ClothStep> ClothPlan::frame(double time) {
+  std::vector<shader::ClothStep> steps(static_cast<std::size_t>(substeps_));
+  const ClothParameters& p = parameters_;
+  const auto dt = static_cast<float>(substepSeconds_);
+  for (int i = 0; i < substeps_; ++i) {
+    const double start = time + i * substepSeconds_;
+    const double end = time + (i + 1) * substepSeconds_;
+    shader::ClothStep& s = steps[static_cast<std::size_t>(i)];
+    s.gravity = glm::vec4(p.gravity.at(start), dt);
+    s.windForce = glm::vec4(p.wind.at(start), kept(p.damping, substepSeconds_));
+    const glm::vec3 air = p.hasAir ? p.air.velocity.at(start) : glm::vec3(0);
+    const auto speed = static_cast<float>(std::sqrt(static_cast<double>(air.x) * air.x +
+                                                    static_cast<double>(air.y) * air.y +
+                                                    static_cast<double>(air.z) * air.z));
+    for (int axis = 0; axis < 3; ++axis) drift_[axis] += air[axis] * substepSeconds_;
+    s.air = glm::vec4(air, p.air.density);
+    s.airShape = glm::vec4(p.air.drag, p.air.lift, p.air.gusts, 1.0F / p.air.gustSize);
+    s.airDrift = glm::vec4(drift_[0], drift_[1], drift_[2], p.air.gusts * speed);
+    s.origin = glm::vec4(origin_, p.margin);
+    s.alongX = glm::vec4(alongX_, p.spacing);
+    s.alongY = glm::vec4(alongY_, static_cast<float>(1.0 / (substepSeconds_ * substepSeconds_)));
+    s.stiffness = glm::vec4(p.stiffness, p.stiffness * p.shear, p.stiffness * p.bend,
+                            static_cast<float>(1.0 / substepSeconds_));
+    s.compliance = glm::vec4(p.compliance, p.shearCompliance, p.bendCompliance, 0);
+    s.counts = glm::ivec4(static_cast<int>(colliders_.size()), static_cast<int>(done_), seed_, 0);
+    for (std::size_t c = 0; c < colliders_.size(); ++c) s.colliders[c] = colliderAt(colliders_[c], end);
+    for (std::size_t g = 0; g < p.pins.size(); ++g) s.frames[g] = pinFrame(p.pins[g], end);
+    ++done_;
+  }
+  return steps;
+}
+
+}  // namespace simreel::sim

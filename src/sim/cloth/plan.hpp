@@ -1,0 +1,58 @@
+#pragma once
+#include "glsl/common/cpp.hpp"
+#include "sim/cloth/parameters.hpp"
+#include "sim/core/carry_over.hpp"
+#include "sim/core/collider.hpp"
+
+#include <cstdint>
+#include <vector>
+
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+namespace simreel::shader {
+#include "glsl/cloth/types.glsl"
+static_assert(sizeof(Collider) == 64);
+static_assert(sizeof(PinFrame) == 48);
+static_assert(sizeof(ClothStep) == 11 * 16 + mostColliders * 64 + mostPinFrames * 48);
+}  // namespace simreel::shader
+
+namespace simreel::sim {
+
+/// Everything of a cloth that is decided on the CPU: its first state and, frame by frame, what each substep
+/// is told. Shared by the GPU simulation and its CPU twin, so both start and go on from the same numbers.
+class ClothPlan {
+ public:
+  /// Throws UserError(usage) when there are more colliders than the kernels hold, or "auto" takes more
+  /// substeps than there may be; warns once when the given substeps are fewer than it needs.
+  ClothPlan(const ClothParameters& parameters, int seed, double frameSeconds,
+            const std::vector<ColliderShape>& colliders);
+
+  /// xyz in m, w inverse mass in 1/kg (0: pinned); size.x * size.y elements, x fastest.
+  [[nodiscard]] std::vector<glm::vec4> firstPositions() const;
+  /// xyz in m/s (zero), w the pin group of a pinned particle.
+  [[nodiscard]] std::vector<glm::vec4> firstVelocities() const;
+  /// The substeps of the frame that starts at `time` (s). Call in order: gusts drift from frame to frame.
+  [[nodiscard]] std::vector<shader::ClothStep> frame(double time);
+  void carryOver(CarryOver& carry) {
+    carry.number("steps begun", done_);
+    for (double& drift : drift_) carry.number("gusts' drift", drift);
+  }
+
+  [[nodiscard]] const ClothParameters& parameters() const { return parameters_; }
+  [[nodiscard]] int substeps() const { return substeps_; }
+
+ private:
+  [[nodiscard]] shader::Collider colliderAt(const ColliderShape& shape, double time) const;
+
+  ClothParameters parameters_;
+  int seed_;
+  double substepSeconds_;
+  int substeps_;
+  std::vector<ColliderShape> colliders_;
+  glm::vec3 alongX_, alongY_, origin_;
+  double drift_[3] = {0, 0, 0};
+  std::uint32_t done_ = 0;  ///< substeps so far
+};
+
+}  // namespace simreel::sim

@@ -1,0 +1,104 @@
+#pragma once
+#include "gl/buffer.hpp"
+#include "gl/texture.hpp"
+#include "scene/scene.hpp"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+namespace simreel::sim {
+
+/// Indexed triangles pulled from buffers by gl_VertexID; nothing is copied. All pointers stay owned by
+/// the simulation and live until its next step.
+struct Surface {
+  const gl::Texture* positions = nullptr;  ///< RGBA32F texel view, one texel a vertex: xyz in m, w unused
+  const gl::Texture* normals = nullptr;    ///< RGBA32F texel view, xyz; null for a grid
+  const gl::Texture* uvs = nullptr;        ///< RG32F texel view; null for a grid
+  /// Width and height of a grid of vertices (x fastest) whose normals come from neighbours and whose
+  /// uv = (x/(W-1), y/(H-1)); zero for a mesh.
+  glm::ivec2 grid{0, 0};
+  int vertexCount = 0;
+  const gl::Buffer* indices = nullptr;  ///< 32-bit
+  int indexCount = 0;
+  /// Set when the vertex shader displaces: uniform DeformStep of glsl/mesh/types.glsl, and the trail;
+  /// positions and normals are those at rest, positions' w the distance between vertices.
+  const gl::Buffer* deform = nullptr;
+  const gl::Texture* trail = nullptr;  ///< RGBA32F texel view
+  glm::mat4 model{1.0F};               ///< rigid, or uniformly scaled
+  bool doubleSided = false;
+  const scene::Material* material = nullptr;
+};
+
+/// Many copies of one small mesh, or camera-facing sprites, one for each living particle. Nothing about
+/// them is known to the CPU but their greatest number: a kernel drops the dead and those out of sight and
+/// fills the arguments of the indirect draw.
+struct Instances {
+  enum class Shape { sprite, sphere, mesh };
+  enum class ColorBy { material, speed, mass, age };
+  const gl::Texture* positions = nullptr;  ///< RGBA32F texel view: xyz in m, w mass in kg
+  const gl::Texture* velocities =
+      nullptr;  ///< RGBA32F texel view: xyz in m/s, w age 0 to 1, exactly 0: ages not; negative: not alive
+  int capacity = 0;             ///< elements of both
+  Shape shape = Shape::sprite;  ///< sprites are lit as balls, or glow when additive
+  std::filesystem::path mesh;   ///< OBJ, PLY or glTF file of Shape::mesh
+  bool alongVelocity = false;   ///< turns the mesh's z axis along the velocity
+  float size = 0.1F;            ///< m: diameter; of a mesh, factor on its coordinates
+  float massExponent = 0.0F;    ///< size is multiplied with (mass / massReference)^exponent
+  float massReference = 1.0F;   ///< kg
+  ColorBy colorBy = ColorBy::material;
+  glm::vec2 colorRange{0, 1};                      ///< of speed (m/s), mass (kg) or age, mapped to 0..1
+  const std::vector<glm::vec3>* colors = nullptr;  ///< linear RGB stops of the colour map, evenly spaced
+  bool additive = false;                 ///< light that adds up (HDR), no shadow; else opaque, with shadow
+  float brightness = 1.0F;               ///< factor on the colours of additive ones
+  float fade = 0.0F;                     ///< share of life over which additive ones fade in and out
+  glm::vec3 boundsMin{0}, boundsMax{0};  ///< m; a box for the shadow map's fit; empty: measured on the GPU
+  const scene::Material* material = nullptr;
+};
+
+/// Where and how a field is laid over the picture (field_display.hpp).
+struct FieldDisplay;
+
+/// A 2-D grid of cells, read straight from the simulation's memory. Cell (0, 0) is the top left one of the
+/// picture and the one at uv (0, 0) of a skin.
+struct Field {
+  enum class Cells { bits, bytes, floats };
+  const std::string* name = nullptr;   ///< of the object; skins ask for it
+  const gl::Texture* words = nullptr;  ///< RGBA32UI texel view of the state, of floats too
+  Cells cells = Cells::floats;         ///< lowest bit or byte of a word first; bytes are 0 to 255
+  glm::ivec2 size{0, 0};               ///< cells
+  int rowWords = 0;                    ///< 32-bit words from one row to the next
+  int firstWord = 0;                   ///< of cell (0, 0)
+  int cellWords = 1;                   ///< of floats: words from a cell to the next
+  bool categories = false;             ///< a value is the number of its colour; else a place in `range`
+  glm::vec2 range{0, 1};               ///< values of the first and the last colour
+  const std::vector<glm::vec3>* colors =
+      nullptr;                            ///< linear RGB: stops, evenly spaced, or one per category
+  const FieldDisplay* display = nullptr;  ///< null: not laid over the picture
+};
+
+/// Curves over the picture: what a simulation counted in each step so far.
+struct Chart {
+  const gl::Texture* counts = nullptr;  ///< RGBA32UI texel view, one texel a step: up to four counts
+  int steps = 0;                        ///< counted so far
+  int width = 1;                        ///< steps along the whole x axis, at least `steps`
+  unsigned most = 1;                    ///< count at the top of the y axis
+  std::vector<std::string> names;       ///< of the first counts, at most four
+  std::vector<glm::vec3> colors;        ///< linear RGB, one each
+  glm::vec2 corner{0.025F, 0.6F};       ///< top left of its panel, as shares of the picture
+  glm::vec2 extent{0.36F, 0.36F};       ///< width and height of its panel, as shares of the picture
+};
+
+/// What a simulation publishes for drawing: a list per kind, one pass each.
+struct Drawables {
+  std::vector<Surface> surfaces = {};
+  std::vector<Instances> instances = {};
+  std::vector<Field> fields = {};
+  std::vector<Chart> charts = {};
+};
+
+}  // namespace simreel::sim

@@ -1,0 +1,90 @@
+#include "sim/core/numerics.hpp"
+
+#include "base/hash.hpp"
+#include "gl/buffer.hpp"
+#include "gl/element_array.hpp"
+#include "gl/program.hpp"
+#include "sim/core/shader_code.hpp"
+
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <vector>
+
+#include <fmt/format.h>
+
+namespace simreel::sim {
+
+namespace {
+
+constexpr int probes = 253;
+constexpr int exactFunctions = 8;
+constexpr int functions = 16;
+
+/// Numbers of both signs over many magnitudes, by integer hash.
+std::vector<float> inputs() {
+  std::vector<float> values;
+  for (unsigned i = 0; i < probes; ++i) {
+    const auto bits = shader::hash3({i, 7, 11});
+    const float unit = shader::signedUnit(bits.x);
+    const float scales[] = {1.0F, 30.0F, 1e-3F, 1e-6F};
+    values.push_back(unit * scales[bits.y % 4]);
+  }
+  return values;
+}
+
+std::array<float, exactFunctions> twin(float x) {
+  const float a = shader::abs(x);
+  return {shader::exactFlush(x), shader::exactInverseSqrt(a),
+          shader::exactSqrt(a),  shader::exactReciprocal(x),
+          shader::exactSin(x),   shader::exactCos(x),
+          shader::exactExp(x),   shader::exactDot({x, a, 1.5F}, {0.3F, x, a})};
+}
+
+}  // namespace
+
+Numerics probeNumerics() {
+  const char* names[exactFunctions] = {"exactFlush", "exactInverseSqrt", "exactSqrt", "exactReciprocal",
+                                       "exactSin",   "exactCos",         "exactExp",  "exactDot"};
+  const auto values = inputs();
+  const auto in = gl::Buffer::of<float>("probe inputs", values);
+  const gl::Buffer out("probe outputs", probes * functions * sizeof(float));
+  const auto program = gl::Program::compute("common/probe.comp");
+  in.bindStorage(0);
+  out.bindStorage(1);
+  program.set("count", probes);
+  program.dispatch(probes);
+  gl::barrier();
+  const auto results = out.readAll<float>();
+
+  Numerics found;
+  found.exactHolds = true;
+  std::vector<float> builtIns;
+  for (std::size_t i = 0; i < probes; ++i) {
+    const auto expected = twin(values[i]);
+    for (std::size_t f = 0; f < exactFunctions; ++f) {
+      const float got = results[i * functions + f];
+      if (std::bit_cast<std::uint32_t>(got) == std::bit_cast<std::uint32_t>(expected[f])) continue;
+      if (found.exactHolds)
+        found.firstFailure =
+            fmt::format("{}({:.9g}): GPU {:.9g}, CPU {:.9g}", names[f], values[i], got, expected[f]);
+      found.exactHolds = false;
+    }
+    for (std::size_t f = exactFunctions; f < functions; ++f) builtIns.push_back(results[i * functions + f]);
+  }
+  if (gl::memoryPath() == gl::MemoryPath::storage) builtIns.push_back(1);
+  found.fingerprint = hashHex(std::as_bytes(std::span(builtIns))).substr(0, 16);
+  return found;
+}
+
+unsigned probeLoop() {
+  const gl::Buffer out("loop probe", 16);
+  const auto program = gl::Program::compute("common/loop_probe.comp");
+  out.bindStorage(0);
+  program.set("rounds", static_cast<int>(loopProbeRounds));
+  program.dispatch(1);
+  gl::barrier();
+  return out.readAll<unsigned>().front();
+}
+
+}  // namespace simreel::sim

@@ -1,0 +1,13 @@
+#pragma once
+// The shared shader files of glsl/common as C++, in simreel::shader.
+#include "glsl/common/cpp.hpp"
+
+#define FUNCTION inline
+#define precise
+namespace simreel::shader {
+#include "glsl/common/exact.glsl"
+#include "glsl/common/hash.glsl"
+#include "glsl/grid/stroke.glsl"
+}  // namespace simreel::shader
+#undef precise
+#undef FUNCTION

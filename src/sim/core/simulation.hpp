@@ -1,0 +1,135 @@
+#pragma once
+#include "gl/buffer.hpp"
+#include "scene/scene.hpp"
+#include "sim/core/carry_over.hpp"
+#include "sim/core/collider.hpp"
+#include "sim/core/drawable.hpp"
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+namespace simreel::sim {
+
+class HeightField;
+
+/// What a simulation may know of the scene around it.
+struct Setting {
+  bool fast = false;  ///< numerics: built-ins and contraction allowed
+  int seed = 1;
+  double frameSeconds = 1.0 / 60.0;
+  const std::vector<ColliderShape>* colliders = nullptr;
+  bool timing = false;  ///< whether simulations measure their stages
+  /// Of the mesh that collides, already stepped when others step; null: none.
+  const HeightField* heights = nullptr;
+  double startTime = 0;  ///< s of scene time of the first state: minus what is simulated before frame 0
+  /// Hears how many of its steps before the first frame an object has done; may throw to end them. Empty:
+  /// nobody listens.
+  std::function<void(long done, long total)> presteps = {};
+};
+
+/// State that is hashed, compared and can be read back: whole elements of four words, floats unless said.
+struct StateArray {
+  const char* name;
+  const gl::Buffer* buffer;
+  bool integers = false;  ///< bits or counts: no word of them is a NaN
+};
+
+/// What a simulation counts in each step: for a table beside the frames.
+struct CountTable {
+  std::vector<const char*> columns;  ///< at most four
+  const gl::Buffer* steps =
+      nullptr;   ///< uvec4 a step of the present frame, room for stepsPerFrame() of them
+  int rows = 0;  ///< of them in use; before the first step one: the counts of the start
+};
+
+/// The state as a table for other programs: a row for each point, read back from the GPU.
+struct PointTable {
+  std::vector<const char*> columns;  ///< "x", "y", "z", "vx", ... as point files call them
+  std::vector<float> values;         ///< row by row
+};
+
+/// A surface as a table for other programs, read back from the GPU where it is there: metres, the object's
+/// own position, rotation and scale applied; uvs are empty where the mesh has none.
+struct MeshTable {
+  std::vector<glm::vec3> positions;
+  std::vector<glm::vec3> normals;
+  std::vector<glm::vec2> uvs;
+  std::vector<unsigned> indices;  ///< three a triangle
+};
+
+/// The state as a file that programs for its kind of simulation exchange.
+struct StateFile {
+  const char* suffix = nullptr;  ///< "rle"; null: there is none
+  /// Reads the state back and writes the file's text; `comment`: lines for it where the format has room.
+  std::function<std::string(const std::string& comment)> text = {};
+};
+
+/// Called after each step of a frame, counted from 1, while state() holds what that step left. Empty:
+/// nobody watches.
+using StepWatch = std::function<void(int step)>;
+
+/// Owns its state on the GPU and publishes drawables. It never draws.
+class Simulation {
+ public:
+  virtual ~Simulation() = default;
+  /// Advances by one frame: from `time` to `time + frameSeconds` (s of scene time).
+  virtual void step(double time, const StepWatch& watch) = 0;
+  /// Names what the next frame depends on beyond scene and time, to be read or put back.
+  virtual void carryOver(CarryOver& /*carry*/) {}
+  /// After it was put back: makes what else belongs to the state at `time`.
+  virtual void resumed(double /*time*/) {}
+  /// Steps that a frame takes: the calls of a watch.
+  [[nodiscard]] virtual int stepsPerFrame() const { return 1; }
+  /// What a user would call an element of a state array.
+  [[nodiscard]] virtual std::string elementName(long element) const {
+    return "element " + std::to_string(element);
+  }
+  /// Appends what is to be drawn of the state at `time`.
+  virtual void publish(double time, Drawables& drawables) const = 0;
+  /// State arrays in a fixed order; empty for things without state.
+  [[nodiscard]] virtual std::vector<StateArray> state() const { return {}; }
+  /// What `simreel bake` writes; empty for things that are no points.
+  [[nodiscard]] virtual PointTable points() const { return {}; }
+  /// What `simreel bake` writes of things that have a format of their own.
+  [[nodiscard]] virtual StateFile stateFile() const { return {}; }
+  /// What it counts per step; no columns for things that count nothing.
+  [[nodiscard]] virtual CountTable counts() const { return {}; }
+  /// What `simreel bake` writes of things that deform a mesh; nothing for others.
+  [[nodiscard]] virtual std::optional<MeshTable> mesh() const { return std::nullopt; }
+  /// What others fall onto; null for things that are no such surface.
+  [[nodiscard]] virtual const HeightField* heights() const { return nullptr; }
+  /// Four words as glsl/common/status.glsl writes them, or null.
+  [[nodiscard]] virtual const gl::Buffer* status() const { return nullptr; }
+  /// The quantities of its parameters, in that order, of the present state, which is read back: summed up
+  /// on the CPU in double and in a fixed order, so equal states give equal numbers. Waits for the GPU.
+  [[nodiscard]] virtual std::vector<double> measure() const { return {}; }
+  /// How `step` splits, for `simreel bench`: names (the same in every frame) and ms, of the latest frame
+  /// that is known, when Setting::timing is on. CPU stages by the clock, those of the GPU by timer queries.
+  /// Never waits for the device.
+  [[nodiscard]] virtual std::vector<std::pair<const char*, double>> stageTimes() const { return {}; }
+  /// One line for a user, said once, where the third word of status() is not 0; `frame`: when that was
+  /// seen.
+  [[nodiscard]] virtual std::string remark(int /*frame*/) const { return {}; }
+  /// One line for a user: where and why the state was lost, and what to change.
+  [[nodiscard]] virtual std::string explainLoss(unsigned step, unsigned element) const {
+    return "step " + std::to_string(step) + ", element " + std::to_string(element);
+  }
+};
+
+/// One entry of the list of simulations.
+struct SimulationKind {
+  scene::Kind kind;
+  /// Reads the files of the object and throws the UserError that `make` would throw on any device; empty
+  /// where there is none. Needs no context; `heights` of the setting are null.
+  std::function<void(const scene::Object&, const Setting&)> check;
+  std::function<std::unique_ptr<Simulation>(const scene::Object&, const Setting&)> make;
+};
+
+}  // namespace simreel::sim

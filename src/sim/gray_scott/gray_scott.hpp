@@ -1,0 +1,10 @@
+#pragma once
+#include "sim/core/simulation.hpp"
+
+namespace simreel::sim {
+
+/// Gray-Scott reaction-diffusion on the GPU (SPEC 4): a torus of cells, 16 bytes each. Publishes v as a
+/// field, and u, called NAME.u, for files.
+[[nodiscard]] SimulationKind grayScottKind();
+
+}  // namespace simreel::sim

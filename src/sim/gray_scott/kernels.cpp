@@ -1,0 +1,200 @@
+#include "sim/gray_scott/kernels.hpp"
+
+#include "base/error.hpp"
+#include "gl/limits.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <utility>
+
+namespace simreel::sim {
+
+namespace {
+
+/// Invocations side by side across a strip (strips.comp).
+constexpr int stripGroup = 32;
+
+/// How many groups a pass of several steps takes; each repeats `steps` cells around its part.
+int stripCount(glm::ivec2 size, int steps, int pairs, int rows) {
+  const int width = stripGroup * pairs - (steps + 1) / 2 * 2;
+  return (((size.x + 1) / 2 - 1) / width + 1) * ((size.y - 1) / rows + 1);
+}
+
+/// Before anything is filled: a grid far beyond the limit would first take gigabytes.
+void checkLimits(const std::string& name, glm::ivec2 size, int columns) {
+  const std::int64_t elements = std::int64_t{columns} * size.y;
+  const auto refuse = [&](std::int64_t need, const char* what, std::int64_t most, const char* limit) {
+    if (need > most)
+      fail(ExitCode::device,
+           "grayScott \"{}\" of {}x{} cells needs {} {} in one buffer, this device allows {} ({}); make it "
+           "smaller",
+           name, size.x, size.y, need, what, most, limit);
+  };
+  refuse(elements * 16, "bytes", gl::limits().storageBlockBytes, "GL_MAX_SHADER_STORAGE_BLOCK_SIZE");
+  refuse(elements, "texels", gl::limits().texelBufferTexels, "GL_MAX_TEXTURE_BUFFER_SIZE");
+}
+
+/// An H200 reads and writes 3.6e12 bytes/s while both arrays are within 256 MiB, 2.1e12 when they are 1 GiB
+/// (its cache of addresses, it seems): bands of a quarter. None for software drivers and smaller grids.
+int bandRowsFor(int columns, int rows) {
+  constexpr std::int64_t reach = 512LL << 20;
+  const std::int64_t rowBytes = std::int64_t{columns} * 32;
+  if (gl::memoryPath() == gl::MemoryPath::texel || rowBytes * rows <= reach) return 0;
+  return static_cast<int>(std::max<std::int64_t>(reach / 2 / rowBytes, 1));
+}
+
+std::vector<glm::uvec4> elementsOf(const std::vector<std::uint32_t>& words) {
+  std::vector<glm::uvec4> elements;
+  for (std::size_t i = 0; i + 3 < words.size(); i += 4)
+    elements.emplace_back(words[i], words[i + 1], words[i + 2], words[i + 3]);
+  return elements;
+}
+
+}  // namespace
+
+// Long, wide strips repeat least; an H200 wants some 4,000 of them (9 of the widest are at work on each of
+// its 132 multiprocessors at a time). Measured from 512x512 to 8192x8192, tools/bench/README.md.
+GrayScottKernels::Cut GrayScottKernels::bestCut(glm::ivec2 size) {
+  if (gl::memoryPath() == gl::MemoryPath::texel) return {1, 4, 32, 4};
+  constexpr int steps = 4, wanted = 4000;
+  if (stripCount(size, steps, 2, 128) >= wanted) return {1, 1, 32, 4, -1, steps, 2, 128};
+  int rows = 128;
+  while (rows > 16 && stripCount(size, steps, 1, rows) < wanted) rows /= 2;
+  return {1, 1, 32, 4, -1, steps, 1, rows};
+}
+
+GrayScottKernels::GrayScottKernels(const std::string& name, const GrayScottPlan& plan, bool fast,
+                                   const Cut& cut)
+    : size_(plan.parameters().size), columns_(plan.columns()), cut_(cut), mapped_(plan.mapped()) {
+  if (mapped_) cut_.stepsPerPass = 1;  // its kernel knows no map of rates
+  if (cut_.bandRows < 0) cut_.bandRows = bandRowsFor(columns_, size_.y);
+  cut_.bandRows = std::min(cut_.bandRows, size_.y / 2);
+  checkLimits(name, size_, columns_);
+  const std::vector<glm::vec4> first = plan.firstCells();
+  cells_[0] = gl::Vec4Array(name + " cells", first);
+  cells_[1] = gl::Vec4Array(name + " next cells", first);
+  for (int i = 0; i < 2; ++i)
+    words_[i] = gl::Texture::view(name + " words", GL_RGBA32UI, cells_[i].buffer());
+  if (mapped_) weights_ = gl::Vec4Array(name + " rate map", plan.weights());
+  constexpr unsigned fine[] = {0xffffffffU, 0, 0, 0};
+  status_ = gl::Buffer::of<unsigned>(name + " status", fine);
+
+  gl::Defines defines = gl::kernelDefines(fast);
+  if (!plan.strokes().empty()) {
+    strokeBits_ = gl::WordsArray(name + " brush images", elementsOf(plan.strokes().imageBits()));
+    paint_ = gl::Program::compute("gray_scott/paint.comp", defines);
+    paint_.set("size", size_);
+    paint_.set("columns", columns_);
+  }
+  if (mapped_) defines.emplace_back("MAPPED", "1");
+  if (size_.x % 2 == 1) defines.emplace_back("ODD_WIDTH", "1");
+  const auto define = [&](const char* key, int value) { defines.emplace_back(key, std::to_string(value)); };
+  define("ACROSS", cut_.across);
+  define("ROWS", cut_.rows);
+  define("GROUP_X", cut_.groupX);
+  define("GROUP_Y", cut_.groupY);
+  makeProgram(step_, "gray_scott/step.comp", defines);
+  makeProgram(look_, "gray_scott/look.comp", defines);
+  if (cut_.stepsPerPass == 1) return;
+  if (gl::limits().shuffle32) defines.emplace_back("SUBGROUPS", "1");
+  define("STEPS", cut_.stepsPerPass);
+  define("PAIRS", cut_.stripPairs);
+  define("STRIP_ROWS", cut_.stripRows);
+  makeProgram(strips_, "gray_scott/strips.comp", defines);
+}
+
+void GrayScottKernels::makeProgram(gl::Program& program, const char* path,
+                                   const gl::Defines& defines) const {
+  program = gl::Program::compute(path, defines);
+  program.set("size", size_);
+  program.set("columns", columns_);
+}
+
+void GrayScottKernels::setRates(const GrayScottPlan::Rates& rates) {
+  const shader::GrayScottRates& r = rates.base;
+  for (const gl::Program* program : {&step_, &strips_, &look_}) {
+    if (program->name() == 0) continue;
+    program->set("rates", glm::vec4(r.diffuseU, r.diffuseV, r.dt, 0));
+    program->set("feedKill", glm::vec4(r.feed, r.kill, rates.feedSpan, rates.killSpan));
+  }
+}
+
+void GrayScottKernels::advance(int steps) {
+  if (cut_.stepsPerPass > 1)
+    for (; steps >= cut_.stepsPerPass; steps -= cut_.stepsPerPass) {
+      pass(strips_, 0, 0, size_.y);
+      swapCells();
+      look(cut_.stepsPerPass);
+    }
+  while (steps > 0) {
+    const int passes = std::clamp(steps, 1, std::max(cut_.bandRows / 4, 1));
+    if (passes > 1)
+      bands(passes);
+    else
+      pass(step_, 0, 0, size_.y);
+    if (passes % 2 == 1) swapCells();
+    steps -= passes;
+    look(passes);
+  }
+}
+
+void GrayScottKernels::look(int steps) {
+  constexpr long rarest = 128;
+  taken_ += steps;
+  if (taken_ < nextLook_) return;
+  nextLook_ = taken_ + std::min(taken_, rarest);
+  cells_[0].bindInput(0);
+  if (mapped_) weights_.bindInput(2);
+  status_.bindStorage(7);
+  gl::barrier();
+  look_.dispatch(columns_, size_.y);
+}
+
+void GrayScottKernels::swapCells() {
+  std::swap(cells_[0], cells_[1]);
+  std::swap(words_[0], words_[1]);
+}
+
+// Sweeping a grid larger than the device's caches of memory and addresses misses them in every pass. Bands
+// of rows that fit take several passes of a step in turn: pass s computes the rows of a band that are s or
+// more from its edges, from values that are there; then what is missing around each edge, s rows to both
+// sides. A row keeps the values of its last two passes, and those are what its neighbours still ask for:
+// two arrays are enough.
+void GrayScottKernels::bands(int steps) {
+  const int number = (size_.y - 1) / cut_.bandRows + 1;
+  const auto edge = [&](int band) { return static_cast<int>(std::int64_t{size_.y} * band / number); };
+  for (int band = 0; band < number; ++band)
+    for (int s = 1; s <= steps; ++s)
+      pass(step_, (s - 1) % 2, edge(band) + s, edge(band + 1) - edge(band) - 2 * s);
+  for (int band = 0; band < number; ++band)
+    for (int s = 1; s <= steps; ++s) pass(step_, (s - 1) % 2, (edge(band) - s + size_.y) % size_.y, 2 * s);
+}
+
+void GrayScottKernels::pass(const gl::Program& program, int from, int first, int rows) {
+  cells_[from].bindInput(0);
+  cells_[1 - from].bindState(1);
+  if (mapped_) weights_.bindInput(2);
+  program.set("rowRange", glm::ivec2(first, rows));
+  gl::barrier();
+  if (&program == &strips_) {
+    const int down = (rows - 1) / cut_.stripRows + 1;
+    const int across = stripCount({size_.x, 1}, cut_.stepsPerPass, cut_.stripPairs, 1);
+    program.dispatch(across * stripGroup, down);
+  } else {
+    program.dispatch((columns_ - 1) / cut_.across + 1, (rows - 1) / cut_.rows + 1);
+  }
+}
+
+void GrayScottKernels::paint(const shader::Stroke& stroke) {
+  const glm::ivec4 box = Strokes::box(stroke, size_);
+  if (box.z == 0) return;
+  setStroke(paint_, stroke, box);
+  cells_[0].bindState(1);
+  strokeBits_.bindInput(2);
+  gl::barrier();
+  paint_.dispatch(columns_, box.w);
+  taken_ = 0;
+  nextLook_ = 1;
+}
+
+}  // namespace simreel::sim

@@ -1,0 +1,61 @@
+#pragma once
+#include "scene/fields.hpp"
+#include "sim/grid/field_display.hpp"
+#include "sim/grid/strokes.hpp"
+
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+#include <glm/vec2.hpp>
+
+namespace simreel::sim {
+
+/// Named pairs of rates, those of SPEC 4 first. What each really grows stands in README.md beside this
+/// file: "spots" dies out; leopard grows spots.
+enum class GrayScottPreset { spots, stripes, maze, solitons, unstable, leopard, chaos };
+
+/// Rates at which u is fed and v is removed, per unit of time.
+struct FeedKill {
+  float feed, kill;
+};
+[[nodiscard]] FeedKill ratesOf(GrayScottPreset preset);
+
+/// Gray-Scott reaction-diffusion (SPEC 4) as a scene says it.
+struct GrayScottParameters : scene::Parameters {
+  glm::ivec2 size{256, 256};  ///< cells
+  GrayScottPreset preset = GrayScottPreset::leopard;
+  std::optional<scene::Animated<float>> feed, kill;  ///< instead of the preset's
+  bool hasHealth = false;
+  scene::Animated<float> health = 1.0F;  ///< 1: rates of `well`, 0: of `ill`, in between a mixture
+  GrayScottPreset well = GrayScottPreset::leopard, ill = GrayScottPreset::chaos;
+  std::optional<double> feedAcross, killDown;  ///< rates at the right and at the bottom edge
+  bool axes = false;                           ///< drawn where they vary so
+  std::filesystem::path feedImage, killImage;  ///< shares of the way to feedWhite, killWhite
+  double feedWhite = 0.06, killWhite = 0.065;
+  double diffuseU = 0.21, diffuseV = 0.105;  ///< cells^2 per unit of time
+  double dt = 1;
+  int steps = 16;    ///< per frame
+  int presteps = 0;  ///< before everything
+  int seedCount = 24;
+  double seedRadius = 5;        ///< cells
+  double seedValue = 0.5;       ///< of v; u is the rest of 1
+  double seedNoise = 0.1;       ///< share by which v differs at random within the seeds
+  std::filesystem::path image;  ///< light pixels start as seeds do
+  std::vector<StrokeParameters> strokes;
+  FieldDisplay display;
+
+  GrayScottParameters();
+  void describe(scene::Fields& fields) override;
+  [[nodiscard]] bool isField() const override { return true; }
+  [[nodiscard]] std::span<const scene::Quantity> quantities() const override;
+
+  /// Rates at `time` (s), before they vary in space.
+  [[nodiscard]] FeedKill ratesAt(double time) const;
+};
+
+/// Greatest stable dt D: the stencil's fastest mode, the checkerboard of rows, has the eigenvalue -1.6 and
+/// an explicit step needs dt D 1.6 <= 2.
+inline constexpr double mostGrayScottDiffusion = 1.25;
+
+}  // namespace simreel::sim

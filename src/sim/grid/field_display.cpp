@@ -1,0 +1,61 @@
+#include "sim/grid/field_display.hpp"
+
+#include "sim/grid/color_map.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+namespace simreel::sim {
+
+void FieldDisplay::describe(scene::Fields& fields) {
+  fields.choice("layer", layer, {"over", "behind", "none"},
+                "Over the finished picture, behind all objects, or not shown.");
+  fields.choice("fit", fit, {"contain", "cover", "stretch"},
+                "How the field fills its part of the picture.");
+  fields.vector("corner", corner, {-10, 10}, "",
+                "Top left of its part, as shares of the picture's width and height; the third is unused.");
+  fields.vector("extent", extent, {0, 10}, "", "Width and height of its part, as shares of the picture.");
+  fields.vector("center", center, {-1e6, 1e6}, "", "Point of the field in the middle, as shares of it.");
+  fields.number("zoom", zoom, {1e-3, 1e6}, "", "Magnification.");
+  fields.number("opacity", opacity, {0, 1}, "", "0 shows nothing of it.");
+  fields.boolean("smooth", smooth, "Linear between cells; else each cell is a square.");
+  fields.boolean("tiled", tiled, "Repeated beyond its border.");
+  fields.vector("border", border, scene::notNegative, "", "Colour beyond its border, linear RGB.");
+  fields.number("relief", relief, {-100, 100}, "",
+                "Shaded as if lit from the top left: height of the whole range, 1 being 7 cells.");
+  const std::vector<std::string>& names = colorMapNames();
+  std::vector<const char*> maps;
+  maps.reserve(names.size());
+  for (const std::string& name : names) maps.push_back(name.c_str());
+  // The colours of a simulation's own go before a map, unless a scene names one.
+  int index =
+      stops.empty() ? static_cast<int>(std::find(names.begin(), names.end(), map) - names.begin()) : -1;
+  fields.oneOf("map", index, maps, "Colour map.");
+  if (index >= 0) map = names.at(static_cast<std::size_t>(index));
+  struct Stop {
+    glm::vec3 color{1};
+  };
+  std::vector<Stop> given;
+  for (const glm::vec3& color : stops) given.push_back({color});
+  fields.list("stops", given, "Evenly spaced colours instead of a map.", [](scene::Fields& f, Stop& stop) {
+    f.vector("color", stop.color, scene::notNegative, "", "Linear RGB.");
+  });
+  if (fields.given("stops")) {
+    stops.clear();
+    for (const Stop& stop : given) stops.push_back(stop.color);
+  } else if (fields.given("map")) {
+    stops.clear();  // a scene's map goes before a simulation's own colours
+  }
+  fields.number("low", low, scene::anyNumber, "", "Value of the first colour.");
+  fields.number("high", high, scene::anyNumber, "", "Value of the last colour.");
+  if (!(low < high))
+    fields.error(fields.given("low") ? "low" : "high",
+                 fmt::format("\"low\" ({}) must be less than \"high\" ({})", low, high));
+}
+
+std::vector<glm::vec3> FieldDisplay::colors() const {
+  return stops.empty() ? colorMapStops(map) : stops;
+}
+
+}  // namespace simreel::sim

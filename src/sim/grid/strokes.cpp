@@ -1,0 +1,241 @@
+#include "sim/grid/strokes.hpp"
+
+#include "base/error.hpp"
+#include "base/log.hpp"
+#include "sim/grid/picture_file.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace simreel::sim {
+
+namespace {
+
+constexpr int mostStampSide = 8192;
+constexpr double mostRounds = 1000;       ///< of a torus by a stroke's path
+constexpr double mostStampImages = 4096;  ///< of a stamp on a torus
+
+glm::vec2 flat(const glm::vec3& p) {
+  return {p.x, p.y};
+}
+
+/// What a segment has within [low, high] along one axis: shares of it, the first above the second for
+/// nothing.
+glm::dvec2 sharesWithin(double from, double to, double low, double high) {
+  if (from == to) return from >= low && from <= high ? glm::dvec2(0, 1) : glm::dvec2(1, 0);
+  const double a = (low - from) / (to - from);
+  const double b = (high - from) / (to - from);
+  return {std::max(0.0, std::min(a, b)), std::min(1.0, std::max(a, b))};
+}
+
+double distanceToSegment(glm::dvec2 p, glm::dvec2 a, glm::dvec2 b) {
+  const glm::dvec2 d = b - a;
+  const double length2 = d.x * d.x + d.y * d.y;
+  const double along = length2 > 0 ? ((p.x - a.x) * d.x + (p.y - a.y) * d.y) / length2 : 0;
+  const glm::dvec2 q = p - a - d * std::clamp(along, 0.0, 1.0);
+  return std::hypot(q.x, q.y);
+}
+
+/// From a segment to the rectangle of the middles of a grid's cells.
+double distanceToCells(glm::dvec2 a, glm::dvec2 b, glm::ivec2 size) {
+  const glm::dvec2 low(0.5);
+  const glm::dvec2 high = glm::dvec2(size) - 0.5;
+  const glm::dvec2 across = sharesWithin(a.x, b.x, low.x, high.x);
+  const glm::dvec2 down = sharesWithin(a.y, b.y, low.y, high.y);
+  if (std::max(across.x, down.x) <= std::min(across.y, down.y)) return 0;
+  double nearest = 1e300;
+  for (const glm::dvec2& end : {a, b}) {
+    const glm::dvec2 inside(std::clamp(end.x, low.x, high.x), std::clamp(end.y, low.y, high.y));
+    nearest = std::min(nearest, std::hypot(end.x - inside.x, end.y - inside.y));
+  }
+  for (const glm::dvec2& corner : {low, high, glm::dvec2(low.x, high.y), glm::dvec2(high.x, low.y)})
+    nearest = std::min(nearest, distanceToSegment(corner, a, b));
+  return nearest;
+}
+
+}  // namespace
+
+void StrokeParameters::describe(scene::Fields& f, double most, const char* valueDoc) {
+  f.choice("shape", shape, {"circle", "line", "image"},
+           "A circle that may move, a line, or the light pixels of an image.");
+  f.number("at", at, scene::anyNumber, "s", "When it begins; it is in the first state from then on.");
+  f.number("until", until, scene::anyNumber, "s", "When it ends; not after \"at\": it paints once.");
+  f.vector("from", from, {-1e6, 1e6}, "cells",
+           "Middle of the circle, start of the line, or top left of the image; the third is unused.");
+  f.vector("to", to, {-1e6, 1e6}, "cells", "Where the circle moves to, or the line's end.");
+  f.leftOut("to", "\"from\"");
+  if (!f.given("to")) to = from;
+  f.number("radius", radius, {0, 1e5}, "cells", "Of the circle; half the width of the line.");
+  f.asset("image", image, "Picture of shape \"image\"; its light pixels are painted.");
+  f.number("value", value, {0, most}, "", valueDoc);
+  f.number("share", share, {0, 1}, "", "Of the cells within reach, picked at random.");
+  if (shape == Shape::image && image.empty())
+    f.error("shape", "shape \"image\" needs \"image\", a picture");
+}
+
+Strokes::Strokes(std::vector<StrokeParameters> strokes, int seed, StrokeGrid grid)
+    : strokes_(std::move(strokes)), seed_(seed), grid_(std::move(grid)) {
+  for (const StrokeParameters& stroke : strokes_) {
+    Stamp& stamp = stamps_.emplace_back();
+    if (stroke.shape != StrokeParameters::Shape::image) continue;
+    const Picture picture = loadPicture(stroke.image, "brush image", mostStampSide);
+    stamp.firstWord = static_cast<int>(bits_.size());
+    stamp.size = picture.size;
+    const auto pixels = static_cast<std::size_t>(picture.size.x) * static_cast<std::size_t>(picture.size.y);
+    bits_.resize(bits_.size() + (pixels + 31) / 32);
+    for (std::size_t i = 0; i < pixels; ++i) {
+      const auto width = static_cast<std::size_t>(picture.size.x);
+      if (picture.level(static_cast<int>(i % width), static_cast<int>(i / width)) > 127)
+        bits_[static_cast<std::size_t>(stamp.firstWord) + i / 32] |= 1U << (i % 32);
+    }
+  }
+  bits_.resize((bits_.size() + 4) / 4 * 4);  // whole elements, at least one
+  for (std::size_t i = 0; i < strokes_.size(); ++i) check(i);
+}
+
+void Strokes::check(std::size_t index) const {
+  const StrokeParameters& p = strokes_[index];
+  const glm::dvec2 size(grid_.size);
+  const bool isStamp = p.shape == StrokeParameters::Shape::image;
+  const glm::dvec2 from(flat(p.from));
+  const bool stays = p.shape == StrokeParameters::Shape::circle && !(p.until > p.at);
+  const glm::dvec2 to = stays ? from : glm::dvec2(flat(p.to));
+  const glm::dvec2 stamp(stamps_[index].size);
+  if (grid_.torus) {
+    const double rounds = std::abs(to.x - from.x) / size.x + std::abs(to.y - from.y) / size.y;
+    const double images = (stamp.x / size.x + 2) * (stamp.y / size.y + 2);
+    if (isStamp ? images > mostStampImages : rounds > mostRounds)
+      fail(ExitCode::usage,
+           "{}: strokes[{}] goes round its torus of {} x {} cells {:.0f} times, at most {:.0f} are drawn; "
+           "make it shorter",
+           grid_.object, index, grid_.size.x, grid_.size.y, isStamp ? images : rounds,
+           isStamp ? mostStampImages : mostRounds);
+    return;
+  }
+  const glm::dvec2 corner(std::floor(from.x), std::floor(from.y));
+  const bool outside = isStamp ? corner.x >= size.x || corner.y >= size.y || corner.x + stamp.x <= 0 ||
+                                     corner.y + stamp.y <= 0
+                               : distanceToCells(from, to, grid_.size) > static_cast<double>(p.radius);
+  if (outside)
+    warn("{}: strokes[{}] paints nothing, it lies wholly outside the grid of {} x {} cells", grid_.object,
+         index, grid_.size.x, grid_.size.y);
+}
+
+std::vector<shader::Stroke> Strokes::into(double time, double seconds, long step) const {
+  std::vector<shader::Stroke> active;
+  const double before = time - seconds;
+  // Times are multiples of the step but for rounding: a state owns (before, time] shifted by a hair.
+  const double hair = 1e-6 * seconds;
+  for (std::size_t i = 0; i < strokes_.size(); ++i) {
+    const StrokeParameters& p = strokes_[i];
+    const bool once = !(p.until > p.at);
+    if (p.at > time + hair || (once ? p.at : p.until) <= before + hair) continue;
+    glm::vec2 from = flat(p.from);
+    glm::vec2 to = flat(p.to);
+    if (p.shape == StrokeParameters::Shape::circle) {
+      const auto placeAt = [&](double t) {
+        const double share = once ? 0.0 : std::clamp((t - p.at) / (p.until - p.at), 0.0, 1.0);
+        const glm::vec2 a = flat(p.from);
+        const glm::vec2 b = flat(p.to);
+        return glm::vec2(static_cast<float>(a.x + share * (b.x - a.x)),
+                         static_cast<float>(a.y + share * (b.y - a.y)));
+      };
+      from = placeAt(before);
+      to = placeAt(time);
+    }
+    const glm::vec2 d = to - from;
+    const float length2 = d.x * d.x + d.y * d.y;
+    shader::Stroke s{};
+    s.segment = glm::vec4(from, to);
+    s.shape =
+        glm::vec4(p.radius * p.radius, length2 > 0 ? 1.0F / length2 : 0.0F, static_cast<float>(p.value), 0);
+    const Stamp& stamp = stamps_[i];
+    s.image = glm::ivec4(static_cast<int>(std::floor(p.from.x)), static_cast<int>(std::floor(p.from.y)),
+                         stamp.firstWord, stamp.size.x);
+    s.random = glm::ivec4(
+        static_cast<int>(static_cast<unsigned>(seed_) * 7919U + static_cast<unsigned>(i) * 104729U +
+                         static_cast<unsigned>(step) * 15485863U),
+        static_cast<int>(std::lround(static_cast<double>(p.share) * 16777216.0)), stamp.size.y, 0);
+    addImages(active, s);
+  }
+  return active;
+}
+
+// A cell of a torus is painted if one of its images is: the nearest one is at most half the grid from the
+// point of the segment that it is nearest to. So the images wanted are those whose cells, as far as that or
+// the radius around, meet the segment.
+void Strokes::addImages(std::vector<shader::Stroke>& all, const shader::Stroke& stroke) const {
+  if (!grid_.torus) {
+    all.push_back(stroke);
+    return;
+  }
+  const glm::dvec2 size(grid_.size);
+  const bool isStamp = stroke.image.w > 0;
+  glm::dvec2 a(stroke.segment.x, stroke.segment.y);
+  glm::dvec2 b(stroke.segment.z, stroke.segment.w);
+  glm::dvec2 reach =
+      glm::min(glm::dvec2(std::sqrt(static_cast<double>(stroke.shape.x)) + 0.01), size * 0.5);
+  if (isStamp) {
+    a = b = glm::dvec2(stroke.image.x + 0.5 * stroke.image.w, stroke.image.y + 0.5 * stroke.random.z);
+    reach = glm::dvec2(0.5 * stroke.image.w, 0.5 * stroke.random.z);
+  }
+  const auto first = [](double low, double side) { return static_cast<int>(std::floor(low / side)); };
+  const int lastColumn = first(std::max(a.x, b.x) + reach.x, size.x);
+  for (int i = first(std::min(a.x, b.x) - reach.x, size.x); i <= lastColumn; ++i) {
+    const glm::dvec2 shares = sharesWithin(a.x, b.x, i * size.x - reach.x, (i + 1) * size.x + reach.x);
+    if (shares.x > shares.y) continue;
+    const double y0 = a.y + shares.x * (b.y - a.y);
+    const double y1 = a.y + shares.y * (b.y - a.y);
+    const int lastRow = first(std::max(y0, y1) + reach.y, size.y);
+    for (int j = first(std::min(y0, y1) - reach.y, size.y); j <= lastRow; ++j) {
+      const glm::dvec2 shift = glm::dvec2(i, j) * size;
+      shader::Stroke image = stroke;
+      for (int k = 0; k < 4; ++k)
+        image.segment[k] = static_cast<float>(static_cast<double>(stroke.segment[k]) - shift[k % 2]);
+      image.image.x -= static_cast<int>(shift.x);
+      image.image.y -= static_cast<int>(shift.y);
+      all.push_back(image);
+    }
+  }
+}
+
+bool Strokes::paints(const shader::Stroke& s, glm::ivec2 cell) const {
+  if (!shader::strokePicks(s, cell)) return false;
+  if (s.image.w == 0) return shader::strokeReaches(s, cell);
+  const int x = cell.x - s.image.x;
+  const int y = cell.y - s.image.y;
+  if (x < 0 || y < 0 || x >= s.image.w || y >= s.random.z) return false;
+  const auto bit =
+      static_cast<std::size_t>(y) * static_cast<std::size_t>(s.image.w) + static_cast<std::size_t>(x);
+  return (bits_[static_cast<std::size_t>(s.image.z) + bit / 32] >> (bit % 32) & 1U) != 0;
+}
+
+glm::ivec4 Strokes::box(const shader::Stroke& s, glm::ivec2 grid) {
+  glm::vec2 low(s.image.x, s.image.y);
+  glm::vec2 high = low + glm::vec2(s.image.w, s.random.z);
+  if (s.image.w == 0) {
+    const float radius = std::sqrt(s.shape.x) + 1.0F;
+    low = glm::min(glm::vec2(s.segment.x, s.segment.y), glm::vec2(s.segment.z, s.segment.w)) - radius;
+    high = glm::max(glm::vec2(s.segment.x, s.segment.y), glm::vec2(s.segment.z, s.segment.w)) + radius;
+  }
+  const auto first = [](float x, int most) {
+    return static_cast<int>(std::clamp(std::floor(x), 0.0F, static_cast<float>(most)));
+  };
+  const glm::ivec2 a(first(low.x, grid.x), first(low.y, grid.y));
+  const glm::ivec2 b(first(high.x + 1, grid.x), first(high.y + 1, grid.y));
+  if (b.x <= a.x || b.y <= a.y) return {0, 0, 0, 0};
+  return {a.x, a.y, b.x - a.x, b.y - a.y};
+}
+
+void setStroke(const gl::Program& program, const shader::Stroke& stroke, glm::ivec4 box) {
+  program.set("strokeSegment", stroke.segment);
+  program.set("strokeShape", stroke.shape);
+  program.set("strokeImage", stroke.image);
+  program.set("strokeRandom", stroke.random);
+  program.set("strokeBox", box);
+}
+
+}  // namespace simreel::sim

@@ -1,0 +1,195 @@
+#include "sim/life/cell_pattern.hpp"
+
+#include "base/error.hpp"
+#include "base/file.hpp"
+#include "sim/life/rle.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <limits>
+
+namespace simreel::sim {
+
+namespace {
+
+constexpr std::size_t mostFileBytes = std::size_t{256} << 20;
+
+/// Formats whose lines are rows or places of cells.
+class LineReader : public PatternText {
+ public:
+  using PatternText::PatternText;
+
+  /// Comments begin with '!'; every other line is a row.
+  CellPattern plaintext() {
+    for (std::string_view line; next(line);)
+      if (!line.starts_with('!')) row(line);
+    return fitted();
+  }
+
+  /// "#P x y" begins a block of rows; "#R 23/3" names the rule, "#N" is Conway's.
+  CellPattern life105() {
+    for (std::string_view line; next(line);) {
+      if (line.starts_with("#P")) {
+        std::size_t at = 2;
+        block_.x = number(line, at);
+        block_.y = number(line, at);
+        row_ = 0;
+      } else if (line.starts_with("#R") || line.starts_with("#r")) {
+        takeRule(line);
+      } else if (line.starts_with("#N")) {
+        pattern_.rule = LifeRule{};
+      } else if (!line.starts_with('#')) {
+        row(line);
+      }
+    }
+    return fitted();
+  }
+
+  /// A line holds the place of a living cell.
+  CellPattern life106() {
+    for (std::string_view line; next(line);) {
+      if (line.starts_with('#') || line.find_first_not_of(" \t") == std::string_view::npos) continue;
+      std::size_t at = 0;
+      const int x = number(line, at);
+      const int y = number(line, at);
+      if (line.find_first_not_of(" \t", at) != std::string_view::npos)
+        wrong(place_ + at, "a line holds the place of one cell, as \"3 -1\"");
+      add(x, y, 1);
+    }
+    return fitted();
+  }
+
+ private:
+  /// The next line without its end; place_ is where it begins.
+  bool next(std::string_view& line) {
+    if (at_ >= text_.size()) return false;
+    place_ = at_;
+    const std::size_t end = std::min(text_.find('\n', at_), text_.size());
+    line = text_.substr(at_, end - at_);
+    while (!line.empty() && (line.back() == '\r' || line.back() == ' ' || line.back() == '\t'))
+      line.remove_suffix(1);
+    at_ = end + 1;
+    return true;
+  }
+
+  void row(std::string_view line) {
+    for (std::size_t i = 0; i < line.size(); ++i) {
+      const char c = line[i];
+      if (c == 'O' || c == '*')
+        add(block_.x + static_cast<int>(i), block_.y + row_, 1);
+      else if (c != '.')
+        wrong(place_ + i, fmt::format("{} in a row of cells: '.' is dead, 'O' or '*' alive", shown(c)));
+      if (i >= mostLifeSide) wrong(place_ + i, fmt::format("a row of more than {} cells", mostLifeSide));
+    }
+    if (++row_ > mostLifeSide) wrong(place_, fmt::format("more than {} rows", mostLifeSide));
+  }
+
+  int number(std::string_view line, std::size_t& at) const {
+    at = std::min(line.find_first_not_of(" \t", at), line.size());
+    int value = 0;
+    const auto [end, error] = std::from_chars(line.data() + at, line.data() + line.size(), value);
+    if (error == std::errc::invalid_argument)
+      wrong(place_ + at, "a whole number is missing here: places are as \"3 -1\"");
+    if (error != std::errc() || value > mostPlace || value < -mostPlace)
+      wrong(place_ + at, fmt::format("a place beyond {}, the farthest there is room for", mostPlace));
+    at = static_cast<std::size_t>(end - line.data());
+    return value;
+  }
+
+  void takeRule(std::string_view line) {
+    const std::size_t at = std::min(line.find_first_not_of(" \t", 2), line.size());
+    LifeRule rule;
+    if (const LifeRuleProblem problem = parseLifeRule(line.substr(at), rule); !problem.message.empty())
+      wrong(place_ + at + problem.at, problem.message);
+    pattern_.rule = rule;
+  }
+
+  /// Moves the living cells to where the least of them have x = 0 and y = 0.
+  CellPattern fitted() {
+    constexpr int far = std::numeric_limits<int>::max();
+    glm::ivec2 least(far), end(-far);
+    for (const CellPattern::Run& run : pattern_.runs) {
+      least = {std::min(least.x, run.x), std::min(least.y, run.y)};
+      end = {std::max(end.x, run.x + run.length), std::max(end.y, run.y + 1)};
+    }
+    if (pattern_.runs.empty()) return std::move(pattern_);
+    pattern_.size = end - least;
+    if (std::max(pattern_.size.x, pattern_.size.y) > mostLifeSide)
+      wrong(0, fmt::format("the living cells are {} x {} apart, more than {}, the most there is room for",
+                           pattern_.size.x, pattern_.size.y, mostLifeSide));
+    for (CellPattern::Run& run : pattern_.runs) {
+      run.x -= least.x;
+      run.y -= least.y;
+    }
+    return std::move(pattern_);
+  }
+
+  static constexpr int mostPlace = 1 << 28;
+  std::size_t place_ = 0;   ///< where the line begins
+  glm::ivec2 block_{0, 0};  ///< of Life 1.05: top left cell of the rows
+  int row_ = 0;
+};
+
+/// Whether the first line that is no comment of plaintext is a row of it.
+bool isPlaintext(std::string_view text) {
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    std::string_view line = text.substr(0, end);
+    text.remove_prefix(std::min(end + 1, text.size()));
+    while (!line.empty() && (line.back() == '\r' || line.back() == ' ' || line.back() == '\t'))
+      line.remove_suffix(1);
+    if (line.starts_with('!')) return true;
+    if (!line.empty()) return line.find_first_not_of(".O*") == std::string_view::npos;
+  }
+  return false;
+}
+
+}  // namespace
+
+void PatternText::wrong(std::size_t at, const std::string& message) const {
+  const std::string_view before = text_.substr(0, at);
+  const auto line = std::count(before.begin(), before.end(), '\n') + 1;
+  const auto start = before.rfind('\n');
+  const std::size_t column = at - (start == std::string_view::npos ? 0 : start + 1) + 1;
+  fail(ExitCode::usage, "{}:{}:{}: {}", name_, line, column, message);
+}
+
+std::string PatternText::shown(char c) {
+  return c >= ' ' && c <= '~' ? fmt::format("'{}'", c)
+                              : fmt::format("a byte {:#04x}", static_cast<unsigned char>(c));
+}
+
+void PatternText::add(int x, int y, int length) {
+  std::vector<CellPattern::Run>& runs = pattern_.runs;
+  if (!runs.empty() && runs.back().y == y && runs.back().x + runs.back().length == x)
+    runs.back().length += length;
+  else
+    runs.push_back({x, y, length});
+}
+
+bool isPatternName(const std::filesystem::path& file) {
+  std::string extension = file.extension().string();
+  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return extension == ".rle" || extension == ".cells" || extension == ".life" || extension == ".lif";
+}
+
+CellPattern parsePattern(std::string_view text, const std::string& name) {
+  constexpr std::string_view byteOrderMark = "\xEF\xBB\xBF";
+  if (text.starts_with(byteOrderMark)) text.remove_prefix(byteOrderMark.size());
+  LineReader lines(text, name);
+  if (text.starts_with("#Life 1.05")) return lines.life105();
+  if (text.starts_with("#Life 1.06")) return lines.life106();
+  if (text.starts_with("#Life"))
+    lines.wrong(0, "of the formats that begin with \"#Life\" only 1.05 and 1.06 are known");
+  if (text.starts_with("[M2]"))
+    lines.wrong(0, "this is a macrocell file; let Golly write the pattern as RLE");
+  if (isPlaintext(text)) return lines.plaintext();
+  return parseRle(text, name);
+}
+
+CellPattern readPattern(const std::filesystem::path& file) {
+  return parsePattern(readFile(file, "pattern", mostFileBytes), file.string());
+}
+
+}  // namespace simreel::sim

@@ -1,0 +1,232 @@
+#include "sim/life/life.hpp"
+
+#include "base/error.hpp"
+#include "gl/element_array.hpp"
+#include "gl/limits.hpp"
+#include "gl/program.hpp"
+#include "sim/life/life_scene.hpp"
+#include "sim/life/plan.hpp"
+#include "sim/life/rle.hpp"
+#include "sim/life/stepper.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cstring>
+#include <utility>
+
+namespace simreel::sim {
+
+namespace {
+
+constexpr int mostFillGroups = 32768;
+
+std::vector<glm::uvec4> elements(const std::vector<std::uint32_t>& words) {
+  std::vector<glm::uvec4> result((words.size() + 3) / 4);
+  std::memcpy(result.data(), words.data(), words.size() * 4);
+  return result;
+}
+
+class Life : public Simulation {
+ public:
+  Life(const scene::Object& object, const Setting& setting)
+      : name_(object.name),
+        plan_(dynamic_cast<const LifeParameters&>(*object.parameters), object.name, setting.seed,
+              setting.frameSeconds),
+        size_(plan_.parameters().size),
+        colors_(plan_.parameters().display.colors()),
+        stepper_(plan_.rule(), plan_.torus(), size_, LifeTuning::best(size_)) {
+    checkLimits();
+    const auto blocks = static_cast<int>(plan_.blocks());
+    cells_[0] = gl::WordsArray(name_ + " cells", blocks);
+    cells_[1] = gl::WordsArray(name_ + " next cells", blocks);
+    fill();
+    if (!plan_.strokes().empty()) {
+      paint_ = gl::Program::compute("life/paint.comp", gl::kernelDefines(false));
+      paint_.set("rowBlocks", plan_.rowBlocks());
+      stamps_ = gl::WordsArray(name_ + " stamps", elements(plan_.strokes().imageBits()));
+    }
+    paint(plan_.strokesInto(plan_.generationAt(plan_.frameAt(setting.startTime))));
+    if (plan_.parameters().trail > 0) startTrail();
+    gl::barrier();
+  }
+
+  void step(double time, const StepWatch& watch) override {
+    const long frame = plan_.frameAt(time);
+    if (!started_) firstGeneration_ = generation_ = plan_.generationAt(frame);
+    started_ = true;
+    const long end = plan_.generationAt(frame + 1);
+    int done = 0;
+    while (generation_ < end) {
+      const int steps = watch ? 1 : stepsAtOnce(end);
+      gl::barrier();
+      stepper_.run(cells_[0], cells_[1], steps);
+      std::swap(cells_[0], cells_[1]);
+      generation_ += steps;
+      paint(plan_.strokesInto(generation_));
+      if (trailQuads_ > 0) fadeTrail();
+      if (watch) watch(++done);
+    }
+    gl::barrier();
+    // A frame may hold fewer generations than another one.
+    if (watch)
+      while (done < stepsPerFrame()) watch(++done);
+  }
+
+  [[nodiscard]] int stepsPerFrame() const override { return plan_.stepsPerFrame(); }
+
+  [[nodiscard]] std::string elementName(long element) const override {
+    const long x = element % plan_.rowBlocks() * 128;
+    return fmt::format("cells ({} to {}, {})", x, std::min<long>(x + 127, size_.x - 1),
+                       element / plan_.rowBlocks());
+  }
+
+  void publish(double /*time*/, Drawables& drawables) const override {
+    const FieldDisplay& display = plan_.parameters().display;
+    Field field;
+    field.name = &name_;
+    field.size = size_;
+    const bool trail = trailQuads_ > 0;
+    field.words = trail ? &trail_.view() : &cells_[0].view();
+    field.cells = trail ? Field::Cells::bytes : Field::Cells::bits;
+    field.rowWords = 4 * (trail ? trailQuads_ : plan_.rowBlocks());
+    field.range = {static_cast<float>(display.low), static_cast<float>(display.high)};
+    field.colors = &colors_;
+    field.display = &display;
+    drawables.fields.push_back(field);
+  }
+
+  void carryOver(CarryOver& carry) override {
+    carry.number("started", started_);
+    carry.number("generation", generation_);
+    carry.number("first generation", firstGeneration_);
+    carry.array("cells", cells_[0].buffer());
+    if (trailQuads_ > 0) carry.array("trail", trail_.buffer());
+  }
+
+  [[nodiscard]] std::vector<StateArray> state() const override {
+    std::vector<StateArray> arrays = {{"cells", &cells_[0].buffer(), true}};
+    if (trailQuads_ > 0) arrays.push_back({"trail", &trail_.buffer(), true});
+    return arrays;
+  }
+
+  [[nodiscard]] StateFile stateFile() const override {
+    return {"rle", [this](const std::string& comment) {
+              const auto words = cells_[0].buffer().readAll<std::uint32_t>();
+              return writeRle({size_, words}, plan_.rule(), plan_.torus() ? 'T' : 'P', comment);
+            }};
+  }
+
+  [[nodiscard]] std::vector<double> measure() const override {
+    long alive = 0;
+    for (const std::uint32_t word : cells_[0].buffer().readAll<std::uint32_t>())
+      alive += std::popcount(word);
+    const auto population = static_cast<double>(alive);
+    return {population, population / (static_cast<double>(size_.x) * size_.y),
+            static_cast<double>(generation_ - firstGeneration_)};
+  }
+
+ private:
+  /// Before gigabytes are filled with zeros.
+  void checkLimits() const {
+    const long blocks = plan_.blocks();
+    const long trail = plan_.parameters().trail > 0 ? (size_.x + 15L) / 16 * size_.y : 0;
+    const long most = std::min<long>(gl::limits().storageBlockBytes / 16, gl::limits().texelBufferTexels);
+    if (std::max(blocks, trail) > most)
+      fail(ExitCode::device,
+           "life \"{}\" of {} x {} cells{} needs {} bytes in one buffer, this device allows {} "
+           "(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, GL_MAX_TEXTURE_BUFFER_SIZE); make \"size\" smaller",
+           name_, size_.x, size_.y, trail > blocks ? " with a trail" : "", std::max(blocks, trail) * 16,
+           most * 16);
+  }
+
+  void fill() {
+    if (plan_.fillShare() > 0) {
+      const auto program = gl::Program::compute("life/fill.comp", gl::kernelDefines(false));
+      program.set("size", size_);
+      program.set("rowBlocks", plan_.rowBlocks());
+      program.set("seed", plan_.seed());
+      program.set("share", plan_.fillShare());
+      cells_[0].bindState(1);
+      const auto blocks = static_cast<int>(plan_.blocks());
+      for (int first = 0; first < blocks; first += mostFillGroups * 64) {
+        program.set("firstBlock", first);
+        program.dispatch(std::min(blocks - first, mostFillGroups * 64));
+      }
+      gl::barrier();
+    }
+    if (!plan_.hasPatterns()) return;
+    auto words = cells_[0].buffer().readAll<std::uint32_t>();
+    plan_.addPatterns(words);
+    cells_[0] = gl::WordsArray(name_ + " cells", elements(words));
+  }
+
+  void startTrail() {
+    const LifeParameters& p = plan_.parameters();
+    trailQuads_ = (size_.x + 15) / 16;
+    trail_ = gl::WordsArray(name_ + " trail", trailQuads_ * size_.y);
+    fade_ = gl::Program::compute("life/trail.comp", gl::kernelDefines(false));
+    fade_.set("size", size_);
+    fade_.set("rowBlocks", plan_.rowBlocks());
+    fade_.set("rowQuads", trailQuads_);
+    fade_.set("bright", static_cast<unsigned>(p.brightLevel()));
+    fade_.set("drop", static_cast<unsigned>(p.brightLevel() - p.trail));
+    fadeTrail();
+  }
+
+  void fadeTrail() {
+    gl::barrier();
+    cells_[0].bindInput(0);
+    trail_.bindState(1);
+    fade_.dispatch(trailQuads_, size_.y);
+  }
+
+  /// As many as one pass may take: no further than the frame's end, one where every step is looked at, and
+  /// only the last of them with strokes.
+  [[nodiscard]] int stepsAtOnce(long end) const {
+    const int most = static_cast<int>(std::min<long>(stepper_.mostSteps(), end - generation_));
+    if (trailQuads_ > 0 || most < stepper_.mostSteps()) return 1;
+    for (int i = 1; i < most; ++i)
+      if (!plan_.strokesInto(generation_ + i).empty()) return 1;
+    return most;
+  }
+
+  void paint(const std::vector<shader::Stroke>& strokes) {
+    for (const shader::Stroke& stroke : strokes) {
+      const glm::ivec4 box = Strokes::box(stroke, size_);
+      if (box.z == 0) continue;
+      gl::barrier();
+      setStroke(paint_, stroke, box);
+      stamps_.bindInput(0);
+      cells_[0].bindState(1);
+      paint_.dispatch((box.x + box.z - 1) / 128 - box.x / 128 + 1, box.w);
+    }
+  }
+
+  std::string name_;
+  LifePlan plan_;
+  glm::ivec2 size_;
+  std::vector<glm::vec3> colors_;
+  LifeStepper stepper_;
+  gl::WordsArray cells_[2];  ///< now, and where the next pass writes
+  gl::WordsArray trail_, stamps_;
+  gl::Program paint_, fade_;
+  int trailQuads_ = 0;  ///< elements of 16 bytes in a row of the trail; 0: no trail
+  bool started_ = false;
+  long generation_ = 0, firstGeneration_ = 0;
+};
+
+}  // namespace
+
+SimulationKind lifeKind() {
+  return {{"life", "A cellular automaton: Conway's Game of Life or any rule that counts neighbours.",
+           [] { return std::make_unique<LifeParameters>(); }, sceneAroundPattern},
+          [](const scene::Object& object, const Setting& setting) {
+            static_cast<void>(LifePlan(dynamic_cast<const LifeParameters&>(*object.parameters), object.name,
+                                       setting.seed, setting.frameSeconds));
+          },
+          [](const scene::Object& object, const Setting& setting) -> std::unique_ptr<Simulation> {
+            return std::make_unique<Life>(object, setting);
+          }};
+}
+
+}  // namespace simreel::sim

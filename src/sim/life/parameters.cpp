@@ -1,0 +1,98 @@
+#include "sim/life/parameters.hpp"
+
+#include "sim/life/cell_pattern.hpp"
+#include "sim/life/rule.hpp"
+
+#include <fmt/format.h>
+
+namespace simreel::sim {
+
+namespace {
+
+constexpr int fittedTrail = 24;  // cells are large there, and few: where they have been tells what they do
+
+}  // namespace
+
+LifeParameters::LifeParameters() {
+  display.smooth = false;
+  // The living stand out from what has died: the last of those colours is for a level of 3/4.
+  display.stops = {{0.006F, 0.009F, 0.018F},
+                   {0.010F, 0.022F, 0.060F},
+                   {0.014F, 0.070F, 0.130F},
+                   {0.030F, 0.200F, 0.230F},
+                   {1.000F, 0.820F, 0.420F}};
+  display.border = display.stops.front();
+}
+
+void LifePattern::describe(scene::Fields& f) {
+  f.asset("file", file, "Pattern as RLE, plaintext (.cells) or Life 1.05 or 1.06.");
+  glm::ivec2 corner = at.value_or(glm::ivec2(0));
+  f.pair("at", corner, {-mostLifeSide, mostLifeSide}, "cells",
+         "Its top left corner, once flipped and turned; a torus wraps it round.");
+  f.leftOut("at", "the middle");
+  if (f.given("at")) at = corner;
+  f.choice("flip", flip, {"none", "horizontal", "vertical"}, "Mirrored, before it is turned.");
+  f.integer("rotate", rotate, {0, 270}, "degrees", "Clockwise: 0, 90, 180 or 270.");
+  if (file.empty()) f.error("file", "a pattern needs \"file\", for example an RLE file");
+  if (rotate % 90 != 0) f.error("rotate", "patterns turn by 0, 90, 180 or 270 degrees only");
+}
+
+void LifeParameters::describe(scene::Fields& f) {
+  f.pair(
+      "size", size, {1, mostLifeSide}, "cells",
+      "Width and height of the grid; 2 bits of memory a cell. Not given beside patterns: that of a pattern "
+      "made for a bounded grid, else 16 to 9 with a margin around them, half of the longest side.");
+  f.leftOut("size", "[512,512], or fits the patterns");
+  f.text(
+      "rule", rule,
+      "Numbers of neighbours for birth and survival, \"B3/S23\" (or \"23/3\", survival first); not given: "
+      "of the first pattern that names one, else B3/S23.");
+  if (!rule.empty()) {
+    LifeRule read;
+    if (const LifeRuleProblem problem = parseLifeRule(rule, read); !problem.message.empty())
+      f.error("rule", fmt::format("character {} of the rule: {}", problem.at + 1, problem.message));
+  }
+  f.choice(
+      "border", border, {"torus", "dead"},
+      "torus: each edge meets the opposite one; dead: beyond the edge nothing lives. Not given: that of a "
+      "pattern made for a bounded grid goes before.");
+  f.leftOut("border", "\"torus\", or a pattern's");
+  borderGiven = f.given("border");
+  f.number("fill", fill, {0, 1}, "",
+           "Share of cells alive at the start, by a hash of place and seed; 0 where patterns are given and "
+           "this is not.");
+  f.leftOut("fill", "0.3, or 0");
+  f.list(
+      "patterns", patterns, "Pattern files set into the first state; their living cells are added.",
+      [](scene::Fields& g, LifePattern& pattern) { pattern.describe(g); }, 4096);
+  if (!patterns.empty() && !f.given("fill")) fill = 0;
+  fitted = !patterns.empty() && !f.given("size");
+  if (fitted) display.fit = FieldDisplay::Fit::contain;
+  f.list("strokes", strokes, "Timed brush strokes.", [](scene::Fields& g, StrokeParameters& stroke) {
+    stroke.describe(g, 1, "1 paints living cells, 0 dead ones.");
+  });
+  f.number("stepsPerSecond", stepsPerSecond, {1e-3, 1e6}, "1/s",
+           "Generations a second, whatever the frame rate.");
+  if (fitted) trail = fittedTrail;
+  f.integer("trail", trail, {0, mostTrail}, "steps",
+            "For how long dead cells fade; needs another byte a cell; 0: no trail.");
+  f.leftOut("trail", "0, or 24 where the grid fits patterns");
+  if (trail > 0) display.high = brightLevel();
+  f.group("display",
+          "How it is laid over the picture. Values: 0 dead, 1 alive; with a trail 0 to trail for what has "
+          "died, a third more for the living. A grid that fits its patterns is shown whole (\"contain\").",
+          [&](scene::Fields& g) {
+            display.describe(g);
+            g.leftOut("high", "1, or by trail");
+            g.leftOut("fit", "\"cover\", or \"contain\"");
+          });
+}
+
+std::span<const scene::Quantity> LifeParameters::quantities() const {
+  static const scene::Quantity table[] = {{"population", "cells", "Living cells."},
+                                          {"density", "", "Share of cells alive."},
+                                          {"generation", "steps", "Steps taken."}};
+  return table;
+}
+
+}  // namespace simreel::sim

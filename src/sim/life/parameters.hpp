@@ -1,0 +1,51 @@
+#pragma once
+#include "sim/grid/field_display.hpp"
+#include "sim/grid/strokes.hpp"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <glm/vec2.hpp>
+
+namespace simreel::sim {
+
+enum class LifeBorder { torus, dead };
+
+/// A pattern file set into the first state: an entry of the list "patterns".
+struct LifePattern {
+  enum class Flip { none, horizontal, vertical };
+  std::filesystem::path file;
+  std::optional<glm::ivec2>
+      at;                  ///< cell of its top left corner, after flipping and turning; else the middle
+  Flip flip = Flip::none;  ///< before it is turned
+  int rotate = 0;          ///< degrees clockwise, a multiple of 90
+  void describe(scene::Fields& fields);
+};
+
+struct LifeParameters : scene::Parameters {
+  LifeParameters();
+  glm::ivec2 size{512, 512};  ///< cells
+  bool fitted = false;        ///< the size is not given: it fits the patterns
+  std::string rule;           ///< empty: of the first pattern that names one, else B3/S23
+  LifeBorder border = LifeBorder::torus;
+  bool borderGiven = false;  ///< else that of the first pattern whose file has one
+  float fill = 0.3F;         ///< share alive at the start; not given beside patterns: 0
+  std::vector<LifePattern> patterns;
+  std::vector<StrokeParameters> strokes;  ///< value 1: alive, 0: dead
+  double stepsPerSecond = 10;
+  int trail = 0;  ///< steps for which a dead cell is still seen
+  FieldDisplay display;
+  void describe(scene::Fields& fields) override;
+  [[nodiscard]] bool isField() const override { return true; }
+  [[nodiscard]] std::span<const scene::Quantity> quantities() const override;
+
+  /// Level of a living cell in the trail, above all levels of dead ones.
+  [[nodiscard]] int brightLevel() const { return trail + (trail > 2 ? trail / 3 : 1); }
+};
+
+/// Longest trail: its levels and that of the living fit into a byte.
+inline constexpr int mostTrail = 191;
+
+}  // namespace simreel::sim

@@ -1,0 +1,225 @@
+#include "sim/life/plan.hpp"
+
+#include "base/error.hpp"
+#include "sim/core/shader_code.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <glm/common.hpp>
+
+#define FUNCTION inline
+namespace simreel::shader {
+namespace {
+#include "glsl/life/fill.glsl"
+}
+}  // namespace simreel::shader
+#undef FUNCTION
+
+namespace simreel::sim {
+
+namespace {
+
+/// Where a cell of a pattern goes: flipped within its size, then turned clockwise.
+class Placement {
+ public:
+  Placement(const LifePattern& pattern, glm::ivec2 size) : pattern_(pattern), size_(size) {}
+
+  [[nodiscard]] glm::ivec2 turnedSize() const {
+    return pattern_.rotate % 180 == 0 ? size_ : glm::ivec2(size_.y, size_.x);
+  }
+  /// Cell of the top left corner in a grid.
+  [[nodiscard]] glm::ivec2 corner(glm::ivec2 grid) const {
+    return pattern_.at.value_or(grid / 2 - turnedSize() / 2);
+  }
+  /// From the corner.
+  [[nodiscard]] glm::ivec2 operator()(glm::ivec2 cell) const {
+    if (pattern_.flip == LifePattern::Flip::horizontal) cell.x = size_.x - 1 - cell.x;
+    if (pattern_.flip == LifePattern::Flip::vertical) cell.y = size_.y - 1 - cell.y;
+    switch (pattern_.rotate) {
+      case 90:
+        return {size_.y - 1 - cell.y, cell.x};
+      case 180:
+        return {size_.x - 1 - cell.x, size_.y - 1 - cell.y};
+      case 270:
+        return {cell.y, size_.x - 1 - cell.x};
+      default:
+        return cell;
+    }
+  }
+
+ private:
+  const LifePattern& pattern_;
+  glm::ivec2 size_;
+};
+
+int wrapped(int x, int size) {
+  return (x % size + size) % size;
+}
+
+}  // namespace
+
+LifePlan::LifePlan(LifeParameters parameters, const std::string& object, int seed, double frameSeconds)
+    : parameters_(std::move(parameters)), seed_(seed), frameSeconds_(frameSeconds) {
+  for (const LifePattern& pattern : parameters_.patterns)
+    if (!files_.contains(pattern.file)) files_.emplace(pattern.file, readPattern(pattern.file));
+  if (parameters_.fitted) fitGrid();
+  takeRule(object);
+  checkPlaces(object);
+  strokes_ = Strokes(parameters_.strokes, seed, {parameters_.size, torus(), "life \"" + object + "\""});
+  checkLiving(object);
+}
+
+const CellPattern& LifePlan::cellsOf(const LifePattern& pattern) const {
+  return files_.at(pattern.file);
+}
+
+// A pattern that was made for a bounded grid gets that one. Else gliders have some way to go and the
+// picture's usual shape is filled.
+void LifePlan::fitGrid() {
+  constexpr int leastMargin = 12, mostMargin = 256;
+  constexpr glm::ivec2 shape(16, 9);
+  glm::ivec2 reach(0), least(0);
+  int longest = 0;
+  for (const LifePattern& pattern : parameters_.patterns) {
+    const CellPattern& cells = cellsOf(pattern);
+    if (cells.border != 0) {
+      parameters_.size = cells.grid;
+      if (!parameters_.borderGiven)
+        parameters_.border = cells.border == 'T' ? LifeBorder::torus : LifeBorder::dead;
+      return;
+    }
+    const glm::ivec2 turned = Placement(pattern, cells.size).turnedSize();
+    longest = std::max({longest, turned.x, turned.y});
+    if (pattern.at)
+      reach = glm::max(reach, *pattern.at + turned);
+    else
+      least = glm::max(least, turned);
+  }
+  const int margin = std::clamp(longest / 2, leastMargin, mostMargin);
+  const glm::ivec2 needed = glm::max(reach + margin, least + 2 * margin);
+  const int unit = std::max((needed.x - 1) / shape.x, (needed.y - 1) / shape.y) + 1;
+  parameters_.size = glm::min(unit * shape, glm::ivec2(mostLifeSide));
+}
+
+void LifePlan::takeRule(const std::string& object) {
+  if (!parameters_.rule.empty()) {
+    const LifeRuleProblem problem = parseLifeRule(parameters_.rule, rule_);
+    SIMREEL_CHECK(problem.message.empty());  // the scene was checked
+    return;
+  }
+  const glm::ivec2 size = parameters_.size;
+  const LifePattern* named = nullptr;
+  for (const LifePattern& pattern : parameters_.patterns) {
+    const CellPattern& file = cellsOf(pattern);
+    if (!file.rule) continue;
+    if (named != nullptr && *file.rule != rule_)
+      fail(ExitCode::usage,
+           "life \"{}\": {} is for the rule {}, but {} for {}; say in the scene which \"rule\" is meant",
+           object, named->file.string(), rule_.text(), pattern.file.string(), file.rule->text());
+    rule_ = *file.rule;
+    named = &pattern;
+    if (file.border != 0 && (file.border != (torus() ? 'T' : 'P') || file.grid != size))
+      fail(ExitCode::usage,
+           "life \"{}\": {} is for a grid of {} x {} with border \"{}\", but the scene's is {} x {} with "
+           "\"{}\"; "
+           "change \"size\" and \"border\", or give a \"rule\" in the scene",
+           object, pattern.file.string(), file.grid.x, file.grid.y, file.border == 'T' ? "torus" : "dead",
+           size.x, size.y, torus() ? "torus" : "dead");
+  }
+}
+
+void LifePlan::checkPlaces(const std::string& object) const {
+  const glm::ivec2 size = parameters_.size;
+  for (const LifePattern& pattern : parameters_.patterns) {
+    const Placement placement(pattern, cellsOf(pattern).size);
+    const glm::ivec2 turned = placement.turnedSize();
+    if (turned.x > size.x || turned.y > size.y)
+      fail(ExitCode::usage,
+           "life \"{}\": {} has {} x {} cells, more than the grid's {} x {}; make \"size\" larger", object,
+           pattern.file.string(), turned.x, turned.y, size.x, size.y);
+    const glm::ivec2 at = placement.corner(size);
+    const glm::ivec2 end = at + turned;
+    if (!torus() && (at.x < 0 || at.y < 0 || end.x > size.x || end.y > size.y))
+      fail(ExitCode::usage,
+           "life \"{}\": {} at [{}, {}] reaches to [{}, {}], outside the grid of {} x {}; move it (\"at\") "
+           "or use \"border\": \"torus\"",
+           object, pattern.file.string(), at.x, at.y, end.x - 1, end.y - 1, size.x, size.y);
+  }
+}
+
+// A file costs the same however often it is listed; setting its cells does not.
+void LifePlan::checkLiving(const std::string& object) const {
+  constexpr std::uint64_t alwaysAllowed = 1 << 24;
+  std::map<std::filesystem::path, std::uint64_t> living;
+  for (const auto& [file, cells] : files_)
+    for (const CellPattern::Run& run : cells.runs) living[file] += static_cast<std::uint64_t>(run.length);
+  std::uint64_t all = 0;
+  for (const LifePattern& pattern : parameters_.patterns) all += living[pattern.file];
+  const auto grid =
+      static_cast<std::uint64_t>(parameters_.size.x) * static_cast<std::uint64_t>(parameters_.size.y);
+  if (all > std::max(grid, alwaysAllowed))
+    fail(ExitCode::usage,
+         "life \"{}\": its {} patterns have {} living cells together, more than the grid has cells ({}); "
+         "list fewer",
+         object, parameters_.patterns.size(), all, grid);
+}
+
+int LifePlan::fillShare() const {
+  return static_cast<int>(std::lround(static_cast<double>(parameters_.fill) * 16777216.0));
+}
+
+void LifePlan::addPatterns(std::vector<std::uint32_t>& words) const {
+  const auto rowWords = static_cast<std::size_t>(rowBlocks()) * 4;
+  const glm::ivec2 size = parameters_.size;
+  for (const LifePattern& pattern : parameters_.patterns) {
+    const CellPattern& cells = cellsOf(pattern);
+    const Placement placement(pattern, cells.size);
+    const glm::ivec2 corner = placement.corner(size);
+    for (const CellPattern::Run& run : cells.runs)
+      for (int i = 0; i < run.length; ++i) {
+        const glm::ivec2 cell = corner + placement({run.x + i, run.y});
+        const auto x = static_cast<std::size_t>(wrapped(cell.x, size.x));
+        const auto y = static_cast<std::size_t>(wrapped(cell.y, size.y));
+        words[y * rowWords + x / 32] |= 1U << (x % 32);
+      }
+  }
+}
+
+std::vector<std::uint32_t> LifePlan::firstCells() const {
+  std::vector<std::uint32_t> words(static_cast<std::size_t>(blocks()) * 4);
+  const int share = fillShare();
+  if (share > 0) {
+    const auto rowWords = static_cast<std::size_t>(rowBlocks()) * 4;
+    for (int y = 0; y < parameters_.size.y; ++y)
+      for (int x = 0; x < parameters_.size.x; ++x)
+        if (shader::startsAlive(x, y, seed_, share))
+          words[static_cast<std::size_t>(y) * rowWords + static_cast<std::size_t>(x) / 32] |= 1U
+                                                                                              << (x % 32);
+  }
+  addPatterns(words);
+  return words;
+}
+
+long LifePlan::generationAt(long frame) const {
+  const double steps = static_cast<double>(frame) * parameters_.stepsPerSecond * frameSeconds_;
+  return static_cast<long>(std::floor(steps + 1e-9 * (1 + std::abs(steps))));
+}
+
+int LifePlan::stepsPerFrame() const {
+  const double steps = parameters_.stepsPerSecond * frameSeconds_;
+  return std::max(1, static_cast<int>(std::ceil(steps - 1e-9 * (1 + steps))));
+}
+
+long LifePlan::frameAt(double time) const {
+  return std::lround(time / frameSeconds_);
+}
+
+std::vector<shader::Stroke> LifePlan::strokesInto(long generation) const {
+  if (strokes_.empty()) return {};
+  const double seconds = 1 / parameters_.stepsPerSecond;
+  return strokes_.into(static_cast<double>(generation) * seconds, seconds, generation);
+}
+
+}  // namespace simreel::sim

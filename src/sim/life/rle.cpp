@@ -1,0 +1,241 @@
+#include "sim/life/rle.hpp"
+
+#include "base/log.hpp"
+#include "base/text.hpp"
+
+#include <algorithm>
+
+#include <glm/common.hpp>
+
+namespace simreel::sim {
+
+namespace {
+
+constexpr std::size_t lineLength = 70;
+
+bool isBlank(char c) {
+  return c == ' ' || c == '\t' || c == '\r' || c == '\n';
+}
+class RleReader : public PatternText {
+ public:
+  using PatternText::PatternText;
+
+  CellPattern read() {
+    skipComments();
+    headed_ = at_ < text_.size() && text_[at_] == 'x';
+    if (headed_) header();
+    while (true) {
+      skipBlanks();
+      if (at_ == text_.size()) {
+        if (!headed_ && empty_) wrong(0, "no pattern: neither a header nor a cell");
+        if (headed_) warn("{}: the pattern ends without '!'; the file may be cut off", name_);
+        return std::move(pattern_);
+      }
+      if (text_[at_] == '#' && atLineStart())
+        skipLine();
+      else if (!item())
+        return std::move(pattern_);
+    }
+  }
+
+ private:
+  [[nodiscard]] bool atLineStart() const { return at_ == 0 || text_[at_ - 1] == '\n'; }
+  void skipLine() {
+    const auto end = text_.find('\n', at_);
+    at_ = end == std::string_view::npos ? text_.size() : end + 1;
+  }
+  void skipBlanks() {
+    while (at_ < text_.size() && isBlank(text_[at_])) ++at_;
+  }
+  void skipSpaces() {
+    while (at_ < text_.size() && (text_[at_] == ' ' || text_[at_] == '\t')) ++at_;
+  }
+  void skipComments() {
+    for (skipBlanks(); at_ < text_.size() && text_[at_] == '#'; skipBlanks()) skipLine();
+  }
+
+  /// Digits as a number up to `most`; `what` names it.
+  int number(const char* what, int most) {
+    const std::size_t start = at_;
+    if (at_ == text_.size() || !isDigit(text_[at_])) wrong(at_, fmt::format("{} is missing here", what));
+    long value = 0;
+    for (; at_ < text_.size() && isDigit(text_[at_]); ++at_)
+      value = std::min(value * 10 + (text_[at_] - '0'), 10L * mostLifeSide);
+    if (value > most) wrong(start, fmt::format("{} is above {}, the most there is room for", what, most));
+    return static_cast<int>(value);
+  }
+
+  void expect(char c) {
+    skipSpaces();
+    if (at_ == text_.size() || text_[at_] != c)
+      wrong(at_, fmt::format("'{}' is expected here: the header is \"x = 3, y = 3, rule = B3/S23\"", c));
+    ++at_;
+    skipSpaces();
+  }
+
+  void header() {
+    expect('x');
+    expect('=');
+    pattern_.size.x = number("the width", mostLifeSide);
+    expect(',');
+    expect('y');
+    expect('=');
+    pattern_.size.y = number("the height", mostLifeSide);
+    skipSpaces();
+    if (at_ < text_.size() && text_[at_] == ',') {
+      ++at_;
+      skipSpaces();
+      if (text_.substr(at_, 4) != "rule") wrong(at_, "only \"rule = ...\" may follow the height");
+      at_ += 4;
+      expect('=');
+      rule();
+    }
+    skipSpaces();
+    if (at_ < text_.size() && text_[at_] == '\r') ++at_;
+    if (at_ < text_.size() && text_[at_] != '\n')
+      wrong(at_, fmt::format("{} after the header; the cells begin on a new line", shown(text_[at_])));
+  }
+
+  void rule() {
+    const std::size_t start = at_;
+    while (at_ < text_.size() && !isBlank(text_[at_]) && text_[at_] != ':') ++at_;
+    const std::string_view name = text_.substr(start, at_ - start);
+    LifeRule rule;
+    if (const LifeRuleProblem problem = parseLifeRule(name, rule); !problem.message.empty())
+      wrong(start + problem.at, problem.message);
+    pattern_.rule = rule;
+    if (at_ == text_.size() || text_[at_] != ':') return;
+    ++at_;
+    if (at_ == text_.size() || (text_[at_] != 'T' && text_[at_] != 'P'))
+      wrong(at_, "of bounded grids only \":T257,130\" (torus) and \":P257,130\" (dead border) are known");
+    pattern_.border = text_[at_++];
+    pattern_.grid.x = number("the grid's width", mostLifeSide);
+    expect(',');
+    pattern_.grid.y = number("the grid's height", mostLifeSide);
+  }
+
+  /// One count and what it counts. False at the final '!'.
+  bool item() {
+    const std::size_t start = at_;
+    int count = 1;
+    if (isDigit(text_[at_])) {
+      count = number("the count", mostLifeSide);
+      if (count == 0) wrong(start, "a count of 0");
+      skipBlanks();
+      if (at_ == text_.size()) wrong(at_, "the file ends after a count; it may be cut off");
+      if (isDigit(text_[at_])) wrong(at_, "a second count; b, o or $ is expected");
+    }
+    const char c = text_[at_];
+    empty_ = false;
+    if (c == '!') {
+      if (at_ != start) wrong(at_, "a count before '!'");
+      return false;
+    }
+    if (c == '$') {
+      place_.y = std::min(place_.y + count, 2 * mostLifeSide);
+      place_.x = 0;
+    } else if (c == 'b' || c == '.') {
+      place_.x = std::min(place_.x + count, 2 * mostLifeSide);
+    } else if (c == 'o' || c == 'A') {
+      living(start, count);
+    } else if ((c >= 'B' && c <= 'X') || (c >= 'p' && c <= 'y')) {
+      wrong(at_,
+            fmt::format("{} is of a pattern with more than two states; only dead (b or .) and living (o "
+                        "or A) cells are known",
+                        shown(c)));
+    } else {
+      wrong(at_, fmt::format("{} where b, o, $ or ! is expected", shown(c)));
+    }
+    ++at_;
+    return true;
+  }
+
+  void living(std::size_t start, int count) {
+    const glm::ivec2 end(place_.x + count, place_.y + 1);
+    if (headed_ && (end.x > pattern_.size.x || end.y > pattern_.size.y))
+      wrong(start, fmt::format("living cells {} to {} of row {} lie outside the header's {} x {}", place_.x,
+                               end.x - 1, place_.y, pattern_.size.x, pattern_.size.y));
+    if (end.x > mostLifeSide || end.y > mostLifeSide)
+      wrong(start, fmt::format("a living cell at [{}, {}], beyond {}, the most there is room for",
+                               end.x - 1, place_.y, mostLifeSide));
+    if (!headed_) pattern_.size = glm::max(pattern_.size, end);
+    add(place_.x, place_.y, count);
+    place_.x = end.x;
+  }
+
+  bool headed_ = false;  ///< a header says the size
+  bool empty_ = true;
+  glm::ivec2 place_{0, 0};
+};
+
+/// Collects items and breaks lines between them.
+class RleWriter {
+ public:
+  explicit RleWriter(std::string& out) : out_(out) {}
+  void add(long count, char what) {
+    if (count == 0) return;
+    const std::string item = count == 1 ? std::string(1, what) : std::to_string(count) + what;
+    if (length_ + item.size() > lineLength) {
+      out_ += '\n';
+      length_ = 0;
+    }
+    out_ += item;
+    length_ += item.size();
+  }
+
+ private:
+  std::string& out_;
+  std::size_t length_ = 0;
+};
+
+/// The first column from `x` on whose cell is (not) alive, or the width.
+int nextColumn(const CellRows& cells, int x, int y, bool alive) {
+  const auto row = static_cast<std::size_t>(y) * static_cast<std::size_t>(CellRows::rowWords(cells.size.x));
+  while (x < cells.size.x) {
+    const std::uint32_t word = cells.words[row + static_cast<std::size_t>(x) / 32];
+    if (x % 32 == 0 && word == (alive ? 0U : ~0U)) {
+      x += 32;
+      continue;
+    }
+    if (((word >> (x % 32) & 1U) != 0) == alive) return x;
+    ++x;
+  }
+  return cells.size.x;
+}
+
+}  // namespace
+
+CellPattern parseRle(std::string_view text, const std::string& name) {
+  return RleReader(text, name).read();
+}
+
+std::string writeRle(const CellRows& cells, const LifeRule& rule, char border, std::string_view comment) {
+  std::string out;
+  while (!comment.empty()) {
+    const auto end = comment.find('\n');
+    out += fmt::format("#C {}\n", comment.substr(0, end));
+    comment.remove_prefix(end == std::string_view::npos ? comment.size() : end + 1);
+  }
+  const std::string bounded =
+      border == 0 ? "" : fmt::format(":{}{},{}", border, cells.size.x, cells.size.y);
+  out += fmt::format("x = {}, y = {}, rule = {}{}\n", cells.size.x, cells.size.y, rule.text(), bounded);
+  RleWriter writer(out);
+  long rowEnds = 0;
+  for (int y = 0; y < cells.size.y; ++y, ++rowEnds) {
+    int written = 0;
+    for (int x = nextColumn(cells, 0, y, true); x < cells.size.x;) {
+      const int end = nextColumn(cells, x, y, false);
+      writer.add(rowEnds, '$');
+      rowEnds = 0;
+      writer.add(x - written, 'b');
+      writer.add(end - x, 'o');
+      written = end;
+      x = nextColumn(cells, end, y, true);
+    }
+  }
+  writer.add(1, '!');
+  out += '\n';
+  return out;
+}
+
+}  // namespace simreel::sim

@@ -1,0 +1,44 @@
+#pragma once
+#include "gl/element_array.hpp"
+#include "gl/program.hpp"
+#include "sim/life/rule.hpp"
+
+#include <map>
+
+#include <glm/vec2.hpp>
+
+namespace simreel::sim {
+
+/// How the kernel glsl/life/step.comp cuts the grid.
+struct LifeTuning {
+  int steps = 1;   ///< generations in one pass
+  int blocks = 1;  ///< of 128 cells side by side, owned by an invocation
+  int rows = 16;   ///< that an invocation goes down
+  glm::ivec2 group{32, 2};
+  /// What measured best on the present device for grids of this size, with any number of steps.
+  [[nodiscard]] static LifeTuning best(glm::ivec2 size);
+};
+
+/// Advances a grid of bits from one array to the other. Programs are made when first used.
+class LifeStepper {
+ public:
+  LifeStepper() = default;
+  LifeStepper(const LifeRule& rule, bool torus, glm::ivec2 size, const LifeTuning& tuning);
+
+  /// Generations in one pass at most: tuning.steps where rows are whole multiples of the strips and there
+  /// are as many rows; else 1.
+  [[nodiscard]] int mostSteps() const { return mostSteps_; }
+  /// `steps` from 1 to mostSteps(). Earlier writes must be visible (gl::barrier).
+  void run(const gl::WordsArray& from, const gl::WordsArray& to, int steps);
+
+ private:
+  LifeRule rule_;
+  bool torus_ = true;
+  glm::ivec2 size_{0, 0};
+  LifeTuning tuning_;
+  bool whole_ = false;
+  int mostSteps_ = 1;
+  std::map<int, gl::Program> programs_;  ///< by steps
+};
+
+}  // namespace simreel::sim

@@ -1,0 +1,52 @@
+#include "sim/mesh/buffers.hpp"
+
+#include <vector>
+
+#include <glm/vec4.hpp>
+
+namespace simreel::sim {
+
+namespace {
+
+std::vector<glm::vec4> widened(const std::vector<glm::vec3>& items, float w) {
+  std::vector<glm::vec4> wide;
+  wide.reserve(items.size());
+  for (const glm::vec3& item : items) wide.emplace_back(item, w);
+  return wide;
+}
+
+}  // namespace
+
+MeshTopology::MeshTopology(const std::string& name, const Mesh& mesh)
+    : vertexCount_(static_cast<int>(mesh.positions.size())),
+      indexCount_(static_cast<int>(mesh.indices.size())) {
+  const std::vector<glm::vec2> none(mesh.uvs.empty() ? mesh.positions.size() : 0, glm::vec2(0));
+  uvs_ = gl::Buffer::of<glm::vec2>(name + " uvs", mesh.uvs.empty() ? none : mesh.uvs);
+  indices_ = gl::Buffer::of<unsigned>(name + " indices", mesh.indices);
+  uvView_ = gl::Texture::view(name + " uvs", GL_RG32F, uvs_, sizeof(glm::vec2));
+}
+
+Surface MeshTopology::surface() const {
+  Surface surface;
+  surface.uvs = &uvView_;
+  surface.vertexCount = vertexCount_;
+  surface.indices = &indices_;
+  surface.indexCount = indexCount_;
+  return surface;
+}
+
+MeshBuffers::MeshBuffers(const std::string& name, const Mesh& mesh) : topology_(name, mesh) {
+  positions_ = gl::Buffer::of<glm::vec4>(name + " positions", widened(mesh.positions, 1.0F));
+  normals_ = gl::Buffer::of<glm::vec4>(name + " normals", widened(mesh.normals, 0.0F));
+  positionView_ = gl::Texture::view(name + " positions", GL_RGBA32F, positions_);
+  normalView_ = gl::Texture::view(name + " normals", GL_RGBA32F, normals_);
+}
+
+Surface MeshBuffers::surface() const {
+  Surface surface = topology_.surface();
+  surface.positions = &positionView_;
+  surface.normals = &normalView_;
+  return surface;
+}
+
+}  // namespace simreel::sim

@@ -1,0 +1,40 @@
+#pragma once
+#include "gl/buffer.hpp"
+#include "gl/texture.hpp"
+#include "sim/core/drawable.hpp"
+#include "sim/mesh/file.hpp"
+
+#include <string>
+
+namespace simreel::sim {
+
+/// What stays of a mesh while it deforms: vec2 uvs (zero where it has none) and 32-bit indices.
+class MeshTopology {
+ public:
+  MeshTopology(const std::string& name, const Mesh& mesh);
+  /// Everything of a surface but positions, normals, model, sides and material; the pointers live as long
+  /// as this.
+  [[nodiscard]] Surface surface() const;
+
+ private:
+  gl::Buffer uvs_, indices_;
+  gl::Texture uvView_;
+  int vertexCount_;
+  int indexCount_;
+};
+
+/// A mesh on the GPU as a Surface wants it: vec4 positions and normals, and its topology.
+class MeshBuffers {
+ public:
+  MeshBuffers(const std::string& name, const Mesh& mesh);
+
+  /// Everything but model, sides and material; the pointers live as long as this.
+  [[nodiscard]] Surface surface() const;
+
+ private:
+  MeshTopology topology_;
+  gl::Buffer positions_, normals_;
+  gl::Texture positionView_, normalView_;
+};
+
+}  // namespace simreel::sim

@@ -1,0 +1,85 @@
+#include "sim/mesh/builder.hpp"
+
+#include "base/error.hpp"
+
+#include <cmath>
+#include <utility>
+
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+namespace simreel::sim {
+
+namespace fs = std::filesystem;
+
+void refuseMesh(const fs::path& file, const std::string& why) {
+  fail(ExitCode::inputOutput, "the mesh {} {}", file.string(), why);
+}
+
+bool liesBeside(const fs::path& mesh, const fs::path& named) {
+  std::error_code error;
+  const fs::path folder = fs::weakly_canonical(fs::absolute(mesh, error).parent_path(), error);
+  if (error) return false;
+  const fs::path path = fs::weakly_canonical(fs::absolute(named, error), error);
+  const std::string inside = path.lexically_relative(folder).string();
+  return !error && !inside.empty() && inside.rfind("..", 0) != 0;
+}
+
+void MeshBuilder::begin(std::size_t vertices, std::size_t triangles, const glm::mat4& transform,
+                        bool hasUvs) {
+  if (mesh_.positions.size() + vertices > mostMeshItems ||
+      mesh_.indices.size() / 3 + triangles > mostMeshItems)
+    refuseMesh(file_, fmt::format("has more than {} vertices or triangles; simplify it", mostMeshItems));
+  transform_ = transform;
+  const float determinant = glm::determinant(glm::mat3(transform));
+  mirrored_ = determinant < 0;
+  turn_ = glm::transpose(glm::inverse(glm::mat3(transform)));
+  first_ = mesh_.positions.size();
+  count_ = vertices;
+  hasUvs_ = hasUvs_ || hasUvs;
+}
+
+void MeshBuilder::vertex(const glm::vec3& position, const glm::vec3& normal, const glm::vec2& uv) {
+  const glm::vec3 p = transform_ * glm::vec4(position, 1);
+  if (!(std::abs(p.x) + std::abs(p.y) + std::abs(p.z) < 1e9F))
+    refuseMesh(file_, fmt::format("has a vertex that is not finite or farther than 1e9 m (number {})",
+                                  mesh_.positions.size()));
+  mesh_.positions.push_back(p);
+  const glm::vec3 n = turn_ * normal;
+  const float length = glm::length(n);
+  mesh_.normals.push_back(length > 1e-20F && length < 1e20F ? n / length : glm::vec3(0));
+  mesh_.uvs.push_back(uv);
+}
+
+void MeshBuilder::triangle(const std::array<unsigned, 3>& corners) {
+  for (const std::size_t k : {0U, mirrored_ ? 2U : 1U, mirrored_ ? 1U : 2U}) {
+    if (corners[k] >= count_)
+      refuseMesh(file_, fmt::format("has a triangle with vertex {} of {}", corners[k], count_));
+    mesh_.indices.push_back(static_cast<unsigned>(first_ + corners[k]));
+  }
+}
+
+Mesh MeshBuilder::finish() {
+  if (mesh_.indices.empty()) refuseMesh(file_, "holds no triangle");
+  if (!hasUvs_) mesh_.uvs.clear();
+  fillNormals();
+  return std::move(mesh_);
+}
+
+/// Where there is no normal: the sum of the triangles' normals around the vertex, weighted by area.
+void MeshBuilder::fillNormals() {
+  std::vector<glm::vec3> sums(mesh_.positions.size(), glm::vec3(0));
+  for (std::size_t i = 0; i < mesh_.indices.size(); i += 3) {
+    const glm::vec3& a = mesh_.positions[mesh_.indices[i]];
+    const glm::vec3 normal =
+        glm::cross(mesh_.positions[mesh_.indices[i + 1]] - a, mesh_.positions[mesh_.indices[i + 2]] - a);
+    for (std::size_t k = 0; k < 3; ++k) sums[mesh_.indices[i + k]] += normal;
+  }
+  for (std::size_t i = 0; i < sums.size(); ++i) {
+    if (mesh_.normals[i] != glm::vec3(0)) continue;
+    const float length = glm::length(sums[i]);
+    mesh_.normals[i] = length > 0 && std::isfinite(length) ? sums[i] / length : glm::vec3(0, 1, 0);
+  }
+}
+
+}  // namespace simreel::sim

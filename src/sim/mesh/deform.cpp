@@ -1,0 +1,317 @@
+#include "sim/mesh/deform.hpp"
+
+#include "base/error.hpp"
+#include "gl/element_array.hpp"
+#include "gl/program.hpp"
+#include "gl/radix_sort.hpp"
+#include "sim/core/position_readback.hpp"
+#include "sim/core/stage_times.hpp"
+#include "sim/mesh/buffers.hpp"
+#include "sim/mesh/deform_cpu.hpp"
+#include "sim/mesh/deform_plan.hpp"
+#include "sim/mesh/height_field.hpp"
+#include "sim/mesh/quantities.hpp"
+
+#include <array>
+#include <optional>
+#include <utility>
+
+#include <glm/geometric.hpp>
+
+namespace simreel::sim {
+
+namespace {
+
+/// Deformed vertices where drawing reads them.
+struct Vertices {
+  gl::Vec4Array positions, normals;
+  GLsync drawn = nullptr;  ///< reached once the GPU has read a mapped slot
+};
+
+class DeformedMesh : public Simulation {
+ public:
+  DeformedMesh(const scene::Object& object, const MeshParameters& parameters, const Mesh& mesh,
+               const Setting& setting)
+      : name_(object.name),
+        parameters_(parameters),
+        technique_(parameters.deform.technique),
+        material_(object.material),
+        uvs_(mesh.uvs),
+        indices_(mesh.indices),
+        frameSeconds_(setting.frameSeconds),
+        plan_(name_, parameters, mesh, *setting.colliders),
+        rest_(name_, mesh),
+        cpu_(rest_, plan_.trailCells()),
+        topology_(name_, mesh),
+        restPositions_(name_ + " rest positions", rest_.positions),
+        restNormals_(name_ + " rest normals", rest_.normals),
+        trail_(name_ + " trail", cpu_.trail()),
+        block_(name_ + " deformation", sizeof(shader::DeformStep)),
+        clock_(!setting.timing ? StageClock::Of::nothing
+               : onDevice()    ? StageClock::Of::gpu
+                               : StageClock::Of::cpu) {
+    makeVertices();
+    if (onDevice()) makePrograms(setting.fast);
+    if (parameters.collides) heights_.emplace(name_, HeightPlan(parameters, frameSeconds_));
+    deform(0.0);
+  }
+  ~DeformedMesh() override {
+    for (const Vertices& v : vertices_)
+      if (v.drawn != nullptr) glDeleteSync(v.drawn);
+  }
+  DeformedMesh(const DeformedMesh&) = delete;
+  DeformedMesh& operator=(const DeformedMesh&) = delete;
+
+  void step(double time, const StepWatch& watch) override {
+    time_ = time + frameSeconds_;
+    if (heights_ && !hasHeights_) {
+      deform(time);
+      heights_->take(now().positions);
+      hasHeights_ = true;
+    }
+    if (plan_.hasTrail()) press(time_);
+    deform(time_);
+    if (heights_) heights_->take(now().positions);
+    if (watch) watch(1);
+  }
+
+  void carryOver(CarryOver& carry) override {
+    if (plan_.hasTrail()) carry.array("trail", trail_.buffer());
+    if (!heights_) return;
+    carry.number("has heights", hasHeights_);
+    heights_->carryOver(carry);
+  }
+  void resumed(double time) override {
+    time_ = time;
+    if (plan_.hasTrail() && !onDevice()) cpu_.setTrail(trail_.buffer().readAll<glm::vec4>());
+    deform(time);
+  }
+
+  void publish(double time, Drawables& drawables) const override {
+    if (!parameters_.visible) return;
+    Surface surface = topology_.surface();
+    const bool late = technique_ == DeformTechnique::vertexShader;
+    surface.positions = late ? &restPositions_.view() : &now().positions.view();
+    surface.normals = late ? &restNormals_.view() : &now().normals.view();
+    surface.deform = late ? &block_ : nullptr;
+    surface.trail = late ? &trail_.view() : nullptr;
+    surface.model = parameters_.model(time);
+    surface.doubleSided = parameters_.doubleSided();
+    surface.material = &material_;
+    drawables.surfaces.push_back(surface);
+  }
+
+  [[nodiscard]] std::vector<StateArray> state() const override {
+    std::vector<StateArray> arrays;
+    if (technique_ != DeformTechnique::vertexShader)
+      arrays.push_back({"positions", &now().positions.buffer()});
+    if (plan_.hasTrail()) arrays.push_back({"trail", &trail_.buffer()});
+    return arrays;
+  }
+  [[nodiscard]] std::string elementName(long element) const override {
+    return "vertex " + std::to_string(element);
+  }
+  [[nodiscard]] std::optional<MeshTable> mesh() const override;
+  [[nodiscard]] const HeightField* heights() const override { return heights_ ? &*heights_ : nullptr; }
+  [[nodiscard]] std::vector<double> measure() const override { return measureMesh(*mesh()); }
+  [[nodiscard]] std::vector<std::pair<const char*, double>> stageTimes() const override {
+    return clock_.times();
+  }
+
+ private:
+  [[nodiscard]] bool onDevice() const {
+    return technique_ == DeformTechnique::compute || technique_ == DeformTechnique::vertexShader;
+  }
+  [[nodiscard]] Threads threads() const {
+    return technique_ == DeformTechnique::singleThread ? Threads::one : Threads::all;
+  }
+  [[nodiscard]] const Vertices& now() const { return vertices_[current_]; }
+
+  void makeVertices();
+  void makePrograms(bool fast);
+  void press(double time);
+  void deform(double time);
+  void deformOnDevice();
+  void deformMapped(const shader::DeformStep& step);
+  void deformOnCpu(const shader::DeformStep& step);
+
+  std::string name_;
+  MeshParameters parameters_;
+  DeformTechnique technique_;
+  scene::Material material_;
+  std::vector<glm::vec2> uvs_;
+  std::vector<unsigned> indices_;
+  double frameSeconds_;
+  double time_ = 0;  ///< s, of the present positions
+  DeformPlan plan_;
+  RestMesh rest_;
+  mutable DeformCpu cpu_;  ///< of techniques on the device only filled when somebody asks
+  MeshTopology topology_;
+  gl::Vec4Array restPositions_, restNormals_;
+  gl::Vec4Array trail_;
+  gl::Buffer block_;
+  StageClock clock_;
+  std::array<Vertices, 3> vertices_;  ///< three when mapped, else one
+  std::size_t current_ = 0;
+  gl::WordsArray fans_, faces_;
+  gl::Program press_, displace_, gather_;
+  std::unique_ptr<PositionReadback> readback_;
+  std::optional<HeightField> heights_;  ///< of a mesh that collides
+  bool hasHeights_ = false;             ///< whether they begin with the first frame
+};
+
+void DeformedMesh::makeVertices() {
+  if (technique_ == DeformTechnique::vertexShader) return;
+  const bool mapped = technique_ == DeformTechnique::mapped;
+  const std::size_t bytes = rest_.positions.size() * sizeof(glm::vec4);
+  for (std::size_t i = 0; i < (mapped ? vertices_.size() : 1); ++i) {
+    const auto make = [&](const char* what, const std::vector<glm::vec4>& first) {
+      const std::string label = name_ + what;
+      return mapped ? gl::Vec4Array(label, gl::Buffer::mapped(label, bytes, true))
+                    : gl::Vec4Array(label, first);
+    };
+    vertices_[i].positions = make(" positions", rest_.positions);
+    vertices_[i].normals = make(" normals", rest_.normals);
+  }
+}
+
+void DeformedMesh::makePrograms(bool fast) {
+  const gl::Defines defines = gl::kernelDefines(fast);
+  if (plan_.hasTrail()) {
+    press_ = gl::Program::compute("mesh/press.comp", defines);
+    press_.checkUniformBlock("DeformBlock", sizeof(shader::DeformStep));
+  }
+  if (technique_ != DeformTechnique::compute) return;
+  displace_ = gl::Program::compute("mesh/displace.comp", defines);
+  displace_.checkUniformBlock("DeformBlock", sizeof(shader::DeformStep));
+  gather_ = gl::Program::compute("mesh/normal.comp", defines);
+  fans_ = gl::WordsArray(name_ + " fans", static_cast<int>(rest_.fans.size()));
+  fans_.write(rest_.fans);
+  faces_ = gl::WordsArray(name_ + " faces", static_cast<int>(rest_.faces.size()));
+  faces_.write(rest_.faces);
+  if (parameters_.deform.readback)
+    readback_ = std::make_unique<PositionReadback>(name_ + " readback", rest_.positions.size());
+}
+
+void DeformedMesh::press(double time) {
+  const shader::DeformStep step = plan_.swept(time - frameSeconds_, time);
+  if (!onDevice()) {
+    cpu_.press(step, threads());
+    trail_.write(cpu_.trail());
+    return;
+  }
+  block_.write(0, std::as_bytes(std::span(&step, 1)));
+  block_.bindUniform(0, 0, sizeof step);
+  trail_.bindState(0);
+  gl::barrier();
+  press_.dispatch(plan_.trailCells().x, plan_.trailCells().y);
+}
+
+void DeformedMesh::deform(double time) {
+  const shader::DeformStep step = plan_.at(time);
+  clock_.begin();
+  switch (technique_) {
+    case DeformTechnique::compute:
+      block_.write(0, std::as_bytes(std::span(&step, 1)));
+      deformOnDevice();
+      break;
+    case DeformTechnique::vertexShader:
+      block_.write(0, std::as_bytes(std::span(&step, 1)));
+      gl::barrier();
+      break;
+    case DeformTechnique::mapped:
+      deformMapped(step);
+      break;
+    default:
+      deformOnCpu(step);
+  }
+  clock_.end();
+}
+
+void DeformedMesh::deformOnDevice() {
+  const int count = static_cast<int>(rest_.positions.size());
+  block_.bindUniform(0, 0, sizeof(shader::DeformStep));
+  restPositions_.bindInput(0);
+  trail_.bindInput(1);
+  now().positions.bindState(2);
+  gl::barrier();
+  displace_.dispatch(count);
+  gl::barrier();
+  clock_.lap(&StageTimes::deform);
+  now().positions.bindInput(0);
+  restNormals_.bindInput(1);
+  now().normals.bindState(2);
+  fans_.bindInput(3);
+  faces_.bindInput(4);
+  gather_.dispatch(count);
+  gl::barrier();
+  clock_.lap(&StageTimes::normals);
+  if (!readback_) return;
+  readback_->start(now().positions.buffer());
+  clock_.lap(&StageTimes::transfer);
+}
+
+void DeformedMesh::deformOnCpu(const shader::DeformStep& step) {
+  cpu_.displace(step, threads());
+  clock_.lap(&StageTimes::deform);
+  cpu_.gatherNormals(threads());
+  clock_.lap(&StageTimes::normals);
+  vertices_[0].positions.write(cpu_.positions());
+  vertices_[0].normals.write(cpu_.normals());
+  clock_.lap(&StageTimes::transfer);
+}
+
+void DeformedMesh::deformMapped(const shader::DeformStep& step) {
+  // Everything that reads the present slot has been issued by now.
+  Vertices& drawn = vertices_[current_];
+  if (drawn.drawn == nullptr) drawn.drawn = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
+  current_ = (current_ + 1) % vertices_.size();
+  Vertices& next = vertices_[current_];
+  takeFence(next.drawn, true);
+  clock_.lap(&StageTimes::transfer);
+  const auto memory = [&](const gl::Vec4Array& array) {
+    return std::span(static_cast<glm::vec4*>(array.buffer().memory()), rest_.positions.size());
+  };
+  cpu_.displace(step, Threads::all, memory(next.positions));
+  clock_.lap(&StageTimes::deform);
+  cpu_.gatherNormals(Threads::all, memory(next.normals));
+  clock_.lap(&StageTimes::normals);
+}
+
+std::optional<MeshTable> DeformedMesh::mesh() const {
+  std::vector<glm::vec4> positions;
+  std::vector<glm::vec4> normals;
+  if (technique_ == DeformTechnique::compute) {
+    // A device that lags behind may have left out the copy of the latest frame.
+    const bool copied = readback_ && readback_->current();
+    positions = copied ? readback_->wait() : now().positions.buffer().readAll<glm::vec4>();
+    normals = now().normals.buffer().readAll<glm::vec4>();
+  } else {
+    if (technique_ == DeformTechnique::vertexShader) {
+      if (plan_.hasTrail()) cpu_.setTrail(trail_.buffer().readAll<glm::vec4>());
+      cpu_.displace(plan_.at(time_), Threads::all);
+      cpu_.gatherNormals(Threads::all);
+    }
+    positions = cpu_.positions();
+    normals = cpu_.normals();
+  }
+  const glm::mat4 model = parameters_.model(time_);
+  MeshTable table;
+  table.uvs = uvs_;
+  table.indices = indices_;
+  table.positions.reserve(positions.size());
+  table.normals.reserve(normals.size());
+  for (const glm::vec4& p : positions) table.positions.emplace_back(model * glm::vec4(glm::vec3(p), 1.0F));
+  for (const glm::vec4& n : normals)
+    table.normals.push_back(glm::normalize(glm::vec3(model * glm::vec4(glm::vec3(n), 0.0F))));
+  return table;
+}
+
+}  // namespace
+
+std::unique_ptr<Simulation> makeDeformedMesh(const scene::Object& object, const MeshParameters& parameters,
+                                             const Mesh& mesh, const Setting& setting) {
+  return std::make_unique<DeformedMesh>(object, parameters, mesh, setting);
+}
+
+}  // namespace simreel::sim

@@ -1,0 +1,277 @@
+#include "sim/mesh/file.hpp"
+
+#include "base/error.hpp"
+#include "base/file.hpp"
+#include "base/isolated.hpp"
+#include "sim/mesh/builder.hpp"
+#include "sim/mesh/gltf_file.hpp"
+
+#include <algorithm>
+#include <assimp/DefaultIOSystem.h>
+#include <assimp/Importer.hpp>
+#include <assimp/config.h>
+#include <assimp/postprocess.h>
+#include <assimp/scene.h>
+#include <cctype>
+#include <charconv>
+#include <cstdint>
+#include <cstring>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+#include <glm/mat4x4.hpp>
+
+namespace simreel::sim {
+
+namespace {
+
+/// Most corners of a face: the library reads faces (since 5.3) and cuts them into triangles in a time that
+/// grows with their square.
+constexpr unsigned mostCorners = 10'000;
+
+std::string extensionOf(const std::filesystem::path& file) {
+  std::string extension = file.extension().string();
+  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return extension;
+}
+
+glm::vec3 toVec(const aiVector3D& v) {
+  return {v.x, v.y, v.z};
+}
+
+glm::mat4 toMat(const aiMatrix4x4& m) {
+  return {m.a1, m.b1, m.c1, m.d1, m.a2, m.b2, m.c2, m.d2, m.a3, m.b3, m.c3, m.d3, m.a4, m.b4, m.c4, m.d4};
+}
+
+class Gatherer {
+ public:
+  Gatherer(const std::filesystem::path& file, const aiScene& scene)
+      : file_(file), scene_(scene), builder_(file) {}
+
+  Mesh gather() {
+    node(*scene_.mRootNode, glm::mat4(1), 0);
+    return builder_.finish();
+  }
+
+ private:
+  void node(const aiNode& here, const glm::mat4& parent, int depth) {
+    if (depth > mostNodeDepth) refuseMesh(file_, "nests its nodes too deeply");
+    const glm::mat4 transform = parent * toMat(here.mTransformation);
+    for (unsigned i = 0; i < here.mNumMeshes; ++i) {
+      if (here.mMeshes[i] >= scene_.mNumMeshes) refuseMesh(file_, "names a mesh that it does not hold");
+      add(*scene_.mMeshes[here.mMeshes[i]], transform);
+    }
+    for (unsigned i = 0; i < here.mNumChildren; ++i) node(*here.mChildren[i], transform, depth + 1);
+  }
+
+  void add(const aiMesh& part, const glm::mat4& transform) {
+    if ((part.mPrimitiveTypes & aiPrimitiveType_TRIANGLE) == 0) return;
+    const bool textured = part.HasTextureCoords(0);
+    builder_.begin(part.mNumVertices, part.mNumFaces, transform, textured);
+    for (unsigned i = 0; i < part.mNumVertices; ++i)
+      builder_.vertex(toVec(part.mVertices[i]), part.HasNormals() ? toVec(part.mNormals[i]) : glm::vec3(0),
+                      textured ? glm::vec2(toVec(part.mTextureCoords[0][i])) : glm::vec2(0));
+    for (unsigned i = 0; i < part.mNumFaces; ++i) {
+      const aiFace& face = part.mFaces[i];
+      if (face.mNumIndices == 3) builder_.triangle({face.mIndices[0], face.mIndices[1], face.mIndices[2]});
+    }
+  }
+
+  const std::filesystem::path& file_;
+  const aiScene& scene_;
+  MeshBuilder builder_;
+};
+
+/// The library's own steps take for granted, some by assertion, what broken files do not keep.
+void checkBeforeProcessing(const std::filesystem::path& file, const aiScene& scene) {
+  if (scene.mNumMeshes == 0) refuseMesh(file, "holds no triangle");
+  for (unsigned m = 0; m < scene.mNumMeshes; ++m) {
+    const aiMesh& part = *scene.mMeshes[m];
+    if (part.mNumFaces == 0 || part.mNumVertices == 0 || part.mVertices == nullptr)
+      refuseMesh(file, "has a part without faces");
+    for (unsigned i = 0; i < part.mNumFaces; ++i) {
+      const aiFace& face = part.mFaces[i];
+      if (face.mNumIndices == 0) refuseMesh(file, fmt::format("has a face without corners (number {})", i));
+      if (face.mNumIndices > mostCorners)
+        refuseMesh(file, fmt::format("has a face of {} corners (number {}), more than {}; cut it up",
+                                     face.mNumIndices, i, mostCorners));
+      for (unsigned k = 0; k < face.mNumIndices; ++k)
+        if (face.mIndices[k] >= part.mNumVertices)
+          refuseMesh(file,
+                     fmt::format("has a face with vertex {} of {}", face.mIndices[k], part.mNumVertices));
+    }
+  }
+}
+
+/// Opens nothing beside the mesh that lies outside its folder (materials of OBJ), links followed, or is no
+/// plain file.
+class FolderOnly : public Assimp::DefaultIOSystem {
+ public:
+  explicit FolderOnly(const std::filesystem::path& file) : file_(file) {}
+
+  Assimp::IOStream* Open(const char* name, const char* mode) override {
+    return allowed(name) ? DefaultIOSystem::Open(name, mode) : nullptr;
+  }
+  bool Exists(const char* name) const override { return allowed(name) && DefaultIOSystem::Exists(name); }
+  /// The first name that was refused; empty when none was.
+  [[nodiscard]] const std::string& refused() const { return refused_; }
+
+ private:
+  bool allowed(const char* name) const {
+    if (file_ == name) return true;
+    const bool beside = liesBeside(file_, name);
+    if (!beside && refused_.empty()) refused_ = name;
+    std::error_code error;
+    return beside &&
+           (std::filesystem::is_regular_file(name, error) || !std::filesystem::exists(name, error));
+  }
+  const std::filesystem::path& file_;
+  mutable std::string refused_;
+};
+
+std::size_t wordCount(std::string_view text, std::string_view blanks) {
+  std::size_t count = 0;
+  for (std::size_t at = text.find_first_not_of(blanks); at != std::string_view::npos; ++count)
+    at = text.find_first_not_of(blanks, std::min(text.find_first_of(blanks, at), text.size()));
+  return count;
+}
+
+/// The same bound for faces, lines and points of OBJ, before the library sees them. A line that ends in a
+/// backslash goes on in the next.
+void checkObjCorners(const std::filesystem::path& file, std::string_view text) {
+  constexpr std::string_view blanks = " \t\r";
+  std::size_t corners = 0, line = 0, first = 0;
+  bool counts = false, goesOn = false;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    std::string_view words = text.substr(0, end);
+    text.remove_prefix(std::min(end + 1, text.size()));
+    ++line;
+    words = words.substr(0, words.find_last_not_of(blanks) + 1);
+    if (!goesOn) {
+      words.remove_prefix(std::min(words.find_first_not_of(blanks), words.size()));
+      counts = words.starts_with('f') || words.starts_with('l') || words.starts_with('p');
+      if (counts) words.remove_prefix(1);
+      corners = 0;
+      first = line;
+    }
+    goesOn = words.ends_with('\\');
+    if (goesOn) words.remove_suffix(1);
+    if (counts) corners += wordCount(words, blanks);
+    if (corners > mostCorners)
+      refuseMesh(file, fmt::format("has a face of {} corners (line {}), more than {}; cut it up", corners,
+                                   first, mostCorners));
+  }
+}
+
+/// The library believes counts before it looks for what they count.
+void checkPlyCounts(const std::filesystem::path& file, std::string_view text) {
+  const std::size_t end = text.find("\nend_header");
+  if (end == std::string_view::npos)
+    refuseMesh(file, "has no \"end_header\"");  // the library would look for ever
+  const std::string_view head = text.substr(0, end);
+  for (std::size_t at = head.find("element "); at != std::string_view::npos;
+       at = head.find("element ", at + 8)) {
+    const std::size_t digits = head.find_first_of("0123456789", at);
+    if (digits == std::string_view::npos) return;
+    std::uint64_t count = 0;
+    std::from_chars(head.data() + digits, head.data() + head.size(), count);
+    const std::size_t length = head.find_first_not_of("0123456789", digits) - digits;
+    if (count > text.size() || length > 18)
+      refuseMesh(file,
+                 fmt::format("promises {} elements in {} bytes", head.substr(digits, length), text.size()));
+  }
+}
+
+Mesh readWithLibrary(const std::filesystem::path& file) {
+  Assimp::Importer importer;
+  importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE, aiPrimitiveType_POINT | aiPrimitiveType_LINE);
+  auto* const io = new FolderOnly(file);  // the importer's own from here
+  importer.SetIOHandler(io);
+  const aiScene* scene = importer.ReadFile(file.string(), 0);
+  if (!io->refused().empty())
+    refuseMesh(file, fmt::format("names {}, which lies outside its folder", io->refused()));
+  if (scene == nullptr || scene->mRootNode == nullptr) {
+    std::string why = importer.GetErrorString();
+    why = why.substr(0, why.find('\n'));
+    refuseMesh(file, fmt::format("cannot be read ({})", why.empty() ? "unknown reason" : why));
+  }
+  checkBeforeProcessing(file, *scene);
+  scene = importer.ApplyPostProcessing(aiProcess_Triangulate | aiProcess_SortByPType |
+                                       aiProcess_JoinIdenticalVertices);
+  if (scene == nullptr || scene->mRootNode == nullptr) refuseMesh(file, "cannot be divided into triangles");
+  return Gatherer(file, *scene).gather();
+}
+
+bool isGltf(const std::string& extension) {
+  return extension == ".gltf" || extension == ".glb";
+}
+
+/// A mesh as bytes: the lengths of its lists, then the lists.
+template <class Visit>
+void eachList(Mesh& mesh, const Visit& visit) {
+  visit(mesh.positions);
+  visit(mesh.normals);
+  visit(mesh.uvs);
+  visit(mesh.indices);
+}
+
+std::string pack(Mesh mesh) {
+  std::string bytes;
+  eachList(mesh, [&](auto& list) {
+    const std::size_t length = list.size();
+    bytes.append(reinterpret_cast<const char*>(&length), sizeof length);
+    bytes.append(reinterpret_cast<const char*>(list.data()), length * sizeof list[0]);
+  });
+  return bytes;
+}
+
+Mesh unpack(const std::string& bytes) {
+  Mesh mesh;
+  std::size_t at = 0;
+  const auto take = [&](void* to, std::size_t size) {
+    SIMREEL_CHECK(size <= bytes.size() - at);
+    if (size > 0) std::memcpy(to, bytes.data() + at, size);
+    at += size;
+  };
+  eachList(mesh, [&](auto& list) {
+    std::size_t length = 0;
+    take(&length, sizeof length);
+    list.resize(length);
+    take(list.data(), length * sizeof list[0]);
+  });
+  return mesh;
+}
+
+}  // namespace
+
+Mesh importMesh(const std::filesystem::path& file) {
+  const std::string extension = extensionOf(file);
+  if (extension != ".obj" && extension != ".ply" && !isGltf(extension))
+    fail(ExitCode::usage, "the mesh {} is none of .obj, .ply, .gltf and .glb", file.string());
+  const std::string text = readFile(file, "mesh");  // says why a file cannot be read, or is too large
+  if (isGltf(extension)) return readGltf(file, text);
+  if (extension == ".ply") checkPlyCounts(file, text);
+  if (extension == ".obj") checkObjCorners(file, text);
+  return readWithLibrary(file);
+}
+
+Mesh loadMesh(const std::filesystem::path& file) {
+  std::error_code unknown;
+  const auto size = std::filesystem::file_size(file, unknown);
+  const std::size_t bytes = unknown ? 0 : size;
+  // What the library makes of a byte has been seen to take 30, what we make of glTF is counted beforehand.
+  const Allotment allotment{
+      isGltf(extensionOf(file)) ? std::size_t{4} << 30 : (std::size_t{256} << 20) + 64 * bytes,
+      10 + static_cast<int>(std::min<std::size_t>(bytes >> 20U, 3600))};
+  try {
+    return unpack(runIsolated(allotment, [&] { return pack(importMesh(file)); }));
+  } catch (const UserError&) {
+    throw;
+  } catch (const std::runtime_error& end) {
+    refuseMesh(file, fmt::format("cannot be read: the reader {}", end.what()));
+  }
+}
+
+}  // namespace simreel::sim

@@ -1,0 +1,337 @@
+#include "sim/mesh/gltf_document.hpp"
+
+#include "base/error.hpp"
+#include "base/file.hpp"
+#include "base/json_depth.hpp"
+#include "sim/mesh/builder.hpp"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <utility>
+
+namespace simreel::sim {
+
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "values are copied as they lie in the file");
+
+constexpr std::uint64_t mostNumber = std::uint64_t{1} << 40;  // products of two still fit
+constexpr std::size_t mostContainers = 500'000;               // 100 bytes of memory and more each
+constexpr std::size_t mostZeros = 1'000'000;
+
+template <class T>
+T read(std::string_view bytes, std::size_t at) {
+  T value;
+  std::memcpy(&value, bytes.data() + at, sizeof value);
+  return value;
+}
+
+/// Bytes of a component by its number in glTF; 0 for a number that is none.
+std::size_t componentBytes(std::uint64_t type) {
+  switch (type) {
+    case 5120:
+    case 5121:
+      return 1;
+    case 5122:
+    case 5123:
+      return 2;
+    case 5125:
+    case 5126:
+      return 4;
+    default:
+      return 0;
+  }
+}
+
+std::string decodeBase64(std::string_view text) {
+  std::string bytes;
+  bytes.reserve(text.size() / 4 * 3 + 3);
+  std::uint32_t bits = 0;
+  int have = 0;
+  for (const char c : text) {
+    constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    const std::size_t digit = digits.find(c);
+    if (digit == std::string_view::npos) break;
+    bits = bits << 6U | static_cast<std::uint32_t>(digit);
+    if ((have += 6) < 8) continue;
+    have -= 8;
+    bytes += static_cast<char>(bits >> static_cast<unsigned>(have) & 255U);
+  }
+  return bytes;
+}
+
+/// "my%20buffer.bin" names "my buffer.bin".
+std::string decodePercent(const std::string& uri) {
+  std::string name;
+  for (std::size_t i = 0; i < uri.size(); ++i) {
+    const auto hex = [&](std::size_t at) {
+      return at < uri.size() && std::isxdigit(static_cast<unsigned char>(uri[at])) != 0;
+    };
+    if (uri[i] == '%' && hex(i + 1) && hex(i + 2)) {
+      name += static_cast<char>(std::stoi(uri.substr(i + 1, 2), nullptr, 16));
+      i += 2;
+    } else {
+      name += uri[i];
+    }
+  }
+  return name;
+}
+
+}  // namespace
+
+GltfDocument::GltfDocument(const std::filesystem::path& file, std::string_view text) : file_(file) {
+  if (text.substr(0, 4) == "glTF") text = openGlb(text);
+  if (jsonDepth(text) > mostJsonDepth)
+    refuse(fmt::format("nests JSON deeper than {} levels", mostJsonDepth));
+  if (jsonContainers(text, mostContainers) == mostContainers)
+    refuse(fmt::format("describes itself in {} objects and lists or more; join its parts", mostContainers));
+  root_ = Json::parse(text, nullptr, false);
+  if (!root_.is_object()) refuse("is no glTF");
+  const auto asset = root_.find("asset");
+  if (asset == root_.end() || !asset->is_object() || !asset->contains("version") ||
+      !asset->at("version").is_string() ||
+      !asset->at("version").get_ref<const std::string&>().starts_with("2."))
+    refuse("is no glTF of version 2");
+  buffers_.resize(size("buffers"));
+}
+
+/// The JSON of a binary file, whose first chunk it is; a second chunk holds bytes.
+std::string_view GltfDocument::openGlb(std::string_view text) {
+  std::array<std::string_view, 2> chunks;
+  std::size_t at = 12;
+  for (std::string_view& chunk : chunks) {
+    if (at == text.size() && at > 12) break;
+    const std::size_t length = text.size() < at + 8 ? text.size() : read<std::uint32_t>(text, at);
+    if (length > text.size() - std::min(at + 8, text.size()))
+      refuse("is cut off, or no binary glTF of version 2");
+    chunk = text.substr(at + 8, length);
+    if (&chunk != chunks.data()) glbBytes_ = chunk;
+    at += 8 + length;
+  }
+  return chunks[0];
+}
+
+void GltfDocument::refuse(const std::string& why) const {
+  refuseMesh(file_, why);
+}
+
+std::size_t GltfDocument::size(const char* list) const {
+  const auto found = root_.find(list);
+  if (found == root_.end()) return 0;
+  if (!found->is_array()) refuse(fmt::format("has {} that are no list", list));
+  return found->size();
+}
+
+const GltfDocument::Json& GltfDocument::item(const char* list, std::size_t number) const {
+  if (number >= size(list)) refuse(fmt::format("names number {} of its {} {}", number, size(list), list));
+  const Json& item = root_.at(list).at(number);
+  if (!item.is_object()) refuse(fmt::format("has {} of which number {} is no object", list, number));
+  return item;
+}
+
+std::uint64_t GltfDocument::number(const Json& object, const char* key,
+                                   std::optional<std::uint64_t> otherwise) const {
+  const auto found = object.find(key);
+  if (found == object.end() && otherwise) return *otherwise;
+  if (found == object.end() || !found->is_number_unsigned() || found->get<std::uint64_t>() > mostNumber)
+    refuse(fmt::format("has a {} that is no whole number, too large or missing", key));
+  return found->get<std::uint64_t>();
+}
+
+std::vector<float> GltfDocument::numbers(const Json& object, const char* key, std::size_t count) const {
+  const auto found = object.find(key);
+  if (found == object.end()) return {};
+  if (!found->is_array() || found->size() != count ||
+      !std::all_of(found->begin(), found->end(), [](const Json& value) { return value.is_number(); }))
+    refuse(fmt::format("has a {} that is not {} numbers", key, count));
+  return found->get<std::vector<float>>();
+}
+
+std::vector<std::uint64_t> GltfDocument::wholeNumbers(const Json& object, const char* key) const {
+  const auto found = object.find(key);
+  if (found == object.end()) return {};
+  if (!found->is_array() || !std::all_of(found->begin(), found->end(),
+                                         [](const Json& value) { return value.is_number_unsigned(); }))
+    refuse(fmt::format("has {} that are no list of whole numbers", key));
+  return found->get<std::vector<std::uint64_t>>();
+}
+
+std::string GltfDocument::bytesOf(const std::string& uri, std::uint64_t promised) const {
+  if (uri.starts_with("data:")) {
+    const std::size_t comma = uri.find(";base64,");
+    if (comma == std::string::npos) refuse("has a buffer in its text that is not in base64");
+    return decodeBase64(std::string_view(uri).substr(comma + 8));
+  }
+  const std::filesystem::path path = file_.parent_path() / decodePercent(uri);
+  if (!liesBeside(file_, path))
+    refuse(fmt::format("names {}, which lies outside its folder", path.string()));
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(path, error))
+    refuse(fmt::format("names {}, which is not there, or no plain file", path.string()));
+  const auto size = std::filesystem::file_size(path, error);
+  if (error || size < promised)
+    refuse(fmt::format("has a buffer of {} bytes, of which {} holds {}", promised, path.string(), size));
+  return readFile(path, "buffer");
+}
+
+std::string_view GltfDocument::buffer(std::size_t number) const {
+  const Json& described = item("buffers", number);
+  const std::uint64_t promised = this->number(described, "byteLength");
+  std::string_view bytes;
+  const auto uri = described.find("uri");
+  if (uri == described.end()) {
+    if (number != 0 || !glbBytes_) refuse(fmt::format("has no bytes for its buffer {}", number));
+    bytes = *glbBytes_;
+  } else {
+    if (!uri->is_string()) refuse("has a buffer whose uri is no text");
+    std::optional<std::string>& loaded = buffers_.at(number);
+    if (!loaded) loaded = bytesOf(uri->get_ref<const std::string&>(), promised);
+    bytes = *loaded;
+  }
+  if (bytes.size() < promised)
+    refuse(fmt::format("has a buffer of {} bytes, of which {} are there", promised, bytes.size()));
+  return bytes.substr(0, promised);
+}
+
+std::string_view GltfDocument::view(std::size_t number, std::size_t& stride) const {
+  const Json& described = item("bufferViews", number);
+  const std::string_view bytes = buffer(this->number(described, "buffer"));
+  const std::uint64_t offset = this->number(described, "byteOffset", 0);
+  const std::uint64_t length = this->number(described, "byteLength");
+  if (offset > bytes.size() || length > bytes.size() - offset)
+    refuse(fmt::format("has a view of bytes {} to {} in a buffer of {}", offset, offset + length,
+                       bytes.size()));
+  stride = this->number(described, "byteStride", stride);
+  return bytes.substr(offset, length);
+}
+
+GltfDocument::Values GltfDocument::slice(const Json& place, std::uint64_t type, std::size_t components,
+                                         std::size_t count) const {
+  const std::size_t element = components * componentBytes(type);
+  if (element == 0) refuse(fmt::format("has values of type {}, which is none", type));
+  std::size_t stride = element;
+  const std::string_view bytes = view(number(place, "bufferView"), stride);
+  const std::uint64_t offset = number(place, "byteOffset", 0);
+  if (stride < element || stride > 1024)
+    refuse(fmt::format("has values of {} bytes every {}", element, stride));
+  const std::uint64_t end = offset + (count - 1) * stride + element;
+  if (end > bytes.size())
+    refuse(fmt::format("has an accessor whose count is {}: {} bytes, of which its view holds {}", count,
+                       end, bytes.size()));
+  return {bytes.substr(offset), count, stride, components, type, false};
+}
+
+std::size_t GltfDocument::count(std::size_t accessor) const {
+  const Json& described = item("accessors", accessor);
+  const auto found = described.find("count");
+  if (found == described.end() || !found->is_number_unsigned() || found->get<std::uint64_t>() < 1 ||
+      found->get<std::uint64_t>() > 3 * std::uint64_t{mostMeshItems})
+    refuse(fmt::format("has an accessor whose count is not between 1 and {}", 3 * mostMeshItems));
+  const std::size_t count = found->get<std::size_t>();
+  if (described.contains("bufferView"))
+    static_cast<void>(values(described));
+  else if (!described.contains("sparse") || count > mostZeros)
+    refuse(fmt::format("has an accessor whose count is {} and whose bytes are missing", count));
+  return count;
+}
+
+GltfDocument::Values GltfDocument::values(const Json& accessor) const {
+  constexpr std::array<std::pair<std::string_view, std::size_t>, 4> types = {
+      {{"SCALAR", 1}, {"VEC2", 2}, {"VEC3", 3}, {"VEC4", 4}}};
+  const auto type = accessor.find("type");
+  std::size_t components = 0;
+  for (const auto& [name, count] : types)
+    if (type != accessor.end() && type->is_string() && type->get_ref<const std::string&>() == name)
+      components = count;
+  if (components == 0) refuse("has an accessor that is neither a number nor a vector");
+  Values values = slice(accessor, number(accessor, "componentType"), components, number(accessor, "count"));
+  const auto normalised = accessor.find("normalized");
+  values.normalised = normalised != accessor.end() && normalised->is_boolean() && normalised->get<bool>();
+  return values;
+}
+
+float GltfDocument::component(const Values& values, std::size_t element, std::size_t component) const {
+  const std::size_t at = element * values.stride + component * componentBytes(values.type);
+  // glTF 2.0, 3.11: the most negative number counts as -1, too.
+  const auto scaled = [&](auto number) {
+    const auto value = static_cast<float>(number);
+    return values.normalised
+               ? std::max(value / static_cast<float>(std::numeric_limits<decltype(number)>::max()), -1.0F)
+               : value;
+  };
+  switch (values.type) {
+    case 5120:
+      return scaled(read<std::int8_t>(values.bytes, at));
+    case 5121:
+      return scaled(read<std::uint8_t>(values.bytes, at));
+    case 5122:
+      return scaled(read<std::int16_t>(values.bytes, at));
+    case 5123:
+      return scaled(read<std::uint16_t>(values.bytes, at));
+    case 5126:
+      return read<float>(values.bytes, at);
+    default:
+      refuse("has 32-bit whole numbers where vertices are expected");
+  }
+}
+
+std::vector<float> GltfDocument::floats(std::size_t accessor, std::size_t components) const {
+  const Json& described = item("accessors", accessor);
+  const std::size_t count = this->count(accessor);
+  std::vector<float> all(count * components, 0.0F);
+  const auto put = [&](const Values& values, std::size_t from, std::size_t to) {
+    for (std::size_t k = 0; k < components; ++k) all[to * components + k] = component(values, from, k);
+  };
+  if (described.contains("bufferView")) {
+    const Values values = this->values(described);
+    if (values.components != components)
+      refuse(fmt::format("has vectors of {} where {} numbers are expected", values.components, components));
+    for (std::size_t i = 0; i < count; ++i) put(values, i, i);
+  }
+  const auto sparse = described.find("sparse");
+  if (sparse == described.end()) return all;
+  if (!sparse->is_object() || !sparse->contains("indices") || !sparse->contains("values"))
+    refuse("has a sparse accessor without indices and values");
+  const std::size_t changed = number(*sparse, "count");
+  if (changed < 1 || changed > count)
+    refuse(fmt::format("has a sparse accessor of {} in {}", changed, count));
+  const Json& places = sparse->at("indices");
+  if (!places.is_object() || !sparse->at("values").is_object())
+    refuse("has a sparse accessor without indices and values");
+  const Values where = slice(places, number(places, "componentType"), 1, changed);
+  const Values what = slice(sparse->at("values"), number(described, "componentType"), components, changed);
+  for (std::size_t i = 0; i < changed; ++i) {
+    const std::uint64_t to = where.type == 5125
+                                 ? read<std::uint32_t>(where.bytes, i * where.stride)
+                                 : static_cast<std::uint64_t>(std::max(component(where, i, 0), 0.0F));
+    if (to >= count) refuse(fmt::format("has a sparse accessor with number {} of {}", to, count));
+    put(what, i, to);
+  }
+  return all;
+}
+
+std::vector<std::uint32_t> GltfDocument::indices(std::size_t accessor) const {
+  const Json& described = item("accessors", accessor);
+  const std::size_t count = this->count(accessor);
+  if (!described.contains("bufferView") || described.contains("sparse"))
+    refuse("has sparse indices, which are not read");
+  const Values values = this->values(described);
+  std::vector<std::uint32_t> all(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t at = i * values.stride;
+    if (values.components == 1 && values.type == 5121)
+      all[i] = read<std::uint8_t>(values.bytes, at);
+    else if (values.components == 1 && values.type == 5123)
+      all[i] = read<std::uint16_t>(values.bytes, at);
+    else if (values.components == 1 && values.type == 5125)
+      all[i] = read<std::uint32_t>(values.bytes, at);
+    else
+      refuse("has indices that are no whole numbers");
+  }
+  return all;
+}
+
+}  // namespace simreel::sim

@@ -1,0 +1,239 @@
+#include "sim/mesh/gltf_file.hpp"
+
+#include "sim/mesh/builder.hpp"
+#include "sim/mesh/gltf_document.hpp"
+
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include <fmt/format.h>
+#include <glm/gtc/type_ptr.hpp>
+#include <glm/mat4x4.hpp>
+
+namespace simreel::sim {
+
+namespace {
+
+using Json = GltfDocument::Json;
+
+/// Most primitives over all nodes.
+constexpr std::size_t mostParts = 100'000;
+
+/// A drawn mesh with the transform of its node.
+struct Placed {
+  std::size_t mesh;
+  glm::mat4 transform;
+};
+
+struct Corner {
+  std::array<float, 8> values;  ///< position, normal, texture coordinates
+  bool operator==(const Corner&) const = default;
+};
+struct CornerHash {
+  std::size_t operator()(const Corner& corner) const {
+    std::uint64_t hash = 14695981039346656037U;  // FNV-1a over words
+    for (const float value : corner.values)
+      hash = (hash ^ std::bit_cast<std::uint32_t>(value == 0 ? 0.0F : value)) * 1099511628211U;
+    return hash ^ hash >> 29U;
+  }
+};
+
+class GltfReader {
+ public:
+  GltfReader(const std::filesystem::path& file, std::string_view text)
+      : document_(file, text), builder_(file) {}
+
+  Mesh read() {
+    checkExtensions();
+    const std::vector<Placed> placed = walk();
+    std::size_t vertices = 0, corners = 0, parts = 0;
+    for (const Placed& mesh : placed) {
+      parts += primitivesOf(mesh.mesh).size();
+      if (parts > mostParts) document_.refuse(fmt::format("has more than {} parts; join them", mostParts));
+      forEachPrimitive(mesh.mesh, [&](const Json& primitive) {
+        vertices += document_.count(position(primitive));
+        corners += cornerCount(primitive);
+        if (vertices > mostMeshItems || corners > 3 * mostMeshItems)
+          document_.refuse(
+              fmt::format("has more than {} vertices or triangles; simplify it", mostMeshItems));
+      });
+    }
+    for (const Placed& mesh : placed)
+      forEachPrimitive(mesh.mesh, [&](const Json& primitive) { add(primitive, mesh.transform); });
+    return builder_.finish();
+  }
+
+ private:
+  /// What has to be understood for the triangles to be right; looks and lights have not.
+  void checkExtensions() const {
+    const auto required = document_.root().find("extensionsRequired");
+    if (required == document_.root().end()) return;
+    if (!required->is_array()) document_.refuse("has extensionsRequired that are no list");
+    for (const Json& item : *required) {
+      const std::string name = item.is_string() ? item.get<std::string>() : "of no name";
+      bool harmless = name == "KHR_mesh_quantization";
+      for (const char* looks : {"KHR_materials_", "KHR_texture_", "EXT_texture_", "KHR_lights_"})
+        harmless = harmless || name.starts_with(looks);
+      if (!harmless)
+        document_.refuse(fmt::format("needs the extension {}, which is not read; export it without", name));
+    }
+  }
+
+  glm::mat4 transformOf(const Json& node) const {
+    const std::vector<float> matrix = document_.numbers(node, "matrix", 16);
+    if (!matrix.empty()) return glm::make_mat4(matrix.data());
+    const auto or3 = [&](const char* key, float otherwise) {
+      const std::vector<float> v = document_.numbers(node, key, 3);
+      return v.empty() ? glm::vec3(otherwise) : glm::vec3(v[0], v[1], v[2]);
+    };
+    const glm::vec3 place = or3("translation", 0), scale = or3("scale", 1);
+    const std::vector<float> q = document_.numbers(node, "rotation", 4);
+    const float x = q.empty() ? 0 : q[0], y = q.empty() ? 0 : q[1], z = q.empty() ? 0 : q[2],
+                w = q.empty() ? 1 : q[3];
+    // The matrix of a unit quaternion, column by column, each scaled.
+    return {glm::vec4(1 - 2 * (y * y + z * z), 2 * (x * y + w * z), 2 * (x * z - w * y), 0) * scale.x,
+            glm::vec4(2 * (x * y - w * z), 1 - 2 * (x * x + z * z), 2 * (y * z + w * x), 0) * scale.y,
+            glm::vec4(2 * (x * z + w * y), 2 * (y * z - w * x), 1 - 2 * (x * x + y * y), 0) * scale.z,
+            glm::vec4(place, 1)};
+  }
+
+  /// The meshes of the default scene's nodes, which have to form trees.
+  std::vector<Placed> walk() const {
+    struct Step {
+      std::uint64_t node;
+      glm::mat4 parent;
+      int depth;
+    };
+    const Json& scene = document_.item("scenes", document_.number(document_.root(), "scene", 0));
+    std::vector<Step> open;
+    for (const std::uint64_t node : document_.wholeNumbers(scene, "nodes"))
+      open.push_back({node, glm::mat4(1), 0});
+    std::vector<Placed> placed;
+    std::vector<bool> met(document_.size("nodes"));
+    while (!open.empty()) {
+      const Step step = open.back();
+      open.pop_back();
+      const Json& node = document_.item("nodes", step.node);
+      if (met[step.node])
+        document_.refuse(fmt::format("has a node with two parents (number {})", step.node));
+      met[step.node] = true;
+      if (step.depth > mostNodeDepth)
+        document_.refuse(fmt::format("nests its nodes deeper than {} levels", mostNodeDepth));
+      const glm::mat4 transform = step.parent * transformOf(node);
+      if (node.contains("mesh")) placed.push_back({document_.number(node, "mesh"), transform});
+      for (const std::uint64_t child : document_.wholeNumbers(node, "children"))
+        open.push_back({child, transform, step.depth + 1});
+      if (open.size() > met.size()) document_.refuse("has a node with two parents");
+    }
+    return placed;
+  }
+
+  const Json& primitivesOf(std::size_t mesh) const {
+    const Json& described = document_.item("meshes", mesh);
+    const auto primitives = described.find("primitives");
+    if (primitives == described.end() || !primitives->is_array())
+      document_.refuse("has a mesh without a list of primitives");
+    return *primitives;
+  }
+
+  template <class Visit>
+  void forEachPrimitive(std::size_t mesh, const Visit& visit) const {
+    for (const Json& primitive : primitivesOf(mesh)) {
+      if (!primitive.is_object() || !primitive.contains("attributes") ||
+          !primitive.at("attributes").is_object())
+        document_.refuse("has a primitive without attributes");
+      const std::uint64_t mode = document_.number(primitive, "mode", 4);
+      if (mode > 6) document_.refuse(fmt::format("has a primitive of mode {}", mode));
+      if (mode >= 4) visit(primitive);  // the others are points and lines
+    }
+  }
+
+  std::size_t position(const Json& primitive) const {
+    return document_.number(primitive.at("attributes"), "POSITION");
+  }
+
+  std::size_t cornerCount(const Json& primitive) const {
+    const std::size_t count = document_.count(
+        primitive.contains("indices") ? document_.number(primitive, "indices") : position(primitive));
+    return document_.number(primitive, "mode", 4) == 4 ? count : 3 * count;
+  }
+
+  /// Values of an attribute for each vertex; empty where it has none.
+  std::vector<float> attribute(const Json& primitive, const char* name, std::size_t components,
+                               std::size_t vertices) const {
+    const Json& attributes = primitive.at("attributes");
+    if (!attributes.contains(name)) return {};
+    const std::size_t accessor = document_.number(attributes, name);
+    if (document_.count(accessor) != vertices)
+      document_.refuse(
+          fmt::format("has a {} for {} of {} vertices", name, document_.count(accessor), vertices));
+    return document_.floats(accessor, components);
+  }
+
+  void add(const Json& primitive, const glm::mat4& transform) {
+    const std::size_t vertices = document_.count(position(primitive));
+    const std::vector<float> positions = attribute(primitive, "POSITION", 3, vertices);
+    const std::vector<float> normals = attribute(primitive, "NORMAL", 3, vertices);
+    const std::vector<float> uvs = attribute(primitive, "TEXCOORD_0", 2, vertices);
+    // Vertices that are equal in all that is read are one, so that computed normals are smooth.
+    std::unordered_map<Corner, unsigned, CornerHash> known;
+    std::vector<unsigned> first(vertices);
+    std::vector<Corner> kept;
+    for (std::size_t i = 0; i < vertices; ++i) {
+      Corner corner{};
+      for (std::size_t k = 0; k < 3; ++k) {
+        corner.values[k] = positions[3 * i + k];
+        if (!normals.empty()) corner.values[3 + k] = normals[3 * i + k];
+        if (k < 2 && !uvs.empty()) corner.values[6 + k] = uvs[2 * i + k];
+      }
+      const auto [at, fresh] = known.try_emplace(corner, static_cast<unsigned>(kept.size()));
+      if (fresh) kept.push_back(corner);
+      first[i] = at->second;
+    }
+    const std::vector<std::array<unsigned, 3>> triangles = trianglesOf(primitive, vertices);
+    builder_.begin(kept.size(), triangles.size(), transform, !uvs.empty());
+    for (const Corner& corner : kept) {
+      const std::array<float, 8>& v = corner.values;
+      builder_.vertex({v[0], v[1], v[2]}, {v[3], v[4], v[5]},
+                      uvs.empty() ? glm::vec2(0) : glm::vec2(v[6], 1 - v[7]));  // glTF's v points down
+    }
+    for (const auto& [a, b, c] : triangles) builder_.triangle({first[a], first[b], first[c]});
+  }
+
+  std::vector<std::array<unsigned, 3>> trianglesOf(const Json& primitive, std::size_t vertices) const {
+    std::vector<unsigned> corners;
+    if (primitive.contains("indices")) corners = document_.indices(document_.number(primitive, "indices"));
+    for (const unsigned corner : corners)
+      if (corner >= vertices)
+        document_.refuse(fmt::format("has a triangle with vertex {} of {}", corner, vertices));
+    if (!primitive.contains("indices"))
+      for (unsigned i = 0; i < vertices; ++i) corners.push_back(i);
+    std::vector<std::array<unsigned, 3>> triangles;
+    const std::uint64_t mode = document_.number(primitive, "mode", 4);
+    const std::size_t step = mode == 4 ? 3 : 1;
+    for (std::size_t i = 0; i + 2 < corners.size(); i += step) {
+      if (mode == 6)  // a fan around the first
+        triangles.push_back({corners[0], corners[i + 1], corners[i + 2]});
+      else if (mode == 5 && i % 2 == 1)  // every second of a strip is turned
+        triangles.push_back({corners[i], corners[i + 2], corners[i + 1]});
+      else
+        triangles.push_back({corners[i], corners[i + 1], corners[i + 2]});
+    }
+    return triangles;
+  }
+
+  GltfDocument document_;
+  MeshBuilder builder_;
+};
+
+}  // namespace
+
+Mesh readGltf(const std::filesystem::path& file, std::string_view text) {
+  return GltfReader(file, text).read();
+}
+
+}  // namespace simreel::sim

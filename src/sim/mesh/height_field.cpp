@@ -1,0 +1,41 @@
+#include "sim/mesh/height_field.hpp"
+
+#include <cstddef>
+#include <vector>
+
+namespace simreel::sim {
+
+namespace {
+
+std::size_t countOf(glm::ivec2 size) {
+  return static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
+}
+
+}  // namespace
+
+HeightField::HeightField(const std::string& name, const HeightPlan& plan)
+    : plan_(plan),
+      heights_(name + " heights", std::vector<glm::vec4>(countOf(plan.size()), glm::vec4(0))),
+      keep_(gl::Program::compute("mesh/heights.comp", gl::kernelDefines(false))) {
+  keep_.set("count", static_cast<int>(countOf(plan.size())));
+  keep_.set("lift", plan.lift());
+}
+
+void HeightField::take(const gl::Vec4Array& positions) {
+  positions.bindInput(0);
+  heights_.bindState(1);
+  gl::barrier();
+  keep_.dispatch(static_cast<int>(countOf(plan_.size())));
+  gl::barrier();
+}
+
+void HeightField::tell(const gl::Program& kernel, int substep, int substeps, float margin,
+                       float bounce) const {
+  const shader::HeightGrid grid = plan_.at(substep, substeps, margin, bounce);
+  kernel.set("heightGrid.place", grid.place);
+  kernel.set("heightGrid.moment", grid.moment);
+  kernel.set("heightGrid.size", grid.size);
+  kernel.set("heightGrid.margin", grid.margin);
+}
+
+}  // namespace simreel::sim

@@ -1,0 +1,31 @@
+#pragma once
+#include "gl/element_array.hpp"
+#include "gl/program.hpp"
+#include "sim/core/carry_over.hpp"
+#include "sim/mesh/height_plan.hpp"
+
+#include <string>
+
+namespace simreel::sim {
+
+/// Heights of a deformed plane on the GPU, at the beginning and at the end of a frame, for those that fall
+/// onto it (glsl/mesh/height_model.glsl).
+class HeightField {
+ public:
+  HeightField(const std::string& name, const HeightPlan& plan);
+
+  /// The next frame's end: `positions` in the mesh's own space. Before a first frame, its beginning.
+  void take(const gl::Vec4Array& positions);
+  void carryOver(CarryOver& carry) { carry.array("heights", heights_.buffer()); }
+  /// For height_array.glsl of a kernel.
+  void bind() const { heights_.bindInput(3); }
+  /// Tells a kernel where in the frame it is; arguments as of HeightPlan::at.
+  void tell(const gl::Program& kernel, int substep, int substeps, float margin, float bounce) const;
+
+ private:
+  HeightPlan plan_;
+  gl::Vec4Array heights_;  ///< x before, y now (m)
+  gl::Program keep_;
+};
+
+}  // namespace simreel::sim

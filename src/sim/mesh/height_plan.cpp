@@ -1,0 +1,26 @@
+#include "sim/mesh/height_plan.hpp"
+
+#include "sim/core/shader_code.hpp"
+
+namespace simreel::sim {
+
+HeightPlan::HeightPlan(const MeshParameters& mesh, double frameSeconds)
+    : lift_(mesh.position.at(0).y), grip_(mesh.grip), frameSeconds_(frameSeconds) {
+  const glm::vec3 middle = mesh.position.at(0);
+  const glm::vec2 cells(mesh.resolution - 1);
+  grid_.place = {middle.x - 0.5F * mesh.size.x, middle.z - 0.5F * mesh.size.z, cells.x / mesh.size.x,
+                 cells.y / mesh.size.z};
+  grid_.size = mesh.resolution;
+}
+
+shader::HeightGrid HeightPlan::at(int index, int substeps, float margin, float bounce) const {
+  shader::HeightGrid grid = grid_;
+  grid.margin = margin;
+  const double seconds = frameSeconds_ / substeps;
+  grid.moment = {static_cast<float>(static_cast<double>(index + 1) / substeps),
+                 static_cast<float>(1.0 / frameSeconds_),
+                 shader::exactExp(static_cast<float>(-grip_ * seconds)), bounce};
+  return grid;
+}
+
+}  // namespace simreel::sim

@@ -1,0 +1,123 @@
+#include "sim/mesh/parameters.hpp"
+
+#include "sim/core/collider.hpp"
+#include "sim/mesh/shapes.hpp"
+
+#include <cstdint>
+
+#include <fmt/format.h>
+
+namespace simreel::sim {
+
+namespace {
+
+constexpr std::int64_t mostVertices = 8'000'000;  // as of files
+
+/// Vertices that a shape needs to be one.
+glm::ivec2 leastResolution(MeshShape shape) {
+  switch (shape) {
+    case MeshShape::sphere:
+      return {4, 3};
+    case MeshShape::torus:
+      return {4, 4};
+    default:
+      return {2, 2};
+  }
+}
+
+}  // namespace
+
+void MeshParameters::describe(scene::Fields& f) {
+  f.choice("shape", shape, {"plane", "sphere", "torus", "grass", "file"},
+           "Generated, or read from \"file\".");
+  f.asset("file", file, "OBJ, PLY, glTF or GLB, in m, for the shape \"file\".");
+  f.vector("size", size, {0, 1e4}, "m", "Width and depth of a plane or of a field of grass (x and z).");
+  f.number("radius", radius, {1e-4, 1e4}, "m", "Of a sphere; of a torus to the middle of its tube.");
+  f.number("tube", tube, {1e-4, 1e4}, "m", "Radius of a torus' tube.");
+  f.pair(
+      "resolution", resolution, {2, 16384}, "vertices",
+      "Along u and v: x and z of a plane; around and from pole to pole of a sphere; along and around the "
+      "tube of a torus.");
+  f.integer("blades", blades, {1, 1'000'000}, "",
+            "Of grass, scattered over its field by the scene's seed.");
+  f.number("bladeHeight", bladeHeight, {1e-4, 1e3}, "m", "Of the tallest blades of grass.");
+  f.number("bladeWidth", bladeWidth, {1e-5, 1e2}, "m", "Of a blade of grass at its root.");
+  f.vector("position", position, scene::anyNumber, "m", "Where the mesh's origin is.");
+  f.vector("rotation", rotation, scene::anyNumber, "degrees", "About x, then y, then z.");
+  f.number("scale", scale, {1e-6, 1e6}, "", "Factor on the mesh's coordinates.");
+  f.choice(
+      "sides", sides, {"auto", "one", "both"},
+      "Which sides of the triangles are drawn; \"auto\": both of a plane and of grass, else the front.");
+  f.boolean("visible", visible, "Whether it is drawn.");
+  deform.describe(f);
+  describeCollision(f);
+  if (shape == MeshShape::file && file.empty())
+    f.error("shape", "the shape \"file\" needs \"file\": the mesh to read");
+  if (shape != MeshShape::file && f.given("file"))
+    f.error("file", "a file is read only with \"shape\": \"file\"");
+  const glm::ivec2 least = leastResolution(shape);
+  if (resolution.x < least.x || resolution.y < least.y)
+    f.error("resolution", fmt::format("this shape needs at least [{}, {}] vertices", least.x, least.y));
+  if (std::int64_t{resolution.x} * resolution.y > mostVertices)
+    f.error("resolution",
+            fmt::format("{}x{} are more than {} vertices", resolution.x, resolution.y, mostVertices));
+  if (shape == MeshShape::torus && tube >= radius)
+    f.error("tube", fmt::format("a tube of {} m closes the hole of a torus of {} m", tube, radius));
+}
+
+void MeshParameters::describeCollision(scene::Fields& f) {
+  f.boolean("collides", collides,
+            "Whether cloth, and particles that ask for it, fall onto this deformed plane; one of a scene.");
+  f.number("grip", grip, {0, 1e6}, "1/s",
+           "Rate at which what slides over it loses speed, where it collides.");
+  if (!collides) {
+    if (f.given("grip")) f.error("grip", "\"grip\" is for a mesh with \"collides\": true");
+    return;
+  }
+  if (shape != MeshShape::plane)
+    f.error("shape", "a mesh that collides is a \"plane\", whose heights others fall onto");
+  if (deform.list.empty())
+    f.error("collides",
+            "a mesh collides by what \"deform\" makes of it; give it one, or use a \"plane\" object");
+  if (deform.technique == DeformTechnique::vertexShader)
+    f.error("technique", "\"vertex-shader\" keeps no positions to collide with; use \"compute\"");
+  if (size.x < 1e-3F || size.z < 1e-3F)
+    f.error("size", "a mesh that collides is at least 0.001 m wide and deep");
+  if (position.moves())
+    f.error("position", "a mesh that collides stays where it is: one position, no keys");
+  if (rotation.moves() || rotation.at(0) != glm::vec3(0))
+    f.error("rotation", "a mesh that collides is not turned");
+  if (scale.moves() || scale.at(0) != 1.0F)
+    f.error("scale", "a mesh that collides is not scaled; give it another \"size\"");
+}
+
+bool MeshParameters::doubleSided() const {
+  return sides == MeshSides::both ||
+         (sides == MeshSides::fitting && (shape == MeshShape::plane || shape == MeshShape::grass));
+}
+
+glm::mat4 MeshParameters::model(double time) const {
+  glm::mat4 m = rotationMatrix(rotation.at(time));
+  const float factor = scale.at(time);
+  for (int i = 0; i < 3; ++i) m[i] *= factor;
+  m[3] = glm::vec4(position.at(time), 1.0F);
+  return m;
+}
+
+Mesh MeshParameters::make(int seed) const {
+  switch (shape) {
+    case MeshShape::plane:
+      return planeMesh(size, resolution);
+    case MeshShape::sphere:
+      return sphereMesh(radius, resolution);
+    case MeshShape::torus:
+      return torusMesh(radius, tube, resolution);
+    case MeshShape::grass:
+      return grassMesh(size, blades, bladeHeight, bladeWidth, seed);
+    case MeshShape::file:
+      break;
+  }
+  return loadMesh(file);
+}
+
+}  // namespace simreel::sim

@@ -1,0 +1,51 @@
+#pragma once
+#include "scene/fields.hpp"
+#include "sim/mesh/deform_parameters.hpp"
+#include "sim/mesh/file.hpp"
+
+#include <filesystem>
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+namespace simreel::sim {
+
+enum class MeshShape { plane, sphere, torus, grass, file };
+enum class MeshSides { fitting, one, both };
+
+/// Parameters of the kind mesh.
+struct MeshParameters : scene::Parameters {
+  MeshShape shape = MeshShape::plane;
+  std::filesystem::path file;
+  glm::vec3 size{4, 0, 4};         ///< m, of a plane
+  float radius = 1.0F;             ///< m
+  float tube = 0.35F;              ///< m
+  glm::ivec2 resolution{101, 65};  ///< vertices along u and v
+  MeshSides sides = MeshSides::fitting;
+  bool visible = true;
+  int blades = 4000;          ///< of grass
+  float bladeHeight = 0.5F;   ///< m
+  float bladeWidth = 0.012F;  ///< m
+  DeformParameters deform;
+  scene::Animated<glm::vec3> position = glm::vec3(0);  ///< m
+  scene::Animated<glm::vec3> rotation = glm::vec3(0);  ///< degrees
+  scene::Animated<float> scale = 1.0F;
+  bool collides = false;
+  float grip = 25.3F;  ///< 1/s
+  void describe(scene::Fields& fields) override;
+  [[nodiscard]] std::span<const scene::Quantity> quantities() const override;
+  [[nodiscard]] bool measures() const override { return !deform.list.empty(); }
+  [[nodiscard]] bool publishesHeights() const override { return collides; }
+
+  [[nodiscard]] bool doubleSided() const;
+  /// From the mesh's own space to the world's at `time`.
+  [[nodiscard]] glm::mat4 model(double time) const;
+  /// Generates or reads the mesh. Throws what loadMesh throws.
+  [[nodiscard]] Mesh make(int seed) const;
+
+ private:
+  void describeCollision(scene::Fields& fields);
+};
+
+}  // namespace simreel::sim

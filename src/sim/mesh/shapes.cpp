@@ -1,0 +1,152 @@
+#include "sim/mesh/shapes.hpp"
+
+#include "sim/core/shader_code.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include <glm/geometric.hpp>
+
+namespace simreel::sim {
+
+namespace {
+
+constexpr double fullTurn = 2.0 * std::numbers::pi;
+
+void reserve(Mesh& mesh, unsigned rows, unsigned columns) {
+  const std::size_t vertices = (std::size_t{rows} + 1) * (columns + 1);
+  mesh.positions.reserve(vertices);
+  mesh.normals.reserve(vertices);
+  mesh.uvs.reserve(vertices);
+  mesh.indices.reserve(std::size_t{6} * rows * columns);
+}
+
+/// Quads between rows + 1 lines of columns + 1 vertices, the front where u runs right and v down.
+void connectRows(Mesh& mesh, unsigned rows, unsigned columns) {
+  for (unsigned row = 0; row < rows; ++row)
+    for (unsigned column = 0; column < columns; ++column) {
+      const unsigned a = row * (columns + 1) + column;
+      const unsigned b = a + columns + 1;
+      mesh.indices.insert(mesh.indices.end(), {a, b, a + 1, a + 1, b, b + 1});
+    }
+}
+
+/// Rings of latitude. With a length the equator is there twice, its copies `length` apart; rows are even
+/// then.
+Mesh roundMesh(float radius, float length, unsigned rows, unsigned columns) {
+  const bool parted = length > 0;
+  const unsigned rings = rows + 1 + (parted ? 1 : 0);
+  Mesh mesh;
+  reserve(mesh, rings - 1, columns);
+  for (unsigned ring = 0; ring < rings; ++ring) {
+    const bool lower = ring > rows / 2;
+    const unsigned step = parted && lower ? ring - 1 : ring;
+    const double polar = std::numbers::pi * step / rows;
+    const double across = step == rows ? 0.0 : std::sin(polar);  // both poles are exactly one point
+    for (unsigned column = 0; column <= columns; ++column) {
+      const double angle = fullTurn * (column % columns) / columns;
+      const glm::vec3 normal(static_cast<float>(across * std::sin(angle)),
+                             static_cast<float>(std::cos(polar)),
+                             static_cast<float>(across * std::cos(angle)));
+      glm::vec3 position = normal * radius;
+      position.y += lower ? -0.5F * length : 0.5F * length;
+      mesh.positions.push_back(position);
+      mesh.normals.push_back(normal);
+      mesh.uvs.emplace_back(static_cast<float>(column) / static_cast<float>(columns),
+                            static_cast<float>(step) / static_cast<float>(rows));
+    }
+  }
+  connectRows(mesh, rings - 1, columns);
+  return mesh;
+}
+
+}  // namespace
+
+Mesh planeMesh(const glm::vec3& size, glm::ivec2 vertices) {
+  const auto columns = static_cast<unsigned>(vertices.x - 1);
+  const auto rows = static_cast<unsigned>(vertices.y - 1);
+  Mesh mesh;
+  reserve(mesh, rows, columns);
+  for (unsigned row = 0; row <= rows; ++row)
+    for (unsigned column = 0; column <= columns; ++column) {
+      const glm::vec2 uv(static_cast<float>(column) / static_cast<float>(columns),
+                         static_cast<float>(row) / static_cast<float>(rows));
+      mesh.positions.emplace_back((uv.x - 0.5F) * size.x, 0.0F, (uv.y - 0.5F) * size.z);
+      mesh.normals.emplace_back(0, 1, 0);
+      mesh.uvs.push_back(uv);
+    }
+  connectRows(mesh, rows, columns);
+  return mesh;
+}
+
+Mesh sphereMesh(float radius, glm::ivec2 vertices) {
+  return roundMesh(radius, 0.0F, static_cast<unsigned>(vertices.y - 1),
+                   static_cast<unsigned>(vertices.x - 1));
+}
+
+Mesh capsuleMesh(float radius, float length) {
+  return roundMesh(radius, length, 32, 64);
+}
+
+Mesh torusMesh(float radius, float tube, glm::ivec2 vertices) {
+  const auto columns = static_cast<unsigned>(vertices.x - 1);
+  const auto rows = static_cast<unsigned>(vertices.y - 1);
+  Mesh mesh;
+  reserve(mesh, rows, columns);
+  for (unsigned row = 0; row <= rows; ++row) {
+    // From the outer rim over the underside, so that rows run down on the outside.
+    const double around = -fullTurn * (row % rows) / rows;
+    const double reach = radius + tube * std::cos(around);
+    for (unsigned column = 0; column <= columns; ++column) {
+      const double along = fullTurn * (column % columns) / columns;
+      const double x = std::sin(along);
+      const double z = std::cos(along);
+      mesh.positions.emplace_back(static_cast<float>(reach * x),
+                                  static_cast<float>(tube * std::sin(around)),
+                                  static_cast<float>(reach * z));
+      mesh.normals.emplace_back(static_cast<float>(std::cos(around) * x),
+                                static_cast<float>(std::sin(around)),
+                                static_cast<float>(std::cos(around) * z));
+      mesh.uvs.emplace_back(static_cast<float>(column) / static_cast<float>(columns),
+                            static_cast<float>(row) / static_cast<float>(rows));
+    }
+  }
+  connectRows(mesh, rows, columns);
+  return mesh;
+}
+
+Mesh grassMesh(const glm::vec3& size, int blades, float height, float width, int seed) {
+  constexpr unsigned segments = 4;
+  Mesh mesh;
+  for (int blade = 0; blade < blades; ++blade) {
+    const auto number = static_cast<unsigned>(blade);
+    const auto bits = shader::hash3({number, 1U, static_cast<unsigned>(seed)});
+    const auto more = shader::hash3({number, 2U, static_cast<unsigned>(seed)});
+    const glm::vec3 root(0.5F * size.x * shader::signedUnit(bits.x), 0,
+                         0.5F * size.z * shader::signedUnit(bits.y));
+    const float angle = 3.14159265F * shader::signedUnit(bits.z);
+    const glm::vec3 across(shader::exactCos(angle), 0, shader::exactSin(angle));
+    const glm::vec3 out(-across.z, 0, across.x);  // where the blade bends to
+    const float tall = height * (0.75F + 0.25F * shader::signedUnit(more.x));
+    const float bend = tall * (0.3F + 0.2F * shader::signedUnit(more.y));
+    const float hue = 0.5F + 0.49F * shader::signedUnit(more.z);
+    const auto first = static_cast<unsigned>(mesh.positions.size());
+    for (unsigned step = 0; step <= segments; ++step) {
+      const float s = static_cast<float>(step) / segments;
+      const glm::vec3 middle = root + out * (bend * s * s) + glm::vec3(0, tall * s * (1 - 0.15F * s), 0);
+      const glm::vec3 rise = out * (2 * bend * s) + glm::vec3(0, tall * (1 - 0.3F * s), 0);
+      const glm::vec3 normal = glm::normalize(glm::cross(rise, across));
+      const float half = 0.5F * width * (1 - 0.75F * s * s);
+      for (const float side : {-1.0F, 1.0F}) {
+        mesh.positions.push_back(middle + across * (side * half));
+        mesh.normals.push_back(normal);
+        mesh.uvs.emplace_back(hue + 0.004F * side, 1 - s);
+      }
+      const unsigned a = first + 2 * step;
+      if (step < segments) mesh.indices.insert(mesh.indices.end(), {a, a + 2, a + 1, a + 1, a + 2, a + 3});
+    }
+  }
+  return mesh;
+}
+
+}  // namespace simreel::sim

@@ -1,9 +1,0 @@
-#pragma once
-#include "sim/simulation.hpp"
-
-namespace simreel::sim {
-
-/// N-body particles, fields and emitters on the GPU (SPEC 2): leapfrog, 48 bytes a particle.
-[[nodiscard]] SimulationKind particlesKind();
-
-}  // namespace simreel::sim

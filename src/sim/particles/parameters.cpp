@@ -1,0 +1,150 @@
+#include "sim/particles/parameters.hpp"
+
+#include "sim/grid/color_map.hpp"
+#include "sim/particles/plan.hpp"
+
+#include <fmt/format.h>
+
+namespace simreel::sim {
+
+namespace {
+
+struct ColorStop {
+  glm::vec3 color{1, 1, 1};
+};
+
+constexpr const char* colorMaps[] = {"viridis", "magma", "inferno", "plasma", "turbo", "grey"};
+
+}  // namespace
+
+void ParticleGroup::describe(scene::Fields& f) {
+  f.choice("shape", shape, {"ball", "cube", "plummer", "disk", "file"},
+           "Uniform ball or cube, Plummer sphere or rotating disk in equilibrium, or read from a file.");
+  f.integer("count", count, {1, 1 << 24}, "particles", "How many; ignored for a file.");
+  f.number(
+      "radius", radius, {1e-4, 1e5}, "m",
+      "Of the ball; half the side of the cube; scale radius of the Plummer sphere; scale length of the "
+      "disk.");
+  f.number("thickness", thickness, {0, 10}, "", "Scale height of a disk as a share of its radius.");
+  f.number("totalMass", totalMass, {1e-6, 1e8}, "kg", "Shared equally; a file may give masses itself.");
+  f.number("centralMass", centralMass, {0, 1e8}, "kg",
+           "Of one more particle in the middle, a disk's bulge; 0: none.");
+  f.number("speed", speed, {0, 1e5}, "m/s", "Random velocity of the particles of a ball or cube.");
+  f.number("spin", spin, {-1e4, 1e4}, "rad/s", "Rotation of a ball or cube about its own y axis.");
+  f.vector("position", position, {-1e7, 1e7}, "m", "Of the middle.");
+  f.vector("velocity", velocity, {-1e6, 1e6}, "m/s", "Of the whole group.");
+  f.vector("rotation", rotation, scene::anyNumber, "degrees",
+           "About x, then y, then z; unrotated a disk lies in the xz plane.");
+  f.asset("file", file, "CSV with a first line naming x,y,z[,vx,vy,vz][,mass], or PLY.");
+  if (shape == Shape::file && file.empty())
+    f.error("shape", "shape \"file\" needs \"file\", a CSV or PLY file");
+  if (shape != Shape::file && !file.empty())
+    f.error("file", "a file is read only with \"shape\": \"file\"");
+  if (totalMass / static_cast<float>(count) < 1e-9F)
+    f.error("totalMass", "shared by all particles this is less than 1e-9 kg each");
+}
+
+void Emitter::describe(scene::Fields& f) {
+  f.number("rate", rate, {1e-3, 1e8}, "1/s", "Particles born per second.");
+  f.vector("position", position, {-1e7, 1e7}, "m", "Middle of the ball in which they appear.");
+  f.number("radius", radius, {0, 1e5}, "m", "Of that ball.");
+  f.vector("velocity", velocity, {-1e6, 1e6}, "m/s", "Mean velocity at birth.");
+  f.number("spread", spread, {0, 180}, "degrees", "Half the angle of the cone of velocities.");
+  f.number("speedVariation", speedVariation, {0, 1}, "", "How much the speed varies, as a share.");
+  f.number("lifetime", lifetime, {1e-3, 1e5}, "s", "Mean time a particle lives.");
+  f.number("lifetimeVariation", lifetimeVariation, {0, 0.95}, "",
+           "How much the lifetime varies, as a share.");
+  f.number("mass", mass, {1e-9, 1e8}, "kg", "Of each particle.");
+  f.number("from", from, {0, 1e9}, "s", "When it starts; 0: at once, before frame 0 too.");
+  f.number("until", until, {0, 1e9}, "s", "When it stops.");
+  if (until < from) f.error("until", "the emitter stops before it starts");
+}
+
+void ParticleParameters::describe(scene::Fields& f) {
+  f.list("groups", groups, "Clouds of particles there from the start.",
+         [](scene::Fields& g, ParticleGroup& group) { group.describe(g); });
+  f.list(
+      "emitters", emitters, "Sources of particles that live for a while.",
+      [](scene::Fields& e, Emitter& emitter) { emitter.describe(e); }, shader::mostEmitters);
+  f.choice("method", method, {"none", "all-pairs", "tree"},
+           "How particles attract each other: not at all, each by each (exact, N^2), or by groups far away "
+           "(N log N).");
+  f.number("gravity", gravity, {0, 1e6}, "m^3/(kg s^2)", "The constant G.");
+  f.number("softening", softening, {1e-6, 1e4}, "m",
+           "Length below which the attraction between particles fades.");
+  f.number("opening", opening, {0, 1.15}, "rad",
+           "Of \"tree\": the angle below which a cell counts as one body; smaller is more exact.");
+  f.optionalGroup("attractor", hasAttractor, "A heavy body that moves along keyframes and is not moved.",
+                  [&](scene::Fields& a) {
+                    a.vector("position", attractorPosition, {-1e7, 1e7}, "m", "Where it is.");
+                    a.number("mass", attractorMass, {-1e8, 1e8}, "kg", "Negative ones push away.");
+                    a.number("softening", attractorSoftening, {1e-6, 1e4}, "m",
+                             "Length below which its attraction fades.");
+                  });
+  f.vector("acceleration", acceleration, {-1e6, 1e6}, "m/s^2",
+           "The same for every particle, such as weight.");
+  f.number("damping", damping, {0, 1e4}, "1/s",
+           "Rate at which velocity decays; 0.06 keeps 0.999 of it each 1/60 s.");
+  f.group("turbulence", "Swirls without sources that push the particles about.", [&](scene::Fields& t) {
+    t.number("strength", turbulence.strength, {0, 1e5}, "m/s^2", "Typical acceleration; 0: none.");
+    t.number("size", turbulence.size, {1e-3, 1e6}, "m", "Of the swirls.");
+    t.number("speed", turbulence.speed, {0, 1e5}, "m/s", "At which they drift through the scene.");
+  });
+  f.integer("substeps", substeps, {1, 1024}, "per frame", "Steps a frame is divided into.");
+  f.boolean("collides", collides, "Whether they fall onto the scene's mesh that collides.");
+  f.number("bounce", bounce, {0, 1}, "", "Share of the speed of impact that is given back.");
+  f.number("margin", margin, {0, 1e3}, "m", "Distance kept from the mesh that collides.");
+  for (const char* name : {"bounce", "margin"})
+    if (!collides && f.given(name))
+      f.error(name, fmt::format("\"{}\" is for particles with \"collides\": true", name));
+  f.group("look", "How the particles are drawn.", [&](scene::Fields& l) { describeLook(l); });
+  if (groups.empty() && emitters.empty())
+    f.error("groups", "no particles: give \"groups\" or \"emitters\"");
+}
+
+void ParticleParameters::describeLook(scene::Fields& l) {
+  l.choice("shape", shape, {"sprite", "sphere", "mesh"},
+           "Discs that face the camera, lit as balls or glowing; spheres; or a mesh.");
+  l.asset("mesh", mesh, "OBJ or PLY file of shape \"mesh\".");
+  l.boolean("alongVelocity", alongVelocity, "Turns a mesh's z axis along the velocity.");
+  l.number("size", size, {1e-5, 1e5}, "m", "Diameter; of a mesh, factor on its coordinates.");
+  l.number("massExponent", massExponent, {0, 2}, "",
+           "Size grows with mass to this power; 0.333 for balls of one density.");
+  l.choice("colorBy", colorBy, {"material", "speed", "mass", "age"},
+           "The object's material, or a colour map of the speed, mass or age.");
+  l.number("colorFrom", colorRange.x, scene::anyNumber, "",
+           "Speed (m/s), mass (kg) or age (0 to 1) at the start of the colour map.");
+  l.number("colorTo", colorRange.y, scene::anyNumber, "", "The same at its end.");
+  int map = 0;
+  l.oneOf("colors", map, {std::begin(colorMaps), std::end(colorMaps)}, "Colour map.");
+  std::vector<ColorStop> stops;
+  l.list(
+      "colorStops", stops, "A colour map of one's own instead: colours at even distances.",
+      [](scene::Fields& s, ColorStop& stop) {
+        s.vector("color", stop.color, {0, 1e3}, "", "Linear red, green, blue.");
+      },
+      64);
+  l.boolean("additive", additive, "Light that adds up and casts no shadow, for sparks and stars.");
+  l.number("brightness", brightness, {0, 1e5}, "", "Factor on the colours of additive particles.");
+  l.number("fade", fade, {0, 0.5}, "",
+           "Share of life over which additive particles of an emitter fade in and out.");
+  if (shape == Instances::Shape::mesh && mesh.empty())
+    l.error("shape", "shape \"mesh\" needs \"mesh\", an OBJ or PLY file");
+  if (colorRange.x == colorRange.y) l.error("colorTo", "colorFrom and colorTo must differ");
+  if (stops.size() == 1) l.error("colorStops", "a colour map needs at least two stops");
+  colors = colorMapStops(colorMaps[map]);
+  if (!stops.empty()) {
+    colors.clear();
+    for (const ColorStop& stop : stops) colors.push_back(stop.color);
+  }
+}
+
+std::span<const scene::Quantity> ParticleParameters::quantities() const {
+  static const scene::Quantity table[] = {{"population", "", "Living particles."},
+                                          {"mass", "kg", "Of all living particles."},
+                                          {"momentum", "kg m/s", "Size of the sum of mass times velocity."},
+                                          {"kineticEnergy", "J", "Sum of m v^2 / 2."}};
+  return table;
+}
+
+}  // namespace simreel::sim

@@ -1,0 +1,97 @@
+#pragma once
+#include "scene/fields.hpp"
+#include "sim/core/drawable.hpp"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+namespace simreel::sim {
+
+/// A cloud of particles there from the start.
+struct ParticleGroup {
+  enum class Shape { ball, cube, plummer, disk, file };
+  Shape shape = Shape::ball;
+  int count = 1024;  ///< ignored for a file
+  float radius =
+      1.0F;  ///< m: of the ball, half the side of the cube, Plummer's scale a, the disk's scale length
+  float thickness = 0.05F;     ///< disk: scale height as a share of radius
+  float totalMass = 1.0F;      ///< kg, shared equally
+  float centralMass = 0.0F;    ///< kg of one more particle in the middle (a disk's bulge); 0: none
+  float speed = 0.0F;          ///< m/s, random, of ball and cube; plummer and disk start in equilibrium
+  float spin = 0.0F;           ///< rad/s about the group's own y axis, of ball and cube
+  glm::vec3 position{0};       ///< m, of the middle
+  glm::vec3 velocity{0};       ///< m/s, of the whole
+  glm::vec3 rotation{0};       ///< degrees, as elsewhere; disks lie in the xz plane
+  std::filesystem::path file;  ///< CSV (x,y,z[,vx,vy,vz][,mass] named in the first line) or PLY
+  void describe(scene::Fields& fields);
+};
+
+/// A source of particles that live for a while.
+struct Emitter {
+  float rate = 1000.0F;                                      ///< 1/s
+  scene::Animated<glm::vec3> position = glm::vec3(0);        ///< m
+  float radius = 0.0F;                                       ///< m, of the ball in which they appear
+  scene::Animated<glm::vec3> velocity = glm::vec3(0, 3, 0);  ///< m/s
+  float spread = 20.0F;                                      ///< degrees about the velocity
+  float speedVariation = 0.3F;                               ///< share
+  float lifetime = 2.0F;                                     ///< s
+  float lifetimeVariation = 0.3F;                            ///< share
+  float mass = 1.0F;                                         ///< kg
+  float from = 0.0F, until = 1e9F;                           ///< s
+  void describe(scene::Fields& fields);
+};
+
+/// Curl noise: a velocity field without sources.
+struct Turbulence {
+  float strength = 0.0F;  ///< m/s^2
+  float size = 1.0F;      ///< m
+  float speed = 0.3F;     ///< m/s at which the field drifts
+};
+
+enum class GravityMethod { none, allPairs, tree };  ///< "none", "all-pairs", "tree"
+
+struct ParticleParameters : scene::Parameters {
+  std::vector<ParticleGroup> groups;
+  std::vector<Emitter> emitters;
+  GravityMethod method = GravityMethod::allPairs;
+  float gravity = 0.01F;   ///< G, m^3/(kg s^2)
+  float softening = 0.1F;  ///< eps, m
+  float opening = 0.5F;    ///< of "tree": the angle below which a cell counts as one body
+  bool hasAttractor = false;
+  scene::Animated<glm::vec3> attractorPosition = glm::vec3(0);  ///< m
+  scene::Animated<float> attractorMass = 100.0F;                ///< kg
+  float attractorSoftening = 0.1F;                              ///< m
+  scene::Animated<glm::vec3> acceleration = glm::vec3(0);       ///< m/s^2, the same everywhere
+  float damping = 0.0F;  ///< 1/s, towards rest; 0.06 keeps 0.999 at 60 Hz
+  Turbulence turbulence;
+  int substeps = 1;
+  bool collides = false;
+  float bounce = 0.3F;
+  float margin = 0.0F;  ///< m
+
+  // How they look.
+  Instances::Shape shape = Instances::Shape::sprite;
+  std::filesystem::path mesh;
+  bool alongVelocity = false;
+  float size = 0.05F;
+  float massExponent = 0.0F;
+  Instances::ColorBy colorBy = Instances::ColorBy::material;
+  glm::vec2 colorRange{0, 1};
+  std::vector<glm::vec3> colors;  ///< linear stops
+  bool additive = false;
+  float brightness = 1.0F;
+  float fade = 0.1F;
+
+  void describe(scene::Fields& fields) override;
+  [[nodiscard]] std::span<const scene::Quantity> quantities() const override;
+  [[nodiscard]] bool needsHeights() const override { return collides; }
+
+ private:
+  void describeLook(scene::Fields& fields);
+};
+
+}  // namespace simreel::sim

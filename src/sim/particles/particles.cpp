@@ -1,0 +1,252 @@
+#include "sim/particles/particles.hpp"
+
+#include "base/error.hpp"
+#include "gl/element_array.hpp"
+#include "gl/limits.hpp"
+#include "gl/program.hpp"
+#include "sim/mesh/height_field.hpp"
+#include "sim/particles/gravity_tree.hpp"
+#include "sim/particles/pairs.hpp"
+#include "sim/particles/plan.hpp"
+
+#include <algorithm>
+#include <cstring>
+#include <memory>
+#include <optional>
+
+namespace simreel::sim {
+
+namespace {
+
+constexpr int mostAnywhere = 1 << 26;
+
+/// What one array of the current device holds and one dispatch of 64 a group reaches.
+int mostParticles() {
+  constexpr std::int64_t bytes = sizeof(glm::vec4);
+  std::int64_t most = gl::limits().storageBlockBytes / bytes;
+  most = std::min(most, gl::limits().texelBufferTexels);
+  most = std::min(most, std::int64_t{64} * gl::limits().groupsX);
+  return static_cast<int>(std::min<std::int64_t>(most, mostAnywhere));
+}
+
+class Particles : public Simulation {
+ public:
+  Particles(const scene::Object& object, const Setting& setting)
+      : name_(object.name),
+        material_(object.material),
+        plan_(dynamic_cast<const ParticleParameters&>(*object.parameters), setting.seed,
+              setting.frameSeconds, mostParticles()) {
+    const ParticleParameters& p = plan_.parameters();
+    if (p.collides) heights_ = setting.heights;
+    if (p.method == GravityMethod::allPairs) pairs_ = PairGravity(setting.fast);
+    if (p.method == GravityMethod::tree) tree_.emplace(name_, plan_.count(), setting.fast);
+    const ParticleCloud cloud = plan_.firstCloud();
+    positions_ = gl::Vec4Array(name_ + " positions", cloud.positions);
+    velocities_ = gl::Vec4Array(name_ + " velocities", cloud.velocities);
+    accelerations_ =
+        gl::Vec4Array(name_ + " accelerations", std::vector<glm::vec4>(cloud.positions.size()));
+    const unsigned fine[4] = {0xffffffffU, 0xffffffffU, 0, 0};
+    status_ = gl::Buffer::of<unsigned>(name_ + " status", fine);
+    makePrograms(setting.fast);
+    const auto alignment = static_cast<std::size_t>(gl::limits().uniformAlignment);
+    stepStride_ = (sizeof(shader::ParticleStep) + alignment - 1) / alignment * alignment;
+    steps_ = gl::Buffer(name_ + " steps", stepStride_ * static_cast<std::size_t>(p.substeps));
+    if (colors_.empty()) colors_ = {glm::vec3(0.02F), glm::vec3(1.0F)};
+  }
+
+  void step(double time, const StepWatch& watch) override {
+    if (!primed_) prime(time);
+    const auto steps = plan_.frame(time);
+    upload(steps);
+    for (int i = 0; i < plan_.parameters().substeps; ++i) {
+      bind(i);
+      gl::barrier();
+      move_.dispatch(plan_.count());
+      giveBirth(steps[static_cast<std::size_t>(i)]);
+      if (attracts()) {
+        attract();
+        bind(i);
+        kick_.dispatch(plan_.count());
+      }
+      if (watch) watch(i + 1);
+    }
+    gl::barrier();
+  }
+
+  void publish(double /*time*/, Drawables& drawables) const override {
+    const ParticleParameters& p = plan_.parameters();
+    Instances instances;
+    instances.positions = &positions_.view();
+    instances.velocities = &velocities_.view();
+    instances.capacity = plan_.count();
+    instances.shape = p.shape;
+    instances.mesh = p.mesh;
+    instances.alongVelocity = p.alongVelocity;
+    instances.size = p.size;
+    instances.massExponent = p.massExponent;
+    instances.massReference = massReference();
+    instances.colorBy = p.colorBy;
+    instances.colorRange = p.colorRange;
+    instances.colors = p.colors.empty() ? &colors_ : &p.colors;
+    instances.additive = p.additive;
+    instances.brightness = p.brightness;
+    instances.fade = p.emitters.empty() ? 0.0F : p.fade;
+    instances.material = &material_;
+    drawables.instances.push_back(instances);
+  }
+
+  void carryOver(CarryOver& carry) override {
+    plan_.carryOver(carry);
+    carry.number("primed", primed_);
+    carry.array("positions", positions_.buffer());
+    carry.array("velocities", velocities_.buffer());
+    carry.array("accelerations", accelerations_.buffer());
+  }
+
+  [[nodiscard]] std::vector<StateArray> state() const override {
+    return {{"positions", &positions_.buffer()}, {"velocities", &velocities_.buffer()}};
+  }
+  [[nodiscard]] std::vector<double> measure() const override {
+    double alive = 0, mass = 0, kinetic = 0;
+    glm::dvec3 momentum(0);
+    const auto positions = positions_.buffer().readAll<glm::vec4>();
+    const auto velocities = velocities_.buffer().readAll<glm::vec4>();
+    for (std::size_t i = 0; i < static_cast<std::size_t>(plan_.count()); ++i) {
+      if (velocities[i].w < 0) continue;
+      const double m = positions[i].w;
+      const glm::dvec3 v(velocities[i]);
+      alive += 1;
+      mass += m;
+      momentum += m * v;
+      kinetic += 0.5 * m * glm::dot(v, v);
+    }
+    return {alive, mass, glm::length(momentum), kinetic};
+  }
+  [[nodiscard]] int stepsPerFrame() const override { return plan_.parameters().substeps; }
+  [[nodiscard]] std::string elementName(long element) const override {
+    return fmt::format("particle {}", element);
+  }
+  [[nodiscard]] PointTable points() const override {
+    const auto positions = positions_.buffer().readAll<glm::vec4>();
+    const auto velocities = velocities_.buffer().readAll<glm::vec4>();
+    PointTable table{{"x", "y", "z", "mass", "vx", "vy", "vz", "age"}, {}};
+    for (std::size_t i = 0; i < static_cast<std::size_t>(plan_.count()); ++i) {
+      const glm::vec4& p = positions[i];
+      const glm::vec4& v = velocities[i];
+      if (v.w >= 0) table.values.insert(table.values.end(), {p.x, p.y, p.z, p.w, v.x, v.y, v.z, v.w});
+    }
+    return table;
+  }
+  [[nodiscard]] const gl::Buffer* status() const override { return &status_; }
+  [[nodiscard]] std::string explainLoss(unsigned step, unsigned element) const override {
+    return fmt::format(
+        "particles \"{}\" blew up in substep {} at particle {}: its position or velocity is not a number "
+        "or "
+        "beyond 1e8; use more substeps ({} per frame now), a greater softening or smaller masses",
+        name_, step, element, plan_.parameters().substeps);
+  }
+
+ private:
+  void makePrograms(bool fast) {
+    const ParticleParameters& p = plan_.parameters();
+    gl::Defines defines = gl::kernelDefines(fast);
+    defines.emplace_back("HEIGHTS", heights_ != nullptr ? "1" : "0");
+    defines.emplace_back("ATTRACTOR", p.hasAttractor ? "true" : "false");
+    defines.emplace_back("TURBULENCE", p.turbulence.strength > 0 ? "true" : "false");
+    kick_ = gl::Program::compute("particles/kick.comp", defines);
+    kick_.checkUniformBlock("StepBlock", sizeof(shader::ParticleStep));
+    move_ = gl::Program::compute(attracts() ? "particles/drift.comp" : "particles/step.comp", defines);
+    if (p.emitters.empty()) return;
+    if (attracts()) defines.emplace_back("ATTRACTS", "1");
+    birth_ = gl::Program::compute("particles/birth.comp", defines);
+  }
+
+  [[nodiscard]] bool attracts() const { return plan_.parameters().method != GravityMethod::none; }
+
+  void giveBirth(const shader::ParticleStep& step) const {
+    int newborns = 0;
+    for (const shader::EmitterStep& emitter : step.emitters) newborns += emitter.slots.w;
+    if (newborns == 0) return;
+    gl::barrier();
+    birth_.dispatch(newborns);
+  }
+
+  /// The first accelerations: a kick of no length.
+  void prime(double time) {
+    upload({plan_.prime(time)});
+    if (attracts()) attract();
+    bind(0);
+    gl::barrier();
+    kick_.dispatch(plan_.count());
+    gl::barrier();
+    primed_ = true;
+  }
+
+  void attract() {
+    const ParticleParameters& p = plan_.parameters();
+    gl::barrier();
+    if (p.method == GravityMethod::tree)
+      tree_->accelerate(positions_, accelerations_, plan_.count(), p.gravity, p.softening, p.opening);
+    else
+      pairs_.accelerate(positions_, accelerations_, plan_.count(), p.gravity, p.softening);
+    gl::barrier();
+  }
+
+  void bind(int substep) const {
+    steps_.bindUniform(0, stepStride_ * static_cast<std::size_t>(substep), sizeof(shader::ParticleStep));
+    positions_.bindState(0);
+    velocities_.bindState(1);
+    accelerations_.bindState(2);
+    status_.bindStorage(7);
+    if (heights_ == nullptr) return;
+    const ParticleParameters& p = plan_.parameters();
+    heights_->bind();
+    heights_->tell(move_, substep, p.substeps, p.margin, p.bounce);
+    if (!p.emitters.empty()) heights_->tell(birth_, substep, p.substeps, p.margin, p.bounce);
+  }
+
+  void upload(const std::vector<shader::ParticleStep>& steps) {
+    std::vector<std::byte> bytes(stepStride_ * steps.size());
+    for (std::size_t i = 0; i < steps.size(); ++i)
+      std::memcpy(&bytes[i * stepStride_], &steps[i], sizeof steps[i]);
+    steps_.write(0, bytes);
+  }
+
+  /// Mass of an ordinary particle: of the first group, else of the first emitter.
+  [[nodiscard]] float massReference() const {
+    const ParticleParameters& p = plan_.parameters();
+    if (p.groups.empty()) return p.emitters.empty() ? 1.0F : p.emitters.front().mass;
+    const ParticleGroup& group = p.groups.front();
+    return group.totalMass / static_cast<float>(std::max(plan_.groupCount(0), 1));
+  }
+
+  std::string name_;
+  scene::Material material_;
+  ParticlePlan plan_;
+  gl::Vec4Array positions_, velocities_, accelerations_;
+  gl::Buffer status_;
+  gl::Buffer steps_;
+  std::size_t stepStride_ = 0;
+  const HeightField* heights_ = nullptr;  ///< null: it falls onto nothing
+  gl::Program move_, birth_, kick_;       ///< move_: the whole substep unless they attract each other
+  PairGravity pairs_;
+  std::optional<GravityTree> tree_;
+  std::vector<glm::vec3> colors_;  ///< where the parameters give none
+  bool primed_ = false;
+};
+
+}  // namespace
+
+SimulationKind particlesKind() {
+  return {{"particles", "Particles that attract each other, follow fields or stream from emitters.",
+           [] { return std::make_unique<ParticleParameters>(); }},
+          [](const scene::Object& object, const Setting& setting) {
+            static_cast<void>(ParticlePlan(dynamic_cast<const ParticleParameters&>(*object.parameters),
+                                           setting.seed, setting.frameSeconds, mostAnywhere));
+          },
+          [](const scene::Object& object, const Setting& setting) -> std::unique_ptr<Simulation> {
+            return std::make_unique<Particles>(object, setting);
+          }};
+}
+
+}  // namespace simreel::sim

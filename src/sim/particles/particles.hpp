@@ -1,0 +1,9 @@
+#pragma once
+#include "sim/core/simulation.hpp"
+
+namespace simreel::sim {
+
+/// N-body particles, fields and emitters on the GPU (SPEC 2): leapfrog, 48 bytes a particle.
+[[nodiscard]] SimulationKind particlesKind();
+
+}  // namespace simreel::sim

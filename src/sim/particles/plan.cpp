@@ -1,0 +1,189 @@
+#include "sim/particles/plan.hpp"
+
+#include "base/error.hpp"
+#include "sim/core/shader_code.hpp"
+#include "sim/particles/file.hpp"
+#include "sim/particles/start.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <utility>
+
+#include <glm/geometric.hpp>
+
+#define FUNCTION inline
+#define precise
+namespace simreel::shader {
+namespace {
+#include "glsl/particles/pace.glsl"
+}
+}  // namespace simreel::shader
+#undef precise
+#undef FUNCTION
+
+namespace simreel::sim {
+
+namespace {
+
+/// Most slots an emitter may need at once.
+double ringSize(const Emitter& emitter) {
+  return std::ceil(static_cast<double>(emitter.rate) * emitter.lifetime *
+                   (1.0 + emitter.lifetimeVariation)) +
+         1.0;
+}
+
+int centralCount(const ParticleGroup& group) {
+  return group.shape != ParticleGroup::Shape::file && group.centralMass > 0 ? 1 : 0;
+}
+
+}  // namespace
+
+ParticlePlan::ParticlePlan(ParticleParameters parameters, int seed, double frameSeconds, int mostParticles)
+    : parameters_(std::move(parameters)),
+      seed_(seed),
+      substepSeconds_(frameSeconds / parameters_.substeps) {
+  double total = 0;
+  for (const ParticleGroup& group : parameters_.groups) {
+    files_.emplace_back();
+    if (group.shape == ParticleGroup::Shape::file)
+      files_.back() = readParticles(group.file, group.totalMass, mostParticles);
+    total += groupCount(files_.size() - 1) + centralCount(group);
+  }
+  for (const Emitter& emitter : parameters_.emitters) total += ringSize(emitter);
+  if (total > mostParticles)
+    fail(ExitCode::usage,
+         "{:.0f} particles, emitters' slots included, are more than the {} that fit here; lower \"count\", "
+         "\"rate\" or \"lifetime\"",
+         total, mostParticles);
+  for (std::size_t i = 0; i < parameters_.groups.size(); ++i)
+    count_ += groupCount(i) + centralCount(parameters_.groups[i]);
+  for (const Emitter& emitter : parameters_.emitters) {
+    Ring ring;
+    ring.first = count_;
+    ring.size = static_cast<int>(ringSize(emitter));
+    count_ += ring.size;
+    rings_.push_back(ring);
+  }
+}
+
+int ParticlePlan::groupCount(std::size_t group) const {
+  const ParticleGroup& g = parameters_.groups[group];
+  return g.shape == ParticleGroup::Shape::file ? static_cast<int>(files_[group].positions.size()) : g.count;
+}
+
+/// What sits in the middle of a group, at most a hundredth of its radius off.
+std::vector<Companion> ParticlePlan::companionsOf(std::size_t group) const {
+  const ParticleGroup& disk = parameters_.groups[group];
+  const auto near = [&](const glm::vec3& position) {
+    return glm::length(position - disk.position) <= 0.01F * disk.radius;
+  };
+  std::vector<Companion> found;
+  for (std::size_t i = 0; i < parameters_.groups.size(); ++i) {
+    const ParticleGroup& other = parameters_.groups[i];
+    const bool round =
+        other.shape == ParticleGroup::Shape::plummer || other.shape == ParticleGroup::Shape::ball;
+    if (i != group && round && near(other.position)) found.push_back({other.totalMass, other.radius});
+  }
+  if (parameters_.hasAttractor && near(parameters_.attractorPosition.at(0)))
+    found.push_back({parameters_.attractorMass.at(0), parameters_.attractorSoftening});
+  return found;
+}
+
+ParticleCloud ParticlePlan::firstCloud() const {
+  ParticleCloud all;
+  all.positions.reserve(static_cast<std::size_t>(count_));
+  all.velocities.reserve(static_cast<std::size_t>(count_));
+  for (std::size_t i = 0; i < parameters_.groups.size(); ++i) {
+    const ParticleGroup& group = parameters_.groups[i];
+    ParticleCloud cloud = group.shape == ParticleGroup::Shape::file
+                              ? files_[i]
+                              : startGroup(group, static_cast<int>(i), seed_, parameters_.gravity,
+                                           parameters_.softening, companionsOf(i));
+    placeGroup(cloud, group);
+    all.positions.insert(all.positions.end(), cloud.positions.begin(), cloud.positions.end());
+    all.velocities.insert(all.velocities.end(), cloud.velocities.begin(), cloud.velocities.end());
+  }
+  for (std::size_t i = 0; i < rings_.size(); ++i) {
+    const auto slots = static_cast<std::size_t>(rings_[i].size);
+    all.positions.insert(all.positions.end(), slots,
+                         glm::vec4(parameters_.emitters[i].position.at(0), 0.0F));
+    all.velocities.insert(all.velocities.end(), slots, glm::vec4(0, 0, 0, -1));
+  }
+  SIMREEL_CHECK_EQ(all.positions.size(), static_cast<std::size_t>(count_));
+  return all;
+}
+
+shader::ParticleFields ParticlePlan::fields(double time) const {
+  const ParticleParameters& p = parameters_;
+  shader::ParticleFields f{};
+  f.acceleration = glm::vec4(p.acceleration.at(time), 0.0F);
+  f.attractor = glm::vec4(p.attractorPosition.at(time), p.gravity * p.attractorMass.at(time));
+  // The field drifts along a fixed direction, none of the axes.
+  const glm::dvec3 way = glm::dvec3(0.36, 0.48, 0.8) * (p.turbulence.speed * time);
+  f.turbulence = glm::vec4(way.x, way.y, way.z, p.turbulence.strength);
+  return f;
+}
+
+shader::ParticleStep ParticlePlan::between(double start, double end) const {
+  const ParticleParameters& p = parameters_;
+  const auto seconds = static_cast<float>(start < end ? substepSeconds_ : 0);
+  shader::ParticleStep s{};
+  s.fields = fields(end);
+  s.fieldsBefore = fields(start);
+  s.pace = shader::paceOf(seconds, p.damping);
+  s.factors =
+      glm::vec4(seconds, p.damping, p.attractorSoftening * p.attractorSoftening, 1.0F / p.turbulence.size);
+  s.counts = glm::ivec4(count_, done_, seed_, static_cast<int>(rings_.size()));
+  return s;
+}
+
+shader::ParticleStep ParticlePlan::prime(double time) const {
+  return between(time, time);
+}
+
+std::vector<shader::ParticleStep> ParticlePlan::frame(double time) {
+  std::vector<shader::ParticleStep> steps(static_cast<std::size_t>(parameters_.substeps));
+  for (int i = 0; i < parameters_.substeps; ++i) {
+    const double start = time + i * substepSeconds_;
+    const double end = time + (i + 1) * substepSeconds_;
+    shader::ParticleStep& s = steps[static_cast<std::size_t>(i)];
+    s = between(start, end);
+    for (std::size_t e = 0; e < rings_.size(); ++e)
+      births(s.emitters[e], parameters_.emitters[e], rings_[e], start, end);
+    ++done_;
+  }
+  return steps;
+}
+
+void ParticlePlan::births(shader::EmitterStep& s, const Emitter& emitter, Ring& ring, double start,
+                          double end) const {
+  if (!ring.started) {
+    // "from" zero means from the start, pre-roll included.
+    ring.begin = emitter.from > 0 ? std::max<double>(emitter.from, start) : start;
+    ring.started = true;
+  }
+  const auto rate = static_cast<double>(emitter.rate);
+  const double until = std::min<double>(end, emitter.until);
+  // Particle n, counted from 0, is born at begin + (n + 1) / rate. A little more, so that a whole number of
+  // periods is not missed by rounding.
+  const auto due = std::max(
+      ring.born, static_cast<long long>(std::floor(rate * std::max(until - ring.begin, 0.0) + 1e-6)));
+  // Of more than fit into the ring all but the last are dead already at the substep's end.
+  const auto newborns = static_cast<int>(std::min<long long>(due - ring.born, ring.size));
+  const long long first = due - newborns;
+  const double birth = ring.begin + static_cast<double>(first + 1) / rate;
+  s.position = glm::vec4(emitter.position.at(end), emitter.radius);
+  s.positionBefore = glm::vec4(emitter.position.at(start), static_cast<float>(1 / rate));
+  s.velocity = glm::vec4(emitter.velocity.at(end), emitter.speedVariation);
+  // 1 - cos = 2 sin^2 of the half, which is 0 without spread.
+  const float half = shader::exactSin(emitter.spread * 0.00872664626F);
+  s.velocityBefore = glm::vec4(emitter.velocity.at(start), 2.0F * half * half);
+  s.life =
+      glm::vec4(emitter.lifetime, emitter.lifetimeVariation, emitter.mass, static_cast<float>(end - birth));
+  s.slots = glm::ivec4(ring.first, ring.size, static_cast<int>(first % ring.size), newborns);
+  s.births = glm::ivec4(static_cast<int>(static_cast<std::uint32_t>(first)), 0, 0, 0);
+  ring.born = due;
+}
+
+}  // namespace simreel::sim

@@ -1,0 +1,81 @@
+#include "sim/shape/shape.hpp"
+
+#include "sim/mesh/buffers.hpp"
+#include "sim/mesh/shapes.hpp"
+
+namespace simreel::sim {
+
+namespace {
+
+Mesh drawnMesh(const ShapeParameters& parameters) {
+  return parameters.shape.kind == ColliderShape::Kind::plane
+             ? planeMesh(parameters.size, {2, 2})
+             : capsuleMesh(parameters.shape.radius, parameters.shape.length);
+}
+
+/// Solid scenery: no state, moved by keyframes, drawn as a mesh.
+class Shape : public Simulation {
+ public:
+  Shape(const scene::Object& object, const ShapeParameters& parameters)
+      : parameters_(parameters), material_(object.material), buffers_(object.name, drawnMesh(parameters)) {}
+
+  void step(double /*time*/, const StepWatch& /*watch*/) override {}
+
+  void publish(double time, Drawables& drawables) const override {
+    if (!parameters_.visible) return;
+    Surface surface = buffers_.surface();
+    surface.model = rotationMatrix(parameters_.shape.rotation.at(time));
+    surface.model[3] = glm::vec4(parameters_.shape.position.at(time), 1.0F);
+    surface.doubleSided = parameters_.shape.kind == ColliderShape::Kind::plane;
+    surface.material = &material_;
+    drawables.surfaces.push_back(surface);
+  }
+
+ private:
+  ShapeParameters parameters_;
+  scene::Material material_;
+  MeshBuffers buffers_;
+};
+
+template <ColliderShape::Kind kind>
+SimulationKind shapeKind(const char* name, const char* doc) {
+  return {{name, doc, [] { return std::make_unique<ShapeParameters>(kind); }},
+          {},
+          [](const scene::Object& object, const Setting&) -> std::unique_ptr<Simulation> {
+            return std::make_unique<Shape>(object,
+                                           dynamic_cast<const ShapeParameters&>(*object.parameters));
+          }};
+}
+
+}  // namespace
+
+void ShapeParameters::describe(scene::Fields& f) {
+  using Kind = ColliderShape::Kind;
+  f.vector("position", shape.position, scene::anyNumber, "m",
+           shape.kind == Kind::plane ? "A point of the plane, the middle of the drawn part." : "Centre.");
+  f.vector("rotation", shape.rotation, scene::anyNumber, "degrees", "About x, then y, then z.");
+  if (shape.kind != Kind::plane) f.number("radius", shape.radius, {1e-4, 1e4}, "m", "Radius.");
+  if (shape.kind == Kind::capsule)
+    f.number("length", shape.length, {0, 1e4}, "m",
+             "Distance between the centres of the two ends, along local y.");
+  if (shape.kind == Kind::plane)
+    f.vector("size", size, {0, 1e4}, "m",
+             "Width and depth of the drawn part (x and z); it collides without end.");
+  f.boolean("collides", collides, "Whether simulations touch it.");
+  f.boolean("visible", visible, "Whether it is drawn.");
+  f.number("grip", shape.grip, {0, 1e6}, "1/s",
+           "Rate at which cloth sliding over it loses speed; 25.3 keeps 0.9 at 240 Hz.");
+}
+
+SimulationKind sphereKind() {
+  return shapeKind<ColliderShape::Kind::sphere>("sphere", "A solid ball that may move along keyframes.");
+}
+SimulationKind capsuleKind() {
+  return shapeKind<ColliderShape::Kind::capsule>(
+      "capsule", "A solid rod with round ends that may move along keyframes.");
+}
+SimulationKind planeKind() {
+  return shapeKind<ColliderShape::Kind::plane>("plane", "A solid plane facing its local y.");
+}
+
+}  // namespace simreel::sim

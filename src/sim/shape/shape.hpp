@@ -1,0 +1,30 @@
+#pragma once
+#include "scene/fields.hpp"
+#include "sim/core/collider.hpp"
+#include "sim/core/simulation.hpp"
+
+#include <glm/vec3.hpp>
+
+namespace simreel::sim {
+
+/// Parameters of the kinds sphere, capsule and plane.
+struct ShapeParameters : scene::Parameters {
+  explicit ShapeParameters(ColliderShape::Kind kind) {
+    shape.kind = kind;
+    shape.radius = kind == ColliderShape::Kind::plane     ? 0.0F
+                   : kind == ColliderShape::Kind::capsule ? 0.1F
+                                                          : 1.0F;
+    shape.length = kind == ColliderShape::Kind::capsule ? 2.0F : 0.0F;
+  }
+  ColliderShape shape;
+  glm::vec3 size{4, 0, 4};
+  bool collides = true;
+  bool visible = true;
+  void describe(scene::Fields& fields) override;
+};
+
+[[nodiscard]] SimulationKind sphereKind();
+[[nodiscard]] SimulationKind capsuleKind();
+[[nodiscard]] SimulationKind planeKind();
+
+}  // namespace simreel::sim

@@ -1,0 +1,104 @@
+#include "sim/spread/epidemic.hpp"
+
+#include "gl/element_array.hpp"
+#include "gl/limits.hpp"
+#include "sim/spread/epidemic_plan.hpp"
+#include "sim/spread/grid.hpp"
+#include "sim/spread/steps.hpp"
+
+#include <algorithm>
+#include <optional>
+
+namespace simreel::sim {
+
+namespace {
+
+class Epidemic final : public Simulation {
+ public:
+  Epidemic(const scene::Object& object, const Setting& setting)
+      : name_(object.name),
+        plan_(checked(object), object.name, setting.seed, setting.frameSeconds),
+        palette_(plan_.palette()),
+        steps_(name_ + " steps", plan_.stepsPerFrame()) {
+    gl::Defines defines = gl::kernelDefines(setting.fast);
+    if (parameters().mixing == EpidemicParameters::Mixing::global) defines.emplace_back("MIXED", "1");
+    grid_.emplace(name_, parameters(), plan_.firstCells(), plan_.stepsPerFrame(), "epidemic", defines,
+                  plan_.strokes());
+    const glm::uvec4 start = grid_->latestCounts();
+    plan_.setPeople(start.x + start.y + start.z);
+    steps_.bind(0);
+    grid_->paintFirst(plan_.firstStrokes(setting.startTime));
+  }
+
+  void step(double time, const StepWatch& watch) override {
+    const auto steps = plan_.frame(time);
+    steps_.upload(steps);
+    grid_->beginFrame(static_cast<int>(steps.size()));
+    for (std::size_t i = 0; i < steps.size(); ++i) {
+      steps_.bind(i);
+      grid_->step();
+      grid_->paint(steps[i].strokes);
+      if (watch) watch(static_cast<int>(i) + 1);
+    }
+    grid_->endFrame();
+    if (watch)  // a frame with a step less than others
+      for (int i = static_cast<int>(steps.size()); i < plan_.stepsPerFrame(); ++i) watch(i + 1);
+  }
+
+  [[nodiscard]] int stepsPerFrame() const override { return plan_.stepsPerFrame(); }
+  [[nodiscard]] std::string elementName(long element) const override { return grid_->elementName(element); }
+  void publish(double /*time*/, Drawables& drawables) const override {
+    grid_->publishField(name_, palette_, parameters().display, drawables);
+    if (!parameters().chart) return;
+    const auto vivid = [](const glm::vec3& c) { return c * (0.8F / std::max({c.r, c.g, c.b, 1e-3F})); };
+    grid_->publishChart(
+        {"susceptible", "infected", "recovered"},
+        {vivid(parameters().susceptible), parameters().infection, vivid(parameters().recovered)},
+        parameters().chartSeconds * parameters().stepsPerSecond, drawables);
+  }
+  void carryOver(CarryOver& carry) override {
+    plan_.carryOver(carry);
+    grid_->carryOver(carry);
+  }
+  [[nodiscard]] std::vector<StateArray> state() const override {
+    return {{"cells", &grid_->cells().buffer(), true}};
+  }
+  [[nodiscard]] CountTable counts() const override {
+    return {{"susceptible", "infected", "recovered"}, &grid_->frameCounts(), grid_->frameSteps()};
+  }
+  [[nodiscard]] std::vector<double> measure() const override {
+    const glm::dvec4 n(grid_->latestCounts());
+    return {n.x, n.y, n.z, n.x + n.y + n.z};
+  }
+
+ private:
+  [[nodiscard]] const EpidemicParameters& parameters() const { return plan_.parameters(); }
+  static const EpidemicParameters& checked(const scene::Object& object) {
+    const auto& parameters = dynamic_cast<const EpidemicParameters&>(*object.parameters);
+    SpreadGrid::checkLimits(object.name, parameters.size);
+    return parameters;
+  }
+
+  std::string name_;
+  EpidemicPlan plan_;
+  std::vector<glm::vec3> palette_;
+  SpreadSteps<EpidemicPlan::Step> steps_;
+  std::optional<SpreadGrid> grid_;
+};
+
+}  // namespace
+
+SimulationKind epidemicKind() {
+  return {{"epidemic", "Susceptible, infected and recovered people on a grid of cells.",
+           [] { return std::make_unique<EpidemicParameters>(); }},
+          [](const scene::Object& object, const Setting& setting) {
+            static_cast<void>(EpidemicPlan(dynamic_cast<const EpidemicParameters&>(*object.parameters),
+                                           object.name, setting.seed, setting.frameSeconds)
+                                  .firstCells());
+          },
+          [](const scene::Object& object, const Setting& setting) -> std::unique_ptr<Simulation> {
+            return std::make_unique<Epidemic>(object, setting);
+          }};
+}
+
+}  // namespace simreel::sim

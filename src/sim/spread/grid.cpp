@@ -1,0 +1,197 @@
+#include "sim/spread/grid.hpp"
+
+#include "base/error.hpp"
+#include "gl/element_array.hpp"
+#include "gl/limits.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cstring>
+#include <utility>
+
+namespace simreel::sim {
+
+namespace {
+
+constexpr int firstCapacity = 1024;
+
+glm::uvec4 countClasses(const std::vector<std::uint8_t>& cells) {
+  glm::uvec4 counts(0);
+  for (const std::uint8_t cell : cells) ++counts[(cell / 64 + 3) % 4];  // nobody comes last
+  return counts;
+}
+
+std::vector<glm::uvec4> paddedWords(const std::vector<std::uint32_t>& words) {
+  std::vector<glm::uvec4> elements((words.size() + 3) / 4, glm::uvec4(0));
+  for (std::size_t i = 0; i < words.size(); ++i) elements[i / 4][static_cast<int>(i % 4)] = words[i];
+  return elements;
+}
+
+template <class Cell>
+std::vector<glm::uvec4> packed(const std::vector<Cell>& cells, glm::ivec2 size) {
+  const auto width = static_cast<std::size_t>(size.x);
+  const std::size_t rowBytes = (width + 15) / 16 * 16 * sizeof(Cell);
+  std::vector<glm::uvec4> elements(rowBytes / 16 * static_cast<std::size_t>(size.y), glm::uvec4(0));
+  static_assert(std::endian::native == std::endian::little);
+  auto* bytes = reinterpret_cast<std::uint8_t*>(elements.data());
+  for (std::size_t y = 0; y < static_cast<std::size_t>(size.y); ++y)
+    std::memcpy(bytes + y * rowBytes, &cells[y * width], width * sizeof(Cell));
+  return elements;
+}
+
+}  // namespace
+
+std::vector<glm::uvec4> packedCells(const std::vector<std::uint8_t>& cells, glm::ivec2 size) {
+  return packed(cells, size);
+}
+
+std::vector<glm::uvec4> packedCells(const std::vector<std::uint16_t>& cells, glm::ivec2 size) {
+  return packed(cells, size);
+}
+
+void SpreadGrid::checkLimits(const std::string& name, glm::ivec2 size, int bytesPerCell) {
+  const auto bytes = std::int64_t{(size.x + 15) / 16} * 16 * size.y * bytesPerCell;
+  const auto& limits = gl::limits();
+  if (bytes > limits.storageBlockBytes)
+    fail(ExitCode::device,
+         "\"{}\" of {}x{} cells needs {} bytes, this device allows {} in one buffer "
+         "(GL_MAX_SHADER_STORAGE_BLOCK_SIZE); make \"size\" smaller",
+         name, size.x, size.y, bytes, limits.storageBlockBytes);
+  if (bytes / 16 > limits.texelBufferTexels)
+    fail(ExitCode::device,
+         "\"{}\" of {}x{} cells needs {} texels, this device allows {} in one buffer "
+         "(GL_MAX_TEXTURE_BUFFER_SIZE); make \"size\" smaller",
+         name, size.x, size.y, bytes / 16, limits.texelBufferTexels);
+}
+
+SpreadGrid::SpreadGrid(const std::string& name, const SpreadParameters& parameters,
+                       const std::vector<std::uint8_t>& cells, int stepsPerFrame, const char* folder,
+                       const gl::Defines& defines, const Strokes& strokes)
+    : name_(name), size_(parameters.size), torus_(parameters.border == SpreadParameters::Border::torus) {
+  const auto elements = packedCells(cells, size_);
+  cells_[0] = gl::WordsArray(name + " cells", elements);
+  cells_[1] = gl::WordsArray(name + " next cells", elements);
+  const glm::uvec4 start = countClasses(cells);
+  most_ = std::max(1U, start.x + start.y + start.z);
+  std::vector<glm::uvec4> rows(firstCapacity, glm::uvec4(0));
+  rows[0] = start;
+  capacity_ = firstCapacity;
+  history_ = gl::WordsArray(name + " counts", rows);
+  std::vector<glm::uvec4> frame(static_cast<std::size_t>(stepsPerFrame), glm::uvec4(0));
+  frame[0] = start;
+  frameCounts_ = gl::Buffer::of<glm::uvec4>(name + " counts of a frame", frame);
+  strokeBits_ = gl::WordsArray(name + " stroke images", paddedWords(strokes.imageBits()));
+  step_ = gl::Program::compute(std::string(folder) + "/step.comp", defines);
+  paint_ = gl::Program::compute(std::string(folder) + "/paint.comp", defines);
+  step_.set("size", size_);
+  step_.set("torus", torus_ ? 1 : 0);
+  paint_.set("size", size_);
+}
+
+void SpreadGrid::beginFrame(int steps) {
+  frameStart_ = done_;
+  frameSteps_ = steps;
+  if (done_ + steps + 1 <= capacity_) return;
+  while (done_ + steps + 1 > capacity_) capacity_ *= 2;
+  gl::WordsArray longer(name_ + " counts", capacity_);
+  glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+  glCopyNamedBufferSubData(history_.buffer().name(), longer.buffer().name(), 0, 0,
+                           static_cast<GLsizeiptr>(done_ + 1) * 16);
+  history_ = std::move(longer);
+}
+
+void SpreadGrid::paint(const std::vector<shader::Stroke>& strokes) {
+  for (const shader::Stroke& stroke : strokes) {
+    const glm::ivec4 box = Strokes::box(stroke, size_);
+    if (box.z <= 0 || box.w <= 0) continue;
+    const int first = box.x / 16;
+    const glm::ivec4 elements(first, box.y, (box.x + box.z + 15) / 16 - first, box.w);
+    setStroke(paint_, stroke, elements);
+    strokeBits_.bindInput(0);
+    cells_[0].bindState(1);
+    history_.buffer().bindStorage(6);
+    paint_.set("countPlace", done_);
+    paint_.dispatch(elements.z, elements.w);
+    gl::barrier();
+  }
+}
+
+void SpreadGrid::paintFirst(const std::vector<shader::Stroke>& strokes) {
+  paint(strokes);
+  if (strokes.empty()) return;
+  glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+  glCopyNamedBufferSubData(history_.buffer().name(), frameCounts_.name(), 0, 0, 16);
+}
+
+void SpreadGrid::step() {
+  ++done_;
+  cells_[0].bindInput(0);
+  cells_[1].bindState(1);
+  history_.buffer().bindStorage(6);
+  step_.set("countPlace", done_);
+  const int rowsEach = gl::memoryPath() == gl::MemoryPath::texel ? 16 : 4;
+  step_.dispatch(rowElements(), (size_.y + rowsEach - 1) / rowsEach);
+  gl::barrier();
+  std::swap(cells_[0], cells_[1]);
+}
+
+void SpreadGrid::endFrame() {
+  if (frameSteps_ == 0) return;
+  glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+  glCopyNamedBufferSubData(history_.buffer().name(), frameCounts_.name(),
+                           static_cast<GLintptr>(frameStart_ + 1) * 16, 0,
+                           static_cast<GLsizeiptr>(frameSteps_) * 16);
+}
+
+void SpreadGrid::carryOver(CarryOver& carry) {
+  const int room = capacity_;
+  carry.number("steps", done_);
+  carry.number("first step of the frame", frameStart_);
+  carry.number("steps of the frame", frameSteps_);
+  carry.number("room for counts", capacity_);
+  if (capacity_ != room) history_ = gl::WordsArray(name_ + " counts", capacity_);
+  carry.array("cells", cells_[0].buffer());
+  carry.array("counts", history_.buffer());
+  carry.array("counts of the frame", frameCounts_);
+}
+
+glm::uvec4 SpreadGrid::latestCounts() const {
+  glm::uvec4 row(0);
+  history_.buffer().read(static_cast<std::size_t>(done_) * 16, std::as_writable_bytes(std::span(&row, 1)));
+  return row;
+}
+
+std::string SpreadGrid::elementName(long element) const {
+  const long x = element % rowElements() * 16;
+  const long y = element / rowElements();
+  return fmt::format("cells ({}, {}) to ({}, {})", x, y, std::min<long>(x + 15, size_.x - 1), y);
+}
+
+void SpreadGrid::publishField(const std::string& name, const std::vector<glm::vec3>& colors,
+                              const FieldDisplay& display, Drawables& drawables) const {
+  Field field;
+  field.name = &name;
+  field.words = &cells_[0].view();
+  field.cells = Field::Cells::bytes;
+  field.size = size_;
+  field.rowWords = 4 * rowElements();
+  field.categories = true;
+  field.range = {0, 255};
+  field.colors = &colors;
+  field.display = &display;
+  drawables.fields.push_back(field);
+}
+
+void SpreadGrid::publishChart(const std::vector<std::string>& names, const std::vector<glm::vec3>& colors,
+                              double steps, Drawables& drawables) const {
+  Chart chart;
+  chart.counts = &history_.view();
+  chart.steps = done_ + 1;
+  chart.width = std::max({chart.steps, static_cast<int>(steps), 2});
+  chart.most = most_;
+  chart.names = names;
+  chart.colors = colors;
+  drawables.charts.push_back(std::move(chart));
+}
+
+}  // namespace simreel::sim

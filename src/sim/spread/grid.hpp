@@ -1,0 +1,76 @@
+#pragma once
+#include "gl/element_array.hpp"
+#include "sim/core/drawable.hpp"
+#include "sim/core/simulation.hpp"
+#include "sim/spread/plan.hpp"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace simreel::sim {
+
+/// Cells of a grid, x fastest, as the kernels want them: four a word, sixteen an element, each row filled
+/// up with zeros to whole elements; of two bytes a cell, half as many.
+[[nodiscard]] std::vector<glm::uvec4> packedCells(const std::vector<std::uint8_t>& cells, glm::ivec2 size);
+[[nodiscard]] std::vector<glm::uvec4> packedCells(const std::vector<std::uint16_t>& cells, glm::ivec2 size);
+
+/// The grid of an epidemic or a wildfire on the GPU: two bytes a cell, the counts of every step so far, and
+/// what runs the kernels of glsl/spread.
+class SpreadGrid {
+ public:
+  /// Before anything is filled: throws UserError(device) naming the limit that a grid of this size is
+  /// beyond. `bytesPerCell` of its largest buffer.
+  static void checkLimits(const std::string& name, glm::ivec2 size, int bytesPerCell = 1);
+
+  /// `folder` of the kernels step.comp and paint.comp.
+  SpreadGrid(const std::string& name, const SpreadParameters& parameters,
+             const std::vector<std::uint8_t>& cells, int stepsPerFrame, const char* folder,
+             const gl::Defines& defines, const Strokes& strokes);
+
+  /// Room for the counts of so many steps more.
+  void beginFrame(int steps);
+  /// A step's rule, and the strokes that paint into what it leaves, which its counts count. The caller
+  /// binds the step's uniforms at 0 and maps from 2 on. Both end with a barrier.
+  void step();
+  void paint(const std::vector<shader::Stroke>& strokes);
+  /// Strokes that paint into the first state.
+  void paintFirst(const std::vector<shader::Stroke>& strokes);
+  /// Copies the frame's counts to where counts() says.
+  void endFrame();
+
+  void carryOver(CarryOver& carry);
+
+  [[nodiscard]] const gl::WordsArray& cells() const { return cells_[0]; }
+  [[nodiscard]] int rowElements() const { return (size_.x + 15) / 16; }
+  /// Rows of the present frame; before the first step, the start as one row.
+  [[nodiscard]] const gl::Buffer& frameCounts() const { return frameCounts_; }
+  [[nodiscard]] int frameSteps() const { return frameSteps_; }
+  /// Four counts of the present state. Waits for the GPU.
+  [[nodiscard]] glm::uvec4 latestCounts() const;
+  /// "cells (16, 3) to (31, 3)" of an element of the state.
+  [[nodiscard]] std::string elementName(long element) const;
+
+  void publishField(const std::string& name, const std::vector<glm::vec3>& colors,
+                    const FieldDisplay& display, Drawables& drawables) const;
+  /// The counts so far, the first of names.size() of them.
+  void publishChart(const std::vector<std::string>& names, const std::vector<glm::vec3>& colors,
+                    double steps, Drawables& drawables) const;
+
+ private:
+  std::string name_;
+  glm::ivec2 size_;
+  bool torus_;
+  gl::WordsArray cells_[2];  ///< now, and where the next step writes
+  gl::WordsArray history_;   ///< counts of every step, the start first; capacity_ of them
+  gl::WordsArray strokeBits_;
+  gl::Buffer frameCounts_;
+  int capacity_ = 0;
+  int done_ = 0;
+  int frameStart_ = 0;
+  int frameSteps_ = 1;
+  unsigned most_ = 1;  ///< people or cells at the start
+  gl::Program step_, paint_;
+};
+
+}  // namespace simreel::sim

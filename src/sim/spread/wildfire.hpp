@@ -1,0 +1,9 @@
+#pragma once
+#include "sim/core/simulation.hpp"
+
+namespace simreel::sim {
+
+/// A fire on a map of fuel (SPEC 6), four bytes a cell and 16 a step for the counts.
+[[nodiscard]] SimulationKind wildfireKind();
+
+}  // namespace simreel::sim

@@ -1,0 +1,33 @@
+#include "sim/world/list.hpp"
+
+#include "sim/cloth/cloth.hpp"
+#include "sim/gray_scott/gray_scott.hpp"
+#include "sim/life/life.hpp"
+#include "sim/mesh/mesh.hpp"
+#include "sim/particles/particles.hpp"
+#include "sim/shape/shape.hpp"
+#include "sim/spread/epidemic.hpp"
+#include "sim/spread/wildfire.hpp"
+
+#include <vector>
+
+namespace simreel::sim {
+
+std::span<const SimulationKind> simulations() {
+  static const std::vector<SimulationKind> list = {
+      clothKind(),    particlesKind(), lifeKind(),   grayScottKind(), epidemicKind(),
+      wildfireKind(), meshKind(),      sphereKind(), capsuleKind(),   planeKind(),
+  };
+  return list;
+}
+
+std::span<const scene::Kind> kinds() {
+  static const std::vector<scene::Kind> list = [] {
+    std::vector<scene::Kind> all;
+    for (const SimulationKind& simulation : simulations()) all.push_back(simulation.kind);
+    return all;
+  }();
+  return list;
+}
+
+}  // namespace simreel::sim

@@ -1,0 +1,331 @@
+#include "sim/world/world.hpp"
+
+#include "base/error.hpp"
+#include "base/log.hpp"
+#include "gl/element_array.hpp"
+#include "gl/errors.hpp"
+#include "sim/core/state_hash.hpp"
+#include "sim/grid/picture_file.hpp"
+#include "sim/shape/shape.hpp"
+#include "sim/world/list.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+#include <functional>
+#include <vector>
+
+namespace simreel::sim {
+
+namespace {
+
+constexpr int slots = 8;
+
+/// Hash sums and loss report of one frame: 16 bytes for each state array, and 16 bytes of status for each
+/// object.
+struct Pending {
+  int frame;
+  int slot;
+  GLsync fence;
+  std::vector<int> countRows;  ///< of each object that counts
+};
+
+std::vector<ColliderShape> collect(const scene::Scene& scene) {
+  std::vector<ColliderShape> shapes;
+  for (const scene::Object& object : scene.objects)
+    if (const auto* shape = dynamic_cast<const ShapeParameters*>(object.parameters.get()))
+      if (shape->collides) shapes.push_back(shape->shape);
+  if (scene.hasGround) {
+    ColliderShape ground;
+    ground.kind = ColliderShape::Kind::plane;
+    ground.position = glm::vec3(0, scene.ground.height, 0);
+    shapes.push_back(ground);
+  }
+  return shapes;
+}
+
+/// Meshes that others fall onto come first, the rest as the scene has them: who falls finds the heights of
+/// the frame's beginning and end.
+std::vector<std::size_t> stepOrder(const scene::Scene& scene) {
+  std::vector<std::size_t> order;
+  for (const bool first : {true, false})
+    for (std::size_t i = 0; i < scene.objects.size(); ++i)
+      if (scene.objects[i].parameters->publishesHeights() == first) order.push_back(i);
+  return order;
+}
+
+/// Sides of textures that OpenGL 4.5 asks of every device.
+constexpr int mostTextureSide = 16384;
+
+}  // namespace
+
+std::vector<UserError> findProblems(const scene::Scene& scene) {
+  const std::vector<ColliderShape> colliders = collect(scene);
+  const Setting setting{scene.numerics == scene::Numerics::fast, scene.seed, 1.0 / scene.time.fps,
+                        &colliders};
+  std::vector<UserError> problems;
+  const auto attempt = [&](const auto& work) {
+    try {
+      work();
+    } catch (const UserError& error) {
+      problems.push_back(error);
+    }
+  };
+  for (const scene::Object& object : scene.objects) {
+    for (const SimulationKind& kind : simulations())
+      if (object.kind == kind.kind.name && kind.check) attempt([&] { kind.check(object, setting); });
+    if (!object.material.texture.empty())
+      attempt([&] { static_cast<void>(loadPicture(object.material.texture, "texture", mostTextureSide)); });
+  }
+  return problems;
+}
+
+struct World::State {
+  double fps;
+  int preroll;
+  int done = 0;  ///< frames simulated, the pre-roll's included
+  std::vector<ColliderShape> colliders;
+  std::vector<std::unique_ptr<Simulation>> objects;
+  std::vector<std::size_t> order;  ///< in which objects are made and stepped
+  std::vector<std::string> names;
+  std::vector<bool> remarked;  ///< of each object, whether its remark was made
+  std::vector<ArrayName> arrays;
+
+  StateHash hash;
+  gl::Buffer sums;      ///< uvec4 per array per slot
+  gl::Buffer statuses;  ///< uvec4 per object per slot
+  /// Objects that count, and the first of their rows in a slot of countCopies.
+  struct Counting {
+    std::size_t object;
+    std::size_t firstRow;
+  };
+  std::vector<Counting> counting;
+  std::size_t countRowsOfSlot = 0;
+  gl::Buffer countCopies;  ///< uvec4 per step of a frame per slot
+  std::deque<Pending> pending;
+  int nextSlot = 0;
+
+  State(const scene::Scene& scene, bool timing, const std::function<void(long, long)>& presteps)
+      : fps(scene.time.fps),
+        preroll(static_cast<int>(std::lround(scene.time.start * scene.time.fps))),
+        colliders(collect(scene)),
+        objects(scene.objects.size()),
+        order(stepOrder(scene)),
+        remarked(scene.objects.size()) {
+    Setting setting{scene.numerics == scene::Numerics::fast, scene.seed, 1.0 / scene.time.fps, &colliders,
+                    timing};
+    setting.startTime = -preroll / fps;
+    setting.presteps = presteps;
+    for (const std::size_t i : order) {
+      for (const SimulationKind& kind : simulations())
+        if (scene.objects[i].kind == kind.kind.name) objects[i] = kind.make(scene.objects[i], setting);
+      SIMREEL_CHECK(objects[i] != nullptr);
+      if (objects[i]->heights() != nullptr) setting.heights = objects[i]->heights();
+    }
+    for (const scene::Object& object : scene.objects) names.push_back(object.name);
+    for (std::size_t i = 0; i < objects.size(); ++i)
+      for (const StateArray& array : objects[i]->state())
+        arrays.push_back(
+            {scene.objects[i].name, array.name, static_cast<long>(array.buffer->bytes() / 16)});
+    for (std::size_t i = 0; i < objects.size(); ++i)
+      if (objects[i]->counts().steps != nullptr) {
+        counting.push_back({i, countRowsOfSlot});
+        countRowsOfSlot += objects[i]->counts().steps->bytes() / 16;
+      }
+    countCopies = gl::Buffer("copies of counts", countRowsOfSlot * slots * 16);
+    sums = gl::Buffer("state hash sums", std::max<std::size_t>(1, arrays.size()) * slots * 16);
+    statuses = gl::Buffer("status copies", std::max<std::size_t>(1, objects.size()) * slots * 16);
+  }
+
+  State(const State&) = delete;
+  State& operator=(const State&) = delete;
+  ~State() {
+    for (const Pending& p : pending) glDeleteSync(p.fence);
+  }
+
+  void start(int frame) {
+    SIMREEL_CHECK(pending.size() < slots);
+    const int slot = nextSlot;
+    nextSlot = (nextSlot + 1) % slots;
+    const std::vector<unsigned> zero(4 * arrays.size());
+    sums.write(sumOffset(slot), std::as_bytes(std::span(zero)));
+    gl::barrier();
+    std::size_t array = 0;
+    for (std::size_t i = 0; i < objects.size(); ++i) {
+      for (const StateArray& state : objects[i]->state()) {
+        hash.add(*state.buffer, array, sums, static_cast<std::size_t>(slot) * arrays.size() + array);
+        ++array;
+      }
+      if (const gl::Buffer* status = objects[i]->status()) {
+        glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+        glCopyNamedBufferSubData(status->name(), statuses.name(), 0, statusOffset(slot, i), 16);
+      }
+    }
+    const std::vector<int> countRows = copyCounts(slot);
+    pending.push_back({frame, slot, glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0), countRows});
+    glFlush();
+  }
+
+  /// Returns how many rows each object has.
+  [[nodiscard]] std::vector<int> copyCounts(int slot) const {
+    std::vector<int> rows;
+    if (!counting.empty()) glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+    for (const Counting& c : counting) {
+      const CountTable table = objects[c.object]->counts();
+      glCopyNamedBufferSubData(table.steps->name(), countCopies.name(), 0,
+                               static_cast<GLintptr>(countOffset(slot, c)),
+                               static_cast<GLsizeiptr>(table.rows) * 16);
+      rows.push_back(table.rows);
+    }
+    return rows;
+  }
+
+  [[nodiscard]] std::size_t countOffset(int slot, const Counting& counts) const {
+    return (static_cast<std::size_t>(slot) * countRowsOfSlot + counts.firstRow) * 16;
+  }
+
+  void readCounts(const Pending& from, Summary& summary) const {
+    for (std::size_t i = 0; i < counting.size(); ++i) {
+      auto& rows = summary.counts.emplace_back(static_cast<std::size_t>(from.countRows[i]));
+      if (!rows.empty())
+        countCopies.read(countOffset(from.slot, counting[i]), std::as_writable_bytes(std::span(rows)));
+    }
+  }
+
+  [[nodiscard]] std::size_t sumOffset(int slot) const {
+    return static_cast<std::size_t>(slot) * arrays.size() * 16;
+  }
+
+  [[nodiscard]] GLintptr statusOffset(int slot, std::size_t object) const {
+    return static_cast<GLintptr>((static_cast<std::size_t>(slot) * objects.size() + object) * 16);
+  }
+
+  void checkStatus(int frame, int slot) {
+    for (std::size_t i = 0; i < objects.size(); ++i) {
+      if (objects[i]->status() == nullptr) continue;
+      unsigned words[4] = {};
+      statuses.read(static_cast<std::size_t>(statusOffset(slot, i)),
+                    std::as_writable_bytes(std::span(words)));
+      if (words[0] != 0xffffffffU)
+        throw UserError(ExitCode::device, objects[i]->explainLoss(words[0], words[1]));
+      if (words[2] == 0 || remarked[i]) continue;
+      remarked[i] = true;
+      warn("{}", objects[i]->remark(frame));
+    }
+  }
+
+  /// The hash of all state is the sum of its arrays' hashes, word by word.
+  [[nodiscard]] Summary summary(int frame, int slot) const {
+    std::vector<glm::uvec4> words(arrays.size());
+    sums.read(sumOffset(slot), std::as_writable_bytes(std::span(words)));
+    Summary result{frame, {}, {}, {}};
+    glm::uvec4 total(0);
+    for (const glm::uvec4& w : words) {
+      total += w;
+      result.arrays.push_back(StateHash::text(w));
+    }
+    result.stateHash = StateHash::text(total);
+    return result;
+  }
+};
+
+World::World(const scene::Scene& scene, bool timing,
+             const std::function<void(long done, long total)>& presteps)
+    : state_(std::make_unique<State>(scene, timing, presteps)) {}
+World::~World() = default;
+World::World(World&&) noexcept = default;
+World& World::operator=(World&&) noexcept = default;
+
+void World::advanceTo(int frame, const Watch& watch, const Stepped& stepped) {
+  SIMREEL_CHECK(frame + state_->preroll >= state_->done);
+  for (; state_->done < frame + state_->preroll; ++state_->done) {
+    const double time = (state_->done - state_->preroll) / state_->fps;
+    for (const std::size_t i : state_->order) {
+      const StepWatch one = watch ? StepWatch([&](int step) { watch(i, step); }) : StepWatch();
+      state_->objects[i]->step(time, one);
+      if (stepped) stepped(i);
+    }
+  }
+}
+
+void World::carryOver(CarryOver& carry, const std::function<void(const std::string& object)>& begin) {
+  for (std::size_t i = 0; i < state_->objects.size(); ++i) {
+    begin(state_->names[i]);
+    state_->objects[i]->carryOver(carry);
+  }
+}
+
+void World::resumeAt(int frame) {
+  SIMREEL_CHECK(frame >= firstFrame());
+  state_->done = frame + state_->preroll;
+  for (const std::size_t i : state_->order) state_->objects[i]->resumed(time());
+}
+
+int World::firstFrame() const {
+  return -state_->preroll;
+}
+
+std::size_t World::objectCount() const {
+  return state_->objects.size();
+}
+
+const std::string& World::objectName(std::size_t index) const {
+  return state_->names.at(index);
+}
+
+int World::frame() const {
+  return state_->done - state_->preroll;
+}
+
+double World::time() const {
+  return frame() / state_->fps;
+}
+
+Drawables World::drawables() const {
+  Drawables all;
+  for (const auto& object : state_->objects) object->publish(time(), all);
+  return all;
+}
+
+std::vector<World::ArrayName> World::arrays() const {
+  return state_->arrays;
+}
+
+std::vector<World::CountNames> World::countNames() const {
+  std::vector<CountNames> names;
+  for (const State::Counting& c : state_->counting) {
+    CountNames& entry = names.emplace_back();
+    entry.object = state_->names[c.object];
+    for (const char* column : state_->objects[c.object]->counts().columns)
+      entry.columns.emplace_back(column);
+  }
+  return names;
+}
+
+const Simulation& World::object(std::size_t index) const {
+  return *state_->objects.at(index);
+}
+
+void World::startSummary() {
+  state_->start(frame());
+}
+
+std::optional<World::Summary> World::takeSummary(bool wait) {
+  if (state_->pending.empty()) return std::nullopt;
+  const Pending oldest = state_->pending.front();
+  const GLuint64 patience = wait ? GLuint64{60'000'000'000} : 0;
+  GLenum result = glClientWaitSync(oldest.fence, GL_SYNC_FLUSH_COMMANDS_BIT, patience);
+  while (wait && result == GL_TIMEOUT_EXPIRED) result = glClientWaitSync(oldest.fence, 0, patience);
+  if (result == GL_TIMEOUT_EXPIRED) return std::nullopt;
+  if (result == GL_WAIT_FAILED)
+    fail(ExitCode::device, "the device stopped answering at frame {}", oldest.frame);
+  glDeleteSync(oldest.fence);
+  state_->pending.pop_front();
+  state_->checkStatus(oldest.frame, oldest.slot);
+  Summary summary = state_->summary(oldest.frame, oldest.slot);
+  state_->readCounts(oldest, summary);
+  gl::checkCalls();
+  return summary;
+}
+
+}  // namespace simreel::sim

@@ -1,0 +1,88 @@
+#pragma once
+#include "base/error.hpp"
+#include "scene/scene.hpp"
+#include "sim/core/simulation.hpp"
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <glm/vec4.hpp>
+
+namespace simreel::sim {
+
+/// What making the scene's world and drawing it would be refused for on any device, one mistake an object
+/// and one a picture at most: reads every file the scene names. Needs no context.
+[[nodiscard]] std::vector<UserError> findProblems(const scene::Scene& scene);
+
+/// All objects of a scene, stepped together: a mesh that collides first, the others in the scene's order.
+/// Frame 0 is at time 0; the pre-roll runs before it.
+class World {
+ public:
+  /// Makes every simulation on the current context. `timing`: they measure their stages (Setting::timing).
+  /// `presteps`: Setting::presteps.
+  explicit World(const scene::Scene& scene, bool timing = false,
+                 const std::function<void(long done, long total)>& presteps = {});
+  ~World();
+  World(World&&) noexcept;
+  World& operator=(World&&) noexcept;
+  World(const World&) = delete;
+  World& operator=(const World&) = delete;
+
+  /// Called after each step, counted from 1, of each object in turn.
+  using Watch = std::function<void(std::size_t object, int step)>;
+  /// Called when an object has issued all of its steps of a frame.
+  using Stepped = std::function<void(std::size_t object)>;
+  /// Simulates up to `frame` (0: the pre-roll only). Never goes back.
+  void advanceTo(int frame, const Watch& watch = {}, const Stepped& stepped = {});
+  /// What the next frame depends on, object by object: `begin` hears the name of each before its parts.
+  void carryOver(CarryOver& carry, const std::function<void(const std::string& object)>& begin);
+  /// After it was put back: the present frame is `frame`, which must not be before the first.
+  void resumeAt(int frame);
+  /// The frame in which it starts: 0, or below it by the pre-roll.
+  [[nodiscard]] int firstFrame() const;
+  [[nodiscard]] std::size_t objectCount() const;
+  [[nodiscard]] const std::string& objectName(std::size_t index) const;
+  [[nodiscard]] int frame() const;
+  [[nodiscard]] double time() const;  ///< s, of the current frame
+  [[nodiscard]] Drawables drawables() const;
+  [[nodiscard]] const Simulation& object(std::size_t index) const;
+
+  /// Every state array of every object, in the order in which they are hashed.
+  struct ArrayName {
+    std::string object, array;
+    long elements = 0;  ///< vec4 each
+  };
+  [[nodiscard]] std::vector<ArrayName> arrays() const;
+
+  /// Every object that counts something, in the order of objects.
+  struct CountNames {
+    std::string object;
+    std::vector<std::string> columns;
+  };
+  [[nodiscard]] std::vector<CountNames> countNames() const;
+
+  /// Starts hashing the state of the current frame on the GPU, and copying its counts; at most 8 may be
+  /// under way.
+  void startSummary();
+  /// A finished summary, oldest first: frame and hash (32 hexadecimal digits over every state array of
+  /// every object). With `wait` blocks for the oldest. Throws UserError(device) when a simulation lost its
+  /// state.
+  struct Summary {
+    int frame = 0;
+    std::string stateHash;
+    std::vector<std::string> arrays;  ///< hash of each state array, in the order of arrays()
+    /// Counts of each step of the frame, for each entry of countNames(); where nothing has stepped yet, one
+    /// row of the start.
+    std::vector<std::vector<glm::uvec4>> counts = {};
+  };
+  [[nodiscard]] std::optional<Summary> takeSummary(bool wait);
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace simreel::sim

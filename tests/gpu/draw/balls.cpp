@@ -1,0 +1,291 @@
+// Opaque instances and their shadows against a surface of the same shape; meshes; bloom.
+#include "base/file.hpp"
+#include "gpu/draw/crowd_stage.hpp"
+
+#include <filesystem>
+
+#include <doctest/doctest.h>
+
+using namespace simreel;
+using Shape = sim::Instances::Shape;
+
+namespace {
+
+/// A sphere as a simulation publishes a mesh.
+struct SphereStage {
+  SphereStage(glm::vec3 middle, float radius) {
+    constexpr int rings = 64;
+    constexpr int sectors = 128;
+    std::vector<glm::vec4> points;
+    std::vector<glm::vec4> outwards;
+    std::vector<glm::vec2> coordinates;
+    std::vector<unsigned> corners;
+    for (int r = 0; r <= rings; ++r)
+      for (int s = 0; s <= sectors; ++s) {
+        const float polar = 3.14159265F * static_cast<float>(r) / rings;
+        const float turn = 6.28318531F * static_cast<float>(s) / sectors;
+        const glm::vec3 n(std::sin(polar) * std::cos(turn), std::cos(polar),
+                          -std::sin(polar) * std::sin(turn));
+        points.emplace_back(middle + radius * n, 1.0F);
+        outwards.emplace_back(n, 0.0F);
+        coordinates.emplace_back(0.0F);
+      }
+    for (unsigned r = 0; r < rings; ++r)
+      for (unsigned s = 0; s < sectors; ++s) {
+        const unsigned a = r * (sectors + 1) + s;
+        const unsigned below = a + sectors + 1;
+        corners.insert(corners.end(), {a, below, a + 1, a + 1, below, below + 1});
+      }
+    positions = gl::Buffer::of<glm::vec4>("sphere positions", points);
+    normals = gl::Buffer::of<glm::vec4>("sphere normals", outwards);
+    uvs = gl::Buffer::of<glm::vec2>("sphere uvs", coordinates);
+    indices = gl::Buffer::of<unsigned>("sphere indices", corners);
+    positionView = gl::Texture::view("sphere positions", GL_RGBA32F, positions);
+    normalView = gl::Texture::view("sphere normals", GL_RGBA32F, normals);
+    uvView = gl::Texture::view("sphere uvs", GL_RG32F, uvs, 8);
+    surface.positions = &positionView;
+    surface.normals = &normalView;
+    surface.uvs = &uvView;
+    surface.vertexCount = static_cast<int>(points.size());
+    surface.indices = &indices;
+    surface.indexCount = static_cast<int>(corners.size());
+    surface.material = &material;
+  }
+  SphereStage(const SphereStage&) = delete;
+  SphereStage& operator=(const SphereStage&) = delete;
+  SphereStage(SphereStage&&) = delete;
+  SphereStage& operator=(SphereStage&&) = delete;
+  ~SphereStage() = default;
+
+  gl::Buffer positions, normals, uvs, indices;
+  gl::Texture positionView, normalView, uvView;
+  scene::Material material;
+  sim::Surface surface;
+};
+
+struct Difference {
+  double mean = 0;  ///< of all channels
+  int far = 0;      ///< pixels with a channel more than 24 away
+};
+
+Difference compare(const Picture& a, const Picture& b) {
+  Difference difference;
+  for (int y = 0; y < a.size.y; ++y)
+    for (int x = 0; x < a.size.x; ++x) {
+      const glm::ivec3 d = glm::abs(a.at(x, y) - b.at(x, y));
+      difference.mean += (d.x + d.y + d.z) / 3.0;
+      difference.far += std::max({d.x, d.y, d.z}) > 24 ? 1 : 0;
+    }
+  difference.mean /= a.size.x * a.size.y;
+  return difference;
+}
+
+/// A ball above the ground, sun from the side, seen from nearby and off the middle of the picture.
+scene::Scene ballScene() {
+  scene::Scene scene;
+  scene.camera.position = glm::vec3(0.3F, 1.6F, 4);
+  scene.camera.target = glm::vec3(0, 0.5F, 0);
+  scene.hasGround = true;
+  scene.ground.height = 0;
+  return scene;
+}
+
+/// Grey light that the film curve turns into this byte.
+double lightOf(int byte) {
+  double low = 0;
+  double high = 4;
+  for (int i = 0; i < 30; ++i) {
+    const double middle = 0.5 * (low + high);
+    (filmByte({middle, middle, middle})[1] < byte ? low : high) = middle;
+  }
+  return high;
+}
+
+std::filesystem::path temporaryMesh(const char* name, const char* text) {
+  auto file = std::filesystem::temp_directory_path() / name;
+  writeFileAtomically(file, text);
+  return file;
+}
+
+}  // namespace
+
+TEST_CASE("one ball of any shape, with its shadow, looks like the sphere as a surface") {
+  testContext();
+  for (const int samples : {1, 4})
+    for (const float roughness : {0.25F, 0.9F}) {
+      CAPTURE(samples);
+      CAPTURE(roughness);
+      const scene::Scene scene = ballScene();
+      SphereStage sphere({-0.4F, 0.9F, 0.2F}, 0.6F);
+      sphere.material.roughness = roughness;
+      const Picture wanted = drawn(scene, {{sphere.surface}, {}}, {161, 121}, samples);
+      const Picture empty = drawn(scene, {}, {161, 121}, samples);
+      CHECK(compare(wanted, empty).far > 2000);
+      CrowdStage crowd({{-0.4F, 0.9F, 0.2F, 8}, {-0.4F, 0.9F, 0.2F, 1}}, {glm::vec4(0), {0, 0, 0, -1}});
+      crowd.instances.size = 0.6F;
+      crowd.instances.massExponent = 1.0F / 3;
+      crowd.material.roughness = roughness;
+      for (const Shape shape : {Shape::sphere, Shape::sprite}) {
+        CAPTURE(static_cast<int>(shape));
+        crowd.instances.shape = shape;
+        const Difference d = compare(drawn(scene, {{}, {crowd.instances}}, {161, 121}, samples), wanted);
+        CHECK(d.mean < 0.25);
+        // Only along edges, where coverage of a pixel differs.
+        CHECK(d.far < 60);
+      }
+    }
+}
+
+TEST_CASE("a given box holds the shadow map as well as measured bounds do") {
+  testContext();
+  const scene::Scene scene = ballScene();
+  CrowdStage crowd(std::vector<glm::vec3>(1, glm::vec3(-0.4F, 0.9F, 0.2F)));
+  crowd.instances.size = 1.2F;
+  const Picture measured = drawn(scene, {{}, {crowd.instances}}, {161, 121});
+  crowd.instances.boundsMin = glm::vec3(-1.0F, 0.3F, -0.4F);
+  crowd.instances.boundsMax = glm::vec3(0.2F, 1.5F, 0.8F);
+  const Difference d = compare(drawn(scene, {{}, {crowd.instances}}, {161, 121}), measured);
+  CHECK(d.mean < 0.1);
+  CHECK(d.far < 20);
+}
+
+TEST_CASE("additive ones and dead ones throw no shadow") {
+  testContext();
+  const scene::Scene scene = ballScene();
+  const Picture empty = drawn(scene, {}, {65, 49});
+  CrowdStage dead({{0, 1, 0, 1}}, {{0, 0, 0, -1}});
+  dead.instances.size = 1;
+  CHECK(drawn(scene, {{}, {dead.instances}}, {65, 49}).bytes == empty.bytes);
+  CrowdStage glow(std::vector<glm::vec3>(1, glm::vec3(0, 1, 0)));
+  glow.instances.size = 1;
+  glow.instances.additive = true;
+  glow.instances.brightness = 0;
+  CHECK(drawn(scene, {{}, {glow.instances}}, {65, 49}).bytes == empty.bytes);
+}
+
+TEST_CASE("small balls cover as much as large ones of their size, on either side of the step in detail") {
+  testContext();
+  scene::Scene scene = darkScene();
+  scene.sun.shadow = false;
+  scene.sun.intensity = 1.0F;
+  // Light in a picture per area of ball, for radii around 1.6 pixels.
+  const auto light = [&](float pixels) {
+    const float metres = pixels / (0.5F * 257 / std::tan(0.5F * 0.6981317F)) * 5;
+    std::vector<glm::vec3> places;
+    for (int y = -4; y <= 4; ++y)
+      for (int x = -4; x <= 4; ++x)
+        places.emplace_back(static_cast<float>(x) * 0.1513F, static_cast<float>(y) * 0.1471F, 0);
+    CrowdStage balls(places);
+    balls.instances.size = 2 * metres;
+    balls.material.color = glm::vec3(0.5F);
+    const Picture p = drawn(scene, {{}, {balls.instances}}, {257, 257});
+    double sum = 0;
+    for (int y = 0; y < 257; ++y)
+      for (int x = 0; x < 257; ++x) sum += p.at(x, y).y > 3 ? lightOf(p.at(x, y).y) : 0;
+    return sum / (static_cast<double>(pixels) * static_cast<double>(pixels));
+  };
+  const double fine = light(1.7F);
+  // Large ones lose a little at pixels that their edge crosses, which are shaded at the edge.
+  CHECK(light(1.5F) == doctest::Approx(fine).epsilon(0.1));
+  CHECK(light(0.9F) == doctest::Approx(fine).epsilon(0.15));
+  CHECK(light(4.0F) == doctest::Approx(fine).epsilon(0.1));
+}
+
+TEST_CASE("small balls are brighter on the side of the sun") {
+  testContext();
+  scene::Scene scene = darkScene();
+  scene.sun.shadow = false;
+  scene.sun.intensity = 1.0F;
+  scene.sun.direction = glm::vec3(1, 0.7F, 0.5F);
+  CrowdStage ball(std::vector<glm::vec3>(1, glm::vec3(0)));
+  // 1.5 pixels of radius, in the middle of a pixel.
+  ball.instances.size = 2 * 1.5F / (0.5F * 65 / std::tan(0.5F * 0.6981317F)) * 5;
+  ball.material.color = glm::vec3(0.5F);
+  const Picture p = drawn(scene, {{}, {ball.instances}}, {65, 65});
+  CHECK(p.at(33, 32).y > p.at(31, 32).y + 10);
+  CHECK(p.at(32, 31).y > p.at(32, 33).y + 10);
+}
+
+TEST_CASE("meshes turn their z axis along the velocity") {
+  testContext();
+  scene::Scene scene = darkScene();
+  scene.sun.shadow = false;
+  // A needle along z.
+  const auto file = temporaryMesh("simreel_needle.obj",
+                                  "v 0.1 0 -1\nv -0.1 0.1 -1\nv -0.1 -0.1 -1\nv 0 0 1\n"
+                                  "f 1 2 3\nf 2 1 4\nf 3 2 4\nf 1 3 4\n");
+  const auto extent = [&](glm::vec3 velocity, bool along) {
+    CrowdStage needle({{0, 0, 0, 1}}, {glm::vec4(velocity, 0)});
+    needle.instances.shape = Shape::mesh;
+    needle.instances.mesh = file;
+    needle.instances.size = 0.5F;
+    needle.instances.alongVelocity = along;
+    const Picture p = drawn(scene, {{}, {needle.instances}}, {65, 65}, 1);
+    glm::ivec2 low(65);
+    glm::ivec2 high(-1);
+    for (int y = 0; y < 65; ++y)
+      for (int x = 0; x < 65; ++x)
+        if (p.brightness(x, y) > 15) {
+          low = glm::min(low, glm::ivec2(x, y));
+          high = glm::max(high, glm::ivec2(x, y));
+        }
+    return high - low + 1;
+  };
+  // 17.9 pixels a metre, one metre long.
+  CHECK(extent({3, 0, 0}, true).x >= 14);
+  CHECK(extent({3, 0, 0}, true).y <= 4);
+  CHECK(extent({0, -2, 0}, true).y >= 14);
+  CHECK(extent({0, -2, 0}, true).x <= 4);
+  CHECK(extent({0, 0, 0}, true).x <= 4);
+  CHECK(extent({3, 0, 0}, false).x <= 4);
+  std::filesystem::remove(file);
+}
+
+TEST_CASE("bloom: none without strength; otherwise even on all sides, falling off, more with strength") {
+  testContext();
+  scene::Scene scene = darkScene();
+  scene.sun.shadow = false;
+  CrowdStage glow(std::vector<glm::vec3>(1, glm::vec3(0)));
+  glow.instances.additive = true;
+  glow.instances.size = 0.4F;
+  glow.instances.brightness = 20;
+  for (const int samples : {1, 4}) {
+    const auto shown = [&](float strength, float threshold) {
+      scene.render.bloom.strength = strength;
+      scene.render.bloom.threshold = threshold;
+      scene.render.bloom.radius = 0.25F;
+      return drawn(scene, {{}, {glow.instances}}, {131, 131}, samples);
+    };
+    const Picture off = shown(0, 1);
+    CHECK(off.brightness(65 + 20, 65) < 6);
+    const Picture on = shown(1, 1);
+    for (const int away : {14, 20, 30}) {
+      CAPTURE(away);
+      const int right = on.brightness(65 + away, 65);
+      // Half-size texels do not lie evenly about an odd picture's middle.
+      for (const int other :
+           {on.brightness(65 - away, 65), on.brightness(65, 65 + away), on.brightness(65, 65 - away)})
+        CHECK(std::abs(other - right) <= 12 + right / 12);
+    }
+    CHECK(on.brightness(65 + 14, 65) > 30);
+    CHECK(on.brightness(65 + 14, 65) > on.brightness(65 + 24, 65) + 5);
+    CHECK(on.brightness(65 + 24, 65) > on.brightness(65 + 50, 65) + 2);
+    CHECK(shown(2, 1).brightness(65 + 14, 65) > on.brightness(65 + 14, 65) + 10);
+    CHECK(shown(1, 30).bytes == shown(2, 30).bytes);  // nothing is above the threshold
+  }
+}
+
+TEST_CASE("light beyond what half floats hold stays white, with and without bloom") {
+  testContext();
+  scene::Scene scene = darkScene();
+  scene.sun.shadow = false;
+  CrowdStage glow(std::vector<glm::vec3>(9, glm::vec3(0)));
+  glow.instances.additive = true;
+  glow.instances.size = 1;
+  glow.instances.brightness = 6e4F;
+  for (const float strength : {0.0F, 0.5F})
+    for (const int samples : {1, 4}) {
+      scene.render.bloom.strength = strength;
+      CHECK(drawn(scene, {{}, {glow.instances}}, {33, 33}, samples).brightness(16, 16) > 740);
+    }
+}

@@ -1,0 +1,57 @@
+#pragma once
+#include "gpu/draw/draw_stage.hpp"
+
+#include <cstdint>
+
+/// Numbers from 0 to 1 without end, the same every time.
+class Dice {
+ public:
+  explicit Dice(std::uint32_t seed) : state_(seed) {}
+  float operator()() {
+    state_ = state_ * 747796405U + 2891336453U;
+    const std::uint32_t word = ((state_ >> ((state_ >> 28U) + 4U)) ^ state_) * 277803737U;
+    return static_cast<float>(((word >> 22U) ^ word) >> 8U) / 16777216.0F;
+  }
+  /// In the cube from -1 to 1.
+  glm::vec3 cube() {
+    const float x = (*this)() * 2 - 1;
+    const float y = (*this)() * 2 - 1;
+    return {x, y, (*this)() * 2 - 1};
+  }
+
+ private:
+  std::uint32_t state_;
+};
+
+/// Instances as a simulation publishes them.
+struct CrowdStage {
+  CrowdStage(const std::vector<glm::vec4>& places, const std::vector<glm::vec4>& speeds)
+      : positions(simreel::gl::Buffer::of<glm::vec4>("crowd positions", places)),
+        velocities(simreel::gl::Buffer::of<glm::vec4>("crowd velocities", speeds)),
+        positionView(simreel::gl::Texture::view("crowd positions", GL_RGBA32F, positions)),
+        velocityView(simreel::gl::Texture::view("crowd velocities", GL_RGBA32F, velocities)) {
+    instances.positions = &positionView;
+    instances.velocities = &velocityView;
+    instances.capacity = static_cast<int>(places.size());
+    instances.material = &material;
+  }
+  /// At rest, 1 kg, age 0.
+  explicit CrowdStage(const std::vector<glm::vec3>& places)
+      : CrowdStage(
+            [&] {
+              std::vector<glm::vec4> four;
+              for (const glm::vec3& p : places) four.emplace_back(p, 1.0F);
+              return four;
+            }(),
+            std::vector<glm::vec4>(places.size(), glm::vec4(0))) {}
+  CrowdStage(const CrowdStage&) = delete;
+  CrowdStage& operator=(const CrowdStage&) = delete;
+  CrowdStage(CrowdStage&&) = delete;
+  CrowdStage& operator=(CrowdStage&&) = delete;
+  ~CrowdStage() = default;
+
+  simreel::gl::Buffer positions, velocities;
+  simreel::gl::Texture positionView, velocityView;
+  simreel::scene::Material material;
+  simreel::sim::Instances instances;
+};

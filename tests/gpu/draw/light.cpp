@@ -1,0 +1,161 @@
+// Shading and shadows against geometry worked out by hand.
+#include "gpu/draw/crowd_stage.hpp"
+
+#include <cmath>
+
+#include <doctest/doctest.h>
+
+using namespace simreel;
+
+namespace {
+
+bool near(glm::ivec3 c, const std::array<double, 3>& wanted, double tolerance) {
+  for (int i = 0; i < 3; ++i)
+    if (std::abs(c[i] - wanted[static_cast<std::size_t>(i)]) > tolerance) return false;
+  return true;
+}
+
+/// Camera straight above a plane at y = 0, top of the picture towards -z, 64 pixels for 8 m.
+scene::Scene groundScene(glm::vec3 sun) {
+  scene::Scene scene = darkScene();
+  scene.camera.position = glm::vec3(0, 20, 0);
+  scene.camera.fieldOfView = 2.0F * std::atan(4.0F / 20.0F) * 57.29577951F;
+  scene.sun.direction = sun;
+  scene.hasGround = true;
+  scene.ground.height = 0;
+  scene.ground.fadeStart = 1000;
+  scene.ground.fadeEnd = 2000;
+  return scene;
+}
+
+}  // namespace
+
+TEST_CASE("a matt sheet facing the sun has its own colour, on either side and in every variant") {
+  testContext();
+  for (const bool shadow : {true, false})
+    for (const float side : {1.0F, -1.0F}) {
+      CAPTURE(shadow);
+      CAPTURE(side);
+      scene::Scene scene = darkScene();
+      scene.sun.shadow = shadow;
+      scene.sun.direction = glm::vec3(0, 0, side);
+      scene.camera.position = glm::vec3(0, 0, 5 * side);
+      GridStage sheet({9, 7}, {-1, 1, 0}, {2, 0, 0}, {0, -2, 0});
+      sheet.material.color = glm::vec3(0.5F, 0.25F, 0.1F);
+      sheet.material.roughness = 1.0F;
+      const Picture picture = drawn(scene, {.surfaces = {sheet.surface}}, {65, 65});
+      // The sun's mirrored share: F0 / 6 at roughness 1 with everything aligned.
+      const double mirrored = 0.04 / 6;
+      CHECK(near(picture.at(32, 32), filmByte({0.5 + mirrored, 0.25 + mirrored, 0.1 + mirrored}), 2.5));
+      // Normals at the borders (one-sided differences) are those of the middle.
+      const int middle = picture.brightness(32, 32);
+      for (const auto& [x, y] : {std::pair{16, 16}, {48, 16}, {16, 48}, {48, 48}, {32, 16}, {16, 32}})
+        CHECK(std::abs(picture.brightness(x, y) - middle) < 12);
+    }
+}
+
+TEST_CASE("light from behind shines through translucent cloth only") {
+  testContext();
+  scene::Scene scene = darkScene();
+  scene.sun.direction = glm::vec3(0, 0, -1);
+  GridStage sheet({4, 4}, {-1, 1, 0}, {2, 0, 0}, {0, -2, 0});
+  sheet.material.color = glm::vec3(0.8F);
+  CHECK(drawn(scene, {.surfaces = {sheet.surface}}, {33, 33}).brightness(16, 16) < 6);
+  sheet.material.translucency = 0.5F;
+  const Picture picture = drawn(scene, {.surfaces = {sheet.surface}}, {33, 33});
+  CHECK(near(picture.at(16, 16), filmByte({0.4, 0.4, 0.4}), 2.5));
+}
+
+TEST_CASE("a metal mirrors the sky, tinted by its colour") {
+  testContext();
+  scene::Scene scene = darkScene();
+  scene.sun.intensity = 0.0F;
+  scene.sky.zenith = scene.sky.horizon = scene.sky.ground = glm::vec3(1);
+  GridStage sheet({4, 4}, {-1, 1, 0}, {2, 0, 0}, {0, -2, 0});
+  sheet.material.color = glm::vec3(0.9F, 0.5F, 0.1F);
+  sheet.material.metallic = 1;
+  sheet.material.roughness = 0.2F;
+  const glm::ivec3 c = drawn(scene, {.surfaces = {sheet.surface}}, {33, 33}).at(16, 16);
+  CHECK(near(c, filmByte({0.9, 0.5, 0.1}), 16));
+}
+
+TEST_CASE("a sheet throws its shadow where the sun puts it") {
+  testContext();
+  // 45 degrees from +x: a point 2 m up shades the ground 2 m towards -x.
+  const scene::Scene scene = groundScene(glm::vec3(1, 1, 0));
+  GridStage sheet({8, 8}, {0.5F, 2, -1}, {2, 0, 0}, {0, 0, 2});
+  for (const int samples : {1, 4}) {
+    const Picture picture = drawn(scene, {.surfaces = {sheet.surface}}, {64, 64}, samples);
+    const auto ground = [&](float x, float z) {
+      return picture.brightness(32 + static_cast<int>(std::floor(x * 8)),
+                                32 + static_cast<int>(std::floor(z * 8)));
+    };
+    // Shadow: x from -1.5 to 0.5, z from -1 to 1 (the sheet hides x > 0.55 from above).
+    const int lit = ground(-3, 3);
+    CHECK(lit > 200);
+    for (const float x : {-1.3F, -0.5F, 0.3F})
+      for (const float z : {-0.8F, 0.0F, 0.8F}) CHECK(ground(x, z) < lit / 8);
+    for (const auto& [x, z] :
+         {std::pair{-1.8F, 0.0F}, {-0.5F, 1.3F}, {-0.5F, -1.3F}, {3.5F, 0.0F}, {0.0F, 3.0F}})
+      CHECK(std::abs(ground(x, z) - lit) < 12);
+  }
+}
+
+TEST_CASE("no shadow when the sun's shadow is off, and no acne on a lit sheet") {
+  testContext();
+  scene::Scene scene = groundScene(glm::vec3(1, 1, 0));
+  GridStage sheet({8, 8}, {0.5F, 2, -1}, {2, 0, 0}, {0, 0, 2});
+  scene.sun.shadow = false;
+  const Picture plain = drawn(scene, {.surfaces = {sheet.surface}}, {64, 64});
+  CHECK(std::abs(plain.brightness(28, 32) - plain.brightness(8, 56)) < 12);
+  // Grazing light, coarse map: the sheet must still be lit everywhere.
+  scene = groundScene(glm::vec3(1, 0.12F, 0.3F));
+  scene.sun.shadowSize = 128;
+  GridStage wide({8, 8}, {-3, 1, -3}, {6, 0, 0}, {0, 0, 6});
+  const Picture lit = drawn(scene, {.surfaces = {wide.surface}}, {64, 64});
+  const int middle = lit.brightness(32, 32);
+  CHECK(middle > 20);
+  for (int y = 12; y < 52; ++y)
+    for (int x = 12; x < 52; ++x) CHECK(std::abs(lit.brightness(x, y) - middle) < 30);
+}
+
+TEST_CASE("a picture forgets the frame before, also behind glows") {
+  testContext();
+  const scene::Scene scene = darkScene();
+  GridStage sheet({4, 4}, {-1.5F, -1.5F, 0}, {3, 0, 0}, {0, 3, 0});
+  GridStage aside({4, 4}, {-3, -1, 0}, {2, 0, 0}, {0, 1.5F, 0});
+  CrowdStage glow(std::vector<glm::vec3>(1, glm::vec3(0.3F)));
+  glow.instances.additive = true;
+  for (const auto shape : {sim::Instances::Shape::sprite, sim::Instances::Shape::sphere})
+    for (const int samples : {1, 4}) {
+      glow.instances.shape = shape;
+      const sim::Drawables last = {.surfaces = {aside.surface}, .instances = {glow.instances}};
+      draw::Renderer renderer(scene, {65, 47}, samples);
+      draw::Readback readback({65, 47});
+      sim::Drawables first = last;
+      first.instances[0].brightness = 5000;
+      renderer.draw(0, first);
+      renderer.draw(0, {.surfaces = {sheet.surface}});
+      renderer.draw(0, last);
+      readback.start(renderer.target(), 0);
+      CHECK(readback.take(true).value().second == drawn(scene, last, {65, 47}, samples).bytes);
+    }
+}
+
+TEST_CASE("the shadow map forgets the frame before") {
+  testContext();
+  const scene::Scene scene = groundScene(glm::vec3(0.001F, 1, 0));
+  GridStage far({4, 4}, {50, 2, 50}, {2, 0, 0}, {0, 0, 2});
+  GridStage sheet({4, 4}, {-1, 2, -1}, {2, 0, 0}, {0, 0, 2});
+  sheet.surface.model[3].x = 1.0F;
+  draw::Renderer renderer(scene, {64, 64}, 1);
+  draw::Readback readback({64, 64});
+  Picture pictures[2];
+  for (Picture& picture : pictures) {
+    renderer.draw(0, {.surfaces = {&picture == &pictures[0] ? far.surface : sheet.surface}});
+    readback.start(renderer.target(), 0);
+    picture = {{64, 64}, readback.take(true).value().second};
+  }
+  const Picture fresh = drawn(scene, {.surfaces = {sheet.surface}}, {64, 64}, 1);
+  CHECK(fresh.bytes == pictures[1].bytes);
+}

@@ -1,0 +1,217 @@
+// A deformed mesh: every technique beside the CPU twin, word by word, and picture beside picture.
+#include "draw/screen/readback.hpp"
+#include "draw/screen/renderer.hpp"
+#include "gpu/context.hpp"
+#include "sim/mesh/deform_cpu.hpp"
+#include "sim/world/list.hpp"
+#include "sim/world/world.hpp"
+
+#include <bit>
+#include <cstdint>
+#include <cstdlib>
+#include <string>
+
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+
+using namespace simreel;
+
+namespace {
+
+const char* const techniques[] = {"compute", "single-thread", "jobs", "mapped", "vertex-shader"};
+
+const char* const everything = R"([
+  {"ripple": {"amplitude": 0.1, "wavelength": 1.7, "decay": 0.2, "centre": [0.3, 0, 0.1]}},
+  {"waves": [{"direction": 33, "length": 1.1, "amplitude": 0.06}, {"direction": 120, "length": 2.3, "amplitude": 0.08}]},
+  {"sway": {"height": 0.4, "base": -0.2}},
+  {"footprints": {"cells": [67, 51], "depth": 0.3}},
+  {"push": {"softness": 0.2}}])";
+
+/// A scene of one mesh and things that touch it.
+scene::Scene sceneOf(const std::string& mesh, const std::string& deform, const std::string& technique,
+                     const std::string& more = "") {
+  const std::string text = fmt::format(
+      R"({{"version": 1, "camera": {{"position": [1.5, 2, 4], "target": [0, 0, 0]}}, {2}
+      "objects": {{
+        "mesh": {{"mesh": {{{0}, "deform": {1}, "technique": "{3}"}}, "material": {{"roughness": 0.5}}}},
+        "ball": {{"sphere": {{"radius": 0.4, "position": {{"keys": [[0, [-1, 0.2, 0]], [1, [1, 0.1, 0.4]]]}}}}}},
+        "rod": {{"capsule": {{"radius": 0.2, "length": 0.7, "rotation": [0, 20, 80], "position": [0.2, 0.1, -0.8]}}}}
+      }}}})",
+      mesh, deform, more, technique);
+  return scene::parseScene(text, "test.json", {}, sim::kinds());
+}
+
+using Words = std::vector<std::vector<std::uint32_t>>;
+
+Words stateAfter(const std::string& mesh, const std::string& deform, const std::string& technique,
+                 int frames) {
+  sim::World world(sceneOf(mesh, deform, technique));
+  world.advanceTo(frames);
+  Words words;
+  for (const sim::StateArray& array : world.object(0).state())
+    words.push_back(array.buffer->readAll<std::uint32_t>());
+  return words;
+}
+
+/// What the twin makes of it: positions, then the trail.
+std::vector<std::vector<glm::vec4>> twinAfter(const std::string& mesh, const std::string& deform,
+                                              int frames) {
+  const scene::Scene scene = sceneOf(mesh, deform, "compute");
+  const auto& parameters = dynamic_cast<const sim::MeshParameters&>(*scene.objects[0].parameters);
+  std::vector<sim::ColliderShape> colliders(2);
+  colliders[0].radius = 0.4F;
+  colliders[0].position = scene::Animated<glm::vec3>(
+      {{0.0, glm::vec3(-1, 0.2F, 0)}, {1.0, glm::vec3(1, 0.1F, 0.4F)}}, scene::Ease::linear);
+  colliders[1].kind = sim::ColliderShape::Kind::capsule;
+  colliders[1].radius = 0.2F;
+  colliders[1].length = 0.7F;
+  colliders[1].rotation = glm::vec3(0, 20, 80);
+  colliders[1].position = glm::vec3(0.2F, 0.1F, -0.8F);
+  const sim::Mesh shape = parameters.make(1);
+  const sim::DeformPlan plan("mesh", parameters, shape, colliders);
+  const sim::RestMesh rest("mesh", shape);
+  sim::DeformCpu cpu(rest, plan.trailCells());
+  for (int frame = 1; frame <= frames; ++frame)
+    if (plan.hasTrail()) {
+      const double now = (frame - 1) / 60.0 + 1.0 / 60.0;
+      cpu.press(plan.swept(now - 1.0 / 60.0, now), sim::Threads::one);
+    }
+  cpu.displace(plan.at((frames - 1) / 60.0 + 1.0 / 60.0), sim::Threads::one);
+  if (!plan.hasTrail()) return {cpu.positions()};
+  return {cpu.positions(), cpu.trail()};
+}
+
+std::size_t differing(const std::vector<std::uint32_t>& got, const std::vector<glm::vec4>& expected) {
+  REQUIRE(got.size() == expected.size() * 4);
+  std::size_t different = 0;
+  for (std::size_t i = 0; i < got.size(); ++i)
+    different += got[i] == std::bit_cast<std::uint32_t>(expected[i / 4][static_cast<int>(i % 4)]) ? 0 : 1;
+  return different;
+}
+
+std::vector<std::uint8_t> picture(const scene::Scene& scene, int frame) {
+  const glm::ivec2 size(640, 360);
+  sim::World world(scene);
+  world.advanceTo(frame);
+  draw::Renderer renderer(scene, size, 4);
+  renderer.draw(world.time(), world.drawables());
+  draw::Readback readback(size);
+  readback.start(renderer.target(), 0);
+  return readback.take(true)->second;
+}
+
+/// Share of pixels of which a channel differs by more than 2.
+double differingShare(const std::vector<std::uint8_t>& a, const std::vector<std::uint8_t>& b) {
+  REQUIRE(a.size() == b.size());
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < a.size(); i += 4) {
+    int most = 0;
+    for (std::size_t k = 0; k < 4; ++k) most = std::max(most, std::abs(int{a[i + k]} - int{b[i + k]}));
+    count += most > 2 ? 1 : 0;
+  }
+  return static_cast<double>(count) / (static_cast<double>(a.size()) / 4);
+}
+
+}  // namespace
+
+TEST_CASE("deform: every technique with a state equals the CPU twin") {
+  testContext();
+  for (const char* mesh :
+       {R"("shape": "plane", "resolution": [131, 87])",
+        R"("shape": "torus", "resolution": [53, 31], "rotation": [20, 0, 0], "scale": 0.8)",
+        R"("shape": "grass", "size": [2, 0, 2], "blades": 333)"}) {
+    const auto expected = twinAfter(mesh, everything, 23);
+    double moved = 0;
+    for (const glm::vec4& cell : expected[1]) moved += cell.x;
+    CHECK(moved > 0.1);  // there are prints at all
+    for (const char* technique : {"compute", "single-thread", "jobs", "mapped"}) {
+      const Words words = stateAfter(mesh, everything, technique, 23);
+      REQUIRE(words.size() == 2);
+      CHECK_MESSAGE(differing(words[0], expected[0]) == 0, technique, " positions of ", mesh);
+      CHECK_MESSAGE(differing(words[1], expected[1]) == 0, technique, " trail of ", mesh);
+    }
+    const Words late = stateAfter(mesh, everything, "vertex-shader", 23);
+    REQUIRE(late.size() == 1);
+    CHECK(differing(late[0], expected[1]) == 0);
+  }
+}
+
+TEST_CASE("deform: 401x401 vertices with sixteen displacements, within the loops of a software driver") {
+  testContext();
+  std::string waves;
+  for (int i = 0; i < 16; ++i)
+    waves += fmt::format(R"({}{{"direction": {}, "length": {}, "amplitude": 0.01}})", i == 0 ? "" : ",",
+                         21 * i, 0.5 + 0.1 * i);
+  const std::string deform = "[{\"waves\": [" + waves + "]}]";
+  const char* mesh = R"("shape": "plane", "resolution": [401, 401])";
+  const auto expected = twinAfter(mesh, deform, 1);
+  CHECK(differing(stateAfter(mesh, deform, "compute", 1)[0], expected[0]) == 0);
+}
+
+TEST_CASE("deform: what bake writes is the same for all techniques, and the readback's") {
+  testContext();
+  const char* mesh = R"("shape": "sphere", "resolution": [37, 23], "position": [0, 0.5, 0])";
+  const auto tableOf = [&](const std::string& technique) {
+    sim::World world(sceneOf(mesh, everything, technique));
+    world.advanceTo(7);
+    return *world.object(0).mesh();
+  };
+  const sim::MeshTable expected = tableOf("single-thread");
+  CHECK(expected.indices.size() == 36 * 22 * 6);
+  for (const std::string technique :
+       {"jobs", "mapped", "compute", "vertex-shader", "compute\", \"readback\": true, \"sides\": \"one"}) {
+    const sim::MeshTable got = tableOf(technique);
+    CHECK_MESSAGE(got.positions == expected.positions, technique);
+    CHECK_MESSAGE(got.normals == expected.normals, technique);
+    CHECK(got.uvs == expected.uvs);
+  }
+}
+
+TEST_CASE("deform: after 1,000 frames, time 0 has the same bits; rest is never overwritten") {
+  testContext();
+  scene::Object object;
+  object.name = "sheet";
+  auto parameters = std::make_unique<sim::MeshParameters>();
+  parameters->resolution = {19, 13};
+  parameters->deform.list.resize(1);
+  parameters->deform.list[0].ripple.on = true;
+  object.parameters = std::move(parameters);
+  const std::vector<sim::ColliderShape> none;
+  for (const auto technique : {sim::DeformTechnique::compute, sim::DeformTechnique::mapped}) {
+    dynamic_cast<sim::MeshParameters&>(*object.parameters).deform.technique = technique;
+    for (const sim::SimulationKind& kind : sim::simulations()) {
+      if (std::string(kind.kind.name) != "mesh") continue;
+      const auto sheet = kind.make(object, {false, 1, 1.0 / 60.0, &none});
+      sheet->step(-1.0 / 60.0, {});
+      const auto first = sheet->state()[0].buffer->readAll<std::uint32_t>();
+      for (int frame = 0; frame < 1000; ++frame) sheet->step(frame / 60.0, {});
+      CHECK(sheet->state()[0].buffer->readAll<std::uint32_t>() != first);
+      sheet->step(-1.0 / 60.0, {});
+      CHECK(sheet->state()[0].buffer->readAll<std::uint32_t>() == first);
+    }
+  }
+}
+
+TEST_CASE("deform: one picture, five techniques") {
+  testContext();
+  struct Case {
+    const char* mesh;
+    const char* deform;
+  };
+  const char* scenery = R"("ground": {"height": -0.6},)";
+  for (const Case& c : {Case{R"("shape": "plane", "resolution": [301, 301])",
+                             R"([{"ripple": {"amplitude": 0.15, "wavelength": 1.5}}])"},
+                        Case{R"("shape": "torus", "resolution": [201, 101])",
+                             R"([{"waves": [{"length": 1.5, "amplitude": 0.05}]}])"},
+                        Case{R"("shape": "plane", "resolution": [401, 401])",
+                             R"([{"footprints": {"cells": [301, 301], "depth": 0.2}}])"}}) {
+    const auto expected = picture(sceneOf(c.mesh, c.deform, "single-thread", scenery), 20);
+    const auto flat = picture(sceneOf(c.mesh, "[]", "compute", scenery), 20);
+    CHECK(differingShare(flat, expected) > 0.01);  // it does show
+    for (const char* technique : techniques) {
+      const double share =
+          differingShare(picture(sceneOf(c.mesh, c.deform, technique, scenery), 20), expected);
+      CHECK_MESSAGE(share <= 0.001, technique, " of ", c.deform, ": ", share);
+    }
+  }
+}

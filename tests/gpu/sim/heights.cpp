@@ -1,0 +1,224 @@
+// What falls onto a deformed mesh: cloth and particles beside their CPU twins, word by word, and above the
+// surface.
+#include "gpu/context.hpp"
+#include "reference/cloth_twin.hpp"
+#include "reference/particles_twin.hpp"
+#include "sim/mesh/deform_cpu.hpp"
+#include "sim/world/list.hpp"
+#include "sim/world/world.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cstdint>
+#include <string>
+
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+
+using namespace simreel;
+
+namespace {
+
+constexpr double heightsFrame = 1.0 / 60.0;
+
+const char* const swell = R"("shape": "plane", "size": [5, 0, 4], "resolution": [67, 51], "collides": true,
+  "position": [0.3, -0.2, 0.1],
+  "deform": [{"waves": [{"direction": 33, "length": 1.3, "amplitude": 0.09, "steepness": 0.7}]},
+             {"ripple": {"amplitude": 0.08, "wavelength": 1.7, "speed": 6}},
+             {"push": {"softness": 0.2}}])";
+
+/// What falls comes first in the scene, so that the order of stepping matters.
+scene::Scene sceneOf(const std::string& falling, const std::string& technique = "compute",
+                     double preroll = 0) {
+  return scene::parseScene(fmt::format(R"({{"version": 1, "seed": 5, "time": {{"start": {3}}}, "objects": {{
+        "faller": {{{0}}}, "swell": {{"mesh": {{{1}, "technique": "{2}"}}}},
+        "ball": {{"sphere": {{"radius": 0.3, "position": [0.4, -0.1, 0.2], "collides": true}}}}}}}})",
+                                       falling, swell, technique, preroll),
+                           "test.json", {}, sim::kinds());
+}
+
+/// The heights of each frame as the device's kernels get them.
+class HeightsTwin {
+ public:
+  explicit HeightsTwin(const scene::Scene& scene)
+      : mesh(dynamic_cast<const sim::MeshParameters&>(*scene.objects.at(1).parameters)),
+        plan(mesh, heightsFrame),
+        shape_(mesh.make(1)),
+        deform_("swell", mesh, shape_, colliders()),
+        rest_("swell", shape_),
+        cpu_(rest_, deform_.trailCells()) {}
+
+  static std::vector<sim::ColliderShape> colliders() {
+    sim::ColliderShape ball;
+    ball.radius = 0.3F;
+    ball.position = glm::vec3(0.4F, -0.1F, 0.2F);
+    return {ball};
+  }
+
+  std::vector<glm::vec4> frame(double time) {
+    std::vector<glm::vec4> heights(shape_.positions.size(), glm::vec4(0));
+    for (int end = 0; end < 2; ++end) {
+      cpu_.displace(deform_.at(end == 0 ? time : time + heightsFrame), sim::Threads::all);
+      for (std::size_t i = 0; i < heights.size(); ++i)
+        heights[i][end] = cpu_.positions()[i].y + plan.lift();
+    }
+    return heights;
+  }
+
+  /// Height at the frame's end, in double and on its own; -1e9 beside the mesh.
+  [[nodiscard]] double heightAt(const std::vector<glm::vec4>& heights, const glm::vec4& p) const {
+    const glm::dvec2 corner(0.3 - 2.5, 0.1 - 2.0);
+    const glm::ivec2 size = plan.size();
+    const double x = (p.x - corner.x) / 5.0 * (size.x - 1);
+    const double z = (p.z - corner.y) / 4.0 * (size.y - 1);
+    if (x < 0 || z < 0 || x > size.x - 1 || z > size.y - 1) return -1e9;
+    const int column = std::min(static_cast<int>(x), size.x - 2);
+    const int row = std::min(static_cast<int>(z), size.y - 2);
+    const double u = x - column;
+    const double v = z - row;
+    const auto at = [&](int dx, int dz) -> double {
+      return heights[static_cast<std::size_t>((row + dz) * size.x + column + dx)].y;
+    };
+    return (1 - v) * ((1 - u) * at(0, 0) + u * at(1, 0)) + v * ((1 - u) * at(0, 1) + u * at(1, 1));
+  }
+
+  sim::MeshParameters mesh;
+  sim::HeightPlan plan;
+
+ private:
+  sim::Mesh shape_;
+  sim::DeformPlan deform_;
+  sim::RestMesh rest_;
+  sim::DeformCpu cpu_;
+};
+
+std::size_t differing(const gl::Buffer& buffer, const std::vector<glm::vec4>& expected) {
+  const auto got = buffer.readAll<std::uint32_t>();
+  REQUIRE(got.size() == expected.size() * 4);
+  std::size_t different = 0;
+  for (std::size_t i = 0; i < got.size(); ++i)
+    different += got[i] == std::bit_cast<std::uint32_t>(expected[i / 4][static_cast<int>(i % 4)]) ? 0 : 1;
+  return different;
+}
+
+struct Clearance {
+  double least = 1e9;  ///< m over the surface, of everything at every frame
+  int touching = 0;    ///< within a millimetre of the margin at the last frame
+};
+
+/// Steps device and twin, compares every word of every frame, and measures how far above the surface all
+/// is.
+template <class Twin>
+Clearance fall(const scene::Scene& scene, Twin& twin, int frames, double margin, double preroll = 0) {
+  testContext();
+  sim::World world(scene);
+  HeightsTwin heights(scene);
+  twin.heightPlan = heights.plan;
+  Clearance clearance;
+  for (int frame = 1; frame <= frames; ++frame) {
+    const double before = (frame - 1) / 60.0 - preroll;
+    world.advanceTo(frame - static_cast<int>(preroll * 60 + 0.5));
+    twin.heights = heights.frame(before);
+    twin.step(before);
+    const auto state = world.object(0).state();
+    REQUIRE(differing(*state[0].buffer, twin.positions) == 0);
+    REQUIRE(differing(*state[1].buffer, twin.velocities) == 0);
+    clearance.touching = 0;
+    for (const glm::vec4& p : twin.positions) {
+      const double over = p.y - heights.heightAt(twin.heights, p);
+      clearance.least = std::min(clearance.least, over);
+      clearance.touching += over < margin + 1e-3 ? 1 : 0;
+    }
+  }
+  return clearance;
+}
+
+ClothTwin clothTwin(const scene::Scene& scene) {
+  return ClothTwin(
+      sim::ClothPlan(dynamic_cast<const sim::ClothParameters&>(*scene.objects.at(0).parameters), 5,
+                     heightsFrame, HeightsTwin::colliders()));
+}
+
+ParticlesTwin particlesTwin(const scene::Scene& scene) {
+  return ParticlesTwin(sim::ParticlePlan(
+      dynamic_cast<const sim::ParticleParameters&>(*scene.objects.at(0).parameters), 5, heightsFrame));
+}
+
+// A third of it hangs over the swell's edge.
+const char* const sheet = R"("cloth": {"size": [35, 23], "spacing": 0.08, "position": [1.8, 0.25, 0.1],
+  "rotation": [4, 20, 0], "mass": 0.004, "stiffness": 60, "margin": 0.02, "wind": [0, 0, 0], "pins": [], "substeps": 5 SOLVER})";
+
+std::string sheetWith(const std::string& more) {
+  std::string text = sheet;
+  return text.replace(text.find(" SOLVER"), 7, more);
+}
+
+const char* const grains =
+    R"("particles": {"method": "none", "collides": true, "bounce": 0.4, "margin": 0.05,
+  "acceleration": [0, -9.81, 0], "substeps": 3,
+  "groups": [{"shape": "cube", "count": 333, "radius": 1.1, "position": [1.1, 1.4, 0.2], "speed": 0.5}],
+  "emitters": [{"rate": 200, "position": [-1, 0.6, 0], "lifetime": 0.7, "velocity": [0, -2, 0]}]})";
+
+}  // namespace
+
+TEST_CASE("heights: cloth on a swell equals its CPU twin and stays above") {
+  for (const char* solver : {"", R"(, "solver": "constraints", "compliance": 1e-5)"}) {
+    CAPTURE(solver);
+    const auto scene = sceneOf(sheetWith(solver));
+    ClothTwin twin = clothTwin(scene);
+    const Clearance c = fall(scene, twin, 60, 0.02);
+    CHECK(c.least > 0.02 - 1e-5);  // float against double
+    CHECK(c.touching > 100);
+  }
+}
+
+TEST_CASE("heights: particles on a swell equal their CPU twin and stay above") {
+  for (const char* method : {"none", "all-pairs"}) {
+    CAPTURE(method);
+    std::string text = grains;
+    text.replace(text.find("none"), 4, method);
+    const auto scene = sceneOf(text);
+    ParticlesTwin twin = particlesTwin(scene);
+    testContext();
+    sim::World world(scene);
+    HeightsTwin heights(scene);
+    twin.heightPlan = heights.plan;
+    double least = 1e9;
+    int touching = 0;
+    for (int frame = 1; frame <= 70; ++frame) {
+      const double before = (frame - 1) / 60.0;
+      world.advanceTo(frame);
+      twin.heights = heights.frame(before);
+      twin.step(before);
+      REQUIRE(differing(*world.object(0).state()[0].buffer, twin.positions) == 0);
+      REQUIRE(differing(*world.object(0).state()[1].buffer, twin.velocities) == 0);
+      for (std::size_t i = 0; i < twin.positions.size(); ++i) {
+        if (twin.velocities[i].w < 0) continue;
+        const double over = twin.positions[i].y - heights.heightAt(twin.heights, twin.positions[i]);
+        least = std::min(least, over);
+        touching += over < 0.051 ? 1 : 0;
+      }
+    }
+    CHECK(least > 0.05 - 1e-5);
+    CHECK(touching > 100);
+  }
+}
+
+TEST_CASE("heights: a pre-roll begins with the heights of its own first frame") {
+  const auto scene = sceneOf(sheetWith(""), "compute", 0.25);
+  ClothTwin twin = clothTwin(scene);
+  CHECK(fall(scene, twin, 20, 0.02, 0.25).least > 0.02 - 1e-5);
+}
+
+TEST_CASE("heights: what falls has the same bits by every technique") {
+  testContext();
+  std::vector<std::uint32_t> first;
+  for (const char* technique : {"compute", "single-thread", "jobs", "mapped"}) {
+    CAPTURE(technique);
+    sim::World world(sceneOf(sheetWith(""), technique));
+    world.advanceTo(40);
+    const auto words = world.object(0).state()[0].buffer->readAll<std::uint32_t>();
+    if (first.empty()) first = words;
+    CHECK(words == first);
+  }
+}

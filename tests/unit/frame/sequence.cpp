@@ -1,0 +1,228 @@
+#include "frame/file/manifest.hpp"
+#include "frame/file/output_name.hpp"
+#include "frame/file/run_info.hpp"
+#include "frame/sink/frame_sink.hpp"
+#include "frame/sink/open_sink.hpp"
+#include "help.hpp"
+
+#include <map>
+#include <numeric>
+#include <sys/mount.h>
+#include <unistd.h>
+
+using namespace simreel;
+using namespace simreel::frame;
+using namespace simreel::frame::test;
+
+namespace {
+
+std::vector<int> upTo(int count) {
+  std::vector<int> frames(static_cast<std::size_t>(count));
+  std::iota(frames.begin(), frames.end(), 0);
+  return frames;
+}
+
+/// Renders what the sink wants; returns those frames.
+std::vector<int> renderInto(const std::string& output, Existing existing, int count,
+                            const RunInfo& run = runInfo()) {
+  const auto frames = upTo(count);
+  const auto sink = openSink(output, existing, run, frames, "rgba");
+  std::vector<int> drawn;
+  for (const int frame : frames) {
+    if (!sink->wants(frame)) continue;
+    drawn.push_back(frame);
+    sink->add(frameInfo(frame), picture(run.width, run.height, frame));
+  }
+  sink->finish();
+  return drawn;
+}
+
+std::string text(const std::filesystem::path& path) {
+  return readFile(path, "test file");
+}
+
+}  // namespace
+
+TEST_CASE("sequence: two runs write the same bytes") {
+  const TemporaryFolder folder;
+  CHECK(renderInto((folder / "a").string(), Existing::error, 40).size() == 40);
+  renderInto((folder / "b/deep/").string(), Existing::error, 40);
+  const std::string manifest = text(folder / "a/manifest.json");
+  CHECK(manifest == text(folder / "b/deep/manifest.json"));
+  CHECK(text(folder / "a/000039.png") == text(folder / "b/deep/000039.png"));
+  CHECK(contains(manifest, "\"format\": \"simreel-manifest\""));
+  const Manifest read = parseManifest(manifest, "manifest");
+  CHECK(manifestText(read) == manifest);
+  CHECK(read.frames.size() == 40);
+  CHECK(read.frames.at(3).pixels == pixelHash(picture(32, 18, 3)));
+  CHECK(read.frames.at(3).state == "state3");
+  CHECK(contains(text(folder / "a/000003.png"), std::string("simreel:state\0state3", 20)));
+}
+
+TEST_CASE("sequence: existing frames are refused before anything is drawn") {
+  const TemporaryFolder folder;
+  const std::string output = (folder / "f_##.png").string();
+  renderInto(output, Existing::error, 3);
+  CHECK(std::filesystem::exists(folder / "f_02.png"));
+  CHECK(std::filesystem::exists(folder / "f.manifest.json"));
+  const auto [code, message] = errorOf([&] { renderInto(output, Existing::error, 5); });
+  CHECK(code == ExitCode::inputOutput);
+  CHECK(contains(message, "f_00.png and 2 more exist; use --overwrite, --skip-existing or --resume"));
+  CHECK(renderInto(output, Existing::overwrite, 5).size() == 5);
+}
+
+TEST_CASE("sequence: resume draws anew what is missing, cut short or changed") {
+  const TemporaryFolder folder;
+  const std::string output = folder.string();
+  renderInto(output, Existing::error, 8);
+  const std::string manifest = text(folder / "manifest.json");
+  std::map<int, std::string> files;
+  for (int frame = 0; frame < 8; ++frame) files[frame] = text(folder / fmt::format("{:06}.png", frame));
+
+  std::filesystem::remove(folder / "000001.png");
+  std::filesystem::resize_file(folder / "000003.png", files[3].size() / 2);
+  std::filesystem::copy_file(folder / "000004.png", folder / "000005.png",
+                             std::filesystem::copy_options::overwrite_existing);
+  writeFileAtomically(folder / "000006.png", std::string_view());
+  writeFileAtomically(folder / "000007.png.part", std::string_view("left behind"));
+  CHECK(renderInto(output, Existing::resume, 8) == std::vector{1, 3, 5, 6});
+  CHECK(text(folder / "manifest.json") == manifest);
+  for (int frame = 0; frame < 8; ++frame)
+    CHECK(text(folder / fmt::format("{:06}.png", frame)) == files[frame]);
+
+  const auto frames = upTo(8);
+  const auto sink = openSink(output, Existing::resume, runInfo(), frames, "rgba");
+  CHECK(sink->knownStateHash(5) == "state5");
+  CHECK(sink->summary() == (folder / "000000.png").string() + " ... " + (folder / "000007.png").string());
+  sink->finish();
+
+  // A frame that the manifest does not list is drawn, and without a manifest all are.
+  Manifest partial = parseManifest(manifest, "manifest");
+  partial.frames.erase(2);
+  writeFileAtomically(folder / "manifest.json", manifestText(partial));
+  CHECK(renderInto(output, Existing::resume, 8) == std::vector{2});
+  std::filesystem::remove(folder / "manifest.json");
+  CHECK(renderInto(output, Existing::resume, 8).size() == 8);
+}
+
+TEST_CASE("sequence: resume refuses another run, and starts over from a broken manifest") {
+  const TemporaryFolder folder;
+  renderInto(folder.string(), Existing::error, 2);
+  const auto refusal = [&](const RunInfo& run) {
+    const auto [code, message] = errorOf([&] { renderInto(folder.string(), Existing::resume, 2, run); });
+    CHECK(code == ExitCode::usage);
+    CHECK(contains(message, "--overwrite"));
+    return message;
+  };
+  RunInfo other = runInfo();
+  other.seed = 8;
+  CHECK(contains(refusal(other), "seed is 8 in this run and 7 in the earlier one"));
+  CHECK(contains(refusal(runInfo(64, 18)), "size is 64x18 in this run and 32x18"));
+  for (const char* broken : {"", "{", "[]", "{\"format\":\"simreel-manifest\",\"version\":9}",
+                             "{\"format\":\"simreel-manifest\",\"version\":2,\"title\":3}"}) {
+    writeFileAtomically(folder / "manifest.json", std::string_view(broken));
+    CHECK(renderInto(folder.string(), Existing::resume, 2).size() == 2);
+  }
+}
+
+TEST_CASE("sequence: files beside a frame are kept where the manifest and their hash say so") {
+  const TemporaryFolder folder;
+  const std::vector<int> frames = {0};
+  const auto store = [&](Existing existing) {
+    const auto sink = openSink(folder.string(), existing, runInfo(), frames, "rgba");
+    FrameInfo info = frameInfo(0);
+    for (const char* name : {"000000.a.npy", "000000.b.npy"})
+      if (!sink->holds(0, name)) info.files.push_back({name, std::vector<std::byte>(9)});
+    const std::size_t stored = info.files.size();
+    if (sink->wants(0))
+      sink->add(std::move(info), picture(32, 18));
+    else
+      sink->add(std::move(info), std::nullopt);
+    sink->addCounts("step,time\n0,0\n");
+    sink->finish();
+    return stored;
+  };
+  CHECK(store(Existing::error) == 2);
+  const std::string manifest = text(folder / "manifest.json");
+  CHECK(store(Existing::resume) == 0);
+  writeFileAtomically(folder / "000000.b.npy", std::string_view("damaged"));
+  writeFileAtomically(folder / "counts.csv", std::string_view("step,time\n0,0\n1,damaged"));
+  CHECK(store(Existing::resume) == 1);
+  CHECK(text(folder / "000000.b.npy") == std::string(9, '\0'));
+  CHECK(text(folder / "counts.csv") == "step,time\n0,0\n");
+  CHECK(text(folder / "manifest.json") == manifest);
+}
+
+TEST_CASE("sequence: skipping goes by existence and keeps the frames in the manifest") {
+  const TemporaryFolder folder;
+  renderInto(folder.string(), Existing::error, 3);
+  std::filesystem::remove(folder / "manifest.json");
+  CHECK(renderInto(folder.string(), Existing::skip, 5) == std::vector{3, 4});
+  const Manifest manifest = parseManifest(text(folder / "manifest.json"), "manifest");
+  CHECK(manifest.frames.at(1).pixels == pixelHash(picture(32, 18, 1)));
+  CHECK(manifest.frames.at(1).state.empty());
+  CHECK(manifest.frames.at(4).state == "state4");
+}
+
+TEST_CASE("sequence: a later run with other frames keeps the earlier ones in the manifest") {
+  const TemporaryFolder folder;
+  renderInto(folder.string(), Existing::error, 3);
+  const std::vector<int> frames = {1};
+  const auto sink = openSink(folder.string(), Existing::overwrite, runInfo(), frames, "rgba");
+  sink->add(frameInfo(1), picture(32, 18, 1));
+  sink->finish();
+  CHECK(parseManifest(text(folder / "manifest.json"), "manifest").frames.size() == 3);
+}
+
+TEST_CASE("sequence: frames done before an error elsewhere can be resumed") {
+  const TemporaryFolder folder;
+  const auto frames = upTo(4);
+  {
+    const auto sink = openSink(folder.string(), Existing::error, runInfo(), frames, "rgba");
+    sink->add(frameInfo(0), picture(32, 18, 0));
+  }
+  CHECK(renderInto(folder.string(), Existing::resume, 4) == std::vector{1, 2, 3});
+}
+
+TEST_CASE("sequence: what cannot be written is one user error") {
+  const TemporaryFolder folder;
+  writeFileAtomically(folder / "file", std::string_view("x"));
+  const auto [code, message] =
+      errorOf([&] { renderInto((folder / "file/out/").string(), Existing::error, 2); });
+  CHECK(code == ExitCode::inputOutput);
+  CHECK(contains(message, "cannot create folder"));
+  // A folder where the frame should go.
+  std::filesystem::create_directories(folder / "g/000030.png/x");
+  const auto blocked = errorOf([&] { renderInto((folder / "g").string(), Existing::overwrite, 40); });
+  CHECK(blocked.first == ExitCode::inputOutput);
+  CHECK(contains(blocked.second, "000030.png"));
+  CHECK(parseManifest(text(folder / "g/manifest.json"), "manifest").frames.contains(0));
+}
+
+TEST_CASE("sequence: a full disk is one user error, and the run can be resumed") {
+  const TemporaryFolder folder;
+  if (::mount("tmpfs", folder.string().c_str(), "tmpfs", 0, "size=256k") != 0) {
+    MESSAGE("skipped: mounting a small tmpfs needs root");
+    return;
+  }
+  const RunInfo run = runInfo(200, 200);
+  const auto [code, message] =
+      errorOf([&] { renderInto((folder / "o").string(), Existing::error, 400, run); });
+  CHECK(code == ExitCode::inputOutput);
+  CHECK(contains(message, "No space left on device"));
+  CHECK(message.find('\n') == std::string::npos);
+  for (const auto& entry : std::filesystem::directory_iterator(folder / "o"))
+    CHECK(entry.path().extension() != ".part");
+  CHECK(::umount(folder.string().c_str()) == 0);
+}
+
+TEST_CASE("sequence: one picture under a plain name") {
+  const TemporaryFolder folder;
+  const std::vector<int> frames = {150};
+  const auto sink = openSink((folder / "poster.png").string(), Existing::error, runInfo(), frames, "rgba");
+  sink->add(frameInfo(150), picture(32, 18));
+  sink->finish();
+  CHECK(sink->summary() == (folder / "poster.png").string());
+  CHECK(sink->encodeSeconds() >= 0);
+  CHECK(parseManifest(text(folder / "poster.manifest.json"), "m").frames.at(150).file == "poster.png");
+}

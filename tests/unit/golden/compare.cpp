@@ -1,0 +1,180 @@
+#include "golden/compare/compare.hpp"
+
+#include "base/error.hpp"
+#include "golden/compare/difference_image.hpp"
+#include "unit/frame/help.hpp"
+
+#include <array>
+#include <cmath>
+#include <tuple>
+#include <utility>
+
+#include <doctest/doctest.h>
+#include <tbb/global_control.h>
+
+using namespace simreel;
+
+namespace {
+
+frame::Image uniform(int width, int height, std::array<std::uint8_t, 4> pixel) {
+  frame::Image image{width, height, {}};
+  for (int i = 0; i < width * height; ++i)
+    image.bytes.insert(image.bytes.end(), pixel.begin(), pixel.end());
+  return image;
+}
+
+std::uint8_t& at(frame::Image& image, int x, int y, int channel) {
+  return image.bytes[std::size_t((y * image.width + x) * 4 + channel)];
+}
+
+scene::Tolerance tolerance(int channel, std::optional<double> ratio = {}) {
+  scene::Tolerance result;
+  result.max_channel_diff = channel;
+  result.max_diff_ratio = ratio;
+  return result;
+}
+
+}  // namespace
+
+TEST_CASE("pictures are compared by channel, alpha too, and counted by pixel") {
+  const auto a = uniform(5, 3, {100, 100, 100, 100});
+  auto b = a;
+  at(b, 1, 0, 0) = 103;
+  at(b, 1, 0, 2) = 97;  // one pixel all the same
+  at(b, 2, 1, 1) = 80;
+  at(b, 3, 1, 1) = 120;  // as far apart, later
+  at(b, 4, 2, 3) = 90;
+  const auto metrics = golden::measure(a, b, tolerance(3));
+  CHECK(metrics.worst == 20);
+  CHECK(metrics.worstX == 2);
+  CHECK(metrics.worstY == 1);
+  CHECK(metrics.differentPixels == 4);
+  CHECK(metrics.pixelsBeyond == 3);
+  CHECK(metrics.ratioBeyond == doctest::Approx(3.0 / 15));
+  CHECK(golden::measure(a, b, tolerance(2)).pixelsBeyond == 4);
+  CHECK(golden::measure(a, b, tolerance(20)).pixelsBeyond == 0);
+  // Squares: 9 + 9 + 400 + 400 over 45 values.
+  CHECK(metrics.psnr == doctest::Approx(10 * std::log10(255.0 * 255 / (818.0 / 45))).epsilon(1e-12));
+}
+
+TEST_CASE("equal pictures, and those whose alpha alone differs, are equal to the eye") {
+  const auto a = frame::test::picture(40, 30);
+  auto b = a;
+  const auto check = [&](int worst) {
+    const auto metrics = golden::measure(a, b, tolerance(0));
+    CHECK(metrics.worst == worst);
+    CHECK(std::isinf(metrics.psnr));
+    CHECK(metrics.ssim == 1);
+    CHECK(metrics.flipMean == 0);
+  };
+  check(0);
+  at(b, 7, 8, 3) = 250;
+  check(5);
+}
+
+TEST_CASE("the densest window is found wherever it lies, and clipped to small pictures") {
+  const auto a = uniform(40, 30, {0, 0, 0, 255});
+  auto b = a;
+  for (const auto& [x, y] : {std::pair{0, 0}, {1, 0}, {39, 29}, {38, 29}, {37, 27}, {20, 10}})
+    at(b, x, y, 1) = 50;
+  scene::Tolerance t = tolerance(12);
+  t.window_size = 4;
+  auto metrics = golden::measure(a, b, t);
+  CHECK(metrics.windowRatio == 3.0 / 16);
+  CHECK(metrics.windowX == 36);
+  CHECK(metrics.windowY == 26);
+  t.window_size = 1;
+  metrics = golden::measure(a, b, t);
+  CHECK(metrics.windowRatio == 1);
+  CHECK(metrics.windowX + metrics.windowY == 0);
+  t.window_size = 35;  // clipped in height alone
+  metrics = golden::measure(a, b, t);
+  CHECK(metrics.windowRatio == 4.0 / (35 * 30));
+  CHECK(metrics.windowX == 5);
+  t.window_size = 1000;
+  metrics = golden::measure(a, b, t);
+  CHECK(metrics.windowRatio == 6.0 / (40 * 30));
+  t.max_channel_diff = 50;
+  CHECK(golden::measure(a, b, t).windowRatio == 0);
+}
+
+TEST_CASE("every bound that is given must hold; two of a hundred pixels may differ when none is") {
+  const auto a = uniform(10, 10, {0, 0, 0, 255});
+  auto b = a;
+  at(b, 3, 4, 0) = 40;
+  at(b, 5, 6, 0) = 13;
+  const auto broken = [&](const scene::Tolerance& t) {
+    return golden::brokenBounds(golden::measure(a, b, t), t, 10, 10);
+  };
+  using Clauses = std::vector<std::string>;
+  scene::Tolerance t;
+  CHECK(golden::allowedRatio(t) == 0.02);
+  CHECK(broken(t) == Clauses());
+  at(b, 0, 0, 0) = 13;
+  CHECK(broken(t) == Clauses{"3% of the pixels differ by more than 12 (max_diff_ratio is 0.02)"});
+  t.max_diff_pixels = 3;
+  CHECK(golden::allowedRatio(t) == 1);
+  CHECK(broken(t) == Clauses());
+  t.max_diff_pixels = 2;
+  CHECK(broken(t) == Clauses{"3 pixels differ by more than 12 (max_diff_pixels is 2)"});
+  t.max_diff_ratio = 0.03;
+  CHECK(broken(t).size() == 1);
+  t.max_diff_ratio = 0.01;
+  CHECK(broken(t).size() == 2);
+  t.hard_fail = 40;
+  CHECK(broken(t).size() == 2);
+  t.hard_fail = 39;
+  CHECK(broken(t)[0] == "the pixel at x 3, y 4 differs by 40 (hard_fail is 39)");
+  t = tolerance(255);  // nothing is beyond, but hard_fail is never bypassed
+  t.hard_fail = 39;
+  CHECK(broken(t).size() == 1);
+  t = tolerance(12, 1);
+  t.window_size = 5;
+  t.max_window_ratio = 0.08;
+  CHECK(broken(t) == Clauses());
+  t.max_window_ratio = 0.079;
+  CHECK(broken(t) ==
+        Clauses{"8% of the 5x5 window at x 0, y 0 differ by more than 12 (max_window_ratio is 0.079)"});
+  t = tolerance(0, 1);
+  t.max_flip_mean = golden::measure(a, b, t).flipMean;
+  CHECK(*t.max_flip_mean > 0);
+  CHECK(broken(t) == Clauses());
+  t.max_flip_mean = *t.max_flip_mean * 0.99;
+  CHECK(broken(t).size() == 1);
+}
+
+TEST_CASE("results do not depend on the number of threads") {
+  const auto a = frame::test::picture(150, 130), b = frame::test::picture(150, 130, 3);
+  const auto several = golden::measure(a, b, {});
+  const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
+  const auto single = golden::measure(a, b, {});
+  CHECK(several.psnr == single.psnr);
+  CHECK(several.ssim == single.ssim);
+  CHECK(several.flipMean == single.flipMean);
+}
+
+TEST_CASE("a difference image shows every difference and nothing else") {
+  const auto a = frame::test::picture(256, 2);
+  auto b = a;
+  for (int x = 0; x < 256; ++x) {
+    at(b, x, 0, 1) = static_cast<std::uint8_t>(at(b, x, 0, 1) < 128 ? 255 : 0);
+    at(b, x, 1, x % 4) = static_cast<std::uint8_t>(at(b, x, 1, x % 4) ^ 1);
+  }
+  const auto spread = [](frame::Image& image, int x, int y) {
+    const auto [r, g, blue] = std::tuple{at(image, x, y, 0), at(image, x, y, 1), at(image, x, y, 2)};
+    return std::max({r, g, blue}) - std::min({r, g, blue});
+  };
+  auto heat = golden::differenceImage(a, b), same = golden::differenceImage(a, a);
+  REQUIRE(heat.width == 256);
+  REQUIRE(heat.bytes.size() == a.bytes.size());
+  for (int x = 0; x < 256; ++x) {
+    // 1/255 is bright blue, half of the range red or orange; equal pixels are dark grey.
+    CHECK(at(heat, x, 1, 2) > 200);
+    CHECK(spread(heat, x, 1) > 100);
+    CHECK(at(heat, x, 0, 0) > 200);
+    CHECK(at(heat, x, 0, 2) < 100);
+    CHECK(spread(same, x, 0) == 0);
+    CHECK(at(same, x, 0, 0) < 80);
+    CHECK(at(same, x, 0, 3) == 255);
+  }
+}

@@ -1,0 +1,168 @@
+#include "golden/suite/judge.hpp"
+
+#include "frame/image.hpp"
+#include "golden/compare/compare.hpp"
+#include "unit/help.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <unistd.h>
+#include <vector>
+
+#include <doctest/doctest.h>
+
+using namespace simreel;
+using namespace simreel::golden;
+
+namespace {
+
+constexpr int width = 40, height = 30;
+
+const Origin maker{"numerics", "drawing", "Testium 3", "llvmpipe (LLVM 15), OpenGL 4.5 Mesa 22"};
+
+Origin otherMachine() {
+  Origin origin = maker;
+  origin.processor = "Testium 4";
+  return origin;
+}
+
+/// Grey, with `count` pixels brighter by `step`.
+RunFrame made(int count, int step) {
+  RunFrame frame;
+  frame.image = {width, height, std::vector<std::uint8_t>(4 * width * height, 128)};
+  for (std::size_t i = 3; i < frame.image.bytes.size(); i += 4) frame.image.bytes[i] = 255;
+  for (int i = 0; i < count; ++i)
+    frame.image.bytes[static_cast<std::size_t>(4 * (i * 7 % (width * height)) + i % 3)] =
+        static_cast<std::uint8_t>(128 + step);
+  frame.pixels = frame::pixelHash(frame.image);
+  frame.state = {{"flag.positions", "aa"}};
+  return frame;
+}
+
+class Baseline {
+ public:
+  explicit Baseline(const Origin& origin) {
+    const RunFrame frame = made(0, 0);
+    Candidate candidate;
+    candidate.pictures.width = width;
+    candidate.pictures.height = height;
+    candidate.pictures.frames[0] = {frame.pixels, origin, {}};
+    candidate.png[0] = frame::encodePng(frame.image, {});
+    candidate.state.frames[0] = frame.state;
+    promote(folder_, "any", candidate, {});
+  }
+  ~Baseline() {
+    std::error_code ignored;
+    std::filesystem::remove_all(folder_, ignored);
+  }
+  Baseline(const Baseline&) = delete;
+  Baseline& operator=(const Baseline&) = delete;
+  Baseline(Baseline&&) = delete;
+  Baseline& operator=(Baseline&&) = delete;
+
+  [[nodiscard]] FrameResult judged(const RunFrame& frame, const Origin& here,
+                                   const scene::Tolerance& tolerance = {}) const {
+    Reference reference = findReference(folder_, "llvmpipe", true, here);
+    reference.tolerance = tolerance;
+    return judgeFrame(frame, reference).frame;
+  }
+  [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
+
+ private:
+  std::filesystem::path folder_ =
+      std::filesystem::temp_directory_path() / ("simreel-judge-" + std::to_string(::getpid()));
+};
+
+bool passes(const FrameResult& result) {
+  return result.status == Status::pass;
+}
+
+}  // namespace
+
+TEST_CASE("judge: what a picture is asked for depends on who drew its baseline") {
+  CHECK(asked(maker, maker) == Asked::equal);
+  CHECK(asked(maker, otherMachine()) == Asked::near);
+  Origin other = maker;
+  other.driver = "llvmpipe (LLVM 19), OpenGL 4.5 Mesa 25";
+  CHECK(asked(maker, other) == Asked::near);
+  other.drawing = "others";
+  CHECK(asked(maker, other) == Asked::tolerance);
+  other = maker;
+  other.numerics = "others";
+  CHECK(asked(maker, other) == Asked::tolerance);
+  // Baselines of before: neither drawing nor machine known.
+  CHECK(asked({"numerics", "", "", ""}, maker) == Asked::near);
+  CHECK(asked({"others", "", "", ""}, maker) == Asked::tolerance);
+  CHECK(asked({"numerics", "drawing", "", ""}, {"numerics", "drawing", "", ""}) == Asked::near);
+}
+
+TEST_CASE("judge: on the machine that drew the baseline no bit may differ") {
+  const Baseline baseline(maker);
+  CHECK(passes(baseline.judged(made(0, 0), maker)));
+  const FrameResult result = baseline.judged(made(1, 1), maker);
+  CHECK(result.status == Status::fail);
+  CHECK(result.asked == "equal");
+  simreel::test::checkHas(result.message, "1 pixels differ, by 1 at most");
+}
+
+TEST_CASE("judge: another machine with the same numerics may be 2 of 255 apart on 2% of the pixels") {
+  const Baseline baseline(maker);
+  const auto judged = [&](int count, int step) {
+    return baseline.judged(made(count, step), otherMachine());
+  };
+  CHECK(passes(judged(0, 0)));
+  CHECK(passes(judged(1, 1)));
+  CHECK(passes(judged(1, 2)));
+  CHECK(passes(judged(24, 1)));  // 2% of 1200
+  CHECK(judged(1, 1).asked == "near");
+  simreel::test::checkHas(judged(1, 3).message, "differs by 3 (on another machine by 2 at most)");
+  simreel::test::checkHas(judged(25, 1).message, "of the pixels differ (on another machine 2% at most)");
+  // A scene that is stricter is stricter everywhere.
+  scene::Tolerance none;
+  none.max_channel_diff = 0;
+  none.max_diff_ratio = 0;
+  CHECK(!passes(baseline.judged(made(1, 1), otherMachine(), none)));
+  // State has to be equal everywhere.
+  RunFrame moved = made(0, 0);
+  moved.state["flag.positions"] = "bb";
+  simreel::test::checkHas(baseline.judged(moved, otherMachine()).message,
+                          "the state differs: flag.positions");
+}
+
+TEST_CASE("judge: the mean FLIP error counts on another machine") {
+  Metrics metrics;
+  CHECK(brokenNearness(metrics, width, height).empty());
+  metrics.flipMean = 0.0021;
+  REQUIRE(brokenNearness(metrics, width, height).size() == 1);
+  simreel::test::checkHas(brokenNearness(metrics, width, height).front(), "FLIP error is 0.0021");
+}
+
+TEST_CASE("judge: other numerics have the scene's tolerance") {
+  const Baseline baseline(maker);
+  Origin other = otherMachine();
+  other.numerics = "others";
+  CHECK(passes(baseline.judged(made(1200, 12), other)));
+  CHECK(baseline.judged(made(1200, 12), other).asked == "tolerance");
+  CHECK(!passes(baseline.judged(made(1200, 13), other)));
+}
+
+TEST_CASE("judge: baselines of before machines were noted are read") {
+  const Baseline baseline({"numerics", "", "", ""});
+  std::ifstream file(baseline.folder() / "any/baseline.json");
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  CHECK(!simreel::test::has(text, "machine"));
+  CHECK(!simreel::test::has(text, "drawing"));
+  CHECK(passes(baseline.judged(made(1, 2), maker)));
+  CHECK(!passes(baseline.judged(made(1, 3), maker)));
+}
+
+TEST_CASE("judge: a baseline remembers the machine of each frame") {
+  const Baseline baseline(maker);
+  const auto read = readPictures(baseline.folder(), "any");
+  REQUIRE(read);
+  CHECK(read->frames.at(0).origin == maker);
+}

@@ -1,0 +1,95 @@
+#include "base/error.hpp"
+#include "golden/report/html.hpp"
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+#include <doctest/doctest.h>
+#include <nlohmann/json.hpp>
+
+using namespace simreel;
+namespace fs = std::filesystem;
+
+namespace {
+
+std::size_t count(const std::string& text, const std::string& what) {
+  std::size_t n = 0;
+  for (auto at = text.find(what); at != std::string::npos; at = text.find(what, at + what.size())) ++n;
+  return n;
+}
+
+/// The text between the data's script tags.
+std::string dataOf(const std::string& page) {
+  const std::string open = "<script id=\"data\" type=\"application/json\">";
+  const auto begin = page.find(open) + open.size();
+  return page.substr(begin, page.find("</script>", begin) - begin);
+}
+
+class Folder {
+ public:
+  Folder() : path_(fs::temp_directory_path() / "simreel-report-html-test") {
+    fs::remove_all(path_);
+    fs::create_directories(path_);
+  }
+  ~Folder() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+  }
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+  Folder(Folder&&) = delete;
+  Folder& operator=(Folder&&) = delete;
+  [[nodiscard]] const fs::path& path() const { return path_; }
+
+ private:
+  fs::path path_;
+};
+
+}  // namespace
+
+TEST_CASE("html report: data comes out as it went in, whatever its text is") {
+  const nlohmann::json data = {{"name", "</script><!-- <script> ]]> & \" ' \xe2\x80\xa8 {{app.js}}"}};
+  const std::string page = golden::htmlReport(data.dump(1));
+  CHECK(nlohmann::json::parse(dataOf(page)) == data);
+  CHECK(dataOf(page).find('<') == std::string::npos);
+  CHECK(dataOf(page).find("{{app.js}}") != std::string::npos);
+}
+
+TEST_CASE("html report: every file is inside once, and nothing outside is referred to") {
+  const std::string page = golden::htmlReport("{}");
+  CHECK(golden::pageFiles().size() >= 8);
+  for (const golden::PageFile& file : golden::pageFiles()) {
+    if (std::string(file.path) == "index.html") continue;
+    CAPTURE(file.path);
+    CHECK(count(page, file.text) == 1);
+    // Neither may end the element it stands in.
+    CHECK(std::string(file.text).find("</") == std::string::npos);
+  }
+  CHECK(count(page, "{{") == 0);
+  // The one address is the name of the SVG namespace.
+  CHECK(count(page, "://") == 1);
+  CHECK(count(page, "http://www.w3.org/2000/svg") == 1);
+  CHECK(count(page, "innerHTML") == 0);
+  CHECK(golden::htmlReport("{}") == page);
+}
+
+TEST_CASE("html report: written whole, or one line says why not") {
+  const Folder folder;
+  golden::writeReportPage(folder.path(), "{\"a\": 1}");
+  std::ifstream file(folder.path() / "index.html", std::ios::binary);
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  CHECK(text == golden::htmlReport("{\"a\": 1}"));
+
+  const fs::path gone = folder.path() / "gone";
+  try {
+    golden::writeReportPage(gone, "{}");
+    FAIL("an error was expected");
+  } catch (const UserError& error) {
+    CHECK(error.code() == ExitCode::inputOutput);
+    const std::string message = error.what();
+    CHECK(message.find((gone / "index.html").string()) != std::string::npos);
+    CHECK(message.find('\n') == std::string::npos);
+  }
+}

@@ -1,0 +1,290 @@
+// Step traces without a device: layout, file, comparison. The sanitizer build runs this too.
+#include "golden/trace/trace.hpp"
+
+#include "base/error.hpp"
+#include "base/hash.hpp"
+#include "golden/trace/file.hpp"
+#include "golden/trace/layout.hpp"
+
+#include <chrono>
+#include <cstring>
+#include <functional>
+
+#include <doctest/doctest.h>
+
+using namespace simreel;
+using namespace simreel::golden;
+
+namespace {
+
+using Arrays = std::vector<StepTrace::Array>;
+
+const Arrays twoArrays = {{"flag", "positions", 137, 137, 3}, {"flag", "velocities", 70, 70, 3}};
+
+/// Stands for the hash of an element: any function of all of these will do.
+std::uint32_t elementHash(int frame, std::uint32_t array, std::uint32_t step, std::uint32_t element) {
+  std::uint32_t h =
+      static_cast<std::uint32_t>(frame) * 2654435761U + array * 40503U + step * 7919U + element;
+  h = (h ^ (h >> 16U)) * 0x7feb352dU;
+  h = (h ^ (h >> 15U)) * 0x846ca68bU;
+  return h ^ (h >> 16U);
+}
+
+using Disturb = std::function<std::uint32_t(int frame, std::uint32_t array, std::uint32_t step,
+                                            std::uint32_t element, std::uint32_t hash)>;
+
+/// Sums of blocks and the weighted sum, as glsl/common/block_hash.comp makes them.
+StepTrace made(const Arrays& arrays, int first, int last, std::size_t mostBytes,
+               const Disturb& disturb = {}) {
+  StepTrace trace = layOut(arrays, first, last, mostBytes);
+  for (std::uint32_t index = 0; index <= trace.frames; ++index)
+    for (std::uint32_t a = 0; a < arrays.size(); ++a) {
+      const StepTrace::Array& array = trace.arrays[a];
+      const bool every = index > 0 && index <= trace.detailed;
+      for (std::uint32_t step = every ? 1 : array.steps; step <= array.steps; ++step) {
+        std::vector<std::uint32_t> words(array.words());
+        for (std::uint32_t i = 0; i < array.elements; ++i) {
+          const int frame = first + static_cast<int>(index);
+          std::uint32_t h = elementHash(frame, a, step, i);
+          if (disturb) h = disturb(frame, a, step, i, h);
+          words[i / array.perBlock] += h;
+          words.back() += (i + 1) * h;
+        }
+        trace.words.insert(trace.words.end(), words.begin(), words.end());
+      }
+    }
+  REQUIRE(trace.words.size() == trace.totalWords());
+  return trace;
+}
+
+/// Changes one element from a step on, as a run that leaves its baseline does.
+Disturb from(int frame, std::uint32_t array, std::uint32_t step, std::uint32_t element, std::uint32_t by) {
+  return [=](int f, std::uint32_t a, std::uint32_t s, std::uint32_t i, std::uint32_t h) {
+    const bool later = f > frame || (f == frame && s >= step);
+    return later && a == array && i == element ? h + by : h;
+  };
+}
+
+std::string refusal(std::span<const std::byte> bytes) {
+  try {
+    static_cast<void>(decodeTrace(bytes, "steps.bin"));
+  } catch (const UserError& error) {
+    CHECK(error.code() == ExitCode::inputOutput);
+    return error.what();
+  }
+  return "";
+}
+
+/// Makes the hash at the end right again, so that damage gets past it.
+void sign(std::vector<std::byte>& bytes) {
+  const std::string hash = hashHex(std::span(bytes).first(bytes.size() - 32));
+  std::memcpy(bytes.data() + bytes.size() - 32, hash.data(), 32);
+}
+
+bool equal(const StepTrace& a, const StepTrace& b) {
+  return a.arrays == b.arrays && a.firstFrame == b.firstFrame && a.frames == b.frames &&
+         a.detailed == b.detailed && a.words == b.words;
+}
+
+}  // namespace
+
+TEST_CASE("a trace is laid out as fine as its bytes allow") {
+  const auto bytes = [](const StepTrace& trace) { return trace.totalWords() * 4; };
+  const auto fine = layOut(twoArrays, -3, 5, 96 << 10);
+  CHECK(fine.frames == 8);
+  CHECK(fine.detailed == 8);
+  CHECK(fine.arrays[0].perBlock == 3);  // 64 blocks at most: 137 / 64, rounded up
+  std::uint32_t last = 0;
+  for (const std::size_t most : {8192U, 4096U, 2048U, 1024U, 700U, 500U}) {
+    const auto trace = layOut(twoArrays, -3, 5, most);
+    CHECK(bytes(trace) <= most);
+    CHECK(trace.arrays[0].perBlock >= last);
+    last = trace.arrays[0].perBlock;
+  }
+  // One block an array and every step: 4 * (4 + 8 * 3 * 4) = 400 bytes; below that frames lose their steps.
+  CHECK(layOut(twoArrays, -3, 5, 400).detailed == 8);
+  const auto partly = layOut(twoArrays, -3, 5, 399);
+  CHECK(partly.detailed == 7);
+  CHECK(bytes(partly) <= 399);
+  CHECK(layOut(twoArrays, -3, 5, 10).detailed == 0);
+}
+
+TEST_CASE("a trace survives its file") {
+  for (const std::size_t most : {std::size_t{96} << 10, std::size_t{399}, std::size_t{10}}) {
+    const auto trace = made(twoArrays, -3, 5, most);
+    CHECK(equal(decodeTrace(encodeTrace(trace), "steps.bin"), trace));
+  }
+  const auto still = made({}, 0, 4, 1000);  // nothing that is simulated
+  CHECK(equal(decodeTrace(encodeTrace(still), "steps.bin"), still));
+}
+
+TEST_CASE("a trace file cut short anywhere is refused in one line") {
+  const auto whole = encodeTrace(made(twoArrays, -1, 1, 700));
+  for (std::size_t size = 0; size < whole.size(); ++size) {
+    std::vector<std::byte> part(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(size));
+    for (const bool resigned : {false, true}) {
+      if (resigned && size >= 40) sign(part);
+      const std::string message = refusal(part);
+      INFO(size, message);
+      CHECK(message.find("steps.bin") != std::string::npos);
+      CHECK(message.find('\n') == std::string::npos);
+    }
+  }
+}
+
+TEST_CASE("damage to a trace file is noticed, and none that is signed crashes the reader") {
+  const auto whole = encodeTrace(made(twoArrays, -1, 1, 700));
+  std::uint32_t random = 1;
+  for (std::size_t at = 0; at < whole.size(); ++at)
+    for (int round = 0; round < 6; ++round) {
+      auto damaged = whole;
+      random = random * 747796405U + 2891336453U;
+      const auto put = round == 0 ? 0xffU : round == 1 ? 0x7fU : round == 2 ? 0U : random >> 24U;
+      if (damaged[at] == static_cast<std::byte>(put)) continue;
+      damaged[at] = static_cast<std::byte>(put);
+      CHECK(!refusal(damaged).empty());
+      sign(damaged);
+      static_cast<void>(refusal(damaged));
+    }
+}
+
+TEST_CASE("absurd numbers in a trace file take no memory") {
+  const auto whole = encodeTrace(made({{"a", "b", 5, 5, 2}}, 0, 2, 1000));
+  // magic, first frame, frames, detailed, arrays, "a", "b", elements, elements a block, steps
+  for (const std::size_t at : {8U, 12U, 16U, 20U, 24U, 29U, 34U, 38U, 42U})
+    for (const std::uint32_t value : {0xffffffffU, 0x7fffffffU, 0x40000000U, 0x00ffffffU, 0x80000000U}) {
+      if (at == 8 && value == 0xffffffffU) continue;  // a first frame of -1 is none
+      auto damaged = whole;
+      std::memcpy(damaged.data() + at, &value, sizeof value);
+      sign(damaged);
+      INFO(at, " ", value);
+      CHECK(!refusal(damaged).empty());
+    }
+  // A block that the kernel cannot cut into equal shares would give other sums.
+  auto uneven = encodeTrace(made({{"a", "b", 64, 64, 1}}, 0, 1, 12));
+  const std::uint32_t perBlock = 97;
+  std::memcpy(uneven.data() + 38, &perBlock, sizeof perBlock);
+  sign(uneven);
+  CHECK(refusal(uneven).find("sizes make no sense") != std::string::npos);
+}
+
+TEST_CASE("equal traces have no divergence") {
+  const auto trace = made(twoArrays, -3, 5, 4096);
+  CHECK(!compareTraces(trace, trace));
+  CHECK(!compareTraces(made(twoArrays, -3, 9, 4096), trace));  // further frames say nothing
+}
+
+TEST_CASE("a trace without arrays costs nothing, however many frames it claims") {
+  StepTrace trace;
+  trace.frames = 1U << 31U;
+  const auto start = std::chrono::steady_clock::now();
+  CHECK_FALSE(compareTraces(trace, trace));
+  StepTrace other = trace;
+  other.detailed = 1;
+  CHECK_FALSE(compareTraces(trace, other));
+  CHECK(reduced(trace, true, 0).words.empty());
+  CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(1));
+}
+
+TEST_CASE("one changed element is named exactly, wherever it is") {
+  for (const std::size_t most : {std::size_t{96} << 10, std::size_t{2048}, std::size_t{700}}) {
+    const auto baseline = made(twoArrays, -3, 5, most);
+    for (std::uint32_t element = 0; element < 137; ++element)
+      for (const std::uint32_t by : {1U, 6U, 0xfffffff0U, 0x12345678U}) {
+        const auto found =
+            compareTraces(made(twoArrays, -3, 5, most, from(-1, 0, 2, element, by)), baseline);
+        REQUIRE(found.has_value());
+        INFO(most, " ", element, " ", by, " ", found->message);
+        CHECK(found->frame == -1);
+        CHECK(found->step == 2);
+        CHECK(found->steps == 3);
+        CHECK(found->object == "flag");
+        CHECK(found->buffer == "positions");
+        CHECK(found->firstElement == element);
+        CHECK(found->lastElement == element);
+        CHECK(found->message.find(fmt::format("frame -1, step 2 of 3: flag.positions, element {}",
+                                              element)) != std::string::npos);
+      }
+  }
+}
+
+TEST_CASE("an element whose hashes differ by a high power of two is not guessed") {
+  const auto baseline = made(twoArrays, 0, 2, 700);
+  const auto found = compareTraces(made(twoArrays, 0, 2, 700, from(1, 0, 1, 10, 0x80000000U)), baseline);
+  REQUIRE(found.has_value());
+  CHECK(found->firstElement <= 10);
+  CHECK(found->lastElement >= 10);
+  CHECK(found->lastElement > found->firstElement);  // (i + 1) 2^31 is the same for every second i
+}
+
+TEST_CASE("several changed elements are a range, and an earlier step of a later array comes first") {
+  const auto baseline = made(twoArrays, -3, 5, 2048);
+  const auto several = made(twoArrays, -3, 5, 2048, [](int f, auto a, auto s, auto i, std::uint32_t h) {
+    const bool first = f == 2 && s == 1 && a == 1 && (i == 20 || i == 21 || i == 69);
+    const bool second = f == 2 && s == 2 && a == 0;
+    return first || second ? h ^ 0x5555U : h;
+  });
+  const auto found = compareTraces(several, baseline);
+  REQUIRE(found.has_value());
+  CHECK(found->buffer == "velocities");
+  CHECK(found->step == 1);
+  CHECK(found->firstElement <= 20);
+  CHECK(found->lastElement >= 20);
+  CHECK(found->lastElement < 69);
+  CHECK(found->message.find("within elements") != std::string::npos);
+}
+
+TEST_CASE("a difference in the first state or after the last frame with steps says so") {
+  const auto first =
+      compareTraces(made(twoArrays, -3, 5, 4096, from(-3, 1, 1, 7, 3)), made(twoArrays, -3, 5, 4096));
+  REQUIRE(first.has_value());
+  CHECK(first->frame == -3);
+  CHECK(first->step == 0);
+  CHECK(first->message.find("first state: flag.velocities, element 7") != std::string::npos);
+  const auto late =
+      compareTraces(made(twoArrays, -3, 5, 300, from(5, 0, 2, 7, 3)), made(twoArrays, -3, 5, 300));
+  REQUIRE(late.has_value());
+  CHECK(late->frame == 5);
+  CHECK(late->step == 0);
+  CHECK(late->message.find("simreel bisect") != std::string::npos);
+}
+
+TEST_CASE("traces of different fineness are compared by what both know") {
+  const auto change = from(3, 0, 2, 99, 12345);
+  for (const std::size_t runBytes : {96U << 10, 2048U, 400U, 300U, 10U})
+    for (const std::size_t baseBytes : {96U << 10, 2048U, 400U, 300U, 10U}) {
+      INFO(runBytes, " ", baseBytes);
+      const auto run = made(twoArrays, -3, 5, runBytes, change);
+      const auto baseline = made(twoArrays, -3, 7, baseBytes);
+      CHECK(!compareTraces(made(twoArrays, -3, 5, runBytes), baseline));
+      const auto found = compareTraces(run, baseline);
+      REQUIRE(found.has_value());
+      CHECK(found->frame == 3);
+      CHECK(found->step == (std::min(run.detailed, baseline.detailed) >= 6 ? 2 : 0));
+      CHECK(found->buffer == "positions");
+      CHECK(found->firstElement == 99);
+      CHECK(found->lastElement == 99);
+    }
+}
+
+TEST_CASE("other arrays, sizes, steps or starts are a divergence at the first frame") {
+  const auto baseline = made(twoArrays, -3, 5, 4096);
+  const auto expect = [&](const Arrays& arrays, int first, const char* words) {
+    const auto found = compareTraces(made(arrays, first, 5, 4096), baseline);
+    REQUIRE(found.has_value());
+    INFO(found->message);
+    CHECK(found->frame == first);
+    CHECK(found->message.find(words) != std::string::npos);
+  };
+  auto other = twoArrays;
+  other[1].name = "spins";
+  expect(other, -3, "flag.spins");
+  other = twoArrays;
+  other[0].elements = 138;
+  expect(other, -3, "138 elements");
+  other = twoArrays;
+  other[0].steps = 4;
+  expect(other, -3, "4 steps a frame");
+  expect({twoArrays[0]}, -3, "no such array");
+  expect(twoArrays, -2, "starts at frame -2");
+}

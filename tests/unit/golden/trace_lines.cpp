@@ -1,0 +1,131 @@
+// What `simreel trace` prints, read back; and how two states are compared.
+#include "golden/trace/lines.hpp"
+#include "golden/trace/state_difference.hpp"
+
+#include <bit>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include <doctest/doctest.h>
+
+using namespace simreel::golden;
+
+namespace {
+
+std::uint32_t bitsOf(float x) {
+  return std::bit_cast<std::uint32_t>(x);
+}
+
+const StateDump dump{7, 2, {{"flag", "positions", {1, 2, 3, 4, 5, 6, 7, 8}}, {"flag", "none", {}}}};
+
+}  // namespace
+
+TEST_CASE("the header of a trace survives its line") {
+  TraceHeader header{"1.2.3", "driver \"x\"", "abc", "texel", "", -12, {{"fläg", "positions", 63, 4}}};
+  for (const char* inexact : {"", "exactSin(1.5): GPU 1, CPU 2"}) {
+    header.inexact = inexact;
+    const auto read = readHeaderLine(headerLine(header));
+    CHECK(read.version == header.version);
+    CHECK(read.driver == header.driver);
+    CHECK(read.fingerprint == header.fingerprint);
+    CHECK(read.memoryPath == header.memoryPath);
+    CHECK(read.inexact == header.inexact);
+    CHECK(read.firstFrame == -12);
+    CHECK(read.arrays == header.arrays);
+  }
+}
+
+TEST_CASE("lines of frames and of steps survive") {
+  const StateLine frame{-3, "", 0, 0, {{"b.positions", "00ff"}, {"a.velocities", "12"}}};
+  CHECK(readStateLine(stateLine(frame)) == frame);
+  const StateLine step{5, "b", 2, 22, {{"b.positions", "00ff"}}};
+  CHECK(readStateLine(stateLine(step)) == step);
+  CHECK(stateLine(frame).find('\n') == std::string::npos);
+}
+
+TEST_CASE("what is no trace is refused with its beginning") {
+  for (const std::string& text :
+       {std::string("hello"), std::string(""), std::string("{}"), std::string("[1]"), std::string("null"),
+        std::string("{\"frame\":\"x\",\"arrays\":{}}"), std::string(1000, '\x01')}) {
+    CHECK_THROWS_AS(static_cast<void>(readHeaderLine(text)), std::runtime_error);
+    CHECK_THROWS_AS(static_cast<void>(readStateLine(text)), std::runtime_error);
+  }
+  CHECK_THROWS_WITH(static_cast<void>(readHeaderLine("hello")), "\"hello\" is no header of a trace");
+  auto later = headerLine({});
+  later.replace(later.find("\"trace\":1"), 9, "\"trace\":2");
+  CHECK_THROWS_WITH(static_cast<void>(readHeaderLine(later)), "its trace has format 2, not 1");
+}
+
+TEST_CASE("a dump survives, and one cut short or too long is refused") {
+  const auto bytes = encodeDump(dump);
+  const auto read = readDump(bytes);
+  CHECK(read.frame == 7);
+  CHECK(read.step == 2);
+  REQUIRE(read.arrays.size() == 2);
+  CHECK(read.arrays[0].object == "flag");
+  CHECK(read.arrays[0].words == dump.arrays[0].words);
+  CHECK(read.arrays[1].words.empty());
+  for (std::size_t size = 0; size < bytes.size(); ++size)
+    CHECK_THROWS_AS(static_cast<void>(readDump(std::span(bytes).first(size))), std::runtime_error);
+  auto longer = bytes;
+  longer.push_back(std::byte{0});
+  CHECK_THROWS_AS(static_cast<void>(readDump(longer)), std::runtime_error);
+}
+
+TEST_CASE("a dump that claims absurd sizes is refused before memory is taken") {
+  for (const char* elements : {"18446744073709551615", "1152921504606846977", "-1", "1e300"}) {
+    const std::string text =
+        std::string(R"({"frame":0,"step":0,"arrays":[{"object":"a","array":"b","elements":)") + elements +
+        "}]}\n0123456789abcdef";
+    CHECK_THROWS_AS(static_cast<void>(readDump(std::as_bytes(std::span(text)))), std::runtime_error);
+  }
+}
+
+TEST_CASE("numbers of a trace's lines that no int holds are refused, never converted") {
+  for (const char* number : {"1e300", "2147483648", "-2147483649", "18446744073709551615", "1.5", "true"}) {
+    const std::string line = R"({"frame":)" + std::string(number) + R"(,"arrays":{}})";
+    CAPTURE(line);
+    CHECK_THROWS_AS(static_cast<void>(readStateLine(line)), std::runtime_error);
+  }
+  CHECK(readStateLine(R"({"frame":-2147483648,"arrays":{}})").frame == std::numeric_limits<int>::min());
+}
+
+TEST_CASE("ulps count the floats between two") {
+  CHECK(ulpsBetween(bitsOf(1.0F), bitsOf(1.0F)) == 0);
+  CHECK(ulpsBetween(bitsOf(1.0F), bitsOf(std::nextafter(1.0F, 2.0F))) == 1);
+  CHECK(ulpsBetween(bitsOf(std::nextafter(1.0F, 0.0F)), bitsOf(std::nextafter(1.0F, 2.0F))) == 2);
+  CHECK(ulpsBetween(bitsOf(0.0F), bitsOf(-0.0F)) == 0);
+  const float least = std::numeric_limits<float>::denorm_min();
+  CHECK(ulpsBetween(bitsOf(-least), bitsOf(least)) == 2);
+  CHECK(ulpsBetween(bitsOf(1.0F), bitsOf(2.0F)) == 1U << 23U);
+  CHECK(ulpsBetween(bitsOf(std::numeric_limits<float>::max()),
+                    bitsOf(std::numeric_limits<float>::infinity())) == 1);
+  CHECK(!ulpsBetween(bitsOf(std::nanf("")), bitsOf(1.0F)));
+  CHECK(!ulpsBetween(0x7fc00000U, 0x7fc00001U));
+}
+
+TEST_CASE("compared words name the first element, count all, and keep the largest distance") {
+  std::vector<std::uint32_t> here(4 * 9, bitsOf(1.0F));
+  auto there = here;
+  CHECK(compareWords(here, there).differing == 0);
+  CHECK(compareWords(here, there).first == -1);
+  there[4 * 3 + 2] = bitsOf(std::nextafter(1.0F, 2.0F));
+  there[4 * 3 + 3] += 2;
+  there[4 * 8] -= 7;
+  here[4 * 5 + 1] = 0x7fc00000U;
+  const auto found = compareWords(here, there);
+  CHECK(found.elements == 9);
+  CHECK(found.differing == 3);
+  CHECK(found.first == 3);
+  CHECK(found.here == std::array{bitsOf(1), bitsOf(1), bitsOf(1), bitsOf(1)});
+  CHECK(found.there == std::array{bitsOf(1), bitsOf(1), bitsOf(1) + 1, bitsOf(1) + 2});
+  CHECK(found.mostUlps == 7);
+  CHECK(found.withNan == 1);
+}
+
+TEST_CASE("zeros of different sign differ though no float lies between") {
+  const auto found = compareWords({0, 0, 0, 0}, {0, 0x80000000U, 0, 0});
+  CHECK(found.differing == 1);
+  CHECK(found.mostUlps == 0);
+}

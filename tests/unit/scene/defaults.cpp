@@ -1,0 +1,164 @@
+// What the pages of `simreel list` and the schema call a default is what applies where a scene leaves it
+// out.
+#include "base/error.hpp"
+#include "base/file.hpp"
+#include "scene/scene.hpp"
+#include "scene/scene_texts.hpp"
+#include "scene/sections.hpp"
+#include "scene/value_writer.hpp"
+#include "sim/world/list.hpp"
+#include "source_folder.hpp"
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <set>
+#include <sstream>
+#include <string>
+
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+using namespace simreel;
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+const std::string scenes = sourceFolder() + "/assets/scenes/";
+
+/// Every value of a scene as it was understood; nothing where it is refused.
+std::optional<Json> understood(const Json& scene) {
+  try {
+    scene::Scene read = scene::parseScene(scene.dump(), scenes + "x.json", {}, sim::kinds());
+    scene::ValueWriter all;
+    scene::describeScene(all, read);
+    scene::describeTests(all, read, std::nullopt);
+    Json values = all.values();
+    for (const scene::Object& object : read.objects) {
+      scene::ValueWriter own;
+      object.parameters->describe(own);
+      scene::Material material = object.material;
+      scene::ValueWriter surface;
+      material.describe(surface);
+      values["objects"][object.name] = {own.values(), surface.values()};
+    }
+    return values;
+  } catch (const UserError&) {
+    return std::nullopt;
+  }
+}
+
+/// Goes through a scene beside its schema and gives, one at a time, each default that it leaves out.
+class GiveDefaults {
+ public:
+  explicit GiveDefaults(Json scene) : scene_(std::move(scene)), plain_(understood(scene_).value()) {}
+
+  void walk(Json& part, const Json& schema, const std::string& path) {
+    for (const auto& [name, property] : schema.at("properties").items()) {
+      const std::string here = path + "." + name;
+      if (!part.contains(name)) {
+        if (property.contains("default")) give(part, name, property.at("default"), here);
+        continue;
+      }
+      if (property.contains("properties")) walk(part[name], property, here);
+      if (property.contains("items") && property.at("items").contains("properties"))
+        for (Json& item : part[name]) walk(item, property.at("items"), here + "[]");
+    }
+  }
+  [[nodiscard]] Json& scene() { return scene_; }
+  int same = 0;
+  std::set<std::string> refused;
+
+ private:
+  void give(Json& part, const std::string& name, const Json& standard, const std::string& path) {
+    part[name] = standard;
+    if (const std::optional<Json> values = understood(scene_)) {
+      CHECK_MESSAGE(*values == plain_, path, " = ", standard.dump(), " given is not the same as left out");
+      ++same;
+    } else {
+      refused.insert(path);
+    }
+    part.erase(name);
+  }
+
+  Json scene_;
+  Json plain_;
+};
+
+/// "name" -> what the page shows as its default.
+std::map<std::string, std::string> shownDefaults(const std::string& page) {
+  std::map<std::string, std::string> shown;
+  std::istringstream lines(scene::helpText(page, sim::kinds()));
+  std::size_t nameAt = 2, defaultAt = 0, rangeAt = 0;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with("  name ")) {
+      defaultAt = line.find("default");
+      rangeAt = line.find("range");
+    } else if (defaultAt > 0 && line.starts_with("  ") && line.size() > rangeAt) {
+      const std::string name = line.substr(nameAt, line.find(' ', nameAt) - nameAt);
+      std::string text = line.substr(defaultAt, rangeAt - defaultAt);
+      text.erase(text.find_last_not_of(' ') + 1);
+      shown.emplace(name, text);
+    } else if (defaultAt > 0) {
+      break;
+    }
+  }
+  return shown;
+}
+
+void comparePage(const std::map<std::string, std::string>& shown, const Json& schema,
+                 const std::string& prefix, int& compared) {
+  for (const auto& [key, property] : schema.at("properties").items()) {
+    const std::string name = key;  // Clang 14 captures no structured binding
+    if (property.contains("default") && shown.contains(prefix + name)) {
+      const Json& standard = property.at("default");
+      const bool counted = shown.at(prefix + name) == fmt::format("{} items", standard.size());
+      CHECK_MESSAGE((counted || shown.at(prefix + name) == standard.dump()), prefix, name);
+      ++compared;
+    }
+    if (property.contains("properties")) comparePage(shown, property, prefix + name + ".", compared);
+    if (property.contains("items") && property.at("items").contains("properties"))
+      comparePage(shown, property.at("items"), prefix + name + "[].", compared);
+  }
+}
+
+}  // namespace
+
+TEST_CASE("defaults: given or left out, every one in every shipped scene is the same") {
+  const Json schema = Json::parse(scene::schemaText(sim::kinds()));
+  int same = 0;
+  std::set<std::string> refused;
+  for (const auto& entry : std::filesystem::directory_iterator(scenes)) {
+    if (entry.path().extension() != ".json" || entry.path().string().ends_with(".test.json")) continue;
+    CAPTURE(entry.path().string());
+    const std::string text = readFile(entry.path(), "scene");
+    GiveDefaults scene(Json::parse(text, nullptr, true, true));
+    scene.walk(scene.scene(), schema, "");
+    for (auto& [name, object] : scene.scene()["objects"].items())
+      for (auto& [kind, part] : object.items()) scene.walk(part, schema.at("$defs").at(kind), kind);
+    same += scene.same;
+    refused.merge(scene.refused);
+  }
+  CHECK(same > 800);
+  // These belong to another parameter, and the message says to which.
+  const std::set<std::string> allowed = {
+      "mesh.grip",        "mesh.file",        "particles.bounce",
+      "particles.margin", "grayScott.preset", ".checks[].object",
+      ".checks[].of",     ".test.xfail",      ".test.tolerance.window_size"};
+  for (const std::string& path : refused) CHECK_MESSAGE(allowed.contains(path), path);
+}
+
+TEST_CASE("defaults: the pages show those of the schema") {
+  const Json schema = Json::parse(scene::schemaText(sim::kinds()));
+  int compared = 0;
+  for (const scene::Kind& kind : sim::kinds())
+    comparePage(shownDefaults(kind.name), schema.at("$defs").at(kind.name), "", compared);
+  for (const char* section : {"render", "time", "camera", "sun", "sky", "ground", "test"})
+    comparePage(shownDefaults(section), schema.at("properties").at(section), "", compared);
+  comparePage(shownDefaults("material"), schema.at("$defs").at("material"), "", compared);
+  CHECK(compared > 300);
+  CHECK(shownDefaults("cloth").at("pins") == R"([{"rows":[-1]}])");
+  CHECK(shownDefaults("life").at("display.map") == "off");
+  CHECK(shownDefaults("grayScott").at("feed") == "the preset's");
+}

@@ -1,0 +1,129 @@
+// Patterns in the formats that others write, and the grid that fits them.
+#include "sim/life/cell_pattern.hpp"
+
+#include "base/error.hpp"
+#include "sim/life/plan.hpp"
+#include "sim/life/rle.hpp"
+#include "source_folder.hpp"
+#include "unit/help.hpp"
+
+#include <set>
+#include <utility>
+
+#include <doctest/doctest.h>
+
+using namespace simreel;
+using simreel::test::checkHas;
+using namespace simreel::sim;
+
+namespace {
+
+using Cells = std::set<std::pair<int, int>>;
+
+Cells cellsOf(const CellPattern& pattern) {
+  Cells cells;
+  for (const CellPattern::Run& run : pattern.runs)
+    for (int i = 0; i < run.length; ++i) cells.emplace(run.x + i, run.y);
+  return cells;
+}
+
+const Cells glider = {{1, 0}, {2, 1}, {0, 2}, {1, 2}, {2, 2}};
+
+std::string mistake(std::string_view text) {
+  try {
+    static_cast<void>(parsePattern(text, "p"));
+  } catch (const UserError& error) {
+    CHECK(error.code() == ExitCode::usage);
+    return error.what();
+  }
+  return "no mistake";
+}
+
+Cells living(const LifePlan& plan) {
+  const glm::ivec2 size = plan.parameters().size;
+  const auto words = plan.firstCells();
+  const CellRows rows{size, words};
+  Cells cells;
+  for (int y = 0; y < size.y; ++y)
+    for (int x = 0; x < size.x; ++x)
+      if (rows.alive(x, y)) cells.emplace(x, y);
+  return cells;
+}
+
+LifeParameters fitted(const char* pattern) {
+  LifeParameters p;
+  p.fill = 0;
+  p.fitted = true;
+  LifePattern placed;
+  placed.file = sourceFolder() + "/assets/patterns/" + pattern + ".rle";
+  p.patterns.push_back(placed);
+  return p;
+}
+
+}  // namespace
+
+TEST_CASE("a glider in every format is the same glider") {
+  for (const char* text :
+       {"x = 3, y = 3, rule = B3/S23\nbo$2bo$3o!", "bo$2bo$3o", ".A$..A$AAA!", ".O\n..O\nOOO\n",
+        "!Name: Glider\r\n!\r\n.O.\r\n..O\r\nOOO\r\n", "!\n.*\n..*\n***",
+        "#Life 1.06\n0 -1\n1 0\n-1 1\n0 1\n1 1\n", "#Life 1.06\r\n7 7\r\n8 8\r\n6 9\r\n7 9\r\n8 9\r\n",
+        "#Life 1.05\n#D a glider\n#N\n#P -1 -1\n.*.\n..*\n***\n",
+        "#Life 1.05\n#P 4 5\n*\n.*\n#P 3 7\n***\n", "\xEF\xBB\xBF#Life 1.06\n1 0\n2 1\n0 2\n1 2\n2 2\n"}) {
+    CAPTURE(text);
+    const CellPattern pattern = parsePattern(text, "p");
+    CHECK(cellsOf(pattern) == glider);
+    CHECK(pattern.size == glm::ivec2(3, 3));
+  }
+  CHECK(cellsOf(parsePattern("!c\n\n.O\n\nO\n", "p")) == Cells{{1, 0}, {0, 2}});
+  CHECK(parsePattern("#Life 1.05\n#R 23/36\n#P 0 0\n*", "p").rule->text() == "B36/S23");
+}
+
+TEST_CASE("mistakes in patterns have line and column") {
+  checkHas(mistake("#Life 1.07\n0 1\n"), "p:1:1: of the formats that begin with \"#Life\"");
+  checkHas(mistake("#Life 1.06\n0 1\n2\n"), "p:3:2: a whole number is missing");
+  checkHas(mistake("#Life 1.06\n0 1 2\n"), "p:2:4: a line holds the place of one cell");
+  checkHas(mistake("#Life 1.06\n0 99999999999\n"), "p:2:3: a place beyond");
+  checkHas(mistake("#Life 1.06\n0 0\n0 2000000\n"), "the living cells are 1 x 2000001 apart");
+  checkHas(mistake("#Life 1.05\n#R 2-a3/3\n#P 0 0\n*"), "p:2:5: this is a rule that asks where");
+  checkHas(mistake("!c\n.O.\n.3.\n"), "p:3:2: '3' in a row of cells");
+  checkHas(mistake("[M2] (golly 3.4)\n#R B3/S23\n"), "p:1:1: this is a macrocell file");
+}
+
+TEST_CASE("names of pattern files") {
+  for (const char* name : {"gun.rle", "a/b.RLE", "c.cells", "d.Life", "e.lif"}) CHECK(isPatternName(name));
+  for (const char* name : {"gun.json", "rle", "gun.rle.json", "gun"}) CHECK_FALSE(isPatternName(name));
+}
+
+TEST_CASE("a grid that is not given fits its patterns, 16 to 9, and they lie in its middle") {
+  const LifePlan gun(fitted("gosper_gun"), "cells", 1, 0.1);
+  CHECK(gun.parameters().size == glm::ivec2(80, 45));  // 36 x 9 and 18 on every side: 72 x 45
+  const Cells cells = living(gun);
+  CHECK(cells.size() == 36);
+  for (const auto& [x, y] : cells) {
+    CHECK(x >= 22);
+    CHECK(x < 58);
+    CHECK(y >= 18);
+    CHECK(y < 27);
+  }
+  const LifePlan glider(fitted("glider"), "cells", 1, 0.1);
+  CHECK(glider.parameters().size == glm::ivec2(48, 27));  // at least 12 on every side
+  auto turned = fitted("gosper_gun");
+  turned.patterns[0].rotate = 90;
+  CHECK(LifePlan(turned, "cells", 1, 0.1).parameters().size == glm::ivec2(128, 72));  // 9 x 36, 72 high
+  auto placed = fitted("glider");
+  placed.patterns[0].at = glm::ivec2(100, 5);
+  CHECK(LifePlan(placed, "cells", 1, 0.1).parameters().size == glm::ivec2(128, 72));  // 115 x 20
+  CHECK(living(LifePlan(placed, "cells", 1, 0.1)).contains({101, 5}));
+}
+
+TEST_CASE("a pattern that was made for a bounded grid brings it along") {
+  const simreel::test::TemporaryFile file("bounded.rle", "x = 3, y = 1, rule = B3/S23:P31,20\n3o!");
+  LifeParameters p = fitted("glider");
+  p.patterns[0].file = file.path();
+  const LifePlan plan(p, "cells", 1, 0.1);
+  CHECK(plan.parameters().size == glm::ivec2(31, 20));
+  CHECK_FALSE(plan.torus());
+  CHECK(living(plan) == Cells{{14, 10}, {15, 10}, {16, 10}});
+  p.borderGiven = true;  // a torus, and the file says otherwise
+  CHECK_THROWS_AS(LifePlan(p, "cells", 1, 0.1), UserError);
+}

@@ -1,0 +1,24 @@
+// Skins may name every object that publishes a field.
+#include "scene/scene.hpp"
+#include "scene/scene_texts.hpp"
+#include "sim/world/list.hpp"
+
+#include <set>
+#include <string>
+
+#include <doctest/doctest.h>
+
+using namespace simreel;
+
+TEST_CASE("every kind that has a field says so") {
+  std::set<std::string> fields;
+  for (const scene::Kind& kind : sim::kinds())
+    if (kind.makeParameters()->isField()) fields.insert(kind.name);
+  std::set<std::string> displayed;  // what can be laid over the picture is a field
+  for (const scene::Kind& kind : sim::kinds())
+    if (scene::helpText(kind.name, sim::kinds()).find("\ndisplay") != std::string::npos ||
+        scene::helpText(kind.name, sim::kinds()).find("\n  display") != std::string::npos)
+      displayed.insert(kind.name);
+  CHECK(displayed.size() >= 4);
+  CHECK(fields == displayed);
+}

@@ -1,0 +1,55 @@
+// Generated meshes: counts, bounds of indices, outward fronts, areas.
+#include "sim/mesh/shapes.hpp"
+
+#include <numbers>
+
+#include <doctest/doctest.h>
+#include <glm/geometric.hpp>
+
+using namespace simreel;
+
+namespace {
+
+/// Checks what holds for every mesh; returns its area in m^2.
+double checkedArea(const sim::Mesh& mesh) {
+  CHECK(mesh.normals.size() == mesh.positions.size());
+  CHECK(mesh.uvs.size() == mesh.positions.size());
+  CHECK(mesh.indices.size() % 3 == 0);
+  int bad = 0;
+  for (const glm::vec3& n : mesh.normals) bad += std::abs(glm::length(n) - 1.0F) < 1e-5F ? 0 : 1;
+  double area = 0;
+  for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
+    const unsigned a = mesh.indices[i];
+    const glm::vec3 p = mesh.positions.at(a);
+    const glm::vec3 face =
+        glm::cross(mesh.positions.at(mesh.indices[i + 1]) - p, mesh.positions.at(mesh.indices[i + 2]) - p);
+    const float twice = glm::length(face);
+    area += 0.5 * twice;
+    if (twice < 1e-6F) continue;  // at a pole
+    glm::vec3 middle(0);
+    for (std::size_t k = 0; k < 3; ++k) middle += mesh.normals[mesh.indices[i + k]];
+    bad += glm::dot(face / twice, glm::normalize(middle)) > 0.9F ? 0 : 1;
+  }
+  CHECK(bad == 0);
+  return area;
+}
+
+}  // namespace
+
+TEST_CASE("a plane of 401x401 vertices has 32-bit indices and faces up") {
+  const sim::Mesh plane = sim::planeMesh({8, 0, 4}, {401, 401});
+  CHECK(plane.positions.size() == 160'801);
+  CHECK(plane.indices.size() == 3 * 320'000);
+  CHECK(checkedArea(plane) == doctest::Approx(32));
+  CHECK(plane.positions.back() == glm::vec3(4, 0, 2));
+  CHECK(plane.uvs.back() == glm::vec2(1, 1));
+  CHECK(plane.indices.back() == 160'800);
+}
+
+TEST_CASE("spheres, capsules and tori face outwards and have their areas") {
+  const double pi = std::numbers::pi;
+  CHECK(checkedArea(sim::sphereMesh(1.5F, {97, 66})) == doctest::Approx(4 * pi * 2.25).epsilon(0.005));
+  CHECK(checkedArea(sim::capsuleMesh(0.5F, 2)) == doctest::Approx(pi + 2 * pi).epsilon(0.005));
+  CHECK(checkedArea(sim::torusMesh(2, 0.5F, {97, 49})) == doctest::Approx(4 * pi * pi).epsilon(0.005));
+  CHECK(sim::sphereMesh(1, {4, 3}).positions.size() == 12);
+}

@@ -1,0 +1,185 @@
+#include "sim/life/rle.hpp"
+
+#include "base/error.hpp"
+#include "reference/life_twin.hpp"
+#include "unit/help.hpp"
+
+#include <doctest/doctest.h>
+
+using namespace simreel;
+using simreel::test::checkHas;
+using namespace simreel::sim;
+
+namespace {
+
+std::string mistake(std::string_view text) {
+  try {
+    static_cast<void>(parseRle(text, "p.rle"));
+  } catch (const UserError& error) {
+    CHECK(error.code() == ExitCode::usage);
+    return error.what();
+  }
+  return "no mistake";
+}
+
+std::string ruleMistake(std::string_view text) {
+  LifeRule rule;
+  const LifeRuleProblem problem = parseLifeRule(text, rule);
+  return problem.message.empty() ? rule.text() : std::to_string(problem.at) + ": " + problem.message;
+}
+
+}  // namespace
+
+TEST_CASE("life rules are read in both spellings") {
+  CHECK(ruleMistake("B3/S23") == "B3/S23");
+  CHECK(ruleMistake("b36/s23") == "B36/S23");
+  CHECK(ruleMistake("B2/S") == "B2/S");
+  CHECK(ruleMistake("B/S012345678") == "B/S012345678");
+  CHECK(ruleMistake("B0/S8") == "B0/S8");
+  CHECK(ruleMistake("23/3") == "B3/S23");
+  CHECK(ruleMistake("/2") == "B2/S");
+  CHECK(ruleMistake("B8763/S5443") != "B3678/S345");  // a 4 twice
+  CHECK(ruleMistake("b3s23") == "B3/S23");
+  CHECK(ruleMistake("B36S23") == "B36/S23");
+  CHECK(ruleMistake("S23/B36") == "B36/S23");
+  CHECK(ruleMistake("s/b2") == "B2/S");
+  CHECK(ruleMistake("SB2") == "B2/S");
+  CHECK(ruleMistake("life") == "B3/S23");
+  CHECK(ruleMistake("B87/S54") == "B78/S45");  // written in order
+  LifeRule rule;
+  CHECK(parseLifeRule("B36/S23", rule).message.empty());
+  CHECK(rule.born == (1 << 3 | 1 << 6));
+  CHECK(rule.survives == (1 << 2 | 1 << 3));
+}
+
+TEST_CASE("rules that make no sense are refused at their place") {
+  checkHas(ruleMistake(""), "0: the rule is empty");
+  checkHas(ruleMistake("B3"), "2: an S is missing");
+  checkHas(ruleMistake("S23/"), "4: a B is missing");
+  checkHas(ruleMistake("B3/B3"), "3: an S is missing");
+  checkHas(ruleMistake("3"), "1: a slash is missing");
+  checkHas(ruleMistake("B39/S23"), "2: a cell has 8 neighbours");
+  checkHas(ruleMistake("B33/S23"), "2: 3 is there twice");
+  checkHas(ruleMistake("B3/23"), "3: an S is missing");
+  checkHas(ruleMistake("B3/"), "3: an S is missing");
+  checkHas(ruleMistake("B3/S2\n"), "5: '?' is not");
+}
+
+TEST_CASE("rules of other kinds are named") {
+  const auto named = [](const char* rule, const char* what) {
+    CAPTURE(rule);
+    checkHas(ruleMistake(rule), what);
+  };
+  for (const char* rule : {"B2-a/S12", "b2ce3-i/s23", "B3/S2-i34q", "2-n3/3", "B2cS"})
+    named(rule, "Hensel");
+  for (const char* rule : {"B2/S/3", "23/3/2", "B2/S345/C4", "345/2/4"})
+    named(rule, "more than two states (Generations)");
+  for (const char* rule : {"LifeHistory", "StateInvestigator", "WireWorld", "JvN29", "LifeSuper"})
+    named(rule, "more than two states");
+  named("R5,C0,M1,S34..58,B34..45,NM", "Larger than Life");
+  named("B3/S23V", "von Neumann");
+  named("B2/S34H", "hexagonal");
+  named("B45/S34L", "triangles");
+  named("W110", "single row");
+  named("M0,8,4,3,2,5,9,7,1,6,10,11,12,13,14,15", "Margolus");
+  named("MAPARYXfhZofugWaH7oaIDogBZofuhogOiAaIDogIAAgAAWaH7oaIDogGiA6ICAAIAAaIDogIAAgACAAIAAAAAAAA", "MAP");
+  named("DayAndNight", "names a rule that is not known");
+}
+
+TEST_CASE("RLE with comments, a rule, runs over lines and blanks") {
+  const CellPattern p = parseRle(
+      "#N name\r\n#C 3o!\n\n  x = 5 ,y=4, rule = b36/s23:T257,130\r\nb\to\n#C between\n2\n$ "
+      "3\no2o$$!\nrest 3q",
+      "p");
+  CHECK(p.size == glm::ivec2(5, 4));
+  REQUIRE(p.rule);
+  CHECK(p.rule->text() == "B36/S23");
+  CHECK(p.border == 'T');
+  CHECK(p.grid == glm::ivec2(257, 130));
+  REQUIRE(p.runs.size() == 2);
+  CHECK(p.runs[0].x == 1);
+  CHECK(p.runs[0].y == 0);
+  CHECK(p.runs[0].length == 1);
+  CHECK(p.runs[1].x == 0);
+  CHECK(p.runs[1].y == 2);
+  CHECK(p.runs[1].length == 5);
+  CHECK_FALSE(parseRle("x=1,y=1\no!", "p").rule);
+  CHECK(parseRle("x = 0, y = 0\n!", "p").runs.empty());
+}
+
+TEST_CASE("RLE as other programs write it: no header, no final mark, dots and capitals") {
+  for (const char* text :
+       {"bo$2bo$3o!", "bo$2bo$3o", "#C a glider\n.A$..A$3A!", "x = 3, y = 3\nbo$2bo$3o\n"}) {
+    CAPTURE(text);
+    const CellPattern p = parseRle(text, "p");
+    CHECK(p.size == glm::ivec2(3, 3));
+    REQUIRE(p.runs.size() == 3);
+    CHECK(p.runs[0].x == 1);
+    CHECK(p.runs[1].y == 1);
+    CHECK(p.runs[2].length == 3);
+    CHECK_FALSE(p.rule);
+  }
+}
+
+TEST_CASE("malformed RLE is refused with line and column") {
+  checkHas(mistake(""), "p.rle:1:1: no pattern");
+  checkHas(mistake("#C only\n"), "p.rle:1:1: no pattern");
+  checkHas(mistake("{\"version\": 1}"), "p.rle:1:1: '{' where b, o, $ or ! is expected");
+  checkHas(mistake("1048576b3o"), "p.rle:1:9: a living cell at [1048578, 0], beyond 1048576");
+  checkHas(mistake("x = 3, z = 3\n3o!"), "p.rle:1:8: 'y' is expected");
+  checkHas(mistake("x = , y = 3\n3o!"), "p.rle:1:5: the width is missing");
+  checkHas(mistake("x = -3, y = 3\n3o!"), "p.rle:1:5: the width is missing");
+  checkHas(mistake("x = 3, y = 99999999999999999999\n3o!"), "p.rle:1:12: the height is above 1048576");
+  checkHas(mistake("x = 3, y = 3, colour = 2\n3o!"), "p.rle:1:15: only \"rule = ...\"");
+  checkHas(mistake("x = 3, y = 3, rule = B3/S29\n3o!"), "p.rle:1:27: a cell has 8 neighbours");
+  checkHas(mistake("x = 3, y = 3, rule = B3/S23:K3,4\n3o!"), "p.rle:1:29: of bounded grids only");
+  checkHas(mistake("x = 3, y = 3 3o!"), "p.rle:1:14: '3' after the header");
+  checkHas(mistake("x = 3, y = 3\n3"), "ends after a count");
+  checkHas(mistake("x = 3, y = 3\n3 2o!"), "p.rle:2:3: a second count");
+  checkHas(mistake("x = 3, y = 3\n0o!"), "p.rle:2:1: a count of 0");
+  checkHas(mistake("x = 3, y = 3\n3!"), "p.rle:2:2: a count before '!'");
+  checkHas(mistake("x = 3, y = 3\n3o$\n b3o!"), "p.rle:3:3: living cells 1 to 3 of row 1 lie outside");
+  checkHas(mistake("x = 3, y = 3\n3o3$o!"), "p.rle:2:5: living cells 0 to 0 of row 3 lie outside");
+  checkHas(mistake("x = 3, y = 3\n2000000o!"), "p.rle:2:1: the count is above 1048576");
+  checkHas(mistake("x = 3, y = 3\n.A$2B!"), "p.rle:2:5: 'B' is of a pattern with more than two states");
+  checkHas(mistake("x = 3, y = 3\npA$2B!"), "p.rle:2:1: 'p' is of a pattern with more than two states");
+  checkHas(mistake("x = 3, y = 3\nbo?!"), "p.rle:2:3: '?' where b, o, $ or ! is expected");
+  checkHas(mistake(std::string_view("x = 3, y = 3\nb\0o!", 17)), "p.rle:2:2: a byte 0x00");
+}
+
+TEST_CASE("what is written is read back, cell for cell, in lines of at most 70 characters") {
+  for (const glm::ivec2 size : {glm::ivec2(257, 130), {31, 5}, {1, 1}, {128, 3}, {300, 7}}) {
+    for (const float share : {0.0F, 0.02F, 0.5F, 1.0F}) {
+      LifeParameters parameters;
+      parameters.size = size;
+      parameters.fill = share;
+      const LifePlan plan(parameters, "cells", 3, 0.1);
+      const auto words = plan.firstCells();
+      const std::string text = writeRle({size, words}, LifeRule{}, 'T', "one\ntwo");
+      std::string_view rest = text;
+      for (std::size_t end = rest.find('\n'); end != std::string_view::npos; end = rest.find('\n')) {
+        CHECK(end <= 70);
+        rest.remove_prefix(end + 1);
+      }
+      CHECK(rest.empty());
+      const CellPattern read = parseRle(text, "written");
+      CHECK(read.size == size);
+      CHECK(read.rule == LifeRule{});
+      CHECK(read.border == 'T');
+      CHECK(read.grid == size);
+      std::vector<std::uint8_t> cells(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y));
+      for (const CellPattern::Run& run : read.runs)
+        for (int i = 0; i < run.length; ++i)
+          cells[static_cast<std::size_t>(run.y) * static_cast<std::size_t>(size.x) +
+                static_cast<std::size_t>(run.x + i)] = 1;
+      CHECK(cells == bytesOf(words, size));
+    }
+  }
+}
+
+TEST_CASE("an RLE file is written as others write it") {
+  const auto words = wordsOf({0, 1, 0, 0, 0, 1, 1, 1, 1, 0, 0, 0}, {3, 4});
+  CHECK(writeRle({{3, 4}, words}, LifeRule{}, 0, "") == "x = 3, y = 4, rule = B3/S23\nbo$2bo$3o!\n");
+  CHECK(writeRle({{3, 4}, words}, LifeRule{}, 'P', "c") ==
+        "#C c\nx = 3, y = 4, rule = B3/S23:P3,4\nbo$2bo$3o!\n");
+}
