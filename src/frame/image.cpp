@@ -8,11 +8,8 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <cstring>
-#include <limits>
 #include <memory>
-#include <new>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -21,52 +18,9 @@
 #include <isa-l/crc.h>
 #include <isa-l/igzip_lib.h>
 
+namespace simreel::frame {
+
 namespace {
-
-/// Memory that stb asks for, kept by each thread for the next picture: fresh pages for every frame
-/// took more than half of the time of an easy one.
-class Scratch {
- public:
-  void* take(std::size_t size) {
-    auto best = free_.end();
-    for (auto block = free_.begin(); block != free_.end(); ++block)
-      if (block->size() >= size && (best == free_.end() || block->size() < best->size())) best = block;
-    if (best == free_.end()) {
-      if (free_.size() >= mostKept) free_.erase(free_.begin());
-      used_.emplace_back(size);
-    } else {
-      used_.push_back(std::move(*best));
-      free_.erase(best);
-    }
-    return used_.back().data();
-  }
-  void giveBack(const void* data) {
-    for (auto block = used_.begin(); block != used_.end(); ++block) {
-      if (block->data() != data) continue;
-      free_.push_back(std::move(*block));
-      used_.erase(block);
-      return;
-    }
-  }
-
- private:
-  static constexpr std::size_t mostKept = 4;  // stb holds four at most
-  std::vector<std::vector<unsigned char>> free_, used_;
-};
-
-thread_local Scratch scratch;
-
-void* takeForStb(std::size_t size) {
-  try {
-    return scratch.take(size);
-  } catch (const std::bad_alloc&) {
-    return nullptr;  // stb is C: it hands the failure on
-  }
-}
-
-void giveBackForStb(const void* data) {
-  scratch.giveBack(data);
-}
 
 /// What ISA-L works in. Each thread keeps one: it is too large for a stack.
 struct Deflater {
@@ -140,56 +94,15 @@ std::optional<std::size_t> compressZlib(std::span<const unsigned char> in, std::
   return size;
 }
 
-/// stb's hook: the result is given back by stb, nullptr means failure.
-unsigned char* compressForStb(const unsigned char* data, int size, int* resultSize, int /*quality*/) {
-  if (size < 0) return nullptr;
-  const auto length = static_cast<std::size_t>(size);
-  const std::size_t bound = zlibBound(length);
-  auto* result = static_cast<unsigned char*>(takeForStb(bound));
-  if (result == nullptr) return nullptr;
-  try {
-    const auto written = compressZlib({data, length}, {result, bound});
-    if (written && *written <= static_cast<std::size_t>(std::numeric_limits<int>::max())) {
-      *resultSize = static_cast<int>(*written);
-      return result;
-    }
-  } catch (const std::bad_alloc&) {  // NOLINT(bugprone-empty-catch): stb hands the failure on.
-  }
-  giveBackForStb(result);
-  return nullptr;
-}
-
-unsigned int crcForStb(const unsigned char* data, int size) {
-  return crc32_gzip_refl(0, data, static_cast<std::uint64_t>(size));
-}
-
-}  // namespace
-
-#define STB_IMAGE_WRITE_IMPLEMENTATION
-#define STB_IMAGE_WRITE_STATIC
-#define STBI_WRITE_NO_STDIO
-#define STBIW_ZLIB_COMPRESS compressForStb
-#define STBIW_CRC32 crcForStb
-#define STBIW_MALLOC(size) takeForStb(static_cast<std::size_t>(size))
-#define STBIW_REALLOC(data, size) nullptr  // stb's own compressor alone would need it
-#define STBIW_FREE(data) giveBackForStb(data)
-#include <stb/stb_image_write.h>
-
-namespace simreel::frame {
-
-namespace {
-
-/// PNG row filter for every row: 1 is Sub (left), 2 Up, 4 Paeth. Measured by tools/bench/png.cpp: Paeth
-/// alone takes longer than all else, None and Sub have the smallest worst file, and Sub is smaller on
-/// the average. Set when the program is loaded, so before any thread can read it.
-[[maybe_unused]] const int rowFilter = stbi_write_force_png_filter = 1;
-
 constexpr int largestSide = 16384;
 constexpr std::size_t signatureAndHeader = 8 + 25;  // the signature, then the whole IHDR chunk
+constexpr std::size_t emptyChunk = 12;
 
-/// RGB of an image, followed by one byte of slack, in a buffer that each thread keeps: fresh pages for
-/// every frame cost as much as a tenth of the encoding.
-std::span<unsigned char> packRgb(const Image& image) {
+using Bytes = std::span<const unsigned char>;
+
+/// RGB of an image in a buffer that each thread keeps until its next image: fresh pages for every frame
+/// cost as much as a tenth of the encoding.
+Bytes packRgb(const Image& image) {
   const std::size_t pixels = std::size_t(image.width) * std::size_t(image.height);
   SIMREEL_CHECK(image.width > 0 && image.height > 0);
   SIMREEL_CHECK_EQ(image.bytes.size(), pixels * 4);
@@ -199,11 +112,39 @@ std::span<unsigned char> packRgb(const Image& image) {
   const std::uint8_t* from = image.bytes.data();
   unsigned char* to = rgb.data();
   for (std::size_t i = 0; i < pixels; ++i, from += 4, to += 3) std::memcpy(to, from, 4);
-  return std::span(rgb).first(pixels * 3);
+  return Bytes(rgb).first(pixels * 3);
 }
 
-void appendBigEndian(std::string& out, std::uint32_t value) {
-  for (const int shift : {24, 16, 8, 0}) out += static_cast<char>((value >> shift) & 0xff);
+/// Rows as PNG stores them, filter Sub (the difference to the pixel on the left) before each. Measured by
+/// tools/bench/png.cpp: Paeth alone takes longer than all else, None and Sub have the smallest worst file,
+/// and Sub is smaller on the average. Kept as packRgb's are.
+Bytes filterRows(Bytes rgb, std::size_t stride) {
+  constexpr unsigned char sub = 1;
+  constexpr std::size_t pixel = 3;
+  thread_local std::vector<unsigned char> rows;
+  const std::size_t height = rgb.size() / stride;
+  rows.resize(height * (stride + 1));
+  unsigned char* to = rows.data();
+  for (std::size_t y = 0; y < height; ++y) {
+    const unsigned char* from = rgb.data() + y * stride;
+    *to++ = sub;
+    for (std::size_t i = 0; i < pixel; ++i) to[i] = from[i];
+    for (std::size_t i = pixel; i < stride; ++i)
+      to[i] = static_cast<unsigned char>(from[i] - from[i - pixel]);
+    to += stride;
+  }
+  return rows;
+}
+
+using File = std::vector<std::byte>;
+
+void append(File& file, std::string_view text) {
+  const auto bytes = std::as_bytes(std::span(text));
+  file.insert(file.end(), bytes.begin(), bytes.end());
+}
+
+void appendBigEndian(File& file, std::uint32_t value) {
+  for (const int shift : {24, 16, 8, 0}) file.push_back(static_cast<std::byte>((value >> shift) & 0xff));
 }
 
 /// Decodes one UTF-8 character from `text` at `i`, moving `i` past it; -1 when it is malformed.
@@ -244,49 +185,73 @@ ChunkText convertText(std::string_view value) {
   return result;
 }
 
+/// A chunk (PNG specification 5.3): length, kind, body, and the CRC of kind and body.
+void appendChunk(File& file, std::string_view kind, std::string_view body) {
+  appendBigEndian(file, static_cast<std::uint32_t>(body.size()));
+  const std::size_t checked = file.size();
+  append(file, kind);
+  append(file, body);
+  appendBigEndian(file, crc32_gzip_refl(0, reinterpret_cast<const unsigned char*>(file.data()) + checked,
+                                        file.size() - checked));
+}
+
 /// tEXt holds Latin-1 only; anything else goes into an uncompressed iTXt (PNG specification 11.3.4).
-std::string textChunk(const std::string& keyword, std::string_view value) {
+void appendText(File& file, const std::string& keyword, std::string_view value) {
   SIMREEL_CHECK(!keyword.empty() && keyword.size() <= 79);
   const ChunkText text = convertText(value);
-  std::string body = text.fitsLatin1 ? "tEXt" : "iTXt";
-  body += keyword;
   // After the keyword's NUL, iTXt has: not compressed, method 0, no language, no translated keyword.
-  body.append(text.fitsLatin1 ? 1 : 5, '\0');
-  body += text.fitsLatin1 ? text.latin1 : text.utf8;
-  std::string chunk;
-  appendBigEndian(chunk, static_cast<std::uint32_t>(body.size() - 4));
-  chunk += body;
-  appendBigEndian(chunk,
-                  crc32_gzip_refl(0, reinterpret_cast<const unsigned char*>(body.data()), body.size()));
-  return chunk;
+  appendChunk(
+      file, text.fitsLatin1 ? "tEXt" : "iTXt",
+      keyword + std::string(text.fitsLatin1 ? 1 : 5, '\0') + (text.fitsLatin1 ? text.latin1 : text.utf8));
+}
+
+std::string hashOf(const Image& image, Bytes rgb) {
+  return hashHex(fmt::format("{}x{} {}", image.width, image.height, hashHex(std::as_bytes(rgb))));
+}
+
+File encode(const Image& image, Bytes rgb, const ImageText& text) {
+  SIMREEL_CHECK(image.width <= largestSide && image.height <= largestSide);
+  std::string header;
+  for (const int side : {image.width, image.height})
+    for (const int shift : {24, 16, 8, 0}) header += static_cast<char>((side >> shift) & 0xff);
+  header += {8, 2, 0, 0, 0};  // bits, RGB, deflate, filtered by row, not interlaced
+
+  const Bytes rows = filterRows(rgb, std::size_t(image.width) * 3);
+  thread_local std::vector<unsigned char> compressed;
+  compressed.resize(zlibBound(rows.size()));
+  const auto size = compressZlib(rows, compressed);
+  if (!size)
+    fail(ExitCode::inputOutput, "cannot encode a {}x{} PNG; is there enough memory?", image.width,
+         image.height);
+
+  File texts;
+  for (const auto& [keyword, value] : text) appendText(texts, keyword, value);
+  File file;
+  file.reserve(signatureAndHeader + texts.size() + *size + 2 * emptyChunk);
+  append(file, "\x89PNG\r\n\x1a\n");
+  appendChunk(file, "IHDR", header);
+  file.insert(file.end(), texts.begin(), texts.end());
+  appendChunk(file, "IDAT", {reinterpret_cast<const char*>(compressed.data()), *size});
+  appendChunk(file, "IEND", {});
+  return file;
 }
 
 }  // namespace
 
 std::vector<std::byte> encodePng(const Image& image, const ImageText& text) {
-  SIMREEL_CHECK(image.width <= largestSide && image.height <= largestSide);
-  const std::span<unsigned char> rgb = packRgb(image);
-  int size = 0;
-  const std::unique_ptr<unsigned char, decltype(&giveBackForStb)> png(
-      stbi_write_png_to_mem(rgb.data(), image.width * 3, image.width, image.height, 3, &size),
-      &giveBackForStb);
-  if (!png)
-    fail(ExitCode::inputOutput, "cannot encode a {}x{} PNG; is there enough memory?", image.width,
-         image.height);
-
-  return withText(std::as_bytes(std::span(png.get(), static_cast<std::size_t>(size))), text);
+  return encode(image, packRgb(image), text);
 }
 
-std::vector<std::byte> withText(std::span<const std::byte> png, const ImageText& text) {
-  std::string chunks;
-  for (const auto& [keyword, value] : text) chunks += textChunk(keyword, value);
+HashedPng encodeHashedPng(const Image& image, const ImageText& text) {
+  const Bytes rgb = packRgb(image);
+  return {encode(image, rgb, text), hashOf(image, rgb)};
+}
+
+void addText(std::vector<std::byte>& png, const ImageText& text) {
   SIMREEL_CHECK(png.size() >= signatureAndHeader);
-  std::vector<std::byte> file(png.size() + chunks.size());
-  std::memcpy(file.data(), png.data(), signatureAndHeader);
-  std::memcpy(file.data() + signatureAndHeader, chunks.data(), chunks.size());
-  std::memcpy(file.data() + signatureAndHeader + chunks.size(), png.data() + signatureAndHeader,
-              png.size() - signatureAndHeader);
-  return file;
+  File texts;
+  for (const auto& [keyword, value] : text) appendText(texts, keyword, value);
+  png.insert(png.begin() + signatureAndHeader, texts.begin(), texts.end());
 }
 
 Image decodeImage(std::span<const std::byte> file, const std::string& name) {
@@ -300,8 +265,7 @@ Image decodeImage(std::span<const std::byte> file, const std::string& name) {
 }
 
 std::string pixelHash(const Image& image) {
-  const std::span<const unsigned char> rgb = packRgb(image);
-  return hashHex(fmt::format("{}x{} {}", image.width, image.height, hashHex(std::as_bytes(rgb))));
+  return hashOf(image, packRgb(image));
 }
 
 }  // namespace simreel::frame

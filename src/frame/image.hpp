@@ -20,8 +20,14 @@ using ImageText = std::vector<std::pair<std::string, std::string>>;
 
 /// RGBA image -> RGB PNG file. Alpha is dropped. Safe to call from several threads.
 [[nodiscard]] std::vector<std::byte> encodePng(const Image& image, const ImageText& text);
-/// A whole PNG file with text chunks put after its header.
-[[nodiscard]] std::vector<std::byte> withText(std::span<const std::byte> png, const ImageText& text);
+/// The same file and its pixelHash, for less than both.
+struct HashedPng {
+  std::vector<std::byte> file;
+  std::string pixels;
+};
+[[nodiscard]] HashedPng encodeHashedPng(const Image& image, const ImageText& text);
+/// Puts text chunks after the header of a whole PNG file.
+void addText(std::vector<std::byte>& png, const ImageText& text);
 /// PNG (or any format stb_image reads) -> RGBA. `name` is used in the UserError(inputOutput) thrown.
 [[nodiscard]] Image decodeImage(std::span<const std::byte> file, const std::string& name);
 /// Hash of size and RGB values (alpha left out), independent of the encoder. 32 hexadecimal digits.

@@ -59,7 +59,8 @@ std::vector<std::byte> heightPicture(const draw::SkinMaps& maps, const ImageText
     fail(ExitCode::inputOutput, "cannot encode a {}x{} height map: {}", maps.size.x, maps.size.y,
          image.message);
   png.resize(size);
-  return withText(png, text);
+  addText(png, text);
+  return png;
 }
 
 }  // namespace

@@ -214,11 +214,11 @@ class SequenceSink final : public FrameSink {
       entry.files[file.name] = hashHex(file.bytes);
     }
     if (image) {
-      const std::vector<std::byte> png = encodePng(*image, chunks(info));
-      writeFileAtomically(output_.file(info.frame), png, NameSync::later);
+      HashedPng png = encodeHashedPng(*image, chunks(info));
+      writeFileAtomically(output_.file(info.frame), png.file, NameSync::later);
       entry.file = output_.fileName(info.frame);
-      entry.bytes = hashHex(png);
-      entry.pixels = pixelHash(*image);
+      entry.bytes = hashHex(png.file);
+      entry.pixels = std::move(png.pixels);
       entry.state = info.stateHash;
     }
     record(info.frame, std::move(entry));
