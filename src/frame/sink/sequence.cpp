@@ -222,7 +222,7 @@ class Pipeline {
                                              : 0;
       timers_.run(&StageTimes::simulate, next, [&] { advanceTo(next); });
       started_ = true;
-      if (summariesUnderWay_ == 6) takeSummary();
+      if (summariesUnderWay_ == sim::World::mostSummaries) takeSummary();
       world_.startSummary();
       ++summariesUnderWay_;
       if (checkpoints_.seconds > 0 && secondsSince(saved_) >= checkpoints_.seconds) saveCheckpoint();

@@ -1,5 +1,6 @@
 #include "sim/world/list.hpp"
 
+#include "base/error.hpp"
 #include "sim/cloth/cloth.hpp"
 #include "sim/gray_scott/gray_scott.hpp"
 #include "sim/life/life.hpp"
@@ -9,6 +10,7 @@
 #include "sim/spread/epidemic.hpp"
 #include "sim/spread/wildfire.hpp"
 
+#include <algorithm>
 #include <vector>
 
 namespace simreel::sim {
@@ -19,6 +21,14 @@ std::span<const SimulationKind> simulations() {
       wildfireKind(), meshKind(),      sphereKind(), capsuleKind(),   planeKind(),
   };
   return list;
+}
+
+const SimulationKind& simulationNamed(std::string_view kind) {
+  const auto list = simulations();
+  const auto found =
+      std::find_if(list.begin(), list.end(), [&](const auto& s) { return s.kind.name == kind; });
+  SIMREEL_CHECK(found != list.end());
+  return *found;
 }
 
 std::span<const scene::Kind> kinds() {

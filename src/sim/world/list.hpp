@@ -3,11 +3,14 @@
 
 #include <memory>
 #include <span>
+#include <string_view>
 
 namespace simreel::sim {
 
 /// Everything a scene's objects can be. A new simulation is one line of list.cpp.
 [[nodiscard]] std::span<const SimulationKind> simulations();
+/// The one of that name, which the scene reader has seen to: it is an invariant that there is one.
+[[nodiscard]] const SimulationKind& simulationNamed(std::string_view kind);
 /// The same as the scene reader wants it.
 [[nodiscard]] std::span<const scene::Kind> kinds();
 

@@ -19,8 +19,6 @@ namespace simreel::sim {
 
 namespace {
 
-constexpr int slots = 8;
-
 /// Hash sums and loss report of one frame: 16 bytes for each state array, and 16 bytes of status for each
 /// object.
 struct Pending {
@@ -72,8 +70,7 @@ std::vector<UserError> findProblems(const scene::Scene& scene) {
     }
   };
   for (const scene::Object& object : scene.objects) {
-    for (const SimulationKind& kind : simulations())
-      if (object.kind == kind.kind.name && kind.check) attempt([&] { kind.check(object, setting); });
+    if (const auto& check = simulationNamed(object.kind).check) attempt([&] { check(object, setting); });
     if (!object.material.texture.empty())
       attempt([&] { static_cast<void>(loadPicture(object.material.texture, "texture", mostTextureSide)); });
   }
@@ -117,9 +114,7 @@ struct World::State {
     setting.startTime = -preroll / fps;
     setting.presteps = presteps;
     for (const std::size_t i : order) {
-      for (const SimulationKind& kind : simulations())
-        if (scene.objects[i].kind == kind.kind.name) objects[i] = kind.make(scene.objects[i], setting);
-      SIMREEL_CHECK(objects[i] != nullptr);
+      objects[i] = simulationNamed(scene.objects[i].kind).make(scene.objects[i], setting);
       if (objects[i]->heights() != nullptr) setting.heights = objects[i]->heights();
     }
     for (const scene::Object& object : scene.objects) names.push_back(object.name);
@@ -132,9 +127,9 @@ struct World::State {
         counting.push_back({i, countRowsOfSlot});
         countRowsOfSlot += objects[i]->counts().steps->bytes() / 16;
       }
-    countCopies = gl::Buffer("copies of counts", countRowsOfSlot * slots * 16);
-    sums = gl::Buffer("state hash sums", std::max<std::size_t>(1, arrays.size()) * slots * 16);
-    statuses = gl::Buffer("status copies", std::max<std::size_t>(1, objects.size()) * slots * 16);
+    countCopies = gl::Buffer("copies of counts", countRowsOfSlot * mostSummaries * 16);
+    sums = gl::Buffer("state hash sums", std::max<std::size_t>(1, arrays.size()) * mostSummaries * 16);
+    statuses = gl::Buffer("status copies", std::max<std::size_t>(1, objects.size()) * mostSummaries * 16);
   }
 
   State(const State&) = delete;
@@ -144,9 +139,9 @@ struct World::State {
   }
 
   void start(int frame) {
-    SIMREEL_CHECK(pending.size() < slots);
+    SIMREEL_CHECK(pending.size() < mostSummaries);
     const int slot = nextSlot;
-    nextSlot = (nextSlot + 1) % slots;
+    nextSlot = (nextSlot + 1) % mostSummaries;
     const std::vector<unsigned> zero(4 * arrays.size());
     sums.write(sumOffset(slot), std::as_bytes(std::span(zero)));
     gl::barrier();

@@ -21,7 +21,7 @@ void compare(const sim::ClothParameters& parameters, int frames,
   object.kind = "cloth";
   object.parameters = std::make_unique<sim::ClothParameters>(parameters);
   const sim::Setting setting{false, 5, frameSeconds, &colliders};
-  const auto gpu = sim::simulations()[0].make(object, setting);
+  const auto gpu = sim::simulationNamed("cloth").make(object, setting);
   ClothTwin twin(sim::ClothPlan(parameters, 5, frameSeconds, colliders));
   for (int frame = 0; frame < frames; ++frame) {
     gpu->step(frame * frameSeconds, {});
