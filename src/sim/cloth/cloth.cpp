@@ -6,10 +6,10 @@
 #include "gl/program.hpp"
 #include "sim/cloth/plan.hpp"
 #include "sim/cloth/quantities.hpp"
+#include "sim/core/step_blocks.hpp"
 #include "sim/mesh/height_field.hpp"
 
 #include <cstdint>
-#include <cstring>
 #include <utility>
 
 namespace simreel::sim {
@@ -56,16 +56,14 @@ class Cloth : public Simulation {
     const unsigned fine[4] = {0xffffffffU, 0xffffffffU, 0, 0};
     status_ = gl::Buffer::of<unsigned>(name_ + " status", fine);
     makePrograms(setting.fast);
-    const auto alignment = static_cast<std::size_t>(gl::limits().uniformAlignment);
-    stepStride_ = (sizeof(shader::ClothStep) + alignment - 1) / alignment * alignment;
-    steps_ = gl::Buffer(name_ + " steps", stepStride_ * static_cast<std::size_t>(plan_.substeps()));
+    steps_ = StepBlocks<shader::ClothStep>(name_ + " steps", plan_.substeps());
   }
 
   void step(double time, const StepWatch& watch) override {
-    upload(plan_.frame(time));
+    steps_.upload(plan_.frame(time));
     status_.bindStorage(7);
     for (int i = 0; i < plan_.substeps(); ++i) {
-      steps_.bindUniform(0, stepStride_ * static_cast<std::size_t>(i), sizeof(shader::ClothStep));
+      steps_.bind(static_cast<std::size_t>(i));
       positions_[0].bindInput(0);
       positions_[1].bindState(1);
       velocities_.bindState(2);
@@ -171,13 +169,6 @@ class Cloth : public Simulation {
     return plan_.parameters().solver == ClothSolver::constraints ? settle_ : step_;
   }
 
-  void upload(const std::vector<shader::ClothStep>& steps) {
-    std::vector<std::byte> bytes(steps_.bytes());
-    for (std::size_t i = 0; i < steps.size(); ++i)
-      std::memcpy(&bytes[i * stepStride_], &steps[i], sizeof steps[i]);
-    steps_.write(0, bytes);
-  }
-
   void constrain() {
     for (const Family& family : families)
       for (int color = 0; color < 2; ++color) {
@@ -202,8 +193,7 @@ class Cloth : public Simulation {
   gl::Vec4Array velocities_;
   gl::Buffer indices_;
   gl::Buffer status_;
-  gl::Buffer steps_;
-  std::size_t stepStride_ = 0;
+  StepBlocks<shader::ClothStep> steps_;
   gl::Program step_, constrain_, settle_;
 };
 

@@ -4,13 +4,13 @@
 #include "gl/element_array.hpp"
 #include "gl/limits.hpp"
 #include "gl/program.hpp"
+#include "sim/core/step_blocks.hpp"
 #include "sim/mesh/height_field.hpp"
 #include "sim/particles/gravity_tree.hpp"
 #include "sim/particles/pairs.hpp"
 #include "sim/particles/plan.hpp"
 
 #include <algorithm>
-#include <cstring>
 #include <memory>
 #include <optional>
 
@@ -48,16 +48,14 @@ class Particles : public Simulation {
     const unsigned fine[4] = {0xffffffffU, 0xffffffffU, 0, 0};
     status_ = gl::Buffer::of<unsigned>(name_ + " status", fine);
     makePrograms(setting.fast);
-    const auto alignment = static_cast<std::size_t>(gl::limits().uniformAlignment);
-    stepStride_ = (sizeof(shader::ParticleStep) + alignment - 1) / alignment * alignment;
-    steps_ = gl::Buffer(name_ + " steps", stepStride_ * static_cast<std::size_t>(p.substeps));
+    steps_ = StepBlocks<shader::ParticleStep>(name_ + " steps", p.substeps);
     if (colors_.empty()) colors_ = {glm::vec3(0.02F), glm::vec3(1.0F)};
   }
 
   void step(double time, const StepWatch& watch) override {
     if (!primed_) prime(time);
     const auto steps = plan_.frame(time);
-    upload(steps);
+    steps_.upload(steps);
     for (int i = 0; i < plan_.parameters().substeps; ++i) {
       bind(i);
       gl::barrier();
@@ -173,7 +171,7 @@ class Particles : public Simulation {
 
   /// The first accelerations: a kick of no length.
   void prime(double time) {
-    upload({plan_.prime(time)});
+    steps_.upload(std::vector{plan_.prime(time)});
     if (attracts()) attract();
     bind(0);
     gl::barrier();
@@ -193,7 +191,7 @@ class Particles : public Simulation {
   }
 
   void bind(int substep) const {
-    steps_.bindUniform(0, stepStride_ * static_cast<std::size_t>(substep), sizeof(shader::ParticleStep));
+    steps_.bind(static_cast<std::size_t>(substep));
     positions_.bindState(0);
     velocities_.bindState(1);
     accelerations_.bindState(2);
@@ -203,13 +201,6 @@ class Particles : public Simulation {
     heights_->bind();
     heights_->tell(move_, substep, p.substeps, p.margin, p.bounce);
     if (!p.emitters.empty()) heights_->tell(birth_, substep, p.substeps, p.margin, p.bounce);
-  }
-
-  void upload(const std::vector<shader::ParticleStep>& steps) {
-    std::vector<std::byte> bytes(stepStride_ * steps.size());
-    for (std::size_t i = 0; i < steps.size(); ++i)
-      std::memcpy(&bytes[i * stepStride_], &steps[i], sizeof steps[i]);
-    steps_.write(0, bytes);
   }
 
   /// Mass of an ordinary particle: of the first group, else of the first emitter.
@@ -225,8 +216,7 @@ class Particles : public Simulation {
   ParticlePlan plan_;
   gl::Vec4Array positions_, velocities_, accelerations_;
   gl::Buffer status_;
-  gl::Buffer steps_;
-  std::size_t stepStride_ = 0;
+  StepBlocks<shader::ParticleStep> steps_;
   const HeightField* heights_ = nullptr;  ///< null: it falls onto nothing
   gl::Program move_, birth_, kick_;       ///< move_: the whole substep unless they attract each other
   PairGravity pairs_;

@@ -2,9 +2,9 @@
 
 #include "gl/element_array.hpp"
 #include "gl/limits.hpp"
+#include "sim/core/step_blocks.hpp"
 #include "sim/spread/epidemic_plan.hpp"
 #include "sim/spread/grid.hpp"
-#include "sim/spread/steps.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -32,7 +32,7 @@ class Epidemic final : public Simulation {
 
   void step(double time, const StepWatch& watch) override {
     const auto steps = plan_.frame(time);
-    steps_.upload(steps);
+    steps_.upload(steps, &EpidemicPlan::Step::data);
     grid_->beginFrame(static_cast<int>(steps.size()));
     for (std::size_t i = 0; i < steps.size(); ++i) {
       steps_.bind(i);
@@ -82,7 +82,7 @@ class Epidemic final : public Simulation {
   std::string name_;
   EpidemicPlan plan_;
   std::vector<glm::vec3> palette_;
-  SpreadSteps<EpidemicPlan::Step> steps_;
+  StepBlocks<decltype(EpidemicPlan::Step::data)> steps_;
   std::optional<SpreadGrid> grid_;
 };
 

@@ -2,8 +2,8 @@
 
 #include "gl/element_array.hpp"
 #include "gl/limits.hpp"
+#include "sim/core/step_blocks.hpp"
 #include "sim/spread/grid.hpp"
-#include "sim/spread/steps.hpp"
 #include "sim/spread/wildfire_plan.hpp"
 
 namespace simreel::sim {
@@ -31,7 +31,7 @@ class Wildfire final : public Simulation {
 
   void step(double time, const StepWatch& watch) override {
     const auto steps = plan_.frame(time);
-    steps_.upload(steps);
+    steps_.upload(steps, &WildfirePlan::Step::data);
     grid_.beginFrame(static_cast<int>(steps.size()));
     for (std::size_t i = 0; i < steps.size(); ++i) {
       steps_.bind(i);
@@ -93,7 +93,7 @@ class Wildfire final : public Simulation {
   std::string name_;
   WildfirePlan plan_;
   std::vector<glm::vec3> palette_;
-  SpreadSteps<WildfirePlan::Step> steps_;
+  StepBlocks<decltype(WildfirePlan::Step::data)> steps_;
   SpreadGrid grid_;
   gl::WordsArray fuels_, ground_, inclines_;
   gl::Vec4Array climbs_;

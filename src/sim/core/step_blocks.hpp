@@ -1,0 +1,44 @@
+#pragma once
+#include "gl/buffer.hpp"
+#include "gl/limits.hpp"
+
+#include <cstddef>
+#include <cstring>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace simreel::sim {
+
+/// What each step of a frame is told, a uniform block each, in one buffer that is written once a frame.
+template <class Block>
+class StepBlocks {
+ public:
+  StepBlocks() = default;
+  /// Room for `count` steps.
+  StepBlocks(const std::string& label, int count) {
+    const auto alignment = static_cast<std::size_t>(gl::limits().uniformAlignment);
+    stride_ = (sizeof(Block) + alignment - 1) / alignment * alignment;
+    buffer_ = gl::Buffer(label, stride_ * static_cast<std::size_t>(count));
+  }
+  /// `blockOf` a step is its block: the member that holds it, where steps know more than the device is
+  /// told.
+  template <class Step, class BlockOf = std::identity>
+  void upload(const std::vector<Step>& steps, BlockOf blockOf = {}) {
+    if (steps.empty()) return;
+    std::vector<std::byte> bytes(stride_ * steps.size());
+    for (std::size_t i = 0; i < steps.size(); ++i) {
+      const Block& block = std::invoke(blockOf, steps[i]);
+      std::memcpy(&bytes[i * stride_], &block, sizeof block);
+    }
+    buffer_.write(0, bytes);
+  }
+  /// For uniform block 0.
+  void bind(std::size_t step) const { buffer_.bindUniform(0, stride_ * step, sizeof(Block)); }
+
+ private:
+  std::size_t stride_ = 0;
+  gl::Buffer buffer_;
+};
+
+}  // namespace simreel::sim
