@@ -6,6 +6,7 @@
 #include "gl/program.hpp"
 #include "sim/cloth/plan.hpp"
 #include "sim/cloth/quantities.hpp"
+#include "sim/core/kind.hpp"
 #include "sim/core/step_blocks.hpp"
 #include "sim/mesh/height_field.hpp"
 
@@ -42,7 +43,7 @@ class Cloth : public Simulation {
   Cloth(const scene::Object& object, const Setting& setting)
       : name_(object.name),
         material_(object.material),
-        plan_(dynamic_cast<const ClothParameters&>(*object.parameters), setting.seed, setting.frameSeconds,
+        plan_(parametersOf<ClothParameters>(object), setting.seed, setting.frameSeconds,
               *setting.colliders),
         size_(plan_.parameters().size),
         heights_(setting.heights),
@@ -200,15 +201,13 @@ class Cloth : public Simulation {
 }  // namespace
 
 SimulationKind clothKind() {
-  return {{"cloth", "A sheet of particles held together by springs, in wind and over colliders.",
-           [] { return std::make_unique<ClothParameters>(); }},
-          [](const scene::Object& object, const Setting& setting) {
-            static_cast<void>(ClothPlan(dynamic_cast<const ClothParameters&>(*object.parameters),
-                                        setting.seed, setting.frameSeconds, *setting.colliders));
-          },
-          [](const scene::Object& object, const Setting& setting) -> std::unique_ptr<Simulation> {
-            return std::make_unique<Cloth>(object, setting);
-          }};
+  return kindOf<ClothParameters>(
+      "cloth", "A sheet of particles held together by springs, in wind and over colliders.",
+      [](const scene::Object& object, const Setting& setting) {
+        static_cast<void>(ClothPlan(parametersOf<ClothParameters>(object), setting.seed,
+                                    setting.frameSeconds, *setting.colliders));
+      },
+      makeSimulation<Cloth>);
 }
 
 }  // namespace simreel::sim

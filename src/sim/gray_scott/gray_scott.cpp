@@ -1,6 +1,7 @@
 #include "sim/gray_scott/gray_scott.hpp"
 
 #include "base/clock.hpp"
+#include "sim/core/kind.hpp"
 #include "sim/gray_scott/kernels.hpp"
 #include "sim/gray_scott/quantities.hpp"
 
@@ -18,8 +19,7 @@ class GrayScott : public Simulation {
   GrayScott(const scene::Object& object, const Setting& setting)
       : name_(object.name),
         uName_(object.name + ".u"),
-        plan_(dynamic_cast<const GrayScottParameters&>(*object.parameters), object.name, setting.seed,
-              setting.frameSeconds),
+        plan_(parametersOf<GrayScottParameters>(object), object.name, setting.seed, setting.frameSeconds),
         kernels_(name_, plan_, setting.fast),
         colors_(plan_.parameters().display.colors()) {
     kernels_.setRates(plan_.ratesAt(0));
@@ -118,18 +118,16 @@ class GrayScott : public Simulation {
 }  // namespace
 
 SimulationKind grayScottKind() {
-  return {{"grayScott",
-           "Two substances that react and spread: spots, stripes, mazes (Gray-Scott); u and v are held to "
-           "0 to 1.",
-           [] { return std::make_unique<GrayScottParameters>(); }},
-          [](const scene::Object& object, const Setting& setting) {
-            GrayScottPlan(dynamic_cast<const GrayScottParameters&>(*object.parameters), object.name,
-                          setting.seed, setting.frameSeconds)
-                .checkPictures();
-          },
-          [](const scene::Object& object, const Setting& setting) -> std::unique_ptr<Simulation> {
-            return std::make_unique<GrayScott>(object, setting);
-          }};
+  return kindOf<GrayScottParameters>(
+      "grayScott",
+      "Two substances that react and spread: spots, stripes, mazes (Gray-Scott); u and v are held to "
+      "0 to 1.",
+      [](const scene::Object& object, const Setting& setting) {
+        GrayScottPlan(parametersOf<GrayScottParameters>(object), object.name, setting.seed,
+                      setting.frameSeconds)
+            .checkPictures();
+      },
+      makeSimulation<GrayScott>);
 }
 
 }  // namespace simreel::sim

@@ -4,6 +4,7 @@
 #include "gl/element_array.hpp"
 #include "gl/limits.hpp"
 #include "gl/program.hpp"
+#include "sim/core/kind.hpp"
 #include "sim/life/life_scene.hpp"
 #include "sim/life/plan.hpp"
 #include "sim/life/rle.hpp"
@@ -30,8 +31,7 @@ class Life : public Simulation {
  public:
   Life(const scene::Object& object, const Setting& setting)
       : name_(object.name),
-        plan_(dynamic_cast<const LifeParameters&>(*object.parameters), object.name, setting.seed,
-              setting.frameSeconds),
+        plan_(parametersOf<LifeParameters>(object), object.name, setting.seed, setting.frameSeconds),
         size_(plan_.parameters().size),
         colors_(plan_.parameters().display.colors()),
         stepper_(plan_.rule(), plan_.torus(), size_, LifeTuning::best(size_)) {
@@ -218,15 +218,15 @@ class Life : public Simulation {
 }  // namespace
 
 SimulationKind lifeKind() {
-  return {{"life", "A cellular automaton: Conway's Game of Life or any rule that counts neighbours.",
-           [] { return std::make_unique<LifeParameters>(); }, sceneAroundPattern},
-          [](const scene::Object& object, const Setting& setting) {
-            static_cast<void>(LifePlan(dynamic_cast<const LifeParameters&>(*object.parameters), object.name,
-                                       setting.seed, setting.frameSeconds));
-          },
-          [](const scene::Object& object, const Setting& setting) -> std::unique_ptr<Simulation> {
-            return std::make_unique<Life>(object, setting);
-          }};
+  SimulationKind life = kindOf<LifeParameters>(
+      "life", "A cellular automaton: Conway's Game of Life or any rule that counts neighbours.",
+      [](const scene::Object& object, const Setting& setting) {
+        static_cast<void>(LifePlan(parametersOf<LifeParameters>(object), object.name, setting.seed,
+                                   setting.frameSeconds));
+      },
+      makeSimulation<Life>);
+  life.kind.sceneAround = sceneAroundPattern;
+  return life;
 }
 
 }  // namespace simreel::sim

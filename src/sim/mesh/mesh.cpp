@@ -1,6 +1,7 @@
 #include "sim/mesh/mesh.hpp"
 
 #include "base/log.hpp"
+#include "sim/core/kind.hpp"
 #include "sim/mesh/buffers.hpp"
 #include "sim/mesh/deform.hpp"
 #include "sim/mesh/deform_plan.hpp"
@@ -35,7 +36,7 @@ class RigidMesh : public Simulation {
 };
 
 Mesh readMesh(const scene::Object& object, const Setting& setting) {
-  const auto& parameters = dynamic_cast<const MeshParameters&>(*object.parameters);
+  const auto& parameters = parametersOf<MeshParameters>(object);
   Mesh mesh = parameters.make(setting.seed);
   if (mesh.uvs.empty() && object.material.hasSkin &&
       object.material.skin.projection == scene::Skin::Projection::uv)
@@ -48,7 +49,7 @@ Mesh readMesh(const scene::Object& object, const Setting& setting) {
 }
 
 void checkMesh(const scene::Object& object, const Setting& setting) {
-  const auto& parameters = dynamic_cast<const MeshParameters&>(*object.parameters);
+  const auto& parameters = parametersOf<MeshParameters>(object);
   const Mesh mesh = readMesh(object, setting);
   if (parameters.deform.list.empty()) return;
   static_cast<void>(DeformPlan(object.name, parameters, mesh, *setting.colliders));
@@ -56,7 +57,7 @@ void checkMesh(const scene::Object& object, const Setting& setting) {
 }
 
 std::unique_ptr<Simulation> makeMesh(const scene::Object& object, const Setting& setting) {
-  const auto& parameters = dynamic_cast<const MeshParameters&>(*object.parameters);
+  const auto& parameters = parametersOf<MeshParameters>(object);
   const Mesh mesh = readMesh(object, setting);
   if (!parameters.deform.list.empty()) return makeDeformedMesh(object, parameters, mesh, setting);
   return std::make_unique<RigidMesh>(object, parameters, mesh);
@@ -65,10 +66,9 @@ std::unique_ptr<Simulation> makeMesh(const scene::Object& object, const Setting&
 }  // namespace
 
 SimulationKind meshKind() {
-  return {{"mesh", "A generated mesh or one from a file, that may move along keyframes and be deformed.",
-           [] { return std::make_unique<MeshParameters>(); }},
-          checkMesh,
-          makeMesh};
+  return kindOf<MeshParameters>(
+      "mesh", "A generated mesh or one from a file, that may move along keyframes and be deformed.",
+      checkMesh, makeMesh);
 }
 
 }  // namespace simreel::sim

@@ -4,6 +4,7 @@
 #include "gl/element_array.hpp"
 #include "gl/limits.hpp"
 #include "gl/program.hpp"
+#include "sim/core/kind.hpp"
 #include "sim/core/step_blocks.hpp"
 #include "sim/mesh/height_field.hpp"
 #include "sim/particles/gravity_tree.hpp"
@@ -34,8 +35,8 @@ class Particles : public Simulation {
   Particles(const scene::Object& object, const Setting& setting)
       : name_(object.name),
         material_(object.material),
-        plan_(dynamic_cast<const ParticleParameters&>(*object.parameters), setting.seed,
-              setting.frameSeconds, mostParticles()) {
+        plan_(parametersOf<ParticleParameters>(object), setting.seed, setting.frameSeconds,
+              mostParticles()) {
     const ParticleParameters& p = plan_.parameters();
     if (p.collides) heights_ = setting.heights;
     if (p.method == GravityMethod::allPairs) pairs_ = PairGravity(setting.fast);
@@ -228,15 +229,13 @@ class Particles : public Simulation {
 }  // namespace
 
 SimulationKind particlesKind() {
-  return {{"particles", "Particles that attract each other, follow fields or stream from emitters.",
-           [] { return std::make_unique<ParticleParameters>(); }},
-          [](const scene::Object& object, const Setting& setting) {
-            static_cast<void>(ParticlePlan(dynamic_cast<const ParticleParameters&>(*object.parameters),
-                                           setting.seed, setting.frameSeconds, mostAnywhere));
-          },
-          [](const scene::Object& object, const Setting& setting) -> std::unique_ptr<Simulation> {
-            return std::make_unique<Particles>(object, setting);
-          }};
+  return kindOf<ParticleParameters>(
+      "particles", "Particles that attract each other, follow fields or stream from emitters.",
+      [](const scene::Object& object, const Setting& setting) {
+        static_cast<void>(ParticlePlan(parametersOf<ParticleParameters>(object), setting.seed,
+                                       setting.frameSeconds, mostAnywhere));
+      },
+      makeSimulation<Particles>);
 }
 
 }  // namespace simreel::sim

@@ -1,5 +1,6 @@
 #include "sim/shape/shape.hpp"
 
+#include "sim/core/kind.hpp"
 #include "sim/mesh/buffers.hpp"
 #include "sim/mesh/shapes.hpp"
 
@@ -16,8 +17,10 @@ Mesh drawnMesh(const ShapeParameters& parameters) {
 /// Solid scenery: no state, moved by keyframes, drawn as a mesh.
 class Shape : public Simulation {
  public:
-  Shape(const scene::Object& object, const ShapeParameters& parameters)
-      : parameters_(parameters), material_(object.material), buffers_(object.name, drawnMesh(parameters)) {}
+  Shape(const scene::Object& object, const Setting& /*setting*/)
+      : parameters_(parametersOf<ShapeParameters>(object)),
+        material_(object.material),
+        buffers_(object.name, drawnMesh(parameters_)) {}
 
   void step(double /*time*/, const StepWatch& /*watch*/) override {}
 
@@ -39,12 +42,7 @@ class Shape : public Simulation {
 
 template <ColliderShape::Kind kind>
 SimulationKind shapeKind(const char* name, const char* doc) {
-  return {{name, doc, [] { return std::make_unique<ShapeParameters>(kind); }},
-          {},
-          [](const scene::Object& object, const Setting&) -> std::unique_ptr<Simulation> {
-            return std::make_unique<Shape>(object,
-                                           dynamic_cast<const ShapeParameters&>(*object.parameters));
-          }};
+  return {{name, doc, [] { return std::make_unique<ShapeParameters>(kind); }}, {}, makeSimulation<Shape>};
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include "gl/element_array.hpp"
 #include "gl/limits.hpp"
+#include "sim/core/kind.hpp"
 #include "sim/core/step_blocks.hpp"
 #include "sim/spread/epidemic_plan.hpp"
 #include "sim/spread/grid.hpp"
@@ -74,7 +75,7 @@ class Epidemic final : public Simulation {
  private:
   [[nodiscard]] const EpidemicParameters& parameters() const { return plan_.parameters(); }
   static const EpidemicParameters& checked(const scene::Object& object) {
-    const auto& parameters = dynamic_cast<const EpidemicParameters&>(*object.parameters);
+    const auto& parameters = parametersOf<EpidemicParameters>(object);
     SpreadGrid::checkLimits(object.name, parameters.size);
     return parameters;
   }
@@ -89,16 +90,14 @@ class Epidemic final : public Simulation {
 }  // namespace
 
 SimulationKind epidemicKind() {
-  return {{"epidemic", "Susceptible, infected and recovered people on a grid of cells.",
-           [] { return std::make_unique<EpidemicParameters>(); }},
-          [](const scene::Object& object, const Setting& setting) {
-            static_cast<void>(EpidemicPlan(dynamic_cast<const EpidemicParameters&>(*object.parameters),
-                                           object.name, setting.seed, setting.frameSeconds)
-                                  .firstCells());
-          },
-          [](const scene::Object& object, const Setting& setting) -> std::unique_ptr<Simulation> {
-            return std::make_unique<Epidemic>(object, setting);
-          }};
+  return kindOf<EpidemicParameters>(
+      "epidemic", "Susceptible, infected and recovered people on a grid of cells.",
+      [](const scene::Object& object, const Setting& setting) {
+        static_cast<void>(EpidemicPlan(parametersOf<EpidemicParameters>(object), object.name, setting.seed,
+                                       setting.frameSeconds)
+                              .firstCells());
+      },
+      makeSimulation<Epidemic>);
 }
 
 }  // namespace simreel::sim

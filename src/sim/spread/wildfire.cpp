@@ -2,6 +2,7 @@
 
 #include "gl/element_array.hpp"
 #include "gl/limits.hpp"
+#include "sim/core/kind.hpp"
 #include "sim/core/step_blocks.hpp"
 #include "sim/spread/grid.hpp"
 #include "sim/spread/wildfire_plan.hpp"
@@ -79,7 +80,7 @@ class Wildfire final : public Simulation {
   [[nodiscard]] const WildfireParameters& parameters() const { return plan_.parameters(); }
   [[nodiscard]] bool climbs() const { return parameters().slope > 0; }
   static const WildfireParameters& checked(const scene::Object& object) {
-    const auto& parameters = dynamic_cast<const WildfireParameters&>(*object.parameters);
+    const auto& parameters = parametersOf<WildfireParameters>(object);
     SpreadGrid::checkLimits(object.name, parameters.size, parameters.slope > 0 ? 2 : 1);
     return parameters;
   }
@@ -102,15 +103,13 @@ class Wildfire final : public Simulation {
 }  // namespace
 
 SimulationKind wildfireKind() {
-  return {{"wildfire", "Fire on a map of fuel, carried by wind from cell to cell.",
-           [] { return std::make_unique<WildfireParameters>(); }},
-          [](const scene::Object& object, const Setting& setting) {
-            static_cast<void>(WildfirePlan(dynamic_cast<const WildfireParameters&>(*object.parameters),
-                                           object.name, setting.seed, setting.frameSeconds));
-          },
-          [](const scene::Object& object, const Setting& setting) -> std::unique_ptr<Simulation> {
-            return std::make_unique<Wildfire>(object, setting);
-          }};
+  return kindOf<WildfireParameters>(
+      "wildfire", "Fire on a map of fuel, carried by wind from cell to cell.",
+      [](const scene::Object& object, const Setting& setting) {
+        static_cast<void>(WildfirePlan(parametersOf<WildfireParameters>(object), object.name, setting.seed,
+                                       setting.frameSeconds));
+      },
+      makeSimulation<Wildfire>);
 }
 
 }  // namespace simreel::sim

@@ -1,0 +1,27 @@
+#pragma once
+#include "sim/core/simulation.hpp"
+
+#include <memory>
+
+namespace simreel::sim {
+
+/// What a scene says of an object of a kind whose parameters are `Parameters`.
+template <class Parameters>
+[[nodiscard]] const Parameters& parametersOf(const scene::Object& object) {
+  return dynamic_cast<const Parameters&>(*object.parameters);
+}
+
+/// Makes a `Model` of an object and its setting.
+template <class Model>
+[[nodiscard]] std::unique_ptr<Simulation> makeSimulation(const scene::Object& object,
+                                                         const Setting& setting) {
+  return std::make_unique<Model>(object, setting);
+}
+
+/// An entry of the list of simulations; `check` and `make` as SimulationKind has them.
+template <class Parameters, class Check, class Make>
+[[nodiscard]] SimulationKind kindOf(const char* name, const char* summary, Check check, Make make) {
+  return {{name, summary, [] { return std::make_unique<Parameters>(); }}, check, make};
+}
+
+}  // namespace simreel::sim
