@@ -3,7 +3,6 @@
 #include "gl/element_array.hpp"
 #include "gl/limits.hpp"
 #include "sim/core/kind.hpp"
-#include "sim/core/step_blocks.hpp"
 #include "sim/spread/epidemic_plan.hpp"
 #include "sim/spread/grid.hpp"
 
@@ -32,18 +31,7 @@ class Epidemic final : public Simulation {
   }
 
   void step(double time, const StepWatch& watch) override {
-    const auto steps = plan_.frame(time);
-    steps_.upload(steps, &EpidemicPlan::Step::data);
-    grid_->beginFrame(static_cast<int>(steps.size()));
-    for (std::size_t i = 0; i < steps.size(); ++i) {
-      steps_.bind(i);
-      grid_->step();
-      grid_->paint(steps[i].strokes);
-      if (watch) watch(static_cast<int>(i) + 1);
-    }
-    grid_->endFrame();
-    if (watch)  // a frame with a step less than others
-      for (int i = static_cast<int>(steps.size()); i < plan_.stepsPerFrame(); ++i) watch(i + 1);
+    grid_->runFrame(plan_.frame(time), steps_, plan_.stepsPerFrame(), watch, [](SpreadGrid::Kernel) {});
   }
 
   [[nodiscard]] int stepsPerFrame() const override { return plan_.stepsPerFrame(); }

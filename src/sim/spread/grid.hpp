@@ -2,6 +2,7 @@
 #include "gl/element_array.hpp"
 #include "sim/core/drawable.hpp"
 #include "sim/core/simulation.hpp"
+#include "sim/core/step_blocks.hpp"
 #include "sim/spread/plan.hpp"
 
 #include <cstdint>
@@ -28,16 +29,30 @@ class SpreadGrid {
              const std::vector<std::uint8_t>& cells, int stepsPerFrame, const char* folder,
              const gl::Defines& defines, const Strokes& strokes);
 
-  /// Room for the counts of so many steps more.
-  void beginFrame(int steps);
-  /// A step's rule, and the strokes that paint into what it leaves, which its counts count. The caller
-  /// binds the step's uniforms at 0 and maps from 2 on. Both end with a barrier.
-  void step();
-  void paint(const std::vector<shader::Stroke>& strokes);
+  /// Kernels that maps are bound for, from input 2 on.
+  enum class Kernel { rule, strokes };
+  /// The steps of a frame: each one's rule, then the strokes that paint into what it leaves, which its
+  /// counts count. `blocks` hold what each is told; `bindMaps(kernel)` binds the maps. A watch hears of
+  /// `stepsPerFrame`, also in a frame with a step less than others.
+  template <class Step, class BindMaps>
+  void runFrame(const std::vector<Step>& steps, StepBlocks<decltype(Step::data)>& blocks, int stepsPerFrame,
+                const StepWatch& watch, BindMaps bindMaps) {
+    blocks.upload(steps, &Step::data);
+    beginFrame(static_cast<int>(steps.size()));
+    for (std::size_t i = 0; i < steps.size(); ++i) {
+      blocks.bind(i);
+      bindMaps(Kernel::rule);
+      step();
+      if (!steps[i].strokes.empty()) bindMaps(Kernel::strokes);
+      paint(steps[i].strokes);
+      if (watch) watch(static_cast<int>(i) + 1);
+    }
+    endFrame();
+    if (!watch) return;
+    for (int i = static_cast<int>(steps.size()); i < stepsPerFrame; ++i) watch(i + 1);
+  }
   /// Strokes that paint into the first state.
   void paintFirst(const std::vector<shader::Stroke>& strokes);
-  /// Copies the frame's counts to where counts() says.
-  void endFrame();
 
   void carryOver(CarryOver& carry);
 
@@ -58,6 +73,14 @@ class SpreadGrid {
                     double steps, Drawables& drawables) const;
 
  private:
+  /// Room for the counts of so many steps more.
+  void beginFrame(int steps);
+  // Both end with a barrier.
+  void step();
+  void paint(const std::vector<shader::Stroke>& strokes);
+  /// Copies the frame's counts to where counts() says.
+  void endFrame();
+
   std::string name_;
   glm::ivec2 size_;
   bool torus_;

@@ -3,7 +3,6 @@
 #include "gl/element_array.hpp"
 #include "gl/limits.hpp"
 #include "sim/core/kind.hpp"
-#include "sim/core/step_blocks.hpp"
 #include "sim/spread/grid.hpp"
 #include "sim/spread/wildfire_plan.hpp"
 
@@ -31,25 +30,8 @@ class Wildfire final : public Simulation {
   }
 
   void step(double time, const StepWatch& watch) override {
-    const auto steps = plan_.frame(time);
-    steps_.upload(steps, &WildfirePlan::Step::data);
-    grid_.beginFrame(static_cast<int>(steps.size()));
-    for (std::size_t i = 0; i < steps.size(); ++i) {
-      steps_.bind(i);
-      fuels_.bindInput(2);
-      ground_.bindInput(3);
-      if (climbs()) {
-        inclines_.bindInput(4);
-        climbs_.bindInput(5);
-      }
-      grid_.step();
-      if (!steps[i].strokes.empty()) ground_.bindInput(2);
-      grid_.paint(steps[i].strokes);
-      if (watch) watch(static_cast<int>(i) + 1);
-    }
-    grid_.endFrame();
-    if (watch)  // a frame with a step less than others
-      for (int i = static_cast<int>(steps.size()); i < plan_.stepsPerFrame(); ++i) watch(i + 1);
+    grid_.runFrame(plan_.frame(time), steps_, plan_.stepsPerFrame(), watch,
+                   [&](SpreadGrid::Kernel kernel) { bindMaps(kernel); });
   }
 
   [[nodiscard]] int stepsPerFrame() const override { return plan_.stepsPerFrame(); }
@@ -77,6 +59,14 @@ class Wildfire final : public Simulation {
   }
 
  private:
+  void bindMaps(SpreadGrid::Kernel kernel) const {
+    if (kernel == SpreadGrid::Kernel::strokes) return ground_.bindInput(2);
+    fuels_.bindInput(2);
+    ground_.bindInput(3);
+    if (!climbs()) return;
+    inclines_.bindInput(4);
+    climbs_.bindInput(5);
+  }
   [[nodiscard]] const WildfireParameters& parameters() const { return plan_.parameters(); }
   [[nodiscard]] bool climbs() const { return parameters().slope > 0; }
   static const WildfireParameters& checked(const scene::Object& object) {
