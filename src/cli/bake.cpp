@@ -93,7 +93,10 @@ void bake(const BakeOptions& o) {
         info("simreel: interrupted; the {} files written so far are whole", files);
         return setExitCode(128 + signal);
       }
-      world.advanceTo(simulated);
+      if (simulated < frame)
+        world.passTo(simulated);
+      else
+        world.advanceTo(simulated);
       world.startSummary();
       static_cast<void>(world.takeSummary(true));  // throws when the state is lost
     }

@@ -167,7 +167,10 @@ void bakeMaps(const MapsOptions& o) {
         info("simreel: interrupted; the {} files written so far are whole", writer.files());
         return setExitCode(128 + signal);
       }
-      world.advanceTo(simulated);
+      if (simulated < frame)
+        world.passTo(simulated);
+      else
+        world.advanceTo(simulated);
       world.startSummary();
       static_cast<void>(world.takeSummary(true));  // throws when the state is lost
     }

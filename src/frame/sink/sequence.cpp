@@ -156,6 +156,13 @@ class Pipeline {
     if (checkpoints_.file.empty() || checkpoints_.seconds <= 0 || !started_ || world_.frame() < 0) return;
     if (!sink_.ownsCheckpoint()) return;
     drain();
+    if (!seen_) {
+      world_.show();
+      seen_ = true;
+      if (summariesUnderWay_ == sim::World::mostSummaries) takeSummary();
+      world_.startSummary();
+      ++summariesUnderWay_;
+    }
     while (summariesUnderWay_ > 0) takeSummary();
     const Stopwatch watch(stages_.wait);
     sink_.settle();
@@ -202,11 +209,15 @@ class Pipeline {
   }
 
   /// Frame by frame, watching for signals: a pre-roll, or the way to a far frame, takes its time.
-  void advanceTo(int next) {
+  void advanceTo(int next, bool seen) {
     const long preroll = -world_.firstFrame();
     while (world_.frame() < next) {
       if (const int signal = interruptSignal()) throw Interrupted{signal};
-      world_.advanceTo(world_.frame() + 1);
+      seen_ = seen && world_.frame() + 1 == next;
+      if (seen_)
+        world_.advanceTo(next);
+      else
+        world_.passTo(world_.frame() + 1);
       if (world_.frame() <= 0) progress_.prepare(preroll + world_.frame(), preroll);
     }
   }
@@ -220,7 +231,7 @@ class Pipeline {
                        : resumed_.frame >= 0 ? resumed_.frame
                        : counting_           ? world_.firstFrame()
                                              : 0;
-      timers_.run(&StageTimes::simulate, next, [&] { advanceTo(next); });
+      timers_.run(&StageTimes::simulate, next, [&] { advanceTo(next, next >= frame || counting_); });
       started_ = true;
       if (summariesUnderWay_ == sim::World::mostSummaries) takeSummary();
       world_.startSummary();
@@ -318,6 +329,7 @@ class Pipeline {
   std::optional<sim::World::Summary> latest_;
   int summariesUnderWay_ = 0;
   bool started_ = false;
+  bool seen_ = true;  ///< whether the present frame was stepped, not passed
   int delivered_ = 0;
   struct {
     int frame = std::numeric_limits<int>::min();  ///< none: before every frame

@@ -81,9 +81,12 @@ class Simulation {
   virtual ~Simulation() = default;
   /// Advances by one frame: from `time` to `time + frameSeconds` (s of scene time).
   virtual void step(double time, const StepWatch& watch) = 0;
+  /// The same for a frame at which nobody looks: only what later frames depend on (carryOver) has to be
+  /// right afterwards, until resumed() or a step makes the rest.
+  virtual void pass(double time) { step(time, {}); }
   /// Names what the next frame depends on beyond scene and time, to be read or put back.
   virtual void carryOver(CarryOver& /*carry*/) {}
-  /// After it was put back: makes what else belongs to the state at `time`.
+  /// After it was put back, or frames were passed: makes what else belongs to the state at `time`.
   virtual void resumed(double /*time*/) {}
   /// Steps that a frame takes: the calls of a watch.
   [[nodiscard]] virtual int stepsPerFrame() const { return 1; }

@@ -75,6 +75,14 @@ class DeformedMesh : public Simulation {
     if (watch) watch(1);
   }
 
+  /// Where vertices are depends on the time alone; trails stay, and others fall between two frames'
+  /// heights.
+  void pass(double time) override {
+    if (heights_) return step(time, {});
+    time_ = time + frameSeconds_;
+    if (plan_.hasTrail()) press(time_);
+  }
+
   void carryOver(CarryOver& carry) override {
     if (plan_.hasTrail()) carry.array("trail", trail_.buffer());
     if (!heights_) return;

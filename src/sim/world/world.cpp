@@ -243,6 +243,15 @@ void World::advanceTo(int frame, const Watch& watch, const Stepped& stepped) {
   }
 }
 
+void World::passTo(int frame) {
+  for (; state_->done < frame + state_->preroll; ++state_->done)
+    for (const std::size_t i : state_->order) state_->objects[i]->pass(time());
+}
+
+void World::show() {
+  for (const std::size_t i : state_->order) state_->objects[i]->resumed(time());
+}
+
 void World::carryOver(CarryOver& carry, const std::function<void(const std::string& object)>& begin) {
   for (std::size_t i = 0; i < state_->objects.size(); ++i) {
     begin(state_->names[i]);
@@ -253,7 +262,7 @@ void World::carryOver(CarryOver& carry, const std::function<void(const std::stri
 void World::resumeAt(int frame) {
   SIMREEL_CHECK(frame >= firstFrame());
   state_->done = frame + state_->preroll;
-  for (const std::size_t i : state_->order) state_->objects[i]->resumed(time());
+  show();
 }
 
 int World::firstFrame() const {

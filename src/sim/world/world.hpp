@@ -37,6 +37,11 @@ class World {
   using Stepped = std::function<void(std::size_t object)>;
   /// Simulates up to `frame` (0: the pre-roll only). Never goes back.
   void advanceTo(int frame, const Watch& watch = {}, const Stepped& stepped = {});
+  /// The same, but nobody may look at the state there: neither draw, nor read, nor believe its hash, until
+  /// advanceTo() goes further or show() is called.
+  void passTo(int frame);
+  /// Makes the state of a frame that was passed what advanceTo() would have left.
+  void show();
   /// What the next frame depends on, object by object: `begin` hears the name of each before its parts.
   void carryOver(CarryOver& carry, const std::function<void(const std::string& object)>& begin);
   /// After it was put back: the present frame is `frame`, which must not be before the first.
