@@ -50,7 +50,8 @@ struct FrameResult {
   std::string pixels, expectedPixels;  ///< hashes; expected is empty without a baseline
   int alternate = 0;  ///< 0: the baseline itself; n: its n-th accepted alternate was nearest
   std::string state;  ///< "equal", "different", "missing", "not compared"
-  std::string asked;  ///< of its pixels: askedName() in golden/baseline/origin.hpp; empty without a baseline
+  std::string
+      asked;  ///< of its pixels: askedName() in golden/baseline/origin.hpp; empty without a baseline
   std::optional<Metrics> metrics;  ///< of pictures that were compared pixel by pixel
   /// Relative to the folder of report.json; empty where there is none.
   std::string expectedImage, actualImage, differenceImage;

@@ -1,6 +1,6 @@
 #pragma once
-#include "frame/sink/field_files.hpp"
 #include "frame/file/run_info.hpp"
+#include "frame/sink/field_files.hpp"
 #include "frame/sink/frame_sink.hpp"
 #include "frame/sink/progress.hpp"
 #include "gl/context.hpp"

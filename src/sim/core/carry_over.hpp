@@ -8,7 +8,8 @@
 namespace simreel::sim {
 
 /// What a simulation carries from a frame to the next beyond what scene and time give it. Each simulation
-/// names it once, always in the same order; whoever asks reads it or puts it back (frame/file/checkpoint.hpp).
+/// names it once, always in the same order; whoever asks reads it or puts it back
+/// (frame/file/checkpoint.hpp).
 class CarryOver {
  public:
   virtual ~CarryOver() = default;

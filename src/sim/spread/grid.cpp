@@ -81,8 +81,8 @@ SpreadGrid::SpreadGrid(const std::string& name, const SpreadParameters& paramete
   frame[0] = start;
   frameCounts_ = gl::Buffer::of<glm::uvec4>(name + " counts of a frame", frame);
   strokeBits_ = gl::WordsArray(name + " stroke images", paddedWords(strokes.imageBits()));
-  step_ = gl::Program::compute(std::string(folder) + "/step.comp", defines);
-  paint_ = gl::Program::compute(std::string(folder) + "/paint.comp", defines);
+  step_ = gl::Program::compute(fmt::format("spread/{}/step.comp", folder), defines);
+  paint_ = gl::Program::compute(fmt::format("spread/{}/paint.comp", folder), defines);
   step_.set("size", size_);
   step_.set("torus", torus_ ? 1 : 0);
   paint_.set("size", size_);
