@@ -56,7 +56,7 @@ scene::Scene ofText(const std::string& text) {
 }
 
 /// 20 steps a frame: more than the 1,024 that there is room for at first, from frame 52 on.
-constexpr const char* fire = R"({"version": 1, "objects": {"hill": {"wildfire": {"size": [97, 53],
+constexpr const char* fire = R"({"version": 1, "objects": {"hill": {"wildfire": {"size": [1997, 53],
   "stepsPerSecond": 1200, "strokes": [{"from": [30, 20, 0], "radius": 4}]}}}})";
 
 }  // namespace
@@ -103,13 +103,27 @@ TEST_CASE("checkpoint: every shipped scene goes on as if it had not been stopped
   ::unsetenv("SIMREEL_ASSETS");
 }
 
-TEST_CASE("checkpoint: counts that needed more room, and both techniques of a trail") {
+TEST_CASE(
+    "checkpoint: small scenes after long: more counts, births and deaths, generations, trails, heights") {
   testContext();
   const test::TemporaryFile place("checkpoint", "");
-  for (const std::string& text : {std::string(fire), std::string(R"({"version": 1, "objects": {
-          "ball": {"sphere": {"radius": 0.5, "position": {"keys": [[0, [-1, 0.3, 0]], [2, [1, 0.3, 0]]]}}},
-          "snow": {"mesh": {"shape": "plane", "size": [4, 0, 4], "resolution": [33, 31],
-            "technique": "jobs", "deform": [{"footprints": {}}]}}}})")}) {
+  const std::string texts[] = {
+      fire,
+      // On the CPU, where the first case above has the other technique.
+      R"({"version": 1, "objects": {
+        "ball": {"sphere": {"radius": 0.5, "position": {"keys": [[0, [-1, 0.3, 0]], [2, [1, 0.3, 0]]]}}},
+        "snow": {"mesh": {"shape": "plane", "size": [4, 0, 4], "resolution": [33, 31],
+          "technique": "jobs", "deform": [{"footprints": {}}]}}}})",
+      R"({"version": 1, "objects": {"sparks": {"particles": {"acceleration": [0, -9.81, 0],
+        "emitters": [{"rate": 300, "lifetime": 0.5}, {"rate": 77, "lifetime": 0.2, "from": 0.3}]}}}})",
+      R"({"version": 1, "objects": {"cells": {"life": {"size": [97, 53], "stepsPerSecond": 30,
+        "trail": 9, "strokes": [{"at": 0.5, "until": 1.3, "from": [30, 20, 0], "to": [60, 20, 0]}]}}}})",
+      R"({"version": 1, "objects": {
+        "sea": {"mesh": {"shape": "plane", "size": [4, 0, 4], "resolution": [33, 31], "collides": true,
+          "deform": [{"ripple": {"amplitude": 0.2}}]}},
+        "rain": {"particles": {"method": "none", "acceleration": [0, -9.81, 0], "collides": true,
+          "groups": [{"shape": "cube", "count": 777, "position": [0, 2, 0]}]}}}})"};
+  for (const std::string& text : texts) {
     CAPTURE(text);
     const scene::Scene scene = ofText(text);
     sim::World whole(scene);
@@ -117,7 +131,12 @@ TEST_CASE("checkpoint: counts that needed more room, and both techniques of a tr
     frame::Checkpoint::write(place.path(), runOf(scene), at.stateHash, "", whole);
     sim::World resumed(scene);
     frame::Checkpoint::read(place.path(), runOf(scene), lastFrame).value().restore(resumed);
-    CHECK(summaryAt(resumed, 90).stateHash == summaryAt(whole, 90).stateHash);
+    const auto again = summaryAt(resumed, 60);
+    CHECK(again.stateHash == at.stateHash);
+    CHECK(again.counts == at.counts);
+    const auto later = summaryAt(whole, 90);
+    CHECK(later.stateHash != at.stateHash);
+    CHECK(summaryAt(resumed, 90).stateHash == later.stateHash);
     CHECK((pictureOf(scene, resumed) == pictureOf(scene, whole)));
   }
 }

@@ -3,6 +3,7 @@
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "base/isolated.hpp"
+#include "sim/mesh/before_library.hpp"
 #include "sim/mesh/builder.hpp"
 #include "sim/mesh/gltf_file.hpp"
 
@@ -13,22 +14,15 @@
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 #include <cctype>
-#include <charconv>
-#include <cstdint>
 #include <cstring>
 #include <stdexcept>
 #include <string>
-#include <string_view>
 
 #include <glm/mat4x4.hpp>
 
 namespace simreel::sim {
 
 namespace {
-
-/// Most corners of a face: the library reads faces (since 5.3) and cuts them into triangles in a time that
-/// grows with their square.
-constexpr unsigned mostCorners = 10'000;
 
 std::string extensionOf(const std::filesystem::path& file) {
   std::string extension = file.extension().string();
@@ -93,9 +87,9 @@ void checkBeforeProcessing(const std::filesystem::path& file, const aiScene& sce
     for (unsigned i = 0; i < part.mNumFaces; ++i) {
       const aiFace& face = part.mFaces[i];
       if (face.mNumIndices == 0) refuseMesh(file, fmt::format("has a face without corners (number {})", i));
-      if (face.mNumIndices > mostCorners)
+      if (face.mNumIndices > maxCorners)
         refuseMesh(file, fmt::format("has a face of {} corners (number {}), more than {}; cut it up",
-                                     face.mNumIndices, i, mostCorners));
+                                     face.mNumIndices, i, maxCorners));
       for (unsigned k = 0; k < face.mNumIndices; ++k)
         if (face.mIndices[k] >= part.mNumVertices)
           refuseMesh(file,
@@ -129,60 +123,6 @@ class FolderOnly : public Assimp::DefaultIOSystem {
   const std::filesystem::path& file_;
   mutable std::string refused_;
 };
-
-std::size_t wordCount(std::string_view text, std::string_view blanks) {
-  std::size_t count = 0;
-  for (std::size_t at = text.find_first_not_of(blanks); at != std::string_view::npos; ++count)
-    at = text.find_first_not_of(blanks, std::min(text.find_first_of(blanks, at), text.size()));
-  return count;
-}
-
-/// The same bound for faces, lines and points of OBJ, before the library sees them. A line that ends in a
-/// backslash goes on in the next.
-void checkObjCorners(const std::filesystem::path& file, std::string_view text) {
-  constexpr std::string_view blanks = " \t\r";
-  std::size_t corners = 0, line = 0, first = 0;
-  bool counts = false, goesOn = false;
-  while (!text.empty()) {
-    const std::size_t end = std::min(text.find('\n'), text.size());
-    std::string_view words = text.substr(0, end);
-    text.remove_prefix(std::min(end + 1, text.size()));
-    ++line;
-    words = words.substr(0, words.find_last_not_of(blanks) + 1);
-    if (!goesOn) {
-      words.remove_prefix(std::min(words.find_first_not_of(blanks), words.size()));
-      counts = words.starts_with('f') || words.starts_with('l') || words.starts_with('p');
-      if (counts) words.remove_prefix(1);
-      corners = 0;
-      first = line;
-    }
-    goesOn = words.ends_with('\\');
-    if (goesOn) words.remove_suffix(1);
-    if (counts) corners += wordCount(words, blanks);
-    if (corners > mostCorners)
-      refuseMesh(file, fmt::format("has a face of {} corners (line {}), more than {}; cut it up", corners,
-                                   first, mostCorners));
-  }
-}
-
-/// The library believes counts before it looks for what they count.
-void checkPlyCounts(const std::filesystem::path& file, std::string_view text) {
-  const std::size_t end = text.find("\nend_header");
-  if (end == std::string_view::npos)
-    refuseMesh(file, "has no \"end_header\"");  // the library would look for ever
-  const std::string_view head = text.substr(0, end);
-  for (std::size_t at = head.find("element "); at != std::string_view::npos;
-       at = head.find("element ", at + 8)) {
-    const std::size_t digits = head.find_first_of("0123456789", at);
-    if (digits == std::string_view::npos) return;
-    std::uint64_t count = 0;
-    std::from_chars(head.data() + digits, head.data() + head.size(), count);
-    const std::size_t length = head.find_first_not_of("0123456789", digits) - digits;
-    if (count > text.size() || length > 18)
-      refuseMesh(file,
-                 fmt::format("promises {} elements in {} bytes", head.substr(digits, length), text.size()));
-  }
-}
 
 Mesh readWithLibrary(const std::filesystem::path& file) {
   Assimp::Importer importer;
@@ -252,8 +192,8 @@ Mesh importMesh(const std::filesystem::path& file) {
     fail(ExitCode::usage, "the mesh {} is none of .obj, .ply, .gltf and .glb", file.string());
   const std::string text = readFile(file, "mesh");  // says why a file cannot be read, or is too large
   if (isGltf(extension)) return readGltf(file, text);
-  if (extension == ".ply") checkPlyCounts(file, text);
-  if (extension == ".obj") checkObjCorners(file, text);
+  if (extension == ".ply") checkPly(file, text);
+  if (extension == ".obj") checkObj(file, text);
   return readWithLibrary(file);
 }
 

@@ -91,6 +91,35 @@ TEST_CASE("normals and texture coordinates of the file are kept") {
   }
 }
 
+TEST_CASE("mesh: a PLY header is read before the library gets to see it") {
+  const auto with = [](const std::string& old, const std::string& text) {
+    std::string changed = asciiSquare;
+    const auto at = changed.find(old);
+    REQUIRE(at != std::string::npos);
+    return failure("head.ply", changed.replace(at, old.size(), text));
+  };
+  // The library looked for ever.
+  simreel::test::checkHas(with("end_header\n", "end_headerin\n"),
+                          "line 9 \"end_headerin\", which is no line of a PLY header");
+  simreel::test::checkHas(with("property float x\n", std::string("\0\0property float x\n", 19)), "line 4 ");
+  simreel::test::checkHas(with("list uchar", "list uch"), "line 8 \"property list uch int");
+  simreel::test::checkHas(with("float y", "real y"), "line 5 ");
+  simreel::test::checkHas(with("ascii 1.0", "ascii"), "line 2 ");
+  simreel::test::checkHas(with("ascii", "text"), "line 2 ");
+  simreel::test::checkHas(with("ply\n", "PLY\n"), "line 1 ");
+  simreel::test::checkHas(with("ply\n", "end_header\n"), "line 1 ");
+  simreel::test::checkHas(with("vertex 4", "vertex 4x"), "line 3 ");
+  simreel::test::checkHas(with("vertex 4", "vertex 4000"), "promises 4000 elements");
+  simreel::test::checkHas(with("vertex 4", "vertex 99999999999999999999"),
+                          "promises 99999999999999999999 elements");
+  simreel::test::checkHas(failure("head.ply", "ply\nformat ascii 1.0\n"), "has no \"end_header\"");
+  CHECK(with("element face", "comment of \xff\nobj_info 7\nelement face") == "no failure");
+  std::string crlf;
+  for (const char c : std::string(asciiSquare)) crlf += c == '\n' ? std::string("\r\n") : std::string(1, c);
+  const TemporaryFile file("crlf.ply", crlf);
+  checkSquare(sim::loadMesh(file.path()));
+}
+
 TEST_CASE("a mesh that cannot be used says why in one line") {
   CHECK(failure("/nowhere/ball.obj", ExitCode::usage) != "no failure");
   CHECK(failure("/nowhere/ball.fbx", ExitCode::usage).find(".obj, .ply, .gltf and .glb") !=
