@@ -24,8 +24,8 @@ class UserError : public std::runtime_error {
   /// A sentence is printed after "simreel: error: "; a report's lines say "place: error: " themselves.
   enum class Form { sentence, report };
 
-  UserError(ExitCode code, const std::string& message, Form form = Form::sentence)
-      : std::runtime_error(message), code_(code), form_(form) {}
+  /// A zero byte, at which what() would end, is spelt out: \x00.
+  UserError(ExitCode code, const std::string& message, Form form = Form::sentence);
   [[nodiscard]] ExitCode code() const { return code_; }
   [[nodiscard]] Form form() const { return form_; }
 

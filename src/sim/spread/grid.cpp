@@ -146,7 +146,6 @@ void SpreadGrid::endFrame() {
 void SpreadGrid::carryOver(CarryOver& carry) {
   const int room = capacity_;
   carry.number("steps", done_);
-  carry.number("first step of the frame", frameStart_);
   carry.number("steps of the frame", frameSteps_);
   carry.number("room for counts", capacity_);
   if (capacity_ != room) history_ = gl::WordsArray(name_ + " counts", capacity_);

@@ -101,7 +101,8 @@ TEST_CASE("mesh: a PLY header is read before the library gets to see it") {
   // The library looked for ever.
   simreel::test::checkHas(with("end_header\n", "end_headerin\n"),
                           "line 9 \"end_headerin\", which is no line of a PLY header");
-  simreel::test::checkHas(with("property float x\n", std::string("\0\0property float x\n", 19)), "line 4 ");
+  simreel::test::checkHas(with("property float x\n", std::string("\0\0property float x\n", 19)),
+                          R"(line 4 "\x00\x00property float x", which)");
   simreel::test::checkHas(with("list uchar", "list uch"), "line 8 \"property list uch int");
   simreel::test::checkHas(with("float y", "real y"), "line 5 ");
   simreel::test::checkHas(with("ascii 1.0", "ascii"), "line 2 ");
