@@ -9,6 +9,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include <glm/vec2.hpp>
@@ -18,85 +19,121 @@ namespace simreel::scene {
 
 /// Closed interval of allowed values.
 struct Range {
-  double least = -std::numeric_limits<double>::infinity();
-  double most = std::numeric_limits<double>::infinity();
+  double min = -std::numeric_limits<double>::infinity();
+  double max = std::numeric_limits<double>::infinity();
 };
 inline constexpr Range positive{1e-9, 1e9};
 inline constexpr Range notNegative{0.0, 1e9};
-inline constexpr Range share{0.0, 1.0};
+inline constexpr Range fraction{0.0, 1.0};
 inline constexpr Range anyNumber{-1e9, 1e9};
+
+/// What a field holds: the member of a parameter struct. An int with words is the index of one of them, or
+/// -1 where none applies unless one is given; a std::vector<int> with words some of them.
+using Member = std::variant<bool*, int*, float*, double*, std::string*, std::filesystem::path*, glm::vec3*,
+                            glm::ivec2*, Animated<float>*, Animated<glm::vec3>*, std::optional<int>*,
+                            std::optional<double>*, std::vector<int>*, std::vector<glm::ivec2>*>;
+
+/// What is said of a field beside its name.
+struct Spec {
+  const char* doc = "";   ///< one sentence
+  const char* unit = "";  ///< "" when there is none
+  Range range = {};       ///< holds for each number of several
+  std::span<const char* const> words = {};
+  const char* none = nullptr;  ///< word for the empty value of a std::optional<int>
+};
 
 /// Where parameters are declared, once. A struct's `describe(Fields&)` names each of its members with
 /// default (the value it has then), range, unit and one sentence; the same call reads a scene, writes
-/// the JSON Schema or prints the help, whichever Fields it is given. Units: "" when there is none.
+/// the JSON Schema or prints the help, whichever Fields it is given.
 class Fields {
  public:
   virtual ~Fields() = default;
 
-  virtual void boolean(const char* name, bool& value, const char* doc) = 0;
-  virtual void integer(const char* name, int& value, Range range, const char* unit, const char* doc) = 0;
-  virtual void number(const char* name, float& value, Range range, const char* unit, const char* doc) = 0;
-  virtual void number(const char* name, double& value, Range range, const char* unit, const char* doc) = 0;
-  virtual void number(const char* name, Animated<float>& value, Range range, const char* unit,
-                      const char* doc) = 0;
-  /// A number that has no value unless it is given.
-  virtual void optionalNumber(const char* name, std::optional<double>& value, Range range, const char* unit,
-                              const char* doc) = 0;
-  /// Three numbers; the range holds for each.
-  virtual void vector(const char* name, glm::vec3& value, Range range, const char* unit,
-                      const char* doc) = 0;
-  virtual void vector(const char* name, Animated<glm::vec3>& value, Range range, const char* unit,
-                      const char* doc) = 0;
-  /// Two integers, for example a grid's [width, height]; the range holds for each.
-  virtual void pair(const char* name, glm::ivec2& value, Range range, const char* unit,
-                    const char* doc) = 0;
-  virtual void pairs(const char* name, std::vector<glm::ivec2>& value, Range range, const char* unit,
-                     const char* doc) = 0;
-  virtual void text(const char* name, std::string& value, const char* doc) = 0;
-  /// An integer or one word, for example 4 or "auto" (empty value).
-  virtual void integerOr(const char* name, std::optional<int>& value, const char* word, Range range,
-                         const char* unit, const char* doc) = 0;
-  virtual void integers(const char* name, std::vector<int>& value, Range range, const char* unit,
-                        const char* doc) = 0;
-  /// One of `names`; value is its index, or -1 where none applies unless one is given. Use `choice` below
-  /// for an enum.
-  virtual void oneOf(const char* name, int& value, const std::vector<const char*>& names,
-                     const char* doc) = 0;
-  virtual void someOf(const char* name, std::vector<int>& value, const std::vector<const char*>& names,
-                      const char* doc) = 0;
-  /// A file of the scene's folder or the asset folder; the value becomes its full path. Empty: none.
-  virtual void asset(const char* name, std::filesystem::path& value, const char* doc) = 0;
-  virtual void group(const char* name, const char* doc, const std::function<void(Fields&)>& describe) = 0;
-  /// A group that switches a feature on by being there.
-  virtual void optionalGroup(const char* name, bool& present, const char* doc,
-                             const std::function<void(Fields&)>& describe) = 0;
+  virtual void field(const char* name, Member member, const Spec& spec) = 0;
+  /// A group of fields. `present`: null, or of a group that switches a feature on by being there.
+  virtual void section(const char* name, bool* present, const char* doc,
+                       const std::function<void(Fields&)>& describe) = 0;
   /// A list of groups, which has `items` of them now: `resize(n)` makes n fresh ones, then
   /// `describe(fields, i)` is called for each element.
-  virtual void listOf(const char* name, const char* doc, std::size_t mostItems, std::size_t items,
+  virtual void listOf(const char* name, const char* doc, std::size_t maxItems, std::size_t items,
                       const std::function<void(std::size_t)>& resize,
                       const std::function<void(Fields&, std::size_t)>& describe) = 0;
-
   /// What stands for the field just declared where a scene leaves it out, when that is no constant
   /// ("the preset's"): shown in place of the value.
-  virtual void leftOut(const char* name, const char* what) = 0;
-
+  virtual void leftOut(const char* /*name*/, const char* /*what*/) {}
   /// Reports a mistake that involves several values, at the place of field `name`. Nothing happens
   /// unless a scene is being read.
-  virtual void error(const char* name, const std::string& message) = 0;
+  virtual void error(const char* /*name*/, const std::string& /*message*/) {}
   /// Whether the scene gives this field itself (false while writing schema or help).
-  [[nodiscard]] virtual bool given(const char* name) const = 0;
+  [[nodiscard]] virtual bool given(const char* /*name*/) const { return false; }
 
+  void boolean(const char* name, bool& value, const char* doc) { field(name, &value, {doc}); }
+  void integer(const char* name, int& value, Range range, const char* unit, const char* doc) {
+    field(name, &value, {doc, unit, range});
+  }
+  /// A float, a double, or one of them that may move (Animated).
+  template <class Number>
+  void number(const char* name, Number& value, Range range, const char* unit, const char* doc) {
+    field(name, &value, {doc, unit, range});
+  }
+  /// A number that has no value unless it is given.
+  void optionalNumber(const char* name, std::optional<double>& value, Range range, const char* unit,
+                      const char* doc) {
+    field(name, &value, {doc, unit, range});
+  }
+  /// Three numbers, which may move.
+  template <class Vector>
+  void vector(const char* name, Vector& value, Range range, const char* unit, const char* doc) {
+    field(name, &value, {doc, unit, range});
+  }
+  /// Two integers, for example a grid's [width, height].
+  void pair(const char* name, glm::ivec2& value, Range range, const char* unit, const char* doc) {
+    field(name, &value, {doc, unit, range});
+  }
+  void pairs(const char* name, std::vector<glm::ivec2>& value, Range range, const char* unit,
+             const char* doc) {
+    field(name, &value, {doc, unit, range});
+  }
+  void text(const char* name, std::string& value, const char* doc) { field(name, &value, {doc}); }
+  /// An integer or one word, for example 4 or "auto" (empty value).
+  void integerOr(const char* name, std::optional<int>& value, const char* word, Range range,
+                 const char* unit, const char* doc) {
+    field(name, &value, {doc, unit, range, {}, word});
+  }
+  void integers(const char* name, std::vector<int>& value, Range range, const char* unit, const char* doc) {
+    field(name, &value, {doc, unit, range});
+  }
+  /// One of `words`, by its index. Use `choice` below for an enum.
+  void oneOf(const char* name, int& value, const std::vector<const char*>& words, const char* doc) {
+    field(name, &value, {doc, "", {}, words});
+  }
+  void someOf(const char* name, std::vector<int>& value, const std::vector<const char*>& words,
+              const char* doc) {
+    field(name, &value, {doc, "", {}, words});
+  }
+  /// A file of the scene's folder or the asset folder; the value becomes its full path. Empty: none.
+  void asset(const char* name, std::filesystem::path& value, const char* doc) {
+    field(name, &value, {doc});
+  }
+  void group(const char* name, const char* doc, const std::function<void(Fields&)>& describe) {
+    section(name, nullptr, doc, describe);
+  }
+  /// A group that switches a feature on by being there.
+  void optionalGroup(const char* name, bool& present, const char* doc,
+                     const std::function<void(Fields&)>& describe) {
+    section(name, &present, doc, describe);
+  }
   template <class Enum>
-  void choice(const char* name, Enum& value, const std::vector<const char*>& names, const char* doc) {
+  void choice(const char* name, Enum& value, const std::vector<const char*>& words, const char* doc) {
     int index = static_cast<int>(value);
-    oneOf(name, index, names, doc);
+    oneOf(name, index, words, doc);
     value = static_cast<Enum>(index);
   }
   template <class Item, class Describe>
   void list(const char* name, std::vector<Item>& items, const char* doc, Describe describe,
-            std::size_t mostItems = 256) {
+            std::size_t maxItems = 256) {
     listOf(
-        name, doc, mostItems, items.size(), [&](std::size_t count) { items.assign(count, Item{}); },
+        name, doc, maxItems, items.size(), [&](std::size_t count) { items.assign(count, Item{}); },
         [&](Fields& fields, std::size_t i) { describe(fields, items[i]); });
   }
 };

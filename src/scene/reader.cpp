@@ -30,33 +30,115 @@ std::optional<typename Animated<T>::Key> readKey(const Node& node, const double*
   return typename Animated<T>::Key{*time, T(*value)};
 }
 
-/// A plain value, or {"keys": [[time, value], ...], "ease": "linear"}.
-template <class T, class ReadOne>
-void readAnimated(const Node& node, ReadContext context, Animated<T>& value, ReadOne readOne) {
-  if (node.kind != Node::Kind::object) {
-    if (const auto constant = readOne(node)) value = Animated<T>(T(*constant));
-    return;
+/// Reads what a scene gives for a field into its member, whatever its type.
+class MemberReader {
+ public:
+  MemberReader(const Node& node, const char* name, const Spec& spec, ReadContext context)
+      : node_(node),
+        one_(name, spec.range, spec.unit, context.diagnostics),
+        spec_(spec),
+        context_(context) {}
+
+  void operator()(bool* value) const { set(value, one_.boolean(node_)); }
+  void operator()(int* value) const { set(value, whole(node_)); }
+  void operator()(float* value) const { set(value, one_.number(node_)); }
+  void operator()(double* value) const { set(value, one_.number(node_)); }
+  void operator()(std::string* value) const { set(value, one_.text(node_)); }
+  void operator()(glm::vec3* value) const { set(value, one_.vector(node_)); }
+  void operator()(glm::ivec2* value) const { set(value, one_.pair(node_)); }
+  void operator()(std::optional<double>* value) const { set(value, one_.number(node_)); }
+
+  void operator()(Animated<float>* value) const {
+    animated(*value, [&](const Node& part) { return one_.number(part); });
   }
-  const std::size_t errorsBefore = context.diagnostics.count();
-  std::vector<typename Animated<T>::Key> keys;
-  int ease = 0;
-  Reader::readObject(node, context, [&](Reader& fields) {
-    const Node* list = fields.take("keys");
-    fields.oneOf("ease", ease, {"linear", "smooth"}, "");
-    if (list == nullptr) {
-      context.diagnostics.add(node.headPlace(), "keyframes need \"keys\": [[time, value], ...]");
-    } else if (list->kind != Node::Kind::list || list->children.empty()) {
-      context.diagnostics.add(list->place(), "expected at least one keyframe, [[time, value], ...]");
-    } else {
-      for (const Node& item : list->children) {
-        const double* before = keys.empty() ? nullptr : &keys.back().time;
-        if (const auto key = readKey<T>(item, before, context.diagnostics, readOne)) keys.push_back(*key);
-      }
+  void operator()(Animated<glm::vec3>* value) const {
+    animated(*value, [&](const Node& part) { return one_.vector(part); });
+  }
+
+  void operator()(std::filesystem::path* value) const {
+    const auto read = one_.text(node_);
+    if (!read) return;
+    std::string problem;
+    *value = read->empty() ? std::filesystem::path() : context_.assets.find(*read, problem);
+    if (!problem.empty()) context_.diagnostics.add(node_.place(), problem);
+  }
+
+  void operator()(std::optional<int>* value) const {
+    if (node_.kind == Node::Kind::text && node_.text == spec_.none)
+      value->reset();
+    else if (node_.kind == Node::Kind::number)
+      set(value, one_.integer(node_));
+    else
+      context_.diagnostics.add(
+          node_.place(),
+          fmt::format("expected a whole number or \"{}\", found {}", spec_.none,
+                      node_.kind == Node::Kind::text ? inQuotes(node_.text) : node_.kindText()));
+  }
+
+  void operator()(std::vector<int>* values) const {
+    if (!one_.isList(node_, spec_.words.empty() ? "a list of whole numbers" : "a list of strings")) return;
+    values->clear();
+    for (const Node& item : node_.children) {
+      const auto read = whole(item);
+      if (!read) continue;
+      if (!spec_.words.empty() && std::find(values->begin(), values->end(), *read) != values->end())
+        context_.diagnostics.add(item.place(), fmt::format("{} is listed twice", inQuotes(item.text)));
+      else
+        values->push_back(*read);
     }
-  });
-  if (context.diagnostics.count() == errorsBefore)
-    value = Animated<T>(std::move(keys), static_cast<Ease>(ease));
-}
+  }
+
+  void operator()(std::vector<glm::ivec2>* values) const {
+    if (!one_.isList(node_, "a list of pairs [[a, b], ...]")) return;
+    values->clear();
+    for (const Node& item : node_.children)
+      if (const auto read = one_.pair(item)) values->push_back(*read);
+  }
+
+ private:
+  [[nodiscard]] std::optional<int> whole(const Node& node) const {
+    return spec_.words.empty() ? one_.integer(node) : one_.oneOf(node, spec_.words);
+  }
+
+  template <class T, class Read>
+  static void set(T* value, const std::optional<Read>& read) {
+    if (read) *value = static_cast<T>(*read);
+  }
+
+  /// A plain value, or {"keys": [[time, value], ...], "ease": "linear"}.
+  template <class T, class ReadOne>
+  void animated(Animated<T>& value, ReadOne readOne) const {
+    if (node_.kind != Node::Kind::object) {
+      if (const auto constant = readOne(node_)) value = Animated<T>(T(*constant));
+      return;
+    }
+    const std::size_t errorsBefore = context_.diagnostics.count();
+    std::vector<typename Animated<T>::Key> keys;
+    int ease = 0;
+    Reader::readObject(node_, context_, [&](Reader& fields) {
+      const Node* list = fields.take("keys");
+      fields.oneOf("ease", ease, {"linear", "smooth"}, "");
+      if (list == nullptr) {
+        context_.diagnostics.add(node_.headPlace(), "keyframes need \"keys\": [[time, value], ...]");
+      } else if (list->kind != Node::Kind::list || list->children.empty()) {
+        context_.diagnostics.add(list->place(), "expected at least one keyframe, [[time, value], ...]");
+      } else {
+        for (const Node& item : list->children) {
+          const double* before = keys.empty() ? nullptr : &keys.back().time;
+          if (const auto key = readKey<T>(item, before, context_.diagnostics, readOne))
+            keys.push_back(*key);
+        }
+      }
+    });
+    if (context_.diagnostics.count() == errorsBefore)
+      value = Animated<T>(std::move(keys), static_cast<Ease>(ease));
+  }
+
+  const Node& node_;
+  ValueReader one_;
+  const Spec& spec_;
+  ReadContext context_;
+};
 
 }  // namespace
 
@@ -86,158 +168,30 @@ void Reader::finish() {
   }
 }
 
-void Reader::boolean(const char* name, bool& value, const char* /*doc*/) {
-  if (const Node* node = take(name))
-    if (const auto read = ValueReader(name, context_.diagnostics).boolean(*node)) value = *read;
+void Reader::field(const char* name, Member member, const Spec& spec) {
+  if (const Node* node = take(name)) std::visit(MemberReader(*node, name, spec, context_), member);
 }
 
-void Reader::integer(const char* name, int& value, Range range, const char* unit, const char* /*doc*/) {
-  if (const Node* node = take(name))
-    if (const auto read = ValueReader(name, range, unit, context_.diagnostics).integer(*node))
-      value = *read;
-}
-
-void Reader::number(const char* name, float& value, Range range, const char* unit, const char* /*doc*/) {
-  if (const Node* node = take(name))
-    if (const auto read = ValueReader(name, range, unit, context_.diagnostics).number(*node))
-      value = static_cast<float>(*read);
-}
-
-void Reader::number(const char* name, double& value, Range range, const char* unit, const char* /*doc*/) {
-  if (const Node* node = take(name))
-    if (const auto read = ValueReader(name, range, unit, context_.diagnostics).number(*node)) value = *read;
-}
-
-void Reader::number(const char* name, Animated<float>& value, Range range, const char* unit,
-                    const char* /*doc*/) {
-  const ValueReader one(name, range, unit, context_.diagnostics);
-  if (const Node* node = take(name))
-    readAnimated(*node, context_, value, [&](const Node& part) { return one.number(part); });
-}
-
-void Reader::optionalNumber(const char* name, std::optional<double>& value, Range range, const char* unit,
-                            const char* /*doc*/) {
-  if (const Node* node = take(name))
-    if (const auto read = ValueReader(name, range, unit, context_.diagnostics).number(*node)) value = *read;
-}
-
-void Reader::vector(const char* name, glm::vec3& value, Range range, const char* unit,
-                    const char* /*doc*/) {
-  if (const Node* node = take(name))
-    if (const auto read = ValueReader(name, range, unit, context_.diagnostics).vector(*node)) value = *read;
-}
-
-void Reader::vector(const char* name, Animated<glm::vec3>& value, Range range, const char* unit,
-                    const char* /*doc*/) {
-  const ValueReader one(name, range, unit, context_.diagnostics);
-  if (const Node* node = take(name))
-    readAnimated(*node, context_, value, [&](const Node& part) { return one.vector(part); });
-}
-
-void Reader::pair(const char* name, glm::ivec2& value, Range range, const char* unit, const char* /*doc*/) {
-  if (const Node* node = take(name))
-    if (const auto read = ValueReader(name, range, unit, context_.diagnostics).pair(*node)) value = *read;
-}
-
-void Reader::pairs(const char* name, std::vector<glm::ivec2>& value, Range range, const char* unit,
-                   const char* /*doc*/) {
-  const ValueReader one(name, range, unit, context_.diagnostics);
+void Reader::section(const char* name, bool* present, const char* /*doc*/,
+                     const std::function<void(Fields&)>& describe) {
   const Node* node = take(name);
-  if (node == nullptr || !one.isList(*node, "a list of pairs [[a, b], ...]")) return;
-  value.clear();
-  for (const Node& item : node->children)
-    if (const auto read = one.pair(item)) value.push_back(*read);
-}
-
-void Reader::text(const char* name, std::string& value, const char* /*doc*/) {
-  if (const Node* node = take(name))
-    if (auto read = ValueReader(name, context_.diagnostics).text(*node)) value = std::move(*read);
-}
-
-void Reader::integerOr(const char* name, std::optional<int>& value, const char* word, Range range,
-                       const char* unit, const char* /*doc*/) {
-  const Node* node = take(name);
-  if (node == nullptr) return;
-  if (node->kind == Node::Kind::text && node->text == word) {
-    value.reset();
-  } else if (node->kind != Node::Kind::number) {
-    context_.diagnostics.add(
-        node->place(),
-        fmt::format("expected a whole number or \"{}\", found {}", word,
-                    node->kind == Node::Kind::text ? inQuotes(node->text) : node->kindText()));
-  } else if (const auto read = ValueReader(name, range, unit, context_.diagnostics).integer(*node)) {
-    value = *read;
-  }
-}
-
-void Reader::integers(const char* name, std::vector<int>& value, Range range, const char* unit,
-                      const char* /*doc*/) {
-  const ValueReader one(name, range, unit, context_.diagnostics);
-  const Node* node = take(name);
-  if (node == nullptr || !one.isList(*node, "a list of whole numbers")) return;
-  value.clear();
-  for (const Node& item : node->children)
-    if (const auto read = one.integer(item)) value.push_back(*read);
-}
-
-void Reader::oneOf(const char* name, int& value, const std::vector<const char*>& names,
-                   const char* /*doc*/) {
-  if (const Node* node = take(name))
-    if (const auto read = ValueReader(name, context_.diagnostics).oneOf(*node, names)) value = *read;
-}
-
-void Reader::someOf(const char* name, std::vector<int>& value, const std::vector<const char*>& names,
-                    const char* /*doc*/) {
-  const ValueReader one(name, context_.diagnostics);
-  const Node* node = take(name);
-  if (node == nullptr || !one.isList(*node, "a list of strings")) return;
-  value.clear();
-  for (const Node& item : node->children) {
-    const auto read = one.oneOf(item, names);
-    if (!read) continue;
-    if (std::find(value.begin(), value.end(), *read) != value.end())
-      context_.diagnostics.add(item.place(), fmt::format("{} is listed twice", inQuotes(item.text)));
-    else
-      value.push_back(*read);
-  }
-}
-
-void Reader::asset(const char* name, std::filesystem::path& value, const char* /*doc*/) {
-  const Node* node = take(name);
-  if (node == nullptr) return;
-  const auto read = ValueReader(name, context_.diagnostics).text(*node);
-  if (!read) return;
-  std::string problem;
-  value = read->empty() ? std::filesystem::path() : context_.assets.find(*read, problem);
-  if (!problem.empty()) context_.diagnostics.add(node->place(), problem);
-}
-
-void Reader::group(const char* name, const char* /*doc*/, const std::function<void(Fields&)>& describe) {
-  if (const Node* node = take(name)) {
-    readObject(*node, context_, describe);
-    return;
-  }
+  if (present != nullptr) *present = node != nullptr;
+  if (node != nullptr) return readObject(*node, context_, describe);
+  if (present != nullptr) return;
   // Described all the same: its cross checks may look at values of other groups.
   Reader absent(nullptr, place_, context_);
   describe(absent);
 }
 
-void Reader::optionalGroup(const char* name, bool& present, const char* /*doc*/,
-                           const std::function<void(Fields&)>& describe) {
-  const Node* node = take(name);
-  present = node != nullptr;
-  if (node != nullptr) readObject(*node, context_, describe);
-}
-
-void Reader::listOf(const char* name, const char* /*doc*/, std::size_t mostItems, std::size_t /*items*/,
+void Reader::listOf(const char* name, const char* /*doc*/, std::size_t maxItems, std::size_t /*items*/,
                     const std::function<void(std::size_t)>& resize,
                     const std::function<void(Fields&, std::size_t)>& describe) {
   const Node* node = take(name);
   if (node == nullptr || !ValueReader(name, context_.diagnostics).isList(*node, "a list of objects"))
     return;
-  if (node->children.size() > mostItems) {
+  if (node->children.size() > maxItems) {
     context_.diagnostics.add(node->headPlace(), fmt::format("\"{}\" may have {} items, found {}", name,
-                                                            mostItems, node->children.size()));
+                                                            maxItems, node->children.size()));
     return;
   }
   // From nothing, so that no default item lends its values to a given one.

@@ -29,9 +29,9 @@ void Material::describe(Fields& fields) {
   fields.asset("texture", texture, "sRGB image multiplied with the colour.");
   fields.vector("textureScale", textureScale, anyNumber, "",
                 "Repeats of the texture along u and v; the third is unused.");
-  fields.number("roughness", roughness, share, "", "0 mirrors, 1 is matt.");
-  fields.number("metallic", metallic, share, "", "0 for plastic, cloth and wood; 1 for metal.");
-  fields.number("translucency", translucency, share, "",
+  fields.number("roughness", roughness, fraction, "", "0 mirrors, 1 is matt.");
+  fields.number("metallic", metallic, fraction, "", "0 for plastic, cloth and wood; 1 for metal.");
+  fields.number("translucency", translucency, fraction, "",
                 "Share of the light from behind that shines through.");
   fields.optionalGroup("skin", hasSkin, "A live material grown from a field of the scene.",
                        [&](Fields& inner) { skin.describe(inner); });
@@ -48,14 +48,14 @@ void Skin::describe(Fields& fields) {
   fields.vector("low", low, {-1, 1e9}, "", "Colour where the field is low, linear RGB.");
   fields.vector("high", high, {-1, 1e9}, "", "Colour where the field is high, linear RGB.");
   fields.number("bump", bump, {-100, 100}, "", "Factor on the height of the relief.");
-  fields.optionalNumber("roughness", roughness, share, "", "0 mirrors, 1 is matt.");
+  fields.optionalNumber("roughness", roughness, fraction, "", "0 mirrors, 1 is matt.");
 }
 
 void Render::describe(Fields& fields) {
   fields.pair("size", size, {1, 16384}, "pixels", "Width and height of the images.");
   fields.integer("samples", samples, {1, 16}, "", "Samples per pixel; every driver has 1 and 4.");
   fields.number("exposure", exposure, {-20, 20}, "EV", "Brightness; one more doubles it.");
-  fields.number("vignette", vignette, share, "", "Darkening towards the corners.");
+  fields.number("vignette", vignette, fraction, "", "Darkening towards the corners.");
   fields.group("bloom", "Light scattered around what is bright.",
                [&](Fields& inner) { bloom.describe(inner); });
 }
@@ -121,7 +121,7 @@ void Ground::describe(Fields& fields) {
   fields.number("height", height, anyNumber, "m", "Height of the plane.");
   fields.boolean("visible", visible, "Whether it is drawn; things collide with it in any case.");
   fields.vector("color", color, notNegative, "", "Base colour, linear RGB.");
-  fields.number("roughness", roughness, share, "", "0 mirrors, 1 is matt.");
+  fields.number("roughness", roughness, fraction, "", "0 mirrors, 1 is matt.");
   fields.number("fadeStart", fadeStart, notNegative, "m",
                 "Distance from the camera's target where it begins to dissolve into the sky.");
   fields.number("fadeEnd", fadeEnd, notNegative, "m", "Distance where nothing is left of it.");

@@ -128,13 +128,13 @@ void Tolerance::describe(Fields& fields) {
   fields.optionalNumber("max_diff_pixels", max_diff_pixels, notNegative, "pixels",
                         "How many pixels may differ.");
   fields.optionalNumber(
-      "max_diff_ratio", max_diff_ratio, share, "",
+      "max_diff_ratio", max_diff_ratio, fraction, "",
       "Share of all pixels that may differ; 0.02 while neither this nor max_diff_pixels is given.");
   fields.integer("window_size", window_size, {1, 4096}, "pixels",
                  "Side of the window that max_window_ratio looks through.");
-  fields.optionalNumber("max_window_ratio", max_window_ratio, share, "",
+  fields.optionalNumber("max_window_ratio", max_window_ratio, fraction, "",
                         "Share of the pixels of any window that may differ.");
-  fields.optionalNumber("max_flip_mean", max_flip_mean, share, "", "Mean FLIP error allowed.");
+  fields.optionalNumber("max_flip_mean", max_flip_mean, fraction, "", "Mean FLIP error allowed.");
   fields.optionalNumber("hard_fail", hard_fail, channel, "",
                         "No channel of any pixel may ever be further apart than this.");
   if (fields.given("window_size") && !max_window_ratio)

@@ -11,14 +11,14 @@ namespace simreel::scene {
 
 std::string rangeText(Range range, const char* unit) {
   const std::string suffix = *unit == '\0' ? "" : fmt::format(" {}", unit);
-  const bool below = range.least > anyNumber.least, above = range.most < anyNumber.most;
-  if (range.least == positive.least) {
-    return above ? fmt::format("greater than 0 and at most {:g}{}", range.most, suffix)
+  const bool below = range.min > anyNumber.min, above = range.max < anyNumber.max;
+  if (range.min == positive.min) {
+    return above ? fmt::format("greater than 0 and at most {:g}{}", range.max, suffix)
                  : "greater than 0" + suffix;
   }
-  if (below && above) return fmt::format("between {} and {}{}", range.least, range.most, suffix);
-  if (below) return fmt::format("at least {}{}", range.least, suffix);
-  if (above) return fmt::format("at most {}{}", range.most, suffix);
+  if (below && above) return fmt::format("between {} and {}{}", range.min, range.max, suffix);
+  if (below) return fmt::format("at least {}{}", range.min, suffix);
+  if (above) return fmt::format("at most {}{}", range.max, suffix);
   return {};
 }
 
@@ -33,14 +33,13 @@ bool ValueReader::isList(const Node& node, const char* expected) const {
 }
 
 bool ValueReader::inRange(const Node& node) const {
-  if (node.number >= range_.least && node.number <= range_.most) return true;
+  if (node.number >= range_.min && node.number <= range_.max) return true;
   // A value beyond the silent bounds gets to hear of them.
-  const bool tiny = range_.least == positive.least && node.number > 0 && node.number < positive.least;
-  const bool beyond = tiny || std::abs(node.number) > anyNumber.most;
+  const bool tiny = range_.min == positive.min && node.number > 0 && node.number < positive.min;
+  const bool beyond = tiny || std::abs(node.number) > anyNumber.max;
   const std::string unit = *unit_ == '\0' ? "" : fmt::format(" {}", unit_);
-  const std::string allowed = beyond
-                                  ? fmt::format("between {:g} and {:g}{}", range_.least, range_.most, unit)
-                                  : rangeText(range_, unit_);
+  const std::string allowed = beyond ? fmt::format("between {:g} and {:g}{}", range_.min, range_.max, unit)
+                                     : rangeText(range_, unit_);
   diagnostics_.add(node.place(), fmt::format("\"{}\" must be {}, found {}", name_, allowed, node.number));
   return false;
 }
@@ -108,7 +107,7 @@ std::optional<glm::ivec2> ValueReader::pair(const Node& node) const {
   return glm::ivec2(*first, *second);
 }
 
-std::optional<int> ValueReader::oneOf(const Node& node, const std::vector<const char*>& names) const {
+std::optional<int> ValueReader::oneOf(const Node& node, std::span<const char* const> names) const {
   if (!expect(node, Node::Kind::text, "a string")) return std::nullopt;
   for (std::size_t i = 0; i < names.size(); ++i)
     if (node.text == names[i]) return static_cast<int>(i);

@@ -5,8 +5,8 @@
 
 #include <algorithm>
 #include <optional>
+#include <span>
 #include <string>
-#include <vector>
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -19,7 +19,7 @@ class ValueReader {
  public:
   ValueReader(const char* name, Range range, const char* unit, Diagnostics& diagnostics)
       : name_(name),
-        range_{std::max(range.least, -mostMagnitude), std::min(range.most, mostMagnitude)},
+        range_{std::max(range.min, -maxMagnitude), std::min(range.max, maxMagnitude)},
         unit_(unit),
         diagnostics_(diagnostics) {}
   ValueReader(const char* name, Diagnostics& diagnostics) : ValueReader(name, Range{}, "", diagnostics) {}
@@ -30,7 +30,7 @@ class ValueReader {
   [[nodiscard]] std::optional<std::string> text(const Node& node) const;
   [[nodiscard]] std::optional<glm::vec3> vector(const Node& node) const;
   [[nodiscard]] std::optional<glm::ivec2> pair(const Node& node) const;
-  [[nodiscard]] std::optional<int> oneOf(const Node& node, const std::vector<const char*>& names) const;
+  [[nodiscard]] std::optional<int> oneOf(const Node& node, std::span<const char* const> names) const;
 
   /// Whether the node is a list; reports `expected` otherwise.
   [[nodiscard]] bool isList(const Node& node, const char* expected) const;
@@ -42,7 +42,7 @@ class ValueReader {
   [[nodiscard]] std::optional<int> wholeNumber(const Node& node, const char* expected) const;
 
   /// Where no range is declared: a float still holds it.
-  static constexpr double mostMagnitude = 1e30;
+  static constexpr double maxMagnitude = 1e30;
 
   const char* name_;
   Range range_;

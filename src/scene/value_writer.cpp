@@ -1,106 +1,85 @@
 #include "scene/value_writer.hpp"
 
-#include "scene/default_text.hpp"
-
-#include <utility>
+#include <fmt/format.h>
 
 namespace simreel::scene {
 
 using Json = nlohmann::ordered_json;
 
-void ValueWriter::boolean(const char* name, bool& value, const char* /*doc*/) {
-  values_[name] = value;
+namespace {
+
+/// JSON of each type of member.
+class Writer {
+ public:
+  explicit Writer(const Spec& spec) : spec_(spec) {}
+
+  Json operator()(bool value) const { return value; }
+  Json operator()(int value) const { return spec_.words.empty() ? Json(value) : word(value); }
+  Json operator()(float value) const { return shortest(value); }
+  Json operator()(double value) const { return shortest(value); }
+  Json operator()(const std::string& value) const { return value; }
+  Json operator()(const std::filesystem::path& value) const { return value.string(); }
+  Json operator()(const glm::vec3& v) const { return {shortest(v.x), shortest(v.y), shortest(v.z)}; }
+  Json operator()(const glm::ivec2& v) const { return {v.x, v.y}; }
+  Json operator()(const std::optional<int>& value) const { return value ? Json(*value) : Json(spec_.none); }
+  Json operator()(const std::optional<double>& value) const { return shortest(value.value()); }
+
+  template <class T>
+  Json operator()(const std::vector<T>& items) const {
+    Json list = Json::array();
+    for (const T& item : items) list.push_back((*this)(item));
+    return list;
+  }
+  template <class T>
+  Json operator()(const Animated<T>& value) const {
+    if (!value.moves()) return (*this)(value.at(0.0));
+    Json keys = Json::array();
+    for (const auto& key : value.keys())
+      keys.push_back(Json::array({shortest(key.time), (*this)(key.value)}));
+    return {{"keys", keys}, {"ease", value.ease() == Ease::smooth ? "smooth" : "linear"}};
+  }
+
+ private:
+  [[nodiscard]] Json word(int index) const { return spec_.words[static_cast<std::size_t>(index)]; }
+
+  const Spec& spec_;
+};
+
+bool isNone(const Member& member, const Spec& spec) {
+  if (const auto* number = std::get_if<std::optional<double>*>(&member)) return !**number;
+  const auto* index = std::get_if<int*>(&member);
+  return index != nullptr && !spec.words.empty() && **index < 0;
 }
 
-void ValueWriter::integer(const char* name, int& value, Range /*range*/, const char* /*unit*/,
-                          const char* /*doc*/) {
-  values_[name] = value;
+}  // namespace
+
+Json shortest(float value) {
+  return Json::parse(fmt::format("{}", value));
 }
 
-void ValueWriter::number(const char* name, float& value, Range /*range*/, const char* /*unit*/,
-                         const char* /*doc*/) {
-  values_[name] = shortest(value);
+Json shortest(double value) {
+  return Json::parse(fmt::format("{}", value));
 }
 
-void ValueWriter::number(const char* name, double& value, Range /*range*/, const char* /*unit*/,
-                         const char* /*doc*/) {
-  values_[name] = shortest(value);
+std::optional<Json> written(const Member& member, const Spec& spec) {
+  if (isNone(member, spec)) return std::nullopt;
+  return std::visit([&](const auto* value) { return Writer(spec)(*value); }, member);
 }
 
-void ValueWriter::number(const char* name, Animated<float>& value, Range /*range*/, const char* /*unit*/,
-                         const char* /*doc*/) {
-  values_[name] = shortest(value);
+void ValueWriter::field(const char* name, Member member, const Spec& spec) {
+  if (auto value = written(member, spec)) values_[name] = std::move(*value);
 }
 
-void ValueWriter::optionalNumber(const char* name, std::optional<double>& value, Range /*range*/,
-                                 const char* /*unit*/, const char* /*doc*/) {
-  if (value) values_[name] = shortest(*value);
-}
-
-void ValueWriter::vector(const char* name, glm::vec3& value, Range /*range*/, const char* /*unit*/,
-                         const char* /*doc*/) {
-  values_[name] = shortest(value);
-}
-
-void ValueWriter::vector(const char* name, Animated<glm::vec3>& value, Range /*range*/,
-                         const char* /*unit*/, const char* /*doc*/) {
-  values_[name] = shortest(value);
-}
-
-void ValueWriter::pair(const char* name, glm::ivec2& value, Range /*range*/, const char* /*unit*/,
-                       const char* /*doc*/) {
-  values_[name] = shortest(value);
-}
-
-void ValueWriter::pairs(const char* name, std::vector<glm::ivec2>& value, Range /*range*/,
-                        const char* /*unit*/, const char* /*doc*/) {
-  Json& list = values_[name] = Json::array();
-  for (const glm::ivec2& item : value) list.push_back(shortest(item));
-}
-
-void ValueWriter::text(const char* name, std::string& value, const char* /*doc*/) {
-  values_[name] = value;
-}
-
-void ValueWriter::integerOr(const char* name, std::optional<int>& value, const char* word, Range /*range*/,
-                            const char* /*unit*/, const char* /*doc*/) {
-  values_[name] = value ? Json(*value) : Json(word);
-}
-
-void ValueWriter::integers(const char* name, std::vector<int>& value, Range /*range*/, const char* /*unit*/,
-                           const char* /*doc*/) {
-  values_[name] = value;
-}
-
-void ValueWriter::oneOf(const char* name, int& value, const std::vector<const char*>& names,
-                        const char* /*doc*/) {
-  if (value >= 0) values_[name] = names.at(static_cast<std::size_t>(value));
-}
-
-void ValueWriter::someOf(const char* name, std::vector<int>& value, const std::vector<const char*>& names,
-                         const char* /*doc*/) {
-  Json& list = values_[name] = Json::array();
-  for (const int index : value) list.push_back(names.at(static_cast<std::size_t>(index)));
-}
-
-void ValueWriter::asset(const char* name, std::filesystem::path& value, const char* /*doc*/) {
-  values_[name] = value.string();
-}
-
-void ValueWriter::group(const char* name, const char* /*doc*/,
-                        const std::function<void(Fields&)>& describe) {
+void ValueWriter::section(const char* name, bool* present, const char* /*doc*/,
+                          const std::function<void(Fields&)>& describe) {
+  if (present != nullptr && !*present) return;
   ValueWriter inner;
   describe(inner);
   values_[name] = inner.values();
 }
 
-void ValueWriter::optionalGroup(const char* name, bool& present, const char* doc,
-                                const std::function<void(Fields&)>& describe) {
-  if (present) group(name, doc, describe);
-}
-
-void ValueWriter::listOf(const char* name, const char* /*doc*/, std::size_t /*mostItems*/,
-                         std::size_t items, const std::function<void(std::size_t)>& /*resize*/,
+void ValueWriter::listOf(const char* name, const char* /*doc*/, std::size_t /*maxItems*/, std::size_t items,
+                         const std::function<void(std::size_t)>& /*resize*/,
                          const std::function<void(Fields&, std::size_t)>& describe) {
   Json& list = values_[name] = Json::array();
   for (std::size_t i = 0; i < items; ++i) {

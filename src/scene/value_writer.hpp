@@ -1,47 +1,31 @@
 #pragma once
 #include "scene/fields.hpp"
 
+#include <optional>
+
 #include <nlohmann/json.hpp>
 
 namespace simreel::scene {
+
+/// A number as JSON that reads the way it was written in the source: 0.05F is 0.05, not
+/// 0.05000000074505806.
+[[nodiscard]] nlohmann::ordered_json shortest(float value);
+[[nodiscard]] nlohmann::ordered_json shortest(double value);
+
+/// The value as a scene would give it; nothing where no value is the value.
+[[nodiscard]] std::optional<nlohmann::ordered_json> written(const Member& member, const Spec& spec);
 
 /// Fields that write the values as a scene would give them.
 class ValueWriter final : public Fields {
  public:
   [[nodiscard]] const nlohmann::ordered_json& values() const { return values_; }
 
-  void boolean(const char* name, bool& value, const char* doc) override;
-  void integer(const char* name, int& value, Range range, const char* unit, const char* doc) override;
-  void number(const char* name, float& value, Range range, const char* unit, const char* doc) override;
-  void number(const char* name, double& value, Range range, const char* unit, const char* doc) override;
-  void number(const char* name, Animated<float>& value, Range range, const char* unit,
-              const char* doc) override;
-  void optionalNumber(const char* name, std::optional<double>& value, Range range, const char* unit,
-                      const char* doc) override;
-  void vector(const char* name, glm::vec3& value, Range range, const char* unit, const char* doc) override;
-  void vector(const char* name, Animated<glm::vec3>& value, Range range, const char* unit,
-              const char* doc) override;
-  void pair(const char* name, glm::ivec2& value, Range range, const char* unit, const char* doc) override;
-  void pairs(const char* name, std::vector<glm::ivec2>& value, Range range, const char* unit,
-             const char* doc) override;
-  void text(const char* name, std::string& value, const char* doc) override;
-  void integerOr(const char* name, std::optional<int>& value, const char* word, Range range,
-                 const char* unit, const char* doc) override;
-  void integers(const char* name, std::vector<int>& value, Range range, const char* unit,
-                const char* doc) override;
-  void oneOf(const char* name, int& value, const std::vector<const char*>& names, const char* doc) override;
-  void someOf(const char* name, std::vector<int>& value, const std::vector<const char*>& names,
-              const char* doc) override;
-  void asset(const char* name, std::filesystem::path& value, const char* doc) override;
-  void group(const char* name, const char* doc, const std::function<void(Fields&)>& describe) override;
-  void optionalGroup(const char* name, bool& present, const char* doc,
-                     const std::function<void(Fields&)>& describe) override;
-  void listOf(const char* name, const char* doc, std::size_t mostItems, std::size_t items,
+  void field(const char* name, Member member, const Spec& spec) override;
+  void section(const char* name, bool* present, const char* doc,
+               const std::function<void(Fields&)>& describe) override;
+  void listOf(const char* name, const char* doc, std::size_t maxItems, std::size_t items,
               const std::function<void(std::size_t)>& resize,
               const std::function<void(Fields&, std::size_t)>& describe) override;
-  void leftOut(const char* /*name*/, const char* /*what*/) override {}
-  void error(const char* /*name*/, const std::string& /*message*/) override {}
-  [[nodiscard]] bool given(const char* /*name*/) const override { return false; }
 
  private:
   nlohmann::ordered_json values_ = nlohmann::ordered_json::object();
