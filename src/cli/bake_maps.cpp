@@ -13,6 +13,7 @@
 #include "frame/interrupt.hpp"
 #include "gl/context.hpp"
 #include "scene/words.hpp"
+#include "sim/core/kind.hpp"
 #include "sim/world/world.hpp"
 
 #include <algorithm>
@@ -48,7 +49,7 @@ void wearOwnField(const MapsOptions& o, scene::Scene& scene) {
     fail(ExitCode::usage, "--look: there is no \"{}\"; {}", o.look, scene::suggestion(o.look, looks));
   std::vector<std::string> fields;
   for (scene::Object& object : scene.objects) {
-    if (!object.parameters->isField()) continue;
+    if (!sim::parametersOf<sim::ObjectParameters>(object).isField()) continue;
     fields.push_back(object.name);
     if (!o.object.empty() && o.object != object.name) continue;
     object.material.hasSkin = true;

@@ -107,7 +107,7 @@ void addValidate(CLI::App& app) {
 
 void addSchema(CLI::App& app) {
   app.add_subcommand("schema", "Print the JSON Schema of scene files")->callback([] {
-    printText(scene::schemaText(sim::kinds()));
+    printText(scene::schemaText(sim::kinds().list));
   });
 }
 
@@ -117,7 +117,8 @@ void addList(CLI::App& app) {
       app.add_subcommand("list", "Print what a scene may hold, or every parameter of one thing");
   command->add_option("name", *name, "A simulation or section, for example cloth");
   command->callback([name] {
-    printText(name->empty() ? scene::listText(sim::kinds()) : scene::helpText(*name, sim::kinds()));
+    printText(name->empty() ? scene::listText(sim::kinds().list)
+                            : scene::helpText(*name, sim::kinds().list));
   });
 }
 

@@ -149,12 +149,6 @@ struct Quantity {
 struct Parameters {
   virtual ~Parameters() = default;
   virtual void describe(Fields& fields) = 0;
-  /// Whether the object publishes a field, which a skin may be grown from.
-  [[nodiscard]] virtual bool isField() const { return false; }
-  /// Whether it is a surface of heights that others fall onto; a scene has at most one.
-  [[nodiscard]] virtual bool publishesHeights() const { return false; }
-  /// Whether it asks for such a surface.
-  [[nodiscard]] virtual bool needsHeights() const { return false; }
   /// What this kind of simulation measures of its state, if measures().
   [[nodiscard]] virtual std::span<const Quantity> quantities() const { return {}; }
   /// Whether it does with these values.

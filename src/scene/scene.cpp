@@ -80,62 +80,36 @@ Object readObject(const Node& node, ReadContext context, std::span<const Kind> k
   return object;
 }
 
-/// What a skin says against the objects of its scene.
-void checkSkin(const Node& object, std::span<const Object> objects, Diagnostics& diagnostics) {
-  const Node* material = object.find("material");
-  const Node* skin = material == nullptr ? nullptr : material->find("skin");
-  if (skin == nullptr || skin->kind != Node::Kind::object) return;
-  std::vector<std::string> fields;
-  for (const Object& candidate : objects)
-    if (candidate.parameters != nullptr && candidate.parameters->isField())
-      fields.push_back(candidate.name);
-  const Node* field = skin->find("field");
-  if (field != nullptr && field->kind != Node::Kind::text) return;  // reported by who read it
-  const std::string name = field == nullptr ? "" : field->text;
-  if (std::find(fields.begin(), fields.end(), name) != fields.end()) return;
-  const auto named = std::find_if(objects.begin(), objects.end(),
-                                  [&](const Object& candidate) { return candidate.name == name; });
-  if (named != objects.end() && named->parameters == nullptr) return;  // a mistake of its own
-  const std::string what = field == nullptr ? "the skin has no \"field\""
-                           : named == objects.end()
-                               ? fmt::format("no object is named {}", inQuotes(name))
-                               : fmt::format("object \"{}\" is a {}, not a field", name, named->kind);
-  diagnostics.add(
-      field == nullptr ? skin->headPlace() : field->place(),
-      fmt::format("{}; {}", what, fields.empty() ? "the scene has no field" : suggestion(name, fields)));
-}
-
-/// One surface of heights for those that ask for it.
-void checkHeights(const Node& node, std::span<const Object> objects, Diagnostics& diagnostics) {
-  const Object* surface = nullptr;
-  const auto report = [&](std::size_t i, const std::string& what) {
-    const Node* parameters = node.children[i].find(objects[i].kind);
-    const Node* flag = parameters == nullptr ? nullptr : parameters->find("collides");
-    diagnostics.add(flag == nullptr ? node.children[i].headPlace() : flag->place(), what);
-  };
-  for (std::size_t i = 0; i < objects.size(); ++i) {
-    if (objects[i].parameters == nullptr || !objects[i].parameters->publishesHeights()) continue;
-    if (surface != nullptr)
-      report(i,
-             fmt::format("a scene has one mesh that collides, and \"{}\" is one already", surface->name));
-    else
-      surface = &objects[i];
+/// Where a path from an object's node ends, as far as the scene gives it.
+Place placeOf(const Node& object, const std::vector<std::string>& path) {
+  const Node* node = &object;
+  for (const std::string& key : path) {
+    const Node* next = node->kind == Node::Kind::object ? node->find(key.c_str()) : nullptr;
+    if (next == nullptr) return node->headPlace();
+    node = next;
   }
-  for (std::size_t i = 0; surface == nullptr && i < objects.size(); ++i)
-    if (objects[i].parameters != nullptr && objects[i].parameters->needsHeights())
-      report(i, "there is nothing to fall onto; give a \"mesh\" of this scene \"collides\": true");
+  return node->place();
 }
 
-void readObjects(const Node& node, ReadContext context, std::span<const Kind> kinds,
-                 std::vector<Object>& objects) {
+void readObjects(const Node& node, ReadContext context, const Kinds& kinds, std::vector<Object>& objects) {
   if (!ValueReader("", context.diagnostics).expect(node, Node::Kind::object, "an object")) return;
   if (node.children.size() > mostObjects) {
     context.diagnostics.add(node.headPlace(), fmt::format("more than {} objects", mostObjects));
     return;
   }
-  for (const Node& child : node.children) objects.push_back(readObject(child, context, kinds));
-  for (const Node& child : node.children) checkSkin(child, objects, context.diagnostics);
-  checkHeights(node, objects, context.diagnostics);
+  std::vector<bool> good;
+  for (const Node& child : node.children) {
+    const std::size_t errorsBefore = context.diagnostics.count();
+    objects.push_back(readObject(child, context, kinds.list));
+    good.push_back(context.diagnostics.count() == errorsBefore);
+  }
+  if (!kinds.check) return;
+  kinds.check(objects,
+              [&](const Object& object, const std::vector<std::string>& path, const std::string& message) {
+                const auto i = static_cast<std::size_t>(&object - objects.data());
+                // A value that could not be read kept its default, which says nothing about the scene.
+                if (good[i]) context.diagnostics.add(placeOf(node.children[i], path), message);
+              });
 }
 
 /// Whether this program can read the scene's version; reports otherwise.
@@ -196,8 +170,7 @@ bool changesTime(std::span<const Override> overrides) {
 }
 
 /// `heldToLength`: whether frames of tests beyond the scene's end are mistakes.
-void readScene(const Node& root, ReadContext context, std::span<const Kind> kinds, bool heldToLength,
-               Scene& scene) {
+void readScene(const Node& root, ReadContext context, const Kinds& kinds, bool heldToLength, Scene& scene) {
   if (!ValueReader("", context.diagnostics).expect(root, Node::Kind::object, "a scene in { }")) return;
   Reader fields(&root, root.headPlace(), context);
   // What another version means by the rest is anyone's guess.
@@ -216,7 +189,7 @@ void readScene(const Node& root, ReadContext context, std::span<const Kind> kind
 /// What a scene is read with besides its text.
 struct With {
   std::span<const Override> overrides;
-  std::span<const Kind> kinds;
+  const Kinds& kinds;
   std::span<const std::filesystem::path> folders;
 };
 
@@ -251,9 +224,9 @@ Scene parse(std::string_view text, const std::filesystem::path& file, const std:
 /// A scene's text (of a file of some kind's own format: that of the scene around it), and the file that
 /// messages and assets go by.
 std::pair<std::string, std::filesystem::path> source(const std::filesystem::path& file,
-                                                     std::span<const Kind> kinds) {
+                                                     const Kinds& kinds) {
   if (file == "-") return {standardInput("scene", mostSceneBytes), "<stdin>"};
-  for (const Kind& kind : kinds)
+  for (const Kind& kind : kinds.list)
     if (kind.sceneAround)
       if (std::string text = kind.sceneAround(file); !text.empty()) return {std::move(text), file};
   return {readFile(file, "scene", mostSceneBytes), file};
@@ -262,14 +235,14 @@ std::pair<std::string, std::filesystem::path> source(const std::filesystem::path
 }  // namespace
 
 Scene parseScene(std::string_view text, const std::filesystem::path& file,
-                 std::span<const Override> overrides, std::span<const Kind> kinds,
+                 std::span<const Override> overrides, const Kinds& kinds,
                  std::span<const std::filesystem::path> folders) {
   // Whoever renders a shorter or slower take is not to be stopped by the frames of its tests.
   return parse(text, file, nullptr, {overrides, kinds, folders}, !changesTime(overrides));
 }
 
-Scene loadScene(const std::filesystem::path& file, std::span<const Override> overrides,
-                std::span<const Kind> kinds, std::span<const std::filesystem::path> folders) {
+Scene loadScene(const std::filesystem::path& file, std::span<const Override> overrides, const Kinds& kinds,
+                std::span<const std::filesystem::path> folders) {
   const auto [text, name] = source(file, kinds);
   return parseScene(text, name, overrides, kinds, folders);
 }
@@ -279,7 +252,7 @@ std::filesystem::path sidecarOf(const std::filesystem::path& sceneFile) {
 }
 
 Scene loadTestScene(const std::filesystem::path& file, std::span<const Override> overrides,
-                    std::span<const Kind> kinds, std::span<const std::filesystem::path> folders) {
+                    const Kinds& kinds, std::span<const std::filesystem::path> folders) {
   const auto [text, name] = source(file, kinds);
   const With with{overrides, kinds, folders};
   const std::filesystem::path beside = sidecarOf(file);

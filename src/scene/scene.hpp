@@ -119,6 +119,19 @@ struct Object {
   Material material;
 };
 
+/// Reports a mistake of an object at the place of the value that `path` leads to from it, or of the last on
+/// the way there that the scene gives.
+using Report = std::function<void(const Object& object, const std::vector<std::string>& path,
+                                  const std::string& message)>;
+
+/// The kinds of object there are, and what no object knows by itself: whether the others are what it needs.
+/// `check` hears of all objects, those with mistakes of their own too (parameters may be null); what it
+/// reports of them is not said.
+struct Kinds {
+  std::span<const Kind> list;
+  std::function<void(std::span<const Object>, const Report&)> check = {};
+};
+
 struct Scene {
   std::string title;
   int seed = 1;
@@ -159,11 +172,10 @@ struct Override {
 /// name files below its own folder, `folders` and the asset folder. Throws UserError(usage) whose message
 /// holds *every* mistake, each as "file:line:column: error: text", the line, and a caret.
 [[nodiscard]] Scene loadScene(const std::filesystem::path& file, std::span<const Override> overrides,
-                              std::span<const Kind> kinds,
-                              std::span<const std::filesystem::path> folders = {});
+                              const Kinds& kinds, std::span<const std::filesystem::path> folders = {});
 /// The same from text; `file` names it in messages and locates assets.
 [[nodiscard]] Scene parseScene(std::string_view text, const std::filesystem::path& file,
-                               std::span<const Override> overrides, std::span<const Kind> kinds,
+                               std::span<const Override> overrides, const Kinds& kinds,
                                std::span<const std::filesystem::path> folders = {});
 
 /// The file that may lie beside a scene and hold its tests: flag.test.json for flag.json.
@@ -173,7 +185,6 @@ struct Override {
 /// tests are held against the scene's length even when an override changes that length, which loadScene
 /// allows.
 [[nodiscard]] Scene loadTestScene(const std::filesystem::path& file, std::span<const Override> overrides,
-                                  std::span<const Kind> kinds,
-                                  std::span<const std::filesystem::path> folders = {});
+                                  const Kinds& kinds, std::span<const std::filesystem::path> folders = {});
 
 }  // namespace simreel::scene

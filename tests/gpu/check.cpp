@@ -270,7 +270,7 @@ TEST_CASE("checks: every kind measures as many numbers as it names") {
                                                     {"epidemic", R"("infected": 0.01)"},
                                                     {"mesh", R"("deform": [{"ripple": {}}])"},
                                                     {"wildfire", R"("strokes": [{"from": [9, 9, 0]}])"}};
-  for (const scene::Kind& kind : sim::kinds()) {
+  for (const scene::Kind& kind : sim::kinds().list) {
     CAPTURE(std::string(kind.name));
     const auto given = needs.find(kind.name);
     const auto scene = sceneOf(

@@ -65,7 +65,7 @@ void checkFiles(const BenchOptions& o) {
 /// The scenes of all rows; every mistake in a value shows before a device starts.
 std::vector<BenchRow> rowsOf(const BenchOptions& o, std::vector<scene::Scene>& scenes) {
   std::vector<std::vector<BenchChoice>> lists;
-  if (!o.technique.empty()) lists.push_back(parseTechniques(o.technique, o.scene.load(), sim::kinds()));
+  if (!o.technique.empty()) lists.push_back(parseTechniques(o.technique, o.scene.load(), sim::kinds().list));
   for (const std::string& text : o.vary) lists.push_back(parseVary(text));
   std::vector<BenchRow> rows;
   for (BenchCase& one : combine(lists, std::filesystem::path(o.scene.file).stem().string())) {

@@ -1,4 +1,5 @@
 #pragma once
+#include "sim/core/kind.hpp"
 #include "scene/fields.hpp"
 
 #include <optional>
@@ -36,7 +37,7 @@ struct Air {
 
 enum class ClothSolver { springs, constraints };
 
-struct ClothParameters : scene::Parameters {
+struct ClothParameters : ObjectParameters {
   glm::ivec2 size{32, 32};      ///< particles
   float spacing = 0.1F;         ///< m between neighbours at rest
   glm::vec3 position{0, 0, 0};  ///< m, middle of the sheet at rest

@@ -5,6 +5,16 @@
 
 namespace simreel::sim {
 
+/// Parameters of a simulation, and what it is to the others of a scene.
+struct ObjectParameters : scene::Parameters {
+  /// Whether the object publishes a field, which a skin may be grown from.
+  [[nodiscard]] virtual bool isField() const { return false; }
+  /// Whether it is a surface of heights that others fall onto; a scene has at most one.
+  [[nodiscard]] virtual bool publishesHeights() const { return false; }
+  /// Whether it asks for such a surface.
+  [[nodiscard]] virtual bool needsHeights() const { return false; }
+};
+
 /// What a scene says of an object of a kind whose parameters are `Parameters`.
 template <class Parameters>
 [[nodiscard]] const Parameters& parametersOf(const scene::Object& object) {

@@ -1,4 +1,5 @@
 #pragma once
+#include "sim/core/kind.hpp"
 #include "scene/fields.hpp"
 #include "sim/grid/field_display.hpp"
 #include "sim/grid/strokes.hpp"
@@ -22,7 +23,7 @@ struct FeedKill {
 [[nodiscard]] FeedKill ratesOf(GrayScottPreset preset);
 
 /// Gray-Scott reaction-diffusion (SPEC 4) as a scene says it.
-struct GrayScottParameters : scene::Parameters {
+struct GrayScottParameters : ObjectParameters {
   glm::ivec2 size{256, 256};  ///< cells
   GrayScottPreset preset = GrayScottPreset::leopard;
   std::optional<scene::Animated<float>> feed, kill;  ///< instead of the preset's

@@ -1,4 +1,5 @@
 #pragma once
+#include "sim/core/kind.hpp"
 #include "sim/grid/field_display.hpp"
 #include "sim/grid/strokes.hpp"
 
@@ -24,7 +25,7 @@ struct LifePattern {
   void describe(scene::Fields& fields);
 };
 
-struct LifeParameters : scene::Parameters {
+struct LifeParameters : ObjectParameters {
   LifeParameters();
   glm::ivec2 size{512, 512};  ///< cells
   bool fitted = false;        ///< the size is not given: it fits the patterns

@@ -1,4 +1,5 @@
 #pragma once
+#include "sim/core/kind.hpp"
 #include "scene/fields.hpp"
 #include "sim/mesh/deform_parameters.hpp"
 #include "sim/mesh/file.hpp"
@@ -15,7 +16,7 @@ enum class MeshShape { plane, sphere, torus, grass, file };
 enum class MeshSides { fitting, one, both };
 
 /// Parameters of the kind mesh.
-struct MeshParameters : scene::Parameters {
+struct MeshParameters : ObjectParameters {
   MeshShape shape = MeshShape::plane;
   std::filesystem::path file;
   glm::vec3 size{4, 0, 4};         ///< m, of a plane

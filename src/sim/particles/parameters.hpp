@@ -1,4 +1,5 @@
 #pragma once
+#include "sim/core/kind.hpp"
 #include "scene/fields.hpp"
 #include "sim/core/drawable.hpp"
 
@@ -54,7 +55,7 @@ struct Turbulence {
 
 enum class GravityMethod { none, allPairs, tree };  ///< "none", "all-pairs", "tree"
 
-struct ParticleParameters : scene::Parameters {
+struct ParticleParameters : ObjectParameters {
   std::vector<ParticleGroup> groups;
   std::vector<Emitter> emitters;
   GravityMethod method = GravityMethod::allPairs;

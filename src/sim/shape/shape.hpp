@@ -1,4 +1,5 @@
 #pragma once
+#include "sim/core/kind.hpp"
 #include "scene/fields.hpp"
 #include "sim/core/collider.hpp"
 #include "sim/core/simulation.hpp"
@@ -8,7 +9,7 @@
 namespace simreel::sim {
 
 /// Parameters of the kinds sphere, capsule and plane.
-struct ShapeParameters : scene::Parameters {
+struct ShapeParameters : ObjectParameters {
   explicit ShapeParameters(ColliderShape::Kind kind) {
     shape.kind = kind;
     shape.radius = kind == ColliderShape::Kind::plane     ? 0.0F

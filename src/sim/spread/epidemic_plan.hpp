@@ -1,4 +1,5 @@
 #pragma once
+#include "sim/core/kind.hpp"
 #include "sim/core/carry_over.hpp"
 #include "sim/spread/plan.hpp"
 
@@ -17,7 +18,7 @@ static_assert(sizeof(EpidemicStep) == 5 * 16);
 namespace simreel::sim {
 
 /// Susceptible, infected and recovered people on a grid (Kermack and McKendrick, 1927, as an automaton).
-struct EpidemicParameters final : scene::Parameters, SpreadParameters {
+struct EpidemicParameters final : ObjectParameters, SpreadParameters {
   enum class Mixing { local, global };
   scene::Animated<float> beta = 0.06F;   ///< probability that one infected neighbour infects in a step
   scene::Animated<float> gamma = 0.08F;  ///< probability to recover in a step

@@ -1,4 +1,5 @@
 #pragma once
+#include "sim/core/kind.hpp"
 #include "sim/core/carry_over.hpp"
 #include "sim/spread/plan.hpp"
 
@@ -24,7 +25,7 @@ struct Embers {
 };
 
 /// Fire on a map of fuel, carried from cell to neighbouring cell.
-struct WildfireParameters final : scene::Parameters, SpreadParameters {
+struct WildfireParameters final : ObjectParameters, SpreadParameters {
   std::filesystem::path fuel, obstacles, moistureMap, terrain;
   double fuelLevel = 1;  ///< of full fuel, 0 to 1
   double patchiness = 0.5;

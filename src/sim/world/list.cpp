@@ -9,6 +9,7 @@
 #include "sim/shape/shape.hpp"
 #include "sim/spread/epidemic.hpp"
 #include "sim/spread/wildfire.hpp"
+#include "sim/world/relations.hpp"
 
 #include <algorithm>
 #include <vector>
@@ -31,13 +32,14 @@ const SimulationKind& simulationNamed(std::string_view kind) {
   return *found;
 }
 
-std::span<const scene::Kind> kinds() {
+const scene::Kinds& kinds() {
   static const std::vector<scene::Kind> list = [] {
     std::vector<scene::Kind> all;
     for (const SimulationKind& simulation : simulations()) all.push_back(simulation.kind);
     return all;
   }();
-  return list;
+  static const scene::Kinds all{list, checkRelations};
+  return all;
 }
 
 }  // namespace simreel::sim

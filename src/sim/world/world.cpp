@@ -48,7 +48,7 @@ std::vector<std::size_t> stepOrder(const scene::Scene& scene) {
   std::vector<std::size_t> order;
   for (const bool first : {true, false})
     for (std::size_t i = 0; i < scene.objects.size(); ++i)
-      if (scene.objects[i].parameters->publishesHeights() == first) order.push_back(i);
+      if (parametersOf<ObjectParameters>(scene.objects[i]).publishesHeights() == first) order.push_back(i);
   return order;
 }
 

@@ -165,7 +165,7 @@ TEST_CASE("bench: techniques are choices of that name") {
   CHECK(scene::choicesOf(kind, "deep").empty());
   const std::vector<scene::Kind> kinds = {kind};
   const scene::Scene scene = scene::parseScene(
-      R"({"version": 1, "objects": {"a": {"mesh": {}}, "b": {"mesh": {}}}})", "test.json", {}, kinds);
+      R"({"version": 1, "objects": {"a": {"mesh": {}}, "b": {"mesh": {}}}})", "test.json", {}, {kinds});
   const auto all = parseTechniques("all", scene, kinds);
   REQUIRE(all.size() == 2);
   CHECK(all[1].name == "compute");

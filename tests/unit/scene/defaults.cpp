@@ -89,7 +89,7 @@ class GiveDefaults {
 /// "name" -> what the page shows as its default.
 std::map<std::string, std::string> shownDefaults(const std::string& page) {
   std::map<std::string, std::string> shown;
-  std::istringstream lines(scene::helpText(page, sim::kinds()));
+  std::istringstream lines(scene::helpText(page, sim::kinds().list));
   std::size_t nameAt = 2, defaultAt = 0, rangeAt = 0;
   for (std::string line; std::getline(lines, line);) {
     if (line.starts_with("  name ")) {
@@ -126,7 +126,7 @@ void comparePage(const std::map<std::string, std::string>& shown, const Json& sc
 }  // namespace
 
 TEST_CASE("defaults: given or left out, every one in every shipped scene is the same") {
-  const Json schema = Json::parse(scene::schemaText(sim::kinds()));
+  const Json schema = Json::parse(scene::schemaText(sim::kinds().list));
   int same = 0;
   std::set<std::string> refused;
   for (const auto& entry : std::filesystem::directory_iterator(scenes)) {
@@ -150,9 +150,9 @@ TEST_CASE("defaults: given or left out, every one in every shipped scene is the 
 }
 
 TEST_CASE("defaults: the pages show those of the schema") {
-  const Json schema = Json::parse(scene::schemaText(sim::kinds()));
+  const Json schema = Json::parse(scene::schemaText(sim::kinds().list));
   int compared = 0;
-  for (const scene::Kind& kind : sim::kinds())
+  for (const scene::Kind& kind : sim::kinds().list)
     comparePage(shownDefaults(kind.name), schema.at("$defs").at(kind.name), "", compared);
   for (const char* section : {"render", "time", "camera", "sun", "sky", "ground", "test"})
     comparePage(shownDefaults(section), schema.at("properties").at(section), "", compared);

@@ -8,7 +8,7 @@ using namespace simreel::scene;
 using namespace simreel::scene::toy;
 
 TEST_CASE("the schema says what the reader checks") {
-  const std::string text = schemaText(toyKinds());
+  const std::string text = schemaText(toyKinds().list);
   CHECK(text.back() == '\n');
   const auto schema = nlohmann::json::parse(text);
   CHECK(schema["$schema"] == "https://json-schema.org/draft/2020-12/schema");
@@ -46,7 +46,7 @@ TEST_CASE("the schema says what the reader checks") {
 }
 
 TEST_CASE("help is a table of name, default, range, unit and sentence") {
-  const std::string help = helpText("cloth", toyKinds());
+  const std::string help = helpText("cloth", toyKinds().list);
   const auto line = [&](const std::string& name) {
     const std::size_t begin = help.find("\n  " + name + " ") + 1;
     std::string found = help.substr(begin, help.find('\n', begin) - begin);
@@ -68,9 +68,9 @@ TEST_CASE("help is a table of name, default, range, unit and sentence") {
 TEST_CASE("every section has help, and a wrong name gets a suggestion") {
   for (const char* name : {"scene", "render", "time", "camera", "sun", "sky", "ground", "material", "test",
                            "checks", "capsule"})
-    CHECK_MESSAGE(has(helpText(name, toyKinds()), std::string(name) + ": "), name);
+    CHECK_MESSAGE(has(helpText(name, toyKinds().list), std::string(name) + ": "), name);
   try {
-    static_cast<void>(helpText("cloht", toyKinds()));
+    static_cast<void>(helpText("cloht", toyKinds().list));
     FAIL("no error");
   } catch (const simreel::UserError& error) {
     CHECK(error.code() == simreel::ExitCode::usage);
@@ -79,7 +79,7 @@ TEST_CASE("every section has help, and a wrong name gets a suggestion") {
 }
 
 TEST_CASE("the list has one line per kind and section") {
-  const std::string list = listText(toyKinds());
+  const std::string list = listText(toyKinds().list);
   CHECK(has(list, "  cloth     A toy cloth.\n"));
   CHECK(has(list, "  camera    "));
   CHECK(has(list, "  scene     "));

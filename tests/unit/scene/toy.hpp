@@ -83,10 +83,11 @@ struct Capsule final : Parameters {
   void describe(Fields& fields) override { fields.number("radius", radius, positive, "m", "Radius."); }
 };
 
-inline std::span<const Kind> toyKinds() {
+inline const Kinds& toyKinds() {
   static const Kind all[] = {{"cloth", "A toy cloth.", [] { return std::make_unique<Cloth>(); }},
                              {"capsule", "A toy capsule.", [] { return std::make_unique<Capsule>(); }}};
-  return all;
+  static const Kinds kinds{all};
+  return kinds;
 }
 
 inline Scene parse(std::string_view text, const std::vector<std::string>& changes = {},

@@ -12,12 +12,13 @@ using namespace simreel;
 
 TEST_CASE("every kind that has a field says so") {
   std::set<std::string> fields;
-  for (const scene::Kind& kind : sim::kinds())
-    if (kind.makeParameters()->isField()) fields.insert(kind.name);
+  for (const scene::Kind& kind : sim::kinds().list)
+    if (dynamic_cast<const sim::ObjectParameters&>(*kind.makeParameters()).isField())
+      fields.insert(kind.name);
   std::set<std::string> displayed;  // what can be laid over the picture is a field
-  for (const scene::Kind& kind : sim::kinds())
-    if (scene::helpText(kind.name, sim::kinds()).find("\ndisplay") != std::string::npos ||
-        scene::helpText(kind.name, sim::kinds()).find("\n  display") != std::string::npos)
+  for (const scene::Kind& kind : sim::kinds().list)
+    if (scene::helpText(kind.name, sim::kinds().list).find("\ndisplay") != std::string::npos ||
+        scene::helpText(kind.name, sim::kinds().list).find("\n  display") != std::string::npos)
       displayed.insert(kind.name);
   CHECK(displayed.size() >= 4);
   CHECK(fields == displayed);
