@@ -1,6 +1,9 @@
 #pragma once
 // Lets the shared shader files compile as C++: include this, open a namespace or struct, include them.
 // Built with -ffp-contract=off, every C++ operation rounds as a `precise` one does.
+// What the files mark for C++ alone is nothing in GLSL (src/gl/shader_source.cpp):
+//   struct STD140 Name { ... };  starts and ends at multiples of 16 bytes, as in a uniform block
+//   float mass DEFAULT(1.0f);    a member's value where the scene gives none
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -9,6 +12,9 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
+
+#define STD140 alignas(16)
+#define DEFAULT(value) = value
 
 namespace simreel::shader {
 
@@ -25,6 +31,8 @@ using glm::vec2;
 using glm::vec3;
 using glm::vec4;
 using uint = std::uint32_t;
+
+#include "glsl/common/bindings.glsl"
 
 inline int floatBitsToInt(float x) {
   return std::bit_cast<int>(x);

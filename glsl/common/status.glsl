@@ -1,5 +1,6 @@
-// Where a simulation notes the first step and element whose state is not a number (binding 7).
-layout(std430, binding = 7) restrict buffer StatusBlock {
+// Where a simulation notes the first step and element whose state is not a number.
+#include "common/bindings.glsl"
+layout(std430, binding = statusBinding) restrict buffer StatusBlock {
   uint firstStep;     // 0xffffffff while all is well
   uint firstElement;  // the lowest of that step
   uint remark;        // not 0: worth a word to the user (Simulation::remark)

@@ -62,7 +62,7 @@ class Cloth : public Simulation {
 
   void step(double time, const StepWatch& watch) override {
     steps_.upload(plan_.frame(time));
-    status_.bindStorage(7);
+    status_.bindStorage(shader::statusBinding);
     for (int i = 0; i < plan_.substeps(); ++i) {
       steps_.bind(static_cast<std::size_t>(i));
       positions_[0].bindInput(0);

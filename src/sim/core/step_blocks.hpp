@@ -1,6 +1,7 @@
 #pragma once
 #include "gl/buffer.hpp"
 #include "gl/limits.hpp"
+#include "glsl/common/cpp.hpp"
 
 #include <cstddef>
 #include <cstring>
@@ -33,8 +34,9 @@ class StepBlocks {
     }
     buffer_.write(0, bytes);
   }
-  /// For uniform block 0.
-  void bind(std::size_t step) const { buffer_.bindUniform(0, stride_ * step, sizeof(Block)); }
+  void bind(std::size_t step) const {
+    buffer_.bindUniform(shader::stepBinding, stride_ * step, sizeof(Block));
+  }
 
  private:
   std::size_t stride_ = 0;

@@ -196,7 +196,7 @@ class Particles : public Simulation {
     positions_.bindState(0);
     velocities_.bindState(1);
     accelerations_.bindState(2);
-    status_.bindStorage(7);
+    status_.bindStorage(shader::statusBinding);
     if (heights_ == nullptr) return;
     const ParticleParameters& p = plan_.parameters();
     heights_->bind();
