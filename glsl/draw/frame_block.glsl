@@ -1,4 +1,5 @@
+#include "draw/bindings.glsl"
 #include "draw/frame.glsl"
-layout(std140, binding = 0) uniform FrameBlock {
+layout(std140, binding = frameBinding) uniform FrameBlock {
   Frame frame;
 };

@@ -1,10 +1,11 @@
 // Every way in which the passes read textures: sRGB, half floats, comparison of depths.
+#include "draw/bindings.glsl"
 in vec3 place;
 in vec3 normal;
 in vec2 uv;
-layout(binding = 1) uniform sampler2D picture;
-layout(binding = 2) uniform sampler2D relief;
-layout(binding = 3) uniform sampler2DShadow depths;
+layout(binding = albedoUnit) uniform sampler2D picture;
+layout(binding = reliefUnit) uniform sampler2D relief;
+layout(binding = shadowUnit) uniform sampler2DShadow depths;
 layout(location = 0) out vec4 light;
 
 void main() {

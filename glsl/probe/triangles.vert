@@ -1,5 +1,6 @@
 // Triangles in perspective, pulled as surfaces are.
-layout(binding = 0) uniform samplerBuffer vertices;  // position and u, normal and v
+#include "draw/bindings.glsl"
+layout(binding = positionUnit) uniform samplerBuffer vertices;  // position and u, normal and v
 uniform mat4 projection;
 out vec3 place;
 out vec3 normal;

@@ -34,29 +34,12 @@ struct DrawState {
   }
 };
 
-/// Texture units of glsl/draw.
-enum Unit : GLuint {
-  positionUnit = 0,
-  normalUnit = 1,
-  uvUnit = 2,
-  albedoUnit = 3,
-  lightUnit = 4,
-  shadowUnit = 5,
-  velocityUnit = 6,
-  shapeUnit = 7,
-  listUnit = 8,
-  argumentUnit = 9,
-  stopUnit = 10,
-  reliefUnit = 11,
-  skinColorUnit = 12,
-  surroundingsUnit = 13,
-  trailUnit = 14
-};
+#include "glsl/draw/bindings.glsl"
 
 /// What a surface that the vertex shader displaces needs (glsl/draw/surface/deformed_vertex.glsl).
 inline void bindDeformation(const sim::Surface& surface) {
   if (surface.deform == nullptr) return;
-  surface.deform->bindUniform(1, 0, surface.deform->bytes());
+  surface.deform->bindUniform(deformBinding, 0, surface.deform->bytes());
   surface.trail->bind(trailUnit);
 }
 

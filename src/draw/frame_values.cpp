@@ -17,10 +17,13 @@ void setSun(shader::Frame& frame, const scene::Sun& sun, double seconds) {
   const glm::vec3 direction = glm::length(given) > 1e-6F ? glm::normalize(given) : glm::vec3(0, 1, 0);
   const glm::vec3 helper = std::abs(direction.y) > 0.9F ? glm::vec3(0, 0, 1) : glm::vec3(0, 1, 0);
   const glm::vec3 right = glm::normalize(glm::cross(helper, direction));
-  frame.sunDirection = glm::vec4(direction, 0.12F);
+  frame.sunDirection = glm::vec4(direction, 0);
+  frame.sunGlow = 0.12F;
   frame.sunLight = glm::vec4(sun.color.at(seconds) * (sun.intensity.at(seconds) * 0.31830989F), 0);
-  frame.lightRight = glm::vec4(right, static_cast<float>(sun.shadowSize));
-  frame.lightUp = glm::vec4(glm::cross(direction, right), sun.shadowSoftness);
+  frame.lightRight = glm::vec4(right, 0);
+  frame.lightUp = glm::vec4(glm::cross(direction, right), 0);
+  frame.shadowTexels = static_cast<float>(sun.shadowSize);
+  frame.shadowSoftness = sun.shadowSoftness;
 }
 
 /// The exact cosine-weighted mean of the gradient in glsl/draw/sky.glsl is nearly the zenith alone,
@@ -39,24 +42,32 @@ void setSky(shader::Frame& frame, const scene::Sky& sky, double seconds) {
   frame.ambientDown = glm::vec4(ambient * ground, 0);
 }
 
+void setGround(shader::Frame& frame, const scene::Ground& ground) {
+  frame.groundColor = glm::vec4(ground.color, 0);
+  frame.groundHeight = ground.height;
+  frame.groundRoughness = ground.roughness;
+  frame.groundReach = std::max(ground.fadeEnd, ground.fadeStart);
+  frame.groundFadeStart = ground.fadeStart;
+  frame.perGroundFade = 1.0F / std::max(ground.fadeEnd - ground.fadeStart, 1e-3F);
+}
+
 }  // namespace
 
 shader::Frame frameValues(const scene::Scene& scene, glm::ivec2 size, double seconds) {
   shader::Frame frame{};
   const View view = viewAt(scene.camera, seconds, size);
-  const scene::Ground& ground = scene.ground;
   frame.viewProjection = view.viewProjection;
-  frame.eye = glm::vec4(view.eye, 1.0F / std::max(ground.fadeEnd - ground.fadeStart, 1e-3F));
-  frame.target = glm::vec4(view.target, ground.fadeStart);
+  frame.eye = glm::vec4(view.eye, 0);
+  frame.target = glm::vec4(view.target, 0);
   frame.rayForward = glm::vec4(view.forward, 0);
   frame.rayRight = glm::vec4(view.right, 0);
   frame.rayUp = glm::vec4(view.up, 0);
   setSun(frame, scene.sun, seconds);
   setSky(frame, scene.sky, seconds);
-  frame.groundColor = glm::vec4(ground.color, ground.height);
-  frame.groundShape =
-      glm::vec4(ground.roughness, std::max(ground.fadeEnd, ground.fadeStart), scene.hasGround, 0);
-  frame.lens = glm::vec4(std::exp2(scene.render.exposure.at(seconds)), scene.render.vignette, size);
+  setGround(frame, scene.ground);
+  frame.size = size;
+  frame.exposure = std::exp2(scene.render.exposure.at(seconds));
+  frame.vignette = scene.render.vignette;
   return frame;
 }
 

@@ -1,14 +1,13 @@
 #pragma once
+#include "glsl/common/cpp.hpp"
 #include "scene/scene.hpp"
 
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
-#include <glm/vec4.hpp>
 
 namespace simreel::shader {
 
 using glm::mat4;
-using glm::vec4;
 #include "glsl/draw/frame.glsl"
 
 }  // namespace simreel::shader

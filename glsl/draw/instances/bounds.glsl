@@ -2,7 +2,7 @@
 // can reduce them: light space x, y, z (m), then x and z of the shadow on the ground (m).
 #include "draw/frame_block.glsl"
 const int boundCount = 5;
-layout(std430, binding = 6) restrict buffer BoundsBlock {
+layout(std430, binding = boundsBinding) restrict buffer BoundsBlock {
   uint boundLow[boundCount];
   uint boundHigh[boundCount];
 };

@@ -1,8 +1,9 @@
 // Prefix sums of the bits inside blocks of 64 words: an invocation takes one block.
+#include "draw/bindings.glsl"
 layout(local_size_x = 64) in;
-layout(binding = 0) uniform usamplerBuffer masks;
-layout(std430, binding = 1) writeonly restrict buffer BeforeBlock { uint before[]; };
-layout(std430, binding = 2) writeonly restrict buffer BlockBlock { uint blockCount[]; };
+layout(binding = maskUnit) uniform usamplerBuffer masks;
+layout(std430, binding = beforeBinding) writeonly restrict buffer BeforeBlock { uint before[]; };
+layout(std430, binding = blockCountBinding) writeonly restrict buffer BlockBlock { uint blockCount[]; };
 uniform int blocks;
 
 void main() {

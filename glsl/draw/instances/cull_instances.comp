@@ -7,7 +7,7 @@
 #include "draw/surface/light_map.glsl"
 #endif
 layout(local_size_x = 64) in;
-layout(std430, binding = 0) writeonly restrict buffer MaskBlock { uint masks[]; };
+layout(std430, binding = maskBinding) writeonly restrict buffer MaskBlock { uint masks[]; };
 uniform int capacity;
 uniform int words;
 uniform float pointPixels;  // sprites of at most this radius are points
@@ -16,8 +16,7 @@ uniform float levelError;  // pixels by which the outline of a coarse shape may 
 #ifdef FOR_LIGHT
 bool isSeen(vec3 p, float radius) {
   vec3 place = shadowPlace(p);
-  vec4 shape = texelFetch(light, 3);
-  vec3 reach = radius / vec3(shape.yy, shape.z);
+  vec3 reach = radius / shadowExtent();
   return all(greaterThan(place + reach, vec3(0))) && all(lessThan(place - reach, vec3(1)));
 }
 float pixelRadius(vec3 p, float radius) {

@@ -12,12 +12,9 @@ void main() {
   across = vec2(0);
   if (!pulled(position, velocity)) return;
   Facing facing = facingEye(position.xyz);
-  float radius = instanceSize(position.w) * shapeRadius;
-  float least = leastRadius(position.xyz);
-  // Widened glows keep their light: they are dimmer by the ratio of areas.
-  float share = min(radius / max(least, 1e-12), 1.0);
-  tint = tintOf(position, velocity) * (brightnessAt(velocity.w) * share * share);
+  Glow glow = glowOf(position, velocity);
+  tint = glow.light;
   across = squareCorner();
   vec3 outwards = across.x * facing.right + across.y * facing.up;
-  gl_Position = frame.viewProjection * vec4(position.xyz + max(radius, least) * outwards, 1.0);
+  gl_Position = frame.viewProjection * vec4(position.xyz + glow.radius * outwards, 1.0);
 }

@@ -4,30 +4,15 @@
 #include "draw/instances/instance_list.glsl"
 #include "draw/surface/facing.glsl"
 #include "draw/instances/glow_block.glsl"
-#if SAMPLES > 1
-layout(binding = 1) uniform sampler2DMS sceneDepth;
-#else
-layout(binding = 1) uniform sampler2D sceneDepth;
-#endif
+#include "draw/samples.glsl"
+layout(binding = depthUnit) uniform SAMPLED sceneDepth;
 uniform int strides;  // invocations; LARGE: groups
 uniform float roundPixels;  // larger ones are squares in space, as the rasteriser draws them; smaller ones on the picture
-
-// A sprite of this radius and light, as draw/instances/glow.vert has it.
-struct Glow {
-  vec3 middle;
-  float radius;  // m
-  vec3 light;
-};
 
 Glow glowAt(uint at) {
   vec4 position, velocity;
   listed(at, position, velocity);
-  float radius = instanceSize(position.w) * shapeRadius;
-  float least = leastRadius(position.xyz);
-  // Widened glows keep their light: they are dimmer by the ratio of areas.
-  float share = min(radius / max(least, 1e-12), 1.0);
-  vec3 light = tintOf(position, velocity) * (brightnessAt(velocity.w) * share * share);
-  return Glow(position.xyz, max(radius, least), light);
+  return glowOf(position, velocity);
 }
 
 // `across`: square of the distance from the middle in radii.
@@ -35,7 +20,7 @@ void add(ivec2 pixel, vec3 light, float across, float depth) {
   if (across >= 1.0 || depth < 0.0) return;
   int before = 0;
   for (int i = 0; i < SAMPLES; ++i)
-    before += int(depth < texelFetch(sceneDepth, pixel, i * int(SAMPLES > 1)).x);
+    before += int(depth < texelFetch(sceneDepth, pixel, SAMPLE(i)).x);
   float inside = (1.0 - across) * (1.0 - across) * float(before) / float(SAMPLES);
   // More than half floats hold shows white in any case.
   vec3 all = min(light * inside, 6e4);
@@ -56,10 +41,10 @@ vec3 placed(vec4 clip) {
 // A disk on the picture, the pixels from `aside` on, `stride` apart.
 void addDisk(Glow g, ivec2 aside, ivec2 stride) {
   vec3 place = placed(frame.viewProjection * vec4(g.middle, 1.0));
-  vec2 middle = place.xy * frame.lens.zw;
-  float radius = g.radius * pixelsPerMetre() / max(dot(g.middle - frame.eye.xyz, frame.rayForward.xyz), 1e-6);
+  vec2 middle = place.xy * frame.size;
+  float radius = pixelsOf(g.middle, g.radius);
   ivec2 first = max(ivec2(ceil(middle - radius - 0.5)), 0) + aside;
-  ivec2 last = min(ivec2(floor(middle + radius - 0.5)), ivec2(frame.lens.zw) - 1);
+  ivec2 last = min(ivec2(floor(middle + radius - 0.5)), ivec2(frame.size) - 1);
   for (int y = first.y; y <= last.y; y += stride.y)
     for (int x = first.x; x <= last.x; x += stride.x) {
       vec2 across = (vec2(x, y) + 0.5 - middle) / radius;
@@ -85,11 +70,11 @@ void addFacing(Glow g, ivec2 aside, ivec2 stride) {
   }
   // Partly behind the eye: anywhere.
   if (!before) low = vec2(0), high = vec2(1);
-  ivec2 first = ivec2(clamp(low, 0.0, 1.0) * frame.lens.zw) + aside;
-  ivec2 last = min(ivec2(clamp(high, 0.0, 1.0) * frame.lens.zw), ivec2(frame.lens.zw) - 1);
+  ivec2 first = ivec2(clamp(low, 0.0, 1.0) * frame.size) + aside;
+  ivec2 last = min(ivec2(clamp(high, 0.0, 1.0) * frame.size), ivec2(frame.size) - 1);
   for (int y = first.y; y <= last.y; y += stride.y)
     for (int x = first.x; x <= last.x; x += stride.x) {
-      vec2 onPicture = (vec2(x, y) + 0.5) / frame.lens.zw * 2.0 - 1.0;
+      vec2 onPicture = (vec2(x, y) + 0.5) / frame.size * 2.0 - 1.0;
       vec3 ray = frame.rayForward.xyz + frame.rayRight.xyz * onPicture.x + frame.rayUp.xyz * onPicture.y;
       float towards = -dot(ray, facing.towards);
       if (towards <= 0.0) continue;

@@ -1,9 +1,11 @@
 // One instance of a sim::Instances by its slot.
-layout(binding = 0) uniform samplerBuffer positions;   // xyz (m), w mass (kg)
-layout(binding = 6) uniform samplerBuffer velocities;  // xyz (m/s), w age 0 to 1, negative: not alive
+#include "draw/bindings.glsl"
+layout(binding = positionUnit) uniform samplerBuffer positions;   // xyz (m), w mass (kg)
+layout(binding = velocityUnit) uniform samplerBuffer velocities;  // xyz (m/s), w age 0 to 1, negative: not alive
 uniform float size;         // factor on the shape's coordinates
 uniform float shapeRadius;  // of a ball around the shape at size 1
-uniform vec2 massScale;     // x exponent, y 1 / reference mass
+uniform float massExponent;
+uniform float perMassReference;  // 1/kg
 uniform float leastPixels;  // no ball is drawn with a smaller radius on screen
 
 // Dead ones and lost ones are not drawn.
@@ -12,13 +14,18 @@ bool isShown(vec4 position, vec4 velocity) {
 }
 
 float instanceSize(float mass) {
-  if (massScale.x == 0.0) return size;
-  return size * pow(max(mass, 0.0) * massScale.y, massScale.x);
+  if (massExponent == 0.0) return size;
+  return size * pow(max(mass, 0.0) * perMassReference, massExponent);
 }
 
 // Pixels that one metre spans at one metre from the eye.
 float pixelsPerMetre() {
-  return 0.5 * frame.lens.w * inversesqrt(dot(frame.rayUp.xyz, frame.rayUp.xyz));
+  return 0.5 * frame.size.y * inversesqrt(dot(frame.rayUp.xyz, frame.rayUp.xyz));
+}
+
+// Pixels that `radius` (m) spans at p.
+float pixelsOf(vec3 p, float radius) {
+  return radius * pixelsPerMetre() / max(dot(p - frame.eye.xyz, frame.rayForward.xyz), 1e-6);
 }
 
 // Metres that `leastPixels` span at p.

@@ -1,14 +1,16 @@
 // Listed instances and their colours.
 #include "draw/instances/instance.glsl"
-layout(binding = 8) uniform usamplerBuffer list;
-layout(binding = 9) uniform usamplerBuffer arguments;
-layout(binding = 10) uniform samplerBuffer stops;
+layout(binding = listUnit) uniform usamplerBuffer list;
+layout(binding = argumentUnit) uniform usamplerBuffer arguments;
+layout(binding = stopUnit) uniform samplerBuffer stops;
 uniform int level;
 uniform int colorBy;  // sim::Instances::ColorBy
 uniform int stopCount;
 uniform vec3 color;
-uniform vec2 colorScale;  // value * x + y is 0 to 1 over the range
-uniform vec2 glow;        // x brightness, y share of life to fade in and out
+uniform float colorFactor;  // value * factor + offset is 0 to 1 over the range
+uniform float colorOffset;
+uniform float brightness;
+uniform float fade;  // fraction of life to fade in and out
 
 // Number `at` of the level's visible ones; false where there are fewer.
 bool listed(uint at, out vec4 position, out vec4 velocity) {
@@ -23,7 +25,7 @@ bool listed(uint at, out vec4 position, out vec4 velocity) {
 vec3 tintOf(vec4 position, vec4 velocity) {
   if (colorBy == 0) return color;
   float value = colorBy == 1 ? length(velocity.xyz) : colorBy == 2 ? position.w : velocity.w;
-  float at = clamp(value * colorScale.x + colorScale.y, 0.0, 1.0) * float(stopCount - 1);
+  float at = clamp(value * colorFactor + colorOffset, 0.0, 1.0) * float(stopCount - 1);
   int below = min(int(at), max(stopCount - 2, 0));
   return mix(texelFetch(stops, below).rgb, texelFetch(stops, min(below + 1, stopCount - 1)).rgb, at - float(below));
 }
@@ -31,7 +33,22 @@ vec3 tintOf(vec4 position, vec4 velocity) {
 // Light of an additive instance for its colour: it brightens and dims over its life. One whose age is exactly 0
 // does not age.
 float brightnessAt(float age) {
-  if (glow.y <= 0.0 || age == 0.0) return glow.x;
-  float share = clamp(min(age, 1.0 - age) / glow.y, 0.0, 1.0);
-  return glow.x * share * share * (3.0 - 2.0 * share);
+  if (fade <= 0.0 || age == 0.0) return brightness;
+  float share = clamp(min(age, 1.0 - age) / fade, 0.0, 1.0);
+  return brightness * share * share * (3.0 - 2.0 * share);
+}
+
+struct Glow {
+  vec3 middle;
+  float radius;  // m
+  vec3 light;
+};
+
+// An additive sprite. One too small to be drawn is widened and keeps its light: it is dimmer by the ratio of areas.
+Glow glowOf(vec4 position, vec4 velocity) {
+  float radius = instanceSize(position.w) * shapeRadius;
+  float least = leastRadius(position.xyz);
+  float share = min(radius / max(least, 1e-12), 1.0);
+  vec3 light = tintOf(position, velocity) * (brightnessAt(velocity.w) * share * share);
+  return Glow(position.xyz, max(radius, least), light);
 }

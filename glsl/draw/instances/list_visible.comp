@@ -1,9 +1,10 @@
 // Writes the slots whose bits are set, in the order of slots within each level of detail.
+#include "draw/bindings.glsl"
 layout(local_size_x = 64) in;
-layout(binding = 0) uniform usamplerBuffer masks;
-layout(binding = 1) uniform usamplerBuffer before;
-layout(binding = 2) uniform usamplerBuffer blockFirst;
-layout(std430, binding = 0) writeonly restrict buffer ListBlock { uint list[]; };
+layout(binding = maskUnit) uniform usamplerBuffer masks;
+layout(binding = beforeUnit) uniform usamplerBuffer before;
+layout(binding = blockFirstUnit) uniform usamplerBuffer blockFirst;
+layout(std430, binding = listBinding) writeonly restrict buffer ListBlock { uint list[]; };
 uniform int allWords;
 uniform int words;  // of one level
 

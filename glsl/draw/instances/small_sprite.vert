@@ -1,8 +1,9 @@
 // Sprites of few pixels as small_sprites.comp made them: points, or squares where points are drawn coarsely
 // (software drivers round their size). FOR_LIGHT: into the light's map.
+#include "draw/bindings.glsl"
 #include "draw/instances/small_sprite.glsl"
-layout(binding = 0) uniform usamplerBuffer sprites;
-layout(binding = 9) uniform usamplerBuffer arguments;
+layout(binding = spriteUnit) uniform usamplerBuffer sprites;
+layout(binding = argumentUnit) uniform usamplerBuffer arguments;
 uniform int level;
 uniform int batch;
 uniform int vertexBits;

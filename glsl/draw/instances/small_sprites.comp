@@ -11,7 +11,7 @@
 #include "draw/surface/lighting.glsl"
 #endif
 layout(local_size_x = 64) in;
-layout(std430, binding = 0) writeonly restrict buffer SpriteBlock { uvec4 sprites[]; };
+layout(std430, binding = spriteBinding) writeonly restrict buffer SpriteBlock { uvec4 sprites[]; };
 uniform int invocations;
 
 const float squareSide = 1.7724539;  // sqrt(pi): of the square with a disk's area
@@ -21,11 +21,6 @@ vec3 placed(vec3 p) {
   return clip.xyz / clip.w;
 }
 
-// Pixels that `radius` (m) spans at p.
-float pixelsOf(vec3 p, float radius) {
-  return radius * pixelsPerMetre() / max(dot(p - frame.eye.xyz, frame.rayForward.xyz), 1e-6);
-}
-
 #if defined(FOR_LIGHT)
 SmallSprite ready(vec4 position, vec4 velocity) {
   float side = squareSide * instanceSize(position.w) * shapeRadius / shadowTexel();
@@ -33,12 +28,8 @@ SmallSprite ready(vec4 position, vec4 velocity) {
 }
 #elif defined(GLOW)
 SmallSprite ready(vec4 position, vec4 velocity) {
-  float radius = instanceSize(position.w) * shapeRadius;
-  float least = leastRadius(position.xyz);
-  // Widened glows keep their light: they are dimmer by the ratio of areas.
-  float share = min(radius / max(least, 1e-12), 1.0);
-  vec3 light = tintOf(position, velocity) * (brightnessAt(velocity.w) * share * share);
-  return SmallSprite(placed(position.xyz), 2.0 * pixelsOf(position.xyz, max(radius, least)), light, vec2(0));
+  Glow glow = glowOf(position, velocity);
+  return SmallSprite(placed(glow.middle), 2.0 * pixelsOf(glow.middle, glow.radius), glow.light, vec2(0));
 }
 #else
 SmallSprite ready(vec4 position, vec4 velocity) {

@@ -1,10 +1,11 @@
 // One work group: prefix sums of the blocks' counts, then the arguments of the indirect draws, one for each level
 // of detail: {count, instanceCount, firstIndex, baseVertex, baseInstance}, then the level's first place in the
 // list and its number of instances. `batch` instances of the shape are one drawn instance.
+#include "draw/bindings.glsl"
 layout(local_size_x = 256) in;
-layout(binding = 0) uniform usamplerBuffer blockCount;
-layout(std430, binding = 1) writeonly restrict buffer FirstBlock { uint blockFirst[]; };
-layout(std430, binding = 2) writeonly restrict buffer ArgumentBlock { uint arguments[]; };
+layout(binding = blockCountUnit) uniform usamplerBuffer blockCount;
+layout(std430, binding = blockFirstBinding) writeonly restrict buffer FirstBlock { uint blockFirst[]; };
+layout(std430, binding = argumentBinding) writeonly restrict buffer ArgumentBlock { uint arguments[]; };
 uniform int blocks;           // of all levels
 uniform ivec2 indices[LEVELS];  // first and count
 uniform int batch[LEVELS];

@@ -1,8 +1,9 @@
 // A translucent panel with rounded corners, axes, and curves as lines of even thickness over a faint fill.
 // Everything is in the picture's own encoded colours; alpha is premultiplied.
+#include "draw/bindings.glsl"
 #include "draw/screen/film.glsl"
-layout(binding = 0) uniform usamplerBuffer counts;
-layout(binding = 1) uniform sampler2D columns;  // chart_columns.comp
+layout(binding = countUnit) uniform usamplerBuffer counts;
+layout(binding = columnUnit) uniform sampler2D columns;  // chart_columns.comp
 uniform vec4 panel;    // whole pixels: left, top, right, bottom
 uniform vec4 plot;     // the same, of the curves
 uniform float unit;    // pixels: thickness of a thin line

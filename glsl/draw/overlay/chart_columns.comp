@@ -1,9 +1,10 @@
 // What the curves of a chart are in each column of pixels, as shares of its height: where they enter it, where
 // they leave it, the least and the most in it. Where nothing is counted yet: -1. So the cost of drawing does
 // not grow with the number of steps.
+#include "draw/bindings.glsl"
 layout(local_size_x = 64) in;
-layout(binding = 0) uniform usamplerBuffer counts;
-layout(rgba32f, binding = 0) writeonly uniform restrict image2D columns;
+layout(binding = countUnit) uniform usamplerBuffer counts;
+layout(rgba32f, binding = targetImage) writeonly uniform restrict image2D columns;
 uniform int columnCount;
 uniform int steps;     // counted so far
 uniform float perColumn;  // steps

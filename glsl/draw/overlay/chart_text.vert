@@ -1,5 +1,6 @@
 // Rectangles of letters: two texels each, the rectangle in pixels and its encoded colour.
-layout(binding = 0) uniform samplerBuffer boxes;
+#include "draw/bindings.glsl"
+layout(binding = boxUnit) uniform samplerBuffer boxes;
 uniform vec2 picture;  // pixels
 flat out vec3 color;
 

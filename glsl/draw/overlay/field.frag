@@ -7,7 +7,7 @@
 #include "draw/overlay/field_colors.glsl"
 #include "draw/screen/film.glsl"
 #ifdef REDUCED
-layout(binding = 2) uniform sampler2D reduced;
+layout(binding = reducedUnit) uniform sampler2D reduced;
 #endif
 uniform vec2 picture;    // pixels
 uniform bool topFirst;   // row 0 of the target is the picture's top row

@@ -1,5 +1,6 @@
 // A field's cells as its simulation keeps them. CELLS: 0 bits, 1 bytes, 2 floats.
-layout(binding = 0) uniform usamplerBuffer words;
+#include "draw/bindings.glsl"
+layout(binding = wordUnit) uniform usamplerBuffer words;
 uniform ivec2 cells;     // of the field
 uniform int rowWords;    // from one row to the next
 uniform int firstWord;   // of cell (0, 0)

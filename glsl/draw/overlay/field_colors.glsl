@@ -1,6 +1,6 @@
 // Colours of a field's values, linear RGB. CATEGORIES: a value is the number of its colour; else colours
 // lie evenly over `range`.
-layout(binding = 1) uniform samplerBuffer stops;
+layout(binding = colorUnit) uniform samplerBuffer stops;
 uniform int stopCount;
 uniform vec2 range;
 

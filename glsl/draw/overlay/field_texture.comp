@@ -5,9 +5,9 @@
 #include "draw/overlay/field_colors.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
 #ifdef COLORED
-layout(rgba16f, binding = 0) writeonly uniform restrict image2D texels;
+layout(rgba16f, binding = targetImage) writeonly uniform restrict image2D texels;
 #else
-layout(r32f, binding = 0) writeonly uniform restrict image2D texels;
+layout(r32f, binding = targetImage) writeonly uniform restrict image2D texels;
 #endif
 uniform ivec2 size;  // texels
 

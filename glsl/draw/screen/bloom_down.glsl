@@ -1,7 +1,7 @@
 // Half the size: thirteen taps in five overlapping squares (J. Jimenez, "Next generation post processing in Call of
 // Duty: Advanced Warfare", SIGGRAPH 2014), so that small lights do not shimmer as they move.
 #include "draw/screen/screen.glsl"
-layout(binding = 0) uniform sampler2D source;
+layout(binding = sceneUnit) uniform sampler2D source;
 uniform vec2 texel;  // of the source, in texture coordinates
 
 vec3 tap(vec2 uv, float x, float y) {

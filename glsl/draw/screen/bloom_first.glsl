@@ -1,10 +1,7 @@
 // Light above the threshold, at half the size. SAMPLES: 1 or more.
+#include "draw/samples.glsl"
 #include "draw/screen/screen.glsl"
-#if SAMPLES > 1
-layout(binding = 0) uniform sampler2DMS scene;
-#else
-layout(binding = 0) uniform sampler2D scene;
-#endif
+layout(binding = sceneUnit) uniform SAMPLED scene;
 uniform ivec2 size;  // of the scene
 uniform float threshold;
 
@@ -12,7 +9,7 @@ vec3 above(ivec2 at) {
   at = min(at, size - 1);
   vec3 light = vec3(0);
   // No sample is brighter than half floats hold: infinite light would spread over the whole picture.
-  for (int i = 0; i < SAMPLES; ++i) light += min(texelFetch(scene, at, i * int(SAMPLES > 1)).rgb, 6e4);
+  for (int i = 0; i < SAMPLES; ++i) light += min(texelFetch(scene, at, SAMPLE(i)).rgb, 6e4);
   light /= float(SAMPLES);
   float most = max(light.r, max(light.g, light.b));
   return light * (max(most - threshold, 0.0) / max(most, 1e-6));

@@ -1,7 +1,7 @@
 // One level's light and, through a tent of 3 by 3 taps, that of the coarser levels.
 #include "draw/screen/screen.glsl"
-layout(binding = 0) uniform sampler2D coarse;
-layout(binding = 1) uniform sampler2D fine;
+layout(binding = sceneUnit) uniform sampler2D coarse;
+layout(binding = bloomUnit) uniform sampler2D fine;
 uniform vec2 coarseTexel;  // in texture coordinates
 uniform vec2 share;        // of fine and coarse
 

@@ -1,4 +1,5 @@
-layout(binding = 7) uniform samplerBuffer shape;  // position and normal of each vertex
+#include "draw/bindings.glsl"
+layout(binding = shapeUnit) uniform samplerBuffer shape;  // position and normal of each vertex
 uniform bool alongVelocity;
 
 // Columns are the copy's axes: its z axis lies along the velocity, its x axis level.

@@ -1,27 +1,22 @@
 // The average of each pixel's samples and (GLOWS) the glows that kernels have summed up, whose sums are empty
 // afterwards. SAMPLES: 1 or more.
 #include "draw/frame_block.glsl"
+#include "draw/samples.glsl"
 #ifdef GLOWS
 #include "draw/instances/glow_block.glsl"
 #endif
 layout(local_size_x = 8, local_size_y = 8) in;
-layout(rgba16f, binding = 0) writeonly restrict uniform image2D resolved;
-#if SAMPLES > 1
-layout(binding = 0) uniform sampler2DMS scene;
-layout(binding = 1) uniform sampler2DMS sceneDepth;
-#else
-layout(binding = 0) uniform sampler2D scene;
-layout(binding = 1) uniform sampler2D sceneDepth;
-#endif
+layout(rgba16f, binding = targetImage) writeonly restrict uniform image2D resolved;
+layout(binding = sceneUnit) uniform SAMPLED scene;
+layout(binding = depthUnit) uniform SAMPLED sceneDepth;
 uniform int cleared;  // 0: where nothing has written depth, the light is what an earlier frame left
 
 void main() {
   ivec2 at = ivec2(gl_GlobalInvocationID.xy);
-  if (any(greaterThanEqual(at, ivec2(frame.lens.zw)))) return;
+  if (any(greaterThanEqual(at, ivec2(frame.size)))) return;
   vec4 light = vec4(0);
   for (int i = 0; i < SAMPLES; ++i) {
-    int s = i * int(SAMPLES > 1);
-    if (cleared != 0 || texelFetch(sceneDepth, at, s).x < 1.0) light += texelFetch(scene, at, s);
+    if (cleared != 0 || texelFetch(sceneDepth, at, SAMPLE(i)).x < 1.0) light += texelFetch(scene, at, SAMPLE(i));
   }
   light /= float(SAMPLES);
 #ifdef GLOWS

@@ -1,15 +1,12 @@
 // Averages the samples, lays them over the sky, then lens and film. SAMPLES: 1 or more. BLOOM: adds scattered light.
 #include "draw/frame_block.glsl"
+#include "draw/samples.glsl"
 #include "draw/sky.glsl"
 #include "draw/screen/film.glsl"
 #include "draw/screen/screen.glsl"
-#if SAMPLES > 1
-layout(binding = 0) uniform sampler2DMS scene;
-#else
-layout(binding = 0) uniform sampler2D scene;
-#endif
+layout(binding = sceneUnit) uniform SAMPLED scene;
 #ifdef BLOOM
-layout(binding = 1) uniform sampler2D scattered;  // half the size
+layout(binding = bloomUnit) uniform sampler2D scattered;  // half the size
 uniform float bloomStrength;
 #endif
 #ifndef KERNEL
@@ -29,24 +26,24 @@ vec4 resolved(ivec2 at) {
 
 void main() {
 #ifdef KERNEL
-  vec2 onPicture = PIXEL / frame.lens.zw * 2.0 - 1.0;
+  vec2 onPicture = PIXEL / frame.size * 2.0 - 1.0;
   vec3 ray = frame.rayForward.xyz + frame.rayRight.xyz * onPicture.x - frame.rayUp.xyz * onPicture.y;
 #endif
   ivec2 at = ivec2(PIXEL);
-  vec4 drawn = resolved(ivec2(at.x, int(frame.lens.w) - 1 - at.y));
+  vec4 drawn = resolved(ivec2(at.x, int(frame.size.y) - 1 - at.y));
   vec3 direction = normalize(ray);
   float glow = max(dot(direction, frame.sunDirection.xyz), 0.0);
   glow *= glow;
   glow *= glow;
   glow *= glow;
   vec3 light = drawn.rgb + (1.0 - drawn.a) * (skyRadiance(direction.y) +
-                                             frame.sunLight.rgb * (frame.sunDirection.w * glow * glow));
+                                             frame.sunLight.rgb * (frame.sunGlow * glow * glow));
 #ifdef BLOOM
   // Level 0 has (size + 1) / 2 texels, each over two pixels.
-  vec2 place = vec2(PIXEL.x, frame.lens.w - PIXEL.y) * 0.5 / vec2(textureSize(scattered, 0));
+  vec2 place = vec2(PIXEL.x, frame.size.y - PIXEL.y) * 0.5 / vec2(textureSize(scattered, 0));
   light += bloomStrength * texture(scattered, place).rgb;
 #endif
-  vec2 aside = PIXEL / frame.lens.zw * 2.0 - 1.0;
-  light *= frame.lens.x * (1.0 - frame.lens.y * 0.5 * dot(aside, aside));
+  vec2 aside = PIXEL / frame.size * 2.0 - 1.0;
+  light *= frame.exposure * (1.0 - frame.vignette * 0.5 * dot(aside, aside));
   PUT(vec4(encoded(filmed(light)) + dither(at), 1.0));
 }

@@ -1,8 +1,8 @@
 // The technique "vertex-shader": vertices of a mesh at rest, displaced where they are drawn.
 #include "common/exact.glsl"
 #include "mesh/types.glsl"
-layout(std140, binding = 1) uniform DeformBlock { DeformStep deformStep; };
-layout(binding = 14) uniform samplerBuffer trail;
+layout(std140, binding = deformBinding) uniform DeformBlock { DeformStep deformStep; };
+layout(binding = trailUnit) uniform samplerBuffer trail;
 
 vec4 loadTrail(int i) {
   return texelFetch(trail, i);

@@ -17,14 +17,14 @@ void main() {
   lit *= sunShare(place);
 #endif
   vec3 normal = vec3(0, 1, 0);
-  float lobe = 0.04 * sunLobe(normal, view, sun, frame.groundShape.x);
+  float lobe = 0.04 * sunLobe(normal, view, sun, frame.groundRoughness);
   vec3 light = frame.groundColor.rgb * (frame.sunLight.rgb * lit + frame.ambientUp.rgb) +
                frame.sunLight.rgb * (lobe * lit);
 #ifdef REFLECTIVE
-  vec2 weight = ambientLobe(frame.groundShape.x, abs(view.y));
-  light += (0.04 * weight.x + weight.y) * mix(skyRadiance(abs(view.y)), frame.ambientUp.rgb, frame.groundShape.x);
+  vec2 weight = ambientLobe(frame.groundRoughness, abs(view.y));
+  light += (0.04 * weight.x + weight.y) * mix(skyRadiance(abs(view.y)), frame.ambientUp.rgb, frame.groundRoughness);
 #endif
-  float far = clamp((distance(worldPosition.xz, frame.target.xz) - frame.target.w) * frame.eye.w, 0.0, 1.0);
+  float far = clamp((distance(worldPosition.xz, frame.target.xz) - frame.groundFadeStart) * frame.perGroundFade, 0.0, 1.0);
   float alpha = 1.0 - far * far * (3.0 - 2.0 * far);
   radiance = vec4(light * alpha, alpha);
 }

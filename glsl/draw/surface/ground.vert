@@ -15,7 +15,7 @@ vec2 rectangleCorner(vec4 rectangle, int corner) {
 }
 
 void main() {
-  float reach = frame.groundShape.y;
+  float reach = frame.groundReach;
   vec4 square = frame.target.xzxz + vec4(-reach, -reach, reach, reach);
   vec4 inner = frame.target.xzxz;
 #ifdef SHADOW
@@ -31,7 +31,7 @@ void main() {
   int which = (strip + (corner == 1 || corner == 2 ? 1 : 0)) % 4;
   vec2 p = rectangleCorner(corner < 2 ? square : inner, which);
 #endif
-  worldPosition = vec3(p.x, frame.groundColor.w, p.y);
+  worldPosition = vec3(p.x, frame.groundHeight, p.y);
 #ifdef SHADOWED
   place = shadowPlace(worldPosition);
 #endif

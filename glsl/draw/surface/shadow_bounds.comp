@@ -34,7 +34,7 @@ void main() {
     vec3 p = found.xyz;
     if (!(dot(abs(p), vec3(1)) + found.w < 1e6)) continue;  // lost particles must not blow the map up
     vec3 q = vec3(dot(p, frame.lightRight.xyz), dot(p, frame.lightUp.xyz), dot(p, frame.sunDirection.xyz));
-    vec2 g = p.xz - frame.sunDirection.xz * ((p.y - frame.groundColor.w) / sunHeight());
+    vec2 g = p.xz - frame.sunDirection.xz * ((p.y - frame.groundHeight) / sunHeight());
     low = min(low, q - found.w);
     high = max(high, q + found.w);
     // A ball's shadow reaches radius / sin(height of the sun) from its middle.

@@ -3,7 +3,7 @@
 // shadows hold still while the caster moves.
 #include "draw/instances/bounds.glsl"
 layout(local_size_x = 1) in;
-layout(std430, binding = 7) restrict writeonly buffer LightBlock {
+layout(std430, binding = lightBinding) restrict writeonly buffer LightBlock {
   vec4 light[5];
 };
 
@@ -26,8 +26,8 @@ void main() {
     }
   }
   // No caster lies within `margin` texels of the border, so reading past the border finds no shadow.
-  float texels = frame.lightRight.w;
-  float margin = min(ceil(frame.lightUp.w) + 2.0, 0.25 * texels);
+  float texels = frame.shadowTexels;
+  float margin = min(ceil(frame.shadowSoftness) + 2.0, 0.25 * texels);
   float size = stepped(max(max(high.x - low.x, high.y - low.y), 0.05));
   float texel = size / (texels - 2.0 * margin - 1.0);
   vec2 corner = (floor(low.xy / texel) - margin) * texel;

@@ -1,10 +1,11 @@
-// Share of the sun that reaches a place of the shadow map, filtered over frame.lightUp.w texels.
+// Share of the sun that reaches a place of the shadow map, filtered over frame.shadowSoftness texels.
+#include "draw/bindings.glsl"
 #ifdef SHADOW
-layout(binding = 5) uniform sampler2DShadow shadowMap;
+layout(binding = shadowUnit) uniform sampler2DShadow shadowMap;
 
 float sunShare(vec3 place) {
   float depth = min(place.z, 1.0);  // behind every caster still counts as inside the map
-  float radius = frame.lightUp.w / frame.lightRight.w;
+  float radius = frame.shadowSoftness / frame.shadowTexels;
 #if SHADOW_TAPS == 4
   // A square turned by 27 degrees: with bilinear taps its steps overlap into a smooth ramp.
   vec2 a = radius * vec2(0.667, 0.333), b = radius * vec2(-0.333, 0.667);

@@ -1,8 +1,9 @@
 // Materials grown from a field, alike on surfaces and in baked maps. LOOK_LEATHER, LOOK_SPOTS, LOOK_CRACKS, LOOK_MAP.
-layout(binding = 11) uniform sampler2D relief;  // skin_relief.comp: q, q^2, slope along u and v per cell
-layout(binding = 13) uniform sampler2D surroundings;  // mean of q around
+#include "draw/bindings.glsl"
+layout(binding = reliefUnit) uniform sampler2D relief;  // skin_relief.comp: q, q^2, slope along u and v per cell
+layout(binding = surroundingsUnit) uniform sampler2D surroundings;  // mean of q around
 #ifdef LOOK_MAP
-layout(binding = 12) uniform sampler2D skinColors;
+layout(binding = skinColorUnit) uniform sampler2D skinColors;
 #endif
 uniform float skinThreshold;  // as a share of the field's range
 uniform vec3 skinLow;

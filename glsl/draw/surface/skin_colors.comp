@@ -1,15 +1,17 @@
 // The field's own colours for skins of the look "map". COLORED: the field is a picture.
+#include "draw/bindings.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
 #ifdef COLORED
-layout(rgba16f, binding = 0) uniform readonly restrict image2D field;
+layout(rgba16f, binding = fieldImage) uniform readonly restrict image2D field;
 #else
-layout(r32f, binding = 0) uniform readonly restrict image2D field;
-layout(binding = 2) uniform samplerBuffer stops;
+layout(r32f, binding = fieldImage) uniform readonly restrict image2D field;
+layout(binding = stopUnit) uniform samplerBuffer stops;
 uniform int stopCount;
 #endif
-layout(rgba16f, binding = 1) uniform writeonly restrict image2D colors;
+layout(rgba16f, binding = skinColorImage) uniform writeonly restrict image2D colors;
 uniform ivec2 texels;
-uniform vec2 range;  // value that counts as 0, factor on what is above it
+uniform float rangeLow;     // value that counts as 0
+uniform float rangeFactor;  // on what is above it
 
 void main() {
   ivec2 at = ivec2(gl_GlobalInvocationID.xy);
@@ -17,7 +19,7 @@ void main() {
 #ifdef COLORED
   vec3 color = imageLoad(field, at).rgb;
 #else
-  float share = (imageLoad(field, at).r - range.x) * range.y;
+  float share = (imageLoad(field, at).r - rangeLow) * rangeFactor;
   float place = (share > 0.0 ? min(share, 1.0) : 0.0) * float(stopCount - 1);
   int stop = min(int(place), max(stopCount - 2, 0));
   vec3 color = mix(texelFetch(stops, stop).rgb, texelFetch(stops, min(stop + 1, stopCount - 1)).rgb, place - float(stop));

@@ -1,16 +1,18 @@
 // A field as skins read it: how far each value lies above the threshold, the square of that, and the slope. Mip maps
 // average all of it, so that the first two give mean and variance of whatever a pixel covers. Beside it the mean of a
 // ring around, below which cavities lie. Values are shares of the field's range, slopes are per cell. COLORED: the field is a picture with the values' shares in its alpha.
+#include "draw/bindings.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
 #ifdef COLORED
-layout(rgba16f, binding = 0) uniform readonly restrict image2D field;
+layout(rgba16f, binding = fieldImage) uniform readonly restrict image2D field;
 #else
-layout(r32f, binding = 0) uniform readonly restrict image2D field;
+layout(r32f, binding = fieldImage) uniform readonly restrict image2D field;
 #endif
-layout(rgba16f, binding = 1) uniform writeonly restrict image2D relief;
-layout(r16f, binding = 2) uniform writeonly restrict image2D around;
+layout(rgba16f, binding = reliefImage) uniform writeonly restrict image2D relief;
+layout(r16f, binding = surroundingsImage) uniform writeonly restrict image2D around;
 uniform ivec2 texels;
-uniform vec2 range;        // value that counts as 0, factor on what is above it
+uniform float rangeLow;     // value that counts as 0
+uniform float rangeFactor;  // on what is above it
 uniform float threshold;   // share of the range
 uniform float texelCells;  // cells a texel on a side
 
@@ -21,7 +23,7 @@ float aboveThreshold(ivec2 at) {
 #else
   float value = imageLoad(field, at).r;
 #endif
-  float share = (value - range.x) * range.y;
+  float share = (value - rangeLow) * rangeFactor;
   share = share > -1.0 ? min(share, 2.0) : -1.0;  // lost numbers too
   return share - threshold;
 }

@@ -11,7 +11,7 @@ const vec3 place = vec3(0);
 #endif
 #ifdef TEXTURED
 in vec2 uv;
-layout(binding = 3) uniform sampler2D albedo;
+layout(binding = albedoUnit) uniform sampler2D albedo;
 #endif
 #ifdef SKIN
 #include "draw/surface/skin_surface.glsl"

@@ -4,8 +4,8 @@
 #ifdef GRID
 uniform ivec2 grid;
 #else
-layout(binding = 1) uniform samplerBuffer normals;
-layout(binding = 2) uniform samplerBuffer uvs;
+layout(binding = normalUnit) uniform samplerBuffer normals;
+layout(binding = uvUnit) uniform samplerBuffer uvs;
 #endif
 #if defined TEXTURED || defined SKIN_UV
 uniform vec2 textureScale;

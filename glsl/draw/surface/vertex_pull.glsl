@@ -1,5 +1,6 @@
 // Vertices of a sim::Surface by number, world space. GRID: neighbours give the normal.
-layout(binding = 0) uniform samplerBuffer positions;
+#include "draw/bindings.glsl"
+layout(binding = positionUnit) uniform samplerBuffer positions;
 uniform mat4 model;
 
 #ifdef DEFORMED

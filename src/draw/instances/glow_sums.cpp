@@ -13,9 +13,6 @@ namespace simreel::draw {
 
 namespace {
 
-constexpr GLuint sumBinding = 1;
-constexpr GLuint depthUnit = normalUnit;
-
 gl::Buffer sumsFor(glm::ivec2 size) {
   const std::int64_t bytes = std::int64_t{24} * size.x * size.y;
   if (bytes > gl::limits().storageBlockBytes)
@@ -62,7 +59,7 @@ void GlowSums::add(bool large, const gl::Texture& depth, int capacity) const {
 }
 
 void GlowSums::bind() const {
-  sums_.bindStorage(sumBinding);
+  sums_.bindStorage(glowBinding);
 }
 
 }  // namespace simreel::draw

@@ -138,7 +138,8 @@ void InstancesPass::setInstance(const gl::Program& program, const sim::Instances
                                 bool forLight) {
   program.set("size", instances.size);
   program.set("shapeRadius", shape(instances).radius());
-  program.set("massScale", glm::vec2(instances.massExponent, 1.0F / instances.massReference));
+  program.set("massExponent", instances.massExponent);
+  program.set("perMassReference", 1.0F / instances.massReference);
   program.set("leastPixels", !isSprite(instances) || forLight ? 0.0F
                              : instances.additive             ? leastGlow
                                                               : leastBall);
@@ -248,10 +249,12 @@ void InstancesPass::setLook(const gl::Program& program, const sim::Instances& in
   const glm::vec2 range = instances.colorRange;
   const float scale = 1.0F / (range.y > range.x ? range.y - range.x : 1e-20F);
   program.set("colorBy", static_cast<int>(instances.colorBy));
-  program.set("colorScale", glm::vec2(scale, -range.x * scale));
+  program.set("colorFactor", scale);
+  program.set("colorOffset", -range.x * scale);
   program.set("stopCount", static_cast<int>(own.stops.size()));
   program.set("color", material.color);
-  program.set("glow", glm::vec2(instances.brightness, instances.fade));
+  program.set("brightness", instances.brightness);
+  program.set("fade", instances.fade);
   program.set("roughness", material.roughness);
   program.set("metallic", material.metallic);
   program.set("translucency", material.translucency);

@@ -55,10 +55,10 @@ void SmallSprites::prepare(const gl::Program& kernel, int capacity) {
   }
   const int invocations = std::min(capacity, mostInvocations);
   kernel.set("invocations", (invocations + 63) / 64 * 64);
-  memory_.bindStorage(0);
+  memory_.bindStorage(spriteBinding);
   kernel.dispatch(invocations);
   glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
-  view_.bind(positionUnit);
+  view_.bind(spriteUnit);
 }
 
 }  // namespace simreel::draw

@@ -48,13 +48,13 @@ void VisibleList::fill(const CullPrograms& programs, const InstanceShape& shape)
   const int blocks = allWords / wordsPerBlock;
   programs.cull.set("capacity", capacity_);
   programs.cull.set("words", words_);
-  masks_.buffer.bindStorage(0);
+  masks_.buffer.bindStorage(maskBinding);
   programs.cull.dispatch(words_);
   barrier();
   programs.count.set("blocks", blocks);
-  masks_.view.bind(0);
-  before_.buffer.bindStorage(1);
-  blockCount_.buffer.bindStorage(2);
+  masks_.view.bind(maskUnit);
+  before_.buffer.bindStorage(beforeBinding);
+  blockCount_.buffer.bindStorage(blockCountBinding);
   programs.count.dispatch(blocks);
   barrier();
   programs.total.set("blocks", blocks);
@@ -64,17 +64,17 @@ void VisibleList::fill(const CullPrograms& programs, const InstanceShape& shape)
     programs.total.set(("indices" + at).c_str(), glm::ivec2(part.firstIndex, part.indexCount));
     programs.total.set(("batch" + at).c_str(), part.batch);
   }
-  blockCount_.view.bind(0);
-  blockFirst_.buffer.bindStorage(1);
-  arguments_.buffer.bindStorage(2);
+  blockCount_.view.bind(blockCountUnit);
+  blockFirst_.buffer.bindStorage(blockFirstBinding);
+  arguments_.buffer.bindStorage(argumentBinding);
   programs.total.dispatch(1);
   barrier();
   programs.list.set("allWords", allWords);
   programs.list.set("words", words_);
-  masks_.view.bind(0);
-  before_.view.bind(1);
-  blockFirst_.view.bind(2);
-  list_.buffer.bindStorage(0);
+  masks_.view.bind(maskUnit);
+  before_.view.bind(beforeUnit);
+  blockFirst_.view.bind(blockFirstUnit);
+  list_.buffer.bindStorage(listBinding);
   programs.list.dispatch(allWords);
   barrier();
 }

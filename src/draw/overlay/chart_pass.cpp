@@ -13,9 +13,6 @@ namespace simreel::draw {
 
 namespace {
 
-constexpr GLuint countUnit = 0;
-constexpr GLuint columnUnit = 1;
-
 /// Thousands apart: 65 536.
 std::string grouped(unsigned number) {
   std::string digits = fmt::format("{}", number);
@@ -118,7 +115,7 @@ void ChartPass::condense(const sim::Chart& chart, const ChartLayout& layout, Kep
   columns_.set("perColumn", static_cast<float>(std::max(chart.width - 1, 1)) / static_cast<float>(width));
   columns_.set("most", static_cast<float>(std::max(chart.most, 1U)));
   chart.counts->bind(countUnit);
-  kept.columns.bindImage(0, GL_WRITE_ONLY);
+  kept.columns.bindImage(targetImage, GL_WRITE_ONLY);
   columns_.dispatch(width);
   glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
 }

@@ -12,8 +12,6 @@ namespace simreel::draw {
 namespace {
 
 /// Texture units of the kernels.
-constexpr GLuint wordUnit = 0;
-constexpr GLuint colorUnit = 1;
 
 }  // namespace
 
@@ -73,7 +71,7 @@ void FieldKernel::average(const sim::Field& field, const FieldColors& colors, co
   setField(program, field, colors);
   const glm::ivec2 size(texture.width(), texture.height());
   program.set("size", size);
-  texture.bindImage(0, GL_WRITE_ONLY);
+  texture.bindImage(targetImage, GL_WRITE_ONLY);
   program.dispatch(size.x, size.y);
   glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT |
                   GL_FRAMEBUFFER_BARRIER_BIT);

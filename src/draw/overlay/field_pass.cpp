@@ -12,7 +12,6 @@ namespace {
 
 using Layer = sim::FieldDisplay::Layer;
 
-constexpr GLuint reducedUnit = 2;
 constexpr int mostTexels = 4096;     // of a reduced field, on a side
 constexpr float reliefCells = 7.0F;  // height of the whole range at relief 1
 

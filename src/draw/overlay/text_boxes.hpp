@@ -8,7 +8,6 @@
 namespace simreel::draw {
 
 /// Texture unit at which shaders of boxes (charts, scales) read them.
-constexpr unsigned boxUnit = 0;
 
 /// Letters as rectangles of pixels (left, top, right, bottom): stb_easy_font at a whole magnification, so
 /// they are sharp. What is not ASCII becomes a question mark.

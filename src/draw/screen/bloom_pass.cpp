@@ -39,11 +39,11 @@ const gl::Texture& BloomPass::draw(const gl::Texture& light) const {
   };
   first_.program().set("size", glm::ivec2(light.width(), light.height()));
   first_.program().set("threshold", threshold_);
-  light.bind(0);
+  light.bind(sceneUnit);
   first_.fill(levels_[0].down);
   for (std::size_t i = 1; i < levels_.size(); ++i) {
     down_.program().set("texel", texel(levels_[i - 1].down.texture));
-    levels_[i - 1].down.texture.bind(0);
+    levels_[i - 1].down.texture.bind(sceneUnit);
     down_.fill(levels_[i].down);
   }
   // Each level has the same share, the last what is left of `reach_`.
@@ -54,8 +54,8 @@ const gl::Texture& BloomPass::draw(const gl::Texture& light) const {
     const float sum = 1.0F + coarseShare;
     up_.program().set("coarseTexel", texel(*coarse));
     up_.program().set("share", glm::vec2(1.0F, coarseShare) / sum);
-    coarse->bind(0);
-    levels_[i].down.texture.bind(1);
+    coarse->bind(sceneUnit);
+    levels_[i].down.texture.bind(bloomUnit);
     up_.fill(levels_[i].up);
     coarse = &levels_[i].up.texture;
     coarseShare = sum;

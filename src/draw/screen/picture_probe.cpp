@@ -118,10 +118,10 @@ void drawTriangles(const gl::Framebuffer& target) {
   glClearNamedFramebufferfv(target.name(), GL_COLOR, 0, none);
   glClearNamedFramebufferfv(target.name(), GL_DEPTH, 0, &farthest);
   program.use();
-  view.bind(0);
-  picture.bind(1);
-  relief.bind(2);
-  depths.bind(3);
+  view.bind(positionUnit);
+  picture.bind(albedoUnit);
+  relief.bind(reliefUnit);
+  depths.bind(shadowUnit);
   const VertexArray pulled;
   pulled.bind();
   glDrawArrays(GL_TRIANGLES, 0, 3 * (triangles / 2));
@@ -137,7 +137,7 @@ std::vector<std::uint32_t> finish(const gl::Texture& light, const gl::Defines& s
   DrawState{.depthTest = false}.set();
   target.bind();
   program.use();
-  light.bind(0);
+  light.bind(sceneUnit);
   const VertexArray pulled;
   pulled.bind();
   glDrawArrays(GL_TRIANGLES, 0, 3);
@@ -160,9 +160,9 @@ std::string probePictures() {
   const int count = size.x * size.y * samples;
   const gl::Buffer out("probe samples", 5 * sizeof(std::uint32_t) * static_cast<std::size_t>(count));
   const auto reader = gl::Program::compute("probe/samples.comp", defines);
-  light.bind(0);
-  depth.bind(1);
-  out.bindStorage(0);
+  light.bind(sceneUnit);
+  depth.bind(depthUnit);
+  out.bindStorage(sampleBinding);
   reader.set("size", size);
   reader.dispatch(count);
   glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);

@@ -69,7 +69,7 @@ void Renderer::draw(double seconds, const sim::Drawables& drawables, const Stage
   State& s = *state_;
   const shader::Frame values = frameValues(s.scene, s.size, seconds);
   s.frame.write(0, std::as_bytes(std::span(&values, 1)));
-  s.frame.bindUniform(0, 0, sizeof values);
+  s.frame.bindUniform(frameBinding, 0, sizeof values);
   // Whatever the simulations wrote, vertex pulling and index fetch see it.
   glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_ELEMENT_ARRAY_BARRIER_BIT);
   s.fieldTextures.update(drawables);

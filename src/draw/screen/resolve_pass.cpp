@@ -44,9 +44,9 @@ const gl::Texture& ResolvePass::draw(const Targets& targets, const GlowSums* glo
     glows->bind();
   }
   program.set("cleared", static_cast<int>(cleared));
-  targets.light.bind(0);
-  targets.depth.bind(1);
-  resolved_.bindImage(0, GL_WRITE_ONLY);
+  targets.light.bind(sceneUnit);
+  targets.depth.bind(depthUnit);
+  resolved_.bindImage(targetImage, GL_WRITE_ONLY);
   program.dispatch(size_.x, size_.y);
   glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT);
   return resolved_;

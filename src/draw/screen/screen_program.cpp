@@ -20,7 +20,7 @@ ScreenProgram::ScreenProgram(const char* path, const char* layout, gl::Defines d
 
 void ScreenProgram::fill(const gl::Texture& texture, const gl::Framebuffer& framebuffer) const {
   if (kernel_) {
-    texture.bindImage(0, GL_WRITE_ONLY);
+    texture.bindImage(targetImage, GL_WRITE_ONLY);
     program_.dispatch(texture.width(), texture.height());
     glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT);
     return;

@@ -24,9 +24,9 @@ ToneMapPass::ToneMapPass(int samples, bool bloom)
 
 void ToneMapPass::draw(const gl::Texture& light, const Targets& targets, const gl::Texture* glow,
                        float strength) const {
-  light.bind(0);
+  light.bind(sceneUnit);
   if (glow != nullptr) {
-    glow->bind(1);
+    glow->bind(bloomUnit);
     program_.program().set("bloomStrength", strength);
   }
   program_.fill(targets.color, targets.picture);

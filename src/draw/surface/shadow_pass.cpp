@@ -13,8 +13,6 @@ namespace simreel::draw {
 namespace {
 
 constexpr int axes = 5;  // boundCount of glsl/draw/instances/bounds.glsl
-constexpr GLuint boundsBinding = 6;
-constexpr GLuint lightBinding = 7;
 
 gl::Texture makeMap(int size) {
   const int most = gl::limits().textureSize;

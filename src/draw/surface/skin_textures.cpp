@@ -63,12 +63,13 @@ void SkinTextures::run(const char* path, const FieldTextures::Entry& field, cons
   const gl::Texture& result = ownColors ? entry.colors : entry.relief;
   const gl::Program& program = kernel(path, field.colored);
   program.use();
-  field.texture.bindImage(0, GL_READ_ONLY);
-  result.bindImage(1, GL_WRITE_ONLY);
-  if (!ownColors) entry.surroundings.bindImage(2, GL_WRITE_ONLY);
-  if (ownColors && !field.colored) field.stops.bind(2);
+  field.texture.bindImage(fieldImage, GL_READ_ONLY);
+  result.bindImage(ownColors ? skinColorImage : reliefImage, GL_WRITE_ONLY);
+  if (!ownColors) entry.surroundings.bindImage(surroundingsImage, GL_WRITE_ONLY);
+  if (ownColors && !field.colored) field.stops.bind(stopUnit);
   program.set("texels", glm::ivec2(result.width(), result.height()));
-  program.set("range", glm::vec2(range.x, 1.0F / (range.y == range.x ? 1.0F : range.y - range.x)));
+  program.set("rangeLow", range.x);
+  program.set("rangeFactor", 1.0F / (range.y == range.x ? 1.0F : range.y - range.x));
   program.set("threshold", entry.threshold);
   program.set("texelCells", static_cast<float>(std::max(field.reduction, 1)));
   program.set("stopCount", field.stopCount);
