@@ -1,18 +1,19 @@
 // How the cells lie in memory: rows of `columns` elements, each two cells (u, v, u, v), x fastest. In rows of
 // odd width (ODD_WIDTH) the last element's second half is cell 0 of the row again, computed from the same
 // numbers, so the torus closes without a case of its own in the arithmetic.
+#include "common/bindings.glsl"
 #include "common/memory.glsl"
+#include "gray_scott/bindings.glsl"
 #include "gray_scott/model.glsl"
 
-INPUT_ARRAY(0, CellBlock, cells)
-uniform ivec2 size;    // cells
-uniform int columns;   // elements of a row
-uniform ivec2 rowRange; // first row of this pass, and how many; they may go over the border
-uniform vec4 rates;    // dt Du / 20, dt Dv / 20, dt, unused
-uniform vec4 feedKill; // dt F, dt k, and what a weight of 1 adds to them
+INPUT_ARRAY(cellsBinding, CellBlock, cells)
+uniform ivec2 size;      // cells
+uniform int columns;     // elements of a row
+uniform ivec2 rowRange;  // first row of this pass, and how many; they may go over the border
+layout(std140, binding = stepBinding) uniform RatesBlock { GrayScottRates rates; };
 
 #ifdef MAPPED
-INPUT_ARRAY(2, WeightBlock, weights)
+INPUT_ARRAY(weightsBinding, WeightBlock, weights)
 #endif
 
 // Rows beyond the border come back on the other side, up to twice the size; further out any will do.
@@ -41,19 +42,25 @@ vec4 sideSums(vec4 left, vec4 here, vec4 right) {
 vec4 ratesAt(int element) {
 #ifdef MAPPED
   vec4 w = LOAD_INPUT(weights, element);
-  return vec4(mappedRate(feedKill.x, feedKill.z, w.x), mappedRate(feedKill.y, feedKill.w, w.y),
-              mappedRate(feedKill.x, feedKill.z, w.z), mappedRate(feedKill.y, feedKill.w, w.w));
+  return vec4(mappedRate(rates.feed, rates.feedSpan, w.x), mappedRate(rates.kill, rates.killSpan, w.y),
+              mappedRate(rates.feed, rates.feedSpan, w.z), mappedRate(rates.kill, rates.killSpan, w.w));
 #else
-  return feedKill.xyxy;
+  return vec2(rates.feed, rates.kill).xyxy;
 #endif
+}
+
+GrayScottRates cellRates(vec2 feedKill) {
+  GrayScottRates cell = rates;
+  cell.feed = feedKill.x;
+  cell.kill = feedKill.y;
+  return cell;
 }
 
 // The two cells of an element one step later: `edges` and `corners` are sums of four neighbours, componentwise.
 vec4 steppedPair(vec4 here, vec4 edges, vec4 corners, vec4 local) {
-  GrayScottRates a = GrayScottRates(rates.x, rates.y, local.x, local.y, rates.z);
-  GrayScottRates b = GrayScottRates(rates.x, rates.y, local.z, local.w, rates.z);
-  float reactedA = reaction(here.x, here.y, rates.z);
-  float reactedB = reaction(here.z, here.w, rates.z);
+  GrayScottRates a = cellRates(local.xy), b = cellRates(local.zw);
+  float reactedA = reaction(here.x, here.y, rates.dt);
+  float reactedB = reaction(here.z, here.w, rates.dt);
   return vec4(nextU(here.x, laplacian20(here.x, edges.x, corners.x), reactedA, a),
               nextV(here.y, laplacian20(here.y, edges.y, corners.y), reactedA, a),
               nextU(here.z, laplacian20(here.z, edges.z, corners.z), reactedB, b),

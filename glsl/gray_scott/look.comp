@@ -3,7 +3,7 @@
 #include "gray_scott/grid.glsl"
 #include "common/status.glsl"
 layout(local_size_x = 32, local_size_y = 4) in;
-const float hair = 1e-6;
+const vec4 low = vec4(-1e-6), high = vec4(1.000001);
 
 vec4 sidesAt(int x, int row) {
   return sideSums(cellPair(x - 1, row), cellPair(x, row), cellPair(x + 1, row));
@@ -11,8 +11,8 @@ vec4 sidesAt(int x, int row) {
 
 // u and v of one of the two cells, one step later.
 vec2 freeCell(vec2 cell, vec2 edges, vec2 corners, vec2 local) {
-  GrayScottRates r = GrayScottRates(rates.x, rates.y, local.x, local.y, rates.z);
-  float reacted = reaction(cell.x, cell.y, rates.z);
+  GrayScottRates r = cellRates(local);
+  float reacted = reaction(cell.x, cell.y, rates.dt);
   return vec2(freeU(cell.x, laplacian20(cell.x, edges.x, corners.x), reacted, r),
               freeV(cell.y, laplacian20(cell.y, edges.y, corners.y), reacted, r));
 }
@@ -22,9 +22,10 @@ void main() {
   if (x >= columns || y >= size.y) return;
   int above = wrappedRow(y - 1), below = wrappedRow(y + 1);
   vec4 here = cellPair(x, y);
-  vec4 corners = sidesAt(x, above) + sidesAt(x, below);
-  vec4 edges = sidesAt(x, y) + (cellPair(x, above) + cellPair(x, below));
+  precise vec4 corners = sidesAt(x, above) + sidesAt(x, below);
+  precise vec4 edges = sidesAt(x, y) + (cellPair(x, above) + cellPair(x, below));
   vec4 local = ratesAt(y * columns + x);
   vec4 next = vec4(freeCell(here.xy, edges.xy, corners.xy, local.xy), freeCell(here.zw, edges.zw, corners.zw, local.zw));
-  if (any(greaterThan(abs(next - 0.5), vec4(0.5 + hair))) && status.remark == 0u) atomicOr(status.remark, 1u);
+  bool out_ = any(lessThan(next, low)) || any(greaterThan(next, high));
+  if (out_ && status.remark == 0u) atomicOr(status.remark, 1u);
 }

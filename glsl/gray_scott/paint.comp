@@ -2,17 +2,18 @@
 // rows that the stroke's box covers, so that the copy of cell 0 in rows of odd width is painted with it.
 #include "common/memory.glsl"
 #include "common/words.glsl"
+#include "gray_scott/bindings.glsl"
 layout(local_size_x = 16, local_size_y = 4) in;
-STATE_ARRAY(1, CellBlock, cells)
-INPUT_WORDS(2, StrokeBlock, strokeBits)
+STATE_ARRAY(cellsBinding, CellBlock, cells)
+INPUT_WORDS(stampsBinding, StampBlock, stamps)
 #include "grid/stroke_paint.glsl"
 uniform ivec2 size;
 uniform int columns;
 
 vec2 painted(vec2 cell, int x, int y) {
   if (!strokePaints(ivec2(x < size.x ? x : 0, y))) return cell;
-  precise float rest = 1.0f - strokeShape.z;
-  return vec2(rest, strokeShape.z);
+  precise float rest = 1.0f - stroke.value;
+  return vec2(rest, stroke.value);
 }
 
 void main() {

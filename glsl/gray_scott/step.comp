@@ -2,7 +2,7 @@
 // of three rows in registers, so each element is loaded once in its column.
 #include "gray_scott/grid.glsl"
 layout(local_size_x = GROUP_X, local_size_y = GROUP_Y) in;
-STATE_ARRAY(1, NextBlock, nextCells)
+STATE_ARRAY(nextCellsBinding, NextBlock, nextCells)
 
 struct RowSums {
   vec4 cell[ACROSS];
@@ -37,8 +37,7 @@ void main() {
       if (top + j >= rowRange.y || first + i >= columns) continue;
       int element = y * columns + first + i;
       precise vec4 corners = above.sides[i] + below.sides[i];
-      precise vec4 edges = above.cell[i] + below.cell[i];
-      edges = here.sides[i] + edges;
+      precise vec4 edges = here.sides[i] + (above.cell[i] + below.cell[i]);
       STORE_STATE(nextCells, element, steppedPair(here.cell[i], edges, corners, ratesAt(element)));
     }
     above = here;

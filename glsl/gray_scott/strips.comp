@@ -8,7 +8,7 @@
 #endif
 #include "gray_scott/grid.glsl"
 layout(local_size_x = 32) in;
-STATE_ARRAY(1, NextBlock, nextCells)
+STATE_ARRAY(nextCellsBinding, NextBlock, nextCells)
 
 const int border = (STEPS + 1) / 2;  // elements
 int lane = int(gl_LocalInvocationID.x);
@@ -63,9 +63,8 @@ Row sidesOf(Row row) {
 
 vec4 nextPair(vec4 above, vec4 aboveSides, vec4 here, vec4 hereSides, vec4 below, vec4 belowSides) {
   precise vec4 corners = aboveSides + belowSides;
-  precise vec4 edges = above + below;
-  edges = hereSides + edges;
-  return steppedPair(here, edges, corners, feedKill.xyxy);
+  precise vec4 edges = hereSides + (above + below);
+  return steppedPair(here, edges, corners, ratesAt(0));
 }
 
 // Takes the row below and gives the row here one step later.

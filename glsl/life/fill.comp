@@ -2,8 +2,9 @@
 // block of 128 cells, so none shares a word with another.
 #include "common/hash.glsl"
 #include "common/words.glsl"
+#include "life/bindings.glsl"
 layout(local_size_x = 64) in;
-STATE_WORDS(1, NextBlock, newCells)
+STATE_WORDS(cellsBinding, CellBlock, cells)
 uniform ivec2 size;
 uniform int rowBlocks;
 uniform int seed;
@@ -26,5 +27,5 @@ void main() {
     }
     block[word] = bits;
   }
-  STORE_WORDS(newCells, i, block);
+  STORE_WORDS(cells, i, block);
 }

@@ -1,7 +1,4 @@
 // Compiles as GLSL and as C++.
-#ifndef FUNCTION
-#define FUNCTION
-#endif
 
 // Whether a cell is alive in a random start; share: 2^24 times the share of the living.
 FUNCTION bool startsAlive(int x, int y, int seed, int share) {

@@ -1,9 +1,6 @@
 // Outer-totalistic automata on bits: a WORD holds as many cells as it has bits, and logic counts the
 // neighbours of all of them at once. Compiles as GLSL and as C++ (tests/reference/life_twin.cpp). The rule is
 // BORN and SURVIVE: bit n of them for n living neighbours.
-#ifndef FUNCTION
-#define FUNCTION
-#endif
 
 // West + here + east of every cell, as two bits: low + 2 high.
 struct RowSum {

@@ -1,8 +1,9 @@
 // One brush stroke; an invocation owns a block of 128 cells, of which it paints those within the brush.
 #include "common/words.glsl"
+#include "life/bindings.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
-INPUT_WORDS(0, BitBlock, strokeBits)
-STATE_WORDS(1, NextBlock, newCells)
+INPUT_WORDS(stampsBinding, StampBlock, stamps)
+STATE_WORDS(cellsBinding, CellBlock, cells)
 #include "grid/stroke_paint.glsl"
 uniform int rowBlocks;
 
@@ -14,8 +15,8 @@ void main() {
   int y = strokeBox.y + at.y;
   int x = (left + at.x) * 128;
   int i = y * rowBlocks + left + at.x;
-  uvec4 block = LOAD_WORDS(newCells, i);
-  bool kills = strokeShape.z < 0.5f;
+  uvec4 block = LOAD_WORDS(cells, i);
+  bool kills = stroke.value < 0.5f;
   for (int word = 0; word < 4; ++word) {
     uint painted = 0u;
     for (int bit = 0; bit < 32; ++bit) {
@@ -25,5 +26,5 @@ void main() {
     }
     block[word] = kills ? block[word] & ~painted : block[word] | painted;
   }
-  STORE_WORDS(newCells, i, block);
+  STORE_WORDS(cells, i, block);
 }

@@ -5,9 +5,10 @@
 // Defines: BORN, SURVIVE; TORUS or not; WHOLE where rows are whole multiples of BLOCKS * 128 cells (needed for
 // STEPS > 1, and so are at least STEPS rows); GROUP_X, GROUP_Y.
 #include "common/words.glsl"
+#include "life/bindings.glsl"
 layout(local_size_x = GROUP_X, local_size_y = GROUP_Y) in;
-INPUT_WORDS(0, CellBlock, cells)
-STATE_WORDS(1, NextBlock, newCells)
+INPUT_WORDS(cellsBinding, CellBlock, cells)
+STATE_WORDS(nextCellsBinding, NextBlock, newCells)
 uniform ivec2 size;  // cells
 uniform int rowBlocks;  // of 128 cells in a row
 

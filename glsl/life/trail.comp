@@ -1,8 +1,9 @@
 // After each generation: the trail of 16 cells an invocation.
 #include "common/words.glsl"
+#include "life/bindings.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
-INPUT_WORDS(0, CellBlock, cells)
-STATE_WORDS(1, TrailBlock, trails)
+INPUT_WORDS(cellsBinding, CellBlock, cells)
+STATE_WORDS(trailsBinding, TrailBlock, trails)
 uniform ivec2 size;
 uniform int rowBlocks;
 uniform int rowQuads;  // elements of 16 bytes in a row of trails

@@ -1,8 +1,5 @@
 // The trail: a byte a cell, `bright` where it lives; after death trail, trail - 1, ..., 0. Four bytes a word.
 // Compiles as GLSL and as C++.
-#ifndef FUNCTION
-#define FUNCTION
-#endif
 
 // 1 in each byte that is not zero.
 FUNCTION uint notZero(uint bytes) {

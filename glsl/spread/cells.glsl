@@ -1,8 +1,5 @@
 // Cells of what spreads from neighbour to neighbour, a byte each: the upper two bits are the class, the lower six a
 // tone (classes 0 and 1) or an age in steps (2 and 3). Compiles as GLSL and as C++ (src/sim/spread/plan.hpp).
-#ifndef FUNCTION
-#define FUNCTION
-#endif
 #ifndef SPREAD_CELLS
 #define SPREAD_CELLS
 

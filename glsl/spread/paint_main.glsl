@@ -4,7 +4,7 @@ void main() {
   int i = at.y * ((size.x + 15) >> 4) + at.x;
   uvec4 state = LOAD_WORDS(cells, i);
   uvec4 result = state;
-  int value = int(strokeShape.z + 0.5);
+  int value = strokeNumber(stroke);
   uvec4 more = uvec4(0u);  // of each count; fewer is more of the numbers' round
   for (int k = 0; k < 16; ++k) {
     ivec2 cell = ivec2(16 * at.x + k, at.y);

@@ -1,13 +1,15 @@
 // Sixteen cells of a row are one element of four words; an invocation goes down a column of elements and keeps the
 // rows above and below in registers. Arithmetic on whole words: bytes hold small numbers that never overflow.
+#include "common/bindings.glsl"
 #include "common/hash.glsl"
 #include "common/words.glsl"
+#include "spread/bindings.glsl"
 #include "spread/cells.glsl"
 
-INPUT_WORDS(0, CellBlock, cells)
-STATE_WORDS(1, NextBlock, nextCells)
+INPUT_WORDS(cellsBinding, CellBlock, cells)
+STATE_WORDS(nextCellsBinding, NextBlock, nextCells)
 // Counts of each step since the start, four words a step: the first three classes with something in them, and the rest.
-layout(std430, binding = 6) restrict buffer CountBlock { uint counts[]; };
+layout(std430, binding = countsBinding) restrict buffer CountBlock { uint counts[]; };
 uniform ivec2 size;      // cells
 uniform bool torus;      // else nothing lies beyond the border
 uniform int countPlace;  // of this step in `counts`, in steps

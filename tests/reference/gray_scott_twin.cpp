@@ -53,7 +53,7 @@ void GrayScottTwin::step(double time, int threads) {
   }
 }
 
-void GrayScottTwin::advance(const sim::GrayScottPlan::Rates& rates, int steps, int threads) {
+void GrayScottTwin::advance(const shader::GrayScottRates& rates, int steps, int threads) {
   for (int i = 0; i < steps; ++i) {
     if (threads == 1)
       rows(rates, 0, size_.y);
@@ -66,7 +66,7 @@ void GrayScottTwin::advance(const sim::GrayScottPlan::Rates& rates, int steps, i
   }
 }
 
-void GrayScottTwin::rows(const sim::GrayScottPlan::Rates& rates, int first, int last) {
+void GrayScottTwin::rows(const shader::GrayScottRates& rates, int first, int last) {
   const int width = size_.x;
   for (int y = first; y < last; ++y) {
     const auto row = [&](const std::vector<float>& field, int at) {
@@ -82,7 +82,7 @@ void GrayScottTwin::rows(const sim::GrayScottPlan::Rates& rates, int first, int 
       toV[x] = shader::nextV(wv.here[x], wv.laplacian(left, x, right), reacted, r);
     };
     if (!plan_.mapped()) {
-      const shader::GrayScottRates base = rates.base;
+      const shader::GrayScottRates base = rates;
       cell(width - 1, 0, 1, base);
       for (int x = 1; x < width - 1; ++x) cell(x - 1, x, x + 1, base);
       cell(width - 2, width - 1, 0, base);
@@ -91,7 +91,7 @@ void GrayScottTwin::rows(const sim::GrayScottPlan::Rates& rates, int first, int 
     for (int x = 0; x < width; ++x) {
       const std::size_t i =
           static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
-      shader::GrayScottRates local = rates.base;
+      shader::GrayScottRates local = rates;
       local.feed = shader::mappedRate(local.feed, rates.feedSpan, feedWeights_[i]);
       local.kill = shader::mappedRate(local.kill, rates.killSpan, killWeights_[i]);
       cell(x == 0 ? width - 1 : x - 1, x, x == width - 1 ? 0 : x + 1, local);
@@ -105,8 +105,8 @@ void GrayScottTwin::paint(const shader::Stroke& stroke) {
     for (int x = box.x; x < box.x + box.z; ++x) {
       if (!plan_.strokes().paints(stroke, {x, y})) continue;
       const auto i = static_cast<std::size_t>(y * size_.x + x);
-      u[i] = 1.0F - stroke.shape.z;
-      v[i] = stroke.shape.z;
+      u[i] = 1.0F - stroke.value;
+      v[i] = stroke.value;
     }
 }
 

@@ -16,7 +16,7 @@ class GrayScottTwin {
   /// One frame starting at `time` (s). `threads` 0: all processors.
   void step(double time, int threads = 1);
   /// Steps with given rates and no strokes.
-  void advance(const simreel::sim::GrayScottPlan::Rates& rates, int steps, int threads = 1);
+  void advance(const simreel::shader::GrayScottRates& rates, int steps, int threads = 1);
 
   /// The state as the GPU holds it.
   [[nodiscard]] std::vector<glm::vec4> cells() const;
@@ -25,7 +25,7 @@ class GrayScottTwin {
   std::vector<float> u, v;  ///< x fastest
 
  private:
-  void rows(const simreel::sim::GrayScottPlan::Rates& rates, int first, int last);
+  void rows(const simreel::shader::GrayScottRates& rates, int first, int last);
   void paint(const simreel::shader::Stroke& stroke);
 
   simreel::sim::GrayScottPlan plan_;

@@ -198,7 +198,7 @@ void LifeTwin::paint(long generation) {
         if (!plan_.strokes().paints(stroke, {x, y})) continue;
         std::uint32_t& word = words[static_cast<std::size_t>(y * plan_.rowBlocks() * 4 + x / 32)];
         const std::uint32_t bit = 1U << (x % 32);
-        word = stroke.shape.z < 0.5F ? word & ~bit : word | bit;
+        word = stroke.value < 0.5F ? word & ~bit : word | bit;
       }
 }
 

@@ -106,8 +106,7 @@ void EpidemicTwin::paint(const simreel::sim::EpidemicPlan::Step& step) {
   for (const Stroke& stroke : step.strokes)
     for (std::size_t i = 0; i < cells.size(); ++i)
       if (plan_.strokes().paints(stroke, {static_cast<int>(i % width), static_cast<int>(i / width)}))
-        cells[i] = static_cast<std::uint8_t>(
-            model.paintedPerson(cells[i], static_cast<int>(stroke.shape.z + 0.5F)));
+        cells[i] = static_cast<std::uint8_t>(model.paintedPerson(cells[i], strokeNumber(stroke)));
   if (!step.strokes.empty()) counts.back() = countAll(cells);
 }
 
@@ -126,12 +125,11 @@ void EpidemicTwin::oneStep(const simreel::sim::EpidemicPlan::Step& step, int thr
       const std::size_t i = grid.index(x, y);
       std::uint32_t cell = cells[i];
       const std::uint32_t kind = cell & classMask;
-      if (step.data.numbers.z != 0 && kind >= classActive && (cell & 63U) != 63U) ++cell;
+      if (step.data.ageing != 0 && kind >= classActive && (cell & 63U) != 63U) ++cell;
       const int n = mixed || kind != classReady ? 0 : std::popcount(grid.neighbours(x, y));
       const std::uint32_t threshold = mixed ? everywhere : step.data.infection[n / 4][n % 4];
       if (kind != classNobody) {
-        const auto random =
-            spreadRandom(static_cast<std::uint32_t>(i), step.data.numbers.x, step.data.numbers.y);
+        const auto random = spreadRandom(static_cast<std::uint32_t>(i), step.data.step, step.data.seed);
         cell = model.nextPerson(cell, threshold, random);
       }
       next_[i] = static_cast<std::uint8_t>(cell);
@@ -157,8 +155,8 @@ void WildfireTwin::paint(const simreel::sim::WildfirePlan::Step& step) {
   for (const Stroke& stroke : step.strokes)
     for (std::size_t i = 0; i < cells.size(); ++i)
       if (plan_.strokes().paints(stroke, {static_cast<int>(i % width), static_cast<int>(i / width)}))
-        cells[i] = static_cast<std::uint8_t>(
-            model.paintedFuel(cells[i], static_cast<int>(stroke.shape.z + 0.5F), plan_.ground()[i]));
+        cells[i] =
+            static_cast<std::uint8_t>(model.paintedFuel(cells[i], strokeNumber(stroke), plan_.ground()[i]));
   if (!step.strokes.empty()) counts.back() = countAll(cells);
 }
 
@@ -169,7 +167,6 @@ void WildfireTwin::step(double time, int threads) {
 void WildfireTwin::oneStep(const simreel::sim::WildfirePlan::Step& step, int threads) {
   const auto& p = plan_.parameters();
   WildfireModel model{step.data, climbs_};
-  const auto& numbers = step.data.numbers;
   const Grid grid(cells, p);
   const auto groups = static_cast<std::uint32_t>((p.size.x + 15) / 16);
   counts.push_back(forRows(p.size.y, threads, [&](int y, glm::uvec4& sums) {
@@ -178,17 +175,17 @@ void WildfireTwin::oneStep(const simreel::sim::WildfirePlan::Step& step, int thr
       std::uint32_t cell = cells[i];
       const std::uint32_t kind = cell & classMask;
       if (kind == classReady) {
-        const auto random = spreadRandom(static_cast<std::uint32_t>(i), numbers.x, numbers.y);
+        const auto random = spreadRandom(static_cast<std::uint32_t>(i), step.data.step, step.data.seed);
         const std::uint32_t weight = model.fuelWeight(plan_.fuels()[i]);
         const std::uint32_t incline = plan_.inclines().empty() ? evenGround : plan_.inclines()[i];
         bool caught = random >> 15U < model.catchChance(grid.neighbours(x, y), weight, incline);
         if (p.hasEmbers && (random & 255U) < weight) {
           const std::uint32_t group =
               static_cast<std::uint32_t>(y) * groups + static_cast<std::uint32_t>(x) / 16;
-          const uvec3 flight = hash3(uvec3(group, numbers.x, numbers.y ^ 0x5bd1e995U));
+          const uvec3 flight = hash3(uvec3(group, step.data.step, step.data.seed ^ 0x5bd1e995U));
           const ivec2 from = ivec2(x, y) - model.emberFlight(flight);
-          if (flight.x >> 5U < static_cast<std::uint32_t>(step.data.embers.w) &&
-              (flight.x & 15U) == (x & 15) && grid.isActive(from.x, from.y))
+          if (flight.x >> 5U < step.data.emberThreshold && (flight.x & 15U) == (x & 15) &&
+              grid.isActive(from.x, from.y))
             caught = true;
         }
         if (caught) cell = classActive;

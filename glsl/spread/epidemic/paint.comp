@@ -1,6 +1,6 @@
 #include "spread/paint.glsl"
 #include "spread/epidemic/types.glsl"
-layout(std140, binding = 0) uniform StepBlock { EpidemicStep stepData; };
+layout(std140, binding = stepBinding) uniform StepBlock { EpidemicStep stepData; };
 #include "spread/epidemic/model.glsl"
 
 uint painted(uint cell, int value, ivec2 at) {

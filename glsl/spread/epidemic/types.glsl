@@ -1,12 +1,16 @@
-// What the epidemic's kernels read once per step. Compiles as GLSL and as C++ (src/sim/spread/epidemic_plan.hpp). Only
-// 16-byte members, so std140 and std430 agree.
+// What the epidemic's kernels read once per step. Compiles as GLSL and as C++ (src/sim/spread/epidemic_plan.hpp).
 #ifndef EPIDEMIC_TYPES
 #define EPIDEMIC_TYPES
 
-struct EpidemicStep {
-  uvec4 infection[3];  // thresholds of infection with 0 to 8 infected neighbours; then of recovery and of waning, 0
-  uvec4 numbers;       // step, seed, whether ages go on, 0
-  vec4 mixing;         // everyone meets everyone: beta / people, 4096 times that, 0, 0
+struct STD140 EpidemicStep {
+  uvec4 infection[3];   // thresholds of infection with 0 to 8 infected neighbours
+  uint recovery;        // thresholds
+  uint waning;
+  uint step;
+  uint seed;
+  uint ageing;          // 1 where ages go on in this step
+  float perInfected;    // everyone meets everyone: beta / people,
+  float per4096;        // and 4096 times that
 };
 
 #endif

@@ -1,8 +1,5 @@
 // A fire that walks from cell to neighbouring cell (SPEC 6). Compiles as GLSL and, inside a struct that has `stepData`
 // (WildfireStep) and climbFactor(int), as C++.
-#ifndef FUNCTION
-#define FUNCTION
-#endif
 
 // The chance t that a neighbour lights a cell, times e^(slope * tangent) of the ground's rise on the way from it, at
 // most certain. An incline holds the rises to the right and downwards in sixteenths of a cell a cell, each plus 128, in
@@ -18,8 +15,7 @@ FUNCTION uint climbed(uint t, uint d, uint incline) {
   if (x == 0 || y == 0) {
     chance = chance * climbFactor(128 + across + down);
   } else {
-    chance = chance * climbFactor(384 + across);
-    chance = chance * climbFactor(384 + down);
+    chance = chance * climbFactor(384 + across) * climbFactor(384 + down);
   }
   return uint(int(min(chance, 65536.0f)));
 }
@@ -46,22 +42,22 @@ FUNCTION uint fuelWeight(uint level) {
 FUNCTION ivec2 emberFlight(uvec3 random) {
   int along = int(random.y >> 20u);            // 0 to 4095
   int side = int(random.z >> 20u) - 2048;      // -2048 to 2047
-  int aside = (stepData.embers.z * side) >> 11;  // 1/256 of the flight
-  int dx = (stepData.embers.x * along) >> 12;
-  int dy = (stepData.embers.y * along) >> 12;
+  int aside = (stepData.emberSpread * side) >> 11;  // 1/256 of the flight
+  int dx = (stepData.emberFlight.x * along) >> 12;
+  int dy = (stepData.emberFlight.y * along) >> 12;
   return ivec2((dx - ((dy * aside) >> 8)) >> 8, (dy + ((dx * aside) >> 8)) >> 8);
 }
 
 // What a fire leaves: burnt ground keeps the upper three of its shade's four bits below the three of its age.
 // A burning cell ages by one in a step.
 FUNCTION uint nextBurning(uint cell, uint ground) {
-  return (cell & 63u) + 1u < stepData.numbers.z ? cell + 1u : classSpent | (ground & 15u) >> 1u;
+  return (cell & 63u) + 1u < uint(stepData.constants.burnSteps) ? cell + 1u : classSpent | (ground & 15u) >> 1u;
 }
 
 // Burnt ground cools by one age when it is the turn of its phase, the upper four bits of `ground`, which are a hash:
 // no rings of equal age show.
 FUNCTION uint nextBurnt(uint cell, uint ground) {
-  bool turn = (((ground >> 4u) - stepData.numbers.w) & 15u) < stepData.numbers.w >> 8u;
+  bool turn = (((ground >> 4u) - stepData.firstPhase) & 15u) < stepData.phases;
   return turn && (cell & 56u) != 56u ? cell + 8u : cell;
 }
 

@@ -1,7 +1,7 @@
 #include "spread/paint.glsl"
 #include "spread/wildfire/types.glsl"
-layout(std140, binding = 0) uniform StepBlock { WildfireStep stepData; };
-INPUT_WORDS(2, GroundBlock, ground)
+layout(std140, binding = stepBinding) uniform StepBlock { WildfireStep stepData; };
+INPUT_WORDS(groundBinding, GroundBlock, ground)
 float climbFactor(int i) { return 1.0f; }
 #include "spread/wildfire/model.glsl"
 

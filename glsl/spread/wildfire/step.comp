@@ -2,12 +2,12 @@
 #include "common/memory.glsl"
 #include "spread/rows.glsl"
 #include "spread/wildfire/types.glsl"
-layout(std140, binding = 0) uniform StepBlock { WildfireStep stepData; };
-INPUT_WORDS(2, FuelBlock, fuels)     // bytes: how readily a cell burns
-INPUT_WORDS(3, GroundBlock, ground)  // bytes: the ground's shade, 0 to 15, and 16 times its phase
+layout(std140, binding = stepBinding) uniform StepBlock { WildfireStep stepData; };
+INPUT_WORDS(fuelsBinding, FuelBlock, fuels)     // bytes: how readily a cell burns
+INPUT_WORDS(groundBinding, GroundBlock, ground)  // bytes: the ground's shade, 0 to 15, and 16 times its phase
 #ifdef SLOPE
-INPUT_WORDS(4, InclineBlock, inclines)  // two bytes a cell: climbed()
-INPUT_ARRAY(5, ClimbBlock, climbs)
+INPUT_WORDS(inclinesBinding, InclineBlock, inclines)  // two bytes a cell: climbed()
+INPUT_ARRAY(climbsBinding, ClimbBlock, climbs)
 float climbFactor(int i) {
   return LOAD_INPUT(climbs, i >> 2)[i & 3];
 }
@@ -20,8 +20,8 @@ float climbFactor(int i) { return 1.0f; }
 // In each step one cell of the sixteen may be hit by an ember, if its place of origin burns.
 int emberTarget(ivec2 at) {
   uint group = uint(at.y) * uint(rowElements()) + uint(at.x);
-  uvec3 random = hash3(uvec3(group, stepData.numbers.x, stepData.numbers.y ^ 0x5bd1e995u));
-  if (random.x >> 5u >= uint(stepData.embers.w)) return -1;
+  uvec3 random = hash3(uvec3(group, stepData.step, stepData.seed ^ 0x5bd1e995u));
+  if (random.x >> 5u >= stepData.emberThreshold) return -1;
   int k = int(random.x & 15u);
   ivec2 from = ivec2(16 * at.x + k, at.y) - emberFlight(random);
   if (torus) from = (from + 1024 * size) % size;
@@ -33,14 +33,14 @@ int emberTarget(ivec2 at) {
 
 // nextBurning() and nextBurnt() for sixteen cells at once.
 uvec4 grownOlder(Row here, uvec4 shade) {
-  uvec4 old = (here.state & 0x3f3f3f3fu) + ones * (129u - stepData.numbers.z);  // bit 7: it burns out now
+  uvec4 old = (here.state & 0x3f3f3f3fu) + ones * (129u - uint(stepData.constants.burnSteps));  // bit 7: it burns out now
   uvec4 done = here.here & (old >> 7u);
   uvec4 isDone = done * 255u;
   uvec4 ash = 0xc0c0c0c0u | (shade >> 1u & 0x07070707u);
   uvec4 next = ((here.state + (here.here ^ done)) & ~isDone) | (ash & isDone);
 
-  uvec4 wait = ((shade >> 4u & 0x0f0f0f0fu) + ones * (16u - (stepData.numbers.w & 15u))) & 0x0f0f0f0fu;
-  uvec4 turn = ~(((wait | 0x80808080u) - ones * (stepData.numbers.w >> 8u)) >> 7u);
+  uvec4 wait = ((shade >> 4u & 0x0f0f0f0fu) + ones * (16u - stepData.firstPhase)) & 0x0f0f0f0fu;
+  uvec4 turn = ~(((wait | 0x80808080u) - ones * stepData.phases) >> 7u);
   uvec4 cold = here.state >> 3u & here.state >> 4u & here.state >> 5u;
   return next + ((spentCells(here.state) & turn & ~cold) << 3u);
 }
@@ -67,7 +67,7 @@ uvec4 stepElement(ivec2 at, Row above, Row here, Row below) {
 #endif
   for (; todo != 0u; todo &= todo - 1u) {
     int k = findLSB(todo);
-    uint random = spreadRandom(first + uint(k), stepData.numbers.x, stepData.numbers.y);
+    uint random = spreadRandom(first + uint(k), stepData.step, stepData.seed);
     uint weight = fuelWeight(byteOf(fuel, k));
 #ifdef SLOPE
     uint pair = k < 8 ? leftSteep[k >> 1 & 3] : rightSteep[k >> 1 & 3];

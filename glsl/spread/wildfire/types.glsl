@@ -1,18 +1,26 @@
-// What the wildfire's kernels read once per step. Compiles as GLSL and as C++ (src/sim/spread/wildfire_plan.hpp). Only
-// 16-byte members, so std140 and std430 agree.
+// What the wildfire's kernels read once per step. Compiles as GLSL and as C++ (src/sim/spread/wildfire_plan.hpp).
 #ifndef WILDFIRE_TYPES
 #define WILDFIRE_TYPES
 
 const uint evenGround = 0x8080u;  // an incline of none
 const int mostRise = 127;         // of an incline, in sixteenths of a cell a cell: 82.8 degrees
 
-struct WildfireStep {
+// What a scene says and the kernels read as it is.
+struct STD140 WildfireConstants {
+  int burnSteps DEFAULT(24);  // that a cell burns
+};
+
+struct STD140 WildfireStep {
   uvec4 spread[2];  // chance, in 1/65536, that a burning neighbour lights full and dry fuel: above left, above, above
                     // right, left, right, below left, below, below right
-  uvec4 numbers;    // step, seed, steps that a cell burns, which burnt cells cool: the first of the phases 0 to 15 and
-                    // 256 times how many of them
-  ivec4 embers;     // how far the longest flight goes (x and y, 1/256 cell), how far to its side (1/256 of it),
-                    // threshold of landing
+  ivec2 emberFlight;     // the longest, 1/256 cell
+  uint step;
+  uint seed;
+  uint firstPhase;       // burnt cells of these phases cool now: the first, 0 to 15,
+  uint phases;           // and how many
+  uint emberThreshold;   // of landing
+  int emberSpread;       // how far it goes to its side, 1/256 of the flight
+  WildfireConstants constants;
 };
 
 #endif

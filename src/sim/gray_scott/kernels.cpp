@@ -4,8 +4,14 @@
 #include "gl/limits.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
+#include <span>
 #include <utility>
+
+namespace simreel::shader::gray_scott {
+#include "glsl/gray_scott/bindings.glsl"
+}
 
 namespace simreel::sim {
 
@@ -78,10 +84,11 @@ GrayScottKernels::GrayScottKernels(const std::string& name, const GrayScottPlan&
   if (mapped_) weights_ = gl::Vec4Array(name + " rate map", plan.weights());
   constexpr unsigned fine[] = {0xffffffffU, 0, 0, 0};
   status_ = gl::Buffer::of<unsigned>(name + " status", fine);
+  rates_ = gl::Buffer(name + " rates", sizeof(shader::GrayScottRates));
 
   gl::Defines defines = gl::kernelDefines(fast);
   if (!plan.strokes().empty()) {
-    strokeBits_ = gl::WordsArray(name + " brush images", elementsOf(plan.strokes().imageBits()));
+    stamps_ = gl::WordsArray(name + " brush images", elementsOf(plan.strokes().imageBits()));
     paint_ = gl::Program::compute("gray_scott/paint.comp", defines);
     paint_.set("size", size_);
     paint_.set("columns", columns_);
@@ -106,17 +113,13 @@ GrayScottKernels::GrayScottKernels(const std::string& name, const GrayScottPlan&
 void GrayScottKernels::makeProgram(gl::Program& program, const char* path,
                                    const gl::Defines& defines) const {
   program = gl::Program::compute(path, defines);
+  program.checkUniformBlock("RatesBlock", sizeof(shader::GrayScottRates));
   program.set("size", size_);
   program.set("columns", columns_);
 }
 
-void GrayScottKernels::setRates(const GrayScottPlan::Rates& rates) {
-  const shader::GrayScottRates& r = rates.base;
-  for (const gl::Program* program : {&step_, &strips_, &look_}) {
-    if (program->name() == 0) continue;
-    program->set("rates", glm::vec4(r.diffuseU, r.diffuseV, r.dt, 0));
-    program->set("feedKill", glm::vec4(r.feed, r.kill, rates.feedSpan, rates.killSpan));
-  }
+void GrayScottKernels::setRates(const shader::GrayScottRates& rates) {
+  rates_.write(0, std::as_bytes(std::span(&rates, 1)));
 }
 
 void GrayScottKernels::advance(int steps) {
@@ -143,9 +146,10 @@ void GrayScottKernels::look(int steps) {
   taken_ += steps;
   if (taken_ < nextLook_) return;
   nextLook_ = taken_ + std::min(taken_, rarest);
-  cells_[0].bindInput(0);
-  if (mapped_) weights_.bindInput(2);
-  status_.bindStorage(7);
+  rates_.bindUniform(shader::stepBinding, 0, rates_.bytes());
+  cells_[0].bindInput(shader::gray_scott::cellsBinding);
+  if (mapped_) weights_.bindInput(shader::gray_scott::weightsBinding);
+  status_.bindStorage(shader::statusBinding);
   gl::barrier();
   look_.dispatch(columns_, size_.y);
 }
@@ -171,9 +175,10 @@ void GrayScottKernels::bands(int steps) {
 }
 
 void GrayScottKernels::pass(const gl::Program& program, int from, int first, int rows) {
-  cells_[from].bindInput(0);
-  cells_[1 - from].bindState(1);
-  if (mapped_) weights_.bindInput(2);
+  rates_.bindUniform(shader::stepBinding, 0, rates_.bytes());
+  cells_[from].bindInput(shader::gray_scott::cellsBinding);
+  cells_[1 - from].bindState(shader::gray_scott::nextCellsBinding);
+  if (mapped_) weights_.bindInput(shader::gray_scott::weightsBinding);
   program.set("rowRange", glm::ivec2(first, rows));
   gl::barrier();
   if (&program == &strips_) {
@@ -189,8 +194,8 @@ void GrayScottKernels::paint(const shader::Stroke& stroke) {
   const glm::ivec4 box = Strokes::box(stroke, size_);
   if (box.z == 0) return;
   setStroke(paint_, stroke, box);
-  cells_[0].bindState(1);
-  strokeBits_.bindInput(2);
+  cells_[0].bindState(shader::gray_scott::cellsBinding);
+  stamps_.bindInput(shader::gray_scott::stampsBinding);
   gl::barrier();
   paint_.dispatch(columns_, box.w);
   taken_ = 0;

@@ -29,7 +29,7 @@ class GrayScottKernels {
       : GrayScottKernels(name, plan, fast, bestCut(plan.parameters().size)) {}
 
   /// What the following steps use.
-  void setRates(const GrayScottPlan::Rates& rates);
+  void setRates(const shader::GrayScottRates& rates);
   /// Advances by `steps`, several in a pass where the cut says so.
   void advance(int steps);
   void paint(const shader::Stroke& stroke);
@@ -58,8 +58,8 @@ class GrayScottKernels {
   gl::Vec4Array cells_[2];  ///< now, and where the next pass writes
   gl::Texture words_[2];
   gl::Vec4Array weights_;
-  gl::WordsArray strokeBits_;
-  gl::Buffer status_;
+  gl::WordsArray stamps_;
+  gl::Buffer status_, rates_;
   gl::Program step_, strips_, look_, paint_;
   long taken_ = 0;     ///< steps since the start or the latest stroke
   long nextLook_ = 1;  ///< of those

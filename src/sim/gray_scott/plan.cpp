@@ -118,12 +118,16 @@ std::vector<glm::vec4> GrayScottPlan::weights() const {
   });
 }
 
-GrayScottPlan::Rates GrayScottPlan::ratesAt(double time) const {
+shader::GrayScottRates GrayScottPlan::ratesAt(double time) const {
   const GrayScottParameters& p = parameters_;
   const FeedKill now = p.ratesAt(time);
   const auto scaled = [&](double rate) { return static_cast<float>(rate * p.dt); };
-  Rates rates{
-      {scaled(p.diffuseU / 20), scaled(p.diffuseV / 20), scaled(now.feed), scaled(now.kill), scaled(1)}};
+  shader::GrayScottRates rates{};
+  rates.diffuseU = scaled(p.diffuseU / 20);
+  rates.diffuseV = scaled(p.diffuseV / 20);
+  rates.feed = scaled(now.feed);
+  rates.kill = scaled(now.kill);
+  rates.dt = scaled(1);
   if (p.feedAcross) rates.feedSpan = scaled(*p.feedAcross - now.feed);
   if (p.killDown) rates.killSpan = scaled(*p.killDown - now.kill);
   if (!p.feedImage.empty()) rates.feedSpan = scaled(p.feedWhite - now.feed);

@@ -12,6 +12,7 @@ namespace simreel::shader {
 #define FUNCTION inline
 #define precise
 #include "glsl/gray_scott/model.glsl"
+static_assert(sizeof(GrayScottRates) == 32);
 #undef precise
 #undef FUNCTION
 }  // namespace simreel::shader
@@ -33,12 +34,8 @@ class GrayScottPlan {
   [[nodiscard]] bool mapped() const;
   /// Weights of the rates, (feed, kill, feed, kill) an element as firstCells(); empty unless mapped().
   [[nodiscard]] std::vector<glm::vec4> weights() const;
-  /// Rates of the frame that starts at `time` (s), and what a weight of 1 adds to feed and kill.
-  struct Rates {
-    shader::GrayScottRates base;
-    float feedSpan = 0, killSpan = 0;
-  };
-  [[nodiscard]] Rates ratesAt(double time) const;
+  /// Of the frame that starts at `time` (s).
+  [[nodiscard]] shader::GrayScottRates ratesAt(double time) const;
   /// Strokes that paint into the state after `step` steps of the frame that starts at `time` (s).
   [[nodiscard]] std::vector<shader::Stroke> strokesAt(double time, int step) const;
 

@@ -149,16 +149,17 @@ std::vector<shader::Stroke> Strokes::into(double time, double seconds, long step
     const glm::vec2 d = to - from;
     const float length2 = d.x * d.x + d.y * d.y;
     shader::Stroke s{};
-    s.segment = glm::vec4(from, to);
-    s.shape =
-        glm::vec4(p.radius * p.radius, length2 > 0 ? 1.0F / length2 : 0.0F, static_cast<float>(p.value), 0);
-    const Stamp& stamp = stamps_[i];
-    s.image = glm::ivec4(static_cast<int>(std::floor(p.from.x)), static_cast<int>(std::floor(p.from.y)),
-                         stamp.firstWord, stamp.size.x);
-    s.random = glm::ivec4(
-        static_cast<int>(static_cast<unsigned>(seed_) * 7919U + static_cast<unsigned>(i) * 104729U +
-                         static_cast<unsigned>(step) * 15485863U),
-        static_cast<int>(std::lround(static_cast<double>(p.share) * 16777216.0)), stamp.size.y, 0);
+    s.from = from;
+    s.to = to;
+    s.radius2 = p.radius * p.radius;
+    s.perLength2 = length2 > 0 ? 1.0F / length2 : 0.0F;
+    s.value = static_cast<float>(p.value);
+    s.seed = static_cast<int>(static_cast<unsigned>(seed_) * 7919U + static_cast<unsigned>(i) * 104729U +
+                              static_cast<unsigned>(step) * 15485863U);
+    s.picked = static_cast<int>(std::lround(static_cast<double>(p.share) * 16777216.0));
+    s.imageWord = stamps_[i].firstWord;
+    s.imageFrom = glm::ivec2(glm::floor(flat(p.from)));
+    s.imageSize = stamps_[i].size;
     addImages(active, s);
   }
   return active;
@@ -173,14 +174,13 @@ void Strokes::addImages(std::vector<shader::Stroke>& all, const shader::Stroke& 
     return;
   }
   const glm::dvec2 size(grid_.size);
-  const bool isStamp = stroke.image.w > 0;
-  glm::dvec2 a(stroke.segment.x, stroke.segment.y);
-  glm::dvec2 b(stroke.segment.z, stroke.segment.w);
+  glm::dvec2 a(stroke.from);
+  glm::dvec2 b(stroke.to);
   glm::dvec2 reach =
-      glm::min(glm::dvec2(std::sqrt(static_cast<double>(stroke.shape.x)) + 0.01), size * 0.5);
-  if (isStamp) {
-    a = b = glm::dvec2(stroke.image.x + 0.5 * stroke.image.w, stroke.image.y + 0.5 * stroke.random.z);
-    reach = glm::dvec2(0.5 * stroke.image.w, 0.5 * stroke.random.z);
+      glm::min(glm::dvec2(std::sqrt(static_cast<double>(stroke.radius2)) + 0.01), size * 0.5);
+  if (stroke.imageSize.x > 0) {
+    reach = 0.5 * glm::dvec2(stroke.imageSize);
+    a = b = glm::dvec2(stroke.imageFrom) + reach;
   }
   const auto first = [](double low, double side) { return static_cast<int>(std::floor(low / side)); };
   const int lastColumn = first(std::max(a.x, b.x) + reach.x, size.x);
@@ -193,10 +193,9 @@ void Strokes::addImages(std::vector<shader::Stroke>& all, const shader::Stroke& 
     for (int j = first(std::min(y0, y1) - reach.y, size.y); j <= lastRow; ++j) {
       const glm::dvec2 shift = glm::dvec2(i, j) * size;
       shader::Stroke image = stroke;
-      for (int k = 0; k < 4; ++k)
-        image.segment[k] = static_cast<float>(static_cast<double>(stroke.segment[k]) - shift[k % 2]);
-      image.image.x -= static_cast<int>(shift.x);
-      image.image.y -= static_cast<int>(shift.y);
+      image.from = glm::dvec2(stroke.from) - shift;
+      image.to = glm::dvec2(stroke.to) - shift;
+      image.imageFrom -= glm::ivec2(shift);
       all.push_back(image);
     }
   }
@@ -204,22 +203,21 @@ void Strokes::addImages(std::vector<shader::Stroke>& all, const shader::Stroke& 
 
 bool Strokes::paints(const shader::Stroke& s, glm::ivec2 cell) const {
   if (!shader::strokePicks(s, cell)) return false;
-  if (s.image.w == 0) return shader::strokeReaches(s, cell);
-  const int x = cell.x - s.image.x;
-  const int y = cell.y - s.image.y;
-  if (x < 0 || y < 0 || x >= s.image.w || y >= s.random.z) return false;
-  const auto bit =
-      static_cast<std::size_t>(y) * static_cast<std::size_t>(s.image.w) + static_cast<std::size_t>(x);
-  return (bits_[static_cast<std::size_t>(s.image.z) + bit / 32] >> (bit % 32) & 1U) != 0;
+  if (s.imageSize.x == 0) return shader::strokeReaches(s, cell);
+  const glm::ivec2 at = cell - s.imageFrom;
+  if (at.x < 0 || at.y < 0 || at.x >= s.imageSize.x || at.y >= s.imageSize.y) return false;
+  const auto bit = static_cast<std::size_t>(at.y) * static_cast<std::size_t>(s.imageSize.x) +
+                   static_cast<std::size_t>(at.x);
+  return (bits_[static_cast<std::size_t>(s.imageWord) + bit / 32] >> (bit % 32) & 1U) != 0;
 }
 
 glm::ivec4 Strokes::box(const shader::Stroke& s, glm::ivec2 grid) {
-  glm::vec2 low(s.image.x, s.image.y);
-  glm::vec2 high = low + glm::vec2(s.image.w, s.random.z);
-  if (s.image.w == 0) {
-    const float radius = std::sqrt(s.shape.x) + 1.0F;
-    low = glm::min(glm::vec2(s.segment.x, s.segment.y), glm::vec2(s.segment.z, s.segment.w)) - radius;
-    high = glm::max(glm::vec2(s.segment.x, s.segment.y), glm::vec2(s.segment.z, s.segment.w)) + radius;
+  glm::vec2 low(s.imageFrom);
+  glm::vec2 high = low + glm::vec2(s.imageSize);
+  if (s.imageSize.x == 0) {
+    const float radius = std::sqrt(s.radius2) + 1.0F;
+    low = glm::min(s.from, s.to) - radius;
+    high = glm::max(s.from, s.to) + radius;
   }
   const auto first = [](float x, int most) {
     return static_cast<int>(std::clamp(std::floor(x), 0.0F, static_cast<float>(most)));
@@ -231,10 +229,16 @@ glm::ivec4 Strokes::box(const shader::Stroke& s, glm::ivec2 grid) {
 }
 
 void setStroke(const gl::Program& program, const shader::Stroke& stroke, glm::ivec4 box) {
-  program.set("strokeSegment", stroke.segment);
-  program.set("strokeShape", stroke.shape);
-  program.set("strokeImage", stroke.image);
-  program.set("strokeRandom", stroke.random);
+  program.set("stroke.from", stroke.from);
+  program.set("stroke.to", stroke.to);
+  program.set("stroke.radius2", stroke.radius2);
+  program.set("stroke.perLength2", stroke.perLength2);
+  program.set("stroke.value", stroke.value);
+  program.set("stroke.seed", stroke.seed);
+  program.set("stroke.picked", stroke.picked);
+  program.set("stroke.imageWord", stroke.imageWord);
+  program.set("stroke.imageFrom", stroke.imageFrom);
+  program.set("stroke.imageSize", stroke.imageSize);
   program.set("strokeBox", box);
 }
 

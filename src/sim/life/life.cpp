@@ -146,7 +146,7 @@ class Life : public Simulation {
       program.set("rowBlocks", plan_.rowBlocks());
       program.set("seed", plan_.seed());
       program.set("share", plan_.fillShare());
-      cells_[0].bindState(1);
+      cells_[0].bindState(shader::life::cellsBinding);
       const auto blocks = static_cast<int>(plan_.blocks());
       for (int first = 0; first < blocks; first += mostFillGroups * 64) {
         program.set("firstBlock", first);
@@ -175,8 +175,8 @@ class Life : public Simulation {
 
   void fadeTrail() {
     gl::barrier();
-    cells_[0].bindInput(0);
-    trail_.bindState(1);
+    cells_[0].bindInput(shader::life::cellsBinding);
+    trail_.bindState(shader::life::trailsBinding);
     fade_.dispatch(trailQuads_, size_.y);
   }
 
@@ -196,8 +196,8 @@ class Life : public Simulation {
       if (box.z == 0) continue;
       gl::barrier();
       setStroke(paint_, stroke, box);
-      stamps_.bindInput(0);
-      cells_[0].bindState(1);
+      stamps_.bindInput(shader::life::stampsBinding);
+      cells_[0].bindState(shader::life::cellsBinding);
       paint_.dispatch((box.x + box.z - 1) / 128 - box.x / 128 + 1, box.w);
     }
   }

@@ -44,8 +44,8 @@ void LifeStepper::run(const gl::WordsArray& from, const gl::WordsArray& to, int 
     found->second.set("size", size_);
     found->second.set("rowBlocks", rowBlocks);
   }
-  from.bindInput(0);
-  to.bindState(1);
+  from.bindInput(shader::life::cellsBinding);
+  to.bindState(shader::life::nextCellsBinding);
   found->second.dispatch((rowBlocks + tuning_.blocks - 1) / tuning_.blocks,
                          (size_.y + tuning_.rows - 1) / tuning_.rows);
 }

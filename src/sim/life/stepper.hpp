@@ -7,6 +7,10 @@
 
 #include <glm/vec2.hpp>
 
+namespace simreel::shader::life {
+#include "glsl/life/bindings.glsl"
+}
+
 namespace simreel::sim {
 
 /// How the kernel glsl/life/step.comp cuts the grid.

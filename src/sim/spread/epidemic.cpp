@@ -31,7 +31,7 @@ class Epidemic final : public Simulation {
   }
 
   void step(double time, const StepWatch& watch) override {
-    grid_->runFrame(plan_.frame(time), steps_, plan_.stepsPerFrame(), watch, [](SpreadGrid::Kernel) {});
+    grid_->runFrame(plan_.frame(time), steps_, plan_.stepsPerFrame(), watch, [] {});
   }
 
   [[nodiscard]] int stepsPerFrame() const override { return plan_.stepsPerFrame(); }

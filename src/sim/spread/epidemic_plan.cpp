@@ -97,18 +97,18 @@ std::vector<EpidemicPlan::Step> EpidemicPlan::frame(double time) {
     const double t = pace.time + i * seconds;
     const double beta = static_cast<double>(p.beta.at(t));
     Step step{};
-    std::uint32_t thresholds[12] = {};
     // With n infected neighbours a susceptible stays well with probability (1 - beta)^n.
     double well = 1;
-    for (int n = 0; n <= 8; ++n, well *= 1 - beta) thresholds[n] = thresholdOf(1 - well);
-    thresholds[9] = thresholdOf(static_cast<double>(p.gamma.at(t)));
-    thresholds[10] = thresholdOf(static_cast<double>(p.waning.at(t)));
-    for (int k = 0; k < 3; ++k)
-      step.data.infection[k] = glm::uvec4(thresholds[4 * k], thresholds[4 * k + 1], thresholds[4 * k + 2],
-                                          thresholds[4 * k + 3]);
-    step.data.numbers = glm::uvec4(done_, seed_, done_ % period == 0 ? 1 : 0, 0);
+    for (int n = 0; n <= 8; ++n, well *= 1 - beta)
+      step.data.infection[n / 4][n % 4] = thresholdOf(1 - well);
+    step.data.recovery = thresholdOf(static_cast<double>(p.gamma.at(t)));
+    step.data.waning = thresholdOf(static_cast<double>(p.waning.at(t)));
+    step.data.step = done_;
+    step.data.seed = seed_;
+    step.data.ageing = done_ % period == 0 ? 1 : 0;
     const double each = beta / people_;
-    step.data.mixing = glm::vec4(each, each * 4096, 0, 0);
+    step.data.perInfected = static_cast<float>(each);
+    step.data.per4096 = static_cast<float>(each * 4096);
     step.strokes = strokes_.into(t + seconds, seconds, static_cast<long>(done_) + 1);
     steps.push_back(std::move(step));
   }

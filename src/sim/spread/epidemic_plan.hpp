@@ -8,12 +8,10 @@
 #include <string>
 #include <vector>
 
-#define FUNCTION inline
 namespace simreel::shader {
 #include "glsl/spread/epidemic/types.glsl"
-static_assert(sizeof(EpidemicStep) == 5 * 16);
+static_assert(sizeof(EpidemicStep) == 80);
 }  // namespace simreel::shader
-#undef FUNCTION
 
 namespace simreel::sim {
 

@@ -80,7 +80,7 @@ SpreadGrid::SpreadGrid(const std::string& name, const SpreadParameters& paramete
   std::vector<glm::uvec4> frame(static_cast<std::size_t>(stepsPerFrame), glm::uvec4(0));
   frame[0] = start;
   frameCounts_ = gl::Buffer::of<glm::uvec4>(name + " counts of a frame", frame);
-  strokeBits_ = gl::WordsArray(name + " stroke images", paddedWords(strokes.imageBits()));
+  stamps_ = gl::WordsArray(name + " stroke images", paddedWords(strokes.imageBits()));
   step_ = gl::Program::compute(fmt::format("spread/{}/step.comp", folder), defines);
   paint_ = gl::Program::compute(fmt::format("spread/{}/paint.comp", folder), defines);
   step_.set("size", size_);
@@ -107,9 +107,9 @@ void SpreadGrid::paint(const std::vector<shader::Stroke>& strokes) {
     const int first = box.x / 16;
     const glm::ivec4 elements(first, box.y, (box.x + box.z + 15) / 16 - first, box.w);
     setStroke(paint_, stroke, elements);
-    strokeBits_.bindInput(0);
-    cells_[0].bindState(1);
-    history_.buffer().bindStorage(6);
+    stamps_.bindInput(shader::spread::stampsBinding);
+    cells_[0].bindState(shader::spread::cellsBinding);
+    history_.buffer().bindStorage(shader::spread::countsBinding);
     paint_.set("countPlace", done_);
     paint_.dispatch(elements.z, elements.w);
     gl::barrier();
@@ -125,9 +125,9 @@ void SpreadGrid::paintFirst(const std::vector<shader::Stroke>& strokes) {
 
 void SpreadGrid::step() {
   ++done_;
-  cells_[0].bindInput(0);
-  cells_[1].bindState(1);
-  history_.buffer().bindStorage(6);
+  cells_[0].bindInput(shader::spread::cellsBinding);
+  cells_[1].bindState(shader::spread::nextCellsBinding);
+  history_.buffer().bindStorage(shader::spread::countsBinding);
   step_.set("countPlace", done_);
   const int rowsEach = gl::memoryPath() == gl::MemoryPath::texel ? 16 : 4;
   step_.dispatch(rowElements(), (size_.y + rowsEach - 1) / rowsEach);

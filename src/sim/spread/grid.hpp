@@ -9,6 +9,10 @@
 #include <string>
 #include <vector>
 
+namespace simreel::shader::spread {
+#include "glsl/spread/bindings.glsl"
+}
+
 namespace simreel::sim {
 
 /// Cells of a grid, x fastest, as the kernels want them: four a word, sixteen an element, each row filled
@@ -29,10 +33,8 @@ class SpreadGrid {
              const std::vector<std::uint8_t>& cells, int stepsPerFrame, const char* folder,
              const gl::Defines& defines, const Strokes& strokes);
 
-  /// Kernels that maps are bound for, from input 2 on.
-  enum class Kernel { rule, strokes };
   /// The steps of a frame: each one's rule, then the strokes that paint into what it leaves, which its
-  /// counts count. `blocks` hold what each is told; `bindMaps(kernel)` binds the maps. A watch hears of
+  /// counts count. `blocks` hold what each is told; `bindMaps` binds the maps. A watch hears of
   /// `stepsPerFrame`, also in a frame with a step less than others.
   template <class Step, class BindMaps>
   void runFrame(const std::vector<Step>& steps, StepBlocks<decltype(Step::data)>& blocks, int stepsPerFrame,
@@ -41,9 +43,8 @@ class SpreadGrid {
     beginFrame(static_cast<int>(steps.size()));
     for (std::size_t i = 0; i < steps.size(); ++i) {
       blocks.bind(i);
-      bindMaps(Kernel::rule);
+      bindMaps();
       step();
-      if (!steps[i].strokes.empty()) bindMaps(Kernel::strokes);
       paint(steps[i].strokes);
       if (watch) watch(static_cast<int>(i) + 1);
     }
@@ -86,7 +87,7 @@ class SpreadGrid {
   bool torus_;
   gl::WordsArray cells_[2];  ///< now, and where the next step writes
   gl::WordsArray history_;   ///< counts of every step, the start first; capacity_ of them
-  gl::WordsArray strokeBits_;
+  gl::WordsArray stamps_;
   gl::Buffer frameCounts_;
   int capacity_ = 0;
   int done_ = 0;

@@ -22,7 +22,7 @@ class Wildfire final : public Simulation {
         fuels_(name_ + " fuel", packedCells(plan_.fuels(), parameters().size)),
         ground_(name_ + " ground", packedCells(plan_.ground(), parameters().size)) {
     steps_.bind(0);
-    ground_.bindInput(2);
+    ground_.bindInput(shader::spread::groundBinding);
     grid_.paintFirst(plan_.firstStrokes(setting.startTime));
     if (!climbs()) return;
     inclines_ = gl::WordsArray(name_ + " inclines", packedCells(plan_.inclines(), parameters().size));
@@ -30,8 +30,7 @@ class Wildfire final : public Simulation {
   }
 
   void step(double time, const StepWatch& watch) override {
-    grid_.runFrame(plan_.frame(time), steps_, plan_.stepsPerFrame(), watch,
-                   [&](SpreadGrid::Kernel kernel) { bindMaps(kernel); });
+    grid_.runFrame(plan_.frame(time), steps_, plan_.stepsPerFrame(), watch, [&] { bindMaps(); });
   }
 
   [[nodiscard]] int stepsPerFrame() const override { return plan_.stepsPerFrame(); }
@@ -59,13 +58,12 @@ class Wildfire final : public Simulation {
   }
 
  private:
-  void bindMaps(SpreadGrid::Kernel kernel) const {
-    if (kernel == SpreadGrid::Kernel::strokes) return ground_.bindInput(2);
-    fuels_.bindInput(2);
-    ground_.bindInput(3);
+  void bindMaps() const {
+    fuels_.bindInput(shader::spread::fuelsBinding);
+    ground_.bindInput(shader::spread::groundBinding);
     if (!climbs()) return;
-    inclines_.bindInput(4);
-    climbs_.bindInput(5);
+    inclines_.bindInput(shader::spread::inclinesBinding);
+    climbs_.bindInput(shader::spread::climbsBinding);
   }
   [[nodiscard]] const WildfireParameters& parameters() const { return plan_.parameters(); }
   [[nodiscard]] bool climbs() const { return parameters().slope > 0; }

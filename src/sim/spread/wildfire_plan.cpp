@@ -209,12 +209,16 @@ shader::WildfireStep WildfirePlan::stepAt(double time) const {
     return static_cast<unsigned>(steps * 112 / static_cast<unsigned>(p.coolSteps));
   };
   const unsigned firstPhase = phases(done_);
-  data.numbers =
-      glm::uvec4(done_, seed_, p.burnSteps, (firstPhase & 15U) | (phases(done_ + 1ULL) - firstPhase) << 8U);
-  if (p.hasEmbers)
-    data.embers = glm::ivec4(
-        std::lround(256 * p.embers.distance * windX), std::lround(256 * p.embers.distance * windY),
-        std::lround(256 * p.embers.spread), std::lround(p.embers.chance * 16 * 134217728.0));
+  data.step = done_;
+  data.seed = seed_;
+  data.constants = p;
+  data.firstPhase = firstPhase & 15U;
+  data.phases = phases(done_ + 1ULL) - firstPhase;
+  if (!p.hasEmbers) return data;
+  data.emberThreshold = static_cast<unsigned>(std::lround(p.embers.chance * 16 * 134217728.0));
+  data.emberFlight = {std::lround(256 * p.embers.distance * windX),
+                      std::lround(256 * p.embers.distance * windY)};
+  data.emberSpread = static_cast<int>(std::lround(256 * p.embers.spread));
   return data;
 }
 

@@ -8,12 +8,10 @@
 #include <string>
 #include <vector>
 
-#define FUNCTION inline
 namespace simreel::shader {
 #include "glsl/spread/wildfire/types.glsl"
-static_assert(sizeof(WildfireStep) == 4 * 16);
+static_assert(sizeof(WildfireStep) == 80);
 }  // namespace simreel::shader
-#undef FUNCTION
 
 namespace simreel::sim {
 
@@ -25,7 +23,7 @@ struct Embers {
 };
 
 /// Fire on a map of fuel, carried from cell to neighbouring cell.
-struct WildfireParameters final : ObjectParameters, SpreadParameters {
+struct WildfireParameters final : ObjectParameters, SpreadParameters, shader::WildfireConstants {
   std::filesystem::path fuel, obstacles, moistureMap, terrain;
   double fuelLevel = 1;  ///< of full fuel, 0 to 1
   double patchiness = 0.5;
@@ -36,7 +34,6 @@ struct WildfireParameters final : ObjectParameters, SpreadParameters {
   scene::Animated<float> spread = 0.12F;
   scene::Animated<float> windDirection = 0.0F;  ///< degrees: 0 to the right, 90 up
   scene::Animated<float> windStrength = 0.0F;   ///< logarithm of how much faster it spreads with the wind
-  int burnSteps = 24;
   int coolSteps = 240;
   bool hasEmbers = false;
   Embers embers;

@@ -50,8 +50,8 @@ TEST_CASE("grayScott: the stable even state of the equations is where even field
   auto rates = twin.plan().ratesAt(0);
   const double F = 0.06;
   const double k = 0.05;
-  rates.base.feed = static_cast<float>(F);
-  rates.base.kill = static_cast<float>(k);
+  rates.feed = static_cast<float>(F);
+  rates.kill = static_cast<float>(k);
   const double v = (1 + std::sqrt(1 - 4 * (F + k) * (F + k) / F)) * F / (2 * (F + k));
   const double u = (F + k) / v;
   std::fill(twin.u.begin(), twin.u.end(), static_cast<float>(u + 0.01));
@@ -65,8 +65,8 @@ TEST_CASE("grayScott: mass changes in a step as the equations say") {
   // Sums over the torus: diffusion moves nothing in or out.
   auto twin = twinOf({61, 47}, sim::GrayScottPreset::stripes, 4);
   const auto rates = twin.plan().ratesAt(0);
-  const double F = rates.base.feed;
-  const double k = rates.base.kill;
+  const double F = rates.feed;
+  const double k = rates.kill;
   twin.advance(rates, 300);
   for (int i = 0; i < 5; ++i) {
     double reacted = 0;
@@ -105,7 +105,7 @@ TEST_CASE("grayScott: diffusion alone is stable up to the bound and not beyond")
   const auto spread = [](double diffusion) {
     auto twin = twinOf({12, 10}, sim::GrayScottPreset::stripes, 0);
     auto rates = twin.plan().ratesAt(0);
-    rates.base = {static_cast<float>(diffusion / 20), 0, 0, 0, 0};
+    rates = {static_cast<float>(diffusion / 20), 0, 0, 0, 0, 0, 0};
     // The fastest mode: rows and columns alternate together, cos(pi x) + cos(pi y).
     for (int i = 0; i < 120; ++i) {
       const int x = i % 12;

@@ -77,7 +77,7 @@ TEST_CASE("grayScott: rates by preset, keys, health, ramp and picture") {
   sim::GrayScottParameters p;
   p.dt = 0.5;
   p.preset = sim::GrayScottPreset::maze;
-  CHECK(sim::GrayScottPlan(p, "dish", 1, 0.1).ratesAt(3).base.feed == doctest::Approx(0.0125));
+  CHECK(sim::GrayScottPlan(p, "dish", 1, 0.1).ratesAt(3).feed == doctest::Approx(0.0125));
   p.hasHealth = true;
   p.health = 0.25F;
   p.well = sim::GrayScottPreset::stripes;  // 0.040, 0.060

@@ -1,0 +1,9 @@
+#ifndef LIFE_BINDINGS
+#define LIFE_BINDINGS
+
+const int cellsBinding = 0;
+const int nextCellsBinding = 1;
+const int stampsBinding = 2;
+const int trailsBinding = 3;
+
+#endif
