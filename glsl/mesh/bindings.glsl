@@ -1,6 +1,13 @@
-#include "common/exact.glsl"
-#include "common/memory.glsl"
-#include "common/words.glsl"
-#include "mesh/types.glsl"
+// Beside heightsBinding (height_types.glsl).
+#ifndef MESH_BINDINGS
+#define MESH_BINDINGS
 
-layout(std140, binding = 0) uniform DeformBlock { DeformStep deformStep; };
+const int restPositionsBinding = 0;
+const int trailBinding = 1;
+const int positionsBinding = 2;
+const int facesBinding = 4;
+const int restNormalsBinding = 5;
+const int normalsBinding = 6;
+const int fansBinding = 7;
+
+#endif

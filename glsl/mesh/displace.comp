@@ -1,9 +1,9 @@
 // Deformed positions from positions at rest, which are only read.
-#include "mesh/bindings.glsl"
+#include "mesh/kernel.glsl"
 layout(local_size_x = 64) in;
-INPUT_ARRAY(0, RestBlock, rests)
-INPUT_ARRAY(1, TrailBlock, trail)
-STATE_ARRAY(2, PositionBlock, positions)
+INPUT_ARRAY(restPositionsBinding, RestBlock, restPositions)
+INPUT_ARRAY(trailBinding, TrailBlock, trail)
+STATE_ARRAY(positionsBinding, PositionBlock, positions)
 
 vec4 loadTrail(int i) {
   return LOAD_INPUT(trail, i);
@@ -12,6 +12,6 @@ vec4 loadTrail(int i) {
 
 void main() {
   int i = int(gl_GlobalInvocationID.x);
-  if (i >= deformStep.counts.z) return;
-  STORE_STATE(positions, i, vec4(displaced(LOAD_INPUT(rests, i).xyz), 1));
+  if (i >= deformStep.vertexCount) return;
+  STORE_STATE(positions, i, vec4(displaced(LOAD_INPUT(restPositions, i).xyz), 1));
 }

@@ -1,9 +1,8 @@
-// The heights that cloth and particles fall onto: binding 3 of their kernels, where HEIGHTS is 1; without, nothing
-// is bound or read.
+// The heights that cloth and particles fall onto, where HEIGHTS is 1; without, nothing is bound or read.
 #include "mesh/height_types.glsl"
 uniform HeightGrid heightGrid;
 #if HEIGHTS
-INPUT_ARRAY(3, HeightBlock, heights)
+INPUT_ARRAY(heightsBinding, HeightBlock, heights)
 vec4 loadHeights(int i) {
   return LOAD_INPUT(heights, i);
 }

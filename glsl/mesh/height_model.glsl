@@ -11,31 +11,25 @@ struct SurfacePoint {
 };
 
 FUNCTION vec2 mixedHeights(vec2 a, vec2 b, float t) {
-  precise vec2 sum = b - a;
-  sum = sum * t;
-  sum = sum + a;
-  return sum;
+  precise vec2 mixed = (b - a) * t + a;
+  return mixed;
 }
 
 // From the beginning's value to the end's: at t of the frame.
 FUNCTION float heightWithin(vec2 values) {
-  precise float value = values.y - values.x;
-  value = value * heightGrid.moment.x;
-  value = value + values.x;
+  precise float value = (values.y - values.x) * heightGrid.progress + values.x;
   return value;
 }
 
 // Bilinear between the four vertices around: h = mix(mix(a, b, u), mix(c, d, u), v), its slopes
 // dh/dx = mix(b - a, d - c, v) / cell and dh/dz = (lower - upper) / cell, n = (-dh/dx, 1, -dh/dz) / |...|.
 FUNCTION SurfacePoint surfaceUnder(float px, float pz) {
-  precise float x = px - heightGrid.place.x;
-  precise float z = pz - heightGrid.place.y;
-  x = x * heightGrid.place.z;
-  z = z * heightGrid.place.w;
-  float mostX = float(heightGrid.size.x - 1);
-  float mostZ = float(heightGrid.size.y - 1);
+  precise float x = (px - heightGrid.corner.x) * heightGrid.perCell.x;
+  precise float z = (pz - heightGrid.corner.y) * heightGrid.perCell.y;
+  float maxX = float(heightGrid.size.x - 1);
+  float maxZ = float(heightGrid.size.y - 1);
   SurfacePoint s;
-  s.there = x >= 0.0f && z >= 0.0f && x <= mostX && z <= mostZ;
+  s.there = x >= 0.0f && z >= 0.0f && x <= maxX && z <= maxZ;
   x = s.there ? x : 0.0f;  // a lost particle's place is no number
   z = s.there ? z : 0.0f;
   int column = min(int(floor(x)), heightGrid.size.x - 2);
@@ -54,11 +48,10 @@ FUNCTION SurfacePoint surfaceUnder(float px, float pz) {
   precise vec2 second = d - c;
   precise vec2 down = lower - upper;
   s.height = heightWithin(here);
-  precise float rise = here.y - here.x;
-  rise = rise * heightGrid.moment.y;
+  precise float rise = (here.y - here.x) * heightGrid.perFrame;
   s.speed = rise;
-  precise float slopeX = heightWithin(mixedHeights(first, second, v)) * heightGrid.place.z;
-  precise float slopeZ = heightWithin(down) * heightGrid.place.w;
+  precise float slopeX = heightWithin(mixedHeights(first, second, v)) * heightGrid.perCell.x;
+  precise float slopeZ = heightWithin(down) * heightGrid.perCell.y;
   precise vec3 n = vec3(-slopeX, 1.0f, -slopeZ);
   n = n * exactInverseSqrt(exactDot(n, n));
   s.normal = n;
@@ -79,15 +72,9 @@ FUNCTION Landing landed(vec3 position, vec3 velocity) {
   vec3 surface = vec3(0.0f, s.speed, 0.0f);
   precise vec3 relative = velocity - surface;
   float inward = exactDot(relative, s.normal);
-  precise vec3 along = s.normal * inward;
-  precise vec3 kept = relative - along;
-  kept = kept * heightGrid.moment.z;
-  precise float back = -inward;
-  back = back * heightGrid.moment.w;
+  precise float back = -inward * heightGrid.bounce;
   back = max(inward, back);
-  precise vec3 outward = s.normal * back;
-  kept = kept + outward;
-  kept = kept + surface;
+  precise vec3 kept = (relative - s.normal * inward) * heightGrid.kept + s.normal * back + surface;
   Landing l;
   l.position = touching ? vec3(position.x, least, position.z) : position;
   l.velocity = touching ? kept : velocity;

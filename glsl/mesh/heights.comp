@@ -1,9 +1,11 @@
 // Keeps the heights of the last frame beside those of the present one, one vertex an invocation.
 #include "common/exact.glsl"
 #include "common/memory.glsl"
+#include "mesh/bindings.glsl"
+#include "mesh/height_types.glsl"
 layout(local_size_x = 64) in;
-INPUT_ARRAY(0, PositionBlock, positions)
-STATE_ARRAY(1, HeightBlock, heights)
+INPUT_ARRAY(positionsBinding, PositionBlock, positions)
+STATE_ARRAY(heightsBinding, HeightBlock, heights)
 uniform int count;
 uniform float lift;  // height of the mesh's origin (m)
 

@@ -1,11 +1,11 @@
 // Normals of the deformed mesh, one vertex an invocation.
-#include "mesh/bindings.glsl"
+#include "mesh/kernel.glsl"
 layout(local_size_x = 64) in;
-INPUT_ARRAY(0, PositionBlock, positions)
-INPUT_ARRAY(1, RestBlock, restNormals)
-STATE_ARRAY(2, NormalBlock, normals)
-INPUT_WORDS(3, FanBlock, fans)
-INPUT_WORDS(4, FaceBlock, faces)
+INPUT_ARRAY(positionsBinding, PositionBlock, positions)
+INPUT_ARRAY(restNormalsBinding, RestBlock, restNormals)
+STATE_ARRAY(normalsBinding, NormalBlock, normals)
+INPUT_WORDS(fansBinding, FanBlock, fans)
+INPUT_WORDS(facesBinding, FaceBlock, faces)
 
 vec3 loadDisplaced(int i) {
   return LOAD_INPUT(positions, i).xyz;
@@ -20,6 +20,6 @@ uvec4 loadFaces(int i) {
 
 void main() {
   int i = int(gl_GlobalInvocationID.x);
-  if (i >= deformStep.counts.z) return;
+  if (i >= deformStep.vertexCount) return;
   STORE_STATE(normals, i, vec4(gatheredNormal(i, LOAD_INPUT(restNormals, i).xyz), 0));
 }

@@ -16,8 +16,7 @@ FUNCTION vec3 gatheredNormal(int vertex, vec3 atRest) {
   precise vec3 sum = vec3(0.0f);
   for (uint i = 0u; i < fan.y; ++i) {
     uvec4 faces = loadFaces(int(fan.x + i));
-    sum = sum + faceNormal(here, faces.x, faces.y);
-    sum = sum + faceNormal(here, faces.z, faces.w);
+    sum = sum + faceNormal(here, faces.x, faces.y) + faceNormal(here, faces.z, faces.w);
   }
   float squared = exactDot(sum, sum);
   precise vec3 unit = sum * exactInverseSqrt(max(squared, 1e-30f));

@@ -1,7 +1,7 @@
 // Presses what touches the surface into its trail, one cell an invocation.
-#include "mesh/bindings.glsl"
+#include "mesh/kernel.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
-STATE_ARRAY(0, TrailBlock, trail)
+STATE_ARRAY(trailBinding, TrailBlock, trail)
 
 vec4 loadTrail(int i) {
   return LOAD_STATE(trail, i);
@@ -10,7 +10,7 @@ vec4 loadTrail(int i) {
 
 void main() {
   ivec2 cell = ivec2(gl_GlobalInvocationID.xy);
-  if (cell.x >= deformStep.trailCells.x || cell.y >= deformStep.trailCells.y) return;
-  int i = cell.y * deformStep.trailCells.x + cell.x;
+  if (cell.x >= deformStep.trail.cells.x || cell.y >= deformStep.trail.cells.y) return;
+  int i = cell.y * deformStep.trail.cells.x + cell.x;
   STORE_STATE(trail, i, trodden(cell, loadTrail(i)));
 }

@@ -209,8 +209,8 @@ void DeformedMesh::press(double time) {
     return;
   }
   block_.write(0, std::as_bytes(std::span(&step, 1)));
-  block_.bindUniform(0, 0, sizeof step);
-  trail_.bindState(0);
+  block_.bindUniform(shader::stepBinding, 0, sizeof step);
+  trail_.bindState(shader::mesh::trailBinding);
   gl::barrier();
   press_.dispatch(plan_.trailCells().x, plan_.trailCells().y);
 }
@@ -218,13 +218,12 @@ void DeformedMesh::press(double time) {
 void DeformedMesh::deform(double time) {
   const shader::DeformStep step = plan_.at(time);
   clock_.begin();
+  if (onDevice()) block_.write(0, std::as_bytes(std::span(&step, 1)));
   switch (technique_) {
     case DeformTechnique::compute:
-      block_.write(0, std::as_bytes(std::span(&step, 1)));
       deformOnDevice();
       break;
     case DeformTechnique::vertexShader:
-      block_.write(0, std::as_bytes(std::span(&step, 1)));
       gl::barrier();
       break;
     case DeformTechnique::mapped:
@@ -238,19 +237,19 @@ void DeformedMesh::deform(double time) {
 
 void DeformedMesh::deformOnDevice() {
   const int count = static_cast<int>(rest_.positions.size());
-  block_.bindUniform(0, 0, sizeof(shader::DeformStep));
-  restPositions_.bindInput(0);
-  trail_.bindInput(1);
-  now().positions.bindState(2);
+  block_.bindUniform(shader::stepBinding, 0, sizeof(shader::DeformStep));
+  restPositions_.bindInput(shader::mesh::restPositionsBinding);
+  trail_.bindInput(shader::mesh::trailBinding);
+  now().positions.bindState(shader::mesh::positionsBinding);
   gl::barrier();
   displace_.dispatch(count);
   gl::barrier();
   clock_.lap(&StageTimes::deform);
-  now().positions.bindInput(0);
-  restNormals_.bindInput(1);
-  now().normals.bindState(2);
-  fans_.bindInput(3);
-  faces_.bindInput(4);
+  now().positions.bindInput(shader::mesh::positionsBinding);
+  restNormals_.bindInput(shader::mesh::restNormalsBinding);
+  now().normals.bindState(shader::mesh::normalsBinding);
+  fans_.bindInput(shader::mesh::fansBinding);
+  faces_.bindInput(shader::mesh::facesBinding);
   gather_.dispatch(count);
   gl::barrier();
   clock_.lap(&StageTimes::normals);

@@ -59,7 +59,7 @@ DeformCpu::DeformCpu(const RestMesh& rest, glm::ivec2 trailCells)
       trail_(static_cast<std::size_t>(trailCells.x) * static_cast<std::size_t>(trailCells.y), vec4(0)) {}
 
 void DeformCpu::press(const DeformStep& step, Threads threads) {
-  const int width = step.trailCells.x;
+  const int width = step.trail.cells.x;
   forEach(trail_.size(), threads, [&](std::size_t i) {
     Model model{step, trail_.data()};
     const int cell = static_cast<int>(i);

@@ -1,12 +1,6 @@
 #include "sim/mesh/deform_parameters.hpp"
 
-#include "glsl/common/cpp.hpp"
-
 #include <fmt/format.h>
-
-namespace simreel::shader {
-#include "glsl/mesh/types.glsl"
-}
 
 namespace simreel::sim {
 
@@ -19,7 +13,9 @@ void describeRipple(scene::Fields& f, Ripple& r) {
   f.number("speed", r.speed, {-1e4, 1e4}, "1/s", "Radians of phase a second.");
   f.number("wavelength", r.wavelength, {1e-3, 1e4}, "m", "From crest to crest.");
   f.number("decay", r.decay, {0, 1e3}, "1/m", "Rate at which it dies away from the centre.");
-  f.vector("centre", r.centre, {-1e4, 1e4}, "m", "Where it comes from, in the mesh's own space.");
+  glm::vec3 centre(r.centre);
+  f.vector("centre", centre, {-1e4, 1e4}, "m", "Where it comes from, in the mesh's own space.");
+  r.centre = glm::vec4(centre, 0);
 }
 
 void describeWave(scene::Fields& f, Wave& w) {
@@ -29,7 +25,7 @@ void describeWave(scene::Fields& f, Wave& w) {
   f.number("steepness", w.steepness, {0, 1}, "", "0: a sine; 1: as sharp as this amplitude allows.");
   f.number("speed", w.speed, {0, 1e3}, "m/s",
            "Of the crests; 0: that of waves of this length on deep water.");
-  f.number("phase", w.phase, {-360, 360}, "degrees", "At time 0.");
+  f.number("phase", w.initial, {-360, 360}, "degrees", "At time 0.");
 }
 
 void describeSway(scene::Fields& f, Sway& s) {
@@ -101,9 +97,9 @@ void DeformParameters::describe(scene::Fields& f) {
       f.error("deform",
               fmt::format("entry {} names {} displacements; it has to name exactly one", i, named));
   }
-  if (count > shader::mostDisplacements)
+  if (count > shader::maxDisplacements)
     f.error("deform", fmt::format("{} displacements (each wave counts as one) are more than {}", count,
-                                  shader::mostDisplacements));
+                                  shader::maxDisplacements));
   if (trails > 1) f.error("deform", "a mesh has one trail of footprints");
 }
 

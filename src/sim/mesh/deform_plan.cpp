@@ -29,9 +29,10 @@ glm::vec2 heading(float degrees) {
 
 shader::Displacement of(const Ripple& r, double time) {
   shader::Displacement d{};
-  d.kind.x = shader::rippleKind;
-  d.a = {reduced(time * r.speed + 6.0), r.amplitude, static_cast<float>(turn / r.wavelength), r.decay};
-  d.b = {r.centre, 0};
+  d.kind = shader::rippleKind;
+  d.ripple = r;
+  d.ripple.phase = reduced(time * r.speed + 6.0);
+  d.ripple.wavenumber = static_cast<float>(turn / r.wavelength);
   return d;
 }
 
@@ -40,28 +41,33 @@ shader::Displacement of(const Wave& w, double time) {
   // On deep water w^2 = g k.
   const double rate = w.speed > 0 ? k * w.speed : std::sqrt(9.81 * k);
   shader::Displacement d{};
-  d.kind.x = shader::waveKind;
-  d.a = {heading(w.direction), static_cast<float>(k), w.amplitude};
-  // A cusp where Q A k = 1; more would fold the surface over itself.
-  d.b = {reduced(rate * time - w.phase * 0.017453292519943295),
-         w.steepness * std::min(w.amplitude, static_cast<float>(1.0 / k)), 0, 0};
+  d.kind = shader::waveKind;
+  d.wave = w;
+  d.wave.heading = heading(w.direction);
+  // A cusp where surge k = 1; more would fold the surface over itself.
+  d.wave.surge = w.steepness * std::min(w.amplitude, static_cast<float>(1.0 / k));
+  d.wave.wavenumber = static_cast<float>(k);
+  d.wave.phase = reduced(rate * time - w.initial * 0.017453292519943295);
   return d;
 }
 
 shader::Displacement of(const Sway& s, double time) {
-  shader::Displacement d{};
-  d.kind.x = shader::swayKind;
-  d.a = {heading(s.direction), s.amplitude, 1.0F / s.height};
-  d.b = {s.base, static_cast<float>(turn / s.wavelength), s.lean, s.gusts};
   const double phase = time * s.speed;
-  d.c = {reduced(phase), reduced(1.73 * phase), reduced(3.91 * phase), 0};
+  shader::Displacement d{};
+  d.kind = shader::swayKind;
+  d.sway = s;
+  d.sway.heading = heading(s.direction);
+  d.sway.perHeight = 1.0F / s.height;
+  d.sway.wavenumber = static_cast<float>(turn / s.wavelength);
+  d.sway.phases = {reduced(phase), reduced(1.73 * phase), reduced(3.91 * phase), 0};
   return d;
 }
 
 shader::Displacement of(const Push& p) {
   shader::Displacement d{};
-  d.kind.x = shader::pushKind;
-  d.a = {p.softness, p.base, p.height > 0 ? 1.0F / p.height : 0.0F, 0};
+  d.kind = shader::pushKind;
+  d.push = p;
+  d.push.perHeight = p.height > 0 ? 1.0F / p.height : 0.0F;
   return d;
 }
 
@@ -83,21 +89,20 @@ DeformPlan::DeformPlan(const std::string& name, const MeshParameters& parameters
     low_ = glm::min(low_, p);
     high_ = glm::max(high_, p);
   }
+  footprints_.cells = {2, 2};
   bool touched = false;
   for (const DisplacementParameters& d : parameters_.deform.list) {
     touched = touched || d.push.on || d.footprints.on;
-    if (!d.footprints.on) continue;
-    hasTrail_ = true;
-    footprints_ = d.footprints;
-    trailCells_ = d.footprints.cells;
+    if (d.footprints.on) footprints_ = d.footprints;
   }
+  measureTrail();
   for (const ColliderShape& shape : colliders)
     if (touched && shape.kind != ColliderShape::Kind::plane) pressers_.push_back(shape);
-  if (pressers_.size() > shader::mostPressers)
+  if (pressers_.size() > shader::maxPressers)
     fail(ExitCode::usage,
          "mesh \"{}\" gives way to at most {} spheres and capsules, the scene has {}; set \"collides\": "
          "false on some",
-         name, shader::mostPressers, pressers_.size());
+         name, shader::maxPressers, pressers_.size());
   checkPhases(name);
 }
 
@@ -135,9 +140,11 @@ shader::Presser DeformPlan::presserBetween(const glm::vec3& a, const glm::vec3& 
   const float flat = axis.x * axis.x + axis.z * axis.z;
   const float squared = flat + axis.y * axis.y;
   shader::Presser p{};
-  p.a = {a, radius};
-  p.b = {b, squared > 1e-12F ? 1.0F / squared : 0.0F};
-  p.c = {flat > 1e-12F ? 1.0F / flat : 0.0F, 0, 0, 0};
+  p.start = glm::vec4(a, 0);
+  p.end = glm::vec4(b, 0);
+  p.radius = radius;
+  p.perLength2 = squared > 1e-12F ? 1.0F / squared : 0.0F;
+  p.perFlat2 = flat > 1e-12F ? 1.0F / flat : 0.0F;
   return p;
 }
 
@@ -145,19 +152,18 @@ shader::DeformStep DeformPlan::swept(double before, double now) const {
   shader::DeformStep step = at(now);
   for (std::size_t i = 0; i < pressers_.size(); ++i)
     if (pressers_[i].length == 0)
-      step.pressers[i] = presserBetween(glm::vec3(presser(pressers_[i], before).a),
-                                        glm::vec3(step.pressers[i].a), step.pressers[i].a.w);
+      step.pressers[i] = presserBetween(glm::vec3(presser(pressers_[i], before).start),
+                                        glm::vec3(step.pressers[i].start), step.pressers[i].radius);
   return step;
 }
 
-void DeformPlan::setTrail(shader::DeformStep& step) const {
-  const Footprints& f = footprints_;
-  const float width = std::max(high_.x - low_.x, 1e-3F) / static_cast<float>(trailCells_.x - 1);
-  const float depth = std::max(high_.z - low_.z, 1e-3F) / static_cast<float>(trailCells_.y - 1);
-  step.trailCells = {trailCells_, 0, 0};
-  step.trailPlace = {low_.x, low_.z, 1.0F / width, 1.0F / depth};
-  step.trailShape = {width, depth, f.height, f.depth};
-  step.trailRim = {f.rim, 1.0F / f.rimWidth, 0, 0};
+void DeformPlan::measureTrail() {
+  Footprints& f = footprints_;
+  f.corner = {low_.x, low_.z};
+  f.cellSize = {std::max(high_.x - low_.x, 1e-3F) / static_cast<float>(f.cells.x - 1),
+                std::max(high_.z - low_.z, 1e-3F) / static_cast<float>(f.cells.y - 1)};
+  f.perCell = 1.0F / f.cellSize;
+  f.perRimWidth = 1.0F / f.rimWidth;
 }
 
 shader::DeformStep DeformPlan::at(double time) const {
@@ -171,12 +177,14 @@ shader::DeformStep DeformPlan::at(double time) const {
     if (d.push.on) add(of(d.push));
     if (d.footprints.on) {
       shader::Displacement prints{};
-      prints.kind.x = shader::footprintsKind;
+      prints.kind = shader::footprintsKind;
       add(prints);
     }
   }
-  step.counts = {count, static_cast<int>(pressers_.size()), vertices_, 0};
-  setTrail(step);
+  step.displacementCount = count;
+  step.presserCount = static_cast<int>(pressers_.size());
+  step.vertexCount = vertices_;
+  step.trail = footprints_;
   for (std::size_t i = 0; i < pressers_.size(); ++i) step.pressers[i] = presser(pressers_[i], time);
   return step;
 }

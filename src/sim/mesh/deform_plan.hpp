@@ -1,17 +1,9 @@
 #pragma once
-#include "glsl/common/cpp.hpp"
 #include "sim/core/collider.hpp"
 #include "sim/mesh/deform_parameters.hpp"
 #include "sim/mesh/parameters.hpp"
 
 #include <vector>
-
-namespace simreel::shader {
-#include "glsl/mesh/types.glsl"
-static_assert(sizeof(Displacement) == 64);
-static_assert(sizeof(Presser) == 48);
-static_assert(sizeof(DeformStep) == 5 * 16 + mostDisplacements * 64 + mostPressers * 48);
-}  // namespace simreel::shader
 
 namespace simreel::sim {
 
@@ -28,22 +20,20 @@ class DeformPlan {
   /// The same with each sphere swept over its way from `before` to `now`, so that a trail has no gaps.
   [[nodiscard]] shader::DeformStep swept(double before, double now) const;
   /// Of the trail; {2, 2} where there is none.
-  [[nodiscard]] glm::ivec2 trailCells() const { return trailCells_; }
-  [[nodiscard]] bool hasTrail() const { return hasTrail_; }
+  [[nodiscard]] glm::ivec2 trailCells() const { return footprints_.cells; }
+  [[nodiscard]] bool hasTrail() const { return footprints_.on; }
 
  private:
   void checkPhases(const std::string& name) const;
   [[nodiscard]] static shader::Presser presserBetween(const glm::vec3& a, const glm::vec3& b, float radius);
   [[nodiscard]] shader::Presser presser(const ColliderShape& shape, double time) const;
-  void setTrail(shader::DeformStep& step) const;
+  void measureTrail();
 
   MeshParameters parameters_;
   std::vector<ColliderShape> pressers_;
   int vertices_;
-  glm::vec3 low_, high_;  ///< m, of the mesh at rest
-  glm::ivec2 trailCells_{2, 2};
-  bool hasTrail_ = false;
-  Footprints footprints_;
+  glm::vec3 low_, high_;     ///< m, of the mesh at rest
+  Footprints footprints_{};  ///< with all that the shaders are told of the trail
 };
 
 }  // namespace simreel::sim

@@ -22,8 +22,8 @@ HeightField::HeightField(const std::string& name, const HeightPlan& plan)
 }
 
 void HeightField::take(const gl::Vec4Array& positions) {
-  positions.bindInput(0);
-  heights_.bindState(1);
+  positions.bindInput(shader::mesh::positionsBinding);
+  heights_.bindState(shader::heightsBinding);
   gl::barrier();
   keep_.dispatch(static_cast<int>(countOf(plan_.size())));
   gl::barrier();
@@ -32,9 +32,13 @@ void HeightField::take(const gl::Vec4Array& positions) {
 void HeightField::tell(const gl::Program& kernel, int substep, int substeps, float margin,
                        float bounce) const {
   const shader::HeightGrid grid = plan_.at(substep, substeps, margin, bounce);
-  kernel.set("heightGrid.place", grid.place);
-  kernel.set("heightGrid.moment", grid.moment);
+  kernel.set("heightGrid.corner", grid.corner);
+  kernel.set("heightGrid.perCell", grid.perCell);
   kernel.set("heightGrid.size", grid.size);
+  kernel.set("heightGrid.progress", grid.progress);
+  kernel.set("heightGrid.perFrame", grid.perFrame);
+  kernel.set("heightGrid.kept", grid.kept);
+  kernel.set("heightGrid.bounce", grid.bounce);
   kernel.set("heightGrid.margin", grid.margin);
 }
 

@@ -6,6 +6,10 @@
 
 #include <string>
 
+namespace simreel::shader::mesh {
+#include "glsl/mesh/bindings.glsl"
+}
+
 namespace simreel::sim {
 
 /// Heights of a deformed plane on the GPU, at the beginning and at the end of a frame, for those that fall
@@ -18,7 +22,7 @@ class HeightField {
   void take(const gl::Vec4Array& positions);
   void carryOver(CarryOver& carry) { carry.array("heights", heights_.buffer()); }
   /// For height_array.glsl of a kernel.
-  void bind() const { heights_.bindInput(3); }
+  void bind() const { heights_.bindInput(shader::heightsBinding); }
   /// Tells a kernel where in the frame it is; arguments as of HeightPlan::at.
   void tell(const gl::Program& kernel, int substep, int substeps, float margin, float bounce) const;
 

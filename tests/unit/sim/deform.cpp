@@ -169,7 +169,7 @@ TEST_CASE(
   const sim::RestMesh rest("odd", odd);
   sim::DeformCpu cpu(rest, {2, 2});
   shader::DeformStep still{};
-  still.trailCells = {2, 2, 0, 0};
+  still.trail.cells = {2, 2};
   cpu.displace(still, sim::Threads::one);
   cpu.gatherNormals(sim::Threads::one);
   for (std::size_t i = 0; i < 7; ++i) CHECK(glm::length(glm::vec3(cpu.normals()[i])) == doctest::Approx(1));

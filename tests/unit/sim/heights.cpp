@@ -105,7 +105,7 @@ TEST_CASE("heights: a surface that rises carries along, half way at half of the 
   CHECK(twin.positions[0].y == doctest::Approx(3.7));
   CHECK(twin.velocities[0].y == doctest::Approx(36).epsilon(0.01));  // 0.6 m in 1/60 s
   const auto half = twin.heightPlan->at(7, 16, 0, 0);
-  CHECK(half.moment.x == 0.5F);
+  CHECK(half.progress == 0.5F);
 }
 
 TEST_CASE("heights: beside the mesh there is nothing, on its edge there is") {
