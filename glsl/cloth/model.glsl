@@ -13,9 +13,7 @@ FUNCTION int neighbour(ivec2 at, int dx, int dy) {
 // F = k (|d| - L0) d / |d| = k (1 - L0 / |d|) d, none where |d| < 1e-4 m.
 FUNCTION vec3 springForce(vec3 d, float restLength, float stiffness) {
   precise float squared = exactDot(d, d);
-  precise float ratio = restLength * exactInverseSqrt(squared);
-  precise float scale = 1.0f - ratio;
-  scale = scale * stiffness;
+  precise float scale = (1.0f - restLength * exactInverseSqrt(squared)) * stiffness;
   precise vec3 force = d * scale;
   return squared < 1e-8f ? vec3(0.0f) : force;
 }
@@ -28,22 +26,16 @@ FUNCTION vec3 springTo(ivec2 at, vec3 here, int dx, int dy, float restLength, fl
 FUNCTION vec3 springForces(ivec2 at, vec3 here) {
   float k = stepData.stiffness.x;
   float restLength = stepData.alongX.w;
-  precise vec3 sum = springTo(at, here, -1, 0, restLength, k);
-  sum = sum + springTo(at, here, 1, 0, restLength, k);
-  sum = sum + springTo(at, here, 0, -1, restLength, k);
-  sum = sum + springTo(at, here, 0, 1, restLength, k);
+  precise vec3 sum = springTo(at, here, -1, 0, restLength, k) + springTo(at, here, 1, 0, restLength, k) +
+                     springTo(at, here, 0, -1, restLength, k) + springTo(at, here, 0, 1, restLength, k);
   precise float diagonal = restLength * 1.41421356f;
   k = stepData.stiffness.y;
-  sum = sum + springTo(at, here, -1, -1, diagonal, k);
-  sum = sum + springTo(at, here, 1, -1, diagonal, k);
-  sum = sum + springTo(at, here, -1, 1, diagonal, k);
-  sum = sum + springTo(at, here, 1, 1, diagonal, k);
+  sum = sum + springTo(at, here, -1, -1, diagonal, k) + springTo(at, here, 1, -1, diagonal, k) +
+        springTo(at, here, -1, 1, diagonal, k) + springTo(at, here, 1, 1, diagonal, k);
   precise float twice = restLength * 2.0f;
   k = stepData.stiffness.z;
-  sum = sum + springTo(at, here, -2, 0, twice, k);
-  sum = sum + springTo(at, here, 2, 0, twice, k);
-  sum = sum + springTo(at, here, 0, -2, twice, k);
-  sum = sum + springTo(at, here, 0, 2, twice, k);
+  sum = sum + springTo(at, here, -2, 0, twice, k) + springTo(at, here, 2, 0, twice, k) +
+        springTo(at, here, 0, -2, twice, k) + springTo(at, here, 0, 2, twice, k);
   return sum;
 }
 
@@ -55,17 +47,12 @@ FUNCTION vec3 latticeVector(ivec2 xy, int z) {
 }
 
 FUNCTION vec3 blend(vec3 a, vec3 b, float t) {
-  precise vec3 difference = b - a;
-  difference = difference * t;
-  precise vec3 sum = a + difference;
+  precise vec3 sum = a + (b - a) * t;
   return sum;
 }
 
 FUNCTION float smoothCurve(float u) {
-  precise float twice = 2.0f * u;
-  precise float t = 3.0f - twice;
-  t = t * u;
-  t = t * u;
+  precise float t = (3.0f - 2.0f * u) * u * u;
   return t;
 }
 
@@ -92,38 +79,26 @@ FUNCTION vec3 airForceOnFace(vec3 a, vec3 b, vec3 v, float speedSquared, float i
   vec3 c = exactCross(a, b);
   float through = exactDot(v, c);
   precise float share = 0.125f * stepData.air.w;
-  precise float drag = share * stepData.airShape.x;
-  drag = drag * abs(through);
-  precise vec3 force = v * drag;
+  precise float drag = share * stepData.airShape.x * abs(through);
   float inverseArea = exactInverseSqrt(max(exactDot(c, c), 1e-24f));
-  precise float lift = share * stepData.airShape.y;
-  lift = lift * through;
-  lift = lift * inverseSpeed;
-  lift = lift * inverseArea;
-  precise vec3 up = c * speedSquared;
-  precise vec3 along = v * through;
-  up = up - along;
-  up = up * lift;
-  force = force + up;
+  precise float lift = share * stepData.airShape.y * through * inverseSpeed * inverseArea;
+  precise vec3 force = v * drag + (c * speedSquared - v * through) * lift;
   return force;
 }
 
 FUNCTION vec3 airForces(ivec2 at, vec3 here, vec3 velocity) {
-  precise vec3 place = here - vec3(stepData.airDrift);
-  place = place * stepData.airShape.w;
-  precise vec3 gust = noise(place) * stepData.airDrift.w;
-  precise vec3 v = vec3(stepData.air) + gust;
-  v = v - velocity;
+  precise vec3 place = (here - vec3(stepData.airDrift)) * stepData.airShape.w;
+  precise vec3 v = vec3(stepData.air) + noise(place) * stepData.airDrift.w - velocity;
   float speedSquared = max(exactDot(v, v), 1e-12f);
   float inverseSpeed = exactInverseSqrt(speedSquared);
   precise vec3 left = vec3(loadPosition(neighbour(at, -1, 0))) - here;
   precise vec3 right = vec3(loadPosition(neighbour(at, 1, 0))) - here;
   precise vec3 up = vec3(loadPosition(neighbour(at, 0, -1))) - here;
   precise vec3 down = vec3(loadPosition(neighbour(at, 0, 1))) - here;
-  precise vec3 sum = airForceOnFace(right, up, v, speedSquared, inverseSpeed);
-  sum = sum + airForceOnFace(up, left, v, speedSquared, inverseSpeed);
-  sum = sum + airForceOnFace(left, down, v, speedSquared, inverseSpeed);
-  sum = sum + airForceOnFace(down, right, v, speedSquared, inverseSpeed);
+  precise vec3 sum = airForceOnFace(right, up, v, speedSquared, inverseSpeed) +
+                     airForceOnFace(up, left, v, speedSquared, inverseSpeed) +
+                     airForceOnFace(left, down, v, speedSquared, inverseSpeed) +
+                     airForceOnFace(down, right, v, speedSquared, inverseSpeed);
   return sum;
 }
 
@@ -132,11 +107,7 @@ FUNCTION vec3 newVelocity(ivec2 at, vec4 here, vec3 velocity, bool springs, bool
   precise vec3 force = vec3(stepData.windForce);
   if (springs) force = force + springForces(at, vec3(here));
   if (air) force = force + airForces(at, vec3(here), velocity);
-  precise vec3 acceleration = force * here.w;
-  acceleration = acceleration + vec3(stepData.gravity);
-  acceleration = acceleration * stepData.gravity.w;
-  precise vec3 v = velocity + acceleration;
-  v = v * stepData.windForce.w;
+  precise vec3 v = (velocity + (force * here.w + vec3(stepData.gravity)) * stepData.gravity.w) * stepData.windForce.w;
   return v;
 }
 
@@ -147,10 +118,8 @@ FUNCTION float applyRow(vec4 row, vec3 p) {
 
 // Where the pin's frame carries the particle's rest position.
 FUNCTION vec3 pinnedPosition(ivec2 at, int frame) {
-  precise vec3 right = vec3(stepData.alongX) * float(at.x);
-  precise vec3 down = vec3(stepData.alongY) * float(at.y);
-  precise vec3 rest = vec3(stepData.origin) + right;
-  rest = rest + down;
+  precise vec3 rest =
+      vec3(stepData.origin) + vec3(stepData.alongX) * float(at.x) + vec3(stepData.alongY) * float(at.y);
   return vec3(applyRow(stepData.frames[frame].row0, rest), applyRow(stepData.frames[frame].row1, rest),
               applyRow(stepData.frames[frame].row2, rest));
 }
@@ -171,28 +140,20 @@ FUNCTION Motion contact(Motion m, bool lands) {
     precise vec3 fromA = m.position - vec3(a);
     precise float t = exactDot(fromA, axis) * stepData.colliders[i].velocityB.w;
     t = min(max(t, 0.0f), 1.0f);
-    precise vec3 nearest = vec3(a) + axis * t;
-    precise vec3 offset = m.position - nearest;
+    precise vec3 offset = m.position - (vec3(a) + axis * t);
     float squared = exactDot(offset, offset);
     float inverse = exactInverseSqrt(max(squared, 1e-12f));
-    precise vec3 outward = offset * inverse;
-    precise float distanceToAxis = squared * inverse;
-    vec3 normal = plane ? vec3(a) : outward;
-    precise float beyond = plane ? exactDot(vec3(a), m.position) : distanceToAxis;
-    precise float depth = a.w + stepData.origin.w;
-    depth = depth - beyond;
+    precise vec3 normal = plane ? vec3(a) : offset * inverse;
+    precise float beyond = plane ? exactDot(vec3(a), m.position) : squared * inverse;
+    precise float depth = a.w + stepData.origin.w - beyond;
     bool touching = depth > 0.0f;
-    precise vec3 spin = vec3(stepData.colliders[i].velocityB) - vec3(stepData.colliders[i].velocityA);
-    spin = spin * t;
-    precise vec3 surface = vec3(stepData.colliders[i].velocityA) + spin;
-    surface = plane ? vec3(0.0f) : surface;
+    vec3 velocityA = vec3(stepData.colliders[i].velocityA);
+    vec3 velocityB = vec3(stepData.colliders[i].velocityB);
+    precise vec3 surface = plane ? vec3(0.0f) : velocityA + (velocityB - velocityA) * t;
     precise vec3 relative = m.velocity - surface;
     float inward = exactDot(relative, normal);
-    precise vec3 along = normal * inward;
-    precise vec3 tangential = relative - along;
-    precise vec3 kept = tangential * stepData.colliders[i].velocityA.w;
-    kept = kept + normal * max(inward, 0.0f);
-    kept = kept + surface;
+    precise vec3 kept = (relative - normal * inward) * stepData.colliders[i].velocityA.w +
+                        normal * max(inward, 0.0f) + surface;
     precise vec3 pushed = m.position + normal * depth;
     m.position = touching ? pushed : m.position;
     m.velocity = touching ? kept : m.velocity;
@@ -222,10 +183,9 @@ FUNCTION Motion advance(ivec2 at, vec4 here, vec4 velocity, bool springs, bool a
 
 // After the constraints: v = (x - x_before) / dt, then contact.
 FUNCTION Motion settled(vec4 before, vec4 here, bool lands) {
-  precise vec3 moved = vec3(here) - vec3(before);
   Motion m;
   m.position = vec3(here);
-  precise vec3 v = moved * stepData.stiffness.w;
+  precise vec3 v = (vec3(here) - vec3(before)) * stepData.stiffness.w;
   m.velocity = v;
   if (here.w == 0.0f) {
     m.velocity = vec3(0.0f);
@@ -241,15 +201,11 @@ FUNCTION vec3 constraintShift(vec4 a, vec4 b, float restLength, float compliance
   precise vec3 d = vec3(b) - vec3(a);
   float squared = max(exactDot(d, d), 1e-12f);
   float inverse = exactInverseSqrt(squared);
-  precise float stretch = squared * inverse;
-  stretch = stretch - restLength;
-  precise float weight = compliance * stepData.alongY.w;
-  weight = weight + a.w;
-  weight = weight + b.w;
-  precise float lambda = stretch * exactReciprocal(max(weight, 1e-20f));
-  lambda = lambda * inverse;
+  precise float stretch = squared * inverse - restLength;
+  precise float weight = compliance * stepData.alongY.w + a.w + b.w;
+  precise float lambda = stretch * exactReciprocal(max(weight, 1e-20f)) * inverse;
   precise vec3 shift = d * -lambda;
-  return a.w + b.w > 0.0f ? shift : vec3(0.0f);
+  return a.w > 0.0f || b.w > 0.0f ? shift : vec3(0.0f);
 }
 
 // NaN or infinity, by its bits: compilers may assume that comparisons never meet NaN.

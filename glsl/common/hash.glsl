@@ -19,7 +19,6 @@ FUNCTION uvec3 hash3(uvec3 v) {
 
 // The upper 24 bits of a word as a number in [-1, 1), exactly.
 FUNCTION float signedUnit(uint bits) {
-  precise float u = float(int(bits >> 8u) - 8388608);
-  precise float scaled = u * 1.1920929e-7f;
-  return scaled;
+  precise float u = float(int(bits >> 8u) - 8388608) * 1.1920929e-7f;
+  return u;
 }

@@ -1,5 +1,5 @@
 // Every function of exact.glsl (bits compared with C++) and the built-ins whose rounding differs between
-// drivers (bits hashed to tell one family of drivers from another). 16 words an item.
+// drivers (inexact; bits hashed to tell one family of drivers from another). 16 words an item.
 #include "common/exact.glsl"
 layout(local_size_x = 64) in;
 layout(std430, binding = 0) readonly restrict buffer InputBlock { float inputs[]; };
@@ -22,10 +22,10 @@ void main() {
   outputs[o + 7] = exactDot(vec3(x, a, 1.5f), vec3(0.3f, x, a));
   outputs[o + 8] = inversesqrt(a);
   outputs[o + 9] = sqrt(a);
-  outputs[o + 10] = 1.7f / x;
+  outputs[o + 10] = 1.7f / x;  // inexact
   outputs[o + 11] = sin(x);
   outputs[o + 12] = exp(-a);
   outputs[o + 13] = pow(a, 1.7f);
   outputs[o + 14] = dot(vec3(x, a, 1.5f), vec3(0.3f, x, a));
-  outputs[o + 15] = x * 1.3f + a;
+  outputs[o + 15] = x * 1.3f + a;  // inexact
 }

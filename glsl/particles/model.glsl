@@ -10,8 +10,7 @@ struct ParticleMotion {
 
 // The upper 24 bits of a word as a number in [0, 1), exactly.
 FUNCTION float unit(uint bits) {
-  precise float u = float(int(bits >> 8u));
-  u = u * 5.9604645e-8f;
+  precise float u = float(int(bits >> 8u)) * 5.9604645e-8f;
   return u;
 }
 
@@ -21,29 +20,19 @@ FUNCTION uvec3 randomWords(int item, int purpose, int draw) {
 
 // s = 6u^5 - 15u^4 + 10u^3: its first and second derivatives vanish at 0 and 1.
 FUNCTION float quintic(float u) {
-  precise float s = u * 6.0f;
-  s = s - 15.0f;
-  s = s * u;
-  s = s + 10.0f;
-  s = s * u;
-  s = s * u;
-  s = s * u;
+  precise float s = ((u * 6.0f - 15.0f) * u + 10.0f) * u * u * u;
   return s;
 }
 
 // s' = 30 u^2 (u - 1)^2.
 FUNCTION float quinticSlope(float u) {
-  precise float s = u - 1.0f;
-  s = s * u;
-  s = s * s;
-  s = s * 30.0f;
+  precise float root = (u - 1.0f) * u;
+  precise float s = root * root * 30.0f;
   return s;
 }
 
 FUNCTION vec3 mixed(vec3 a, vec3 b, float t) {
-  precise vec3 sum = b - a;
-  sum = sum * t;
-  sum = sum + a;
+  precise vec3 sum = (b - a) * t + a;
   return sum;
 }
 
@@ -58,7 +47,8 @@ FUNCTION vec3 latticePotential(int x, int y, int z) {
 // (1.873 measured without).
 FUNCTION vec3 curlNoise(vec3 p) {
   precise vec3 base = clamp(floor(p), -1e6f, 1e6f);
-  precise vec3 u = min(max(p - base, 0.0f), 1.0f);
+  precise vec3 u = p - base;
+  u = min(max(u, 0.0f), 1.0f);
   int x = int(base.x);
   int y = int(base.y);
   int z = int(base.z);
@@ -73,25 +63,19 @@ FUNCTION vec3 curlNoise(vec3 p) {
   vec3 c101 = latticePotential(x + 1, y, z + 1);
   vec3 c011 = latticePotential(x, y + 1, z + 1);
   vec3 c111 = latticePotential(x + 1, y + 1, z + 1);
-  precise vec3 dx = mixed(mixed(c100, c110, ty), mixed(c101, c111, ty), tz) -
-                    mixed(mixed(c000, c010, ty), mixed(c001, c011, ty), tz);
-  precise vec3 dy = mixed(mixed(c010, c110, tx), mixed(c011, c111, tx), tz) -
-                    mixed(mixed(c000, c100, tx), mixed(c001, c101, tx), tz);
-  precise vec3 dz = mixed(mixed(c001, c101, tx), mixed(c011, c111, tx), ty) -
-                    mixed(mixed(c000, c100, tx), mixed(c010, c110, tx), ty);
-  dx = dx * quinticSlope(u.x);
-  dy = dy * quinticSlope(u.y);
-  dz = dz * quinticSlope(u.z);
-  precise vec3 curl = vec3(dy.z, dz.x, dx.y) - vec3(dz.y, dx.z, dy.x);
-  curl = curl * 0.5338f;
+  precise vec3 dx = (mixed(mixed(c100, c110, ty), mixed(c101, c111, ty), tz) -
+                     mixed(mixed(c000, c010, ty), mixed(c001, c011, ty), tz)) * quinticSlope(u.x);
+  precise vec3 dy = (mixed(mixed(c010, c110, tx), mixed(c011, c111, tx), tz) -
+                     mixed(mixed(c000, c100, tx), mixed(c001, c101, tx), tz)) * quinticSlope(u.y);
+  precise vec3 dz = (mixed(mixed(c001, c101, tx), mixed(c011, c111, tx), ty) -
+                     mixed(mixed(c000, c100, tx), mixed(c010, c110, tx), ty)) * quinticSlope(u.z);
+  precise vec3 curl = (vec3(dy.z, dz.x, dx.y) - vec3(dz.y, dx.z, dy.x)) * 0.5338f;
   return curl;
 }
 
 // On a straight line from `end` (share 0) to `start` (share 1).
 FUNCTION vec4 backTo(vec4 end, vec4 start, float share) {
-  precise vec4 sum = start - end;
-  sum = sum * share;
-  sum = sum + end;
+  precise vec4 sum = (start - end) * share + end;
   return sum;
 }
 
@@ -110,10 +94,8 @@ FUNCTION vec3 fieldAcceleration(ParticleFields fields, vec3 here, bool attractor
   if (attractor)
     sum = sum + addPull(vec3(0.0f), here, fields.attractor, stepData.factors.z);
   if (turbulence) {
-    precise vec3 place = here - vec3(fields.turbulence);
-    place = place * stepData.factors.w;
-    precise vec3 push = curlNoise(place) * fields.turbulence.w;
-    sum = sum + push;
+    precise vec3 place = (here - vec3(fields.turbulence)) * stepData.factors.w;
+    sum = sum + curlNoise(place) * fields.turbulence.w;
   }
   return sum;
 }
@@ -121,8 +103,7 @@ FUNCTION vec3 fieldAcceleration(ParticleFields fields, vec3 here, bool attractor
 // A point of the unit sphere: height uniform in [-1, 1), then the angle.
 FUNCTION vec3 onSphere(float height, float turn) {
   precise float angle = turn * 6.2831853f;
-  precise float squared = height * height;
-  squared = 1.0f - squared;
+  precise float squared = 1.0f - height * height;
   float across = exactSqrt(squared);
   precise float x = across * exactCos(angle);
   precise float z = across * exactSin(angle);
@@ -131,10 +112,9 @@ FUNCTION vec3 onSphere(float height, float turn) {
 
 // Lifetime of a slot: the same for each particle that lives in it, so the ring never overtakes itself.
 FUNCTION float lifetimeOf(int slot, int e) {
-  precise float factor = signedUnit(randomWords(slot, e, 0).x) * stepData.emitters[e].life.y;
-  factor = factor + 1.0f;
-  factor = factor * stepData.emitters[e].life.x;
-  return factor;
+  float varied = signedUnit(randomWords(slot, e, 0).x);
+  precise float lifetime = (varied * stepData.emitters[e].life.y + 1.0f) * stepData.emitters[e].life.x;
+  return lifetime;
 }
 
 // A slot's place in this substep: its emitter, -1 for particles of groups, and which newborn it is, -1 for none.
@@ -159,25 +139,21 @@ FUNCTION int newbornSlot(int e, int k) {
 
 // Seconds that newborn k has lived at the substep's end.
 FUNCTION float livedSeconds(int e, int k) {
-  precise float younger = float(k) * stepData.emitters[e].positionBefore.w;
-  younger = stepData.emitters[e].life.w - younger;
-  return min(max(younger, 0.0f), stepData.factors.x);
+  precise float lived = stepData.emitters[e].life.w - float(k) * stepData.emitters[e].positionBefore.w;
+  return min(max(lived, 0.0f), stepData.factors.x);
 }
 
 // v' = v + a first kick, x' = x + v' drift.
 FUNCTION ParticleMotion drifted(ParticleMotion m, vec3 acceleration, vec4 pace) {
-  precise vec3 kick = acceleration * pace.x;
-  precise vec3 v = vec3(m.velocity) + kick;
-  precise vec3 drift = v * pace.y;
-  precise vec3 x = vec3(m.position) + drift;
+  precise vec3 v = vec3(m.velocity) + acceleration * pace.x;
+  precise vec3 x = vec3(m.position) + v * pace.y;
   m.position = vec4(x, m.position.w);
   m.velocity = vec4(v, m.velocity.w);
   return m;
 }
 
 FUNCTION ParticleMotion grownOlder(ParticleMotion m, float seconds, int slot, int e) {
-  precise float age = seconds * exactReciprocal(lifetimeOf(slot, e));
-  age = age + m.velocity.w;
+  precise float age = seconds * exactReciprocal(lifetimeOf(slot, e)) + m.velocity.w;
   m.velocity.w = age;
   if (age >= 1.0f) {
     m.velocity.w = -1.0f;
@@ -215,23 +191,17 @@ FUNCTION ParticleMotion newborn(int e, int k, float share) {
   // Uniform in a cone: h = 1 - cos = u (1 - cos spread), sin^2 = h (2 - h), where nothing cancels.
   precise float height = unit(a.x) * emitter.velocityBefore.w;
   precise float cosine = 1.0f - height;
-  precise float squared = 2.0f - height;
-  squared = squared * height;
+  precise float squared = (2.0f - height) * height;
   float sine = exactSqrt(max(squared, 0.0f));
   precise float angle = unit(a.y) * 6.2831853f;
   precise float sideways = sine * exactCos(angle);
   precise float upwards = sine * exactSin(angle);
-  precise vec3 direction = forward * cosine;
-  direction = direction + side * sideways;
-  direction = direction + up * upwards;
-  precise float speed = signedUnit(a.z) * emitter.velocity.w;
-  speed = speed + 1.0f;
-  speed = speed * exactSqrt(meanSquared);
-  precise vec3 velocity = direction * speed;
+  precise float speed = (signedUnit(a.z) * emitter.velocity.w + 1.0f) * exactSqrt(meanSquared);
+  precise vec3 velocity = (forward * cosine + side * sideways + up * upwards) * speed;
   // The greatest of three uniform numbers is distributed like the radius in a ball.
   precise float radius = max(max(unit(c.x), unit(c.y)), unit(c.z)) * emitter.position.w;
-  precise vec3 offset = onSphere(signedUnit(b.x), unit(b.y)) * radius;
-  precise vec3 place = vec3(backTo(emitter.position, emitter.positionBefore, share)) + offset;
+  precise vec3 place = vec3(backTo(emitter.position, emitter.positionBefore, share)) +
+                       onSphere(signedUnit(b.x), unit(b.y)) * radius;
   ParticleMotion m;
   m.position = vec4(place, emitter.life.z);
   m.velocity = vec4(velocity, 0.0f);
@@ -260,9 +230,7 @@ FUNCTION ParticleMotion overHeights(ParticleMotion m) {
 
 // Damping and second kick: v' = v keep + a second kick.
 FUNCTION vec4 kicked(vec4 velocity, vec3 acceleration, vec4 pace) {
-  precise vec3 kick = acceleration * pace.w;
-  precise vec3 v = vec3(velocity) * pace.z;
-  v = v + kick;
+  precise vec3 v = vec3(velocity) * pace.z + acceleration * pace.w;
   return velocity.w < 0.0f ? velocity : vec4(v, velocity.w);
 }
 
@@ -270,8 +238,7 @@ FUNCTION vec4 kicked(vec4 velocity, vec3 acceleration, vec4 pace) {
 // up here for a first kick and a drift without it.
 FUNCTION ParticleMotion pulledSinceBirth(ParticleMotion m, vec3 pull, vec4 pace) {
   precise vec3 kick = pull * pace.x;
-  precise vec3 drift = kick * pace.y;
-  precise vec3 x = vec3(m.position) + drift;
+  precise vec3 x = vec3(m.position) + kick * pace.y;
   precise vec3 v = vec3(m.velocity) + kick;
   m.position = vec4(x, m.position.w);
   m.velocity = vec4(v, m.velocity.w);

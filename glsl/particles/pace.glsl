@@ -8,34 +8,16 @@
 FUNCTION vec4 paceOf(float seconds, float rate) {
   precise float z = seconds * rate;
   // Below 1, where 1 - e^-z cancels: psi = 1/2! + w/3! + w^2/4! + ..., w = -z, and the others from it.
-  precise float near = z * -2.5052108e-8f;
-  near = near + 2.7557319e-7f;
-  near = near * -z;
-  near = near + 2.7557319e-6f;
-  near = near * -z;
-  near = near + 2.4801587e-5f;
-  near = near * -z;
-  near = near + 1.9841270e-4f;
-  near = near * -z;
-  near = near + 1.3888889e-3f;
-  near = near * -z;
-  near = near + 8.3333333e-3f;
-  near = near * -z;
-  near = near + 4.1666667e-2f;
-  near = near * -z;
-  near = near + 0.16666667f;
-  near = near * -z;
-  near = near + 0.5f;
-  precise float nearPhi = near * z;
-  nearPhi = 1.0f - nearPhi;
-  precise float nearKept = nearPhi * z;
-  nearKept = 1.0f - nearKept;
+  precise float w = -z;
+  precise float near = ((w * 2.5052108e-8f + 2.7557319e-7f) * w + 2.7557319e-6f) * w + 2.4801587e-5f;
+  near = ((near * w + 1.9841270e-4f) * w + 1.3888889e-3f) * w + 8.3333333e-3f;
+  near = ((near * w + 4.1666667e-2f) * w + 0.16666667f) * w + 0.5f;
+  precise float nearPhi = 1.0f - near * z;
+  precise float nearKept = 1.0f - nearPhi * z;
   float inverse = exactReciprocal(max(z, 1.0f));
-  float farKept = exactExp(-z);
-  precise float farPhi = 1.0f - farKept;
-  farPhi = farPhi * inverse;
-  precise float far = 1.0f - farPhi;
-  far = far * inverse;
+  float farKept = exactExp(w);
+  precise float farPhi = (1.0f - farKept) * inverse;
+  precise float far = (1.0f - farPhi) * inverse;
   bool small = z < 1.0f;
   precise float kept = small ? nearKept : farKept;
   precise float drift = small ? nearPhi : farPhi;
@@ -43,7 +25,6 @@ FUNCTION vec4 paceOf(float seconds, float rate) {
   if (z > 0.0f) first = first * exactReciprocal(drift);
   first = first * seconds;
   drift = drift * seconds;
-  precise float second = first * kept;
-  second = drift - second;
+  precise float second = drift - first * kept;
   return vec4(first, drift, kept, second);
 }

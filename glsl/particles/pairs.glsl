@@ -9,16 +9,9 @@ FUNCTION float pairInverseSqrt(float x) {
   return inversesqrt(x);
 #else
   precise float y = intBitsToFloat(0x5f1ffff9 - (floatBitsToInt(x) >> 1));
-  precise float t = x * y;
-  t = t * y;
-  t = 2.38924456f - t;
-  t = t * 0.703952253f;
-  y = y * t;
+  y = y * ((2.38924456f - x * y * y) * 0.703952253f);
   precise float half_ = 0.5f * x;
-  t = half_ * y;
-  t = t * y;
-  t = 1.50000036f - t;
-  y = y * t;
+  y = y * (1.50000036f - half_ * y * y);
   return y;
 #endif
 }
@@ -26,21 +19,12 @@ FUNCTION float pairInverseSqrt(float x) {
 // Adds m d / (|d|^2 + eps^2)^(3/2), d from `here` to the body, w its mass (Plummer softening; SPEC 2 without G).
 FUNCTION vec3 addPull(vec3 sum, vec3 here, vec4 body, float softeningSquared) {
   precise vec3 d = vec3(body) - here;
-  precise float xx = d.x * d.x;
-  precise float yy = d.y * d.y;
-  precise float zz = d.z * d.z;
 #ifdef FAST_NUMERICS
   float squared = fma(d.z, d.z, fma(d.y, d.y, fma(d.x, d.x, softeningSquared)));  // one operation less
 #else
-  precise float squared = xx + yy;
-  squared = squared + zz;
-  squared = squared + softeningSquared;
+  precise float squared = exactDot(d, d) + softeningSquared;
 #endif
   float inverse = pairInverseSqrt(squared);
-  precise float cube = inverse * inverse;
-  cube = cube * inverse;
-  cube = cube * body.w;
-  precise vec3 pull = d * cube;
-  precise vec3 total = sum + pull;
+  precise vec3 total = sum + d * (inverse * inverse * inverse * body.w);
   return total;
 }

@@ -19,8 +19,7 @@ FUNCTION uvec3 cellOf(vec3 position, vec3 low, vec3 high) {
   precise vec3 size = high - low;
   float side = max(size.x, max(size.y, size.z));
   precise float scale = 65536.0f * exactReciprocal(max(side, 1e-18f));
-  precise vec3 at = position - low;
-  at = at * scale;
+  precise vec3 at = (position - low) * scale;
   at = min(max(at, vec3(0.0f)), vec3(65535.0f));
   return uvec3(uint(at.x), uint(at.y), uint(at.z));
 }
@@ -102,14 +101,9 @@ FUNCTION vec3 flushed(vec3 v) {
 FUNCTION Node withSpread(Node node, float share, vec3 s, vec3 along, vec3 across) {
   Node result = node;
   precise vec3 weighted = s * 3.0f;
-  precise vec3 a = weighted * s;
-  a = a + along;
-  a = a * share;
-  a = a + node.along;
-  precise vec3 b = vec3(weighted.x * s.y, weighted.x * s.z, weighted.y * s.z);
-  b = b + across;
-  b = b * share;
-  b = b + node.across;
+  precise vec3 a = (weighted * s + along) * share + node.along;
+  precise vec3 b =
+      (vec3(weighted.x * s.y, weighted.x * s.z, weighted.y * s.z) + across) * share + node.across;
   result.along = a;
   result.across = b;
   return result;
@@ -133,9 +127,7 @@ FUNCTION Node leafNode(int first) {
   for (int i = 0; i < leafBodies; ++i) {
     vec4 body = loadBody(first + i);
     precise float share = body.w * perMass;
-    precise vec3 s = vec3(body) - node.low;
-    s = s * share;
-    center = center + s;
+    center = center + (vec3(body) - node.low) * share;
   }
   center = center + node.low;
   node.center = center;
@@ -161,9 +153,7 @@ FUNCTION Node parentNode(Node left, Node right) {
   float perMass = exactReciprocal(mass);
   precise float leftShare = left.mass * perMass;
   precise float rightShare = right.mass * perMass;
-  precise vec3 between = right.center - left.center;
-  precise vec3 step = between * rightShare;
-  precise vec3 center = left.center + step;
+  precise vec3 center = left.center + (right.center - left.center) * rightShare;
   node.center = center;
   precise vec3 toLeft = left.center - center;
   precise vec3 toRight = right.center - center;
@@ -181,13 +171,10 @@ FUNCTION float openingRadius2(Node node, float perOpening) {
   precise vec3 size = node.high - node.low;
   float side = max(size.x, max(size.y, size.z));
   if (side <= 0.0f) return -1.0f;
-  precise vec3 middle = size * 0.5f;
-  middle = node.low + middle;
-  precise vec3 offset = node.center - middle;
-  precise float radius = side * perOpening;
-  radius = radius + exactSqrt(exactDot(offset, offset));
-  radius = radius * radius;
-  return radius;
+  precise vec3 offset = node.center - (node.low + size * 0.5f);
+  precise float radius = side * perOpening + exactSqrt(exactDot(offset, offset));
+  precise float squared = radius * radius;
+  return squared;
 }
 
 // A node as the walk reads it: centre of mass and opening radius; mass and spread.
@@ -201,9 +188,7 @@ FUNCTION vec4 nodeMoments0(Node node) {
   return vec4(node.mass, node.along.x, node.across.x, node.across.y);
 }
 FUNCTION vec4 nodeMoments1(Node node) {
-  precise float trace = node.along.x + node.along.y;
-  trace = trace + node.along.z;
-  trace = trace * 0.5f;
+  precise float trace = (node.along.x + node.along.y + node.along.z) * 0.5f;
   return vec4(node.along.y, node.across.z, node.along.z, trace);
 }
 FUNCTION Node unpackNode(vec4 low, vec4 high, vec4 cell, vec4 moments0, vec4 moments1) {
@@ -225,36 +210,8 @@ struct Pull {
   REAL z;
 };
 
-// 1/sqrt(x) as exactInverseSqrt has it, for several numbers.
-FUNCTION REAL inverseRoot(REAL x) {
-#ifdef FAST_NUMERICS
-  return inversesqrt(x);
-#else
-  precise REAL half_ = 0.5f * x;
-  precise REAL y = intBitsToFloat(0x5f375a86 - (floatBitsToInt(x) >> 1));
-  precise REAL t = half_ * y;
-  t = t * y;
-  t = 1.5f - t;
-  y = y * t;
-  t = half_ * y;
-  t = t * y;
-  t = 1.5f - t;
-  y = y * t;
-  t = half_ * y;
-  t = t * y;
-  t = 1.5f - t;
-  y = y * t;
-  return y;
-#endif
-}
-
 FUNCTION REAL softenedSquare(REAL dx, REAL dy, REAL dz, float softening2) {
-  precise REAL sum = dx * dx;
-  precise REAL term = dy * dy;
-  sum = sum + term;
-  term = dz * dz;
-  sum = sum + term;
-  sum = sum + softening2;
+  precise REAL sum = dx * dx + dy * dy + dz * dz + softening2;
   return sum;
 }
 
@@ -263,21 +220,15 @@ FUNCTION Pull plusBody(Pull sum, REAL x, REAL y, REAL z, vec4 body, float soften
   precise REAL dx = body.x - x;
   precise REAL dy = body.y - y;
   precise REAL dz = body.z - z;
-  REAL inverse = inverseRoot(softenedSquare(dx, dy, dz, softening2));
-  precise REAL k = body.w * inverse;
-  k = k * inverse;
-  k = k * inverse;
-  dx = dx * k;
-  dy = dy * k;
-  dz = dz * k;
-  precise REAL sx = sum.x + dx;
-  precise REAL sy = sum.y + dy;
-  precise REAL sz = sum.z + dz;
-  Pull result;
-  result.x = sx;
-  result.y = sy;
-  result.z = sz;
-  return result;
+  REAL inverse = exactInverseSqrt(softenedSquare(dx, dy, dz, softening2));
+  precise REAL k = body.w * inverse * inverse * inverse;
+  precise REAL sx = sum.x + dx * k;
+  precise REAL sy = sum.y + dy * k;
+  precise REAL sz = sum.z + dz * k;
+  sum.x = sx;
+  sum.y = sy;
+  sum.z = sz;
+  return sum;
 }
 
 // The sum plus the pull of a node to second order. The potential of its bodies about the centre of mass,
@@ -287,65 +238,28 @@ FUNCTION Pull plusNode(Pull sum, REAL x, REAL y, REAL z, vec3 center, vec4 m0, v
   precise REAL dx = center.x - x;
   precise REAL dy = center.y - y;
   precise REAL dz = center.z - z;
-  REAL inverse = inverseRoot(softenedSquare(dx, dy, dz, softening2));
+  REAL inverse = exactInverseSqrt(softenedSquare(dx, dy, dz, softening2));
   precise REAL inverse2 = inverse * inverse;
-  precise REAL term = m0.z * dy;
-  precise REAL wx = m0.y * dx;
-  wx = wx + term;
-  term = m0.w * dz;
-  wx = wx + term;
-  wx = wx * inverse2;
-  term = m1.x * dy;
-  precise REAL wy = m0.z * dx;
-  wy = wy + term;
-  term = m1.y * dz;
-  wy = wy + term;
-  wy = wy * inverse2;
-  term = m1.y * dy;
-  precise REAL wz = m0.w * dx;
-  wz = wz + term;
-  term = m1.z * dz;
-  wz = wz + term;
-  wz = wz * inverse2;
-  precise REAL scale = dx * wx;
-  term = dy * wy;
-  scale = scale + term;
-  term = dz * wz;
-  scale = scale + term;
-  scale = scale * 2.5f;
-  scale = scale - m1.w;
-  scale = scale * inverse2;
-  scale = scale + 1.0f;
-  precise REAL k = m0.x * inverse;
-  k = k * inverse2;
-  dx = dx * scale;
-  dy = dy * scale;
-  dz = dz * scale;
-  dx = dx - wx;
-  dy = dy - wy;
-  dz = dz - wz;
-  dx = dx * k;
-  dy = dy * k;
-  dz = dz * k;
-  precise REAL sx = sum.x + dx;
-  precise REAL sy = sum.y + dy;
-  precise REAL sz = sum.z + dz;
-  Pull result;
-  result.x = sx;
-  result.y = sy;
-  result.z = sz;
-  return result;
+  precise REAL wx = (m0.y * dx + m0.z * dy + m0.w * dz) * inverse2;
+  precise REAL wy = (m0.z * dx + m1.x * dy + m1.y * dz) * inverse2;
+  precise REAL wz = (m0.w * dx + m1.y * dy + m1.z * dz) * inverse2;
+  precise REAL scale = ((dx * wx + dy * wy + dz * wz) * 2.5f - m1.w) * inverse2 + 1.0f;
+  precise REAL k = m0.x * inverse * inverse2;
+  precise REAL sx = sum.x + (dx * scale - wx) * k;
+  precise REAL sy = sum.y + (dy * scale - wy) * k;
+  precise REAL sz = sum.z + (dz * scale - wz) * k;
+  sum.x = sx;
+  sum.y = sy;
+  sum.z = sz;
+  return sum;
 }
 
 // Whether a node is far from a group's box, given by its middle and half its size.
 FUNCTION bool isFar(vec4 cell, vec3 middle, vec3 halfSize) {
-  precise vec3 away = vec3(cell) - middle;
-  away = abs(away) - halfSize;
+  precise vec3 offset = vec3(cell) - middle;
+  precise vec3 away = abs(offset) - halfSize;
   away = max(away, vec3(0.0f));
-  precise vec3 squares = away * away;
-  precise float sum = squares.x + squares.y;
-  sum = sum + squares.z;
-  return sum > cell.w;
+  return exactDot(away, away) > cell.w;
 }
 
 // The next node of the walk once all below `node` is done; 1 at the end of the tree.

@@ -17,6 +17,9 @@ layout(local_size_x = 32) in;
 layout(local_size_x = 128) in;
 #endif
 #include "common/exact.glsl"
+#ifdef TEXEL_PATH
+EXACT_INVERSE_SQRT(REAL)
+#endif
 #include "common/memory.glsl"
 #include "common/words.glsl"
 #include "particles/tree/types.glsl"
@@ -85,9 +88,7 @@ void main() {
   int box = group / groupsOfRoot * rootNodes + groupsOfRoot + group % groupsOfRoot;
   vec3 low = LOAD_INPUT(boxes, 2 * box).xyz;
   vec3 high = LOAD_INPUT(boxes, 2 * box + 1).xyz;
-  precise vec3 middle = high - low;
-  middle = middle * 0.5f;
-  middle = middle + low;
+  precise vec3 middle = (high - low) * 0.5f + low;
   precise vec3 above = high - middle;
   precise vec3 below = middle - low;
   vec3 halfSize = max(above, below);
