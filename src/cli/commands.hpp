@@ -16,6 +16,9 @@ int run(int argc, char** argv);
 /// not start) end with one line and a documented code too, as at once as a kill.
 void explainTermination();
 
+/// The whole command line: name, flags and commands. tools/manual makes the man page of it.
+void addCommands(CLI::App& app);
+
 // One command each; the callback throws UserError, or sets the exit code through setExitCode.
 void addRender(CLI::App& app);
 void addValidate(CLI::App& app);

@@ -85,9 +85,9 @@ void printError(const UserError& error) {
     errorLine("simreel: error: " + std::string(error.what()));
 }
 
-namespace {
-
 void addCommands(CLI::App& app) {
+  app.name("simreel");
+  app.description("Renders GPU simulations without a display.");
   app.set_version_flag("--version", std::string("simreel ") + version());
   app.require_subcommand(1);
   app.fallthrough();
@@ -100,9 +100,11 @@ void addCommands(CLI::App& app) {
     add(app);
 }
 
+namespace {
+
 int runCommand(int argc, char** argv) {
   for (int i = 0; i < argc; ++i) typed += (i == 0 ? "" : " ") + inShellQuotes(argv[i]);
-  CLI::App app("Renders GPU simulations without a display.", "simreel");
+  CLI::App app;
   addCommands(app);
   try {
     app.parse(argc, argv);

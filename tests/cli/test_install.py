@@ -1,0 +1,112 @@
+"""What `cmake --install` and `cpack` leave: a tree that works where it was moved to, a man page, completions."""
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import unittest
+
+import common
+from common import PROGRAM, Case, main, png_rows
+
+BUILD = pathlib.Path(PROGRAM).parent
+COMMANDS = ["render", "validate", "schema", "list", "doctor", "bake", "test", "trace", "bisect", "accept", "diff",
+            "bench"]
+
+
+def run(*command, **options):
+    return subprocess.run(command, capture_output=True, text=True, timeout=120, check=True, **options).stdout
+
+
+@unittest.skipUnless(shutil.which("cmake") and (BUILD / "cmake_install.cmake").exists(), "no build folder")
+class Installed(Case):
+    def setUp(self):
+        super().setUp()
+        self.root = self.folder / "moved tree"
+        self.work = self.folder / "elsewhere"
+        self.work.mkdir()
+
+    def installed(self):
+        run("cmake", "--install", str(BUILD), "--prefix", str(self.folder / "prefix"))
+        (self.folder / "prefix").rename(self.root)
+        return self.root
+
+    def assert_renders(self, prefix):
+        """From elsewhere, with a pattern that only this tree's assets have, by the shaders that are built in."""
+        patterns = prefix / "share/simreel/assets/patterns"
+        shutil.copy(patterns / "glider.rle", patterns / "ours.rle")
+        shutil.rmtree(prefix / "share/simreel/glsl")
+        cells = {"life": {"size": [16, 16], "patterns": [{"file": "patterns/ours.rle"}]}}
+        self.write("elsewhere/scene.json", {**common.SCENE, "objects": {"cells": cells}})
+        environment = {k: v for k, v in os.environ.items() if k not in ("SIMREEL_ASSETS", "SIMREEL_GLSL")}
+        run(str(prefix / "bin/simreel"), "render", "scene.json", "-o", "out/", "--frames", "0,1", cwd=self.work,
+            env=environment)
+        self.assertEqual(png_rows((self.work / "out/000001.png").read_bytes())[:2], (64, 36))
+
+    def test_the_tree_works_where_it_was_moved_to(self):
+        self.assert_renders(self.installed())
+
+    def test_the_man_page_has_every_command_and_flag(self):
+        page = self.installed() / "share/man/man1/simreel.1"
+        text = page.read_text(encoding="utf-8")
+        self.assertTrue(text.startswith(".TH SIMREEL 1"))
+        self.assertEqual(re.findall(r'^\.SS "(\w+)', text, re.M), COMMANDS)
+        for command in COMMANDS:
+            section = text.split(f'.SS "{command}')[1].split(".SS ")[0].replace("\\-", "-")
+            for flag in re.findall(r"^ +(?:-\w,)?(--[\w-]+)", run(PROGRAM, command, "--help"), re.M):
+                if flag != "--help":
+                    self.assertIn(f"\\fB{flag}\\fR", section, command)
+        if shutil.which("man"):
+            done = subprocess.run(["man", "--warnings", "-l", str(page)], capture_output=True, text=True, check=True,
+                                  env={**os.environ, "MANWIDTH": "120", "MANPAGER": "cat"})
+            self.assertEqual(done.stderr, "")
+            self.assertIn("--stream-format rgba|y4m", done.stdout)
+
+    def bash(self, *words):
+        """What bash offers for the last of these words."""
+        script = self.installed() / "share/bash-completion/completions/simreel"
+        line = " ".join(f"'{word}'" for word in words)
+        return run("bash", "-c", f'source "$1"; COMP_WORDS=({line}); COMP_CWORD={len(words) - 1}; _simreel; '
+                   'printf "%s\\n" "${COMPREPLY[@]}"', "bash", str(script)).split()
+
+    def test_bash_completes_a_command(self):
+        self.assertEqual(self.bash("simreel", "ren"), ["render"])
+
+    def test_bash_completes_a_flag(self):
+        self.assertEqual(self.bash("simreel", "-q", "render", "scene.json", "--stream"), ["--stream-format"])
+
+    def test_bash_completes_a_choice(self):
+        self.assertEqual(self.bash("simreel", "render", "--fields", ""), ["npy", "pfm"])
+
+    def test_bash_leaves_files_to_the_shell(self):
+        self.assertEqual(self.bash("simreel", "render", "-o", "ren"), [])
+
+    @unittest.skipUnless(shutil.which("fish"), "no fish")
+    def test_fish_completes_a_command_a_flag_and_a_choice(self):
+        script = self.installed() / "share/fish/vendor_completions.d/simreel.fish"
+
+        def offered(line):
+            return run("fish", "--no-config", "-c", 'source $argv[1]; complete -C $argv[2]', str(script), line)
+        self.assertIn("render\tRender a scene", offered("simreel ren"))
+        self.assertIn("--stream-format\t", offered("simreel render --stream"))
+        self.assertIn("npy\t", offered("simreel render --fields n"))
+
+    @unittest.skipUnless(shutil.which("zsh"), "no zsh")
+    def test_zsh_can_read_its_completion(self):
+        script = self.installed() / "share/zsh/site-functions/_simreel"
+        run("zsh", "-n", str(script))
+
+    @unittest.skipUnless(shutil.which("cpack") and shutil.which("dpkg-shlibdeps"), "no cpack or dpkg-dev")
+    def test_the_package_renders_and_names_its_libraries(self):
+        run("cpack", "--config", str(BUILD / "CPackConfig.cmake"), "-B", str(self.folder / "package"), cwd=self.folder)
+        (package,) = (self.folder / "package").glob("*.deb")
+        depends = run("dpkg-deb", "-f", str(package), "Depends")
+        for library in ("libassimp", "libepoxy0", "libpng16", "libegl1", "libgl1-mesa-dri"):
+            self.assertIn(library, depends)
+        run("dpkg-deb", "-x", str(package), str(self.root))
+        self.assertEqual(run("dpkg-deb", "-f", str(package), "Architecture"), run("dpkg", "--print-architecture"))
+        self.assert_renders(self.root / "usr")
+
+
+if __name__ == "__main__":
+    main()

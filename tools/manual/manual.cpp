@@ -1,0 +1,252 @@
+// Prints the man page or a shell's completions, from the declarations that --help prints:
+//
+//   simreel_manual man|bash|zsh|fish
+#include "base/version.hpp"
+#include "cli/commands.hpp"
+
+#include <cstdio>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+#include <fmt/ranges.h>
+
+namespace {
+
+struct Flag {
+  std::vector<std::string> shorts, longs;  ///< without their dashes
+  std::string doc;
+  std::string value;  ///< what it takes, as --help names it; empty: nothing
+  std::vector<std::string> choices;
+
+  /// "-o", "--output"
+  [[nodiscard]] std::vector<std::string> names() const {
+    std::vector<std::string> all;
+    for (const std::string& name : shorts) all.push_back("-" + name);
+    for (const std::string& name : longs) all.push_back("--" + name);
+    return all;
+  }
+};
+
+struct Command {
+  std::string name, doc, footer;
+  std::string arguments;  ///< "scenes..."
+  std::vector<Flag> flags;
+
+  [[nodiscard]] std::vector<std::string> flagNames() const {
+    std::vector<std::string> all;
+    for (const Flag& flag : flags)
+      for (const std::string& name : flag.names()) all.push_back(name);
+    return all;
+  }
+};
+
+std::string replaced(std::string text, std::string_view what, std::string_view with) {
+  for (std::size_t at = 0; (at = text.find(what, at)) != std::string::npos; at += with.size())
+    text.replace(at, what.size(), with);
+  return text;
+}
+
+Flag flagOf(const CLI::Option& option) {
+  Flag flag{option.get_snames(), option.get_lnames(), option.get_description(), {}, {}};
+  if (option.get_items_expected_max() == 0) return flag;
+  if (!option.get_default_str().empty()) flag.doc += " (default: " + option.get_default_str() + ")";
+  flag.value = option.get_type_name();
+  const auto open = flag.value.find('{');
+  const auto close = flag.value.rfind('}');
+  if (open != std::string::npos && close != std::string::npos) {  // CLI::IsMember
+    flag.choices = CLI::detail::split(flag.value.substr(open + 1, close - open - 1), ',');
+    flag.value = fmt::format("{}", fmt::join(flag.choices, "|"));
+  } else {
+    flag.value = flag.value.substr(0, flag.value.find(':'));
+  }
+  return flag;
+}
+
+Command commandOf(const CLI::App& app) {
+  Command command{app.get_name(), app.get_description(), app.get_footer(), {}, {}};
+  for (const CLI::Option* option : app.get_options()) {
+    if (option->nonpositional()) {
+      command.flags.push_back(flagOf(*option));
+      continue;
+    }
+    const std::string name = option->get_name() + (option->get_items_expected_max() > 1 ? "..." : "");
+    command.arguments += option->get_required() ? " " + name : " [" + name + "]";
+  }
+  return command;
+}
+
+/// The program's own flags, which go anywhere, as a command without a name; then its commands.
+std::vector<Command> commandsOf(const CLI::App& app) {
+  std::vector<Command> all = {commandOf(app)};
+  all.front().name.clear();
+  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
+    all.push_back(commandOf(*command));
+  return all;
+}
+
+// groff(7): a backslash begins an escape, a dot or quote at the start of a line a request, and a bare - is
+// a hyphen.
+std::string roff(const std::string& text) {
+  std::string safe = replaced(replaced(text, "\\", "\\e"), "-", "\\-");
+  safe = replaced(replaced(safe, "\n.", "\n\\&."), "\n'", "\n\\&'");
+  return safe.starts_with('.') || safe.starts_with('\'') ? "\\&" + safe : safe;
+}
+
+std::string roffFlag(const Flag& flag) {
+  std::string text = ".TP\n";
+  for (const std::string& name : flag.names())
+    text += (text.size() > 4 ? ", \\fB" : "\\fB") + roff(name) + "\\fR";
+  if (!flag.value.empty()) text += " \\fI" + roff(flag.value) + "\\fR";
+  return text + "\n" + roff(flag.doc) + "\n";
+}
+
+std::string man(const std::vector<Command>& commands) {
+  const Command& program = commands.front();
+  std::string text = fmt::format(
+      ".TH SIMREEL 1 \"\" \"simreel {}\"\n.SH NAME\nsimreel \\- {}\n.SH SYNOPSIS\n.B simreel\n"
+      ".I COMMAND\n[options]\n.SH OPTIONS\n",
+      roff(simreel::version()), roff(program.doc));
+  for (const Flag& flag : program.flags) text += roffFlag(flag);
+  text += ".SH COMMANDS\n";
+  for (const Command& command : std::span(commands).subspan(1)) {
+    text +=
+        fmt::format(".SS \"{}{}\"\n{}.\n", roff(command.name), roff(command.arguments), roff(command.doc));
+    for (const Flag& flag : command.flags)
+      if (flag.longs != std::vector<std::string>{"help"}) text += roffFlag(flag);
+    if (!command.footer.empty()) text += ".PP\n" + roff(command.footer) + "\n";
+  }
+  return text +
+         ".SH EXIT STATUS\n"
+         "0 ok; 1 images or state differ; 2 command line or scene; 3 baseline missing; 4 no device, a "
+         "limit, or\n"
+         "state lost to NaN; 5 nothing ran; 6 input or output; 128 + n after signal n.\n"
+         ".SH ENVIRONMENT\n"
+         ".TP\n\\fBSIMREEL_ASSETS\\fR\nThe asset folder, instead of the installed one.\n"
+         ".TP\n\\fBSIMREEL_GLSL\\fR\nA folder of shaders, instead of those built in.\n";
+}
+
+std::string quoted(const std::string& text) {
+  return "'" + replaced(text, "'", "'\\''") + "'";
+}
+
+std::vector<std::string> namesOf(const std::vector<Command>& commands) {
+  std::vector<std::string> names;
+  for (const Command& command : std::span(commands).subspan(1)) names.push_back(command.name);
+  return names;
+}
+
+/// Files are what the shell completes where this has no answer.
+std::string bash(const std::vector<Command>& commands) {
+  const auto names = namesOf(commands);
+  std::string values, flags;
+  for (const Command& command : commands) {
+    const std::string place = command.name.empty() ? "''" : command.name;
+    flags += fmt::format("    {}) words='{}' ;;\n", place, fmt::join(command.flagNames(), " "));
+    for (const Flag& flag : command.flags)
+      for (const std::string& name : flag.names())
+        if (!flag.value.empty())
+          values +=
+              fmt::format("    '{} {}') words='{}' ;;\n", command.name, name, fmt::join(flag.choices, " "));
+  }
+  return fmt::format(R"(# bash completion for simreel
+_simreel() {{
+  local current=${{COMP_WORDS[COMP_CWORD]}} command= word words=none
+  for word in "${{COMP_WORDS[@]:1:COMP_CWORD-1}}"; do
+    case $word in {0}) command=$word; break ;; esac
+  done
+  COMPREPLY=()
+  case "$command ${{COMP_WORDS[COMP_CWORD-1]}}" in
+{1}  esac
+  if [ "$words" = none ]; then
+    [[ -z $command || $current == -* ]] || return
+    case $command in
+{2}    esac
+    [ -n "$command" ] || words+=' {3}'
+  fi
+  COMPREPLY=($(compgen -W "$words" -- "$current"))
+}}
+complete -o default -F _simreel simreel
+)",
+                     fmt::join(names, "|"), values, flags, fmt::join(names, " "));
+}
+
+/// For _arguments of zsh: what a description may not hold is escaped.
+std::string zshFlags(const Command& command) {
+  std::string text;
+  for (const Flag& flag : command.flags) {
+    const std::string doc = replaced(replaced(replaced(flag.doc, "[", "\\["), "]", "\\]"), ":", "\\:");
+    for (const std::string& name : flag.names()) {
+      const std::string value = flag.value.empty() ? ""
+                                : flag.choices.empty()
+                                    ? ":value:_files"
+                                    : fmt::format(":value:({})", fmt::join(flag.choices, " "));
+      text += fmt::format(" \\\n        {}", quoted("*" + name + "[" + doc + "]" + value));
+    }
+  }
+  return text;
+}
+
+std::string zsh(const std::vector<Command>& commands) {
+  std::string descriptions, cases;
+  for (const Command& command : std::span(commands).subspan(1)) {
+    descriptions += " " + quoted(command.name + ":" + command.doc);
+    cases += fmt::format("      {}) _arguments{}{} \\\n        '*:file:_files' ;;\n", command.name,
+                         zshFlags(commands.front()), zshFlags(command));
+  }
+  return fmt::format(R"(#compdef simreel
+_simreel() {{
+  local -a commands=({0})
+  local state
+  _arguments{1} \
+        '1:command:->command' '*::argument:->argument'
+  case $state in
+    command) _describe command commands ;;
+    argument) case $words[1] in
+{2}    esac ;;
+  esac
+}}
+_simreel "$@"
+)",
+                     descriptions, zshFlags(commands.front()), cases);
+}
+
+std::string fish(const std::vector<Command>& commands) {
+  std::string text = "# fish completion for simreel\n";
+  for (const Command& command : commands) {
+    if (!command.name.empty())
+      text += fmt::format("complete -c simreel -f -n __fish_use_subcommand -a {} -d {}\n", command.name,
+                          quoted(command.doc));
+    for (const Flag& flag : command.flags) {
+      text += "complete -c simreel";
+      if (!command.name.empty()) text += fmt::format(" -n '__fish_seen_subcommand_from {}'", command.name);
+      for (const std::string& name : flag.shorts) text += " -s " + name;
+      for (const std::string& name : flag.longs) text += " -l " + name;
+      if (!flag.value.empty())
+        text += flag.choices.empty() ? " -r" : fmt::format(" -x -a '{}'", fmt::join(flag.choices, " "));
+      text +=
+          fmt::format(" -d {}\n", replaced(replaced(quoted(flag.doc), "\\", "\\\\"), "'\\\\''", "'\\''"));
+    }
+  }
+  return text;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app;
+  simreel::cli::addCommands(app);
+  const std::vector<Command> commands = commandsOf(app);
+  const std::string form = argc == 2 ? argv[1] : "";
+  const auto print = form == "man"    ? man
+                     : form == "bash" ? bash
+                     : form == "zsh"  ? zsh
+                     : form == "fish" ? fish
+                                      : nullptr;
+  if (print == nullptr) return 2;
+  const std::string text = print(commands);
+  return std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0 ? 0
+                                                                                                     : 6;
+}
