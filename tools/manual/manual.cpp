@@ -38,7 +38,7 @@ struct Command {
   [[nodiscard]] std::vector<std::string> flagNames() const {
     std::vector<std::string> all;
     for (const Flag& flag : flags)
-      for (const std::string& name : flag.names()) all.push_back(name);
+      for (const std::string& word : flag.names()) all.push_back(word);
     return all;
   }
 };
