@@ -7,7 +7,7 @@
 
 namespace simreel {
 
-/// What the program returns to the shell (DESIGN.md, "Command line"). Signals return 128 + n.
+/// What the program returns to the shell. Signals return 128 + n.
 enum class ExitCode {
   ok = 0,
   different = 1,        ///< images or invariants differ

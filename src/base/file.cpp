@@ -3,6 +3,7 @@
 #include "base/error.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
@@ -144,6 +145,12 @@ void checkWritable(const std::filesystem::path& path) {
     fail(ExitCode::inputOutput, "cannot create {}: {}", path.string(), std::strerror(reason));
   }
   ::unlink(part.c_str());
+}
+
+std::string lowerExtension(const std::filesystem::path& path) {
+  std::string extension = path.extension().string();
+  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return extension;
 }
 
 void makeFolders(const std::filesystem::path& folder) {

@@ -39,6 +39,9 @@ void syncFolder(const std::filesystem::path& folder);
 /// Throws UserError(inputOutput) where writeFileAtomically() could not make this file; leaves no trace.
 void checkWritable(const std::filesystem::path& path);
 
+/// With its dot, in lower case.
+[[nodiscard]] std::string lowerExtension(const std::filesystem::path& path);
+
 /// Creates the folder and those above it. Throws UserError(inputOutput).
 void makeFolders(const std::filesystem::path& folder);
 /// Whether something is there; false where that cannot be found out.

@@ -6,7 +6,9 @@
 
 namespace simreel {
 
-/// 128-bit XXH3 of the bytes as 32 lower-case hexadecimal digits. Not cryptographic.
+constexpr std::size_t hashDigits = 32;
+
+/// 128-bit XXH3 of the bytes as lower-case hexadecimal digits. Not cryptographic.
 [[nodiscard]] std::string hashHex(std::span<const std::byte> bytes);
 [[nodiscard]] std::string hashHex(std::string_view text);
 

@@ -15,7 +15,8 @@ namespace simreel {
 namespace {
 
 // Signal handlers read these. One too many is not watched.
-std::array<std::atomic<pid_t>, 8> running{};
+constexpr std::size_t maxWatched = 8;
+std::array<std::atomic<pid_t>, maxWatched> running{};
 std::atomic<bool> ended = false;
 static_assert(std::atomic<pid_t>::is_always_lock_free);
 

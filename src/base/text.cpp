@@ -1,22 +1,14 @@
 #include "base/text.hpp"
 
 #include <algorithm>
+#include <charconv>
+#include <system_error>
 
 #include <fmt/format.h>
 
 namespace simreel {
 
 namespace {
-
-char32_t codePoint(std::string_view character) {
-  const auto lead = static_cast<unsigned char>(character[0]);
-  char32_t code = character.size() == 1   ? lead
-                  : character.size() == 2 ? lead & 0x1FU
-                  : character.size() == 3 ? lead & 0x0FU
-                                          : lead & 0x07U;
-  for (const char c : character.substr(1)) code = code << 6U | (static_cast<unsigned char>(c) & 0x3FU);
-  return code;
-}
 
 std::string speltOut(std::string_view character, bool valid) {
   if (character == "\n") return "\\n";
@@ -42,6 +34,23 @@ std::string spelt(std::string_view text, std::string_view kept) {
 
 }  // namespace
 
+std::optional<int> takeInteger(std::string_view& text) {
+  int value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc()) return std::nullopt;
+  text.remove_prefix(static_cast<std::size_t>(end - text.data()));
+  return value;
+}
+
+std::optional<std::pair<int, int>> integerPair(std::string_view text, char separator) {
+  const auto first = takeInteger(text);
+  if (!first || !text.starts_with(separator)) return std::nullopt;
+  text.remove_prefix(1);
+  const auto second = takeInteger(text);
+  if (!second || !text.empty()) return std::nullopt;
+  return std::pair(*first, *second);
+}
+
 std::size_t codePointLength(std::string_view text, std::size_t at) {
   const auto byte = [&](std::size_t i) -> unsigned {
     return at + i < text.size() ? static_cast<unsigned char>(text[at + i]) : 0U;
@@ -60,6 +69,16 @@ std::size_t codePointLength(std::string_view text, std::size_t at) {
     return good && follows(1) && follows(2) && follows(3) ? 4 : 0;
   }
   return 0;
+}
+
+char32_t codePoint(std::string_view character) {
+  const auto lead = static_cast<unsigned char>(character[0]);
+  char32_t code = character.size() == 1   ? lead
+                  : character.size() == 2 ? lead & 0x1FU
+                  : character.size() == 3 ? lead & 0x0FU
+                                          : lead & 0x07U;
+  for (const char c : character.substr(1)) code = code << 6U | (static_cast<unsigned char>(c) & 0x3FU);
+  return code;
 }
 
 bool isUtf8(std::string_view text) {

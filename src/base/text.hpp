@@ -1,7 +1,9 @@
 #pragma once
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace simreel {
 
@@ -10,8 +12,16 @@ namespace simreel {
   return c >= '0' && c <= '9';
 }
 
+/// Takes a whole number that an int holds, which may be negative, off the front.
+[[nodiscard]] std::optional<int> takeInteger(std::string_view& text);
+/// Two of them with a separator between, as in "1280x720", and nothing else.
+[[nodiscard]] std::optional<std::pair<int, int>> integerPair(std::string_view text, char separator);
+
 /// Bytes of the UTF-8 code point at `at`, 1 to 4; 0 when the bytes there are not valid UTF-8.
 [[nodiscard]] std::size_t codePointLength(std::string_view text, std::size_t at);
+
+/// The code point of one valid character.
+[[nodiscard]] char32_t codePoint(std::string_view character);
 
 /// Whether all of `text` is valid UTF-8.
 [[nodiscard]] bool isUtf8(std::string_view text);

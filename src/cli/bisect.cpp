@@ -9,7 +9,6 @@
 #include "frame/frames_spec.hpp"
 #include "frame/interrupt.hpp"
 #include "gl/context.hpp"
-#include "golden/suite/scene_run.hpp"
 #include "sim/world/world.hpp"
 
 #include <filesystem>
@@ -51,9 +50,7 @@ std::string elementName(const BisectOptions& o, const scene::Scene& scene, const
                         long element) {
   const gl::Context context(o.on);
   const sim::World world(scene);
-  for (std::size_t i = 0; i < world.objectCount(); ++i)
-    if (world.objectName(i) == object) return world.object(i).elementName(element);
-  return fmt::format("element {}", element);
+  return golden::elementName(world, object, element);
 }
 
 int lastFrame(const BisectOptions& o, const scene::Scene& scene) {
@@ -67,8 +64,7 @@ void bisect(const BisectOptions& o) {
   if (o.against && o.against->find_first_not_of(" \t\n") == std::string::npos)
     fail(ExitCode::usage,
          "--against is empty, so there is nothing to compare with; give the command of the other simreel, "
-         "for "
-         "example --against ./old/simreel");
+         "for example --against ./old/simreel");
   if (o.scene.file == "-")
     fail(ExitCode::usage,
          "bisect runs the scene several times, and standard input comes once; give a file");
@@ -95,7 +91,7 @@ void bisect(const BisectOptions& o) {
     }
     printText(o.json ? bisectJson(report) : bisectText(report));
     if (difference) setExitCode(static_cast<int>(ExitCode::different));
-  } catch (const golden::Interrupted& interrupted) {
+  } catch (const frame::Interrupted& interrupted) {
     info("simreel: interrupted");
     setExitCode(128 + interrupted.signal);
   }

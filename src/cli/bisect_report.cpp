@@ -23,7 +23,7 @@ std::string sideText(const char* name, const golden::TraceHeader& side, const st
 }
 
 std::string framesText(const golden::BisectResult& result) {
-  const int first = result.here.firstFrame;
+  const int first = result.here.run.firstFrame;
   const int count = result.lastFrame - first + 1;
   return fmt::format("{} frame{} ({} to {})", count, count == 1 ? "" : "s", first, result.lastFrame);
 }
@@ -116,7 +116,7 @@ std::string bisectText(const BisectReport& report) {
 std::string bisectJson(const BisectReport& report) {
   const golden::BisectResult& result = report.result;
   const Json json = {{"different", result.difference.has_value()},
-                     {"firstFrame", result.here.firstFrame},
+                     {"firstFrame", result.here.run.firstFrame},
                      {"lastFrame", result.lastFrame},
                      {"here", sideJson(result.here, report.commandHere)},
                      {"there", sideJson(result.there, report.commandThere)},

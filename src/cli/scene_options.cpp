@@ -2,12 +2,11 @@
 
 #include "base/error.hpp"
 #include "base/log.hpp"
+#include "base/text.hpp"
 #include "frame/frames_spec.hpp"
 #include "sim/world/list.hpp"
 
-#include <charconv>
 #include <numeric>
-#include <system_error>
 
 #include <CLI/CLI.hpp>
 
@@ -17,16 +16,10 @@ namespace {
 
 /// "1280x720" -> "[1280,720]".
 std::string sizeValue(const std::string& text) {
-  int width = 0;
-  int height = 0;
-  const char* end = text.data() + text.size();
-  const auto first = std::from_chars(text.data(), end, width);
-  if (first.ec != std::errc() || first.ptr == end || *first.ptr != 'x')
+  const auto size = integerPair(text, 'x');
+  if (!size || size->first < 1 || size->second < 1)
     fail(ExitCode::usage, "--size takes WxH, for example 1280x720, not \"{}\"", text);
-  const auto second = std::from_chars(first.ptr + 1, end, height);
-  if (second.ec != std::errc() || second.ptr != end || width < 1 || height < 1)
-    fail(ExitCode::usage, "--size takes WxH, for example 1280x720, not \"{}\"", text);
-  return fmt::format("[{},{}]", width, height);
+  return fmt::format("[{},{}]", size->first, size->second);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // simreel trace: hashes of the state, frame by frame or step by step, and the state itself.
 #include "base/error.hpp"
 #include "base/file.hpp"
+#include "base/text.hpp"
 #include "base/version.hpp"
 #include "cli/commands.hpp"
 #include "cli/device_options.hpp"
@@ -14,7 +15,6 @@
 #include "sim/core/numerics.hpp"
 
 #include <cerrno>
-#include <charconv>
 #include <cstring>
 #include <memory>
 #include <optional>
@@ -22,6 +22,7 @@
 #include <string>
 #include <string_view>
 #include <unistd.h>
+#include <utility>
 
 #include <CLI/CLI.hpp>
 
@@ -40,15 +41,6 @@ struct Range {
   int first, last;
 };
 
-/// Takes a whole number, which may be negative, off the front.
-std::optional<int> takeNumber(std::string_view& text) {
-  int value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc()) return std::nullopt;
-  text.remove_prefix(static_cast<std::size_t>(end - text.data()));
-  return value;
-}
-
 void checkFrame(int frame, int first) {
   if (frame < first)
     fail(ExitCode::usage, "there is no frame {}: the scene starts at frame {}", frame, first);
@@ -65,12 +57,12 @@ Range parseRange(const std::string& text, int firstFrame, int frameCount) {
     rest.remove_prefix(5);
     first = firstFrame;
   } else {
-    first = takeNumber(rest);
+    first = takeInteger(rest);
   }
   std::optional<int> last = first;
   if (rest.starts_with('-')) {
     rest.remove_prefix(1);
-    last = takeNumber(rest);
+    last = takeInteger(rest);
   }
   if (!first || !last || !rest.empty())
     fail(ExitCode::usage,
@@ -81,20 +73,12 @@ Range parseRange(const std::string& text, int firstFrame, int frameCount) {
   return {*first, *last};
 }
 
-struct FrameAndStep {
-  int frame, step;
-};
-
-FrameAndStep parseStep(const std::string& text, int firstFrame) {
-  std::string_view rest = text;
-  const auto frame = takeNumber(rest);
-  const bool colon = rest.starts_with(':');
-  if (colon) rest.remove_prefix(1);
-  const auto step = takeNumber(rest);
-  if (!frame || !colon || !step || !rest.empty())
-    fail(ExitCode::usage, "--dump takes FRAME:STEP, for example 37:4, not \"{}\"", text);
-  checkFrame(*frame, firstFrame);
-  return {*frame, *step};
+/// "37:4"
+std::pair<int, int> parseStep(const std::string& text, int firstFrame) {
+  const auto frameAndStep = integerPair(text, ':');
+  if (!frameAndStep) fail(ExitCode::usage, "--dump takes FRAME:STEP, for example 37:4, not \"{}\"", text);
+  checkFrame(frameAndStep->first, firstFrame);
+  return *frameAndStep;
 }
 
 /// Writes at once. False where the reader has gone: then nobody wants the rest.
@@ -122,7 +106,8 @@ void checkOptions(const TraceOptions& o) {
 }
 
 golden::TraceHeader header(const sim::World& world, const gl::Context& context) {
-  golden::TraceHeader result = golden::describeWorld(world);
+  golden::TraceHeader result;
+  result.run = golden::describeWorld(world);
   const auto numerics = sim::probeNumerics();
   result.version = version();
   result.driver = gl::machineOf(context).driver;

@@ -84,7 +84,7 @@ class Baselines(GoldenCase):
         self.bad(1, ["a:", "000003.png", "pixels of that run"], "accept", "report.json")
         picture.unlink()
         self.bad(1, ["a:", "000003.png"], "accept", "report.json")
-        for content, words in (("{", "not JSON"), ("{}", "simreel"), ("[]", "report.json")):
+        for content, words in (("{", "not valid JSON"), ("{}", "simreel"), ("[]", "report.json")):
             self.write("report.json", content)
             self.bad(2, [words], "accept", "report.json")
         self.bad(2, ["nowhere.json"], "accept", "nowhere.json")

@@ -28,10 +28,9 @@ frame::RunInfo run() {
 
 /// The hash of all before it, at the end.
 void simreel::fuzz::mend(std::string& bytes, std::size_t /*most*/) {
-  constexpr std::size_t digits = 32;
-  if (bytes.size() < digits) return;
-  const std::size_t body = bytes.size() - digits;
-  bytes.replace(body, digits, hashHex(std::string_view(bytes).substr(0, body)));
+  if (bytes.size() < hashDigits) return;
+  const std::size_t body = bytes.size() - hashDigits;
+  bytes.replace(body, hashDigits, hashHex(std::string_view(bytes).substr(0, body)));
 }
 
 void simreel::fuzz::read(std::string_view bytes) {

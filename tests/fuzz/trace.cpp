@@ -11,12 +11,6 @@
 
 using namespace simreel;
 
-namespace {
-
-constexpr std::size_t hashDigits = 32;
-
-}  // namespace
-
 /// The hash at the end.
 void simreel::fuzz::mend(std::string& bytes, std::size_t /*most*/) {
   if (bytes.size() < hashDigits) return;

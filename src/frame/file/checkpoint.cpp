@@ -3,8 +3,8 @@
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "base/hash.hpp"
-#include "base/json_depth.hpp"
 #include "base/log.hpp"
+#include "base/strict_json.hpp"
 #include "base/version.hpp"
 #include "frame/file/manifest.hpp"
 #include "frame/file/run_info.hpp"
@@ -14,7 +14,6 @@
 #include <limits>
 #include <new>
 #include <span>
-#include <stdexcept>
 
 #include <nlohmann/json.hpp>
 
@@ -25,14 +24,13 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr const char* checkpointFormat = "simreel-checkpoint";
-constexpr std::size_t hashDigits = 32;
 
-/// Takes the hash off its end. Throws std::runtime_error where it is not of all before.
+/// Takes the hash off its end. Throws JsonError where it is not of all before.
 void checkHash(std::string& text) {
   const std::string_view all(text);
   if (all.size() < hashDigits ||
       hashHex(all.substr(0, all.size() - hashDigits)) != all.substr(all.size() - hashDigits))
-    throw std::runtime_error("it is damaged, or of another version of simreel");
+    throw JsonError("it is damaged, or of another version of simreel");
   text.resize(text.size() - hashDigits);
 }
 
@@ -87,22 +85,18 @@ std::optional<Checkpoint> Checkpoint::read(const std::filesystem::path& file, co
     c.text_ = readFile(file, "checkpoint", std::numeric_limits<std::size_t>::max() / 2);
     checkHash(c.text_);
     c.payload_ = c.text_.find('\n') + 1;
-    refuseDeepJson(std::string_view(c.text_).substr(0, c.payload_));
-    const Json header = Json::parse(c.text_.begin(), c.text_.begin() + static_cast<long>(c.payload_));
-    if (header.at("format") != checkpointFormat) throw std::runtime_error("it is no checkpoint");
-    if (header.at("program") != version())
-      throw std::runtime_error(fmt::format("simreel {} wrote it", header.at("program").get<std::string>()));
-    const Manifest stored = parseManifest(header.at("run").dump(), file.string());
-    if (const auto difference = runDifference(run, stored.run)) throw std::runtime_error(*difference);
+    const auto json = parseStrictJson(std::string_view(c.text_).substr(0, c.payload_));
+    const JsonValue header(json);
+    if (header.at("format").json() != checkpointFormat) throw JsonError("it is no checkpoint");
+    if (const std::string program = header.at("program").text(); program != version())
+      throw JsonError(fmt::format("simreel {} wrote it", program));
+    if (const auto difference = runDifference(run, manifestOf(header.at("run")).run))
+      throw JsonError(*difference);
+    c.frame_ = header.at("frame").integer(0);
+    if (c.frame_ > lastFrame)
+      throw JsonError(fmt::format("it is of frame {}, and the run has 0 to {}", c.frame_, lastFrame));
     c.readParts(header);
-    const Json& frame = header.at("frame");
-    if (!frame.is_number_unsigned() || frame.get<std::uint64_t>() > static_cast<std::uint64_t>(lastFrame))
-      throw std::runtime_error(
-          fmt::format("it is of frame {}, and the run has 0 to {}", frame.dump(), lastFrame));
-    c.frame_ = frame;
     return c;
-  } catch (const Json::exception&) {
-    warn("checkpoint {} is not used: it is damaged", file.string());
   } catch (const std::bad_alloc&) {
     warn("checkpoint {} is not used: there is not enough memory to read it", file.string());
   } catch (const std::exception& error) {
@@ -112,18 +106,20 @@ std::optional<Checkpoint> Checkpoint::read(const std::filesystem::path& file, co
 }
 
 /// Sizes are taken off what there is, so they can add up to nothing else.
-void Checkpoint::readParts(const nlohmann::ordered_json& header) {
+void Checkpoint::readParts(const JsonValue& header) {
   std::size_t left = text_.size() - payload_;
-  const auto take = [&](const Json& size) {
-    const auto bytes = size.is_number_unsigned() ? size.get<std::uint64_t>() : left + 1;
-    if (bytes > left) throw std::runtime_error("it is damaged");
+  const auto take = [&](const JsonValue& size) {
+    const auto bytes =
+        static_cast<std::size_t>(size.integer<std::int64_t>(0, static_cast<std::int64_t>(left)));
     left -= bytes;
-    return static_cast<std::size_t>(bytes);
+    return bytes;
   };
-  stateHash_ = header.at("state");
+  stateHash_ = header.at("state").text();
   countBytes_ = take(header.at("counts"));
-  for (const Json& part : header.at("parts")) parts_.push_back({part.at(0), part.at(1), take(part.at(2))});
-  if (left != 0) throw std::runtime_error("it is damaged");
+  header.at("parts").eachItem([&](const JsonValue& part) {
+    parts_.push_back({part.at(0).text(), part.at(1).text(), take(part.at(2))});
+  });
+  if (left != 0) throw JsonError("it holds more than it says");
 }
 
 std::string_view Checkpoint::counts() const {

@@ -1,4 +1,5 @@
 #pragma once
+#include "base/strict_json.hpp"
 #include "frame/file/run_info.hpp"
 #include "sim/world/world.hpp"
 
@@ -7,8 +8,6 @@
 #include <string>
 #include <string_view>
 #include <vector>
-
-#include <nlohmann/json_fwd.hpp>
 
 namespace simreel::frame {
 
@@ -40,7 +39,7 @@ class Checkpoint {
     std::size_t bytes;
   };
 
-  void readParts(const nlohmann::ordered_json& header);
+  void readParts(const JsonValue& header);
 
   std::filesystem::path file_;
   int frame_ = 0;

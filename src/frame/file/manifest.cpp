@@ -3,16 +3,11 @@
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "base/hash.hpp"
-#include "base/json_depth.hpp"
+#include "base/strict_json.hpp"
 #include "base/version.hpp"
 #include "frame/file/run_info.hpp"
 #include "scene/scene.hpp"
 
-#include <cstdint>
-#include <new>
-#include <type_traits>
-
-#include <climits>
 #include <nlohmann/json.hpp>
 
 namespace simreel::frame {
@@ -24,58 +19,14 @@ using Json = nlohmann::ordered_json;
 constexpr const char* manifestFormat = "simreel-manifest";
 constexpr int formatVersion = 2;  // 2: hashes of files
 
-template <class T>
-T get(const Json& object, const char* key) {
-  const auto found = object.find(key);
-  if (found == object.end()) throw std::runtime_error(fmt::format("\"{}\" is missing", key));
-  // A number such as 1e99 has no int; the library would convert it all the same.
-  if (std::is_same_v<T, int> && (!found->is_number_integer() ||
-                                 (found->is_number_unsigned() && found->get<std::uint64_t>() > INT_MAX) ||
-                                 found->get<std::int64_t>() != found->get<int>()))
-    throw std::runtime_error(fmt::format("\"{}\" is no whole number", key));
-  try {
-    return found->get<T>();
-  } catch (const Json::exception&) {
-    throw std::runtime_error(fmt::format("\"{}\" is of the wrong type", key));
-  }
-}
-
-std::string getIfThere(const Json& object, const char* key) {
-  return object.contains(key) ? get<std::string>(object, key) : std::string();
-}
-
-ManifestFrame readFrame(const Json& item) {
-  ManifestFrame frame = {get<std::string>(item, "file"), get<std::string>(item, "bytes"),
-                         get<std::string>(item, "pixels"), get<std::string>(item, "state")};
-  frame.machine = getIfThere(item, "machine");
-  if (item.contains("files")) frame.files = get<std::map<std::string, std::string>>(item, "files");
+ManifestFrame readFrame(const JsonValue& item) {
+  ManifestFrame frame = {item.at("file").text(), item.at("bytes").text(), item.at("pixels").text(),
+                         item.at("state").text()};
+  frame.machine = textIfThere(item, "machine");
+  if (const auto files = item.find("files"))
+    files->eachMember(
+        [&](const std::string& name, const JsonValue& hash) { frame.files[name] = hash.text(); });
   return frame;
-}
-
-Manifest readObject(const Json& object) {
-  if (!object.is_object() || get<std::string>(object, "format") != manifestFormat)
-    throw std::runtime_error("it is not a simreel manifest");
-  if (const int version = get<int>(object, "version"); version != formatVersion)
-    throw std::runtime_error(
-        fmt::format("its version is {}, this program reads {}", version, formatVersion));
-  Manifest result;
-  RunInfo& run = result.run;
-  run.title = get<std::string>(object, "title");
-  run.sceneHash = get<std::string>(object, "scene");
-  if (object.contains("overrides")) run.overrides = get<std::vector<std::string>>(object, "overrides");
-  run.seed = get<int>(object, "seed");
-  run.width = get<int>(object, "width");
-  run.height = get<int>(object, "height");
-  run.fps = get<double>(object, "fps");
-  run.numerics = get<std::string>(object, "numerics");
-  run.fingerprint = get<std::string>(object, "fingerprint");
-  run.driver = get<std::string>(object, "driver");
-  run.processor = getIfThere(object, "processor");
-  if (object.contains("counts")) result.counts = get<std::string>(object, "counts");
-  const auto frames = object.find("frames");
-  if (frames == object.end() || !frames->is_array()) throw std::runtime_error("\"frames\" is not a list");
-  for (const Json& item : *frames) result.frames[get<int>(item, "frame")] = readFrame(item);
-  return result;
 }
 
 }  // namespace
@@ -111,15 +62,35 @@ std::string manifestText(const Manifest& manifest) {
   return text + (manifest.frames.empty() ? "]\n}\n" : "\n  ]\n}\n");
 }
 
+Manifest manifestOf(const JsonValue& object) {
+  const auto format = object.find("format");
+  if (!format || format->json() != manifestFormat) throw JsonError("it is not a simreel manifest");
+  if (const int version = object.at("version").integer(); version != formatVersion)
+    throw JsonError(fmt::format("its version is {}, this program reads {}", version, formatVersion));
+  Manifest result;
+  RunInfo& run = result.run;
+  run.title = object.at("title").text();
+  run.sceneHash = object.at("scene").text();
+  if (const auto overrides = object.find("overrides")) run.overrides = overrides->texts();
+  run.seed = object.at("seed").integer();
+  run.width = object.at("width").integer();
+  run.height = object.at("height").integer();
+  run.fps = object.at("fps").number();
+  run.numerics = object.at("numerics").text();
+  run.fingerprint = object.at("fingerprint").text();
+  run.driver = object.at("driver").text();
+  run.processor = textIfThere(object, "processor");
+  result.counts = textIfThere(object, "counts");
+  object.at("frames").eachItem(
+      [&](const JsonValue& item) { result.frames[item.at("frame").integer()] = readFrame(item); });
+  return result;
+}
+
 Manifest parseManifest(const std::string& text, const std::string& name) {
   try {
-    refuseDeepJson(text);
-    return readObject(Json::parse(text));
-  } catch (const Json::parse_error& error) {
-    fail(ExitCode::usage, "manifest {} cannot be read: not valid JSON at byte {}", name, error.byte);
-  } catch (const std::bad_alloc&) {
-    throw;  // the file may be good: nobody starts over because of it
-  } catch (const std::exception& error) {
+    const auto json = parseStrictJson(text);
+    return manifestOf(JsonValue(json));
+  } catch (const JsonError& error) {
     fail(ExitCode::usage, "manifest {} cannot be read: {}", name, error.what());
   }
 }

@@ -1,4 +1,5 @@
 #pragma once
+#include "base/strict_json.hpp"
 #include "frame/file/run_info.hpp"
 
 #include <filesystem>
@@ -26,7 +27,9 @@ struct Manifest {
 };
 
 [[nodiscard]] std::string manifestText(const Manifest& manifest);
-/// Throws UserError(usage) naming the file and what is wrong in it.
+/// Members that it does not know are passed over: a later program may have written them. Throws JsonError.
+[[nodiscard]] Manifest manifestOf(const JsonValue& object);
+/// The same of a text. Throws UserError(usage) naming the file and what is wrong in it.
 [[nodiscard]] Manifest parseManifest(const std::string& text, const std::string& name);
 /// Nothing when the file does not exist. Throws as parseManifest does.
 [[nodiscard]] std::optional<Manifest> readManifest(const std::filesystem::path& path);

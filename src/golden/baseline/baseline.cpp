@@ -2,14 +2,15 @@
 
 #include "base/error.hpp"
 #include "base/file.hpp"
-#include "golden/baseline/strict_json.hpp"
+#include "base/strict_json.hpp"
+#include "base/text.hpp"
 #include "golden/baseline/tolerance.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <functional>
-#include <new>
 #include <utility>
+
+#include <nlohmann/json.hpp>
 
 namespace simreel::golden {
 
@@ -17,92 +18,88 @@ namespace fs = std::filesystem;
 
 namespace {
 
-using Json = StrictObject::Json;
+using Json = nlohmann::ordered_json;
 
 constexpr int baselineFormat = 1;
 
 int frameNumber(const std::string& key) {
-  int frame = 0;
-  const auto [end, code] = std::from_chars(key.data(), key.data() + key.size(), frame);
-  if (code != std::errc() || end != key.data() + key.size() || frame < 0)
-    throw std::runtime_error(fmt::format("frame \"{}\" is no number", key));
-  return frame;
+  std::string_view rest = key;
+  const auto frame = takeInteger(rest);
+  if (!frame || !rest.empty() || *frame < 0)
+    throw JsonError(fmt::format("frame \"{}\" is no number", oneLine(key)));
+  return *frame;
 }
 
-void checkFormat(StrictObject& root) {
-  if (const int format = root.integer("format"); format != baselineFormat)
-    throw std::runtime_error(
-        fmt::format("its format is {}, this program reads {}", format, baselineFormat));
+void checkFormat(JsonObject& root) {
+  if (const int format = root.at("format").integer(); format != baselineFormat)
+    throw JsonError(fmt::format("its format is {}, this program reads {}", format, baselineFormat));
 }
 
 /// Older files have only the fingerprint of the numerics.
-Origin parseOrigin(StrictObject& frame) {
+Origin parseOrigin(JsonObject& frame) {
   Origin origin;
-  origin.numerics = frame.text("fingerprint");
-  origin.drawing = frame.text("drawing", "");
-  if (!frame.has("machine")) return origin;
-  StrictObject machine = frame.object("machine");
-  origin.processor = machine.text("processor");
-  origin.driver = machine.text("driver");
+  origin.numerics = frame.at("fingerprint").text();
+  origin.drawing = textIfThere(frame, "drawing");
+  const auto found = frame.find("machine");
+  if (!found) return origin;
+  JsonObject machine(*found);
+  origin.processor = machine.at("processor").text();
+  origin.driver = machine.at("driver").text();
   machine.finish();
   return origin;
 }
 
-PictureBaseline picturesOf(const std::string& text) {
-  const Json json = parseStrictly(text);
-  StrictObject root(json, "");
-  checkFormat(root);
+PictureBaseline::Frame parseFrame(const JsonValue& value) {
+  JsonObject frame(value);
+  PictureBaseline::Frame stored;
+  stored.pixels = frame.at("pixels").text();
+  stored.origin = parseOrigin(frame);
+  if (const auto alternates = frame.find("alternates")) stored.alternates = alternates->texts();
+  if (stored.alternates.size() > mostAlternates)
+    value.wrong(fmt::format("has more than {} alternates", mostAlternates));
+  frame.finish();
+  return stored;
+}
+
+PictureBaseline picturesOf(JsonObject& root) {
   PictureBaseline result;
-  result.version = root.text("simreel");
-  result.driver = root.text("driver");
-  result.reason = root.text("reason", "");
-  result.width = root.integer("width");
-  result.height = root.integer("height");
-  if (root.has("tolerance")) {
-    StrictObject tolerance = root.object("tolerance");
+  result.version = root.at("simreel").text();
+  result.driver = root.at("driver").text();
+  result.reason = textIfThere(root, "reason");
+  result.width = root.at("width").integer();
+  result.height = root.at("height").integer();
+  if (const auto found = root.find("tolerance")) {
+    JsonObject tolerance(*found);
     for (const char* field : toleranceFields())
-      if (tolerance.has(field)) result.tolerance[field] = tolerance.number(field);
+      if (const auto bound = tolerance.find(field)) result.tolerance[field] = bound->number();
     tolerance.finish();
   }
-  StrictObject frames = root.object("frames");
-  for (const std::string& key : frames.keys()) {
-    StrictObject frame = frames.object(key.c_str());
-    PictureBaseline::Frame& stored = result.frames[frameNumber(key)];
-    stored.pixels = frame.text("pixels");
-    stored.origin = parseOrigin(frame);
-    if (frame.has("alternates")) stored.alternates = frame.texts("alternates");
-    if (stored.alternates.size() > mostAlternates)
-      throw std::runtime_error(fmt::format("frames.{} has more than {} alternates", key, mostAlternates));
-    frame.finish();
-  }
-  root.finish();
+  root.at("frames").eachMember([&](const std::string& key, const JsonValue& frame) {
+    result.frames[frameNumber(key)] = parseFrame(frame);
+  });
   return result;
 }
 
-StateBaseline stateOf(const std::string& text) {
-  const Json json = parseStrictly(text);
-  StrictObject root(json, "");
-  checkFormat(root);
+StateBaseline stateOf(JsonObject& root) {
   StateBaseline result;
-  StrictObject frames = root.object("frames");
-  for (const std::string& key : frames.keys()) {
-    StrictObject frame = frames.object(key.c_str());
+  root.at("frames").eachMember([&](const std::string& key, const JsonValue& frame) {
     StateHashes& hashes = result.frames[frameNumber(key)];
-    for (const std::string& name : frame.keys()) hashes[name] = frame.text(name.c_str());
-  }
-  root.finish();
+    frame.eachMember([&](const std::string& name, const JsonValue& hash) { hashes[name] = hash.text(); });
+  });
   return result;
 }
 
 /// A mistake in the text names the file.
 template <class Result>
-Result parseBaseline(const std::string& text, const std::string& name,
-                     Result (*parse)(const std::string&)) {
+Result parseBaseline(const std::string& text, const std::string& name, Result (*parse)(JsonObject&)) {
   try {
-    return parse(text);
-  } catch (const std::bad_alloc&) {
-    throw;  // no mistake of the text's
-  } catch (const std::exception& mistake) {
+    const auto json = parseStrictJson(text);
+    JsonObject root{JsonValue(json)};
+    checkFormat(root);
+    Result result = parse(root);
+    root.finish();
+    return result;
+  } catch (const JsonError& mistake) {
     fail(ExitCode::inputOutput, "baseline {} cannot be used: {}; mend it, or write it anew with --update",
          name, mistake.what());
   }

@@ -4,6 +4,7 @@
 #include "base/log.hpp"
 #include "base/process.hpp"
 #include "golden/suite/child_command.hpp"
+#include "golden/trace/traced_run.hpp"
 
 #include <algorithm>
 #include <cstdint>
@@ -70,30 +71,18 @@ class Tracing {
 /// Throws UserError(usage) unless both sides step the same arrays from the same frame on.
 void checkHeaders(const BisectSide& a, const TraceHeader& here, const BisectSide& b,
                   const TraceHeader& there) {
-  const auto refuse = [&](const std::string& first, const std::string& second) {
-    fail(ExitCode::usage, "the two sides do not simulate the same: {} {}, {} {}", a.name, first, b.name,
-         second);
-  };
-  if (here.firstFrame != there.firstFrame)
-    refuse(fmt::format("starts at frame {}", here.firstFrame),
-           fmt::format("at frame {}", there.firstFrame));
-  for (std::size_t i = 0; i < std::max(here.arrays.size(), there.arrays.size()); ++i) {
-    const auto text = [&](const TraceHeader& header) {
-      if (i >= header.arrays.size()) return std::string("has no further array");
-      const TraceHeader::Array& array = header.arrays[i];
-      return fmt::format("has {} of {} elements in {} steps a frame", array.name(), array.elements,
-                         array.steps);
-    };
-    if (text(here) != text(there)) refuse(text(here), text(there));
-  }
-  if (here.arrays.empty())
+  if (const auto mismatch = compareRuns(here.run, there.run))
+    fail(ExitCode::usage, "the two sides do not simulate the same: {} {}, {} {}", a.name, mismatch->here,
+         b.name, mismatch->there);
+  if (here.run.arrays.empty())
     fail(ExitCode::usage, "the scene has nothing that is simulated, so there is no state to compare");
 }
 
 std::size_t dumpBytes(const TraceHeader& header) {
-  std::size_t bytes = std::size_t{1} << 20;  // of header
-  for (const TraceHeader::Array& array : header.arrays)
-    bytes += static_cast<std::size_t>(array.elements) * 16;
+  constexpr std::size_t maxHeaderBytes = std::size_t{1} << 20;
+  std::size_t bytes = maxHeaderBytes;
+  for (const TracedArray& array : header.run.arrays)
+    bytes += static_cast<std::size_t>(array.elements) * bytesPerElement;
   return bytes;
 }
 
@@ -107,7 +96,7 @@ class Search {
     if (!frame) return result_;
     result_.difference.emplace();
     result_.difference->frame = *frame;
-    if (*frame > result_.here.firstFrame) {
+    if (*frame > result_.here.run.firstFrame) {
       const auto step = firstStep(*frame);
       if (!step) {
         unstable(fmt::format("frame {} differed at first and not when it was run again", *frame));
@@ -148,13 +137,12 @@ class Search {
     int read = 0;
     for (; const auto lines = nextLines(a, b, fmt::format("frame {}", lastFrame)); ++read)
       if (lines->first.arrays != lines->second.arrays) return lines->first.frame;
-    const int expected = lastFrame - result_.here.firstFrame + 1;
+    const int expected = lastFrame - result_.here.run.firstFrame + 1;
     if (read != expected)
       fail(ExitCode::inputOutput, "both traces ended after {} of {} frames", read, expected);
     return std::nullopt;
   }
 
-  /// Objects are stepped in turn, each through the whole frame: the first is the one earliest in its time.
   std::optional<StateLine> firstStep(int frame) {
     detail("bisect: the steps of frame {}", frame);
     const std::vector<std::string> arguments = {fmt::format("--steps-of={}", frame)};
@@ -166,7 +154,7 @@ class Search {
     while (const auto lines = nextLines(a, b, fmt::format("the last step of frame {}", frame))) {
       const auto& [x, y] = *lines;
       if (x.arrays == y.arrays) continue;
-      if (!first || std::int64_t{x.step} * first->steps < std::int64_t{first->step} * x.steps) first = x;
+      if (!first || isEarlierStep(x.step, x.steps, first->step, first->steps)) first = x;
     }
     return first;
   }

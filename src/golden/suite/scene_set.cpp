@@ -2,10 +2,10 @@
 
 #include "base/error.hpp"
 #include "base/file.hpp"
-#include "base/json_depth.hpp"
+#include "base/strict_json.hpp"
+#include "base/text.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <fnmatch.h>
 #include <map>
 
@@ -25,10 +25,12 @@ bool isSceneName(const fs::path& file) {
 /// Text that is not JSON at all may be a scene with a mistake in it: that has to be reported, not skipped.
 bool mayBeScene(const fs::path& file) {
   const std::string text = readFile(file, "scene");
-  if (jsonDepth(text) > mostJsonDepth) return true;
-  const auto json = nlohmann::json::parse(text, nullptr, false, true);
-  if (json.is_discarded()) return true;
-  return json.is_object() && (json.contains("version") || json.contains("objects"));
+  try {
+    const auto json = parseStrictJson(text, {.comments = true});
+    return json.is_object() && (json.contains("version") || json.contains("objects"));
+  } catch (const JsonError&) {
+    return true;
+  }
 }
 
 void searchFolder(const fs::path& folder, std::vector<SceneFile>& found) {
@@ -97,15 +99,13 @@ std::vector<SceneFile> filtered(const std::vector<SceneFile>& scenes, std::span<
 }
 
 std::vector<SceneFile> shardOf(const std::vector<SceneFile>& scenes, const std::string& shard) {
-  std::size_t part = 0, parts = 0;
-  const char* end = shard.data() + shard.size();
-  const auto first = std::from_chars(shard.data(), end, part);
-  const bool slash = first.ec == std::errc() && first.ptr != end && *first.ptr == '/';
-  const auto second = slash ? std::from_chars(first.ptr + 1, end, parts) : first;
-  if (!slash || second.ec != std::errc() || second.ptr != end || part < 1 || part > parts)
+  const auto numbers = integerPair(shard, '/');
+  if (!numbers || numbers->first < 1 || numbers->first > numbers->second)
     fail(ExitCode::usage, "--shard takes k/n with 1 <= k <= n, for example 2/4, not \"{}\"", shard);
   std::vector<SceneFile> kept;
-  for (std::size_t i = part - 1; i < scenes.size(); i += parts) kept.push_back(scenes[i]);
+  const auto first = static_cast<std::size_t>(numbers->first - 1);
+  for (std::size_t i = first; i < scenes.size(); i += static_cast<std::size_t>(numbers->second))
+    kept.push_back(scenes[i]);
   return kept;
 }
 

@@ -17,7 +17,6 @@ namespace {
 static_assert(std::endian::native == std::endian::little, "steps.bin is copied as it lies in memory");
 
 constexpr char magic[8] = {'S', 'R', 'S', 'T', 'E', 'P', 'S', '1'};
-constexpr std::size_t hashDigits = 32;
 constexpr std::uint32_t mostArrays = 4096;
 constexpr std::uint32_t mostNameBytes = 256;
 

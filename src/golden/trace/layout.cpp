@@ -130,11 +130,13 @@ std::optional<Divergence> compareFrame(const StepTrace& layout, std::uint32_t in
       const auto a = run.subspan(at, array.words());
       const auto b = baseline.subspan(at, array.words());
       const int number = every ? static_cast<int>(step) : 0;
-      if (std::equal(a.begin(), a.end(), b.begin()) || (first && first->step <= number)) continue;
+      const int steps = index == 0 ? 0 : static_cast<int>(array.steps);
+      if (std::equal(a.begin(), a.end(), b.begin())) continue;
+      if (first && !isEarlierStep(number, steps, first->step, first->steps)) continue;
       first = Divergence{};
       first->frame = layout.firstFrame + static_cast<int>(index);
       first->step = number;
-      first->steps = index == 0 ? 0 : static_cast<int>(array.steps);
+      first->steps = steps;
       first->object = array.object;
       first->buffer = array.name;
       locate(array, a, b, *first);

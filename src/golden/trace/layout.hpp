@@ -19,7 +19,7 @@ namespace simreel::golden {
 /// The same trace with less in it, as if it had been laid out so: each array as one block where `whole`,
 /// and every step of the first `detailed` frames only (at most as many as it has).
 [[nodiscard]] StepTrace reduced(const StepTrace& trace, bool whole, std::uint32_t detailed);
-/// The first difference of a frame: the lowest step, then the first array. The message is empty.
+/// The first difference of a frame: the earliest step, then the first array. The message is empty.
 [[nodiscard]] std::optional<Divergence> compareFrame(const StepTrace& layout, std::uint32_t index,
                                                      std::span<const std::uint32_t> run,
                                                      std::span<const std::uint32_t> baseline);

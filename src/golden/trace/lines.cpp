@@ -1,6 +1,7 @@
 #include "golden/trace/lines.hpp"
 
-#include "base/json_depth.hpp"
+#include "base/strict_json.hpp"
+#include "base/text.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -8,6 +9,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 namespace simreel::golden {
@@ -22,35 +24,16 @@ std::string text(const Json& json) {
   return json.dump(-1, ' ', true, Json::error_handler_t::replace);
 }
 
-struct NoWholeNumber {};
-
-/// A number that Int holds. nlohmann would convert 1e300 without a word, which C++ leaves undefined.
-template <class Int>
-Int whole(const Json& json) {
-  if (json.is_number_unsigned() && std::in_range<Int>(json.get<std::uint64_t>()))
-    return static_cast<Int>(json.get<std::uint64_t>());
-  if (json.is_number_integer() && !json.is_number_unsigned() &&
-      std::in_range<Int>(json.get<std::int64_t>()))
-    return static_cast<Int>(json.get<std::int64_t>());
-  throw NoWholeNumber();
-}
-
-/// Calls `read` with the parsed line; what nlohmann says of a mistake is for its users, not for ours.
+/// Calls `read` with the parsed line.
 template <class Read>
 auto reading(const std::string& line, const char* what, const Read& read) {
-  refuseDeepJson(line);
-  const auto refusal = [&] {
-    std::string start = line.substr(0, 80);
-    for (char& c : start)
-      if (static_cast<unsigned char>(c) < 32) c = ' ';
-    return std::runtime_error("\"" + start + "\" is no " + what);
-  };
   try {
-    return read(Json::parse(line));
-  } catch (const Json::exception&) {
-    throw refusal();
-  } catch (const NoWholeNumber&) {
-    throw refusal();
+    const auto json = parseStrictJson(line);
+    return read(JsonValue(json));
+  } catch (const JsonError& error) {
+    constexpr std::size_t maxShown = 80;
+    throw std::runtime_error(
+        fmt::format("\"{}\" is no {}: {}", oneLine(line.substr(0, maxShown)), what, error.what()));
   }
 }
 
@@ -63,28 +46,30 @@ std::string headerLine(const TraceHeader& header) {
                {"fingerprint", header.fingerprint},
                {"memoryPath", header.memoryPath},
                {"inexact", header.inexact.empty() ? Json() : Json(header.inexact)},
-               {"firstFrame", header.firstFrame},
+               {"firstFrame", header.run.firstFrame},
                {"arrays", Json::array()}};
-  for (const TraceHeader::Array& a : header.arrays)
+  for (const TracedArray& a : header.run.arrays)
     json["arrays"].push_back(
         {{"object", a.object}, {"array", a.array}, {"elements", a.elements}, {"stepsPerFrame", a.steps}});
   return text(json);
 }
 
 TraceHeader readHeaderLine(const std::string& line) {
-  return reading(line, "header of a trace", [](const Json& json) {
+  return reading(line, "header of a trace", [](const JsonValue& json) {
     TraceHeader header;
-    const int format = whole<int>(json.at("trace"));
+    const int format = json.at("trace").integer();
     if (format != 1) throw std::runtime_error("its trace has format " + std::to_string(format) + ", not 1");
-    header.version = json.at("version");
-    header.driver = json.at("driver");
-    header.fingerprint = json.at("fingerprint");
-    header.memoryPath = json.at("memoryPath");
-    if (json.at("inexact").is_string()) header.inexact = json.at("inexact");
-    header.firstFrame = whole<int>(json.at("firstFrame"));
-    for (const Json& a : json.at("arrays"))
-      header.arrays.push_back({a.at("object"), a.at("array"), whole<std::int64_t>(a.at("elements")),
-                               whole<int>(a.at("stepsPerFrame"))});
+    header.version = json.at("version").text();
+    header.driver = json.at("driver").text();
+    header.fingerprint = json.at("fingerprint").text();
+    header.memoryPath = json.at("memoryPath").text();
+    if (const JsonValue inexact = json.at("inexact"); !inexact.isNull()) header.inexact = inexact.text();
+    header.run.firstFrame = json.at("firstFrame").integer();
+    json.at("arrays").eachItem([&](const JsonValue& a) {
+      header.run.arrays.push_back({a.at("object").text(), a.at("array").text(),
+                                   a.at("elements").integer<std::int64_t>(),
+                                   a.at("stepsPerFrame").integer()});
+    });
     return header;
   });
 }
@@ -102,15 +87,17 @@ std::string stateLine(const StateLine& state) {
 }
 
 StateLine readStateLine(const std::string& line) {
-  return reading(line, "line of a trace", [](const Json& json) {
+  return reading(line, "line of a trace", [](const JsonValue& json) {
     StateLine state;
-    state.frame = whole<int>(json.at("frame"));
-    if (json.contains("step")) {
-      state.object = json.at("object");
-      state.step = whole<int>(json.at("step"));
-      state.steps = whole<int>(json.at("steps"));
+    state.frame = json.at("frame").integer();
+    if (const auto step = json.find("step")) {
+      state.object = json.at("object").text();
+      state.step = step->integer();
+      state.steps = json.at("steps").integer();
     }
-    for (const auto& [name, hash] : json.at("arrays").items()) state.arrays.emplace_back(name, hash);
+    json.at("arrays").eachMember([&](const std::string& name, const JsonValue& hash) {
+      state.arrays.emplace_back(name, hash.text());
+    });
     return state;
   });
 }
@@ -118,7 +105,8 @@ StateLine readStateLine(const std::string& line) {
 std::vector<std::byte> encodeDump(const StateDump& dump) {
   Json json = {{"dump", 1}, {"frame", dump.frame}, {"step", dump.step}, {"arrays", Json::array()}};
   for (const StateDump::Array& a : dump.arrays)
-    json["arrays"].push_back({{"object", a.object}, {"array", a.array}, {"elements", a.words.size() / 4}});
+    json["arrays"].push_back(
+        {{"object", a.object}, {"array", a.array}, {"elements", a.words.size() / wordsPerElement}});
   const std::string head = text(json) + "\n";
   std::vector<std::byte> bytes(head.size());
   std::memcpy(bytes.data(), head.data(), head.size());
@@ -135,18 +123,19 @@ StateDump readDump(std::span<const std::byte> bytes) {
   const auto size = static_cast<std::size_t>(end - bytes.begin());
   const std::string head(reinterpret_cast<const char*>(bytes.data()), size);
   auto rest = bytes.subspan(size + 1);
-  return reading(head, "header of a dump", [&](const Json& json) {
+  return reading(head, "header of a dump", [&](const JsonValue& json) {
     StateDump dump;
-    dump.frame = whole<int>(json.at("frame"));
-    dump.step = whole<int>(json.at("step"));
-    for (const Json& a : json.at("arrays")) {
-      const auto elements = whole<std::uint64_t>(a.at("elements"));
-      if (elements > rest.size() / 16) throw std::runtime_error("the dump is cut off");
-      StateDump::Array array{a.at("object"), a.at("array"), std::vector<std::uint32_t>(elements * 4)};
-      if (elements > 0) std::memcpy(array.words.data(), rest.data(), elements * 16);
-      rest = rest.subspan(elements * 16);
+    dump.frame = json.at("frame").integer();
+    dump.step = json.at("step").integer();
+    json.at("arrays").eachItem([&](const JsonValue& a) {
+      const auto elements = static_cast<std::size_t>(a.at("elements").integer<std::int64_t>(0));
+      if (elements > rest.size() / bytesPerElement) throw std::runtime_error("the dump is cut off");
+      StateDump::Array array{a.at("object").text(), a.at("array").text(),
+                             std::vector<std::uint32_t>(elements * wordsPerElement)};
+      if (elements > 0) std::memcpy(array.words.data(), rest.data(), elements * bytesPerElement);
+      rest = rest.subspan(elements * bytesPerElement);
       dump.arrays.push_back(std::move(array));
-    }
+    });
     if (!rest.empty()) throw std::runtime_error("the dump is longer than its header says");
     return dump;
   });

@@ -1,4 +1,6 @@
 #pragma once
+#include "golden/trace/traced_run.hpp"
+
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -14,17 +16,9 @@ namespace simreel::golden {
 
 /// The first line: who traces what.
 struct TraceHeader {
-  struct Array {
-    std::string object, array;
-    std::int64_t elements = 0;  ///< vec4 each
-    int steps = 1;              ///< of its object, a frame
-    bool operator==(const Array&) const = default;
-    [[nodiscard]] std::string name() const { return object + "." + array; }
-  };
   std::string version, driver, fingerprint, memoryPath;
   std::string inexact;  ///< how the driver breaks exact numerics; empty: it does not
-  int firstFrame = 0;   ///< that of the state before any step
-  std::vector<Array> arrays;
+  TracedRun run;
 };
 [[nodiscard]] std::string headerLine(const TraceHeader& header);
 [[nodiscard]] TraceHeader readHeaderLine(const std::string& line);
@@ -39,7 +33,12 @@ struct StateLine {
   bool operator==(const StateLine&) const = default;
 };
 [[nodiscard]] std::string stateLine(const StateLine& state);
+/// Its arrays are in the order of their names.
 [[nodiscard]] StateLine readStateLine(const std::string& line);
+
+/// An element of an array is a vec4 of 32-bit numbers.
+constexpr std::size_t wordsPerElement = 4;
+constexpr std::size_t bytesPerElement = wordsPerElement * sizeof(std::uint32_t);
 
 /// The words of every state array: a JSON line that says which, then the words as little-endian 32-bit
 /// floats, array by array.

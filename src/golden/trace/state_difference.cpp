@@ -23,16 +23,16 @@ ArrayDifference compareWords(const std::vector<std::uint32_t>& here,
                              const std::vector<std::uint32_t>& there) {
   SIMREEL_CHECK_EQ(here.size(), there.size());
   ArrayDifference result;
-  result.elements = static_cast<std::int64_t>(here.size() / 4);
-  for (std::size_t at = 0; at + 4 <= here.size(); at += 4) {
-    if (std::equal(&here[at], &here[at] + 4, &there[at])) continue;
+  result.elements = static_cast<std::int64_t>(here.size() / wordsPerElement);
+  for (std::size_t at = 0; at + wordsPerElement <= here.size(); at += wordsPerElement) {
+    if (std::equal(&here[at], &here[at] + wordsPerElement, &there[at])) continue;
     if (result.differing++ == 0) {
-      result.first = static_cast<std::int64_t>(at / 4);
-      std::copy_n(&here[at], 4, result.here.begin());
-      std::copy_n(&there[at], 4, result.there.begin());
+      result.first = static_cast<std::int64_t>(at / wordsPerElement);
+      std::copy_n(&here[at], wordsPerElement, result.here.begin());
+      std::copy_n(&there[at], wordsPerElement, result.there.begin());
     }
     bool nan = false;
-    for (std::size_t k = at; k < at + 4; ++k) {
+    for (std::size_t k = at; k < at + wordsPerElement; ++k) {
       const auto ulps = ulpsBetween(here[k], there[k]);
       if (ulps)
         result.mostUlps = std::max(result.mostUlps, *ulps);

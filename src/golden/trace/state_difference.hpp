@@ -14,11 +14,11 @@ namespace simreel::golden {
 
 /// How far one state array is from another of the same size.
 struct ArrayDifference {
-  std::int64_t elements = 0;                     ///< vec4 each
-  std::int64_t differing = 0;                    ///< elements with any bit different
-  std::int64_t first = -1;                       ///< the lowest of them
-  std::array<std::uint32_t, 4> here{}, there{};  ///< its bits
-  std::uint64_t mostUlps = 0;                    ///< over all components
+  std::int64_t elements = 0;                                   ///< vec4 each
+  std::int64_t differing = 0;                                  ///< elements with any bit different
+  std::int64_t first = -1;                                     ///< the lowest of them
+  std::array<std::uint32_t, wordsPerElement> here{}, there{};  ///< its bits
+  std::uint64_t mostUlps = 0;                                  ///< over all components
   std::int64_t withNan = 0;  ///< differing elements that have NaN on a side; not in mostUlps
 };
 /// `words`: four for each element, as many on both sides.

@@ -1,7 +1,9 @@
 #include "golden/trace/stream.hpp"
 
 #include "base/error.hpp"
+#include "frame/summaries.hpp"
 #include "gl/element_array.hpp"
+#include "golden/trace/traced_run.hpp"
 #include "sim/core/state_hash.hpp"
 
 #include <algorithm>
@@ -9,71 +11,28 @@
 
 namespace simreel::golden {
 
-namespace {
-
-constexpr int mostUnderWay = 6;  ///< frames ahead of the one whose hashes are waited for
-
-/// Where each object's arrays begin in World::arrays().
-std::vector<std::size_t> firstArrays(const sim::World& world) {
-  std::vector<std::size_t> first;
-  std::size_t count = 0;
-  for (std::size_t i = 0; i < world.objectCount(); ++i) {
-    first.push_back(count);
-    count += world.object(i).state().size();
-  }
-  return first;
-}
-
-std::string arrayName(const sim::World::ArrayName& array) {
-  return array.object + "." + array.array;
-}
-
-/// Throws UserError(device) when a simulation lost its state.
-void checkState(sim::World& world) {
-  world.startSummary();
-  static_cast<void>(world.takeSummary(true));
-}
-
-}  // namespace
-
-TraceHeader describeWorld(const sim::World& world) {
-  TraceHeader header;
-  header.firstFrame = world.firstFrame();
-  const auto arrays = world.arrays();
-  std::size_t next = 0;
-  for (std::size_t i = 0; i < world.objectCount(); ++i)
-    for (std::size_t k = world.object(i).state().size(); k > 0; --k, ++next)
-      header.arrays.push_back({arrays[next].object, arrays[next].array, arrays[next].elements,
-                               world.object(i).stepsPerFrame()});
-  return header;
-}
-
 void traceFrames(sim::World& world, int first, int last, const TakeLine& take) {
-  const auto arrays = world.arrays();
-  int underWay = 0;
-  const auto printOldest = [&] {
-    const auto summary = *world.takeSummary(true);
-    --underWay;
+  const auto arrays = describeWorld(world).arrays;
+  bool wanted = true;
+  frame::Summaries summaries(world, [&](const sim::World::Summary& summary) {
+    if (!wanted) return;
     StateLine line;
     line.frame = summary.frame;
     for (std::size_t i = 0; i < arrays.size(); ++i)
-      line.arrays.emplace_back(arrayName(arrays[i]), summary.arrays[i]);
-    return take(stateLine(line));
-  };
-  for (int frame = first; frame <= last; ++frame) {
+      line.arrays.emplace_back(arrays[i].name(), summary.arrays[i]);
+    wanted = take(stateLine(line));
+  });
+  for (int frame = first; wanted && frame <= last; ++frame) {
     world.advanceTo(frame);
-    if (underWay == mostUnderWay && !printOldest()) return;
-    world.startSummary();
-    ++underWay;
+    summaries.start();
   }
-  while (underWay > 0)
-    if (!printOldest()) return;
+  if (wanted) summaries.takeAll();
 }
 
 void traceSteps(sim::World& world, int frame, const TakeLine& take) {
   world.advanceTo(frame - 1);
-  checkState(world);
-  const auto arrays = world.arrays();
+  frame::checkState(world);
+  const auto arrays = describeWorld(world).arrays;
   const auto first = firstArrays(world);
   const sim::StateHash hash;
   bool wanted = true;
@@ -88,10 +47,10 @@ void traceSteps(sim::World& world, int frame, const TakeLine& take) {
     buffer.read(0, std::as_writable_bytes(std::span(sums)));
     StateLine line{frame, world.objectName(object), step, world.object(object).stepsPerFrame(), {}};
     for (std::size_t k = 0; k < state.size(); ++k)
-      line.arrays.emplace_back(arrayName(arrays[first[object] + k]), sim::StateHash::text(sums[k]));
+      line.arrays.emplace_back(arrays[first[object] + k].name(), sim::StateHash::text(sums[k]));
     wanted = take(stateLine(line));
   });
-  if (wanted) checkState(world);
+  if (wanted) frame::checkState(world);
 }
 
 StateDump dumpState(sim::World& world, int frame, int step) {
@@ -123,7 +82,7 @@ StateDump dumpState(sim::World& world, int frame, int step) {
   world.advanceTo(frame, [&](std::size_t object, int done) {
     if (done == std::min(step, world.object(object).stepsPerFrame())) copy(object);
   });
-  checkState(world);
+  frame::checkState(world);
   return dump;
 }
 

@@ -10,10 +10,6 @@ namespace simreel::golden {
 /// Takes a line without its end; false: nobody reads on.
 using TakeLine = std::function<bool(const std::string& line)>;
 
-/// The arrays and the first frame of a world that has not been stepped; who runs it is for the caller to
-/// add.
-[[nodiscard]] TraceHeader describeWorld(const sim::World& world);
-
 /// A line for the state at each frame from `first` to `last`. Throws UserError(device) when the state is
 /// lost, after the lines of the frames before.
 void traceFrames(sim::World& world, int first, int last, const TakeLine& take);

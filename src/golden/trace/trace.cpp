@@ -1,9 +1,11 @@
 #include "golden/trace/trace.hpp"
 
 #include "base/error.hpp"
+#include "frame/summaries.hpp"
 #include "gl/element_array.hpp"
 #include "gl/program.hpp"
 #include "golden/trace/layout.hpp"
+#include "golden/trace/traced_run.hpp"
 #include "sim/world/world.hpp"
 
 #include <algorithm>
@@ -20,19 +22,11 @@ class Tracer {
       : world_(scene),
         hash_(gl::Program::compute("common/block_hash.comp")),
         afterStep_(std::move(afterStep)) {
-    const auto names = world_.arrays();
     for (std::size_t object = 0; object < world_.objectCount(); ++object)
-      for (std::size_t i = 0; i < world_.object(object).state().size(); ++i) owners_.push_back(object);
-    for (std::size_t i = 0; i < names.size(); ++i) {
-      const auto elements = static_cast<std::uint32_t>(names[i].elements);
-      arrays_.push_back({names[i].object, names[i].array, elements, elements,
-                         static_cast<std::uint32_t>(world_.object(owners_[i]).stepsPerFrame())});
-    }
+      owners_.insert(owners_.end(), world_.object(object).state().size(), object);
   }
 
-  [[nodiscard]] const std::vector<StepTrace::Array>& arrays() const { return arrays_; }
   [[nodiscard]] const sim::World& world() const { return world_; }
-  [[nodiscard]] int firstFrame() const { return world_.firstFrame(); }
 
   /// Words of one frame as StepTrace has them. Index 0 is the first state; call in ascending order.
   std::vector<std::uint32_t> frame(const StepTrace& layout, std::uint32_t index) {
@@ -48,8 +42,7 @@ class Tracer {
         const int steps = world_.object(object).stepsPerFrame();
         if (every || step == steps) add(layout, object, every ? static_cast<std::uint32_t>(step) - 1 : 0);
       });
-      world_.startSummary();
-      static_cast<void>(world_.takeSummary(true));  // throws when the state is lost
+      frame::checkState(world_);
     }
     gl::barrier();
     return sums_.readAll<std::uint32_t>();
@@ -86,42 +79,41 @@ class Tracer {
   gl::Program hash_;
   gl::Buffer sums_;
   AfterStep afterStep_;
-  std::vector<StepTrace::Array> arrays_;
   std::vector<std::size_t> owners_;  ///< object of each array
 };
 
-/// Whether the traces are of the same arrays, however they are cut into blocks.
-std::optional<Divergence> differentArrays(const std::vector<StepTrace::Array>& run,
-                                          const std::vector<StepTrace::Array>& baseline, int firstFrame) {
-  const auto differs = [](const StepTrace::Array& a, const StepTrace::Array& b) {
-    return a.object != b.object || a.name != b.name || a.elements != b.elements || a.steps != b.steps;
-  };
-  const auto text = [](const StepTrace::Array& a) {
-    return fmt::format("{}.{} with {} elements and {} steps a frame", a.object, a.name, a.elements,
-                       a.steps);
-  };
-  for (std::size_t i = 0; i < std::max(run.size(), baseline.size()); ++i) {
-    if (i < run.size() && i < baseline.size() && !differs(run[i], baseline[i])) continue;
-    Divergence found;
-    found.frame = firstFrame;
-    found.object = i < run.size() ? run[i].object : baseline[i].object;
-    found.buffer = i < run.size() ? run[i].name : baseline[i].name;
-    found.message = fmt::format("leaves the baseline before the first step: it has {}, the baseline {}",
-                                i < run.size() ? text(run[i]) : "no such array",
-                                i < baseline.size() ? text(baseline[i]) : "no such array");
-    return found;
-  }
-  return std::nullopt;
+TracedRun runOf(const StepTrace& trace) {
+  TracedRun run{trace.firstFrame, {}};
+  for (const StepTrace::Array& a : trace.arrays)
+    run.arrays.push_back({a.object, a.name, a.elements, static_cast<int>(a.steps)});
+  return run;
 }
 
-std::optional<Divergence> differentStart(int run, int baseline) {
-  if (run == baseline) return std::nullopt;
+/// Whether the traces are of the same arrays, however they are cut into blocks.
+std::optional<Divergence> differentRuns(const TracedRun& run, const StepTrace& baseline) {
+  const auto mismatch = compareRuns(run, runOf(baseline));
+  if (!mismatch) return std::nullopt;
   Divergence found;
-  found.frame = run;
-  found.message = fmt::format(
-      "leaves the baseline before the first step: its pre-roll starts at frame {}, the baseline's at {}",
-      run, baseline);
+  found.frame = run.firstFrame;
+  found.object = mismatch->array.object;
+  found.buffer = mismatch->array.array;
+  found.message = fmt::format("leaves the baseline before the first step: it {}, the baseline {}",
+                              mismatch->here, mismatch->there);
   return found;
+}
+
+/// Frame by frame up to that of index `last`; `wordsOf` gives those of the run, in ascending order.
+template <class WordsOf>
+std::optional<Divergence> firstDifference(const StepTrace& baseline, std::uint32_t last,
+                                          const WordsOf& wordsOf) {
+  std::size_t at = 0;
+  for (std::uint32_t index = 0; index <= last; ++index) {
+    const std::size_t count = baseline.frameWords(index);
+    const auto expected = std::span(baseline.words).subspan(at, count);
+    if (auto found = compareFrame(baseline, index, wordsOf(index, at, count), expected)) return found;
+    at += count;
+  }
+  return std::nullopt;
 }
 
 }  // namespace
@@ -129,7 +121,13 @@ std::optional<Divergence> differentStart(int run, int baseline) {
 StepTrace traceRun(const scene::Scene& scene, int lastFrame, std::size_t mostBytes,
                    const AfterStep& afterStep) {
   Tracer tracer(scene, afterStep);
-  StepTrace trace = layOut(tracer.arrays(), tracer.firstFrame(), lastFrame, mostBytes);
+  const TracedRun run = describeWorld(tracer.world());
+  std::vector<StepTrace::Array> arrays;
+  for (const TracedArray& a : run.arrays) {
+    const auto elements = static_cast<std::uint32_t>(a.elements);
+    arrays.push_back({a.object, a.array, elements, elements, static_cast<std::uint32_t>(a.steps)});
+  }
+  StepTrace trace = layOut(std::move(arrays), run.firstFrame, lastFrame, mostBytes);
   trace.words.reserve(trace.totalWords());
   for (std::uint32_t index = 0; index <= trace.frames; ++index) {
     const auto words = tracer.frame(trace, index);
@@ -139,46 +137,34 @@ StepTrace traceRun(const scene::Scene& scene, int lastFrame, std::size_t mostByt
 }
 
 std::optional<Divergence> compareTraces(const StepTrace& run, const StepTrace& baseline) {
-  if (auto other = differentArrays(run.arrays, baseline.arrays, run.firstFrame)) return other;
-  if (auto other = differentStart(run.firstFrame, baseline.firstFrame)) return other;
+  if (auto other = differentRuns(runOf(run), baseline)) return other;
   if (run.arrays.empty()) return std::nullopt;  // nothing to compare, however many frames a file claims
   if (run.arrays != baseline.arrays || run.detailed != baseline.detailed) {
     const bool whole = run.arrays != baseline.arrays;
     const std::uint32_t detailed = std::min(run.detailed, baseline.detailed);
     return compareTraces(reduced(run, whole, detailed), reduced(baseline, whole, detailed));
   }
-  std::size_t at = 0;
-  for (std::uint32_t index = 0; index <= std::min(run.frames, baseline.frames); ++index) {
-    const std::size_t count = baseline.frameWords(index);
-    if (auto found = compareFrame(baseline, index, std::span(run.words).subspan(at, count),
-                                  std::span(baseline.words).subspan(at, count)))
-      return describe(*found,
-                      [](const Divergence&, long element) { return fmt::format("element {}", element); });
-    at += count;
-  }
-  return std::nullopt;
+  const auto words = [&](std::uint32_t, std::size_t at, std::size_t count) {
+    return std::span(run.words).subspan(at, count);
+  };
+  const auto found = firstDifference(baseline, std::min(run.frames, baseline.frames), words);
+  if (!found) return std::nullopt;
+  return describe(*found,
+                  [](const Divergence&, long element) { return fmt::format("element {}", element); });
 }
 
 std::optional<Divergence> firstDivergence(const scene::Scene& scene, const StepTrace& baseline) {
   Tracer tracer(scene);
-  if (auto other = differentArrays(tracer.arrays(), baseline.arrays, tracer.firstFrame())) return other;
-  if (auto other = differentStart(tracer.firstFrame(), baseline.firstFrame)) return other;
+  if (auto other = differentRuns(describeWorld(tracer.world()), baseline)) return other;
   if (baseline.arrays.empty()) return std::nullopt;
-  const auto elementName = [&](const Divergence& where, long element) {
-    for (std::size_t i = 0; i < tracer.world().objectCount(); ++i)
-      if (tracer.world().objectName(i) == where.object)
-        return tracer.world().object(i).elementName(element);
-    return fmt::format("element {}", element);
+  const auto words = [&](std::uint32_t index, std::size_t, std::size_t) {
+    return tracer.frame(baseline, index);
   };
-  std::size_t at = 0;
-  for (std::uint32_t index = 0; index <= baseline.frames; ++index) {
-    const std::size_t count = baseline.frameWords(index);
-    const auto words = tracer.frame(baseline, index);
-    if (auto found = compareFrame(baseline, index, words, std::span(baseline.words).subspan(at, count)))
-      return describe(*found, elementName);
-    at += count;
-  }
-  return std::nullopt;
+  const auto found = firstDifference(baseline, baseline.frames, words);
+  if (!found) return std::nullopt;
+  return describe(*found, [&](const Divergence& where, long element) {
+    return elementName(tracer.world(), where.object, element);
+  });
 }
 
 }  // namespace simreel::golden

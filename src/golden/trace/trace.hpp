@@ -1,5 +1,6 @@
 #pragma once
 #include "golden/result.hpp"
+#include "golden/trace/traced_run.hpp"
 #include "scene/scene.hpp"
 #include "sim/world/world.hpp"
 

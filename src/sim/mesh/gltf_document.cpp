@@ -2,7 +2,7 @@
 
 #include "base/error.hpp"
 #include "base/file.hpp"
-#include "base/json_depth.hpp"
+#include "base/strict_json.hpp"
 #include "sim/mesh/builder.hpp"
 
 #include <algorithm>
@@ -18,8 +18,8 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "values are copied as they lie in the file");
 
-constexpr std::uint64_t mostNumber = std::uint64_t{1} << 40;  // products of two still fit
-constexpr std::size_t mostContainers = 500'000;               // 100 bytes of memory and more each
+constexpr std::int64_t mostNumber = std::int64_t{1} << 40;  // products of two still fit
+constexpr std::size_t mostContainers = 500'000;             // 100 bytes of memory and more each
 constexpr std::size_t mostZeros = 1'000'000;
 
 template <class T>
@@ -31,19 +31,9 @@ T read(std::string_view bytes, std::size_t at) {
 
 /// Bytes of a component by its number in glTF; 0 for a number that is none.
 std::size_t componentBytes(std::uint64_t type) {
-  switch (type) {
-    case 5120:
-    case 5121:
-      return 1;
-    case 5122:
-    case 5123:
-      return 2;
-    case 5125:
-    case 5126:
-      return 4;
-    default:
-      return 0;
-  }
+  constexpr std::uint64_t first = 5120;
+  constexpr std::array<std::size_t, 7> bytes = {1, 1, 2, 2, 0, 4, 4};
+  return type >= first && type - first < bytes.size() ? bytes[type - first] : 0;
 }
 
 std::string decodeBase64(std::string_view text) {
@@ -84,17 +74,8 @@ std::string decodePercent(const std::string& uri) {
 
 GltfDocument::GltfDocument(const std::filesystem::path& file, std::string_view text) : file_(file) {
   if (text.substr(0, 4) == "glTF") text = openGlb(text);
-  if (jsonDepth(text) > mostJsonDepth)
-    refuse(fmt::format("nests JSON deeper than {} levels", mostJsonDepth));
-  if (jsonContainers(text, mostContainers) == mostContainers)
-    refuse(fmt::format("describes itself in {} objects and lists or more; join its parts", mostContainers));
-  root_ = Json::parse(text, nullptr, false);
-  if (!root_.is_object()) refuse("is no glTF");
-  const auto asset = root_.find("asset");
-  if (asset == root_.end() || !asset->is_object() || !asset->contains("version") ||
-      !asset->at("version").is_string() ||
-      !asset->at("version").get_ref<const std::string&>().starts_with("2."))
-    refuse("is no glTF of version 2");
+  json_ = parseStrictJson(text, {.containers = mostContainers});
+  if (!root().at("asset").at("version").text().starts_with("2.")) refuse("is no glTF of version 2");
   buffers_.resize(size("buffers"));
 }
 
@@ -119,44 +100,37 @@ void GltfDocument::refuse(const std::string& why) const {
 }
 
 std::size_t GltfDocument::size(const char* list) const {
-  const auto found = root_.find(list);
-  if (found == root_.end()) return 0;
-  if (!found->is_array()) refuse(fmt::format("has {} that are no list", list));
-  return found->size();
+  const auto found = root().find(list);
+  return found ? found->size() : 0;
 }
 
-const GltfDocument::Json& GltfDocument::item(const char* list, std::size_t number) const {
+JsonValue GltfDocument::item(const char* list, std::size_t number) const {
   if (number >= size(list)) refuse(fmt::format("names number {} of its {} {}", number, size(list), list));
-  const Json& item = root_.at(list).at(number);
-  if (!item.is_object()) refuse(fmt::format("has {} of which number {} is no object", list, number));
-  return item;
+  return root().at(list).at(number);
 }
 
-std::uint64_t GltfDocument::number(const Json& object, const char* key,
-                                   std::optional<std::uint64_t> otherwise) const {
-  const auto found = object.find(key);
-  if (found == object.end() && otherwise) return *otherwise;
-  if (found == object.end() || !found->is_number_unsigned() || found->get<std::uint64_t>() > mostNumber)
-    refuse(fmt::format("has a {} that is no whole number, too large or missing", key));
-  return found->get<std::uint64_t>();
+std::uint64_t GltfDocument::number(const JsonValue& object, const char* key,
+                                   std::optional<std::uint64_t> otherwise) {
+  if (otherwise && !object.has(key)) return *otherwise;
+  return static_cast<std::uint64_t>(object.at(key).integer<std::int64_t>(0, mostNumber));
 }
 
-std::vector<float> GltfDocument::numbers(const Json& object, const char* key, std::size_t count) const {
+std::vector<float> GltfDocument::numbers(const JsonValue& object, const char* key, std::size_t count) {
+  std::vector<float> all;
   const auto found = object.find(key);
-  if (found == object.end()) return {};
-  if (!found->is_array() || found->size() != count ||
-      !std::all_of(found->begin(), found->end(), [](const Json& value) { return value.is_number(); }))
-    refuse(fmt::format("has a {} that is not {} numbers", key, count));
-  return found->get<std::vector<float>>();
+  if (!found) return all;
+  found->eachItem([&](const JsonValue& item) { all.push_back(static_cast<float>(item.number())); });
+  if (all.size() != count) found->wrong(fmt::format("must be a list of {} numbers", count));
+  return all;
 }
 
-std::vector<std::uint64_t> GltfDocument::wholeNumbers(const Json& object, const char* key) const {
-  const auto found = object.find(key);
-  if (found == object.end()) return {};
-  if (!found->is_array() || !std::all_of(found->begin(), found->end(),
-                                         [](const Json& value) { return value.is_number_unsigned(); }))
-    refuse(fmt::format("has {} that are no list of whole numbers", key));
-  return found->get<std::vector<std::uint64_t>>();
+std::vector<std::uint64_t> GltfDocument::wholeNumbers(const JsonValue& object, const char* key) {
+  std::vector<std::uint64_t> all;
+  if (const auto found = object.find(key))
+    found->eachItem([&](const JsonValue& item) {
+      all.push_back(static_cast<std::uint64_t>(item.integer<std::int64_t>(0)));
+    });
+  return all;
 }
 
 std::string GltfDocument::bytesOf(const std::string& uri, std::uint64_t promised) const {
@@ -178,17 +152,16 @@ std::string GltfDocument::bytesOf(const std::string& uri, std::uint64_t promised
 }
 
 std::string_view GltfDocument::buffer(std::size_t number) const {
-  const Json& described = item("buffers", number);
+  const JsonValue described = item("buffers", number);
   const std::uint64_t promised = this->number(described, "byteLength");
   std::string_view bytes;
   const auto uri = described.find("uri");
-  if (uri == described.end()) {
+  if (!uri) {
     if (number != 0 || !glbBytes_) refuse(fmt::format("has no bytes for its buffer {}", number));
     bytes = *glbBytes_;
   } else {
-    if (!uri->is_string()) refuse("has a buffer whose uri is no text");
     std::optional<std::string>& loaded = buffers_.at(number);
-    if (!loaded) loaded = bytesOf(uri->get_ref<const std::string&>(), promised);
+    if (!loaded) loaded = bytesOf(uri->text(), promised);
     bytes = *loaded;
   }
   if (bytes.size() < promised)
@@ -197,7 +170,7 @@ std::string_view GltfDocument::buffer(std::size_t number) const {
 }
 
 std::string_view GltfDocument::view(std::size_t number, std::size_t& stride) const {
-  const Json& described = item("bufferViews", number);
+  const JsonValue described = item("bufferViews", number);
   const std::string_view bytes = buffer(this->number(described, "buffer"));
   const std::uint64_t offset = this->number(described, "byteOffset", 0);
   const std::uint64_t length = this->number(described, "byteLength");
@@ -208,7 +181,7 @@ std::string_view GltfDocument::view(std::size_t number, std::size_t& stride) con
   return bytes.substr(offset, length);
 }
 
-GltfDocument::Values GltfDocument::slice(const Json& place, std::uint64_t type, std::size_t components,
+GltfDocument::Values GltfDocument::slice(const JsonValue& place, std::uint64_t type, std::size_t components,
                                          std::size_t count) const {
   const std::size_t element = components * componentBytes(type);
   if (element == 0) refuse(fmt::format("has values of type {}, which is none", type));
@@ -225,31 +198,27 @@ GltfDocument::Values GltfDocument::slice(const Json& place, std::uint64_t type, 
 }
 
 std::size_t GltfDocument::count(std::size_t accessor) const {
-  const Json& described = item("accessors", accessor);
-  const auto found = described.find("count");
-  if (found == described.end() || !found->is_number_unsigned() || found->get<std::uint64_t>() < 1 ||
-      found->get<std::uint64_t>() > 3 * std::uint64_t{mostMeshItems})
-    refuse(fmt::format("has an accessor whose count is not between 1 and {}", 3 * mostMeshItems));
-  const std::size_t count = found->get<std::size_t>();
-  if (described.contains("bufferView"))
+  const JsonValue described = item("accessors", accessor);
+  const auto count =
+      static_cast<std::size_t>(described.at("count").integer<std::int64_t>(1, 3 * mostMeshItems));
+  if (described.has("bufferView"))
     static_cast<void>(values(described));
-  else if (!described.contains("sparse") || count > mostZeros)
+  else if (!described.has("sparse") || count > mostZeros)
     refuse(fmt::format("has an accessor whose count is {} and whose bytes are missing", count));
   return count;
 }
 
-GltfDocument::Values GltfDocument::values(const Json& accessor) const {
+GltfDocument::Values GltfDocument::values(const JsonValue& accessor) const {
   constexpr std::array<std::pair<std::string_view, std::size_t>, 4> types = {
       {{"SCALAR", 1}, {"VEC2", 2}, {"VEC3", 3}, {"VEC4", 4}}};
-  const auto type = accessor.find("type");
+  const std::string type = accessor.at("type").text();
   std::size_t components = 0;
   for (const auto& [name, count] : types)
-    if (type != accessor.end() && type->is_string() && type->get_ref<const std::string&>() == name)
-      components = count;
+    if (type == name) components = count;
   if (components == 0) refuse("has an accessor that is neither a number nor a vector");
   Values values = slice(accessor, number(accessor, "componentType"), components, number(accessor, "count"));
   const auto normalised = accessor.find("normalized");
-  values.normalised = normalised != accessor.end() && normalised->is_boolean() && normalised->get<bool>();
+  values.normalised = normalised && normalised->boolean();
   return values;
 }
 
@@ -279,28 +248,24 @@ float GltfDocument::component(const Values& values, std::size_t element, std::si
 }
 
 std::vector<float> GltfDocument::floats(std::size_t accessor, std::size_t components) const {
-  const Json& described = item("accessors", accessor);
+  const JsonValue described = item("accessors", accessor);
   const std::size_t count = this->count(accessor);
   std::vector<float> all(count * components, 0.0F);
   const auto put = [&](const Values& values, std::size_t from, std::size_t to) {
     for (std::size_t k = 0; k < components; ++k) all[to * components + k] = component(values, from, k);
   };
-  if (described.contains("bufferView")) {
+  if (described.has("bufferView")) {
     const Values values = this->values(described);
     if (values.components != components)
       refuse(fmt::format("has vectors of {} where {} numbers are expected", values.components, components));
     for (std::size_t i = 0; i < count; ++i) put(values, i, i);
   }
   const auto sparse = described.find("sparse");
-  if (sparse == described.end()) return all;
-  if (!sparse->is_object() || !sparse->contains("indices") || !sparse->contains("values"))
-    refuse("has a sparse accessor without indices and values");
+  if (!sparse) return all;
   const std::size_t changed = number(*sparse, "count");
   if (changed < 1 || changed > count)
     refuse(fmt::format("has a sparse accessor of {} in {}", changed, count));
-  const Json& places = sparse->at("indices");
-  if (!places.is_object() || !sparse->at("values").is_object())
-    refuse("has a sparse accessor without indices and values");
+  const JsonValue places = sparse->at("indices");
   const Values where = slice(places, number(places, "componentType"), 1, changed);
   const Values what = slice(sparse->at("values"), number(described, "componentType"), components, changed);
   for (std::size_t i = 0; i < changed; ++i) {
@@ -314,9 +279,9 @@ std::vector<float> GltfDocument::floats(std::size_t accessor, std::size_t compon
 }
 
 std::vector<std::uint32_t> GltfDocument::indices(std::size_t accessor) const {
-  const Json& described = item("accessors", accessor);
+  const JsonValue described = item("accessors", accessor);
   const std::size_t count = this->count(accessor);
-  if (!described.contains("bufferView") || described.contains("sparse"))
+  if (!described.has("bufferView") || described.has("sparse"))
     refuse("has sparse indices, which are not read");
   const Values values = this->values(described);
   std::vector<std::uint32_t> all(count);

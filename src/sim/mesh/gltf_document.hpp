@@ -1,4 +1,6 @@
 #pragma once
+#include "base/strict_json.hpp"
+
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -11,25 +13,24 @@
 
 namespace simreel::sim {
 
-/// The JSON of a glTF file and the bytes that it describes. Throws UserError, as loadMesh() does, for what
-/// is not so.
+/// The JSON of a glTF file and the bytes that it describes. Throws UserError, as loadMesh() does, and
+/// JsonError, for what is not so.
 class GltfDocument {
  public:
-  using Json = nlohmann::json;
-
   GltfDocument(const std::filesystem::path& file, std::string_view text);
 
-  [[nodiscard]] const Json& root() const { return root_; }
+  [[nodiscard]] JsonValue root() const { return JsonValue(json_); }
   /// An object of a list of the document, such as the accessor 3.
-  [[nodiscard]] const Json& item(const char* list, std::size_t number) const;
+  [[nodiscard]] JsonValue item(const char* list, std::size_t number) const;
   [[nodiscard]] std::size_t size(const char* list) const;
   /// A whole number of an object, `otherwise` where it has none; required without that.
-  [[nodiscard]] std::uint64_t number(const Json& object, const char* key,
-                                     std::optional<std::uint64_t> otherwise = {}) const;
+  [[nodiscard]] static std::uint64_t number(const JsonValue& object, const char* key,
+                                            std::optional<std::uint64_t> otherwise = {});
   /// Numbers of an object's list, which has to hold `count`; empty where there is no list.
-  [[nodiscard]] std::vector<float> numbers(const Json& object, const char* key, std::size_t count) const;
+  [[nodiscard]] static std::vector<float> numbers(const JsonValue& object, const char* key,
+                                                  std::size_t count);
   /// Whole numbers of an object's list; empty where there is none.
-  [[nodiscard]] std::vector<std::uint64_t> wholeNumbers(const Json& object, const char* key) const;
+  [[nodiscard]] static std::vector<std::uint64_t> wholeNumbers(const JsonValue& object, const char* key);
 
   /// How many vertices or indices an accessor has; checked against its bytes.
   [[nodiscard]] std::size_t count(std::size_t accessor) const;
@@ -53,13 +54,13 @@ class GltfDocument {
   std::string_view buffer(std::size_t number) const;
   std::string bytesOf(const std::string& uri, std::uint64_t promised) const;
   [[nodiscard]] std::string_view view(std::size_t number, std::size_t& stride) const;
-  [[nodiscard]] Values values(const Json& accessor) const;
-  [[nodiscard]] Values slice(const Json& place, std::uint64_t type, std::size_t components,
+  [[nodiscard]] Values values(const JsonValue& accessor) const;
+  [[nodiscard]] Values slice(const JsonValue& place, std::uint64_t type, std::size_t components,
                              std::size_t count) const;
   [[nodiscard]] float component(const Values& values, std::size_t element, std::size_t component) const;
 
   const std::filesystem::path& file_;
-  Json root_;
+  nlohmann::json json_;
   std::optional<std::string_view> glbBytes_;
   mutable std::vector<std::optional<std::string>> buffers_;  ///< what was loaded so far
 };

@@ -18,10 +18,11 @@ namespace simreel::sim {
 
 namespace {
 
-using Json = GltfDocument::Json;
-
 /// Most primitives over all nodes.
 constexpr std::size_t mostParts = 100'000;
+
+/// Modes of a primitive by their numbers in glTF.
+constexpr std::uint64_t triangleList = 4, triangleStrip = 5, triangleFan = 6;
 
 /// A drawn mesh with the transform of its node.
 struct Placed {
@@ -54,7 +55,7 @@ class GltfReader {
     for (const Placed& mesh : placed) {
       parts += primitivesOf(mesh.mesh).size();
       if (parts > mostParts) document_.refuse(fmt::format("has more than {} parts; join them", mostParts));
-      forEachPrimitive(mesh.mesh, [&](const Json& primitive) {
+      forEachPrimitive(mesh.mesh, [&](const JsonValue& primitive) {
         vertices += document_.count(position(primitive));
         corners += cornerCount(primitive);
         if (vertices > mostMeshItems || corners > 3 * mostMeshItems)
@@ -63,7 +64,7 @@ class GltfReader {
       });
     }
     for (const Placed& mesh : placed)
-      forEachPrimitive(mesh.mesh, [&](const Json& primitive) { add(primitive, mesh.transform); });
+      forEachPrimitive(mesh.mesh, [&](const JsonValue& primitive) { add(primitive, mesh.transform); });
     return builder_.finish();
   }
 
@@ -71,10 +72,8 @@ class GltfReader {
   /// What has to be understood for the triangles to be right; looks and lights have not.
   void checkExtensions() const {
     const auto required = document_.root().find("extensionsRequired");
-    if (required == document_.root().end()) return;
-    if (!required->is_array()) document_.refuse("has extensionsRequired that are no list");
-    for (const Json& item : *required) {
-      const std::string name = item.is_string() ? item.get<std::string>() : "of no name";
+    if (!required) return;
+    for (const std::string& name : required->texts()) {
       bool harmless = name == "KHR_mesh_quantization";
       for (const char* looks : {"KHR_materials_", "KHR_texture_", "EXT_texture_", "KHR_lights_"})
         harmless = harmless || name.starts_with(looks);
@@ -83,15 +82,15 @@ class GltfReader {
     }
   }
 
-  glm::mat4 transformOf(const Json& node) const {
-    const std::vector<float> matrix = document_.numbers(node, "matrix", 16);
+  static glm::mat4 transformOf(const JsonValue& node) {
+    const std::vector<float> matrix = GltfDocument::numbers(node, "matrix", 16);
     if (!matrix.empty()) return glm::make_mat4(matrix.data());
     const auto or3 = [&](const char* key, float otherwise) {
-      const std::vector<float> v = document_.numbers(node, key, 3);
+      const std::vector<float> v = GltfDocument::numbers(node, key, 3);
       return v.empty() ? glm::vec3(otherwise) : glm::vec3(v[0], v[1], v[2]);
     };
     const glm::vec3 place = or3("translation", 0), scale = or3("scale", 1);
-    const std::vector<float> q = document_.numbers(node, "rotation", 4);
+    const std::vector<float> q = GltfDocument::numbers(node, "rotation", 4);
     const float x = q.empty() ? 0 : q[0], y = q.empty() ? 0 : q[1], z = q.empty() ? 0 : q[2],
                 w = q.empty() ? 1 : q[3];
     // The matrix of a unit quaternion, column by column, each scaled.
@@ -108,73 +107,69 @@ class GltfReader {
       glm::mat4 parent;
       int depth;
     };
-    const Json& scene = document_.item("scenes", document_.number(document_.root(), "scene", 0));
+    const JsonValue scene = document_.item("scenes", GltfDocument::number(document_.root(), "scene", 0));
     std::vector<Step> open;
-    for (const std::uint64_t node : document_.wholeNumbers(scene, "nodes"))
+    for (const std::uint64_t node : GltfDocument::wholeNumbers(scene, "nodes"))
       open.push_back({node, glm::mat4(1), 0});
     std::vector<Placed> placed;
     std::vector<bool> met(document_.size("nodes"));
     while (!open.empty()) {
       const Step step = open.back();
       open.pop_back();
-      const Json& node = document_.item("nodes", step.node);
+      const JsonValue node = document_.item("nodes", step.node);
       if (met[step.node])
         document_.refuse(fmt::format("has a node with two parents (number {})", step.node));
       met[step.node] = true;
       if (step.depth > mostNodeDepth)
         document_.refuse(fmt::format("nests its nodes deeper than {} levels", mostNodeDepth));
       const glm::mat4 transform = step.parent * transformOf(node);
-      if (node.contains("mesh")) placed.push_back({document_.number(node, "mesh"), transform});
-      for (const std::uint64_t child : document_.wholeNumbers(node, "children"))
+      if (node.has("mesh")) placed.push_back({GltfDocument::number(node, "mesh"), transform});
+      for (const std::uint64_t child : GltfDocument::wholeNumbers(node, "children"))
         open.push_back({child, transform, step.depth + 1});
       if (open.size() > met.size()) document_.refuse("has a node with two parents");
     }
     return placed;
   }
 
-  const Json& primitivesOf(std::size_t mesh) const {
-    const Json& described = document_.item("meshes", mesh);
-    const auto primitives = described.find("primitives");
-    if (primitives == described.end() || !primitives->is_array())
-      document_.refuse("has a mesh without a list of primitives");
-    return *primitives;
-  }
+  JsonValue primitivesOf(std::size_t mesh) const { return document_.item("meshes", mesh).at("primitives"); }
 
   template <class Visit>
   void forEachPrimitive(std::size_t mesh, const Visit& visit) const {
-    for (const Json& primitive : primitivesOf(mesh)) {
-      if (!primitive.is_object() || !primitive.contains("attributes") ||
-          !primitive.at("attributes").is_object())
-        document_.refuse("has a primitive without attributes");
-      const std::uint64_t mode = document_.number(primitive, "mode", 4);
-      if (mode > 6) document_.refuse(fmt::format("has a primitive of mode {}", mode));
-      if (mode >= 4) visit(primitive);  // the others are points and lines
-    }
+    primitivesOf(mesh).eachItem([&](const JsonValue& primitive) {
+      if (!primitive.has("attributes")) document_.refuse("has a primitive without attributes");
+      const std::uint64_t mode = modeOf(primitive);
+      if (mode > triangleFan) document_.refuse(fmt::format("has a primitive of mode {}", mode));
+      if (mode >= triangleList) visit(primitive);  // the others are points and lines
+    });
   }
 
-  std::size_t position(const Json& primitive) const {
-    return document_.number(primitive.at("attributes"), "POSITION");
+  static std::uint64_t modeOf(const JsonValue& primitive) {
+    return GltfDocument::number(primitive, "mode", triangleList);
   }
 
-  std::size_t cornerCount(const Json& primitive) const {
+  static std::size_t position(const JsonValue& primitive) {
+    return GltfDocument::number(primitive.at("attributes"), "POSITION");
+  }
+
+  std::size_t cornerCount(const JsonValue& primitive) const {
     const std::size_t count = document_.count(
-        primitive.contains("indices") ? document_.number(primitive, "indices") : position(primitive));
-    return document_.number(primitive, "mode", 4) == 4 ? count : 3 * count;
+        primitive.has("indices") ? GltfDocument::number(primitive, "indices") : position(primitive));
+    return modeOf(primitive) == triangleList ? count : 3 * count;
   }
 
   /// Values of an attribute for each vertex; empty where it has none.
-  std::vector<float> attribute(const Json& primitive, const char* name, std::size_t components,
+  std::vector<float> attribute(const JsonValue& primitive, const char* name, std::size_t components,
                                std::size_t vertices) const {
-    const Json& attributes = primitive.at("attributes");
-    if (!attributes.contains(name)) return {};
-    const std::size_t accessor = document_.number(attributes, name);
+    const JsonValue attributes = primitive.at("attributes");
+    if (!attributes.has(name)) return {};
+    const std::size_t accessor = GltfDocument::number(attributes, name);
     if (document_.count(accessor) != vertices)
       document_.refuse(
           fmt::format("has a {} for {} of {} vertices", name, document_.count(accessor), vertices));
     return document_.floats(accessor, components);
   }
 
-  void add(const Json& primitive, const glm::mat4& transform) {
+  void add(const JsonValue& primitive, const glm::mat4& transform) {
     const std::size_t vertices = document_.count(position(primitive));
     const std::vector<float> positions = attribute(primitive, "POSITION", 3, vertices);
     const std::vector<float> normals = attribute(primitive, "NORMAL", 3, vertices);
@@ -204,21 +199,22 @@ class GltfReader {
     for (const auto& [a, b, c] : triangles) builder_.triangle({first[a], first[b], first[c]});
   }
 
-  std::vector<std::array<unsigned, 3>> trianglesOf(const Json& primitive, std::size_t vertices) const {
+  std::vector<std::array<unsigned, 3>> trianglesOf(const JsonValue& primitive, std::size_t vertices) const {
     std::vector<unsigned> corners;
-    if (primitive.contains("indices")) corners = document_.indices(document_.number(primitive, "indices"));
+    const bool indexed = primitive.has("indices");
+    if (indexed) corners = document_.indices(GltfDocument::number(primitive, "indices"));
     for (const unsigned corner : corners)
       if (corner >= vertices)
         document_.refuse(fmt::format("has a triangle with vertex {} of {}", corner, vertices));
-    if (!primitive.contains("indices"))
+    if (!indexed)
       for (unsigned i = 0; i < vertices; ++i) corners.push_back(i);
     std::vector<std::array<unsigned, 3>> triangles;
-    const std::uint64_t mode = document_.number(primitive, "mode", 4);
-    const std::size_t step = mode == 4 ? 3 : 1;
+    const std::uint64_t mode = modeOf(primitive);
+    const std::size_t step = mode == triangleList ? 3 : 1;
     for (std::size_t i = 0; i + 2 < corners.size(); i += step) {
-      if (mode == 6)  // a fan around the first
+      if (mode == triangleFan)  // a fan around the first
         triangles.push_back({corners[0], corners[i + 1], corners[i + 2]});
-      else if (mode == 5 && i % 2 == 1)  // every second of a strip is turned
+      else if (mode == triangleStrip && i % 2 == 1)  // every second of a strip is turned
         triangles.push_back({corners[i], corners[i + 2], corners[i + 1]});
       else
         triangles.push_back({corners[i], corners[i + 1], corners[i + 2]});
@@ -233,7 +229,11 @@ class GltfReader {
 }  // namespace
 
 Mesh readGltf(const std::filesystem::path& file, std::string_view text) {
-  return GltfReader(file, text).read();
+  try {
+    return GltfReader(file, text).read();
+  } catch (const JsonError& error) {
+    refuseMesh(file, fmt::format("is no sound glTF: {}", error.what()));
+  }
 }
 
 }  // namespace simreel::sim

@@ -65,7 +65,7 @@ Disturb from(int frame, std::uint32_t array, std::uint32_t step, std::uint32_t e
   };
 }
 
-std::string refusal(std::span<const std::byte> bytes) {
+std::string decodeRefusal(std::span<const std::byte> bytes) {
   try {
     static_cast<void>(decodeTrace(bytes, "steps.bin"));
   } catch (const UserError& error) {
@@ -124,7 +124,7 @@ TEST_CASE("a trace file cut short anywhere is refused in one line") {
     std::vector<std::byte> part(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(size));
     for (const bool resigned : {false, true}) {
       if (resigned && size >= 40) sign(part);
-      const std::string message = refusal(part);
+      const std::string message = decodeRefusal(part);
       INFO(size, message);
       CHECK(message.find("steps.bin") != std::string::npos);
       CHECK(message.find('\n') == std::string::npos);
@@ -142,9 +142,9 @@ TEST_CASE("damage to a trace file is noticed, and none that is signed crashes th
       const auto put = round == 0 ? 0xffU : round == 1 ? 0x7fU : round == 2 ? 0U : random >> 24U;
       if (damaged[at] == static_cast<std::byte>(put)) continue;
       damaged[at] = static_cast<std::byte>(put);
-      CHECK(!refusal(damaged).empty());
+      CHECK(!decodeRefusal(damaged).empty());
       sign(damaged);
-      static_cast<void>(refusal(damaged));
+      static_cast<void>(decodeRefusal(damaged));
     }
 }
 
@@ -158,14 +158,14 @@ TEST_CASE("absurd numbers in a trace file take no memory") {
       std::memcpy(damaged.data() + at, &value, sizeof value);
       sign(damaged);
       INFO(at, " ", value);
-      CHECK(!refusal(damaged).empty());
+      CHECK(!decodeRefusal(damaged).empty());
     }
   // A block that the kernel cannot cut into equal shares would give other sums.
   auto uneven = encodeTrace(made({{"a", "b", 64, 64, 1}}, 0, 1, 12));
   const std::uint32_t perBlock = 97;
   std::memcpy(uneven.data() + 38, &perBlock, sizeof perBlock);
   sign(uneven);
-  CHECK(refusal(uneven).find("sizes make no sense") != std::string::npos);
+  CHECK(decodeRefusal(uneven).find("sizes make no sense") != std::string::npos);
 }
 
 TEST_CASE("equal traces have no divergence") {

@@ -63,14 +63,14 @@ TEST_CASE("node graphs of glTF that double, turn in circles or go a million deep
   checkHas(refusalOf("nobody.gltf", gltf(R"([{"children":[1]}])")), "names number 1 of its 1 nodes");
   checkHas(refusalOf("json.gltf", R"({"asset":{"version":"2.0"},"extras":)" + times(1'000'000, "[") +
                                       times(1'000'000, "]") + "}"),
-           "JSON deeper");
+           "nested deeper");
 }
 
 TEST_CASE("a glTF that counts more than its bytes hold is refused before the bytes are read") {
   const std::string node = R"([{"mesh":0}])";
   checkHas(refusalOf("four.gltf", gltf(node, "4")), "count is 4: 48 bytes, of which its view holds 36");
   checkHas(refusalOf("many.gltf", gltf(node, "20000000")), "count");
-  checkHas(refusalOf("none.gltf", gltf(node, "0")), "count is not between");
+  checkHas(refusalOf("none.gltf", gltf(node, "0")), "count must be between");
   const auto changed = [&](const std::string& from, const std::string& to) {
     std::string text = gltf(node);
     text.replace(text.find(from), from.size(), to);
@@ -136,7 +136,6 @@ TEST_CASE("glTF strips, fans, sparse values, normalised numbers and binary files
                  R"("values":{"bufferView":0,"byteOffset":12}})");
   const std::size_t views = sparse.find(R"("bufferViews":[)") + 15;
   sparse.insert(sparse.find(']', views), R"(,{"buffer":0,"byteOffset":0,"byteLength":1})");
-  sparse.insert(sparse.find(R"("sparse")"), R"("type":"VEC3",)");
   const sim::Mesh moved = mesh("sparse.gltf", sparse);
   REQUIRE(moved.positions.size() == 2);
   CHECK(moved.positions[0] == glm::vec3(1, 0, 0));

@@ -2,6 +2,7 @@
 // one oscillator stepped in float64, and against cloth that is stepped near it.
 #include "base/error.hpp"
 #include "reference/cloth_twin.hpp"
+#include "unit/help.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,6 +14,7 @@
 #include <glm/geometric.hpp>
 
 using namespace simreel;
+using simreel::test::has;
 
 namespace {
 
@@ -104,10 +106,6 @@ std::string refusal(const sim::ClothParameters& p, double frameSeconds) {
     return error.what();
   }
   return "";
-}
-
-bool has(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
 }
 
 }  // namespace
