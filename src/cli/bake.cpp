@@ -86,20 +86,8 @@ void bake(const BakeOptions& o) {
         fail(ExitCode::inputOutput, "{} exists; use --overwrite to replace it", file.string());
   makeFolders(o.output);
   int files = 0;
-  int simulated = world.firstFrame();
   for (const int frame : frames) {
-    for (; simulated <= frame; ++simulated) {
-      if (const int signal = frame::interruptSignal()) {
-        info("simreel: interrupted; the {} files written so far are whole", files);
-        return setExitCode(128 + signal);
-      }
-      if (simulated < frame)
-        world.passTo(simulated);
-      else
-        world.advanceTo(simulated);
-      world.startSummary();
-      static_cast<void>(world.takeSummary(true));  // throws when the state is lost
-    }
+    if (!simulateTo(world, frame, files)) return;
     for (const BakedFile& baked : all) {
       std::vector<std::string> comments = {
           fmt::format("simreel {}", version()), fmt::format("scene {}", scene.hash),
@@ -131,8 +119,7 @@ void addBake(CLI::App& app) {
           "--format", o->format,
           "ply: points or deformed meshes; obj: deformed meshes; npy, pfm: values of fields; rle: cells of "
           "automata; maps: of skins, textures that tile (albedo, normal with +y up, 16-bit height, "
-          "roughness, "
-          "occlusion; --size sets theirs). None given: rle, ply or npy, what there is")
+          "roughness, occlusion; --size sets theirs). None given: rle, ply or npy, what there is")
       ->check(CLI::IsMember(formats));
   command->add_option("--frames", o->frames,
                       "Frames to write, for example 0-99x2,150; none given: all, of maps the last");

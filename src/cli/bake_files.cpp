@@ -1,11 +1,16 @@
 #include "cli/bake_files.hpp"
 
 #include "base/error.hpp"
+#include "base/log.hpp"
+#include "cli/commands.hpp"
 #include "frame/file/field_file.hpp"
 #include "frame/file/obj.hpp"
 #include "frame/file/ply.hpp"
+#include "frame/interrupt.hpp"
+#include "frame/summaries.hpp"
 #include "sim/grid/field_values.hpp"
 
+#include <algorithm>
 #include <optional>
 
 namespace simreel::cli {
@@ -97,6 +102,22 @@ std::vector<std::byte> stateFile(const sim::World& world, std::size_t object, co
   if (mesh) return meshPly(*mesh, comments);
   const sim::PointTable table = simulation.points();
   return frame::encodePly(table.columns, table.values, comments);
+}
+
+bool simulateTo(sim::World& world, int frame, int files) {
+  for (int next = std::min(world.frame() + 1, frame); next <= frame; ++next) {
+    if (const int signal = frame::interruptSignal()) {
+      info("simreel: interrupted; the {} files written so far are whole", files);
+      setExitCode(128 + signal);
+      return false;
+    }
+    if (next < frame)
+      world.passTo(next);
+    else
+      world.advanceTo(next);
+    frame::checkState(world);
+  }
+  return true;
 }
 
 }  // namespace simreel::cli

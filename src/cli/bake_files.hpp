@@ -27,4 +27,8 @@ inline constexpr std::array<const char*, 5> stateFormats = {"ply", "obj", "npy",
                                                const std::string& name, const std::string& format,
                                                std::span<const std::string> comments);
 
+/// Simulates up to a frame, the only one that is looked at. After an interrupt false, having said that so
+/// many files are whole.
+[[nodiscard]] bool simulateTo(sim::World& world, int frame, int files);
+
 }  // namespace simreel::cli

@@ -4,6 +4,7 @@
 #include "base/file.hpp"
 #include "base/log.hpp"
 #include "base/version.hpp"
+#include "cli/bake_files.hpp"
 #include "cli/commands.hpp"
 #include "draw/overlay/field_textures.hpp"
 #include "draw/surface/skin_look.hpp"
@@ -161,20 +162,8 @@ void bakeMaps(const MapsOptions& o) {
   sim::World world(scene);
   MapWriter writer(o, scene, size);
   makeFolders(o.output);
-  int simulated = world.firstFrame();
   for (const int frame : frames) {
-    for (; simulated <= frame; ++simulated) {
-      if (const int signal = frame::interruptSignal()) {
-        info("simreel: interrupted; the {} files written so far are whole", writer.files());
-        return setExitCode(128 + signal);
-      }
-      if (simulated < frame)
-        world.passTo(simulated);
-      else
-        world.advanceTo(simulated);
-      world.startSummary();
-      static_cast<void>(world.takeSummary(true));  // throws when the state is lost
-    }
+    if (!simulateTo(world, frame, writer.files())) return;
     writer.write(world, objects);
   }
   info("{} files -> {}", writer.files(),

@@ -6,6 +6,7 @@
 #include "cli/device_options.hpp"
 #include "cli/scene_options.hpp"
 #include "draw/screen/renderer.hpp"
+#include "frame/summaries.hpp"
 #include "gl/context.hpp"
 #include "scene/scene_texts.hpp"
 #include "sim/core/numerics.hpp"
@@ -36,8 +37,7 @@ void checkOnDevice(const scene::Scene& scene, const sim::Numerics& numerics) {
   sim::World world(scene);
   draw::Renderer renderer(scene, scene.render.size, scene.render.samples);
   renderer.draw(world.time(), world.drawables());
-  world.startSummary();
-  static_cast<void>(world.takeSummary(true));  // throws when the state is lost
+  frame::checkState(world);
 }
 
 /// The mistakes of one scene; none: it can be used.

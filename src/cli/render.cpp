@@ -81,7 +81,7 @@ void render(const RenderOptions& o) {
       .processor = machine.processor,
       .overrides = scene.overrides,
   };
-  const auto sink = frame::openSink(o.output, existing, run, frames, o.streamFormat);
+  const auto sink = frame::openSink(output, existing, run, frames, o.streamFormat);
   frame::BesideFrames beside;
   if (fields) beside.fields = &*fields;
   beside.counts = !o.noCounts;

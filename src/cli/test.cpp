@@ -169,7 +169,7 @@ int runAll(const std::vector<golden::SceneFile>& scenes, golden::Suite& suite, c
   for (const golden::SceneFile& scene : scenes) {
     try {
       result.scenes.push_back(suite.test(scene));
-    } catch (const golden::Interrupted& interrupted) {
+    } catch (const frame::Interrupted& interrupted) {
       return interrupted.signal;
     }
     if (verbosity() != Verbosity::quiet) {

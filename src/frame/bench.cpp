@@ -41,7 +41,7 @@ struct BenchRun::State {
       : scene(std::move(shown)),
         context(device),
         timing(how),
-        depth(timing == Timing::wait ? 0 : 2),
+        depth(timing == Timing::wait ? 0 : draw::Readback::maxUnderWay - 1),
         world(scene, timing != Timing::whole),
         renderer(scene, scene.render.size, scene.render.samples),
         readback(scene.render.size) {

@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 #include "base/hash.hpp"
+#include "base/text.hpp"
 #include "sim/grid/picture_file.hpp"
 
 #include <algorithm>
@@ -147,20 +148,6 @@ void appendBigEndian(File& file, std::uint32_t value) {
   for (const int shift : {24, 16, 8, 0}) file.push_back(static_cast<std::byte>((value >> shift) & 0xff));
 }
 
-/// Decodes one UTF-8 character from `text` at `i`, moving `i` past it; -1 when it is malformed.
-int nextCharacter(std::string_view text, std::size_t& i) {
-  const auto lead = static_cast<unsigned char>(text[i++]);
-  if (lead < 0x80) return lead;
-  const int more = lead >= 0xf0 ? 3 : lead >= 0xe0 ? 2 : 1;
-  if (lead < 0xc2 || lead > 0xf4) return -1;
-  int code = lead & (0x3f >> more);
-  for (int k = 0; k < more; ++k, ++i) {
-    if (i >= text.size() || (static_cast<unsigned char>(text[i]) & 0xc0) != 0x80) return -1;
-    code = (code << 6) | (text[i] & 0x3f);
-  }
-  return code;
-}
-
 struct ChunkText {
   std::string latin1;
   std::string utf8;
@@ -171,15 +158,12 @@ struct ChunkText {
 ChunkText convertText(std::string_view value) {
   ChunkText result;
   for (std::size_t i = 0; i < value.size();) {
-    const std::size_t begin = i;
-    const int code = nextCharacter(value, i);
-    if (code <= 0) {
-      result.latin1 += '?';
-      result.utf8 += '?';
-      continue;
-    }
-    result.utf8 += value.substr(begin, i - begin);
-    result.latin1 += static_cast<char>(code <= 0xff ? code : '?');
+    const std::size_t length = codePointLength(value, i);
+    const std::string_view character = value.substr(i, std::max<std::size_t>(length, 1));
+    const char32_t code = length > 0 ? codePoint(character) : U'\0';
+    i += character.size();
+    result.utf8 += code == 0 ? "?" : character;
+    result.latin1 += code == 0 || code > 0xff ? '?' : static_cast<char>(code);
     result.fitsLatin1 = result.fitsLatin1 && code <= 0xff;
   }
   return result;

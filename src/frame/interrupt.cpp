@@ -78,6 +78,10 @@ int interruptSignal() {
   return arrived;
 }
 
+void throwIfInterrupted() {
+  if (const int signal = interruptSignal()) throw Interrupted{signal};
+}
+
 void ignoreBrokenPipes() {
   struct sigaction action {};
   action.sa_handler = SIG_IGN;

@@ -15,6 +15,7 @@ void catchInterrupts();
 
 /// The signal that arrived, or 0. Poll it between frames; then finish() the sink and exit 128 + it.
 [[nodiscard]] int interruptSignal();
+void throwIfInterrupted();
 
 /// Makes writing to a closed pipe an error (EPIPE) instead of the end of the process.
 void ignoreBrokenPipes();

@@ -13,9 +13,11 @@
 
 namespace simreel::draw {
 
-/// Copies finished pictures to the CPU while later frames are drawn: up to three are under way.
+/// Copies finished pictures to the CPU while later frames are drawn.
 class Readback {
  public:
+  static constexpr std::size_t maxUnderWay = 3;
+
   explicit Readback(glm::ivec2 size);
   ~Readback();
   Readback(Readback&&) = delete;
@@ -43,7 +45,7 @@ class Readback {
   };
   glm::ivec2 size_;
   std::size_t bytes_;
-  std::array<Slot, 3> slots_;
+  std::array<Slot, maxUnderWay> slots_;
   std::size_t oldest_ = 0;
   std::size_t count_ = 0;
 };

@@ -125,8 +125,7 @@ void OutputLock::claim(const std::string& run, std::span<const int> frames) cons
     if (other != run)
       fail(ExitCode::inputOutput,
            "another simreel is rendering another scene, seed or size into {}; wait for it, or choose "
-           "another "
-           "folder",
+           "another folder",
            folder);
   }
   for (const Range& range : rangesOf(frames)) {

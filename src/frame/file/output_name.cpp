@@ -1,11 +1,11 @@
 #include "frame/file/output_name.hpp"
 
 #include "base/error.hpp"
+#include "base/file.hpp"
 #include "base/text.hpp"
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -18,17 +18,10 @@ namespace fs = std::filesystem;
 
 constexpr std::array<std::string_view, 10> videoExtensions = {".mp4", ".webm", ".gif", ".mkv", ".mov",
                                                               ".avi", ".apng", ".m4v", ".ogv", ".mpg"};
+constexpr int maxDigits = 20;  ///< of a frame number
 constexpr const char* supported =
     "supported are a folder, NAME_####.png, NAME.png for one frame, a video (.mp4, .webm, .gif, .mkv, "
-    ".mov, "
-    ".avi, .apng, .m4v, .ogv, .mpg), or - for standard output";
-
-std::string lowerExtension(const std::string& name) {
-  std::string extension = fs::path(name).extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension;
-}
+    ".mov, .avi, .apng, .m4v, .ogv, .mpg), or - for standard output";
 
 /// Where the frame number stands in a file name.
 struct Placeholder {
@@ -47,7 +40,7 @@ std::optional<Placeholder> printfAt(const std::string& name, std::size_t at) {
     while (i < name.size() && isDigit(name[i]) && i - widthAt < 3) digits = digits * 10 + (name[i++] - '0');
     if (i == widthAt) return std::nullopt;
   }
-  if (i >= name.size() || name[i] != 'd' || digits > 20) return std::nullopt;
+  if (i >= name.size() || name[i] != 'd' || digits > maxDigits) return std::nullopt;
   return Placeholder{at, i + 1 - at, digits};
 }
 
@@ -57,7 +50,8 @@ std::vector<Placeholder> findPlaceholders(const std::string& output, const std::
   for (std::size_t i = 0; i < name.size();) {
     if (name[i] == '#') {
       const std::size_t end = std::min(name.find_first_not_of('#', i), name.size());
-      if (end - i > 20) fail(ExitCode::usage, "--output {}: at most 20 # are allowed", output);
+      if (end - i > std::size_t{maxDigits})
+        fail(ExitCode::usage, "--output {}: at most {} # are allowed", output, maxDigits);
       found.push_back({i, end - i, static_cast<int>(end - i)});
       i = end;
     } else if (name[i] == '%') {
@@ -156,7 +150,7 @@ OutputName parseOutput(const std::string& output, std::size_t frameCount) {
          output);
   if (auto pattern = patternOutput(output)) return *pattern;
 
-  const std::string extension = lowerExtension(path.filename().string());
+  const std::string extension = lowerExtension(path);
   if (extension.empty()) return folderOutput(path);
   if (extension == ".png") {
     if (frameCount != 1)

@@ -75,18 +75,12 @@ std::map<int, ManifestFrame> SharedManifest::inherit(Existing existing) {
   return own;
 }
 
-void SharedManifest::write(Manifest manifest) {
-  const OutputLock::Shared shared(lock_);
-  merge();
-  store(std::move(manifest));
-}
-
 void SharedManifest::write(Manifest manifest, std::string_view counts) {
   const OutputLock::Shared shared(lock_);
   merge();
   std::exception_ptr failure;
   try {
-    if (!manifest.frames.empty() || !others_.frames.empty()) storeCounts(counts);
+    if (!counts.empty() && (!manifest.frames.empty() || !others_.frames.empty())) storeCounts(counts);
   } catch (const UserError&) {
     failure = std::current_exception();  // the frames are whole all the same
   }

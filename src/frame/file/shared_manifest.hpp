@@ -25,11 +25,10 @@ class SharedManifest {
   /// read is a warning then.
   [[nodiscard]] std::map<int, ManifestFrame> inherit(Existing existing);
   /// Writes it, and before that makes the names of the frames in it last; with what others have added of
-  /// their frames meanwhile. Without any frame nothing. Throws UserError(inputOutput).
-  void write(Manifest manifest);
-  /// Writes the table of counts, and its hash into the manifest; an existing table that begins with all of
-  /// this one stays where its hash holds. Throws UserError(inputOutput).
-  void write(Manifest manifest, std::string_view counts);
+  /// their frames meanwhile. Without any frame nothing: it would only stand in the way of the next scene.
+  /// `counts`, if any, is the table of counts: an existing one that begins with all of it stays where its
+  /// hash holds. Throws UserError(inputOutput).
+  void write(Manifest manifest, std::string_view counts = {});
   [[nodiscard]] bool ownsCheckpoint() const { return lock_.ownsCheckpoint(); }
   /// Others may have the frames.
   void release() noexcept { lock_.release(); }

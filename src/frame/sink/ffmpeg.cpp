@@ -1,11 +1,11 @@
 #include "frame/sink/ffmpeg.hpp"
 
 #include "base/error.hpp"
+#include "base/file.hpp"
 #include "base/process.hpp"
 #include "frame/interrupt.hpp"
 #include "frame/sink/stream_sink.hpp"
 
-#include <algorithm>
 #include <cctype>
 #include <cerrno>
 #include <cstring>
@@ -17,14 +17,6 @@
 namespace simreel::frame {
 
 namespace {
-
-/// With its dot, in lower case.
-std::string extensionOf(const std::filesystem::path& file) {
-  std::string extension = file.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension;
-}
 
 bool hasH264(const std::string& extension) {
   return extension == ".mp4" || extension == ".m4v" || extension == ".mov" || extension == ".mkv";
@@ -78,7 +70,7 @@ std::vector<std::string> ffmpegArguments(const std::filesystem::path& file, int 
                                      "-s",       fmt::format("{}x{}", width, height),
                                      "-r",       fmt::format("{}", fps),
                                      "-i",       "pipe:0"};
-  const std::vector<std::string> encoder = encoderArguments(extensionOf(file));
+  const std::vector<std::string> encoder = encoderArguments(lowerExtension(file));
   result.insert(result.end(), encoder.begin(), encoder.end());
   // Bit-exact: no version or time in the file. "file:" keeps a name with - or : from being read otherwise.
   result.insert(result.end(), {"-fflags", "+bitexact", "-flags:v", "+bitexact", "file:" + file.string()});
@@ -86,7 +78,7 @@ std::vector<std::string> ffmpegArguments(const std::filesystem::path& file, int 
 }
 
 std::pair<int, int> videoSize(const std::filesystem::path& file, int width, int height) {
-  const std::string extension = extensionOf(file);
+  const std::string extension = lowerExtension(file);
   if (!hasH264(extension) && extension != ".webm") return {width, height};
   return {width + width % 2, height + height % 2};
 }
@@ -130,9 +122,11 @@ void Ffmpeg::write(std::span<const std::byte> bytes) {
   if (error == 0) return;
   if (error != EPIPE) fail(ExitCode::inputOutput, "cannot write to ffmpeg: {}", std::strerror(error));
   // It closed its end, so it has ended or is about to; one that lingers is not waited for long.
+  constexpr int attempts = 200;
+  constexpr useconds_t pause = 10'000;  // microseconds
   siginfo_t ended{};
-  for (int k = 0; k < 200 && ended.si_pid == 0; ++k) {
-    if (k > 0) ::usleep(10'000);
+  for (int k = 0; k < attempts && ended.si_pid == 0; ++k) {
+    if (k > 0) ::usleep(pause);
     if (::waitid(P_PID, static_cast<id_t>(process_), &ended, WEXITED | WNOWAIT | WNOHANG) != 0) break;
   }
   if (ended.si_pid == 0) {

@@ -20,6 +20,9 @@ class FrameQueue {
   /// No image: only the files beside it.
   using Handler = std::function<void(const FrameInfo&, const std::optional<Image>&)>;
 
+  /// For a thread that takes frames in order: what evens out frames that take longer than others.
+  static constexpr std::size_t maxWaitingInOrder = 4;
+
   /// At most `most` frames wait, besides one at work in each thread.
   FrameQueue(std::size_t threads, std::size_t most, Handler handler);
   ~FrameQueue();

@@ -10,12 +10,11 @@
 
 namespace simreel::frame {
 
-std::unique_ptr<FrameSink> openSink(const std::string& output, Existing existing, const RunInfo& run,
+std::unique_ptr<FrameSink> openSink(const OutputName& output, Existing existing, const RunInfo& run,
                                     std::span<const int> frames, const std::string& streamFormat) {
-  const OutputName name = parseOutput(output, frames.size());
-  switch (name.kind) {
+  switch (output.kind) {
     case OutputName::Kind::video:
-      return openVideoSink(name, existing, run, frames);
+      return openVideoSink(output, existing, run, frames);
     case OutputName::Kind::stream:
       if (existing == Existing::resume || existing == Existing::skip)
         fail(ExitCode::usage,
@@ -25,7 +24,7 @@ std::unique_ptr<FrameSink> openSink(const std::string& output, Existing existing
     case OutputName::Kind::single:
       break;
   }
-  return openSequenceSink(name, existing, run, frames);
+  return openSequenceSink(output, existing, run, frames);
 }
 
 }  // namespace simreel::frame

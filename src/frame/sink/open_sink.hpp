@@ -9,9 +9,9 @@
 
 namespace simreel::frame {
 
-/// Makes the sink that `output` asks for. `frameCount` tells whether a plain name.png may be used.
-/// Throws UserError: usage for a senseless name, inputOutput where nothing can be written or files exist.
-[[nodiscard]] std::unique_ptr<FrameSink> openSink(const std::string& output, Existing existing,
+/// Makes the sink that `output` asks for. Throws UserError: usage for what it cannot do, inputOutput where
+/// nothing can be written or files exist.
+[[nodiscard]] std::unique_ptr<FrameSink> openSink(const OutputName& output, Existing existing,
                                                   const RunInfo& run, std::span<const int> frames,
                                                   const std::string& streamFormat);
 

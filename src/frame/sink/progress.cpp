@@ -57,8 +57,7 @@ void Progress::frame(int number, const StageTimes& stages) {
   if (mode_ == Mode::ndjson)
     write(
         fmt::format("{{\"event\":\"frame\",\"frame\":{},\"done\":{},\"total\":{},\"seconds\":{:.3f},"
-                    "\"simulate\":{:.6f},"
-                    "\"draw\":{:.6f},\"readBack\":{:.6f},\"encode\":{:.6f}}}\n",
+                    "\"simulate\":{:.6f},\"draw\":{:.6f},\"readBack\":{:.6f},\"encode\":{:.6f}}}\n",
                     number, done_, total_, secondsSince(begin_), stages.simulate, stages.draw,
                     stages.readBack, stages.encode));
   if (mode_ == Mode::terminal && (done_ == total_ || Clock::now() - lastShown_ >= showEvery)) show();
@@ -101,8 +100,9 @@ std::string progressLine(int done, int total, double seconds, int width) {
     text += fmt::format("  {:.1f} frames/s", rate);
     if (done < total) text += fmt::format("  {} left", formatDuration((total - done) / rate));
   }
-  const int room = std::min(40, width - static_cast<int>(text.size()) - 2);
-  if (room < 5)
+  constexpr int minBar = 5, maxBar = 40;
+  const int room = std::min(maxBar, width - static_cast<int>(text.size()) - 2);
+  if (room < minBar)
     return text.substr(std::min<std::size_t>(1, text.size()), static_cast<std::size_t>(std::max(0, width)));
   const double part = total > 0 ? std::clamp(static_cast<double>(done) / total, 0.0, 1.0) : 1.0;
   const auto filled = static_cast<std::size_t>(part * room);

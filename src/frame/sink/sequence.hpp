@@ -1,13 +1,12 @@
 #pragma once
-#include "frame/file/run_info.hpp"
+#include "base/clock.hpp"
+#include "frame/sink/checkpoint_keeper.hpp"
 #include "frame/sink/field_files.hpp"
 #include "frame/sink/frame_sink.hpp"
 #include "frame/sink/progress.hpp"
 #include "gl/context.hpp"
 #include "scene/scene.hpp"
 
-#include <filesystem>
-#include <optional>
 #include <vector>
 
 namespace simreel::frame {
@@ -18,14 +17,6 @@ struct SequenceResult {
   int signal = 0;      ///< that interrupted it, or 0
   double seconds = 0;  ///< wall clock
   StageTimes stages;   ///< simulate and draw: device time on a GPU; encode is over all threads
-};
-
-/// Where a run's state is kept from time to time, so that it can go on after an end that nobody wanted.
-struct Checkpoints {
-  std::filesystem::path file;  ///< empty: none are written or read
-  double seconds = 60;         ///< between two; 0: none are written
-  bool resume = false;         ///< go on from the one that is there
-  RunInfo run = {};
 };
 
 /// What is written beside the pictures.

@@ -45,7 +45,8 @@ class SequenceSink final : public FrameSink {
         file_(output_, run, frames) {
     manifest_.run = run;
     if (existing == Existing::error) refuseExisting();
-    room_ = ReservedRoom(output_.folder, 1024 + 256 * frames_.size());
+    constexpr std::size_t runBytes = 1024, frameBytes = 256;  // of a manifest, or more
+    room_ = ReservedRoom(output_.folder, runBytes + frameBytes * frames_.size());
     auto known = file_.inherit(existing);
     if (existing == Existing::skip || existing == Existing::resume)
       keepWholeFrames(existing, known);
@@ -101,7 +102,7 @@ class SequenceSink final : public FrameSink {
   void finish() override {
     waitForAll();
     finished_ = true;
-    writeManifest();
+    file_.write(manifest_, counts_);
     leaveFolder();
   }
 
@@ -270,18 +271,10 @@ class SequenceSink final : public FrameSink {
     }
   }
 
-  /// With no worker at work. Nothing rendered, nothing to say: an empty manifest would only stand in the
-  /// way of the next scene.
-  void writeManifest() {
-    if (counts_.empty())
-      file_.write(manifest_);
-    else
-      file_.write(manifest_, counts_);
-  }
-
+  /// With no worker at work.
   void writeManifestQuietly() noexcept {
     try {
-      writeManifest();
+      file_.write(manifest_, counts_);
     } catch (...) {  // NOLINT(bugprone-empty-catch): the error that ended the run is the one to report.
     }
     leaveFolder();

@@ -76,7 +76,8 @@ class StreamSink final : public FrameSink {
   bool y4m_;
   bool started_ = false;
   RunInfo run_;
-  FrameQueue queue_{1, 4, [this](const FrameInfo&, const std::optional<Image>& image) {
+  FrameQueue queue_{1, FrameQueue::maxWaitingInOrder,
+                    [this](const FrameInfo&, const std::optional<Image>& image) {
                       if (image) handle(*image);
                     }};
 };

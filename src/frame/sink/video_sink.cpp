@@ -50,9 +50,10 @@ class VideoSink final : public FrameSink {
           "{}x{}",
           file_.string(), run.width, run.height, width, height, width, height);
     ffmpeg_.emplace(ffmpegArguments(part_, run.width, run.height, run.fps));
-    queue_.emplace(1, 4, [this](const FrameInfo& info, const std::optional<Image>& image) {
-      if (image) handle(info, *image);
-    });
+    queue_.emplace(1, FrameQueue::maxWaitingInOrder,
+                   [this](const FrameInfo& info, const std::optional<Image>& image) {
+                     if (image) handle(info, *image);
+                   });
   }
 
   ~VideoSink() override {
@@ -87,10 +88,7 @@ class VideoSink final : public FrameSink {
     seconds_ = queue_->seconds();
     queue_.reset();
     renameDurably(part_, file_);
-    if (counts_.empty())
-      shared_->write(manifest_);
-    else
-      shared_->write(manifest_, counts_);
+    shared_->write(manifest_, counts_);
     shared_.reset();
   }
 

@@ -3,7 +3,6 @@
 #include "base/error.hpp"
 #include "base/process.hpp"
 #include "frame/interrupt.hpp"
-#include "golden/suite/scene_run.hpp"
 
 #include <algorithm>
 #include <cerrno>
@@ -21,10 +20,6 @@ namespace {
 
 constexpr int patience = 50;  ///< ms between looks for a signal, which may arrive just before a wait
 constexpr std::size_t longestLine = std::size_t{16} << 20;
-
-void throwIfInterrupted() {
-  if (const int signal = frame::interruptSignal(); signal != 0) throw Interrupted{signal};
-}
 
 /// The line of a program's messages that says what went wrong.
 std::string decisiveLine(const std::string& messages) {
@@ -82,7 +77,7 @@ void ChildCommand::end() noexcept {
 
 bool ChildCommand::more() {
   for (;;) {
-    throwIfInterrupted();
+    frame::throwIfInterrupted();
     pollfd wait{output_, POLLIN, 0};
     const int ready = ::poll(&wait, 1, patience);
     if (ready < 0 && errno != EINTR)
@@ -128,7 +123,7 @@ std::vector<std::byte> ChildCommand::rest(std::size_t mostBytes) {
 void ChildCommand::finish() {
   int status = 0;
   for (;;) {
-    throwIfInterrupted();
+    frame::throwIfInterrupted();
     const pid_t ended = ::waitpid(process_, &status, WNOHANG);
     if (ended == process_ || (ended < 0 && errno != EINTR)) break;
     ::usleep(2000);

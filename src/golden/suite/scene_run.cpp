@@ -5,6 +5,7 @@
 #include "draw/screen/readback.hpp"
 #include "draw/screen/renderer.hpp"
 #include "frame/interrupt.hpp"
+#include "frame/summaries.hpp"
 #include "golden/suite/check.hpp"
 #include "sim/world/world.hpp"
 
@@ -14,37 +15,11 @@ namespace simreel::golden {
 
 namespace {
 
-/// Every frame's loss report is looked at, as render does; the summary of `frame` is returned.
-class Summaries {
- public:
-  explicit Summaries(sim::World& world) : world_(world) {}
-
-  void start() {
-    if (underWay_ == mostUnderWay) take();
-    world_.startSummary();
-    ++underWay_;
-  }
-  sim::World::Summary last() {
-    while (underWay_ > 0) take();
-    return latest_;
-  }
-
- private:
-  static constexpr int mostUnderWay = 6;
-  void take() {
-    latest_ = *world_.takeSummary(true);
-    --underWay_;
-  }
-  sim::World& world_;
-  sim::World::Summary latest_;
-  int underWay_ = 0;
-};
-
 class Runner {
  public:
   Runner(const scene::Scene& scene, std::span<const int> frames)
       : world_(scene),
-        summaries_(world_),
+        summaries_(world_, [this](const auto& summary) { summary_ = summary; }),
         renderer_(scene, scene.render.size, scene.render.samples),
         readback_(scene.render.size),
         size_(scene.render.size),
@@ -73,12 +48,12 @@ class Runner {
   void simulateTo(int frame) {
     const Clock::time_point begin = Clock::now();
     while (!started_ || world_.frame() < frame) {
-      if (const int signal = frame::interruptSignal()) throw Interrupted{signal};
+      frame::throwIfInterrupted();
       world_.advanceTo(started_ ? world_.frame() + 1 : 0);
       started_ = true;
       summaries_.start();
     }
-    summary_ = summaries_.last();
+    summaries_.takeAll();
     glFinish();
     result_.simulateSeconds += secondsSince(begin);
   }
@@ -97,12 +72,12 @@ class Runner {
   }
 
   sim::World world_;
-  Summaries summaries_;
+  frame::Summaries summaries_;  ///< of every frame: a state that is lost shows there
   draw::Renderer renderer_;
   draw::Readback readback_;
   glm::ivec2 size_;
   Checker checker_;
-  sim::World::Summary summary_;
+  sim::World::Summary summary_;  ///< the latest
   SceneRun result_;
   bool started_ = false;
 };

@@ -1,6 +1,5 @@
 #pragma once
 #include "frame/image.hpp"
-#include "frame/interrupt.hpp"
 #include "golden/baseline/baseline.hpp"
 #include "golden/result.hpp"
 #include "scene/scene.hpp"
@@ -29,8 +28,6 @@ struct SceneRun {
 /// Simulates and draws the frames on the current context, evaluating the scene's checks on the way. Throws
 /// UserError as World, Renderer and Checker do, and Interrupted after SIGINT or SIGTERM.
 [[nodiscard]] SceneRun runScene(const scene::Scene& scene, std::span<const int> frames);
-
-using frame::Interrupted;
 
 /// "frame 60: flag.positions differs", or "frame 60: the pictures differ": the first difference between two
 /// runs of one scene, or empty.

@@ -26,7 +26,7 @@ std::vector<int> upTo(int count) {
 std::vector<int> renderInto(const std::string& output, Existing existing, int count,
                             const RunInfo& run = runInfo()) {
   const auto frames = upTo(count);
-  const auto sink = openSink(output, existing, run, frames, "rgba");
+  const auto sink = openSink(parseOutput(output, frames.size()), existing, run, frames, "rgba");
   std::vector<int> drawn;
   for (const int frame : frames) {
     if (!sink->wants(frame)) continue;
@@ -91,7 +91,8 @@ TEST_CASE("sequence: resume draws anew what is missing, cut short or changed") {
     CHECK(text(folder / fmt::format("{:06}.png", frame)) == files[frame]);
 
   const auto frames = upTo(8);
-  const auto sink = openSink(output, Existing::resume, runInfo(), frames, "rgba");
+  const auto sink =
+      openSink(parseOutput(output, frames.size()), Existing::resume, runInfo(), frames, "rgba");
   CHECK(sink->knownStateHash(5) == "state5");
   CHECK(sink->summary() == (folder / "000000.png").string() + " ... " + (folder / "000007.png").string());
   sink->finish();
@@ -129,7 +130,8 @@ TEST_CASE("sequence: files beside a frame are kept where the manifest and their 
   const TemporaryFolder folder;
   const std::vector<int> frames = {0};
   const auto store = [&](Existing existing) {
-    const auto sink = openSink(folder.string(), existing, runInfo(), frames, "rgba");
+    const auto sink =
+        openSink(parseOutput(folder.string(), frames.size()), existing, runInfo(), frames, "rgba");
     FrameInfo info = frameInfo(0);
     for (const char* name : {"000000.a.npy", "000000.b.npy"})
       if (!sink->holds(0, name)) info.files.push_back({name, std::vector<std::byte>(9)});
@@ -168,7 +170,8 @@ TEST_CASE("sequence: a later run with other frames keeps the earlier ones in the
   const TemporaryFolder folder;
   renderInto(folder.string(), Existing::error, 3);
   const std::vector<int> frames = {1};
-  const auto sink = openSink(folder.string(), Existing::overwrite, runInfo(), frames, "rgba");
+  const auto sink =
+      openSink(parseOutput(folder.string(), frames.size()), Existing::overwrite, runInfo(), frames, "rgba");
   sink->add(frameInfo(1), picture(32, 18, 1));
   sink->finish();
   CHECK(parseManifest(text(folder / "manifest.json"), "manifest").frames.size() == 3);
@@ -178,7 +181,8 @@ TEST_CASE("sequence: frames done before an error elsewhere can be resumed") {
   const TemporaryFolder folder;
   const auto frames = upTo(4);
   {
-    const auto sink = openSink(folder.string(), Existing::error, runInfo(), frames, "rgba");
+    const auto sink =
+        openSink(parseOutput(folder.string(), frames.size()), Existing::error, runInfo(), frames, "rgba");
     sink->add(frameInfo(0), picture(32, 18, 0));
   }
   CHECK(renderInto(folder.string(), Existing::resume, 4) == std::vector{1, 2, 3});
@@ -219,7 +223,8 @@ TEST_CASE("sequence: a full disk is one user error, and the run can be resumed")
 TEST_CASE("sequence: one picture under a plain name") {
   const TemporaryFolder folder;
   const std::vector<int> frames = {150};
-  const auto sink = openSink((folder / "poster.png").string(), Existing::error, runInfo(), frames, "rgba");
+  const auto sink = openSink(parseOutput((folder / "poster.png").string(), frames.size()), Existing::error,
+                             runInfo(), frames, "rgba");
   sink->add(frameInfo(150), picture(32, 18));
   sink->finish();
   CHECK(sink->summary() == (folder / "poster.png").string());

@@ -24,7 +24,7 @@ const std::vector<int> frames = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11};
 
 void renderVideo(const std::string& output, Existing existing = Existing::error,
                  const RunInfo& run = runInfo()) {
-  const auto sink = openSink(output, existing, run, frames, "rgba");
+  const auto sink = openSink(parseOutput(output, frames.size()), existing, run, frames, "rgba");
   for (const int frame : frames)
     if (sink->wants(frame)) sink->add(frameInfo(frame), picture(run.width, run.height, frame));
   sink->finish();
@@ -113,7 +113,8 @@ TEST_CASE("video: ffmpeg writes each kind, with a manifest") {
   const std::string file = (folder / "v.mp4").string();
   CHECK(contains(errorOf([&] { renderVideo(file); }).second, "v.mp4 exists"));
   CHECK(errorOf([&] { renderVideo(file, Existing::resume); }).first == ExitCode::usage);
-  const auto sink = openSink(file, Existing::skip, runInfo(33, 17), frames, "rgba");
+  const auto sink =
+      openSink(parseOutput(file, frames.size()), Existing::skip, runInfo(33, 17), frames, "rgba");
   CHECK_FALSE(sink->wants(5));
   CHECK(sink->knownStateHash(5) == "state5");
   sink->finish();
@@ -126,17 +127,20 @@ TEST_CASE("video: an interrupted run keeps the frames so far, an abandoned one l
   }
   const TemporaryFolder folder;
   {
-    const auto sink = openSink((folder / "v.mp4").string(), Existing::error, runInfo(), frames, "rgba");
+    const auto sink = openSink(parseOutput((folder / "v.mp4").string(), frames.size()), Existing::error,
+                               runInfo(), frames, "rgba");
     sink->add(frameInfo(0), picture(32, 18));
     sink->finish();
     CHECK(std::filesystem::exists(folder / "v.mp4"));
   }
   {
-    const auto sink = openSink((folder / "w.mp4").string(), Existing::error, runInfo(), frames, "rgba");
+    const auto sink = openSink(parseOutput((folder / "w.mp4").string(), frames.size()), Existing::error,
+                               runInfo(), frames, "rgba");
     sink->add(frameInfo(0), picture(32, 18));
   }
   {
-    const auto sink = openSink((folder / "x.mp4").string(), Existing::error, runInfo(), frames, "rgba");
+    const auto sink = openSink(parseOutput((folder / "x.mp4").string(), frames.size()), Existing::error,
+                               runInfo(), frames, "rgba");
     sink->finish();
   }
   std::size_t files = 0;

@@ -1,0 +1,60 @@
+#pragma once
+#include "base/clock.hpp"
+#include "frame/file/count_table.hpp"
+#include "frame/file/run_info.hpp"
+#include "frame/sink/frame_sink.hpp"
+#include "sim/world/world.hpp"
+
+#include <filesystem>
+#include <functional>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace simreel::frame {
+
+/// Where a run's state is kept from time to time, so that it can go on after an end that nobody wanted.
+struct Checkpoints {
+  std::filesystem::path file;  ///< empty: none are written or read
+  double seconds = 60;         ///< between two; 0: none are written
+  bool resume = false;         ///< go on from the one that is there
+  RunInfo run = {};
+};
+
+/// Writes the checkpoint of one run, goes on from one, and removes it.
+class CheckpointKeeper {
+ public:
+  /// `lastFrame` of the scene.
+  CheckpointKeeper(Checkpoints how, const FrameSink& sink, int lastFrame);
+
+  /// Goes on from a checkpoint before which none of the wanted frames is missing, where that is asked for.
+  void resume(const std::vector<int>& frames, const std::function<bool(int frame)>& isMissing,
+              sim::World& world, CountTable& counts);
+  /// The frame of that checkpoint; before every frame where there is none.
+  [[nodiscard]] int resumedFrame() const { return resumedFrame_; }
+  /// Whether a summary is of a frame after it. Throws UserError(different) when the frame of the checkpoint
+  /// has another state now.
+  [[nodiscard]] bool isAfterResume(const sim::World::Summary& summary) const;
+
+  [[nodiscard]] bool isDue() const { return how_.seconds > 0 && secondsSince(saved_) >= how_.seconds; }
+  /// Whether checkpoints are this run's to write.
+  [[nodiscard]] bool writes() const;
+  /// The state between two frames, all before which is stored. Without room for it the run goes on.
+  void save(const std::string& stateHash, const std::string& counts, sim::World& world);
+  /// Once a run has all frames up to `last`: only a longer one needs the checkpoint still. Takes along what
+  /// a kill in the middle of writing one has left.
+  void removeUnneeded(int last) const;
+
+ private:
+  static constexpr int beforeAll = std::numeric_limits<int>::min();
+
+  Checkpoints how_;
+  const FrameSink& sink_;
+  int lastFrame_;
+  int stored_;  ///< frame of the checkpoint on disk: the scene's last one where that is not known
+  int resumedFrame_ = beforeAll;
+  std::string resumedHash_;
+  Clock::time_point saved_ = Clock::now();
+};
+
+}  // namespace simreel::frame

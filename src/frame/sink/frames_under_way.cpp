@@ -1,0 +1,101 @@
+#include "frame/sink/frames_under_way.hpp"
+
+#include "base/error.hpp"
+#include "frame/image.hpp"
+
+#include <utility>
+
+namespace simreel::frame {
+
+FramesUnderWay::FramesUnderWay(const scene::Scene& scene, FrameSink& sink, const FieldFiles* fields,
+                               Progress& progress, StageTimers& timers, std::function<void()> awaitSummary)
+    : sink_(sink),
+      fields_(fields),
+      progress_(progress),
+      timers_(timers),
+      awaitSummary_(std::move(awaitSummary)),
+      size_(scene.render.size),
+      renderer_(scene, scene.render.size, scene.render.samples),
+      readback_(scene.render.size) {}
+
+bool FramesUnderWay::misses(int frame) const {
+  return sink_.wants(frame) || (fields_ != nullptr && fields_->misses(frame, sink_));
+}
+
+void FramesUnderWay::draw(const sim::World& world, std::optional<std::string> stateHash) {
+  const int frame = world.frame();
+  const bool wanted = sink_.wants(frame);
+  if (wanted) {
+    timers_.run(&StageTimes::draw, frame, [&] { renderer_.draw(world.time(), world.drawables()); });
+    readback_.start(renderer_.target(), frame);
+  }
+  waiting_.push_back({frame, wanted, {}, std::move(stateHash)});
+  if (fields_ != nullptr) {
+    const Stopwatch time = timers_.watch(&StageTimes::readBack);
+    waiting_.back().files = fields_->read(frame, world.drawables().fields, sink_);
+  }
+  // One slot stays free for the next picture.
+  while (waiting_.size() >= draw::Readback::maxUnderWay) deliverOldest();
+}
+
+void FramesUnderWay::know(int frame, const std::string& stateHash) {
+  for (Waiting& waiting : waiting_)
+    if (waiting.frame == frame) waiting.stateHash = stateHash;
+}
+
+void FramesUnderWay::pass(int frame) {
+  ++delivered_;
+  progress_.frame(frame, {});
+}
+
+void FramesUnderWay::drain() {
+  while (!waiting_.empty()) deliverOldest();
+}
+
+void FramesUnderWay::deliverOldest() {
+  const StageTimes before = timers_.stages();
+  timers_.wait(&StageTimes::simulate, [&] {
+    while (!waiting_.front().stateHash) awaitSummary_();
+  });
+  Waiting oldest = std::move(waiting_.front());
+  waiting_.pop_front();
+  const int frame = oldest.frame;
+  if (oldest.drawn)
+    store(std::move(oldest));
+  else
+    compareWithStored(std::move(oldest));
+  ++delivered_;
+  const StageTimes& now = timers_.stages();
+  progress_.frame(frame, {.simulate = now.simulate - before.simulate,
+                          .draw = now.draw - before.draw,
+                          .readBack = now.readBack - before.readBack});
+}
+
+void FramesUnderWay::store(Waiting waiting) {
+  // A software driver draws in the background: waiting for it is drawing time.
+  timers_.wait(&StageTimes::draw, [&] { readback_.waitForOldest(); });
+  timers_.collect(waiting.frame);
+  Image image{size_.x, size_.y, {}};
+  {
+    const Stopwatch time = timers_.watch(&StageTimes::readBack);
+    auto taken = readback_.take(true);
+    SIMREEL_CHECK(taken.has_value());
+    SIMREEL_CHECK_EQ(taken->first, waiting.frame);
+    image.bytes = std::move(taken->second);
+  }
+  const Stopwatch time = timers_.watch(&StageTimes::wait);
+  sink_.add({waiting.frame, *std::move(waiting.stateHash), std::move(waiting.files)}, std::move(image));
+}
+
+void FramesUnderWay::compareWithStored(Waiting waiting) {
+  const auto known = sink_.knownStateHash(waiting.frame);
+  if (known && !known->empty() && *known != *waiting.stateHash)
+    fail(ExitCode::different,
+         "frame {} is kept from an earlier run, but its state was {} and is {} now; render anew with "
+         "--overwrite",
+         waiting.frame, *known, *waiting.stateHash);
+  if (!waiting.files.empty())
+    sink_.add({waiting.frame, *std::move(waiting.stateHash), std::move(waiting.files)}, std::nullopt);
+}
+
+}  // namespace simreel::frame
