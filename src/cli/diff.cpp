@@ -107,10 +107,10 @@ void compareSequences(const DiffOptions& options, const scene::Tolerance& tolera
     printJson(report.json(options.a, options.b));
   else if (text)
     printText(report.summary(options.a, options.b));
-  if (report.unreadable > 0) {
+  if (const int unreadable = report.count(Outcome::unreadable); unreadable > 0) {
     std::fflush(stdout);
-    fail(ExitCode::inputOutput, "{} of {} pairs could not be compared; the lines above say why",
-         report.unreadable, list.pairs.size());
+    fail(ExitCode::inputOutput, "{} of {} pairs could not be compared; the lines above say why", unreadable,
+         list.pairs.size());
   }
   if (report.differs()) setExitCode(static_cast<int>(ExitCode::different));
 }
@@ -145,10 +145,8 @@ void addDiff(CLI::App& app) {
   command->add_flag("--json", options->json, "Print one JSON object instead of text");
   command->footer(
       "Without a bound, pictures must be equal. --max-channel-diff alone holds for every pixel. Every "
-      "bound "
-      "that is given must hold.\nExit code: 0 equal or within the bounds, 1 different, 2 usage, 6 a file "
-      "cannot "
-      "be read.");
+      "bound that is given must hold.\n"
+      "Exit code: 0 equal or within the bounds, 1 different, 2 usage, 6 a file cannot be read.");
   command->callback([options] { diff(*options); });
 }
 

@@ -105,50 +105,46 @@ std::string pairLine(const golden::Pair& pair, const PairResult& result) {
 }
 
 void SequenceReport::add(const golden::Pair& pair, const PairResult& result) {
-  switch (result.outcome) {
-    case PairResult::Outcome::equal:
-      ++equal;
-      break;
-    case PairResult::Outcome::within:
-      ++within;
-      break;
-    case PairResult::Outcome::different:
-      ++different;
-      break;
-    case PairResult::Outcome::unreadable:
-      ++unreadable;
-      break;
-  }
+  ++counts[result.outcome];
   ordered_json frame = {{"name", pair.name}};
   addResult(frame, result);
   frames.push_back(std::move(frame));
 }
 
+int SequenceReport::count(Outcome outcome) const {
+  const auto found = counts.find(outcome);
+  return found == counts.end() ? 0 : found->second;
+}
+
+bool SequenceReport::differs() const {
+  return count(Outcome::different) > 0 || !onlyA.empty() || !onlyB.empty();
+}
+
 std::string SequenceReport::summary(const std::string& a, const std::string& b) const {
-  const int pairs = equal + within + different + unreadable;
   std::string text = onlyLine(onlyA, a) + onlyLine(onlyB, b);
-  text += fmt::format("{} pair{}: {} equal", pairs, pairs == 1 ? "" : "s", equal);
-  if (within > 0) text += fmt::format(", {} within tolerance", within);
-  if (different > 0) text += fmt::format(", {} different", different);
-  if (unreadable > 0) text += fmt::format(", {} unreadable", unreadable);
+  text += fmt::format("{} pair{}: {} equal", frames.size(), frames.size() == 1 ? "" : "s",
+                      count(Outcome::equal));
+  for (const Outcome outcome : {Outcome::within, Outcome::different, Outcome::unreadable})
+    if (const int n = count(outcome); n > 0)
+      text += fmt::format(", {} {}", n, golden::outcomeName(outcome));
   if (const auto single = onlyA.size() + onlyB.size(); single > 0)
     text += fmt::format(", {} without a partner", single);
   return text + "\n";
 }
 
 ordered_json SequenceReport::json(const std::string& a, const std::string& b) const {
-  const char* result = unreadable > 0 ? "unreadable"
-                       : differs()    ? "different"
-                       : within > 0   ? "within"
-                                      : "equal";
+  const char* result = count(Outcome::unreadable) > 0 ? "unreadable"
+                       : differs()                    ? "different"
+                       : count(Outcome::within) > 0   ? "within"
+                                                      : "equal";
   return {{"a", a},
           {"b", b},
           {"result", result},
-          {"pairs", equal + within + different + unreadable},
-          {"equal", equal},
-          {"within", within},
-          {"different", different},
-          {"unreadable", unreadable},
+          {"pairs", frames.size()},
+          {"equal", count(Outcome::equal)},
+          {"within", count(Outcome::within)},
+          {"different", count(Outcome::different)},
+          {"unreadable", count(Outcome::unreadable)},
           {"onlyInA", onlyA},
           {"onlyInB", onlyB},
           {"frames", frames}};

@@ -2,6 +2,7 @@
 #include "golden/suite/sequence_diff.hpp"
 #include "scene/test.hpp"
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -18,12 +19,15 @@ namespace simreel::cli {
 
 /// What is known of a sequence so far.
 struct SequenceReport {
-  int equal = 0, within = 0, different = 0, unreadable = 0;
+  using Outcome = golden::PairResult::Outcome;
+
+  std::map<Outcome, int> counts;
   std::vector<std::string> onlyA, onlyB;
   nlohmann::ordered_json frames = nlohmann::ordered_json::array();
 
   void add(const golden::Pair& pair, const golden::PairResult& result);
-  [[nodiscard]] bool differs() const { return different > 0 || !onlyA.empty() || !onlyB.empty(); }
+  [[nodiscard]] int count(Outcome outcome) const;
+  [[nodiscard]] bool differs() const;
   /// Names in only one, then a line with the counts.
   [[nodiscard]] std::string summary(const std::string& a, const std::string& b) const;
   [[nodiscard]] nlohmann::ordered_json json(const std::string& a, const std::string& b) const;

@@ -9,39 +9,35 @@ namespace simreel::golden {
 
 namespace {
 
-constexpr std::array<const char*, statusCount> names = {
-    "pass", "updated", "xfail", "flaky", "fail", "nondeterministic", "missing", "xpass", "error"};
+constexpr std::array<StatusWords, statusCount> words = {{
+    {"pass", "passed", "passed"},
+    {"updated", "updated", "baselines were written"},
+    {"xfail", "failed as expected", "failed as expected"},
+    {"flaky", "flaky", "failed, then passed"},
+    {"fail", "failed", "differs from its baseline"},
+    {"nondeterministic", "nondeterministic", "two runs of the same program differ"},
+    {"missing", "without baseline", "has no baseline"},
+    {"xpass", "passed unexpectedly", "was expected to fail, but passed"},
+    {"error", "could not be tested", "could not be tested"},
+}};
 
 }  // namespace
 
-const char* statusName(Status status) {
+const StatusWords& wordsOf(Status status) {
   const auto index = static_cast<std::size_t>(status);
-  SIMREEL_CHECK(index < names.size());
-  return names[index];
+  SIMREEL_CHECK(index < words.size());
+  return words[index];
 }
 
 std::optional<Status> statusOfName(std::string_view name) {
-  for (std::size_t i = 0; i < names.size(); ++i)
-    if (name == names[i]) return static_cast<Status>(i);
+  for (std::size_t i = 0; i < words.size(); ++i)
+    if (name == words[i].name) return static_cast<Status>(i);
   return std::nullopt;
 }
 
 bool isFailure(Status status, bool allowFlaky) {
-  switch (status) {
-    case Status::pass:
-    case Status::updated:
-    case Status::xfail:
-      return false;
-    case Status::flaky:
-      return !allowFlaky;
-    case Status::fail:
-    case Status::nondeterministic:
-    case Status::missing:
-    case Status::xpass:
-    case Status::error:
-      return true;
-  }
-  return true;
+  if (status == Status::flaky) return !allowFlaky;
+  return status != Status::pass && status != Status::updated && status != Status::xfail;
 }
 
 }  // namespace simreel::golden

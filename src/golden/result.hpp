@@ -21,7 +21,16 @@ enum class Status {
   error,             ///< scene or baseline cannot be used, or the device lost the state
 };
 inline constexpr int statusCount = 9;
-[[nodiscard]] const char* statusName(Status status);
+/// What is said of it.
+struct StatusWords {
+  const char* name;     ///< in reports
+  const char* counted;  ///< after a number of scenes
+  const char* reason;   ///< of a scene that has no messages
+};
+[[nodiscard]] const StatusWords& wordsOf(Status status);
+[[nodiscard]] inline const char* statusName(Status status) {
+  return wordsOf(status).name;
+}
 /// Nothing for a word that is no status.
 [[nodiscard]] std::optional<Status> statusOfName(std::string_view name);
 /// Whether a scene that came out so makes the run fail. A flaky one does unless --allow-flaky was given.
@@ -50,8 +59,8 @@ struct FrameResult {
   std::string pixels, expectedPixels;  ///< hashes; expected is empty without a baseline
   int alternate = 0;  ///< 0: the baseline itself; n: its n-th accepted alternate was nearest
   std::string state;  ///< "equal", "different", "missing", "not compared"
-  std::string
-      asked;  ///< of its pixels: askedName() in golden/baseline/origin.hpp; empty without a baseline
+  /// Of its pixels: askedName() in golden/baseline/origin.hpp; empty without a baseline.
+  std::string asked;
   std::optional<Metrics> metrics;  ///< of pictures that were compared pixel by pixel
   /// Relative to the folder of report.json; empty where there is none.
   std::string expectedImage, actualImage, differenceImage;
@@ -73,8 +82,8 @@ struct Divergence {
   int step = 0;   ///< of the frame, from 1; 0: known to the frame only
   int steps = 0;  ///< steps a frame
   std::string object, buffer;
-  long firstElement = 0,
-       lastElement = 0;  ///< the first block that differs; equal when one element is known
+  /// The first block that differs; equal when one element is known.
+  long firstElement = 0, lastElement = 0;
   std::string message;
   bool operator==(const Divergence&) const = default;
 };
@@ -113,8 +122,8 @@ struct SceneResult {
   std::vector<FrameResult> frames;
   std::vector<CheckResult> checks;
   std::optional<Divergence> divergence;
-  std::string
-      candidate;  ///< folder with what `simreel accept` would promote, relative to report.json; or empty
+  /// Folder with what `simreel accept` would promote, relative to report.json; or empty.
+  std::string candidate;
   bool operator==(const SceneResult&) const = default;
 };
 

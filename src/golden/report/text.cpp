@@ -5,7 +5,6 @@
 #include "golden/result.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 
 #include <fmt/format.h>
@@ -19,21 +18,8 @@ constexpr const char* yellow = "33";
 constexpr const char* red = "1;31";
 
 const char* colorOf(Status status) {
-  switch (status) {
-    case Status::pass:
-    case Status::updated:
-      return green;
-    case Status::xfail:
-    case Status::flaky:
-      return yellow;
-    case Status::fail:
-    case Status::nondeterministic:
-    case Status::missing:
-    case Status::xpass:
-    case Status::error:
-      return red;
-  }
-  return red;
+  if (status == Status::xfail || status == Status::flaky) return yellow;
+  return isFailure(status, false) ? red : green;
 }
 
 std::string painted(const std::string& text, const char* ansi, bool color) {
@@ -70,23 +56,6 @@ std::string imageLine(const FrameResult& frame, const std::filesystem::path& fol
       line += fmt::format("{}{} {}", line.empty() ? "" : ", ", what, (folder / *path).string());
   return line.empty() ? "" : fmt::format("pictures of frame {}: {}", frame.frame, line);
 }
-
-struct Words {
-  Status status;
-  const char* count;  ///< "2 passed"
-  bool named;         ///< with the names of the scenes
-};
-constexpr std::array<Words, statusCount> closingWords = {{
-    {Status::pass, "passed", false},
-    {Status::updated, "updated", false},
-    {Status::xfail, "failed as expected", false},
-    {Status::flaky, "flaky", true},
-    {Status::fail, "failed", true},
-    {Status::nondeterministic, "nondeterministic", true},
-    {Status::missing, "without baseline", true},
-    {Status::xpass, "passed unexpectedly", true},
-    {Status::error, "could not be tested", true},
-}};
 
 /// " (flag, curtain and 3 more)"
 std::string namesOf(const SuiteResult& suite, Status status) {
@@ -128,12 +97,14 @@ std::string sceneLine(const SceneResult& scene, bool color, const std::filesyste
 
 std::string closingText(const SuiteResult& suite, bool color, const std::filesystem::path& report) {
   std::string counts;
-  for (const Words& words : closingWords) {
-    const long count = countOf(suite, words.status);
+  for (int i = 0; i < statusCount; ++i) {
+    const auto status = static_cast<Status>(i);
+    const long count = countOf(suite, status);
     if (count == 0) continue;
-    const std::string part =
-        fmt::format("{} {}{}", count, words.count, words.named ? namesOf(suite, words.status) : "");
-    counts += (counts.empty() ? ": " : ", ") + painted(part, colorOf(words.status), color);
+    const std::string names = isFailure(status, false) ? namesOf(suite, status) : "";
+    counts +=
+        (counts.empty() ? ": " : ", ") +
+        painted(fmt::format("{} {}{}", count, wordsOf(status).counted, names), colorOf(status), color);
   }
   std::string text =
       fmt::format("{}{} in {:.1f} s\n", counted(static_cast<long>(suite.scenes.size()), "scene"), counts,

@@ -71,27 +71,7 @@ std::string firstReason(const SceneResult& scene) {
   const std::vector<std::string> all = reasons(scene);
   for (const std::string& reason : all)
     if (!firstLine(reason).empty()) return std::string(firstLine(reason));
-  switch (scene.status) {
-    case Status::pass:
-      return "passed";
-    case Status::updated:
-      return "baselines were written";
-    case Status::xfail:
-      return "failed as expected";
-    case Status::flaky:
-      return flakyText(scene);
-    case Status::fail:
-      return "differs from its baseline";
-    case Status::nondeterministic:
-      return "two runs of the same program differ";
-    case Status::missing:
-      return "has no baseline";
-    case Status::xpass:
-      return "was expected to fail, but passed";
-    case Status::error:
-      return "could not be tested";
-  }
-  return "";
+  return scene.status == Status::flaky ? flakyText(scene) : wordsOf(scene.status).reason;
 }
 
 std::string flakyText(const SceneResult& scene) {

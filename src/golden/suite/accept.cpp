@@ -119,8 +119,7 @@ std::vector<Accepted> acceptReport(const fs::path& report, const Acceptance& how
     const bool named =
         how.only.empty() || std::any_of(how.only.begin(), how.only.end(),
                                         [&](const auto& glob) { return matches(glob, scene.name); });
-    const bool accepted = scene.status == Status::pass || scene.status == Status::updated ||
-                          scene.status == Status::xfail || scene.status == Status::flaky;
+    const bool accepted = !isFailure(scene.status, /*allowFlaky=*/true);
     if (named && !accepted) all.push_back(acceptScene(file.parent_path(), scene, how));
   }
   return all;

@@ -63,8 +63,8 @@ void SceneTest::load() {
   const bool exact = scene_.numerics == scene::Numerics::exact;
   if (exact && !device_.inexact.empty())
     fail(ExitCode::device,
-         "this driver does not compute exactly ({}); use another device, or \"numerics\": "
-         "\"fast\"",
+         "this driver does not compute exactly ({}); use another device, or "
+         "\"numerics\": \"fast\"",
          device_.inexact);
   try {
     reference_ = findReference(result_.baselines, device_.profile, exact, device_.origin);

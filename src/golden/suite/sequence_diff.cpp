@@ -2,14 +2,14 @@
 
 #include "base/error.hpp"
 #include "base/file.hpp"
+#include "base/text.hpp"
 #include "frame/file/output_name.hpp"
 #include "golden/compare/compare.hpp"
 #include "golden/compare/difference_image.hpp"
 #include "golden/compare/png_check.hpp"
 
 #include <algorithm>
-#include <cctype>
-#include <charconv>
+#include <array>
 #include <limits>
 #include <map>
 #include <span>
@@ -41,13 +41,6 @@ std::vector<std::string> fileNames(const fs::path& folder) {
   return names;
 }
 
-bool isPngName(const std::string& name) {
-  std::string extension = fs::path(name).extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension == ".png";
-}
-
 /// Files by what pairs them.
 template <class Key>
 using Files = std::map<Key, fs::path>;
@@ -69,15 +62,10 @@ PairList pairUp(const Files<Key>& a, const Files<Key>& b, const Name& name) {
 
 /// The number in a file name that the pattern makes, or nothing.
 std::optional<int> frameOf(const frame::OutputName& pattern, const std::string& name) {
-  if (name.size() <= pattern.prefix.size() + pattern.suffix.size() || !name.starts_with(pattern.prefix))
-    return std::nullopt;
-  const char* begin = name.data() + pattern.prefix.size();
-  const char* end = name.data() + name.size() - pattern.suffix.size();
-  int frame = 0;
-  const auto parsed = std::from_chars(begin, end, frame);
-  if (parsed.ec != std::errc() || parsed.ptr != end || frame < 0 || pattern.fileName(frame) != name)
-    return std::nullopt;
-  return frame;
+  if (!name.starts_with(pattern.prefix)) return std::nullopt;
+  std::string_view number = std::string_view(name).substr(pattern.prefix.size());
+  const auto frame = takeInteger(number);
+  return frame && *frame >= 0 && pattern.fileName(*frame) == name ? frame : std::nullopt;
 }
 
 Files<int> patternFiles(const std::string& text) {
@@ -98,7 +86,7 @@ Files<int> patternFiles(const std::string& text) {
 Files<std::string> folderFiles(const fs::path& folder) {
   Files<std::string> files;
   for (const std::string& name : fileNames(folder))
-    if (isPngName(name)) files[name] = folder / name;
+    if (lowerExtension(name) == ".png") files[name] = folder / name;
   return files;
 }
 
@@ -125,17 +113,8 @@ Metrics equalMetrics() {
 }  // namespace
 
 const char* outcomeName(PairResult::Outcome outcome) {
-  switch (outcome) {
-    case PairResult::Outcome::equal:
-      return "equal";
-    case PairResult::Outcome::within:
-      return "within tolerance";
-    case PairResult::Outcome::different:
-      return "different";
-    case PairResult::Outcome::unreadable:
-      break;
-  }
-  return "unreadable";
+  constexpr std::array names = {"equal", "within tolerance", "different", "unreadable"};
+  return names.at(static_cast<std::size_t>(outcome));
 }
 
 PairList pairFolders(const fs::path& a, const fs::path& b) {
