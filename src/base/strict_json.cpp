@@ -29,14 +29,12 @@ class Builder final : public nlohmann::json_sax<Json> {
 
   [[nodiscard]] Json take() { return std::move(root_); }
 
-  bool null() override { return add(nullptr) != nullptr; }
-  bool boolean(bool value) override { return add(value) != nullptr; }
-  bool number_integer(number_integer_t value) override { return add(value) != nullptr; }
-  bool number_unsigned(number_unsigned_t value) override { return add(value) != nullptr; }
-  bool number_float(number_float_t value, const string_t& /*written*/) override {
-    return add(value) != nullptr;
-  }
-  bool string(string_t& value) override { return add(std::move(value)) != nullptr; }
+  bool null() override { return add(nullptr); }
+  bool boolean(bool value) override { return add(value); }
+  bool number_integer(number_integer_t value) override { return add(value); }
+  bool number_unsigned(number_unsigned_t value) override { return add(value); }
+  bool number_float(number_float_t value, const string_t& /*written*/) override { return add(value); }
+  bool string(string_t& value) override { return add(std::move(value)); }
   bool binary(binary_t& /*value*/) override { return false; }  // JSON text has none
   bool start_object(std::size_t /*count*/) override { return open(Json::object()); }
   bool start_array(std::size_t /*count*/) override { return open(Json::array()); }
@@ -45,7 +43,7 @@ class Builder final : public nlohmann::json_sax<Json> {
   bool key(string_t& key) override {
     const auto [member, isNew] = open_.back()->get_ref<Json::object_t&>().try_emplace(std::move(key));
     if (!isNew) throw JsonError(fmt::format("the key {} stands twice in one object", shown(key)));
-    member_ = &member->second;
+    place_ = &member->second;
     return true;
   }
   bool parse_error(std::size_t byte, const std::string& /*token*/,
@@ -56,18 +54,21 @@ class Builder final : public nlohmann::json_sax<Json> {
   }
 
  private:
-  Json* add(Json value) {
-    Json* place = open_.empty() ? &root_ : member_;
-    if (!open_.empty() && open_.back()->is_array()) place = &open_.back()->emplace_back();
-    *place = std::move(value);
-    return place;
+  bool add(Json value) {
+    if (open_.empty())
+      place_ = &root_;
+    else if (open_.back()->is_array())
+      place_ = &open_.back()->emplace_back();
+    *place_ = std::move(value);
+    return true;
   }
   bool open(Json container) {
     if (open_.size() >= limits_.depth)
       throw JsonError(fmt::format("nested deeper than {} levels", limits_.depth));
     if (++containers_ > limits_.containers)
       throw JsonError(fmt::format("it holds more than {} objects and lists", limits_.containers));
-    open_.push_back(add(std::move(container)));  // stays put: its parent grows after it is closed
+    add(std::move(container));
+    open_.push_back(place_);  // stays put: its parent grows after it is closed
     return true;
   }
   bool close() {
@@ -78,7 +79,7 @@ class Builder final : public nlohmann::json_sax<Json> {
   const JsonLimits& limits_;
   Json root_;
   std::vector<Json*> open_;
-  Json* member_ = nullptr;  ///< that of the last key
+  Json* place_ = nullptr;  ///< of the last value, or of the next one behind its key
   std::size_t containers_ = 0;
 };
 

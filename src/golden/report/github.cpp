@@ -19,41 +19,25 @@ constexpr std::size_t summaryBytes = 1'000'000;
 constexpr std::size_t commandBytes = 50'000;
 constexpr std::size_t cellBytes = 300;
 
-/// The value of a workflow command, the part after "::".
-std::string escapedData(std::string_view text) {
-  std::string escaped;
+/// The value of a workflow command, the part after "::"; of a property (file=, title=) ':' and ',' are
+/// separators as well.
+std::string escaped(std::string_view text, std::string_view separators = "") {
+  std::string result;
   for (const char c : cleanText(text)) {
-    if (c == '%')
-      escaped += "%25";
-    else if (c == '\n')
-      escaped += "%0A";
+    if (c == '%' || c == '\n' || separators.find(c) != std::string_view::npos)
+      result += fmt::format("%{:02X}", static_cast<int>(c));
     else
-      escaped += c;
+      result += c;
   }
-  return escaped;
-}
-
-/// A property of a workflow command (file=, title=), where ':' and ',' are separators.
-std::string escapedProperty(std::string_view text) {
-  std::string escaped;
-  for (const char c : escapedData(text)) {
-    if (c == ':')
-      escaped += "%3A";
-    else if (c == ',')
-      escaped += "%2C";
-    else
-      escaped += c;
-  }
-  return escaped;
+  return result;
 }
 
 /// Relative to the folder the program ran in; GitHub wants no "./" before it.
 std::string annotation(const char* level, const SceneResult& scene, std::string_view what,
                        const std::string& message) {
   const std::string file = std::filesystem::path(scene.file).lexically_normal().string();
-  return fmt::format("::{} file={},title={}::{}\n", level, escapedProperty(file),
-                     escapedProperty(fmt::format("simreel: {} ({})", scene.name, what)),
-                     escapedData(message));
+  return fmt::format("::{} file={},title={}::{}\n", level, escaped(file, ":,"),
+                     escaped(fmt::format("simreel: {} ({})", scene.name, what), ":,"), escaped(message));
 }
 
 /// Text that Markdown, its tables and HTML show as it is. A character reference is never markup (CommonMark
