@@ -39,8 +39,9 @@ TEST_CASE("example: the heat of the README spreads as the heat equation says") {
   testContext();
   const ExampleShaders shaders;
   const sim::SimulationKind kind = sim::heatKind();
-  const scene::Scene scene = scene::loadScene(
-      std::filesystem::path(EXAMPLE_FOLDER) / "assets/scenes/heat.json", {}, std::span(&kind.kind, 1));
+  const scene::Kinds kinds{std::span(&kind.kind, 1)};
+  const scene::Scene scene =
+      scene::loadScene(std::filesystem::path(EXAMPLE_FOLDER) / "assets/scenes/heat.json", {}, kinds);
   REQUIRE(scene.objects.size() == 1);
   sim::Setting setting;
   setting.frameSeconds = 1.0 / scene.time.fps;
@@ -57,7 +58,7 @@ TEST_CASE("example: the heat of the README spreads as the heat equation says") {
     const scene::Scene point = scene::parseScene(R"({"version": 1, "objects": {"plate": {"heat": {
         "size": [65, 49], "diffusivity": 60, "temperature": 0,
         "disks": [{"center": [32, 24, 0], "radius": 0, "temperature": 100}]}}}})",
-                                                 "point.json", {}, std::span(&kind.kind, 1));
+                                                 "point.json", {}, kinds);
     const auto plate = kind.make(point.objects[0], setting);
     for (int frame = 0; frame < 8; ++frame) plate->step(frame * setting.frameSeconds, {});
     double sum = 0, variance = 0;
@@ -74,7 +75,7 @@ TEST_CASE("example: the heat of the README spreads as the heat equation says") {
   SUBCASE("steps that are too few are refused") {
     const scene::Scene fast = scene::parseScene(
         R"({"version": 1, "objects": {"plate": {"heat": {"diffusivity": 1e4, "steps": 1}}}})", "fast.json",
-        {}, std::span(&kind.kind, 1));
+        {}, kinds);
     CHECK_THROWS_AS(kind.check(fast.objects[0], setting), UserError);
   }
 }
