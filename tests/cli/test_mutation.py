@@ -31,10 +31,12 @@ LONG = set((SOURCE / "tests/long_scenes.txt").read_text(encoding="utf-8").split(
 def derived_mutation(kind):
     """The first decimal number in the code of the kind's shader folder, model.glsl first, or nothing."""
     folder = SOURCE / "glsl" / re.sub(r"[A-Z]", lambda m: "_" + m[0].lower(), kind)
-    for file in sorted([*folder.glob("*.glsl"), *folder.glob("*.comp")], key=lambda f: (f.name != "model.glsl", f.name)):
-        for line in file.read_text(encoding="utf-8").splitlines():
+    files = [*folder.glob("*.glsl"), *folder.glob("*.comp")]
+    for file in sorted(files, key=lambda f: (f.name != "model.glsl", f.name)):
+        text = file.read_text(encoding="utf-8")
+        for line in text.splitlines():
             number = re.search(r"(?<![\w.])\d+\.\d+", line.split("//")[0])
-            if number and float(number[0]) and file.read_text(encoding="utf-8").count(line) == 1:
+            if number and float(number[0]) and text.count(line) == 1:
                 new = line[:number.start()] + repr(float(number[0]) * 1.01) + line[number.end():]
                 return str(file.relative_to(SOURCE / "glsl")), line, new
     return None
