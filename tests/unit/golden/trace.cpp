@@ -234,6 +234,19 @@ TEST_CASE("several changed elements are a range, and an earlier step of a later 
   CHECK(found->message.find("within elements") != std::string::npos);
 }
 
+TEST_CASE("of objects with steps of other lengths, the one that differs earliest in its time comes first") {
+  const Arrays arrays = {{"a", "positions", 9, 9, 5}, {"b", "positions", 9, 9, 2}};
+  const auto baseline = made(arrays, 0, 2, 2048);
+  for (const auto& [step, first] : {std::pair(2U, "a"), std::pair(3U, "b")}) {
+    const auto run = made(arrays, 0, 2, 2048, [&](int f, auto array, auto s, auto, std::uint32_t h) {
+      return f == 1 && s == (array == 0 ? step : 1U) ? h + 1 : h;  // 2/5 and 3/5 of the frame; 1/2
+    });
+    const auto found = compareTraces(run, baseline);
+    REQUIRE(found.has_value());
+    CHECK(found->object == first);
+  }
+}
+
 TEST_CASE("a difference in the first state or after the last frame with steps says so") {
   const auto first =
       compareTraces(made(twoArrays, -3, 5, 4096, from(-3, 1, 1, 7, 3)), made(twoArrays, -3, 5, 4096));
