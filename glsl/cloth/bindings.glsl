@@ -1,9 +1,9 @@
-#include "common/exact.glsl"
-#include "common/hash.glsl"
-#include "common/memory.glsl"
-#include "common/status.glsl"
-#include "mesh/height_array.glsl"
-#include "cloth/types.glsl"
+// Where the cloth kernels' arrays are bound. Compiles as GLSL and as C++ (src/sim/cloth/cloth.cpp).
+#ifndef CLOTH_BINDINGS
+#define CLOTH_BINDINGS
 
-layout(std140, binding = 0) uniform StepBlock { ClothStep stepData; };
-uniform ivec2 size;
+const int positionsBinding = 0;
+const int nextPositionsBinding = 1;
+const int velocitiesBinding = 2;
+
+#endif

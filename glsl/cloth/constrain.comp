@@ -1,8 +1,8 @@
 // One colour of one family of XPBD constraints: no particle belongs to two constraints of a colour, so
 // all of them may move their ends at once.
-#include "cloth/bindings.glsl"
+#include "cloth/kernel.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
-STATE_ARRAY(1, NextBlock, nextPositions)
+STATE_ARRAY(nextPositionsBinding, NextBlock, nextPositions)
 uniform ivec2 reach;  // from one end to the other, in particles
 uniform int color;    // 0 or 1
 uniform int family;   // 0 structural, 1 shear, 2 bend
@@ -22,10 +22,7 @@ void main() {
   int j = to.y * size.x + to.x;
   vec4 a = loadPosition(i);
   vec4 b = loadPosition(j);
-  precise float restLength = stepData.alongX.w * (family == 0 ? 1.0f : (family == 1 ? 1.41421356f : 2.0f));
-  float compliance =
-      family == 0 ? stepData.compliance.x : (family == 1 ? stepData.compliance.y : stepData.compliance.z);
-  vec3 shift = constraintShift(a, b, restLength, compliance);
+  vec3 shift = constraintShift(a, b, familyLength(family), familyCompliance(family));
   precise vec3 newA = a.xyz - shift * a.w;
   precise vec3 newB = b.xyz + shift * b.w;
   STORE_STATE(nextPositions, i, vec4(newA, a.w));

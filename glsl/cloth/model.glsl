@@ -10,6 +10,17 @@ FUNCTION int neighbour(ivec2 at, int dx, int dy) {
   return inside ? y * size.x + x : at.y * size.x + at.x;
 }
 
+// Of the springs of a family: 0 structural, 1 shear, 2 bend.
+FUNCTION float familyLength(int family) {
+  precise float restLength = stepData.constants.spacing * (family == 0 ? 1.0f : (family == 1 ? 1.41421356f : 2.0f));
+  return restLength;
+}
+FUNCTION float familyCompliance(int family) {
+  return family == 0   ? stepData.constants.compliance
+         : family == 1 ? stepData.constants.shearCompliance
+                       : stepData.constants.bendCompliance;
+}
+
 // F = k (|d| - L0) d / |d| = k (1 - L0 / |d|) d, none where |d| < 1e-4 m.
 FUNCTION vec3 springForce(vec3 d, float restLength, float stiffness) {
   precise float squared = exactDot(d, d);
@@ -24,25 +35,25 @@ FUNCTION vec3 springTo(ivec2 at, vec3 here, int dx, int dy, float restLength, fl
 }
 
 FUNCTION vec3 springForces(ivec2 at, vec3 here) {
-  float k = stepData.stiffness.x;
-  float restLength = stepData.alongX.w;
+  float k = stepData.constants.stiffness;
+  float restLength = familyLength(0);
   precise vec3 sum = springTo(at, here, -1, 0, restLength, k) + springTo(at, here, 1, 0, restLength, k) +
                      springTo(at, here, 0, -1, restLength, k) + springTo(at, here, 0, 1, restLength, k);
-  precise float diagonal = restLength * 1.41421356f;
-  k = stepData.stiffness.y;
-  sum = sum + springTo(at, here, -1, -1, diagonal, k) + springTo(at, here, 1, -1, diagonal, k) +
-        springTo(at, here, -1, 1, diagonal, k) + springTo(at, here, 1, 1, diagonal, k);
-  precise float twice = restLength * 2.0f;
-  k = stepData.stiffness.z;
-  sum = sum + springTo(at, here, -2, 0, twice, k) + springTo(at, here, 2, 0, twice, k) +
-        springTo(at, here, 0, -2, twice, k) + springTo(at, here, 0, 2, twice, k);
+  precise float shear = k * stepData.constants.shear;
+  float diagonal = familyLength(1);
+  sum = sum + springTo(at, here, -1, -1, diagonal, shear) + springTo(at, here, 1, -1, diagonal, shear) +
+        springTo(at, here, -1, 1, diagonal, shear) + springTo(at, here, 1, 1, diagonal, shear);
+  precise float bend = k * stepData.constants.bend;
+  float twice = familyLength(2);
+  sum = sum + springTo(at, here, -2, 0, twice, bend) + springTo(at, here, 2, 0, twice, bend) +
+        springTo(at, here, 0, -2, twice, bend) + springTo(at, here, 0, 2, twice, bend);
   return sum;
 }
 
 // Value noise with three components in [-1, 1): a random vector at each lattice point, blended by
 // 3u^2 - 2u^3.
 FUNCTION vec3 latticeVector(ivec2 xy, int z) {
-  uvec3 bits = hash3(uvec3(uint(xy.x), uint(xy.y), uint(z) ^ (uint(stepData.counts.z) * 0x9e3779b9u)));
+  uvec3 bits = hash3(uvec3(uint(xy.x), uint(xy.y), uint(z) ^ (uint(stepData.seed) * 0x9e3779b9u)));
   return vec3(signedUnit(bits.x), signedUnit(bits.y), signedUnit(bits.z));
 }
 
@@ -78,17 +89,17 @@ FUNCTION vec3 noise(vec3 p) {
 FUNCTION vec3 airForceOnFace(vec3 a, vec3 b, vec3 v, float speedSquared, float inverseSpeed) {
   vec3 c = exactCross(a, b);
   float through = exactDot(v, c);
-  precise float share = 0.125f * stepData.air.w;
-  precise float drag = share * stepData.airShape.x * abs(through);
+  precise float pressure = 0.125f * stepData.air.density;
+  precise float drag = pressure * stepData.air.drag * abs(through);
   float inverseArea = exactInverseSqrt(max(exactDot(c, c), 1e-24f));
-  precise float lift = share * stepData.airShape.y * through * inverseSpeed * inverseArea;
+  precise float lift = pressure * stepData.air.lift * through * inverseSpeed * inverseArea;
   precise vec3 force = v * drag + (c * speedSquared - v * through) * lift;
   return force;
 }
 
 FUNCTION vec3 airForces(ivec2 at, vec3 here, vec3 velocity) {
-  precise vec3 place = (here - vec3(stepData.airDrift)) * stepData.airShape.w;
-  precise vec3 v = vec3(stepData.air) + noise(place) * stepData.airDrift.w - velocity;
+  precise vec3 place = (here - vec3(stepData.gustDrift)) * stepData.perGustSize;
+  precise vec3 v = vec3(stepData.airVelocity) + noise(place) * stepData.gustSpeed - velocity;
   float speedSquared = max(exactDot(v, v), 1e-12f);
   float inverseSpeed = exactInverseSqrt(speedSquared);
   precise vec3 left = vec3(loadPosition(neighbour(at, -1, 0))) - here;
@@ -104,10 +115,10 @@ FUNCTION vec3 airForces(ivec2 at, vec3 here, vec3 velocity) {
 
 // v' = (v + (F w + g) dt) keep. `springs` and `air` switch terms off that a variant does not have.
 FUNCTION vec3 newVelocity(ivec2 at, vec4 here, vec3 velocity, bool springs, bool air) {
-  precise vec3 force = vec3(stepData.windForce);
+  precise vec3 force = vec3(stepData.wind);
   if (springs) force = force + springForces(at, vec3(here));
   if (air) force = force + airForces(at, vec3(here), velocity);
-  precise vec3 v = (velocity + (force * here.w + vec3(stepData.gravity)) * stepData.gravity.w) * stepData.windForce.w;
+  precise vec3 v = (velocity + (force * here.w + vec3(stepData.gravity)) * stepData.dt) * stepData.kept;
   return v;
 }
 
@@ -132,27 +143,27 @@ struct Motion {
 // Out of every collider along its normal; relative to the collider the inward velocity goes and a share of
 // the tangential velocity stays. With `lands`, at last onto the mesh that collides.
 FUNCTION Motion contact(Motion m, bool lands) {
-  for (int i = 0; i < stepData.counts.x; ++i) {
-    vec4 a = stepData.colliders[i].a;
-    vec4 b = stepData.colliders[i].b;
-    bool plane = b.w > 0.5f;
-    precise vec3 axis = vec3(b) - vec3(a);
-    precise vec3 fromA = m.position - vec3(a);
-    precise float t = exactDot(fromA, axis) * stepData.colliders[i].velocityB.w;
+  for (int i = 0; i < stepData.colliderCount; ++i) {
+    vec3 a = vec3(stepData.colliders[i].a);
+    vec3 b = vec3(stepData.colliders[i].b);
+    bool plane = stepData.colliders[i].plane == 1;
+    precise vec3 axis = b - a;
+    precise vec3 fromA = m.position - a;
+    precise float t = exactDot(fromA, axis) * stepData.colliders[i].perLengthSquared;
     t = min(max(t, 0.0f), 1.0f);
-    precise vec3 offset = m.position - (vec3(a) + axis * t);
+    precise vec3 offset = m.position - (a + axis * t);
     float squared = exactDot(offset, offset);
     float inverse = exactInverseSqrt(max(squared, 1e-12f));
-    precise vec3 normal = plane ? vec3(a) : offset * inverse;
-    precise float beyond = plane ? exactDot(vec3(a), m.position) : squared * inverse;
-    precise float depth = a.w + stepData.origin.w - beyond;
+    precise vec3 normal = plane ? a : offset * inverse;
+    precise float beyond = plane ? exactDot(a, m.position) : squared * inverse;
+    precise float depth = stepData.colliders[i].reach + stepData.constants.margin - beyond;
     bool touching = depth > 0.0f;
     vec3 velocityA = vec3(stepData.colliders[i].velocityA);
     vec3 velocityB = vec3(stepData.colliders[i].velocityB);
     precise vec3 surface = plane ? vec3(0.0f) : velocityA + (velocityB - velocityA) * t;
     precise vec3 relative = m.velocity - surface;
     float inward = exactDot(relative, normal);
-    precise vec3 kept = (relative - normal * inward) * stepData.colliders[i].velocityA.w +
+    precise vec3 kept = (relative - normal * inward) * stepData.colliders[i].grip +
                         normal * max(inward, 0.0f) + surface;
     precise vec3 pushed = m.position + normal * depth;
     m.position = touching ? pushed : m.position;
@@ -175,7 +186,7 @@ FUNCTION Motion advance(ivec2 at, vec4 here, vec4 velocity, bool springs, bool a
     return m;
   }
   m.velocity = newVelocity(at, here, vec3(velocity), springs, air);
-  precise vec3 moved = vec3(here) + m.velocity * stepData.gravity.w;
+  precise vec3 moved = vec3(here) + m.velocity * stepData.dt;
   m.position = moved;
   if (touch) m = contact(m, lands);
   return m;
@@ -185,7 +196,7 @@ FUNCTION Motion advance(ivec2 at, vec4 here, vec4 velocity, bool springs, bool a
 FUNCTION Motion settled(vec4 before, vec4 here, bool lands) {
   Motion m;
   m.position = vec3(here);
-  precise vec3 v = (vec3(here) - vec3(before)) * stepData.stiffness.w;
+  precise vec3 v = (vec3(here) - vec3(before)) * stepData.perDt;
   m.velocity = v;
   if (here.w == 0.0f) {
     m.velocity = vec3(0.0f);
@@ -202,7 +213,7 @@ FUNCTION vec3 constraintShift(vec4 a, vec4 b, float restLength, float compliance
   float squared = max(exactDot(d, d), 1e-12f);
   float inverse = exactInverseSqrt(squared);
   precise float stretch = squared * inverse - restLength;
-  precise float weight = compliance * stepData.alongY.w + a.w + b.w;
+  precise float weight = compliance * stepData.perDtSquared + a.w + b.w;
   precise float lambda = stretch * exactReciprocal(max(weight, 1e-20f)) * inverse;
   precise vec3 shift = d * -lambda;
   return a.w > 0.0f || b.w > 0.0f ? shift : vec3(0.0f);

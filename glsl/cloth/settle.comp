@@ -1,9 +1,9 @@
 // After the constraints: velocities from the way covered, then contact.
-#include "cloth/bindings.glsl"
+#include "cloth/kernel.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
-INPUT_ARRAY(0, PositionBlock, positions)
-STATE_ARRAY(1, NextBlock, nextPositions)
-STATE_ARRAY(2, VelocityBlock, velocities)
+INPUT_ARRAY(positionsBinding, PositionBlock, positions)
+STATE_ARRAY(nextPositionsBinding, NextBlock, nextPositions)
+STATE_ARRAY(velocitiesBinding, VelocityBlock, velocities)
 
 vec4 loadPosition(int i) {
   return LOAD_INPUT(positions, i);
@@ -19,5 +19,5 @@ void main() {
   Motion m = settled(loadPosition(i), here, HEIGHTS == 1);
   STORE_STATE(nextPositions, i, vec4(m.position, here.w));
   STORE_STATE(velocities, i, vec4(m.velocity, velocity.w));
-  if (isLost(m)) noteLost(uint(stepData.counts.y), uint(i));
+  if (isLost(m)) noteLost(uint(stepData.substep), uint(i));
 }

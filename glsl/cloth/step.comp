@@ -1,10 +1,10 @@
 // Forces and semi-implicit Euler in one pass: reads every position of the last substep, writes the next
 // ones elsewhere, so no order of work groups changes the result.
-#include "cloth/bindings.glsl"
+#include "cloth/kernel.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
-INPUT_ARRAY(0, PositionBlock, positions)
-STATE_ARRAY(1, NextBlock, nextPositions)
-STATE_ARRAY(2, VelocityBlock, velocities)
+INPUT_ARRAY(positionsBinding, PositionBlock, positions)
+STATE_ARRAY(nextPositionsBinding, NextBlock, nextPositions)
+STATE_ARRAY(velocitiesBinding, VelocityBlock, velocities)
 
 vec4 loadPosition(int i) {
   return LOAD_INPUT(positions, i);
@@ -20,5 +20,5 @@ void main() {
   Motion m = advance(at, here, velocity, SPRINGS, AIR, CONTACT, HEIGHTS == 1);
   STORE_STATE(nextPositions, i, vec4(m.position, here.w));
   STORE_STATE(velocities, i, vec4(m.velocity, velocity.w));
-  if (isLost(m)) noteLost(uint(stepData.counts.y), uint(i));
+  if (isLost(m)) noteLost(uint(stepData.substep), uint(i));
 }

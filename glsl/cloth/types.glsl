@@ -1,38 +1,67 @@
-// What the cloth kernels read once per substep. Compiles as GLSL and as C++ (src/sim/cloth/cloth.cpp). Only
-// 16-byte members, so std140 and std430 agree.
+// What the cloth kernels read once per substep. Compiles as GLSL and as C++ (src/sim/cloth). A struct's vec4 come
+// first, so that std140 and C++ agree.
 #ifndef CLOTH_TYPES
 #define CLOTH_TYPES
 
 const int mostColliders = 12;
 const int mostPinFrames = 8;
 
+// What a scene says and the kernels read as it is.
+struct STD140 ClothConstants {
+  float spacing DEFAULT(0.1f);           // m between neighbours at rest
+  float stiffness DEFAULT(500.0f);       // N/m
+  float shear DEFAULT(1.0f);             // ratio to stiffness
+  float bend DEFAULT(0.3f);              // ratio to stiffness
+  float compliance DEFAULT(0.0f);        // m/N
+  float shearCompliance DEFAULT(0.0f);   // m/N
+  float bendCompliance DEFAULT(0.01f);   // m/N
+  float margin DEFAULT(0.01f);           // m kept from colliders
+};
+
+struct STD140 AirConstants {
+  float density DEFAULT(1.2f);  // kg/m^3
+  float drag DEFAULT(1.0f);     // coefficient
+  float lift DEFAULT(0.6f);     // coefficient
+};
+
 // A sphere or capsule around the segment a-b, or the plane n.x = d.
-struct Collider {
-  vec4 a;          // xyz start of the segment (m) or unit normal; w radius (m) or d (m)
-  vec4 b;          // xyz end of the segment; w 0: capsule, 1: plane
-  vec4 velocityA;  // xyz m/s of the start; w share of tangential velocity kept per substep
-  vec4 velocityB;  // xyz m/s of the end; w 1/|b-a|^2, 0 for a sphere
+struct STD140 Collider {
+  vec4 a;                 // xyz start of the segment (m), or n
+  vec4 b;                 // xyz end of the segment
+  vec4 velocityA;         // xyz m/s of the start
+  vec4 velocityB;         // xyz m/s of the end
+  float reach;            // radius or d, m
+  float perLengthSquared; // 1/|b-a|^2, 0 for a sphere
+  float grip;             // fraction of tangential velocity kept per substep
+  int plane;              // 1: it is one
 };
 
 // Affine map of a pinned particle's rest position: row i gives component i.
-struct PinFrame {
+struct STD140 PinFrame {
   vec4 row0;
   vec4 row1;
   vec4 row2;
 };
 
-struct ClothStep {
-  vec4 gravity;        // xyz m/s^2; w dt (s)
-  vec4 windForce;      // xyz N on each particle; w share of velocity kept per substep
-  vec4 air;            // xyz air velocity (m/s); w density (kg/m^3)
-  vec4 airShape;       // x drag coefficient, y lift coefficient, z gust strength (share of |air|), w 1/gust size (1/m)
-  vec4 airDrift;       // xyz how far the gusts have travelled (m); w gust speed scale (m/s)
-  vec4 origin;         // rest position of particle (0, 0); w margin kept from colliders (m)
-  vec4 alongX;         // rest vector from a particle to its right neighbour; w rest length (m)
-  vec4 alongY;         // rest vector to the next row; w 1/dt^2
-  vec4 stiffness;      // structural, shear, bend (N/m); w 1/dt
-  vec4 compliance;     // structural, shear, bend (m/N); w spare
-  ivec4 counts;        // colliders, substep index since the start, seed, spare
+struct STD140 ClothStep {
+  vec4 gravity;        // xyz m/s^2
+  vec4 wind;           // xyz N on each particle
+  vec4 airVelocity;    // xyz m/s
+  vec4 gustDrift;      // xyz how far the gusts have travelled (m)
+  vec4 origin;         // xyz rest position of particle (0, 0) (m)
+  vec4 alongX;         // xyz from a particle to its right neighbour at rest (m)
+  vec4 alongY;         // xyz to the next row
+  float dt;            // s
+  float perDt;         // 1/s
+  float perDtSquared;  // 1/s^2
+  float kept;          // fraction of velocity kept per substep
+  float gustSpeed;     // m/s, size of the gusts' variation
+  float perGustSize;   // 1/m
+  int colliderCount;
+  int substep;         // since the start
+  int seed;
+  ClothConstants constants;
+  AirConstants air;
   Collider colliders[mostColliders];
   PinFrame frames[mostPinFrames];
 };

@@ -1,9 +1,10 @@
 // Integer hashes of a state array, added up block by block, and one sum in which each hash counts as often as
 // its place says: from it follows where a single difference is. Sums of integers do not depend on order.
+#include "common/bindings.glsl"
 #include "common/hash.glsl"
 layout(local_size_x = 64) in;
-layout(binding = 0) uniform usamplerBuffer words;
-layout(std430, binding = 0) restrict buffer SumBlock { uint sums[]; };
+layout(binding = wordsBinding) uniform usamplerBuffer words;
+layout(std430, binding = sumsBinding) restrict buffer SumBlock { uint sums[]; };
 uniform int texels;
 uniform int perInvocation;  // divides perBlock
 uniform int perBlock;

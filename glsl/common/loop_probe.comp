@@ -1,6 +1,7 @@
 // Counts to `rounds` in a loop: some software drivers stop silently after 65,535 iterations.
+#include "common/bindings.glsl"
 layout(local_size_x = 1) in;
-layout(std430, binding = 0) writeonly restrict buffer OutputBlock { uint reached; };
+layout(std430, binding = outputsBinding) writeonly restrict buffer OutputBlock { uint reached; };
 uniform int rounds;
 
 void main() {

@@ -1,9 +1,10 @@
 // Every function of exact.glsl (bits compared with C++) and the built-ins whose rounding differs between
 // drivers (inexact; bits hashed to tell one family of drivers from another). 16 words an item.
+#include "common/bindings.glsl"
 #include "common/exact.glsl"
 layout(local_size_x = 64) in;
-layout(std430, binding = 0) readonly restrict buffer InputBlock { float inputs[]; };
-layout(std430, binding = 1) writeonly restrict buffer OutputBlock { float outputs[]; };
+layout(std430, binding = inputsBinding) readonly restrict buffer InputBlock { float inputs[]; };
+layout(std430, binding = outputsBinding) writeonly restrict buffer OutputBlock { float outputs[]; };
 uniform int count;
 
 void main() {

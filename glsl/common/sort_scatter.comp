@@ -1,6 +1,6 @@
 // Moves every record to its place in the order of this digit.
 #include "common/sort_tile.glsl"
-STATE_WORDS(1, NextBlock, nextRecords)
+STATE_WORDS(nextRecordsBinding, NextBlock, nextRecords)
 
 // Exclusive sums over four digits.
 uvec4 sumsBefore(uvec4 v) {

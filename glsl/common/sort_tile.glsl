@@ -1,9 +1,10 @@
 // What the three kernels of a sorting pass share: records are counted tile by tile, the counts are summed over
 // the tiles before, and every record moves to (records with lower digits) + (records of its digit in tiles
 // before) + (those before it in its tile). Counts of the sixteen digits are four elements of four words.
+#include "common/sort_bindings.glsl"
 #include "common/words.glsl"
-INPUT_WORDS(0, RecordBlock, records)
-STATE_WORDS(2, DigitBlock, digits)
+INPUT_WORDS(recordsBinding, RecordBlock, records)
+STATE_WORDS(digitsBinding, DigitBlock, digits)
 uniform int count;        // of records
 uniform int tiles;
 uniform int tileRecords;  // texels: records an invocation counts; storage: 2048

@@ -1,9 +1,10 @@
 // Adds a position-dependent hash of every four words to a 128-bit sum. Sums of integers do not depend on
 // order, so the result is the same on every driver and for every number of work groups. GROUPED, for GPUs: neighbouring
 // invocations read neighbouring words, and a group adds up before it adds to the sum.
+#include "common/bindings.glsl"
 #include "common/hash.glsl"
-layout(binding = 0) uniform usamplerBuffer words;
-layout(std430, binding = 0) restrict buffer SumBlock { uint sums[]; };
+layout(binding = wordsBinding) uniform usamplerBuffer words;
+layout(std430, binding = sumsBinding) restrict buffer SumBlock { uint sums[]; };
 uniform int texels;
 uniform int slot;
 uniform uint salt;

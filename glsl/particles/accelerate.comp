@@ -3,19 +3,21 @@
 // CPU twin give the same bits.
 #include "common/exact.glsl"
 #include "common/memory.glsl"
+#include "particles/bindings.glsl"
 #include "particles/types.glsl"
 #include "particles/pairs.glsl"
 
-INPUT_ARRAY(0, PositionBlock, positions)
-STATE_ARRAY(1, AccelerationBlock, accelerations)
+INPUT_ARRAY(positionsBinding, PositionBlock, positions)
+STATE_ARRAY(accelerationsBinding, AccelerationBlock, accelerations)
 uniform ivec2 targets;  // first and one past the last
 uniform ivec2 bodies;   // the same; the first a multiple of chunkBodies
-uniform vec2 factors;   // eps^2 (m^2), G
+uniform float softeningSquared;  // m^2
+uniform float gravity;           // G, m^3/(kg s^2)
 uniform bool continued;  // earlier dispatches left their sum in accelerations
 uniform bool last;       // multiplies with G
 
 void finish(int i, vec3 sum) {
-  precise vec3 scaled = sum * factors.y;
+  precise vec3 scaled = sum * gravity;
   STORE_STATE(accelerations, i, vec4(last ? scaled : sum, 0.0f));
 }
 
@@ -25,10 +27,10 @@ vec3 begin(int i) {
 
 // Four bodies a round of the loops, which costs too; eight where an invocation has registers for them.
 #define PULL(k)                                        \
-  sum##k = addPull(sum##k, here##k, body0, factors.x); \
-  sum##k = addPull(sum##k, here##k, body1, factors.x); \
-  sum##k = addPull(sum##k, here##k, body2, factors.x); \
-  sum##k = addPull(sum##k, here##k, body3, factors.x);
+  sum##k = addPull(sum##k, here##k, body0, softeningSquared); \
+  sum##k = addPull(sum##k, here##k, body1, softeningSquared); \
+  sum##k = addPull(sum##k, here##k, body2, softeningSquared); \
+  sum##k = addPull(sum##k, here##k, body3, softeningSquared);
 
 #ifdef TEXEL_PATH
 // A texel load is dear beside the arithmetic, so eight targets share each. A SIMD lane is an invocation.
@@ -57,7 +59,7 @@ void main() {
     }
     for (; j < end; ++j) {
       vec4 body = LOAD_INPUT(positions, j);
-#define PULL_ONE(k) sum##k = addPull(sum##k, here##k, body, factors.x);
+#define PULL_ONE(k) sum##k = addPull(sum##k, here##k, body, softeningSquared);
       EACH(PULL_ONE)
     }
 #define JOIN(k) total##k = total##k + sum##k;

@@ -1,15 +1,15 @@
 // The newborns of a substep, from their birth to its end; after the other particles' drift. With ATTRACTS the kick is
 // left to kick.comp, which knows the others' pull.
-#include "particles/bindings.glsl"
+#include "particles/kernel.glsl"
 
 void main() {
   int k = int(gl_GlobalInvocationID.x);
   int e = 0;
-  while (e < stepData.counts.w && k >= stepData.emitters[e].slots.w) {
-    k -= stepData.emitters[e].slots.w;
+  while (e < stepData.emitterCount && k >= stepData.emitters[e].newborns) {
+    k -= stepData.emitters[e].newborns;
     ++e;
   }
-  if (e == stepData.counts.w) return;
+  if (e == stepData.emitterCount) return;
   int i = newbornSlot(e, k);
   ParticleMotion m = newbornMoved(e, k, ATTRACTOR, TURBULENCE);
   if (HEIGHTS == 1) m = overHeights(m);
@@ -18,9 +18,9 @@ void main() {
   STORE_STATE(velocities, i, m.velocity);
 #else
   vec3 acceleration = fieldAcceleration(stepData.fields, m.position.xyz, ATTRACTOR, TURBULENCE);
-  vec4 velocity = kicked(m.velocity, acceleration, paceOf(livedSeconds(e, k), stepData.factors.y));
+  vec4 velocity = kicked(m.velocity, acceleration, paceOf(livedSeconds(e, k), stepData.constants.damping));
   STORE_STATE(velocities, i, velocity);
   STORE_STATE(accelerations, i, vec4(acceleration, 0.0f));
-  if (isLost(m.position, velocity)) noteLost(uint(stepData.counts.y), uint(i));
+  if (isLost(m.position, velocity)) noteLost(uint(stepData.substep), uint(i));
 #endif
 }

@@ -1,15 +1,15 @@
 // Adds the fields to the particles' own gravity and makes the second kick.
-#include "particles/bindings.glsl"
+#include "particles/kernel.glsl"
 
 void main() {
   int i = int(gl_GlobalInvocationID.x);
-  if (i >= stepData.counts.x) return;
+  if (i >= stepData.count) return;
   ParticleMotion m = ParticleMotion(LOAD_STATE(positions, i), LOAD_STATE(velocities, i));
   vec3 pull = LOAD_STATE(accelerations, i).xyz;
-  vec4 pace = stepData.pace;
+  Pace pace = stepData.pace;
   ivec2 place = ringPlace(i);
   if (place.y >= 0) {
-    pace = paceOf(livedSeconds(place.x, place.y), stepData.factors.y);
+    pace = paceOf(livedSeconds(place.x, place.y), stepData.constants.damping);
     m = pulledSinceBirth(m, pull, pace);
     STORE_STATE(positions, i, m.position);
   }
@@ -17,5 +17,5 @@ void main() {
   vec4 velocity = kicked(m.velocity, acceleration, pace);
   STORE_STATE(accelerations, i, vec4(acceleration, 0.0f));
   STORE_STATE(velocities, i, velocity);
-  if (isLost(m.position, velocity)) noteLost(uint(stepData.counts.y), uint(i));
+  if (isLost(m.position, velocity)) noteLost(uint(stepData.substep), uint(i));
 }

@@ -15,7 +15,7 @@ FUNCTION float unit(uint bits) {
 }
 
 FUNCTION uvec3 randomWords(int item, int purpose, int draw) {
-  return hash3(uvec3(uint(item), uint(purpose * 8 + draw), uint(stepData.counts.z) * 0x9e3779b9u));
+  return hash3(uvec3(uint(item), uint(purpose * 8 + draw), uint(stepData.seed) * 0x9e3779b9u));
 }
 
 // s = 6u^5 - 15u^4 + 10u^3: its first and second derivatives vanish at 0 and 1.
@@ -37,7 +37,7 @@ FUNCTION vec3 mixed(vec3 a, vec3 b, float t) {
 }
 
 FUNCTION vec3 latticePotential(int x, int y, int z) {
-  uvec3 bits = hash3(uvec3(uint(x), uint(y), uint(z) ^ (uint(stepData.counts.z) * 0x85ebca6bu)));
+  uvec3 bits = hash3(uvec3(uint(x), uint(y), uint(z) ^ (uint(stepData.seed) * 0x85ebca6bu)));
   return vec3(signedUnit(bits.x), signedUnit(bits.y), signedUnit(bits.z));
 }
 
@@ -84,18 +84,20 @@ FUNCTION ParticleFields fieldsAt(float share) {
   ParticleFields f;
   f.acceleration = backTo(stepData.fields.acceleration, stepData.fieldsBefore.acceleration, share);
   f.attractor = backTo(stepData.fields.attractor, stepData.fieldsBefore.attractor, share);
-  f.turbulence = backTo(stepData.fields.turbulence, stepData.fieldsBefore.turbulence, share);
+  f.turbulenceDrift = backTo(stepData.fields.turbulenceDrift, stepData.fieldsBefore.turbulenceDrift, share);
   return f;
 }
 
 // Acceleration by everything but the other particles. ATTRACTOR and TURBULENCE switch terms off.
 FUNCTION vec3 fieldAcceleration(ParticleFields fields, vec3 here, bool attractor, bool turbulence) {
   precise vec3 sum = vec3(fields.acceleration);
-  if (attractor)
-    sum = sum + addPull(vec3(0.0f), here, fields.attractor, stepData.factors.z);
+  if (attractor) {
+    precise float softeningSquared = stepData.constants.attractorSoftening * stepData.constants.attractorSoftening;
+    sum = sum + addPull(vec3(0.0f), here, fields.attractor, softeningSquared);
+  }
   if (turbulence) {
-    precise vec3 place = (here - vec3(fields.turbulence)) * stepData.factors.w;
-    sum = sum + curlNoise(place) * fields.turbulence.w;
+    precise vec3 place = (here - vec3(fields.turbulenceDrift)) * stepData.perTurbulenceSize;
+    sum = sum + curlNoise(place) * stepData.turbulence.strength;
   }
   return sum;
 }
@@ -113,40 +115,40 @@ FUNCTION vec3 onSphere(float height, float turn) {
 // Lifetime of a slot: the same for each particle that lives in it, so the ring never overtakes itself.
 FUNCTION float lifetimeOf(int slot, int e) {
   float varied = signedUnit(randomWords(slot, e, 0).x);
-  precise float lifetime = (varied * stepData.emitters[e].life.y + 1.0f) * stepData.emitters[e].life.x;
+  precise float lifetime = (varied * stepData.emitters[e].constants.lifetimeVariation + 1.0f) * stepData.emitters[e].constants.lifetime;
   return lifetime;
 }
 
 // A slot's place in this substep: its emitter, -1 for particles of groups, and which newborn it is, -1 for none.
 FUNCTION ivec2 ringPlace(int slot) {
-  for (int e = 0; e < stepData.counts.w; ++e) {
-    ivec4 slots = stepData.emitters[e].slots;
-    int place = slot - slots.x;
-    if (place < 0 || place >= slots.y) continue;
-    int k = place - slots.z;
-    k = k < 0 ? k + slots.y : k;
-    return ivec2(e, k < slots.w ? k : -1);
+  for (int e = 0; e < stepData.emitterCount; ++e) {
+    int slots = stepData.emitters[e].slots;
+    int place = slot - stepData.emitters[e].firstSlot;
+    if (place < 0 || place >= slots) continue;
+    int k = place - stepData.emitters[e].firstPlace;
+    k = k < 0 ? k + slots : k;
+    return ivec2(e, k < stepData.emitters[e].newborns ? k : -1);
   }
   return ivec2(-1, -1);
 }
 
 // The inverse of ringPlace: the slot of newborn k.
 FUNCTION int newbornSlot(int e, int k) {
-  ivec4 slots = stepData.emitters[e].slots;
-  int place = slots.z + k;
-  return slots.x + (place < slots.y ? place : place - slots.y);
+  int slots = stepData.emitters[e].slots;
+  int place = stepData.emitters[e].firstPlace + k;
+  return stepData.emitters[e].firstSlot + (place < slots ? place : place - slots);
 }
 
 // Seconds that newborn k has lived at the substep's end.
 FUNCTION float livedSeconds(int e, int k) {
-  precise float lived = stepData.emitters[e].life.w - float(k) * stepData.emitters[e].positionBefore.w;
-  return min(max(lived, 0.0f), stepData.factors.x);
+  precise float lived = stepData.emitters[e].firstLived - float(k) * stepData.emitters[e].birthInterval;
+  return min(max(lived, 0.0f), stepData.dt);
 }
 
 // v' = v + a first kick, x' = x + v' drift.
-FUNCTION ParticleMotion drifted(ParticleMotion m, vec3 acceleration, vec4 pace) {
-  precise vec3 v = vec3(m.velocity) + acceleration * pace.x;
-  precise vec3 x = vec3(m.position) + v * pace.y;
+FUNCTION ParticleMotion drifted(ParticleMotion m, vec3 acceleration, Pace pace) {
+  precise vec3 v = vec3(m.velocity) + acceleration * pace.firstKick;
+  precise vec3 x = vec3(m.position) + v * pace.drift;
   m.position = vec4(x, m.position.w);
   m.velocity = vec4(v, m.velocity.w);
   return m;
@@ -170,7 +172,7 @@ FUNCTION ParticleMotion moved(int i, vec4 position, vec4 velocity, vec3 accelera
   if (velocity.w < 0.0f) return m;
   m = drifted(m, acceleration, stepData.pace);
   ivec2 place = ringPlace(i);
-  if (place.x >= 0) m = grownOlder(m, stepData.factors.x, i, place.x);
+  if (place.x >= 0) m = grownOlder(m, stepData.dt, i, place.x);
   return m;
 }
 
@@ -184,26 +186,26 @@ FUNCTION ParticleMotion newborn(int e, int k, float share) {
   vec3 across = exactCross(forward, abs(forward.y) < 0.9f ? vec3(0.0f, 1.0f, 0.0f) : vec3(1.0f, 0.0f, 0.0f));
   precise vec3 side = across * exactInverseSqrt(exactDot(across, across));
   vec3 up = exactCross(forward, side);
-  int serial = emitter.births.x + k;
+  int serial = emitter.firstSerial + k;
   uvec3 a = randomWords(serial, e, 1);
   uvec3 b = randomWords(serial, e, 2);
   uvec3 c = randomWords(serial, e, 3);
   // Uniform in a cone: h = 1 - cos = u (1 - cos spread), sin^2 = h (2 - h), where nothing cancels.
-  precise float height = unit(a.x) * emitter.velocityBefore.w;
+  precise float height = unit(a.x) * emitter.coneHeight;
   precise float cosine = 1.0f - height;
   precise float squared = (2.0f - height) * height;
   float sine = exactSqrt(max(squared, 0.0f));
   precise float angle = unit(a.y) * 6.2831853f;
   precise float sideways = sine * exactCos(angle);
   precise float upwards = sine * exactSin(angle);
-  precise float speed = (signedUnit(a.z) * emitter.velocity.w + 1.0f) * exactSqrt(meanSquared);
+  precise float speed = (signedUnit(a.z) * emitter.constants.speedVariation + 1.0f) * exactSqrt(meanSquared);
   precise vec3 velocity = (forward * cosine + side * sideways + up * upwards) * speed;
   // The greatest of three uniform numbers is distributed like the radius in a ball.
-  precise float radius = max(max(unit(c.x), unit(c.y)), unit(c.z)) * emitter.position.w;
+  precise float radius = max(max(unit(c.x), unit(c.y)), unit(c.z)) * emitter.constants.radius;
   precise vec3 place = vec3(backTo(emitter.position, emitter.positionBefore, share)) +
                        onSphere(signedUnit(b.x), unit(b.y)) * radius;
   ParticleMotion m;
-  m.position = vec4(place, emitter.life.z);
+  m.position = vec4(place, emitter.constants.mass);
   m.velocity = vec4(velocity, 0.0f);
   return m;
 }
@@ -211,11 +213,11 @@ FUNCTION ParticleMotion newborn(int e, int k, float share) {
 // Newborn k after the first kick and drift of the part of the substep that it lives, by the fields at its birth.
 FUNCTION ParticleMotion newbornMoved(int e, int k, bool attractor, bool turbulence) {
   float lived = livedSeconds(e, k);
-  precise float share = lived * exactReciprocal(stepData.factors.x);
+  precise float share = lived * exactReciprocal(stepData.dt);
   share = min(share, 1.0f);
   ParticleMotion m = newborn(e, k, share);
   vec3 acceleration = fieldAcceleration(fieldsAt(share), vec3(m.position), attractor, turbulence);
-  m = drifted(m, acceleration, paceOf(lived, stepData.factors.y));
+  m = drifted(m, acceleration, paceOf(lived, stepData.constants.damping));
   return grownOlder(m, lived, newbornSlot(e, k), e);
 }
 
@@ -229,16 +231,16 @@ FUNCTION ParticleMotion overHeights(ParticleMotion m) {
 }
 
 // Damping and second kick: v' = v keep + a second kick.
-FUNCTION vec4 kicked(vec4 velocity, vec3 acceleration, vec4 pace) {
-  precise vec3 v = vec3(velocity) * pace.z + acceleration * pace.w;
+FUNCTION vec4 kicked(vec4 velocity, vec3 acceleration, Pace pace) {
+  precise vec3 v = vec3(velocity) * pace.kept + acceleration * pace.secondKick;
   return velocity.w < 0.0f ? velocity : vec4(v, velocity.w);
 }
 
 // The others' pull at a newborn is known only where its drift ended. It stands for the one at the birth, too, and makes
 // up here for a first kick and a drift without it.
-FUNCTION ParticleMotion pulledSinceBirth(ParticleMotion m, vec3 pull, vec4 pace) {
-  precise vec3 kick = pull * pace.x;
-  precise vec3 x = vec3(m.position) + kick * pace.y;
+FUNCTION ParticleMotion pulledSinceBirth(ParticleMotion m, vec3 pull, Pace pace) {
+  precise vec3 kick = pull * pace.firstKick;
+  precise vec3 x = vec3(m.position) + kick * pace.drift;
   precise vec3 v = vec3(m.velocity) + kick;
   m.position = vec4(x, m.position.w);
   m.velocity = vec4(v, m.velocity.w);

@@ -1,11 +1,13 @@
-// How far one step of a damped leapfrog goes. Compiles as GLSL and as C++; common/exact.glsl comes before it.
+// How far one step of a damped leapfrog goes. Compiles as GLSL and as C++; common/exact.glsl and particles/types.glsl
+// come before it.
 
-// For `seconds` t and a damping of `rate` r: x first kick, y drift, z share of velocity kept, w second kick, to be used as
+// For `seconds` t and a damping of `rate` r: x first kick, y drift, z fraction of velocity kept, w second kick, to be
+// used as
 //   u = v + a x,  p' = p + u y,  v' = u z + a' w.
 // From v' = a - r v with a = const, z = r t, phi = (1 - e^-z)/z and psi = (1 - phi)/z,
 //   p' = p + v t phi + a t^2 psi,  v' = v e^-z + a t phi,
 // so y = t phi, x = t psi/phi, w = t phi - x e^-z: exact while a stays, whatever t. Without damping t/2, t, 1, t/2.
-FUNCTION vec4 paceOf(float seconds, float rate) {
+FUNCTION Pace paceOf(float seconds, float rate) {
   precise float z = seconds * rate;
   // Below 1, where 1 - e^-z cancels: psi = 1/2! + w/3! + w^2/4! + ..., w = -z, and the others from it.
   precise float w = -z;
@@ -26,5 +28,10 @@ FUNCTION vec4 paceOf(float seconds, float rate) {
   first = first * seconds;
   drift = drift * seconds;
   precise float second = drift - first * kept;
-  return vec4(first, drift, kept, second);
+  Pace pace;
+  pace.firstKick = first;
+  pace.drift = drift;
+  pace.kept = kept;
+  pace.secondKick = second;
+  return pace;
 }

@@ -1,9 +1,9 @@
 // A whole substep of particles that do not attract each other: kick, drift, kick.
-#include "particles/bindings.glsl"
+#include "particles/kernel.glsl"
 
 void main() {
   int i = int(gl_GlobalInvocationID.x);
-  if (i >= stepData.counts.x) return;
+  if (i >= stepData.count) return;
   ParticleMotion m =
       moved(i, LOAD_STATE(positions, i), LOAD_STATE(velocities, i), LOAD_STATE(accelerations, i).xyz);
   if (HEIGHTS == 1) m = overHeights(m);
@@ -12,5 +12,5 @@ void main() {
   STORE_STATE(positions, i, m.position);
   STORE_STATE(velocities, i, velocity);
   STORE_STATE(accelerations, i, vec4(acceleration, 0.0f));
-  if (isLost(m.position, velocity)) noteLost(uint(stepData.counts.y), uint(i));
+  if (isLost(m.position, velocity)) noteLost(uint(stepData.substep), uint(i));
 }

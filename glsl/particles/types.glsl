@@ -1,5 +1,5 @@
-// What the particle kernels read once per substep. Compiles as GLSL and as C++
-// (src/sim/particles/plan.hpp). Only 16-byte members, so std140 and std430 agree.
+// What the particle kernels read once per substep. Compiles as GLSL and as C++ (src/sim/particles). A struct's
+// vec4 come first, so that std140 and C++ agree.
 #ifndef PARTICLE_TYPES
 #define PARTICLE_TYPES
 
@@ -8,31 +8,68 @@ const int mostEmitters = 16;
 // decides how sums round, so both memory paths and the CPU twin share it.
 const int chunkBodies = 1024;
 
+// What a scene says and the kernels read as it is.
+struct STD140 EmitterConstants {
+  float radius DEFAULT(0.0f);             // m, of the ball in which particles appear
+  float speedVariation DEFAULT(0.3f);     // fraction
+  float lifetime DEFAULT(2.0f);           // s
+  float lifetimeVariation DEFAULT(0.3f);  // fraction
+  float mass DEFAULT(1.0f);               // kg
+};
+
+struct STD140 TurbulenceConstants {
+  float strength DEFAULT(0.0f);  // m/s^2
+};
+
+struct STD140 ParticleConstants {
+  float damping DEFAULT(0.0f);             // 1/s, towards rest; 0.06 keeps 0.999 at 60 Hz
+  float attractorSoftening DEFAULT(0.1f);  // m
+};
+
 // A ring of slots; newborns fill it in turn, each at its own moment of the substep.
-struct EmitterStep {
-  vec4 position;        // xyz m, at the substep's end; w radius (m) of the ball in which particles appear
-  vec4 positionBefore;  // the same at its start; w seconds between two births
-  vec4 velocity;        // xyz m/s, the mean at the end; w variation of the speed (share)
-  vec4 velocityBefore;  // the same at the start; w 1 - cos(spread)
-  vec4 life;            // x lifetime (s), y its variation (share), z mass (kg), w seconds the first newborn has lived at
-                        // the substep's end
-  ivec4 slots;          // x first slot, y number of slots, z place in the ring of the first newborn, w newborns
-  ivec4 births;         // x serial number of the first newborn, the rest spare
+struct STD140 EmitterStep {
+  vec4 position;          // xyz m, at the substep's end
+  vec4 positionBefore;    // the same at its start
+  vec4 velocity;          // xyz m/s, the mean at the end
+  vec4 velocityBefore;    // the same at the start
+  float coneHeight;       // 1 - cos(spread)
+  float birthInterval;    // s between two births
+  float firstLived;       // s the first newborn has lived at the substep's end
+  int firstSlot;
+  int slots;
+  int firstPlace;         // in the ring, of the first newborn
+  int newborns;
+  int firstSerial;        // number of the first newborn since the start
+  EmitterConstants constants;
 };
 
 // What accelerates particles wherever they are, at one moment.
-struct ParticleFields {
-  vec4 acceleration;  // xyz m/s^2 everywhere; w spare
-  vec4 attractor;     // xyz m; w G M (m^3/s^2)
-  vec4 turbulence;    // xyz how far the field has drifted (m); w strength (m/s^2)
+struct STD140 ParticleFields {
+  vec4 acceleration;     // xyz m/s^2 everywhere
+  vec4 attractor;        // xyz m; w G M (m^3/s^2)
+  vec4 turbulenceDrift;  // xyz how far the field has drifted (m)
 };
 
-struct ParticleStep {
+// How far one step of a damped leapfrog goes: see paceOf() of pace.glsl.
+struct STD140 Pace {
+  float firstKick;   // s
+  float drift;       // s
+  float kept;        // fraction of velocity
+  float secondKick;  // s
+};
+
+struct STD140 ParticleStep {
   ParticleFields fields;        // at the substep's end
   ParticleFields fieldsBefore;  // at its start
-  vec4 pace;                    // of a whole substep: see paceOf() of pace.glsl
-  vec4 factors;                 // x dt (s), y damping rate (1/s), z attractor's eps^2 (m^2), w 1/size (1/m)
-  ivec4 counts;                 // particles, substep index since the start, seed, emitters
+  Pace pace;                    // of a whole substep
+  float dt;                     // s
+  float perTurbulenceSize;      // 1/m
+  int count;
+  int substep;                  // since the start
+  int seed;
+  int emitterCount;
+  ParticleConstants constants;
+  TurbulenceConstants turbulence;
   EmitterStep emitters[mostEmitters];
 };
 

@@ -5,6 +5,10 @@
 
 #include <utility>
 
+namespace simreel::shader::sort {
+#include "glsl/common/sort_bindings.glsl"
+}
+
 namespace simreel::gl {
 
 namespace {
@@ -62,9 +66,9 @@ void RadixSort::pass(int count, int word, int shift) {
   }
   // A tile is an invocation or a work group of 256.
   const int invocations = texels_ ? tiles : tiles * 256;
-  records_.bindInput(0);
-  next_.bindState(1);
-  digits_.bindState(2);
+  records_.bindInput(shader::sort::recordsBinding);
+  next_.bindState(shader::sort::nextRecordsBinding);
+  digits_.bindState(shader::sort::digitsBinding);
   barrier();
   count_.dispatch(invocations);
   barrier();

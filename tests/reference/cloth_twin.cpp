@@ -89,7 +89,6 @@ void ClothTwin::substep(const ClothStep& data, int threads, int index) {
 void ClothTwin::constrain(const ClothStep& data) {
   const ivec2 size = plan_.parameters().size;
   Kernel kernel{size, data, next_.data()};
-  const float restLengths[] = {1.0F, 1.41421356F, 2.0F};
   const struct {
     ivec2 reach;
     int family;
@@ -104,8 +103,8 @@ void ClothTwin::constrain(const ClothStep& data) {
           if ((along & 1) != color) continue;
           vec4& a = next_[static_cast<std::size_t>(y * size.x + x)];
           vec4& b = next_[static_cast<std::size_t>(to.y * size.x + to.x)];
-          const float restLength = data.alongX.w * restLengths[f.family];
-          const vec3 shift = kernel.constraintShift(a, b, restLength, data.compliance[f.family]);
+          const vec3 shift = kernel.constraintShift(a, b, kernel.familyLength(f.family),
+                                                    kernel.familyCompliance(f.family));
           a = vec4(vec3(a) - shift * a.w, a.w);
           b = vec4(vec3(b) + shift * b.w, b.w);
         }

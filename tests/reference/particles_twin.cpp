@@ -62,7 +62,7 @@ glm::vec3 pairAcceleration(const std::vector<glm::vec4>& bodies, glm::vec3 here,
 
 glm::vec3 curlNoiseAt(glm::vec3 p, int seed) {
   ParticleStep data{};
-  data.counts.z = seed;
+  data.seed = seed;
   return Kernel{data}.curlNoise(p);
 }
 
@@ -93,8 +93,8 @@ void ParticlesTwin::step(double time, int threads) {
     forAll(positions.size(), threads, [&](std::size_t i) {
       store(i, kernel.moved(static_cast<int>(i), positions[i], velocities[i], vec3(accelerations[i])));
     });
-    for (int e = 0; e < data.counts.w; ++e)
-      for (int k = 0; k < data.emitters[e].slots.w; ++k)
+    for (int e = 0; e < data.emitterCount; ++e)
+      for (int k = 0; k < data.emitters[e].newborns; ++k)
         store(static_cast<std::size_t>(kernel.newbornSlot(e, k)),
               kernel.newbornMoved(e, k, p.hasAttractor, p.turbulence.strength > 0));
     attract(threads);
@@ -117,9 +117,9 @@ void ParticlesTwin::kick(const ParticleStep& data, int threads) {
     Kernel kernel{data};
     Kernel::ParticleMotion m{positions[i], velocities[i]};
     const vec3 pull = pairs ? vec3(accelerations[i]) : vec3(0);
-    vec4 pace = data.pace;
+    Pace pace = data.pace;
     if (const auto place = kernel.ringPlace(static_cast<int>(i)); place.y >= 0) {
-      pace = paceOf(kernel.livedSeconds(place.x, place.y), data.factors.y);
+      pace = paceOf(kernel.livedSeconds(place.x, place.y), p.damping);
       if (pairs) m = kernel.pulledSinceBirth(m, pull, pace);
     }
     const vec3 field =

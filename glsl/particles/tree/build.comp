@@ -3,12 +3,13 @@
 #define REAL float
 #include "common/exact.glsl"
 #include "common/memory.glsl"
+#include "particles/tree/bindings.glsl"
 #include "particles/tree/types.glsl"
 layout(local_size_x = 64) in;
-INPUT_ARRAY(0, BodyBlock, bodies)
-STATE_ARRAY(1, BoxBlock, boxes)
-STATE_ARRAY(2, CellBlock, cells)
-STATE_ARRAY(3, MomentBlock, moments)
+INPUT_ARRAY(bodiesBinding, BodyBlock, bodies)
+STATE_ARRAY(boxesBinding, BoxBlock, boxes)
+STATE_ARRAY(cellsBinding, CellBlock, cells)
+STATE_ARRAY(momentsBinding, MomentBlock, moments)
 uniform int roots;
 uniform int width;  // nodes of this level in each tree
 uniform float perOpening;

@@ -3,11 +3,12 @@
 #include "common/exact.glsl"
 #include "common/memory.glsl"
 #include "common/words.glsl"
+#include "particles/tree/bindings.glsl"
 #include "particles/tree/types.glsl"
 layout(local_size_x = 64) in;
-INPUT_ARRAY(0, PositionBlock, positions)
-STATE_ARRAY(1, BodyBlock, bodies)
-INPUT_WORDS(2, RecordBlock, records)
+INPUT_ARRAY(positionsBinding, PositionBlock, positions)
+STATE_ARRAY(bodiesBinding, BodyBlock, bodies)
+INPUT_WORDS(recordsBinding, RecordBlock, records)
 uniform int count;
 uniform int padded;  // up to whole trees
 

@@ -3,10 +3,11 @@
 #define REAL float
 #include "common/exact.glsl"
 #include "common/memory.glsl"
+#include "particles/tree/bindings.glsl"
 #include "particles/tree/types.glsl"
 layout(local_size_x = 64) in;
-INPUT_ARRAY(0, PositionBlock, positions)
-STATE_ARRAY(1, CornerBlock, corners)
+INPUT_ARRAY(positionsBinding, PositionBlock, positions)
+STATE_ARRAY(cornersBinding, CornerBlock, corners)
 uniform int count;   // of items to reduce
 uniform int first;   // pair of the first item, among corners
 uniform int result;  // pair of the first result; the results are strided over the items

@@ -22,13 +22,14 @@ EXACT_INVERSE_SQRT(REAL)
 #endif
 #include "common/memory.glsl"
 #include "common/words.glsl"
+#include "particles/tree/bindings.glsl"
 #include "particles/tree/types.glsl"
-INPUT_ARRAY(0, BodyBlock, bodies)
-INPUT_ARRAY(1, BoxBlock, boxes)
-INPUT_ARRAY(2, CellBlock, cells)
-INPUT_ARRAY(3, MomentBlock, moments)
-INPUT_WORDS(4, RecordBlock, records)
-STATE_ARRAY(5, AccelerationBlock, accelerations)
+INPUT_ARRAY(bodiesBinding, BodyBlock, bodies)
+INPUT_ARRAY(boxesBinding, BoxBlock, boxes)
+INPUT_ARRAY(cellsBinding, CellBlock, cells)
+INPUT_ARRAY(momentsBinding, MomentBlock, moments)
+INPUT_WORDS(recordsBinding, RecordBlock, records)
+STATE_ARRAY(accelerationsBinding, AccelerationBlock, accelerations)
 uniform int count;
 uniform int firstRoot;  // the trees of this dispatch; sums pass from one to the next in memory
 uniform int lastRoot;

@@ -4,6 +4,7 @@
 #include "frame/summaries.hpp"
 #include "gl/element_array.hpp"
 #include "gl/program.hpp"
+#include "glsl/common/cpp.hpp"
 #include "golden/trace/layout.hpp"
 #include "golden/trace/traced_run.hpp"
 #include "sim/world/world.hpp"
@@ -65,8 +66,8 @@ class Tracer {
 
   void addArray(const gl::Buffer& buffer, const StepTrace::Array& array, std::uint32_t place) {
     const gl::Texture words = gl::Texture::view("state words", GL_RGBA32UI, buffer);
-    words.bind(0);
-    sums_.bindStorage(0);
+    words.bind(shader::wordsBinding);
+    sums_.bindStorage(shader::sumsBinding);
     const std::uint32_t perInvocation = invocationShare(array.perBlock);
     hash_.set("texels", static_cast<int>(array.elements));
     hash_.set("perInvocation", static_cast<int>(perInvocation));

@@ -13,6 +13,10 @@
 #include <cstdint>
 #include <utility>
 
+namespace simreel::shader::cloth {
+#include "glsl/cloth/bindings.glsl"
+}
+
 namespace simreel::sim {
 
 namespace {
@@ -65,9 +69,9 @@ class Cloth : public Simulation {
     status_.bindStorage(shader::statusBinding);
     for (int i = 0; i < plan_.substeps(); ++i) {
       steps_.bind(static_cast<std::size_t>(i));
-      positions_[0].bindInput(0);
-      positions_[1].bindState(1);
-      velocities_.bindState(2);
+      positions_[0].bindInput(shader::cloth::positionsBinding);
+      positions_[1].bindState(shader::cloth::nextPositionsBinding);
+      velocities_.bindState(shader::cloth::velocitiesBinding);
       if (heights_ != nullptr) {
         heights_->bind();
         heights_->tell(touching(), i, plan_.substeps(), plan_.parameters().margin, 0.0F);

@@ -1,7 +1,6 @@
 #include "sim/cloth/parameters.hpp"
 
 #include "base/error.hpp"
-#include "glsl/common/cpp.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,10 +10,6 @@
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
-
-namespace simreel::shader {
-#include "glsl/cloth/types.glsl"
-}
 
 namespace simreel::sim {
 

@@ -1,5 +1,5 @@
 #pragma once
-#include "sim/core/kind.hpp"
+#include "glsl/common/cpp.hpp"
 #include "scene/fields.hpp"
 
 #include <optional>
@@ -8,6 +8,10 @@
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+
+namespace simreel::shader {
+#include "glsl/cloth/types.glsl"
+}
 
 namespace simreel::sim {
 
@@ -26,37 +30,26 @@ struct PinGroup {
 };
 
 /// The air around the cloth.
-struct Air {
+struct Air : shader::AirConstants {
   scene::Animated<glm::vec3> velocity = glm::vec3(5, 0, 0);  ///< m/s
-  float density = 1.2F;                                      ///< kg/m^3
-  float drag = 1.0F;
-  float lift = 0.6F;
   float gusts = 0.3F;     ///< size of the velocity's variation as a share of its magnitude
   float gustSize = 0.8F;  ///< m
 };
 
 enum class ClothSolver { springs, constraints };
 
-struct ClothParameters : ObjectParameters {
+struct ClothParameters : ObjectParameters, shader::ClothConstants {
   glm::ivec2 size{32, 32};      ///< particles
-  float spacing = 0.1F;         ///< m between neighbours at rest
   glm::vec3 position{0, 0, 0};  ///< m, middle of the sheet at rest
   glm::vec3 rotation{0, 0, 0};  ///< degrees; unrotated it lies in the xz plane, rows along x
   float jitter = 0.0F;          ///< m
   float mass = 1.0F;            ///< kg per particle
-  float stiffness = 500.0F;     ///< N/m
-  float shear = 1.0F;           ///< ratio to stiffness
-  float bend = 0.3F;            ///< ratio to stiffness
   ClothSolver solver = ClothSolver::springs;
-  float compliance = 0.0F;       ///< m/N
-  float shearCompliance = 0.0F;  ///< m/N
-  float bendCompliance = 0.01F;  ///< m/N
-  float damping = 4.85F;         ///< 1/s
+  float damping = 4.85F;  ///< 1/s
   scene::Animated<glm::vec3> gravity = glm::vec3(0, -9.8F, 0);
   scene::Animated<glm::vec3> wind = glm::vec3(0.5F, 0, 0.3F);  ///< N on each particle
   bool hasAir = false;
   Air air;
-  float margin = 0.01F;  ///< m kept from colliders
   std::optional<int> substeps = 4;
   std::vector<PinGroup> pins;
 

@@ -94,48 +94,54 @@ shader::Collider ClothPlan::colliderAt(const ColliderShape& shape, double time) 
   const auto before = ends(time - substepSeconds_);
   const auto rate = static_cast<float>(1.0 / substepSeconds_);
   shader::Collider c{};
-  const float keep = kept(shape.grip, substepSeconds_);
+  c.grip = kept(shape.grip, substepSeconds_);
   if (shape.kind == ColliderShape::Kind::plane) {
     const glm::vec3 n = now[2];
     const glm::vec3 p = shape.position.at(time);
-    c.a = glm::vec4(n, n.x * p.x + n.y * p.y + n.z * p.z);
-    c.b = glm::vec4(0, 0, 0, 1);
-    c.velocityA = glm::vec4(0, 0, 0, keep);
+    c.a = glm::vec4(n, 0);
+    c.reach = n.x * p.x + n.y * p.y + n.z * p.z;
+    c.plane = 1;
     return c;
   }
-  c.a = glm::vec4(now[0], shape.radius);
+  c.a = glm::vec4(now[0], 0);
   c.b = glm::vec4(now[1], 0);
-  c.velocityA = glm::vec4((now[0] - before[0]) * rate, keep);
-  c.velocityB = glm::vec4((now[1] - before[1]) * rate,
-                          shape.length > 0 ? 1.0F / (shape.length * shape.length) : 0.0F);
+  c.velocityA = glm::vec4((now[0] - before[0]) * rate, 0);
+  c.velocityB = glm::vec4((now[1] - before[1]) * rate, 0);
+  c.reach = shape.radius;
+  c.perLengthSquared = shape.length > 0 ? 1.0F / (shape.length * shape.length) : 0.0F;
   return c;
 }
 
 std::vector<shader::ClothStep> ClothPlan::frame(double time) {
   std::vector<shader::ClothStep> steps(static_cast<std::size_t>(substeps_));
   const ClothParameters& p = parameters_;
-  const auto dt = static_cast<float>(substepSeconds_);
   for (int i = 0; i < substeps_; ++i) {
     const double start = time + i * substepSeconds_;
     const double end = time + (i + 1) * substepSeconds_;
     shader::ClothStep& s = steps[static_cast<std::size_t>(i)];
-    s.gravity = glm::vec4(p.gravity.at(start), dt);
-    s.windForce = glm::vec4(p.wind.at(start), kept(p.damping, substepSeconds_));
+    s.gravity = glm::vec4(p.gravity.at(start), 0);
+    s.wind = glm::vec4(p.wind.at(start), 0);
     const glm::vec3 air = p.hasAir ? p.air.velocity.at(start) : glm::vec3(0);
     const auto speed = static_cast<float>(std::sqrt(static_cast<double>(air.x) * air.x +
                                                     static_cast<double>(air.y) * air.y +
                                                     static_cast<double>(air.z) * air.z));
     for (int axis = 0; axis < 3; ++axis) drift_[axis] += air[axis] * substepSeconds_;
-    s.air = glm::vec4(air, p.air.density);
-    s.airShape = glm::vec4(p.air.drag, p.air.lift, p.air.gusts, 1.0F / p.air.gustSize);
-    s.airDrift = glm::vec4(drift_[0], drift_[1], drift_[2], p.air.gusts * speed);
-    s.origin = glm::vec4(origin_, p.margin);
-    s.alongX = glm::vec4(alongX_, p.spacing);
-    s.alongY = glm::vec4(alongY_, static_cast<float>(1.0 / (substepSeconds_ * substepSeconds_)));
-    s.stiffness = glm::vec4(p.stiffness, p.stiffness * p.shear, p.stiffness * p.bend,
-                            static_cast<float>(1.0 / substepSeconds_));
-    s.compliance = glm::vec4(p.compliance, p.shearCompliance, p.bendCompliance, 0);
-    s.counts = glm::ivec4(static_cast<int>(colliders_.size()), static_cast<int>(done_), seed_, 0);
+    s.airVelocity = glm::vec4(air, 0);
+    s.gustDrift = glm::vec4(drift_[0], drift_[1], drift_[2], 0);
+    s.origin = glm::vec4(origin_, 0);
+    s.alongX = glm::vec4(alongX_, 0);
+    s.alongY = glm::vec4(alongY_, 0);
+    s.dt = static_cast<float>(substepSeconds_);
+    s.perDt = static_cast<float>(1.0 / substepSeconds_);
+    s.perDtSquared = static_cast<float>(1.0 / (substepSeconds_ * substepSeconds_));
+    s.kept = kept(p.damping, substepSeconds_);
+    s.gustSpeed = p.air.gusts * speed;
+    s.perGustSize = 1.0F / p.air.gustSize;
+    s.colliderCount = static_cast<int>(colliders_.size());
+    s.substep = static_cast<int>(done_);
+    s.seed = seed_;
+    s.constants = p;
+    s.air = p.air;
     for (std::size_t c = 0; c < colliders_.size(); ++c) s.colliders[c] = colliderAt(colliders_[c], end);
     for (std::size_t g = 0; g < p.pins.size(); ++g) s.frames[g] = pinFrame(p.pins[g], end);
     ++done_;

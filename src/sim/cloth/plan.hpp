@@ -1,5 +1,4 @@
 #pragma once
-#include "glsl/common/cpp.hpp"
 #include "sim/cloth/parameters.hpp"
 #include "sim/core/carry_over.hpp"
 #include "sim/core/collider.hpp"
@@ -9,13 +8,6 @@
 
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
-
-namespace simreel::shader {
-#include "glsl/cloth/types.glsl"
-static_assert(sizeof(Collider) == 64);
-static_assert(sizeof(PinFrame) == 48);
-static_assert(sizeof(ClothStep) == 11 * 16 + mostColliders * 64 + mostPinFrames * 48);
-}  // namespace simreel::shader
 
 namespace simreel::sim {
 

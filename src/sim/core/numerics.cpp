@@ -50,8 +50,8 @@ Numerics probeNumerics() {
   const auto in = gl::Buffer::of<float>("probe inputs", values);
   const gl::Buffer out("probe outputs", probes * functions * sizeof(float));
   const auto program = gl::Program::compute("common/probe.comp");
-  in.bindStorage(0);
-  out.bindStorage(1);
+  in.bindStorage(shader::inputsBinding);
+  out.bindStorage(shader::outputsBinding);
   program.set("count", probes);
   program.dispatch(probes);
   gl::barrier();
@@ -80,7 +80,7 @@ Numerics probeNumerics() {
 unsigned probeLoop() {
   const gl::Buffer out("loop probe", 16);
   const auto program = gl::Program::compute("common/loop_probe.comp");
-  out.bindStorage(0);
+  out.bindStorage(shader::outputsBinding);
   program.set("rounds", static_cast<int>(loopProbeRounds));
   program.dispatch(1);
   gl::barrier();

@@ -2,6 +2,7 @@
 
 #include "gl/context.hpp"
 #include "gl/texture.hpp"
+#include "glsl/common/cpp.hpp"
 
 #include <algorithm>
 
@@ -29,8 +30,8 @@ void StateHash::add(const gl::Buffer& array, std::size_t number, const gl::Buffe
                     std::size_t place) const {
   const gl::Texture words = gl::Texture::view("state words", GL_RGBA32UI, array);
   const int texels = static_cast<int>(array.bytes() / 16);
-  words.bind(0);
-  sums.bindStorage(0);
+  words.bind(shader::wordsBinding);
+  sums.bindStorage(shader::sumsBinding);
   program_.set("texels", texels);
   program_.set("slot", static_cast<int>(place));
   program_.set("salt", static_cast<unsigned>(number + 1) * 0x9e3779b9U);

@@ -7,6 +7,10 @@
 #include <cstdint>
 #include <vector>
 
+namespace simreel::shader::tree {
+#include "glsl/particles/tree/bindings.glsl"
+}
+
 namespace simreel::sim {
 
 namespace {
@@ -88,8 +92,8 @@ void GravityTree::findBox(const gl::Vec4Array& positions, int count) {
   do {
     const gl::Program& program = result == 0 ? reduceBodies_ : reduceBoxes_;
     const int results = ceilDivide(items, reduction);
-    positions.bindInput(0);
-    corners_.bindState(1);
+    positions.bindInput(shader::tree::positionsBinding);
+    corners_.bindState(shader::tree::cornersBinding);
     program.set("count", items);
     program.set("first", first);
     program.set("result", result);
@@ -107,9 +111,9 @@ void GravityTree::sort(const gl::Vec4Array& positions, int count) {
   SIMREEL_CHECK(count <= capacity_);
   if (count <= 0) return;
   findBox(positions, count);
-  positions.bindInput(0);
-  corners_.bindInput(1);
-  sort_.records().bindState(2);
+  positions.bindInput(shader::tree::positionsBinding);
+  corners_.bindInput(shader::tree::cornersBinding);
+  sort_.records().bindState(shader::tree::recordsBinding);
   key_.set("count", count);
   key_.set("box", box_);
   gl::barrier();
@@ -120,17 +124,17 @@ void GravityTree::sort(const gl::Vec4Array& positions, int count) {
 void GravityTree::build(const gl::Vec4Array& positions, int count, float opening) {
   if (count <= 0) return;
   const int roots = ceilDivide(count, rootBodies);
-  positions.bindInput(0);
-  bodies_.bindState(1);
-  sort_.records().bindInput(2);
+  positions.bindInput(shader::tree::positionsBinding);
+  bodies_.bindState(shader::tree::bodiesBinding);
+  sort_.records().bindInput(shader::tree::recordsBinding);
   gather_.set("count", count);
   gather_.set("padded", roots * rootBodies);
   gl::barrier();
   gather_.dispatch(roots * rootBodies);
-  bodies_.bindInput(0);
-  boxes_.bindState(1);
-  cells_.bindState(2);
-  moments_.bindState(3);
+  bodies_.bindInput(shader::tree::bodiesBinding);
+  boxes_.bindState(shader::tree::boxesBinding);
+  cells_.bindState(shader::tree::cellsBinding);
+  moments_.bindState(shader::tree::momentsBinding);
   for (int width = rootLeaves; width > 0; width /= 2) {
     const gl::Program& program = width == rootLeaves ? leaves_ : parents_;
     program.set("roots", roots);
@@ -152,12 +156,12 @@ void GravityTree::walk(const gl::Vec4Array& accelerations, int count, float grav
   if (count <= 0) return;
   const int roots = ceilDivide(count, rootBodies);
   const bool texels = gl::memoryPath() == gl::MemoryPath::texel;
-  bodies_.bindInput(0);
-  boxes_.bindInput(1);
-  cells_.bindInput(2);
-  moments_.bindInput(3);
-  sort_.records().bindInput(4);
-  accelerations.bindState(5);
+  bodies_.bindInput(shader::tree::bodiesBinding);
+  boxes_.bindInput(shader::tree::boxesBinding);
+  cells_.bindInput(shader::tree::cellsBinding);
+  moments_.bindInput(shader::tree::momentsBinding);
+  sort_.records().bindInput(shader::tree::recordsBinding);
+  accelerations.bindState(shader::tree::accelerationsBinding);
   walk_.set("count", count);
   walk_.set("gravity", gravity);
   walk_.set("softening2", softeningSquare(softening));

@@ -6,6 +6,10 @@
 #include <algorithm>
 #include <string>
 
+namespace simreel::shader::particles {
+#include "glsl/particles/bindings.glsl"
+}
+
 namespace simreel::sim {
 
 namespace {
@@ -46,10 +50,11 @@ void PairGravity::accelerate(const gl::Vec4Array& positions, const gl::Vec4Array
   const bool many = !texel && wanted >= manyFrom_;
   const gl::Program& program = many ? manyPairs_ : pairs_;
   const int each = texel ? targetsPerTexelInvocation : many ? manyTargets : 1;
-  positions.bindInput(0);
-  accelerations.bindState(1);
+  positions.bindInput(shader::particles::positionsBinding);
+  accelerations.bindState(shader::particles::accelerationsBinding);
   program.set("targets", targets);
-  program.set("factors", glm::vec2(softening * softening, gravity));
+  program.set("softeningSquared", softening * softening);
+  program.set("gravity", gravity);
   for (int first = 0; first < count; first += bodiesPerDispatch_) {
     const int end = std::min(count - first, bodiesPerDispatch_) + first;
     program.set("bodies", glm::ivec2(first, end));

@@ -1,5 +1,5 @@
 #pragma once
-#include "sim/core/kind.hpp"
+#include "glsl/common/cpp.hpp"
 #include "scene/fields.hpp"
 #include "sim/core/drawable.hpp"
 
@@ -9,6 +9,10 @@
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+
+namespace simreel::shader {
+#include "glsl/particles/types.glsl"
+}
 
 namespace simreel::sim {
 
@@ -32,30 +36,24 @@ struct ParticleGroup {
 };
 
 /// A source of particles that live for a while.
-struct Emitter {
+struct Emitter : shader::EmitterConstants {
   float rate = 1000.0F;                                      ///< 1/s
   scene::Animated<glm::vec3> position = glm::vec3(0);        ///< m
-  float radius = 0.0F;                                       ///< m, of the ball in which they appear
   scene::Animated<glm::vec3> velocity = glm::vec3(0, 3, 0);  ///< m/s
   float spread = 20.0F;                                      ///< degrees about the velocity
-  float speedVariation = 0.3F;                               ///< share
-  float lifetime = 2.0F;                                     ///< s
-  float lifetimeVariation = 0.3F;                            ///< share
-  float mass = 1.0F;                                         ///< kg
   float from = 0.0F, until = 1e9F;                           ///< s
   void describe(scene::Fields& fields);
 };
 
 /// Curl noise: a velocity field without sources.
-struct Turbulence {
-  float strength = 0.0F;  ///< m/s^2
-  float size = 1.0F;      ///< m
-  float speed = 0.3F;     ///< m/s at which the field drifts
+struct Turbulence : shader::TurbulenceConstants {
+  float size = 1.0F;   ///< m
+  float speed = 0.3F;  ///< m/s at which the field drifts
 };
 
 enum class GravityMethod { none, allPairs, tree };  ///< "none", "all-pairs", "tree"
 
-struct ParticleParameters : ObjectParameters {
+struct ParticleParameters : ObjectParameters, shader::ParticleConstants {
   std::vector<ParticleGroup> groups;
   std::vector<Emitter> emitters;
   GravityMethod method = GravityMethod::allPairs;
@@ -65,9 +63,7 @@ struct ParticleParameters : ObjectParameters {
   bool hasAttractor = false;
   scene::Animated<glm::vec3> attractorPosition = glm::vec3(0);  ///< m
   scene::Animated<float> attractorMass = 100.0F;                ///< kg
-  float attractorSoftening = 0.1F;                              ///< m
   scene::Animated<glm::vec3> acceleration = glm::vec3(0);       ///< m/s^2, the same everywhere
-  float damping = 0.0F;  ///< 1/s, towards rest; 0.06 keeps 0.999 at 60 Hz
   Turbulence turbulence;
   int substeps = 1;
   bool collides = false;

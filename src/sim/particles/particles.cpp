@@ -15,6 +15,10 @@
 #include <memory>
 #include <optional>
 
+namespace simreel::shader::particles {
+#include "glsl/particles/bindings.glsl"
+}
+
 namespace simreel::sim {
 
 namespace {
@@ -164,7 +168,7 @@ class Particles : public Simulation {
 
   void giveBirth(const shader::ParticleStep& step) const {
     int newborns = 0;
-    for (const shader::EmitterStep& emitter : step.emitters) newborns += emitter.slots.w;
+    for (const shader::EmitterStep& emitter : step.emitters) newborns += emitter.newborns;
     if (newborns == 0) return;
     gl::barrier();
     birth_.dispatch(newborns);
@@ -193,9 +197,9 @@ class Particles : public Simulation {
 
   void bind(int substep) const {
     steps_.bind(static_cast<std::size_t>(substep));
-    positions_.bindState(0);
-    velocities_.bindState(1);
-    accelerations_.bindState(2);
+    positions_.bindState(shader::particles::positionsBinding);
+    velocities_.bindState(shader::particles::velocitiesBinding);
+    accelerations_.bindState(shader::particles::accelerationsBinding);
     status_.bindStorage(shader::statusBinding);
     if (heights_ == nullptr) return;
     const ParticleParameters& p = plan_.parameters();

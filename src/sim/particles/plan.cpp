@@ -121,7 +121,7 @@ shader::ParticleFields ParticlePlan::fields(double time) const {
   f.attractor = glm::vec4(p.attractorPosition.at(time), p.gravity * p.attractorMass.at(time));
   // The field drifts along a fixed direction, none of the axes.
   const glm::dvec3 way = glm::dvec3(0.36, 0.48, 0.8) * (p.turbulence.speed * time);
-  f.turbulence = glm::vec4(way.x, way.y, way.z, p.turbulence.strength);
+  f.turbulenceDrift = glm::vec4(way.x, way.y, way.z, 0);
   return f;
 }
 
@@ -132,9 +132,14 @@ shader::ParticleStep ParticlePlan::between(double start, double end) const {
   s.fields = fields(end);
   s.fieldsBefore = fields(start);
   s.pace = shader::paceOf(seconds, p.damping);
-  s.factors =
-      glm::vec4(seconds, p.damping, p.attractorSoftening * p.attractorSoftening, 1.0F / p.turbulence.size);
-  s.counts = glm::ivec4(count_, done_, seed_, static_cast<int>(rings_.size()));
+  s.dt = seconds;
+  s.perTurbulenceSize = 1.0F / p.turbulence.size;
+  s.count = count_;
+  s.substep = done_;
+  s.seed = seed_;
+  s.emitterCount = static_cast<int>(rings_.size());
+  s.constants = p;
+  s.turbulence = p.turbulence;
   return s;
 }
 
@@ -173,16 +178,21 @@ void ParticlePlan::births(shader::EmitterStep& s, const Emitter& emitter, Ring& 
   const auto newborns = static_cast<int>(std::min<long long>(due - ring.born, ring.size));
   const long long first = due - newborns;
   const double birth = ring.begin + static_cast<double>(first + 1) / rate;
-  s.position = glm::vec4(emitter.position.at(end), emitter.radius);
-  s.positionBefore = glm::vec4(emitter.position.at(start), static_cast<float>(1 / rate));
-  s.velocity = glm::vec4(emitter.velocity.at(end), emitter.speedVariation);
+  s.position = glm::vec4(emitter.position.at(end), 0);
+  s.positionBefore = glm::vec4(emitter.position.at(start), 0);
+  s.velocity = glm::vec4(emitter.velocity.at(end), 0);
+  s.velocityBefore = glm::vec4(emitter.velocity.at(start), 0);
   // 1 - cos = 2 sin^2 of the half, which is 0 without spread.
   const float half = shader::exactSin(emitter.spread * 0.00872664626F);
-  s.velocityBefore = glm::vec4(emitter.velocity.at(start), 2.0F * half * half);
-  s.life =
-      glm::vec4(emitter.lifetime, emitter.lifetimeVariation, emitter.mass, static_cast<float>(end - birth));
-  s.slots = glm::ivec4(ring.first, ring.size, static_cast<int>(first % ring.size), newborns);
-  s.births = glm::ivec4(static_cast<int>(static_cast<std::uint32_t>(first)), 0, 0, 0);
+  s.coneHeight = 2.0F * half * half;
+  s.birthInterval = static_cast<float>(1 / rate);
+  s.firstLived = static_cast<float>(end - birth);
+  s.firstSlot = ring.first;
+  s.slots = ring.size;
+  s.firstPlace = static_cast<int>(first % ring.size);
+  s.newborns = newborns;
+  s.firstSerial = static_cast<int>(static_cast<std::uint32_t>(first));
+  s.constants = emitter;
   ring.born = due;
 }
 

@@ -1,17 +1,10 @@
 #pragma once
-#include "glsl/common/cpp.hpp"
 #include "sim/core/carry_over.hpp"
 #include "sim/particles/parameters.hpp"
 
 #include <vector>
 
 #include <glm/vec4.hpp>
-
-namespace simreel::shader {
-#include "glsl/particles/types.glsl"
-static_assert(sizeof(EmitterStep) == 7 * 16);
-static_assert(sizeof(ParticleStep) == 9 * 16 + mostEmitters * 112);
-}  // namespace simreel::shader
 
 namespace simreel::sim {
 

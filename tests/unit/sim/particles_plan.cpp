@@ -166,15 +166,15 @@ TEST_CASE("emitters start and stop when told, pre-roll included") {
   auto p = fountain();
   sim::ParticlePlan plan(p, 1, 1.0 / 60);
   int born = 0;
-  for (int frame = -60; frame < 0; ++frame) born += plan.frame(frame / 60.0)[0].emitters[0].slots.w;
+  for (int frame = -60; frame < 0; ++frame) born += plan.frame(frame / 60.0)[0].emitters[0].newborns;
   CHECK(born == 777);
   p.emitters[0].from = 1;
   p.emitters[0].until = 3;
   sim::ParticlePlan timed(p, 1, 1.0 / 60);
   born = 0;
-  for (int frame = 0; frame < 60; ++frame) born += timed.frame(frame / 60.0)[0].emitters[0].slots.w;
+  for (int frame = 0; frame < 60; ++frame) born += timed.frame(frame / 60.0)[0].emitters[0].newborns;
   CHECK(born == 0);
-  for (int frame = 60; frame < 600; ++frame) born += timed.frame(frame / 60.0)[0].emitters[0].slots.w;
+  for (int frame = 60; frame < 600; ++frame) born += timed.frame(frame / 60.0)[0].emitters[0].newborns;
   CHECK(born == 2 * 777);
 }
 

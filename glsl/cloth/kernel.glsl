@@ -1,0 +1,12 @@
+// What every cloth kernel includes.
+#include "common/bindings.glsl"
+#include "common/exact.glsl"
+#include "common/hash.glsl"
+#include "common/memory.glsl"
+#include "common/status.glsl"
+#include "mesh/height_array.glsl"
+#include "cloth/bindings.glsl"
+#include "cloth/types.glsl"
+
+layout(std140, binding = stepBinding) uniform StepBlock { ClothStep stepData; };
+uniform ivec2 size;

@@ -1,0 +1,18 @@
+// What every kernel of particles includes but accelerate.comp.
+#include "common/bindings.glsl"
+#include "common/exact.glsl"
+#include "common/hash.glsl"
+#include "common/memory.glsl"
+#include "common/status.glsl"
+#include "particles/bindings.glsl"
+#include "particles/types.glsl"
+#include "particles/pairs.glsl"
+#include "particles/pace.glsl"
+#include "mesh/height_array.glsl"
+
+layout(std140, binding = stepBinding) uniform StepBlock { ParticleStep stepData; };
+layout(local_size_x = 64) in;
+STATE_ARRAY(positionsBinding, PositionBlock, positions)
+STATE_ARRAY(velocitiesBinding, VelocityBlock, velocities)
+STATE_ARRAY(accelerationsBinding, AccelerationBlock, accelerations)
+#include "particles/model.glsl"
