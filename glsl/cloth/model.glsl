@@ -12,7 +12,8 @@ FUNCTION int neighbour(ivec2 at, int dx, int dy) {
 
 // Of the springs of a family: 0 structural, 1 shear, 2 bend.
 FUNCTION float familyLength(int family) {
-  precise float restLength = stepData.constants.spacing * (family == 0 ? 1.0f : (family == 1 ? 1.41421356f : 2.0f));
+  float ratio = family == 0 ? 1.0f : family == 1 ? 1.41421356f : 2.0f;
+  precise float restLength = stepData.constants.spacing * ratio;
   return restLength;
 }
 FUNCTION float familyCompliance(int family) {
@@ -52,14 +53,11 @@ FUNCTION vec3 springForces(ivec2 at, vec3 here) {
 
 // Value noise with three components in [-1, 1): a random vector at each lattice point, blended by
 // 3u^2 - 2u^3.
-FUNCTION vec3 latticeVector(ivec2 xy, int z) {
-  uvec3 bits = hash3(uvec3(uint(xy.x), uint(xy.y), uint(z) ^ (uint(stepData.seed) * 0x9e3779b9u)));
-  return vec3(signedUnit(bits.x), signedUnit(bits.y), signedUnit(bits.z));
+FUNCTION vec3 latticeVector(int x, int y, int z) {
+  return signedUnits(hash3(uvec3(uint(x), uint(y), uint(z) ^ (uint(stepData.seed) * 0x9e3779b9u))));
 }
-
-FUNCTION vec3 blend(vec3 a, vec3 b, float t) {
-  precise vec3 sum = a + (b - a) * t;
-  return sum;
+FUNCTION vec3 latticeRow(int x, int y, int z, float t) {
+  return exactMix(latticeVector(x, y, z), latticeVector(x + 1, y, z), t);
 }
 
 FUNCTION float smoothCurve(float u) {
@@ -75,11 +73,9 @@ FUNCTION vec3 noise(vec3 p) {
   int z = int(base.z);
   float tx = smoothCurve(u.x);
   float ty = smoothCurve(u.y);
-  vec3 low = blend(blend(latticeVector(ivec2(x, y), z), latticeVector(ivec2(x + 1, y), z), tx),
-                   blend(latticeVector(ivec2(x, y + 1), z), latticeVector(ivec2(x + 1, y + 1), z), tx), ty);
-  vec3 high = blend(blend(latticeVector(ivec2(x, y), z + 1), latticeVector(ivec2(x + 1, y), z + 1), tx),
-                    blend(latticeVector(ivec2(x, y + 1), z + 1), latticeVector(ivec2(x + 1, y + 1), z + 1), tx), ty);
-  return blend(low, high, smoothCurve(u.z));
+  vec3 low = exactMix(latticeRow(x, y, z, tx), latticeRow(x, y + 1, z, tx), ty);
+  vec3 high = exactMix(latticeRow(x, y, z + 1, tx), latticeRow(x, y + 1, z + 1, tx), ty);
+  return exactMix(low, high, smoothCurve(u.z));
 }
 
 // Air force on a corner of a face: c = a x b has twice the area of the triangle (here, a, b), and half of
@@ -118,7 +114,8 @@ FUNCTION vec3 newVelocity(ivec2 at, vec4 here, vec3 velocity, bool springs, bool
   precise vec3 force = vec3(stepData.wind);
   if (springs) force = force + springForces(at, vec3(here));
   if (air) force = force + airForces(at, vec3(here), velocity);
-  precise vec3 v = (velocity + (force * here.w + vec3(stepData.gravity)) * stepData.dt) * stepData.kept;
+  precise vec3 acceleration = force * here.w + vec3(stepData.gravity);
+  precise vec3 v = (velocity + acceleration * stepData.dt) * stepData.kept;
   return v;
 }
 
@@ -217,11 +214,6 @@ FUNCTION vec3 constraintShift(vec4 a, vec4 b, float restLength, float compliance
   precise float lambda = stretch * exactReciprocal(max(weight, 1e-20f)) * inverse;
   precise vec3 shift = d * -lambda;
   return a.w > 0.0f || b.w > 0.0f ? shift : vec3(0.0f);
-}
-
-// NaN or infinity, by its bits: compilers may assume that comparisons never meet NaN.
-FUNCTION bool isNumber(float x) {
-  return (floatBitsToInt(x) & 0x7f800000) != 0x7f800000;
 }
 
 // A position or speed no cloth should have.

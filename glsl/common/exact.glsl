@@ -14,6 +14,11 @@ FUNCTION float exactFlush(float x) {
   return abs(x) < 1e-30f ? 0.0f : x;
 }
 
+// Neither infinite nor NaN, by its bits: compilers may assume that comparisons never meet NaN.
+FUNCTION bool isNumber(float x) {
+  return (floatBitsToInt(x) & 0x7f800000) != 0x7f800000;
+}
+
 // 1/sqrt(x) for x >= 1e-30, relative error below 3e-7. y' = y (3/2 - x y^2 / 2), three times.
 // For x = 0 the result is large but finite. Of a vector each component by itself.
 #ifdef FAST_NUMERICS
@@ -92,4 +97,9 @@ FUNCTION vec3 exactCross(vec3 a, vec3 b) {
   precise vec3 c =
       vec3(a.y * b.z, a.z * b.x, a.x * b.y) - vec3(a.z * b.y, a.x * b.z, a.y * b.x);
   return c;
+}
+
+FUNCTION vec3 exactMix(vec3 a, vec3 b, float t) {
+  precise vec3 mixed = a + (b - a) * t;
+  return mixed;
 }

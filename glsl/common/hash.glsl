@@ -22,3 +22,6 @@ FUNCTION float signedUnit(uint bits) {
   precise float u = float(int(bits >> 8u) - 8388608) * 1.1920929e-7f;
   return u;
 }
+FUNCTION vec3 signedUnits(uvec3 bits) {
+  return vec3(signedUnit(bits.x), signedUnit(bits.y), signedUnit(bits.z));
+}

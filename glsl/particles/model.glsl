@@ -31,14 +31,8 @@ FUNCTION float quinticSlope(float u) {
   return s;
 }
 
-FUNCTION vec3 mixed(vec3 a, vec3 b, float t) {
-  precise vec3 sum = (b - a) * t + a;
-  return sum;
-}
-
 FUNCTION vec3 latticePotential(int x, int y, int z) {
-  uvec3 bits = hash3(uvec3(uint(x), uint(y), uint(z) ^ (uint(stepData.seed) * 0x85ebca6bu)));
-  return vec3(signedUnit(bits.x), signedUnit(bits.y), signedUnit(bits.z));
+  return signedUnits(hash3(uvec3(uint(x), uint(y), uint(z) ^ (uint(stepData.seed) * 0x85ebca6bu))));
 }
 
 // Curl of a vector potential of value noise at p (in units of its lattice): no sources, no sinks.
@@ -63,12 +57,12 @@ FUNCTION vec3 curlNoise(vec3 p) {
   vec3 c101 = latticePotential(x + 1, y, z + 1);
   vec3 c011 = latticePotential(x, y + 1, z + 1);
   vec3 c111 = latticePotential(x + 1, y + 1, z + 1);
-  precise vec3 dx = (mixed(mixed(c100, c110, ty), mixed(c101, c111, ty), tz) -
-                     mixed(mixed(c000, c010, ty), mixed(c001, c011, ty), tz)) * quinticSlope(u.x);
-  precise vec3 dy = (mixed(mixed(c010, c110, tx), mixed(c011, c111, tx), tz) -
-                     mixed(mixed(c000, c100, tx), mixed(c001, c101, tx), tz)) * quinticSlope(u.y);
-  precise vec3 dz = (mixed(mixed(c001, c101, tx), mixed(c011, c111, tx), ty) -
-                     mixed(mixed(c000, c100, tx), mixed(c010, c110, tx), ty)) * quinticSlope(u.z);
+  precise vec3 dx = (exactMix(exactMix(c100, c110, ty), exactMix(c101, c111, ty), tz) -
+                     exactMix(exactMix(c000, c010, ty), exactMix(c001, c011, ty), tz)) * quinticSlope(u.x);
+  precise vec3 dy = (exactMix(exactMix(c010, c110, tx), exactMix(c011, c111, tx), tz) -
+                     exactMix(exactMix(c000, c100, tx), exactMix(c001, c101, tx), tz)) * quinticSlope(u.y);
+  precise vec3 dz = (exactMix(exactMix(c001, c101, tx), exactMix(c011, c111, tx), ty) -
+                     exactMix(exactMix(c000, c100, tx), exactMix(c010, c110, tx), ty)) * quinticSlope(u.z);
   precise vec3 curl = (vec3(dy.z, dz.x, dx.y) - vec3(dz.y, dx.z, dy.x)) * 0.5338f;
   return curl;
 }
@@ -92,8 +86,9 @@ FUNCTION ParticleFields fieldsAt(float share) {
 FUNCTION vec3 fieldAcceleration(ParticleFields fields, vec3 here, bool attractor, bool turbulence) {
   precise vec3 sum = vec3(fields.acceleration);
   if (attractor) {
-    precise float softeningSquared = stepData.constants.attractorSoftening * stepData.constants.attractorSoftening;
-    sum = sum + addPull(vec3(0.0f), here, fields.attractor, softeningSquared);
+    float softening = stepData.constants.attractorSoftening;
+    precise float squared = softening * softening;
+    sum = sum + addPull(vec3(0.0f), here, fields.attractor, squared);
   }
   if (turbulence) {
     precise vec3 place = (here - vec3(fields.turbulenceDrift)) * stepData.perTurbulenceSize;
@@ -114,8 +109,9 @@ FUNCTION vec3 onSphere(float height, float turn) {
 
 // Lifetime of a slot: the same for each particle that lives in it, so the ring never overtakes itself.
 FUNCTION float lifetimeOf(int slot, int e) {
-  float varied = signedUnit(randomWords(slot, e, 0).x);
-  precise float lifetime = (varied * stepData.emitters[e].constants.lifetimeVariation + 1.0f) * stepData.emitters[e].constants.lifetime;
+  EmitterConstants emitter = stepData.emitters[e].constants;
+  float variation = signedUnit(randomWords(slot, e, 0).x);
+  precise float lifetime = (variation * emitter.lifetimeVariation + 1.0f) * emitter.lifetime;
   return lifetime;
 }
 
@@ -236,8 +232,8 @@ FUNCTION vec4 kicked(vec4 velocity, vec3 acceleration, Pace pace) {
   return velocity.w < 0.0f ? velocity : vec4(v, velocity.w);
 }
 
-// The others' pull at a newborn is known only where its drift ended. It stands for the one at the birth, too, and makes
-// up here for a first kick and a drift without it.
+// The others' pull at a newborn is known only where its drift ended. It stands for the one at the birth, too, and
+// makes up here for a first kick and a drift without it.
 FUNCTION ParticleMotion pulledSinceBirth(ParticleMotion m, vec3 pull, Pace pace) {
   precise vec3 kick = pull * pace.firstKick;
   precise vec3 x = vec3(m.position) + kick * pace.drift;
@@ -245,11 +241,6 @@ FUNCTION ParticleMotion pulledSinceBirth(ParticleMotion m, vec3 pull, Pace pace)
   m.position = vec4(x, m.position.w);
   m.velocity = vec4(v, m.velocity.w);
   return m;
-}
-
-// NaN or infinity, by its bits: compilers may assume that comparisons never meet NaN.
-FUNCTION bool isNumber(float x) {
-  return (floatBitsToInt(x) & 0x7f800000) != 0x7f800000;
 }
 
 // A position or speed beyond 1e8: the arithmetic of exact.glsl ends there.

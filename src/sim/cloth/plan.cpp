@@ -61,10 +61,8 @@ std::vector<glm::vec4> ClothPlan::firstPositions() const {
   positions.reserve(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y));
   for (int y = 0; y < size.y; ++y)
     for (int x = 0; x < size.x; ++x) {
-      const auto bits =
-          shader::hash3({static_cast<unsigned>(x), static_cast<unsigned>(y), static_cast<unsigned>(seed_)});
-      const glm::vec3 noise(shader::signedUnit(bits.x), shader::signedUnit(bits.y),
-                            shader::signedUnit(bits.z));
+      const glm::vec3 noise = shader::signedUnits(shader::hash3(
+          {static_cast<unsigned>(x), static_cast<unsigned>(y), static_cast<unsigned>(seed_)}));
       const glm::vec3 rest = origin_ + alongX_ * static_cast<float>(x) + alongY_ * static_cast<float>(y);
       positions.emplace_back(rest + noise * parameters_.jitter, 1.0F / parameters_.mass);
     }
