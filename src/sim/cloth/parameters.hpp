@@ -1,6 +1,7 @@
 #pragma once
 #include "glsl/common/cpp.hpp"
 #include "scene/fields.hpp"
+#include "sim/core/kind.hpp"
 
 #include <optional>
 #include <string>
