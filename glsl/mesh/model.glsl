@@ -102,16 +102,24 @@ FUNCTION vec3 pushed(PushStep d, vec3 rest, vec3 p) {
   return p;
 }
 
+// KINDS has a bit for each kind that is in the list: software drivers run the code of every kind that they are given.
+#ifndef KINDS
+#define KINDS -1
+#endif
+FUNCTION bool isOf(int wanted, int kind) {
+  return (KINDS & (1 << wanted)) != 0 && kind == wanted;
+}
+
 // All displacements of the list in its order. The rest position is only read.
 FUNCTION vec3 displaced(vec3 rest) {
   vec3 p = rest;
   for (int i = 0; i < deformStep.displacementCount; ++i) {
     int kind = deformStep.displacements[i].kind;
-    if (kind == rippleKind) p = rippled(deformStep.displacements[i].ripple, rest, p);
-    if (kind == waveKind) p = waved(deformStep.displacements[i].wave, rest, p);
-    if (kind == swayKind) p = swayed(deformStep.displacements[i].sway, rest, p);
-    if (kind == footprintsKind) p = pressed(rest, p);
-    if (kind == pushKind) p = pushed(deformStep.displacements[i].push, rest, p);
+    if (isOf(rippleKind, kind)) p = rippled(deformStep.displacements[i].ripple, rest, p);
+    if (isOf(waveKind, kind)) p = waved(deformStep.displacements[i].wave, rest, p);
+    if (isOf(swayKind, kind)) p = swayed(deformStep.displacements[i].sway, rest, p);
+    if (isOf(footprintsKind, kind)) p = pressed(rest, p);
+    if (isOf(pushKind, kind)) p = pushed(deformStep.displacements[i].push, rest, p);
   }
   return p;
 }

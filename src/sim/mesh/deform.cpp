@@ -184,15 +184,19 @@ void DeformedMesh::makeVertices() {
 }
 
 void DeformedMesh::makePrograms(bool fast) {
-  const gl::Defines defines = gl::kernelDefines(fast);
+  gl::Defines defines = gl::kernelDefines(fast);
   if (plan_.hasTrail()) {
     press_ = gl::Program::compute("mesh/press.comp", defines);
     press_.checkUniformBlock("DeformBlock", sizeof(shader::DeformStep));
   }
   if (technique_ != DeformTechnique::compute) return;
+  gather_ = gl::Program::compute("mesh/normal.comp", defines);
+  const shader::DeformStep step = plan_.at(0);
+  int kinds = 0;
+  for (int i = 0; i < step.displacementCount; ++i) kinds |= 1 << step.displacements[i].kind;
+  defines.emplace_back("KINDS", std::to_string(kinds));
   displace_ = gl::Program::compute("mesh/displace.comp", defines);
   displace_.checkUniformBlock("DeformBlock", sizeof(shader::DeformStep));
-  gather_ = gl::Program::compute("mesh/normal.comp", defines);
   fans_ = gl::WordsArray(name_ + " fans", static_cast<int>(rest_.fans.size()));
   fans_.write(rest_.fans);
   faces_ = gl::WordsArray(name_ + " faces", static_cast<int>(rest_.faces.size()));
