@@ -95,12 +95,12 @@ class PlainEpidemic {
           const int r = x == side_ - 1 ? 0 : x + 1;
           const int n = (above[l] == 2) + (above[x] == 2) + (above[r] == 2) + (row[l] == 2) +
                         (row[r] == 2) + (below[l] == 2) + (below[x] == 2) + (below[r] == 2);
-          const auto random = shader::spreadRandom(static_cast<std::uint32_t>(at), step.data.numbers.x, 1);
+          const auto random = shader::spreadRandom(static_cast<std::uint32_t>(at), step.data.step, 1);
           const std::uint8_t cell = row[x];
           next_[at] = cell == 1
                           ? (random < step.data.infection[n / 4][n % 4] ? std::uint8_t{2} : std::uint8_t{1})
-                      : cell == 2 ? (random < step.data.infection[2].y ? 3 : 2)
-                                  : (random < step.data.infection[2].z ? 1 : 3);
+                      : cell == 2 ? (random < step.data.recovery ? 3 : 2)
+                                  : (random < step.data.waning ? 1 : 3);
           ++counts_[next_[at]];
         }
       }
