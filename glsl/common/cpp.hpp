@@ -2,6 +2,7 @@
 // Lets the shared shader files compile as C++: include this, open a namespace or struct, include them.
 // Built with -ffp-contract=off, every C++ operation rounds as a `precise` one does.
 // What the files mark for C++ alone is nothing in GLSL (src/gl/shader_source.cpp):
+//   FUNCTION vec3 f(vec3 v)      `inline` as a rule: whoever includes the file says so
 //   struct STD140 Name { ... };  starts and ends at multiples of 16 bytes, as in a uniform block
 //   float mass DEFAULT(1.0f);    a member's value where the scene gives none
 #include <bit>

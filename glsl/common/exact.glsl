@@ -2,9 +2,6 @@
 // Only operations that IEEE 754 pins down are used (add, subtract, multiply, integers, floor), each
 // rounded on its own by `precise`; divisions and roots are Newton iterations from an integer start.
 // Literals carry an f: in C++ a bare 0.5 would be a double.
-#ifndef FUNCTION
-#define FUNCTION
-#endif
 #ifdef FAST_NUMERICS
 #define precise
 #endif

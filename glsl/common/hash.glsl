@@ -1,8 +1,5 @@
 // Random numbers: an integer hash of where and when, nothing else (PCG family; Jarzynski and Olano,
 // "Hash Functions for GPU Rendering", JCGT 9(3), 2020). Compiles as GLSL and as C++.
-#ifndef FUNCTION
-#define FUNCTION
-#endif
 
 // Three words in, three well-mixed words out.
 FUNCTION uvec3 hash3(uvec3 v) {

@@ -79,9 +79,8 @@ std::string ShaderSource::explain(std::string_view log) const {
 
 ShaderSource loadShader(const std::string& path, const Defines& defines) {
   ShaderSource source;
-  source.text =
-      "#version 450 core\n#define FUNCTION\n#define STD140\n#define DEFAULT(value)\n";  // see
-                                                                                        // glsl/common/cpp.hpp
+  // What the files that are C++, too, mark for it (glsl/common/cpp.hpp).
+  source.text = "#version 450 core\n#define FUNCTION\n#define STD140\n#define DEFAULT(value)\n";
   for (const auto& [name, value] : defines) source.text += fmt::format("#define {} {}\n", name, value);
   paste(source, path, "the program");
   return source;
