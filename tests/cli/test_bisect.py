@@ -13,8 +13,8 @@ import time
 from common import PROGRAM, SCENE, main, with_values
 from golden_common import GoldenCase
 
-GRAVITY = ("cloth/model.glsl", "acceleration = acceleration + vec3(stepData.gravity);",
-           "acceleration = acceleration + vec3(stepData.gravity) * 1.01f;")
+GRAVITY = ("cloth/model.glsl", "force * here.w + vec3(stepData.gravity);",
+           "force * here.w + vec3(stepData.gravity) * 1.01f;")
 PUSH = ("cloth/model.glsl", "precise vec3 pushed = m.position + normal * depth;",
         "precise vec3 pushed = m.position + normal * (depth * 1.01f);")
 # Falls flat but for its jitter, so particles reach the ground one after another.

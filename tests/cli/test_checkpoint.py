@@ -28,6 +28,11 @@ class Checkpoints(Case):
         self.assertEqual(code, -9 if number == signal.SIGKILL else 128 + number, messages)
         return messages
 
+    def stored_frame(self):
+        """The frame of the checkpoint, -1 where there is none."""
+        found = self.checkpoint.exists() and re.search(rb'"frame":(\d+)', self.checkpoint.read_bytes()[:1000])
+        return int(found[1]) if found else -1
+
     def resumed(self, *arguments):
         """Where the run went on from, or nothing."""
         done = self.good("render", *arguments, "--resume")
@@ -111,7 +116,7 @@ class Checkpoints(Case):
             "shape": "plane", "resolution": [61, 47], "deform": [{"waves": [{"length": 1.5, "amplitude": 0.05}]}]}}}))
         run = ("sea.json", "-o", "out/", "--frames", "0,59", "--checkpoint", "0.05")
         process = self.start("render", *run)
-        while process.poll() is None and not self.checkpoint.exists():
+        while process.poll() is None and self.stored_frame() < 1:
             pass
         process.kill()
         process.communicate()

@@ -10,13 +10,13 @@ from golden_common import GoldenCase
 
 # kind of object: (file, text that stands there once, the text with one constant 1 % off)
 MUTATIONS = {
-    "cloth": ("cloth/model.glsl", "precise vec3 moved = vec3(here) + m.velocity * stepData.gravity.w;",
-              "precise vec3 moved = vec3(here) + m.velocity * (stepData.gravity.w * 1.01f);"),
-    "particles": ("particles/model.glsl", "precise vec3 drift = v * pace.y;",
-                  "precise vec3 drift = v * (pace.y * 1.01f);"),
-    "mesh": ("mesh/displace.comp", "vec4(displaced(LOAD_INPUT(rests, i).xyz), 1)",
-             "vec4(displaced(LOAD_INPUT(rests, i).xyz * 1.01), 1)"),
-    "grayScott": ("gray_scott/model.glsl", "precise float lack = 1.0f - u;", "precise float lack = 1.01f - u;"),
+    "cloth": ("cloth/model.glsl", "precise vec3 moved = vec3(here) + m.velocity * stepData.dt;",
+              "precise vec3 moved = vec3(here) + m.velocity * (stepData.dt * 1.01f);"),
+    "particles": ("particles/model.glsl", "v * pace.drift;",
+                  "v * (pace.drift * 1.01f);"),
+    "mesh": ("mesh/displace.comp", "vec4(displaced(LOAD_INPUT(restPositions, i).xyz), 1)",
+             "vec4(displaced(LOAD_INPUT(restPositions, i).xyz * 1.01), 1)"),
+    "grayScott": ("gray_scott/model.glsl", "rates.feed * (1.0f - u)", "rates.feed * (1.01f - u)"),
     # Counts have no percent: a carry of the adder is wrong.
     "life": ("life/model.glsl", "WORD carry = highs.low & lows.high;", "WORD carry = highs.low & ~lows.high;"),
     "epidemic": ("spread/epidemic/model.glsl", "return random < infectionThreshold ?",

@@ -147,8 +147,8 @@ class Baselines(GoldenCase):
 class Ladder(GoldenCase):
     def test_state_differs_is_located(self):
         self.make_baselines()
-        mutated = self.mutated_glsl("cloth/model.glsl", "precise float scale = 1.0f - ratio;",
-                                    "precise float scale = 1.0f - ratio * 1.01f;")
+        mutated = self.mutated_glsl("cloth/model.glsl", "(1.0f - restLength * exactInverseSqrt(squared)) * stiffness;",
+                                    "(1.0f - restLength * exactInverseSqrt(squared) * 1.01f) * stiffness;")
         scene = self.one(1, env=mutated)
         self.assertEqual([f["state"] for f in scene["frames"]], ["equal", "different", "different"])
         divergence = scene["divergence"]
@@ -195,8 +195,8 @@ class Ladder(GoldenCase):
         scene = self.one(1)
         self.assertIn("frame 3: the pixel at x 20, y 10 differs by 3 (on another machine by 2 at most)", scene["text"])
         # State has to be equal everywhere.
-        mutated = self.mutated_glsl("cloth/model.glsl", "precise float scale = 1.0f - ratio;",
-                                    "precise float scale = 1.0f - ratio * 1.01f;")
+        mutated = self.mutated_glsl("cloth/model.glsl", "(1.0f - restLength * exactInverseSqrt(squared)) * stiffness;",
+                                    "(1.0f - restLength * exactInverseSqrt(squared) * 1.01f) * stiffness;")
         self.assertEqual(self.one(1, env=mutated)["frames"][1]["state"], "different")
 
     def test_baselines_of_before_machines_were_noted(self):

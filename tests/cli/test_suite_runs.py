@@ -58,10 +58,10 @@ class Running(GoldenCase):
     def test_nondeterministic(self):
         """The shaders change while the runs go on."""
         self.make_baselines()
-        env = self.mutated_glsl("cloth/model.glsl", "precise float scale = 1.0f - ratio;",
-                                "precise float scale = 1.0f - ratio;")
+        env = self.mutated_glsl("cloth/model.glsl", "(1.0f - restLength * exactInverseSqrt(squared)) * stiffness;",
+                                "(1.0f - restLength * exactInverseSqrt(squared)) * stiffness;")
         timer = threading.Timer(3.0, lambda: self.mutated_glsl(
-            "cloth/model.glsl", "precise float scale = 1.0f - ratio;", "precise float scale = 1.0f - ratio * 1.01f;"))
+            "cloth/model.glsl", "(1.0f - restLength * exactInverseSqrt(squared)) * stiffness;", "(1.0f - restLength * exactInverseSqrt(squared) * 1.01f) * stiffness;"))
         timer.start()
         self.addCleanup(timer.join)
         scene = self.one(1, "--repeat", "500", env=env)
@@ -71,15 +71,15 @@ class Running(GoldenCase):
 
     def test_flaky(self):
         self.make_baselines()
-        env = self.mutated_glsl("cloth/model.glsl", "precise float scale = 1.0f - ratio;",
-                                "precise float scale = 1.0f - ratio * 1.01f;")
+        env = self.mutated_glsl("cloth/model.glsl", "(1.0f - restLength * exactInverseSqrt(squared)) * stiffness;",
+                                "(1.0f - restLength * exactInverseSqrt(squared) * 1.01f) * stiffness;")
         def mend():
             time.sleep(3.0)  # the program has started by then
-            self.mutated_glsl("cloth/model.glsl", "precise float scale = 1.0f - ratio;",
-                              "precise float scale = 1.0f - ratio;")
+            self.mutated_glsl("cloth/model.glsl", "(1.0f - restLength * exactInverseSqrt(squared)) * stiffness;",
+                              "(1.0f - restLength * exactInverseSqrt(squared)) * stiffness;")
         for code, arguments in ((1, []), (0, ["--allow-flaky"])):
-            self.mutated_glsl("cloth/model.glsl", "precise float scale = 1.0f - ratio;",
-                              "precise float scale = 1.0f - ratio * 1.01f;")
+            self.mutated_glsl("cloth/model.glsl", "(1.0f - restLength * exactInverseSqrt(squared)) * stiffness;",
+                              "(1.0f - restLength * exactInverseSqrt(squared) * 1.01f) * stiffness;")
             thread = threading.Thread(target=mend)
             thread.start()
             scene = self.one(code, "--retries", "100", *arguments, env=env)
