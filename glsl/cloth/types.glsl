@@ -3,8 +3,8 @@
 #ifndef CLOTH_TYPES
 #define CLOTH_TYPES
 
-const int mostColliders = 12;
-const int mostPinFrames = 8;
+const int maxColliders = 12;
+const int maxPinFrames = 8;
 
 // What a scene says and the kernels read as it is.
 struct STD140 ClothConstants {
@@ -62,8 +62,8 @@ struct STD140 ClothStep {
   int seed;
   ClothConstants constants;
   AirConstants air;
-  Collider colliders[mostColliders];
-  PinFrame frames[mostPinFrames];
+  Collider colliders[maxColliders];
+  PinFrame frames[maxPinFrames];
 };
 
 #endif

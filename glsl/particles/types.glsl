@@ -3,7 +3,7 @@
 #ifndef PARTICLE_TYPES
 #define PARTICLE_TYPES
 
-const int mostEmitters = 16;
+const int maxEmitters = 16;
 // All-pairs gravity adds this many bodies into a sum of their own before they join the total. The size
 // decides how sums round, so both memory paths and the CPU twin share it.
 const int chunkBodies = 1024;
@@ -70,7 +70,7 @@ struct STD140 ParticleStep {
   int emitterCount;
   ParticleConstants constants;
   TurbulenceConstants turbulence;
-  EmitterStep emitters[mostEmitters];
+  EmitterStep emitters[maxEmitters];
 };
 
 #endif

@@ -33,12 +33,12 @@ class Descriptor {
 };
 
 /// All that can be read, `promised` bytes as far as is known; `place` stands for it in messages.
-std::string readAll(int descriptor, const char* what, const std::string& place, std::size_t mostBytes,
+std::string readAll(int descriptor, const char* what, const std::string& place, std::size_t maxBytes,
                     std::size_t promised = 0) {
   const auto tooLarge = [&] {
-    fail(ExitCode::usage, "{} {} is larger than the limit of {} bytes", what, place, mostBytes);
+    fail(ExitCode::usage, "{} {} is larger than the limit of {} bytes", what, place, maxBytes);
   };
-  if (promised > mostBytes) tooLarge();
+  if (promised > maxBytes) tooLarge();
   std::string text;
   text.reserve(promised);
   char block[1 << 16];
@@ -48,7 +48,7 @@ std::string readAll(int descriptor, const char* what, const std::string& place, 
     if (got < 0) fail(ExitCode::inputOutput, "cannot read {} {}: {}", what, place, std::strerror(errno));
     if (got == 0) return text;
     text.append(block, static_cast<std::size_t>(got));
-    if (text.size() > mostBytes) tooLarge();
+    if (text.size() > maxBytes) tooLarge();
   }
 }
 
@@ -71,7 +71,7 @@ bool synced(int descriptor) {
 
 }  // namespace
 
-std::string readFile(const std::filesystem::path& path, const char* what, std::size_t mostBytes) {
+std::string readFile(const std::filesystem::path& path, const char* what, std::size_t maxBytes) {
   // Not blocking: opening a pipe that nobody writes into would wait for ever.
   const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
   if (file.get() < 0) {
@@ -88,11 +88,11 @@ std::string readFile(const std::filesystem::path& path, const char* what, std::s
     fail(ExitCode::usage, "{} {} is a pipe, a device or a socket; copy what it gives into a file", what,
          path.string());
   const auto promised = static_cast<std::size_t>(std::max<off_t>(status.st_size, 0));
-  return readAll(file.get(), what, path.string(), mostBytes, promised);
+  return readAll(file.get(), what, path.string(), maxBytes, promised);
 }
 
-const std::string& standardInput(const char* what, std::size_t mostBytes) {
-  static const std::string text = readAll(STDIN_FILENO, what, "on standard input", mostBytes);
+const std::string& standardInput(const char* what, std::size_t maxBytes) {
+  static const std::string text = readAll(STDIN_FILENO, what, "on standard input", maxBytes);
   return text;
 }
 

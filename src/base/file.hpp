@@ -8,13 +8,13 @@
 namespace simreel {
 
 /// Whole file as text. `what` names the file's role in the message ("scene", "texture"). Throws UserError:
-/// usage for a file that is not there, is larger than `mostBytes` or no plain file (pipes and devices may
+/// usage for a file that is not there, is larger than `maxBytes` or no plain file (pipes and devices may
 /// never end), inputOutput for one that cannot be read.
 [[nodiscard]] std::string readFile(const std::filesystem::path& path, const char* what,
-                                   std::size_t mostBytes = std::size_t{1} << 30);
+                                   std::size_t maxBytes = std::size_t{1} << 30);
 
 /// The text on standard input, read when first asked for and kept: it comes once. Throws as readFile does.
-[[nodiscard]] const std::string& standardInput(const char* what, std::size_t mostBytes);
+[[nodiscard]] const std::string& standardInput(const char* what, std::size_t maxBytes);
 
 /// When a written file's name is made to last: with the file, or by the caller's syncFolder(), which does
 /// so for all files of a folder at once.

@@ -43,7 +43,7 @@ std::string componentText(const golden::ArrayDifference& d, std::size_t i) {
 std::string arrayText(const golden::DifferentArray& array) {
   const golden::ArrayDifference& d = array.difference;
   return fmt::format("{}.{}: {} of {} elements differ, at most {} ulp{}\n", array.object, array.array,
-                     d.differing, d.elements, d.mostUlps,
+                     d.differing, d.elements, d.maxUlps,
                      d.withNan > 0 ? fmt::format("; {} with a NaN", d.withNan) : "");
 }
 
@@ -98,7 +98,7 @@ Json differenceJson(const BisectReport& report) {
                               {"array", array.array},
                               {"elements", array.difference.elements},
                               {"differing", array.difference.differing},
-                              {"mostUlps", array.difference.mostUlps},
+                              {"maxUlps", array.difference.maxUlps},
                               {"withNan", array.difference.withNan}});
   return json;
 }

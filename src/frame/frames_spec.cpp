@@ -27,7 +27,7 @@ class Reader {
           wrong(at_ - 1, "the step must be at least 1");
       }
       const std::size_t count = static_cast<std::size_t>((last - first) / step) + 1;
-      if (frames.size() + count > mostFrames) wrong(begin, fmt::format("more than {} frames", mostFrames));
+      if (frames.size() + count > maxFrames) wrong(begin, fmt::format("more than {} frames", maxFrames));
       for (int frame = first; frame <= last; frame += step) frames.push_back(frame);
       skipBlanks();
     } while (take(','));

@@ -21,7 +21,7 @@ class Summaries {
 
   /// Of the present frame; waits for the oldest where there is no room for another.
   void start() {
-    if (underWay_ == sim::World::mostSummaries) takeOldest();
+    if (underWay_ == sim::World::maxSummaries) takeOldest();
     world_.startSummary();
     ++underWay_;
   }

@@ -16,10 +16,10 @@ namespace {
 // What one tile of records is: what an invocation counts by itself in bytes (texels), or what a work group
 // of 256 invocations ranks in shared memory, 8 each (sort_tile.glsl).
 constexpr int texelTile = 64;
-constexpr int mostTexelTile = 255;
+constexpr int maxTexelTile = 255;
 constexpr int storageTile = 2048;
 // A software driver ends a shader's loops after 65,535 iterations; the scan loops over tiles.
-constexpr int mostTexelTiles = 65000;
+constexpr int maxTexelTiles = 65000;
 
 constexpr int tilesOf(int count, int tile) {
   return (count - 1) / tile + 1;
@@ -27,7 +27,7 @@ constexpr int tilesOf(int count, int tile) {
 
 int tileFor(int capacity) {
   if (memoryPath() == MemoryPath::storage) return storageTile;
-  return tilesOf(capacity, texelTile) > mostTexelTiles ? mostTexelTile : texelTile;
+  return tilesOf(capacity, texelTile) > maxTexelTiles ? maxTexelTile : texelTile;
 }
 
 }  // namespace
@@ -35,9 +35,9 @@ int tileFor(int capacity) {
 RadixSort::RadixSort(const std::string& label, int capacity)
     : capacity_(capacity), texels_(memoryPath() == MemoryPath::texel), tile_(tileFor(capacity)) {
   SIMREEL_CHECK(capacity > 0);
-  if (texels_ && tilesOf(capacity, mostTexelTile) > mostTexelTiles)
+  if (texels_ && tilesOf(capacity, maxTexelTile) > maxTexelTiles)
     fail(ExitCode::device, "{} has {} records, a software driver sorts at most {}; make it smaller", label,
-         capacity, mostTexelTile * mostTexelTiles);
+         capacity, maxTexelTile * maxTexelTiles);
   records_ = WordsArray(label + " records", capacity);
   next_ = WordsArray(label + " next records", capacity);
   digits_ = WordsArray(label + " digits", 4 * (tilesOf(capacity, tile_) + 1));

@@ -106,15 +106,15 @@ std::string Diagnostics::describe(const Error& error) const {
 }
 
 std::string Diagnostics::report() const {
-  constexpr std::size_t mostShown = 50;
+  constexpr std::size_t maxShown = 50;
   std::vector<const Error*> ordered;
   for (const Error& error : errors_) ordered.push_back(&error);
   std::stable_sort(ordered.begin(), ordered.end(), [](const Error* a, const Error* b) {
     return std::tie(a->place.source, a->place.begin) < std::tie(b->place.source, b->place.begin);
   });
   std::string out;
-  for (std::size_t i = 0; i < std::min(mostShown, ordered.size()); ++i) out += describe(*ordered[i]);
-  if (count_ > mostShown) out += fmt::format("and {} more\n", count_ - mostShown);
+  for (std::size_t i = 0; i < std::min(maxShown, ordered.size()); ++i) out += describe(*ordered[i]);
+  if (count_ > maxShown) out += fmt::format("and {} more\n", count_ - maxShown);
   if (!out.empty()) out.pop_back();  // whoever prints a message ends its line
   return out;
 }

@@ -28,7 +28,7 @@ class Diagnostics {
   [[nodiscard]] bool empty() const { return count_ == 0; }
   [[nodiscard]] std::size_t count() const { return count_; }
   /// No more mistakes are kept from here on, only counted; callers may stop looking.
-  [[nodiscard]] bool full() const { return errors_.size() >= mostKept; }
+  [[nodiscard]] bool full() const { return errors_.size() >= maxKept; }
   [[nodiscard]] std::string_view textAt(Place place) const;
 
   /// Each mistake as "file:line:column: error: message", the line and a caret; at most 50, then
@@ -36,7 +36,7 @@ class Diagnostics {
   [[nodiscard]] std::string report() const;
 
  private:
-  static constexpr std::size_t mostKept = 1000;
+  static constexpr std::size_t maxKept = 1000;
   struct Source {
     std::string name;
     std::string owned;      ///< of an override

@@ -109,8 +109,8 @@ class Builder : public nlohmann::json_sax<nlohmann::json> {
   }
 
   Node* add(Node::Kind kind, std::size_t begin, std::size_t end) {
-    if (++values_ > mostValues) {
-      report(begin, end, fmt::format("more than {} values", mostValues));
+    if (++values_ > maxValues) {
+      report(begin, end, fmt::format("more than {} values", maxValues));
       return nullptr;
     }
     Node* node = open_.empty() ? &root_ : &open_.back().node->children.emplace_back();
@@ -127,8 +127,8 @@ class Builder : public nlohmann::json_sax<nlohmann::json> {
   }
 
   bool open(Node::Kind kind) {
-    if (open_.size() >= mostDepth) {
-      report(consumed_ - 1, consumed_, fmt::format("nested deeper than {} levels", mostDepth));
+    if (open_.size() >= maxDepth) {
+      report(consumed_ - 1, consumed_, fmt::format("nested deeper than {} levels", maxDepth));
       return false;
     }
     Node* node = add(kind, consumed_ - 1, consumed_);
@@ -192,8 +192,8 @@ const char* Node::kindText() const {
 
 std::optional<Node> parseJson(std::string_view text, int source, std::size_t base,
                               Diagnostics& diagnostics) {
-  if (text.size() > mostSceneBytes) {
-    diagnostics.add({source, base, base}, fmt::format("larger than the limit of {} bytes", mostSceneBytes));
+  if (text.size() > maxSceneBytes) {
+    diagnostics.add({source, base, base}, fmt::format("larger than the limit of {} bytes", maxSceneBytes));
     return std::nullopt;
   }
   // The parser would take a zero byte for the end and never see what follows.

@@ -11,9 +11,9 @@
 namespace simreel::scene {
 
 /// What a hostile scene may make us hold.
-inline constexpr std::size_t mostSceneBytes = std::size_t{4} << 20;
-inline constexpr std::size_t mostDepth = 64;
-inline constexpr std::size_t mostValues = 1'000'000;
+inline constexpr std::size_t maxSceneBytes = std::size_t{4} << 20;
+inline constexpr std::size_t maxDepth = 64;
+inline constexpr std::size_t maxValues = 1'000'000;
 
 /// One JSON value that knows where it was written.
 struct Node {

@@ -94,7 +94,7 @@ bool checkPath(const std::string& path, int source, Diagnostics& diagnostics) {
   std::size_t depth = 0;
   for (std::size_t begin = 0; begin <= path.size(); ++depth) {
     const std::size_t end = std::min(path.find('.', begin), path.size());
-    if (begin == end || depth >= mostDepth) {
+    if (begin == end || depth >= maxDepth) {
       diagnostics.add({source, begin, end},
                       begin == end ? "a name is missing in this path" : "this path is too deep");
       return false;

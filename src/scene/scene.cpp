@@ -93,8 +93,8 @@ Place placeOf(const Node& object, const std::vector<std::string>& path) {
 
 void readObjects(const Node& node, ReadContext context, const Kinds& kinds, std::vector<Object>& objects) {
   if (!ValueReader("", context.diagnostics).expect(node, Node::Kind::object, "an object")) return;
-  if (node.children.size() > mostObjects) {
-    context.diagnostics.add(node.headPlace(), fmt::format("more than {} objects", mostObjects));
+  if (node.children.size() > maxObjects) {
+    context.diagnostics.add(node.headPlace(), fmt::format("more than {} objects", maxObjects));
     return;
   }
   std::vector<bool> good;
@@ -225,11 +225,11 @@ Scene parse(std::string_view text, const std::filesystem::path& file, const std:
 /// messages and assets go by.
 std::pair<std::string, std::filesystem::path> source(const std::filesystem::path& file,
                                                      const Kinds& kinds) {
-  if (file == "-") return {standardInput("scene", mostSceneBytes), "<stdin>"};
+  if (file == "-") return {standardInput("scene", maxSceneBytes), "<stdin>"};
   for (const Kind& kind : kinds.list)
     if (kind.sceneAround)
       if (std::string text = kind.sceneAround(file); !text.empty()) return {std::move(text), file};
-  return {readFile(file, "scene", mostSceneBytes), file};
+  return {readFile(file, "scene", maxSceneBytes), file};
 }
 
 }  // namespace
@@ -257,7 +257,7 @@ Scene loadTestScene(const std::filesystem::path& file, std::span<const Override>
   const With with{overrides, kinds, folders};
   const std::filesystem::path beside = sidecarOf(file);
   if (file == "-" || !pathExists(beside)) return parse(text, name, nullptr, with, true);
-  const std::string sidecar = readFile(beside, "test settings", mostSceneBytes);
+  const std::string sidecar = readFile(beside, "test settings", maxSceneBytes);
   return parse(text, name, &sidecar, with, true);
 }
 

@@ -33,7 +33,7 @@ Json objectsSchema(std::span<const Kind> kinds) {
   if (!oneKind.empty()) object["oneOf"] = oneKind;
   return {{"type", "object"},
           {"propertyNames", {{"pattern", objectNamePattern}}},
-          {"maxProperties", mostObjects},
+          {"maxProperties", maxObjects},
           {"additionalProperties", object},
           {"description", "What is simulated and drawn: one kind each, and perhaps a material."}};
 }
@@ -43,7 +43,7 @@ std::string sceneHelp() {
   HelpWriter table(false);
   table.add("version", "", std::to_string(sceneVersion), "", "Version of the scene format; must be given.");
   describeScene(table, scene);
-  table.add("objects", "{}", fmt::format("up to {}", mostObjects), "",
+  table.add("objects", "{}", fmt::format("up to {}", maxObjects), "",
             "What is simulated and drawn, each {kind, material} by name.");
   describeTests(table, scene, std::nullopt);
   return "scene: a scene file.\n\n" + table.table() +

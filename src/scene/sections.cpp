@@ -72,8 +72,8 @@ void Time::describe(Fields& fields) {
   fields.number("start", start, notNegative, "s", "Simulated time before frame 0.");
   fields.number("duration", duration, notNegative, "s",
                 "Length; there are round(duration * fps) frames, at least one.");
-  constexpr double mostFrames = 1e7;
-  if (!((start + duration) * fps < mostFrames))
+  constexpr double maxFrames = 1e7;
+  if (!((start + duration) * fps < maxFrames))
     fields.error(fields.given("duration") ? "duration"
                  : fields.given("start")  ? "start"
                                           : "fps",

@@ -9,7 +9,7 @@
 namespace simreel::scene {
 
 inline constexpr int sceneVersion = 1;
-inline constexpr std::size_t mostObjects = 1000;
+inline constexpr std::size_t maxObjects = 1000;
 
 /// What a scene holds besides "$schema", "version", "objects" and its tests.
 void describeScene(Fields& fields, Scene& scene);

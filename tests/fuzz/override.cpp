@@ -14,13 +14,13 @@ constexpr const char* whole = R"({"version": 1, "title": "t", "seed": 7,
   "ball": {"sphere": {"radius": 1}}, "skin": {"gray-scott": {"size": [64, 64]}},
   "cells": {"life": {"size": [64, 64], "fill": 0.3}}, "stars": {"particles": {"count": 10}}},
  "test": {"frames": [0]}, "checks": [{"what": "no-nan"}]})";
-constexpr std::size_t mostLines = 8;
+constexpr std::size_t maxLines = 8;
 
 }  // namespace
 
 void simreel::fuzz::read(std::string_view bytes) {
   std::vector<scene::Override> changes;
-  while (!bytes.empty() && changes.size() < mostLines) {
+  while (!bytes.empty() && changes.size() < maxLines) {
     const auto end = bytes.find('\n');
     changes.push_back(scene::parseOverride(bytes.substr(0, end)));
     bytes.remove_prefix(end == std::string_view::npos ? bytes.size() : end + 1);

@@ -4,10 +4,10 @@
 #include "sim/grid/picture_file.hpp"
 
 void simreel::fuzz::read(std::string_view bytes) {
-  constexpr int mostSide = 16384;
-  const sim::Picture picture = sim::decodePicture(bytes, "fuzz.png", "texture", mostSide);
-  SIMREEL_CHECK(picture.size.x >= 1 && picture.size.x <= mostSide && picture.size.y >= 1 &&
-                picture.size.y <= mostSide);
+  constexpr int maxSide = 16384;
+  const sim::Picture picture = sim::decodePicture(bytes, "fuzz.png", "texture", maxSide);
+  SIMREEL_CHECK(picture.size.x >= 1 && picture.size.x <= maxSide && picture.size.y >= 1 &&
+                picture.size.y <= maxSide);
   SIMREEL_CHECK_EQ(picture.rgba.size(),
                    4 * static_cast<std::size_t>(picture.size.x) * static_cast<std::size_t>(picture.size.y));
 }

@@ -9,7 +9,7 @@ using namespace simreel;
 namespace {
 
 /// Cells of a written file are checked where the grid takes no more than this.
-constexpr long mostWords = 1 << 16;
+constexpr long maxWords = 1 << 16;
 
 }  // namespace
 
@@ -19,7 +19,7 @@ void simreel::fuzz::read(std::string_view bytes) {
   for (const auto& run : pattern.runs)
     SIMREEL_CHECK(run.x >= 0 && run.y >= 0 && run.length > 0 && run.x + run.length <= pattern.size.x &&
                   run.y < pattern.size.y);
-  if (rowWords * pattern.size.y > mostWords) return;
+  if (rowWords * pattern.size.y > maxWords) return;
   std::vector<std::uint32_t> words(static_cast<std::size_t>(rowWords * pattern.size.y));
   for (const auto& run : pattern.runs)
     for (int x = run.x; x < run.x + run.length; ++x)

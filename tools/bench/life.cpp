@@ -122,7 +122,7 @@ void onDevice(glm::ivec2 size, int steps, Rate plain) {
   for (const Variant& variant : variants) {
     const sim::LifeTuning& t = variant.tuning;
     sim::LifeStepper stepper({}, true, size, t);
-    if (stepper.mostSteps() != t.steps) continue;
+    if (stepper.maxSteps() != t.steps) continue;
     const int passes = std::max(1, steps / t.steps);
     const auto run = [&] {
       for (int i = 0; i < passes; ++i) {

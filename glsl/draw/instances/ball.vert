@@ -17,7 +17,7 @@ void main() {
   radii = vec2(0);
   if (!pulled(position, velocity)) return;
   Facing facing = facingEye(position.xyz);
-  float radius = max(instanceSize(position.w) * shapeRadius, leastRadius(position.xyz));
+  float radius = max(instanceSize(position.w) * shapeRadius, minRadius(position.xyz));
   float outline = outlineRadius(radius, facing.distance);
   vec2 corner = squareCorner();
   vec3 outwards = corner.x * facing.right + corner.y * facing.up;

@@ -51,7 +51,7 @@ void main() {
     vec4 velocity = texelFetch(velocities, word * 32 + i);
     float radius = instanceSize(position.w) * shapeRadius;
 #ifndef FOR_LIGHT
-    radius = max(radius, leastRadius(position.xyz));
+    radius = max(radius, minRadius(position.xyz));
 #endif
     if (!(isShown(position, velocity) && radius > 0.0 && isSeen(position.xyz, radius))) continue;
 #if LEVELS == 2

@@ -6,7 +6,7 @@ uniform float size;         // factor on the shape's coordinates
 uniform float shapeRadius;  // of a ball around the shape at size 1
 uniform float massExponent;
 uniform float perMassReference;  // 1/kg
-uniform float leastPixels;  // no ball is drawn with a smaller radius on screen
+uniform float minPixels;  // no ball is drawn with a smaller radius on screen
 
 // Dead ones and lost ones are not drawn.
 bool isShown(vec4 position, vec4 velocity) {
@@ -28,9 +28,9 @@ float pixelsOf(vec3 p, float radius) {
   return radius * pixelsPerMetre() / max(dot(p - frame.eye.xyz, frame.rayForward.xyz), 1e-6);
 }
 
-// Metres that `leastPixels` span at p.
-float leastRadius(vec3 p) {
-  return max(dot(p - frame.eye.xyz, frame.rayForward.xyz), 0.0) * leastPixels / pixelsPerMetre();
+// Metres that `minPixels` span at p.
+float minRadius(vec3 p) {
+  return max(dot(p - frame.eye.xyz, frame.rayForward.xyz), 0.0) * minPixels / pixelsPerMetre();
 }
 
 #ifndef FOR_LIGHT

@@ -47,7 +47,7 @@ struct Glow {
 // An additive sprite. One too small to be drawn is widened and keeps its light: it is dimmer by the ratio of areas.
 Glow glowOf(vec4 position, vec4 velocity) {
   float radius = instanceSize(position.w) * shapeRadius;
-  float least = leastRadius(position.xyz);
+  float least = minRadius(position.xyz);
   float share = min(radius / max(least, 1e-12), 1.0);
   vec3 light = tintOf(position, velocity) * (brightnessAt(velocity.w) * share * share);
   return Glow(position.xyz, max(radius, least), light);

@@ -34,7 +34,7 @@ SmallSprite ready(vec4 position, vec4 velocity) {
 #else
 SmallSprite ready(vec4 position, vec4 velocity) {
   Facing facing = facingEye(position.xyz);
-  float radius = max(instanceSize(position.w) * shapeRadius, leastRadius(position.xyz));
+  float radius = max(instanceSize(position.w) * shapeRadius, minRadius(position.xyz));
   float side = squareSide * pixelsOf(position.xyz, outlineRadius(radius, facing.distance));
   // The part of the ball that is seen faces the eye by 2/3 in the mean.
   vec3 middle = 0.6666667 * facing.towards;

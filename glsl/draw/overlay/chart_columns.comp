@@ -9,7 +9,7 @@ uniform int columnCount;
 uniform int steps;     // counted so far
 uniform float perColumn;  // steps
 uniform float most;
-const int mostLooked = 16384;  // at, a column: above it some steps are passed over
+const int maxLooked = 16384;  // at, a column: above it some steps are passed over
 
 vec4 at(float place) {
   int step = clamp(int(place), 0, steps - 1);
@@ -27,7 +27,7 @@ void main() {
     leave = at(end);
     least = min(enter, leave);
     highest = max(enter, leave);
-    int last = int(ceil(end)) - 1, stride = max(1, (last - int(first)) / mostLooked);
+    int last = int(ceil(end)) - 1, stride = max(1, (last - int(first)) / maxLooked);
     for (int step = int(first) + 1; step <= last; step += stride) {
       vec4 here = clamp(vec4(texelFetch(counts, step)) / most, 0.0, 1.0);
       least = min(least, here);

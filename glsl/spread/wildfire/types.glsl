@@ -3,7 +3,7 @@
 #define WILDFIRE_TYPES
 
 const uint evenGround = 0x8080u;  // an incline of none
-const int mostRise = 127;         // of an incline, in sixteenths of a cell a cell: 82.8 degrees
+const int maxRise = 127;         // of an incline, in sixteenths of a cell a cell: 82.8 degrees
 
 // What a scene says and the kernels read as it is.
 struct STD140 WildfireConstants {

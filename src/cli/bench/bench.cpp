@@ -27,7 +27,7 @@ namespace simreel::cli {
 
 namespace {
 
-constexpr int mostFrames = 1'000'000;
+constexpr int maxFrames = 1'000'000;
 
 struct BenchOptions {
   SceneOptions scene;
@@ -44,8 +44,8 @@ struct BenchOptions {
 
 void checkCounts(const BenchOptions& o) {
   const auto within = [](const char* flag, int value, int least) {
-    if (value < least || value > mostFrames)
-      fail(ExitCode::usage, "{} takes a number from {} to {}, not {}", flag, least, mostFrames, value);
+    if (value < least || value > maxFrames)
+      fail(ExitCode::usage, "{} takes a number from {} to {}, not {}", flag, least, maxFrames, value);
   };
   within("--frames", o.frames, 1);
   within("--warm-up", o.warmUp, 0);
@@ -65,7 +65,8 @@ void checkFiles(const BenchOptions& o) {
 /// The scenes of all rows; every mistake in a value shows before a device starts.
 std::vector<BenchRow> rowsOf(const BenchOptions& o, std::vector<scene::Scene>& scenes) {
   std::vector<std::vector<BenchChoice>> lists;
-  if (!o.technique.empty()) lists.push_back(parseTechniques(o.technique, o.scene.load(), sim::kinds().list));
+  if (!o.technique.empty())
+    lists.push_back(parseTechniques(o.technique, o.scene.load(), sim::kinds().list));
   for (const std::string& text : o.vary) lists.push_back(parseVary(text));
   std::vector<BenchRow> rows;
   for (BenchCase& one : combine(lists, std::filesystem::path(o.scene.file).stem().string())) {

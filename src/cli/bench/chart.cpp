@@ -118,7 +118,7 @@ class Chart {
     for (const BenchRow& row : report.rows) {
       rows_.push_back(figuresOf(row.times, report.timing));
       longest = std::max(longest, row.asked.name.size());
-      most_ = std::max({most_, rows_.back().frame.p95, rows_.back().cpu, rows_.back().gpu});
+      max_ = std::max({max_, rows_.back().frame.p95, rows_.back().cpu, rows_.back().gpu});
     }
     keys_ = keysOf(rows_);
     twoBars_ = report.timing == frame::Timing::query;
@@ -142,7 +142,7 @@ class Chart {
   }
 
  private:
-  [[nodiscard]] double x(double ms) const { return left_ + (width - rightColumn - left_) * ms / most_; }
+  [[nodiscard]] double x(double ms) const { return left_ + (width - rightColumn - left_) * ms / max_; }
 
   void text(double atX, double atY, const std::string& words, const char* more = "") {
     out_ += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" {}>{}</text>\n", atX, atY, more, escaped(words));
@@ -173,8 +173,8 @@ class Chart {
   }
 
   void axis() {
-    const double step = tickStep(most_);
-    for (int i = 0; i * step <= most_ * 1.0001; ++i) {
+    const double step = tickStep(max_);
+    for (int i = 0; i * step <= max_ * 1.0001; ++i) {
       line(x(i * step), top - 6, x(i * step), bottom_, "stroke=\"#d5d7da\"");
       text(x(i * step), bottom_ + 16, fmt::format("{:.6g}", i * step),
            "text-anchor=\"middle\" fill=\"#63676d\"");
@@ -247,7 +247,7 @@ class Chart {
   std::vector<RowFigures> rows_;
   std::vector<Key> keys_;
   std::string out_;
-  double most_ = 1e-6, left_ = 0, rowHeight_ = 0, bottom_ = 0;
+  double max_ = 1e-6, left_ = 0, rowHeight_ = 0, bottom_ = 0;
   bool twoBars_ = false;
 };
 

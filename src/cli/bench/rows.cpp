@@ -11,7 +11,7 @@ namespace simreel::cli {
 
 namespace {
 
-constexpr std::size_t mostCases = 64;
+constexpr std::size_t maxCases = 64;
 
 /// At commas outside of brackets, braces and quotes.
 std::vector<std::string> split(std::string_view text) {
@@ -89,8 +89,8 @@ std::vector<BenchCase> combine(std::span<const std::vector<BenchChoice>> lists, 
   std::vector<BenchCase> cases(1);
   for (const std::vector<BenchChoice>& list : lists) {
     std::vector<BenchCase> longer;
-    if (cases.size() * list.size() > mostCases)
-      fail(ExitCode::usage, "more than {} combinations to time; give fewer values", mostCases);
+    if (cases.size() * list.size() > maxCases)
+      fail(ExitCode::usage, "more than {} combinations to time; give fewer values", maxCases);
     for (const BenchCase& one : cases)
       for (const BenchChoice& choice : list) {
         BenchCase both = one;

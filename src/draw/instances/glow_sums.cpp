@@ -42,17 +42,17 @@ GlowSums::GlowSums(glm::ivec2 size, int samples) : sums_(sumsFor(size)) {
 }
 
 void GlowSums::add(bool large, const gl::Texture& depth, int capacity) const {
-  constexpr int mostInvocations = 1 << 20;
-  constexpr int mostGroups = 1 << 12;
+  constexpr int maxInvocations = 1 << 20;
+  constexpr int maxGroups = 1 << 12;
   const gl::Program& program = kernel(large);
   bind();
   depth.bind(depthUnit);
   if (large) {
-    const int groups = std::min(capacity, mostGroups);
+    const int groups = std::min(capacity, maxGroups);
     program.set("strides", groups);
     program.dispatch(8 * groups, 8 * slices);
   } else {
-    const int invocations = std::min(capacity, mostInvocations);
+    const int invocations = std::min(capacity, maxInvocations);
     program.set("strides", (invocations + 63) / 64 * 64);
     program.dispatch(invocations);
   }

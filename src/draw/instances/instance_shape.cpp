@@ -97,11 +97,11 @@ struct InstanceShape::Builder {
   [[nodiscard]] InstanceShape build(unsigned vertexCount) const {
     InstanceShape shape;
     shape.vertexBits_ = std::bit_width(std::max(vertexCount, 2U) - 1U);
-    const std::size_t mostCopies = std::size_t{1} << static_cast<unsigned>(30 - shape.vertexBits_);
+    const std::size_t maxCopies = std::size_t{1} << static_cast<unsigned>(30 - shape.vertexBits_);
     std::vector<unsigned> all;
     for (const auto& level : levels) {
       const std::size_t copies =
-          std::clamp(batchIndices / std::max<std::size_t>(level.size(), 1), std::size_t{1}, mostCopies);
+          std::clamp(batchIndices / std::max<std::size_t>(level.size(), 1), std::size_t{1}, maxCopies);
       shape.levels_.push_back({GL_TRIANGLES, static_cast<int>(all.size()),
                                static_cast<int>(copies * level.size()), static_cast<int>(copies), 0.0F});
       for (std::size_t copy = 0; copy < copies; ++copy)

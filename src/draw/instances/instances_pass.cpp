@@ -15,12 +15,12 @@ namespace simreel::draw {
 namespace {
 
 /// Smaller glows shimmer as they move over the pixels; smaller balls fall between samples.
-constexpr float leastGlow = 1.25F;  // pixels of radius
-constexpr float leastBall = 0.57F;
+constexpr float minGlow = 1.25F;  // pixels of radius
+constexpr float minBall = 0.57F;
 /// Points have a greatest size, 255 pixels on some drivers.
-constexpr float mostPointGlow = 64.0F;
+constexpr float maxPointGlow = 64.0F;
 /// Larger glows are shared among the invocations of a group.
-constexpr float mostSmallSum = 5.0F;
+constexpr float maxSmallSum = 5.0F;
 
 bool isSprite(const sim::Instances& instances) {
   return instances.shape == sim::Instances::Shape::sprite;
@@ -140,9 +140,9 @@ void InstancesPass::setInstance(const gl::Program& program, const sim::Instances
   program.set("shapeRadius", shape(instances).radius());
   program.set("massExponent", instances.massExponent);
   program.set("perMassReference", 1.0F / instances.massReference);
-  program.set("leastPixels", !isSprite(instances) || forLight ? 0.0F
-                             : instances.additive             ? leastGlow
-                                                              : leastBall);
+  program.set("minPixels", !isSprite(instances) || forLight ? 0.0F
+                           : instances.additive             ? minGlow
+                                                            : minBall);
   instances.positions->bind(positionUnit);
   instances.velocities->bind(velocityUnit);
 }
@@ -156,8 +156,8 @@ void InstancesPass::fill(const sim::Instances& instances, std::size_t i, bool fo
   const bool coarse = forLight || (gl::softwareDriver() && !isSprite(instances));
   const bool coarsest = forLight && gl::softwareDriver() && !isSprite(instances);
   // A square of a disk's area misses the disk by 1/8 of the radius; a glow is the same as a point.
-  const float mostGlow = GlowSums::takes(instances) ? mostSmallSum : mostPointGlow;
-  programs.cull.set("pointPixels", instances.additive ? mostGlow : coarse ? 4.0F : 1.6F);
+  const float maxGlow = GlowSums::takes(instances) ? maxSmallSum : maxPointGlow;
+  programs.cull.set("pointPixels", instances.additive ? maxGlow : coarse ? 4.0F : 1.6F);
   programs.cull.set("levelError", coarsest ? 1.5F : coarse ? 0.5F : 0.2F);
   (forLight ? own.forLight : own.forCamera)->fill(programs, form);
 }
@@ -172,7 +172,7 @@ void InstancesPass::cullForLight(const sim::Drawables& drawables) {
 }
 
 void InstancesPass::growBounds(const sim::Drawables& drawables) {
-  constexpr int mostInvocations = 1 << 14;
+  constexpr int maxInvocations = 1 << 14;
   constexpr int each = 32;
   for (const sim::Instances& instances : drawables.instances) {
     if (instances.additive) continue;
@@ -182,7 +182,7 @@ void InstancesPass::growBounds(const sim::Drawables& drawables) {
       bounds =
           gl::Program::compute("draw/surface/shadow_bounds.comp", {{boxed ? "BOX" : "INSTANCES", "1"}});
     const int count = boxed ? 8 : instances.capacity;
-    const int invocations = boxed ? 8 : std::clamp((count + each - 1) / each, 1, mostInvocations);
+    const int invocations = boxed ? 8 : std::clamp((count + each - 1) / each, 1, maxInvocations);
     bounds.set("vertexCount", count);
     bounds.set("invocations", invocations);
     if (boxed) {
@@ -297,7 +297,7 @@ void InstancesPass::sumUp(const sim::Drawables& drawables, const gl::Texture& de
       setInstance(kernel, instances, false);
       setLook(kernel, instances, entries_[i]);
       kernel.set("level", level);
-      kernel.set("roundPixels", mostPointGlow);
+      kernel.set("roundPixels", maxPointGlow);
       entries_[i].forCamera->bind();
       sums.add(level == 1, depth, instances.capacity);
     }

@@ -46,14 +46,14 @@ const gl::Program& SmallSprites::shader(Use use) {
 }
 
 void SmallSprites::prepare(const gl::Program& kernel, int capacity) {
-  constexpr int mostInvocations = 1 << 20;
+  constexpr int maxInvocations = 1 << 20;
   if (capacity > capacity_) {
     view_ = {};
     memory_ = gl::Buffer("small sprites", static_cast<std::size_t>(capacity) * 16);
     view_ = gl::Texture::view("small sprites", GL_RGBA32UI, memory_);
     capacity_ = capacity;
   }
-  const int invocations = std::min(capacity, mostInvocations);
+  const int invocations = std::min(capacity, maxInvocations);
   kernel.set("invocations", (invocations + 63) / 64 * 64);
   memory_.bindStorage(spriteBinding);
   kernel.dispatch(invocations);

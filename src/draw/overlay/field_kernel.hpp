@@ -38,7 +38,7 @@ class FieldKernel {
   void average(const sim::Field& field, const FieldColors& colors, const gl::Texture& texture,
                bool colored);
   /// Greatest number of cells per texel on a side: loops of a software driver end after 65,535 rounds.
-  static constexpr int mostReduction = 240;
+  static constexpr int maxReduction = 240;
   /// A texture for fields of this size, cells averaged by `reduction` on a side.
   [[nodiscard]] static gl::Texture texture(const sim::Field& field, int reduction, bool colored,
                                            int levels);

@@ -12,7 +12,7 @@ namespace {
 
 using Layer = sim::FieldDisplay::Layer;
 
-constexpr int mostTexels = 4096;     // of a reduced field, on a side
+constexpr int maxTexels = 4096;      // of a reduced field, on a side
 constexpr float reliefCells = 7.0F;  // height of the whole range at relief 1
 
 bool shown(const sim::Field& field, double seconds) {
@@ -31,9 +31,9 @@ bool hasRelief(const sim::Field& field) {
 
 /// Cells averaged into a texel on a side: the picture shows two to three texels a pixel then.
 int reductionFor(glm::ivec2 cells, glm::dvec2 perPixel) {
-  const double under = std::min(std::min(perPixel.x, perPixel.y), 2.0 * FieldKernel::mostReduction);
+  const double under = std::min(std::min(perPixel.x, perPixel.y), 2.0 * FieldKernel::maxReduction);
   const int wanted = std::max(1, static_cast<int>(under / 2));
-  const int least = (std::max(cells.x, cells.y) + mostTexels - 1) / mostTexels;
+  const int least = (std::max(cells.x, cells.y) + maxTexels - 1) / maxTexels;
   // Too few texels for this magnification: the cells themselves then.
   return wanted < least ? 1 : wanted;
 }

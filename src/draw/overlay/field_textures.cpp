@@ -13,7 +13,7 @@ FieldTextures::FieldTextures(const scene::Scene& scene) {
   // Four texels a pixel of the picture's longer side: a skin may be looked at closely.
   const glm::ivec2 picture = scene.render.size;
   const auto fine = std::bit_ceil(static_cast<unsigned>(4 * std::max({picture.x, picture.y, 1})));
-  mostSide_ = std::min({static_cast<int>(fine), 4096, gl::limits().textureSize});
+  maxSide_ = std::min({static_cast<int>(fine), 4096, gl::limits().textureSize});
 }
 
 void FieldTextures::update(const sim::Drawables& drawables) {
@@ -26,7 +26,7 @@ void FieldTextures::update(const sim::Drawables& drawables) {
       const int side = std::max(field.size.x, field.size.y);
       entry.cells = field.size;
       entry.colored = field.categories;
-      entry.reduction = std::clamp((side + mostSide_ - 1) / mostSide_, 1, FieldKernel::mostReduction);
+      entry.reduction = std::clamp((side + maxSide_ - 1) / maxSide_, 1, FieldKernel::maxReduction);
       entry.texture = FieldKernel::texture(field, entry.reduction, entry.colored, 0);
     }
     kernel_.average(field, entry, entry.texture, entry.colored);

@@ -37,7 +37,7 @@ class FieldTextures {
 
  private:
   std::set<std::string> wanted_;
-  int mostSide_;  ///< texels
+  int maxSide_;  ///< texels
   FieldKernel kernel_;
   std::map<std::string, Entry> entries_;
 };

@@ -10,7 +10,7 @@ namespace simreel::draw {
 
 namespace {
 
-constexpr float mostLevels = 9.0F;
+constexpr float maxLevels = 9.0F;
 
 constexpr const char* layout = "rgba16f";
 
@@ -20,7 +20,7 @@ BloomPass::BloomPass(const scene::Bloom& bloom, glm::ivec2 size, int samples)
     : on_(bloom.strength.moves() || bloom.strength.at(0) > 0),
       threshold_(bloom.threshold),
       // Level i spreads light over about 2^(i + 1) pixels.
-      reach_(std::clamp(std::log2(bloom.radius * static_cast<float>(size.y)), 1.0F, mostLevels)) {
+      reach_(std::clamp(std::log2(bloom.radius * static_cast<float>(size.y)), 1.0F, maxLevels)) {
   if (!on_) return;
   first_ = ScreenProgram("draw/screen/bloom_first.glsl", layout, {{"SAMPLES", std::to_string(samples)}});
   down_ = ScreenProgram("draw/screen/bloom_down.glsl", layout);

@@ -48,13 +48,13 @@ ShadowPass::ShadowPass(const scene::Sun& sun) : on_(sun.shadow), softness_(sun.s
 }
 
 void ShadowPass::fit(const sim::Drawables& drawables, const std::function<void()>& growMore) const {
-  constexpr int mostInvocations = 1 << 14;
+  constexpr int maxInvocations = 1 << 14;
   constexpr int verticesEach = 32;
   boundKeys_.bindStorage(boundsBinding);
   light_.bindStorage(lightBinding);
   for (const sim::Surface& surface : drawables.surfaces) {
     const int invocations =
-        std::clamp((surface.vertexCount + verticesEach - 1) / verticesEach, 1, mostInvocations);
+        std::clamp((surface.vertexCount + verticesEach - 1) / verticesEach, 1, maxInvocations);
     const gl::Program& bounds = boundsOf(surface);
     bounds.set("vertexCount", surface.vertexCount);
     bounds.set("invocations", invocations);

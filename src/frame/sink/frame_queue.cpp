@@ -16,7 +16,7 @@ double threadSeconds() {
 }
 
 FrameQueue::FrameQueue(std::size_t threads, std::size_t most, Handler handler)
-    : most_(most), handler_(std::move(handler)) {
+    : max_(most), handler_(std::move(handler)) {
   threads_.reserve(threads);
   try {
     while (threads_.size() < threads) threads_.emplace_back([this] { work(); });
@@ -36,7 +36,7 @@ void FrameQueue::push(FrameInfo info, std::optional<Image> image) {
     return rethrow();
   }
   std::unique_lock lock(mutex_);
-  changed_.wait(lock, [&] { return error_ || waiting_.size() < most_; });
+  changed_.wait(lock, [&] { return error_ || waiting_.size() < max_; });
   if (error_) std::rethrow_exception(error_);
   waiting_.push_back({std::move(info), std::move(image)});
   changed_.notify_all();

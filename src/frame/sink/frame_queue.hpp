@@ -51,7 +51,7 @@ class FrameQueue {
   void join() noexcept;
   void rethrow();
 
-  std::size_t most_;
+  std::size_t max_;
   Handler handler_;
   mutable std::mutex mutex_;  ///< guards all below
   std::condition_variable changed_;

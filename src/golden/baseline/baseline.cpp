@@ -55,8 +55,8 @@ PictureBaseline::Frame parseFrame(const JsonValue& value) {
   stored.pixels = frame.at("pixels").text();
   stored.origin = parseOrigin(frame);
   if (const auto alternates = frame.find("alternates")) stored.alternates = alternates->texts();
-  if (stored.alternates.size() > mostAlternates)
-    value.wrong(fmt::format("has more than {} alternates", mostAlternates));
+  if (stored.alternates.size() > maxAlternates)
+    value.wrong(fmt::format("has more than {} alternates", maxAlternates));
   frame.finish();
   return stored;
 }
@@ -127,10 +127,10 @@ int accept(PictureBaseline::Frame& stored, const PictureBaseline::Frame& made, b
   if (stored.pixels == made.pixels) return 0;
   const auto known = std::find(stored.alternates.begin(), stored.alternates.end(), made.pixels);
   if (known != stored.alternates.end()) return static_cast<int>(known - stored.alternates.begin()) + 1;
-  if (stored.alternates.size() == mostAlternates)
+  if (stored.alternates.size() == maxAlternates)
     fail(ExitCode::usage,
          "frame {} has {} alternates already; accept it as the baseline instead, without --alternate",
-         frame, mostAlternates);
+         frame, maxAlternates);
   stored.alternates.push_back(made.pixels);
   return static_cast<int>(stored.alternates.size());
 }

@@ -21,7 +21,7 @@ namespace simreel::golden {
 ///
 /// Fast numerics differ by driver, so state.json and steps.bin stand in the profile's folder then.
 inline constexpr const char* sharedProfile = "any";
-inline constexpr int mostAlternates = 3;
+inline constexpr int maxAlternates = 3;
 
 /// "flag.positions" -> hash.
 using StateHashes = std::map<std::string, std::string>;

@@ -10,7 +10,7 @@ namespace simreel::golden {
 
 namespace {
 
-constexpr std::size_t mostCharacters = 32;
+constexpr std::size_t maxCharacters = 32;
 
 bool isWordCharacter(char c) {
   return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9');
@@ -39,7 +39,7 @@ std::vector<std::string> wordsOf(std::string_view text) {
 std::string nameOf(const std::vector<std::string>& words) {
   std::string name;
   for (const std::string& word : words) name += (name.empty() ? "" : "-") + word;
-  if (name.size() > mostCharacters) name.resize(mostCharacters);
+  if (name.size() > maxCharacters) name.resize(maxCharacters);
   while (!name.empty() && name.back() == '-') name.pop_back();
   return name.empty() ? "unknown" : name;
 }

@@ -59,12 +59,12 @@ std::string imageLine(const FrameResult& frame, const std::filesystem::path& fol
 
 /// " (flag, curtain and 3 more)"
 std::string namesOf(const SuiteResult& suite, Status status) {
-  constexpr long mostNames = 5;
+  constexpr long maxNames = 5;
   const long count = countOf(suite, status);
   std::string names;
   long shown = 0;
   for (const SceneResult& scene : suite.scenes) {
-    if (scene.status != status || shown == mostNames) continue;
+    if (scene.status != status || shown == maxNames) continue;
     names += (shown++ == 0 ? "" : ", ") + oneLine(scene.name);
   }
   if (count > shown) names += fmt::format(" and {} more", count - shown);

@@ -54,8 +54,8 @@ class Tracing {
     }
     return understood(child_, [&] { return readStateLine(*line); });
   }
-  StateDump dump(std::size_t mostBytes) {
-    const auto bytes = child_.rest(mostBytes);
+  StateDump dump(std::size_t maxBytes) {
+    const auto bytes = child_.rest(maxBytes);
     child_.finish();
     return understood(child_, [&] { return readDump(bytes); });
   }

@@ -17,7 +17,7 @@ namespace simreel::golden {
 namespace {
 
 /// One step of 8 bits: a picture whose luma deviates less shows nothing.
-constexpr double leastDeviation = 1.0 / 255.0;
+constexpr double minDeviation = 1.0 / 255.0;
 /// Drift is relative to the first value; one smaller than this counts as this.
 constexpr double tiny = 1e-12;
 
@@ -249,14 +249,14 @@ void Checker::frame(int frame, const sim::World& world, const frame::Image* imag
 void Checker::checkContrast(const frame::Image& image, CheckResult& result) {
   const Contrast contrast = contrastOf(image);
   result.value = contrast.lumaDeviation;
-  result.least = leastDeviation;
+  result.least = minDeviation;
   if (contrast.oneColour)
     result.message = fmt::format("frame {}: the picture is one colour", result.frame);
-  else if (contrast.lumaDeviation < leastDeviation)
+  else if (contrast.lumaDeviation < minDeviation)
     result.message = fmt::format(
         "frame {}: the picture is nearly one colour: the standard deviation of its luma is {:.3g}, below "
         "{:.3g}",
-        result.frame, contrast.lumaDeviation, leastDeviation);
+        result.frame, contrast.lumaDeviation, minDeviation);
 }
 
 void Checker::checkFinite(const Item& item, StateOfFrame& state, CheckResult& result) const {

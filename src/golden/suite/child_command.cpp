@@ -110,10 +110,10 @@ std::optional<std::string> ChildCommand::line() {
   }
 }
 
-std::vector<std::byte> ChildCommand::rest(std::size_t mostBytes) {
+std::vector<std::byte> ChildCommand::rest(std::size_t maxBytes) {
   while (more())
-    if (read_.size() > mostBytes)
-      fail(ExitCode::inputOutput, "{} prints more than the {} bytes that the state has", name_, mostBytes);
+    if (read_.size() > maxBytes)
+      fail(ExitCode::inputOutput, "{} prints more than the {} bytes that the state has", name_, maxBytes);
   std::vector<std::byte> bytes(read_.size());
   if (!bytes.empty()) std::memcpy(bytes.data(), read_.data(), bytes.size());
   read_.clear();

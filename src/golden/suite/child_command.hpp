@@ -22,8 +22,8 @@ class ChildCommand {
 
   /// The next line without its end; nothing after the last.
   [[nodiscard]] std::optional<std::string> line();
-  /// All that is left to read. Throws UserError(inputOutput) beyond `mostBytes`.
-  [[nodiscard]] std::vector<std::byte> rest(std::size_t mostBytes);
+  /// All that is left to read. Throws UserError(inputOutput) beyond `maxBytes`.
+  [[nodiscard]] std::vector<std::byte> rest(std::size_t maxBytes);
   /// Waits for its end. Throws UserError with its own message unless it ended with 0: usage and device
   /// errors of a simreel keep their code, anything else is inputOutput.
   void finish();

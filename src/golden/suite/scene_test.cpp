@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 namespace {
 
 /// steps.bin stays below what a repository should hold.
-constexpr std::size_t mostTraceBytes = std::size_t{96} << 10;
+constexpr std::size_t maxTraceBytes = std::size_t{96} << 10;
 
 std::string listOf(const std::set<int>& frames) {
   std::string text;
@@ -180,7 +180,7 @@ Candidate SceneTest::candidate(bool withSteps) const {
     if (!frame.state.empty()) made.state.frames[frame.frame] = frame.state;
   }
   if (withSteps && !made.state.frames.empty())
-    made.steps = encodeTrace(traceRun(scene_, frames_.back(), mostTraceBytes));
+    made.steps = encodeTrace(traceRun(scene_, frames_.back(), maxTraceBytes));
   return made;
 }
 

@@ -17,8 +17,8 @@ namespace {
 static_assert(std::endian::native == std::endian::little, "steps.bin is copied as it lies in memory");
 
 constexpr char magic[8] = {'S', 'R', 'S', 'T', 'E', 'P', 'S', '1'};
-constexpr std::uint32_t mostArrays = 4096;
-constexpr std::uint32_t mostNameBytes = 256;
+constexpr std::uint32_t maxArrays = 4096;
+constexpr std::uint32_t maxNameBytes = 256;
 
 void put(std::vector<std::byte>& out, const void* data, std::size_t size) {
   const auto* bytes = static_cast<const std::byte*>(data);
@@ -55,7 +55,7 @@ class Input {
   }
   std::string text() {
     const std::uint32_t size = number();
-    if (size > mostNameBytes) wrong("a name in it is too long");
+    if (size > maxNameBytes) wrong("a name in it is too long");
     const auto taken = take(size);
     return {reinterpret_cast<const char*>(taken.data()), size};
   }
@@ -117,9 +117,9 @@ StepTrace decodeTrace(std::span<const std::byte> bytes, const std::string& name)
   trace.frames = in.number();
   trace.detailed = in.number();
   const std::uint32_t arrays = in.number();
-  constexpr std::uint32_t mostFrames = 1U << 24;
-  if (trace.frames > mostFrames || trace.detailed > trace.frames || arrays > mostArrays ||
-      trace.firstFrame > 0 || trace.firstFrame < -static_cast<std::int32_t>(mostFrames))
+  constexpr std::uint32_t maxFrames = 1U << 24;
+  if (trace.frames > maxFrames || trace.detailed > trace.frames || arrays > maxArrays ||
+      trace.firstFrame > 0 || trace.firstFrame < -static_cast<std::int32_t>(maxFrames))
     in.wrong("its sizes make no sense");
   for (std::uint32_t i = 0; i < arrays; ++i) trace.arrays.push_back(readArray(in));
   // Compared as a quotient: the product of absurd sizes would wrap.

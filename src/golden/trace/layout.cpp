@@ -9,20 +9,20 @@ namespace simreel::golden {
 
 namespace {
 
-constexpr std::uint32_t mostBlocks = 64;
-constexpr std::uint32_t mostPerInvocation = 64;
+constexpr std::uint32_t maxBlocks = 64;
+constexpr std::uint32_t maxPerInvocation = 64;
 
 /// Elements a block: a multiple of the kernel's share where blocks are that large.
 std::uint32_t blockSize(std::uint32_t elements, std::uint32_t blocks) {
   const std::uint32_t size = std::max(1U, (elements + blocks - 1) / blocks);
-  return size <= mostPerInvocation ? size
-                                   : (size + mostPerInvocation - 1) / mostPerInvocation * mostPerInvocation;
+  return size <= maxPerInvocation ? size
+                                  : (size + maxPerInvocation - 1) / maxPerInvocation * maxPerInvocation;
 }
 
 }  // namespace
 
 std::uint32_t invocationShare(std::uint32_t perBlock) {
-  return std::min(perBlock, mostPerInvocation);
+  return std::min(perBlock, maxPerInvocation);
 }
 
 std::size_t StepTrace::frameWords(std::uint32_t index) const {
@@ -40,15 +40,15 @@ std::size_t StepTrace::totalWords() const {
 }
 
 StepTrace layOut(std::vector<StepTrace::Array> arrays, int firstFrame, int lastFrame,
-                 std::size_t mostBytes) {
+                 std::size_t maxBytes) {
   SIMREEL_CHECK(lastFrame >= firstFrame);
   StepTrace trace;
   trace.arrays = std::move(arrays);
   trace.firstFrame = firstFrame;
   trace.frames = static_cast<std::uint32_t>(lastFrame - firstFrame);
   trace.detailed = trace.frames;
-  const std::size_t most = mostBytes / sizeof(std::uint32_t);
-  for (std::uint32_t blocks = mostBlocks; blocks >= 1; blocks /= 2) {
+  const std::size_t most = maxBytes / sizeof(std::uint32_t);
+  for (std::uint32_t blocks = maxBlocks; blocks >= 1; blocks /= 2) {
     for (StepTrace::Array& array : trace.arrays) array.perBlock = blockSize(array.elements, blocks);
     if (trace.totalWords() <= most) return trace;
   }

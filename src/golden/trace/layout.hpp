@@ -13,7 +13,7 @@ namespace simreel::golden {
 /// A trace without words yet, cut into as many blocks as fit: powers of two down to whole arrays, then
 /// fewer frames with every step.
 [[nodiscard]] StepTrace layOut(std::vector<StepTrace::Array> arrays, int firstFrame, int lastFrame,
-                               std::size_t mostBytes);
+                               std::size_t maxBytes);
 /// Elements that one invocation of the hash kernel takes: a divisor of perBlock, at most 64.
 [[nodiscard]] std::uint32_t invocationShare(std::uint32_t perBlock);
 /// The same trace with less in it, as if it had been laid out so: each array as one block where `whole`,

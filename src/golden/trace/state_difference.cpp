@@ -35,7 +35,7 @@ ArrayDifference compareWords(const std::vector<std::uint32_t>& here,
     for (std::size_t k = at; k < at + wordsPerElement; ++k) {
       const auto ulps = ulpsBetween(here[k], there[k]);
       if (ulps)
-        result.mostUlps = std::max(result.mostUlps, *ulps);
+        result.maxUlps = std::max(result.maxUlps, *ulps);
       else
         nan = nan || here[k] != there[k];
     }

@@ -18,8 +18,8 @@ struct ArrayDifference {
   std::int64_t differing = 0;                                  ///< elements with any bit different
   std::int64_t first = -1;                                     ///< the lowest of them
   std::array<std::uint32_t, wordsPerElement> here{}, there{};  ///< its bits
-  std::uint64_t mostUlps = 0;                                  ///< over all components
-  std::int64_t withNan = 0;  ///< differing elements that have NaN on a side; not in mostUlps
+  std::uint64_t maxUlps = 0;                                   ///< over all components
+  std::int64_t withNan = 0;  ///< differing elements that have NaN on a side; not in maxUlps
 };
 /// `words`: four for each element, as many on both sides.
 [[nodiscard]] ArrayDifference compareWords(const std::vector<std::uint32_t>& here,

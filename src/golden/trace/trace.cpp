@@ -119,7 +119,7 @@ std::optional<Divergence> firstDifference(const StepTrace& baseline, std::uint32
 
 }  // namespace
 
-StepTrace traceRun(const scene::Scene& scene, int lastFrame, std::size_t mostBytes,
+StepTrace traceRun(const scene::Scene& scene, int lastFrame, std::size_t maxBytes,
                    const AfterStep& afterStep) {
   Tracer tracer(scene, afterStep);
   const TracedRun run = describeWorld(tracer.world());
@@ -128,7 +128,7 @@ StepTrace traceRun(const scene::Scene& scene, int lastFrame, std::size_t mostByt
     const auto elements = static_cast<std::uint32_t>(a.elements);
     arrays.push_back({a.object, a.array, elements, elements, static_cast<std::uint32_t>(a.steps)});
   }
-  StepTrace trace = layOut(std::move(arrays), run.firstFrame, lastFrame, mostBytes);
+  StepTrace trace = layOut(std::move(arrays), run.firstFrame, lastFrame, maxBytes);
   trace.words.reserve(trace.totalWords());
   for (std::uint32_t index = 0; index <= trace.frames; ++index) {
     const auto words = tracer.frame(trace, index);

@@ -44,9 +44,9 @@ struct StepTrace {
 using AfterStep = std::function<void(const sim::World& world, std::size_t object, int step)>;
 
 /// Simulates the scene from its start to `lastFrame`, without drawing, and hashes as it goes, in blocks as
-/// fine as `mostBytes` allows; where not even whole arrays do, later frames keep their last step only.
+/// fine as `maxBytes` allows; where not even whole arrays do, later frames keep their last step only.
 /// Throws UserError as World does.
-[[nodiscard]] StepTrace traceRun(const scene::Scene& scene, int lastFrame, std::size_t mostBytes,
+[[nodiscard]] StepTrace traceRun(const scene::Scene& scene, int lastFrame, std::size_t maxBytes,
                                  const AfterStep& afterStep = {});
 /// The first step at which the run leaves the baseline; nothing when it never does in the frames that both
 /// have. Traces that are cut into different blocks, or that keep every step of different frames, are

@@ -15,7 +15,7 @@ namespace simreel::sim {
 
 namespace {
 
-constexpr int mostSubsteps = 1024;
+constexpr int maxSubsteps = 1024;
 /// Share of the stable substep that "auto" takes. Half of its square: a sheet stretched to any length pulls
 /// sideways as strongly as along its springs at most, which doubles the square of its fastest frequency.
 constexpr double safety = 0.7;
@@ -101,12 +101,12 @@ void ClothParameters::describe(scene::Fields& f) {
                     a.number("gustSize", air.gustSize, {1e-2, 1e3}, "m", "Size of the gusts.");
                   });
   f.number("margin", margin, {0, 10}, "m", "Distance kept from colliders.");
-  f.integerOr("substeps", substeps, "auto", {1, mostSubsteps}, "per frame",
+  f.integerOr("substeps", substeps, "auto", {1, maxSubsteps}, "per frame",
               "Steps a frame is divided into; \"auto\" takes as many as the springs need to be stable.");
   f.list("pins", pins, "Particles that are held, and how they move.",
          [&](scene::Fields& p, PinGroup& group) { group.describe(p, size); });
-  if (pins.size() > shader::mostPinFrames)
-    f.error("pins", fmt::format("at most {} groups of pins", shader::mostPinFrames));
+  if (pins.size() > shader::maxPinFrames)
+    f.error("pins", fmt::format("at most {} groups of pins", shader::maxPinFrames));
 }
 
 double ClothParameters::stableSeconds() const {
@@ -125,11 +125,11 @@ double ClothParameters::stableSeconds() const {
 
 std::string ClothParameters::steadierWay(double frameSeconds) const {
   ClothParameters other = *this;
-  if (substeps && substepsFor(frameSeconds, safety * stableSeconds()) <= mostSubsteps)
+  if (substeps && substepsFor(frameSeconds, safety * stableSeconds()) <= maxSubsteps)
     return "set \"substeps\": \"auto\", lower the stiffness or raise the mass";
   other.solver = ClothSolver::constraints;
   if (solver == ClothSolver::springs &&
-      substepsFor(frameSeconds, safety * other.stableSeconds()) <= mostSubsteps)
+      substepsFor(frameSeconds, safety * other.stableSeconds()) <= maxSubsteps)
     return "set \"solver\": \"constraints\" (XPBD), which is stable at any stiffness, lower the stiffness "
            "or "
            "raise the mass";
@@ -152,10 +152,10 @@ std::string ClothParameters::instability(double frameSeconds) const {
 int ClothParameters::substepsPerFrame(double frameSeconds) const {
   if (substeps) return *substeps;
   const std::int64_t needed = substepsFor(frameSeconds, safety * stableSeconds());
-  if (needed > mostSubsteps)
+  if (needed > maxSubsteps)
     fail(ExitCode::usage,
          "cloth: \"substeps\": \"auto\" would take {} a frame to be stable, more than {}; {}", needed,
-         mostSubsteps, steadierWay(frameSeconds));
+         maxSubsteps, steadierWay(frameSeconds));
   const int least = solver == ClothSolver::constraints ? 8 : 1;
   return std::max(static_cast<int>(needed), least);
 }

@@ -42,10 +42,10 @@ ClothPlan::ClothPlan(const ClothParameters& parameters, int seed, double frameSe
       substeps_(parameters.substepsPerFrame(frameSeconds)),
       colliders_(colliders) {
   substepSeconds_ = frameSeconds / substeps_;
-  if (colliders_.size() > shader::mostColliders)
+  if (colliders_.size() > shader::maxColliders)
     fail(ExitCode::usage,
          "a cloth collides with at most {} shapes, the scene has {}; set \"collides\": false on some",
-         shader::mostColliders, colliders_.size());
+         shader::maxColliders, colliders_.size());
   if (const std::string problem = parameters_.instability(frameSeconds); !problem.empty())
     warn("cloth: {}", problem);
   const glm::mat4 turn = rotationMatrix(parameters_.rotation);

@@ -34,7 +34,7 @@ void StageClock::lap(double StageTimes::*stage) {
   }
   if (what_ != Of::gpu || !measuring_) return;
   Frame& frame = frames_[current_];
-  SIMREEL_CHECK(frame.laps < mostLaps);
+  SIMREEL_CHECK(frame.laps < maxLaps);
   frame.stages[static_cast<std::size_t>(frame.laps)] = stage;
   ++frame.laps;
   glQueryCounter(frame.stamps[static_cast<std::size_t>(frame.laps)].get(), GL_TIMESTAMP);

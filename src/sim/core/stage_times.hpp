@@ -30,10 +30,10 @@ class StageClock {
   [[nodiscard]] std::vector<std::pair<const char*, double>> times() const;
 
  private:
-  static constexpr int mostLaps = 4;
+  static constexpr int maxLaps = 4;
   struct Frame {
-    std::array<gl::Handle<gl::DeleteQuery>, mostLaps + 1> stamps;
-    std::array<double StageTimes::*, mostLaps> stages{};
+    std::array<gl::Handle<gl::DeleteQuery>, maxLaps + 1> stamps;
+    std::array<double StageTimes::*, maxLaps> stages{};
     int laps = 0;
     bool pending = false;
   };

@@ -14,7 +14,7 @@ namespace {
 
 constexpr int texelsPerInvocation = 64;  // of the texel path
 constexpr int groupSize = 256;           // of the storage path
-constexpr int mostGroups = 1024;
+constexpr int maxGroups = 1024;
 
 bool grouped() {
   return gl::memoryPath() == gl::MemoryPath::storage;
@@ -36,7 +36,7 @@ void StateHash::add(const gl::Buffer& array, std::size_t number, const gl::Buffe
   program_.set("slot", static_cast<int>(place));
   program_.set("salt", static_cast<unsigned>(number + 1) * 0x9e3779b9U);
   if (grouped()) {
-    const int invocations = std::min((texels - 1) / groupSize + 1, mostGroups) * groupSize;
+    const int invocations = std::min((texels - 1) / groupSize + 1, maxGroups) * groupSize;
     program_.set("invocations", invocations);
     program_.dispatch(invocations);
   } else {

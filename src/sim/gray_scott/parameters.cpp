@@ -72,10 +72,10 @@ void GrayScottParameters::describe(scene::Fields& f) {
   f.number("diffuseV", diffuseV, {0, 1e3}, "cells^2 per unit of time", "How fast v spreads.");
   f.number("dt", dt, {1e-3, 4}, "units of time", "Of a step.");
   for (const auto& [name, diffusion] : {std::pair{"diffuseU", diffuseU}, std::pair{"diffuseV", diffuseV}})
-    if (dt * diffusion > mostGrayScottDiffusion)
+    if (dt * diffusion > maxGrayScottDiffusion)
       f.error(f.given(name) ? name : "dt",
               fmt::format("dt * {} is {}, and a step is stable up to {}; lower dt to {:.3g} or less", name,
-                          dt * diffusion, mostGrayScottDiffusion, mostGrayScottDiffusion / diffusion));
+                          dt * diffusion, maxGrayScottDiffusion, maxGrayScottDiffusion / diffusion));
   f.integer("steps", steps, {0, 100000}, "per frame", "Steps a frame takes.");
   f.integer("presteps", presteps, {0, 1e7}, "", "Steps before the first frame, with the rates of time 0.");
   f.asset("image", image, "Picture of v at the start: white is the value of \"seeds\", black none.");

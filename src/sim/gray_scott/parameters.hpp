@@ -1,6 +1,6 @@
 #pragma once
-#include "sim/core/kind.hpp"
 #include "scene/fields.hpp"
+#include "sim/core/kind.hpp"
 #include "sim/grid/field_display.hpp"
 #include "sim/grid/strokes.hpp"
 
@@ -57,6 +57,6 @@ struct GrayScottParameters : ObjectParameters {
 
 /// Greatest stable dt D: the stencil's fastest mode, the checkerboard of rows, has the eigenvalue -1.6 and
 /// an explicit step needs dt D 1.6 <= 2.
-inline constexpr double mostGrayScottDiffusion = 1.25;
+inline constexpr double maxGrayScottDiffusion = 1.25;
 
 }  // namespace simreel::sim

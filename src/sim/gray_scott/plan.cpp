@@ -12,7 +12,7 @@ namespace simreel::sim {
 
 namespace {
 
-constexpr int mostImageSide = 32768;
+constexpr int maxImageSide = 32768;
 
 /// Packs a pair of numbers for each cell, (x, y) to two floats, as the kernels hold them.
 std::vector<glm::vec4> packed(glm::ivec2 size, const std::function<glm::vec2(int, int)>& cell) {
@@ -25,7 +25,7 @@ std::vector<glm::vec4> packed(glm::ivec2 size, const std::function<glm::vec2(int
 }
 
 std::vector<float> sharesOf(const std::filesystem::path& file, const char* what, glm::ivec2 size) {
-  const Picture picture = loadPicture(file, what, mostImageSide);
+  const Picture picture = loadPicture(file, what, maxImageSide);
   std::vector<float> shares;
   for (const std::uint8_t level : levelsOnGrid(picture, size))
     shares.push_back(static_cast<float>(level) / 255.0F);
@@ -50,7 +50,7 @@ void GrayScottPlan::checkPictures() const {
   for (const auto& [file, what] :
        {std::pair(&p.image, "image of v"), std::pair(&p.feedImage, "image of feed rates"),
         std::pair(&p.killImage, "image of kill rates")})
-    if (!file->empty()) static_cast<void>(loadPicture(*file, what, mostImageSide));
+    if (!file->empty()) static_cast<void>(loadPicture(*file, what, maxImageSide));
 }
 
 std::vector<float> GrayScottPlan::firstV() const {

@@ -14,10 +14,10 @@ namespace {
 
 using Complex = std::complex<double>;
 
-constexpr int mostSide = 384;
+constexpr int maxSide = 384;
 
 /// v whose greatest value is below this has no pattern: what the seeds left behind.
-constexpr float leastPattern = 0.05F;
+constexpr float minPattern = 0.05F;
 
 /// e^(-2 pi i k / count) for k from 0.
 std::vector<Complex> roots(int count) {
@@ -86,7 +86,7 @@ std::vector<Ring> ringPower(const std::vector<double>& field, glm::ivec2 size) {
 }  // namespace
 
 double dominantWavelength(std::span<const float> values, glm::ivec2 size) {
-  const int factor = (std::max(size.x, size.y) + mostSide - 1) / mostSide;
+  const int factor = (std::max(size.x, size.y) + maxSide - 1) / maxSide;
   const glm::ivec2 small = size / factor;
   if (std::min(small.x, small.y) < 2) return 0;
   const std::vector<Ring> rings = ringPower(averaged(values, size, factor), small);
@@ -132,7 +132,7 @@ std::span<const scene::Quantity> GrayScottParameters::quantities() const {
   static const scene::Quantity table[] = {
       {"meanU", "", "Mean of u."},
       {"meanV", "", "Mean of v."},
-      {"mostV", "", "Greatest v."},
+      {"maxV", "", "Greatest v."},
       {"coverage", "", "Share of cells with v above half the greatest."},
       {"spots", "", "Patches of such cells, joined over edges."},
       {"largestSpot", "", "Share of cells in the largest patch."},
@@ -159,7 +159,7 @@ std::vector<double> measureGrayScott(std::span<const glm::vec4> cells, glm::ivec
   std::vector<char> outside(v.size());
   double covered = 0;
   for (std::size_t i = 0; i < v.size(); ++i) {
-    inside[i] = static_cast<char>(most >= leastPattern && v[i] > most / 2);
+    inside[i] = static_cast<char>(most >= minPattern && v[i] > most / 2);
     outside[i] = static_cast<char>(inside[i] == 0);
     covered += inside[i];
   }
@@ -172,7 +172,7 @@ std::vector<double> measureGrayScott(std::span<const glm::vec4> cells, glm::ivec
           static_cast<double>(spots.count),
           spots.largest / cellCount,
           static_cast<double>(patchesOf(outside, size).count),
-          most < leastPattern ? 0 : dominantWavelength(v, size)};
+          most < minPattern ? 0 : dominantWavelength(v, size)};
 }
 
 }  // namespace simreel::sim

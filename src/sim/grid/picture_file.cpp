@@ -12,12 +12,12 @@ namespace {
 
 /// Most bytes that the decoder may ask for at once, so that a few compressed bytes never become gigabytes,
 /// and whether it asked for more.
-thread_local std::size_t mostBytes = 0;
+thread_local std::size_t maxBytes = 0;
 thread_local bool askedForMore = false;
 
 bool allowed(std::size_t size) {
-  askedForMore = askedForMore || size > mostBytes;
-  return size <= mostBytes;
+  askedForMore = askedForMore || size > maxBytes;
+  return size <= maxBytes;
 }
 void* takeForStb(std::size_t size) {
   return allowed(size) ? std::malloc(size) : nullptr;
@@ -77,8 +77,8 @@ bool pnmNumbersFit(std::string_view bytes) {
 
 }  // namespace
 
-Picture loadPicture(const std::filesystem::path& file, const char* what, int mostSide) {
-  Picture picture = decodePicture(readFile(file, what), file.string(), what, mostSide);
+Picture loadPicture(const std::filesystem::path& file, const char* what, int maxSide) {
+  Picture picture = decodePicture(readFile(file, what), file.string(), what, maxSide);
   std::size_t seenThrough = 0;
   for (std::size_t at = 3; at < picture.rgba.size(); at += 4) seenThrough += picture.rgba[at] < 255 ? 1 : 0;
   if (seenThrough > 0)
@@ -89,7 +89,7 @@ Picture loadPicture(const std::filesystem::path& file, const char* what, int mos
   return picture;
 }
 
-Picture decodePicture(std::string_view bytes, const std::string& name, const char* what, int mostSide) {
+Picture decodePicture(std::string_view bytes, const std::string& name, const char* what, int maxSide) {
   const auto refuse = [&](const std::string& why) {
     fail(ExitCode::inputOutput, "the {} {} is not a picture this program reads ({}); use PNG or JPEG", what,
          name, oneLine(why));  // stb quotes the file
@@ -101,14 +101,14 @@ Picture decodePicture(std::string_view bytes, const std::string& name, const cha
   const auto* data = reinterpret_cast<const stbi_uc*>(bytes.data());
   const int size = static_cast<int>(bytes.size());
   constexpr std::size_t forHeaders = 1 << 16;
-  mostBytes = forHeaders;
+  maxBytes = forHeaders;
   if (bytes.starts_with('P') && !pnmNumbersFit(bytes)) refuse("a number of more than nine digits");
   // The header first: a small file may promise a picture that takes all memory.
   if (stbi_info_from_memory(data, size, &width, &height, &channels) == 0) refuse(stbi_failure_reason());
   if (width < 1 || height < 1) refuse("no width or no height");
-  if (std::max(width, height) > mostSide)
+  if (std::max(width, height) > maxSide)
     fail(ExitCode::device, "the {} {} is {}x{}, above the limit of {}x{} here", what, name, width, height,
-         mostSide, mostSide);
+         maxSide, maxSide);
   if (static_cast<double>(width) * height > pixelsIn(bytes))
     refuse(fmt::format("{}x{} pixels do not fit in its {} bytes", width, height, bytes.size()));
   // stb_image 2.27 reads beyond such a picture's end.
@@ -116,9 +116,9 @@ Picture decodePicture(std::string_view bytes, const std::string& name, const cha
     fail(ExitCode::inputOutput,
          "the {} {} is a PNM picture of 16 bits, which this program does not read; use PNG", what, name);
   // Four channels of 16 bits a pixel, rounded up to whole blocks, or twice the file's bytes.
-  mostBytes = std::max(8 * (static_cast<std::size_t>(width) + 64) * (static_cast<std::size_t>(height) + 64),
-                       2 * bytes.size()) +
-              forHeaders;
+  maxBytes = std::max(8 * (static_cast<std::size_t>(width) + 64) * (static_cast<std::size_t>(height) + 64),
+                      2 * bytes.size()) +
+             forHeaders;
   askedForMore = false;
   const std::unique_ptr<stbi_uc, decltype(&stbi_image_free)> texels(
       stbi_load_from_memory(data, size, &width, &height, &channels, 4), &stbi_image_free);

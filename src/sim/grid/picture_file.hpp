@@ -25,12 +25,12 @@ struct Picture {
 
 /// Reads PNG, JPEG and PNM of 8 bits. `what` names its use in messages ("texture", "fuel map"). Throws
 /// UserError: what readFile says for a file that cannot be read, inputOutput for one that is no picture or
-/// promises more pixels than its bytes can hold, device for one wider or higher than `mostSide`, usage
+/// promises more pixels than its bytes can hold, device for one wider or higher than `maxSide`, usage
 /// for one with a pixel that is not opaque.
-[[nodiscard]] Picture loadPicture(const std::filesystem::path& file, const char* what, int mostSide);
+[[nodiscard]] Picture loadPicture(const std::filesystem::path& file, const char* what, int maxSide);
 /// The same from the file's bytes, opaque or not; `name` is what messages call it.
 [[nodiscard]] Picture decodePicture(std::string_view bytes, const std::string& name, const char* what,
-                                    int mostSide);
+                                    int maxSide);
 
 /// Levels (0 to 255) of a picture drawn onto a grid: nearest pixel to the middle of each cell, x fastest. A
 /// picture of the grid's size is taken pixel for pixel.

@@ -14,9 +14,9 @@ namespace simreel::sim {
 
 namespace {
 
-constexpr int mostStampSide = 8192;
-constexpr double mostRounds = 1000;       ///< of a torus by a stroke's path
-constexpr double mostStampImages = 4096;  ///< of a stamp on a torus
+constexpr int maxStampSide = 8192;
+constexpr double maxRounds = 1000;       ///< of a torus by a stroke's path
+constexpr double maxStampImages = 4096;  ///< of a stamp on a torus
 
 glm::vec2 flat(const glm::vec3& p) {
   return {p.x, p.y};
@@ -81,7 +81,7 @@ Strokes::Strokes(std::vector<StrokeParameters> strokes, int seed, StrokeGrid gri
   for (const StrokeParameters& stroke : strokes_) {
     Stamp& stamp = stamps_.emplace_back();
     if (stroke.shape != StrokeParameters::Shape::image) continue;
-    const Picture picture = loadPicture(stroke.image, "brush image", mostStampSide);
+    const Picture picture = loadPicture(stroke.image, "brush image", maxStampSide);
     stamp.firstWord = static_cast<int>(bits_.size());
     stamp.size = picture.size;
     const auto pixels = static_cast<std::size_t>(picture.size.x) * static_cast<std::size_t>(picture.size.y);
@@ -107,12 +107,12 @@ void Strokes::check(std::size_t index) const {
   if (grid_.torus) {
     const double rounds = std::abs(to.x - from.x) / size.x + std::abs(to.y - from.y) / size.y;
     const double images = (stamp.x / size.x + 2) * (stamp.y / size.y + 2);
-    if (isStamp ? images > mostStampImages : rounds > mostRounds)
+    if (isStamp ? images > maxStampImages : rounds > maxRounds)
       fail(ExitCode::usage,
            "{}: strokes[{}] goes round its torus of {} x {} cells {:.0f} times, at most {:.0f} are drawn; "
            "make it shorter",
            grid_.object, index, grid_.size.x, grid_.size.y, isStamp ? images : rounds,
-           isStamp ? mostStampImages : mostRounds);
+           isStamp ? maxStampImages : maxRounds);
     return;
   }
   const glm::dvec2 corner(std::floor(from.x), std::floor(from.y));

@@ -13,7 +13,7 @@ namespace simreel::sim {
 
 namespace {
 
-constexpr std::size_t mostFileBytes = std::size_t{256} << 20;
+constexpr std::size_t maxFileBytes = std::size_t{256} << 20;
 
 /// Formats whose lines are rows or places of cells.
 class LineReader : public PatternText {
@@ -80,9 +80,9 @@ class LineReader : public PatternText {
         add(block_.x + static_cast<int>(i), block_.y + row_, 1);
       else if (c != '.')
         wrong(place_ + i, fmt::format("{} in a row of cells: '.' is dead, 'O' or '*' alive", shown(c)));
-      if (i >= mostLifeSide) wrong(place_ + i, fmt::format("a row of more than {} cells", mostLifeSide));
+      if (i >= maxLifeSide) wrong(place_ + i, fmt::format("a row of more than {} cells", maxLifeSide));
     }
-    if (++row_ > mostLifeSide) wrong(place_, fmt::format("more than {} rows", mostLifeSide));
+    if (++row_ > maxLifeSide) wrong(place_, fmt::format("more than {} rows", maxLifeSide));
   }
 
   int number(std::string_view line, std::size_t& at) const {
@@ -91,8 +91,8 @@ class LineReader : public PatternText {
     const auto [end, error] = std::from_chars(line.data() + at, line.data() + line.size(), value);
     if (error == std::errc::invalid_argument)
       wrong(place_ + at, "a whole number is missing here: places are as \"3 -1\"");
-    if (error != std::errc() || value > mostPlace || value < -mostPlace)
-      wrong(place_ + at, fmt::format("a place beyond {}, the farthest there is room for", mostPlace));
+    if (error != std::errc() || value > maxPlace || value < -maxPlace)
+      wrong(place_ + at, fmt::format("a place beyond {}, the farthest there is room for", maxPlace));
     at = static_cast<std::size_t>(end - line.data());
     return value;
   }
@@ -115,9 +115,9 @@ class LineReader : public PatternText {
     }
     if (pattern_.runs.empty()) return std::move(pattern_);
     pattern_.size = end - least;
-    if (std::max(pattern_.size.x, pattern_.size.y) > mostLifeSide)
+    if (std::max(pattern_.size.x, pattern_.size.y) > maxLifeSide)
       wrong(0, fmt::format("the living cells are {} x {} apart, more than {}, the most there is room for",
-                           pattern_.size.x, pattern_.size.y, mostLifeSide));
+                           pattern_.size.x, pattern_.size.y, maxLifeSide));
     for (CellPattern::Run& run : pattern_.runs) {
       run.x -= least.x;
       run.y -= least.y;
@@ -125,7 +125,7 @@ class LineReader : public PatternText {
     return std::move(pattern_);
   }
 
-  static constexpr int mostPlace = 1 << 28;
+  static constexpr int maxPlace = 1 << 28;
   std::size_t place_ = 0;   ///< where the line begins
   glm::ivec2 block_{0, 0};  ///< of Life 1.05: top left cell of the rows
   int row_ = 0;
@@ -189,7 +189,7 @@ CellPattern parsePattern(std::string_view text, const std::string& name) {
 }
 
 CellPattern readPattern(const std::filesystem::path& file) {
-  return parsePattern(readFile(file, "pattern", mostFileBytes), file.string());
+  return parsePattern(readFile(file, "pattern", maxFileBytes), file.string());
 }
 
 }  // namespace simreel::sim

@@ -12,7 +12,7 @@
 namespace simreel::sim {
 
 /// Sides of patterns and grids, cells.
-inline constexpr int mostLifeSide = 1 << 20;
+inline constexpr int maxLifeSide = 1 << 20;
 
 /// A pattern of living and dead cells, as the community's files hold them.
 struct CellPattern {
@@ -33,7 +33,7 @@ struct CellPattern {
 
 /// Reads a pattern in whichever format it is: Life 1.05 and 1.06 by their first line, plaintext (rows of
 /// '.' and 'O', comments after '!') where nothing but such rows is there, else RLE. Throws UserError with
-/// file:line:column for one that cannot be read, has more than two states, or has sides above mostLifeSide.
+/// file:line:column for one that cannot be read, has more than two states, or has sides above maxLifeSide.
 [[nodiscard]] CellPattern readPattern(const std::filesystem::path& file);
 /// The same from text; `name` is what messages call it.
 [[nodiscard]] CellPattern parsePattern(std::string_view text, const std::string& name);

@@ -19,7 +19,7 @@ namespace simreel::sim {
 
 namespace {
 
-constexpr int mostFillGroups = 32768;
+constexpr int maxFillGroups = 32768;
 
 std::vector<glm::uvec4> elements(const std::vector<std::uint32_t>& words) {
   std::vector<glm::uvec4> result((words.size() + 3) / 4);
@@ -148,9 +148,9 @@ class Life : public Simulation {
       program.set("share", plan_.fillShare());
       cells_[0].bindState(shader::life::cellsBinding);
       const auto blocks = static_cast<int>(plan_.blocks());
-      for (int first = 0; first < blocks; first += mostFillGroups * 64) {
+      for (int first = 0; first < blocks; first += maxFillGroups * 64) {
         program.set("firstBlock", first);
-        program.dispatch(std::min(blocks - first, mostFillGroups * 64));
+        program.dispatch(std::min(blocks - first, maxFillGroups * 64));
       }
       gl::barrier();
     }
@@ -183,8 +183,8 @@ class Life : public Simulation {
   /// As many as one pass may take: no further than the frame's end, one where every step is looked at, and
   /// only the last of them with strokes.
   [[nodiscard]] int stepsAtOnce(long end) const {
-    const int most = static_cast<int>(std::min<long>(stepper_.mostSteps(), end - generation_));
-    if (trailQuads_ > 0 || most < stepper_.mostSteps()) return 1;
+    const int most = static_cast<int>(std::min<long>(stepper_.maxSteps(), end - generation_));
+    if (trailQuads_ > 0 || most < stepper_.maxSteps()) return 1;
     for (int i = 1; i < most; ++i)
       if (!plan_.strokesInto(generation_ + i).empty()) return 1;
     return most;

@@ -27,7 +27,7 @@ LifeParameters::LifeParameters() {
 void LifePattern::describe(scene::Fields& f) {
   f.asset("file", file, "Pattern as RLE, plaintext (.cells) or Life 1.05 or 1.06.");
   glm::ivec2 corner = at.value_or(glm::ivec2(0));
-  f.pair("at", corner, {-mostLifeSide, mostLifeSide}, "cells",
+  f.pair("at", corner, {-maxLifeSide, maxLifeSide}, "cells",
          "Its top left corner, once flipped and turned; a torus wraps it round.");
   f.leftOut("at", "the middle");
   if (f.given("at")) at = corner;
@@ -39,7 +39,7 @@ void LifePattern::describe(scene::Fields& f) {
 
 void LifeParameters::describe(scene::Fields& f) {
   f.pair(
-      "size", size, {1, mostLifeSide}, "cells",
+      "size", size, {1, maxLifeSide}, "cells",
       "Width and height of the grid; 2 bits of memory a cell. Not given beside patterns: that of a pattern "
       "made for a bounded grid, else 16 to 9 with a margin around them, half of the longest side.");
   f.leftOut("size", "[512,512], or fits the patterns");
@@ -74,7 +74,7 @@ void LifeParameters::describe(scene::Fields& f) {
   f.number("stepsPerSecond", stepsPerSecond, {1e-3, 1e6}, "1/s",
            "Generations a second, whatever the frame rate.");
   if (fitted) trail = fittedTrail;
-  f.integer("trail", trail, {0, mostTrail}, "steps",
+  f.integer("trail", trail, {0, maxTrail}, "steps",
             "For how long dead cells fade; needs another byte a cell; 0: no trail.");
   f.leftOut("trail", "0, or 24 where the grid fits patterns");
   if (trail > 0) display.high = brightLevel();

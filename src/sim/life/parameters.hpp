@@ -47,6 +47,6 @@ struct LifeParameters : ObjectParameters {
 };
 
 /// Longest trail: its levels and that of the living fit into a byte.
-inline constexpr int mostTrail = 191;
+inline constexpr int maxTrail = 191;
 
 }  // namespace simreel::sim

@@ -78,7 +78,7 @@ const CellPattern& LifePlan::cellsOf(const LifePattern& pattern) const {
 // A pattern that was made for a bounded grid gets that one. Else gliders have some way to go and the
 // picture's usual shape is filled.
 void LifePlan::fitGrid() {
-  constexpr int leastMargin = 12, mostMargin = 256;
+  constexpr int minMargin = 12, maxMargin = 256;
   constexpr glm::ivec2 shape(16, 9);
   glm::ivec2 reach(0), least(0);
   int longest = 0;
@@ -97,10 +97,10 @@ void LifePlan::fitGrid() {
     else
       least = glm::max(least, turned);
   }
-  const int margin = std::clamp(longest / 2, leastMargin, mostMargin);
+  const int margin = std::clamp(longest / 2, minMargin, maxMargin);
   const glm::ivec2 needed = glm::max(reach + margin, least + 2 * margin);
   const int unit = std::max((needed.x - 1) / shape.x, (needed.y - 1) / shape.y) + 1;
-  parameters_.size = glm::min(unit * shape, glm::ivec2(mostLifeSide));
+  parameters_.size = glm::min(unit * shape, glm::ivec2(maxLifeSide));
 }
 
 void LifePlan::takeRule(const std::string& object) {

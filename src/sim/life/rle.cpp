@@ -60,7 +60,7 @@ class RleReader : public PatternText {
     if (at_ == text_.size() || !isDigit(text_[at_])) wrong(at_, fmt::format("{} is missing here", what));
     long value = 0;
     for (; at_ < text_.size() && isDigit(text_[at_]); ++at_)
-      value = std::min(value * 10 + (text_[at_] - '0'), 10L * mostLifeSide);
+      value = std::min(value * 10 + (text_[at_] - '0'), 10L * maxLifeSide);
     if (value > most) wrong(start, fmt::format("{} is above {}, the most there is room for", what, most));
     return static_cast<int>(value);
   }
@@ -76,11 +76,11 @@ class RleReader : public PatternText {
   void header() {
     expect('x');
     expect('=');
-    pattern_.size.x = number("the width", mostLifeSide);
+    pattern_.size.x = number("the width", maxLifeSide);
     expect(',');
     expect('y');
     expect('=');
-    pattern_.size.y = number("the height", mostLifeSide);
+    pattern_.size.y = number("the height", maxLifeSide);
     skipSpaces();
     if (at_ < text_.size() && text_[at_] == ',') {
       ++at_;
@@ -109,9 +109,9 @@ class RleReader : public PatternText {
     if (at_ == text_.size() || (text_[at_] != 'T' && text_[at_] != 'P'))
       wrong(at_, "of bounded grids only \":T257,130\" (torus) and \":P257,130\" (dead border) are known");
     pattern_.border = text_[at_++];
-    pattern_.grid.x = number("the grid's width", mostLifeSide);
+    pattern_.grid.x = number("the grid's width", maxLifeSide);
     expect(',');
-    pattern_.grid.y = number("the grid's height", mostLifeSide);
+    pattern_.grid.y = number("the grid's height", maxLifeSide);
   }
 
   /// One count and what it counts. False at the final '!'.
@@ -119,7 +119,7 @@ class RleReader : public PatternText {
     const std::size_t start = at_;
     int count = 1;
     if (isDigit(text_[at_])) {
-      count = number("the count", mostLifeSide);
+      count = number("the count", maxLifeSide);
       if (count == 0) wrong(start, "a count of 0");
       skipBlanks();
       if (at_ == text_.size()) wrong(at_, "the file ends after a count; it may be cut off");
@@ -132,10 +132,10 @@ class RleReader : public PatternText {
       return false;
     }
     if (c == '$') {
-      place_.y = std::min(place_.y + count, 2 * mostLifeSide);
+      place_.y = std::min(place_.y + count, 2 * maxLifeSide);
       place_.x = 0;
     } else if (c == 'b' || c == '.') {
-      place_.x = std::min(place_.x + count, 2 * mostLifeSide);
+      place_.x = std::min(place_.x + count, 2 * maxLifeSide);
     } else if (c == 'o' || c == 'A') {
       living(start, count);
     } else if ((c >= 'B' && c <= 'X') || (c >= 'p' && c <= 'y')) {
@@ -155,9 +155,9 @@ class RleReader : public PatternText {
     if (headed_ && (end.x > pattern_.size.x || end.y > pattern_.size.y))
       wrong(start, fmt::format("living cells {} to {} of row {} lie outside the header's {} x {}", place_.x,
                                end.x - 1, place_.y, pattern_.size.x, pattern_.size.y));
-    if (end.x > mostLifeSide || end.y > mostLifeSide)
+    if (end.x > maxLifeSide || end.y > maxLifeSide)
       wrong(start, fmt::format("a living cell at [{}, {}], beyond {}, the most there is room for",
-                               end.x - 1, place_.y, mostLifeSide));
+                               end.x - 1, place_.y, maxLifeSide));
     if (!headed_) pattern_.size = glm::max(pattern_.size, end);
     add(place_.x, place_.y, count);
     place_.x = end.x;

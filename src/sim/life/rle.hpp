@@ -26,7 +26,7 @@ struct CellRows {
 /// runs of b or . (dead), o or A (alive) and $ (end of row) over any number of lines, and the final !,
 /// after which anything may follow; where a file with a header lacks it, a warning says so. `name` is what
 /// messages call it. Throws UserError with file:line:column for a file of more than two states, a malformed
-/// one, one cut off within a run, cells outside the header's size, or sides above mostLifeSide.
+/// one, one cut off within a run, cells outside the header's size, or sides above maxLifeSide.
 [[nodiscard]] CellPattern parseRle(std::string_view text, const std::string& name);
 
 /// A grid as RLE of its whole size, lines of at most 70 characters. `border`: as CellPattern::border; a

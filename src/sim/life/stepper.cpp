@@ -20,7 +20,7 @@ LifeTuning LifeTuning::best(glm::ivec2 size) {
 LifeStepper::LifeStepper(const LifeRule& rule, bool torus, glm::ivec2 size, const LifeTuning& tuning)
     : rule_(rule), torus_(torus), size_(size), tuning_(tuning) {
   whole_ = size.x % (128 * tuning.blocks) == 0;
-  mostSteps_ = whole_ && size.y >= tuning.steps ? tuning.steps : 1;
+  maxSteps_ = whole_ && size.y >= tuning.steps ? tuning.steps : 1;
 }
 
 void LifeStepper::run(const gl::WordsArray& from, const gl::WordsArray& to, int steps) {

@@ -31,8 +31,8 @@ class LifeStepper {
 
   /// Generations in one pass at most: tuning.steps where rows are whole multiples of the strips and there
   /// are as many rows; else 1.
-  [[nodiscard]] int mostSteps() const { return mostSteps_; }
-  /// `steps` from 1 to mostSteps(). Earlier writes must be visible (gl::barrier).
+  [[nodiscard]] int maxSteps() const { return maxSteps_; }
+  /// `steps` from 1 to maxSteps(). Earlier writes must be visible (gl::barrier).
   void run(const gl::WordsArray& from, const gl::WordsArray& to, int steps);
 
  private:
@@ -41,7 +41,7 @@ class LifeStepper {
   glm::ivec2 size_{0, 0};
   LifeTuning tuning_;
   bool whole_ = false;
-  int mostSteps_ = 1;
+  int maxSteps_ = 1;
   std::map<int, gl::Program> programs_;  ///< by steps
 };
 

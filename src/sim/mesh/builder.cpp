@@ -27,9 +27,9 @@ bool liesBeside(const fs::path& mesh, const fs::path& named) {
 
 void MeshBuilder::begin(std::size_t vertices, std::size_t triangles, const glm::mat4& transform,
                         bool hasUvs) {
-  if (mesh_.positions.size() + vertices > mostMeshItems ||
-      mesh_.indices.size() / 3 + triangles > mostMeshItems)
-    refuseMesh(file_, fmt::format("has more than {} vertices or triangles; simplify it", mostMeshItems));
+  if (mesh_.positions.size() + vertices > maxMeshItems ||
+      mesh_.indices.size() / 3 + triangles > maxMeshItems)
+    refuseMesh(file_, fmt::format("has more than {} vertices or triangles; simplify it", maxMeshItems));
   transform_ = transform;
   const float determinant = glm::determinant(glm::mat3(transform));
   mirrored_ = determinant < 0;

@@ -12,9 +12,9 @@
 namespace simreel::sim {
 
 /// Most vertices, and most triangles, of a mesh.
-constexpr std::size_t mostMeshItems = 8'000'000;
+constexpr std::size_t maxMeshItems = 8'000'000;
 /// Most levels of nodes in one another.
-constexpr int mostNodeDepth = 256;
+constexpr int maxNodeDepth = 256;
 
 /// Throws UserError(inputOutput): the mesh `file`, then `why`.
 [[noreturn]] void refuseMesh(const std::filesystem::path& file, const std::string& why);

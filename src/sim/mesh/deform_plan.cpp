@@ -14,7 +14,7 @@ namespace simreel::sim {
 namespace {
 
 constexpr double turn = 2.0 * std::numbers::pi;
-constexpr double mostPhase = 9000.0;  // exactSin holds for 1e4
+constexpr double maxPhase = 9000.0;  // exactSin holds for 1e4
 
 /// The angle within one turn, so that its bits do not run out with time.
 float reduced(double angle) {
@@ -109,12 +109,12 @@ DeformPlan::DeformPlan(const std::string& name, const MeshParameters& parameters
 void DeformPlan::checkPhases(const std::string& name) const {
   const double reach = glm::length(glm::dvec3(glm::max(glm::abs(low_), glm::abs(high_))));
   const auto check = [&](const char* what, double wavelength, double extent) {
-    if (turn / wavelength * extent > mostPhase)
+    if (turn / wavelength * extent > maxPhase)
       fail(ExitCode::usage,
            "mesh \"{}\": a wavelength of {} m of its {} is too short for a mesh that reaches {:.3g} m; it "
            "has to "
            "be at least {:.3g} m",
-           name, wavelength, what, extent, turn * extent / mostPhase);
+           name, wavelength, what, extent, turn * extent / maxPhase);
   };
   for (const DisplacementParameters& d : parameters_.deform.list) {
     if (d.ripple.on) check("ripple", d.ripple.wavelength, reach + glm::length(glm::dvec3(d.ripple.centre)));

@@ -12,7 +12,7 @@ namespace simreel::sim {
 
 namespace {
 
-constexpr unsigned mostFacesAround =
+constexpr unsigned maxFacesAround =
     20'000;  // a shader's loop ends silently at 65,535 rounds on some drivers
 
 bool before(const glm::vec3& a, const glm::vec3& b) {
@@ -58,10 +58,10 @@ RestMesh::RestMesh(const std::string& name, const Mesh& mesh) {
     if (edge > 0)
       for (const unsigned end : {vertex, first[mesh.indices[next]]})
         shortest[end] = std::min(shortest[end], edge);
-    if (++around[vertex] > mostFacesAround)
+    if (++around[vertex] > maxFacesAround)
       fail(ExitCode::usage,
            "mesh \"{}\": more than {} triangles meet in vertex {}; a mesh to deform has to be finer", name,
-           mostFacesAround, vertex);
+           maxFacesAround, vertex);
   }
   fans.assign(count, glm::uvec4(0));
   unsigned elements = 0;

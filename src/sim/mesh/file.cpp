@@ -50,7 +50,7 @@ class Gatherer {
 
  private:
   void node(const aiNode& here, const glm::mat4& parent, int depth) {
-    if (depth > mostNodeDepth) refuseMesh(file_, "nests its nodes too deeply");
+    if (depth > maxNodeDepth) refuseMesh(file_, "nests its nodes too deeply");
     const glm::mat4 transform = parent * toMat(here.mTransformation);
     for (unsigned i = 0; i < here.mNumMeshes; ++i) {
       if (here.mMeshes[i] >= scene_.mNumMeshes) refuseMesh(file_, "names a mesh that it does not hold");

@@ -18,9 +18,9 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "values are copied as they lie in the file");
 
-constexpr std::int64_t mostNumber = std::int64_t{1} << 40;  // products of two still fit
-constexpr std::size_t mostContainers = 500'000;             // 100 bytes of memory and more each
-constexpr std::size_t mostZeros = 1'000'000;
+constexpr std::int64_t maxNumber = std::int64_t{1} << 40;  // products of two still fit
+constexpr std::size_t maxContainers = 500'000;             // 100 bytes of memory and more each
+constexpr std::size_t maxZeros = 1'000'000;
 
 template <class T>
 T read(std::string_view bytes, std::size_t at) {
@@ -74,7 +74,7 @@ std::string decodePercent(const std::string& uri) {
 
 GltfDocument::GltfDocument(const std::filesystem::path& file, std::string_view text) : file_(file) {
   if (text.substr(0, 4) == "glTF") text = openGlb(text);
-  json_ = parseStrictJson(text, {.containers = mostContainers});
+  json_ = parseStrictJson(text, {.containers = maxContainers});
   if (!root().at("asset").at("version").text().starts_with("2.")) refuse("is no glTF of version 2");
   buffers_.resize(size("buffers"));
 }
@@ -112,7 +112,7 @@ JsonValue GltfDocument::item(const char* list, std::size_t number) const {
 std::uint64_t GltfDocument::number(const JsonValue& object, const char* key,
                                    std::optional<std::uint64_t> otherwise) {
   if (otherwise && !object.has(key)) return *otherwise;
-  return static_cast<std::uint64_t>(object.at(key).integer<std::int64_t>(0, mostNumber));
+  return static_cast<std::uint64_t>(object.at(key).integer<std::int64_t>(0, maxNumber));
 }
 
 std::vector<float> GltfDocument::numbers(const JsonValue& object, const char* key, std::size_t count) {
@@ -200,10 +200,10 @@ GltfDocument::Values GltfDocument::slice(const JsonValue& place, std::uint64_t t
 std::size_t GltfDocument::count(std::size_t accessor) const {
   const JsonValue described = item("accessors", accessor);
   const auto count =
-      static_cast<std::size_t>(described.at("count").integer<std::int64_t>(1, 3 * mostMeshItems));
+      static_cast<std::size_t>(described.at("count").integer<std::int64_t>(1, 3 * maxMeshItems));
   if (described.has("bufferView"))
     static_cast<void>(values(described));
-  else if (!described.has("sparse") || count > mostZeros)
+  else if (!described.has("sparse") || count > maxZeros)
     refuse(fmt::format("has an accessor whose count is {} and whose bytes are missing", count));
   return count;
 }

@@ -19,7 +19,7 @@ namespace simreel::sim {
 namespace {
 
 /// Most primitives over all nodes.
-constexpr std::size_t mostParts = 100'000;
+constexpr std::size_t maxParts = 100'000;
 
 /// Modes of a primitive by their numbers in glTF.
 constexpr std::uint64_t triangleList = 4, triangleStrip = 5, triangleFan = 6;
@@ -54,13 +54,13 @@ class GltfReader {
     std::size_t vertices = 0, corners = 0, parts = 0;
     for (const Placed& mesh : placed) {
       parts += primitivesOf(mesh.mesh).size();
-      if (parts > mostParts) document_.refuse(fmt::format("has more than {} parts; join them", mostParts));
+      if (parts > maxParts) document_.refuse(fmt::format("has more than {} parts; join them", maxParts));
       forEachPrimitive(mesh.mesh, [&](const JsonValue& primitive) {
         vertices += document_.count(position(primitive));
         corners += cornerCount(primitive);
-        if (vertices > mostMeshItems || corners > 3 * mostMeshItems)
+        if (vertices > maxMeshItems || corners > 3 * maxMeshItems)
           document_.refuse(
-              fmt::format("has more than {} vertices or triangles; simplify it", mostMeshItems));
+              fmt::format("has more than {} vertices or triangles; simplify it", maxMeshItems));
       });
     }
     for (const Placed& mesh : placed)
@@ -120,8 +120,8 @@ class GltfReader {
       if (met[step.node])
         document_.refuse(fmt::format("has a node with two parents (number {})", step.node));
       met[step.node] = true;
-      if (step.depth > mostNodeDepth)
-        document_.refuse(fmt::format("nests its nodes deeper than {} levels", mostNodeDepth));
+      if (step.depth > maxNodeDepth)
+        document_.refuse(fmt::format("nests its nodes deeper than {} levels", maxNodeDepth));
       const glm::mat4 transform = step.parent * transformOf(node);
       if (node.has("mesh")) placed.push_back({GltfDocument::number(node, "mesh"), transform});
       for (const std::uint64_t child : GltfDocument::wholeNumbers(node, "children"))

@@ -11,10 +11,10 @@ namespace simreel::sim {
 
 namespace {
 
-constexpr std::int64_t mostVertices = 8'000'000;  // as of files
+constexpr std::int64_t maxVertices = 8'000'000;  // as of files
 
 /// Vertices that a shape needs to be one.
-glm::ivec2 leastResolution(MeshShape shape) {
+glm::ivec2 minResolution(MeshShape shape) {
   switch (shape) {
     case MeshShape::sphere:
       return {4, 3};
@@ -55,12 +55,12 @@ void MeshParameters::describe(scene::Fields& f) {
     f.error("shape", "the shape \"file\" needs \"file\": the mesh to read");
   if (shape != MeshShape::file && f.given("file"))
     f.error("file", "a file is read only with \"shape\": \"file\"");
-  const glm::ivec2 least = leastResolution(shape);
+  const glm::ivec2 least = minResolution(shape);
   if (resolution.x < least.x || resolution.y < least.y)
     f.error("resolution", fmt::format("this shape needs at least [{}, {}] vertices", least.x, least.y));
-  if (std::int64_t{resolution.x} * resolution.y > mostVertices)
+  if (std::int64_t{resolution.x} * resolution.y > maxVertices)
     f.error("resolution",
-            fmt::format("{}x{} are more than {} vertices", resolution.x, resolution.y, mostVertices));
+            fmt::format("{}x{} are more than {} vertices", resolution.x, resolution.y, maxVertices));
   if (shape == MeshShape::torus && tube >= radius)
     f.error("tube", fmt::format("a tube of {} m closes the hole of a torus of {} m", tube, radius));
 }

@@ -1,6 +1,6 @@
 #pragma once
-#include "sim/core/kind.hpp"
 #include "scene/fields.hpp"
+#include "sim/core/kind.hpp"
 #include "sim/mesh/deform_parameters.hpp"
 #include "sim/mesh/file.hpp"
 

@@ -85,7 +85,7 @@ std::optional<Column> columnOf(std::string_view name) {
 /// Collects rows, checking each; `place` in messages is "line 7" or "vertex 3".
 class Collector {
  public:
-  Collector(std::string file, int most) : file_(std::move(file)), most_(most) {}
+  Collector(std::string file, int most) : file_(std::move(file)), max_(most) {}
 
   template <class... Args>
   [[noreturn]] void refuse(fmt::format_string<Args...> format, Args&&... args) const {
@@ -107,8 +107,8 @@ class Collector {
     }
     if (given_[columnMass] && !(row[columnMass] >= 1e-9))
       refuse("{} {}: the mass is {}, it must be at least 1e-9 kg", what, where, row[columnMass]);
-    if (static_cast<int>(rows_.size()) == most_)
-      refuse("more than {} particles, the most that fit here", most_);
+    if (static_cast<int>(rows_.size()) == max_)
+      refuse("more than {} particles, the most that fit here", max_);
     rows_.push_back(row);
   }
   [[nodiscard]] ParticleCloud cloud(float totalMass) const {
@@ -125,7 +125,7 @@ class Collector {
 
  private:
   std::string file_;
-  int most_;
+  int max_;
   std::array<bool, columns> given_{};
   std::vector<Row> rows_;
 };
@@ -277,13 +277,13 @@ void readPly(std::string_view text, Collector& collector) {
 
 }  // namespace
 
-ParticleCloud readParticles(const std::filesystem::path& file, float totalMass, int mostParticles) {
-  return parseParticles(readFile(file, "particle file"), file.string(), totalMass, mostParticles);
+ParticleCloud readParticles(const std::filesystem::path& file, float totalMass, int maxParticles) {
+  return parseParticles(readFile(file, "particle file"), file.string(), totalMass, maxParticles);
 }
 
 ParticleCloud parseParticles(std::string_view text, const std::string& name, float totalMass,
-                             int mostParticles) {
-  Collector collector(name, mostParticles);
+                             int maxParticles) {
+  Collector collector(name, maxParticles);
   if (text.starts_with("ply\n") || text.starts_with("ply\r"))
     readPly(text, collector);
   else

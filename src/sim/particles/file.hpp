@@ -11,11 +11,11 @@ namespace simreel::sim {
 /// file (ascii or binary little endian; properties of element "vertex" by the same names). Lines of a CSV
 /// that start with # are comments. Without a mass column the particles share `totalMass` (kg) equally.
 /// Throws UserError(usage) with file, line or vertex, and what is wrong: no particles, a malformed number,
-/// NaN or infinity, a mass that is not positive, more than `mostParticles`.
+/// NaN or infinity, a mass that is not positive, more than `maxParticles`.
 [[nodiscard]] ParticleCloud readParticles(const std::filesystem::path& file, float totalMass,
-                                          int mostParticles);
+                                          int maxParticles);
 /// The same from the file's bytes; `name` is what messages call it.
 [[nodiscard]] ParticleCloud parseParticles(std::string_view text, const std::string& name, float totalMass,
-                                           int mostParticles);
+                                           int maxParticles);
 
 }  // namespace simreel::sim

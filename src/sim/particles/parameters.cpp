@@ -65,7 +65,7 @@ void ParticleParameters::describe(scene::Fields& f) {
          [](scene::Fields& g, ParticleGroup& group) { group.describe(g); });
   f.list(
       "emitters", emitters, "Sources of particles that live for a while.",
-      [](scene::Fields& e, Emitter& emitter) { emitter.describe(e); }, shader::mostEmitters);
+      [](scene::Fields& e, Emitter& emitter) { emitter.describe(e); }, shader::maxEmitters);
   f.choice("method", method, {"none", "all-pairs", "tree"},
            "How particles attract each other: not at all, each by each (exact, N^2), or by groups far away "
            "(N log N).");

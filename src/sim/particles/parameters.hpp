@@ -1,8 +1,8 @@
 #pragma once
 #include "glsl/common/cpp.hpp"
 #include "scene/fields.hpp"
-#include "sim/core/kind.hpp"
 #include "sim/core/drawable.hpp"
+#include "sim/core/kind.hpp"
 
 #include <filesystem>
 #include <string>

@@ -23,15 +23,15 @@ namespace simreel::sim {
 
 namespace {
 
-constexpr int mostAnywhere = 1 << 26;
+constexpr int maxAnywhere = 1 << 26;
 
 /// What one array of the current device holds and one dispatch of 64 a group reaches.
-int mostParticles() {
+int maxParticles() {
   constexpr std::int64_t bytes = sizeof(glm::vec4);
   std::int64_t most = gl::limits().storageBlockBytes / bytes;
   most = std::min(most, gl::limits().texelBufferTexels);
   most = std::min(most, std::int64_t{64} * gl::limits().groupsX);
-  return static_cast<int>(std::min<std::int64_t>(most, mostAnywhere));
+  return static_cast<int>(std::min<std::int64_t>(most, maxAnywhere));
 }
 
 class Particles : public Simulation {
@@ -40,7 +40,7 @@ class Particles : public Simulation {
       : name_(object.name),
         material_(object.material),
         plan_(parametersOf<ParticleParameters>(object), setting.seed, setting.frameSeconds,
-              mostParticles()) {
+              maxParticles()) {
     const ParticleParameters& p = plan_.parameters();
     if (p.collides) heights_ = setting.heights;
     if (p.method == GravityMethod::allPairs) pairs_ = PairGravity(setting.fast);
@@ -237,7 +237,7 @@ SimulationKind particlesKind() {
       "particles", "Particles that attract each other, follow fields or stream from emitters.",
       [](const scene::Object& object, const Setting& setting) {
         static_cast<void>(ParticlePlan(parametersOf<ParticleParameters>(object), setting.seed,
-                                       setting.frameSeconds, mostAnywhere));
+                                       setting.frameSeconds, maxAnywhere));
       },
       makeSimulation<Particles>);
 }

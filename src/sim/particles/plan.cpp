@@ -39,7 +39,7 @@ int centralCount(const ParticleGroup& group) {
 
 }  // namespace
 
-ParticlePlan::ParticlePlan(ParticleParameters parameters, int seed, double frameSeconds, int mostParticles)
+ParticlePlan::ParticlePlan(ParticleParameters parameters, int seed, double frameSeconds, int maxParticles)
     : parameters_(std::move(parameters)),
       seed_(seed),
       substepSeconds_(frameSeconds / parameters_.substeps) {
@@ -47,15 +47,15 @@ ParticlePlan::ParticlePlan(ParticleParameters parameters, int seed, double frame
   for (const ParticleGroup& group : parameters_.groups) {
     files_.emplace_back();
     if (group.shape == ParticleGroup::Shape::file)
-      files_.back() = readParticles(group.file, group.totalMass, mostParticles);
+      files_.back() = readParticles(group.file, group.totalMass, maxParticles);
     total += groupCount(files_.size() - 1) + centralCount(group);
   }
   for (const Emitter& emitter : parameters_.emitters) total += ringSize(emitter);
-  if (total > mostParticles)
+  if (total > maxParticles)
     fail(ExitCode::usage,
          "{:.0f} particles, emitters' slots included, are more than the {} that fit here; lower \"count\", "
          "\"rate\" or \"lifetime\"",
-         total, mostParticles);
+         total, maxParticles);
   for (std::size_t i = 0; i < parameters_.groups.size(); ++i)
     count_ += groupCount(i) + centralCount(parameters_.groups[i]);
   for (const Emitter& emitter : parameters_.emitters) {

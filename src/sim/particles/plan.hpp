@@ -23,8 +23,8 @@ struct ParticleCloud {
 class ParticlePlan {
  public:
   /// Reads the groups' files. Throws UserError(usage) for a file that holds no usable particles or when
-  /// there are more than `mostParticles` slots.
-  ParticlePlan(ParticleParameters parameters, int seed, double frameSeconds, int mostParticles = 1 << 24);
+  /// there are more than `maxParticles` slots.
+  ParticlePlan(ParticleParameters parameters, int seed, double frameSeconds, int maxParticles = 1 << 24);
 
   /// Slots: the groups' particles in order, then a ring of slots for each emitter.
   [[nodiscard]] int count() const { return count_; }

@@ -1,7 +1,7 @@
 #pragma once
-#include "sim/core/kind.hpp"
 #include "scene/fields.hpp"
 #include "sim/core/collider.hpp"
+#include "sim/core/kind.hpp"
 #include "sim/core/simulation.hpp"
 
 #include <glm/vec3.hpp>

@@ -1,6 +1,6 @@
 #pragma once
-#include "sim/core/kind.hpp"
 #include "sim/core/carry_over.hpp"
+#include "sim/core/kind.hpp"
 #include "sim/spread/plan.hpp"
 
 #include <cstdint>

@@ -72,7 +72,7 @@ SpreadGrid::SpreadGrid(const std::string& name, const SpreadParameters& paramete
   cells_[0] = gl::WordsArray(name + " cells", elements);
   cells_[1] = gl::WordsArray(name + " next cells", elements);
   const glm::uvec4 start = countClasses(cells);
-  most_ = std::max(1U, start.x + start.y + start.z);
+  max_ = std::max(1U, start.x + start.y + start.z);
   std::vector<glm::uvec4> rows(firstCapacity, glm::uvec4(0));
   rows[0] = start;
   capacity_ = firstCapacity;
@@ -187,7 +187,7 @@ void SpreadGrid::publishChart(const std::vector<std::string>& names, const std::
   chart.counts = &history_.view();
   chart.steps = done_ + 1;
   chart.width = std::max({chart.steps, static_cast<int>(steps), 2});
-  chart.most = most_;
+  chart.most = max_;
   chart.names = names;
   chart.colors = colors;
   drawables.charts.push_back(std::move(chart));

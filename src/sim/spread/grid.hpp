@@ -93,7 +93,7 @@ class SpreadGrid {
   int done_ = 0;
   int frameStart_ = 0;
   int frameSteps_ = 1;
-  unsigned most_ = 1;  ///< people or cells at the start
+  unsigned max_ = 1;  ///< people or cells at the start
   gl::Program step_, paint_;
 };
 

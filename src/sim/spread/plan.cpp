@@ -10,7 +10,7 @@ namespace simreel::sim {
 
 namespace {
 
-constexpr int mostMapSide = 16384;
+constexpr int maxMapSide = 16384;
 /// Frame times are multiples of a step but for rounding.
 constexpr double hair = 1e-6;
 
@@ -71,7 +71,7 @@ Pace::Steps Pace::during(double time) const {
 }
 
 std::vector<double> smoothLevels(const std::filesystem::path& file, const char* what, glm::ivec2 grid) {
-  const Picture picture = loadPicture(file, what, mostMapSide);
+  const Picture picture = loadPicture(file, what, maxMapSide);
   std::vector<double> levels;
   levels.reserve(static_cast<std::size_t>(grid.x) * static_cast<std::size_t>(grid.y));
   for (int y = 0; y < grid.y; ++y)

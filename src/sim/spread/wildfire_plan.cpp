@@ -41,10 +41,10 @@ unsigned dithered(double share, unsigned most, std::size_t cell, unsigned seed) 
   return std::min(static_cast<unsigned>(level), most);
 }
 
-/// A rise (cells a cell) in sixteenths, as far as mostRise to both sides, plus 128; rounded by the cell's
+/// A rise (cells a cell) in sixteenths, as far as maxRise to both sides, plus 128; rounded by the cell's
 /// hash, so that the mean is right.
 unsigned sixteenths(double rise, std::size_t cell, unsigned seed) {
-  constexpr double most = shader::mostRise;
+  constexpr double most = shader::maxRise;
   return static_cast<unsigned>(std::clamp(std::floor(16 * rise + cellShare(cell, seed)), -most, most) +
                                128);
 }

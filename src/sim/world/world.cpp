@@ -53,7 +53,7 @@ std::vector<std::size_t> stepOrder(const scene::Scene& scene) {
 }
 
 /// Sides of textures that OpenGL 4.5 asks of every device.
-constexpr int mostTextureSide = 16384;
+constexpr int maxTextureSide = 16384;
 
 }  // namespace
 
@@ -72,7 +72,7 @@ std::vector<UserError> findProblems(const scene::Scene& scene) {
   for (const scene::Object& object : scene.objects) {
     if (const auto& check = simulationNamed(object.kind).check) attempt([&] { check(object, setting); });
     if (!object.material.texture.empty())
-      attempt([&] { static_cast<void>(loadPicture(object.material.texture, "texture", mostTextureSide)); });
+      attempt([&] { static_cast<void>(loadPicture(object.material.texture, "texture", maxTextureSide)); });
   }
   return problems;
 }
@@ -127,9 +127,9 @@ struct World::State {
         counting.push_back({i, countRowsOfSlot});
         countRowsOfSlot += objects[i]->counts().steps->bytes() / 16;
       }
-    countCopies = gl::Buffer("copies of counts", countRowsOfSlot * mostSummaries * 16);
-    sums = gl::Buffer("state hash sums", std::max<std::size_t>(1, arrays.size()) * mostSummaries * 16);
-    statuses = gl::Buffer("status copies", std::max<std::size_t>(1, objects.size()) * mostSummaries * 16);
+    countCopies = gl::Buffer("copies of counts", countRowsOfSlot * maxSummaries * 16);
+    sums = gl::Buffer("state hash sums", std::max<std::size_t>(1, arrays.size()) * maxSummaries * 16);
+    statuses = gl::Buffer("status copies", std::max<std::size_t>(1, objects.size()) * maxSummaries * 16);
   }
 
   State(const State&) = delete;
@@ -139,9 +139,9 @@ struct World::State {
   }
 
   void start(int frame) {
-    SIMREEL_CHECK(pending.size() < mostSummaries);
+    SIMREEL_CHECK(pending.size() < maxSummaries);
     const int slot = nextSlot;
-    nextSlot = (nextSlot + 1) % mostSummaries;
+    nextSlot = (nextSlot + 1) % maxSummaries;
     const std::vector<unsigned> zero(4 * arrays.size());
     sums.write(sumOffset(slot), std::as_bytes(std::span(zero)));
     gl::barrier();

@@ -71,7 +71,7 @@ class World {
 
   /// Starts hashing the state of the current frame on the GPU, and copying its counts; at most that many
   /// may be under way.
-  static constexpr int mostSummaries = 8;
+  static constexpr int maxSummaries = 8;
   void startSummary();
   /// A finished summary, oldest first: frame and hash (32 hexadecimal digits over every state array of
   /// every object). With `wait` blocks for the oldest. Throws UserError(device) when a simulation lost its

@@ -51,7 +51,7 @@ TEST_CASE("skin: a flat field gives the plain colour and the surface's own norma
     const Picture expected =
         worn(plain(value == 0.0 ? look.low : look.high, look.roughness), field, squareMesh(), oblique);
     CHECK(skin.brightness(65, 65) > 60);
-    CHECK(mostApart(skin, expected) <= 1);
+    CHECK(maxApart(skin, expected) <= 1);
   }
 }
 
@@ -150,10 +150,10 @@ TEST_CASE("skin: from three sides a square looks as it does by uv, and a mesh ne
   const Picture expected = worn(material, field, byUv, oblique);
   material.skin.projection = scene::Skin::Projection::triplanar;
   material.skin.repeats = 0.5F;
-  CHECK(mostApart(worn(material, field, byUv, oblique), expected) <= 2);
+  CHECK(maxApart(worn(material, field, byUv, oblique), expected) <= 2);
   byUv.uvs.clear();
   material.skin.projection = scene::Skin::Projection::uv;
-  CHECK(mostApart(worn(material, field, byUv, oblique), expected) <= 2);
+  CHECK(maxApart(worn(material, field, byUv, oblique), expected) <= 2);
   // All three planes: neither side of a sphere is without pattern.
   sim::Mesh sphere = sim::sphereMesh(1.0F, {49, 25});
   sphere.uvs.clear();
@@ -240,13 +240,13 @@ TEST_CASE("skin: the look map shows the field's own colours") {
   const FieldStage field(Cells::floats, {2, 2}, [](int, int) { return 0.5; }, {3, 5, 2},
                          {glm::vec3(1, 0, 0), glm::vec3(0, 0.6F, 0.3F), glm::vec3(0, 0, 1)});
   const auto look = draw::lookOf(grown(Look::map).skin);
-  CHECK(mostApart(worn(grown(Look::map), field), worn(plain({0, 0.6F, 0.3F}, look.roughness), field)) <= 1);
+  CHECK(maxApart(worn(grown(Look::map), field), worn(plain({0, 0.6F, 0.3F}, look.roughness), field)) <= 1);
   FieldStage states(Cells::bytes, {5, 3}, [](int, int) { return 1.0; }, {3, 5, 2},
                     {glm::vec3(1, 0, 0), glm::vec3(0.1F, 0.2F, 0.7F), glm::vec3(0, 0, 1)});
   states.field.categories = true;
   states.field.range = {0, 2};
-  CHECK(mostApart(worn(grown(Look::map), states),
-                  worn(plain({0.1F, 0.2F, 0.7F}, look.roughness), states)) <= 1);
+  CHECK(maxApart(worn(grown(Look::map), states), worn(plain({0.1F, 0.2F, 0.7F}, look.roughness), states)) <=
+        1);
 }
 
 TEST_CASE("skin: cracks glow in the dark, other looks do not") {
@@ -273,6 +273,6 @@ TEST_CASE("skin: grids wear skins, lost numbers and missing fields do no harm") 
     // Without the field: as if there were no skin.
     const Picture bare = drawn(scene, {.surfaces = {sheet.surface}}, {65, 65});
     sheet.material.hasSkin = false;
-    CHECK(mostApart(bare, drawn(scene, {.surfaces = {sheet.surface}}, {65, 65})) == 0);
+    CHECK(maxApart(bare, drawn(scene, {.surfaces = {sheet.surface}}, {65, 65})) == 0);
   }
 }

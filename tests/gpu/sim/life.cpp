@@ -100,9 +100,9 @@ TEST_CASE("life: every way to cut the grid gives the same cells") {
         LifeStepper stepper(rule, torus, size, tuning);
         gl::WordsArray a("a", items);
         gl::WordsArray b("b", items);
-        for (int done = 0; done < 8; done += stepper.mostSteps()) {
+        for (int done = 0; done < 8; done += stepper.maxSteps()) {
           gl::barrier();
-          stepper.run(a, b, stepper.mostSteps());
+          stepper.run(a, b, stepper.maxSteps());
           std::swap(a, b);
         }
         gl::barrier();
@@ -148,7 +148,7 @@ TEST_CASE("life with strokes and a trail equals its CPU twin") {
   stamp.at = 1;
   p.strokes = {moving, eraser, stamp};
   compare(p, 20);
-  p.trail = mostTrail;
+  p.trail = maxTrail;
   p.size = {16, 33};
   compare(p, 20);
   p.trail = 0;
@@ -224,7 +224,7 @@ TEST_CASE("life publishes its cells, or its trail") {
 
 TEST_CASE("life beyond the device's memory is refused with the limit's name") {
   testContext();
-  auto p = grid(mostLifeSide, mostLifeSide);
+  auto p = grid(maxLifeSide, maxLifeSide);
   try {
     static_cast<void>(lifeOf(p, 1, 0.1));
     FAIL("no error");

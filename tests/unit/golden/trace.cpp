@@ -34,9 +34,9 @@ using Disturb = std::function<std::uint32_t(int frame, std::uint32_t array, std:
                                             std::uint32_t element, std::uint32_t hash)>;
 
 /// Sums of blocks and the weighted sum, as glsl/common/block_hash.comp makes them.
-StepTrace made(const Arrays& arrays, int first, int last, std::size_t mostBytes,
+StepTrace made(const Arrays& arrays, int first, int last, std::size_t maxBytes,
                const Disturb& disturb = {}) {
-  StepTrace trace = layOut(arrays, first, last, mostBytes);
+  StepTrace trace = layOut(arrays, first, last, maxBytes);
   for (std::uint32_t index = 0; index <= trace.frames; ++index)
     for (std::uint32_t a = 0; a < arrays.size(); ++a) {
       const StepTrace::Array& array = trace.arrays[a];

@@ -123,12 +123,12 @@ TEST_CASE("compared words name the first element, count all, and keep the larges
   CHECK(found.first == 3);
   CHECK(found.here == std::array{bitsOf(1), bitsOf(1), bitsOf(1), bitsOf(1)});
   CHECK(found.there == std::array{bitsOf(1), bitsOf(1), bitsOf(1) + 1, bitsOf(1) + 2});
-  CHECK(found.mostUlps == 7);
+  CHECK(found.maxUlps == 7);
   CHECK(found.withNan == 1);
 }
 
 TEST_CASE("zeros of different sign differ though no float lies between") {
   const auto found = compareWords({0, 0, 0, 0}, {0, 0x80000000U, 0, 0});
   CHECK(found.differing == 1);
-  CHECK(found.mostUlps == 0);
+  CHECK(found.maxUlps == 0);
 }

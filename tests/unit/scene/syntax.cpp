@@ -85,7 +85,7 @@ TEST_CASE("the number of values and the size are limited") {
   std::string many = "{\"a\": [0";
   for (int i = 0; i < 1'000'000; ++i) many += ",0";
   CHECK(has(first(many + "]}"), "more than 1000000 values"));
-  CHECK(has(first("{\"a\": \"" + std::string(mostSceneBytes, 'x') + "\"}"),
+  CHECK(has(first("{\"a\": \"" + std::string(maxSceneBytes, 'x') + "\"}"),
             "larger than the limit of 4194304 bytes"));
 }
 

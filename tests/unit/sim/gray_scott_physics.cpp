@@ -118,8 +118,8 @@ TEST_CASE("grayScott: diffusion alone is stable up to the bound and not beyond")
     const auto [least, most] = std::minmax_element(twin.u.begin(), twin.u.end());
     return *most - *least;
   };
-  CHECK(spread(0.99 * sim::mostGrayScottDiffusion) < 0.003F);
-  CHECK(spread(1.1 * sim::mostGrayScottDiffusion) > 0.02F);
+  CHECK(spread(0.99 * sim::maxGrayScottDiffusion) < 0.003F);
+  CHECK(spread(1.1 * sim::maxGrayScottDiffusion) > 0.02F);
 }
 
 TEST_CASE("grayScott: wavelength and patches of patterns that are known") {
@@ -151,6 +151,6 @@ TEST_CASE("grayScott: statistics tell spots from stripes") {
 
 TEST_CASE("grayScott: the rates of \"spots\" let every pattern die out") {
   const auto left = grown(sim::GrayScottPreset::spots);
-  CHECK(of(left, "mostV") < 1e-3);
+  CHECK(of(left, "maxV") < 1e-3);
   CHECK(of(left, "spots") == 0);
 }
