@@ -98,7 +98,7 @@ Json differenceJson(const BisectReport& report) {
                               {"array", array.array},
                               {"elements", array.difference.elements},
                               {"differing", array.difference.differing},
-                              {"maxUlps", array.difference.maxUlps},
+                              {"mostUlps", array.difference.maxUlps},
                               {"withNan", array.difference.withNan}});
   return json;
 }

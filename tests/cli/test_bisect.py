@@ -93,7 +93,7 @@ class BisectCase(GoldenCase):
             self.assertEqual(listed.get(key, {"differing": 0})["differing"], count)
             if count:
                 apart = max(abs(place(a) - place(b)) for a, b in zip(words, other))
-                self.assertEqual(listed[key]["maxUlps"], apart)
+                self.assertEqual(listed[key]["mostUlps"], apart)
         return here
 
 

@@ -132,7 +132,7 @@ std::span<const scene::Quantity> GrayScottParameters::quantities() const {
   static const scene::Quantity table[] = {
       {"meanU", "", "Mean of u."},
       {"meanV", "", "Mean of v."},
-      {"maxV", "", "Greatest v."},
+      {"mostV", "", "Greatest v."},
       {"coverage", "", "Share of cells with v above half the greatest."},
       {"spots", "", "Patches of such cells, joined over edges."},
       {"largestSpot", "", "Share of cells in the largest patch."},
