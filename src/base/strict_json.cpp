@@ -103,6 +103,10 @@ void JsonValue::expect(bool kind, std::string_view what) const {
   if (!kind) wrong(fmt::format("must be {}", what));
 }
 
+bool JsonValue::is(std::string_view text) const {
+  return json_->is_string() && json_->get_ref<const std::string&>() == text;
+}
+
 bool JsonValue::isNull() const {
   return json_->is_null();
 }

@@ -46,6 +46,8 @@ class JsonValue {
 
   [[nodiscard]] const nlohmann::json& json() const { return *json_; }
   [[nodiscard]] bool isNull() const;
+  /// Whether it is this text. (The library's own comparison takes memory and is noexcept.)
+  [[nodiscard]] bool is(std::string_view text) const;
   [[nodiscard]] std::string text() const;
   [[nodiscard]] bool boolean() const;
   [[nodiscard]] double number() const;

@@ -1,5 +1,6 @@
 #pragma once
 #include "gl/buffer.hpp"
+#include "gl/errors.hpp"
 #include "gl/handle.hpp"
 #include "sim/core/drawable.hpp"
 
@@ -51,6 +52,7 @@ class VertexArray {
   void bind(const gl::Buffer& indices) const {
     glVertexArrayElementBuffer(handle_.get(), indices.name());
     bind();
+    gl::checkCalls();  // without its indices a driver reads from address 0
   }
 
  private:

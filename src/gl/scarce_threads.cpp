@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <latch>
 #include <malloc.h>
+#include <new>
 #include <sys/resource.h>
 #include <system_error>
 #include <thread>
@@ -24,6 +25,7 @@ bool canStart(std::size_t count) {
     threads.reserve(count);
     while (threads.size() < count) threads.emplace_back([&] { end.wait(); });
   } catch (const std::system_error&) {  // NOLINT(bugprone-empty-catch): the count tells.
+  } catch (const std::bad_alloc&) {     // NOLINT(bugprone-empty-catch)
   }
   end.count_down();
   for (std::thread& thread : threads) thread.join();

@@ -87,7 +87,7 @@ std::optional<Checkpoint> Checkpoint::read(const std::filesystem::path& file, co
     c.payload_ = c.text_.find('\n') + 1;
     const auto json = parseStrictJson(std::string_view(c.text_).substr(0, c.payload_));
     const JsonValue header(json);
-    if (header.at("format").json() != checkpointFormat) throw JsonError("it is no checkpoint");
+    if (!header.at("format").is(checkpointFormat)) throw JsonError("it is no checkpoint");
     if (const std::string program = header.at("program").text(); program != version())
       throw JsonError(fmt::format("simreel {} wrote it", program));
     if (const auto difference = runDifference(run, manifestOf(header.at("run")).run))

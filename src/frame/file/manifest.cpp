@@ -64,7 +64,7 @@ std::string manifestText(const Manifest& manifest) {
 
 Manifest manifestOf(const JsonValue& object) {
   const auto format = object.find("format");
-  if (!format || format->json() != manifestFormat) throw JsonError("it is not a simreel manifest");
+  if (!format || !format->is(manifestFormat)) throw JsonError("it is not a simreel manifest");
   if (const int version = object.at("version").integer(); version != formatVersion)
     throw JsonError(fmt::format("its version is {}, this program reads {}", version, formatVersion));
   Manifest result;

@@ -4,6 +4,7 @@
 #include "frame/sink/frame_sink.hpp"
 
 #include <ctime>
+#include <new>
 #include <system_error>
 #include <utility>
 
@@ -22,6 +23,9 @@ FrameQueue::FrameQueue(std::size_t threads, std::size_t most, Handler handler)
     while (threads_.size() < threads) threads_.emplace_back([this] { work(); });
   } catch (const std::system_error& error) {
     detail("{} of {} threads for encoding: {}", threads_.size(), threads, error.what());
+  } catch (const std::bad_alloc&) {  // a thread that is not joined would end the program
+    abandon();
+    throw;
   }
 }
 

@@ -237,7 +237,8 @@ TEST_CASE("several changed elements are a range, and an earlier step of a later 
 TEST_CASE("of objects with steps of other lengths, the one that differs earliest in its time comes first") {
   const Arrays arrays = {{"a", "positions", 9, 9, 5}, {"b", "positions", 9, 9, 2}};
   const auto baseline = made(arrays, 0, 2, 2048);
-  for (const auto& [step, first] : {std::pair(2U, "a"), std::pair(3U, "b")}) {
+  for (const auto& [atStep, first] : {std::pair(2U, "a"), std::pair(3U, "b")}) {
+    const auto step = atStep;  // what a lambda may refer to
     const auto run = made(arrays, 0, 2, 2048, [&](int f, auto array, auto s, auto, std::uint32_t h) {
       return f == 1 && s == (array == 0 ? step : 1U) ? h + 1 : h;  // 2/5 and 3/5 of the frame; 1/2
     });
