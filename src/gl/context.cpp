@@ -222,15 +222,21 @@ struct Context::State {
   std::optional<Display> display;
   DeviceInfo device;
   std::string reason;
-  std::string message;  ///< first high-severity debug message not yet reported
+  std::string message;   ///< first high-severity debug message not yet reported
+  bool unheard = false;  ///< there was one, and no memory for its words
 
   static void GLAPIENTRY receive(GLenum /*source*/, GLenum /*type*/, GLuint /*id*/, GLenum severity,
                                  GLsizei length, const GLchar* text, const void* user) {
+    if (severity != GL_DEBUG_SEVERITY_HIGH && severity != GL_DEBUG_SEVERITY_MEDIUM) return;
     auto* state = static_cast<State*>(const_cast<void*>(user));
-    const std::string line =
-        length < 0 ? std::string(text) : std::string(text, static_cast<std::size_t>(length));
-    if (severity == GL_DEBUG_SEVERITY_HIGH && state->message.empty()) state->message = line;
-    if (severity == GL_DEBUG_SEVERITY_HIGH || severity == GL_DEBUG_SEVERITY_MEDIUM) detail("GL: {}", line);
+    try {
+      const std::string line =
+          length < 0 ? std::string(text) : std::string(text, static_cast<std::size_t>(length));
+      if (severity == GL_DEBUG_SEVERITY_HIGH && state->message.empty()) state->message = line;
+      detail("GL: {}", line);
+    } catch (...) {  // would leave the driver in the middle of its work, holding its locks
+      state->unheard = state->unheard || severity == GL_DEBUG_SEVERITY_HIGH;
+    }
   }
 
   /// Opens devices[index] and keeps it if it runs; false with the problem noted otherwise.
@@ -314,6 +320,8 @@ const std::string& Context::reason() const {
 }
 
 void Context::check() const {
+  if (std::exchange(state_->unheard, false) && state_->message.empty())
+    fail(ExitCode::device, "the driver reports an error, and there is not enough memory for its words");
   if (state_->message.empty()) return;
   const std::string message = std::exchange(state_->message, {});
   fail(ExitCode::device, "the driver reports: {}", message);

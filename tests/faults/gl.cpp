@@ -44,7 +44,10 @@ struct Wrapper<Result (*)(Arguments...), id> {
           return reinterpret(mine);
         return real(arguments...);
       }
-    if (!faults::fails(what, name, __builtin_return_address(0), false)) return real(arguments...);
+    if (!faults::fails(what, name, __builtin_return_address(0), false)) {
+      const faults::InDriver inDriver;
+      return real(arguments...);
+    }
     if (what == faults::Class::gl)
       pendingError = GL_OUT_OF_MEMORY;
     else

@@ -268,12 +268,12 @@ std::string picturesText(const PictureBaseline& baseline) {
   if (!baseline.reason.empty()) json["reason"] = baseline.reason;
   json["width"] = baseline.width;
   json["height"] = baseline.height;
-  for (const auto& [field, value] : baseline.tolerance) json["tolerance"][field] = value;
+  if (!baseline.tolerance.empty()) json["tolerance"] = baseline.tolerance;
   json["frames"] = Json::object();
   for (const auto& [frame, entry] : baseline.frames) {
-    Json& item = json["frames"][std::to_string(frame)];
-    item["pixels"] = entry.pixels;
-    item["fingerprint"] = entry.origin.numerics;
+    // Never a null that grows into an object: without memory the library ends the program there.
+    Json& item = json["frames"][std::to_string(frame)] =
+        Json{{"pixels", entry.pixels}, {"fingerprint", entry.origin.numerics}};
     if (!entry.origin.drawing.empty()) item["drawing"] = entry.origin.drawing;
     if (!entry.origin.processor.empty() || !entry.origin.driver.empty())
       item["machine"] = {{"processor", entry.origin.processor}, {"driver", entry.origin.driver}};
