@@ -1,4 +1,5 @@
 """What the tests of the page share: a browser, and reports made for them."""
+import atexit
 import os
 import pathlib
 import shutil
@@ -18,11 +19,12 @@ class ReportTest(unittest.TestCase):
 
     @classmethod
     def setUpClass(cls):
-        cls.folder = tempfile.TemporaryDirectory(prefix="simreel-report-")
-        cls.addClassCleanup(cls.folder.cleanup)
-        cls.browser = Browser(CHROMIUM, CHROMEDRIVER)
-        cls.addClassCleanup(cls.browser.quit)
-        cls.page = cls.make("showcase", "showcase")
+        if hasattr(ReportTest, "browser"):
+            return  # one for all classes
+        ReportTest.folder = tempfile.TemporaryDirectory(prefix="simreel-report-")
+        ReportTest.browser = Browser(CHROMIUM, CHROMEDRIVER)
+        atexit.register(ReportTest.browser.quit)
+        ReportTest.page = cls.make("showcase", "showcase")
 
     @classmethod
     def make(cls, name, *what):

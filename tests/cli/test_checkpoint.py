@@ -2,6 +2,7 @@
 import json
 import re
 import signal
+import time
 
 from common import SLOW, Case, main, with_values
 
@@ -101,10 +102,10 @@ class Checkpoints(Case):
         self.assert_out_equals("slow.json")
 
     def test_none_before_the_first_frame(self):
-        self.write("fields.json", json.dumps(FIELDS | {"time": {"fps": 30, "duration": 2, "start": 40}}))
+        self.write("fields.json", json.dumps(FIELDS | {"time": {"fps": 30, "duration": 1, "start": 6}}))
         process = self.start("render", "fields.json", "-o", "out/", "--checkpoint", "0.05")
         while process.poll() is None and not self.checkpoint.exists():
-            pass
+            time.sleep(0.001)
         process.kill()
         process.communicate()
         self.assertRegex(self.checkpoint.read_bytes()[:4000].split(b"\n")[0], rb'"frame":\d')
@@ -117,7 +118,7 @@ class Checkpoints(Case):
         run = ("sea.json", "-o", "out/", "--frames", "0,59", "--checkpoint", "0.05")
         process = self.start("render", *run)
         while process.poll() is None and self.stored_frame() < 1:
-            pass
+            time.sleep(0.001)
         process.kill()
         process.communicate()
         self.assertGreater(self.resumed(*run), 0)

@@ -221,12 +221,12 @@ TEST_CASE("deform: one picture, five techniques") {
     const char* deform;
   };
   const char* scenery = R"("ground": {"height": -0.6},)";
-  for (const Case& c : {Case{R"("shape": "plane", "resolution": [301, 301])",
+  for (const Case& c : {Case{R"("shape": "plane", "resolution": [101, 101])",
                              R"([{"ripple": {"amplitude": 0.15, "wavelength": 1.5}}])"},
-                        Case{R"("shape": "torus", "resolution": [201, 101])",
+                        Case{R"("shape": "torus", "resolution": [81, 41])",
                              R"([{"waves": [{"length": 1.5, "amplitude": 0.05}]}])"},
-                        Case{R"("shape": "plane", "resolution": [401, 401])",
-                             R"([{"footprints": {"cells": [301, 301], "depth": 0.2}}])"}}) {
+                        Case{R"("shape": "plane", "resolution": [131, 131])",
+                             R"([{"footprints": {"cells": [101, 101], "depth": 0.2}}])"}}) {
     const auto expected = picture(sceneOf(c.mesh, c.deform, "single-thread", scenery), 20);
     const auto flat = picture(sceneOf(c.mesh, "[]", "compute", scenery), 20);
     CHECK(differingShare(flat, expected) > 0.01);  // it does show
