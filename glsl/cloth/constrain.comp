@@ -5,7 +5,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 STATE_ARRAY(nextPositionsBinding, NextBlock, nextPositions)
 uniform ivec2 reach;  // from one end to the other, in particles
 uniform int color;    // 0 or 1
-uniform int family;   // 0 structural, 1 shear, 2 bend
+uniform int kind;   // 0 structural, 1 shear, 2 bend
 
 vec4 loadPosition(int i) {
   return LOAD_STATE(nextPositions, i);
@@ -22,7 +22,7 @@ void main() {
   int j = to.y * size.x + to.x;
   vec4 a = loadPosition(i);
   vec4 b = loadPosition(j);
-  vec3 shift = constraintShift(a, b, familyLength(family), familyCompliance(family));
+  vec3 shift = constraintShift(a, b, springLength(kind), springCompliance(kind));
   precise vec3 newA = a.xyz - shift * a.w;
   precise vec3 newB = b.xyz + shift * b.w;
   STORE_STATE(nextPositions, i, vec4(newA, a.w));

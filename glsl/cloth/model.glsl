@@ -10,16 +10,16 @@ FUNCTION int neighbour(ivec2 at, int dx, int dy) {
   return inside ? y * size.x + x : at.y * size.x + at.x;
 }
 
-// Of the springs of a family: 0 structural, 1 shear, 2 bend.
-FUNCTION float familyLength(int family) {
-  float ratio = family == 0 ? 1.0f : family == 1 ? 1.41421356f : 2.0f;
+// Of the springs of a kind: 0 structural, 1 shear, 2 bend.
+FUNCTION float springLength(int kind) {
+  float ratio = kind == 0 ? 1.0f : kind == 1 ? 1.41421356f : 2.0f;
   precise float restLength = stepData.constants.spacing * ratio;
   return restLength;
 }
-FUNCTION float familyCompliance(int family) {
-  return family == 0   ? stepData.constants.compliance
-         : family == 1 ? stepData.constants.shearCompliance
-                       : stepData.constants.bendCompliance;
+FUNCTION float springCompliance(int kind) {
+  return kind == 0   ? stepData.constants.compliance
+         : kind == 1 ? stepData.constants.shearCompliance
+                     : stepData.constants.bendCompliance;
 }
 
 // F = k (|d| - L0) d / |d| = k (1 - L0 / |d|) d, none where |d| < 1e-4 m.
@@ -37,15 +37,15 @@ FUNCTION vec3 springTo(ivec2 at, vec3 here, int dx, int dy, float restLength, fl
 
 FUNCTION vec3 springForces(ivec2 at, vec3 here) {
   float k = stepData.constants.stiffness;
-  float restLength = familyLength(0);
+  float restLength = springLength(0);
   precise vec3 sum = springTo(at, here, -1, 0, restLength, k) + springTo(at, here, 1, 0, restLength, k) +
                      springTo(at, here, 0, -1, restLength, k) + springTo(at, here, 0, 1, restLength, k);
   precise float shear = k * stepData.constants.shear;
-  float diagonal = familyLength(1);
+  float diagonal = springLength(1);
   sum = sum + springTo(at, here, -1, -1, diagonal, shear) + springTo(at, here, 1, -1, diagonal, shear) +
         springTo(at, here, -1, 1, diagonal, shear) + springTo(at, here, 1, 1, diagonal, shear);
   precise float bend = k * stepData.constants.bend;
-  float twice = familyLength(2);
+  float twice = springLength(2);
   sum = sum + springTo(at, here, -2, 0, twice, bend) + springTo(at, here, 2, 0, twice, bend) +
         springTo(at, here, 0, -2, twice, bend) + springTo(at, here, 0, 2, twice, bend);
   return sum;
@@ -137,7 +137,7 @@ struct Motion {
   vec3 velocity;
 };
 
-// Out of every collider along its normal; relative to the collider the inward velocity goes and a share of
+// Out of every collider along its normal; relative to the collider the inward velocity goes and a fraction of
 // the tangential velocity stays. With `lands`, at last onto the mesh that collides.
 FUNCTION Motion contact(Motion m, bool lands) {
   for (int i = 0; i < stepData.colliderCount; ++i) {

@@ -89,11 +89,7 @@ void ClothTwin::substep(const ClothStep& data, int threads, int index) {
 void ClothTwin::constrain(const ClothStep& data) {
   const ivec2 size = plan_.parameters().size;
   Kernel kernel{size, data, next_.data()};
-  const struct {
-    ivec2 reach;
-    int family;
-  } families[] = {{{1, 0}, 0}, {{0, 1}, 0}, {{1, 1}, 1}, {{-1, 1}, 1}, {{2, 0}, 2}, {{0, 2}, 2}};
-  for (const auto& f : families)
+  for (const simreel::sim::SpringFamily& f : simreel::sim::springFamilies)
     for (int color = 0; color < 2; ++color)
       for (int y = 0; y < size.y; ++y)
         for (int x = 0; x < size.x; ++x) {
@@ -103,8 +99,8 @@ void ClothTwin::constrain(const ClothStep& data) {
           if ((along & 1) != color) continue;
           vec4& a = next_[static_cast<std::size_t>(y * size.x + x)];
           vec4& b = next_[static_cast<std::size_t>(to.y * size.x + to.x)];
-          const vec3 shift = kernel.constraintShift(a, b, kernel.familyLength(f.family),
-                                                    kernel.familyCompliance(f.family));
+          const vec3 shift =
+              kernel.constraintShift(a, b, kernel.springLength(f.kind), kernel.springCompliance(f.kind));
           a = vec4(vec3(a) - shift * a.w, a.w);
           b = vec4(vec3(b) + shift * b.w, b.w);
         }

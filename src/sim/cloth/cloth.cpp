@@ -34,14 +34,6 @@ std::vector<unsigned> gridIndices(glm::ivec2 size) {
   return indices;
 }
 
-/// One family of constraints and the two colours that keep its pairs apart.
-struct Family {
-  glm::ivec2 reach;
-  int family;
-};
-constexpr Family families[] = {{{1, 0}, 0},  {{0, 1}, 0}, {{1, 1}, 1},
-                               {{-1, 1}, 1}, {{2, 0}, 2}, {{0, 2}, 2}};
-
 class Cloth : public Simulation {
  public:
   Cloth(const scene::Object& object, const Setting& setting)
@@ -143,12 +135,12 @@ class Cloth : public Simulation {
   /// Before anything is filled: a cloth far beyond the limit would first take gigabytes.
   void checkLimits() const {
     const auto bytes = std::int64_t{24} * (size_.x - 1) * (size_.y - 1);
-    const std::int64_t most = gl::limits().storageBlockBytes;
-    if (bytes > most)
+    const std::int64_t max = gl::limits().storageBlockBytes;
+    if (bytes > max)
       fail(ExitCode::device,
            "cloth \"{}\" of {}x{} particles needs {} bytes of indices, this device allows {} in one buffer "
            "(GL_MAX_SHADER_STORAGE_BLOCK_SIZE); make it smaller",
-           name_, size_.x, size_.y, bytes, most);
+           name_, size_.x, size_.y, bytes, max);
   }
 
   void makePrograms(bool fast) {
@@ -175,11 +167,11 @@ class Cloth : public Simulation {
   }
 
   void constrain() {
-    for (const Family& family : families)
-      for (int color = 0; color < 2; ++color) {
+    for (const SpringFamily& family : springFamilies)
+      for (int color = 0; color < 2; ++color) {  // keeps a family's pairs apart
         gl::barrier();
         constrain_.set("reach", family.reach);
-        constrain_.set("family", family.family);
+        constrain_.set("kind", family.kind);
         constrain_.set("color", color);
         constrain_.dispatch(size_.x, size_.y);
       }

@@ -16,8 +16,9 @@ namespace simreel::sim {
 namespace {
 
 constexpr int maxSubsteps = 1024;
-/// Share of the stable substep that "auto" takes. Half of its square: a sheet stretched to any length pulls
-/// sideways as strongly as along its springs at most, which doubles the square of its fastest frequency.
+/// Fraction of the stable substep that "auto" takes. Half of its square: a sheet stretched to any length
+/// pulls sideways as strongly as along its springs at most, which doubles the square of its fastest
+/// frequency.
 constexpr double safety = 0.7;
 
 /// Greatest speed of the air, m/s: on a straight way between keys it is greatest at one of them, and each
@@ -97,7 +98,7 @@ void ClothParameters::describe(scene::Fields& f) {
                     a.number("drag", air.drag, {0, 100}, "", "Drag coefficient.");
                     a.number("lift", air.lift, {0, 100}, "", "Lift coefficient.");
                     a.number("gusts", air.gusts, {0, 10}, "",
-                             "How much the velocity varies, as a share of its magnitude.");
+                             "How much the velocity varies, as a fraction of its magnitude.");
                     a.number("gustSize", air.gustSize, {1e-2, 1e3}, "m", "Size of the gusts.");
                   });
   f.number("margin", margin, {0, 10}, "m", "Distance kept from colliders.");
@@ -156,8 +157,8 @@ int ClothParameters::substepsPerFrame(double frameSeconds) const {
     fail(ExitCode::usage,
          "cloth: \"substeps\": \"auto\" would take {} a frame to be stable, more than {}; {}", needed,
          maxSubsteps, steadierWay(frameSeconds));
-  const int least = solver == ClothSolver::constraints ? 8 : 1;
-  return std::max(static_cast<int>(needed), least);
+  const int min = solver == ClothSolver::constraints ? 8 : 1;
+  return std::max(static_cast<int>(needed), min);
 }
 
 std::vector<int> ClothParameters::pinnedBy(const PinGroup& group) const {

@@ -33,7 +33,7 @@ struct PinGroup {
 /// The air around the cloth.
 struct Air : shader::AirConstants {
   scene::Animated<glm::vec3> velocity = glm::vec3(5, 0, 0);  ///< m/s
-  float gusts = 0.3F;     ///< size of the velocity's variation as a share of its magnitude
+  float gusts = 0.3F;     ///< size of the velocity's variation as a fraction of its magnitude
   float gustSize = 0.8F;  ///< m
 };
 

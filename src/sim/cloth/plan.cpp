@@ -13,7 +13,7 @@ namespace simreel::sim {
 
 namespace {
 
-/// Share of a quantity left after dt when it decays at `rate`.
+/// Fraction of a quantity left after dt when it decays at `rate`.
 float kept(float rate, double dt) {
   return shader::exactExp(static_cast<float>(-rate * dt));
 }

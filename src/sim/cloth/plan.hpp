@@ -6,10 +6,20 @@
 #include <cstdint>
 #include <vector>
 
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
 namespace simreel::sim {
+
+/// The springs or constraints of a sheet: each particle has one of each family, to the neighbour at
+/// `reach`.
+struct SpringFamily {
+  glm::ivec2 reach;  ///< cells
+  int kind;          ///< 0 structural, 1 shear, 2 bend (glsl/cloth/model.glsl)
+};
+inline constexpr SpringFamily springFamilies[] = {{{1, 0}, 0},  {{0, 1}, 0}, {{1, 1}, 1},
+                                                  {{-1, 1}, 1}, {{2, 0}, 2}, {{0, 2}, 2}};
 
 /// Everything of a cloth that is decided on the CPU: its first state and, frame by frame, what each substep
 /// is told. Shared by the GPU simulation and its CPU twin, so both start and go on from the same numbers.

@@ -1,8 +1,10 @@
 #include "sim/cloth/quantities.hpp"
 
 #include "base/error.hpp"
+#include "sim/cloth/plan.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <glm/geometric.hpp>
@@ -11,14 +13,6 @@
 namespace simreel::sim {
 
 namespace {
-
-/// One sort of spring (glsl/cloth/model.glsl): to the neighbours at `reach`, each pair once.
-struct SpringFamily {
-  glm::ivec2 reach;
-  double restLength;  ///< m
-  double stiffness;   ///< N/m; 0: stores no energy
-  bool structural;
-};
 
 struct Springs {
   double energy = 0;   ///< J
@@ -30,26 +24,20 @@ double larger(double a, double b) {
   return std::isnan(a) || a >= b ? a : b;
 }
 
-/// Springs as forces have the stiffnesses of the parameters. A constraint of compliance c stores
-/// C^2 / (2 c) (Macklin et al. 2016), so 1/c stands for its stiffness; one of compliance 0 is rigid and
-/// stores nothing.
-std::vector<SpringFamily> springFamilies(const ClothParameters& p) {
-  const auto inverse = [](float compliance) { return compliance > 0 ? 1.0 / compliance : 0.0; };
-  const bool constraints = p.solver == ClothSolver::constraints;
+/// N/m, by the kind of spring. Springs as forces have the stiffnesses of the parameters. A constraint of
+/// compliance c stores C^2 / (2 c) (Macklin et al. 2016), so 1/c stands for its stiffness; one of
+/// compliance 0 is rigid and stores nothing.
+std::array<double, 3> stiffnesses(const ClothParameters& p) {
   const double k = p.stiffness;
-  const double structural = constraints ? inverse(p.compliance) : k;
-  const double shear = constraints ? inverse(p.shearCompliance) : k * p.shear;
-  const double bend = constraints ? inverse(p.bendCompliance) : k * p.bend;
-  const double rest = p.spacing;
-  const double diagonal = rest * std::sqrt(2.0);
-  return {{{1, 0}, rest, structural, true}, {{0, 1}, rest, structural, true},
-          {{1, 1}, diagonal, shear, false}, {{-1, 1}, diagonal, shear, false},
-          {{2, 0}, 2 * rest, bend, false},  {{0, 2}, 2 * rest, bend, false}};
+  if (p.solver != ClothSolver::constraints) return {k, k * p.shear, k * p.bend};
+  const auto inverse = [](float compliance) { return compliance > 0 ? 1.0 / compliance : 0.0; };
+  return {inverse(p.compliance), inverse(p.shearCompliance), inverse(p.bendCompliance)};
 }
 
 /// E = sum 1/2 k (|d| - L0)^2.
-void addFamily(const SpringFamily& family, glm::ivec2 size, std::span<const glm::vec4> positions,
-               Springs& sum) {
+void addFamily(const SpringFamily& family, double stiffness, double spacing, glm::ivec2 size,
+               std::span<const glm::vec4> positions, Springs& sum) {
+  const double restLength = spacing * std::hypot(family.reach.x, family.reach.y);
   const auto width = static_cast<std::size_t>(size.x);
   const auto at = [&](int x, int y) {
     return positions[static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x)];
@@ -59,9 +47,9 @@ void addFamily(const SpringFamily& family, glm::ivec2 size, std::span<const glm:
       const glm::dvec3 here(at(x, y));
       const glm::dvec3 d = glm::dvec3(at(x + family.reach.x, y + family.reach.y)) - here;
       const double length = std::sqrt(glm::dot(d, d));
-      const double beyond = length - family.restLength;
-      sum.energy += 0.5 * family.stiffness * beyond * beyond;
-      if (family.structural) sum.stretch = larger(sum.stretch, length / family.restLength);
+      const double beyond = length - restLength;
+      sum.energy += 0.5 * stiffness * beyond * beyond;
+      if (family.kind == 0) sum.stretch = larger(sum.stretch, length / restLength);
     }
 }
 
@@ -98,8 +86,10 @@ std::vector<double> measureCloth(const ClothParameters& parameters, std::span<co
     fastestSquared = larger(fastestSquared, squared);
   }
   Springs springs;
-  for (const SpringFamily& family : springFamilies(parameters))
-    addFamily(family, parameters.size, positions, springs);
+  const auto stiffness = stiffnesses(parameters);
+  for (const SpringFamily& family : springFamilies)
+    addFamily(family, stiffness[static_cast<std::size_t>(family.kind)], parameters.spacing, parameters.size,
+              positions, springs);
   const auto count = static_cast<double>(positions.size());
   return {count,           count * mass,
           kinetic,         potential,
