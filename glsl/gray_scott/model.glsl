@@ -38,8 +38,8 @@ FUNCTION float reaction(float u, float v, float dt) {
 // Within [0, 1]; what is below 1e-20 becomes zero, so that no product here is a subnormal number that a sum
 // would show: drivers disagree on those.
 FUNCTION float heldToUnit(float x) {
-  float most = min(x, 1.0f);
-  return most < 1e-20f ? 0.0f : most;
+  float clamped = min(x, 1.0f);
+  return clamped < 1e-20f ? 0.0f : clamped;
 }
 
 // Before it is held to [0, 1].

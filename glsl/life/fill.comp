@@ -8,7 +8,7 @@ STATE_WORDS(cellsBinding, CellBlock, cells)
 uniform ivec2 size;
 uniform int rowBlocks;
 uniform int seed;
-uniform int share;  // 2^24 times the share alive
+uniform int fraction;  // 2^24 times the fraction alive
 uniform int firstBlock;
 
 #include "life/fill.glsl"
@@ -23,7 +23,7 @@ void main() {
     uint bits = 0u;
     for (int bit = 0; bit < 32; ++bit) {
       int column = x + word * 32 + bit;
-      if (column < size.x && startsAlive(column, y, seed, share)) bits |= 1u << uint(bit);
+      if (column < size.x && startsAlive(column, y, seed, fraction)) bits |= 1u << uint(bit);
     }
     block[word] = bits;
   }

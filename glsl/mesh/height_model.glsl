@@ -64,11 +64,11 @@ struct Landing {
 };
 
 // Straight up to the margin over the surface. Relative to the surface's own rise the speed of impact turns round by
-// the share that is given back, and a share of the tangential velocity stays.
+// the share that is given back, and a fraction of the tangential velocity stays.
 FUNCTION Landing landed(vec3 position, vec3 velocity) {
   SurfacePoint s = surfaceUnder(position.x, position.z);
-  precise float least = s.height + heightGrid.margin;
-  bool touching = s.there && position.y < least;
+  precise float lowest = s.height + heightGrid.margin;
+  bool touching = s.there && position.y < lowest;
   vec3 surface = vec3(0.0f, s.speed, 0.0f);
   precise vec3 relative = velocity - surface;
   float inward = exactDot(relative, s.normal);
@@ -76,7 +76,7 @@ FUNCTION Landing landed(vec3 position, vec3 velocity) {
   back = max(inward, back);
   precise vec3 kept = (relative - s.normal * inward) * heightGrid.kept + s.normal * back + surface;
   Landing l;
-  l.position = touching ? vec3(position.x, least, position.z) : position;
+  l.position = touching ? vec3(position.x, lowest, position.z) : position;
   l.velocity = touching ? kept : velocity;
   return l;
 }

@@ -68,17 +68,17 @@ FUNCTION vec3 curlNoise(vec3 p) {
 }
 
 // On a straight line from `end` (share 0) to `start` (share 1).
-FUNCTION vec4 backTo(vec4 end, vec4 start, float share) {
-  precise vec4 sum = (start - end) * share + end;
+FUNCTION vec4 backTo(vec4 end, vec4 start, float fraction) {
+  precise vec4 sum = (start - end) * fraction + end;
   return sum;
 }
 
-// The fields at a moment within the substep, that share of it before its end.
-FUNCTION ParticleFields fieldsAt(float share) {
+// The fields at a moment within the substep, that fraction of it before its end.
+FUNCTION ParticleFields fieldsAt(float fraction) {
   ParticleFields f;
-  f.acceleration = backTo(stepData.fields.acceleration, stepData.fieldsBefore.acceleration, share);
-  f.attractor = backTo(stepData.fields.attractor, stepData.fieldsBefore.attractor, share);
-  f.turbulenceDrift = backTo(stepData.fields.turbulenceDrift, stepData.fieldsBefore.turbulenceDrift, share);
+  f.acceleration = backTo(stepData.fields.acceleration, stepData.fieldsBefore.acceleration, fraction);
+  f.attractor = backTo(stepData.fields.attractor, stepData.fieldsBefore.attractor, fraction);
+  f.turbulenceDrift = backTo(stepData.fields.turbulenceDrift, stepData.fieldsBefore.turbulenceDrift, fraction);
   return f;
 }
 
@@ -172,10 +172,10 @@ FUNCTION ParticleMotion moved(int i, vec4 position, vec4 velocity, vec3 accelera
   return m;
 }
 
-// Newborn k at its birth; age 0. `share` of the substep is left to live.
-FUNCTION ParticleMotion newborn(int e, int k, float share) {
+// Newborn k at its birth; age 0. `fraction` of the substep is left to live.
+FUNCTION ParticleMotion newborn(int e, int k, float fraction) {
   EmitterStep emitter = stepData.emitters[e];
-  vec4 mean = backTo(emitter.velocity, emitter.velocityBefore, share);
+  vec4 mean = backTo(emitter.velocity, emitter.velocityBefore, fraction);
   float meanSquared = exactDot(vec3(mean), vec3(mean));
   precise vec3 scaled = vec3(mean) * exactInverseSqrt(meanSquared);
   vec3 forward = meanSquared < 1e-30f ? vec3(0.0f, 1.0f, 0.0f) : scaled;
@@ -198,7 +198,7 @@ FUNCTION ParticleMotion newborn(int e, int k, float share) {
   precise vec3 velocity = (forward * cosine + side * sideways + up * upwards) * speed;
   // The greatest of three uniform numbers is distributed like the radius in a ball.
   precise float radius = max(max(unit(c.x), unit(c.y)), unit(c.z)) * emitter.constants.radius;
-  precise vec3 place = vec3(backTo(emitter.position, emitter.positionBefore, share)) +
+  precise vec3 place = vec3(backTo(emitter.position, emitter.positionBefore, fraction)) +
                        onSphere(signedUnit(b.x), unit(b.y)) * radius;
   ParticleMotion m;
   m.position = vec4(place, emitter.constants.mass);
@@ -209,10 +209,10 @@ FUNCTION ParticleMotion newborn(int e, int k, float share) {
 // Newborn k after the first kick and drift of the part of the substep that it lives, by the fields at its birth.
 FUNCTION ParticleMotion newbornMoved(int e, int k, bool attractor, bool turbulence) {
   float lived = livedSeconds(e, k);
-  precise float share = lived * exactReciprocal(stepData.dt);
-  share = min(share, 1.0f);
-  ParticleMotion m = newborn(e, k, share);
-  vec3 acceleration = fieldAcceleration(fieldsAt(share), vec3(m.position), attractor, turbulence);
+  precise float fraction = lived * exactReciprocal(stepData.dt);
+  fraction = min(fraction, 1.0f);
+  ParticleMotion m = newborn(e, k, fraction);
+  vec3 acceleration = fieldAcceleration(fieldsAt(fraction), vec3(m.position), attractor, turbulence);
   m = drifted(m, acceleration, paceOf(lived, stepData.constants.damping));
   return grownOlder(m, lived, newbornSlot(e, k), e);
 }

@@ -81,10 +81,10 @@ std::size_t addressSpace() {
   return pages * static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
 }
 
-void limit(__rlimit_resource what, rlim_t most) {
+void limit(__rlimit_resource what, rlim_t max) {
   rlimit now{};
   ::getrlimit(what, &now);
-  now.rlim_cur = std::min(most, now.rlim_max);
+  now.rlim_cur = std::min(max, now.rlim_max);
   ::setrlimit(what, &now);
 }
 

@@ -37,13 +37,13 @@ struct DiffOptions {
 /// pixel; a bound on how many pixels, on a window, on FLIP or on the worst pixel replaces that.
 scene::Tolerance toleranceOf(const DiffOptions& options) {
   scene::Tolerance tolerance;
-  tolerance.max_channel_diff = 0;
+  tolerance.maxChannelDiff = 0;
   for (const auto& [field, value] : options.tolerance.given()) golden::setBound(tolerance, field, value);
-  if (!tolerance.max_diff_pixels && !tolerance.max_diff_ratio) {
-    if (tolerance.max_window_ratio || tolerance.max_flip_mean || tolerance.hard_fail)
-      tolerance.max_diff_ratio = 1;
+  if (!tolerance.maxDiffPixels && !tolerance.maxDiffRatio) {
+    if (tolerance.maxWindowRatio || tolerance.maxFlipMean || tolerance.hardFail)
+      tolerance.maxDiffRatio = 1;
     else
-      tolerance.max_diff_pixels = 0;
+      tolerance.maxDiffPixels = 0;
   }
   return tolerance;
 }

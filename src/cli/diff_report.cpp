@@ -72,13 +72,13 @@ std::string pairText(const PairResult& result, const scene::Tolerance& tolerance
               : fmt::format("worst pixel     {} of 255 at x {}, y {}\n", m.worst, m.worstX, m.worstY);
   text += fmt::format("pixels          {} differ ({})", m.differentPixels,
                       percent(double(m.differentPixels), pixels));
-  if (tolerance.max_channel_diff > 0)
-    text += fmt::format(", {} by more than {} ({})", m.pixelsBeyond, tolerance.max_channel_diff,
+  if (tolerance.maxChannelDiff > 0)
+    text += fmt::format(", {} by more than {} ({})", m.pixelsBeyond, tolerance.maxChannelDiff,
                         percent(double(m.pixelsBeyond), pixels));
   text += fmt::format("\ndensest window  {}", percent(m.windowRatio, 1));
   if (m.windowRatio > 0)
-    text += fmt::format(" of {}x{} pixels at x {}, y {}", std::min(tolerance.window_size, result.width),
-                        std::min(tolerance.window_size, result.height), m.windowX, m.windowY);
+    text += fmt::format(" of {}x{} pixels at x {}, y {}", std::min(tolerance.windowSize, result.width),
+                        std::min(tolerance.windowSize, result.height), m.windowX, m.windowY);
   text += std::isfinite(m.psnr) ? fmt::format("\nPSNR            {:.3f} dB\n", m.psnr)
                                 : std::string("\nPSNR            infinite\n");
   text += fmt::format("SSIM            {:.6f}\nFLIP mean       {:.6f}\n", m.ssim, m.flipMean);

@@ -1,8 +1,9 @@
 #include "cli/tolerance_options.hpp"
 
 #include "base/error.hpp"
+#include "scene/test.hpp"
+#include "scene/words.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 #include <CLI/CLI.hpp>
@@ -11,45 +12,32 @@ namespace simreel::cli {
 
 namespace {
 
-struct Flag {
-  const char* field;
-  double least, most;
-  bool whole;
-  const char* doc;
-};
-constexpr Flag flags[] = {
-    {"max_channel_diff", 0, 255, true, "A pixel differs when a channel is further apart, 0 to 255"},
-    {"max_diff_pixels", 0, 16384.0 * 16384, true, "Pixels that may differ"},
-    {"max_diff_ratio", 0, 1, false, "Share of all pixels that may differ, 0 to 1"},
-    {"window_size", 1, 16384, true, "N of the densest N x N window [16]"},
-    {"max_window_ratio", 0, 1, false, "Share of that window's pixels that may differ, 0 to 1"},
-    {"max_flip_mean", 0, 1, false, "Mean FLIP error, 0 to 1"},
-    {"hard_fail", 0, 255, true, "No channel of any pixel may be further apart, whatever else holds"},
-};
-
 std::string flagName(const char* field) {
-  std::string name = std::string("--") + field;
-  std::replace(name.begin(), name.end(), '_', '-');
-  return name;
+  return "--" + scene::apart(field, '-');
 }
 
 }  // namespace
 
 void ToleranceOptions::add(CLI::App& command) {
-  for (const Flag& flag : flags) command.add_option(flagName(flag.field), values[flag.field], flag.doc);
+  for (const scene::Bound& bound : scene::Tolerance().bounds())
+    command.add_option(
+        flagName(bound.name), values[bound.name],
+        fmt::format("{} [{:g} to {:g}]", bound.spec.doc, bound.spec.range.min, bound.spec.range.max));
 }
 
 std::map<std::string, double> ToleranceOptions::given() const {
   std::map<std::string, double> all;
-  for (const Flag& flag : flags) {
-    const auto found = values.find(flag.field);
+  for (const scene::Bound& bound : scene::Tolerance().bounds()) {
+    const auto found = values.find(bound.name);
     if (found == values.end() || !found->second) continue;
     const double value = *found->second;
+    const scene::Range& range = bound.spec.range;
+    const bool whole = std::holds_alternative<int*>(bound.member);
     // NaN is outside every range.
-    if (!(value >= flag.least && value <= flag.most) || (flag.whole && value != std::floor(value)))
-      fail(ExitCode::usage, "{} takes a {} from {} to {}, not {}", flagName(flag.field),
-           flag.whole ? "whole number" : "number", flag.least, flag.most, value);
-    all[flag.field] = value;
+    if (!(value >= range.min && value <= range.max) || (whole && value != std::floor(value)))
+      fail(ExitCode::usage, "{} takes a {} from {:g} to {:g}, not {}", flagName(bound.name),
+           whole ? "whole number" : "number", range.min, range.max, value);
+    all[bound.name] = value;
   }
   return all;
 }

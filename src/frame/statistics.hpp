@@ -7,7 +7,7 @@ namespace simreel::frame {
 struct Statistics {
   int count = 0;
   double median = 0, p5 = 0, p95 = 0;  ///< see percentile()
-  double mean = 0, least = 0, most = 0;
+  double mean = 0, min = 0, max = 0;
 };
 
 [[nodiscard]] Statistics statisticsOf(std::span<const double> values);

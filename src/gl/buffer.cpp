@@ -21,12 +21,12 @@ GLuint createBuffer() {
 }
 
 void checkBlock(const std::string& label, std::size_t bytes) {
-  const auto most = static_cast<std::size_t>(limits().storageBlockBytes);
-  if (bytes > most)
+  const auto max = static_cast<std::size_t>(limits().storageBlockBytes);
+  if (bytes > max)
     fail(ExitCode::device,
          "{} needs {} bytes, this device allows {} in one buffer (GL_MAX_SHADER_STORAGE_BLOCK_SIZE); make "
          "it smaller",
-         label, bytes, most);
+         label, bytes, max);
 }
 
 }  // namespace

@@ -18,10 +18,10 @@ GLuint createTexture(GLenum target, const std::string& label) {
 }
 
 void checkSize(const std::string& label, int width, int height) {
-  const int most = limits().textureSize;
-  if (width > most || height > most)
+  const int max = limits().textureSize;
+  if (width > max || height > max)
     fail(ExitCode::device, "{} is {}x{}, this device allows textures up to {}x{} (GL_MAX_TEXTURE_SIZE)",
-         label, width, height, most, most);
+         label, width, height, max, max);
 }
 
 }  // namespace
@@ -54,11 +54,11 @@ Texture Texture::multisampled(const std::string& label, GLenum format, int width
 
 Texture Texture::view(const std::string& label, GLenum format, const Buffer& buffer,
                       std::size_t texelBytes) {
-  const auto most = static_cast<std::size_t>(limits().texelBufferTexels);
-  if (buffer.bytes() / texelBytes > most)
+  const auto max = static_cast<std::size_t>(limits().texelBufferTexels);
+  if (buffer.bytes() / texelBytes > max)
     fail(ExitCode::device,
          "{} has {} elements, this device allows {} in a texel view (GL_MAX_TEXTURE_BUFFER_SIZE)", label,
-         buffer.bytes() / texelBytes, most);
+         buffer.bytes() / texelBytes, max);
   Texture texture;
   texture.handle_ = Handle<DeleteTexture>(createTexture(GL_TEXTURE_BUFFER, label));
   texture.format_ = format;

@@ -41,9 +41,9 @@ struct Metrics {
   int worst = 0;                 ///< largest difference of one channel, 0 to 255
   int worstX = 0, worstY = 0;    ///< where
   long differentPixels = 0;      ///< with any difference
-  long pixelsBeyond = 0;         ///< with a channel further apart than max_channel_diff
+  long pixelsBeyond = 0;         ///< with a channel further apart than maxChannelDiff
   double ratioBeyond = 0;        ///< pixelsBeyond / pixels
-  double windowRatio = 0;        ///< share of pixelsBeyond in the densest window
+  double windowRatio = 0;        ///< fraction of pixelsBeyond in the densest window
   int windowX = 0, windowY = 0;  ///< its top left corner
   double psnr = 0;               ///< dB over R, G and B; infinite when equal (null in JSON)
   double ssim = 1;
@@ -70,7 +70,7 @@ struct FrameResult {
 struct CheckResult {
   std::string what;  ///< "energy of flag", "max of flag positions.y", "not-blank"
   int frame = 0;
-  std::optional<double> value, least, most;
+  std::optional<double> value, min, max;
   bool passed = true;
   std::string message;  ///< "frame 60: energy of flag is 3.1, above 3" when it failed
   bool operator==(const CheckResult&) const = default;

@@ -21,12 +21,12 @@ constexpr std::string_view byteOrderMark = "\xEF\xBB\xBF";
 
 /// Part of the line around a mistake, and the caret line below it.
 std::string excerpt(std::string_view line, std::size_t begin, std::size_t end) {
-  constexpr std::size_t before = 60, most = 110;
+  constexpr std::size_t before = 60, max = 110;
   std::size_t from = 0, to = line.size();
-  if (line.size() > most) {
+  if (line.size() > max) {
     from = begin > before ? begin - before : 0;
     while (from > 0 && continues(line[from])) --from;
-    to = std::min(line.size(), from + most);
+    to = std::min(line.size(), from + max);
     while (to < line.size() && continues(line[to])) ++to;
   }
   std::string shown = from > 0 ? "  ..." : "  ";
@@ -83,26 +83,35 @@ std::string_view Diagnostics::textAt(Place place) const {
   return sourceText(place.source).substr(place.begin, place.end - place.begin);
 }
 
-std::string Diagnostics::describe(const Error& error) const {
-  const std::string_view text = sourceText(error.place.source);
-  const std::size_t begin = std::min(error.place.begin, text.size());
-  std::size_t lineBegin = text.substr(0, begin).rfind('\n') + 1;  // npos + 1 is 0
-  std::size_t lineEnd = std::min(text.find('\n', begin), text.size());
-  if (lineEnd > lineBegin && text[lineEnd - 1] == '\r') --lineEnd;
-  if (lineBegin == 0 && text.starts_with(byteOrderMark) && begin >= byteOrderMark.size())
-    lineBegin = byteOrderMark.size();
-  lineEnd = std::max({lineEnd, lineBegin, begin});
+Diagnostics::Line Diagnostics::lineOf(Place place) const {
+  const std::string_view text = sourceText(place.source);
+  const std::size_t at = std::min(place.begin, text.size());
+  std::size_t begin = text.substr(0, at).rfind('\n') + 1;  // npos + 1 is 0
+  std::size_t end = std::min(text.find('\n', at), text.size());
+  if (end > begin && text[end - 1] == '\r') --end;
+  if (begin == 0 && text.starts_with(byteOrderMark) && at >= byteOrderMark.size())
+    begin = byteOrderMark.size();
+  return {begin, std::max({end, begin, at}), at};
+}
 
-  const std::string_view head = text.substr(lineBegin, begin - lineBegin);
+std::string Diagnostics::where(Place place) const {
+  const std::string_view text = sourceText(place.source);
+  const Line line = lineOf(place);
+  const std::string_view head = text.substr(line.begin, line.at - line.begin);
   const auto column =
       head.size() - static_cast<std::size_t>(std::count_if(head.begin(), head.end(), continues)) + 1;
-  const auto line = std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(begin), '\n') + 1;
-  const Source& source = sources_[static_cast<std::size_t>(error.place.source)];
+  const auto number =
+      std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(line.at), '\n') + 1;
+  const Source& source = sources_[static_cast<std::size_t>(place.source)];
   const std::string name = oneLine(source.name);
-  const std::string where = source.isFile ? fmt::format("{}:{}:{}", name, line, column) : name;
-  const std::size_t end = std::max(error.place.end, begin + 1) - lineBegin;
-  return fmt::format("{}: error: {}\n{}", where, oneLine(error.message),
-                     excerpt(text.substr(lineBegin, lineEnd - lineBegin), begin - lineBegin, end));
+  return source.isFile ? fmt::format("{}:{}:{}", name, number, column) : name;
+}
+
+std::string Diagnostics::describe(const Error& error) const {
+  const Line line = lineOf(error.place);
+  return fmt::format("{}: error: {}\n{}", where(error.place), oneLine(error.message),
+                     excerpt(sourceText(error.place.source).substr(line.begin, line.end - line.begin),
+                             line.at - line.begin, std::max(error.place.end, line.at + 1) - line.begin));
 }
 
 std::string Diagnostics::report() const {

@@ -30,6 +30,8 @@ class Diagnostics {
   /// No more mistakes are kept from here on, only counted; callers may stop looking.
   [[nodiscard]] bool full() const { return errors_.size() >= maxKept; }
   [[nodiscard]] std::string_view textAt(Place place) const;
+  /// "file:line:column", or "-D path=value".
+  [[nodiscard]] std::string where(Place place) const;
 
   /// Each mistake as "file:line:column: error: message", the line and a caret; at most 50, then
   /// "and N more". Columns count code points from 1.
@@ -47,7 +49,12 @@ class Diagnostics {
     Place place;
     std::string message;
   };
+  /// Bytes [begin, end) of the line that a place begins in, at byte `at`.
+  struct Line {
+    std::size_t begin, end, at;
+  };
   [[nodiscard]] std::string_view sourceText(int source) const;
+  [[nodiscard]] Line lineOf(Place place) const;
   [[nodiscard]] std::string describe(const Error& error) const;
 
   std::vector<Source> sources_;

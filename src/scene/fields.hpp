@@ -58,6 +58,8 @@ class Fields {
   virtual void listOf(const char* name, const char* doc, std::size_t maxItems, std::size_t items,
                       const std::function<void(std::size_t)>& resize,
                       const std::function<void(Fields&, std::size_t)>& describe) = 0;
+  /// What the field declared next was called before: still read, with a warning that says the name.
+  virtual void formerly(const char* /*old*/, const char* /*name*/) {}
   /// What stands for the field just declared where a scene leaves it out, when that is no constant
   /// ("the preset's"): shown in place of the value.
   virtual void leftOut(const char* /*name*/, const char* /*what*/) {}

@@ -15,11 +15,11 @@ namespace {
 /// "0..1", ">= 0", "> 0", "<= 3"; "any" without bounds that matter.
 std::string shortRange(Range range) {
   const bool below = range.min > anyNumber.min, above = range.max < anyNumber.max;
-  const std::string most = above ? fmt::format("{}", range.max) : "";
-  if (range.min == positive.min) return above ? "> 0, <= " + most : "> 0";
-  if (below && above) return fmt::format("{}..{}", range.min, most);
+  const std::string max = above ? fmt::format("{}", range.max) : "";
+  if (range.min == positive.min) return above ? "> 0, <= " + max : "> 0";
+  if (below && above) return fmt::format("{}..{}", range.min, max);
   if (below) return fmt::format(">= {}", range.min);
-  return above ? "<= " + most : "any";
+  return above ? "<= " + max : "any";
 }
 
 /// The values that each type of member may have.
@@ -50,9 +50,9 @@ std::string HelpWriter::table() const {
   std::vector<Row> rows = {{"name", "default", "range", "unit", "meaning"}};
   rows.insert(rows.end(), rows_.begin(), rows_.end());
   const auto width = [&](std::string Row::*column) {
-    std::size_t most = 0;
-    for (const Row& row : rows) most = std::max(most, (row.*column).size());
-    return most;
+    std::size_t max = 0;
+    for (const Row& row : rows) max = std::max(max, (row.*column).size());
+    return max;
   };
   const std::size_t name = width(&Row::name), standard = width(&Row::standard);
   const std::size_t range = width(&Row::range), unit = width(&Row::unit);

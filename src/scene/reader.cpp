@@ -1,5 +1,6 @@
 #include "scene/reader.hpp"
 
+#include "base/log.hpp"
 #include "scene/value_reader.hpp"
 #include "scene/words.hpp"
 
@@ -155,7 +156,22 @@ void Reader::readObject(const Node& node, ReadContext context,
 
 const Node* Reader::take(const char* name) {
   known_.emplace_back(name);
-  return object_ == nullptr ? nullptr : object_->find(name);
+  return find(name);
+}
+
+const Node* Reader::find(const std::string& name) const {
+  if (object_ == nullptr) return nullptr;
+  const auto old = formerNames_.find(name);
+  return object_->find(old == formerNames_.end() ? name : old->second);
+}
+
+void Reader::formerly(const char* old, const char* name) {
+  if (object_ == nullptr || object_->find(old) == nullptr) return;
+  if (object_->find(name) != nullptr) return;  // both: the old one is no key
+  formerNames_[name] = old;
+  known_.emplace_back(old);
+  warn("{}: \"{}\" is called \"{}\" now", context_.diagnostics.where(object_->find(old)->headPlace()), old,
+       name);
 }
 
 void Reader::finish() {
@@ -204,12 +220,12 @@ void Reader::listOf(const char* name, const char* /*doc*/, std::size_t maxItems,
 void Reader::error(const char* name, const std::string& message) {
   // A value that could not be read kept its default, which says nothing about the scene.
   if (context_.diagnostics.count() != errorsBefore_) return;
-  const Node* node = object_ == nullptr ? nullptr : object_->find(name);
+  const Node* node = find(name);
   context_.diagnostics.add(node == nullptr ? place_ : node->place(), message);
 }
 
 bool Reader::given(const char* name) const {
-  return object_ != nullptr && object_->find(name) != nullptr;
+  return find(name) != nullptr;
 }
 
 }  // namespace simreel::scene

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -41,15 +42,20 @@ class Reader final : public Fields {
   void listOf(const char* name, const char* doc, std::size_t maxItems, std::size_t items,
               const std::function<void(std::size_t)>& resize,
               const std::function<void(Fields&, std::size_t)>& describe) override;
+  void formerly(const char* old, const char* name) override;
   void error(const char* name, const std::string& message) override;
   [[nodiscard]] bool given(const char* name) const override;
 
  private:
+  /// The member of that name, or of the one it had before; null when it is not given.
+  [[nodiscard]] const Node* find(const std::string& name) const;
+
   const Node* object_;
   Place place_;
   ReadContext context_;
   std::size_t errorsBefore_;
   std::vector<std::string> known_;
+  std::map<std::string, std::string> formerNames_;  ///< of what is given by its old name: new name -> old
 };
 
 }  // namespace simreel::scene

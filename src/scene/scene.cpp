@@ -139,10 +139,14 @@ std::map<std::string, std::string> toleranceOrigin(const Node& root, const Sourc
   const Node* test = root.find("test");
   const Node* tolerance = test == nullptr ? nullptr : test->find("tolerance");
   if (tolerance == nullptr) return origins;
-  for (const Node& bound : tolerance->children)
-    origins[bound.key] = bound.source == 0                       ? sources.file
-                         : bound.source == sources.sidecarNumber ? sources.sidecar
-                                                                 : "-D";
+  for (const Bound& bound : Tolerance().bounds()) {
+    const Node* given = tolerance->find(bound.name);
+    if (given == nullptr) given = tolerance->find(bound.formerName());
+    if (given == nullptr) continue;
+    origins[bound.name] = given->source == 0                       ? sources.file
+                          : given->source == sources.sidecarNumber ? sources.sidecar
+                                                                   : "-D";
+  }
   return origins;
 }
 

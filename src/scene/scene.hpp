@@ -42,7 +42,7 @@ struct Material {
   glm::vec3 textureScale{1, 1, 1};  ///< repeats along u and v (z unused)
   float roughness = 0.8F;
   float metallic = 0.0F;
-  float translucency = 0.0F;  ///< share of light from behind that shines through
+  float translucency = 0.0F;  ///< fraction of light from behind that shines through
   bool hasSkin = false;
   Skin skin;  ///< replaces colour and roughness
   void describe(Fields& fields);
@@ -50,9 +50,9 @@ struct Material {
 
 /// Light scattered around what is bright.
 struct Bloom {
-  Animated<float> strength = 0.0F;  ///< share of the light above the threshold; 0: off
+  Animated<float> strength = 0.0F;  ///< fraction of the light above the threshold; 0: off
   float threshold = 1.0F;           ///< linear light
-  float radius = 0.1F;              ///< share of the picture's height
+  float radius = 0.1F;              ///< fraction of the picture's height
   void describe(Fields& fields);
 };
 

@@ -32,7 +32,7 @@ void Material::describe(Fields& fields) {
   fields.number("roughness", roughness, fraction, "", "0 mirrors, 1 is matt.");
   fields.number("metallic", metallic, fraction, "", "0 for plastic, cloth and wood; 1 for metal.");
   fields.number("translucency", translucency, fraction, "",
-                "Share of the light from behind that shines through.");
+                "Fraction of the light from behind that shines through.");
   fields.optionalGroup("skin", hasSkin, "A live material grown from a field of the scene.",
                        [&](Fields& inner) { skin.describe(inner); });
 }
@@ -64,7 +64,7 @@ void Bloom::describe(Fields& fields) {
   fields.number("strength", strength, {0, 100}, "",
                 "Factor on the scattered light; 0 switches it off and costs nothing.");
   fields.number("threshold", threshold, notNegative, "", "Only light above this is scattered.");
-  fields.number("radius", radius, {0.001, 1}, "", "How far, as a share of the picture's height.");
+  fields.number("radius", radius, {0.001, 1}, "", "How far, as a fraction of the picture's height.");
 }
 
 void Time::describe(Fields& fields) {

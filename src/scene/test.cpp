@@ -60,11 +60,11 @@ void checkForm(Fields& fields, const Check& check) {
   } else if (check.what == "not-blank" && fields.given("object")) {
     fields.error("object", "\"not-blank\" looks at the whole picture, not at an object");
   } else if (!check.isStatistic() && !check.isQuantity()) {
-    for (const char* bound : {"least", "most", "drift"})
+    for (const char* bound : {"min", "max", "drift"})
       if (fields.given(bound)) fields.error(bound, fmt::format("\"{}\" takes no bounds", check.what));
-  } else if (!check.least && !check.most && !check.drift) {
+  } else if (!check.min && !check.max && !check.drift) {
     const std::string near = suggestion(check.what, std::array<std::string, 2>{"not-blank", "no-nan"});
-    fields.error("what", fmt::format("{} needs a bound: \"least\", \"most\" or \"drift\"{}",
+    fields.error("what", fmt::format("{} needs a bound: \"min\", \"max\" or \"drift\"{}",
                                      inQuotes(check.what), near.starts_with("did") ? "; " + near : ""));
   }
 }
@@ -105,7 +105,7 @@ void checkAgainstScene(Fields& fields, const Check& check, const Scene& scene,
   if (!check.object.empty() && std::find(names.begin(), names.end(), check.object) == names.end())
     fields.error("object", fmt::format("no object is named {}; {}", inQuotes(check.object),
                                        suggestion(check.object, names)));
-  if (check.isQuantity() && (check.least || check.most || check.drift)) checkQuantity(fields, check, scene);
+  if (check.isQuantity() && (check.min || check.max || check.drift)) checkQuantity(fields, check, scene);
   if (!frameCount) return;
   checkLength(fields, check.frames, *frameCount);
   const std::vector<int> tested = scene.testFrames();
@@ -123,22 +123,43 @@ void checkAgainstScene(Fields& fields, const Check& check, const Scene& scene,
 }  // namespace
 
 void Tolerance::describe(Fields& fields) {
-  fields.integer("max_channel_diff", max_channel_diff, channel, "",
+  fields.integer("maxChannelDiff", maxChannelDiff, channel, "",
                  "A pixel differs when one of its channels is further apart than this.");
-  fields.optionalNumber("max_diff_pixels", max_diff_pixels, notNegative, "pixels",
+  fields.optionalNumber("maxDiffPixels", maxDiffPixels, notNegative, "pixels",
                         "How many pixels may differ.");
   fields.optionalNumber(
-      "max_diff_ratio", max_diff_ratio, fraction, "",
-      "Share of all pixels that may differ; 0.02 while neither this nor max_diff_pixels is given.");
-  fields.integer("window_size", window_size, {1, 4096}, "pixels",
-                 "Side of the window that max_window_ratio looks through.");
-  fields.optionalNumber("max_window_ratio", max_window_ratio, fraction, "",
-                        "Share of the pixels of any window that may differ.");
-  fields.optionalNumber("max_flip_mean", max_flip_mean, fraction, "", "Mean FLIP error allowed.");
-  fields.optionalNumber("hard_fail", hard_fail, channel, "",
+      "maxDiffRatio", maxDiffRatio, fraction, "",
+      "Fraction of all pixels that may differ; 0.02 while neither this nor maxDiffPixels is given.");
+  fields.integer("windowSize", windowSize, {1, 4096}, "pixels",
+                 "Side of the window that maxWindowRatio looks through.");
+  fields.optionalNumber("maxWindowRatio", maxWindowRatio, fraction, "",
+                        "Fraction of the pixels of any window that may differ.");
+  fields.optionalNumber("maxFlipMean", maxFlipMean, fraction, "", "Mean FLIP error allowed.");
+  fields.optionalNumber("hardFail", hardFail, channel, "",
                         "No channel of any pixel may ever be further apart than this.");
-  if (fields.given("window_size") && !max_window_ratio)
-    fields.error("window_size", "\"window_size\" does nothing without \"max_window_ratio\"");
+  if (fields.given("windowSize") && !maxWindowRatio)
+    fields.error("windowSize", "\"windowSize\" does nothing without \"maxWindowRatio\"");
+}
+
+std::string Bound::formerName() const {
+  return apart(name, '_');
+}
+
+std::vector<Bound> Tolerance::bounds() {
+  class Collector final : public Fields {
+   public:
+    std::vector<Bound> found;
+    void field(const char* name, Member member, const Spec& spec) override {
+      found.push_back({name, member, spec});
+    }
+    void section(const char* /*name*/, bool* /*present*/, const char* /*doc*/,
+                 const std::function<void(Fields&)>& /*describe*/) override {}
+    void listOf(const char* /*name*/, const char* /*doc*/, std::size_t /*maxItems*/, std::size_t /*items*/,
+                const std::function<void(std::size_t)>& /*resize*/,
+                const std::function<void(Fields&, std::size_t)>& /*describe*/) override {}
+  } collector;
+  describe(collector);
+  return std::move(collector.found);
 }
 
 void Test::describe(Fields& fields) {
@@ -152,7 +173,11 @@ void Test::describe(Fields& fields) {
       "How far an image may be from a baseline of other numerics; every bound that is given must hold. On "
       "the machine that drew the baseline images have to be equal, on another one with the same numerics "
       "within 2 of 255 on 2% of the pixels, with a mean FLIP error of 0.002.",
-      [&](Fields& inner) { tolerance.describe(inner); });
+      [&](Fields& inner) {
+        for (const Bound& bound : tolerance.bounds())
+          inner.formerly(bound.formerName().c_str(), bound.name);
+        tolerance.describe(inner);
+      });
   fields.text("xfail", xfail, "Why the scene is expected to fail for now; passing is a failure then.");
   checkAscending(fields, frames);
   if (fields.given("xfail") && xfail.find_first_not_of(" \t") == std::string::npos)
@@ -179,14 +204,16 @@ void Check::describe(Fields& fields) {
               "State array and component, such as \"positions.y\"; x, y, z, w or length (of xyz).");
   fields.integers("frames", frames, frameNumber, "",
                   "Frames where it must hold, ascending; none given: every tested frame.");
-  fields.optionalNumber("least", least, {}, "", "The value may not be below.");
-  fields.optionalNumber("most", most, {}, "", "The value may not be above.");
+  fields.formerly("least", "min");
+  fields.formerly("most", "max");
+  fields.optionalNumber("min", min, {}, "", "The value may not be below.");
+  fields.optionalNumber("max", max, {}, "", "The value may not be above.");
   fields.optionalNumber("drift", drift, notNegative, "",
                         "Most relative change from the value at the first of the frames.");
   checkForm(fields, *this);
   checkAscending(fields, frames);
-  if (least && most && !(*least <= *most))
-    fields.error("least", fmt::format("\"least\" ({}) must not be above \"most\" ({})", *least, *most));
+  if (min && max && !(*min <= *max))
+    fields.error("min", fmt::format("\"min\" ({}) must not be above \"max\" ({})", *min, *max));
   if (drift && frames.size() == 1)
     fields.error("drift", "\"drift\" compares frames with the first, and \"frames\" lists one only");
 }

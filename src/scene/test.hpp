@@ -10,18 +10,29 @@
 
 namespace simreel::scene {
 
+/// One field of a Tolerance.
+struct Bound {
+  const char* name;
+  Member member;  ///< int* or std::optional<double>*
+  Spec spec;
+  /// What scenes, baselines and reports called it before: "max_diff_ratio".
+  [[nodiscard]] std::string formerName() const;
+};
+
 /// How far a picture may be from its baseline where the numerics are others. Every bound that is
 /// given must hold. Field names are those of the scene file.
 struct Tolerance {
-  int max_channel_diff = 12;              ///< a pixel differs when a channel is further apart, 0 to 255
-  std::optional<double> max_diff_pixels;  ///< pixels that may differ
+  int maxChannelDiff = 12;              ///< a pixel differs when a channel is further apart, 0 to 255
+  std::optional<double> maxDiffPixels;  ///< pixels that may differ
   std::optional<double>
-      max_diff_ratio;    ///< share of all pixels that may differ; 0.02 when neither is given
-  int window_size = 16;  ///< N of the densest N x N window
-  std::optional<double> max_window_ratio;  ///< share of the densest window's pixels that may differ
-  std::optional<double> max_flip_mean;     ///< mean FLIP error, 0 to 1
-  std::optional<double> hard_fail;         ///< no channel of any pixel may ever be further apart than this
+      maxDiffRatio;     ///< fraction of all pixels that may differ; 0.02 when neither is given
+  int windowSize = 16;  ///< N of the densest N x N window
+  std::optional<double> maxWindowRatio;  ///< fraction of the densest window's pixels that may differ
+  std::optional<double> maxFlipMean;     ///< mean FLIP error, 0 to 1
+  std::optional<double> hardFail;        ///< no channel of any pixel may ever be further apart than this
   void describe(Fields& fields);
+  /// All fields, in their order; they point into this tolerance.
+  [[nodiscard]] std::vector<Bound> bounds();
 };
 
 /// "test" of a scene: what `simreel test` compares.
@@ -44,7 +55,7 @@ struct Check {
   std::string object;       ///< name; empty: the only object that has it
   std::string of;           ///< "positions.y": state array and component (x y z w, or "length" of xyz)
   std::vector<int> frames;  ///< empty: every tested frame
-  std::optional<double> least, most;
+  std::optional<double> min, max;
   std::optional<double> drift;  ///< most relative change from the value at the first of the check's frames
   void describe(Fields& fields);
 

@@ -51,9 +51,9 @@ std::string printable(std::string_view text) {
 }
 
 std::string inQuotes(std::string_view text) {
-  constexpr std::size_t most = 60;
-  if (text.size() <= most) return fmt::format("\"{}\"", text);
-  std::size_t cut = most;
+  constexpr std::size_t max = 60;
+  if (text.size() <= max) return fmt::format("\"{}\"", text);
+  std::size_t cut = max;
   while (cut > 0 && (static_cast<unsigned char>(text[cut]) & 0xC0U) == 0x80U) --cut;
   return fmt::format("\"{}...\"", text.substr(0, cut));
 }
@@ -75,6 +75,16 @@ std::string suggestion(std::string_view unknown, std::span<const std::string> na
   if (best != nullptr) return fmt::format("did you mean \"{}\"?", *best);
   if (names.empty()) return "nothing is known here";
   return fmt::format("known here: {}", fmt::join(names, ", "));
+}
+
+std::string apart(std::string_view camelCase, char between) {
+  std::string words;
+  for (const char c : camelCase) {
+    const bool capital = c >= 'A' && c <= 'Z';
+    if (capital) words += between;
+    words += capital ? static_cast<char>(c - 'A' + 'a') : c;
+  }
+  return words;
 }
 
 }  // namespace simreel::scene

@@ -15,4 +15,8 @@ namespace simreel::scene {
 /// What to say after an unknown name: `did you mean "x"?` when one name is close, else the list of them.
 [[nodiscard]] std::string suggestion(std::string_view unknown, std::span<const std::string> names);
 
+/// The words of a name in camel case, in small letters and with `between` between them: "maxDiffRatio", '-'
+/// is "max-diff-ratio".
+[[nodiscard]] std::string apart(std::string_view camelCase, char between);
+
 }  // namespace simreel::scene

@@ -56,7 +56,7 @@ class FrameTest(ReportTest):
         mark = svg["x"] + float(b.one("#curve line.diverges").get_attribute("x1"))
         self.assertAlmostEqual((mark - toX(0)) / (toX(8) - toX(0)), 37 / 240, places=3)
         self.assertEqual(b.text("#curve text.diverges"), "leaves the baseline: frame 37, step 4/22")
-        self.assertEqual(b.text("#curve text.bound"), "max_diff_ratio 0.5 %")
+        self.assertEqual(b.text("#curve text.bound"), "maxDiffRatio 0.5 %")
 
     def test_curve_of_each_measurement(self):
         b = self.open(FLAG + "side")
@@ -95,7 +95,7 @@ class WordsTest(ReportTest):
         self.assertEqual(row(2), ["max of flag positions.y", "240", "2.75", "≤ 3.2", "✓ holds"])
         b.click(".checks .link")
         self.assertEqual(self.chosen()[1], 60)
-        self.assertIn("max_window_ratio0.91--max-window-ratio", self.card("tolerance"))
+        self.assertIn("maxWindowRatio0.91--max-window-ratio", self.card("tolerance"))
         self.assertIn("scenes/golden/cloth/flag/any/baseline.json", self.card("tolerance"))
         self.assertIn("any (this run is llvmpipe)", self.card("baseline"))
         self.assertIn("which is not tested", self.card("notes"))

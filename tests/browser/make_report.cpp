@@ -32,7 +32,7 @@ struct Maker {
 };
 
 Json metricsOf(const frame::Image& a, const frame::Image& b) {
-  int worst = 0, worstX = 0, worstY = 0, different = 0, far = 0, most = 0, windowX = 0, windowY = 0;
+  int worst = 0, worstX = 0, worstY = 0, different = 0, far = 0, max = 0, windowX = 0, windowY = 0;
   double squares = 0;
   std::map<std::pair<int, int>, int> tiles;  // windows on a grid of half their size
   for (int y = 0; y < a.height; ++y)
@@ -45,8 +45,8 @@ Json metricsOf(const frame::Image& a, const frame::Image& b) {
       ++far;
       for (int ty = y / 8 - 1; ty <= y / 8; ++ty)
         for (int tx = x / 8 - 1; tx <= x / 8; ++tx)
-          if (const int n = ++tiles[{tx, ty}]; n > most && tx >= 0 && ty >= 0)
-            most = n, windowX = tx * 8, windowY = ty * 8;
+          if (const int n = ++tiles[{tx, ty}]; n > max && tx >= 0 && ty >= 0)
+            max = n, windowX = tx * 8, windowY = ty * 8;
     }
   const double pixels = double(a.width) * a.height, mean = squares / pixels;
   return {{"worst", worst},
@@ -55,7 +55,7 @@ Json metricsOf(const frame::Image& a, const frame::Image& b) {
           {"differentPixels", different},
           {"pixelsBeyond", far},
           {"ratioBeyond", far / pixels},
-          {"windowRatio", most / double(window * window)},
+          {"windowRatio", max / double(window * window)},
           {"windowX", windowX},
           {"windowY", windowY},
           {"psnr", mean == 0 ? Json(nullptr) : Json(10 * std::log10(255.0 * 255.0 / mean))},
@@ -107,8 +107,8 @@ Json emptyScene(const std::string& name, const char* status) {
           {"baselineVersion", "0.1.0"},
           {"baselineReason", "first baseline"},
           {"tolerance",
-           {{"max_channel_diff", {{"value", beyond}, {"origin", "default"}}},
-            {"max_diff_ratio", {{"value", 0.005}, {"origin", "scenes/" + name + ".json"}}}}},
+           {{"maxChannelDiff", {{"value", beyond}, {"origin", "default"}}},
+            {"maxDiffRatio", {{"value", 0.005}, {"origin", "scenes/" + name + ".json"}}}}},
           {"seconds", 1.25},
           {"simulateSeconds", 0.75},
           {"repeats", 1},
@@ -140,10 +140,10 @@ Json failedScene(const Maker& make, const std::string& name, int frames, int eve
   return scene;
 }
 
-Json check(const char* what, int frame, const Json& value, const Json& least, const Json& most, bool passed,
+Json check(const char* what, int frame, const Json& value, const Json& min, const Json& max, bool passed,
            const char* message) {
-  return {{"what", what}, {"frame", frame},   {"value", value},    {"least", least},
-          {"most", most}, {"passed", passed}, {"message", message}};
+  return {{"what", what}, {"frame", frame},   {"value", value},    {"least", min},
+          {"most", max},  {"passed", passed}, {"message", message}};
 }
 
 Json flagScene(const Maker& make) {
@@ -161,15 +161,15 @@ Json flagScene(const Maker& make) {
       {"firstElement", 128},
       {"lastElement", 191},
       {"message", "flag.positions first differs at frame 37, step 4 of 22, elements 128 to 191"}};
-  scene["tolerance"]["max_window_ratio"] = {{"value", 0.9}, {"origin", "--max-window-ratio"}};
-  scene["tolerance"]["max_flip_mean"] = {{"value", 0.02},
-                                         {"origin", "scenes/golden/cloth/flag/any/baseline.json"}};
-  scene["tolerance"]["window_size"] = {{"value", window}, {"origin", "default"}};
+  scene["tolerance"]["maxWindowRatio"] = {{"value", 0.9}, {"origin", "--max-window-ratio"}};
+  scene["tolerance"]["maxFlipMean"] = {{"value", 0.02},
+                                       {"origin", "scenes/golden/cloth/flag/any/baseline.json"}};
+  scene["tolerance"]["windowSize"] = {{"value", window}, {"origin", "default"}};
   scene["checks"] = {
       check("no-nan", 240, nullptr, nullptr, nullptr, true, ""),
       check("energy of flag", 60, 3.1, 0, 3, false, "frame 60: energy of flag is 3.1, above 3"),
       check("max of flag positions.y", 240, 2.75, nullptr, 3.2, true, "")};
-  scene["notes"] = {"loose tolerance: max_diff_ratio is 0.5, 40 times the 0.0125 observed",
+  scene["notes"] = {"loose tolerance: maxDiffRatio is 0.5, 40 times the 0.0125 observed",
                     "the baseline has frame 300, which is not tested"};
   scene["profile"] = "any";
   scene["messages"].push_back("frame 60: energy of flag is 3.1, above 3");

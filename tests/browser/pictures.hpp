@@ -37,9 +37,9 @@ inline simreel::frame::Image picture(int width, int height, double phase) {
 
 inline int apart(const simreel::frame::Image& a, const simreel::frame::Image& b, int x, int y) {
   const auto at = (std::size_t(y) * std::size_t(a.width) + std::size_t(x)) * 4;
-  int most = 0;
-  for (std::size_t c = 0; c < 3; ++c) most = std::max(most, std::abs(a.bytes[at + c] - b.bytes[at + c]));
-  return most;
+  int max = 0;
+  for (std::size_t c = 0; c < 3; ++c) max = std::max(max, std::abs(a.bytes[at + c] - b.bytes[at + c]));
+  return max;
 }
 
 /// Dark where the pictures agree, from yellow to red where they do not.

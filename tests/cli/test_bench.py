@@ -63,11 +63,11 @@ class Bench(BenchCase):
         self.assertIn("step pole", self.names(row))
         self.assertIn("ground", self.names(row))
 
-    def test_crowds_and_bloom(self):
+    def test_instances_and_bloom(self):
         self.write("stars.json", {"version": 1, "render": {"size": [64, 36], "bloom": {"strength": 0.2}},
                                   "objects": {"stars": {"particles": {"groups": [{"count": 77}]}}}})
         names = self.names(self.bench("stars.json", *FEW)["rows"][0])
-        self.assertIn("crowds", names)
+        self.assertIn("instances", names)
         self.assertIn("bloom", names)
 
     def test_vary(self):

@@ -18,7 +18,7 @@ extern "C" int fdatasync(int /*descriptor*/) {
   return 0;
 }
 
-extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t most);
+extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t max);
 
 namespace simreel::fuzz {
 
@@ -51,12 +51,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   return 0;
 }
 
-extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t most,
+extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t max,
                                                unsigned /*seed*/) {
-  const std::size_t mutated = LLVMFuzzerMutate(data, size, most);
+  const std::size_t mutated = LLVMFuzzerMutate(data, size, max);
   std::string bytes(reinterpret_cast<const char*>(data), mutated);
-  fuzz::mend(bytes, most);
-  bytes.resize(std::min(bytes.size(), most));
+  fuzz::mend(bytes, max);
+  bytes.resize(std::min(bytes.size(), max));
   std::memcpy(data, bytes.data(), bytes.size());
   return bytes.size();
 }

@@ -8,10 +8,10 @@ namespace simreel::fuzz {
 
 /// Reads particles; those that are accepted are whole and finite.
 inline void readCloud(std::string_view bytes, const char* name) {
-  constexpr int most = 1000;
-  const sim::ParticleCloud cloud = sim::parseParticles(bytes, name, 1.0F, most);
+  constexpr int max = 1000;
+  const sim::ParticleCloud cloud = sim::parseParticles(bytes, name, 1.0F, max);
   SIMREEL_CHECK_EQ(cloud.positions.size(), cloud.velocities.size());
-  SIMREEL_CHECK(!cloud.positions.empty() && cloud.positions.size() <= most);
+  SIMREEL_CHECK(!cloud.positions.empty() && cloud.positions.size() <= max);
   for (const auto& p : cloud.positions)
     SIMREEL_CHECK(std::abs(p.x) <= 1e7F && std::abs(p.y) <= 1e7F && std::abs(p.z) <= 1e7F && p.w > 0);
 }

@@ -10,6 +10,6 @@ void read(std::string_view bytes);
 
 /// What a harness may define: makes a mutated input whole again where a checksum would end its way at once.
 /// May change the length, never beyond `most` bytes.
-void mend(std::string& bytes, std::size_t most);
+void mend(std::string& bytes, std::size_t max);
 
 }  // namespace simreel::fuzz

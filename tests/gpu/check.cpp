@@ -101,10 +101,10 @@ TEST_CASE("checks: a falling cloth has the energy of semi-implicit Euler") {
 
 TEST_CASE("checks: statistics follow a falling cloth") {
   testContext();
-  const auto results = run(falling(R"({"what": "mean", "of": "positions.y", "least": -100},
-                                      {"what": "min", "of": "velocities.y", "most": 0},
-                                      {"what": "max", "of": "velocities.length", "least": 0},
-                                      {"what": "sum", "of": "positions.w", "least": 384, "most": 384})"),
+  const auto results = run(falling(R"({"what": "mean", "of": "positions.y", "min": -100},
+                                      {"what": "min", "of": "velocities.y", "max": 0},
+                                      {"what": "max", "of": "velocities.length", "min": 0},
+                                      {"what": "sum", "of": "positions.w", "min": 384, "max": 384})"),
                            {30});
   REQUIRE(results.size() == 4);
   const double n = 120;
@@ -148,12 +148,12 @@ TEST_CASE("checks: potential energy is that of the gravity at the state's time")
 TEST_CASE("checks: bounds that hold and bounds that are crossed") {
   testContext();
   const std::vector<int> frames = {0, 30};
-  CHECK(messageOf(falling(R"({"what": "mass", "least": 24, "most": 24})"), frames).empty());
-  CHECK(messageOf(falling(R"({"what": "mass", "least": 24.5})"), frames) ==
+  CHECK(messageOf(falling(R"({"what": "mass", "min": 24, "max": 24})"), frames).empty());
+  CHECK(messageOf(falling(R"({"what": "mass", "min": 24.5})"), frames) ==
         "frame 30: mass of sheet is 24, below 24.5");
-  CHECK(messageOf(falling(R"({"what": "mass", "most": 23})"), frames) ==
+  CHECK(messageOf(falling(R"({"what": "mass", "max": 23})"), frames) ==
         "frame 30: mass of sheet is 24, above 23");
-  CHECK(messageOf(falling(R"({"what": "max", "of": "positions.w", "object": "sheet", "most": 3})"),
+  CHECK(messageOf(falling(R"({"what": "max", "of": "positions.w", "object": "sheet", "max": 3})"),
                   frames) == "frame 30: max of sheet positions.w is 4, above 3");
 }
 
@@ -170,15 +170,15 @@ TEST_CASE("checks: drift is relative to the first of the check's frames") {
   // From frame 29 on there is nearly none.
   CHECK(messageOf(falling(R"({"what": "energy", "drift": 0.0001, "frames": [29, 30]})"), {0, 30}).empty());
 
-  const auto results = run(falling(R"({"what": "energy", "least": 2351.9, "drift": 0.5})"), {0, 1});
+  const auto results = run(falling(R"({"what": "energy", "min": 2351.9, "drift": 0.5})"), {0, 1});
   REQUIRE(results.size() == 2);
-  CHECK(results[1].least == 2351.9);  // tighter than the drift's
-  CHECK(*results[1].most == doctest::Approx(1.5 * 2352).epsilon(1e-5));
+  CHECK(results[1].min == 2351.9);  // tighter than the drift's
+  CHECK(*results[1].max == doctest::Approx(1.5 * 2352).epsilon(1e-5));
 }
 
 TEST_CASE("checks: frames that are not tested are asked for, and answered without a picture") {
   testContext();
-  const auto scene = falling(R"({"what": "mass", "least": 1, "frames": [3, 10]}, {"what": "no-nan"},
+  const auto scene = falling(R"({"what": "mass", "min": 1, "frames": [3, 10]}, {"what": "no-nan"},
                                 {"what": "energy", "drift": 1, "frames": [5, 10, 12]})");
   const sim::World world(scene);
   const std::vector<int> tested = {0, 10};
@@ -195,7 +195,7 @@ TEST_CASE("checks: frames that are not tested are asked for, and answered withou
 TEST_CASE("checks: a NaN in the state is found and named") {
   testContext();
   const auto scene = falling(R"({"what": "no-nan"}, {"what": "no-nan", "object": "sheet"},
-                                {"what": "energy", "most": 1e9}, {"what": "max", "of": "velocities.z", "most": 9})");
+                                {"what": "energy", "max": 1e9}, {"what": "max", "of": "velocities.z", "max": 9})");
   const sim::World world(scene);
   const std::vector<int> tested = {0};
   const auto resultsWith = [&](const char* array, std::size_t component, float value) {
@@ -244,7 +244,7 @@ TEST_CASE("checks: a blank picture is found") {
 TEST_CASE("checks: what a scene does not have is refused with what it has") {
   testContext();
   const std::vector<int> tested = {0, 9};
-  CHECK(refusal(falling(R"({"what": "max", "of": "position.y", "most": 1})"), tested) ==
+  CHECK(refusal(falling(R"({"what": "max", "of": "position.y", "max": 1})"), tested) ==
         "checks[0]: no object of the scene has an array named \"position\"; did you mean \"positions\"?");
   CHECK(refusal(falling(R"({"what": "no-nan", "object": "ball"})"), tested) ==
         "checks[0]: object \"ball\" is a sphere, which has no state to look at");
@@ -252,7 +252,7 @@ TEST_CASE("checks: what a scene does not have is refused with what it has") {
         "checks[0]: \"no-nan\" looks at state, and no object of the scene has any");
   CHECK(refusal(falling(R"({"what": "not-blank", "frames": [0, 59]})"), tested) ==
         "checks[0]: \"not-blank\" needs a picture of frame 59, which is not tested; tested: 0, 9");
-  CHECK(refusal(falling(R"({"what": "not-blank"}, {"what": "mass", "most": 1})"), tested).empty());
+  CHECK(refusal(falling(R"({"what": "not-blank"}, {"what": "mass", "max": 1})"), tested).empty());
   auto made = falling("");  // not through the reader, which would find these
   made.checks.resize(1);
   made.checks[0].what = "max";
@@ -279,6 +279,6 @@ TEST_CASE("checks: every kind measures as many numbers as it names") {
     CHECK(scene.objects[0].parameters->measures() == !scene.objects[0].parameters->quantities().empty());
     CHECK(world.object(0).measure().size() == scene.objects[0].parameters->quantities().size());
   }
-  CHECK_THROWS_WITH_AS(sceneOf(R"("a": {"mesh": {}})", R"({"what": "area", "most": 1})"),
+  CHECK_THROWS_WITH_AS(sceneOf(R"("a": {"mesh": {}})", R"({"what": "area", "max": 1})"),
                        doctest::Contains("no object of the scene has a quantity \"area\""), UserError);
 }

@@ -90,12 +90,11 @@ std::vector<glm::dvec3> allPairs(std::span<const glm::vec4> bodies, std::span<co
 }
 
 std::vector<double> relativeErrors(std::span<const glm::vec4> accelerations,
-                                   std::span<const glm::dvec3> exact, std::span<const int> of,
-                                   double least) {
+                                   std::span<const glm::dvec3> exact, std::span<const int> of, double min) {
   std::vector<double> errors;
   for (std::size_t k = 0; k < of.size(); ++k) {
     const glm::dvec3 got(accelerations[static_cast<std::size_t>(of[k])]);
-    errors.push_back(glm::length(got - exact[k]) / std::max(glm::length(exact[k]), least));
+    errors.push_back(glm::length(got - exact[k]) / std::max(glm::length(exact[k]), min));
   }
   std::sort(errors.begin(), errors.end());
   return errors;

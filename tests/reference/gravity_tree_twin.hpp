@@ -48,4 +48,4 @@ enum class Cloud { plummer, disk, twoClusters, onePoint, line, farClusters };
 /// Errors |a - b| / max(|b|, least), sorted; `of` names the bodies that `exact` is about.
 [[nodiscard]] std::vector<double> relativeErrors(std::span<const glm::vec4> accelerations,
                                                  std::span<const glm::dvec3> exact, std::span<const int> of,
-                                                 double least = 1e-30);
+                                                 double min = 1e-30);

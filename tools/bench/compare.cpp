@@ -97,8 +97,8 @@ std::vector<std::byte> otherEncoder(const frame::Image& image) {
 
 scene::Tolerance exact() {
   scene::Tolerance tolerance;
-  tolerance.max_channel_diff = 0;
-  tolerance.max_diff_ratio = 0;
+  tolerance.maxChannelDiff = 0;
+  tolerance.maxDiffRatio = 0;
   return tolerance;
 }
 

@@ -52,8 +52,8 @@ double deviceMilliseconds(const auto& work) {
 /// The least of several steps, after one that is not counted.
 Phases measure(sim::GravityTree& tree, const gl::Vec4Array& positions, const gl::Vec4Array& accelerations,
                int count, float opening, int steps) {
-  const double most = std::numeric_limits<double>::max();
-  Phases least{most, most, most, most};
+  const double max = std::numeric_limits<double>::max();
+  Phases min{max, max, max, max};
   for (int step = 0; step <= steps; ++step) {
     const double sort = deviceMilliseconds([&] { tree.sort(positions, count); });
     const double build = deviceMilliseconds([&] { tree.build(positions, count, opening); });
@@ -63,10 +63,10 @@ Phases measure(sim::GravityTree& tree, const gl::Vec4Array& positions, const gl:
       glFinish();
     });
     if (step == 0) continue;
-    least = {std::min(least.sort, sort), std::min(least.build, build), std::min(least.walk, walk),
-             std::min(least.total, total)};
+    min = {std::min(min.sort, sort), std::min(min.build, build), std::min(min.walk, walk),
+           std::min(min.total, total)};
   }
-  return least;
+  return min;
 }
 
 void printErrors(const std::vector<glm::vec4>& got, const std::vector<glm::dvec3>& exact,

@@ -147,16 +147,16 @@ std::vector<glm::vec4> exactSums(const std::vector<glm::vec4>& bodies, std::size
   return out;
 }
 
-/// Greatest difference as a share of the greatest acceleration: all must have solved the same problem.
+/// Greatest difference as a fraction of the greatest acceleration: all must have solved the same problem.
 double difference(const std::vector<glm::vec4>& a, const std::vector<glm::vec4>& b) {
-  float most = 0;
+  float max = 0;
   float scale = 0;
   for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i)
     for (int c = 0; c < 3; ++c) {
-      most = std::max(most, std::abs(a[i][c] - b[i][c]));
+      max = std::max(max, std::abs(a[i][c] - b[i][c]));
       scale = std::max(scale, std::abs(a[i][c]));
     }
-  return most / scale;
+  return max / scale;
 }
 
 void pairs(int count) {

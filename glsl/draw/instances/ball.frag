@@ -39,5 +39,5 @@ void main() {
   float rr = dot(ray, ray), b = dot(across, ray);
   float t = -(b + sqrt(max(b * b - rr * (dot(across, across) - radii.x * radii.x), 0.0))) / rr;
   vec3 normal = normalize(across + t * ray);
-  radiance = vec4(surfaceLight(tint, normal, -ray * inversesqrt(rr), sunShare(place + t * placeRay)), 1.0);
+  radiance = vec4(surfaceLight(tint, normal, -ray * inversesqrt(rr), sunFraction(place + t * placeRay)), 1.0);
 }

@@ -1,4 +1,4 @@
-// Adds a crowd's glows to the sums. An invocation takes one after the other; LARGE: a group shares each one's pixels,
+// Adds the glows of instances to the sums. An invocation takes one after the other; LARGE: a group shares each one's pixels,
 // in slices of SLICES rows of squares. SAMPLES: of the scene's depth.
 #include "draw/frame_block.glsl"
 #include "draw/instances/instance_list.glsl"

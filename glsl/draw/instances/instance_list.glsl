@@ -34,8 +34,8 @@ vec3 tintOf(vec4 position, vec4 velocity) {
 // does not age.
 float brightnessAt(float age) {
   if (fade <= 0.0 || age == 0.0) return brightness;
-  float share = clamp(min(age, 1.0 - age) / fade, 0.0, 1.0);
-  return brightness * share * share * (3.0 - 2.0 * share);
+  float fraction = clamp(min(age, 1.0 - age) / fade, 0.0, 1.0);
+  return brightness * fraction * fraction * (3.0 - 2.0 * fraction);
 }
 
 struct Glow {
@@ -47,8 +47,8 @@ struct Glow {
 // An additive sprite. One too small to be drawn is widened and keeps its light: it is dimmer by the ratio of areas.
 Glow glowOf(vec4 position, vec4 velocity) {
   float radius = instanceSize(position.w) * shapeRadius;
-  float least = minRadius(position.xyz);
-  float share = min(radius / max(least, 1e-12), 1.0);
-  vec3 light = tintOf(position, velocity) * (brightnessAt(velocity.w) * share * share);
-  return Glow(position.xyz, max(radius, least), light);
+  float minimum = minRadius(position.xyz);
+  float fraction = min(radius / max(minimum, 1e-12), 1.0);
+  vec3 light = tintOf(position, velocity) * (brightnessAt(velocity.w) * fraction * fraction);
+  return Glow(position.xyz, max(radius, minimum), light);
 }

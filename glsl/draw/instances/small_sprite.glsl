@@ -4,13 +4,13 @@ struct SmallSprite {
   vec3 place;  // clip coordinates over w, within -1 to 1
   float side;  // of the square, pixels (texels of the light's map)
   vec3 light;  // in the middle
-  vec2 slope;  // share of it gained from the middle to the right, and to the top; within -1 to 1
+  vec2 slope;  // fraction of it gained from the middle to the right, and to the top; within -1 to 1
 };
 
 // Three mantissas of 9 bits under the exponent of the largest.
 uint packedLight(vec3 light) {
-  float most = max(max(light.r, light.g), max(light.b, 1e-9));
-  int exponent = clamp(int(floor(log2(most))) + 1, -15, 16);
+  float largest = max(max(light.r, light.g), max(light.b, 1e-9));
+  int exponent = clamp(int(floor(log2(largest))) + 1, -15, 16);
   uvec3 m = uvec3(min(light * exp2(float(9 - exponent)) + 0.5, 511.0));
   return m.r | m.g << 9 | m.b << 18 | uint(exponent + 15) << 27;
 }

@@ -1,4 +1,4 @@
-// Makes the sprites of few pixels of a crowd ready to be drawn. GLOW: additive. FOR_LIGHT: into the light's map. Else
+// Makes the sprites of few pixels ready to be drawn. GLOW: additive. FOR_LIGHT: into the light's map. Else
 // lit balls: squares of their outlines' area, shaded as if lit at four corners.
 #include "draw/frame_block.glsl"
 #include "draw/instances/instance_list.glsl"
@@ -39,11 +39,11 @@ SmallSprite ready(vec4 position, vec4 velocity) {
   // The part of the ball that is seen faces the eye by 2/3 in the mean.
   vec3 middle = 0.6666667 * facing.towards;
   vec3 tint = tintOf(position, velocity);
-  float share = sunShare(shadowPlace(position.xyz + radius * middle + shadowLift(frame.sunDirection.xyz)));
+  float fraction = sunFraction(shadowPlace(position.xyz + radius * middle + shadowLift(frame.sunDirection.xyz)));
   vec3 light[4];
   for (int i = 0; i < 4; ++i) {
     vec3 aside = float((i & 1) * 2 - 1) * facing.right + float((i & 2) - 1) * facing.up;
-    light[i] = surfaceLight(tint, middle + 0.5270463 * aside, facing.towards, share);
+    light[i] = surfaceLight(tint, middle + 0.5270463 * aside, facing.towards, fraction);
   }
   vec3 mean = 0.25 * (light[0] + light[1] + light[2] + light[3]);
   vec3 across = 0.25 * (light[1] - light[0] + light[3] - light[2]);

@@ -11,7 +11,7 @@ uniform int curves;
 uniform vec3 colors[4];  // linear
 uniform int steps;
 uniform float end;     // pixels from the left of the plot to the last count
-uniform float most;
+uniform float top;
 layout(location = 0) out vec4 pixel;
 
 vec4 over(vec4 below, vec3 color, float alpha) {
@@ -55,7 +55,7 @@ vec4 withCurves(vec4 sum, vec2 p, vec2 size) {
     if (within) sum = over(sum, encoded(colors[k]), 0.10 * clamp(below[k] + 0.5, 0.0, 1.0));
   for (int k = curves - 1; k >= 0; --k) {
     vec3 color = encoded(clamp(colors[k], 0.0, 1.0));
-    float head = length(p - vec2(end, (1.0 - clamp(float(last[k]) / most, 0.0, 1.0)) * size.y));
+    float head = length(p - vec2(end, (1.0 - clamp(float(last[k]) / top, 0.0, 1.0)) * size.y));
     sum = over(sum, color, 0.25 * clamp(4.5 * unit + 0.5 - head, 0.0, 1.0));
     float line = min(nearest[k] - radius, head - 2.0 * unit);
     sum = over(sum, color, clamp(0.5 - line, 0.0, 1.0));

@@ -54,7 +54,7 @@ vec4 meanOver(vec2 from, vec2 to) {
   return sum / ((to.x - from.x) * (to.y - from.y));
 }
 
-/// Share of the interval from..to that lies in low..high.
+/// Fraction of the interval from..to that lies in low..high.
 float shareIn(float from, float to, float low, float high) {
   return clamp((min(to, high) - max(from, low)) / (to - from), 0.0, 1.0);
 }

@@ -12,7 +12,7 @@ layout(r32f, binding = targetImage) writeonly uniform restrict image2D texels;
 uniform ivec2 size;  // texels
 
 #if CELLS == 0
-/// Share of the bits that are set.
+/// Fraction of the bits that are set.
 float meanBit(ivec2 first, ivec2 end) {
   int count = 0;
   for (int y = first.y; y < end.y; ++y) {
@@ -47,9 +47,9 @@ void main() {
       color += colorOf(cell);
 #endif
     }
-  float share = 1.0 / float((end.x - first.x) * (end.y - first.y));
-  value *= share;
-  color *= share;
+  float fraction = 1.0 / float((end.x - first.x) * (end.y - first.y));
+  value *= fraction;
+  color *= fraction;
 #endif
 #ifdef COLORED
   imageStore(texels, at, vec4(color, placeOf(value)));

@@ -11,8 +11,8 @@ vec3 above(ivec2 at) {
   // No sample is brighter than half floats hold: infinite light would spread over the whole picture.
   for (int i = 0; i < SAMPLES; ++i) light += min(texelFetch(scene, at, SAMPLE(i)).rgb, 6e4);
   light /= float(SAMPLES);
-  float most = max(light.r, max(light.g, light.b));
-  return light * (max(most - threshold, 0.0) / max(most, 1e-6));
+  float brightest = max(light.r, max(light.g, light.b));
+  return light * (max(brightest - threshold, 0.0) / max(brightest, 1e-6));
 }
 
 void main() {

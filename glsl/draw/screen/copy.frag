@@ -16,6 +16,6 @@ void main() {
   normal = gl_FrontFacing ? normal : -normal;
 #endif
   vec3 view = normalize(frame.eye.xyz - worldPosition);
-  radiance = vec4(surfaceLight(tint, normal, view, sunShare(place)), 1.0);
+  radiance = vec4(surfaceLight(tint, normal, view, sunFraction(place)), 1.0);
 #endif
 }

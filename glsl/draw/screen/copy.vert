@@ -3,7 +3,7 @@
 #include "draw/instances/instance_pull.glsl"
 #include "draw/screen/copy_vertex.glsl"
 #include "draw/surface/light_map.glsl"
-uniform float swell;  // share of a round shape's size by which its facets lie inside it
+uniform float swell;  // fraction of a round shape's size by which its facets lie inside it
 flat out vec3 tint;
 out vec3 worldNormal;
 out vec3 worldPosition;

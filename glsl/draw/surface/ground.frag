@@ -14,7 +14,7 @@ void main() {
   vec3 sun = frame.sunDirection.xyz;
   float lit = max(sun.y, 0.0);
 #ifdef SHADOWED
-  lit *= sunShare(place);
+  lit *= sunFraction(place);
 #endif
   vec3 normal = vec3(0, 1, 0);
   float lobe = 0.04 * sunLobe(normal, view, sun, frame.groundRoughness);

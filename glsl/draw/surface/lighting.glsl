@@ -4,7 +4,7 @@
 #include "draw/surface/shadow_read.glsl"
 #ifdef SKIN  // both vary from place to place
 float roughness = 1.0;
-float openness = 1.0;  // share of the surroundings' light that gets into a cavity
+float openness = 1.0;  // fraction of the surroundings' light that gets into a cavity
 #else
 uniform float roughness;
 const float openness = 1.0;
@@ -12,11 +12,11 @@ const float openness = 1.0;
 uniform float metallic;
 uniform float translucency;
 
-// `share` of the sun reaches the place; `normal` points to the viewer's side.
-vec3 surfaceLight(vec3 base, vec3 normal, vec3 view, float share) {
+// `fraction` of the sun reaches the place; `normal` points to the viewer's side.
+vec3 surfaceLight(vec3 base, vec3 normal, vec3 view, float fraction) {
   vec3 sun = frame.sunDirection.xyz;
   float nl = dot(normal, sun);
-  float lit = max(nl, 0.0) * share;
+  float lit = max(nl, 0.0) * fraction;
 #ifdef REFLECTIVE
   vec3 matt = base * (1.0 - metallic);
   vec3 mirror = mix(vec3(0.04), base, metallic);
@@ -26,7 +26,7 @@ vec3 surfaceLight(vec3 base, vec3 normal, vec3 view, float share) {
 #endif
   float lobe = sunLobe(normal, view, sun, roughness) * lit;
 #ifdef TRANSLUCENT
-  float direct = mix(lit, max(-nl, 0.0) * share, translucency);
+  float direct = mix(lit, max(-nl, 0.0) * fraction, translucency);
   vec3 ambient = mix(ambientLight(normal.y), ambientLight(-normal.y), translucency);
 #else
   float direct = lit;

@@ -11,7 +11,7 @@ float sunLobe(vec3 normal, vec3 view, vec3 sun, float roughness) {
   return min(alpha * alpha / (d * d * max(lh * lh, 0.1) * (alpha * 4.0 + 2.0)), 60.0);
 }
 
-// Share of ambient light mirrored: F0 * x + y (Lazarov's fit in Karis' form, same notes).
+// Fraction of ambient light mirrored: F0 * x + y (Lazarov's fit in Karis' form, same notes).
 vec2 ambientLobe(float roughness, float nv) {
   vec4 r = roughness * vec4(-1, -0.0275, -0.572, 0.022) + vec4(1, 0.0425, 1.04, -0.04);
   float a = min(r.x * r.x, exp2(-9.28 * nv)) * r.x + r.y;

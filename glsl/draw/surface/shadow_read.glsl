@@ -1,9 +1,9 @@
-// Share of the sun that reaches a place of the shadow map, filtered over frame.shadowSoftness texels.
+// Fraction of the sun that reaches a place of the shadow map, filtered over frame.shadowSoftness texels.
 #include "draw/bindings.glsl"
 #ifdef SHADOW
 layout(binding = shadowUnit) uniform sampler2DShadow shadowMap;
 
-float sunShare(vec3 place) {
+float sunFraction(vec3 place) {
   float depth = min(place.z, 1.0);  // behind every caster still counts as inside the map
   float radius = frame.shadowSoftness / frame.shadowTexels;
 #if SHADOW_TAPS == 4
@@ -22,7 +22,7 @@ float sunShare(vec3 place) {
 #endif
 }
 #else
-float sunShare(vec3 place) {
+float sunFraction(vec3 place) {
   return 1.0;
 }
 #endif

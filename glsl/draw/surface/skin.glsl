@@ -5,7 +5,7 @@ layout(binding = surroundingsUnit) uniform sampler2D surroundings;  // mean of q
 #ifdef LOOK_MAP
 layout(binding = skinColorUnit) uniform sampler2D skinColors;
 #endif
-uniform float skinThreshold;  // as a share of the field's range
+uniform float skinThreshold;  // as a fraction of the field's range
 uniform vec3 skinLow;
 uniform vec3 skinHigh;
 uniform float skinRoughness;
@@ -44,7 +44,7 @@ struct Skin {
   vec3 emission;  // radiance
   float roughness;
   float height;    // 0 to 1
-  float openness;  // share of the surroundings' light that gets in
+  float openness;  // fraction of the surroundings' light that gets in
 };
 
 // A value spread evenly over a width w has variance w^2 / 12, and clamp(q / w + 1/2) of it lies above 0. So one
@@ -53,11 +53,11 @@ Skin skinOf(SkinArea area) {
   vec2 change = vec2(dFdx(area.q), dFdy(area.q));
   float width = sqrt(dot(change, change) + 12.0 * area.variance + 1e-8);
   float cover = clamp(area.q / width + 0.5, 0.0, 1.0);
-  float share = clamp(area.q + skinThreshold, 0.0, 1.0);
+  float fraction = clamp(area.q + skinThreshold, 0.0, 1.0);
   Skin skin;
   skin.emission = vec3(0);
   skin.roughness = skinRoughness;
-  skin.height = skinDepth < 0.0 ? 1.0 - share : share;
+  skin.height = skinDepth < 0.0 ? 1.0 - fraction : fraction;
   skin.openness = 1.0 / (1.0 + 0.4 * max(skinDepth * (area.around - area.q), 0.0));
 #if defined LOOK_LEATHER
   skin.albedo = mix(skinLow, skinHigh, cover);

@@ -19,8 +19,8 @@ void main() {
 #ifdef COLORED
   vec3 color = imageLoad(field, at).rgb;
 #else
-  float share = (imageLoad(field, at).r - rangeLow) * rangeFactor;
-  float place = (share > 0.0 ? min(share, 1.0) : 0.0) * float(stopCount - 1);
+  float fraction = (imageLoad(field, at).r - rangeLow) * rangeFactor;
+  float place = (fraction > 0.0 ? min(fraction, 1.0) : 0.0) * float(stopCount - 1);
   int stop = min(int(place), max(stopCount - 2, 0));
   vec3 color = mix(texelFetch(stops, stop).rgb, texelFetch(stops, min(stop + 1, stopCount - 1)).rgb, place - float(stop));
 #endif

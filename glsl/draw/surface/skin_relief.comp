@@ -1,6 +1,6 @@
 // A field as skins read it: how far each value lies above the threshold, the square of that, and the slope. Mip maps
 // average all of it, so that the first two give mean and variance of whatever a pixel covers. Beside it the mean of a
-// ring around, below which cavities lie. Values are shares of the field's range, slopes are per cell. COLORED: the field is a picture with the values' shares in its alpha.
+// ring around, below which cavities lie. Values are fractions of the field's range, slopes are per cell. COLORED: the field is a picture with the values' shares in its alpha.
 #include "draw/bindings.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
 #ifdef COLORED
@@ -13,7 +13,7 @@ layout(r16f, binding = surroundingsImage) uniform writeonly restrict image2D aro
 uniform ivec2 texels;
 uniform float rangeLow;     // value that counts as 0
 uniform float rangeFactor;  // on what is above it
-uniform float threshold;   // share of the range
+uniform float threshold;   // fraction of the range
 uniform float texelCells;  // cells a texel on a side
 
 float aboveThreshold(ivec2 at) {
@@ -23,9 +23,9 @@ float aboveThreshold(ivec2 at) {
 #else
   float value = imageLoad(field, at).r;
 #endif
-  float share = (value - rangeLow) * rangeFactor;
-  share = share > -1.0 ? min(share, 2.0) : -1.0;  // lost numbers too
-  return share - threshold;
+  float fraction = (value - rangeLow) * rangeFactor;
+  fraction = fraction > -1.0 ? min(fraction, 2.0) : -1.0;  // lost numbers too
+  return fraction - threshold;
 }
 
 void main() {

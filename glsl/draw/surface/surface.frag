@@ -33,8 +33,8 @@ void main() {
   Skin skin = skinOnSurface(normal);
   roughness = skin.roughness;
   openness = skin.openness;
-  radiance = vec4(surfaceLight(skin.albedo, normal, view, sunShare(place)) + skin.emission, 1.0);
+  radiance = vec4(surfaceLight(skin.albedo, normal, view, sunFraction(place)) + skin.emission, 1.0);
 #else
-  radiance = vec4(surfaceLight(base, normal, view, sunShare(place)), 1.0);
+  radiance = vec4(surfaceLight(base, normal, view, sunFraction(place)), 1.0);
 #endif
 }

@@ -98,12 +98,12 @@ FUNCTION vec3 flushed(vec3 v) {
 }
 
 // Adds share * (spread + 3 s s^T) to the node's spread.
-FUNCTION Node withSpread(Node node, float share, vec3 s, vec3 along, vec3 across) {
+FUNCTION Node withSpread(Node node, float fraction, vec3 s, vec3 along, vec3 across) {
   Node result = node;
   precise vec3 weighted = s * 3.0f;
-  precise vec3 a = (weighted * s + along) * share + node.along;
+  precise vec3 a = (weighted * s + along) * fraction + node.along;
   precise vec3 b =
-      (vec3(weighted.x * s.y, weighted.x * s.z, weighted.y * s.z) + across) * share + node.across;
+      (vec3(weighted.x * s.y, weighted.x * s.z, weighted.y * s.z) + across) * fraction + node.across;
   result.along = a;
   result.across = b;
   return result;
@@ -126,16 +126,16 @@ FUNCTION Node leafNode(int first) {
   precise vec3 center = vec3(0.0f);
   for (int i = 0; i < leafBodies; ++i) {
     vec4 body = loadBody(first + i);
-    precise float share = body.w * perMass;
-    center = center + (vec3(body) - node.low) * share;
+    precise float fraction = body.w * perMass;
+    center = center + (vec3(body) - node.low) * fraction;
   }
   center = center + node.low;
   node.center = center;
   for (int i = 0; i < leafBodies; ++i) {
     vec4 body = loadBody(first + i);
-    precise float share = body.w * perMass;
+    precise float fraction = body.w * perMass;
     precise vec3 s = vec3(body) - center;
-    if (body.w > 0.0f) node = withSpread(node, share, s, vec3(0.0f), vec3(0.0f));
+    if (body.w > 0.0f) node = withSpread(node, fraction, s, vec3(0.0f), vec3(0.0f));
   }
   node.along = flushed(node.along);
   node.across = flushed(node.across);
@@ -151,14 +151,14 @@ FUNCTION Node parentNode(Node left, Node right) {
   precise float mass = left.mass + right.mass;
   node.mass = mass;
   float perMass = exactReciprocal(mass);
-  precise float leftShare = left.mass * perMass;
-  precise float rightShare = right.mass * perMass;
-  precise vec3 center = left.center + (right.center - left.center) * rightShare;
+  precise float leftFraction = left.mass * perMass;
+  precise float rightFraction = right.mass * perMass;
+  precise vec3 center = left.center + (right.center - left.center) * rightFraction;
   node.center = center;
   precise vec3 toLeft = left.center - center;
   precise vec3 toRight = right.center - center;
-  node = withSpread(node, leftShare, toLeft, left.along, left.across);
-  node = withSpread(node, rightShare, toRight, right.along, right.across);
+  node = withSpread(node, leftFraction, toLeft, left.along, left.across);
+  node = withSpread(node, rightFraction, toRight, right.along, right.across);
   node.along = flushed(node.along);
   node.across = flushed(node.across);
   return node;

@@ -43,9 +43,9 @@ struct BenchOptions {
 };
 
 void checkCounts(const BenchOptions& o) {
-  const auto within = [](const char* flag, int value, int least) {
-    if (value < least || value > maxFrames)
-      fail(ExitCode::usage, "{} takes a number from {} to {}, not {}", flag, least, maxFrames, value);
+  const auto within = [](const char* flag, int value, int min) {
+    if (value < min || value > maxFrames)
+      fail(ExitCode::usage, "{} takes a number from {} to {}, not {}", flag, min, maxFrames, value);
   };
   within("--frames", o.frames, 1);
   within("--warm-up", o.warmUp, 0);

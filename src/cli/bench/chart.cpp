@@ -50,7 +50,7 @@ Color colorOf(const std::string& stage, int number) {
   };
   constexpr std::array<Named, 8> named = {{{"shadow", {90, 84, 140}},
                                            {"surfaces", {224, 140, 30}},
-                                           {"crowds", {200, 82, 40}},
+                                           {"instances", {200, 82, 40}},
                                            {"ground", {150, 118, 80}},
                                            {"bloom", {232, 200, 70}},
                                            {"tone map", {190, 110, 155}},
@@ -103,8 +103,8 @@ double lengthOf(const RowFigures& row, const Key& key, double StageFigures::*sid
 }
 
 /// 1, 2 or 5 times a power of ten, so that about six fit.
-double tickStep(double most) {
-  const double rough = std::max(most, 1e-6) / 6;
+double tickStep(double max) {
+  const double rough = std::max(max, 1e-6) / 6;
   const double power = std::pow(10.0, std::floor(std::log10(rough)));
   for (const double factor : {1.0, 2.0, 5.0})
     if (factor * power >= rough) return factor * power;

@@ -11,14 +11,14 @@ namespace {
 
 /// "surfaces, 61%"; of a step that tells its parts: "step mesh (deform), 61%".
 std::string largest(const RowFigures& row, double StageFigures::*side) {
-  const auto most =
+  const auto max =
       std::max_element(row.stages.begin(), row.stages.end(),
                        [side](const StageFigures& a, const StageFigures& b) { return a.*side < b.*side; });
-  std::string name = most->name;
-  const auto part = std::max_element(most->parts.begin(), most->parts.end(),
+  std::string name = max->name;
+  const auto part = std::max_element(max->parts.begin(), max->parts.end(),
                                      [](const auto& a, const auto& b) { return a.second < b.second; });
-  if (part != most->parts.end()) name += " (" + part->first + ")";
-  return fmt::format("{}, {:.0f}%", name, 100 * (*most).*side / std::max(row.frame.median, 1e-9));
+  if (part != max->parts.end()) name += " (" + part->first + ")";
+  return fmt::format("{}, {:.0f}%", name, 100 * (*max).*side / std::max(row.frame.median, 1e-9));
 }
 
 /// Neither side has to reach all of a frame: the clock and the queries see a little less than there is.
@@ -52,7 +52,7 @@ RowFigures figuresOf(const frame::FrameTimes& times, frame::Timing timing) {
 }
 
 std::vector<std::string> shownStages(const std::vector<RowFigures>& rows) {
-  constexpr double share = 0.005;
+  constexpr double fraction = 0.005;
   std::vector<std::string> all;
   std::vector<std::string> shown;
   const auto add = [](std::vector<std::string>& names, const std::string& name) {
@@ -61,7 +61,7 @@ std::vector<std::string> shownStages(const std::vector<RowFigures>& rows) {
   for (const RowFigures& row : rows)
     for (const StageFigures& stage : row.stages) {
       add(all, stage.name);
-      if (std::max(stage.cpu, stage.gpu) >= share * row.frame.median) add(shown, stage.name);
+      if (std::max(stage.cpu, stage.gpu) >= fraction * row.frame.median) add(shown, stage.name);
     }
   std::erase_if(all, [&](const std::string& name) {
     return std::find(shown.begin(), shown.end(), name) == shown.end();

@@ -143,8 +143,8 @@ double rounded(double value) {
 
 ordered_json spread(std::span<const double> values) {
   const auto s = frame::statisticsOf(values);
-  return {{"median", rounded(s.median)}, {"p5", rounded(s.p5)},       {"p95", rounded(s.p95)},
-          {"mean", rounded(s.mean)},     {"least", rounded(s.least)}, {"most", rounded(s.most)}};
+  return {{"median", rounded(s.median)}, {"p5", rounded(s.p5)},     {"p95", rounded(s.p95)},
+          {"mean", rounded(s.mean)},     {"least", rounded(s.min)}, {"most", rounded(s.max)}};
 }
 
 ordered_json outliersJson(const RowFigures& row, const frame::FrameTimes& times) {

@@ -17,8 +17,8 @@
 
 namespace simreel::draw {
 
-/// Draws crowds by indirect draws whose arguments a kernel fills. The commands of a frame do not depend on
-/// the number of instances. Programs and shapes are made when first needed.
+/// Draws instances by indirect draws whose arguments a kernel fills. The commands of a frame do not depend
+/// on the number of instances. Programs and shapes are made when first needed.
 class InstancesPass {
  public:
   InstancesPass(const ShadowPass& shadow, const gl::Framebuffer& target, glm::ivec2 size, int samples);

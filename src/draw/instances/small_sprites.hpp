@@ -9,7 +9,7 @@
 namespace simreel::draw {
 
 /// Sprites of few pixels: a kernel makes four words of each visible one, from which points or squares are
-/// drawn. One memory for all crowds and for both eye and light, 16 bytes a sprite: it is filled right
+/// drawn. One memory for all instances and for both eye and light, 16 bytes a sprite: it is filled right
 /// before each draw.
 class SmallSprites {
  public:

@@ -35,14 +35,14 @@ class Boxes {
 
 }  // namespace
 
-std::vector<Tick> ticksBetween(double first, double last, int most) {
+std::vector<Tick> ticksBetween(double first, double last, int max) {
   const double span = std::abs(last - first);
-  if (!(span > 0) || most < 1) return {};
-  const double least = span / most;
-  const double ten = std::pow(10.0, std::floor(std::log10(least)));
+  if (!(span > 0) || max < 1) return {};
+  const double min = span / max;
+  const double ten = std::pow(10.0, std::floor(std::log10(min)));
   double step = 10 * ten;
   for (const double factor : {1.0, 2.0, 5.0})
-    if (factor * ten >= least * (1 - 1e-9)) {
+    if (factor * ten >= min * (1 - 1e-9)) {
       step = factor * ten;
       break;
     }

@@ -18,7 +18,7 @@ struct Tick {
   std::string label;
 };
 /// Round numbers between `first` and `last`, which may fall; about `most` of them at most.
-[[nodiscard]] std::vector<Tick> ticksBetween(double first, double last, int most);
+[[nodiscard]] std::vector<Tick> ticksBetween(double first, double last, int max);
 
 /// Draws the scales of fields (FieldDisplay::Axis) beside them, over the finished picture.
 class AxesPass {

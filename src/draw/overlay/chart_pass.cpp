@@ -54,7 +54,7 @@ std::vector<glm::vec4> labels(const sim::Chart& chart, const ChartLayout& layout
     at.x += width + 8 * u;
   }
   const int below = layout.plot.w + 4 * u;
-  const std::string top = "max " + grouped(chart.most);
+  const std::string top = "max " + grouped(chart.max);
   const std::string right = grouped(static_cast<unsigned>(std::max(chart.width - 1, 0))) + " steps";
   const int left = textSize(top, u).x;
   const int wide = textSize(right, u).x;
@@ -113,7 +113,7 @@ void ChartPass::condense(const sim::Chart& chart, const ChartLayout& layout, Kep
   columns_.set("columnCount", width);
   columns_.set("steps", chart.steps);
   columns_.set("perColumn", static_cast<float>(std::max(chart.width - 1, 1)) / static_cast<float>(width));
-  columns_.set("most", static_cast<float>(std::max(chart.most, 1U)));
+  columns_.set("top", static_cast<float>(std::max(chart.max, 1U)));
   chart.counts->bind(countUnit);
   kept.columns.bindImage(targetImage, GL_WRITE_ONLY);
   columns_.dispatch(width);
@@ -122,7 +122,7 @@ void ChartPass::condense(const sim::Chart& chart, const ChartLayout& layout, Kep
 
 void ChartPass::drawCurves(const sim::Chart& chart, const ChartLayout& layout, const Kept& kept) const {
   constexpr const char* colorNames[] = {"colors[0]", "colors[1]", "colors[2]", "colors[3]"};
-  const float share =
+  const float fraction =
       static_cast<float>(std::max(chart.steps - 1, 0)) / static_cast<float>(std::max(chart.width - 1, 1));
   curves_.use();
   curves_.set("panel", glm::vec4(layout.panel));
@@ -133,8 +133,8 @@ void ChartPass::drawCurves(const sim::Chart& chart, const ChartLayout& layout, c
   for (int i = 0; i < curveCount(chart); ++i)
     curves_.set(colorNames[i], chart.colors[static_cast<std::size_t>(i)]);
   curves_.set("steps", chart.steps);
-  curves_.set("end", share * static_cast<float>(layout.plot.z - layout.plot.x));
-  curves_.set("most", static_cast<float>(std::max(chart.most, 1U)));
+  curves_.set("end", fraction * static_cast<float>(layout.plot.z - layout.plot.x));
+  curves_.set("top", static_cast<float>(std::max(chart.max, 1U)));
   chart.counts->bind(countUnit);
   kept.columns.bind(columnUnit);
   vertices_.bind();

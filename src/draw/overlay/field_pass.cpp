@@ -33,9 +33,9 @@ bool hasRelief(const sim::Field& field) {
 int reductionFor(glm::ivec2 cells, glm::dvec2 perPixel) {
   const double under = std::min(std::min(perPixel.x, perPixel.y), 2.0 * FieldKernel::maxReduction);
   const int wanted = std::max(1, static_cast<int>(under / 2));
-  const int least = (std::max(cells.x, cells.y) + maxTexels - 1) / maxTexels;
+  const int min = (std::max(cells.x, cells.y) + maxTexels - 1) / maxTexels;
   // Too few texels for this magnification: the cells themselves then.
-  return wanted < least ? 1 : wanted;
+  return wanted < min ? 1 : wanted;
 }
 
 glm::dvec2 wrapped(glm::dvec2 at, glm::dvec2 size) {

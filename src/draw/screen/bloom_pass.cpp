@@ -49,16 +49,16 @@ const gl::Texture& BloomPass::draw(const gl::Texture& light) const {
   // Each level has the same share, the last what is left of `reach_`.
   const float whole = std::min(reach_, static_cast<float>(levels_.size()));
   const gl::Texture* coarse = &levels_.back().down.texture;
-  float coarseShare = whole - static_cast<float>(levels_.size() - 1);
+  float coarseFraction = whole - static_cast<float>(levels_.size() - 1);
   for (std::size_t i = levels_.size() - 1; i-- > 0;) {
-    const float sum = 1.0F + coarseShare;
+    const float sum = 1.0F + coarseFraction;
     up_.program().set("coarseTexel", texel(*coarse));
-    up_.program().set("share", glm::vec2(1.0F, coarseShare) / sum);
+    up_.program().set("fraction", glm::vec2(1.0F, coarseFraction) / sum);
     coarse->bind(sceneUnit);
     levels_[i].down.texture.bind(bloomUnit);
     up_.fill(levels_[i].up);
     coarse = &levels_[i].up.texture;
-    coarseShare = sum;
+    coarseFraction = sum;
   }
   return *coarse;
 }

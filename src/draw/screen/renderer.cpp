@@ -88,7 +88,7 @@ void Renderer::State::drawScene(double seconds, const sim::Drawables& drawables,
   const auto issued = [&](const char* stage, bool any = true) {
     if (watch && any) watch(stage);
   };
-  const bool crowds = !drawables.instances.empty();
+  const bool instances = !drawables.instances.empty();
   s.skins.update(s.fieldTextures);
   if (s.shadow.on()) {
     s.shadow.fit(drawables, [&] { s.instances.growBounds(drawables); });
@@ -97,7 +97,7 @@ void Renderer::State::drawScene(double seconds, const sim::Drawables& drawables,
     issued("shadow");
   }
   s.instances.cull(drawables);
-  issued("crowds", crowds);
+  issued("instances", instances);
   const bool cleared = s.resolve.needsClearedLight(drawables);
   s.targets.clear(cleared);
   s.targets.scene.bind();
@@ -106,14 +106,14 @@ void Renderer::State::drawScene(double seconds, const sim::Drawables& drawables,
   s.surfaces.draw(drawables, s.skins);
   issued("surfaces");
   s.instances.drawOpaque(drawables);
-  issued("crowds", crowds);
+  issued("instances", instances);
   s.ground.draw();
   issued("ground", s.ground.on());
   s.instances.drawAdditive(drawables);
   if (s.resolve.on()) s.targets.finish();
   const GlowSums* glows = s.resolve.glows(drawables);
   if (glows != nullptr) s.instances.sumUp(drawables, s.targets.depth, *glows);
-  issued("crowds", crowds);
+  issued("instances", instances);
   const gl::Texture& light = s.resolve.draw(s.targets, glows, cleared);
   const gl::Texture* scattered = s.bloom.on() ? &s.bloom.draw(light) : nullptr;
   issued("bloom", s.bloom.on());

@@ -10,7 +10,7 @@
 
 namespace simreel::draw {
 
-/// Draws one frame: shadow map; fields behind, surfaces, crowds and ground into a multisampled linear
+/// Draws one frame: shadow map; fields behind, surfaces, instances and ground into a multisampled linear
 /// target; bloom, resolve, tone map, sRGB encoding; fields and charts over it.
 class Renderer {
  public:
@@ -24,7 +24,7 @@ class Renderer {
   Renderer& operator=(const Renderer&) = delete;
 
   /// Called when the commands of a stage have been issued; stages that have nothing to do are left out. A
-  /// stage may come in parts. Names: "shadow", "surfaces", "crowds", "ground", "bloom", "tone map".
+  /// stage may come in parts. Names: "shadow", "surfaces", "instances", "ground", "bloom", "tone map".
   using StageWatch = std::function<void(const char* stage)>;
   /// Issues the commands for the frame at `seconds` (of scene time); does not wait.
   void draw(double seconds, const sim::Drawables& drawables, const StageWatch& watch = {});

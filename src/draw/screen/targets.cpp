@@ -41,12 +41,12 @@ void checkSamples(int samples) {
 }
 
 void checkSize(glm::ivec2 size) {
-  const int most = gl::limits().textureSize;
+  const int max = gl::limits().textureSize;
   if (size.x < 1 || size.y < 1)
     fail(ExitCode::usage, "a picture of {}x{} pixels has no pixels", size.x, size.y);
-  if (size.x > most || size.y > most)
+  if (size.x > max || size.y > max)
     fail(ExitCode::device, "a picture of {}x{} pixels: this device draws up to {}x{} (GL_MAX_TEXTURE_SIZE)",
-         size.x, size.y, most, most);
+         size.x, size.y, max, max);
 }
 
 gl::Texture layer(const std::string& label, GLenum format, glm::ivec2 size, int samples) {

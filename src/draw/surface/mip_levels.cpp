@@ -125,20 +125,20 @@ struct Sum {
 /// One row of a level from the `Down` rows above it that it covers; `Across` texels of each.
 template <int Across, int Down>
 void averageRow(const std::array<const Weighted*, 3>& rows, const Cover& down, int above, int width,
-                std::uint64_t shares, Weighted* made) {
+                std::uint64_t fractions, Weighted* made) {
   // Known to the compiler, four is a shift: most pictures halve evenly.
-  const std::uint64_t total = Across == 2 && Down == 2 ? 4 : shares;
+  const std::uint64_t total = Across == 2 && Down == 2 ? 4 : fractions;
   for (int x = 0; x < width; ++x) {
     const Cover across = coverOf(x, above);
     Sum sum;
     for (std::size_t j = 0; j < Down; ++j)
       for (std::size_t i = 0; i < Across; ++i) {
         const Weighted& texel = rows[j][static_cast<std::size_t>(across.first) + i];
-        const std::uint64_t share = std::uint64_t{across.weights[i]} * down.weights[j];
-        sum.r += share * texel.r;
-        sum.g += share * texel.g;
-        sum.b += share * texel.b;
-        sum.weight += share * texel.weight;
+        const std::uint64_t fraction = std::uint64_t{across.weights[i]} * down.weights[j];
+        sum.r += fraction * texel.r;
+        sum.g += fraction * texel.g;
+        sum.b += fraction * texel.b;
+        sum.weight += fraction * texel.weight;
       }
     const auto mean = [&](std::uint64_t of) {
       return static_cast<std::uint32_t>((of + total / 2) / total);

@@ -15,12 +15,12 @@ namespace {
 constexpr int axes = 5;  // boundCount of glsl/draw/instances/bounds.glsl
 
 gl::Texture makeMap(int size) {
-  const int most = gl::limits().textureSize;
-  if (size > most)
+  const int max = gl::limits().textureSize;
+  if (size > max)
     fail(ExitCode::device,
          "a shadow map of {} texels a side: this device allows {} (GL_MAX_TEXTURE_SIZE); lower "
          "\"shadowSize\"",
-         size, most);
+         size, max);
   gl::Texture map = gl::Texture::image("shadow map", GL_DEPTH_COMPONENT32F, size, size);
   // The border texels hold no caster, so clamping to them finds light outside the map.
   glTextureParameteri(map.name(), GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);

@@ -29,7 +29,7 @@ SkinLook lookOf(const scene::Skin& skin) {
   return look;
 }
 
-float thresholdShare(const scene::Skin& skin, glm::vec2 range) {
+float thresholdFraction(const scene::Skin& skin, glm::vec2 range) {
   if (!skin.threshold) return lookOf(skin).threshold;
   const float span = range.y == range.x ? 1.0F : range.y - range.x;
   return (static_cast<float>(*skin.threshold) - range.x) / span;

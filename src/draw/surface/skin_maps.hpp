@@ -17,7 +17,7 @@ struct SkinMaps {
   std::vector<glm::vec4> surface;  ///< rgb albedo, linear; a roughness
   std::vector<glm::vec4> relief;  ///< xyz unit normal in tangent space: x right, y up (against the rows), z
                                   ///< out of the surface; a height, 0 to 1
-  std::vector<glm::vec4> light;   ///< rgb radiance of its own; a share of the surroundings' light let in
+  std::vector<glm::vec4> light;   ///< rgb radiance of its own; a fraction of the surroundings' light let in
 };
 
 /// Draws skins into maps with the shader code that surfaces use.

@@ -51,7 +51,7 @@ void SkinTextures::update(const scene::Skin& skin, const FieldTextures::Entry& f
     entry.surroundings = emptyTexture("surroundings of " + skin.field, GL_R16F, width, height);
     if (own) entry.colors = emptyTexture("colours of " + skin.field, GL_RGBA16F, width, height);
   }
-  entry.threshold = thresholdShare(skin, field.range);
+  entry.threshold = thresholdFraction(skin, field.range);
   entry.cells = field.cells;
   run(reliefPath, field, entry);
   if (own) run(colorsPath, field, entry);

@@ -18,7 +18,7 @@ class SkinTextures {
     gl::Texture relief;  ///< RGBA16F, mip-mapped, repeating: what glsl/draw/surface/skin_relief.comp says
     gl::Texture surroundings;  ///< R16F of the same kind: mean around
     gl::Texture colors;        ///< RGBA16F, mip-mapped, repeating; of the look "map" only
-    float threshold = 0.5F;    ///< share of the field's range
+    float threshold = 0.5F;    ///< fraction of the field's range
     glm::ivec2 cells{1, 1};    ///< of the field
   };
 

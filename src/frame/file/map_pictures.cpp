@@ -11,8 +11,8 @@ namespace simreel::frame {
 
 namespace {
 
-std::uint8_t byteOf(float share) {
-  return static_cast<std::uint8_t>(std::lround(255.0F * std::clamp(share, 0.0F, 1.0F)));
+std::uint8_t byteOf(float fraction) {
+  return static_cast<std::uint8_t>(std::lround(255.0F * std::clamp(fraction, 0.0F, 1.0F)));
 }
 
 /// Linear -> sRGB (IEC 61966-2-1).
@@ -82,9 +82,9 @@ std::vector<MapPicture> encodeMaps(const draw::SkinMaps& maps, const glm::vec3& 
   const auto last = [](const glm::vec4& t) { return glm::vec3(t.w); };
   files.push_back({"roughness", picture(maps, maps.surface, text, last)});
   files.push_back({"occlusion", picture(maps, maps.light, text, last)});
-  if (const float most = brightest(glow); most > 0)
-    files.push_back({"emission", picture(maps, maps.light, text, [most](const glm::vec4& t) {
-                       return encodedColor(glm::vec3(t) / most);
+  if (const float max = brightest(glow); max > 0)
+    files.push_back({"emission", picture(maps, maps.light, text, [max](const glm::vec4& t) {
+                       return encodedColor(glm::vec3(t) / max);
                      })});
   return files;
 }

@@ -57,7 +57,7 @@ void leave(int file, Range range) {
 /// Runs of frames as ranges. The kernel keeps them in a list: so many that searching it would take long
 /// become one, with frames in it that are nobody's.
 std::vector<Range> rangesOf(std::span<const int> frames) {
-  constexpr std::size_t most = 8192;
+  constexpr std::size_t max = 8192;
   std::vector<Range> ranges;
   for (const int frame : frames) {
     const off_t at = firstFrame + frame;
@@ -66,7 +66,7 @@ std::vector<Range> rangesOf(std::span<const int> frames) {
     else
       ranges.push_back({at, 1});
   }
-  if (ranges.size() > most)
+  if (ranges.size() > max)
     ranges = {{ranges.front().begin, ranges.back().begin + ranges.back().length - ranges.front().begin}};
   return ranges;
 }

@@ -16,8 +16,8 @@ double threadSeconds() {
   return static_cast<double>(now.tv_sec) + static_cast<double>(now.tv_nsec) * 1e-9;
 }
 
-FrameQueue::FrameQueue(std::size_t threads, std::size_t most, Handler handler)
-    : max_(most), handler_(std::move(handler)) {
+FrameQueue::FrameQueue(std::size_t threads, std::size_t max, Handler handler)
+    : max_(max), handler_(std::move(handler)) {
   threads_.reserve(threads);
   try {
     while (threads_.size() < threads) threads_.emplace_back([this] { work(); });

@@ -24,7 +24,7 @@ class FrameQueue {
   static constexpr std::size_t maxWaitingInOrder = 4;
 
   /// At most `most` frames wait, besides one at work in each thread.
-  FrameQueue(std::size_t threads, std::size_t most, Handler handler);
+  FrameQueue(std::size_t threads, std::size_t max, Handler handler);
   ~FrameQueue();
   FrameQueue(const FrameQueue&) = delete;
   FrameQueue& operator=(const FrameQueue&) = delete;

@@ -70,8 +70,9 @@ PictureBaseline picturesOf(JsonObject& root) {
   result.height = root.at("height").integer();
   if (const auto found = root.find("tolerance")) {
     JsonObject tolerance(*found);
-    for (const char* field : toleranceFields())
-      if (const auto bound = tolerance.find(field)) result.tolerance[field] = bound->number();
+    for (const scene::Bound& field : scene::Tolerance().bounds())
+      for (const std::string& name : {field.formerName(), std::string(field.name)})
+        if (const auto bound = tolerance.find(name)) result.tolerance[field.name] = bound->number();
     tolerance.finish();
   }
   root.at("frames").eachMember([&](const std::string& key, const JsonValue& frame) {

@@ -28,7 +28,7 @@ int channelDifference(const std::uint8_t* a, const std::uint8_t* b) {
   return apart;
 }
 
-/// `beyond` gets 1 for each pixel that is further apart than the tolerance's max_channel_diff.
+/// `beyond` gets 1 for each pixel that is further apart than the tolerance's maxChannelDiff.
 RowDifference compareRow(const std::uint8_t* a, const std::uint8_t* b, int width, int channel,
                          std::uint8_t* beyond) {
   RowDifference row;
@@ -67,19 +67,19 @@ void densestWindow(const std::vector<std::uint8_t>& beyond, int width, int heigh
     }
   }
   const int w = std::min(size, width), h = std::min(size, height);
-  std::int32_t most = 0;
+  std::int32_t max = 0;
   for (int y = 0; y + h <= height; ++y) {
     const std::int32_t* top = sums.data() + std::size_t(y) * stride;
     const std::int32_t* bottom = sums.data() + std::size_t(y + h) * stride;
     for (int x = 0; x + w <= width; ++x) {
       const std::int32_t count = bottom[x + w] - bottom[x] - top[x + w] + top[x];
-      if (count <= most) continue;
-      most = count;
+      if (count <= max) continue;
+      max = count;
       metrics.windowX = x;
       metrics.windowY = y;
     }
   }
-  metrics.windowRatio = double(most) / (double(w) * h);
+  metrics.windowRatio = double(max) / (double(w) * h);
 }
 
 std::string percent(double ratio) {
@@ -91,7 +91,7 @@ std::string percent(double ratio) {
 Metrics measure(const frame::Image& a, const frame::Image& b, const scene::Tolerance& tolerance) {
   SIMREEL_CHECK_EQ(a.width, b.width);
   SIMREEL_CHECK_EQ(a.height, b.height);
-  SIMREEL_CHECK(a.width > 0 && a.height > 0 && tolerance.window_size > 0);
+  SIMREEL_CHECK(a.width > 0 && a.height > 0 && tolerance.windowSize > 0);
   Metrics metrics;
   metrics.psnr = std::numeric_limits<double>::infinity();
   if (a.bytes == b.bytes) return metrics;
@@ -102,7 +102,7 @@ Metrics measure(const frame::Image& a, const frame::Image& b, const scene::Toler
   forEachBand(a.height, [&](int first, int last) {
     for (std::size_t y = std::size_t(first); y < std::size_t(last); ++y)
       rows[y] = compareRow(a.bytes.data() + y * width * 4, b.bytes.data() + y * width * 4, a.width,
-                           tolerance.max_channel_diff, beyond.data() + y * width);
+                           tolerance.maxChannelDiff, beyond.data() + y * width);
   });
   bool colour = false;
   for (std::size_t y = 0; y < rows.size(); ++y) {
@@ -115,7 +115,7 @@ Metrics measure(const frame::Image& a, const frame::Image& b, const scene::Toler
     metrics.worstY = static_cast<int>(y);
   }
   metrics.ratioBeyond = double(metrics.pixelsBeyond) / (double(a.width) * a.height);
-  if (metrics.pixelsBeyond > 0) densestWindow(beyond, a.width, a.height, tolerance.window_size, metrics);
+  if (metrics.pixelsBeyond > 0) densestWindow(beyond, a.width, a.height, tolerance.windowSize, metrics);
   if (!colour) return metrics;
   metrics.psnr = psnr(a, b);
   metrics.ssim = ssim(a, b);
@@ -124,33 +124,33 @@ Metrics measure(const frame::Image& a, const frame::Image& b, const scene::Toler
 }
 
 double allowedRatio(const scene::Tolerance& tolerance) {
-  if (tolerance.max_diff_ratio) return *tolerance.max_diff_ratio;
-  return tolerance.max_diff_pixels ? 1.0 : 0.02;
+  if (tolerance.maxDiffRatio) return *tolerance.maxDiffRatio;
+  return tolerance.maxDiffPixels ? 1.0 : 0.02;
 }
 
 std::vector<std::string> brokenBounds(const Metrics& metrics, const scene::Tolerance& tolerance, int width,
                                       int height) {
   std::vector<std::string> broken;
-  const int channel = tolerance.max_channel_diff;
+  const int channel = tolerance.maxChannelDiff;
   const std::string apart = channel == 0 ? "" : fmt::format(" by more than {}", channel);
-  if (tolerance.hard_fail && metrics.worst > *tolerance.hard_fail)
-    broken.push_back(fmt::format("the pixel at x {}, y {} differs by {} (hard_fail is {})", metrics.worstX,
-                                 metrics.worstY, metrics.worst, *tolerance.hard_fail));
-  if (tolerance.max_diff_pixels && double(metrics.pixelsBeyond) > *tolerance.max_diff_pixels)
-    broken.push_back(fmt::format("{} pixel{}{} (max_diff_pixels is {})", metrics.pixelsBeyond,
+  if (tolerance.hardFail && metrics.worst > *tolerance.hardFail)
+    broken.push_back(fmt::format("the pixel at x {}, y {} differs by {} (hardFail is {})", metrics.worstX,
+                                 metrics.worstY, metrics.worst, *tolerance.hardFail));
+  if (tolerance.maxDiffPixels && double(metrics.pixelsBeyond) > *tolerance.maxDiffPixels)
+    broken.push_back(fmt::format("{} pixel{}{} (maxDiffPixels is {})", metrics.pixelsBeyond,
                                  metrics.pixelsBeyond == 1 ? " differs" : "s differ", apart,
-                                 *tolerance.max_diff_pixels));
+                                 *tolerance.maxDiffPixels));
   if (metrics.ratioBeyond > allowedRatio(tolerance))
-    broken.push_back(fmt::format("{} of the pixels differ{} (max_diff_ratio is {})",
+    broken.push_back(fmt::format("{} of the pixels differ{} (maxDiffRatio is {})",
                                  percent(metrics.ratioBeyond), apart, allowedRatio(tolerance)));
-  if (tolerance.max_window_ratio && metrics.windowRatio > *tolerance.max_window_ratio)
-    broken.push_back(fmt::format("{} of the {}x{} window at x {}, y {} differ{} (max_window_ratio is {})",
-                                 percent(metrics.windowRatio), std::min(tolerance.window_size, width),
-                                 std::min(tolerance.window_size, height), metrics.windowX, metrics.windowY,
-                                 apart, *tolerance.max_window_ratio));
-  if (tolerance.max_flip_mean && metrics.flipMean > *tolerance.max_flip_mean)
-    broken.push_back(fmt::format("the mean FLIP error is {:.4g} (max_flip_mean is {})", metrics.flipMean,
-                                 *tolerance.max_flip_mean));
+  if (tolerance.maxWindowRatio && metrics.windowRatio > *tolerance.maxWindowRatio)
+    broken.push_back(fmt::format("{} of the {}x{} window at x {}, y {} differ{} (maxWindowRatio is {})",
+                                 percent(metrics.windowRatio), std::min(tolerance.windowSize, width),
+                                 std::min(tolerance.windowSize, height), metrics.windowX, metrics.windowY,
+                                 apart, *tolerance.maxWindowRatio));
+  if (tolerance.maxFlipMean && metrics.flipMean > *tolerance.maxFlipMean)
+    broken.push_back(fmt::format("the mean FLIP error is {:.4g} (maxFlipMean is {})", metrics.flipMean,
+                                 *tolerance.maxFlipMean));
   return broken;
 }
 

@@ -15,19 +15,19 @@ namespace simreel::golden {
 [[nodiscard]] Metrics measure(const frame::Image& a, const frame::Image& b,
                               const scene::Tolerance& tolerance);
 
-/// Share of all pixels that may differ: max_diff_ratio; 1 where only max_diff_pixels is given; 0.02 where
+/// Fraction of all pixels that may differ: maxDiffRatio; 1 where only maxDiffPixels is given; 0.02 where
 /// neither is.
 [[nodiscard]] double allowedRatio(const scene::Tolerance& tolerance);
 
-/// One clause for each bound that does not hold, hard_fail first: "2.31% of the pixels differ by more than
-/// 12 (max_diff_ratio is 0.02)". Empty: within the tolerance. Width and height are those of the pictures.
+/// One clause for each bound that does not hold, hardFail first: "2.31% of the pixels differ by more than
+/// 12 (maxDiffRatio is 0.02)". Empty: within the tolerance. Width and height are those of the pictures.
 [[nodiscard]] std::vector<std::string> brokenBounds(const Metrics& metrics,
                                                     const scene::Tolerance& tolerance, int width,
                                                     int height);
 
 /// How far apart pictures of two machines with the same fingerprints may be: each channel of each pixel,
-/// share of the pixels, mean FLIP error. Larger than anything seen between such machines (1 of 255 on 0.96%
-/// of the pixels), smaller than what anybody sees.
+/// fraction of the pixels, mean FLIP error. Larger than anything seen between such machines (1 of 255 on
+/// 0.96% of the pixels), smaller than what anybody sees.
 inline constexpr int nearChannel = 2;
 inline constexpr double nearRatio = 0.02;
 inline constexpr double nearFlipMean = 0.002;

@@ -60,12 +60,12 @@ function checksTable(scene) {
 
 /// What each bound limits.
 const measuredFor = {
-  max_channel_diff: (m) => m.worst,
-  max_diff_pixels: (m) => m.pixelsBeyond,
-  max_diff_ratio: (m) => m.ratioBeyond,
-  max_window_ratio: (m) => m.windowRatio,
-  max_flip_mean: (m) => m.flipMean,
-  hard_fail: (m) => m.worst,
+  maxChannelDiff: (m) => m.worst,
+  maxDiffPixels: (m) => m.pixelsBeyond,
+  maxDiffRatio: (m) => m.ratioBeyond,
+  maxWindowRatio: (m) => m.windowRatio,
+  maxFlipMean: (m) => m.flipMean,
+  hardFail: (m) => m.worst,
 };
 
 function toleranceTable(scene) {
@@ -77,8 +77,8 @@ function toleranceTable(scene) {
   const title = "Tolerance" + (unused[scene.asked] || "");
   return table(title, "tolerance", ["bound", "value", "largest measured", "set by"], fields.map(([field, bound]) => {
     const value = measured && measuredFor[field] ? largest(scene, measuredFor[field]) : null;
-    // max_channel_diff decides which pixels count; it is no limit itself.
-    const limit = scene.asked !== "equal" && field !== "max_channel_diff";
+    // maxChannelDiff decides which pixels count; it is no limit itself.
+    const limit = scene.asked !== "equal" && field !== "maxChannelDiff";
     return {
       class: limit && value !== null && value > bound.value ? "fails" : "",
       cells: [field, format(bound.value), format(value), breakable(bound.origin)],
@@ -204,7 +204,7 @@ function metric(label, value, over, bound) {
 
 function metricsOf(scene, frame) {
   const m = frame.metrics;
-  const beyond = scene.tolerance.max_channel_diff ? scene.tolerance.max_channel_diff.value : 0;
+  const beyond = scene.tolerance.maxChannelDiff ? scene.tolerance.maxChannelDiff.value : 0;
   const side = windowSize();
   const exact = frame.asked === "equal";
   const near = frame.asked === "near";  // the bounds of brokenNearness in compare.cpp
@@ -212,20 +212,20 @@ function metricsOf(scene, frame) {
   const over = (field, value) => limit(field) !== null && value > limit(field);
   const bound = (field, text) => limit(field) === null ? "" : "≤ " + text(limit(field));
   return [
-    metric("worst", `${m.worst} at ${m.worstX}, ${m.worstY}`, over("hard_fail", m.worst) || (near && m.worst > 2),
-           near ? "≤ 2" : bound("hard_fail", format)),
+    metric("worst", `${m.worst} at ${m.worstX}, ${m.worstY}`, over("hardFail", m.worst) || (near && m.worst > 2),
+           near ? "≤ 2" : bound("hardFail", format)),
     // On the machine that drew the baseline any difference is one too many, and no bound is in force.
     metric("differ", plural(m.differentPixels, "pixel"), exact && m.differentPixels > 0,
            exact ? "none may" : near ? "≤ 2 % of them" : ""),
     metric("beyond " + format(beyond), m.pixelsBeyond + " = " + percent(m.ratioBeyond),
-           over("max_diff_ratio", m.ratioBeyond) || over("max_diff_pixels", m.pixelsBeyond),
-           bound("max_diff_ratio", percent) || bound("max_diff_pixels", format)),
+           over("maxDiffRatio", m.ratioBeyond) || over("maxDiffPixels", m.pixelsBeyond),
+           bound("maxDiffRatio", percent) || bound("maxDiffPixels", format)),
     metric(`densest ${side}×${side}`, percent(m.windowRatio) + ` at ${m.windowX}, ${m.windowY}`,
-           over("max_window_ratio", m.windowRatio), bound("max_window_ratio", percent)),
+           over("maxWindowRatio", m.windowRatio), bound("maxWindowRatio", percent)),
     metric("PSNR", m.psnr === null ? "∞" : m.psnr.toFixed(1) + " dB"),
     metric("SSIM", format(m.ssim, 5)),
-    metric("FLIP", format(m.flipMean, 3), over("max_flip_mean", m.flipMean) || (near && m.flipMean > 0.002),
-           near ? "≤ 0.002" : bound("max_flip_mean", format)),
+    metric("FLIP", format(m.flipMean, 3), over("maxFlipMean", m.flipMean) || (near && m.flipMean > 0.002),
+           near ? "≤ 0.002" : bound("maxFlipMean", format)),
   ];
 }
 

@@ -56,8 +56,8 @@ void fields(Visit& visit, Is<CheckResult> auto& c) {
   visit("what", c.what);
   visit("frame", c.frame);
   visit("value", c.value);
-  visit("least", c.least);
-  visit("most", c.most);
+  visit("least", c.min);
+  visit("most", c.max);
   visit("passed", c.passed);
   visit("message", c.message);
 }

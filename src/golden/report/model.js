@@ -30,9 +30,9 @@ const views = [
 
 /// What the curve can show, as a number of a frame's metrics; `bound` is the tolerance that limits it.
 const curves = [
-  {id: "worst", label: "worst channel", of: (m) => m.worst, bound: "hard_fail", text: (v) => format(v, 3)},
-  {id: "ratioBeyond", label: "pixels beyond", of: (m) => m.ratioBeyond, bound: "max_diff_ratio", text: percent},
-  {id: "flipMean", label: "FLIP mean", of: (m) => m.flipMean, bound: "max_flip_mean", text: (v) => format(v, 3)},
+  {id: "worst", label: "worst channel", of: (m) => m.worst, bound: "hardFail", text: (v) => format(v, 3)},
+  {id: "ratioBeyond", label: "pixels beyond", of: (m) => m.ratioBeyond, bound: "maxDiffRatio", text: percent},
+  {id: "flipMean", label: "FLIP mean", of: (m) => m.flipMean, bound: "maxFlipMean", text: (v) => format(v, 3)},
   {id: "ssim", label: "1 − SSIM", of: (m) => 1 - m.ssim, bound: null, text: (v) => format(v, 3)},
 ];
 

@@ -41,7 +41,7 @@ function placeMark(mark, place, x, y, size, visible) {
 
 /// Side of the densest window in pixels.
 function windowSize() {
-  const given = state.scene.tolerance.window_size;
+  const given = state.scene.tolerance.windowSize;
   return given ? given.value : 16;
 }
 

@@ -249,7 +249,7 @@ void Checker::frame(int frame, const sim::World& world, const frame::Image* imag
 void Checker::checkContrast(const frame::Image& image, CheckResult& result) {
   const Contrast contrast = contrastOf(image);
   result.value = contrast.lumaDeviation;
-  result.least = minDeviation;
+  result.min = minDeviation;
   if (contrast.oneColour)
     result.message = fmt::format("frame {}: the picture is one colour", result.frame);
   else if (contrast.lumaDeviation < minDeviation)
@@ -275,7 +275,7 @@ void Checker::checkFinite(const Item& item, StateOfFrame& state, CheckResult& re
     }
   }
   result.value = static_cast<double>(count);
-  result.most = 0;
+  result.max = 0;
   if (count == 0) return;
   result.message = fmt::format("frame {}: {}", result.frame, first);
   if (count > 1)
@@ -287,16 +287,16 @@ void Checker::checkBounds(Item& item, double value, CheckResult& result) {
   const scene::Check& check = item.check;
   if (!item.first) item.first = value;
   result.value = value;
-  result.least = check.least;
-  result.most = check.most;
+  result.min = check.min;
+  result.max = check.max;
   const std::string head = fmt::format("frame {}: {} is ", result.frame, item.label);
   const double first = *item.first;
   if (!std::isfinite(value))
     result.message = head + "not a finite number";
-  else if (check.least && value < *check.least)
-    result.message = fmt::format("{}{:.9g}, below {}", head, value, *check.least);
-  else if (check.most && value > *check.most)
-    result.message = fmt::format("{}{:.9g}, above {}", head, value, *check.most);
+  else if (check.min && value < *check.min)
+    result.message = fmt::format("{}{:.9g}, below {}", head, value, *check.min);
+  else if (check.max && value > *check.max)
+    result.message = fmt::format("{}{:.9g}, above {}", head, value, *check.max);
   if (!check.drift) return;
   // |v - v0| <= drift max(|v0|, tiny)
   const double room = *check.drift * std::max(std::abs(first), tiny);
@@ -304,8 +304,8 @@ void Checker::checkBounds(Item& item, double value, CheckResult& result) {
     result.message =
         fmt::format("{}{:.9g}, {:.3g} away from {:.9g} at frame {}; drift {} allows {:.3g}", head, value,
                     std::abs(value - first), first, item.frames.front(), *check.drift, room);
-  result.least = std::max(first - room, check.least.value_or(first - room));
-  result.most = std::min(first + room, check.most.value_or(first + room));
+  result.min = std::max(first - room, check.min.value_or(first - room));
+  result.max = std::min(first + room, check.max.value_or(first + room));
 }
 
 }  // namespace simreel::golden

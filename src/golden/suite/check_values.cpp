@@ -35,19 +35,19 @@ std::optional<Component> componentOf(std::string_view word) {
 
 double statistic(Statistic which, Component component, std::span<const glm::vec4> items) {
   double sum = 0;
-  double least = std::numeric_limits<double>::infinity();
-  double most = -least;
+  double min = std::numeric_limits<double>::infinity();
+  double max = -min;
   for (const glm::vec4& item : items) {
     const double value = valueOf(item, component);
     sum += value;
     if (std::isnan(value)) return value;  // comparisons below would pass over it
-    if (value < least) least = value;
-    if (value > most) most = value;
+    if (value < min) min = value;
+    if (value > max) max = value;
   }
   if (which == Statistic::sum) return sum;
   if (items.empty()) return std::numeric_limits<double>::quiet_NaN();
   if (which == Statistic::mean) return sum / static_cast<double>(items.size());
-  return which == Statistic::min ? least : most;
+  return which == Statistic::min ? min : max;
 }
 
 NotFinite findNotFinite(std::span<const glm::vec4> items) {

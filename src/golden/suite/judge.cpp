@@ -182,12 +182,12 @@ std::vector<std::string> looseBounds(const std::vector<FrameResult>& frames,
     const auto raise = [&](const char* field, double value) {
       observed[field] = std::max(observed[field], value);
     };
-    raise("max_channel_diff", m.worst);
-    raise("max_diff_pixels", static_cast<double>(m.pixelsBeyond));
-    raise("max_diff_ratio", m.ratioBeyond);
-    raise("max_window_ratio", m.windowRatio);
-    raise("max_flip_mean", m.flipMean);
-    raise("hard_fail", m.worst);
+    raise("maxChannelDiff", m.worst);
+    raise("maxDiffPixels", static_cast<double>(m.pixelsBeyond));
+    raise("maxDiffRatio", m.ratioBeyond);
+    raise("maxWindowRatio", m.windowRatio);
+    raise("maxFlipMean", m.flipMean);
+    raise("hardFail", m.worst);
   }
   constexpr double muchLooser = 10;
   std::vector<std::string> loose;

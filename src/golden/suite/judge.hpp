@@ -41,7 +41,7 @@ struct Judgement {
 /// UserError(inputOutput).
 [[nodiscard]] frame::Image referencePicture(const Reference& reference, int frame, int alternate);
 
-/// "max_diff_ratio is 0.02, 50 times the 0.0004 observed": bounds over 10 times what any frame came to.
+/// "maxDiffRatio is 0.02, 50 times the 0.0004 observed": bounds over 10 times what any frame came to.
 [[nodiscard]] std::vector<std::string> looseBounds(const std::vector<FrameResult>& frames,
                                                    const scene::Tolerance& tolerance);
 

@@ -7,6 +7,7 @@
 #include "golden/compare/difference_image.hpp"
 #include "golden/trace/file.hpp"
 #include "golden/trace/trace.hpp"
+#include "scene/words.hpp"
 #include "sim/world/list.hpp"
 
 #include <algorithm>
@@ -89,11 +90,11 @@ void SceneTest::describeBaseline() {
   result_.baselineDriver = pictures.driver;
   result_.baselineVersion = pictures.version;
   result_.baselineReason = pictures.reason;
-  std::optional<Asked> least;
+  std::optional<Asked> min;
   for (const auto& [frame, stored] : pictures.frames) {
     const Asked one = asked(stored.origin, device_.origin);
-    if (least && one <= *least) continue;
-    least = one;
+    if (min && one <= *min) continue;
+    min = one;
     result_.asked = askedName(one);
     result_.baselineProcessor = stored.origin.processor;
   }
@@ -110,9 +111,7 @@ void SceneTest::resolveTolerance() {
     }
   for (const auto& [field, value] : options_.tolerance) {
     setBound(tolerance, field, value);
-    std::string flag = "--" + field;
-    std::replace(flag.begin(), flag.end(), '_', '-');
-    origins[field] = flag;
+    origins[field] = "--" + scene::apart(field, '-');
   }
   reference_.tolerance = tolerance;
   for (const auto& [field, value] : boundsInForce(tolerance))
@@ -185,7 +184,7 @@ Candidate SceneTest::candidate(bool withSteps) const {
 }
 
 bool SceneTest::hardFailed() const {
-  const auto& bound = reference_.tolerance.hard_fail;
+  const auto& bound = reference_.tolerance.hardFail;
   return bound && std::any_of(result_.frames.begin(), result_.frames.end(),
                               [&](const FrameResult& f) { return f.metrics && f.metrics->worst > *bound; });
 }

@@ -21,7 +21,7 @@ class SceneTest {
   /// Throws UserError for what makes the scene unusable.
   void run();
   [[nodiscard]] SceneResult& result() { return result_; }
-  /// Whether some pixel is beyond the scene's hard_fail, which nothing excuses.
+  /// Whether some pixel is beyond the scene's hardFail, which nothing excuses.
   [[nodiscard]] bool hardFailed() const;
 
  private:

@@ -44,7 +44,7 @@ bool mayPassOnRetry(Status status) {
   return status == Status::fail || status == Status::nondeterministic || status == Status::error;
 }
 
-/// A failure that the scene announces is expected, unless hard_fail forbids it.
+/// A failure that the scene announces is expected, unless hardFail forbids it.
 void applyExpectation(Try& made) {
   SceneResult& result = made.result;
   if (result.xfail.empty()) return;
@@ -53,7 +53,7 @@ void applyExpectation(Try& made) {
     result.messages.push_back("passes, though the scene expects it to fail (" + result.xfail +
                               "); remove its \"xfail\"");
   } else if (result.status == Status::fail && made.hardFailed) {
-    result.notes.push_back("expected to fail, but hard_fail is not excused by xfail");
+    result.notes.push_back("expected to fail, but hardFail is not excused by xfail");
   } else if (result.status == Status::fail) {
     result.status = Status::xfail;
   }

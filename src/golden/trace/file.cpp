@@ -73,12 +73,12 @@ StepTrace::Array readArray(Input& in) {
   array.elements = in.number();
   array.perBlock = in.number();
   array.steps = in.number();
-  constexpr std::uint32_t most = 1U << 30;
-  if (array.elements < 1 || array.elements > most || array.perBlock < 1 || array.perBlock > most ||
-      array.steps < 1 || array.steps > most)
+  constexpr std::uint32_t max = 1U << 30;
+  if (array.elements < 1 || array.elements > max || array.perBlock < 1 || array.perBlock > max ||
+      array.steps < 1 || array.steps > max)
     in.wrong("its sizes make no sense");
   // The kernel adds up a block in equal shares.
-  if (array.perBlock % invocationShare(array.perBlock) != 0) in.wrong("its sizes make no sense");
+  if (array.perBlock % invocationFraction(array.perBlock) != 0) in.wrong("its sizes make no sense");
   return array;
 }
 

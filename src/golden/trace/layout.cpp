@@ -21,7 +21,7 @@ std::uint32_t blockSize(std::uint32_t elements, std::uint32_t blocks) {
 
 }  // namespace
 
-std::uint32_t invocationShare(std::uint32_t perBlock) {
+std::uint32_t invocationFraction(std::uint32_t perBlock) {
   return std::min(perBlock, maxPerInvocation);
 }
 
@@ -47,17 +47,18 @@ StepTrace layOut(std::vector<StepTrace::Array> arrays, int firstFrame, int lastF
   trace.firstFrame = firstFrame;
   trace.frames = static_cast<std::uint32_t>(lastFrame - firstFrame);
   trace.detailed = trace.frames;
-  const std::size_t most = maxBytes / sizeof(std::uint32_t);
+  const std::size_t max = maxBytes / sizeof(std::uint32_t);
   for (std::uint32_t blocks = maxBlocks; blocks >= 1; blocks /= 2) {
     for (StepTrace::Array& array : trace.arrays) array.perBlock = blockSize(array.elements, blocks);
-    if (trace.totalWords() <= most) return trace;
+    if (trace.totalWords() <= max) return trace;
   }
   const std::size_t every = trace.frameWords(1);
   const std::size_t single = trace.frameWords(0);
-  const std::size_t least = single * (std::size_t{trace.frames} + 1);
-  trace.detailed = least >= most || every == single ? 0
-                                                    : static_cast<std::uint32_t>(std::min<std::size_t>(
-                                                          trace.frames, (most - least) / (every - single)));
+  const std::size_t min = single * (std::size_t{trace.frames} + 1);
+  trace.detailed =
+      min >= max || every == single
+          ? 0
+          : static_cast<std::uint32_t>(std::min<std::size_t>(trace.frames, (max - min) / (every - single)));
   return trace;
 }
 

@@ -55,7 +55,7 @@ struct Instances {
   const std::vector<glm::vec3>* colors = nullptr;  ///< linear RGB stops of the colour map, evenly spaced
   bool additive = false;                 ///< light that adds up (HDR), no shadow; else opaque, with shadow
   float brightness = 1.0F;               ///< factor on the colours of additive ones
-  float fade = 0.0F;                     ///< share of life over which additive ones fade in and out
+  float fade = 0.0F;                     ///< fraction of life over which additive ones fade in and out
   glm::vec3 boundsMin{0}, boundsMax{0};  ///< m; a box for the shadow map's fit; empty: measured on the GPU
   const scene::Material* material = nullptr;
 };
@@ -86,11 +86,11 @@ struct Chart {
   const gl::Texture* counts = nullptr;  ///< RGBA32UI texel view, one texel a step: up to four counts
   int steps = 0;                        ///< counted so far
   int width = 1;                        ///< steps along the whole x axis, at least `steps`
-  unsigned most = 1;                    ///< count at the top of the y axis
+  unsigned max = 1;                     ///< count at the top of the y axis
   std::vector<std::string> names;       ///< of the first counts, at most four
   std::vector<glm::vec3> colors;        ///< linear RGB, one each
-  glm::vec2 corner{0.025F, 0.6F};       ///< top left of its panel, as shares of the picture
-  glm::vec2 extent{0.36F, 0.36F};       ///< width and height of its panel, as shares of the picture
+  glm::vec2 corner{0.025F, 0.6F};       ///< top left of its panel, as fractions of the picture
+  glm::vec2 extent{0.36F, 0.36F};       ///< width and height of its panel, as fractions of the picture
 };
 
 /// What a simulation publishes for drawing: a list per kind, one pass each.

@@ -29,12 +29,12 @@ int stripCount(glm::ivec2 size, int steps, int pairs, int rows) {
 /// Before anything is filled: a grid far beyond the limit would first take gigabytes.
 void checkLimits(const std::string& name, glm::ivec2 size, int columns) {
   const std::int64_t elements = std::int64_t{columns} * size.y;
-  const auto refuse = [&](std::int64_t need, const char* what, std::int64_t most, const char* limit) {
-    if (need > most)
+  const auto refuse = [&](std::int64_t need, const char* what, std::int64_t max, const char* limit) {
+    if (need > max)
       fail(ExitCode::device,
            "grayScott \"{}\" of {}x{} cells needs {} {} in one buffer, this device allows {} ({}); make it "
            "smaller",
-           name, size.x, size.y, need, what, most, limit);
+           name, size.x, size.y, need, what, max, limit);
   };
   refuse(elements * 16, "bytes", gl::limits().storageBlockBytes, "GL_MAX_SHADER_STORAGE_BLOCK_SIZE");
   refuse(elements, "texels", gl::limits().texelBufferTexels, "GL_MAX_TEXTURE_BUFFER_SIZE");

@@ -86,7 +86,7 @@ void GrayScottParameters::describe(scene::Fields& f) {
     s.leftOut("count", "24, or 0");
     s.number("radius", seedRadius, {0, 1e4}, "cells", "Of each.");
     s.number("value", seedValue, {0, 1}, "", "v within them; u is the rest of 1.");
-    s.number("noise", seedNoise, {0, 1}, "", "Share by which v differs at random from cell to cell.");
+    s.number("noise", seedNoise, {0, 1}, "", "Fraction by which v differs at random from cell to cell.");
   });
   f.list("strokes", strokes, "Timed strokes of a brush.", [](scene::Fields& s, StrokeParameters& stroke) {
     stroke.describe(s, 1, "v that is painted; u becomes the rest of 1.");

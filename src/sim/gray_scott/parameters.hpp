@@ -32,7 +32,7 @@ struct GrayScottParameters : ObjectParameters {
   GrayScottPreset well = GrayScottPreset::leopard, ill = GrayScottPreset::chaos;
   std::optional<double> feedAcross, killDown;  ///< rates at the right and at the bottom edge
   bool axes = false;                           ///< drawn where they vary so
-  std::filesystem::path feedImage, killImage;  ///< shares of the way to feedWhite, killWhite
+  std::filesystem::path feedImage, killImage;  ///< fractions of the way to feedWhite, killWhite
   double feedWhite = 0.06, killWhite = 0.065;
   double diffuseU = 0.21, diffuseV = 0.105;  ///< cells^2 per unit of time
   double dt = 1;
@@ -41,7 +41,7 @@ struct GrayScottParameters : ObjectParameters {
   int seedCount = 24;
   double seedRadius = 5;        ///< cells
   double seedValue = 0.5;       ///< of v; u is the rest of 1
-  double seedNoise = 0.1;       ///< share by which v differs at random within the seeds
+  double seedNoise = 0.1;       ///< fraction by which v differs at random within the seeds
   std::filesystem::path image;  ///< light pixels start as seeds do
   std::vector<StrokeParameters> strokes;
   FieldDisplay display;

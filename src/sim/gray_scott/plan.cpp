@@ -26,10 +26,10 @@ std::vector<glm::vec4> packed(glm::ivec2 size, const std::function<glm::vec2(int
 
 std::vector<float> sharesOf(const std::filesystem::path& file, const char* what, glm::ivec2 size) {
   const Picture picture = loadPicture(file, what, maxImageSide);
-  std::vector<float> shares;
+  std::vector<float> fractions;
   for (const std::uint8_t level : levelsOnGrid(picture, size))
-    shares.push_back(static_cast<float>(level) / 255.0F);
-  return shares;
+    fractions.push_back(static_cast<float>(level) / 255.0F);
+  return fractions;
 }
 
 }  // namespace

@@ -133,9 +133,9 @@ std::span<const scene::Quantity> GrayScottParameters::quantities() const {
       {"meanU", "", "Mean of u."},
       {"meanV", "", "Mean of v."},
       {"mostV", "", "Greatest v."},
-      {"coverage", "", "Share of cells with v above half the greatest."},
+      {"coverage", "", "Fraction of cells with v above half the greatest."},
       {"spots", "", "Patches of such cells, joined over edges."},
-      {"largestSpot", "", "Share of cells in the largest patch."},
+      {"largestSpot", "", "Fraction of cells in the largest patch."},
       {"holes", "", "Patches of the other cells."},
       {"wavelength", "cells", "Of most of the variance of v."}};
   return table;
@@ -154,12 +154,12 @@ std::vector<double> measureGrayScott(std::span<const glm::vec4> cells, glm::ivec
       v.push_back(x % 2 == 0 ? pair.y : pair.w);
       sumV += v.back();
     }
-  const float most = *std::max_element(v.begin(), v.end());
+  const float max = *std::max_element(v.begin(), v.end());
   std::vector<char> inside(v.size());
   std::vector<char> outside(v.size());
   double covered = 0;
   for (std::size_t i = 0; i < v.size(); ++i) {
-    inside[i] = static_cast<char>(most >= minPattern && v[i] > most / 2);
+    inside[i] = static_cast<char>(max >= minPattern && v[i] > max / 2);
     outside[i] = static_cast<char>(inside[i] == 0);
     covered += inside[i];
   }
@@ -167,12 +167,12 @@ std::vector<double> measureGrayScott(std::span<const glm::vec4> cells, glm::ivec
   const auto cellCount = static_cast<double>(v.size());
   return {sumU / cellCount,
           sumV / cellCount,
-          most,
+          max,
           covered / cellCount,
           static_cast<double>(spots.count),
           spots.largest / cellCount,
           static_cast<double>(patchesOf(outside, size).count),
-          most < minPattern ? 0 : dominantWavelength(v, size)};
+          max < minPattern ? 0 : dominantWavelength(v, size)};
 }
 
 }  // namespace simreel::sim

@@ -13,10 +13,12 @@ void FieldDisplay::describe(scene::Fields& fields) {
                 "Over the finished picture, behind all objects, or not shown.");
   fields.choice("fit", fit, {"contain", "cover", "stretch"},
                 "How the field fills its part of the picture.");
-  fields.vector("corner", corner, {-10, 10}, "",
-                "Top left of its part, as shares of the picture's width and height; the third is unused.");
-  fields.vector("extent", extent, {0, 10}, "", "Width and height of its part, as shares of the picture.");
-  fields.vector("center", center, {-1e6, 1e6}, "", "Point of the field in the middle, as shares of it.");
+  fields.vector(
+      "corner", corner, {-10, 10}, "",
+      "Top left of its part, as fractions of the picture's width and height; the third is unused.");
+  fields.vector("extent", extent, {0, 10}, "",
+                "Width and height of its part, as fractions of the picture.");
+  fields.vector("center", center, {-1e6, 1e6}, "", "Point of the field in the middle, as fractions of it.");
   fields.number("zoom", zoom, {1e-3, 1e6}, "", "Magnification.");
   fields.number("opacity", opacity, {0, 1}, "", "0 shows nothing of it.");
   fields.boolean("smooth", smooth, "Linear between cells; else each cell is a square.");

@@ -17,10 +17,10 @@ struct FieldDisplay {
   enum class Fit { contain, cover, stretch };
   Layer layer = Layer::over;
   Fit fit = Fit::cover;
-  glm::vec3 corner{0, 0, 0};  ///< top left, as shares of the picture
-  glm::vec3 extent{1, 1, 0};  ///< width and height, as shares of the picture
+  glm::vec3 corner{0, 0, 0};  ///< top left, as fractions of the picture
+  glm::vec3 extent{1, 1, 0};  ///< width and height, as fractions of the picture
   scene::Animated<glm::vec3> center =
-      glm::vec3(0.5F);  ///< point of the field in the middle, as shares of it
+      glm::vec3(0.5F);  ///< point of the field in the middle, as fractions of it
   scene::Animated<float> zoom = 1.0F;
   scene::Animated<float> opacity = 1.0F;
   bool smooth = true;            ///< linear between cells; else each cell is a square

@@ -22,9 +22,9 @@ glm::vec2 flat(const glm::vec3& p) {
   return {p.x, p.y};
 }
 
-/// What a segment has within [low, high] along one axis: shares of it, the first above the second for
+/// What a segment has within [low, high] along one axis: fractions of it, the first above the second for
 /// nothing.
-glm::dvec2 sharesWithin(double from, double to, double low, double high) {
+glm::dvec2 fractionsWithin(double from, double to, double low, double high) {
   if (from == to) return from >= low && from <= high ? glm::dvec2(0, 1) : glm::dvec2(1, 0);
   const double a = (low - from) / (to - from);
   const double b = (high - from) / (to - from);
@@ -43,8 +43,8 @@ double distanceToSegment(glm::dvec2 p, glm::dvec2 a, glm::dvec2 b) {
 double distanceToCells(glm::dvec2 a, glm::dvec2 b, glm::ivec2 size) {
   const glm::dvec2 low(0.5);
   const glm::dvec2 high = glm::dvec2(size) - 0.5;
-  const glm::dvec2 across = sharesWithin(a.x, b.x, low.x, high.x);
-  const glm::dvec2 down = sharesWithin(a.y, b.y, low.y, high.y);
+  const glm::dvec2 across = fractionsWithin(a.x, b.x, low.x, high.x);
+  const glm::dvec2 down = fractionsWithin(a.y, b.y, low.y, high.y);
   if (std::max(across.x, down.x) <= std::min(across.y, down.y)) return 0;
   double nearest = 1e300;
   for (const glm::dvec2& end : {a, b}) {
@@ -58,7 +58,7 @@ double distanceToCells(glm::dvec2 a, glm::dvec2 b, glm::ivec2 size) {
 
 }  // namespace
 
-void StrokeParameters::describe(scene::Fields& f, double most, const char* valueDoc) {
+void StrokeParameters::describe(scene::Fields& f, double max, const char* valueDoc) {
   f.choice("shape", shape, {"circle", "line", "image"},
            "A circle that may move, a line, or the light pixels of an image.");
   f.number("at", at, scene::anyNumber, "s", "When it begins; it is in the first state from then on.");
@@ -70,8 +70,9 @@ void StrokeParameters::describe(scene::Fields& f, double most, const char* value
   if (!f.given("to")) to = from;
   f.number("radius", radius, {0, 1e5}, "cells", "Of the circle; half the width of the line.");
   f.asset("image", image, "Picture of shape \"image\"; its light pixels are painted.");
-  f.number("value", value, {0, most}, "", valueDoc);
-  f.number("share", share, {0, 1}, "", "Of the cells within reach, picked at random.");
+  f.number("value", value, {0, max}, "", valueDoc);
+  f.formerly("share", "fraction");
+  f.number("fraction", fraction, {0, 1}, "", "Of the cells within reach, picked at random.");
   if (shape == Shape::image && image.empty())
     f.error("shape", "shape \"image\" needs \"image\", a picture");
 }
@@ -137,11 +138,11 @@ std::vector<shader::Stroke> Strokes::into(double time, double seconds, long step
     glm::vec2 to = flat(p.to);
     if (p.shape == StrokeParameters::Shape::circle) {
       const auto placeAt = [&](double t) {
-        const double share = once ? 0.0 : std::clamp((t - p.at) / (p.until - p.at), 0.0, 1.0);
+        const double fraction = once ? 0.0 : std::clamp((t - p.at) / (p.until - p.at), 0.0, 1.0);
         const glm::vec2 a = flat(p.from);
         const glm::vec2 b = flat(p.to);
-        return glm::vec2(static_cast<float>(a.x + share * (b.x - a.x)),
-                         static_cast<float>(a.y + share * (b.y - a.y)));
+        return glm::vec2(static_cast<float>(a.x + fraction * (b.x - a.x)),
+                         static_cast<float>(a.y + fraction * (b.y - a.y)));
       };
       from = placeAt(before);
       to = placeAt(time);
@@ -156,7 +157,7 @@ std::vector<shader::Stroke> Strokes::into(double time, double seconds, long step
     s.value = static_cast<float>(p.value);
     s.seed = static_cast<int>(static_cast<unsigned>(seed_) * 7919U + static_cast<unsigned>(i) * 104729U +
                               static_cast<unsigned>(step) * 15485863U);
-    s.picked = static_cast<int>(std::lround(static_cast<double>(p.share) * 16777216.0));
+    s.picked = static_cast<int>(std::lround(static_cast<double>(p.fraction) * 16777216.0));
     s.imageWord = stamps_[i].firstWord;
     s.imageFrom = glm::ivec2(glm::floor(flat(p.from)));
     s.imageSize = stamps_[i].size;
@@ -185,10 +186,11 @@ void Strokes::addImages(std::vector<shader::Stroke>& all, const shader::Stroke& 
   const auto first = [](double low, double side) { return static_cast<int>(std::floor(low / side)); };
   const int lastColumn = first(std::max(a.x, b.x) + reach.x, size.x);
   for (int i = first(std::min(a.x, b.x) - reach.x, size.x); i <= lastColumn; ++i) {
-    const glm::dvec2 shares = sharesWithin(a.x, b.x, i * size.x - reach.x, (i + 1) * size.x + reach.x);
-    if (shares.x > shares.y) continue;
-    const double y0 = a.y + shares.x * (b.y - a.y);
-    const double y1 = a.y + shares.y * (b.y - a.y);
+    const glm::dvec2 fractions =
+        fractionsWithin(a.x, b.x, i * size.x - reach.x, (i + 1) * size.x + reach.x);
+    if (fractions.x > fractions.y) continue;
+    const double y0 = a.y + fractions.x * (b.y - a.y);
+    const double y1 = a.y + fractions.y * (b.y - a.y);
     const int lastRow = first(std::max(y0, y1) + reach.y, size.y);
     for (int j = first(std::min(y0, y1) - reach.y, size.y); j <= lastRow; ++j) {
       const glm::dvec2 shift = glm::dvec2(i, j) * size;
@@ -219,8 +221,8 @@ glm::ivec4 Strokes::box(const shader::Stroke& s, glm::ivec2 grid) {
     low = glm::min(s.from, s.to) - radius;
     high = glm::max(s.from, s.to) + radius;
   }
-  const auto first = [](float x, int most) {
-    return static_cast<int>(std::clamp(std::floor(x), 0.0F, static_cast<float>(most)));
+  const auto first = [](float x, int max) {
+    return static_cast<int>(std::clamp(std::floor(x), 0.0F, static_cast<float>(max)));
   };
   const glm::ivec2 a(first(low.x, grid.x), first(low.y, grid.y));
   const glm::ivec2 b(first(high.x + 1, grid.x), first(high.y + 1, grid.y));

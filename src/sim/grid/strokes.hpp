@@ -25,9 +25,9 @@ struct StrokeParameters {
   float radius = 3;  ///< cells; of a line half its width
   std::filesystem::path image;  ///< light pixels (level above 127) are painted
   double value = 1;             ///< what is painted; each simulation says what it means
-  float share = 1;              ///< of the cells within reach, picked by hash
+  float fraction = 1;           ///< of the cells within reach, picked by hash
   /// `most`: greatest value that may be painted; `valueDoc`: what it means.
-  void describe(scene::Fields& fields, double most, const char* valueDoc);
+  void describe(scene::Fields& fields, double max, const char* valueDoc);
 };
 
 /// The grid that strokes are painted on.

@@ -108,19 +108,19 @@ class LineReader : public PatternText {
   /// Moves the living cells to where the least of them have x = 0 and y = 0.
   CellPattern fitted() {
     constexpr int far = std::numeric_limits<int>::max();
-    glm::ivec2 least(far), end(-far);
+    glm::ivec2 min(far), end(-far);
     for (const CellPattern::Run& run : pattern_.runs) {
-      least = {std::min(least.x, run.x), std::min(least.y, run.y)};
+      min = {std::min(min.x, run.x), std::min(min.y, run.y)};
       end = {std::max(end.x, run.x + run.length), std::max(end.y, run.y + 1)};
     }
     if (pattern_.runs.empty()) return std::move(pattern_);
-    pattern_.size = end - least;
+    pattern_.size = end - min;
     if (std::max(pattern_.size.x, pattern_.size.y) > maxLifeSide)
       wrong(0, fmt::format("the living cells are {} x {} apart, more than {}, the most there is room for",
                            pattern_.size.x, pattern_.size.y, maxLifeSide));
     for (CellPattern::Run& run : pattern_.runs) {
-      run.x -= least.x;
-      run.y -= least.y;
+      run.x -= min.x;
+      run.y -= min.y;
     }
     return std::move(pattern_);
   }

@@ -130,22 +130,22 @@ class Life : public Simulation {
   void checkLimits() const {
     const long blocks = plan_.blocks();
     const long trail = plan_.parameters().trail > 0 ? (size_.x + 15L) / 16 * size_.y : 0;
-    const long most = std::min<long>(gl::limits().storageBlockBytes / 16, gl::limits().texelBufferTexels);
-    if (std::max(blocks, trail) > most)
+    const long max = std::min<long>(gl::limits().storageBlockBytes / 16, gl::limits().texelBufferTexels);
+    if (std::max(blocks, trail) > max)
       fail(ExitCode::device,
            "life \"{}\" of {} x {} cells{} needs {} bytes in one buffer, this device allows {} "
            "(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, GL_MAX_TEXTURE_BUFFER_SIZE); make \"size\" smaller",
            name_, size_.x, size_.y, trail > blocks ? " with a trail" : "", std::max(blocks, trail) * 16,
-           most * 16);
+           max * 16);
   }
 
   void fill() {
-    if (plan_.fillShare() > 0) {
+    if (plan_.fillFraction() > 0) {
       const auto program = gl::Program::compute("life/fill.comp", gl::kernelDefines(false));
       program.set("size", size_);
       program.set("rowBlocks", plan_.rowBlocks());
       program.set("seed", plan_.seed());
-      program.set("share", plan_.fillShare());
+      program.set("fraction", plan_.fillFraction());
       cells_[0].bindState(shader::life::cellsBinding);
       const auto blocks = static_cast<int>(plan_.blocks());
       for (int first = 0; first < blocks; first += maxFillGroups * 64) {
@@ -183,11 +183,11 @@ class Life : public Simulation {
   /// As many as one pass may take: no further than the frame's end, one where every step is looked at, and
   /// only the last of them with strokes.
   [[nodiscard]] int stepsAtOnce(long end) const {
-    const int most = static_cast<int>(std::min<long>(stepper_.maxSteps(), end - generation_));
-    if (trailQuads_ > 0 || most < stepper_.maxSteps()) return 1;
-    for (int i = 1; i < most; ++i)
+    const int max = static_cast<int>(std::min<long>(stepper_.maxSteps(), end - generation_));
+    if (trailQuads_ > 0 || max < stepper_.maxSteps()) return 1;
+    for (int i = 1; i < max; ++i)
       if (!plan_.strokesInto(generation_ + i).empty()) return 1;
-    return most;
+    return max;
   }
 
   void paint(const std::vector<shader::Stroke>& strokes) {

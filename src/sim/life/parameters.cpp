@@ -58,9 +58,10 @@ void LifeParameters::describe(scene::Fields& f) {
       "pattern made for a bounded grid goes before.");
   f.leftOut("border", "\"torus\", or a pattern's");
   borderGiven = f.given("border");
-  f.number("fill", fill, {0, 1}, "",
-           "Share of cells alive at the start, by a hash of place and seed; 0 where patterns are given and "
-           "this is not.");
+  f.number(
+      "fill", fill, {0, 1}, "",
+      "Fraction of cells alive at the start, by a hash of place and seed; 0 where patterns are given and "
+      "this is not.");
   f.leftOut("fill", "0.3, or 0");
   f.list(
       "patterns", patterns, "Pattern files set into the first state; their living cells are added.",
@@ -90,7 +91,7 @@ void LifeParameters::describe(scene::Fields& f) {
 
 std::span<const scene::Quantity> LifeParameters::quantities() const {
   static const scene::Quantity table[] = {{"population", "cells", "Living cells."},
-                                          {"density", "", "Share of cells alive."},
+                                          {"density", "", "Fraction of cells alive."},
                                           {"generation", "steps", "Steps taken."}};
   return table;
 }

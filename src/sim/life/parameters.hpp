@@ -32,7 +32,7 @@ struct LifeParameters : ObjectParameters {
   std::string rule;           ///< empty: of the first pattern that names one, else B3/S23
   LifeBorder border = LifeBorder::torus;
   bool borderGiven = false;  ///< else that of the first pattern whose file has one
-  float fill = 0.3F;         ///< share alive at the start; not given beside patterns: 0
+  float fill = 0.3F;         ///< fraction alive at the start; not given beside patterns: 0
   std::vector<LifePattern> patterns;
   std::vector<StrokeParameters> strokes;  ///< value 1: alive, 0: dead
   double stepsPerSecond = 10;

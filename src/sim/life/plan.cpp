@@ -80,7 +80,7 @@ const CellPattern& LifePlan::cellsOf(const LifePattern& pattern) const {
 void LifePlan::fitGrid() {
   constexpr int minMargin = 12, maxMargin = 256;
   constexpr glm::ivec2 shape(16, 9);
-  glm::ivec2 reach(0), least(0);
+  glm::ivec2 reach(0), min(0);
   int longest = 0;
   for (const LifePattern& pattern : parameters_.patterns) {
     const CellPattern& cells = cellsOf(pattern);
@@ -95,10 +95,10 @@ void LifePlan::fitGrid() {
     if (pattern.at)
       reach = glm::max(reach, *pattern.at + turned);
     else
-      least = glm::max(least, turned);
+      min = glm::max(min, turned);
   }
   const int margin = std::clamp(longest / 2, minMargin, maxMargin);
-  const glm::ivec2 needed = glm::max(reach + margin, least + 2 * margin);
+  const glm::ivec2 needed = glm::max(reach + margin, min + 2 * margin);
   const int unit = std::max((needed.x - 1) / shape.x, (needed.y - 1) / shape.y) + 1;
   parameters_.size = glm::min(unit * shape, glm::ivec2(maxLifeSide));
 }
@@ -166,7 +166,7 @@ void LifePlan::checkLiving(const std::string& object) const {
          object, parameters_.patterns.size(), all, grid);
 }
 
-int LifePlan::fillShare() const {
+int LifePlan::fillFraction() const {
   return static_cast<int>(std::lround(static_cast<double>(parameters_.fill) * 16777216.0));
 }
 
@@ -189,12 +189,12 @@ void LifePlan::addPatterns(std::vector<std::uint32_t>& words) const {
 
 std::vector<std::uint32_t> LifePlan::firstCells() const {
   std::vector<std::uint32_t> words(static_cast<std::size_t>(blocks()) * 4);
-  const int share = fillShare();
-  if (share > 0) {
+  const int fraction = fillFraction();
+  if (fraction > 0) {
     const auto rowWords = static_cast<std::size_t>(rowBlocks()) * 4;
     for (int y = 0; y < parameters_.size.y; ++y)
       for (int x = 0; x < parameters_.size.x; ++x)
-        if (shader::startsAlive(x, y, seed_, share))
+        if (shader::startsAlive(x, y, seed_, fraction))
           words[static_cast<std::size_t>(y) * rowWords + static_cast<std::size_t>(x) / 32] |= 1U
                                                                                               << (x % 32);
   }

@@ -30,7 +30,7 @@ class LifePlan {
   [[nodiscard]] int rowBlocks() const { return (parameters_.size.x + 127) / 128; }
   [[nodiscard]] long blocks() const { return long{rowBlocks()} * parameters_.size.y; }
   /// 2^24 times the share that the random fill leaves alive.
-  [[nodiscard]] int fillShare() const;
+  [[nodiscard]] int fillFraction() const;
   [[nodiscard]] bool hasPatterns() const { return !parameters_.patterns.empty(); }
   /// Adds the living cells of the patterns.
   void addPatterns(std::vector<std::uint32_t>& words) const;

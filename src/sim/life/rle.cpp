@@ -55,13 +55,13 @@ class RleReader : public PatternText {
   }
 
   /// Digits as a number up to `most`; `what` names it.
-  int number(const char* what, int most) {
+  int number(const char* what, int max) {
     const std::size_t start = at_;
     if (at_ == text_.size() || !isDigit(text_[at_])) wrong(at_, fmt::format("{} is missing here", what));
     long value = 0;
     for (; at_ < text_.size() && isDigit(text_[at_]); ++at_)
       value = std::min(value * 10 + (text_[at_] - '0'), 10L * maxLifeSide);
-    if (value > most) wrong(start, fmt::format("{} is above {}, the most there is room for", what, most));
+    if (value > max) wrong(start, fmt::format("{} is above {}, the most there is room for", what, max));
     return static_cast<int>(value);
   }
 

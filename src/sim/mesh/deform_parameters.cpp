@@ -35,15 +35,16 @@ void describeSway(scene::Fields& f, Sway& s) {
   f.number("height", s.height, {1e-3, 1e4}, "m", "Above the base; the lean grows with its square.");
   f.number("wavelength", s.wavelength, {1e-2, 1e4}, "m", "Of the gusts.");
   f.number("speed", s.speed, {-1e4, 1e4}, "1/s", "Radians of the gusts' phase a second.");
-  f.number("lean", s.lean, {-10, 10}, "", "Constant share of the amplitude.");
-  f.number("gusts", s.gusts, {0, 10}, "", "Changing share of the amplitude.");
+  f.number("lean", s.lean, {-10, 10}, "", "Constant fraction of the amplitude.");
+  f.number("gusts", s.gusts, {0, 10}, "", "Changing fraction of the amplitude.");
 }
 
 void describeFootprints(scene::Fields& f, Footprints& p) {
   f.pair("cells", p.cells, {2, 4096}, "cells", "Of the trail, over the width and depth of the mesh.");
   f.number("height", p.height, {-1e4, 1e4}, "m", "Of the surface that is pressed.");
   f.number("depth", p.depth, {1e-4, 1e3}, "m", "Of the deepest print.");
-  f.number("rim", p.rim, {0, 10}, "", "Height of what piles up beside a print, as a share of its depth.");
+  f.number("rim", p.rim, {0, 10}, "",
+           "Height of what piles up beside a print, as a fraction of its depth.");
   f.number("rimWidth", p.rimWidth, {1e-3, 1e3}, "m", "Of the rim.");
 }
 

@@ -14,7 +14,7 @@ class HeightPlan {
  public:
   HeightPlan(const MeshParameters& mesh, double frameSeconds);
 
-  /// At the end of substep `index` of `substeps`. `margin` (m) is kept above it; `bounce`: share of the
+  /// At the end of substep `index` of `substeps`. `margin` (m) is kept above it; `bounce`: fraction of the
   /// speed of impact that is given back.
   [[nodiscard]] shader::HeightGrid at(int index, int substeps, float margin, float bounce) const;
   [[nodiscard]] float lift() const { return lift_; }  ///< m, the mesh's origin above 0

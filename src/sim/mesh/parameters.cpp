@@ -55,9 +55,9 @@ void MeshParameters::describe(scene::Fields& f) {
     f.error("shape", "the shape \"file\" needs \"file\": the mesh to read");
   if (shape != MeshShape::file && f.given("file"))
     f.error("file", "a file is read only with \"shape\": \"file\"");
-  const glm::ivec2 least = minResolution(shape);
-  if (resolution.x < least.x || resolution.y < least.y)
-    f.error("resolution", fmt::format("this shape needs at least [{}, {}] vertices", least.x, least.y));
+  const glm::ivec2 min = minResolution(shape);
+  if (resolution.x < min.x || resolution.y < min.y)
+    f.error("resolution", fmt::format("this shape needs at least [{}, {}] vertices", min.x, min.y));
   if (std::int64_t{resolution.x} * resolution.y > maxVertices)
     f.error("resolution",
             fmt::format("{}x{} are more than {} vertices", resolution.x, resolution.y, maxVertices));

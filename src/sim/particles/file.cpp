@@ -85,7 +85,7 @@ std::optional<Column> columnOf(std::string_view name) {
 /// Collects rows, checking each; `place` in messages is "line 7" or "vertex 3".
 class Collector {
  public:
-  Collector(std::string file, int most) : file_(std::move(file)), max_(most) {}
+  Collector(std::string file, int max) : file_(std::move(file)), max_(max) {}
 
   template <class... Args>
   [[noreturn]] void refuse(fmt::format_string<Args...> format, Args&&... args) const {
@@ -114,9 +114,9 @@ class Collector {
   [[nodiscard]] ParticleCloud cloud(float totalMass) const {
     if (rows_.empty()) refuse("no particles in it");
     ParticleCloud cloud;
-    const double share = static_cast<double>(totalMass) / static_cast<double>(rows_.size());
+    const double fraction = static_cast<double>(totalMass) / static_cast<double>(rows_.size());
     for (const Row& r : rows_) {
-      const double mass = given_[columnMass] ? r[columnMass] : share;
+      const double mass = given_[columnMass] ? r[columnMass] : fraction;
       cloud.positions.emplace_back(r[columnX], r[columnY], r[columnZ], mass);
       cloud.velocities.emplace_back(r[columnVx], r[columnVy], r[columnVz], 0.0);
     }

@@ -69,12 +69,12 @@ GravityTree::GravityTree(const std::string& name, int capacity, bool fast)
 void GravityTree::checkLimits() const {
   SIMREEL_CHECK(capacity_ > 0);
   const std::int64_t bytesOfTree = std::int64_t{32} * rootNodes;
-  const std::int64_t most = gl::limits().storageBlockBytes / bytesOfTree * rootBodies;
-  if (capacity_ > most)
+  const std::int64_t max = gl::limits().storageBlockBytes / bytesOfTree * rootBodies;
+  if (capacity_ > max)
     fail(ExitCode::device,
          "gravity of \"{}\" by \"tree\" takes at most {} bodies on this device, not {} "
          "(GL_MAX_SHADER_STORAGE_BLOCK_SIZE is {}); use fewer",
-         name_, most, capacity_, gl::limits().storageBlockBytes);
+         name_, max, capacity_, gl::limits().storageBlockBytes);
 }
 
 void GravityTree::accelerate(const gl::Vec4Array& positions, const gl::Vec4Array& accelerations, int count,

@@ -25,7 +25,7 @@ void ParticleGroup::describe(scene::Fields& f) {
       "radius", radius, {1e-4, 1e5}, "m",
       "Of the ball; half the side of the cube; scale radius of the Plummer sphere; scale length of the "
       "disk.");
-  f.number("thickness", thickness, {0, 10}, "", "Scale height of a disk as a share of its radius.");
+  f.number("thickness", thickness, {0, 10}, "", "Scale height of a disk as a fraction of its radius.");
   f.number("totalMass", totalMass, {1e-6, 1e8}, "kg", "Shared equally; a file may give masses itself.");
   f.number("centralMass", centralMass, {0, 1e8}, "kg",
            "Of one more particle in the middle, a disk's bulge; 0: none.");
@@ -50,10 +50,10 @@ void Emitter::describe(scene::Fields& f) {
   f.number("radius", radius, {0, 1e5}, "m", "Of that ball.");
   f.vector("velocity", velocity, {-1e6, 1e6}, "m/s", "Mean velocity at birth.");
   f.number("spread", spread, {0, 180}, "degrees", "Half the angle of the cone of velocities.");
-  f.number("speedVariation", speedVariation, {0, 1}, "", "How much the speed varies, as a share.");
+  f.number("speedVariation", speedVariation, {0, 1}, "", "How much the speed varies, as a fraction.");
   f.number("lifetime", lifetime, {1e-3, 1e5}, "s", "Mean time a particle lives.");
   f.number("lifetimeVariation", lifetimeVariation, {0, 0.95}, "",
-           "How much the lifetime varies, as a share.");
+           "How much the lifetime varies, as a fraction.");
   f.number("mass", mass, {1e-9, 1e8}, "kg", "Of each particle.");
   f.number("from", from, {0, 1e9}, "s", "When it starts; 0: at once, before frame 0 too.");
   f.number("until", until, {0, 1e9}, "s", "When it stops.");
@@ -92,7 +92,7 @@ void ParticleParameters::describe(scene::Fields& f) {
   });
   f.integer("substeps", substeps, {1, 1024}, "per frame", "Steps a frame is divided into.");
   f.boolean("collides", collides, "Whether they fall onto the scene's mesh that collides.");
-  f.number("bounce", bounce, {0, 1}, "", "Share of the speed of impact that is given back.");
+  f.number("bounce", bounce, {0, 1}, "", "Fraction of the speed of impact that is given back.");
   f.number("margin", margin, {0, 1e3}, "m", "Distance kept from the mesh that collides.");
   for (const char* name : {"bounce", "margin"})
     if (!collides && f.given(name))
@@ -127,7 +127,7 @@ void ParticleParameters::describeLook(scene::Fields& l) {
   l.boolean("additive", additive, "Light that adds up and casts no shadow, for sparks and stars.");
   l.number("brightness", brightness, {0, 1e5}, "", "Factor on the colours of additive particles.");
   l.number("fade", fade, {0, 0.5}, "",
-           "Share of life over which additive particles of an emitter fade in and out.");
+           "Fraction of life over which additive particles of an emitter fade in and out.");
   if (shape == Instances::Shape::mesh && mesh.empty())
     l.error("shape", "shape \"mesh\" needs \"mesh\", an OBJ or PLY file");
   if (colorRange.x == colorRange.y) l.error("colorTo", "colorFrom and colorTo must differ");

@@ -24,7 +24,7 @@ struct ParticleGroup {
   int count = 1024;  ///< ignored for a file
   float radius =
       1.0F;  ///< m: of the ball, half the side of the cube, Plummer's scale a, the disk's scale length
-  float thickness = 0.05F;     ///< disk: scale height as a share of radius
+  float thickness = 0.05F;     ///< disk: scale height as a fraction of radius
   float totalMass = 1.0F;      ///< kg, shared equally
   float centralMass = 0.0F;    ///< kg of one more particle in the middle (a disk's bulge); 0: none
   float speed = 0.0F;          ///< m/s, random, of ball and cube; plummer and disk start in equilibrium

@@ -28,10 +28,10 @@ constexpr int maxAnywhere = 1 << 26;
 /// What one array of the current device holds and one dispatch of 64 a group reaches.
 int maxParticles() {
   constexpr std::int64_t bytes = sizeof(glm::vec4);
-  std::int64_t most = gl::limits().storageBlockBytes / bytes;
-  most = std::min(most, gl::limits().texelBufferTexels);
-  most = std::min(most, std::int64_t{64} * gl::limits().groupsX);
-  return static_cast<int>(std::min<std::int64_t>(most, maxAnywhere));
+  std::int64_t max = gl::limits().storageBlockBytes / bytes;
+  max = std::min(max, gl::limits().texelBufferTexels);
+  max = std::min(max, std::int64_t{64} * gl::limits().groupsX);
+  return static_cast<int>(std::min<std::int64_t>(max, maxAnywhere));
 }
 
 class Particles : public Simulation {

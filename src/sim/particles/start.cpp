@@ -100,8 +100,8 @@ Body looseBody(const ParticleGroup& g, Draws& draws) {
 /// Plummer's model (Aarseth, Henon and Wielen 1974): M(r) inverted for the radius; the velocity as a share
 /// q of the escape velocity has the density q^2 (1 - q^2)^(7/2), drawn by rejection below 0.1.
 Body plummerBody(const ParticleGroup& g, double gm, Draws& draws) {
-  const double share = draws.unit() * 0.999;  // radii up to 39 a
-  const double root = cubeRoot(share);
+  const double fraction = draws.unit() * 0.999;  // radii up to 39 a
+  const double root = cubeRoot(fraction);
   const double r = g.radius / std::sqrt(1 / (root * root) - 1);
   double q = 0;
   for (int i = 0; i < 1000; ++i) {

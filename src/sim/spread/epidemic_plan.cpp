@@ -22,8 +22,8 @@ void EpidemicParameters::describe(scene::Fields& f) {
            "Probability that a recovered person can be infected again.");
   f.choice("mixing", mixing, {"local", "global"},
            "The eight neighbours infect, or eight cells drawn from the whole grid.");
-  f.number("infected", infected, {0, 1}, "", "Share of the people that is infected at the start.");
-  f.number("immune", immune, {0, 1}, "", "Share of the people that is immune at the start.");
+  f.number("infected", infected, {0, 1}, "", "Fraction of the people that is infected at the start.");
+  f.number("immune", immune, {0, 1}, "", "Fraction of the people that is immune at the start.");
   f.asset("population", population, "Picture: the lighter, the more of the cells are inhabited.");
   f.integer("trail", trail, {1, 100000}, "steps",
             "Over which colours follow an infection and what is left of it.");
@@ -66,14 +66,14 @@ std::vector<std::uint8_t> EpidemicPlan::firstCells() const {
   std::vector<std::uint8_t> cells(count);
   bool anybody = false;
   for (std::size_t i = 0; i < count; ++i) {
-    if (!levels.empty() && cellShare(i, seed_ ^ inhabitedSeed) >= levels[i]) {
+    if (!levels.empty() && cellFraction(i, seed_ ^ inhabitedSeed) >= levels[i]) {
       cells[i] = static_cast<std::uint8_t>(shader::classNobody + static_cast<unsigned>(levels[i] * 63.0));
       continue;
     }
-    const double share = cellShare(i, seed_ ^ startSeed);
-    cells[i] = static_cast<std::uint8_t>(share < p.infected              ? shader::classActive
-                                         : share < p.infected + p.immune ? shader::classSpent + 63
-                                                                         : shader::classReady);
+    const double fraction = cellFraction(i, seed_ ^ startSeed);
+    cells[i] = static_cast<std::uint8_t>(fraction < p.infected              ? shader::classActive
+                                         : fraction < p.infected + p.immune ? shader::classSpent + 63
+                                                                            : shader::classReady);
     anybody = true;
   }
   if (!anybody)

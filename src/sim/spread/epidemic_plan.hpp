@@ -22,9 +22,9 @@ struct EpidemicParameters final : ObjectParameters, SpreadParameters {
   scene::Animated<float> gamma = 0.08F;  ///< probability to recover in a step
   scene::Animated<float> waning = 0.0F;  ///< probability to become susceptible again in a step
   Mixing mixing = Mixing::local;
-  double infected = 0.0;             ///< share of the people at the start, by hash
-  double immune = 0.0;               ///< share of the people at the start, by hash
-  std::filesystem::path population;  ///< level 0 to 255: share of inhabited cells there
+  double infected = 0.0;             ///< fraction of the people at the start, by hash
+  double immune = 0.0;               ///< fraction of the people at the start, by hash
+  std::filesystem::path population;  ///< level 0 to 255: fraction of inhabited cells there
   int trail = 63;  ///< steps over which colours follow the age of an infection or immunity
   // Blue, orange, grey: apart in hue and in lightness, also for those who see fewer colours.
   glm::vec3 susceptible{0.010F, 0.075F, 0.210F};

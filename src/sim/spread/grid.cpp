@@ -187,7 +187,7 @@ void SpreadGrid::publishChart(const std::vector<std::string>& names, const std::
   chart.counts = &history_.view();
   chart.steps = done_ + 1;
   chart.width = std::max({chart.steps, static_cast<int>(steps), 2});
-  chart.most = max_;
+  chart.max = max_;
   chart.names = names;
   chart.colors = colors;
   drawables.charts.push_back(std::move(chart));

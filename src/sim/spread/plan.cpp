@@ -14,7 +14,7 @@ constexpr int maxMapSide = 16384;
 /// Frame times are multiples of a step but for rounding.
 constexpr double hair = 1e-6;
 
-double hashedShare(std::uint32_t x, std::uint32_t y, std::uint32_t seed) {
+double hashedFraction(std::uint32_t x, std::uint32_t y, std::uint32_t seed) {
   return shader::hash3(glm::uvec3(x, y, seed)).x / 4294967296.0;
 }
 
@@ -27,10 +27,10 @@ double valueNoise(double x, double y, std::uint32_t seed) {
   const double v = blend(y - top);
   const auto ix = static_cast<std::uint32_t>(left);
   const auto iy = static_cast<std::uint32_t>(top);
-  const double a = hashedShare(ix, iy, seed);
-  const double b = hashedShare(ix + 1, iy, seed);
-  const double c = hashedShare(ix, iy + 1, seed);
-  const double d = hashedShare(ix + 1, iy + 1, seed);
+  const double a = hashedFraction(ix, iy, seed);
+  const double b = hashedFraction(ix + 1, iy, seed);
+  const double c = hashedFraction(ix, iy + 1, seed);
+  const double d = hashedFraction(ix + 1, iy + 1, seed);
   const double above = a + u * (b - a);
   const double below = c + u * (d - c);
   return above + v * (below - above);
@@ -106,8 +106,8 @@ std::vector<double> hashNoise(glm::ivec2 grid, double cells, unsigned seed) {
   return noise;
 }
 
-double cellShare(std::size_t cell, unsigned seed) {
-  return hashedShare(static_cast<std::uint32_t>(cell), 0x9e3779b9U, seed);
+double cellFraction(std::size_t cell, unsigned seed) {
+  return hashedFraction(static_cast<std::uint32_t>(cell), 0x9e3779b9U, seed);
 }
 
 std::uint32_t thresholdOf(double probability) {

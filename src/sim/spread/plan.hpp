@@ -59,7 +59,7 @@ struct Pace {
 /// blending: plain arithmetic, the same on every machine.
 [[nodiscard]] std::vector<double> hashNoise(glm::ivec2 grid, double cells, unsigned seed);
 /// A hash of a cell as a number in [0, 1).
-[[nodiscard]] double cellShare(std::size_t cell, unsigned seed);
+[[nodiscard]] double cellFraction(std::size_t cell, unsigned seed);
 /// A probability as a threshold of spreadRandom().
 [[nodiscard]] std::uint32_t thresholdOf(double probability);
 

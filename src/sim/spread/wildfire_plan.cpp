@@ -36,16 +36,16 @@ std::vector<double> smoothed(const std::vector<double>& values, glm::ivec2 size)
 }
 
 /// A whole number from 0 to `most`, rounded by the cell's hash so that levels blend.
-unsigned dithered(double share, unsigned most, std::size_t cell, unsigned seed) {
-  const double level = std::clamp(share, 0.0, 1.0) * most + cellShare(cell, seed);
-  return std::min(static_cast<unsigned>(level), most);
+unsigned dithered(double fraction, unsigned max, std::size_t cell, unsigned seed) {
+  const double level = std::clamp(fraction, 0.0, 1.0) * max + cellFraction(cell, seed);
+  return std::min(static_cast<unsigned>(level), max);
 }
 
 /// A rise (cells a cell) in sixteenths, as far as maxRise to both sides, plus 128; rounded by the cell's
 /// hash, so that the mean is right.
 unsigned sixteenths(double rise, std::size_t cell, unsigned seed) {
-  constexpr double most = shader::maxRise;
-  return static_cast<unsigned>(std::clamp(std::floor(16 * rise + cellShare(cell, seed)), -most, most) +
+  constexpr double max = shader::maxRise;
+  return static_cast<unsigned>(std::clamp(std::floor(16 * rise + cellFraction(cell, seed)), -max, max) +
                                128);
 }
 
@@ -55,7 +55,7 @@ void WildfireParameters::describe(scene::Fields& f) {
   describeGrid(f);
   f.asset("fuel", fuel, "Picture: the lighter, the more fuel; black is bare ground.");
   f.number("fuelLevel", fuelLevel, {0, 1}, "", "Factor on the fuel everywhere.");
-  f.number("patchiness", patchiness, {0, 1}, "", "Share of the fuel that noise may take away.");
+  f.number("patchiness", patchiness, {0, 1}, "", "Fraction of the fuel that noise may take away.");
   f.number("patchSize", patchSize, {1, 1e4}, "cells", "Size of the noise's largest patches.");
   f.asset("obstacles", obstacles, "Picture: nothing burns where it is light, as on water.");
   f.asset("terrain", terrain, "Picture of heights, for the shading and \"slope\"; none: hills of noise.");
@@ -81,7 +81,8 @@ void WildfireParameters::describe(scene::Fields& f) {
   f.optionalGroup("embers", hasEmbers, "Sparks that the wind carries ahead.", [&](scene::Fields& e) {
     e.number("chance", embers.chance, {0, 0.0625}, "per step", "Embers that a burning cell throws.");
     e.number("distance", embers.distance, {1, 2000}, "cells", "Longest flight.");
-    e.number("spread", embers.spread, {0, 1}, "", "How far to the wind's side, as a share of the flight.");
+    e.number("spread", embers.spread, {0, 1}, "",
+             "How far to the wind's side, as a fraction of the flight.");
   });
   f.list("strokes", strokes, "Timed brush strokes.", [](scene::Fields& s, StrokeParameters& stroke) {
     stroke.describe(s, 1, "1 lights fuel; 0 clears it away.");
@@ -134,7 +135,7 @@ void WildfirePlan::makeGround() {
         inclines_.push_back(
             static_cast<std::uint16_t>(sixteenths(riseX, cell, seed_ ^ inclineSeed) |
                                        sixteenths(riseY, cell, ~seed_ ^ inclineSeed) << 8U));
-      const auto phase = static_cast<unsigned>(16 * cellShare(cell, seed_ ^ phaseSeed));
+      const auto phase = static_cast<unsigned>(16 * cellFraction(cell, seed_ ^ phaseSeed));
       ground_.push_back(static_cast<std::uint8_t>(phase << 4U | dithered(shade, 15, cell, ditherSeed)));
     }
 }
@@ -239,8 +240,8 @@ std::vector<WildfirePlan::Step> WildfirePlan::frame(double time) {
 
 std::vector<glm::vec3> WildfirePlan::palette() const {
   const WildfireParameters& p = parameters_;
-  const auto shaded = [](const glm::vec3& color, double share) {
-    return color * static_cast<float>(0.35 + 1.3 * share);
+  const auto shaded = [](const glm::vec3& color, double fraction) {
+    return color * static_cast<float>(0.35 + 1.3 * fraction);
   };
   std::vector<glm::vec3> colors;
   for (int i = 0; i < 64; ++i) {  // nobody: rock, then water, then not used

@@ -19,7 +19,7 @@ namespace simreel::sim {
 struct Embers {
   double chance = 0.001;  ///< embers that a burning cell throws in a step
   double distance = 60;   ///< cells that the longest flight goes along the wind
-  double spread = 0.3;    ///< how far to its side, as a share of the flight
+  double spread = 0.3;    ///< how far to its side, as a fraction of the flight
 };
 
 /// Fire on a map of fuel, carried from cell to neighbouring cell.

@@ -1,6 +1,6 @@
 // Opaque instances and their shadows against a surface of the same shape; meshes; bloom.
 #include "base/file.hpp"
-#include "gpu/draw/crowd_stage.hpp"
+#include "gpu/draw/instance_stage.hpp"
 
 #include <filesystem>
 
@@ -121,14 +121,14 @@ TEST_CASE("one ball of any shape, with its shadow, looks like the sphere as a su
       const Picture wanted = drawn(scene, {{sphere.surface}, {}}, {161, 121}, samples);
       const Picture empty = drawn(scene, {}, {161, 121}, samples);
       CHECK(compare(wanted, empty).far > 2000);
-      CrowdStage crowd({{-0.4F, 0.9F, 0.2F, 8}, {-0.4F, 0.9F, 0.2F, 1}}, {glm::vec4(0), {0, 0, 0, -1}});
-      crowd.instances.size = 0.6F;
-      crowd.instances.massExponent = 1.0F / 3;
-      crowd.material.roughness = roughness;
+      InstanceStage group({{-0.4F, 0.9F, 0.2F, 8}, {-0.4F, 0.9F, 0.2F, 1}}, {glm::vec4(0), {0, 0, 0, -1}});
+      group.instances.size = 0.6F;
+      group.instances.massExponent = 1.0F / 3;
+      group.material.roughness = roughness;
       for (const Shape shape : {Shape::sphere, Shape::sprite}) {
         CAPTURE(static_cast<int>(shape));
-        crowd.instances.shape = shape;
-        const Difference d = compare(drawn(scene, {{}, {crowd.instances}}, {161, 121}, samples), wanted);
+        group.instances.shape = shape;
+        const Difference d = compare(drawn(scene, {{}, {group.instances}}, {161, 121}, samples), wanted);
         CHECK(d.mean < 0.25);
         // Only along edges, where coverage of a pixel differs.
         CHECK(d.far < 60);
@@ -139,12 +139,12 @@ TEST_CASE("one ball of any shape, with its shadow, looks like the sphere as a su
 TEST_CASE("a given box holds the shadow map as well as measured bounds do") {
   testContext();
   const scene::Scene scene = ballScene();
-  CrowdStage crowd(std::vector<glm::vec3>(1, glm::vec3(-0.4F, 0.9F, 0.2F)));
-  crowd.instances.size = 1.2F;
-  const Picture measured = drawn(scene, {{}, {crowd.instances}}, {161, 121});
-  crowd.instances.boundsMin = glm::vec3(-1.0F, 0.3F, -0.4F);
-  crowd.instances.boundsMax = glm::vec3(0.2F, 1.5F, 0.8F);
-  const Difference d = compare(drawn(scene, {{}, {crowd.instances}}, {161, 121}), measured);
+  InstanceStage group(std::vector<glm::vec3>(1, glm::vec3(-0.4F, 0.9F, 0.2F)));
+  group.instances.size = 1.2F;
+  const Picture measured = drawn(scene, {{}, {group.instances}}, {161, 121});
+  group.instances.boundsMin = glm::vec3(-1.0F, 0.3F, -0.4F);
+  group.instances.boundsMax = glm::vec3(0.2F, 1.5F, 0.8F);
+  const Difference d = compare(drawn(scene, {{}, {group.instances}}, {161, 121}), measured);
   CHECK(d.mean < 0.1);
   CHECK(d.far < 20);
 }
@@ -153,10 +153,10 @@ TEST_CASE("additive ones and dead ones throw no shadow") {
   testContext();
   const scene::Scene scene = ballScene();
   const Picture empty = drawn(scene, {}, {65, 49});
-  CrowdStage dead({{0, 1, 0, 1}}, {{0, 0, 0, -1}});
+  InstanceStage dead({{0, 1, 0, 1}}, {{0, 0, 0, -1}});
   dead.instances.size = 1;
   CHECK(drawn(scene, {{}, {dead.instances}}, {65, 49}).bytes == empty.bytes);
-  CrowdStage glow(std::vector<glm::vec3>(1, glm::vec3(0, 1, 0)));
+  InstanceStage glow(std::vector<glm::vec3>(1, glm::vec3(0, 1, 0)));
   glow.instances.size = 1;
   glow.instances.additive = true;
   glow.instances.brightness = 0;
@@ -175,7 +175,7 @@ TEST_CASE("small balls cover as much as large ones of their size, on either side
     for (int y = -4; y <= 4; ++y)
       for (int x = -4; x <= 4; ++x)
         places.emplace_back(static_cast<float>(x) * 0.1513F, static_cast<float>(y) * 0.1471F, 0);
-    CrowdStage balls(places);
+    InstanceStage balls(places);
     balls.instances.size = 2 * metres;
     balls.material.color = glm::vec3(0.5F);
     const Picture p = drawn(scene, {{}, {balls.instances}}, {257, 257});
@@ -197,7 +197,7 @@ TEST_CASE("small balls are brighter on the side of the sun") {
   scene.sun.shadow = false;
   scene.sun.intensity = 1.0F;
   scene.sun.direction = glm::vec3(1, 0.7F, 0.5F);
-  CrowdStage ball(std::vector<glm::vec3>(1, glm::vec3(0)));
+  InstanceStage ball(std::vector<glm::vec3>(1, glm::vec3(0)));
   // 1.5 pixels of radius, in the middle of a pixel.
   ball.instances.size = 2 * 1.5F / (0.5F * 65 / std::tan(0.5F * 0.6981317F)) * 5;
   ball.material.color = glm::vec3(0.5F);
@@ -215,7 +215,7 @@ TEST_CASE("meshes turn their z axis along the velocity") {
                                   "v 0.1 0 -1\nv -0.1 0.1 -1\nv -0.1 -0.1 -1\nv 0 0 1\n"
                                   "f 1 2 3\nf 2 1 4\nf 3 2 4\nf 1 3 4\n");
   const auto extent = [&](glm::vec3 velocity, bool along) {
-    CrowdStage needle({{0, 0, 0, 1}}, {glm::vec4(velocity, 0)});
+    InstanceStage needle({{0, 0, 0, 1}}, {glm::vec4(velocity, 0)});
     needle.instances.shape = Shape::mesh;
     needle.instances.mesh = file;
     needle.instances.size = 0.5F;
@@ -245,7 +245,7 @@ TEST_CASE("bloom: none without strength; otherwise even on all sides, falling of
   testContext();
   scene::Scene scene = darkScene();
   scene.sun.shadow = false;
-  CrowdStage glow(std::vector<glm::vec3>(1, glm::vec3(0)));
+  InstanceStage glow(std::vector<glm::vec3>(1, glm::vec3(0)));
   glow.instances.additive = true;
   glow.instances.size = 0.4F;
   glow.instances.brightness = 20;
@@ -279,7 +279,7 @@ TEST_CASE("light beyond what half floats hold stays white, with and without bloo
   testContext();
   scene::Scene scene = darkScene();
   scene.sun.shadow = false;
-  CrowdStage glow(std::vector<glm::vec3>(9, glm::vec3(0)));
+  InstanceStage glow(std::vector<glm::vec3>(9, glm::vec3(0)));
   glow.instances.additive = true;
   glow.instances.size = 1;
   glow.instances.brightness = 6e4F;

@@ -15,7 +15,7 @@ using namespace simreel;
 namespace {
 
 struct ChartStage {
-  ChartStage(int steps, int width, unsigned most, const std::function<glm::uvec4(int)>& at) {
+  ChartStage(int steps, int width, unsigned max, const std::function<glm::uvec4(int)>& at) {
     std::vector<glm::uvec4> counts;
     for (int i = 0; i < std::max(steps, 1); ++i) counts.push_back(at(i));
     buffer = gl::Buffer::of<glm::uvec4>("counts", counts);
@@ -23,7 +23,7 @@ struct ChartStage {
     chart.counts = &view;
     chart.steps = steps;
     chart.width = width;
-    chart.most = most;
+    chart.max = max;
     chart.names = {"red", "green"};
     chart.colors = {{1, 0, 0}, {0, 1, 0}};
   }
@@ -58,13 +58,13 @@ TEST_CASE("charts: a curve is where its counts are, with few steps and with many
     const draw::ChartLayout layout = draw::chartLayout(stage.chart, size);
     const glm::ivec2 plot(layout.plot.z - layout.plot.x, layout.plot.w - layout.plot.y);
     for (const int x : {10, plot.x / 3, plot.x - 12}) {
-      const double share = (x + 0.5) / plot.x * 0.9;
+      const double fraction = (x + 0.5) / plot.x * 0.9;
       const glm::ivec2 red = span(picture, layout, x, 0);
       const glm::ivec2 green = span(picture, layout, x, 1);
       REQUIRE(red.x >= 0);
       REQUIRE(green.x >= 0);
-      CHECK(std::abs(0.5 * (red.x + red.y + 1) - (1 - share) * plot.y) < 1.5);
-      CHECK(std::abs(0.5 * (green.x + green.y + 1) - share * plot.y) < 1.5);
+      CHECK(std::abs(0.5 * (red.x + red.y + 1) - (1 - fraction) * plot.y) < 1.5);
+      CHECK(std::abs(0.5 * (green.x + green.y + 1) - fraction * plot.y) < 1.5);
       CHECK(red.y - red.x <= 4);
     }
   }

@@ -46,12 +46,12 @@ TEST_CASE("fields: each cell of bits, bytes and floats is its own square of pixe
     return glm::dvec3(stops[i]) + (glm::dvec3(stops[i + 1]) - glm::dvec3(stops[i])) * (at - i);
   };
   for (const Cells cells : {Cells::bits, Cells::bytes, Cells::floats}) {
-    const double most = cells == Cells::bits ? 1 : cells == Cells::bytes ? 255 : 3.5;
+    const double max = cells == Cells::bits ? 1 : cells == Cells::bytes ? 255 : 3.5;
     const auto value = [&](int x, int y) {
-      return cells == Cells::bits ? bit(x, y) : std::floor(most * ((x * 5 + y * 3) % 11) / 10.0 * 4) / 4;
+      return cells == Cells::bits ? bit(x, y) : std::floor(max * ((x * 5 + y * 3) % 11) / 10.0 * 4) / 4;
     };
     FieldStage stage(cells, size, value, {3, 5, 2}, stops);
-    stage.field.range = {0, static_cast<float>(most)};
+    stage.field.range = {0, static_cast<float>(max)};
     const auto rounded = [&](int x, int y) {
       return cells == Cells::bytes ? std::floor(value(x, y)) : value(x, y);
     };
@@ -59,7 +59,7 @@ TEST_CASE("fields: each cell of bits, bytes and floats is its own square of pixe
     int wrong = 0;
     for (int y = 0; y < size.y * 3; ++y)
       for (int x = 0; x < size.x * 3; ++x)
-        wrong += has(picture, x, y, color(rounded(x / 3, y / 3) / most)) ? 0 : 1;
+        wrong += has(picture, x, y, color(rounded(x / 3, y / 3) / max)) ? 0 : 1;
     CHECK(wrong == 0);
   }
 }

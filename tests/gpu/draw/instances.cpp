@@ -1,9 +1,9 @@
-// Crowds: which are drawn, in which order, where, in which colours.
+// Instances: which are drawn, in which order, where, in which colours.
 #include "draw/camera.hpp"
 #include "draw/frame_values.hpp"
 #include "draw/instances/instances_pass.hpp"
 #include "draw/screen/targets.hpp"
-#include "gpu/draw/crowd_stage.hpp"
+#include "gpu/draw/instance_stage.hpp"
 #include "gpu/gl_calls.hpp"
 
 #include <algorithm>
@@ -19,7 +19,7 @@ using Shape = sim::Instances::Shape;
 namespace {
 
 /// Places in a cube around the camera's target, some of them dead, some lost.
-std::pair<std::vector<glm::vec4>, std::vector<glm::vec4>> mixedCrowd(int count) {
+std::pair<std::vector<glm::vec4>, std::vector<glm::vec4>> mixed(int count) {
   Dice dice(3);
   std::vector<glm::vec4> places;
   std::vector<glm::vec4> speeds;
@@ -86,8 +86,8 @@ long callsOfFrame(int count) {
   // Most are dead, which costs the rasteriser nothing.
   std::vector<glm::vec4> speeds(places.size(), glm::vec4(0, 0, 0, -1));
   for (std::size_t i = 0; i < places.size(); i += 97) speeds[i].w = 0;
-  const CrowdStage balls(places, speeds);
-  const CrowdStage glows(places, speeds);
+  const InstanceStage balls(places, speeds);
+  const InstanceStage glows(places, speeds);
   sim::Drawables drawables;
   drawables.instances = {balls.instances, balls.instances, glows.instances};
   drawables.instances[0].size = drawables.instances[2].size = 0.01F;
@@ -113,13 +113,13 @@ TEST_CASE("instances in sight are listed in the order of their slots, dead and l
   PassStage stage(scene, draw::GlowSums::used() ? glm::ivec2(160, 90) : glm::ivec2(640, 360));
   for (const int count : {1, 31, 1021, 70001}) {
     CAPTURE(count);
-    const auto [places, speeds] = mixedCrowd(count);
-    CrowdStage crowd(places, speeds);
-    crowd.instances.size = 0.5F;
-    crowd.instances.massExponent = 1.0F / 3;
-    crowd.instances.massReference = 2.0F;
-    crowd.instances.additive = true;
-    stage.pass.cull({{}, {crowd.instances}});
+    const auto [places, speeds] = mixed(count);
+    InstanceStage group(places, speeds);
+    group.instances.size = 0.5F;
+    group.instances.massExponent = 1.0F / 3;
+    group.instances.massReference = 2.0F;
+    group.instances.additive = true;
+    stage.pass.cull({{}, {group.instances}});
     const auto& visible = stage.pass.visible(0);
     const auto arguments = visible.arguments().readAll<unsigned>();
     auto list = visible.list().readAll<unsigned>();
@@ -164,12 +164,12 @@ TEST_CASE("levels of detail share the list, each ordered; together they hold eve
   testContext();
   const scene::Scene scene = plainScene();
   PassStage stage(scene, {640, 360});
-  const auto [places, speeds] = mixedCrowd(5003);
-  CrowdStage crowd(places, speeds);
-  crowd.instances.massExponent = 8.0F;
-  crowd.instances.size = 0.3F;
-  crowd.instances.shape = Shape::sphere;
-  stage.pass.cull({{}, {crowd.instances}});
+  const auto [places, speeds] = mixed(5003);
+  InstanceStage group(places, speeds);
+  group.instances.massExponent = 8.0F;
+  group.instances.size = 0.3F;
+  group.instances.shape = Shape::sphere;
+  stage.pass.cull({{}, {group.instances}});
   const auto arguments = stage.pass.visible(0).arguments().readAll<unsigned>();
   const auto list = stage.pass.visible(0).list().readAll<unsigned>();
   const std::size_t levels = arguments.size() / 8;
@@ -190,10 +190,10 @@ TEST_CASE("levels of detail share the list, each ordered; together they hold eve
   CHECK(used >= 3);
   std::sort(all.begin(), all.end());
   CHECK(std::adjacent_find(all.begin(), all.end()) == all.end());
-  crowd.instances.shape = Shape::sprite;
-  crowd.instances.additive = true;
+  group.instances.shape = Shape::sprite;
+  group.instances.additive = true;
   PassStage flat(scene, {640, 360});
-  flat.pass.cull({{}, {crowd.instances}});
+  flat.pass.cull({{}, {group.instances}});
   // Glows are widened to a least size, so none is lost and a few more may reach into the picture.
   const auto sprites = flat.pass.visible(0).arguments().readAll<unsigned>();
   CHECK(sprites[6] + sprites[14] >= all.size());
@@ -214,9 +214,9 @@ TEST_CASE("two glows add up, over the sky too") {
       scene::Scene scene = plainScene();
       scene.sun.intensity = 0.0F;
       scene.sky.zenith = scene.sky.horizon = scene.sky.ground = glm::vec3(sky);
-      CrowdStage one(std::vector<glm::vec3>(1, glm::vec3(0)));
-      CrowdStage two(std::vector<glm::vec3>(2, glm::vec3(0)));
-      for (CrowdStage* stage : {&one, &two}) {
+      InstanceStage one(std::vector<glm::vec3>(1, glm::vec3(0)));
+      InstanceStage two(std::vector<glm::vec3>(2, glm::vec3(0)));
+      for (InstanceStage* stage : {&one, &two}) {
         stage->instances.additive = true;
         stage->instances.size = 1.0F;
         stage->instances.brightness = 0.5F;
@@ -241,11 +241,11 @@ TEST_CASE("two glows add up, over the sky too") {
 TEST_CASE("glows hide behind what is opaque, and hide nothing themselves") {
   testContext();
   const scene::Scene scene = plainScene();
-  CrowdStage ball(std::vector<glm::vec3>(1, glm::vec3(0)));
+  InstanceStage ball(std::vector<glm::vec3>(1, glm::vec3(0)));
   ball.instances.size = 1.0F;
-  CrowdStage behind(std::vector<glm::vec3>(1, glm::vec3(0, 0, -1)));
-  CrowdStage before(std::vector<glm::vec3>(1, glm::vec3(0, 0, 1)));
-  for (CrowdStage* stage : {&behind, &before}) {
+  InstanceStage behind(std::vector<glm::vec3>(1, glm::vec3(0, 0, -1)));
+  InstanceStage before(std::vector<glm::vec3>(1, glm::vec3(0, 0, 1)));
+  for (InstanceStage* stage : {&behind, &before}) {
     stage->instances.additive = true;
     stage->instances.size = 0.5F;
     stage->instances.brightness = 5.0F;
@@ -260,7 +260,7 @@ TEST_CASE("small glows keep their light however small") {
   testContext();
   scene::Scene scene = plainScene();
   const auto total = [&](float size, float brightness, glm::vec3 place) {
-    CrowdStage glow(std::vector<glm::vec3>(1, place));
+    InstanceStage glow(std::vector<glm::vec3>(1, place));
     glow.instances.additive = true;
     glow.instances.size = size;
     glow.instances.brightness = brightness;
@@ -287,7 +287,7 @@ TEST_CASE("a glow looks the same among many that are not alive") {
     const std::vector<glm::vec4> places(count, glm::vec4(0.1F, 0.2F, 0, 1));
     std::vector<glm::vec4> speeds(count, glm::vec4(0, 0, 0, -1));
     speeds[count / 2].w = 0;
-    CrowdStage glow(places, speeds);
+    InstanceStage glow(places, speeds);
     glow.instances.additive = true;
     // A hundredth of a pixel wide, so its light is spread over many times its area.
     glow.instances.size = 0.001F;
@@ -304,7 +304,7 @@ TEST_CASE("the light of many bright glows is that of one as bright as all") {
   scene::Scene scene = plainScene();
   scene.render.exposure = -11.0F;
   const auto picture = [&](std::size_t count, float brightness) {
-    CrowdStage glow(std::vector<glm::vec3>(count, glm::vec3(0.01F)));
+    InstanceStage glow(std::vector<glm::vec3>(count, glm::vec3(0.01F)));
     glow.instances.additive = true;
     glow.instances.size = 0.5F;
     glow.instances.brightness = brightness;
@@ -327,7 +327,7 @@ TEST_CASE("colours follow speed, mass and age through the stops; light fades ove
   const std::vector<glm::vec3> stops = {{0, 0, 0}, {0.4F, 0, 0}, {0.4F, 0.4F, 0}};
   const scene::Scene scene = plainScene();
   const auto shown = [&](sim::Instances::ColorBy by, glm::vec4 velocity, float mass, float fade) {
-    CrowdStage glow({glm::vec4(0, 0, 0, mass)}, {velocity});
+    InstanceStage glow({glm::vec4(0, 0, 0, mass)}, {velocity});
     glow.instances.additive = true;
     glow.instances.size = 1;
     glow.instances.colorBy = by;
@@ -356,17 +356,17 @@ TEST_CASE("colours follow speed, mass and age through the stops; light fades ove
   CHECK(near(shown(By::material, {0, 0, 0, 0.0F}, 1, 0.2F), {0.8, 0.7, 0.6}));
 }
 
-TEST_CASE("pictures of crowds are the same from run to run") {
+TEST_CASE("pictures of instances are the same from run to run") {
   testContext();
-  const auto [places, speeds] = mixedCrowd(30011);
+  const auto [places, speeds] = mixed(30011);
   const std::vector<glm::vec3> stops = {{0.01F, 0.2F, 0}, {0.4F, 0.03F, 0}, {0.1F, 0.1F, 0.7F}};
-  CrowdStage balls(places, speeds);
-  CrowdStage glows(places, speeds);
+  InstanceStage balls(places, speeds);
+  InstanceStage glows(places, speeds);
   balls.instances.size = 0.05F;
   glows.instances.size = 0.2F;
   glows.instances.additive = true;
   glows.instances.brightness = 0.037F;
-  for (CrowdStage* stage : {&balls, &glows}) {
+  for (InstanceStage* stage : {&balls, &glows}) {
     stage->instances.colors = &stops;
     stage->instances.colorBy = sim::Instances::ColorBy::speed;
   }

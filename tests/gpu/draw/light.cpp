@@ -1,5 +1,5 @@
 // Shading and shadows against geometry worked out by hand.
-#include "gpu/draw/crowd_stage.hpp"
+#include "gpu/draw/instance_stage.hpp"
 
 #include <cmath>
 
@@ -124,7 +124,7 @@ TEST_CASE("a picture forgets the frame before, also behind glows") {
   const scene::Scene scene = darkScene();
   GridStage sheet({4, 4}, {-1.5F, -1.5F, 0}, {3, 0, 0}, {0, 3, 0});
   GridStage aside({4, 4}, {-3, -1, 0}, {2, 0, 0}, {0, 1.5F, 0});
-  CrowdStage glow(std::vector<glm::vec3>(1, glm::vec3(0.3F)));
+  InstanceStage glow(std::vector<glm::vec3>(1, glm::vec3(0.3F)));
   glow.instances.additive = true;
   for (const auto shape : {sim::Instances::Shape::sprite, sim::Instances::Shape::sphere})
     for (const int samples : {1, 4}) {

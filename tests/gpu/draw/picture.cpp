@@ -15,9 +15,9 @@ using namespace simreel;
 namespace {
 
 int farthest(glm::ivec3 c, const std::array<double, 3>& wanted) {
-  double most = 0;
-  for (int i = 0; i < 3; ++i) most = std::fmax(most, std::abs(c[i] - wanted[static_cast<std::size_t>(i)]));
-  return static_cast<int>(std::ceil(most));
+  double max = 0;
+  for (int i = 0; i < 3; ++i) max = std::fmax(max, std::abs(c[i] - wanted[static_cast<std::size_t>(i)]));
+  return static_cast<int>(std::ceil(max));
 }
 
 std::string failure(const scene::Scene& scene, glm::ivec2 size, int samples, ExitCode code) {
@@ -120,15 +120,15 @@ TEST_CASE("four samples smooth an edge, one does not") {
 TEST_CASE("limits are named with their value") {
   testContext();
   scene::Scene scene = darkScene();
-  const int most = gl::limits().textureSize;
-  const std::string wide = failure(scene, {most + 1, 8}, 1, ExitCode::device);
+  const int max = gl::limits().textureSize;
+  const std::string wide = failure(scene, {max + 1, 8}, 1, ExitCode::device);
   CHECK(wide.find("GL_MAX_TEXTURE_SIZE") != std::string::npos);
-  CHECK(wide.find(std::to_string(most)) != std::string::npos);
+  CHECK(wide.find(std::to_string(max)) != std::string::npos);
   const std::string samples = failure(scene, {8, 8}, 3, ExitCode::device);
   CHECK(samples.find("this device has 1, ") != std::string::npos);
   CHECK(samples.find("4") != std::string::npos);
   CHECK(samples.find("GL_MAX_SAMPLES") != std::string::npos);
-  scene.sun.shadowSize = most + 1;
+  scene.sun.shadowSize = max + 1;
   CHECK(failure(scene, {8, 8}, 1, ExitCode::device).find("shadowSize") != std::string::npos);
 }
 

@@ -193,14 +193,14 @@ TEST_CASE("skin: no seam shows on a sphere and a torus") {
     const Picture seam = worn(grown(Look::leather), field, mesh, lit);
     const Picture none = worn(grown(Look::leather), rolled, mesh, turned);
     int apart = 0;
-    int most = 0;
+    int max = 0;
     for (int y = 0; y < 131; ++y)
       for (int x = 0; x < 131; ++x) {
         const int difference = std::abs(seam.brightness(x, y) - none.brightness(x, y));
         apart += difference > 12;
-        most = std::max(most, difference);
+        max = std::max(max, difference);
       }
-    CAPTURE(most);
+    CAPTURE(max);
     CHECK(apart <= 8);  // edges of triangles fall a pixel to the other side
     CHECK(seam.brightness(65, 45) > 30);
   }

@@ -59,7 +59,7 @@ Steps stepsOf(const std::vector<glm::vec4>& texels, glm::ivec2 size) {
   return steps;
 }
 
-float share(const std::vector<float>& sorted, double part) {
+float fraction(const std::vector<float>& sorted, double part) {
   return sorted[static_cast<std::size_t>(part * static_cast<double>(sorted.size() - 1))];
 }
 
@@ -77,18 +77,18 @@ TEST_CASE("skin maps: rolling the field by half moves them by exactly half") {
       const glm::ivec2 size = glm::ivec2(62, 46) * (2 * scale);
       const draw::SkinMaps a = mapsOf(grown(look), field, size);
       const draw::SkinMaps b = mapsOf(grown(look), rolled, size);
-      float most = 0;
+      float max = 0;
       for (int y = 0; y < size.y; ++y)
         for (int x = 0; x < size.x; ++x) {
           const auto here = static_cast<std::size_t>(y * size.x + x);
           const auto there =
               static_cast<std::size_t>((y + size.y / 2) % size.y * size.x + (x + size.x / 2) % size.x);
           const glm::vec4 glow = glm::max(glm::vec4(draw::lookOf(grown(look).skin).high, 1), glm::vec4(1));
-          most = std::max({most, apart(a.surface[there], b.surface[here]),
-                           apart(a.relief[there], b.relief[here]),
-                           apart(a.light[there] / glow, b.light[here] / glow)});
+          max = std::max({max, apart(a.surface[there], b.surface[here]),
+                          apart(a.relief[there], b.relief[here]),
+                          apart(a.light[there] / glow, b.light[here] / glow)});
         }
-      CHECK(most < 0.5F / 255);  // how texture units place a texel is rounded to 1/256 of one
+      CHECK(max < 0.5F / 255);  // how texture units place a texel is rounded to 1/256 of one
     }
 }
 
@@ -102,7 +102,7 @@ TEST_CASE("skin maps: no step over the border is larger than those inside") {
       for (const auto* texels : {&maps.surface, &maps.relief, &maps.light}) {
         const Steps steps = stepsOf(*texels, size);
         CHECK(steps.seam.back() <= steps.inside.back() + 1e-3F);
-        CHECK(share(steps.seam, 0.99) <= share(steps.inside, 0.998) + 1e-3F);
+        CHECK(fraction(steps.seam, 0.99) <= fraction(steps.inside, 0.998) + 1e-3F);
       }
     }
 }

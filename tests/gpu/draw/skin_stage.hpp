@@ -85,7 +85,7 @@ inline simreel::scene::Scene roomWith(const simreel::scene::Material& material) 
 
 /// Greatest difference of a channel between two pictures.
 inline int maxApart(const Picture& a, const Picture& b) {
-  int most = 0;
-  for (std::size_t i = 0; i < a.bytes.size(); ++i) most = std::max(most, std::abs(a.bytes[i] - b.bytes[i]));
-  return most;
+  int max = 0;
+  for (std::size_t i = 0; i < a.bytes.size(); ++i) max = std::max(max, std::abs(a.bytes[i] - b.bytes[i]));
+  return max;
 }

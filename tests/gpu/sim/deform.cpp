@@ -100,14 +100,14 @@ std::vector<std::uint8_t> picture(const scene::Scene& scene, int frame) {
   return readback.take(true)->second;
 }
 
-/// Share of pixels of which a channel differs by more than 2.
-double differingShare(const std::vector<std::uint8_t>& a, const std::vector<std::uint8_t>& b) {
+/// Fraction of pixels of which a channel differs by more than 2.
+double differingFraction(const std::vector<std::uint8_t>& a, const std::vector<std::uint8_t>& b) {
   REQUIRE(a.size() == b.size());
   std::size_t count = 0;
   for (std::size_t i = 0; i < a.size(); i += 4) {
-    int most = 0;
-    for (std::size_t k = 0; k < 4; ++k) most = std::max(most, std::abs(int{a[i + k]} - int{b[i + k]}));
-    count += most > 2 ? 1 : 0;
+    int max = 0;
+    for (std::size_t k = 0; k < 4; ++k) max = std::max(max, std::abs(int{a[i + k]} - int{b[i + k]}));
+    count += max > 2 ? 1 : 0;
   }
   return static_cast<double>(count) / (static_cast<double>(a.size()) / 4);
 }
@@ -229,11 +229,11 @@ TEST_CASE("deform: one picture, five techniques") {
                              R"([{"footprints": {"cells": [101, 101], "depth": 0.2}}])"}}) {
     const auto expected = picture(sceneOf(c.mesh, c.deform, "single-thread", scenery), 20);
     const auto flat = picture(sceneOf(c.mesh, "[]", "compute", scenery), 20);
-    CHECK(differingShare(flat, expected) > 0.01);  // it does show
+    CHECK(differingFraction(flat, expected) > 0.01);  // it does show
     for (const char* technique : techniques) {
-      const double share =
-          differingShare(picture(sceneOf(c.mesh, c.deform, technique, scenery), 20), expected);
-      CHECK_MESSAGE(share <= 0.001, technique, " of ", c.deform, ": ", share);
+      const double fraction =
+          differingFraction(picture(sceneOf(c.mesh, c.deform, technique, scenery), 20), expected);
+      CHECK_MESSAGE(fraction <= 0.001, technique, " of ", c.deform, ": ", fraction);
     }
   }
 }

@@ -68,7 +68,7 @@ TEST_CASE(
   p.trail = 200;
   p.strokes = {spread::dot({16, 3, 0}, 1.5F), spread::dot({31.5F, 5, 0}, 4, 0, 0.2),
                spread::dot({1, 1, 0}, 2, 1, 0.4)};
-  p.strokes[1].share = 0.7;
+  p.strokes[1].fraction = 0.7;
   p.strokes[1].until = 0.5;
   p.strokes[1].to = {3, 2, 0};
   compare(p, 40);

@@ -28,19 +28,19 @@ void checkSame(const std::vector<glm::vec4>& got, const std::vector<glm::vec4>& 
   REQUIRE(got.size() == want.size());
   std::size_t different = 0;
   std::size_t first = 0;
-  double least = 1, most = 0;
+  double min = 1, max = 0;
   for (std::size_t i = 0; i < got.size(); ++i) {
     bool same = true;
     for (int c = 0; c < 4; ++c)
       same = same && std::bit_cast<std::uint32_t>(got[i][c]) == std::bit_cast<std::uint32_t>(want[i][c]);
     if (!same && different++ == 0) first = i;
-    least = std::min<double>(least, want[i].y);
-    most = std::max<double>(most, want[i].y);
+    min = std::min<double>(min, want[i].y);
+    max = std::max<double>(max, want[i].y);
   }
   const std::size_t columns = static_cast<std::size_t>(width + 1) / 2;
   CHECK_MESSAGE(different == 0, different, " of ", got.size(), " pairs of cells differ, first at column ",
                 first % columns * 2, ", row ", first / columns);
-  CHECK(most - least > 0.05);  // a pattern, not an empty field
+  CHECK(max - min > 0.05);  // a pattern, not an empty field
 }
 
 /// Steps both sides and compares every word of the state.
@@ -102,7 +102,7 @@ TEST_CASE("grayScott with health, strokes and presteps equals its CPU twin") {
   stroke.to = {72, 30, 0};
   stroke.radius = 4.5F;
   stroke.value = 0.4;
-  stroke.share = 0.6F;
+  stroke.fraction = 0.6F;
   p.strokes.push_back(stroke);
   compare(p, 15);
 }

@@ -102,8 +102,8 @@ std::size_t differing(const gl::Buffer& buffer, const std::vector<glm::vec4>& ex
 }
 
 struct Clearance {
-  double least = 1e9;  ///< m over the surface, of everything at every frame
-  int touching = 0;    ///< within a millimetre of the margin at the last frame
+  double min = 1e9;  ///< m over the surface, of everything at every frame
+  int touching = 0;  ///< within a millimetre of the margin at the last frame
 };
 
 /// Steps device and twin, compares every word of every frame, and measures how far above the surface all
@@ -126,7 +126,7 @@ Clearance fall(const scene::Scene& scene, Twin& twin, int frames, double margin,
     clearance.touching = 0;
     for (const glm::vec4& p : twin.positions) {
       const double over = p.y - heights.heightAt(twin.heights, p);
-      clearance.least = std::min(clearance.least, over);
+      clearance.min = std::min(clearance.min, over);
       clearance.touching += over < margin + 1e-3 ? 1 : 0;
     }
   }
@@ -167,7 +167,7 @@ TEST_CASE("heights: cloth on a swell equals its CPU twin and stays above") {
     const auto scene = sceneOf(sheetWith(solver));
     ClothTwin twin = clothTwin(scene);
     const Clearance c = fall(scene, twin, 60, 0.02);
-    CHECK(c.least > 0.02 - 1e-5);  // float against double
+    CHECK(c.min > 0.02 - 1e-5);  // float against double
     CHECK(c.touching > 100);
   }
 }
@@ -183,7 +183,7 @@ TEST_CASE("heights: particles on a swell equal their CPU twin and stay above") {
     sim::World world(scene);
     HeightsTwin heights(scene);
     twin.heightPlan = heights.plan;
-    double least = 1e9;
+    double min = 1e9;
     int touching = 0;
     for (int frame = 1; frame <= 70; ++frame) {
       const double before = (frame - 1) / 60.0;
@@ -195,11 +195,11 @@ TEST_CASE("heights: particles on a swell equal their CPU twin and stay above") {
       for (std::size_t i = 0; i < twin.positions.size(); ++i) {
         if (twin.velocities[i].w < 0) continue;
         const double over = twin.positions[i].y - heights.heightAt(twin.heights, twin.positions[i]);
-        least = std::min(least, over);
+        min = std::min(min, over);
         touching += over < 0.051 ? 1 : 0;
       }
     }
-    CHECK(least > 0.05 - 1e-5);
+    CHECK(min > 0.05 - 1e-5);
     CHECK(touching > 100);
   }
 }
@@ -207,7 +207,7 @@ TEST_CASE("heights: particles on a swell equal their CPU twin and stay above") {
 TEST_CASE("heights: a pre-roll begins with the heights of its own first frame") {
   const auto scene = sceneOf(sheetWith(""), "compute", 0.25);
   ClothTwin twin = clothTwin(scene);
-  CHECK(fall(scene, twin, 20, 0.02, 0.25).least > 0.02 - 1e-5);
+  CHECK(fall(scene, twin, 20, 0.02, 0.25).min > 0.02 - 1e-5);
 }
 
 TEST_CASE("heights: what falls has the same bits by every technique") {

@@ -133,7 +133,7 @@ TEST_CASE("life with strokes and a trail equals its CPU twin") {
   moving.to = {190, 60, 0};
   moving.until = 1.2;
   moving.radius = 9;
-  moving.share = 0.4F;
+  moving.fraction = 0.4F;
   StrokeParameters eraser;
   eraser.shape = StrokeParameters::Shape::line;
   eraser.from = {20, 85, 0};

@@ -19,13 +19,13 @@ std::uint64_t keyOf(const glm::uvec4& record, int lowBits, int highBits) {
 }
 
 /// Sorts random records whose keys are below `most` on the device and on the CPU.
-void compare(int count, int capacity, int lowBits, int highBits, std::uint32_t most) {
+void compare(int count, int capacity, int lowBits, int highBits, std::uint32_t max) {
   CAPTURE(count);
   testContext();
   std::mt19937 random(3);
   std::vector<glm::uvec4> records(static_cast<std::size_t>(count));
   for (std::size_t i = 0; i < records.size(); ++i) {
-    const auto word = [&] { return most == 0 ? random() : random() % most; };
+    const auto word = [&] { return max == 0 ? random() : random() % max; };
     records[i] = glm::uvec4(word(), word(), i, ~i);
   }
   gl::RadixSort sort("numbers", capacity);

@@ -57,8 +57,8 @@ TEST_CASE("trace: the sums are those of the CPU, in blocks of every size") {
   for (const std::size_t object : {1U, 2U})
     for (const auto& array : world.object(object).state())
       state.push_back(array.buffer->readAll<std::uint32_t>());
-  for (const std::size_t most : {ample, std::size_t{6000}, std::size_t{1200}, std::size_t{10}}) {
-    const auto trace = traceRun(scene, 2, most);
+  for (const std::size_t max : {ample, std::size_t{6000}, std::size_t{1200}, std::size_t{10}}) {
+    const auto trace = traceRun(scene, 2, max);
     REQUIRE(trace.firstFrame == -3);
     REQUIRE(trace.frames == 5);
     REQUIRE(trace.arrays.size() == 4);
@@ -75,7 +75,7 @@ TEST_CASE("trace: the sums are those of the CPU, in blocks of every size") {
         expected[i / array.perBlock] += h;
         expected.back() += (i + 1) * h;
       }
-      INFO(most, " ", array.name, " in blocks of ", array.perBlock);
+      INFO(max, " ", array.name, " in blocks of ", array.perBlock);
       CHECK(std::vector(&trace.words[at], &trace.words[at] + array.words()) == expected);
       at += array.words();
     }
@@ -87,8 +87,8 @@ TEST_CASE("trace: a run does not leave its own trace, through the file and howev
   testContext();
   const auto scene = odd();
   const auto fine = traceRun(scene, 4, ample);
-  for (const std::size_t most : {ample, std::size_t{1500}, std::size_t{100}}) {
-    const auto trace = decodeTrace(encodeTrace(traceRun(scene, 4, most)), "steps.bin");
+  for (const std::size_t max : {ample, std::size_t{1500}, std::size_t{100}}) {
+    const auto trace = decodeTrace(encodeTrace(traceRun(scene, 4, max)), "steps.bin");
     CHECK(!firstDivergence(scene, trace));
     CHECK(!compareTraces(fine, trace));
   }
@@ -127,8 +127,8 @@ TEST_CASE("trace: a disturbed word is found at its frame, step, array and elemen
 TEST_CASE("trace: firstDivergence names the particle, and the frame where steps are not kept") {
   testContext();
   const auto scene = odd();
-  const auto disturbed = [&](std::size_t most) {
-    return traceRun(scene, 4, most, [](const sim::World& world, std::size_t object, int step) {
+  const auto disturbed = [&](std::size_t max) {
+    return traceRun(scene, 4, max, [](const sim::World& world, std::size_t object, int step) {
       if (world.frame() + 1 == 2 && object == 1 && step == 5) disturb(world, object, 0, 12 + 33 * 20, 0);
     });
   };
@@ -162,9 +162,9 @@ TEST_CASE("trace: another scene leaves the baseline where it should") {
 TEST_CASE("trace: a lost state comes through") {
   testContext();
   const auto scene = odd({{"objects.a.cloth.stiffness", "1e7"}, {"objects.a.cloth.mass", "0.001"}});
-  for (const std::size_t most : {ample, std::size_t{100}}) {
+  for (const std::size_t max : {ample, std::size_t{100}}) {
     try {
-      static_cast<void>(traceRun(scene, 29, most));
+      static_cast<void>(traceRun(scene, 29, max));
       FAIL("nothing was thrown");
     } catch (const UserError& error) {
       CHECK(error.code() == ExitCode::device);

@@ -231,7 +231,7 @@ TEST_CASE("wildfire: further uphill than downhill") {
 }
 
 // A plane that rises by `tangent` a cell towards `way`, one of the eight directions, under a lattice of
-// single burning cells: which share of their neighbours in each direction burns a step later, against
+// single burning cells: which fraction of their neighbours in each direction burns a step later, against
 // e^(slope * tangent of the way there) times the chance on even ground. Restated here; no code of the
 // simulation's is shared.
 TEST_CASE("wildfire: it climbs by e^(slope * tangent), to all eight sides alike") {

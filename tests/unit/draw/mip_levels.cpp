@@ -51,8 +51,8 @@ struct Level {
 Level below(const Level& above) {
   Level made{std::max(above.width / 2, 1), std::max(above.height / 2, 1), {}};
   const auto overlap = [](int i, int count, int j, int from) {
-    const double share = double(from) / count;
-    return std::max(0.0, std::min((i + 1) * share, j + 1.0) - std::max(i * share, double(j)));
+    const double fraction = double(from) / count;
+    return std::max(0.0, std::min((i + 1) * fraction, j + 1.0) - std::max(i * fraction, double(j)));
   };
   for (int y = 0; y < made.height; ++y)
     for (int x = 0; x < made.width; ++x) {

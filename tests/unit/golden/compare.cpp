@@ -29,8 +29,8 @@ std::uint8_t& at(frame::Image& image, int x, int y, int channel) {
 
 scene::Tolerance tolerance(int channel, std::optional<double> ratio = {}) {
   scene::Tolerance result;
-  result.max_channel_diff = channel;
-  result.max_diff_ratio = ratio;
+  result.maxChannelDiff = channel;
+  result.maxDiffRatio = ratio;
   return result;
 }
 
@@ -78,23 +78,23 @@ TEST_CASE("the densest window is found wherever it lies, and clipped to small pi
   for (const auto& [x, y] : {std::pair{0, 0}, {1, 0}, {39, 29}, {38, 29}, {37, 27}, {20, 10}})
     at(b, x, y, 1) = 50;
   scene::Tolerance t = tolerance(12);
-  t.window_size = 4;
+  t.windowSize = 4;
   auto metrics = golden::measure(a, b, t);
   CHECK(metrics.windowRatio == 3.0 / 16);
   CHECK(metrics.windowX == 36);
   CHECK(metrics.windowY == 26);
-  t.window_size = 1;
+  t.windowSize = 1;
   metrics = golden::measure(a, b, t);
   CHECK(metrics.windowRatio == 1);
   CHECK(metrics.windowX + metrics.windowY == 0);
-  t.window_size = 35;  // clipped in height alone
+  t.windowSize = 35;  // clipped in height alone
   metrics = golden::measure(a, b, t);
   CHECK(metrics.windowRatio == 4.0 / (35 * 30));
   CHECK(metrics.windowX == 5);
-  t.window_size = 1000;
+  t.windowSize = 1000;
   metrics = golden::measure(a, b, t);
   CHECK(metrics.windowRatio == 6.0 / (40 * 30));
-  t.max_channel_diff = 50;
+  t.maxChannelDiff = 50;
   CHECK(golden::measure(a, b, t).windowRatio == 0);
 }
 
@@ -111,35 +111,35 @@ TEST_CASE("every bound that is given must hold; two of a hundred pixels may diff
   CHECK(golden::allowedRatio(t) == 0.02);
   CHECK(broken(t) == Clauses());
   at(b, 0, 0, 0) = 13;
-  CHECK(broken(t) == Clauses{"3% of the pixels differ by more than 12 (max_diff_ratio is 0.02)"});
-  t.max_diff_pixels = 3;
+  CHECK(broken(t) == Clauses{"3% of the pixels differ by more than 12 (maxDiffRatio is 0.02)"});
+  t.maxDiffPixels = 3;
   CHECK(golden::allowedRatio(t) == 1);
   CHECK(broken(t) == Clauses());
-  t.max_diff_pixels = 2;
-  CHECK(broken(t) == Clauses{"3 pixels differ by more than 12 (max_diff_pixels is 2)"});
-  t.max_diff_ratio = 0.03;
+  t.maxDiffPixels = 2;
+  CHECK(broken(t) == Clauses{"3 pixels differ by more than 12 (maxDiffPixels is 2)"});
+  t.maxDiffRatio = 0.03;
   CHECK(broken(t).size() == 1);
-  t.max_diff_ratio = 0.01;
+  t.maxDiffRatio = 0.01;
   CHECK(broken(t).size() == 2);
-  t.hard_fail = 40;
+  t.hardFail = 40;
   CHECK(broken(t).size() == 2);
-  t.hard_fail = 39;
-  CHECK(broken(t)[0] == "the pixel at x 3, y 4 differs by 40 (hard_fail is 39)");
-  t = tolerance(255);  // nothing is beyond, but hard_fail is never bypassed
-  t.hard_fail = 39;
+  t.hardFail = 39;
+  CHECK(broken(t)[0] == "the pixel at x 3, y 4 differs by 40 (hardFail is 39)");
+  t = tolerance(255);  // nothing is beyond, but hardFail is never bypassed
+  t.hardFail = 39;
   CHECK(broken(t).size() == 1);
   t = tolerance(12, 1);
-  t.window_size = 5;
-  t.max_window_ratio = 0.08;
+  t.windowSize = 5;
+  t.maxWindowRatio = 0.08;
   CHECK(broken(t) == Clauses());
-  t.max_window_ratio = 0.079;
+  t.maxWindowRatio = 0.079;
   CHECK(broken(t) ==
-        Clauses{"8% of the 5x5 window at x 0, y 0 differ by more than 12 (max_window_ratio is 0.079)"});
+        Clauses{"8% of the 5x5 window at x 0, y 0 differ by more than 12 (maxWindowRatio is 0.079)"});
   t = tolerance(0, 1);
-  t.max_flip_mean = golden::measure(a, b, t).flipMean;
-  CHECK(*t.max_flip_mean > 0);
+  t.maxFlipMean = golden::measure(a, b, t).flipMean;
+  CHECK(*t.maxFlipMean > 0);
   CHECK(broken(t) == Clauses());
-  t.max_flip_mean = *t.max_flip_mean * 0.99;
+  t.maxFlipMean = *t.maxFlipMean * 0.99;
   CHECK(broken(t).size() == 1);
 }
 

@@ -1,4 +1,4 @@
-// FLIP and SSIM against values worked out by hand. Against other programs: tests/cli/test_diff.py.
+// FLIP and SSIM against values worked out by hand. Against other programs: tests/cli/golden/test_diff.py.
 #include "golden/compare/flip.hpp"
 
 #include "golden/compare/ssim.hpp"

@@ -58,7 +58,7 @@ TEST_CASE("annotations: an error for each failing scene, with the command that a
   CHECK(linesWith(text, "::error file=") == 6);
   CHECK(linesWith(text,
                   "::warning file=assets/scenes/flag.json,title=simreel%3A flag (tolerance)::"
-                  "max_diff_ratio is 40 times looser") == 1);
+                  "maxDiffRatio is 40 times looser") == 1);
   CHECK(linesWith(text, "::warning") == 1);
   CHECK(linesWith(text, "::notice file=assets/scenes/is-updated.json,") == 1);
   CHECK(linesWith(text, "::") == 8);

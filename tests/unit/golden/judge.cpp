@@ -123,8 +123,8 @@ TEST_CASE("judge: another machine with the same numerics may be 2 of 255 apart o
   simreel::test::checkHas(judged(25, 1).message, "of the pixels differ (on another machine 2% at most)");
   // A scene that is stricter is stricter everywhere.
   scene::Tolerance none;
-  none.max_channel_diff = 0;
-  none.max_diff_ratio = 0;
+  none.maxChannelDiff = 0;
+  none.maxDiffRatio = 0;
   CHECK(!passes(baseline.judged(made(1, 1), otherMachine(), none)));
   // State has to be equal everywhere.
   RunFrame moved = made(0, 0);

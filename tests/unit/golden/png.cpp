@@ -1,4 +1,5 @@
-// Which files count as holding the same pixels without decoding. What is refused: tests/cli/test_diff.py.
+// Which files count as holding the same pixels without decoding. What is refused:
+// tests/cli/golden/test_diff.py.
 #include "golden/compare/png_check.hpp"
 #include "unit/frame/help.hpp"
 

@@ -34,7 +34,7 @@ TEST_CASE("console: a scene that failed says why and where the pictures are") {
         "      frame -2, step 3 of 16: flag\n"
         "      pictures of frame 60: expected out/images/flag/60-expected.png, actual "
         "out/images/flag/60-actual.png\n"
-        "      note: max_diff_ratio is 40 times looser than this run needs\n"
+        "      note: maxDiffRatio is 40 times looser than this run needs\n"
         "      note: no baseline of nvidia-ada\n");
   CHECK(contains(sceneLine(scene), "expected images/flag/60-expected.png"));
   CHECK(sceneLine(golden::test::scene("a", Status::nondeterministic)) ==

@@ -82,17 +82,17 @@ TEST_CASE("numbers that JSON does not have") {
   SuiteResult suite = golden::test::fullSuite();
   const double infinity = std::numeric_limits<double>::infinity();
   suite.scenes[1].checks[0].value = std::nan("");
-  suite.scenes[1].checks[0].most = infinity;
-  suite.scenes[1].tolerance["hard_fail"] = {infinity, "test"};
+  suite.scenes[1].checks[0].max = infinity;
+  suite.scenes[1].tolerance["hardFail"] = {infinity, "test"};
   const Json json = Json::parse(reportText(suite));
   CHECK(json["scenes"][0]["frames"][0]["metrics"]["psnr"].is_null());
   CHECK(json["scenes"][1]["checks"][0]["value"].is_null());
   const SuiteResult back = parseReport(reportText(suite), "report.json");
   CHECK(back.scenes[0].frames[0].metrics->psnr == infinity);
   CHECK(!back.scenes[1].checks[0].value);
-  CHECK(!back.scenes[1].checks[0].most);
-  CHECK(back.scenes[1].checks[0].least == -0.5);
-  CHECK(back.scenes[1].tolerance.at("hard_fail").value > 1e308);
+  CHECK(!back.scenes[1].checks[0].max);
+  CHECK(back.scenes[1].checks[0].min == -0.5);
+  CHECK(back.scenes[1].tolerance.at("hardFail").value > 1e308);
 }
 
 TEST_CASE("the keys of a report, in their order") {
@@ -106,7 +106,7 @@ TEST_CASE("the keys of a report, in their order") {
         "baselineVersion "
         "baselineReason tolerance seconds simulateSeconds repeats attempts frames checks divergence "
         "candidate");
-  CHECK(keysOf(scene["tolerance"]["max_diff_ratio"]) == "value origin");
+  CHECK(keysOf(scene["tolerance"]["maxDiffRatio"]) == "value origin");
   CHECK(keysOf(scene["attempts"][0]) == "status messages");
   CHECK(keysOf(scene["frames"][1]) ==
         "frame time status message pixels expectedPixels alternate state asked metrics expectedImage "
@@ -149,8 +149,8 @@ TEST_CASE("a wrong value in a report is named by its path") {
         "out/report.json: scenes[1].divergence must be an object");
   CHECK(refusalOf([&](Json& j) { j["environment"]["driver"] = nullptr; }) ==
         "out/report.json: environment.driver must be text");
-  CHECK(refusalOf([&](Json& j) { scene(j)["tolerance"]["max_diff_ratio"]["value"] = nullptr; }) ==
-        "out/report.json: scenes[1].tolerance.max_diff_ratio.value must be a number");
+  CHECK(refusalOf([&](Json& j) { scene(j)["tolerance"]["maxDiffRatio"]["value"] = nullptr; }) ==
+        "out/report.json: scenes[1].tolerance.maxDiffRatio.value must be a number");
   CHECK(refusalOf([&](Json& j) { j = Json::array(); }) == "out/report.json: it must be an object");
 }
 

@@ -47,13 +47,13 @@ inline SceneResult scene(const std::string& name, Status status) {
 inline SceneResult failedScene() {
   SceneResult s = scene("flag", Status::fail);
   s.messages = {"frame 60: 312 pixels differ", "the state differs from frame 60 on"};
-  s.notes = {"max_diff_ratio is 40 times looser than this run needs", "no baseline of nvidia-ada"};
+  s.notes = {"maxDiffRatio is 40 times looser than this run needs", "no baseline of nvidia-ada"};
   s.asked = "equal";
   s.baselineProcessor = "Testium 3";
   s.baselineDriver = "llvmpipe (LLVM 15.0.6, 256 bits)";
   s.baselineVersion = "0.1.0";
   s.baselineReason = "wind is stronger";
-  s.tolerance = {{"max_channel_diff", {12, "default"}}, {"max_diff_ratio", {0.02, "--max-diff-ratio"}}};
+  s.tolerance = {{"maxChannelDiff", {12, "default"}}, {"maxDiffRatio", {0.02, "--max-diff-ratio"}}};
   s.repeats = 3;
   s.attempts = {{Status::fail, {"frame 60: 312 pixels differ", "and more"}}, {Status::error, {}}};
   s.frames.push_back(failedFrame(60, 312));

@@ -95,9 +95,9 @@ TEST_CASE("a trace is laid out as fine as its bytes allow") {
   CHECK(fine.detailed == 8);
   CHECK(fine.arrays[0].perBlock == 3);  // 64 blocks at most: 137 / 64, rounded up
   std::uint32_t last = 0;
-  for (const std::size_t most : {8192U, 4096U, 2048U, 1024U, 700U, 500U}) {
-    const auto trace = layOut(twoArrays, -3, 5, most);
-    CHECK(bytes(trace) <= most);
+  for (const std::size_t max : {8192U, 4096U, 2048U, 1024U, 700U, 500U}) {
+    const auto trace = layOut(twoArrays, -3, 5, max);
+    CHECK(bytes(trace) <= max);
     CHECK(trace.arrays[0].perBlock >= last);
     last = trace.arrays[0].perBlock;
   }
@@ -110,8 +110,8 @@ TEST_CASE("a trace is laid out as fine as its bytes allow") {
 }
 
 TEST_CASE("a trace survives its file") {
-  for (const std::size_t most : {std::size_t{96} << 10, std::size_t{399}, std::size_t{10}}) {
-    const auto trace = made(twoArrays, -3, 5, most);
+  for (const std::size_t max : {std::size_t{96} << 10, std::size_t{399}, std::size_t{10}}) {
+    const auto trace = made(twoArrays, -3, 5, max);
     CHECK(equal(decodeTrace(encodeTrace(trace), "steps.bin"), trace));
   }
   const auto still = made({}, 0, 4, 1000);  // nothing that is simulated
@@ -187,14 +187,14 @@ TEST_CASE("a trace without arrays costs nothing, however many frames it claims")
 }
 
 TEST_CASE("one changed element is named exactly, wherever it is") {
-  for (const std::size_t most : {std::size_t{96} << 10, std::size_t{2048}, std::size_t{700}}) {
-    const auto baseline = made(twoArrays, -3, 5, most);
+  for (const std::size_t max : {std::size_t{96} << 10, std::size_t{2048}, std::size_t{700}}) {
+    const auto baseline = made(twoArrays, -3, 5, max);
     for (std::uint32_t element = 0; element < 137; ++element)
       for (const std::uint32_t by : {1U, 6U, 0xfffffff0U, 0x12345678U}) {
         const auto found =
-            compareTraces(made(twoArrays, -3, 5, most, from(-1, 0, 2, element, by)), baseline);
+            compareTraces(made(twoArrays, -3, 5, max, from(-1, 0, 2, element, by)), baseline);
         REQUIRE(found.has_value());
-        INFO(most, " ", element, " ", by, " ", found->message);
+        INFO(max, " ", element, " ", by, " ", found->message);
         CHECK(found->frame == -1);
         CHECK(found->step == 2);
         CHECK(found->steps == 3);

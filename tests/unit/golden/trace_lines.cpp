@@ -99,8 +99,8 @@ TEST_CASE("ulps count the floats between two") {
   CHECK(ulpsBetween(bitsOf(1.0F), bitsOf(std::nextafter(1.0F, 2.0F))) == 1);
   CHECK(ulpsBetween(bitsOf(std::nextafter(1.0F, 0.0F)), bitsOf(std::nextafter(1.0F, 2.0F))) == 2);
   CHECK(ulpsBetween(bitsOf(0.0F), bitsOf(-0.0F)) == 0);
-  const float least = std::numeric_limits<float>::denorm_min();
-  CHECK(ulpsBetween(bitsOf(-least), bitsOf(least)) == 2);
+  const float min = std::numeric_limits<float>::denorm_min();
+  CHECK(ulpsBetween(bitsOf(-min), bitsOf(min)) == 2);
   CHECK(ulpsBetween(bitsOf(1.0F), bitsOf(2.0F)) == 1U << 23U);
   CHECK(ulpsBetween(bitsOf(std::numeric_limits<float>::max()),
                     bitsOf(std::numeric_limits<float>::infinity())) == 1);

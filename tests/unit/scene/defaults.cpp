@@ -145,7 +145,7 @@ TEST_CASE("defaults: given or left out, every one in every shipped scene is the 
   const std::set<std::string> allowed = {
       "mesh.grip",        "mesh.file",        "particles.bounce",
       "particles.margin", "grayScott.preset", ".checks[].object",
-      ".checks[].of",     ".test.xfail",      ".test.tolerance.window_size"};
+      ".checks[].of",     ".test.xfail",      ".test.tolerance.windowSize"};
   for (const std::string& path : refused) CHECK_MESSAGE(allowed.contains(path), path);
 }
 

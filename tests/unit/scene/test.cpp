@@ -58,24 +58,42 @@ class Files {
 
 TEST_CASE("test settings with everything in them") {
   const Scene scene = parse(sceneWith(R"("test": {"frames": [0, 60, 119], "size": [64, 36], "samples": 1,
-    "tolerance": {"max_channel_diff": 3, "max_diff_pixels": 20, "max_diff_ratio": 0.25, "window_size": 8,
-                  "max_window_ratio": 0.5, "max_flip_mean": 0.125, "hard_fail": 200},
+    "tolerance": {"maxChannelDiff": 3, "maxDiffPixels": 20, "maxDiffRatio": 0.25, "windowSize": 8,
+                  "maxWindowRatio": 0.5, "maxFlipMean": 0.125, "hardFail": 200},
     "xfail": "the hem flickers"})"));
   CHECK(scene.test.frames == std::vector<int>{0, 60, 119});
   CHECK(scene.testFrames() == std::vector<int>{0, 60, 119});
   CHECK(scene.test.size == glm::ivec2(64, 36));
   CHECK(scene.test.samples == 1);
   const Tolerance& tolerance = scene.test.tolerance;
-  CHECK(tolerance.max_channel_diff == 3);
-  CHECK(tolerance.max_diff_pixels == 20.0);
-  CHECK(tolerance.max_diff_ratio == 0.25);
-  CHECK(tolerance.window_size == 8);
-  CHECK(tolerance.max_window_ratio == 0.5);
-  CHECK(tolerance.max_flip_mean == 0.125);
-  CHECK(tolerance.hard_fail == 200.0);
+  CHECK(tolerance.maxChannelDiff == 3);
+  CHECK(tolerance.maxDiffPixels == 20.0);
+  CHECK(tolerance.maxDiffRatio == 0.25);
+  CHECK(tolerance.windowSize == 8);
+  CHECK(tolerance.maxWindowRatio == 0.5);
+  CHECK(tolerance.maxFlipMean == 0.125);
+  CHECK(tolerance.hardFail == 200.0);
   CHECK(scene.test.xfail == "the hem flickers");
   CHECK(scene.test.toleranceOrigin.size() == 7);
-  CHECK(scene.test.toleranceOrigin.at("hard_fail") == "s.json");
+  CHECK(scene.test.toleranceOrigin.at("hardFail") == "s.json");
+}
+
+TEST_CASE("bounds are read by the names they had before, unless they have both") {
+  const Scene scene = parse(sceneWith(R"("test": {"tolerance": {"max_channel_diff": 3, "hard_fail": 200}},
+    "checks": [{"what": "mass", "least": 1, "most": 2}])"),
+                            {"test.tolerance.max_diff_ratio=0.5"});
+  CHECK(scene.test.tolerance.maxChannelDiff == 3);
+  CHECK(scene.test.tolerance.hardFail == 200.0);
+  CHECK(scene.test.tolerance.maxDiffRatio == 0.5);
+  CHECK(scene.test.toleranceOrigin.size() == 3);
+  CHECK(scene.test.toleranceOrigin.at("maxChannelDiff") == "s.json");
+  CHECK(scene.test.toleranceOrigin.at("maxDiffRatio") == "-D");
+  CHECK(scene.checks[0].min == 1.0);
+  CHECK(scene.checks[0].max == 2.0);
+  CHECK(has(mistakes(sceneWith(R"("test": {"tolerance": {"hard_fail": 300}})")), "found 300"));
+  CHECK(has(mistakes(sceneWith(R"("test": {"tolerance": {"hard_fail": 30, "hardFail": 30}})")),
+            "unknown key \"hard_fail\"; did you mean \"hardFail\"?"));
+  CHECK(has(checkMistakes(R"("what": "mass", "least": 2, "most": 1)"), "s.json:3:27: error: \"min\" (2)"));
 }
 
 TEST_CASE("test settings not given have their defaults") {
@@ -83,9 +101,9 @@ TEST_CASE("test settings not given have their defaults") {
   CHECK(scene.test.frames.empty());
   CHECK(scene.test.size == glm::ivec2(320, 180));
   CHECK(!scene.test.samples);
-  CHECK(scene.test.tolerance.max_channel_diff == 12);
-  CHECK(!scene.test.tolerance.max_diff_ratio);
-  CHECK(!scene.test.tolerance.hard_fail);
+  CHECK(scene.test.tolerance.maxChannelDiff == 12);
+  CHECK(!scene.test.tolerance.maxDiffRatio);
+  CHECK(!scene.test.tolerance.hardFail);
   CHECK(scene.test.toleranceOrigin.empty());
   CHECK(scene.checks.empty());
   CHECK(!parse(sceneWith(R"("test": {"samples": "scene"})")).test.samples);
@@ -118,12 +136,12 @@ TEST_CASE("mistakes in test settings") {
   CHECK(says(R"("xfail": "  ")", "\"xfail\" needs a reason"));
   CHECK(says(R"("samples": "all")", "expected a whole number or \"scene\", found \"all\""));
   CHECK(says(R"("size": [320])", "expected a list of two whole numbers"));
-  CHECK(says(R"("tolerance": {"max_channel_dif": 3})", "did you mean \"max_channel_diff\"?"));
-  CHECK(says(R"("tolerance": {"max_channel_diff": 256})", "must be between 0 and 255, found 256"));
-  CHECK(says(R"("tolerance": {"max_diff_ratio": 2})", "must be between 0 and 1, found 2"));
-  CHECK(says(R"("tolerance": {"hard_fail": "x"})", "expected a number, found a string"));
-  CHECK(says(R"("tolerance": {"window_size": 8})",
-             "\"window_size\" does nothing without \"max_window_ratio\""));
+  CHECK(says(R"("tolerance": {"max_channel_dif": 3})", "did you mean \"maxChannelDiff\"?"));
+  CHECK(says(R"("tolerance": {"maxChannelDiff": 256})", "must be between 0 and 255, found 256"));
+  CHECK(says(R"("tolerance": {"maxDiffRatio": 2})", "must be between 0 and 1, found 2"));
+  CHECK(says(R"("tolerance": {"hardFail": "x"})", "expected a number, found a string"));
+  CHECK(
+      says(R"("tolerance": {"windowSize": 8})", "\"windowSize\" does nothing without \"maxWindowRatio\""));
   CHECK(says(R"("frame": [0])", "unknown key \"frame\"; did you mean \"frames\"?"));
   CHECK(!says(R"("frames": [0, 119])", "error"));
 }
@@ -144,7 +162,7 @@ TEST_CASE("an override that shortens a scene does not stop its rendering") {
 TEST_CASE("checks with everything in them") {
   const Scene scene =
       parse(sceneWith(R"("checks": [{"what": "not-blank"}, {"what": "no-nan", "object": "flag"},
-    {"what": "max", "object": "flag", "of": "positions.length", "frames": [3, 7], "least": -1, "most": 2.5},
+    {"what": "max", "object": "flag", "of": "positions.length", "frames": [3, 7], "min": -1, "max": 2.5},
     {"what": "energy", "drift": 0.5}])"));
   REQUIRE(scene.checks.size() == 4);
   CHECK(scene.checks[0].what == "not-blank");
@@ -152,8 +170,8 @@ TEST_CASE("checks with everything in them") {
   CHECK(scene.checks[2].isStatistic());
   CHECK(scene.checks[2].of == "positions.length");
   CHECK(scene.checks[2].frames == std::vector<int>{3, 7});
-  CHECK(scene.checks[2].least == -1.0);
-  CHECK(scene.checks[2].most == 2.5);
+  CHECK(scene.checks[2].min == -1.0);
+  CHECK(scene.checks[2].max == 2.5);
   CHECK(!scene.checks[2].drift);
   CHECK(!scene.checks[3].isStatistic());
   CHECK(scene.checks[3].drift == 0.5);
@@ -165,38 +183,38 @@ TEST_CASE("mistakes in checks") {
     INFO(report);
     return has(report, message);
   };
-  CHECK(says(R"("most": 1)", "s.json:3:1: error: \"what\" is missing"));
+  CHECK(says(R"("max": 1)", "s.json:3:1: error: \"what\" is missing"));
   CHECK(says(R"("what": "")", "s.json:3:10: error: \"what\" is missing"));
-  CHECK(says(R"("what": "min", "least": 0)", "\"min\" needs \"of\""));
-  CHECK(says(R"("what": "min", "of": "positions", "least": 0)",
+  CHECK(says(R"("what": "min", "min": 0)", "\"min\" needs \"of\""));
+  CHECK(says(R"("what": "min", "of": "positions", "min": 0)",
              "s.json:3:23: error: \"positions\" is not a state array and component"));
-  CHECK(says(R"("what": "min", "of": "positions.q", "least": 0)", "not a state array and component"));
-  CHECK(says(R"("what": "min", "of": "positions.xy", "least": 0)", "not a state array and component"));
-  CHECK(says(R"("what": "min", "of": ".y", "least": 0)", "not a state array and component"));
-  CHECK(says(R"("what": "energy", "of": "positions.y", "least": 0)",
+  CHECK(says(R"("what": "min", "of": "positions.q", "min": 0)", "not a state array and component"));
+  CHECK(says(R"("what": "min", "of": "positions.xy", "min": 0)", "not a state array and component"));
+  CHECK(says(R"("what": "min", "of": ".y", "min": 0)", "not a state array and component"));
+  CHECK(says(R"("what": "energy", "of": "positions.y", "min": 0)",
              "\"of\" belongs to mean, min, max and sum, not to \"energy\""));
   CHECK(says(R"("what": "no-nan", "of": "positions.y")", "not to \"no-nan\""));
   CHECK(says(R"("what": "energy")", "s.json:3:10: error: \"energy\" needs a bound"));
   CHECK(says(R"("what": "sum", "of": "positions.y")", "\"sum\" needs a bound"));
   CHECK(says(R"("what": "not_blank")",
-             "needs a bound: \"least\", \"most\" or \"drift\"; did you mean "
+             "needs a bound: \"min\", \"max\" or \"drift\"; did you mean "
              "\"not-blank\"?"));
-  CHECK(says(R"("what": "not-blank", "least": 1)", "s.json:3:32: error: \"not-blank\" takes no bounds"));
+  CHECK(says(R"("what": "not-blank", "min": 1)", "s.json:3:30: error: \"not-blank\" takes no bounds"));
   CHECK(says(R"("what": "no-nan", "drift": 1)", "\"no-nan\" takes no bounds"));
   CHECK(says(R"("what": "not-blank", "object": "flag")", "looks at the whole picture"));
-  CHECK(says(R"("what": "mass", "least": 2, "most": 1)",
-             "s.json:3:27: error: \"least\" (2) must not be above \"most\" (1)"));
+  CHECK(says(R"("what": "mass", "min": 2, "max": 1)",
+             "s.json:3:25: error: \"min\" (2) must not be above \"max\" (1)"));
   CHECK(says(R"("what": "mass", "drift": -1)", "\"drift\" must be at least 0, found -1"));
   CHECK(says(R"("what": "mass", "drift": 1, "frames": [5])", "\"frames\" lists one only"));
-  CHECK(says(R"("what": "mass", "most": 1, "frames": [5, 5])", "frame 5 is listed twice"));
-  CHECK(says(R"("what": "mass", "most": 1, "frames": [5, 4])", "frames must ascend; 4 follows 5"));
-  CHECK(says(R"("what": "mass", "most": 1, "frames": [120])", "frame 120 is beyond the scene's last"));
-  CHECK(says(R"("what": "mass", "most": 1, "object": "flga")",
+  CHECK(says(R"("what": "mass", "max": 1, "frames": [5, 5])", "frame 5 is listed twice"));
+  CHECK(says(R"("what": "mass", "max": 1, "frames": [5, 4])", "frames must ascend; 4 follows 5"));
+  CHECK(says(R"("what": "mass", "max": 1, "frames": [120])", "frame 120 is beyond the scene's last"));
+  CHECK(says(R"("what": "mass", "max": 1, "object": "flga")",
              "no object is named \"flga\"; did you mean \"flag\"?"));
   CHECK(says(R"("what": "not-blank", "frames": [0, 3])", "frame 3 is no tested frame"));
   CHECK(says(R"("waht": "mass")", "unknown key \"waht\"; did you mean \"what\"?"));
   CHECK(!says(R"("what": "not-blank", "frames": [0, 59])", "error"));
-  CHECK(!says(R"("what": "mass", "least": 1, "most": 1)", "error"));
+  CHECK(!says(R"("what": "mass", "min": 1, "max": 1)", "error"));
   CHECK(!says(R"("what": "mass", "drift": 0, "frames": [5, 6])", "error"));
 }
 
@@ -205,18 +223,18 @@ TEST_CASE("checks of quantities that no object has") {
     return mistakes("{\"version\": 1, \"objects\": {" + objects + "},\n\"checks\": [{" + check + "}]}");
   };
   const char* flag = R"("flag": {"cloth": {}}, "ball": {"capsule": {}})";
-  checkHas(says(flag, R"("what": "enrgy", "most": 1)"),
+  checkHas(says(flag, R"("what": "enrgy", "max": 1)"),
            "s.json:2:21: error: no object of the scene has a quantity \"enrgy\"; did you mean \"energy\"?");
-  checkHas(says(flag, R"("what": "infected", "most": 1, "object": "flag")"),
+  checkHas(says(flag, R"("what": "infected", "max": 1, "object": "flag")"),
            "object \"flag\" is a cloth and has no quantity \"infected\"; known here: mass, energy");
-  checkHas(says(flag, R"("what": "mass", "most": 1, "object": "ball")"),
+  checkHas(says(flag, R"("what": "mass", "max": 1, "object": "ball")"),
            "object \"ball\" is a capsule and has no quantity \"mass\"; nothing is known here");
   const char* two = R"("a": {"cloth": {}}, "b": {"cloth": {}})";
-  checkHas(says(two, R"("what": "mass", "most": 1)"),
+  checkHas(says(two, R"("what": "mass", "max": 1)"),
            "several objects have \"mass\": a, b; name one of them with \"object\"");
-  CHECK(says(two, R"("what": "mass", "most": 1, "object": "b")").empty());
-  CHECK(!has(says(flag, R"("what": "mass", "most": 1, "object": "flga")"), "quantity"));  // said once
-  CHECK(!has(says(R"("a": {"cloht": {}})", R"("what": "enrgy", "most": 1)"), "quantity"));
+  CHECK(says(two, R"("what": "mass", "max": 1, "object": "b")").empty());
+  CHECK(!has(says(flag, R"("what": "mass", "max": 1, "object": "flga")"), "quantity"));  // said once
+  CHECK(!has(says(R"("a": {"cloht": {}})", R"("what": "enrgy", "max": 1)"), "quantity"));
 }
 
 TEST_CASE("drift needs a second frame, also of the tested ones") {
@@ -227,26 +245,26 @@ TEST_CASE("drift needs a second frame, also of the tested ones") {
 
 TEST_CASE("the sidecar's members replace the scene's own as a whole") {
   const Files files;
-  files.write("flag.json", sceneWith(R"("test": {"frames": [5], "tolerance": {"hard_fail": 9}},
+  files.write("flag.json", sceneWith(R"("test": {"frames": [5], "tolerance": {"hardFail": 9}},
                                         "checks": [{"what": "no-nan"}])"));
   CHECK(sidecarOf("a/flag.json") == "a/flag.test.json");
   CHECK(files.load().test.frames == std::vector<int>{5});
-  CHECK(files.load().test.toleranceOrigin.at("hard_fail") == (files.root / "flag.json").string());
+  CHECK(files.load().test.toleranceOrigin.at("hardFail") == (files.root / "flag.json").string());
 
-  files.write("flag.test.json", R"({"test": {"size": [8, 8], "tolerance": {"max_diff_ratio": 0.5}}})");
+  files.write("flag.test.json", R"({"test": {"size": [8, 8], "tolerance": {"maxDiffRatio": 0.5}}})");
   const Scene scene = files.load();
   CHECK(scene.test.frames.empty());  // not mixed with the scene's
-  CHECK(!scene.test.tolerance.hard_fail);
+  CHECK(!scene.test.tolerance.hardFail);
   CHECK(scene.test.size == glm::ivec2(8, 8));
   CHECK(scene.checks.size() == 1);  // kept: the sidecar has none
   REQUIRE(scene.test.toleranceOrigin.size() == 1);
-  CHECK(scene.test.toleranceOrigin.at("max_diff_ratio") == (files.root / "flag.test.json").string());
+  CHECK(scene.test.toleranceOrigin.at("maxDiffRatio") == (files.root / "flag.test.json").string());
   CHECK(scene.hash == loadScene(files.root / "flag.json", {}, toyKinds()).hash);
   CHECK(loadScene(files.root / "flag.json", {}, toyKinds()).test.frames == std::vector<int>{5});
 
-  const Scene changed = files.load({"test.tolerance.max_diff_ratio=0.25"});
-  CHECK(changed.test.tolerance.max_diff_ratio == 0.25);
-  CHECK(changed.test.toleranceOrigin.at("max_diff_ratio") == "-D");
+  const Scene changed = files.load({"test.tolerance.maxDiffRatio=0.25"});
+  CHECK(changed.test.tolerance.maxDiffRatio == 0.25);
+  CHECK(changed.test.toleranceOrigin.at("maxDiffRatio") == "-D");
 
   files.write("flag.test.json", R"({"checks": []})");
   CHECK(files.load().checks.empty());

@@ -115,8 +115,8 @@ TEST_CASE("grayScott: diffusion alone is stable up to the bound and not beyond")
           0.001F * static_cast<float>((x + y) % 2);
     }
     twin.advance(rates, 60);
-    const auto [least, most] = std::minmax_element(twin.u.begin(), twin.u.end());
-    return *most - *least;
+    const auto [min, max] = std::minmax_element(twin.u.begin(), twin.u.end());
+    return *max - *min;
   };
   CHECK(spread(0.99 * sim::maxGrayScottDiffusion) < 0.003F);
   CHECK(spread(1.1 * sim::maxGrayScottDiffusion) > 0.02F);

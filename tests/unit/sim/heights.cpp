@@ -80,7 +80,7 @@ TEST_CASE("heights: without grip a slope is slid down with g sin(angle)") {
   CHECK(p.y == doctest::Approx(height(p.x, p.z) + 0.1).epsilon(1e-5));
 }
 
-TEST_CASE("heights: a bounce gives back its share of the speed, grip takes the rest along the surface") {
+TEST_CASE("heights: a bounce gives back its fraction of the speed, grip takes the rest along the surface") {
   const auto flat = [](float, float) { return 3.0F; };
   auto twin = onSurface({10, 4.1F, -3}, {1, 0, 0}, 0, 0.6F, flat);
   double highest = 0;

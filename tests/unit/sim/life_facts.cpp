@@ -214,25 +214,25 @@ TEST_CASE("generations are due at floor(time * rate), whatever the frame rate") 
     for (const double rate : {10.0, 3.0, 60.0, 1000.0, 0.5}) {
       p.stepsPerSecond = rate;
       const LifePlan plan(p, "cells", 1, 1 / fps);
-      int most = 0;
+      int max = 0;
       for (int second = -3; second < 60; ++second) {
         const auto frame = static_cast<long>(second * fps);
         CHECK(plan.frameAt(static_cast<double>(frame) / fps) == frame);
         CHECK(plan.generationAt(frame) == static_cast<long>(std::floor(second * rate)));
         for (long f = frame; f < frame + static_cast<long>(fps); ++f)
-          most = std::max(most, static_cast<int>(plan.generationAt(f + 1) - plan.generationAt(f)));
+          max = std::max(max, static_cast<int>(plan.generationAt(f + 1) - plan.generationAt(f)));
       }
-      CHECK(most == plan.stepsPerFrame());
+      CHECK(max == plan.stepsPerFrame());
     }
   }
 }
 
 TEST_CASE("the random start is alive at the share asked for, and another for another seed") {
   auto p = grid(1003, 997);
-  for (const float share : {0.0F, 0.1F, 0.3F, 0.9F, 1.0F}) {
-    p.fill = share;
+  for (const float fraction : {0.0F, 0.1F, 0.3F, 0.9F, 1.0F}) {
+    p.fill = fraction;
     const double measured = static_cast<double>(population(twinOf(p))) / (1003.0 * 997.0);
-    CHECK(measured == doctest::Approx(static_cast<double>(share)).epsilon(0.005));
+    CHECK(measured == doctest::Approx(static_cast<double>(fraction)).epsilon(0.005));
   }
   p.fill = 0.5F;
   const auto a = twinOf(p, 1);

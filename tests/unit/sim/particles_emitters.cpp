@@ -93,15 +93,15 @@ Errors errors(const sim::ParticleParameters& p, double fps,
 }
 
 /// That both errors are small, and fall four times when the step is halved.
-void checkSecondOrder(const sim::ParticleParameters& p, double most,
+void checkSecondOrder(const sim::ParticleParameters& p, double max,
                       const std::function<dvec3(dvec3, double)>& acceleration,
                       const std::function<void(ParticlesTwin&)>& prepare = {}) {
   const Errors coarse = errors(p, 60, acceleration, prepare);
   const Errors fine = errors(p, 120, acceleration, prepare);
   CAPTURE(coarse.position);
   CAPTURE(coarse.velocity);
-  CHECK(coarse.position < most);
-  CHECK(coarse.velocity < most);
+  CHECK(coarse.position < max);
+  CHECK(coarse.velocity < max);
   CHECK(coarse.position / fine.position == doctest::Approx(4).epsilon(0.25));
   CHECK(coarse.velocity / fine.velocity == doctest::Approx(4).epsilon(0.25));
 }

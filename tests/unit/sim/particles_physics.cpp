@@ -87,8 +87,8 @@ glm::dvec3 angularMomentum(const ParticlesTwin& twin) {
 std::vector<Start> ellipse(double eccentricity) {
   const double reach = 1 + eccentricity;
   const double speed = std::sqrt(4.0 * (2 / reach - 1));
-  const auto at = [&](double share) {
-    return Start{glm::vec3(share * reach, 0, 0), glm::vec3(0, 0, share * speed), 0};
+  const auto at = [&](double fraction) {
+    return Start{glm::vec3(fraction * reach, 0, 0), glm::vec3(0, 0, fraction * speed), 0};
   };
   Start heavy = at(-0.25);
   Start light = at(0.75);
@@ -114,15 +114,15 @@ TEST_CASE("two bodies keep period and eccentricity over 100 periods") {
   const double dt = ellipsePeriod / steps;
   auto twin = bodies(ellipse(0.3), 1, 1e-5, dt);
   std::vector<double> passages;  // upward through the x axis on the far side
-  double least = 1e9;
-  double most = 0;
+  double min = 1e9;
+  double max = 0;
   double before = 0;
   for (int i = 0; i < 100 * steps + steps / 2; ++i) {
     twin.step(i * dt);
     const glm::dvec3 d = glm::dvec3(twin.positions[1]) - glm::dvec3(twin.positions[0]);
     if (i >= 99 * steps) {
-      least = std::min(least, glm::length(d));
-      most = std::max(most, glm::length(d));
+      min = std::min(min, glm::length(d));
+      max = std::max(max, glm::length(d));
     }
     if (before < 0 && d.z >= 0 && d.x > 0) passages.push_back((i + 1 - d.z / (d.z - before)) * dt);
     before = d.z;
@@ -130,7 +130,7 @@ TEST_CASE("two bodies keep period and eccentricity over 100 periods") {
   REQUIRE(passages.size() >= 100);
   const double period = passages.back() / static_cast<double>(passages.size());
   CHECK(period == doctest::Approx(ellipsePeriod).epsilon(2e-5));
-  CHECK((most - least) / (most + least) == doctest::Approx(0.3).epsilon(1e-3));
+  CHECK((max - min) / (max + min) == doctest::Approx(0.3).epsilon(1e-3));
 }
 
 TEST_CASE("the phase error of leapfrog falls four times when the step is halved") {
@@ -211,10 +211,10 @@ TEST_CASE("permuted bodies give the permuted result") {
     twin.step(i * 0.02);
     other.step(i * 0.02);
   }
-  float most = 0;
+  float max = 0;
   for (std::size_t i = 0; i < 257; ++i)
-    most = std::max(most, glm::length(glm::vec3(twin.positions[i] - other.positions[place(i)])));
-  CHECK(most < 2e-5F);
+    max = std::max(max, glm::length(glm::vec3(twin.positions[i] - other.positions[place(i)])));
+  CHECK(max < 2e-5F);
 }
 
 TEST_CASE("with velocities reversed the particles go back to where they were") {

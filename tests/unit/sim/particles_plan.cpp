@@ -21,10 +21,10 @@ namespace fs = std::filesystem;
 
 namespace {
 
-std::string problemOf(const std::string& text, int most = 100) {
+std::string problemOf(const std::string& text, int max = 100) {
   const TemporaryFile file("bad", text);
   try {
-    (void)sim::readParticles(file.path(), 1, most);
+    (void)sim::readParticles(file.path(), 1, max);
   } catch (const UserError& error) {
     CHECK(error.code() == ExitCode::usage);
     const std::string line = error.what();

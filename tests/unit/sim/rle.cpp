@@ -149,10 +149,10 @@ TEST_CASE("malformed RLE is refused with line and column") {
 
 TEST_CASE("what is written is read back, cell for cell, in lines of at most 70 characters") {
   for (const glm::ivec2 size : {glm::ivec2(257, 130), {31, 5}, {1, 1}, {128, 3}, {300, 7}}) {
-    for (const float share : {0.0F, 0.02F, 0.5F, 1.0F}) {
+    for (const float fraction : {0.0F, 0.02F, 0.5F, 1.0F}) {
       LifeParameters parameters;
       parameters.size = size;
-      parameters.fill = share;
+      parameters.fill = fraction;
       const LifePlan plan(parameters, "cells", 3, 0.1);
       const auto words = plan.firstCells();
       const std::string text = writeRle({size, words}, LifeRule{}, 'T', "one\ntwo");

@@ -225,9 +225,9 @@ TEST_CASE("a sparse stroke paints its share, others in each step and for each se
   auto p = stroke(Brush::circle, {30, 23, 0}, {30, 23, 0}, 100);
   const std::size_t all = paintedAtOnce(p).size();
   CHECK(all == static_cast<std::size_t>(grid.x * grid.y));
-  p.share = 0;
+  p.fraction = 0;
   CHECK(paintedAtOnce(p).empty());
-  p.share = 0.25F;
+  p.fraction = 0.25F;
   p.until = 1;
   const auto shareOf = [&](int seed, long step) {
     const Strokes strokes({p}, seed, bounded);

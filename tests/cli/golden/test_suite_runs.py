@@ -40,7 +40,7 @@ class Running(GoldenCase):
     def test_one_bad_scene_does_not_stop_the_others(self):
         self.write("scenes/b.json", "{\"version\": 1, \"objects\": {\"x\": {\"clothh\": {}}}}")
         self.write("scenes/c.json", "no json")
-        self.write("scenes/d.json", with_values({"checks": [{"what": "mass", "object": "nobody", "most": 1}]}, TESTED))
+        self.write("scenes/d.json", with_values({"checks": [{"what": "mass", "object": "nobody", "max": 1}]}, TESTED))
         self.write("scenes/e.json", TESTED)
         report, done = self.run_suite(2, "--update")
         self.assertEqual([s["status"] for s in report["scenes"]], ["updated", "error", "error", "error", "updated"])
@@ -137,7 +137,7 @@ class Outputs(GoldenCase):
         xmllint = shutil.which("xmllint")
         if xmllint is None:
             self.skipTest("xmllint is not installed (apt install libxml2-utils)")
-        schema = os.path.join(os.path.dirname(__file__), "..", "unit", "junit.xsd")
+        schema = os.path.join(os.path.dirname(__file__), "..", "..", "unit", "junit.xsd")
         done = subprocess.run([xmllint, "--noout", "--schema", schema, self.folder / "out.xml"], capture_output=True,
                               check=False)
         self.assertEqual(done.returncode, 0, done.stderr)

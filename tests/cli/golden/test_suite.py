@@ -228,37 +228,38 @@ class Ladder(GoldenCase):
         self.set_scene(HAIR)
         scene = self.one(0)
         self.assertEqual(scene["asked"], "tolerance")
-        self.assertEqual(scene["tolerance"]["max_channel_diff"], {"value": 12, "origin": "default"})
+        self.assertEqual(scene["tolerance"]["maxChannelDiff"], {"value": 12, "origin": "default"})
         self.set_scene(RED)
         scene = self.one(1)
-        self.assertIn("max_diff_ratio", scene["text"])
+        self.assertIn("maxDiffRatio", scene["text"])
 
     def test_every_bound_holds(self):
         self.make_baselines()
         self.pretend_other_numerics()
         self.set_scene(HAIR)
-        for bounds in ({"max_channel_diff": 0, "max_diff_ratio": 0}, {"max_channel_diff": 0, "max_diff_pixels": 3},
-                       {"max_flip_mean": 0}, {"hard_fail": 0},
-                       {"max_channel_diff": 0, "max_diff_ratio": 1, "window_size": 4, "max_window_ratio": 0.5}):
+        for bounds in ({"maxChannelDiff": 0, "maxDiffRatio": 0}, {"maxChannelDiff": 0, "maxDiffPixels": 3},
+                       {"maxFlipMean": 0}, {"hardFail": 0},
+                       {"maxChannelDiff": 0, "maxDiffRatio": 1, "windowSize": 4, "maxWindowRatio": 0.5}):
             self.set_scene({**HAIR, "test.tolerance": bounds})
             scene = self.one(1)
             field = list(bounds)[-1]
             self.assertIn(field, scene["text"])
             self.assertEqual(scene["tolerance"][field]["origin"], "scenes/a.json")
-        self.set_scene({**HAIR, "test.tolerance": {"max_channel_diff": 0, "max_diff_ratio": 1}})
+        self.set_scene({**HAIR, "test.tolerance": {"maxChannelDiff": 0, "maxDiffRatio": 1}})
         self.one(0)
         # The command line wins over the scene, and a baseline's own tolerance over the scene's.
-        self.assertEqual(self.one(1, "--max-diff-ratio", "0")["tolerance"]["max_diff_ratio"],
+        self.assertEqual(self.one(1, "--max-diff-ratio", "0")["tolerance"]["maxDiffRatio"],
                          {"value": 0, "origin": "--max-diff-ratio"})
-        self.edit_json(self.golden("a/any/baseline.json"), lambda b: b.update(tolerance={"max_diff_ratio": 0}))
-        self.assertEqual(self.one(1)["tolerance"]["max_diff_ratio"]["origin"], "scenes/golden/a/any/baseline.json")
+        for name in ("max_diff_ratio", "maxDiffRatio"):  # the first is how it was spelt before
+            self.edit_json(self.golden("a/any/baseline.json"), lambda b: b.update(tolerance={name: 0}))
+            self.assertEqual(self.one(1)["tolerance"]["maxDiffRatio"]["origin"], "scenes/golden/a/any/baseline.json")
 
     def test_loose_tolerances_are_told(self):
         self.make_baselines()
         self.pretend_other_numerics()
-        self.set_scene({**HAIR, "test.tolerance": {"hard_fail": 255}})
+        self.set_scene({**HAIR, "test.tolerance": {"hardFail": 255}})
         scene = self.one(0)
-        self.assertTrue(any("hard_fail is 255" in note for note in scene["notes"]), scene["notes"])
+        self.assertTrue(any("hardFail is 255" in note for note in scene["notes"]), scene["notes"])
 
     def test_another_size_is_a_failure(self):
         self.make_baselines()
@@ -299,16 +300,16 @@ class Ladder(GoldenCase):
         self.one(0, "--update")
         self.assertEqual(self.tree("scenes/golden"), before)
         self.pretend_other_numerics()
-        self.set_scene({**RED, "test.xfail": "not mended yet", "test.tolerance": {"hard_fail": 20}})
-        self.assertEqual(self.one(1)["status"], "fail", "hard_fail is never bypassed")
+        self.set_scene({**RED, "test.xfail": "not mended yet", "test.tolerance": {"hardFail": 20}})
+        self.assertEqual(self.one(1)["status"], "fail", "hardFail is never bypassed")
 
     def test_checks(self):
-        self.set_scene({"checks": [{"what": "max", "object": "flag", "of": "positions.y", "most": 1.0}]})
+        self.set_scene({"checks": [{"what": "max", "object": "flag", "of": "positions.y", "max": 1.0}]})
         scene = self.one(1, "--update")
         self.assertEqual(scene["status"], "fail")
         self.assertFalse(self.golden().exists(), "what fails its own check is no baseline")
         self.assertRegex(scene["text"], r"frame 0: max of flag positions.y is [\d.]+, above 1")
-        self.set_scene({"checks": [{"what": "max", "object": "flag", "of": "positions.y", "most": 5},
+        self.set_scene({"checks": [{"what": "max", "object": "flag", "of": "positions.y", "max": 5},
                                    {"what": "not-blank"}, {"what": "no-nan"}]})
         scene = self.one(0, "--update")
         self.assertEqual(len(scene["checks"]), 9)

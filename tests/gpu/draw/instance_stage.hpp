@@ -24,31 +24,31 @@ class Dice {
 };
 
 /// Instances as a simulation publishes them.
-struct CrowdStage {
-  CrowdStage(const std::vector<glm::vec4>& places, const std::vector<glm::vec4>& speeds)
-      : positions(simreel::gl::Buffer::of<glm::vec4>("crowd positions", places)),
-        velocities(simreel::gl::Buffer::of<glm::vec4>("crowd velocities", speeds)),
-        positionView(simreel::gl::Texture::view("crowd positions", GL_RGBA32F, positions)),
-        velocityView(simreel::gl::Texture::view("crowd velocities", GL_RGBA32F, velocities)) {
+struct InstanceStage {
+  InstanceStage(const std::vector<glm::vec4>& places, const std::vector<glm::vec4>& speeds)
+      : positions(simreel::gl::Buffer::of<glm::vec4>("instance positions", places)),
+        velocities(simreel::gl::Buffer::of<glm::vec4>("instance velocities", speeds)),
+        positionView(simreel::gl::Texture::view("instance positions", GL_RGBA32F, positions)),
+        velocityView(simreel::gl::Texture::view("instance velocities", GL_RGBA32F, velocities)) {
     instances.positions = &positionView;
     instances.velocities = &velocityView;
     instances.capacity = static_cast<int>(places.size());
     instances.material = &material;
   }
   /// At rest, 1 kg, age 0.
-  explicit CrowdStage(const std::vector<glm::vec3>& places)
-      : CrowdStage(
+  explicit InstanceStage(const std::vector<glm::vec3>& places)
+      : InstanceStage(
             [&] {
               std::vector<glm::vec4> four;
               for (const glm::vec3& p : places) four.emplace_back(p, 1.0F);
               return four;
             }(),
             std::vector<glm::vec4>(places.size(), glm::vec4(0))) {}
-  CrowdStage(const CrowdStage&) = delete;
-  CrowdStage& operator=(const CrowdStage&) = delete;
-  CrowdStage(CrowdStage&&) = delete;
-  CrowdStage& operator=(CrowdStage&&) = delete;
-  ~CrowdStage() = default;
+  InstanceStage(const InstanceStage&) = delete;
+  InstanceStage& operator=(const InstanceStage&) = delete;
+  InstanceStage(InstanceStage&&) = delete;
+  InstanceStage& operator=(InstanceStage&&) = delete;
+  ~InstanceStage() = default;
 
   simreel::gl::Buffer positions, velocities;
   simreel::gl::Texture positionView, velocityView;

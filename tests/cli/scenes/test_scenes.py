@@ -221,6 +221,16 @@ class Warnings(Case):
                 self.assertEqual(shown, size if words is None else words.split()[-1])
 
 
+    def test_names_of_before(self):
+        self.write("old.json", """{"version": 1,
+"test": {"tolerance": {"max_diff_ratio": 0.1}}, "checks": [{"what": "population", "least": 0}],
+"objects": {"cells": {"life": {"size": [32, 32], "strokes": [{"at": 0, "share": 0.5}]}}}}""")
+        words = ['old.json:2:24: "max_diff_ratio" is called "maxDiffRatio" now',
+                 'old.json:2:83: "least" is called "min" now', 'old.json:3:72: "share" is called "fraction" now']
+        warnings = self.warned("validate", "old.json")
+        self.assertEqual(sorted(warnings), sorted("simreel: warning: " + line for line in words))
+
+
 class StandardInput(Case):
     def feed(self, text, *arguments, code=0):
         done = subprocess.run([PROGRAM, *arguments], cwd=self.folder, input=text, capture_output=True, timeout=60, check=False)

@@ -155,7 +155,7 @@ class Pictures(DiffCase):
         self.write_pair(BASE, changed({(0, 0): (41, 30, 200)}))
         done = self.diff(1, "a.png", "b.png")
         self.assertIn("worst pixel     1 of 255 at x 0, y 0", done.out)
-        self.assertIn("\ndifferent: 1 pixel differs (max_diff_pixels is 0)\n", done.out)
+        self.assertIn("\ndifferent: 1 pixel differs (maxDiffPixels is 0)\n", done.out)
         self.assertEqual(self.diff(1, "a.png", "b.png", "-q").out, "")
 
     def test_bounds(self):
