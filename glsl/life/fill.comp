@@ -1,4 +1,4 @@
-// The random start: a cell is alive when the hash of (x, y, seed) is below the share. An invocation writes a whole
+// The random start: a cell is alive when the hash of (x, y, seed) is below the fraction. An invocation writes a whole
 // block of 128 cells, so none shares a word with another.
 #include "common/hash.glsl"
 #include "common/words.glsl"

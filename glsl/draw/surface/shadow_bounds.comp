@@ -1,4 +1,4 @@
-// Grows the bounds by one surface, or by INSTANCES, or by a BOX. Each invocation reduces a strided fraction of the
+// Grows the bounds by one surface, or by INSTANCES, or by a BOX. Each invocation reduces a strided share of the
 // vertices first.
 #include "draw/instances/bounds.glsl"
 layout(local_size_x = 64) in;

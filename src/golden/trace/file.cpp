@@ -78,7 +78,7 @@ StepTrace::Array readArray(Input& in) {
       array.steps < 1 || array.steps > max)
     in.wrong("its sizes make no sense");
   // The kernel adds up a block in equal shares.
-  if (array.perBlock % invocationFraction(array.perBlock) != 0) in.wrong("its sizes make no sense");
+  if (array.perBlock % elementsPerInvocation(array.perBlock) != 0) in.wrong("its sizes make no sense");
   return array;
 }
 

@@ -21,7 +21,7 @@ std::uint32_t blockSize(std::uint32_t elements, std::uint32_t blocks) {
 
 }  // namespace
 
-std::uint32_t invocationFraction(std::uint32_t perBlock) {
+std::uint32_t elementsPerInvocation(std::uint32_t perBlock) {
   return std::min(perBlock, maxPerInvocation);
 }
 

@@ -15,7 +15,7 @@ namespace simreel::golden {
 [[nodiscard]] StepTrace layOut(std::vector<StepTrace::Array> arrays, int firstFrame, int lastFrame,
                                std::size_t maxBytes);
 /// Elements that one invocation of the hash kernel takes: a divisor of perBlock, at most 64.
-[[nodiscard]] std::uint32_t invocationFraction(std::uint32_t perBlock);
+[[nodiscard]] std::uint32_t elementsPerInvocation(std::uint32_t perBlock);
 /// The same trace with less in it, as if it had been laid out so: each array as one block where `whole`,
 /// and every step of the first `detailed` frames only (at most as many as it has).
 [[nodiscard]] StepTrace reduced(const StepTrace& trace, bool whole, std::uint32_t detailed);

@@ -68,7 +68,7 @@ class Tracer {
     const gl::Texture words = gl::Texture::view("state words", GL_RGBA32UI, buffer);
     words.bind(shader::wordsBinding);
     sums_.bindStorage(shader::sumsBinding);
-    const std::uint32_t perInvocation = invocationFraction(array.perBlock);
+    const std::uint32_t perInvocation = elementsPerInvocation(array.perBlock);
     hash_.set("texels", static_cast<int>(array.elements));
     hash_.set("perInvocation", static_cast<int>(perInvocation));
     hash_.set("perBlock", static_cast<int>(array.perBlock));

@@ -221,7 +221,7 @@ TEST_CASE("a moving circle leaves no gap between steps") {
   }
 }
 
-TEST_CASE("a sparse stroke paints its share, others in each step and for each seed") {
+TEST_CASE("a sparse stroke paints its fraction, others in each step and for each seed") {
   auto p = stroke(Brush::circle, {30, 23, 0}, {30, 23, 0}, 100);
   const std::size_t all = paintedAtOnce(p).size();
   CHECK(all == static_cast<std::size_t>(grid.x * grid.y));
