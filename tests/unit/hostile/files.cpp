@@ -3,6 +3,7 @@
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "base/hash.hpp"
+#include "base/version.hpp"
 #include "frame/file/checkpoint.hpp"
 #include "frame/file/manifest.hpp"
 #include "frame/image.hpp"
@@ -22,8 +23,10 @@
 #include <vector>
 
 #include <doctest/doctest.h>
+#include <fmt/format.h>
 #include <isa-l/crc.h>
 #include <isa-l/igzip_lib.h>
+#include <nlohmann/json.hpp>
 
 using namespace simreel;
 using namespace simreel::test;
@@ -83,6 +86,25 @@ TEST_CASE("JSON a million deep is refused in manifest, checkpoint, report, basel
   const TemporaryFile file("deep.checkpoint", header + hashHex(header));
   const std::string none = refusal([&] { CHECK(!frame::Checkpoint::read(file.path(), {}, 10)); });
   CHECK(none == "nothing was refused");  // it warns and starts over
+}
+
+TEST_CASE("a checkpoint that holds more or less than it says is not used, whatever its hash") {
+  frame::RunInfo run;
+  run.width = run.height = 8;
+  const auto reads = [&](const char* sizes, const char* payload) {
+    const std::string text =
+        fmt::format(R"({{"format":"simreel-checkpoint","program":"{}","run":{},"frame":3,"state":"s",{}}})",
+                    version(), nlohmann::json::parse(frame::manifestText({run, {}})).dump(), sizes) +
+        "\n" + payload;
+    const TemporaryFile file("sizes.checkpoint", text + hashHex(text));
+    return frame::Checkpoint::read(file.path(), run, 10).has_value();
+  };
+  const char* sizes = R"("counts":2,"parts":[["a","b",3],["a","c",1]])";
+  CHECK(reads(sizes, "123456"));
+  CHECK(!reads(sizes, "12345"));
+  CHECK(!reads(sizes, "1234567"));
+  CHECK(!reads(R"("counts":2,"parts":[["a","b",-3],["a","c",7]])", "123456"));
+  CHECK(!reads(R"("counts":18446744073709551615,"parts":[["a","b",7]])", "123456"));
 }
 
 TEST_CASE("a manifest's number that no int holds is refused, however it would wrap") {
