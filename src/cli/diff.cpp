@@ -144,7 +144,8 @@ void addDiff(CLI::App& app) {
   options->tolerance.add(*command);
   command->add_flag("--json", options->json, "Print one JSON object instead of text");
   command->footer(
-      "Without a bound, pictures must be equal. --max-channel-diff alone holds for every pixel. Every "
+      "Without a bound, pictures must be equal. The window is 16 x 16 unless given. --max-channel-diff "
+      "alone holds for every pixel. Every "
       "bound that is given must hold.\n"
       "Exit code: 0 equal or within the bounds, 1 different, 2 usage, 6 a file cannot be read.");
   command->callback([options] { diff(*options); });

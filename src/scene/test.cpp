@@ -127,13 +127,12 @@ void Tolerance::describe(Fields& fields) {
                  "A pixel differs when one of its channels is further apart than this.");
   fields.optionalNumber("maxDiffPixels", maxDiffPixels, notNegative, "pixels",
                         "How many pixels may differ.");
-  fields.optionalNumber(
-      "maxDiffRatio", maxDiffRatio, fraction, "",
-      "Fraction of all pixels that may differ; 0.02 while neither this nor maxDiffPixels is given.");
-  fields.integer("windowSize", windowSize, {1, 4096}, "pixels",
-                 "Side of the window that maxWindowRatio looks through.");
+  fields.optionalNumber("maxDiffRatio", maxDiffRatio, fraction, "",
+                        "Fraction of all pixels that may differ.");
+  fields.leftOut("maxDiffRatio", "0.02, or any where maxDiffPixels is given");
+  fields.integer("windowSize", windowSize, {1, 4096}, "pixels", "Side N of the densest N x N window.");
   fields.optionalNumber("maxWindowRatio", maxWindowRatio, fraction, "",
-                        "Fraction of the pixels of any window that may differ.");
+                        "Fraction of that window's pixels that may differ.");
   fields.optionalNumber("maxFlipMean", maxFlipMean, fraction, "", "Mean FLIP error allowed.");
   fields.optionalNumber("hardFail", hardFail, channel, "",
                         "No channel of any pixel may ever be further apart than this.");

@@ -71,8 +71,11 @@ PictureBaseline picturesOf(JsonObject& root) {
   if (const auto found = root.find("tolerance")) {
     JsonObject tolerance(*found);
     for (const scene::Bound& field : scene::Tolerance().bounds())
-      for (const std::string& name : {field.formerName(), std::string(field.name)})
-        if (const auto bound = tolerance.find(name)) result.tolerance[field.name] = bound->number();
+      for (const std::string& name : {std::string(field.name), field.formerName()})
+        if (const auto bound = tolerance.find(name)) {
+          result.tolerance[field.name] = bound->number();
+          break;  // one beside it that has the former name is unknown
+        }
     tolerance.finish();
   }
   root.at("frames").eachMember([&](const std::string& key, const JsonValue& frame) {

@@ -194,7 +194,8 @@ class BadInput(GoldenCase):
                    (lambda b: b.update(width="wide"), "width must be"), (lambda b: b.update(frames=[]), "frames"),
                    (lambda b: b["frames"].update({"x": {"pixels": "", "fingerprint": ""}}), "\"x\" is no number"),
                    (lambda b: b["frames"]["3"].update(alternates=["a"] * 4), "alternates"),
-                   (lambda b: b.update(tolerance={"max": 1}), "tolerance.max is unknown"))
+                   (lambda b: b.update(tolerance={"max": 1}), "tolerance.max is unknown"),
+                   (lambda b: b.update(tolerance={"hard_fail": 1, "hardFail": 1}), "tolerance.hard_fail is unknown"))
         for change, words in changes:
             path.write_text(whole)
             self.edit_json(path, change)
