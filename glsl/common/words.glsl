@@ -2,9 +2,11 @@
 #ifdef TEXEL_PATH
 #define INPUT_WORDS(unit, block, name) layout(binding = unit) uniform usamplerBuffer name;
 #define LOAD_INPUT_WORDS(name, i) texelFetch(name, i)
-#define STATE_WORDS(unit, block, name) layout(rgba32ui, binding = unit) uniform restrict uimageBuffer name;
-#define LOAD_WORDS(name, i) imageLoad(name, i)
-#define STORE_WORDS(name, i, value) imageStore(name, i, value)
+#define STATE_WORDS(unit, block, name)                                     \
+  layout(rgba32ui, binding = unit) uniform readonly uimageBuffer name##Texels; \
+  layout(std430, binding = unit) writeonly buffer block { uvec4 name[]; };
+#define LOAD_WORDS(name, i) imageLoad(name##Texels, i)
+#define STORE_WORDS(name, i, value) name[i] = (value)
 #else
 #define INPUT_WORDS(unit, block, name) \
   layout(std430, binding = unit) readonly restrict buffer block { uvec4 name[]; };

@@ -1,24 +1,31 @@
-// STEPS steps in one pass, without a tile: the 32 invocations of a work group lie side by side across a strip, PAIRS
-// elements each, and go down STRIP_ROWS rows of it. A row that is loaded completes the row above it one step later, which
-// completes the row above that another step later, and so on, so a pass keeps two rows of each step in registers and
-// repeats only the strip's sides and its first and last 2 * STEPS rows. The order of operations is that of step.comp,
-// so the bits are the same.
+// STEPS steps in one pass, without a tile: invocations go down STRIP_ROWS rows of a strip, each with ELEMENTS elements of a
+// row. A row that is loaded completes the row above it one step later, which completes the row above that another
+// step later, and so on, so a pass keeps two rows of each step in registers and repeats only the strip's sides and its
+// first and last 2 * STEPS rows. The order of operations is that of step.comp, so the bits are the same.
+//
+// Where neighbours can tell each other their values, a strip is the 32 invocations of a work group side by side; on the
+// texel path each invocation has a strip of its own, and its sides are part of its elements.
 #ifdef SUBGROUPS
 #extension GL_KHR_shader_subgroup_shuffle_relative : require
 #endif
 #include "gray_scott/grid.glsl"
-layout(local_size_x = 32) in;
 STATE_ARRAY(nextCellsBinding, NextBlock, nextCells)
 
-const int border = (STEPS + 1) / 2;  // elements
+#ifdef TEXEL_PATH
+layout(local_size_x = 8) in;
+const int neighbours = 1;
+int lane = 0;
+#else
+layout(local_size_x = 32) in;
+const int neighbours = 32;
 int lane = int(gl_LocalInvocationID.x);
+#endif
+const int border = (STEPS + 1) / 2;                              // elements
+const int inside = neighbours * ELEMENTS - 2 * border;  // of a strip that are stored
 
 // The elements of an invocation in a row.
 struct Row {
-  vec4 first;
-#if PAIRS == 2
-  vec4 second;
-#endif
+  vec4 element[ELEMENTS];
 };
 
 // The last two rows of one step, with the sums of their side neighbours.
@@ -26,8 +33,13 @@ struct Level {
   Row above, aboveSides, here, hereSides;
 };
 
-// The last cell of the invocation to the left and the first of the one to the right; at the group's ends anything.
-#ifdef SUBGROUPS
+// The last cell of the invocation to the left and the first of the one to the right; at the strip's ends anything.
+#ifdef TEXEL_PATH
+void exchange(vec2 first, vec2 last, out vec2 left, out vec2 right) {
+  left = first;
+  right = last;
+}
+#elif defined(SUBGROUPS)
 void exchange(vec2 first, vec2 last, out vec2 left, out vec2 right) {
   left = subgroupShuffleUp(last, 1u);
   right = subgroupShuffleDown(first, 1u);
@@ -48,35 +60,25 @@ void exchange(vec2 first, vec2 last, out vec2 left, out vec2 right) {
 #endif
 
 Row sidesOf(Row row) {
+  const int last = ELEMENTS - 1;
   vec2 left, right;
+  exchange(row.element[0].xy, row.element[last].zw, left, right);
   Row sides;
-#if PAIRS == 2
-  exchange(row.first.xy, row.second.zw, left, right);
-  sides.first = sideSums(vec4(0, 0, left), row.first, row.second);
-  sides.second = sideSums(row.first, row.second, vec4(right, 0, 0));
-#else
-  exchange(row.first.xy, row.first.zw, left, right);
-  sides.first = sideSums(vec4(0, 0, left), row.first, vec4(right, 0, 0));
-#endif
+  for (int k = 0; k <= last; ++k)
+    sides.element[k] = sideSums(k > 0 ? row.element[max(k - 1, 0)] : vec4(0, 0, left), row.element[k],
+                                k < last ? row.element[min(k + 1, last)] : vec4(right, 0, 0));
   return sides;
-}
-
-vec4 nextPair(vec4 above, vec4 aboveSides, vec4 here, vec4 hereSides, vec4 below, vec4 belowSides) {
-  precise vec4 corners = aboveSides + belowSides;
-  precise vec4 edges = hereSides + (above + below);
-  return steppedPair(here, edges, corners, ratesAt(0));
 }
 
 // Takes the row below and gives the row here one step later.
 Row advanced(inout Level level, Row below) {
   Row belowSides = sidesOf(below);
   Row next;
-  next.first = nextPair(level.above.first, level.aboveSides.first, level.here.first, level.hereSides.first,
-                        below.first, belowSides.first);
-#if PAIRS == 2
-  next.second = nextPair(level.above.second, level.aboveSides.second, level.here.second,
-                         level.hereSides.second, below.second, belowSides.second);
-#endif
+  for (int k = 0; k < ELEMENTS; ++k) {
+    precise vec4 corners = level.aboveSides.element[k] + belowSides.element[k];
+    precise vec4 edges = level.hereSides.element[k] + (level.above.element[k] + below.element[k]);
+    next.element[k] = steppedPair(level.here.element[k], edges, corners, ratesAt(0));
+  }
   level.above = level.here;
   level.aboveSides = level.hereSides;
   level.here = below;
@@ -113,27 +115,36 @@ vec4 loadPair(Source source, int start) {
   return pair;
 }
 
+Row loadRow(Source sources[ELEMENTS], int row) {
+  Row loaded;
+  for (int k = 0; k < ELEMENTS; ++k) loaded.element[k] = loadPair(sources[k], row * columns);
+  return loaded;
+}
+
 void main() {
-  int x = int(gl_WorkGroupID.x) * (32 * PAIRS - 2 * border) - border + lane * PAIRS;
+#ifdef TEXEL_PATH
+  int strip = int(gl_GlobalInvocationID.x);
+#else
+  int strip = int(gl_WorkGroupID.x);
+#endif
+  int x = strip * inside - border + lane * ELEMENTS;
   int top = rowRange.x + int(gl_WorkGroupID.y) * STRIP_ROWS;
   int count = min(STRIP_ROWS, rowRange.x + rowRange.y - top) + 2 * STEPS;
   int row = wrapped(top - STEPS, size.y);
   int to = top - 2 * STEPS;
-  Source firstSource = sourceOf(x);
-  bool firstSound = lane * PAIRS >= border && lane * PAIRS < 32 * PAIRS - border && x < columns;
-#if PAIRS == 2
-  Source secondSource = sourceOf(x + 1);
-  bool secondSound = lane * PAIRS + 1 >= border && lane * PAIRS + 1 < 32 * PAIRS - border && x + 1 < columns;
-#define LOAD(row) Row(loadPair(firstSource, (row) * columns), loadPair(secondSource, (row) * columns))
-#define STORE_SECOND(start) \
-  if (secondSound) STORE_STATE(nextCells, (start) + x + 1, next.second);
-  const Row nothing = Row(vec4(0), vec4(0));
-#else
-#define LOAD(row) Row(loadPair(firstSource, (row) * columns))
-#define STORE_SECOND(start)
-  const Row nothing = Row(vec4(0));
+#ifdef TEXEL_PATH
+  if (x + border >= columns) return;
 #endif
-  const Level empty = Level(nothing, nothing, nothing, nothing);
+  Source sources[ELEMENTS];
+  bool sound[ELEMENTS];
+  Row nothing;
+  for (int k = 0; k < ELEMENTS; ++k) {
+    int place = lane * ELEMENTS + k;
+    sources[k] = sourceOf(x + k);
+    sound[k] = place >= border && place < border + inside && x + k < columns;
+    nothing.element[k] = vec4(0);
+  }
+  Level empty = Level(nothing, nothing, nothing, nothing);
 
 #if STEPS == 2
 #define EACH(DO) DO(0) DO(1)
@@ -153,16 +164,16 @@ void main() {
   {                                                                   \
     Row next = pending;                                               \
     row = row + 1 < size.y ? row + 1 : 0;                             \
-    pending = LOAD(row);                                              \
+    pending = loadRow(sources, row);                                           \
     EACH(ADVANCE)                                                     \
     if ((i) >= 2 * STEPS && (i) < count) {                            \
       int start = wrappedRow(to + (i)) * columns;                     \
-      if (firstSound) STORE_STATE(nextCells, start + x, next.first);  \
-      STORE_SECOND(start)                                             \
+      for (int k = 0; k < ELEMENTS; ++k)                              \
+        if (sound[k]) STORE_STATE(nextCells, start + x + k, next.element[k]); \
     }                                                                 \
   }
   EACH(MAKE)
-  Row pending = LOAD(row);
+  Row pending = loadRow(sources, row);
   // Three rows a round: what is above comes to lie where it was, so nothing is copied.
   for (int i = 0; i < count; i += 3) {
     ROW(i)

@@ -4,7 +4,7 @@
 #include "base/log.hpp"
 #include "gl/errors.hpp"
 #include "gl/limits.hpp"
-#include "gl/scarce_threads.hpp"
+#include "gl/driver_threads.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -256,7 +256,7 @@ struct Context::State {
 };
 
 void Context::State::choose(const ContextOptions& options) {
-  allowForScarceThreads();
+  chooseDriverThreads();
   const auto devices = enumerate();
   if (devices.empty()) fail(ExitCode::device, "EGL finds no device to render with; {}", advice);
   std::vector<int> order(devices.size());

@@ -36,10 +36,8 @@ class ElementArray {
   }
   /// For STATE_ARRAY(unit, ...) and STATE_WORDS.
   void bindState(GLuint unit) const {
-    if (memoryPath() == MemoryPath::texel)
-      view_.bindImage(unit, GL_READ_WRITE);
-    else
-      buffer_.bindStorage(unit);
+    if (memoryPath() == MemoryPath::texel) view_.bindImage(unit, GL_READ_ONLY);
+    buffer_.bindStorage(unit);
   }
 
   /// Copies to the front, ordered with the GL commands around it.

@@ -123,12 +123,20 @@ int main(int argc, char** argv) {
                       Cut{1, 1, 32, 4, 0, 4, 1, 128},
                       Cut{1, 1, 32, 4, 0, 6, 1, 16},
                       Cut{1, 1, 32, 4, 0, 6, 1, 128},
-                      Cut{1, 1, 32, 4, 0, 8, 1, 192}};
+                      Cut{1, 1, 32, 4, 0, 8, 1, 192},
+                      Cut{1, 4, 32, 4, 0, 2, 6, 64},
+                      Cut{1, 4, 32, 4, 0, 2, 10, 64},
+                      Cut{1, 4, 32, 4, 0, 3, 10, 64},
+                      Cut{1, 4, 32, 4, 0, 4, 8, 64},
+                      Cut{1, 4, 32, 4, 0, 4, 12, 32},
+                      Cut{1, 4, 32, 4, 0, 4, 12, 64},
+                      Cut{1, 4, 32, 4, 0, 4, 20, 64},
+                      Cut{1, 4, 32, 4, 0, 6, 14, 64}};
   for (const Cut& cut : cuts) {
-    if (software && cut.stepsPerPass > 1) continue;  // shared memory is slow there
+    if (software != (cut.stripElements > 2) && cut.stepsPerPass > 1) continue;
     const std::string work =
         cut.stepsPerPass > 1 ? fmt::format("{} a pass, strips of {}x{}", cut.stepsPerPass,
-                                           64 * cut.stripPairs, cut.stripRows)
+                                           64 * cut.stripElements, cut.stripRows)
                              : fmt::format("1 a pass, {}x{} of {}x{}{}", cut.groupX, cut.groupY,
                                            2 * cut.across, cut.rows, cut.bandRows == 0 ? ", no bands" : "");
     const bool first = &cut == &cuts[0];

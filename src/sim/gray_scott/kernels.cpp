@@ -18,11 +18,13 @@ namespace simreel::sim {
 namespace {
 
 /// Invocations side by side across a strip (strips.comp).
-constexpr int stripGroup = 32;
+int stripGroup() {
+  return gl::memoryPath() == gl::MemoryPath::texel ? 1 : 32;
+}
 
-/// How many groups a pass of several steps takes; each repeats `steps` cells around its part.
-int stripCount(glm::ivec2 size, int steps, int pairs, int rows) {
-  const int width = stripGroup * pairs - (steps + 1) / 2 * 2;
+/// How many strips a pass of several steps takes; each repeats `steps` cells around its part.
+int stripCount(glm::ivec2 size, int steps, int elements, int rows) {
+  const int width = stripGroup() * elements - (steps + 1) / 2 * 2;
   return (((size.x + 1) / 2 - 1) / width + 1) * ((size.y - 1) / rows + 1);
 }
 
@@ -61,8 +63,14 @@ std::vector<glm::uvec4> elementsOf(const std::vector<std::uint32_t>& words) {
 // Long, wide strips repeat least; an H200 wants some 4,000 of them (9 of the widest are at work on each of
 // its 132 multiprocessors at a time). Measured from 512x512 to 8192x8192, tools/bench/README.md.
 GrayScottKernels::Cut GrayScottKernels::bestCut(glm::ivec2 size) {
-  if (gl::memoryPath() == gl::MemoryPath::texel) return {1, 4, 32, 4};
-  constexpr int steps = 4, wanted = 4000;
+  constexpr int steps = 4;
+  if (gl::memoryPath() == gl::MemoryPath::texel) {
+    constexpr int elements = 12, lanes = 64;  // enough strips for four threads, eight side by side
+    int rows = 64;
+    while (rows > 8 && stripCount(size, steps, elements, rows) < lanes) rows /= 2;
+    return {1, 4, 32, 4, -1, steps, elements, rows};
+  }
+  constexpr int wanted = 4000;
   if (stripCount(size, steps, 2, 128) >= wanted) return {1, 1, 32, 4, -1, steps, 2, 128};
   int rows = 128;
   while (rows > 16 && stripCount(size, steps, 1, rows) < wanted) rows /= 2;
@@ -105,7 +113,7 @@ GrayScottKernels::GrayScottKernels(const std::string& name, const GrayScottPlan&
   if (cut_.stepsPerPass == 1) return;
   if (gl::limits().shuffle32) defines.emplace_back("SUBGROUPS", "1");
   define("STEPS", cut_.stepsPerPass);
-  define("PAIRS", cut_.stripPairs);
+  define("ELEMENTS", cut_.stripElements);
   define("STRIP_ROWS", cut_.stripRows);
   makeProgram(strips_, "gray_scott/strips.comp", defines);
 }
@@ -183,8 +191,8 @@ void GrayScottKernels::pass(const gl::Program& program, int from, int first, int
   gl::barrier();
   if (&program == &strips_) {
     const int down = (rows - 1) / cut_.stripRows + 1;
-    const int across = stripCount({size_.x, 1}, cut_.stepsPerPass, cut_.stripPairs, 1);
-    program.dispatch(across * stripGroup, down);
+    const int across = stripCount({size_.x, 1}, cut_.stepsPerPass, cut_.stripElements, 1);
+    program.dispatch(across * stripGroup(), down);
   } else {
     program.dispatch((columns_ - 1) / cut_.across + 1, (rows - 1) / cut_.rows + 1);
   }

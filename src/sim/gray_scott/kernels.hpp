@@ -16,9 +16,9 @@ class GrayScottKernels {
     int rows = 1;    ///< and rows
     int groupX = 32, groupY = 4;
     int bandRows = -1;  ///< rows that single steps stay in (bands()); 0: all; -1: as the grid's size asks
-    int stepsPerPass = 1;  ///< 2, 3, 4, 6 or 8: several steps a pass, in strips
-    int stripPairs = 1;    ///< elements across a strip that each of 32 invocations takes, 1 or 2
-    int stripRows = 64;    ///< and rows that they go down
+    int stepsPerPass = 1;   ///< 2, 3, 4, 6 or 8: several steps a pass, in strips
+    int stripElements = 1;  ///< elements across a strip that each of its invocations takes
+    int stripRows = 64;     ///< and rows that they go down
   };
   /// What is fastest for a grid of that size on this device's memory path.
   [[nodiscard]] static Cut bestCut(glm::ivec2 size);

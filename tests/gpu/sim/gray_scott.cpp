@@ -114,17 +114,19 @@ TEST_CASE("grayScott: every cut of the work gives the same bits") {
   GrayScottTwin twin(plan);
   twin.advance(plan.ratesAt(0), 61);
   using Cut = sim::GrayScottKernels::Cut;
+  // A strip without neighbours brings its own border along.
+  const int sides = gl::memoryPath() == gl::MemoryPath::texel ? 8 : 0;
   for (const Cut cut :
        {Cut{1, 1, 8, 8}, Cut{1, 8, 32, 4}, Cut{2, 4, 8, 8}, Cut{3, 5, 4, 4}, Cut{1, 8, 32, 4, 16},
-        Cut{1, 4, 8, 8, 9}, Cut{1, 1, 32, 4, 41}, Cut{1, 4, 8, 8, -1, 2, 1, 20},
-        Cut{1, 4, 8, 8, -1, 3, 1, 9}, Cut{1, 4, 8, 8, -1, 6, 1, 16}, Cut{1, 4, 8, 8, -1, 8, 1, 31},
-        Cut{1, 4, 8, 8, -1, 3, 2, 50}, Cut{1, 4, 8, 8, 34, 4, 2, 7},
-        sim::GrayScottKernels::bestCut(p.size)}) {
+        Cut{1, 4, 8, 8, 9}, Cut{1, 1, 32, 4, 41}, Cut{1, 4, 8, 8, -1, 2, sides + 1, 20},
+        Cut{1, 4, 8, 8, -1, 3, sides + 1, 9}, Cut{1, 4, 8, 8, -1, 6, sides + 1, 16},
+        Cut{1, 4, 8, 8, -1, 8, sides + 1, 31}, Cut{1, 4, 8, 8, -1, 3, sides + 2, 50},
+        Cut{1, 4, 8, 8, 34, 4, sides + 2, 7}, sim::GrayScottKernels::bestCut(p.size)}) {
     CAPTURE(cut.across);
     CAPTURE(cut.rows);
     CAPTURE(cut.stepsPerPass);
     CAPTURE(cut.bandRows);
-    CAPTURE(cut.stripPairs);
+    CAPTURE(cut.stripElements);
     sim::GrayScottKernels kernels("dish", plan, false, cut);
     kernels.setRates(plan.ratesAt(0));
     kernels.advance(61);
