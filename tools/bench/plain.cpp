@@ -1,0 +1,328 @@
+// Every simulation beside the loop that one would write oneself (tools/bench/plain/, one thread, -O3,
+// nothing exact) and beside its CPU twin on one thread: rates by the clock and per processor second, and
+// both as ratios to the plain loop. The three take turns, round after round, so that a busy machine hits
+// all alike; medians of the rounds' rates and ratios. For software drivers; a GPU's figures come from the
+// other benches.
+//
+//   bench_plain [NAME]     only those whose name contains NAME
+#include "plain/plain.hpp"
+
+#include "base/clock.hpp"
+#include "gl/context.hpp"
+#include "reference/cloth_twin.hpp"
+#include "reference/gravity_tree_twin.hpp"
+#include "reference/gray_scott_twin.hpp"
+#include "reference/life_twin.hpp"
+#include "reference/particles_twin.hpp"
+#include "reference/spread_twin.hpp"
+#include "sim/gray_scott/kernels.hpp"
+#include "sim/life/stepper.hpp"
+#include "sim/mesh/parameters.hpp"
+#include "sim/particles/gravity_tree.hpp"
+#include "sim/particles/pairs.hpp"
+#include "sim/world/list.hpp"
+
+#include <algorithm>
+#include <ctime>
+#include <functional>
+#include <memory>
+#include <string_view>
+#include <thread>
+#include <vector>
+
+#include <fmt/format.h>
+
+using namespace simreel;
+
+namespace {
+
+constexpr double frameSeconds = 1.0 / 60;
+
+/// Work in turns; `items` of a turn give rates.
+struct Subject {
+  const char* name;
+  const char* unit;
+  double items;
+  std::function<void()> plain, twin, device;  ///< twin: may be missing
+};
+
+struct Turn {
+  double wall = 0, processor = 0;  ///< s
+};
+
+Turn timed(const std::function<void()>& work) {
+  const auto begin = Clock::now();
+  const std::clock_t used = std::clock();
+  work();
+  return {secondsSince(begin), static_cast<double>(std::clock() - used) / CLOCKS_PER_SEC};
+}
+
+double median(std::vector<double> values) {
+  std::nth_element(values.begin(), values.begin() + static_cast<long>(values.size() / 2), values.end());
+  return values[values.size() / 2];
+}
+
+void print(const Subject& subject) {
+  constexpr int fewest = 5;
+  std::vector<double> plain, twin, wall, processor, wallRatio, processorRatio;
+  const auto device = [&] {
+    subject.device();
+    glFinish();
+  };
+  device();
+  const auto begin = Clock::now();
+  for (int round = 0; round < fewest || secondsSince(begin) < 3; ++round) {
+    const Turn a = timed(subject.plain);
+    const Turn b = timed(device);
+    if (subject.twin) twin.push_back(subject.items / timed(subject.twin).processor);
+    plain.push_back(subject.items / a.processor);
+    wall.push_back(subject.items / b.wall);
+    processor.push_back(subject.items / b.processor);
+    wallRatio.push_back(a.wall / b.wall);
+    processorRatio.push_back(a.processor / b.processor);
+  }
+  fmt::print("{:<24} {:>10.2f} {:>10} {:>10.2f} {:>8.2f} x {:>10.2f} {:>8.2f} x  {}\n", subject.name,
+             median(plain) / 1e6, twin.empty() ? "" : fmt::format("{:.2f}", median(twin) / 1e6),
+             median(wall) / 1e6, median(wallRatio), median(processor) / 1e6, median(processorRatio),
+             subject.unit);
+  std::fflush(stdout);
+}
+
+template <class Parameters>
+std::shared_ptr<sim::Simulation> onDevice(const char* kind, const Parameters& parameters) {
+  scene::Object object;
+  object.name = kind;
+  object.parameters = std::make_unique<Parameters>(parameters);
+  static const std::vector<sim::ColliderShape> none;
+  return sim::simulationNamed(kind).make(object, {false, 1, frameSeconds, &none});
+}
+
+/// Frame after frame of a simulation.
+template <class Simulation>
+std::function<void()> frames(const std::shared_ptr<Simulation>& simulation, auto... arguments) {
+  return [simulation, frame = 0, ... arguments = arguments]() mutable {
+    simulation->step(frame++ * frameSeconds, arguments...);
+  };
+}
+
+Subject grayScott(int side) {
+  sim::GrayScottParameters p;
+  p.size = {side, side};
+  p.seedCount = side;
+  const sim::GrayScottPlan plan(p, "dish", 1, frameSeconds);
+  const auto rates = plan.ratesAt(0);
+  constexpr int steps = 16;
+  auto own = std::make_shared<plain::GrayScott>(side, side);
+  const auto first = plan.firstCells();
+  for (std::size_t i = 0; i < own->v.size(); ++i) {
+    own->u[i] = first[i / 2][i % 2 == 0 ? 0 : 2];
+    own->v[i] = first[i / 2][i % 2 == 0 ? 1 : 3];
+  }
+  auto twin = std::make_shared<GrayScottTwin>(plan);
+  auto kernels = std::make_shared<sim::GrayScottKernels>("dish", plan, false);
+  kernels->setRates(rates);
+  return {side == 512 ? "Gray-Scott 512x512" : "Gray-Scott 1024x1024",
+          "1e6 cell-steps/s",
+          double(steps) * side * side,
+          [=] {
+            for (int i = 0; i < steps; ++i)
+              own->step(rates.diffuseU * 20 / rates.dt, rates.diffuseV * 20 / rates.dt,
+                        rates.feed / rates.dt, rates.kill / rates.dt, rates.dt);
+          },
+          [=] { twin->advance(rates, steps); },
+          [=] { kernels->advance(steps); }};
+}
+
+Subject cloth(bool constraints) {
+  constexpr int side = 256;
+  sim::ClothParameters p;
+  p.size = {side, side};
+  p.spacing = 3.2F / side;
+  p.substeps = 8;
+  if (constraints) p.solver = sim::ClothSolver::constraints;
+  const sim::ClothPlan plan(p, 1, frameSeconds, {});
+  const auto dt = static_cast<float>(frameSeconds / 8);
+  auto own = std::make_shared<plain::Cloth>(
+      side, side,
+      plain::Cloth::Numbers{p.spacing, p.stiffness, p.shear, p.bend, 1 / p.mass, 9.81F, 1 - p.damping * dt,
+                            dt, p.compliance, p.shearCompliance, p.bendCompliance});
+  return {constraints ? "cloth, constraints" : "cloth, springs",
+          "1e6 particle-steps/s",
+          8.0 * side * side,
+          [=] {
+            for (int i = 0; i < 8; ++i)
+              if (constraints)
+                own->constraintStep();
+              else
+                own->springStep();
+          },
+          frames(std::make_shared<ClothTwin>(plan), 1),
+          frames(onDevice("cloth", p), sim::StepWatch{})};
+}
+
+constexpr int spreadSteps = 16;
+
+template <class Parameters>
+Parameters field(int side) {
+  Parameters p;
+  p.size = {side, side};
+  p.border = sim::SpreadParameters::Border::torus;
+  p.stepsPerSecond = 60 * spreadSteps;
+  return p;
+}
+
+/// A tenth is infected when it has settled.
+Subject epidemic() {
+  constexpr int side = 1024;
+  auto p = field<sim::EpidemicParameters>(side);
+  p.infected = 0.1;
+  p.immune = 0.5;
+  p.beta = 0.05F;
+  p.gamma = 0.1F;
+  p.waning = 0.02F;
+  auto twin = std::make_shared<EpidemicTwin>(sim::EpidemicPlan(p, "city", 1, frameSeconds));
+  std::vector<std::uint8_t> cells;
+  for (const std::uint8_t cell : twin->cells) cells.push_back(cell >> 6);
+  auto own = std::make_shared<plain::Epidemic>(side, cells);
+  return {"epidemic 1024x1024",
+          "1e6 cells/s",
+          double(spreadSteps) * side * side,
+          [=, frame = 0]() mutable {
+            for (const auto& step : twin->plan().frame(frame++ * frameSeconds))
+              own->step(&step.data.infection[0].x, step.data.recovery, step.data.waning, step.data.step);
+          },
+          frames(twin, 1),
+          frames(onDevice("epidemic", p), sim::StepWatch{})};
+}
+
+/// A hundred fires that grow.
+Subject wildfire() {
+  constexpr int side = 1024;
+  auto p = field<sim::WildfireParameters>(side);
+  p.windStrength = 0.5F;
+  std::vector<std::uint8_t> cells(std::size_t(side) * side, 1);
+  for (int i = 0; i < 100; ++i) {
+    sim::StrokeParameters spot;
+    const int x = (2 * (i % 10) + 1) * side / 20, y = (2 * (i / 10) + 1) * side / 20;
+    spot.from = spot.to = glm::vec3(x, y, 0);
+    p.strokes.push_back(spot);
+    for (int dy = -2; dy <= 2; ++dy)
+      for (int dx = -2; dx <= 2; ++dx) cells[std::size_t((y + dy) * side + x + dx)] = 20;
+  }
+  auto twin = std::make_shared<WildfireTwin>(sim::WildfirePlan(p, "forest", 1, frameSeconds));
+  const auto data = twin->plan().frame(0)[0].data;
+  float chances[8];
+  for (int i = 0; i < 8; ++i) chances[i] = static_cast<float>(data.spread[i / 4][i % 4]) / 65536.0F;
+  auto own = std::make_shared<plain::Wildfire>(side, cells, chances, p.burnSteps);
+  return {"wildfire 1024x1024",
+          "1e6 cells/s",
+          double(spreadSteps) * side * side,
+          [=, step = 0U]() mutable {
+            for (int i = 0; i < spreadSteps; ++i) own->step(step++);
+          },
+          frames(twin, 1),
+          frames(onDevice("wildfire", p), sim::StepWatch{})};
+}
+
+Subject life() {
+  constexpr int side = 2048, generations = 16;
+  auto own = std::make_shared<plain::Life>(side, side);
+  for (std::size_t i = 0; i < own->cells.size(); ++i) own->cells[i] = i * 2654435761U % 97 < 29 ? 1 : 0;
+  sim::LifeParameters p;
+  p.size = {side, side};
+  auto twin = std::make_shared<LifeTwin>(sim::LifePlan(p, "cells", 1, frameSeconds));
+  p.stepsPerSecond = 60 * generations;
+  return {"life 2048x2048",
+          "1e6 cells/s",
+          double(generations) * side * side,
+          [=] {
+            for (int i = 0; i < generations; ++i) own->step();
+          },
+          [=] {
+            for (int i = 0; i < generations; ++i) twin->generation(1);
+          },
+          frames(onDevice("life", p), sim::StepWatch{})};
+}
+
+std::vector<plain::Body> bodiesOf(const std::vector<glm::vec4>& from) {
+  std::vector<plain::Body> bodies;
+  for (const glm::vec4& b : from) bodies.push_back({b.x, b.y, b.z, b.w});
+  return bodies;
+}
+
+Subject pairs() {
+  constexpr int count = 8192;
+  const auto cloud = bodiesOf(Cloud::plummer, count);
+  auto out = std::make_shared<std::vector<plain::Vec3>>(count);
+  auto positions = std::make_shared<gl::Vec4Array>("bodies", cloud);
+  auto accelerations = std::make_shared<gl::Vec4Array>("accelerations", count);
+  auto gravity = std::make_shared<sim::PairGravity>(false);
+  return {"all pairs, 8192",
+          "1e6 pairs/s",
+          double(count) * count,
+          [=, own = bodiesOf(cloud)] { plain::pairs(own, *out, 1, 0.01F); },
+          [=] {
+            for (int i = 0; i < count; ++i) {
+              const glm::vec3 a = pairAcceleration(cloud, glm::vec3(cloud[std::size_t(i)]), 1, 0.01F);
+              (*out)[std::size_t(i)].x = a.x;
+            }
+          },
+          [=] { gravity->accelerate(*positions, *accelerations, count, 1, 0.01F); }};
+}
+
+Subject tree() {
+  constexpr int count = 16384;
+  constexpr float opening = 0.7F;
+  const auto cloud = bodiesOf(Cloud::plummer, count);
+  auto out = std::make_shared<std::vector<plain::Vec3>>(count);
+  auto positions = std::make_shared<gl::Vec4Array>("bodies", cloud);
+  auto accelerations = std::make_shared<gl::Vec4Array>("accelerations", count);
+  auto gravity = std::make_shared<sim::GravityTree>("tree", count, false);
+  return {"tree, 16384",
+          "1e6 bodies/s",
+          count,
+          [=, own = bodiesOf(cloud)] { plain::tree(own, *out, 1, 0.01F, opening); },
+          [=] { static_cast<void>(GravityTreeTwin(cloud, opening).accelerations(1, 0.01F)); },
+          [=] { gravity->accelerate(*positions, *accelerations, count, 1, 0.01F, opening); }};
+}
+
+Subject deform() {
+  constexpr int side = 401;
+  sim::MeshParameters p;
+  p.size = {20, 0, 20};
+  p.resolution = {side, side};
+  p.deform.list.resize(1);
+  p.deform.list[0].ripple.on = true;
+  auto own = std::make_shared<plain::Ripple>(side, side, 20.0F);
+  const auto device = onDevice("mesh", p);
+  p.deform.technique = sim::DeformTechnique::singleThread;
+  return {"deform, ripple",
+          "1e6 vertices/s",
+          double(side) * side,
+          [=, frame = 0]() mutable { own->step(0.1F * static_cast<float>(frame++), 0.3F, 3.0F, 0.2F); },
+          frames(onDevice("mesh", p), sim::StepWatch{}),
+          frames(device, sim::StepWatch{})};
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const gl::Context context;
+  fmt::print("device: {}, {} processors\n", context.device().name, std::thread::hardware_concurrency());
+  fmt::print("{:<24} {:>10} {:>10} {:>10} {:>10} {:>10} {:>10}\n", "", "plain loop", "twin", "wall", "",
+             "processor", "");
+  using Make = std::function<Subject()>;
+  const std::pair<std::string_view, Make> subjects[] = {{"gray-scott", [] { return grayScott(512); }},
+                                                        {"gray-scott-1024", [] { return grayScott(1024); }},
+                                                        {"springs", [] { return cloth(false); }},
+                                                        {"constraints", [] { return cloth(true); }},
+                                                        {"epidemic", epidemic},
+                                                        {"wildfire", wildfire},
+                                                        {"life", life},
+                                                        {"pairs", pairs},
+                                                        {"tree", tree},
+                                                        {"deform", deform}};
+  const std::string_view wanted = argc > 1 ? argv[1] : "";
+  for (const auto& [name, make] : subjects)
+    if (name.find(wanted) != std::string_view::npos) print(make());
+}
