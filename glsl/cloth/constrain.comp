@@ -8,7 +8,7 @@ uniform int color;    // 0 or 1
 uniform int kind;   // 0 structural, 1 shear, 2 bend
 
 vec4 loadPosition(int i) {
-  return LOAD_STATE(nextPositions, i);
+  return LOAD_ONCE(nextPositions, i);
 }
 #include "cloth/model.glsl"
 

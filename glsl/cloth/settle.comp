@@ -14,8 +14,8 @@ void main() {
   ivec2 at = ivec2(gl_GlobalInvocationID.xy);
   if (at.x >= size.x || at.y >= size.y) return;
   int i = at.y * size.x + at.x;
-  vec4 here = LOAD_STATE(nextPositions, i);
-  vec4 velocity = LOAD_STATE(velocities, i);
+  vec4 here = LOAD_ONCE(nextPositions, i);
+  vec4 velocity = LOAD_ONCE(velocities, i);
   Motion m = settled(loadPosition(i), here, HEIGHTS == 1);
   STORE_STATE(nextPositions, i, vec4(m.position, here.w));
   STORE_STATE(velocities, i, vec4(m.velocity, velocity.w));

@@ -16,9 +16,9 @@ void main() {
   if (at.x >= size.x || at.y >= size.y) return;
   int i = at.y * size.x + at.x;
   vec4 here = loadPosition(i);
-  vec4 velocity = LOAD_STATE(velocities, i);
+  vec4 velocity = LOAD_ONCE(velocities, i);
   Motion m = advance(at, here, velocity, SPRINGS, AIR, CONTACT, HEIGHTS == 1);
   STORE_STATE(nextPositions, i, vec4(m.position, here.w));
-  STORE_STATE(velocities, i, vec4(m.velocity, velocity.w));
+  if (SPRINGS) STORE_STATE(velocities, i, vec4(m.velocity, velocity.w));  // constraints make their own
   if (isLost(m)) noteLost(uint(stepData.substep), uint(i));
 }

@@ -3,9 +3,9 @@
 #define INPUT_WORDS(unit, block, name) layout(binding = unit) uniform usamplerBuffer name;
 #define LOAD_INPUT_WORDS(name, i) texelFetch(name, i)
 #define STATE_WORDS(unit, block, name)                                     \
-  layout(rgba32ui, binding = unit) uniform readonly uimageBuffer name##Texels; \
+  layout(rgba32ui, binding = unit) uniform readonly uimageBuffer name##Image; \
   layout(std430, binding = unit) writeonly buffer block { uvec4 name[]; };
-#define LOAD_WORDS(name, i) imageLoad(name##Texels, i)
+#define LOAD_WORDS(name, i) imageLoad(name##Image, i)
 #define STORE_WORDS(name, i, value) name[i] = (value)
 #else
 #define INPUT_WORDS(unit, block, name) \

@@ -36,7 +36,10 @@ class ElementArray {
   }
   /// For STATE_ARRAY(unit, ...) and STATE_WORDS.
   void bindState(GLuint unit) const {
-    if (memoryPath() == MemoryPath::texel) view_.bindImage(unit, GL_READ_ONLY);
+    if (memoryPath() == MemoryPath::texel) {
+      view_.bindImage(unit, GL_READ_ONLY);
+      view_.bind(unit);
+    }
     buffer_.bindStorage(unit);
   }
 

@@ -20,8 +20,8 @@ vec4 loadBody(int i) {
 #include "particles/tree/model.glsl"
 
 Node loadNode(int i) {
-  return unpackNode(LOAD_STATE(boxes, 2 * i), LOAD_STATE(boxes, 2 * i + 1), LOAD_STATE(cells, i),
-                    LOAD_STATE(moments, 2 * i), LOAD_STATE(moments, 2 * i + 1));
+  return unpackNode(LOAD_ONCE(boxes, 2 * i), LOAD_ONCE(boxes, 2 * i + 1), LOAD_ONCE(cells, i),
+                    LOAD_ONCE(moments, 2 * i), LOAD_ONCE(moments, 2 * i + 1));
 }
 
 void main() {

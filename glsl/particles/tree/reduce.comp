@@ -30,8 +30,8 @@ void main() {
     low = counts ? min(low, body.xyz) : low;
     high = counts ? max(high, body.xyz) : high;
 #else
-    low = min(low, LOAD_STATE(corners, 2 * (first + i)).xyz);
-    high = max(high, LOAD_STATE(corners, 2 * (first + i) + 1).xyz);
+    low = min(low, LOAD_ONCE(corners, 2 * (first + i)).xyz);
+    high = max(high, LOAD_ONCE(corners, 2 * (first + i) + 1).xyz);
 #endif
   }
   STORE_STATE(corners, 2 * (result + mine), vec4(low, 0.0f));

@@ -10,7 +10,9 @@
 #include "sim/core/step_blocks.hpp"
 #include "sim/mesh/height_field.hpp"
 
+#include <algorithm>
 #include <cstdint>
+#include <iterator>
 #include <utility>
 
 namespace simreel::shader::cloth {
@@ -42,6 +44,7 @@ class Cloth : public Simulation {
         plan_(parametersOf<ClothParameters>(object), setting.seed, setting.frameSeconds,
               *setting.colliders),
         size_(plan_.parameters().size),
+        constrained_(plan_.parameters().solver == ClothSolver::constraints),
         heights_(setting.heights),
         frameSeconds_(setting.frameSeconds) {
     checkLimits();
@@ -69,8 +72,11 @@ class Cloth : public Simulation {
         heights_->tell(touching(), i, plan_.substeps(), plan_.parameters().margin, 0.0F);
       }
       gl::barrier();
-      step_.dispatch(size_.x, size_.y);
-      if (plan_.parameters().solver == ClothSolver::constraints) constrain();
+      if (constrained_ && inLines_)
+        constrainLines();
+      else
+        step_.dispatch(size_.x, size_.y);
+      if (constrained_ && !inLines_) constrain();
       std::swap(positions_[0], positions_[1]);
       if (watch) watch(i + 1);
     }
@@ -144,27 +150,34 @@ class Cloth : public Simulation {
   }
 
   void makePrograms(bool fast) {
-    const bool constraints = plan_.parameters().solver == ClothSolver::constraints;
     gl::Defines defines = gl::kernelDefines(fast);
+    const auto make = [&](gl::Program& program, const char* path) {
+      program = gl::Program::compute(path, defines);
+      program.set("size", size_);
+    };
+    const auto define = [&](const char* name, bool on) {
+      defines.emplace_back(name, on ? "true" : "false");
+    };
     defines.emplace_back("HEIGHTS", heights_ != nullptr ? "1" : "0");
-    if (constraints) {
-      constrain_ = gl::Program::compute("cloth/constrain.comp", defines);
-      settle_ = gl::Program::compute("cloth/settle.comp", defines);
-      constrain_.set("size", size_);
-      settle_.set("size", size_);
+    define("AIR", plan_.parameters().hasAir);
+    if (constrained_ && inLines_) {
+      make(constrain_, "cloth/constrain_lines.comp");
+      defines.emplace_back("FIRST", "1");
+      make(step_, "cloth/constrain_lines.comp");
+      defines.back().first = "LAST";
+      make(settle_, "cloth/constrain_lines.comp");
+    } else {
+      if (constrained_) make(constrain_, "cloth/constrain.comp");
+      if (constrained_) make(settle_, "cloth/settle.comp");
+      define("SPRINGS", !constrained_);
+      define("CONTACT", !constrained_);
+      make(step_, "cloth/step.comp");
     }
-    defines.emplace_back("SPRINGS", constraints ? "false" : "true");
-    defines.emplace_back("AIR", plan_.parameters().hasAir ? "true" : "false");
-    defines.emplace_back("CONTACT", constraints ? "false" : "true");
-    step_ = gl::Program::compute("cloth/step.comp", defines);
-    step_.set("size", size_);
     step_.checkUniformBlock("StepBlock", sizeof(shader::ClothStep));
   }
 
   /// The kernel that touches colliders.
-  [[nodiscard]] const gl::Program& touching() const {
-    return plan_.parameters().solver == ClothSolver::constraints ? settle_ : step_;
-  }
+  [[nodiscard]] const gl::Program& touching() const { return constrained_ ? settle_ : step_; }
 
   void constrain() {
     for (const SpringFamily& family : springFamilies)
@@ -179,10 +192,34 @@ class Cloth : public Simulation {
     settle_.dispatch(size_.x, size_.y);
   }
 
+  void constrainLines() {
+    for (const SpringFamily& family : springFamilies) {
+      const bool first = &family == std::begin(springFamilies),
+                 last = &family + 1 == std::end(springFamilies);
+      const gl::Program& program = first ? step_ : last ? settle_ : constrain_;
+      const int lines = lineCount(family.reach);
+      program.set("reach", family.reach);
+      program.set("kind", family.kind);
+      program.set("lines", lines);
+      gl::barrier();
+      program.dispatch(lines);
+    }
+  }
+
+  /// Lines of particles that a family ties together: one begins wherever nothing lies a reach before.
+  [[nodiscard]] int lineCount(glm::ivec2 reach) const {
+    if (reach.y == 0) return std::min(reach.x, size_.x) * size_.y;
+    if (reach.x == 0) return std::min(reach.y, size_.y) * size_.x;
+    return size_.x + size_.y - 1;
+  }
+
   std::string name_;
   scene::Material material_;
   ClothPlan plan_;
   glm::ivec2 size_;
+  bool constrained_;  ///< by XPBD; else springs
+  /// Whether an invocation takes a line of constraints (constrain_lines.comp) instead of one.
+  bool inLines_ = gl::memoryPath() == gl::MemoryPath::texel;
   const HeightField* heights_;  ///< null: none in the scene
   double frameSeconds_;
   double time_ = 0;             ///< s, of the present state

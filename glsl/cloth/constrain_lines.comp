@@ -1,0 +1,97 @@
+// One family of XPBD constraints, both colours, for devices whose stores are dear. Particles that a family ties together
+// form lines, each an invocation's own: it goes along its line, and each pair of the second colour follows as soon as
+// the pairs of the first colour on both sides of it are done. So every particle is loaded and stored once. The first
+// family starts from where step.comp would leave the particles, the last one leaves them as settle.comp does (FIRST,
+// LAST), so a substep is a dispatch for each family, and the bits are those of the three kernels.
+#include "cloth/kernel.glsl"
+layout(local_size_x = 8) in;
+INPUT_ARRAY(positionsBinding, PositionBlock, positions)
+STATE_ARRAY(nextPositionsBinding, NextBlock, nextPositions)
+STATE_ARRAY(velocitiesBinding, VelocityBlock, velocities)
+uniform ivec2 reach;  // from one end to the other, in particles
+uniform int kind;     // 0 structural, 1 shear, 2 bend
+uniform int lines;
+
+vec4 loadPosition(int i) {
+  return LOAD_INPUT(positions, i);
+}
+#include "cloth/model.glsl"
+
+vec4 taken(ivec2 at, int i) {
+#ifdef FIRST
+  vec4 here = loadPosition(i);
+  Motion m = advance(at, here, LOAD_ONCE(velocities, i), false, AIR, false, false);
+  if (isLost(m)) noteLost(uint(stepData.substep), uint(i));
+  return vec4(m.position, here.w);
+#else
+  return LOAD_ONCE(nextPositions, i);
+#endif
+}
+
+void leave(int i, vec4 here) {
+#ifdef LAST
+  vec4 velocity = LOAD_ONCE(velocities, i);
+  Motion m = settled(loadPosition(i), here, HEIGHTS == 1);
+  STORE_STATE(nextPositions, i, vec4(m.position, here.w));
+  STORE_STATE(velocities, i, vec4(m.velocity, velocity.w));
+  if (isLost(m)) noteLost(uint(stepData.substep), uint(i));
+#else
+  STORE_STATE(nextPositions, i, here);
+#endif
+}
+
+void relax(inout vec4 a, inout vec4 b, float restLength, float compliance) {
+  vec3 shift = constraintShift(a, b, restLength, compliance);
+  precise vec3 newA = a.xyz - shift * a.w;
+  precise vec3 newB = b.xyz + shift * b.w;
+  a.xyz = newA;
+  b.xyz = newB;
+}
+
+// The particle at which a line begins: nothing lies one reach before it.
+ivec2 beginning(int line) {
+  if (reach.y == 0) return ivec2(line % reach.x, line / reach.x);
+  if (reach.x == 0) return ivec2(line % size.x, line / size.x);
+  return line < size.x ? ivec2(line, 0) : ivec2(reach.x > 0 ? 0 : size.x - 1, line - size.x + 1);
+}
+
+int particlesFrom(ivec2 at) {
+  int across = reach.x > 0 ? (size.x - 1 - at.x) / reach.x : at.x / max(-reach.x, 1);
+  int down = (size.y - 1 - at.y) / max(reach.y, 1);
+  return (reach.x == 0 ? down : reach.y == 0 ? across : min(across, down)) + 1;
+}
+
+void main() {
+  int line = int(gl_GlobalInvocationID.x);
+  if (line >= lines) return;
+  ivec2 at = beginning(line);
+  int count = particlesFrom(at);
+  int place = at.y * size.x + at.x;
+  int pace = reach.y * size.x + reach.x;
+  float restLength = springLength(kind);
+  float compliance = springCompliance(kind);
+  // Where the first pair is of the second colour, its left particle waits for its right one.
+  bool second = ((reach.x > 0 ? at.x / reach.x : at.y / reach.y) & 1) == 1;
+  vec4 waiting = vec4(0);
+  int k = 0;
+  if (second) {
+    waiting = taken(at, place);
+    k = 1;
+  }
+  for (; k < count; k += 2) {
+    int here = place + k * pace;
+    vec4 a = taken(at + k * reach, here);
+    vec4 b = vec4(0);
+    if (k + 1 < count) {
+      b = taken(at + k * reach + reach, here + pace);
+      relax(a, b, restLength, compliance);
+    }
+    if (k > 0) {
+      relax(waiting, a, restLength, compliance);
+      leave(here - pace, waiting);
+    }
+    leave(here, a);
+    waiting = b;
+  }
+  if (k == count) leave(place + (count - 1) * pace, waiting);
+}
