@@ -43,49 +43,86 @@ void setByte(inout uvec4 bytes, int k, uint value) {
   bytes[k >> 2] = (bytes[k >> 2] & ~(255u << place)) | value << place;
 }
 
+// A row of sixteen cells: their states, and in each byte the bits 1, 2 and 4 where the cell to the left, the cell itself
+// and the cell to the right is active.
 struct Row {
   uvec4 state;
-  uvec4 left, here, right;  // 1 where the cell to the left, the cell itself, the cell to the right is active
+  uvec4 near;
 };
+
+uvec4 leftActive(Row row) { return row.near & ones; }
+uvec4 isActive(Row row) { return row.near >> 1u & ones; }
+uvec4 rightActive(Row row) { return row.near >> 2u & ones; }
 
 int rowElements() { return (size.x + 15) >> 4; }
 
-// Row y of column c; beyond a border that is no torus, nothing.
-Row loadRow(int c, int y) {
-  int width = rowElements();
+// Where a column of elements finds what lies beside it, the same in each row.
+struct Column {
+  int here, left, right;    // elements
+  bool first;               // at the left border
+  uint hasLeft, hasRight;   // 0 where nothing lies beyond the border
+  uvec4 follows;            // 1 in the byte where the row ends within this element: its first cell follows there
+};
+
+Column columnOf(int c) {
+  int last = rowElements() - 1;
+  Column column = Column(c, c == 0 ? last : c - 1, c == last ? 0 : c + 1, c == 0, c > 0 || torus ? 1u : 0u,
+                         c < last || torus ? 1u : 0u, uvec4(0u));
+  if (c == last && (size.x & 15) != 0) setByte(column.follows, size.x & 15, 1u);
+  return column;
+}
+
+// Row y of a column; beyond a border that is no torus, nothing.
+Row loadRow(Column column, int y) {
   bool beyond = !torus && (y < 0 || y >= size.y);
-  int row = (y < 0 ? y + size.y : y >= size.y ? y - size.y : y) * width;
+  int row = (y < 0 ? y + size.y : y >= size.y ? y - size.y : y) * rowElements();
   if (beyond) row = 0;
   Row r;
-  r.state = LOAD_INPUT_WORDS(cells, row + c);
-  uvec4 before = activeCells(LOAD_INPUT_WORDS(cells, row + (c == 0 ? width - 1 : c - 1)));
-  uvec4 after = activeCells(LOAD_INPUT_WORDS(cells, row + (c == width - 1 ? 0 : c + 1)));
-  r.here = activeCells(r.state);
-  uint previous = byteOf(before, c == 0 ? (size.x - 1) & 15 : 15);
-  uint next = after.x & 1u;
-  if (!torus && c == 0) previous = 0u;
-  if (!torus && c == width - 1) next = 0u;
-  // Where the row ends within this element, its first cell follows there; cells further on hold nobody.
-  uvec4 followed = r.here;
-  if (c == width - 1 && (size.x & 15) != 0) setByte(followed, size.x & 15, next);
-  r.left = r.here << 8u | uvec4(previous, r.here.xyz >> 24u);
-  r.right = followed >> 8u | uvec4(followed.yzw << 24u, next << 24u);
-  if (beyond) r.left = r.here = r.right = uvec4(0u);
+  r.state = LOAD_INPUT_WORDS(cells, row + column.here);
+  uvec4 before = activeCells(LOAD_INPUT_WORDS(cells, row + column.left));
+  uint previous = (column.first ? byteOf(before, (size.x - 1) & 15) : before.w >> 24u) & column.hasLeft;
+  uint next = activeCells(LOAD_INPUT_WORDS(cells, row + column.right)).x & column.hasRight;
+  uvec4 here = activeCells(r.state);
+  uvec4 followed = here | column.follows * next;  // cells further on hold nobody
+  uvec4 left = here << 8u | uvec4(previous, here.xyz >> 24u);
+  uvec4 right = followed >> 8u | uvec4(followed.yzw << 24u, next << 24u);
+  r.near = beyond ? uvec4(0u) : left | here << 1u | right << 2u;
   return r;
+}
+
+// What spreadRandom() has of step and seed, worked out once: hash3() before its words mix.
+struct Draw {
+  uint y, z, product;
+};
+
+Draw drawOf(uint step, uint seed) {
+  uint y = step * 1664525u + 1013904223u;
+  uint z = seed * 1664525u + 1013904223u;
+  return Draw(y, z, y * z);
+}
+
+// spreadRandom() of four cells.
+uvec4 spreadRandoms(uvec4 cells, Draw draw) {
+  uvec4 x = cells * 1664525u + (1013904223u + draw.product);
+  uvec4 y = draw.y + draw.z * x;
+  uvec4 z = draw.z + x * y;
+  return (x ^ x >> 16u) + (y ^ y >> 16u) * (z ^ z >> 16u) >> 1u;
 }
 
 #ifndef TEXEL_PATH
 shared uint groupCounts[4];
 #endif
 
-uint sumOfBytes(uvec4 bytes) {
-  uvec4 pairs = (bytes & 0x00ff00ffu) + (bytes >> 8u & 0x00ff00ffu);
-  uint total = pairs.x + pairs.y + pairs.z + pairs.w;
-  return (total & 0xffffu) + (total >> 16u);
+// The words' sum, byte by byte.
+uint sumOfWords(uvec4 words) { return words.x + words.y + words.z + words.w; }
+
+uint sumOfBytes(uint bytes) {
+  uint pairs = (bytes & 0x00ff00ffu) + (bytes >> 8u & 0x00ff00ffu);
+  return (pairs & 0xffffu) + (pairs >> 16u);
 }
 
-// Adds the invocation's cells, summed byte by byte over at most 255 rows, to the step's counts. Everyone calls it.
-void count(uvec4 ready, uvec4 spreading, uvec4 spent, int rows, int c) {
+// Adds the invocation's cells, summed byte by byte over at most 63 rows, to the step's counts. Everyone calls it.
+void count(uint ready, uint spreading, uint spent, int rows, int c) {
   uvec4 sums = uvec4(sumOfBytes(ready), sumOfBytes(spreading), sumOfBytes(spent), 0u);
   sums.w = uint(rows * clamp(size.x - 16 * c, 0, 16)) - sums.x - sums.y - sums.z;
 #ifdef TEXEL_PATH

@@ -12,17 +12,18 @@ void main() {
   int c = int(gl_GlobalInvocationID.x);
   int first = int(gl_GlobalInvocationID.y) * rowsEach;
   int end = c < rowElements() ? min(first + rowsEach, size.y) : first;
-  uvec4 ready = uvec4(0u), spreading = uvec4(0u), spent = uvec4(0u);
+  uint ready = 0u, spreading = 0u, spent = 0u;
   if (first < end) {
-    Row above = loadRow(c, first - 1);
-    Row here = loadRow(c, first);
+    Column column = columnOf(c);
+    Row above = loadRow(column, first - 1);
+    Row here = loadRow(column, first);
     for (int y = first; y < end; ++y) {
-      Row below = loadRow(c, y + 1);
+      Row below = loadRow(column, y + 1);
       uvec4 next = stepElement(ivec2(c, y), above, here, below);
       STORE_WORDS(nextCells, y * rowElements() + c, next);
-      ready += readyCells(next);
-      spreading += activeCells(next);
-      spent += spentCells(next);
+      ready += sumOfWords(readyCells(next));
+      spreading += sumOfWords(activeCells(next));
+      spent += sumOfWords(spentCells(next));
       above = here;
       here = below;
     }

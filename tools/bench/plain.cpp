@@ -4,7 +4,8 @@
 // all alike; medians of the rounds' rates and ratios. For software drivers; a GPU's figures come from the
 // other benches.
 //
-//   bench_plain [NAME]     only those whose name contains NAME
+//   bench_plain [NAME [SECONDS]]     only those whose name contains NAME; SECONDS: nothing but the kernel,
+//   for profilers
 #include "plain/plain.hpp"
 
 #include "base/clock.hpp"
@@ -23,6 +24,7 @@
 #include "sim/world/list.hpp"
 
 #include <algorithm>
+#include <cstdlib>
 #include <ctime>
 #include <functional>
 #include <memory>
@@ -60,6 +62,10 @@ Turn timed(const std::function<void()>& work) {
 double median(std::vector<double> values) {
   std::nth_element(values.begin(), values.begin() + static_cast<long>(values.size() / 2), values.end());
   return values[values.size() / 2];
+}
+
+void keepBusy(const Subject& subject, double seconds) {
+  for (const auto begin = Clock::now(); secondsSince(begin) < seconds; glFinish()) subject.device();
 }
 
 void print(const Subject& subject) {
@@ -324,5 +330,10 @@ int main(int argc, char** argv) {
                                                         {"deform", deform}};
   const std::string_view wanted = argc > 1 ? argv[1] : "";
   for (const auto& [name, make] : subjects)
-    if (name.find(wanted) != std::string_view::npos) print(make());
+    if (name.find(wanted) == std::string_view::npos)
+      continue;
+    else if (argc > 2)
+      keepBusy(make(), std::atof(argv[2]));
+    else
+      print(make());
 }

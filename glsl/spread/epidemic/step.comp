@@ -4,37 +4,67 @@
 layout(std140, binding = stepBinding) uniform StepBlock { EpidemicStep stepData; };
 #include "spread/epidemic/model.glsl"
 
-uint thresholdFor(uint n) { return stepData.infection[n >> 2u][n & 3u]; }
+// Chosen by the bits of n: software drivers read uniform blocks lane by lane within loops, so `table` is read before.
+uvec4 thresholdsFor(uvec4 n, uvec4 table[3]) {
+#ifdef TEXEL_PATH
+  bvec4 one = notEqual(n & 1u, uvec4(0u)), two = notEqual(n & 2u, uvec4(0u)), four = notEqual(n & 4u, uvec4(0u));
+  uvec4 a = table[0], b = table[1];
+  uvec4 upTo3 = mix(mix(uvec4(a.x), uvec4(a.y), one), mix(uvec4(a.z), uvec4(a.w), one), two);
+  uvec4 upTo7 = mix(mix(uvec4(b.x), uvec4(b.y), one), mix(uvec4(b.z), uvec4(b.w), one), two);
+  return mix(mix(upTo3, upTo7, four), uvec4(table[2].x), greaterThan(n, uvec4(7u)));
+#else
+  uvec4 found;
+  for (int i = 0; i < 4; ++i) found[i] = stepData.infection[n[i] >> 2u][n[i] & 3u];
+  return found;
+#endif
+}
+
+// nextPerson() of four cells: who draws less than the threshold goes on to the next class, after the last to the first.
+uvec4 nextPersons(uvec4 before, uvec4 infection, uint recovery, uint waning, uvec4 random) {
+  uvec4 kind = before & classMask;
+  uvec4 threshold = mix(infection, uvec4(recovery), equal(kind, uvec4(classActive)));
+  threshold = mix(threshold, uvec4(waning), equal(kind, uvec4(classSpent)));
+  uvec4 onward = mix(kind + 64u, uvec4(classReady), equal(kind, uvec4(classSpent)));
+  bvec4 changes = lessThan(random, mix(threshold, uvec4(0u), equal(kind, uvec4(classNobody))));
+  return mix(before, onward, changes);
+}
 
 // A loop over the places in a word where something may happen to one of the four cells there: mostly few.
 uvec4 stepElement(ivec2 at, Row above, Row here, Row below) {
   uvec4 ready = readyCells(here.state);
-  uvec4 infected = above.left + above.here + above.right + here.left + here.right + below.left + below.here + below.right;
+  uvec4 infected = leftActive(above) + isActive(above) + rightActive(above) + leftActive(here) + rightActive(here) +
+                   leftActive(below) + isActive(below) + rightActive(below);
   uvec4 next = stepData.ageing != 0u ? aged(here.state) : here.state;
 #ifdef MIXED
-  uint everywhere = mixedThreshold(counts[4 * countPlace - 3]);
-  uvec4 drawn = ready | here.here;
+  uvec4 everywhere = uvec4(mixedThreshold(counts[4 * countPlace - 3]));
+  uvec4 drawn = ready | isActive(here);
 #else
-  uvec4 drawn = (ready & notZero(infected)) | here.here;
+  uvec4 drawn = (ready & notZero(infected)) | isActive(here);
 #endif
   if (stepData.waning != 0u) drawn |= spentCells(here.state);
-  uint first = uint(at.y) * uint(size.x) + uint(16 * at.x);
-  for (uint todo = drawn.x | drawn.y | drawn.z | drawn.w; todo != 0u; todo &= todo - 1u) {
-    uint place = uint(findLSB(todo));
-    uint cell = first + (place >> 3u);
-    uvec4 before = next >> place & 255u;
-#ifdef MIXED
-    uvec4 threshold = uvec4(everywhere);
+  Draw draw = drawOf(stepData.step, stepData.seed);
+  uvec4 cells = uint(at.y) * uint(size.x) + uint(16 * at.x) + uvec4(0u, 4u, 8u, 12u);
+  uvec4 infection[3] = stepData.infection;
+  uint recovery = stepData.recovery, waning = stepData.waning;
+  uint todo = drawn.x | drawn.y | drawn.z | drawn.w;
+#ifdef TEXEL_PATH
+  // Lanes go together, so all places, or none where nothing happens in any lane: the loop is taken once or not at all.
+  for (; todo != 0u; todo = 0u) {
+    for (uint place = 0u; place < 32u; place += 8u) {
 #else
-    uvec4 n = infected >> place & 15u;
-    uvec4 threshold = uvec4(thresholdFor(n.x), thresholdFor(n.y), thresholdFor(n.z), thresholdFor(n.w));
+  {
+    for (; todo != 0u; todo &= todo - 1u) {
+      uint place = uint(findLSB(todo));
 #endif
-    uint step = stepData.step, seed = stepData.seed;
-    uvec4 after = uvec4(nextPerson(before.x, threshold.x, spreadRandom(cell, step, seed)),
-                        nextPerson(before.y, threshold.y, spreadRandom(cell + 4u, step, seed)),
-                        nextPerson(before.z, threshold.z, spreadRandom(cell + 8u, step, seed)),
-                        nextPerson(before.w, threshold.w, spreadRandom(cell + 12u, step, seed)));
-    next ^= (before ^ after) << place;
+#ifdef MIXED
+      uvec4 threshold = everywhere;
+#else
+      uvec4 threshold = thresholdsFor(infected >> place & 15u, infection);
+#endif
+      uvec4 before = next >> place & 255u;
+      uvec4 after = nextPersons(before, threshold, recovery, waning, spreadRandoms(cells + (place >> 3u), draw));
+      next ^= (before ^ after) << place;
+    }
   }
   return next;
 }

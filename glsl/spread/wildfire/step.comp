@@ -34,10 +34,11 @@ int emberTarget(ivec2 at) {
 // nextBurning() and nextBurnt() for sixteen cells at once.
 uvec4 grownOlder(Row here, uvec4 shade) {
   uvec4 old = (here.state & 0x3f3f3f3fu) + ones * (129u - uint(stepData.constants.burnSteps));  // bit 7: it burns out now
-  uvec4 done = here.here & (old >> 7u);
+  uvec4 burning = isActive(here);
+  uvec4 done = burning & (old >> 7u);
   uvec4 isDone = done * 255u;
   uvec4 ash = 0xc0c0c0c0u | (shade >> 1u & 0x07070707u);
-  uvec4 next = ((here.state + (here.here ^ done)) & ~isDone) | (ash & isDone);
+  uvec4 next = ((here.state + (burning ^ done)) & ~isDone) | (ash & isDone);
 
   uvec4 wait = ((shade >> 4u & 0x0f0f0f0fu) + ones * (16u - stepData.firstPhase)) & 0x0f0f0f0fu;
   uvec4 turn = ~(((wait | 0x80808080u) - ones * stepData.phases) >> 7u);
@@ -45,37 +46,55 @@ uvec4 grownOlder(Row here, uvec4 shade) {
   return next + ((spentCells(here.state) & turn & ~cold) << 3u);
 }
 
+#if defined(TEXEL_PATH) && !defined(SLOPE)
+// catchChance() on even ground. Software drivers read uniform blocks lane by lane within loops, so `spread` is read before.
+uint evenChance(uint burning, uint fuel, uvec4 spread[2]) {
+  uint p = 0u;
+  for (uint d = 0u; d < 8u; ++d) {
+    uint t = (0u - (burning >> d & 1u)) & spread[d >> 2u][d & 3u];
+    t = (t * fuel) >> 8u;
+    p = t + (((p - (p >> 16u)) * (65536u - t)) >> 16u);
+  }
+  return p;
+}
+#else
+uint evenChance(uint burning, uint fuel, uvec4 spread[2]) { return catchChance(burning, fuel, evenGround); }
+#endif
+
 // A loop over the cells that something may light: mostly few of the sixteen.
 uvec4 stepElement(ivec2 at, Row above, Row here, Row below) {
-  uvec4 burning = above.left | above.here << 1u | above.right << 2u | here.left << 3u | here.right << 4u |
-                  below.left << 5u | below.here << 6u | below.right << 7u;
+  uvec4 burning = above.near | leftActive(here) << 3u | rightActive(here) << 4u | below.near << 5u;
   uvec4 touched = burning | burning >> 1u | burning >> 2u | burning >> 3u;
   touched = (touched | touched >> 4u) & readyCells(here.state);
   int place = at.y * rowElements() + at.x;
   uvec4 next = grownOlder(here, LOAD_INPUT_WORDS(ground, place));
-  uint todo = bitsOf(touched);
+  int hit = -1;
 #ifdef EMBERS
-  int hit = emberTarget(at);
-  if (hit >= 0 && (byteOf(here.state, hit) & classMask) == classReady) todo |= 1u << uint(hit);
+  hit = emberTarget(at);
+  if (hit >= 0 && (byteOf(here.state, hit) & classMask) != classReady) hit = -1;
 #endif
+  uint todo = bitsOf(touched);
+  if (hit >= 0) todo |= 1u << uint(hit);
   if (todo == 0u) return next;
   uvec4 fuel = LOAD_INPUT_WORDS(fuels, place);
   uint first = uint(at.y) * uint(size.x) + uint(16 * at.x);
+  uvec4 spread[2] = stepData.spread;
+  Draw draw = drawOf(stepData.step, stepData.seed);
 #ifdef SLOPE
   uvec4 leftSteep = LOAD_INPUT_WORDS(inclines, 2 * place);
   uvec4 rightSteep = LOAD_INPUT_WORDS(inclines, 2 * place + 1);
 #endif
   for (; todo != 0u; todo &= todo - 1u) {
     int k = findLSB(todo);
-    uint random = spreadRandom(first + uint(k), stepData.step, stepData.seed);
+    uint random = spreadRandoms(uvec4(first + uint(k)), draw).x;
     uint weight = fuelWeight(byteOf(fuel, k));
 #ifdef SLOPE
     uint pair = k < 8 ? leftSteep[k >> 1 & 3] : rightSteep[k >> 1 & 3];
     uint incline = pair >> uint(16 * (k & 1)) & 0xffffu;
-#else
-    const uint incline = evenGround;
-#endif
     bool caught = random >> 15u < catchChance(byteOf(burning, k), weight, incline);
+#else
+    bool caught = random >> 15u < evenChance(byteOf(burning, k), weight, spread);
+#endif
 #ifdef EMBERS
     if (k == hit && (random & 255u) < weight) caught = true;
 #endif
