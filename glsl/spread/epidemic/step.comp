@@ -47,25 +47,27 @@ uvec4 stepElement(ivec2 at, Row above, Row here, Row below) {
   uvec4 infection[3] = stepData.infection;
   uint recovery = stepData.recovery, waning = stepData.waning;
   uint todo = drawn.x | drawn.y | drawn.z | drawn.w;
+#ifdef MIXED
+#define THRESHOLD(place) everywhere
+#else
+#define THRESHOLD(place) thresholdsFor(infected >> place & 15u, infection)
+#endif
+#define STEP_PLACE(place)                                                                                   \
+  uvec4 before = next >> place & 255u;                                                                      \
+  uvec4 random = spreadRandoms(cells + (place >> 3u), draw);                                                \
+  next ^= (before ^ nextPersons(before, THRESHOLD(place), recovery, waning, random)) << place;
 #ifdef TEXEL_PATH
   // Lanes go together, so all places, or none where nothing happens in any lane: the loop is taken once or not at all.
-  for (; todo != 0u; todo = 0u) {
+  for (; todo != 0u; todo = 0u)
     for (uint place = 0u; place < 32u; place += 8u) {
-#else
-  {
-    for (; todo != 0u; todo &= todo - 1u) {
-      uint place = uint(findLSB(todo));
-#endif
-#ifdef MIXED
-      uvec4 threshold = everywhere;
-#else
-      uvec4 threshold = thresholdsFor(infected >> place & 15u, infection);
-#endif
-      uvec4 before = next >> place & 255u;
-      uvec4 after = nextPersons(before, threshold, recovery, waning, spreadRandoms(cells + (place >> 3u), draw));
-      next ^= (before ^ after) << place;
+      STEP_PLACE(place)
     }
+#else
+  for (; todo != 0u; todo &= todo - 1u) {
+    uint place = uint(findLSB(todo));
+    STEP_PLACE(place)
   }
+#endif
   return next;
 }
 #include "spread/step.glsl"
