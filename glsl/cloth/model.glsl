@@ -137,35 +137,45 @@ struct Motion {
   vec3 velocity;
 };
 
-// Out of every collider along its normal; relative to the collider the inward velocity goes and a fraction of
-// the tangential velocity stays. With `lands`, at last onto the mesh that collides.
+// Out of a collider along its normal; relative to the collider the inward velocity goes and a fraction of the tangential
+// velocity stays.
+FUNCTION Motion outOf(int i, Motion m) {
+  vec3 a = vec3(stepData.colliders[i].a);
+  vec3 b = vec3(stepData.colliders[i].b);
+  bool plane = stepData.colliders[i].plane == 1;
+  precise vec3 axis = b - a;
+  precise vec3 fromA = m.position - a;
+  precise float t = exactDot(fromA, axis) * stepData.colliders[i].perLengthSquared;
+  t = min(max(t, 0.0f), 1.0f);
+  precise vec3 offset = m.position - (a + axis * t);
+  float squared = exactDot(offset, offset);
+  float inverse = exactInverseSqrt(max(squared, 1e-12f));
+  precise vec3 normal = plane ? a : offset * inverse;
+  precise float beyond = plane ? exactDot(a, m.position) : squared * inverse;
+  precise float depth = stepData.colliders[i].reach + stepData.constants.margin - beyond;
+  bool touching = depth > 0.0f;
+  vec3 velocityA = vec3(stepData.colliders[i].velocityA);
+  vec3 velocityB = vec3(stepData.colliders[i].velocityB);
+  precise vec3 surface = plane ? vec3(0.0f) : velocityA + (velocityB - velocityA) * t;
+  precise vec3 relative = m.velocity - surface;
+  float inward = exactDot(relative, normal);
+  precise vec3 kept = (relative - normal * inward) * stepData.colliders[i].grip +
+                      normal * max(inward, 0.0f) + surface;
+  precise vec3 pushed = m.position + normal * depth;
+  m.position = touching ? pushed : m.position;
+  m.velocity = touching ? kept : m.velocity;
+  return m;
+}
+
+// Out of every collider, and with `lands` at last onto the mesh that collides.
 FUNCTION Motion contact(Motion m, bool lands) {
-  for (int i = 0; i < stepData.colliderCount; ++i) {
-    vec3 a = vec3(stepData.colliders[i].a);
-    vec3 b = vec3(stepData.colliders[i].b);
-    bool plane = stepData.colliders[i].plane == 1;
-    precise vec3 axis = b - a;
-    precise vec3 fromA = m.position - a;
-    precise float t = exactDot(fromA, axis) * stepData.colliders[i].perLengthSquared;
-    t = min(max(t, 0.0f), 1.0f);
-    precise vec3 offset = m.position - (a + axis * t);
-    float squared = exactDot(offset, offset);
-    float inverse = exactInverseSqrt(max(squared, 1e-12f));
-    precise vec3 normal = plane ? a : offset * inverse;
-    precise float beyond = plane ? exactDot(a, m.position) : squared * inverse;
-    precise float depth = stepData.colliders[i].reach + stepData.constants.margin - beyond;
-    bool touching = depth > 0.0f;
-    vec3 velocityA = vec3(stepData.colliders[i].velocityA);
-    vec3 velocityB = vec3(stepData.colliders[i].velocityB);
-    precise vec3 surface = plane ? vec3(0.0f) : velocityA + (velocityB - velocityA) * t;
-    precise vec3 relative = m.velocity - surface;
-    float inward = exactDot(relative, normal);
-    precise vec3 kept = (relative - normal * inward) * stepData.colliders[i].grip +
-                        normal * max(inward, 0.0f) + surface;
-    precise vec3 pushed = m.position + normal * depth;
-    m.position = touching ? pushed : m.position;
-    m.velocity = touching ? kept : m.velocity;
-  }
+#ifdef COLLIDERS
+#define TIMES COLLIDERS
+#define REPEATED(i) m = outOf(i, m);
+#include "common/repeat.glsl"
+#else
+  for (int i = 0; i < stepData.colliderCount; ++i) m = outOf(i, m);
+#endif
   if (lands) {
     Landing l = landed(m.position, m.velocity);
     m.position = l.position;

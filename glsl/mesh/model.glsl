@@ -102,27 +102,38 @@ FUNCTION vec3 pushed(PushStep d, vec3 rest, vec3 p) {
   return p;
 }
 
-// KINDS has a bit for each kind that is in the list: software drivers run the code of every kind that they are given.
-#ifndef KINDS
-#define KINDS -1
-#endif
-FUNCTION bool isOf(int wanted, int kind) {
-  return (KINDS & (1 << wanted)) != 0 && kind == wanted;
+FUNCTION vec3 displacedBy(int i, int kind, vec3 rest, vec3 p) {
+  if (kind == rippleKind) return rippled(deformStep.displacements[i].ripple, rest, p);
+  if (kind == waveKind) return waved(deformStep.displacements[i].wave, rest, p);
+  if (kind == swayKind) return swayed(deformStep.displacements[i].sway, rest, p);
+  if (kind == footprintsKind) return pressed(rest, p);
+  if (kind == pushKind) return pushed(deformStep.displacements[i].push, rest, p);
+  return p;
 }
 
 // All displacements of the list in its order. The rest position is only read.
+#ifdef DISPLACEMENTS
+// DISPLACEMENTS is their number; FIRST_KINDS and LAST_KINDS have four bits for each, so that no kernel has code that is not
+// in the list.
+FUNCTION int kindOf(int i) {
+  return (i < 8 ? FIRST_KINDS >> (4 * i) : LAST_KINDS >> (4 * (i - 8))) & 15;
+}
+
 FUNCTION vec3 displaced(vec3 rest) {
   vec3 p = rest;
-  for (int i = 0; i < deformStep.displacementCount; ++i) {
-    int kind = deformStep.displacements[i].kind;
-    if (isOf(rippleKind, kind)) p = rippled(deformStep.displacements[i].ripple, rest, p);
-    if (isOf(waveKind, kind)) p = waved(deformStep.displacements[i].wave, rest, p);
-    if (isOf(swayKind, kind)) p = swayed(deformStep.displacements[i].sway, rest, p);
-    if (isOf(footprintsKind, kind)) p = pressed(rest, p);
-    if (isOf(pushKind, kind)) p = pushed(deformStep.displacements[i].push, rest, p);
-  }
+#define TIMES DISPLACEMENTS
+#define REPEATED(i) p = displacedBy(i, kindOf(i), rest, p);
+#include "common/repeat.glsl"
   return p;
 }
+#else
+FUNCTION vec3 displaced(vec3 rest) {
+  vec3 p = rest;
+  for (int i = 0; i < deformStep.displacementCount; ++i)
+    p = displacedBy(i, deformStep.displacements[i].kind, rest, p);
+  return p;
+}
+#endif
 
 // What a cell of the trail keeps after every presser: with dx the distance to its axis seen from above and y its
 // height there, the print is height - (y - sqrt(R^2 - dx^2)), the rim beside it falls with its distance d from the

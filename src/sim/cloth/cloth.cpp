@@ -159,6 +159,8 @@ class Cloth : public Simulation {
       defines.emplace_back(name, on ? "true" : "false");
     };
     defines.emplace_back("HEIGHTS", heights_ != nullptr ? "1" : "0");
+    if (gl::memoryPath() == gl::MemoryPath::texel)
+      defines.emplace_back("COLLIDERS", std::to_string(plan_.colliderCount()));
     define("AIR", plan_.parameters().hasAir);
     if (constrained_ && inLines_) {
       make(constrain_, "cloth/constrain_lines.comp");

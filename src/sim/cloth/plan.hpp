@@ -30,6 +30,8 @@ class ClothPlan {
   ClothPlan(const ClothParameters& parameters, int seed, double frameSeconds,
             const std::vector<ColliderShape>& colliders);
 
+  /// The same in every step.
+  [[nodiscard]] int colliderCount() const { return static_cast<int>(colliders_.size()); }
   /// xyz in m, w inverse mass in 1/kg (0: pinned); size.x * size.y elements, x fastest.
   [[nodiscard]] std::vector<glm::vec4> firstPositions() const;
   /// xyz in m/s (zero), w the pin group of a pinned particle.

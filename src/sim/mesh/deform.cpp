@@ -13,6 +13,8 @@
 #include "sim/mesh/quantities.hpp"
 
 #include <array>
+#include <bit>
+#include <cstdint>
 #include <optional>
 #include <utility>
 
@@ -192,9 +194,13 @@ void DeformedMesh::makePrograms(bool fast) {
   if (technique_ != DeformTechnique::compute) return;
   gather_ = gl::Program::compute("mesh/normal.comp", defines);
   const shader::DeformStep step = plan_.at(0);
-  int kinds = 0;
-  for (int i = 0; i < step.displacementCount; ++i) kinds |= 1 << step.displacements[i].kind;
-  defines.emplace_back("KINDS", std::to_string(kinds));
+  static_assert(shader::maxDisplacements == 16);
+  std::uint32_t kinds[2] = {0, 0};
+  for (int i = 0; i < step.displacementCount; ++i)
+    kinds[i / 8] |= static_cast<std::uint32_t>(step.displacements[i].kind) << (4 * (i % 8));
+  defines.emplace_back("DISPLACEMENTS", std::to_string(step.displacementCount));
+  defines.emplace_back("FIRST_KINDS", fmt::format("{}", std::bit_cast<std::int32_t>(kinds[0])));
+  defines.emplace_back("LAST_KINDS", fmt::format("{}", std::bit_cast<std::int32_t>(kinds[1])));
   displace_ = gl::Program::compute("mesh/displace.comp", defines);
   displace_.checkUniformBlock("DeformBlock", sizeof(shader::DeformStep));
   fans_ = gl::WordsArray(name_ + " fans", static_cast<int>(rest_.fans.size()));

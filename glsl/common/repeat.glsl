@@ -1,0 +1,26 @@
+// Writes REPEATED(0) to REPEATED(TIMES - 1), for TIMES of at most 16: a loop whose counter is a constant in each round. Software
+// drivers read uniform blocks lane by lane where the place is none, and run the code of every branch.
+#ifndef REPEAT_MACROS
+#define REPEAT_MACROS
+#define REPEAT_2(i) REPEATED(i) REPEATED((i) + 1)
+#define REPEAT_4(i) REPEAT_2(i) REPEAT_2((i) + 2)
+#define REPEAT_8(i) REPEAT_4(i) REPEAT_4((i) + 4)
+#endif
+#if TIMES >= 8
+REPEAT_8(0)
+#endif
+#if TIMES >= 16
+REPEAT_8(8)
+#else
+#if (TIMES & 4) != 0
+REPEAT_4(TIMES & 8)
+#endif
+#if (TIMES & 2) != 0
+REPEAT_2(TIMES & 12)
+#endif
+#if (TIMES & 1) != 0
+REPEATED(TIMES & 14)
+#endif
+#endif
+#undef TIMES
+#undef REPEATED
