@@ -2,9 +2,9 @@
 
 #include "base/error.hpp"
 #include "base/log.hpp"
+#include "gl/driver_threads.hpp"
 #include "gl/errors.hpp"
 #include "gl/limits.hpp"
-#include "gl/driver_threads.hpp"
 
 #include <algorithm>
 #include <cctype>

@@ -46,7 +46,7 @@ uvec4 grownOlder(Row here, uvec4 shade) {
   return next + ((spentCells(here.state) & turn & ~cold) << 3u);
 }
 
-#if defined(TEXEL_PATH) && !defined(SLOPE)
+#ifndef SLOPE
 // catchChance() on even ground. Software drivers read uniform blocks lane by lane within loops, so `spread` is read before.
 uint evenChance(uint burning, uint fuel, uvec4 spread[2]) {
   uint p = 0u;
@@ -57,8 +57,6 @@ uint evenChance(uint burning, uint fuel, uvec4 spread[2]) {
   }
   return p;
 }
-#else
-uint evenChance(uint burning, uint fuel, uvec4 spread[2]) { return catchChance(burning, fuel, evenGround); }
 #endif
 
 // A loop over the cells that something may light: mostly few of the sixteen.
@@ -78,11 +76,12 @@ uvec4 stepElement(ivec2 at, Row above, Row here, Row below) {
   if (todo == 0u) return next;
   uvec4 fuel = LOAD_INPUT_WORDS(fuels, place);
   uint first = uint(at.y) * uint(size.x) + uint(16 * at.x);
-  uvec4 spread[2] = stepData.spread;
   Draw draw = drawOf(stepData.step, stepData.seed);
 #ifdef SLOPE
   uvec4 leftSteep = LOAD_INPUT_WORDS(inclines, 2 * place);
   uvec4 rightSteep = LOAD_INPUT_WORDS(inclines, 2 * place + 1);
+#else
+  uvec4 spread[2] = stepData.spread;
 #endif
   for (; todo != 0u; todo &= todo - 1u) {
     int k = findLSB(todo);

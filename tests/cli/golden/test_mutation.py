@@ -19,9 +19,10 @@ MUTATIONS = {
     "grayScott": ("gray_scott/model.glsl", "rates.feed * (1.0f - u)", "rates.feed * (1.01f - u)"),
     # Counts have no percent: a carry of the adder is wrong.
     "life": ("life/model.glsl", "WORD carry = highs.low & lows.high;", "WORD carry = highs.low & ~lows.high;"),
-    "epidemic": ("spread/epidemic/model.glsl", "return random < infectionThreshold ?",
-                 "return random < infectionThreshold / 100u * 101u ?"),
-    "wildfire": ("spread/wildfire/model.glsl", "t = (t * fuel) >> 8u;", "t = (t * fuel * 101u / 100u) >> 8u;"),
+    "epidemic": ("spread/epidemic/step.comp", "uvec4 threshold = mix(infection,",
+                 "uvec4 threshold = mix(infection / 100u * 101u,"),
+    "wildfire": ("spread/wildfire/step.comp", "uint weight = fuelWeight(byteOf(fuel, k));",
+                 "uint weight = fuelWeight(byteOf(fuel, k)) * 99u / 100u;"),
 }
 SCENERY = {"sphere", "capsule", "plane"}  # nothing of theirs is simulated
 # Seconds to their first frame where there is no GPU; each has kinds that other scenes have, too.
