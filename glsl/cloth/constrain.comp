@@ -22,7 +22,7 @@ void main() {
   int j = to.y * size.x + to.x;
   vec4 a = loadPosition(i);
   vec4 b = loadPosition(j);
-  vec3 shift = constraintShift(a, b, springLength(kind), springCompliance(kind));
+  vec3 shift = constraintShift(a, b, springLength(kind), scaledCompliance(kind));
   precise vec3 newA = a.xyz - shift * a.w;
   precise vec3 newB = b.xyz + shift * b.w;
   STORE_STATE(nextPositions, i, vec4(newA, a.w));

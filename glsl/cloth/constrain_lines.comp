@@ -69,7 +69,7 @@ void main() {
   int place = at.y * size.x + at.x;
   int pace = reach.y * size.x + reach.x;
   float restLength = springLength(kind);
-  float compliance = springCompliance(kind);
+  float compliance = scaledCompliance(kind);
   // Where the first pair is of the second colour, its left particle waits for its right one.
   bool second = ((reach.x > 0 ? at.x / reach.x : at.y / reach.y) & 1) == 1;
   vec4 waiting = vec4(0);

@@ -16,10 +16,13 @@ FUNCTION float springLength(int kind) {
   precise float restLength = stepData.constants.spacing * ratio;
   return restLength;
 }
-FUNCTION float springCompliance(int kind) {
-  return kind == 0   ? stepData.constants.compliance
-         : kind == 1 ? stepData.constants.shearCompliance
-                     : stepData.constants.bendCompliance;
+// compliance / dt^2
+FUNCTION float scaledCompliance(int kind) {
+  float compliance = kind == 0   ? stepData.constants.compliance
+                     : kind == 1 ? stepData.constants.shearCompliance
+                                 : stepData.constants.bendCompliance;
+  precise float scaled = compliance * stepData.perDtSquared;
+  return scaled;
 }
 
 // F = k (|d| - L0) d / |d| = k (1 - L0 / |d|) d, none where |d| < 1e-4 m.
@@ -215,12 +218,12 @@ FUNCTION Motion settled(vec4 before, vec4 here, bool lands) {
 // How far XPBD (Macklin et al. 2016; one iteration per substep, 2019) moves each end of a constraint
 // C = |d| - L0 along d = b - a: lambda = -C / (wa + wb + compliance/dt^2), a -= wa lambda d/|d|, b += ...
 // Returns lambda d/|d|.
-FUNCTION vec3 constraintShift(vec4 a, vec4 b, float restLength, float compliance) {
+FUNCTION vec3 constraintShift(vec4 a, vec4 b, float restLength, float scaledCompliance) {
   precise vec3 d = vec3(b) - vec3(a);
   float squared = max(exactDot(d, d), 1e-12f);
   float inverse = exactInverseSqrt(squared);
   precise float stretch = squared * inverse - restLength;
-  precise float weight = compliance * stepData.perDtSquared + a.w + b.w;
+  precise float weight = scaledCompliance + a.w + b.w;
   precise float lambda = stretch * exactReciprocal(max(weight, 1e-20f)) * inverse;
   precise vec3 shift = d * -lambda;
   return a.w > 0.0f || b.w > 0.0f ? shift : vec3(0.0f);

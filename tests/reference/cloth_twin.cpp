@@ -100,7 +100,7 @@ void ClothTwin::constrain(const ClothStep& data) {
           vec4& a = next_[static_cast<std::size_t>(y * size.x + x)];
           vec4& b = next_[static_cast<std::size_t>(to.y * size.x + to.x)];
           const vec3 shift =
-              kernel.constraintShift(a, b, kernel.springLength(f.kind), kernel.springCompliance(f.kind));
+              kernel.constraintShift(a, b, kernel.springLength(f.kind), kernel.scaledCompliance(f.kind));
           a = vec4(vec3(a) - shift * a.w, a.w);
           b = vec4(vec3(b) + shift * b.w, b.w);
         }

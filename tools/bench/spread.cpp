@@ -1,5 +1,5 @@
 // Cells of an epidemic that never ends and of a growing wildfire per second: on the device, on the CPU twin
-// on one thread and on all, and in a plain loop over bytes. All take the same steps from the same start.
+// on one thread and on all. All take the same steps from the same start.
 #include "base/clock.hpp"
 #include "gl/context.hpp"
 #include "reference/spread_twin.hpp"
@@ -73,48 +73,6 @@ Times secondsOf(int frames, const Frame& frame) {
   return best;
 }
 
-/// The epidemic as one would write it first: a byte of state a cell, eight look-ups, the same hash.
-class PlainEpidemic {
- public:
-  explicit PlainEpidemic(int side)
-      : twin_(sim::EpidemicPlan(city(side), "city", 1, frameSeconds)), side_(side) {
-    for (const std::uint8_t cell : twin_.cells) cells_.push_back(static_cast<std::uint8_t>(cell >> 6));
-    next_ = cells_;
-  }
-  void frame(double time) {
-    for (const auto& step : twin_.plan().frame(time)) {
-      std::size_t at = 0;
-      for (int y = 0; y < side_; ++y) {
-        const std::uint8_t* row = &cells_[static_cast<std::size_t>(y) * static_cast<std::size_t>(side_)];
-        const std::uint8_t* above =
-            &cells_[static_cast<std::size_t>((y + side_ - 1) % side_) * static_cast<std::size_t>(side_)];
-        const std::uint8_t* below =
-            &cells_[static_cast<std::size_t>((y + 1) % side_) * static_cast<std::size_t>(side_)];
-        for (int x = 0; x < side_; ++x, ++at) {
-          const int l = x == 0 ? side_ - 1 : x - 1;
-          const int r = x == side_ - 1 ? 0 : x + 1;
-          const int n = (above[l] == 2) + (above[x] == 2) + (above[r] == 2) + (row[l] == 2) +
-                        (row[r] == 2) + (below[l] == 2) + (below[x] == 2) + (below[r] == 2);
-          const auto random = shader::spreadRandom(static_cast<std::uint32_t>(at), step.data.step, 1);
-          const std::uint8_t cell = row[x];
-          next_[at] = cell == 1
-                          ? (random < step.data.infection[n / 4][n % 4] ? std::uint8_t{2} : std::uint8_t{1})
-                      : cell == 2 ? (random < step.data.recovery ? 3 : 2)
-                                  : (random < step.data.waning ? 1 : 3);
-          ++counts_[next_[at]];
-        }
-      }
-      std::swap(cells_, next_);
-    }
-  }
-
- private:
-  EpidemicTwin twin_;
-  int side_;
-  std::vector<std::uint8_t> cells_, next_;
-  unsigned counts_[4] = {};
-};
-
 template <class Parameters>
 std::unique_ptr<sim::Simulation> onDevice(const sim::SimulationKind& kind, const Parameters& parameters) {
   scene::Object object;
@@ -160,8 +118,6 @@ int main() {
     if (context.device().software && side > 1024) continue;
     const int frames = 10;
     if (side <= 1024) {
-      PlainEpidemic plain(side);
-      line("epidemic, plain loop, one thread", side, secondsOf(frames, [&](double t) { plain.frame(t); }));
       for (const int threads : {1, 0}) {
         EpidemicTwin people(sim::EpidemicPlan(city(side), "city", 1, frameSeconds));
         line(threads == 1 ? "epidemic, twin, one thread" : "epidemic, twin, all threads", side,
