@@ -1,6 +1,7 @@
 #include "draw/frame_values.hpp"
 
 #include "draw/camera.hpp"
+#include "gl/context.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -69,6 +70,11 @@ shader::Frame frameValues(const scene::Scene& scene, glm::ivec2 size, double sec
   frame.exposure = std::exp2(scene.render.exposure.at(seconds));
   frame.vignette = scene.render.vignette;
   return frame;
+}
+
+gl::Defines withFrame(gl::Defines defines) {
+  if (gl::memoryPath() == gl::MemoryPath::texel) defines.emplace_back("PASSED_FRAME", "1");
+  return defines;
 }
 
 }  // namespace simreel::draw

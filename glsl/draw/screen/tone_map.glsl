@@ -1,5 +1,5 @@
 // Averages the samples, lays them over the sky, then lens and film. SAMPLES: 1 or more. BLOOM: adds scattered light.
-#include "draw/frame_block.glsl"
+#include "draw/fragment_frame.glsl"
 #include "draw/samples.glsl"
 #include "draw/sky.glsl"
 #include "draw/screen/film.glsl"

@@ -1,5 +1,5 @@
 // Colour times alpha, so that the tone map can lay it over the sky. Variant: SHADOWED.
-#include "draw/frame_block.glsl"
+#include "draw/fragment_frame.glsl"
 #include "draw/sky.glsl"
 #include "draw/surface/shading.glsl"
 #ifdef SHADOWED

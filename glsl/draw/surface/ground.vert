@@ -1,6 +1,7 @@
 // The ground: a square around the camera's target. SHADOWED draws the rectangle that shadows can reach; otherwise
 // the four strips around it, which need no look at the shadow map.
 #include "draw/frame_block.glsl"
+#include "draw/passed_frame.glsl"
 #ifdef SHADOW
 #include "draw/surface/light_map.glsl"
 #endif
@@ -15,6 +16,7 @@ vec2 rectangleCorner(vec4 rectangle, int corner) {
 }
 
 void main() {
+  passFrame();
   float reach = frame.groundReach;
   vec4 square = frame.target.xzxz + vec4(-reach, -reach, reach, reach);
   vec4 inner = frame.target.xzxz;

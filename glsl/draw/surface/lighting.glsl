@@ -6,11 +6,22 @@
 float roughness = 1.0;
 float openness = 1.0;  // fraction of the surroundings' light that gets into a cavity
 #else
-uniform float roughness;
 const float openness = 1.0;
+#endif
+#ifdef PASSED_FRAME  // by the vertex shader: see fragment_frame.glsl
+flat in vec4 passedMaterial;
+#ifndef SKIN
+float roughness = passedMaterial.x;
+#endif
+float metallic = passedMaterial.y;
+float translucency = passedMaterial.z;
+#else
+#ifndef SKIN
+uniform float roughness;
 #endif
 uniform float metallic;
 uniform float translucency;
+#endif
 
 // `fraction` of the sun reaches the place; `normal` points to the viewer's side.
 vec3 surfaceLight(vec3 base, vec3 normal, vec3 view, float fraction) {

@@ -1,6 +1,6 @@
 // Metal/rough surface under sun and sky. Variants: TEXTURED, DOUBLE_SIDED, TRANSLUCENT, REFLECTIVE, SHADOW, SKIN (with
 // SKIN_UV or TRIPLANAR, and LOOK_ one of skin.glsl).
-#include "draw/frame_block.glsl"
+#include "draw/fragment_frame.glsl"
 #include "draw/surface/lighting.glsl"
 in vec3 worldPosition;
 in vec3 worldNormal;
@@ -16,7 +16,12 @@ layout(binding = albedoUnit) uniform sampler2D albedo;
 #ifdef SKIN
 #include "draw/surface/skin_surface.glsl"
 #endif
+#ifdef PASSED_FRAME
+flat in vec3 passedColor;
+vec3 color = passedColor;
+#else
 uniform vec3 color;
+#endif
 layout(location = 0) out vec4 radiance;
 
 void main() {

@@ -1,4 +1,5 @@
 #include "draw/frame_block.glsl"
+#include "draw/passed_frame.glsl"
 #include "draw/surface/vertex_pull.glsl"
 #include "draw/surface/light_map.glsl"
 #ifdef GRID
@@ -14,6 +15,14 @@ out vec2 uv;
 #ifdef TRIPLANAR
 out vec3 objectPosition;
 out vec3 objectNormal;
+#endif
+#ifdef PASSED_FRAME
+uniform vec3 color;
+uniform float roughness;
+uniform float metallic;
+uniform float translucency;
+flat out vec3 passedColor;
+flat out vec4 passedMaterial;  // roughness, metallic, translucency
 #endif
 out vec3 worldPosition;
 out vec3 worldNormal;
@@ -32,6 +41,11 @@ vec3 gridNormal(int i) {
 #endif
 
 void main() {
+  passFrame();
+#ifdef PASSED_FRAME
+  passedColor = color;
+  passedMaterial = vec4(roughness, metallic, translucency, 0.0);
+#endif
   int i = gl_VertexID;
   vec3 p = worldPoint(i);
 #ifdef GRID

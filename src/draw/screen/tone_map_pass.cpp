@@ -3,6 +3,7 @@
 #include "draw/frame_values.hpp"
 
 #include <string>
+#include <utility>
 
 namespace simreel::draw {
 
@@ -11,7 +12,7 @@ namespace {
 gl::Defines definesFor(int samples, bool bloom) {
   gl::Defines defines = {{"SAMPLES", std::to_string(samples)}};
   if (bloom) defines.emplace_back("BLOOM", "1");
-  return defines;
+  return withFrame(std::move(defines));
 }
 
 }  // namespace

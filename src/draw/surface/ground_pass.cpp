@@ -1,11 +1,13 @@
 #include "draw/surface/ground_pass.hpp"
 
+#include "draw/frame_values.hpp"
+
 namespace simreel::draw {
 
 GroundPass::GroundPass(const scene::Scene& scene, const ShadowPass& shadow)
     : on_(scene.hasGround && scene.ground.visible), shadowed_(shadow.on()) {
   if (!on_) return;
-  gl::Defines defines = shadow.defines();
+  gl::Defines defines = withFrame(shadow.defines());
   if (scene.ground.roughness < 0.6F) defines.emplace_back("REFLECTIVE", "1");
   lit_ = gl::Program::graphics("draw/surface/ground.vert", "draw/surface/ground.frag", defines);
   if (!shadowed_) return;

@@ -1,5 +1,6 @@
 #include "draw/surface/surface_pass.hpp"
 
+#include "draw/frame_values.hpp"
 #include "draw/surface/skin_look.hpp"
 
 #include <iterator>
@@ -44,7 +45,7 @@ bool isReflective(const scene::Material& material) {
 }
 
 SurfacePass::SurfacePass(const scene::Scene& scene, const ShadowPass& shadow)
-    : shadowDefines_(shadow.defines()) {
+    : defines_(withFrame(shadow.defines())) {
   for (const scene::Object& object : scene.objects) {
     textures_.load(object.material.texture);
     // Whether a simulation publishes a grid or a solid mesh is not known yet; both are common.
@@ -58,7 +59,7 @@ SurfacePass::SurfacePass(const scene::Scene& scene, const ShadowPass& shadow)
 const gl::Program& SurfacePass::program(unsigned wanted) {
   const auto found = programs_.find(wanted);
   if (found != programs_.end()) return found->second;
-  gl::Defines defines = shadowDefines_;
+  gl::Defines defines = defines_;
   for (unsigned i = 0; i < std::size(featureNames); ++i)
     if ((wanted >> i & 1U) != 0) defines.emplace_back(featureNames[i], "1");
   if ((wanted & (skinUv | triplanar)) != 0) {

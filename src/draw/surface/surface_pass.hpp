@@ -29,7 +29,7 @@ class SurfacePass {
   void setPlain(const scene::Material& material, bool isGrid, const gl::Program& shader);
   static void setSkin(const SkinTextures::Entry& entry, const scene::Skin& skin, const gl::Program& shader);
 
-  gl::Defines shadowDefines_;
+  gl::Defines defines_;  ///< of all programs
   std::map<unsigned, gl::Program> programs_;
   TextureStore textures_;
   VertexArray vertices_;

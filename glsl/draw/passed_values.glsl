@@ -1,0 +1,23 @@
+// Members of Frame (frame.glsl) that fragment shaders read. What one of them leaves unread is not passed to it.
+PASSED PassedFrame {
+  flat vec4 eye;
+  flat vec4 target;
+  flat vec4 sunDirection;
+  flat vec4 sunLight;
+  flat vec4 ambientUp;
+  flat vec4 ambientSide;
+  flat vec4 ambientDown;
+  flat vec4 zenith;
+  flat vec4 horizon;
+  flat vec4 nadir;
+  flat vec4 groundColor;
+  flat vec2 size;
+  flat float exposure;
+  flat float vignette;
+  flat float sunGlow;
+  flat float shadowTexels;
+  flat float shadowSoftness;
+  flat float groundRoughness;
+  flat float groundFadeStart;
+  flat float perGroundFade;
+} PASSED_NAME;
