@@ -1,5 +1,6 @@
 #pragma once
 #include <chrono>
+#include <ctime>
 
 namespace simreel {
 
@@ -8,6 +9,13 @@ using Clock = std::chrono::steady_clock;
 /// Seconds from `begin` to now.
 [[nodiscard]] inline double secondsSince(Clock::time_point begin) {
   return std::chrono::duration<double>(Clock::now() - begin).count();
+}
+
+/// Processor time of this process in seconds: user and system, all threads.
+[[nodiscard]] inline double processSeconds() {
+  std::timespec now{};
+  ::clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
 }  // namespace simreel

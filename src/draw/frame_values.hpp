@@ -18,8 +18,8 @@ namespace simreel::draw {
 /// Everything of the scene that the passes read, at `seconds` of scene time.
 [[nodiscard]] shader::Frame frameValues(const scene::Scene& scene, glm::ivec2 size, double seconds);
 
-/// Defines of a program both of whose shaders know glsl/draw/passed_frame.glsl: says where its fragments find
-/// the frame's values.
+/// Defines of a program both of whose shaders know glsl/draw/passed_frame.glsl: says where its fragments
+/// find the frame's values.
 [[nodiscard]] gl::Defines withFrame(gl::Defines defines);
 
 }  // namespace simreel::draw

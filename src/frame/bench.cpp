@@ -61,6 +61,7 @@ struct BenchRun::State {
   std::vector<Stamps> spare;
   Pending current;  ///< being issued
   Clock::time_point lastMark, lastDelivered;
+  double lastProcessor = 0;  ///< processSeconds() at lastDelivered
   bool started = false;
   FrameTimes times;
 
@@ -143,14 +144,23 @@ struct BenchRun::State {
       oldest.order.push_back(stage("readback"));
       oldest.cpu.push_back(milliseconds(there, end));
     }
-    if (oldest.timed) add(oldest, milliseconds(lastDelivered, Clock::now()));
-    lastDelivered = Clock::now();
+    const double processor = processSeconds();
+    if (oldest.timed)
+      add(oldest, milliseconds(lastDelivered, Clock::now()), 1e3 * (processor - lastProcessor));
+    restart();
     if (timing == Timing::query) spare.push_back(std::move(oldest.stamps));
   }
 
-  void add(const Pending& frame, double wall) {
+  /// The next frame's time begins.
+  void restart() {
+    lastDelivered = Clock::now();
+    lastProcessor = processSeconds();
+  }
+
+  void add(const Pending& frame, double wall, double processor) {
     times.frames.push_back(frame.frame);
     times.wall.push_back(wall);
+    times.processor.push_back(processor);
     times.waited.push_back(frame.waited);
     for (StageSeries& stage : times.stages) {
       stage.cpu.push_back(0);
@@ -194,7 +204,7 @@ void BenchRun::run(int warmUp, int frames, const std::function<bool()>& done) {
     s.deliver();
   }
   glFinish();
-  s.lastDelivered = Clock::now();
+  s.restart();
   // Frames issued after the timed ones keep the pipeline full until the last of those is there.
   const int all = warmUp + frames + static_cast<int>(s.depth);
   for (int i = 0; i < all; ++i) {

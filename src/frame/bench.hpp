@@ -37,6 +37,8 @@ struct FrameTimes {
   /// ms from the frame before being complete in the CPU's memory to this one being so.
   std::vector<double> wall;
   std::vector<double> waited;  ///< ms of that in which the CPU waited for the device
+  /// ms of processor time in it, of all threads: a software driver's too.
+  std::vector<double> processor;
   std::vector<StageSeries> stages;
 };
 

@@ -26,6 +26,9 @@ class BenchCase(Case):
         self.assertEqual(row["frame"]["most"], max(row["samples"]["ms"]))
         self.assertAlmostEqual(row["frame"]["mean"], sum(row["samples"]["ms"]) / row["frames"], 5)
         self.assertAlmostEqual(row["framesPerSecond"], 1e3 / row["frame"]["mean"], delta=1e-3 * row["framesPerSecond"])
+        busy = row["processor"]["mean"] / row["frame"]["mean"] / result["processors"]
+        self.assertAlmostEqual(row["processorsBusy"], busy, 4)
+        self.assertTrue(0 < busy < 1.05)
         for side in ("cpu", "gpu"):
             if side == "gpu" and result["timing"] != "query":
                 self.assertTrue(all(stage["gpu"] is None for stage in row["stages"]))
@@ -83,7 +86,8 @@ class Bench(BenchCase):
         done = self.good("bench", "scene.json", *FEW, "--vary", f"{MASS}=1,2", "--json", "a.json", "--chart", "a.svg")
         lines = done.stdout.decode().splitlines()
         self.assertIn("64x36", lines[0])
-        self.assertRegex(lines[1], r"^frames, ms +measured +median +5th +95th +frames/s +beyond 3 medians +bounded by$")
+        self.assertRegex(lines[1], r"^frames, ms +measured +median +5th +95th +frames/s +processors busy +"
+                                   r"beyond 3 medians +bounded by$")
         self.assertRegex(lines[2], r"^mass=1 +7 ")
         self.assertRegex(lines[3], r"^mass=2 +7 ")
         self.assertTrue(any(line.startswith("stages, median ms") for line in lines))

@@ -19,6 +19,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include <CLI/CLI.hpp>
@@ -138,6 +139,7 @@ void bench(const BenchOptions& o) {
                      .driver = context.device().version,
                      .memoryPath = gl::memoryPath() == gl::MemoryPath::texel ? "texel" : "storage",
                      .software = gl::softwareDriver(),
+                     .processors = std::max(std::thread::hardware_concurrency(), 1U),
                      .timing = timingOf(o),
                      .frames = o.frames,
                      .warmUp = o.warmUp,
@@ -180,6 +182,10 @@ void addBench(CLI::App& app) {
   command->add_option("--chart", o->chart, "File for a chart, .svg");
   addDevice(*command, o->on);
   command->add_option("--progress", o->progress, "auto, tty, ndjson or none");
+  command->footer(
+      "Processors busy: user and system time of all threads, a software driver's too, over the time that "
+      "the "
+      "frames took and the processors that this process may use; as in `render` with --timing whole.");
   command->callback([o] { bench(*o); });
 }
 

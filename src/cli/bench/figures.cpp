@@ -38,7 +38,10 @@ RowFigures figuresOf(const frame::FrameTimes& times, frame::Timing timing) {
   row.frame = frame::statisticsOf(times.wall);
   row.outliers = frame::outliersOf(times.wall);
   const double all = std::accumulate(times.wall.begin(), times.wall.end(), 0.0);
-  if (all > 0) row.perSecond = 1e3 * static_cast<double>(times.wall.size()) / all;
+  if (all > 0) {
+    row.perSecond = 1e3 * static_cast<double>(times.wall.size()) / all;
+    row.processors = std::accumulate(times.processor.begin(), times.processor.end(), 0.0) / all;
+  }
   const auto median = [](const std::vector<double>& values) { return frame::statisticsOf(values).median; };
   for (const frame::StageSeries& stage : times.stages) {
     StageFigures figures{stage.name, median(stage.cpu), median(stage.gpu), {}};

@@ -60,8 +60,8 @@ std::string outlierText(const RowFigures& row, const frame::FrameTimes& times) {
 }
 
 std::string frameTable(const BenchReport& report, const std::vector<RowFigures>& rows) {
-  Lines lines = {
-      {"frames, ms", "measured", "median", "5th", "95th", "frames/s", "beyond 3 medians", "bounded by"}};
+  Lines lines = {{"frames, ms", "measured", "median", "5th", "95th", "frames/s", "processors busy",
+                  "beyond 3 medians", "bounded by"}};
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const RowFigures& row = rows[i];
     if (row.frame.count == 0) {
@@ -70,8 +70,9 @@ std::string frameTable(const BenchReport& report, const std::vector<RowFigures>&
     }
     lines.push_back({oneLine(report.rows[i].asked.name), fmt::format("{}", row.frame.count),
                      ms(row.frame.median), ms(row.frame.p5), ms(row.frame.p95),
-                     fmt::format("{:.1f}", row.perSecond), outlierText(row, report.rows[i].times),
-                     row.bound});
+                     fmt::format("{:.1f}", row.perSecond),
+                     fmt::format("{:.0f}%", 100 * row.processors / report.processors),
+                     outlierText(row, report.rows[i].times), row.bound});
   }
   return aligned(lines, true);
 }
@@ -165,7 +166,8 @@ ordered_json stageJson(const frame::StageSeries& stage, frame::Timing timing) {
           {"parts", parts}};
 }
 
-ordered_json rowJson(const BenchRow& row, frame::Timing timing) {
+ordered_json rowJson(const BenchRow& row, const BenchReport& report) {
+  const frame::Timing timing = report.timing;
   const RowFigures figures = figuresOf(row.times, timing);
   ordered_json set = ordered_json::object();
   for (const scene::Override& change : row.asked.changes) set[change.path] = change.value;
@@ -181,6 +183,8 @@ ordered_json rowJson(const BenchRow& row, frame::Timing timing) {
           {"framesPerSecond", figures.perSecond},
           {"frame", spread(row.times.wall)},
           {"waited", spread(row.times.waited)},
+          {"processor", spread(row.times.processor)},
+          {"processorsBusy", rounded(figures.processors / report.processors)},
           {"outliers", outliersJson(figures, row.times)},
           {"boundBy", figures.bound},
           {"stages", stages},
@@ -208,7 +212,7 @@ std::string benchText(const BenchReport& report) {
 
 ordered_json benchJson(const BenchReport& report) {
   ordered_json rows = ordered_json::array();
-  for (const BenchRow& row : report.rows) rows.push_back(rowJson(row, report.timing));
+  for (const BenchRow& row : report.rows) rows.push_back(rowJson(row, report));
   return {{"bench", 1},
           {"version", version()},
           {"scene", report.scene},
@@ -216,6 +220,7 @@ ordered_json benchJson(const BenchReport& report) {
           {"driver", report.driver},
           {"memoryPath", report.memoryPath},
           {"software", report.software},
+          {"processors", report.processors},
           {"command", commandLine()},
           {"timing", timingNames.at(static_cast<std::size_t>(report.timing))},
           {"framesAsked", report.frames},

@@ -24,6 +24,7 @@ struct BenchReport {
   std::string scene;  ///< file
   std::string device, driver, memoryPath;
   bool software = false;
+  unsigned processors = 1;  ///< that this process may use
   frame::Timing timing = frame::Timing::wait;
   int frames = 0, warmUp = 0, rounds = 0;  ///< asked for
   bool interrupted = false;
@@ -42,7 +43,8 @@ struct StageFigures {
 struct RowFigures {
   frame::Statistics frame;  ///< ms
   frame::Outliers outliers;
-  double perSecond = 0;  ///< frames, outliers included
+  double perSecond = 0;   ///< frames, outliers included
+  double processors = 0;  ///< busy with this process on average
   std::vector<StageFigures> stages;
   double cpu = 0, gpu = 0;  ///< sums of the stages, ms
   /// What bounded it: "surfaces, 61%", "GPU: shadow, 40%", "CPU: step a, 90%", "waiting", or "" where
@@ -64,12 +66,15 @@ struct RowFigures {
 ///     "bench": 1                      this format
 ///     "version", "scene", "device", "driver", "memoryPath", "command"
 ///     "software": true                the driver draws on the CPU
+///     "processors": n                 that this process may use
 ///     "timing": "wait", "query" or "whole"   wait: "gpu" is null; whole: "stages" is empty
 ///     "framesAsked", "warmUp", "rounds", "interrupted"
 ///     "rows": [{
 ///       "name", "set": {path: value}, "size": [w, h], "sceneHash",
 ///       "frames": n                   measured; fewer than asked for when interrupted
 ///       "framesPerSecond", "frame": spread, "waited": spread,
+///       "processor": spread           user and system time of all threads
+///       "processorsBusy"              fraction: that over "frame" times "processors"
 ///       "outliers": {"bound", "count", "worst": {"frame", "ms"} or null},   beyond 3 medians
 ///       "boundBy",
 ///       "stages": [{"name", "cpu": spread, "gpu": spread or null, "parts": {name: spread}}],

@@ -23,6 +23,7 @@ BenchRow row(const std::string& name, bool waited) {
   made.times.frames = {31, 32, 33, 34, 35};
   made.times.wall = {10, 10, 50, 10, 10};
   made.times.waited = {1, 1, 1, 1, 1};
+  made.times.processor = {30, 30, 90, 30, 45};
   const std::vector<double> none = waited ? std::vector<double>() : std::vector<double>(5, 0.5);
   made.times.stages = {{"step sea", std::vector<double>(5, 6), none, {}},
                        {"shadow", std::vector<double>(5, 0.01), none, {}},
@@ -38,6 +39,7 @@ BenchReport report(bool waited) {
           .driver = "4.5",
           .memoryPath = "texel",
           .software = true,
+          .processors = 4,
           .timing = waited ? frame::Timing::wait : frame::Timing::query,
           .frames = 5,
           .warmUp = 2,
@@ -70,6 +72,7 @@ TEST_CASE("bench: the figures of a row") {
   CHECK(f.frame.median == 10);
   CHECK(f.outliers.count == 1);
   CHECK(f.perSecond == doctest::Approx(5e3 / 90));
+  CHECK(f.processors == doctest::Approx(2.5));  // 225 ms of 90
   CHECK(f.cpu == doctest::Approx(8.01));
   CHECK(f.bound == "step sea (deform), 60%");
   const auto gpu = row("jobs", false).times;
@@ -88,6 +91,8 @@ TEST_CASE("bench: the tables") {
   CHECK(contains(text, "1, worst 50.0 ms in frame 33"));
   CHECK(contains(text, "of it deform"));
   CHECK(contains(text, "640x360"));
+  CHECK(contains(text, "processors busy"));
+  CHECK(contains(text, "62%"));           // 2.5 of 4 processors
   CHECK_FALSE(contains(text, "shadow"));  // 0.1% of the frame
   CHECK_FALSE(contains(text, "GPU"));
   const std::string both = benchText(report(false));
@@ -104,6 +109,9 @@ TEST_CASE("bench: JSON") {
   CHECK(json["bench"] == 1);
   CHECK(first["set"]["objects.sea.mesh.technique"] == "jobs");
   CHECK(first["outliers"]["worst"]["frame"] == 33);
+  CHECK(json["processors"] == 4);
+  CHECK(first["processorsBusy"] == 0.625);
+  CHECK(first["processor"]["median"] == 30);
   CHECK(first["stages"][0]["parts"]["deform"]["median"] == 4);
   CHECK(first["stages"][0]["gpu"]["p95"] == 0.5);
   CHECK(first["samples"]["ms"].size() == 5);
