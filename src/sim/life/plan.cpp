@@ -29,6 +29,10 @@ class Placement {
   [[nodiscard]] glm::ivec2 turnedSize() const {
     return pattern_.rotate % 180 == 0 ? size_ : glm::ivec2(size_.y, size_.x);
   }
+  /// Neither flipped nor turned: runs stay runs.
+  [[nodiscard]] bool upright() const {
+    return pattern_.rotate == 0 && pattern_.flip == LifePattern::Flip::none;
+  }
   /// Cell of the top left corner in a grid.
   [[nodiscard]] glm::ivec2 corner(glm::ivec2 grid) const {
     return pattern_.at.value_or(grid / 2 - turnedSize() / 2);
@@ -56,6 +60,17 @@ class Placement {
 
 int wrapped(int x, int size) {
   return (x % size + size) % size;
+}
+
+/// Sets `length` cells from column x on to alive, in the row whose first word is `row`; a word at a time.
+void setRun(std::vector<std::uint32_t>& words, std::size_t row, int x, int length) {
+  while (length > 0) {
+    const int bit = x % 32;
+    const int count = std::min(32 - bit, length);
+    words[row + static_cast<std::size_t>(x) / 32] |= ~0U >> (32 - count) << bit;
+    x += count;
+    length -= count;
+  }
 }
 
 }  // namespace
@@ -153,8 +168,10 @@ void LifePlan::checkPlaces(const std::string& object) const {
 void LifePlan::checkLiving(const std::string& object) const {
   constexpr std::uint64_t alwaysAllowed = 1 << 24;
   std::map<std::filesystem::path, std::uint64_t> living;
-  for (const auto& [file, cells] : files_)
-    for (const CellPattern::Run& run : cells.runs) living[file] += static_cast<std::uint64_t>(run.length);
+  for (const auto& [file, cells] : files_) {
+    std::uint64_t& count = living[file];
+    for (const CellPattern::Run& run : cells.runs) count += static_cast<std::uint64_t>(run.length);
+  }
   std::uint64_t all = 0;
   for (const LifePattern& pattern : parameters_.patterns) all += living[pattern.file];
   const auto grid =
@@ -177,6 +194,12 @@ void LifePlan::addPatterns(std::vector<std::uint32_t>& words) const {
     const CellPattern& cells = cellsOf(pattern);
     const Placement placement(pattern, cells.size);
     const glm::ivec2 corner = placement.corner(size);
+    const glm::ivec2 end = corner + cells.size;
+    if (placement.upright() && corner.x >= 0 && corner.y >= 0 && end.x <= size.x && end.y <= size.y) {
+      for (const CellPattern::Run& run : cells.runs)
+        setRun(words, static_cast<std::size_t>(corner.y + run.y) * rowWords, corner.x + run.x, run.length);
+      continue;
+    }
     for (const CellPattern::Run& run : cells.runs)
       for (int i = 0; i < run.length; ++i) {
         const glm::ivec2 cell = corner + placement({run.x + i, run.y});

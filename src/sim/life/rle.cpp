@@ -4,6 +4,9 @@
 #include "base/text.hpp"
 
 #include <algorithm>
+#include <bit>
+#include <charconv>
+#include <iterator>
 
 #include <glm/common.hpp>
 
@@ -174,13 +177,17 @@ class RleWriter {
   explicit RleWriter(std::string& out) : out_(out) {}
   void add(long count, char what) {
     if (count == 0) return;
-    const std::string item = count == 1 ? std::string(1, what) : std::to_string(count) + what;
-    if (length_ + item.size() > lineLength) {
+    char item[24];
+    char* end = item;
+    if (count > 1) end = std::to_chars(item, std::end(item) - 1, count).ptr;
+    *end++ = what;
+    const auto length = static_cast<std::size_t>(end - item);
+    if (length_ + length > lineLength) {
       out_ += '\n';
       length_ = 0;
     }
-    out_ += item;
-    length_ += item.size();
+    out_.append(item, length);
+    length_ += length;
   }
 
  private:
@@ -193,12 +200,9 @@ int nextColumn(const CellRows& cells, int x, int y, bool alive) {
   const auto row = static_cast<std::size_t>(y) * static_cast<std::size_t>(CellRows::rowWords(cells.size.x));
   while (x < cells.size.x) {
     const std::uint32_t word = cells.words[row + static_cast<std::size_t>(x) / 32];
-    if (x % 32 == 0 && word == (alive ? 0U : ~0U)) {
-      x += 32;
-      continue;
-    }
-    if (((word >> (x % 32) & 1U) != 0) == alive) return x;
-    ++x;
+    const std::uint32_t wanted = (alive ? word : ~word) >> (x % 32);
+    if (wanted != 0) return std::min(x + std::countr_zero(wanted), cells.size.x);
+    x += 32 - x % 32;
   }
   return cells.size.x;
 }

@@ -116,6 +116,27 @@ TEST_CASE("a grid that is not given fits its patterns, 16 to 9, and they lie in 
   CHECK(living(LifePlan(placed, "cells", 1, 0.1)).contains({101, 5}));
 }
 
+TEST_CASE("a pattern lies where it is placed, cell for cell, also across words and a torus's edge") {
+  LifeParameters soup;
+  soup.size = {131, 9};
+  soup.fill = 0.8F;  // long runs
+  const auto words = LifePlan(soup, "cells", 5, 0.1).firstCells();
+  const simreel::test::TemporaryFile file("soup.rle", writeRle({soup.size, words}, LifeRule{}, 0, ""));
+  for (const glm::ivec2 at : {glm::ivec2(0, 0), {13, 4}, {169, 11}, {250, -3}}) {
+    LifeParameters p = fitted("glider");
+    p.fitted = false;
+    p.size = {300, 20};
+    p.patterns[0].file = file.path();
+    p.patterns[0].at = at;
+    Cells expected;
+    for (int y = 0; y < soup.size.y; ++y)
+      for (int x = 0; x < soup.size.x; ++x)
+        if (CellRows{soup.size, words}.alive(x, y))
+          expected.insert({(at.x + x) % p.size.x, (at.y + y + p.size.y) % p.size.y});
+    CHECK(living(LifePlan(p, "cells", 1, 0.1)) == expected);
+  }
+}
+
 TEST_CASE("a pattern that was made for a bounded grid brings it along") {
   const simreel::test::TemporaryFile file("bounded.rle", "x = 3, y = 1, rule = B3/S23:P31,20\n3o!");
   LifeParameters p = fitted("glider");
