@@ -106,8 +106,15 @@ void storeRow(Row row, int y, int first) {
 }
 
 void main() {
+#ifdef FLAT
+  int across = (rowBlocks + BLOCKS - 1) / BLOCKS;
+  int strip = int(gl_GlobalInvocationID.x);
+  int first = strip % across * BLOCKS;
+  int top = strip / across * ROWS;
+#else
   int first = int(gl_GlobalInvocationID.x) * BLOCKS;
   int top = int(gl_GlobalInvocationID.y) * ROWS;
+#endif
   if (first >= rowBlocks || top >= size.y) return;
   int rows = min(ROWS, size.y - top);
   RowSums above[STEPS];  // of generation t: two rows back,

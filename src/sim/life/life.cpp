@@ -5,6 +5,7 @@
 #include "gl/limits.hpp"
 #include "gl/program.hpp"
 #include "sim/core/kind.hpp"
+#include "sim/life/active.hpp"
 #include "sim/life/life_scene.hpp"
 #include "sim/life/plan.hpp"
 #include "sim/life/rle.hpp"
@@ -13,6 +14,7 @@
 #include <algorithm>
 #include <bit>
 #include <cstring>
+#include <optional>
 #include <utility>
 
 namespace simreel::sim {
@@ -56,6 +58,7 @@ class Life : public Simulation {
     started_ = true;
     const long end = plan_.generationAt(frame + 1);
     int done = 0;
+    if (!watch) takeActive(end);
     while (generation_ < end) {
       const int steps = watch ? 1 : stepsAtOnce(end);
       gl::barrier();
@@ -180,11 +183,23 @@ class Life : public Simulation {
     fade_.dispatch(trailQuads_, size_.y);
   }
 
+  /// Most of the generations up to `end`, where many are due and nothing looks at or paints those between.
+  void takeActive(long end) {
+    if (end - generation_ < LifeActive::minGenerations || !LifeActive::suits(size_) || trailQuads_ > 0 ||
+        !plan_.strokes().empty())
+      return;
+    if (!active_) active_.emplace(plan_.rule(), plan_.torus(), size_);
+    const auto passes = static_cast<int>((end - generation_) / LifeActive::steps);
+    gl::barrier();
+    active_->run(cells_[0], passes);
+    generation_ += long{passes} * LifeActive::steps;
+  }
+
   /// As many as one pass may take: no further than the frame's end, one where every step is looked at, and
   /// only the last of them with strokes.
   [[nodiscard]] int stepsAtOnce(long end) const {
-    const int max = static_cast<int>(std::min<long>(stepper_.maxSteps(), end - generation_));
-    if (trailQuads_ > 0 || max < stepper_.maxSteps()) return 1;
+    const int max = stepper_.stepsOf(end - generation_);
+    if (trailQuads_ > 0) return 1;
     for (int i = 1; i < max; ++i)
       if (!plan_.strokesInto(generation_ + i).empty()) return 1;
     return max;
@@ -207,6 +222,7 @@ class Life : public Simulation {
   glm::ivec2 size_;
   std::vector<glm::vec3> colors_;
   LifeStepper stepper_;
+  std::optional<LifeActive> active_;
   gl::WordsArray cells_[2];  ///< now, and where the next pass writes
   gl::WordsArray trail_, stamps_;
   gl::Program paint_, fade_;

@@ -8,12 +8,15 @@ namespace simreel::sim {
 
 LifeTuning LifeTuning::best(glm::ivec2 size) {
   // Measured: llvmpipe with tools/bench/life.cpp.
-  LifeTuning tuning = gl::memoryPath() == gl::MemoryPath::texel
-                          ? LifeTuning{4, size.x % 256 == 0 ? 2 : 1, 64, {8, 4}}
-                          : LifeTuning{2, 1, 32, {32, 2}};
+  const bool small = size.x <= (1 << 20) / size.y;
+  LifeTuning tuning =
+      gl::memoryPath() == gl::MemoryPath::texel
+          ? LifeTuning{small ? 16 : 4, !small && size.x % 256 == 0 ? 2 : 1, 64, {8, 1}, true}
+          : LifeTuning{2, 1, 32, {32, 2}};
   // Small grids: enough invocations before long strips.
-  const int across = (size.x + 127) / 128 / tuning.blocks + 1;
-  while (tuning.rows > 8 && size.y / tuning.rows * across < 256) tuning.rows /= 2;
+  const int enough = tuning.flat ? 32 : 256;
+  const int across = (size.x + 127) / 128 / tuning.blocks + (tuning.flat ? 0 : 1);
+  while (tuning.rows > (tuning.flat ? 16 : 8) && size.y / tuning.rows * across < enough) tuning.rows /= 2;
   return tuning;
 }
 
@@ -21,6 +24,12 @@ LifeStepper::LifeStepper(const LifeRule& rule, bool torus, glm::ivec2 size, cons
     : rule_(rule), torus_(torus), size_(size), tuning_(tuning) {
   whole_ = size.x % (128 * tuning.blocks) == 0;
   maxSteps_ = whole_ && size.y >= tuning.steps ? tuning.steps : 1;
+}
+
+int LifeStepper::stepsOf(long due) const {
+  for (const int steps : {maxSteps_, 4})
+    if (steps <= maxSteps_ && steps <= due) return steps;
+  return 1;
 }
 
 void LifeStepper::run(const gl::WordsArray& from, const gl::WordsArray& to, int steps) {
@@ -38,6 +47,7 @@ void LifeStepper::run(const gl::WordsArray& from, const gl::WordsArray& to, int 
     define("ROWS", tuning_.rows);
     define("GROUP_X", tuning_.group.x);
     define("GROUP_Y", tuning_.group.y);
+    if (tuning_.flat) define("FLAT", 1);
     if (torus_) define("TORUS", 1);
     if (whole_) define("WHOLE", 1);
     found = programs_.emplace(steps, gl::Program::compute("life/step.comp", defines)).first;
@@ -46,8 +56,12 @@ void LifeStepper::run(const gl::WordsArray& from, const gl::WordsArray& to, int 
   }
   from.bindInput(shader::life::cellsBinding);
   to.bindState(shader::life::nextCellsBinding);
-  found->second.dispatch((rowBlocks + tuning_.blocks - 1) / tuning_.blocks,
-                         (size_.y + tuning_.rows - 1) / tuning_.rows);
+  const int across = (rowBlocks + tuning_.blocks - 1) / tuning_.blocks;
+  const int down = (size_.y + tuning_.rows - 1) / tuning_.rows;
+  if (tuning_.flat)
+    found->second.dispatch(across * down, 1);
+  else
+    found->second.dispatch(across, down);
 }
 
 }  // namespace simreel::sim

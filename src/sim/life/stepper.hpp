@@ -19,6 +19,7 @@ struct LifeTuning {
   int blocks = 1;  ///< of 128 cells side by side, owned by an invocation
   int rows = 16;   ///< that an invocation goes down
   glm::ivec2 group{32, 2};
+  bool flat = false;  ///< strips are numbered row by row, so that narrow grids fill a group, too
   /// What measured best on the present device for grids of this size, with any number of steps.
   [[nodiscard]] static LifeTuning best(glm::ivec2 size);
 };
@@ -32,6 +33,9 @@ class LifeStepper {
   /// Generations in one pass at most: tuning.steps where rows are whole multiples of the strips and there
   /// are as many rows; else 1.
   [[nodiscard]] int maxSteps() const { return maxSteps_; }
+  /// Generations of the next pass where `due` are due: maxSteps(), else 4 where that allows them, else 1,
+  /// so that few programs are made.
+  [[nodiscard]] int stepsOf(long due) const;
   /// `steps` from 1 to maxSteps(). Earlier writes must be visible (gl::barrier).
   void run(const gl::WordsArray& from, const gl::WordsArray& to, int steps);
 

@@ -6,6 +6,7 @@
 #include "reference/life_twin.hpp"
 #include "sim/life/stepper.hpp"
 #include "source_folder.hpp"
+#include "unit/help.hpp"
 
 #include <algorithm>
 #include <cstring>
@@ -96,7 +97,9 @@ TEST_CASE("life: every way to cut the grid gives the same cells") {
       for (int i = 0; i < 8; ++i) twin.generation();
       for (const LifeTuning& tuning :
            {LifeTuning{1, 1, 16, {32, 2}}, LifeTuning{2, 1, 9, {8, 8}}, LifeTuning{4, 1, 32, {16, 4}},
-            LifeTuning{1, 2, 64, {32, 1}}, LifeTuning{2, 2, 7, {4, 4}}, LifeTuning{8, 1, 5, {8, 4}}}) {
+            LifeTuning{1, 2, 64, {32, 1}}, LifeTuning{2, 2, 7, {4, 4}}, LifeTuning{8, 1, 5, {8, 4}},
+            LifeTuning{4, 1, 16, {8, 1}, true}, LifeTuning{8, 2, 9, {8, 1}, true},
+            LifeTuning{1, 1, 16, {8, 1}, true}}) {
         LifeStepper stepper(rule, torus, size, tuning);
         gl::WordsArray a("a", items);
         gl::WordsArray b("b", items);
@@ -111,6 +114,46 @@ TEST_CASE("life: every way to cut the grid gives the same cells") {
       }
     }
   }
+}
+
+// Small grids by tiles, of which only those near something that moves are computed.
+TEST_CASE("life equals its CPU twin where a frame has many generations") {
+  for (const glm::ivec2 size : {glm::ivec2(32, 32), {64, 33}, {96, 63}, {160, 77}, {512, 96}}) {
+    for (const char* rule : {"B3/S23", "B03/S1238", "B2/S", "B36/S125"}) {
+      CAPTURE(rule);
+      auto p = grid(size.x, size.y);
+      p.rule = rule;
+      p.stepsPerSecond = 3013;
+      compare(p, 3);
+      p.border = LifeBorder::dead;
+      compare(p, 3);
+    }
+  }
+}
+
+TEST_CASE("life equals its CPU twin after more generations than a dispatch may have loops for") {
+  for (const glm::ivec2 size : {glm::ivec2(32, 32), {256, 64}}) {
+    auto p = grid(size.x, size.y);
+    p.rule = "B2/S";  // never rests
+    p.stepsPerSecond = 20000;
+    compare(p, 1, 1);
+  }
+}
+
+TEST_CASE("life equals its CPU twin where gliders cross what stands still") {
+  testContext();
+  const simreel::test::TemporaryFile file(
+      "gliders.rle",
+      "x = 60, y = "
+      "40\nbo20b3o10b2o$2bo19bobo10b2o$3o$10b2o8bo20b3o$10b2o30bo$18b3o19bobo20$50b3o$52bo$51bo!");
+  auto p = grid(224, 150);
+  p.fill = 0;
+  p.patterns.resize(1);
+  p.patterns[0].file = file.path();
+  p.stepsPerSecond = 2571;
+  compare(p, 6);
+  p.border = LifeBorder::dead;
+  compare(p, 6);
 }
 
 TEST_CASE("life equals its CPU twin for random rules") {

@@ -1,0 +1,45 @@
+#pragma once
+#include "gl/buffer.hpp"
+#include "gl/element_array.hpp"
+#include "gl/program.hpp"
+#include "gl/texture.hpp"
+#include "sim/life/rule.hpp"
+
+#include <optional>
+
+#include <glm/vec2.hpp>
+
+namespace simreel::sim {
+
+/// Advances a small grid by many generations a dispatch, computing only tiles near something that moves
+/// (glsl/life/active.comp). For drivers on the CPU, where one work group is one thread: much work is better
+/// shared by LifeStepper's.
+class LifeActive {
+ public:
+  /// Generations in one pass.
+  static constexpr int steps = 8;
+  /// Fewer generations than this are not worth copying the cells and computing every tile once.
+  static constexpr int minGenerations = 256;
+
+  /// Whether the present device and a grid of this size suit it: software drivers; at most 2^18 cells, rows
+  /// of whole words, at least as high as a tile.
+  [[nodiscard]] static bool suits(glm::ivec2 size);
+
+  LifeActive(const LifeRule& rule, bool torus, glm::ivec2 size);
+
+  /// `passes` passes of `steps` generations, in place. Earlier writes must be visible (gl::barrier), and so
+  /// are those of this when it returns.
+  void run(gl::WordsArray& cells, int passes);
+
+ private:
+  glm::ivec2 size_;
+  int words_;              ///< of the grid
+  int passesPerDispatch_;  ///< so that no loop is cut off
+  unsigned pass_ = 0;
+  gl::Buffer cells_;  ///< both halves: before and after a pass
+  gl::Texture texels_;
+  gl::Buffer marks_;
+  gl::Program program_;
+};
+
+}  // namespace simreel::sim
