@@ -140,6 +140,22 @@ TEST_CASE("life equals its CPU twin after more generations than a dispatch may h
   }
 }
 
+TEST_CASE("life equals its CPU twin where a front runs a cell a generation into what stands still") {
+  testContext();
+  const simreel::test::TemporaryFile cell("cell.rle", "x = 1, y = 1\no!");
+  // So that it ends a pass just as far from the next tile as it will run in the next pass, on either side.
+  for (const int at : {256, 263}) {
+    auto p = grid(576, 448);
+    p.rule = "B12345678/S012345678";
+    p.fill = 0;
+    p.patterns.resize(1);
+    p.patterns[0].file = cell.path();
+    p.patterns[0].at = glm::ivec2(at, at - 128);
+    p.stepsPerSecond = 2560;
+    compare(p, 1);
+  }
+}
+
 TEST_CASE("life equals its CPU twin where gliders cross what stands still") {
   testContext();
   const simreel::test::TemporaryFile file(
