@@ -3,7 +3,7 @@
 namespace simreel::gl {
 
 /// Call before the first context. How many threads a software driver shall use, as $LP_NUM_THREADS, which
-/// stays where it is set: several a processor, so that no processor waits for a slower one. Where the
+/// stays where it is set: two a processor, so that no processor waits for a slower one. Where the
 /// system grants few threads or little address space (prlimit --nproc, ulimit -v), one: it would wait for
 /// ever for threads that never started, or crash.
 void chooseDriverThreads();
