@@ -20,7 +20,7 @@ vec4 loadPosition(int i) {
 vec4 taken(ivec2 at, int i) {
 #ifdef FIRST
   vec4 here = loadPosition(i);
-  Motion m = advance(at, here, LOAD_ONCE(velocities, i), false, AIR, false, false);
+  Motion m = advance(at, here, LOAD_ONCE(velocities, i), false, AIR, false, false, false);
   if (isLost(m)) noteLost(uint(stepData.substep), uint(i));
   return vec4(m.position, here.w);
 #else
@@ -31,10 +31,10 @@ vec4 taken(ivec2 at, int i) {
 void leave(int i, vec4 here) {
 #ifdef LAST
   vec4 velocity = LOAD_ONCE(velocities, i);
-  Motion m = settled(loadPosition(i), here, HEIGHTS == 1);
+  Motion m = settled(loadPosition(i), here, HEIGHTS == 1, WALLS == 1);
+  if (isLost(m)) noteLost(uint(stepData.substep), uint(i));
   STORE_STATE(nextPositions, i, vec4(m.position, here.w));
   STORE_STATE(velocities, i, vec4(m.velocity, velocity.w));
-  if (isLost(m)) noteLost(uint(stepData.substep), uint(i));
 #else
   STORE_STATE(nextPositions, i, here);
 #endif

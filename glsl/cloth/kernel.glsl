@@ -5,6 +5,7 @@
 #include "common/memory.glsl"
 #include "common/status.glsl"
 #include "mesh/height_array.glsl"
+#include "contour/wall_array.glsl"
 #include "cloth/bindings.glsl"
 #include "cloth/types.glsl"
 

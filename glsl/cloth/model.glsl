@@ -1,6 +1,6 @@
 // One particle of the mass-spring cloth over one substep. Compiles as GLSL and as C++, where it is the
 // CPU twin. Whoever includes it provides `size` (ivec2), `stepData` (ClothStep), loadPosition(int),
-// and the files types.glsl, common/exact.glsl, common/hash.glsl, mesh/height_model.glsl before it.
+// and the files types.glsl, common/exact.glsl, common/hash.glsl, mesh/height_model.glsl, contour/wall_model.glsl before it.
 
 FUNCTION int neighbour(ivec2 at, int dx, int dy) {
   // A neighbour beyond the border becomes the particle itself: its springs then have no length and no force.
@@ -170,8 +170,9 @@ FUNCTION Motion outOf(int i, Motion m) {
   return m;
 }
 
-// Out of every collider, and with `lands` at last onto the mesh that collides.
-FUNCTION Motion contact(Motion m, bool lands) {
+// Out of every collider, with `lands` onto the mesh that collides, and with `walled` at last out of the solid that it
+// meets, on the way from `before`.
+FUNCTION Motion contact(Motion m, vec3 before, bool lands, bool walled) {
 #ifdef COLLIDERS
 #define TIMES COLLIDERS
 #define REPEATED(i) m = outOf(i, m);
@@ -184,11 +185,17 @@ FUNCTION Motion contact(Motion m, bool lands) {
     m.position = l.position;
     m.velocity = l.velocity;
   }
+  if (walled) {
+    WallMotion w = outOfWalls(before, m.position, m.velocity);
+    m.position = w.position;
+    m.velocity = w.velocity;
+  }
   return m;
 }
 
 // Semi-implicit Euler: x' = x + v' dt, then contact unless constraints still have to act.
-FUNCTION Motion advance(ivec2 at, vec4 here, vec4 velocity, bool springs, bool air, bool touch, bool lands) {
+FUNCTION Motion advance(ivec2 at, vec4 here, vec4 velocity, bool springs, bool air, bool touch, bool lands,
+                        bool walled) {
   Motion m;
   if (here.w == 0.0f) {
     m.position = pinnedPosition(at, int(velocity.w));
@@ -198,12 +205,12 @@ FUNCTION Motion advance(ivec2 at, vec4 here, vec4 velocity, bool springs, bool a
   m.velocity = newVelocity(at, here, vec3(velocity), springs, air);
   precise vec3 moved = vec3(here) + m.velocity * stepData.dt;
   m.position = moved;
-  if (touch) m = contact(m, lands);
+  if (touch) m = contact(m, vec3(here), lands, walled);
   return m;
 }
 
 // After the constraints: v = (x - x_before) / dt, then contact.
-FUNCTION Motion settled(vec4 before, vec4 here, bool lands) {
+FUNCTION Motion settled(vec4 before, vec4 here, bool lands, bool walled) {
   Motion m;
   m.position = vec3(here);
   precise vec3 v = (vec3(here) - vec3(before)) * stepData.perDt;
@@ -212,7 +219,7 @@ FUNCTION Motion settled(vec4 before, vec4 here, bool lands) {
     m.velocity = vec3(0.0f);
     return m;
   }
-  return contact(m, lands);
+  return contact(m, vec3(before), lands, walled);
 }
 
 // How far XPBD (Macklin et al. 2016; one iteration per substep, 2019) moves each end of a constraint

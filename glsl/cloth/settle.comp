@@ -16,8 +16,8 @@ void main() {
   int i = at.y * size.x + at.x;
   vec4 here = LOAD_ONCE(nextPositions, i);
   vec4 velocity = LOAD_ONCE(velocities, i);
-  Motion m = settled(loadPosition(i), here, HEIGHTS == 1);
+  Motion m = settled(loadPosition(i), here, HEIGHTS == 1, WALLS == 1);
+  if (isLost(m)) noteLost(uint(stepData.substep), uint(i));
   STORE_STATE(nextPositions, i, vec4(m.position, here.w));
   STORE_STATE(velocities, i, vec4(m.velocity, velocity.w));
-  if (isLost(m)) noteLost(uint(stepData.substep), uint(i));
 }

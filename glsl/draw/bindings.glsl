@@ -3,12 +3,14 @@
 #define DRAW_BINDINGS
 
 // Uniform blocks.
-const int frameBinding = 0, deformBinding = 1;
+const int frameBinding = 0, deformBinding = 1, lampBinding = 2;
 
 // Textures of surfaces and instances,
 const int positionUnit = 0, normalUnit = 1, uvUnit = 2, albedoUnit = 3, lightUnit = 4, shadowUnit = 5;
 const int velocityUnit = 6, shapeUnit = 7, listUnit = 8, argumentUnit = 9, stopUnit = 10;
 const int reliefUnit = 11, skinColorUnit = 12, surroundingsUnit = 13, trailUnit = 14;
+const int lampUnit = 15, lampShadowUnit = 16, cellUnit = 17;
+const int paletteUnit = 18;
 // of the lists of visible instances, and of small sprites,
 const int maskUnit = 0, beforeUnit = 1, blockFirstUnit = 2, blockCountUnit = 3;
 const int spriteUnit = 0;
@@ -22,6 +24,7 @@ const int sceneUnit = 0, depthUnit = 1, bloomUnit = 1;
 // Storage blocks.
 const int maskBinding = 0, beforeBinding = 1, blockCountBinding = 2, blockFirstBinding = 3;
 const int argumentBinding = 4, listBinding = 5, boundsBinding = 6, lightBinding = 7;
+const int boxBinding = 0, cellBinding = 1, cellArgumentBinding = 2;
 const int spriteBinding = 0, glowBinding = 1, sampleBinding = 0;
 
 // Images.

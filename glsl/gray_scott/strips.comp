@@ -20,7 +20,7 @@ layout(local_size_x = 32) in;
 const int neighbours = 32;
 int lane = int(gl_LocalInvocationID.x);
 #endif
-const int border = (STEPS + 1) / 2;                              // elements
+const int border = (STEPS + 1) / 2;                     // elements
 const int inside = neighbours * ELEMENTS - 2 * border;  // of a strip that are stored
 
 // The elements of an invocation in a row.

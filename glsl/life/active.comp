@@ -4,8 +4,9 @@
 // still in this one: what it holds is its own next state already, in both halves of `cells`. Tiles that change
 // mark those near them for the next pass.
 //
-// For drivers on the CPU: there a dispatch costs 60 to 90 us, a work group of 8 is one
-// vector, and its loops end silently after 65,535 iterations (LifeActive in src/sim/life counts them).
+// For drivers on the CPU: there a dispatch costs 60 to 90 us, a work group of 8 is one vector, and its loops end
+// silently after 65,535 iterations: LifeActive in src/sim/life counts them, and the kernel's end notes it where that
+// was not enough.
 // Defines: BORN, SURVIVE; TORUS or not; STEPS, TILE_WORDS, TILE_ROWS, TILES; OVERLAP where the height is no
 // multiple of TILE_ROWS.
 #include "life/bindings.glsl"
@@ -20,6 +21,7 @@ uniform uint firstPass;  // reads the half firstPass & 1, writes the other
 uniform int passes;
 uniform bool all;  // in the first pass, every tile
 
+#include "common/status.glsl"
 #define WORD uint
 #include "life/model.glsl"
 
@@ -192,4 +194,8 @@ void main() {
     memoryBarrier();
     barrier();
   }
+  // Where the driver has ended a loop above, this one ends early, too.
+  int reached = 0;
+  for (int i = 0; i <= passes; ++i) ++reached;
+  if (reached <= passes) noteLost(firstPass, lane);
 }

@@ -13,6 +13,7 @@ void main() {
   int i = newbornSlot(e, k);
   ParticleMotion m = newbornMoved(e, k, ATTRACTOR, TURBULENCE);
   if (HEIGHTS == 1) m = overHeights(m);
+  if (WALLS == 1) m = besideWalls(m, m.position.xyz);
   STORE_STATE(positions, i, m.position);
 #ifdef ATTRACTS
   STORE_STATE(velocities, i, m.velocity);

@@ -4,9 +4,10 @@
 void main() {
   int i = int(gl_GlobalInvocationID.x);
   if (i >= stepData.count) return;
-  ParticleMotion m =
-      moved(i, LOAD_STATE(positions, i), LOAD_STATE(velocities, i), LOAD_STATE(accelerations, i).xyz);
+  vec4 from = LOAD_STATE(positions, i);
+  ParticleMotion m = moved(i, from, LOAD_STATE(velocities, i), LOAD_STATE(accelerations, i).xyz);
   if (HEIGHTS == 1) m = overHeights(m);
+  if (WALLS == 1) m = besideWalls(m, from.xyz);
   STORE_STATE(positions, i, m.position);
   STORE_STATE(velocities, i, m.velocity);
 }

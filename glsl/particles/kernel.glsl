@@ -9,6 +9,7 @@
 #include "particles/pairs.glsl"
 #include "particles/pace.glsl"
 #include "mesh/height_array.glsl"
+#include "contour/wall_array.glsl"
 
 layout(std140, binding = stepBinding) uniform StepBlock { ParticleStep stepData; };
 layout(local_size_x = 64) in;

@@ -1,7 +1,7 @@
 // One particle over one substep of a leapfrog (kick, drift, kick), apart from the particles' own gravity.
 // Compiles as GLSL and as C++, where it is the CPU twin. Whoever includes it provides `stepData`
 // (ParticleStep) and the files types.glsl, common/exact.glsl, common/hash.glsl, particles/pairs.glsl,
-// particles/pace.glsl, mesh/height_model.glsl.
+// particles/pace.glsl, mesh/height_model.glsl, contour/wall_model.glsl.
 
 struct ParticleMotion {
   vec4 position;  // xyz m; w kg, 0 while not alive
@@ -223,6 +223,16 @@ FUNCTION ParticleMotion overHeights(ParticleMotion m) {
   bool alive = m.velocity.w >= 0.0f;
   m.position = alive ? vec4(l.position, m.position.w) : m.position;
   m.velocity = alive ? vec4(l.velocity, m.velocity.w) : m.velocity;
+  return m;
+}
+
+// After that, with `from` where the drift began: out of the solid that it meets.
+FUNCTION ParticleMotion besideWalls(ParticleMotion m, vec3 from) {
+  bool alive = m.velocity.w >= 0.0f;
+  vec3 here = alive ? vec3(m.position) : from;
+  WallMotion w = outOfWalls(from, here, vec3(m.velocity));
+  m.position = alive ? vec4(w.position, m.position.w) : m.position;
+  m.velocity = alive ? vec4(w.velocity, m.velocity.w) : m.velocity;
   return m;
 }
 

@@ -56,31 +56,46 @@ uvec4 rightActive(Row row) { return row.near >> 2u & ones; }
 
 int rowElements() { return (size.x + 15) >> 4; }
 
-// Where a column of elements finds what lies beside it, the same in each row.
+// A column of elements: the grid, and where it finds what lies beside it, the same in each row. Software drivers read
+// every uniform lane by lane, so nothing in the loop over rows reads one.
 struct Column {
+  ivec2 size;               // of the grid, cells
+  int rowElements;
+  bool torus;
   int here, left, right;    // elements
-  bool first;               // at the left border
+  uint lastCell;            // of the element to the left
   uint hasLeft, hasRight;   // 0 where nothing lies beyond the border
   uvec4 follows;            // 1 in the byte where the row ends within this element: its first cell follows there
 };
 
 Column columnOf(int c) {
-  int last = rowElements() - 1;
-  Column column = Column(c, c == 0 ? last : c - 1, c == last ? 0 : c + 1, c == 0, c > 0 || torus ? 1u : 0u,
-                         c < last || torus ? 1u : 0u, uvec4(0u));
+  int count = rowElements();
+  int last = count - 1;
+  Column column = Column(size, count, torus, c, c == 0 ? last : c - 1, c == last ? 0 : c + 1,
+                         c == 0 ? uint(size.x - 1) & 15u : 15u, c > 0 || torus ? 1u : 0u, c < last || torus ? 1u : 0u,
+                         uvec4(0u));
   if (c == last && (size.x & 15) != 0) setByte(column.follows, size.x & 15, 1u);
   return column;
 }
 
+// The place of an element in row y.
+int placeIn(Column column, int y) { return y * column.rowElements + column.here; }
+
+// The numbers of an element's first cells in its words.
+uvec4 cellsOf(Column column, int y) {
+  return uint(y) * uint(column.size.x) + uint(16 * column.here) + uvec4(0u, 4u, 8u, 12u);
+}
+
 // Row y of a column; beyond a border that is no torus, nothing.
 Row loadRow(Column column, int y) {
-  bool beyond = !torus && (y < 0 || y >= size.y);
-  int row = (y < 0 ? y + size.y : y >= size.y ? y - size.y : y) * rowElements();
+  int rows = column.size.y;
+  bool beyond = !column.torus && (y < 0 || y >= rows);
+  int row = (y < 0 ? y + rows : y >= rows ? y - rows : y) * column.rowElements;
   if (beyond) row = 0;
   Row r;
   r.state = LOAD_INPUT_WORDS(cells, row + column.here);
   uvec4 before = activeCells(LOAD_INPUT_WORDS(cells, row + column.left));
-  uint previous = (column.first ? byteOf(before, (size.x - 1) & 15) : before.w >> 24u) & column.hasLeft;
+  uint previous = byteOf(before, int(column.lastCell)) & column.hasLeft;
   uint next = activeCells(LOAD_INPUT_WORDS(cells, row + column.right)).x & column.hasRight;
   uvec4 here = activeCells(r.state);
   uvec4 followed = here | column.follows * next;  // cells further on hold nobody
@@ -121,10 +136,15 @@ uint sumOfBytes(uint bytes) {
   return (pairs & 0xffffu) + (pairs >> 16u);
 }
 
-// Adds the invocation's cells, summed byte by byte over at most 63 rows, to the step's counts. Everyone calls it.
-void count(uint ready, uint spreading, uint spent, int rows, int c) {
+// Cells of the four classes in some rows of a column, where the first three are summed byte by byte over at most 63 rows.
+uvec4 countsOf(Column column, uint ready, uint spreading, uint spent, int rows) {
   uvec4 sums = uvec4(sumOfBytes(ready), sumOfBytes(spreading), sumOfBytes(spent), 0u);
-  sums.w = uint(rows * clamp(size.x - 16 * c, 0, 16)) - sums.x - sums.y - sums.z;
+  sums.w = uint(rows * clamp(column.size.x - 16 * column.here, 0, 16)) - sums.x - sums.y - sums.z;
+  return sums;
+}
+
+// Adds to the step's counts. Everyone calls it.
+void count(uvec4 sums) {
 #ifdef TEXEL_PATH
   for (int i = 0; i < 4; ++i)
     if (sums[i] != 0u) atomicAdd(counts[4 * countPlace + i], sums[i]);

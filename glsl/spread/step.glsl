@@ -1,5 +1,7 @@
 // The main function of a step; the kernel that includes it gives
-//   uvec4 stepElement(ivec2 at, Row above, Row here, Row below)   the sixteen cells at element column at.x, row at.y
+//   Rates ratesNow()   what the step's cells have in common, read once
+//   uvec4 stepElement(Rates rates, Column column, int y, Row above, Row here, Row below)   the next sixteen cells
+// and on the texel path what tiles.glsl asks for
 #ifdef TEXEL_PATH
 layout(local_size_x = 8, local_size_y = 1) in;
 const int rowsEach = 16;
@@ -7,26 +9,50 @@ const int rowsEach = 16;
 layout(local_size_x = 8, local_size_y = 16) in;
 const int rowsEach = 4;
 #endif
+#include "spread/tiles.glsl"
 
 void main() {
   int c = int(gl_GlobalInvocationID.x);
-  int first = int(gl_GlobalInvocationID.y) * rowsEach;
+  int row = int(gl_GlobalInvocationID.y);
+  int first = row * rowsEach;
   int end = c < rowElements() ? min(first + rowsEach, size.y) : first;
-  uint ready = 0u, spreading = 0u, spent = 0u;
+  uvec4 counted = uvec4(0u);
   if (first < end) {
     Column column = columnOf(c);
+    Rates rates = ratesNow();
+#ifdef TEXEL_PATH
+    uvec4 before = tileBefore(column, row);
+    if (standsStill(rates, column, row, before)) end = first;
+    uvec4 changes = uvec4(0u), alone = uvec4(0u), topRow = uvec4(0u), lastRow = uvec4(0u), allRows = uvec4(0u);
+#endif
+    uint ready = 0u, spreading = 0u, spent = 0u;
     Row above = loadRow(column, first - 1);
     Row here = loadRow(column, first);
     for (int y = first; y < end; ++y) {
       Row below = loadRow(column, y + 1);
-      uvec4 next = stepElement(ivec2(c, y), above, here, below);
-      STORE_WORDS(nextCells, y * rowElements() + c, next);
+      uvec4 next = stepElement(rates, column, y, above, here, below);
+      STORE_WORDS(nextCells, placeIn(column, y), next);
       ready += sumOfWords(readyCells(next));
       spreading += sumOfWords(activeCells(next));
       spent += sumOfWords(spentCells(next));
+#ifdef TEXEL_PATH
+      changes |= here.state ^ next;
+      alone |= restlessCells(next);
+      lastRow = activeCells(next);
+      if (y == first) topRow = lastRow;
+      allRows |= lastRow;
+#endif
       above = here;
       here = below;
     }
+    counted = countsOf(column, ready, spreading, spent, end - first);
+#ifdef TEXEL_PATH
+    uint flags = edgesOf(column, topRow, lastRow, allRows) | (changes != uvec4(0u) ? changed : 0u) |
+                 (alone != uvec4(0u) ? restless : 0u);
+    if (first == end) counted = countsOf(before);
+    leaveTile(column, row, counted, flags);
+    counted -= countsOf(before);  // as many more as in the last step
+#endif
   }
-  count(ready, spreading, spent, max(end - first, 0), c);
+  count(counted);
 }

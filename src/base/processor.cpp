@@ -5,7 +5,9 @@
 #include <cstddef>
 #include <fstream>
 #include <iterator>
+#include <sched.h>
 #include <sys/utsname.h>
+#include <thread>
 #include <utility>
 
 #include <fmt/format.h>
@@ -71,6 +73,15 @@ std::string processorName() {
   utsname system{};
   const bool known = uname(&system) == 0;
   return processorName(text, known ? system.machine : "processor");
+}
+
+std::size_t processorCount() {
+  cpu_set_t allowed;
+  CPU_ZERO(&allowed);
+  const std::size_t count = ::sched_getaffinity(0, sizeof allowed, &allowed) == 0
+                                ? static_cast<std::size_t>(CPU_COUNT(&allowed))
+                                : std::thread::hardware_concurrency();
+  return std::max<std::size_t>(1, count);
 }
 
 }  // namespace simreel

@@ -1,4 +1,5 @@
 #pragma once
+#include <cstddef>
 #include <string>
 #include <string_view>
 
@@ -10,7 +11,10 @@ namespace simreel {
 /// known.
 [[nodiscard]] std::string processorName();
 
-/// The same from the text of /proc/cpuinfo, of its first processor.
+/// The same as processorName() from the text of /proc/cpuinfo, of its first processor.
 [[nodiscard]] std::string processorName(std::string_view cpuinfo, const std::string& architecture);
+
+/// How many processors this process may run on (taskset, containers' sets of processors), at least 1.
+[[nodiscard]] std::size_t processorCount();
 
 }  // namespace simreel

@@ -79,6 +79,7 @@ void bake(const BakeOptions& o) {
   frame::catchInterrupts();
   const gl::Context context(o.on);
   sim::World world(scene);
+  static_cast<void>(world.settle());  // what there is, is asked of whole meshes
   const auto all = bakedFiles(world, o);
   for (const int frame : frames)
     for (const BakedFile& baked : all)
@@ -117,7 +118,9 @@ void addBake(CLI::App& app) {
   command
       ->add_option(
           "--format", o->format,
-          "ply: points or deformed meshes; obj: deformed meshes; npy, pfm: values of fields; rle: cells of "
+          "ply: points or meshes; obj, glb (binary glTF): meshes; svg, geojson: contours, and of caves the "
+          "path and rooms; npy, pfm: values of fields, of caves the steps from the entrance too; rle: "
+          "cells of "
           "automata; maps: of skins, textures that tile (albedo, normal with +y up, 16-bit height, "
           "roughness, occlusion; --size sets theirs). None given: rle, ply or npy, what there is")
       ->check(CLI::IsMember(formats));

@@ -3,7 +3,9 @@
 #include "base/error.hpp"
 #include "base/log.hpp"
 #include "cli/commands.hpp"
+#include "frame/file/contour_file.hpp"
 #include "frame/file/field_file.hpp"
+#include "frame/file/glb.hpp"
 #include "frame/file/obj.hpp"
 #include "frame/file/ply.hpp"
 #include "frame/interrupt.hpp"
@@ -22,6 +24,10 @@ const sim::Field* fieldOf(const sim::Drawables& drawables, const std::string& na
   for (const sim::Field& field : drawables.fields)
     if (*field.name == name) return &field;
   return nullptr;
+}
+
+bool isContourFormat(const std::string& format) {
+  return format == "svg" || format == "geojson";
 }
 
 bool isFieldFormat(const std::string& format) {
@@ -51,7 +57,8 @@ std::vector<std::byte> meshPly(const sim::MeshTable& mesh, std::span<const std::
 bool has(const sim::World& world, std::size_t object, const std::string& format) {
   const sim::Simulation& simulation = world.object(object);
   if (isFieldFormat(format)) return fieldOf(world.drawables(), world.objectName(object)) != nullptr;
-  if (format == "obj") return simulation.mesh().has_value();
+  if (isContourFormat(format)) return simulation.lines().has_value();
+  if (format == "obj" || format == "glb") return simulation.mesh().has_value();
   if (format == "ply") return !simulation.points().columns.empty() || simulation.mesh();
   const char* own = simulation.stateFile().suffix;
   return own != nullptr && format == own;
@@ -67,8 +74,9 @@ std::string formatFor(const sim::World& world, std::size_t object, const std::st
 }
 
 const char* contentsOf(const std::string& format) {
-  if (format == "ply") return "points or a deformed mesh";
-  if (format == "obj") return "a deformed mesh";
+  if (format == "ply") return "points or a mesh";
+  if (format == "obj" || format == "glb") return "a mesh";
+  if (isContourFormat(format)) return "contours";
   if (format == "rle") return "cells";
   return format.empty() ? "state" : "a field";
 }
@@ -97,7 +105,13 @@ std::vector<std::byte> stateFile(const sim::World& world, std::size_t object, co
     for (const std::string& line : comments) lines += line + "\n";
     return bytesOf(own.text(lines));
   }
+  if (isContourFormat(format)) {
+    const sim::ContourLines lines = simulation.lines().value();
+    return bytesOf(format == "svg" ? frame::encodeSvg(lines, lines.size, comments)
+                                   : frame::encodeGeoJson(lines, lines.path, comments));
+  }
   const std::optional<sim::MeshTable> mesh = simulation.mesh();
+  if (format == "glb") return frame::encodeGlb(*mesh, name, comments);
   if (format == "obj") return bytesOf(frame::encodeObj(*mesh, comments));
   if (mesh) return meshPly(*mesh, comments);
   const sim::PointTable table = simulation.points();
@@ -117,6 +131,7 @@ bool simulateTo(sim::World& world, int frame, int files) {
       world.advanceTo(next);
     frame::checkState(world);
   }
+  static_cast<void>(world.settle());
   return true;
 }
 

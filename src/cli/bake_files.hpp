@@ -9,14 +9,15 @@
 
 namespace simreel::cli {
 
-/// Formats of `simreel bake` that hold one object's state at one frame. ply: points, or a deformed mesh;
-/// obj: a deformed mesh; npy, pfm: the values of a field; rle: cells of automata.
-inline constexpr std::array<const char*, 5> stateFormats = {"ply", "obj", "npy", "pfm", "rle"};
+/// Formats of `simreel bake` that hold one object's state at one frame. ply: points, or a mesh; obj, glb: a
+/// mesh; svg, geojson: contours; npy, pfm: the values of a field; rle: cells of automata.
+inline constexpr std::array<const char*, 8> stateFormats = {"ply", "obj", "glb",     "svg",
+                                                            "npy", "pfm", "geojson", "rle"};
 
 /// The format in which an object is written: the one asked for, or with "" what suits it best; "" when it
 /// has nothing for that.
 [[nodiscard]] std::string formatFor(const sim::World& world, std::size_t object, const std::string& wanted);
-/// What a format holds, for messages: "points or a deformed mesh", "cells", ...; of "": "state".
+/// What a format holds, for messages: "points or a mesh", "cells", ...; of "": "state".
 [[nodiscard]] const char* contentsOf(const std::string& format);
 /// What its files are called, one each: the object, and of fields NAME.u as well. `format` is one that
 /// formatFor gave.

@@ -1,6 +1,7 @@
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "base/log.hpp"
+#include "base/processor.hpp"
 #include "base/version.hpp"
 #include "cli/commands.hpp"
 #include "draw/screen/picture_probe.hpp"
@@ -9,6 +10,7 @@
 #include "gl/machine.hpp"
 #include "sim/core/numerics.hpp"
 
+#include <cstdlib>
 #include <string>
 #include <utility>
 
@@ -58,6 +60,8 @@ void doctor(const std::string& device) {
   print("Memory path: {}\n", gl::memoryPath() == gl::MemoryPath::texel
                                  ? "texel (software drivers load texels fastest)"
                                  : "storage (storage blocks and shared memory)");
+  if (const char* threads = std::getenv("LP_NUM_THREADS"); threads != nullptr && gl::softwareDriver())
+    print("Driver's threads: {} (LP_NUM_THREADS), {} processors\n", threads, processorCount());
   printLimits();
   const auto numerics = sim::probeNumerics();
   print("Exact numerics: {}\n",

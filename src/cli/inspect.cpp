@@ -6,6 +6,7 @@
 #include "cli/device_options.hpp"
 #include "cli/scene_options.hpp"
 #include "draw/screen/renderer.hpp"
+#include "frame/draw_world.hpp"
 #include "frame/summaries.hpp"
 #include "gl/context.hpp"
 #include "scene/scene_texts.hpp"
@@ -36,7 +37,7 @@ void checkOnDevice(const scene::Scene& scene, const sim::Numerics& numerics) {
   requireExact(scene, numerics);
   sim::World world(scene);
   draw::Renderer renderer(scene, scene.render.size, scene.render.samples);
-  renderer.draw(world.time(), world.drawables());
+  frame::drawWorld(renderer, world);
   frame::checkState(world);
 }
 

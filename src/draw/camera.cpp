@@ -1,5 +1,8 @@
 #include "draw/camera.hpp"
 
+#include "base/error.hpp"
+#include "sim/core/path.hpp"
+
 #include <cmath>
 
 #include <glm/geometric.hpp>
@@ -7,10 +10,37 @@
 
 namespace simreel::draw {
 
-View viewAt(const scene::Camera& camera, double seconds, glm::ivec2 size) {
+namespace {
+
+Stand standOf(const scene::Camera& camera, double seconds, const sim::Drawables& drawables) {
+  if (!camera.follows) return {camera.position.at(seconds), camera.target.at(seconds)};
+  if (const sim::Path* path = sim::pathOf(drawables, camera.follow.object))
+    return standOn(*path->points, camera.follow, seconds);
+  fail(ExitCode::usage,
+       "the camera follows \"{}\", which has no path at {:g} s: it is not grown yet, or nothing of it is "
+       "open",
+       camera.follow.object, seconds);
+}
+
+}  // namespace
+
+Stand standOn(const std::vector<glm::vec3>& path, const scene::Follow& follow, double seconds) {
+  constexpr int looks = 8;
+  const sim::Standing standing = sim::standingBy(path, follow, seconds);
+  const double along = static_cast<double>(follow.progress.at(seconds)) * sim::lengthOf(path);
+  const glm::vec3 aside = standing.position - sim::pointOn(path, along);
+  Stand stand{standing.position, aside};
+  for (int i = 1; i <= looks; ++i)
+    stand.target +=
+        sim::pointOn(path, along + static_cast<double>(follow.ahead) * i / looks) / float(looks);
+  return stand;
+}
+
+View viewAt(const scene::Camera& camera, double seconds, glm::ivec2 size, const sim::Drawables& drawables) {
   View view;
-  view.eye = camera.position.at(seconds);
-  view.target = camera.target.at(seconds);
+  const Stand stand = standOf(camera, seconds, drawables);
+  view.eye = stand.eye;
+  view.target = stand.target;
   const glm::vec3 along = view.target - view.eye;
   view.forward = glm::length(along) > 1e-6F ? glm::normalize(along) : glm::vec3(0, 0, -1);
   // Looking straight up or down, the picture's top is -z.

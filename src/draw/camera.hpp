@@ -1,5 +1,6 @@
 #pragma once
 #include "scene/scene.hpp"
+#include "sim/core/drawable.hpp"
 
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
@@ -19,6 +20,16 @@ struct View {
 
 /// `size` in pixels gives the aspect ratio. +y is up; a positive roll turns the camera clockwise, so the
 /// picture turns counter-clockwise.
-[[nodiscard]] View viewAt(const scene::Camera& camera, double seconds, glm::ivec2 size);
+[[nodiscard]] View viewAt(const scene::Camera& camera, double seconds, glm::ivec2 size,
+                          const sim::Drawables& drawables);
+
+/// Where a camera is that goes along a path, and what it looks at.
+struct Stand {
+  glm::vec3 eye{0}, target{0};
+};
+/// At that time (s). What it looks at is the mean of the way ahead, so it turns before
+/// a corner; beyond the end the path goes straight on.
+[[nodiscard]] Stand standOn(const std::vector<glm::vec3>& path, const scene::Follow& follow,
+                            double seconds);
 
 }  // namespace simreel::draw

@@ -64,4 +64,14 @@ class VertexArray {
   gl::Handle<gl::DeleteVertexArray> handle_;
 };
 
+/// Draws all triangles of a surface from the bound vertex array.
+inline void drawTriangles(const sim::Surface& surface) {
+  if (surface.arguments == nullptr) {
+    glDrawElements(GL_TRIANGLES, surface.indexCount, GL_UNSIGNED_INT, nullptr);
+    return;
+  }
+  glBindBuffer(GL_DRAW_INDIRECT_BUFFER, surface.arguments->name());
+  glDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_INT, nullptr);
+}
+
 }  // namespace simreel::draw

@@ -54,9 +54,10 @@ void setGround(shader::Frame& frame, const scene::Ground& ground) {
 
 }  // namespace
 
-shader::Frame frameValues(const scene::Scene& scene, glm::ivec2 size, double seconds) {
+shader::Frame frameValues(const scene::Scene& scene, glm::ivec2 size, double seconds,
+                          const sim::Drawables& drawables) {
   shader::Frame frame{};
-  const View view = viewAt(scene.camera, seconds, size);
+  const View view = viewAt(scene.camera, seconds, size, drawables);
   frame.viewProjection = view.viewProjection;
   frame.eye = glm::vec4(view.eye, 0);
   frame.target = glm::vec4(view.target, 0);

@@ -2,6 +2,7 @@
 #include "gl/program.hpp"
 #include "glsl/common/cpp.hpp"
 #include "scene/scene.hpp"
+#include "sim/core/drawable.hpp"
 
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
@@ -16,7 +17,8 @@ using glm::mat4;
 namespace simreel::draw {
 
 /// Everything of the scene that the passes read, at `seconds` of scene time.
-[[nodiscard]] shader::Frame frameValues(const scene::Scene& scene, glm::ivec2 size, double seconds);
+[[nodiscard]] shader::Frame frameValues(const scene::Scene& scene, glm::ivec2 size, double seconds,
+                                        const sim::Drawables& drawables);
 
 /// Defines of a program both of whose shaders know glsl/draw/passed_frame.glsl: says where its fragments
 /// find the frame's values.

@@ -4,6 +4,7 @@
 #include "base/error.hpp"
 #include "draw/screen/readback.hpp"
 #include "draw/screen/renderer.hpp"
+#include "frame/draw_world.hpp"
 #include "gl/timestamp.hpp"
 #include "sim/world/world.hpp"
 
@@ -114,7 +115,7 @@ struct BenchRun::State {
       current.parts.push_back(world.object(i).stageTimes());
     world.startSummary();
     mark("state hash");
-    renderer.draw(world.time(), world.drawables(), [&](const char* name) { mark(name); });
+    drawWorld(renderer, world, [&](const char* name) { mark(name); });
     readback.start(renderer.target(), current.frame);
     mark("readback");
     context.check();

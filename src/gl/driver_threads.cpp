@@ -1,6 +1,7 @@
 #include "gl/driver_threads.hpp"
 
 #include "base/log.hpp"
+#include "base/processor.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -8,7 +9,6 @@
 #include <latch>
 #include <malloc.h>
 #include <new>
-#include <sched.h>
 #include <string>
 #include <sys/resource.h>
 #include <system_error>
@@ -34,14 +34,6 @@ bool canStart(std::size_t count) {
   return threads.size() == count;
 }
 
-/// That this process may run on (taskset, containers' sets of processors).
-std::size_t processorCount() {
-  cpu_set_t allowed;
-  CPU_ZERO(&allowed);
-  if (::sched_getaffinity(0, sizeof allowed, &allowed) != 0) return std::thread::hardware_concurrency();
-  return static_cast<std::size_t>(CPU_COUNT(&allowed));
-}
-
 bool addressSpaceBelow(rlim_t bytes) {
   rlimit limit{};
   return ::getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur < bytes;
@@ -57,7 +49,7 @@ void setThreads(std::size_t count) {
 void chooseDriverThreads() {
   // llvmpipe starts so many threads for pictures and so many for kernels, 32 at most; then come ours.
   constexpr std::size_t most = 32;
-  const std::size_t processors = std::clamp<std::size_t>(processorCount(), 1, most);
+  const std::size_t processors = std::min(processorCount(), most);
   const auto needed = [&](std::size_t threads) { return 2 * threads + processors + 4; };
   // Measured: 1.4 GB on 4 processors with a thread each, most of it reserved for threads.
   const bool little = addressSpaceBelow(rlim_t{3} << 30);
@@ -72,8 +64,8 @@ void chooseDriverThreads() {
   // It hands each thread one equal part of a kernel's work, and all wait for the slowest. With two parts a
   // processor those done first take over; more parts gain little for kernels, and pictures lose.
   const std::size_t parts = std::min(2 * processors, most);
-  if (parts > processors && !addressSpaceBelow(rlim_t{16} << 30) && canStart(needed(parts)))
-    setThreads(parts);
+  const bool room = !addressSpaceBelow(rlim_t{16} << 30) && canStart(needed(parts));
+  setThreads(room ? parts : processors);
 }
 
 }  // namespace simreel::gl

@@ -58,6 +58,12 @@ class Fields {
   virtual void listOf(const char* name, const char* doc, std::size_t maxItems, std::size_t items,
                       const std::function<void(std::size_t)>& resize,
                       const std::function<void(Fields&, std::size_t)>& describe) = 0;
+  /// Groups under names that the scene chooses, now `names`: `rename(n)` makes a fresh one for each of the
+  /// names n, then `describe(fields, i)` is called for each. `one`: what a message calls one of them.
+  virtual void namedGroups(const char* name, const char* doc, const char* one, std::size_t maxItems,
+                           const std::vector<std::string>& names,
+                           const std::function<void(const std::vector<std::string>&)>& rename,
+                           const std::function<void(Fields&, std::size_t)>& describe) = 0;
   /// What the field declared next was called before: still read, with a warning that says the name.
   virtual void formerly(const char* /*old*/, const char* /*name*/) {}
   /// What stands for the field just declared where a scene leaves it out, when that is no constant
@@ -138,6 +144,21 @@ class Fields {
         name, doc, maxItems, items.size(), [&](std::size_t count) { items.assign(count, Item{}); },
         [&](Fields& fields, std::size_t i) { describe(fields, items[i]); });
   }
+  /// Items that have a `name`, which is their key in the scene.
+  template <class Item, class Describe>
+  void named(const char* name, std::vector<Item>& items, const char* doc, const char* one,
+             Describe describe, std::size_t maxItems) {
+    std::vector<std::string> names;
+    names.reserve(items.size());
+    for (const Item& item : items) names.push_back(item.name);
+    namedGroups(
+        name, doc, one, maxItems, names,
+        [&](const std::vector<std::string>& wanted) {
+          items.assign(wanted.size(), Item{});
+          for (std::size_t i = 0; i < wanted.size(); ++i) items[i].name = wanted[i];
+        },
+        [&](Fields& fields, std::size_t i) { describe(fields, items[i]); });
+  }
 };
 
 /// One number that a simulation measures of its state, for checks of tests.
@@ -148,6 +169,11 @@ struct Quantity {
 };
 
 /// Parameters of one kind of object; each simulation derives its own.
+/// A box along the axes of the scene.
+struct Box {
+  glm::vec3 min{0}, max{0};  ///< m
+};
+
 struct Parameters {
   virtual ~Parameters() = default;
   virtual void describe(Fields& fields) = 0;
@@ -155,6 +181,8 @@ struct Parameters {
   [[nodiscard]] virtual std::span<const Quantity> quantities() const { return {}; }
   /// Whether it does with these values.
   [[nodiscard]] virtual bool measures() const { return !quantities().empty(); }
+  /// What a camera has in view that the scene places nowhere; nothing of kinds that leave it alone.
+  [[nodiscard]] virtual std::optional<Box> framed() const { return std::nullopt; }
 };
 
 /// One line of the list of simulations: what a scene calls it, one sentence, and how to make its

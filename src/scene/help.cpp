@@ -99,4 +99,18 @@ void HelpWriter::listOf(const char* name, const char* doc, std::size_t maxItems,
   prefix_ = outer;
 }
 
+void HelpWriter::namedGroups(const char* name, const char* doc, const char* one, std::size_t maxItems,
+                             const std::vector<std::string>& names,
+                             const std::function<void(const std::vector<std::string>&)>& rename,
+                             const std::function<void(Fields&, std::size_t)>& describe) {
+  add(name, "{}", fmt::format("up to {}", maxItems), "", doc);
+  if (!expandGroups_) return;
+  const std::string outer = prefix_;
+  prefix_ += fmt::format("{}.{}.", name, one);
+  rename({one});
+  describe(*this, 0);
+  rename(names);
+  prefix_ = outer;
+}
+
 }  // namespace simreel::scene

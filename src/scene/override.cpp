@@ -51,14 +51,14 @@ Node* listItem(Node& list, std::string_view segment, Place place, Diagnostics& d
 }
 
 /// Whether the path below a member that is not there would make something the scene does not have: an
-/// object, or an item of a list. Reports it.
+/// object or light, or an item of a list. Reports it.
 bool addsSilently(const Node& object, const std::string& path, std::size_t begin, std::size_t end,
                   int source, Diagnostics& diagnostics) {
-  constexpr std::string_view objects = "objects.";
   const std::string_view segment = std::string_view(path).substr(begin, end - begin);
   if (end == path.size()) return false;  // the value is all of it
   const std::string_view next = std::string_view(path).substr(end + 1, path.find('.', end + 1) - end - 1);
-  if (path.starts_with(objects) && begin <= objects.size()) {
+  for (const auto& [prefix, one] : {std::pair("objects.", "object"), {"lights.", "light"}}) {
+    if (!path.starts_with(prefix) || begin > std::string_view(prefix).size()) continue;
     if (begin == 0 && end + 1 + next.size() == path.size()) return false;
     std::vector<std::string> names;
     if (begin > 0)
@@ -67,8 +67,8 @@ bool addsSilently(const Node& object, const std::string& path, std::size_t begin
     const std::size_t at = static_cast<std::size_t>(name.data() - path.data());
     diagnostics.add(
         {source, at, at + name.size()},
-        fmt::format("no object is named {}; {} (-D objects.{}={{...}} adds one)", inQuotes(name),
-                    names.empty() ? "the scene has none" : suggestion(name, names), name));
+        fmt::format("no {} is named {}; {} (-D {}{}={{...}} adds one)", one, inQuotes(name),
+                    names.empty() ? "the scene has none" : suggestion(name, names), prefix, name));
     return true;
   }
   if (next.empty() || next.find_first_not_of("0123456789") != std::string_view::npos) return false;

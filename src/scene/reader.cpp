@@ -217,6 +217,29 @@ void Reader::listOf(const char* name, const char* /*doc*/, std::size_t maxItems,
     readObject(node->children[i], context_, [&](Reader& fields) { describe(fields, i); });
 }
 
+void Reader::namedGroups(const char* name, const char* /*doc*/, const char* one, std::size_t maxItems,
+                         const std::vector<std::string>& /*names*/,
+                         const std::function<void(const std::vector<std::string>&)>& rename,
+                         const std::function<void(Fields&, std::size_t)>& describe) {
+  const Node* node = take(name);
+  if (node == nullptr) return;
+  Diagnostics& diagnostics = context_.diagnostics;
+  if (!ValueReader(name, diagnostics).expect(*node, Node::Kind::object, "an object")) return;
+  if (node->children.size() > maxItems)
+    return diagnostics.add(node->headPlace(), fmt::format("a scene has at most {} {}, found {}", maxItems,
+                                                          name, node->children.size()));
+  std::vector<std::string> names;
+  for (const Node& child : node->children) {
+    names.push_back(child.key);
+    if (!isPlainName(child.key))
+      diagnostics.add(child.headPlace(),
+                      fmt::format("{} name {} {}", one, inQuotes(child.key), plainNameText));
+  }
+  rename(names);
+  for (std::size_t i = 0; i < names.size(); ++i)
+    readObject(node->children[i], context_, [&](Reader& fields) { describe(fields, i); });
+}
+
 void Reader::error(const char* name, const std::string& message) {
   // A value that could not be read kept its default, which says nothing about the scene.
   if (context_.diagnostics.count() != errorsBefore_) return;

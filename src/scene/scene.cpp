@@ -4,6 +4,7 @@
 #include "base/file.hpp"
 #include "base/hash.hpp"
 #include "scene/asset_path.hpp"
+#include "scene/framing.hpp"
 #include "scene/json_node.hpp"
 #include "scene/override.hpp"
 #include "scene/reader.hpp"
@@ -28,23 +29,13 @@ std::vector<std::string> kindNames(std::span<const Kind> kinds) {
   return names;
 }
 
-/// Names appear in file names and in -D paths, so they are kept plain.
-bool isPlainName(std::string_view name) {
-  const auto plain = [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
-           c == '-';
-  };
-  return !name.empty() && name.size() <= 64 && std::all_of(name.begin(), name.end(), plain);
-}
-
 /// One object: exactly one member that names a kind, and perhaps a material.
 Object readObject(const Node& node, ReadContext context, std::span<const Kind> kinds) {
   Object object;
   object.name = node.key;
   if (!isPlainName(node.key))
-    context.diagnostics.add(
-        node.headPlace(),
-        fmt::format("object name {} must be 1 to 64 letters, digits, '-' or '_'", inQuotes(node.key)));
+    context.diagnostics.add(node.headPlace(),
+                            fmt::format("object name {} {}", inQuotes(node.key), plainNameText));
   if (!ValueReader("", context.diagnostics).expect(node, Node::Kind::object, "an object")) return object;
   bool unknown = false;
   for (const Node& member : node.children) {
@@ -184,6 +175,7 @@ void readScene(const Node& root, ReadContext context, const Kinds& kinds, bool h
   // A length that could not be read says nothing about the frames.
   const bool lengthKnown = heldToLength && context.diagnostics.count() == errorsBefore;
   if (const Node* objects = fields.take("objects")) readObjects(*objects, context, kinds, scene.objects);
+  frameObjects(scene);
   describeTests(fields, scene, lengthKnown ? std::optional(scene.frameCount()) : std::nullopt);
   std::string schemaAddress;  // for editors
   fields.text("$schema", schemaAddress, "");

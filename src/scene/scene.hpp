@@ -1,6 +1,8 @@
 #pragma once
 #include "scene/animated.hpp"
 #include "scene/fields.hpp"
+#include "scene/light.hpp"
+#include "scene/path_place.hpp"
 #include "scene/test.hpp"
 
 #include <cstdint>
@@ -39,10 +41,12 @@ struct Skin {
 struct Material {
   glm::vec3 color{0.8F, 0.7F, 0.6F};
   std::filesystem::path texture;    ///< sRGB image multiplied with the colour; empty: none
-  glm::vec3 textureScale{1, 1, 1};  ///< repeats along u and v (z unused)
+  glm::vec3 textureScale{1, 1, 1};  ///< repeats along u and v, or in a metre (z unused)
   float roughness = 0.8F;
   float metallic = 0.0F;
   float translucency = 0.0F;  ///< fraction of light from behind that shines through
+  float bump = 0.0F;          ///< m: height of the texture's white over its black
+  bool castsShadow = true;    ///< in the light of sun and lamps
   bool hasSkin = false;
   Skin skin;  ///< replaces colour and roughness
   void describe(Fields& fields);
@@ -72,11 +76,20 @@ struct Time {
   void describe(Fields& fields);
 };
 
+/// A camera that goes along the path that an object has found.
+struct Follow : PathPlace {
+  float ahead = 4.0F;  ///< m along the path to what it looks at
+  void describe(Fields& fields);
+};
+
 struct Camera {
   Animated<glm::vec3> position = glm::vec3(0, 1.5F, 6);
   Animated<glm::vec3> target = glm::vec3(0, 0, 0);
   Animated<float> fieldOfView = 40.0F;  ///< degrees, vertical
   Animated<float> roll = 0.0F;          ///< degrees
+  bool follows = false;
+  Follow follow;        ///< instead of position and target
+  bool placed = false;  ///< whether the scene says where it stands or what it looks at
   float near = 0.05F;
   float far = 200.0F;
   void describe(Fields& fields);
@@ -143,6 +156,7 @@ struct Scene {
   Sky sky;
   bool hasGround = false;
   Ground ground;
+  std::vector<Light> lights;  ///< at most maxLights, maxShadowedLights of them with shadows
   std::vector<Object> objects;
   Test test;
   std::vector<Check> checks;

@@ -19,8 +19,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr const char* objectNamePattern = "^[A-Za-z0-9_-]{1,64}$";
-
 Json objectsSchema(std::span<const Kind> kinds) {
   Json properties = Json::object();
   Json oneKind = Json::array();
@@ -32,7 +30,7 @@ Json objectsSchema(std::span<const Kind> kinds) {
   Json object = {{"type", "object"}, {"properties", properties}, {"additionalProperties", false}};
   if (!oneKind.empty()) object["oneOf"] = oneKind;
   return {{"type", "object"},
-          {"propertyNames", {{"pattern", objectNamePattern}}},
+          {"propertyNames", {{"pattern", plainNamePattern}}},
           {"maxProperties", maxObjects},
           {"additionalProperties", object},
           {"description", "What is simulated and drawn: one kind each, and perhaps a material."}};
@@ -47,7 +45,8 @@ std::string sceneHelp() {
             "What is simulated and drawn, each {kind, material} by name.");
   describeTests(table, scene, std::nullopt);
   return "scene: a scene file.\n\n" + table.table() +
-         "\nrender, time, camera, sun, sky, ground, material, test and checks have their own help: simreel "
+         "\nrender, time, camera, sun, sky, ground, lights, material, test and checks have their own help: "
+         "simreel "
          "list NAME.\n"
          "Keyframes of a value that may move: {\"keys\": [[time, value], ...], \"ease\": \"linear\" or "
          "\"smooth\"}.\n";

@@ -1,6 +1,7 @@
 #include "scene/schema.hpp"
 
 #include "scene/value_writer.hpp"
+#include "scene/words.hpp"
 
 #include <cmath>
 #include <string>
@@ -124,6 +125,21 @@ void SchemaWriter::listOf(const char* name, const char* doc, std::size_t maxItem
              {"items", inner.object()},
              {"maxItems", maxItems},
              {"default", std::move(standard)},
+             {"description", doc}});
+}
+
+void SchemaWriter::namedGroups(const char* name, const char* doc, const char* /*one*/, std::size_t maxItems,
+                               const std::vector<std::string>& names,
+                               const std::function<void(const std::vector<std::string>&)>& rename,
+                               const std::function<void(Fields&, std::size_t)>& describe) {
+  rename({"any"});
+  SchemaWriter inner;
+  describe(inner, 0);
+  rename(names);
+  add(name, {{"type", "object"},
+             {"propertyNames", {{"pattern", plainNamePattern}}},
+             {"maxProperties", maxItems},
+             {"additionalProperties", inner.object()},
              {"description", doc}});
 }
 

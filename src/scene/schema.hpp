@@ -19,6 +19,10 @@ class SchemaWriter final : public Fields {
   void listOf(const char* name, const char* doc, std::size_t maxItems, std::size_t items,
               const std::function<void(std::size_t)>& resize,
               const std::function<void(Fields&, std::size_t)>& describe) override;
+  void namedGroups(const char* name, const char* doc, const char* one, std::size_t maxItems,
+                   const std::vector<std::string>& names,
+                   const std::function<void(const std::vector<std::string>&)>& rename,
+                   const std::function<void(Fields&, std::size_t)>& describe) override;
   void leftOut(const char* name, const char* what) override;
 
  private:

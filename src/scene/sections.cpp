@@ -15,11 +15,24 @@ constexpr const char* cameraDoc = "Where the images are taken from.";
 constexpr const char* sunDoc = "The one directional light and its shadow.";
 constexpr const char* skyDoc = "Ambient light and background gradient.";
 constexpr const char* groundDoc = "A ground plane, drawn and collided with.";
+constexpr const char* lightsDoc = "Lights at places of the scene, each {position, intensity, ...} by name.";
 constexpr const char* materialDoc = "Surface of an object.";
 
 template <class T>
 Section section(const char* name, const char* doc) {
   return {name, doc, [](Fields& fields) { T().describe(fields); }};
+}
+
+void describeLights(Fields& fields, Scene& scene) {
+  fields.named(
+      "lights", scene.lights, lightsDoc, "light",
+      [](Fields& inner, Light& light) { light.describe(inner); }, maxLights);
+  const auto shadowed = static_cast<std::size_t>(
+      std::count_if(scene.lights.begin(), scene.lights.end(), [](const Light& l) { return l.shadow; }));
+  if (shadowed > maxShadowedLights)
+    fields.error("lights", fmt::format("{} lights cast shadows, and at most {} may; give the others "
+                                       "\"shadow\": false",
+                                       shadowed, maxShadowedLights));
 }
 
 }  // namespace
@@ -28,11 +41,16 @@ void Material::describe(Fields& fields) {
   fields.vector("color", color, notNegative, "", "Base colour, linear RGB.");
   fields.asset("texture", texture, "sRGB image multiplied with the colour.");
   fields.vector("textureScale", textureScale, anyNumber, "",
-                "Repeats of the texture along u and v; the third is unused.");
+                "Repeats of the texture along u and v, or in a metre of surfaces without uv, which are "
+                "textured from three sides; the third is unused.");
+  fields.number("bump", bump, {-100, 100}, "m",
+                "Height of the texture's white over its black, as the light shows it.");
   fields.number("roughness", roughness, fraction, "", "0 mirrors, 1 is matt.");
   fields.number("metallic", metallic, fraction, "", "0 for plastic, cloth and wood; 1 for metal.");
   fields.number("translucency", translucency, fraction, "",
                 "Fraction of the light from behind that shines through.");
+  fields.boolean("castsShadow", castsShadow,
+                 "Whether it keeps the light of sun and lamps from what lies behind it.");
   fields.optionalGroup("skin", hasSkin, "A live material grown from a field of the scene.",
                        [&](Fields& inner) { skin.describe(inner); });
 }
@@ -81,11 +99,24 @@ void Time::describe(Fields& fields) {
                              (start + duration) * fps));
 }
 
+void Follow::describe(Fields& fields) {
+  PathPlace::describe(fields);
+  fields.number("ahead", ahead, positive, "m", "How far ahead on the path it looks.");
+}
+
 void Camera::describe(Fields& fields) {
   fields.vector("position", position, anyNumber, "m", "Where the camera stands.");
+  fields.leftOut("position", "[0,1.5,6], or a whole cave or contour is in view");
   fields.vector("target", target, anyNumber, "m", "What it looks at.");
+  fields.leftOut("target", "[0,0,0], or its middle");
   fields.number("fieldOfView", fieldOfView, {1, 170}, "degrees", "Vertical angle of view.");
   fields.number("roll", roll, anyNumber, "degrees", "Turn about the line of sight.");
+  fields.optionalGroup("follow", follows, "Goes along a path that an object has found.",
+                       [&](Fields& f) { follow.describe(f); });
+  placed = follows || fields.given("position") || fields.given("target");
+  for (const char* name : {"position", "target"})
+    if (follows && fields.given(name))
+      fields.error(name, fmt::format("\"follow\" says where the camera is; leave out \"{}\"", name));
   fields.number("near", near, positive, "m", "Nearest distance drawn.");
   fields.number("far", far, positive, "m", "Farthest distance drawn.");
   if (!(near < far))
@@ -99,7 +130,8 @@ void Camera::describe(Fields& fields) {
 void Sun::describe(Fields& fields) {
   fields.vector("direction", direction, anyNumber, "", "Towards the sun; its length does not matter.");
   fields.vector("color", color, notNegative, "", "Colour of its light, linear RGB.");
-  fields.number("intensity", intensity, notNegative, "", "Factor on the colour.");
+  fields.number("intensity", intensity, notNegative, "lx",
+                "Illuminance of what faces it, for the colour 1.");
   fields.boolean("shadow", shadow, "Whether it casts shadows.");
   fields.integer("shadowSize", shadowSize, {16, 8192}, "texels", "Side of the shadow map.");
   fields.number("shadowSoftness", shadowSoftness, {0, 16}, "texels", "Radius of the shadow's soft edge.");
@@ -144,18 +176,16 @@ void describeScene(Fields& fields, Scene& scene) {
   fields.group("sky", skyDoc, [&](Fields& inner) { scene.sky.describe(inner); });
   fields.optionalGroup("ground", scene.hasGround, groundDoc,
                        [&](Fields& inner) { scene.ground.describe(inner); });
+  describeLights(fields, scene);
 }
 
 std::span<const Section> sections() {
-  static const Section all[] = {section<Render>("render", renderDoc),
-                                section<Time>("time", timeDoc),
-                                section<Camera>("camera", cameraDoc),
-                                section<Sun>("sun", sunDoc),
-                                section<Sky>("sky", skyDoc),
-                                section<Ground>("ground", groundDoc),
-                                section<Material>("material", materialDoc),
-                                section<Test>("test", testDoc),
-                                section<Check>("checks", checksDoc)};
+  static const Section all[] = {
+      section<Render>("render", renderDoc), section<Time>("time", timeDoc),
+      section<Camera>("camera", cameraDoc), section<Sun>("sun", sunDoc),
+      section<Sky>("sky", skyDoc),          section<Ground>("ground", groundDoc),
+      section<Light>("lights", lightsDoc),  section<Material>("material", materialDoc),
+      section<Test>("test", testDoc),       section<Check>("checks", checksDoc)};
   return all;
 }
 

@@ -26,7 +26,7 @@ struct Section {
   const char* doc;
   std::function<void(Fields&)> describe;
 };
-/// render, time, camera, sun, sky, ground, material, test and checks, with their defaults.
+/// render, time, camera, sun, sky, ground, lights, material, test and checks, with their defaults.
 [[nodiscard]] std::span<const Section> sections();
 
 }  // namespace simreel::scene

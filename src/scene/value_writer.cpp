@@ -89,6 +89,18 @@ void ValueWriter::listOf(const char* name, const char* /*doc*/, std::size_t /*ma
   }
 }
 
+void ValueWriter::namedGroups(const char* name, const char* /*doc*/, const char* /*one*/,
+                              std::size_t /*maxItems*/, const std::vector<std::string>& names,
+                              const std::function<void(const std::vector<std::string>&)>& /*rename*/,
+                              const std::function<void(Fields&, std::size_t)>& describe) {
+  Json& groups = values_[name] = Json::object();
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    ValueWriter inner;
+    describe(inner, i);
+    groups[names[i]] = inner.values();
+  }
+}
+
 Json standardItems(std::size_t items, const std::function<void(std::size_t)>& resize,
                    const std::function<void(Fields&, std::size_t)>& describe) {
   ValueWriter all;

@@ -9,6 +9,11 @@ namespace simreel::scene {
 /// caret below it stands right.
 [[nodiscard]] std::string printable(std::string_view text);
 
+/// Names that a scene chooses appear in file names and in -D paths, so they are kept plain.
+inline constexpr const char* plainNamePattern = "^[A-Za-z0-9_-]{1,64}$";
+inline constexpr const char* plainNameText = "must be 1 to 64 letters, digits, '-' or '_'";
+[[nodiscard]] bool isPlainName(std::string_view name);
+
 /// `text` in double quotes, shortened when very long.
 [[nodiscard]] std::string inQuotes(std::string_view text);
 

@@ -32,6 +32,7 @@ CRASHES = ("terminate called", "internal error", "std::", "AddressSanitizer", "A
 SCENE = {
     "version": 1, "title": "faults", "render": {"size": [96, 54], "samples": 1}, "time": {"fps": 30, "duration": 0.13},
     "camera": {"position": [0, 1, 3], "target": [0, 1, 0]}, "sun": {"shadowSize": 64},
+    "lights": {"lamp": {"position": [0.5, 1.5, 1], "shadowSize": 32, "flicker": {}}},
     "objects": {
         "flag": {"cloth": {"size": [9, 7], "spacing": 0.1, "position": [0, 1, 0], "rotation": [90, 0, 0],
                            "jitter": 0.01, "substeps": 4}},

@@ -267,14 +267,16 @@ TEST_CASE("checks: what a scene does not have is refused with what it has") {
 TEST_CASE("checks: every kind measures as many numbers as it names") {
   testContext();
   const std::map<std::string, std::string> needs = {{"particles", R"("groups": [{}])"},
+                                                    {"contour", R"("field": "cells")"},
                                                     {"epidemic", R"("infected": 0.01)"},
                                                     {"mesh", R"("deform": [{"ripple": {}}])"},
                                                     {"wildfire", R"("strokes": [{"from": [9, 9, 0]}])"}};
   for (const scene::Kind& kind : sim::kinds().list) {
     CAPTURE(std::string(kind.name));
     const auto given = needs.find(kind.name);
-    const auto scene = sceneOf(
-        fmt::format(R"("a": {{"{}": {{{}}}}})", kind.name, given == needs.end() ? "" : given->second), "");
+    const auto scene = sceneOf(fmt::format(R"("a": {{"{}": {{{}}}}}, "cells": {{"life": {{}}}})", kind.name,
+                                           given == needs.end() ? "" : given->second),
+                               "");
     const sim::World world(scene);
     CHECK(scene.objects[0].parameters->measures() == !scene.objects[0].parameters->quantities().empty());
     CHECK(world.object(0).measure().size() == scene.objects[0].parameters->quantities().size());

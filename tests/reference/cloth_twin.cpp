@@ -21,10 +21,16 @@ struct Kernel {
   const vec4* source;
   HeightGrid heightGrid{};
   const vec4* heights = nullptr;
+  WallGrid wallGrid{};
+  const WallsTwin* walls = nullptr;
 
   [[nodiscard]] vec4 loadPosition(int i) const { return source[i]; }
   [[nodiscard]] vec4 loadHeights(int i) const { return heights[i]; }
+  [[nodiscard]] int loadWallClass(int x, int y) const { return walls->classAt(x, y); }
+  [[nodiscard]] float loadWallValue(int x, int y) const { return walls->valueAt(x, y); }
 #include "glsl/cloth/model.glsl"
+#include "glsl/contour/model.glsl"
+#include "glsl/contour/wall_model.glsl"
 #include "glsl/mesh/height_model.glsl"
 };
 #undef precise
@@ -61,24 +67,27 @@ void ClothTwin::substep(const ClothStep& data, int threads, int index) {
   const bool lands = heightPlan.has_value();
   HeightGrid grid{};
   if (lands) grid = heightPlan->at(index, plan_.substeps(), plan_.parameters().margin, 0.0F);
+  WallGrid wallGrid{};
+  if (walls) wallGrid = walls->grid({plan_.parameters().margin, 0.0F, plan_.substepSeconds()});
+  const WallsTwin* solid = walls ? &*walls : nullptr;
   const bool constraints = plan_.parameters().solver == simreel::sim::ClothSolver::constraints;
   const bool air = plan_.parameters().hasAir;
   const ivec2 size = plan_.parameters().size;
   forRows(size.y, threads, [&](int y) {
-    Kernel kernel{size, data, positions.data(), grid, heights.data()};
+    Kernel kernel{size, data, positions.data(), grid, heights.data(), wallGrid, solid};
     for (int x = 0; x < size.x; ++x) {
       const auto i = static_cast<std::size_t>(y * size.x + x);
-      const auto m =
-          kernel.advance({x, y}, positions[i], velocities[i], !constraints, air, !constraints, lands);
+      const auto m = kernel.advance({x, y}, positions[i], velocities[i], !constraints, air, !constraints,
+                                    lands, walls.has_value());
       next_[i] = vec4(m.position, positions[i].w);
       velocities[i] = vec4(m.velocity, velocities[i].w);
     }
   });
   if (constraints) {
     constrain(data);
-    Kernel kernel{size, data, positions.data(), grid, heights.data()};
+    Kernel kernel{size, data, positions.data(), grid, heights.data(), wallGrid, solid};
     for (std::size_t i = 0; i < next_.size(); ++i) {
-      const auto m = kernel.settled(positions[i], next_[i], lands);
+      const auto m = kernel.settled(positions[i], next_[i], lands, walls.has_value());
       next_[i] = vec4(m.position, next_[i].w);
       velocities[i] = vec4(m.velocity, velocities[i].w);
     }

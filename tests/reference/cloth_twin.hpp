@@ -1,4 +1,5 @@
 #pragma once
+#include "reference/walls_twin.hpp"
 #include "sim/cloth/plan.hpp"
 #include "sim/mesh/height_plan.hpp"
 
@@ -23,6 +24,7 @@ class ClothTwin {
   /// The mesh it falls onto; none without a plan.
   std::optional<simreel::sim::HeightPlan> heightPlan;
   std::vector<glm::vec4> heights;  ///< of the frame to step: x at its beginning, y at its end (m)
+  std::optional<WallsTwin> walls;  ///< the solid it meets; none: no solid
   [[nodiscard]] simreel::sim::ClothPlan& plan() { return plan_; }
 
  private:

@@ -22,8 +22,14 @@ struct Kernel {
   const ParticleStep& stepData;
   HeightGrid heightGrid{};
   const vec4* heights = nullptr;
+  WallGrid wallGrid{};
+  const WallsTwin* walls = nullptr;
 
   [[nodiscard]] vec4 loadHeights(int i) const { return heights[i]; }
+  [[nodiscard]] int loadWallClass(int x, int y) const { return walls->classAt(x, y); }
+  [[nodiscard]] float loadWallValue(int x, int y) const { return walls->valueAt(x, y); }
+#include "glsl/contour/model.glsl"
+#include "glsl/contour/wall_model.glsl"
 #include "glsl/mesh/height_model.glsl"
 #include "glsl/particles/model.glsl"
 };
@@ -85,18 +91,24 @@ void ParticlesTwin::step(double time, int threads) {
     Kernel kernel{data};
     if (heightPlan) kernel.heightGrid = heightPlan->at(index++, p.substeps, p.margin, p.bounce);
     kernel.heights = heights.data();
-    const auto store = [&](std::size_t i, Kernel::ParticleMotion m) {
+    if (walls) {
+      kernel.wallGrid = walls->grid({p.margin, p.bounce, plan_.substepSeconds()});
+      kernel.walls = &*walls;
+    }
+    const auto store = [&](std::size_t i, Kernel::ParticleMotion m, const vec4* from) {
       if (heightPlan) m = kernel.overHeights(m);
+      if (walls) m = kernel.besideWalls(m, vec3(from != nullptr ? *from : m.position));
       positions[i] = m.position;
       velocities[i] = m.velocity;
     };
     forAll(positions.size(), threads, [&](std::size_t i) {
-      store(i, kernel.moved(static_cast<int>(i), positions[i], velocities[i], vec3(accelerations[i])));
+      store(i, kernel.moved(static_cast<int>(i), positions[i], velocities[i], vec3(accelerations[i])),
+            &positions[i]);
     });
     for (int e = 0; e < data.emitterCount; ++e)
       for (int k = 0; k < data.emitters[e].newborns; ++k)
         store(static_cast<std::size_t>(kernel.newbornSlot(e, k)),
-              kernel.newbornMoved(e, k, p.hasAttractor, p.turbulence.strength > 0));
+              kernel.newbornMoved(e, k, p.hasAttractor, p.turbulence.strength > 0), nullptr);
     attract(threads);
     kick(data, threads);
   }

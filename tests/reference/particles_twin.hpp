@@ -1,4 +1,5 @@
 #pragma once
+#include "reference/walls_twin.hpp"
 #include "sim/mesh/height_plan.hpp"
 #include "sim/particles/plan.hpp"
 
@@ -23,6 +24,7 @@ class ParticlesTwin {
   /// The mesh they fall onto; none without a plan.
   std::optional<simreel::sim::HeightPlan> heightPlan;
   std::vector<glm::vec4> heights;  ///< of the frame to step: x at its beginning, y at its end (m)
+  std::optional<WallsTwin> walls;  ///< the solid they meet; none: no solid
   [[nodiscard]] const simreel::sim::ParticlePlan& plan() const { return plan_; }
   /// Forgets the accelerations, after the state was changed from outside.
   void restart() { primed_ = false; }

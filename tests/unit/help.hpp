@@ -10,7 +10,7 @@
 /// What tests of several parts need.
 namespace simreel::test {
 
-inline bool has(std::string_view text, std::string_view part) {
+[[nodiscard]] inline bool has(std::string_view text, std::string_view part) {
   return text.find(part) != std::string_view::npos;
 }
 

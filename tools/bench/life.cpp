@@ -5,6 +5,7 @@
 // Memory is 2 bits a cell; one pass reads and writes 2 bits a cell, however many generations it takes.
 #include "gl/context.hpp"
 #include "gl/element_array.hpp"
+#include "plain/plain.hpp"
 #include "reference/life_twin.hpp"
 #include "sim/life/stepper.hpp"
 
@@ -72,14 +73,9 @@ Rate onCpu(glm::ivec2 size) {
   sim::LifeParameters parameters;
   parameters.size = size;
   LifeTwin twin(sim::LifePlan(parameters, "cells", 1, 0.1));
-  std::vector<std::uint8_t> bytes(static_cast<std::size_t>(size.x + 2) *
-                                  static_cast<std::size_t>(size.y + 2));
-  for (std::size_t i = 0; i < bytes.size(); ++i) bytes[i] = i * 2654435761U % 97 < 29 ? 1 : 0;
-  std::vector<std::uint8_t> next(bytes.size());
-  const Rate plain = rate(cells, [&] {
-    fastBytes(bytes, next, size);
-    std::swap(bytes, next);
-  });
+  plain::Life bytes(size.x, size.y);
+  for (std::size_t i = 0; i < bytes.cells.size(); ++i) bytes.cells[i] = i * 2654435761U % 97 < 29 ? 1 : 0;
+  const Rate plain = rate(cells, [&] { bytes.step(); });
   print("loop over bytes, -O3, 1 thread", plain, plain);
   const Rate one = rate(4 * cells, [&] {
     for (int i = 0; i < 4; ++i) twin.generation(1);

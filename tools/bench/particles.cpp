@@ -5,7 +5,9 @@
 //   bench_particles [bodies] [free particles]
 #include "sim/particles/particles.hpp"
 
+#include "base/processor.hpp"
 #include "gl/context.hpp"
+#include "plain/plain.hpp"
 #include "reference/particles_twin.hpp"
 #include "sim/core/shader_code.hpp"
 #include "sim/particles/pairs.hpp"
@@ -74,20 +76,6 @@ double best(const std::function<void()>& body) {
     total += seconds;
   }
   return shortest;
-}
-
-/// As a textbook writes it.
-void plainLoop(const std::vector<glm::vec4>& bodies, std::vector<glm::vec4>& out) {
-  for (std::size_t i = 0; i < bodies.size(); ++i) {
-    glm::vec3 sum(0);
-    for (const glm::vec4& body : bodies) {
-      const glm::vec3 d = glm::vec3(body) - glm::vec3(bodies[i]);
-      const float squared = d.x * d.x + d.y * d.y + d.z * d.z + softening * softening;
-      const float inverse = 1.0F / std::sqrt(squared);
-      sum += d * (body.w * inverse * inverse * inverse);
-    }
-    out[i] = glm::vec4(sum * gravity, 0);
-  }
 }
 
 /// Separate arrays of each coordinate.
@@ -177,13 +165,18 @@ void pairs(int count) {
   const Soa soa(bodies);
   if (count <= 32768) {
     twoSeconds = best([&] { nativeLoop(bodies, out, 2); });
-    plainSeconds = best([&] { plainLoop(bodies, out); });
+    std::vector<plain::Body> own;
+    for (const glm::vec4& b : bodies) own.push_back({b.x, b.y, b.z, b.w});
+    std::vector<plain::Vec3> sums(own.size());
+    plainSeconds = best([&] { plain::pairs(own, sums, gravity, softening); });
+    std::transform(sums.begin(), sums.end(), out.begin(),
+                   [](const plain::Vec3& a) { return glm::vec4(a.x, a.y, a.z, 0); });
     line("plain loop, one thread", plainSeconds);
     line("-march=native, two threads", best([&] { nativeLoop(bodies, out, 2); }));
     line("vectorised, one thread", best([&] { soaLoop(soa, out, 1); }));
     line("vectorised, two threads", best([&] { soaLoop(soa, out, 2); }));
   }
-  const unsigned all = std::thread::hardware_concurrency();
+  const auto all = static_cast<unsigned>(processorCount());
   if (all > 2) line("vectorised, all threads", best([&] { soaLoop(soa, out, all); }));
   const gl::Vec4Array positions("bodies", bodies);
   const gl::Vec4Array accelerations("accelerations", out);
@@ -234,7 +227,7 @@ void freeParticles(int count, bool turbulence) {
 
 int main(int argc, char** argv) {
   const gl::Context context;
-  fmt::print("device: {}; {} processors\n", context.device().name, std::thread::hardware_concurrency());
+  fmt::print("device: {}; {} processors\n", context.device().name, processorCount());
   pairs(argc > 1 ? std::atoi(argv[1]) : 8192);
   const int count = argc > 2 ? std::atoi(argv[2]) : 1000000;
   if (count > 0) {

@@ -9,6 +9,7 @@
 #include "plain/plain.hpp"
 
 #include "base/clock.hpp"
+#include "base/processor.hpp"
 #include "gl/context.hpp"
 #include "reference/cloth_twin.hpp"
 #include "reference/gravity_tree_twin.hpp"
@@ -16,6 +17,8 @@
 #include "reference/life_twin.hpp"
 #include "reference/particles_twin.hpp"
 #include "reference/spread_twin.hpp"
+#include "sim/cave/growth.hpp"
+#include "sim/contour/solid.hpp"
 #include "sim/gray_scott/kernels.hpp"
 #include "sim/life/stepper.hpp"
 #include "sim/mesh/parameters.hpp"
@@ -29,7 +32,6 @@
 #include <functional>
 #include <memory>
 #include <string_view>
-#include <thread>
 #include <vector>
 
 #include <fmt/format.h>
@@ -201,15 +203,16 @@ Subject epidemic() {
           frames(onDevice("epidemic", p), sim::StepWatch{})};
 }
 
-/// A hundred fires that grow.
-Subject wildfire() {
+/// `across` times as many fires, which grow.
+Subject wildfire(int across) {
   constexpr int side = 1024;
   auto p = field<sim::WildfireParameters>(side);
   p.windStrength = 0.5F;
   std::vector<std::uint8_t> cells(std::size_t(side) * side, 1);
-  for (int i = 0; i < 100; ++i) {
+  for (int i = 0; i < across * across; ++i) {
     sim::StrokeParameters spot;
-    const int x = (2 * (i % 10) + 1) * side / 20, y = (2 * (i / 10) + 1) * side / 20;
+    const int x = (2 * (i % across) + 1) * side / (2 * across);
+    const int y = (2 * (i / across) + 1) * side / (2 * across);
     spot.from = spot.to = glm::vec3(x, y, 0);
     p.strokes.push_back(spot);
     for (int dy = -2; dy <= 2; ++dy)
@@ -220,7 +223,7 @@ Subject wildfire() {
   float chances[8];
   for (int i = 0; i < 8; ++i) chances[i] = static_cast<float>(data.spread[i / 4][i % 4]) / 65536.0F;
   auto own = std::make_shared<plain::Wildfire>(side, cells, chances, p.burnSteps);
-  return {"wildfire 1024x1024",
+  return {across == 2 ? "wildfire, 4 fires" : "wildfire, 100 fires",
           "1e6 cells/s",
           double(spreadSteps) * side * side,
           [=, step = 0U]() mutable {
@@ -310,11 +313,40 @@ Subject deform() {
           frames(device, sim::StepWatch{})};
 }
 
+/// The map of SPEC 7: what is made of it each time, all of it.
+Subject walls() {
+  constexpr int side = 1024;
+  sim::CaveParameters p;
+  p.size = {side, side};
+  p.connect = false;
+  auto growth = std::make_shared<sim::CaveGrowth>("cave", p, 1);
+  growth->advance(p.lastStage());
+  auto own = std::make_shared<plain::Walls>(side, side);
+  const auto words = growth->cells().buffer().readAll<unsigned>();
+  for (std::size_t i = 0; i < own->rock.size(); ++i) own->rock[i] = words[i / 32] >> (i % 32) & 1U;
+  auto solid = std::make_shared<sim::Solid>("cave", p.shape(0));
+  sim::Field field;
+  field.words = &growth->cells().view();
+  field.cells = sim::Field::Cells::bits;
+  field.size = p.size;
+  field.rowWords = growth->grid().rowWords();
+  return {"walls 1024x1024",
+          "1e6 cells/s",
+          double(side) * side,
+          [=] { own->make(); },
+          {},
+          [=] {
+            static_cast<void>(growth);
+            solid->make(field, {0.0F, 0.2F});
+            static_cast<void>(solid->settle());
+          }};
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   const gl::Context context;
-  fmt::print("device: {}, {} processors\n", context.device().name, std::thread::hardware_concurrency());
+  fmt::print("device: {}, {} processors\n", context.device().name, processorCount());
   fmt::print("{:<24} {:>10} {:>10} {:>10} {:>10} {:>10} {:>10}\n", "", "plain loop", "twin", "wall", "",
              "processor", "");
   using Make = std::function<Subject()>;
@@ -323,11 +355,13 @@ int main(int argc, char** argv) {
                                                         {"springs", [] { return cloth(false); }},
                                                         {"constraints", [] { return cloth(true); }},
                                                         {"epidemic", epidemic},
-                                                        {"wildfire", wildfire},
+                                                        {"wildfire", [] { return wildfire(10); }},
+                                                        {"wildfire-4", [] { return wildfire(2); }},
                                                         {"life", life},
                                                         {"pairs", pairs},
                                                         {"tree", tree},
-                                                        {"deform", deform}};
+                                                        {"deform", deform},
+                                                        {"walls", walls}};
   const std::string_view wanted = argc > 1 ? argv[1] : "";
   for (const auto& [name, make] : subjects)
     if (name.find(wanted) == std::string_view::npos)

@@ -38,6 +38,8 @@ void main() {
   vec3 ray = worldPosition - frame.eye.xyz;
   float rr = dot(ray, ray), b = dot(across, ray);
   float t = -(b + sqrt(max(b * b - rr * (dot(across, across) - radii.x * radii.x), 0.0))) / rr;
-  vec3 normal = normalize(across + t * ray);
-  radiance = vec4(surfaceLight(tint, normal, -ray * inversesqrt(rr), sunFraction(place + t * placeRay)), 1.0);
+  vec3 outwards = across + t * ray;
+  vec3 normal = normalize(outwards);
+  vec3 view = -ray * inversesqrt(rr);
+  radiance = vec4(allLight(tint, middle + outwards, normal, view, sunFraction(place + t * placeRay)), 1.0);
 }

@@ -1,10 +1,12 @@
 // One bit a slot: alive and in sight. An invocation fills one word, 32 slots. With LEVELS > 1 every level of
 // detail has its own words, `words` of them, and a slot's bit is set in one level. FOR_LIGHT: in the box of the
-// light's map instead of the camera's frustum.
+// light's map instead of the camera's frustum. FOR_LAMPS: wherever it is, for the shadow maps of all lamps.
 #include "draw/frame_block.glsl"
 #include "draw/instances/instance.glsl"
 #ifdef FOR_LIGHT
 #include "draw/surface/light_map.glsl"
+#elif defined FOR_LAMPS
+#include "draw/lights/lamp_list.glsl"
 #endif
 layout(local_size_x = 64) in;
 layout(std430, binding = maskBinding) writeonly restrict buffer MaskBlock { uint masks[]; };
@@ -25,6 +27,23 @@ float pixelRadius(vec3 p, float radius) {
 // A point is dropped as a whole with its middle.
 bool isMiddleSeen(vec3 p) {
   return all(lessThan(abs(shadowPlace(p) - 0.5), vec3(0.4999)));
+}
+#elif defined FOR_LAMPS
+bool isSeen(vec3 p, float radius) {
+  return true;
+}
+// Texels of the map in which it is largest.
+float pixelRadius(vec3 p, float radius) {
+  float largest = 0.0;
+  for (int i = 0; i < LAMPS; ++i) {
+    float distance = max(length(lampPlace(i).xyz - p) - radius, lampSampling(i).x);
+    largest = max(largest, radius / (distance * lampSampling(i).y));
+  }
+  return largest;
+}
+// No sprite is drawn as a point.
+bool isMiddleSeen(vec3 p) {
+  return false;
 }
 #else
 // Outside when wholly behind one plane of the frustum. A plane is a sum or difference of rows of the matrix.

@@ -33,7 +33,7 @@ float minRadius(vec3 p) {
   return max(dot(p - frame.eye.xyz, frame.rayForward.xyz), 0.0) * minPixels / pixelsPerMetre();
 }
 
-#ifndef FOR_LIGHT
+#if !defined FOR_LIGHT && !defined FOR_LAMPS
 // Radius on screen, pixels, of a ball's nearest point.
 float pixelRadius(vec3 p, float radius) {
   float distance = max(dot(p - frame.eye.xyz, frame.rayForward.xyz) - radius, 1e-3);

@@ -43,7 +43,8 @@ SmallSprite ready(vec4 position, vec4 velocity) {
   vec3 light[4];
   for (int i = 0; i < 4; ++i) {
     vec3 aside = float((i & 1) * 2 - 1) * facing.right + float((i & 2) - 1) * facing.up;
-    light[i] = surfaceLight(tint, middle + 0.5270463 * aside, facing.towards, fraction);
+    vec3 normal = middle + 0.5270463 * aside;
+    light[i] = allLight(tint, position.xyz + radius * normal, normal, facing.towards, fraction);
   }
   vec3 mean = 0.25 * (light[0] + light[1] + light[2] + light[3]);
   vec3 across = 0.25 * (light[1] - light[0] + light[3] - light[2]);

@@ -5,6 +5,12 @@ flat in vec3 tint;
 in vec3 worldNormal;
 in vec3 worldPosition;
 in vec3 place;
+#ifdef LAMPS
+in vec3 onRound;
+#define LIT_FROM onRound
+#else
+#define LIT_FROM worldPosition
+#endif
 layout(location = 0) out vec4 radiance;
 
 void main() {
@@ -16,6 +22,6 @@ void main() {
   normal = gl_FrontFacing ? normal : -normal;
 #endif
   vec3 view = normalize(frame.eye.xyz - worldPosition);
-  radiance = vec4(surfaceLight(tint, normal, view, sunFraction(place)), 1.0);
+  radiance = vec4(allLight(tint, LIT_FROM, normal, view, sunFraction(place)), 1.0);
 #endif
 }

@@ -8,11 +8,17 @@ flat out vec3 tint;
 out vec3 worldNormal;
 out vec3 worldPosition;
 out vec3 place;
+#ifdef LAMPS
+out vec3 onRound;  // what facets stand for
+#endif
 
 void main() {
   vec4 position, velocity;
   gl_Position = nowhere;
   tint = worldNormal = worldPosition = place = vec3(0);
+#ifdef LAMPS
+  onRound = vec3(0);
+#endif
   if (!pulled(position, velocity)) return;
   mat3 axes = turned(velocity.xyz);
   worldPosition = position.xyz + axes * (instanceSize(position.w) * texelFetch(shape, vertexOfShape() * 2).xyz);
@@ -21,8 +27,12 @@ void main() {
 #ifdef ADDITIVE
   tint *= brightnessAt(velocity.w);
 #endif
-#ifdef SHADOW
+#ifdef LAMPS
+  onRound = worldPosition + (swell * shapeRadius * instanceSize(position.w)) * worldNormal;
+#elif defined SHADOW
   vec3 onRound = worldPosition + (swell * shapeRadius * instanceSize(position.w)) * worldNormal;
+#endif
+#ifdef SHADOW
   place = shadowPlace(onRound + shadowLift(worldNormal));
 #endif
   gl_Position = frame.viewProjection * vec4(worldPosition, 1.0);

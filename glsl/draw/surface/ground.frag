@@ -1,7 +1,10 @@
-// Colour times alpha, so that the tone map can lay it over the sky. Variant: SHADOWED.
+// Colour times alpha, so that the tone map can lay it over the sky. Variants: SHADOWED, REFLECTIVE, LAMPS.
 #include "draw/fragment_frame.glsl"
 #include "draw/sky.glsl"
 #include "draw/surface/shading.glsl"
+#ifdef LAMPS
+#include "draw/lights/lamps.glsl"
+#endif
 #ifdef SHADOWED
 #include "draw/surface/shadow_read.glsl"
 in vec3 place;
@@ -17,9 +20,13 @@ void main() {
   lit *= sunFraction(place);
 #endif
   vec3 normal = vec3(0, 1, 0);
-  float lobe = 0.04 * sunLobe(normal, view, sun, frame.groundRoughness);
+  float mirrored = 0.04 * sunLobe(normal, view, sun, frame.groundRoughness);
   vec3 light = frame.groundColor.rgb * (frame.sunLight.rgb * lit + frame.ambientUp.rgb) +
-               frame.sunLight.rgb * (lobe * lit);
+               frame.sunLight.rgb * (mirrored * lit);
+#ifdef LAMPS
+  LampLight lamps = lampLight(worldPosition, normal, view, frame.groundRoughness, 0.0);
+  light += frame.groundColor.rgb * lamps.matt + 0.04 * lamps.mirror;
+#endif
 #ifdef REFLECTIVE
   vec2 weight = ambientLobe(frame.groundRoughness, abs(view.y));
   light += (0.04 * weight.x + weight.y) * mix(skyRadiance(abs(view.y)), frame.ambientUp.rgb, frame.groundRoughness);

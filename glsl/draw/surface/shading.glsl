@@ -2,13 +2,20 @@
 
 // pi times the GGX lobe D V with V F of Karis' fit for mobile GPUs (course notes, SIGGRAPH 2015,
 // "Optimizing PBR for mobile"), without the colour F0.
-float sunLobe(vec3 normal, vec3 view, vec3 sun, float roughness) {
-  vec3 halfway = normalize(view + sun);
+float lobe(vec3 normal, vec3 view, vec3 light, float alpha) {
+  vec3 halfway = normalize(view + light);
   float nh = max(dot(normal, halfway), 0.0);
-  float lh = dot(sun, halfway);
-  float alpha = max(roughness * roughness, 0.002);
+  float lh = dot(light, halfway);
   float d = nh * nh * (alpha * alpha - 1.0) + 1.00001;
   return min(alpha * alpha / (d * d * max(lh * lh, 0.1) * (alpha * 4.0 + 2.0)), 60.0);
+}
+
+float roughAlpha(float roughness) {
+  return max(roughness * roughness, 0.002);
+}
+
+float sunLobe(vec3 normal, vec3 view, vec3 sun, float roughness) {
+  return lobe(normal, view, sun, roughAlpha(roughness));
 }
 
 // Fraction of ambient light mirrored: F0 * x + y (Lazarov's fit in Karis' form, same notes).

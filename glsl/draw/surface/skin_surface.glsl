@@ -1,8 +1,6 @@
-// Lays a skin over a surface. TRIPLANAR: from three sides in the object's own space, else by uv.
+// Lays a skin over a surface. TRIPLANAR: from three sides (three_sides.glsl) in the object's own space, else by uv.
 #include "draw/surface/skin.glsl"
 #ifdef TRIPLANAR
-in vec3 objectPosition;  // m
-in vec3 objectNormal;
 uniform vec2 skinRepeats;  // copies a metre
 uniform mat4 model;
 #else
@@ -12,16 +10,9 @@ in vec2 uv;
 #ifdef TRIPLANAR
 // `rise`: gradient of q in world space, per cell.
 SkinArea areaOnSurface(vec3 normal, out vec3 rise) {
-  vec3 side = vec3(greaterThan(objectNormal, vec3(0))) * 2.0 - 1.0;
-  vec3 p = objectPosition;
-  SkinArea x = skinArea(vec2(-side.x * p.z, -p.y) * skinRepeats);
-  SkinArea y = skinArea(vec2(p.x, side.y * p.z) * skinRepeats);
-  SkinArea z = skinArea(vec2(side.z * p.x, -p.y) * skinRepeats);
-  vec3 weight = objectNormal * objectNormal;  // to the 16th power: sharp borders, yet no edges
-  weight *= weight;
-  weight *= weight;
-  weight *= weight;
-  weight /= max(weight.x + weight.y + weight.z, 1e-30);
+  ThreeSides three = threeSides();
+  vec3 side = three.side, weight = three.weight;
+  SkinArea x = skinArea(three.x * skinRepeats), y = skinArea(three.y * skinRepeats), z = skinArea(three.z * skinRepeats);
   SkinArea area;
   area.q = dot(weight, vec3(x.q, y.q, z.q));
   area.variance = dot(weight, vec3(x.variance, y.variance, z.variance));

@@ -1,5 +1,5 @@
-// Metal/rough surface under sun and sky. Variants: TEXTURED, DOUBLE_SIDED, TRANSLUCENT, REFLECTIVE, SHADOW, SKIN (with
-// SKIN_UV or TRIPLANAR, and LOOK_ one of skin.glsl).
+// Metal/rough surface. Variants: those of lighting.glsl, PALETTE, TEXTURED (with TRIPLANAR, BUMPED), DOUBLE_SIDED, SKIN
+// (with SKIN_UV or TRIPLANAR, and LOOK_ one of skin.glsl).
 #include "draw/fragment_frame.glsl"
 #include "draw/surface/lighting.glsl"
 in vec3 worldPosition;
@@ -9,9 +9,11 @@ in vec3 place;
 #else
 const vec3 place = vec3(0);
 #endif
+#ifdef TRIPLANAR
+#include "draw/surface/three_sides.glsl"
+#endif
 #ifdef TEXTURED
-in vec2 uv;
-layout(binding = albedoUnit) uniform sampler2D albedo;
+#include "draw/surface/texture.glsl"
 #endif
 #ifdef SKIN
 #include "draw/surface/skin_surface.glsl"
@@ -22,24 +24,41 @@ vec3 color = passedColor;
 #else
 uniform vec3 color;
 #endif
+#ifdef BUMPED
+#ifdef PASSED_FRAME
+float bump = passedMaterial.w;
+#else
+uniform float bump;  // m
+#endif
+#endif
+#ifdef PALETTE
+in vec3 paletteColor;
+#endif
 layout(location = 0) out vec4 radiance;
 
 void main() {
+#ifdef PALETTE
+  vec3 base = paletteColor;
+#else
   vec3 base = color;
+#endif
 #ifdef TEXTURED
-  base *= texture(albedo, uv).rgb;
+  base *= textureColor(vec2(0));
 #endif
   vec3 normal = normalize(worldNormal);
 #ifdef DOUBLE_SIDED
   normal = gl_FrontFacing ? normal : -normal;
+#endif
+#ifdef BUMPED
+  normal = raisedNormal(normal, worldPosition, bump);
 #endif
   vec3 view = normalize(frame.eye.xyz - worldPosition);
 #ifdef SKIN
   Skin skin = skinOnSurface(normal);
   roughness = skin.roughness;
   openness = skin.openness;
-  radiance = vec4(surfaceLight(skin.albedo, normal, view, sunFraction(place)) + skin.emission, 1.0);
+  radiance = vec4(allLight(skin.albedo, worldPosition, normal, view, sunFraction(place)) + skin.emission, 1.0);
 #else
-  radiance = vec4(surfaceLight(base, normal, view, sunFraction(place)), 1.0);
+  radiance = vec4(allLight(base, worldPosition, normal, view, sunFraction(place)), 1.0);
 #endif
 }

@@ -8,7 +8,10 @@ uniform ivec2 grid;
 layout(binding = normalUnit) uniform samplerBuffer normals;
 layout(binding = uvUnit) uniform samplerBuffer uvs;
 #endif
-#if defined TEXTURED || defined SKIN_UV
+#if defined SKIN_UV || (defined TEXTURED && !defined TRIPLANAR)
+#define HAS_UV
+#endif
+#ifdef HAS_UV
 uniform vec2 textureScale;
 out vec2 uv;
 #endif
@@ -21,8 +24,17 @@ uniform vec3 color;
 uniform float roughness;
 uniform float metallic;
 uniform float translucency;
+#ifdef BUMPED
+uniform float bump;
+#else
+const float bump = 0.0;
+#endif
 flat out vec3 passedColor;
-flat out vec4 passedMaterial;  // roughness, metallic, translucency
+flat out vec4 passedMaterial;  // roughness, metallic, translucency, bump
+#endif
+#ifdef PALETTE
+layout(binding = paletteUnit) uniform samplerBuffer palette;
+out vec3 paletteColor;
 #endif
 out vec3 worldPosition;
 out vec3 worldNormal;
@@ -44,10 +56,13 @@ void main() {
   passFrame();
 #ifdef PASSED_FRAME
   passedColor = color;
-  passedMaterial = vec4(roughness, metallic, translucency, 0.0);
+  passedMaterial = vec4(roughness, metallic, translucency, bump);
 #endif
   int i = gl_VertexID;
   vec3 p = worldPoint(i);
+#ifdef PALETTE
+  paletteColor = texelFetch(palette, int(texelFetch(positions, i).w)).rgb;
+#endif
 #ifdef GRID
   vec3 normal = gridNormal(i);
 #elif defined(DEFORMED)
@@ -64,7 +79,7 @@ void main() {
   objectPosition = texelFetch(positions, i).xyz * sqrt(scale2);
   objectNormal = transpose(mat3(model)) * normal * inversesqrt(scale2);
 #endif
-#if defined TEXTURED || defined SKIN_UV
+#ifdef HAS_UV
 #ifdef GRID
   uv = textureScale * vec2(i % grid.x, i / grid.x) / vec2(grid - 1);
 #else

@@ -4,7 +4,33 @@
 layout(std140, binding = stepBinding) uniform StepBlock { EpidemicStep stepData; };
 #include "spread/epidemic/model.glsl"
 
-// Chosen by the bits of n: software drivers read uniform blocks lane by lane within loops, so `table` is read before.
+struct Rates {
+  uvec4 infection[3];
+  uint recovery, waning;
+  bool ageing;
+  Draw draw;
+};
+
+Rates ratesNow() {
+  return Rates(stepData.infection, stepData.recovery, stepData.waning, stepData.ageing != 0u,
+               drawOf(stepData.step, stepData.seed));
+}
+
+// They age.
+uvec4 restlessCells(uvec4 state) {
+  uvec4 old = (state & 0x3f3f3f3fu) + ones;  // bit 6: it was 63
+  return spentCells(state) & ~(old >> 6u);
+}
+
+// They forget that they had it, or catch it from anywhere.
+bool changesAlone(Rates rates, uvec4 counts) {
+#ifdef MIXED
+  if ((counts.x & 0xffffu) != 0u) return true;
+#endif
+  return rates.waning != 0u && counts.z != 0u;
+}
+
+// On the texel path chosen by the bits of n: lanes that read different places of a table do it one by one.
 uvec4 thresholdsFor(uvec4 n, uvec4 table[3]) {
 #ifdef TEXEL_PATH
   bvec4 one = notEqual(n & 1u, uvec4(0u)), two = notEqual(n & 2u, uvec4(0u)), four = notEqual(n & 4u, uvec4(0u));
@@ -30,32 +56,29 @@ uvec4 nextPersons(uvec4 before, uvec4 infection, uint recovery, uint waning, uve
 }
 
 // A loop over the places in a word where something may happen to one of the four cells there: mostly few.
-uvec4 stepElement(ivec2 at, Row above, Row here, Row below) {
+uvec4 stepElement(Rates rates, Column column, int y, Row above, Row here, Row below) {
   uvec4 ready = readyCells(here.state);
   uvec4 infected = leftActive(above) + isActive(above) + rightActive(above) + leftActive(here) + rightActive(here) +
                    leftActive(below) + isActive(below) + rightActive(below);
-  uvec4 next = stepData.ageing != 0u ? aged(here.state) : here.state;
+  uvec4 next = rates.ageing ? aged(here.state) : here.state;
 #ifdef MIXED
   uvec4 everywhere = uvec4(mixedThreshold(counts[4 * countPlace - 3]));
   uvec4 drawn = ready | isActive(here);
 #else
   uvec4 drawn = (ready & notZero(infected)) | isActive(here);
 #endif
-  if (stepData.waning != 0u) drawn |= spentCells(here.state);
-  Draw draw = drawOf(stepData.step, stepData.seed);
-  uvec4 cells = uint(at.y) * uint(size.x) + uint(16 * at.x) + uvec4(0u, 4u, 8u, 12u);
-  uvec4 infection[3] = stepData.infection;
-  uint recovery = stepData.recovery, waning = stepData.waning;
+  if (rates.waning != 0u) drawn |= spentCells(here.state);
+  uvec4 cells = cellsOf(column, y);
   uint todo = drawn.x | drawn.y | drawn.z | drawn.w;
 #ifdef MIXED
 #define THRESHOLD(place) everywhere
 #else
-#define THRESHOLD(place) thresholdsFor(infected >> place & 15u, infection)
+#define THRESHOLD(place) thresholdsFor(infected >> place & 15u, rates.infection)
 #endif
 #define STEP_PLACE(place)                                                                                   \
   uvec4 before = next >> place & 255u;                                                                      \
-  uvec4 random = spreadRandoms(cells + (place >> 3u), draw);                                                \
-  next ^= (before ^ nextPersons(before, THRESHOLD(place), recovery, waning, random)) << place;
+  uvec4 random = spreadRandoms(cells + (place >> 3u), rates.draw);                                          \
+  next ^= (before ^ nextPersons(before, THRESHOLD(place), rates.recovery, rates.waning, random)) << place;
 #ifdef TEXEL_PATH
   // Lanes go together, so all places, or none where nothing happens in any lane: the loop is taken once or not at all.
   for (; todo != 0u; todo = 0u)

@@ -16,38 +16,60 @@ float climbFactor(int i) { return 1.0f; }
 #endif
 #include "spread/wildfire/model.glsl"
 
+struct Rates {
+  uvec4 spread[2];
+  uint burnSteps, firstPhase, phases;
+  uint emberThreshold, step, seed;
+  Draw draw;
+};
+
+Rates ratesNow() {
+  return Rates(stepData.spread, uint(stepData.constants.burnSteps), stepData.firstPhase, stepData.phases,
+               stepData.emberThreshold, stepData.step, stepData.seed, drawOf(stepData.step, stepData.seed));
+}
+
 #ifdef EMBERS
 // In each step one cell of the sixteen may be hit by an ember, if its place of origin burns.
-int emberTarget(ivec2 at) {
-  uint group = uint(at.y) * uint(rowElements()) + uint(at.x);
-  uvec3 random = hash3(uvec3(group, stepData.step, stepData.seed ^ 0x5bd1e995u));
-  if (random.x >> 5u >= stepData.emberThreshold) return -1;
+int emberTarget(Rates rates, Column column, int y) {
+  uvec3 random = hash3(uvec3(uint(placeIn(column, y)), rates.step, rates.seed ^ 0x5bd1e995u));
+  if (random.x >> 5u >= rates.emberThreshold) return -1;
   int k = int(random.x & 15u);
-  ivec2 from = ivec2(16 * at.x + k, at.y) - emberFlight(random);
-  if (torus) from = (from + 1024 * size) % size;
-  if (any(lessThan(from, ivec2(0))) || any(greaterThanEqual(from, size))) return -1;
-  uvec4 there = LOAD_INPUT_WORDS(cells, from.y * rowElements() + (from.x >> 4));
+  ivec2 from = ivec2(16 * column.here + k, y) - emberFlight(random);
+  if (column.torus) from = (from + 1024 * column.size) % column.size;
+  if (any(lessThan(from, ivec2(0))) || any(greaterThanEqual(from, column.size))) return -1;
+  uvec4 there = LOAD_INPUT_WORDS(cells, from.y * column.rowElements + (from.x >> 4));
   return (byteOf(there, from.x & 15) & classMask) == classActive ? k : -1;
 }
 #endif
 
 // nextBurning() and nextBurnt() for sixteen cells at once.
-uvec4 grownOlder(Row here, uvec4 shade) {
-  uvec4 old = (here.state & 0x3f3f3f3fu) + ones * (129u - uint(stepData.constants.burnSteps));  // bit 7: it burns out now
+uvec4 grownOlder(Rates rates, Row here, uvec4 shade) {
+  uvec4 old = (here.state & 0x3f3f3f3fu) + ones * (129u - rates.burnSteps);  // bit 7: it burns out now
   uvec4 burning = isActive(here);
   uvec4 done = burning & (old >> 7u);
   uvec4 isDone = done * 255u;
   uvec4 ash = 0xc0c0c0c0u | (shade >> 1u & 0x07070707u);
   uvec4 next = ((here.state + (burning ^ done)) & ~isDone) | (ash & isDone);
 
-  uvec4 wait = ((shade >> 4u & 0x0f0f0f0fu) + ones * (16u - stepData.firstPhase)) & 0x0f0f0f0fu;
-  uvec4 turn = ~(((wait | 0x80808080u) - ones * stepData.phases) >> 7u);
+  uvec4 wait = ((shade >> 4u & 0x0f0f0f0fu) + ones * (16u - rates.firstPhase)) & 0x0f0f0f0fu;
+  uvec4 turn = ~(((wait | 0x80808080u) - ones * rates.phases) >> 7u);
   uvec4 cold = here.state >> 3u & here.state >> 4u & here.state >> 5u;
   return next + ((spentCells(here.state) & turn & ~cold) << 3u);
 }
 
+// What has burnt cools.
+uvec4 restlessCells(uvec4 state) {
+  uvec4 cold = state >> 3u & state >> 4u & state >> 5u;
+  return spentCells(state) & ~cold;
+}
+
+// An ember may light fuel anywhere.
+bool changesAlone(Rates rates, uvec4 counts) {
+  return rates.emberThreshold != 0u && (counts.x & 0xffffu) != 0u;
+}
+
 #ifndef SLOPE
-// catchChance() on even ground. Software drivers read uniform blocks lane by lane within loops, so `spread` is read before.
+// catchChance() on even ground.
 uint evenChance(uint burning, uint fuel, uvec4 spread[2]) {
   uint p = 0u;
   for (uint d = 0u; d < 8u; ++d) {
@@ -60,39 +82,36 @@ uint evenChance(uint burning, uint fuel, uvec4 spread[2]) {
 #endif
 
 // A loop over the cells that something may light: mostly few of the sixteen.
-uvec4 stepElement(ivec2 at, Row above, Row here, Row below) {
+uvec4 stepElement(Rates rates, Column column, int y, Row above, Row here, Row below) {
   uvec4 burning = above.near | leftActive(here) << 3u | rightActive(here) << 4u | below.near << 5u;
   uvec4 touched = burning | burning >> 1u | burning >> 2u | burning >> 3u;
   touched = (touched | touched >> 4u) & readyCells(here.state);
-  int place = at.y * rowElements() + at.x;
-  uvec4 next = grownOlder(here, LOAD_INPUT_WORDS(ground, place));
+  int place = placeIn(column, y);
+  uvec4 next = grownOlder(rates, here, LOAD_INPUT_WORDS(ground, place));
   int hit = -1;
 #ifdef EMBERS
-  hit = emberTarget(at);
+  hit = emberTarget(rates, column, y);
   if (hit >= 0 && (byteOf(here.state, hit) & classMask) != classReady) hit = -1;
 #endif
   uint todo = bitsOf(touched);
   if (hit >= 0) todo |= 1u << uint(hit);
   if (todo == 0u) return next;
   uvec4 fuel = LOAD_INPUT_WORDS(fuels, place);
-  uint first = uint(at.y) * uint(size.x) + uint(16 * at.x);
-  Draw draw = drawOf(stepData.step, stepData.seed);
+  uint first = cellsOf(column, y).x;
 #ifdef SLOPE
   uvec4 leftSteep = LOAD_INPUT_WORDS(inclines, 2 * place);
   uvec4 rightSteep = LOAD_INPUT_WORDS(inclines, 2 * place + 1);
-#else
-  uvec4 spread[2] = stepData.spread;
 #endif
   for (; todo != 0u; todo &= todo - 1u) {
     int k = findLSB(todo);
-    uint random = spreadRandoms(uvec4(first + uint(k)), draw).x;
+    uint random = spreadRandoms(uvec4(first + uint(k)), rates.draw).x;
     uint weight = fuelWeight(byteOf(fuel, k));
 #ifdef SLOPE
     uint pair = k < 8 ? leftSteep[k >> 1 & 3] : rightSteep[k >> 1 & 3];
     uint incline = pair >> uint(16 * (k & 1)) & 0xffffu;
     bool caught = random >> 15u < catchChance(byteOf(burning, k), weight, incline);
 #else
-    bool caught = random >> 15u < evenChance(byteOf(burning, k), weight, spread);
+    bool caught = random >> 15u < evenChance(byteOf(burning, k), weight, rates.spread);
 #endif
 #ifdef EMBERS
     if (k == hit && (random & 255u) < weight) caught = true;

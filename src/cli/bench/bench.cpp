@@ -4,6 +4,7 @@
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "base/log.hpp"
+#include "base/processor.hpp"
 #include "cli/bench/chart.hpp"
 #include "cli/bench/report.hpp"
 #include "cli/bench/rows.hpp"
@@ -19,7 +20,6 @@
 #include <filesystem>
 #include <memory>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include <CLI/CLI.hpp>
@@ -139,7 +139,7 @@ void bench(const BenchOptions& o) {
                      .driver = context.device().version,
                      .memoryPath = gl::memoryPath() == gl::MemoryPath::texel ? "texel" : "storage",
                      .software = gl::softwareDriver(),
-                     .processors = std::max(std::thread::hardware_concurrency(), 1U),
+                     .processors = processorCount(),
                      .timing = timingOf(o),
                      .frames = o.frames,
                      .warmUp = o.warmUp,
@@ -184,8 +184,7 @@ void addBench(CLI::App& app) {
   command->add_option("--progress", o->progress, "auto, tty, ndjson or none");
   command->footer(
       "Processors busy: user and system time of all threads, a software driver's too, over the time that "
-      "the "
-      "frames took and the processors that this process may use; as in `render` with --timing whole.");
+      "the frames took and the processors that this process may use; as in `render` with --timing whole.");
   command->callback([o] { bench(*o); });
 }
 

@@ -71,7 +71,7 @@ std::string frameTable(const BenchReport& report, const std::vector<RowFigures>&
     lines.push_back({oneLine(report.rows[i].asked.name), fmt::format("{}", row.frame.count),
                      ms(row.frame.median), ms(row.frame.p5), ms(row.frame.p95),
                      fmt::format("{:.1f}", row.perSecond),
-                     fmt::format("{:.0f}%", 100 * row.processors / report.processors),
+                     fmt::format("{:.0f}%", 100 * row.processors / static_cast<double>(report.processors)),
                      outlierText(row, report.rows[i].times), row.bound});
   }
   return aligned(lines, true);
@@ -184,7 +184,7 @@ ordered_json rowJson(const BenchRow& row, const BenchReport& report) {
           {"frame", spread(row.times.wall)},
           {"waited", spread(row.times.waited)},
           {"processor", spread(row.times.processor)},
-          {"processorsBusy", rounded(figures.processors / report.processors)},
+          {"processorsBusy", rounded(figures.processors / static_cast<double>(report.processors))},
           {"outliers", outliersJson(figures, row.times)},
           {"boundBy", figures.bound},
           {"stages", stages},

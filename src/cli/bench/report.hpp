@@ -24,7 +24,7 @@ struct BenchReport {
   std::string scene;  ///< file
   std::string device, driver, memoryPath;
   bool software = false;
-  unsigned processors = 1;  ///< that this process may use
+  std::size_t processors = 1;  ///< that this process may use
   frame::Timing timing = frame::Timing::wait;
   int frames = 0, warmUp = 0, rounds = 0;  ///< asked for
   bool interrupted = false;

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <span>
 #include <string>
 
 #include <glm/vec4.hpp>
@@ -46,14 +47,17 @@ std::vector<glm::vec2> offsetsOf(const gl::Framebuffer& target, int samples) {
 
 }  // namespace
 
-InstancesPass::InstancesPass(const ShadowPass& shadow, const gl::Framebuffer& target, glm::ivec2 size,
-                             int samples)
-    : shadowDefines_(shadow.defines()),
+InstancesPass::InstancesPass(const ShadowPass& shadow, const Lamps& lamps, const gl::Framebuffer& target,
+                             glm::ivec2 size, int samples)
+    : lightDefines_(shadow.defines()),
       shadowed_(shadow.on()),
       shadowSize_(shadow.size()),
       size_(size),
       samples_(samples),
-      sampleOffsets_(offsetsOf(target, samples)) {}
+      sampleOffsets_(offsetsOf(target, samples)) {
+  lightDefines_.insert(lightDefines_.end(), lamps.defines().begin(), lamps.defines().end());
+  if (lamps.order().shadowed > 0) lampDefines_ = lamps.shadowDefines();
+}
 
 const InstanceShape& InstancesPass::shape(const sim::Instances& instances) {
   switch (instances.shape) {
@@ -71,8 +75,14 @@ const InstanceShape& InstancesPass::shape(const sim::Instances& instances) {
       .first->second;
 }
 
-const CullPrograms& InstancesPass::cullPrograms(bool forLight, int levels) {
-  return cullPrograms_.try_emplace(levels * 2 + (forLight ? 1 : 0), forLight, levels).first->second;
+const CullPrograms& InstancesPass::cullPrograms(Viewer viewer, int levels) {
+  gl::Defines sight;
+  if (viewer == Viewer::sun) sight.emplace_back("FOR_LIGHT", "1");
+  if (viewer == Viewer::lamps) {
+    sight = lampDefines_;
+    sight.emplace_back("FOR_LAMPS", "1");
+  }
+  return cullPrograms_.try_emplace({viewer, levels}, sight, levels).first->second;
 }
 
 const gl::Program& InstancesPass::cached(const char* vertexPath, const char* fragmentPath,
@@ -85,7 +95,7 @@ const gl::Program& InstancesPass::cached(const char* vertexPath, const char* fra
 }
 
 gl::Defines InstancesPass::lightingDefines(const sim::Instances& instances) const {
-  gl::Defines defines = shadowDefines_;
+  gl::Defines defines = lightDefines_;
   if (isReflective(*instances.material)) defines.emplace_back("REFLECTIVE", "1");
   if (instances.material->translucency > 0) defines.emplace_back("TRANSLUCENT", "1");
   return defines;
@@ -110,6 +120,15 @@ const gl::Program& InstancesPass::shadowProgram(const sim::Instances& instances)
                              : cached(vertices, "draw/surface/shadow.frag", {});
 }
 
+const gl::Program& InstancesPass::lampShadowProgram(const sim::Instances& instances) {
+  constexpr const char* vertices = "draw/lights/lamp_instance.vert";
+  gl::Defines defines = lampDefines_;
+  if (isSprite(instances)) defines.emplace_back("SPRITE", "1");
+  return cached(vertices,
+                isSprite(instances) ? "draw/instances/disk_shadow.frag" : "draw/surface/shadow.frag",
+                defines);
+}
+
 InstancesPass::Entry& InstancesPass::entry(const sim::Instances& instances, std::size_t i) {
   if (entries_.size() <= i) entries_.resize(i + 1);
   Entry& entry = entries_[i];
@@ -118,15 +137,22 @@ InstancesPass::Entry& InstancesPass::entry(const sim::Instances& instances, std:
     return list && list->capacity() == instances.capacity && list->levels() == levels;
   };
   if (!fits(entry.forCamera)) entry.forCamera = std::make_unique<VisibleList>(instances.capacity, levels);
-  if (shadowed_ && !instances.additive && !fits(entry.forLight))
+  if (shadowed_ && castsShadow(instances) && !fits(entry.forLight))
     entry.forLight = std::make_unique<VisibleList>(instances.capacity, levels);
+  if (!lampDefines_.empty() && castsShadow(instances) && !fits(entry.forLamps))
+    entry.forLamps = std::make_unique<VisibleList>(instances.capacity, levels);
   static const std::vector<glm::vec3> none(1, glm::vec3(1));
   const auto& stops = instances.colors != nullptr && !instances.colors->empty() ? *instances.colors : none;
   if (entry.stops != stops) {
+    const bool sameSize = entry.stops.size() == stops.size();
     entry.stops = stops;
     std::vector<glm::vec4> texels;
     texels.reserve(stops.size());
     for (const glm::vec3& stop : stops) texels.emplace_back(stop, 1.0F);
+    if (sameSize) {
+      entry.stopBuffer.write(0, std::as_bytes(std::span(texels)));
+      return entry;
+    }
     entry.stopView = {};
     entry.stopBuffer = gl::Buffer::of<glm::vec4>("colour stops", texels);
     entry.stopView = gl::Texture::view("colour stops", GL_RGBA32F, entry.stopBuffer);
@@ -135,23 +161,24 @@ InstancesPass::Entry& InstancesPass::entry(const sim::Instances& instances, std:
 }
 
 void InstancesPass::setInstance(const gl::Program& program, const sim::Instances& instances,
-                                bool forLight) {
+                                Viewer viewer) {
   program.set("size", instances.size);
   program.set("shapeRadius", shape(instances).radius());
   program.set("massExponent", instances.massExponent);
   program.set("perMassReference", 1.0F / instances.massReference);
-  program.set("minPixels", !isSprite(instances) || forLight ? 0.0F
-                           : instances.additive             ? minGlow
-                                                            : minBall);
+  program.set("minPixels", !isSprite(instances) || viewer != Viewer::camera ? 0.0F
+                           : instances.additive                             ? minGlow
+                                                                            : minBall);
   instances.positions->bind(positionUnit);
   instances.velocities->bind(velocityUnit);
 }
 
-void InstancesPass::fill(const sim::Instances& instances, std::size_t i, bool forLight) {
+void InstancesPass::fill(const sim::Instances& instances, std::size_t i, Viewer viewer) {
   const Entry& own = entry(instances, i);
   const InstanceShape& form = shape(instances);
-  const CullPrograms& programs = cullPrograms(forLight, static_cast<int>(form.levels().size()));
-  setInstance(programs.cull, instances, forLight);
+  const CullPrograms& programs = cullPrograms(viewer, static_cast<int>(form.levels().size()));
+  setInstance(programs.cull, instances, viewer);
+  const bool forLight = viewer != Viewer::camera;
   // Coarser on the CPU, where triangles cost most, and for shadows, which are filtered.
   const bool coarse = forLight || (gl::softwareDriver() && !isSprite(instances));
   const bool coarsest = forLight && gl::softwareDriver() && !isSprite(instances);
@@ -159,23 +186,32 @@ void InstancesPass::fill(const sim::Instances& instances, std::size_t i, bool fo
   const float maxGlow = GlowSums::takes(instances) ? maxSmallSum : maxPointGlow;
   programs.cull.set("pointPixels", instances.additive ? maxGlow : coarse ? 4.0F : 1.6F);
   programs.cull.set("levelError", coarsest ? 1.5F : coarse ? 0.5F : 0.2F);
-  (forLight ? own.forLight : own.forCamera)->fill(programs, form);
+  const auto& list = viewer == Viewer::camera ? own.forCamera
+                     : viewer == Viewer::sun  ? own.forLight
+                                              : own.forLamps;
+  list->fill(programs, form);
 }
 
 void InstancesPass::cull(const sim::Drawables& drawables) {
-  for (std::size_t i = 0; i < drawables.instances.size(); ++i) fill(drawables.instances[i], i, false);
+  for (std::size_t i = 0; i < drawables.instances.size(); ++i)
+    fill(drawables.instances[i], i, Viewer::camera);
 }
 
 void InstancesPass::cullForLight(const sim::Drawables& drawables) {
   for (std::size_t i = 0; i < drawables.instances.size(); ++i)
-    if (!drawables.instances[i].additive) fill(drawables.instances[i], i, true);
+    if (castsShadow(drawables.instances[i])) fill(drawables.instances[i], i, Viewer::sun);
+}
+
+void InstancesPass::cullForLamps(const sim::Drawables& drawables) {
+  for (std::size_t i = 0; i < drawables.instances.size(); ++i)
+    if (castsShadow(drawables.instances[i])) fill(drawables.instances[i], i, Viewer::lamps);
 }
 
 void InstancesPass::growBounds(const sim::Drawables& drawables) {
   constexpr int maxInvocations = 1 << 14;
   constexpr int each = 32;
   for (const sim::Instances& instances : drawables.instances) {
-    if (instances.additive) continue;
+    if (!castsShadow(instances)) continue;
     const bool boxed = instances.boundsMin != instances.boundsMax;
     gl::Program& bounds = boxed ? boxBounds_ : bounds_;
     if (bounds.name() == 0)
@@ -189,7 +225,7 @@ void InstancesPass::growBounds(const sim::Drawables& drawables) {
       bounds.set("corners[0]", instances.boundsMin);
       bounds.set("corners[1]", instances.boundsMax);
     } else {
-      setInstance(bounds, instances, true);
+      setInstance(bounds, instances, Viewer::sun);
     }
     bounds.dispatch(invocations);
   }
@@ -225,7 +261,7 @@ void InstancesPass::drawSmall(const gl::Program& kernel, SmallSprites::Use use,
 void InstancesPass::castShadows(const sim::Drawables& drawables) {
   for (std::size_t i = 0; i < drawables.instances.size(); ++i) {
     const sim::Instances& instances = drawables.instances[i];
-    if (instances.additive) continue;
+    if (!castsShadow(instances)) continue;
     DrawState{.depthTest = true,
               .cullBack = instances.shape == sim::Instances::Shape::sphere,
               .depthOffset = true}
@@ -233,13 +269,29 @@ void InstancesPass::castShadows(const sim::Drawables& drawables) {
     const VisibleList& list = *entries_[i].forLight;
     if (isSprite(instances)) {
       const gl::Program& kernel = small_.kernel(SmallSprites::Use::shadow, {});
-      setInstance(kernel, instances, true);
+      setInstance(kernel, instances, Viewer::sun);
       drawSmall(kernel, SmallSprites::Use::shadow, instances, list, shadowSize_);
     }
     const gl::Program& shader = shadowProgram(instances);
-    setInstance(shader, instances, true);
+    setInstance(shader, instances, Viewer::sun);
     for (std::size_t level = isSprite(instances) ? 1 : 0; level < shape(instances).levels().size(); ++level)
       drawLevel(shader, instances, list, level);
+  }
+}
+
+void InstancesPass::castLampShadows(const sim::Drawables& drawables, int cells) {
+  for (std::size_t i = 0; i < drawables.instances.size(); ++i) {
+    const sim::Instances& instances = drawables.instances[i];
+    if (!castsShadow(instances)) continue;
+    const gl::Program& shader = lampShadowProgram(instances);
+    setInstance(shader, instances, Viewer::lamps);
+    for (int cell = 0; cell < cells; ++cell) {
+      shader.set("cell", cell);
+      // Sprites of few texels are squares of level 1, too.
+      for (std::size_t level = isSprite(instances) ? 1 : 0; level < shape(instances).levels().size();
+           ++level)
+        drawLevel(shader, instances, *entries_[i].forLamps, level);
+    }
   }
 }
 
@@ -276,12 +328,12 @@ void InstancesPass::draw(const sim::Drawables& drawables, bool adding) {
     if (isSprite(instances)) {
       const auto use = adding ? SmallSprites::Use::glow : SmallSprites::Use::ball;
       const gl::Program& kernel = small_.kernel(use, lightingDefines(instances));
-      setInstance(kernel, instances, false);
+      setInstance(kernel, instances, Viewer::camera);
       setLook(kernel, instances, entries_[i]);
       drawSmall(kernel, use, instances, list, size_);
     }
     const gl::Program& shader = program(instances);
-    setInstance(shader, instances, false);
+    setInstance(shader, instances, Viewer::camera);
     setLook(shader, instances, entries_[i]);
     for (std::size_t level = isSprite(instances) ? 1 : 0; level < shape(instances).levels().size(); ++level)
       drawLevel(shader, instances, list, level);
@@ -294,7 +346,7 @@ void InstancesPass::sumUp(const sim::Drawables& drawables, const gl::Texture& de
     if (!GlowSums::takes(instances)) continue;
     for (int level = 0; level < 2; ++level) {
       const gl::Program& kernel = sums.kernel(level == 1);
-      setInstance(kernel, instances, false);
+      setInstance(kernel, instances, Viewer::camera);
       setLook(kernel, instances, entries_[i]);
       kernel.set("level", level);
       kernel.set("roundPixels", maxPointGlow);

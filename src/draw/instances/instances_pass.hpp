@@ -4,6 +4,7 @@
 #include "draw/instances/instance_shape.hpp"
 #include "draw/instances/small_sprites.hpp"
 #include "draw/instances/visible_list.hpp"
+#include "draw/lights/lamps.hpp"
 #include "draw/surface/shadow_pass.hpp"
 #include "gl/program.hpp"
 #include "scene/scene.hpp"
@@ -13,6 +14,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace simreel::draw {
@@ -21,13 +23,17 @@ namespace simreel::draw {
 /// on the number of instances. Programs and shapes are made when first needed.
 class InstancesPass {
  public:
-  InstancesPass(const ShadowPass& shadow, const gl::Framebuffer& target, glm::ivec2 size, int samples);
+  InstancesPass(const ShadowPass& shadow, const Lamps& lamps, const gl::Framebuffer& target,
+                glm::ivec2 size, int samples);
 
   /// Grows the shadow's bounds.
   void growBounds(const sim::Drawables& drawables);
   /// Finds those in the light's box (its map is bound), then draws them into the bound shadow map.
   void cullForLight(const sim::Drawables& drawables);
   void castShadows(const sim::Drawables& drawables);
+  /// The same for the shadow maps of lamps, each `cells` of them.
+  void cullForLamps(const sim::Drawables& drawables);
+  void castLampShadows(const sim::Drawables& drawables, int cells);
   /// Finds those in the camera's sight.
   void cull(const sim::Drawables& drawables);
   /// Into the bound framebuffer. Opaque ones, then (after everything opaque) those that add light.
@@ -40,9 +46,11 @@ class InstancesPass {
   [[nodiscard]] const VisibleList& visible(std::size_t i) const { return *entries_.at(i).forCamera; }
 
  private:
+  /// Who sees the instances.
+  enum class Viewer { camera, sun, lamps };
   /// What belongs to drawables.instances[i].
   struct Entry {
-    std::unique_ptr<VisibleList> forCamera, forLight;
+    std::unique_ptr<VisibleList> forCamera, forLight, forLamps;
     std::vector<glm::vec3> stops;
     gl::Buffer stopBuffer;
     gl::Texture stopView;
@@ -50,15 +58,16 @@ class InstancesPass {
 
   Entry& entry(const sim::Instances& instances, std::size_t i);
   const InstanceShape& shape(const sim::Instances& instances);
-  const CullPrograms& cullPrograms(bool forLight, int levels);
+  const CullPrograms& cullPrograms(Viewer viewer, int levels);
   [[nodiscard]] gl::Defines lightingDefines(const sim::Instances& instances) const;
   /// For all levels of detail but the small ones of sprites.
   const gl::Program& program(const sim::Instances& instances);
   const gl::Program& shadowProgram(const sim::Instances& instances);
+  const gl::Program& lampShadowProgram(const sim::Instances& instances);
   const gl::Program& cached(const char* vertexPath, const char* fragmentPath, const gl::Defines& defines);
-  void fill(const sim::Instances& instances, std::size_t i, bool forLight);
+  void fill(const sim::Instances& instances, std::size_t i, Viewer viewer);
   /// What glsl/draw/instances/instance.glsl reads.
-  void setInstance(const gl::Program& program, const sim::Instances& instances, bool forLight);
+  void setInstance(const gl::Program& program, const sim::Instances& instances, Viewer viewer);
   void setLook(const gl::Program& program, const sim::Instances& instances, const Entry& entry) const;
   void draw(const sim::Drawables& drawables, bool additive);
   /// The sprites of few pixels, level 0; the kernel's description of the instances is set.
@@ -67,7 +76,8 @@ class InstancesPass {
   void drawLevel(const gl::Program& program, const sim::Instances& instances, const VisibleList& list,
                  std::size_t level);
 
-  gl::Defines shadowDefines_;
+  gl::Defines lightDefines_;  ///< of shading: sun and lamps
+  gl::Defines lampDefines_;   ///< of the lamps' shadow maps; empty: there are none
   bool shadowed_;
   glm::ivec2 shadowSize_, size_;  ///< of the targets, pixels
   int samples_;
@@ -75,7 +85,7 @@ class InstancesPass {
   std::vector<Entry> entries_;
   std::unique_ptr<InstanceShape> sprite_, sphere_;
   std::map<std::filesystem::path, InstanceShape> meshes_;
-  std::map<int, CullPrograms> cullPrograms_;
+  std::map<std::pair<Viewer, int>, CullPrograms> cullPrograms_;
   std::map<std::string, gl::Program> programs_;
   gl::Program bounds_, boxBounds_;
   SmallSprites small_;

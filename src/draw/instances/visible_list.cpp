@@ -18,10 +18,10 @@ void barrier() {
 
 }  // namespace
 
-CullPrograms::CullPrograms(bool forLight, int levels) {
+CullPrograms::CullPrograms(const gl::Defines& sight, int levels) {
   gl::Defines defines = {{"LEVELS", std::to_string(levels)}};
   total = gl::Program::compute("draw/instances/total_visible.comp", defines);
-  if (forLight) defines.emplace_back("FOR_LIGHT", "1");
+  defines.insert(defines.end(), sight.begin(), sight.end());
   cull = gl::Program::compute("draw/instances/cull_instances.comp", defines);
   count = gl::Program::compute("draw/instances/count_visible.comp");
   list = gl::Program::compute("draw/instances/list_visible.comp");

@@ -8,7 +8,8 @@ namespace simreel::draw {
 
 /// Kernels that pick the visible instances, for shapes with one level of detail or several.
 struct CullPrograms {
-  CullPrograms(bool forLight, int levels);
+  /// `sight`: defines that say who sees them (cull_instances.comp).
+  CullPrograms(const gl::Defines& sight, int levels);
   gl::Program cull, count, total, list;
 };
 

@@ -2,6 +2,8 @@
 
 #include "draw/frame_values.hpp"
 #include "draw/instances/instances_pass.hpp"
+#include "draw/lights/lamp_shadows.hpp"
+#include "draw/lights/lamps.hpp"
 #include "draw/overlay/axes_pass.hpp"
 #include "draw/overlay/chart_pass.hpp"
 #include "draw/overlay/field_pass.hpp"
@@ -29,10 +31,12 @@ struct Renderer::State {
         fields(pixels),
         axes(pixels),
         charts(pixels),
+        lamps(shown),
         shadow(shown.sun),
-        surfaces(shown, shadow),
-        instances(shadow, targets.scene, pixels, samples),
-        ground(shown, shadow),
+        lampShadows(lamps),
+        surfaces(shown, shadow, lamps),
+        instances(shadow, lamps, targets.scene, pixels, samples),
+        ground(shown, shadow, lamps),
         resolve(pixels, samples),
         bloom(shown.render.bloom, pixels, resolve.samples()),
         toneMap(resolve.samples(), bloom.on()),
@@ -46,7 +50,9 @@ struct Renderer::State {
   FieldPass fields;
   AxesPass axes;
   ChartPass charts;
+  Lamps lamps;
   ShadowPass shadow;
+  LampShadows lampShadows;
   SurfacePass surfaces;
   InstancesPass instances;
   GroundPass ground;
@@ -67,7 +73,7 @@ Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 
 void Renderer::draw(double seconds, const sim::Drawables& drawables, const StageWatch& watch) {
   State& s = *state_;
-  const shader::Frame values = frameValues(s.scene, s.size, seconds);
+  const shader::Frame values = frameValues(s.scene, s.size, seconds, drawables);
   s.frame.write(0, std::as_bytes(std::span(&values, 1)));
   s.frame.bindUniform(frameBinding, 0, sizeof values);
   // Whatever the simulations wrote, vertex pulling and index fetch see it.
@@ -75,7 +81,10 @@ void Renderer::draw(double seconds, const sim::Drawables& drawables, const Stage
   s.fieldTextures.update(drawables);
   s.fields.prepare(drawables, seconds);
   if (watch && !drawables.fields.empty()) watch("fields");
-  if (!s.fields.hidesAll(drawables, seconds)) s.drawScene(seconds, drawables, watch);
+  if (!s.fields.hidesAll(drawables, seconds)) {
+    if (s.lamps.on()) s.lamps.update(seconds, drawables);
+    s.drawScene(seconds, s.lamps.on() ? s.lamps.withGlows(drawables) : drawables, watch);
+  }
   s.targets.picture.bind();
   s.fields.draw(drawables, sim::FieldDisplay::Layer::over, seconds);
   s.axes.draw(drawables, seconds);
@@ -96,6 +105,11 @@ void Renderer::State::drawScene(double seconds, const sim::Drawables& drawables,
     s.shadow.draw(drawables, [&] { s.instances.castShadows(drawables); });
     issued("shadow");
   }
+  if (s.lampShadows.on()) {
+    s.instances.cullForLamps(drawables);
+    s.lampShadows.draw(drawables, [&](int cells) { s.instances.castLampShadows(drawables, cells); });
+    issued("shadow");
+  }
   s.instances.cull(drawables);
   issued("instances", instances);
   const bool cleared = s.resolve.needsClearedLight(drawables);
@@ -103,6 +117,7 @@ void Renderer::State::drawScene(double seconds, const sim::Drawables& drawables,
   s.targets.scene.bind();
   s.fields.draw(drawables, sim::FieldDisplay::Layer::behind, seconds);
   s.shadow.bind();
+  s.lampShadows.bind();
   s.surfaces.draw(drawables, s.skins);
   issued("surfaces");
   s.instances.drawOpaque(drawables);

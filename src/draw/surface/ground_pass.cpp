@@ -4,10 +4,11 @@
 
 namespace simreel::draw {
 
-GroundPass::GroundPass(const scene::Scene& scene, const ShadowPass& shadow)
+GroundPass::GroundPass(const scene::Scene& scene, const ShadowPass& shadow, const Lamps& lamps)
     : on_(scene.hasGround && scene.ground.visible), shadowed_(shadow.on()) {
   if (!on_) return;
   gl::Defines defines = withFrame(shadow.defines());
+  defines.insert(defines.end(), lamps.defines().begin(), lamps.defines().end());
   if (scene.ground.roughness < 0.6F) defines.emplace_back("REFLECTIVE", "1");
   lit_ = gl::Program::graphics("draw/surface/ground.vert", "draw/surface/ground.frag", defines);
   if (!shadowed_) return;

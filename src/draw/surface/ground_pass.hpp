@@ -1,5 +1,6 @@
 #pragma once
 #include "draw/draw_state.hpp"
+#include "draw/lights/lamps.hpp"
 #include "draw/surface/shadow_pass.hpp"
 #include "gl/program.hpp"
 #include "scene/scene.hpp"
@@ -9,7 +10,7 @@ namespace simreel::draw {
 /// The ground plane, fading out around the camera's target. Draw it last: what stands on it hides it then.
 class GroundPass {
  public:
-  GroundPass(const scene::Scene& scene, const ShadowPass& shadow);
+  GroundPass(const scene::Scene& scene, const ShadowPass& shadow, const Lamps& lamps);
   /// Into the bound framebuffer.
   void draw() const;
   [[nodiscard]] bool on() const { return on_; }

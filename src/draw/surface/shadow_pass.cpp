@@ -53,6 +53,7 @@ void ShadowPass::fit(const sim::Drawables& drawables, const std::function<void()
   boundKeys_.bindStorage(boundsBinding);
   light_.bindStorage(lightBinding);
   for (const sim::Surface& surface : drawables.surfaces) {
+    if (!castsShadow(surface)) continue;
     const int invocations =
         std::clamp((surface.vertexCount + verticesEach - 1) / verticesEach, 1, maxInvocations);
     const gl::Program& bounds = boundsOf(surface);
@@ -78,13 +79,14 @@ void ShadowPass::draw(const sim::Drawables& drawables, const std::function<void(
   target_.bind();
   lightView_.bind(lightUnit);
   for (const sim::Surface& surface : drawables.surfaces) {
+    if (!castsShadow(surface)) continue;
     const gl::Program& shader = drawOf(surface);
     shader.use();
     shader.set("model", surface.model);
     surface.positions->bind(positionUnit);
     bindDeformation(surface);
     vertices_.bind(*surface.indices);
-    glDrawElements(GL_TRIANGLES, surface.indexCount, GL_UNSIGNED_INT, nullptr);
+    drawTriangles(surface);
   }
   drawMore();
 }

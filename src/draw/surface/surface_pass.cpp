@@ -9,8 +9,8 @@ namespace simreel::draw {
 
 namespace {
 
-constexpr const char* featureNames[] = {"GRID",       "DOUBLE_SIDED", "TEXTURED",  "TRANSLUCENT",
-                                        "REFLECTIVE", "SKIN_UV",      "TRIPLANAR", "DEFORMED"};
+constexpr const char* featureNames[] = {"GRID",    "DOUBLE_SIDED", "TEXTURED", "TRANSLUCENT", "REFLECTIVE",
+                                        "SKIN_UV", "TRIPLANAR",    "DEFORMED", "PALETTE",     "BUMPED"};
 enum Feature : unsigned {
   grid = 1,
   doubleSided = 2,
@@ -20,12 +20,15 @@ enum Feature : unsigned {
   skinUv = 32,
   triplanar = 64,
   deformed = 128,
-  lookShift = 8  ///< of the number of the skin's look
+  palette = 256,
+  bumped = 512,
+  lookShift = 10  ///< of the number of the skin's look
 };
 
 unsigned features(const scene::Material& material) {
   return (material.texture.empty() ? 0U : textured) | (material.translucency > 0 ? translucent : 0U) |
-         (isReflective(material) ? reflective : 0U);
+         (isReflective(material) ? reflective : 0U) |
+         (!material.texture.empty() && material.bump != 0 ? bumped : 0U);
 }
 
 unsigned skinFeatures(const scene::Material& material, bool hasUvs) {
@@ -44,8 +47,9 @@ bool isReflective(const scene::Material& material) {
   return material.metallic > 0 || material.roughness < mattRoughness;
 }
 
-SurfacePass::SurfacePass(const scene::Scene& scene, const ShadowPass& shadow)
+SurfacePass::SurfacePass(const scene::Scene& scene, const ShadowPass& shadow, const Lamps& lamps)
     : defines_(withFrame(shadow.defines())) {
+  defines_.insert(defines_.end(), lamps.defines().begin(), lamps.defines().end());
   for (const scene::Object& object : scene.objects) {
     textures_.load(object.material.texture);
     // Whether a simulation publishes a grid or a solid mesh is not known yet; both are common.
@@ -62,7 +66,7 @@ const gl::Program& SurfacePass::program(unsigned wanted) {
   gl::Defines defines = defines_;
   for (unsigned i = 0; i < std::size(featureNames); ++i)
     if ((wanted >> i & 1U) != 0) defines.emplace_back(featureNames[i], "1");
-  if ((wanted & (skinUv | triplanar)) != 0) {
+  if ((wanted & (skinUv | triplanar)) != 0 && (wanted & textured) == 0) {
     scene::Skin skin;
     skin.look = static_cast<scene::Skin::Look>(wanted >> lookShift);
     defines.emplace_back("SKIN", "1");
@@ -84,9 +88,11 @@ void SurfacePass::draw(const sim::Surface& surface, const SkinTextures& skins) {
   const SkinTextures::Entry* skin = material.hasSkin ? skins.find(material.skin) : nullptr;
   const unsigned look =
       skin == nullptr ? features(material) : skinFeatures(material, isGrid || surface.uvs != nullptr);
+  const bool hasUvs = isGrid || surface.uvs != nullptr;
   const gl::Program& shader =
-      program(look | (isGrid ? grid : 0U) | (surface.doubleSided ? doubleSided : 0U) |
-              (surface.deform != nullptr ? deformed : 0U));
+      program(look | (!hasUvs && (look & textured) != 0 ? triplanar : 0U) | (isGrid ? grid : 0U) |
+              (surface.doubleSided ? doubleSided : 0U) | (surface.deform != nullptr ? deformed : 0U) |
+              (surface.palette != nullptr && skin == nullptr ? palette : 0U));
   DrawState{.depthTest = true, .cullBack = !surface.doubleSided, .depthOffset = false}.set();
   shader.use();
   shader.set("model", surface.model);
@@ -94,6 +100,7 @@ void SurfacePass::draw(const sim::Surface& surface, const SkinTextures& skins) {
   shader.set("translucency", material.translucency);
   surface.positions->bind(positionUnit);
   bindDeformation(surface);
+  if (surface.palette != nullptr) surface.palette->bind(paletteUnit);
   if (isGrid) {
     shader.set("grid", surface.grid);
   } else {
@@ -105,13 +112,15 @@ void SurfacePass::draw(const sim::Surface& surface, const SkinTextures& skins) {
   else
     setPlain(material, isGrid, shader);
   vertices_.bind(*surface.indices);
-  glDrawElements(GL_TRIANGLES, surface.indexCount, GL_UNSIGNED_INT, nullptr);
+  drawTriangles(surface);
 }
 
 void SurfacePass::setPlain(const scene::Material& material, bool isGrid, const gl::Program& shader) {
   shader.set("color", material.color);
   shader.set("roughness", material.roughness);
   shader.set("textureScale", glm::vec2(material.textureScale));
+  shader.set("perMetre", glm::vec2(material.textureScale));
+  shader.set("bump", material.bump);
   if (const gl::Texture* albedo = textures_.load(material.texture)) {
     // A sheet that shows the picture once must not blend its border with the opposite one.
     const bool once = isGrid && glm::vec2(material.textureScale) == glm::vec2(1);

@@ -1,5 +1,6 @@
 #pragma once
 #include "draw/draw_state.hpp"
+#include "draw/lights/lamps.hpp"
 #include "draw/surface/shadow_pass.hpp"
 #include "draw/surface/skin_textures.hpp"
 #include "draw/surface/texture_store.hpp"
@@ -19,7 +20,7 @@ namespace simreel::draw {
 class SurfacePass {
  public:
   /// Compiles the programs and loads the textures that the scene's materials need.
-  SurfacePass(const scene::Scene& scene, const ShadowPass& shadow);
+  SurfacePass(const scene::Scene& scene, const ShadowPass& shadow, const Lamps& lamps);
   /// Into the bound framebuffer. A skin whose field is not there leaves the material as it is without one.
   void draw(const sim::Drawables& drawables, const SkinTextures& skins);
 

@@ -1,6 +1,7 @@
 #include "frame/sink/frames_under_way.hpp"
 
 #include "base/error.hpp"
+#include "frame/draw_world.hpp"
 #include "frame/image.hpp"
 
 #include <utility>
@@ -22,11 +23,11 @@ bool FramesUnderWay::misses(int frame) const {
   return sink_.wants(frame) || (fields_ != nullptr && fields_->misses(frame, sink_));
 }
 
-void FramesUnderWay::draw(const sim::World& world, std::optional<std::string> stateHash) {
+void FramesUnderWay::draw(sim::World& world, std::optional<std::string> stateHash) {
   const int frame = world.frame();
   const bool wanted = sink_.wants(frame);
   if (wanted) {
-    timers_.run(&StageTimes::draw, frame, [&] { renderer_.draw(world.time(), world.drawables()); });
+    timers_.run(&StageTimes::draw, frame, [&] { drawWorld(renderer_, world); });
     readback_.start(renderer_.target(), frame);
   }
   waiting_.push_back({frame, wanted, {}, std::move(stateHash)});

@@ -32,7 +32,7 @@ class FramesUnderWay {
   [[nodiscard]] bool misses(int frame) const;
   /// The present frame of the world, drawn if it is wanted. Waits for an older one where too many are under
   /// way.
-  void draw(const sim::World& world, std::optional<std::string> stateHash);
+  void draw(sim::World& world, std::optional<std::string> stateHash);
   /// The state hash of a frame. Those of frames that are not under way are of no use here.
   void know(int frame, const std::string& stateHash);
   /// A frame that an earlier run has stored whole.

@@ -5,6 +5,7 @@
 #include "base/file.hpp"
 #include "base/hash.hpp"
 #include "base/log.hpp"
+#include "base/processor.hpp"
 #include "base/version.hpp"
 #include "frame/file/output_name.hpp"
 #include "frame/file/reserved_room.hpp"
@@ -20,7 +21,6 @@
 #include <exception>
 #include <map>
 #include <mutex>
-#include <thread>
 
 #include <tbb/parallel_for.h>
 
@@ -30,10 +30,6 @@ namespace {
 
 namespace fs = std::filesystem;
 constexpr std::chrono::milliseconds manifestEvery{1000};
-
-std::size_t processors() {
-  return std::max<std::size_t>(1, std::thread::hardware_concurrency());
-}
 
 /// PNG files and what lies beside them, encoded by worker threads, and the manifest.
 class SequenceSink final : public FrameSink {
@@ -313,7 +309,7 @@ class SequenceSink final : public FrameSink {
   /// As many workers as processors: the caller mostly waits for the device, or for these. Last, so that
   /// they end first.
   FrameQueue queue_{
-      processors(), processors(),
+      processorCount(), processorCount(),
       [this](const FrameInfo& info, const std::optional<Image>& image) { store(info, image); }};
 };
 

@@ -4,6 +4,7 @@
 #include "base/error.hpp"
 #include "draw/screen/readback.hpp"
 #include "draw/screen/renderer.hpp"
+#include "frame/draw_world.hpp"
 #include "frame/interrupt.hpp"
 #include "frame/summaries.hpp"
 #include "golden/suite/check.hpp"
@@ -59,7 +60,7 @@ class Runner {
   }
 
   RunFrame draw(int frame) {
-    renderer_.draw(world_.time(), world_.drawables());
+    frame::drawWorld(renderer_, world_);
     readback_.start(renderer_.target(), frame);
     RunFrame made{frame, world_.time(), {size_.x, size_.y, {}}, {}, {}};
     made.image.bytes = readback_.take(true)->second;

@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 #include "base/file.hpp"
+#include "base/processor.hpp"
 #include "base/text.hpp"
 #include "frame/file/output_name.hpp"
 #include "golden/compare/compare.hpp"
@@ -14,7 +15,6 @@
 #include <map>
 #include <span>
 #include <system_error>
-#include <thread>
 #include <tuple>
 #include <utility>
 
@@ -188,7 +188,7 @@ void comparePairs(const std::vector<Pair>& pairs, const scene::Tolerance& tolera
     }
   };
   // So many pairs are in memory at a time.
-  const std::size_t atOnce = 2 * std::max(1u, std::thread::hardware_concurrency());
+  const std::size_t atOnce = 2 * processorCount();
   using tbb::filter_mode;
   tbb::parallel_pipeline(
       atOnce,

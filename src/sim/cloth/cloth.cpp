@@ -6,6 +6,7 @@
 #include "gl/program.hpp"
 #include "sim/cloth/plan.hpp"
 #include "sim/cloth/quantities.hpp"
+#include "sim/contour/walls.hpp"
 #include "sim/core/kind.hpp"
 #include "sim/core/step_blocks.hpp"
 #include "sim/mesh/height_field.hpp"
@@ -48,6 +49,11 @@ class Cloth : public Simulation {
         heights_(setting.heights),
         frameSeconds_(setting.frameSeconds) {
     checkLimits();
+    const ClothParameters& p = plan_.parameters();
+    if (!p.walls.empty()) {
+      walls_ = &setting.wallsNamed(p.walls);
+      walls_->checkReach(name_, p.margin);
+    }
     const auto positions = plan_.firstPositions();
     positions_[0] = gl::Vec4Array(name_ + " positions", positions);
     positions_[1] = gl::Vec4Array(name_ + " next positions", positions);
@@ -62,6 +68,8 @@ class Cloth : public Simulation {
   void step(double time, const StepWatch& watch) override {
     steps_.upload(plan_.frame(time));
     status_.bindStorage(shader::statusBinding);
+    if (walls_ != nullptr)
+      walls_->tell(touching(), plan_.substepSeconds(), plan_.parameters().margin, 0.0F);
     for (int i = 0; i < plan_.substeps(); ++i) {
       steps_.bind(static_cast<std::size_t>(i));
       positions_[0].bindInput(shader::cloth::positionsBinding);
@@ -71,6 +79,7 @@ class Cloth : public Simulation {
         heights_->bind();
         heights_->tell(touching(), i, plan_.substeps(), plan_.parameters().margin, 0.0F);
       }
+      if (walls_ != nullptr) walls_->bind();
       gl::barrier();
       if (constrained_ && inLines_)
         constrainLines();
@@ -159,6 +168,7 @@ class Cloth : public Simulation {
       defines.emplace_back(name, on ? "true" : "false");
     };
     defines.emplace_back("HEIGHTS", heights_ != nullptr ? "1" : "0");
+    addWallDefines(defines, walls_);
     if (gl::memoryPath() == gl::MemoryPath::texel)
       defines.emplace_back("COLLIDERS", std::to_string(plan_.colliderCount()));
     define("AIR", plan_.parameters().hasAir);
@@ -222,7 +232,8 @@ class Cloth : public Simulation {
   bool constrained_;  ///< by XPBD; else springs
   /// Whether an invocation takes a line of constraints (constrain_lines.comp) instead of one.
   bool inLines_ = gl::memoryPath() == gl::MemoryPath::texel;
-  const HeightField* heights_;  ///< null: none in the scene
+  const HeightField* heights_;    ///< null: none in the scene
+  const Walls* walls_ = nullptr;  ///< null: it meets none
   double frameSeconds_;
   double time_ = 0;             ///< s, of the present state
   gl::Vec4Array positions_[2];  ///< now, and where the next substep writes

@@ -102,6 +102,7 @@ void ClothParameters::describe(scene::Fields& f) {
                     a.number("gustSize", air.gustSize, {1e-2, 1e3}, "m", "Size of the gusts.");
                   });
   f.number("margin", margin, {0, 10}, "m", "Distance kept from colliders.");
+  f.text("walls", walls, "Name of the cave or contour whose walls, floor and tops it meets.");
   f.integerOr("substeps", substeps, "auto", {1, maxSubsteps}, "per frame",
               "Steps a frame is divided into; \"auto\" takes as many as the springs need to be stable.");
   f.list("pins", pins, "Particles that are held, and how they move.",

@@ -53,10 +53,12 @@ struct ClothParameters : ObjectParameters, shader::ClothConstants {
   Air air;
   std::optional<int> substeps = 4;
   std::vector<PinGroup> pins;
+  std::string walls;  ///< name of the solid it meets; empty: none
 
   ClothParameters();
   void describe(scene::Fields& fields) override;
   [[nodiscard]] std::span<const scene::Quantity> quantities() const override;
+  [[nodiscard]] std::string meetsWalls() const override { return walls; }
 
   /// Longest stable substep in seconds, of the sheet near rest in the fastest air and gusts of the whole
   /// run; infinite for constraints without air.

@@ -45,6 +45,7 @@ class ClothPlan {
 
   [[nodiscard]] const ClothParameters& parameters() const { return parameters_; }
   [[nodiscard]] int substeps() const { return substeps_; }
+  [[nodiscard]] double substepSeconds() const { return substepSeconds_; }
 
  private:
   [[nodiscard]] shader::Collider colliderAt(const ColliderShape& shape, double time) const;

@@ -16,15 +16,21 @@ namespace simreel::sim {
 /// Indexed triangles pulled from buffers by gl_VertexID; nothing is copied. All pointers stay owned by
 /// the simulation and live until its next step.
 struct Surface {
-  const gl::Texture* positions = nullptr;  ///< RGBA32F texel view, one texel a vertex: xyz in m, w unused
-  const gl::Texture* normals = nullptr;    ///< RGBA32F texel view, xyz; null for a grid
-  const gl::Texture* uvs = nullptr;        ///< RG32F texel view; null for a grid
+  const gl::Texture* positions =
+      nullptr;  ///< RGBA32F texel view, one texel a vertex: xyz in m, w unused but for a palette
+  const gl::Texture* normals = nullptr;  ///< RGBA32F texel view, xyz; null for a grid
+  const gl::Texture* uvs = nullptr;      ///< RG32F texel view; null for a grid
   /// Width and height of a grid of vertices (x fastest) whose normals come from neighbours and whose
   /// uv = (x/(W-1), y/(H-1)); zero for a mesh.
   glm::ivec2 grid{0, 0};
   int vertexCount = 0;
   const gl::Buffer* indices = nullptr;  ///< 32-bit
   int indexCount = 0;
+  /// Arguments of an indirect draw that the GPU has written (five words); null: indexCount indices.
+  const gl::Buffer* arguments = nullptr;
+  /// RGBA32F texel view, linear RGB by the number that positions have in w: instead of the material's
+  /// colour.
+  const gl::Texture* palette = nullptr;
   /// Set when the vertex shader displaces: uniform DeformStep of glsl/mesh/types.glsl, and the trail;
   /// positions and normals are those at rest, positions' w the distance between vertices.
   const gl::Buffer* deform = nullptr;
@@ -60,6 +66,14 @@ struct Instances {
   const scene::Material* material = nullptr;
 };
 
+/// Whether what is drawn is drawn into shadow maps, too.
+[[nodiscard]] inline bool castsShadow(const Surface& surface) {
+  return surface.material->castsShadow;
+}
+[[nodiscard]] inline bool castsShadow(const Instances& instances) {
+  return !instances.additive && instances.material->castsShadow;
+}
+
 /// Where and how a field is laid over the picture (field_display.hpp).
 struct FieldDisplay;
 
@@ -93,12 +107,20 @@ struct Chart {
   glm::vec2 extent{0.36F, 0.36F};       ///< width and height of its panel, as fractions of the picture
 };
 
+/// A way through a scene, from its beginning to its end: cameras go along it, and what a scene places by it
+/// stands on it.
+struct Path {
+  const std::string* name = nullptr;               ///< of the object
+  const std::vector<glm::vec3>* points = nullptr;  ///< m, in the scene's space, on the ground; one at least
+};
+
 /// What a simulation publishes for drawing: a list per kind, one pass each.
 struct Drawables {
   std::vector<Surface> surfaces = {};
   std::vector<Instances> instances = {};
   std::vector<Field> fields = {};
   std::vector<Chart> charts = {};
+  std::vector<Path> paths = {};
 };
 
 }  // namespace simreel::sim

@@ -2,6 +2,7 @@
 #include "sim/core/simulation.hpp"
 
 #include <memory>
+#include <string>
 
 namespace simreel::sim {
 
@@ -9,10 +10,20 @@ namespace simreel::sim {
 struct ObjectParameters : scene::Parameters {
   /// Whether the object publishes a field, which a skin may be grown from.
   [[nodiscard]] virtual bool isField() const { return false; }
+  /// Whether it publishes a path.
+  [[nodiscard]] virtual bool findsPath() const { return false; }
   /// Whether it is a surface of heights that others fall onto; a scene has at most one.
   [[nodiscard]] virtual bool publishesHeights() const { return false; }
   /// Whether it asks for such a surface.
   [[nodiscard]] virtual bool needsHeights() const { return false; }
+  /// Whether it is made of another object's field, and the name of that: an object, or NAME.u of one that
+  /// has several.
+  [[nodiscard]] virtual bool needsField() const { return false; }
+  [[nodiscard]] virtual std::string readsField() const { return {}; }
+  /// Whether it is a solid that others may collide with, and the name of that which it collides with
+  /// itself; empty: none.
+  [[nodiscard]] virtual bool hasWalls() const { return false; }
+  [[nodiscard]] virtual std::string meetsWalls() const { return {}; }
 };
 
 /// What a scene says of an object of a kind whose parameters are `Parameters`.

@@ -18,6 +18,7 @@
 namespace simreel::sim {
 
 class HeightField;
+class Walls;
 
 /// What a simulation may know of the scene around it.
 struct Setting {
@@ -28,6 +29,12 @@ struct Setting {
   bool timing = false;  ///< whether simulations measure their stages
   /// Of the mesh that collides, already stepped when others step; null: none.
   const HeightField* heights = nullptr;
+  /// The field of that name as it is now; its pointers live until its object's next step. Only for names
+  /// that the scene's check has found (ObjectParameters::readsField).
+  std::function<Field(const std::string& name)> fieldNamed = {};
+  /// The solid of the object of that name, as it is once that has stepped. Only for names that the scene's
+  /// check has found (ObjectParameters::meetsWalls).
+  std::function<const Walls&(const std::string& name)> wallsNamed = {};
   double startTime = 0;  ///< s of scene time of the first state: minus what is simulated before frame 0
   /// Hears how many of its steps before the first frame an object has done; may throw to end them. Empty:
   /// nobody listens.
@@ -64,6 +71,25 @@ struct MeshTable {
   std::vector<unsigned> indices;  ///< three a triangle
 };
 
+/// A room of a cave: open cells that are joined over edges, before corridors join it to others.
+struct Room {
+  glm::dvec2 centre{0};  ///< mean place of its cells, in cells as contours have them; may lie in rock
+  long cells = 0;
+  double area = 0;  ///< m^2
+};
+
+/// Closed lines between what is below a level of a field and what is not, in cells: cell (x, y) of the
+/// field is at (x, y). Point i is followed by `next[i]`; y grows down the picture, and high ground lies to
+/// the left of the way as the picture shows it.
+struct ContourLines {
+  std::vector<glm::vec2> points;
+  std::vector<unsigned> next;
+  std::vector<int> levels;      ///< of each point, from 1
+  glm::ivec2 size{0, 0};        ///< of the field, cells
+  std::vector<glm::vec2> path;  ///< a way through, where one was found
+  std::vector<Room> rooms;      ///< by their lowest cell
+};
+
 /// The state as a file that programs for its kind of simulation exchange.
 struct StateFile {
   const char* suffix = nullptr;  ///< "rle"; null: there is none
@@ -96,6 +122,10 @@ class Simulation {
   }
   /// Appends what is to be drawn of the state at `time`.
   virtual void publish(double time, Drawables& drawables) const = 0;
+  /// After what was published was drawn, before the next step: whether that lacked memory, which is there
+  /// now, so that it is to be published and drawn again. May wait for the GPU to have counted what there
+  /// is.
+  virtual bool settle() { return false; }
   /// State arrays in a fixed order; empty for things without state.
   [[nodiscard]] virtual std::vector<StateArray> state() const { return {}; }
   /// What `simreel bake` writes; empty for things that are no points.
@@ -106,8 +136,13 @@ class Simulation {
   [[nodiscard]] virtual CountTable counts() const { return {}; }
   /// What `simreel bake` writes of things that deform a mesh; nothing for others.
   [[nodiscard]] virtual std::optional<MeshTable> mesh() const { return std::nullopt; }
+  /// What `simreel bake` writes of things that have contours; nothing for others. After settle().
+  [[nodiscard]] virtual std::optional<ContourLines> lines() const { return std::nullopt; }
   /// What others fall onto; null for things that are no such surface.
   [[nodiscard]] virtual const HeightField* heights() const { return nullptr; }
+  /// What others collide with; null for things that are no solid. Who was asked for it has it there after
+  /// pass(), too.
+  [[nodiscard]] virtual const Walls* walls() { return nullptr; }
   /// Four words as glsl/common/status.glsl writes them, or null.
   [[nodiscard]] virtual const gl::Buffer* status() const { return nullptr; }
   /// The quantities of its parameters, in that order, of the present state, which is read back: summed up

@@ -1,5 +1,7 @@
 #include "sim/life/active.hpp"
 
+#include "glsl/common/cpp.hpp"
+
 #include <algorithm>
 #include <string>
 
@@ -12,9 +14,9 @@ namespace simreel::sim {
 namespace {
 
 constexpr int tileWords = 1, tileRows = 32;
-// Loops of an invocation in one dispatch, as counted below. Mesa 22.3 ends them silently after 65,535. With
-// 65,535 of ours the state of 256x64 was wrong, with 32,000 right; where our count falls short is not
-// known, so there is room.
+// Loops of an invocation in one dispatch, as counted below. Mesa 22.3 ends them silently after 65,535;
+// compilers that leave further loops in the kernel need room. Where it is not enough, the kernel's end
+// notes it.
 constexpr int maxLoops = 20000;
 
 int tilesOf(glm::ivec2 size) {
@@ -58,7 +60,7 @@ LifeActive::LifeActive(const LifeRule& rule, bool torus, glm::ivec2 size)
   program_.set("rowWords", (size.x + 127) / 128 * 4);
 }
 
-void LifeActive::run(gl::WordsArray& cells, int passes) {
+void LifeActive::run(gl::WordsArray& cells, int passes, const gl::Buffer& status) {
   const auto bytes = static_cast<GLsizeiptr>(words_) * 4;
   const auto half = [&] { return (pass_ & 1U) == 0 ? GLintptr{0} : GLintptr{bytes}; };
   ++pass_;  // a mark of the last run is no mark of this one
@@ -67,6 +69,7 @@ void LifeActive::run(gl::WordsArray& cells, int passes) {
   texels_.bindImage(shader::life::cellsBinding, GL_READ_ONLY);
   cells_.bindStorage(shader::life::cellsBinding);
   marks_.bindStorage(shader::life::marksBinding);
+  status.bindStorage(shader::statusBinding);
   for (int done = 0; done < passes;) {
     const int some = std::min(passes - done, passesPerDispatch_);
     program_.set("firstPass", pass_);

@@ -28,8 +28,9 @@ class LifeActive {
   LifeActive(const LifeRule& rule, bool torus, glm::ivec2 size);
 
   /// `passes` passes of `steps` generations, in place. Earlier writes must be visible (gl::barrier), and so
-  /// are those of this when it returns.
-  void run(gl::WordsArray& cells, int passes);
+  /// are those of this when it returns. `status` (glsl/common/status.glsl) is noted lost where the driver
+  /// ended a loop before its end.
+  void run(gl::WordsArray& cells, int passes, const gl::Buffer& status);
 
  private:
   glm::ivec2 size_;

@@ -41,6 +41,8 @@ class Life : public Simulation {
     const auto blocks = static_cast<int>(plan_.blocks());
     cells_[0] = gl::WordsArray(name_ + " cells", blocks);
     cells_[1] = gl::WordsArray(name_ + " next cells", blocks);
+    constexpr unsigned fine[] = {0xffffffffU, 0xffffffffU, 0, 0};
+    status_ = gl::Buffer::of<unsigned>(name_ + " status", fine);
     fill();
     if (!plan_.strokes().empty()) {
       paint_ = gl::Program::compute("life/paint.comp", gl::kernelDefines(false));
@@ -110,6 +112,17 @@ class Life : public Simulation {
     std::vector<StateArray> arrays = {{"cells", &cells_[0].buffer(), true}};
     if (trailQuads_ > 0) arrays.push_back({"trail", &trail_.buffer(), true});
     return arrays;
+  }
+
+  [[nodiscard]] const gl::Buffer* status() const override {
+    return LifeActive::suits(size_) ? &status_ : nullptr;
+  }
+  [[nodiscard]] std::string explainLoss(unsigned /*step*/, unsigned /*element*/) const override {
+    return fmt::format(
+        "life \"{}\": the driver ended a loop too early, so cells are wrong; other drivers, or "
+        "--memory-path "
+        "storage, do not",
+        name_);
   }
 
   [[nodiscard]] StateFile stateFile() const override {
@@ -191,7 +204,7 @@ class Life : public Simulation {
     if (!active_) active_.emplace(plan_.rule(), plan_.torus(), size_);
     const auto passes = static_cast<int>((end - generation_) / LifeActive::steps);
     gl::barrier();
-    active_->run(cells_[0], passes);
+    active_->run(cells_[0], passes, status_);
     generation_ += long{passes} * LifeActive::steps;
   }
 
@@ -223,6 +236,7 @@ class Life : public Simulation {
   std::vector<glm::vec3> colors_;
   LifeStepper stepper_;
   std::optional<LifeActive> active_;
+  gl::Buffer status_;        ///< of active_
   gl::WordsArray cells_[2];  ///< now, and where the next pass writes
   gl::WordsArray trail_, stamps_;
   gl::Program paint_, fade_;

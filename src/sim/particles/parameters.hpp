@@ -68,6 +68,7 @@ struct ParticleParameters : ObjectParameters, shader::ParticleConstants {
   Turbulence turbulence;
   int substeps = 1;
   bool collides = false;
+  std::string walls;  ///< name of the solid they meet; empty: none
   float bounce = 0.3F;
   float margin = 0.0F;  ///< m
 
@@ -87,6 +88,7 @@ struct ParticleParameters : ObjectParameters, shader::ParticleConstants {
   void describe(scene::Fields& fields) override;
   [[nodiscard]] std::span<const scene::Quantity> quantities() const override;
   [[nodiscard]] bool needsHeights() const override { return collides; }
+  [[nodiscard]] std::string meetsWalls() const override { return walls; }
 
  private:
   void describeLook(scene::Fields& fields);

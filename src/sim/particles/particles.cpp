@@ -4,6 +4,7 @@
 #include "gl/element_array.hpp"
 #include "gl/limits.hpp"
 #include "gl/program.hpp"
+#include "sim/contour/walls.hpp"
 #include "sim/core/kind.hpp"
 #include "sim/core/step_blocks.hpp"
 #include "sim/mesh/height_field.hpp"
@@ -43,6 +44,10 @@ class Particles : public Simulation {
               maxParticles()) {
     const ParticleParameters& p = plan_.parameters();
     if (p.collides) heights_ = setting.heights;
+    if (!p.walls.empty()) {
+      walls_ = &setting.wallsNamed(p.walls);
+      walls_->checkReach(name_, p.margin);
+    }
     if (p.method == GravityMethod::allPairs) pairs_ = PairGravity(setting.fast);
     if (p.method == GravityMethod::tree) tree_.emplace(name_, plan_.count(), setting.fast);
     const ParticleCloud cloud = plan_.firstCloud();
@@ -61,6 +66,7 @@ class Particles : public Simulation {
     if (!primed_) prime(time);
     const auto steps = plan_.frame(time);
     steps_.upload(steps);
+    tellWalls();
     for (int i = 0; i < plan_.parameters().substeps; ++i) {
       bind(i);
       gl::barrier();
@@ -156,6 +162,7 @@ class Particles : public Simulation {
     defines.emplace_back("HEIGHTS", heights_ != nullptr ? "1" : "0");
     defines.emplace_back("ATTRACTOR", p.hasAttractor ? "true" : "false");
     defines.emplace_back("TURBULENCE", p.turbulence.strength > 0 ? "true" : "false");
+    addWallDefines(defines, walls_);
     kick_ = gl::Program::compute("particles/kick.comp", defines);
     kick_.checkUniformBlock("StepBlock", sizeof(shader::ParticleStep));
     move_ = gl::Program::compute(attracts() ? "particles/drift.comp" : "particles/step.comp", defines);
@@ -195,12 +202,20 @@ class Particles : public Simulation {
     gl::barrier();
   }
 
+  void tellWalls() const {
+    if (walls_ == nullptr) return;
+    const ParticleParameters& p = plan_.parameters();
+    walls_->tell(move_, plan_.substepSeconds(), p.margin, p.bounce);
+    if (!p.emitters.empty()) walls_->tell(birth_, plan_.substepSeconds(), p.margin, p.bounce);
+  }
+
   void bind(int substep) const {
     steps_.bind(static_cast<std::size_t>(substep));
     positions_.bindState(shader::particles::positionsBinding);
     velocities_.bindState(shader::particles::velocitiesBinding);
     accelerations_.bindState(shader::particles::accelerationsBinding);
     status_.bindStorage(shader::statusBinding);
+    if (walls_ != nullptr) walls_->bind();
     if (heights_ == nullptr) return;
     const ParticleParameters& p = plan_.parameters();
     heights_->bind();
@@ -223,6 +238,7 @@ class Particles : public Simulation {
   gl::Buffer status_;
   StepBlocks<shader::ParticleStep> steps_;
   const HeightField* heights_ = nullptr;  ///< null: it falls onto nothing
+  const Walls* walls_ = nullptr;          ///< null: it meets none
   gl::Program move_, birth_, kick_;       ///< move_: the whole substep unless they attract each other
   PairGravity pairs_;
   std::optional<GravityTree> tree_;

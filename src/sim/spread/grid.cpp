@@ -81,6 +81,9 @@ SpreadGrid::SpreadGrid(const std::string& name, const SpreadParameters& paramete
   frame[0] = start;
   frameCounts_ = gl::Buffer::of<glm::uvec4>(name + " counts of a frame", frame);
   stamps_ = gl::WordsArray(name + " stroke images", paddedWords(strokes.imageBits()));
+  if (gl::memoryPath() == gl::MemoryPath::texel)
+    for (gl::WordsArray& tiles : tiles_)
+      tiles = gl::WordsArray(name + " tiles", rowElements() * groupRows());
   step_ = gl::Program::compute(fmt::format("spread/{}/step.comp", folder), defines);
   paint_ = gl::Program::compute(fmt::format("spread/{}/paint.comp", folder), defines);
   step_.set("size", size_);
@@ -113,6 +116,7 @@ void SpreadGrid::paint(const std::vector<shader::Stroke>& strokes) {
     paint_.set("countPlace", done_);
     paint_.dispatch(elements.z, elements.w);
     gl::barrier();
+    fresh_ = true;
   }
 }
 
@@ -129,10 +133,28 @@ void SpreadGrid::step() {
   cells_[1].bindState(shader::spread::nextCellsBinding);
   history_.buffer().bindStorage(shader::spread::countsBinding);
   step_.set("countPlace", done_);
-  const int rowsEach = gl::memoryPath() == gl::MemoryPath::texel ? 16 : 4;
-  step_.dispatch(rowElements(), (size_.y + rowsEach - 1) / rowsEach);
+  if (gl::memoryPath() == gl::MemoryPath::texel) bindTiles();
+  step_.dispatch(rowElements(), groupRows());
   gl::barrier();
   std::swap(cells_[0], cells_[1]);
+  std::swap(tiles_[0], tiles_[1]);
+  fresh_ = false;
+}
+
+int SpreadGrid::groupRows() const {
+  const int rowsEach = gl::memoryPath() == gl::MemoryPath::texel ? 16 : 4;  // glsl/spread/step.glsl
+  return (size_.y + rowsEach - 1) / rowsEach;
+}
+
+void SpreadGrid::bindTiles() {
+  tiles_[0].bindInput(shader::spread::tilesBinding);
+  tiles_[1].buffer().bindStorage(shader::spread::nextTilesBinding);
+  step_.set("fresh", fresh_ ? 1 : 0);
+  if (fresh_) return;
+  // The kernel adds what changes.
+  glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+  const GLuint history = history_.buffer().name();
+  glCopyNamedBufferSubData(history, history, GLintptr{done_ - 1} * 16, GLintptr{done_} * 16, 16);
 }
 
 void SpreadGrid::endFrame() {
@@ -152,6 +174,7 @@ void SpreadGrid::carryOver(CarryOver& carry) {
   carry.array("cells", cells_[0].buffer());
   carry.array("counts", history_.buffer());
   carry.array("counts of the frame", frameCounts_);
+  fresh_ = true;
 }
 
 glm::uvec4 SpreadGrid::latestCounts() const {

@@ -76,6 +76,9 @@ class SpreadGrid {
  private:
   /// Room for the counts of so many steps more.
   void beginFrame(int steps);
+  /// Invocations of a step's kernel from the top row to the last one.
+  [[nodiscard]] int groupRows() const;
+  void bindTiles();
   // Both end with a barrier.
   void step();
   void paint(const std::vector<shader::Stroke>& strokes);
@@ -88,6 +91,10 @@ class SpreadGrid {
   gl::WordsArray cells_[2];  ///< now, and where the next step writes
   gl::WordsArray history_;   ///< counts of every step, the start first; capacity_ of them
   gl::WordsArray stamps_;
+  /// On the texel path what glsl/spread/tiles.glsl knows of each tile: of the last step, and where the next
+  /// step writes. Nothing after a start, a restart or a stroke.
+  gl::WordsArray tiles_[2];
+  bool fresh_ = true;
   gl::Buffer frameCounts_;
   int capacity_ = 0;
   int done_ = 0;

@@ -1,7 +1,9 @@
 #include "sim/world/list.hpp"
 
 #include "base/error.hpp"
+#include "sim/cave/cave.hpp"
 #include "sim/cloth/cloth.hpp"
+#include "sim/contour/contour.hpp"
 #include "sim/gray_scott/gray_scott.hpp"
 #include "sim/life/life.hpp"
 #include "sim/mesh/mesh.hpp"
@@ -18,8 +20,8 @@ namespace simreel::sim {
 
 std::span<const SimulationKind> simulations() {
   static const std::vector<SimulationKind> list = {
-      clothKind(),    particlesKind(), lifeKind(),   grayScottKind(), epidemicKind(),
-      wildfireKind(), meshKind(),      sphereKind(), capsuleKind(),   planeKind(),
+      clothKind(), particlesKind(), lifeKind(), grayScottKind(), epidemicKind(), wildfireKind(),
+      caveKind(),  contourKind(),   meshKind(), sphereKind(),    capsuleKind(),  planeKind(),
   };
   return list;
 }

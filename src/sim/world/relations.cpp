@@ -17,25 +17,60 @@ const ObjectParameters* parametersAt(const scene::Object& object) {
   return dynamic_cast<const ObjectParameters*>(object.parameters.get());
 }
 
-void checkSkin(const scene::Object& object, std::span<const scene::Object> objects,
-               const scene::Report& report) {
-  if (!object.material.hasSkin) return;
+/// What a name of a field leads to: nothing where there is one, else what is wrong with it.
+std::string fieldMistake(const std::string& name, const char* unnamed,
+                         std::span<const scene::Object> objects) {
   std::vector<std::string> fields;
   for (const scene::Object& candidate : objects)
     if (const auto* parameters = parametersAt(candidate); parameters != nullptr && parameters->isField())
       fields.push_back(candidate.name);
-  const std::string& name = object.material.skin.field;
-  if (std::find(fields.begin(), fields.end(), name) != fields.end()) return;
+  if (std::find(fields.begin(), fields.end(), name) != fields.end()) return {};
   const auto named =
       std::find_if(objects.begin(), objects.end(), [&](const auto& other) { return other.name == name; });
-  if (named != objects.end() && named->parameters == nullptr) return;  // a mistake of its own
-  const std::string what = name.empty() ? "the skin has no \"field\""
+  if (named != objects.end() && named->parameters == nullptr) return {};  // a mistake of its own
+  const std::string what = name.empty() ? unnamed
                            : named == objects.end()
                                ? fmt::format("no object is named {}", scene::inQuotes(name))
                                : fmt::format("object \"{}\" is a {}, not a field", name, named->kind);
-  report(object, {"material", "skin", "field"},
-         fmt::format("{}; {}", what,
-                     fields.empty() ? "the scene has no field" : scene::suggestion(name, fields)));
+  return fmt::format("{}; {}", what,
+                     fields.empty() ? "the scene has no field" : scene::suggestion(name, fields));
+}
+
+void checkFields(const scene::Object& object, std::span<const scene::Object> objects,
+                 const scene::Report& report) {
+  if (object.material.hasSkin) {
+    const std::string mistake =
+        fieldMistake(object.material.skin.field, "the skin has no \"field\"", objects);
+    if (!mistake.empty()) report(object, {"material", "skin", "field"}, mistake);
+  }
+  const auto* parameters = parametersAt(object);
+  if (parameters == nullptr || !parameters->needsField()) return;
+  const std::string name = parameters->readsField();
+  const std::string mistake = fieldMistake(name.substr(0, name.find('.')), "it has no \"field\"", objects);
+  if (!mistake.empty()) report(object, {object.kind, "field"}, mistake);
+}
+
+/// The solid that an object collides with.
+void checkWalls(const scene::Object& object, std::span<const scene::Object> objects,
+                const scene::Report& report) {
+  const auto* parameters = parametersAt(object);
+  const std::string name = parameters == nullptr ? std::string() : parameters->meetsWalls();
+  if (name.empty()) return;
+  std::vector<std::string> solids;
+  for (const scene::Object& candidate : objects)
+    if (const auto* other = parametersAt(candidate); other != nullptr && other->hasWalls())
+      solids.push_back(candidate.name);
+  if (std::find(solids.begin(), solids.end(), name) != solids.end()) return;
+  const auto named =
+      std::find_if(objects.begin(), objects.end(), [&](const auto& other) { return other.name == name; });
+  if (named != objects.end() && named->parameters == nullptr) return;  // a mistake of its own
+  const std::string what =
+      named == objects.end() ? fmt::format("no object is named {}", scene::inQuotes(name))
+                             : fmt::format("object \"{}\" is a {}, which has no walls", name, named->kind);
+  report(object, {object.kind, "walls"},
+         fmt::format(
+             "{}; {}", what,
+             solids.empty() ? "the scene has no cave and no contour" : scene::suggestion(name, solids)));
 }
 
 /// One surface of heights for those that ask for it.
@@ -61,8 +96,29 @@ void checkHeights(std::span<const scene::Object> objects, const scene::Report& r
 }  // namespace
 
 void checkRelations(std::span<const scene::Object> objects, const scene::Report& report) {
-  for (const scene::Object& object : objects) checkSkin(object, objects, report);
+  for (const scene::Object& object : objects) {
+    checkFields(object, objects, report);
+    checkWalls(object, objects, report);
+  }
   checkHeights(objects, report);
+}
+
+std::vector<std::string> followMistakes(const scene::Scene& scene) {
+  std::vector<std::string> finders;
+  for (const scene::Object& object : scene.objects)
+    if (const auto* parameters = parametersAt(object); parameters != nullptr && parameters->findsPath())
+      finders.push_back(object.name);
+  std::vector<std::string> mistakes;
+  const auto check = [&](const std::string& where, const std::string& name) {
+    if (std::find(finders.begin(), finders.end(), name) != finders.end()) return;
+    mistakes.push_back(
+        fmt::format("{}.follow.object: no object with a path is named {}; {}", where, scene::inQuotes(name),
+                    finders.empty() ? "the scene has none: add a cave" : scene::suggestion(name, finders)));
+  };
+  if (scene.camera.follows) check("camera", scene.camera.follow.object);
+  for (const scene::Light& light : scene.lights)
+    if (light.follows) check("lights." + light.name, light.follow.object);
+  return mistakes;
 }
 
 }  // namespace simreel::sim

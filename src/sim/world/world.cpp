@@ -8,6 +8,7 @@
 #include "sim/grid/picture_file.hpp"
 #include "sim/shape/shape.hpp"
 #include "sim/world/list.hpp"
+#include "sim/world/relations.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -42,13 +43,21 @@ std::vector<ColliderShape> collect(const scene::Scene& scene) {
   return shapes;
 }
 
-/// Meshes that others fall onto come first, the rest as the scene has them: who falls finds the heights of
-/// the frame's beginning and end.
+/// Meshes that others fall onto come first, what is made of others' fields after the rest, and last who
+/// collides with solids; within each the scene's order. Who falls finds the heights of the frame's
+/// beginning and end, who reads a field that of its end, who meets walls those of its end.
 std::vector<std::size_t> stepOrder(const scene::Scene& scene) {
+  const auto turnOf = [&](std::size_t i) {
+    const auto& parameters = parametersOf<ObjectParameters>(scene.objects[i]);
+    return parameters.publishesHeights()      ? 0
+           : !parameters.meetsWalls().empty() ? 3
+           : parameters.needsField()          ? 2
+                                              : 1;
+  };
   std::vector<std::size_t> order;
-  for (const bool first : {true, false})
+  for (int turn = 0; turn < 4; ++turn)
     for (std::size_t i = 0; i < scene.objects.size(); ++i)
-      if (parametersOf<ObjectParameters>(scene.objects[i]).publishesHeights() == first) order.push_back(i);
+      if (turnOf(i) == turn) order.push_back(i);
   return order;
 }
 
@@ -69,6 +78,7 @@ std::vector<UserError> findProblems(const scene::Scene& scene) {
       problems.push_back(error);
     }
   };
+  for (const std::string& mistake : followMistakes(scene)) problems.emplace_back(ExitCode::usage, mistake);
   for (const scene::Object& object : scene.objects) {
     if (const auto& check = simulationNamed(object.kind).check) attempt([&] { check(object, setting); });
     if (!object.material.texture.empty())
@@ -109,15 +119,19 @@ struct World::State {
         objects(scene.objects.size()),
         order(stepOrder(scene)),
         remarked(scene.objects.size()) {
+    if (const auto mistakes = followMistakes(scene); !mistakes.empty())
+      throw UserError(ExitCode::usage, mistakes.front());
     Setting setting{scene.numerics == scene::Numerics::fast, scene.seed, 1.0 / scene.time.fps, &colliders,
                     timing};
     setting.startTime = -preroll / fps;
     setting.presteps = presteps;
+    for (const scene::Object& object : scene.objects) names.push_back(object.name);
+    setting.fieldNamed = [this](const std::string& name) { return fieldNamed(name); };
+    setting.wallsNamed = [this](const std::string& name) -> const Walls& { return wallsNamed(name); };
     for (const std::size_t i : order) {
       objects[i] = simulationNamed(scene.objects[i].kind).make(scene.objects[i], setting);
       if (objects[i]->heights() != nullptr) setting.heights = objects[i]->heights();
     }
-    for (const scene::Object& object : scene.objects) names.push_back(object.name);
     for (std::size_t i = 0; i < objects.size(); ++i)
       for (const StateArray& array : objects[i]->state())
         arrays.push_back(
@@ -136,6 +150,24 @@ struct World::State {
   State& operator=(const State&) = delete;
   ~State() {
     for (const Pending& p : pending) glDeleteSync(p.fence);
+  }
+
+  /// As its object publishes it.
+  [[nodiscard]] Field fieldNamed(const std::string& name) const {
+    Drawables drawables;
+    for (std::size_t i = 0; i < objects.size(); ++i)
+      if (objects[i] && (name == names[i] || name.starts_with(names[i] + ".")))
+        objects[i]->publish((done - preroll) / fps, drawables);
+    for (const Field& field : drawables.fields)
+      if (*field.name == name) return field;
+    fail(ExitCode::usage, "no object has a field named \"{}\"", name);
+  }
+
+  [[nodiscard]] const Walls& wallsNamed(const std::string& name) const {
+    for (std::size_t i = 0; i < objects.size(); ++i)
+      if (objects[i] && name == names[i])
+        if (const Walls* walls = objects[i]->walls()) return *walls;
+    fail(ExitCode::usage, "no object named \"{}\" has walls", name);
   }
 
   void start(int frame) {
@@ -289,6 +321,12 @@ Drawables World::drawables() const {
   Drawables all;
   for (const auto& object : state_->objects) object->publish(time(), all);
   return all;
+}
+
+bool World::settle() {
+  bool remade = false;
+  for (const auto& object : state_->objects) remade = object->settle() || remade;
+  return remade;
 }
 
 std::vector<World::ArrayName> World::arrays() const {

@@ -17,7 +17,8 @@ namespace simreel::sim {
 /// and one a picture at most: reads every file the scene names. Needs no context.
 [[nodiscard]] std::vector<UserError> findProblems(const scene::Scene& scene);
 
-/// All objects of a scene, stepped together: a mesh that collides first, the others in the scene's order.
+/// All objects of a scene, stepped together: a mesh that collides first, then the others in the scene's
+/// order, but what is made of another's field after them, and last who collides with a solid.
 /// Frame 0 is at time 0; the pre-roll runs before it.
 class World {
  public:
@@ -53,6 +54,9 @@ class World {
   [[nodiscard]] int frame() const;
   [[nodiscard]] double time() const;  ///< s, of the current frame
   [[nodiscard]] Drawables drawables() const;
+  /// After the drawables were drawn, before the next frame: whether one lacked memory, which is there now,
+  /// so that they are to be drawn again (Simulation::settle).
+  bool settle();
   [[nodiscard]] const Simulation& object(std::size_t index) const;
 
   /// Every state array of every object, in the order in which they are hashed.

@@ -1,11 +1,12 @@
 """Exit code 0: what each command does when all is well."""
 import json
+import os
 import re
 import shutil
 import subprocess
 import unittest
 
-from common import FRAMES, SOURCE, Case, main, png_rows, with_values
+from common import FRAMES, PROGRAM, SOURCE, Case, main, png_rows, with_values
 
 
 class Success(Case):
@@ -64,6 +65,18 @@ class Success(Case):
         done = self.good("doctor")
         self.assertIn(b"Chosen: ", done.stdout)
         self.assertIn(b"Exact numerics: hold", done.stdout)
+
+    def test_a_software_driver_gets_two_threads_for_each_processor_that_it_may_use(self):
+        """By affinity; a user's own LP_NUM_THREADS stays."""
+        own = {"LP_NUM_THREADS": "3"}
+        both = sorted(os.sched_getaffinity(0))[:2]
+        for processors, env, threads in ((both[:1], {}, 2), (both, {}, 2 * len(both)), (None, own, 3)):
+            with self.subTest(processors=processors):
+                run = ["taskset", "-c", ",".join(map(str, processors))] if processors else []
+                done = subprocess.run([*run, PROGRAM, "doctor"], capture_output=True, text=True, timeout=120, check=True,
+                                      env={**{k: v for k, v in os.environ.items() if k != "LP_NUM_THREADS"}, **env})
+                if "(software)" in done.stdout:
+                    self.assertIn(f"Driver's threads: {threads} ", done.stdout)
 
     def test_the_drawing_fingerprint_is_of_the_driver(self):
         """Whatever the probe draws differently changes it; the passes that scenes are drawn with do not."""

@@ -155,6 +155,25 @@ class Life(Case):
             self.assertEqual(read_rle(one), read_rle(two))
         self.assertIn("#C object cells frame 10 time 1 s seed 4", one)
 
+    def test_a_loop_that_the_driver_ends_is_an_error(self):
+        """Many generations in one dispatch are many iterations; here as many again that do nothing."""
+        shutil.copytree(SOURCE / "glsl", self.folder / "glsl")
+        own = (SOURCE / "glsl/life/active.comp").read_text(encoding="utf-8")
+        place = "  int reached = 0;\n"
+        self.assertEqual(own.count(place), 1)
+        more = "  for (int i = 0; i < 1000 * passes; ++i) if (cellsAt(i & 1) == 7u + uint(i)) list[0] = 1u;\n"
+        self.write("glsl/life/active.comp", own.replace(place, more + place))
+        self.write("s.json", scene([256, 64], 20000, fill=0.3, rule="B2/S"))
+        bake = ("bake", "s.json", "-o", "out", "--frames", "10", "--memory-path", "texel", "--overwrite")
+        self.good(*bake)
+        right = (self.folder / "out/cells_000010.rle").read_bytes()
+        env = {"SIMREEL_GLSL": str(self.folder / "glsl")}
+        if "end silently" in self.good("doctor", env=env).stdout.decode():
+            self.bad(4, ['life "cells"', "ended a loop too early", "--memory-path storage"], *bake, env=env)
+        else:
+            self.good(*bake, env=env)
+        self.assertEqual((self.folder / "out/cells_000010.rle").read_bytes(), right)
+
     def test_the_rule_of_a_file(self):
         self.write("hi.rle", "x = 3, y = 3, rule = B36/S23\nbo$2bo$3o!")
         self.write("s.json", scene([33, 31], 10, patterns=[{"file": "hi.rle", "at": [3, 4]}], border="dead"))

@@ -114,3 +114,10 @@ inline std::array<double, 3> filmByte(std::array<double, 3> light) {
   }
   return result;
 }
+
+/// Whether no channel is further away than `tolerance`.
+inline bool near(glm::ivec3 c, const std::array<double, 3>& wanted, double tolerance) {
+  for (int i = 0; i < 3; ++i)
+    if (std::abs(c[i] - wanted[static_cast<std::size_t>(i)]) > tolerance) return false;
+  return true;
+}

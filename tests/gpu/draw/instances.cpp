@@ -58,17 +58,19 @@ Sight inSight(const glm::mat4& matrix, glm::vec4 place, double radius) {
 /// A pass by itself, with the frame's values bound.
 struct PassStage {
   PassStage(const scene::Scene& scene, glm::ivec2 size)
-      : values(draw::frameValues(scene, size, 0)),
+      : values(draw::frameValues(scene, size, 0, {})),
         buffer("frame values", sizeof values),
         targets(size, 1),
+        lamps(scene),
         shadow(scene.sun),
-        pass(shadow, targets.scene, size, 1) {
+        pass(shadow, lamps, targets.scene, size, 1) {
     buffer.write(0, std::as_bytes(std::span(&values, 1)));
     buffer.bindUniform(0, 0, sizeof values);
   }
   shader::Frame values;
   gl::Buffer buffer;
   draw::Targets targets;
+  draw::Lamps lamps;
   draw::ShadowPass shadow;
   draw::InstancesPass pass;
 };

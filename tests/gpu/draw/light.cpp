@@ -9,12 +9,6 @@ using namespace simreel;
 
 namespace {
 
-bool near(glm::ivec3 c, const std::array<double, 3>& wanted, double tolerance) {
-  for (int i = 0; i < 3; ++i)
-    if (std::abs(c[i] - wanted[static_cast<std::size_t>(i)]) > tolerance) return false;
-  return true;
-}
-
 /// Camera straight above a plane at y = 0, top of the picture towards -z, 64 pixels for 8 m.
 scene::Scene groundScene(glm::vec3 sun) {
   scene::Scene scene = darkScene();

@@ -74,6 +74,29 @@ TEST_CASE(
   compare(p, 40);
 }
 
+// Most of the grid stands still, which drivers on the CPU leave out: until the outbreak comes, across a
+// torus' sides too, and when all have grown old, until they begin to lose their immunity.
+TEST_CASE("epidemic equals its CPU twin on 331x211, where most stands still") {
+  for (const auto border : {Parameters::Border::torus, Parameters::Border::closed})
+    for (const int frames : {7, 45, 110}) {
+      CAPTURE(frames);
+      auto p = city(331, 211);
+      p.border = border;
+      p.infected = 0;
+      p.beta = 0.7F;
+      p.gamma = 0.3F;
+      p.waning = scene::Animated<float>({{3.0, 0.0F}, {3.5, 0.01F}}, scene::Ease::linear);
+      p.strokes = {spread::dot({330, 1, 0}, 1.5F), spread::dot({200.5F, 150.5F, 0}, 2, 1, 1.0)};
+      compare(p, frames);
+      // So slow that the infected often wait, and only later reach the sides.
+      p.beta = 0.06F;
+      p.gamma = 0.01F;
+      p.trail = 200;
+      p.strokes = {spread::dot({324, 60, 0}, 1.5F), spread::dot({6, 130, 0}, 1.5F)};
+      compare(p, frames);
+    }
+}
+
 TEST_CASE("epidemic equals its CPU twin on widths around an element") {
   for (const int width : {3, 15, 16, 17, 32}) {
     auto p = city(width, 5);

@@ -145,11 +145,12 @@ ParticlesTwin particlesTwin(const scene::Scene& scene) {
 }
 
 // A third of it hangs over the swell's edge.
-const char* const sheet = R"("cloth": {"size": [35, 23], "spacing": 0.08, "position": [1.8, 0.25, 0.1],
+const char* const fallingSheet =
+    R"("cloth": {"size": [35, 23], "spacing": 0.08, "position": [1.8, 0.25, 0.1],
   "rotation": [4, 20, 0], "mass": 0.004, "stiffness": 60, "margin": 0.02, "wind": [0, 0, 0], "pins": [], "substeps": 5 SOLVER})";
 
 std::string sheetWith(const std::string& more) {
-  std::string text = sheet;
+  std::string text = fallingSheet;
   return text.replace(text.find(" SOLVER"), 7, more);
 }
 

@@ -134,15 +134,15 @@ struct Painted {
   std::vector<bool> (*cells)(bool torus, double at, double start, int frames);
   bool bounded;
 };
-constexpr Painted kinds[] = {{"life", lifeCells, true},
-                             {"grayScott", grayScottCells, false},
-                             {"epidemic", epidemicCells, true},
-                             {"wildfire", wildfireCells, true}};
+constexpr Painted paintedKinds[] = {{"life", lifeCells, true},
+                                    {"grayScott", grayScottCells, false},
+                                    {"epidemic", epidemicCells, true},
+                                    {"wildfire", wildfireCells, true}};
 
 }  // namespace
 
 TEST_CASE("strokes: one at 0 is in frame 0, round a torus or clipped at a border") {
-  for (const Painted& kind : kinds)
+  for (const Painted& kind : paintedKinds)
     for (const bool torus : {true, false}) {
       if (!torus && !kind.bounded) continue;
       INFO(kind.name, torus ? ", torus" : ", bounded");
@@ -156,7 +156,7 @@ TEST_CASE(
     "strokes: each is in the first frame that is not before it, whatever is simulated before frame 0") {
   const auto painted = disk({0.3, 46.2}, 5.2, true);
   const std::vector<bool> none(painted.size());
-  for (const Painted& kind : kinds) {
+  for (const Painted& kind : paintedKinds) {
     INFO(kind.name);
     CHECK(kind.cells(true, 0, -3 * frame, 2) == none);
     CHECK(kind.cells(true, 0, -3 * frame, 3) == painted);

@@ -107,6 +107,24 @@ TEST_CASE("wildfire equals its CPU twin on 33x7, closed, with firebreaks and emb
   compare(p, 30);
 }
 
+// Most of the grid stands still, which drivers on the CPU leave out: before the fire comes, across a torus'
+// sides too, behind a firebreak until a stroke lights it, and when all has cooled.
+TEST_CASE("wildfire equals its CPU twin on 331x211, where most stands still") {
+  for (const auto border : {Parameters::Border::torus, Parameters::Border::closed})
+    for (const int frames : {7, 45, 120}) {
+      CAPTURE(frames);
+      auto p = plain(331, 211);
+      p.border = border;
+      p.spread = 0.6F;
+      p.windStrength = 0.4F;
+      p.strokes = {spread::dot({1, 1, 0}, 1.5F), spread::dot({160, -1, 0}, 1.5F, 0, 0.0),
+                   spread::dot({250.5F, 100.5F, 0}, 2, 1, 2.0)};
+      p.strokes[1].shape = sim::StrokeParameters::Shape::line;
+      p.strokes[1].to = {170, 212, 0};
+      compare(p, frames);
+    }
+}
+
 TEST_CASE("wildfire equals its CPU twin on widths around an element") {
   for (const int width : {3, 15, 16, 17, 32}) {
     auto p = plain(width, 5);

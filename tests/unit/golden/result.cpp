@@ -20,7 +20,7 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-std::string refusal(const std::string& text) {
+std::string messageFor(const std::string& text) {
   const auto [code, message] = errorOf([&] { (void)parseReport(text, "out/report.json"); });
   CHECK(code == ExitCode::usage);
   CHECK(!contains(message, "\n"));
@@ -32,7 +32,7 @@ template <class Change>
 std::string refusalOf(const Change& change) {
   Json json = Json::parse(reportText(golden::test::fullSuite()));
   change(json);
-  return refusal(json.dump());
+  return messageFor(json.dump());
 }
 
 std::string keysOf(const Json& object) {
@@ -162,7 +162,7 @@ TEST_CASE("missing, unknown and repeated keys of a report") {
         "out/report.json: scenes[0].colour is unknown");
   CHECK(refusalOf([](Json& j) { j["environment"]["a\nb"] = 1; }) ==
         "out/report.json: environment[\"a\\nb\"] is unknown");
-  CHECK(refusal(R"({"format": 1, "format": 1})") ==
+  CHECK(messageFor(R"({"format": 1, "format": 1})") ==
         "out/report.json: the key \"format\" stands twice in one object");
   // Keys of different objects may be equal, and order is free.
   Json json = Json::parse(reportText(golden::test::fullSuite()));
@@ -201,12 +201,12 @@ TEST_CASE("paths of a report stay in its folder") {
 }
 
 TEST_CASE("text that is no JSON is refused as such") {
-  CHECK(contains(refusal(""), "out/report.json: not valid JSON at byte 1"));
-  CHECK(contains(refusal("# not json"), "not valid JSON"));
-  CHECK(contains(refusal("{\"a\": \"\xFF\"}"), "not valid JSON"));
-  CHECK(contains(refusal("{\"seconds\": 1e999}"), "number that is too large"));
-  CHECK(contains(refusal(std::string(200000, '[')), "nested deeper"));
-  CHECK(contains(refusal(std::string(100000, '[') + std::string(100000, ']')), "nested deeper"));
+  CHECK(contains(messageFor(""), "out/report.json: not valid JSON at byte 1"));
+  CHECK(contains(messageFor("# not json"), "not valid JSON"));
+  CHECK(contains(messageFor("{\"a\": \"\xFF\"}"), "not valid JSON"));
+  CHECK(contains(messageFor("{\"seconds\": 1e999}"), "number that is too large"));
+  CHECK(contains(messageFor(std::string(200000, '[')), "nested deeper"));
+  CHECK(contains(messageFor(std::string(100000, '[') + std::string(100000, ']')), "nested deeper"));
 }
 
 TEST_CASE("no damage to a report does more than a refusal") {

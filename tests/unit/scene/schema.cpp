@@ -41,7 +41,7 @@ TEST_CASE("the schema says what the reader checks") {
   CHECK(schema["properties"]["objects"]["additionalProperties"]["oneOf"].size() == 2);
   CHECK(schema["$defs"]["material"]["properties"]["roughness"]["default"].dump() == "0.8");
   for (const char* name : {"title", "seed", "numerics", "render", "time", "camera", "sun", "sky", "ground",
-                           "objects", "test", "checks"})
+                           "lights", "objects", "test", "checks"})
     CHECK_MESSAGE(schema["properties"][name].contains("description"), name);
 }
 
@@ -66,8 +66,8 @@ TEST_CASE("help is a table of name, default, range, unit and sentence") {
 }
 
 TEST_CASE("every section has help, and a wrong name gets a suggestion") {
-  for (const char* name : {"scene", "render", "time", "camera", "sun", "sky", "ground", "material", "test",
-                           "checks", "capsule"})
+  for (const char* name : {"scene", "render", "time", "camera", "sun", "sky", "ground", "lights",
+                           "material", "test", "checks", "capsule"})
     CHECK_MESSAGE(has(helpText(name, toyKinds().list), std::string(name) + ": "), name);
   try {
     static_cast<void>(helpText("cloht", toyKinds().list));

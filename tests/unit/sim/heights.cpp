@@ -124,21 +124,21 @@ TEST_CASE("heights: beside the mesh there is nothing, on its edge there is") {
 TEST_CASE("heights: what cannot collide is told where it stands") {
   const std::string deform = R"(, "deform": [{"ripple": {}}])";
   CHECK(meshFailure(deform) == "no failure");
-  test::has(meshFailure(deform + R"(, "shape": "sphere")"), "a mesh that collides is a \"plane\"");
-  test::has(meshFailure(""), "by what \"deform\" makes of it");
-  test::has(meshFailure(deform + R"(, "technique": "vertex-shader")"), "keeps no positions");
-  test::has(meshFailure(deform + R"(, "size": [0, 0, 3])"), "at least 0.001 m");
-  test::has(meshFailure(deform + R"(, "rotation": [0, 20, 0])"), "not turned");
-  test::has(meshFailure(deform + R"(, "rotation": {"keys": [[0, [0, 0, 0]], [1, [0, 20, 0]]]})"),
-            "not turned");
-  test::has(meshFailure(deform + R"(, "scale": 2)"), "not scaled");
-  test::has(meshFailure(deform + R"(, "position": {"keys": [[0, [0, 0, 0]], [1, [0, 1, 0]]]})"),
-            "stays where it is");
+  test::checkHas(meshFailure(deform + R"(, "shape": "sphere")"), "a mesh that collides is a \"plane\"");
+  test::checkHas(meshFailure(""), "by what \"deform\" makes of it");
+  test::checkHas(meshFailure(deform + R"(, "technique": "vertex-shader")"), "keeps no positions");
+  test::checkHas(meshFailure(deform + R"(, "size": [0, 0, 3])"), "at least 0.001 m");
+  test::checkHas(meshFailure(deform + R"(, "rotation": [0, 20, 0])"), "not turned");
+  test::checkHas(meshFailure(deform + R"(, "rotation": {"keys": [[0, [0, 0, 0]], [1, [0, 20, 0]]]})"),
+                 "not turned");
+  test::checkHas(meshFailure(deform + R"(, "scale": 2)"), "not scaled");
+  test::checkHas(meshFailure(deform + R"(, "position": {"keys": [[0, [0, 0, 0]], [1, [0, 1, 0]]]})"),
+                 "stays where it is");
   CHECK(meshFailure(deform + R"(, "position": [0, 1, 0])") == "no failure");
-  test::has(heightsFailure(R"("m": {"mesh": {"grip": 3}})"),
-            "\"grip\" is for a mesh with \"collides\": true");
+  test::checkHas(heightsFailure(R"("m": {"mesh": {"grip": 3}})"),
+                 "\"grip\" is for a mesh with \"collides\": true");
   const std::string message = meshFailure(deform + ",\n" + R"("scale": 2)");
-  test::has(message, "test.json:3:");
+  test::checkHas(message, "test.json:3:");
 }
 
 TEST_CASE("heights: a scene has one mesh to fall onto, and particles that collide need it") {
@@ -146,11 +146,11 @@ TEST_CASE("heights: a scene has one mesh to fall onto, and particles that collid
   const std::string grains = R"({"particles": {"groups": [{}], "collides": true}})";
   CHECK(heightsFailure("\"a\": " + mesh + ", \"p\": " + grains) == "no failure");
   const std::string second = heightsFailure("\"a\": " + mesh + ",\n\"b\": " + mesh);
-  test::has(second, "one mesh that collides, and \"a\" is one already");
-  test::has(second, "test.json:3:");
-  test::has(heightsFailure("\"p\": " + grains), "nothing to fall onto");
-  test::has(heightsFailure(R"("p": {"particles": {"groups": [{}], "bounce": 0.2}})"),
-            "for particles with \"collides\"");
-  test::has(heightsFailure(R"("p": {"particles": {"groups": [{}], "margin": 0.2}})"),
-            "for particles with \"collides\"");
+  test::checkHas(second, "one mesh that collides, and \"a\" is one already");
+  test::checkHas(second, "test.json:3:");
+  test::checkHas(heightsFailure("\"p\": " + grains), "nothing to fall onto");
+  test::checkHas(heightsFailure(R"("p": {"particles": {"groups": [{}], "bounce": 0.2}})"),
+                 "for particles with \"collides\"");
+  test::checkHas(heightsFailure(R"("p": {"particles": {"groups": [{}], "margin": 0.2}})"),
+                 "for particles with \"collides\"");
 }

@@ -104,4 +104,22 @@ class Ripple {
   std::vector<std::uint32_t> indices_;
 };
 
+/// Floor, walls and rock of a map of bytes, 1 rock: marching squares with shared vertices, into vectors
+/// that keep their memory.
+class Walls {
+ public:
+  Walls(int width, int height);
+  void make();
+  std::vector<std::uint8_t> rock;
+  std::vector<Vec3> position, normal;
+  std::vector<std::uint32_t> indices;
+
+ private:
+  int crossing(int x, int y, bool along);
+  void square(int x, int y);
+  int width_, height_;
+  std::vector<int> across_, down_;
+  std::vector<Vec3> corners_;
+};
+
 }  // namespace plain

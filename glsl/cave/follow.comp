@@ -1,0 +1,11 @@
+// Halves the way to the tree that stays.
+#include "cave/trees.glsl"
+
+void main() {
+  int i = int(gl_GlobalInvocationID.x);
+  if (i >= rowWords * size.y) return;
+  for (uint starts = openStarts(i); starts != 0u; starts &= starts - 1u) {
+    uint tree = uint(32 * i + findLSB(starts));
+    if (isRoom(tree)) links[tree] = links[links[tree]];
+  }
+}

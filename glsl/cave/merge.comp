@@ -1,0 +1,14 @@
+// Every room now belongs to the tree that its own has joined, and the trees forget their ways.
+#include "cave/trees.glsl"
+
+void main() {
+  int i = int(gl_GlobalInvocationID.x);
+  if (i >= rowWords * size.y) return;
+  for (uint starts = openStarts(i); starts != 0u; starts &= starts - 1u) {
+    uint room = uint(32 * i + findLSB(starts));
+    if (!isRoom(room)) continue;
+    trees[room] = links[trees[room]];
+    weights[room] = nowhere;
+    edges[room] = nowhere;
+  }
+}

@@ -1,0 +1,31 @@
+// One step towards the nearest open cell (L1; of equally near ones the lowest): the better of one's own and those that
+// the cells `reach` away know. With reaches of 1, 2, 4, ... along rows, then along columns, none nearer is left out: what
+// such a cell knows instead of the best beyond it lies between the two and is nearer still.
+#include "cave/cells.glsl"
+layout(local_size_x = 64) in;
+layout(std430, binding = sourcesBinding) restrict readonly buffer SourceBlock { uint sources[]; };
+layout(std430, binding = nextSourcesBinding) restrict writeonly buffer NextBlock { uint nextSources[]; };
+uniform ivec2 reach;
+
+void consider(ivec2 at, ivec2 other, inout uint best, inout int nearest) {
+  if (other.x < 0 || other.y < 0 || other.x >= size.x || other.y >= size.y) return;
+  uint source = sources[numberOf(other.x, other.y)];
+  if (source == nowhere) return;
+  ivec2 way = abs(placeOf(source) - at);
+  int steps = way.x + way.y;
+  if (steps > nearest || (steps == nearest && source >= best)) return;
+  best = source;
+  nearest = steps;
+}
+
+void main() {
+  if (gl_GlobalInvocationID.x >= 32u * uint(rowWords)) return;
+  uint cell = numberOf(int(gl_GlobalInvocationID.x), int(gl_GlobalInvocationID.y));
+  ivec2 at = placeOf(cell);
+  uint best = nowhere;
+  int nearest = 0x7fffffff;
+  consider(at, at, best, nearest);
+  consider(at, at - reach, best, nearest);
+  consider(at, at + reach, best, nearest);
+  nextSources[cell] = best;
+}

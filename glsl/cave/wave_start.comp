@@ -1,0 +1,7 @@
+// No cell is reached yet; the first is written after this.
+#include "cave/wave.glsl"
+
+void main() {
+  if (gl_GlobalInvocationID.x >= 32u * uint(rowWords)) return;
+  distances[numberOf(int(gl_GlobalInvocationID.x), int(gl_GlobalInvocationID.y))] = nowhere;
+}

@@ -1,0 +1,19 @@
+// Third: every tally's x, y and z become the sums of those before it; w stays.
+#include "common/words.glsl"
+#include "contour/bindings.glsl"
+layout(local_size_x = 64) in;
+STATE_WORDS(talliesBinding, TallyBlock, tallies)
+INPUT_WORDS(tileSumsBinding, TileBlock, tileSums)
+uniform int count;
+uniform int tile;  // tallies
+
+void main() {
+  int t = int(gl_GlobalInvocationID.x), begin = t * tile;
+  if (begin >= count) return;
+  uvec4 before = LOAD_INPUT_WORDS(tileSums, t);
+  for (int i = begin; i < min(begin + tile, count); ++i) {
+    uvec4 mine = LOAD_WORDS(tallies, i);
+    STORE_WORDS(tallies, i, uvec4(before.xyz, mine.w));
+    before += mine;
+  }
+}

@@ -1,0 +1,27 @@
+// Grows the box around one surface, in world space, as ordered keys. Each invocation reduces a strided share of the
+// vertices first.
+#include "draw/frame_block.glsl"
+#include "draw/ordered_key.glsl"
+#include "draw/surface/vertex_pull.glsl"
+layout(local_size_x = 64) in;
+layout(std430, binding = boxBinding) restrict buffer BoxBlock { uint boxes[]; };  // low xyz and high xyz of each
+uniform int surface;
+uniform int vertexCount;
+uniform int invocations;
+
+void main() {
+  int first = int(gl_GlobalInvocationID.x);
+  if (first >= min(invocations, vertexCount)) return;
+  vec3 low = vec3(3.4e38), high = vec3(-3.4e38);
+  for (int i = first; i < vertexCount; i += invocations) {
+    vec3 p = worldPoint(i);
+    if (!(dot(abs(p), vec3(1)) < 1e9)) continue;  // lost
+    low = min(low, p);
+    high = max(high, p);
+  }
+  if (low.x > high.x) return;
+  for (int axis = 0; axis < 3; ++axis) {
+    atomicMin(boxes[6 * surface + axis], orderedKey(low[axis]));
+    atomicMax(boxes[6 * surface + 3 + axis], orderedKey(high[axis]));
+  }
+}

@@ -1,0 +1,70 @@
+#include "draw/lights/lamp_values.hpp"
+
+#include "draw/lights/flicker.hpp"
+#include "sim/core/path.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace simreel::draw {
+
+namespace {
+
+/// Nothing where it follows a path that is not there.
+std::optional<glm::vec3> placeOf(const scene::Light& light, double seconds,
+                                 const sim::Drawables& drawables) {
+  if (!light.follows) return light.position.at(seconds);
+  const sim::Path* path = sim::pathOf(drawables, light.follow.object);
+  if (path == nullptr) return std::nullopt;
+  return sim::standingBy(*path->points, light.follow, seconds).position;
+}
+
+/// Where the six maps of number i lie, and how they are read.
+void setMaps(shader::Lamp& lamp, const LampOrder& order, std::size_t i) {
+  const scene::Light& light = *order.lights[i];
+  const auto side = static_cast<float>(light.shadowSize);
+  const glm::vec2 atlas(order.atlas);
+  // The filter, with its bilinear taps, stays on the map of one face.
+  const float margin = std::min(std::ceil(light.shadowSoftness) + 2.0F, 0.25F * side);
+  const float inner = side - 2.0F * margin;
+  lamp.maps =
+      glm::vec4(side / atlas.x, side / atlas.y, static_cast<float>(order.rows[i]) / atlas.y, inner / side);
+  lamp.sampling = glm::vec4(lamp.place.w, 2.0F / inner, light.shadowSoftness, 1.0F / side);
+}
+
+}  // namespace
+
+LampOrder::LampOrder(const scene::Scene& scene) {
+  for (const bool wanted : {true, false})
+    for (const scene::Light& light : scene.lights)
+      if (light.shadow == wanted) lights.push_back(&light);
+  for (const scene::Light* light : lights) {
+    if (!light->shadow) break;
+    ++shadowed;
+    rows.push_back(atlas.y);
+    atlas.x = std::max(atlas.x, shader::lampFaces * light->shadowSize);
+    atlas.y += light->shadowSize;
+  }
+}
+
+std::vector<shader::Lamp> lampValues(const LampOrder& order, int seed, double seconds,
+                                     const sim::Drawables& drawables) {
+  constexpr float perPi = 0.31830989F;
+  std::vector<shader::Lamp> lamps;
+  for (std::size_t i = 0; i < order.lights.size(); ++i) {
+    const scene::Light& light = *order.lights[i];
+    const Flickered unrest =
+        light.hasFlicker ? flickered(light.flicker, light.name, seed, seconds) : Flickered{};
+    const float radius = light.radius.at(seconds);
+    const std::optional<glm::vec3> place = placeOf(light, seconds, drawables);
+    const float candela = place ? light.intensity.at(seconds) * unrest.factor : 0.0F;
+    shader::Lamp& lamp = lamps.emplace_back();
+    lamp.place = glm::vec4(place.value_or(glm::vec3(0)) + unrest.moved, radius);
+    lamp.power = glm::vec4(light.color.at(seconds) * (candela * perPi), 1.0F / (radius * radius));
+    if (light.shadow) setMaps(lamp, order, i);
+  }
+  return lamps;
+}
+
+}  // namespace simreel::draw

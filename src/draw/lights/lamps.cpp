@@ -1,0 +1,77 @@
+#include "draw/lights/lamps.hpp"
+
+#include "draw/draw_state.hpp"
+#include "gl/context.hpp"
+
+#include <algorithm>
+#include <span>
+#include <string>
+
+namespace simreel::draw {
+
+static_assert(sizeof(shader::Lamp) == shader::lampTexels * sizeof(glm::vec4));
+
+Lamps::Lamps(const scene::Scene& scene) : scene_(scene), order_(scene) {
+  if (!on()) return;
+  const std::size_t count = order_.lights.size();
+  float softest = 0;
+  for (int i = 0; i < order_.shadowed; ++i)
+    softest = std::max(softest, order_.lights[static_cast<std::size_t>(i)]->shadowSoftness);
+  defines_ = {{"LAMPS", std::to_string(count)},
+              {"SHADOWED_LAMPS", std::to_string(order_.shadowed)},
+              {"LAMP_TAPS", softest <= 2.0F ? "4" : "16"}};
+  shadowDefines_ = {{"LAMPS", std::to_string(order_.shadowed)}};
+  if (gl::memoryPath() == gl::MemoryPath::storage)
+    for (gl::Defines* defines : {&defines_, &shadowDefines_}) defines->emplace_back("LAMP_BLOCK", "1");
+  lamps_ = gl::Buffer("lamps", count * sizeof(shader::Lamp));
+  lampsView_ = gl::Texture::view("lamps", GL_RGBA32F, lamps_);
+
+  glowPlaces_ = gl::Buffer("glows of lamps", count * sizeof(glm::vec4));
+  glowAges_ = gl::Buffer("colours of lamps", count * sizeof(glm::vec4));
+  glowPlacesView_ = gl::Texture::view("glows of lamps", GL_RGBA32F, glowPlaces_);
+  glowAgesView_ = gl::Texture::view("colours of lamps", GL_RGBA32F, glowAges_);
+  // The mass is the radius, and the place on the colour map is the lamp's number.
+  glows_.positions = &glowPlacesView_;
+  glows_.velocities = &glowAgesView_;
+  glows_.capacity = static_cast<int>(count);
+  glows_.size = 2.0F;
+  glows_.massExponent = 1.0F;
+  glows_.colorBy = sim::Instances::ColorBy::age;
+  glows_.colors = &glowColors_;
+  glows_.additive = true;
+  glows_.material = &glowMaterial_;
+}
+
+void Lamps::update(double seconds, const sim::Drawables& drawables) {
+  values_ = lampValues(order_, scene_.seed, seconds, drawables);
+  lamps_.write(0, std::as_bytes(std::span(values_)));
+  lamps_.bindUniform(lampBinding, 0, lamps_.bytes());
+  lampsView_.bind(lampUnit);
+  updateGlows(seconds);
+}
+
+void Lamps::updateGlows(double seconds) {
+  // Twice at least: a colour map has two ends.
+  glowColors_.assign(std::max<std::size_t>(values_.size(), 2), glm::vec3(0));
+  std::vector<glm::vec4> places;
+  std::vector<glm::vec4> ages;
+  for (std::size_t i = 0; i < values_.size(); ++i) {
+    const shader::Lamp& lamp = values_[i];
+    // Over the disc, (1 - (r/R)^2)^2 has the mean 1/3; power has the factor 1 / pi already.
+    const float glow = order_.lights[i]->glow.at(seconds);
+    glowColors_[i] = glm::vec3(lamp.power) * (3.0F * lamp.power.w * glow);
+    places.emplace_back(glm::vec3(lamp.place), lamp.place.w);
+    const float last = static_cast<float>(glowColors_.size() - 1);
+    ages.emplace_back(0, 0, 0, glow > 0 ? static_cast<float>(i) / last : -1.0F);
+  }
+  glowPlaces_.write(0, std::as_bytes(std::span(places)));
+  glowAges_.write(0, std::as_bytes(std::span(ages)));
+}
+
+sim::Drawables Lamps::withGlows(const sim::Drawables& drawables) const {
+  sim::Drawables all = drawables;
+  all.instances.push_back(glows_);
+  return all;
+}
+
+}  // namespace simreel::draw

@@ -1,0 +1,16 @@
+#pragma once
+#include "draw/screen/renderer.hpp"
+#include "sim/world/world.hpp"
+
+namespace simreel::frame {
+
+/// Draws the world as it is. What turns out to have lacked memory gets it, and everything is drawn again,
+/// so that no frame leaves without it; where all had enough, which is nearly always, the device is never
+/// idle: it draws while the CPU hears so.
+inline void drawWorld(draw::Renderer& renderer, sim::World& world,
+                      const draw::Renderer::StageWatch& watch = {}) {
+  renderer.draw(world.time(), world.drawables(), watch);
+  while (world.settle()) renderer.draw(world.time(), world.drawables(), watch);
+}
+
+}  // namespace simreel::frame

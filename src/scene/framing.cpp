@@ -1,0 +1,59 @@
+#include "scene/framing.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+
+namespace simreel::scene {
+
+namespace {
+
+/// Shares of the picture's half height and width that the box may take.
+constexpr float taken = 0.92F;
+
+std::optional<Box> boxOf(const Scene& scene) {
+  std::optional<Box> all;
+  for (const Object& object : scene.objects) {
+    const std::optional<Box> one = object.parameters ? object.parameters->framed() : std::nullopt;
+    if (!one) continue;
+    if (!all) all = one;
+    all = Box{glm::min(all->min, one->min), glm::max(all->max, one->max)};
+  }
+  return all;
+}
+
+}  // namespace
+
+void frameObjects(Scene& scene) {
+  const std::optional<Box> box = boxOf(scene);
+  Camera& camera = scene.camera;
+  if (!box || camera.placed) return;
+  const glm::vec3 back = glm::normalize(glm::vec3(0, 1.15F, 1));  // from the target to the camera
+  const glm::vec3 up = glm::normalize(glm::vec3(0, 1, 0) - back * back.y);
+  const float high = taken * std::tan(0.5F * glm::radians(camera.fieldOfView.at(0)));
+  const float wide =
+      high * static_cast<float>(scene.render.size.x) / static_cast<float>(scene.render.size.y);
+  const glm::vec3 middle = 0.5F * (box->min + box->max);
+  // A corner c is in view from the distance d where |c . up| <= high (d - c . back), and so with x.
+  float distance = 0;
+  float nearest = 0;  // of the corners, towards the camera
+  for (int i = 0; i < 8; ++i) {
+    const glm::vec3 corner =
+        glm::vec3((i & 1) == 0 ? box->min.x : box->max.x, (i & 2) == 0 ? box->min.y : box->max.y,
+                  (i & 4) == 0 ? box->min.z : box->max.z) -
+        middle;
+    const float before = glm::dot(corner, back);
+    nearest = std::max(nearest, before);
+    distance = std::max(
+        {distance, before + std::abs(glm::dot(corner, up)) / high, before + std::abs(corner.x) / wide});
+  }
+  camera.target = middle;
+  camera.position = middle + distance * back;
+  camera.near = std::min(camera.near, 0.5F * (distance - nearest));
+  camera.far = std::max(camera.far, 4.0F * distance);
+}
+
+}  // namespace simreel::scene

@@ -1,0 +1,35 @@
+#include "scene/light.hpp"
+
+namespace simreel::scene {
+
+void Flicker::describe(Fields& fields) {
+  fields.number("amount", amount, fraction, "", "Share of the intensity that comes and goes.");
+  fields.number("rate", rate, {0.001, 1000}, "1/s", "How often it changes.");
+  fields.number("sway", sway, {0, 1000}, "m",
+                "How far the light moves about its position; its shadows move with it.");
+}
+
+void Light::describe(Fields& fields) {
+  fields.choice("type", type, {"point"}, "point: the same light in all directions.");
+  fields.vector("position", position, anyNumber, "m", "Where it is.");
+  fields.optionalGroup("follow", follows,
+                       "By a path that an object has found; it is dark while there is none.",
+                       [&](Fields& inner) { follow.describe(inner); });
+  if (follows && fields.given("position"))
+    fields.error("position", "\"follow\" says where the light is; leave out \"position\"");
+  fields.vector("color", color, notNegative, "", "Colour of its light, linear RGB.");
+  fields.number("intensity", intensity, notNegative, "cd",
+                "Luminous intensity. 1 cd gives 1 lux at 1 m; the sun's intensity is in lux.");
+  fields.number("radius", radius, {0.001, 1000}, "m",
+                "Of the ball that shines: widens highlights; what lies within it casts no shadow.");
+  fields.number("glow", glow, notNegative, "",
+                "Factor on the shining ball as the camera sees it; 0 hides it.");
+  fields.optionalGroup("flicker", hasFlicker, "Unrest of a flame, by a hash of name, time and seed.",
+                       [&](Fields& inner) { flicker.describe(inner); });
+  fields.boolean("shadow", shadow, "Whether it casts shadows.");
+  fields.integer("shadowSize", shadowSize, {16, 4096}, "texels",
+                 "Side of each of the six maps of its shadow.");
+  fields.number("shadowSoftness", shadowSoftness, {0, 16}, "texels", "Radius of the shadow's soft edge.");
+}
+
+}  // namespace simreel::scene

@@ -1,0 +1,45 @@
+#pragma once
+#include "scene/animated.hpp"
+#include "scene/fields.hpp"
+#include "scene/path_place.hpp"
+
+#include <cstddef>
+#include <string>
+
+#include <glm/vec3.hpp>
+
+namespace simreel::scene {
+
+inline constexpr std::size_t maxLights = 16;
+/// Each of them draws what casts shadows six times over.
+inline constexpr std::size_t maxShadowedLights = 8;
+
+/// A flame's unrest: smooth noise of time (draw/lights/flicker.hpp).
+struct Flicker {
+  Animated<float> amount = 0.3F;  ///< share of the intensity that comes and goes
+  Animated<float> sway = 0.0F;    ///< m that the light moves about
+  float rate = 5.0F;              ///< changes a second
+  void describe(Fields& fields);
+};
+
+/// A light at a place of the scene. Fields that only one type has go into a group of that type's name.
+struct Light {
+  enum class Type { point };
+  std::string name;
+  Type type = Type::point;
+  Animated<glm::vec3> position = glm::vec3(0, 1, 0);
+  bool follows = false;
+  PathPlace follow;  ///< instead of the position; there is no light while there is no path
+  Animated<glm::vec3> color = glm::vec3(1, 0.72F, 0.42F);  ///< linear RGB
+  Animated<float> intensity = 20.0F;                       ///< cd, for the colour 1
+  Animated<float> radius = 0.05F;                          ///< m
+  Animated<float> glow = 1.0F;  ///< factor on the light itself as the camera sees it
+  bool hasFlicker = false;
+  Flicker flicker;
+  bool shadow = true;
+  int shadowSize = 512;         ///< texels on a side of each of the six maps
+  float shadowSoftness = 1.5F;  ///< radius of the filter, texels
+  void describe(Fields& fields);
+};
+
+}  // namespace simreel::scene

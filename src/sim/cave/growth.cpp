@@ -1,0 +1,132 @@
+#include "sim/cave/growth.hpp"
+
+#include "base/error.hpp"
+#include "gl/limits.hpp"
+#include "sim/cave/rooms.hpp"
+#include "sim/cave/route.hpp"
+
+#include <utility>
+
+namespace simreel::shader::cave {
+#include "glsl/cave/bindings.glsl"
+}
+
+namespace simreel::sim {
+
+namespace {
+
+constexpr int walkRounds = 200;
+
+CaveGrid checked(const std::string& name, glm::ivec2 size) {
+  const CaveGrid grid{size};
+  const std::int64_t bytes = grid.numbers() * 4;
+  const gl::Limits& limits = gl::limits();
+  if (bytes > limits.storageBlockBytes)
+    fail(ExitCode::device,
+         "cave \"{}\" of {}x{} cells needs {} bytes, this device allows {} in one buffer "
+         "(GL_MAX_SHADER_STORAGE_BLOCK_SIZE); make \"size\" smaller",
+         name, size.x, size.y, bytes, limits.storageBlockBytes);
+  return grid;
+}
+
+}  // namespace
+
+CaveGrowth::CaveGrowth(const std::string& name, const CaveParameters& parameters, int seed)
+    : name_(name),
+      parameters_(parameters),
+      grid_(checked(name, parameters.size)),
+      distances_(name + " distances", static_cast<int>(grid_.numbers() / 4)),
+      smooth_(gl::Program::compute("cave/smooth.comp")),
+      regions_(name, grid_),
+      waves_(name, grid_) {
+  cells_[0] = gl::WordsArray(name + " cells", grid_.words() / 4);
+  cells_[1] = gl::WordsArray(name + " next cells", grid_.words() / 4);
+  roomCells_ = gl::WordsArray(name + " cells of rooms", grid_.words() / 4);
+  grid_.set(smooth_);
+  fill(seed);
+}
+
+void CaveGrowth::fill(int seed) {
+  const gl::Program program = gl::Program::compute("cave/fill.comp");
+  grid_.set(program);
+  program.set("seed", static_cast<unsigned>(seed));
+  program.set("threshold", parameters_.threshold());
+  cells_[0].buffer().bindStorage(shader::cave::cellsBinding);
+  program.dispatch(grid_.words());
+  gl::barrier();
+}
+
+void CaveGrowth::smooth() {
+  cells_[0].buffer().bindStorage(shader::cave::cellsBinding);
+  cells_[1].buffer().bindStorage(shader::cave::nextCellsBinding);
+  smooth_.dispatch(grid_.words());
+  gl::barrier();
+  std::swap(cells_[0], cells_[1]);
+}
+
+/// Small rooms first: what they become may be rock that is small no more. Rock that is removed joins no two
+/// rooms: one room surrounds it.
+void CaveGrowth::clean() {
+  const gl::Buffer& cells = cells_[0].buffer();
+  regions_.label(cells, CaveKind::open);
+  const CaveRegions::Largest room = regions_.largest(cells);
+  regions_.remove(cells, static_cast<unsigned>(parameters_.smallestRoom), room.first);
+  regions_.label(cells, CaveKind::rock);
+  regions_.remove(cells, static_cast<unsigned>(parameters_.smallestRock),
+                  0);  // the border begins at cell 0
+}
+
+void CaveGrowth::connect() {
+  glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+  glCopyNamedBufferSubData(cells_[0].buffer().name(), roomCells_.buffer().name(), 0, 0,
+                           static_cast<GLsizeiptr>(roomCells_.buffer().bytes()));
+  if (!parameters_.connect) return;
+  regions_.label(cells_[0].buffer(), CaveKind::open);
+  if (regions_.largest(cells_[0].buffer()).cells == 0) return;
+  if (!corridors_) corridors_.emplace(name_, grid_);
+  corridors_->dig(cells_[0].buffer(), regions_, parameters_.corridor);
+}
+
+/// The two ends of the longest way, by two sweeps: the farthest cell from any, and the farthest from that.
+void CaveGrowth::findWay() {
+  way_ = {};
+  if (!done()) return;
+  const gl::Buffer& cells = cells_[0].buffer();
+  regions_.label(cells, CaveKind::open);
+  const CaveRegions::Largest room = regions_.largest(cells);
+  if (room.cells == 0) return;
+  way_.entrance = waves_.run(cells, room.first).cell;
+  way_.exit = waves_.run(cells, way_.entrance).cell;
+  waves_.show(cells, distances_.buffer());
+  const std::vector<unsigned> distances = waves_.distances();
+  way_.path = cavePath(grid_, distances, way_.exit);
+  way_.walk = smoothPath(grid_, distances, way_.path, walkRounds);
+}
+
+std::vector<Room> CaveGrowth::rooms() const {
+  const gl::WordsArray& map = done() ? roomCells_ : cells_[0];
+  glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+  return caveRooms(grid_, map.buffer().readAll<unsigned>(), parameters_.cell);
+}
+
+void CaveGrowth::advance(int stage) {
+  SIMREEL_CHECK(stage >= stage_ && stage <= parameters_.lastStage());
+  while (stage_ < stage) {
+    ++stage_;
+    if (stage_ <= parameters_.smoothing)
+      smooth();
+    else if (stage_ == parameters_.smoothing + 1)
+      clean();
+    else
+      connect();
+    if (done()) findWay();
+  }
+}
+
+void CaveGrowth::carryOver(CarryOver& carry) {
+  carry.number("stage", stage_);
+  carry.array("cells", cells_[0].buffer());
+  carry.array("rooms", roomCells_.buffer());
+}
+
+}  // namespace simreel::sim

@@ -1,0 +1,403 @@
+#include "sim/contour/solid.hpp"
+
+#include "base/error.hpp"
+#include "gl/element_array.hpp"
+#include "gl/limits.hpp"
+#include "gl/program.hpp"
+#include "sim/contour/border.hpp"
+#include "sim/contour/unwrap.hpp"
+#include "sim/core/shader_code.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <map>
+
+namespace simreel::shader {
+#include "glsl/contour/bindings.glsl"
+#include "glsl/contour/types.glsl"
+static_assert(sizeof(ContourDraw) == 48);
+}  // namespace simreel::shader
+
+namespace simreel::sim {
+
+namespace {
+
+// What one invocation sums up; a software driver ends a shader's loops after 65,535 iterations.
+constexpr int tallyTile = 64;
+constexpr std::int64_t maxVertices = 2'000'000'000;
+
+gl::Defines definesOf(const SolidShape& shape) {
+  gl::Defines defines = gl::kernelDefines(false);
+  defines.emplace_back("LEVELS", std::to_string(shape.levels.size()));
+  if (shape.ceiling) defines.emplace_back("CEILING", "1");
+  return defines;
+}
+
+/// Kernels that read the field, made for the kind of its cells.
+struct FieldKernels {
+  gl::Program classify, raise;
+};
+
+void setField(const gl::Program& program, const Field& field) {
+  program.set("fieldSize", field.size);
+  program.set("rowWords", field.rowWords);
+  program.set("firstWord", field.firstWord);
+  program.set("cellWords", field.cellWords);
+}
+
+void setEach(const gl::Program& program, const char* name, const std::vector<float>& values) {
+  for (std::size_t i = 0; i < values.size(); ++i)
+    program.set(fmt::format("{}[{}]", name, i).c_str(), values[i]);
+}
+
+}  // namespace
+
+struct Solid::State {
+  State(const std::string& label, const SolidShape& given)
+      : name(label),
+        shape(given),
+        samples(given.size + 2),
+        rowElements((samples.x + 15) / 16),
+        corners(std::int64_t{samples.x} * samples.y),
+        elements(std::int64_t{rowElements} * samples.y) {
+    checkLimits();
+    const auto count = static_cast<int>(elements);
+    classes = gl::WordsArray(name + " classes", count);
+    tallies = gl::WordsArray(name + " tallies", count);
+    tiles = (count + tallyTile - 1) / tallyTile;
+    tileSums = gl::WordsArray(name + " sums of tallies", tiles);
+    draw = gl::Buffer(name + " draw", sizeof(shader::ContourDraw));
+    counted = gl::Buffer::mapped(name + " counted", sizeof(shader::ContourDraw), false);
+    const gl::Defines defines = definesOf(shape);
+    tally = gl::Program::compute("contour/count.comp", defines);
+    sums = gl::Program::compute("contour/sums.comp", defines);
+    total = gl::Program::compute("contour/total.comp", defines);
+    spread = gl::Program::compute("contour/spread.comp", defines);
+    gl::Defines freshDefines = defines;
+    freshDefines.emplace_back("FRESH", "1");
+    freshSheet = gl::Program::compute("contour/sheet.comp", freshDefines);
+    list = gl::Program::compute("contour/list.comp", defines);
+    cornerVertices = shape.ceiling ? 2 * corners : corners;
+    heights = shape.heights;
+    border = solidBorder(shape, heights, static_cast<unsigned>(cornerVertices));
+    // A cave has a point for every fourth cell at most; what needs more gets it.
+    const std::int64_t points = std::max<std::int64_t>(64, corners / 8);
+    getRoom(points,
+            static_cast<std::int64_t>(border.indices.size()) + sheetIndices() * corners + 12 * points);
+  }
+  State(const State&) = delete;
+  State& operator=(const State&) = delete;
+  ~State() { glDeleteSync(fence); }
+
+  std::string name;
+  SolidShape shape;
+  glm::ivec2 samples;
+  int rowElements;
+  std::int64_t corners, elements;
+  std::int64_t cornerVertices = 0;
+  int tiles = 0;
+  std::vector<float> heights;
+  SolidBorder border;
+  std::int64_t pointRoom = 0, indexRoom = 0;
+  gl::WordsArray classes, tallies, tileSums;
+  gl::WordsArray squares;  ///< of each point, the square that its contour goes on in
+  gl::Buffer draw, counted;
+  gl::Buffer positions, normals, indices, next;
+  gl::Texture positionView, normalView;
+  gl::Program tally, sums, total, spread, list;
+  gl::Program freshSheet, sheet;  ///< the second when it is first needed
+  std::map<Field::Cells, FieldKernels> kernels;
+  Field field;
+  GLsync fence = nullptr;
+  bool fresh = true;  ///< normals of the samples are not there yet
+
+  [[nodiscard]] std::int64_t sheetIndices() const { return shape.ceiling ? 12 : 6; }
+  [[nodiscard]] std::int64_t firstPoint() const {
+    return cornerVertices + static_cast<std::int64_t>(border.positions.size());
+  }
+  [[nodiscard]] const shader::ContourDraw& found() const {
+    return *static_cast<const shader::ContourDraw*>(counted.memory());
+  }
+
+  void checkLimits() const;
+  void checkRoom(const char* what, std::int64_t count, int bytes) const;
+  void getRoom(std::int64_t points, std::int64_t indexCount);
+  void setPlace(const gl::Program& program) const;
+  void make();
+  void count(const FieldKernels& made);
+  [[nodiscard]] const gl::Program& laterSheet();
+  void emit(const FieldKernels& made);
+  const FieldKernels& kernelsFor(Field::Cells cells);
+};
+
+void Solid::State::checkRoom(const char* what, std::int64_t count, int bytes) const {
+  const gl::Limits& limits = gl::limits();
+  if (count * bytes > limits.storageBlockBytes)
+    fail(ExitCode::device,
+         "the solid of \"{}\" has {} {}, {} bytes; this device allows {} in one buffer "
+         "(GL_MAX_SHADER_STORAGE_BLOCK_SIZE); make the field smaller",
+         name, count, what, count * bytes, limits.storageBlockBytes);
+  if (count > limits.texelBufferTexels && bytes >= 8)
+    fail(ExitCode::device,
+         "the solid of \"{}\" has {} {}; this device allows {} in one buffer (GL_MAX_TEXTURE_BUFFER_SIZE); "
+         "make the field smaller",
+         name, count, what, limits.texelBufferTexels);
+}
+
+void Solid::State::checkLimits() const {
+  checkRoom("vertices", (shape.ceiling ? 2 : 1) * corners, 16);
+  checkRoom("groups of samples", elements, 16);
+}
+
+/// Vertices of so many points, and so many indices, with what never changes in its place.
+void Solid::State::getRoom(std::int64_t points, std::int64_t indexCount) {
+  const std::int64_t vertices = firstPoint() + 4 * points;
+  SIMREEL_CHECK(vertices < maxVertices);
+  checkRoom("vertices", vertices, 16);
+  checkRoom("indices", indexCount, 4);
+  pointRoom = points;
+  indexRoom = indexCount / 2 * 2;
+  const auto bytes = static_cast<std::size_t>(vertices);
+  positions = gl::Buffer(name + " positions", bytes * 16);
+  normals = gl::Buffer(name + " normals", bytes * 16);
+  indices = gl::Buffer(name + " indices", static_cast<std::size_t>(indexRoom) * 4);
+  next = gl::Buffer(name + " next points", static_cast<std::size_t>(points) * 4);
+  squares = gl::WordsArray(name + " squares", static_cast<int>(points));
+  positionView = gl::Texture::view(name + " positions", GL_RGBA32F, positions);
+  normalView = gl::Texture::view(name + " normals", GL_RGBA32F, normals);
+  const auto first = static_cast<std::size_t>(cornerVertices);
+  positions.write(first * 16, std::as_bytes(std::span(border.positions)));
+  normals.write(first * 16, std::as_bytes(std::span(border.normals)));
+  indices.write(0, std::as_bytes(std::span(border.indices)));
+  fresh = true;
+}
+
+const FieldKernels& Solid::State::kernelsFor(Field::Cells cells) {
+  const auto found = kernels.find(cells);
+  if (found != kernels.end()) return found->second;
+  gl::Defines defines = definesOf(shape);
+  defines.emplace_back("CELLS", std::to_string(static_cast<int>(cells)));
+  return kernels
+      .emplace(cells, FieldKernels{gl::Program::compute("contour/classify.comp", defines),
+                                   gl::Program::compute("contour/raise.comp", defines)})
+      .first->second;
+}
+
+void Solid::State::setPlace(const gl::Program& program) const {
+  program.set("samples", samples);
+  program.set("rowElements", rowElements);
+  program.set("outside", shape.outside);
+  program.set("corner", solidCorner(shape));
+  program.set("spacing", shape.spacing);
+  program.set("fixedIndices", static_cast<unsigned>(border.indices.size()));
+  program.set("sheetIndices", static_cast<unsigned>(sheetIndices()));
+  program.set("pointRoom", static_cast<unsigned>(pointRoom));
+  program.set("indexRoom", static_cast<unsigned>(indexRoom));
+  program.set("firstPoint", static_cast<unsigned>(firstPoint()));
+  program.set("count", static_cast<int>(elements));
+  program.set("tile", tallyTile);
+  program.set("tiles", tiles);
+  setEach(program, "heights", heights);
+}
+
+/// Classes of the samples, tallies, and the sums of those before each.
+void Solid::State::count(const FieldKernels& made) {
+  const auto all = static_cast<int>(elements);
+  setPlace(made.classify);
+  setField(made.classify, field);
+  setEach(made.classify, "levels", shape.levels);
+  field.words->bind(shader::fieldUnit);
+  classes.bindState(shader::classesBinding);
+  gl::barrier();
+  made.classify.dispatch(all);
+  gl::barrier();
+  classes.bindInput(shader::classesBinding);
+  tallies.bindState(shader::talliesBinding);
+  setPlace(tally);
+  tally.dispatch(all);
+  gl::barrier();
+  tallies.bindInput(shader::talliesBinding);
+  tileSums.bindState(shader::tileSumsBinding);
+  draw.bindStorage(shader::drawBinding);
+  setPlace(sums);
+  sums.dispatch(tiles);
+  gl::barrier();
+  setPlace(total);
+  total.dispatch(1);
+  gl::barrier();
+  tallies.bindState(shader::talliesBinding);
+  tileSums.bindInput(shader::tileSumsBinding);
+  setPlace(spread);
+  spread.dispatch(tiles);
+  glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT | GL_CLIENT_MAPPED_BUFFER_BARRIER_BIT);
+  glCopyNamedBufferSubData(draw.name(), counted.name(), 0, 0, sizeof(shader::ContourDraw));
+  glMemoryBarrier(GL_CLIENT_MAPPED_BUFFER_BARRIER_BIT);
+  glDeleteSync(fence);
+  fence = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
+  gl::barrier();
+}
+
+const gl::Program& Solid::State::laterSheet() {
+  if (sheet.name() == 0) sheet = gl::Program::compute("contour/sheet.comp", definesOf(shape));
+  return sheet;
+}
+
+void Solid::State::emit(const FieldKernels& made) {
+  classes.bindInput(shader::classesBinding);
+  tallies.bindInput(shader::talliesBinding);
+  draw.bindStorage(shader::drawBinding);
+  positions.bindStorage(shader::positionsBinding);
+  indices.bindStorage(shader::indicesBinding);
+  normals.bindStorage(shader::normalsBinding);
+  const gl::Program& kernel = fresh ? freshSheet : laterSheet();
+  fresh = false;
+  setPlace(kernel);
+  kernel.dispatch(samples.x, samples.y);
+  squares.bindState(shader::listedBinding);
+  setPlace(list);
+  list.dispatch(static_cast<int>(elements));
+  gl::barrier();
+  squares.bindInput(shader::squaresBinding);
+  positions.bindStorage(shader::positionsBinding);
+  field.words->bind(shader::fieldUnit);
+  next.bindStorage(shader::nextPointsBinding);
+  setPlace(made.raise);
+  setField(made.raise, field);
+  setEach(made.raise, "levels", shape.levels);
+  made.raise.dispatch(static_cast<int>(pointRoom));
+  glMemoryBarrier(GL_COMMAND_BARRIER_BIT | GL_ELEMENT_ARRAY_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
+  gl::barrier();
+}
+
+void Solid::State::make() {
+  const FieldKernels& made = kernelsFor(field.cells);
+  count(made);
+  emit(made);
+}
+
+Solid::Solid(const std::string& name, const SolidShape& shape)
+    : state_(std::make_unique<State>(name, shape)) {
+  SIMREEL_CHECK(!shape.levels.empty() && shape.levels.size() <= maxSolidLevels);
+  SIMREEL_CHECK(shape.heights.size() == shape.levels.size() + 1);
+  SIMREEL_CHECK(!shape.ceiling || (shape.levels.size() == 1 && shape.outside == 1));
+}
+Solid::~Solid() = default;
+Solid::Solid(Solid&&) noexcept = default;
+Solid& Solid::operator=(Solid&&) noexcept = default;
+
+void Solid::make(const Field& field, const std::vector<float>& heights) {
+  State& s = *state_;
+  SIMREEL_CHECK(field.size == s.shape.size && heights.size() == s.shape.heights.size());
+  s.field = field;
+  if (heights != s.heights) {
+    s.heights = heights;
+    s.border = solidBorder(s.shape, heights, static_cast<unsigned>(s.cornerVertices));
+    s.positions.write(static_cast<std::size_t>(s.cornerVertices) * 16,
+                      std::as_bytes(std::span(s.border.positions)));
+  }
+  s.make();
+}
+
+bool Solid::settle() {
+  State& s = *state_;
+  if (s.fence == nullptr) return false;
+  constexpr GLuint64 patience = 1'000'000'000;
+  GLenum result = GL_TIMEOUT_EXPIRED;
+  while (result == GL_TIMEOUT_EXPIRED)
+    result = glClientWaitSync(s.fence, GL_SYNC_FLUSH_COMMANDS_BIT, patience);
+  if (result == GL_WAIT_FAILED)
+    fail(ExitCode::device, "the device stopped answering while it made the solid of \"{}\"", s.name);
+  const shader::ContourDraw found = s.found();
+  if (found.points <= s.pointRoom && found.indices <= s.indexRoom) return false;
+  // A quarter more than it takes, if the device has buffers that large: a pattern that grows would need
+  // more in each of the next frames.
+  const std::int64_t most = gl::limits().storageBlockBytes;
+  const auto enough = [](std::int64_t now, std::int64_t room, std::int64_t limit) {
+    return now <= room ? room : std::max(now, std::min(now + now / 4, limit));
+  };
+  s.getRoom(enough(found.points, s.pointRoom, (most / 16 - s.firstPoint()) / 4),
+            enough(found.indices, s.indexRoom, most / 4));
+  s.make();
+  return true;
+}
+
+Surface Solid::surface() const {
+  const State& s = *state_;
+  Surface surface;
+  surface.positions = &s.positionView;
+  surface.normals = &s.normalView;
+  surface.vertexCount = static_cast<int>(s.firstPoint());  // the border has the others within it
+  surface.indices = &s.indices;
+  surface.indexCount = static_cast<int>(s.indexRoom);
+  surface.arguments = &s.draw;
+  return surface;
+}
+
+const SolidShape& Solid::shape() const {
+  return state_->shape;
+}
+const std::vector<float>& Solid::heights() const {
+  return state_->heights;
+}
+const Field& Solid::field() const {
+  return state_->field;
+}
+const gl::WordsArray& Solid::classes() const {
+  return state_->classes;
+}
+int Solid::rowElements() const {
+  return state_->rowElements;
+}
+
+const gl::Buffer& Solid::tallies() const {
+  return state_->tallies.buffer();
+}
+
+MeshTable Solid::mesh() const {
+  const State& s = *state_;
+  const auto vertices = static_cast<std::size_t>(s.firstPoint()) + 4 * std::size_t{s.found().points};
+  MeshTable table;
+  std::vector<glm::vec4> wide(vertices);
+  const auto narrowed = [&](const gl::Buffer& buffer) {
+    buffer.read(0, std::as_writable_bytes(std::span(wide)));
+    return std::vector<glm::vec3>(wide.begin(), wide.end());
+  };
+  glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+  table.positions = narrowed(s.positions);
+  table.normals = narrowed(s.normals);
+  table.indices.resize(s.found().indices);
+  s.indices.read(0, std::as_writable_bytes(std::span(table.indices)));
+  return table;
+}
+
+MeshTable Solid::unwrapped() const {
+  const State& s = *state_;
+  MeshTable table = mesh();
+  unwrap(table, lines().next, static_cast<unsigned>(s.firstPoint()),
+         s.shape.spacing * static_cast<float>(s.samples.x - 1));
+  return table;
+}
+
+ContourLines Solid::lines() const {
+  const State& s = *state_;
+  const std::size_t count = s.found().points;
+  std::vector<glm::vec4> vertices(4 * count);
+  ContourLines lines;
+  lines.size = s.shape.size;
+  lines.next.resize(count);
+  glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+  s.positions.read(static_cast<std::size_t>(s.firstPoint()) * 16,
+                   std::as_writable_bytes(std::span(vertices)));
+  s.next.read(0, std::as_writable_bytes(std::span(lines.next)));
+  const glm::vec2 corner = solidCorner(s.shape);
+  for (std::size_t i = 0; i < count; ++i) {
+    const glm::vec4& wall = vertices[4 * i + 1];
+    // Sample (0, 0) lies one before the field's first cell.
+    lines.points.push_back((glm::vec2(wall.x, wall.z) - corner) / s.shape.spacing - 1.0F);
+    lines.levels.push_back(static_cast<int>(wall.w) / 5);
+  }
+  return lines;
+}
+
+}  // namespace simreel::sim

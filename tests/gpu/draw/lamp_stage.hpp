@@ -1,0 +1,33 @@
+#pragma once
+#include "gpu/draw/draw_stage.hpp"
+
+/// A white light that is not seen itself.
+inline simreel::scene::Light lampAt(glm::vec3 place, float candela, bool shadow) {
+  simreel::scene::Light light;
+  light.position = place;
+  light.color = glm::vec3(1);
+  light.intensity = candela;
+  light.radius = 0.01F;
+  light.glow = 0.0F;
+  light.shadow = shadow;
+  return light;
+}
+
+/// Camera straight above a plane at y = 0, top of the picture towards -z, 8 m across, no other light.
+inline simreel::scene::Scene fromAbove() {
+  simreel::scene::Scene scene = darkScene();
+  scene.camera.position = glm::vec3(0, 20, 0);
+  scene.camera.fieldOfView = 2.0F * std::atan(4.0F / 20.0F) * 57.29577951F;
+  scene.sun.intensity = 0.0F;
+  scene.sun.shadow = false;
+  scene.hasGround = true;
+  scene.ground.height = 0;
+  scene.ground.fadeStart = 1000;
+  scene.ground.fadeEnd = 2000;
+  return scene;
+}
+
+/// Where the middle of a pixel of such a picture lies on the plane.
+inline glm::dvec3 placeOf(int x, int y, int size) {
+  return {8 * (x + 0.5) / size - 4, 0, 8 * (y + 0.5) / size - 4};
+}

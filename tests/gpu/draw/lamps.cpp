@@ -1,0 +1,284 @@
+// Lights of a scene on every kind of drawable, against closed forms.
+#include "base/error.hpp"
+#include "base/file.hpp"
+#include "draw/lights/lamp_shadows.hpp"
+#include "gpu/draw/ball_stage.hpp"
+#include "gpu/draw/lamp_stage.hpp"
+#include "gpu/draw/skin_stage.hpp"
+
+#include <cmath>
+#include <filesystem>
+#include <numbers>
+
+#include <doctest/doctest.h>
+
+using namespace simreel;
+using Shape = sim::Instances::Shape;
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+/// pi times the GGX lobe with Karis' fit, of a ball that shines, restated.
+double lobeOf(glm::dvec3 normal, glm::dvec3 view, glm::dvec3 light, double roughness, double spread) {
+  const glm::dvec3 half = glm::normalize(view + light);
+  const double nh = std::fmax(glm::dot(normal, half), 0);
+  const double lh = glm::dot(light, half);
+  const double alpha2 = std::pow(std::fmax(roughness * roughness, 0.002), 2) + spread * spread / 4;
+  const double d = 1 + nh * nh * (alpha2 - 1);
+  return std::fmin(alpha2 / (d * d * std::fmax(lh * lh, 0.1) * (4 * std::sqrt(alpha2) + 2)), 60);
+}
+
+/// Brightest pixel.
+int brightest(const Picture& picture) {
+  int most = 0;
+  for (int y = 0; y < picture.size.y; ++y)
+    for (int x = 0; x < picture.size.x; ++x) most = std::max(most, picture.brightness(x, y));
+  return most;
+}
+
+}  // namespace
+
+TEST_CASE("lights: a plane below a point has the illuminance I cos^3(theta) / h^2") {
+  testContext();
+  for (const bool shadow : {false, true})
+    for (const float radius : {0.01F, 0.8F}) {
+      CAPTURE(shadow);
+      CAPTURE(radius);
+      scene::Scene scene = fromAbove();
+      scene.ground.color = glm::vec3(0.5F, 0.4F, 0.3F);
+      const glm::vec3 place(0.3F, 1.5F, -0.4F);
+      scene.lights = {lampAt(place, 6, shadow)};
+      scene.lights[0].radius = radius;
+      scene.lights[0].color = glm::vec3(1, 0.7F, 0.4F);
+      const Picture picture = drawn(scene, {}, {65, 65});
+      for (const auto& [x, y] : {std::pair{32, 32}, {34, 29}, {20, 40}, {3, 5}, {60, 33}, {48, 62}}) {
+        const glm::dvec3 p = placeOf(x, y, 65);
+        const glm::dvec3 to = glm::dvec3(place) - p;
+        const double d = glm::length(to);
+        const double theta = std::acos(to.y / d);
+        const double illuminance = 6 * std::pow(std::cos(theta), 3) / (place.y * place.y);
+        const glm::dvec3 view = glm::normalize(glm::dvec3(0, 20, 0) - p);
+        const double mirrored = 0.04 * lobeOf({0, 1, 0}, view, to / d, 0.9, radius / d);
+        const auto wanted =
+            filmByte({illuminance / pi * (0.5 + mirrored), illuminance / pi * 0.7 * (0.4 + mirrored),
+                      illuminance / pi * 0.4 * (0.3 + mirrored)});
+        CHECK_MESSAGE(near(picture.at(x, y), wanted, 2.5), x, " ", y);
+      }
+    }
+}
+
+TEST_CASE("lights: what mirrors shows the ball that shines, as wide as it is") {
+  testContext();
+  for (const float radius : {0.01F, 0.9F})
+    for (const float roughness : {0.25F, 0.5F}) {
+      CAPTURE(radius);
+      CAPTURE(roughness);
+      scene::Scene scene = fromAbove();
+      scene.ground.color = glm::vec3(0);
+      scene.ground.roughness = roughness;
+      const glm::vec3 place(0.4F, 1.5F, 0.3F);
+      scene.lights = {lampAt(place, 9, false)};
+      scene.lights[0].radius = radius;
+      const Picture picture = drawn(scene, {}, {65, 65});
+      int seen = 0;
+      for (const auto& [x, y] : {std::pair{35, 34}, {33, 32}, {38, 36}, {41, 34}, {30, 40}}) {
+        const glm::dvec3 p = placeOf(x, y, 65);
+        const glm::dvec3 to = glm::dvec3(place) - p;
+        const double d = glm::length(to);
+        const glm::dvec3 view = glm::normalize(glm::dvec3(0, 20, 0) - p);
+        const double illuminance = 9 * to.y / (d * d * d);
+        const double mirrored =
+            0.04 * lobeOf({0, 1, 0}, view, to / d, roughness, radius / d) * illuminance / pi;
+        CHECK_MESSAGE(near(picture.at(x, y), filmByte({mirrored, mirrored, mirrored}), 3.5), x, " ", y);
+        seen += mirrored > 0.02 ? 1 : 0;
+      }
+      CHECK(seen >= 2);
+    }
+}
+
+TEST_CASE("lights: sixteen together give their sum, at the intensity of their time") {
+  testContext();
+  for (const int shadowed : {0, 3, 8}) {
+    scene::Scene scene = fromAbove();
+    scene.lights = {lampAt({0.2F, 1, 0.1F}, 8, false)};
+    const Picture one = drawn(scene, {}, {33, 33});
+    scene.lights.clear();
+    for (int i = 0; i < 16; ++i) {
+      scene.lights.push_back(lampAt({0.2F, 1, 0.1F}, 0, i < shadowed));
+      // Half of them later: at time 0 those give nothing and the others twice as much.
+      const float now = i % 2 == 0 ? 1.0F : 0.0F;
+      scene.lights.back().intensity = scene::Animated<float>({{0, now}, {1, 1 - now}}, scene::Ease::linear);
+      scene.lights.back().shadowSize = 32 + i;
+    }
+    const Picture several = drawn(scene, {}, {33, 33});
+    CHECK(brightest(one) > 300);
+    CHECK(compare(several, one).mean < 0.6);
+    CHECK(compare(several, one).far == 0);
+  }
+}
+
+TEST_CASE("lights: every kind of drawable gets them") {
+  testContext();
+  // From the camera's side, in a dark room.
+  scene::Scene scene = darkScene();
+  scene.sun.intensity = 0.0F;
+  const auto gained = [&](const sim::Drawables& drawables) {
+    scene.lights.clear();
+    const int dark = drawn(scene, drawables, {33, 33}).brightness(16, 16);
+    int least = 765;
+    for (const bool shadow : {false, true}) {
+      scene.lights = {lampAt({0, 0.5F, 4}, 40, shadow)};
+      least = std::min(least, drawn(scene, drawables, {33, 33}).brightness(16, 16) - dark);
+    }
+    return least;
+  };
+  CHECK(gained({}) == 0);
+
+  GridStage sheet({7, 9}, {-1, 1, 0}, {2, 0, 0}, {0, -2, 0});
+  CHECK(gained({.surfaces = {sheet.surface}}) > 200);
+  sheet.material.metallic = 1;
+  CHECK(gained({.surfaces = {sheet.surface}}) > 60);
+  sheet.material.metallic = 0;
+  sheet.material.roughness = 0.3F;
+  CHECK(gained({.surfaces = {sheet.surface}}) > 200);
+  MeshStage mesh(squareMesh());
+  CHECK(gained({.surfaces = {mesh.surface}}) > 200);
+
+  InstanceStage balls(std::vector<glm::vec3>(1, glm::vec3(0)));
+  for (const Shape shape : {Shape::sprite, Shape::sphere})
+    for (const float size : {1.5F, 0.25F}) {
+      CAPTURE(static_cast<int>(shape));
+      CAPTURE(size);
+      balls.instances.shape = shape;
+      balls.instances.size = size;
+      // The small ones are of 1.3 pixels' radius: those have a path of their own.
+      CHECK(gained({.instances = {balls.instances}}) > 100);
+    }
+  const auto file = std::filesystem::temp_directory_path() / "simreel_lamp_plate.obj";
+  writeFileAtomically(file, "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nf 1 2 3\nf 1 3 4\n");
+  balls.instances.shape = Shape::mesh;
+  balls.instances.mesh = file;
+  balls.instances.size = 1;
+  CHECK(gained({.instances = {balls.instances}}) > 200);
+  std::filesystem::remove(file);
+
+  scene = fromAbove();
+  scene.ground.roughness = 0.9F;
+  CHECK(gained({}) > 60);
+  scene.ground.roughness = 0.3F;  // one that mirrors
+  CHECK(gained({}) > 60);
+  scene.sun.shadow = true;  // its two parts: in reach of the sun's shadows, and around
+  GridStage left({3, 3}, {-2, 0.5F, -2}, {1, 0, 0}, {0, 0, 1});
+  GridStage right({3, 3}, {1, 0.5F, 1}, {1, 0, 0}, {0, 0, 1});
+  CHECK(gained({.surfaces = {right.surface}}) > 60);                // around
+  CHECK(gained({.surfaces = {left.surface, right.surface}}) > 60);  // in reach
+}
+
+TEST_CASE("lights: skins get them") {
+  testContext();
+  FieldStage field(sim::Field::Cells::floats, {17, 13}, [](int, int) { return 0.25; });
+  field.field.display = nullptr;
+  scene::Scene scene = roomWith(grown(scene::Skin::Look::spots));
+  scene.sun.intensity = 0.0F;
+  MeshStage mesh(squareMesh());
+  mesh.surface.material = &scene.objects[0].material;
+  const sim::Drawables drawables{.surfaces = {mesh.surface}, .fields = {field.field}};
+  const int dark = drawn(scene, drawables, {33, 33}).brightness(16, 16);
+  scene.lights = {lampAt({0, 0.5F, 4}, 40, true)};
+  CHECK(drawn(scene, drawables, {33, 33}).brightness(16, 16) > dark + 100);
+}
+
+TEST_CASE("lights: what is translucent lets them through") {
+  testContext();
+  scene::Scene scene = darkScene();
+  scene.sun.intensity = 0.0F;
+  scene.lights = {lampAt({0, 0, -2}, static_cast<float>(4 * pi), true)};
+  GridStage sheet({4, 4}, {-1, 1, 0}, {2, 0, 0}, {0, -2, 0});
+  sheet.material.color = glm::vec3(0.8F);
+  CHECK(drawn(scene, {.surfaces = {sheet.surface}}, {33, 33}).brightness(16, 16) < 6);
+  sheet.material.translucency = 0.5F;
+  const Picture picture = drawn(scene, {.surfaces = {sheet.surface}}, {33, 33});
+  CHECK(near(picture.at(16, 16), filmByte({0.4, 0.4, 0.4}), 2.5));
+}
+
+TEST_CASE(
+    "lights: one ball of any shape, lit and shading from nearby, looks like the sphere as a surface") {
+  testContext();
+  scene::Scene scene;
+  scene.camera.position = glm::vec3(0.3F, 1.6F, 4);
+  scene.camera.target = glm::vec3(0, 0.5F, 0);
+  scene.hasGround = true;
+  scene.ground.height = 0;
+  scene.sun.intensity = 0.0F;
+  scene.sun.shadow = false;
+  scene.sky.ambient = 0.1F;
+  scene.lights = {lampAt({0.9F, 1.9F, 1.2F}, 16, true), lampAt({-1.6F, 2.3F, 0.2F}, 12, true)};
+  for (const float roughness : {0.25F, 0.9F}) {
+    CAPTURE(roughness);
+    SphereStage sphere({-0.4F, 0.9F, 0.2F}, 0.6F);
+    sphere.material.roughness = roughness;
+    const Picture wanted = drawn(scene, {{sphere.surface}, {}}, {161, 121});
+    CHECK(compare(wanted, drawn(scene, {}, {161, 121})).far > 2000);
+    InstanceStage group({{-0.4F, 0.9F, 0.2F, 8}, {-0.4F, 0.9F, 0.2F, 1}}, {glm::vec4(0), {0, 0, 0, -1}});
+    group.instances.size = 0.6F;
+    group.instances.massExponent = 1.0F / 3;
+    group.material.roughness = roughness;
+    for (const Shape shape : {Shape::sphere, Shape::sprite}) {
+      CAPTURE(static_cast<int>(shape));
+      group.instances.shape = shape;
+      const Difference d = compare(drawn(scene, {{}, {group.instances}}, {161, 121}), wanted);
+      CHECK(d.mean < 0.55);  // two lights' outlines of shadow, by coarser spheres
+      CHECK(d.far < 90);
+    }
+  }
+}
+
+TEST_CASE("lights: the camera sees the light itself, as bright as its candela say") {
+  testContext();
+  scene::Scene scene = darkScene();
+  scene.sun.intensity = 0.0F;
+  scene.lights = {lampAt({0, 0, 0}, 0.12F, false), lampAt({50, 0, 0}, 1, false)};
+  scene.lights[0].glow = 1.0F;
+  scene.lights[0].radius = 0.4F;
+  for (const int samples : {1, 4}) {
+    const Picture picture = drawn(scene, {}, {65, 65}, samples);
+    // 65 pixels span 2 * 5 m * tan(20 degrees); at r radii from the middle it has (1 - r^2)^2 of the light
+    // there.
+    const double metres = 10 * std::tan(20 * pi / 180) / 65;
+    for (const int aside : {0, 3, 5}) {
+      const double r = aside * metres / 0.4;
+      const double light = 3 * 0.12 / (pi * 0.16) * std::pow(1 - r * r, 2);
+      const double byte = filmByte({light, light, light})[1];
+      CHECK(std::abs(picture.at(32 + aside, 32).y - byte) < 8);
+    }
+    CHECK(picture.brightness(32, 43) < 6);
+  }
+  GridStage sheet({4, 4}, {-1, 1, 1}, {2, 0, 0}, {0, -2, 0});
+  CHECK(drawn(scene, {.surfaces = {sheet.surface}}, {65, 65}).brightness(32, 32) < 6);  // behind it
+  scene.lights[0].glow = 0.0F;
+  CHECK(drawn(scene, {}, {65, 65}).brightness(32, 32) < 6);
+}
+
+TEST_CASE(
+    "lights: a scene without them makes shaders that know none, and one beyond the limits is refused") {
+  testContext();
+  scene::Scene scene = darkScene();
+  const draw::Lamps none(scene);
+  CHECK(!none.on());
+  CHECK(none.defines().empty());
+  CHECK(!draw::LampShadows(none).on());
+  scene.lights.assign(8, lampAt({0, 1, 0}, 1, true));
+  const int side = gl::limits().textureSize / 4;  // eight times six maps, in rows of six
+  for (scene::Light& light : scene.lights) light.shadowSize = side;
+  const draw::Lamps lamps(scene);
+  try {
+    const draw::LampShadows shadows(lamps);
+    FAIL("a texture of ", 6 * side, "x", 8 * side, " texels");
+  } catch (const UserError& error) {
+    CHECK(error.code() == ExitCode::device);
+    CHECK(std::string(error.what()).find(fmt::format("{}x{} texels", 6 * side, 8 * side)) !=
+          std::string::npos);
+    CHECK(std::string(error.what()).find("GL_MAX_TEXTURE_SIZE") != std::string::npos);
+  }
+}

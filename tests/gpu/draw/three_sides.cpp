@@ -1,0 +1,91 @@
+// Textures of surfaces without uv, and the relief of their brightness.
+#include "frame/image.hpp"
+#include "gpu/draw/ball_stage.hpp"
+#include "unit/help.hpp"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <doctest/doctest.h>
+
+using namespace simreel;
+
+namespace {
+
+class ImageFile {
+ public:
+  ImageFile(int width, int height, const std::vector<std::uint8_t>& rgba)
+      : file_("texture.png", encoded({width, height, rgba})) {}
+  [[nodiscard]] std::string path() const { return file_.path(); }
+
+ private:
+  static std::string encoded(const frame::Image& image) {
+    const auto png = frame::encodePng(image, {});
+    return {reinterpret_cast<const char*>(png.data()), png.size()};
+  }
+  test::TemporaryFile file_;
+};
+
+/// A ball of radius 1 without uv, its texture once in two metres.
+struct Ball {
+  explicit Ball(const std::string& texture) : stage(glm::vec3(0), 1) {
+    stage.surface.uvs = nullptr;
+    stage.material.color = glm::vec3(0.3F);
+    stage.material.texture = texture;
+    stage.material.textureScale = glm::vec3(0.5F);
+  }
+  SphereStage stage;
+};
+
+/// The ball from that side, up as it is seen, its middle in the middle.
+Picture seenFrom(const Ball& ball, glm::vec3 direction, glm::vec3 light) {
+  scene::Scene scene = darkScene();
+  scene.camera.position = 5.0F * direction;
+  scene.camera.fieldOfView = 25;
+  scene.sun.direction = light;
+  scene.sun.shadow = false;
+  return drawn(scene, {.surfaces = {ball.stage.surface}}, {129, 129}, 1);
+}
+
+bool isMost(glm::ivec3 c, int channel) {
+  return c[channel] > c[(channel + 1) % 3] + 60 && c[channel] > c[(channel + 2) % 3] + 60;
+}
+
+}  // namespace
+
+TEST_CASE("textures without uv: upright and unmirrored from all sides") {
+  testContext();
+  // Red and green above, blue and white below.
+  const ImageFile file(2, 2, {255, 0, 0, 255, 0, 255, 0, 255, 0, 0, 255, 255, 255, 255, 255, 255});
+  const Ball ball(file.path());
+  for (const glm::vec3& side : {glm::vec3(0, 0, 1), glm::vec3(1, 0, 0), glm::vec3(0, 0, -1),
+                                glm::vec3(-1, 0, 0), glm::vec3(0.001F, 1, 0.05F)}) {
+    CAPTURE(side.x);
+    CAPTURE(side.y);
+    CAPTURE(side.z);
+    const Picture picture = seenFrom(ball, side, side);
+    // Place (0, 0) of the texture is in the middle: to the right and down of it the picture begins.
+    CHECK(isMost(picture.at(64 + 29, 64 + 29), 0));
+    CHECK(isMost(picture.at(64 - 29, 64 + 29), 1));
+    CHECK(isMost(picture.at(64 + 29, 64 - 29), 2));
+    CHECK(picture.brightness(64 - 29, 64 - 29) > 300);
+  }
+}
+
+TEST_CASE("relief of a texture: what is bright stands out, and its sides face the light or not") {
+  testContext();
+  // White 0.25 m right of the middle, grey 0.75 m right and 0.25 m left of it.
+  const ImageFile file(2, 1, {255, 255, 255, 255, 128, 128, 128, 255});
+  Ball ball(file.path());
+  ball.stage.material.textureScale = glm::vec3(1);
+  const auto brightness = [&](float bump, int x) {
+    ball.stage.material.bump = bump;
+    return seenFrom(ball, {0, 0, 1}, {1, 0, 1}).brightness(x, 64);
+  };
+  const int rising = 64;
+  const int falling = 64 + 29;  // 0.5 m
+  CHECK(brightness(0.5F, rising) < brightness(0, rising) - 15);
+  CHECK(brightness(-0.5F, rising) > brightness(0, rising) + 5);
+  CHECK(brightness(0.5F, falling) > brightness(-0.5F, falling) + 5);
+}

@@ -1,0 +1,195 @@
+#include "sim/cave/cave.hpp"
+
+#include "gpu/context.hpp"
+#include "reference/cave_twin.hpp"
+#include "sim/cave/growth.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <numeric>
+#include <set>
+#include <vector>
+
+#include <doctest/doctest.h>
+
+using namespace simreel;
+
+namespace {
+
+sim::CaveParameters cave(int width, int height) {
+  sim::CaveParameters p;
+  p.size = {width, height};
+  return p;
+}
+
+/// Sizes that are odd, of one cell, of more than a word, and of rows that fill words and groups of them.
+std::vector<sim::CaveParameters> someCaves() {
+  std::vector<sim::CaveParameters> all = {cave(1, 1),    cave(1, 40),  cave(77, 1),
+                                          cave(3, 3),    cave(61, 43), cave(128, 33),
+                                          cave(131, 97), cave(32, 64), cave(300, 7)};
+  all.push_back(cave(97, 83));
+  all.back().fill = 0.5;  // many small rooms
+  all.push_back(cave(97, 83));
+  all.back().fill = 0.52;
+  all.back().smallestRoom = 0;
+  all.back().smallestRock = 0;
+  all.back().corridor = 1;
+  all.push_back(cave(65, 71));
+  all.back().fill = 0.5;
+  all.back().corridor = 7;
+  all.push_back(cave(45, 37));
+  all.back().fill = 0;
+  all.push_back(cave(45, 37));
+  all.back().fill = 1;
+  all.push_back(cave(67, 45));
+  all.back().smoothing = 0;
+  all.back().smallestRoom = 0;
+  all.back().smallestRock = 0;
+  all.back().corridor = 2;
+  return all;
+}
+
+void checkCells(const sim::CaveGrowth& growth, const CaveTwin& twin, const char* stage) {
+  CAPTURE(stage);
+  const auto got = growth.cells().buffer().readAll<glm::uvec4>();
+  CHECK(got == twin.words());
+}
+
+/// The least sum of distances that joins all rooms, by Prim's tree over the distances of all pairs of
+/// cells.
+long leastLength(const CaveTwin& twin, glm::ivec2 size) {
+  const std::vector<int> region = twin.regions(false);
+  std::map<int, std::vector<glm::ivec2>> rooms;
+  for (int y = 0; y < size.y; ++y)
+    for (int x = 0; x < size.x; ++x)
+      if (const int r = region[twin.index(x, y)]; r >= 0) rooms[r].emplace_back(x, y);
+  const auto distance = [](const auto& a, const auto& b) {
+    long least = std::numeric_limits<long>::max();
+    for (const glm::ivec2 p : a)
+      for (const glm::ivec2 q : b)
+        least = std::min(least, static_cast<long>(std::abs(p.x - q.x) + std::abs(p.y - q.y)));
+    return least;
+  };
+  if (rooms.empty()) return 0;
+  std::map<int, long> open;
+  for (const auto& [r, cells] : rooms)
+    if (r != rooms.begin()->first) open[r] = distance(cells, rooms.begin()->second);
+  long sum = 0;
+  while (!open.empty()) {
+    const auto nearest = std::min_element(open.begin(), open.end(),
+                                          [](const auto& a, const auto& b) { return a.second < b.second; });
+    sum += nearest->second;
+    const int joined = nearest->first;
+    open.erase(nearest);
+    for (auto& [r, least] : open) least = std::min(least, distance(rooms[r], rooms[joined]));
+  }
+  return sum;
+}
+
+}  // namespace
+
+TEST_CASE("a cave equals its twin at every stage") {
+  testContext();
+  int seed = 5;
+  for (const sim::CaveParameters& p : someCaves()) {
+    CAPTURE(p.size.x);
+    CAPTURE(p.size.y);
+    CAPTURE(p.fill);
+    CaveTwin twin(p, ++seed);
+    sim::CaveGrowth growth("cave", p, seed);
+    checkCells(growth, twin, "noise");
+    for (int i = 1; i <= p.smoothing; ++i) {
+      growth.advance(i);
+      twin.smooth();
+    }
+    checkCells(growth, twin, "smooth");
+    growth.advance(p.smoothing + 1);
+    twin.clean();
+    checkCells(growth, twin, "clean");
+    growth.advance(p.lastStage());
+    twin.connect();
+    checkCells(growth, twin, "connected");
+    const auto ends = twin.ends();
+    REQUIRE(ends.has_value() == (growth.way().entrance != sim::noCell));
+    if (!ends) continue;
+    CHECK(growth.grid().placeOf(growth.way().entrance) == ends->first);
+    CHECK(growth.grid().placeOf(growth.way().exit) == ends->second);
+    const std::vector<int> steps = twin.distancesFrom(ends->first);
+    const auto shown = growth.distances().buffer().readAll<float>();
+    const auto pitch = static_cast<std::size_t>(32 * growth.grid().rowWords());
+    std::size_t different = 0;
+    for (int y = 0; y < p.size.y; ++y)
+      for (int x = 0; x < p.size.x; ++x)
+        if (shown[static_cast<std::size_t>(y) * pitch + static_cast<std::size_t>(x)] !=
+            static_cast<float>(steps[twin.index(x, y)]))
+          ++different;
+    CHECK(different == 0);
+    const auto& path = growth.way().path;
+    CHECK(path.size() == static_cast<std::size_t>(steps[twin.index(ends->second.x, ends->second.y)]) + 1);
+    for (std::size_t i = 0; i < path.size(); ++i) {
+      CHECK(!twin.isRock(path[i].x, path[i].y));
+      if (i > 0) CHECK(std::abs(path[i].x - path[i - 1].x) + std::abs(path[i].y - path[i - 1].y) == 1);
+    }
+  }
+}
+
+TEST_CASE("every open cell of a cave reaches every other, over ways that are together as short as can be") {
+  testContext();
+  for (int seed = 1; seed <= 12; ++seed) {
+    sim::CaveParameters p = cave(70 + seed, 61);
+    p.fill = 0.46 + 0.006 * seed;
+    p.corridor = 1 + seed % 4;
+    CaveTwin twin(p, seed);
+    for (int i = 0; i < p.smoothing; ++i) twin.smooth();
+    twin.clean();
+    CHECK(twin.corridorLength() == leastLength(twin, p.size));
+    sim::CaveGrowth growth("cave", p, seed);
+    growth.advance(p.lastStage());
+    const auto cells = growth.cells().buffer().readAll<unsigned>();
+    for (int y = 0; y < p.size.y; ++y)
+      for (int x = 0; x < p.size.x; ++x)
+        twin.rock[twin.index(x, y)] =
+            (cells[static_cast<std::size_t>(y * growth.grid().rowWords() + x / 32)] >> (x % 32) & 1U) != 0;
+    const std::vector<int> regions = twin.regions(false);
+    std::set<int> rooms(regions.begin(), regions.end());
+    rooms.erase(-1);
+    CHECK(rooms.size() <= 1);
+  }
+}
+
+TEST_CASE("a spiral and a comb are one region: labels go any way") {
+  testContext();
+  const glm::ivec2 size(67, 65);
+  const sim::CaveGrid grid{size};
+  std::vector<std::uint32_t> words(static_cast<std::size_t>(grid.words()), ~0U);
+  const auto open = [&](int x, int y) {
+    words[static_cast<std::size_t>(y * grid.rowWords() + x / 32)] &= ~(1U << static_cast<unsigned>(x % 32));
+  };
+  int cells = 0;
+  glm::ivec2 at(1, 1), way(1, 0);
+  std::set<std::pair<int, int>> seen;
+  for (int turns = 0; turns < 2 && cells < 5000;) {
+    if (seen.insert({at.x, at.y}).second) ++cells;
+    open(at.x, at.y);
+    const glm::ivec2 next = at + way;
+    const glm::ivec2 beyond = next + way;
+    const bool blocked = next.x < 1 || next.y < 1 || next.x >= size.x - 1 || next.y >= size.y - 1 ||
+                         seen.contains({beyond.x, beyond.y});
+    if (blocked) {
+      way = {-way.y, way.x};
+      ++turns;
+      continue;
+    }
+    turns = 0;
+    at = next;
+  }
+  const gl::Buffer buffer = gl::Buffer::of<std::uint32_t>("spiral", words);
+  sim::CaveRegions regions("spiral", grid);
+  regions.label(buffer, sim::CaveKind::open);
+  const auto largest = regions.largest(buffer);
+  CHECK(largest.cells == static_cast<unsigned>(cells));
+  CHECK(largest.first == 32U * static_cast<unsigned>(grid.rowWords()) + 1);
+  sim::CaveWaves waves("spiral", grid);
+  CHECK(waves.run(buffer, largest.first).steps == static_cast<unsigned>(cells - 1));
+}

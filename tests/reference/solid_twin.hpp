@@ -1,0 +1,49 @@
+#pragma once
+#include "sim/contour/solid.hpp"
+
+#include <functional>
+#include <vector>
+
+#include <glm/vec2.hpp>
+
+/// A field's solid on the CPU: squares one after the other, polygons as lists. The numbers of vertices and
+/// the order of triangles are the kernels', and so are all bits.
+struct SolidTwin {
+  /// `value` of a cell of the field.
+  SolidTwin(const simreel::sim::SolidShape& shape, const std::function<float(int x, int y)>& value);
+
+  simreel::sim::MeshTable mesh;
+  simreel::sim::ContourLines lines;
+
+  [[nodiscard]] int classAt(int x, int y) const;  ///< of a sample: the field's cells begin at (1, 1)
+
+ private:
+  struct Edge {
+    glm::ivec2 at, along;
+    int from, to;    ///< classes
+    unsigned first;  ///< of its points
+    [[nodiscard]] unsigned pointOf(int level) const {
+      return first + static_cast<unsigned>(level - std::min(from, to) - 1);
+    }
+  };
+  void addCorners();
+  void addPoints();
+  void addPoint(const Edge& edge, int level);
+  void addSquares();
+  void addWalls(int x, int y);
+  void addFaces(int x, int y);
+  void addFace(const std::vector<unsigned>& face);
+  [[nodiscard]] const Edge& edgeOf(int x, int y, int side) const;
+  [[nodiscard]] float valueAt(int x, int y) const;
+  [[nodiscard]] std::size_t index(int x, int y) const {
+    return static_cast<std::size_t>(y * samples_.x + x);
+  }
+
+  simreel::sim::SolidShape shape_;
+  std::function<float(int, int)> value_;
+  glm::ivec2 samples_;
+  unsigned corners_ = 0, firstPoint_ = 0;
+  std::vector<int> classes_;
+  std::vector<Edge> right_, down_;  ///< of each sample
+  std::vector<unsigned> sheets_, walls_, faces_;
+};

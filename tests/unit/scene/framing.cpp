@@ -1,0 +1,76 @@
+// A camera that the scene places nowhere has in view what asks for it.
+#include "scene/framing.hpp"
+
+#include "draw/camera.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <doctest/doctest.h>
+#include <glm/vec4.hpp>
+
+using namespace simreel;
+
+namespace {
+
+struct Boxed final : scene::Parameters {
+  explicit Boxed(const scene::Box& given) : box(given) {}
+  void describe(scene::Fields& /*fields*/) override {}
+  [[nodiscard]] std::optional<scene::Box> framed() const override { return box; }
+  scene::Box box;
+};
+
+scene::Scene with(std::initializer_list<scene::Box> boxes, glm::ivec2 size) {
+  scene::Scene scene;
+  scene.render.size = size;
+  for (const scene::Box& box : boxes) {
+    scene::Object& object = scene.objects.emplace_back();
+    object.parameters = std::make_unique<Boxed>(box);
+  }
+  scene::frameObjects(scene);
+  return scene;
+}
+
+/// The largest coordinate of the box's corners in the picture, whose edges are at 1; 100 behind the camera
+/// or beyond what it draws.
+float reach(const scene::Scene& scene, const scene::Box& box) {
+  const draw::View view = draw::viewAt(scene.camera, 0, scene.render.size, {});
+  float most = 0;
+  for (int i = 0; i < 8; ++i) {
+    const glm::vec4 corner((i & 1) == 0 ? box.min.x : box.max.x, (i & 2) == 0 ? box.min.y : box.max.y,
+                           (i & 4) == 0 ? box.min.z : box.max.z, 1);
+    const glm::vec4 seen = view.viewProjection * corner;
+    if (seen.w <= 0 || std::abs(seen.z) > seen.w) return 100;
+    most = std::max({most, std::abs(seen.x / seen.w), std::abs(seen.y / seen.w)});
+  }
+  return most;
+}
+
+}  // namespace
+
+TEST_CASE("a camera that stands nowhere has all of a solid in view, and little more") {
+  for (const glm::ivec2 size : {glm::ivec2(1280, 720), glm::ivec2(300, 900)})
+    for (const float scale : {0.01F, 1.0F, 500.0F})
+      for (const glm::vec3& extent :
+           {glm::vec3(5, 0.3F, 3), glm::vec3(1, 1, 6), glm::vec3(0.2F, 4, 0.2F)}) {
+        const glm::vec3 middle(3, -2, 1);
+        const scene::Box box{scale * (middle - 0.5F * extent), scale * (middle + 0.5F * extent)};
+        const float most = reach(with({box}, size), box);
+        CHECK(most < 0.93F);
+        CHECK(most > 0.9F);
+      }
+}
+
+TEST_CASE("a camera frames all that ask for it together, and stays where a scene has placed it") {
+  const scene::Box left{{-5, 0, 0}, {-4, 1, 1}};
+  const scene::Box right{{6, 0, -3}, {7, 2, 1}};
+  const scene::Scene both = with({left, right}, {640, 360});
+  CHECK(reach(both, left) < 0.93F);
+  CHECK(reach(both, right) < 0.93F);
+  scene::Scene placed;
+  placed.camera.placed = true;
+  placed.objects.emplace_back().parameters = std::make_unique<Boxed>(left);
+  scene::frameObjects(placed);
+  CHECK(placed.camera.position.at(0) == scene::Camera().position.at(0));
+  CHECK(with({}, {64, 64}).camera.position.at(0) == scene::Camera().position.at(0));
+}
