@@ -1,14 +1,30 @@
-// The sky's gradient by the height y of a unit direction, and the light it gives.
-vec3 skyRadiance(float y) {
-  float up = 1.0 - clamp(y, 0.0, 1.0);
-  up *= up;
-  float down = clamp(-3.0 * y, 0.0, 1.0);
-  vec3 above = mix(frame.zenith.rgb, frame.horizon.rgb, up * up * up);
-  return mix(above, frame.nadir.rgb, down * down * (3.0 - 2.0 * down));
+// The sky's gradient by the height y of a unit direction, and the light it gives. Compiles as GLSL and as C++.
+#include "draw/arithmetic.glsl"
+
+FUNCTION vec3 skyRadiance(float y) {
+  ROUNDED float up = 1.0f - clamp(y, 0.0f, 1.0f);
+  ROUNDED float up2 = up * up;
+  ROUNDED float up6 = up2 * up2 * up2;
+  ROUNDED float below = -3.0f * y;
+  vec3 above = blend(vec3(frame.zenith), vec3(frame.horizon), up6);
+  return blend(above, vec3(frame.nadir), smoothed(clamp(below, 0.0f, 1.0f)));
+}
+
+// Radiance of the sky in a unit direction with the glow around the sun: a lobe cos^16 around it.
+FUNCTION vec3 skyInDirection(vec3 direction) {
+  ROUNDED float glow = max(dotted(direction, vec3(frame.sunDirection)), 0.0f);
+  glow = glow * glow;
+  glow = glow * glow;
+  glow = glow * glow;
+  glow = glow * glow;
+  ROUNDED vec3 light = skyRadiance(direction.y) + vec3(frame.sunLight) * (frame.sunGlow * glow);
+  return light;
 }
 
 // Irradiance / pi on a surface whose normal has height y.
-vec3 ambientLight(float y) {
-  return frame.ambientSide.rgb + max(y, 0.0) * (frame.ambientUp.rgb - frame.ambientSide.rgb) +
-         max(-y, 0.0) * (frame.ambientDown.rgb - frame.ambientSide.rgb);
+FUNCTION vec3 ambientLight(float y) {
+  vec3 side = vec3(frame.ambientSide);
+  ROUNDED vec3 light = side + max(y, 0.0f) * (vec3(frame.ambientUp) - side) +
+                       max(-y, 0.0f) * (vec3(frame.ambientDown) - side);
+  return light;
 }

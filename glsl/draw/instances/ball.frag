@@ -1,6 +1,7 @@
 // A ball on the square of ball.vert. Variants of draw/surface/lighting.glsl. SAMPLES: 1 or more.
 #include "draw/frame_block.glsl"
-#include "draw/surface/lighting.glsl"
+#include "draw/surface/material.glsl"
+#include "draw/surface/shadow_read.glsl"
 flat in vec3 tint;
 flat in vec3 middle;
 flat in vec2 radii;
@@ -41,5 +42,5 @@ void main() {
   vec3 outwards = across + t * ray;
   vec3 normal = normalize(outwards);
   vec3 view = -ray * inversesqrt(rr);
-  radiance = vec4(allLight(tint, middle + outwards, normal, view, sunFraction(place + t * placeRay)), 1.0);
+  radiance = vec4(allLight(lookOf(tint), middle + outwards, normal, view, sunFraction(place + t * placeRay)), 1.0);
 }

@@ -8,7 +8,8 @@
 #endif
 #if !defined(GLOW) && !defined(FOR_LIGHT)
 #include "draw/surface/facing.glsl"
-#include "draw/surface/lighting.glsl"
+#include "draw/surface/material.glsl"
+#include "draw/surface/shadow_read.glsl"
 #endif
 layout(local_size_x = 64) in;
 layout(std430, binding = spriteBinding) writeonly restrict buffer SpriteBlock { uvec4 sprites[]; };
@@ -44,7 +45,7 @@ SmallSprite ready(vec4 position, vec4 velocity) {
   for (int i = 0; i < 4; ++i) {
     vec3 aside = float((i & 1) * 2 - 1) * facing.right + float((i & 2) - 1) * facing.up;
     vec3 normal = middle + 0.5270463 * aside;
-    light[i] = allLight(tint, position.xyz + radius * normal, normal, facing.towards, fraction);
+    light[i] = allLight(lookOf(tint), position.xyz + radius * normal, normal, facing.towards, fraction);
   }
   vec3 mean = 0.25 * (light[0] + light[1] + light[2] + light[3]);
   vec3 across = 0.25 * (light[1] - light[0] + light[3] - light[2]);

@@ -1,6 +1,7 @@
 // Variants: ADDITIVE (light of one colour), DOUBLE_SIDED, and those of draw/surface/lighting.glsl.
 #include "draw/frame_block.glsl"
-#include "draw/surface/lighting.glsl"
+#include "draw/surface/material.glsl"
+#include "draw/surface/shadow_read.glsl"
 flat in vec3 tint;
 in vec3 worldNormal;
 in vec3 worldPosition;
@@ -22,6 +23,6 @@ void main() {
   normal = gl_FrontFacing ? normal : -normal;
 #endif
   vec3 view = normalize(frame.eye.xyz - worldPosition);
-  radiance = vec4(allLight(tint, LIT_FROM, normal, view, sunFraction(place)), 1.0);
+  radiance = vec4(allLight(lookOf(tint), LIT_FROM, normal, view, sunFraction(place)), 1.0);
 #endif
 }

@@ -3,6 +3,7 @@
 #include "draw/samples.glsl"
 #include "draw/sky.glsl"
 #include "draw/screen/film.glsl"
+#include "draw/screen/lens.glsl"
 #include "draw/screen/screen.glsl"
 layout(binding = sceneUnit) uniform SAMPLED scene;
 #ifdef BLOOM
@@ -32,18 +33,11 @@ void main() {
   ivec2 at = ivec2(PIXEL);
   vec4 drawn = resolved(ivec2(at.x, int(frame.size.y) - 1 - at.y));
   vec3 direction = normalize(ray);
-  float glow = max(dot(direction, frame.sunDirection.xyz), 0.0);
-  glow *= glow;
-  glow *= glow;
-  glow *= glow;
-  vec3 light = drawn.rgb + (1.0 - drawn.a) * (skyRadiance(direction.y) +
-                                             frame.sunLight.rgb * (frame.sunGlow * glow * glow));
+  vec3 light = drawn.rgb + (1.0 - drawn.a) * skyInDirection(direction);
 #ifdef BLOOM
   // Level 0 has (size + 1) / 2 texels, each over two pixels.
   vec2 place = vec2(PIXEL.x, frame.size.y - PIXEL.y) * 0.5 / vec2(textureSize(scattered, 0));
   light += bloomStrength * texture(scattered, place).rgb;
 #endif
-  vec2 aside = PIXEL / frame.size * 2.0 - 1.0;
-  light *= frame.exposure * (1.0 - frame.vignette * 0.5 * dot(aside, aside));
-  PUT(vec4(encoded(filmed(light)) + dither(at), 1.0));
+  PUT(vec4(encoded(filmed(throughLens(light, PIXEL / frame.size * 2.0 - 1.0))) + dither(at), 1.0));
 }

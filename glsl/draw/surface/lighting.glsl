@@ -1,78 +1,71 @@
-// Light that a metal/rough surface under sun, sky and lamps sends to the eye. Variants: TRANSLUCENT, REFLECTIVE, SHADOW, SKIN, LAMPS.
+// Light that a metal/rough surface under sun, sky and lamps sends to the eye. Variants: TRANSLUCENT, REFLECTIVE, LAMPS.
+// Compiles as GLSL and as C++.
 #include "draw/sky.glsl"
 #include "draw/surface/shading.glsl"
-#include "draw/surface/shadow_read.glsl"
 #ifdef LAMPS
 #include "draw/lights/lamps.glsl"
 #endif
-#ifdef SKIN  // both vary from place to place
-float roughness = 1.0;
-float openness = 1.0;  // fraction of the surroundings' light that gets into a cavity
-#else
-const float openness = 1.0;
-#endif
-#ifdef PASSED_FRAME  // by the vertex shader: see fragment_frame.glsl
-flat in vec4 passedMaterial;
-#ifndef SKIN
-float roughness = passedMaterial.x;
-#endif
-float metallic = passedMaterial.y;
-float translucency = passedMaterial.z;
-#else
-#ifndef SKIN
-uniform float roughness;
-#endif
-uniform float metallic;
-uniform float translucency;
-#endif
+
+// What a place of a surface is made of.
+struct Look {
+  vec3 base;           // linear RGB
+  float roughness;     // 0 to 1
+  float metallic;      // 0 to 1
+  float translucency;  // fraction of the light from behind
+  float openness;      // fraction of the surroundings' light that gets into a cavity
+};
 
 #ifdef REFLECTIVE
-vec3 mattPart(vec3 base) {
-  return base * (1.0 - metallic);
+FUNCTION vec3 mattPart(Look look) {
+  ROUNDED vec3 part = look.base * (1.0f - look.metallic);
+  return part;
 }
-vec3 mirrorPart(vec3 base) {
-  return mix(vec3(0.04), base, metallic);
+FUNCTION vec3 mirrorPart(Look look) {
+  return blend(vec3(0.04f), look.base, look.metallic);
 }
 #else
-vec3 mattPart(vec3 base) {
-  return base;
+FUNCTION vec3 mattPart(Look look) {
+  return look.base;
 }
-vec3 mirrorPart(vec3 base) {
-  return vec3(0.04);
+FUNCTION vec3 mirrorPart(Look look) {
+  return vec3(0.04f);
 }
 #endif
 
 // `fraction` of the sun reaches the place; `normal` points to the viewer's side.
-vec3 surfaceLight(vec3 base, vec3 normal, vec3 view, float fraction) {
-  vec3 sun = frame.sunDirection.xyz;
-  float nl = dot(normal, sun);
-  float lit = max(nl, 0.0) * fraction;
-  vec3 matt = mattPart(base);
-  vec3 mirror = mirrorPart(base);
-  float lobed = sunLobe(normal, view, sun, roughness) * lit;
+FUNCTION vec3 surfaceLight(Look look, vec3 normal, vec3 view, float fraction) {
+  vec3 sun = vec3(frame.sunDirection), sunLight = vec3(frame.sunLight);
+  float nl = dotted(normal, sun);
+  ROUNDED float lit = max(nl, 0.0f) * fraction;
+  vec3 matt = mattPart(look);
+  vec3 mirror = mirrorPart(look);
+  ROUNDED float lobed = sunLobe(normal, view, sun, look.roughness) * lit;
 #ifdef TRANSLUCENT
-  float direct = mix(lit, max(-nl, 0.0) * fraction, translucency);
-  vec3 ambient = mix(ambientLight(normal.y), ambientLight(-normal.y), translucency);
+  ROUNDED float behind = max(-nl, 0.0f) * fraction;
+  ROUNDED float direct = lit + (behind - lit) * look.translucency;
+  vec3 ambient = blend(ambientLight(normal.y), ambientLight(-normal.y), look.translucency);
 #else
   float direct = lit;
   vec3 ambient = ambientLight(normal.y);
 #endif
-  vec3 light = matt * (frame.sunLight.rgb * direct + openness * ambient) + mirror * (frame.sunLight.rgb * lobed);
+  ROUNDED vec3 light = matt * (sunLight * direct + look.openness * ambient) + mirror * (sunLight * lobed);
 #ifdef REFLECTIVE
-  float nv = abs(dot(normal, view));
-  float height = 2.0 * dot(normal, view) * normal.y - view.y;  // of the mirrored direction
-  vec2 weight = ambientLobe(roughness, nv);
-  light += openness * (mirror * weight.x + weight.y) * mix(skyRadiance(height), ambientLight(height), roughness);
+  float nv = dotted(normal, view);
+  ROUNDED float height = 2.0f * nv * normal.y - view.y;  // of the mirrored direction
+  vec2 weight = ambientLobe(look.roughness, abs(nv));
+  vec3 around = blend(skyRadiance(height), ambientLight(height), look.roughness);
+  light = light + look.openness * (mirror * weight.x + weight.y) * around;
 #endif
   return light;
 }
 
 // The same with the scene's lamps; p: where they are looked up from.
-vec3 allLight(vec3 base, vec3 p, vec3 normal, vec3 view, float fraction) {
-  vec3 light = surfaceLight(base, normal, view, fraction);
+FUNCTION vec3 allLight(Look look, vec3 p, vec3 normal, vec3 view, float fraction) {
+  vec3 light = surfaceLight(look, normal, view, fraction);
 #ifdef LAMPS
-  LampLight lamps = lampLight(p, normal, view, roughness, translucency);
-  light += mattPart(base) * lamps.matt + mirrorPart(base) * lamps.mirror;
+  LampLight lamps = lampLight(p, normal, view, look.roughness, look.translucency);
+  ROUNDED vec3 sum = light + mattPart(look) * lamps.matt + mirrorPart(look) * lamps.mirror;
+  light = sum;
 #endif
   return light;
 }

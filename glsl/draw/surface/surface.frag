@@ -1,7 +1,8 @@
-// Metal/rough surface. Variants: those of lighting.glsl, PALETTE, TEXTURED (with TRIPLANAR, BUMPED), DOUBLE_SIDED, SKIN
+// Metal/rough surface. Variants: those of lighting.glsl, SHADOW, PALETTE, TEXTURED (with TRIPLANAR, BUMPED), DOUBLE_SIDED, SKIN
 // (with SKIN_UV or TRIPLANAR, and LOOK_ one of skin.glsl).
 #include "draw/fragment_frame.glsl"
-#include "draw/surface/lighting.glsl"
+#include "draw/surface/material.glsl"
+#include "draw/surface/shadow_read.glsl"
 in vec3 worldPosition;
 in vec3 worldNormal;
 #ifdef SHADOW
@@ -53,12 +54,14 @@ void main() {
   normal = raisedNormal(normal, worldPosition, bump);
 #endif
   vec3 view = normalize(frame.eye.xyz - worldPosition);
+  Look look = lookOf(base);
+  vec3 emission = vec3(0);
 #ifdef SKIN
   Skin skin = skinOnSurface(normal);
-  roughness = skin.roughness;
-  openness = skin.openness;
-  radiance = vec4(allLight(skin.albedo, worldPosition, normal, view, sunFraction(place)) + skin.emission, 1.0);
-#else
-  radiance = vec4(allLight(base, worldPosition, normal, view, sunFraction(place)), 1.0);
+  look.base = skin.albedo;
+  look.roughness = skin.roughness;
+  look.openness = skin.openness;
+  emission = skin.emission;
 #endif
+  radiance = vec4(allLight(look, worldPosition, normal, view, sunFraction(place)) + emission, 1.0);
 }

@@ -1,0 +1,65 @@
+// The arithmetic of shading, which both rasterizers share. EXACT_PICTURE: the same bits on every driver, each operation
+// of an assignment to a ROUNDED variable being rounded on its own; else what the driver has for it. Compiles as GLSL and
+// as C++. Vectors that become units are longer than 1e-15.
+#ifndef DRAW_ARITHMETIC
+#define DRAW_ARITHMETIC
+#ifdef EXACT_PICTURE
+#include "common/exact.glsl"
+#define ROUNDED precise
+
+FUNCTION float dotted(vec3 a, vec3 b) {
+  return exactDot(a, b);
+}
+FUNCTION vec3 crossed(vec3 a, vec3 b) {
+  return exactCross(a, b);
+}
+FUNCTION float inverseRoot(float x) {
+  return exactInverseSqrt(x);
+}
+FUNCTION float root(float x) {
+  return exactSqrt(x);
+}
+FUNCTION float inverse(float x) {
+  return exactReciprocal(x);
+}
+FUNCTION float powerOfTwo(float x) {
+  precise float natural = x * 0.69314718f;
+  return exactExp(natural);
+}
+#else
+#define ROUNDED
+
+float dotted(vec3 a, vec3 b) {
+  return dot(a, b);
+}
+vec3 crossed(vec3 a, vec3 b) {
+  return cross(a, b);
+}
+float inverseRoot(float x) {
+  return inversesqrt(x);
+}
+float root(float x) {
+  return sqrt(x);
+}
+float inverse(float x) {
+  return 1.0 / x;
+}
+float powerOfTwo(float x) {
+  return exp2(x);
+}
+#endif
+
+FUNCTION vec3 unitOf(vec3 v) {
+  ROUNDED vec3 u = v * inverseRoot(dotted(v, v));
+  return u;
+}
+FUNCTION vec3 blend(vec3 a, vec3 b, float t) {
+  ROUNDED vec3 blended = a + (b - a) * t;
+  return blended;
+}
+// 3 t^2 - 2 t^3.
+FUNCTION float smoothed(float t) {
+  ROUNDED float s = t * t * (3.0f - 2.0f * t);
+  return s;
+}
+#endif
