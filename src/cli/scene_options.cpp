@@ -72,6 +72,7 @@ void SceneOptions::add(CLI::App& command) {
   command.add_option("--size", size, "Picture size in pixels, WxH");
   command.add_option("--fps", fps, "Frames per second of scene time");
   command.add_option("--samples", samples, "Samples per pixel");
+  command.add_option("--rasterizer", rasterizer, "Who draws: driver or exact");
   addAssets(command, assets);
 }
 
@@ -81,6 +82,7 @@ scene::Scene SceneOptions::load(const std::vector<scene::Override>& more) const 
   if (size) all.push_back({"render.size", sizeValue(*size)});
   if (fps) all.push_back({"time.fps", fmt::format("{}", *fps)});
   if (samples) all.push_back({"render.samples", std::to_string(*samples)});
+  if (rasterizer) all.push_back({"render.rasterizer", *rasterizer});
   all.insert(all.end(), more.begin(), more.end());
   return scene::loadScene(file, all, sim::kinds(), assetFolders(assets));
 }
@@ -92,6 +94,7 @@ std::vector<std::string> SceneOptions::arguments() const {
   if (size) words.push_back(fmt::format("--size={}", *size));
   if (fps) words.push_back(fmt::format("--fps={}", *fps));
   if (samples) words.push_back(fmt::format("--samples={}", *samples));
+  if (rasterizer) words.push_back("--rasterizer=" + *rasterizer);
   for (const std::string& folder : assets) words.push_back("--assets=" + folder);
   return words;
 }

@@ -20,6 +20,7 @@ struct SceneOptions {
   std::optional<std::string> size;  ///< WxH
   std::optional<double> fps;
   std::optional<int> samples;
+  std::optional<std::string> rasterizer;
   std::vector<std::string> assets;  ///< folders that the scene may read, too
   void add(CLI::App& command);
   /// Reads the scene with all of them applied. --size, --fps, --samples and --seed are shorthands of -D, so

@@ -2,15 +2,17 @@
 
 #include "base/error.hpp"
 #include "sim/core/path.hpp"
+#include "sim/core/shader_code.hpp"
 
 #include <cmath>
 
 #include <glm/geometric.hpp>
-#include <glm/trigonometric.hpp>
 
 namespace simreel::draw {
 
 namespace {
+
+constexpr float radiansPerDegree = 0.017453293F;
 
 Stand standOf(const scene::Camera& camera, double seconds, const sim::Drawables& drawables) {
   if (!camera.follows) return {camera.position.at(seconds), camera.target.at(seconds)};
@@ -48,14 +50,17 @@ View viewAt(const scene::Camera& camera, double seconds, glm::ivec2 size, const 
   const glm::vec3 right =
       glm::normalize(glm::cross(view.forward, steep ? glm::vec3(0, 0, -1) : glm::vec3(0, 1, 0)));
   const glm::vec3 up = glm::cross(right, view.forward);
-  const float roll = glm::radians(camera.roll.at(seconds));
-  const glm::vec3 r = std::cos(roll) * right - std::sin(roll) * up;
-  const glm::vec3 u = std::sin(roll) * right + std::cos(roll) * up;
+  // Sines of our own: a library's differ from machine to machine.
+  const float roll = radiansPerDegree * camera.roll.at(seconds);
+  const glm::vec3 r = shader::exactCos(roll) * right - shader::exactSin(roll) * up;
+  const glm::vec3 u = shader::exactSin(roll) * right + shader::exactCos(roll) * up;
 
-  const float high = std::tan(0.5F * glm::radians(camera.fieldOfView.at(seconds)));
+  const float half = 0.5F * radiansPerDegree * camera.fieldOfView.at(seconds);
+  const float high = shader::exactSin(half) / shader::exactCos(half);
   const float wide = high * static_cast<float>(size.x) / static_cast<float>(size.y);
   view.right = r * wide;
   view.up = u * high;
+  view.reach = glm::vec2(wide, high);
   const glm::vec3& f = view.forward;
   const glm::vec3& e = view.eye;
   const glm::mat4 toCamera(glm::vec4(r.x, u.x, -f.x, 0), glm::vec4(r.y, u.y, -f.y, 0),

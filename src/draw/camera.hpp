@@ -16,6 +16,7 @@ struct View {
   glm::vec3 forward{0, 0, -1};  ///< unit; direction of the middle of the picture
   glm::vec3 right{1, 0, 0};     ///< from the middle to the right edge at distance 1 along `forward`
   glm::vec3 up{0, 1, 0};        ///< from the middle to the top edge
+  glm::vec2 reach{1, 1};        ///< lengths of the two
 };
 
 /// `size` in pixels gives the aspect ratio. +y is up; a positive roll turns the camera clockwise, so the

@@ -60,7 +60,11 @@ struct Bloom {
   void describe(Fields& fields);
 };
 
+/// Who finds out what is visible, and shades it.
+enum class Rasterizer { driver, exact };
+
 struct Render {
+  Rasterizer rasterizer = Rasterizer::driver;
   glm::ivec2 size{1280, 720};       ///< pixels
   int samples = 4;                  ///< per pixel: 1 or 4 (more where the driver has them)
   Animated<float> exposure = 0.0F;  ///< EV

@@ -10,8 +10,7 @@
 
 namespace simreel::draw {
 
-/// Draws one frame: shadow map; fields behind, surfaces, instances and ground into a multisampled linear
-/// target; bloom, resolve, tone map, sRGB encoding; fields and charts over it.
+/// Draws one frame: the scene with the rasterizer it asks for, then fields, axes and charts over it.
 class Renderer {
  public:
   /// Compiles every shader and loads every texture the scene's materials name. Throws UserError:

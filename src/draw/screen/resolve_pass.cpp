@@ -1,5 +1,6 @@
 #include "draw/screen/resolve_pass.hpp"
 
+#include "draw/draw_state.hpp"
 #include "gl/context.hpp"
 #include "sim/grid/field_display.hpp"
 

@@ -56,14 +56,17 @@ gl::Texture layer(const std::string& label, GLenum format, glm::ivec2 size, int 
 
 }  // namespace
 
-Targets::Targets(glm::ivec2 size, int samples) {
+Picture::Picture(glm::ivec2 size) {
   checkSize(size);
+  color = gl::Texture::image("picture", GL_RGBA8, size.x, size.y);
+  framebuffer = gl::Framebuffer("picture", &color, nullptr);
+}
+
+Targets::Targets(glm::ivec2 size, int samples) {
   checkSamples(samples);
   light = layer("light", lightFormat, size, samples);
   depth = layer("depth", depthFormat, size, samples);
   scene = gl::Framebuffer("scene", &light, &depth);
-  color = gl::Texture::image("picture", GL_RGBA8, size.x, size.y);
-  picture = gl::Framebuffer("picture", &color, nullptr);
 }
 
 void Targets::clear(bool lightToo) const {
@@ -74,11 +77,6 @@ void Targets::clear(bool lightToo) const {
   glDepthMask(GL_TRUE);
   if (lightToo) glClearNamedFramebufferfv(scene.name(), GL_COLOR, 0, none.data());
   glClearNamedFramebufferfv(scene.name(), GL_DEPTH, 0, &farthest);
-}
-
-void Targets::finish() const {
-  picture.bind();
-  glTextureBarrier();
 }
 
 }  // namespace simreel::draw

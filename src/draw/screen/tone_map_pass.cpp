@@ -23,14 +23,14 @@ ToneMapPass::ToneMapPass(int samples, bool bloom)
   program_.program().checkUniformBlock("FrameBlock", sizeof(shader::Frame));
 }
 
-void ToneMapPass::draw(const gl::Texture& light, const Targets& targets, const gl::Texture* glow,
+void ToneMapPass::draw(const gl::Texture& light, const Picture& picture, const gl::Texture* glow,
                        float strength) const {
   light.bind(sceneUnit);
   if (glow != nullptr) {
     glow->bind(bloomUnit);
     program_.program().set("bloomStrength", strength);
   }
-  program_.fill(targets.color, targets.picture);
+  program_.fill(picture.color, picture.framebuffer);
 }
 
 }  // namespace simreel::draw

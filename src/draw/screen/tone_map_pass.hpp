@@ -10,8 +10,8 @@ class ToneMapPass {
  public:
   /// `samples`: of the light that draw() gets.
   ToneMapPass(int samples, bool bloom);
-  /// Fills the picture of `targets`. `glow` times `strength` is added to the light; null without bloom.
-  void draw(const gl::Texture& light, const Targets& targets, const gl::Texture* glow,
+  /// Fills the picture. `glow` times `strength` is added to the light; null without bloom.
+  void draw(const gl::Texture& light, const Picture& picture, const gl::Texture* glow,
             float strength) const;
 
  private:

@@ -1,0 +1,15 @@
+// Where the kernels of the exact rasterizer bind what is theirs; the rest is in draw/bindings.glsl. Compiles as GLSL and
+// as C++ (src/draw/exact/bindings.hpp).
+#ifndef DRAW_EXACT_BINDINGS
+#define DRAW_EXACT_BINDINGS
+// Uniform blocks.
+const int viewBinding = 3;
+// Texel views: beside those of surfaces (positionUnit to paletteUnit),
+const int vertexUnit = 19, indexUnit = 20, idUnit = 21, nearUnit = 22, mapUnit = 23;
+const int firstIdUnit = 24, tileListUnit = 25, largeUnit = 26, counterUnit = 27;
+// Storage blocks.
+const int outVertexBinding = 0, nearBinding = 1, idBinding = 2, largeBinding = 3, counterBinding = 4;
+const int tileListBinding = 5, dispatchBinding = 6, drawArgumentBinding = 7;
+// Images.
+const int sumImage = 0, pictureImage = 1;
+#endif

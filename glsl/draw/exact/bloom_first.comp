@@ -1,0 +1,25 @@
+// Light above the threshold, at half the size. See draw/screen/bloom_first.glsl.
+#include "draw/bindings.glsl"
+#include "draw/exact/bindings.glsl"
+#include "common/exact.glsl"
+layout(local_size_x = 8, local_size_y = 8) in;
+layout(binding = sceneUnit) uniform sampler2D scene;
+layout(rgba32f, binding = sumImage) writeonly restrict uniform image2D half_;
+uniform ivec2 size;  // of the scene
+uniform float threshold;
+
+vec3 above(ivec2 at) {
+  vec3 light = min(texelFetch(scene, min(at, size - 1), 0).rgb, 6e4f);
+  float brightest = max(light.r, max(light.g, light.b));
+  precise float over = max(brightest - threshold, 0.0f) * exactReciprocal(max(brightest, 1e-6f));
+  precise vec3 rest = light * over;
+  return rest;
+}
+
+void main() {
+  ivec2 at = 2 * ivec2(gl_GlobalInvocationID.xy);
+  if (at.x >= size.x || at.y >= size.y) return;
+  precise vec3 sum = above(at) + above(at + ivec2(1, 0)) + above(at + ivec2(0, 1)) + above(at + ivec2(1, 1));
+  precise vec3 mean = 0.25f * sum;
+  imageStore(half_, at / 2, vec4(mean, 1.0f));
+}

@@ -1,0 +1,63 @@
+// What of a triangle lies before the nearest plane and around the picture. Compiles as GLSL and as C++.
+// Corners here are vec3: pixels times depth to the right and down, and depth (m).
+#include "draw/exact/fixed.glsl"
+
+// Not negative on the inner side of plane k: the nearest one, and four around the picture.
+FUNCTION float insideOf(int k, vec3 v, vec2 size, float nearest) {
+  precise float depth = v.z - nearest;
+  precise float left = v.x + float(guardPixels) * v.z;
+  precise float right = (size.x + float(guardPixels)) * v.z - v.x;
+  precise float above = v.y + float(guardPixels) * v.z;
+  precise float below = (size.y + float(guardPixels)) * v.z - v.y;
+  return k == 0 ? depth : k == 1 ? left : k == 2 ? right : k == 3 ? above : below;
+}
+
+FUNCTION bool inside(vec3 v, vec2 size, float nearest) {
+  bool all_ = true;
+  for (int k = 0; k < 5; ++k) all_ = all_ && insideOf(k, v, size, nearest) >= 0.0f;
+  return all_;
+}
+
+// Beyond one of the picture's sides, or nearer than the nearest plane.
+FUNCTION bool beside(vec3 a, vec3 b, vec3 c, vec2 size, float nearest) {
+  precise vec3 x = size.x * vec3(a.z, b.z, c.z) - vec3(a.x, b.x, c.x);
+  precise vec3 y = size.y * vec3(a.z, b.z, c.z) - vec3(a.y, b.y, c.y);
+  return max(a.z, max(b.z, c.z)) < nearest || max(a.x, max(b.x, c.x)) < 0.0f || max(a.y, max(b.y, c.y)) < 0.0f ||
+         max(x.x, max(x.y, x.z)) < 0.0f || max(y.x, max(y.y, y.z)) < 0.0f;
+}
+
+struct Polygon {
+  vec3 corners[8];
+  int count;
+};
+
+// From the inner end to the outer one, so that both triangles of an edge get the same point.
+FUNCTION vec3 crossing(vec3 in_, vec3 out_, float here, float there) {
+  precise float span = here - there;
+  precise float t = here * exactReciprocal(max(span, 1e-30f));
+  precise vec3 v = in_ + (out_ - in_) * t;
+  return v;
+}
+
+FUNCTION Polygon clipped(Polygon whole, int k, vec2 size, float nearest) {
+  Polygon part;
+  part.count = 0;
+  for (int i = 0; i < whole.count; ++i) {
+    vec3 a = whole.corners[i], b = whole.corners[i + 1 < whole.count ? i + 1 : 0];
+    float da = insideOf(k, a, size, nearest), db = insideOf(k, b, size, nearest);
+    if (da >= 0.0f && part.count < 8) part.corners[part.count++] = a;
+    if ((da >= 0.0f) != (db >= 0.0f) && part.count < 8)
+      part.corners[part.count++] = da >= 0.0f ? crossing(a, b, da, db) : crossing(b, a, db, da);
+  }
+  return part;
+}
+
+FUNCTION Polygon clippedToPicture(vec3 a, vec3 b, vec3 c, vec2 size, float nearest) {
+  Polygon p;
+  p.corners[0] = a;
+  p.corners[1] = b;
+  p.corners[2] = c;
+  p.count = 3;
+  for (int k = 0; k < 5; ++k) p = clipped(p, k, size, nearest);
+  return p;
+}

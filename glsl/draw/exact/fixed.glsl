@@ -1,0 +1,21 @@
+// Places of the picture in whole 1/256 of a pixel, and of samples in 1/16. Compiles as GLSL and as C++.
+#include "common/exact.glsl"
+
+const int subpixels = 256;   // of a pixel, where corners of triangles lie
+const int guardPixels = 1024;  // corners lie no further outside the picture; what reaches beyond is clipped
+const int tileSide = 8;      // pixels
+
+// Sample s of SAMPLES of a pixel, in 1/16 pixel from its top left corner: the usual patterns, no two in a row or column.
+// Four bits each, the first lowest.
+FUNCTION ivec2 samplePlace(int s) {
+  uint x = 8u, y = 8u;
+  int shift = (s & 7) * 4;
+  if (SAMPLES == 2) x = y = 0x4cu >> shift;
+  if (SAMPLES == 4) x = 0xa2e6u >> shift, y = 0xea62u >> shift;
+  if (SAMPLES == 8) x = 0xfb135d79u >> shift, y = 0x1f7d39b5u >> shift;
+  if (SAMPLES == 16) {
+    x = (s < 8 ? 0xbda3c579u : 0x1ef02486u) >> shift;
+    y = (s < 8 ? 0x3bd67a59u : 0x0f48c21eu) >> shift;
+  }
+  return ivec2(x & 15u, y & 15u);
+}

@@ -1,0 +1,24 @@
+// Where the ray through a place of the picture (pixels) meets the ground. Compiles as GLSL and as C++.
+#include "common/exact.glsl"
+
+FUNCTION vec3 rayThrough(vec2 place) {
+  precise vec3 ray = vec3(view.ray) + vec3(view.rayAcross) * place.x + vec3(view.rayDown) * place.y;
+  return ray;
+}
+
+// Depth (m); below 0: it does not.
+FUNCTION float groundDepth(vec3 ray) {
+  precise float down = frame.groundHeight - view.eye.y;
+  bool towards = down < 0.0f ? ray.y < -1e-6f : ray.y > 1e-6f;
+  float perDown = exactReciprocal(towards ? ray.y : 1.0f);
+  precise float depth = down * perDown;
+  precise float x = view.eye.x + ray.x * depth - frame.target.x;
+  precise float z = view.eye.z + ray.z * depth - frame.target.z;
+  bool within = max(abs(x), abs(z)) <= frame.groundReach;
+  return towards && within ? depth : -1.0f;
+}
+
+FUNCTION vec3 placeOnRay(vec3 ray, float depth) {
+  precise vec3 p = vec3(view.eye) + ray * depth;
+  return p;
+}

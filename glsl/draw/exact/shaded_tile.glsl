@@ -1,0 +1,40 @@
+// A group's tile of a list of tiles.comp, and what the invocation's pixel shows of the thing drawn. SAMPLES.
+#include "draw/frame_block.glsl"
+#include "draw/exact/view_block.glsl"
+#include "draw/exact/tile_lists.glsl"
+#include "draw/exact/fixed.glsl"
+layout(local_size_x = 8, local_size_y = 8) in;
+layout(binding = tileListUnit) uniform usamplerBuffer tileLists;
+layout(binding = counterUnit) uniform usamplerBuffer tileCounts;
+layout(binding = idUnit) uniform usamplerBuffer visibleIds;
+layout(rgba32f, binding = sumImage) restrict uniform image2D sums;
+uniform int draw_;
+uniform int tileCount;
+uniform int tilesAcross;
+
+// Outside the picture where there is none.
+ivec2 pixelToShade() {
+  uint entry = gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x;
+  if (entry >= texelFetch(tileCounts, draw_).x) return ivec2(-1);
+  int tile = int(texelFetch(tileLists, draw_ * tileCount + int(entry)).x);
+  ivec2 pixel = ivec2(tile % tilesAcross, tile / tilesAcross) * tileSide + ivec2(gl_LocalInvocationID.xy);
+  return pixel.x < view.size.x && pixel.y < view.size.y ? pixel : ivec2(-1);
+}
+
+uint idAt(ivec2 pixel, int s) {
+  return texelFetch(visibleIds, (pixel.y * view.size.x + pixel.x) * SAMPLES + s).x;
+}
+
+// Adds light of so many of the pixel's samples; alpha is the part of the pixel that something covers.
+void addLight(ivec2 pixel, vec4 light, int samples) {
+  precise float share = float(samples) * (1.0f / float(SAMPLES));
+  precise vec4 sum = imageLoad(sums, pixel) + light * share;
+  imageStore(sums, pixel, sum);
+}
+
+// Middle of the pixel (-1), or a sample, in pixels.
+vec2 shadingPlace(ivec2 pixel, int s) {
+  ivec2 sixteenth = pixel * 16 + (s < 0 ? ivec2(8) : samplePlace(s));
+  precise vec2 place = vec2(sixteenth) * 0.0625f;
+  return place;
+}

@@ -1,0 +1,91 @@
+// Lays the ground under what is visible and lists, for each thing drawn, the tiles that show it: a group does one. With
+// GROUND two lists more, of tiles whose ground no shadow can reach, and of the others (SHADOW). SAMPLES.
+#include "draw/frame_block.glsl"
+#include "draw/exact/view_block.glsl"
+#include "draw/exact/tile_lists.glsl"
+#include "draw/exact/triangle.glsl"
+#ifdef GROUND
+#include "draw/exact/ground_plane.glsl"
+#endif
+#ifdef SHADOW
+#include "draw/exact/light_place.glsl"
+#endif
+layout(local_size_x = 8, local_size_y = 8) in;
+layout(binding = firstIdUnit) uniform usamplerBuffer firstIds;
+layout(binding = nearUnit) uniform usamplerBuffer nearestKeys;
+layout(binding = idUnit) uniform usamplerBuffer visibleIds;
+layout(std430, binding = idBinding) writeonly restrict buffer IdBlock { uint ids[]; };
+layout(std430, binding = counterBinding) restrict buffer CounterBlock { uint counters[]; };
+layout(std430, binding = tileListBinding) writeonly restrict buffer ListBlock { uint lists[]; };
+uniform int draws;
+uniform int tileCount;
+const int maxWords = 64;
+shared uint shown[maxWords];
+
+void show(int draw) {
+  atomicOr(shown[draw >> 5], 1u << (draw & 31));
+}
+
+int drawOf(uint id) {
+  int low = 0, high = draws;
+  while (high - low > 1) {
+    int middle = (low + high) / 2;
+    if (texelFetch(firstIds, middle).x <= id) low = middle;
+    else high = middle;
+  }
+  return low;
+}
+
+#ifdef GROUND
+// 1 where the ground is what the sample shows, 2 where a shadow may reach it.
+int groundAt(ivec2 pixel, int s, uint key) {
+  precise vec2 place = vec2(pixel * 16 + samplePlace(s)) * 0.0625f;
+  vec3 ray = rayThrough(place);
+  float depth = groundDepth(ray);
+  float perDepth = exactReciprocal(max(depth, 1e-6f));
+  precise float near = view.near * perDepth;
+  bool seen = depth >= view.near && near >= view.nearOverFar && nearKey(near) < key;
+#ifdef SHADOW
+  vec4 reach = texelFetch(light, 4);
+  vec3 p = placeOnRay(ray, depth);
+  bool reached = p.x >= reach.x && p.z >= reach.y && p.x <= reach.z && p.z <= reach.w;
+#else
+  const bool reached = false;
+#endif
+  return seen ? reached ? 2 : 1 : 0;
+}
+#endif
+
+void main() {
+  int me = int(gl_LocalInvocationIndex);
+  if (me < maxWords) shown[me] = 0u;
+  barrier();
+  ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+  bool within = pixel.x < view.size.x && pixel.y < view.size.y;
+  if (within) {
+    uint last = emptyId;
+    int onGround = 0;
+    for (int s = 0; s < SAMPLES; ++s) {
+      int at = (pixel.y * view.size.x + pixel.x) * SAMPLES + s;
+      uint id = texelFetch(visibleIds, at).x;
+#ifdef GROUND
+      int kind = groundAt(pixel, s, texelFetch(nearestKeys, at).x);
+      if (kind > 0) {
+        id = groundId;
+        ids[at] = id;
+        onGround = max(onGround, kind);
+      }
+#endif
+      if (id < groundId && id != last) show(drawOf(id));
+      last = id;
+    }
+    if (onGround > 0) show(draws + onGround - 1);
+  }
+  barrier();
+  int tile = int(gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x);
+  for (int draw = me; draw < draws + 2; draw += tileSide * tileSide) {
+    bool listed = (shown[draw >> 5] >> (draw & 31) & 1u) != 0u;
+    if (draw == draws && (shown[(draws + 1) >> 5] >> ((draws + 1) & 31) & 1u) != 0u) listed = false;
+    if (listed) lists[draw * tileCount + int(atomicAdd(counters[draw], 1u))] = uint(tile);
+  }
+}

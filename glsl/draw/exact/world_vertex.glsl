@@ -1,0 +1,60 @@
+// Vertices of a sim::Surface in world space, by number, exactly. Variants: GRID, DEFORMED, as in draw/surface/surface.vert.
+#include "draw/bindings.glsl"
+#include "common/exact.glsl"
+layout(binding = positionUnit) uniform samplerBuffer positions;
+uniform mat4 model;
+#ifdef GRID
+uniform ivec2 grid;
+#else
+layout(binding = normalUnit) uniform samplerBuffer normals;
+#endif
+#ifdef DEFORMED
+#include "draw/surface/deformed_vertex.glsl"
+#endif
+
+vec3 turnedByModel(vec3 v) {
+  precise vec3 q = model[0].xyz * v.x + model[1].xyz * v.y + model[2].xyz * v.z;
+  return q;
+}
+
+vec3 worldPlace(int i) {
+  vec3 p = texelFetch(positions, i).xyz;
+#ifdef DEFORMED
+  p = displaced(p);
+#endif
+  precise vec3 q = turnedByModel(p) + model[3].xyz;
+  return q;
+}
+
+// Not of unit length.
+#ifdef GRID
+// Central differences, one-sided at the borders; agrees with the triangles (a, a + width, a + 1).
+vec3 worldNormal(int i) {
+  int x = i % grid.x, y = i / grid.x;
+  precise vec3 right = worldPlace(i + min(grid.x - 1 - x, 1)) - worldPlace(i - min(x, 1));
+  precise vec3 down = worldPlace(i + grid.x * min(grid.y - 1 - y, 1)) - worldPlace(i - grid.x * min(y, 1));
+  return exactCross(down, right);
+}
+#elif defined DEFORMED
+// From displaced neighbours half a step to both sides along tangent and bitangent.
+vec3 worldNormal(int i) {
+  vec4 rest = texelFetch(positions, i);
+  vec3 normal = texelFetch(normals, i).xyz;
+  vec3 along = exactCross(normal, exactCross(abs(normal.x) < 0.7f ? vec3(1, 0, 0) : vec3(0, 0, 1), normal));
+  precise vec3 tangent = along * exactInverseSqrt(exactDot(along, along));
+  vec3 bitangent = exactCross(normal, tangent);
+  precise vec3 aside = tangent * rest.w;
+  precise vec3 above = bitangent * rest.w;
+  precise vec3 right = rest.xyz + aside;
+  precise vec3 left = rest.xyz - aside;
+  precise vec3 up = rest.xyz + above;
+  precise vec3 down = rest.xyz - above;
+  precise vec3 first = displaced(right) - displaced(left);
+  precise vec3 second = displaced(up) - displaced(down);
+  return turnedByModel(exactCross(first, second));
+}
+#else
+vec3 worldNormal(int i) {
+  return turnedByModel(texelFetch(normals, i).xyz);
+}
+#endif

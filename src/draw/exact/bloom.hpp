@@ -1,0 +1,30 @@
+#pragma once
+#include "gl/program.hpp"
+#include "gl/texture.hpp"
+#include "scene/scene.hpp"
+
+#include <vector>
+
+#include <glm/vec2.hpp>
+
+namespace simreel::draw {
+
+/// Light scattered around what is bright, in exact arithmetic: as BloomPass does with the driver's filters.
+class Bloom {
+ public:
+  Bloom(const scene::Bloom& bloom, glm::ivec2 size);
+  [[nodiscard]] bool on() const { return !levels_.empty(); }
+  /// From RGBA32F light to an RGBA32F texture of half the size, rounded up.
+  [[nodiscard]] const gl::Texture& draw(const gl::Texture& light) const;
+
+ private:
+  struct Level {
+    gl::Texture down, up;
+  };
+  float threshold_;
+  float reach_;
+  std::vector<Level> levels_;
+  gl::Program first_, down_, up_;
+};
+
+}  // namespace simreel::draw

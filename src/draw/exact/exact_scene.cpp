@@ -1,0 +1,174 @@
+#include "draw/exact/exact_scene.hpp"
+
+#include "base/error.hpp"
+#include "draw/exact/bindings.hpp"
+#include "draw/exact/bloom.hpp"
+#include "draw/exact/exact_view.hpp"
+#include "draw/exact/shaded_tiles.hpp"
+#include "draw/exact/surface_shading.hpp"
+#include "draw/exact/triangle_raster.hpp"
+#include "draw/surface/shadow_pass.hpp"
+#include "gl/element_array.hpp"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace simreel::draw {
+
+namespace {
+
+/// Throws for what only the driver's rasterizer draws.
+void requireNone(bool any, const char* what) {
+  if (any)
+    fail(ExitCode::usage, "the exact rasterizer does not draw {} yet; set \"rasterizer\" to \"driver\"",
+         what);
+}
+
+void checkSamples(int samples) {
+  if (samples != 1 && samples != 2 && samples != 4 && samples != 8 && samples != 16)
+    fail(ExitCode::usage, "{} samples per pixel: the exact rasterizer has 1, 2, 4, 8 and 16", samples);
+}
+
+gl::Defines withSamples(int samples, const gl::Defines& more) {
+  gl::Defines defines = {{"SAMPLES", std::to_string(samples)}};
+  defines.insert(defines.end(), more.begin(), more.end());
+  return defines;
+}
+
+}  // namespace
+
+struct ExactScene::State {
+  State(const scene::Scene& shown, glm::ivec2 pixels, int count);
+
+  void drawShadows(const sim::Drawables& drawables);
+  void shadeAll();
+
+  const scene::Scene& scene;
+  glm::ivec2 size;
+  int samples;
+  bool ground;
+  ShadowPass shadow;
+  gl::Buffer view;
+  Visibility visibility;
+  TriangleRaster triangles;
+  std::optional<Visibility> map;
+  std::optional<TriangleRaster> casters;
+  ShadedTiles tiles;
+  SurfaceShading surfaces;
+  Bloom bloom;
+  gl::Program litGround, shadedGround, picture;
+  gl::Texture sums;  ///< light of each pixel, and in alpha how much of it is covered
+};
+
+ExactScene::State::State(const scene::Scene& shown, glm::ivec2 pixels, int count)
+    : scene(shown),
+      size(pixels),
+      samples(count),
+      ground(shown.hasGround && shown.ground.visible),
+      shadow(shown.sun),
+      view("view", sizeof(shader::ExactView)),
+      visibility("the picture", pixels, count, true),
+      triangles(TriangleRaster::Into::picture, count),
+      tiles(pixels, count, ground, shadow.on()),
+      surfaces(withSamples(count, shadow.defines())),
+      bloom(shown.render.bloom, pixels),
+      picture(gl::Program::compute("draw/exact/picture.comp",
+                                   bloom.on() ? gl::Defines{{"BLOOM", "1"}} : gl::Defines{})),
+      sums(gl::Texture::image("light", GL_RGBA32F, pixels.x, pixels.y)) {
+  if (shadow.on()) {
+    map.emplace("the shadow map", shadow.size(), 1, false);
+    casters.emplace(TriangleRaster::Into::sunMap, 1);
+  }
+  if (!ground) return;
+  gl::Defines defines = withSamples(count, shadow.defines());
+  if (shown.ground.roughness < 0.6F) defines.emplace_back("REFLECTIVE", "1");
+  litGround = gl::Program::compute("draw/exact/shade_ground.comp", defines);
+  if (!shadow.on()) return;
+  defines.emplace_back("SHADOWED", "1");
+  shadedGround = gl::Program::compute("draw/exact/shade_ground.comp", defines);
+}
+
+ExactScene::ExactScene(const scene::Scene& scene, glm::ivec2 size, int samples) {
+  checkSamples(samples);
+  requireNone(!scene.lights.empty(), "lights");
+  for (const scene::Object& object : scene.objects) {
+    requireNone(!object.material.texture.empty(), "textures");
+    requireNone(object.material.hasSkin, "skins");
+  }
+  state_ = std::make_unique<State>(scene, size, samples);
+}
+ExactScene::~ExactScene() = default;
+
+void ExactScene::State::drawShadows(const sim::Drawables& drawables) {
+  std::vector<const sim::Surface*> casting;
+  for (const sim::Surface& surface : drawables.surfaces)
+    if (castsShadow(surface)) casting.push_back(&surface);
+  shadow.fit(drawables, [] {});
+  shadow.bind();
+  map->clear();
+  gl::barrier();
+  // A filter of r texels reads depths up to r + 1 texels of slope away.
+  casters->draw(casting, *map, 1.5F + scene.sun.shadowSoftness);
+}
+
+void ExactScene::State::shadeAll() {
+  constexpr std::array<GLfloat, 4> none = {0, 0, 0, 0};
+  glClearTexImage(sums.name(), 0, GL_RGBA, GL_FLOAT, none.data());
+  sums.bindImage(sumImage, GL_READ_WRITE);
+  if (map) map->nearKeys().bind(mapUnit);
+  const auto& drawn = triangles.drawn();
+  for (std::size_t i = 0; i < drawn.size(); ++i)
+    surfaces.shade(triangles, drawn[i], tiles, static_cast<int>(i));
+  if (!ground) return;
+  tiles.shade(tiles.things(), litGround);
+  if (shadow.on()) tiles.shade(tiles.things() + 1, shadedGround);
+}
+
+void ExactScene::draw(double seconds, const sim::Drawables& drawables, const gl::Texture& picture,
+                      const Watch& watch) {
+  State& s = *state_;
+  const auto issued = [&](const char* stage) {
+    if (watch) watch(stage);
+  };
+  requireNone(!drawables.instances.empty(), "instances");
+  requireNone(!drawables.fields.empty(), "fields");
+  const shader::ExactView values =
+      exactView(viewAt(s.scene.camera, seconds, s.size, drawables), s.scene.camera, s.size);
+  s.view.write(0, std::as_bytes(std::span(&values, 1)));
+  s.view.bindUniform(viewBinding, 0, sizeof values);
+  if (s.shadow.on()) {
+    s.drawShadows(drawables);
+    issued("shadow");
+  }
+  std::vector<const sim::Surface*> shown;
+  for (const sim::Surface& surface : drawables.surfaces) shown.push_back(&surface);
+  s.visibility.clear();
+  gl::barrier();
+  s.triangles.draw(shown, s.visibility);
+  issued("visibility");
+  std::vector<unsigned> firstIds;
+  for (const TriangleRaster::Drawn& drawn : s.triangles.drawn()) firstIds.push_back(drawn.firstId);
+  s.tiles.list(firstIds, s.visibility);
+  s.shadeAll();
+  issued("surfaces");
+  glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
+  if (s.bloom.on()) {
+    const gl::Texture& scattered = s.bloom.draw(s.sums);
+    scattered.bind(bloomUnit);
+    s.picture.set("bloomStrength", s.scene.render.bloom.strength.at(seconds));
+    issued("bloom");
+  }
+  s.sums.bind(sceneUnit);
+  picture.bindImage(pictureImage, GL_WRITE_ONLY);
+  s.picture.set("perSize", 2.0F / glm::vec2(s.size));
+  s.picture.dispatch(s.size.x, s.size.y);
+  glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT |
+                  GL_FRAMEBUFFER_BARRIER_BIT | GL_PIXEL_BUFFER_BARRIER_BIT);
+  issued("tone map");
+}
+
+}  // namespace simreel::draw

@@ -1,0 +1,35 @@
+#pragma once
+#include "gl/texture.hpp"
+#include "scene/scene.hpp"
+#include "sim/core/drawable.hpp"
+
+#include <functional>
+#include <memory>
+
+#include <glm/vec2.hpp>
+
+namespace simreel::draw {
+
+/// Draws all but what lies over the finished picture by kernels in exact arithmetic: the same bytes on
+/// every device.
+class ExactScene {
+ public:
+  /// Throws UserError: usage for what it cannot draw, device for limits. The scene must outlive it.
+  ExactScene(const scene::Scene& scene, glm::ivec2 size, int samples);
+  ~ExactScene();
+  ExactScene(ExactScene&&) = delete;
+  ExactScene& operator=(ExactScene&&) = delete;
+  ExactScene(const ExactScene&) = delete;
+  ExactScene& operator=(const ExactScene&) = delete;
+
+  using Watch = std::function<void(const char* stage)>;
+  /// Into an RGBA8 picture, row 0 at the top. The frame's uniform block is bound.
+  void draw(double seconds, const sim::Drawables& drawables, const gl::Texture& picture,
+            const Watch& watch);
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace simreel::draw

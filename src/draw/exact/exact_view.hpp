@@ -1,0 +1,16 @@
+#pragma once
+#include "draw/camera.hpp"
+#include "glsl/common/cpp.hpp"
+
+namespace simreel::shader {
+
+#include "glsl/draw/exact/types.glsl"
+
+}  // namespace simreel::shader
+
+namespace simreel::draw {
+
+/// How the exact rasterizer sees the scene from there: the same bits on every machine.
+[[nodiscard]] shader::ExactView exactView(const View& view, const scene::Camera& camera, glm::ivec2 size);
+
+}  // namespace simreel::draw

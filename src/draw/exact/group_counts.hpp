@@ -1,0 +1,29 @@
+#pragma once
+#include "gl/buffer.hpp"
+#include "gl/program.hpp"
+
+#include <cstddef>
+
+namespace simreel::draw {
+
+/// Arguments of indirect dispatches from counts that kernels have made.
+class GroupCounts {
+ public:
+  static constexpr std::size_t bytes = 4 * sizeof(GLuint);  ///< of a dispatch, one word of it to spare
+
+  struct Order {
+    int first = 0;       ///< dispatch to fill
+    int counts = 1;      ///< how many, from the first count on
+    unsigned each = 1;   ///< items of a group
+    unsigned parts = 1;  ///< groups in the third direction
+  };
+  GroupCounts() : program_(gl::Program::compute("draw/exact/arguments.comp")) {}
+  void fill(const gl::Buffer& counts, const Order& order, const gl::Buffer& groups) const;
+  /// Runs the program in use; what has filled the arguments is behind a barrier for commands.
+  static void dispatch(const gl::Buffer& groups, std::size_t number);
+
+ private:
+  gl::Program program_;
+};
+
+}  // namespace simreel::draw

@@ -1,0 +1,67 @@
+#include "draw/exact/shaded_tiles.hpp"
+
+#include "base/error.hpp"
+#include "draw/exact/bindings.hpp"
+#include "draw/exact/reserve.hpp"
+#include "gl/element_array.hpp"
+
+#include <span>
+#include <string>
+
+namespace simreel::draw {
+
+namespace {
+
+constexpr int side = 8;          // tileSide of glsl/draw/exact/fixed.glsl
+constexpr int maxThings = 2046;  // 32 times maxWords of tiles.comp, less the ground's two
+
+}  // namespace
+
+ShadedTiles::ShadedTiles(glm::ivec2 size, int samples, bool ground, bool shadow)
+    : size_(size), tiles_((size + side - 1) / side) {
+  gl::Defines defines = {{"SAMPLES", std::to_string(samples)}};
+  if (ground) defines.emplace_back("GROUND", "1");
+  if (shadow) defines.emplace_back("SHADOW", "1");
+  program_ = gl::Program::compute("draw/exact/tiles.comp", defines);
+}
+
+void ShadedTiles::list(const std::vector<unsigned>& firstIds, const Visibility& visibility) {
+  constexpr GLuint zero = 0;
+  things_ = static_cast<int>(firstIds.size());
+  if (things_ > maxThings)
+    fail(ExitCode::device,
+         "the exact rasterizer draws {} things at once, not {}; set \"rasterizer\" to \"driver\"",
+         maxThings, things_);
+  const auto lists = static_cast<std::size_t>(things_ + 2);
+  const std::size_t tiles = static_cast<std::size_t>(tiles_.x) * static_cast<std::size_t>(tiles_.y);
+  reserve(firstIds_, firstIdView_, "first numbers", lists * sizeof(GLuint), GL_R32UI, sizeof(GLuint));
+  reserve(lists_, listView_, "lists of tiles", lists * tiles * sizeof(GLuint), GL_R32UI, sizeof(GLuint));
+  reserve(counters_, counterView_, "counts of tiles", lists * sizeof(GLuint), GL_R32UI, sizeof(GLuint));
+  reserve(dispatches_, "groups for tiles", lists * GroupCounts::bytes);
+  if (!firstIds.empty()) firstIds_.write(0, std::as_bytes(std::span(firstIds)));
+  glClearNamedBufferData(counters_.name(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, &zero);
+  visibility.bind();
+  firstIdView_.bind(firstIdUnit);
+  lists_.bindStorage(tileListBinding);
+  counters_.bindStorage(counterBinding);
+  program_.set("draws", things_);
+  program_.set("tileCount", tiles_.x * tiles_.y);
+  program_.dispatch(size_.x, size_.y);
+  gl::barrier();
+  groups_.fill(counters_, {.counts = things_ + 2}, dispatches_);
+  gl::barrier();
+  glMemoryBarrier(GL_COMMAND_BARRIER_BIT);
+}
+
+void ShadedTiles::shade(int thing, const gl::Program& program) const {
+  listView_.bind(tileListUnit);
+  counterView_.bind(counterUnit);
+  program.set("draw_", thing);
+  program.set("tileCount", tiles_.x * tiles_.y);
+  program.set("tilesAcross", tiles_.x);
+  program.use();
+  GroupCounts::dispatch(dispatches_, static_cast<std::size_t>(thing));
+  glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
+}
+
+}  // namespace simreel::draw

@@ -1,0 +1,28 @@
+#pragma once
+#include "draw/exact/triangle_raster.hpp"
+#include "gl/texture.hpp"
+
+namespace simreel::draw {
+
+/// Which tiles of the picture show which of the things drawn, so that each is shaded where it is seen. The
+/// last two things are the ground where no shadow reaches it, and the ground elsewhere.
+class ShadedTiles {
+ public:
+  ShadedTiles(glm::ivec2 size, int samples, bool ground, bool shadow);
+
+  /// Lays the ground under what is visible and makes the lists. `firstIds`: of the things, ascending.
+  void list(const std::vector<unsigned>& firstIds, const Visibility& visibility);
+  /// Runs a shading kernel over the tiles of a thing. `program` includes draw/exact/shaded_tile.glsl.
+  void shade(int thing, const gl::Program& program) const;
+  [[nodiscard]] int things() const { return things_; }  ///< but for the ground
+
+ private:
+  glm::ivec2 size_, tiles_;
+  int things_ = 0;
+  gl::Program program_;
+  GroupCounts groups_;
+  gl::Buffer firstIds_, lists_, counters_, dispatches_;
+  gl::Texture firstIdView_, listView_, counterView_;
+};
+
+}  // namespace simreel::draw

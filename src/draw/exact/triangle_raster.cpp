@@ -1,0 +1,174 @@
+#include "draw/exact/triangle_raster.hpp"
+
+#include "base/error.hpp"
+#include "draw/exact/bindings.hpp"
+#include "draw/exact/reserve.hpp"
+#include "gl/context.hpp"
+#include "gl/element_array.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <string>
+#include <tuple>
+#include <utility>
+
+namespace simreel::draw {
+
+namespace {
+
+constexpr const char* trianglesPath = "draw/exact/triangles.comp";
+constexpr const char* largePath = "draw/exact/large.comp";
+constexpr std::int64_t maxIds = 0xfffffff0;  // the last ones say ground, and nothing
+
+int maxTrianglesOf(const sim::Surface& surface) {
+  const std::size_t indices = surface.arguments == nullptr ? static_cast<std::size_t>(surface.indexCount)
+                                                           : surface.indices->bytes() / sizeof(GLuint);
+  return static_cast<int>(indices / 3);
+}
+
+}  // namespace
+
+TriangleRaster::TriangleRaster(Into into, int samples, int smallPixels)
+    : into_(into), samples_(samples), smallPixels_(smallPixels), parts_(gl::softwareDriver() ? 4U : 32U) {}
+
+void TriangleRaster::prepare(const std::vector<const sim::Surface*>& surfaces) {
+  drawn_.clear();
+  std::int64_t vertices = 0;
+  std::int64_t triangles = 0;
+  for (const sim::Surface* surface : surfaces) {
+    Drawn next;
+    next.surface = surface;
+    next.firstVertex = static_cast<int>(vertices);
+    next.firstIndex = static_cast<int>(3 * triangles);
+    next.maxTriangles = maxTrianglesOf(*surface);
+    next.firstId = static_cast<unsigned>(triangles);
+    next.indices = gl::Texture::view("indices", GL_R32UI, *surface->indices, sizeof(GLuint));
+    vertices += surface->vertexCount;
+    triangles += next.maxTriangles;
+    if (3 * triangles > INT32_MAX || vertices > INT32_MAX || triangles > maxIds)
+      fail(ExitCode::device,
+           "the exact rasterizer numbers {} triangles of one picture, and these are more; set "
+           "\"rasterizer\" "
+           "to \"driver\"",
+           INT32_MAX / 3);
+    drawn_.push_back(std::move(next));
+  }
+  const auto of = [](std::int64_t count, std::size_t bytes) {
+    return static_cast<std::size_t>(count) * bytes;
+  };
+  reserve(vertices_, vertexView_, "vertices on the picture", of(vertices, 16), GL_RGBA32UI, 16);
+  reserve(large_, largeView_, "large triangles", of(triangles, sizeof(GLuint)), GL_R32UI, sizeof(GLuint));
+  const std::size_t count = surfaces.size();
+  reserve(counters_, counterView_, "counts of large triangles", count * sizeof(GLuint), GL_R32UI,
+          sizeof(GLuint));
+  reserve(largeGroups_, "groups for large triangles", count * GroupCounts::bytes);
+  reserve(surfaceGroups_, "groups for triangles", count * GroupCounts::bytes);
+}
+
+const gl::Program& TriangleRaster::vertexProgram(const sim::Surface& surface) {
+  const std::pair<bool, bool> key{surface.normals == nullptr, surface.deform != nullptr};
+  const auto found = vertexPrograms_.find(key);
+  if (found != vertexPrograms_.end()) return found->second;
+  gl::Defines defines;
+  if (key.first) defines.emplace_back("GRID", "1");
+  if (key.second) defines.emplace_back("DEFORMED", "1");
+  if (into_ == Into::sunMap) defines.emplace_back("SUN_MAP", "1");
+  return vertexPrograms_.emplace(key, gl::Program::compute("draw/exact/vertices.comp", defines))
+      .first->second;
+}
+
+const gl::Program& TriangleRaster::program(const char* path, int pass, bool counted) {
+  const std::tuple<std::string, int, bool> key{path, pass, counted};
+  const auto found = programs_.find(key);
+  if (found != programs_.end()) return found->second;
+  gl::Defines defines = {{"SAMPLES", std::to_string(samples_)},
+                         {"PASS", std::to_string(pass)},
+                         {"PARTS", std::to_string(parts_)}};
+  if (counted) defines.emplace_back("COUNTED", "1");
+  if (into_ == Into::sunMap) defines.emplace_back("SUN_MAP", "1");
+  return programs_.emplace(key, gl::Program::compute(path, defines)).first->second;
+}
+
+void TriangleRaster::makeVertices(const Visibility& into) {
+  vertices_.bindStorage(outVertexBinding);
+  for (const Drawn& drawn : drawn_) {
+    const sim::Surface& surface = *drawn.surface;
+    const gl::Program& program = vertexProgram(surface);
+    program.set("model", surface.model);
+    program.set("grid", surface.grid);
+    program.set("vertexCount", surface.vertexCount);
+    program.set("firstVertex", drawn.firstVertex);
+    program.set("mapTexels", static_cast<float>(into.size().x));
+    surface.positions->bind(positionUnit);
+    if (surface.normals != nullptr) surface.normals->bind(normalUnit);
+    bindDeformation(surface);
+    dispatchRows(program, surface.vertexCount);
+  }
+}
+
+void TriangleRaster::bind(const Drawn& drawn, const gl::Program& program) const {
+  vertexView_.bind(vertexUnit);
+  drawn.indices.bind(indexUnit);
+  if (drawn.surface->arguments != nullptr) drawn.surface->arguments->bindStorage(drawArgumentBinding);
+  program.set("firstVertex", drawn.firstVertex);
+  program.set("firstIndex", drawn.firstIndex);
+  program.set("triangleCount", drawn.maxTriangles);
+  program.set("firstId", drawn.firstId);
+}
+
+void TriangleRaster::run(const char* path, int pass, const Visibility& into, float slopeOffset) {
+  into.bind();
+  large_.bindStorage(largeBinding);
+  largeView_.bind(largeUnit);
+  counters_.bindStorage(counterBinding);
+  counterView_.bind(counterUnit);
+  const bool small = path == trianglesPath;
+  for (std::size_t i = 0; i < drawn_.size(); ++i) {
+    const Drawn& drawn = drawn_[i];
+    const bool counted = drawn.surface->arguments != nullptr;
+    const gl::Program& kernel = program(path, pass, counted);
+    bind(drawn, kernel);
+    kernel.set("doubleSided", static_cast<int>(drawn.surface->doubleSided));
+    kernel.set("draw_", static_cast<int>(i));
+    kernel.set("smallPixels", smallPixels_);
+    kernel.set("mapTexels", into.size().x);
+    kernel.set("slopeOffset", slopeOffset);
+    if (small && !counted) {
+      dispatchRows(kernel, drawn.maxTriangles);
+      continue;
+    }
+    kernel.use();
+    GroupCounts::dispatch(small ? surfaceGroups_ : largeGroups_, i);
+  }
+}
+
+void TriangleRaster::draw(const std::vector<const sim::Surface*>& surfaces, const Visibility& into,
+                          float slopeOffset) {
+  constexpr GLuint zero = 0;
+  constexpr unsigned groupTriangles = 64;
+  prepare(surfaces);
+  if (drawn_.empty()) return;
+  glClearNamedBufferData(counters_.name(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, &zero);
+  makeVertices(into);
+  for (std::size_t i = 0; i < drawn_.size(); ++i) {
+    const sim::Surface& surface = *drawn_[i].surface;
+    if (surface.arguments == nullptr) continue;
+    groups_.fill(*surface.arguments, {.first = static_cast<int>(i), .each = 3 * groupTriangles},
+                 surfaceGroups_);
+  }
+  gl::barrier();
+  glMemoryBarrier(GL_COMMAND_BARRIER_BIT);
+  run(trianglesPath, 0, into, slopeOffset);
+  gl::barrier();
+  groups_.fill(counters_, {.counts = static_cast<int>(drawn_.size()), .parts = parts_}, largeGroups_);
+  gl::barrier();
+  glMemoryBarrier(GL_COMMAND_BARRIER_BIT);
+  run(largePath, 0, into, slopeOffset);
+  gl::barrier();
+  if (into_ == Into::sunMap) return;
+  run(trianglesPath, 1, into, slopeOffset);
+  run(largePath, 1, into, slopeOffset);
+  gl::barrier();
+}
+
+}  // namespace simreel::draw

@@ -1,0 +1,39 @@
+#pragma once
+#include "gl/buffer.hpp"
+#include "gl/program.hpp"
+#include "gl/texture.hpp"
+
+#include <glm/vec2.hpp>
+
+namespace simreel::draw {
+
+/// What is nearest at each sample of a picture: a key that is less the nearer it is, and the number of the
+/// primitive; or of a shadow map the keys alone. 8 bytes a sample.
+class Visibility {
+ public:
+  Visibility() = default;
+  /// `samples`: 1, 2, 4, 8 or 16. Throws UserError(device) beyond the device's limits.
+  Visibility(const std::string& label, glm::ivec2 size, int samples, bool ids);
+
+  /// Nothing is visible yet.
+  void clear() const;
+  /// For kernels that draw, and for those that read.
+  void bind() const;
+
+  [[nodiscard]] glm::ivec2 size() const { return size_; }
+  [[nodiscard]] int samples() const { return samples_; }
+  [[nodiscard]] const gl::Texture& nearKeys() const { return nearView_; }
+
+ private:
+  glm::ivec2 size_{0};
+  int samples_ = 1;
+  bool withIds_ = false;
+  gl::Buffer near_, ids_;
+  gl::Texture nearView_, idView_;
+  gl::Program clear_;
+};
+
+/// Runs `items` invocations of a kernel whose groups of 64 stand in rows of at most 32,768.
+void dispatchRows(const gl::Program& program, int items);
+
+}  // namespace simreel::draw

@@ -1,0 +1,105 @@
+#include "draw/screen/driver_scene.hpp"
+
+#include "draw/instances/instances_pass.hpp"
+#include "draw/lights/lamp_shadows.hpp"
+#include "draw/lights/lamps.hpp"
+#include "draw/screen/bloom_pass.hpp"
+#include "draw/screen/resolve_pass.hpp"
+#include "draw/screen/tone_map_pass.hpp"
+#include "draw/surface/ground_pass.hpp"
+#include "draw/surface/shadow_pass.hpp"
+#include "draw/surface/skin_textures.hpp"
+#include "draw/surface/surface_pass.hpp"
+
+namespace simreel::draw {
+
+struct DriverScene::State {
+  State(const Shared& shared, glm::ivec2 size, int samples)
+      : scene(shared.scene),
+        fieldTextures(shared.fieldTextures),
+        fields(shared.fields),
+        picture(shared.picture),
+        targets(size, samples),
+        skins(scene),
+        lamps(scene),
+        shadow(scene.sun),
+        lampShadows(lamps),
+        surfaces(scene, shadow, lamps),
+        instances(shadow, lamps, targets.scene, size, samples),
+        ground(scene, shadow, lamps),
+        resolve(size, samples),
+        bloom(scene.render.bloom, size, resolve.samples()),
+        toneMap(resolve.samples(), bloom.on()) {}
+
+  const scene::Scene& scene;
+  const FieldTextures& fieldTextures;
+  FieldPass& fields;
+  const Picture& picture;
+  Targets targets;
+  SkinTextures skins;
+  Lamps lamps;
+  ShadowPass shadow;
+  LampShadows lampShadows;
+  SurfacePass surfaces;
+  InstancesPass instances;
+  GroundPass ground;
+  ResolvePass resolve;
+  BloomPass bloom;
+  ToneMapPass toneMap;
+};
+
+DriverScene::DriverScene(const Shared& shared, int samples)
+    : state_(std::make_unique<State>(
+          shared, glm::ivec2(shared.picture.color.width(), shared.picture.color.height()), samples)) {}
+DriverScene::~DriverScene() = default;
+
+void DriverScene::draw(double seconds, const sim::Drawables& all, const Watch& watch) {
+  State& s = *state_;
+  if (s.lamps.on()) s.lamps.update(seconds, all);
+  const sim::Drawables drawables = s.lamps.on() ? s.lamps.withGlows(all) : all;
+  const auto issued = [&](const char* stage, bool any = true) {
+    if (watch && any) watch(stage);
+  };
+  const bool instances = !drawables.instances.empty();
+  s.skins.update(s.fieldTextures);
+  if (s.shadow.on()) {
+    s.shadow.fit(drawables, [&] { s.instances.growBounds(drawables); });
+    s.instances.cullForLight(drawables);
+    s.shadow.draw(drawables, [&] { s.instances.castShadows(drawables); });
+    issued("shadow");
+  }
+  if (s.lampShadows.on()) {
+    s.instances.cullForLamps(drawables);
+    s.lampShadows.draw(drawables, [&](int cells) { s.instances.castLampShadows(drawables, cells); });
+    issued("shadow");
+  }
+  s.instances.cull(drawables);
+  issued("instances", instances);
+  const bool cleared = s.resolve.needsClearedLight(drawables);
+  s.targets.clear(cleared);
+  s.targets.scene.bind();
+  s.fields.draw(drawables, sim::FieldDisplay::Layer::behind, seconds);
+  s.shadow.bind();
+  s.lampShadows.bind();
+  s.surfaces.draw(drawables, s.skins);
+  issued("surfaces");
+  s.instances.drawOpaque(drawables);
+  issued("instances", instances);
+  s.ground.draw();
+  issued("ground", s.ground.on());
+  s.instances.drawAdditive(drawables);
+  if (s.resolve.on()) {  // kernels read light and depth: nothing draws into them any more
+    s.picture.framebuffer.bind();
+    glTextureBarrier();
+  }
+  const GlowSums* glows = s.resolve.glows(drawables);
+  if (glows != nullptr) s.instances.sumUp(drawables, s.targets.depth, *glows);
+  issued("instances", instances);
+  const gl::Texture& light = s.resolve.draw(s.targets, glows, cleared);
+  const gl::Texture* scattered = s.bloom.on() ? &s.bloom.draw(light) : nullptr;
+  issued("bloom", s.bloom.on());
+  s.toneMap.draw(light, s.picture, scattered, s.scene.render.bloom.strength.at(seconds));
+  issued("tone map");
+}
+
+}  // namespace simreel::draw
