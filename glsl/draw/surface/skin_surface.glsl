@@ -10,7 +10,7 @@ in vec2 uv;
 #ifdef TRIPLANAR
 // `rise`: gradient of q in world space, per cell.
 SkinArea areaOnSurface(vec3 normal, out vec3 rise) {
-  ThreeSides three = threeSides();
+  ThreeSides three = threeSides(objectPosition, objectNormal);
   vec3 side = three.side, weight = three.weight;
   SkinArea x = skinArea(three.x * skinRepeats), y = skinArea(three.y * skinRepeats), z = skinArea(three.z * skinRepeats);
   SkinArea area;

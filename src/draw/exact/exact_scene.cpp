@@ -74,7 +74,7 @@ ExactScene::State::State(const scene::Scene& shown, glm::ivec2 pixels, int count
       visibility("the picture", pixels, count, true),
       triangles(TriangleRaster::Into::picture, count),
       tiles(pixels, count, ground, shadow.on()),
-      surfaces(withSamples(count, shadow.defines())),
+      surfaces(shown, withSamples(count, shadow.defines())),
       bloom(shown.render.bloom, pixels),
       picture(gl::Program::compute("draw/exact/picture.comp",
                                    bloom.on() ? gl::Defines{{"BLOOM", "1"}} : gl::Defines{})),
@@ -96,7 +96,6 @@ ExactScene::ExactScene(const scene::Scene& scene, glm::ivec2 size, int samples) 
   checkSamples(samples);
   requireNone(!scene.lights.empty(), "lights");
   for (const scene::Object& object : scene.objects) {
-    requireNone(!object.material.texture.empty(), "textures");
     requireNone(object.material.hasSkin, "skins");
   }
   state_ = std::make_unique<State>(scene, size, samples);

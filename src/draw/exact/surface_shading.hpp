@@ -1,6 +1,7 @@
 #pragma once
 #include "draw/exact/shaded_tiles.hpp"
 #include "draw/exact/triangle_raster.hpp"
+#include "draw/surface/texture_store.hpp"
 #include "scene/scene.hpp"
 
 #include <map>
@@ -12,15 +13,19 @@ namespace simreel::draw {
 class SurfaceShading {
  public:
   /// `defines`: SAMPLES and those of the lights.
-  explicit SurfaceShading(gl::Defines defines) : defines_(std::move(defines)) {}
+  /// Loads the textures of the scene's materials.
+  SurfaceShading(const scene::Scene& scene, gl::Defines defines);
   /// Adds the light of `drawn`, thing number `thing` of the tiles, to the bound sums.
   void shade(const TriangleRaster& raster, const TriangleRaster::Drawn& drawn, const ShadedTiles& tiles,
              int thing);
 
  private:
   const gl::Program& program(const sim::Surface& surface);
+  static void setTexture(const sim::Surface& surface, const gl::Texture& albedo, const gl::Program& shader);
+
   gl::Defines defines_;
   std::map<unsigned, gl::Program> programs_;
+  TextureStore textures_{TextureStore::Reads::ours};
 };
 
 }  // namespace simreel::draw
