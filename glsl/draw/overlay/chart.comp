@@ -12,6 +12,6 @@ uniform ivec4 part;  // of the picture: left, top, right, bottom
 void main() {
   ivec2 at = part.xy + ivec2(gl_GlobalInvocationID.xy);
   if (any(greaterThanEqual(at, part.zw))) return;
-  vec2 middle = vec2(at) + 0.5;
+  precise vec2 middle = vec2(at) + 0.5;
   imageStore(target, at, storedBytes(laidOver(bytesOf(imageLoad(target, at)), chartPixel(middle))));
 }

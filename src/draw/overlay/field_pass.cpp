@@ -31,16 +31,15 @@ bool hasRelief(const sim::Field& field) {
   return field.display->relief != 0 && !field.categories;
 }
 
-/// Cells averaged into a texel on a side: the picture shows two to three texels a pixel then.
-int reductionFor(glm::ivec2 cells, glm::dvec2 perPixel) {
+}  // namespace
+
+int FieldPass::reductionFor(glm::ivec2 cells, glm::dvec2 perPixel) {
   const double under = std::min(std::min(perPixel.x, perPixel.y), 2.0 * FieldKernel::maxReduction);
   const int wanted = std::max(1, static_cast<int>(under / 2));
   const int min = (std::max(cells.x, cells.y) + maxTexels - 1) / maxTexels;
   // Too few texels for this magnification: the cells themselves then.
   return wanted < min ? 1 : wanted;
 }
-
-}  // namespace
 
 void FieldPass::prepare(const sim::Drawables& drawables, double seconds) {
   if (kept_.size() != drawables.fields.size()) kept_ = std::vector<Kept>(drawables.fields.size());

@@ -33,6 +33,8 @@ class FieldPass {
   /// last row is the picture's top one, or its first one (topFirst).
   void drawBehind(const sim::Drawables& drawables, double seconds, const gl::Texture& light,
                   bool topFirst = false);
+  /// Cells averaged into a texel on a side: the picture shows two to three texels a pixel then.
+  [[nodiscard]] static int reductionFor(glm::ivec2 cells, glm::dvec2 perPixel);
   /// Whether a field over the picture leaves nothing else of it to be seen.
   [[nodiscard]] bool hidesAll(const sim::Drawables& drawables, double seconds) const;
 
