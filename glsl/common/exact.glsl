@@ -2,6 +2,8 @@
 // Only operations that IEEE 754 pins down are used (add, subtract, multiply, integers, floor), each
 // rounded on its own by `precise`; divisions and roots are Newton iterations from an integer start.
 // Literals carry an f: in C++ a bare 0.5 would be a double.
+#ifndef EXACT_ARITHMETIC
+#define EXACT_ARITHMETIC
 #ifdef FAST_NUMERICS
 #define precise
 #endif
@@ -100,3 +102,4 @@ FUNCTION vec3 exactMix(vec3 a, vec3 b, float t) {
   precise vec3 mixed = a + (b - a) * t;
   return mixed;
 }
+#endif

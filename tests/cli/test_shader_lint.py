@@ -26,6 +26,7 @@ WRONG = [
     "void f(vec3 a) { int i =\nint(a.x * 2.0f); }",
     "#define ADD(k) \\\nsum##k = sum##k + 1.0f;",
     "#define TWICE(a) (2.0f * a)\nvoid f(float a) { float b = TWICE(a); }",
+    "#ifdef EXACT_PICTURE\nfloat f(float x) { return x * 2.0f; }\n#else\nfloat f(float x) { return 2.0f * x; }\n#endif",
 ]
 RIGHT = [
     "float f(float x, int i) { precise float y = (x * 2.0f - float(i + 1)) * -x; y += x; return -y; }",
@@ -34,6 +35,8 @@ RIGHT = [
     "struct S { ivec4 n; uint k; }; S s; vec4 a[4]; void f() { vec4 v = a[s.n.x * 2 + int(s.k - 1u)]; }",
     "#ifdef FAST_NUMERICS\nfloat f(float x) { return 1.0f / x; }\n#else\nfloat f(float x) { return x; }\n#endif",
     "void f(float x) { float y = x * x; }  // inexact",
+    "#ifdef EXACT_PICTURE\n#define ROUNDED precise\n#else\n#define ROUNDED\nfloat g(float x) { return 1.0 / x; }\n#endif\n"
+    "float f(float x) { ROUNDED float y = x * x; return y; }",
     "#define TWICE(a) (2.0f * a)\nvoid f(float a) { precise float b = TWICE(a); }",
     "INPUT_WORDS(0, Block, w)\nuint f(int i) { return w[i].x + 1u; }",
 ]

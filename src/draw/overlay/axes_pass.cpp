@@ -1,5 +1,6 @@
 #include "draw/overlay/axes_pass.hpp"
 
+#include "base/error.hpp"
 #include "draw/overlay/field_view.hpp"
 #include "draw/overlay/text_boxes.hpp"
 
@@ -39,14 +40,23 @@ std::vector<Tick> ticksBetween(double first, double last, int max) {
   const double span = std::abs(last - first);
   if (!(span > 0) || max < 1) return {};
   const double min = span / max;
-  const double ten = std::pow(10.0, std::floor(std::log10(min)));
-  double step = 10 * ten;
+  // The power of ten below it, from exact whole ones: the host's logarithms are not the same everywhere.
+  int exponent = 0;
+  const auto power = [](int n) {
+    double ten = 1;
+    for (int i = 0; i < std::abs(n); ++i) ten *= 10;
+    return n < 0 ? 1 / ten : ten;
+  };
+  while (exponent < 300 && power(exponent + 1) <= min) ++exponent;
+  while (exponent > -300 && power(exponent) > min) --exponent;
+  const double ten = power(exponent);
+  double step = power(exponent + 1);
   for (const double factor : {1.0, 2.0, 5.0})
     if (factor * ten >= min * (1 - 1e-9)) {
       step = factor * ten;
       break;
     }
-  const int digits = std::max(0, -static_cast<int>(std::floor(std::log10(step) + 1e-9)));
+  const int digits = std::max(0, step >= power(exponent + 1) ? -exponent - 1 : -exponent);
   const double low = std::min(first, last);
   const double hair = 1e-4 * step;  // the ends come as floats
   std::vector<Tick> ticks;
@@ -103,11 +113,27 @@ void AxesPass::append(const sim::Field& field, double seconds, std::vector<glm::
   }
 }
 
-void AxesPass::draw(const sim::Drawables& drawables, double seconds) {
+std::vector<glm::vec4> AxesPass::boxesOf(const sim::Drawables& drawables, double seconds) const {
   std::vector<glm::vec4> boxes;
   for (const sim::Field& field : drawables.fields)
     if (field.display != nullptr && field.display->layer == sim::FieldDisplay::Layer::over)
       append(field, seconds, boxes);
+  return boxes;
+}
+
+void AxesPass::draw(const sim::Drawables& drawables, double seconds, const gl::Texture& picture) {
+  SIMREEL_CHECK(exact_);
+  const std::vector<glm::vec4> boxes = boxesOf(drawables, seconds);
+  if (boxes.empty()) return;
+  if (program_.name() == 0) program_ = BoxList::kernel();
+  imageBarrier();
+  list_.paint(program_, boxes, picture);
+  imageBarrier();
+}
+
+void AxesPass::draw(const sim::Drawables& drawables, double seconds) {
+  SIMREEL_CHECK(!exact_);
+  std::vector<glm::vec4> boxes = boxesOf(drawables, seconds);
   if (boxes.empty()) return;
   if (program_.name() == 0)
     program_ = gl::Program::graphics("draw/overlay/chart_text.vert", "draw/overlay/chart_text.frag");
