@@ -1,5 +1,6 @@
 #include "draw/overlay/chart_pass.hpp"
 
+#include "base/ieee.hpp"
 #include "draw/overlay/text_boxes.hpp"
 
 #include <algorithm>
@@ -29,7 +30,9 @@ int curveCount(const sim::Chart& chart) {
 glm::vec3 encoded(glm::vec3 linear) {
   for (int i = 0; i < 3; ++i) {
     const float x = std::clamp(linear[i], 0.0F, 1.0F);
-    linear[i] = x <= 0.0031308F ? 12.92F * x : 1.055F * std::pow(x, 1 / 2.4F) - 0.055F;
+    linear[i] = x <= 0.0031308F
+                    ? 12.92F * x
+                    : 1.055F * static_cast<float>(ieee::pow(static_cast<double>(x), 1 / 2.4)) - 0.055F;
   }
   return linear;
 }
