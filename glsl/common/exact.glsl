@@ -85,8 +85,8 @@ FUNCTION float exactExp(float x) {
   return x < -69.0f ? 0.0f : q;
 }
 
-// log(x) for x >= 1e-30, relative error below 3e-7. x = 2^n m, m from sqrt(1/2) to sqrt(2); Cephes' polynomial (logf.c) for
-// log(1 + t), |t| < 0.42.
+// log(x) for x >= 1e-30, relative error below 3e-7. x = 2^n m, m from sqrt(1/2) to sqrt(2); Cephes' polynomial (logf.c)
+// for log(1 + t), |t| < 0.42.
 FUNCTION float exactLog(float x) {
   int n = (floatBitsToInt(x) - 0x3f3504f3) >> 23;
   precise float t = intBitsToFloat(floatBitsToInt(x) - n * 8388608) - 1.0f;

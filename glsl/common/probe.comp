@@ -24,12 +24,12 @@ void main() {
   outputs[o + 8] = exactDot(vec4(x, a, 1.5f, a), vec4(0.3f, x, a, -x));
   outputs[o + 9] = exactLog(max(a, 1e-30f));
   outputs[o + 10] = exactPow(a, 0.7f);
-  outputs[o + 11] = inversesqrt(a);
-  outputs[o + 12] = sqrt(a);
+  outputs[o + 11] = inversesqrt(a);  // inexact
+  outputs[o + 12] = sqrt(a);  // inexact
   outputs[o + 13] = 1.7f / x;  // inexact
-  outputs[o + 14] = sin(x);
-  outputs[o + 15] = exp(-a);
-  outputs[o + 16] = pow(a, 1.7f);
-  outputs[o + 17] = dot(vec3(x, a, 1.5f), vec3(0.3f, x, a));
+  outputs[o + 14] = sin(x);  // inexact
+  outputs[o + 15] = exp(-a);  // inexact
+  outputs[o + 16] = pow(a, 1.7f);  // inexact
+  outputs[o + 17] = dot(vec3(x, a, 1.5f), vec3(0.3f, x, a));  // inexact
   outputs[o + 18] = x * 1.3f + a;  // inexact
 }

@@ -36,9 +36,11 @@ void main() {
     vec3 p = found.xyz;
     precise float far = abs(p.x) + abs(p.y) + abs(p.z) + found.w;
     if (!(isNumber(far) && far < 1e6)) continue;  // lost particles must not blow the map up
-    vec3 q = vec3(exactDot(p, frame.lightRight.xyz), exactDot(p, frame.lightUp.xyz), exactDot(p, frame.sunDirection.xyz));
+    vec3 q = vec3(exactDot(p, frame.lightRight.xyz), exactDot(p, frame.lightUp.xyz),
+                  exactDot(p, frame.sunDirection.xyz));
     precise vec2 g = p.xz - away * (p.y - frame.groundHeight);
-    precise float reach = found.w * perHeight;  // a ball's shadow reaches radius / sin(height of the sun) from its middle
+    // A ball's shadow reaches radius / sin(height of the sun) from its middle.
+    precise float reach = found.w * perHeight;
     precise vec3 nearer = q - found.w, farther = q + found.w;
     precise vec2 groundNearer = g - reach, groundFarther = g + reach;
     low = min(low, nearer);
