@@ -34,29 +34,35 @@ class Boxes {
   int unit_;
 };
 
+struct Decade {
+  int exponent;
+  double value;  ///< 10^exponent, correctly rounded from 1e-22 to 1e22
+};
+
+/// The largest power of ten that is not above x > 0.
+Decade decadeBelow(double x) {
+  Decade decade{0, 1.0};
+  double power = 1.0;
+  const auto further = [&] { return decade.exponent < 300 && decade.exponent > -300; };
+  while (power * 10.0 <= x && further()) decade = {decade.exponent + 1, power *= 10.0};
+  while (decade.value > x && further()) decade = {decade.exponent - 1, 1.0 / (power *= 10.0)};
+  return decade;
+}
+
 }  // namespace
 
 std::vector<Tick> ticksBetween(double first, double last, int max) {
   const double span = std::abs(last - first);
   if (!(span > 0) || max < 1) return {};
   const double min = span / max;
-  // The power of ten below it, from exact whole ones: the host's logarithms are not the same everywhere.
-  int exponent = 0;
-  const auto power = [](int n) {
-    double ten = 1;
-    for (int i = 0; i < std::abs(n); ++i) ten *= 10;
-    return n < 0 ? 1 / ten : ten;
-  };
-  while (exponent < 300 && power(exponent + 1) <= min) ++exponent;
-  while (exponent > -300 && power(exponent) > min) --exponent;
-  const double ten = power(exponent);
-  double step = power(exponent + 1);
+  const double ten = decadeBelow(min).value;
+  double step = 10 * ten;
   for (const double factor : {1.0, 2.0, 5.0})
     if (factor * ten >= min * (1 - 1e-9)) {
       step = factor * ten;
       break;
     }
-  const int digits = std::max(0, step >= power(exponent + 1) ? -exponent - 1 : -exponent);
+  const int digits = std::max(0, -decadeBelow(step * (1 + 1e-9)).exponent);
   const double low = std::min(first, last);
   const double hair = 1e-4 * step;  // the ends come as floats
   std::vector<Tick> ticks;
