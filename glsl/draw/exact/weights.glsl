@@ -2,6 +2,8 @@
 //
 // A corner P = (x, y, 1) depth of the picture seen from the place q is P - q depth, a vector u of the plane; weights w with
 // sum w_i u_i = 0 are those of the place on the triangle in space, so w_a = u_b x u_c and so on, over their sum.
+#ifndef EXACT_WEIGHTS
+#define EXACT_WEIGHTS
 #include "common/exact.glsl"
 
 struct Weights {
@@ -38,3 +40,4 @@ FUNCTION Weights weightsAt(vec3 a, vec3 b, vec3 c, vec2 place) {
   weights.of = ofSumOne(max(w, vec3(0)));
   return weights;
 }
+#endif

@@ -1,0 +1,75 @@
+#pragma once
+#include "draw/camera.hpp"
+#include "draw/exact/bindings.hpp"
+#include "draw/exact/exact_view.hpp"
+#include "draw/exact/triangle_raster.hpp"
+#include "gl/buffer.hpp"
+#include "gl/texture.hpp"
+#include "gpu/context.hpp"
+
+#include <span>
+#include <utility>
+#include <vector>
+
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+/// A mesh as a simulation publishes it.
+struct TriangleStage {
+  TriangleStage(const std::vector<glm::vec3>& places, const std::vector<unsigned>& corners) {
+    testContext();
+    std::vector<glm::vec4> texels;
+    for (const glm::vec3& place : places) texels.emplace_back(place, 1.0F);
+    const std::vector<glm::vec4> up(places.size(), glm::vec4(0, 1, 0, 0));
+    positions = simreel::gl::Buffer::of<glm::vec4>("positions", texels);
+    normals = simreel::gl::Buffer::of<glm::vec4>("normals", up);
+    indices = simreel::gl::Buffer::of<unsigned>("indices", corners);
+    positionView = simreel::gl::Texture::view("positions", GL_RGBA32F, positions);
+    normalView = simreel::gl::Texture::view("normals", GL_RGBA32F, normals);
+    surface.positions = &positionView;
+    surface.normals = &normalView;
+    surface.vertexCount = static_cast<int>(places.size());
+    surface.indices = &indices;
+    surface.indexCount = static_cast<int>(corners.size());
+    surface.material = &material;
+  }
+  TriangleStage(const TriangleStage&) = delete;
+  TriangleStage& operator=(const TriangleStage&) = delete;
+  TriangleStage(TriangleStage&&) = delete;
+  TriangleStage& operator=(TriangleStage&&) = delete;
+  ~TriangleStage() = default;
+
+  simreel::gl::Buffer positions, normals, indices;
+  simreel::gl::Texture positionView, normalView;
+  simreel::scene::Material material;
+  simreel::sim::Surface surface;
+};
+
+/// A camera at `eye` that looks at `target`.
+inline simreel::shader::ExactView exactViewFrom(glm::vec3 eye, glm::vec3 target, glm::ivec2 size) {
+  simreel::scene::Camera camera;
+  camera.position = eye;
+  camera.target = target;
+  return simreel::draw::exactView(simreel::draw::viewAt(camera, 0, size, {}), camera, size);
+}
+
+/// Keys and numbers of what the kernels found.
+struct SeenSamples {
+  std::vector<GLuint> keys, ids;
+};
+
+inline SeenSamples seenBy(const simreel::shader::ExactView& view, int samples,
+                          const std::vector<const simreel::sim::Surface*>& surfaces, int smallPixels) {
+  simreel::gl::Buffer block("view", sizeof view);
+  block.write(0, std::as_bytes(std::span(&view, 1)));
+  block.bindUniform(simreel::draw::viewBinding, 0, sizeof view);
+  const simreel::draw::Visibility visibility("a test", view.size, samples, true);
+  simreel::draw::TriangleRaster raster(simreel::draw::TriangleRaster::Into::picture, samples, smallPixels);
+  visibility.clear();
+  raster.draw(surfaces, visibility);
+  const auto count = static_cast<std::size_t>(view.size.x * view.size.y * samples);
+  SeenSamples seen{visibility.nearBuffer().readAll<GLuint>(), visibility.idBuffer().readAll<GLuint>()};
+  seen.keys.resize(count);
+  seen.ids.resize(count);
+  return seen;
+}
