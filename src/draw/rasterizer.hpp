@@ -1,9 +1,10 @@
 #pragma once
+#include "scene/scene.hpp"
 
 namespace simreel::draw {
 
 /// Who draws. driver: the driver's own rasterizer. exact: kernels in exact arithmetic, the same bits on
 /// every machine.
-enum class Rasterizer { driver, exact };
+using scene::Rasterizer;
 
 }  // namespace simreel::draw

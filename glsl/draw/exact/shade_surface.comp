@@ -1,12 +1,20 @@
 // Light of one surface on its tiles: each primitive of a pixel once, in the pixel's middle if that is on it, else at the
 // first of its samples. Variants: those of draw/surface/lighting.glsl, SHADOW (with SHADOW_TAPS), PALETTE, DOUBLE_SIDED,
-// TEXTURED (by uv, of a GRID or a mesh, or TRIPLANAR; BUMPED). SAMPLES.
+// TEXTURED (BUMPED) or SKIN (LOOK_ one of draw/surface/skin_look.glsl), by uv, of a GRID or a mesh, or TRIPLANAR. SAMPLES.
 #define EXACT_PICTURE
 #include "draw/exact/shaded_tile.glsl"
 #include "draw/exact/surface_triangle.glsl"
 #include "draw/exact/surface_spot.glsl"
 #include "draw/surface/lighting.glsl"
+#if defined TEXTURED || defined SKIN
+#include "draw/exact/surface_seen.glsl"
+#endif
+#ifdef TEXTURED
 #include "draw/exact/surface_texture.glsl"
+#endif
+#ifdef SKIN
+#include "draw/exact/surface_skin.glsl"
+#endif
 #ifdef SHADOW
 #include "draw/exact/sun_map.glsl"
 #endif
@@ -36,7 +44,18 @@ vec3 lightOf(ivec2 pixel, uint id, int firstSample) {
 #else
   const float fraction = 1.0f;
 #endif
-  return allLight(Look(base, material.x, material.y, material.z, 1.0f), spot.place, normal, spot.view, fraction);
+  Look look = Look(base, material.x, material.y, material.z, 1.0f);
+  precise vec3 light = vec3(0);
+#ifdef SKIN
+  SpotSkin found = skinOn(spot, normal);
+  normal = found.normal;
+  look.base = found.skin.albedo;
+  look.roughness = found.skin.roughness;
+  look.openness = found.skin.openness;
+  light = found.skin.emission;
+#endif
+  light = light + allLight(look, spot.place, normal, spot.view, fraction);
+  return light;
 }
 
 void main() {

@@ -6,6 +6,9 @@
 #include "gl/limits.hpp"
 
 #include <algorithm>
+#include <bit>
+
+#include <glm/common.hpp>
 
 namespace simreel::draw {
 
@@ -25,7 +28,8 @@ gl::Texture emptyTexture(const std::string& label, GLenum format, int width, int
 
 }  // namespace
 
-SkinTextures::SkinTextures(const scene::Scene& scene) : scene_(scene) {
+SkinTextures::SkinTextures(const scene::Scene& scene, Rasterizer rasterizer)
+    : scene_(scene), exact_(rasterizer == Rasterizer::exact) {
   for (const scene::Object& object : scene.objects) {
     if (!object.material.hasSkin) continue;
     kernel(reliefPath, false);
@@ -47,9 +51,12 @@ void SkinTextures::update(const scene::Skin& skin, const FieldTextures::Entry& f
   const int height = field.texture.height();
   const bool own = skin.look == scene::Skin::Look::map;
   if (!entry.relief || entry.relief.width() != width || entry.relief.height() != height) {
-    entry.relief = emptyTexture("relief of " + skin.field, GL_RGBA16F, width, height);
-    entry.surroundings = emptyTexture("surroundings of " + skin.field, GL_R16F, width, height);
-    if (own) entry.colors = emptyTexture("colours of " + skin.field, GL_RGBA16F, width, height);
+    // Drivers round halves as they like.
+    const GLenum four = exact_ ? GL_RGBA32F : GL_RGBA16F;
+    entry.relief = emptyTexture("relief of " + skin.field, four, width, height);
+    entry.surroundings =
+        emptyTexture("surroundings of " + skin.field, exact_ ? GL_R32F : GL_R16F, width, height);
+    if (own) entry.colors = emptyTexture("colours of " + skin.field, four, width, height);
   }
   entry.threshold = thresholdFraction(skin, field.range);
   entry.cells = field.cells;
@@ -71,14 +78,38 @@ void SkinTextures::run(const char* path, const FieldTextures::Entry& field, cons
   program.set("rangeLow", range.x);
   program.set("rangeFactor", 1.0F / (range.y == range.x ? 1.0F : range.y - range.x));
   program.set("threshold", entry.threshold);
-  program.set("texelCells", static_cast<float>(std::max(field.reduction, 1)));
+  program.set("perTexelCells", 0.5F / static_cast<float>(std::max(field.reduction, 1)));
   program.set("stopCount", field.stopCount);
   glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
   program.dispatch(result.width(), result.height());
   glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT |
                   GL_FRAMEBUFFER_BARRIER_BIT);
-  glGenerateTextureMipmap(result.name());
-  if (!ownColors) glGenerateTextureMipmap(entry.surroundings.name());
+  makeLevels(result, true);
+  if (!ownColors) makeLevels(entry.surroundings, false);
+}
+
+void SkinTextures::makeLevels(const gl::Texture& texture, bool four) {
+  if (!exact_) {
+    glGenerateTextureMipmap(texture.name());
+    return;
+  }
+  gl::Program& program = four ? halveFour_ : halveOne_;
+  if (program.name() == 0)
+    program = gl::Program::compute("draw/exact/halve.comp", {{"LAYOUT", four ? "rgba32f" : "r32f"}});
+  glm::ivec2 size(texture.width(), texture.height());
+  texture.bind(sceneUnit);
+  for (int level = 1; std::max(size.x, size.y) > 1; ++level) {
+    program.set("level", level - 1);
+    program.set("size", size);
+    const glm::ivec2 half = glm::max(size / 2, 1);
+    program.set("half_", half);
+    program.set("perSize", 1.0F / glm::vec2(size));
+    glBindImageTexture(targetImage, texture.name(), level, GL_FALSE, 0, GL_WRITE_ONLY,
+                       four ? GL_RGBA32F : GL_R32F);
+    program.dispatch(half.x, half.y);
+    glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
+    size = half;
+  }
 }
 
 const SkinTextures::Entry* SkinTextures::find(const scene::Skin& skin) const {
@@ -96,6 +127,11 @@ void SkinTextures::bind(const Entry& entry, const scene::Skin& skin, const gl::P
   program.set("skinHigh", look.high);
   program.set("skinRoughness", look.roughness);
   program.set("skinDepth", look.depth);
+  const glm::ivec2 size(entry.relief.width(), entry.relief.height());
+  program.set("reliefSize", size);
+  program.set("reliefLevels",
+              static_cast<int>(std::bit_width(static_cast<unsigned>(std::max(size.x, size.y)))));
+  program.set("skinCells", glm::vec2(entry.cells));
 }
 
 const gl::Program& SkinTextures::kernel(const char* path, bool colored) {
@@ -104,6 +140,9 @@ const gl::Program& SkinTextures::kernel(const char* path, bool colored) {
   if (found != kernels_.end()) return found->second;
   gl::Defines defines;
   if (colored) defines.emplace_back("COLORED", "1");
+  defines.emplace_back("SKIN_RELIEF", exact_ ? "rgba32f" : "rgba16f");
+  defines.emplace_back("SKIN_COLORS", exact_ ? "rgba32f" : "rgba16f");
+  defines.emplace_back("SKIN_SURROUNDINGS", exact_ ? "r32f" : "r16f");
   return kernels_.emplace(key, gl::Program::compute(path, defines)).first->second;
 }
 
