@@ -52,5 +52,6 @@ FUNCTION vec4 blockMean(ivec2 first, ivec2 end) {
 // Texel i of `texels` covers the cells from floor(i cells / texels) on, so blocks differ by one cell at most and the
 // texture ends where the field does: a repeated one has no seam.
 FUNCTION vec4 texelMean(ivec2 at, ivec2 texels) {
-  return blockMean(ivec2(uvec2(at) * uvec2(cells) / uvec2(texels)), ivec2(uvec2(at + 1) * uvec2(cells) / uvec2(texels)));
+  return blockMean(ivec2(uvec2(at) * uvec2(cells) / uvec2(texels)),
+                   ivec2(uvec2(at + 1) * uvec2(cells) / uvec2(texels)));
 }
