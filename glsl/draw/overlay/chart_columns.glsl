@@ -32,10 +32,10 @@ FUNCTION vec4 heightsAt(float place) {
   return heights;
 }
 
-// `perColumn`: steps.
-FUNCTION ChartColumn columnOf(int column, float perColumn) {
-  ROUNDED float first = float(column) * perColumn;
-  ROUNDED float next = float(column + 1) * perColumn;
+// A column for so many steps.
+FUNCTION ChartColumn columnOf(int column, float stepsEach) {
+  ROUNDED float first = float(column) * stepsEach;
+  ROUNDED float next = float(column + 1) * stepsEach;
   float stop = min(next, float(steps - 1));
   ChartColumn found;
   found.enter = found.leave = found.lowest = found.highest = vec4(-1.0f);

@@ -17,13 +17,15 @@ FUNCTION float lengthOf(vec2 v) {
   return root(square);
 }
 
-FUNCTION float distanceTo(vec2 p, vec2 a, vec2 b) {
+// Squares of distances: the root of the least one will do.
+FUNCTION float squareTo(vec2 p, vec2 a, vec2 b) {
   ROUNDED vec2 along = b - a;
   ROUNDED vec2 aside = p - a;
   ROUNDED float square = along.x * along.x + along.y * along.y;
   ROUNDED float share = (aside.x * along.x + aside.y * along.y) * inverse(max(square, 1e-12f));
   ROUNDED vec2 rest = aside - along * clamp(share, 0.0f, 1.0f);
-  return lengthOf(rest);
+  ROUNDED float apart = rest.x * rest.x + rest.y * rest.y;
+  return apart;
 }
 
 // Pixels from the top of a plot so high.
@@ -34,7 +36,7 @@ FUNCTION vec4 depthsAt(int column, int row, float high) {
 
 // From a point of the plot (pixels from its top left).
 FUNCTION ChartLook looked(vec2 p, vec2 size, int reach) {
-  vec4 nearest = vec4(1e6f), below = vec4(-1e6f);
+  vec4 square = vec4(1e12f), below = vec4(-1e6f);
   int middle = int(floor(p.x));
   for (int c = max(middle - reach, 0); c <= min(middle + reach, int(size.x) - 1); ++c) {
     if (columnAt(c, 0).x < 0.0f) break;
@@ -49,15 +51,15 @@ FUNCTION ChartLook looked(vec2 p, vec2 size, int reach) {
     ROUNDED vec4 under = max(a, b) + 0.01f;
     float x1 = min(float(c + 1), max(end, least));
     for (int k = 0; k < curves; ++k) {
-      nearest[k] = min(nearest[k], distanceTo(p, vec2(x0, a[k]), vec2(x1, b[k])));
+      square[k] = min(square[k], squareTo(p, vec2(x0, a[k]), vec2(x1, b[k])));
       // What is more than a straight line within the column.
       if (high[k] < above[k] || low[k] > under[k])
-        nearest[k] = min(nearest[k], distanceTo(p, vec2(half_, high[k]), vec2(half_, low[k])));
+        square[k] = min(square[k], squareTo(p, vec2(half_, high[k]), vec2(half_, low[k])));
       if (c == middle && p.x <= end) below[k] = deep[k];
     }
   }
   ChartLook look;
-  look.nearest = nearest;
+  look.nearest = vec4(root(square.x), root(square.y), root(square.z), root(square.w));
   look.below = below;
   return look;
 }

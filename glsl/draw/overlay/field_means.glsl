@@ -49,8 +49,9 @@ FUNCTION vec4 blockMean(ivec2 first, ivec2 end) {
   return vec4(asHalf(mean.x), asHalf(mean.y), asHalf(mean.z), asHalf(placeOf(mean.w)));
 }
 
-// Texel i of `size` covers the cells from floor(i cells / size) on, so blocks differ by one cell at most and the texture
-// ends where the field does: a repeated one has no seam.
-FUNCTION vec4 texelMean(ivec2 at, ivec2 size) {
-  return blockMean(ivec2(uvec2(at) * uvec2(cells) / uvec2(size)), ivec2(uvec2(at + 1) * uvec2(cells) / uvec2(size)));
+// Texel i of `texels` covers the cells from floor(i cells / texels) on, so blocks differ by one cell at most and the
+// texture ends where the field does: a repeated one has no seam.
+FUNCTION vec4 texelMean(ivec2 at, ivec2 texels) {
+  return blockMean(ivec2(uvec2(at) * uvec2(cells) / uvec2(texels)),
+                   ivec2(uvec2(at + 1) * uvec2(cells) / uvec2(texels)));
 }

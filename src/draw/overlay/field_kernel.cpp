@@ -1,6 +1,7 @@
 #include "draw/overlay/field_kernel.hpp"
 
 #include "base/error.hpp"
+#include "draw/draw_state.hpp"
 #include "draw/overlay/field_view.hpp"
 
 #include <span>

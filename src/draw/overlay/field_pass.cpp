@@ -73,12 +73,14 @@ const gl::Program& FieldPass::program(const sim::Field& field, const Kept& kept)
   const bool reduced = kept.reduction > 1;
   const bool over = field.display->layer == Layer::over;
   const int variant = static_cast<int>(field.cells) + (field.categories ? 4 : 0) + (kept.colored ? 8 : 0) +
-                      (reduced ? 16 : 0) + (over ? 32 : 0) + (hasRelief(field) ? 64 : 0);
+                      (reduced ? 16 : 0) + (over ? 32 : 0) + (hasRelief(field) ? 64 : 0) +
+                      (field.display->tiled ? 128 : 0);
   const auto found = programs_.find(variant);
   if (found != programs_.end()) return found->second;
   gl::Defines defines = fieldDefines(field, kept.colored);
   if (reduced) defines.emplace_back("REDUCED", "1");
   if (over) defines.emplace_back("OVER", "1");
+  if (field.display->tiled) defines.emplace_back("TILED", "1");
   if (hasRelief(field)) defines.emplace_back("RELIEF", "1");
   return programs_
       .emplace(variant, exact_ ? gl::Program::compute("draw/overlay/field.comp", defines)
@@ -100,7 +102,6 @@ void FieldPass::setPlace(const gl::Program& shader, const sim::Field& field, con
   shader.set("start", place.start);
   shader.set("perPixel", place.perPixel);
   shader.set("slope", place.slope);
-  shader.set("tiled", static_cast<int>(display.tiled));
   shader.set("border", display.border);
   shader.set("opacity", display.opacity.at(seconds));
 }

@@ -107,9 +107,9 @@ TEST_CASE("exact charts: with letters, the driver's picture within its rounding"
       const auto below = someBytes(size);
       const Distance apart = distance(charted(stage.chart, below, draw::Rasterizer::exact),
                                       charted(stage.chart, below, draw::Rasterizer::driver));
-      // The software driver blends in 8 bits; a square root of its own moves edges of curves a little.
-      CHECK(apart.max <= 2);
-      CHECK(apart.mean < 0.25);
+      // The software driver blends in 8 bits.
+      CHECK(apart.max <= 1);
+      CHECK(apart.mean < 0.02);
     }
 }
 

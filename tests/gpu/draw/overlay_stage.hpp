@@ -7,6 +7,8 @@
 #include <cstring>
 #include <random>
 
+#include <doctest/doctest.h>
+
 /// Something under or before an overlay: every pixel another one, opacities too.
 inline OverlayPicture<OverlayBytes> someBytes(glm::ivec2 size) {
   OverlayPicture<OverlayBytes> picture{size, {}};
