@@ -77,8 +77,8 @@ void SkinTextures::run(const char* path, const FieldTextures::Entry& field, cons
   program.dispatch(result.width(), result.height());
   glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT |
                   GL_FRAMEBUFFER_BARRIER_BIT);
-  glGenerateTextureMipmap(result.name());
-  if (!ownColors) glGenerateTextureMipmap(entry.surroundings.name());
+  mips_.make(result, GL_RGBA16F);
+  if (!ownColors) mips_.make(entry.surroundings, GL_R16F);
 }
 
 const SkinTextures::Entry* SkinTextures::find(const scene::Skin& skin) const {
