@@ -6,7 +6,7 @@
 #include "draw/overlay/field_means.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
 #ifdef COLORED
-layout(rgba32f, binding = targetImage) writeonly uniform restrict image2D texels;
+layout(rgba16f, binding = targetImage) writeonly uniform restrict image2D texels;
 #else
 layout(r32f, binding = targetImage) writeonly uniform restrict image2D texels;
 #endif

@@ -1,16 +1,15 @@
-// The field's own colours for skins of the look "map". COLORED: the field is a picture. SKIN_COLORS: the layout.
-#define EXACT_PICTURE
-#include "draw/arithmetic.glsl"
+// The field's own colours for skins of the look "map". COLORED: the field is a picture.
 #include "draw/bindings.glsl"
+#include "draw/half.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
 #ifdef COLORED
-layout(rgba32f, binding = fieldImage) uniform readonly restrict image2D field;
+layout(rgba16f, binding = fieldImage) uniform readonly restrict image2D field;
 #else
 layout(r32f, binding = fieldImage) uniform readonly restrict image2D field;
 layout(binding = stopUnit) uniform samplerBuffer stops;
 uniform int stopCount;
 #endif
-layout(SKIN_COLORS, binding = skinColorImage) uniform writeonly restrict image2D colors;
+layout(rgba16f, binding = skinColorImage) uniform writeonly restrict image2D colors;
 uniform ivec2 texels;
 uniform float rangeLow;     // value that counts as 0
 uniform float rangeFactor;  // on what is above it
@@ -22,11 +21,10 @@ void main() {
   vec3 color = imageLoad(field, at).rgb;
 #else
   precise float fraction = (imageLoad(field, at).r - rangeLow) * rangeFactor;
-  float shown = fraction > 0.0f ? min(fraction, 1.0f) : 0.0f;
-  precise float place = shown * float(stopCount - 1);
+  precise float place = (isNumber(fraction) && fraction > 0.0 ? min(fraction, 1.0) : 0.0) * float(stopCount - 1);
   int stop = min(int(place), max(stopCount - 2, 0));
-  precise float part = place - float(stop);
-  vec3 color = blend(texelFetch(stops, stop).rgb, texelFetch(stops, min(stop + 1, stopCount - 1)).rgb, part);
+  precise float rest = place - float(stop);
+  vec3 color = exactMix(texelFetch(stops, stop).rgb, texelFetch(stops, min(stop + 1, stopCount - 1)).rgb, rest);
 #endif
-  imageStore(colors, at, vec4(color, 1.0));
+  imageStore(colors, at, asHalf(vec4(color, 1.0)));
 }

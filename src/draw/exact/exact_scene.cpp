@@ -70,7 +70,7 @@ ExactScene::State::State(const scene::Scene& shown, glm::ivec2 pixels, int count
       size(pixels),
       samples(count),
       ground(shown.hasGround && shown.ground.visible),
-      skins(shown, Rasterizer::exact),
+      skins(shown),
       shadow(shown.sun),
       view("view", sizeof(shader::ExactView)),
       visibility("the picture", pixels, count, true),

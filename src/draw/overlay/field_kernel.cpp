@@ -53,7 +53,7 @@ void setField(const gl::Program& program, const sim::Field& field, const FieldCo
 gl::Texture FieldKernel::texture(const sim::Field& field, int reduction, bool colored, int levels) {
   const glm::ivec2 size = (field.size + reduction - 1) / reduction;
   gl::Texture texture = gl::Texture::image("field " + (field.name != nullptr ? *field.name : std::string()),
-                                           colored ? GL_RGBA32F : GL_R32F, size.x, size.y, levels);
+                                           colored ? GL_RGBA16F : GL_R32F, size.x, size.y, levels);
   texture.wrap(GL_REPEAT);
   return texture;
 }

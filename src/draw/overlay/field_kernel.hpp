@@ -31,7 +31,7 @@ class FieldColors {
 void setField(const gl::Program& program, const sim::Field& field, const FieldColors& colors);
 
 /// Averages a whole field into a texture of any smaller or equal size: values (R32F), or linear light
-/// (RGBA32F, the value's place in the range in alpha). The same bits on every device. A texel sums up at
+/// (RGBA16F, the value's place in the range in alpha). The same bits on every device. A texel sums up at
 /// most 240 x 240 cells.
 class FieldKernel {
  public:

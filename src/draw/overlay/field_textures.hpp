@@ -23,7 +23,7 @@ class FieldTextures {
 
   /// Colours (`stops`, `stopCount`) matter for values only.
   struct Entry : FieldColors {
-    gl::Texture texture;  ///< R32F values, or RGBA32F linear light of categories; row 0 is the field's row
+    gl::Texture texture;  ///< R32F values, or RGBA16F linear light of categories; row 0 is the field's row
                           ///< 0; repeated beyond its borders; whole mip
                           ///< chain unless exact
     glm::ivec2 cells{0, 0};  ///< of the field; the texture may be smaller, and covers exactly the field

@@ -8,8 +8,6 @@
 #include <algorithm>
 #include <bit>
 
-#include <glm/common.hpp>
-
 namespace simreel::draw {
 
 namespace {
@@ -28,8 +26,7 @@ gl::Texture emptyTexture(const std::string& label, GLenum format, int width, int
 
 }  // namespace
 
-SkinTextures::SkinTextures(const scene::Scene& scene, Rasterizer rasterizer)
-    : scene_(scene), exact_(rasterizer == Rasterizer::exact) {
+SkinTextures::SkinTextures(const scene::Scene& scene) : scene_(scene) {
   for (const scene::Object& object : scene.objects) {
     if (!object.material.hasSkin) continue;
     kernel(reliefPath, false);
@@ -51,12 +48,9 @@ void SkinTextures::update(const scene::Skin& skin, const FieldTextures::Entry& f
   const int height = field.texture.height();
   const bool own = skin.look == scene::Skin::Look::map;
   if (!entry.relief || entry.relief.width() != width || entry.relief.height() != height) {
-    // Drivers round halves as they like.
-    const GLenum four = exact_ ? GL_RGBA32F : GL_RGBA16F;
-    entry.relief = emptyTexture("relief of " + skin.field, four, width, height);
-    entry.surroundings =
-        emptyTexture("surroundings of " + skin.field, exact_ ? GL_R32F : GL_R16F, width, height);
-    if (own) entry.colors = emptyTexture("colours of " + skin.field, four, width, height);
+    entry.relief = emptyTexture("relief of " + skin.field, GL_RGBA16F, width, height);
+    entry.surroundings = emptyTexture("surroundings of " + skin.field, GL_R16F, width, height);
+    if (own) entry.colors = emptyTexture("colours of " + skin.field, GL_RGBA16F, width, height);
   }
   entry.threshold = thresholdFraction(skin, field.range);
   entry.cells = field.cells;
@@ -78,38 +72,14 @@ void SkinTextures::run(const char* path, const FieldTextures::Entry& field, cons
   program.set("rangeLow", range.x);
   program.set("rangeFactor", 1.0F / (range.y == range.x ? 1.0F : range.y - range.x));
   program.set("threshold", entry.threshold);
-  program.set("perTexelCells", 0.5F / static_cast<float>(std::max(field.reduction, 1)));
+  program.set("texelCells", static_cast<float>(std::max(field.reduction, 1)));
   program.set("stopCount", field.stopCount);
   glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
   program.dispatch(result.width(), result.height());
   glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT |
                   GL_FRAMEBUFFER_BARRIER_BIT);
-  makeLevels(result, true);
-  if (!ownColors) makeLevels(entry.surroundings, false);
-}
-
-void SkinTextures::makeLevels(const gl::Texture& texture, bool four) {
-  if (!exact_) {
-    glGenerateTextureMipmap(texture.name());
-    return;
-  }
-  gl::Program& program = four ? halveFour_ : halveOne_;
-  if (program.name() == 0)
-    program = gl::Program::compute("draw/exact/halve.comp", {{"LAYOUT", four ? "rgba32f" : "r32f"}});
-  glm::ivec2 size(texture.width(), texture.height());
-  texture.bind(sceneUnit);
-  for (int level = 1; std::max(size.x, size.y) > 1; ++level) {
-    program.set("level", level - 1);
-    program.set("size", size);
-    const glm::ivec2 half = glm::max(size / 2, 1);
-    program.set("half_", half);
-    program.set("perSize", 1.0F / glm::vec2(size));
-    glBindImageTexture(targetImage, texture.name(), level, GL_FALSE, 0, GL_WRITE_ONLY,
-                       four ? GL_RGBA32F : GL_R32F);
-    program.dispatch(half.x, half.y);
-    glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
-    size = half;
-  }
+  mips_.make(result, GL_RGBA16F);
+  if (!ownColors) mips_.make(entry.surroundings, GL_R16F);
 }
 
 const SkinTextures::Entry* SkinTextures::find(const scene::Skin& skin) const {
@@ -140,9 +110,6 @@ const gl::Program& SkinTextures::kernel(const char* path, bool colored) {
   if (found != kernels_.end()) return found->second;
   gl::Defines defines;
   if (colored) defines.emplace_back("COLORED", "1");
-  defines.emplace_back("SKIN_RELIEF", exact_ ? "rgba32f" : "rgba16f");
-  defines.emplace_back("SKIN_COLORS", exact_ ? "rgba32f" : "rgba16f");
-  defines.emplace_back("SKIN_SURROUNDINGS", exact_ ? "r32f" : "r16f");
   return kernels_.emplace(key, gl::Program::compute(path, defines)).first->second;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 #include "draw/overlay/field_textures.hpp"
-#include "draw/rasterizer.hpp"
+#include "draw/surface/number_mips.hpp"
 #include "gl/program.hpp"
 #include "gl/texture.hpp"
 #include "scene/scene.hpp"
@@ -16,8 +16,7 @@ namespace simreel::draw {
 class SkinTextures {
  public:
   struct Entry {
-    gl::Texture relief;        ///< RGBA16F (exact: 32F, as are the others), mip-mapped, repeating: what
-                               ///< glsl/draw/surface/skin_relief.comp says
+    gl::Texture relief;  ///< RGBA16F, mip-mapped, repeating: what glsl/draw/surface/skin_relief.comp says
     gl::Texture surroundings;  ///< R16F of the same kind: mean around
     gl::Texture colors;        ///< RGBA16F, mip-mapped, repeating; of the look "map" only
     float threshold = 0.5F;    ///< fraction of the field's range
@@ -25,7 +24,7 @@ class SkinTextures {
   };
 
   /// Compiles the kernels if any material of the scene has a skin. The scene must outlive it.
-  explicit SkinTextures(const scene::Scene& scene, Rasterizer rasterizer = Rasterizer::driver);
+  explicit SkinTextures(const scene::Scene& scene);
   /// Brings the textures of all skins of the scene up to date with their fields.
   void update(const FieldTextures& fields);
   /// The same for one skin.
@@ -42,13 +41,10 @@ class SkinTextures {
   const gl::Program& kernel(const char* path, bool colored);
   void run(const char* path, const FieldTextures::Entry& field, const Entry& entry);
 
-  void makeLevels(const gl::Texture& texture, bool four);
-
   const scene::Scene& scene_;
-  bool exact_;
-  gl::Program halveFour_, halveOne_;
   std::map<std::pair<std::string, bool>, gl::Program> kernels_;
   std::map<Key, Entry> entries_;
+  NumberMips mips_;
 };
 
 }  // namespace simreel::draw
