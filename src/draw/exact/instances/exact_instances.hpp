@@ -1,0 +1,49 @@
+#pragma once
+#include "draw/exact/instances/ball_raster.hpp"
+#include "draw/exact/shaded_tiles.hpp"
+#include "draw/instances/instance_values.hpp"
+#include "sim/core/drawable.hpp"
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace simreel::draw {
+
+/// Draws instances by kernels in exact arithmetic. What is opaque has numbers of its own after those of the
+/// surfaces: first of the draw + instance.
+class ExactInstances {
+ public:
+  /// `lighting`: SAMPLES and those of the lights.
+  ExactInstances(int samples, gl::Defines lighting) : samples_(samples), lighting_(std::move(lighting)) {}
+
+  /// Throws UserError(usage) for what it cannot draw.
+  static void check(const sim::Drawables& drawables);
+  /// Grows the sun's bounds; see ShadowPass::fit.
+  void growBounds(const sim::Drawables& drawables) { bounds_.grow(drawables, shapes_); }
+  /// Into the sun's map, where other things may be drawn already. The light's place is bound.
+  void castShadows(const sim::Drawables& drawables, const Visibility& map);
+  /// What is nearest: before anything has drawn numbers.
+  void drawNearest(const sim::Drawables& drawables, const Visibility& picture);
+  /// The numbers, from `firstId` on, when everything has drawn what is nearest. Adds the first of each draw
+  /// to `firstIds`. Throws UserError(device) where there are more than numbers.
+  void drawNumbers(unsigned firstId, const Visibility& picture, std::vector<unsigned>& firstIds);
+  /// Adds the light of what is opaque, whose draws are things of the tiles from `firstThing` on.
+  void shade(const ShadedTiles& tiles, int firstThing);
+
+ private:
+  const gl::Program& shading(const sim::Instances& instances);
+
+  int samples_;
+  gl::Defines lighting_;
+  InstanceShapes shapes_{false};
+  InstanceBounds bounds_;
+  std::vector<const sim::Instances*> balls_;
+  std::vector<unsigned> ballIds_;
+  BallRaster ballRaster_{BallRaster::Into::picture, samples_};
+  BallRaster ballShadows_{BallRaster::Into::sunMap, 1};
+  std::vector<InstanceColors> colors_;
+  std::map<std::string, gl::Program> programs_;
+};
+
+}  // namespace simreel::draw
