@@ -163,9 +163,11 @@ void ExactScene::draw(double seconds, const sim::Drawables& drawables, const gl:
   }
   s.instances.drawNumbers(numbers, s.visibility, firstIds);
   issued("visibility");
-  s.tiles.list(firstIds, s.visibility);
+  s.tiles.list(firstIds, s.visibility, ExactInstances::anyAdd(drawables));
   s.shadeAll();
   issued("surfaces");
+  s.instances.addLight(drawables, s.visibility);
+  issued("instances");
   glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
   if (s.bloom.on()) {
     const gl::Texture& scattered = s.bloom.draw(s.sums);

@@ -1,26 +1,16 @@
 #include "draw/exact/instances/ball_raster.hpp"
 
 #include "draw/exact/bindings.hpp"
+#include "draw/exact/instances/parts.hpp"
 #include "draw/exact/reserve.hpp"
 #include "draw/instances/instance_values.hpp"
-#include "gl/context.hpp"
 #include "gl/element_array.hpp"
-
-#include <algorithm>
 
 namespace simreel::draw {
 
 namespace {
 
 constexpr float ballRadius = 0.5F;  // of sprites and spheres at size 1
-
-/// Groups that share a large one: many on a graphics card; and no invocation's loop ends early.
-unsigned partsFor(glm::ivec2 size, int samples) {
-  constexpr int maxLoops = 60000;
-  const int tiles = ((size.x + 15) / 8) * ((size.y + 15) / 8);
-  const int needed = (tiles + maxLoops / (samples + 1) - 1) / (maxLoops / (samples + 1));
-  return static_cast<unsigned>(std::max(gl::softwareDriver() ? 4 : 32, needed));
-}
 
 }  // namespace
 

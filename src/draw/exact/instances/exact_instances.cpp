@@ -3,6 +3,7 @@
 #include "base/error.hpp"
 #include "draw/surface/surface_pass.hpp"
 
+#include <algorithm>
 #include <cstdint>
 
 namespace simreel::draw {
@@ -32,9 +33,9 @@ unsigned after(unsigned firstId, std::uint64_t count) {
 
 void ExactInstances::check(const sim::Drawables& drawables) {
   for (const sim::Instances& instances : drawables.instances) {
-    if (instances.additive || isMesh(instances))
-      fail(ExitCode::usage, "the exact rasterizer does not draw {} yet; set \"rasterizer\" to \"driver\"",
-           instances.additive ? "instances that add light" : "copies of a mesh");
+    if (isMesh(instances))
+      fail(ExitCode::usage,
+           "the exact rasterizer does not draw copies of a mesh yet; set \"rasterizer\" to \"driver\"");
   }
 }
 
@@ -91,6 +92,21 @@ void ExactInstances::shade(const ShadedTiles& tiles, int firstThing) {
     shader.set("squarePixels", isSprite(balls) ? squarePixels : 0.0F);
     tiles.shade(firstThing + static_cast<int>(i), shader);
   }
+}
+
+bool ExactInstances::anyAdd(const sim::Drawables& drawables) {
+  return std::any_of(drawables.instances.begin(), drawables.instances.end(),
+                     [](const sim::Instances& instances) { return instances.additive; });
+}
+
+void ExactInstances::addLight(const sim::Drawables& drawables, const Visibility& picture) {
+  if (!anyAdd(drawables)) return;
+  std::vector<const sim::Instances*> glows;
+  for (const sim::Instances& instances : drawables.instances)
+    if (instances.additive && !isMesh(instances)) glows.push_back(&instances);
+  glowRaster_.prepare(picture.size());
+  glowRaster_.draw(glows, picture);
+  glowRaster_.addTo(picture.size());
 }
 
 }  // namespace simreel::draw

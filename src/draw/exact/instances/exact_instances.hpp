@@ -1,5 +1,6 @@
 #pragma once
 #include "draw/exact/instances/ball_raster.hpp"
+#include "draw/exact/instances/glow_raster.hpp"
 #include "draw/exact/shaded_tiles.hpp"
 #include "draw/instances/instance_values.hpp"
 #include "sim/core/drawable.hpp"
@@ -30,6 +31,10 @@ class ExactInstances {
   void drawNumbers(unsigned firstId, const Visibility& picture, std::vector<unsigned>& firstIds);
   /// Adds the light of what is opaque, whose draws are things of the tiles from `firstThing` on.
   void shade(const ShadedTiles& tiles, int firstThing);
+  /// Whether some add light: then the ground lies in the picture's keys, too.
+  [[nodiscard]] static bool anyAdd(const sim::Drawables& drawables);
+  /// Adds the light of those that add it, before what is visible, to the bound sums.
+  void addLight(const sim::Drawables& drawables, const Visibility& picture);
 
  private:
   const gl::Program& shading(const sim::Instances& instances);
@@ -42,6 +47,7 @@ class ExactInstances {
   std::vector<unsigned> ballIds_;
   BallRaster ballRaster_{BallRaster::Into::picture, samples_};
   BallRaster ballShadows_{BallRaster::Into::sunMap, 1};
+  GlowRaster glowRaster_{samples_};
   std::vector<InstanceColors> colors_;
   std::map<std::string, gl::Program> programs_;
 };
