@@ -1,5 +1,5 @@
 // Drawing triangles that some kernel has made. Variants of visible_sample.glsl; into the sun's map they are moved away by
-// their slope.
+// their slope. ADDS: they add light to the sums of glows.
 #include "draw/exact/visible_sample.glsl"
 #include "draw/exact/triangle.glsl"
 #include "draw/exact/clip.glsl"
@@ -8,6 +8,11 @@ uniform float slopeOffset;  // texels whose slope the map is moved by
 const float nearest = 0.0f, farthestNear = 0.0f;
 #endif
 uniform bool doubleSided;
+#ifdef ADDS
+#include "draw/frame_block.glsl"
+#include "draw/exact/instances/glow_add.glsl"
+vec3 addedLight;
+#endif
 
 // Ready to be drawn: hidden ones are empty.
 Triangle drawnTriangle(Corner a, Corner b, Corner c) {
@@ -27,6 +32,17 @@ Triangle drawnTriangle(Corner a, Corner b, Corner c) {
   return t;
 }
 
+#ifdef ADDS
+void putPixel(Triangle t, ivec2 pixel, int mask, uint id) {
+  int at = (pixel.y * view.size.x + pixel.x) * SAMPLES, samples = 0;
+  for (int s = 0; s < SAMPLES; ++s) {
+    float near = nearAt(t, pixel * subpixels + samplePlace(s) * (subpixels / 16));
+    bool seen = (mask >> s & 1) != 0 && near >= view.nearOverFar && nearKey(near) < texelFetch(nearestKeys, at + s).x;
+    samples += seen ? 1 : 0;
+  }
+  addPart(pixel, addedLight, 1.0f, samples);
+}
+#else
 // Sample `s` of the pixel, which the triangle covers.
 void putSample(Triangle t, ivec2 pixel, int s, uint before, uint id) {
   float near = nearAt(t, pixel * subpixels + samplePlace(s) * (subpixels / 16));
@@ -42,3 +58,4 @@ void putPixel(Triangle t, ivec2 pixel, int mask, uint id) {
   for (int s = 0; s < SAMPLES; ++s)
     if ((mask >> s & 1) != 0) putSample(t, pixel, s, texelFetch(nearestKeys, at + s).x, id);
 }
+#endif

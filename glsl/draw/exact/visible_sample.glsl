@@ -1,5 +1,5 @@
 // Where the kernels that find what is visible keep it. PASS 0 keeps the nearest at each sample, pass 1 the least number
-// among those that are as near. SAMPLES. SUN_MAP: the nearest of each texel of the sun's map alone.
+// among those that are as near. SAMPLES. SUN_MAP: the nearest of each texel of the sun's map alone. ADDS: neither.
 #include "draw/exact/bindings.glsl"
 #ifdef SUN_MAP
 uniform int mapTexels;
@@ -8,9 +8,10 @@ uniform int mapTexels;
 #include "draw/exact/view_block.glsl"
 #define PICTURE_SIZE view.size
 #endif
+layout(binding = nearUnit) uniform usamplerBuffer nearestKeys;  // the memory of nearKeys
+#ifndef ADDS
 layout(std430, binding = nearBinding) restrict buffer NearBlock { uint nearKeys[]; };
 layout(std430, binding = idBinding) restrict buffer IdBlock { uint ids[]; };
-layout(binding = nearUnit) uniform usamplerBuffer nearestKeys;  // the same memory
 
 // At a sample where the nearest was `before`.
 void keep(int at, uint key, uint before, uint id) {
@@ -20,3 +21,4 @@ void keep(int at, uint key, uint before, uint id) {
   if (key == before) atomicMin(ids[at], id);
 #endif
 }
+#endif

@@ -115,8 +115,9 @@ void ExactScene::State::drawShadows(const sim::Drawables& drawables) {
   map->clear();
   gl::barrier();
   // A filter of r texels reads depths up to r + 1 texels of slope away.
-  casters->draw(casting, *map, 1.5F + scene.sun.shadowSoftness);
-  instances.castShadows(drawables, *map);
+  const float slopeOffset = 1.5F + scene.sun.shadowSoftness;
+  casters->draw(casting, *map, slopeOffset);
+  instances.castShadows(drawables, *map, slopeOffset);
 }
 
 void ExactScene::State::shadeAll() {
@@ -139,7 +140,6 @@ void ExactScene::draw(double seconds, const sim::Drawables& drawables, const gl:
   const auto issued = [&](const char* stage) {
     if (watch) watch(stage);
   };
-  ExactInstances::check(drawables);
   requireNone(!drawables.fields.empty(), "fields");
   const shader::ExactView values =
       exactView(viewAt(s.scene.camera, seconds, s.size, drawables), s.scene.camera, s.size);

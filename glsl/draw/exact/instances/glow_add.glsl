@@ -2,7 +2,9 @@
 #include "draw/exact/view_block.glsl"
 #include "draw/exact/triangle.glsl"
 #include "draw/instances/glow_block.glsl"
+#ifndef ADDS
 layout(binding = nearUnit) uniform usamplerBuffer nearestKeys;
+#endif
 
 // Which samples of the pixel show nothing as near as that (nearest plane / depth).
 int samplesBefore(ivec2 pixel, float near) {

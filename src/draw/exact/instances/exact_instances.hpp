@@ -1,5 +1,6 @@
 #pragma once
 #include "draw/exact/instances/ball_raster.hpp"
+#include "draw/exact/instances/copy_raster.hpp"
 #include "draw/exact/instances/glow_raster.hpp"
 #include "draw/exact/shaded_tiles.hpp"
 #include "draw/instances/instance_values.hpp"
@@ -18,12 +19,11 @@ class ExactInstances {
   /// `lighting`: SAMPLES and those of the lights.
   ExactInstances(int samples, gl::Defines lighting) : samples_(samples), lighting_(std::move(lighting)) {}
 
-  /// Throws UserError(usage) for what it cannot draw.
-  static void check(const sim::Drawables& drawables);
   /// Grows the sun's bounds; see ShadowPass::fit.
   void growBounds(const sim::Drawables& drawables) { bounds_.grow(drawables, shapes_); }
   /// Into the sun's map, where other things may be drawn already. The light's place is bound.
-  void castShadows(const sim::Drawables& drawables, const Visibility& map);
+  /// `slopeOffset`: texels, as of TriangleRaster.
+  void castShadows(const sim::Drawables& drawables, const Visibility& map, float slopeOffset);
   /// What is nearest: before anything has drawn numbers.
   void drawNearest(const sim::Drawables& drawables, const Visibility& picture);
   /// The numbers, from `firstId` on, when everything has drawn what is nearest. Adds the first of each draw
@@ -37,7 +37,12 @@ class ExactInstances {
   void addLight(const sim::Drawables& drawables, const Visibility& picture);
 
  private:
-  const gl::Program& shading(const sim::Instances& instances);
+  const gl::Program& shading(const char* path, const sim::Instances& instances);
+  [[nodiscard]] CopyRaster::Copies copiesOf(const sim::Instances& instances) {
+    return {&instances, &shapes_.of(instances)};
+  }
+  /// What both kinds read for their shading.
+  void setLook(const gl::Program& shader, const sim::Instances& instances, std::size_t number);
 
   int samples_;
   gl::Defines lighting_;
@@ -47,6 +52,11 @@ class ExactInstances {
   std::vector<unsigned> ballIds_;
   BallRaster ballRaster_{BallRaster::Into::picture, samples_};
   BallRaster ballShadows_{BallRaster::Into::sunMap, 1};
+  std::vector<CopyRaster::Copies> copies_;
+  std::vector<unsigned> copyIds_;
+  CopyRaster copyRaster_{CopyRaster::Into::picture, samples_};
+  CopyRaster copyShadows_{CopyRaster::Into::sunMap, 1};
+  CopyRaster copyGlows_{CopyRaster::Into::picture, samples_};
   GlowRaster glowRaster_{samples_};
   std::vector<InstanceColors> colors_;
   std::map<std::string, gl::Program> programs_;
