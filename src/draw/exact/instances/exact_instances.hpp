@@ -51,11 +51,11 @@ class ExactInstances {
   std::vector<const sim::Instances*> balls_;
   std::vector<unsigned> ballIds_;
   BallRaster ballRaster_{BallRaster::Into::picture, samples_};
-  BallRaster ballShadows_{BallRaster::Into::sunMap, 1};
+  BallRaster ballShadows_{BallRaster::Into::sunMap, 1, 64};
   std::vector<CopyRaster::Copies> copies_;
   std::vector<unsigned> copyIds_;
   CopyRaster copyRaster_{CopyRaster::Into::picture, samples_};
-  CopyRaster copyShadows_{CopyRaster::Into::sunMap, 1};
+  CopyRaster copyShadows_{CopyRaster::Into::sunMap, 1, 64};
   CopyRaster copyGlows_{CopyRaster::Into::picture, samples_};
   GlowRaster glowRaster_{samples_};
   std::vector<InstanceColors> colors_;
