@@ -1,17 +1,24 @@
-// From counts to the arguments of indirect dispatches: count / each groups, in rows of at most 32,768, PARTS deep.
+// From counts to the arguments of indirect dispatches: count times `times` / each groups, in rows of at most 32,768, `parts`
+// deep. Of each count no more than `most` from `skipped` on.
 #include "draw/exact/bindings.glsl"
 layout(local_size_x = 64) in;
 layout(std430, binding = counterBinding) readonly restrict buffer CounterBlock { uint counters[]; };
 layout(std430, binding = dispatchBinding) writeonly restrict buffer DispatchBlock { uint groups[]; };  // 4 words each
 uniform int counts;
 uniform int first;  // dispatch to fill
+uniform int firstCount;
+uniform uint skipped;
+uniform uint most;
+uniform uint times;
 uniform uint each;
 uniform uint parts;
 
 void main() {
   int i = int(gl_GlobalInvocationID.x);
   if (i >= counts) return;
-  uint needed = (counters[i] + each - 1u) / each;
+  uint count = counters[firstCount + i];
+  uint taken = min(count - min(count, skipped), most) * times;
+  uint needed = taken / each + (taken % each != 0u ? 1u : 0u);
   groups[4 * (first + i)] = min(needed, 32768u);
   groups[4 * (first + i) + 1] = (needed + 32767u) / 32768u;
   groups[4 * (first + i) + 2] = parts;

@@ -1,5 +1,6 @@
 // Lays the ground under what is visible and lists, for each thing drawn, the tiles that show it: a group does one. With
-// GROUND two lists more, of tiles whose ground no shadow can reach, and of the others (SHADOW). SAMPLES.
+// GROUND two lists more, of tiles whose ground no shadow can reach, and of the others (SHADOW). GROUND_KEYS: what is nearest has the
+// ground, too. SAMPLES.
 #include "draw/frame_block.glsl"
 #include "draw/exact/view_block.glsl"
 #include "draw/exact/tile_lists.glsl"
@@ -15,6 +16,9 @@ layout(binding = firstIdUnit) uniform usamplerBuffer firstIds;
 layout(binding = nearUnit) uniform usamplerBuffer nearestKeys;
 layout(binding = idUnit) uniform usamplerBuffer visibleIds;
 layout(std430, binding = idBinding) writeonly restrict buffer IdBlock { uint ids[]; };
+#ifdef GROUND_KEYS
+layout(std430, binding = nearBinding) writeonly restrict buffer NearBlock { uint nearKeys[]; };
+#endif
 layout(std430, binding = counterBinding) restrict buffer CounterBlock { uint counters[]; };
 layout(std430, binding = tileListBinding) writeonly restrict buffer ListBlock { uint lists[]; };
 uniform int draws;
@@ -38,13 +42,17 @@ int drawOf(uint id) {
 
 #ifdef GROUND
 // 1 where the ground is what the sample shows, 2 where a shadow may reach it.
-int groundAt(ivec2 pixel, int s, uint key) {
+int groundAt(ivec2 pixel, int s, int at) {
+  uint key = texelFetch(nearestKeys, at).x;
   precise vec2 place = vec2(pixel * 16 + samplePlace(s)) * 0.0625f;
   vec3 ray = rayThrough(place);
   float depth = groundDepth(ray);
   float perDepth = exactReciprocal(max(depth, 1e-6f));
   precise float near = view.near * perDepth;
   bool seen = depth >= view.near && near >= view.nearOverFar && nearKey(near) < key;
+#ifdef GROUND_KEYS
+  if (seen) nearKeys[at] = nearKey(near);
+#endif
 #ifdef SHADOW
   vec4 reach = texelFetch(light, 4);
   vec3 p = placeOnRay(ray, depth);
@@ -69,7 +77,7 @@ void main() {
       int at = (pixel.y * view.size.x + pixel.x) * SAMPLES + s;
       uint id = texelFetch(visibleIds, at).x;
 #ifdef GROUND
-      int kind = groundAt(pixel, s, texelFetch(nearestKeys, at).x);
+      int kind = groundAt(pixel, s, at);
       if (kind > 0) {
         id = groundId;
         ids[at] = id;

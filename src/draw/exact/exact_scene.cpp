@@ -4,6 +4,7 @@
 #include "draw/exact/bindings.hpp"
 #include "draw/exact/bloom.hpp"
 #include "draw/exact/exact_view.hpp"
+#include "draw/exact/instances/exact_instances.hpp"
 #include "draw/exact/shaded_tiles.hpp"
 #include "draw/exact/surface_shading.hpp"
 #include "draw/exact/triangle_raster.hpp"
@@ -60,6 +61,7 @@ struct ExactScene::State {
   std::optional<TriangleRaster> casters;
   ShadedTiles tiles;
   SurfaceShading surfaces;
+  ExactInstances instances;
   Bloom bloom;
   gl::Program litGround, shadedGround, picture;
   gl::Texture sums;  ///< light of each pixel, and in alpha how much of it is covered
@@ -77,6 +79,7 @@ ExactScene::State::State(const scene::Scene& shown, glm::ivec2 pixels, int count
       triangles(TriangleRaster::Into::picture, count),
       tiles(pixels, count, ground, shadow.on()),
       surfaces(shown, withSamples(count, shadow.defines())),
+      instances(count, withSamples(count, shadow.defines())),
       bloom(shown.render.bloom, pixels),
       picture(gl::Program::compute("draw/exact/picture.comp",
                                    bloom.on() ? gl::Defines{{"BLOOM", "1"}} : gl::Defines{})),
@@ -105,12 +108,14 @@ void ExactScene::State::drawShadows(const sim::Drawables& drawables) {
   std::vector<const sim::Surface*> casting;
   for (const sim::Surface& surface : drawables.surfaces)
     if (castsShadow(surface)) casting.push_back(&surface);
-  shadow.fit(drawables, [] {});
+  shadow.fit(drawables, [&] { instances.growBounds(drawables); });
   shadow.bind();
   map->clear();
   gl::barrier();
   // A filter of r texels reads depths up to r + 1 texels of slope away.
-  casters->draw(casting, *map, 1.5F + scene.sun.shadowSoftness);
+  const float slopeOffset = 1.5F + scene.sun.shadowSoftness;
+  casters->draw(casting, *map, slopeOffset);
+  instances.castShadows(drawables, *map, slopeOffset);
 }
 
 void ExactScene::State::shadeAll() {
@@ -121,6 +126,7 @@ void ExactScene::State::shadeAll() {
   const auto& drawn = triangles.drawn();
   for (std::size_t i = 0; i < drawn.size(); ++i)
     surfaces.shade(triangles, drawn[i], skins, tiles, static_cast<int>(i));
+  instances.shade(tiles, static_cast<int>(drawn.size()));
   if (!ground) return;
   tiles.shade(tiles.things(), litGround);
   if (shadow.on()) tiles.shade(tiles.things() + 1, shadedGround);
@@ -133,7 +139,6 @@ void ExactScene::draw(double seconds, const sim::Drawables& drawables, const Ove
   const auto issued = [&](const char* stage) {
     if (watch) watch(stage);
   };
-  requireNone(!drawables.instances.empty(), "instances");
   const shader::ExactView values =
       exactView(viewAt(s.scene.camera, seconds, s.size, drawables), s.scene.camera, s.size);
   s.view.write(0, std::as_bytes(std::span(&values, 1)));
@@ -146,13 +151,21 @@ void ExactScene::draw(double seconds, const sim::Drawables& drawables, const Ove
   for (const sim::Surface& surface : drawables.surfaces) shown.push_back(&surface);
   s.visibility.clear();
   gl::barrier();
+  s.instances.drawNearest(drawables, s.visibility);  // before triangles draw numbers
   s.triangles.draw(shown, s.visibility);
-  issued("visibility");
   std::vector<unsigned> firstIds;
-  for (const TriangleRaster::Drawn& drawn : s.triangles.drawn()) firstIds.push_back(drawn.firstId);
-  s.tiles.list(firstIds, s.visibility);
+  unsigned numbers = 0;
+  for (const TriangleRaster::Drawn& drawn : s.triangles.drawn()) {
+    firstIds.push_back(drawn.firstId);
+    numbers = drawn.firstId + static_cast<unsigned>(drawn.maxTriangles);
+  }
+  s.instances.drawNumbers(numbers, s.visibility, firstIds);
+  issued("visibility");
+  s.tiles.list(firstIds, s.visibility, ExactInstances::anyAdd(drawables));
   s.shadeAll();
   issued("surfaces");
+  s.instances.addLight(drawables, s.visibility);
+  issued("instances");
   glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
   overlays.fields.drawBehind(drawables, seconds, s.sums, true);
   if (s.bloom.on()) {

@@ -8,7 +8,11 @@ void GroupCounts::fill(const gl::Buffer& counts, const Order& order, const gl::B
   counts.bindStorage(counterBinding);
   groups.bindStorage(dispatchBinding);
   program_.set("first", order.first);
+  program_.set("firstCount", order.firstCount);
   program_.set("counts", order.counts);
+  program_.set("skipped", order.skipped);
+  program_.set("most", order.most);
+  program_.set("times", order.times);
   program_.set("each", order.each);
   program_.set("parts", order.parts);
   program_.dispatch(order.counts);

@@ -12,10 +12,14 @@ class GroupCounts {
   static constexpr std::size_t bytes = 4 * sizeof(GLuint);  ///< of a dispatch, one word of it to spare
 
   struct Order {
-    int first = 0;       ///< dispatch to fill
-    int counts = 1;      ///< how many, from the first count on
-    unsigned each = 1;   ///< items of a group
-    unsigned parts = 1;  ///< groups in the third direction
+    int first = 0;  ///< dispatch to fill
+    int firstCount = 0;
+    int counts = 1;        ///< how many, from the first count on
+    unsigned skipped = 0;  ///< of each count
+    unsigned most = ~0U;   ///< taken of each
+    unsigned times = 1;    ///< items for one that is counted: fewer than 2^32 together
+    unsigned each = 1;     ///< items of a group
+    unsigned parts = 1;    ///< groups in the third direction
   };
   GroupCounts() : program_(gl::Program::compute("draw/exact/arguments.comp")) {}
   void fill(const gl::Buffer& counts, const Order& order, const gl::Buffer& groups) const;

@@ -19,14 +19,21 @@ constexpr int maxThings = 2046;  // 32 times maxWords of tiles.comp, less the gr
 
 ShadedTiles::ShadedTiles(glm::ivec2 size, int samples, bool ground, bool shadow)
     : size_(size), tiles_((size + side - 1) / side) {
-  gl::Defines defines = {{"SAMPLES", std::to_string(samples)}};
-  if (ground) defines.emplace_back("GROUND", "1");
-  if (shadow) defines.emplace_back("SHADOW", "1");
-  program_ = gl::Program::compute("draw/exact/tiles.comp", defines);
+  defines_ = {{"SAMPLES", std::to_string(samples)}};
+  if (ground) defines_.emplace_back("GROUND", "1");
+  if (shadow) defines_.emplace_back("SHADOW", "1");
+  program_ = gl::Program::compute("draw/exact/tiles.comp", defines_);
 }
 
-void ShadedTiles::list(const std::vector<unsigned>& firstIds, const Visibility& visibility) {
+void ShadedTiles::list(const std::vector<unsigned>& firstIds, const Visibility& visibility,
+                       bool groundKeys) {
   constexpr GLuint zero = 0;
+  if (groundKeys && keyProgram_.name() == 0) {
+    gl::Defines defines = defines_;
+    defines.emplace_back("GROUND_KEYS", "1");
+    keyProgram_ = gl::Program::compute("draw/exact/tiles.comp", defines);
+  }
+  const gl::Program& program = groundKeys ? keyProgram_ : program_;
   things_ = static_cast<int>(firstIds.size());
   if (things_ > maxThings)
     fail(ExitCode::device,
@@ -44,9 +51,9 @@ void ShadedTiles::list(const std::vector<unsigned>& firstIds, const Visibility& 
   firstIdView_.bind(firstIdUnit);
   lists_.bindStorage(tileListBinding);
   counters_.bindStorage(counterBinding);
-  program_.set("draws", things_);
-  program_.set("tileCount", tiles_.x * tiles_.y);
-  program_.dispatch(size_.x, size_.y);
+  program.set("draws", things_);
+  program.set("tileCount", tiles_.x * tiles_.y);
+  program.dispatch(size_.x, size_.y);
   gl::barrier();
   groups_.fill(counters_, {.counts = things_ + 2}, dispatches_);
   gl::barrier();

@@ -11,7 +11,8 @@ class ShadedTiles {
   ShadedTiles(glm::ivec2 size, int samples, bool ground, bool shadow);
 
   /// Lays the ground under what is visible and makes the lists. `firstIds`: of the things, ascending.
-  void list(const std::vector<unsigned>& firstIds, const Visibility& visibility);
+  /// `groundKeys`: the ground is among what is nearest afterwards.
+  void list(const std::vector<unsigned>& firstIds, const Visibility& visibility, bool groundKeys = false);
   /// Runs a shading kernel over the tiles of a thing. `program` includes draw/exact/shaded_tile.glsl.
   void shade(int thing, const gl::Program& program) const;
   [[nodiscard]] int things() const { return things_; }  ///< but for the ground
@@ -19,7 +20,8 @@ class ShadedTiles {
  private:
   glm::ivec2 size_, tiles_;
   int things_ = 0;
-  gl::Program program_;
+  gl::Defines defines_;
+  gl::Program program_, keyProgram_;
   GroupCounts groups_;
   gl::Buffer firstIds_, lists_, counters_, dispatches_;
   gl::Texture firstIdView_, listView_, counterView_;

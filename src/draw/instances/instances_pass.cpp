@@ -2,36 +2,18 @@
 
 #include "draw/surface/surface_pass.hpp"
 #include "gl/context.hpp"
-#include "sim/mesh/file.hpp"
 
 #include <algorithm>
-#include <iterator>
-#include <span>
 #include <string>
-
-#include <glm/vec4.hpp>
 
 namespace simreel::draw {
 
 namespace {
 
-/// Smaller glows shimmer as they move over the pixels; smaller balls fall between samples.
-constexpr float minGlow = 1.25F;  // pixels of radius
-constexpr float minBall = 0.57F;
 /// Points have a greatest size, 255 pixels on some drivers.
 constexpr float maxPointGlow = 64.0F;
 /// Larger glows are shared among the invocations of a group.
 constexpr float maxSmallSum = 5.0F;
-
-bool isSprite(const sim::Instances& instances) {
-  return instances.shape == sim::Instances::Shape::sprite;
-}
-
-template <class Make>
-const InstanceShape& made(std::unique_ptr<InstanceShape>& shape, Make make) {
-  if (!shape) shape = std::make_unique<InstanceShape>(make());
-  return *shape;
-}
 
 std::vector<glm::vec2> offsetsOf(const gl::Framebuffer& target, int samples) {
   std::vector<glm::vec2> offsets;
@@ -57,22 +39,6 @@ InstancesPass::InstancesPass(const ShadowPass& shadow, const Lamps& lamps, const
       sampleOffsets_(offsetsOf(target, samples)) {
   lightDefines_.insert(lightDefines_.end(), lamps.defines().begin(), lamps.defines().end());
   if (lamps.order().shadowed > 0) lampDefines_ = lamps.shadowDefines();
-}
-
-const InstanceShape& InstancesPass::shape(const sim::Instances& instances) {
-  switch (instances.shape) {
-    case sim::Instances::Shape::sprite:
-      return made(sprite_, [] { return InstanceShape::sprite(SmallSprites::points()); });
-    case sim::Instances::Shape::sphere:
-      return made(sphere_, InstanceShape::sphere);
-    case sim::Instances::Shape::mesh:
-      break;
-  }
-  const auto found = meshes_.find(instances.mesh);
-  if (found != meshes_.end()) return found->second;
-  const sim::Mesh mesh = sim::loadMesh(instances.mesh);
-  return meshes_.emplace(instances.mesh, InstanceShape::mesh(mesh.positions, mesh.normals, mesh.indices))
-      .first->second;
 }
 
 const CullPrograms& InstancesPass::cullPrograms(Viewer viewer, int levels) {
@@ -141,36 +107,14 @@ InstancesPass::Entry& InstancesPass::entry(const sim::Instances& instances, std:
     entry.forLight = std::make_unique<VisibleList>(instances.capacity, levels);
   if (!lampDefines_.empty() && castsShadow(instances) && !fits(entry.forLamps))
     entry.forLamps = std::make_unique<VisibleList>(instances.capacity, levels);
-  static const std::vector<glm::vec3> none(1, glm::vec3(1));
-  const auto& stops = instances.colors != nullptr && !instances.colors->empty() ? *instances.colors : none;
-  if (entry.stops != stops) {
-    const bool sameSize = entry.stops.size() == stops.size();
-    entry.stops = stops;
-    std::vector<glm::vec4> texels;
-    texels.reserve(stops.size());
-    for (const glm::vec3& stop : stops) texels.emplace_back(stop, 1.0F);
-    if (sameSize) {
-      entry.stopBuffer.write(0, std::as_bytes(std::span(texels)));
-      return entry;
-    }
-    entry.stopView = {};
-    entry.stopBuffer = gl::Buffer::of<glm::vec4>("colour stops", texels);
-    entry.stopView = gl::Texture::view("colour stops", GL_RGBA32F, entry.stopBuffer);
-  }
+  entry.colors.update(instances);
   return entry;
 }
 
 void InstancesPass::setInstance(const gl::Program& program, const sim::Instances& instances,
                                 Viewer viewer) {
-  program.set("size", instances.size);
-  program.set("shapeRadius", shape(instances).radius());
-  program.set("massExponent", instances.massExponent);
-  program.set("perMassReference", 1.0F / instances.massReference);
-  program.set("minPixels", !isSprite(instances) || viewer != Viewer::camera ? 0.0F
-                           : instances.additive                             ? minGlow
-                                                                            : minBall);
-  instances.positions->bind(positionUnit);
-  instances.velocities->bind(velocityUnit);
+  draw::setInstance(program, instances, shape(instances).radius(),
+                    viewer == Viewer::camera ? minPixelsOf(instances) : 0.0F);
 }
 
 void InstancesPass::fill(const sim::Instances& instances, std::size_t i, Viewer viewer) {
@@ -205,30 +149,6 @@ void InstancesPass::cullForLight(const sim::Drawables& drawables) {
 void InstancesPass::cullForLamps(const sim::Drawables& drawables) {
   for (std::size_t i = 0; i < drawables.instances.size(); ++i)
     if (castsShadow(drawables.instances[i])) fill(drawables.instances[i], i, Viewer::lamps);
-}
-
-void InstancesPass::growBounds(const sim::Drawables& drawables) {
-  constexpr int maxInvocations = 1 << 14;
-  constexpr int each = 32;
-  for (const sim::Instances& instances : drawables.instances) {
-    if (!castsShadow(instances)) continue;
-    const bool boxed = instances.boundsMin != instances.boundsMax;
-    gl::Program& bounds = boxed ? boxBounds_ : bounds_;
-    if (bounds.name() == 0)
-      bounds =
-          gl::Program::compute("draw/surface/shadow_bounds.comp", {{boxed ? "BOX" : "INSTANCES", "1"}});
-    const int count = boxed ? 8 : instances.capacity;
-    const int invocations = boxed ? 8 : std::clamp((count + each - 1) / each, 1, maxInvocations);
-    bounds.set("vertexCount", count);
-    bounds.set("invocations", invocations);
-    if (boxed) {
-      bounds.set("corners[0]", instances.boundsMin);
-      bounds.set("corners[1]", instances.boundsMax);
-    } else {
-      setInstance(bounds, instances, Viewer::sun);
-    }
-    bounds.dispatch(invocations);
-  }
 }
 
 void InstancesPass::drawLevel(const gl::Program& program, const sim::Instances& instances,
@@ -298,21 +218,12 @@ void InstancesPass::castLampShadows(const sim::Drawables& drawables, int cells) 
 void InstancesPass::setLook(const gl::Program& program, const sim::Instances& instances,
                             const Entry& own) const {
   const scene::Material& material = *instances.material;
-  const glm::vec2 range = instances.colorRange;
-  const float scale = 1.0F / (range.y > range.x ? range.y - range.x : 1e-20F);
-  program.set("colorBy", static_cast<int>(instances.colorBy));
-  program.set("colorFactor", scale);
-  program.set("colorOffset", -range.x * scale);
-  program.set("stopCount", static_cast<int>(own.stops.size()));
-  program.set("color", material.color);
-  program.set("brightness", instances.brightness);
-  program.set("fade", instances.fade);
+  own.colors.set(program, instances);
   program.set("roughness", material.roughness);
   program.set("metallic", material.metallic);
   program.set("translucency", material.translucency);
   for (std::size_t s = 0; s < sampleOffsets_.size(); ++s)
     program.set(("sampleOffsets[" + std::to_string(s) + "]").c_str(), sampleOffsets_[s]);
-  own.stopView.bind(stopUnit);
 }
 
 void InstancesPass::draw(const sim::Drawables& drawables, bool adding) {

@@ -2,6 +2,7 @@
 #include "draw/draw_state.hpp"
 #include "draw/instances/glow_sums.hpp"
 #include "draw/instances/instance_shape.hpp"
+#include "draw/instances/instance_values.hpp"
 #include "draw/instances/small_sprites.hpp"
 #include "draw/instances/visible_list.hpp"
 #include "draw/lights/lamps.hpp"
@@ -10,7 +11,6 @@
 #include "scene/scene.hpp"
 #include "sim/core/drawable.hpp"
 
-#include <filesystem>
 #include <map>
 #include <memory>
 #include <string>
@@ -27,7 +27,7 @@ class InstancesPass {
                 glm::ivec2 size, int samples);
 
   /// Grows the shadow's bounds.
-  void growBounds(const sim::Drawables& drawables);
+  void growBounds(const sim::Drawables& drawables) { bounds_.grow(drawables, shapes_); }
   /// Finds those in the light's box (its map is bound), then draws them into the bound shadow map.
   void cullForLight(const sim::Drawables& drawables);
   void castShadows(const sim::Drawables& drawables);
@@ -51,13 +51,11 @@ class InstancesPass {
   /// What belongs to drawables.instances[i].
   struct Entry {
     std::unique_ptr<VisibleList> forCamera, forLight, forLamps;
-    std::vector<glm::vec3> stops;
-    gl::Buffer stopBuffer;
-    gl::Texture stopView;
+    InstanceColors colors;
   };
 
   Entry& entry(const sim::Instances& instances, std::size_t i);
-  const InstanceShape& shape(const sim::Instances& instances);
+  const InstanceShape& shape(const sim::Instances& instances) { return shapes_.of(instances); }
   const CullPrograms& cullPrograms(Viewer viewer, int levels);
   [[nodiscard]] gl::Defines lightingDefines(const sim::Instances& instances) const;
   /// For all levels of detail but the small ones of sprites.
@@ -66,7 +64,7 @@ class InstancesPass {
   const gl::Program& lampShadowProgram(const sim::Instances& instances);
   const gl::Program& cached(const char* vertexPath, const char* fragmentPath, const gl::Defines& defines);
   void fill(const sim::Instances& instances, std::size_t i, Viewer viewer);
-  /// What glsl/draw/instances/instance.glsl reads.
+  /// What glsl/draw/instances/instance.glsl reads, for that viewer.
   void setInstance(const gl::Program& program, const sim::Instances& instances, Viewer viewer);
   void setLook(const gl::Program& program, const sim::Instances& instances, const Entry& entry) const;
   void draw(const sim::Drawables& drawables, bool additive);
@@ -83,11 +81,10 @@ class InstancesPass {
   int samples_;
   std::vector<glm::vec2> sampleOffsets_;
   std::vector<Entry> entries_;
-  std::unique_ptr<InstanceShape> sprite_, sphere_;
-  std::map<std::filesystem::path, InstanceShape> meshes_;
+  InstanceShapes shapes_{SmallSprites::points()};
   std::map<std::pair<Viewer, int>, CullPrograms> cullPrograms_;
   std::map<std::string, gl::Program> programs_;
-  gl::Program bounds_, boxBounds_;
+  InstanceBounds bounds_;
   SmallSprites small_;
   VertexArray vertices_;
 };

@@ -1,0 +1,26 @@
+// Adds the sums of glows to the light of the picture and empties them.
+#define EXACT_PICTURE
+#include "draw/frame_block.glsl"
+#include "draw/exact/view_block.glsl"
+#include "draw/instances/glow_block.glsl"
+layout(local_size_x = 8, local_size_y = 8) in;
+layout(rgba32f, binding = sumImage) restrict uniform image2D sums;
+
+void main() {
+  ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+  if (pixel.x >= view.size.x || pixel.y >= view.size.y) return;
+  int word = glowWord(pixel);
+  precise vec4 light = imageLoad(sums, pixel);
+  uint any_ = 0u;
+  for (int i = 0; i < 3; ++i) {
+    uint lower = glowSums[word + i], upper = glowSums[word + 3 + i];
+    any_ |= lower | upper;
+    // Halves that floats hold exactly: how a driver rounds larger numbers is its own affair.
+    precise float fine = float(lower & 0xffffu) * 5.9604645e-8f + float(lower >> 16) * 0.00390625f;
+    precise float sum = light[i] + (float(min(upper, 0xffffffu)) * glowUpper + fine);
+    light[i] = sum;
+  }
+  if (any_ == 0u) return;
+  imageStore(sums, pixel, light);
+  for (int i = 0; i < 6; ++i) glowSums[word + i] = 0u;
+}

@@ -1,0 +1,30 @@
+// Small balls of instances, an invocation each; the numbers of the others go on a list (large_balls.comp). SAMPLES, PASS.
+#define EXACT_PICTURE
+#include "draw/exact/instances/raster_ball.glsl"
+layout(local_size_x = 64) in;
+layout(std430, binding = largeBinding) restrict buffer LargeBlock { uint large[]; };
+layout(std430, binding = counterBinding) restrict buffer CounterBlock { uint counters[]; };
+uniform int draw_;        // number of the instances among those drawn
+uniform int firstLarge;   // where their list begins
+uniform int smallPixels;  // the longest side of a small one's box
+
+void main() {
+  int number = int(gl_WorkGroupID.y * gl_NumWorkGroups.x * 64u + gl_GlobalInvocationID.x);
+  if (number >= capacity) return;
+  Ball ball = ballOf(texelFetch(positions, number), texelFetch(velocities, number));
+  ivec4 box = pixelsOfBall(ball);
+  if (box.z < box.x || box.w < box.y) return;
+  if (max(box.z - box.x, box.w - box.y) >= smallPixels) {
+#if PASS == 0
+    large[firstLarge + int(atomicAdd(counters[draw_], 1u))] = uint(number);
+#endif
+    return;
+  }
+  Rays rays = raysOfView();
+  ivec2 pixel = box.xy;
+  int pixels = (box.z - box.x + 1) * (box.w - box.y + 1);
+  for (int i = 0; i < pixels; ++i) {
+    putBall(ball, rays, pixel, firstId + uint(number));
+    pixel = pixel.x < box.z ? ivec2(pixel.x + 1, pixel.y) : ivec2(box.x, pixel.y + 1);
+  }
+}

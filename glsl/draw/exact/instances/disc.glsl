@@ -1,0 +1,28 @@
+// Discs on a picture, in pixels. Compiles as GLSL and as C++.
+#include "common/exact.glsl"
+
+struct Disc {
+  vec2 middle;
+  float radius;
+};
+
+// From and to which pixel's middle lies on it; none where the end lies before the beginning.
+FUNCTION ivec4 pixelsOfDisc(Disc disc, ivec2 size) {
+  precise vec2 low = disc.middle - disc.radius + 0.5f;
+  precise vec2 high = disc.middle + disc.radius - 0.5f;
+  vec2 most = vec2(size);
+  vec2 from = clamp(low, vec2(0.0f), most), to = clamp(high, vec2(-1.0f), most - 1.0f);
+  return ivec4(int(floor(from.x)), int(floor(from.y)), int(floor(to.x)), int(floor(to.y)));
+}
+
+// Square of the distance of the pixel's middle from the disc's, in pixels.
+FUNCTION float squareFromMiddle(Disc disc, ivec2 pixel) {
+  precise vec2 aside = vec2(pixel) + 0.5f - disc.middle;
+  precise float square = aside.x * aside.x + aside.y * aside.y;
+  return square;
+}
+
+FUNCTION bool onDisc(Disc disc, ivec2 pixel) {
+  precise float most = disc.radius * disc.radius;
+  return squareFromMiddle(disc, pixel) <= most;
+}

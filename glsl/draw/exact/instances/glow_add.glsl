@@ -1,0 +1,39 @@
+// Adding light to the sums of draw/instances/glow_block.glsl, before what is visible. SAMPLES.
+#include "draw/exact/view_block.glsl"
+#include "draw/exact/triangle.glsl"
+#include "draw/instances/glow_block.glsl"
+#ifndef ADDS
+layout(binding = nearUnit) uniform usamplerBuffer nearestKeys;
+#endif
+
+// Which samples of the pixel show nothing as near as that (nearest plane / depth).
+int samplesBefore(ivec2 pixel, float near) {
+  uint key = nearKey(near);
+  int at = (pixel.y * view.size.x + pixel.x) * SAMPLES, count = 0;
+  for (int s = 0; s < SAMPLES; ++s) count += key < texelFetch(nearestKeys, at + s).x ? 1 : 0;
+  return count;
+}
+
+// Light as whole units: three words each for the lower and the upper part.
+void addUnits(ivec2 pixel, vec3 light) {
+  vec3 all_ = min(light, vec3(6e4f));  // more than half floats hold shows white in any case
+  precise vec3 uppers = all_ * 0.00390625f;
+  vec3 upper = floor(uppers);
+  precise vec3 lower = (all_ - upper * glowUpper) * glowUnits;
+  precise vec3 rounded = lower + 0.5f;
+  uvec3 units = uvec3(rounded);
+  int word = glowWord(pixel);
+  for (int i = 0; i < 3; ++i) {
+    uint carry = uint(upper[i]);
+    if (units[i] != 0u && atomicAdd(glowSums[word + i], units[i]) > 0xffffffffu - units[i]) ++carry;
+    if (carry != 0u) atomicAdd(glowSums[word + 3 + i], carry);
+  }
+}
+
+// Adds the part `inside` of the light, at as many of the pixel's samples.
+void addPart(ivec2 pixel, vec3 light, float inside, int samples) {
+  if (samples == 0) return;
+  precise float part = inside * float(samples) * (1.0f / float(SAMPLES));
+  precise vec3 all_ = light * part;
+  addUnits(pixel, all_);
+}

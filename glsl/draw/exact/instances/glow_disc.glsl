@@ -1,0 +1,89 @@
+// Glows on the picture: round on it as long as they are small, discs in space that face the eye where they are large, so that
+// one may fly through them. BALL: additive spheres, of one light all over.
+#include "draw/exact/instances/ball_source.glsl"
+#include "draw/exact/instances/glow_add.glsl"
+#include "draw/exact/instances/disc.glsl"
+#include "draw/exact/instances/rays.glsl"
+#include "draw/instances/instance_list.glsl"
+uniform float roundPixels;  // larger ones are discs in space
+
+struct GlowDisc {
+  vec3 light;
+  Ball ball;
+  Disc disc;   // of round ones (pixels)
+  float near;  // nearest plane / depth of round ones
+  bool round_;
+  ivec4 box;   // from and to which pixel
+};
+
+bool farEnough(float depth, float near) {
+  return depth >= view.near && near >= view.nearOverFar;
+}
+
+GlowDisc glowDiscOf(int number) {
+  vec4 position = texelFetch(positions, number), velocity = texelFetch(velocities, number);
+  GlowDisc glow;
+  glow.box = ivec4(0, 0, -1, -1);
+  glow.ball = ballOf(position, velocity);
+  Ball ball = glow.ball;
+  if (!(ball.radius > 0.0f)) return glow;
+  float perDepth = exactReciprocal(max(ball.depth, 1e-6f));
+  precise vec2 middle = vec2(exactDot(ball.middle, view.across.xyz), exactDot(ball.middle, view.down.xyz)) * perDepth;
+  precise float near = view.near * perDepth;
+  glow.disc.middle = middle;
+  glow.disc.radius = pixelsOf(position.xyz, ball.radius);
+  glow.near = near;
+#ifdef BALL
+  glow.round_ = false;
+  precise vec3 light = tintOf(position, velocity) * brightnessAt(velocity.w);
+  glow.light = light;
+#else
+  glow.round_ = farEnough(ball.depth, near) && glow.disc.radius <= roundPixels;
+  glow.light = glowOf(position, velocity).light;
+#endif
+  if (!(isNumber(glow.light.r) && isNumber(glow.light.g) && isNumber(glow.light.b))) return glow;
+  if (glow.round_) {
+    glow.box = pixelsOfDisc(glow.disc, view.size);
+    return glow;
+  }
+  precise float farthest = ball.depth + ball.radius;
+  if (farthest < view.near) return glow;
+  vec2 x = ballSpan(ball, view.across.xyz, view.forward.xyz, float(view.size.x));
+  vec2 y = ballSpan(ball, view.down.xyz, view.forward.xyz, float(view.size.y));
+  if (x.x > x.y || y.x > y.y) return glow;
+  ivec2 last = min(ivec2(int(floor(x.y)), int(floor(y.y))), view.size - 1);
+  glow.box = ivec4(int(floor(x.x)), int(floor(y.x)), last);
+  return glow;
+}
+
+#ifdef BALL
+void addGlow(GlowDisc glow, Rays rays, ivec2 pixel) {
+  int at = (pixel.y * view.size.x + pixel.x) * SAMPLES, samples = 0;
+  for (int s = 0; s < SAMPLES; ++s) {
+    precise vec2 place = vec2(pixel * 16 + samplePlace(s)) * 0.0625f;
+    BallHit hit = ballHit(glow.ball, rayAt(rays, place));
+    precise float near = view.near * exactReciprocal(max(hit.depth, 1e-6f));
+    bool seen = hit.found && farEnough(hit.depth, near) && nearKey(near) < texelFetch(nearestKeys, at + s).x;
+    samples += seen ? 1 : 0;
+  }
+  addPart(pixel, glow.light, 1.0f, samples);
+}
+#else
+// (1 - (distance / radius)^2)^2 of the light.
+void addGlow(GlowDisc glow, Rays rays, ivec2 pixel) {
+  float perRadius = exactReciprocal(glow.round_ ? glow.disc.radius : glow.ball.radius);
+  precise vec2 place = vec2(pixel) + 0.5f;
+  vec3 ray = rayAt(rays, place), middle = glow.ball.middle;
+  // The disc's plane through the middle m faces the eye: the ray meets it at the depth m.m / m.ray.
+  float towards = exactDot(ray, middle);
+  precise float depth = exactDot(middle, middle) * exactReciprocal(max(towards, 1e-12f));
+  precise vec3 off = (ray * depth - middle) * perRadius;
+  precise float onPicture = squareFromMiddle(glow.disc, pixel) * perRadius * perRadius;
+  precise float nearInSpace = view.near * exactReciprocal(max(depth, 1e-6f));
+  float square = glow.round_ ? onPicture : exactDot(off, off);
+  float near = glow.round_ ? glow.near : nearInSpace;
+  if (square >= 1.0f || (!glow.round_ && (towards <= 0.0f || !farEnough(depth, near)))) return;
+  precise float inside = (1.0f - square) * (1.0f - square);
+  addPart(pixel, glow.light, inside, samplesBefore(pixel, near));
+}
+#endif

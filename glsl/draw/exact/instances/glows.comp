@@ -1,0 +1,55 @@
+// Adds light of small instances to the sums, an invocation each; the numbers of the others go on a list. LARGE: those, a group
+// taking every so manyth tile of one. Variants: BALL. SAMPLES.
+#define EXACT_PICTURE
+#include "draw/exact/instances/glow_disc.glsl"
+uniform int draw_;        // number of the instances among those that add light
+uniform int firstLarge;   // where their list begins
+uniform int smallPixels;  // the longest side of a small one's box
+#ifdef LARGE
+layout(local_size_x = 8, local_size_y = 8) in;
+layout(binding = largeUnit) uniform usamplerBuffer large;
+layout(binding = counterUnit) uniform usamplerBuffer counters;
+#else
+layout(local_size_x = 64) in;
+layout(std430, binding = largeBinding) restrict buffer LargeBlock { uint large[]; };
+layout(std430, binding = counterBinding) restrict buffer CounterBlock { uint counters[]; };
+#endif
+
+Rays raysOfView() {
+  return Rays(view.ray.xyz, view.rayAcross.xyz, view.rayDown.xyz);
+}
+
+#ifdef LARGE
+void main() {
+  uint entry = gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x;
+  if (entry >= texelFetch(counters, draw_).x) return;
+  GlowDisc glow = glowDiscOf(int(texelFetch(large, firstLarge + int(entry)).x));
+  Rays rays = raysOfView();
+  ivec4 box = glow.box;
+  int across = (box.z - box.x) / tileSide + 1;
+  int tiles = across * ((box.w - box.y) / tileSide + 1);
+  for (int tile = int(gl_WorkGroupID.z); tile < tiles; tile += int(gl_NumWorkGroups.z)) {
+    ivec2 pixel = box.xy + ivec2(tile % across, tile / across) * tileSide + ivec2(gl_LocalInvocationID.xy);
+    if (pixel.x <= box.z && pixel.y <= box.w) addGlow(glow, rays, pixel);
+  }
+}
+#else
+void main() {
+  int number = int(gl_WorkGroupID.y * gl_NumWorkGroups.x * 64u + gl_GlobalInvocationID.x);
+  if (number >= capacity) return;
+  GlowDisc glow = glowDiscOf(number);
+  ivec4 box = glow.box;
+  if (box.z < box.x || box.w < box.y) return;
+  if (max(box.z - box.x, box.w - box.y) >= smallPixels) {
+    large[firstLarge + int(atomicAdd(counters[draw_], 1u))] = uint(number);
+    return;
+  }
+  Rays rays = raysOfView();
+  ivec2 pixel = box.xy;
+  int pixels = (box.z - box.x + 1) * (box.w - box.y + 1);
+  for (int i = 0; i < pixels; ++i) {
+    addGlow(glow, rays, pixel);
+    pixel = pixel.x < box.z ? ivec2(pixel.x + 1, pixel.y) : ivec2(box.x, pixel.y + 1);
+  }
+}
+#endif

@@ -1,0 +1,24 @@
+// Balls that are large on the picture: those that balls.comp has listed. A group takes every so manyth tile of one.
+// SAMPLES, PASS.
+#define EXACT_PICTURE
+#include "draw/exact/instances/raster_ball.glsl"
+layout(local_size_x = 8, local_size_y = 8) in;
+layout(binding = largeUnit) uniform usamplerBuffer large;
+layout(binding = counterUnit) uniform usamplerBuffer counters;
+uniform int draw_;
+uniform int firstLarge;
+
+void main() {
+  uint entry = gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x;
+  if (entry >= texelFetch(counters, draw_).x) return;
+  int number = int(texelFetch(large, firstLarge + int(entry)).x);
+  Ball ball = ballOf(texelFetch(positions, number), texelFetch(velocities, number));
+  ivec4 box = pixelsOfBall(ball);
+  Rays rays = raysOfView();
+  int across = (box.z - box.x) / tileSide + 1;
+  int tiles = across * ((box.w - box.y) / tileSide + 1);
+  for (int tile = int(gl_WorkGroupID.z); tile < tiles; tile += int(gl_NumWorkGroups.z)) {
+    ivec2 pixel = box.xy + ivec2(tile % across, tile / across) * tileSide + ivec2(gl_LocalInvocationID.xy);
+    if (pixel.x <= box.z && pixel.y <= box.w) putBall(ball, rays, pixel, firstId + uint(number));
+  }
+}

@@ -1,0 +1,22 @@
+// Triangles of copies that are large, or reach beyond the picture's surroundings: those that copies.comp has listed. A group
+// takes every so manyth tile of one. Variants of raster_triangle.glsl.
+#include "draw/exact/instances/raster_copy.glsl"
+#include "draw/exact/fill_tiles.glsl"
+layout(binding = largeUnit) uniform usamplerBuffer large;
+layout(binding = counterUnit) uniform usamplerBuffer counters;
+uniform int part;
+
+void main() {
+  uint entry = gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x;
+  if (entry >= texelFetch(counters, part).x) return;
+  CopyTriangle c = copyTriangle(texelFetch(large, int(entry)).x);
+#ifdef SUN_MAP
+  fillTiles(drawnTriangle(cornerAt(c.a, c.na), cornerAt(c.b, c.nb), cornerAt(c.c, c.nc)), c.id);  // never clipped
+#else
+  Polygon p = clippedToPicture(c.a, c.b, c.c, vec2(PICTURE_SIZE), view.near);
+  for (int k = 1; k + 1 < p.count; ++k)
+    fillTiles(drawnTriangle(cornerOf(p.corners[0], view.near), cornerOf(p.corners[k], view.near),
+                            cornerOf(p.corners[k + 1], view.near)),
+              c.id);
+#endif
+}

@@ -1,0 +1,32 @@
+// Drawing balls by ray, sample by sample. Variants of visible_sample.glsl.
+#include "draw/exact/visible_sample.glsl"
+#include "draw/exact/triangle.glsl"
+#include "draw/exact/instances/ball_source.glsl"
+#include "draw/exact/instances/rays.glsl"
+
+// From and to which pixel; none where the end lies before the beginning.
+ivec4 pixelsOfBall(Ball ball) {
+  precise float farthest = ball.depth + ball.radius;
+  if (!(ball.radius > 0.0f) || farthest < view.near) return ivec4(0, 0, -1, -1);
+  vec2 x = ballSpan(ball, view.across.xyz, view.forward.xyz, float(view.size.x));
+  vec2 y = ballSpan(ball, view.down.xyz, view.forward.xyz, float(view.size.y));
+  if (x.x > x.y || y.x > y.y) return ivec4(0, 0, -1, -1);
+  ivec2 last = min(ivec2(int(floor(x.y)), int(floor(y.y))), view.size - 1);
+  return ivec4(int(floor(x.x)), int(floor(y.x)), last);
+}
+
+Rays raysOfView() {
+  return Rays(view.ray.xyz, view.rayAcross.xyz, view.rayDown.xyz);
+}
+
+// The samples of one pixel that the ball covers.
+void putBall(Ball ball, Rays rays, ivec2 pixel, uint id) {
+  int at = (pixel.y * view.size.x + pixel.x) * SAMPLES;
+  for (int s = 0; s < SAMPLES; ++s) {
+    precise vec2 place = vec2(pixel * 16 + samplePlace(s)) * 0.0625f;
+    BallHit hit = ballHit(ball, rayAt(rays, place));
+    precise float near = view.near * exactReciprocal(max(hit.depth, 1e-6f));
+    if (!hit.found || hit.depth < view.near || near < view.nearOverFar) continue;
+    keep(at + s, nearKey(near), texelFetch(nearestKeys, at + s).x, id);
+  }
+}

@@ -1,0 +1,95 @@
+// Light of balls on their tiles: each one of a pixel once, in the pixel's middle if that is on it, else at the first of its
+// samples. Those of few pixels are lit at four corners of a square of their outlines' area, as the driver's are
+// (draw/instances/small_sprites.comp): else they would twinkle. Variants: those of draw/surface/lighting.glsl, SHADOW (with
+// SHADOW_TAPS). SAMPLES.
+#define EXACT_PICTURE
+#include "draw/exact/shaded_tile.glsl"
+#include "draw/exact/instances/ball_source.glsl"
+#include "draw/exact/instances/rays.glsl"
+#include "draw/instances/instance_list.glsl"
+#include "draw/surface/facing.glsl"
+#include "draw/surface/lighting.glsl"
+#ifdef SHADOW
+#include "draw/exact/sun_map.glsl"
+#endif
+uniform vec3 material;  // roughness, metallic, translucency
+uniform float squarePixels;  // radius of those of few pixels
+
+// The place of a pixel or sample on it that is lit.
+struct Place {
+  vec3 outwards;  // from the ball's middle (m)
+  vec3 ray;
+};
+
+Place placeOn(Ball ball, ivec2 pixel, int firstSample) {
+  Rays rays = Rays(view.ray.xyz, view.rayAcross.xyz, view.rayDown.xyz);
+  vec3 ray = rayAt(rays, shadingPlace(pixel, -1));
+  BallHit hit = ballHit(ball, ray);
+  if (!hit.found || hit.depth < view.near) {
+    ray = rayAt(rays, shadingPlace(pixel, firstSample));
+    hit = ballHit(ball, ray);
+  }
+  return Place(hit.outwards, ray);
+}
+
+// How much the corner (-1 or 1) counts on a square whose half side is the third number, at the pixel's middle.
+float weightOf(Ball ball, Facing facing, vec2 corner, float perHalf, ivec2 pixel) {
+  Rays rays = Rays(view.ray.xyz, view.rayAcross.xyz, view.rayDown.xyz);
+  precise vec3 aside = rayAt(rays, shadingPlace(pixel, -1)) * ball.depth - ball.middle;
+  precise vec2 at = vec2(exactDot(aside, facing.right), exactDot(aside, facing.up)) * perHalf;
+  precise vec2 along = 0.5f + 0.5f * clamp(at, vec2(-1.0f), vec2(1.0f)) * corner;
+  precise float weight = along.x * along.y;
+  return weight;
+}
+
+vec4 lightOf(ivec2 pixel, int number, int firstSample) {
+  vec4 position = texelFetch(positions, number), velocity = texelFetch(velocities, number);
+  Ball ball = ballOf(position, velocity);
+  bool small = pixelRadius(position.xyz, ball.radius) <= squarePixels;
+  Facing facing = facingEye(position.xyz);
+  Place place = placeOn(ball, pixel, firstSample);
+  precise vec3 backwards = -place.ray;
+  vec3 towards = small ? facing.towards : unitOf(backwards);
+  precise vec3 middle = 0.6666667f * facing.towards;  // the part of a ball that is seen faces the eye by 2/3 in the mean
+  precise vec3 lit = position.xyz + (small ? ball.radius * middle : place.outwards);
+#ifdef SHADOW
+  float fraction = sunFractionOn(lit, frame.sunDirection.xyz);  // a ball shades itself by its normals
+#else
+  const float fraction = 1.0f;
+#endif
+  vec3 tint = tintOf(position, velocity);
+  Look look = Look(tint, material.x, material.y, material.z, 1.0f);
+  precise float perHalf = 1.1283792f * exactReciprocal(ball.radius);
+  vec3 firstNormal = unitOf(place.outwards);
+  precise vec3 light = vec3(0.0f);
+  int corners = small ? 4 : 1;
+  for (int i = 0; i < corners; ++i) {
+    vec2 corner = vec2(float((i & 1) * 2 - 1), float((i & 2) - 1));
+    precise vec3 side = middle + 0.5270463f * (corner.x * facing.right + corner.y * facing.up);
+    vec3 normal = small ? side : firstNormal;
+    float weight = small ? weightOf(ball, facing, corner, perHalf, pixel) : 1.0f;
+    precise vec3 p = position.xyz + (small ? ball.radius * side : place.outwards);
+    light = light + weight * allLight(look, p, normal, towards, fraction);
+  }
+  return vec4(light, 1.0f);
+}
+
+void main() {
+  ivec2 pixel = pixelToShade();
+  if (pixel.x < 0) return;
+  uint shown[SAMPLES];
+  int left = 0;
+  for (int s = 0; s < SAMPLES; ++s) {
+    shown[s] = idAt(pixel, s);
+    if (shown[s] >= firstId && shown[s] - firstId < uint(capacity)) left |= 1 << s;
+  }
+  while (left != 0) {
+    int first = findLSB(left);
+    uint id = idAt(pixel, first);
+    int same = 0;
+    for (int s = 0; s < SAMPLES; ++s)
+      if (shown[s] == id) same |= 1 << s;
+    addLight(pixel, lightOf(pixel, int(id - firstId), first), bitCount(same));
+    left &= ~same;
+  }
+}

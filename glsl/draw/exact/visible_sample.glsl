@@ -1,0 +1,24 @@
+// Where the kernels that find what is visible keep it. PASS 0 keeps the nearest at each sample, pass 1 the least number
+// among those that are as near. SAMPLES. SUN_MAP: the nearest of each texel of the sun's map alone. ADDS: neither.
+#include "draw/exact/bindings.glsl"
+#ifdef SUN_MAP
+uniform int mapTexels;
+#define PICTURE_SIZE ivec2(mapTexels)
+#else
+#include "draw/exact/view_block.glsl"
+#define PICTURE_SIZE view.size
+#endif
+layout(binding = nearUnit) uniform usamplerBuffer nearestKeys;  // the memory of nearKeys
+#ifndef ADDS
+layout(std430, binding = nearBinding) restrict buffer NearBlock { uint nearKeys[]; };
+layout(std430, binding = idBinding) restrict buffer IdBlock { uint ids[]; };
+
+// At a sample where the nearest was `before`.
+void keep(int at, uint key, uint before, uint id) {
+#if PASS == 0
+  if (key < before) atomicMin(nearKeys[at], key);
+#else
+  if (key == before) atomicMin(ids[at], id);
+#endif
+}
+#endif

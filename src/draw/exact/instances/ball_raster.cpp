@@ -1,0 +1,97 @@
+#include "draw/exact/instances/ball_raster.hpp"
+
+#include "draw/exact/bindings.hpp"
+#include "draw/exact/instances/parts.hpp"
+#include "draw/exact/reserve.hpp"
+#include "draw/instances/instance_values.hpp"
+#include "gl/element_array.hpp"
+
+namespace simreel::draw {
+
+namespace {
+
+constexpr float ballRadius = 0.5F;  // of sprites and spheres at size 1
+
+}  // namespace
+
+BallRaster::BallRaster(Into into, int samples, int smallPixels)
+    : into_(into), samples_(samples), smallPixels_(smallPixels) {}
+
+const gl::Program& BallRaster::program(bool large, int pass) {
+  const std::tuple<bool, int> key{large, pass};
+  const auto found = programs_.find(key);
+  if (found != programs_.end()) return found->second;
+  gl::Defines defines = {{"SAMPLES", std::to_string(samples_)}, {"PASS", std::to_string(pass)}};
+  const bool map = into_ == Into::sunMap;
+  if (map) defines.emplace_back("SUN_MAP", "1");
+  if (map && large) defines.emplace_back("LARGE", "1");
+  const char* path = map     ? "draw/exact/instances/ball_shadows.comp"
+                     : large ? "draw/exact/instances/large_balls.comp"
+                             : "draw/exact/instances/balls.comp";
+  return programs_.emplace(key, gl::Program::compute(path, defines)).first->second;
+}
+
+void BallRaster::prepare() {
+  constexpr GLuint zero = 0;
+  std::size_t all = 0;
+  for (const sim::Instances* balls : balls_) all += static_cast<std::size_t>(balls->capacity);
+  const std::size_t count = balls_.size();
+  reserve(large_, largeView_, "large balls", all * sizeof(GLuint), GL_R32UI, sizeof(GLuint));
+  reserve(counters_, counterView_, "counts of large balls", count * sizeof(GLuint), GL_R32UI,
+          sizeof(GLuint));
+  reserve(largeGroups_, "groups for large balls", count * GroupCounts::bytes);
+  glClearNamedBufferData(counters_.name(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, &zero);
+}
+
+void BallRaster::run(bool large, int pass, const std::vector<unsigned>& firstIds, const Visibility& into) {
+  into.bind();
+  large_.bindStorage(largeBinding);
+  largeView_.bind(largeUnit);
+  counters_.bindStorage(counterBinding);
+  counterView_.bind(counterUnit);
+  const gl::Program& kernel = program(large, pass);
+  int firstLarge = 0;
+  for (std::size_t i = 0; i < balls_.size(); ++i) {
+    const sim::Instances& balls = *balls_[i];
+    setInstance(kernel, balls, ballRadius, into_ == Into::picture ? minPixelsOf(balls) : 0.0F);
+    kernel.set("capacity", balls.capacity);
+    kernel.set("firstId", firstIds[i]);
+    kernel.set("draw_", static_cast<int>(i));
+    kernel.set("firstLarge", firstLarge);
+    kernel.set("smallPixels", smallPixels_);
+    kernel.set("mapTexels", into.size().x);
+    firstLarge += balls.capacity;
+    if (large) {
+      kernel.use();
+      GroupCounts::dispatch(largeGroups_, i);
+    } else {
+      dispatchRows(kernel, balls.capacity);
+    }
+  }
+}
+
+void BallRaster::drawNearest(const std::vector<const sim::Instances*>& balls, const Visibility& into) {
+  balls_ = balls;
+  if (balls_.empty()) return;
+  prepare();
+  gl::barrier();
+  const std::vector<unsigned> none(balls_.size(), 0U);
+  run(false, 0, none, into);
+  gl::barrier();
+  groups_.fill(counters_,
+               {.counts = static_cast<int>(balls_.size()), .parts = partsFor(into.size(), samples_)},
+               largeGroups_);
+  gl::barrier();
+  glMemoryBarrier(GL_COMMAND_BARRIER_BIT);
+  run(true, 0, none, into);
+  gl::barrier();
+}
+
+void BallRaster::drawNumbers(const std::vector<unsigned>& firstIds, const Visibility& into) {
+  if (balls_.empty()) return;
+  run(false, 1, firstIds, into);
+  run(true, 1, firstIds, into);
+  gl::barrier();
+}
+
+}  // namespace simreel::draw

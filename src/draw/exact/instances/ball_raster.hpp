@@ -1,0 +1,43 @@
+#pragma once
+#include "draw/exact/group_counts.hpp"
+#include "draw/exact/visibility.hpp"
+#include "sim/core/drawable.hpp"
+
+#include <map>
+#include <string>
+#include <tuple>
+#include <vector>
+
+namespace simreel::draw {
+
+/// Finds where balls are nearest: sprites and spheres, by ray at every sample; or their discs on the sun's
+/// map. The result does not depend on the order in which the device works.
+class BallRaster {
+ public:
+  enum class Into { picture, sunMap };
+  /// Balls whose box has no side above `smallPixels` (0 to 64) are drawn by an invocation each, the others
+  /// by groups, tile by tile: the same either way.
+  BallRaster(Into into, int samples, int smallPixels = 16);
+
+  /// What is nearest, into what is cleared or drawn already. The uniform blocks, and for a map the light's
+  /// place, are bound.
+  void drawNearest(const std::vector<const sim::Instances*>& balls, const Visibility& into);
+  /// The numbers of those that are nearest when all is drawn, each from firstIds[i] on.
+  void drawNumbers(const std::vector<unsigned>& firstIds, const Visibility& into);
+
+ private:
+  const gl::Program& program(bool large, int pass);
+  void prepare();
+  void run(bool large, int pass, const std::vector<unsigned>& firstIds, const Visibility& into);
+
+  Into into_;
+  int samples_;
+  int smallPixels_;
+  std::vector<const sim::Instances*> balls_;
+  std::map<std::tuple<bool, int>, gl::Program> programs_;
+  GroupCounts groups_;
+  gl::Buffer large_, counters_, largeGroups_;
+  gl::Texture largeView_, counterView_;
+};
+
+}  // namespace simreel::draw

@@ -1,0 +1,70 @@
+#pragma once
+#include "draw/exact/group_counts.hpp"
+#include "draw/exact/visibility.hpp"
+#include "draw/instances/instance_values.hpp"
+#include "gl/texture.hpp"
+#include "sim/core/drawable.hpp"
+
+#include <map>
+#include <tuple>
+#include <vector>
+
+namespace simreel::draw {
+
+/// Finds where copies of a mesh are nearest, by kernels: those in sight are listed, then an invocation
+/// takes one triangle of one copy. The result does not depend on the order in which the device works.
+class CopyRaster {
+ public:
+  enum class Into { picture, sunMap };
+  /// Triangles whose box has no side above `smallPixels` (0 to 64) are drawn by an invocation each, the
+  /// others by groups, tile by tile; `pairs`: so many triangles of copies at once. The same either way.
+  CopyRaster(Into into, int samples, int smallPixels = 16, unsigned pairs = 1U << 22U)
+      : into_(into), samples_(samples), smallPixels_(smallPixels), pairs_(pairs) {}
+
+  /// Copies of one mesh. The shape stays where it is.
+  struct Copies {
+    const sim::Instances* instances = nullptr;
+    const InstanceShape* shape = nullptr;
+    [[nodiscard]] unsigned triangles() const;
+  };
+  /// What is nearest, into what is cleared or drawn already. The uniform blocks, and for a map the light's
+  /// place, are bound. `slopeOffset`: of a map, texels.
+  void drawNearest(const std::vector<Copies>& copies, const Visibility& into, float slopeOffset = 0);
+  /// The numbers of those that are nearest when all is drawn, each from firstIds[i] on.
+  void drawNumbers(const std::vector<unsigned>& firstIds, const Visibility& into);
+  /// Adds light to the bound sums of GlowRaster, before what is visible.
+  void addLight(const std::vector<Copies>& copies, const Visibility& into);
+
+  /// Sets and binds what glsl/draw/exact/instances/copy_source.glsl reads.
+  void set(const gl::Program& program, const Copies& copies, unsigned firstId);
+
+ private:
+  enum class Pass { nearest, numbers, light };
+  /// Copies that are drawn by one dispatch.
+  struct Part {
+    std::size_t draw;
+    int skipped;
+    int most;
+  };
+  const gl::Program& program(const char* path, Pass pass);
+  void list(const std::vector<Copies>& copies, const Visibility& into);
+  void run(Pass pass, const std::vector<unsigned>& firstIds, const Visibility& into, float slopeOffset);
+  void runPart(std::size_t part, Pass pass, unsigned firstId, const Visibility& into, float slopeOffset);
+
+  Into into_;
+  int samples_;
+  int smallPixels_;
+  unsigned pairs_;
+  std::vector<Copies> copies_;
+  std::vector<int> firstListed_;
+  std::vector<Part> parts_;
+  std::vector<InstanceColors> colors_;
+  std::map<std::tuple<std::string, Pass>, gl::Program> programs_;
+  std::map<const InstanceShape*, gl::Texture> indices_;
+  gl::Program cull_;
+  GroupCounts groups_;
+  gl::Buffer listed_, counts_, large_, largeCounts_, smallGroups_, largeGroups_;
+  gl::Texture listedView_, countView_, largeView_, largeCountView_;
+};
+
+}  // namespace simreel::draw

@@ -1,0 +1,145 @@
+#include "draw/exact/instances/exact_instances.hpp"
+
+#include "base/error.hpp"
+#include "draw/surface/surface_pass.hpp"
+
+#include <algorithm>
+#include <cstdint>
+
+namespace simreel::draw {
+
+namespace {
+
+constexpr std::uint64_t lastId = 0xfffffff0;  // the last ones say ground, and nothing
+
+/// Sprites of at most this radius are lit as squares, as the driver draws them.
+constexpr float squarePixels = 1.6F;
+
+bool isMesh(const sim::Instances& instances) {
+  return instances.shape == sim::Instances::Shape::mesh;
+}
+
+/// First number after `count` more.
+unsigned after(unsigned firstId, std::uint64_t count) {
+  if (firstId + count > lastId)
+    fail(ExitCode::device,
+         "the exact rasterizer numbers {} triangles and balls of one picture, and these are {}; set "
+         "\"rasterizer\" to \"driver\"",
+         lastId, firstId + count);
+  return static_cast<unsigned>(firstId + count);
+}
+
+}  // namespace
+
+void ExactInstances::castShadows(const sim::Drawables& drawables, const Visibility& map,
+                                 float slopeOffset) {
+  std::vector<const sim::Instances*> balls;
+  std::vector<CopyRaster::Copies> copies;
+  for (const sim::Instances& instances : drawables.instances) {
+    if (!castsShadow(instances)) continue;
+    if (isMesh(instances))
+      copies.push_back(copiesOf(instances));
+    else
+      balls.push_back(&instances);
+  }
+  ballShadows_.drawNearest(balls, map);
+  copyShadows_.drawNearest(copies, map, slopeOffset);
+}
+
+void ExactInstances::drawNearest(const sim::Drawables& drawables, const Visibility& picture) {
+  balls_.clear();
+  copies_.clear();
+  for (const sim::Instances& instances : drawables.instances) {
+    if (instances.additive) continue;
+    if (isMesh(instances))
+      copies_.push_back(copiesOf(instances));
+    else
+      balls_.push_back(&instances);
+  }
+  ballRaster_.drawNearest(balls_, picture);
+  copyRaster_.drawNearest(copies_, picture);
+}
+
+void ExactInstances::drawNumbers(unsigned firstId, const Visibility& picture,
+                                 std::vector<unsigned>& firstIds) {
+  ballIds_.clear();
+  copyIds_.clear();
+  for (const sim::Instances* balls : balls_) {
+    ballIds_.push_back(firstId);
+    firstId = after(firstId, static_cast<std::uint64_t>(balls->capacity));
+  }
+  for (const CopyRaster::Copies& copies : copies_) {
+    copyIds_.push_back(firstId);
+    firstId = after(firstId, static_cast<std::uint64_t>(copies.instances->capacity) * copies.triangles());
+  }
+  ballRaster_.drawNumbers(ballIds_, picture);
+  copyRaster_.drawNumbers(copyIds_, picture);
+  firstIds.insert(firstIds.end(), ballIds_.begin(), ballIds_.end());
+  firstIds.insert(firstIds.end(), copyIds_.begin(), copyIds_.end());
+}
+
+const gl::Program& ExactInstances::shading(const char* path, const sim::Instances& instances) {
+  const bool reflective = isReflective(*instances.material);
+  const bool translucent = instances.material->translucency > 0;
+  const std::string key = std::string(path) + (reflective ? " r" : "") + (translucent ? " t" : "");
+  const auto found = programs_.find(key);
+  if (found != programs_.end()) return found->second;
+  gl::Defines defines = lighting_;
+  if (reflective) defines.emplace_back("REFLECTIVE", "1");
+  if (translucent) defines.emplace_back("TRANSLUCENT", "1");
+  return programs_.emplace(key, gl::Program::compute(path, defines)).first->second;
+}
+
+void ExactInstances::setLook(const gl::Program& shader, const sim::Instances& instances,
+                             std::size_t number) {
+  const scene::Material& material = *instances.material;
+  if (colors_.size() <= number) colors_.resize(number + 1);
+  colors_[number].update(instances);
+  colors_[number].set(shader, instances);
+  shader.set("material", glm::vec3(material.roughness, material.metallic, material.translucency));
+}
+
+void ExactInstances::shade(const ShadedTiles& tiles, int firstThing) {
+  for (std::size_t i = 0; i < balls_.size(); ++i) {
+    const sim::Instances& balls = *balls_[i];
+    const gl::Program& shader = shading("draw/exact/instances/shade_balls.comp", balls);
+    setInstance(shader, balls, shapes_.of(balls).radius(), minPixelsOf(balls));
+    setLook(shader, balls, i);
+    shader.set("capacity", balls.capacity);
+    shader.set("firstId", ballIds_[i]);
+    shader.set("squarePixels", isSprite(balls) ? squarePixels : 0.0F);
+    tiles.shade(firstThing + static_cast<int>(i), shader);
+  }
+  for (std::size_t i = 0; i < copies_.size(); ++i) {
+    const CopyRaster::Copies& copies = copies_[i];
+    const gl::Program& shader = shading("draw/exact/instances/shade_copies.comp", *copies.instances);
+    copyRaster_.set(shader, copies, copyIds_[i]);
+    setLook(shader, *copies.instances, balls_.size() + i);
+    tiles.shade(firstThing + static_cast<int>(balls_.size() + i), shader);
+  }
+}
+
+bool ExactInstances::anyAdd(const sim::Drawables& drawables) {
+  return std::any_of(drawables.instances.begin(), drawables.instances.end(),
+                     [](const sim::Instances& instances) { return instances.additive; });
+}
+
+void ExactInstances::addLight(const sim::Drawables& drawables, const Visibility& picture) {
+  if (!anyAdd(drawables)) return;
+  std::vector<const sim::Instances*> glows;
+  std::vector<CopyRaster::Copies> copies;
+  for (const sim::Instances& instances : drawables.instances) {
+    if (!instances.additive) continue;
+    if (isMesh(instances))
+      copies.push_back(copiesOf(instances));
+    else
+      glows.push_back(&instances);
+  }
+  glowRaster_.prepare(picture.size());
+  glowRaster_.draw(glows, picture);
+  glowRaster_.bindSums();
+  copyGlows_.addLight(copies, picture);
+  glowRaster_.addTo(picture.size());
+}
+
+}  // namespace simreel::draw

@@ -1,0 +1,65 @@
+#pragma once
+#include "draw/exact/instances/ball_raster.hpp"
+#include "draw/exact/instances/copy_raster.hpp"
+#include "draw/exact/instances/glow_raster.hpp"
+#include "draw/exact/shaded_tiles.hpp"
+#include "draw/instances/instance_values.hpp"
+#include "sim/core/drawable.hpp"
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace simreel::draw {
+
+/// Draws instances by kernels in exact arithmetic. What is opaque has numbers of its own after those of the
+/// surfaces: first of the draw + instance.
+class ExactInstances {
+ public:
+  /// `lighting`: SAMPLES and those of the lights.
+  ExactInstances(int samples, gl::Defines lighting) : samples_(samples), lighting_(std::move(lighting)) {}
+
+  /// Grows the sun's bounds; see ShadowPass::fit.
+  void growBounds(const sim::Drawables& drawables) { bounds_.grow(drawables, shapes_); }
+  /// Into the sun's map, where other things may be drawn already. The light's place is bound.
+  /// `slopeOffset`: texels, as of TriangleRaster.
+  void castShadows(const sim::Drawables& drawables, const Visibility& map, float slopeOffset);
+  /// What is nearest: before anything has drawn numbers.
+  void drawNearest(const sim::Drawables& drawables, const Visibility& picture);
+  /// The numbers, from `firstId` on, when everything has drawn what is nearest. Adds the first of each draw
+  /// to `firstIds`. Throws UserError(device) where there are more than numbers.
+  void drawNumbers(unsigned firstId, const Visibility& picture, std::vector<unsigned>& firstIds);
+  /// Adds the light of what is opaque, whose draws are things of the tiles from `firstThing` on.
+  void shade(const ShadedTiles& tiles, int firstThing);
+  /// Whether some add light: then the ground lies in the picture's keys, too.
+  [[nodiscard]] static bool anyAdd(const sim::Drawables& drawables);
+  /// Adds the light of those that add it, before what is visible, to the bound sums.
+  void addLight(const sim::Drawables& drawables, const Visibility& picture);
+
+ private:
+  const gl::Program& shading(const char* path, const sim::Instances& instances);
+  [[nodiscard]] CopyRaster::Copies copiesOf(const sim::Instances& instances) {
+    return {&instances, &shapes_.of(instances)};
+  }
+  /// What both kinds read for their shading.
+  void setLook(const gl::Program& shader, const sim::Instances& instances, std::size_t number);
+
+  int samples_;
+  gl::Defines lighting_;
+  InstanceShapes shapes_{false};
+  InstanceBounds bounds_;
+  std::vector<const sim::Instances*> balls_;
+  std::vector<unsigned> ballIds_;
+  BallRaster ballRaster_{BallRaster::Into::picture, samples_};
+  BallRaster ballShadows_{BallRaster::Into::sunMap, 1, 64};
+  std::vector<CopyRaster::Copies> copies_;
+  std::vector<unsigned> copyIds_;
+  CopyRaster copyRaster_{CopyRaster::Into::picture, samples_};
+  CopyRaster copyShadows_{CopyRaster::Into::sunMap, 1, 64};
+  CopyRaster copyGlows_{CopyRaster::Into::picture, samples_};
+  GlowRaster glowRaster_{samples_};
+  std::vector<InstanceColors> colors_;
+  std::map<std::string, gl::Program> programs_;
+};
+
+}  // namespace simreel::draw

@@ -1,0 +1,111 @@
+#include "draw/exact/instances/glow_raster.hpp"
+
+#include "base/error.hpp"
+#include "draw/exact/bindings.hpp"
+#include "draw/exact/instances/parts.hpp"
+#include "draw/exact/reserve.hpp"
+#include "gl/element_array.hpp"
+#include "gl/limits.hpp"
+
+#include <cstdint>
+
+namespace simreel::draw {
+
+namespace {
+
+constexpr float glowRadius = 0.5F;    // of sprites and spheres at size 1
+constexpr float roundPixels = 64.0F;  // as the driver's points
+
+}  // namespace
+
+void GlowRaster::prepare(glm::ivec2 size) {
+  constexpr GLuint zero = 0;
+  const std::int64_t bytes = std::int64_t{24} * size.x * size.y;
+  if (bytes > gl::limits().storageBlockBytes)
+    fail(ExitCode::device,
+         "a picture of {}x{} pixels with glows needs {} bytes in one buffer, this device allows {} "
+         "(GL_MAX_SHADER_STORAGE_BLOCK_SIZE); make the picture smaller",
+         size.x, size.y, bytes, gl::limits().storageBlockBytes);
+  if (!reserve(sums_, "glow sums", static_cast<std::size_t>(bytes))) return;
+  glClearNamedBufferData(sums_.name(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, &zero);
+  add_ = gl::Program::compute("draw/exact/instances/add_glows.comp");
+}
+
+const gl::Program& GlowRaster::program(bool large, bool ball) {
+  const std::pair<bool, bool> key{large, ball};
+  const auto found = programs_.find(key);
+  if (found != programs_.end()) return found->second;
+  gl::Defines defines = {{"SAMPLES", std::to_string(samples_)}};
+  if (large) defines.emplace_back("LARGE", "1");
+  if (ball) defines.emplace_back("BALL", "1");
+  return programs_.emplace(key, gl::Program::compute("draw/exact/instances/glows.comp", defines))
+      .first->second;
+}
+
+void GlowRaster::run(bool large, const Visibility& picture) {
+  picture.bind();
+  bindSums();
+  large_.bindStorage(largeBinding);
+  largeView_.bind(largeUnit);
+  counters_.bindStorage(counterBinding);
+  counterView_.bind(counterUnit);
+  int firstLarge = 0;
+  for (std::size_t i = 0; i < glows_.size(); ++i) {
+    const sim::Instances& glows = *glows_[i];
+    const gl::Program& kernel = program(large, !isSprite(glows));
+    setInstance(kernel, glows, glowRadius, minPixelsOf(glows));
+    colors_[i].set(kernel, glows);
+    kernel.set("capacity", glows.capacity);
+    kernel.set("draw_", static_cast<int>(i));
+    kernel.set("firstLarge", firstLarge);
+    kernel.set("smallPixels", smallPixels_);
+    kernel.set("roundPixels", roundPixels);
+    firstLarge += glows.capacity;
+    if (large) {
+      kernel.use();
+      GroupCounts::dispatch(largeGroups_, i);
+    } else {
+      dispatchRows(kernel, glows.capacity);
+    }
+  }
+}
+
+void GlowRaster::draw(const std::vector<const sim::Instances*>& glows, const Visibility& picture) {
+  constexpr GLuint zero = 0;
+  glows_ = glows;
+  if (glows_.empty()) return;
+  const std::size_t count = glows_.size();
+  colors_.resize(std::max(colors_.size(), count));
+  std::size_t all = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    colors_[i].update(*glows_[i]);
+    all += static_cast<std::size_t>(glows_[i]->capacity);
+  }
+  reserve(large_, largeView_, "large glows", all * sizeof(GLuint), GL_R32UI, sizeof(GLuint));
+  reserve(counters_, counterView_, "counts of large glows", count * sizeof(GLuint), GL_R32UI,
+          sizeof(GLuint));
+  reserve(largeGroups_, "groups for large glows", count * GroupCounts::bytes);
+  glClearNamedBufferData(counters_.name(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, &zero);
+  gl::barrier();
+  run(false, picture);
+  gl::barrier();
+  groups_.fill(counters_,
+               {.counts = static_cast<int>(count), .parts = partsFor(picture.size(), picture.samples())},
+               largeGroups_);
+  gl::barrier();
+  glMemoryBarrier(GL_COMMAND_BARRIER_BIT);
+  run(true, picture);
+  gl::barrier();
+}
+
+void GlowRaster::bindSums() const {
+  sums_.bindStorage(glowBinding);
+}
+
+void GlowRaster::addTo(glm::ivec2 size) const {
+  bindSums();
+  add_.dispatch(size.x, size.y);
+  glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT);
+}
+
+}  // namespace simreel::draw

@@ -1,0 +1,46 @@
+#pragma once
+#include "draw/exact/group_counts.hpp"
+#include "draw/exact/visibility.hpp"
+#include "draw/instances/instance_values.hpp"
+#include "gl/texture.hpp"
+#include "sim/core/drawable.hpp"
+
+#include <map>
+#include <utility>
+#include <vector>
+
+namespace simreel::draw {
+
+/// Light of sprites and spheres that add it, summed up in whole numbers of 64 bits, 24 bytes a pixel
+/// (glsl/draw/instances/glow_block.glsl): the order does not matter.
+class GlowRaster {
+ public:
+  /// Those whose box has no side above `smallPixels` are summed up by an invocation each, the others by
+  /// groups.
+  explicit GlowRaster(int samples, int smallPixels = 12) : samples_(samples), smallPixels_(smallPixels) {}
+
+  /// Makes room for a picture. Throws UserError(device) naming the limit where there is none.
+  void prepare(glm::ivec2 size);
+  /// Sums up what is before what is visible, ground included. The uniform blocks are bound.
+  void draw(const std::vector<const sim::Instances*>& glows, const Visibility& picture);
+  /// Binds the sums for other kernels that add.
+  void bindSums() const;
+  /// Adds the sums to the bound light and empties them.
+  void addTo(glm::ivec2 size) const;
+
+ private:
+  const gl::Program& program(bool large, bool ball);
+  void run(bool large, const Visibility& picture);
+
+  int samples_;
+  int smallPixels_;
+  std::vector<const sim::Instances*> glows_;
+  std::vector<InstanceColors> colors_;
+  std::map<std::pair<bool, bool>, gl::Program> programs_;
+  GroupCounts groups_;
+  gl::Program add_;
+  gl::Buffer sums_, large_, counters_, largeGroups_;
+  gl::Texture largeView_, counterView_;
+};
+
+}  // namespace simreel::draw

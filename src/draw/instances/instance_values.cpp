@@ -1,0 +1,114 @@
+#include "draw/instances/instance_values.hpp"
+
+#include "draw/draw_state.hpp"
+#include "sim/mesh/file.hpp"
+
+#include <algorithm>
+#include <span>
+
+#include <glm/vec4.hpp>
+
+namespace simreel::draw {
+
+namespace {
+
+/// Smaller glows shimmer as they move over the pixels; smaller balls fall between samples.
+constexpr float minGlow = 1.25F;  // pixels of radius
+constexpr float minBall = 0.57F;
+
+template <class Make>
+const InstanceShape& made(std::unique_ptr<InstanceShape>& shape, Make make) {
+  if (!shape) shape = std::make_unique<InstanceShape>(make());
+  return *shape;
+}
+
+}  // namespace
+
+float minPixelsOf(const sim::Instances& instances) {
+  if (!isSprite(instances)) return 0;
+  return instances.additive ? minGlow : minBall;
+}
+
+void setInstance(const gl::Program& program, const sim::Instances& instances, float shapeRadius,
+                 float minPixels) {
+  program.set("size", instances.size);
+  program.set("shapeRadius", shapeRadius);
+  program.set("massExponent", instances.massExponent);
+  program.set("perMassReference", 1.0F / instances.massReference);
+  program.set("minPixels", minPixels);
+  instances.positions->bind(positionUnit);
+  instances.velocities->bind(velocityUnit);
+}
+
+const InstanceShape& InstanceShapes::of(const sim::Instances& instances) {
+  switch (instances.shape) {
+    case sim::Instances::Shape::sprite:
+      return made(sprite_, [&] { return InstanceShape::sprite(points_); });
+    case sim::Instances::Shape::sphere:
+      return made(sphere_, InstanceShape::sphere);
+    case sim::Instances::Shape::mesh:
+      break;
+  }
+  const auto found = meshes_.find(instances.mesh);
+  if (found != meshes_.end()) return found->second;
+  const sim::Mesh mesh = sim::loadMesh(instances.mesh);
+  return meshes_.emplace(instances.mesh, InstanceShape::mesh(mesh.positions, mesh.normals, mesh.indices))
+      .first->second;
+}
+
+void InstanceBounds::grow(const sim::Drawables& drawables, InstanceShapes& shapes) {
+  constexpr int maxInvocations = 1 << 14;
+  constexpr int each = 32;
+  for (const sim::Instances& instances : drawables.instances) {
+    if (!castsShadow(instances)) continue;
+    const bool boxed = instances.boundsMin != instances.boundsMax;
+    gl::Program& bounds = boxed ? boxed_ : measured_;
+    if (bounds.name() == 0)
+      bounds =
+          gl::Program::compute("draw/surface/shadow_bounds.comp", {{boxed ? "BOX" : "INSTANCES", "1"}});
+    const int count = boxed ? 8 : instances.capacity;
+    const int invocations = boxed ? 8 : std::clamp((count + each - 1) / each, 1, maxInvocations);
+    bounds.set("vertexCount", count);
+    bounds.set("invocations", invocations);
+    if (boxed) {
+      bounds.set("corners[0]", instances.boundsMin);
+      bounds.set("corners[1]", instances.boundsMax);
+    } else {
+      setInstance(bounds, instances, shapes.of(instances).radius(), 0);
+    }
+    bounds.dispatch(invocations);
+  }
+}
+
+void InstanceColors::update(const sim::Instances& instances) {
+  static const std::vector<glm::vec3> none(1, glm::vec3(1));
+  const auto& stops = instances.colors != nullptr && !instances.colors->empty() ? *instances.colors : none;
+  if (stops_ == stops) return;
+  const bool sameSize = stops_.size() == stops.size();
+  stops_ = stops;
+  std::vector<glm::vec4> texels;
+  texels.reserve(stops.size());
+  for (const glm::vec3& stop : stops) texels.emplace_back(stop, 1.0F);
+  if (sameSize) {
+    buffer_.write(0, std::as_bytes(std::span(texels)));
+    return;
+  }
+  view_ = {};
+  buffer_ = gl::Buffer::of<glm::vec4>("colour stops", texels);
+  view_ = gl::Texture::view("colour stops", GL_RGBA32F, buffer_);
+}
+
+void InstanceColors::set(const gl::Program& program, const sim::Instances& instances) const {
+  const glm::vec2 range = instances.colorRange;
+  const float scale = 1.0F / (range.y > range.x ? range.y - range.x : 1e-20F);
+  program.set("colorBy", static_cast<int>(instances.colorBy));
+  program.set("colorFactor", scale);
+  program.set("colorOffset", -range.x * scale);
+  program.set("stopCount", static_cast<int>(stops_.size()));
+  program.set("color", instances.material->color);
+  program.set("brightness", instances.brightness);
+  program.set("fade", instances.fade);
+  view_.bind(stopUnit);
+}
+
+}  // namespace simreel::draw

@@ -1,0 +1,60 @@
+#pragma once
+#include "draw/instances/instance_shape.hpp"
+#include "gl/program.hpp"
+#include "sim/core/drawable.hpp"
+
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <vector>
+
+namespace simreel::draw {
+
+[[nodiscard]] inline bool isSprite(const sim::Instances& instances) {
+  return instances.shape == sim::Instances::Shape::sprite;
+}
+
+/// No sprite is drawn with a smaller radius than so many pixels; 0 for other shapes.
+[[nodiscard]] float minPixelsOf(const sim::Instances& instances);
+
+/// Sets what glsl/draw/instances/instance.glsl reads. `shapeRadius`: m, at size 1.
+void setInstance(const gl::Program& program, const sim::Instances& instances, float shapeRadius,
+                 float minPixels);
+
+/// The shapes that instances repeat, made when first needed.
+class InstanceShapes {
+ public:
+  /// `points`: of InstanceShape::sprite.
+  explicit InstanceShapes(bool points) : points_(points) {}
+  const InstanceShape& of(const sim::Instances& instances);
+
+ private:
+  bool points_;
+  std::unique_ptr<InstanceShape> sprite_, sphere_;
+  std::map<std::filesystem::path, InstanceShape> meshes_;
+};
+
+/// Grows the sun's bounds by what casts shadows; see ShadowPass::fit.
+class InstanceBounds {
+ public:
+  void grow(const sim::Drawables& drawables, InstanceShapes& shapes);
+
+ private:
+  gl::Program measured_, boxed_;
+};
+
+/// The colours of instances on the device.
+class InstanceColors {
+ public:
+  /// To what they are now.
+  void update(const sim::Instances& instances);
+  /// Sets and binds what glsl/draw/instances/instance_list.glsl reads of them.
+  void set(const gl::Program& program, const sim::Instances& instances) const;
+
+ private:
+  std::vector<glm::vec3> stops_;
+  gl::Buffer buffer_;
+  gl::Texture view_;
+};
+
+}  // namespace simreel::draw
