@@ -33,6 +33,7 @@ WRONG = [
     "uniform mat4 m;\nvec4 f(vec4 p) { precise vec4 q = m * p; return q; }",
     "float inverse(float x); float f(float x) { ROUNDED float y =\ninverse(x * x); return y; }",
     "#ifdef EXACT_PICTURE\nfloat f(float x) { return x * x; }\n#else\nfloat f(float x) { return x + x; }\n#endif",
+    "#define SIZE s.n\nstruct S { vec2 n; }; S s; float f(float x) { return x * SIZE.x; }",
     "void f(vec3 a) { vec3 b[2] =\nvec3[](a * 2.0f, a); }",
 ]
 RIGHT = [
@@ -45,6 +46,9 @@ RIGHT = [
     "#ifdef EXACT_PICTURE\n#define ROUNDED precise\n#else\n#define ROUNDED\nfloat g(float x) { return 1.0 / x; }\n#endif\n"
     "float f(float x) { ROUNDED float y = x * x; return y; }",
     "#define TWICE(a) (2.0f * a)\nvoid f(float a) { precise float b = TWICE(a); }",
+    "int f() { return int(gl_WorkGroupID.y * gl_NumWorkGroups.x * 64u + gl_GlobalInvocationID.x); }",
+    "struct S { ivec2 n; }; S s;\n#define SIZE s.n\nint f(int i) { return i * SIZE.x - 1; }",
+    "#define SIZE ivec2(3)\nint f(int i) { return i * SIZE.x / 2; }",
     "INPUT_WORDS(0, Block, w)\nuint f(int i) { return w[i].x + 1u; }",
     "uvec4 f(uvec4 a, bvec4 b) { return mix(mix(a, uvec4(1u), b), a, b); }",
     "float inverse(float x);\nfloat f(float x) { ROUNDED float y = x * inverse(x); return y; }",
