@@ -1,5 +1,4 @@
 // Discs on a picture, in pixels. Compiles as GLSL and as C++.
-#include "common/exact.glsl"
 
 struct Disc {
   vec2 middle;
