@@ -2,6 +2,8 @@
 // Only operations that IEEE 754 pins down are used (add, subtract, multiply, integers, floor), each
 // rounded on its own by `precise`; divisions and roots are Newton iterations from an integer start.
 // Literals carry an f: in C++ a bare 0.5 would be a double.
+#ifndef EXACT_ARITHMETIC
+#define EXACT_ARITHMETIC
 #ifdef FAST_NUMERICS
 #define precise
 #endif
@@ -85,8 +87,33 @@ FUNCTION float exactExp(float x) {
   return x < -69.0f ? 0.0f : q;
 }
 
+// log(x) for x >= 1e-30, relative error below 3e-7. x = 2^n m, m from sqrt(1/2) to sqrt(2); Cephes' polynomial (logf.c)
+// for log(1 + t), |t| < 0.42.
+FUNCTION float exactLog(float x) {
+  int n = (floatBitsToInt(x) - 0x3f3504f3) >> 23;
+  precise float t = intBitsToFloat(floatBitsToInt(x) - n * 8388608) - 1.0f;
+  precise float q = ((t * 7.0376836292e-2f - 1.1514610310e-1f) * t + 1.1676998740e-1f) * t - 1.2420140846e-1f;
+  q = ((q * t + 1.4249322787e-1f) * t - 1.6668057665e-1f) * t + 2.0000714765e-1f;
+  q = (q * t - 2.4999993993e-1f) * t + 3.3333331174e-1f;
+  precise float s = t * t;
+  precise float low = q * t * s - float(n) * 2.12194440e-4f - 0.5f * s;
+  precise float sum = float(n) * 0.693359375f + (t + low);
+  return sum;
+}
+
+// x^y for y >= 0 and x^y between exp(-69) and exp(69), relative error below 4e-7 (1 + |y log x|); 0 for x below 1e-30.
+FUNCTION float exactPow(float x, float y) {
+  precise float power = y * exactLog(max(x, 1e-30f));
+  return x < 1e-30f && y > 0.0f ? 0.0f : exactExp(power);
+}
+
 FUNCTION float exactDot(vec3 a, vec3 b) {
   precise float sum = a.x * b.x + a.y * b.y + a.z * b.z;
+  return sum;
+}
+
+FUNCTION float exactDot(vec4 a, vec4 b) {
+  precise float sum = a.x * b.x + a.y * b.y + a.z * b.z + a.w * b.w;
   return sum;
 }
 
@@ -100,3 +127,4 @@ FUNCTION vec3 exactMix(vec3 a, vec3 b, float t) {
   precise vec3 mixed = a + (b - a) * t;
   return mixed;
 }
+#endif

@@ -1,5 +1,5 @@
 // Every function of exact.glsl (bits compared with C++) and the built-ins whose rounding differs between
-// drivers (inexact; bits hashed to tell one family of drivers from another). 16 words an item.
+// drivers (inexact; bits hashed to tell one family of drivers from another). 19 words an item.
 #include "common/bindings.glsl"
 #include "common/exact.glsl"
 layout(local_size_x = 64) in;
@@ -12,7 +12,7 @@ void main() {
   if (i >= count) return;
   float x = inputs[i];
   float a = abs(x);
-  int o = i * 16;
+  int o = i * 19;
   outputs[o] = exactFlush(x);
   outputs[o + 1] = exactInverseSqrt(a);
   outputs[o + 2] = exactSqrt(a);
@@ -21,12 +21,15 @@ void main() {
   outputs[o + 5] = exactCos(x);
   outputs[o + 6] = exactExp(x);
   outputs[o + 7] = exactDot(vec3(x, a, 1.5f), vec3(0.3f, x, a));
-  outputs[o + 8] = inversesqrt(a);
-  outputs[o + 9] = sqrt(a);
-  outputs[o + 10] = 1.7f / x;  // inexact
-  outputs[o + 11] = sin(x);
-  outputs[o + 12] = exp(-a);
-  outputs[o + 13] = pow(a, 1.7f);
-  outputs[o + 14] = dot(vec3(x, a, 1.5f), vec3(0.3f, x, a));
-  outputs[o + 15] = x * 1.3f + a;  // inexact
+  outputs[o + 8] = exactDot(vec4(x, a, 1.5f, a), vec4(0.3f, x, a, -x));
+  outputs[o + 9] = exactLog(max(a, 1e-30f));
+  outputs[o + 10] = exactPow(a, 0.7f);
+  outputs[o + 11] = inversesqrt(a);  // inexact
+  outputs[o + 12] = sqrt(a);  // inexact
+  outputs[o + 13] = 1.7f / x;  // inexact
+  outputs[o + 14] = sin(x);  // inexact
+  outputs[o + 15] = exp(-a);  // inexact
+  outputs[o + 16] = pow(a, 1.7f);  // inexact
+  outputs[o + 17] = dot(vec3(x, a, 1.5f), vec3(0.3f, x, a));  // inexact
+  outputs[o + 18] = x * 1.3f + a;  // inexact
 }

@@ -1,5 +1,6 @@
 #include "draw/frame_values.hpp"
 
+#include "base/ieee.hpp"
 #include "draw/camera.hpp"
 #include "gl/context.hpp"
 
@@ -68,7 +69,7 @@ shader::Frame frameValues(const scene::Scene& scene, glm::ivec2 size, double sec
   setSky(frame, scene.sky, seconds);
   setGround(frame, scene.ground);
   frame.size = size;
-  frame.exposure = std::exp2(scene.render.exposure.at(seconds));
+  frame.exposure = static_cast<float>(ieee::exp2(static_cast<double>(scene.render.exposure.at(seconds))));
   frame.vignette = scene.render.vignette;
   return frame;
 }

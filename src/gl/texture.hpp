@@ -25,6 +25,11 @@ class Texture {
     glTextureParameteri(name(), GL_TEXTURE_WRAP_S, mode);
     glTextureParameteri(name(), GL_TEXTURE_WRAP_T, mode);
   }
+  /// For texels that are fetched: integers have no filters.
+  void unfiltered() const {
+    glTextureParameteri(name(), GL_TEXTURE_MIN_FILTER, GL_NEAREST_MIPMAP_NEAREST);
+    glTextureParameteri(name(), GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+  }
   void bindImage(GLuint unit, GLenum access) const {
     glBindImageTexture(unit, name(), 0, GL_FALSE, 0, access, format_);
   }

@@ -1,5 +1,7 @@
 #include "scene/framing.hpp"
 
+#include "base/ieee.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -33,7 +35,8 @@ void frameObjects(Scene& scene) {
   if (!box || camera.placed) return;
   const glm::vec3 back = glm::normalize(glm::vec3(0, 1.15F, 1));  // from the target to the camera
   const glm::vec3 up = glm::normalize(glm::vec3(0, 1, 0) - back * back.y);
-  const float high = taken * std::tan(0.5F * glm::radians(camera.fieldOfView.at(0)));
+  const float half = 0.5F * glm::radians(camera.fieldOfView.at(0));
+  const float high = taken * static_cast<float>(ieee::tan(static_cast<double>(half)));
   const float wide =
       high * static_cast<float>(scene.render.size.x) / static_cast<float>(scene.render.size.y);
   const glm::vec3 middle = 0.5F * (box->min + box->max);

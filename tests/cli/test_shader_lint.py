@@ -26,6 +26,15 @@ WRONG = [
     "void f(vec3 a) { int i =\nint(a.x * 2.0f); }",
     "#define ADD(k) \\\nsum##k = sum##k + 1.0f;",
     "#define TWICE(a) (2.0f * a)\nvoid f(float a) { float b = TWICE(a); }",
+    "#ifdef EXACT_PICTURE\nfloat f(float x) { return x * 2.0f; }\n#else\nfloat f(float x) { return 2.0f * x; }\n#endif",
+    "float f(vec3 a) {\nreturn dot(a, a); }",
+    "float f(float a) { precise float b =\nsqrt(a); return b; }",
+    "vec3 f(vec3 a, float t) {\nreturn mix(a, vec3(1.0f), t); }",
+    "uniform mat4 m;\nvec4 f(vec4 p) { precise vec4 q = m * p; return q; }",
+    "float inverse(float x); float f(float x) { ROUNDED float y =\ninverse(x * x); return y; }",
+    "#ifdef EXACT_PICTURE\nfloat f(float x) { return x * x; }\n#else\nfloat f(float x) { return x + x; }\n#endif",
+    "#define SIZE s.n\nstruct S { vec2 n; }; S s; float f(float x) { return x * SIZE.x; }",
+    "void f(vec3 a) { vec3 b[2] =\nvec3[](a * 2.0f, a); }",
 ]
 RIGHT = [
     "float f(float x, int i) { precise float y = (x * 2.0f - float(i + 1)) * -x; y += x; return -y; }",
@@ -34,8 +43,17 @@ RIGHT = [
     "struct S { ivec4 n; uint k; }; S s; vec4 a[4]; void f() { vec4 v = a[s.n.x * 2 + int(s.k - 1u)]; }",
     "#ifdef FAST_NUMERICS\nfloat f(float x) { return 1.0f / x; }\n#else\nfloat f(float x) { return x; }\n#endif",
     "void f(float x) { float y = x * x; }  // inexact",
+    "#ifdef EXACT_PICTURE\n#define ROUNDED precise\n#else\n#define ROUNDED\nfloat g(float x) { return 1.0 / x; }\n#endif\n"
+    "float f(float x) { ROUNDED float y = x * x; return y; }",
     "#define TWICE(a) (2.0f * a)\nvoid f(float a) { precise float b = TWICE(a); }",
+    "int f() { return int(gl_WorkGroupID.y * gl_NumWorkGroups.x * 64u + gl_GlobalInvocationID.x); }",
+    "struct S { ivec2 n; }; S s;\n#define SIZE s.n\nint f(int i) { return i * SIZE.x - 1; }",
+    "#define SIZE ivec2(3)\nint f(int i) { return i * SIZE.x / 2; }",
     "INPUT_WORDS(0, Block, w)\nuint f(int i) { return w[i].x + 1u; }",
+    "uvec4 f(uvec4 a, bvec4 b) { return mix(mix(a, uvec4(1u), b), a, b); }",
+    "float inverse(float x);\nfloat f(float x) { ROUNDED float y = x * inverse(x); return y; }",
+    "uniform mat4 m;\nvec4 f(vec3 p) { precise vec4 q = m[0] * p.x + m[1] * p.y + m[3]; return q; }",
+    "#ifdef EXACT_PICTURE\n#define ROUNDED precise\n#else\n#define ROUNDED\nfloat f(float x) { return 1.0f / x; }\n#endif",
 ]
 MISPLACED = ["float a;\nvec4 b;", "vec4 a;\nvec3 b;", "int i;\nfloat a[4];", "float a;\nvec2 b;"]
 PLACED = ["vec4 a;\nmat4 b;\nfloat c;\nint d DEFAULT(1);", "float a;\nint b;\nvec2 c;\nvec4 d;",
@@ -43,6 +61,14 @@ PLACED = ["vec4 a;\nmat4 b;\nfloat c;\nint d DEFAULT(1);", "float a;\nint b;\nve
 
 
 class Lint(unittest.TestCase):
+    def test_what_draws_exactly_is_checked(self):
+        folder = SOURCE / "glsl/draw"
+        for file in lint.EXACT_DRAWING - {"exact"}:
+            self.assertTrue((folder / file).exists(), file)
+        self.assertTrue(lint.is_exact("draw/sky.glsl") and lint.is_exact("draw/exact/some.comp"))
+        self.assertTrue(lint.is_exact("cloth/step.comp") and lint.is_exact("common/exact.glsl"))
+        self.assertFalse(lint.is_exact("draw/surface/surface.frag") or lint.is_exact("probe/samples.comp"))
+
     def test_floating_arithmetic_outside_assignments_to_precise_variables_is_reported(self):
         for text in WRONG:
             with self.subTest(text=text):

@@ -1,5 +1,7 @@
 // What of a triangle lies before the nearest plane and around the picture. Compiles as GLSL and as C++.
 // Corners here are vec3: pixels times depth to the right and down, and depth (m).
+#ifndef EXACT_CLIP
+#define EXACT_CLIP
 #include "draw/exact/fixed.glsl"
 
 // Not negative on the inner side of plane k: the nearest one, and four around the picture.
@@ -61,3 +63,4 @@ FUNCTION Polygon clippedToPicture(vec3 a, vec3 b, vec3 c, vec2 size, float neare
   for (int k = 0; k < 5; ++k) p = clipped(p, k, size, nearest);
   return p;
 }
+#endif

@@ -1,4 +1,6 @@
 // Places of the picture in whole 1/256 of a pixel, and of samples in 1/16. Compiles as GLSL and as C++.
+#ifndef EXACT_FIXED
+#define EXACT_FIXED
 #include "common/exact.glsl"
 
 const int subpixels = 256;   // of a pixel, where corners of triangles lie
@@ -19,3 +21,4 @@ FUNCTION ivec2 samplePlace(int s) {
   }
   return ivec2(x & 15u, y & 15u);
 }
+#endif

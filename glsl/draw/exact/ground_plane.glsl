@@ -1,4 +1,6 @@
 // Where the ray through a place of the picture (pixels) meets the ground. Compiles as GLSL and as C++.
+#ifndef EXACT_GROUND_PLANE
+#define EXACT_GROUND_PLANE
 #include "common/exact.glsl"
 
 FUNCTION vec3 rayThrough(vec2 place) {
@@ -22,3 +24,4 @@ FUNCTION vec3 placeOnRay(vec3 ray, float depth) {
   precise vec3 p = vec3(view.eye) + ray * depth;
   return p;
 }
+#endif

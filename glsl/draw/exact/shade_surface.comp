@@ -1,60 +1,61 @@
 // Light of one surface on its tiles: each primitive of a pixel once, in the pixel's middle if that is on it, else at the
-// first of its samples. Variants: those of draw/surface/lighting.glsl, SHADOW (with SHADOW_TAPS), PALETTE, DOUBLE_SIDED.
-// SAMPLES.
+// first of its samples. Variants: those of draw/surface/lighting.glsl, SHADOW (with SHADOW_TAPS), PALETTE, DOUBLE_SIDED,
+// TEXTURED (BUMPED) or SKIN (LOOK_ one of draw/surface/skin_look.glsl), by uv, of a GRID or a mesh, or TRIPLANAR. SAMPLES.
 #define EXACT_PICTURE
 #include "draw/exact/shaded_tile.glsl"
 #include "draw/exact/surface_triangle.glsl"
-#include "draw/exact/ground_plane.glsl"
-#include "draw/exact/weights.glsl"
-#include "draw/exact/unit_vector.glsl"
+#include "draw/exact/surface_spot.glsl"
 #include "draw/surface/lighting.glsl"
+#if defined TEXTURED || defined SKIN
+#include "draw/exact/surface_seen.glsl"
+#endif
+#ifdef TEXTURED
+#include "draw/exact/surface_texture.glsl"
+#endif
+#ifdef SKIN
+#include "draw/exact/surface_skin.glsl"
+#endif
 #ifdef SHADOW
 #include "draw/exact/sun_map.glsl"
-#endif
-#ifdef PALETTE
-layout(binding = positionUnit) uniform samplerBuffer positions;
-layout(binding = paletteUnit) uniform samplerBuffer palette;
 #endif
 uniform uint firstId;
 uniform vec3 color;
 uniform vec3 material;  // roughness, metallic, translucency
 
-#ifdef PALETTE
-vec3 paletteColor(int vertex) {
-  return texelFetch(palette, int(texelFetch(positions, vertex - firstVertex).w)).rgb;
-}
-#endif
-
 vec3 lightOf(ivec2 pixel, uint id, int firstSample) {
-  ivec3 corners = cornersOf(int(id - firstId));
-  uvec4 a = texelFetch(vertices, corners.x), b = texelFetch(vertices, corners.y), c = texelFetch(vertices, corners.z);
-  vec2 place = shadingPlace(pixel, -1);
-  Weights weights = weightsAt(placeOf(a), placeOf(b), placeOf(c), place);
-  if (!weights.within) {
-    place = shadingPlace(pixel, firstSample);
-    weights = weightsAt(placeOf(a), placeOf(b), placeOf(c), place);
-  }
-  vec3 w = weights.of;
-  precise float depth = w.x * uintBitsToFloat(a.z) + w.y * uintBitsToFloat(b.z) + w.z * uintBitsToFloat(c.z);
-  vec3 ray = rayThrough(place);
-  vec3 p = placeOnRay(ray, depth);
-  precise vec3 mean = w.x * unpackedUnit(a.w) + w.y * unpackedUnit(b.w) + w.z * unpackedUnit(c.w);
-  vec3 normal = unitOf(mean);
-#ifdef DOUBLE_SIDED
-  normal = weights.turned ? -normal : normal;
-#endif
+  Spot spot = spotOf(cornersOf(int(id - firstId)), pixel, firstSample);
+  precise vec3 base = color;
 #ifdef PALETTE
-  precise vec3 base = w.x * paletteColor(corners.x) + w.y * paletteColor(corners.y) + w.z * paletteColor(corners.z);
-#else
-  vec3 base = color;
+  base = paletteColor(spot);
+#endif
+  vec3 normal = spot.normal;
+#ifdef DOUBLE_SIDED
+  normal = spot.turned ? -normal : normal;
+#endif
+#ifdef TEXTURED
+  SurfaceSeen seen = surfaceSeen(spot);
+  base = base * textureColor(seen, vec2(0));
+#ifdef BUMPED
+  normal = bumpedNormal(seen, spot, normal);
+#endif
 #endif
 #ifdef SHADOW
-  float fraction = sunFractionOn(p, normal);
+  float fraction = sunFractionOn(spot.place, spot.normal);
 #else
   const float fraction = 1.0f;
 #endif
-  precise vec3 towards = -ray;
-  return allLight(Look(base, material.x, material.y, material.z, 1.0f), p, normal, unitOf(towards), fraction);
+  Look look = Look(base, material.x, material.y, material.z, 1.0f);
+  precise vec3 light = vec3(0);
+#ifdef SKIN
+  SpotSkin found = skinOn(spot, normal);
+  normal = found.normal;
+  look.base = found.skin.albedo;
+  look.roughness = found.skin.roughness;
+  look.openness = found.skin.openness;
+  light = found.skin.emission;
+#endif
+  light = light + allLight(look, spot.place, normal, spot.view, fraction);
+  return light;
 }
 
 void main() {

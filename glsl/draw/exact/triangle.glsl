@@ -3,6 +3,8 @@
 // Corners are rounded to 1/256 pixel; from there on coverage is in integers. With an edge from p to q, and the triangle's
 // inside on its left, E(s) = (q - p) x (s - p) is not negative inside; a sample on an edge belongs to the triangle
 // for which that is a top or left one, so of two that share it exactly one has it.
+#ifndef EXACT_TRIANGLE
+#define EXACT_TRIANGLE
 #include "draw/exact/fixed.glsl"
 
 // A corner as the vertex kernels leave it: pixels times depth to the right and down, and depth (m).
@@ -129,3 +131,4 @@ FUNCTION int edgeOverSixteen(Edge edge, ivec2 at) {
 FUNCTION int edgeAside(Edge edge, int middle, ivec2 aside) {
   return middle + edge.step_.y * aside.x - edge.step_.x * aside.y;
 }
+#endif

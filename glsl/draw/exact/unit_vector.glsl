@@ -1,5 +1,7 @@
 // Unit vectors in 32 bits: on an octahedron, folded into a square of 65,535 steps a side (Cigolle et al., "A survey of
 // efficient representations for independent unit vectors", JCGT 3(2), 2014). Compiles as GLSL and as C++.
+#ifndef EXACT_UNIT_VECTOR
+#define EXACT_UNIT_VECTOR
 #include "common/exact.glsl"
 
 FUNCTION uint packedUnit(vec3 n) {
@@ -34,3 +36,4 @@ FUNCTION vec3 unpackedUnit(uint word) {
   precise vec3 n = direction * exactInverseSqrt(exactDot(direction, direction));
   return n;
 }
+#endif

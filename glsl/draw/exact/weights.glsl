@@ -2,6 +2,8 @@
 //
 // A corner P = (x, y, 1) depth of the picture seen from the place q is P - q depth, a vector u of the plane; weights w with
 // sum w_i u_i = 0 are those of the place on the triangle in space, so w_a = u_b x u_c and so on, over their sum.
+#ifndef EXACT_WEIGHTS
+#define EXACT_WEIGHTS
 #include "common/exact.glsl"
 
 struct Weights {
@@ -10,32 +12,32 @@ struct Weights {
   bool turned;  // the triangle is seen from behind
 };
 
-FUNCTION Weights weightsAt(vec3 a, vec3 b, vec3 c, vec2 place) {
+// Where the place is outside, weights are negative.
+FUNCTION vec3 weightsAround(vec3 a, vec3 b, vec3 c, vec2 place) {
   precise vec2 u = vec2(a) - place * a.z;
   precise vec2 v = vec2(b) - place * b.z;
   precise vec2 w = vec2(c) - place * c.z;
   precise float wa = v.x * w.y - v.y * w.x;
   precise float wb = w.x * u.y - w.y * u.x;
   precise float wc = u.x * v.y - u.y * v.x;
+  return vec3(wa, wb, wc);
+}
+
+FUNCTION vec3 ofSumOne(vec3 w) {
+  precise float sum = w.x + w.y + w.z;
+  if (abs(sum) < 1e-25f) return vec3(0.25f, 0.25f, 0.5f);
+  precise vec3 part = w * exactReciprocal(sum);
+  return part;
+}
+
+FUNCTION Weights weightsAt(vec3 a, vec3 b, vec3 c, vec2 place) {
+  vec3 w = weightsAround(a, b, c, place);
+  precise float area = w.x + w.y + w.z;
   Weights weights;
-  precise float area = wa + wb + wc;
   weights.turned = area > 0.0f;
-  wa = weights.turned ? wa : -wa;
-  wb = weights.turned ? wb : -wb;
-  wc = weights.turned ? wc : -wc;
-  weights.within = min(wa, min(wb, wc)) >= 0.0f;
-  wa = max(wa, 0.0f);
-  wb = max(wb, 0.0f);
-  wc = max(wc, 0.0f);
-  precise float sum = wa + wb + wc;
-  if (sum < 1e-25f) {
-    weights.of = vec3(0.25f, 0.25f, 0.5f);
-    return weights;
-  }
-  float perSum = exactReciprocal(sum);
-  precise float x = wa * perSum;
-  precise float y = wb * perSum;
-  precise float z = wc * perSum;
-  weights.of = vec3(x, y, z);
+  w = weights.turned ? w : -w;
+  weights.within = min(w.x, min(w.y, w.z)) >= 0.0f;
+  weights.of = ofSumOne(max(w, vec3(0)));
   return weights;
 }
+#endif

@@ -1,4 +1,5 @@
 // Bounds of what casts shadows, as ordered keys: light space x, y, z (m), then x and z of the shadow on the ground (m).
+#include "common/exact.glsl"
 #include "draw/frame_block.glsl"
 #include "draw/ordered_key.glsl"
 const int boundCount = 5;

@@ -16,28 +16,49 @@ uniform float pointPixels;  // sprites of at most this radius are points
 uniform float levelError;  // pixels by which the outline of a coarse shape may miss the true one
 
 #ifdef FOR_LIGHT
-bool isSeen(vec3 p, float radius) {
-  vec3 place = shadowPlace(p);
-  vec3 reach = radius / shadowExtent();
-  return all(greaterThan(place + reach, vec3(0))) && all(lessThan(place - reach, vec3(1)));
+// What every instance is looked at with.
+struct Sight {
+  vec3 perExtent;  // of the map (1/m)
+  float perTexel;
+};
+Sight sightNow() {
+  vec3 extent = shadowExtent();
+  float perSide = exactReciprocal(extent.x);
+  return Sight(vec3(perSide, perSide, exactReciprocal(extent.z)), exactReciprocal(shadowTexel()));
 }
-float pixelRadius(vec3 p, float radius) {
-  return radius / shadowTexel();
+bool isSeen(Sight sight, vec3 p, float radius) {
+  precise vec3 reach = radius * sight.perExtent;
+  precise vec3 place = shadowPlace(p), high = place + reach, low = place - reach;
+  return all(greaterThan(high, vec3(0))) && all(lessThan(low, vec3(1)));
+}
+float pixelRadius(Sight sight, vec3 p, float radius) {
+  precise float texels = radius * sight.perTexel;
+  return texels;
 }
 // A point is dropped as a whole with its middle.
 bool isMiddleSeen(vec3 p) {
-  return all(lessThan(abs(shadowPlace(p) - 0.5), vec3(0.4999)));
+  precise vec3 aside = shadowPlace(p) - 0.5;
+  return all(lessThan(abs(aside), vec3(0.4999)));
 }
 #elif defined FOR_LAMPS
-bool isSeen(vec3 p, float radius) {
-  return true;
+struct Sight {
+  bool everywhere;
+};
+Sight sightNow() {
+  return Sight(true);
+}
+bool isSeen(Sight sight, vec3 p, float radius) {
+  return sight.everywhere;
 }
 // Texels of the map in which it is largest.
-float pixelRadius(vec3 p, float radius) {
+float pixelRadius(Sight sight, vec3 p, float radius) {
   float largest = 0.0;
   for (int i = 0; i < LAMPS; ++i) {
-    float distance = max(length(lampPlace(i).xyz - p) - radius, lampSampling(i).x);
-    largest = max(largest, radius / (distance * lampSampling(i).y));
+    precise vec3 to = lampPlace(i).xyz - p;
+    precise float distance = exactSqrt(exactDot(to, to)) - radius;
+    precise float texel = max(distance, lampSampling(i).x) * lampSampling(i).y;
+    precise float texels = radius * exactReciprocal(texel);
+    largest = max(largest, texels);
   }
   return largest;
 }
@@ -46,16 +67,30 @@ bool isMiddleSeen(vec3 p) {
   return false;
 }
 #else
-// Outside when wholly behind one plane of the frustum. A plane is a sum or difference of rows of the matrix.
-bool isSeen(vec3 p, float radius) {
+struct Sight {
+  vec4 sides[6];  // the frustum's planes; dot with (place, 1) is the distance inwards (m)
+};
+// A plane is a sum or difference of rows of the matrix.
+Sight sightNow() {
   mat4 rows = transpose(frame.viewProjection);
-  vec4 at = vec4(p, 1);
-  bool seen = true;
+  Sight sight;
   for (int axis = 0; axis < 3; ++axis) {
-    vec4 low = rows[3] + rows[axis], high = rows[3] - rows[axis];
-    seen = seen && dot(low, at) > -radius * length(low.xyz) && dot(high, at) > -radius * length(high.xyz);
+    precise vec4 low = rows[3] + rows[axis], high = rows[3] - rows[axis];
+    precise vec4 least = low * exactInverseSqrt(exactDot(low.xyz, low.xyz));
+    precise vec4 most = high * exactInverseSqrt(exactDot(high.xyz, high.xyz));
+    sight.sides[2 * axis] = least;
+    sight.sides[2 * axis + 1] = most;
   }
+  return sight;
+}
+// Outside when wholly behind one plane.
+bool isSeen(Sight sight, vec3 p, float radius) {
+  bool seen = true;
+  for (int i = 0; i < 6; ++i) seen = seen && exactDot(sight.sides[i], vec4(p, 1)) > -radius;
   return seen;
+}
+float pixelRadius(Sight sight, vec3 p, float radius) {
+  return pixelRadius(p, radius);
 }
 #endif
 
@@ -65,23 +100,24 @@ void main() {
   uint found[LEVELS];
   for (int level = 0; level < LEVELS; ++level) found[level] = 0u;
   int last = min(32, capacity - word * 32);
+  Sight sight = sightNow();
   for (int i = 0; i < last; ++i) {
     vec4 position = texelFetch(positions, word * 32 + i);
     vec4 velocity = texelFetch(velocities, word * 32 + i);
-    float radius = instanceSize(position.w) * shapeRadius;
+    float radius = instanceRadius(position.w);
 #ifndef FOR_LIGHT
     radius = max(radius, minRadius(position.xyz));
 #endif
-    if (!(isShown(position, velocity) && radius > 0.0 && isSeen(position.xyz, radius))) continue;
+    if (!(isShown(position, velocity) && radius > 0.0 && isSeen(sight, position.xyz, radius))) continue;
 #if LEVELS == 2
-    bool fine = pixelRadius(position.xyz, radius) > pointPixels || !isMiddleSeen(position.xyz);
+    bool fine = pixelRadius(sight, position.xyz, radius) > pointPixels || !isMiddleSeen(position.xyz);
     found[0] |= fine ? 0u : 1u << i;
     found[1] |= fine ? 1u << i : 0u;
 #elif LEVELS > 1
     // An icosphere's edges span 63.4 degrees / 2^level; their middles lie 1 - cos(half) inside.
-    float missed = pixelRadius(position.xyz, radius);
-    int wanted = int(missed * 0.149 > levelError) + int(missed * 0.0489 > levelError) +
-                 int(missed * 0.0123 > levelError) + int(missed * 0.0031 > levelError);
+    precise vec4 missed = pixelRadius(sight, position.xyz, radius) * vec4(0.149, 0.0489, 0.0123, 0.0031);
+    int wanted = int(missed.x > levelError) + int(missed.y > levelError) + int(missed.z > levelError) +
+                 int(missed.w > levelError);
     for (int level = 0; level < LEVELS; ++level) found[level] |= level == wanted ? 1u << i : 0u;
 #else
     found[0] |= 1u << i;

@@ -4,6 +4,7 @@ layout(std430, binding = glowBinding) restrict buffer GlowBlock { uint glowSums[
 
 const float glowUnits = 16777216.0;  // of light 1
 const float glowUpper = 256.0;       // light that the upper word counts
+const float perGlowUpper = 0.00390625;
 
 int glowWord(ivec2 pixel) {
   return 6 * (pixel.y * int(frame.size.x) + pixel.x);

@@ -6,6 +6,7 @@
 #include "draw/instances/glow_block.glsl"
 #include "draw/samples.glsl"
 layout(binding = depthUnit) uniform SAMPLED sceneDepth;
+const float perSamples = intBitsToFloat(0x7f000000 - floatBitsToInt(float(SAMPLES)));  // of a power of two
 uniform int strides;  // invocations; LARGE: groups
 uniform float roundPixels;  // larger ones are squares in space, as the rasteriser draws them; smaller ones on the picture
 
@@ -21,11 +22,13 @@ void add(ivec2 pixel, vec3 light, float across, float depth) {
   int before = 0;
   for (int i = 0; i < SAMPLES; ++i)
     before += int(depth < texelFetch(sceneDepth, pixel, SAMPLE(i)).x);
-  float inside = (1.0 - across) * (1.0 - across) * float(before) / float(SAMPLES);
-  // More than half floats hold shows white in any case.
-  vec3 all = min(light * inside, 6e4);
-  vec3 upper = floor(all / glowUpper);
-  uvec3 lower = uvec3((all - upper * glowUpper) * glowUnits + 0.5);
+  precise float inside = (1.0 - across) * (1.0 - across) * float(before) * perSamples;
+  precise vec3 all = light * inside;
+  all = min(all, 6e4);  // more than half floats hold shows white in any case
+  precise vec3 large = all * perGlowUpper;
+  vec3 upper = floor(large);
+  precise vec3 units = (all - upper * glowUpper) * glowUnits + 0.5;
+  uvec3 lower = uvec3(units);
   int word = glowWord(pixel);
   for (int i = 0; i < 3; ++i) {
     uint carry = uint(upper[i]);
@@ -34,21 +37,25 @@ void add(ivec2 pixel, vec3 light, float across, float depth) {
   }
 }
 
+// Over the picture 0 to 1, and the depth.
 vec3 placed(vec4 clip) {
-  return clip.xyz / clip.w * 0.5 + 0.5;
+  precise vec3 place = clip.xyz * exactReciprocal(clip.w) * 0.5 + 0.5;
+  return place;
 }
 
 // A disk on the picture, the pixels from `aside` on, `stride` apart.
 void addDisk(Glow g, ivec2 aside, ivec2 stride) {
-  vec3 place = placed(frame.viewProjection * vec4(g.middle, 1.0));
-  vec2 middle = place.xy * frame.size;
-  float radius = pixelsOf(g.middle, g.radius);
-  ivec2 first = max(ivec2(ceil(middle - radius - 0.5)), 0) + aside;
-  ivec2 last = min(ivec2(floor(middle + radius - 0.5)), ivec2(frame.size) - 1);
+  vec3 place = placed(clipPlace(g.middle));
+  float radius = pixelsOf(g.middle, g.radius), perRadius = exactReciprocal(radius);
+  precise vec2 middle = place.xy * frame.size - 0.5;
+  precise vec2 low = middle - radius, high = middle + radius;
+  ivec2 first = max(ivec2(ceil(low)), 0) + aside;
+  ivec2 last = min(ivec2(floor(high)), ivec2(frame.size) - 1);
   for (int y = first.y; y <= last.y; y += stride.y)
     for (int x = first.x; x <= last.x; x += stride.x) {
-      vec2 across = (vec2(x, y) + 0.5 - middle) / radius;
-      add(ivec2(x, y), g.light, dot(across, across), place.z);
+      precise vec2 across = (vec2(x, y) - middle) * perRadius;
+      precise float across2 = across.x * across.x + across.y * across.y;
+      add(ivec2(x, y), g.light, across2, place.z);
     }
 }
 
@@ -61,8 +68,9 @@ void addFacing(Glow g, ivec2 aside, ivec2 stride) {
   vec2 low = vec2(1), high = vec2(0);
   bool before = true;
   for (int corner = 0; corner < 4; ++corner) {
-    vec3 outwards = float((corner & 1) * 2 - 1) * facing.right + float((corner & 2) - 1) * facing.up;
-    vec4 clip = frame.viewProjection * vec4(g.middle + g.radius * outwards, 1.0);
+    precise vec3 outwards = float((corner & 1) * 2 - 1) * facing.right + float((corner & 2) - 1) * facing.up;
+    precise vec3 at = g.middle + g.radius * outwards;
+    vec4 clip = clipPlace(at);
     before = before && clip.w > 1e-4;
     vec2 place = placed(clip).xy;
     low = min(low, place);
@@ -70,18 +78,21 @@ void addFacing(Glow g, ivec2 aside, ivec2 stride) {
   }
   // Partly behind the eye: anywhere.
   if (!before) low = vec2(0), high = vec2(1);
-  ivec2 first = ivec2(clamp(low, 0.0, 1.0) * frame.size) + aside;
-  ivec2 last = min(ivec2(clamp(high, 0.0, 1.0) * frame.size), ivec2(frame.size) - 1);
+  precise vec2 from = clamp(low, 0.0, 1.0) * frame.size, to = clamp(high, 0.0, 1.0) * frame.size;
+  precise vec2 perSize = 2.0 * vec2(exactReciprocal(frame.size.x), exactReciprocal(frame.size.y));
+  float perRadius = exactReciprocal(g.radius);
+  ivec2 first = ivec2(from) + aside;
+  ivec2 last = min(ivec2(to), ivec2(frame.size) - 1);
   for (int y = first.y; y <= last.y; y += stride.y)
     for (int x = first.x; x <= last.x; x += stride.x) {
-      vec2 onPicture = (vec2(x, y) + 0.5) / frame.size * 2.0 - 1.0;
-      vec3 ray = frame.rayForward.xyz + frame.rayRight.xyz * onPicture.x + frame.rayUp.xyz * onPicture.y;
-      float towards = -dot(ray, facing.towards);
+      precise vec2 onPicture = (vec2(x, y) + 0.5) * perSize - 1.0;
+      precise vec3 ray = frame.rayForward.xyz + frame.rayRight.xyz * onPicture.x + frame.rayUp.xyz * onPicture.y;
+      float towards = -exactDot(ray, facing.towards);
       if (towards <= 0.0) continue;
-      vec3 hit = frame.eye.xyz + ray * (facing.distance / towards);
-      vec3 off = (hit - g.middle) / g.radius;
-      vec4 clip = frame.viewProjection * vec4(hit, 1.0);
-      if (abs(clip.z) <= clip.w) add(ivec2(x, y), g.light, dot(off, off), placed(clip).z);
+      precise vec3 hit = frame.eye.xyz + ray * (facing.distance * exactReciprocal(towards));
+      precise vec3 off = (hit - g.middle) * perRadius;
+      vec4 clip = clipPlace(hit);
+      if (abs(clip.z) <= clip.w) add(ivec2(x, y), g.light, exactDot(off, off), placed(clip).z);
     }
 }
 

@@ -1,4 +1,5 @@
 // One instance of a sim::Instances by its slot.
+#include "common/exact.glsl"
 #include "draw/bindings.glsl"
 layout(binding = positionUnit) uniform samplerBuffer positions;   // xyz (m), w mass (kg)
 layout(binding = velocityUnit) uniform samplerBuffer velocities;  // xyz (m/s), w age 0 to 1, negative: not alive
@@ -10,39 +11,65 @@ uniform float minPixels;  // no ball is drawn with a smaller radius on screen
 
 // Dead ones and lost ones are not drawn.
 bool isShown(vec4 position, vec4 velocity) {
-  return velocity.w >= 0.0 && dot(abs(position.xyz), vec3(1)) < 1e6;
+  precise float far = abs(position.x) + abs(position.y) + abs(position.z);
+  return velocity.w >= 0.0 && isNumber(far) && far < 1e6;
 }
 
 float instanceSize(float mass) {
   if (massExponent == 0.0) return size;
-  return size * pow(max(mass, 0.0) * perMassReference, massExponent);
+  precise float masses = max(mass, 0.0) * perMassReference;
+  precise float scaled = size * exactPow(masses, massExponent);
+  return scaled;
+}
+
+// Of a ball around it (m).
+float instanceRadius(float mass) {
+  precise float radius = instanceSize(mass) * shapeRadius;
+  return radius;
 }
 
 // Pixels that one metre spans at one metre from the eye.
 float pixelsPerMetre() {
-  return 0.5 * frame.size.y * inversesqrt(dot(frame.rayUp.xyz, frame.rayUp.xyz));
+  precise float pixels = 0.5 * frame.size.y * exactInverseSqrt(exactDot(frame.rayUp.xyz, frame.rayUp.xyz));
+  return pixels;
+}
+
+// Along the view's axis (m).
+float distanceOf(vec3 p) {
+  precise vec3 aside = p - frame.eye.xyz;
+  return exactDot(aside, frame.rayForward.xyz);
 }
 
 // Pixels that `radius` (m) spans at p.
 float pixelsOf(vec3 p, float radius) {
-  return radius * pixelsPerMetre() / max(dot(p - frame.eye.xyz, frame.rayForward.xyz), 1e-6);
+  precise float pixels = radius * pixelsPerMetre() * exactReciprocal(max(distanceOf(p), 1e-6));
+  return pixels;
 }
 
 // Metres that `minPixels` span at p.
 float minRadius(vec3 p) {
-  return max(dot(p - frame.eye.xyz, frame.rayForward.xyz), 0.0) * minPixels / pixelsPerMetre();
+  precise float metres = max(distanceOf(p), 0.0) * minPixels * exactReciprocal(pixelsPerMetre());
+  return metres;
+}
+
+vec4 clipPlace(vec3 p) {
+  mat4 m = frame.viewProjection;
+  precise vec4 place = m[0] * p.x + m[1] * p.y + m[2] * p.z + m[3];
+  return place;
 }
 
 #if !defined FOR_LIGHT && !defined FOR_LAMPS
 // Radius on screen, pixels, of a ball's nearest point.
 float pixelRadius(vec3 p, float radius) {
-  float distance = max(dot(p - frame.eye.xyz, frame.rayForward.xyz) - radius, 1e-3);
-  return radius * pixelsPerMetre() / distance;
+  precise float nearest = distanceOf(p) - radius;
+  precise float pixels = radius * pixelsPerMetre() * exactReciprocal(max(nearest, 1e-3));
+  return pixels;
 }
 
 // A point is dropped as a whole with its middle.
 bool isMiddleSeen(vec3 p) {
-  vec4 place = frame.viewProjection * vec4(p, 1);
-  return all(lessThan(abs(place.xyz), vec3(0.9999 * place.w)));
+  vec4 place = clipPlace(p);
+  precise float border = 0.9999 * place.w;
+  return all(lessThan(abs(place.xyz), vec3(border)));
 }
 #endif

@@ -24,18 +24,24 @@ bool listed(uint at, out vec4 position, out vec4 velocity) {
 
 vec3 tintOf(vec4 position, vec4 velocity) {
   if (colorBy == 0) return color;
-  float value = colorBy == 1 ? length(velocity.xyz) : colorBy == 2 ? position.w : velocity.w;
-  float at = clamp(value * colorFactor + colorOffset, 0.0, 1.0) * float(stopCount - 1);
+  float speed = exactSqrt(exactDot(velocity.xyz, velocity.xyz));
+  float value = colorBy == 1 ? speed : colorBy == 2 ? position.w : velocity.w;
+  precise float fraction = value * colorFactor + colorOffset;
+  precise float at = clamp(fraction, 0.0, 1.0) * float(stopCount - 1);
   int below = min(int(at), max(stopCount - 2, 0));
-  return mix(texelFetch(stops, below).rgb, texelFetch(stops, min(below + 1, stopCount - 1)).rgb, at - float(below));
+  precise float rest = at - float(below);
+  return exactMix(texelFetch(stops, below).rgb, texelFetch(stops, min(below + 1, stopCount - 1)).rgb, rest);
 }
 
 // Light of an additive instance for its colour: it brightens and dims over its life. One whose age is exactly 0
 // does not age.
 float brightnessAt(float age) {
   if (fade <= 0.0 || age == 0.0) return brightness;
-  float fraction = clamp(min(age, 1.0 - age) / fade, 0.0, 1.0);
-  return brightness * fraction * fraction * (3.0 - 2.0 * fraction);
+  precise float left = 1.0 - age;
+  precise float risen = min(age, left) * exactReciprocal(fade);
+  float fraction = clamp(risen, 0.0, 1.0);
+  precise float bright = brightness * fraction * fraction * (3.0 - 2.0 * fraction);
+  return bright;
 }
 
 struct Glow {
@@ -46,9 +52,10 @@ struct Glow {
 
 // An additive sprite. One too small to be drawn is widened and keeps its light: it is dimmer by the ratio of areas.
 Glow glowOf(vec4 position, vec4 velocity) {
-  float radius = instanceSize(position.w) * shapeRadius;
+  float radius = instanceRadius(position.w);
   float minimum = minRadius(position.xyz);
-  float fraction = min(radius / max(minimum, 1e-12), 1.0);
-  vec3 light = tintOf(position, velocity) * (brightnessAt(velocity.w) * fraction * fraction);
+  precise float ratio = radius * exactReciprocal(max(minimum, 1e-12));
+  float fraction = min(ratio, 1.0);
+  precise vec3 light = tintOf(position, velocity) * (brightnessAt(velocity.w) * fraction * fraction);
   return Glow(position.xyz, max(radius, minimum), light);
 }

@@ -18,41 +18,47 @@ uniform int invocations;
 const float squareSide = 1.7724539;  // sqrt(pi): of the square with a disk's area
 
 vec3 placed(vec3 p) {
-  vec4 clip = frame.viewProjection * vec4(p, 1.0);
-  return clip.xyz / clip.w;
+  vec4 clip = clipPlace(p);
+  precise vec3 place = clip.xyz * exactReciprocal(clip.w);
+  return place;
 }
 
 #if defined(FOR_LIGHT)
 SmallSprite ready(vec4 position, vec4 velocity) {
-  float side = squareSide * instanceSize(position.w) * shapeRadius / shadowTexel();
-  return SmallSprite(shadowPlace(position.xyz) * 2.0 - 1.0, side, vec3(0), vec2(0));
+  precise float side = squareSide * instanceRadius(position.w) * exactReciprocal(shadowTexel());
+  precise vec3 place = shadowPlace(position.xyz) * 2.0 - 1.0;
+  return SmallSprite(place, side, vec3(0), vec2(0));
 }
 #elif defined(GLOW)
 SmallSprite ready(vec4 position, vec4 velocity) {
   Glow glow = glowOf(position, velocity);
-  return SmallSprite(placed(glow.middle), 2.0 * pixelsOf(glow.middle, glow.radius), glow.light, vec2(0));
+  precise float side = 2.0 * pixelsOf(glow.middle, glow.radius);
+  return SmallSprite(placed(glow.middle), side, glow.light, vec2(0));
 }
 #else
 SmallSprite ready(vec4 position, vec4 velocity) {
   Facing facing = facingEye(position.xyz);
-  float radius = max(instanceSize(position.w) * shapeRadius, minRadius(position.xyz));
-  float side = squareSide * pixelsOf(position.xyz, outlineRadius(radius, facing.distance));
+  float radius = max(instanceRadius(position.w), minRadius(position.xyz));
+  precise float side = squareSide * pixelsOf(position.xyz, outlineRadius(radius, facing.distance));
   // The part of the ball that is seen faces the eye by 2/3 in the mean.
-  vec3 middle = 0.6666667 * facing.towards;
+  precise vec3 middle = 0.6666667 * facing.towards;
   vec3 tint = tintOf(position, velocity);
-  float fraction = sunFraction(shadowPlace(position.xyz + radius * middle + shadowLift(frame.sunDirection.xyz)));
+  precise vec3 lifted = position.xyz + radius * middle + shadowLift(frame.sunDirection.xyz);
+  float fraction = sunFraction(shadowPlace(lifted));
   vec3 light[4];
   for (int i = 0; i < 4; ++i) {
-    vec3 aside = float((i & 1) * 2 - 1) * facing.right + float((i & 2) - 1) * facing.up;
-    vec3 normal = middle + 0.5270463 * aside;
-    light[i] = allLight(lookOf(tint), position.xyz + radius * normal, normal, facing.towards, fraction);
+    precise vec3 aside = float((i & 1) * 2 - 1) * facing.right + float((i & 2) - 1) * facing.up;
+    precise vec3 normal = middle + 0.5270463 * aside;
+    precise vec3 p = position.xyz + radius * normal;
+    light[i] = allLight(lookOf(tint), p, normal, facing.towards, fraction);
   }
-  vec3 mean = 0.25 * (light[0] + light[1] + light[2] + light[3]);
-  vec3 across = 0.25 * (light[1] - light[0] + light[3] - light[2]);
-  vec3 upwards = 0.25 * (light[2] - light[0] + light[3] - light[1]);
-  float whole = max(mean.r + mean.g + mean.b, 1e-9);
-  return SmallSprite(placed(position.xyz), side, mean,
-                     vec2(across.r + across.g + across.b, upwards.r + upwards.g + upwards.b) / whole);
+  precise vec3 mean = 0.25 * (light[0] + light[1] + light[2] + light[3]);
+  precise vec3 across = 0.25 * (light[1] - light[0] + light[3] - light[2]);
+  precise vec3 upwards = 0.25 * (light[2] - light[0] + light[3] - light[1]);
+  precise float whole = mean.r + mean.g + mean.b;
+  precise vec2 gained = vec2(across.r + across.g + across.b, upwards.r + upwards.g + upwards.b);
+  precise vec2 slope = gained * exactReciprocal(max(whole, 1e-9));
+  return SmallSprite(placed(position.xyz), side, mean, slope);
 }
 #endif
 

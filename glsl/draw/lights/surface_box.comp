@@ -15,7 +15,8 @@ void main() {
   vec3 low = vec3(3.4e38), high = vec3(-3.4e38);
   for (int i = first; i < vertexCount; i += invocations) {
     vec3 p = worldPoint(i);
-    if (!(dot(abs(p), vec3(1)) < 1e9)) continue;  // lost
+    precise float far = abs(p.x) + abs(p.y) + abs(p.z);
+    if (!(isNumber(far) && far < 1e9)) continue;  // lost
     low = min(low, p);
     high = max(high, p);
   }

@@ -13,8 +13,9 @@ uniform int surfaces;
 bool reaches(int face, vec3 low, vec3 high, float scale, float nearest) {
   vec3 a = onFace(face, low), b = onFace(face, high);
   vec3 least = min(a, b), most = max(a, b);
-  float slack = 1e-4 * (most.x - least.x + abs(most.x));
-  return most.x >= nearest && most.x + slack >= scale * max(max(least.y, -most.y), max(least.z, -most.z));
+  precise float reach = most.x + 1e-4 * (most.x - least.x + abs(most.x));  // some slack
+  precise float across = scale * max(max(least.y, -most.y), max(least.z, -most.z));
+  return most.x >= nearest && reach >= across;
 }
 
 void main() {
@@ -32,8 +33,9 @@ void main() {
     for (int lamp = 0; lamp < LAMPS; ++lamp) {
       vec3 middle = lampPlace(lamp).xyz;
       float scale = lampMaps(lamp).w, nearest = lampSampling(lamp).x;
+      precise vec3 from = low - middle, to = high - middle;
       for (int face = 0; face < lampFaces; ++face)
-        if (reaches(face, low - middle, high - middle, scale, nearest))
+        if (reaches(face, from, to, scale, nearest))
           cells[surface * LAMPS * lampFaces + int(count++)] = uint(lamp * lampFaces + face);
     }
   arguments[5 * surface + 1] = count;

@@ -10,7 +10,7 @@ uniform int invocations;
 vec4 ball(int i) {
   vec4 position = texelFetch(positions, i);
   bool shown = isShown(position, texelFetch(velocities, i));
-  return vec4(shown ? position.xyz : vec3(1e30), instanceSize(position.w) * shapeRadius);
+  return vec4(shown ? position.xyz : vec3(1e30), instanceRadius(position.w));
 }
 #elif defined(BOX)
 uniform vec3 corners[2];
@@ -29,17 +29,24 @@ void main() {
   if (first >= min(invocations, vertexCount)) return;
   vec3 low = vec3(3.4e38), high = vec3(-3.4e38);
   vec2 groundLow = vec2(3.4e38), groundHigh = vec2(-3.4e38);
+  float perHeight = exactReciprocal(sunHeight());
+  precise vec2 away = frame.sunDirection.xz * perHeight;  // along the ground for each metre above it
   for (int i = first; i < vertexCount; i += invocations) {
     vec4 found = ball(i);
     vec3 p = found.xyz;
-    if (!(dot(abs(p), vec3(1)) + found.w < 1e6)) continue;  // lost particles must not blow the map up
-    vec3 q = vec3(dot(p, frame.lightRight.xyz), dot(p, frame.lightUp.xyz), dot(p, frame.sunDirection.xyz));
-    vec2 g = p.xz - frame.sunDirection.xz * ((p.y - frame.groundHeight) / sunHeight());
-    low = min(low, q - found.w);
-    high = max(high, q + found.w);
+    precise float far = abs(p.x) + abs(p.y) + abs(p.z) + found.w;
+    if (!(isNumber(far) && far < 1e6)) continue;  // lost particles must not blow the map up
+    vec3 q = vec3(exactDot(p, frame.lightRight.xyz), exactDot(p, frame.lightUp.xyz),
+                  exactDot(p, frame.sunDirection.xyz));
+    precise vec2 g = p.xz - away * (p.y - frame.groundHeight);
     // A ball's shadow reaches radius / sin(height of the sun) from its middle.
-    groundLow = min(groundLow, g - found.w / sunHeight());
-    groundHigh = max(groundHigh, g + found.w / sunHeight());
+    precise float reach = found.w * perHeight;
+    precise vec3 nearer = q - found.w, farther = q + found.w;
+    precise vec2 groundNearer = g - reach, groundFarther = g + reach;
+    low = min(low, nearer);
+    high = max(high, farther);
+    groundLow = min(groundLow, groundNearer);
+    groundHigh = max(groundHigh, groundFarther);
   }
   if (low.x > high.x) return;
   for (int axis = 0; axis < 3; ++axis) {

@@ -7,9 +7,13 @@ layout(std430, binding = lightBinding) restrict writeonly buffer LightBlock {
   vec4 light[5];
 };
 
+// The next multiple of an eighth of the power of two that is not above it. A power of two is its exponent's bits.
 float stepped(float size) {
-  float unit = exp2(floor(log2(size)) - 3.0);
-  return ceil(size / unit) * unit;
+  int power = floatBitsToInt(size) & 0x7f800000;
+  float unit = intBitsToFloat(power - (3 << 23)), perUnit = intBitsToFloat((257 << 23) - power);
+  precise float steps = size * perUnit;
+  precise float whole = ceil(steps) * unit;
+  return whole;
 }
 
 void main() {
@@ -27,20 +31,30 @@ void main() {
   }
   // No caster lies within `margin` texels of the border, so reading past the border finds no shadow.
   float texels = frame.shadowTexels;
-  float margin = min(ceil(frame.shadowSoftness) + 2.0, 0.25 * texels);
-  float size = stepped(max(max(high.x - low.x, high.y - low.y), 0.05));
-  float texel = size / (texels - 2.0 * margin - 1.0);
-  vec2 corner = (floor(low.xy / texel) - margin) * texel;
-  float side = texel * texels;
-  float depth = stepped(max(high.z - low.z, 0.05)) * 1.02;
+  precise float softness = ceil(frame.shadowSoftness) + 2.0;
+  precise float quarter = 0.25 * texels;
+  float margin = min(softness, quarter);
+  precise vec3 extent = high - low;
+  float size = stepped(max(max(extent.x, extent.y), 0.05));
+  precise float inner = texels - 2.0 * margin - 1.0;
+  precise float texel = size * exactReciprocal(inner);
+  precise vec2 steps = low.xy * (inner * exactReciprocal(size));
+  precise vec2 corner = (floor(steps) - margin) * texel;
+  precise float side = texel * texels;
+  precise float depth = stepped(max(extent.z, 0.05)) * 1.02;
   // Depth 0 is nearest to the light.
-  float nearest = high.z + 0.01 * depth;
-  light[0] = vec4(frame.lightRight.xyz, -corner.x) / side;
-  light[1] = vec4(frame.lightUp.xyz, -corner.y) / side;
-  light[2] = vec4(-frame.sunDirection.xyz, nearest) / depth;
+  precise float nearest = high.z + 0.01 * depth;
+  float perSide = exactReciprocal(side), perDepth = exactReciprocal(depth);
+  precise vec4 right = vec4(frame.lightRight.xyz, -corner.x) * perSide;
+  precise vec4 up = vec4(frame.lightUp.xyz, -corner.y) * perSide;
+  precise vec4 along = vec4(-frame.sunDirection.xyz, nearest) * perDepth;
+  light[0] = right;
+  light[1] = up;
+  light[2] = along;
   light[3] = vec4(texel, side, depth, 0);
-  float reach = margin * texel / sunHeight();
-  light[4] = ground + vec4(-reach, -reach, reach, reach);
+  precise float reach = margin * texel * exactReciprocal(sunHeight());
+  precise vec4 reached = ground + vec4(-reach, -reach, reach, reach);
+  light[4] = reached;
   for (int i = 0; i < boundCount; ++i) {
     boundLow[i] = 0xffffffffu;
     boundHigh[i] = 0u;

@@ -1,5 +1,6 @@
 // The field's own colours for skins of the look "map". COLORED: the field is a picture.
 #include "draw/bindings.glsl"
+#include "draw/half.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
 #ifdef COLORED
 layout(rgba16f, binding = fieldImage) uniform readonly restrict image2D field;
@@ -19,10 +20,11 @@ void main() {
 #ifdef COLORED
   vec3 color = imageLoad(field, at).rgb;
 #else
-  float fraction = (imageLoad(field, at).r - rangeLow) * rangeFactor;
-  float place = (fraction > 0.0 ? min(fraction, 1.0) : 0.0) * float(stopCount - 1);
+  precise float fraction = (imageLoad(field, at).r - rangeLow) * rangeFactor;
+  precise float place = (isNumber(fraction) && fraction > 0.0 ? min(fraction, 1.0) : 0.0) * float(stopCount - 1);
   int stop = min(int(place), max(stopCount - 2, 0));
-  vec3 color = mix(texelFetch(stops, stop).rgb, texelFetch(stops, min(stop + 1, stopCount - 1)).rgb, place - float(stop));
+  precise float rest = place - float(stop);
+  vec3 color = exactMix(texelFetch(stops, stop).rgb, texelFetch(stops, min(stop + 1, stopCount - 1)).rgb, rest);
 #endif
-  imageStore(colors, at, vec4(color, 1.0));
+  imageStore(colors, at, asHalf(vec4(color, 1.0)));
 }

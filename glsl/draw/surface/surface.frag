@@ -11,6 +11,8 @@ in vec3 place;
 const vec3 place = vec3(0);
 #endif
 #ifdef TRIPLANAR
+in vec3 objectPosition;  // m
+in vec3 objectNormal;
 #include "draw/surface/three_sides.glsl"
 #endif
 #ifdef TEXTURED
@@ -51,7 +53,7 @@ void main() {
   normal = gl_FrontFacing ? normal : -normal;
 #endif
 #ifdef BUMPED
-  normal = raisedNormal(normal, worldPosition, bump);
+  normal = bumpedNormal(normal, worldPosition, bump);
 #endif
   vec3 view = normalize(frame.eye.xyz - worldPosition);
   Look look = lookOf(base);

@@ -16,11 +16,11 @@ float texelsAcross(vec2 place) {
 #ifdef TRIPLANAR
 uniform vec2 perMetre;  // repeats
 float texelsAPixel() {
-  ThreeSides three = threeSides();
+  ThreeSides three = threeSides(objectPosition, objectNormal);
   return dot(three.weight, vec3(texelsAcross(three.x * perMetre), texelsAcross(three.y * perMetre), texelsAcross(three.z * perMetre)));
 }
 vec3 textureColor(vec2 shift) {
-  ThreeSides three = threeSides();
+  ThreeSides three = threeSides(objectPosition, objectNormal);
   return three.weight.x * textureAt(three.x * perMetre, shift) + three.weight.y * textureAt(three.y * perMetre, shift) +
          three.weight.z * textureAt(three.z * perMetre, shift);
 }
@@ -35,20 +35,12 @@ vec3 textureColor(vec2 shift) {
 #endif
 
 #ifdef BUMPED
-float brightness(vec3 color) {
-  return dot(color, vec3(0.2126, 0.7152, 0.0722));
-}
-
-// The normal n of the surface raised by a height: n - grad height, from its changes over a pixel (Mikkelsen, "Bump Mapping
-// Unparametrized Surfaces on the GPU", 2010), or over a texel where that is more: between texels the texture is linear,
-// and its slope jumps at each of them. `bump`: height of white, m.
-vec3 raisedNormal(vec3 normal, vec3 p, float bump) {
-  vec3 across = dFdx(p), down = dFdy(p);
-  vec3 first = cross(down, normal), second = cross(normal, across);
-  float area = dot(across, first), pixels = 1.0 / clamp(texelsAPixel(), 0.02, 1.0), aside = 0.5 * pixels;
-  float toRight = brightness(textureColor(vec2(aside, 0))) - brightness(textureColor(vec2(-aside, 0)));
-  float up = brightness(textureColor(vec2(0, aside))) - brightness(textureColor(vec2(0, -aside)));
-  vec3 rise = sign(area) * (bump / pixels) * (toRight * first + up * second);
-  return normalize(abs(area) * normal - rise);
+#include "draw/surface/raised_normal.glsl"
+// `bump`: height of white, m.
+vec3 bumpedNormal(vec3 normal, vec3 p, float bump) {
+  float aside = pixelsAside(texelsAPixel());
+  vec2 rises = vec2(brightness(textureColor(vec2(aside, 0))) - brightness(textureColor(vec2(-aside, 0))),
+                    brightness(textureColor(vec2(0, aside))) - brightness(textureColor(vec2(0, -aside))));
+  return raisedNormal(normal, dFdx(p), dFdy(p), rises * (0.5 * bump / aside));
 }
 #endif

@@ -1,7 +1,6 @@
 // A surface seen along the three axes of its own space: where a picture that is laid on from there lies, and how much of
-// each of the three shows.
-in vec3 objectPosition;  // m
-in vec3 objectNormal;
+// each of the three shows. Compiles as GLSL and as C++.
+#include "draw/arithmetic.glsl"
 
 // Along x, y and z, m: to the right and down as it is seen from outside.
 struct ThreeSides {
@@ -10,17 +9,20 @@ struct ThreeSides {
   vec3 weight;  // of sum 1
 };
 
-ThreeSides threeSides() {
+// p in the surface's own space (m), and the normal there.
+FUNCTION ThreeSides threeSides(vec3 p, vec3 normal) {
   ThreeSides three;
-  vec3 p = objectPosition;
-  three.side = vec3(greaterThan(objectNormal, vec3(0))) * 2.0 - 1.0;
-  three.x = vec2(-three.side.x * p.z, -p.y);
-  three.y = vec2(p.x, three.side.y * p.z);
-  three.z = vec2(three.side.z * p.x, -p.y);
-  vec3 weight = objectNormal * objectNormal;  // to the 16th power: sharp borders, yet no edges
-  weight *= weight;
-  weight *= weight;
-  weight *= weight;
-  three.weight = weight / max(weight.x + weight.y + weight.z, 1e-30);
+  three.side = vec3(normal.x > 0.0f ? 1.0f : -1.0f, normal.y > 0.0f ? 1.0f : -1.0f, normal.z > 0.0f ? 1.0f : -1.0f);
+  ROUNDED vec3 turned = three.side * vec3(p.z, p.z, p.x);
+  three.x = vec2(-turned.x, -p.y);
+  three.y = vec2(p.x, turned.y);
+  three.z = vec2(turned.z, -p.y);
+  ROUNDED vec3 weight = normal * normal;  // to the 16th power: sharp borders, yet no edges
+  weight = weight * weight;
+  weight = weight * weight;
+  weight = weight * weight;
+  ROUNDED float sum = weight.x + weight.y + weight.z;
+  weight = weight * inverse(max(sum, 1e-30f));
+  three.weight = weight;
   return three;
 }

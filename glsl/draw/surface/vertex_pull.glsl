@@ -1,4 +1,5 @@
 // Vertices of a sim::Surface by number, world space. GRID: neighbours give the normal.
+#include "common/exact.glsl"
 #include "draw/bindings.glsl"
 layout(binding = positionUnit) uniform samplerBuffer positions;
 uniform mat4 model;
@@ -11,5 +12,6 @@ vec3 worldPoint(int i) {
 #ifdef DEFORMED
   p = displaced(p);
 #endif
-  return (model * vec4(p, 1.0)).xyz;
+  precise vec3 world = model[0].xyz * p.x + model[1].xyz * p.y + model[2].xyz * p.z + model[3].xyz;
+  return world;
 }

@@ -1,5 +1,6 @@
 #include "draw/exact/bloom.hpp"
 
+#include "base/ieee.hpp"
 #include "draw/exact/bindings.hpp"
 #include "gl/element_array.hpp"
 
@@ -29,7 +30,8 @@ glm::ivec2 sizeOf(const gl::Texture& texture) {
 Bloom::Bloom(const scene::Bloom& bloom, glm::ivec2 size)
     : threshold_(bloom.threshold),
       // Level i spreads light over about 2^(i + 1) pixels.
-      reach_(std::clamp(std::log2(bloom.radius * static_cast<float>(size.y)), 1.0F, maxLevels)) {
+      reach_(std::clamp(static_cast<float>(ieee::log2(static_cast<double>(bloom.radius) * size.y)), 1.0F,
+                        maxLevels)) {
   if (!bloom.strength.moves() && bloom.strength.at(0) <= 0) return;
   first_ = gl::Program::compute("draw/exact/bloom_first.comp");
   down_ = gl::Program::compute("draw/exact/bloom_down.comp");

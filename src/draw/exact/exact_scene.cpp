@@ -52,6 +52,7 @@ struct ExactScene::State {
   glm::ivec2 size;
   int samples;
   bool ground;
+  SkinTextures skins;
   ShadowPass shadow;
   gl::Buffer view;
   Visibility visibility;
@@ -71,12 +72,13 @@ ExactScene::State::State(const scene::Scene& shown, glm::ivec2 pixels, int count
       size(pixels),
       samples(count),
       ground(shown.hasGround && shown.ground.visible),
+      skins(shown),
       shadow(shown.sun),
       view("view", sizeof(shader::ExactView)),
       visibility("the picture", pixels, count, true),
       triangles(TriangleRaster::Into::picture, count),
       tiles(pixels, count, ground, shadow.on()),
-      surfaces(withSamples(count, shadow.defines())),
+      surfaces(shown, withSamples(count, shadow.defines())),
       instances(count, withSamples(count, shadow.defines())),
       bloom(shown.render.bloom, pixels),
       picture(gl::Program::compute("draw/exact/picture.comp",
@@ -98,10 +100,6 @@ ExactScene::State::State(const scene::Scene& shown, glm::ivec2 pixels, int count
 ExactScene::ExactScene(const scene::Scene& scene, glm::ivec2 size, int samples) {
   checkSamples(samples);
   requireNone(!scene.lights.empty(), "lights");
-  for (const scene::Object& object : scene.objects) {
-    requireNone(!object.material.texture.empty(), "textures");
-    requireNone(object.material.hasSkin, "skins");
-  }
   state_ = std::make_unique<State>(scene, size, samples);
 }
 ExactScene::~ExactScene() = default;
@@ -127,20 +125,20 @@ void ExactScene::State::shadeAll() {
   if (map) map->nearKeys().bind(mapUnit);
   const auto& drawn = triangles.drawn();
   for (std::size_t i = 0; i < drawn.size(); ++i)
-    surfaces.shade(triangles, drawn[i], tiles, static_cast<int>(i));
+    surfaces.shade(triangles, drawn[i], skins, tiles, static_cast<int>(i));
   instances.shade(tiles, static_cast<int>(drawn.size()));
   if (!ground) return;
   tiles.shade(tiles.things(), litGround);
   if (shadow.on()) tiles.shade(tiles.things() + 1, shadedGround);
 }
 
-void ExactScene::draw(double seconds, const sim::Drawables& drawables, const gl::Texture& picture,
-                      const Watch& watch) {
+void ExactScene::draw(double seconds, const sim::Drawables& drawables, const Overlays& overlays,
+                      const gl::Texture& picture, const Watch& watch) {
   State& s = *state_;
+  s.skins.update(overlays.textures);
   const auto issued = [&](const char* stage) {
     if (watch) watch(stage);
   };
-  requireNone(!drawables.fields.empty(), "fields");
   const shader::ExactView values =
       exactView(viewAt(s.scene.camera, seconds, s.size, drawables), s.scene.camera, s.size);
   s.view.write(0, std::as_bytes(std::span(&values, 1)));
@@ -169,6 +167,7 @@ void ExactScene::draw(double seconds, const sim::Drawables& drawables, const gl:
   s.instances.addLight(drawables, s.visibility);
   issued("instances");
   glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
+  overlays.fields.drawBehind(drawables, seconds, s.sums, true);
   if (s.bloom.on()) {
     const gl::Texture& scattered = s.bloom.draw(s.sums);
     scattered.bind(bloomUnit);

@@ -1,4 +1,6 @@
 #pragma once
+#include "draw/overlay/field_pass.hpp"
+#include "draw/overlay/field_textures.hpp"
 #include "gl/texture.hpp"
 #include "scene/scene.hpp"
 #include "sim/core/drawable.hpp"
@@ -22,10 +24,15 @@ class ExactScene {
   ExactScene(const ExactScene&) = delete;
   ExactScene& operator=(const ExactScene&) = delete;
 
+  /// The fields of the frame: as skins read them, and as they lie behind the scene.
+  struct Overlays {
+    const FieldTextures& textures;
+    FieldPass& fields;
+  };
   using Watch = std::function<void(const char* stage)>;
   /// Into an RGBA8 picture, row 0 at the top. The frame's uniform block is bound.
-  void draw(double seconds, const sim::Drawables& drawables, const gl::Texture& picture,
-            const Watch& watch);
+  void draw(double seconds, const sim::Drawables& drawables, const Overlays& overlays,
+            const gl::Texture& picture, const Watch& watch);
 
  private:
   struct State;

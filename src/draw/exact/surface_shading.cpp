@@ -1,49 +1,126 @@
 #include "draw/exact/surface_shading.hpp"
 
 #include "draw/draw_state.hpp"
+#include "draw/surface/skin_look.hpp"
 #include "draw/surface/surface_pass.hpp"
 
+#include <algorithm>
+#include <bit>
+#include <cmath>
 #include <iterator>
+#include <utility>
+
+#include <glm/geometric.hpp>
 
 namespace simreel::draw {
 
 namespace {
 
-constexpr const char* featureNames[] = {"DOUBLE_SIDED", "TRANSLUCENT", "REFLECTIVE", "PALETTE", "COUNTED"};
+constexpr const char* featureNames[] = {"DOUBLE_SIDED", "TRANSLUCENT", "REFLECTIVE", "PALETTE", "COUNTED",
+                                        "TEXTURED",     "GRID",        "TRIPLANAR",  "BUMPED",  "SKIN"};
 
-unsigned featuresOf(const sim::Surface& surface) {
+unsigned featuresOf(const sim::Surface& surface, bool skinned) {
   const scene::Material& material = *surface.material;
-  const bool wanted[] = {surface.doubleSided, material.translucency > 0, isReflective(material),
-                         surface.palette != nullptr, surface.arguments != nullptr};
+  scene::Material shown = material;
+  if (skinned) shown.roughness = lookOf(material.skin).roughness;
+  const bool textured = !skinned && !material.texture.empty();
+  const bool grid = surface.normals == nullptr;
+  const bool byUv = (grid || surface.uvs != nullptr) &&
+                    !(skinned && material.skin.projection != scene::Skin::Projection::uv);
+  const bool laidOn = skinned || textured;
+  const bool wanted[] = {surface.doubleSided,
+                         material.translucency > 0,
+                         isReflective(shown),
+                         !skinned && surface.palette != nullptr,
+                         surface.arguments != nullptr,
+                         textured,
+                         laidOn && byUv && grid,
+                         laidOn && !byUv,
+                         textured && material.bump != 0,
+                         skinned};
   unsigned features = 0;
   for (std::size_t i = 0; i < std::size(wanted); ++i) features |= wanted[i] ? 1U << i : 0U;
   return features;
 }
 
+/// What shaders that lay something over a surface read of it, and of how often it is repeated.
+void setSeen(const sim::Surface& surface, glm::vec2 repeats, const gl::Program& shader) {
+  shader.set("textureScale", repeats);
+  shader.set("model", surface.model);
+  shader.set("modelScale", std::sqrt(std::max(glm::dot(surface.model[0], surface.model[0]), 1e-30F)));
+  if (surface.normals == nullptr) {
+    shader.set("grid", surface.grid);
+    shader.set("perGrid", 1.0F / glm::vec2(surface.grid - 1));
+  } else if (surface.uvs != nullptr) {
+    surface.uvs->bind(uvUnit);
+  }
+}
+
+void setSkin(const sim::Surface& surface, const SkinTextures::Entry& entry, const gl::Program& shader) {
+  const scene::Skin& skin = surface.material->skin;
+  const bool byUv = (surface.normals == nullptr || surface.uvs != nullptr) &&
+                    skin.projection == scene::Skin::Projection::uv;
+  // From three sides, cells are squares whatever the field's shape.
+  const float shape = static_cast<float>(entry.cells.x) / static_cast<float>(entry.cells.y);
+  setSeen(surface, {skin.repeats, byUv ? skin.repeats : skin.repeats * shape}, shader);
+  SkinTextures::bind(entry, skin, shader);
+}
+
 }  // namespace
 
-const gl::Program& SurfaceShading::program(const sim::Surface& surface) {
-  const unsigned features = featuresOf(surface);
-  const auto found = programs_.find(features);
+SurfaceShading::SurfaceShading(const scene::Scene& scene, gl::Defines defines)
+    : defines_(std::move(defines)) {
+  for (const scene::Object& object : scene.objects) textures_.load(object.material.texture);
+}
+
+const gl::Program& SurfaceShading::program(unsigned features, int look) {
+  const auto found = programs_.find({features, look});
   if (found != programs_.end()) return found->second;
   gl::Defines defines = defines_;
   for (std::size_t i = 0; i < std::size(featureNames); ++i)
     if ((features >> i & 1U) != 0) defines.emplace_back(featureNames[i], "1");
-  return programs_.emplace(features, gl::Program::compute("draw/exact/shade_surface.comp", defines))
+  if (look >= 0) {
+    scene::Skin skin;
+    skin.look = static_cast<scene::Skin::Look>(look);
+    defines.emplace_back(lookOf(skin).define, "1");
+  }
+  return programs_
+      .emplace(std::pair(features, look), gl::Program::compute("draw/exact/shade_surface.comp", defines))
       .first->second;
 }
 
 void SurfaceShading::shade(const TriangleRaster& raster, const TriangleRaster::Drawn& drawn,
-                           const ShadedTiles& tiles, int thing) {
+                           const SkinTextures& skins, const ShadedTiles& tiles, int thing) {
   const sim::Surface& surface = *drawn.surface;
   const scene::Material& material = *surface.material;
-  const gl::Program& shader = program(surface);
+  const SkinTextures::Entry* skin = material.hasSkin ? skins.find(material.skin) : nullptr;
+  const gl::Program& shader = program(featuresOf(surface, skin != nullptr),
+                                      skin != nullptr ? static_cast<int>(material.skin.look) : -1);
   raster.bind(drawn, shader);
   shader.set("color", material.color);
   shader.set("material", glm::vec3(material.roughness, material.metallic, material.translucency));
   surface.positions->bind(positionUnit);
   if (surface.palette != nullptr) surface.palette->bind(paletteUnit);
+  if (skin != nullptr)
+    setSkin(surface, *skin, shader);
+  else if (const gl::Texture* albedo = textures_.load(material.texture))
+    setTexture(surface, *albedo, shader);
   tiles.shade(thing, shader);
+}
+
+void SurfaceShading::setTexture(const sim::Surface& surface, const gl::Texture& albedo,
+                                const gl::Program& shader) {
+  const scene::Material& material = *surface.material;
+  const glm::ivec2 size(albedo.width(), albedo.height());
+  // A sheet that shows the picture once must not blend its border with the opposite one.
+  const bool once = surface.normals == nullptr && glm::vec2(material.textureScale) == glm::vec2(1);
+  setSeen(surface, glm::vec2(material.textureScale), shader);
+  shader.set("albedoSize", size);
+  shader.set("albedoLevels",
+             static_cast<int>(std::bit_width(static_cast<unsigned>(std::max(size.x, size.y)))));
+  shader.set("albedoRepeats", static_cast<int>(!once));
+  shader.set("bump", material.bump);
+  albedo.bind(albedoUnit);
 }
 
 }  // namespace simreel::draw

@@ -1,9 +1,12 @@
 #pragma once
 #include "draw/exact/shaded_tiles.hpp"
 #include "draw/exact/triangle_raster.hpp"
+#include "draw/surface/skin_textures.hpp"
+#include "draw/surface/texture_store.hpp"
 #include "scene/scene.hpp"
 
 #include <map>
+#include <utility>
 
 namespace simreel::draw {
 
@@ -11,16 +14,21 @@ namespace simreel::draw {
 /// software drivers run both sides of a branch.
 class SurfaceShading {
  public:
-  /// `defines`: SAMPLES and those of the lights.
-  explicit SurfaceShading(gl::Defines defines) : defines_(std::move(defines)) {}
-  /// Adds the light of `drawn`, thing number `thing` of the tiles, to the bound sums.
-  void shade(const TriangleRaster& raster, const TriangleRaster::Drawn& drawn, const ShadedTiles& tiles,
-             int thing);
+  /// Loads the textures of the scene's materials. `defines`: SAMPLES and those of the lights.
+  SurfaceShading(const scene::Scene& scene, gl::Defines defines);
+  /// Adds the light of `drawn`, thing number `thing` of the tiles, to the bound sums. A skin whose field is
+  /// not there leaves the material as it is without one.
+  void shade(const TriangleRaster& raster, const TriangleRaster::Drawn& drawn, const SkinTextures& skins,
+             const ShadedTiles& tiles, int thing);
 
  private:
-  const gl::Program& program(const sim::Surface& surface);
+  /// A look's number is -1 without a skin.
+  const gl::Program& program(unsigned features, int look);
+  static void setTexture(const sim::Surface& surface, const gl::Texture& albedo, const gl::Program& shader);
+
   gl::Defines defines_;
-  std::map<unsigned, gl::Program> programs_;
+  std::map<std::pair<unsigned, int>, gl::Program> programs_;
+  TextureStore textures_{TextureStore::Reads::ours};
 };
 
 }  // namespace simreel::draw

@@ -20,6 +20,10 @@ constexpr const char* trianglesPath = "draw/exact/triangles.comp";
 constexpr const char* largePath = "draw/exact/large.comp";
 constexpr std::int64_t maxIds = 0xfffffff0;  // the last ones say ground, and nothing
 
+int verticesOf(const sim::Surface& surface) {
+  return std::max(surface.vertexCount, surface.vertexRoom);
+}
+
 int maxTrianglesOf(const sim::Surface& surface) {
   const std::size_t indices = surface.arguments == nullptr ? static_cast<std::size_t>(surface.indexCount)
                                                            : surface.indices->bytes() / sizeof(GLuint);
@@ -43,7 +47,7 @@ void TriangleRaster::prepare(const std::vector<const sim::Surface*>& surfaces) {
     next.maxTriangles = maxTrianglesOf(*surface);
     next.firstId = static_cast<unsigned>(triangles);
     next.indices = gl::Texture::view("indices", GL_R32UI, *surface->indices, sizeof(GLuint));
-    vertices += surface->vertexCount;
+    vertices += verticesOf(*surface);
     triangles += next.maxTriangles;
     if (3 * triangles > INT32_MAX || vertices > INT32_MAX || triangles > maxIds)
       fail(ExitCode::device,
@@ -96,13 +100,13 @@ void TriangleRaster::makeVertices(const Visibility& into) {
     const gl::Program& program = vertexProgram(surface);
     program.set("model", surface.model);
     program.set("grid", surface.grid);
-    program.set("vertexCount", surface.vertexCount);
+    program.set("vertexCount", verticesOf(surface));
     program.set("firstVertex", drawn.firstVertex);
     program.set("mapTexels", static_cast<float>(into.size().x));
     surface.positions->bind(positionUnit);
     if (surface.normals != nullptr) surface.normals->bind(normalUnit);
     bindDeformation(surface);
-    dispatchRows(program, surface.vertexCount);
+    dispatchRows(program, verticesOf(surface));
   }
 }
 

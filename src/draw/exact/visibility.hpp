@@ -23,6 +23,9 @@ class Visibility {
   [[nodiscard]] glm::ivec2 size() const { return size_; }
   [[nodiscard]] int samples() const { return samples_; }
   [[nodiscard]] const gl::Texture& nearKeys() const { return nearView_; }
+  /// 32-bit words, `samples` a pixel, row by row from the top.
+  [[nodiscard]] const gl::Buffer& nearBuffer() const { return near_; }
+  [[nodiscard]] const gl::Buffer& idBuffer() const { return ids_; }
 
  private:
   glm::ivec2 size_{0};

@@ -1,5 +1,6 @@
 #include "draw/overlay/axes_pass.hpp"
 
+#include "base/error.hpp"
 #include "draw/overlay/field_view.hpp"
 #include "draw/overlay/text_boxes.hpp"
 
@@ -33,20 +34,35 @@ class Boxes {
   int unit_;
 };
 
+struct Decade {
+  int exponent;
+  double value;  ///< 10^exponent, correctly rounded from 1e-22 to 1e22
+};
+
+/// The largest power of ten that is not above x > 0.
+Decade decadeBelow(double x) {
+  Decade decade{0, 1.0};
+  double power = 1.0;
+  const auto further = [&] { return decade.exponent < 300 && decade.exponent > -300; };
+  while (power * 10.0 <= x && further()) decade = {decade.exponent + 1, power *= 10.0};
+  while (decade.value > x && further()) decade = {decade.exponent - 1, 1.0 / (power *= 10.0)};
+  return decade;
+}
+
 }  // namespace
 
 std::vector<Tick> ticksBetween(double first, double last, int max) {
   const double span = std::abs(last - first);
   if (!(span > 0) || max < 1) return {};
   const double min = span / max;
-  const double ten = std::pow(10.0, std::floor(std::log10(min)));
+  const double ten = decadeBelow(min).value;
   double step = 10 * ten;
   for (const double factor : {1.0, 2.0, 5.0})
     if (factor * ten >= min * (1 - 1e-9)) {
       step = factor * ten;
       break;
     }
-  const int digits = std::max(0, -static_cast<int>(std::floor(std::log10(step) + 1e-9)));
+  const int digits = std::max(0, -decadeBelow(step * (1 + 1e-9)).exponent);
   const double low = std::min(first, last);
   const double hair = 1e-4 * step;  // the ends come as floats
   std::vector<Tick> ticks;
@@ -103,11 +119,27 @@ void AxesPass::append(const sim::Field& field, double seconds, std::vector<glm::
   }
 }
 
-void AxesPass::draw(const sim::Drawables& drawables, double seconds) {
+std::vector<glm::vec4> AxesPass::boxesOf(const sim::Drawables& drawables, double seconds) const {
   std::vector<glm::vec4> boxes;
   for (const sim::Field& field : drawables.fields)
     if (field.display != nullptr && field.display->layer == sim::FieldDisplay::Layer::over)
       append(field, seconds, boxes);
+  return boxes;
+}
+
+void AxesPass::draw(const sim::Drawables& drawables, double seconds, const gl::Texture& picture) {
+  SIMREEL_CHECK(exact_);
+  const std::vector<glm::vec4> boxes = boxesOf(drawables, seconds);
+  if (boxes.empty()) return;
+  if (program_.name() == 0) program_ = BoxList::kernel();
+  imageBarrier();
+  list_.paint(program_, boxes, picture);
+  imageBarrier();
+}
+
+void AxesPass::draw(const sim::Drawables& drawables, double seconds) {
+  SIMREEL_CHECK(!exact_);
+  std::vector<glm::vec4> boxes = boxesOf(drawables, seconds);
   if (boxes.empty()) return;
   if (program_.name() == 0)
     program_ = gl::Program::graphics("draw/overlay/chart_text.vert", "draw/overlay/chart_text.frag");

@@ -1,5 +1,7 @@
 #pragma once
 #include "draw/draw_state.hpp"
+#include "draw/overlay/box_kernel.hpp"
+#include "draw/rasterizer.hpp"
 #include "gl/program.hpp"
 #include "gl/texture.hpp"
 #include "sim/core/drawable.hpp"
@@ -23,15 +25,23 @@ struct Tick {
 /// Draws the scales of fields (FieldDisplay::Axis) beside them, over the finished picture.
 class AxesPass {
  public:
-  explicit AxesPass(glm::ivec2 picture) : picture_(picture) {}
-  /// Into the bound framebuffer, the finished picture.
+  explicit AxesPass(glm::ivec2 picture, Rasterizer rasterizer = Rasterizer::driver)
+      : picture_(picture), exact_(rasterizer == Rasterizer::exact) {}
+  /// driver: into the bound framebuffer, the finished picture.
   void draw(const sim::Drawables& drawables, double seconds);
+  /// exact: over the finished picture, RGBA8, its first row the top one.
+  void draw(const sim::Drawables& drawables, double seconds, const gl::Texture& picture);
 
  private:
   /// Appends rectangles and their colours for one field.
   void append(const sim::Field& field, double seconds, std::vector<glm::vec4>& boxes) const;
 
+  /// The rectangles of all fields.
+  [[nodiscard]] std::vector<glm::vec4> boxesOf(const sim::Drawables& drawables, double seconds) const;
+
   glm::ivec2 picture_;
+  bool exact_;
+  BoxList list_;
   gl::Program program_;
   gl::Buffer buffer_;
   gl::Texture view_;

@@ -1,9 +1,10 @@
 #include "draw/overlay/chart_pass.hpp"
 
+#include "base/error.hpp"
 #include "draw/overlay/text_boxes.hpp"
+#include "draw/picture_code.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <span>
 
 #include <fmt/format.h>
@@ -25,17 +26,18 @@ int curveCount(const sim::Chart& chart) {
   return static_cast<int>(std::min<std::size_t>({chart.names.size(), chart.colors.size(), 4}));
 }
 
-/// IEC 61966-2-1, 0 to 1.
+float perTop(const sim::Chart& chart) {
+  return 1.0F / static_cast<float>(std::max(chart.max, 1U));
+}
+
+/// As the picture has it: the kernels' own approximation.
 glm::vec3 encoded(glm::vec3 linear) {
-  for (int i = 0; i < 3; ++i) {
-    const float x = std::clamp(linear[i], 0.0F, 1.0F);
-    linear[i] = x <= 0.0031308F ? 12.92F * x : 1.055F * std::pow(x, 1 / 2.4F) - 0.055F;
-  }
-  return linear;
+  return shader::encoded(glm::clamp(linear, 0.0F, 1.0F));
 }
 
 /// Rectangles with their colours: names in a row above the curves, the scales below.
 std::vector<glm::vec4> labels(const sim::Chart& chart, const ChartLayout& layout) {
+  if (layout.plot.x == layout.panel.x + 2) return {};  // no room
   std::vector<glm::vec4> boxes;
   const auto add = [&](const std::string& text, glm::ivec2 at, glm::vec3 color) {
     for (const glm::vec4& box : textBoxes(text, at, layout.unit)) {
@@ -84,14 +86,15 @@ ChartLayout chartLayout(const sim::Chart& chart, glm::ivec2 picture) {
 void ChartPass::compile() {
   if (columns_.name() != 0) return;
   columns_ = gl::Program::compute("draw/overlay/chart_columns.comp");
-  curves_ = gl::Program::graphics("draw/overlay/chart.vert", "draw/overlay/chart.frag");
-  text_ = gl::Program::graphics("draw/overlay/chart_text.vert", "draw/overlay/chart_text.frag");
+  curves_ = exact_ ? gl::Program::compute("draw/overlay/chart.comp")
+                   : gl::Program::graphics("draw/overlay/chart.vert", "draw/overlay/chart.frag");
+  text_ = exact_ ? BoxList::kernel()
+                 : gl::Program::graphics("draw/overlay/chart_text.vert", "draw/overlay/chart_text.frag");
 }
 
 void ChartPass::draw(const sim::Drawables& drawables) {
-  if (drawables.charts.empty()) return;
-  compile();
-  if (kept_.size() != drawables.charts.size()) kept_ = std::vector<Kept>(drawables.charts.size());
+  SIMREEL_CHECK(!exact_);
+  if (!prepare(drawables)) return;
   DrawState{.depthTest = false}.set();
   glEnable(GL_BLEND);
   glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
@@ -104,6 +107,37 @@ void ChartPass::draw(const sim::Drawables& drawables) {
   }
 }
 
+void ChartPass::draw(const sim::Drawables& drawables, const gl::Texture& picture) {
+  SIMREEL_CHECK(exact_);
+  if (!prepare(drawables)) return;
+  for (std::size_t i = 0; i < kept_.size(); ++i) {
+    const sim::Chart& chart = drawables.charts[i];
+    const ChartLayout layout = chartLayout(chart, picture_);
+    condense(chart, layout, kept_[i]);
+    drawExactly(chart, layout, kept_[i], picture);
+  }
+}
+
+bool ChartPass::prepare(const sim::Drawables& drawables) {
+  if (drawables.charts.empty()) return false;
+  compile();
+  if (kept_.size() != drawables.charts.size()) kept_ = std::vector<Kept>(drawables.charts.size());
+  return true;
+}
+
+void ChartPass::drawExactly(const sim::Chart& chart, const ChartLayout& layout, Kept& kept,
+                            const gl::Texture& picture) const {
+  const glm::ivec4 part = glm::clamp(layout.panel, glm::ivec4(0), glm::ivec4(picture_, picture_));
+  setChart(chart, layout, kept);
+  curves_.set("part", part);
+  picture.bindImage(targetImage, GL_READ_WRITE);
+  imageBarrier();
+  curves_.dispatch(part.z - part.x, part.w - part.y);
+  imageBarrier();
+  kept.list.paint(text_, labels(chart, layout), picture);
+  imageBarrier();
+}
+
 void ChartPass::condense(const sim::Chart& chart, const ChartLayout& layout, Kept& kept) const {
   const int width = layout.plot.z - layout.plot.x;
   if (kept.columns.width() != width)
@@ -113,36 +147,39 @@ void ChartPass::condense(const sim::Chart& chart, const ChartLayout& layout, Kep
   columns_.set("columnCount", width);
   columns_.set("steps", chart.steps);
   columns_.set("perColumn", static_cast<float>(std::max(chart.width - 1, 1)) / static_cast<float>(width));
-  columns_.set("top", static_cast<float>(std::max(chart.max, 1U)));
+  columns_.set("perTop", perTop(chart));
   chart.counts->bind(countUnit);
   kept.columns.bindImage(targetImage, GL_WRITE_ONLY);
   columns_.dispatch(width);
   glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
 }
 
-void ChartPass::drawCurves(const sim::Chart& chart, const ChartLayout& layout, const Kept& kept) const {
+void ChartPass::setChart(const sim::Chart& chart, const ChartLayout& layout, const Kept& kept) const {
   constexpr const char* colorNames[] = {"colors[0]", "colors[1]", "colors[2]", "colors[3]"};
   const float fraction =
       static_cast<float>(std::max(chart.steps - 1, 0)) / static_cast<float>(std::max(chart.width - 1, 1));
-  curves_.use();
   curves_.set("panel", glm::vec4(layout.panel));
   curves_.set("plot", glm::vec4(layout.plot));
-  curves_.set("picture", glm::vec2(picture_));
   curves_.set("unit", static_cast<float>(layout.unit));
   curves_.set("curves", curveCount(chart));
   for (int i = 0; i < curveCount(chart); ++i)
-    curves_.set(colorNames[i], chart.colors[static_cast<std::size_t>(i)]);
+    curves_.set(colorNames[i], encoded(chart.colors[static_cast<std::size_t>(i)]));
   curves_.set("steps", chart.steps);
   curves_.set("end", fraction * static_cast<float>(layout.plot.z - layout.plot.x));
-  curves_.set("top", static_cast<float>(std::max(chart.max, 1U)));
+  curves_.set("perTop", perTop(chart));
   chart.counts->bind(countUnit);
   kept.columns.bind(columnUnit);
+}
+
+void ChartPass::drawCurves(const sim::Chart& chart, const ChartLayout& layout, const Kept& kept) const {
+  curves_.use();
+  setChart(chart, layout, kept);
+  curves_.set("picture", glm::vec2(picture_));
   vertices_.bind();
   glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
 }
 
 void ChartPass::drawText(const sim::Chart& chart, const ChartLayout& layout, Kept& kept) const {
-  if (layout.plot.x == layout.panel.x + 2) return;  // no room
   std::vector<glm::vec4> boxes = labels(chart, layout);
   if (boxes.empty()) return;
   if (boxes != kept.present) {

@@ -1,5 +1,7 @@
 #pragma once
 #include "draw/draw_state.hpp"
+#include "draw/overlay/box_kernel.hpp"
+#include "draw/rasterizer.hpp"
 #include "gl/program.hpp"
 #include "gl/texture.hpp"
 #include "sim/core/drawable.hpp"
@@ -24,9 +26,12 @@ struct ChartLayout {
 /// a frame costs the same after a million steps.
 class ChartPass {
  public:
-  explicit ChartPass(glm::ivec2 picture) : picture_(picture) {}
-  /// Into the bound framebuffer, the finished picture.
+  explicit ChartPass(glm::ivec2 picture, Rasterizer rasterizer = Rasterizer::driver)
+      : picture_(picture), exact_(rasterizer == Rasterizer::exact) {}
+  /// driver: into the bound framebuffer, the finished picture.
   void draw(const sim::Drawables& drawables);
+  /// exact: over the finished picture, RGBA8, its first row the top one.
+  void draw(const sim::Drawables& drawables, const gl::Texture& picture);
 
  private:
   struct Kept {
@@ -34,13 +39,22 @@ class ChartPass {
     gl::Buffer boxBuffer;
     gl::Texture boxes;
     std::vector<glm::vec4> present;  ///< what the buffer holds
+    BoxList list;
   };
+  /// False: nothing to draw.
+  bool prepare(const sim::Drawables& drawables);
   void compile();
   void condense(const sim::Chart& chart, const ChartLayout& layout, Kept& kept) const;
   void drawCurves(const sim::Chart& chart, const ChartLayout& layout, const Kept& kept) const;
   void drawText(const sim::Chart& chart, const ChartLayout& layout, Kept& kept) const;
 
+  void drawExactly(const sim::Chart& chart, const ChartLayout& layout, Kept& kept,
+                   const gl::Texture& picture) const;
+  /// What is set alike for both rasterizers.
+  void setChart(const sim::Chart& chart, const ChartLayout& layout, const Kept& kept) const;
+
   glm::ivec2 picture_;
+  bool exact_;
   gl::Program columns_, curves_, text_;
   std::vector<Kept> kept_;
   VertexArray vertices_;

@@ -1,26 +1,26 @@
 #include "draw/overlay/field_kernel.hpp"
 
 #include "base/error.hpp"
+#include "draw/draw_state.hpp"
+#include "draw/overlay/field_view.hpp"
 
 #include <span>
 #include <string>
 
+#include <glm/common.hpp>
 #include <glm/vec4.hpp>
+#include <glm/vector_relational.hpp>
 
 namespace simreel::draw {
-
-namespace {
-
-/// Texture units of the kernels.
-
-}  // namespace
 
 void FieldColors::update(const std::vector<glm::vec3>& wanted) {
   SIMREEL_CHECK(!wanted.empty());
   if (present_ == wanted) return;
   std::vector<glm::vec4> texels;
   texels.reserve(wanted.size());
-  for (const glm::vec3& color : wanted) texels.emplace_back(color, 1.0F);
+  // What is too dark to be seen is black: products of it would leave the normal numbers.
+  for (const glm::vec3& color : wanted)
+    texels.emplace_back(color * glm::vec3(glm::greaterThanEqual(glm::abs(color), glm::vec3(1e-8F))), 1.0F);
   if (present_.size() == wanted.size()) {
     stopBuffer.write(0, std::as_bytes(std::span(texels)));
   } else {
@@ -44,7 +44,8 @@ void setField(const gl::Program& program, const sim::Field& field, const FieldCo
   program.set("firstWord", field.firstWord);
   program.set("cellWords", field.cellWords);
   program.set("stopCount", colors.stopCount);
-  program.set("range", field.range);
+  program.set("rangeLow", field.range.x);
+  program.set("rangeFactor", rangeFactor(field.range));
   field.words->bind(wordUnit);
   colors.stops.bind(colorUnit);
 }

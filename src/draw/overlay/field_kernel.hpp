@@ -12,7 +12,7 @@
 
 namespace simreel::draw {
 
-/// Colours of a field as glsl/draw/overlay/field_colors.glsl reads them.
+/// Colours of a field as glsl/draw/overlay/field_values.glsl reads them.
 class FieldColors {
  public:
   gl::Texture stops;  ///< RGBA32F texel view
@@ -31,7 +31,8 @@ class FieldColors {
 void setField(const gl::Program& program, const sim::Field& field, const FieldColors& colors);
 
 /// Averages a whole field into a texture of any smaller or equal size: values (R32F), or linear light
-/// (RGBA16F, the value's place in the range in alpha). A texel sums up at most 240 x 240 cells.
+/// (RGBA16F, the value's place in the range in alpha). The same bits on every device. A texel sums up at
+/// most 240 x 240 cells.
 class FieldKernel {
  public:
   /// Writes level 0.

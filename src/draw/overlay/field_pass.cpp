@@ -1,5 +1,8 @@
 #include "draw/overlay/field_pass.hpp"
 
+#include "base/error.hpp"
+#include "draw/overlay/box_kernel.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -12,12 +15,11 @@ namespace {
 
 using Layer = sim::FieldDisplay::Layer;
 
-constexpr int maxTexels = 4096;      // of a reduced field, on a side
-constexpr float reliefCells = 7.0F;  // height of the whole range at relief 1
+constexpr int maxTexels = 4096;  // of a reduced field, on a side
 
 bool shown(const sim::Field& field, double seconds) {
   return field.display != nullptr && field.display->layer != Layer::none &&
-         field.display->opacity.at(seconds) > 0 && field.size.x > 0 && field.size.y > 0;
+         field.display->opacity.at(seconds) > 1e-6F && field.size.x > 0 && field.size.y > 0;
 }
 
 /// Squares and categories are averaged as light; smooth values are averaged before they are coloured.
@@ -29,20 +31,15 @@ bool hasRelief(const sim::Field& field) {
   return field.display->relief != 0 && !field.categories;
 }
 
-/// Cells averaged into a texel on a side: the picture shows two to three texels a pixel then.
-int reductionFor(glm::ivec2 cells, glm::dvec2 perPixel) {
+}  // namespace
+
+int FieldPass::reductionFor(glm::ivec2 cells, glm::dvec2 perPixel) {
   const double under = std::min(std::min(perPixel.x, perPixel.y), 2.0 * FieldKernel::maxReduction);
   const int wanted = std::max(1, static_cast<int>(under / 2));
   const int min = (std::max(cells.x, cells.y) + maxTexels - 1) / maxTexels;
   // Too few texels for this magnification: the cells themselves then.
   return wanted < min ? 1 : wanted;
 }
-
-glm::dvec2 wrapped(glm::dvec2 at, glm::dvec2 size) {
-  return at - size * glm::floor(at / size);
-}
-
-}  // namespace
 
 void FieldPass::prepare(const sim::Drawables& drawables, double seconds) {
   if (kept_.size() != drawables.fields.size()) kept_ = std::vector<Kept>(drawables.fields.size());
@@ -65,6 +62,7 @@ void FieldPass::reduce(const sim::Field& field, Kept& kept, double seconds) {
 }
 
 void FieldPass::draw(const sim::Drawables& drawables, Layer layer, double seconds) {
+  SIMREEL_CHECK(!exact_);
   for (std::size_t i = 0; i < drawables.fields.size(); ++i) {
     const sim::Field& field = drawables.fields[i];
     if (shown(field, seconds) && field.display->layer == layer) drawOne(field, kept_.at(i), seconds);
@@ -75,50 +73,87 @@ const gl::Program& FieldPass::program(const sim::Field& field, const Kept& kept)
   const bool reduced = kept.reduction > 1;
   const bool over = field.display->layer == Layer::over;
   const int variant = static_cast<int>(field.cells) + (field.categories ? 4 : 0) + (kept.colored ? 8 : 0) +
-                      (reduced ? 16 : 0) + (over ? 32 : 0) + (hasRelief(field) ? 64 : 0);
+                      (reduced ? 16 : 0) + (over ? 32 : 0) + (hasRelief(field) ? 64 : 0) +
+                      (field.display->tiled ? 128 : 0);
   const auto found = programs_.find(variant);
   if (found != programs_.end()) return found->second;
   gl::Defines defines = fieldDefines(field, kept.colored);
   if (reduced) defines.emplace_back("REDUCED", "1");
   if (over) defines.emplace_back("OVER", "1");
+  if (field.display->tiled) defines.emplace_back("TILED", "1");
   if (hasRelief(field)) defines.emplace_back("RELIEF", "1");
   return programs_
-      .emplace(variant,
-               gl::Program::graphics("draw/overlay/field.vert", "draw/overlay/field.frag", defines))
+      .emplace(variant, exact_ ? gl::Program::compute("draw/overlay/field.comp", defines)
+                               : gl::Program::graphics("draw/overlay/field.vert", "draw/overlay/field.frag",
+                                                       defines))
       .first->second;
 }
 
-void FieldPass::drawOne(const sim::Field& field, const Kept& kept, double seconds) {
+void FieldPass::setPlace(const gl::Program& shader, const sim::Field& field, const Kept& kept,
+                         const FieldView& view, double seconds) const {
   const sim::FieldDisplay& display = *field.display;
-  const FieldView view = fieldView(display, field.size, picture_, seconds);
-  const gl::Program& shader = program(field, kept);
   const bool reduced = kept.reduction > 1;
-  const glm::ivec2 size = reduced ? glm::ivec2(kept.reduced.width(), kept.reduced.height()) : field.size;
-  const glm::dvec2 elements = glm::dvec2(size) / glm::dvec2(field.size);  // a cell
-  // Whole elements apart: a float keeps the rest of them exact, however large the field.
-  glm::dvec2 first = glm::clamp(view.origin * elements, -1e9, 1e9);
-  if (display.tiled) first = wrapped(first, glm::dvec2(size));
-  const glm::dvec2 base = glm::floor(first);
+  const FieldPlace place = fieldPlace(
+      field, view, reduced ? glm::ivec2(kept.reduced.width(), kept.reduced.height()) : field.size);
+  setField(shader, field, kept.colors);
+  if (reduced) kept.reduced.bind(reducedUnit);
+  shader.set("size", place.size);
+  shader.set("base", place.base);
+  shader.set("start", place.start);
+  shader.set("perPixel", place.perPixel);
+  shader.set("slope", place.slope);
+  shader.set("border", display.border);
+  shader.set("opacity", display.opacity.at(seconds));
+}
 
+void FieldPass::drawOne(const sim::Field& field, const Kept& kept, double seconds) {
+  const FieldView view = fieldView(*field.display, field.size, picture_, seconds);
+  const gl::Program& shader = program(field, kept);
   DrawState{.depthTest = false}.set();
   glEnable(GL_BLEND);
   glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   shader.use();
-  setField(shader, field, kept.colors);
-  if (reduced) kept.reduced.bind(reducedUnit);
+  setPlace(shader, field, kept, view, seconds);
   shader.set("part", glm::vec4(view.part));
   shader.set("picture", glm::vec2(picture_));
-  shader.set("topFirst", static_cast<int>(display.layer == Layer::over));
-  shader.set("size", size);
-  shader.set("base", glm::ivec2(base));
-  shader.set("start", glm::vec2(first - base));
-  shader.set("perPixel", glm::vec2(view.perPixel * elements));
-  shader.set("tiled", static_cast<int>(display.tiled));
-  shader.set("border", display.border);
-  shader.set("opacity", display.opacity.at(seconds));
-  shader.set("slope", display.relief * reliefCells * glm::vec2(elements));
+  shader.set("topFirst", static_cast<int>(field.display->layer == Layer::over));
   vertices_.bind();
   glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+}
+
+void FieldPass::drawOver(const sim::Drawables& drawables, double seconds, const gl::Texture& picture) {
+  SIMREEL_CHECK(exact_);
+  for (std::size_t i = 0; i < drawables.fields.size(); ++i) {
+    const sim::Field& field = drawables.fields[i];
+    if (shown(field, seconds) && field.display->layer == Layer::over)
+      drawOneExactly(field, kept_.at(i), seconds, picture, -1);
+  }
+}
+
+void FieldPass::drawBehind(const sim::Drawables& drawables, double seconds, const gl::Texture& light,
+                           bool topFirst) {
+  SIMREEL_CHECK(exact_);
+  // Behind all that is there, so the last one comes first.
+  for (std::size_t i = drawables.fields.size(); i-- > 0;) {
+    const sim::Field& field = drawables.fields[i];
+    if (shown(field, seconds) && field.display->layer == Layer::behind)
+      drawOneExactly(field, kept_.at(i), seconds, light, topFirst ? -1 : picture_.y - 1);
+  }
+}
+
+void FieldPass::drawOneExactly(const sim::Field& field, const Kept& kept, double seconds,
+                               const gl::Texture& target, int lastRow) {
+  const FieldView view = fieldView(*field.display, field.size, picture_, seconds);
+  const glm::ivec4 part(
+      glm::clamp(view.part, glm::dvec4(0), glm::dvec4(picture_.x, picture_.y, picture_.x, picture_.y)));
+  const gl::Program& shader = program(field, kept);
+  setPlace(shader, field, kept, view, seconds);
+  shader.set("part", part);
+  shader.set("lastRow", lastRow);
+  target.bindImage(targetImage, GL_READ_WRITE);
+  imageBarrier();
+  shader.dispatch(part.z - part.x, part.w - part.y);
+  imageBarrier();
 }
 
 bool FieldPass::hidesAll(const sim::Drawables& drawables, double seconds) const {

@@ -2,6 +2,7 @@
 #include "draw/draw_state.hpp"
 #include "draw/overlay/field_kernel.hpp"
 #include "draw/overlay/field_view.hpp"
+#include "draw/rasterizer.hpp"
 #include "gl/program.hpp"
 #include "gl/texture.hpp"
 #include "sim/core/drawable.hpp"
@@ -18,13 +19,22 @@ namespace simreel::draw {
 /// memory; where four or more lie under a pixel, a kernel averages blocks of them first.
 class FieldPass {
  public:
-  explicit FieldPass(glm::ivec2 picture) : picture_(picture) {}
+  explicit FieldPass(glm::ivec2 picture, Rasterizer rasterizer = Rasterizer::driver)
+      : picture_(picture), exact_(rasterizer == Rasterizer::exact) {}
 
   /// Averages what is shown small. Call once a frame, before drawing.
   void prepare(const sim::Drawables& drawables, double seconds);
-  /// Into the bound framebuffer, in the order of the scene. behind: linear light and coverage, the last row
-  /// first; over: on the finished picture, encoded, the top row first.
+  /// driver: into the bound framebuffer, in the order of the scene. behind: linear light and coverage, the
+  /// last row first; over: on the finished picture, encoded, the top row first.
   void draw(const sim::Drawables& drawables, sim::FieldDisplay::Layer layer, double seconds);
+  /// exact: over the finished picture, RGBA8, its first row the top one.
+  void drawOver(const sim::Drawables& drawables, double seconds, const gl::Texture& picture);
+  /// exact: behind all that is drawn already. `light`: RGBA32F, light times coverage, and coverage; its
+  /// last row is the picture's top one, or its first one (topFirst).
+  void drawBehind(const sim::Drawables& drawables, double seconds, const gl::Texture& light,
+                  bool topFirst = false);
+  /// Cells averaged into a texel on a side: the picture shows two to three texels a pixel then.
+  [[nodiscard]] static int reductionFor(glm::ivec2 cells, glm::dvec2 perPixel);
   /// Whether a field over the picture leaves nothing else of it to be seen.
   [[nodiscard]] bool hidesAll(const sim::Drawables& drawables, double seconds) const;
 
@@ -39,9 +49,15 @@ class FieldPass {
   };
   void reduce(const sim::Field& field, Kept& kept, double seconds);
   void drawOne(const sim::Field& field, const Kept& kept, double seconds);
+  void drawOneExactly(const sim::Field& field, const Kept& kept, double seconds, const gl::Texture& target,
+                      int lastRow);
+  /// What is set alike for both rasterizers.
+  void setPlace(const gl::Program& shader, const sim::Field& field, const Kept& kept, const FieldView& view,
+                double seconds) const;
   const gl::Program& program(const sim::Field& field, const Kept& kept);
 
   glm::ivec2 picture_;
+  bool exact_;
   FieldKernel kernel_;
   std::vector<Kept> kept_;
   std::map<int, gl::Program> programs_;

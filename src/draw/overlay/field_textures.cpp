@@ -7,7 +7,8 @@
 
 namespace simreel::draw {
 
-FieldTextures::FieldTextures(const scene::Scene& scene) {
+FieldTextures::FieldTextures(const scene::Scene& scene, Rasterizer rasterizer)
+    : exact_(rasterizer == Rasterizer::exact) {
   for (const scene::Object& object : scene.objects)
     if (object.material.hasSkin) wanted_.insert(object.material.skin.field);
   // Four texels a pixel of the picture's longer side: a skin may be looked at closely.
@@ -27,10 +28,10 @@ void FieldTextures::update(const sim::Drawables& drawables) {
       entry.cells = field.size;
       entry.colored = field.categories;
       entry.reduction = std::clamp((side + maxSide_ - 1) / maxSide_, 1, FieldKernel::maxReduction);
-      entry.texture = FieldKernel::texture(field, entry.reduction, entry.colored, 0);
+      entry.texture = FieldKernel::texture(field, entry.reduction, entry.colored, exact_ ? 1 : 0);
     }
     kernel_.average(field, entry, entry.texture, entry.colored);
-    glGenerateTextureMipmap(entry.texture.name());
+    if (!exact_) glGenerateTextureMipmap(entry.texture.name());
   }
 }
 

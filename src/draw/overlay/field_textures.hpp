@@ -1,5 +1,6 @@
 #pragma once
 #include "draw/overlay/field_kernel.hpp"
+#include "draw/rasterizer.hpp"
 #include "gl/texture.hpp"
 #include "scene/scene.hpp"
 #include "sim/core/drawable.hpp"
@@ -17,13 +18,14 @@ namespace simreel::draw {
 class FieldTextures {
  public:
   /// Knows from the scene's materials which fields are skins, and from the picture's size how fine they
-  /// need to be.
-  explicit FieldTextures(const scene::Scene& scene);
+  /// need to be. exact: without the driver's mip maps.
+  explicit FieldTextures(const scene::Scene& scene, Rasterizer rasterizer = Rasterizer::driver);
 
   /// Colours (`stops`, `stopCount`) matter for values only.
   struct Entry : FieldColors {
     gl::Texture texture;  ///< R32F values, or RGBA16F linear light of categories; row 0 is the field's row
-                          ///< 0; whole mip chain, repeated beyond its borders
+                          ///< 0; repeated beyond its borders; whole mip
+                          ///< chain unless exact
     glm::ivec2 cells{0, 0};  ///< of the field; the texture may be smaller, and covers exactly the field
     int reduction = 1;       ///< cells a texel on a side, averaged
     glm::vec2 range{0, 1};
@@ -37,6 +39,7 @@ class FieldTextures {
 
  private:
   std::set<std::string> wanted_;
+  bool exact_;
   int maxSide_;  ///< texels
   FieldKernel kernel_;
   std::map<std::string, Entry> entries_;

@@ -9,6 +9,16 @@
 
 namespace simreel::draw {
 
+namespace {
+
+constexpr float reliefCells = 7.0F;  // height of the whole range at relief 1
+
+glm::dvec2 wrapped(glm::dvec2 at, glm::dvec2 size) {
+  return at - size * glm::floor(at / size);
+}
+
+}  // namespace
+
 glm::ivec2 axesMargin(const sim::FieldDisplay& display, glm::ivec2 picture) {
   const int unit = letterUnit(picture);
   const glm::dvec2 extent = glm::dvec2(display.extent) * glm::dvec2(picture);
@@ -41,6 +51,25 @@ FieldView fieldView(const sim::FieldDisplay& display, glm::ivec2 cells, glm::ive
         first[i] = std::floor(first[i] + 0.5);
   view.origin = -first / scale;
   return view;
+}
+
+FieldPlace fieldPlace(const sim::Field& field, const FieldView& view, glm::ivec2 size) {
+  const glm::dvec2 elements = glm::dvec2(size) / glm::dvec2(field.size);  // a cell
+  // Whole elements apart: a float keeps the rest of them exact, however large the field.
+  glm::dvec2 first = glm::clamp(view.origin * elements, -1e9, 1e9);
+  if (field.display->tiled) first = wrapped(first, glm::dvec2(size));
+  const glm::dvec2 base = glm::floor(first);
+  return {.size = size,
+          .base = glm::ivec2(base),
+          .start = glm::vec2(first - base),
+          .perPixel = glm::vec2(view.perPixel * elements),
+          .slope = field.display->relief * reliefCells * glm::vec2(elements)};
+}
+
+float rangeFactor(glm::vec2 range) {
+  const float span = range.y - range.x;
+  const float size = std::clamp(std::abs(span), 1e-18F, 1e18F);
+  return span < 0 ? -1 / size : 1 / size;
 }
 
 }  // namespace simreel::draw

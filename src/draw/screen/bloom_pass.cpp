@@ -1,5 +1,7 @@
 #include "draw/screen/bloom_pass.hpp"
 
+#include "base/ieee.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -20,7 +22,8 @@ BloomPass::BloomPass(const scene::Bloom& bloom, glm::ivec2 size, int samples)
     : on_(bloom.strength.moves() || bloom.strength.at(0) > 0),
       threshold_(bloom.threshold),
       // Level i spreads light over about 2^(i + 1) pixels.
-      reach_(std::clamp(std::log2(bloom.radius * static_cast<float>(size.y)), 1.0F, maxLevels)) {
+      reach_(std::clamp(static_cast<float>(ieee::log2(static_cast<double>(bloom.radius) * size.y)), 1.0F,
+                        maxLevels)) {
   if (!on_) return;
   first_ = ScreenProgram("draw/screen/bloom_first.glsl", layout, {{"SAMPLES", std::to_string(samples)}});
   down_ = ScreenProgram("draw/screen/bloom_down.glsl", layout);

@@ -19,10 +19,10 @@ struct Renderer::State {
       : scene(shown),
         size(pixels),
         picture(pixels),
-        fieldTextures(shown),
-        fields(pixels),
-        axes(pixels),
-        charts(pixels),
+        fieldTextures(shown, shown.render.rasterizer),
+        fields(pixels, shown.render.rasterizer),
+        axes(pixels, shown.render.rasterizer),
+        charts(pixels, shown.render.rasterizer),
         frame("frame values", sizeof(shader::Frame)) {
     if (shown.render.rasterizer == scene::Rasterizer::exact)
       exact.emplace(shown, pixels, samples);
@@ -60,14 +60,22 @@ void Renderer::draw(double seconds, const sim::Drawables& drawables, const Stage
   if (watch && !drawables.fields.empty()) watch("fields");
   if (!s.fields.hidesAll(drawables, seconds)) {
     if (s.exact)
-      s.exact->draw(seconds, drawables, s.picture.color, watch);
+      s.exact->draw(seconds, drawables, {s.fieldTextures, s.fields}, s.picture.color, watch);
     else
       s.driver->draw(seconds, drawables, watch);
   }
-  s.picture.framebuffer.bind();
-  s.fields.draw(drawables, sim::FieldDisplay::Layer::over, seconds);
-  s.axes.draw(drawables, seconds);
-  s.charts.draw(drawables);
+  if (s.exact) {
+    s.fields.drawOver(drawables, seconds, s.picture.color);
+    s.axes.draw(drawables, seconds, s.picture.color);
+    s.charts.draw(drawables, s.picture.color);
+    glMemoryBarrier(GL_FRAMEBUFFER_BARRIER_BIT | GL_PIXEL_BUFFER_BARRIER_BIT |
+                    GL_TEXTURE_FETCH_BARRIER_BIT);
+  } else {
+    s.picture.framebuffer.bind();
+    s.fields.draw(drawables, sim::FieldDisplay::Layer::over, seconds);
+    s.axes.draw(drawables, seconds);
+    s.charts.draw(drawables);
+  }
   if (watch && !(drawables.fields.empty() && drawables.charts.empty())) watch("fields");
 }
 

@@ -68,6 +68,7 @@ void ShadowPass::fit(const sim::Drawables& drawables, const std::function<void()
   glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
   fit_.dispatch(1);
   glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT);
+  lightView_.bind(lightUnit);  // instances are culled by it next; simulations bind other things there
 }
 
 void ShadowPass::draw(const sim::Drawables& drawables, const std::function<void()>& drawMore) const {

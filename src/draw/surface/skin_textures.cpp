@@ -6,6 +6,7 @@
 #include "gl/limits.hpp"
 
 #include <algorithm>
+#include <bit>
 
 namespace simreel::draw {
 
@@ -77,8 +78,8 @@ void SkinTextures::run(const char* path, const FieldTextures::Entry& field, cons
   program.dispatch(result.width(), result.height());
   glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT |
                   GL_FRAMEBUFFER_BARRIER_BIT);
-  glGenerateTextureMipmap(result.name());
-  if (!ownColors) glGenerateTextureMipmap(entry.surroundings.name());
+  mips_.make(result, GL_RGBA16F);
+  if (!ownColors) mips_.make(entry.surroundings, GL_R16F);
 }
 
 const SkinTextures::Entry* SkinTextures::find(const scene::Skin& skin) const {
@@ -96,6 +97,11 @@ void SkinTextures::bind(const Entry& entry, const scene::Skin& skin, const gl::P
   program.set("skinHigh", look.high);
   program.set("skinRoughness", look.roughness);
   program.set("skinDepth", look.depth);
+  const glm::ivec2 size(entry.relief.width(), entry.relief.height());
+  program.set("reliefSize", size);
+  program.set("reliefLevels",
+              static_cast<int>(std::bit_width(static_cast<unsigned>(std::max(size.x, size.y)))));
+  program.set("skinCells", glm::vec2(entry.cells));
 }
 
 const gl::Program& SkinTextures::kernel(const char* path, bool colored) {

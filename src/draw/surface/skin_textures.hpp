@@ -1,5 +1,6 @@
 #pragma once
 #include "draw/overlay/field_textures.hpp"
+#include "draw/surface/number_mips.hpp"
 #include "gl/program.hpp"
 #include "gl/texture.hpp"
 #include "scene/scene.hpp"
@@ -43,6 +44,7 @@ class SkinTextures {
   const scene::Scene& scene_;
   std::map<std::pair<std::string, bool>, gl::Program> kernels_;
   std::map<Key, Entry> entries_;
+  NumberMips mips_;
 };
 
 }  // namespace simreel::draw

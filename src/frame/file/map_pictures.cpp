@@ -1,6 +1,7 @@
 #include "frame/file/map_pictures.hpp"
 
 #include "base/error.hpp"
+#include "base/ieee.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -17,7 +18,8 @@ std::uint8_t byteOf(float fraction) {
 
 /// Linear -> sRGB (IEC 61966-2-1).
 float encodedChannel(float x) {
-  return x < 0.0031308F ? 12.92F * x : 1.055F * std::pow(x, 1.0F / 2.4F) - 0.055F;
+  return x < 0.0031308F ? 12.92F * x
+                        : 1.055F * static_cast<float>(ieee::pow(static_cast<double>(x), 1 / 2.4)) - 0.055F;
 }
 
 template <class ColorOf>

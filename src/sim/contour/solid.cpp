@@ -328,6 +328,7 @@ Surface Solid::surface() const {
   surface.positions = &s.positionView;
   surface.normals = &s.normalView;
   surface.vertexCount = static_cast<int>(s.firstPoint());  // the border has the others within it
+  surface.vertexRoom = static_cast<int>(s.positions.bytes() / sizeof(glm::vec4));
   surface.indices = &s.indices;
   surface.indexCount = static_cast<int>(s.indexRoom);
   surface.arguments = &s.draw;

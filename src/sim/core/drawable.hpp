@@ -23,7 +23,8 @@ struct Surface {
   /// Width and height of a grid of vertices (x fastest) whose normals come from neighbours and whose
   /// uv = (x/(W-1), y/(H-1)); zero for a mesh.
   glm::ivec2 grid{0, 0};
-  int vertexCount = 0;
+  int vertexCount = 0;  ///< vertices that bound the surface: all, but where others lie within their box
+  int vertexRoom = 0;   ///< vertices that there may be, where these are more
   const gl::Buffer* indices = nullptr;  ///< 32-bit
   int indexCount = 0;
   /// Arguments of an indirect draw that the GPU has written (five words); null: indexCount indices.

@@ -6,6 +6,7 @@
 #include "gl/program.hpp"
 #include "sim/core/shader_code.hpp"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstdint>
@@ -18,8 +19,8 @@ namespace simreel::sim {
 namespace {
 
 constexpr int probes = 253;
-constexpr int exactFunctions = 8;
-constexpr int functions = 16;
+constexpr int exactFunctions = 11;
+constexpr int functions = 19;
 
 /// Numbers of both signs over many magnitudes, by integer hash.
 std::vector<float> inputs() {
@@ -35,17 +36,25 @@ std::vector<float> inputs() {
 
 std::array<float, exactFunctions> twin(float x) {
   const float a = shader::abs(x);
-  return {shader::exactFlush(x), shader::exactInverseSqrt(a),
-          shader::exactSqrt(a),  shader::exactReciprocal(x),
-          shader::exactSin(x),   shader::exactCos(x),
-          shader::exactExp(x),   shader::exactDot({x, a, 1.5F}, {0.3F, x, a})};
+  return {shader::exactFlush(x),
+          shader::exactInverseSqrt(a),
+          shader::exactSqrt(a),
+          shader::exactReciprocal(x),
+          shader::exactSin(x),
+          shader::exactCos(x),
+          shader::exactExp(x),
+          shader::exactDot(glm::vec3(x, a, 1.5F), glm::vec3(0.3F, x, a)),
+          shader::exactDot(glm::vec4(x, a, 1.5F, a), glm::vec4(0.3F, x, a, -x)),
+          shader::exactLog(std::max(a, 1e-30F)),
+          shader::exactPow(a, 0.7F)};
 }
 
 }  // namespace
 
 Numerics probeNumerics() {
-  const char* names[exactFunctions] = {"exactFlush", "exactInverseSqrt", "exactSqrt", "exactReciprocal",
-                                       "exactSin",   "exactCos",         "exactExp",  "exactDot"};
+  const char* names[exactFunctions] = {
+      "exactFlush", "exactInverseSqrt", "exactSqrt",        "exactReciprocal", "exactSin", "exactCos",
+      "exactExp",   "exactDot",         "exactDot of vec4", "exactLog",        "exactPow"};
   const auto values = inputs();
   const auto in = gl::Buffer::of<float>("probe inputs", values);
   const gl::Buffer out("probe outputs", probes * functions * sizeof(float));

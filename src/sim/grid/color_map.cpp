@@ -1,7 +1,8 @@
 #include "sim/grid/color_map.hpp"
 
+#include "base/ieee.hpp"
+
 #include <array>
-#include <cmath>
 #include <cstdint>
 
 namespace simreel::sim {
@@ -57,8 +58,8 @@ constexpr Named maps[] = {{"viridis", viridis}, {"magma", magma}, {"inferno", in
 
 /// IEC 61966-2-1.
 float linear(std::uint32_t byte) {
-  const float x = static_cast<float>(byte & 255U) / 255.0F;
-  return x <= 0.04045F ? x / 12.92F : std::pow((x + 0.055F) / 1.055F, 2.4F);
+  const double x = (byte & 255U) / 255.0;
+  return static_cast<float>(x <= 0.04045 ? x / 12.92 : ieee::pow((x + 0.055) / 1.055, 2.4));
 }
 
 }  // namespace

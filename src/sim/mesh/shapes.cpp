@@ -1,8 +1,8 @@
 #include "sim/mesh/shapes.hpp"
 
+#include "base/ieee.hpp"
 #include "sim/core/shader_code.hpp"
 
-#include <cmath>
 #include <numbers>
 
 #include <glm/geometric.hpp>
@@ -42,12 +42,12 @@ Mesh roundMesh(float radius, float length, unsigned rows, unsigned columns) {
     const bool lower = ring > rows / 2;
     const unsigned step = parted && lower ? ring - 1 : ring;
     const double polar = std::numbers::pi * step / rows;
-    const double across = step == rows ? 0.0 : std::sin(polar);  // both poles are exactly one point
+    const double across = step == rows ? 0.0 : ieee::sin(polar);  // both poles are exactly one point
     for (unsigned column = 0; column <= columns; ++column) {
       const double angle = fullTurn * (column % columns) / columns;
-      const glm::vec3 normal(static_cast<float>(across * std::sin(angle)),
-                             static_cast<float>(std::cos(polar)),
-                             static_cast<float>(across * std::cos(angle)));
+      const glm::vec3 normal(static_cast<float>(across * ieee::sin(angle)),
+                             static_cast<float>(ieee::cos(polar)),
+                             static_cast<float>(across * ieee::cos(angle)));
       glm::vec3 position = normal * radius;
       position.y += lower ? -0.5F * length : 0.5F * length;
       mesh.positions.push_back(position);
@@ -96,17 +96,17 @@ Mesh torusMesh(float radius, float tube, glm::ivec2 vertices) {
   for (unsigned row = 0; row <= rows; ++row) {
     // From the outer rim over the underside, so that rows run down on the outside.
     const double around = -fullTurn * (row % rows) / rows;
-    const double reach = radius + tube * std::cos(around);
+    const double reach = radius + tube * ieee::cos(around);
     for (unsigned column = 0; column <= columns; ++column) {
       const double along = fullTurn * (column % columns) / columns;
-      const double x = std::sin(along);
-      const double z = std::cos(along);
+      const double x = ieee::sin(along);
+      const double z = ieee::cos(along);
       mesh.positions.emplace_back(static_cast<float>(reach * x),
-                                  static_cast<float>(tube * std::sin(around)),
+                                  static_cast<float>(tube * ieee::sin(around)),
                                   static_cast<float>(reach * z));
-      mesh.normals.emplace_back(static_cast<float>(std::cos(around) * x),
-                                static_cast<float>(std::sin(around)),
-                                static_cast<float>(std::cos(around) * z));
+      mesh.normals.emplace_back(static_cast<float>(ieee::cos(around) * x),
+                                static_cast<float>(ieee::sin(around)),
+                                static_cast<float>(ieee::cos(around) * z));
       mesh.uvs.emplace_back(static_cast<float>(column) / static_cast<float>(columns),
                             static_cast<float>(row) / static_cast<float>(rows));
     }

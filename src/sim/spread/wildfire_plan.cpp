@@ -262,7 +262,8 @@ std::vector<glm::vec3> WildfirePlan::palette() const {
     const int age = i / 8;
     // Cells cool each in its own time: embers are specks in black char, which pales to ash.
     const float old = static_cast<float>(age) / 7.0F;
-    const float hot = std::pow(1.0F - old, 7.0F);
+    const float cool = 1.0F - old;
+    const float hot = cool * cool * cool * cool * cool * cool * cool;
     const glm::vec3 glow = glm::vec3(0.40F, 0.050F, 0.006F) * hot;
     colors.push_back(shaded(p.ash * (0.22F + 0.78F * old), i % 8 / 7.0) + glow);
   }

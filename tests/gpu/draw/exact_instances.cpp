@@ -6,7 +6,7 @@
 #include "draw/exact/instances/glow_raster.hpp"
 #include "draw/exact/triangle_raster.hpp"
 #include "gpu/draw/ball_stage.hpp"
-#include "gpu/draw/exact_stage.hpp"
+#include "gpu/draw/exact_instance_stage.hpp"
 #include "sim/core/shader_code.hpp"
 
 #include <algorithm>

@@ -1,63 +1,75 @@
 #pragma once
+#include "draw/camera.hpp"
 #include "draw/exact/bindings.hpp"
 #include "draw/exact/exact_view.hpp"
-#include "draw/exact/visibility.hpp"
-#include "draw/frame_values.hpp"
-#include "gl/element_array.hpp"
-#include "gpu/draw/instance_stage.hpp"
+#include "draw/exact/triangle_raster.hpp"
+#include "gl/buffer.hpp"
+#include "gl/texture.hpp"
+#include "gpu/context.hpp"
 
+#include <span>
+#include <utility>
 #include <vector>
 
-/// What kernels of the exact rasterizer draw into, and what they left there.
-struct ExactStage {
-  ExactStage(const simreel::scene::Scene& scene, glm::ivec2 pixels, int count)
-      : size(pixels), samples(count), target("a test", pixels, count, true) {
-    using namespace simreel;
-    const shader::Frame values = draw::frameValues(scene, size, 0, {});
-    view = draw::exactView(draw::viewAt(scene.camera, 0, size, {}), scene.camera, size);
-    frame = gl::Buffer("frame values", sizeof values);
-    frame.write(0, std::as_bytes(std::span(&values, 1)));
-    viewBuffer = gl::Buffer("view", sizeof view);
-    viewBuffer.write(0, std::as_bytes(std::span(&view, 1)));
-    clear();
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+/// A mesh as a simulation publishes it.
+struct TriangleStage {
+  TriangleStage(const std::vector<glm::vec3>& places, const std::vector<unsigned>& corners) {
+    testContext();
+    std::vector<glm::vec4> texels;
+    for (const glm::vec3& place : places) texels.emplace_back(place, 1.0F);
+    const std::vector<glm::vec4> up(places.size(), glm::vec4(0, 1, 0, 0));
+    positions = simreel::gl::Buffer::of<glm::vec4>("positions", texels);
+    normals = simreel::gl::Buffer::of<glm::vec4>("normals", up);
+    indices = simreel::gl::Buffer::of<unsigned>("indices", corners);
+    positionView = simreel::gl::Texture::view("positions", GL_RGBA32F, positions);
+    normalView = simreel::gl::Texture::view("normals", GL_RGBA32F, normals);
+    surface.positions = &positionView;
+    surface.normals = &normalView;
+    surface.vertexCount = static_cast<int>(places.size());
+    surface.indices = &indices;
+    surface.indexCount = static_cast<int>(corners.size());
+    surface.material = &material;
   }
+  TriangleStage(const TriangleStage&) = delete;
+  TriangleStage& operator=(const TriangleStage&) = delete;
+  TriangleStage(TriangleStage&&) = delete;
+  TriangleStage& operator=(TriangleStage&&) = delete;
+  ~TriangleStage() = default;
 
-  void clear() {
-    using namespace simreel;
-    frame.bindUniform(draw::frameBinding, 0, frame.bytes());
-    viewBuffer.bindUniform(draw::viewBinding, 0, viewBuffer.bytes());
-    target.clear();
-    gl::barrier();
-  }
-
-  [[nodiscard]] std::vector<unsigned> keys() const { return words(simreel::draw::nearBinding); }
-  [[nodiscard]] std::vector<unsigned> ids() const { return words(simreel::draw::idBinding); }
-
-  /// Sample `i` of all, in pixels.
-  [[nodiscard]] glm::vec2 place(std::size_t i) const {
-    // In 1/16 pixel; the patterns of glsl/draw/exact/fixed.glsl.
-    static constexpr int four[4][2] = {{6, 2}, {14, 6}, {2, 10}, {10, 14}};
-    const int pixel = static_cast<int>(i) / samples;
-    const std::size_t s = i % static_cast<std::size_t>(samples);
-    const glm::ivec2 aside = samples == 1 ? glm::ivec2(8) : glm::ivec2(four[s][0], four[s][1]);
-    return glm::vec2(glm::ivec2(pixel % size.x, pixel / size.x) * 16 + aside) * 0.0625F;
-  }
-
-  glm::ivec2 size;
-  int samples;
-  simreel::shader::ExactView view{};
-  simreel::gl::Buffer frame, viewBuffer;
-  simreel::draw::Visibility target;
-
- private:
-  [[nodiscard]] std::vector<unsigned> words(int binding) const {
-    target.bind();
-    GLint buffer = 0;
-    glGetIntegeri_v(GL_SHADER_STORAGE_BUFFER_BINDING, static_cast<GLuint>(binding), &buffer);
-    std::vector<unsigned> found(static_cast<std::size_t>(size.x * size.y * samples));
-    glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
-    glGetNamedBufferSubData(static_cast<GLuint>(buffer), 0,
-                            static_cast<GLsizeiptr>(found.size() * sizeof(unsigned)), found.data());
-    return found;
-  }
+  simreel::gl::Buffer positions, normals, indices;
+  simreel::gl::Texture positionView, normalView;
+  simreel::scene::Material material;
+  simreel::sim::Surface surface;
 };
+
+/// A camera at `eye` that looks at `target`.
+inline simreel::shader::ExactView exactViewFrom(glm::vec3 eye, glm::vec3 target, glm::ivec2 size) {
+  simreel::scene::Camera camera;
+  camera.position = eye;
+  camera.target = target;
+  return simreel::draw::exactView(simreel::draw::viewAt(camera, 0, size, {}), camera, size);
+}
+
+/// Keys and numbers of what the kernels found.
+struct SeenSamples {
+  std::vector<GLuint> keys, ids;
+};
+
+inline SeenSamples seenBy(const simreel::shader::ExactView& view, int samples,
+                          const std::vector<const simreel::sim::Surface*>& surfaces, int smallPixels) {
+  simreel::gl::Buffer block("view", sizeof view);
+  block.write(0, std::as_bytes(std::span(&view, 1)));
+  block.bindUniform(simreel::draw::viewBinding, 0, sizeof view);
+  const simreel::draw::Visibility visibility("a test", view.size, samples, true);
+  simreel::draw::TriangleRaster raster(simreel::draw::TriangleRaster::Into::picture, samples, smallPixels);
+  visibility.clear();
+  raster.draw(surfaces, visibility);
+  const auto count = static_cast<std::size_t>(view.size.x * view.size.y * samples);
+  SeenSamples seen{visibility.nearBuffer().readAll<GLuint>(), visibility.idBuffer().readAll<GLuint>()};
+  seen.keys.resize(count);
+  seen.ids.resize(count);
+  return seen;
+}

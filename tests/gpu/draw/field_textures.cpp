@@ -111,3 +111,22 @@ TEST_CASE("field textures of categories hold light; new colours are taken up") {
   textures.update({.fields = {stage.field}});
   CHECK(glm::vec3(texels(entry->texture).at(7)) == glm::vec3(0, 0, 0.5F));
 }
+
+TEST_CASE("field textures for exact pictures hold the same bits, without mip maps") {
+  testContext();
+  for (const bool categories : {false, true}) {
+    FieldStage stage(Cells::floats, {201, 131}, [](int x, int y) { return (x * 31 + y * 7) % 97 / 24.0; },
+                     {3, 5, 2}, {{1, 0, 0}, {0, 0.5F, 2}, {0.3F, 0.2F, 0.1F}});
+    stage.field.categories = categories;
+    draw::FieldTextures driver(withSkin("grid", 16));
+    draw::FieldTextures exact(withSkin("grid", 16), draw::Rasterizer::exact);
+    driver.update({.fields = {stage.field}});
+    exact.update({.fields = {stage.field}});
+    const auto* entry = exact.find("grid");
+    REQUIRE(entry != nullptr);
+    CHECK(texels(entry->texture) == texels(driver.find("grid")->texture));
+    GLint levels = 0;
+    glGetTextureParameteriv(entry->texture.name(), GL_TEXTURE_IMMUTABLE_LEVELS, &levels);
+    CHECK(levels == 1);
+  }
+}

@@ -22,6 +22,11 @@ TEST_CASE("ticks are round numbers within the ends") {
   CHECK(labels(ticksBetween(0.05F, 0.06F, 5)) == "0.050 0.052 0.054 0.056 0.058 0.060 ");
   CHECK(labels(ticksBetween(0.06, 0.05, 2)) == "0.050 0.055 0.060 ");
   CHECK(labels(ticksBetween(-10, 30, 4)) == "-10 0 10 20 30 ");
+  CHECK(labels(ticksBetween(0, 1000, 10)) == "0 100 200 300 400 500 600 700 800 900 1000 ");
+  CHECK(labels(ticksBetween(0, 0.01, 10)) ==
+        "0.000 0.001 0.002 0.003 0.004 0.005 0.006 0.007 0.008 0.009 0.010 ");
+  CHECK(labels(ticksBetween(0, 0.0021, 2)) == "0.000 0.002 ");
+  CHECK(labels(ticksBetween(0, 9e15, 2)) == "0 5000000000000000 ");
   const auto falling = ticksBetween(4, 0, 2);
   REQUIRE(falling.size() == 3);
   CHECK(falling[0].label == "0");

@@ -1,10 +1,15 @@
 // The colour maps against the published tables (matplotlib's _cm_listed at 0, 1/4, 1/2, 3/4, 1).
 #include "sim/grid/color_map.hpp"
 
+#include "base/hash.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
+#include <span>
+#include <string>
+#include <vector>
 
 #include <doctest/doctest.h>
 
@@ -86,4 +91,11 @@ TEST_CASE("viridis and grey only get lighter; an unknown map has no stops") {
   }
   CHECK(sim::colorMapStops("rainbow").empty());
   CHECK(sim::colorMapStops("").empty());
+}
+
+TEST_CASE("colours of maps have these bits on every machine") {
+  std::vector<glm::vec3> all;
+  for (const std::string& name : sim::colorMapNames())
+    for (const glm::vec3& stop : sim::colorMapStops(name)) all.push_back(stop);
+  CHECK(hashHex(std::as_bytes(std::span(all))) == "1d450c933b600e7c0251a6f7fca23796");
 }

@@ -1,6 +1,7 @@
 // Skins may name every object that publishes a field.
 #include "scene/scene.hpp"
 #include "scene/scene_texts.hpp"
+#include "sim/core/kind.hpp"
 #include "sim/world/list.hpp"
 
 #include <set>

@@ -1,7 +1,9 @@
 // Generated meshes: counts, bounds of indices, outward fronts, areas.
+#include "base/hash.hpp"
 #include "sim/mesh/shapes.hpp"
 
 #include <numbers>
+#include <span>
 
 #include <doctest/doctest.h>
 #include <glm/geometric.hpp>
@@ -52,4 +54,17 @@ TEST_CASE("spheres, capsules and tori face outwards and have their areas") {
   CHECK(checkedArea(sim::capsuleMesh(0.5F, 2)) == doctest::Approx(pi + 2 * pi).epsilon(0.005));
   CHECK(checkedArea(sim::torusMesh(2, 0.5F, {97, 49})) == doctest::Approx(4 * pi * pi).epsilon(0.005));
   CHECK(sim::sphereMesh(1, {4, 3}).positions.size() == 12);
+}
+
+TEST_CASE("round meshes have these bits on every machine") {
+  const auto bitsOf = [](const sim::Mesh& mesh) {
+    return hashHex(std::as_bytes(std::span(mesh.positions))) +
+           hashHex(std::as_bytes(std::span(mesh.normals)));
+  };
+  CHECK(bitsOf(sim::sphereMesh(1.3F, {37, 23})) ==
+        "925997b55ea434bac0709cfb7a2aeaebfc17de4987d8b202a6204d902f904ba0");
+  CHECK(bitsOf(sim::capsuleMesh(0.4F, 1.7F)) ==
+        "478ae616effaab302cb1f800b0532844984f37a55bac0e2ad34640a887ead859");
+  CHECK(bitsOf(sim::torusMesh(1.1F, 0.3F, {41, 19})) ==
+        "2f1c970898a196908d8731a43d3d52efa43a8c0e0c65099dd1657bfb437365d3");
 }

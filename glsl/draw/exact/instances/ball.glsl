@@ -1,5 +1,5 @@
-// Balls seen from the eye: which pixels they may reach, and where a ray meets them. Compiles as GLSL and as C++, after
-// common/exact.glsl.
+// Balls seen from the eye: which pixels they may reach, and where a ray meets them. Compiles as GLSL and as C++.
+#include "common/exact.glsl"
 
 struct Ball {
   vec3 middle;  // from the eye (m)

@@ -1,7 +1,6 @@
 // A ball of an instance, by number, as the eye sees it. Not shown ones have no radius.
 #include "draw/frame_block.glsl"
 #include "draw/exact/view_block.glsl"
-#include "common/exact.glsl"
 #include "draw/exact/instances/ball.glsl"
 #include "draw/exact/instances/instance_source.glsl"
 

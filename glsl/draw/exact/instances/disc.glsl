@@ -1,4 +1,5 @@
 // Discs on a picture, in pixels. Compiles as GLSL and as C++.
+#include "common/exact.glsl"
 
 struct Disc {
   vec2 middle;

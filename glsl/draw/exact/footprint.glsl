@@ -1,0 +1,104 @@
+// What a pixel covers of a texture, and textures by reads of our own: between texels and levels in proportion, along the
+// longer side of what the pixel covers by up to four taps.
+#include "common/exact.glsl"
+
+// A place in uv, and its change over a pixel to the right and up.
+struct Seen {
+  vec2 at, across, up;
+};
+
+// A texture's first level; each next one has half its size, rounded down.
+struct TextureShape {
+  ivec2 size;
+  int levels;
+  bool repeats;  // else its border goes on
+};
+
+struct Footprint {
+  vec2 along;     // uv of the longer side
+  float longer;   // texels of the first level
+  int level;
+  float part;     // of the way to the next level
+  int taps;
+};
+
+// Squares of the lengths of what a pixel covers, in texels.
+vec2 texelsCovered(Seen seen, ivec2 size) {
+  precise vec2 across = seen.across * vec2(size);
+  precise vec2 up = seen.up * vec2(size);
+  precise vec2 covered = vec2(across.x * across.x + across.y * across.y, up.x * up.x + up.y * up.y);
+  return min(covered, 1e12f);
+}
+
+Footprint footprintOf(Seen seen, TextureShape shape) {
+  const int maxTaps = 4;
+  vec2 covered = texelsCovered(seen, shape.size);
+  float shorter = exactSqrt(min(covered.x, covered.y));
+  Footprint print;
+  print.longer = exactSqrt(max(covered.x, covered.y));
+  print.along = covered.x >= covered.y ? seen.across : seen.up;
+  precise float quarter = print.longer * 0.25f;
+  float width = max(max(quarter, shorter), 1.0f);
+  // Level and what lies between it and the next: the width in powers of two, straight between them.
+  int bits = floatBitsToInt(width);
+  precise float part = intBitsToFloat((bits & 0x7fffff) | 0x3f800000) - 1.0f;
+  int level = (bits >> 23) - 127;
+  bool beyond = level >= shape.levels - 1;
+  print.level = beyond ? shape.levels - 1 : level;
+  print.part = beyond ? 0.0f : part;
+  precise float ratio = print.longer * exactReciprocal(width) + 0.99f;
+  print.taps = clamp(int(ratio), 1, maxTaps);
+  return print;
+}
+
+float perTap(int taps) {
+  return taps == 1 ? 1.0f : taps == 2 ? 0.5f : taps == 3 ? 0.33333334f : 0.25f;
+}
+
+// The four texels around a place of a level, as x y of the first and x y of the last, and in `part` where between them.
+struct Around {
+  ivec4 texels;
+  vec2 part;
+};
+
+Around texelsAround(vec2 uv, int level, TextureShape shape) {
+  ivec2 size = max(shape.size >> level, ivec2(1));
+  precise vec2 whole = floor(uv);
+  precise vec2 turn = uv - whole;
+  vec2 place = shape.repeats ? turn : clamp(uv, vec2(0), vec2(1));
+  precise vec2 corner = place * vec2(size) - 0.5f;
+  precise vec2 first = floor(corner);
+  precise vec2 part = corner - first;
+  ivec2 a = ivec2(first), b = a + 1;
+  a = shape.repeats ? a + size * ivec2(lessThan(a, ivec2(0))) : max(a, ivec2(0));
+  b = shape.repeats ? b - size * ivec2(greaterThanEqual(b, size)) : min(b, size - 1);
+  Around around;
+  around.texels = ivec4(a, b);
+  around.part = part;
+  return around;
+}
+
+// TYPE NAME(uv, footprint, shape) of a texture whose texels are TYPE TEXEL(x, y, level).
+#define FILTERED(TYPE, NAME, TEXEL)                                                          \
+  TYPE NAME##Between(vec2 uv, int level, TextureShape shape) {                               \
+    Around around = texelsAround(uv, level, shape);                                          \
+    ivec4 t = around.texels;                                                                 \
+    TYPE p = TEXEL(t.x, t.y, level), q = TEXEL(t.z, t.y, level);                             \
+    TYPE r = TEXEL(t.x, t.w, level), s = TEXEL(t.z, t.w, level);                             \
+    precise TYPE upper = p + (q - p) * around.part.x;                                        \
+    precise TYPE lower = r + (s - r) * around.part.x;                                        \
+    precise TYPE between = upper + (lower - upper) * around.part.y;                          \
+    return between;                                                                          \
+  }                                                                                          \
+  TYPE NAME(vec2 uv, Footprint print, TextureShape shape) {                                  \
+    precise TYPE sum = TYPE(0);                                                              \
+    for (int i = 0; i < print.taps; ++i) {                                                   \
+      precise float aside = (float(i) + 0.5f) * perTap(print.taps) - 0.5f;                   \
+      precise vec2 at = uv + print.along * aside;                                            \
+      TYPE fine = NAME##Between(at, print.level, shape);                                     \
+      TYPE coarse = NAME##Between(at, min(print.level + 1, shape.levels - 1), shape);        \
+      sum = sum + (fine + (coarse - fine) * print.part);                                     \
+    }                                                                                        \
+    precise TYPE mean = sum * perTap(print.taps);                                            \
+    return mean;                                                                             \
+  }

@@ -1,0 +1,70 @@
+// A place of a surface that a pixel shows.
+#include "draw/arithmetic.glsl"
+#include "draw/exact/ground_plane.glsl"
+#include "draw/exact/weights.glsl"
+#include "draw/exact/unit_vector.glsl"
+#if defined PALETTE || defined TRIPLANAR
+layout(binding = positionUnit) uniform samplerBuffer positions;
+#endif
+#ifdef PALETTE
+layout(binding = paletteUnit) uniform samplerBuffer palette;
+#endif
+
+struct Spot {
+  ivec3 corners;      // vertices of the triangle
+  vec3 a, b, c;       // those on the picture
+  vec3 weight;        // of them
+  vec2 at;            // pixels
+  vec3 place;         // world (m)
+  vec3 normal;        // unit, as are
+  vec3 view;          // to the eye
+  bool turned;        // seen from behind
+};
+
+// The world's place that the triangle has under a place of the picture.
+vec3 placeUnder(vec3 w, float a, float b, float c, vec3 ray) {
+  precise float depth = w.x * a + w.y * b + w.z * c;
+  return placeOnRay(ray, depth);
+}
+
+Spot spotOf(ivec3 corners, ivec2 pixel, int firstSample) {
+  uvec4 a = texelFetch(vertices, corners.x), b = texelFetch(vertices, corners.y), c = texelFetch(vertices, corners.z);
+  Spot spot;
+  spot.corners = corners;
+  spot.a = placeOf(a);
+  spot.b = placeOf(b);
+  spot.c = placeOf(c);
+  spot.at = shadingPlace(pixel, -1);
+  Weights weights = weightsAt(spot.a, spot.b, spot.c, spot.at);
+  if (!weights.within) {
+    spot.at = shadingPlace(pixel, firstSample);
+    weights = weightsAt(spot.a, spot.b, spot.c, spot.at);
+  }
+  vec3 w = weights.of;
+  spot.weight = w;
+  spot.turned = weights.turned;
+  vec3 ray = rayThrough(spot.at);
+  spot.place = placeUnder(w, spot.a.z, spot.b.z, spot.c.z, ray);
+  precise vec3 mean = w.x * unpackedUnit(a.w) + w.y * unpackedUnit(b.w) + w.z * unpackedUnit(c.w);
+  spot.normal = unitOf(mean);
+  precise vec3 towards = -ray;
+  spot.view = unitOf(towards);
+  return spot;
+}
+
+// The weights where the pixel's neighbour `aside` sees the same triangle's plane.
+vec3 weightsBeside(Spot spot, vec2 aside) {
+  precise vec2 at = spot.at + aside;
+  return ofSumOne(weightsAround(spot.a, spot.b, spot.c, at));
+}
+
+#ifdef PALETTE
+vec3 paletteOf(int vertex) {
+  return texelFetch(palette, int(texelFetch(positions, vertex - firstVertex).w)).rgb;
+}
+vec3 paletteColor(Spot spot) {
+  vec3 w = spot.weight;
+  precise vec3 mean = w.x * paletteOf(spot.corners.x) + w.y * paletteOf(spot.corners.y) + w.z * paletteOf(spot.corners.z);
+  return mean;
+}
+#endif

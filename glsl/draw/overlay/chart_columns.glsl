@@ -1,0 +1,55 @@
+// What the curves of a chart are in each column of pixels, as fractions of its height: where they enter it, where
+// they leave it, the lowest and the highest in it. Where nothing is counted yet: -1. So the cost of drawing does
+// not grow with the number of steps. Compiles as GLSL and as C++, after
+// chart_inputs.glsl.
+const int maxLooked = 16384;  // at, a column: above it some steps are passed over
+
+struct ChartColumn {
+  vec4 enter;
+  vec4 leave;
+  vec4 lowest;
+  vec4 highest;
+};
+
+// Rounded once, to the nearest: conversions of more than 24 bits may do otherwise.
+FUNCTION float countOf(uint n) {
+  ROUNDED float count = float(int(n >> 12u)) * 4096.0f + float(int(n & 4095u));
+  return count;
+}
+
+// The counts of a step as fractions of the plot's height.
+FUNCTION vec4 heightsOf(uvec4 n) {
+  ROUNDED vec4 heights = vec4(countOf(n.x), countOf(n.y), countOf(n.z), countOf(n.w)) * perTop;
+  return clamp(heights, 0.0f, 1.0f);
+}
+
+// Between two steps.
+FUNCTION vec4 heightsAt(float place) {
+  int number = clamp(int(place), 0, steps - 1);
+  vec4 low = heightsOf(texelFetch(counts, number)), high = heightsOf(texelFetch(counts, min(number + 1, steps - 1)));
+  ROUNDED float beyond = place - float(number);
+  ROUNDED vec4 heights = low + (high - low) * clamp(beyond, 0.0f, 1.0f);
+  return heights;
+}
+
+// A column for so many steps.
+FUNCTION ChartColumn columnOf(int column, float stepsEach) {
+  ROUNDED float first = float(column) * stepsEach;
+  ROUNDED float next = float(column + 1) * stepsEach;
+  float stop = min(next, float(steps - 1));
+  ChartColumn found;
+  found.enter = found.leave = found.lowest = found.highest = vec4(-1.0f);
+  if (first > float(steps - 1)) return found;
+  found.enter = heightsAt(first);
+  found.leave = heightsAt(stop);
+  vec4 lowest = min(found.enter, found.leave), highest = max(found.enter, found.leave);
+  int last = int(ceil(stop)) - 1, stride = max(1, (last - int(first)) / maxLooked);
+  for (int i = int(first) + 1; i <= last; i += stride) {
+    vec4 here = heightsOf(texelFetch(counts, i));
+    lowest = min(lowest, here);
+    highest = max(highest, here);
+  }
+  found.lowest = lowest;
+  found.highest = highest;
+  return found;
+}

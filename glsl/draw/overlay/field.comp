@@ -1,0 +1,30 @@
+// A field, drawn by a kernel: OVER the finished picture, else behind the light of the scene.
+#define EXACT_PICTURE
+#include "draw/arithmetic.glsl"
+#include "draw/overlay/field_inputs.glsl"
+#include "draw/overlay/field_view.glsl"
+#include "draw/overlay/field_values.glsl"
+#include "draw/screen/film.glsl"
+#include "draw/overlay/field_shading.glsl"
+#include "draw/overlay/pixel.glsl"
+layout(local_size_x = 8, local_size_y = 8) in;
+#ifdef OVER
+layout(rgba8, binding = targetImage) uniform restrict image2D target;
+#else
+layout(rgba32f, binding = targetImage) uniform restrict image2D target;
+#endif
+uniform ivec4 part;     // left, top, right, bottom: within the picture, from its top left
+uniform int lastRow;    // of the target, where its row 0 is the picture's last; else -1
+
+void main() {
+  ivec2 at = part.xy + ivec2(gl_GlobalInvocationID.xy);
+  if (any(greaterThanEqual(at, part.zw))) return;
+  ivec2 texel = ivec2(at.x, lastRow < 0 ? at.y : lastRow - at.y);
+#ifdef OVER
+  vec4 below = vec4(0.0);
+  if (opacity < 1.0) below = bytesOf(imageLoad(target, texel));
+  imageStore(target, texel, storedBytes(laidOver(below, fieldPixel(at))));
+#else
+  imageStore(target, texel, laidBehind(imageLoad(target, texel), fieldPixel(at)));
+#endif
+}

@@ -1,0 +1,23 @@
+// What a shader gets of a field: its cells as its simulation keeps them, and its colours. Variants: CELLS (0 bits, 1
+// bytes, 2 floats), CATEGORIES, COLORED.
+#include "draw/bindings.glsl"
+layout(binding = wordUnit) uniform usamplerBuffer words;
+layout(binding = colorUnit) uniform samplerBuffer stops;
+uniform ivec2 cells;     // of the field
+uniform int rowWords;    // from one row to the next
+uniform int firstWord;   // of cell (0, 0)
+uniform int cellWords;   // of floats: from a cell to the next
+uniform int stopCount;
+uniform float rangeLow;     // value of the first colour
+uniform float rangeFactor;  // on what is above it: 1 at the last colour
+const int cellKind = CELLS;
+#ifdef CATEGORIES
+const bool categories = true;
+#else
+const bool categories = false;
+#endif
+#ifdef COLORED
+const bool colored = true;
+#else
+const bool colored = false;
+#endif

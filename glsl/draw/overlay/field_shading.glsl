@@ -1,0 +1,116 @@
+// A field on the picture: each pixel is the exact average over the cells under it, so edges of cells are
+// smooth, nothing aliases and nothing shimmers while it zooms. Where a pixel covers less than a cell, values
+// are averaged over one whole cell around it instead, which is linear interpolation.
+// `colored`: averages the light of cells; else values, coloured afterwards. Reads what field_view.glsl declares.
+// Compiles as GLSL and as C++, after field_values.glsl and film.glsl.
+
+// Light in rgb where colored; the value's place in the range in a.
+FUNCTION vec4 element(ivec2 place) {
+  ivec2 at = tiled ? (place + 64 * size) % size : clamp(place, ivec2(0), size - 1);
+  if (reduces) return colored ? reducedAt(at) : vec4(placeOf(reducedAt(at).x));
+  float value = valueOf(at);
+  return colored ? vec4(colorOf(value), placeOf(value)) : vec4(placeOf(value));
+}
+
+// Mean over a rectangle, each element by the area it has in it.
+FUNCTION vec4 meanOver(vec2 from, vec2 to) {
+  ivec2 first = ivec2(floor(from)), last = max(ivec2(ceil(to)) - 1, first);
+  ROUNDED vec4 sum = vec4(0.0f);
+  for (int y = first.y; y <= last.y; ++y) {
+    ROUNDED float tall = min(to.y, float(y + 1)) - max(from.y, float(y));
+    tall = tall < 1e-9f ? 0.0f : tall;  // products stay normal numbers
+    for (int x = first.x; x <= last.x; ++x) {
+      ROUNDED float wide = min(to.x, float(x + 1)) - max(from.x, float(x));
+      wide = wide < 1e-9f ? 0.0f : wide;
+      sum = sum + element(base + ivec2(x, y)) * (tall * wide);
+    }
+  }
+  ROUNDED float area = (to.x - from.x) * (to.y - from.y);
+  ROUNDED vec4 mean = sum * inverse(area);
+  return mean;
+}
+
+// Fraction of the interval from..to that lies in low..high.
+FUNCTION float shareIn(float from, float to, float low, float high) {
+  ROUNDED float length_ = to - from;
+  ROUNDED float share = (min(to, high) - max(from, low)) * inverse(max(length_, 1e-7f));
+  return clamp(share, 0.0f, 1.0f);
+}
+
+// x^24; below 2^-5 what it is there, which is nothing.
+FUNCTION float power24(float x) {
+  float held = max(x, 0.03125f);
+  ROUNDED float x3 = held * held * held;
+  ROUNDED float x6 = x3 * x3;
+  ROUNDED float x12 = x6 * x6;
+  ROUNDED float x24 = x12 * x12;
+  return x24;
+}
+
+FUNCTION float exponential(float x) {
+  ROUNDED float doublings = x * 1.44269504f;
+  return powerOfTwo(doublings);
+}
+
+// A soft light from the top left, and what of it a polished surface mirrors. Flat ground keeps its colour. The light
+// comes from (-0.55, -0.65, 0.75), of which the vectors below are the unit, and halfway between it and the eye.
+FUNCTION vec3 lit(vec3 color, vec2 middle, vec2 reach) {
+  ROUNDED vec2 a = middle - reach;
+  ROUNDED vec2 b = middle + reach;
+  ROUNDED vec2 apart = 2.0f * reach;
+  ROUNDED vec2 twice = 2.0f * apart;
+  vec2 right = vec2(apart.x, 0.0f), down = vec2(0.0f, apart.y);
+  ROUNDED vec2 a1 = a + right;
+  ROUNDED vec2 b1 = b + right;
+  ROUNDED vec2 a2 = a - right;
+  ROUNDED vec2 b2 = b - right;
+  ROUNDED vec2 a3 = a + down;
+  ROUNDED vec2 b3 = b + down;
+  ROUNDED vec2 a4 = a - down;
+  ROUNDED vec2 b4 = b - down;
+  ROUNDED float riseX = (meanOver(a1, b1).w - meanOver(a2, b2).w) * inverse(twice.x);
+  ROUNDED float riseY = (meanOver(a3, b3).w - meanOver(a4, b4).w) * inverse(twice.y);
+  ROUNDED vec3 up = vec3(-slope.x * riseX, -slope.y * riseY, 1.0f);
+  vec3 normal = unitOf(up);
+  ROUNDED float facing = dotted(normal, vec3(-0.484717914f, -0.572848444f, 0.660978974f)) * 1.51290743f;
+  ROUNDED float beyond = 1.0f - max(facing, 1.0f);
+  ROUNDED float brighter = 1.45f - 0.45f * exponential(beyond);
+  ROUNDED float even = 0.16f + 0.84f * facing;
+  ROUNDED float darker = 0.16f * exponential(facing);
+  float diffuse = facing > 1.0f ? brighter : max(even, darker);
+  // Broad, and fainter on dark colours, where it would draw thin lines.
+  float mirrored = dotted(normal, vec3(-0.265945108f, -0.314298764f, 0.911311959f));
+  ROUNDED float shine = power24(mirrored) - 0.107648918f;
+  float gleam = max(shine, 0.0f);
+  float brightness = dotted(color, vec3(0.2126f, 0.7152f, 0.0722f));
+  ROUNDED vec3 seen = color * diffuse + gleam * (0.02f + 0.3f * root(brightness) * vec3(1.0f, 0.97f, 0.92f));
+  return seen;
+}
+
+// Colour times opacity, and opacity, of the pixel `at` from the top left.
+FUNCTION vec4 fieldPixel(ivec2 at) {
+  ROUNDED vec2 from = start + perPixel * vec2(at);
+  ROUNDED vec2 to = from + perPixel;
+  ROUNDED vec2 halfway = 0.5f * (from + to);
+  vec2 middle = clamp(halfway, -3e7f, 3e7f);
+  // Where a small field is repeated many times in a pixel, part of them will do.
+  ROUNDED vec2 reach = 0.5f * clamp(perPixel, vec2(colored ? 1e-5f : 1.0f), vec2(40.0f));
+  float inside = 1.0f;
+  if (!tiled) {
+    vec2 low = vec2(-base), high = vec2(size - base);
+    ROUNDED float share = shareIn(from.x, to.x, low.x, high.x) * shareIn(from.y, to.y, low.y, high.y);
+    inside = share;
+  }
+  vec3 color = border;
+  if (inside > 0.0f) {
+    ROUNDED vec2 a = middle - reach;
+    ROUNDED vec2 b = middle + reach;
+    vec4 mean = meanOver(a, b);
+    vec3 own = colored ? vec3(mean) : colorAtPlace(mean.w);
+    if (relief) own = lit(own, middle, max(reach, vec2(0.5f)));
+    color = blend(border, own, inside);
+  }
+  if (encodes) color = encoded(clamp(color, 0.0f, 1.0f));
+  ROUNDED vec3 through = color * opacity;
+  return vec4(through, opacity);
+}

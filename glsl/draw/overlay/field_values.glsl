@@ -1,0 +1,45 @@
+// The values of a field's cells, and their colours, linear RGB. `categories`: a value is the number of its colour; else
+// colours lie evenly over the range. Reads what field_inputs.glsl declares. Compiles as GLSL and as C++.
+
+FUNCTION uint wordAt(int i) {
+  uvec4 four = texelFetch(words, i >> 2);
+  return (i & 2) == 0 ? ((i & 1) == 0 ? four.x : four.y) : ((i & 1) == 0 ? four.z : four.w);
+}
+
+// Finite, and not so small that products were lost: what is infinite lies far above, NaN far below.
+FUNCTION float heldValue(uint word) {
+  bool lost = (word & 0x7f800000u) == 0x7f800000u;
+  float value = uintBitsToFloat(lost ? 0u : word);
+  value = abs(value) < 1e-20f ? 0.0f : clamp(value, -1e18f, 1e18f);
+  return lost ? (word == 0x7f800000u ? 1e18f : -1e18f) : value;
+}
+
+FUNCTION float valueOf(ivec2 cell) {
+  int row = firstWord + cell.y * rowWords;
+  if (cellKind == 0) return float(int(wordAt(row + (cell.x >> 5)) >> uint(cell.x & 31) & 1u));
+  if (cellKind == 1) return float(int(wordAt(row + (cell.x >> 2)) >> uint(8 * (cell.x & 3)) & 255u));
+  return heldValue(wordAt(row + cell.x * cellWords));
+}
+
+// 0 at the first colour, 1 at the last.
+FUNCTION float placeOf(float value) {
+  ROUNDED float place = (value - rangeLow) * rangeFactor;
+  return abs(place) < 1e-9f ? 0.0f : clamp(place, -1e9f, 1e9f);
+}
+
+FUNCTION vec3 stopAt(int i) {
+  return vec3(texelFetch(stops, i));
+}
+
+FUNCTION vec3 colorAtPlace(float place) {
+  ROUNDED float at = clamp(place, 0.0f, 1.0f) * float(stopCount - 1);
+  int stop = int(at);
+  ROUNDED float beyond = at - float(stop);
+  return blend(stopAt(stop), stopAt(min(stop + 1, stopCount - 1)), beyond);
+}
+
+FUNCTION vec3 colorOf(float value) {
+  if (!categories) return colorAtPlace(placeOf(value));
+  ROUNDED float number = clamp(value, 0.0f, float(stopCount - 1)) + 0.5f;
+  return stopAt(int(number));
+}

@@ -1,0 +1,40 @@
+// What a shader gets of a field's place on the picture. Variants: REDUCED (reads a texture of averaged blocks), RELIEF
+// (shaded as if lit), OVER (encoded for the finished picture; else light), TILED (repeated beyond its borders; else
+// `border` is shown there). Constants: software drivers compute both sides of every choice, and divisions are dear.
+#ifdef REDUCED
+layout(binding = reducedUnit) uniform sampler2D reduced;
+#endif
+uniform ivec2 size;      // elements: cells, or texels of `reduced`
+uniform ivec2 base;      // pixel p covers the elements from base + start + perPixel p to + perPixel (p + 1)
+uniform vec2 start;
+uniform vec2 perPixel;
+uniform vec3 border;
+uniform float opacity;
+uniform vec2 slope;      // height of the whole range in elements, along x and y
+#ifdef TILED
+const bool tiled = true;
+#else
+const bool tiled = false;
+#endif
+#ifdef RELIEF
+const bool relief = true;
+#else
+const bool relief = false;
+#endif
+#ifdef OVER
+const bool encodes = true;
+#else
+const bool encodes = false;
+#endif
+
+#ifdef REDUCED
+const bool reduces = true;
+vec4 reducedAt(ivec2 at) {
+  return texelFetch(reduced, at, 0);
+}
+#else
+const bool reduces = false;
+vec4 reducedAt(ivec2 at) {
+  return vec4(0.0);
+}
+#endif

@@ -1,0 +1,72 @@
+// What a skin looks like where its field is what it is. LOOK_LEATHER, LOOK_SPOTS, LOOK_CRACKS, LOOK_MAP. Compiles as GLSL
+// and as C++. Whoever includes it has the skin's threshold, colours, roughness and depth.
+#include "draw/arithmetic.glsl"
+
+// What a pixel covers of the field.
+struct SkinArea {
+  float q;         // mean of what is above the threshold
+  float variance;  // of that
+  float around;    // mean of a ring around it
+  vec2 slope;      // of q along u and v, per cell
+  vec3 color;
+};
+
+struct Skin {
+  vec3 albedo;
+  vec3 emission;  // radiance
+  float roughness;
+  float height;    // 0 to 1
+  float openness;  // fraction of the surroundings' light that gets in
+};
+
+// A value spread evenly over a width w has variance w^2 / 12, and clamp(q / w + 1/2) of it lies above 0. So one
+// width serves for edges (the change of q over a pixel) and for patterns smaller than pixels (their variance).
+// `change2`: square of the change over a pixel.
+FUNCTION Skin skinOf(SkinArea area, float change2) {
+  ROUNDED float width2 = change2 + 12.0f * area.variance + 1e-8f;
+  ROUNDED float share = area.q * inverseRoot(width2) + 0.5f;
+  float cover = clamp(share, 0.0f, 1.0f);
+  ROUNDED float above = area.q + skinThreshold;
+  float fraction = clamp(above, 0.0f, 1.0f);
+  ROUNDED float below = 1.0f - fraction;
+  ROUNDED float sunken = skinDepth * (area.around - area.q);
+  ROUNDED float closed = 1.0f + 0.4f * max(sunken, 0.0f);
+  Skin skin;
+  skin.emission = vec3(0);
+  skin.roughness = skinRoughness;
+  skin.height = skinDepth < 0.0f ? below : fraction;
+  skin.openness = inverse(closed);
+#if defined LOOK_LEATHER || defined LOOK_SPOTS
+  skin.albedo = blend(skinLow, skinHigh, cover);
+#elif defined LOOK_CRACKS
+  ROUNDED float span = 1.0f - skinThreshold;
+  ROUNDED float heat = area.q * inverse(max(span, 0.05f));
+  ROUNDED vec3 cold = skinLow * (1.0f - cover);
+  ROUNDED vec3 glow = skinHigh * (cover * (0.3f + 0.7f * smoothed(clamp(heat, 0.0f, 1.0f))));
+  skin.albedo = cold;
+  skin.emission = glow;
+#else
+  skin.albedo = area.color;
+#endif
+  return skin;
+}
+
+// The gradient of q, per cell, along a surface whose place changes by `across` and `up` over a pixel to the right and up,
+// and its uv by `right` and `above`: Mikkelsen, "Surface gradient-based bump mapping framework", JCGT 9(3), 2020. Holds for mirrored uvs and for both faces.
+FUNCTION vec3 riseByUv(vec2 slope, vec3 normal, vec3 across, vec3 up, vec2 right, vec2 above) {
+  vec3 first = crossed(up, normal), second = crossed(normal, across);
+  float turned = dotted(across, first) < 0.0f ? -1.0f : 1.0f;
+  ROUNDED vec3 u = first * right.x + second * above.x;
+  ROUNDED vec3 v = first * right.y + second * above.y;
+  ROUNDED vec3 alongU = u * inverseRoot(max(dotted(u, u), 1e-30f));
+  ROUNDED vec3 alongV = v * inverseRoot(max(dotted(v, v), 1e-30f));
+  ROUNDED vec3 rise = turned * (slope.x * alongU + slope.y * alongV);
+  return rise;
+}
+
+// The same in the surface's own space, of slopes seen along its three axes.
+FUNCTION vec3 riseFromSides(vec3 weight, vec3 side, vec2 x, vec2 y, vec2 z) {
+  ROUNDED vec3 rise = weight.x * vec3(0, -x.y, -side.x * x.x) + weight.y * vec3(y.x, 0, side.y * y.y) +
+                      weight.z * vec3(side.z * z.x, -z.y, 0);
+  return rise;
+}

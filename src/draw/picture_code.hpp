@@ -1,0 +1,14 @@
+#pragma once
+// What exact pictures are made of, as C++ in simreel::shader: the same bits as the kernels'.
+#include "sim/core/shader_code.hpp"
+
+#define FUNCTION inline
+#define precise
+#define EXACT_PICTURE
+namespace simreel::shader {
+#include "glsl/draw/arithmetic.glsl"
+#include "glsl/draw/screen/film.glsl"
+}  // namespace simreel::shader
+#undef EXACT_PICTURE
+#undef precise
+#undef FUNCTION

@@ -1,0 +1,184 @@
+#include "gpu/draw/exact_stage.hpp"
+#include "reference/raster_twin.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <random>
+
+#include <doctest/doctest.h>
+#include <glm/geometric.hpp>
+
+using namespace simreel;  // NOLINT
+
+namespace {
+
+constexpr unsigned nothing = 0xffffffffU;
+
+/// Uniform in (low, high), the same on every standard library.
+class MeshDice {
+ public:
+  explicit MeshDice(unsigned seed) : engine_(seed) {}
+  float operator()(float low, float high) {
+    return low + (high - low) * static_cast<float>(engine_() >> 8U) * 0x1p-24F;
+  }
+  glm::vec3 place(glm::vec3 low, glm::vec3 high) {
+    const float x = (*this)(low.x, high.x);
+    const float y = (*this)(low.y, high.y);
+    return {x, y, (*this)(low.z, high.z)};
+  }
+
+ private:
+  std::mt19937 engine_;
+};
+
+struct TriangleSoup {
+  std::vector<glm::vec3> places;
+  std::vector<unsigned> indices;
+  void add(glm::vec3 a, glm::vec3 b, glm::vec3 c) {
+    for (const glm::vec3& p : {a, b, c}) {
+      indices.push_back(static_cast<unsigned>(places.size()));
+      places.push_back(p);
+    }
+  }
+};
+
+/// Small ones, slivers, ones as large as the picture, ones around and behind the eye (at z = 5, looking
+/// along -z), and ones of no area.
+TriangleSoup soup(unsigned seed) {
+  MeshDice dice(seed);
+  TriangleSoup all;
+  for (int i = 0; i < 300; ++i) {
+    const glm::vec3 middle = dice.place({-3, -2, -4}, {3, 2, 3});
+    const float reach = i % 3 == 0 ? 0.05F : 0.5F;
+    const auto corner = [&] { return middle + dice.place(glm::vec3(-reach), glm::vec3(reach)); };
+    const glm::vec3 a = corner();
+    const glm::vec3 b = corner();
+    all.add(a, b, i % 7 == 0 ? a + (b - a) * 0.4F + glm::vec3(0, 1e-4F, 0) : corner());
+  }
+  for (int i = 0; i < 40; ++i)
+    all.add(dice.place({-30, -30, -30}, {30, 30, 12}), dice.place({-30, -30, -30}, {30, 30, 12}),
+            dice.place({-30, -30, -30}, {30, 30, 12}));
+  all.add({0, 0, 0}, {1, 1, 0}, {2, 2, 0});
+  all.add({0, 0, 0}, {0, 0, 0}, {1, 0, 0});
+  return all;
+}
+
+/// Of a sample of a pixel, in pixels: read off the pattern's picture, not from the shader's nibbles.
+glm::dvec2 fourSamples(int s) {
+  constexpr std::array<glm::dvec2, 4> places = {
+      glm::dvec2{0.375, 0.125}, {0.875, 0.375}, {0.125, 0.625}, {0.625, 0.875}};
+  return places[static_cast<std::size_t>(s)];
+}
+
+}  // namespace
+
+TEST_CASE("exact: what triangles show is what the twin says, small ones alone or in tiles") {
+  const TriangleSoup all = soup(3);
+  for (const int samples : {1, 2, 4, 8, 16}) {
+    for (const bool doubleSided : {true, false}) {
+      const auto view = exactViewFrom({0, 0, 5}, {0.2F, -0.1F, 0}, {101, 67});
+      TriangleStage stage(all.places, all.indices);
+      stage.surface.doubleSided = doubleSided;
+      const auto twin = rasterTwin(view, samples, doubleSided, all.places, all.indices);
+      CAPTURE(samples);
+      const SeenSamples tiles = seenBy(view, samples, {&stage.surface}, 0);
+      CHECK(tiles.keys == twin.keys);
+      CHECK(tiles.ids == twin.ids);
+      const SeenSamples small = seenBy(view, samples, {&stage.surface}, 64);
+      CHECK(small.keys == twin.keys);
+      CHECK(small.ids == twin.ids);
+    }
+  }
+}
+
+TEST_CASE(
+    "exact: a picture full of triangles that share edges shows no hole, and each sample one of them") {
+  // A crooked net of triangles over the whole picture, all at one depth: ties would go to the lower number,
+  // so a second net of the same triangles in the opposite order shows every sample that two of them claim.
+  constexpr int side = 23;
+  MeshDice dice(11);
+  std::vector<glm::vec3> places;
+  for (int y = 0; y <= side; ++y)
+    for (int x = 0; x <= side; ++x) {
+      const bool border = x == 0 || y == 0 || x == side || y == side;
+      const auto at = [&](int i) {
+        return (static_cast<float>(i) / side - 0.5F) * 8 + (border ? 0 : dice(-0.08F, 0.08F));
+      };
+      const float u = at(x);
+      places.emplace_back(u, at(y), 0.0F);
+    }
+  std::vector<unsigned> indices;
+  for (int y = 0; y < side; ++y)
+    for (int x = 0; x < side; ++x) {
+      const auto i = static_cast<unsigned>(y * (side + 1) + x);
+      indices.insert(indices.end(), {i, i + 1, i + side + 1, i + 1, i + side + 2, i + side + 1});
+    }
+  std::vector<unsigned> backwards;
+  for (std::size_t i = indices.size(); i > 0; i -= 3)
+    backwards.insert(backwards.end(), {indices[i - 3], indices[i - 2], indices[i - 1]});
+  const auto view = exactViewFrom({0, 0, 5}, {0, 0, 0}, {127, 71});
+  TriangleStage forth(places, indices);
+  TriangleStage back(places, backwards);
+  forth.surface.doubleSided = back.surface.doubleSided = true;
+  const SeenSamples seen = seenBy(view, 4, {&forth.surface}, 16);
+  const SeenSamples turned = seenBy(view, 4, {&back.surface}, 16);
+  const auto count = static_cast<unsigned>(indices.size() / 3);
+  CHECK(std::count(seen.ids.begin(), seen.ids.end(), nothing) == 0);
+  int claimedTwice = 0;
+  for (std::size_t i = 0; i < seen.ids.size(); ++i)
+    claimedTwice += seen.ids[i] != count - 1 - turned.ids[i] ? 1 : 0;
+  CHECK(claimedTwice == 0);
+}
+
+TEST_CASE(
+    "exact: the nearest triangle at each sample is the one that a ray meets first, in double precision") {
+  const TriangleSoup all = soup(5);
+  const glm::ivec2 size(93, 61);
+  const auto view = exactViewFrom({0, 0, 5}, {0, 0, 0}, size);
+  TriangleStage stage(all.places, all.indices);
+  stage.surface.doubleSided = true;
+  const SeenSamples seen = seenBy(view, 4, {&stage.surface}, 16);
+  const double high = std::tan(20 * 3.14159265358979 / 180);
+  const double wide = high * size.x / size.y;
+  int others = 0;
+  int hits = 0;
+  for (int y = 0; y < size.y; ++y)
+    for (int x = 0; x < size.x; ++x)
+      for (int s = 0; s < 4; ++s) {
+        const glm::dvec2 at = (glm::dvec2(x, y) + fourSamples(s)) / glm::dvec2(size) * 2.0 - 1.0;
+        const glm::dvec3 ray(at.x * wide, -at.y * high, -1);
+        double nearest = 200;
+        unsigned who = nothing;
+        for (std::size_t i = 0; i + 2 < all.places.size(); i += 3) {
+          // Moeller and Trumbore 1997.
+          const glm::dvec3 a(all.places[i]);
+          const glm::dvec3 ab = glm::dvec3(all.places[i + 1]) - a;
+          const glm::dvec3 ac = glm::dvec3(all.places[i + 2]) - a;
+          const glm::dvec3 p = glm::cross(ray, ac);
+          const double det = glm::dot(ab, p);
+          if (std::abs(det) < 1e-14) continue;
+          const glm::dvec3 from = glm::dvec3(0, 0, 5) - a;
+          const double u = glm::dot(from, p) / det;
+          const glm::dvec3 q = glm::cross(from, ab);
+          const double v = glm::dot(ray, q) / det;
+          const double t = glm::dot(ac, q) / det;
+          if (u < 0 || v < 0 || u + v > 1 || t < 0.05 || t >= nearest) continue;
+          nearest = t;
+          who = static_cast<unsigned>(i / 3);
+        }
+        const auto i = static_cast<std::size_t>((y * size.x + x) * 4 + s);
+        hits += who != nothing ? 1 : 0;
+        others += seen.ids[i] != who ? 1 : 0;
+        if (seen.ids[i] == who && who != nothing) {
+          const double depth =
+              0.05 /
+              static_cast<double>(shader::intBitsToFloat(static_cast<int>(0x7fffffffU - seen.keys[i])));
+          CHECK(std::abs(depth - nearest) < 2e-3 * nearest);
+        }
+      }
+  CHECK(hits > 10000);
+  // Corners are rounded to 1/256 pixel, so a sample so near to an edge may be on its other side.
+  CHECK(others < hits / 100);
+}
