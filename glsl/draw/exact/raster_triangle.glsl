@@ -14,7 +14,7 @@ uniform bool doubleSided;
 #ifdef ADDS
 #include "draw/frame_block.glsl"
 #include "draw/exact/instances/glow_add.glsl"
-vec3 addedLight;
+vec3 addedLight = vec3(0.0f);
 #endif
 
 // Ready to be drawn: hidden ones are empty.
