@@ -1,4 +1,6 @@
 // The sky's gradient by the height y of a unit direction, and the light it gives. Compiles as GLSL and as C++.
+#ifndef DRAW_SKY
+#define DRAW_SKY
 #include "draw/arithmetic.glsl"
 
 FUNCTION vec3 skyRadiance(float y) {
@@ -28,3 +30,4 @@ FUNCTION vec3 ambientLight(float y) {
                        max(-y, 0.0f) * (vec3(frame.ambientDown) - side);
   return light;
 }
+#endif

@@ -1,5 +1,7 @@
 // Metal/rough reflection. Light is irradiance / pi, so a white matt surface facing it has its radiance. Compiles as GLSL
 // and as C++.
+#ifndef DRAW_SHADING
+#define DRAW_SHADING
 #include "draw/arithmetic.glsl"
 
 // pi times the GGX lobe D V with V F of Karis' fit for mobile GPUs (course notes, SIGGRAPH 2015,
@@ -38,3 +40,4 @@ FUNCTION vec2 ambientLobe(float roughness, float nv) {
   ROUNDED float y = 1.04f * a + last;
   return vec2(x, y);
 }
+#endif

@@ -39,7 +39,7 @@ void ShadedTiles::list(const std::vector<unsigned>& firstIds, const Visibility& 
     fail(ExitCode::device,
          "the exact rasterizer draws {} things at once, not {}; set \"rasterizer\" to \"driver\"",
          maxThings, things_);
-  const auto lists = static_cast<std::size_t>(things_ + 2);
+  const std::size_t lists = firstIds.size() + 2;
   const std::size_t tiles = static_cast<std::size_t>(tiles_.x) * static_cast<std::size_t>(tiles_.y);
   reserve(firstIds_, firstIdView_, "first numbers", lists * sizeof(GLuint), GL_R32UI, sizeof(GLuint));
   reserve(lists_, listView_, "lists of tiles", lists * tiles * sizeof(GLuint), GL_R32UI, sizeof(GLuint));

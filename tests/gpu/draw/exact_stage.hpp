@@ -16,11 +16,14 @@
 
 /// A mesh as a simulation publishes it.
 struct TriangleStage {
-  TriangleStage(const std::vector<glm::vec3>& places, const std::vector<unsigned>& corners) {
+  /// Normals point up where none are given.
+  TriangleStage(const std::vector<glm::vec3>& places, const std::vector<unsigned>& corners,
+                const std::vector<glm::vec3>& directions = {}) {
     testContext();
     std::vector<glm::vec4> texels;
     for (const glm::vec3& place : places) texels.emplace_back(place, 1.0F);
-    const std::vector<glm::vec4> up(places.size(), glm::vec4(0, 1, 0, 0));
+    std::vector<glm::vec4> up(places.size(), glm::vec4(0, 1, 0, 0));
+    for (std::size_t i = 0; i < directions.size(); ++i) up[i] = glm::vec4(directions[i], 0);
     positions = simreel::gl::Buffer::of<glm::vec4>("positions", texels);
     normals = simreel::gl::Buffer::of<glm::vec4>("normals", up);
     indices = simreel::gl::Buffer::of<unsigned>("indices", corners);
