@@ -26,10 +26,10 @@ def scenes():
     return sorted(file.stem for file in (SOURCE / "assets/scenes").glob("*.json"))
 
 
-def render(program, scene, output, *arguments, env=None):
-    """`simreel render` of a shipped scene, small; `output` is a file, or - for bytes in stdout."""
+def render(program, scene, output, *arguments, size=SIZE, env=None):
+    """`simreel render` of a shipped scene; `output` is a file, or - for bytes of RGBA in stdout."""
     environment = {**os.environ, "SIMREEL_ASSETS": str(SOURCE / "assets"), **(env or {})}
-    return subprocess.run([program, "render", SOURCE / f"assets/scenes/{scene}.json", "-o", output, "--size", SIZE, "-q",
+    return subprocess.run([program, "render", SOURCE / f"assets/scenes/{scene}.json", "-o", output, "--size", size, "-q",
                            "--overwrite", "--no-counts", *map(str, arguments)], env=environment, capture_output=True,
                           timeout=300, check=False)
 
