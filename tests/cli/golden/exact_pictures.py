@@ -11,7 +11,7 @@ import tempfile
 from common import SOURCE, png_rows, unfiltered
 
 LIST = pathlib.Path(__file__).with_name("exact_pictures.json")
-RENEWAL = f"SIMREEL_RENEW_EXACT=1 python3 {pathlib.Path(__file__).relative_to(SOURCE).with_name('test_exact.py')}"
+RENEWAL = "SIMREEL_RENEW_EXACT=1 SIMREEL=$PWD/build/simreel PYTHONPATH=tests/cli python3 tests/cli/golden/test_exact.py"
 SIZE = "201x113"
 FIRST_FRAME = 0  # of a scene that is not listed yet
 WORKERS = 2
@@ -70,7 +70,7 @@ def difference(wanted, entry):
     if wanted == entry:
         return None
     if "failed" in entry:
-        return entry["failed"]
+        return f"cannot be drawn: {entry['failed']}"
     if wanted is None:
         return "is not listed"
     if "refused" in entry:

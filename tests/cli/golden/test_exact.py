@@ -45,10 +45,12 @@ class Pictures(Case):
             self.assertEqual([name for name in names if "failed" in entries[name]], [])
             exact_pictures.LIST.write_text(json.dumps(entries, indent=1) + "\n", encoding="utf-8")
             return
-        gone = set(exact_pictures.listed()) - set(names)
-        wrong = {**exact_pictures.differences(PROGRAM, names), **dict.fromkeys(gone, "is no scene any more")}
-        self.assertEqual(wrong, {}, "exact pictures are the same on every machine; if this change means them to differ, "
-                                    f"look at them and renew the list: {exact_pictures.RENEWAL}")
+        wrong = exact_pictures.differences(PROGRAM, names)
+        wrong.update(dict.fromkeys(set(exact_pictures.listed()) - set(names), "is listed, and no scene any more"))
+        if wrong:
+            self.fail("\n".join([f"{name} {words}" for name, words in sorted(wrong.items())] +
+                                ["Exact pictures are the same on every machine. If this change means them to differ, look at "
+                                 "them and renew the list:", exact_pictures.RENEWAL]))
 
     def test_memory_paths_draw_the_same_bytes(self):
         for path in ("texel", "storage"):
