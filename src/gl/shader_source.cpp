@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <sstream>
+#include <vector>
 
 namespace simreel::gl {
 
@@ -31,27 +32,59 @@ std::string shaderText(const std::string& path, const std::string& asker) {
   fail(ExitCode::device, "{} asks for the shader file {}, which does not exist", asker, path);
 }
 
-void paste(ShaderSource& source, const std::string& path, const std::string& asker) {
-  if (std::find(source.files.begin(), source.files.end(), path) != source.files.end()) return;
-  const auto number = source.files.size();
-  source.files.push_back(path);
-  source.text += fmt::format("#line 1 {}\n", number);
-  std::istringstream lines(shaderText(path, asker));
-  int lineNumber = 0;
-  for (std::string line; std::getline(lines, line);) {
-    ++lineNumber;
-    constexpr std::string_view directive = "#include \"";
-    if (!line.starts_with(directive)) {
-      source.text += line + '\n';
-      continue;
-    }
-    const auto close = line.find('"', directive.size());
-    const std::string here = fmt::format("{}:{}", path, lineNumber);
-    if (close == std::string::npos) fail(ExitCode::device, "{}: the include has no closing quote", here);
-    paste(source, line.substr(directive.size(), close - directive.size()), here);
-    source.text += fmt::format("#line {} {}\n", lineNumber + 1, number);
+/// Pastes files into one text. What a condition may leave out is pasted again where it is asked for once
+/// more, behind a guard: the first of them that is compiled is the one that counts.
+class Paster {
+ public:
+  explicit Paster(ShaderSource& source) : source_(source) {}
+
+  void paste(const std::string& path, const std::string& asker) {
+    if (std::find(open_.begin(), open_.end(), path) != open_.end())
+      fail(ExitCode::device, "{}: {} includes itself", asker, path);
+    const std::size_t number = numberOf(path);
+    if (certain_[number]) return;
+    certain_[number] = conditions_ == 0;
+    open_.push_back(path);
+    source_.text += fmt::format("#ifndef PASTED_{0}\n#define PASTED_{0}\n#line 1 {0}\n", number);
+    pasteLines(path, number, shaderText(path, asker));
+    source_.text += "#endif\n";
+    open_.pop_back();
   }
-}
+
+ private:
+  std::size_t numberOf(const std::string& path) {
+    const auto found = std::find(source_.files.begin(), source_.files.end(), path);
+    if (found != source_.files.end()) return static_cast<std::size_t>(found - source_.files.begin());
+    source_.files.push_back(path);
+    certain_.push_back(false);
+    return source_.files.size() - 1;
+  }
+
+  void pasteLines(const std::string& path, std::size_t number, const std::string& text) {
+    std::istringstream lines(text);
+    int lineNumber = 0;
+    for (std::string line; std::getline(lines, line);) {
+      ++lineNumber;
+      constexpr std::string_view directive = "#include \"";
+      if (!line.starts_with(directive)) {
+        if (line.starts_with("#if")) ++conditions_;
+        if (line.starts_with("#endif")) --conditions_;
+        source_.text += line + '\n';
+        continue;
+      }
+      const auto close = line.find('"', directive.size());
+      const std::string here = fmt::format("{}:{}", path, lineNumber);
+      if (close == std::string::npos) fail(ExitCode::device, "{}: the include has no closing quote", here);
+      paste(line.substr(directive.size(), close - directive.size()), here);
+      source_.text += fmt::format("#line {} {}\n", lineNumber + 1, number);
+    }
+  }
+
+  ShaderSource& source_;
+  std::vector<bool> certain_;      ///< whether what was pasted of a file is compiled whatever is defined
+  std::vector<std::string> open_;  ///< files that are being pasted
+  int conditions_ = 0;             ///< open ones of the files
+};
 
 }  // namespace
 
@@ -82,7 +115,7 @@ ShaderSource loadShader(const std::string& path, const Defines& defines) {
   // What the files that are C++, too, mark for it (glsl/common/cpp.hpp).
   source.text = "#version 450 core\n#define FUNCTION\n#define STD140\n#define DEFAULT(value)\n";
   for (const auto& [name, value] : defines) source.text += fmt::format("#define {} {}\n", name, value);
-  paste(source, path, "the program");
+  Paster(source).paste(path, "the program");
   return source;
 }
 

@@ -11,8 +11,8 @@ uniform float threshold;
 vec3 above(ivec2 at) {
   vec3 light = min(texelFetch(scene, min(at, size - 1), 0).rgb, 6e4f);
   float brightest = max(light.r, max(light.g, light.b));
-  precise float over = max(brightest - threshold, 0.0f) * exactReciprocal(max(brightest, 1e-6f));
-  precise vec3 rest = light * over;
+  precise float over = brightest - threshold;
+  precise vec3 rest = light * (max(over, 0.0f) * exactReciprocal(max(brightest, 1e-6f)));
   return rest;
 }
 

@@ -7,6 +7,11 @@ const int subpixels = 256;   // of a pixel, where corners of triangles lie
 const int guardPixels = 1024;  // corners lie no further outside the picture; what reaches beyond is clipped
 const int tileSide = 8;      // pixels
 
+// 1 / SAMPLES.
+FUNCTION float perSamples() {
+  return SAMPLES == 1 ? 1.0f : SAMPLES == 2 ? 0.5f : SAMPLES == 4 ? 0.25f : SAMPLES == 8 ? 0.125f : 0.0625f;
+}
+
 // Sample s of SAMPLES of a pixel, in 1/16 pixel from its top left corner: the usual patterns, no two in a row or column.
 // Four bits each, the first lowest.
 FUNCTION ivec2 samplePlace(int s) {

@@ -1,23 +1,26 @@
-// Drawing triangles that some kernel has made. Variants of visible_sample.glsl; into the sun's map they are moved away by
+// Drawing triangles that some kernel has made. Variants of visible_sample.glsl; into shadow maps they are moved away by
 // their slope. ADDS: they add light to the sums of glows.
 #include "draw/exact/visible_sample.glsl"
 #include "draw/exact/triangle.glsl"
 #include "draw/exact/clip.glsl"
 #ifdef SUN_MAP
 uniform float slopeOffset;  // texels whose slope the map is moved by
-const float nearest = 0.0f, farthestNear = 0.0f;
+const float nearest = 0.0f;
+#endif
+#ifdef LAMP_MAP
+uniform float slopeOffset;
 #endif
 uniform bool doubleSided;
 #ifdef ADDS
 #include "draw/frame_block.glsl"
 #include "draw/exact/instances/glow_add.glsl"
-vec3 addedLight;
+vec3 addedLight = vec3(0.0f);
 #endif
 
 // Ready to be drawn: hidden ones are empty.
 Triangle drawnTriangle(Corner a, Corner b, Corner c) {
   Triangle t = triangleOf(a, b, c);
-#ifdef SUN_MAP
+#if defined SUN_MAP || defined LAMP_MAP
   // As a polygon offset: by so many texels' slope and, for the bits of the depth, a little more.
   precise float offset = max(abs(t.acrossNear), abs(t.downNear)) * slopeOffset * float(subpixels) + 4e-7f;
   precise float near = t.near - offset;
@@ -49,13 +52,12 @@ void putSample(Triangle t, ivec2 pixel, int s, uint before, uint id) {
 #ifndef SUN_MAP
   if (near < view.nearOverFar) return;
 #endif
-  keep((pixel.y * PICTURE_SIZE.x + pixel.x) * SAMPLES + s, nearKey(near), before, id);
+  keep(sampleIndex(pixel, s), nearKey(near), before, id);
 }
 
 // The samples that the mask has, of one pixel.
 void putPixel(Triangle t, ivec2 pixel, int mask, uint id) {
-  int at = (pixel.y * PICTURE_SIZE.x + pixel.x) * SAMPLES;
   for (int s = 0; s < SAMPLES; ++s)
-    if ((mask >> s & 1) != 0) putSample(t, pixel, s, texelFetch(nearestKeys, at + s).x, id);
+    if ((mask >> s & 1) != 0) putSample(t, pixel, s, texelFetch(nearestKeys, sampleIndex(pixel, s)).x, id);
 }
 #endif

@@ -27,7 +27,7 @@ uint idAt(ivec2 pixel, int s) {
 
 // Adds light of so many of the pixel's samples; alpha is the part of the pixel that something covers.
 void addLight(ivec2 pixel, vec4 light, int samples) {
-  precise float share = float(samples) * (1.0f / float(SAMPLES));
+  precise float share = float(samples) * perSamples();
   precise vec4 sum = imageLoad(sums, pixel) + light * share;
   imageStore(sums, pixel, sum);
 }

@@ -23,8 +23,8 @@ float litAround(vec2 place, uint key, int side) {
 
 float sunFraction(vec3 place) {
   int side = int(frame.shadowTexels);
-  precise float near = max(1.0f - place.z, 0.0f);  // behind every caster still counts as inside the map
-  uint key = nearKey(near);
+  precise float near = 1.0f - place.z;
+  uint key = nearKey(max(near, 0.0f));  // behind every caster still counts as inside the map
   precise vec2 middle = place.xy * frame.shadowTexels;
   float radius = frame.shadowSoftness;
 #if SHADOW_TAPS == 4
@@ -42,12 +42,12 @@ float sunFraction(vec3 place) {
   precise float sum = 0.0f;
   for (int i = 0; i < SHADOW_TAPS; ++i) {  // sunflower disc
     precise float turn = 2.399963f * float(i);
-    precise float far = (float(i) + 0.5f) * (1.0f / float(SHADOW_TAPS));
+    precise float far = (float(i) + 0.5f) * 0.0625f;
     precise float along = radius * exactSqrt(far);
     precise vec2 tap = middle + along * vec2(exactCos(turn), exactSin(turn));
     sum = sum + litAround(tap, key, side);
   }
-  precise float fraction = sum * (1.0f / float(SHADOW_TAPS));
+  precise float fraction = sum * 0.0625f;  // sixteen
 #endif
   return fraction;
 }

@@ -1,13 +1,20 @@
 // Lays a skin over a spot of a surface: TRIPLANAR from three sides (draw/surface/three_sides.glsl), else by uv.
 #include "draw/exact/skin_read.glsl"
 
+// What a pixel covers of the field.
+struct SkinSeen {
+  SkinArea area;
+  float change2;  // square of the change of q over a pixel
+  vec3 rise;      // gradient of q along the surface, per cell
+};
+
 struct SpotSkin {
   Skin skin;
   vec3 normal;
 };
 
 #ifdef TRIPLANAR
-SpotSkin skinOn(Spot spot, vec3 normal) {
+SkinSeen skinSeen(Spot spot, vec3 normal) {
   SurfaceSeen seen = surfaceSeen(spot);
   SkinArea x = skinArea(seen.x), y = skinArea(seen.y), z = skinArea(seen.z);
   vec3 w = seen.weight;
@@ -23,8 +30,10 @@ SpotSkin skinOn(Spot spot, vec3 normal) {
   vec3 own = riseFromSides(w, seen.side, x.slope, y.slope, z.slope);
   precise vec3 rise = (model[0].xyz * own.x + model[1].xyz * own.y + model[2].xyz * own.z) * exactReciprocal(modelScale);
   rise = rise - normal * exactDot(normal, rise);
+  return SkinSeen(area, change2, rise);
+}
 #else
-SpotSkin skinOn(Spot spot, vec3 normal) {
+SkinSeen skinSeen(Spot spot, vec3 normal) {
   Seen seen = seenByUv(spot, textureScale);
   SkinArea area = skinArea(seen);
   vec2 change = changeOver(area, seen);
@@ -33,10 +42,12 @@ SpotSkin skinOn(Spot spot, vec3 normal) {
   precise vec3 above = planePlace(spot, vec2(0, -1)) - spot.place;
   vec2 du = seen.across, dv = seen.up;
   vec3 rise = riseByUv(area.slope, normal, right, above, du, dv);
+  return SkinSeen(area, change2, rise);
+}
 #endif
-  SpotSkin found;
-  found.skin = skinOf(area, change2);
-  precise vec3 raised = normal - skinDepth * rise;
-  found.normal = unitOf(raised);
-  return found;
+
+SpotSkin skinOn(Spot spot, vec3 normal) {
+  SkinSeen seen = skinSeen(spot, normal);
+  precise vec3 raised = normal - skinDepth * seen.rise;
+  return SpotSkin(skinOf(seen.area, seen.change2), unitOf(raised));
 }

@@ -1,5 +1,6 @@
 // Where the kernels that find what is visible keep it. PASS 0 keeps the nearest at each sample, pass 1 the least number
-// among those that are as near. SAMPLES. SUN_MAP: the nearest of each texel of the sun's map alone. ADDS: neither.
+// among those that are as near. SAMPLES. SUN_MAP: the nearest of each texel of the sun's map alone; LAMP_MAP: of one face of a lamp's maps, seen as
+// a picture is. ADDS: neither.
 #include "draw/exact/bindings.glsl"
 #ifdef SUN_MAP
 uniform int mapTexels;
@@ -8,6 +9,18 @@ uniform int mapTexels;
 #include "draw/exact/view_block.glsl"
 #define PICTURE_SIZE view.size
 #endif
+#ifdef LAMP_MAP
+uniform int firstKey;   // of this map among those of all lamps
+uniform int keyStride;  // from one row to the next
+#endif
+
+int sampleIndex(ivec2 pixel, int s) {
+#ifdef LAMP_MAP
+  return firstKey + pixel.y * keyStride + pixel.x;
+#else
+  return (pixel.y * PICTURE_SIZE.x + pixel.x) * SAMPLES + s;
+#endif
+}
 layout(binding = nearUnit) uniform usamplerBuffer nearestKeys;  // the memory of nearKeys
 #ifndef ADDS
 layout(std430, binding = nearBinding) restrict buffer NearBlock { uint nearKeys[]; };

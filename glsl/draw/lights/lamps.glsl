@@ -3,7 +3,12 @@
 #include "draw/lights/point_light.glsl"
 #include "draw/surface/shading.glsl"
 #if SHADOWED_LAMPS > 0
+#include "draw/lights/faces.glsl"
+#ifdef EXACT_PICTURE
+#include "draw/exact/lamp_maps.glsl"
+#else
 #include "draw/lights/lamp_shadow.glsl"
+#endif
 #endif
 
 struct LampLight {
@@ -12,18 +17,19 @@ struct LampLight {
 };
 
 // Adds the share of number i, of which `fraction` reaches the place.
-void addLamp(inout LampLight sum, int i, Arrival a, float fraction, vec3 normal, vec3 view, float alpha,
-             float translucent) {
-  float nl = dot(normal, a.towards);
-  float lit = max(nl, 0.0);
+LampLight withLamp(LampLight sum, int i, Arrival a, float fraction, vec3 normal, vec3 view, float alpha,
+                   float translucent) {
+  float nl = dotted(normal, a.towards);
+  float lit = max(nl, 0.0f);
 #ifdef TRANSLUCENT
-  float direct = mix(lit, max(-nl, 0.0), translucent);
+  ROUNDED float direct = lit + (max(-nl, 0.0f) - lit) * translucent;
 #else
   float direct = lit;
 #endif
-  vec3 arriving = lampPower(i).rgb * (a.perArea * fraction);
-  sum.matt += arriving * direct;
-  sum.mirror += arriving * (lit * lobe(normal, view, a.towards, widenedAlpha(alpha, a.spread)));
+  ROUNDED vec3 arriving = lampPower(i).rgb * (a.perArea * fraction);
+  ROUNDED vec3 matt = sum.matt + arriving * direct;
+  ROUNDED vec3 mirror = sum.mirror + arriving * (lit * lobe(normal, view, a.towards, widenedAlpha(alpha, a.spread)));
+  return LampLight(matt, mirror);
 }
 
 LampLight lampLight(vec3 p, vec3 normal, vec3 view, float roughness, float translucent) {
@@ -33,13 +39,14 @@ LampLight lampLight(vec3 p, vec3 normal, vec3 view, float roughness, float trans
 #if SHADOWED_LAMPS > 0
   for (int i = 0; i < SHADOWED_LAMPS; ++i) {
     Arrival a = arrivalAt(p, lampPlace(i), lampPower(i).w);
-    float fraction = lampFraction(i, p - lampPlace(i).xyz, normal, dot(normal, a.towards));
-    addLamp(sum, i, a, fraction, normal, view, alpha, translucent);
+    ROUNDED vec3 from = p - lampPlace(i).xyz;
+    float fraction = lampFraction(i, from, normal, dotted(normal, a.towards));
+    sum = withLamp(sum, i, a, fraction, normal, view, alpha, translucent);
   }
 #endif
 #if SHADOWED_LAMPS < LAMPS
   for (int i = SHADOWED_LAMPS; i < LAMPS; ++i)
-    addLamp(sum, i, arrivalAt(p, lampPlace(i), lampPower(i).w), 1.0, normal, view, alpha, translucent);
+    sum = withLamp(sum, i, arrivalAt(p, lampPlace(i), lampPower(i).w), 1.0f, normal, view, alpha, translucent);
 #endif
   return sum;
 }

@@ -5,6 +5,8 @@
 // (Lambert 1760; the form factor of a sphere, for instance in Howell, "A Catalog of Radiation Heat Transfer Configuration
 // Factors", B-38). Inside it E stays I / R^2. A surface turned by theta gets E cos theta, which holds while no part
 // of the ball lies below its horizon.
+#include "draw/arithmetic.glsl"
+
 struct Arrival {
   vec3 towards;   // the ball's middle; unit
   float perArea;  // illuminance of what faces it, for each candela: 1/d^2 (1/m^2)
@@ -13,17 +15,21 @@ struct Arrival {
 
 // `ball`: xyz its middle, w radius (m); `perRadius2` = 1 / radius^2.
 FUNCTION Arrival arrivalAt(vec3 p, vec4 ball, float perRadius2) {
-  vec3 to = vec3(ball) - p;
-  float perDistance = inversesqrt(max(dot(to, to), 1e-12f));
+  ROUNDED vec3 to = vec3(ball) - p;
+  float perDistance = inverseRoot(max(dotted(to, to), 1e-12f));
+  ROUNDED vec3 towards = to * perDistance;
+  ROUNDED float perArea = perDistance * perDistance;
+  ROUNDED float spread = ball.w * perDistance;
   Arrival arrival;  // by its members: C++ before P0960 has no parentheses for this
-  arrival.towards = to * perDistance;
-  arrival.perArea = min(perDistance * perDistance, perRadius2);
-  arrival.spread = min(ball.w * perDistance, 1.0f);
+  arrival.towards = towards;
+  arrival.perArea = min(perArea, perRadius2);
+  arrival.spread = min(spread, 1.0f);
   return arrival;
 }
 
 // The alpha of a GGX lobe seen by a ball instead of a point: half vectors spread by half the angle of the light, and the
 // variances of the two spreads add up. The lobe stays one of GGX, so it keeps its energy.
 FUNCTION float widenedAlpha(float alpha, float spread) {
-  return sqrt(alpha * alpha + 0.25f * spread * spread);
+  ROUNDED float square = alpha * alpha + 0.25f * spread * spread;
+  return root(square);
 }

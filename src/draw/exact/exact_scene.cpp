@@ -5,6 +5,7 @@
 #include "draw/exact/bloom.hpp"
 #include "draw/exact/exact_view.hpp"
 #include "draw/exact/instances/exact_instances.hpp"
+#include "draw/exact/lamp_maps.hpp"
 #include "draw/exact/shaded_tiles.hpp"
 #include "draw/exact/surface_shading.hpp"
 #include "draw/exact/triangle_raster.hpp"
@@ -22,22 +23,9 @@ namespace simreel::draw {
 
 namespace {
 
-/// Throws for what only the driver's rasterizer draws.
-void requireNone(bool any, const char* what) {
-  if (any)
-    fail(ExitCode::usage, "the exact rasterizer does not draw {} yet; set \"rasterizer\" to \"driver\"",
-         what);
-}
-
 void checkSamples(int samples) {
   if (samples != 1 && samples != 2 && samples != 4 && samples != 8 && samples != 16)
     fail(ExitCode::usage, "{} samples per pixel: the exact rasterizer has 1, 2, 4, 8 and 16", samples);
-}
-
-gl::Defines withSamples(int samples, const gl::Defines& more) {
-  gl::Defines defines = {{"SAMPLES", std::to_string(samples)}};
-  defines.insert(defines.end(), more.begin(), more.end());
-  return defines;
 }
 
 }  // namespace
@@ -45,6 +33,13 @@ gl::Defines withSamples(int samples, const gl::Defines& more) {
 struct ExactScene::State {
   State(const scene::Scene& shown, glm::ivec2 pixels, int count);
 
+  /// Defines of what shades.
+  [[nodiscard]] gl::Defines lighting(int count) const {
+    gl::Defines defines = {{"SAMPLES", std::to_string(count)}};
+    for (const gl::Defines& more : {shadow.defines(), lamps.defines()})
+      defines.insert(defines.end(), more.begin(), more.end());
+    return defines;
+  }
   void drawShadows(const sim::Drawables& drawables);
   void shadeAll();
 
@@ -53,12 +48,14 @@ struct ExactScene::State {
   int samples;
   bool ground;
   SkinTextures skins;
+  Lamps lamps;
   ShadowPass shadow;
   gl::Buffer view;
   Visibility visibility;
   TriangleRaster triangles;
   std::optional<Visibility> map;
   std::optional<TriangleRaster> casters;
+  LampMaps lampMaps;
   ShadedTiles tiles;
   SurfaceShading surfaces;
   ExactInstances instances;
@@ -73,13 +70,15 @@ ExactScene::State::State(const scene::Scene& shown, glm::ivec2 pixels, int count
       samples(count),
       ground(shown.hasGround && shown.ground.visible),
       skins(shown),
+      lamps(shown, Rasterizer::exact),
       shadow(shown.sun),
       view("view", sizeof(shader::ExactView)),
       visibility("the picture", pixels, count, true),
       triangles(TriangleRaster::Into::picture, count),
+      lampMaps(lamps),
       tiles(pixels, count, ground, shadow.on()),
-      surfaces(shown, withSamples(count, shadow.defines())),
-      instances(count, withSamples(count, shadow.defines())),
+      surfaces(shown, lighting(count)),
+      instances(count, lighting(count)),
       bloom(shown.render.bloom, pixels),
       picture(gl::Program::compute("draw/exact/picture.comp",
                                    bloom.on() ? gl::Defines{{"BLOOM", "1"}} : gl::Defines{})),
@@ -89,7 +88,7 @@ ExactScene::State::State(const scene::Scene& shown, glm::ivec2 pixels, int count
     casters.emplace(TriangleRaster::Into::sunMap, 1);
   }
   if (!ground) return;
-  gl::Defines defines = withSamples(count, shadow.defines());
+  gl::Defines defines = lighting(count);
   if (shown.ground.roughness < 0.6F) defines.emplace_back("REFLECTIVE", "1");
   litGround = gl::Program::compute("draw/exact/shade_ground.comp", defines);
   if (!shadow.on()) return;
@@ -99,7 +98,6 @@ ExactScene::State::State(const scene::Scene& shown, glm::ivec2 pixels, int count
 
 ExactScene::ExactScene(const scene::Scene& scene, glm::ivec2 size, int samples) {
   checkSamples(samples);
-  requireNone(!scene.lights.empty(), "lights");
   state_ = std::make_unique<State>(scene, size, samples);
 }
 ExactScene::~ExactScene() = default;
@@ -113,9 +111,9 @@ void ExactScene::State::drawShadows(const sim::Drawables& drawables) {
   map->clear();
   gl::barrier();
   // A filter of r texels reads depths up to r + 1 texels of slope away.
-  const float slopeOffset = 1.5F + scene.sun.shadowSoftness;
-  casters->draw(casting, *map, slopeOffset);
-  instances.castShadows(drawables, *map, slopeOffset);
+  const MapPart part{.slopeOffset = 1.5F + scene.sun.shadowSoftness};
+  casters->draw(casting, *map, part);
+  instances.castShadows(drawables, *map, part);
 }
 
 void ExactScene::State::shadeAll() {
@@ -123,6 +121,7 @@ void ExactScene::State::shadeAll() {
   glClearTexImage(sums.name(), 0, GL_RGBA, GL_FLOAT, none.data());
   sums.bindImage(sumImage, GL_READ_WRITE);
   if (map) map->nearKeys().bind(mapUnit);
+  lampMaps.bind();
   const auto& drawn = triangles.drawn();
   for (std::size_t i = 0; i < drawn.size(); ++i)
     surfaces.shade(triangles, drawn[i], skins, tiles, static_cast<int>(i));
@@ -132,16 +131,22 @@ void ExactScene::State::shadeAll() {
   if (shadow.on()) tiles.shade(tiles.things() + 1, shadedGround);
 }
 
-void ExactScene::draw(double seconds, const sim::Drawables& drawables, const Overlays& overlays,
+void ExactScene::draw(double seconds, const sim::Drawables& published, const Overlays& overlays,
                       const gl::Texture& picture, const Watch& watch) {
   State& s = *state_;
   s.skins.update(overlays.textures);
+  if (s.lamps.on()) s.lamps.update(seconds, published);
+  const sim::Drawables drawables = s.lamps.on() ? s.lamps.withGlows(published) : published;
   const auto issued = [&](const char* stage) {
     if (watch) watch(stage);
   };
   const shader::ExactView values =
       exactView(viewAt(s.scene.camera, seconds, s.size, drawables), s.scene.camera, s.size);
   s.view.write(0, std::as_bytes(std::span(&values, 1)));
+  if (s.lampMaps.on()) {
+    s.lampMaps.draw(drawables, s.lamps, s.instances);
+    issued("shadow");
+  }
   s.view.bindUniform(viewBinding, 0, sizeof values);
   if (s.shadow.on()) {
     s.drawShadows(drawables);

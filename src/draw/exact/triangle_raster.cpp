@@ -77,6 +77,7 @@ const gl::Program& TriangleRaster::vertexProgram(const sim::Surface& surface) {
   if (key.first) defines.emplace_back("GRID", "1");
   if (key.second) defines.emplace_back("DEFORMED", "1");
   if (into_ == Into::sunMap) defines.emplace_back("SUN_MAP", "1");
+  if (into_ == Into::lampMap) defines.emplace_back("LAMP_MAP", "1");
   return vertexPrograms_.emplace(key, gl::Program::compute("draw/exact/vertices.comp", defines))
       .first->second;
 }
@@ -90,6 +91,7 @@ const gl::Program& TriangleRaster::program(const char* path, int pass, bool coun
                          {"PARTS", std::to_string(parts_)}};
   if (counted) defines.emplace_back("COUNTED", "1");
   if (into_ == Into::sunMap) defines.emplace_back("SUN_MAP", "1");
+  if (into_ == Into::lampMap) defines.emplace_back("LAMP_MAP", "1");
   return programs_.emplace(key, gl::Program::compute(path, defines)).first->second;
 }
 
@@ -120,7 +122,7 @@ void TriangleRaster::bind(const Drawn& drawn, const gl::Program& program) const 
   program.set("firstId", drawn.firstId);
 }
 
-void TriangleRaster::run(const char* path, int pass, const Visibility& into, float slopeOffset) {
+void TriangleRaster::run(const char* path, int pass, const Visibility& into, const MapPart& part) {
   into.bind();
   large_.bindStorage(largeBinding);
   largeView_.bind(largeUnit);
@@ -136,7 +138,7 @@ void TriangleRaster::run(const char* path, int pass, const Visibility& into, flo
     kernel.set("draw_", static_cast<int>(i));
     kernel.set("smallPixels", smallPixels_);
     kernel.set("mapTexels", into.size().x);
-    kernel.set("slopeOffset", slopeOffset);
+    part.set(kernel);
     if (small && !counted) {
       dispatchRows(kernel, drawn.maxTriangles);
       continue;
@@ -147,7 +149,7 @@ void TriangleRaster::run(const char* path, int pass, const Visibility& into, flo
 }
 
 void TriangleRaster::draw(const std::vector<const sim::Surface*>& surfaces, const Visibility& into,
-                          float slopeOffset) {
+                          const MapPart& part) {
   constexpr GLuint zero = 0;
   constexpr unsigned groupTriangles = 64;
   prepare(surfaces);
@@ -162,16 +164,16 @@ void TriangleRaster::draw(const std::vector<const sim::Surface*>& surfaces, cons
   }
   gl::barrier();
   glMemoryBarrier(GL_COMMAND_BARRIER_BIT);
-  run(trianglesPath, 0, into, slopeOffset);
+  run(trianglesPath, 0, into, part);
   gl::barrier();
   groups_.fill(counters_, {.counts = static_cast<int>(drawn_.size()), .parts = parts_}, largeGroups_);
   gl::barrier();
   glMemoryBarrier(GL_COMMAND_BARRIER_BIT);
-  run(largePath, 0, into, slopeOffset);
+  run(largePath, 0, into, part);
   gl::barrier();
-  if (into_ == Into::sunMap) return;
-  run(trianglesPath, 1, into, slopeOffset);
-  run(largePath, 1, into, slopeOffset);
+  if (into_ != Into::picture) return;
+  run(trianglesPath, 1, into, part);
+  run(largePath, 1, into, part);
   gl::barrier();
 }
 

@@ -15,7 +15,7 @@ namespace simreel::draw {
 /// The result does not depend on the order in which the device works.
 class TriangleRaster {
  public:
-  enum class Into { picture, sunMap };
+  enum class Into { picture, sunMap, lampMap };
   /// Triangles whose box has no side above `smallPixels` (0 to 64) are drawn by an invocation each, the
   /// others by groups, tile by tile: the same either way.
   TriangleRaster(Into into, int samples, int smallPixels = 16);
@@ -30,10 +30,10 @@ class TriangleRaster {
     gl::Texture indices;   ///< R32UI texel view
   };
 
-  /// Draws into what is cleared. The uniform blocks, and for a map the light's place, are bound.
-  /// `slopeOffset`: of a map, texels. Throws UserError(device) where there are more triangles than numbers.
+  /// Draws into what is cleared. The uniform blocks, and for the sun's map the light's place, are bound.
+  /// Throws UserError(device) where there are more triangles than numbers.
   void draw(const std::vector<const sim::Surface*>& surfaces, const Visibility& into,
-            float slopeOffset = 0);
+            const MapPart& part = {});
   [[nodiscard]] const std::vector<Drawn>& drawn() const { return drawn_; }
   /// Binds vertices and indices of one of drawn() and says where they are.
   void bind(const Drawn& drawn, const gl::Program& program) const;
@@ -43,7 +43,7 @@ class TriangleRaster {
   const gl::Program& program(const char* path, int pass, bool counted);
   void prepare(const std::vector<const sim::Surface*>& surfaces);
   void makeVertices(const Visibility& into);
-  void run(const char* path, int pass, const Visibility& into, float slopeOffset);
+  void run(const char* path, int pass, const Visibility& into, const MapPart& part);
 
   Into into_;
   int samples_;

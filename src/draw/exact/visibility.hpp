@@ -36,6 +36,19 @@ class Visibility {
   gl::Program clear_;
 };
 
+/// Where a shadow map lies among the keys, and how it is drawn.
+struct MapPart {
+  float slopeOffset = 0;  ///< texels by whose slope what casts shadows is moved away
+  int firstKey = 0;       ///< of a lamp's map: its first key,
+  int keyStride = 0;      ///< and how many there are from a row to the next
+  /// Sets what glsl/draw/exact/visible_sample.glsl and raster_triangle.glsl read.
+  void set(const gl::Program& program) const {
+    program.set("slopeOffset", slopeOffset);
+    program.set("firstKey", firstKey);
+    program.set("keyStride", keyStride);
+  }
+};
+
 /// Runs `items` invocations of a kernel whose groups of 64 stand in rows of at most 32,768.
 void dispatchRows(const gl::Program& program, int items);
 

@@ -67,4 +67,9 @@ std::vector<shader::Lamp> lampValues(const LampOrder& order, int seed, double se
   return lamps;
 }
 
+void setTexels(std::vector<shader::Lamp>& lamps, const LampOrder& order) {
+  for (std::size_t i = 0; i < order.rows.size(); ++i)
+    lamps[i].maps = glm::vec4(order.lights[i]->shadowSize, order.atlas.x, order.rows[i], lamps[i].maps.w);
+}
+
 }  // namespace simreel::draw

@@ -11,7 +11,8 @@ namespace simreel::draw {
 
 static_assert(sizeof(shader::Lamp) == shader::lampTexels * sizeof(glm::vec4));
 
-Lamps::Lamps(const scene::Scene& scene) : scene_(scene), order_(scene) {
+Lamps::Lamps(const scene::Scene& scene, Rasterizer rasterizer)
+    : scene_(scene), exact_(rasterizer == Rasterizer::exact), order_(scene) {
   if (!on()) return;
   const std::size_t count = order_.lights.size();
   float softest = 0;
@@ -44,6 +45,7 @@ Lamps::Lamps(const scene::Scene& scene) : scene_(scene), order_(scene) {
 
 void Lamps::update(double seconds, const sim::Drawables& drawables) {
   values_ = lampValues(order_, scene_.seed, seconds, drawables);
+  if (exact_) setTexels(values_, order_);
   lamps_.write(0, std::as_bytes(std::span(values_)));
   lamps_.bindUniform(lampBinding, 0, lamps_.bytes());
   lampsView_.bind(lampUnit);

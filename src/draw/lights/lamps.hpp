@@ -1,5 +1,6 @@
 #pragma once
 #include "draw/lights/lamp_values.hpp"
+#include "draw/rasterizer.hpp"
 #include "gl/buffer.hpp"
 #include "gl/program.hpp"
 #include "gl/texture.hpp"
@@ -16,10 +17,12 @@ namespace simreel::draw {
 class Lamps {
  public:
   /// The scene must outlive it.
-  explicit Lamps(const scene::Scene& scene);
+  explicit Lamps(const scene::Scene& scene, Rasterizer rasterizer = Rasterizer::driver);
 
   [[nodiscard]] bool on() const { return !order_.lights.empty(); }
   [[nodiscard]] const LampOrder& order() const { return order_; }
+  /// As they were updated last.
+  [[nodiscard]] const std::vector<shader::Lamp>& values() const { return values_; }
   /// Brings all of them to `seconds` of scene time and makes them readable by shaders.
   void update(double seconds, const sim::Drawables& drawables);
   /// The drawables with the lamps themselves: discs that add light, (1 - (r/R)^2)^2 of that in the middle,
@@ -35,6 +38,7 @@ class Lamps {
   void updateGlows(double seconds);
 
   const scene::Scene& scene_;
+  bool exact_;
   LampOrder order_;
   gl::Defines defines_, shadowDefines_;
   std::vector<shader::Lamp> values_;

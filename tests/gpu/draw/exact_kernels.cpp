@@ -19,7 +19,6 @@
 #include <glm/geometric.hpp>
 
 using namespace simreel;
-using namespace simreel::draw;
 
 namespace {
 
@@ -55,9 +54,9 @@ struct KernelStage {
 
   KernelStage() : frame(writtenFrame()), block("frame values", sizeof frame), balls(places(), speeds()) {
     block.write(0, std::as_bytes(std::span(&frame, 1)));
-    block.bindUniform(frameBinding, 0, sizeof frame);
-    balls.positionView.bind(positionUnit);
-    balls.velocityView.bind(velocityUnit);
+    block.bindUniform(draw::frameBinding, 0, sizeof frame);
+    balls.positionView.bind(draw::positionUnit);
+    balls.velocityView.bind(draw::velocityUnit);
   }
   static std::vector<glm::vec4> places() {
     Dice dice(11);
@@ -86,13 +85,13 @@ struct KernelStage {
     program.set("perMassReference", perMassReference);
     program.set("minPixels", 0.8F);
   }
-  /// Bounds of the balls, then the light's map: five rows, bound to lightUnit.
+  /// Bounds of the balls, then the light's map: five rows, bound to draw::lightUnit.
   std::vector<glm::vec4> fitted() {
     std::array<GLuint, 10> empty{};
     std::fill_n(empty.begin(), 5, 0xffffffffU);
     bounds = gl::Buffer::of<GLuint>("bounds", empty);
-    bounds.bindStorage(boundsBinding);
-    light.bindStorage(lightBinding);
+    bounds.bindStorage(draw::boundsBinding);
+    light.bindStorage(draw::lightBinding);
     const auto grow = gl::Program::compute("draw/surface/shadow_bounds.comp", {{"INSTANCES", "1"}});
     set(grow);
     grow.set("vertexCount", count);
@@ -101,7 +100,7 @@ struct KernelStage {
     glMemoryBarrier(GL_ALL_BARRIER_BITS);
     gl::Program::compute("draw/surface/shadow_fit.comp").dispatch(1);
     glMemoryBarrier(GL_ALL_BARRIER_BITS);
-    lightView.bind(lightUnit);
+    lightView.bind(draw::lightUnit);
     return light.readAll<glm::vec4>();
   }
 
@@ -173,7 +172,7 @@ TEST_CASE("exact kernels: balls in sight of camera and sun, in levels of detail"
                                        -0.16F * stage.frame.sunDirection + glm::vec4(0, 0, 0, 0.5F),
                                        glm::vec4(0.01F, 10, 6.25F, 0), glm::vec4(0)};
   stage.light.write(0, std::as_bytes(std::span(rows)));
-  stage.lightView.bind(lightUnit);
+  stage.lightView.bind(draw::lightUnit);
   for (const bool forLight : {false, true}) {
     CAPTURE(forLight);
     constexpr int words = 22;
@@ -182,7 +181,7 @@ TEST_CASE("exact kernels: balls in sight of camera and sun, in levels of detail"
     if (forLight) defines.emplace_back("FOR_LIGHT", "1");
     const auto cull = gl::Program::compute("draw/instances/cull_instances.comp", defines);
     const gl::Buffer masks("masks", std::size_t{levels} * words * 4);
-    masks.bindStorage(maskBinding);
+    masks.bindStorage(draw::maskBinding);
     stage.set(cull);
     cull.set("capacity", KernelStage::count);
     cull.set("words", words);
@@ -273,9 +272,9 @@ TEST_CASE("exact kernels: glows' places, sizes and light, and their sums") {
     program.set("colorOffset", -0.1F);
     program.set("brightness", 3.0F);
     program.set("fade", 0.3F);
-    listView.bind(listUnit);
-    argumentView.bind(argumentUnit);
-    stopView.bind(stopUnit);
+    listView.bind(draw::listUnit);
+    argumentView.bind(draw::argumentUnit);
+    stopView.bind(draw::stopUnit);
   };
   struct Glow {
     glm::dvec3 place;
@@ -301,7 +300,7 @@ TEST_CASE("exact kernels: glows' places, sizes and light, and their sums") {
   const auto kernel = gl::Program::compute("draw/instances/small_sprites.comp", {{"GLOW", "1"}});
   bind(kernel);
   const gl::Buffer sprites("sprites", slots.size() * 16);
-  sprites.bindStorage(spriteBinding);
+  sprites.bindStorage(draw::spriteBinding);
   kernel.set("invocations", 64);
   kernel.dispatch(64);
   gl::barrier();
@@ -329,10 +328,10 @@ TEST_CASE("exact kernels: glows' places, sizes and light, and their sums") {
   const gl::Texture depth = gl::Texture::image("depth", GL_R32F, size.x, size.y);
   const float far = 1;
   glClearTexImage(depth.name(), 0, GL_RED, GL_FLOAT, &far);
-  depth.bind(depthUnit);
+  depth.bind(draw::depthUnit);
   const std::size_t pixels = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
   const gl::Buffer sums("sums", pixels * 24);
-  sums.bindStorage(glowBinding);
+  sums.bindStorage(draw::glowBinding);
   sum.dispatch(64);
   gl::barrier();
   const auto words = sums.readAll<unsigned>();
@@ -364,7 +363,7 @@ TEST_CASE("exact kernels: the box around a surface in the world") {
   std::array<GLuint, 6> empty{};
   std::fill_n(empty.begin(), 3, 0xffffffffU);
   const auto boxes = gl::Buffer::of<GLuint>("box", empty);
-  boxes.bindStorage(boxBinding);
+  boxes.bindStorage(draw::boxBinding);
   kernel.set("model", model);
   kernel.set("surface", 0);
   kernel.set("vertexCount", 13);  // the next ones are lost
@@ -406,10 +405,10 @@ TEST_CASE("balls' shadows do not depend on what a simulation left bound") {
   const Picture first = drawn(scene, drawables, {97, 65});
   const auto junk = gl::Buffer::of<glm::vec4>("junk", std::vector<glm::vec4>(8, glm::vec4(1e-3F)));
   const auto view = gl::Texture::view("junk", GL_RGBA32F, junk);
-  view.bind(lightUnit);
+  view.bind(draw::lightUnit);
   CHECK(drawn(scene, drawables, {97, 65}).bytes == first.bytes);
   const auto wide = gl::Buffer::of<glm::vec4>("junk", std::vector<glm::vec4>(8, glm::vec4(1e5F)));
   const auto wideView = gl::Texture::view("junk", GL_RGBA32F, wide);
-  wideView.bind(lightUnit);
+  wideView.bind(draw::lightUnit);
   CHECK(drawn(scene, drawables, {97, 65}).bytes == first.bytes);
 }

@@ -2,6 +2,7 @@
 #include "base/hash.hpp"
 #include "draw/lights/flicker.hpp"
 #include "draw/lights/lamp_values.hpp"
+#include "draw/picture_code.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -16,15 +17,11 @@ using namespace simreel;
 
 namespace {
 
-using glm::dot;
-using glm::inversesqrt;
-using glm::vec3;
-using glm::vec4;
-using std::max;
-using std::min;
-using std::sqrt;
+using namespace simreel::shader;  // NOLINT: the model is written in GLSL's names
 #define FUNCTION inline
+#define precise
 #include "glsl/draw/lights/point_light.glsl"
+#undef precise
 #undef FUNCTION
 
 /// The hash of Jarzynski and Olano once more, of the words a, b, c: the first word, as -1 to 1.

@@ -38,6 +38,13 @@ FUNCTION BallHit ballHit(Ball ball, vec3 ray) {
   return hit;
 }
 
+// Where that ray meets the disc through the middle that faces the eye.
+FUNCTION float discDepth(Ball ball, vec3 ray) {
+  float along = exactDot(ray, ball.middle);
+  precise float depth = exactDot(ball.middle, ball.middle) * exactReciprocal(max(along, 1e-6f));
+  return depth;
+}
+
 // From and to where the ball may be seen along one axis of the picture (pixels); from above to where it is not.
 //
 // Its tangent planes through the eye: with `along` the pixels times depth for each metre, a place x where X - x D =

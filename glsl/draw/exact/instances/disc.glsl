@@ -11,7 +11,8 @@ FUNCTION ivec4 pixelsOfDisc(Disc disc, ivec2 size) {
   precise vec2 low = disc.middle - disc.radius + 0.5f;
   precise vec2 high = disc.middle + disc.radius - 0.5f;
   vec2 most = vec2(size);
-  vec2 from = clamp(low, vec2(0.0f), most), to = clamp(high, vec2(-1.0f), most - 1.0f);
+  precise vec2 last = most - 1.0f;
+  vec2 from = clamp(low, vec2(0.0f), most), to = clamp(high, vec2(-1.0f), last);
   return ivec4(int(floor(from.x)), int(floor(from.y)), int(floor(to.x)), int(floor(to.y)));
 }
 

@@ -33,7 +33,7 @@ void addUnits(ivec2 pixel, vec3 light) {
 // Adds the part `inside` of the light, at as many of the pixel's samples.
 void addPart(ivec2 pixel, vec3 light, float inside, int samples) {
   if (samples == 0) return;
-  precise float part = inside * float(samples) * (1.0f / float(SAMPLES));
+  precise float part = inside * float(samples) * perSamples();
   precise vec3 all_ = light * part;
   addUnits(pixel, all_);
 }

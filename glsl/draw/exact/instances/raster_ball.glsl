@@ -21,12 +21,16 @@ Rays raysOfView() {
 
 // The samples of one pixel that the ball covers.
 void putBall(Ball ball, Rays rays, ivec2 pixel, uint id) {
-  int at = (pixel.y * view.size.x + pixel.x) * SAMPLES;
   for (int s = 0; s < SAMPLES; ++s) {
     precise vec2 place = vec2(pixel * 16 + samplePlace(s)) * 0.0625f;
     BallHit hit = ballHit(ball, rayAt(rays, place));
+#ifdef LAMP_MAP
+    // The disc through its middle, as the sun sees it: the lit half lies before it, and does not shade itself.
+    hit.depth = discDepth(ball, rayAt(rays, place));
+#endif
     precise float near = view.near * exactReciprocal(max(hit.depth, 1e-6f));
     if (!hit.found || hit.depth < view.near || near < view.nearOverFar) continue;
-    keep(at + s, nearKey(near), texelFetch(nearestKeys, at + s).x, id);
+    int at = sampleIndex(pixel, s);
+    keep(at, nearKey(near), texelFetch(nearestKeys, at).x, id);
   }
 }

@@ -24,6 +24,7 @@ const gl::Program& BallRaster::program(bool large, int pass) {
   gl::Defines defines = {{"SAMPLES", std::to_string(samples_)}, {"PASS", std::to_string(pass)}};
   const bool map = into_ == Into::sunMap;
   if (map) defines.emplace_back("SUN_MAP", "1");
+  if (into_ == Into::lampMap) defines.emplace_back("LAMP_MAP", "1");
   if (map && large) defines.emplace_back("LARGE", "1");
   const char* path = map     ? "draw/exact/instances/ball_shadows.comp"
                      : large ? "draw/exact/instances/large_balls.comp"
@@ -43,7 +44,8 @@ void BallRaster::prepare() {
   glClearNamedBufferData(counters_.name(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, &zero);
 }
 
-void BallRaster::run(bool large, int pass, const std::vector<unsigned>& firstIds, const Visibility& into) {
+void BallRaster::run(bool large, int pass, const std::vector<unsigned>& firstIds, const Visibility& into,
+                     const MapPart& part) {
   into.bind();
   large_.bindStorage(largeBinding);
   largeView_.bind(largeUnit);
@@ -60,6 +62,7 @@ void BallRaster::run(bool large, int pass, const std::vector<unsigned>& firstIds
     kernel.set("firstLarge", firstLarge);
     kernel.set("smallPixels", smallPixels_);
     kernel.set("mapTexels", into.size().x);
+    part.set(kernel);
     firstLarge += balls.capacity;
     if (large) {
       kernel.use();
@@ -70,20 +73,21 @@ void BallRaster::run(bool large, int pass, const std::vector<unsigned>& firstIds
   }
 }
 
-void BallRaster::drawNearest(const std::vector<const sim::Instances*>& balls, const Visibility& into) {
+void BallRaster::drawNearest(const std::vector<const sim::Instances*>& balls, const Visibility& into,
+                             const MapPart& part) {
   balls_ = balls;
   if (balls_.empty()) return;
   prepare();
   gl::barrier();
   const std::vector<unsigned> none(balls_.size(), 0U);
-  run(false, 0, none, into);
+  run(false, 0, none, into, part);
   gl::barrier();
   groups_.fill(counters_,
                {.counts = static_cast<int>(balls_.size()), .parts = partsFor(into.size(), samples_)},
                largeGroups_);
   gl::barrier();
   glMemoryBarrier(GL_COMMAND_BARRIER_BIT);
-  run(true, 0, none, into);
+  run(true, 0, none, into, part);
   gl::barrier();
 }
 

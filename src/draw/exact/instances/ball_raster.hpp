@@ -14,21 +14,23 @@ namespace simreel::draw {
 /// map. The result does not depend on the order in which the device works.
 class BallRaster {
  public:
-  enum class Into { picture, sunMap };
+  enum class Into { picture, sunMap, lampMap };
   /// Balls whose box has no side above `smallPixels` (0 to 64) are drawn by an invocation each, the others
   /// by groups, tile by tile: the same either way.
   BallRaster(Into into, int samples, int smallPixels = 16);
 
   /// What is nearest, into what is cleared or drawn already. The uniform blocks, and for a map the light's
   /// place, are bound.
-  void drawNearest(const std::vector<const sim::Instances*>& balls, const Visibility& into);
+  void drawNearest(const std::vector<const sim::Instances*>& balls, const Visibility& into,
+                   const MapPart& part = {});
   /// The numbers of those that are nearest when all is drawn, each from firstIds[i] on.
   void drawNumbers(const std::vector<unsigned>& firstIds, const Visibility& into);
 
  private:
   const gl::Program& program(bool large, int pass);
   void prepare();
-  void run(bool large, int pass, const std::vector<unsigned>& firstIds, const Visibility& into);
+  void run(bool large, int pass, const std::vector<unsigned>& firstIds, const Visibility& into,
+           const MapPart& part = {});
 
   Into into_;
   int samples_;

@@ -36,6 +36,7 @@ const gl::Program& CopyRaster::program(const char* path, Pass pass) {
                          {"PASS", pass == Pass::nearest ? "0" : "1"}};
   if (pass == Pass::light) defines.emplace_back("ADDS", "1");
   if (into_ == Into::sunMap) defines.emplace_back("SUN_MAP", "1");
+  if (into_ == Into::lampMap) defines.emplace_back("LAMP_MAP", "1");
   return programs_.emplace(key, gl::Program::compute(path, defines)).first->second;
 }
 
@@ -103,7 +104,7 @@ void CopyRaster::list(const std::vector<Copies>& copies, const Visibility& into)
 }
 
 void CopyRaster::runPart(std::size_t number, Pass pass, unsigned firstId, const Visibility& into,
-                         float slopeOffset) {
+                         const MapPart& map) {
   const Part& part = parts_[number];
   const Copies& copies = copies_[part.draw];
   const auto start = [&](const char* path) -> const gl::Program& {
@@ -118,7 +119,7 @@ void CopyRaster::runPart(std::size_t number, Pass pass, unsigned firstId, const 
     kernel.set("smallPixels", smallPixels_);
     kernel.set("doubleSided", 1);
     kernel.set("mapTexels", into.size().x);
-    kernel.set("slopeOffset", slopeOffset);
+    map.set(kernel);
     return kernel;
   };
   large_.bindStorage(largeBinding);
@@ -142,25 +143,26 @@ void CopyRaster::runPart(std::size_t number, Pass pass, unsigned firstId, const 
 }
 
 void CopyRaster::run(Pass pass, const std::vector<unsigned>& firstIds, const Visibility& into,
-                     float slopeOffset) {
+                     const MapPart& map) {
   clear(largeCounts_);
   gl::barrier();
   if (pass != Pass::light) into.bind();
   into.nearKeys().bind(nearUnit);
   listedView_.bind(listUnit);
   for (std::size_t part = 0; part < parts_.size(); ++part)
-    runPart(part, pass, firstIds[parts_[part].draw], into, slopeOffset);
+    runPart(part, pass, firstIds[parts_[part].draw], into, map);
 }
 
-void CopyRaster::drawNearest(const std::vector<Copies>& copies, const Visibility& into, float slopeOffset) {
+void CopyRaster::drawNearest(const std::vector<Copies>& copies, const Visibility& into,
+                             const MapPart& map) {
   copies_.clear();
   if (copies.empty()) return;
   list(copies, into);
-  run(Pass::nearest, std::vector<unsigned>(copies.size(), 0U), into, slopeOffset);
+  run(Pass::nearest, std::vector<unsigned>(copies.size(), 0U), into, map);
 }
 
 void CopyRaster::drawNumbers(const std::vector<unsigned>& firstIds, const Visibility& into) {
-  if (!copies_.empty()) run(Pass::numbers, firstIds, into, 0);
+  if (!copies_.empty()) run(Pass::numbers, firstIds, into, {});
 }
 
 void CopyRaster::addLight(const std::vector<Copies>& copies, const Visibility& into) {
@@ -168,7 +170,7 @@ void CopyRaster::addLight(const std::vector<Copies>& copies, const Visibility& i
   colors_.resize(std::max(colors_.size(), copies.size()));
   for (std::size_t i = 0; i < copies.size(); ++i) colors_[i].update(*copies[i].instances);
   list(copies, into);
-  run(Pass::light, std::vector<unsigned>(copies.size(), 0U), into, 0);
+  run(Pass::light, std::vector<unsigned>(copies.size(), 0U), into, {});
 }
 
 }  // namespace simreel::draw

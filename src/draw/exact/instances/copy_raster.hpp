@@ -15,7 +15,7 @@ namespace simreel::draw {
 /// takes one triangle of one copy. The result does not depend on the order in which the device works.
 class CopyRaster {
  public:
-  enum class Into { picture, sunMap };
+  enum class Into { picture, sunMap, lampMap };
   /// Triangles whose box has no side above `smallPixels` (0 to 64) are drawn by an invocation each, the
   /// others by groups, tile by tile; `pairs`: so many triangles of copies at once. The same either way.
   CopyRaster(Into into, int samples, int smallPixels = 16, unsigned pairs = 1U << 22U)
@@ -27,9 +27,9 @@ class CopyRaster {
     const InstanceShape* shape = nullptr;
     [[nodiscard]] unsigned triangles() const;
   };
-  /// What is nearest, into what is cleared or drawn already. The uniform blocks, and for a map the light's
-  /// place, are bound. `slopeOffset`: of a map, texels.
-  void drawNearest(const std::vector<Copies>& copies, const Visibility& into, float slopeOffset = 0);
+  /// What is nearest, into what is cleared or drawn already. The uniform blocks, and for the sun's map
+  /// the light's place, are bound.
+  void drawNearest(const std::vector<Copies>& copies, const Visibility& into, const MapPart& map = {});
   /// The numbers of those that are nearest when all is drawn, each from firstIds[i] on.
   void drawNumbers(const std::vector<unsigned>& firstIds, const Visibility& into);
   /// Adds light to the bound sums of GlowRaster, before what is visible.
@@ -48,8 +48,8 @@ class CopyRaster {
   };
   const gl::Program& program(const char* path, Pass pass);
   void list(const std::vector<Copies>& copies, const Visibility& into);
-  void run(Pass pass, const std::vector<unsigned>& firstIds, const Visibility& into, float slopeOffset);
-  void runPart(std::size_t part, Pass pass, unsigned firstId, const Visibility& into, float slopeOffset);
+  void run(Pass pass, const std::vector<unsigned>& firstIds, const Visibility& into, const MapPart& map);
+  void runPart(std::size_t part, Pass pass, unsigned firstId, const Visibility& into, const MapPart& map);
 
   Into into_;
   int samples_;

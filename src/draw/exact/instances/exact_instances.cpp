@@ -31,19 +31,29 @@ unsigned after(unsigned firstId, std::uint64_t count) {
 
 }  // namespace
 
-void ExactInstances::castShadows(const sim::Drawables& drawables, const Visibility& map,
-                                 float slopeOffset) {
-  std::vector<const sim::Instances*> balls;
-  std::vector<CopyRaster::Copies> copies;
+void ExactInstances::cast(const sim::Drawables& drawables, BallRaster& balls, CopyRaster& copies,
+                          const Visibility& map, const MapPart& part) {
+  std::vector<const sim::Instances*> castingBalls;
+  std::vector<CopyRaster::Copies> castingCopies;
   for (const sim::Instances& instances : drawables.instances) {
     if (!castsShadow(instances)) continue;
     if (isMesh(instances))
-      copies.push_back(copiesOf(instances));
+      castingCopies.push_back(copiesOf(instances));
     else
-      balls.push_back(&instances);
+      castingBalls.push_back(&instances);
   }
-  ballShadows_.drawNearest(balls, map);
-  copyShadows_.drawNearest(copies, map, slopeOffset);
+  balls.drawNearest(castingBalls, map, part);
+  copies.drawNearest(castingCopies, map, part);
+}
+
+void ExactInstances::castShadows(const sim::Drawables& drawables, const Visibility& map,
+                                 const MapPart& part) {
+  cast(drawables, ballShadows_, copyShadows_, map, part);
+}
+
+void ExactInstances::castLampShadows(const sim::Drawables& drawables, const Visibility& maps,
+                                     const MapPart& part) {
+  cast(drawables, ballLampShadows_, copyLampShadows_, maps, part);
 }
 
 void ExactInstances::drawNearest(const sim::Drawables& drawables, const Visibility& picture) {

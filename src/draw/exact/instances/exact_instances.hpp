@@ -22,8 +22,9 @@ class ExactInstances {
   /// Grows the sun's bounds; see ShadowPass::fit.
   void growBounds(const sim::Drawables& drawables) { bounds_.grow(drawables, shapes_); }
   /// Into the sun's map, where other things may be drawn already. The light's place is bound.
-  /// `slopeOffset`: texels, as of TriangleRaster.
-  void castShadows(const sim::Drawables& drawables, const Visibility& map, float slopeOffset);
+  void castShadows(const sim::Drawables& drawables, const Visibility& map, const MapPart& part);
+  /// Into one of a lamp's maps, whose view is bound.
+  void castLampShadows(const sim::Drawables& drawables, const Visibility& maps, const MapPart& part);
   /// What is nearest: before anything has drawn numbers.
   void drawNearest(const sim::Drawables& drawables, const Visibility& picture);
   /// The numbers, from `firstId` on, when everything has drawn what is nearest. Adds the first of each draw
@@ -37,6 +38,8 @@ class ExactInstances {
   void addLight(const sim::Drawables& drawables, const Visibility& picture);
 
  private:
+  void cast(const sim::Drawables& drawables, BallRaster& balls, CopyRaster& copies, const Visibility& map,
+            const MapPart& part);
   const gl::Program& shading(const char* path, const sim::Instances& instances);
   [[nodiscard]] CopyRaster::Copies copiesOf(const sim::Instances& instances) {
     return {&instances, &shapes_.of(instances)};
@@ -56,6 +59,8 @@ class ExactInstances {
   std::vector<unsigned> copyIds_;
   CopyRaster copyRaster_{CopyRaster::Into::picture, samples_};
   CopyRaster copyShadows_{CopyRaster::Into::sunMap, 1, 64};
+  BallRaster ballLampShadows_{BallRaster::Into::lampMap, 1, 64};
+  CopyRaster copyLampShadows_{CopyRaster::Into::lampMap, 1, 64};
   CopyRaster copyGlows_{CopyRaster::Into::picture, samples_};
   GlowRaster glowRaster_{samples_};
   std::vector<InstanceColors> colors_;

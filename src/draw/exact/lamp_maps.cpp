@@ -1,0 +1,89 @@
+#include "draw/exact/lamp_maps.hpp"
+
+#include "draw/exact/bindings.hpp"
+#include "draw/exact/exact_view.hpp"
+#include "gl/element_array.hpp"
+#include "gl/limits.hpp"
+
+#include <algorithm>
+#include <span>
+#include <vector>
+
+namespace simreel::draw {
+
+namespace {
+
+/// A face of a lamp's maps as a camera (glsl/draw/lights/faces.glsl): with x along its axis and y, z across
+/// it, a map of `side` texels covers scale |y|, scale |z| <= x.
+shader::ExactView faceView(const shader::Lamp& lamp, int face, int side, float scale) {
+  const auto axis = [&](int k) {
+    glm::vec3 unit(0);
+    unit[(face / 2 + k) % 3] = 1;
+    return unit;
+  };
+  const glm::vec3 along = (face & 1) != 0 ? -axis(0) : axis(0);
+  const glm::vec3 right = axis(1);
+  const glm::vec3 down = axis(2);
+  const float half = 0.5F * static_cast<float>(side);
+  shader::ExactView view{};
+  view.eye = glm::vec4(glm::vec3(lamp.place), 0);
+  view.across = glm::vec4(half * (along + scale * right), 0);
+  view.down = glm::vec4(half * (along + scale * down), 0);
+  view.forward = glm::vec4(along, 0);
+  view.ray = glm::vec4(along - (right + down) / scale, 0);
+  view.rayAcross = glm::vec4(right / (half * scale), 0);
+  view.rayDown = glm::vec4(down / (half * scale), 0);
+  view.size = glm::ivec2(side);
+  view.near = lamp.sampling.x;
+  view.nearOverFar = 0;
+  return view;
+}
+
+}  // namespace
+
+LampMaps::LampMaps(const Lamps& lamps) : count_(lamps.order().shadowed) {
+  if (!on()) return;
+  for (const scene::Light* light : lamps.order().lights)
+    if (light->shadow) softness_ = std::max(softness_, light->shadowSoftness);
+  keys_.emplace("the shadow maps of the lights", lamps.order().atlas, 1, false);
+  raster_.emplace(TriangleRaster::Into::lampMap, 1, 64);
+  const auto alignment = static_cast<std::size_t>(gl::limits().uniformAlignment);
+  viewStride_ = (sizeof(shader::ExactView) + alignment - 1) / alignment * alignment;
+  views_ =
+      gl::Buffer("views of the lamps", static_cast<std::size_t>(count_ * shader::lampFaces) * viewStride_);
+}
+
+void LampMaps::draw(const sim::Drawables& drawables, const Lamps& lamps, ExactInstances& instances) {
+  std::vector<const sim::Surface*> casting;
+  for (const sim::Surface& surface : drawables.surfaces)
+    if (castsShadow(surface)) casting.push_back(&surface);
+  std::vector<std::byte> bytes(views_.bytes());
+  const LampOrder& order = lamps.order();
+  for (int i = 0; i < count_ * shader::lampFaces; ++i) {
+    const auto lamp = static_cast<std::size_t>(i / shader::lampFaces);
+    const shader::ExactView view = faceView(lamps.values()[lamp], i % shader::lampFaces,
+                                            order.lights[lamp]->shadowSize, lamps.values()[lamp].maps.w);
+    const auto from = std::as_bytes(std::span(&view, 1));
+    std::copy(from.begin(), from.end(), bytes.begin() + static_cast<std::ptrdiff_t>(i * viewStride_));
+  }
+  views_.write(0, bytes);
+  keys_->clear();
+  gl::barrier();
+  for (int i = 0; i < count_ * shader::lampFaces; ++i) {
+    const auto lamp = static_cast<std::size_t>(i / shader::lampFaces);
+    views_.bindUniform(viewBinding, static_cast<std::size_t>(i) * viewStride_, sizeof(shader::ExactView));
+    // As for the sun: a filter of r texels reads depths up to r + 1 texels of slope away.
+    const MapPart part{.slopeOffset = 1.5F + softness_,
+                       .firstKey = order.rows[lamp] * order.atlas.x +
+                                   i % shader::lampFaces * order.lights[lamp]->shadowSize,
+                       .keyStride = order.atlas.x};
+    raster_->draw(casting, *keys_, part);
+    instances.castLampShadows(drawables, *keys_, part);
+  }
+}
+
+void LampMaps::bind() const {
+  if (on()) keys_->nearKeys().bind(lampMapUnit);
+}
+
+}  // namespace simreel::draw

@@ -1,0 +1,32 @@
+#pragma once
+#include "draw/exact/instances/exact_instances.hpp"
+#include "draw/exact/triangle_raster.hpp"
+#include "draw/lights/lamps.hpp"
+#include "gl/buffer.hpp"
+
+#include <optional>
+
+namespace simreel::draw {
+
+/// Shadow maps around the lamps, six for each, drawn by the exact rasterizer: every one is seen as a
+/// picture is.
+class LampMaps {
+ public:
+  explicit LampMaps(const Lamps& lamps);
+  [[nodiscard]] bool on() const { return count_ > 0; }
+  /// Draws all of them for the lamps as they were updated last; the view's block is bound to others
+  /// afterwards.
+  void draw(const sim::Drawables& drawables, const Lamps& lamps, ExactInstances& instances);
+  /// Makes them readable by shaders.
+  void bind() const;
+
+ private:
+  int count_;  ///< lamps with shadows
+  float softness_ = 0;
+  std::size_t viewStride_ = 0;  ///< bytes from one map's view to the next
+  std::optional<Visibility> keys_;
+  std::optional<TriangleRaster> raster_;
+  gl::Buffer views_;
+};
+
+}  // namespace simreel::draw

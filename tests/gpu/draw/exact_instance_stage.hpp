@@ -1,0 +1,59 @@
+#pragma once
+#include "draw/exact/bindings.hpp"
+#include "draw/exact/exact_view.hpp"
+#include "draw/exact/visibility.hpp"
+#include "draw/frame_values.hpp"
+#include "gl/element_array.hpp"
+#include "gpu/draw/instance_stage.hpp"
+
+#include <vector>
+
+/// What kernels of the exact rasterizer draw into, and what they left there.
+struct ExactStage {
+  ExactStage(const simreel::scene::Scene& scene, glm::ivec2 pixels, int count)
+      : size(pixels), samples(count), target("a test", pixels, count, true) {
+    using namespace simreel;
+    const shader::Frame values = draw::frameValues(scene, size, 0, {});
+    view = draw::exactView(draw::viewAt(scene.camera, 0, size, {}), scene.camera, size);
+    frame = gl::Buffer("frame values", sizeof values);
+    frame.write(0, std::as_bytes(std::span(&values, 1)));
+    viewBuffer = gl::Buffer("view", sizeof view);
+    viewBuffer.write(0, std::as_bytes(std::span(&view, 1)));
+    clear();
+  }
+
+  void clear() {
+    using namespace simreel;
+    frame.bindUniform(draw::frameBinding, 0, frame.bytes());
+    viewBuffer.bindUniform(draw::viewBinding, 0, viewBuffer.bytes());
+    target.clear();
+    gl::barrier();
+  }
+
+  [[nodiscard]] std::vector<unsigned> keys() const { return words(target.nearBuffer()); }
+  [[nodiscard]] std::vector<unsigned> ids() const { return words(target.idBuffer()); }
+
+  /// Sample `i` of all, in pixels.
+  [[nodiscard]] glm::vec2 place(std::size_t i) const {
+    // In 1/16 pixel; the patterns of glsl/draw/exact/fixed.glsl.
+    static constexpr int four[4][2] = {{6, 2}, {14, 6}, {2, 10}, {10, 14}};
+    const int pixel = static_cast<int>(i) / samples;
+    const std::size_t s = i % static_cast<std::size_t>(samples);
+    const glm::ivec2 aside = samples == 1 ? glm::ivec2(8) : glm::ivec2(four[s][0], four[s][1]);
+    return glm::vec2(glm::ivec2(pixel % size.x, pixel / size.x) * 16 + aside) * 0.0625F;
+  }
+
+  glm::ivec2 size;
+  int samples;
+  simreel::shader::ExactView view{};
+  simreel::gl::Buffer frame, viewBuffer;
+  simreel::draw::Visibility target;
+
+ private:
+  [[nodiscard]] std::vector<unsigned> words(const simreel::gl::Buffer& buffer) const {
+    glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+    std::vector<unsigned> found = buffer.readAll<unsigned>();
+    found.resize(static_cast<std::size_t>(size.x * size.y * samples));
+    return found;
+  }
+};
