@@ -8,6 +8,7 @@
 #include "gl/context.hpp"
 #include "gl/limits.hpp"
 #include "gl/machine.hpp"
+#include "scene/scene.hpp"
 #include "sim/core/numerics.hpp"
 
 #include <cstdlib>
@@ -49,6 +50,13 @@ void printLimits() {
   print("  anisotropy              {}\n", l.anisotropy);
 }
 
+void printRasterizer() {
+  const bool exact = scene::Render{}.rasterizer == scene::Rasterizer::exact;
+  print("Rasterizer: {}, the default ({})\n", exact ? "exact" : "driver",
+        exact ? "the same pixels on every machine; --rasterizer driver draws with this driver's own"
+              : "edges and filters are this driver's; --rasterizer exact draws the same pixels everywhere");
+}
+
 void doctor(const std::string& device) {
   print("simreel {}\n", version());
   const auto assets = assetFolder();
@@ -60,6 +68,7 @@ void doctor(const std::string& device) {
   print("Memory path: {}\n", gl::memoryPath() == gl::MemoryPath::texel
                                  ? "texel (software drivers load texels fastest)"
                                  : "storage (storage blocks and shared memory)");
+  printRasterizer();
   if (const char* threads = std::getenv("LP_NUM_THREADS"); threads != nullptr && gl::softwareDriver())
     print("Driver's threads: {} (LP_NUM_THREADS), {} processors\n", threads, processorCount());
   printLimits();

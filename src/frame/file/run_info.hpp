@@ -23,7 +23,7 @@ struct RunInfo {
   std::string fingerprint;     ///< of the driver's numerics
   std::string driver;          ///< renderer and version string
   std::string processor = {};  ///< with the driver, the machine; empty: not known
-  /// "path=value" of each -D, --seed, --size, --fps and --samples.
+  /// "path=value" of each -D, --seed, --size, --fps, --samples and --rasterizer.
   std::vector<std::string> overrides = {};
 };
 

@@ -65,6 +65,7 @@ class Success(Case):
         done = self.good("doctor")
         self.assertIn(b"Chosen: ", done.stdout)
         self.assertIn(b"Exact numerics: hold", done.stdout)
+        self.assertRegex(done.stdout, rb"\nRasterizer: (driver|exact), the default \(")
 
     def test_a_software_driver_gets_two_threads_for_each_processor_that_it_may_use(self):
         """By affinity; a user's own LP_NUM_THREADS stays."""
