@@ -55,7 +55,15 @@ void putSample(Triangle t, ivec2 pixel, int s, uint before, uint id) {
 // The samples that the mask has, of one pixel.
 void putPixel(Triangle t, ivec2 pixel, int mask, uint id) {
   int at = (pixel.y * PICTURE_SIZE.x + pixel.x) * SAMPLES;
+#if SAMPLES < 4
   for (int s = 0; s < SAMPLES; ++s)
     if ((mask >> s & 1) != 0) putSample(t, pixel, s, texelFetch(nearestKeys, at + s).x, id);
+#else
+  for (int s = 0; s < SAMPLES; s += 4) {  // software drivers fetch four as dearly as one
+    uvec4 before = texelFetch(nearestFours, (at + s) / 4);
+    for (int i = 0; i < 4; ++i)
+      if ((mask >> (s + i) & 1) != 0) putSample(t, pixel, s + i, before[i], id);
+  }
+#endif
 }
 #endif

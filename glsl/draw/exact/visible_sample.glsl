@@ -8,7 +8,8 @@ uniform int mapTexels;
 #include "draw/exact/view_block.glsl"
 #define PICTURE_SIZE view.size
 #endif
-layout(binding = nearUnit) uniform usamplerBuffer nearestKeys;  // the memory of nearKeys
+layout(binding = nearUnit) uniform usamplerBuffer nearestKeys;    // the memory of nearKeys
+layout(binding = nearFoursUnit) uniform usamplerBuffer nearestFours;  // the same, four a texel
 #ifndef ADDS
 layout(std430, binding = nearBinding) restrict buffer NearBlock { uint nearKeys[]; };
 layout(std430, binding = idBinding) restrict buffer IdBlock { uint ids[]; };

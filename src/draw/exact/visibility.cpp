@@ -39,7 +39,8 @@ Visibility::Visibility(const std::string& label, glm::ivec2 size, int samples, b
       samples_(samples),
       withIds_(ids),
       near_("what is nearest on " + label, samplesOf(label, size, samples) * sizeof(GLuint)),
-      nearView_(gl::Texture::view(label, GL_R32UI, near_, sizeof(GLuint))) {
+      nearView_(gl::Texture::view(label, GL_R32UI, near_, sizeof(GLuint))),
+      nearFours_(gl::Texture::view(label, GL_RGBA32UI, near_, 4 * sizeof(GLuint))) {
   if (withIds_) {
     ids_ = gl::Buffer("what is visible on " + label, near_.bytes());
     idView_ = gl::Texture::view(label, GL_R32UI, ids_, sizeof(GLuint));
@@ -67,6 +68,7 @@ void Visibility::clear() const {
 void Visibility::bind() const {
   near_.bindStorage(nearBinding);
   nearView_.bind(nearUnit);
+  nearFours_.bind(nearFoursUnit);
   if (!withIds_) return;
   ids_.bindStorage(idBinding);
   idView_.bind(idUnit);
