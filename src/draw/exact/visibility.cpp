@@ -44,6 +44,7 @@ Visibility::Visibility(const std::string& label, glm::ivec2 size, int samples, b
   if (withIds_) {
     ids_ = gl::Buffer("what is visible on " + label, near_.bytes());
     idView_ = gl::Texture::view(label, GL_R32UI, ids_, sizeof(GLuint));
+    idFours_ = gl::Texture::view(label, GL_RGBA32UI, ids_, 4 * sizeof(GLuint));
   }
   if (!gl::softwareDriver()) clear_ = gl::Program::compute("draw/exact/clear.comp");
 }
@@ -72,6 +73,7 @@ void Visibility::bind() const {
   if (!withIds_) return;
   ids_.bindStorage(idBinding);
   idView_.bind(idUnit);
+  idFours_.bind(idFoursUnit);
 }
 
 }  // namespace simreel::draw

@@ -32,7 +32,7 @@ class Visibility {
   int samples_ = 1;
   bool withIds_ = false;
   gl::Buffer near_, ids_;
-  gl::Texture nearView_, nearFours_, idView_;
+  gl::Texture nearView_, nearFours_, idView_, idFours_;
   gl::Program clear_;
 };
 
