@@ -3,7 +3,8 @@
 #include "draw/exact/bindings.glsl"
 #ifdef SUN_MAP
 uniform int mapTexels;
-#define PICTURE_SIZE ivec2(mapTexels)
+ivec2 mapSize = ivec2(mapTexels);
+#define PICTURE_SIZE mapSize
 #else
 #include "draw/exact/view_block.glsl"
 #define PICTURE_SIZE view.size
