@@ -29,6 +29,10 @@ std::size_t samplesOf(const std::string& label, glm::ivec2 size, int samples) {
 
 }  // namespace
 
+int smallTriangle() {
+  return gl::softwareDriver() ? 64 : 16;
+}
+
 void dispatchRows(const gl::Program& program, int items) {
   constexpr int row = rowGroups * groupItems;
   program.dispatch(std::min(items, row), (items + row - 1) / row);

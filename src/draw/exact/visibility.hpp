@@ -36,6 +36,10 @@ class Visibility {
   gl::Program clear_;
 };
 
+/// The longest side (pixels) of the box of a triangle that an invocation best draws alone on this device:
+/// software drivers work through all the lanes of a group anyway, cards want more of them.
+int smallTriangle();
+
 /// Runs `items` invocations of a kernel whose groups of 64 stand in rows of at most 32,768.
 void dispatchRows(const gl::Program& program, int items);
 
