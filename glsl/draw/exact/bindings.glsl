@@ -6,7 +6,8 @@
 const int viewBinding = 3;
 // Texel views: beside those of surfaces (positionUnit to paletteUnit),
 const int vertexUnit = 19, indexUnit = 20, idUnit = 21, nearUnit = 22, mapUnit = 23;
-const int firstIdUnit = 24, tileListUnit = 25, largeUnit = 26, counterUnit = 27, lampMapUnit = 28;
+const int firstIdUnit = 24, tileListUnit = 25, largeUnit = 26, counterUnit = 27, nearFoursUnit = 28, idFoursUnit = 29;
+const int lampMapUnit = 30;
 // Storage blocks.
 const int outVertexBinding = 0, nearBinding = 1, idBinding = 2, largeBinding = 3, counterBinding = 4;
 const int tileListBinding = 5, dispatchBinding = 6, drawArgumentBinding = 7;

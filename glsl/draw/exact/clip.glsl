@@ -60,7 +60,9 @@ FUNCTION Polygon clippedToPicture(vec3 a, vec3 b, vec3 c, vec2 size, float neare
   p.corners[1] = b;
   p.corners[2] = c;
   p.count = 3;
-  for (int k = 0; k < 5; ++k) p = clipped(p, k, size, nearest);
+  bool whole = inside(a, size, nearest) && inside(b, size, nearest) && inside(c, size, nearest);
+  int planes = whole ? 0 : 5;
+  for (int k = 0; k < planes; ++k) p = clipped(p, k, size, nearest);
   return p;
 }
 #endif

@@ -57,7 +57,16 @@ void putSample(Triangle t, ivec2 pixel, int s, uint before, uint id) {
 
 // The samples that the mask has, of one pixel.
 void putPixel(Triangle t, ivec2 pixel, int mask, uint id) {
+#if SAMPLES < 4
   for (int s = 0; s < SAMPLES; ++s)
     if ((mask >> s & 1) != 0) putSample(t, pixel, s, texelFetch(nearestKeys, sampleIndex(pixel, s)).x, id);
+#else
+  int at = sampleIndex(pixel, 0);
+  for (int s = 0; s < SAMPLES; s += 4) {  // software drivers fetch four as dearly as one
+    uvec4 before = texelFetch(nearestFours, (at + s) / 4);
+    for (int i = 0; i < 4; ++i)
+      if ((mask >> (s + i) & 1) != 0) putSample(t, pixel, s + i, before[i], id);
+  }
+#endif
 }
 #endif

@@ -10,9 +10,10 @@
 void main() {
   ivec2 pixel = pixelToShade();
   if (pixel.x < 0) return;
+  PixelIds shown = idsOf(pixel);
   int samples = 0, first = 0;
   for (int s = SAMPLES - 1; s >= 0; --s)
-    if (idAt(pixel, s) == groundId) {
+    if (shown.of[s] == groundId) {
       ++samples;
       first = s;
     }

@@ -7,6 +7,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 layout(binding = tileListUnit) uniform usamplerBuffer tileLists;
 layout(binding = counterUnit) uniform usamplerBuffer tileCounts;
 layout(binding = idUnit) uniform usamplerBuffer visibleIds;
+layout(binding = idFoursUnit) uniform usamplerBuffer visibleFours;  // the same memory, four a texel
 layout(rgba32f, binding = sumImage) restrict uniform image2D sums;
 uniform int draw_;
 uniform int tileCount;
@@ -25,11 +26,34 @@ uint idAt(ivec2 pixel, int s) {
   return texelFetch(visibleIds, (pixel.y * view.size.x + pixel.x) * SAMPLES + s).x;
 }
 
-// Adds light of so many of the pixel's samples; alpha is the part of the pixel that something covers.
-void addLight(ivec2 pixel, vec4 light, int samples) {
+struct PixelIds {
+  uint of[SAMPLES];
+};
+
+// Those of all the samples.
+PixelIds idsOf(ivec2 pixel) {
+  PixelIds ids;
+  int first = (pixel.y * view.size.x + pixel.x) * SAMPLES;
+#if SAMPLES < 4
+  for (int s = 0; s < SAMPLES; ++s) ids.of[s] = texelFetch(visibleIds, first + s).x;
+#else
+  for (int s = 0; s < SAMPLES; s += 4) {
+    uvec4 four = texelFetch(visibleFours, (first + s) / 4);
+    for (int i = 0; i < 4; ++i) ids.of[s + i] = four[i];
+  }
+#endif
+  return ids;
+}
+
+// A sum and light of so many of the pixel's samples; alpha is the part of the pixel that something covers.
+vec4 withLight(vec4 before, vec4 light, int samples) {
   precise float share = float(samples) * perSamples();
-  precise vec4 sum = imageLoad(sums, pixel) + light * share;
-  imageStore(sums, pixel, sum);
+  precise vec4 sum = before + light * share;
+  return sum;
+}
+
+void addLight(ivec2 pixel, vec4 light, int samples) {
+  imageStore(sums, pixel, withLight(imageLoad(sums, pixel), light, samples));
 }
 
 // Middle of the pixel (-1), or a sample, in pixels.

@@ -15,6 +15,8 @@ layout(local_size_x = 8, local_size_y = 8) in;
 layout(binding = firstIdUnit) uniform usamplerBuffer firstIds;
 layout(binding = nearUnit) uniform usamplerBuffer nearestKeys;
 layout(binding = idUnit) uniform usamplerBuffer visibleIds;
+layout(binding = nearFoursUnit) uniform usamplerBuffer nearestFours;  // the same memory, four a texel
+layout(binding = idFoursUnit) uniform usamplerBuffer visibleFours;
 layout(std430, binding = idBinding) writeonly restrict buffer IdBlock { uint ids[]; };
 #ifdef GROUND_KEYS
 layout(std430, binding = nearBinding) writeonly restrict buffer NearBlock { uint nearKeys[]; };
@@ -30,6 +32,15 @@ void show(int draw) {
   atomicOr(shown[draw >> 5], 1u << (draw & 31));
 }
 
+// Samples s to s + 3, or s alone, of what lies at `at`.
+#if SAMPLES < 4
+const int together = 1;
+#define FETCHED(ALONE, FOURS, AT) uvec4(texelFetch(ALONE, AT).x)
+#else
+const int together = 4;
+#define FETCHED(ALONE, FOURS, AT) texelFetch(FOURS, (AT) / 4)
+#endif
+
 int drawOf(uint id) {
   int low = 0, high = draws;
   while (high - low > 1) {
@@ -42,8 +53,7 @@ int drawOf(uint id) {
 
 #ifdef GROUND
 // 1 where the ground is what the sample shows, 2 where a shadow may reach it.
-int groundAt(ivec2 pixel, int s, int at) {
-  uint key = texelFetch(nearestKeys, at).x;
+int groundAt(ivec2 pixel, int s, int at, uint key) {
   precise vec2 place = vec2(pixel * 16 + samplePlace(s)) * 0.0625f;
   vec3 ray = rayThrough(place);
   float depth = groundDepth(ray);
@@ -71,21 +81,35 @@ void main() {
   ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
   bool within = pixel.x < view.size.x && pixel.y < view.size.y;
   if (within) {
-    uint last = emptyId;
-    int onGround = 0;
-    for (int s = 0; s < SAMPLES; ++s) {
-      int at = (pixel.y * view.size.x + pixel.x) * SAMPLES + s;
-      uint id = texelFetch(visibleIds, at).x;
+    int onGround = 0, left = 0;
+    uint seen[SAMPLES];
+    for (int s = 0; s < SAMPLES; s += together) {
+      int first = (pixel.y * view.size.x + pixel.x) * SAMPLES + s;
+      uvec4 four = FETCHED(visibleIds, visibleFours, first);
 #ifdef GROUND
-      int kind = groundAt(pixel, s, at);
-      if (kind > 0) {
-        id = groundId;
-        ids[at] = id;
-        onGround = max(onGround, kind);
-      }
+      uvec4 keys = FETCHED(nearestKeys, nearestFours, first);
 #endif
-      if (id < groundId && id != last) show(drawOf(id));
-      last = id;
+      for (int i = 0; i < together; ++i) {
+        seen[s + i] = four[i];
+#ifdef GROUND
+        int kind = groundAt(pixel, s + i, first + i, keys[i]);
+        if (kind > 0) {
+          seen[s + i] = groundId;
+          ids[first + i] = groundId;
+          onGround = max(onGround, kind);
+        }
+#endif
+        left |= seen[s + i] < groundId ? 1 << (s + i) : 0;
+      }
+    }
+    while (left != 0) {  // once for each thing of the pixel
+      uint id = emptyId;
+      for (int s = SAMPLES - 1; s >= 0; --s) id = (left >> s & 1) != 0 ? seen[s] : id;
+      left &= left - 1;
+      int draw = drawOf(id);
+      show(draw);
+      uint from = texelFetch(firstIds, draw).x, to = draw + 1 < draws ? texelFetch(firstIds, draw + 1).x : groundId;
+      for (int s = 0; s < SAMPLES; ++s) left &= seen[s] >= from && seen[s] < to ? ~(1 << s) : ~0;
     }
     if (onGround > 0) show(draws + onGround - 1);
   }

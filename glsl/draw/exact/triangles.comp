@@ -1,6 +1,7 @@
 // Small triangles of one surface, an invocation each; the numbers of the others go on a list (large.comp). SAMPLES, PASS,
 // SUN_MAP, COUNTED.
 #include "draw/exact/raster.glsl"
+#include "draw/exact/fill_box.glsl"
 layout(local_size_x = 64) in;
 layout(std430, binding = largeBinding) restrict buffer LargeBlock { uint large[]; };
 layout(std430, binding = counterBinding) restrict buffer CounterBlock { uint counters[]; };
@@ -31,21 +32,5 @@ void main() {
 #endif
     return;
   }
-  ivec2 first = max(t.low >> 8, ivec2(0));
-  ivec2 last = min(t.high >> 8, PICTURE_SIZE - 1);
-  if (last.x < first.x || last.y < first.y) return;
-  ivec2 pixel = first;
-  int pixels = (last.x - first.x + 1) * (last.y - first.y + 1);
-  for (int i = 0; i < pixels; ++i) {
-    ivec2 corner = pixel * subpixels;
-    int e0 = edgeAt(t.edges[0], corner), e1 = edgeAt(t.edges[1], corner), e2 = edgeAt(t.edges[2], corner);
-    int mask = 0;
-    for (int s = 0; s < SAMPLES; ++s) {
-      ivec2 aside = samplePlace(s) * (subpixels / 16);
-      int all_ = edgeAside(t.edges[0], e0, aside) | edgeAside(t.edges[1], e1, aside) | edgeAside(t.edges[2], e2, aside);
-      mask |= all_ >= 0 ? 1 << s : 0;
-    }
-    putPixel(t, pixel, mask, firstId + uint(number));
-    pixel = pixel.x < last.x ? ivec2(pixel.x + 1, pixel.y) : ivec2(first.x, pixel.y + 1);
-  }
+  fillBox(t, firstId + uint(number));
 }

@@ -4,7 +4,8 @@
 #include "draw/exact/bindings.glsl"
 #ifdef SUN_MAP
 uniform int mapTexels;
-#define PICTURE_SIZE ivec2(mapTexels)
+ivec2 mapSize = ivec2(mapTexels);
+#define PICTURE_SIZE mapSize
 #else
 #include "draw/exact/view_block.glsl"
 #define PICTURE_SIZE view.size
@@ -21,7 +22,8 @@ int sampleIndex(ivec2 pixel, int s) {
   return (pixel.y * PICTURE_SIZE.x + pixel.x) * SAMPLES + s;
 #endif
 }
-layout(binding = nearUnit) uniform usamplerBuffer nearestKeys;  // the memory of nearKeys
+layout(binding = nearUnit) uniform usamplerBuffer nearestKeys;    // the memory of nearKeys
+layout(binding = nearFoursUnit) uniform usamplerBuffer nearestFours;  // the same, four a texel
 #ifndef ADDS
 layout(std430, binding = nearBinding) restrict buffer NearBlock { uint nearKeys[]; };
 layout(std430, binding = idBinding) restrict buffer IdBlock { uint ids[]; };

@@ -18,7 +18,7 @@ class TriangleRaster {
   enum class Into { picture, sunMap, lampMap };
   /// Triangles whose box has no side above `smallPixels` (0 to 64) are drawn by an invocation each, the
   /// others by groups, tile by tile: the same either way.
-  TriangleRaster(Into into, int samples, int smallPixels = 16);
+  TriangleRaster(Into into, int samples, int smallPixels = smallTriangle());
 
   /// A surface as it was drawn last.
   struct Drawn {

@@ -29,6 +29,10 @@ std::size_t samplesOf(const std::string& label, glm::ivec2 size, int samples) {
 
 }  // namespace
 
+int smallTriangle() {
+  return gl::softwareDriver() ? 64 : 16;
+}
+
 void dispatchRows(const gl::Program& program, int items) {
   constexpr int row = rowGroups * groupItems;
   program.dispatch(std::min(items, row), (items + row - 1) / row);
@@ -39,10 +43,12 @@ Visibility::Visibility(const std::string& label, glm::ivec2 size, int samples, b
       samples_(samples),
       withIds_(ids),
       near_("what is nearest on " + label, samplesOf(label, size, samples) * sizeof(GLuint)),
-      nearView_(gl::Texture::view(label, GL_R32UI, near_, sizeof(GLuint))) {
+      nearView_(gl::Texture::view(label, GL_R32UI, near_, sizeof(GLuint))),
+      nearFours_(gl::Texture::view(label, GL_RGBA32UI, near_, 4 * sizeof(GLuint))) {
   if (withIds_) {
     ids_ = gl::Buffer("what is visible on " + label, near_.bytes());
     idView_ = gl::Texture::view(label, GL_R32UI, ids_, sizeof(GLuint));
+    idFours_ = gl::Texture::view(label, GL_RGBA32UI, ids_, 4 * sizeof(GLuint));
   }
   if (!gl::softwareDriver()) clear_ = gl::Program::compute("draw/exact/clear.comp");
 }
@@ -67,9 +73,11 @@ void Visibility::clear() const {
 void Visibility::bind() const {
   near_.bindStorage(nearBinding);
   nearView_.bind(nearUnit);
+  nearFours_.bind(nearFoursUnit);
   if (!withIds_) return;
   ids_.bindStorage(idBinding);
   idView_.bind(idUnit);
+  idFours_.bind(idFoursUnit);
 }
 
 }  // namespace simreel::draw

@@ -32,7 +32,7 @@ class Visibility {
   int samples_ = 1;
   bool withIds_ = false;
   gl::Buffer near_, ids_;
-  gl::Texture nearView_, idView_;
+  gl::Texture nearView_, nearFours_, idView_, idFours_;
   gl::Program clear_;
 };
 
@@ -48,6 +48,9 @@ struct MapPart {
     program.set("keyStride", keyStride);
   }
 };
+/// The longest side (pixels) of the box of a triangle that an invocation best draws alone on this device:
+/// software drivers work through all the lanes of a group anyway, cards want more of them.
+int smallTriangle();
 
 /// Runs `items` invocations of a kernel whose groups of 64 stand in rows of at most 32,768.
 void dispatchRows(const gl::Program& program, int items);

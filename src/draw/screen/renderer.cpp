@@ -1,6 +1,6 @@
 #include "draw/screen/renderer.hpp"
 
-#include "draw/exact/exact_scene.hpp"
+#include "draw/exact/scene/exact_scene.hpp"
 #include "draw/frame_values.hpp"
 #include "draw/overlay/axes_pass.hpp"
 #include "draw/overlay/chart_pass.hpp"

@@ -45,19 +45,19 @@ vec4 lightOf(ivec2 pixel, uint number, int firstSample) {
 void main() {
   ivec2 pixel = pixelToShade();
   if (pixel.x < 0) return;
-  uint shown[SAMPLES];
+  PixelIds shown = idsOf(pixel);
   int left = 0;
-  for (int s = 0; s < SAMPLES; ++s) {
-    shown[s] = idAt(pixel, s);
-    if (shown[s] >= firstId && shown[s] - firstId < uint(capacity) * triangles) left |= 1 << s;
-  }
+  for (int s = 0; s < SAMPLES; ++s)
+    if (shown.of[s] >= firstId && shown.of[s] - firstId < uint(capacity) * triangles) left |= 1 << s;
+  vec4 sum = imageLoad(sums, pixel);
   while (left != 0) {
     int first = findLSB(left);
     uint id = idAt(pixel, first);
     int same = 0;
     for (int s = 0; s < SAMPLES; ++s)
-      if (shown[s] == id) same |= 1 << s;
-    addLight(pixel, lightOf(pixel, id - firstId, first), bitCount(same));
+      if (shown.of[s] == id) same |= 1 << s;
+    sum = withLight(sum, lightOf(pixel, id - firstId, first), bitCount(same));
     left &= ~same;
   }
+  imageStore(sums, pixel, sum);
 }

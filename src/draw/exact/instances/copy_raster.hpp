@@ -18,7 +18,7 @@ class CopyRaster {
   enum class Into { picture, sunMap, lampMap };
   /// Triangles whose box has no side above `smallPixels` (0 to 64) are drawn by an invocation each, the
   /// others by groups, tile by tile; `pairs`: so many triangles of copies at once. The same either way.
-  CopyRaster(Into into, int samples, int smallPixels = 16, unsigned pairs = 1U << 22U)
+  CopyRaster(Into into, int samples, int smallPixels = smallTriangle(), unsigned pairs = 1U << 22U)
       : into_(into), samples_(samples), smallPixels_(smallPixels), pairs_(pairs) {}
 
   /// Copies of one mesh. The shape stays where it is.

@@ -1,4 +1,4 @@
-#include "draw/exact/lamp_maps.hpp"
+#include "draw/exact/scene/lamp_maps.hpp"
 
 #include "draw/exact/bindings.hpp"
 #include "draw/exact/exact_view.hpp"

@@ -1,11 +1,11 @@
-#include "draw/exact/exact_scene.hpp"
+#include "draw/exact/scene/exact_scene.hpp"
 
 #include "base/error.hpp"
 #include "draw/exact/bindings.hpp"
 #include "draw/exact/bloom.hpp"
 #include "draw/exact/exact_view.hpp"
 #include "draw/exact/instances/exact_instances.hpp"
-#include "draw/exact/lamp_maps.hpp"
+#include "draw/exact/scene/lamp_maps.hpp"
 #include "draw/exact/shaded_tiles.hpp"
 #include "draw/exact/surface_shading.hpp"
 #include "draw/exact/triangle_raster.hpp"
