@@ -1,6 +1,6 @@
 // Constraints along a line of particles, solved together. Compiles as GLSL and as C++. Whoever includes it provides
 // lineParticle(int), xyz and inverse mass of the k-th particle of the line, lineLinks, the number of links between them,
-// lineRest (m) and lineCompliance (compliance / dt^2), beside common/exact.glsl.
+// lineRest (m), lineCompliance (compliance / dt^2) and lineGive, beside common/exact.glsl.
 //
 // XPBD's constraint k ties particles k and k + 1. With its direction n_k, its stretch C_k and its multiplier l_k, particle k
 // moves by w_k (n_k-1 l_k-1 - n_k l_k); every C_k vanishes at once, to first order, where
@@ -37,11 +37,33 @@ FUNCTION Link linkBetween(vec4 a, vec4 b, bool there) {
   return link;
 }
 
-// Of the link from a to b. A line that is taut between two pins has a multiplier too many: a little more compliance than
-// asked for, 2^-15 of the weights, decides it.
+// How much longer than at rest the links of a segment are together (m).
+FUNCTION float stretchOfSegment(int first, int last) {
+  precise float sum = 0.0f;
+  vec4 a = lineParticle(first);
+  for (int k = first; k <= last; ++k) {
+    vec4 b = lineParticle(k + 1);
+    Link link = linkBetween(a, b, true);
+    sum = sum + link.stretch;
+    a = b;
+  }
+  return sum;
+}
+
+// What is added to the compliance of each link, as a ratio to its weights. A line that is taut between two pins has a
+// multiplier too many, which 2^-15 decides. One that is held further apart than it is long, by s of its length, cannot
+// be satisfied at all: with 0.6 s it pulls evenly, by 5/6 m L / dt^2. A straight line swings sideways with
+// w^2 = 4 T / (m L) at most, which is stable while T < m L / dt^2.
+FUNCTION float giveOf(float stretch) {
+  precise float rest = float(lineLinks) * lineRest;
+  precise float give = stretch * exactReciprocal(rest) * 0.6f;
+  return max(give, 3.0517578125e-5f);
+}
+
+// Of the link from a to b.
 FUNCTION LineRow lineRow(Link before, Link here, Link after, vec4 a, vec4 b) {
   precise float weight = a.w + b.w;
-  precise float diagonal = weight * 1.000030517578125f + lineCompliance;
+  precise float diagonal = weight + weight * lineGive + lineCompliance;
   float fromBefore = exactDot(before.along, here.along);
   float fromAfter = exactDot(here.along, after.along);
   precise float lower = fromBefore * -a.w;

@@ -27,10 +27,14 @@ FUNCTION void solveSegment(int first, int last, float leftOne, float lastOne) {
   }
 }
 
-// What the link from a to b does to a's position for each of its inverse mass, less; to b's, more.
+// What the link from a to b does to a's position for each of its inverse mass, less; to b's, more. At most what is stable
+// (giveOf), should a part of a line be held too far apart, or substeps be too few.
 FUNCTION vec3 pullBetween(vec4 a, vec4 b, bool there, float multiplier) {
   Link link = linkBetween(a, b, there);
-  precise vec3 pull = link.along * multiplier;
+  precise float weight = max(a.w + b.w, 1e-20f);
+  precise float most = lineRest * 1.95f * exactReciprocal(weight);
+  float held = clamp(multiplier, -most, most);
+  precise vec3 pull = link.along * held;
   return pull;
 }
 

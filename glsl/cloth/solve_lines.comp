@@ -9,8 +9,8 @@ STATE_ARRAY(velocitiesBinding, VelocityBlock, velocities)
 #endif
 STATE_ARRAY(nextPositionsBinding, NextBlock, nextPositions)
 uniform int lines;
-int lineLinks, lineStart, linePace;
-float lineRest, lineCompliance;
+int lineLinks = 0, lineStart = 0, linePace = 1;
+float lineRest = 0.0f, lineCompliance = 0.0f, lineGive = 0.0f;
 
 vec4 loadPosition(int i) {
 #ifdef LAST
@@ -81,6 +81,16 @@ void main() {
   int segments = (lineLinks + segmentLinks - 1) / segmentLinks;
   int first = segment * segmentLinks, last = min(first + segmentLinks, lineLinks) - 1;
   bool mine = line < lines && segment < segments;
+  if (mine) lastFixed[me] = stretchOfSegment(first, last);
+  barrier();
+  if (mine && segment == 0) {
+    precise float sum = 0.0f;
+    for (int s = 0; s < segments; ++s) sum = sum + lastFixed[s * LINES + slot];
+    firstFixed[slot] = giveOf(sum);
+  }
+  barrier();
+  if (mine) lineGive = firstFixed[slot];
+  barrier();
   if (mine) {
     Reach end = lastOfSegment(first, last), begin = firstOfSegment(first, last);
     lastFixed[me] = end.fixed_;

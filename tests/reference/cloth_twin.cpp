@@ -32,7 +32,7 @@ struct Kernel {
   [[nodiscard]] int loadWallClass(int x, int y) const { return walls->classAt(x, y); }
   [[nodiscard]] float loadWallValue(int x, int y) const { return walls->valueAt(x, y); }
   int lineLinks = 0, lineStart = 0, linePace = 1;
-  float lineRest = 0, lineCompliance = 0;
+  float lineRest = 0, lineCompliance = 0, lineGive = 0;
   float lineOnto[segmentLinks] = {}, lineFrom[segmentLinks] = {};
   [[nodiscard]] vec4 lineParticle(int k) const { return source[lineStart + k * linePace]; }
 #include "glsl/cloth/line_model.glsl"
@@ -64,6 +64,9 @@ void solveLine(Kernel& kernel, std::vector<vec4>& particles) {
   std::vector<std::pair<int, int>> segments;  // first and last links
   for (int first = 0; first < kernel.lineLinks; first += segmentLinks)
     segments.emplace_back(first, min(first + segmentLinks, kernel.lineLinks) - 1);
+  float stretch = 0;
+  for (const auto& [first, last] : segments) stretch += kernel.stretchOfSegment(first, last);
+  kernel.lineGive = kernel.giveOf(stretch);
   std::vector<Kernel::Reach> firsts;
   std::vector<Kernel::Eliminated> separators;
   for (const auto& [first, last] : segments) firsts.push_back(kernel.firstOfSegment(first, last));
