@@ -31,8 +31,8 @@ FUNCTION void solveSegment(int first, int last, float leftOne, float lastOne) {
 // (giveOf), should a part of a line be held too far apart, or substeps be too few.
 FUNCTION vec3 pullBetween(vec4 a, vec4 b, bool there, float multiplier) {
   Link link = linkBetween(a, b, there);
-  precise float weight = max(a.w + b.w, 1e-20f);
-  precise float most = lineRest * 1.95f * exactReciprocal(weight);
+  precise float weight = a.w + b.w;
+  precise float most = lineRest * 1.95f * exactReciprocal(max(weight, 1e-20f));
   float held = clamp(multiplier, -most, most);
   precise vec3 pull = link.along * held;
   return pull;
