@@ -59,7 +59,7 @@ void GlowRaster::run(bool large, const Visibility& picture) {
     kernel.set("draw_", static_cast<int>(i));
     kernel.set("firstLarge", firstLarge);
     kernel.set("smallPixels", smallPixels_);
-    kernel.set("roundPixels", roundPixels);
+    kernel.set("roundPixels", glows.discs ? 0.0F : roundPixels);
     firstLarge += glows.capacity;
     if (large) {
       kernel.use();
