@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 #include "draw/exact/bindings.hpp"
+#include "draw/exact/parts.hpp"
 #include "draw/exact/reserve.hpp"
 #include "gl/context.hpp"
 #include "gl/element_array.hpp"
@@ -18,6 +19,8 @@ namespace {
 
 constexpr const char* trianglesPath = "draw/exact/triangles.comp";
 constexpr const char* largePath = "draw/exact/large.comp";
+constexpr const char* clipPath = "draw/exact/clip_large.comp";
+constexpr unsigned groupTriangles = 64;
 constexpr std::int64_t maxIds = 0xfffffff0;  // the last ones say ground, and nothing
 
 int verticesOf(const sim::Surface& surface) {
@@ -32,13 +35,14 @@ int maxTrianglesOf(const sim::Surface& surface) {
 
 }  // namespace
 
-TriangleRaster::TriangleRaster(Into into, int samples, int smallPixels)
-    : into_(into), samples_(samples), smallPixels_(smallPixels), parts_(gl::softwareDriver() ? 4U : 32U) {}
+TriangleRaster::TriangleRaster(Into into, int samples, int smallPixels, int fanRoom)
+    : into_(into), samples_(samples), smallPixels_(smallPixels), fanRoom_(fanRoom) {}
 
 void TriangleRaster::prepare(const std::vector<const sim::Surface*>& surfaces) {
   drawn_.clear();
   std::int64_t vertices = 0;
   std::int64_t triangles = 0;
+  int fans = 0;
   for (const sim::Surface* surface : surfaces) {
     Drawn next;
     next.surface = surface;
@@ -46,6 +50,9 @@ void TriangleRaster::prepare(const std::vector<const sim::Surface*>& surfaces) {
     next.firstIndex = static_cast<int>(3 * triangles);
     next.maxTriangles = maxTrianglesOf(*surface);
     next.firstId = static_cast<unsigned>(triangles);
+    next.firstFan = fans;
+    next.fans = std::min(next.maxTriangles, fanRoom_ / static_cast<int>(surfaces.size()));
+    fans += next.fans;
     next.indices = gl::Texture::view("indices", GL_R32UI, *surface->indices, sizeof(GLuint));
     vertices += verticesOf(*surface);
     triangles += next.maxTriangles;
@@ -67,6 +74,9 @@ void TriangleRaster::prepare(const std::vector<const sim::Surface*>& surfaces) {
           sizeof(GLuint));
   reserve(largeGroups_, "groups for large triangles", count * GroupCounts::bytes);
   reserve(surfaceGroups_, "groups for triangles", count * GroupCounts::bytes);
+  if (into_ == Into::sunMap) return;  // never clipped
+  reserve(clipGroups_, "groups for clipping", count * GroupCounts::bytes);
+  reserve(fans_, fanView_, "clipped triangles", of(fans, 128), GL_RGBA32UI, 16);
 }
 
 const gl::Program& TriangleRaster::vertexProgram(const sim::Surface& surface) {
@@ -86,9 +96,7 @@ const gl::Program& TriangleRaster::program(const char* path, int pass, bool coun
   const std::tuple<std::string, int, bool> key{path, pass, counted};
   const auto found = programs_.find(key);
   if (found != programs_.end()) return found->second;
-  gl::Defines defines = {{"SAMPLES", std::to_string(samples_)},
-                         {"PASS", std::to_string(pass)},
-                         {"PARTS", std::to_string(parts_)}};
+  gl::Defines defines = {{"SAMPLES", std::to_string(samples_)}, {"PASS", std::to_string(pass)}};
   if (counted) defines.emplace_back("COUNTED", "1");
   if (into_ == Into::sunMap) defines.emplace_back("SUN_MAP", "1");
   if (into_ == Into::lampMap) defines.emplace_back("LAMP_MAP", "1");
@@ -120,6 +128,17 @@ void TriangleRaster::bind(const Drawn& drawn, const gl::Program& program) const 
   program.set("firstIndex", drawn.firstIndex);
   program.set("triangleCount", drawn.maxTriangles);
   program.set("firstId", drawn.firstId);
+  program.set("firstFan", drawn.firstFan);
+  program.set("fanRoom", drawn.fans);
+}
+
+void TriangleRaster::clipLarge(const Visibility& into) {
+  if (into_ == Into::sunMap) return;
+  groups_.fill(counters_, {.counts = static_cast<int>(drawn_.size()), .each = groupTriangles}, clipGroups_);
+  gl::barrier();
+  glMemoryBarrier(GL_COMMAND_BARRIER_BIT);
+  fans_.bindStorage(fanBinding);
+  run(clipPath, 0, into, {});
 }
 
 void TriangleRaster::run(const char* path, int pass, const Visibility& into, const MapPart& part) {
@@ -128,7 +147,9 @@ void TriangleRaster::run(const char* path, int pass, const Visibility& into, con
   largeView_.bind(largeUnit);
   counters_.bindStorage(counterBinding);
   counterView_.bind(counterUnit);
+  if (into_ != Into::sunMap) fanView_.bind(fanUnit);
   const bool small = path == trianglesPath;
+  const gl::Buffer& groups = small ? surfaceGroups_ : path == clipPath ? clipGroups_ : largeGroups_;
   for (std::size_t i = 0; i < drawn_.size(); ++i) {
     const Drawn& drawn = drawn_[i];
     const bool counted = drawn.surface->arguments != nullptr;
@@ -144,14 +165,13 @@ void TriangleRaster::run(const char* path, int pass, const Visibility& into, con
       continue;
     }
     kernel.use();
-    GroupCounts::dispatch(small ? surfaceGroups_ : largeGroups_, i);
+    GroupCounts::dispatch(groups, i);
   }
 }
 
 void TriangleRaster::draw(const std::vector<const sim::Surface*>& surfaces, const Visibility& into,
                           const MapPart& part) {
   constexpr GLuint zero = 0;
-  constexpr unsigned groupTriangles = 64;
   prepare(surfaces);
   if (drawn_.empty()) return;
   glClearNamedBufferData(counters_.name(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, &zero);
@@ -166,7 +186,13 @@ void TriangleRaster::draw(const std::vector<const sim::Surface*>& surfaces, cons
   glMemoryBarrier(GL_COMMAND_BARRIER_BIT);
   run(trianglesPath, 0, into, part);
   gl::barrier();
-  groups_.fill(counters_, {.counts = static_cast<int>(drawn_.size()), .parts = parts_}, largeGroups_);
+  clipLarge(into);
+  const unsigned parts = partsFor(into.size(), samples_);
+  groups_.fill(counters_,
+               {.counts = static_cast<int>(drawn_.size()),
+                .parts = parts,
+                .fewerParts = gl::softwareDriver() ? leastParts(into.size(), samples_) : parts},
+               largeGroups_);
   gl::barrier();
   glMemoryBarrier(GL_COMMAND_BARRIER_BIT);
   run(largePath, 0, into, part);

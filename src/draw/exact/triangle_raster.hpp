@@ -17,8 +17,9 @@ class TriangleRaster {
  public:
   enum class Into { picture, sunMap, lampMap };
   /// Triangles whose box has no side above `smallPixels` (0 to 64) are drawn by an invocation each, the
-  /// others by groups, tile by tile: the same either way.
-  TriangleRaster(Into into, int samples, int smallPixels = smallTriangle());
+  /// others by groups, tile by tile: the same either way. Of those `fanRoom` are clipped once, for all
+  /// invocations that draw them; 128 bytes each.
+  TriangleRaster(Into into, int samples, int smallPixels = smallTriangle(), int fanRoom = 1 << 17);
 
   /// A surface as it was drawn last.
   struct Drawn {
@@ -27,6 +28,8 @@ class TriangleRaster {
     int firstIndex = 0;  ///< in the list of large ones, times 3
     int maxTriangles = 0;
     unsigned firstId = 0;  ///< of its triangles
+    int firstFan = 0;      ///< of its clipped triangles,
+    int fans = 0;          ///< and for how many there is room
     gl::Texture indices;   ///< R32UI texel view
   };
 
@@ -43,18 +46,19 @@ class TriangleRaster {
   const gl::Program& program(const char* path, int pass, bool counted);
   void prepare(const std::vector<const sim::Surface*>& surfaces);
   void makeVertices(const Visibility& into);
+  void clipLarge(const Visibility& into);
   void run(const char* path, int pass, const Visibility& into, const MapPart& part);
 
   Into into_;
   int samples_;
   int smallPixels_;
-  unsigned parts_;  ///< groups that share a large triangle
+  int fanRoom_;
   std::map<std::pair<bool, bool>, gl::Program> vertexPrograms_;
   std::map<std::tuple<std::string, int, bool>, gl::Program> programs_;
   GroupCounts groups_;
   std::vector<Drawn> drawn_;
-  gl::Buffer vertices_, large_, counters_, largeGroups_, surfaceGroups_;
-  gl::Texture vertexView_, largeView_, counterView_;
+  gl::Buffer vertices_, large_, counters_, largeGroups_, surfaceGroups_, fans_, clipGroups_;
+  gl::Texture vertexView_, largeView_, counterView_, fanView_;
 };
 
 }  // namespace simreel::draw

@@ -2,7 +2,7 @@
 
 #include "base/error.hpp"
 #include "draw/exact/bindings.hpp"
-#include "draw/exact/instances/parts.hpp"
+#include "draw/exact/parts.hpp"
 #include "draw/exact/reserve.hpp"
 #include "gl/element_array.hpp"
 #include "gl/limits.hpp"
