@@ -12,13 +12,13 @@ void fillTile(Triangle t, ivec2 corner, uint id) {
     int all_ = edgeAside(t.edges[0], e0, aside) | edgeAside(t.edges[1], e1, aside) | edgeAside(t.edges[2], e2, aside);
     mask |= all_ >= 0 ? 1 << s : 0;
   }
-  if (mask != 0 && pixel.x < PICTURE_SIZE.x && pixel.y < PICTURE_SIZE.y) putPixel(t, pixel, mask, id);
+  if (mask != 0 && pixel.x < PICTURE_SIZE.x && pixel.y < PICTURE_ROWS.y) putPixel(t, pixel, mask, id);
 }
 
 // Groups share the tiles by rows, and many of them by columns too.
 void fillTiles(Triangle t, uint id) {
-  ivec2 first = max(t.low / subpixels, ivec2(0)) / tileSide;
-  ivec2 last = min(t.high / subpixels, PICTURE_SIZE - 1) / tileSide;
+  ivec2 first = max(t.low / subpixels, ivec2(0, PICTURE_ROWS.x)) / tileSide;
+  ivec2 last = min(t.high / subpixels, ivec2(PICTURE_SIZE.x, PICTURE_ROWS.y) - 1) / tileSide;
   bool none = t.empty || t.high.x < 0 || t.high.y < 0;
   int columns = gl_NumWorkGroups.z >= 32u ? 4 : 1, rows = int(gl_NumWorkGroups.z) / columns;
   int row = int(gl_WorkGroupID.z) / columns, column = int(gl_WorkGroupID.z) - row * columns;
