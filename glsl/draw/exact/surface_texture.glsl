@@ -2,9 +2,16 @@
 #include "draw/exact/texture_read.glsl"
 #include "draw/surface/raised_normal.glsl"
 #ifdef TRIPLANAR
+// Nothing where nothing of it shows: most walls and floors face one side.
+vec3 sideColor(float weight, Seen seen, vec2 shift) {
+  vec3 color = vec3(0);
+  if (weight > 0.0f) color = textureSeen(seen, shift);
+  return color;
+}
 vec3 textureColor(SurfaceSeen seen, vec2 shift) {
-  precise vec3 mean = seen.weight.x * textureSeen(seen.x, shift) + seen.weight.y * textureSeen(seen.y, shift) +
-                      seen.weight.z * textureSeen(seen.z, shift);
+  vec3 w = seen.weight;
+  vec3 x = sideColor(w.x, seen.x, shift), y = sideColor(w.y, seen.y, shift), z = sideColor(w.z, seen.z, shift);
+  precise vec3 mean = w.x * x + w.y * y + w.z * z;
   return mean;
 }
 float texelsOf(SurfaceSeen seen) {

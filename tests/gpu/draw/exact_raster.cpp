@@ -183,7 +183,7 @@ TEST_CASE(
           who = static_cast<unsigned>(i / 3);
         }
         const auto i = static_cast<std::size_t>((y * size.x + x) * 4 + s);
-        hits += who != nothing ? 1 : 0;
+        hits += who != noKey ? 1 : 0;
         others += seen.ids[i] != who ? 1 : 0;
         if (seen.ids[i] == who && who != noKey) {
           const double depth =
