@@ -92,12 +92,13 @@ const gl::Program& TriangleRaster::vertexProgram(const sim::Surface& surface) {
       .first->second;
 }
 
-const gl::Program& TriangleRaster::program(const char* path, int pass, bool counted) {
-  const std::tuple<std::string, int, bool> key{path, pass, counted};
+const gl::Program& TriangleRaster::program(const char* path, int pass, bool counted, bool clips) {
+  const std::tuple<std::string, int, bool, bool> key{path, pass, counted, clips};
   const auto found = programs_.find(key);
   if (found != programs_.end()) return found->second;
   gl::Defines defines = {{"SAMPLES", std::to_string(samples_)}, {"PASS", std::to_string(pass)}};
   if (counted) defines.emplace_back("COUNTED", "1");
+  if (clips) defines.emplace_back("CLIPS", "1");
   if (into_ == Into::sunMap) defines.emplace_back("SUN_MAP", "1");
   if (into_ == Into::lampMap) defines.emplace_back("LAMP_MAP", "1");
   return programs_.emplace(key, gl::Program::compute(path, defines)).first->second;
@@ -141,7 +142,13 @@ void TriangleRaster::clipLarge(const Visibility& into) {
   run(clipPath, 0, into, {});
 }
 
-void TriangleRaster::run(const char* path, int pass, const Visibility& into, const MapPart& part) {
+void TriangleRaster::runLarge(int pass, const Visibility& into, const MapPart& part) {
+  run(largePath, pass, into, part);
+  if (into_ != Into::sunMap) run(largePath, pass, into, part, true);
+}
+
+void TriangleRaster::run(const char* path, int pass, const Visibility& into, const MapPart& part,
+                         bool clips) {
   into.bind();
   large_.bindStorage(largeBinding);
   largeView_.bind(largeUnit);
@@ -152,8 +159,9 @@ void TriangleRaster::run(const char* path, int pass, const Visibility& into, con
   const gl::Buffer& groups = small ? surfaceGroups_ : path == clipPath ? clipGroups_ : largeGroups_;
   for (std::size_t i = 0; i < drawn_.size(); ++i) {
     const Drawn& drawn = drawn_[i];
+    if (clips && drawn.fans == drawn.maxTriangles) continue;
     const bool counted = drawn.surface->arguments != nullptr;
-    const gl::Program& kernel = program(path, pass, counted);
+    const gl::Program& kernel = program(path, pass, counted, clips);
     bind(drawn, kernel);
     kernel.set("doubleSided", static_cast<int>(drawn.surface->doubleSided));
     kernel.set("draw_", static_cast<int>(i));
@@ -187,19 +195,20 @@ void TriangleRaster::draw(const std::vector<const sim::Surface*>& surfaces, cons
   run(trianglesPath, 0, into, part);
   gl::barrier();
   clipLarge(into);
-  const unsigned parts = partsFor(into.size(), samples_);
+  const glm::ivec2 size = part.side > 0 ? glm::ivec2(part.side) : into.size();
+  const unsigned parts = partsFor(size, samples_);
   groups_.fill(counters_,
                {.counts = static_cast<int>(drawn_.size()),
                 .parts = parts,
-                .fewerParts = gl::softwareDriver() ? leastParts(into.size(), samples_) : parts},
+                .fewerParts = gl::softwareDriver() ? leastParts(size, samples_) : parts},
                largeGroups_);
   gl::barrier();
   glMemoryBarrier(GL_COMMAND_BARRIER_BIT);
-  run(largePath, 0, into, part);
+  runLarge(0, into, part);
   gl::barrier();
   if (into_ != Into::picture) return;
   run(trianglesPath, 1, into, part);
-  run(largePath, 1, into, part);
+  runLarge(1, into, part);
   gl::barrier();
 }
 

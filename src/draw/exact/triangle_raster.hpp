@@ -43,18 +43,19 @@ class TriangleRaster {
 
  private:
   const gl::Program& vertexProgram(const sim::Surface& surface);
-  const gl::Program& program(const char* path, int pass, bool counted);
+  const gl::Program& program(const char* path, int pass, bool counted, bool clips);
   void prepare(const std::vector<const sim::Surface*>& surfaces);
   void makeVertices(const Visibility& into);
   void clipLarge(const Visibility& into);
-  void run(const char* path, int pass, const Visibility& into, const MapPart& part);
+  void runLarge(int pass, const Visibility& into, const MapPart& part);
+  void run(const char* path, int pass, const Visibility& into, const MapPart& part, bool clips = false);
 
   Into into_;
   int samples_;
   int smallPixels_;
   int fanRoom_;
   std::map<std::pair<bool, bool>, gl::Program> vertexPrograms_;
-  std::map<std::tuple<std::string, int, bool>, gl::Program> programs_;
+  std::map<std::tuple<std::string, int, bool, bool>, gl::Program> programs_;
   GroupCounts groups_;
   std::vector<Drawn> drawn_;
   gl::Buffer vertices_, large_, counters_, largeGroups_, surfaceGroups_, fans_, clipGroups_;

@@ -75,6 +75,7 @@ void LampMaps::draw(const sim::Drawables& drawables, const Lamps& lamps, ExactIn
     views_.bindUniform(viewBinding, static_cast<std::size_t>(i) * viewStride_, sizeof(shader::ExactView));
     // As for the sun: a filter of r texels reads depths up to r + 1 texels of slope away.
     const MapPart part{.slopeOffset = 1.5F + softness_,
+                       .side = order.lights[lamp]->shadowSize,
                        .firstKey = order.rows[lamp] * order.atlas.x +
                                    i % shader::lampFaces * order.lights[lamp]->shadowSize,
                        .keyStride = order.atlas.x};
