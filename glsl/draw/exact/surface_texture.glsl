@@ -1,39 +1,81 @@
 // A material's texture on a spot of a surface (surface_seen.glsl); BUMPED by the relief of its brightness.
 #include "draw/exact/texture_read.glsl"
 #include "draw/surface/raised_normal.glsl"
+#ifdef BUMPED
+uniform float bump;  // height of white, m
+#endif
+
+// The texture there, and where the pixel's neighbours `aside` to the right, left, above and below see it.
+struct Patch {
+  vec3 color;
+#ifdef BUMPED
+  float aside;
+  vec3 right, left, above, below;
+#endif
+};
+
+Patch noPatch() {
+  Patch patch_;
+  patch_.color = vec3(0);
+#ifdef BUMPED
+  patch_.aside = 1.0f;
+  patch_.right = patch_.left = patch_.above = patch_.below = vec3(0);
+#endif
+  return patch_;
+}
+
+// Adds what one side shows, `weight` of it.
+Patch withSide(Patch patch_, Seen seen, float weight) {
+  precise vec3 color = patch_.color + weight * textureSeen(seen, vec2(0));
+  patch_.color = color;
+#ifdef BUMPED
+  float aside = patch_.aside;
+  precise vec3 right = patch_.right + weight * textureSeen(seen, vec2(aside, 0));
+  precise vec3 left = patch_.left + weight * textureSeen(seen, vec2(-aside, 0));
+  precise vec3 above = patch_.above + weight * textureSeen(seen, vec2(0, aside));
+  precise vec3 below = patch_.below + weight * textureSeen(seen, vec2(0, -aside));
+  patch_.right = right;
+  patch_.left = left;
+  patch_.above = above;
+  patch_.below = below;
+#endif
+  return patch_;
+}
+
 #ifdef TRIPLANAR
-// Nothing where nothing of it shows: most walls and floors face one side.
-vec3 sideColor(float weight, Seen seen, vec2 shift) {
-  vec3 color = vec3(0);
-  if (weight > 0.0f) color = textureSeen(seen, shift);
-  return color;
-}
-vec3 textureColor(SurfaceSeen seen, vec2 shift) {
+// Software drivers run both sides of a branch: a loop takes from side to side that shows, and most walls and floors face one.
+Patch patchSeen(SurfaceSeen seen) {
   vec3 w = seen.weight;
-  vec3 x = sideColor(w.x, seen.x, shift), y = sideColor(w.y, seen.y, shift), z = sideColor(w.z, seen.z, shift);
-  precise vec3 mean = w.x * x + w.y * y + w.z * z;
-  return mean;
-}
-float texelsOf(SurfaceSeen seen) {
-  return exactDot(seen.weight, vec3(texelsAPixel(seen.x), texelsAPixel(seen.y), texelsAPixel(seen.z)));
+  Patch sum = noPatch();
+#ifdef BUMPED
+  sum.aside = pixelsAside(exactDot(w, vec3(texelsAPixel(seen.x), texelsAPixel(seen.y), texelsAPixel(seen.z))));
+#endif
+  int left = (w.x > 0.0f ? 1 : 0) | (w.y > 0.0f ? 2 : 0) | (w.z > 0.0f ? 4 : 0);
+  while (left != 0) {
+    int side = findLSB(left);
+    left &= left - 1;
+    Seen one = seen.z;
+    if (side == 0) one = seen.x;
+    if (side == 1) one = seen.y;
+    sum = withSide(sum, one, side == 0 ? w.x : side == 1 ? w.y : w.z);
+  }
+  return sum;
 }
 #else
-vec3 textureColor(SurfaceSeen seen, vec2 shift) {
-  return textureSeen(seen, shift);
-}
-float texelsOf(SurfaceSeen seen) {
-  return texelsAPixel(seen);
+Patch patchSeen(SurfaceSeen seen) {
+  Patch sum = noPatch();
+#ifdef BUMPED
+  sum.aside = pixelsAside(texelsAPixel(seen));
+#endif
+  return withSide(sum, seen, 1.0f);
 }
 #endif
 
 #ifdef BUMPED
-uniform float bump;  // height of white, m
-
-vec3 bumpedNormal(SurfaceSeen seen, Spot spot, vec3 normal) {
-  float aside = pixelsAside(texelsOf(seen));
-  precise float perPixel = 0.5f * bump * exactReciprocal(aside);
-  precise float across = brightness(textureColor(seen, vec2(aside, 0))) - brightness(textureColor(seen, vec2(-aside, 0)));
-  precise float up = brightness(textureColor(seen, vec2(0, aside))) - brightness(textureColor(seen, vec2(0, -aside)));
+vec3 bumpedNormal(Patch patch_, Spot spot, vec3 normal) {
+  precise float perPixel = 0.5f * bump * exactReciprocal(patch_.aside);
+  precise float across = brightness(patch_.right) - brightness(patch_.left);
+  precise float up = brightness(patch_.above) - brightness(patch_.below);
   precise vec2 rises = vec2(across, up) * perPixel;
   precise vec3 right = planePlace(spot, vec2(1, 0)) - spot.place;
   precise vec3 above = planePlace(spot, vec2(0, -1)) - spot.place;
