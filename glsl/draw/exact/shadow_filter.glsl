@@ -41,14 +41,23 @@ float litByFour(usamplerBuffer keys, ShadowMap map, vec2 middle, uint key, float
   return fraction;
 }
 
-// Sixteen: a sunflower disc.
+// A sunflower disc: of its point i the distance from the middle, exactSqrt((i + 1/2) / 16), and cosine and sine of 2.399963 i.
+const vec3 sunflower[16] = vec3[16](
+    vec3(0.176776692f, 0.999999881f, 0.0f), vec3(0.306186229f, -0.737368882f, 0.675490618f),
+    vec3(0.395284712f, 0.0874252319f, -0.996171057f), vec3(0.467707157f, 0.608439505f, 0.793600142f),
+    vec3(0.530330062f, -0.984713793f, -0.174180642f), vec3(0.586301923f, 0.84375453f, -0.536729038f),
+    vec3(0.637377381f, -0.259602129f, 0.965715587f), vec3(0.684653163f, -0.46090889f, -0.887447178f),
+    vec3(0.728868961f, 0.939321995f, 0.343036175f), vec3(0.770551741f, -0.924344897f, 0.381558806f),
+    vec3(0.810092628f, 0.423844457f, -0.905735254f), vec3(0.847791255f, 0.29928723f, 0.954162836f),
+    vec3(0.883883417f, -0.865212858f, -0.501404345f), vec3(0.918558598f, 0.976674676f, -0.214723125f),
+    vec3(0.951971591f, -0.575125396f, 0.818065643f), vec3(0.984251082f, -0.128515407f, -0.991707444f));
+
 float litBySixteen(usamplerBuffer keys, ShadowMap map, vec2 middle, uint key, float radius) {
   precise float sum = 0.0f;
   for (int i = 0; i < 16; ++i) {
-    precise float turn = 2.399963f * float(i);
-    precise float far = (float(i) + 0.5f) * 0.0625f;
-    precise float along = radius * exactSqrt(far);
-    precise vec2 tap = middle + along * vec2(exactCos(turn), exactSin(turn));
+    vec3 point = sunflower[i];
+    precise float along = radius * point.x;
+    precise vec2 tap = middle + along * point.yz;
     sum = sum + litAround(keys, map, tap, key);
   }
   precise float fraction = sum * 0.0625f;
