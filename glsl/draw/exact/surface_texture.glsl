@@ -50,14 +50,11 @@ Patch patchSeen(SurfaceSeen seen) {
 #ifdef BUMPED
   sum.aside = pixelsAside(exactDot(w, vec3(texelsAPixel(seen.x), texelsAPixel(seen.y), texelsAPixel(seen.z))));
 #endif
-  int left = (w.x > 0.0f ? 1 : 0) | (w.y > 0.0f ? 2 : 0) | (w.z > 0.0f ? 4 : 0);
+  int left = sidesThatShow(w);
   while (left != 0) {
     int side = findLSB(left);
     left &= left - 1;
-    Seen one = seen.z;
-    if (side == 0) one = seen.x;
-    if (side == 1) one = seen.y;
-    sum = withSide(sum, one, side == 0 ? w.x : side == 1 ? w.y : w.z);
+    sum = withSide(sum, sideSeen(seen, side), side == 0 ? w.x : side == 1 ? w.y : w.z);
   }
   return sum;
 }
