@@ -23,6 +23,8 @@ constexpr const char* clipPath = "draw/exact/clip_large.comp";
 constexpr unsigned groupTriangles = 64;
 constexpr std::int64_t maxIds = 0xfffffff0;  // the last ones say ground, and nothing
 
+}  // namespace
+
 int verticesOf(const sim::Surface& surface) {
   return std::max(surface.vertexCount, surface.vertexRoom);
 }
@@ -32,8 +34,6 @@ int maxTrianglesOf(const sim::Surface& surface) {
                                                            : surface.indices->bytes() / sizeof(GLuint);
   return static_cast<int>(indices / 3);
 }
-
-}  // namespace
 
 TriangleRaster::TriangleRaster(Into into, int samples, int smallPixels, int fanRoom)
     : into_(into), samples_(samples), smallPixels_(smallPixels), fanRoom_(fanRoom) {}
