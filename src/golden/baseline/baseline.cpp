@@ -57,6 +57,9 @@ PictureBaseline::Frame parseFrame(const JsonValue& value) {
   if (const auto alternates = frame.find("alternates")) stored.alternates = alternates->texts();
   if (stored.alternates.size() > maxAlternates)
     value.wrong(fmt::format("has more than {} alternates", maxAlternates));
+  if (const auto passes = frame.find("passes"))
+    passes->eachMember(
+        [&](const std::string& pass, const JsonValue& hash) { stored.passes[pass] = hash.text(); });
   frame.finish();
   return stored;
 }
@@ -282,6 +285,7 @@ std::string picturesText(const PictureBaseline& baseline) {
     if (!entry.origin.processor.empty() || !entry.origin.driver.empty())
       item["machine"] = {{"processor", entry.origin.processor}, {"driver", entry.origin.driver}};
     if (!entry.alternates.empty()) item["alternates"] = entry.alternates;
+    if (!entry.passes.empty()) item["passes"] = entry.passes;
   }
   return dump(json);
 }

@@ -11,6 +11,7 @@
 #include "draw/exact/triangle_raster.hpp"
 #include "draw/surface/shadow_pass.hpp"
 #include "gl/element_array.hpp"
+#include "sim/grid/field_display.hpp"
 
 #include <algorithm>
 #include <array>
@@ -28,6 +29,12 @@ void checkSamples(int samples) {
     fail(ExitCode::usage, "{} samples per pixel: the exact rasterizer has 1, 2, 4, 8 and 16", samples);
 }
 
+bool anyBehind(const sim::Drawables& drawables) {
+  return std::any_of(drawables.fields.begin(), drawables.fields.end(), [](const sim::Field& field) {
+    return field.display != nullptr && field.display->layer == sim::FieldDisplay::Layer::behind;
+  });
+}
+
 }  // namespace
 
 struct ExactScene::State {
@@ -42,6 +49,7 @@ struct ExactScene::State {
   }
   void drawShadows(const sim::Drawables& drawables);
   void shadeAll();
+  void keepVisibility() const;
 
   const scene::Scene& scene;
   glm::ivec2 size;
@@ -61,7 +69,8 @@ struct ExactScene::State {
   ExactInstances instances;
   Bloom bloom;
   gl::Program litGround, shadedGround, picture;
-  gl::Texture sums;  ///< light of each pixel, and in alpha how much of it is covered
+  PassPicture* passes = nullptr;  ///< where they are kept
+  gl::Texture sums;               ///< light of each pixel, and in alpha how much of it is covered
 };
 
 ExactScene::State::State(const scene::Scene& shown, glm::ivec2 pixels, int count)
@@ -131,6 +140,22 @@ void ExactScene::State::shadeAll() {
   if (shadow.on()) tiles.shade(tiles.things() + 1, shadedGround);
 }
 
+/// What samples show, and shadow maps, with what is named there.
+void ExactScene::State::keepVisibility() const {
+  passes->keep("visibility", "keys", visibility.nearBuffer(), size, samples);
+  passes->keep("visibility", "numbers", visibility.idBuffer(), size, samples);
+  if (map) passes->keep("shadow", "sun", map->nearBuffer(), map->size(), 1);
+  if (lampMaps.on())
+    passes->keep("shadow", "lamps", lampMaps.keys().nearBuffer(), lampMaps.keys().size(), 1);
+  for (const TriangleRaster::Drawn& drawn : triangles.drawn())
+    passes->things.push_back({objectName(*drawn.surface), "triangle", drawn.firstId, 1});
+  instances.describe(passes->things);
+}
+
+void ExactScene::keepPasses(PassPicture* passes) {
+  state_->passes = passes;
+}
+
 void ExactScene::draw(double seconds, const sim::Drawables& published, const Overlays& overlays,
                       const gl::Texture& picture, const Watch& watch) {
   State& s = *state_;
@@ -167,14 +192,19 @@ void ExactScene::draw(double seconds, const sim::Drawables& published, const Ove
   s.instances.drawNumbers(numbers, s.visibility, firstIds);
   issued("visibility");
   s.tiles.list(firstIds, s.visibility, ExactInstances::anyAdd(drawables));
+  if (s.passes) s.keepVisibility();
   s.shadeAll();
+  if (s.passes) s.passes->keepLight("light", "", s.sums);
   issued("surfaces");
   s.instances.addLight(drawables, s.visibility);
   issued("instances");
   glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
+  if (s.passes && ExactInstances::anyAdd(drawables)) s.passes->keepLight("glow", "glows", s.sums);
   overlays.fields.drawBehind(drawables, seconds, s.sums, true);
+  if (s.passes && anyBehind(drawables)) s.passes->keepLight("glow", "fields", s.sums);
   if (s.bloom.on()) {
     const gl::Texture& scattered = s.bloom.draw(s.sums);
+    if (s.passes) s.passes->keepLight("bloom", "", scattered);
     scattered.bind(bloomUnit);
     s.picture.set("bloomStrength", s.scene.render.bloom.strength.at(seconds));
     issued("bloom");
@@ -185,6 +215,7 @@ void ExactScene::draw(double seconds, const sim::Drawables& published, const Ove
   s.picture.dispatch(s.size.x, s.size.y);
   glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT |
                   GL_FRAMEBUFFER_BARRIER_BIT | GL_PIXEL_BUFFER_BARRIER_BIT);
+  if (s.passes) s.passes->keepBytes("picture", "film", picture);
   issued("tone map");
 }
 
