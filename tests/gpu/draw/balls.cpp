@@ -33,7 +33,7 @@ double lightOf(int byte) {
 }
 
 std::filesystem::path temporaryMesh(const char* name, const char* text) {
-  auto file = std::filesystem::temp_directory_path() / name;
+  auto file = temporaryFile(name);
   writeFileAtomically(file, text);
   return file;
 }
