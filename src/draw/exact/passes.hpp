@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -30,7 +31,7 @@ struct PassArray {
   int width = 0;       ///< pixels; texels of a map or of what is scattered
   int height = 0;      ///< the same
   int each = 1;        ///< words of a pixel: one a sample, or RGBA of light
-  bool light = false;  ///< words are floats, and zeros have no sign
+  bool light = false;  ///< words are floats; there is no -0
   std::vector<std::uint32_t> words;
 };
 
@@ -47,11 +48,19 @@ struct PassPicture {
   std::vector<PassArray> arrays;   ///< pass by pass
   std::vector<DrawnThing> things;  ///< their first numbers ascend
 
-  /// Waits for the device and copies 32-bit words.
+  // What is kept of a part that is there already are its next rows. Waits for the device.
+
+  /// 32-bit words.
   void keep(const char* pass, const char* part, const gl::Buffer& words, glm::ivec2 size, int each);
-  /// An RGBA32F texture, or an RGBA8 one.
-  void keepLight(const char* pass, const char* part, const gl::Texture& light);
+  /// Rows, from the first up to the second, of an RGBA32F texture.
+  void keepLight(const char* pass, const char* part, const gl::Texture& light, glm::ivec2 rows);
+  /// An RGBA8 texture.
   void keepBytes(const char* pass, const char* part, const gl::Texture& picture);
+
+ private:
+  /// Adds rows to an array; the words are those that are added.
+  std::span<std::uint32_t> added(const char* pass, const char* part, glm::ivec2 size, int each,
+                                 bool light = false);
 };
 
 }  // namespace simreel::draw

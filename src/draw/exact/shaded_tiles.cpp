@@ -12,7 +12,6 @@ namespace simreel::draw {
 
 namespace {
 
-constexpr int side = 8;          // tileSide of glsl/draw/exact/fixed.glsl
 constexpr int maxThings = 2046;  // 32 times maxWords of tiles.comp, less the ground's two
 
 }  // namespace

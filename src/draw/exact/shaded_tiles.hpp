@@ -8,6 +8,7 @@ namespace simreel::draw {
 /// last two things are the ground where no shadow reaches it, and the ground elsewhere.
 class ShadedTiles {
  public:
+  static constexpr int side = 8;  ///< pixels of a tile: tileSide of glsl/draw/exact/fixed.glsl
   ShadedTiles(glm::ivec2 size, int samples, bool ground, bool shadow);
 
   /// Lays the ground under what is visible and makes the lists. `firstIds`: of the things, ascending.

@@ -37,6 +37,10 @@ void checkFormat(JsonObject& root) {
 
 /// Older files have only the fingerprint of the numerics.
 Origin parseOrigin(JsonObject& frame) {
+  if (const auto rasterizer = frame.find("rasterizer")) {
+    if (!rasterizer->is("exact")) rasterizer->wrong("is not \"exact\"");
+    return exactOrigin;
+  }
   Origin origin;
   origin.numerics = frame.at("fingerprint").text();
   origin.drawing = textIfThere(frame, "drawing");
@@ -250,7 +254,7 @@ std::string profileToWrite(const fs::path& folder, const std::string& ownProfile
   if (pathExists(folder / ownProfile / "baseline.json")) return ownProfile;
   const auto shared = orFresh<PictureBaseline>([&] { return readPictures(folder, sharedProfile); });
   const bool ours = std::all_of(shared.frames.begin(), shared.frames.end(), [&](const auto& entry) {
-    return entry.second.origin.numerics == numerics;
+    return entry.second.origin.exact || entry.second.origin.numerics == numerics;
   });
   return ours ? sharedProfile : ownProfile;
 }
@@ -260,6 +264,20 @@ void promote(const fs::path& folder, const std::string& profile, const Candidate
   if (!candidate.png.empty() || !how.keepOthers) promotePictures(folder, profile, candidate, how);
   if (!candidate.state.frames.empty())
     promoteState(stateFolder(folder, profile, candidate.exact), candidate, how);
+}
+
+bool renewPasses(const fs::path& folder, const std::string& profile,
+                 const std::map<int, std::map<std::string, std::string>>& passes) {
+  auto listed = readPictures(folder, profile);
+  bool changed = false;
+  for (const auto& [frame, hashes] : passes) {
+    if (!listed || !listed->frames.contains(frame)) continue;
+    auto& known = listed->frames[frame].passes;
+    changed = changed || known != hashes;
+    known = hashes;
+  }
+  if (changed) writeFileAtomically(folder / profile / "baseline.json", picturesText(*listed));
+  return changed;
 }
 
 PictureBaseline parsePictures(const std::string& text, const std::string& name) {
@@ -279,8 +297,11 @@ std::string picturesText(const PictureBaseline& baseline) {
   json["frames"] = Json::object();
   for (const auto& [frame, entry] : baseline.frames) {
     // Never a null that grows into an object: without memory the library ends the program there.
-    Json& item = json["frames"][std::to_string(frame)] =
-        Json{{"pixels", entry.pixels}, {"fingerprint", entry.origin.numerics}};
+    Json& item = json["frames"][std::to_string(frame)] = Json{{"pixels", entry.pixels}};
+    if (entry.origin.exact)
+      item["rasterizer"] = "exact";
+    else
+      item["fingerprint"] = entry.origin.numerics;
     if (!entry.origin.drawing.empty()) item["drawing"] = entry.origin.drawing;
     if (!entry.origin.processor.empty() || !entry.origin.driver.empty())
       item["machine"] = {{"processor", entry.origin.processor}, {"driver", entry.origin.driver}};

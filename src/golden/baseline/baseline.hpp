@@ -70,8 +70,8 @@ struct Candidate {
 /// The baseline of this family, else the shared one.
 [[nodiscard]] std::optional<PictureBaseline> choosePictures(const std::filesystem::path& folder,
                                                             const std::string& ownProfile);
-/// Where a new baseline goes: `own` where that exists, else the shared one unless it was made by other
-/// numerics (a fingerprint as in Origin).
+/// Where a new baseline of a driver's pictures goes: `own` where that exists, else the shared one unless it
+/// was drawn with other numerics (a fingerprint as in Origin). Exact pictures have the shared one alone.
 [[nodiscard]] std::string profileToWrite(const std::filesystem::path& folder, const std::string& ownProfile,
                                          const std::string& numerics);
 
@@ -86,6 +86,11 @@ struct Promotion {
 /// alternate.
 void promote(const std::filesystem::path& folder, const std::string& profile, const Candidate& candidate,
              const Promotion& how);
+
+/// Writes the hashes of passes into what is listed of these frames' pictures; false where they stand there
+/// already. Throws UserError(inputOutput).
+bool renewPasses(const std::filesystem::path& folder, const std::string& profile,
+                 const std::map<int, std::map<std::string, std::string>>& passes);
 
 /// The contents of baseline.json and state.json. Throw UserError(inputOutput) naming the file and the
 /// mistake. The profile is the folder's name, which the text does not hold.

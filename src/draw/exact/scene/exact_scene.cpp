@@ -35,10 +35,19 @@ bool anyBehind(const sim::Drawables& drawables) {
   });
 }
 
+/// As many rows of the picture as `bytes` hold the visibility of, in whole tiles.
+int rowsOfBands(glm::ivec2 size, int samples, std::size_t bytes) {
+  const std::size_t held = std::min(bytes / Visibility::sampleBytes, Visibility::maxSamples());
+  const std::size_t rows = held / (static_cast<std::size_t>(size.x) * static_cast<std::size_t>(samples));
+  if (rows >= static_cast<std::size_t>(size.y)) return size.y;
+  constexpr int side = ShadedTiles::side;
+  return std::min(size.y, std::max(static_cast<int>(rows) / side * side, side));
+}
+
 }  // namespace
 
 struct ExactScene::State {
-  State(const scene::Scene& shown, glm::ivec2 pixels, int count);
+  State(const scene::Scene& shown, glm::ivec2 pixels, int count, int rows);
 
   /// Defines of what shades.
   [[nodiscard]] gl::Defines lighting(int count) const {
@@ -48,12 +57,14 @@ struct ExactScene::State {
     return defines;
   }
   void drawShadows(const sim::Drawables& drawables);
+  void drawBand(const sim::Drawables& drawables, glm::ivec2 rows, const Watch& watch);
   void shadeAll();
-  void keepVisibility() const;
+  void keepVisibility(glm::ivec2 rows) const;
 
   const scene::Scene& scene;
   glm::ivec2 size;
   int samples;
+  int bandRows;  ///< of the picture at most, whose visibility there is at once
   bool ground;
   SkinTextures skins;
   Lamps lamps;
@@ -73,19 +84,20 @@ struct ExactScene::State {
   gl::Texture sums;               ///< light of each pixel, and in alpha how much of it is covered
 };
 
-ExactScene::State::State(const scene::Scene& shown, glm::ivec2 pixels, int count)
+ExactScene::State::State(const scene::Scene& shown, glm::ivec2 pixels, int count, int rows)
     : scene(shown),
       size(pixels),
       samples(count),
+      bandRows(rows),
       ground(shown.hasGround && shown.ground.visible),
       skins(shown),
       lamps(shown, Rasterizer::exact),
       shadow(shown.sun),
       view("view", sizeof(shader::ExactView)),
-      visibility("the picture", pixels, count, true),
+      visibility("the picture", {pixels.x, rows}, count, true),
       triangles(TriangleRaster::Into::picture, count),
       lampMaps(lamps),
-      tiles(pixels, count, ground, shadow.on()),
+      tiles({pixels.x, rows}, count, ground, shadow.on()),
       surfaces(shown, lighting(count)),
       instances(count, lighting(count)),
       bloom(shown.render.bloom, pixels),
@@ -105,9 +117,10 @@ ExactScene::State::State(const scene::Scene& shown, glm::ivec2 pixels, int count
   shadedGround = gl::Program::compute("draw/exact/shade_ground.comp", defines);
 }
 
-ExactScene::ExactScene(const scene::Scene& scene, glm::ivec2 size, int samples) {
+ExactScene::ExactScene(const scene::Scene& scene, glm::ivec2 size, int samples,
+                       std::size_t visibilityBytes) {
   checkSamples(samples);
-  state_ = std::make_unique<State>(scene, size, samples);
+  state_ = std::make_unique<State>(scene, size, samples, rowsOfBands(size, samples, visibilityBytes));
 }
 ExactScene::~ExactScene() = default;
 
@@ -126,8 +139,6 @@ void ExactScene::State::drawShadows(const sim::Drawables& drawables) {
 }
 
 void ExactScene::State::shadeAll() {
-  constexpr std::array<GLfloat, 4> none = {0, 0, 0, 0};
-  glClearTexImage(sums.name(), 0, GL_RGBA, GL_FLOAT, none.data());
   sums.bindImage(sumImage, GL_READ_WRITE);
   if (map) map->nearKeys().bind(mapUnit);
   lampMaps.bind();
@@ -140,10 +151,12 @@ void ExactScene::State::shadeAll() {
   if (shadow.on()) tiles.shade(tiles.things() + 1, shadedGround);
 }
 
-/// What samples show, and shadow maps, with what is named there.
-void ExactScene::State::keepVisibility() const {
-  passes->keep("visibility", "keys", visibility.nearBuffer(), size, samples);
-  passes->keep("visibility", "numbers", visibility.idBuffer(), size, samples);
+/// What the band's samples show; with its first, shadow maps and what has numbers.
+void ExactScene::State::keepVisibility(glm::ivec2 rows) const {
+  const glm::ivec2 band(size.x, rows.y - rows.x);
+  passes->keep("visibility", "keys", visibility.nearBuffer(), band, samples);
+  passes->keep("visibility", "numbers", visibility.idBuffer(), band, samples);
+  if (rows.x > 0) return;
   if (map) passes->keep("shadow", "sun", map->nearBuffer(), map->size(), 1);
   if (lampMaps.on())
     passes->keep("shadow", "lamps", lampMaps.keys().nearBuffer(), lampMaps.keys().size(), 1);
@@ -156,6 +169,31 @@ void ExactScene::keepPasses(PassPicture* passes) {
   state_->passes = passes;
 }
 
+void ExactScene::State::drawBand(const sim::Drawables& drawables, glm::ivec2 rows, const Watch& watch) {
+  std::vector<const sim::Surface*> shown;
+  for (const sim::Surface& surface : drawables.surfaces) shown.push_back(&surface);
+  gl::barrier();  // another band may still be read
+  visibility.clear();
+  gl::barrier();
+  instances.drawNearest(drawables, visibility);  // before triangles draw numbers
+  triangles.draw(shown, visibility);
+  std::vector<unsigned> firstIds;
+  unsigned numbers = 0;
+  for (const TriangleRaster::Drawn& drawn : triangles.drawn()) {
+    firstIds.push_back(drawn.firstId);
+    numbers = drawn.firstId + static_cast<unsigned>(drawn.maxTriangles);
+  }
+  instances.drawNumbers(numbers, visibility, firstIds);
+  if (watch) watch("visibility");
+  tiles.list(firstIds, visibility, ExactInstances::anyAdd(drawables));
+  if (passes != nullptr) keepVisibility(rows);
+  shadeAll();
+  if (passes != nullptr) passes->keepLight("light", "", sums, rows);
+  if (watch) watch("surfaces");
+  instances.addLight(drawables, visibility);
+  if (watch && ExactInstances::anyAdd(drawables)) watch("instances");
+}
+
 void ExactScene::draw(double seconds, const sim::Drawables& published, const Overlays& overlays,
                       const gl::Texture& picture, const Watch& watch) {
   State& s = *state_;
@@ -165,7 +203,7 @@ void ExactScene::draw(double seconds, const sim::Drawables& published, const Ove
   const auto issued = [&](const char* stage) {
     if (watch) watch(stage);
   };
-  const shader::ExactView values =
+  shader::ExactView values =
       exactView(viewAt(s.scene.camera, seconds, s.size, drawables), s.scene.camera, s.size);
   s.view.write(0, std::as_bytes(std::span(&values, 1)));
   if (s.lampMaps.on()) {
@@ -177,34 +215,21 @@ void ExactScene::draw(double seconds, const sim::Drawables& published, const Ove
     s.drawShadows(drawables);
     issued("shadow");
   }
-  std::vector<const sim::Surface*> shown;
-  for (const sim::Surface& surface : drawables.surfaces) shown.push_back(&surface);
-  s.visibility.clear();
-  gl::barrier();
-  s.instances.drawNearest(drawables, s.visibility);  // before triangles draw numbers
-  s.triangles.draw(shown, s.visibility);
-  std::vector<unsigned> firstIds;
-  unsigned numbers = 0;
-  for (const TriangleRaster::Drawn& drawn : s.triangles.drawn()) {
-    firstIds.push_back(drawn.firstId);
-    numbers = drawn.firstId + static_cast<unsigned>(drawn.maxTriangles);
+  constexpr std::array<GLfloat, 4> none = {0, 0, 0, 0};
+  glClearTexImage(s.sums.name(), 0, GL_RGBA, GL_FLOAT, none.data());
+  for (int row = 0; row < s.size.y; row += s.bandRows) {
+    values.rows = {row, std::min(row + s.bandRows, s.size.y)};
+    s.view.write(0, std::as_bytes(std::span(&values, 1)));
+    s.drawBand(drawables, values.rows, watch);
   }
-  s.instances.drawNumbers(numbers, s.visibility, firstIds);
-  issued("visibility");
-  s.tiles.list(firstIds, s.visibility, ExactInstances::anyAdd(drawables));
-  if (s.passes) s.keepVisibility();
-  s.shadeAll();
-  if (s.passes) s.passes->keepLight("light", "", s.sums);
-  issued("surfaces");
-  s.instances.addLight(drawables, s.visibility);
-  issued("instances");
   glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
-  if (s.passes && ExactInstances::anyAdd(drawables)) s.passes->keepLight("glow", "glows", s.sums);
+  if (s.passes && ExactInstances::anyAdd(drawables))
+    s.passes->keepLight("glow", "glows", s.sums, {0, s.size.y});
   overlays.fields.drawBehind(drawables, seconds, s.sums, true);
-  if (s.passes && anyBehind(drawables)) s.passes->keepLight("glow", "fields", s.sums);
+  if (s.passes && anyBehind(drawables)) s.passes->keepLight("glow", "fields", s.sums, {0, s.size.y});
   if (s.bloom.on()) {
     const gl::Texture& scattered = s.bloom.draw(s.sums);
-    if (s.passes) s.passes->keepLight("bloom", "", scattered);
+    if (s.passes) s.passes->keepLight("bloom", "", scattered, {0, scattered.height()});
     scattered.bind(bloomUnit);
     s.picture.set("bloomStrength", s.scene.render.bloom.strength.at(seconds));
     issued("bloom");
