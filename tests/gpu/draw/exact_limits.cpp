@@ -142,3 +142,34 @@ TEST_CASE("exact limits: as many things as are drawn at once, each where it is; 
     CHECK(std::string(error.what()).find("draws 2046 things at once, not 2047") != std::string::npos);
   }
 }
+
+TEST_CASE("exact limits: what is nearer than the nearest plane or beyond the farthest is not drawn") {
+  testContext();
+  scene::Scene scene = darkScene();  // from 5 m before the origin
+  scene.sun.shadow = false;
+  scene.camera.near = 1;
+  scene.camera.far = 6;
+  const auto file = temporaryFile("limit_plate.obj");
+  writeFileAtomically(file, "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nf 1 2 3\nf 1 3 4\n");
+  const Picture empty = exactly(scene, {}, {161, 153});
+  for (const Shape shape : {Shape::sprite, Shape::sphere, Shape::mesh})
+    for (const bool additive : {false, true})
+      for (const float size : {0.05F, 1.2F}) {  // round sprites are of at most 64 pixels' radius
+        CAPTURE(static_cast<int>(shape));
+        CAPTURE(additive);
+        CAPTURE(size);
+        const auto shows = [&](float z) {
+          InstanceStage stage({{0.1F, 0.05F, z, 1}}, {{0, 0, 0, 0.5F}});
+          stage.instances.shape = shape;
+          stage.instances.mesh = file;
+          stage.instances.additive = additive;
+          stage.instances.size = size;
+          return exactly(scene, {.instances = {stage.instances}}, {161, 153}).bytes != empty.bytes;
+        };
+        CHECK(shows(0.5F));
+        CHECK(shows(-0.3F));
+        CHECK_FALSE(shows(4.9F));
+        CHECK_FALSE(shows(-2.3F));
+      }
+  std::filesystem::remove(file);
+}
