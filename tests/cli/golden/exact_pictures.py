@@ -26,10 +26,10 @@ def scenes():
     return sorted(file.stem for file in (SOURCE / "assets/scenes").glob("*.json"))
 
 
-def render(program, scene, output, *arguments, size=SIZE, env=None, timeout=300):
+def render(program, scene, output, *arguments, size=None, env=None, timeout=600):
     """`simreel render` of a shipped scene; `output` is a file, or - for bytes of RGBA in stdout."""
     environment = {**os.environ, "SIMREEL_ASSETS": str(SOURCE / "assets"), **(env or {})}
-    return subprocess.run([program, "render", SOURCE / f"assets/scenes/{scene}.json", "-o", output, "--size", size, "-q",
+    return subprocess.run([program, "render", SOURCE / f"assets/scenes/{scene}.json", "-o", output, "--size", size or SIZE, "-q",
                            "--overwrite", "--no-counts", *map(str, arguments)], env=environment, capture_output=True,
                           timeout=timeout, check=False)
 
@@ -43,7 +43,7 @@ def pixels_hash(file):
     return hashlib.sha256(f"{width}x{height}\n".encode() + rows).hexdigest()
 
 
-def drawn(program, scene, frame, *arguments, env=None, timeout=300):
+def drawn(program, scene, frame, *arguments, env=None, timeout=600):
     """The entry of a scene as this program makes it; with "failed" the last line where it says nothing for the list."""
     with tempfile.TemporaryDirectory(prefix="simreel-exact-") as folder:
         file = pathlib.Path(folder) / "picture.png"
@@ -59,8 +59,8 @@ def drawn(program, scene, frame, *arguments, env=None, timeout=300):
 
 
 def drawn_all(program, names, *arguments, env=None):
-    """Entries of these scenes, at the frames that are listed."""
-    frames = {name: entry["frame"] for name, entry in listed().items()}
+    """Entries of these scenes, at the frames that are listed, or those that `names` gives as a dictionary."""
+    frames = names if isinstance(names, dict) else {name: entry["frame"] for name, entry in listed().items()}
     with concurrent.futures.ThreadPoolExecutor(WORKERS) as pool:
         return dict(zip(names, pool.map(
             lambda name: drawn(program, name, frames.get(name, FIRST_FRAME), *arguments, env=env), names)))
