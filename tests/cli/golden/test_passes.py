@@ -256,6 +256,15 @@ class Test(PassCase):
         self.assertEqual(place["pass"], "")
         self.assertIn("not known to the baseline", place["message"])
 
+    def test_updating_renews_hashes_alone(self):
+        """Where a pass is not as it was and the picture is."""
+        before, files = self.baseline(), self.tree("scenes/golden")
+        self.edit_json(self.golden("a/any/baseline.json"), lambda b: b["frames"]["2"]["passes"].update(light="0" * 16))
+        self.assertIn("wrote hashes of passes", self.one(0, "--update")["notes"][0])
+        self.assertEqual(self.baseline(), before)
+        self.assertEqual(self.tree("scenes/golden"), files)
+        self.assertEqual(self.one(0, "--update")["notes"], [])
+
     def test_accepting_lists_the_passes_that_were_drawn(self):
         before = self.baseline()["frames"]["2"]["passes"]
         self.set_scene({}, "a")
