@@ -173,3 +173,38 @@ TEST_CASE("exact limits: what is nearer than the nearest plane or beyond the far
       }
   std::filesystem::remove(file);
 }
+
+TEST_CASE("exact limits: one primitive over the whole picture is the same at any number of samples") {
+  testContext();
+  scene::Scene scene = darkScene();
+  scene.sun.shadow = false;
+  scene.sun.intensity = 1.0F;
+  const auto file = temporaryFile("one_triangle.obj");
+  writeFileAtomically(file, "v -30 -30 0\nv 30 -30 0\nv 0 50 0\nf 1 2 3\n");
+  TriangleStage triangle({{-30, -30, 0}, {30, -30, 0}, {0, 50, 0}}, {0, 1, 2},
+                         std::vector<glm::vec3>(3, glm::vec3(0, 0, 1)));
+  InstanceStage instance(std::vector<glm::vec3>(1, glm::vec3(0)));
+  instance.instances.mesh = file;
+  instance.instances.size = 1;
+  InstanceStage ball(std::vector<glm::vec3>(1, glm::vec3(0, 0, -60)));
+  ball.instances.size = 120;
+  instance.instances.shape = Shape::mesh;
+  ball.instances.shape = Shape::sphere;
+  const sim::Drawables kinds[] = {{.surfaces = {triangle.surface}},
+                                  {.instances = {instance.instances}},
+                                  {.instances = {ball.instances}}};
+  for (const sim::Drawables& drawables : kinds) {
+    CAPTURE(drawables.surfaces.size());
+    const auto with = [&](int samples) {
+      return drawn(scene, drawables, {21, 13}, samples, {.rasterizer = scene::Rasterizer::exact});
+    };
+    const Picture one = with(1);
+    for (int y = 0; y < 13; ++y)
+      for (int x = 0; x < 21; ++x) CHECK(one.brightness(x, y) > 200);
+    for (const int samples : {2, 4, 8, 16}) {
+      CAPTURE(samples);
+      CHECK(with(samples).bytes == one.bytes);
+    }
+  }
+  std::filesystem::remove(file);
+}
