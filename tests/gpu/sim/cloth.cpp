@@ -109,3 +109,16 @@ TEST_CASE("cloth with constraints equals its CPU twin") {
   ball.radius = 0.6F;
   compare(p, 75, {ball});
 }
+
+TEST_CASE("long lines of constraints, pinned anywhere, equal their CPU twin") {
+  // More segments than one on either side, the last of them of one link; and lines longer than a group's
+  // room.
+  for (const glm::ivec2 size : {glm::ivec2(3, 130), glm::ivec2(34, 18), glm::ivec2(2, 2100)}) {
+    auto p = sheet(size.x, size.y);
+    p.solver = sim::ClothSolver::constraints;
+    p.spacing = 0.01F;
+    p.mass = 1e-4F;
+    p.pins.front().points = {{1, size.y / 2}, {1, size.y / 2 + 1}};
+    compare(p, 9);
+  }
+}
