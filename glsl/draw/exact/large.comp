@@ -1,7 +1,8 @@
-// Triangles that are large, or reach beyond the picture's surroundings: those that triangles.comp has listed. A group
-// takes every so manyth tile of one. SAMPLES, PASS, SUN_MAP, COUNTED.
+// Triangles that are large, or reach beyond the picture's surroundings: those that triangles.comp has listed. A group takes every
+// so manyth tile of one. Variants: SAMPLES, PASS, SUN_MAP, COUNTED; CLIPS: those for which clip_large.comp had no room, apart,
+// because software drivers would run that for the others, too.
 #include "draw/exact/raster.glsl"
-#include "draw/exact/fill_tiles.glsl"
+#include "draw/exact/fill_fan.glsl"
 layout(binding = largeUnit) uniform usamplerBuffer large;
 layout(binding = counterUnit) uniform usamplerBuffer counters;
 uniform int draw_;
@@ -9,21 +10,22 @@ uniform int draw_;
 void main() {
   uint entry = gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x;
   if (entry >= texelFetch(counters, draw_).x) return;
+#ifdef CLIPS
+  if (entry < uint(fanRoom)) return;
+#elif !defined SUN_MAP
+  if (entry >= uint(fanRoom)) return;
+#endif
   int number = int(texelFetch(large, firstIndex / 3 + int(entry)).x);
+  uint id = firstId + uint(number);
+#if defined SUN_MAP || defined CLIPS
   ivec3 corners = cornersOf(number);
   uvec4 a = texelFetch(vertices, corners.x), b = texelFetch(vertices, corners.y), c = texelFetch(vertices, corners.z);
-#ifndef SUN_MAP
-  float nearest = view.near;
-#endif
-  Polygon p = clippedToPicture(placeOf(a), placeOf(b), placeOf(c), vec2(PICTURE_SIZE), nearest);
-  for (int k = 1; k + 1 < p.count; ++k) {
 #ifdef SUN_MAP
-    Triangle t = drawnTriangle(cornerOfVertex(a), cornerOfVertex(b), cornerOfVertex(c));  // never clipped
-    if (k > 1) break;
+  fillTiles(drawnTriangle(cornerOfVertex(a), cornerOfVertex(b), cornerOfVertex(c)), id);  // never clipped
 #else
-    Triangle t = drawnTriangle(cornerOf(p.corners[0], nearest), cornerOf(p.corners[k], nearest),
-                               cornerOf(p.corners[k + 1], nearest));
+  fillClipped(placeOf(a), placeOf(b), placeOf(c), view.near, id);
 #endif
-    fillTiles(t, firstId + uint(number));
-  }
+#else
+  fillFan(int(entry), id);
+#endif
 }

@@ -14,12 +14,13 @@ class GroupCounts {
   struct Order {
     int first = 0;  ///< dispatch to fill
     int firstCount = 0;
-    int counts = 1;        ///< how many, from the first count on
-    unsigned skipped = 0;  ///< of each count
-    unsigned most = ~0U;   ///< taken of each
-    unsigned times = 1;    ///< items for one that is counted: fewer than 2^32 together
-    unsigned each = 1;     ///< items of a group
-    unsigned parts = 1;    ///< groups in the third direction
+    int counts = 1;             ///< how many, from the first count on
+    unsigned skipped = 0;       ///< of each count
+    unsigned most = ~0U;        ///< taken of each
+    unsigned times = 1;         ///< items for one that is counted: fewer than 2^32 together
+    unsigned each = 1;          ///< items of a group
+    unsigned parts = 1;         ///< groups in the third direction,
+    unsigned fewerParts = ~0U;  ///< where less will do not below this
   };
   GroupCounts() : program_(gl::Program::compute("draw/exact/arguments.comp")) {}
   void fill(const gl::Buffer& counts, const Order& order, const gl::Buffer& groups) const;

@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 #include "draw/exact/bindings.hpp"
+#include "draw/exact/parts.hpp"
 #include "draw/exact/reserve.hpp"
 #include "gl/context.hpp"
 #include "gl/element_array.hpp"
@@ -18,7 +19,11 @@ namespace {
 
 constexpr const char* trianglesPath = "draw/exact/triangles.comp";
 constexpr const char* largePath = "draw/exact/large.comp";
+constexpr const char* clipPath = "draw/exact/clip_large.comp";
+constexpr unsigned groupTriangles = 64;
 constexpr std::int64_t maxIds = 0xfffffff0;  // the last ones say ground, and nothing
+
+}  // namespace
 
 int verticesOf(const sim::Surface& surface) {
   return std::max(surface.vertexCount, surface.vertexRoom);
@@ -30,15 +35,14 @@ int maxTrianglesOf(const sim::Surface& surface) {
   return static_cast<int>(indices / 3);
 }
 
-}  // namespace
-
-TriangleRaster::TriangleRaster(Into into, int samples, int smallPixels)
-    : into_(into), samples_(samples), smallPixels_(smallPixels), parts_(gl::softwareDriver() ? 4U : 32U) {}
+TriangleRaster::TriangleRaster(Into into, int samples, int smallPixels, int fanRoom)
+    : into_(into), samples_(samples), smallPixels_(smallPixels), fanRoom_(fanRoom) {}
 
 void TriangleRaster::prepare(const std::vector<const sim::Surface*>& surfaces) {
   drawn_.clear();
   std::int64_t vertices = 0;
   std::int64_t triangles = 0;
+  int fans = 0;
   for (const sim::Surface* surface : surfaces) {
     Drawn next;
     next.surface = surface;
@@ -46,6 +50,9 @@ void TriangleRaster::prepare(const std::vector<const sim::Surface*>& surfaces) {
     next.firstIndex = static_cast<int>(3 * triangles);
     next.maxTriangles = maxTrianglesOf(*surface);
     next.firstId = static_cast<unsigned>(triangles);
+    next.firstFan = fans;
+    next.fans = std::min(next.maxTriangles, fanRoom_ / static_cast<int>(surfaces.size()));
+    fans += next.fans;
     next.indices = gl::Texture::view("indices", GL_R32UI, *surface->indices, sizeof(GLuint));
     vertices += verticesOf(*surface);
     triangles += next.maxTriangles;
@@ -67,6 +74,9 @@ void TriangleRaster::prepare(const std::vector<const sim::Surface*>& surfaces) {
           sizeof(GLuint));
   reserve(largeGroups_, "groups for large triangles", count * GroupCounts::bytes);
   reserve(surfaceGroups_, "groups for triangles", count * GroupCounts::bytes);
+  if (into_ == Into::sunMap) return;  // never clipped
+  reserve(clipGroups_, "groups for clipping", count * GroupCounts::bytes);
+  reserve(fans_, fanView_, "clipped triangles", of(fans, 128), GL_RGBA32UI, 16);
 }
 
 const gl::Program& TriangleRaster::vertexProgram(const sim::Surface& surface) {
@@ -82,14 +92,13 @@ const gl::Program& TriangleRaster::vertexProgram(const sim::Surface& surface) {
       .first->second;
 }
 
-const gl::Program& TriangleRaster::program(const char* path, int pass, bool counted) {
-  const std::tuple<std::string, int, bool> key{path, pass, counted};
+const gl::Program& TriangleRaster::program(const char* path, int pass, bool counted, bool clips) {
+  const std::tuple<std::string, int, bool, bool> key{path, pass, counted, clips};
   const auto found = programs_.find(key);
   if (found != programs_.end()) return found->second;
-  gl::Defines defines = {{"SAMPLES", std::to_string(samples_)},
-                         {"PASS", std::to_string(pass)},
-                         {"PARTS", std::to_string(parts_)}};
+  gl::Defines defines = {{"SAMPLES", std::to_string(samples_)}, {"PASS", std::to_string(pass)}};
   if (counted) defines.emplace_back("COUNTED", "1");
+  if (clips) defines.emplace_back("CLIPS", "1");
   if (into_ == Into::sunMap) defines.emplace_back("SUN_MAP", "1");
   if (into_ == Into::lampMap) defines.emplace_back("LAMP_MAP", "1");
   return programs_.emplace(key, gl::Program::compute(path, defines)).first->second;
@@ -120,19 +129,39 @@ void TriangleRaster::bind(const Drawn& drawn, const gl::Program& program) const 
   program.set("firstIndex", drawn.firstIndex);
   program.set("triangleCount", drawn.maxTriangles);
   program.set("firstId", drawn.firstId);
+  program.set("firstFan", drawn.firstFan);
+  program.set("fanRoom", drawn.fans);
 }
 
-void TriangleRaster::run(const char* path, int pass, const Visibility& into, const MapPart& part) {
+void TriangleRaster::clipLarge(const Visibility& into) {
+  if (into_ == Into::sunMap) return;
+  groups_.fill(counters_, {.counts = static_cast<int>(drawn_.size()), .each = groupTriangles}, clipGroups_);
+  gl::barrier();
+  glMemoryBarrier(GL_COMMAND_BARRIER_BIT);
+  fans_.bindStorage(fanBinding);
+  run(clipPath, 0, into, {});
+}
+
+void TriangleRaster::runLarge(int pass, const Visibility& into, const MapPart& part) {
+  run(largePath, pass, into, part);
+  if (into_ != Into::sunMap) run(largePath, pass, into, part, true);
+}
+
+void TriangleRaster::run(const char* path, int pass, const Visibility& into, const MapPart& part,
+                         bool clips) {
   into.bind();
   large_.bindStorage(largeBinding);
   largeView_.bind(largeUnit);
   counters_.bindStorage(counterBinding);
   counterView_.bind(counterUnit);
+  if (into_ != Into::sunMap) fanView_.bind(fanUnit);
   const bool small = path == trianglesPath;
+  const gl::Buffer& groups = small ? surfaceGroups_ : path == clipPath ? clipGroups_ : largeGroups_;
   for (std::size_t i = 0; i < drawn_.size(); ++i) {
     const Drawn& drawn = drawn_[i];
+    if (clips && drawn.fans == drawn.maxTriangles) continue;
     const bool counted = drawn.surface->arguments != nullptr;
-    const gl::Program& kernel = program(path, pass, counted);
+    const gl::Program& kernel = program(path, pass, counted, clips);
     bind(drawn, kernel);
     kernel.set("doubleSided", static_cast<int>(drawn.surface->doubleSided));
     kernel.set("draw_", static_cast<int>(i));
@@ -144,14 +173,13 @@ void TriangleRaster::run(const char* path, int pass, const Visibility& into, con
       continue;
     }
     kernel.use();
-    GroupCounts::dispatch(small ? surfaceGroups_ : largeGroups_, i);
+    GroupCounts::dispatch(groups, i);
   }
 }
 
 void TriangleRaster::draw(const std::vector<const sim::Surface*>& surfaces, const Visibility& into,
                           const MapPart& part) {
   constexpr GLuint zero = 0;
-  constexpr unsigned groupTriangles = 64;
   prepare(surfaces);
   if (drawn_.empty()) return;
   glClearNamedBufferData(counters_.name(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, &zero);
@@ -166,14 +194,21 @@ void TriangleRaster::draw(const std::vector<const sim::Surface*>& surfaces, cons
   glMemoryBarrier(GL_COMMAND_BARRIER_BIT);
   run(trianglesPath, 0, into, part);
   gl::barrier();
-  groups_.fill(counters_, {.counts = static_cast<int>(drawn_.size()), .parts = parts_}, largeGroups_);
+  clipLarge(into);
+  const glm::ivec2 size = part.side > 0 ? glm::ivec2(part.side) : into.size();
+  const unsigned parts = partsFor(size, samples_);
+  groups_.fill(counters_,
+               {.counts = static_cast<int>(drawn_.size()),
+                .parts = parts,
+                .fewerParts = gl::softwareDriver() ? leastParts(size, samples_) : parts},
+               largeGroups_);
   gl::barrier();
   glMemoryBarrier(GL_COMMAND_BARRIER_BIT);
-  run(largePath, 0, into, part);
+  runLarge(0, into, part);
   gl::barrier();
   if (into_ != Into::picture) return;
   run(trianglesPath, 1, into, part);
-  run(largePath, 1, into, part);
+  runLarge(1, into, part);
   gl::barrier();
 }
 

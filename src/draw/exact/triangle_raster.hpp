@@ -11,14 +11,19 @@
 
 namespace simreel::draw {
 
+/// Vertices that a surface has room for, and triangles.
+[[nodiscard]] int verticesOf(const sim::Surface& surface);
+[[nodiscard]] int maxTrianglesOf(const sim::Surface& surface);
+
 /// Finds what of surfaces is nearest at each sample, by kernels: coverage in whole numbers, ties by number.
 /// The result does not depend on the order in which the device works.
 class TriangleRaster {
  public:
   enum class Into { picture, sunMap, lampMap };
   /// Triangles whose box has no side above `smallPixels` (0 to 64) are drawn by an invocation each, the
-  /// others by groups, tile by tile: the same either way.
-  TriangleRaster(Into into, int samples, int smallPixels = smallTriangle());
+  /// others by groups, tile by tile: the same either way. Of those `fanRoom` are clipped once, for all
+  /// invocations that draw them; 128 bytes each.
+  TriangleRaster(Into into, int samples, int smallPixels = smallTriangle(), int fanRoom = 1 << 17);
 
   /// A surface as it was drawn last.
   struct Drawn {
@@ -27,6 +32,8 @@ class TriangleRaster {
     int firstIndex = 0;  ///< in the list of large ones, times 3
     int maxTriangles = 0;
     unsigned firstId = 0;  ///< of its triangles
+    int firstFan = 0;      ///< of its clipped triangles,
+    int fans = 0;          ///< and for how many there is room
     gl::Texture indices;   ///< R32UI texel view
   };
 
@@ -40,21 +47,23 @@ class TriangleRaster {
 
  private:
   const gl::Program& vertexProgram(const sim::Surface& surface);
-  const gl::Program& program(const char* path, int pass, bool counted);
+  const gl::Program& program(const char* path, int pass, bool counted, bool clips);
   void prepare(const std::vector<const sim::Surface*>& surfaces);
   void makeVertices(const Visibility& into);
-  void run(const char* path, int pass, const Visibility& into, const MapPart& part);
+  void clipLarge(const Visibility& into);
+  void runLarge(int pass, const Visibility& into, const MapPart& part);
+  void run(const char* path, int pass, const Visibility& into, const MapPart& part, bool clips = false);
 
   Into into_;
   int samples_;
   int smallPixels_;
-  unsigned parts_;  ///< groups that share a large triangle
+  int fanRoom_;
   std::map<std::pair<bool, bool>, gl::Program> vertexPrograms_;
-  std::map<std::tuple<std::string, int, bool>, gl::Program> programs_;
+  std::map<std::tuple<std::string, int, bool, bool>, gl::Program> programs_;
   GroupCounts groups_;
   std::vector<Drawn> drawn_;
-  gl::Buffer vertices_, large_, counters_, largeGroups_, surfaceGroups_;
-  gl::Texture vertexView_, largeView_, counterView_;
+  gl::Buffer vertices_, large_, counters_, largeGroups_, surfaceGroups_, fans_, clipGroups_;
+  gl::Texture vertexView_, largeView_, counterView_, fanView_;
 };
 
 }  // namespace simreel::draw

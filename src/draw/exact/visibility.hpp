@@ -44,7 +44,8 @@ class Visibility {
 /// Where a shadow map lies among the keys, and how it is drawn.
 struct MapPart {
   float slopeOffset = 0;  ///< texels by whose slope what casts shadows is moved away
-  int firstKey = 0;       ///< of a lamp's map: its first key,
+  int side = 0;           ///< of a lamp's map: texels on a side,
+  int firstKey = 0;       ///< its first key,
   int keyStride = 0;      ///< and how many there are from a row to the next
   /// Sets what glsl/draw/exact/visible_sample.glsl and raster_triangle.glsl read.
   void set(const gl::Program& program) const {

@@ -6,6 +6,7 @@
 #include "gl/program.hpp"
 #include "sim/cloth/plan.hpp"
 #include "sim/cloth/quantities.hpp"
+#include "sim/cloth/sheet_mesh.hpp"
 #include "sim/contour/walls.hpp"
 #include "sim/core/kind.hpp"
 #include "sim/core/step_blocks.hpp"
@@ -13,6 +14,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <utility>
 
@@ -24,19 +26,6 @@ namespace simreel::shader::cloth {
 namespace simreel::sim {
 
 namespace {
-
-/// Two triangles a quad, x fastest.
-std::vector<unsigned> gridIndices(glm::ivec2 size) {
-  std::vector<unsigned> indices;
-  indices.reserve(static_cast<std::size_t>(size.x - 1) * static_cast<std::size_t>(size.y - 1) * 6);
-  for (int y = 0; y + 1 < size.y; ++y)
-    for (int x = 0; x + 1 < size.x; ++x) {
-      const auto a = static_cast<unsigned>(y * size.x + x);
-      const auto below = a + static_cast<unsigned>(size.x);
-      indices.insert(indices.end(), {a, below, a + 1, a + 1, below, below + 1});
-    }
-  return indices;
-}
 
 class Cloth : public Simulation {
  public:
@@ -127,6 +116,9 @@ class Cloth : public Simulation {
       table.values.insert(table.values.end(), {positions[i].x, positions[i].y, positions[i].z,
                                                velocities[i].x, velocities[i].y, velocities[i].z});
     return table;
+  }
+  [[nodiscard]] std::optional<MeshTable> mesh() const override {
+    return sheetMesh(size_, positions_[0].buffer().readAll<glm::vec4>());
   }
   [[nodiscard]] const gl::Buffer* status() const override { return &status_; }
   [[nodiscard]] std::vector<double> measure() const override {

@@ -83,14 +83,28 @@ TEST_CASE("exact: what triangles show is what the twin says, small ones alone or
       stage.surface.doubleSided = doubleSided;
       const auto twin = rasterTwin(view, samples, doubleSided, all.places, all.indices);
       CAPTURE(samples);
-      const SeenSamples tiles = seenBy(view, samples, {&stage.surface}, 0);
-      CHECK(tiles.keys == twin.keys);
-      CHECK(tiles.ids == twin.ids);
+      for (const int fanRoom : {1000, 101, 0}) {
+        CAPTURE(fanRoom);
+        const SeenSamples tiles = seenBy(view, samples, {&stage.surface}, 0, fanRoom);
+        CHECK(tiles.keys == twin.keys);
+        CHECK(tiles.ids == twin.ids);
+      }
       const SeenSamples small = seenBy(view, samples, {&stage.surface}, 64);
       CHECK(small.keys == twin.keys);
       CHECK(small.ids == twin.ids);
     }
   }
+}
+
+TEST_CASE("exact: on a large picture, too, whose triangles reach far beyond it") {
+  const TriangleSoup all = soup(4);
+  const auto view = exactViewFrom({0, 0, 5}, {0.1F, -0.1F, 0}, {3001, 1043});
+  TriangleStage stage(all.places, all.indices);
+  stage.surface.doubleSided = true;
+  const auto twin = rasterTwin(view, 1, true, all.places, all.indices);
+  const SeenSamples seen = seenBy(view, 1, {&stage.surface}, 64);
+  CHECK(seen.keys == twin.keys);
+  CHECK(seen.ids == twin.ids);
 }
 
 TEST_CASE(
@@ -169,7 +183,7 @@ TEST_CASE(
           who = static_cast<unsigned>(i / 3);
         }
         const auto i = static_cast<std::size_t>((y * size.x + x) * 4 + s);
-        hits += who != nothing ? 1 : 0;
+        hits += who != noKey ? 1 : 0;
         others += seen.ids[i] != who ? 1 : 0;
         if (seen.ids[i] == who && who != noKey) {
           const double depth =

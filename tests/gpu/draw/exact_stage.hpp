@@ -68,12 +68,14 @@ struct SeenSamples {
 };
 
 inline SeenSamples seenBy(const simreel::shader::ExactView& view, int samples,
-                          const std::vector<const simreel::sim::Surface*>& surfaces, int smallPixels) {
+                          const std::vector<const simreel::sim::Surface*>& surfaces, int smallPixels,
+                          int fanRoom = 1000) {
   simreel::gl::Buffer block("view", sizeof view);
   block.write(0, std::as_bytes(std::span(&view, 1)));
   block.bindUniform(simreel::draw::viewBinding, 0, sizeof view);
   const simreel::draw::Visibility visibility("a test", view.size, samples, true);
-  simreel::draw::TriangleRaster raster(simreel::draw::TriangleRaster::Into::picture, samples, smallPixels);
+  simreel::draw::TriangleRaster raster(simreel::draw::TriangleRaster::Into::picture, samples, smallPixels,
+                                       fanRoom);
   visibility.clear();
   raster.draw(surfaces, visibility);
   const auto count = static_cast<std::size_t>(view.size.x * view.size.y * samples);

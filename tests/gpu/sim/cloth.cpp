@@ -122,3 +122,21 @@ TEST_CASE("long lines of constraints, pinned anywhere, equal their CPU twin") {
     compare(p, 9);
   }
 }
+
+TEST_CASE("cloth that rubs on moving colliders equals its CPU twin") {
+  for (const auto solver : {sim::ClothSolver::springs, sim::ClothSolver::constraints}) {
+    auto p = sheet(33, 21);
+    p.solver = solver;
+    p.pins.clear();
+    sim::ColliderShape ball;
+    ball.position = scene::Animated<glm::vec3>(
+        {{0.0, glm::vec3(0, -0.8F, 0)}, {1.0, glm::vec3(0.4F, -0.7F, 0.1F)}}, scene::Ease::linear);
+    ball.radius = 0.6F;
+    ball.friction = 0.3;
+    sim::ColliderShape floor;
+    floor.kind = sim::ColliderShape::Kind::plane;
+    floor.position = glm::vec3(0, -1.2F, 0);
+    floor.friction = 0.5;
+    compare(p, 75, {ball, floor});
+  }
+}

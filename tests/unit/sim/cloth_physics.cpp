@@ -340,6 +340,35 @@ TEST_CASE("no particle ends below the ground") {
   }
 }
 
+TEST_CASE("friction: cloth holds below the angle of friction and slides by Coulomb's law above") {
+  for (const auto solver : {sim::ClothSolver::springs, sim::ClothSolver::constraints})
+    for (const double degrees : {5.0, 10.0, 20.0, 40.0}) {
+      CAPTURE(degrees);
+      constexpr double coefficient = 0.2;  // 11.3 degrees
+      sim::ClothParameters p = freeSheet(9, 7);
+      p.solver = solver;
+      p.gravity = glm::vec3(0, -9.8F, 0);
+      p.margin = 0;
+      p.damping = 0;
+      p.rotation = glm::vec3(0, 0, static_cast<float>(degrees));
+      sim::ColliderShape slope;
+      slope.kind = sim::ColliderShape::Kind::plane;
+      slope.rotation = glm::vec3(0, 0, static_cast<float>(degrees));
+      slope.friction = coefficient;
+      ClothTwin twin = makeTwin(p, {slope});
+      const glm::vec3 start(twin.positions[31]);
+      const double angle = degrees / 57.29577951308232;
+      const double pull = std::sin(angle) - coefficient * std::cos(angle);
+      const int frames = pull < 0 ? 600 : 60;
+      for (int frame = 0; frame < frames; ++frame) twin.step(frame * frameSeconds);
+      const double gone = glm::length(glm::dvec3(twin.positions[31]) - glm::dvec3(start));
+      if (pull < 0)
+        CHECK(gone < 1e-4);
+      else
+        CHECK(gone == doctest::Approx(0.5 * 9.8 * pull).epsilon(0.01));
+    }
+}
+
 TEST_CASE("air drags a flat face with half rho Cd A v^2 and lifts nothing face-on") {
   auto p = freeSheet(5, 5);
   p.hasAir = true;

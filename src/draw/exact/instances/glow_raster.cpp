@@ -2,7 +2,7 @@
 
 #include "base/error.hpp"
 #include "draw/exact/bindings.hpp"
-#include "draw/exact/instances/parts.hpp"
+#include "draw/exact/parts.hpp"
 #include "draw/exact/reserve.hpp"
 #include "gl/element_array.hpp"
 #include "gl/limits.hpp"
@@ -59,7 +59,7 @@ void GlowRaster::run(bool large, const Visibility& picture) {
     kernel.set("draw_", static_cast<int>(i));
     kernel.set("firstLarge", firstLarge);
     kernel.set("smallPixels", smallPixels_);
-    kernel.set("roundPixels", roundPixels);
+    kernel.set("roundPixels", glows.discs ? 0.0F : roundPixels);
     firstLarge += glows.capacity;
     if (large) {
       kernel.use();
