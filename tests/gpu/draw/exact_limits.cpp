@@ -186,7 +186,7 @@ TEST_CASE("exact limits: one primitive over the whole picture is the same at any
   InstanceStage instance(std::vector<glm::vec3>(1, glm::vec3(0)));
   instance.instances.mesh = file;
   instance.instances.size = 1;
-  InstanceStage ball(std::vector<glm::vec3>(1, glm::vec3(0, 0, -60)));
+  InstanceStage ball(std::vector<glm::vec3>(1, glm::vec3(0, 0, -57)));  // close to its front
   ball.instances.size = 120;
   instance.instances.shape = Shape::mesh;
   ball.instances.shape = Shape::sphere;
