@@ -35,18 +35,22 @@ int maxTrianglesOf(const sim::Surface& surface) {
 TriangleRaster::TriangleRaster(Into into, int samples, int smallPixels)
     : into_(into), samples_(samples), smallPixels_(smallPixels), parts_(gl::softwareDriver() ? 4U : 32U) {}
 
-void TriangleRaster::prepare(const std::vector<const sim::Surface*>& surfaces) {
-  drawn_.clear();
+void TriangleRaster::number(const std::vector<const sim::Surface*>& surfaces) {
   std::int64_t vertices = 0;
   std::int64_t triangles = 0;
-  for (const sim::Surface* surface : surfaces) {
-    Drawn next;
+  drawn_.resize(surfaces.size());
+  for (std::size_t i = 0; i < surfaces.size(); ++i) {
+    const sim::Surface* surface = surfaces[i];
+    Drawn& next = drawn_[i];
     next.surface = surface;
     next.firstVertex = static_cast<int>(vertices);
     next.firstIndex = static_cast<int>(3 * triangles);
     next.maxTriangles = maxTrianglesOf(*surface);
     next.firstId = static_cast<unsigned>(triangles);
-    next.indices = gl::Texture::view("indices", GL_R32UI, *surface->indices, sizeof(GLuint));
+    if (next.indices)
+      next.indices.show(*surface->indices, sizeof(GLuint));
+    else
+      next.indices = gl::Texture::view("indices", GL_R32UI, *surface->indices, sizeof(GLuint));
     vertices += verticesOf(*surface);
     triangles += next.maxTriangles;
     if (3 * triangles > INT32_MAX || vertices > INT32_MAX || triangles > maxIds)
@@ -55,7 +59,6 @@ void TriangleRaster::prepare(const std::vector<const sim::Surface*>& surfaces) {
            "\"rasterizer\" "
            "to \"driver\"",
            INT32_MAX / 3);
-    drawn_.push_back(std::move(next));
   }
   const auto of = [](std::int64_t count, std::size_t bytes) {
     return static_cast<std::size_t>(count) * bytes;
@@ -82,13 +85,15 @@ const gl::Program& TriangleRaster::vertexProgram(const sim::Surface& surface) {
       .first->second;
 }
 
-const gl::Program& TriangleRaster::program(const char* path, int pass, bool counted) {
-  const std::tuple<std::string, int, bool> key{path, pass, counted};
+const gl::Program& TriangleRaster::program(const char* path, int pass, bool counted,
+                                           SampleLayout layout) {
+  const std::tuple<std::string, int, bool, SampleLayout> key{path, pass, counted, layout};
   const auto found = programs_.find(key);
   if (found != programs_.end()) return found->second;
   gl::Defines defines = {{"SAMPLES", std::to_string(samples_)},
                          {"PASS", std::to_string(pass)},
                          {"PARTS", std::to_string(parts_)}};
+  for (const auto& define : definesOf(layout)) defines.push_back(define);
   if (counted) defines.emplace_back("COUNTED", "1");
   if (into_ == Into::sunMap) defines.emplace_back("SUN_MAP", "1");
   if (into_ == Into::lampMap) defines.emplace_back("LAMP_MAP", "1");
@@ -132,7 +137,7 @@ void TriangleRaster::run(const char* path, int pass, const Visibility& into, con
   for (std::size_t i = 0; i < drawn_.size(); ++i) {
     const Drawn& drawn = drawn_[i];
     const bool counted = drawn.surface->arguments != nullptr;
-    const gl::Program& kernel = program(path, pass, counted);
+    const gl::Program& kernel = program(path, pass, counted, into.layout());
     bind(drawn, kernel);
     kernel.set("doubleSided", static_cast<int>(drawn.surface->doubleSided));
     kernel.set("draw_", static_cast<int>(i));
@@ -148,11 +153,9 @@ void TriangleRaster::run(const char* path, int pass, const Visibility& into, con
   }
 }
 
-void TriangleRaster::draw(const std::vector<const sim::Surface*>& surfaces, const Visibility& into,
-                          const MapPart& part) {
+void TriangleRaster::draw(const Visibility& into, const MapPart& part) {
   constexpr GLuint zero = 0;
   constexpr unsigned groupTriangles = 64;
-  prepare(surfaces);
   if (drawn_.empty()) return;
   glClearNamedBufferData(counters_.name(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, &zero);
   makeVertices(into);
@@ -171,7 +174,7 @@ void TriangleRaster::draw(const std::vector<const sim::Surface*>& surfaces, cons
   glMemoryBarrier(GL_COMMAND_BARRIER_BIT);
   run(largePath, 0, into, part);
   gl::barrier();
-  if (into_ != Into::picture) return;
+  if (into_ != Into::picture || into.layout() == SampleLayout::wholes) return;
   run(trianglesPath, 1, into, part);
   run(largePath, 1, into, part);
   gl::barrier();

@@ -30,18 +30,17 @@ class TriangleRaster {
     gl::Texture indices;   ///< R32UI texel view
   };
 
-  /// Draws into what is cleared. The uniform blocks, and for the sun's map the light's place, are bound.
-  /// Throws UserError(device) where there are more triangles than numbers.
-  void draw(const std::vector<const sim::Surface*>& surfaces, const Visibility& into,
-            const MapPart& part = {});
+  /// Numbers the triangles: see drawn(). Throws UserError(device) where there are more than numbers.
+  void number(const std::vector<const sim::Surface*>& surfaces);
+  /// Draws them into what is cleared. The uniform blocks, and for the sun's map the light's place, are bound.
+  void draw(const Visibility& into, const MapPart& part = {});
   [[nodiscard]] const std::vector<Drawn>& drawn() const { return drawn_; }
   /// Binds vertices and indices of one of drawn() and says where they are.
   void bind(const Drawn& drawn, const gl::Program& program) const;
 
  private:
   const gl::Program& vertexProgram(const sim::Surface& surface);
-  const gl::Program& program(const char* path, int pass, bool counted);
-  void prepare(const std::vector<const sim::Surface*>& surfaces);
+  const gl::Program& program(const char* path, int pass, bool counted, SampleLayout layout);
   void makeVertices(const Visibility& into);
   void run(const char* path, int pass, const Visibility& into, const MapPart& part);
 
@@ -50,7 +49,7 @@ class TriangleRaster {
   int smallPixels_;
   unsigned parts_;  ///< groups that share a large triangle
   std::map<std::pair<bool, bool>, gl::Program> vertexPrograms_;
-  std::map<std::tuple<std::string, int, bool>, gl::Program> programs_;
+  std::map<std::tuple<std::string, int, bool, SampleLayout>, gl::Program> programs_;
   GroupCounts groups_;
   std::vector<Drawn> drawn_;
   gl::Buffer vertices_, large_, counters_, largeGroups_, surfaceGroups_;

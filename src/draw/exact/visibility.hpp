@@ -3,16 +3,29 @@
 #include "gl/program.hpp"
 #include "gl/texture.hpp"
 
+#include <string>
+#include <vector>
+
 #include <glm/vec2.hpp>
 
 namespace simreel::draw {
+
+/// How a picture's keys and numbers lie in memory, and are found. `apart`: keys and numbers by themselves, found in
+/// two passes; four samples of either are one read. `pairs`: both of a sample together, in two passes.
+/// `wholes`: the same in one pass by 64-bit atomics. The result is the same.
+enum class SampleLayout { apart, pairs, wholes };
+/// What suits the device, or what SIMREEL_SAMPLE_LAYOUT names. Throws UserError: usage for another word, device
+/// where it lacks the atomics.
+[[nodiscard]] SampleLayout sampleLayout();
+/// Defines of all that reads or writes such samples.
+[[nodiscard]] gl::Defines definesOf(SampleLayout layout);
 
 /// What is nearest at each sample of a picture: a key that is less the nearer it is, and the number of the
 /// primitive; or of a shadow map the keys alone. 8 bytes a sample.
 class Visibility {
  public:
   Visibility() = default;
-  /// `samples`: 1, 2, 4, 8 or 16. Throws UserError(device) beyond the device's limits.
+  /// `samples`: 1, 2, 4, 8 or 16. `ids`: a picture's, as sampleLayout() says. Throws UserError(device) beyond the device's limits.
   Visibility(const std::string& label, glm::ivec2 size, int samples, bool ids);
 
   /// Nothing is visible yet.
@@ -22,16 +35,22 @@ class Visibility {
 
   [[nodiscard]] glm::ivec2 size() const { return size_; }
   [[nodiscard]] int samples() const { return samples_; }
+  [[nodiscard]] SampleLayout layout() const { return layout_; }
+  /// Keys, or both where they lie together.
   [[nodiscard]] const gl::Texture& nearKeys() const { return nearView_; }
-  /// 32-bit words, `samples` a pixel, row by row from the top.
-  [[nodiscard]] const gl::Buffer& nearBuffer() const { return near_; }
-  [[nodiscard]] const gl::Buffer& idBuffer() const { return ids_; }
+  /// Waits for the device and copies out: `samples` a pixel, row by row from the top.
+  [[nodiscard]] std::vector<GLuint> readKeys() const;
+  [[nodiscard]] std::vector<GLuint> readNumbers() const;
 
  private:
   glm::ivec2 size_{0};
+  [[nodiscard]] std::size_t count() const;
+  [[nodiscard]] std::vector<GLuint> everyOther(std::size_t first) const;
+
   int samples_ = 1;
-  bool withIds_ = false;
-  gl::Buffer near_, ids_;
+  SampleLayout layout_ = SampleLayout::apart;
+  gl::Buffer near_;  ///< keys; where they lie together, numbers too
+  gl::Buffer ids_;
   gl::Texture nearView_, nearFours_, idView_, idFours_;
   gl::Program clear_;
 };

@@ -69,10 +69,7 @@ inline SeenSamples seenBy(const simreel::shader::ExactView& view, int samples,
   const simreel::draw::Visibility visibility("a test", view.size, samples, true);
   simreel::draw::TriangleRaster raster(simreel::draw::TriangleRaster::Into::picture, samples, smallPixels);
   visibility.clear();
-  raster.draw(surfaces, visibility);
-  const auto count = static_cast<std::size_t>(view.size.x * view.size.y * samples);
-  SeenSamples seen{visibility.nearBuffer().readAll<GLuint>(), visibility.idBuffer().readAll<GLuint>()};
-  seen.keys.resize(count);
-  seen.ids.resize(count);
-  return seen;
+  raster.number(surfaces);
+  raster.draw(visibility);
+  return {visibility.readKeys(), visibility.readNumbers()};
 }

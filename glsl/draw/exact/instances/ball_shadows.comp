@@ -35,7 +35,7 @@ Disc discOf(int number, out uint key) {
 
 void put(Disc disc, ivec2 texel, uint key) {
   int at = texel.y * mapTexels + texel.x;
-  if (onDisc(disc, texel)) keep(at, key, texelFetch(nearestKeys, at).x, 0u);
+  if (onDisc(disc, texel)) keep(at, key, keyAt(at), 0u);
 }
 
 #ifdef LARGE

@@ -3,6 +3,7 @@
 #include "draw/exact/bindings.hpp"
 #include "draw/exact/instances/parts.hpp"
 #include "draw/exact/reserve.hpp"
+#include "gl/context.hpp"
 #include "gl/element_array.hpp"
 
 #include <algorithm>
@@ -23,17 +24,22 @@ void clear(const gl::Buffer& counts) {
 
 }  // namespace
 
+unsigned CopyRaster::pairsAtOnce() {
+  return 1U << (gl::softwareDriver() ? 22U : 25U);
+}
+
 unsigned CopyRaster::Copies::triangles() const {
   const InstanceShape::Level& level = shape->levels()[0];
   return static_cast<unsigned>(level.indexCount / level.batch / 3);
 }
 
-const gl::Program& CopyRaster::program(const char* path, Pass pass) {
-  const std::tuple<std::string, Pass> key{path, pass};
+const gl::Program& CopyRaster::program(const char* path, Pass pass, SampleLayout layout) {
+  const std::tuple<std::string, Pass, SampleLayout> key{path, pass, layout};
   const auto found = programs_.find(key);
   if (found != programs_.end()) return found->second;
   gl::Defines defines = {{"SAMPLES", std::to_string(samples_)},
                          {"PASS", pass == Pass::nearest ? "0" : "1"}};
+  for (const auto& define : definesOf(layout)) defines.push_back(define);
   if (pass == Pass::light) defines.emplace_back("ADDS", "1");
   if (into_ == Into::sunMap) defines.emplace_back("SUN_MAP", "1");
   if (into_ == Into::lampMap) defines.emplace_back("LAMP_MAP", "1");
@@ -103,13 +109,12 @@ void CopyRaster::list(const std::vector<Copies>& copies, const Visibility& into)
   glMemoryBarrier(GL_COMMAND_BARRIER_BIT);
 }
 
-void CopyRaster::runPart(std::size_t number, Pass pass, unsigned firstId, const Visibility& into,
-                         const MapPart& map) {
+void CopyRaster::runPart(std::size_t number, Pass pass, const Visibility& into, const MapPart& map) {
   const Part& part = parts_[number];
   const Copies& copies = copies_[part.draw];
   const auto start = [&](const char* path) -> const gl::Program& {
-    const gl::Program& kernel = program(path, pass);
-    set(kernel, copies, firstId);
+    const gl::Program& kernel = program(path, pass, into.layout());
+    set(kernel, copies, firstIds_[part.draw]);
     if (pass == Pass::light) colors_[part.draw].set(kernel, *copies.instances);
     kernel.set("firstListed", firstListed_[part.draw]);
     kernel.set("skipped", part.skipped);
@@ -142,35 +147,37 @@ void CopyRaster::runPart(std::size_t number, Pass pass, unsigned firstId, const 
   gl::barrier();
 }
 
-void CopyRaster::run(Pass pass, const std::vector<unsigned>& firstIds, const Visibility& into,
-                     const MapPart& map) {
+void CopyRaster::run(Pass pass, const Visibility& into, const MapPart& map) {
   clear(largeCounts_);
   gl::barrier();
   if (pass != Pass::light) into.bind();
   into.nearKeys().bind(nearUnit);
   listedView_.bind(listUnit);
   for (std::size_t part = 0; part < parts_.size(); ++part)
-    runPart(part, pass, firstIds[parts_[part].draw], into, map);
+    runPart(part, pass, into, map);
 }
 
-void CopyRaster::drawNearest(const std::vector<Copies>& copies, const Visibility& into,
-                             const MapPart& map) {
+void CopyRaster::drawNearest(const std::vector<Copies>& copies, const std::vector<unsigned>& firstIds,
+                             const Visibility& into, const MapPart& map) {
   copies_.clear();
+  firstIds_ = firstIds;
+  firstIds_.resize(copies.size());
   if (copies.empty()) return;
   list(copies, into);
-  run(Pass::nearest, std::vector<unsigned>(copies.size(), 0U), into, map);
+  run(Pass::nearest, into, map);
 }
 
-void CopyRaster::drawNumbers(const std::vector<unsigned>& firstIds, const Visibility& into) {
-  if (!copies_.empty()) run(Pass::numbers, firstIds, into, {});
+void CopyRaster::drawNumbers(const Visibility& into) {
+  if (!copies_.empty() && into.layout() != SampleLayout::wholes) run(Pass::numbers, into, {});
 }
 
 void CopyRaster::addLight(const std::vector<Copies>& copies, const Visibility& into) {
   if (copies.empty()) return;
   colors_.resize(std::max(colors_.size(), copies.size()));
   for (std::size_t i = 0; i < copies.size(); ++i) colors_[i].update(*copies[i].instances);
+  firstIds_.assign(copies.size(), 0U);
   list(copies, into);
-  run(Pass::light, std::vector<unsigned>(copies.size(), 0U), into, {});
+  run(Pass::light, into, {});
 }
 
 }  // namespace simreel::draw

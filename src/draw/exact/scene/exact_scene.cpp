@@ -35,7 +35,8 @@ struct ExactScene::State {
 
   /// Defines of what shades.
   [[nodiscard]] gl::Defines lighting(int count) const {
-    gl::Defines defines = {{"SAMPLES", std::to_string(count)}};
+    gl::Defines defines = definesOf(visibility.layout());
+    defines.emplace_back("SAMPLES", std::to_string(count));
     for (const gl::Defines& more : {shadow.defines(), lamps.defines()})
       defines.insert(defines.end(), more.begin(), more.end());
     return defines;
@@ -76,7 +77,7 @@ ExactScene::State::State(const scene::Scene& shown, glm::ivec2 pixels, int count
       visibility("the picture", pixels, count, true),
       triangles(TriangleRaster::Into::picture, count),
       lampMaps(lamps),
-      tiles(pixels, count, ground, shadow.on()),
+      tiles(visibility, ground, shadow.on()),
       surfaces(shown, lighting(count)),
       instances(count, lighting(count)),
       bloom(shown.render.bloom, pixels),
@@ -112,14 +113,12 @@ void ExactScene::State::drawShadows(const sim::Drawables& drawables) {
   gl::barrier();
   // A filter of r texels reads depths up to r + 1 texels of slope away.
   const MapPart part{.slopeOffset = 1.5F + scene.sun.shadowSoftness};
-  casters->draw(casting, *map, part);
+  casters->number(casting);
+  casters->draw(*map, part);
   instances.castShadows(drawables, *map, part);
 }
 
 void ExactScene::State::shadeAll() {
-  constexpr std::array<GLfloat, 4> none = {0, 0, 0, 0};
-  glClearTexImage(sums.name(), 0, GL_RGBA, GL_FLOAT, none.data());
-  sums.bindImage(sumImage, GL_READ_WRITE);
   if (map) map->nearKeys().bind(mapUnit);
   lampMaps.bind();
   const auto& drawn = triangles.drawn();
@@ -154,19 +153,21 @@ void ExactScene::draw(double seconds, const sim::Drawables& published, const Ove
   }
   std::vector<const sim::Surface*> shown;
   for (const sim::Surface& surface : drawables.surfaces) shown.push_back(&surface);
-  s.visibility.clear();
-  gl::barrier();
-  s.instances.drawNearest(drawables, s.visibility);  // before triangles draw numbers
-  s.triangles.draw(shown, s.visibility);
+  s.triangles.number(shown);
   std::vector<unsigned> firstIds;
   unsigned numbers = 0;
   for (const TriangleRaster::Drawn& drawn : s.triangles.drawn()) {
     firstIds.push_back(drawn.firstId);
     numbers = drawn.firstId + static_cast<unsigned>(drawn.maxTriangles);
   }
-  s.instances.drawNumbers(numbers, s.visibility, firstIds);
+  s.instances.number(drawables, numbers, firstIds);
+  s.visibility.clear();
+  gl::barrier();
+  s.instances.drawNearest(s.visibility);  // before triangles draw numbers
+  s.triangles.draw(s.visibility);
+  s.instances.drawNumbers(s.visibility);
   issued("visibility");
-  s.tiles.list(firstIds, s.visibility, ExactInstances::anyAdd(drawables));
+  s.tiles.list(firstIds, s.visibility, s.sums, ExactInstances::anyAdd(drawables));
   s.shadeAll();
   issued("surfaces");
   s.instances.addLight(drawables, s.visibility);

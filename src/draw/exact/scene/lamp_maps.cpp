@@ -77,7 +77,8 @@ void LampMaps::draw(const sim::Drawables& drawables, const Lamps& lamps, ExactIn
                        .firstKey = order.rows[lamp] * order.atlas.x +
                                    i % shader::lampFaces * order.lights[lamp]->shadowSize,
                        .keyStride = order.atlas.x};
-    raster_->draw(casting, *keys_, part);
+    raster_->number(casting);
+    raster_->draw(*keys_, part);
     instances.castLampShadows(drawables, *keys_, part);
   }
 }
