@@ -6,10 +6,7 @@ layout(binding = largeUnit) uniform usamplerBuffer large;
 layout(binding = counterUnit) uniform usamplerBuffer counters;
 uniform int draw_;
 
-void main() {
-  uint entry = gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x;
-  if (entry >= texelFetch(counters, draw_).x) return;
-  int number = int(texelFetch(large, firstIndex / 3 + int(entry)).x);
+void drawLarge(int number) {
   ivec3 corners = cornersOf(number);
   uvec4 a = texelFetch(vertices, corners.x), b = texelFetch(vertices, corners.y), c = texelFetch(vertices, corners.z);
 #ifndef SUN_MAP
@@ -26,4 +23,10 @@ void main() {
 #endif
     fillTiles(t, firstId + uint(number));
   }
+}
+
+void main() {
+  uint count = texelFetch(counters, draw_).x, groups = gl_NumWorkGroups.x * gl_NumWorkGroups.y;
+  for (uint entry = gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x; entry < count; entry += groups)
+    drawLarge(int(texelFetch(large, firstIndex / 3 + int(entry)).x));
 }

@@ -17,6 +17,7 @@ namespace simreel::draw {
 namespace {
 
 constexpr const char* trianglesPath = "draw/exact/triangles.comp";
+constexpr const char* mediumPath = "draw/exact/medium.comp";
 constexpr const char* largePath = "draw/exact/large.comp";
 constexpr std::int64_t maxIds = 0xfffffff0;  // the last ones say ground, and nothing
 
@@ -32,8 +33,12 @@ int maxTrianglesOf(const sim::Surface& surface) {
 
 }  // namespace
 
-TriangleRaster::TriangleRaster(Into into, int samples, int smallPixels)
-    : into_(into), samples_(samples), smallPixels_(smallPixels), parts_(gl::softwareDriver() ? 4U : 32U) {}
+TriangleRaster::TriangleRaster(Into into, int samples, int smallPixels, int mediumPixels)
+    : into_(into),
+      samples_(samples),
+      smallPixels_(smallPixels),
+      mediumPixels_(mediumPixels),
+      parts_(gl::softwareDriver() ? 4U : 32U) {}
 
 void TriangleRaster::number(const std::vector<const sim::Surface*>& surfaces) {
   std::int64_t vertices = 0;
@@ -66,7 +71,7 @@ void TriangleRaster::number(const std::vector<const sim::Surface*>& surfaces) {
   reserve(vertices_, vertexView_, "vertices on the picture", of(vertices, 16), GL_RGBA32UI, 16);
   reserve(large_, largeView_, "large triangles", of(triangles, sizeof(GLuint)), GL_R32UI, sizeof(GLuint));
   const std::size_t count = surfaces.size();
-  reserve(counters_, counterView_, "counts of large triangles", count * sizeof(GLuint), GL_R32UI,
+  reserve(counters_, counterView_, "counts of large triangles", 2 * count * sizeof(GLuint), GL_R32UI,
           sizeof(GLuint));
   reserve(largeGroups_, "groups for large triangles", count * GroupCounts::bytes);
   reserve(surfaceGroups_, "groups for triangles", count * GroupCounts::bytes);
@@ -94,6 +99,8 @@ const gl::Program& TriangleRaster::program(const char* path, int pass, bool coun
                          {"PASS", std::to_string(pass)},
                          {"PARTS", std::to_string(parts_)}};
   for (const auto& define : definesOf(layout)) defines.push_back(define);
+  if (path == trianglesPath)
+    for (const auto& define : laneDefines()) defines.push_back(define);
   if (counted) defines.emplace_back("COUNTED", "1");
   if (into_ == Into::sunMap) defines.emplace_back("SUN_MAP", "1");
   if (into_ == Into::lampMap) defines.emplace_back("LAMP_MAP", "1");
@@ -141,16 +148,29 @@ void TriangleRaster::run(const char* path, int pass, const Visibility& into, con
     bind(drawn, kernel);
     kernel.set("doubleSided", static_cast<int>(drawn.surface->doubleSided));
     kernel.set("draw_", static_cast<int>(i));
+    kernel.set("draws", static_cast<int>(drawn_.size()));
     kernel.set("smallPixels", smallPixels_);
+    kernel.set("mediumPixels", mediumPixels_);
     kernel.set("mapTexels", into.size().x);
     part.set(kernel);
     if (small && !counted) {
       dispatchRows(kernel, drawn.maxTriangles);
       continue;
     }
-    kernel.use();
-    GroupCounts::dispatch(small ? surfaceGroups_ : largeGroups_, i);
+    if (path == mediumPath) {
+      GroupCounts::dispatchFixed(kernel);
+    } else if (path == largePath) {
+      GroupCounts::dispatchList(kernel, largeGroups_, i, parts_);
+    } else {
+      kernel.use();
+      GroupCounts::dispatch(surfaceGroups_, i);
+    }
   }
+}
+
+void TriangleRaster::runLists(int pass, const Visibility& into, const MapPart& part) {
+  if (mediumPixels_ > smallPixels_) run(mediumPath, pass, into, part);
+  run(largePath, pass, into, part);
 }
 
 void TriangleRaster::draw(const Visibility& into, const MapPart& part) {
@@ -168,15 +188,13 @@ void TriangleRaster::draw(const Visibility& into, const MapPart& part) {
   gl::barrier();
   glMemoryBarrier(GL_COMMAND_BARRIER_BIT);
   run(trianglesPath, 0, into, part);
-  gl::barrier();
-  groups_.fill(counters_, {.counts = static_cast<int>(drawn_.size()), .parts = parts_}, largeGroups_);
-  gl::barrier();
-  glMemoryBarrier(GL_COMMAND_BARRIER_BIT);
-  run(largePath, 0, into, part);
+  groups_.prepareLists(counters_, {.counts = static_cast<int>(drawn_.size()), .parts = parts_},
+                       largeGroups_);
+  runLists(0, into, part);
   gl::barrier();
   if (into_ != Into::picture || into.layout() == SampleLayout::wholes) return;
   run(trianglesPath, 1, into, part);
-  run(largePath, 1, into, part);
+  runLists(1, into, part);
   gl::barrier();
 }
 

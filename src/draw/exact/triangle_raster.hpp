@@ -16,9 +16,11 @@ namespace simreel::draw {
 class TriangleRaster {
  public:
   enum class Into { picture, sunMap, lampMap };
-  /// Triangles whose box has no side above `smallPixels` (0 to 64) are drawn by an invocation each, the
-  /// others by groups, tile by tile: the same either way.
-  TriangleRaster(Into into, int samples, int smallPixels = smallTriangle());
+  /// Triangles whose box has no side above `smallPixels` (0 to 64) are drawn by an invocation each, of the
+  /// others those of at most `mediumPixels` (to 64) by sixteen, the rest by groups, tile by tile: the same
+  /// either way.
+  TriangleRaster(Into into, int samples, int smallPixels = smallTriangle(),
+                 int mediumPixels = mediumTriangle());
 
   /// A surface as it was drawn last.
   struct Drawn {
@@ -43,10 +45,12 @@ class TriangleRaster {
   const gl::Program& program(const char* path, int pass, bool counted, SampleLayout layout);
   void makeVertices(const Visibility& into);
   void run(const char* path, int pass, const Visibility& into, const MapPart& part);
+  void runLists(int pass, const Visibility& into, const MapPart& part);
 
   Into into_;
   int samples_;
   int smallPixels_;
+  int mediumPixels_;
   unsigned parts_;  ///< groups that share a large triangle
   std::map<std::pair<bool, bool>, gl::Program> vertexPrograms_;
   std::map<std::tuple<std::string, int, bool, SampleLayout>, gl::Program> programs_;

@@ -55,7 +55,23 @@ gl::Defines definesOf(SampleLayout layout) {
 }
 
 int smallTriangle() {
-  return gl::softwareDriver() ? 64 : 16;
+  if (const char* e = std::getenv("SIMREEL_SMALL")) return std::atoi(e);
+  return gl::softwareDriver() ? 64 : 6;
+}
+
+int mediumTriangle() {
+  if (const char* e = std::getenv("SIMREEL_MEDIUM")) return std::atoi(e);
+  return gl::softwareDriver() ? 0 : 64;
+}
+
+gl::Defines laneDefines() {
+  gl::Defines defines;
+  if (!gl::softwareDriver()) defines.emplace_back("BRANCHES", "1");
+  if (!gl::limits().ballot) return defines;
+  defines.emplace_back("BALLOT", "1");
+  defines.emplace_back(gl::extensionDefine, "GL_KHR_shader_subgroup_basic");
+  defines.emplace_back(gl::extensionDefine, "GL_KHR_shader_subgroup_ballot");
+  return defines;
 }
 
 void dispatchRows(const gl::Program& program, int items) {

@@ -68,8 +68,12 @@ struct MapPart {
   }
 };
 /// The longest side (pixels) of the box of a triangle that an invocation best draws alone on this device:
-/// software drivers work through all the lanes of a group anyway, cards want more of them.
+/// software drivers work through all the lanes of a group anyway, cards want more of them. Of one that
+/// sixteen invocations draw; 0: none is.
 int smallTriangle();
+int mediumTriangle();
+/// Defines of kernels that draw or list one thing an invocation, as suits the device.
+[[nodiscard]] gl::Defines laneDefines();
 
 /// Runs `items` invocations of a kernel whose groups of 64 stand in rows of at most 32,768.
 void dispatchRows(const gl::Program& program, int items);

@@ -23,6 +23,8 @@ const gl::Program& BallRaster::program(bool large, int pass, SampleLayout layout
   if (found != programs_.end()) return found->second;
   gl::Defines defines = {{"SAMPLES", std::to_string(samples_)}, {"PASS", std::to_string(pass)}};
   for (const auto& define : definesOf(layout)) defines.push_back(define);
+  if (!large)
+    for (const auto& define : laneDefines()) defines.push_back(define);
   const bool map = into_ == Into::sunMap;
   if (map) defines.emplace_back("SUN_MAP", "1");
   if (into_ == Into::lampMap) defines.emplace_back("LAMP_MAP", "1");
@@ -64,12 +66,10 @@ void BallRaster::run(bool large, int pass, const Visibility& into, const MapPart
     kernel.set("mapTexels", into.size().x);
     part.set(kernel);
     firstLarge += balls.capacity;
-    if (large) {
-      kernel.use();
-      GroupCounts::dispatch(largeGroups_, i);
-    } else {
+    if (large)
+      GroupCounts::dispatchList(kernel, largeGroups_, i, partsFor(into.size(), samples_));
+    else
       dispatchRows(kernel, balls.capacity);
-    }
   }
 }
 
@@ -83,12 +83,9 @@ void BallRaster::drawNearest(const std::vector<const sim::Instances*>& balls,
   prepare();
   gl::barrier();
   run(false, 0, into, part);
-  gl::barrier();
-  groups_.fill(counters_,
-               {.counts = static_cast<int>(balls_.size()), .parts = partsFor(into.size(), samples_)},
-               largeGroups_);
-  gl::barrier();
-  glMemoryBarrier(GL_COMMAND_BARRIER_BIT);
+  groups_.prepareLists(
+      counters_, {.counts = static_cast<int>(balls_.size()), .parts = partsFor(into.size(), samples_)},
+      largeGroups_);
   run(true, 0, into, part);
   gl::barrier();
 }

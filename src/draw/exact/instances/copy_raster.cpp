@@ -14,12 +14,19 @@ namespace simreel::draw {
 namespace {
 
 constexpr const char* copiesPath = "draw/exact/instances/copies.comp";
+constexpr const char* mediumCopiesPath = "draw/exact/instances/medium_copies.comp";
 constexpr const char* largeCopiesPath = "draw/exact/instances/large_copies.comp";
 constexpr unsigned groupPairs = 64;
 
 void clear(const gl::Buffer& counts) {
   constexpr GLuint zero = 0;
   glClearNamedBufferData(counts.name(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, &zero);
+}
+
+gl::Defines cullDefines(CopyRaster::Into into) {
+  gl::Defines defines = laneDefines();
+  if (into == CopyRaster::Into::sunMap) defines.emplace_back("SUN_MAP", "1");
+  return defines;
 }
 
 }  // namespace
@@ -40,6 +47,8 @@ const gl::Program& CopyRaster::program(const char* path, Pass pass, SampleLayout
   gl::Defines defines = {{"SAMPLES", std::to_string(samples_)},
                          {"PASS", pass == Pass::nearest ? "0" : "1"}};
   for (const auto& define : definesOf(layout)) defines.push_back(define);
+  if (path == copiesPath)
+    for (const auto& define : laneDefines()) defines.push_back(define);
   if (pass == Pass::light) defines.emplace_back("ADDS", "1");
   if (into_ == Into::sunMap) defines.emplace_back("SUN_MAP", "1");
   if (into_ == Into::lampMap) defines.emplace_back("LAMP_MAP", "1");
@@ -63,27 +72,26 @@ void CopyRaster::list(const std::vector<Copies>& copies, const Visibility& into)
   firstListed_.clear();
   parts_.clear();
   int all = 0;
-  std::size_t mostPairs = 0;
+  listRoom_ = 0;
   for (std::size_t i = 0; i < copies_.size(); ++i) {
     firstListed_.push_back(all);
     const int capacity = copies_[i].instances->capacity;
     all += capacity;
     const unsigned triangles = std::max(copies_[i].triangles(), 1U);
     const int most = static_cast<int>(std::max(pairs_ / triangles, 1U));
-    mostPairs = std::max(mostPairs, static_cast<std::size_t>(std::min(most, capacity)) * triangles);
+    listRoom_ = std::max(listRoom_, static_cast<std::size_t>(std::min(most, capacity)) * triangles);
     for (int skipped = 0; skipped < capacity; skipped += most) parts_.push_back({i, skipped, most});
   }
   const auto words = [](std::size_t count) { return count * sizeof(GLuint); };
   const std::size_t parts = parts_.size();
   reserve(listed_, listedView_, "copies in sight", words(static_cast<std::size_t>(all)), GL_R32UI, 4);
   reserve(counts_, countView_, "counts of copies", words(copies_.size()), GL_R32UI, 4);
-  reserve(large_, largeView_, "large triangles of copies", words(mostPairs), GL_R32UI, 4);
-  reserve(largeCounts_, largeCountView_, "counts of large triangles", words(parts), GL_R32UI, 4);
+  reserve(large_, largeView_, "large triangles of copies", words(listRoom_), GL_R32UI, 4);
+  reserve(largeCounts_, largeCountView_, "counts of large triangles", words(2 * parts), GL_R32UI, 4);
   reserve(smallGroups_, "groups for copies", parts * GroupCounts::bytes);
   reserve(largeGroups_, "groups for large triangles", parts * GroupCounts::bytes);
   if (cull_.name() == 0)
-    cull_ = gl::Program::compute("draw/exact/instances/cull_copies.comp",
-                                 into_ == Into::sunMap ? gl::Defines{{"SUN_MAP", "1"}} : gl::Defines{});
+    cull_ = gl::Program::compute("draw/exact/instances/cull_copies.comp", cullDefines(into_));
   clear(counts_);
   gl::barrier();
   listed_.bindStorage(largeBinding);
@@ -121,7 +129,10 @@ void CopyRaster::runPart(std::size_t number, Pass pass, const Visibility& into, 
     kernel.set("mostCopies", part.most);
     kernel.set("draw_", static_cast<int>(part.draw));
     kernel.set("part", static_cast<int>(number));
+    kernel.set("parts", static_cast<int>(parts_.size()));
+    kernel.set("listRoom", static_cast<int>(listRoom_));
     kernel.set("smallPixels", smallPixels_);
+    kernel.set("mediumPixels", mediumPixels_);
     kernel.set("doubleSided", 1);
     kernel.set("mapTexels", into.size().x);
     map.set(kernel);
@@ -132,18 +143,16 @@ void CopyRaster::runPart(std::size_t number, Pass pass, const Visibility& into, 
   countView_.bind(counterUnit);
   start(copiesPath).use();
   GroupCounts::dispatch(smallGroups_, number);
-  gl::barrier();
-  groups_.fill(largeCounts_,
-               {.first = static_cast<int>(number),
-                .firstCount = static_cast<int>(number),
-                .parts = partsFor(into.size(), samples_)},
-               largeGroups_);
-  gl::barrier();
-  glMemoryBarrier(GL_COMMAND_BARRIER_BIT);
+  const unsigned shares = partsFor(into.size(), samples_);
+  groups_.prepareLists(largeCounts_,
+                       {.first = static_cast<int>(number),
+                        .firstCount = static_cast<int>(number),
+                        .parts = shares},
+                       largeGroups_);
   largeView_.bind(largeUnit);
   largeCountView_.bind(counterUnit);
-  start(largeCopiesPath).use();
-  GroupCounts::dispatch(largeGroups_, number);
+  if (mediumPixels_ > smallPixels_) GroupCounts::dispatchFixed(start(mediumCopiesPath));
+  GroupCounts::dispatchList(start(largeCopiesPath), largeGroups_, number, shares);
   gl::barrier();
 }
 

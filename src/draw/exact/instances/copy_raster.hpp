@@ -16,10 +16,16 @@ namespace simreel::draw {
 class CopyRaster {
  public:
   enum class Into { picture, sunMap, lampMap };
-  /// Triangles whose box has no side above `smallPixels` (0 to 64) are drawn by an invocation each, the
-  /// others by groups, tile by tile; `pairs`: so many triangles of copies at once. The same either way.
-  CopyRaster(Into into, int samples, int smallPixels = smallTriangle(), unsigned pairs = pairsAtOnce())
-      : into_(into), samples_(samples), smallPixels_(smallPixels), pairs_(pairs) {}
+  /// Triangles whose box has no side above `smallPixels` (0 to 64) are drawn by an invocation each, of the
+  /// others those of at most `mediumPixels` (to 64) by sixteen, the rest by groups, tile by tile; `pairs`: so
+  /// many triangles of copies at once. The same either way.
+  CopyRaster(Into into, int samples, int smallPixels = smallTriangle(), unsigned pairs = pairsAtOnce(),
+             int mediumPixels = mediumTriangle())
+      : into_(into),
+        samples_(samples),
+        smallPixels_(smallPixels),
+        mediumPixels_(mediumPixels),
+        pairs_(pairs) {}
 
   /// How many suit the device: each needs a word.
   [[nodiscard]] static unsigned pairsAtOnce();
@@ -58,8 +64,9 @@ class CopyRaster {
 
   Into into_;
   int samples_;
-  int smallPixels_;
+  int smallPixels_, mediumPixels_;
   unsigned pairs_;
+  std::size_t listRoom_ = 0;
   std::vector<Copies> copies_;
   std::vector<unsigned> firstIds_;
   std::vector<int> firstListed_;

@@ -37,6 +37,8 @@ const gl::Program& GlowRaster::program(bool large, bool ball, SampleLayout layou
   if (found != programs_.end()) return found->second;
   gl::Defines defines = {{"SAMPLES", std::to_string(samples_)}};
   for (const auto& define : definesOf(layout)) defines.push_back(define);
+  if (!large)
+    for (const auto& define : laneDefines()) defines.push_back(define);
   if (large) defines.emplace_back("LARGE", "1");
   if (ball) defines.emplace_back("BALL", "1");
   return programs_.emplace(key, gl::Program::compute("draw/exact/instances/glows.comp", defines))
@@ -62,12 +64,10 @@ void GlowRaster::run(bool large, const Visibility& picture) {
     kernel.set("smallPixels", smallPixels_);
     kernel.set("roundPixels", roundPixels);
     firstLarge += glows.capacity;
-    if (large) {
-      kernel.use();
-      GroupCounts::dispatch(largeGroups_, i);
-    } else {
+    if (large)
+      GroupCounts::dispatchList(kernel, largeGroups_, i, partsFor(picture.size(), picture.samples()));
+    else
       dispatchRows(kernel, glows.capacity);
-    }
   }
 }
 
@@ -89,12 +89,10 @@ void GlowRaster::draw(const std::vector<const sim::Instances*>& glows, const Vis
   glClearNamedBufferData(counters_.name(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, &zero);
   gl::barrier();
   run(false, picture);
-  gl::barrier();
-  groups_.fill(counters_,
-               {.counts = static_cast<int>(count), .parts = partsFor(picture.size(), picture.samples())},
-               largeGroups_);
-  gl::barrier();
-  glMemoryBarrier(GL_COMMAND_BARRIER_BIT);
+  groups_.prepareLists(
+      counters_,
+      {.counts = static_cast<int>(count), .parts = partsFor(picture.size(), picture.samples())},
+      largeGroups_);
   run(true, picture);
   gl::barrier();
 }
