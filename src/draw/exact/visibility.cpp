@@ -55,12 +55,14 @@ gl::Defines definesOf(SampleLayout layout) {
 }
 
 int smallTriangle() {
-  if (const char* e = std::getenv("SIMREEL_SMALL")) return std::atoi(e);
   return gl::softwareDriver() ? 64 : 6;
 }
 
+int smallCopyTriangle() {
+  return gl::softwareDriver() ? 64 : 16;
+}
+
 int mediumTriangle() {
-  if (const char* e = std::getenv("SIMREEL_MEDIUM")) return std::atoi(e);
   return gl::softwareDriver() ? 0 : 64;
 }
 

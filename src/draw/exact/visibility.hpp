@@ -71,6 +71,7 @@ struct MapPart {
 /// software drivers work through all the lanes of a group anyway, cards want more of them. Of one that
 /// sixteen invocations draw; 0: none is.
 int smallTriangle();
+int smallCopyTriangle();  ///< of copies, whose corners are made anew for each use
 int mediumTriangle();
 /// Defines of kernels that draw or list one thing an invocation, as suits the device.
 [[nodiscard]] gl::Defines laneDefines();
