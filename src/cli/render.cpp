@@ -79,6 +79,7 @@ void render(const RenderOptions& o) {
       .fingerprint = numerics.fingerprint,
       .driver = machine.driver,
       .processor = machine.processor,
+      .rasterizer = scene.render.rasterizer == scene::Rasterizer::exact ? "exact" : "driver",
       .overrides = scene.overrides,
   };
   const auto sink = frame::openSink(output, existing, run, frames, o.streamFormat);

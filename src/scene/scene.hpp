@@ -61,12 +61,12 @@ struct Bloom {
 };
 
 /// Who finds out what is visible, and shades it.
-enum class Rasterizer { driver, exact };
+enum class Rasterizer { exact, driver };
 
 struct Render {
-  Rasterizer rasterizer = Rasterizer::driver;
-  glm::ivec2 size{1280, 720};       ///< pixels
-  int samples = 4;                  ///< per pixel: 1 or 4 (more where the driver has them)
+  Rasterizer rasterizer = Rasterizer::exact;
+  glm::ivec2 size{1280, 720};  ///< pixels
+  int samples = 4;  ///< per pixel: 1, 2, 4, 8 or 16 (of the driver: those it has, 1 and 4 always)
   Animated<float> exposure = 0.0F;  ///< EV
   float vignette = 0.0F;
   Bloom bloom;
@@ -168,6 +168,10 @@ struct Scene {
   std::vector<std::string> overrides;  ///< "path=value" of each, as they were applied
 
   [[nodiscard]] int frameCount() const;
+  /// Whether its pictures have the same bytes on every machine.
+  [[nodiscard]] bool drawsExactly() const {
+    return numerics == Numerics::exact && render.rasterizer == Rasterizer::exact;
+  }
   /// The objects that measure the quantity a check names, among those it may mean; it should be one.
   [[nodiscard]] std::vector<std::size_t> owners(const Check& check) const;
   /// The frames that a test compares: the given ones, or first, middle and last; ascending, no repeats.

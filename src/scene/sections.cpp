@@ -71,9 +71,12 @@ void Skin::describe(Fields& fields) {
 
 void Render::describe(Fields& fields) {
   fields.pair("size", size, {1, 16384}, "pixels", "Width and height of the images.");
-  fields.integer("samples", samples, {1, 16}, "", "Samples per pixel; every driver has 1 and 4.");
-  fields.choice("rasterizer", rasterizer, {"driver", "exact"},
-                "exact: kernels in exact arithmetic draw, with the same bytes on every machine.");
+  fields.integer("samples", samples, {1, 16}, "",
+                 "Samples per pixel: 1, 2, 4, 8 or 16; a driver's own rasterizer may have 1 and 4 alone.");
+  fields.choice(
+      "rasterizer", rasterizer, {"exact", "driver"},
+      "exact: kernels in exact arithmetic draw, with the same bytes on every machine; driver: vertex and "
+      "fragment shaders, with the edges and filters of that driver.");
   fields.number("exposure", exposure, {-20, 20}, "EV", "Brightness; one more doubles it.");
   fields.number("vignette", vignette, fraction, "", "Darkening towards the corners.");
   fields.group("bloom", "Light scattered around what is bright.",

@@ -16,7 +16,9 @@ struct Kernel {
   const Frame& frame;
   const ExactView& view;
   int samples;
+  const TwinTexture& texture;
 #include "glsl/draw/exact/fixed.glsl"
+#include "glsl/draw/exact/footprint.glsl"
 #include "glsl/draw/exact/ground_plane.glsl"
 #include "glsl/draw/exact/unit_vector.glsl"
 #include "glsl/draw/exact/weights.glsl"
@@ -30,6 +32,12 @@ struct Kernel {
     return {exactDot(from, vec3(view.across)), exactDot(from, vec3(view.down)),
             exactDot(from, vec3(view.forward))};
   }
+  [[nodiscard]] vec3 albedoTexel(int x, int y, int level) const {
+    const ivec2 size = max(texture.size >> level, ivec2(1));
+    return vec3(texture.levels[static_cast<std::size_t>(level)][static_cast<std::size_t>(y * size.x + x)]) *
+           1.5259022e-5F;
+  }
+  FILTERED(vec3, albedoAt, albedoTexel)
   [[nodiscard]] vec2 placeOf(ivec2 pixel, int s) {
     return vec2(pixel * 16 + (s < 0 ? ivec2(8) : samplePlace(s))) * 0.0625F;
   }
@@ -60,6 +68,22 @@ void layGround(Kernel& kernel, RasterTwinResult& seen) {
       }
 }
 
+/// As glsl/draw/exact/surface_uv.glsl.
+vec3 textureOn(Kernel& kernel, const TwinTexture& texture, const unsigned* corners, const vec3* places,
+               vec3 weight, vec2 at) {
+  const vec2 a = texture.uvs[corners[0]];
+  const vec2 b = texture.uvs[corners[1]];
+  const vec2 c = texture.uvs[corners[2]];
+  const auto uv = [&](vec3 w) { return (w.x * a + w.y * b + w.z * c) * texture.scale; };
+  const auto beside = [&](vec2 aside) {
+    return uv(kernel.ofSumOne(kernel.weightsAround(places[0], places[1], places[2], at + aside)));
+  };
+  const vec2 here = uv(weight);
+  const Kernel::Seen seen = {here, beside({1, 0}) - here, beside({0, -1}) - here};
+  const Kernel::TextureShape shape = {texture.size, static_cast<int>(texture.levels.size()), true};
+  return kernel.albedoAt(here, kernel.footprintOf(seen, shape), shape);
+}
+
 vec4 surfaceAt(Kernel& kernel, const PictureTwinScene& scene, ivec2 pixel, std::uint32_t id, int sample) {
   vec3 corner[3];
   vec3 normal[3];
@@ -82,6 +106,8 @@ vec4 surfaceAt(Kernel& kernel, const PictureTwinScene& scene, ivec2 pixel, std::
   if (scene.doubleSided && weights.turned) up = -up;
   Kernel::Look look{};
   look.base = scene.color;
+  if (!scene.texture.levels.empty())
+    look.base = look.base * textureOn(kernel, scene.texture, &scene.indices[3 * id], corner, w, place);
   look.roughness = scene.roughness;
   look.metallic = scene.metallic;
   look.openness = 1;
@@ -124,7 +150,7 @@ std::uint8_t byteOf(float x) {
 }  // namespace
 
 std::vector<std::uint8_t> pictureTwin(const PictureTwinScene& scene) {
-  Kernel kernel{scene.frame, scene.view, scene.samples};
+  Kernel kernel{scene.frame, scene.view, scene.samples, scene.texture};
   RasterTwinResult seen =
       rasterTwin(scene.view, scene.samples, scene.doubleSided, scene.places, scene.indices);
   if (scene.ground) layGround(kernel, seen);

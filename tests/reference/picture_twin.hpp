@@ -6,7 +6,16 @@
 #include <cstdint>
 #include <vector>
 
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+
+/// A picture laid over it.
+struct TwinTexture {
+  glm::ivec2 size{0};
+  std::vector<std::vector<glm::uvec3>> levels;  ///< linear light in 1/65535
+  glm::vec2 scale{1};                           ///< repeats along u and v
+  std::vector<glm::vec2> uvs;                   ///< of the vertices
+};
 
 /// A mesh of one material in a scene with ground and sky, without shadows.
 struct PictureTwinScene {
@@ -19,6 +28,7 @@ struct PictureTwinScene {
   std::vector<unsigned> indices;
   glm::vec3 color{0.8F};
   float roughness = 0.5F, metallic = 0.0F;
+  TwinTexture texture;  ///< without levels: none
 };
 
 /// The shader files of the exact rasterizer as C++, pixel by pixel: RGBA, the top row first.

@@ -24,8 +24,8 @@ ivec2 between(ivec2 span, Edge edge, Crossing crossing, int top) {
 }
 
 void fillBox(Triangle t, uint id) {
-  ivec2 first = max(t.low >> 8, ivec2(0));
-  ivec2 last = min(t.high >> 8, PICTURE_SIZE - 1);
+  ivec2 first = max(t.low >> 8, ivec2(0, PICTURE_ROWS.x));
+  ivec2 last = min(t.high >> 8, ivec2(PICTURE_SIZE.x, PICTURE_ROWS.y) - 1);
   Crossing a = crossingOf(t.edges[0]), b = crossingOf(t.edges[1]), c = crossingOf(t.edges[2]);
   ivec3 across = ivec3(t.edges[0].step_.y, t.edges[1].step_.y, t.edges[2].step_.y) * subpixels;
   for (int y = first.y; y <= last.y; ++y) {

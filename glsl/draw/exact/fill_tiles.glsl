@@ -8,8 +8,8 @@ bool reachesTile(Edge edge, ivec2 middle) {
 }
 
 void fillTiles(Triangle t, uint id) {
-  ivec2 first = max(t.low >> 8, ivec2(0)) / tileSide;
-  ivec2 last = min(t.high >> 8, PICTURE_SIZE - 1) / tileSide;
+  ivec2 first = max(t.low >> 8, ivec2(0, PICTURE_ROWS.x)) / tileSide;
+  ivec2 last = min(t.high >> 8, ivec2(PICTURE_SIZE.x, PICTURE_ROWS.y) - 1) / tileSide;
   ivec2 across = last - first + 1;
   int tiles = t.empty || across.x <= 0 || across.y <= 0 ? 0 : across.x * across.y;
   for (int tile = int(gl_WorkGroupID.z); tile < tiles; tile += int(gl_NumWorkGroups.z)) {
@@ -26,6 +26,6 @@ void fillTiles(Triangle t, uint id) {
       int all_ = edgeAside(t.edges[0], e0, aside) | edgeAside(t.edges[1], e1, aside) | edgeAside(t.edges[2], e2, aside);
       mask |= all_ >= 0 ? 1 << s : 0;
     }
-    if (pixel.x < PICTURE_SIZE.x && pixel.y < PICTURE_SIZE.y) putPixel(t, pixel, mask, id);
+    if (pixel.x < PICTURE_SIZE.x && pixel.y < PICTURE_ROWS.y) putPixel(t, pixel, mask, id);
   }
 }

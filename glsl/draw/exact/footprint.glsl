@@ -1,5 +1,7 @@
 // What a pixel covers of a texture, and textures by reads of our own: between texels and levels in proportion, along the
-// longer side of what the pixel covers by up to four taps.
+// longer side of what the pixel covers by up to four taps. Compiles as GLSL and as C++.
+#ifndef EXACT_FOOTPRINT
+#define EXACT_FOOTPRINT
 #include "common/exact.glsl"
 
 // A place in uv, and its change over a pixel to the right and up.
@@ -23,14 +25,14 @@ struct Footprint {
 };
 
 // Squares of the lengths of what a pixel covers, in texels.
-vec2 texelsCovered(Seen seen, ivec2 size) {
+FUNCTION vec2 texelsCovered(Seen seen, ivec2 size) {
   precise vec2 across = seen.across * vec2(size);
   precise vec2 up = seen.up * vec2(size);
   precise vec2 covered = vec2(across.x * across.x + across.y * across.y, up.x * up.x + up.y * up.y);
   return min(covered, 1e12f);
 }
 
-Footprint footprintOf(Seen seen, TextureShape shape) {
+FUNCTION Footprint footprintOf(Seen seen, TextureShape shape) {
   const int maxTaps = 4;
   vec2 covered = texelsCovered(seen, shape.size);
   float shorter = exactSqrt(min(covered.x, covered.y));
@@ -51,7 +53,7 @@ Footprint footprintOf(Seen seen, TextureShape shape) {
   return print;
 }
 
-float perTap(int taps) {
+FUNCTION float perTap(int taps) {
   return taps == 1 ? 1.0f : taps == 2 ? 0.5f : taps == 3 ? 0.33333334f : 0.25f;
 }
 
@@ -61,7 +63,7 @@ struct Around {
   vec2 part;
 };
 
-Around texelsAround(vec2 uv, int level, TextureShape shape) {
+FUNCTION Around texelsAround(vec2 uv, int level, TextureShape shape) {
   ivec2 size = max(shape.size >> level, ivec2(1));
   precise vec2 whole = floor(uv);
   precise vec2 turn = uv - whole;
@@ -70,8 +72,10 @@ Around texelsAround(vec2 uv, int level, TextureShape shape) {
   precise vec2 first = floor(corner);
   precise vec2 part = corner - first;
   ivec2 a = ivec2(first), b = a + 1;
-  a = shape.repeats ? a + size * ivec2(lessThan(a, ivec2(0))) : max(a, ivec2(0));
-  b = shape.repeats ? b - size * ivec2(greaterThanEqual(b, size)) : min(b, size - 1);
+  ivec2 before = ivec2(a.x < 0 ? size.x : 0, a.y < 0 ? size.y : 0);
+  ivec2 beyond = ivec2(b.x >= size.x ? size.x : 0, b.y >= size.y ? size.y : 0);
+  a = shape.repeats ? a + before : max(a, ivec2(0));
+  b = shape.repeats ? b - beyond : min(b, size - 1);
   Around around;
   around.texels = ivec4(a, b);
   around.part = part;
@@ -80,7 +84,7 @@ Around texelsAround(vec2 uv, int level, TextureShape shape) {
 
 // TYPE NAME(uv, footprint, shape) of a texture whose texels are TYPE TEXEL(x, y, level).
 #define FILTERED(TYPE, NAME, TEXEL)                                                          \
-  TYPE NAME##Between(vec2 uv, int level, TextureShape shape) {                               \
+  FUNCTION TYPE NAME##Between(vec2 uv, int level, TextureShape shape) {                      \
     Around around = texelsAround(uv, level, shape);                                          \
     ivec4 t = around.texels;                                                                 \
     TYPE p = TEXEL(t.x, t.y, level), q = TEXEL(t.z, t.y, level);                             \
@@ -90,7 +94,7 @@ Around texelsAround(vec2 uv, int level, TextureShape shape) {
     precise TYPE between = upper + (lower - upper) * around.part.y;                          \
     return between;                                                                          \
   }                                                                                          \
-  TYPE NAME(vec2 uv, Footprint print, TextureShape shape) {                                  \
+  FUNCTION TYPE NAME(vec2 uv, Footprint print, TextureShape shape) {                         \
     precise TYPE sum = TYPE(0);                                                              \
     for (int i = 0; i < print.taps; ++i) {                                                   \
       precise float aside = (float(i) + 0.5f) * perTap(print.taps) - 0.5f;                   \
@@ -102,3 +106,4 @@ Around texelsAround(vec2 uv, int level, TextureShape shape) {
     precise TYPE mean = sum * perTap(print.taps);                                            \
     return mean;                                                                             \
   }
+#endif

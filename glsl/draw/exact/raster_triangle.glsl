@@ -37,7 +37,7 @@ Triangle drawnTriangle(Corner a, Corner b, Corner c) {
 
 #ifdef ADDS
 void putPixel(Triangle t, ivec2 pixel, int mask, uint id) {
-  int at = (pixel.y * view.size.x + pixel.x) * SAMPLES, samples = 0;
+  int at = firstSample(pixel), samples = 0;
   for (int s = 0; s < SAMPLES; ++s) {
     float near = nearAt(t, pixel * subpixels + samplePlace(s) * (subpixels / 16));
     bool seen = (mask >> s & 1) != 0 && near >= view.nearOverFar && nearKey(near) < keyAt(at + s);

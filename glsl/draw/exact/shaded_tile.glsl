@@ -18,11 +18,12 @@ ivec2 pixelToShade() {
   if (entry >= texelFetch(tileCounts, draw_).x) return ivec2(-1);
   int tile = int(texelFetch(tileLists, draw_ * tileCount + int(entry)).x);
   ivec2 pixel = ivec2(tile % tilesAcross, tile / tilesAcross) * tileSide + ivec2(gl_LocalInvocationID.xy);
-  return pixel.x < view.size.x && pixel.y < view.size.y ? pixel : ivec2(-1);
+  pixel.y += view.rows.x;
+  return pixel.x < view.size.x && pixel.y < view.rows.y ? pixel : ivec2(-1);
 }
 
 uint idAt(ivec2 pixel, int s) {
-  return idAt((pixel.y * view.size.x + pixel.x) * SAMPLES + s);
+  return idAt(firstSample(pixel) + s);
 }
 
 struct PixelIds {
@@ -32,7 +33,7 @@ struct PixelIds {
 // Those of all the samples.
 PixelIds idsOf(ivec2 pixel) {
   PixelIds ids;
-  int first = (pixel.y * view.size.x + pixel.x) * SAMPLES;
+  int first = firstSample(pixel);
 #if SAMPLES < 4
   for (int s = 0; s < SAMPLES; ++s) ids.of[s] = idAt(first + s);
 #else

@@ -84,8 +84,8 @@ void main() {
   int me = int(gl_LocalInvocationIndex);
   if (me < maxWords) shown[me] = 0u;
   barrier();
-  ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
-  bool within = pixel.x < view.size.x && pixel.y < view.size.y;
+  ivec2 pixel = ivec2(gl_GlobalInvocationID.xy) + ivec2(0, view.rows.x);
+  bool within = pixel.x < view.size.x && pixel.y < view.rows.y;
   if (within) {
 #ifdef EMPTIES
     imageStore(sums, pixel, vec4(0.0f));
@@ -93,7 +93,7 @@ void main() {
     int onGround = 0, left = 0;
     uint seen[SAMPLES];
     for (int s = 0; s < SAMPLES; s += together) {
-      int first = (pixel.y * view.size.x + pixel.x) * SAMPLES + s;
+      int first = firstSample(pixel) + s;
       uvec4 four = FETCHED(idAt, fourIdsAt, first);
 #ifdef GROUND
       uvec4 keys = FETCHED(keyAt, fourKeysAt, first);

@@ -14,6 +14,7 @@ struct STD140 ExactView {
   ivec2 size;      // of the picture (pixels)
   float near;      // m
   float nearOverFar;
+  ivec2 rows;      // of the picture, from and to before which: the band whose visibility is being found
 };
 
 #endif

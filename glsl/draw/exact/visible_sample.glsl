@@ -6,9 +6,11 @@
 uniform int mapTexels;
 ivec2 mapSize = ivec2(mapTexels);
 #define PICTURE_SIZE mapSize
+#define PICTURE_ROWS ivec2(0, mapTexels)
 #else
 #include "draw/exact/view_block.glsl"
 #define PICTURE_SIZE view.size
+#define PICTURE_ROWS view.rows
 #endif
 #ifdef LAMP_MAP
 uniform int firstKey;   // of this map among those of all lamps
@@ -18,8 +20,10 @@ uniform int keyStride;  // from one row to the next
 int sampleIndex(ivec2 pixel, int s) {
 #ifdef LAMP_MAP
   return firstKey + pixel.y * keyStride + pixel.x;
+#elif defined SUN_MAP
+  return pixel.y * mapTexels + pixel.x;
 #else
-  return (pixel.y * PICTURE_SIZE.x + pixel.x) * SAMPLES + s;
+  return firstSample(pixel) + s;
 #endif
 }
 #ifndef ADDS

@@ -6,6 +6,10 @@ const float glowUnits = 16777216.0;  // of light 1
 const float glowUpper = 256.0;       // light that the upper word counts
 const float perGlowUpper = 0.00390625;
 
+#ifndef GLOW_FIRST_ROW
+#define GLOW_FIRST_ROW 0
+#endif
+
 int glowWord(ivec2 pixel) {
-  return 6 * (pixel.y * int(frame.size.x) + pixel.x);
+  return 6 * ((pixel.y - GLOW_FIRST_ROW) * int(frame.size.x) + pixel.x);
 }

@@ -19,6 +19,7 @@ shader::ExactView exactView(const View& view, const scene::Camera& camera, glm::
   exact.rayAcross = glm::vec4(view.right / half.x, 0);
   exact.rayDown = glm::vec4(view.up / -half.y, 0);
   exact.size = size;
+  exact.rows = {0, size.y};
   exact.near = camera.near;
   exact.nearOverFar = camera.near / camera.far;
   return exact;

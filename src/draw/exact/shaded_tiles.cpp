@@ -13,7 +13,6 @@ namespace simreel::draw {
 
 namespace {
 
-constexpr int side = 8;          // tileSide of glsl/draw/exact/fixed.glsl
 constexpr int maxThings = 2046;  // 32 times maxWords of tiles.comp, less the ground's two
 
 }  // namespace
@@ -21,22 +20,21 @@ constexpr int maxThings = 2046;  // 32 times maxWords of tiles.comp, less the gr
 ShadedTiles::ShadedTiles(const Visibility& visibility, bool ground, bool shadow)
     : size_(visibility.size()),
       tiles_((size_ + side - 1) / side),
-      // Cards for computing clear textures at a fifth of the speed of a kernel.
-      empties_(!gl::softwareDriver()),
       defines_(definesOf(visibility.layout())) {
   defines_.emplace_back("SAMPLES", std::to_string(visibility.samples()));
-  if (empties_) defines_.emplace_back("EMPTIES", "1");
+  if (emptiesLight()) defines_.emplace_back("EMPTIES", "1");
   if (ground) defines_.emplace_back("GROUND", "1");
   if (shadow) defines_.emplace_back("SHADOW", "1");
   program_ = gl::Program::compute("draw/exact/tiles.comp", defines_);
 }
 
+bool ShadedTiles::emptiesLight() {
+  return !gl::softwareDriver();
+}
+
 void ShadedTiles::list(const std::vector<unsigned>& firstIds, const Visibility& visibility,
-                       const gl::Texture& sums, bool groundKeys) {
+                       bool groundKeys) {
   constexpr GLuint zero = 0;
-  constexpr GLfloat none[] = {0, 0, 0, 0};
-  if (!empties_) glClearTexImage(sums.name(), 0, GL_RGBA, GL_FLOAT, none);
-  sums.bindImage(sumImage, GL_READ_WRITE);
   if (groundKeys && keyProgram_.name() == 0) {
     gl::Defines defines = defines_;
     defines.emplace_back("GROUND_KEYS", "1");

@@ -8,21 +8,22 @@ namespace simreel::draw {
 /// last two things are the ground where no shadow reaches it, and the ground elsewhere.
 class ShadedTiles {
  public:
+  static constexpr int side = 8;  ///< pixels of a tile: tileSide of glsl/draw/exact/fixed.glsl
   /// For pictures like that one.
   ShadedTiles(const Visibility& visibility, bool ground, bool shadow);
 
-  /// Lays the ground under what is visible and makes the lists; empties the RGBA32F sums of light, and binds
-  /// them. `firstIds`: of the things, ascending. `groundKeys`: the ground is among what is nearest
-  /// afterwards.
-  void list(const std::vector<unsigned>& firstIds, const Visibility& visibility, const gl::Texture& sums,
-            bool groundKeys = false);
+  /// Whether list() empties the light of its pixels on this device: cards for computing clear textures in ten
+  /// times the time that it takes there.
+  [[nodiscard]] static bool emptiesLight();
+  /// Lays the ground under what is visible and makes the lists; the sums of light are bound. `firstIds`: of
+  /// the things, ascending. `groundKeys`: the ground is among what is nearest afterwards.
+  void list(const std::vector<unsigned>& firstIds, const Visibility& visibility, bool groundKeys = false);
   /// Runs a shading kernel over the tiles of a thing. `program` includes draw/exact/shaded_tile.glsl.
   void shade(int thing, const gl::Program& program) const;
   [[nodiscard]] int things() const { return things_; }  ///< but for the ground
 
  private:
   glm::ivec2 size_, tiles_;
-  bool empties_;  ///< the kernel empties the sums
   int things_ = 0;
   gl::Defines defines_;
   gl::Program program_, keyProgram_;

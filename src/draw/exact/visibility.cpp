@@ -19,7 +19,7 @@ constexpr int groupItems = 64;
 std::size_t samplesOf(const std::string& label, glm::ivec2 size, int samples) {
   const std::size_t all = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) *
                           static_cast<std::size_t>(samples);
-  const auto most = static_cast<std::size_t>(gl::limits().texelBufferTexels);
+  const std::size_t most = Visibility::maxSamples();
   if (all > most)
     fail(ExitCode::device,
          "{} of {}x{} pixels with {} samples: the exact rasterizer holds {} samples on this device "
@@ -79,6 +79,10 @@ gl::Defines laneDefines() {
 void dispatchRows(const gl::Program& program, int items) {
   constexpr int row = rowGroups * groupItems;
   program.dispatch(std::min(items, row), (items + row - 1) / row);
+}
+
+std::size_t Visibility::maxSamples() {
+  return static_cast<std::size_t>(gl::limits().texelBufferTexels);
 }
 
 Visibility::Visibility(const std::string& label, glm::ivec2 size, int samples, bool ids)

@@ -3,6 +3,7 @@
 #include "gl/program.hpp"
 #include "gl/texture.hpp"
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,9 @@ enum class SampleLayout { apart, pairs, wholes };
 /// primitive; or of a shadow map the keys alone. 8 bytes a sample.
 class Visibility {
  public:
+  static constexpr std::size_t sampleBytes = 8;
+  /// Most samples of one, on this device.
+  static std::size_t maxSamples();
   Visibility() = default;
   /// `samples`: 1, 2, 4, 8 or 16. `ids`: a picture's, as sampleLayout() says. Throws UserError(device) beyond the device's limits.
   Visibility(const std::string& label, glm::ivec2 size, int samples, bool ids);

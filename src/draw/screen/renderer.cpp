@@ -15,17 +15,18 @@
 namespace simreel::draw {
 
 struct Renderer::State {
-  State(const scene::Scene& shown, glm::ivec2 pixels, int samples)
+  State(const scene::Scene& shown, glm::ivec2 pixels, int samples, const RendererOptions& options,
+        Rasterizer rasterizer)
       : scene(shown),
         size(pixels),
         picture(pixels),
-        fieldTextures(shown, shown.render.rasterizer),
-        fields(pixels, shown.render.rasterizer),
-        axes(pixels, shown.render.rasterizer),
-        charts(pixels, shown.render.rasterizer),
+        fieldTextures(shown, rasterizer),
+        fields(pixels, rasterizer),
+        axes(pixels, rasterizer),
+        charts(pixels, rasterizer),
         frame("frame values", sizeof(shader::Frame)) {
-    if (shown.render.rasterizer == scene::Rasterizer::exact)
-      exact.emplace(shown, pixels, samples);
+    if (rasterizer == Rasterizer::exact)
+      exact.emplace(shown, pixels, samples, options.visibilityBytes);
     else
       driver.emplace(DriverScene::Shared{shown, fieldTextures, fields, picture}, samples);
   }
@@ -42,8 +43,9 @@ struct Renderer::State {
   std::optional<ExactScene> exact;
 };
 
-Renderer::Renderer(const scene::Scene& scene, glm::ivec2 size, int samples)
-    : state_(std::make_unique<State>(scene, size, samples)) {}
+Renderer::Renderer(const scene::Scene& scene, glm::ivec2 size, int samples, const RendererOptions& options)
+    : state_(std::make_unique<State>(scene, size, samples, options,
+                                     options.rasterizer.value_or(scene.render.rasterizer))) {}
 Renderer::~Renderer() = default;
 Renderer::Renderer(Renderer&&) noexcept = default;
 Renderer& Renderer::operator=(Renderer&&) noexcept = default;

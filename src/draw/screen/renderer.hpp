@@ -5,17 +5,25 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 
 #include <glm/vec2.hpp>
 
 namespace simreel::draw {
+
+struct RendererOptions {
+  std::optional<scene::Rasterizer> rasterizer;  ///< instead of the scene's
+  /// What the exact rasterizer keeps of visibility at most; larger pictures are drawn in bands of rows,
+  /// with the same bytes.
+  std::size_t visibilityBytes = std::size_t{256} << 20;
+};
 
 /// Draws one frame: the scene with the rasterizer it asks for, then fields, axes and charts over it.
 class Renderer {
  public:
   /// Compiles every shader and loads every texture the scene's materials name. Throws UserError:
   /// device for limits (samples, size), inputOutput or usage for textures. The scene must outlive it.
-  Renderer(const scene::Scene& scene, glm::ivec2 size, int samples);
+  Renderer(const scene::Scene& scene, glm::ivec2 size, int samples, const RendererOptions& options = {});
   ~Renderer();
   Renderer(Renderer&&) noexcept;
   Renderer& operator=(Renderer&&) noexcept;
@@ -23,7 +31,8 @@ class Renderer {
   Renderer& operator=(const Renderer&) = delete;
 
   /// Called when the commands of a stage have been issued; stages that have nothing to do are left out. A
-  /// stage may come in parts. Names: "shadow", "surfaces", "instances", "ground", "bloom", "tone map".
+  /// stage may come in parts. Names: "shadow", "visibility", "surfaces", "instances", "ground",
+  /// "bloom", "tone map".
   using StageWatch = std::function<void(const char* stage)>;
   /// Issues the commands for the frame at `seconds` (of scene time); does not wait.
   void draw(double seconds, const sim::Drawables& drawables, const StageWatch& watch = {});

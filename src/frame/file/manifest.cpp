@@ -33,11 +33,11 @@ ManifestFrame readFrame(const JsonValue& item) {
 
 std::string manifestText(const Manifest& manifest) {
   const RunInfo& run = manifest.run;
-  Json object = {{"format", manifestFormat},  {"version", formatVersion},       {"program", version()},
-                 {"title", run.title},        {"scene", run.sceneHash},         {"seed", run.seed},
-                 {"width", run.width},        {"height", run.height},           {"fps", run.fps},
-                 {"numerics", run.numerics},  {"fingerprint", run.fingerprint}, {"driver", run.driver},
-                 {"overrides", run.overrides}};
+  Json object = {{"format", manifestFormat},     {"version", formatVersion},       {"program", version()},
+                 {"title", run.title},           {"scene", run.sceneHash},         {"seed", run.seed},
+                 {"width", run.width},           {"height", run.height},           {"fps", run.fps},
+                 {"numerics", run.numerics},     {"fingerprint", run.fingerprint}, {"driver", run.driver},
+                 {"rasterizer", run.rasterizer}, {"overrides", run.overrides}};
   if (!run.processor.empty()) object["processor"] = run.processor;
   const auto dump = [](const Json& value, int indent) {
     return value.dump(indent, ' ', false, Json::error_handler_t::replace);
@@ -80,6 +80,7 @@ Manifest manifestOf(const JsonValue& object) {
   run.fingerprint = object.at("fingerprint").text();
   run.driver = object.at("driver").text();
   run.processor = textIfThere(object, "processor");
+  if (const auto rasterizer = object.find("rasterizer")) run.rasterizer = rasterizer->text();
   result.counts = textIfThere(object, "counts");
   object.at("frames").eachItem(
       [&](const JsonValue& item) { result.frames[item.at("frame").integer()] = readFrame(item); });
@@ -118,18 +119,21 @@ std::optional<std::string> runDifference(const RunInfo& wanted, const RunInfo& s
                fmt::format("{}x{}", stored.width, stored.height));
   if (wanted.fps != stored.fps) return say("fps", wanted.fps, stored.fps);
   if (wanted.numerics != stored.numerics) return say("numerics", wanted.numerics, stored.numerics);
-  if (wanted.fingerprint != stored.fingerprint)
+  if (wanted.rasterizer != stored.rasterizer)
+    return say("rasterizer", wanted.rasterizer, stored.rasterizer);
+  if (!wanted.exact() && wanted.fingerprint != stored.fingerprint)
     return say("numerics fingerprint (driver and memory path)", wanted.fingerprint, stored.fingerprint);
   return std::nullopt;
 }
 
 std::string machineOf(const RunInfo& run) {
-  return run.processor.empty() ? std::string() : run.processor + "; " + run.driver;
+  return run.exact() || run.processor.empty() ? std::string() : run.processor + "; " + run.driver;
 }
 
 std::string runIdentity(const RunInfo& run) {
-  return hashHex(fmt::format("{} {} {} {}x{} {} {} {}", scene::asArguments(run.overrides), run.sceneHash,
-                             run.seed, run.width, run.height, run.fps, run.numerics, run.fingerprint));
+  return hashHex(fmt::format("{} {} {} {}x{} {} {} {} {}", scene::asArguments(run.overrides), run.sceneHash,
+                             run.seed, run.width, run.height, run.fps, run.numerics, run.rasterizer,
+                             run.exact() ? "" : run.fingerprint));
 }
 
 }  // namespace simreel::frame

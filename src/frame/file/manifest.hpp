@@ -36,8 +36,8 @@ struct Manifest {
 /// "seed is 1 in this run and 2 in the earlier one": the first item in which frames of the two runs could
 /// differ by more than a few bits of their pixels.
 [[nodiscard]] std::optional<std::string> runDifference(const RunInfo& wanted, const RunInfo& stored);
-/// Processor and driver of a run, or empty where they are not known. Pictures of one scene on two machines
-/// of the same fingerprints may differ in a few bits.
+/// Processor and driver of a run, or empty where they are not known or do not matter (exact pictures).
+/// Pictures of one scene on two machines of the same fingerprints may differ in a few bits.
 [[nodiscard]] std::string machineOf(const RunInfo& run);
 /// The same for any two runs in which runDifference() finds nothing, and for no others.
 [[nodiscard]] std::string runIdentity(const RunInfo& run);

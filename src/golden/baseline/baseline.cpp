@@ -37,6 +37,10 @@ void checkFormat(JsonObject& root) {
 
 /// Older files have only the fingerprint of the numerics.
 Origin parseOrigin(JsonObject& frame) {
+  if (const auto rasterizer = frame.find("rasterizer")) {
+    if (!rasterizer->is("exact")) rasterizer->wrong("is not \"exact\"");
+    return exactOrigin;
+  }
   Origin origin;
   origin.numerics = frame.at("fingerprint").text();
   origin.drawing = textIfThere(frame, "drawing");
@@ -247,7 +251,7 @@ std::string profileToWrite(const fs::path& folder, const std::string& ownProfile
   if (pathExists(folder / ownProfile / "baseline.json")) return ownProfile;
   const auto shared = orFresh<PictureBaseline>([&] { return readPictures(folder, sharedProfile); });
   const bool ours = std::all_of(shared.frames.begin(), shared.frames.end(), [&](const auto& entry) {
-    return entry.second.origin.numerics == numerics;
+    return entry.second.origin.exact || entry.second.origin.numerics == numerics;
   });
   return ours ? sharedProfile : ownProfile;
 }
@@ -276,8 +280,11 @@ std::string picturesText(const PictureBaseline& baseline) {
   json["frames"] = Json::object();
   for (const auto& [frame, entry] : baseline.frames) {
     // Never a null that grows into an object: without memory the library ends the program there.
-    Json& item = json["frames"][std::to_string(frame)] =
-        Json{{"pixels", entry.pixels}, {"fingerprint", entry.origin.numerics}};
+    Json& item = json["frames"][std::to_string(frame)] = Json{{"pixels", entry.pixels}};
+    if (entry.origin.exact)
+      item["rasterizer"] = "exact";
+    else
+      item["fingerprint"] = entry.origin.numerics;
     if (!entry.origin.drawing.empty()) item["drawing"] = entry.origin.drawing;
     if (!entry.origin.processor.empty() || !entry.origin.driver.empty())
       item["machine"] = {{"processor", entry.origin.processor}, {"driver", entry.origin.driver}};

@@ -68,8 +68,8 @@ struct Candidate {
 /// The baseline of this family, else the shared one.
 [[nodiscard]] std::optional<PictureBaseline> choosePictures(const std::filesystem::path& folder,
                                                             const std::string& ownProfile);
-/// Where a new baseline goes: `own` where that exists, else the shared one unless it was made by other
-/// numerics (a fingerprint as in Origin).
+/// Where a new baseline of a driver's pictures goes: `own` where that exists, else the shared one unless it
+/// was drawn with other numerics (a fingerprint as in Origin). Exact pictures have the shared one alone.
 [[nodiscard]] std::string profileToWrite(const std::filesystem::path& folder, const std::string& ownProfile,
                                          const std::string& numerics);
 

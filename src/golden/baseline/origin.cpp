@@ -3,6 +3,7 @@
 namespace simreel::golden {
 
 Asked asked(const Origin& there, const Origin& here) {
+  if (there.exact || here.exact) return Asked::exact;
   const bool sameDrawing = there.drawing.empty() || here.drawing.empty() || there.drawing == here.drawing;
   if (there.numerics != here.numerics || !sameDrawing) return Asked::tolerance;
   const bool known = !there.processor.empty() && !there.driver.empty();
@@ -11,7 +12,17 @@ Asked asked(const Origin& there, const Origin& here) {
 }
 
 const char* askedName(Asked asked) {
-  return asked == Asked::equal ? "equal" : asked == Asked::near ? "near" : "tolerance";
+  switch (asked) {
+    case Asked::exact:
+      return "exact";
+    case Asked::equal:
+      return "equal";
+    case Asked::near:
+      return "near";
+    case Asked::tolerance:
+      break;
+  }
+  return "tolerance";
 }
 
 }  // namespace simreel::golden

@@ -72,13 +72,14 @@ function toleranceTable(scene) {
   const fields = Object.entries(scene.tolerance);
   if (fields.length === 0) return null;
   const measured = scene.frames.some((frame) => frame.metrics);
-  const unused = {equal: " (not used: on the machine that drew the baseline pixels have to be equal)",
+  const unused = {exact: " (not used: exact pictures have to be equal)",
+                  equal: " (not used: on the machine that drew the baseline pixels have to be equal)",
                   near: " (besides what is asked of another machine with the same numerics)"};
   const title = "Tolerance" + (unused[scene.asked] || "");
   return table(title, "tolerance", ["bound", "value", "largest measured", "set by"], fields.map(([field, bound]) => {
     const value = measured && measuredFor[field] ? largest(scene, measuredFor[field]) : null;
     // maxChannelDiff decides which pixels count; it is no limit itself.
-    const limit = scene.asked !== "equal" && field !== "maxChannelDiff";
+    const limit = !noneMayDiffer(scene.asked) && field !== "maxChannelDiff";
     return {
       class: limit && value !== null && value > bound.value ? "fails" : "",
       cells: [field, format(bound.value), format(value), breakable(bound.origin)],
@@ -89,6 +90,7 @@ function toleranceTable(scene) {
 function baselineCard(scene) {
   const own = suite.environment.profile;
   const how = {
+    exact: "pixel by pixel, exactly: drawn in exact arithmetic",
     equal: "pixel by pixel, exactly: this machine drew it",
     near: "within 2 of 255 on 2 % of the pixels and a FLIP mean of 0.002: another machine with the same numerics drew it",
     tolerance: "within the tolerance: other numerics drew it",
@@ -206,7 +208,7 @@ function metricsOf(scene, frame) {
   const m = frame.metrics;
   const beyond = scene.tolerance.maxChannelDiff ? scene.tolerance.maxChannelDiff.value : 0;
   const side = windowSize();
-  const exact = frame.asked === "equal";
+  const exact = noneMayDiffer(frame.asked);
   const near = frame.asked === "near";  // the bounds of brokenNearness in compare.cpp
   const limit = (field) => exact || !scene.tolerance[field] ? null : scene.tolerance[field].value;
   const over = (field, value) => limit(field) !== null && value > limit(field);
@@ -214,7 +216,7 @@ function metricsOf(scene, frame) {
   return [
     metric("worst", `${m.worst} at ${m.worstX}, ${m.worstY}`, over("hardFail", m.worst) || (near && m.worst > 2),
            near ? "≤ 2" : bound("hardFail", format)),
-    // On the machine that drew the baseline any difference is one too many, and no bound is in force.
+    // Of exact pictures, and on the machine that drew the baseline, any difference is one too many, and no bound is in force.
     metric("differ", plural(m.differentPixels, "pixel"), exact && m.differentPixels > 0,
            exact ? "none may" : near ? "≤ 2 % of them" : ""),
     metric("beyond " + format(beyond), m.pixelsBeyond + " = " + percent(m.ratioBeyond),

@@ -57,7 +57,7 @@ const curveArea = {left: 62, right: 14, top: 12, bottom: 18, height: 104};  // p
 function curveScales(scene, chosen, width) {
   const values = scene.frames.map((frame) => curveValue(chosen, frame));
   const given = chosen.bound ? scene.tolerance[chosen.bound] : undefined;
-  const bound = given && scene.asked !== "equal" ? given.value : null;
+  const bound = given && !noneMayDiffer(scene.asked) ? given.value : null;
   const most = Math.max(...values.filter((value) => value !== null), 0);
   // A bound far above everything measured would press the curve flat.
   const showBound = bound !== null && bound <= most * 8 + 1e-12;

@@ -21,6 +21,11 @@ function isFailure(status) {
   return !["pass", "updated", "xfail"].includes(status);
 }
 
+/// Of pictures that are compared so; `asked` of a scene or a frame.
+function noneMayDiffer(asked) {
+  return asked === "exact" || asked === "equal";
+}
+
 const views = [
   {id: "side", label: "side by side"},
   {id: "swipe", label: "swipe"},

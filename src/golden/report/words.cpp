@@ -80,6 +80,7 @@ std::string flakyText(const SceneResult& scene) {
 
 std::string comparedText(const SceneResult& scene) {
   if (scene.asked.empty()) return "";
+  if (scene.asked == askedName(Asked::exact)) return "exactly: drawn in exact arithmetic";
   if (scene.asked == askedName(Asked::equal)) return "exactly: this machine drew the baseline";
   if (scene.asked == askedName(Asked::near))
     return fmt::format("within {} of 255: another machine with the same numerics drew the baseline",

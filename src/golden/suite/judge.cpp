@@ -85,6 +85,19 @@ Nearest nearest(const RunFrame& made, const Reference& reference, const PictureB
   return *best;
 }
 
+/// What is wrong with a picture of which no pixel may differ.
+std::string unequal(const Metrics& metrics, const Origin& there, const Origin& here) {
+  if (there.exact && !here.exact)
+    return "the baseline was drawn exactly, this picture by the driver; write it anew with "
+           "--update=changed, "
+           "or let \"rasterizer\" be exact";
+  if (here.exact && !there.exact)
+    return "the baseline was drawn by a driver, this picture exactly; look at it and write it anew with "
+           "--update=changed, or set \"rasterizer\": \"driver\"";
+  return fmt::format("{} pixels differ, by {} at most; {} none may", metrics.differentPixels, metrics.worst,
+                     here.exact ? "of exact pictures" : "on the machine that drew the baseline");
+}
+
 /// Whether the picture fails.
 bool judgePixels(const RunFrame& made, const Reference& reference, FrameResult& result) {
   const PictureBaseline::Frame* stored = find(reference, made.frame);
@@ -111,11 +124,8 @@ bool judgePixels(const RunFrame& made, const Reference& reference, FrameResult& 
   Nearest found = nearest(made, reference, *stored);
   result.alternate = found.alternate;
   result.metrics = found.metrics;
-  if (asked(stored->origin, reference.here) == Asked::equal) {
-    addMessage(
-        result, Status::fail,
-        fmt::format("{} pixels differ, by {} at most; on the machine that drew the baseline none may",
-                    found.metrics.differentPixels, found.metrics.worst));
+  if (asked(stored->origin, reference.here) <= Asked::equal) {
+    addMessage(result, Status::fail, unequal(found.metrics, stored->origin, reference.here));
     return true;
   }
   if (!found.broken.empty())

@@ -16,9 +16,9 @@ struct Reference {
   std::filesystem::path folder;             ///< of the scene's baselines
   std::optional<PictureBaseline> pictures;  ///< nothing: missing
   std::optional<StateBaseline> state;
-  bool exact = true;           ///< the scene's numerics
+  bool exact = true;           ///< the scene's numerics; of its pictures see `here`
   Origin here;                 ///< of this run's pictures
-  scene::Tolerance tolerance;  ///< in force where the fingerprints differ
+  scene::Tolerance tolerance;  ///< in force where a driver drew and the fingerprints differ
 };
 
 /// Reads what there is for the scene. Throws UserError(inputOutput) where it cannot be used.
@@ -32,9 +32,10 @@ struct Judgement {
 
 /// The verdict on one frame, in this order: a baseline must be there, state must be equal (always in exact
 /// numerics; between equal numerics fingerprints in fast numerics), sizes must be equal, equal pixel hashes
-/// pass; then the frame fails on the machine that drew the baseline; on another one with its fingerprints
-/// it has to be near (brokenNearness), and everywhere every bound of the tolerance must hold. Alternates
-/// count as the baseline does. Fills the metrics of pictures that differ; the image paths stay empty.
+/// pass; then the frame fails where one of the two was drawn exactly and on the machine that drew the
+/// baseline; on another one with its fingerprints it has to be near (brokenNearness), and everywhere every
+/// bound of the tolerance must hold. Alternates count as the baseline does. Fills the metrics of pictures
+/// that differ; the image paths stay empty.
 [[nodiscard]] Judgement judgeFrame(const RunFrame& made, const Reference& reference);
 
 /// The picture that judgeFrame compared with: number as in FrameResult::alternate. Throws

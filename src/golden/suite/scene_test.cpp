@@ -67,15 +67,19 @@ void SceneTest::load() {
          "this driver does not compute exactly ({}); use another device, or "
          "\"numerics\": \"fast\"",
          device_.inexact);
+  exactPictures_ = scene_.drawsExactly();
+  origin_ = exactPictures_ ? exactOrigin : device_.origin;
+  profile_ = exactPictures_ ? sharedProfile : device_.profile;
   try {
-    reference_ = findReference(result_.baselines, device_.profile, exact, device_.origin);
+    reference_ = findReference(result_.baselines, profile_, exact, origin_);
   } catch (const UserError& error) {
     if (options_.update != Update::all) throw;
     result_.notes.push_back(fmt::format("{} (written anew)", error.what()));
-    reference_ = {result_.baselines, std::nullopt, std::nullopt, exact, device_.origin, {}};
+    reference_ = {result_.baselines, std::nullopt, std::nullopt, exact, origin_, {}};
   }
   resolveTolerance();
   describeBaseline();
+  if (exactPictures_) noteUnused();
   if (!reference_.pictures) return;
   for (const auto& [frame, stored] : reference_.pictures->frames)
     if (std::find(frames_.begin(), frames_.end(), frame) == frames_.end())
@@ -92,12 +96,29 @@ void SceneTest::describeBaseline() {
   result_.baselineReason = pictures.reason;
   std::optional<Asked> min;
   for (const auto& [frame, stored] : pictures.frames) {
-    const Asked one = asked(stored.origin, device_.origin);
+    const Asked one = asked(stored.origin, origin_);
     if (min && one <= *min) continue;
     min = one;
     result_.asked = askedName(one);
     result_.baselineProcessor = stored.origin.processor;
   }
+}
+
+/// What exact pictures have no use for: bounds that somebody gave, and baselines of one family of drivers.
+void SceneTest::noteUnused() {
+  for (const auto& [field, bound] : result_.tolerance)
+    if (bound.origin != "default")
+      result_.notes.push_back(fmt::format(
+          "tolerance without need: {} ({}), exact pictures have to be equal", field, bound.origin));
+  std::error_code error;
+  std::set<std::string> profiles;
+  for (const auto& entry : fs::directory_iterator(reference_.folder, error))
+    if (pathExists(entry.path() / "baseline.json")) profiles.insert(entry.path().filename().string());
+  profiles.erase(sharedProfile);
+  for (const std::string& profile : profiles)
+    result_.notes.push_back(
+        fmt::format("the baseline {} is not used: exact pictures have one for all machines",
+                    (reference_.folder / profile).generic_string()));
 }
 
 /// The command line wins over the baseline, which wins over the scene, which wins over the defaults.
@@ -175,7 +196,7 @@ Candidate SceneTest::candidate(bool withSteps) const {
   made.pictures.width = scene_.render.size.x;
   made.pictures.height = scene_.render.size.y;
   for (const RunFrame& frame : run_.frames) {
-    made.pictures.frames[frame.frame] = {frame.pixels, device_.origin, {}};
+    made.pictures.frames[frame.frame] = {frame.pixels, origin_, {}};
     if (!frame.state.empty()) made.state.frames[frame.frame] = frame.state;
   }
   if (withSteps && !made.state.frames.empty())
@@ -202,6 +223,7 @@ bool SceneTest::checkFails() const {
 }
 
 std::string SceneTest::profileToPromote() const {
+  if (exactPictures_) return sharedProfile;
   if (!options_.profile.empty()) return options_.profile;
   return profileToWrite(reference_.folder, device_.profile, device_.origin.numerics);
 }
@@ -234,7 +256,7 @@ void SceneTest::update() {
   // Held against what was just written, every frame has to pass.
   const auto before = std::exchange(result_.frames, {});
   const scene::Tolerance tolerance = reference_.tolerance;
-  reference_ = findReference(reference_.folder, profile, reference_.exact, device_.origin);
+  reference_ = findReference(reference_.folder, profile, reference_.exact, origin_);
   reference_.tolerance = tolerance;
   describeBaseline();
   result_.divergence.reset();

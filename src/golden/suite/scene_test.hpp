@@ -27,6 +27,7 @@ class SceneTest {
  private:
   void load();
   void describeBaseline();
+  void noteUnused();
   void resolveTolerance();
   void repeat();
   void judge();
@@ -46,6 +47,9 @@ class SceneTest {
   const SuiteOptions& options_;
   const Device& device_;
   scene::Scene scene_;
+  bool exactPictures_ = false;  ///< the same on every machine
+  Origin origin_;               ///< of the pictures
+  std::string profile_;         ///< of the baselines that are asked for first
   std::vector<int> frames_;
   Reference reference_;
   SceneRun run_;

@@ -26,12 +26,12 @@ def scenes():
     return sorted(file.stem for file in (SOURCE / "assets/scenes").glob("*.json"))
 
 
-def render(program, scene, output, *arguments, size=SIZE, env=None):
+def render(program, scene, output, *arguments, size=None, env=None):
     """`simreel render` of a shipped scene; `output` is a file, or - for bytes of RGBA in stdout."""
     environment = {**os.environ, "SIMREEL_ASSETS": str(SOURCE / "assets"), **(env or {})}
-    return subprocess.run([program, "render", SOURCE / f"assets/scenes/{scene}.json", "-o", output, "--size", size, "-q",
+    return subprocess.run([program, "render", SOURCE / f"assets/scenes/{scene}.json", "-o", output, "--size", size or SIZE, "-q",
                            "--overwrite", "--no-counts", *map(str, arguments)], env=environment, capture_output=True,
-                          timeout=300, check=False)
+                          timeout=600, check=False)
 
 
 def pixels_hash(file):
@@ -58,8 +58,8 @@ def drawn(program, scene, frame, *arguments, env=None):
 
 
 def drawn_all(program, names, *arguments, env=None):
-    """Entries of these scenes, at the frames that are listed."""
-    frames = {name: entry["frame"] for name, entry in listed().items()}
+    """Entries of these scenes, at the frames that are listed, or those that `names` gives as a dictionary."""
+    frames = names if isinstance(names, dict) else {name: entry["frame"] for name, entry in listed().items()}
     with concurrent.futures.ThreadPoolExecutor(WORKERS) as pool:
         return dict(zip(names, pool.map(
             lambda name: drawn(program, name, frames.get(name, FIRST_FRAME), *arguments, env=env), names)))

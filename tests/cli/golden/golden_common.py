@@ -28,16 +28,17 @@ def png(width, height, rows, depth=8, kind=2):
 
 class GoldenCase(Case):
     """A folder `scenes` with one scene, `a`, and its baselines."""
+    rasterizer = "exact"
 
     def setUp(self):
         super().setUp()
-        self.write("scenes/a.json", TESTED)
+        self.set_scene({})
 
     def golden(self, *parts):
         return self.folder.joinpath("scenes/golden", *parts)
 
     def set_scene(self, values, name="a"):
-        self.write(f"scenes/{name}.json", with_values(values, TESTED))
+        self.write(f"scenes/{name}.json", with_values({"render.rasterizer": self.rasterizer, **values}, TESTED))
 
     def make_baselines(self, *arguments):
         done = self.good("test", "scenes", "--update", *arguments)

@@ -99,7 +99,7 @@ class Usage(Case):
 
     def test_names_of_rasterizers(self):
         self.good(*self.render("--rasterizer", "driver"))
-        self.bad_scene(['unknown rasterizer "other"', "driver, exact"], *self.render("--rasterizer", "other"))
+        self.bad_scene(['unknown rasterizer "other"', "exact, driver"], *self.render("--rasterizer", "other"))
 
 
 if __name__ == "__main__":

@@ -23,7 +23,7 @@ class Baselines(GoldenCase):
         self.assertEqual(sorted(state["frames"]["3"]), ["flag.positions", "flag.velocities"])
         before = self.tree("scenes")
         scene = self.one(0)
-        self.assertEqual((scene["status"], scene["profile"], scene["asked"]), ("pass", "any", "equal"))
+        self.assertEqual((scene["status"], scene["profile"], scene["asked"]), ("pass", "any", "exact"))
         self.assertEqual([f["state"] for f in scene["frames"]], ["equal"] * 3)
         self.assertEqual(scene["repeats"], 2)
         self.one(0, "--update")
@@ -144,7 +144,62 @@ class Baselines(GoldenCase):
         self.assertEqual(png_rows(self.golden("a/any/000001.png").read_bytes())[:2], (32, 18))
 
 
+class Exact(GoldenCase):
+    def test_no_pixel_may_differ_whoever_drew_it(self):
+        self.make_baselines()
+        baseline = json.loads(self.golden("a/any/baseline.json").read_text())
+        for frame in baseline["frames"].values():
+            self.assertEqual(sorted(frame), ["pixels", "rasterizer"])
+        self.set_scene(HAIR)
+        scene = self.one(1)
+        self.assertEqual([f["asked"] for f in scene["frames"]], ["exact"] * 3)
+        self.assertIn("of exact pictures none may", scene["text"])
+        for step in (1, 3):
+            self.set_scene({})
+            self.make_baselines()
+            self.change_baseline(3, 20, 10, step)
+            scene = self.one(1)
+            self.assertEqual([f["status"] for f in scene["frames"]], ["pass", "fail", "pass"])
+            self.assertIn(f"1 pixels differ, by {step} at most; of exact pictures none may", scene["text"])
+        # No bound excuses it, and whoever gave one is told.
+        self.set_scene({"test.tolerance": {"maxDiffRatio": 1}})
+        scene = self.one(1, "--max-channel-diff", "255")
+        self.assertEqual(scene["notes"], ["tolerance without need: maxChannelDiff (--max-channel-diff), exact pictures have to be equal",
+                                          "tolerance without need: maxDiffRatio (scenes/a.json), exact pictures have to be equal"])
+
+    def test_the_other_rasterizer_drew_the_baseline(self):
+        self.make_baselines()
+        self.set_scene({"render.rasterizer": "driver"})
+        scene = self.one(1)
+        self.assertIn("the baseline was drawn exactly, this picture by the driver", scene["text"])
+        self.one(0, "--update=changed")
+        self.assertEqual(self.one(0)["profile"], "any")
+        self.set_scene({})
+        scene = self.one(1)
+        self.assertIn("the baseline was drawn by a driver, this picture exactly", scene["text"])
+        self.assertIsNotNone(scene["frames"][1]["metrics"])
+        self.one(0, "--update")
+        self.assertEqual(self.one(0)["asked"], "exact")
+
+    def test_there_is_one_baseline_for_all_drivers(self):
+        self.make_baselines("--profile", "mine")
+        self.assertEqual([p.name for p in self.golden("a").iterdir() if p.is_dir()], ["any"])
+        shutil.copytree(self.golden("a/any"), self.golden("a/mine"))
+        self.set_scene(HAIR)
+        self.one(0, "--update", "--profile", "mine")
+        scene = self.one(0, "--profile", "mine")
+        self.assertEqual((scene["profile"], scene["status"]), ("any", "pass"))
+        self.assertEqual(scene["notes"], ["the baseline scenes/golden/a/mine is not used: exact pictures have one for all machines"])
+
+    def test_fast_numerics_are_of_their_driver(self):
+        self.set_scene({"numerics": "fast"})
+        self.make_baselines()
+        self.assertEqual(self.one(0)["asked"], "equal")
+
+
 class Ladder(GoldenCase):
+    rasterizer = "driver"
+
     def test_state_differs_is_located(self):
         self.make_baselines()
         mutated = self.mutated_glsl("cloth/model.glsl", "(1.0f - restLength * exactInverseSqrt(squared)) * stiffness;",

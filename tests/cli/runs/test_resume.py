@@ -175,12 +175,32 @@ class Resume(Case):
         self.bad(2, ["cannot resume", "out/manifest.json"], "render", "scene.json", "-o", "out/", "--resume")
         self.assertEqual(self.content("out"), self.whole)
 
+    def change_manifest(self, old, new):
+        text = (self.folder / "out/manifest.json").read_text(encoding="utf-8")
+        self.assertIn(old, text)
+        self.write("out/manifest.json", text.replace(old, new))
+
     def test_another_machine(self):
+        """Exact pictures are everybody's: whoever drew some, the others are the same."""
+        self.assertEqual(self.manifest("out")["rasterizer"], "exact")
+        self.change_manifest(self.manifest("out")["processor"], "Testium 3")
+        self.change_manifest('"fingerprint": "', '"fingerprint": "0')
+        (self.folder / "out/000004.png").unlink()
+        done = self.good("render", "scene.json", "-o", "out/", "--resume")
+        self.assertNotIn("another machine", done.err)
+        self.assertEqual(self.content("out"), self.whole)
+
+    def test_another_rasterizer(self):
+        self.change_manifest('"rasterizer": "exact"', '"rasterizer": "driver"')
+        self.bad(2, ["cannot resume", "rasterizer is exact in this run and driver in the earlier one"], "render",
+                 "scene.json", "-o", "out/", "--resume")
+
+    def test_another_machine_of_drivers(self):
         """Its pictures stay, as those of another machine; the new ones are this one's."""
-        def change(old, new):
-            text = (self.folder / "out/manifest.json").read_text(encoding="utf-8")
-            self.assertIn(old, text)
-            self.write("out/manifest.json", text.replace(old, new))
+        self.write("scene.json", with_values({"render.rasterizer": "driver"}))
+        self.good("render", "scene.json", "-o", "out/", "--overwrite")
+        self.whole = self.content("out")
+        change = self.change_manifest
         processor = self.manifest("out")["processor"]
         change(processor, "Testium 3")
         (self.folder / "out/000004.png").unlink()

@@ -8,6 +8,8 @@
 
 #include <array>
 #include <cmath>
+#include <cstdlib>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -69,9 +71,18 @@ struct Picture {
   }
 };
 
+/// How tests draw that do not say it: with SIMREEL_TEST_RASTERIZER=driver not as their scenes say.
+inline simreel::draw::RendererOptions testOptions() {
+  const char* chosen = std::getenv("SIMREEL_TEST_RASTERIZER");
+  if (chosen == nullptr) return {};
+  return {.rasterizer = std::string(chosen) == "driver" ? simreel::scene::Rasterizer::driver
+                                                        : simreel::scene::Rasterizer::exact};
+}
+
 inline Picture drawn(const simreel::scene::Scene& scene, const simreel::sim::Drawables& drawables,
-                     glm::ivec2 size, int samples = 4) {
-  simreel::draw::Renderer renderer(scene, size, samples);
+                     glm::ivec2 size, int samples = 4,
+                     const simreel::draw::RendererOptions& options = testOptions()) {
+  simreel::draw::Renderer renderer(scene, size, samples, options);
   simreel::draw::Readback readback(size);
   renderer.draw(0, drawables);
   readback.start(renderer.target(), 7);

@@ -1,7 +1,11 @@
+#include "base/file.hpp"
+#include "draw/surface/mip_levels.hpp"
+#include "frame/image.hpp"
 #include "gpu/draw/draw_stage.hpp"
 #include "gpu/draw/exact_stage.hpp"
 #include "reference/picture_twin.hpp"
 
+#include <filesystem>
 #include <random>
 
 #include <doctest/doctest.h>
@@ -48,6 +52,51 @@ scene::Scene exactScene(int samples) {
   return scene;
 }
 
+/// Fills in how the scene sees it.
+void see(PictureTwinScene& twin, const scene::Scene& scene, glm::ivec2 size, int samples) {
+  twin.samples = samples;
+  twin.frame = draw::frameValues(scene, size, 0, {});
+  twin.view = draw::exactView(draw::viewAt(scene.camera, 0, size, {}), scene.camera, size);
+}
+
+/// How many bytes the kernels make otherwise than the twin.
+int othersThanTwin(const scene::Scene& scene, const PictureTwinScene& twin, TriangleStage& stage,
+                   glm::ivec2 size) {
+  stage.surface.doubleSided = twin.doubleSided;
+  stage.material.color = twin.color;
+  stage.material.roughness = twin.roughness;
+  stage.material.metallic = twin.metallic;
+  const Picture picture = drawn(scene, {.surfaces = {stage.surface}}, size, twin.samples);
+  const std::vector<std::uint8_t> wanted = pictureTwin(twin);
+  REQUIRE(picture.bytes.size() == wanted.size());
+  int others = 0;
+  for (std::size_t i = 0; i < wanted.size(); ++i) others += picture.bytes[i] != wanted[i] ? 1 : 0;
+  return others;
+}
+
+/// Noise, and all its levels.
+frame::Image noisePicture(glm::ivec2 size) {
+  frame::Image image{size.x, size.y, {}};
+  std::mt19937 random(5);
+  for (int i = 0; i < 4 * size.x * size.y; ++i)
+    image.bytes.push_back(i % 4 == 3 ? 255 : static_cast<std::uint8_t>(random() >> 24U));
+  return image;
+}
+std::vector<std::vector<glm::uvec3>> lightOf(const frame::Image& image) {
+  std::vector<std::vector<glm::uvec3>> levels;
+  const auto add = [&](std::span<const std::uint8_t> rgba) {
+    std::vector<glm::uvec3> texels;
+    for (std::size_t i = 0; i < rgba.size(); i += 4)
+      texels.emplace_back(draw::linearOfSrgb(rgba[i]), draw::linearOfSrgb(rgba[i + 1]),
+                          draw::linearOfSrgb(rgba[i + 2]));
+    levels.push_back(std::move(texels));
+  };
+  add(image.bytes);
+  for (const draw::MipLevel& level : draw::mipLevels({image.width, image.height}, image.bytes))
+    add(level.rgba);
+  return levels;
+}
+
 }  // namespace
 
 TEST_CASE("exact: whole pictures are the twin's in every byte") {
@@ -56,25 +105,41 @@ TEST_CASE("exact: whole pictures are the twin's in every byte") {
     for (const float metallic : {0.0F, 0.7F}) {
       const scene::Scene scene = exactScene(samples);
       PictureTwinScene twin = wavySheet(23);
-      twin.samples = samples;
+      see(twin, scene, size, samples);
       twin.doubleSided = metallic > 0;
       twin.metallic = metallic;
       twin.roughness = 0.35F;
       twin.color = {0.7F, 0.4F, 0.2F};
-      twin.frame = draw::frameValues(scene, size, 0, {});
-      twin.view = draw::exactView(draw::viewAt(scene.camera, 0, size, {}), scene.camera, size);
       TriangleStage stage(twin.places, twin.indices, twin.normals);
-      stage.surface.doubleSided = twin.doubleSided;
-      stage.material.color = twin.color;
-      stage.material.roughness = twin.roughness;
-      stage.material.metallic = twin.metallic;
-      const Picture picture = drawn(scene, {.surfaces = {stage.surface}}, size, samples);
-      const std::vector<std::uint8_t> wanted = pictureTwin(twin);
-      REQUIRE(picture.bytes.size() == wanted.size());
-      int others = 0;
-      for (std::size_t i = 0; i < wanted.size(); ++i) others += picture.bytes[i] != wanted[i] ? 1 : 0;
       CAPTURE(samples);
-      CHECK(others == 0);
+      CHECK(othersThanTwin(scene, twin, stage, size) == 0);
     }
   }
+}
+
+TEST_CASE("exact: textured pictures are the twin's in every byte, near, far and askew") {
+  testContext();
+  const glm::ivec2 size(91, 59);
+  const auto file = std::filesystem::temp_directory_path() / "simreel_twin_texture.png";
+  for (const glm::ivec2 texels : {glm::ivec2(37, 21), glm::ivec2(64, 1), glm::ivec2(1, 1)}) {
+    const frame::Image image = noisePicture(texels);
+    writeFileAtomically(file, frame::encodePng(image, {}));
+    for (const glm::vec2 scale : {glm::vec2(0.3F, 0.2F), glm::vec2(3, 2.5F), glm::vec2(-40, 90)}) {
+      const scene::Scene scene = exactScene(4);
+      PictureTwinScene twin = wavySheet(23);
+      see(twin, scene, size, 4);
+      twin.doubleSided = true;
+      twin.texture = {texels, lightOf(image), scale, {}};
+      for (const glm::vec3& place : twin.places)
+        twin.texture.uvs.emplace_back(0.3F * place.x - 1, 0.2F * place.z);
+      TriangleStage stage(twin.places, twin.indices, twin.normals);
+      stage.setUvs(twin.texture.uvs);
+      stage.material.texture = file;
+      stage.material.textureScale = glm::vec3(scale, 1);
+      CAPTURE(texels.x);
+      CAPTURE(scale.x);
+      CHECK(othersThanTwin(scene, twin, stage, size) == 0);
+    }
+  }
+  std::filesystem::remove(file);
 }

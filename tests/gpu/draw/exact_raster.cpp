@@ -14,7 +14,7 @@ using namespace simreel;  // NOLINT
 
 namespace {
 
-constexpr unsigned nothing = 0xffffffffU;
+constexpr unsigned noKey = 0xffffffffU;
 
 /// Uniform in (low, high), the same on every standard library.
 class MeshDice {
@@ -125,7 +125,7 @@ TEST_CASE(
   const SeenSamples seen = seenBy(view, 4, {&forth.surface}, 16);
   const SeenSamples turned = seenBy(view, 4, {&back.surface}, 16);
   const auto count = static_cast<unsigned>(indices.size() / 3);
-  CHECK(std::count(seen.ids.begin(), seen.ids.end(), nothing) == 0);
+  CHECK(std::count(seen.ids.begin(), seen.ids.end(), noKey) == 0);
   int claimedTwice = 0;
   for (std::size_t i = 0; i < seen.ids.size(); ++i)
     claimedTwice += seen.ids[i] != count - 1 - turned.ids[i] ? 1 : 0;
@@ -150,7 +150,7 @@ TEST_CASE(
         const glm::dvec2 at = (glm::dvec2(x, y) + fourSamples(s)) / glm::dvec2(size) * 2.0 - 1.0;
         const glm::dvec3 ray(at.x * wide, -at.y * high, -1);
         double nearest = 200;
-        unsigned who = nothing;
+        unsigned who = noKey;
         for (std::size_t i = 0; i + 2 < all.places.size(); i += 3) {
           // Moeller and Trumbore 1997.
           const glm::dvec3 a(all.places[i]);
@@ -171,7 +171,7 @@ TEST_CASE(
         const auto i = static_cast<std::size_t>((y * size.x + x) * 4 + s);
         hits += who != nothing ? 1 : 0;
         others += seen.ids[i] != who ? 1 : 0;
-        if (seen.ids[i] == who && who != nothing) {
+        if (seen.ids[i] == who && who != noKey) {
           const double depth =
               0.05 /
               static_cast<double>(shader::intBitsToFloat(static_cast<int>(0x7fffffffU - seen.keys[i])));

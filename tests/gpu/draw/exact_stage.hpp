@@ -42,8 +42,14 @@ struct TriangleStage {
   TriangleStage& operator=(TriangleStage&&) = delete;
   ~TriangleStage() = default;
 
-  simreel::gl::Buffer positions, normals, indices;
-  simreel::gl::Texture positionView, normalView;
+  void setUvs(const std::vector<glm::vec2>& places) {
+    uvs = simreel::gl::Buffer::of<glm::vec2>("uvs", places);
+    uvView = simreel::gl::Texture::view("uvs", GL_RG32F, uvs, sizeof(glm::vec2));
+    surface.uvs = &uvView;
+  }
+
+  simreel::gl::Buffer positions, normals, indices, uvs;
+  simreel::gl::Texture positionView, normalView, uvView;
   simreel::scene::Material material;
   simreel::sim::Surface surface;
 };

@@ -98,7 +98,7 @@ long callsOfFrame(int count) {
   drawables.instances[2].additive = true;
   scene::Scene scene = darkScene();
   scene.render.bloom.strength = 1.0F;
-  draw::Renderer renderer(scene, {33, 17}, 4);
+  draw::Renderer renderer(scene, {33, 17}, 4, testOptions());
   renderer.draw(0, drawables);  // makes programs and buffers
   const GlCalls calls;
   renderer.draw(0, drawables);

@@ -191,7 +191,7 @@ TEST_CASE("lights: their shadow maps forget the frame before, and follow a lamp 
   GridStage sheet({4, 4}, {-0.5F, 1, -0.5F}, {1, 0, 0}, {0, 0, 1});
   const sim::Drawables drawables{.surfaces = {sheet.surface}};
   const auto at = [&](const std::vector<double>& times) {
-    draw::Renderer renderer(scene, {65, 65}, 1);
+    draw::Renderer renderer(scene, {65, 65}, 1, testOptions());
     draw::Readback readback({65, 65});
     for (const double time : times) renderer.draw(time, drawables);
     readback.start(renderer.target(), 0);
@@ -240,7 +240,7 @@ TEST_CASE("lights: hundreds of surfaces and none cast shadows alike") {
   }
   many.surfaces.resize(63);
   GridStage whole({10, 8}, {-1.8F, 1, -1.8F}, {3.6F, 0, 0}, {0, 0, 2.8F});
-  draw::Renderer renderer(scene, {97, 97}, 1);
+  draw::Renderer renderer(scene, {97, 97}, 1, testOptions());
   draw::Readback readback({97, 97});
   const auto shown = [&](const sim::Drawables& drawables) {
     renderer.draw(0, drawables);

@@ -124,7 +124,7 @@ TEST_CASE("a picture forgets the frame before, also behind glows") {
     for (const int samples : {1, 4}) {
       glow.instances.shape = shape;
       const sim::Drawables last = {.surfaces = {aside.surface}, .instances = {glow.instances}};
-      draw::Renderer renderer(scene, {65, 47}, samples);
+      draw::Renderer renderer(scene, {65, 47}, samples, testOptions());
       draw::Readback readback({65, 47});
       sim::Drawables first = last;
       first.instances[0].brightness = 5000;
@@ -142,7 +142,7 @@ TEST_CASE("the shadow map forgets the frame before") {
   GridStage far({4, 4}, {50, 2, 50}, {2, 0, 0}, {0, 0, 2});
   GridStage sheet({4, 4}, {-1, 2, -1}, {2, 0, 0}, {0, 0, 2});
   sheet.surface.model[3].x = 1.0F;
-  draw::Renderer renderer(scene, {64, 64}, 1);
+  draw::Renderer renderer(scene, {64, 64}, 1, testOptions());
   draw::Readback readback({64, 64});
   Picture pictures[2];
   for (Picture& picture : pictures) {

@@ -20,10 +20,11 @@ int farthest(glm::ivec3 c, const std::array<double, 3>& wanted) {
   return static_cast<int>(std::ceil(max));
 }
 
-std::string failure(const scene::Scene& scene, glm::ivec2 size, int samples, ExitCode code) {
+std::string failure(const scene::Scene& scene, glm::ivec2 size, int samples, ExitCode code,
+                    scene::Rasterizer rasterizer) {
   testContext();
   try {
-    const draw::Renderer renderer(scene, size, samples);
+    const draw::Renderer renderer(scene, size, samples, {.rasterizer = rasterizer});
   } catch (const UserError& error) {
     CHECK(error.code() == code);
     return error.what();
@@ -121,15 +122,20 @@ TEST_CASE("limits are named with their value") {
   testContext();
   scene::Scene scene = darkScene();
   const int max = gl::limits().textureSize;
-  const std::string wide = failure(scene, {max + 1, 8}, 1, ExitCode::device);
-  CHECK(wide.find("GL_MAX_TEXTURE_SIZE") != std::string::npos);
-  CHECK(wide.find(std::to_string(max)) != std::string::npos);
-  const std::string samples = failure(scene, {8, 8}, 3, ExitCode::device);
+  for (const auto rasterizer : {scene::Rasterizer::exact, scene::Rasterizer::driver}) {
+    const std::string wide = failure(scene, {max + 1, 8}, 1, ExitCode::device, rasterizer);
+    CHECK(wide.find("GL_MAX_TEXTURE_SIZE") != std::string::npos);
+    CHECK(wide.find(std::to_string(max)) != std::string::npos);
+  }
+  const std::string exact = failure(scene, {8, 8}, 3, ExitCode::usage, scene::Rasterizer::exact);
+  CHECK(exact.find("3 samples per pixel: the exact rasterizer has 1, 2, 4, 8 and 16") != std::string::npos);
+  const std::string samples = failure(scene, {8, 8}, 3, ExitCode::device, scene::Rasterizer::driver);
   CHECK(samples.find("this device has 1, ") != std::string::npos);
   CHECK(samples.find("4") != std::string::npos);
   CHECK(samples.find("GL_MAX_SAMPLES") != std::string::npos);
   scene.sun.shadowSize = max + 1;
-  CHECK(failure(scene, {8, 8}, 1, ExitCode::device).find("shadowSize") != std::string::npos);
+  for (const auto rasterizer : {scene::Rasterizer::exact, scene::Rasterizer::driver})
+    CHECK(failure(scene, {8, 8}, 1, ExitCode::device, rasterizer).find("shadowSize") != std::string::npos);
 }
 
 TEST_CASE("a texture shown once does not bleed from one border into the opposite one") {
@@ -168,7 +174,7 @@ TEST_CASE("a missing or broken texture is named") {
   scene.objects[0].material.texture = "/nowhere/weave.png";
   bool missing = false;
   try {
-    const draw::Renderer renderer(scene, {8, 8}, 1);
+    const draw::Renderer renderer(scene, {8, 8}, 1, testOptions());
   } catch (const UserError& error) {
     missing = std::string(error.what()).find("/nowhere/weave.png") != std::string::npos;
   }
@@ -176,14 +182,15 @@ TEST_CASE("a missing or broken texture is named") {
   const auto file = std::filesystem::temp_directory_path() / "simreel_broken.png";
   writeFileAtomically(file, "\x89PNG but not really");
   scene.objects[0].material.texture = file;
-  CHECK(failure(scene, {8, 8}, 1, ExitCode::inputOutput).find(file.string()) != std::string::npos);
+  CHECK(failure(scene, {8, 8}, 1, ExitCode::inputOutput, scene::Rasterizer::exact).find(file.string()) !=
+        std::string::npos);
   std::filesystem::remove(file);
 }
 
 TEST_CASE("readback keeps the order and says when it is full") {
   testContext();
   const glm::ivec2 size{17, 5};
-  draw::Renderer renderer(darkScene(), size, 1);
+  draw::Renderer renderer(darkScene(), size, 1, testOptions());
   draw::Readback readback(size);
   CHECK_FALSE(readback.take(true).has_value());
   for (int round = 0; round < 3; ++round) {

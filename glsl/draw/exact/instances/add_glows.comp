@@ -2,13 +2,14 @@
 #define EXACT_PICTURE
 #include "draw/frame_block.glsl"
 #include "draw/exact/view_block.glsl"
+#define GLOW_FIRST_ROW view.rows.x
 #include "draw/instances/glow_block.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(rgba32f, binding = sumImage) restrict uniform image2D sums;
 
 void main() {
-  ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
-  if (pixel.x >= view.size.x || pixel.y >= view.size.y) return;
+  ivec2 pixel = ivec2(gl_GlobalInvocationID.xy) + ivec2(0, view.rows.x);
+  if (pixel.x >= view.size.x || pixel.y >= view.rows.y) return;
   int word = glowWord(pixel);
   precise vec4 light = imageLoad(sums, pixel);
   uint any_ = 0u;

@@ -1,13 +1,14 @@
 // Adding light to the sums of draw/instances/glow_block.glsl, before what is visible. SAMPLES.
 #include "draw/exact/view_block.glsl"
 #include "draw/exact/triangle.glsl"
+#define GLOW_FIRST_ROW view.rows.x
 #include "draw/instances/glow_block.glsl"
 #include "draw/exact/sample_read.glsl"
 
 // Which samples of the pixel show nothing as near as that (nearest plane / depth).
 int samplesBefore(ivec2 pixel, float near) {
   uint key = nearKey(near);
-  int at = (pixel.y * view.size.x + pixel.x) * SAMPLES, count = 0;
+  int at = firstSample(pixel), count = 0;
   for (int s = 0; s < SAMPLES; ++s) count += key < keyAt(at + s) ? 1 : 0;
   return count;
 }

@@ -20,6 +20,11 @@ bool farEnough(float depth, float near) {
   return depth >= view.near && near >= view.nearOverFar;
 }
 
+// Pixels from and to which, less the rows that are not of the band.
+ivec4 inBand(ivec4 box) {
+  return ivec4(box.x, max(box.y, view.rows.x), box.z, min(box.w, view.rows.y - 1));
+}
+
 GlowDisc glowDiscOf(int number) {
   vec4 position = texelFetch(positions, number), velocity = texelFetch(velocities, number);
   GlowDisc glow;
@@ -43,7 +48,7 @@ GlowDisc glowDiscOf(int number) {
 #endif
   if (!(isNumber(glow.light.r) && isNumber(glow.light.g) && isNumber(glow.light.b))) return glow;
   if (glow.round_) {
-    glow.box = pixelsOfDisc(glow.disc, view.size);
+    glow.box = inBand(pixelsOfDisc(glow.disc, view.size));
     return glow;
   }
   precise float farthest = ball.depth + ball.radius;
@@ -52,13 +57,13 @@ GlowDisc glowDiscOf(int number) {
   vec2 y = ballSpan(ball, view.down.xyz, view.forward.xyz, float(view.size.y));
   if (x.x > x.y || y.x > y.y) return glow;
   ivec2 last = min(ivec2(int(floor(x.y)), int(floor(y.y))), view.size - 1);
-  glow.box = ivec4(int(floor(x.x)), int(floor(y.x)), last);
+  glow.box = inBand(ivec4(int(floor(x.x)), int(floor(y.x)), last));
   return glow;
 }
 
 #ifdef BALL
 void addGlow(GlowDisc glow, Rays rays, ivec2 pixel) {
-  int at = (pixel.y * view.size.x + pixel.x) * SAMPLES, samples = 0;
+  int at = firstSample(pixel), samples = 0;
   for (int s = 0; s < SAMPLES; ++s) {
     precise vec2 place = vec2(pixel * 16 + samplePlace(s)) * 0.0625f;
     BallHit hit = ballHit(glow.ball, rayAt(rays, place));

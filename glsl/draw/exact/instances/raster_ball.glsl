@@ -11,8 +11,8 @@ ivec4 pixelsOfBall(Ball ball) {
   vec2 x = ballSpan(ball, view.across.xyz, view.forward.xyz, float(view.size.x));
   vec2 y = ballSpan(ball, view.down.xyz, view.forward.xyz, float(view.size.y));
   if (x.x > x.y || y.x > y.y) return ivec4(0, 0, -1, -1);
-  ivec2 last = min(ivec2(int(floor(x.y)), int(floor(y.y))), view.size - 1);
-  return ivec4(int(floor(x.x)), int(floor(y.x)), last);
+  ivec2 last = min(ivec2(int(floor(x.y)), int(floor(y.y))), ivec2(view.size.x, view.rows.y) - 1);
+  return ivec4(int(floor(x.x)), max(int(floor(y.x)), view.rows.x), last);
 }
 
 Rays raysOfView() {

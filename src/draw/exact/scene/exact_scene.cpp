@@ -28,10 +28,19 @@ void checkSamples(int samples) {
     fail(ExitCode::usage, "{} samples per pixel: the exact rasterizer has 1, 2, 4, 8 and 16", samples);
 }
 
+/// As many rows of the picture as `bytes` hold the visibility of, in whole tiles.
+int rowsOfBands(glm::ivec2 size, int samples, std::size_t bytes) {
+  const std::size_t held = std::min(bytes / Visibility::sampleBytes, Visibility::maxSamples());
+  const std::size_t rows = held / (static_cast<std::size_t>(size.x) * static_cast<std::size_t>(samples));
+  if (rows >= static_cast<std::size_t>(size.y)) return size.y;
+  constexpr int side = ShadedTiles::side;
+  return std::min(size.y, std::max(static_cast<int>(rows) / side * side, side));
+}
+
 }  // namespace
 
 struct ExactScene::State {
-  State(const scene::Scene& shown, glm::ivec2 pixels, int count);
+  State(const scene::Scene& shown, glm::ivec2 pixels, int count, int rows);
 
   /// Defines of what shades.
   [[nodiscard]] gl::Defines lighting(int count) const {
@@ -42,11 +51,13 @@ struct ExactScene::State {
     return defines;
   }
   void drawShadows(const sim::Drawables& drawables);
+  void drawBand(const sim::Drawables& drawables, const Watch& watch);
   void shadeAll();
 
   const scene::Scene& scene;
   glm::ivec2 size;
   int samples;
+  int bandRows;  ///< of the picture at most, whose visibility there is at once
   bool ground;
   SkinTextures skins;
   Lamps lamps;
@@ -65,16 +76,17 @@ struct ExactScene::State {
   gl::Texture sums;  ///< light of each pixel, and in alpha how much of it is covered
 };
 
-ExactScene::State::State(const scene::Scene& shown, glm::ivec2 pixels, int count)
+ExactScene::State::State(const scene::Scene& shown, glm::ivec2 pixels, int count, int rows)
     : scene(shown),
       size(pixels),
       samples(count),
+      bandRows(rows),
       ground(shown.hasGround && shown.ground.visible),
       skins(shown),
       lamps(shown, Rasterizer::exact),
       shadow(shown.sun),
       view("view", sizeof(shader::ExactView)),
-      visibility("the picture", pixels, count, true),
+      visibility("the picture", {pixels.x, rows}, count, true),
       triangles(TriangleRaster::Into::picture, count),
       lampMaps(lamps),
       tiles(visibility, ground, shadow.on()),
@@ -97,9 +109,10 @@ ExactScene::State::State(const scene::Scene& shown, glm::ivec2 pixels, int count
   shadedGround = gl::Program::compute("draw/exact/shade_ground.comp", defines);
 }
 
-ExactScene::ExactScene(const scene::Scene& scene, glm::ivec2 size, int samples) {
+ExactScene::ExactScene(const scene::Scene& scene, glm::ivec2 size, int samples,
+                       std::size_t visibilityBytes) {
   checkSamples(samples);
-  state_ = std::make_unique<State>(scene, size, samples);
+  state_ = std::make_unique<State>(scene, size, samples, rowsOfBands(size, samples, visibilityBytes));
 }
 ExactScene::~ExactScene() = default;
 
@@ -130,6 +143,32 @@ void ExactScene::State::shadeAll() {
   if (shadow.on()) tiles.shade(tiles.things() + 1, shadedGround);
 }
 
+void ExactScene::State::drawBand(const sim::Drawables& drawables, const Watch& watch) {
+  std::vector<const sim::Surface*> shown;
+  for (const sim::Surface& surface : drawables.surfaces) shown.push_back(&surface);
+  triangles.number(shown);
+  std::vector<unsigned> firstIds;
+  unsigned numbers = 0;
+  for (const TriangleRaster::Drawn& drawn : triangles.drawn()) {
+    firstIds.push_back(drawn.firstId);
+    numbers = drawn.firstId + static_cast<unsigned>(drawn.maxTriangles);
+  }
+  instances.number(drawables, numbers, firstIds);
+  gl::barrier();  // another band may still be read
+  visibility.clear();
+  gl::barrier();
+  instances.drawNearest(visibility);  // before triangles draw numbers
+  triangles.draw(visibility);
+  instances.drawNumbers(visibility);
+  if (watch) watch("visibility");
+  sums.bindImage(sumImage, GL_READ_WRITE);
+  tiles.list(firstIds, visibility, ExactInstances::anyAdd(drawables));
+  shadeAll();
+  if (watch) watch("surfaces");
+  instances.addLight(drawables, visibility);
+  if (watch && ExactInstances::anyAdd(drawables)) watch("instances");
+}
+
 void ExactScene::draw(double seconds, const sim::Drawables& published, const Overlays& overlays,
                       const gl::Texture& picture, const Watch& watch) {
   State& s = *state_;
@@ -139,7 +178,7 @@ void ExactScene::draw(double seconds, const sim::Drawables& published, const Ove
   const auto issued = [&](const char* stage) {
     if (watch) watch(stage);
   };
-  const shader::ExactView values =
+  shader::ExactView values =
       exactView(viewAt(s.scene.camera, seconds, s.size, drawables), s.scene.camera, s.size);
   s.view.write(0, std::as_bytes(std::span(&values, 1)));
   if (s.lampMaps.on()) {
@@ -151,27 +190,13 @@ void ExactScene::draw(double seconds, const sim::Drawables& published, const Ove
     s.drawShadows(drawables);
     issued("shadow");
   }
-  std::vector<const sim::Surface*> shown;
-  for (const sim::Surface& surface : drawables.surfaces) shown.push_back(&surface);
-  s.triangles.number(shown);
-  std::vector<unsigned> firstIds;
-  unsigned numbers = 0;
-  for (const TriangleRaster::Drawn& drawn : s.triangles.drawn()) {
-    firstIds.push_back(drawn.firstId);
-    numbers = drawn.firstId + static_cast<unsigned>(drawn.maxTriangles);
+  constexpr std::array<GLfloat, 4> none = {0, 0, 0, 0};
+  if (!ShadedTiles::emptiesLight()) glClearTexImage(s.sums.name(), 0, GL_RGBA, GL_FLOAT, none.data());
+  for (int row = 0; row < s.size.y; row += s.bandRows) {
+    values.rows = {row, std::min(row + s.bandRows, s.size.y)};
+    s.view.write(0, std::as_bytes(std::span(&values, 1)));
+    s.drawBand(drawables, watch);
   }
-  s.instances.number(drawables, numbers, firstIds);
-  s.visibility.clear();
-  gl::barrier();
-  s.instances.drawNearest(s.visibility);  // before triangles draw numbers
-  s.triangles.draw(s.visibility);
-  s.instances.drawNumbers(s.visibility);
-  issued("visibility");
-  s.tiles.list(firstIds, s.visibility, s.sums, ExactInstances::anyAdd(drawables));
-  s.shadeAll();
-  issued("surfaces");
-  s.instances.addLight(drawables, s.visibility);
-  issued("instances");
   glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
   overlays.fields.drawBehind(drawables, seconds, s.sums, true);
   if (s.bloom.on()) {

@@ -16,8 +16,9 @@ namespace simreel::draw {
 /// every device.
 class ExactScene {
  public:
+  /// Visibility that comes to more than `visibilityBytes` is found band by band, 8 rows at least each.
   /// Throws UserError: usage for what it cannot draw, device for limits. The scene must outlive it.
-  ExactScene(const scene::Scene& scene, glm::ivec2 size, int samples);
+  ExactScene(const scene::Scene& scene, glm::ivec2 size, int samples, std::size_t visibilityBytes);
   ~ExactScene();
   ExactScene(ExactScene&&) = delete;
   ExactScene& operator=(ExactScene&&) = delete;

@@ -34,6 +34,7 @@ shader::ExactView faceView(const shader::Lamp& lamp, int face, int side, float s
   view.rayAcross = glm::vec4(right / (half * scale), 0);
   view.rayDown = glm::vec4(down / (half * scale), 0);
   view.size = glm::ivec2(side);
+  view.rows = {0, side};
   view.near = lamp.sampling.x;
   view.nearOverFar = 0;
   return view;
