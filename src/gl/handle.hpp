@@ -39,7 +39,7 @@ struct DeleteBuffer {
   void operator()(GLuint name) const { glDeleteBuffers(1, &name); }
 };
 struct DeleteTexture {
-  void operator()(GLuint name) const;  ///< takes it from image units first
+  void operator()(GLuint name) const { glDeleteTextures(1, &name); }
 };
 struct DeleteSampler {
   void operator()(GLuint name) const { glDeleteSamplers(1, &name); }

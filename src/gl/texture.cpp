@@ -4,7 +4,6 @@
 #include "gl/limits.hpp"
 
 #include <algorithm>
-#include <array>
 #include <bit>
 
 namespace simreel::gl {
@@ -33,26 +32,7 @@ void checkTexels(const std::string& label, const Buffer& buffer, std::size_t tex
          buffer.bytes() / texelBytes, max);
 }
 
-/// What image units show, as far as anything is deleted while it is shown.
-thread_local std::array<GLuint, 16> shownImages{};
-
 }  // namespace
-
-// NVIDIA's driver 580 reads textures by a program of its own, and crashes where an image unit still shows a
-// texture that is gone.
-void DeleteTexture::operator()(GLuint name) const {
-  for (std::size_t unit = 0; unit < shownImages.size(); ++unit)
-    if (shownImages[unit] == name) {
-      glBindImageTexture(static_cast<GLuint>(unit), 0, 0, GL_FALSE, 0, GL_READ_ONLY, GL_RGBA8);
-      shownImages[unit] = 0;
-    }
-  glDeleteTextures(1, &name);
-}
-
-void Texture::bindImage(GLuint unit, GLenum access, int level) const {
-  glBindImageTexture(unit, name(), level, GL_FALSE, 0, access, format_);
-  shownImages.at(unit) = name();
-}
 
 Texture Texture::image(const std::string& label, GLenum format, int width, int height, int levels) {
   checkSize(label, width, height);

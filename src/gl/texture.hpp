@@ -33,7 +33,9 @@ class Texture {
     glTextureParameteri(name(), GL_TEXTURE_MIN_FILTER, GL_NEAREST_MIPMAP_NEAREST);
     glTextureParameteri(name(), GL_TEXTURE_MAG_FILTER, GL_NEAREST);
   }
-  void bindImage(GLuint unit, GLenum access, int level = 0) const;
+  void bindImage(GLuint unit, GLenum access) const {
+    glBindImageTexture(unit, name(), 0, GL_FALSE, 0, access, format_);
+  }
 
   [[nodiscard]] GLuint name() const { return handle_.get(); }
   [[nodiscard]] int width() const { return width_; }

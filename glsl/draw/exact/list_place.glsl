@@ -5,7 +5,9 @@ uint nextPlace(int counter) {
   uvec4 these = subgroupBallot(true);
   uint first = 0u;
   if (subgroupElect()) first = atomicAdd(counters[counter], subgroupBallotBitCount(these));
-  return subgroupBroadcastFirst(first) + subgroupBallotExclusiveBitCount(these);
+  uint all_ = subgroupBroadcastFirst(first), before = subgroupBallotExclusiveBitCount(these);
+  all_ += before;
+  return all_;
 }
 #else
 uint nextPlace(int counter) {

@@ -45,9 +45,16 @@ struct ExactScene::State {
   /// Defines of what shades.
   [[nodiscard]] gl::Defines lighting(int count) const {
     gl::Defines defines = definesOf(visibility.layout());
+    if (scene.numerics == scene::Numerics::fast) defines.emplace_back("FAST_NUMERICS", "1");
     defines.emplace_back("SAMPLES", std::to_string(count));
     for (const gl::Defines& more : {shadow.defines(), lamps.defines()})
       defines.insert(defines.end(), more.begin(), more.end());
+    return defines;
+  }
+  [[nodiscard]] gl::Defines pictureDefines() const {
+    gl::Defines defines;
+    if (bloom.on()) defines.emplace_back("BLOOM", "1");
+    if (scene.numerics == scene::Numerics::fast) defines.emplace_back("FAST_NUMERICS", "1");
     return defines;
   }
   void drawShadows(const sim::Drawables& drawables);
@@ -93,8 +100,7 @@ ExactScene::State::State(const scene::Scene& shown, glm::ivec2 pixels, int count
       surfaces(shown, lighting(count)),
       instances(count, lighting(count)),
       bloom(shown.render.bloom, pixels),
-      picture(gl::Program::compute("draw/exact/picture.comp",
-                                   bloom.on() ? gl::Defines{{"BLOOM", "1"}} : gl::Defines{})),
+      picture(gl::Program::compute("draw/exact/picture.comp", pictureDefines())),
       sums(gl::Texture::image("light", GL_RGBA32F, pixels.x, pixels.y)) {
   if (shadow.on()) {
     map.emplace("the shadow map", shadow.size(), 1, false);
