@@ -11,10 +11,6 @@ void imulExtended(int a, int b, int& high, int& low) {
   high = static_cast<int>(product >> 32);
   low = static_cast<int>(product & 0xffffffff);
 }
-uint usubBorrow(uint a, uint b, uint& borrow) {
-  borrow = a < b ? 1U : 0U;
-  return a - b;
-}
 #define FUNCTION inline
 #define precise
 #define SAMPLES samples
@@ -46,14 +42,14 @@ void Raster::fill(const Triangle& t, uint id, RasterTwinResult& result) {
     for (int x = first.x; x <= last.x; ++x)
       for (int s = 0; s < samples; ++s) {
         const ivec2 pixel(x, y);
-        const ivec2 tile = pixel / tileSide * tileSide;
-        const ivec2 middle = (tile + tileSide / 2) * subpixels;
-        const ivec2 aside = (pixel - tile - tileSide / 2) * 16 + samplePlace(s);
+        const ivec2 place = pixel * subpixels + samplePlace(s) * (subpixels / 16);
         bool inside = true;
         for (const Edge& edge : t.edges)
-          inside = inside && edgeAside(edge, edgeOverSixteen(edge, middle), aside) >= 0;
+          inside = inside && edge.step_.y * std::int64_t{place.x - edge.from.x} -
+                                     edge.step_.x * std::int64_t{place.y - edge.from.y} + edge.bias >=
+                                 0;
         if (!inside) continue;
-        const float near = nearAt(t, pixel * subpixels + samplePlace(s) * (subpixels / 16));
+        const float near = nearAt(t, place);
         if (near < view.nearOverFar) continue;
         const auto at = static_cast<std::size_t>((y * view.size.x + x) * samples + s);
         const uint key = nearKey(near);

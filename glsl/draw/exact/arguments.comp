@@ -1,5 +1,5 @@
 // From counts to the arguments of indirect dispatches: count times `times` / each groups, in rows of at most 32,768, `parts`
-// deep. Of each count no more than `most` from `skipped` on.
+// deep, or less where there are many: `fewerParts` at least. Of each count no more than `most` from `skipped` on.
 #include "draw/exact/bindings.glsl"
 layout(local_size_x = 64) in;
 layout(std430, binding = counterBinding) readonly restrict buffer CounterBlock { uint counters[]; };
@@ -12,6 +12,7 @@ uniform uint most;
 uniform uint times;
 uniform uint each;
 uniform uint parts;
+uniform uint fewerParts;
 
 void main() {
   int i = int(gl_GlobalInvocationID.x);
@@ -21,5 +22,5 @@ void main() {
   uint needed = taken / each + (taken % each != 0u ? 1u : 0u);
   groups[4 * (first + i)] = min(needed, 32768u);
   groups[4 * (first + i) + 1] = (needed + 32767u) / 32768u;
-  groups[4 * (first + i) + 2] = parts;
+  groups[4 * (first + i) + 2] = clamp(64u / max(needed, 1u), min(fewerParts, parts), parts);
 }

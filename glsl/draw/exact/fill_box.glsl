@@ -1,27 +1,7 @@
 // A small triangle's pixels, row by row: of each those between its edges, which the last digits of a float do not decide.
 // BRANCHES: an invocation saves what it leaves out.
 #include "draw/exact/raster_triangle.glsl"
-
-// Where an edge crosses rows: x = at + slope (y - from), in 1/256 pixel; 1 where the inside is to its right, -1 to its left.
-struct Crossing {
-  float slope;
-  int side;
-};
-
-Crossing crossingOf(Edge edge) {
-  float perDown = exactReciprocal(float(edge.step_.y != 0 ? edge.step_.y : 1));
-  precise float slope = float(edge.step_.x) * perDown;
-  return Crossing(slope, sign(edge.step_.y));
-}
-
-// First and last pixel of a row whose upper side is at `top` (1/256 pixel) that may lie inside, no matter the rest.
-ivec2 between(ivec2 span, Edge edge, Crossing crossing, int top) {
-  precise float upper = crossing.slope * float(top - edge.from.y);
-  precise float lower = upper + crossing.slope * 256.0f;
-  float low = clamp(min(upper, lower), -1e6f, 1e6f), high = clamp(max(upper, lower), -1e6f, 1e6f);
-  int first = (int(floor(low)) + edge.from.x - 2) >> 8, last = (int(floor(high)) + edge.from.x + 2) >> 8;
-  return ivec2(crossing.side > 0 ? max(span.x, first) : span.x, crossing.side < 0 ? min(span.y, last) : span.y);
-}
+#include "draw/exact/crossing.glsl"
 
 void fillBox(Triangle t, uint id) {
   ivec2 first = max(t.low >> 8, ivec2(0, PICTURE_ROWS.x));

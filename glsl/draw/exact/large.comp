@@ -1,32 +1,35 @@
-// Triangles that are large, or reach beyond the picture's surroundings: those that triangles.comp has listed. A group
-// takes every so manyth tile of one. SAMPLES, PASS, SUN_MAP, COUNTED.
+// Triangles that are large, or reach beyond the picture's surroundings: those that triangles.comp has listed. A group takes every
+// so manyth tile of one. Variants: SAMPLES, PASS, SUN_MAP, COUNTED; CLIPS: those for which clip_large.comp had no room, apart,
+// because software drivers would run that for the others, too.
 #include "draw/exact/raster.glsl"
-#include "draw/exact/fill_tiles.glsl"
+#include "draw/exact/fill_fan.glsl"
 layout(binding = largeUnit) uniform usamplerBuffer large;
 layout(binding = counterUnit) uniform usamplerBuffer counters;
 uniform int draw_;
 
-void drawLarge(int number) {
+void drawLarge(int entry) {
+#ifdef CLIPS
+  if (entry < fanRoom) return;
+#elif !defined SUN_MAP
+  if (entry >= fanRoom) return;
+#endif
+  int number = int(texelFetch(large, firstIndex / 3 + entry).x);
+  uint id = firstId + uint(number);
+#if defined SUN_MAP || defined CLIPS
   ivec3 corners = cornersOf(number);
   uvec4 a = texelFetch(vertices, corners.x), b = texelFetch(vertices, corners.y), c = texelFetch(vertices, corners.z);
-#ifndef SUN_MAP
-  float nearest = view.near;
-#endif
-  Polygon p = clippedToPicture(placeOf(a), placeOf(b), placeOf(c), vec2(PICTURE_SIZE), nearest);
-  for (int k = 1; k + 1 < p.count; ++k) {
 #ifdef SUN_MAP
-    Triangle t = drawnTriangle(cornerOfVertex(a), cornerOfVertex(b), cornerOfVertex(c));  // never clipped
-    if (k > 1) break;
+  fillTiles(drawnTriangle(cornerOfVertex(a), cornerOfVertex(b), cornerOfVertex(c)), id);  // never clipped
 #else
-    Triangle t = drawnTriangle(cornerOf(p.corners[0], nearest), cornerOf(p.corners[k], nearest),
-                               cornerOf(p.corners[k + 1], nearest));
+  fillClipped(placeOf(a), placeOf(b), placeOf(c), view.near, id);
 #endif
-    fillTiles(t, firstId + uint(number));
-  }
+#else
+  fillFan(entry, id);
+#endif
 }
 
 void main() {
   uint count = texelFetch(counters, draw_).x, groups = gl_NumWorkGroups.x * gl_NumWorkGroups.y;
   for (uint entry = gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x; entry < count; entry += groups)
-    drawLarge(int(texelFetch(large, firstIndex / 3 + int(entry)).x));
+    drawLarge(int(entry));
 }

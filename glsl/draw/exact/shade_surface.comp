@@ -33,10 +33,10 @@ vec3 lightOf(ivec2 pixel, uint id, int firstSample) {
   normal = spot.turned ? -normal : normal;
 #endif
 #ifdef TEXTURED
-  SurfaceSeen seen = surfaceSeen(spot);
-  base = base * textureColor(seen, vec2(0));
+  Patch patch_ = patchSeen(surfaceSeen(spot));
+  base = base * patch_.color;
 #ifdef BUMPED
-  normal = bumpedNormal(seen, spot, normal);
+  normal = bumpedNormal(patch_, spot, normal);
 #endif
 #endif
 #ifdef SHADOW

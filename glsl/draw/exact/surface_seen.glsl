@@ -48,6 +48,17 @@ SurfaceSeen surfaceSeen(Spot spot) {
   return seen;
 }
 
+// A bit for each.
+int sidesThatShow(vec3 weight) {
+  return (weight.x > 0.0f ? 1 : 0) | (weight.y > 0.0f ? 2 : 0) | (weight.z > 0.0f ? 4 : 0);
+}
+
+Seen sideSeen(SurfaceSeen seen, int side) {
+  Seen one = seen.z;
+  if (side == 0) one = seen.x;
+  if (side == 1) one = seen.y;
+  return one;
+}
 #else
 #include "draw/exact/surface_uv.glsl"
 #define SurfaceSeen Seen

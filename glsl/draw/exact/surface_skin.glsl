@@ -14,10 +14,28 @@ struct SpotSkin {
 };
 
 #ifdef TRIPLANAR
+SkinArea noArea() {
+  SkinArea area;
+  area.q = area.variance = area.around = 0.0f;
+  area.slope = vec2(0);
+  area.color = vec3(0);
+  return area;
+}
+
 SkinSeen skinSeen(Spot spot, vec3 normal) {
   SurfaceSeen seen = surfaceSeen(spot);
-  SkinArea x = skinArea(seen.x), y = skinArea(seen.y), z = skinArea(seen.z);
   vec3 w = seen.weight;
+  // As in surface_texture.glsl, a loop over the sides that show.
+  SkinArea x = noArea(), y = noArea(), z = noArea();
+  int left = sidesThatShow(w);
+  while (left != 0) {
+    int side = findLSB(left);
+    left &= left - 1;
+    SkinArea area = skinArea(sideSeen(seen, side));
+    if (side == 0) x = area;
+    if (side == 1) y = area;
+    if (side == 2) z = area;
+  }
   SkinArea area;
   area.q = exactDot(w, vec3(x.q, y.q, z.q));
   area.variance = exactDot(w, vec3(x.variance, y.variance, z.variance));

@@ -110,21 +110,19 @@ FUNCTION int edgeAt(Edge edge, ivec2 at) {
   return edge.step_.y * to.x - edge.step_.x * to.y + edge.bias;
 }
 
-// E / 16, rounded down, at a place, held where no sample of a tile around it could change the sign.
+// E / 16, rounded down, at a place, held where no sample of a tile around it could change the sign. With a place
+// 16 h + l from the edge's beginning it is step x h + floor((step x l + bias) / 16): below 2^30 in 32 bits, whatever its parts
+// are, and floats say well enough whether it is.
 FUNCTION int edgeOverSixteen(Edge edge, ivec2 at) {
   const int most = 0x3fffffff;
   ivec2 to = at - edge.from;
-  int high1, low1, high2, low2;
-  imulExtended(edge.step_.y, to.x, high1, low1);
-  imulExtended(edge.step_.x, to.y, high2, low2);
-  uint borrow, more;
-  uint low = usubBorrow(uint(low1), uint(low2), borrow);
-  low = usubBorrow(low, uint(-edge.bias), more);
-  int high = high1 - high2 - int(borrow) - int(more);
-  if (high > 3) return most;
-  if (high < -4) return -most;
-  int sixteenth = (high << 28) | int(low >> 4);
-  return clamp(sixteenth, -most, most);
+  ivec2 high = ivec2(to.x >> 4, to.y >> 4), low = ivec2(to.x & 15, to.y & 15);
+  precise float about = float(edge.step_.y) * float(high.x) - float(edge.step_.x) * float(high.y);
+  uint whole = uint(edge.step_.y) * uint(high.x) - uint(edge.step_.x) * uint(high.y);
+  int sixteenth = int(whole + uint((edge.step_.y * low.x - edge.step_.x * low.y + edge.bias) >> 4));
+  if (about >= 536870912.0f) sixteenth = most;
+  if (about <= -536870912.0f) sixteenth = -most;
+  return sixteenth;
 }
 
 // E / 16 of a sample `aside` (1/16 pixel) from there.

@@ -19,6 +19,7 @@ void GroupCounts::fill(const gl::Buffer& counts, const Order& order, const gl::B
   program_.set("times", order.times);
   program_.set("each", order.each);
   program_.set("parts", order.parts);
+  program_.set("fewerParts", order.fewerParts);
   program_.dispatch(order.counts);
 }
 

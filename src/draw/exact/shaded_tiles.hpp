@@ -12,8 +12,8 @@ class ShadedTiles {
   /// For pictures like that one.
   ShadedTiles(const Visibility& visibility, bool ground, bool shadow);
 
-  /// Whether list() empties the light of its pixels on this device: cards for computing clear textures in ten
-  /// times the time that it takes there.
+  /// Whether list() empties the light of its pixels on this device: cards for computing clear textures in
+  /// ten times the time that it takes there.
   [[nodiscard]] static bool emptiesLight();
   /// Lays the ground under what is visible and makes the lists; the sums of light are bound. `firstIds`: of
   /// the things, ascending. `groundKeys`: the ground is among what is nearest afterwards.

@@ -5,7 +5,6 @@
 #include "draw/surface/surface_pass.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <iterator>
 #include <utility>
@@ -103,24 +102,22 @@ void SurfaceShading::shade(const TriangleRaster& raster, const TriangleRaster::D
   if (surface.palette != nullptr) surface.palette->bind(paletteUnit);
   if (skin != nullptr)
     setSkin(surface, *skin, shader);
-  else if (const gl::Texture* albedo = textures_.load(material.texture))
+  else if (const TexelLists::List* albedo = textures_.load(material.texture))
     setTexture(surface, *albedo, shader);
   tiles.shade(thing, shader);
 }
 
-void SurfaceShading::setTexture(const sim::Surface& surface, const gl::Texture& albedo,
+void SurfaceShading::setTexture(const sim::Surface& surface, const TexelLists::List& albedo,
                                 const gl::Program& shader) {
   const scene::Material& material = *surface.material;
-  const glm::ivec2 size(albedo.width(), albedo.height());
   // A sheet that shows the picture once must not blend its border with the opposite one.
   const bool once = surface.normals == nullptr && glm::vec2(material.textureScale) == glm::vec2(1);
   setSeen(surface, glm::vec2(material.textureScale), shader);
-  shader.set("albedoSize", size);
-  shader.set("albedoLevels",
-             static_cast<int>(std::bit_width(static_cast<unsigned>(std::max(size.x, size.y)))));
+  shader.set("albedoSize", albedo.size);
+  shader.set("albedoLevels", albedo.levels);
   shader.set("albedoRepeats", static_cast<int>(!once));
   shader.set("bump", material.bump);
-  albedo.bind(albedoUnit);
+  albedo.view.bind(albedoUnit);
 }
 
 }  // namespace simreel::draw

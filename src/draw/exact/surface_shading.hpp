@@ -1,8 +1,8 @@
 #pragma once
 #include "draw/exact/shaded_tiles.hpp"
+#include "draw/exact/texel_lists.hpp"
 #include "draw/exact/triangle_raster.hpp"
 #include "draw/surface/skin_textures.hpp"
-#include "draw/surface/texture_store.hpp"
 #include "scene/scene.hpp"
 
 #include <map>
@@ -24,11 +24,12 @@ class SurfaceShading {
  private:
   /// A look's number is -1 without a skin.
   const gl::Program& program(unsigned features, int look);
-  static void setTexture(const sim::Surface& surface, const gl::Texture& albedo, const gl::Program& shader);
+  static void setTexture(const sim::Surface& surface, const TexelLists::List& albedo,
+                         const gl::Program& shader);
 
   gl::Defines defines_;
   std::map<std::pair<unsigned, int>, gl::Program> programs_;
-  TextureStore textures_{TextureStore::Reads::ours};
+  TexelLists textures_;
 };
 
 }  // namespace simreel::draw

@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 #include "draw/exact/bindings.hpp"
+#include "draw/exact/parts.hpp"
 #include "draw/exact/reserve.hpp"
 #include "gl/context.hpp"
 #include "gl/element_array.hpp"
@@ -19,6 +20,8 @@ namespace {
 constexpr const char* trianglesPath = "draw/exact/triangles.comp";
 constexpr const char* mediumPath = "draw/exact/medium.comp";
 constexpr const char* largePath = "draw/exact/large.comp";
+constexpr const char* clipPath = "draw/exact/clip_large.comp";
+constexpr unsigned groupTriangles = 64;
 constexpr std::int64_t maxIds = 0xfffffff0;  // the last ones say ground, and nothing
 
 int verticesOf(const sim::Surface& surface) {
@@ -31,18 +34,24 @@ int maxTrianglesOf(const sim::Surface& surface) {
   return static_cast<int>(indices / 3);
 }
 
+/// Of the part that is drawn (pixels).
+glm::ivec2 sizeOf(const Visibility& into, const MapPart& part) {
+  return part.side > 0 ? glm::ivec2(part.side) : into.size();
+}
+
 }  // namespace
 
-TriangleRaster::TriangleRaster(Into into, int samples, int smallPixels, int mediumPixels)
+TriangleRaster::TriangleRaster(Into into, int samples, int smallPixels, int fanRoom, int mediumPixels)
     : into_(into),
       samples_(samples),
       smallPixels_(smallPixels),
-      mediumPixels_(mediumPixels),
-      parts_(gl::softwareDriver() ? 4U : 32U) {}
+      fanRoom_(fanRoom),
+      mediumPixels_(mediumPixels) {}
 
 void TriangleRaster::number(const std::vector<const sim::Surface*>& surfaces) {
   std::int64_t vertices = 0;
   std::int64_t triangles = 0;
+  int fans = 0;
   drawn_.resize(surfaces.size());
   for (std::size_t i = 0; i < surfaces.size(); ++i) {
     const sim::Surface* surface = surfaces[i];
@@ -56,6 +65,9 @@ void TriangleRaster::number(const std::vector<const sim::Surface*>& surfaces) {
       next.indices.show(*surface->indices, sizeof(GLuint));
     else
       next.indices = gl::Texture::view("indices", GL_R32UI, *surface->indices, sizeof(GLuint));
+    next.firstFan = fans;
+    next.fans = std::min(next.maxTriangles, fanRoom_ / static_cast<int>(surfaces.size()));
+    fans += next.fans;
     vertices += verticesOf(*surface);
     triangles += next.maxTriangles;
     if (3 * triangles > INT32_MAX || vertices > INT32_MAX || triangles > maxIds)
@@ -75,6 +87,9 @@ void TriangleRaster::number(const std::vector<const sim::Surface*>& surfaces) {
           sizeof(GLuint));
   reserve(largeGroups_, "groups for large triangles", count * GroupCounts::bytes);
   reserve(surfaceGroups_, "groups for triangles", count * GroupCounts::bytes);
+  if (into_ == Into::sunMap) return;  // never clipped
+  reserve(clipGroups_, "groups for clipping", count * GroupCounts::bytes);
+  reserve(fans_, fanView_, "clipped triangles", of(fans, 128), GL_RGBA32UI, 16);
 }
 
 const gl::Program& TriangleRaster::vertexProgram(const sim::Surface& surface) {
@@ -90,21 +105,19 @@ const gl::Program& TriangleRaster::vertexProgram(const sim::Surface& surface) {
       .first->second;
 }
 
-const gl::Program& TriangleRaster::program(const char* path, int pass, bool counted,
-                                           SampleLayout layout) {
-  const std::tuple<std::string, int, bool, SampleLayout> key{path, pass, counted, layout};
-  const auto found = programs_.find(key);
+const gl::Program& TriangleRaster::program(const Variant& variant) {
+  const auto found = programs_.find(variant);
   if (found != programs_.end()) return found->second;
-  gl::Defines defines = {{"SAMPLES", std::to_string(samples_)},
-                         {"PASS", std::to_string(pass)},
-                         {"PARTS", std::to_string(parts_)}};
+  const auto& [path, pass, counted, clips, layout] = variant;
+  gl::Defines defines = {{"SAMPLES", std::to_string(samples_)}, {"PASS", std::to_string(pass)}};
   for (const auto& define : definesOf(layout)) defines.push_back(define);
   if (path == trianglesPath)
     for (const auto& define : laneDefines()) defines.push_back(define);
   if (counted) defines.emplace_back("COUNTED", "1");
+  if (clips) defines.emplace_back("CLIPS", "1");
   if (into_ == Into::sunMap) defines.emplace_back("SUN_MAP", "1");
   if (into_ == Into::lampMap) defines.emplace_back("LAMP_MAP", "1");
-  return programs_.emplace(key, gl::Program::compute(path, defines)).first->second;
+  return programs_.emplace(variant, gl::Program::compute(path, defines)).first->second;
 }
 
 void TriangleRaster::makeVertices(const Visibility& into) {
@@ -132,19 +145,35 @@ void TriangleRaster::bind(const Drawn& drawn, const gl::Program& program) const 
   program.set("firstIndex", drawn.firstIndex);
   program.set("triangleCount", drawn.maxTriangles);
   program.set("firstId", drawn.firstId);
+  program.set("firstFan", drawn.firstFan);
+  program.set("fanRoom", drawn.fans);
 }
 
-void TriangleRaster::run(const char* path, int pass, const Visibility& into, const MapPart& part) {
+void TriangleRaster::clipLarge(const Visibility& into) {
+  if (into_ == Into::sunMap || fanRoom_ == 0) return;
+  gl::barrier();
+  groups_.fill(counters_, {.counts = static_cast<int>(drawn_.size()), .each = groupTriangles}, clipGroups_);
+  gl::barrier();
+  glMemoryBarrier(GL_COMMAND_BARRIER_BIT);
+  fans_.bindStorage(fanBinding);
+  run(clipPath, 0, into, {});
+}
+
+void TriangleRaster::run(const char* path, int pass, const Visibility& into, const MapPart& part,
+                         bool clips) {
   into.bind();
   large_.bindStorage(largeBinding);
   largeView_.bind(largeUnit);
   counters_.bindStorage(counterBinding);
   counterView_.bind(counterUnit);
+  if (into_ != Into::sunMap) fanView_.bind(fanUnit);
   const bool small = path == trianglesPath;
+  const gl::Buffer& groups = small ? surfaceGroups_ : path == clipPath ? clipGroups_ : largeGroups_;
   for (std::size_t i = 0; i < drawn_.size(); ++i) {
     const Drawn& drawn = drawn_[i];
+    if (clips && drawn.fans == drawn.maxTriangles) continue;
     const bool counted = drawn.surface->arguments != nullptr;
-    const gl::Program& kernel = program(path, pass, counted, into.layout());
+    const gl::Program& kernel = program({path, pass, counted, clips, into.layout()});
     bind(drawn, kernel);
     kernel.set("doubleSided", static_cast<int>(drawn.surface->doubleSided));
     kernel.set("draw_", static_cast<int>(i));
@@ -160,22 +189,22 @@ void TriangleRaster::run(const char* path, int pass, const Visibility& into, con
     if (path == mediumPath) {
       GroupCounts::dispatchFixed(kernel);
     } else if (path == largePath) {
-      GroupCounts::dispatchList(kernel, largeGroups_, i, parts_);
+      GroupCounts::dispatchList(kernel, largeGroups_, i, partsFor(sizeOf(into, part), samples_));
     } else {
       kernel.use();
-      GroupCounts::dispatch(surfaceGroups_, i);
+      GroupCounts::dispatch(groups, i);
     }
   }
 }
 
 void TriangleRaster::runLists(int pass, const Visibility& into, const MapPart& part) {
   if (mediumPixels_ > smallPixels_) run(mediumPath, pass, into, part);
-  run(largePath, pass, into, part);
+  if (into_ == Into::sunMap || fanRoom_ > 0) run(largePath, pass, into, part);
+  if (into_ != Into::sunMap) run(largePath, pass, into, part, true);
 }
 
 void TriangleRaster::draw(const Visibility& into, const MapPart& part) {
   constexpr GLuint zero = 0;
-  constexpr unsigned groupTriangles = 64;
   if (drawn_.empty()) return;
   glClearNamedBufferData(counters_.name(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, &zero);
   makeVertices(into);
@@ -188,8 +217,14 @@ void TriangleRaster::draw(const Visibility& into, const MapPart& part) {
   gl::barrier();
   glMemoryBarrier(GL_COMMAND_BARRIER_BIT);
   run(trianglesPath, 0, into, part);
-  groups_.prepareLists(counters_, {.counts = static_cast<int>(drawn_.size()), .parts = parts_},
-                       largeGroups_);
+  clipLarge(into);
+  const unsigned parts = partsFor(sizeOf(into, part), samples_);
+  groups_.prepareLists(
+      counters_,
+      {.counts = static_cast<int>(drawn_.size()),
+       .parts = parts,
+       .fewerParts = gl::softwareDriver() ? leastParts(sizeOf(into, part), samples_) : parts},
+      largeGroups_);
   runLists(0, into, part);
   gl::barrier();
   if (into_ != Into::picture || into.layout() == SampleLayout::wholes) return;

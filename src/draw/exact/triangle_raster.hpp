@@ -18,8 +18,8 @@ class TriangleRaster {
   enum class Into { picture, sunMap, lampMap };
   /// Triangles whose box has no side above `smallPixels` (0 to 64) are drawn by an invocation each, of the
   /// others those of at most `mediumPixels` (to 64) by sixteen, the rest by groups, tile by tile: the same
-  /// either way.
-  TriangleRaster(Into into, int samples, int smallPixels = smallTriangle(),
+  /// either way. Of those `fanRoom` are clipped once, for all invocations that draw them; 128 bytes each.
+  TriangleRaster(Into into, int samples, int smallPixels = smallTriangle(), int fanRoom = fansOfTriangles(),
                  int mediumPixels = mediumTriangle());
 
   /// A surface as it was drawn last.
@@ -29,12 +29,15 @@ class TriangleRaster {
     int firstIndex = 0;  ///< in the list of large ones, times 3
     int maxTriangles = 0;
     unsigned firstId = 0;  ///< of its triangles
+    int firstFan = 0;      ///< of its clipped triangles,
+    int fans = 0;          ///< and for how many there is room
     gl::Texture indices;   ///< R32UI texel view
   };
 
   /// Numbers the triangles: see drawn(). Throws UserError(device) where there are more than numbers.
   void number(const std::vector<const sim::Surface*>& surfaces);
-  /// Draws them into what is cleared. The uniform blocks, and for the sun's map the light's place, are bound.
+  /// Draws them into what is cleared. The uniform blocks, and for the sun's map the light's place, are
+  /// bound.
   void draw(const Visibility& into, const MapPart& part = {});
   [[nodiscard]] const std::vector<Drawn>& drawn() const { return drawn_; }
   /// Binds vertices and indices of one of drawn() and says where they are.
@@ -42,22 +45,26 @@ class TriangleRaster {
 
  private:
   const gl::Program& vertexProgram(const sim::Surface& surface);
-  const gl::Program& program(const char* path, int pass, bool counted, SampleLayout layout);
+  /// What suits a program: its file, the pass, whether a surface says itself how many triangles it has,
+  /// whether those are drawn that are not clipped yet, and how samples lie.
+  using Variant = std::tuple<std::string, int, bool, bool, SampleLayout>;
+  const gl::Program& program(const Variant& variant);
   void makeVertices(const Visibility& into);
-  void run(const char* path, int pass, const Visibility& into, const MapPart& part);
+  void clipLarge(const Visibility& into);
+  void run(const char* path, int pass, const Visibility& into, const MapPart& part, bool clips = false);
   void runLists(int pass, const Visibility& into, const MapPart& part);
 
   Into into_;
   int samples_;
   int smallPixels_;
+  int fanRoom_;
   int mediumPixels_;
-  unsigned parts_;  ///< groups that share a large triangle
   std::map<std::pair<bool, bool>, gl::Program> vertexPrograms_;
-  std::map<std::tuple<std::string, int, bool, SampleLayout>, gl::Program> programs_;
+  std::map<Variant, gl::Program> programs_;
   GroupCounts groups_;
   std::vector<Drawn> drawn_;
-  gl::Buffer vertices_, large_, counters_, largeGroups_, surfaceGroups_;
-  gl::Texture vertexView_, largeView_, counterView_;
+  gl::Buffer vertices_, large_, counters_, largeGroups_, surfaceGroups_, fans_, clipGroups_;
+  gl::Texture vertexView_, largeView_, counterView_, fanView_;
 };
 
 }  // namespace simreel::draw

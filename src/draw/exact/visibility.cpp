@@ -40,8 +40,9 @@ SampleLayout sampleLayout() {
   if (name != "wholes")
     fail(ExitCode::usage, "SIMREEL_SAMPLE_LAYOUT is \"apart\", \"pairs\" or \"wholes\", not \"{}\"", name);
   if (!atomics)
-    fail(ExitCode::device, "SIMREEL_SAMPLE_LAYOUT=wholes: this device has no 64-bit atomics "
-                           "(GL_NV_shader_atomic_int64)");
+    fail(ExitCode::device,
+         "SIMREEL_SAMPLE_LAYOUT=wholes: this device has no 64-bit atomics "
+         "(GL_NV_shader_atomic_int64)");
   return SampleLayout::wholes;
 }
 
@@ -66,6 +67,10 @@ int mediumTriangle() {
   return gl::softwareDriver() ? 0 : 64;
 }
 
+int fansOfTriangles() {
+  return gl::softwareDriver() ? 1 << 17 : 0;
+}
+
 gl::Defines laneDefines() {
   gl::Defines defines;
   if (!gl::softwareDriver()) defines.emplace_back("BRANCHES", "1");
@@ -86,15 +91,12 @@ std::size_t Visibility::maxSamples() {
 }
 
 Visibility::Visibility(const std::string& label, glm::ivec2 size, int samples, bool ids)
-    : size_(size),
-      samples_(samples),
-      layout_(ids ? sampleLayout() : SampleLayout::apart) {
+    : size_(size), samples_(samples), layout_(ids ? sampleLayout() : SampleLayout::apart) {
   const bool together = layout_ != SampleLayout::apart;
   const std::size_t words = together ? 2 : 1;
   near_ =
       gl::Buffer("what is nearest on " + label, samplesOf(label, size, samples) * words * sizeof(GLuint));
-  nearView_ =
-      gl::Texture::view(label, together ? GL_RG32UI : GL_R32UI, near_, words * sizeof(GLuint));
+  nearView_ = gl::Texture::view(label, together ? GL_RG32UI : GL_R32UI, near_, words * sizeof(GLuint));
   nearFours_ = gl::Texture::view(label, GL_RGBA32UI, near_, 4 * sizeof(GLuint));
   if (ids && !together) {
     ids_ = gl::Buffer("what is visible on " + label, near_.bytes());
@@ -110,7 +112,8 @@ void Visibility::clear() const {
   constexpr GLuint most = 0xffffffffU;
   if (clear_.name() == 0) {
     glClearNamedBufferData(near_.name(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, &most);
-    if (ids_.name() != 0) glClearNamedBufferData(ids_.name(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, &most);
+    if (ids_.name() != 0)
+      glClearNamedBufferData(ids_.name(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, &most);
     return;
   }
   near_.bindStorage(nearBinding);

@@ -11,12 +11,12 @@
 
 namespace simreel::draw {
 
-/// How a picture's keys and numbers lie in memory, and are found. `apart`: keys and numbers by themselves, found in
-/// two passes; four samples of either are one read. `pairs`: both of a sample together, in two passes.
-/// `wholes`: the same in one pass by 64-bit atomics. The result is the same.
+/// How a picture's keys and numbers lie in memory, and are found. `apart`: keys and numbers by themselves,
+/// found in two passes; four samples of either are one read. `pairs`: both of a sample together, in two
+/// passes. `wholes`: the same in one pass by 64-bit atomics. The result is the same.
 enum class SampleLayout { apart, pairs, wholes };
-/// What suits the device, or what SIMREEL_SAMPLE_LAYOUT names. Throws UserError: usage for another word, device
-/// where it lacks the atomics.
+/// What suits the device, or what SIMREEL_SAMPLE_LAYOUT names. Throws UserError: usage for another word,
+/// device where it lacks the atomics.
 [[nodiscard]] SampleLayout sampleLayout();
 /// Defines of all that reads or writes such samples.
 [[nodiscard]] gl::Defines definesOf(SampleLayout layout);
@@ -29,7 +29,8 @@ class Visibility {
   /// Most samples of one, on this device.
   static std::size_t maxSamples();
   Visibility() = default;
-  /// `samples`: 1, 2, 4, 8 or 16. `ids`: a picture's, as sampleLayout() says. Throws UserError(device) beyond the device's limits.
+  /// `samples`: 1, 2, 4, 8 or 16. `ids`: a picture's, as sampleLayout() says. Throws UserError(device)
+  /// beyond the device's limits.
   Visibility(const std::string& label, glm::ivec2 size, int samples, bool ids);
 
   /// Nothing is visible yet.
@@ -62,7 +63,8 @@ class Visibility {
 /// Where a shadow map lies among the keys, and how it is drawn.
 struct MapPart {
   float slopeOffset = 0;  ///< texels by whose slope what casts shadows is moved away
-  int firstKey = 0;       ///< of a lamp's map: its first key,
+  int side = 0;           ///< of a lamp's map: texels on a side,
+  int firstKey = 0;       ///< its first key,
   int keyStride = 0;      ///< and how many there are from a row to the next
   /// Sets what glsl/draw/exact/visible_sample.glsl and raster_triangle.glsl read.
   void set(const gl::Program& program) const {
@@ -77,6 +79,9 @@ struct MapPart {
 int smallTriangle();
 int smallCopyTriangle();  ///< of copies, whose corners are made anew for each use
 int mediumTriangle();
+/// How many large ones are best clipped for all that draw them: none on cards, which wait for each kernel's
+/// end.
+int fansOfTriangles();
 /// Defines of kernels that draw or list one thing an invocation, as suits the device.
 [[nodiscard]] gl::Defines laneDefines();
 

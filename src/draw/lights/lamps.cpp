@@ -40,6 +40,7 @@ Lamps::Lamps(const scene::Scene& scene, Rasterizer rasterizer)
   glows_.colorBy = sim::Instances::ColorBy::age;
   glows_.colors = &glowColors_;
   glows_.additive = true;
+  glows_.discs = true;  // at a border, round ones would reach less far in
   glows_.material = &glowMaterial_;
 }
 

@@ -13,29 +13,8 @@ namespace simreel::draw {
 
 namespace {
 
-/// Linear light in 1/65535, for reads of our own.
-gl::Texture linearTexture(const std::string& label, const sim::Picture& picture) {
-  gl::Texture texture = gl::Texture::image(label, GL_RGBA16UI, picture.size.x, picture.size.y, 0);
-  texture.unfiltered();
-  GLint number = 0;
-  std::vector<std::uint16_t> light;
-  const auto upload = [&](glm::ivec2 size, const std::vector<std::uint8_t>& rgba) {
-    light.resize(rgba.size());
-    std::transform(rgba.begin(), rgba.end(), light.begin(), linearOfSrgb);
-    glTextureSubImage2D(texture.name(), number++, 0, 0, size.x, size.y, GL_RGBA_INTEGER, GL_UNSIGNED_SHORT,
-                        light.data());
-  };
-  upload(picture.size, picture.rgba);
-  for (const MipLevel& level : mipLevels(picture.size, picture.rgba)) upload(level.size, level.rgba);
-  return texture;
-}
-
-gl::Texture readPicture(const std::filesystem::path& file, TextureStore::Reads reads) {
+gl::Texture readPicture(const std::filesystem::path& file) {
   const sim::Picture picture = sim::loadPicture(file, "texture", gl::limits().textureSize);
-  if (reads == TextureStore::Reads::ours) {
-    glPixelStorei(GL_UNPACK_ALIGNMENT, 2);
-    return linearTexture("texture " + file.string(), picture);
-  }
   gl::Texture texture =
       gl::Texture::image("texture " + file.string(), GL_SRGB8_ALPHA8, picture.size.x, picture.size.y, 0);
   glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
@@ -58,7 +37,7 @@ const gl::Texture* TextureStore::load(const std::filesystem::path& file) {
   if (file.empty()) return nullptr;
   const auto found = textures_.find(file);
   if (found != textures_.end()) return &found->second;
-  return &textures_.emplace(file, readPicture(file, reads_)).first->second;
+  return &textures_.emplace(file, readPicture(file)).first->second;
 }
 
 }  // namespace simreel::draw

@@ -10,16 +10,11 @@ namespace simreel::draw {
 /// of mip_levels.hpp, anisotropic filtering. Row 0 of the file is v = 0.
 class TextureStore {
  public:
-  /// driver: filters what is sRGB. ours: shaders fetch texels of RGBA16UI, linear light in 1/65535, mip
-  /// maps of the same bytes.
-  enum class Reads { driver, ours };
-  explicit TextureStore(Reads reads = Reads::driver) : reads_(reads) {}
   /// Null for an empty path. Throws UserError: usage for a file that is no picture, inputOutput (or what
   /// readFile says) for one that cannot be read, device for one larger than the device allows.
   const gl::Texture* load(const std::filesystem::path& file);
 
  private:
-  Reads reads_;
   std::map<std::filesystem::path, gl::Texture> textures_;
 };
 

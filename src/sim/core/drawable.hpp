@@ -60,9 +60,13 @@ struct Instances {
   ColorBy colorBy = ColorBy::material;
   glm::vec2 colorRange{0, 1};                      ///< of speed (m/s), mass (kg) or age, mapped to 0..1
   const std::vector<glm::vec3>* colors = nullptr;  ///< linear RGB stops of the colour map, evenly spaced
-  bool additive = false;                 ///< light that adds up (HDR), no shadow; else opaque, with shadow
-  float brightness = 1.0F;               ///< factor on the colours of additive ones
-  float fade = 0.0F;                     ///< fraction of life over which additive ones fade in and out
+  bool additive = false;    ///< light that adds up (HDR), no shadow; else opaque, with shadow
+  float brightness = 1.0F;  ///< factor on the colours of additive ones
+  float fade = 0.0F;        ///< fraction of life over which additive ones fade in and out
+  /// Additive sprites are discs that face the eye however small they are: towards the borders of a wide
+  /// picture ellipses. Else small ones are round, as a driver's points are. (The driver's rasterizer has
+  /// discs where the middle is beyond a border or they are large.)
+  bool discs = false;
   glm::vec3 boundsMin{0}, boundsMax{0};  ///< m; a box for the shadow map's fit; empty: measured on the GPU
   const scene::Material* material = nullptr;
 };

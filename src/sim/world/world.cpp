@@ -233,8 +233,7 @@ struct World::State {
     for (std::size_t i = 0; i < counting.size(); ++i) {
       auto& rows = summary.counts.emplace_back(static_cast<std::size_t>(from.countRows[i]));
       if (!rows.empty())
-        copyOut(countCopies, countOffset(from.slot, counting[i]),
-                std::as_writable_bytes(std::span(rows)));
+        copyOut(countCopies, countOffset(from.slot, counting[i]), std::as_writable_bytes(std::span(rows)));
     }
   }
 

@@ -8,6 +8,16 @@
 
 #include <vector>
 
+/// Seen from the side, nearby.
+inline simreel::scene::Scene sideScene() {
+  simreel::scene::Scene scene;
+  scene.camera.position = glm::vec3(0.7F, 1.1F, 4.3F);
+  scene.camera.target = glm::vec3(-0.1F, 0.2F, 0.3F);
+  scene.camera.near = 0.3F;
+  scene.camera.far = 9;
+  return scene;
+}
+
 /// What kernels of the exact rasterizer draw into, and what they left there.
 struct ExactStage {
   ExactStage(const simreel::scene::Scene& scene, glm::ivec2 pixels, int count)

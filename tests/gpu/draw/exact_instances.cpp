@@ -1,9 +1,8 @@
 // Instances drawn by the exact rasterizer: balls against their twin on the CPU and in double precision,
-// copies of a mesh against the same triangles as a surface, glows against their formula.
+// copies of a mesh against the same triangles as a surface.
 #include "base/file.hpp"
 #include "draw/exact/instances/ball_raster.hpp"
 #include "draw/exact/instances/copy_raster.hpp"
-#include "draw/exact/instances/glow_raster.hpp"
 #include "draw/exact/triangle_raster.hpp"
 #include "gpu/draw/ball_stage.hpp"
 #include "gpu/draw/exact_instance_stage.hpp"
@@ -36,16 +35,7 @@ using namespace simreel::shader;
 
 }  // namespace twin
 
-constexpr unsigned nothing = 0xffffffffU;
-
-scene::Scene sideScene() {
-  scene::Scene scene;
-  scene.camera.position = glm::vec3(0.7F, 1.1F, 4.3F);
-  scene.camera.target = glm::vec3(-0.1F, 0.2F, 0.3F);
-  scene.camera.near = 0.3F;
-  scene.camera.far = 9;
-  return scene;
-}
+constexpr unsigned noId = 0xffffffffU;
 
 /// Groups of balls of some sizes, around the eye and behind it, too; many go through each other.
 struct Balls {
@@ -110,8 +100,8 @@ TEST_CASE("balls by ray: the same bits as on the CPU, which looks at every ball 
     int covered = 0;
     int different = 0;
     for (std::size_t i = 0; i < found.keys.size(); ++i) {
-      unsigned key = nothing;
-      unsigned id = nothing;
+      unsigned key = noId;
+      unsigned id = noId;
       for (const Balls::One& one : balls.all) {
         const twin::Ball ball = [&] {
           twin::Ball made = twin::ballAt(one.middle, one.radius, glm::vec3(v.eye), glm::vec3(v.forward));
@@ -121,11 +111,11 @@ TEST_CASE("balls by ray: the same bits as on the CPU, which looks at every ball 
         const float near = v.near * shader::exactReciprocal(std::max(hit.depth, 1e-6F));
         if (!hit.found || hit.depth < v.near || near < v.nearOverFar) continue;
         const unsigned here = 0x7fffffffU - static_cast<unsigned>(shader::floatBitsToInt(near));
-        if (here < key) id = nothing;
+        if (here < key) id = noId;
         key = std::min(key, here);
         if (here == key) id = std::min(id, one.id);
       }
-      covered += key != nothing ? 1 : 0;
+      covered += key != noId ? 1 : 0;
       different += key != found.keys[i] || id != found.ids[i] ? 1 : 0;
     }
     CHECK(different == 0);
@@ -149,7 +139,7 @@ TEST_CASE("balls by ray: coverage, depth and order as in double precision") {
                            glm::dvec3(glm::vec3(v.rayDown)) * place.y;
     double nearest = std::numeric_limits<double>::max();
     double second = nearest;
-    unsigned id = nothing;
+    unsigned id = noId;
     bool doubtful = false;
     for (const Balls::One& one : balls.all) {
       // |eye + t ray - middle| = radius.
@@ -171,12 +161,12 @@ TEST_CASE("balls by ray: coverage, depth and order as in double precision") {
         second = std::min(second, t);
       }
     }
-    if (doubtful || (id != nothing && second - nearest < 1e-4)) {
+    if (doubtful || (id != noId && second - nearest < 1e-4)) {
       ++close;
       continue;
     }
     wrong += found.ids[i] != id ? 1 : 0;
-    if (id == nothing) continue;
+    if (id == noId) continue;
     ++shown[id];
     const auto near =
         static_cast<double>(shader::intBitsToFloat(static_cast<int>(0x7fffffffU - found.keys[i])));
@@ -217,7 +207,7 @@ TEST_CASE("of balls in one place the one with the least number is shown, and dea
   raster.drawNumbers(stage.target);
   const std::vector<unsigned> ids = stage.ids();
   CHECK(std::count(ids.begin(), ids.end(), 102U) > 500);
-  CHECK(std::count(ids.begin(), ids.end(), 102U) + std::count(ids.begin(), ids.end(), nothing) ==
+  CHECK(std::count(ids.begin(), ids.end(), 102U) + std::count(ids.begin(), ids.end(), noId) ==
         static_cast<int>(ids.size()));
 }
 
@@ -234,7 +224,7 @@ TEST_CASE("small balls cover a disk of 0.57 pixels of radius in the mean") {
   raster.drawNumbers(stage.target);
   const std::vector<unsigned> ids = stage.ids();
   const auto shown =
-      static_cast<double>(ids.size()) - static_cast<double>(std::count(ids.begin(), ids.end(), nothing));
+      static_cast<double>(ids.size()) - static_cast<double>(std::count(ids.begin(), ids.end(), noId));
   CHECK(shown / 400 == doctest::Approx(4 * 3.14159265 * 0.57 * 0.57).epsilon(0.07));
 }
 
@@ -296,10 +286,11 @@ TEST_CASE("copies of a mesh cover what the same triangles of a surface cover, wi
       surfaces.number({&same.surface});
       surfaces.draw(stage.target);
       const Drawn wanted{stage.keys(), stage.ids()};
-      CHECK(std::count(wanted.ids.begin(), wanted.ids.end(), nothing) < (67 * 45 - 60) * samples);
+      CHECK(std::count(wanted.ids.begin(), wanted.ids.end(), noId) < (67 * 45 - 60) * samples);
       for (const auto& [smallPixels, pairs] : {std::pair(16, 1U << 22U), {0, 100U}, {64, 17U}}) {
         CAPTURE(smallPixels);
-        draw::CopyRaster raster(draw::CopyRaster::Into::picture, samples, smallPixels, pairs);
+        draw::CopyRaster raster(draw::CopyRaster::Into::picture, samples, smallPixels, pairs,
+                                pairs == 17U ? 0 : 40);
         stage.clear();
         raster.drawNearest({{&group.instances, &mesh.shape}}, {0}, stage.target);
         raster.drawNumbers(stage.target);
@@ -308,109 +299,6 @@ TEST_CASE("copies of a mesh cover what the same triangles of a surface cover, wi
         CHECK(stage.ids() == wanted.ids);
       }
     }
-  }
-}
-
-namespace {
-
-/// Light of glows on black, RGBA.
-std::vector<glm::vec4> lightOf(ExactStage& stage, draw::GlowRaster& raster, const sim::Instances& glows) {
-  gl::Texture light = gl::Texture::image("light", GL_RGBA32F, stage.size.x, stage.size.y);
-  constexpr std::array<GLfloat, 4> none = {0, 0, 0, 0};
-  glClearTexImage(light.name(), 0, GL_RGBA, GL_FLOAT, none.data());
-  raster.prepare(stage.size);
-  raster.draw({&glows}, stage.target);
-  light.bindImage(draw::sumImage, GL_READ_WRITE);
-  raster.addTo(stage.size);
-  glMemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT);
-  std::vector<glm::vec4> found(static_cast<std::size_t>(stage.size.x * stage.size.y));
-  glGetTextureImage(light.name(), 0, GL_RGBA, GL_FLOAT, static_cast<GLsizei>(found.size() * 16),
-                    found.data());
-  testContext().check();
-  return found;
-}
-
-}  // namespace
-
-TEST_CASE("glows: the sum of their formula in double precision, in any order and drawn in any way") {
-  testContext();
-  scene::Scene scene = sideScene();
-  scene.camera.fieldOfView = 40;
-  ExactStage stage(scene, {67, 45}, 4);
-  Dice dice(19);
-  std::vector<glm::vec4> places;
-  std::vector<glm::vec4> speeds;
-  for (int i = 0; i < 900; ++i) {
-    places.emplace_back(2.0F * dice.cube() - glm::vec3(0, 0, 1), 1);
-    speeds.emplace_back(dice.cube(), 0.5F);
-  }
-  scene::Material material;
-  material.color = glm::vec3(1, 0.5F, 300.0F);  // beyond what the lower words hold
-  const auto run = [&](int smallPixels) {
-    InstanceStage group(places, speeds);
-    group.instances.size = 0.7F;
-    group.instances.additive = true;
-    group.instances.brightness = 0.37F;
-    group.instances.material = &material;
-    draw::GlowRaster raster(4, smallPixels);
-    const auto first = lightOf(stage, raster, group.instances);
-    CHECK(lightOf(stage, raster, group.instances) == first);  // the sums are empty again
-    return first;
-  };
-  const auto found = run(12);
-  CHECK(run(0) == found);
-  CHECK(run(64) == found);
-  std::reverse(places.begin(), places.end());
-  std::reverse(speeds.begin(), speeds.end());
-  CHECK(run(12) == found);
-
-  const shader::ExactView& v = stage.view;
-  const double perMetre =
-      glm::length(glm::dvec3(glm::vec3(v.across)) -
-                  glm::dvec3(glm::vec3(v.forward)) *
-                      glm::dot(glm::dvec3(glm::vec3(v.across)), glm::dvec3(glm::vec3(v.forward))));
-  double worst = 0;
-  double most = 0;
-  for (int y = 0; y < stage.size.y; ++y)
-    for (int x = 0; x < stage.size.x; ++x) {
-      double sum = 0;
-      for (const glm::vec4& place : places) {
-        const glm::dvec3 from = glm::dvec3(glm::vec3(place)) - glm::dvec3(glm::vec3(v.eye));
-        const double depth = glm::dot(from, glm::dvec3(glm::vec3(v.forward)));
-        const double dx = x + 0.5 - glm::dot(from, glm::dvec3(glm::vec3(v.across))) / depth;
-        const double dy = y + 0.5 - glm::dot(from, glm::dvec3(glm::vec3(v.down))) / depth;
-        const double radius = 0.35 * perMetre / depth;
-        const double inside = std::max(1 - (dx * dx + dy * dy) / (radius * radius), 0.0);
-        sum += 0.37 * inside * inside;
-      }
-      const glm::vec4 light = found[static_cast<std::size_t>(y * stage.size.x + x)];
-      worst = std::max({worst, std::abs(light.r - sum), std::abs(light.g - 0.5 * sum),
-                        std::abs(light.b - 300 * sum) / 300});
-      most = std::max(most, sum);
-      CHECK(light.a == 0.0F);
-    }
-  CHECK(most > 3);
-  CHECK(worst < 2e-4);
-}
-
-TEST_CASE("glows show before what is nearer to the eye only, sample by sample") {
-  testContext();
-  ExactStage stage(darkScene(), {41, 37}, 4);
-  InstanceStage wall(std::vector<glm::vec3>(1, glm::vec3(0, 0, -20)));
-  wall.instances.size = 40;  // from z = 0 on, slowly falling back
-  draw::BallRaster balls(draw::BallRaster::Into::picture, 4);
-  scene::Material material;
-  for (const float z : {0.5F, -0.5F}) {
-    InstanceStage glow({{0, 0, z, 1}}, {{0, 0, 0, 0.5F}});
-    glow.instances.size = 1;
-    glow.instances.additive = true;
-    glow.instances.material = &material;
-    stage.clear();
-    balls.drawNearest({&wall.instances}, {}, stage.target);
-    draw::GlowRaster raster(4);
-    const auto found = lightOf(stage, raster, glow.instances);
-    const float sum = found[18 * 41 + 20].r;
-    CHECK((sum > 0) == (z > 0));
   }
 }
 

@@ -83,14 +83,51 @@ TEST_CASE("exact: what triangles show is what the twin says, small ones alone or
       stage.surface.doubleSided = doubleSided;
       const auto twin = rasterTwin(view, samples, doubleSided, all.places, all.indices);
       CAPTURE(samples);
-      const SeenSamples tiles = seenBy(view, samples, {&stage.surface}, 0);
-      CHECK(tiles.keys == twin.keys);
-      CHECK(tiles.ids == twin.ids);
+      for (const int fanRoom : {1000, 101, 0}) {
+        CAPTURE(fanRoom);
+        const SeenSamples tiles = seenBy(view, samples, {&stage.surface}, 0, fanRoom);
+        CHECK(tiles.keys == twin.keys);
+        CHECK(tiles.ids == twin.ids);
+      }
       const SeenSamples small = seenBy(view, samples, {&stage.surface}, 64);
       CHECK(small.keys == twin.keys);
       CHECK(small.ids == twin.ids);
     }
   }
+}
+
+TEST_CASE(
+    "exact: what triangles show is the same by sixteen invocations each, and however samples lie in "
+    "memory") {
+  const TriangleSoup all = soup(3);
+  for (const int samples : {1, 2, 4, 8, 16}) {
+    const auto view = exactViewFrom({0, 0, 5}, {0.2F, -0.1F, 0}, {101, 67});
+    TriangleStage stage(all.places, all.indices);
+    stage.surface.doubleSided = true;
+    const auto twin = rasterTwin(view, samples, true, all.places, all.indices);
+    CAPTURE(samples);
+    for (const char* word : LayoutAsked::words()) {
+      CAPTURE(word);
+      const LayoutAsked layout(word);
+      for (const auto& [smallPixels, mediumPixels] : {std::pair(64, 0), {0, 64}, {3, 21}}) {
+        CAPTURE(mediumPixels);
+        const SeenSamples seen = seenBy(view, samples, {&stage.surface}, smallPixels, 1000, mediumPixels);
+        CHECK(seen.keys == twin.keys);
+        CHECK(seen.ids == twin.ids);
+      }
+    }
+  }
+}
+
+TEST_CASE("exact: on a large picture, too, whose triangles reach far beyond it") {
+  const TriangleSoup all = soup(4);
+  const auto view = exactViewFrom({0, 0, 5}, {0.1F, -0.1F, 0}, {3001, 1043});
+  TriangleStage stage(all.places, all.indices);
+  stage.surface.doubleSided = true;
+  const auto twin = rasterTwin(view, 1, true, all.places, all.indices);
+  const SeenSamples seen = seenBy(view, 1, {&stage.surface}, 64);
+  CHECK(seen.keys == twin.keys);
+  CHECK(seen.ids == twin.ids);
 }
 
 TEST_CASE(
@@ -169,7 +206,7 @@ TEST_CASE(
           who = static_cast<unsigned>(i / 3);
         }
         const auto i = static_cast<std::size_t>((y * size.x + x) * 4 + s);
-        hits += who != nothing ? 1 : 0;
+        hits += who != noKey ? 1 : 0;
         others += seen.ids[i] != who ? 1 : 0;
         if (seen.ids[i] == who && who != noKey) {
           const double depth =

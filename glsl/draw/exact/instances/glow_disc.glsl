@@ -5,7 +5,7 @@
 #include "draw/exact/instances/disc.glsl"
 #include "draw/exact/instances/rays.glsl"
 #include "draw/instances/instance_list.glsl"
-uniform float roundPixels;  // larger ones are discs in space
+uniform float roundPixels;  // larger ones are discs in space; 0: all
 
 struct GlowDisc {
   vec3 light;

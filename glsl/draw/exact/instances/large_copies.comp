@@ -1,7 +1,7 @@
 // Triangles of copies that are large, or reach beyond the picture's surroundings: those that copies.comp has listed. A group
 // takes every so manyth tile of one. Variants of raster_triangle.glsl.
 #include "draw/exact/instances/raster_copy.glsl"
-#include "draw/exact/fill_tiles.glsl"
+#include "draw/exact/fill_fan.glsl"
 layout(binding = largeUnit) uniform usamplerBuffer large;
 layout(binding = counterUnit) uniform usamplerBuffer counters;
 uniform int part;
@@ -11,11 +11,7 @@ void drawLarge(uint pair) {
 #ifdef SUN_MAP
   fillTiles(drawnTriangle(cornerAt(c.a, c.na), cornerAt(c.b, c.nb), cornerAt(c.c, c.nc)), c.id);  // never clipped
 #else
-  Polygon p = clippedToPicture(c.a, c.b, c.c, vec2(PICTURE_SIZE), view.near);
-  for (int k = 1; k + 1 < p.count; ++k)
-    fillTiles(drawnTriangle(cornerOf(p.corners[0], view.near), cornerOf(p.corners[k], view.near),
-                            cornerOf(p.corners[k + 1], view.near)),
-              c.id);
+  fillClipped(c.a, c.b, c.c, view.near, c.id);
 #endif
 }
 

@@ -1,7 +1,7 @@
 #include "draw/exact/instances/ball_raster.hpp"
 
 #include "draw/exact/bindings.hpp"
-#include "draw/exact/instances/parts.hpp"
+#include "draw/exact/parts.hpp"
 #include "draw/exact/reserve.hpp"
 #include "draw/instances/instance_values.hpp"
 #include "gl/element_array.hpp"

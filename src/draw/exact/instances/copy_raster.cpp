@@ -1,7 +1,7 @@
 #include "draw/exact/instances/copy_raster.hpp"
 
 #include "draw/exact/bindings.hpp"
-#include "draw/exact/instances/parts.hpp"
+#include "draw/exact/parts.hpp"
 #include "draw/exact/reserve.hpp"
 #include "gl/context.hpp"
 #include "gl/element_array.hpp"
@@ -144,11 +144,10 @@ void CopyRaster::runPart(std::size_t number, Pass pass, const Visibility& into, 
   start(copiesPath).use();
   GroupCounts::dispatch(smallGroups_, number);
   const unsigned shares = partsFor(into.size(), samples_);
-  groups_.prepareLists(largeCounts_,
-                       {.first = static_cast<int>(number),
-                        .firstCount = static_cast<int>(number),
-                        .parts = shares},
-                       largeGroups_);
+  groups_.prepareLists(
+      largeCounts_,
+      {.first = static_cast<int>(number), .firstCount = static_cast<int>(number), .parts = shares},
+      largeGroups_);
   largeView_.bind(largeUnit);
   largeCountView_.bind(counterUnit);
   if (mediumPixels_ > smallPixels_) GroupCounts::dispatchFixed(start(mediumCopiesPath));
@@ -162,8 +161,7 @@ void CopyRaster::run(Pass pass, const Visibility& into, const MapPart& map) {
   if (pass != Pass::light) into.bind();
   into.nearKeys().bind(nearUnit);
   listedView_.bind(listUnit);
-  for (std::size_t part = 0; part < parts_.size(); ++part)
-    runPart(part, pass, into, map);
+  for (std::size_t part = 0; part < parts_.size(); ++part) runPart(part, pass, into, map);
 }
 
 void CopyRaster::drawNearest(const std::vector<Copies>& copies, const std::vector<unsigned>& firstIds,

@@ -17,8 +17,8 @@ class CopyRaster {
  public:
   enum class Into { picture, sunMap, lampMap };
   /// Triangles whose box has no side above `smallPixels` (0 to 64) are drawn by an invocation each, of the
-  /// others those of at most `mediumPixels` (to 64) by sixteen, the rest by groups, tile by tile; `pairs`: so
-  /// many triangles of copies at once. The same either way.
+  /// others those of at most `mediumPixels` (to 64) by sixteen, the rest by groups, tile by tile; `pairs`:
+  /// so many triangles of copies at once. The same either way.
   CopyRaster(Into into, int samples, int smallPixels = smallCopyTriangle(), unsigned pairs = pairsAtOnce(),
              int mediumPixels = mediumTriangle())
       : into_(into),

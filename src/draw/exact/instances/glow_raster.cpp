@@ -2,7 +2,7 @@
 
 #include "base/error.hpp"
 #include "draw/exact/bindings.hpp"
-#include "draw/exact/instances/parts.hpp"
+#include "draw/exact/parts.hpp"
 #include "draw/exact/reserve.hpp"
 #include "gl/element_array.hpp"
 #include "gl/limits.hpp"
@@ -62,7 +62,7 @@ void GlowRaster::run(bool large, const Visibility& picture) {
     kernel.set("draw_", static_cast<int>(i));
     kernel.set("firstLarge", firstLarge);
     kernel.set("smallPixels", smallPixels_);
-    kernel.set("roundPixels", roundPixels);
+    kernel.set("roundPixels", glows.discs ? 0.0F : roundPixels);
     firstLarge += glows.capacity;
     if (large)
       GroupCounts::dispatchList(kernel, largeGroups_, i, partsFor(picture.size(), picture.samples()));
@@ -90,8 +90,7 @@ void GlowRaster::draw(const std::vector<const sim::Instances*>& glows, const Vis
   gl::barrier();
   run(false, picture);
   groups_.prepareLists(
-      counters_,
-      {.counts = static_cast<int>(count), .parts = partsFor(picture.size(), picture.samples())},
+      counters_, {.counts = static_cast<int>(count), .parts = partsFor(picture.size(), picture.samples())},
       largeGroups_);
   run(true, picture);
   gl::barrier();

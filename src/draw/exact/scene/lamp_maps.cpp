@@ -47,7 +47,7 @@ LampMaps::LampMaps(const Lamps& lamps) : count_(lamps.order().shadowed) {
   for (const scene::Light* light : lamps.order().lights)
     if (light->shadow) softness_ = std::max(softness_, light->shadowSoftness);
   keys_.emplace("the shadow maps of the lights", lamps.order().atlas, 1, false);
-  raster_.emplace(TriangleRaster::Into::lampMap, 1, 64);
+  raster_.emplace(TriangleRaster::Into::lampMap, 1);
   const auto alignment = static_cast<std::size_t>(gl::limits().uniformAlignment);
   viewStride_ = (sizeof(shader::ExactView) + alignment - 1) / alignment * alignment;
   views_ =
@@ -75,6 +75,7 @@ void LampMaps::draw(const sim::Drawables& drawables, const Lamps& lamps, ExactIn
     views_.bindUniform(viewBinding, static_cast<std::size_t>(i) * viewStride_, sizeof(shader::ExactView));
     // As for the sun: a filter of r texels reads depths up to r + 1 texels of slope away.
     const MapPart part{.slopeOffset = 1.5F + softness_,
+                       .side = order.lights[lamp]->shadowSize,
                        .firstKey = order.rows[lamp] * order.atlas.x +
                                    i % shader::lampFaces * order.lights[lamp]->shadowSize,
                        .keyStride = order.atlas.x};
