@@ -1,8 +1,7 @@
 // One family of XPBD constraints, both colours, for devices whose stores are dear. Particles that a family ties together
 // form lines, each an invocation's own: it goes along its line, and each pair of the second colour follows as soon as
 // the pairs of the first colour on both sides of it are done. So every particle is loaded and stored once. The first
-// family starts from where step.comp would leave the particles, the last one leaves them as settle.comp does (FIRST,
-// LAST), so a substep is a dispatch for each family, and the bits are those of the three kernels.
+// family starts from where step.comp would leave the particles (FIRST), so the bits are those of both kernels.
 #include "cloth/kernel.glsl"
 layout(local_size_x = 8) in;
 INPUT_ARRAY(positionsBinding, PositionBlock, positions)
@@ -29,15 +28,7 @@ vec4 taken(ivec2 at, int i) {
 }
 
 void leave(int i, vec4 here) {
-#ifdef LAST
-  vec4 velocity = LOAD_ONCE(velocities, i);
-  Motion m = settled(loadPosition(i), here, HEIGHTS == 1, WALLS == 1);
-  if (isLost(m)) noteLost(uint(stepData.substep), uint(i));
-  STORE_STATE(nextPositions, i, vec4(m.position, here.w));
-  STORE_STATE(velocities, i, vec4(m.velocity, velocity.w));
-#else
   STORE_STATE(nextPositions, i, here);
-#endif
 }
 
 void relax(inout vec4 a, inout vec4 b, float restLength, float compliance) {

@@ -140,9 +140,17 @@ struct Motion {
   vec3 velocity;
 };
 
-// Out of a collider along its normal; relative to the collider the inward velocity goes and a fraction of the tangential
-// velocity stays.
-FUNCTION Motion outOf(int i, Motion m) {
+// What friction of at most `most` leaves of a sliding: 1 - most / |slide|, and none where that is less.
+FUNCTION float leftByFriction(vec3 slide, float most) {
+  precise float part = most * exactInverseSqrt(max(exactDot(slide, slide), 1e-24f));
+  precise float left = 1.0f - min(part, 1.0f);
+  return left;
+}
+
+// Out of a collider along its normal; relative to the collider the inward velocity goes. Of the tangential one a fraction
+// stays; or Coulomb's law takes as much as the coefficient times what is taken along the normal, of the way since `before`
+// too, so that what is held does not creep.
+FUNCTION Motion outOf(int i, Motion m, vec3 before) {
   vec3 a = vec3(stepData.colliders[i].a);
   vec3 b = vec3(stepData.colliders[i].b);
   bool plane = stepData.colliders[i].plane == 1;
@@ -162,9 +170,19 @@ FUNCTION Motion outOf(int i, Motion m) {
   precise vec3 surface = plane ? vec3(0.0f) : velocityA + (velocityB - velocityA) * t;
   precise vec3 relative = m.velocity - surface;
   float inward = exactDot(relative, normal);
-  precise vec3 kept = (relative - normal * inward) * stepData.colliders[i].grip +
-                      normal * max(inward, 0.0f) + surface;
-  precise vec3 pushed = m.position + normal * depth;
+  float friction = stepData.colliders[i].friction;
+  bool rubs = friction >= 0.0f;
+  precise vec3 sliding = relative - normal * inward;
+  precise float mostSpeed = friction * max(-inward, 0.0f);
+  float stays = rubs ? leftByFriction(sliding, mostSpeed) : stepData.colliders[i].grip;
+  precise vec3 kept = sliding * stays + normal * max(inward, 0.0f) + surface;
+  precise vec3 way = m.position - before - surface * stepData.dt;
+  float through = exactDot(way, normal);
+  precise vec3 slid = way - normal * through;
+  precise float mostWay = friction * max(depth, 0.0f);
+  float slides = rubs ? leftByFriction(slid, mostWay) : 1.0f;
+  precise float held = 1.0f - slides;
+  precise vec3 pushed = m.position + normal * depth - slid * held;
   m.position = touching ? pushed : m.position;
   m.velocity = touching ? kept : m.velocity;
   return m;
@@ -175,10 +193,10 @@ FUNCTION Motion outOf(int i, Motion m) {
 FUNCTION Motion contact(Motion m, vec3 before, bool lands, bool walled) {
 #ifdef COLLIDERS
 #define TIMES COLLIDERS
-#define REPEATED(i) m = outOf(i, m);
+#define REPEATED(i) m = outOf(i, m, before);
 #include "common/repeat.glsl"
 #else
-  for (int i = 0; i < stepData.colliderCount; ++i) m = outOf(i, m);
+  for (int i = 0; i < stepData.colliderCount; ++i) m = outOf(i, m, before);
 #endif
   if (lands) {
     Landing l = landed(m.position, m.velocity);

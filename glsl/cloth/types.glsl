@@ -34,6 +34,7 @@ struct STD140 Collider {
   float perLengthSquared; // 1/|b-a|^2, 0 for a sphere
   float grip;             // fraction of tangential velocity kept per substep
   int plane;              // 1: it is one
+  float friction;         // Coulomb's coefficient; below 0: grip
 };
 
 // Affine map of a pinned particle's rest position: row i gives component i.

@@ -39,10 +39,18 @@ std::vector<std::byte> bytesOf(const std::string& text) {
   return {bytes.begin(), bytes.end()};
 }
 
-/// Position, normal and, where there is one, uv of each vertex; then the triangles.
-std::vector<std::byte> meshPly(const sim::MeshTable& mesh, std::span<const std::string> comments) {
+/// Position, normal and, where there are, uv and what else is known of the points that are its vertices;
+/// then the triangles.
+std::vector<std::byte> meshPly(const sim::MeshTable& mesh, const sim::PointTable& points,
+                               std::span<const std::string> comments) {
+  constexpr std::size_t own = 3;  // x, y and z stand there already
   std::vector<const char*> columns = {"x", "y", "z", "nx", "ny", "nz"};
   if (!mesh.uvs.empty()) columns.insert(columns.end(), {"s", "t"});
+  const std::size_t width = points.columns.size();
+  if (width > own) {
+    SIMREEL_CHECK_EQ(points.values.size(), mesh.positions.size() * width);
+    columns.insert(columns.end(), points.columns.begin() + own, points.columns.end());
+  }
   std::vector<float> values;
   values.reserve(mesh.positions.size() * columns.size());
   for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
@@ -50,6 +58,7 @@ std::vector<std::byte> meshPly(const sim::MeshTable& mesh, std::span<const std::
     const glm::vec3& n = mesh.normals[i];
     values.insert(values.end(), {p.x, p.y, p.z, n.x, n.y, n.z});
     if (!mesh.uvs.empty()) values.insert(values.end(), {mesh.uvs[i].x, mesh.uvs[i].y});
+    for (std::size_t k = own; k < width; ++k) values.push_back(points.values[i * width + k]);
   }
   return frame::encodePly(columns, values, mesh.indices, comments);
 }
@@ -113,8 +122,8 @@ std::vector<std::byte> stateFile(const sim::World& world, std::size_t object, co
   const std::optional<sim::MeshTable> mesh = simulation.mesh();
   if (format == "glb") return frame::encodeGlb(*mesh, name, comments);
   if (format == "obj") return bytesOf(frame::encodeObj(*mesh, comments));
-  if (mesh) return meshPly(*mesh, comments);
   const sim::PointTable table = simulation.points();
+  if (mesh) return meshPly(*mesh, table, comments);
   return frame::encodePly(table.columns, table.values, comments);
 }
 

@@ -2,6 +2,8 @@
 
 #include "sim/core/shader_code.hpp"
 
+#include <algorithm>
+#include <span>
 #include <utility>
 
 #include <tbb/blocked_range.h>
@@ -11,6 +13,7 @@
 namespace {
 
 using namespace simreel::shader;
+#include "glsl/cloth/segment_links.glsl"
 
 #define FUNCTION inline
 #define precise
@@ -28,7 +31,13 @@ struct Kernel {
   [[nodiscard]] vec4 loadHeights(int i) const { return heights[i]; }
   [[nodiscard]] int loadWallClass(int x, int y) const { return walls->classAt(x, y); }
   [[nodiscard]] float loadWallValue(int x, int y) const { return walls->valueAt(x, y); }
+  int lineLinks = 0, lineStart = 0, linePace = 1;
+  float lineRest = 0, lineCompliance = 0, lineGive = 0;
+  float lineOnto[segmentLinks] = {}, lineFrom[segmentLinks] = {};
+  [[nodiscard]] vec4 lineParticle(int k) const { return source[lineStart + k * linePace]; }
+#include "glsl/cloth/line_model.glsl"
 #include "glsl/cloth/model.glsl"
+#include "glsl/cloth/segment.glsl"
 #include "glsl/contour/model.glsl"
 #include "glsl/contour/wall_model.glsl"
 #include "glsl/mesh/height_model.glsl"
@@ -48,6 +57,52 @@ void forRows(int rows, int threads, const Body& body) {
       for (int y = range.begin(); y < range.end(); ++y) body(y);
     });
   });
+}
+
+/// As glsl/cloth/solve_lines.comp, one segment after the other.
+void solveLine(Kernel& kernel, std::vector<vec4>& particles) {
+  std::vector<std::pair<int, int>> segments;  // first and last links
+  for (int first = 0; first < kernel.lineLinks; first += segmentLinks)
+    segments.emplace_back(first, min(first + segmentLinks, kernel.lineLinks) - 1);
+  float stretch = 0;
+  for (const auto& [first, last] : segments) stretch += kernel.stretchOfSegment(first, last);
+  kernel.lineGive = kernel.giveOf(stretch);
+  std::vector<Kernel::Reach> firsts;
+  std::vector<Kernel::Eliminated> separators;
+  for (const auto& [first, last] : segments) firsts.push_back(kernel.firstOfSegment(first, last));
+  Kernel::Eliminated eliminated{0, 0};
+  for (std::size_t s = 0; s < segments.size(); ++s) {
+    const auto mine = kernel.lastOfSegment(segments[s].first, segments[s].second);
+    const auto next = s + 1 < segments.size() ? firsts[s + 1] : Kernel::Reach{0, 0, 0};
+    eliminated = kernel.eliminate(kernel.separatorRow(mine, next), eliminated);
+    separators.push_back(eliminated);
+  }
+  std::vector<float> multipliers(static_cast<std::size_t>(kernel.lineLinks));
+  float after = 0;
+  for (std::size_t s = segments.size(); s-- > 0;) {
+    after = kernel.substituted(separators[s].onto, separators[s].from, after);
+    separators[s].onto = after;
+  }
+  for (std::size_t s = 0; s < segments.size(); ++s) {
+    const auto [first, last] = segments[s];
+    kernel.solveSegment(first, last, s > 0 ? separators[s - 1].onto : 0.0F, separators[s].onto);
+    for (int k = first; k <= last; ++k)
+      multipliers[static_cast<std::size_t>(k)] = kernel.lineOnto[k - first];
+  }
+  std::vector<vec4> moved;
+  vec3 before(0);
+  for (int k = 0; k <= kernel.lineLinks; ++k) {
+    const bool more = k < kernel.lineLinks;
+    const vec4 here = kernel.lineParticle(k);
+    const vec3 pull = more ? kernel.pullBetween(here, kernel.lineParticle(k + 1), true,
+                                                multipliers[static_cast<std::size_t>(k)])
+                           : vec3(0);
+    moved.push_back(kernel.pulled(here, before, pull));
+    before = pull;
+  }
+  for (int k = 0; k <= kernel.lineLinks; ++k)
+    particles[static_cast<std::size_t>(kernel.lineStart + k * kernel.linePace)] =
+        moved[static_cast<std::size_t>(k)];
 }
 
 }  // namespace
@@ -98,7 +153,8 @@ void ClothTwin::substep(const ClothStep& data, int threads, int index) {
 void ClothTwin::constrain(const ClothStep& data) {
   const ivec2 size = plan_.parameters().size;
   Kernel kernel{size, data, next_.data()};
-  for (const simreel::sim::SpringFamily& f : simreel::sim::springFamilies)
+  const auto families = std::span(simreel::sim::springFamilies).subspan(simreel::sim::firstRelaxed);
+  for (const simreel::sim::SpringFamily& f : families)
     for (int color = 0; color < 2; ++color)
       for (int y = 0; y < size.y; ++y)
         for (int x = 0; x < size.x; ++x) {
@@ -113,4 +169,13 @@ void ClothTwin::constrain(const ClothStep& data) {
           a = vec4(vec3(a) - shift * a.w, a.w);
           b = vec4(vec3(b) + shift * b.w, b.w);
         }
+  for (const bool rows : {true, false})
+    for (int line = 0; line < (rows ? size.y : size.x); ++line) {
+      kernel.lineLinks = (rows ? size.x : size.y) - 1;
+      kernel.lineStart = rows ? line * size.x : line;
+      kernel.linePace = rows ? 1 : size.x;
+      kernel.lineRest = kernel.springLength(0);
+      kernel.lineCompliance = kernel.scaledCompliance(0);
+      solveLine(kernel, next_);
+    }
 }

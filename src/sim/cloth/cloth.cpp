@@ -6,6 +6,7 @@
 #include "gl/program.hpp"
 #include "sim/cloth/plan.hpp"
 #include "sim/cloth/quantities.hpp"
+#include "sim/cloth/sheet_mesh.hpp"
 #include "sim/contour/walls.hpp"
 #include "sim/core/kind.hpp"
 #include "sim/core/step_blocks.hpp"
@@ -13,29 +14,18 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <iterator>
+#include <optional>
+#include <span>
 #include <utility>
 
 namespace simreel::shader::cloth {
 #include "glsl/cloth/bindings.glsl"
-}
+#include "glsl/cloth/segment_links.glsl"
+}  // namespace simreel::shader::cloth
 
 namespace simreel::sim {
 
 namespace {
-
-/// Two triangles a quad, x fastest.
-std::vector<unsigned> gridIndices(glm::ivec2 size) {
-  std::vector<unsigned> indices;
-  indices.reserve(static_cast<std::size_t>(size.x - 1) * static_cast<std::size_t>(size.y - 1) * 6);
-  for (int y = 0; y + 1 < size.y; ++y)
-    for (int x = 0; x + 1 < size.x; ++x) {
-      const auto a = static_cast<unsigned>(y * size.x + x);
-      const auto below = a + static_cast<unsigned>(size.x);
-      indices.insert(indices.end(), {a, below, a + 1, a + 1, below, below + 1});
-    }
-  return indices;
-}
 
 class Cloth : public Simulation {
  public:
@@ -81,11 +71,8 @@ class Cloth : public Simulation {
       }
       if (walls_ != nullptr) walls_->bind();
       gl::barrier();
-      if (constrained_ && inLines_)
-        constrainLines();
-      else
-        step_.dispatch(size_.x, size_.y);
-      if (constrained_ && !inLines_) constrain();
+      if (!(constrained_ && inLines_)) step_.dispatch(size_.x, size_.y);
+      if (constrained_) constrain();
       std::swap(positions_[0], positions_[1]);
       if (watch) watch(i + 1);
     }
@@ -130,6 +117,9 @@ class Cloth : public Simulation {
                                                velocities[i].x, velocities[i].y, velocities[i].z});
     return table;
   }
+  [[nodiscard]] std::optional<MeshTable> mesh() const override {
+    return sheetMesh(size_, positions_[0].buffer().readAll<glm::vec4>());
+  }
   [[nodiscard]] const gl::Buffer* status() const override { return &status_; }
   [[nodiscard]] std::vector<double> measure() const override {
     return measureCloth(plan_.parameters(), positions_[0].buffer().readAll<glm::vec4>(),
@@ -172,15 +162,16 @@ class Cloth : public Simulation {
     if (gl::memoryPath() == gl::MemoryPath::texel)
       defines.emplace_back("COLLIDERS", std::to_string(plan_.colliderCount()));
     define("AIR", plan_.parameters().hasAir);
+    if (constrained_) {
+      rows_ = lineSolver(defines, "ROWS", size_.x);
+      columns_ = lineSolver(defines, "LAST", size_.y);
+    }
     if (constrained_ && inLines_) {
       make(constrain_, "cloth/constrain_lines.comp");
       defines.emplace_back("FIRST", "1");
       make(step_, "cloth/constrain_lines.comp");
-      defines.back().first = "LAST";
-      make(settle_, "cloth/constrain_lines.comp");
     } else {
       if (constrained_) make(constrain_, "cloth/constrain.comp");
-      if (constrained_) make(settle_, "cloth/settle.comp");
       define("SPRINGS", !constrained_);
       define("CONTACT", !constrained_);
       make(step_, "cloth/step.comp");
@@ -188,34 +179,55 @@ class Cloth : public Simulation {
     step_.checkUniformBlock("StepBlock", sizeof(shader::ClothStep));
   }
 
-  /// The kernel that touches colliders.
-  [[nodiscard]] const gl::Program& touching() const { return constrained_ ? settle_ : step_; }
-
-  void constrain() {
-    for (const SpringFamily& family : springFamilies)
-      for (int color = 0; color < 2; ++color) {  // keeps a family's pairs apart
-        gl::barrier();
-        constrain_.set("reach", family.reach);
-        constrain_.set("kind", family.kind);
-        constrain_.set("color", color);
-        constrain_.dispatch(size_.x, size_.y);
-      }
-    gl::barrier();
-    settle_.dispatch(size_.x, size_.y);
+  /// Of lines of so many particles; a group has as many of them as it has room for, up to a software
+  /// driver's vector.
+  [[nodiscard]] gl::Program lineSolver(gl::Defines defines, const char* kind, int particles) const {
+    constexpr int groupSize = 1024;  // every device has it
+    constexpr int vector = 8;
+    const int segments = segmentsOf(particles);
+    const int lines = std::clamp(groupSize / segments, 1, vector);
+    defines.emplace_back(kind, "1");
+    defines.emplace_back("LINES", std::to_string(lines));
+    defines.emplace_back("SEGMENTS", std::to_string(segments));
+    gl::Program program = gl::Program::compute("cloth/solve_lines.comp", defines);
+    program.set("size", size_);
+    program.set("lines", size_.x * size_.y / particles);
+    return program;
   }
 
-  void constrainLines() {
-    for (const SpringFamily& family : springFamilies) {
-      const bool first = &family == std::begin(springFamilies),
-                 last = &family + 1 == std::end(springFamilies);
-      const gl::Program& program = first ? step_ : last ? settle_ : constrain_;
-      const int lines = lineCount(family.reach);
+  /// The kernel that touches colliders.
+  [[nodiscard]] const gl::Program& touching() const { return constrained_ ? columns_ : step_; }
+
+  /// From where the particles would go to where they may.
+  void constrain() {
+    for (const SpringFamily& family : relaxedFamilies()) {
+      const gl::Program& program = inLines_ && &family == relaxedFamilies().data() ? step_ : constrain_;
       program.set("reach", family.reach);
       program.set("kind", family.kind);
-      program.set("lines", lines);
-      gl::barrier();
-      program.dispatch(lines);
+      if (inLines_) {
+        const int lines = lineCount(family.reach);
+        program.set("lines", lines);
+        gl::barrier();
+        program.dispatch(lines);
+        continue;
+      }
+      for (int color = 0; color < 2; ++color) {  // keeps a family's pairs apart
+        gl::barrier();
+        program.set("color", color);
+        program.dispatch(size_.x, size_.y);
+      }
     }
+    gl::barrier();
+    rows_.dispatch(size_.y, segmentsOf(size_.x));
+    gl::barrier();
+    columns_.dispatch(size_.x, segmentsOf(size_.y));
+  }
+
+  static std::span<const SpringFamily> relaxedFamilies() {
+    return std::span(springFamilies).subspan(firstRelaxed);
+  }
+  static int segmentsOf(int particles) {
+    return (particles - 1 + shader::cloth::segmentLinks - 1) / shader::cloth::segmentLinks;
   }
 
   /// Lines of particles that a family ties together: one begins wherever nothing lies a reach before.
@@ -230,7 +242,8 @@ class Cloth : public Simulation {
   ClothPlan plan_;
   glm::ivec2 size_;
   bool constrained_;  ///< by XPBD; else springs
-  /// Whether an invocation takes a line of constraints (constrain_lines.comp) instead of one.
+  /// Whether an invocation takes a line of pairs (constrain_lines.comp) instead of one, and the first also
+  /// steps.
   bool inLines_ = gl::memoryPath() == gl::MemoryPath::texel;
   const HeightField* heights_;    ///< null: none in the scene
   const Walls* walls_ = nullptr;  ///< null: it meets none
@@ -241,7 +254,7 @@ class Cloth : public Simulation {
   gl::Buffer indices_;
   gl::Buffer status_;
   StepBlocks<shader::ClothStep> steps_;
-  gl::Program step_, constrain_, settle_;
+  gl::Program step_, constrain_, rows_, columns_;
 };
 
 }  // namespace

@@ -111,13 +111,29 @@ void ClothParameters::describe(scene::Fields& f) {
     f.error("pins", fmt::format("at most {} groups of pins", shader::maxPinFrames));
 }
 
+double ClothParameters::greatestLoad() const {
+  const auto greatest = [](const scene::Animated<glm::vec3>& vector) {
+    double most = 0;
+    for (const auto& key : vector.keys()) {
+      const glm::dvec3 v(key.value);
+      most = std::max(most, std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z));
+    }
+    return most;
+  };
+  return greatest(gravity) + greatest(wind) / mass;
+}
+
 double ClothParameters::stableSeconds() const {
   // Semi-implicit Euler of x'' = -w^2 x - c x' stays bounded while (w dt)^2 + 2 c dt < 4. At rest the
   // lattice's fastest mode has w^2 <= 4 (k + ks + kb) / m. Drag alone slows down at c = rho (Cd + Cl) A |v|
   // / m: the force's half of the square, differentiated.
+  // Constraints do not limit it by themselves; but the weight of N particles that hang on a line pulls it
+  // straight with T = N m a, and a straight line of masses swings sideways with w^2 <= 4 T / (m L) = 4 N a
+  // / L.
+  const double hanging = 4.0 * std::max(size.x, size.y) * greatestLoad() / spacing;
   const double w2 = solver == ClothSolver::springs
                         ? 4.0 * static_cast<double>(stiffness) * (1.0 + shear + bend) / mass
-                        : 0.0;
+                        : hanging;
   const double c = hasAir ? air.density * static_cast<double>(air.drag + air.lift) * spacing * spacing *
                                 fastestAir(air) / mass
                           : 0.0;
@@ -145,9 +161,8 @@ std::string ClothParameters::instability(double frameSeconds) const {
       "{} substeps are fewer than the {} that its {} need to be stable (substep {:.3g} s, limit {:.3g} s); "
       "{}",
       *substeps, substepsFor(frameSeconds, stable),
-      !hasAir                          ? "springs"
-      : solver == ClothSolver::springs ? "springs and the fastest air"
-                                       : "fastest air",
+      std::string(solver == ClothSolver::springs ? "springs" : "hanging rows") +
+          (hasAir ? " and the fastest air" : ""),
       frameSeconds / *substeps, stable, steadierWay(frameSeconds));
 }
 

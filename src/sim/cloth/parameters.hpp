@@ -61,7 +61,7 @@ struct ClothParameters : ObjectParameters, shader::ClothConstants {
   [[nodiscard]] std::string meetsWalls() const override { return walls; }
 
   /// Longest stable substep in seconds, of the sheet near rest in the fastest air and gusts of the whole
-  /// run; infinite for constraints without air.
+  /// run; with constraints, of one that hangs by a border.
   [[nodiscard]] double stableSeconds() const;
   /// Why the given substeps are too few and what to do; empty when they are enough or "auto".
   [[nodiscard]] std::string instability(double frameSeconds) const;
@@ -72,6 +72,8 @@ struct ClothParameters : ObjectParameters, shader::ClothConstants {
   [[nodiscard]] std::vector<int> pinnedBy(const PinGroup& group) const;
 
  private:
+  /// m/s^2, greatest of gravity and wind in the whole run.
+  [[nodiscard]] double greatestLoad() const;
   [[nodiscard]] std::string steadierWay(double frameSeconds) const;
 };
 

@@ -93,6 +93,7 @@ shader::Collider ClothPlan::colliderAt(const ColliderShape& shape, double time) 
   const auto rate = static_cast<float>(1.0 / substepSeconds_);
   shader::Collider c{};
   c.grip = kept(shape.grip, substepSeconds_);
+  c.friction = static_cast<float>(shape.friction.value_or(-1.0));
   if (shape.kind == ColliderShape::Kind::plane) {
     const glm::vec3 n = now[2];
     const glm::vec3 p = shape.position.at(time);

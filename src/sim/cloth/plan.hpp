@@ -12,14 +12,15 @@
 
 namespace simreel::sim {
 
-/// The springs or constraints of a sheet: each particle has one of each family, to the neighbour at
-/// `reach`.
+/// The springs of a sheet: each particle has one of each family, to the neighbour at `reach`. Constraints
+/// of the structural ones are solved a line at a time (glsl/cloth/line_model.glsl), after all others.
 struct SpringFamily {
   glm::ivec2 reach;  ///< cells
   int kind;          ///< 0 structural, 1 shear, 2 bend (glsl/cloth/model.glsl)
 };
 inline constexpr SpringFamily springFamilies[] = {{{1, 0}, 0},  {{0, 1}, 0}, {{1, 1}, 1},
                                                   {{-1, 1}, 1}, {{2, 0}, 2}, {{0, 2}, 2}};
+inline constexpr int firstRelaxed = 2;  ///< the families from here on are relaxed pair by pair
 
 /// Everything of a cloth that is decided on the CPU: its first state and, frame by frame, what each substep
 /// is told. Shared by the GPU simulation and its CPU twin, so both start and go on from the same numbers.

@@ -1,6 +1,8 @@
 #pragma once
 #include "scene/animated.hpp"
 
+#include <optional>
+
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 
@@ -15,6 +17,7 @@ struct ColliderShape {
   float radius = 1.0F;                  ///< m
   float length = 0.0F;                  ///< m between the centres of a capsule's ends
   float grip = 25.3F;                   ///< 1/s at which tangential velocity is lost in contact
+  std::optional<double> friction;       ///< Coulomb's coefficient, instead of `grip`
 };
 
 /// Rotation by degrees about x, then y, then z (R = Rz Ry Rx), through the exact sine: same bits

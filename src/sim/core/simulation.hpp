@@ -134,7 +134,8 @@ class Simulation {
   [[nodiscard]] virtual StateFile stateFile() const { return {}; }
   /// What it counts per step; no columns for things that count nothing.
   [[nodiscard]] virtual CountTable counts() const { return {}; }
-  /// What `simreel bake` writes of things that deform a mesh; nothing for others.
+  /// What `simreel bake` writes of things that are a surface; nothing for others. Where they are points,
+  /// too, these are its vertices, one by one.
   [[nodiscard]] virtual std::optional<MeshTable> mesh() const { return std::nullopt; }
   /// What `simreel bake` writes of things that have contours; nothing for others. After settle().
   [[nodiscard]] virtual std::optional<ContourLines> lines() const { return std::nullopt; }

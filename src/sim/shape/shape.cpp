@@ -63,6 +63,9 @@ void ShapeParameters::describe(scene::Fields& f) {
   f.boolean("visible", visible, "Whether it is drawn.");
   f.number("grip", shape.grip, {0, 1e6}, "1/s",
            "Rate at which cloth sliding over it loses speed; 25.3 keeps 0.9 at 240 Hz.");
+  f.optionalNumber("friction", shape.friction, {0, 100}, "",
+                   "Coulomb's coefficient, instead of grip: cloth holds on slopes up to its arc tangent.");
+  if (shape.friction && f.given("grip")) f.error("friction", "give \"grip\" or \"friction\", not both");
 }
 
 SimulationKind sphereKind() {

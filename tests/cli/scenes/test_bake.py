@@ -12,8 +12,9 @@ def read_ply(data):
     assert lines[:2] == ["ply", "format binary_little_endian 1.0"], lines
     names = [line.split()[2] for line in lines if line.startswith("property float ")]
     (count,) = [int(line.split()[2]) for line in lines if line.startswith("element vertex ")]
-    assert len(body) == count * len(names) * 4, (len(body), count)
-    values = struct.unpack(f"<{count * len(names)}f", body)
+    faces = sum(int(line.split()[2]) for line in lines if line.startswith("element face "))
+    assert len(body) == count * len(names) * 4 + faces * 13, (len(body), count)
+    values = struct.unpack_from(f"<{count * len(names)}f", body)
     rows = [values[i:i + len(names)] for i in range(0, len(values), len(names))]
     return [line[8:] for line in lines if line.startswith("comment ")], names, rows
 
@@ -27,14 +28,37 @@ class Bake(Case):
         self.assertEqual(sorted(p.name for p in (self.folder / "out").iterdir()),
                          [f"flag_{frame:06}.ply" for frame in range(6)])
         comments, names, rows = self.read("out/flag_000005.ply")
-        self.assertEqual(names, ["x", "y", "z", "vx", "vy", "vz"])
+        self.assertEqual(names, ["x", "y", "z", "nx", "ny", "nz", "s", "t", "vx", "vy", "vz"])
         self.assertEqual(len(rows), 9 * 7)
         self.assertIn("object flag frame 5 time 0.166667 s seed 1", comments)
         # It falls from rest: lower in each frame, and faster.
         heights = [sum(row[1] for row in self.read(f"out/flag_{frame:06}.ply")[2]) for frame in range(6)]
         self.assertEqual(heights, sorted(heights, reverse=True))
-        self.assertEqual({row[3:] for row in self.read("out/flag_000000.ply")[2]}, {(0.0, 0.0, 0.0)})
-        self.assertLess(min(row[4] for row in rows), 0)
+        self.assertEqual({row[8:] for row in self.read("out/flag_000000.ply")[2]}, {(0.0, 0.0, 0.0)})
+        self.assertLess(min(row[9] for row in rows), 0)
+
+    def test_cloth_is_a_surface(self):
+        self.good("bake", "scene.json", "-o", "out", "--frames", "5")
+        self.good("bake", "scene.json", "-o", "out", "--frames", "5", "--format", "obj")
+        self.good("bake", "scene.json", "-o", "out", "--frames", "5", "--format", "glb")
+        head, _, body = (self.folder / "out/flag_000005.ply").read_bytes().partition(b"end_header\n")
+        self.assertIn(b"element face 96\nproperty list uchar uint vertex_indices\n", head)
+        rows = self.read("out/flag_000005.ply")[2]
+        faces = [struct.unpack_from("<3I", body, len(rows) * 44 + 13 * i + 1) for i in range(96)]
+        # Faces and normals look the same way, and the faces are as large as the sheet.
+        area = 0
+        for face in faces:
+            a, b, c = (rows[i] for i in face)
+            across, along = ([q[k] - a[k] for k in range(3)] for q in (b, c))
+            cross = [across[(k + 1) % 3] * along[(k + 2) % 3] - across[(k + 2) % 3] * along[(k + 1) % 3] for k in range(3)]
+            area += 0.5 * math.sqrt(sum(x * x for x in cross))
+            for i in face:
+                self.assertGreater(sum(x * n for x, n in zip(cross, rows[i][3:6])), 0)
+        self.assertAlmostEqual(area, 0.8 * 0.6, delta=0.1)  # it is in folds
+        self.assertEqual([rows[0][6:8], rows[8][6:8], rows[62][6:8]], [(0, 0), (1, 0), (1, 1)])
+        # And back: what bake wrote is read as a mesh.
+        self.write("again.json", with_values({"objects": {"m": {"mesh": {"shape": "file", "file": "out/flag_000005.obj"}}}}))
+        self.good("render", "again.json", "-o", "again.png", "--frames", "0")
 
     def test_some_frames_are_the_same_as_all(self):
         self.good("bake", "scene.json", "-o", "all")

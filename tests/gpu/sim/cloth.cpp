@@ -109,3 +109,34 @@ TEST_CASE("cloth with constraints equals its CPU twin") {
   ball.radius = 0.6F;
   compare(p, 75, {ball});
 }
+
+TEST_CASE("long lines of constraints, pinned anywhere, equal their CPU twin") {
+  // More segments than one on either side, the last of them of one link; and lines longer than a group's
+  // room.
+  for (const glm::ivec2 size : {glm::ivec2(3, 130), glm::ivec2(34, 18), glm::ivec2(2, 2100)}) {
+    auto p = sheet(size.x, size.y);
+    p.solver = sim::ClothSolver::constraints;
+    p.spacing = 0.01F;
+    p.mass = 1e-4F;
+    p.pins.front().points = {{1, size.y / 2}, {1, size.y / 2 + 1}};
+    compare(p, 9);
+  }
+}
+
+TEST_CASE("cloth that rubs on moving colliders equals its CPU twin") {
+  for (const auto solver : {sim::ClothSolver::springs, sim::ClothSolver::constraints}) {
+    auto p = sheet(33, 21);
+    p.solver = solver;
+    p.pins.clear();
+    sim::ColliderShape ball;
+    ball.position = scene::Animated<glm::vec3>(
+        {{0.0, glm::vec3(0, -0.8F, 0)}, {1.0, glm::vec3(0.4F, -0.7F, 0.1F)}}, scene::Ease::linear);
+    ball.radius = 0.6F;
+    ball.friction = 0.3;
+    sim::ColliderShape floor;
+    floor.kind = sim::ColliderShape::Kind::plane;
+    floor.position = glm::vec3(0, -1.2F, 0);
+    floor.friction = 0.5;
+    compare(p, 75, {ball, floor});
+  }
+}

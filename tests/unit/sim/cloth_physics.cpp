@@ -148,6 +148,122 @@ TEST_CASE("constraints stretch by compliance times load, whatever the number of 
   }
 }
 
+namespace {
+
+/// Three columns of so many rows of cotton, 2 cm apart, without wind.
+sim::ClothParameters longSheet(int rows) {
+  sim::ClothParameters p = freeSheet(3, rows);
+  p.spacing = 0.02F;
+  p.mass = 0.2F * p.spacing * p.spacing;
+  p.gravity = glm::vec3(0, -9.8F, 0);
+  p.solver = sim::ClothSolver::constraints;
+  p.shearCompliance = 1.0F / 300;
+  p.bendCompliance = 1;
+  p.substeps = 8;
+  p.damping = 0.5F;
+  return p;
+}
+
+/// Length of the middle column as a ratio to rest.
+double columnStretch(const ClothTwin& twin, int rows) {
+  double length = 0;
+  for (int y = 0; y + 1 < rows; ++y) {
+    const auto i = static_cast<std::size_t>(3 * y + 1);
+    length +=
+        static_cast<double>(glm::length(glm::vec3(twin.positions[i + 3]) - glm::vec3(twin.positions[i])));
+  }
+  return length / (0.02 * (rows - 1));
+}
+
+}  // namespace
+
+TEST_CASE("rigid constraints hold however many rows hang on them") {
+  for (const int rows : {16, 64, 256, 1024}) {
+    CAPTURE(rows);
+    sim::ClothParameters p = longSheet(rows);
+    p.substeps.reset();                // "auto"
+    p.rotation = glm::vec3(90, 0, 0);  // hanging
+    p.pins.emplace_back().rows = {0};
+    ClothTwin twin = makeTwin(p);
+    double worst = 0;
+    for (int frame = 0; frame < 90; ++frame) {
+      twin.step(frame * frameSeconds);
+      worst = std::max(worst, columnStretch(twin, rows));
+    }
+    CHECK(worst < 1.003);
+    CHECK(worst > 0.999);
+  }
+}
+
+TEST_CASE("rigid constraints hold in a swing, and over a bar without pins") {
+  constexpr int rows = 256;
+  for (const bool swinging : {true, false}) {
+    CAPTURE(swinging);
+    sim::ClothParameters p = longSheet(rows);
+    p.substeps = 16;  // in the lowest place it pulls with three times its weight
+    std::vector<sim::ColliderShape> bars;
+    if (swinging) {
+      p.pins.emplace_back().rows = {0};  // lying down at first
+    } else {
+      sim::ColliderShape bar;
+      bar.kind = sim::ColliderShape::Kind::capsule;
+      bar.rotation = glm::vec3(0, 0, 90);
+      bar.length = 4;
+      bar.radius = 0.3F;
+      bar.position = glm::vec3(0, -0.35F, 0.1F);
+      bars = {bar};
+    }
+    ClothTwin twin = makeTwin(p, bars);
+    double worst = 0;
+    for (int frame = 0; frame < 60; ++frame) {
+      twin.step(frame * frameSeconds);
+      worst = std::max(worst, columnStretch(twin, rows));
+    }
+    CHECK(worst < 1.01);
+  }
+}
+
+TEST_CASE("rigid rows between pins too far apart, or taut, stay even and at rest") {
+  for (const float scale : {1.0F, 1.2F}) {
+    CAPTURE(scale);
+    sim::ClothParameters p = freeSheet(65, 3);
+    p.spacing = 0.02F;
+    p.mass = 1e-4F;
+    p.solver = sim::ClothSolver::constraints;
+    p.substeps = 8;
+    p.damping = 5;
+    sim::PinGroup& ends = p.pins.emplace_back();
+    ends.columns = {0, -1};
+    ends.scale = glm::vec3(scale, 1, 1);
+    ClothTwin twin = makeTwin(p);
+    for (int frame = 0; frame < 120; ++frame) twin.step(frame * frameSeconds);
+    double fastest = 0;
+    double uneven = 0;
+    for (std::size_t i = 65; i + 1 < 130; ++i) {
+      fastest = std::max(fastest, static_cast<double>(glm::length(glm::vec3(twin.velocities[i]))));
+      const double length = twin.positions[i + 1].x - twin.positions[i].x;
+      uneven = std::max(uneven, std::abs(length / (0.02 * static_cast<double>(scale)) - 1));
+    }
+    CHECK(fastest < 0.02);
+    CHECK(uneven < 0.1);
+  }
+}
+
+TEST_CASE("a compliant line stretches by its weight: rho g H / 2k beyond its length") {
+  constexpr int rows = 64;
+  sim::ClothParameters p = longSheet(rows);
+  p.rotation = glm::vec3(90, 0, 0);
+  p.pins.emplace_back().rows = {0};
+  p.compliance = 1.0F / 50;  // of a thread: 50 N/m
+  p.damping = 6;
+  ClothTwin twin = makeTwin(p);
+  for (int frame = 0; frame < 400; ++frame) twin.step(frame * frameSeconds);
+  // Link k from the top carries the rows below it.
+  const double weight = static_cast<double>(p.mass) * 9.8;
+  const double sum = weight * (rows - 1) * rows / 2 / 50;
+  CHECK(columnStretch(twin, rows) - 1 == doctest::Approx(sum / (0.02 * (rows - 1))).epsilon(0.02));
+}
+
 TEST_CASE("energy decays and never grows with the wind off") {
   sim::ClothParameters p;
   p.size = {17, 13};
@@ -222,6 +338,35 @@ TEST_CASE("no particle ends below the ground") {
     }
     CHECK(touched);
   }
+}
+
+TEST_CASE("friction: cloth holds below the angle of friction and slides by Coulomb's law above") {
+  for (const auto solver : {sim::ClothSolver::springs, sim::ClothSolver::constraints})
+    for (const double degrees : {5.0, 10.0, 20.0, 40.0}) {
+      CAPTURE(degrees);
+      constexpr double coefficient = 0.2;  // 11.3 degrees
+      sim::ClothParameters p = freeSheet(9, 7);
+      p.solver = solver;
+      p.gravity = glm::vec3(0, -9.8F, 0);
+      p.margin = 0;
+      p.damping = 0;
+      p.rotation = glm::vec3(0, 0, static_cast<float>(degrees));
+      sim::ColliderShape slope;
+      slope.kind = sim::ColliderShape::Kind::plane;
+      slope.rotation = glm::vec3(0, 0, static_cast<float>(degrees));
+      slope.friction = coefficient;
+      ClothTwin twin = makeTwin(p, {slope});
+      const glm::vec3 start(twin.positions[31]);
+      const double angle = degrees / 57.29577951308232;
+      const double pull = std::sin(angle) - coefficient * std::cos(angle);
+      const int frames = pull < 0 ? 600 : 60;
+      for (int frame = 0; frame < frames; ++frame) twin.step(frame * frameSeconds);
+      const double gone = glm::length(glm::dvec3(twin.positions[31]) - glm::dvec3(start));
+      if (pull < 0)
+        CHECK(gone < 1e-4);
+      else
+        CHECK(gone == doctest::Approx(0.5 * 9.8 * pull).epsilon(0.01));
+    }
 }
 
 TEST_CASE("air drags a flat face with half rho Cd A v^2 and lifts nothing face-on") {

@@ -190,6 +190,12 @@ TEST_CASE("too few substeps are told with a way that helps") {
   CHECK_FALSE(has(stiff, "auto"));
   p.solver = sim::ClothSolver::constraints;
   CHECK(p.instability(1 / 60.0) == "");
+  // 300 rows at 2 cm: sqrt(0.02 / (300 * 9.8)) = 2.608 ms.
+  p.size = {4, 300};
+  p.spacing = 0.02F;
+  p.wind = glm::vec3(0);
+  p.gravity = glm::vec3(0, -9.8F, 0);
+  CHECK(has(p.instability(1 / 60.0), "4 substeps are fewer than the 7 that its hanging rows need"));
 }
 
 TEST_CASE("auto refuses what more substeps than there may be would take") {

@@ -1,0 +1,128 @@
+// Structural constraints of every row (ROWS) or column at once, line_model.glsl: a group has some lines, an invocation a
+// segment of one. LAST: leaves the particles as they are after the substep, with their velocities. LINES of a group,
+// SEGMENTS of a line.
+#include "cloth/kernel.glsl"
+layout(local_size_x = LINES, local_size_y = SEGMENTS) in;
+#ifdef LAST
+INPUT_ARRAY(positionsBinding, PositionBlock, positions)
+STATE_ARRAY(velocitiesBinding, VelocityBlock, velocities)
+#endif
+STATE_ARRAY(nextPositionsBinding, NextBlock, nextPositions)
+uniform int lines;
+int lineLinks = 0, lineStart = 0, linePace = 1;
+float lineRest = 0.0f, lineCompliance = 0.0f, lineGive = 0.0f;
+
+vec4 loadPosition(int i) {
+#ifdef LAST
+  return LOAD_INPUT(positions, i);
+#else
+  return LOAD_ONCE(nextPositions, i);
+#endif
+}
+#include "cloth/model.glsl"
+
+vec4 lineParticle(int k) {
+  return LOAD_ONCE(nextPositions, lineStart + k * linePace);
+}
+#include "cloth/line_model.glsl"
+float lineOnto[segmentLinks], lineFrom[segmentLinks];
+#include "cloth/segment.glsl"
+
+shared float lastFixed[SEGMENTS * LINES], lastLeft[SEGMENTS * LINES], lastRight[SEGMENTS * LINES];
+shared float firstFixed[SEGMENTS * LINES], firstLeft[SEGMENTS * LINES], firstRight[SEGMENTS * LINES];
+
+void leave(int k, vec4 here) {
+  int i = lineStart + k * linePace;
+#ifdef LAST
+  vec4 velocity = LOAD_ONCE(velocities, i);
+  Motion m = settled(loadPosition(i), here, HEIGHTS == 1, WALLS == 1);
+  if (isLost(m)) noteLost(uint(stepData.substep), uint(i));
+  STORE_STATE(nextPositions, i, vec4(m.position, here.w));
+  STORE_STATE(velocities, i, vec4(m.velocity, velocity.w));
+#else
+  STORE_STATE(nextPositions, i, here);
+#endif
+}
+
+// Leaves the separators of a line of the group in lastFixed.
+void solveSeparators(int slot, int segments) {
+  Eliminated eliminated = Eliminated(0.0f, 0.0f);
+  for (int s = 0; s < segments; ++s) {
+    int i = s * LINES + slot, j = i + LINES;
+    Reach mine = Reach(lastFixed[i], lastLeft[i], lastRight[i]);
+    Reach next = Reach(0.0f, 0.0f, 0.0f);
+    if (s + 1 < segments) next = Reach(firstFixed[j], firstLeft[j], firstRight[j]);
+    eliminated = eliminate(separatorRow(mine, next), eliminated);
+    lastFixed[i] = eliminated.onto;
+    lastRight[i] = eliminated.from;
+  }
+  float after = 0.0f;
+  for (int s = segments - 1; s >= 0; --s) {
+    int i = s * LINES + slot;
+    after = substituted(lastFixed[i], lastRight[i], after);
+    lastFixed[i] = after;
+  }
+}
+
+void main() {
+  int slot = int(gl_LocalInvocationID.x), segment = int(gl_LocalInvocationID.y), me = segment * LINES + slot;
+  int line = int(gl_WorkGroupID.x) * LINES + slot;
+#ifdef ROWS
+  lineLinks = size.x - 1;
+  lineStart = line * size.x;
+  linePace = 1;
+#else
+  lineLinks = size.y - 1;
+  lineStart = line;
+  linePace = size.x;
+#endif
+  lineRest = springLength(0);
+  lineCompliance = scaledCompliance(0);
+  int segments = (lineLinks + segmentLinks - 1) / segmentLinks;
+  int first = segment * segmentLinks, last = min(first + segmentLinks, lineLinks) - 1;
+  bool mine = line < lines && segment < segments;
+  if (mine) lastFixed[me] = stretchOfSegment(first, last);
+  barrier();
+  if (mine && segment == 0) {
+    precise float sum = 0.0f;
+    for (int s = 0; s < segments; ++s) sum = sum + lastFixed[s * LINES + slot];
+    firstFixed[slot] = giveOf(sum);
+  }
+  barrier();
+  if (mine) lineGive = firstFixed[slot];
+  barrier();
+  if (mine) {
+    Reach end = lastOfSegment(first, last), begin = firstOfSegment(first, last);
+    lastFixed[me] = end.fixed_;
+    lastLeft[me] = end.left;
+    lastRight[me] = end.right;
+    firstFixed[me] = begin.fixed_;
+    firstLeft[me] = begin.left;
+    firstRight[me] = begin.right;
+  }
+  barrier();
+  if (mine && segment == 0) solveSeparators(slot, segments);
+  barrier();
+  vec4 before = vec4(0.0f), beyond = vec4(0.0f);
+  float leftOne = 0.0f;
+  if (mine) {
+    if (segment > 0) leftOne = lastFixed[me - LINES];
+    solveSegment(first, last, leftOne, lastFixed[me]);
+    // Loads that stay before the barrier.
+    before = LOAD_STATE(nextPositions, lineStart + max(first - 1, 0) * linePace);
+    beyond = LOAD_STATE(nextPositions, lineStart + (last + 1) * linePace);
+  }
+  barrier();  // others move what is on either side
+  if (!mine) return;
+  vec4 here = lineParticle(first);
+  vec3 pullBefore = pullBetween(before, here, first > 0, leftOne);
+  for (int k = first; k <= last; ++k) {
+    vec4 next = beyond;
+    if (k < last) next = lineParticle(k + 1);
+    vec3 pull = pullBetween(here, next, true, lineOnto[k - first]);
+    leave(k, pulled(here, pullBefore, pull));
+    here = next;
+    pullBefore = pull;
+  }
+  if (segment == segments - 1) leave(lineLinks, pulled(here, pullBefore, vec3(0.0f)));
+}
