@@ -42,7 +42,7 @@ float litByFour(usamplerBuffer keys, ShadowMap map, vec2 middle, uint key, float
 }
 
 // A sunflower disc: of its point i the distance from the middle, exactSqrt((i + 1/2) / 16), and cosine and sine of 2.399963 i.
-const vec3 sunflower[16] = vec3[16](
+const vec3 sunflower[16] = vec3[](
     vec3(0.176776692f, 0.999999881f, 0.0f), vec3(0.306186229f, -0.737368882f, 0.675490618f),
     vec3(0.395284712f, 0.0874252319f, -0.996171057f), vec3(0.467707157f, 0.608439505f, 0.793600142f),
     vec3(0.530330062f, -0.984713793f, -0.174180642f), vec3(0.586301923f, 0.84375453f, -0.536729038f),

@@ -24,6 +24,13 @@ constexpr const char* clipPath = "draw/exact/clip_large.comp";
 constexpr unsigned groupTriangles = 64;
 constexpr std::int64_t maxIds = 0xfffffff0;  // the last ones say ground, and nothing
 
+/// Of the part that is drawn (pixels).
+glm::ivec2 sizeOf(const Visibility& into, const MapPart& part) {
+  return part.side > 0 ? glm::ivec2(part.side) : into.size();
+}
+
+}  // namespace
+
 int verticesOf(const sim::Surface& surface) {
   return std::max(surface.vertexCount, surface.vertexRoom);
 }
@@ -33,13 +40,6 @@ int maxTrianglesOf(const sim::Surface& surface) {
                                                            : surface.indices->bytes() / sizeof(GLuint);
   return static_cast<int>(indices / 3);
 }
-
-/// Of the part that is drawn (pixels).
-glm::ivec2 sizeOf(const Visibility& into, const MapPart& part) {
-  return part.side > 0 ? glm::ivec2(part.side) : into.size();
-}
-
-}  // namespace
 
 TriangleRaster::TriangleRaster(Into into, int samples, int smallPixels, int fanRoom, int mediumPixels)
     : into_(into),

@@ -11,6 +11,10 @@
 
 namespace simreel::draw {
 
+/// Vertices that a surface has room for, and triangles.
+[[nodiscard]] int verticesOf(const sim::Surface& surface);
+[[nodiscard]] int maxTrianglesOf(const sim::Surface& surface);
+
 /// Finds what of surfaces is nearest at each sample, by kernels: coverage in whole numbers, ties by number.
 /// The result does not depend on the order in which the device works.
 class TriangleRaster {

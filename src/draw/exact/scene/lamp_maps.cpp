@@ -48,6 +48,7 @@ LampMaps::LampMaps(const Lamps& lamps) : count_(lamps.order().shadowed) {
     if (light->shadow) softness_ = std::max(softness_, light->shadowSoftness);
   keys_.emplace("the shadow maps of the lights", lamps.order().atlas, 1, false);
   raster_.emplace(TriangleRaster::Into::lampMap, 1);
+  mesh_.emplace();
   const auto alignment = static_cast<std::size_t>(gl::limits().uniformAlignment);
   viewStride_ = (sizeof(shader::ExactView) + alignment - 1) / alignment * alignment;
   views_ =
@@ -69,6 +70,8 @@ void LampMaps::draw(const sim::Drawables& drawables, const Lamps& lamps, ExactIn
   }
   views_.write(0, bytes);
   keys_->clear();
+  std::vector<const sim::Surface*> merged;
+  if (!casting.empty()) merged.push_back(&mesh_->merge(casting));
   gl::barrier();
   for (int i = 0; i < count_ * shader::lampFaces; ++i) {
     const auto lamp = static_cast<std::size_t>(i / shader::lampFaces);
@@ -79,7 +82,7 @@ void LampMaps::draw(const sim::Drawables& drawables, const Lamps& lamps, ExactIn
                        .firstKey = order.rows[lamp] * order.atlas.x +
                                    i % shader::lampFaces * order.lights[lamp]->shadowSize,
                        .keyStride = order.atlas.x};
-    raster_->number(casting);
+    raster_->number(merged);
     raster_->draw(*keys_, part);
     instances.castLampShadows(drawables, *keys_, part);
   }

@@ -1,5 +1,6 @@
 #pragma once
 #include "draw/exact/instances/exact_instances.hpp"
+#include "draw/exact/scene/merged_mesh.hpp"
 #include "draw/exact/triangle_raster.hpp"
 #include "draw/lights/lamps.hpp"
 #include "gl/buffer.hpp"
@@ -26,6 +27,7 @@ class LampMaps {
   std::size_t viewStride_ = 0;  ///< bytes from one map's view to the next
   std::optional<Visibility> keys_;
   std::optional<TriangleRaster> raster_;
+  std::optional<MergedMesh> mesh_;
   gl::Buffer views_;
 };
 
