@@ -27,6 +27,7 @@ struct BisectOptions {
   gl::ContextOptions on;
   std::optional<std::string> against, againstDevice, againstMemoryPath;
   std::optional<int> frames;
+  bool passes = false;
   bool json = false;
 };
 
@@ -83,14 +84,14 @@ void bisect(const BisectOptions& o) {
   frame::catchInterrupts();
   frame::ignoreBrokenPipes();
   try {
-    BisectReport report{golden::bisect(here, there, last), here.command, there.command, {}};
+    BisectReport report{golden::bisect(here, there, last, o.passes), here.command, there.command, {}};
     const auto& difference = report.result.difference;
     if (difference && !difference->arrays.empty()) {
       const golden::DifferentArray& first = difference->arrays.front();
       report.element = elementName(o, scene, first.object, static_cast<long>(first.difference.first));
     }
     printText(o.json ? bisectJson(report) : bisectText(report));
-    if (difference) setExitCode(static_cast<int>(ExitCode::different));
+    if (difference || report.result.pass) setExitCode(static_cast<int>(ExitCode::different));
   } catch (const frame::Interrupted& interrupted) {
     info("simreel: interrupted");
     setExitCode(128 + interrupted.signal);
@@ -102,7 +103,8 @@ void bisect(const BisectOptions& o) {
 void addBisect(CLI::App& app) {
   auto o = std::make_shared<BisectOptions>();
   auto* command = app.add_subcommand(
-      "bisect", "Find the first frame, step and element at which two builds or drivers differ");
+      "bisect",
+      "Find the first frame, step and element, or pass and pixel, at which two builds or drivers differ");
   o->scene.add(*command);
   command->add_option(
       "--against", o->against,
@@ -112,6 +114,8 @@ void addBisect(CLI::App& app) {
                       "Memory path of the other side (default: the same)");
   command->add_option("--frames", o->frames,
                       "How many frames to compare (default: all), beside the pre-roll");
+  command->add_flag("--passes", o->passes,
+                    "Also the exact pictures: the first pass that differs, and the pixel and primitive");
   addDevice(*command, o->on);
   command->add_flag("--json", o->json, "Print the result as JSON");
   command->callback([o] { bisect(*o); });

@@ -2,8 +2,11 @@
 
 #include "base/text.hpp"
 
+#include <array>
 #include <bit>
 #include <cstddef>
+#include <cstdint>
+#include <optional>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -62,6 +65,57 @@ std::string differenceText(const BisectReport& report) {
   return text;
 }
 
+/// "pass shadow (sun)"
+std::string passName(const golden::PassDifference& found) {
+  return found.pass + (found.part.empty() ? "" : fmt::format(" ({})", found.part));
+}
+
+/// A key, a channel of light, or red, green and blue in a word's bytes from the lowest on.
+std::string wordText(const golden::PassDifference& found, std::uint32_t word) {
+  if (found.pass == "picture")
+    return fmt::format("{} {} {}", word & 255U, word >> 8U & 255U, word >> 16U & 255U);
+  const std::optional<float> value = found.light ? std::bit_cast<float>(word) : golden::nearnessOf(word);
+  return value ? fmt::format("{:.9g} (0x{:08x})", *value, word) : std::string("nothing");
+}
+
+/// The names of a pass's words, from the first.
+std::array<const char*, 4> wordNames(const golden::PassDifference& found) {
+  if (found.light) return {"red", "green", "blue", "coverage"};
+  return {found.pass == "picture" ? "bytes" : "nearness", "", "", ""};
+}
+
+std::string passText(const golden::PassDifference& found) {
+  std::string text = fmt::format("First difference: frame {}", found.frame);
+  if (!found.unstable.empty()) return text + "\n" + found.unstable + "\n";
+  text += ", pass " + passName(found);
+  if (found.values == 0) return text + ": only one side has it\n";
+  if (found.texel) text += fmt::format(", texel ({}, {})", found.texel->x, found.texel->y);
+  if (found.sample) text += fmt::format(", sample {}", *found.sample);
+  if (found.pixel) {
+    text += fmt::format("{} pixel ({}, {})",
+                        found.sample  ? " of"
+                        : found.texel ? ", shown first at"
+                                      : ",",
+                        found.pixel->x, found.pixel->y);
+    if (found.here == found.there) text += ", " + oneLine(found.here.name());
+  } else {
+    text += ", which no pixel's light shows";
+  }
+  const auto row = [&](const char* name, const std::string& here, const std::string& there) {
+    text += fmt::format("  {:<8} {:<32} {}\n", name, here, there);
+  };
+  text += "\n";
+  row("", "this side", "other side");
+  if (found.here != found.there) row("shows", oneLine(found.here.name()), oneLine(found.there.name()));
+  const auto names = wordNames(found);
+  for (std::size_t i = 0; i < static_cast<std::size_t>(found.values); ++i)
+    row(names[i], wordText(found, found.hereValues[i]), wordText(found, found.thereValues[i]));
+  return text + fmt::format("{}: {} of {} {} differ\n", passName(found), found.differing, found.all,
+                            found.sample  ? "samples"
+                            : found.texel ? "texels"
+                                          : "pixels");
+}
+
 Json sideJson(const golden::TraceHeader& side, const std::string& command) {
   return {{"command", command},
           {"version", side.version},
@@ -78,6 +132,44 @@ Json valuesJson(const std::array<std::uint32_t, 4>& words) {
     bits.push_back(fmt::format("0x{:08x}", word));
   }
   return {{"values", values}, {"bits", bits}};
+}
+
+Json placeJson(const std::optional<golden::PicturePlace>& place) {
+  return place ? Json{place->x, place->y} : Json();
+}
+
+Json passSideJson(const golden::PassDifference& found, const golden::SeenThing& seen,
+                  const std::array<std::uint32_t, 4>& words) {
+  Json values = Json::array();
+  Json bits = Json::array();
+  for (std::size_t i = 0; i < static_cast<std::size_t>(found.values); ++i) {
+    bits.push_back(fmt::format("0x{:08x}", words[i]));
+    if (found.pass == "picture") {
+      for (const unsigned shift : {0U, 8U, 16U}) values.push_back(words[i] >> shift & 255U);
+    } else {
+      const auto value = found.light ? std::bit_cast<float>(words[i]) : golden::nearnessOf(words[i]);
+      values.push_back(value ? Json(*value) : Json());  // NaN and infinity become null
+    }
+  }
+  return {{"object", seen.object}, {"primitive", seen.primitive}, {"values", values}, {"bits", bits}};
+}
+
+Json passJson(const golden::PassDifference& found) {
+  Json json = {{"frame", found.frame}};
+  if (!found.unstable.empty()) {
+    json["unstable"] = found.unstable;
+    return json;
+  }
+  json["pass"] = found.pass;
+  json["part"] = found.part;
+  json["pixel"] = placeJson(found.pixel);
+  json["texel"] = placeJson(found.texel);
+  json["sample"] = found.sample ? Json(*found.sample) : Json();
+  json["here"] = passSideJson(found, found.here, found.hereValues);
+  json["there"] = passSideJson(found, found.there, found.thereValues);
+  json["differing"] = found.differing;
+  json["of"] = found.all;
+  return json;
 }
 
 Json differenceJson(const BisectReport& report) {
@@ -110,17 +202,21 @@ std::string bisectText(const BisectReport& report) {
   return sideText("This side", result.here, report.commandHere) +
          sideText("Other side", result.there, report.commandThere) +
          (result.difference ? differenceText(report)
-                            : fmt::format("The same state, bit for bit, over {}.\n", framesText(result)));
+          : result.pass     ? passText(*result.pass)
+                            : fmt::format("The same state{}, bit for bit, over {}.\n",
+                                      result.passes ? " and the same passes" : "", framesText(result)));
 }
 
 std::string bisectJson(const BisectReport& report) {
   const golden::BisectResult& result = report.result;
-  const Json json = {{"different", result.difference.has_value()},
+  const Json json = {{"different", result.difference.has_value() || result.pass.has_value()},
                      {"firstFrame", result.here.run.firstFrame},
                      {"lastFrame", result.lastFrame},
                      {"here", sideJson(result.here, report.commandHere)},
                      {"there", sideJson(result.there, report.commandThere)},
-                     {"difference", result.difference ? differenceJson(report) : Json()}};
+                     {"difference", result.difference ? differenceJson(report)
+                                    : result.pass     ? passJson(*result.pass)
+                                                      : Json()}};
   return json.dump(2, ' ', true, Json::error_handler_t::replace) + "\n";
 }
 

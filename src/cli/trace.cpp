@@ -11,6 +11,7 @@
 #include "frame/sink/stream_sink.hpp"
 #include "gl/context.hpp"
 #include "gl/machine.hpp"
+#include "golden/trace/passes.hpp"
 #include "golden/trace/stream.hpp"
 #include "sim/core/numerics.hpp"
 
@@ -19,10 +20,12 @@
 #include <memory>
 #include <optional>
 #include <signal.h>
+#include <span>
 #include <string>
 #include <string_view>
 #include <unistd.h>
 #include <utility>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 
@@ -35,6 +38,7 @@ struct TraceOptions {
   gl::ContextOptions on;
   std::optional<std::string> frames, dump, output;
   std::optional<int> stepsOf;
+  bool passes = false;
 };
 
 struct Range {
@@ -73,10 +77,20 @@ Range parseRange(const std::string& text, int firstFrame, int frameCount) {
   return {*first, *last};
 }
 
+/// The frame of "37:passes".
+std::optional<int> parsePasses(const std::string& text) {
+  std::string_view rest = text;
+  const auto frame = takeInteger(rest);
+  if (!frame || rest != ":passes") return std::nullopt;
+  checkFrame(*frame, 0);
+  return frame;
+}
+
 /// "37:4"
 std::pair<int, int> parseStep(const std::string& text, int firstFrame) {
   const auto frameAndStep = integerPair(text, ':');
-  if (!frameAndStep) fail(ExitCode::usage, "--dump takes FRAME:STEP, for example 37:4, not \"{}\"", text);
+  if (!frameAndStep)
+    fail(ExitCode::usage, "--dump takes FRAME:STEP or FRAME:passes, for example 37:4, not \"{}\"", text);
   checkFrame(frameAndStep->first, firstFrame);
   return *frameAndStep;
 }
@@ -103,6 +117,8 @@ void checkOptions(const TraceOptions& o) {
     fail(ExitCode::usage, "--dump writes raw numbers; say where: -o FILE, or -o - for standard output");
   if (o.output && !o.dump)
     fail(ExitCode::usage, "-o is where --dump writes; give --dump FRAME:STEP with it");
+  if (o.passes && (o.stepsOf || o.dump))
+    fail(ExitCode::usage, "--passes are of whole frames; it goes with --frames");
 }
 
 golden::TraceHeader header(const sim::World& world, const gl::Context& context) {
@@ -117,6 +133,13 @@ golden::TraceHeader header(const sim::World& world, const gl::Context& context) 
   return result;
 }
 
+void writeDump(const TraceOptions& o, const std::vector<std::byte>& bytes) {
+  if (*o.output == "-")
+    (void)putOut(bytes);
+  else
+    writeFileAtomically(*o.output, bytes);
+}
+
 void trace(const TraceOptions& o) {
   checkOptions(o);
   const scene::Scene scene = o.scene.load();
@@ -125,13 +148,12 @@ void trace(const TraceOptions& o) {
   sim::World world(scene);
   const int first = world.firstFrame();
   if (o.dump) {
+    if (const auto frame = parsePasses(*o.dump))
+      return golden::drawPasses(scene, world, std::span(&*frame, 1), [&](const golden::PassDump& drawn) {
+        writeDump(o, golden::encodePasses(drawn));
+      });
     const auto [frame, step] = parseStep(*o.dump, first);
-    const auto bytes = golden::encodeDump(golden::dumpState(world, frame, step));
-    if (*o.output == "-")
-      (void)putOut(bytes);
-    else
-      writeFileAtomically(*o.output, bytes);
-    return;
+    return writeDump(o, golden::encodeDump(golden::dumpState(world, frame, step)));
   }
   if (o.stepsOf) {
     checkFrame(*o.stepsOf, first);
@@ -143,7 +165,7 @@ void trace(const TraceOptions& o) {
   const Range range = parseRange(o.frames.value_or("all"), first, scene.frameCount());
   warnBeyondEnd(range.last, scene);
   if (putLine(golden::headerLine(header(world, context))))
-    golden::traceFrames(world, range.first, range.last, putLine);
+    golden::traceFrames(world, range.first, range.last, putLine, o.passes ? &scene : nullptr);
 }
 
 }  // namespace
@@ -157,7 +179,11 @@ void addTrace(CLI::App& app) {
       "all (default), one frame, or a range; frames below 0 are the pre-roll: --frames=-30-99");
   command->add_option("--steps-of", o->stepsOf, "Instead, one line for each step of this frame");
   command->add_option("--dump", o->dump,
-                      "Instead, FRAME:STEP: the state after that step, as float32 after a line of JSON");
+                      "Instead, FRAME:STEP: the state after that step, as float32 after a line of JSON; "
+                      "FRAME:passes: all that the passes of its exact picture left");
+  command->add_flag("--passes", o->passes,
+                    "Also hashes of the passes of each frame's exact picture: visibility, shadow, light, "
+                    "glow, bloom, picture");
   command->add_option("-o,--output", o->output, "File that --dump writes, or -");
   addDevice(*command, o->on);
   command->callback([o] { trace(*o); });

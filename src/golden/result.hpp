@@ -51,6 +51,16 @@ struct Metrics {
   bool operator==(const Metrics&) const = default;
 };
 
+/// Where a picture leaves its baseline.
+struct PassPlace {
+  std::string pass;  ///< the first whose hash differs; empty: the baseline knows none
+  int x = 0,
+      y = 0;  ///< a pixel that differs from the baseline's picture: the first that shows one thing only
+  std::string shows;    ///< and what is visible there: "triangle 12 of flag"
+  std::string message;  ///< one line
+  bool operator==(const PassPlace&) const = default;
+};
+
 struct FrameResult {
   int frame = 0;
   double time = 0;  ///< s
@@ -62,6 +72,7 @@ struct FrameResult {
   /// Of its pixels: askedName() in golden/baseline/origin.hpp; empty without a baseline.
   std::string asked;
   std::optional<Metrics> metrics;  ///< of pictures that were compared pixel by pixel
+  std::optional<PassPlace> pass;   ///< of an exact picture that fails where the state is equal
   /// Relative to the folder of report.json; empty where there is none.
   std::string expectedImage, actualImage, differenceImage;
   bool operator==(const FrameResult&) const = default;

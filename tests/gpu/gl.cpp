@@ -20,7 +20,7 @@ namespace {
 /// Shaders of a test's own, found through SIMREEL_GLSL.
 class ShaderFolder {
  public:
-  ShaderFolder() : path_(std::filesystem::temp_directory_path() / "simreel_test_glsl") {
+  ShaderFolder() : path_(temporaryFile("test_glsl")) {
     std::filesystem::create_directories(path_);
     setenv("SIMREEL_GLSL", path_.c_str(), 1);  // NOLINT(concurrency-mt-unsafe): one thread
   }

@@ -1,5 +1,6 @@
 #include "draw/screen/renderer.hpp"
 
+#include "base/error.hpp"
 #include "draw/exact/scene/exact_scene.hpp"
 #include "draw/frame_values.hpp"
 #include "draw/overlay/axes_pass.hpp"
@@ -41,6 +42,7 @@ struct Renderer::State {
   gl::Buffer frame;
   std::optional<DriverScene> driver;
   std::optional<ExactScene> exact;
+  PassPicture* passes = nullptr;
 };
 
 Renderer::Renderer(const scene::Scene& scene, glm::ivec2 size, int samples, const RendererOptions& options)
@@ -52,6 +54,7 @@ Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 
 void Renderer::draw(double seconds, const sim::Drawables& drawables, const StageWatch& watch) {
   State& s = *state_;
+  if (s.passes != nullptr) *s.passes = {};
   const shader::Frame values = frameValues(s.scene, s.size, seconds, drawables);
   s.frame.write(0, std::as_bytes(std::span(&values, 1)));
   s.frame.bindUniform(frameBinding, 0, sizeof values);
@@ -72,6 +75,7 @@ void Renderer::draw(double seconds, const sim::Drawables& drawables, const Stage
     s.charts.draw(drawables, s.picture.color);
     glMemoryBarrier(GL_FRAMEBUFFER_BARRIER_BIT | GL_PIXEL_BUFFER_BARRIER_BIT |
                     GL_TEXTURE_FETCH_BARRIER_BIT);
+    if (s.passes != nullptr) s.passes->keepBytes("picture", "finished", s.picture.color);
   } else {
     s.picture.framebuffer.bind();
     s.fields.draw(drawables, sim::FieldDisplay::Layer::over, seconds);
@@ -79,6 +83,12 @@ void Renderer::draw(double seconds, const sim::Drawables& drawables, const Stage
     s.charts.draw(drawables);
   }
   if (watch && !(drawables.fields.empty() && drawables.charts.empty())) watch("fields");
+}
+
+void Renderer::keepPasses(PassPicture* passes) {
+  SIMREEL_CHECK(state_->exact.has_value());
+  state_->passes = passes;
+  state_->exact->keepPasses(passes);
 }
 
 const gl::Framebuffer& Renderer::target() const {

@@ -1,4 +1,5 @@
 #pragma once
+#include "draw/exact/passes.hpp"
 #include "gl/texture.hpp"
 #include "scene/scene.hpp"
 #include "sim/core/drawable.hpp"
@@ -36,6 +37,10 @@ class Renderer {
   using StageWatch = std::function<void(const char* stage)>;
   /// Issues the commands for the frame at `seconds` (of scene time); does not wait.
   void draw(double seconds, const sim::Drawables& drawables, const StageWatch& watch = {});
+
+  /// From now on the passes of a picture are kept there as it is drawn, in place of those before; null:
+  /// nowhere. They are copied to the CPU, which waits for the device. The rasterizer must be the exact one.
+  void keepPasses(PassPicture* passes);
 
   /// RGBA8, sRGB-encoded; row 0 of a read-back is the picture's top row.
   [[nodiscard]] const gl::Framebuffer& target() const;

@@ -61,6 +61,9 @@ PictureBaseline::Frame parseFrame(const JsonValue& value) {
   if (const auto alternates = frame.find("alternates")) stored.alternates = alternates->texts();
   if (stored.alternates.size() > maxAlternates)
     value.wrong(fmt::format("has more than {} alternates", maxAlternates));
+  if (const auto passes = frame.find("passes"))
+    passes->eachMember(
+        [&](const std::string& pass, const JsonValue& hash) { stored.passes[pass] = hash.text(); });
   frame.finish();
   return stored;
 }
@@ -263,6 +266,20 @@ void promote(const fs::path& folder, const std::string& profile, const Candidate
     promoteState(stateFolder(folder, profile, candidate.exact), candidate, how);
 }
 
+bool renewPasses(const fs::path& folder, const std::string& profile,
+                 const std::map<int, std::map<std::string, std::string>>& passes) {
+  auto listed = readPictures(folder, profile);
+  bool changed = false;
+  for (const auto& [frame, hashes] : passes) {
+    if (!listed || !listed->frames.contains(frame)) continue;
+    auto& known = listed->frames[frame].passes;
+    changed = changed || known != hashes;
+    known = hashes;
+  }
+  if (changed) writeFileAtomically(folder / profile / "baseline.json", picturesText(*listed));
+  return changed;
+}
+
 PictureBaseline parsePictures(const std::string& text, const std::string& name) {
   return parseBaseline(text, name, picturesOf);
 }
@@ -289,6 +306,7 @@ std::string picturesText(const PictureBaseline& baseline) {
     if (!entry.origin.processor.empty() || !entry.origin.driver.empty())
       item["machine"] = {{"processor", entry.origin.processor}, {"driver", entry.origin.driver}};
     if (!entry.alternates.empty()) item["alternates"] = entry.alternates;
+    if (!entry.passes.empty()) item["passes"] = entry.passes;
   }
   return dump(json);
 }

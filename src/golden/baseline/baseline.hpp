@@ -15,7 +15,7 @@ namespace simreel::golden {
 ///
 ///     state.json              state hashes of exact numerics, the same on every driver
 ///     steps.bin               block hashes of every step (trace.hpp)
-///     any/baseline.json       pixel hash and origin of each picture
+///     any/baseline.json       pixel hash and origin of each picture, hashes of an exact one's passes
 ///     any/000060.png          a frame; 000060.alt1.png ... its accepted alternates
 ///     nvidia-hopper/...       pictures of one numerics family, where its own are wanted
 ///
@@ -31,6 +31,8 @@ struct PictureBaseline {
     std::string pixels;                   ///< pixelHash
     Origin origin;                        ///< of the run that drew it
     std::vector<std::string> alternates;  ///< pixelHash of each
+    /// Hash of each pass of an exact picture, by its name (trace/passes.hpp); empty: not known.
+    std::map<std::string, std::string> passes = {};
   };
   std::string profile;
   std::string version, driver, reason;      ///< of the run that wrote it last
@@ -84,6 +86,11 @@ struct Promotion {
 /// alternate.
 void promote(const std::filesystem::path& folder, const std::string& profile, const Candidate& candidate,
              const Promotion& how);
+
+/// Writes the hashes of passes into what is listed of these frames' pictures; false where they stand there
+/// already. Throws UserError(inputOutput).
+bool renewPasses(const std::filesystem::path& folder, const std::string& profile,
+                 const std::map<int, std::map<std::string, std::string>>& passes);
 
 /// The contents of baseline.json and state.json. Throw UserError(inputOutput) naming the file and the
 /// mistake. The profile is the folder's name, which the text does not hold.

@@ -35,6 +35,15 @@ void fields(Visit& visit, Is<Metrics> auto& m) {
 }
 
 template <class Visit>
+void fields(Visit& visit, Is<PassPlace> auto& p) {
+  visit("pass", p.pass);
+  visit("x", p.x);
+  visit("y", p.y);
+  visit("shows", p.shows);
+  visit("message", p.message);
+}
+
+template <class Visit>
 void fields(Visit& visit, Is<FrameResult> auto& f) {
   visit("frame", f.frame);
   visit("time", f.time);
@@ -46,6 +55,7 @@ void fields(Visit& visit, Is<FrameResult> auto& f) {
   visit("state", f.state);
   visit("asked", f.asked);
   visit("metrics", f.metrics);
+  visit("pass", f.pass);
   visit.path("expectedImage", f.expectedImage);
   visit.path("actualImage", f.actualImage);
   visit.path("differenceImage", f.differenceImage);

@@ -59,6 +59,12 @@ class Tracing {
     child_.finish();
     return understood(child_, [&] { return readDump(bytes); });
   }
+  PassDump passes() {
+    constexpr std::size_t maxBytes = std::size_t{1} << 33;
+    const auto bytes = child_.rest(maxBytes);
+    child_.finish();
+    return understood(child_, [&] { return readPasses(bytes); });
+  }
   [[noreturn]] void endedEarly(const std::string& before) {
     child_.finish();
     fail(ExitCode::inputOutput, "{} ended before {}", child_.name(), before);
@@ -70,12 +76,14 @@ class Tracing {
 
 /// Throws UserError(usage) unless both sides step the same arrays from the same frame on.
 void checkHeaders(const BisectSide& a, const TraceHeader& here, const BisectSide& b,
-                  const TraceHeader& there) {
+                  const TraceHeader& there, bool passes) {
   if (const auto mismatch = compareRuns(here.run, there.run))
     fail(ExitCode::usage, "the two sides do not simulate the same: {} {}, {} {}", a.name, mismatch->here,
          b.name, mismatch->there);
-  if (here.run.arrays.empty())
-    fail(ExitCode::usage, "the scene has nothing that is simulated, so there is no state to compare");
+  if (here.run.arrays.empty() && !passes)
+    fail(ExitCode::usage,
+         "the scene has nothing that is simulated, so there is no state to compare; --passes compares its "
+         "pictures");
 }
 
 std::size_t dumpBytes(const TraceHeader& header) {
@@ -90,10 +98,15 @@ class Search {
  public:
   Search(const BisectSide& here, const BisectSide& there) : here_(here), there_(there) {}
 
-  BisectResult run(int lastFrame) {
+  BisectResult run(int lastFrame, bool passes) {
     result_.lastFrame = lastFrame;
+    result_.passes = passes;
     const auto frame = firstFrame(lastFrame);
     if (!frame) return result_;
+    if (pictureDiffers_) {
+      comparePictures(*frame);
+      return result_;
+    }
     result_.difference.emplace();
     result_.difference->frame = *frame;
     if (*frame > result_.here.run.firstFrame) {
@@ -128,15 +141,19 @@ class Search {
 
   std::optional<int> firstFrame(int lastFrame) {
     detail("bisect: both sides up to frame {}", lastFrame);
-    const std::vector<std::string> arguments = {fmt::format("--frames=start-{}", lastFrame)};
+    std::vector<std::string> arguments = {fmt::format("--frames=start-{}", lastFrame)};
+    if (result_.passes) arguments.emplace_back("--passes");
     Tracing a(here_, arguments);
     Tracing b(there_, arguments);
     result_.here = a.header();
     result_.there = b.header();
-    checkHeaders(here_, result_.here, there_, result_.there);
+    checkHeaders(here_, result_.here, there_, result_.there, result_.passes);
     int read = 0;
-    for (; const auto lines = nextLines(a, b, fmt::format("frame {}", lastFrame)); ++read)
-      if (lines->first.arrays != lines->second.arrays) return lines->first.frame;
+    for (; const auto lines = nextLines(a, b, fmt::format("frame {}", lastFrame)); ++read) {
+      pictureDiffers_ =
+          lines->first.arrays == lines->second.arrays && lines->first.passes != lines->second.passes;
+      if (lines->first.arrays != lines->second.arrays || pictureDiffers_) return lines->first.frame;
+    }
     const int expected = lastFrame - result_.here.run.firstFrame + 1;
     if (read != expected)
       fail(ExitCode::inputOutput, "both traces ended after {} of {} frames", read, expected);
@@ -189,21 +206,36 @@ class Search {
                            found.step, found.frame));
   }
 
-  void unstable(const std::string& why) {
-    result_.difference->unstable =
-        why +
-        "; a side does not repeat itself (`simreel bisect` without --against compares one with itself)";
+  /// The pictures of a frame whose states are equal.
+  void comparePictures(int frame) {
+    detail("bisect: the passes of frame {}", frame);
+    const std::vector<std::string> arguments = {fmt::format("--dump={}:passes", frame), "-o", "-"};
+    PassDump dumps[2];
+    for (const int i : {0, 1}) dumps[i] = Tracing(i == 0 ? here_ : there_, arguments).passes();
+    result_.pass = comparePasses(dumps[0], dumps[1]);
+    if (result_.pass) return;
+    result_.pass.emplace();
+    result_.pass->frame = frame;
+    result_.pass->unstable = whyUnstable(
+        fmt::format("the picture of frame {} differed at first and not when it was drawn again", frame));
   }
+
+  static std::string whyUnstable(const std::string& why) {
+    return why +
+           "; a side does not repeat itself (`simreel bisect` without --against compares one with itself)";
+  }
+  void unstable(const std::string& why) { result_.difference->unstable = whyUnstable(why); }
 
   const BisectSide& here_;
   const BisectSide& there_;
   BisectResult result_;
+  bool pictureDiffers_ = false;  ///< at the first frame that differs, whose states are equal
 };
 
 }  // namespace
 
-BisectResult bisect(const BisectSide& here, const BisectSide& there, int lastFrame) {
-  return Search(here, there).run(lastFrame);
+BisectResult bisect(const BisectSide& here, const BisectSide& there, int lastFrame, bool passes) {
+  return Search(here, there).run(lastFrame, passes);
 }
 
 }  // namespace simreel::golden

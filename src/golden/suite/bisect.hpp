@@ -1,5 +1,6 @@
 #pragma once
 #include "golden/trace/lines.hpp"
+#include "golden/trace/pass_difference.hpp"
 #include "golden/trace/state_difference.hpp"
 
 #include <optional>
@@ -32,13 +33,17 @@ struct StateDifference {
 struct BisectResult {
   TraceHeader here, there;
   int lastFrame = 0;
+  bool passes = false;  ///< whether pictures were compared, too
   std::optional<StateDifference> difference;
+  std::optional<PassDifference> pass;  ///< of the first picture that differs, where the state does not
 };
 
 /// Finds the first frame, step and element at which two runs differ, by running `trace` on both sides:
 /// frame by frame side by side, then the steps of the first frame that differs, then the state itself.
 /// Throws UserError with a child's own message when it fails, UserError(usage) when the sides simulate
-/// different arrays, and Interrupted after SIGINT or SIGTERM.
-[[nodiscard]] BisectResult bisect(const BisectSide& here, const BisectSide& there, int lastFrame);
+/// different arrays, and Interrupted after SIGINT or SIGTERM. `passes`: compares the passes of exact
+/// pictures, too, of frames whose states are equal.
+[[nodiscard]] BisectResult bisect(const BisectSide& here, const BisectSide& there, int lastFrame,
+                                  bool passes = false);
 
 }  // namespace simreel::golden

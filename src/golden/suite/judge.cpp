@@ -7,6 +7,7 @@
 #include "golden/compare/png_check.hpp"
 
 #include <algorithm>
+#include <array>
 #include <tuple>
 #include <utility>
 
@@ -180,6 +181,43 @@ frame::Image referencePicture(const Reference& reference, int frame, int alterna
     fail(ExitCode::inputOutput, "baseline picture {} does not have the pixels that baseline.json lists",
          file.string());
   return picture;
+}
+
+std::optional<PassPlace> placeOfDifference(const Reference& reference, const RunFrame& made, int alternate,
+                                           const PassDump& drawn) {
+  frame::Image expected;
+  try {
+    expected = referencePicture(reference, made.frame, alternate);
+  } catch (const UserError&) {
+    return std::nullopt;  // its message is out already
+  }
+  if (expected.bytes.size() != made.image.bytes.size()) return std::nullopt;
+  constexpr std::size_t channels = 4;  // alpha is in no file
+  const std::size_t pixels = expected.bytes.size() / channels;
+  const auto color = [](const frame::Image& image, std::size_t pixel) {
+    const auto* bytes = &image.bytes[channels * pixel];
+    return std::array<int, 3>{bytes[0], bytes[1], bytes[2]};
+  };
+  const auto width = static_cast<std::size_t>(expected.width);
+  const auto alone = [&](std::size_t i) {
+    return showsOneThing(drawn.picture, static_cast<int>(i % width), static_cast<int>(i / width));
+  };
+  std::size_t pixel = pixels;
+  for (std::size_t i = 0; i < pixels && (pixel == pixels || !alone(pixel)); ++i)
+    if (color(made.image, i) != color(expected, i) && (pixel == pixels || alone(i))) pixel = i;
+  if (pixel == pixels) return std::nullopt;
+  PassPlace place;
+  place.x = static_cast<int>(pixel % width);
+  place.y = static_cast<int>(pixel / width);
+  place.shows = thingAt(drawn.picture, place.x, place.y).name();
+  const auto& known = reference.pictures->frames.at(made.frame).passes;
+  if (alternate == 0 && !known.empty()) place.pass = firstDifferentPass(hashesOf(drawn.picture), known);
+  place.message = fmt::format("frame {}: {}; at pixel ({}, {}), {}: {}, in the baseline {}", made.frame,
+                              place.pass.empty() ? "which pass differs is not known to the baseline"
+                                                 : "the first pass that differs is " + place.pass,
+                              place.x, place.y, place.shows, fmt::join(color(made.image, pixel), " "),
+                              fmt::join(color(expected, pixel), " "));
+  return place;
 }
 
 std::vector<std::string> looseBounds(const std::vector<FrameResult>& frames,

@@ -2,6 +2,7 @@
 #include "golden/baseline/baseline.hpp"
 #include "golden/result.hpp"
 #include "golden/suite/scene_run.hpp"
+#include "golden/trace/passes.hpp"
 #include "scene/scene.hpp"
 
 #include <filesystem>
@@ -41,6 +42,11 @@ struct Judgement {
 /// The picture that judgeFrame compared with: number as in FrameResult::alternate. Throws
 /// UserError(inputOutput).
 [[nodiscard]] frame::Image referencePicture(const Reference& reference, int frame, int alternate);
+
+/// Where a picture that was compared with that one leaves it; `drawn`: its passes. Nothing where it does
+/// not, or where the baseline's picture cannot be used.
+[[nodiscard]] std::optional<PassPlace> placeOfDifference(const Reference& reference, const RunFrame& made,
+                                                         int alternate, const PassDump& drawn);
 
 /// "maxDiffRatio is 0.02, 50 times the 0.0004 observed": bounds over 10 times what any frame came to.
 [[nodiscard]] std::vector<std::string> looseBounds(const std::vector<FrameResult>& frames,

@@ -1,7 +1,9 @@
 #pragma once
 #include "golden/suite/judge.hpp"
 #include "golden/suite/suite.hpp"
+#include "golden/trace/passes.hpp"
 
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -32,6 +34,7 @@ class SceneTest {
   void repeat();
   void judge();
   void locate();
+  void locatePasses();
   void update();
   void keepPictures();
   void keepPicture(FrameResult& frame, const frame::Image& made);
@@ -39,7 +42,9 @@ class SceneTest {
   [[nodiscard]] bool stateIs(const char* what) const;
   [[nodiscard]] bool checkFails() const;
   [[nodiscard]] std::string profileToPromote() const;
-  [[nodiscard]] Candidate candidate(bool withSteps) const;
+  [[nodiscard]] Candidate candidate(bool withSteps);
+  /// Of every frame, drawn once more where that is not known yet.
+  const std::map<int, PassHashes>& passes();
   /// Writes below the artifacts; the path is relative to the report.
   [[nodiscard]] std::string keep(const std::string& name, const frame::Image& image) const;
 
@@ -55,6 +60,7 @@ class SceneTest {
   SceneRun run_;
   std::optional<SceneRun> other_;  ///< a run that differs from the first
   std::set<int> failedPictures_;
+  std::map<int, PassHashes> passes_;  ///< filled when somebody asks
   SceneResult result_;
 };
 

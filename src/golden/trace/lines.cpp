@@ -83,6 +83,8 @@ std::string stateLine(const StateLine& state) {
   }
   json["arrays"] = Json::object();
   for (const auto& [name, hash] : state.arrays) json["arrays"][name] = hash;
+  if (!state.passes.empty()) json["passes"] = Json::object();
+  for (const auto& [pass, hash] : state.passes) json["passes"][pass] = hash;
   return text(json);
 }
 
@@ -98,6 +100,10 @@ StateLine readStateLine(const std::string& line) {
     json.at("arrays").eachMember([&](const std::string& name, const JsonValue& hash) {
       state.arrays.emplace_back(name, hash.text());
     });
+    if (const auto passes = json.find("passes"))
+      passes->eachMember([&](const std::string& pass, const JsonValue& hash) {
+        state.passes.emplace_back(pass, hash.text());
+      });
     return state;
   });
 }

@@ -30,10 +30,11 @@ struct StateLine {
   int step = 0;        ///< of `steps`, from 1; 0: of a whole frame
   int steps = 0;
   std::vector<std::pair<std::string, std::string>> arrays;  ///< "flag.positions", 32 hexadecimal digits
+  std::vector<std::pair<std::string, std::string>> passes = {};  ///< of the frame's picture; hashesOf()
   bool operator==(const StateLine&) const = default;
 };
 [[nodiscard]] std::string stateLine(const StateLine& state);
-/// Its arrays are in the order of their names.
+/// Its arrays and passes are in the order of their names.
 [[nodiscard]] StateLine readStateLine(const std::string& line);
 
 /// An element of an array is a vec4 of 32-bit numbers.

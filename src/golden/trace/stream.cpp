@@ -1,29 +1,80 @@
 #include "golden/trace/stream.hpp"
 
 #include "base/error.hpp"
+#include "draw/screen/renderer.hpp"
+#include "frame/draw_world.hpp"
+#include "frame/interrupt.hpp"
 #include "frame/summaries.hpp"
 #include "gl/element_array.hpp"
 #include "golden/trace/traced_run.hpp"
 #include "sim/core/state_hash.hpp"
 
 #include <algorithm>
+#include <map>
+#include <optional>
 #include <vector>
 
 namespace simreel::golden {
 
-void traceFrames(sim::World& world, int first, int last, const TakeLine& take) {
+namespace {
+
+/// Draws a world as it is, and keeps the passes.
+class PassDrawer {
+ public:
+  explicit PassDrawer(const scene::Scene& scene) : renderer_(made(scene)) {
+    renderer_.keepPasses(&passes_);
+  }
+  [[nodiscard]] const draw::PassPicture& draw(sim::World& world) {
+    frame::drawWorld(renderer_, world);
+    return passes_;
+  }
+
+ private:
+  static draw::Renderer made(const scene::Scene& scene) {
+    if (scene.render.rasterizer != scene::Rasterizer::exact)
+      fail(ExitCode::usage, "only pictures of the exact rasterizer have passes: give --rasterizer exact");
+    return {scene, scene.render.size, scene.render.samples};
+  }
+
+  draw::Renderer renderer_;
+  draw::PassPicture passes_;
+};
+
+}  // namespace
+
+void drawPasses(const scene::Scene& scene, sim::World& world, std::span<const int> frames,
+                const std::function<void(const PassDump& drawn)>& take) {
+  PassDrawer drawer(scene);
+  for (const int frame : frames) {
+    frame::throwIfInterrupted();
+    world.advanceTo(frame);
+    frame::checkState(world);
+    take({frame, drawer.draw(world)});
+  }
+}
+
+void traceFrames(sim::World& world, int first, int last, const TakeLine& take,
+                 const scene::Scene* pictures) {
   const auto arrays = describeWorld(world).arrays;
   bool wanted = true;
+  std::optional<PassDrawer> drawer;
+  if (pictures != nullptr) drawer.emplace(*pictures);
+  std::map<int, PassHashes> passes;  // of frames whose lines are not out yet
   frame::Summaries summaries(world, [&](const sim::World::Summary& summary) {
     if (!wanted) return;
     StateLine line;
     line.frame = summary.frame;
     for (std::size_t i = 0; i < arrays.size(); ++i)
       line.arrays.emplace_back(arrays[i].name(), summary.arrays[i]);
+    if (const auto drawn = passes.extract(summary.frame))
+      for (const char* pass : draw::passNames)
+        if (const auto hash = drawn.mapped().find(pass); hash != drawn.mapped().end())
+          line.passes.emplace_back(*hash);
     wanted = take(stateLine(line));
   });
   for (int frame = first; wanted && frame <= last; ++frame) {
     world.advanceTo(frame);
+    if (drawer && frame >= 0) passes[frame] = hashesOf(drawer->draw(world));
     summaries.start();
   }
   if (wanted) summaries.takeAll();

@@ -16,6 +16,7 @@ namespace simreel::sim {
 /// Indexed triangles pulled from buffers by gl_VertexID; nothing is copied. All pointers stay owned by
 /// the simulation and live until its next step.
 struct Surface {
+  const std::string* object = nullptr;  ///< its name in the scene, where the world published it
   const gl::Texture* positions =
       nullptr;  ///< RGBA32F texel view, one texel a vertex: xyz in m, w unused but for a palette
   const gl::Texture* normals = nullptr;  ///< RGBA32F texel view, xyz; null for a grid
@@ -47,6 +48,7 @@ struct Surface {
 struct Instances {
   enum class Shape { sprite, sphere, mesh };
   enum class ColorBy { material, speed, mass, age };
+  const std::string* object = nullptr;     ///< its name in the scene, where the world published it
   const gl::Texture* positions = nullptr;  ///< RGBA32F texel view: xyz in m, w mass in kg
   const gl::Texture* velocities =
       nullptr;  ///< RGBA32F texel view: xyz in m/s, w age 0 to 1, exactly 0: ages not; negative: not alive
@@ -77,6 +79,14 @@ struct Instances {
 }
 [[nodiscard]] inline bool castsShadow(const Instances& instances) {
   return !instances.additive && instances.material->castsShadow;
+}
+
+/// Empty where nobody gave it one.
+[[nodiscard]] inline std::string objectName(const Surface& surface) {
+  return surface.object != nullptr ? *surface.object : std::string();
+}
+[[nodiscard]] inline std::string objectName(const Instances& instances) {
+  return instances.object != nullptr ? *instances.object : std::string();
 }
 
 /// Where and how a field is laid over the picture (field_display.hpp).

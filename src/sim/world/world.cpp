@@ -337,7 +337,14 @@ double World::time() const {
 
 Drawables World::drawables() const {
   Drawables all;
-  for (const auto& object : state_->objects) object->publish(time(), all);
+  for (std::size_t i = 0; i < state_->objects.size(); ++i) {
+    const std::size_t surfaces = all.surfaces.size();
+    const std::size_t instances = all.instances.size();
+    state_->objects[i]->publish(time(), all);
+    for (std::size_t k = surfaces; k < all.surfaces.size(); ++k) all.surfaces[k].object = &state_->names[i];
+    for (std::size_t k = instances; k < all.instances.size(); ++k)
+      all.instances[k].object = &state_->names[i];
+  }
   return all;
 }
 

@@ -26,12 +26,12 @@ def scenes():
     return sorted(file.stem for file in (SOURCE / "assets/scenes").glob("*.json"))
 
 
-def render(program, scene, output, *arguments, size=None, env=None):
+def render(program, scene, output, *arguments, size=None, env=None, timeout=600):
     """`simreel render` of a shipped scene; `output` is a file, or - for bytes of RGBA in stdout."""
     environment = {**os.environ, "SIMREEL_ASSETS": str(SOURCE / "assets"), **(env or {})}
     return subprocess.run([program, "render", SOURCE / f"assets/scenes/{scene}.json", "-o", output, "--size", size or SIZE, "-q",
                            "--overwrite", "--no-counts", *map(str, arguments)], env=environment, capture_output=True,
-                          timeout=600, check=False)
+                          timeout=timeout, check=False)
 
 
 def pixels_hash(file):
@@ -43,11 +43,12 @@ def pixels_hash(file):
     return hashlib.sha256(f"{width}x{height}\n".encode() + rows).hexdigest()
 
 
-def drawn(program, scene, frame, *arguments, env=None):
+def drawn(program, scene, frame, *arguments, env=None, timeout=600):
     """The entry of a scene as this program makes it; with "failed" the last line where it says nothing for the list."""
     with tempfile.TemporaryDirectory(prefix="simreel-exact-") as folder:
         file = pathlib.Path(folder) / "picture.png"
-        done = render(program, scene, file, "--rasterizer", "exact", "--frames", frame, *arguments, env=env)
+        done = render(program, scene, file, "--rasterizer", "exact", "--frames", frame, *arguments, env=env,
+                      timeout=timeout)
         if done.returncode == 0:
             return {"frame": frame, "pixels": pixels_hash(file)}
     lines = done.stderr.decode("utf-8", "replace").splitlines()

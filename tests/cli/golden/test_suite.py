@@ -149,7 +149,7 @@ class Exact(GoldenCase):
         self.make_baselines()
         baseline = json.loads(self.golden("a/any/baseline.json").read_text())
         for frame in baseline["frames"].values():
-            self.assertEqual(sorted(frame), ["pixels", "rasterizer"])
+            self.assertEqual(sorted(frame), ["passes", "pixels", "rasterizer"])
         self.set_scene(HAIR)
         scene = self.one(1)
         self.assertEqual([f["asked"] for f in scene["frames"]], ["exact"] * 3)

@@ -33,7 +33,7 @@ double lightOf(int byte) {
 }
 
 std::filesystem::path temporaryMesh(const char* name, const char* text) {
-  auto file = std::filesystem::temp_directory_path() / name;
+  auto file = temporaryFile(name);
   writeFileAtomically(file, text);
   return file;
 }
@@ -135,6 +135,35 @@ TEST_CASE("small balls are brighter on the side of the sun") {
   const Picture p = drawn(scene, {{}, {ball.instances}}, {65, 65});
   CHECK(p.at(33, 32).y > p.at(31, 32).y + 10);
   CHECK(p.at(32, 31).y > p.at(32, 33).y + 10);
+}
+
+TEST_CASE("small balls in mirrored light are mirrored") {
+  testContext();
+  scene::Scene scene = darkScene();
+  scene.sun.shadow = false;
+  scene.sun.intensity = 1.0F;
+  InstanceStage ball(std::vector<glm::vec3>(1, glm::vec3(0)));
+  ball.instances.size = 2 * 1.5F / (0.5F * 65 / std::tan(0.5F * 0.6981317F)) * 5;
+  ball.material.color = glm::vec3(0.5F);
+  const auto lit = [&](float x, float y) {
+    scene.sun.direction = glm::vec3(x, y, 0.5F);
+    return drawn(scene, {{}, {ball.instances}}, {65, 65}, 1);  // its sample is in the middle
+  };
+  const Picture plain = lit(1, 0.7F);
+  const Picture other = lit(-1, 0.7F);
+  const Picture below = lit(1, -0.7F);
+  const Picture turned = lit(0.7F, 1);
+  int most = 0;
+  for (int y = -2; y <= 2; ++y)
+    for (int x = -2; x <= 2; ++x) {
+      const int here = plain.brightness(32 + x, 32 + y);
+      most = std::max(most, here);
+      // Dithering differs from pixel to pixel.
+      CHECK(std::abs(here - other.brightness(32 - x, 32 + y)) <= 3);
+      CHECK(std::abs(here - below.brightness(32 + x, 32 - y)) <= 3);
+      CHECK(std::abs(here - turned.brightness(32 - y, 32 - x)) <= 3);
+    }
+  CHECK(most > 150);
 }
 
 TEST_CASE("meshes turn their z axis along the velocity") {

@@ -1,4 +1,5 @@
 #include "base/file.hpp"
+#include "golden/trace/passes.hpp"
 #include "gpu/draw/draw_stage.hpp"
 #include "gpu/draw/exact_stage.hpp"
 #include "gpu/draw/instance_stage.hpp"
@@ -55,7 +56,7 @@ struct BandStage {
     for (const InstanceStage& group : groups) drawables.instances.push_back(group.instances);
   }
 
-  std::filesystem::path dart = std::filesystem::temp_directory_path() / "simreel_band_dart.obj";
+  std::filesystem::path dart = temporaryFile("band_dart.obj");
   scene::Scene scene;
   TriangleStage sheet;
   std::deque<InstanceStage> groups;
@@ -83,4 +84,32 @@ TEST_CASE("exact: pictures drawn in bands have the bytes of those drawn at once"
     const Picture empty = drawn(stage.scene, {}, size, samples);
     CHECK(compare(whole, empty).far > 500);
   }
+}
+
+TEST_CASE("exact: passes of pictures drawn in bands are those of pictures drawn at once") {
+  testContext();
+  const BandStage stage;
+  const glm::ivec2 size(75, 61);
+  const auto passes = [&](int rows) {
+    draw::Renderer renderer(stage.scene, size, 4,
+                            {.rasterizer = scene::Rasterizer::exact,
+                             .visibilityBytes = static_cast<std::size_t>(8 * 4 * size.x * rows)});
+    draw::PassPicture kept;
+    renderer.keepPasses(&kept);
+    renderer.draw(0, stage.drawables);
+    const auto first = golden::hashesOf(kept);
+    renderer.draw(0, stage.drawables);  // in place of those before
+    CHECK(golden::hashesOf(kept) == first);
+    for (const draw::PassArray& array : kept.arrays) {
+      if (array.pass == "shadow" || array.pass == "bloom") continue;
+      CHECK(array.width == size.x);
+      CHECK(array.height == size.y);
+    }
+    CHECK(kept.things.size() == 4);
+    return first;
+  };
+  const auto whole = passes(size.y);
+  CHECK(whole.size() == draw::passNames.size());
+  CHECK(passes(17) == whole);
+  CHECK(passes(56) == whole);
 }

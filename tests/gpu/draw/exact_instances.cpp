@@ -309,7 +309,7 @@ TEST_CASE("instances of every kind look alike in both rasterizers") {
   scene.camera.target = glm::vec3(0, 0.5F, 0);
   scene.hasGround = true;
   scene.ground.height = 0;
-  const auto file = std::filesystem::temp_directory_path() / "simreel_exact_dart.obj";
+  const auto file = temporaryFile("exact_dart.obj");
   writeFileAtomically(file,
                       "v 0 0 0.6\nv 0.34 0.03 -0.4\nv -0.34 0.03 -0.4\nv 0 -0.14 -0.4\n"
                       "f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");

@@ -354,6 +354,7 @@ TEST_CASE("colours follow speed, mass and age through the stops; light fades ove
   // Half way through fading in (or out) half the light is there.
   CHECK(near(shown(By::material, {0, 0, 0, 0.1F}, 1, 0.2F), {0.4, 0.35, 0.3}));
   CHECK(near(shown(By::material, {0, 0, 0, 0.9F}, 1, 0.2F), {0.4, 0.35, 0.3}));
+  CHECK(near(shown(By::material, {0, 0, 0, 0.002F}, 1, 0.004F), {0.4, 0.35, 0.3}));
   CHECK(near(shown(By::material, {0, 0, 0, 1.0F}, 1, 0.2F), {0, 0, 0}));
   CHECK(near(shown(By::material, {0, 0, 0, 0.0F}, 1, 0.2F), {0.8, 0.7, 0.6}));
 }

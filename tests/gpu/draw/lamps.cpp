@@ -155,7 +155,7 @@ TEST_CASE("lights: every kind of drawable gets them") {
       // The small ones are of 1.3 pixels' radius: those have a path of their own.
       CHECK(gained({.instances = {balls.instances}}) > 100);
     }
-  const auto file = std::filesystem::temp_directory_path() / "simreel_lamp_plate.obj";
+  const auto file = temporaryFile("lamp_plate.obj");
   writeFileAtomically(file, "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nf 1 2 3\nf 1 3 4\n");
   balls.instances.shape = Shape::mesh;
   balls.instances.mesh = file;

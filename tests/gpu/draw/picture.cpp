@@ -141,7 +141,7 @@ TEST_CASE("limits are named with their value") {
 TEST_CASE("a texture shown once does not bleed from one border into the opposite one") {
   testContext();
   // Two texels, black then white: at the right border repeating would give grey, at the left one too.
-  const auto file = std::filesystem::temp_directory_path() / "simreel_two_texels.png";
+  const auto file = temporaryFile("two_texels.png");
   writeFileAtomically(file, frame::encodePng({2, 1, {0, 0, 0, 255, 255, 255, 255, 255}}, {}));
   GridStage stage({5, 4}, {-1, 1, 0}, {2, 0, 0}, {0, -2, 0});
   stage.material.color = glm::vec3(1);
@@ -179,7 +179,7 @@ TEST_CASE("a missing or broken texture is named") {
     missing = std::string(error.what()).find("/nowhere/weave.png") != std::string::npos;
   }
   CHECK(missing);
-  const auto file = std::filesystem::temp_directory_path() / "simreel_broken.png";
+  const auto file = temporaryFile("broken.png");
   writeFileAtomically(file, "\x89PNG but not really");
   scene.objects[0].material.texture = file;
   CHECK(failure(scene, {8, 8}, 1, ExitCode::inputOutput, scene::Rasterizer::exact).find(file.string()) !=

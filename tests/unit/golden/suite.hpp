@@ -18,6 +18,7 @@ inline FrameResult failedFrame(int frame, long beyond) {
   f.state = "different";
   f.asked = "equal";
   f.metrics = Metrics{200, 3, 4, 900, beyond, 0.25, 0.75, 16, 32, 21.5, 0.875, 0.0625};
+  f.pass = PassPlace{"light", 3, 4, "triangle 12 of flag", "frame 2: the first pass that differs is light"};
   const std::string stem = "images/flag/" + std::to_string(frame);
   f.expectedImage = stem + "-expected.png";
   f.actualImage = stem + "-actual.png";

@@ -41,6 +41,10 @@ TEST_CASE("lines of frames and of steps survive") {
   CHECK(stateLine(frame) == R"({"frame":-3,"arrays":{"b.positions":"00ff","a.velocities":"12"}})");
   CHECK(readStateLine(stateLine(frame)) ==
         StateLine{-3, "", 0, 0, {{"a.velocities", "12"}, {"b.positions", "00ff"}}});
+  const StateLine drawn{7, "", 0, 0, {}, {{"visibility", "0f"}, {"light", "1e"}}};
+  CHECK(stateLine(drawn) == R"({"frame":7,"arrays":{},"passes":{"visibility":"0f","light":"1e"}})");
+  CHECK(readStateLine(stateLine(drawn)) ==
+        StateLine{7, "", 0, 0, {}, {{"light", "1e"}, {"visibility", "0f"}}});
   const StateLine step{5, "b", 2, 22, {{"b.positions", "00ff"}}};
   CHECK(readStateLine(stateLine(step)) == step);
   CHECK(stateLine(frame).find('\n') == std::string::npos);

@@ -91,6 +91,14 @@ void ExactInstances::drawNumbers(const Visibility& picture) {
   copyRaster_.drawNumbers(picture);
 }
 
+void ExactInstances::describe(std::vector<DrawnThing>& things) const {
+  for (std::size_t i = 0; i < balls_.size(); ++i)
+    things.push_back({objectName(*balls_[i]), "ball", ballIds_[i], 1});
+  for (std::size_t i = 0; i < copies_.size(); ++i)
+    things.push_back(
+        {objectName(*copies_[i].instances), "instance", copyIds_[i], std::max(copies_[i].triangles(), 1U)});
+}
+
 const gl::Program& ExactInstances::shading(const char* path, const sim::Instances& instances) {
   const bool reflective = isReflective(*instances.material);
   const bool translucent = instances.material->translucency > 0;

@@ -2,6 +2,7 @@
 #include "draw/exact/instances/ball_raster.hpp"
 #include "draw/exact/instances/copy_raster.hpp"
 #include "draw/exact/instances/glow_raster.hpp"
+#include "draw/exact/passes.hpp"
 #include "draw/exact/shaded_tiles.hpp"
 #include "draw/instances/instance_values.hpp"
 #include "sim/core/drawable.hpp"
@@ -32,6 +33,8 @@ class ExactInstances {
   void drawNearest(const Visibility& picture);
   /// The numbers, when everything has drawn what is nearest.
   void drawNumbers(const Visibility& picture);
+  /// What has these numbers.
+  void describe(std::vector<DrawnThing>& things) const;
   /// Adds the light of what is opaque, whose draws are things of the tiles from `firstThing` on.
   void shade(const ShadedTiles& tiles, int firstThing);
   /// Whether some add light: then the ground lies in the picture's keys, too.

@@ -11,6 +11,7 @@
 #include "draw/exact/triangle_raster.hpp"
 #include "draw/surface/shadow_pass.hpp"
 #include "gl/element_array.hpp"
+#include "sim/grid/field_display.hpp"
 
 #include <algorithm>
 #include <array>
@@ -26,6 +27,12 @@ namespace {
 void checkSamples(int samples) {
   if (samples != 1 && samples != 2 && samples != 4 && samples != 8 && samples != 16)
     fail(ExitCode::usage, "{} samples per pixel: the exact rasterizer has 1, 2, 4, 8 and 16", samples);
+}
+
+bool anyBehind(const sim::Drawables& drawables) {
+  return std::any_of(drawables.fields.begin(), drawables.fields.end(), [](const sim::Field& field) {
+    return field.display != nullptr && field.display->layer == sim::FieldDisplay::Layer::behind;
+  });
 }
 
 /// As many rows of the picture as `bytes` hold the visibility of, in whole tiles.
@@ -58,8 +65,9 @@ struct ExactScene::State {
     return defines;
   }
   void drawShadows(const sim::Drawables& drawables);
-  void drawBand(const sim::Drawables& drawables, const Watch& watch);
+  void drawBand(const sim::Drawables& drawables, glm::ivec2 rows, const Watch& watch);
   void shadeAll();
+  void keepVisibility(glm::ivec2 rows) const;
 
   const scene::Scene& scene;
   glm::ivec2 size;
@@ -80,7 +88,8 @@ struct ExactScene::State {
   ExactInstances instances;
   Bloom bloom;
   gl::Program litGround, shadedGround, picture;
-  gl::Texture sums;  ///< light of each pixel, and in alpha how much of it is covered
+  PassPicture* passes = nullptr;  ///< where they are kept
+  gl::Texture sums;               ///< light of each pixel, and in alpha how much of it is covered
 };
 
 ExactScene::State::State(const scene::Scene& shown, glm::ivec2 pixels, int count, int rows)
@@ -149,7 +158,24 @@ void ExactScene::State::shadeAll() {
   if (shadow.on()) tiles.shade(tiles.things() + 1, shadedGround);
 }
 
-void ExactScene::State::drawBand(const sim::Drawables& drawables, const Watch& watch) {
+/// What the band's samples show; with its first, shadow maps and what has numbers.
+void ExactScene::State::keepVisibility(glm::ivec2 rows) const {
+  const glm::ivec2 band(size.x, rows.y - rows.x);
+  passes->keep("visibility", "keys", visibility.readKeys(), band, samples);
+  passes->keep("visibility", "numbers", visibility.readNumbers(), band, samples);
+  if (rows.x > 0) return;
+  if (map) passes->keep("shadow", "sun", map->readKeys(), map->size(), 1);
+  if (lampMaps.on()) passes->keep("shadow", "lamps", lampMaps.keys().readKeys(), lampMaps.keys().size(), 1);
+  for (const TriangleRaster::Drawn& drawn : triangles.drawn())
+    passes->things.push_back({objectName(*drawn.surface), "triangle", drawn.firstId, 1});
+  instances.describe(passes->things);
+}
+
+void ExactScene::keepPasses(PassPicture* passes) {
+  state_->passes = passes;
+}
+
+void ExactScene::State::drawBand(const sim::Drawables& drawables, glm::ivec2 rows, const Watch& watch) {
   std::vector<const sim::Surface*> shown;
   for (const sim::Surface& surface : drawables.surfaces) shown.push_back(&surface);
   triangles.number(shown);
@@ -169,7 +195,9 @@ void ExactScene::State::drawBand(const sim::Drawables& drawables, const Watch& w
   if (watch) watch("visibility");
   sums.bindImage(sumImage, GL_READ_WRITE);
   tiles.list(firstIds, visibility, ExactInstances::anyAdd(drawables));
+  if (passes != nullptr) keepVisibility(rows);
   shadeAll();
+  if (passes != nullptr) passes->keepLight("light", "", sums, rows);
   if (watch) watch("surfaces");
   instances.addLight(drawables, visibility);
   if (watch && ExactInstances::anyAdd(drawables)) watch("instances");
@@ -201,12 +229,16 @@ void ExactScene::draw(double seconds, const sim::Drawables& published, const Ove
   for (int row = 0; row < s.size.y; row += s.bandRows) {
     values.rows = {row, std::min(row + s.bandRows, s.size.y)};
     s.view.write(0, std::as_bytes(std::span(&values, 1)));
-    s.drawBand(drawables, watch);
+    s.drawBand(drawables, values.rows, watch);
   }
   glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
+  if (s.passes && ExactInstances::anyAdd(drawables))
+    s.passes->keepLight("glow", "glows", s.sums, {0, s.size.y});
   overlays.fields.drawBehind(drawables, seconds, s.sums, true);
+  if (s.passes && anyBehind(drawables)) s.passes->keepLight("glow", "fields", s.sums, {0, s.size.y});
   if (s.bloom.on()) {
     const gl::Texture& scattered = s.bloom.draw(s.sums);
+    if (s.passes) s.passes->keepLight("bloom", "", scattered, {0, scattered.height()});
     scattered.bind(bloomUnit);
     s.picture.set("bloomStrength", s.scene.render.bloom.strength.at(seconds));
     issued("bloom");
@@ -217,6 +249,7 @@ void ExactScene::draw(double seconds, const sim::Drawables& published, const Ove
   s.picture.dispatch(s.size.x, s.size.y);
   glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT |
                   GL_FRAMEBUFFER_BARRIER_BIT | GL_PIXEL_BUFFER_BARRIER_BIT);
+  if (s.passes) s.passes->keepBytes("picture", "film", picture);
   issued("tone map");
 }
 

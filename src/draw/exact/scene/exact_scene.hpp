@@ -1,4 +1,5 @@
 #pragma once
+#include "draw/exact/passes.hpp"
 #include "draw/overlay/field_pass.hpp"
 #include "draw/overlay/field_textures.hpp"
 #include "gl/texture.hpp"
@@ -34,6 +35,8 @@ class ExactScene {
   /// Into an RGBA8 picture, row 0 at the top. The frame's uniform block is bound.
   void draw(double seconds, const sim::Drawables& drawables, const Overlays& overlays,
             const gl::Texture& picture, const Watch& watch);
+  /// From now on a picture's passes are kept there, in place of those before; null: nowhere.
+  void keepPasses(PassPicture* passes);
 
  private:
   struct State;

@@ -18,6 +18,8 @@ class LampMaps {
   /// Draws all of them for the lamps as they were updated last; the view's block is bound to others
   /// afterwards.
   void draw(const sim::Drawables& drawables, const Lamps& lamps, ExactInstances& instances);
+  /// All of the maps, as they lie in memory.
+  [[nodiscard]] const Visibility& keys() const { return *keys_; }
   /// Makes them readable by shaders.
   void bind() const;
 

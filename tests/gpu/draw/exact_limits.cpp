@@ -1,0 +1,210 @@
+// Numbers of things and of invocations that no scene comes near to, but that are allowed.
+#include "base/error.hpp"
+#include "base/file.hpp"
+#include "gpu/draw/exact_stage.hpp"
+#include "gpu/draw/instance_stage.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <doctest/doctest.h>
+
+using namespace simreel;
+using Shape = sim::Instances::Shape;
+
+namespace {
+
+/// Invocations of the first row of groups (dispatchRows).
+constexpr std::size_t row = std::size_t{32768} * 64;
+
+scene::Scene litScene() {
+  scene::Scene scene = darkScene();
+  scene.render.rasterizer = scene::Rasterizer::exact;
+  scene.camera.position = glm::vec3(0.3F, 1.6F, 4);
+  scene.camera.target = glm::vec3(0, 0.5F, 0);
+  scene.sun.direction = glm::vec3(0.4F, 1, 0.6F);
+  scene.sun.shadowSize = 256;
+  scene.hasGround = true;
+  return scene;
+}
+
+Picture exactly(const scene::Scene& scene, const sim::Drawables& drawables, glm::ivec2 size) {
+  return drawn(scene, drawables, size, 4, {.rasterizer = scene::Rasterizer::exact});
+}
+
+}  // namespace
+
+TEST_CASE("exact limits: instances beyond the first row of groups") {
+  testContext();
+  const scene::Scene scene = litScene();
+  const auto file = temporaryFile("row_dart.obj");
+  writeFileAtomically(file,
+                      "v 0 0 0.6\nv 0.34 0.03 -0.4\nv -0.34 0.03 -0.4\nv 0 -0.14 -0.4\n"
+                      "f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
+  Dice dice(41);
+  std::vector<glm::vec4> places;
+  std::vector<glm::vec4> speeds;
+  for (int i = 0; i < 37; ++i) {
+    places.emplace_back(dice.cube() + glm::vec3(0, 1.2F, 0), 1 + 40 * dice());
+    speeds.emplace_back(dice.cube(), dice());
+  }
+  InstanceStage few(places, speeds);
+  constexpr glm::vec4 dead{0, 0, 0, -1};
+  std::vector<glm::vec4> allPlaces(row + 3, glm::vec4(0, 1, 0, 1));
+  std::vector<glm::vec4> allSpeeds(row + 3, dead);
+  allPlaces.insert(allPlaces.end(), places.begin(), places.end());
+  allSpeeds.insert(allSpeeds.end(), speeds.begin(), speeds.end());
+  InstanceStage many(allPlaces, allSpeeds);
+  for (const Shape shape : {Shape::sprite, Shape::sphere, Shape::mesh})
+    for (const bool additive : {false, true}) {
+      CAPTURE(static_cast<int>(shape));
+      CAPTURE(additive);
+      for (InstanceStage* stage : {&few, &many}) {
+        stage->instances.shape = shape;
+        stage->instances.mesh = file;
+        stage->instances.additive = additive;
+        stage->instances.size = 0.1F;
+        stage->instances.massExponent = 1.0F / 3;
+      }
+      const Picture wanted = exactly(scene, {.instances = {few.instances}}, {67, 53});
+      CHECK(wanted.bytes != exactly(scene, {}, {67, 53}).bytes);
+      CHECK(exactly(scene, {.instances = {many.instances}}, {67, 53}).bytes == wanted.bytes);
+    }
+  std::filesystem::remove(file);
+}
+
+TEST_CASE("exact limits: vertices and triangles beyond the first row of groups") {
+  testContext();
+  const scene::Scene scene = litScene();
+  Dice dice(43);
+  std::vector<glm::vec3> places;
+  std::vector<unsigned> corners;
+  for (unsigned i = 0; i < 90; ++i) {
+    const glm::vec3 middle = i % 3 == 0 ? dice.cube() : places[i - i % 3];
+    places.push_back(middle + 0.3F * dice.cube() + glm::vec3(0, i % 3 == 0 ? 0.7F : 0, 0));
+    corners.push_back(i);
+  }
+  TriangleStage few(places, corners);
+  constexpr auto before = static_cast<unsigned>(row + 5);
+  std::vector<glm::vec3> allPlaces(before, glm::vec3(0));
+  std::vector<unsigned> allCorners(std::size_t{3} * before, 0);
+  allPlaces.insert(allPlaces.end(), places.begin(), places.end());
+  for (const unsigned corner : corners) allCorners.push_back(before + corner);
+  TriangleStage many(allPlaces, allCorners);
+  few.surface.doubleSided = many.surface.doubleSided = true;
+  const Picture wanted = exactly(scene, {.surfaces = {few.surface}}, {67, 53});
+  CHECK(wanted.bytes != exactly(scene, {}, {67, 53}).bytes);
+  CHECK(exactly(scene, {.surfaces = {many.surface}}, {67, 53}).bytes == wanted.bytes);
+}
+
+TEST_CASE("exact limits: as many things as are drawn at once, each where it is; one more is refused") {
+  testContext();
+  constexpr int most = 2046;
+  constexpr int across = 62;
+  constexpr int side = 8;  // pixels of a thing's cell, which is a tile
+  scene::Scene scene = darkScene();
+  scene.sun.shadow = false;
+  const glm::ivec2 size(across * side, (most + across - 1) / across * side);
+  // From 5 m, the picture's height is 2 tan(20 degrees) 5 m.
+  const float pixel = 3.6397023F / static_cast<float>(size.y);
+  const float half = 0.4F * pixel * static_cast<float>(side);
+  TriangleStage square({{-half, -half, 0}, {half, -half, 0}, {half, half, 0}, {-half, half, 0}},
+                       {0, 1, 2, 0, 2, 3}, std::vector<glm::vec3>(4, glm::vec3(0, 0, 1)));
+  std::vector<scene::Material> materials(3);
+  for (int i = 0; i < 3; ++i) {
+    materials[static_cast<std::size_t>(i)].color = glm::vec3(0.02F);
+    materials[static_cast<std::size_t>(i)].color[i] = 0.9F;
+  }
+  const auto cell = [&](int i) { return side * glm::ivec2(i % across, i / across) + side / 2; };
+  std::vector<sim::Surface> surfaces(most, square.surface);
+  for (int i = 0; i < most; ++i) {
+    const glm::vec2 at = glm::vec2(cell(i)) - 0.5F * glm::vec2(size);
+    surfaces[static_cast<std::size_t>(i)].model[3] = glm::vec4(pixel * at.x, -pixel * at.y, 0, 1);
+    surfaces[static_cast<std::size_t>(i)].material = &materials[static_cast<std::size_t>(i % 3)];
+  }
+  const Picture picture = exactly(scene, {.surfaces = surfaces}, size);
+  int wrong = 0;
+  for (int i = 0; i < most; ++i) {
+    const glm::ivec3 seen = picture.at(cell(i).x, cell(i).y);
+    const int own = i % 3;
+    if (seen[own] < std::max(seen[(own + 1) % 3], seen[(own + 2) % 3]) + 60) ++wrong;
+  }
+  CHECK(wrong == 0);
+  surfaces.push_back(square.surface);
+  surfaces.back().material = materials.data();
+  try {
+    (void)exactly(scene, {.surfaces = surfaces}, size);
+    CHECK(false);
+  } catch (const UserError& error) {
+    CHECK(error.code() == ExitCode::device);
+    CHECK(std::string(error.what()).find("draws 2046 things at once, not 2047") != std::string::npos);
+  }
+}
+
+TEST_CASE("exact limits: what is nearer than the nearest plane or beyond the farthest is not drawn") {
+  testContext();
+  scene::Scene scene = darkScene();  // from 5 m before the origin
+  scene.sun.shadow = false;
+  scene.camera.near = 1;
+  scene.camera.far = 6;
+  const auto file = temporaryFile("limit_plate.obj");
+  writeFileAtomically(file, "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nf 1 2 3\nf 1 3 4\n");
+  const Picture empty = exactly(scene, {}, {161, 153});
+  for (const Shape shape : {Shape::sprite, Shape::sphere, Shape::mesh})
+    for (const bool additive : {false, true})
+      for (const float size : {0.05F, 1.2F}) {  // round sprites are of at most 64 pixels' radius
+        CAPTURE(static_cast<int>(shape));
+        CAPTURE(additive);
+        CAPTURE(size);
+        const auto shows = [&](float z) {
+          InstanceStage stage({{0.1F, 0.05F, z, 1}}, {{0, 0, 0, 0.5F}});
+          stage.instances.shape = shape;
+          stage.instances.mesh = file;
+          stage.instances.additive = additive;
+          stage.instances.size = size;
+          return exactly(scene, {.instances = {stage.instances}}, {161, 153}).bytes != empty.bytes;
+        };
+        CHECK(shows(0.5F));
+        CHECK(shows(-0.3F));
+        CHECK_FALSE(shows(4.9F));
+        CHECK_FALSE(shows(-2.3F));
+      }
+  std::filesystem::remove(file);
+}
+
+TEST_CASE("exact limits: one primitive over the whole picture is the same at any number of samples") {
+  testContext();
+  scene::Scene scene = darkScene();
+  scene.sun.shadow = false;
+  scene.sun.intensity = 1.0F;
+  const auto file = temporaryFile("one_triangle.obj");
+  writeFileAtomically(file, "v -30 -30 0\nv 30 -30 0\nv 0 50 0\nf 1 2 3\n");
+  TriangleStage triangle({{-30, -30, 0}, {30, -30, 0}, {0, 50, 0}}, {0, 1, 2},
+                         std::vector<glm::vec3>(3, glm::vec3(0, 0, 1)));
+  InstanceStage instance(std::vector<glm::vec3>(1, glm::vec3(0)));
+  instance.instances.mesh = file;
+  instance.instances.size = 1;
+  InstanceStage ball(std::vector<glm::vec3>(1, glm::vec3(0, 0, -60)));
+  ball.instances.size = 120;
+  instance.instances.shape = Shape::mesh;
+  ball.instances.shape = Shape::sphere;
+  const sim::Drawables kinds[] = {{.surfaces = {triangle.surface}},
+                                  {.instances = {instance.instances}},
+                                  {.instances = {ball.instances}}};
+  for (const sim::Drawables& drawables : kinds) {
+    CAPTURE(drawables.surfaces.size());
+    const auto with = [&](int samples) {
+      return drawn(scene, drawables, {21, 13}, samples, {.rasterizer = scene::Rasterizer::exact});
+    };
+    const Picture one = with(1);
+    for (int y = 0; y < 13; ++y)
+      for (int x = 0; x < 21; ++x) CHECK(one.brightness(x, y) > 200);
+    for (const int samples : {2, 4, 8, 16}) {
+      CAPTURE(samples);
+      CHECK(with(samples).bytes == one.bytes);
+    }
+  }
+  std::filesystem::remove(file);
+}
