@@ -77,6 +77,9 @@ FUNCTION float exactCos(float x) {
 
 // exp(x), zero below -69 and held at exp(69) above 69. x = n ln 2 + r, |r| <= ln2/2, Taylor of degree 7.
 FUNCTION float exactExp(float x) {
+#if defined FAST_NUMERICS && defined EXACT_PICTURE
+  return x < -69.0f ? 0.0f : exp(min(x, 69.0f));  // inexact
+#else
   precise float held = min(max(x, -69.0f), 69.0f);
   precise float doublings = held * 1.44269504f + 0.5f;
   precise float n = floor(doublings);
@@ -85,11 +88,15 @@ FUNCTION float exactExp(float x) {
   q = (((q * r + 0.16666667f) * r + 0.5f) * r + 1.0f) * r + 1.0f;
   q = q * intBitsToFloat((int(n) + 127) << 23);
   return x < -69.0f ? 0.0f : q;
+#endif
 }
 
 // log(x) for x >= 1e-30, relative error below 3e-7. x = 2^n m, m from sqrt(1/2) to sqrt(2); Cephes' polynomial (logf.c)
 // for log(1 + t), |t| < 0.42.
 FUNCTION float exactLog(float x) {
+#if defined FAST_NUMERICS && defined EXACT_PICTURE
+  return log(x);  // inexact
+#else
   int n = (floatBitsToInt(x) - 0x3f3504f3) >> 23;
   precise float t = intBitsToFloat(floatBitsToInt(x) - n * 8388608) - 1.0f;
   precise float q = ((t * 7.0376836292e-2f - 1.1514610310e-1f) * t + 1.1676998740e-1f) * t - 1.2420140846e-1f;
@@ -99,6 +106,7 @@ FUNCTION float exactLog(float x) {
   precise float low = q * t * s - float(n) * 2.12194440e-4f - 0.5f * s;
   precise float sum = float(n) * 0.693359375f + (t + low);
   return sum;
+#endif
 }
 
 // x^y for y >= 0 and x^y between exp(-69) and exp(69), relative error below 4e-7 (1 + |y log x|); 0 for x below 1e-30.

@@ -178,7 +178,11 @@ Limits readLimits() {
     glGetIntegerv(GL_SUBGROUP_SUPPORTED_FEATURES_KHR, &features);
     found.shuffle32 = invocations == 32 && (stages & GL_COMPUTE_SHADER_BIT) != 0 &&
                       (features & GL_SUBGROUP_FEATURE_SHUFFLE_RELATIVE_BIT_KHR) != 0;
+    found.ballot =
+        (stages & GL_COMPUTE_SHADER_BIT) != 0 && (features & GL_SUBGROUP_FEATURE_BALLOT_BIT_KHR) != 0;
   }
+  found.atomics64 = epoxy_has_gl_extension("GL_ARB_gpu_shader_int64") &&
+                    epoxy_has_gl_extension("GL_NV_shader_atomic_int64");
   if (epoxy_has_gl_extension("GL_ARB_texture_filter_anisotropic") ||
       epoxy_has_gl_extension("GL_EXT_texture_filter_anisotropic"))
     glGetFloatv(GL_MAX_TEXTURE_MAX_ANISOTROPY_EXT, &found.anisotropy);

@@ -14,6 +14,8 @@ struct Limits {
   std::int32_t sharedBytes = 0;         ///< GL_MAX_COMPUTE_SHARED_MEMORY_SIZE
   std::int32_t uniformAlignment = 256;  ///< GL_UNIFORM_BUFFER_OFFSET_ALIGNMENT
   bool shuffle32 = false;   ///< subgroups of 32 that exchange registers (GL_KHR_shader_subgroup)
+  bool ballot = false;      ///< subgroups whose invocations count themselves (GL_KHR_shader_subgroup)
+  bool atomics64 = false;   ///< atomic minimum of 64-bit words (GL_NV_shader_atomic_int64)
   float anisotropy = 1.0F;  ///< GL_MAX_TEXTURE_MAX_ANISOTROPY, 1 where it is missing
 };
 

@@ -113,8 +113,12 @@ std::string ShaderSource::explain(std::string_view log) const {
 ShaderSource loadShader(const std::string& path, const Defines& defines) {
   ShaderSource source;
   // What the files that are C++, too, mark for it (glsl/common/cpp.hpp).
-  source.text = "#version 450 core\n#define FUNCTION\n#define STD140\n#define DEFAULT(value)\n";
-  for (const auto& [name, value] : defines) source.text += fmt::format("#define {} {}\n", name, value);
+  source.text = "#version 450 core\n";
+  for (const auto& [name, value] : defines)
+    if (name == extensionDefine) source.text += fmt::format("#extension {} : require\n", value);
+  source.text += "#define FUNCTION\n#define STD140\n#define DEFAULT(value)\n";
+  for (const auto& [name, value] : defines)
+    if (name != extensionDefine) source.text += fmt::format("#define {} {}\n", name, value);
   Paster(source).paste(path, "the program");
   return source;
 }

@@ -16,6 +16,8 @@ struct EmbeddedShader {
 
 /// Preprocessor names given to a program, for example {"GRID", "1"}.
 using Defines = std::vector<std::pair<std::string, std::string>>;
+/// In place of a name: the value is an extension that the program needs.
+inline constexpr const char* extensionDefine = "#extension";
 
 /// One shader ready for the driver: version line, defines, and the file with its includes.
 struct ShaderSource {

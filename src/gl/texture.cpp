@@ -24,6 +24,14 @@ void checkSize(const std::string& label, int width, int height) {
          label, width, height, max, max);
 }
 
+void checkTexels(const std::string& label, const Buffer& buffer, std::size_t texelBytes) {
+  const auto max = static_cast<std::size_t>(limits().texelBufferTexels);
+  if (buffer.bytes() / texelBytes > max)
+    fail(ExitCode::device,
+         "{} has {} elements, this device allows {} in a texel view (GL_MAX_TEXTURE_BUFFER_SIZE)", label,
+         buffer.bytes() / texelBytes, max);
+}
+
 }  // namespace
 
 Texture Texture::image(const std::string& label, GLenum format, int width, int height, int levels) {
@@ -54,16 +62,17 @@ Texture Texture::multisampled(const std::string& label, GLenum format, int width
 
 Texture Texture::view(const std::string& label, GLenum format, const Buffer& buffer,
                       std::size_t texelBytes) {
-  const auto max = static_cast<std::size_t>(limits().texelBufferTexels);
-  if (buffer.bytes() / texelBytes > max)
-    fail(ExitCode::device,
-         "{} has {} elements, this device allows {} in a texel view (GL_MAX_TEXTURE_BUFFER_SIZE)", label,
-         buffer.bytes() / texelBytes, max);
+  checkTexels(label, buffer, texelBytes);
   Texture texture;
   texture.handle_ = Handle<DeleteTexture>(createTexture(GL_TEXTURE_BUFFER, label));
   texture.format_ = format;
   glTextureBuffer(texture.name(), format, buffer.name());
   return texture;
+}
+
+void Texture::show(const Buffer& buffer, std::size_t texelBytes) {
+  checkTexels("a buffer", buffer, texelBytes);
+  glTextureBuffer(name(), format_, buffer.name());
 }
 
 Framebuffer::Framebuffer(const std::string& label, const Texture* color, const Texture* depth) {

@@ -19,6 +19,9 @@ class Texture {
   static Texture view(const std::string& label, GLenum format, const Buffer& buffer,
                       std::size_t texelBytes = 16);
 
+  /// From now on a view of another buffer, or of one that was made anew.
+  void show(const Buffer& buffer, std::size_t texelBytes);
+
   void bind(GLuint unit) const { glBindTextureUnit(unit, name()); }
   /// What reads beyond the border find: GL_REPEAT or GL_CLAMP_TO_EDGE.
   void wrap(GLint mode) const {

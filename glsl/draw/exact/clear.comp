@@ -4,7 +4,7 @@ layout(local_size_x = 64) in;
 layout(std430, binding = nearBinding) writeonly restrict buffer NearBlock { uvec4 nearKeys[]; };
 layout(std430, binding = idBinding) writeonly restrict buffer IdBlock { uvec4 ids[]; };
 uniform int quads;
-uniform bool both;
+uniform bool both;  // lie apart
 
 void main() {
   int i = int(gl_WorkGroupID.y * gl_NumWorkGroups.x * 64u + gl_GlobalInvocationID.x);

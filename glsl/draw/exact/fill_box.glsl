@@ -1,4 +1,5 @@
 // A small triangle's pixels, row by row: of each those between its edges, which the last digits of a float do not decide.
+// BRANCHES: an invocation saves what it leaves out.
 #include "draw/exact/raster_triangle.glsl"
 #include "draw/exact/crossing.glsl"
 
@@ -21,7 +22,10 @@ void fillBox(Triangle t, uint id) {
         int all_ = edgeAside(t.edges[0], e.x, aside) | edgeAside(t.edges[1], e.y, aside) | edgeAside(t.edges[2], e.z, aside);
         mask |= all_ >= 0 ? 1 << s : 0;
       }
-      putPixel(t, ivec2(x, y), mask, id);
+#ifdef BRANCHES
+      if (mask != 0)
+#endif
+        putPixel(t, ivec2(x, y), mask, id);
       e += across;
     }
   }

@@ -7,15 +7,13 @@ layout(binding = largeUnit) uniform usamplerBuffer large;
 layout(binding = counterUnit) uniform usamplerBuffer counters;
 uniform int draw_;
 
-void main() {
-  uint entry = gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x;
-  if (entry >= texelFetch(counters, draw_).x) return;
+void drawLarge(int entry) {
 #ifdef CLIPS
-  if (entry < uint(fanRoom)) return;
+  if (entry < fanRoom) return;
 #elif !defined SUN_MAP
-  if (entry >= uint(fanRoom)) return;
+  if (entry >= fanRoom) return;
 #endif
-  int number = int(texelFetch(large, firstIndex / 3 + int(entry)).x);
+  int number = int(texelFetch(large, firstIndex / 3 + entry).x);
   uint id = firstId + uint(number);
 #if defined SUN_MAP || defined CLIPS
   ivec3 corners = cornersOf(number);
@@ -26,6 +24,12 @@ void main() {
   fillClipped(placeOf(a), placeOf(b), placeOf(c), view.near, id);
 #endif
 #else
-  fillFan(int(entry), id);
+  fillFan(entry, id);
 #endif
+}
+
+void main() {
+  uint count = texelFetch(counters, draw_).x, groups = gl_NumWorkGroups.x * gl_NumWorkGroups.y;
+  for (uint entry = gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x; entry < count; entry += groups)
+    drawLarge(int(entry));
 }

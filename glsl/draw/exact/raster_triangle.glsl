@@ -40,7 +40,7 @@ void putPixel(Triangle t, ivec2 pixel, int mask, uint id) {
   int at = firstSample(pixel), samples = 0;
   for (int s = 0; s < SAMPLES; ++s) {
     float near = nearAt(t, pixel * subpixels + samplePlace(s) * (subpixels / 16));
-    bool seen = (mask >> s & 1) != 0 && near >= view.nearOverFar && nearKey(near) < texelFetch(nearestKeys, at + s).x;
+    bool seen = (mask >> s & 1) != 0 && near >= view.nearOverFar && nearKey(near) < keyAt(at + s);
     samples += seen ? 1 : 0;
   }
   addPart(pixel, addedLight, 1.0f, samples);
@@ -59,11 +59,11 @@ void putSample(Triangle t, ivec2 pixel, int s, uint before, uint id) {
 void putPixel(Triangle t, ivec2 pixel, int mask, uint id) {
 #if SAMPLES < 4
   for (int s = 0; s < SAMPLES; ++s)
-    if ((mask >> s & 1) != 0) putSample(t, pixel, s, texelFetch(nearestKeys, sampleIndex(pixel, s)).x, id);
+    if ((mask >> s & 1) != 0) putSample(t, pixel, s, keyAt(sampleIndex(pixel, s)), id);
 #else
   int at = sampleIndex(pixel, 0);
   for (int s = 0; s < SAMPLES; s += 4) {  // software drivers fetch four as dearly as one
-    uvec4 before = texelFetch(nearestFours, (at + s) / 4);
+    uvec4 before = fourKeysAt(at + s);
     for (int i = 0; i < 4; ++i)
       if ((mask >> (s + i) & 1) != 0) putSample(t, pixel, s + i, before[i], id);
   }

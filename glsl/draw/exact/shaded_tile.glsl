@@ -1,13 +1,12 @@
-// A group's tile of a list of tiles.comp, and what the invocation's pixel shows of the thing drawn. SAMPLES.
+// A group's tile of a list of tiles.comp, and what the invocation's pixel shows of the thing drawn. SAMPLES, PAIRED.
 #include "draw/frame_block.glsl"
 #include "draw/exact/view_block.glsl"
 #include "draw/exact/tile_lists.glsl"
+#include "draw/exact/sample_read.glsl"
 #include "draw/exact/fixed.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(binding = tileListUnit) uniform usamplerBuffer tileLists;
 layout(binding = counterUnit) uniform usamplerBuffer tileCounts;
-layout(binding = idUnit) uniform usamplerBuffer visibleIds;
-layout(binding = idFoursUnit) uniform usamplerBuffer visibleFours;  // the same memory, four a texel
 layout(rgba32f, binding = sumImage) restrict uniform image2D sums;
 uniform int draw_;
 uniform int tileCount;
@@ -24,7 +23,7 @@ ivec2 pixelToShade() {
 }
 
 uint idAt(ivec2 pixel, int s) {
-  return texelFetch(visibleIds, firstSample(pixel) + s).x;
+  return idAt(firstSample(pixel) + s);
 }
 
 struct PixelIds {
@@ -36,10 +35,10 @@ PixelIds idsOf(ivec2 pixel) {
   PixelIds ids;
   int first = firstSample(pixel);
 #if SAMPLES < 4
-  for (int s = 0; s < SAMPLES; ++s) ids.of[s] = texelFetch(visibleIds, first + s).x;
+  for (int s = 0; s < SAMPLES; ++s) ids.of[s] = idAt(first + s);
 #else
   for (int s = 0; s < SAMPLES; s += 4) {
-    uvec4 four = texelFetch(visibleFours, (first + s) / 4);
+    uvec4 four = fourIdsAt(first + s);
     for (int i = 0; i < 4; ++i) ids.of[s + i] = four[i];
   }
 #endif

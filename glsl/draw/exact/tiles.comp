@@ -1,9 +1,10 @@
 // Lays the ground under what is visible and lists, for each thing drawn, the tiles that show it: a group does one. With
 // GROUND two lists more, of tiles whose ground no shadow can reach, and of the others (SHADOW). GROUND_KEYS: what is nearest has the
-// ground, too. SAMPLES.
+// ground, too. EMPTIES: the light of all pixels, too. SAMPLES, PAIRED.
 #include "draw/frame_block.glsl"
 #include "draw/exact/view_block.glsl"
 #include "draw/exact/tile_lists.glsl"
+#include "draw/exact/sample_read.glsl"
 #include "draw/exact/triangle.glsl"
 #ifdef GROUND
 #include "draw/exact/ground_plane.glsl"
@@ -13,13 +14,18 @@
 #endif
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(binding = firstIdUnit) uniform usamplerBuffer firstIds;
-layout(binding = nearUnit) uniform usamplerBuffer nearestKeys;
-layout(binding = idUnit) uniform usamplerBuffer visibleIds;
-layout(binding = nearFoursUnit) uniform usamplerBuffer nearestFours;  // the same memory, four a texel
-layout(binding = idFoursUnit) uniform usamplerBuffer visibleFours;
+#ifdef PAIRED
+layout(std430, binding = nearBinding) writeonly restrict buffer PairBlock { uint words[]; };
+#define PUT_ID(at, id) words[2 * (at)] = id
+#define PUT_KEY(at, key) words[2 * (at) + 1] = key
+#else
 layout(std430, binding = idBinding) writeonly restrict buffer IdBlock { uint ids[]; };
-#ifdef GROUND_KEYS
 layout(std430, binding = nearBinding) writeonly restrict buffer NearBlock { uint nearKeys[]; };
+#define PUT_ID(at, id) ids[at] = id
+#define PUT_KEY(at, key) nearKeys[at] = key
+#endif
+#ifdef EMPTIES
+layout(rgba32f, binding = sumImage) writeonly restrict uniform image2D sums;
 #endif
 layout(std430, binding = counterBinding) restrict buffer CounterBlock { uint counters[]; };
 layout(std430, binding = tileListBinding) writeonly restrict buffer ListBlock { uint lists[]; };
@@ -35,10 +41,10 @@ void show(int draw) {
 // Samples s to s + 3, or s alone, of what lies at `at`.
 #if SAMPLES < 4
 const int together = 1;
-#define FETCHED(ALONE, FOURS, AT) uvec4(texelFetch(ALONE, AT).x)
+#define FETCHED(ALONE, FOURS, AT) uvec4(ALONE(AT))
 #else
 const int together = 4;
-#define FETCHED(ALONE, FOURS, AT) texelFetch(FOURS, (AT) / 4)
+#define FETCHED(ALONE, FOURS, AT) FOURS(AT)
 #endif
 
 int drawOf(uint id) {
@@ -61,7 +67,7 @@ int groundAt(ivec2 pixel, int s, int at, uint key) {
   precise float near = view.near * perDepth;
   bool seen = depth >= view.near && near >= view.nearOverFar && nearKey(near) < key;
 #ifdef GROUND_KEYS
-  if (seen) nearKeys[at] = nearKey(near);
+  if (seen) PUT_KEY(at, nearKey(near));
 #endif
 #ifdef SHADOW
   vec4 reach = texelFetch(light, 4);
@@ -81,13 +87,16 @@ void main() {
   ivec2 pixel = ivec2(gl_GlobalInvocationID.xy) + ivec2(0, view.rows.x);
   bool within = pixel.x < view.size.x && pixel.y < view.rows.y;
   if (within) {
+#ifdef EMPTIES
+    imageStore(sums, pixel, vec4(0.0f));
+#endif
     int onGround = 0, left = 0;
     uint seen[SAMPLES];
     for (int s = 0; s < SAMPLES; s += together) {
       int first = firstSample(pixel) + s;
-      uvec4 four = FETCHED(visibleIds, visibleFours, first);
+      uvec4 four = FETCHED(idAt, fourIdsAt, first);
 #ifdef GROUND
-      uvec4 keys = FETCHED(nearestKeys, nearestFours, first);
+      uvec4 keys = FETCHED(keyAt, fourKeysAt, first);
 #endif
       for (int i = 0; i < together; ++i) {
         seen[s + i] = four[i];
@@ -95,7 +104,7 @@ void main() {
         int kind = groundAt(pixel, s + i, first + i, keys[i]);
         if (kind > 0) {
           seen[s + i] = groundId;
-          ids[first + i] = groundId;
+          PUT_ID(first + i, groundId);
           onGround = max(onGround, kind);
         }
 #endif

@@ -1,12 +1,15 @@
-// Small triangles of one surface, an invocation each; the numbers of the others go on a list (large.comp). SAMPLES, PASS,
-// SUN_MAP, COUNTED.
+// Small triangles of one surface, an invocation each; the numbers of the others go on a list: those of medium size from its
+// end on (medium.comp), large ones from its beginning (large.comp). SAMPLES, PASS, SUN_MAP, COUNTED, BALLOT.
 #include "draw/exact/raster.glsl"
 #include "draw/exact/fill_box.glsl"
 layout(local_size_x = 64) in;
 layout(std430, binding = largeBinding) restrict buffer LargeBlock { uint large[]; };
 layout(std430, binding = counterBinding) restrict buffer CounterBlock { uint counters[]; };
 uniform int draw_;         // number of the surface among those drawn
-uniform int smallPixels;   // the longest side of a small triangle's box
+uniform int draws;
+uniform int smallPixels;   // the longest side of a small triangle's box,
+uniform int mediumPixels;  // and of one of medium size; none is where it is less
+#include "draw/exact/list_place.glsl"
 
 void main() {
   int number = int(gl_WorkGroupID.y * gl_NumWorkGroups.x * 64u + gl_GlobalInvocationID.x);
@@ -25,10 +28,13 @@ void main() {
   t.low = t.high = ivec2(0);
   if (whole) t = drawnTriangle(cornerOfVertex(a), cornerOfVertex(b), cornerOfVertex(c));
   if (t.empty) return;
-  ivec2 extent = t.high - t.low;
-  if (!whole || max(extent.x, extent.y) > smallPixels * subpixels) {
+  int extent = max(t.high.x - t.low.x, t.high.y - t.low.y);
+  if (!whole || extent > smallPixels * subpixels) {
 #if PASS == 0
-    large[firstIndex / 3 + int(atomicAdd(counters[draw_], 1u))] = uint(number);
+    if (whole && extent <= mediumPixels * subpixels)
+      large[firstIndex / 3 + triangleCount - 1 - int(nextPlace(draws + draw_))] = uint(number);
+    else
+      large[firstIndex / 3 + int(nextPlace(draw_))] = uint(number);
 #endif
     return;
   }

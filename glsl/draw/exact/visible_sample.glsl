@@ -1,7 +1,7 @@
 // Where the kernels that find what is visible keep it. PASS 0 keeps the nearest at each sample, pass 1 the least number
-// among those that are as near. SAMPLES. SUN_MAP: the nearest of each texel of the sun's map alone; LAMP_MAP: of one face of a lamp's maps, seen as
+// among those that are as near; ONE_PASS: pass 0 does both. SAMPLES, PAIRED. SUN_MAP: the nearest of each texel of the sun's map alone; LAMP_MAP: of one face of a lamp's maps, seen as
 // a picture is. ADDS: neither.
-#include "draw/exact/bindings.glsl"
+#include "draw/exact/sample_read.glsl"
 #ifdef SUN_MAP
 uniform int mapTexels;
 ivec2 mapSize = ivec2(mapTexels);
@@ -26,15 +26,28 @@ int sampleIndex(ivec2 pixel, int s) {
   return firstSample(pixel) + s;
 #endif
 }
-layout(binding = nearUnit) uniform usamplerBuffer nearestKeys;    // the memory of nearKeys
-layout(binding = nearFoursUnit) uniform usamplerBuffer nearestFours;  // the same, four a texel
 #ifndef ADDS
+// The memory that sample_read.glsl reads.
+#ifdef ONE_PASS
+layout(std430, binding = nearBinding) restrict buffer PairBlock { uint64_t pairs[]; };
+#elif defined PAIRED
+layout(std430, binding = nearBinding) restrict buffer PairBlock { uint words[]; };
+#else
 layout(std430, binding = nearBinding) restrict buffer NearBlock { uint nearKeys[]; };
 layout(std430, binding = idBinding) restrict buffer IdBlock { uint ids[]; };
+#endif
 
-// At a sample where the nearest was `before`.
+// At a sample where the nearest was `before`, or something less near.
 void keep(int at, uint key, uint before, uint id) {
+#ifdef ONE_PASS
+  if (key <= before) atomicMin(pairs[at], packUint2x32(uvec2(id, key)));
+#elif defined PAIRED
 #if PASS == 0
+  if (key < before) atomicMin(words[2 * at + 1], key);
+#else
+  if (key == before) atomicMin(words[2 * at], id);
+#endif
+#elif PASS == 0
   if (key < before) atomicMin(nearKeys[at], key);
 #else
   if (key == before) atomicMin(ids[at], id);

@@ -1,6 +1,10 @@
 #include "draw/exact/group_counts.hpp"
 
 #include "draw/exact/bindings.hpp"
+#include "gl/context.hpp"
+#include "gl/element_array.hpp"
+
+#include <algorithm>
 
 namespace simreel::draw {
 
@@ -22,6 +26,28 @@ void GroupCounts::fill(const gl::Buffer& counts, const Order& order, const gl::B
 void GroupCounts::dispatch(const gl::Buffer& groups, std::size_t number) {
   glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, groups.name());
   glDispatchComputeIndirect(static_cast<GLintptr>(number * bytes));
+}
+
+void GroupCounts::prepareLists(const gl::Buffer& counts, const Order& order,
+                               const gl::Buffer& groups) const {
+  gl::barrier();
+  if (!gl::softwareDriver()) return;
+  fill(counts, order, groups);
+  gl::barrier();
+  glMemoryBarrier(GL_COMMAND_BARRIER_BIT);
+}
+
+void GroupCounts::dispatchList(const gl::Program& program, const gl::Buffer& groups, std::size_t number,
+                               unsigned parts) {
+  if (!gl::softwareDriver()) return dispatchFixed(program, parts);
+  program.use();
+  dispatch(groups, number);
+}
+
+void GroupCounts::dispatchFixed(const gl::Program& program, unsigned parts) {
+  constexpr unsigned groups = 2048;  // a card's processors hold about as many at a time
+  program.use();
+  glDispatchCompute(gl::softwareDriver() ? 16U : std::max(groups / parts, 1U), 1, parts);
 }
 
 }  // namespace simreel::draw

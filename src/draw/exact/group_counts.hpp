@@ -27,6 +27,16 @@ class GroupCounts {
   /// Runs the program in use; what has filled the arguments is behind a barrier for commands.
   static void dispatch(const gl::Buffer& groups, std::size_t number);
 
+  /// Kernels that work through lists get groups for what is there on software drivers. On cards, where
+  /// filling the arguments costs more than groups that find nothing, they get a fixed number, and go on
+  /// with every so manyth entry: there prepareLists does nothing. It stands behind what counts, and before
+  /// a barrier of its own.
+  void prepareLists(const gl::Buffer& counts, const Order& order, const gl::Buffer& groups) const;
+  static void dispatchList(const gl::Program& program, const gl::Buffer& groups, std::size_t number,
+                           unsigned parts);
+  /// The fixed number of groups, on any device.
+  static void dispatchFixed(const gl::Program& program, unsigned parts = 1);
+
  private:
   gl::Program program_;
 };

@@ -38,9 +38,10 @@ std::span<std::uint32_t> PassPicture::added(const char* pass, const char* part, 
   return std::span(array->words).subspan(before);
 }
 
-void PassPicture::keep(const char* pass, const char* part, const gl::Buffer& words, glm::ivec2 size,
-                       int each) {
-  words.read(0, std::as_writable_bytes(added(pass, part, size, each)));
+void PassPicture::keep(const char* pass, const char* part, std::span<const std::uint32_t> words,
+                       glm::ivec2 size, int each) {
+  const auto place = added(pass, part, size, each);
+  std::copy_n(words.begin(), place.size(), place.begin());
 }
 
 void PassPicture::keepLight(const char* pass, const char* part, const gl::Texture& light, glm::ivec2 rows) {

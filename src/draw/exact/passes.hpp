@@ -50,8 +50,9 @@ struct PassPicture {
 
   // What is kept of a part that is there already are its next rows. Waits for the device.
 
-  /// 32-bit words.
-  void keep(const char* pass, const char* part, const gl::Buffer& words, glm::ivec2 size, int each);
+  /// 32-bit words, of which the first ones are these rows.
+  void keep(const char* pass, const char* part, std::span<const std::uint32_t> words, glm::ivec2 size,
+            int each);
   /// Rows, from the first up to the second, of an RGBA32F texture.
   void keepLight(const char* pass, const char* part, const gl::Texture& light, glm::ivec2 rows);
   /// An RGBA8 texture.

@@ -3,6 +3,7 @@
 #include "base/error.hpp"
 #include "draw/exact/bindings.hpp"
 #include "draw/exact/reserve.hpp"
+#include "gl/context.hpp"
 #include "gl/element_array.hpp"
 
 #include <span>
@@ -16,12 +17,19 @@ constexpr int maxThings = 2046;  // 32 times maxWords of tiles.comp, less the gr
 
 }  // namespace
 
-ShadedTiles::ShadedTiles(glm::ivec2 size, int samples, bool ground, bool shadow)
-    : size_(size), tiles_((size + side - 1) / side) {
-  defines_ = {{"SAMPLES", std::to_string(samples)}};
+ShadedTiles::ShadedTiles(const Visibility& visibility, bool ground, bool shadow)
+    : size_(visibility.size()),
+      tiles_((size_ + side - 1) / side),
+      defines_(definesOf(visibility.layout())) {
+  defines_.emplace_back("SAMPLES", std::to_string(visibility.samples()));
+  if (emptiesLight()) defines_.emplace_back("EMPTIES", "1");
   if (ground) defines_.emplace_back("GROUND", "1");
   if (shadow) defines_.emplace_back("SHADOW", "1");
   program_ = gl::Program::compute("draw/exact/tiles.comp", defines_);
+}
+
+bool ShadedTiles::emptiesLight() {
+  return !gl::softwareDriver();
 }
 
 void ShadedTiles::list(const std::vector<unsigned>& firstIds, const Visibility& visibility,
@@ -54,6 +62,7 @@ void ShadedTiles::list(const std::vector<unsigned>& firstIds, const Visibility& 
   program.set("tileCount", tiles_.x * tiles_.y);
   program.dispatch(size_.x, size_.y);
   gl::barrier();
+  glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
   groups_.fill(counters_, {.counts = things_ + 2}, dispatches_);
   gl::barrier();
   glMemoryBarrier(GL_COMMAND_BARRIER_BIT);

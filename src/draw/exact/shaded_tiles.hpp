@@ -9,10 +9,14 @@ namespace simreel::draw {
 class ShadedTiles {
  public:
   static constexpr int side = 8;  ///< pixels of a tile: tileSide of glsl/draw/exact/fixed.glsl
-  ShadedTiles(glm::ivec2 size, int samples, bool ground, bool shadow);
+  /// For pictures like that one.
+  ShadedTiles(const Visibility& visibility, bool ground, bool shadow);
 
-  /// Lays the ground under what is visible and makes the lists. `firstIds`: of the things, ascending.
-  /// `groundKeys`: the ground is among what is nearest afterwards.
+  /// Whether list() empties the light of its pixels on this device: cards for computing clear textures in
+  /// ten times the time that it takes there.
+  [[nodiscard]] static bool emptiesLight();
+  /// Lays the ground under what is visible and makes the lists; the sums of light are bound. `firstIds`: of
+  /// the things, ascending. `groundKeys`: the ground is among what is nearest afterwards.
   void list(const std::vector<unsigned>& firstIds, const Visibility& visibility, bool groundKeys = false);
   /// Runs a shading kernel over the tiles of a thing. `program` includes draw/exact/shaded_tile.glsl.
   void shade(int thing, const gl::Program& program) const;

@@ -18,10 +18,16 @@ namespace simreel::draw {
 namespace {
 
 constexpr const char* trianglesPath = "draw/exact/triangles.comp";
+constexpr const char* mediumPath = "draw/exact/medium.comp";
 constexpr const char* largePath = "draw/exact/large.comp";
 constexpr const char* clipPath = "draw/exact/clip_large.comp";
 constexpr unsigned groupTriangles = 64;
 constexpr std::int64_t maxIds = 0xfffffff0;  // the last ones say ground, and nothing
+
+/// Of the part that is drawn (pixels).
+glm::ivec2 sizeOf(const Visibility& into, const MapPart& part) {
+  return part.side > 0 ? glm::ivec2(part.side) : into.size();
+}
 
 }  // namespace
 
@@ -35,25 +41,33 @@ int maxTrianglesOf(const sim::Surface& surface) {
   return static_cast<int>(indices / 3);
 }
 
-TriangleRaster::TriangleRaster(Into into, int samples, int smallPixels, int fanRoom)
-    : into_(into), samples_(samples), smallPixels_(smallPixels), fanRoom_(fanRoom) {}
+TriangleRaster::TriangleRaster(Into into, int samples, int smallPixels, int fanRoom, int mediumPixels)
+    : into_(into),
+      samples_(samples),
+      smallPixels_(smallPixels),
+      fanRoom_(fanRoom),
+      mediumPixels_(mediumPixels) {}
 
-void TriangleRaster::prepare(const std::vector<const sim::Surface*>& surfaces) {
-  drawn_.clear();
+void TriangleRaster::number(const std::vector<const sim::Surface*>& surfaces) {
   std::int64_t vertices = 0;
   std::int64_t triangles = 0;
   int fans = 0;
-  for (const sim::Surface* surface : surfaces) {
-    Drawn next;
+  drawn_.resize(surfaces.size());
+  for (std::size_t i = 0; i < surfaces.size(); ++i) {
+    const sim::Surface* surface = surfaces[i];
+    Drawn& next = drawn_[i];
     next.surface = surface;
     next.firstVertex = static_cast<int>(vertices);
     next.firstIndex = static_cast<int>(3 * triangles);
     next.maxTriangles = maxTrianglesOf(*surface);
     next.firstId = static_cast<unsigned>(triangles);
+    if (next.indices)
+      next.indices.show(*surface->indices, sizeof(GLuint));
+    else
+      next.indices = gl::Texture::view("indices", GL_R32UI, *surface->indices, sizeof(GLuint));
     next.firstFan = fans;
     next.fans = std::min(next.maxTriangles, fanRoom_ / static_cast<int>(surfaces.size()));
     fans += next.fans;
-    next.indices = gl::Texture::view("indices", GL_R32UI, *surface->indices, sizeof(GLuint));
     vertices += verticesOf(*surface);
     triangles += next.maxTriangles;
     if (3 * triangles > INT32_MAX || vertices > INT32_MAX || triangles > maxIds)
@@ -62,7 +76,6 @@ void TriangleRaster::prepare(const std::vector<const sim::Surface*>& surfaces) {
            "\"rasterizer\" "
            "to \"driver\"",
            INT32_MAX / 3);
-    drawn_.push_back(std::move(next));
   }
   const auto of = [](std::int64_t count, std::size_t bytes) {
     return static_cast<std::size_t>(count) * bytes;
@@ -70,7 +83,7 @@ void TriangleRaster::prepare(const std::vector<const sim::Surface*>& surfaces) {
   reserve(vertices_, vertexView_, "vertices on the picture", of(vertices, 16), GL_RGBA32UI, 16);
   reserve(large_, largeView_, "large triangles", of(triangles, sizeof(GLuint)), GL_R32UI, sizeof(GLuint));
   const std::size_t count = surfaces.size();
-  reserve(counters_, counterView_, "counts of large triangles", count * sizeof(GLuint), GL_R32UI,
+  reserve(counters_, counterView_, "counts of large triangles", 2 * count * sizeof(GLuint), GL_R32UI,
           sizeof(GLuint));
   reserve(largeGroups_, "groups for large triangles", count * GroupCounts::bytes);
   reserve(surfaceGroups_, "groups for triangles", count * GroupCounts::bytes);
@@ -92,16 +105,19 @@ const gl::Program& TriangleRaster::vertexProgram(const sim::Surface& surface) {
       .first->second;
 }
 
-const gl::Program& TriangleRaster::program(const char* path, int pass, bool counted, bool clips) {
-  const std::tuple<std::string, int, bool, bool> key{path, pass, counted, clips};
-  const auto found = programs_.find(key);
+const gl::Program& TriangleRaster::program(const Variant& variant) {
+  const auto found = programs_.find(variant);
   if (found != programs_.end()) return found->second;
+  const auto& [path, pass, counted, clips, layout] = variant;
   gl::Defines defines = {{"SAMPLES", std::to_string(samples_)}, {"PASS", std::to_string(pass)}};
+  for (const auto& define : definesOf(layout)) defines.push_back(define);
+  if (path == trianglesPath)
+    for (const auto& define : laneDefines()) defines.push_back(define);
   if (counted) defines.emplace_back("COUNTED", "1");
   if (clips) defines.emplace_back("CLIPS", "1");
   if (into_ == Into::sunMap) defines.emplace_back("SUN_MAP", "1");
   if (into_ == Into::lampMap) defines.emplace_back("LAMP_MAP", "1");
-  return programs_.emplace(key, gl::Program::compute(path, defines)).first->second;
+  return programs_.emplace(variant, gl::Program::compute(path, defines)).first->second;
 }
 
 void TriangleRaster::makeVertices(const Visibility& into) {
@@ -134,17 +150,13 @@ void TriangleRaster::bind(const Drawn& drawn, const gl::Program& program) const 
 }
 
 void TriangleRaster::clipLarge(const Visibility& into) {
-  if (into_ == Into::sunMap) return;
+  if (into_ == Into::sunMap || fanRoom_ == 0) return;
+  gl::barrier();
   groups_.fill(counters_, {.counts = static_cast<int>(drawn_.size()), .each = groupTriangles}, clipGroups_);
   gl::barrier();
   glMemoryBarrier(GL_COMMAND_BARRIER_BIT);
   fans_.bindStorage(fanBinding);
   run(clipPath, 0, into, {});
-}
-
-void TriangleRaster::runLarge(int pass, const Visibility& into, const MapPart& part) {
-  run(largePath, pass, into, part);
-  if (into_ != Into::sunMap) run(largePath, pass, into, part, true);
 }
 
 void TriangleRaster::run(const char* path, int pass, const Visibility& into, const MapPart& part,
@@ -161,26 +173,38 @@ void TriangleRaster::run(const char* path, int pass, const Visibility& into, con
     const Drawn& drawn = drawn_[i];
     if (clips && drawn.fans == drawn.maxTriangles) continue;
     const bool counted = drawn.surface->arguments != nullptr;
-    const gl::Program& kernel = program(path, pass, counted, clips);
+    const gl::Program& kernel = program({path, pass, counted, clips, into.layout()});
     bind(drawn, kernel);
     kernel.set("doubleSided", static_cast<int>(drawn.surface->doubleSided));
     kernel.set("draw_", static_cast<int>(i));
+    kernel.set("draws", static_cast<int>(drawn_.size()));
     kernel.set("smallPixels", smallPixels_);
+    kernel.set("mediumPixels", mediumPixels_);
     kernel.set("mapTexels", into.size().x);
     part.set(kernel);
     if (small && !counted) {
       dispatchRows(kernel, drawn.maxTriangles);
       continue;
     }
-    kernel.use();
-    GroupCounts::dispatch(groups, i);
+    if (path == mediumPath) {
+      GroupCounts::dispatchFixed(kernel);
+    } else if (path == largePath) {
+      GroupCounts::dispatchList(kernel, largeGroups_, i, partsFor(sizeOf(into, part), samples_));
+    } else {
+      kernel.use();
+      GroupCounts::dispatch(groups, i);
+    }
   }
 }
 
-void TriangleRaster::draw(const std::vector<const sim::Surface*>& surfaces, const Visibility& into,
-                          const MapPart& part) {
+void TriangleRaster::runLists(int pass, const Visibility& into, const MapPart& part) {
+  if (mediumPixels_ > smallPixels_) run(mediumPath, pass, into, part);
+  if (into_ == Into::sunMap || fanRoom_ > 0) run(largePath, pass, into, part);
+  if (into_ != Into::sunMap) run(largePath, pass, into, part, true);
+}
+
+void TriangleRaster::draw(const Visibility& into, const MapPart& part) {
   constexpr GLuint zero = 0;
-  prepare(surfaces);
   if (drawn_.empty()) return;
   glClearNamedBufferData(counters_.name(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, &zero);
   makeVertices(into);
@@ -193,22 +217,19 @@ void TriangleRaster::draw(const std::vector<const sim::Surface*>& surfaces, cons
   gl::barrier();
   glMemoryBarrier(GL_COMMAND_BARRIER_BIT);
   run(trianglesPath, 0, into, part);
-  gl::barrier();
   clipLarge(into);
-  const glm::ivec2 size = part.side > 0 ? glm::ivec2(part.side) : into.size();
-  const unsigned parts = partsFor(size, samples_);
-  groups_.fill(counters_,
-               {.counts = static_cast<int>(drawn_.size()),
-                .parts = parts,
-                .fewerParts = gl::softwareDriver() ? leastParts(size, samples_) : parts},
-               largeGroups_);
+  const unsigned parts = partsFor(sizeOf(into, part), samples_);
+  groups_.prepareLists(
+      counters_,
+      {.counts = static_cast<int>(drawn_.size()),
+       .parts = parts,
+       .fewerParts = gl::softwareDriver() ? leastParts(sizeOf(into, part), samples_) : parts},
+      largeGroups_);
+  runLists(0, into, part);
   gl::barrier();
-  glMemoryBarrier(GL_COMMAND_BARRIER_BIT);
-  runLarge(0, into, part);
-  gl::barrier();
-  if (into_ != Into::picture) return;
+  if (into_ != Into::picture || into.layout() == SampleLayout::wholes) return;
   run(trianglesPath, 1, into, part);
-  runLarge(1, into, part);
+  runLists(1, into, part);
   gl::barrier();
 }
 

@@ -20,10 +20,11 @@ namespace simreel::draw {
 class TriangleRaster {
  public:
   enum class Into { picture, sunMap, lampMap };
-  /// Triangles whose box has no side above `smallPixels` (0 to 64) are drawn by an invocation each, the
-  /// others by groups, tile by tile: the same either way. Of those `fanRoom` are clipped once, for all
-  /// invocations that draw them; 128 bytes each.
-  TriangleRaster(Into into, int samples, int smallPixels = smallTriangle(), int fanRoom = 1 << 17);
+  /// Triangles whose box has no side above `smallPixels` (0 to 64) are drawn by an invocation each, of the
+  /// others those of at most `mediumPixels` (to 64) by sixteen, the rest by groups, tile by tile: the same
+  /// either way. Of those `fanRoom` are clipped once, for all invocations that draw them; 128 bytes each.
+  TriangleRaster(Into into, int samples, int smallPixels = smallTriangle(), int fanRoom = fansOfTriangles(),
+                 int mediumPixels = mediumTriangle());
 
   /// A surface as it was drawn last.
   struct Drawn {
@@ -37,29 +38,33 @@ class TriangleRaster {
     gl::Texture indices;   ///< R32UI texel view
   };
 
-  /// Draws into what is cleared. The uniform blocks, and for the sun's map the light's place, are bound.
-  /// Throws UserError(device) where there are more triangles than numbers.
-  void draw(const std::vector<const sim::Surface*>& surfaces, const Visibility& into,
-            const MapPart& part = {});
+  /// Numbers the triangles: see drawn(). Throws UserError(device) where there are more than numbers.
+  void number(const std::vector<const sim::Surface*>& surfaces);
+  /// Draws them into what is cleared. The uniform blocks, and for the sun's map the light's place, are
+  /// bound.
+  void draw(const Visibility& into, const MapPart& part = {});
   [[nodiscard]] const std::vector<Drawn>& drawn() const { return drawn_; }
   /// Binds vertices and indices of one of drawn() and says where they are.
   void bind(const Drawn& drawn, const gl::Program& program) const;
 
  private:
   const gl::Program& vertexProgram(const sim::Surface& surface);
-  const gl::Program& program(const char* path, int pass, bool counted, bool clips);
-  void prepare(const std::vector<const sim::Surface*>& surfaces);
+  /// What suits a program: its file, the pass, whether a surface says itself how many triangles it has,
+  /// whether those are drawn that are not clipped yet, and how samples lie.
+  using Variant = std::tuple<std::string, int, bool, bool, SampleLayout>;
+  const gl::Program& program(const Variant& variant);
   void makeVertices(const Visibility& into);
   void clipLarge(const Visibility& into);
-  void runLarge(int pass, const Visibility& into, const MapPart& part);
   void run(const char* path, int pass, const Visibility& into, const MapPart& part, bool clips = false);
+  void runLists(int pass, const Visibility& into, const MapPart& part);
 
   Into into_;
   int samples_;
   int smallPixels_;
   int fanRoom_;
+  int mediumPixels_;
   std::map<std::pair<bool, bool>, gl::Program> vertexPrograms_;
-  std::map<std::tuple<std::string, int, bool, bool>, gl::Program> programs_;
+  std::map<Variant, gl::Program> programs_;
   GroupCounts groups_;
   std::vector<Drawn> drawn_;
   gl::Buffer vertices_, large_, counters_, largeGroups_, surfaceGroups_, fans_, clipGroups_;

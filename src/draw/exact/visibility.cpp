@@ -6,6 +6,7 @@
 #include "gl/limits.hpp"
 
 #include <algorithm>
+#include <cstdlib>
 #include <string>
 
 namespace simreel::draw {
@@ -29,8 +30,55 @@ std::size_t samplesOf(const std::string& label, glm::ivec2 size, int samples) {
 
 }  // namespace
 
+SampleLayout sampleLayout() {
+  const bool atomics = gl::limits().atomics64;
+  const char* asked = std::getenv("SIMREEL_SAMPLE_LAYOUT");
+  if (asked == nullptr || *asked == 0) return atomics ? SampleLayout::wholes : SampleLayout::apart;
+  const std::string name = asked;
+  if (name == "apart") return SampleLayout::apart;
+  if (name == "pairs") return SampleLayout::pairs;
+  if (name != "wholes")
+    fail(ExitCode::usage, "SIMREEL_SAMPLE_LAYOUT is \"apart\", \"pairs\" or \"wholes\", not \"{}\"", name);
+  if (!atomics)
+    fail(ExitCode::device,
+         "SIMREEL_SAMPLE_LAYOUT=wholes: this device has no 64-bit atomics "
+         "(GL_NV_shader_atomic_int64)");
+  return SampleLayout::wholes;
+}
+
+gl::Defines definesOf(SampleLayout layout) {
+  if (layout == SampleLayout::apart) return {};
+  if (layout == SampleLayout::pairs) return {{"PAIRED", "1"}};
+  return {{"PAIRED", "1"},
+          {"ONE_PASS", "1"},
+          {gl::extensionDefine, "GL_ARB_gpu_shader_int64"},
+          {gl::extensionDefine, "GL_NV_shader_atomic_int64"}};
+}
+
 int smallTriangle() {
+  return gl::softwareDriver() ? 64 : 6;
+}
+
+int smallCopyTriangle() {
   return gl::softwareDriver() ? 64 : 16;
+}
+
+int mediumTriangle() {
+  return gl::softwareDriver() ? 0 : 64;
+}
+
+int fansOfTriangles() {
+  return gl::softwareDriver() ? 1 << 17 : 0;
+}
+
+gl::Defines laneDefines() {
+  gl::Defines defines;
+  if (!gl::softwareDriver()) defines.emplace_back("BRANCHES", "1");
+  if (!gl::limits().ballot) return defines;
+  defines.emplace_back("BALLOT", "1");
+  defines.emplace_back(gl::extensionDefine, "GL_KHR_shader_subgroup_basic");
+  defines.emplace_back(gl::extensionDefine, "GL_KHR_shader_subgroup_ballot");
+  return defines;
 }
 
 void dispatchRows(const gl::Program& program, int items) {
@@ -43,13 +91,14 @@ std::size_t Visibility::maxSamples() {
 }
 
 Visibility::Visibility(const std::string& label, glm::ivec2 size, int samples, bool ids)
-    : size_(size),
-      samples_(samples),
-      withIds_(ids),
-      near_("what is nearest on " + label, samplesOf(label, size, samples) * sizeof(GLuint)),
-      nearView_(gl::Texture::view(label, GL_R32UI, near_, sizeof(GLuint))),
-      nearFours_(gl::Texture::view(label, GL_RGBA32UI, near_, 4 * sizeof(GLuint))) {
-  if (withIds_) {
+    : size_(size), samples_(samples), layout_(ids ? sampleLayout() : SampleLayout::apart) {
+  const bool together = layout_ != SampleLayout::apart;
+  const std::size_t words = together ? 2 : 1;
+  near_ =
+      gl::Buffer("what is nearest on " + label, samplesOf(label, size, samples) * words * sizeof(GLuint));
+  nearView_ = gl::Texture::view(label, together ? GL_RG32UI : GL_R32UI, near_, words * sizeof(GLuint));
+  nearFours_ = gl::Texture::view(label, GL_RGBA32UI, near_, 4 * sizeof(GLuint));
+  if (ids && !together) {
     ids_ = gl::Buffer("what is visible on " + label, near_.bytes());
     idView_ = gl::Texture::view(label, GL_R32UI, ids_, sizeof(GLuint));
     idFours_ = gl::Texture::view(label, GL_RGBA32UI, ids_, 4 * sizeof(GLuint));
@@ -63,14 +112,15 @@ void Visibility::clear() const {
   constexpr GLuint most = 0xffffffffU;
   if (clear_.name() == 0) {
     glClearNamedBufferData(near_.name(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, &most);
-    if (withIds_) glClearNamedBufferData(ids_.name(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, &most);
+    if (ids_.name() != 0)
+      glClearNamedBufferData(ids_.name(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, &most);
     return;
   }
   near_.bindStorage(nearBinding);
-  if (withIds_) ids_.bindStorage(idBinding);
+  if (ids_.name() != 0) ids_.bindStorage(idBinding);
   const int quads = static_cast<int>(near_.bytes() / 16);
   clear_.set("quads", quads);
-  clear_.set("both", static_cast<int>(withIds_));
+  clear_.set("both", static_cast<int>(ids_.name() != 0));
   dispatchRows(clear_, quads);
 }
 
@@ -78,10 +128,36 @@ void Visibility::bind() const {
   near_.bindStorage(nearBinding);
   nearView_.bind(nearUnit);
   nearFours_.bind(nearFoursUnit);
-  if (!withIds_) return;
+  if (ids_.name() == 0) return;
   ids_.bindStorage(idBinding);
   idView_.bind(idUnit);
   idFours_.bind(idFoursUnit);
+}
+
+std::size_t Visibility::count() const {
+  return static_cast<std::size_t>(size_.x) * static_cast<std::size_t>(size_.y) *
+         static_cast<std::size_t>(samples_);
+}
+
+std::vector<GLuint> Visibility::everyOther(std::size_t first) const {
+  const auto words = near_.readAll<GLuint>();
+  std::vector<GLuint> found(count());
+  for (std::size_t i = 0; i < found.size(); ++i) found[i] = words[2 * i + first];
+  return found;
+}
+
+std::vector<GLuint> Visibility::readKeys() const {
+  if (layout_ != SampleLayout::apart) return everyOther(1);
+  auto keys = near_.readAll<GLuint>();
+  keys.resize(count());
+  return keys;
+}
+
+std::vector<GLuint> Visibility::readNumbers() const {
+  if (layout_ != SampleLayout::apart) return everyOther(0);
+  auto numbers = ids_.readAll<GLuint>();
+  numbers.resize(count());
+  return numbers;
 }
 
 }  // namespace simreel::draw

@@ -4,10 +4,22 @@
 #include "gl/texture.hpp"
 
 #include <cstddef>
+#include <string>
+#include <vector>
 
 #include <glm/vec2.hpp>
 
 namespace simreel::draw {
+
+/// How a picture's keys and numbers lie in memory, and are found. `apart`: keys and numbers by themselves,
+/// found in two passes; four samples of either are one read. `pairs`: both of a sample together, in two
+/// passes. `wholes`: the same in one pass by 64-bit atomics. The result is the same.
+enum class SampleLayout { apart, pairs, wholes };
+/// What suits the device, or what SIMREEL_SAMPLE_LAYOUT names. Throws UserError: usage for another word,
+/// device where it lacks the atomics.
+[[nodiscard]] SampleLayout sampleLayout();
+/// Defines of all that reads or writes such samples.
+[[nodiscard]] gl::Defines definesOf(SampleLayout layout);
 
 /// What is nearest at each sample of a picture: a key that is less the nearer it is, and the number of the
 /// primitive; or of a shadow map the keys alone. 8 bytes a sample.
@@ -17,7 +29,8 @@ class Visibility {
   /// Most samples of one, on this device.
   static std::size_t maxSamples();
   Visibility() = default;
-  /// `samples`: 1, 2, 4, 8 or 16. Throws UserError(device) beyond the device's limits.
+  /// `samples`: 1, 2, 4, 8 or 16. `ids`: a picture's, as sampleLayout() says. Throws UserError(device)
+  /// beyond the device's limits.
   Visibility(const std::string& label, glm::ivec2 size, int samples, bool ids);
 
   /// Nothing is visible yet.
@@ -27,16 +40,22 @@ class Visibility {
 
   [[nodiscard]] glm::ivec2 size() const { return size_; }
   [[nodiscard]] int samples() const { return samples_; }
+  [[nodiscard]] SampleLayout layout() const { return layout_; }
+  /// Keys, or both where they lie together.
   [[nodiscard]] const gl::Texture& nearKeys() const { return nearView_; }
-  /// 32-bit words, `samples` a pixel, row by row from the top.
-  [[nodiscard]] const gl::Buffer& nearBuffer() const { return near_; }
-  [[nodiscard]] const gl::Buffer& idBuffer() const { return ids_; }
+  /// Waits for the device and copies out: `samples` a pixel, row by row from the top.
+  [[nodiscard]] std::vector<GLuint> readKeys() const;
+  [[nodiscard]] std::vector<GLuint> readNumbers() const;
 
  private:
   glm::ivec2 size_{0};
+  [[nodiscard]] std::size_t count() const;
+  [[nodiscard]] std::vector<GLuint> everyOther(std::size_t first) const;
+
   int samples_ = 1;
-  bool withIds_ = false;
-  gl::Buffer near_, ids_;
+  SampleLayout layout_ = SampleLayout::apart;
+  gl::Buffer near_;  ///< keys; where they lie together, numbers too
+  gl::Buffer ids_;
   gl::Texture nearView_, nearFours_, idView_, idFours_;
   gl::Program clear_;
 };
@@ -55,8 +74,16 @@ struct MapPart {
   }
 };
 /// The longest side (pixels) of the box of a triangle that an invocation best draws alone on this device:
-/// software drivers work through all the lanes of a group anyway, cards want more of them.
+/// software drivers work through all the lanes of a group anyway, cards want more of them. Of one that
+/// sixteen invocations draw; 0: none is.
 int smallTriangle();
+int smallCopyTriangle();  ///< of copies, whose corners are made anew for each use
+int mediumTriangle();
+/// How many large ones are best clipped for all that draw them: none on cards, which wait for each kernel's
+/// end.
+int fansOfTriangles();
+/// Defines of kernels that draw or list one thing an invocation, as suits the device.
+[[nodiscard]] gl::Defines laneDefines();
 
 /// Runs `items` invocations of a kernel whose groups of 64 stand in rows of at most 32,768.
 void dispatchRows(const gl::Program& program, int items);

@@ -128,6 +128,8 @@ bool ChartPass::prepare(const sim::Drawables& drawables) {
 void ChartPass::drawExactly(const sim::Chart& chart, const ChartLayout& layout, Kept& kept,
                             const gl::Texture& picture) const {
   const glm::ivec4 part = glm::clamp(layout.panel, glm::ivec4(0), glm::ivec4(picture_, picture_));
+  // Nor is an image bound that no kernel uses: NVIDIA's driver 580 crashes when it reads the texture then.
+  if (part.z <= part.x || part.w <= part.y) return;
   setChart(chart, layout, kept);
   curves_.set("part", part);
   picture.bindImage(targetImage, GL_READ_WRITE);

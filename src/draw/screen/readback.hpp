@@ -1,4 +1,5 @@
 #pragma once
+#include "draw/screen/copy_thread.hpp"
 #include "gl/handle.hpp"
 #include "gl/texture.hpp"
 
@@ -13,7 +14,8 @@
 
 namespace simreel::draw {
 
-/// Copies finished pictures to the CPU while later frames are drawn.
+/// Copies finished pictures to the CPU while later frames are drawn. With a card, what has come into memory
+/// that the card can write is copied on by a thread of its own: the one that issues frames has no time to.
 class Readback {
  public:
   static constexpr std::size_t maxUnderWay = 3;
@@ -42,12 +44,19 @@ class Readback {
     const std::uint8_t* bytes = nullptr;  ///< mapped for the slot's whole life
     GLsync done = nullptr;
     int tag = 0;
+    CopyThread::Task copy;
+    bool copies = false;  ///< the thread is at it
   };
+  /// Whether the picture has come; `wait` until it has.
+  static bool isThere(const Slot& slot, bool wait);
+  void copyOn();
+
   glm::ivec2 size_;
   std::size_t bytes_;
   std::array<Slot, maxUnderWay> slots_;
   std::size_t oldest_ = 0;
   std::size_t count_ = 0;
+  CopyThread thread_;  ///< ends before the memory that it reads
 };
 
 }  // namespace simreel::draw

@@ -99,8 +99,11 @@ struct World::State {
   std::vector<ArrayName> arrays;
 
   StateHash hash;
-  gl::Buffer sums;      ///< uvec4 per array per slot
-  gl::Buffer statuses;  ///< uvec4 per object per slot
+  gl::Buffer sums;  ///< uvec4 per array
+  // What the CPU reads is copied into memory of its own: reading a buffer of the device's would wait for
+  // all frames that are under way.
+  gl::Buffer sumCopies;  ///< uvec4 per array per slot
+  gl::Buffer statuses;   ///< uvec4 per object per slot
   /// Objects that count, and the first of their rows in a slot of countCopies.
   struct Counting {
     std::size_t object;
@@ -141,9 +144,13 @@ struct World::State {
         counting.push_back({i, countRowsOfSlot});
         countRowsOfSlot += objects[i]->counts().steps->bytes() / 16;
       }
-    countCopies = gl::Buffer("copies of counts", countRowsOfSlot * maxSummaries * 16);
-    sums = gl::Buffer("state hash sums", std::max<std::size_t>(1, arrays.size()) * maxSummaries * 16);
-    statuses = gl::Buffer("status copies", std::max<std::size_t>(1, objects.size()) * maxSummaries * 16);
+    const auto copies = [](const char* label, std::size_t rows) {
+      return gl::Buffer::mapped(label, rows * maxSummaries * 16, false);
+    };
+    countCopies = copies("copies of counts", countRowsOfSlot);
+    sums = gl::Buffer("state hash sums", std::max<std::size_t>(1, arrays.size()) * 16);
+    sumCopies = copies("copies of state hash sums", arrays.size());
+    statuses = copies("status copies", objects.size());
   }
 
   State(const State&) = delete;
@@ -175,12 +182,12 @@ struct World::State {
     const int slot = nextSlot;
     nextSlot = (nextSlot + 1) % maxSummaries;
     const std::vector<unsigned> zero(4 * arrays.size());
-    sums.write(sumOffset(slot), std::as_bytes(std::span(zero)));
+    sums.write(0, std::as_bytes(std::span(zero)));
     gl::barrier();
     std::size_t array = 0;
     for (std::size_t i = 0; i < objects.size(); ++i) {
       for (const StateArray& state : objects[i]->state()) {
-        hash.add(*state.buffer, array, sums, static_cast<std::size_t>(slot) * arrays.size() + array);
+        hash.add(*state.buffer, array, sums, array);
         ++array;
       }
       if (const gl::Buffer* status = objects[i]->status()) {
@@ -189,6 +196,10 @@ struct World::State {
       }
     }
     const std::vector<int> countRows = copyCounts(slot);
+    glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+    if (!arrays.empty())
+      glCopyNamedBufferSubData(sums.name(), sumCopies.name(), 0, static_cast<GLintptr>(sumOffset(slot)),
+                               static_cast<GLsizeiptr>(arrays.size()) * 16);
     pending.push_back({frame, slot, glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0), countRows});
     glFlush();
   }
@@ -211,11 +222,18 @@ struct World::State {
     return (static_cast<std::size_t>(slot) * countRowsOfSlot + counts.firstRow) * 16;
   }
 
+  /// Of a mapped buffer, behind a fence.
+  static void copyOut(const gl::Buffer& from, std::size_t offset, std::span<std::byte> to) {
+    SIMREEL_CHECK(offset + to.size() <= from.bytes());
+    const std::byte* first = static_cast<const std::byte*>(from.memory()) + offset;
+    std::copy(first, first + to.size(), to.begin());
+  }
+
   void readCounts(const Pending& from, Summary& summary) const {
     for (std::size_t i = 0; i < counting.size(); ++i) {
       auto& rows = summary.counts.emplace_back(static_cast<std::size_t>(from.countRows[i]));
       if (!rows.empty())
-        countCopies.read(countOffset(from.slot, counting[i]), std::as_writable_bytes(std::span(rows)));
+        copyOut(countCopies, countOffset(from.slot, counting[i]), std::as_writable_bytes(std::span(rows)));
     }
   }
 
@@ -231,8 +249,8 @@ struct World::State {
     for (std::size_t i = 0; i < objects.size(); ++i) {
       if (objects[i]->status() == nullptr) continue;
       unsigned words[4] = {};
-      statuses.read(static_cast<std::size_t>(statusOffset(slot, i)),
-                    std::as_writable_bytes(std::span(words)));
+      copyOut(statuses, static_cast<std::size_t>(statusOffset(slot, i)),
+              std::as_writable_bytes(std::span(words)));
       if (words[0] != 0xffffffffU)
         throw UserError(ExitCode::device, objects[i]->explainLoss(words[0], words[1]));
       if (words[2] == 0 || remarked[i]) continue;
@@ -244,7 +262,7 @@ struct World::State {
   /// The hash of all state is the sum of its arrays' hashes, word by word.
   [[nodiscard]] Summary summary(int frame, int slot) const {
     std::vector<glm::uvec4> words(arrays.size());
-    sums.read(sumOffset(slot), std::as_writable_bytes(std::span(words)));
+    copyOut(sumCopies, sumOffset(slot), std::as_writable_bytes(std::span(words)));
     Summary result{frame, {}, {}, {}};
     glm::uvec4 total(0);
     for (const glm::uvec4& w : words) {

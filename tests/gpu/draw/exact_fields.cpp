@@ -96,8 +96,9 @@ TEST_CASE(
     CHECK(differing(exact, below) > 0);
     const Distance apart = distance(exact, over({stage->field}, below, draw::Rasterizer::driver));
     CHECK(apart.max <= 1);
-    // The software driver blends in 8 bits: half a step here and there.
-    CHECK(apart.mean < (there.inputs.opacity < 1 ? 0.3 : 0.01));
+    // The software driver blends in 8 bits: half a step here and there. A card rounds one byte in forty to
+    // the next.
+    CHECK(apart.mean < (there.inputs.opacity < 1 ? 0.3 : 0.03));
   }
 }
 

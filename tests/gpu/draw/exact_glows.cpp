@@ -181,7 +181,7 @@ TEST_CASE("glows show before what is nearer to the eye only, sample by sample") 
     glow.instances.additive = true;
     glow.instances.material = &material;
     stage.clear();
-    balls.drawNearest({&wall.instances}, stage.target);
+    balls.drawNearest({&wall.instances}, {}, stage.target);
     draw::GlowRaster raster(4);
     const auto found = lightOf(stage, raster, glow.instances);
     const float sum = found[18 * 41 + 20].r;

@@ -40,8 +40,8 @@ struct ExactStage {
     gl::barrier();
   }
 
-  [[nodiscard]] std::vector<unsigned> keys() const { return words(target.nearBuffer()); }
-  [[nodiscard]] std::vector<unsigned> ids() const { return words(target.idBuffer()); }
+  [[nodiscard]] std::vector<unsigned> keys() const { return target.readKeys(); }
+  [[nodiscard]] std::vector<unsigned> ids() const { return target.readNumbers(); }
 
   /// Sample `i` of all, in pixels.
   [[nodiscard]] glm::vec2 place(std::size_t i) const {
@@ -58,12 +58,4 @@ struct ExactStage {
   simreel::shader::ExactView view{};
   simreel::gl::Buffer frame, viewBuffer;
   simreel::draw::Visibility target;
-
- private:
-  [[nodiscard]] std::vector<unsigned> words(const simreel::gl::Buffer& buffer) const {
-    glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
-    std::vector<unsigned> found = buffer.readAll<unsigned>();
-    found.resize(static_cast<std::size_t>(size.x * size.y * samples));
-    return found;
-  }
 };

@@ -80,8 +80,8 @@ struct Drawn {
 Drawn drawBalls(ExactStage& stage, const Balls& balls, int smallPixels = 16) {
   draw::BallRaster raster(draw::BallRaster::Into::picture, stage.samples, smallPixels);
   stage.clear();
-  raster.drawNearest(balls.drawn, stage.target);
-  raster.drawNumbers(balls.firstIds, stage.target);
+  raster.drawNearest(balls.drawn, balls.firstIds, stage.target);
+  raster.drawNumbers(stage.target);
   testContext().check();
   return {stage.keys(), stage.ids()};
 }
@@ -203,8 +203,8 @@ TEST_CASE("of balls in one place the one with the least number is shown, and dea
   InstanceStage second(std::vector<glm::vec3>(1, glm::vec3(0)));
   second.instances.size = 2;
   draw::BallRaster raster(draw::BallRaster::Into::picture, 4);
-  raster.drawNearest({&second.instances, &group.instances}, stage.target);
-  raster.drawNumbers({900, 100}, stage.target);
+  raster.drawNearest({&second.instances, &group.instances}, {900, 100}, stage.target);
+  raster.drawNumbers(stage.target);
   const std::vector<unsigned> ids = stage.ids();
   CHECK(std::count(ids.begin(), ids.end(), 102U) > 500);
   CHECK(std::count(ids.begin(), ids.end(), 102U) + std::count(ids.begin(), ids.end(), noId) ==
@@ -220,8 +220,8 @@ TEST_CASE("small balls cover a disk of 0.57 pixels of radius in the mean") {
   InstanceStage group(places);
   group.instances.size = 1e-4F;
   draw::BallRaster raster(draw::BallRaster::Into::picture, 4);
-  raster.drawNearest({&group.instances}, stage.target);
-  raster.drawNumbers({0}, stage.target);
+  raster.drawNearest({&group.instances}, {0}, stage.target);
+  raster.drawNumbers(stage.target);
   const std::vector<unsigned> ids = stage.ids();
   const auto shown =
       static_cast<double>(ids.size()) - static_cast<double>(std::count(ids.begin(), ids.end(), noId));
@@ -283,15 +283,17 @@ TEST_CASE("copies of a mesh cover what the same triangles of a surface cover, wi
       ExactStage stage(sideScene(), {67, 45}, samples);
       const SameSurface same(mesh, places, size);
       draw::TriangleRaster surfaces(draw::TriangleRaster::Into::picture, samples);
-      surfaces.draw({&same.surface}, stage.target);
+      surfaces.number({&same.surface});
+      surfaces.draw(stage.target);
       const Drawn wanted{stage.keys(), stage.ids()};
       CHECK(std::count(wanted.ids.begin(), wanted.ids.end(), noId) < (67 * 45 - 60) * samples);
       for (const auto& [smallPixels, pairs] : {std::pair(16, 1U << 22U), {0, 100U}, {64, 17U}}) {
         CAPTURE(smallPixels);
-        draw::CopyRaster raster(draw::CopyRaster::Into::picture, samples, smallPixels, pairs);
+        draw::CopyRaster raster(draw::CopyRaster::Into::picture, samples, smallPixels, pairs,
+                                pairs == 17U ? 0 : 40);
         stage.clear();
-        raster.drawNearest({{&group.instances, &mesh.shape}}, stage.target);
-        raster.drawNumbers({0}, stage.target);
+        raster.drawNearest({{&group.instances, &mesh.shape}}, {0}, stage.target);
+        raster.drawNumbers(stage.target);
         testContext().check();
         CHECK(stage.keys() == wanted.keys);
         CHECK(stage.ids() == wanted.ids);

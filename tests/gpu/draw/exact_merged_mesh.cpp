@@ -44,8 +44,9 @@ std::vector<GLuint> mapOf(const std::vector<const sim::Surface*>& surfaces) {
   const draw::Visibility keys("a test", {side, side}, 1, false);
   draw::TriangleRaster raster(draw::TriangleRaster::Into::lampMap, 1, 16);
   keys.clear();
-  raster.draw(surfaces, keys, {.slopeOffset = 1.5F, .side = side, .firstKey = 0, .keyStride = side});
-  auto found = keys.nearBuffer().readAll<GLuint>();
+  raster.number(surfaces);
+  raster.draw(keys, {.slopeOffset = 1.5F, .side = side, .firstKey = 0, .keyStride = side});
+  auto found = keys.readKeys();
   found.resize(static_cast<std::size_t>(side) * side);
   testContext().check();
   return found;

@@ -96,6 +96,29 @@ TEST_CASE("exact: what triangles show is what the twin says, small ones alone or
   }
 }
 
+TEST_CASE(
+    "exact: what triangles show is the same by sixteen invocations each, and however samples lie in "
+    "memory") {
+  const TriangleSoup all = soup(3);
+  for (const int samples : {1, 2, 4, 8, 16}) {
+    const auto view = exactViewFrom({0, 0, 5}, {0.2F, -0.1F, 0}, {101, 67});
+    TriangleStage stage(all.places, all.indices);
+    stage.surface.doubleSided = true;
+    const auto twin = rasterTwin(view, samples, true, all.places, all.indices);
+    CAPTURE(samples);
+    for (const char* word : LayoutAsked::words()) {
+      CAPTURE(word);
+      const LayoutAsked layout(word);
+      for (const auto& [smallPixels, mediumPixels] : {std::pair(64, 0), {0, 64}, {3, 21}}) {
+        CAPTURE(mediumPixels);
+        const SeenSamples seen = seenBy(view, samples, {&stage.surface}, smallPixels, 1000, mediumPixels);
+        CHECK(seen.keys == twin.keys);
+        CHECK(seen.ids == twin.ids);
+      }
+    }
+  }
+}
+
 TEST_CASE("exact: on a large picture, too, whose triangles reach far beyond it") {
   const TriangleSoup all = soup(4);
   const auto view = exactViewFrom({0, 0, 5}, {0.1F, -0.1F, 0}, {3001, 1043});

@@ -4,10 +4,13 @@
 #include "draw/exact/exact_view.hpp"
 #include "draw/exact/triangle_raster.hpp"
 #include "gl/buffer.hpp"
+#include "gl/limits.hpp"
 #include "gl/texture.hpp"
 #include "gpu/context.hpp"
 
+#include <cstdlib>
 #include <span>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -62,6 +65,30 @@ inline simreel::shader::ExactView exactViewFrom(glm::vec3 eye, glm::vec3 target,
   return simreel::draw::exactView(simreel::draw::viewAt(camera, 0, size, {}), camera, size);
 }
 
+/// As long as it lives, samples lie in memory as this word says (draw::sampleLayout).
+struct LayoutAsked {
+  explicit LayoutAsked(const char* word) { setenv("SIMREEL_SAMPLE_LAYOUT", word, 1); }
+  ~LayoutAsked() {
+    if (before_.empty())
+      unsetenv("SIMREEL_SAMPLE_LAYOUT");
+    else
+      setenv("SIMREEL_SAMPLE_LAYOUT", before_.c_str(), 1);
+  }
+  LayoutAsked(const LayoutAsked&) = delete;
+  LayoutAsked& operator=(const LayoutAsked&) = delete;
+  LayoutAsked(LayoutAsked&&) = delete;
+  LayoutAsked& operator=(LayoutAsked&&) = delete;
+  /// All that the device has.
+  static std::vector<const char*> words() {
+    if (simreel::gl::limits().atomics64) return {"apart", "pairs", "wholes"};
+    return {"apart", "pairs"};
+  }
+
+ private:
+  std::string before_ =
+      std::getenv("SIMREEL_SAMPLE_LAYOUT") != nullptr ? std::getenv("SIMREEL_SAMPLE_LAYOUT") : "";
+};
+
 /// Keys and numbers of what the kernels found.
 struct SeenSamples {
   std::vector<GLuint> keys, ids;
@@ -69,18 +96,15 @@ struct SeenSamples {
 
 inline SeenSamples seenBy(const simreel::shader::ExactView& view, int samples,
                           const std::vector<const simreel::sim::Surface*>& surfaces, int smallPixels,
-                          int fanRoom = 1000) {
+                          int fanRoom = 1000, int mediumPixels = 0) {
   simreel::gl::Buffer block("view", sizeof view);
   block.write(0, std::as_bytes(std::span(&view, 1)));
   block.bindUniform(simreel::draw::viewBinding, 0, sizeof view);
   const simreel::draw::Visibility visibility("a test", view.size, samples, true);
   simreel::draw::TriangleRaster raster(simreel::draw::TriangleRaster::Into::picture, samples, smallPixels,
-                                       fanRoom);
+                                       fanRoom, mediumPixels);
   visibility.clear();
-  raster.draw(surfaces, visibility);
-  const auto count = static_cast<std::size_t>(view.size.x * view.size.y * samples);
-  SeenSamples seen{visibility.nearBuffer().readAll<GLuint>(), visibility.idBuffer().readAll<GLuint>()};
-  seen.keys.resize(count);
-  seen.ids.resize(count);
-  return seen;
+  raster.number(surfaces);
+  raster.draw(visibility);
+  return {visibility.readKeys(), visibility.readNumbers()};
 }

@@ -18,6 +18,7 @@ layout(binding = counterUnit) uniform usamplerBuffer counters;
 layout(local_size_x = 64) in;
 layout(std430, binding = largeBinding) restrict buffer LargeBlock { uint large[]; };
 layout(std430, binding = counterBinding) restrict buffer CounterBlock { uint counters[]; };
+#include "draw/exact/list_place.glsl"
 #endif
 
 Disc discOf(int number, out uint key) {
@@ -35,15 +36,13 @@ Disc discOf(int number, out uint key) {
 
 void put(Disc disc, ivec2 texel, uint key) {
   int at = texel.y * mapTexels + texel.x;
-  if (onDisc(disc, texel)) keep(at, key, texelFetch(nearestKeys, at).x, 0u);
+  if (onDisc(disc, texel)) keep(at, key, keyAt(at), 0u);
 }
 
 #ifdef LARGE
-void main() {
-  uint entry = gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x;
-  if (entry >= texelFetch(counters, draw_).x) return;
+void drawLarge(int number) {
   uint key;
-  Disc disc = discOf(int(texelFetch(large, firstLarge + int(entry)).x), key);
+  Disc disc = discOf(number, key);
   ivec4 box = pixelsOfDisc(disc, ivec2(mapTexels));
   int across = (box.z - box.x) / tileSide + 1;
   int tiles = across * ((box.w - box.y) / tileSide + 1);
@@ -51,6 +50,12 @@ void main() {
     ivec2 texel = box.xy + ivec2(tile % across, tile / across) * tileSide + ivec2(gl_LocalInvocationID.xy);
     if (texel.x <= box.z && texel.y <= box.w) put(disc, texel, key);
   }
+}
+
+void main() {
+  uint count = texelFetch(counters, draw_).x, groups = gl_NumWorkGroups.x * gl_NumWorkGroups.y;
+  for (uint entry = gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x; entry < count; entry += groups)
+    drawLarge(int(texelFetch(large, firstLarge + int(entry)).x));
 }
 #else
 void main() {
@@ -61,7 +66,7 @@ void main() {
   ivec4 box = pixelsOfDisc(disc, ivec2(mapTexels));
   if (!(disc.radius > 0.0f) || box.z < box.x || box.w < box.y) return;
   if (max(box.z - box.x, box.w - box.y) >= smallPixels) {
-    large[firstLarge + int(atomicAdd(counters[draw_], 1u))] = uint(number);
+    large[firstLarge + int(nextPlace(draw_))] = uint(number);
     return;
   }
   ivec2 texel = box.xy;

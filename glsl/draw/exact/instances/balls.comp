@@ -4,6 +4,7 @@
 layout(local_size_x = 64) in;
 layout(std430, binding = largeBinding) restrict buffer LargeBlock { uint large[]; };
 layout(std430, binding = counterBinding) restrict buffer CounterBlock { uint counters[]; };
+#include "draw/exact/list_place.glsl"
 uniform int draw_;        // number of the instances among those drawn
 uniform int firstLarge;   // where their list begins
 uniform int smallPixels;  // the longest side of a small one's box
@@ -16,7 +17,7 @@ void main() {
   if (box.z < box.x || box.w < box.y) return;
   if (max(box.z - box.x, box.w - box.y) >= smallPixels) {
 #if PASS == 0
-    large[firstLarge + int(atomicAdd(counters[draw_], 1u))] = uint(number);
+    large[firstLarge + int(nextPlace(draw_))] = uint(number);
 #endif
     return;
   }

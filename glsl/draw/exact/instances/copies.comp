@@ -1,5 +1,5 @@
-// Triangles of listed copies, an invocation each; the numbers of the large ones go on a list (large_copies.comp). Variants of
-// raster_triangle.glsl.
+// Triangles of listed copies, an invocation each; the numbers of the others go on a list: those of medium size from its end
+// on (medium_copies.comp), large ones from its beginning (large_copies.comp). Variants of raster_triangle.glsl, BALLOT.
 #include "draw/exact/instances/raster_copy.glsl"
 #include "draw/exact/fill_box.glsl"
 layout(local_size_x = 64) in;
@@ -9,7 +9,11 @@ layout(binding = counterUnit) uniform usamplerBuffer listedCounts;
 uniform int draw_;        // number of the copies among those drawn
 uniform int part;         // of the dispatches
 uniform int mostCopies;   // of one dispatch
-uniform int smallPixels;  // the longest side of a small triangle's box
+uniform int parts;
+uniform int listRoom;      // numbers that the list holds
+uniform int smallPixels;   // the longest side of a small triangle's box,
+uniform int mediumPixels;  // and of one of medium size; none is where it is less
+#include "draw/exact/list_place.glsl"
 
 void main() {
   uint pair = gl_WorkGroupID.y * gl_NumWorkGroups.x * 64u + gl_GlobalInvocationID.x;
@@ -27,9 +31,11 @@ void main() {
   t.low = t.high = ivec2(0);
   if (whole) t = drawnTriangle(cornerAt(c.a, c.na), cornerAt(c.b, c.nb), cornerAt(c.c, c.nc));
   if (t.empty) return;
-  ivec2 extent = t.high - t.low;
-  if (!whole || max(extent.x, extent.y) > smallPixels * subpixels)
-    large[int(atomicAdd(counters[part], 1u))] = pair;
-  else
+  int extent = max(t.high.x - t.low.x, t.high.y - t.low.y);
+  if (whole && extent <= smallPixels * subpixels)
     fillBox(t, c.id);
+  else if (whole && extent <= mediumPixels * subpixels)
+    large[listRoom - 1 - int(nextPlace(parts + part))] = pair;
+  else
+    large[int(nextPlace(part))] = pair;
 }

@@ -8,6 +8,7 @@ uniform int mapTexels;
 layout(local_size_x = 64) in;
 layout(std430, binding = largeBinding) writeonly restrict buffer ListBlock { uint listedCopies[]; };
 layout(std430, binding = counterBinding) restrict buffer CounterBlock { uint counters[]; };
+#include "draw/exact/list_place.glsl"
 uniform int draw_;
 uniform int firstListed;
 
@@ -35,5 +36,5 @@ void main() {
   vec4 position = texelFetch(positions, slot);
   precise float radius = 1.001f * radiusOf(position, texelFetch(velocities, slot));  // corners are rounded
   if (!(radius > 0.0f) || radius > 1e9f || !isSeen(position, radius)) return;
-  listedCopies[firstListed + int(atomicAdd(counters[draw_], 1u))] = uint(slot);
+  listedCopies[firstListed + int(nextPlace(draw_))] = uint(slot);
 }

@@ -3,15 +3,13 @@
 #include "draw/exact/triangle.glsl"
 #define GLOW_FIRST_ROW view.rows.x
 #include "draw/instances/glow_block.glsl"
-#ifndef ADDS
-layout(binding = nearUnit) uniform usamplerBuffer nearestKeys;
-#endif
+#include "draw/exact/sample_read.glsl"
 
 // Which samples of the pixel show nothing as near as that (nearest plane / depth).
 int samplesBefore(ivec2 pixel, float near) {
   uint key = nearKey(near);
   int at = firstSample(pixel), count = 0;
-  for (int s = 0; s < SAMPLES; ++s) count += key < texelFetch(nearestKeys, at + s).x ? 1 : 0;
+  for (int s = 0; s < SAMPLES; ++s) count += key < keyAt(at + s) ? 1 : 0;
   return count;
 }
 

@@ -68,7 +68,7 @@ void addGlow(GlowDisc glow, Rays rays, ivec2 pixel) {
     precise vec2 place = vec2(pixel * 16 + samplePlace(s)) * 0.0625f;
     BallHit hit = ballHit(glow.ball, rayAt(rays, place));
     precise float near = view.near * exactReciprocal(max(hit.depth, 1e-6f));
-    bool seen = hit.found && farEnough(hit.depth, near) && nearKey(near) < texelFetch(nearestKeys, at + s).x;
+    bool seen = hit.found && farEnough(hit.depth, near) && nearKey(near) < keyAt(at + s);
     samples += seen ? 1 : 0;
   }
   addPart(pixel, glow.light, 1.0f, samples);

@@ -13,6 +13,7 @@ layout(binding = counterUnit) uniform usamplerBuffer counters;
 layout(local_size_x = 64) in;
 layout(std430, binding = largeBinding) restrict buffer LargeBlock { uint large[]; };
 layout(std430, binding = counterBinding) restrict buffer CounterBlock { uint counters[]; };
+#include "draw/exact/list_place.glsl"
 #endif
 
 Rays raysOfView() {
@@ -20,10 +21,8 @@ Rays raysOfView() {
 }
 
 #ifdef LARGE
-void main() {
-  uint entry = gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x;
-  if (entry >= texelFetch(counters, draw_).x) return;
-  GlowDisc glow = glowDiscOf(int(texelFetch(large, firstLarge + int(entry)).x));
+void addLarge(int number) {
+  GlowDisc glow = glowDiscOf(number);
   Rays rays = raysOfView();
   ivec4 box = glow.box;
   int across = (box.z - box.x) / tileSide + 1;
@@ -33,6 +32,12 @@ void main() {
     if (pixel.x <= box.z && pixel.y <= box.w) addGlow(glow, rays, pixel);
   }
 }
+
+void main() {
+  uint count = texelFetch(counters, draw_).x, groups = gl_NumWorkGroups.x * gl_NumWorkGroups.y;
+  for (uint entry = gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x; entry < count; entry += groups)
+    addLarge(int(texelFetch(large, firstLarge + int(entry)).x));
+}
 #else
 void main() {
   int number = int(gl_WorkGroupID.y * gl_NumWorkGroups.x * 64u + gl_GlobalInvocationID.x);
@@ -41,7 +46,7 @@ void main() {
   ivec4 box = glow.box;
   if (box.z < box.x || box.w < box.y) return;
   if (max(box.z - box.x, box.w - box.y) >= smallPixels) {
-    large[firstLarge + int(atomicAdd(counters[draw_], 1u))] = uint(number);
+    large[firstLarge + int(nextPlace(draw_))] = uint(number);
     return;
   }
   Rays rays = raysOfView();

@@ -8,10 +8,7 @@ layout(binding = counterUnit) uniform usamplerBuffer counters;
 uniform int draw_;
 uniform int firstLarge;
 
-void main() {
-  uint entry = gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x;
-  if (entry >= texelFetch(counters, draw_).x) return;
-  int number = int(texelFetch(large, firstLarge + int(entry)).x);
+void drawLarge(int number) {
   Ball ball = ballOf(texelFetch(positions, number), texelFetch(velocities, number));
   ivec4 box = pixelsOfBall(ball);
   Rays rays = raysOfView();
@@ -21,4 +18,10 @@ void main() {
     ivec2 pixel = box.xy + ivec2(tile % across, tile / across) * tileSide + ivec2(gl_LocalInvocationID.xy);
     if (pixel.x <= box.z && pixel.y <= box.w) putBall(ball, rays, pixel, firstId + uint(number));
   }
+}
+
+void main() {
+  uint count = texelFetch(counters, draw_).x, groups = gl_NumWorkGroups.x * gl_NumWorkGroups.y;
+  for (uint entry = gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x; entry < count; entry += groups)
+    drawLarge(int(texelFetch(large, firstLarge + int(entry)).x));
 }

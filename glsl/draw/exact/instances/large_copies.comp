@@ -6,13 +6,17 @@ layout(binding = largeUnit) uniform usamplerBuffer large;
 layout(binding = counterUnit) uniform usamplerBuffer counters;
 uniform int part;
 
-void main() {
-  uint entry = gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x;
-  if (entry >= texelFetch(counters, part).x) return;
-  CopyTriangle c = copyTriangle(texelFetch(large, int(entry)).x);
+void drawLarge(uint pair) {
+  CopyTriangle c = copyTriangle(pair);
 #ifdef SUN_MAP
   fillTiles(drawnTriangle(cornerAt(c.a, c.na), cornerAt(c.b, c.nb), cornerAt(c.c, c.nc)), c.id);  // never clipped
 #else
   fillClipped(c.a, c.b, c.c, view.near, c.id);
 #endif
+}
+
+void main() {
+  uint count = texelFetch(counters, part).x, groups = gl_NumWorkGroups.x * gl_NumWorkGroups.y;
+  for (uint entry = gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x; entry < count; entry += groups)
+    drawLarge(texelFetch(large, int(entry)).x);
 }

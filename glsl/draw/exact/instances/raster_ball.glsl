@@ -31,6 +31,6 @@ void putBall(Ball ball, Rays rays, ivec2 pixel, uint id) {
     precise float near = view.near * exactReciprocal(max(hit.depth, 1e-6f));
     if (!hit.found || hit.depth < view.near || near < view.nearOverFar) continue;
     int at = sampleIndex(pixel, s);
-    keep(at, nearKey(near), texelFetch(nearestKeys, at).x, id);
+    keep(at, nearKey(near), keyAt(at), id);
   }
 }

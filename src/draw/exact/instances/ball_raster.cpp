@@ -17,11 +17,14 @@ constexpr float ballRadius = 0.5F;  // of sprites and spheres at size 1
 BallRaster::BallRaster(Into into, int samples, int smallPixels)
     : into_(into), samples_(samples), smallPixels_(smallPixels) {}
 
-const gl::Program& BallRaster::program(bool large, int pass) {
-  const std::tuple<bool, int> key{large, pass};
+const gl::Program& BallRaster::program(bool large, int pass, SampleLayout layout) {
+  const std::tuple<bool, int, SampleLayout> key{large, pass, layout};
   const auto found = programs_.find(key);
   if (found != programs_.end()) return found->second;
   gl::Defines defines = {{"SAMPLES", std::to_string(samples_)}, {"PASS", std::to_string(pass)}};
+  for (const auto& define : definesOf(layout)) defines.push_back(define);
+  if (!large)
+    for (const auto& define : laneDefines()) defines.push_back(define);
   const bool map = into_ == Into::sunMap;
   if (map) defines.emplace_back("SUN_MAP", "1");
   if (into_ == Into::lampMap) defines.emplace_back("LAMP_MAP", "1");
@@ -44,57 +47,53 @@ void BallRaster::prepare() {
   glClearNamedBufferData(counters_.name(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, &zero);
 }
 
-void BallRaster::run(bool large, int pass, const std::vector<unsigned>& firstIds, const Visibility& into,
-                     const MapPart& part) {
+void BallRaster::run(bool large, int pass, const Visibility& into, const MapPart& part) {
   into.bind();
   large_.bindStorage(largeBinding);
   largeView_.bind(largeUnit);
   counters_.bindStorage(counterBinding);
   counterView_.bind(counterUnit);
-  const gl::Program& kernel = program(large, pass);
+  const gl::Program& kernel = program(large, pass, into.layout());
   int firstLarge = 0;
   for (std::size_t i = 0; i < balls_.size(); ++i) {
     const sim::Instances& balls = *balls_[i];
     setInstance(kernel, balls, ballRadius, into_ == Into::picture ? minPixelsOf(balls) : 0.0F);
     kernel.set("capacity", balls.capacity);
-    kernel.set("firstId", firstIds[i]);
+    kernel.set("firstId", firstIds_[i]);
     kernel.set("draw_", static_cast<int>(i));
     kernel.set("firstLarge", firstLarge);
     kernel.set("smallPixels", smallPixels_);
     kernel.set("mapTexels", into.size().x);
     part.set(kernel);
     firstLarge += balls.capacity;
-    if (large) {
-      kernel.use();
-      GroupCounts::dispatch(largeGroups_, i);
-    } else {
+    if (large)
+      GroupCounts::dispatchList(kernel, largeGroups_, i, partsFor(into.size(), samples_));
+    else
       dispatchRows(kernel, balls.capacity);
-    }
   }
 }
 
-void BallRaster::drawNearest(const std::vector<const sim::Instances*>& balls, const Visibility& into,
+void BallRaster::drawNearest(const std::vector<const sim::Instances*>& balls,
+                             const std::vector<unsigned>& firstIds, const Visibility& into,
                              const MapPart& part) {
   balls_ = balls;
+  firstIds_ = firstIds;
+  firstIds_.resize(balls_.size());
   if (balls_.empty()) return;
   prepare();
   gl::barrier();
-  const std::vector<unsigned> none(balls_.size(), 0U);
-  run(false, 0, none, into, part);
-  gl::barrier();
-  groups_.fill(counters_,
-               {.counts = static_cast<int>(balls_.size()), .parts = partsFor(into.size(), samples_)},
-               largeGroups_);
-  gl::barrier();
-  glMemoryBarrier(GL_COMMAND_BARRIER_BIT);
-  run(true, 0, none, into, part);
+  run(false, 0, into, part);
+  groups_.prepareLists(
+      counters_, {.counts = static_cast<int>(balls_.size()), .parts = partsFor(into.size(), samples_)},
+      largeGroups_);
+  run(true, 0, into, part);
   gl::barrier();
 }
 
-void BallRaster::drawNumbers(const std::vector<unsigned>& firstIds, const Visibility& into) {
-  if (balls_.empty()) return;
-  run(false, 1, firstIds, into);
-  run(true, 1, firstIds, into);
+void BallRaster::drawNumbers(const Visibility& into) {
+  if (balls_.empty() || into.layout() == SampleLayout::wholes) return;
+  run(false, 1, into);
+  run(true, 1, into);
   gl::barrier();
 }
 

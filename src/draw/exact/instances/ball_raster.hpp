@@ -20,23 +20,23 @@ class BallRaster {
   BallRaster(Into into, int samples, int smallPixels = 16);
 
   /// What is nearest, into what is cleared or drawn already. The uniform blocks, and for a map the light's
-  /// place, are bound.
-  void drawNearest(const std::vector<const sim::Instances*>& balls, const Visibility& into,
-                   const MapPart& part = {});
-  /// The numbers of those that are nearest when all is drawn, each from firstIds[i] on.
-  void drawNumbers(const std::vector<unsigned>& firstIds, const Visibility& into);
+  /// place, are bound. Numbers of balls[i] begin with firstIds[i]; maps have none.
+  void drawNearest(const std::vector<const sim::Instances*>& balls, const std::vector<unsigned>& firstIds,
+                   const Visibility& into, const MapPart& part = {});
+  /// The numbers of those that are nearest when all is drawn.
+  void drawNumbers(const Visibility& into);
 
  private:
-  const gl::Program& program(bool large, int pass);
+  const gl::Program& program(bool large, int pass, SampleLayout layout);
   void prepare();
-  void run(bool large, int pass, const std::vector<unsigned>& firstIds, const Visibility& into,
-           const MapPart& part = {});
+  void run(bool large, int pass, const Visibility& into, const MapPart& part = {});
 
   Into into_;
   int samples_;
   int smallPixels_;
   std::vector<const sim::Instances*> balls_;
-  std::map<std::tuple<bool, int>, gl::Program> programs_;
+  std::vector<unsigned> firstIds_;
+  std::map<std::tuple<bool, int, SampleLayout>, gl::Program> programs_;
   GroupCounts groups_;
   gl::Buffer large_, counters_, largeGroups_;
   gl::Texture largeView_, counterView_;

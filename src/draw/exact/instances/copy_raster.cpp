@@ -3,6 +3,7 @@
 #include "draw/exact/bindings.hpp"
 #include "draw/exact/parts.hpp"
 #include "draw/exact/reserve.hpp"
+#include "gl/context.hpp"
 #include "gl/element_array.hpp"
 
 #include <algorithm>
@@ -13,6 +14,7 @@ namespace simreel::draw {
 namespace {
 
 constexpr const char* copiesPath = "draw/exact/instances/copies.comp";
+constexpr const char* mediumCopiesPath = "draw/exact/instances/medium_copies.comp";
 constexpr const char* largeCopiesPath = "draw/exact/instances/large_copies.comp";
 constexpr unsigned groupPairs = 64;
 
@@ -21,19 +23,32 @@ void clear(const gl::Buffer& counts) {
   glClearNamedBufferData(counts.name(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, &zero);
 }
 
+gl::Defines cullDefines(CopyRaster::Into into) {
+  gl::Defines defines = laneDefines();
+  if (into == CopyRaster::Into::sunMap) defines.emplace_back("SUN_MAP", "1");
+  return defines;
+}
+
 }  // namespace
+
+unsigned CopyRaster::pairsAtOnce() {
+  return 1U << (gl::softwareDriver() ? 22U : 25U);
+}
 
 unsigned CopyRaster::Copies::triangles() const {
   const InstanceShape::Level& level = shape->levels()[0];
   return static_cast<unsigned>(level.indexCount / level.batch / 3);
 }
 
-const gl::Program& CopyRaster::program(const char* path, Pass pass) {
-  const std::tuple<std::string, Pass> key{path, pass};
+const gl::Program& CopyRaster::program(const char* path, Pass pass, SampleLayout layout) {
+  const std::tuple<std::string, Pass, SampleLayout> key{path, pass, layout};
   const auto found = programs_.find(key);
   if (found != programs_.end()) return found->second;
   gl::Defines defines = {{"SAMPLES", std::to_string(samples_)},
                          {"PASS", pass == Pass::nearest ? "0" : "1"}};
+  for (const auto& define : definesOf(layout)) defines.push_back(define);
+  if (path == copiesPath)
+    for (const auto& define : laneDefines()) defines.push_back(define);
   if (pass == Pass::light) defines.emplace_back("ADDS", "1");
   if (into_ == Into::sunMap) defines.emplace_back("SUN_MAP", "1");
   if (into_ == Into::lampMap) defines.emplace_back("LAMP_MAP", "1");
@@ -57,27 +72,26 @@ void CopyRaster::list(const std::vector<Copies>& copies, const Visibility& into)
   firstListed_.clear();
   parts_.clear();
   int all = 0;
-  std::size_t mostPairs = 0;
+  listRoom_ = 0;
   for (std::size_t i = 0; i < copies_.size(); ++i) {
     firstListed_.push_back(all);
     const int capacity = copies_[i].instances->capacity;
     all += capacity;
     const unsigned triangles = std::max(copies_[i].triangles(), 1U);
     const int most = static_cast<int>(std::max(pairs_ / triangles, 1U));
-    mostPairs = std::max(mostPairs, static_cast<std::size_t>(std::min(most, capacity)) * triangles);
+    listRoom_ = std::max(listRoom_, static_cast<std::size_t>(std::min(most, capacity)) * triangles);
     for (int skipped = 0; skipped < capacity; skipped += most) parts_.push_back({i, skipped, most});
   }
   const auto words = [](std::size_t count) { return count * sizeof(GLuint); };
   const std::size_t parts = parts_.size();
   reserve(listed_, listedView_, "copies in sight", words(static_cast<std::size_t>(all)), GL_R32UI, 4);
   reserve(counts_, countView_, "counts of copies", words(copies_.size()), GL_R32UI, 4);
-  reserve(large_, largeView_, "large triangles of copies", words(mostPairs), GL_R32UI, 4);
-  reserve(largeCounts_, largeCountView_, "counts of large triangles", words(parts), GL_R32UI, 4);
+  reserve(large_, largeView_, "large triangles of copies", words(listRoom_), GL_R32UI, 4);
+  reserve(largeCounts_, largeCountView_, "counts of large triangles", words(2 * parts), GL_R32UI, 4);
   reserve(smallGroups_, "groups for copies", parts * GroupCounts::bytes);
   reserve(largeGroups_, "groups for large triangles", parts * GroupCounts::bytes);
   if (cull_.name() == 0)
-    cull_ = gl::Program::compute("draw/exact/instances/cull_copies.comp",
-                                 into_ == Into::sunMap ? gl::Defines{{"SUN_MAP", "1"}} : gl::Defines{});
+    cull_ = gl::Program::compute("draw/exact/instances/cull_copies.comp", cullDefines(into_));
   clear(counts_);
   gl::barrier();
   listed_.bindStorage(largeBinding);
@@ -103,20 +117,22 @@ void CopyRaster::list(const std::vector<Copies>& copies, const Visibility& into)
   glMemoryBarrier(GL_COMMAND_BARRIER_BIT);
 }
 
-void CopyRaster::runPart(std::size_t number, Pass pass, unsigned firstId, const Visibility& into,
-                         const MapPart& map) {
+void CopyRaster::runPart(std::size_t number, Pass pass, const Visibility& into, const MapPart& map) {
   const Part& part = parts_[number];
   const Copies& copies = copies_[part.draw];
   const auto start = [&](const char* path) -> const gl::Program& {
-    const gl::Program& kernel = program(path, pass);
-    set(kernel, copies, firstId);
+    const gl::Program& kernel = program(path, pass, into.layout());
+    set(kernel, copies, firstIds_[part.draw]);
     if (pass == Pass::light) colors_[part.draw].set(kernel, *copies.instances);
     kernel.set("firstListed", firstListed_[part.draw]);
     kernel.set("skipped", part.skipped);
     kernel.set("mostCopies", part.most);
     kernel.set("draw_", static_cast<int>(part.draw));
     kernel.set("part", static_cast<int>(number));
+    kernel.set("parts", static_cast<int>(parts_.size()));
+    kernel.set("listRoom", static_cast<int>(listRoom_));
     kernel.set("smallPixels", smallPixels_);
+    kernel.set("mediumPixels", mediumPixels_);
     kernel.set("doubleSided", 1);
     kernel.set("mapTexels", into.size().x);
     map.set(kernel);
@@ -127,50 +143,48 @@ void CopyRaster::runPart(std::size_t number, Pass pass, unsigned firstId, const 
   countView_.bind(counterUnit);
   start(copiesPath).use();
   GroupCounts::dispatch(smallGroups_, number);
-  gl::barrier();
-  groups_.fill(largeCounts_,
-               {.first = static_cast<int>(number),
-                .firstCount = static_cast<int>(number),
-                .parts = partsFor(into.size(), samples_)},
-               largeGroups_);
-  gl::barrier();
-  glMemoryBarrier(GL_COMMAND_BARRIER_BIT);
+  const unsigned shares = partsFor(into.size(), samples_);
+  groups_.prepareLists(
+      largeCounts_,
+      {.first = static_cast<int>(number), .firstCount = static_cast<int>(number), .parts = shares},
+      largeGroups_);
   largeView_.bind(largeUnit);
   largeCountView_.bind(counterUnit);
-  start(largeCopiesPath).use();
-  GroupCounts::dispatch(largeGroups_, number);
+  if (mediumPixels_ > smallPixels_) GroupCounts::dispatchFixed(start(mediumCopiesPath));
+  GroupCounts::dispatchList(start(largeCopiesPath), largeGroups_, number, shares);
   gl::barrier();
 }
 
-void CopyRaster::run(Pass pass, const std::vector<unsigned>& firstIds, const Visibility& into,
-                     const MapPart& map) {
+void CopyRaster::run(Pass pass, const Visibility& into, const MapPart& map) {
   clear(largeCounts_);
   gl::barrier();
   if (pass != Pass::light) into.bind();
   into.nearKeys().bind(nearUnit);
   listedView_.bind(listUnit);
-  for (std::size_t part = 0; part < parts_.size(); ++part)
-    runPart(part, pass, firstIds[parts_[part].draw], into, map);
+  for (std::size_t part = 0; part < parts_.size(); ++part) runPart(part, pass, into, map);
 }
 
-void CopyRaster::drawNearest(const std::vector<Copies>& copies, const Visibility& into,
-                             const MapPart& map) {
+void CopyRaster::drawNearest(const std::vector<Copies>& copies, const std::vector<unsigned>& firstIds,
+                             const Visibility& into, const MapPart& map) {
   copies_.clear();
+  firstIds_ = firstIds;
+  firstIds_.resize(copies.size());
   if (copies.empty()) return;
   list(copies, into);
-  run(Pass::nearest, std::vector<unsigned>(copies.size(), 0U), into, map);
+  run(Pass::nearest, into, map);
 }
 
-void CopyRaster::drawNumbers(const std::vector<unsigned>& firstIds, const Visibility& into) {
-  if (!copies_.empty()) run(Pass::numbers, firstIds, into, {});
+void CopyRaster::drawNumbers(const Visibility& into) {
+  if (!copies_.empty() && into.layout() != SampleLayout::wholes) run(Pass::numbers, into, {});
 }
 
 void CopyRaster::addLight(const std::vector<Copies>& copies, const Visibility& into) {
   if (copies.empty()) return;
   colors_.resize(std::max(colors_.size(), copies.size()));
   for (std::size_t i = 0; i < copies.size(); ++i) colors_[i].update(*copies[i].instances);
+  firstIds_.assign(copies.size(), 0U);
   list(copies, into);
-  run(Pass::light, std::vector<unsigned>(copies.size(), 0U), into, {});
+  run(Pass::light, into, {});
 }
 
 }  // namespace simreel::draw

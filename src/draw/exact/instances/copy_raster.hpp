@@ -16,10 +16,19 @@ namespace simreel::draw {
 class CopyRaster {
  public:
   enum class Into { picture, sunMap, lampMap };
-  /// Triangles whose box has no side above `smallPixels` (0 to 64) are drawn by an invocation each, the
-  /// others by groups, tile by tile; `pairs`: so many triangles of copies at once. The same either way.
-  CopyRaster(Into into, int samples, int smallPixels = smallTriangle(), unsigned pairs = 1U << 22U)
-      : into_(into), samples_(samples), smallPixels_(smallPixels), pairs_(pairs) {}
+  /// Triangles whose box has no side above `smallPixels` (0 to 64) are drawn by an invocation each, of the
+  /// others those of at most `mediumPixels` (to 64) by sixteen, the rest by groups, tile by tile; `pairs`:
+  /// so many triangles of copies at once. The same either way.
+  CopyRaster(Into into, int samples, int smallPixels = smallCopyTriangle(), unsigned pairs = pairsAtOnce(),
+             int mediumPixels = mediumTriangle())
+      : into_(into),
+        samples_(samples),
+        smallPixels_(smallPixels),
+        mediumPixels_(mediumPixels),
+        pairs_(pairs) {}
+
+  /// How many suit the device: each needs a word.
+  [[nodiscard]] static unsigned pairsAtOnce();
 
   /// Copies of one mesh. The shape stays where it is.
   struct Copies {
@@ -29,9 +38,11 @@ class CopyRaster {
   };
   /// What is nearest, into what is cleared or drawn already. The uniform blocks, and for the sun's map
   /// the light's place, are bound.
-  void drawNearest(const std::vector<Copies>& copies, const Visibility& into, const MapPart& map = {});
-  /// The numbers of those that are nearest when all is drawn, each from firstIds[i] on.
-  void drawNumbers(const std::vector<unsigned>& firstIds, const Visibility& into);
+  /// Numbers of copies[i] begin with firstIds[i]; maps have none.
+  void drawNearest(const std::vector<Copies>& copies, const std::vector<unsigned>& firstIds,
+                   const Visibility& into, const MapPart& map = {});
+  /// The numbers of those that are nearest when all is drawn.
+  void drawNumbers(const Visibility& into);
   /// Adds light to the bound sums of GlowRaster, before what is visible.
   void addLight(const std::vector<Copies>& copies, const Visibility& into);
 
@@ -46,20 +57,22 @@ class CopyRaster {
     int skipped;
     int most;
   };
-  const gl::Program& program(const char* path, Pass pass);
+  const gl::Program& program(const char* path, Pass pass, SampleLayout layout);
   void list(const std::vector<Copies>& copies, const Visibility& into);
-  void run(Pass pass, const std::vector<unsigned>& firstIds, const Visibility& into, const MapPart& map);
-  void runPart(std::size_t part, Pass pass, unsigned firstId, const Visibility& into, const MapPart& map);
+  void run(Pass pass, const Visibility& into, const MapPart& map);
+  void runPart(std::size_t part, Pass pass, const Visibility& into, const MapPart& map);
 
   Into into_;
   int samples_;
-  int smallPixels_;
+  int smallPixels_, mediumPixels_;
   unsigned pairs_;
+  std::size_t listRoom_ = 0;
   std::vector<Copies> copies_;
+  std::vector<unsigned> firstIds_;
   std::vector<int> firstListed_;
   std::vector<Part> parts_;
   std::vector<InstanceColors> colors_;
-  std::map<std::tuple<std::string, Pass>, gl::Program> programs_;
+  std::map<std::tuple<std::string, Pass, SampleLayout>, gl::Program> programs_;
   std::map<const InstanceShape*, gl::Texture> indices_;
   gl::Program cull_;
   GroupCounts groups_;

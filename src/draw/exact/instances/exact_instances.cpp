@@ -42,8 +42,8 @@ void ExactInstances::cast(const sim::Drawables& drawables, BallRaster& balls, Co
     else
       castingBalls.push_back(&instances);
   }
-  balls.drawNearest(castingBalls, map, part);
-  copies.drawNearest(castingCopies, map, part);
+  balls.drawNearest(castingBalls, {}, map, part);
+  copies.drawNearest(castingCopies, {}, map, part);
 }
 
 void ExactInstances::castShadows(const sim::Drawables& drawables, const Visibility& map,
@@ -56,7 +56,8 @@ void ExactInstances::castLampShadows(const sim::Drawables& drawables, const Visi
   cast(drawables, ballLampShadows_, copyLampShadows_, maps, part);
 }
 
-void ExactInstances::drawNearest(const sim::Drawables& drawables, const Visibility& picture) {
+void ExactInstances::number(const sim::Drawables& drawables, unsigned firstId,
+                            std::vector<unsigned>& firstIds) {
   balls_.clear();
   copies_.clear();
   for (const sim::Instances& instances : drawables.instances) {
@@ -66,12 +67,6 @@ void ExactInstances::drawNearest(const sim::Drawables& drawables, const Visibili
     else
       balls_.push_back(&instances);
   }
-  ballRaster_.drawNearest(balls_, picture);
-  copyRaster_.drawNearest(copies_, picture);
-}
-
-void ExactInstances::drawNumbers(unsigned firstId, const Visibility& picture,
-                                 std::vector<unsigned>& firstIds) {
   ballIds_.clear();
   copyIds_.clear();
   for (const sim::Instances* balls : balls_) {
@@ -82,10 +77,18 @@ void ExactInstances::drawNumbers(unsigned firstId, const Visibility& picture,
     copyIds_.push_back(firstId);
     firstId = after(firstId, static_cast<std::uint64_t>(copies.instances->capacity) * copies.triangles());
   }
-  ballRaster_.drawNumbers(ballIds_, picture);
-  copyRaster_.drawNumbers(copyIds_, picture);
   firstIds.insert(firstIds.end(), ballIds_.begin(), ballIds_.end());
   firstIds.insert(firstIds.end(), copyIds_.begin(), copyIds_.end());
+}
+
+void ExactInstances::drawNearest(const Visibility& picture) {
+  ballRaster_.drawNearest(balls_, ballIds_, picture);
+  copyRaster_.drawNearest(copies_, copyIds_, picture);
+}
+
+void ExactInstances::drawNumbers(const Visibility& picture) {
+  ballRaster_.drawNumbers(picture);
+  copyRaster_.drawNumbers(picture);
 }
 
 void ExactInstances::describe(std::vector<DrawnThing>& things) const {

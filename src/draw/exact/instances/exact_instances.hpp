@@ -26,11 +26,13 @@ class ExactInstances {
   void castShadows(const sim::Drawables& drawables, const Visibility& map, const MapPart& part);
   /// Into one of a lamp's maps, whose view is bound.
   void castLampShadows(const sim::Drawables& drawables, const Visibility& maps, const MapPart& part);
+  /// Numbers what is opaque from `firstId` on. Adds the first of each draw to `firstIds`. Throws
+  /// UserError(device) where there are more than numbers.
+  void number(const sim::Drawables& drawables, unsigned firstId, std::vector<unsigned>& firstIds);
   /// What is nearest: before anything has drawn numbers.
-  void drawNearest(const sim::Drawables& drawables, const Visibility& picture);
-  /// The numbers, from `firstId` on, when everything has drawn what is nearest. Adds the first of each draw
-  /// to `firstIds`. Throws UserError(device) where there are more than numbers.
-  void drawNumbers(unsigned firstId, const Visibility& picture, std::vector<unsigned>& firstIds);
+  void drawNearest(const Visibility& picture);
+  /// The numbers, when everything has drawn what is nearest.
+  void drawNumbers(const Visibility& picture);
   /// What has these numbers.
   void describe(std::vector<DrawnThing>& things) const;
   /// Adds the light of what is opaque, whose draws are things of the tiles from `firstThing` on.

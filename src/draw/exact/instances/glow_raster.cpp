@@ -31,11 +31,14 @@ void GlowRaster::prepare(glm::ivec2 size) {
   add_ = gl::Program::compute("draw/exact/instances/add_glows.comp");
 }
 
-const gl::Program& GlowRaster::program(bool large, bool ball) {
-  const std::pair<bool, bool> key{large, ball};
+const gl::Program& GlowRaster::program(bool large, bool ball, SampleLayout layout) {
+  const std::tuple<bool, bool, SampleLayout> key{large, ball, layout};
   const auto found = programs_.find(key);
   if (found != programs_.end()) return found->second;
   gl::Defines defines = {{"SAMPLES", std::to_string(samples_)}};
+  for (const auto& define : definesOf(layout)) defines.push_back(define);
+  if (!large)
+    for (const auto& define : laneDefines()) defines.push_back(define);
   if (large) defines.emplace_back("LARGE", "1");
   if (ball) defines.emplace_back("BALL", "1");
   return programs_.emplace(key, gl::Program::compute("draw/exact/instances/glows.comp", defines))
@@ -52,7 +55,7 @@ void GlowRaster::run(bool large, const Visibility& picture) {
   int firstLarge = 0;
   for (std::size_t i = 0; i < glows_.size(); ++i) {
     const sim::Instances& glows = *glows_[i];
-    const gl::Program& kernel = program(large, !isSprite(glows));
+    const gl::Program& kernel = program(large, !isSprite(glows), picture.layout());
     setInstance(kernel, glows, glowRadius, minPixelsOf(glows));
     colors_[i].set(kernel, glows);
     kernel.set("capacity", glows.capacity);
@@ -61,12 +64,10 @@ void GlowRaster::run(bool large, const Visibility& picture) {
     kernel.set("smallPixels", smallPixels_);
     kernel.set("roundPixels", glows.discs ? 0.0F : roundPixels);
     firstLarge += glows.capacity;
-    if (large) {
-      kernel.use();
-      GroupCounts::dispatch(largeGroups_, i);
-    } else {
+    if (large)
+      GroupCounts::dispatchList(kernel, largeGroups_, i, partsFor(picture.size(), picture.samples()));
+    else
       dispatchRows(kernel, glows.capacity);
-    }
   }
 }
 
@@ -88,12 +89,9 @@ void GlowRaster::draw(const std::vector<const sim::Instances*>& glows, const Vis
   glClearNamedBufferData(counters_.name(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, &zero);
   gl::barrier();
   run(false, picture);
-  gl::barrier();
-  groups_.fill(counters_,
-               {.counts = static_cast<int>(count), .parts = partsFor(picture.size(), picture.samples())},
-               largeGroups_);
-  gl::barrier();
-  glMemoryBarrier(GL_COMMAND_BARRIER_BIT);
+  groups_.prepareLists(
+      counters_, {.counts = static_cast<int>(count), .parts = partsFor(picture.size(), picture.samples())},
+      largeGroups_);
   run(true, picture);
   gl::barrier();
 }

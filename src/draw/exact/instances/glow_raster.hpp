@@ -6,7 +6,7 @@
 #include "sim/core/drawable.hpp"
 
 #include <map>
-#include <utility>
+#include <tuple>
 #include <vector>
 
 namespace simreel::draw {
@@ -29,14 +29,14 @@ class GlowRaster {
   void addTo(glm::ivec2 size) const;
 
  private:
-  const gl::Program& program(bool large, bool ball);
+  const gl::Program& program(bool large, bool ball, SampleLayout layout);
   void run(bool large, const Visibility& picture);
 
   int samples_;
   int smallPixels_;
   std::vector<const sim::Instances*> glows_;
   std::vector<InstanceColors> colors_;
-  std::map<std::pair<bool, bool>, gl::Program> programs_;
+  std::map<std::tuple<bool, bool, SampleLayout>, gl::Program> programs_;
   GroupCounts groups_;
   gl::Program add_;
   gl::Buffer sums_, large_, counters_, largeGroups_;

@@ -51,9 +51,17 @@ struct ExactScene::State {
 
   /// Defines of what shades.
   [[nodiscard]] gl::Defines lighting(int count) const {
-    gl::Defines defines = {{"SAMPLES", std::to_string(count)}};
+    gl::Defines defines = definesOf(visibility.layout());
+    if (scene.numerics == scene::Numerics::fast) defines.emplace_back("FAST_NUMERICS", "1");
+    defines.emplace_back("SAMPLES", std::to_string(count));
     for (const gl::Defines& more : {shadow.defines(), lamps.defines()})
       defines.insert(defines.end(), more.begin(), more.end());
+    return defines;
+  }
+  [[nodiscard]] gl::Defines pictureDefines() const {
+    gl::Defines defines;
+    if (bloom.on()) defines.emplace_back("BLOOM", "1");
+    if (scene.numerics == scene::Numerics::fast) defines.emplace_back("FAST_NUMERICS", "1");
     return defines;
   }
   void drawShadows(const sim::Drawables& drawables);
@@ -97,12 +105,11 @@ ExactScene::State::State(const scene::Scene& shown, glm::ivec2 pixels, int count
       visibility("the picture", {pixels.x, rows}, count, true),
       triangles(TriangleRaster::Into::picture, count),
       lampMaps(lamps),
-      tiles({pixels.x, rows}, count, ground, shadow.on()),
+      tiles(visibility, ground, shadow.on()),
       surfaces(shown, lighting(count)),
       instances(count, lighting(count)),
       bloom(shown.render.bloom, pixels),
-      picture(gl::Program::compute("draw/exact/picture.comp",
-                                   bloom.on() ? gl::Defines{{"BLOOM", "1"}} : gl::Defines{})),
+      picture(gl::Program::compute("draw/exact/picture.comp", pictureDefines())),
       sums(gl::Texture::image("light", GL_RGBA32F, pixels.x, pixels.y)) {
   if (shadow.on()) {
     map.emplace("the shadow map", shadow.size(), 1, false);
@@ -134,12 +141,12 @@ void ExactScene::State::drawShadows(const sim::Drawables& drawables) {
   gl::barrier();
   // A filter of r texels reads depths up to r + 1 texels of slope away.
   const MapPart part{.slopeOffset = 1.5F + scene.sun.shadowSoftness};
-  casters->draw(casting, *map, part);
+  casters->number(casting);
+  casters->draw(*map, part);
   instances.castShadows(drawables, *map, part);
 }
 
 void ExactScene::State::shadeAll() {
-  sums.bindImage(sumImage, GL_READ_WRITE);
   if (map) map->nearKeys().bind(mapUnit);
   lampMaps.bind();
   const auto& drawn = triangles.drawn();
@@ -154,12 +161,11 @@ void ExactScene::State::shadeAll() {
 /// What the band's samples show; with its first, shadow maps and what has numbers.
 void ExactScene::State::keepVisibility(glm::ivec2 rows) const {
   const glm::ivec2 band(size.x, rows.y - rows.x);
-  passes->keep("visibility", "keys", visibility.nearBuffer(), band, samples);
-  passes->keep("visibility", "numbers", visibility.idBuffer(), band, samples);
+  passes->keep("visibility", "keys", visibility.readKeys(), band, samples);
+  passes->keep("visibility", "numbers", visibility.readNumbers(), band, samples);
   if (rows.x > 0) return;
-  if (map) passes->keep("shadow", "sun", map->nearBuffer(), map->size(), 1);
-  if (lampMaps.on())
-    passes->keep("shadow", "lamps", lampMaps.keys().nearBuffer(), lampMaps.keys().size(), 1);
+  if (map) passes->keep("shadow", "sun", map->readKeys(), map->size(), 1);
+  if (lampMaps.on()) passes->keep("shadow", "lamps", lampMaps.keys().readKeys(), lampMaps.keys().size(), 1);
   for (const TriangleRaster::Drawn& drawn : triangles.drawn())
     passes->things.push_back({objectName(*drawn.surface), "triangle", drawn.firstId, 1});
   instances.describe(passes->things);
@@ -172,19 +178,22 @@ void ExactScene::keepPasses(PassPicture* passes) {
 void ExactScene::State::drawBand(const sim::Drawables& drawables, glm::ivec2 rows, const Watch& watch) {
   std::vector<const sim::Surface*> shown;
   for (const sim::Surface& surface : drawables.surfaces) shown.push_back(&surface);
-  gl::barrier();  // another band may still be read
-  visibility.clear();
-  gl::barrier();
-  instances.drawNearest(drawables, visibility);  // before triangles draw numbers
-  triangles.draw(shown, visibility);
+  triangles.number(shown);
   std::vector<unsigned> firstIds;
   unsigned numbers = 0;
   for (const TriangleRaster::Drawn& drawn : triangles.drawn()) {
     firstIds.push_back(drawn.firstId);
     numbers = drawn.firstId + static_cast<unsigned>(drawn.maxTriangles);
   }
-  instances.drawNumbers(numbers, visibility, firstIds);
+  instances.number(drawables, numbers, firstIds);
+  gl::barrier();  // another band may still be read
+  visibility.clear();
+  gl::barrier();
+  instances.drawNearest(visibility);  // before triangles draw numbers
+  triangles.draw(visibility);
+  instances.drawNumbers(visibility);
   if (watch) watch("visibility");
+  sums.bindImage(sumImage, GL_READ_WRITE);
   tiles.list(firstIds, visibility, ExactInstances::anyAdd(drawables));
   if (passes != nullptr) keepVisibility(rows);
   shadeAll();
@@ -216,7 +225,7 @@ void ExactScene::draw(double seconds, const sim::Drawables& published, const Ove
     issued("shadow");
   }
   constexpr std::array<GLfloat, 4> none = {0, 0, 0, 0};
-  glClearTexImage(s.sums.name(), 0, GL_RGBA, GL_FLOAT, none.data());
+  if (!ShadedTiles::emptiesLight()) glClearTexImage(s.sums.name(), 0, GL_RGBA, GL_FLOAT, none.data());
   for (int row = 0; row < s.size.y; row += s.bandRows) {
     values.rows = {row, std::min(row + s.bandRows, s.size.y)};
     s.view.write(0, std::as_bytes(std::span(&values, 1)));

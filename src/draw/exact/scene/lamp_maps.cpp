@@ -47,7 +47,7 @@ LampMaps::LampMaps(const Lamps& lamps) : count_(lamps.order().shadowed) {
   for (const scene::Light* light : lamps.order().lights)
     if (light->shadow) softness_ = std::max(softness_, light->shadowSoftness);
   keys_.emplace("the shadow maps of the lights", lamps.order().atlas, 1, false);
-  raster_.emplace(TriangleRaster::Into::lampMap, 1, 64);
+  raster_.emplace(TriangleRaster::Into::lampMap, 1);
   mesh_.emplace();
   const auto alignment = static_cast<std::size_t>(gl::limits().uniformAlignment);
   viewStride_ = (sizeof(shader::ExactView) + alignment - 1) / alignment * alignment;
@@ -82,7 +82,8 @@ void LampMaps::draw(const sim::Drawables& drawables, const Lamps& lamps, ExactIn
                        .firstKey = order.rows[lamp] * order.atlas.x +
                                    i % shader::lampFaces * order.lights[lamp]->shadowSize,
                        .keyStride = order.atlas.x};
-    raster_->draw(merged, *keys_, part);
+    raster_->number(merged);
+    raster_->draw(*keys_, part);
     instances.castLampShadows(drawables, *keys_, part);
   }
 }
