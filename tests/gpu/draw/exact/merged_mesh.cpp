@@ -1,8 +1,9 @@
 // Surfaces merged into one in world space, against the same surfaces one by one: the same shadow map of a
 // lamp.
 #include "draw/exact/scene/merged_mesh.hpp"
+
 #include "draw/exact/triangle_raster.hpp"
-#include "gpu/draw/exact_stage.hpp"
+#include "gpu/draw/exact/stage.hpp"
 
 #include <algorithm>
 #include <array>

@@ -2,7 +2,7 @@
 #include "draw/surface/mip_levels.hpp"
 #include "frame/image.hpp"
 #include "gpu/draw/draw_stage.hpp"
-#include "gpu/draw/exact_stage.hpp"
+#include "gpu/draw/exact/stage.hpp"
 #include "reference/picture_twin.hpp"
 
 #include <filesystem>

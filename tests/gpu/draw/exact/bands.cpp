@@ -1,7 +1,7 @@
 #include "base/file.hpp"
 #include "golden/trace/passes.hpp"
 #include "gpu/draw/draw_stage.hpp"
-#include "gpu/draw/exact_stage.hpp"
+#include "gpu/draw/exact/stage.hpp"
 #include "gpu/draw/instance_stage.hpp"
 
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "gpu/draw/exact_stage.hpp"
+#include "gpu/draw/exact/stage.hpp"
 #include "reference/raster_twin.hpp"
 
 #include <algorithm>

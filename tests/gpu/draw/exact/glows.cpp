@@ -2,7 +2,7 @@
 #include "draw/exact/instances/ball_raster.hpp"
 #include "draw/exact/instances/glow_raster.hpp"
 #include "gpu/draw/ball_stage.hpp"
-#include "gpu/draw/exact_instance_stage.hpp"
+#include "gpu/draw/exact/instance_stage.hpp"
 
 #include <algorithm>
 #include <array>

@@ -5,7 +5,7 @@
 #include "draw/exact/instances/copy_raster.hpp"
 #include "draw/exact/triangle_raster.hpp"
 #include "gpu/draw/ball_stage.hpp"
-#include "gpu/draw/exact_instance_stage.hpp"
+#include "gpu/draw/exact/instance_stage.hpp"
 #include "sim/core/shader_code.hpp"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // Numbers of things and of invocations that no scene comes near to, but that are allowed.
 #include "base/error.hpp"
 #include "base/file.hpp"
-#include "gpu/draw/exact_stage.hpp"
+#include "gpu/draw/exact/stage.hpp"
 #include "gpu/draw/instance_stage.hpp"
 
 #include <algorithm>
