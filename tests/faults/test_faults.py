@@ -7,7 +7,7 @@ makes; and the same command again, undisturbed, ends with that folder byte for b
 
     SIMREEL=build/simreel FAULTS_LIBRARY=build/tests/faults/libfaults.so tests/faults/test_faults.py [--all]
 
-Without --all: every call for files, threads and processes, the first 200 allocations and GL calls, then every 101st;
+Without --all: every call for files, threads and processes, the first 200 allocations and GL calls, then every 307th;
 --runs and --classes choose."""
 import argparse
 import concurrent.futures
@@ -26,7 +26,7 @@ LIBRARY = os.environ.get("FAULTS_LIBRARY", "libfaults.so")
 KEEP = os.environ.get("FAULTS_KEEP")  # a folder for what is left where something is wrong
 SECONDS = 120  # of one run: a hang
 MANY = ("alloc", "gl")  # classes with thousands of calls
-FIRST, STRIDE = 200, 101
+FIRST, STRIDE = 200, 307
 CRASHES = ("terminate called", "internal error", "std::", "AddressSanitizer", "Assertion")
 
 SCENE = {
