@@ -19,7 +19,7 @@ vec4 loadPosition(int i) {
 vec4 taken(ivec2 at, int i) {
 #ifdef FIRST
   vec4 here = loadPosition(i);
-  Motion m = advance(at, here, LOAD_ONCE(velocities, i), false, AIR, false, false, false);
+  Motion m = advance(at, here, LOAD_ONCE(velocities, i), false, AIR, FABRIC, false, false, false);
   if (isLost(m)) noteLost(uint(stepData.substep), uint(i));
   return vec4(m.position, here.w);
 #else

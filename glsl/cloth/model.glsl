@@ -24,6 +24,13 @@ FUNCTION float scaledCompliance(int kind) {
   precise float scaled = compliance * stepData.perDtSquared;
   return scaled;
 }
+// Of a fabric's row, or column. A link stands for a strip as wide as it is long, so 1 / (N/m); one along a border for half.
+FUNCTION float fabricCompliance(bool row, int line) {
+  int count = row ? size.y : size.x;
+  float half_ = line == 0 || line == count - 1 ? 2.0f : 1.0f;
+  precise float scaled = exactReciprocal(row ? stepData.fabric.weft : stepData.fabric.warp) * half_ * stepData.perDtSquared;
+  return scaled;
+}
 
 // F = k (|d| - L0) d / |d| = k (1 - L0 / |d|) d, none where |d| < 1e-4 m.
 FUNCTION vec3 springForce(vec3 d, float restLength, float stiffness) {
@@ -52,6 +59,47 @@ FUNCTION vec3 springForces(ivec2 at, vec3 here) {
   sum = sum + springTo(at, here, -2, 0, twice, bend) + springTo(at, here, 2, 0, twice, bend) +
         springTo(at, here, 0, -2, twice, bend) + springTo(at, here, 0, 2, twice, bend);
   return sum;
+}
+
+// Bending of a fabric, a plate's energy of second differences, linear in the positions and so the same however it lies:
+//   E = 1/2 (D / L^2) sum (|Dxx|^2 + |Dyy|^2) over nodes + sum |Dxy|^2 D / L^2 over cells.
+// Borders are natural: what would reach beyond has no energy, and differences along a border count for half its area. A
+// clamped border has a ghost beyond it, x[-1] = x[1] - 2 t, where t leads to its neighbour within.
+FUNCTION vec3 loadPoint(ivec2 at, int dx, int dy) {
+  return vec3(loadPosition(neighbour(at, dx, dy)));
+}
+// dE/dx of the second differences along one axis: of the nodes before, here and after.
+FUNCTION vec3 bendAlong(ivec2 at, vec3 here, bool row) {
+  int dx = row ? 1 : 0, dy = row ? 0 : 1;
+  int k = row ? at.x : at.y, count = row ? size.x : size.y;
+  vec4 before = loadPosition(neighbour(at, -dx, -dy)), after = loadPosition(neighbour(at, dx, dy));
+  vec4 low = stepData.clamped[row ? 0 : 2], high = stepData.clamped[row ? 1 : 3];
+  precise vec3 first = loadPoint(at, -2 * dx, -2 * dy) - 2.0f * vec3(before) + here;
+  precise vec3 middle = vec3(before) - 2.0f * here + vec3(after);
+  precise vec3 last = here - 2.0f * vec3(after) + loadPoint(at, 2 * dx, 2 * dy);
+  precise vec3 ghostFirst = 2.0f * (here - vec3(before) - vec3(low));
+  precise vec3 ghostLast = 2.0f * (here - vec3(after) - vec3(high));
+  bool heldFirst = k == 1 && low.w > 0.0f && before.w == 0.0f;
+  bool heldLast = k == count - 2 && high.w > 0.0f && after.w == 0.0f;
+  first = k >= 2 ? first : heldFirst ? ghostFirst : vec3(0.0f);
+  middle = k >= 1 && k < count - 1 ? middle : vec3(0.0f);
+  last = k < count - 2 ? last : heldLast ? ghostLast : vec3(0.0f);
+  int other = row ? at.y : at.x, others = row ? size.y : size.x;
+  float area = other == 0 || other == others - 1 ? 0.5f : 1.0f;
+  precise vec3 gradient = (first - 2.0f * middle + last) * area;
+  return gradient;
+}
+// here - a - b + c of the cell on that side: 2 |Dxy|^2 / 2 gives twice this.
+FUNCTION vec3 twist(ivec2 at, vec3 here, int dx, int dy) {
+  bool there = at.x + dx >= 0 && at.y + dy >= 0 && at.x + dx < size.x && at.y + dy < size.y;
+  precise vec3 cell = here - loadPoint(at, dx, 0) - loadPoint(at, 0, dy) + loadPoint(at, dx, dy);
+  return there ? cell : vec3(0.0f);
+}
+FUNCTION vec3 bendingForce(ivec2 at, vec3 here) {
+  precise vec3 twists = twist(at, here, -1, -1) + twist(at, here, 1, -1) + twist(at, here, -1, 1) + twist(at, here, 1, 1);
+  precise vec3 gradient = bendAlong(at, here, true) + bendAlong(at, here, false) + 2.0f * twists;
+  precise vec3 force = gradient * -stepData.perBend;
+  return force;
 }
 
 // Value noise with three components in [-1, 1): a random vector at each lattice point, blended by
@@ -112,9 +160,10 @@ FUNCTION vec3 airForces(ivec2 at, vec3 here, vec3 velocity) {
   return sum;
 }
 
-// v' = (v + (F w + g) dt) keep. `springs` and `air` switch terms off that a variant does not have.
-FUNCTION vec3 newVelocity(ivec2 at, vec4 here, vec3 velocity, bool springs, bool air) {
+// v' = (v + (F w + g) dt) keep. `springs`, `air` and `fabric` switch terms off that a variant does not have.
+FUNCTION vec3 newVelocity(ivec2 at, vec4 here, vec3 velocity, bool springs, bool air, bool fabric) {
   precise vec3 force = vec3(stepData.wind);
+  if (fabric) force = force + bendingForce(at, vec3(here));
   if (springs) force = force + springForces(at, vec3(here));
   if (air) force = force + airForces(at, vec3(here), velocity);
   precise vec3 acceleration = force * here.w + vec3(stepData.gravity);
@@ -212,15 +261,15 @@ FUNCTION Motion contact(Motion m, vec3 before, bool lands, bool walled) {
 }
 
 // Semi-implicit Euler: x' = x + v' dt, then contact unless constraints still have to act.
-FUNCTION Motion advance(ivec2 at, vec4 here, vec4 velocity, bool springs, bool air, bool touch, bool lands,
-                        bool walled) {
+FUNCTION Motion advance(ivec2 at, vec4 here, vec4 velocity, bool springs, bool air, bool fabric, bool touch,
+                        bool lands, bool walled) {
   Motion m;
   if (here.w == 0.0f) {
     m.position = pinnedPosition(at, int(velocity.w));
     m.velocity = vec3(0.0f);
     return m;
   }
-  m.velocity = newVelocity(at, here, vec3(velocity), springs, air);
+  m.velocity = newVelocity(at, here, vec3(velocity), springs, air, fabric);
   precise vec3 moved = vec3(here) + m.velocity * stepData.dt;
   m.position = moved;
   if (touch) m = contact(m, vec3(here), lands, walled);

@@ -77,7 +77,11 @@ void main() {
   linePace = size.x;
 #endif
   lineRest = springLength(0);
-  lineCompliance = scaledCompliance(0);
+#ifdef ROWS
+  lineCompliance = FABRIC ? fabricCompliance(true, line) : scaledCompliance(0);
+#else
+  lineCompliance = FABRIC ? fabricCompliance(false, line) : scaledCompliance(0);
+#endif
   int segments = (lineLinks + segmentLinks - 1) / segmentLinks;
   int first = segment * segmentLinks, last = min(first + segmentLinks, lineLinks) - 1;
   bool mine = line < lines && segment < segments;

@@ -18,6 +18,16 @@ struct STD140 ClothConstants {
   float margin DEFAULT(0.01f);           // m kept from colliders
 };
 
+// A woven sheet by what it is per length and area, whatever the spacing.
+struct STD140 FabricConstants {
+  float density DEFAULT(0.115f);    // kg/m^2
+  float weft DEFAULT(10000.0f);     // N/m, stretch along rows
+  float warp DEFAULT(15000.0f);     // N/m, along columns
+  float shear DEFAULT(50.0f);       // N/m, force along a side of unit length for an angle of 1
+  float bending DEFAULT(6e-6f);     // N m, moment on a side of unit length for a curvature of 1/m
+  float thickness DEFAULT(2.5e-4f); // m
+};
+
 struct STD140 AirConstants {
   float density DEFAULT(1.2f);  // kg/m^3
   float drag DEFAULT(1.0f);     // coefficient
@@ -52,6 +62,7 @@ struct STD140 ClothStep {
   vec4 origin;         // xyz rest position of particle (0, 0) (m)
   vec4 alongX;         // xyz from a particle to its right neighbour at rest (m)
   vec4 alongY;         // xyz to the next row
+  vec4 clamped[4];     // of the borders left, right, top, bottom: xyz from one to its neighbour within (m); w 1: it is held so
   float dt;            // s
   float perDt;         // 1/s
   float perDtSquared;  // 1/s^2
@@ -61,7 +72,9 @@ struct STD140 ClothStep {
   int colliderCount;
   int substep;         // since the start
   int seed;
+  float perBend;       // N/m, bending / spacing^2 of a fabric
   ClothConstants constants;
+  FabricConstants fabric;
   AirConstants air;
   Collider colliders[maxColliders];
   PinFrame frames[maxPinFrames];

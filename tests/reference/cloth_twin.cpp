@@ -125,15 +125,16 @@ void ClothTwin::substep(const ClothStep& data, int threads, int index) {
   WallGrid wallGrid{};
   if (walls) wallGrid = walls->grid({plan_.parameters().margin, 0.0F, plan_.substepSeconds()});
   const WallsTwin* solid = walls ? &*walls : nullptr;
-  const bool constraints = plan_.parameters().solver == simreel::sim::ClothSolver::constraints;
+  const bool constraints = plan_.parameters().constrained();
+  const bool fabric = plan_.parameters().hasFabric;
   const bool air = plan_.parameters().hasAir;
   const ivec2 size = plan_.parameters().size;
   forRows(size.y, threads, [&](int y) {
     Kernel kernel{size, data, positions.data(), grid, heights.data(), wallGrid, solid};
     for (int x = 0; x < size.x; ++x) {
       const auto i = static_cast<std::size_t>(y * size.x + x);
-      const auto m = kernel.advance({x, y}, positions[i], velocities[i], !constraints, air, !constraints,
-                                    lands, walls.has_value());
+      const auto m = kernel.advance({x, y}, positions[i], velocities[i], !constraints, air, fabric,
+                                    !constraints, lands, walls.has_value());
       next_[i] = vec4(m.position, positions[i].w);
       velocities[i] = vec4(m.velocity, velocities[i].w);
     }
@@ -153,8 +154,7 @@ void ClothTwin::substep(const ClothStep& data, int threads, int index) {
 void ClothTwin::constrain(const ClothStep& data) {
   const ivec2 size = plan_.parameters().size;
   Kernel kernel{size, data, next_.data()};
-  const auto families = std::span(simreel::sim::springFamilies).subspan(simreel::sim::firstRelaxed);
-  for (const simreel::sim::SpringFamily& f : families)
+  for (const simreel::sim::SpringFamily& f : relaxedFamilies(plan_.parameters()))
     for (int color = 0; color < 2; ++color)
       for (int y = 0; y < size.y; ++y)
         for (int x = 0; x < size.x; ++x) {
@@ -175,7 +175,8 @@ void ClothTwin::constrain(const ClothStep& data) {
       kernel.lineStart = rows ? line * size.x : line;
       kernel.linePace = rows ? 1 : size.x;
       kernel.lineRest = kernel.springLength(0);
-      kernel.lineCompliance = kernel.scaledCompliance(0);
+      kernel.lineCompliance =
+          plan_.parameters().hasFabric ? kernel.fabricCompliance(rows, line) : kernel.scaledCompliance(0);
       solveLine(kernel, next_);
     }
 }

@@ -35,7 +35,7 @@ class Cloth : public Simulation {
         plan_(parametersOf<ClothParameters>(object), setting.seed, setting.frameSeconds,
               *setting.colliders),
         size_(plan_.parameters().size),
-        constrained_(plan_.parameters().solver == ClothSolver::constraints),
+        constrained_(plan_.parameters().constrained()),
         heights_(setting.heights),
         frameSeconds_(setting.frameSeconds) {
     checkLimits();
@@ -127,13 +127,13 @@ class Cloth : public Simulation {
   }
   [[nodiscard]] std::string explainLoss(unsigned step, unsigned element) const override {
     const auto width = static_cast<unsigned>(size_.x);
+    const bool fabric = plan_.parameters().hasFabric;
     return fmt::format(
         "cloth \"{}\" blew up in substep {} at particle ({}, {}): its position or velocity is no longer a "
-        "sensible "
-        "number; use more substeps ({} per frame now, or \"auto\"){}, lower the stiffness or raise the "
-        "mass",
+        "sensible number; use more substeps ({} per frame now, or \"auto\"){}, {}",
         name_, step, element % width, element / width, plan_.substeps(),
-        plan_.parameters().solver == ClothSolver::springs ? " or \"solver\": \"constraints\"" : "");
+        !constrained_ ? " or \"solver\": \"constraints\"" : "",
+        fabric ? "or a heavier fabric" : "lower the stiffness or raise the mass");
   }
 
  private:
@@ -162,6 +162,7 @@ class Cloth : public Simulation {
     if (gl::memoryPath() == gl::MemoryPath::texel)
       defines.emplace_back("COLLIDERS", std::to_string(plan_.colliderCount()));
     define("AIR", plan_.parameters().hasAir);
+    define("FABRIC", plan_.parameters().hasFabric);
     if (constrained_) {
       rows_ = lineSolver(defines, "ROWS", size_.x);
       columns_ = lineSolver(defines, "LAST", size_.y);
@@ -200,8 +201,9 @@ class Cloth : public Simulation {
 
   /// From where the particles would go to where they may.
   void constrain() {
-    for (const SpringFamily& family : relaxedFamilies()) {
-      const gl::Program& program = inLines_ && &family == relaxedFamilies().data() ? step_ : constrain_;
+    const auto families = relaxedFamilies(plan_.parameters());
+    for (const SpringFamily& family : families) {
+      const gl::Program& program = inLines_ && &family == families.data() ? step_ : constrain_;
       program.set("reach", family.reach);
       program.set("kind", family.kind);
       if (inLines_) {
@@ -223,9 +225,6 @@ class Cloth : public Simulation {
     columns_.dispatch(size_.x, segmentsOf(size_.y));
   }
 
-  static std::span<const SpringFamily> relaxedFamilies() {
-    return std::span(springFamilies).subspan(firstRelaxed);
-  }
   static int segmentsOf(int particles) {
     return (particles - 1 + shader::cloth::segmentLinks - 1) / shader::cloth::segmentLinks;
   }

@@ -59,6 +59,8 @@ void PinGroup::describe(scene::Fields& f, const glm::ivec2& grid) {
   f.someOf("corners", corners, {"top-left", "top-right", "bottom-left", "bottom-right"},
            "Corners to pin; row 0 is the top.");
   f.pairs("points", points, {0, 1e6}, "", "Single particles to pin, each [x, y].");
+  f.boolean("clamp", clamp,
+            "Hold the direction in which a fabric leaves a pinned border, too, as between two plates.");
   f.integer("every", every, {1, 1e6}, "", "Of rows and columns pin only each n-th particle, and the last.");
   f.vector("move", move, scene::anyNumber, "m", "How far the pins are moved.");
   f.vector("rotate", rotate, scene::anyNumber, "degrees", "Rotation of the pins about the pivot.");
@@ -88,9 +90,22 @@ void ClothParameters::describe(scene::Fields& f) {
   f.number("compliance", compliance, {0, 1e6}, "m/N", "Of structural constraints; 0 cannot stretch.");
   f.number("shearCompliance", shearCompliance, {0, 1e6}, "m/N", "Of diagonal constraints.");
   f.number("bendCompliance", bendCompliance, {0, 1e6}, "m/N", "Of constraints of length two.");
+  f.optionalGroup("fabric", hasFabric,
+                  "A material by its properties per area and length, whatever the spacing, instead of "
+                  "\"mass\", springs and their constraints; lengths are kept by XPBD.",
+                  [&](scene::Fields& g) { fabric.describe(g); });
+  if (hasFabric) {
+    for (const char* name :
+         {"mass", "stiffness", "shear", "bend", "compliance", "shearCompliance", "bendCompliance"})
+      if (f.given(name)) f.error(name, fmt::format("\"fabric\" says it; leave out \"{}\"", name));
+    if (f.given("solver") && solver == ClothSolver::springs)
+      f.error("solver", "a fabric is solved by constraints; leave out \"solver\"");
+  }
   f.number("damping", damping, {0, 1e4}, "1/s", "Rate at which velocity decays.");
   f.vector("gravity", gravity, scene::anyNumber, "m/s^2", "Acceleration of every particle.");
   f.vector("wind", wind, scene::anyNumber, "N", "Constant force on every particle.");
+  f.leftOut("wind", "[0.5,0,0.3], or none on a fabric");
+  if (hasFabric && !f.given("wind")) wind = glm::vec3(0);
   f.optionalGroup("air", hasAir, "Moving air that drags and lifts the cloth's faces.",
                   [&](scene::Fields& a) {
                     a.vector("velocity", air.velocity, {-200, 200}, "m/s", "Of the air.");
@@ -105,10 +120,40 @@ void ClothParameters::describe(scene::Fields& f) {
   f.text("walls", walls, "Name of the cave or contour whose walls, floor and tops it meets.");
   f.integerOr("substeps", substeps, "auto", {1, maxSubsteps}, "per frame",
               "Steps a frame is divided into; \"auto\" takes as many as the springs need to be stable.");
+  f.leftOut("substeps", "4, or \"auto\" of a fabric");
+  if (hasFabric && !f.given("substeps")) substeps.reset();
   f.list("pins", pins, "Particles that are held, and how they move.",
          [&](scene::Fields& p, PinGroup& group) { group.describe(p, size); });
   if (pins.size() > shader::maxPinFrames)
     f.error("pins", fmt::format("at most {} groups of pins", shader::maxPinFrames));
+  for (const PinGroup& group : pins) {
+    if (!group.clamp) continue;
+    if (!hasFabric)
+      f.error("pins", "\"clamp\" is of a fabric, which has a bending stiffness; give \"fabric\"");
+    bool border = false;
+    for (int side = 0; side < 4; ++side) border = border || pinsBorder(group, side);
+    if (!border) f.error("pins", "\"clamp\" holds borders: pin the first or last of the rows or columns");
+  }
+}
+
+bool ClothParameters::pinsBorder(const PinGroup& group, int border) const {
+  const std::vector<int>& lines = border < 2 ? group.columns : group.rows;
+  const int last = (border < 2 ? size.x : size.y) - 1;
+  return std::any_of(lines.begin(), lines.end(), [&](int line) {
+    return (line < 0 ? line + last + 1 : line) == (border % 2 == 0 ? 0 : last);
+  });
+}
+
+int ClothParameters::clampOf(int border) const {
+  for (std::size_t i = 0; i < pins.size(); ++i)
+    if (pins[i].clamp && pinsBorder(pins[i], border)) return static_cast<int>(i);
+  return -1;
+}
+
+float ClothParameters::massAt(glm::ivec2 at) const {
+  if (!hasFabric) return mass;
+  const auto share = [](int i, int count) { return i == 0 || i == count - 1 ? 0.5F : 1.0F; };
+  return fabric.constants().density * spacing * spacing * share(at.x, size.x) * share(at.y, size.y);
 }
 
 double ClothParameters::greatestLoad() const {
@@ -120,7 +165,7 @@ double ClothParameters::greatestLoad() const {
     }
     return most;
   };
-  return greatest(gravity) + greatest(wind) / mass;
+  return greatest(gravity) + greatest(wind) / massAt(size / 2);
 }
 
 double ClothParameters::stableSeconds() const {
@@ -130,24 +175,34 @@ double ClothParameters::stableSeconds() const {
   // Constraints do not limit it by themselves; but the weight of N particles that hang on a line pulls it
   // straight with T = N m a, and a straight line of masses swings sideways with w^2 <= 4 T / (m L) = 4 N a
   // / L.
-  const double hanging = 4.0 * std::max(size.x, size.y) * greatestLoad() / spacing;
-  const double w2 = solver == ClothSolver::springs
-                        ? 4.0 * static_cast<double>(stiffness) * (1.0 + shear + bend) / mass
-                        : hanging;
-  const double c = hasAir ? air.density * static_cast<double>(air.drag + air.lift) * spacing * spacing *
-                                fastestAir(air) / mass
-                          : 0.0;
+  // Air pulls, too: on a sheet that streams from a pole about a tenth of what it would face-on.
+  const double each = massAt({1, 1});
+  const double area = static_cast<double>(spacing) * spacing;
+  const double fastest = hasAir ? fastestAir(air) : 0.0;
+  const double streaming = hasAir ? 0.1 * 0.5 * air.density * static_cast<double>(air.drag + air.lift) *
+                                        fastest * fastest * area / each
+                                  : 0.0;
+  const double hanging = 4.0 * std::max(size.x, size.y) * (greatestLoad() + streaming) / spacing;
+  // A fabric bends by w^2 <= 64 D / (L^2 m): 16 along either axis, 32 twisting.
+  const double bending = hasFabric ? 64.0 * fabric.constants().bending / (area * each) : 0.0;
+  const double w2 = constrained() ? hanging + bending
+                                  : 4.0 * static_cast<double>(stiffness) * (1.0 + shear + bend) / each;
+  const double c =
+      hasAir ? air.density * static_cast<double>(air.drag + air.lift) * area * fastest / each : 0.0;
   const double rate = c + std::sqrt(c * c + 4.0 * w2);
   return rate > 0 ? 4.0 / rate : std::numeric_limits<double>::infinity();
 }
 
 std::string ClothParameters::steadierWay(double frameSeconds) const {
   ClothParameters other = *this;
+  const std::string milder =
+      hasFabric ? "take a wider spacing, or a material that is heavier or bends more easily"
+                : "lower the stiffness or raise the mass";
   if (substeps && substepsFor(frameSeconds, safety * stableSeconds()) <= maxSubsteps)
-    return "set \"substeps\": \"auto\", lower the stiffness or raise the mass";
+    return "set \"substeps\": \"auto\", " + milder;
+  if (hasFabric) return milder;
   other.solver = ClothSolver::constraints;
-  if (solver == ClothSolver::springs &&
-      substepsFor(frameSeconds, safety * other.stableSeconds()) <= maxSubsteps)
+  if (!constrained() && substepsFor(frameSeconds, safety * other.stableSeconds()) <= maxSubsteps)
     return "set \"solver\": \"constraints\" (XPBD), which is stable at any stiffness, lower the stiffness "
            "or "
            "raise the mass";
@@ -161,7 +216,9 @@ std::string ClothParameters::instability(double frameSeconds) const {
       "{} substeps are fewer than the {} that its {} need to be stable (substep {:.3g} s, limit {:.3g} s); "
       "{}",
       *substeps, substepsFor(frameSeconds, stable),
-      std::string(solver == ClothSolver::springs ? "springs" : "hanging rows") +
+      std::string(!constrained() ? "springs"
+                  : hasFabric    ? "bending and hanging rows"
+                                 : "hanging rows") +
           (hasAir ? " and the fastest air" : ""),
       frameSeconds / *substeps, stable, steadierWay(frameSeconds));
 }
@@ -173,7 +230,7 @@ int ClothParameters::substepsPerFrame(double frameSeconds) const {
     fail(ExitCode::usage,
          "cloth: \"substeps\": \"auto\" would take {} a frame to be stable, more than {}; {}", needed,
          maxSubsteps, steadierWay(frameSeconds));
-  const int min = solver == ClothSolver::constraints ? 8 : 1;
+  const int min = constrained() ? 8 : 1;
   return std::max(static_cast<int>(needed), min);
 }
 

@@ -1,6 +1,6 @@
 #pragma once
-#include "glsl/common/cpp.hpp"
 #include "scene/fields.hpp"
+#include "sim/cloth/fabric.hpp"
 #include "sim/core/kind.hpp"
 
 #include <optional>
@@ -10,10 +10,6 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
-namespace simreel::shader {
-#include "glsl/cloth/types.glsl"
-}
-
 namespace simreel::sim {
 
 /// Particles that do not move by themselves, and the moving frame they may be attached to.
@@ -22,6 +18,7 @@ struct PinGroup {
   std::vector<int> columns;
   std::vector<int> corners;        ///< 0 top-left, 1 top-right, 2 bottom-left, 3 bottom-right
   std::vector<glm::ivec2> points;  ///< (x, y)
+  bool clamp = false;              ///< borders keep the direction that the sheet leaves them in, a fabric's
   int every = 1;                   ///< of a row or column only each n-th particle, the ends included
   scene::Animated<glm::vec3> move = glm::vec3(0);    ///< m
   scene::Animated<glm::vec3> rotate = glm::vec3(0);  ///< degrees
@@ -46,6 +43,8 @@ struct ClothParameters : ObjectParameters, shader::ClothConstants {
   float jitter = 0.0F;          ///< m
   float mass = 1.0F;            ///< kg per particle
   ClothSolver solver = ClothSolver::springs;
+  bool hasFabric = false;  ///< instead of masses, springs and constraints of its own
+  Fabric fabric;
   float damping = 4.85F;  ///< 1/s
   scene::Animated<glm::vec3> gravity = glm::vec3(0, -9.8F, 0);
   scene::Animated<glm::vec3> wind = glm::vec3(0.5F, 0, 0.3F);  ///< N on each particle
@@ -60,6 +59,12 @@ struct ClothParameters : ObjectParameters, shader::ClothConstants {
   [[nodiscard]] std::span<const scene::Quantity> quantities() const override;
   [[nodiscard]] std::string meetsWalls() const override { return walls; }
 
+  /// Whether XPBD keeps the lengths; else springs are forces.
+  [[nodiscard]] bool constrained() const { return hasFabric || solver == ClothSolver::constraints; }
+  /// kg of a particle: of a fabric, the density times its share of the area.
+  [[nodiscard]] float massAt(glm::ivec2 at) const;
+  /// The pin group that clamps the border left, right, top or bottom; -1: none.
+  [[nodiscard]] int clampOf(int border) const;
   /// Longest stable substep in seconds, of the sheet near rest in the fastest air and gusts of the whole
   /// run; with constraints, of one that hangs by a border.
   [[nodiscard]] double stableSeconds() const;
@@ -74,6 +79,8 @@ struct ClothParameters : ObjectParameters, shader::ClothConstants {
  private:
   /// m/s^2, greatest of gravity and wind in the whole run.
   [[nodiscard]] double greatestLoad() const;
+  /// 0 left, 1 right, 2 top, 3 bottom.
+  [[nodiscard]] bool pinsBorder(const PinGroup& group, int border) const;
   [[nodiscard]] std::string steadierWay(double frameSeconds) const;
 };
 

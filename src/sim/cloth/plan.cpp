@@ -33,6 +33,12 @@ shader::PinFrame pinFrame(const PinGroup& group, double time) {
   return frame;
 }
 
+/// What a frame makes of a direction.
+glm::vec4 turned(const shader::PinFrame& frame, glm::vec3 way) {
+  const auto row = [&](const glm::vec4& r) { return r.x * way.x + r.y * way.y + r.z * way.z; };
+  return {row(frame.row0), row(frame.row1), row(frame.row2), 1.0F};
+}
+
 }  // namespace
 
 ClothPlan::ClothPlan(const ClothParameters& parameters, int seed, double frameSeconds,
@@ -48,6 +54,11 @@ ClothPlan::ClothPlan(const ClothParameters& parameters, int seed, double frameSe
          shader::maxColliders, colliders_.size());
   if (const std::string problem = parameters_.instability(frameSeconds); !problem.empty())
     warn("cloth: {}", problem);
+  if (parameters_.hasFabric) {
+    const shader::FabricConstants fabric = parameters_.fabric.constants();
+    parameters_.shearCompliance = 1.0F / fabric.shear;
+    parameters_.margin += 0.5F * fabric.thickness;
+  }
   const glm::mat4 turn = rotationMatrix(parameters_.rotation);
   alongX_ = glm::vec3(turn[0]) * parameters_.spacing;
   alongY_ = glm::vec3(turn[2]) * parameters_.spacing;
@@ -64,7 +75,7 @@ std::vector<glm::vec4> ClothPlan::firstPositions() const {
       const glm::vec3 noise = shader::signedUnits(shader::hash3(
           {static_cast<unsigned>(x), static_cast<unsigned>(y), static_cast<unsigned>(seed_)}));
       const glm::vec3 rest = origin_ + alongX_ * static_cast<float>(x) + alongY_ * static_cast<float>(y);
-      positions.emplace_back(rest + noise * parameters_.jitter, 1.0F / parameters_.mass);
+      positions.emplace_back(rest + noise * parameters_.jitter, 1.0F / parameters_.massAt({x, y}));
     }
   for (const PinGroup& group : parameters_.pins)
     for (const int i : parameters_.pinnedBy(group)) positions[static_cast<std::size_t>(i)].w = 0.0F;
@@ -114,6 +125,7 @@ shader::Collider ClothPlan::colliderAt(const ColliderShape& shape, double time) 
 std::vector<shader::ClothStep> ClothPlan::frame(double time) {
   std::vector<shader::ClothStep> steps(static_cast<std::size_t>(substeps_));
   const ClothParameters& p = parameters_;
+  const shader::FabricConstants fabric = p.fabric.constants();
   for (int i = 0; i < substeps_; ++i) {
     const double start = time + i * substepSeconds_;
     const double end = time + (i + 1) * substepSeconds_;
@@ -140,9 +152,15 @@ std::vector<shader::ClothStep> ClothPlan::frame(double time) {
     s.substep = static_cast<int>(done_);
     s.seed = seed_;
     s.constants = p;
+    s.fabric = fabric;
+    s.perBend = fabric.bending / (p.spacing * p.spacing);
     s.air = p.air;
     for (std::size_t c = 0; c < colliders_.size(); ++c) s.colliders[c] = colliderAt(colliders_[c], end);
     for (std::size_t g = 0; g < p.pins.size(); ++g) s.frames[g] = pinFrame(p.pins[g], end);
+    const glm::vec3 inwards[4] = {alongX_, -alongX_, alongY_, -alongY_};
+    for (int border = 0; border < 4; ++border)
+      if (const int group = p.clampOf(border); group >= 0)
+        s.clamped[border] = turned(s.frames[group], inwards[border]);
     ++done_;
   }
   return steps;

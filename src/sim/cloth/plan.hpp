@@ -4,6 +4,7 @@
 #include "sim/core/collider.hpp"
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include <glm/vec2.hpp>
@@ -20,7 +21,10 @@ struct SpringFamily {
 };
 inline constexpr SpringFamily springFamilies[] = {{{1, 0}, 0},  {{0, 1}, 0}, {{1, 1}, 1},
                                                   {{-1, 1}, 1}, {{2, 0}, 2}, {{0, 2}, 2}};
-inline constexpr int firstRelaxed = 2;  ///< the families from here on are relaxed pair by pair
+/// The families that are relaxed pair by pair; a fabric bends by forces instead.
+inline std::span<const SpringFamily> relaxedFamilies(const ClothParameters& parameters) {
+  return std::span(springFamilies).subspan(2, parameters.hasFabric ? 2 : 4);
+}
 
 /// Everything of a cloth that is decided on the CPU: its first state and, frame by frame, what each substep
 /// is told. Shared by the GPU simulation and its CPU twin, so both start and go on from the same numbers.

@@ -29,15 +29,50 @@ double larger(double a, double b) {
 /// compliance 0 is rigid and stores nothing.
 std::array<double, 3> stiffnesses(const ClothParameters& p) {
   const double k = p.stiffness;
-  if (p.solver != ClothSolver::constraints) return {k, k * p.shear, k * p.bend};
+  if (!p.constrained()) return {k, k * p.shear, k * p.bend};
   const auto inverse = [](float compliance) { return compliance > 0 ? 1.0 / compliance : 0.0; };
   return {inverse(p.compliance), inverse(p.shearCompliance), inverse(p.bendCompliance)};
 }
 
+/// Of the two halves that lie along a border; 1 within.
+double share(int line, int count) {
+  return line == 0 || line == count - 1 ? 0.5 : 1.0;
+}
+
+/// N/m of a link of a fabric at `from`: one along a border stands for half as much.
+double linkStiffness(const ClothParameters& p, const SpringFamily& family, glm::ivec2 from) {
+  const shader::FabricConstants fabric = p.fabric.constants();
+  if (family.kind != 0) return family.kind == 1 ? fabric.shear : 0;
+  return family.reach.x != 0 ? fabric.weft * share(from.y, p.size.y)
+                             : fabric.warp * share(from.x, p.size.x);
+}
+
+/// A plate's energy (D / 2 L^2) (sum |Dxx|^2 + |Dyy|^2 over nodes + 2 sum |Dxy|^2 over cells), J: between
+/// borders, without what a clamped one adds.
+double bendingEnergy(const ClothParameters& p, std::span<const glm::vec4> positions) {
+  const auto at = [&](int x, int y) {
+    return glm::dvec3(positions[static_cast<std::size_t>(y) * static_cast<std::size_t>(p.size.x) +
+                                static_cast<std::size_t>(x)]);
+  };
+  const auto squared = [](const glm::dvec3& v) { return glm::dot(v, v); };
+  double sum = 0;
+  for (int y = 0; y < p.size.y; ++y)
+    for (int x = 0; x < p.size.x; ++x) {
+      if (x > 0 && x + 1 < p.size.x)
+        sum += share(y, p.size.y) * squared(at(x - 1, y) - 2.0 * at(x, y) + at(x + 1, y));
+      if (y > 0 && y + 1 < p.size.y)
+        sum += share(x, p.size.x) * squared(at(x, y - 1) - 2.0 * at(x, y) + at(x, y + 1));
+      if (x + 1 < p.size.x && y + 1 < p.size.y)
+        sum += 2 * squared(at(x, y) - at(x + 1, y) - at(x, y + 1) + at(x + 1, y + 1));
+    }
+  return 0.5 * p.fabric.constants().bending / (static_cast<double>(p.spacing) * p.spacing) * sum;
+}
+
 /// E = sum 1/2 k (|d| - L0)^2.
-void addFamily(const SpringFamily& family, double stiffness, double spacing, glm::ivec2 size,
+void addFamily(const ClothParameters& p, const SpringFamily& family, double stiffness,
                std::span<const glm::vec4> positions, Springs& sum) {
-  const double restLength = spacing * std::hypot(family.reach.x, family.reach.y);
+  const glm::ivec2 size = p.size;
+  const double restLength = p.spacing * std::hypot(family.reach.x, family.reach.y);
   const auto width = static_cast<std::size_t>(size.x);
   const auto at = [&](int x, int y) {
     return positions[static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x)];
@@ -48,7 +83,8 @@ void addFamily(const SpringFamily& family, double stiffness, double spacing, glm
       const glm::dvec3 d = glm::dvec3(at(x + family.reach.x, y + family.reach.y)) - here;
       const double length = std::sqrt(glm::dot(d, d));
       const double beyond = length - restLength;
-      sum.energy += 0.5 * stiffness * beyond * beyond;
+      const double k = p.hasFabric ? linkStiffness(p, family, {x, y}) : stiffness;
+      sum.energy += 0.5 * k * beyond * beyond;
       if (family.kind == 0) sum.stretch = larger(sum.stretch, length / restLength);
     }
 }
@@ -61,7 +97,9 @@ std::span<const scene::Quantity> ClothParameters::quantities() const {
       {"mass", "kg", "Of all particles, the pinned ones included."},
       {"kineticEnergy", "J", "Of all particles."},
       {"potentialEnergy", "J", "In the field of gravity, against the plane through the origin across it."},
-      {"elasticEnergy", "J", "Of all springs; of the constraints solver that of compliant constraints."},
+      {"elasticEnergy", "J",
+       "Of all springs; of the constraints solver that of compliant constraints; of a fabric its bending, "
+       "too."},
       {"energy", "J", "Kinetic, potential and elastic."},
       {"stretch", "", "Largest length of a structural spring as a ratio to rest."},
       {"speed", "m/s", "Of the fastest particle."}};
@@ -73,12 +111,15 @@ std::vector<double> measureCloth(const ClothParameters& parameters, std::span<co
   SIMREEL_CHECK_EQ(positions.size(), velocities.size());
   SIMREEL_CHECK_EQ(positions.size(), static_cast<std::size_t>(parameters.size.x) *
                                          static_cast<std::size_t>(parameters.size.y));
-  const double mass = parameters.mass;
   const glm::dvec3 gravity(parameters.gravity.at(time));
   double kinetic = 0;
   double potential = 0;
   double fastestSquared = 0;
+  double total = 0;
+  const auto width = static_cast<std::size_t>(parameters.size.x);
   for (std::size_t i = 0; i < positions.size(); ++i) {
+    const double mass = parameters.massAt({static_cast<int>(i % width), static_cast<int>(i / width)});
+    total += mass;
     const glm::dvec3 v(velocities[i]);
     const double squared = glm::dot(v, v);
     kinetic += 0.5 * mass * squared;                                  // T = 1/2 m v^2
@@ -88,10 +129,10 @@ std::vector<double> measureCloth(const ClothParameters& parameters, std::span<co
   Springs springs;
   const auto stiffness = stiffnesses(parameters);
   for (const SpringFamily& family : springFamilies)
-    addFamily(family, stiffness[static_cast<std::size_t>(family.kind)], parameters.spacing, parameters.size,
-              positions, springs);
+    addFamily(parameters, family, stiffness[static_cast<std::size_t>(family.kind)], positions, springs);
+  if (parameters.hasFabric) springs.energy += bendingEnergy(parameters, positions);
   const auto count = static_cast<double>(positions.size());
-  return {count,           count * mass,
+  return {count,           total,
           kinetic,         potential,
           springs.energy,  kinetic + potential + springs.energy,
           springs.stretch, std::sqrt(fastestSquared)};

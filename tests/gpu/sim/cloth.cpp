@@ -140,3 +140,26 @@ TEST_CASE("cloth that rubs on moving colliders equals its CPU twin") {
     compare(p, 75, {ball, floor});
   }
 }
+
+TEST_CASE("fabric equals its CPU twin, clamped on every side or on one") {
+  for (const bool all : {true, false}) {
+    auto p = sheet(33, 21);
+    p.hasFabric = true;
+    p.spacing = 0.03F;
+    p.fabric.material = all ? sim::FabricMaterial::canvas : sim::FabricMaterial::rubber;
+    p.hasAir = true;
+    p.air.gusts = 0.5F;
+    p.wind = glm::vec3(0);
+    p.substeps = 12;
+    p.pins.clear();
+    for (const int side : {0, 1, 2, 3}) {
+      if (!all && side != 1) continue;
+      sim::PinGroup& group = p.pins.emplace_back();
+      (side < 2 ? group.columns : group.rows) = {side % 2 == 0 ? 0 : -1};
+      group.clamp = true;
+      group.rotate = scene::Animated<glm::vec3>(
+          {{0.0, glm::vec3(0)}, {0.5, glm::vec3(20, 10.0F * side, 5)}}, scene::Ease::linear);
+    }
+    compare(p, 40);
+  }
+}

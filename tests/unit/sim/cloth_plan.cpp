@@ -1,7 +1,12 @@
+#include "base/error.hpp"
 #include "sim/cloth/plan.hpp"
 #include "sim/core/shader_code.hpp"
+#include "sim/world/list.hpp"
+#include "source_folder.hpp"
+#include "unit/help.hpp"
 
 #include <cmath>
+#include <string>
 
 #include <doctest/doctest.h>
 
@@ -55,4 +60,35 @@ TEST_CASE("damping does not depend on the number of substeps") {
     for (const auto& step : plan.frame(0)) kept *= step.kept;
     CHECK(kept == doctest::Approx(std::exp(-4.85 / 60)).epsilon(1e-5));
   }
+}
+
+TEST_CASE("fabric: what a scene says of it, and mistakes are named") {
+  const auto mistakes = [](const std::string& parameters) -> std::string {
+    const std::string text = R"({"version": 1, "objects": {"sheet": {"cloth": )" + parameters + "}}}";
+    try {
+      const auto scene = scene::parseScene(text, sourceFolder() + "/assets/sheet.json", {}, sim::kinds());
+      const auto& p = sim::parametersOf<sim::ClothParameters>(scene.objects.front());
+      CHECK(p.constrained());
+      CHECK(!p.substeps);                   // "auto"
+      CHECK(p.wind.at(0) == glm::vec3(0));  // unless it is given
+      CHECK(p.fabric.constants().density == 0.4F);
+      CHECK(p.fabric.constants().bending == 1e-3F);
+    } catch (const UserError& error) {
+      CHECK(error.code() == ExitCode::usage);
+      return error.what();
+    }
+    return "";
+  };
+  CHECK(mistakes(R"({"fabric": {"material": "denim", "bending": 1e-3}})").empty());
+  CHECK(test::has(mistakes(R"({"fabric": {"material": "denim", "bend": 1}})"), "bending"));
+  CHECK(test::has(mistakes(R"({"fabric": {"material": "linen"}})"), "canvas"));
+  CHECK(test::has(mistakes(R"({"fabric": {"density": 0}})"), "density"));
+  for (const char* given :
+       {"mass", "stiffness", "shear", "bend", "compliance", "shearCompliance", "bendCompliance"})
+    CHECK(test::has(mistakes(std::string(R"({"fabric": {}, ")") + given + "\": 1}"),
+                    "leave out \"" + std::string(given) + "\""));
+  CHECK(test::has(mistakes(R"({"fabric": {}, "solver": "springs"})"), "leave out \"solver\""));
+  CHECK(test::has(mistakes(R"({"pins": [{"columns": [0], "clamp": true}]})"), "give \"fabric\""));
+  CHECK(
+      test::has(mistakes(R"({"fabric": {}, "pins": [{"columns": [3], "clamp": true}]})"), "first or last"));
 }

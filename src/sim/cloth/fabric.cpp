@@ -1,0 +1,52 @@
+#include "sim/cloth/fabric.hpp"
+
+#include <cstddef>
+
+namespace simreel::sim {
+
+shader::FabricConstants fabricOf(FabricMaterial material) {
+  // kg/m^2, N/m along rows and columns, N/m of shear, N m, m
+  constexpr shader::FabricConstants table[] = {
+      {0.115F, 10000, 15000, 50, 6e-6F, 2.5e-4F},   // cotton: a poplin for shirts
+      {0.065F, 9000, 16000, 17, 3e-6F, 1.5e-4F},    // silk: habotai of 15 momme
+      {0.40F, 12000, 25000, 250, 8e-5F, 8e-4F},     // denim: 12 ounces a square yard
+      {0.11F, 15000, 20000, 60, 1.2e-5F, 2.2e-4F},  // nylon: of flags, 200 denier
+      {0.34F, 20000, 30000, 400, 2e-4F, 6e-4F},     // canvas: cotton duck of 10 ounces
+      {0.47F, 750, 750, 250, 2.083e-5F, 5e-4F},     // rubber: latex
+  };
+  return table[static_cast<std::size_t>(material)];
+}
+
+void Fabric::describe(scene::Fields& f) {
+  f.choice("material", material, {"cotton", "silk", "denim", "nylon", "canvas", "rubber"},
+           "What stands for every property that is not given.");
+  const auto property = [&](const char* name, std::optional<double>& value, scene::Range range,
+                            const char* unit, const char* doc) {
+    f.optionalNumber(name, value, range, unit, doc);
+    f.leftOut(name, "the material's");
+  };
+  property("density", density, {1e-3, 1e3}, "kg/m^2",
+           "Mass of an area; particles at borders have half of it.");
+  property("weft", weft, {0.1, 1e7}, "N/m", "Stiffness against stretching along rows.");
+  property("warp", warp, {0.1, 1e7}, "N/m", "Stiffness against stretching along columns.");
+  property("shear", shear, {1e-3, 1e7}, "N/m",
+           "Force along a side of unit length that shears by an angle of 1.");
+  property("bending", bending, {0, 1e3}, "N m", "Moment on a side of unit length for a curvature of 1/m.");
+  property("thickness", thickness, {0, 1}, "m", "Half of it is kept from colliders beside \"margin\".");
+}
+
+shader::FabricConstants Fabric::constants() const {
+  shader::FabricConstants c = fabricOf(material);
+  const auto set = [](float& to, const std::optional<double>& from) {
+    if (from) to = static_cast<float>(*from);
+  };
+  set(c.density, density);
+  set(c.weft, weft);
+  set(c.warp, warp);
+  set(c.shear, shear);
+  set(c.bending, bending);
+  set(c.thickness, thickness);
+  return c;
+}
+
+}  // namespace simreel::sim

@@ -1,0 +1,34 @@
+#pragma once
+#include "glsl/common/cpp.hpp"
+#include "scene/fields.hpp"
+
+#include <optional>
+
+namespace simreel::shader {
+#include "glsl/cloth/types.glsl"
+}
+
+namespace simreel::sim {
+
+enum class FabricMaterial { cotton, silk, denim, nylon, canvas, rubber };
+
+/// What a material is by itself. Fabrics: what the low-stress tests of Kawabata (KES-F) typically give for
+/// the cloth named, rounded; stretch is the chord to 490 N/m, an average over curves that are softer at
+/// first. Rubber: a latex sheet of t = 0.5 mm, E = 1.5 MPa, 940 kg/m^3, nu = 1/2: E t, E t / 3, E t^3 / (12
+/// (1 - nu^2)).
+shader::FabricConstants fabricOf(FabricMaterial material);
+
+/// A sheet by its material, of which any property may be given instead.
+struct Fabric {
+  FabricMaterial material = FabricMaterial::cotton;
+  std::optional<double> density;    ///< kg/m^2
+  std::optional<double> weft;       ///< N/m
+  std::optional<double> warp;       ///< N/m
+  std::optional<double> shear;      ///< N/m
+  std::optional<double> bending;    ///< N m
+  std::optional<double> thickness;  ///< m
+  void describe(scene::Fields& fields);
+  [[nodiscard]] shader::FabricConstants constants() const;
+};
+
+}  // namespace simreel::sim
