@@ -12,6 +12,6 @@ void main() {
   int entry = int(gl_WorkGroupID.y * gl_NumWorkGroups.x * 64u + gl_GlobalInvocationID.x);
   if (entry >= min(int(texelFetch(counters, draw_).x), fanRoom)) return;
   ivec3 corners = cornersOf(int(texelFetch(large, firstIndex / 3 + entry).x));
-  uvec4 a = texelFetch(vertices, corners.x), b = texelFetch(vertices, corners.y), c = texelFetch(vertices, corners.z);
+  uvec4 a = vertexOf(corners.x), b = vertexOf(corners.y), c = vertexOf(corners.z);
   makeFan(entry, placeOf(a), placeOf(b), placeOf(c), vec2(view.size), view.near);
 }

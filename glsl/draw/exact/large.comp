@@ -17,7 +17,7 @@ void drawLarge(int entry) {
   uint id = firstId + uint(number);
 #if defined SUN_MAP || defined CLIPS
   ivec3 corners = cornersOf(number);
-  uvec4 a = texelFetch(vertices, corners.x), b = texelFetch(vertices, corners.y), c = texelFetch(vertices, corners.z);
+  uvec4 a = vertexOf(corners.x), b = vertexOf(corners.y), c = vertexOf(corners.z);
 #ifdef SUN_MAP
   fillTiles(drawnTriangle(cornerOfVertex(a), cornerOfVertex(b), cornerOfVertex(c)), id);  // never clipped
 #else

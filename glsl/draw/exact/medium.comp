@@ -14,7 +14,7 @@ void main() {
   for (uint entry = gl_WorkGroupID.x * teams + me / teamSize; entry < count; entry += gl_NumWorkGroups.x * teams) {
     int number = int(texelFetch(large, firstIndex / 3 + triangleCount - 1 - int(entry)).x);
     ivec3 corners = cornersOf(number);
-    uvec4 a = texelFetch(vertices, corners.x), b = texelFetch(vertices, corners.y), c = texelFetch(vertices, corners.z);
+    uvec4 a = vertexOf(corners.x), b = vertexOf(corners.y), c = vertexOf(corners.z);
     Triangle t = drawnTriangle(cornerOfVertex(a), cornerOfVertex(b), cornerOfVertex(c));
     fillBlocks(t, firstId + uint(number), me % teamSize);
   }

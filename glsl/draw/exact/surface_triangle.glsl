@@ -1,12 +1,40 @@
-// Triangles of one surface, by number: its indices, and its vertices as vertices.comp left them.
+// Triangles of one surface, by number: its indices, and its vertices as vertices.comp left them. LAMP_MAP: of the merged mesh,
+// whose places each face sees for itself.
 #include "draw/exact/bindings.glsl"
 #include "draw/exact/vertex.glsl"
+#ifdef LAMP_MAP
+#include "common/exact.glsl"
+#include "draw/exact/view_block.glsl"
+layout(binding = vertexUnit) uniform samplerBuffer places;
+
+uvec4 vertexOf(int i) {
+  precise vec3 from = texelFetch(places, i).xyz - view.eye.xyz;
+  vec3 at = vec3(exactDot(from, view.across.xyz), exactDot(from, view.down.xyz), exactDot(from, view.forward.xyz));
+  bool found = isNumber(at.x) && isNumber(at.y) && isNumber(at.z);
+  return found ? uvec4(floatBitsToUint(at), 0u) : uvec4(0u, 0u, 0u, lostVertex);
+}
+#else
 layout(binding = vertexUnit) uniform usamplerBuffer vertices;
+
+uvec4 vertexOf(int i) {
+  return texelFetch(vertices, i);
+}
+#endif
 layout(binding = indexUnit) uniform usamplerBuffer indices;
 uniform int firstVertex;
 uniform int triangleCount;  // less than 0: as the GPU has written into the arguments of the surface's draw
 uniform int firstIndex;
-#ifdef COUNTED
+#ifdef LAMP_MAP
+layout(std430, binding = drawArgumentBinding) readonly restrict buffer DrawArgumentBlock { uint listed[]; };
+layout(binding = tileListUnit) uniform usamplerBuffer lists;
+uniform int list;  // of the face
+int trianglesToDraw() {
+  return int(listed[list]);
+}
+int triangleAt(int place) {
+  return int(texelFetch(lists, list * triangleCount + place).x);
+}
+#elif defined COUNTED
 layout(std430, binding = drawArgumentBinding) readonly restrict buffer DrawArgumentBlock { uint drawArguments[]; };
 int trianglesToDraw() {
   return int(drawArguments[0] / 3u);

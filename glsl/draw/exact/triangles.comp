@@ -1,5 +1,5 @@
 // Small triangles of one surface, an invocation each; the numbers of the others go on a list: those of medium size from its
-// end on (medium.comp), large ones from its beginning (large.comp). SAMPLES, PASS, SUN_MAP, COUNTED, BALLOT.
+// end on (medium.comp), large ones from its beginning (large.comp). SAMPLES, PASS, SUN_MAP, LAMP_MAP, COUNTED, BALLOT.
 #include "draw/exact/raster.glsl"
 #include "draw/exact/fill_box.glsl"
 layout(local_size_x = 64) in;
@@ -14,8 +14,11 @@ uniform int mediumPixels;  // and of one of medium size; none is where it is les
 void main() {
   int number = int(gl_WorkGroupID.y * gl_NumWorkGroups.x * 64u + gl_GlobalInvocationID.x);
   if (number >= trianglesToDraw()) return;
+#ifdef LAMP_MAP
+  number = triangleAt(number);
+#endif
   ivec3 corners = cornersOf(number);
-  uvec4 a = texelFetch(vertices, corners.x), b = texelFetch(vertices, corners.y), c = texelFetch(vertices, corners.z);
+  uvec4 a = vertexOf(corners.x), b = vertexOf(corners.y), c = vertexOf(corners.z);
   if (a.w == lostVertex || b.w == lostVertex || c.w == lostVertex) return;
   vec2 size = vec2(PICTURE_SIZE);
 #ifndef SUN_MAP

@@ -29,11 +29,7 @@ void main() {
 #else
   precise vec3 from = p - view.eye.xyz;
   vec3 at = vec3(exactDot(from, view.across.xyz), exactDot(from, view.down.xyz), exactDot(from, view.forward.xyz));
-#ifdef LAMP_MAP
-  uint word = 0u;  // nobody looks at it
-#else
   uint word = packedUnit(worldNormal(i));
-#endif
 #endif
   bool found = isNumber(at.x) && isNumber(at.y) && isNumber(at.z);
   vertices[firstVertex + i] = found ? uvec4(floatBitsToUint(at), word) : uvec4(0u, 0u, 0u, lostVertex);

@@ -2,8 +2,10 @@
 
 #include "base/error.hpp"
 #include "draw/exact/bindings.hpp"
+#include "draw/exact/exact_view.hpp"
 #include "draw/exact/parts.hpp"
 #include "draw/exact/reserve.hpp"
+#include "draw/exact/scene/merged_mesh.hpp"
 #include "gl/context.hpp"
 #include "gl/element_array.hpp"
 
@@ -28,6 +30,8 @@ constexpr std::int64_t maxIds = 0xfffffff0;  // the last ones say ground, and no
 glm::ivec2 sizeOf(const Visibility& into, const MapPart& part) {
   return part.side > 0 ? glm::ivec2(part.side) : into.size();
 }
+
+constexpr std::size_t viewBytes = sizeof(shader::ExactView);
 
 }  // namespace
 
@@ -77,19 +81,41 @@ void TriangleRaster::number(const std::vector<const sim::Surface*>& surfaces) {
            "to \"driver\"",
            INT32_MAX / 3);
   }
-  const auto of = [](std::int64_t count, std::size_t bytes) {
-    return static_cast<std::size_t>(count) * bytes;
-  };
-  reserve(vertices_, vertexView_, "vertices on the picture", of(vertices, 16), GL_RGBA32UI, 16);
-  reserve(large_, largeView_, "large triangles", of(triangles, sizeof(GLuint)), GL_R32UI, sizeof(GLuint));
-  const std::size_t count = surfaces.size();
-  reserve(counters_, counterView_, "counts of large triangles", 2 * count * sizeof(GLuint), GL_R32UI,
+  reserve(vertices_, vertexView_, "vertices on the picture", static_cast<std::size_t>(vertices) * 16,
+          GL_RGBA32UI, 16);
+  reserveLists(surfaces.size(), triangles, fans);
+}
+
+void TriangleRaster::number(const MergedMesh& mesh, const TriangleLists& lists,
+                            const std::vector<MapFace>& faces) {
+  mesh_ = &mesh;
+  lists_ = lists;
+  drawn_.resize(faces.size());
+  const int fans = std::min(lists.room, fanRoom_ / std::max(static_cast<int>(faces.size()), 1));
+  for (std::size_t i = 0; i < faces.size(); ++i) {
+    const int number = static_cast<int>(i);
+    Drawn& next = drawn_[i];
+    next.list = number;
+    next.firstIndex = 3 * number * lists.room;
+    next.maxTriangles = lists.room;
+    next.firstFan = number * fans;
+    next.fans = fans;
+    next.face = faces[i];
+  }
+  const auto count = static_cast<std::int64_t>(faces.size());
+  reserveLists(faces.size(), count * lists.room, static_cast<int>(count) * fans);
+}
+
+void TriangleRaster::reserveLists(std::size_t draws, std::int64_t triangles, int fans) {
+  reserve(large_, largeView_, "large triangles", static_cast<std::size_t>(triangles) * sizeof(GLuint),
+          GL_R32UI, sizeof(GLuint));
+  reserve(counters_, counterView_, "counts of large triangles", 2 * draws * sizeof(GLuint), GL_R32UI,
           sizeof(GLuint));
-  reserve(largeGroups_, "groups for large triangles", count * GroupCounts::bytes);
-  reserve(surfaceGroups_, "groups for triangles", count * GroupCounts::bytes);
+  reserve(largeGroups_, "groups for large triangles", draws * GroupCounts::bytes);
+  reserve(surfaceGroups_, "groups for triangles", draws * GroupCounts::bytes);
   if (into_ == Into::sunMap) return;  // never clipped
-  reserve(clipGroups_, "groups for clipping", count * GroupCounts::bytes);
-  reserve(fans_, fanView_, "clipped triangles", of(fans, 128), GL_RGBA32UI, 16);
+  reserve(clipGroups_, "groups for clipping", draws * GroupCounts::bytes);
+  reserve(fans_, fanView_, "clipped triangles", static_cast<std::size_t>(fans) * 128, GL_RGBA32UI, 16);
 }
 
 const gl::Program& TriangleRaster::vertexProgram(const sim::Surface& surface) {
@@ -100,7 +126,6 @@ const gl::Program& TriangleRaster::vertexProgram(const sim::Surface& surface) {
   if (key.first) defines.emplace_back("GRID", "1");
   if (key.second) defines.emplace_back("DEFORMED", "1");
   if (into_ == Into::sunMap) defines.emplace_back("SUN_MAP", "1");
-  if (into_ == Into::lampMap) defines.emplace_back("LAMP_MAP", "1");
   return vertexPrograms_.emplace(key, gl::Program::compute("draw/exact/vertices.comp", defines))
       .first->second;
 }
@@ -138,9 +163,18 @@ void TriangleRaster::makeVertices(const Visibility& into) {
 }
 
 void TriangleRaster::bind(const Drawn& drawn, const gl::Program& program) const {
-  vertexView_.bind(vertexUnit);
-  drawn.indices.bind(indexUnit);
-  if (drawn.surface->arguments != nullptr) drawn.surface->arguments->bindStorage(drawArgumentBinding);
+  if (into_ == Into::lampMap) {
+    mesh_->places().bind(vertexUnit);
+    mesh_->indexView().bind(indexUnit);
+    lists_.numbers->bind(tileListUnit);
+    lists_.counts->bindStorage(drawArgumentBinding);
+    drawn.face.views->bindUniform(viewBinding, drawn.face.view, viewBytes);
+    program.set("list", drawn.list);
+  } else {
+    vertexView_.bind(vertexUnit);
+    drawn.indices.bind(indexUnit);
+    if (drawn.surface->arguments != nullptr) drawn.surface->arguments->bindStorage(drawArgumentBinding);
+  }
   program.set("firstVertex", drawn.firstVertex);
   program.set("firstIndex", drawn.firstIndex);
   program.set("triangleCount", drawn.maxTriangles);
@@ -156,11 +190,10 @@ void TriangleRaster::clipLarge(const Visibility& into) {
   gl::barrier();
   glMemoryBarrier(GL_COMMAND_BARRIER_BIT);
   fans_.bindStorage(fanBinding);
-  run(clipPath, 0, into, {});
+  run(clipPath, 0, into);
 }
 
-void TriangleRaster::run(const char* path, int pass, const Visibility& into, const MapPart& part,
-                         bool clips) {
+void TriangleRaster::run(const char* path, int pass, const Visibility& into, bool clips) {
   into.bind();
   large_.bindStorage(largeBinding);
   largeView_.bind(largeUnit);
@@ -172,10 +205,12 @@ void TriangleRaster::run(const char* path, int pass, const Visibility& into, con
   for (std::size_t i = 0; i < drawn_.size(); ++i) {
     const Drawn& drawn = drawn_[i];
     if (clips && drawn.fans == drawn.maxTriangles) continue;
-    const bool counted = drawn.surface->arguments != nullptr;
+    const MapPart& part = drawn.face.part;
+    const bool counted = into_ == Into::lampMap || drawn.surface->arguments != nullptr;
+    const bool doubleSided = into_ == Into::lampMap || drawn.surface->doubleSided;
     const gl::Program& kernel = program({path, pass, counted, clips, into.layout()});
     bind(drawn, kernel);
-    kernel.set("doubleSided", static_cast<int>(drawn.surface->doubleSided));
+    kernel.set("doubleSided", static_cast<int>(doubleSided));
     kernel.set("draw_", static_cast<int>(i));
     kernel.set("draws", static_cast<int>(drawn_.size()));
     kernel.set("smallPixels", smallPixels_);
@@ -197,39 +232,52 @@ void TriangleRaster::run(const char* path, int pass, const Visibility& into, con
   }
 }
 
-void TriangleRaster::runLists(int pass, const Visibility& into, const MapPart& part) {
-  if (mediumPixels_ > smallPixels_) run(mediumPath, pass, into, part);
-  if (into_ == Into::sunMap || fanRoom_ > 0) run(largePath, pass, into, part);
-  if (into_ != Into::sunMap) run(largePath, pass, into, part, true);
+void TriangleRaster::runLists(int pass, const Visibility& into) {
+  if (mediumPixels_ > smallPixels_) run(mediumPath, pass, into);
+  if (into_ == Into::sunMap || fanRoom_ > 0) run(largePath, pass, into);
+  if (into_ != Into::sunMap) run(largePath, pass, into, true);
 }
 
-void TriangleRaster::draw(const Visibility& into, const MapPart& part) {
-  constexpr GLuint zero = 0;
-  if (drawn_.empty()) return;
-  glClearNamedBufferData(counters_.name(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, &zero);
-  makeVertices(into);
+void TriangleRaster::fillGroups() {
+  if (into_ == Into::lampMap) {
+    groups_.fill(*lists_.counts, {.counts = static_cast<int>(drawn_.size()), .each = groupTriangles},
+                 surfaceGroups_);
+    return;
+  }
   for (std::size_t i = 0; i < drawn_.size(); ++i) {
     const sim::Surface& surface = *drawn_[i].surface;
     if (surface.arguments == nullptr) continue;
     groups_.fill(*surface.arguments, {.first = static_cast<int>(i), .each = 3 * groupTriangles},
                  surfaceGroups_);
   }
+}
+
+void TriangleRaster::draw(const Visibility& into, const MapPart& part) {
+  constexpr GLuint zero = 0;
+  if (drawn_.empty()) return;
+  glClearNamedBufferData(counters_.name(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, &zero);
+  glm::ivec2 largest(0);
+  if (into_ != Into::lampMap) {
+    for (Drawn& drawn : drawn_) drawn.face.part = part;
+    makeVertices(into);
+  }
+  for (const Drawn& drawn : drawn_) largest = glm::max(largest, sizeOf(into, drawn.face.part));
+  fillGroups();
   gl::barrier();
   glMemoryBarrier(GL_COMMAND_BARRIER_BIT);
-  run(trianglesPath, 0, into, part);
+  run(trianglesPath, 0, into);
   clipLarge(into);
-  const unsigned parts = partsFor(sizeOf(into, part), samples_);
-  groups_.prepareLists(
-      counters_,
-      {.counts = static_cast<int>(drawn_.size()),
-       .parts = parts,
-       .fewerParts = gl::softwareDriver() ? leastParts(sizeOf(into, part), samples_) : parts},
-      largeGroups_);
-  runLists(0, into, part);
+  const unsigned parts = partsFor(largest, samples_);
+  groups_.prepareLists(counters_,
+                       {.counts = static_cast<int>(drawn_.size()),
+                        .parts = parts,
+                        .fewerParts = gl::softwareDriver() ? leastParts(largest, samples_) : parts},
+                       largeGroups_);
+  runLists(0, into);
   gl::barrier();
   if (into_ != Into::picture || into.layout() == SampleLayout::wholes) return;
-  run(trianglesPath, 1, into, part);
-  runLists(1, into, part);
+  run(trianglesPath, 1, into);
+  runLists(1, into);
   gl::barrier();
 }
 

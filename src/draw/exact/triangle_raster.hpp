@@ -3,6 +3,7 @@
 #include "draw/exact/visibility.hpp"
 #include "sim/core/drawable.hpp"
 
+#include <cstdint>
 #include <map>
 #include <string>
 #include <tuple>
@@ -14,6 +15,22 @@ namespace simreel::draw {
 /// Vertices that a surface has room for, and triangles.
 [[nodiscard]] int verticesOf(const sim::Surface& surface);
 [[nodiscard]] int maxTrianglesOf(const sim::Surface& surface);
+
+class MergedMesh;
+
+/// Lists of a mesh's triangles on the GPU, one behind the other.
+struct TriangleLists {
+  const gl::Texture* numbers = nullptr;  ///< R32UI
+  const gl::Buffer* counts = nullptr;    ///< of each list
+  int room = 0;                          ///< of each
+};
+
+/// A lamp's shadow map to draw, seen as a picture is.
+struct MapFace {
+  const gl::Buffer* views = nullptr;
+  std::size_t view = 0;  ///< where its shader::ExactView is (bytes)
+  MapPart part;
+};
 
 /// Finds what of surfaces is nearest at each sample, by kernels: coverage in whole numbers, ties by number.
 /// The result does not depend on the order in which the device works.
@@ -36,12 +53,16 @@ class TriangleRaster {
     int firstFan = 0;      ///< of its clipped triangles,
     int fans = 0;          ///< and for how many there is room
     gl::Texture indices;   ///< R32UI texel view
+    int list = 0;          ///< of the triangles of a lamp's map,
+    MapFace face;          ///< and where that is
   };
 
   /// Numbers the triangles: see drawn(). Throws UserError(device) where there are more than numbers.
   void number(const std::vector<const sim::Surface*>& surfaces);
+  /// For lamps' maps instead: face i shows the triangles of list i. All of it holds until they are drawn.
+  void number(const MergedMesh& mesh, const TriangleLists& lists, const std::vector<MapFace>& faces);
   /// Draws them into what is cleared. The uniform blocks, and for the sun's map the light's place, are
-  /// bound.
+  /// bound; into lamps' maps, it binds the faces' views.
   void draw(const Visibility& into, const MapPart& part = {});
   [[nodiscard]] const std::vector<Drawn>& drawn() const { return drawn_; }
   /// Binds vertices and indices of one of drawn() and says where they are.
@@ -55,8 +76,10 @@ class TriangleRaster {
   const gl::Program& program(const Variant& variant);
   void makeVertices(const Visibility& into);
   void clipLarge(const Visibility& into);
-  void run(const char* path, int pass, const Visibility& into, const MapPart& part, bool clips = false);
-  void runLists(int pass, const Visibility& into, const MapPart& part);
+  void reserveLists(std::size_t draws, std::int64_t triangles, int fans);
+  void fillGroups();
+  void run(const char* path, int pass, const Visibility& into, bool clips = false);
+  void runLists(int pass, const Visibility& into);
 
   Into into_;
   int samples_;
@@ -66,6 +89,8 @@ class TriangleRaster {
   std::map<std::pair<bool, bool>, gl::Program> vertexPrograms_;
   std::map<Variant, gl::Program> programs_;
   GroupCounts groups_;
+  const MergedMesh* mesh_ = nullptr;  ///< of lamps' maps,
+  TriangleLists lists_;               ///< and what each shows of it
   std::vector<Drawn> drawn_;
   gl::Buffer vertices_, large_, counters_, largeGroups_, surfaceGroups_, fans_, clipGroups_;
   gl::Texture vertexView_, largeView_, counterView_, fanView_;

@@ -42,13 +42,14 @@ shader::ExactView faceView(const shader::Lamp& lamp, int face, int side, float s
 
 }  // namespace
 
-LampMaps::LampMaps(const Lamps& lamps) : count_(lamps.order().shadowed) {
+LampMaps::LampMaps(const Lamps& lamps, bool sparing) : sparing_(sparing), count_(lamps.order().shadowed) {
   if (!on()) return;
   for (const scene::Light* light : lamps.order().lights)
     if (light->shadow) softness_ = std::max(softness_, light->shadowSoftness);
   keys_.emplace("the shadow maps of the lights", lamps.order().atlas, 1, false);
   raster_.emplace(TriangleRaster::Into::lampMap, 1);
   mesh_.emplace();
+  lists_.emplace(lamps.shadowDefines());
   const auto alignment = static_cast<std::size_t>(gl::limits().uniformAlignment);
   viewStride_ = (sizeof(shader::ExactView) + alignment - 1) / alignment * alignment;
   views_ =
@@ -70,21 +71,39 @@ void LampMaps::draw(const sim::Drawables& drawables, const Lamps& lamps, ExactIn
   }
   views_.write(0, bytes);
   keys_->clear();
-  std::vector<const sim::Surface*> merged;
-  if (!casting.empty()) merged.push_back(&mesh_->merge(casting));
   gl::barrier();
-  for (int i = 0; i < count_ * shader::lampFaces; ++i) {
+  const int all = count_ * shader::lampFaces;
+  std::vector<MapFace> faces;
+  for (int i = 0; i < all; ++i) {
     const auto lamp = static_cast<std::size_t>(i / shader::lampFaces);
-    views_.bindUniform(viewBinding, static_cast<std::size_t>(i) * viewStride_, sizeof(shader::ExactView));
+    const int side = order.lights[lamp]->shadowSize;
     // As for the sun: a filter of r texels reads depths up to r + 1 texels of slope away.
-    const MapPart part{.slopeOffset = 1.5F + softness_,
-                       .side = order.lights[lamp]->shadowSize,
-                       .firstKey = order.rows[lamp] * order.atlas.x +
-                                   i % shader::lampFaces * order.lights[lamp]->shadowSize,
-                       .keyStride = order.atlas.x};
-    raster_->number(merged);
-    raster_->draw(*keys_, part);
-    instances.castLampShadows(drawables, *keys_, part);
+    faces.push_back({.views = &views_,
+                     .view = static_cast<std::size_t>(i) * viewStride_,
+                     .part = {.slopeOffset = 1.5F + softness_,
+                              .side = side,
+                              .firstKey = order.rows[lamp] * order.atlas.x + i % shader::lampFaces * side,
+                              .keyStride = order.atlas.x}});
+  }
+  if (!casting.empty()) drawMesh(casting, faces);
+  for (const MapFace& face : faces) {
+    views_.bindUniform(viewBinding, face.view, sizeof(shader::ExactView));
+    instances.castLampShadows(drawables, *keys_, face.part);
+  }
+}
+
+void LampMaps::drawMesh(const std::vector<const sim::Surface*>& casting,
+                        const std::vector<MapFace>& faces) {
+  mesh_->merge(casting);
+  if (mesh_->maxTriangles() == 0) return;
+  const int all = static_cast<int>(faces.size());
+  const int atOnce = FaceLists::facesAtOnce(mesh_->maxTriangles());
+  for (int first = 0; first < all; first += atOnce) {
+    const int some = std::min(atOnce, all - first);
+    const TriangleLists& lists =
+        sparing_ ? lists_->find(*mesh_, first, some) : lists_->all(mesh_->maxTriangles(), some);
+    raster_->number(*mesh_, lists, {faces.begin() + first, faces.begin() + first + some});
+    raster_->draw(*keys_);
   }
 }
 

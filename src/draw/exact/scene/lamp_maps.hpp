@@ -1,11 +1,13 @@
 #pragma once
 #include "draw/exact/instances/exact_instances.hpp"
+#include "draw/exact/scene/face_lists.hpp"
 #include "draw/exact/scene/merged_mesh.hpp"
 #include "draw/exact/triangle_raster.hpp"
 #include "draw/lights/lamps.hpp"
 #include "gl/buffer.hpp"
 
 #include <optional>
+#include <vector>
 
 namespace simreel::draw {
 
@@ -13,7 +15,9 @@ namespace simreel::draw {
 /// picture is.
 class LampMaps {
  public:
-  explicit LampMaps(const Lamps& lamps);
+  /// `sparing`: faces go through those triangles only that they may show; else, where no surface says
+  /// itself how many it has, through all: the maps are the same.
+  explicit LampMaps(const Lamps& lamps, bool sparing = true);
   [[nodiscard]] bool on() const { return count_ > 0; }
   /// Draws all of them for the lamps as they were updated last; the view's block is bound to others
   /// afterwards.
@@ -24,12 +28,16 @@ class LampMaps {
   void bind() const;
 
  private:
+  void drawMesh(const std::vector<const sim::Surface*>& casting, const std::vector<MapFace>& faces);
+
+  bool sparing_;
   int count_;  ///< lamps with shadows
   float softness_ = 0;
   std::size_t viewStride_ = 0;  ///< bytes from one map's view to the next
   std::optional<Visibility> keys_;
   std::optional<TriangleRaster> raster_;
   std::optional<MergedMesh> mesh_;
+  std::optional<FaceLists> lists_;
   gl::Buffer views_;
 };
 

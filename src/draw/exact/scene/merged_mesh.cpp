@@ -12,11 +12,7 @@
 
 namespace simreel::draw {
 
-MergedMesh::MergedMesh() : count_("merged indices", 5 * sizeof(GLuint)) {
-  all_.normals = &placesView_;  // no grid
-  all_.arguments = &count_;
-  all_.material = &material_;
-}
+MergedMesh::MergedMesh() : count_("merged indices", 4 * sizeof(GLuint)) {}
 
 const gl::Program& MergedMesh::program(bool deformed, bool counted) {
   const std::pair<bool, bool> key{deformed, counted};
@@ -28,7 +24,7 @@ const gl::Program& MergedMesh::program(bool deformed, bool counted) {
   return programs_.emplace(key, gl::Program::compute("draw/exact/merge_mesh.comp", defines)).first->second;
 }
 
-const sim::Surface& MergedMesh::merge(const std::vector<const sim::Surface*>& surfaces) {
+void MergedMesh::merge(const std::vector<const sim::Surface*>& surfaces) {
   constexpr GLuint zero = 0;
   std::int64_t vertices = 0;
   std::int64_t triangles = 0;
@@ -43,7 +39,9 @@ const sim::Surface& MergedMesh::merge(const std::vector<const sim::Surface*>& su
          INT32_MAX / 3);
   reserve(places_, placesView_, "places in the world", static_cast<std::size_t>(vertices) * 16, GL_RGBA32F,
           16);
-  reserve(indices_, "merged triangles", static_cast<std::size_t>(triangles) * 12);
+  reserve(indices_, indicesView_, "merged triangles", static_cast<std::size_t>(triangles) * 12, GL_R32UI,
+          sizeof(GLuint));
+  maxTriangles_ = static_cast<int>(triangles);
   glClearNamedBufferData(count_.name(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, &zero);
   places_.bindStorage(outVertexBinding);
   indices_.bindStorage(largeBinding);
@@ -67,10 +65,6 @@ const sim::Surface& MergedMesh::merge(const std::vector<const sim::Surface*>& su
     firstVertex += room;
   }
   gl::barrier();
-  all_.positions = &placesView_;
-  all_.vertexCount = firstVertex;
-  all_.indices = &indices_;
-  return all_;
 }
 
 }  // namespace simreel::draw

@@ -2,7 +2,6 @@
 #include "gl/buffer.hpp"
 #include "gl/program.hpp"
 #include "gl/texture.hpp"
-#include "scene/scene.hpp"
 #include "sim/core/drawable.hpp"
 
 #include <map>
@@ -16,18 +15,23 @@ namespace simreel::draw {
 class MergedMesh {
  public:
   MergedMesh();
-  /// Holds until the next call: triangles in any order, without normals. The deformations' blocks need not
-  /// be bound.
-  const sim::Surface& merge(const std::vector<const sim::Surface*>& surfaces);
+  /// Their triangles in any order. The deformations' blocks need not be bound. Throws UserError(device)
+  /// where there are more than numbers.
+  void merge(const std::vector<const sim::Surface*>& surfaces);
+  [[nodiscard]] const gl::Texture& places() const { return placesView_; }  ///< m, RGBA32F
+  [[nodiscard]] const gl::Texture& indexView() const {
+    return indicesView_;
+  }                                                                 ///< R32UI, 3 of each triangle
+  [[nodiscard]] const gl::Buffer& count() const { return count_; }  ///< indices that there are
+  [[nodiscard]] int maxTriangles() const { return maxTriangles_; }
 
  private:
   const gl::Program& program(bool deformed, bool counted);
 
   std::map<std::pair<bool, bool>, gl::Program> programs_;
   gl::Buffer places_, indices_, count_;
-  gl::Texture placesView_;
-  scene::Material material_;
-  sim::Surface all_;
+  gl::Texture placesView_, indicesView_;
+  int maxTriangles_ = 0;
 };
 
 }  // namespace simreel::draw

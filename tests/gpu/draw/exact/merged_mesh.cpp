@@ -2,8 +2,10 @@
 // lamp.
 #include "draw/exact/scene/merged_mesh.hpp"
 
+#include "draw/exact/scene/lamp_maps.hpp"
 #include "draw/exact/triangle_raster.hpp"
 #include "gpu/draw/exact/stage.hpp"
+#include "gpu/draw/lamp_stage.hpp"
 
 #include <algorithm>
 #include <array>
@@ -36,17 +38,29 @@ TriangleStage scattered(unsigned seed, int triangles) {
   return {places, indices};
 }
 
-std::vector<GLuint> mapOf(const std::vector<const sim::Surface*>& surfaces) {
-  constexpr int side = 83;
+constexpr int side = 83;
+
+/// A map of a lamp that shows every triangle of `meshes`, each merged of some surfaces.
+std::vector<GLuint> mapOf(const std::vector<std::vector<const sim::Surface*>>& meshes) {
   const shader::ExactView view = exactViewFrom({0.1F, 0.2F, 3}, {0.2F, -0.1F, 0}, {side, side});
   gl::Buffer block("view", sizeof view);
   block.write(0, std::as_bytes(std::span(&view, 1)));
-  block.bindUniform(draw::viewBinding, 0, sizeof view);
   const draw::Visibility keys("a test", {side, side}, 1, false);
   draw::TriangleRaster raster(draw::TriangleRaster::Into::lampMap, 1, 16);
+  draw::FaceLists lists({});
+  draw::MergedMesh mesh;
   keys.clear();
-  raster.number(surfaces);
-  raster.draw(keys, {.slopeOffset = 1.5F, .side = side, .firstKey = 0, .keyStride = side});
+  for (const auto& surfaces : meshes) {
+    mesh.merge(surfaces);
+    int triangles = 0;
+    for (const sim::Surface* surface : surfaces)
+      triangles += surface->arguments == nullptr
+                       ? surface->indexCount / 3
+                       : static_cast<int>(surface->arguments->readAll<GLuint>()[0]) / 3;
+    const draw::MapPart part{.slopeOffset = 1.5F, .side = side, .firstKey = 0, .keyStride = side};
+    raster.number(mesh, lists.all(triangles, 1), {{&block, 0, part}});
+    raster.draw(keys);
+  }
   auto found = keys.readKeys();
   found.resize(static_cast<std::size_t>(side) * side);
   testContext().check();
@@ -64,14 +78,46 @@ TEST_CASE("exact: one mesh of several surfaces casts their shadows, counted ones
   const gl::Buffer arguments =
       gl::Buffer::of<GLuint>("arguments", std::array<GLuint, 5>{3 * 17, 1, 0, 0, 0});
   third.surface.arguments = &arguments;
-  draw::MergedMesh mesh;
   for (const std::vector<const sim::Surface*>& surfaces :
        {std::vector<const sim::Surface*>{&first.surface, &second.surface, &third.surface},
         {&third.surface},
         {&second.surface, &first.surface}}) {
-    const std::vector<GLuint> wanted = mapOf(surfaces);
-    CHECK(std::count(wanted.begin(), wanted.end(), 0xffffffffU) < 83 * 83 - 500);
-    const sim::Surface& merged = mesh.merge(surfaces);
-    CHECK(mapOf({&merged}) == wanted);
+    std::vector<std::vector<const sim::Surface*>> apart;
+    for (const sim::Surface* surface : surfaces) apart.push_back({surface});
+    const std::vector<GLuint> wanted = mapOf(apart);
+    CHECK(std::count(wanted.begin(), wanted.end(), 0xffffffffU) < side * side - 500);
+    CHECK(mapOf({surfaces}) == wanted);
   }
+}
+
+TEST_CASE("exact: lists of what faces of lamps may show leave out nothing that they show") {
+  testContext();
+  scene::Scene scene = fromAbove();
+  for (const glm::vec3 place : {glm::vec3(0.1F, -0.2F, 0.3F), glm::vec3(-0.7F, 0.6F, 0.05F)}) {
+    scene.lights.push_back(lampAt(place, 3, true));
+    scene.lights.back().shadowSize = side;
+    scene.lights.back().shadowSoftness = 2;
+  }
+  TriangleStage mesh = scattered(11, 300);
+  sim::Drawables drawables;
+  drawables.surfaces.push_back(mesh.surface);
+  draw::Lamps lamps(scene, draw::Rasterizer::exact);
+  lamps.update(0, drawables);
+  draw::ExactInstances instances(1, lamps.defines());
+  const auto mapsOf = [&](bool sparing) {
+    draw::LampMaps maps(lamps, sparing);
+    maps.draw(drawables, lamps, instances);
+    testContext().check();
+    return maps.keys().readKeys();
+  };
+  const std::vector<GLuint> wanted = mapsOf(false);
+  CHECK(std::count(wanted.begin(), wanted.end(), 0xffffffffU) < 12 * side * side / 2);
+  CHECK(mapsOf(true) == wanted);
+
+  draw::MergedMesh merged;
+  merged.merge({&mesh.surface});
+  draw::FaceLists lists(lamps.shadowDefines());
+  long listed = 0;
+  for (const GLuint count : lists.find(merged, 0, 12).counts->readAll<GLuint>()) listed += count;
+  CHECK(listed < 12 * 200);  // and they spare something
 }

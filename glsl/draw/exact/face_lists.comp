@@ -1,0 +1,55 @@
+// Which triangles of the merged mesh (merge_mesh.comp) some faces of the lamps' maps may show: a list of numbers for each face.
+// What lies beyond one of its sides, by more than rounding makes of it, is left out; what is listed may show nothing all the
+// same. Variants of lamp_list.glsl, BALLOT.
+#include "draw/exact/bindings.glsl"
+#include "draw/lights/lamp_list.glsl"
+layout(local_size_x = 64) in;
+layout(binding = vertexUnit) uniform samplerBuffer places;
+layout(binding = indexUnit) uniform usamplerBuffer indices;
+layout(std430, binding = drawArgumentBinding) readonly restrict buffer DrawArgumentBlock { uint drawArguments[]; };
+layout(std430, binding = largeBinding) writeonly restrict buffer ListBlock { uint lists[]; };
+layout(std430, binding = counterBinding) restrict buffer CounterBlock { uint counters[]; };
+uniform int room;  // of a list
+uniform int firstFace;
+uniform int faces;
+#include "draw/exact/list_place.glsl"
+
+bool allBelow(vec3 v, float least) {
+  return max(v.x, max(v.y, v.z)) < least;
+}
+
+// Of three corners at the distances x along a face's axis: whether all are beyond the side where y = x.
+bool allBeyond(vec3 x, vec3 y) {
+  precise vec3 within = x - y + 1e-5f * (abs(x) + abs(y));
+  return allBelow(within, 0.0f);
+}
+
+// Of a face that covers |y|, |z| <= x.
+bool mayShow(vec3 x, vec3 y, vec3 z, float nearest) {
+  return !(allBelow(x, nearest) || allBeyond(x, y) || allBeyond(x, -y) || allBeyond(x, z) || allBeyond(x, -z));
+}
+
+void list(int face, uint number) {
+  int k = face - firstFace;
+  if (k >= 0 && k < faces) lists[k * room + int(nextPlace(k))] = number;
+}
+
+void main() {
+  int number = int(gl_WorkGroupID.y * gl_NumWorkGroups.x * 64u + gl_GlobalInvocationID.x);
+  if (number >= int(drawArguments[0] / 3u)) return;
+  vec3 corners[3];
+  for (int i = 0; i < 3; ++i) corners[i] = texelFetch(places, int(texelFetch(indices, 3 * number + i).x)).xyz;
+  for (int lamp = firstFace / lampFaces; lamp * lampFaces < firstFace + faces; ++lamp) {
+    vec3 middle = lampPlace(lamp).xyz;
+    float scale = lampMaps(lamp).w, nearest = lampSampling(lamp).x;
+    precise vec3 a = corners[0] - middle, b = corners[1] - middle, c = corners[2] - middle;
+    vec3 along[3] = vec3[3](vec3(a.x, b.x, c.x), vec3(a.y, b.y, c.y), vec3(a.z, b.z, c.z));
+    for (int axis = 0; axis < 3; ++axis) {
+      vec3 x = along[axis];
+      precise vec3 y = along[(axis + 1) % 3] * scale, z = along[(axis + 2) % 3] * scale;
+      int face = lamp * lampFaces + 2 * axis;
+      if (mayShow(x, y, z, nearest)) list(face, uint(number));
+      if (mayShow(-x, y, z, nearest)) list(face + 1, uint(number));
+    }
+  }
+}

@@ -1,0 +1,66 @@
+#include "draw/exact/scene/face_lists.hpp"
+
+#include "draw/exact/bindings.hpp"
+#include "draw/exact/reserve.hpp"
+#include "gl/element_array.hpp"
+#include "gl/limits.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <numeric>
+#include <vector>
+
+namespace simreel::draw {
+
+FaceLists::FaceLists(const gl::Defines& lampDefines) {
+  if (lampDefines.empty()) return;
+  gl::Defines defines = lampDefines;
+  for (const auto& define : laneDefines()) defines.push_back(define);
+  program_ = gl::Program::compute("draw/exact/face_lists.comp", defines);
+}
+
+int FaceLists::facesAtOnce(int triangles) {
+  constexpr std::int64_t most = std::int64_t{1} << 26;  // bytes: beside it, as much for large ones
+  const std::int64_t room = std::min<std::int64_t>(most, gl::limits().storageBlockBytes);
+  const auto each = static_cast<std::int64_t>(std::max(triangles, 1)) * std::int64_t{sizeof(GLuint)};
+  return static_cast<int>(std::clamp<std::int64_t>(room / each, 1, 96));
+}
+
+void FaceLists::makeRoom(int triangles, int faces) {
+  const auto count = static_cast<std::size_t>(triangles) * static_cast<std::size_t>(faces);
+  reserve(numbers_, numberView_, "triangles of lamps' maps", count * sizeof(GLuint), GL_R32UI,
+          sizeof(GLuint));
+  reserve(counts_, "counts of them", static_cast<std::size_t>(faces) * sizeof(GLuint));
+  lists_ = {&numberView_, &counts_, triangles};
+}
+
+const TriangleLists& FaceLists::find(const MergedMesh& mesh, int first, int faces) {
+  constexpr GLuint zero = 0;
+  makeRoom(mesh.maxTriangles(), faces);
+  glClearNamedBufferData(counts_.name(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, &zero);
+  numbers_.bindStorage(largeBinding);
+  counts_.bindStorage(counterBinding);
+  mesh.count().bindStorage(drawArgumentBinding);
+  mesh.places().bind(vertexUnit);
+  mesh.indexView().bind(indexUnit);
+  program_.set("room", mesh.maxTriangles());
+  program_.set("firstFace", first);
+  program_.set("faces", faces);
+  dispatchRows(program_, mesh.maxTriangles());
+  gl::barrier();
+  return lists_;
+}
+
+const TriangleLists& FaceLists::all(int triangles, int faces) {
+  makeRoom(triangles, faces);
+  std::vector<GLuint> numbers(static_cast<std::size_t>(triangles));
+  std::iota(numbers.begin(), numbers.end(), 0U);
+  const std::vector<GLuint> counts(static_cast<std::size_t>(faces), static_cast<GLuint>(triangles));
+  for (std::size_t face = 0; face < counts.size(); ++face)
+    numbers_.write(face * numbers.size() * sizeof(GLuint), std::as_bytes(std::span(numbers)));
+  counts_.write(0, std::as_bytes(std::span(counts)));
+  gl::barrier();
+  return lists_;
+}
+
+}  // namespace simreel::draw

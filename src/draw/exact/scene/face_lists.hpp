@@ -1,0 +1,36 @@
+#pragma once
+#include "draw/exact/scene/merged_mesh.hpp"
+#include "draw/exact/triangle_raster.hpp"
+#include "gl/buffer.hpp"
+#include "gl/program.hpp"
+#include "gl/texture.hpp"
+
+#include <memory>
+
+namespace simreel::draw {
+
+/// Which of a mesh's triangles each of some lamps' shadow maps may show: few are seen by more than two of
+/// the six faces around a lamp.
+class FaceLists {
+ public:
+  /// `lampDefines`: Lamps::shadowDefines(); empty: for all() only.
+  explicit FaceLists(const gl::Defines& lampDefines);
+
+  /// How many maps may have lists at once, of `triangles` each.
+  static int facesAtOnce(int triangles);
+  /// Finds those of the maps `first` to before `first + faces` (six of each lamp in turn). The lamps are
+  /// bound.
+  const TriangleLists& find(const MergedMesh& mesh, int first, int faces);
+  /// All of the mesh's `triangles` for each: what find() spares its users, and never less.
+  const TriangleLists& all(int triangles, int faces);
+
+ private:
+  void makeRoom(int triangles, int faces);
+
+  gl::Program program_;
+  gl::Buffer numbers_, counts_;
+  gl::Texture numberView_;
+  TriangleLists lists_;
+};
+
+}  // namespace simreel::draw
