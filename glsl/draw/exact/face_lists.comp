@@ -43,7 +43,8 @@ void main() {
     vec3 middle = lampPlace(lamp).xyz;
     float scale = lampMaps(lamp).w, nearest = lampSampling(lamp).x;
     precise vec3 a = corners[0] - middle, b = corners[1] - middle, c = corners[2] - middle;
-    vec3 along[3] = vec3[3](vec3(a.x, b.x, c.x), vec3(a.y, b.y, c.y), vec3(a.z, b.z, c.z));
+    vec3 along[3];
+    for (int axis = 0; axis < 3; ++axis) along[axis] = vec3(a[axis], b[axis], c[axis]);
     for (int axis = 0; axis < 3; ++axis) {
       vec3 x = along[axis];
       precise vec3 y = along[(axis + 1) % 3] * scale, z = along[(axis + 2) % 3] * scale;

@@ -5,7 +5,6 @@
 #include "draw/exact/exact_view.hpp"
 #include "draw/exact/parts.hpp"
 #include "draw/exact/reserve.hpp"
-#include "draw/exact/scene/merged_mesh.hpp"
 #include "gl/context.hpp"
 #include "gl/element_array.hpp"
 
@@ -86,9 +85,7 @@ void TriangleRaster::number(const std::vector<const sim::Surface*>& surfaces) {
   reserveLists(surfaces.size(), triangles, fans);
 }
 
-void TriangleRaster::number(const MergedMesh& mesh, const TriangleLists& lists,
-                            const std::vector<MapFace>& faces) {
-  mesh_ = &mesh;
+void TriangleRaster::number(const TriangleLists& lists, const std::vector<MapFace>& faces) {
   lists_ = lists;
   drawn_.resize(faces.size());
   const int fans = std::min(lists.room, fanRoom_ / std::max(static_cast<int>(faces.size()), 1));
@@ -164,8 +161,8 @@ void TriangleRaster::makeVertices(const Visibility& into) {
 
 void TriangleRaster::bind(const Drawn& drawn, const gl::Program& program) const {
   if (into_ == Into::lampMap) {
-    mesh_->places().bind(vertexUnit);
-    mesh_->indexView().bind(indexUnit);
+    lists_.places->bind(vertexUnit);
+    lists_.indices->bind(indexUnit);
     lists_.numbers->bind(tileListUnit);
     lists_.counts->bindStorage(drawArgumentBinding);
     drawn.face.views->bindUniform(viewBinding, drawn.face.view, viewBytes);

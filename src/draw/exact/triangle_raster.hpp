@@ -16,10 +16,10 @@ namespace simreel::draw {
 [[nodiscard]] int verticesOf(const sim::Surface& surface);
 [[nodiscard]] int maxTrianglesOf(const sim::Surface& surface);
 
-class MergedMesh;
-
 /// Lists of a mesh's triangles on the GPU, one behind the other.
 struct TriangleLists {
+  const gl::Texture* places = nullptr;   ///< of the mesh in the world (m), RGBA32F
+  const gl::Texture* indices = nullptr;  ///< R32UI, 3 of each triangle
   const gl::Texture* numbers = nullptr;  ///< R32UI
   const gl::Buffer* counts = nullptr;    ///< of each list
   int room = 0;                          ///< of each
@@ -60,7 +60,7 @@ class TriangleRaster {
   /// Numbers the triangles: see drawn(). Throws UserError(device) where there are more than numbers.
   void number(const std::vector<const sim::Surface*>& surfaces);
   /// For lamps' maps instead: face i shows the triangles of list i. All of it holds until they are drawn.
-  void number(const MergedMesh& mesh, const TriangleLists& lists, const std::vector<MapFace>& faces);
+  void number(const TriangleLists& lists, const std::vector<MapFace>& faces);
   /// Draws them into what is cleared. The uniform blocks, and for the sun's map the light's place, are
   /// bound; into lamps' maps, it binds the faces' views.
   void draw(const Visibility& into, const MapPart& part = {});
@@ -89,8 +89,7 @@ class TriangleRaster {
   std::map<std::pair<bool, bool>, gl::Program> vertexPrograms_;
   std::map<Variant, gl::Program> programs_;
   GroupCounts groups_;
-  const MergedMesh* mesh_ = nullptr;  ///< of lamps' maps,
-  TriangleLists lists_;               ///< and what each shows of it
+  TriangleLists lists_;  ///< that lamps' maps show
   std::vector<Drawn> drawn_;
   gl::Buffer vertices_, large_, counters_, largeGroups_, surfaceGroups_, fans_, clipGroups_;
   gl::Texture vertexView_, largeView_, counterView_, fanView_;

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <numeric>
+#include <span>
 #include <vector>
 
 namespace simreel::draw {
@@ -26,17 +27,18 @@ int FaceLists::facesAtOnce(int triangles) {
   return static_cast<int>(std::clamp<std::int64_t>(room / each, 1, 96));
 }
 
-void FaceLists::makeRoom(int triangles, int faces) {
+void FaceLists::makeRoom(const MergedMesh& mesh, int faces) {
+  const int triangles = mesh.maxTriangles();
   const auto count = static_cast<std::size_t>(triangles) * static_cast<std::size_t>(faces);
   reserve(numbers_, numberView_, "triangles of lamps' maps", count * sizeof(GLuint), GL_R32UI,
           sizeof(GLuint));
   reserve(counts_, "counts of them", static_cast<std::size_t>(faces) * sizeof(GLuint));
-  lists_ = {&numberView_, &counts_, triangles};
+  lists_ = {&mesh.places(), &mesh.indexView(), &numberView_, &counts_, triangles};
 }
 
 const TriangleLists& FaceLists::find(const MergedMesh& mesh, int first, int faces) {
   constexpr GLuint zero = 0;
-  makeRoom(mesh.maxTriangles(), faces);
+  makeRoom(mesh, faces);
   glClearNamedBufferData(counts_.name(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, &zero);
   numbers_.bindStorage(largeBinding);
   counts_.bindStorage(counterBinding);
@@ -51,13 +53,14 @@ const TriangleLists& FaceLists::find(const MergedMesh& mesh, int first, int face
   return lists_;
 }
 
-const TriangleLists& FaceLists::all(int triangles, int faces) {
-  makeRoom(triangles, faces);
+const TriangleLists& FaceLists::all(const MergedMesh& mesh, int triangles, int faces) {
+  makeRoom(mesh, faces);
   std::vector<GLuint> numbers(static_cast<std::size_t>(triangles));
   std::iota(numbers.begin(), numbers.end(), 0U);
   const std::vector<GLuint> counts(static_cast<std::size_t>(faces), static_cast<GLuint>(triangles));
   for (std::size_t face = 0; face < counts.size(); ++face)
-    numbers_.write(face * numbers.size() * sizeof(GLuint), std::as_bytes(std::span(numbers)));
+    numbers_.write(face * static_cast<std::size_t>(lists_.room) * sizeof(GLuint),
+                   std::as_bytes(std::span(numbers)));
   counts_.write(0, std::as_bytes(std::span(counts)));
   gl::barrier();
   return lists_;

@@ -5,8 +5,6 @@
 #include "gl/program.hpp"
 #include "gl/texture.hpp"
 
-#include <memory>
-
 namespace simreel::draw {
 
 /// Which of a mesh's triangles each of some lamps' shadow maps may show: few are seen by more than two of
@@ -21,11 +19,11 @@ class FaceLists {
   /// Finds those of the maps `first` to before `first + faces` (six of each lamp in turn). The lamps are
   /// bound.
   const TriangleLists& find(const MergedMesh& mesh, int first, int faces);
-  /// All of the mesh's `triangles` for each: what find() spares its users, and never less.
-  const TriangleLists& all(int triangles, int faces);
+  /// The first `triangles` of the mesh for each: what find() spares its users, and never less.
+  const TriangleLists& all(const MergedMesh& mesh, int triangles, int faces);
 
  private:
-  void makeRoom(int triangles, int faces);
+  void makeRoom(const MergedMesh& mesh, int faces);
 
   gl::Program program_;
   gl::Buffer numbers_, counts_;

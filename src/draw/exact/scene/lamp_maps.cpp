@@ -101,8 +101,8 @@ void LampMaps::drawMesh(const std::vector<const sim::Surface*>& casting,
   for (int first = 0; first < all; first += atOnce) {
     const int some = std::min(atOnce, all - first);
     const TriangleLists& lists =
-        sparing_ ? lists_->find(*mesh_, first, some) : lists_->all(mesh_->maxTriangles(), some);
-    raster_->number(*mesh_, lists, {faces.begin() + first, faces.begin() + first + some});
+        sparing_ ? lists_->find(*mesh_, first, some) : lists_->all(*mesh_, mesh_->maxTriangles(), some);
+    raster_->number(lists, {faces.begin() + first, faces.begin() + first + some});
     raster_->draw(*keys_);
   }
 }

@@ -58,7 +58,7 @@ std::vector<GLuint> mapOf(const std::vector<std::vector<const sim::Surface*>>& m
                        ? surface->indexCount / 3
                        : static_cast<int>(surface->arguments->readAll<GLuint>()[0]) / 3;
     const draw::MapPart part{.slopeOffset = 1.5F, .side = side, .firstKey = 0, .keyStride = side};
-    raster.number(mesh, lists.all(triangles, 1), {{&block, 0, part}});
+    raster.number(lists.all(mesh, triangles, 1), {{&block, 0, part}});
     raster.draw(keys);
   }
   auto found = keys.readKeys();
