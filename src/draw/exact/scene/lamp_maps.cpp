@@ -47,7 +47,9 @@ LampMaps::LampMaps(const Lamps& lamps, bool sparing) : sparing_(sparing), count_
   for (const scene::Light* light : lamps.order().lights)
     if (light->shadow) softness_ = std::max(softness_, light->shadowSoftness);
   keys_.emplace("the shadow maps of the lights", lamps.order().atlas, 1, false);
-  raster_.emplace(TriangleRaster::Into::lampMap, 1);
+  // All faces wait for their clipped triangles once, so that cards gain by them, too.
+  constexpr int fans = 1 << 19;
+  raster_.emplace(TriangleRaster::Into::lampMap, 1, smallTriangle(), fans, mediumTriangle());
   mesh_.emplace();
   lists_.emplace(lamps.shadowDefines());
   const auto alignment = static_cast<std::size_t>(gl::limits().uniformAlignment);
