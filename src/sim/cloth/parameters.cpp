@@ -195,9 +195,9 @@ double ClothParameters::stableSeconds() const {
 
 std::string ClothParameters::steadierWay(double frameSeconds) const {
   ClothParameters other = *this;
-  const std::string milder =
-      hasFabric ? "take a wider spacing, or a material that is heavier or bends more easily"
-                : "lower the stiffness or raise the mass";
+  std::string milder = hasFabric
+                           ? "take a wider spacing, or a material that is heavier or bends more easily"
+                           : "lower the stiffness or raise the mass";
   if (substeps && substepsFor(frameSeconds, safety * stableSeconds()) <= maxSubsteps)
     return "set \"substeps\": \"auto\", " + milder;
   if (hasFabric) return milder;
