@@ -123,10 +123,10 @@ void main() {
     if (onGround > 0) show(draws + onGround - 1);
   }
   barrier();
-  int tile = int(gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x);
+  uint tile = gl_WorkGroupID.x | gl_WorkGroupID.y << 16;
   for (int draw = me; draw < draws + 2; draw += tileSide * tileSide) {
     bool listed = (shown[draw >> 5] >> (draw & 31) & 1u) != 0u;
     if (draw == draws && (shown[(draws + 1) >> 5] >> ((draws + 1) & 31) & 1u) != 0u) listed = false;
-    if (listed) lists[draw * tileCount + int(atomicAdd(counters[draw], 1u))] = uint(tile);
+    if (listed) lists[draw * tileCount + int(atomicAdd(counters[draw], 1u))] = tile;
   }
 }

@@ -73,7 +73,6 @@ void ShadedTiles::shade(int thing, const gl::Program& program) const {
   counterView_.bind(counterUnit);
   program.set("draw_", thing);
   program.set("tileCount", tiles_.x * tiles_.y);
-  program.set("tilesAcross", tiles_.x);
   program.use();
   GroupCounts::dispatch(dispatches_, static_cast<std::size_t>(thing));
   glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);

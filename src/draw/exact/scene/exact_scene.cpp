@@ -207,6 +207,7 @@ void ExactScene::draw(double seconds, const sim::Drawables& published, const Ove
                       const gl::Texture& picture, const Watch& watch) {
   State& s = *state_;
   s.skins.update(overlays.textures);
+  s.surfaces.prepare(s.skins);
   if (s.lamps.on()) s.lamps.update(seconds, published);
   const sim::Drawables drawables = s.lamps.on() ? s.lamps.withGlows(published) : published;
   const auto issued = [&](const char* stage) {
