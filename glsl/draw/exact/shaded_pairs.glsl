@@ -30,7 +30,8 @@ void lightTile(uint firstId, uint numbers) {
     left &= ~samplesLike(shown, first);
   }
   barrier();
-  for (uint i = uint(me); i < pairCount; i += uint(tilePixels)) {
+  int count = int(pairCount);  // once: software drivers read shared memory lane by lane
+  for (int i = me; i < count; i += tilePixels) {
     int pair = int(pairs[i]), first = pair >> 6, at = pair & (tilePixels - 1);
     ivec2 lit = corner + ivec2(at % tileSide, at / tileSide);
     lightOfPair[first * tilePixels + at] = lightOf(lit, idAt(lit, first) - firstId, first);
