@@ -35,7 +35,7 @@ glm::ivec2 rowsTowardsGround(const shader::ExactView& view, float height, int st
     float most = -1;  // of side y in the row's corners
     for (const int corner : {0, 1, 2, 3}) {
       const auto x = static_cast<float>((corner & 1) * view.size.x);
-      const auto y = static_cast<float>(view.rows.x + (row + corner / 2) * step);
+      const auto y = static_cast<float>(view.rows.x + (row + (corner >> 1)) * step);
       most = std::max(most, side * (view.ray.y + view.rayAcross.y * x + view.rayDown.y * y));
     }
     constexpr float slack = 1e-4F;  // for what is rounded

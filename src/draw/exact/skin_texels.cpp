@@ -4,7 +4,7 @@
 #include "draw/exact/bindings.hpp"
 #include "draw/exact/reserve.hpp"
 #include "draw/exact/visibility.hpp"
-#include "gl/context.hpp"
+#include "gl/element_array.hpp"
 
 #include <cstddef>
 

@@ -3,7 +3,7 @@
 #include "draw/draw_state.hpp"
 #include "draw/surface/skin_look.hpp"
 #include "draw/surface/surface_pass.hpp"
-#include "gl/limits.hpp"
+#include "gl/context.hpp"
 
 #include <algorithm>
 #include <cmath>
