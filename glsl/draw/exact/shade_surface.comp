@@ -1,8 +1,13 @@
 // Light of one surface on its tiles: each primitive of a pixel once, in the pixel's middle if that is on it, else at the
 // first of its samples. Variants: those of draw/surface/lighting.glsl, SHADOW (with SHADOW_TAPS), PALETTE, DOUBLE_SIDED,
 // TEXTURED (BUMPED) or SKIN (LOOK_ one of draw/surface/skin_look.glsl), by uv, of a GRID or a mesh, or TRIPLANAR. SAMPLES.
+// PAIRS: as shaded_pairs.glsl has it.
 #define EXACT_PICTURE
+#ifdef PAIRS
+#include "draw/exact/shaded_pairs.glsl"
+#else
 #include "draw/exact/shaded_tile.glsl"
+#endif
 #include "draw/exact/surface_triangle.glsl"
 #include "draw/exact/surface_spot.glsl"
 #include "draw/surface/lighting.glsl"
@@ -22,8 +27,8 @@ uniform uint firstId;
 uniform vec3 color;
 uniform vec3 material;  // roughness, metallic, translucency
 
-vec3 lightOf(ivec2 pixel, uint id, int firstSample) {
-  Spot spot = spotOf(cornersOf(int(id - firstId)), pixel, firstSample);
+vec3 lightOf(ivec2 pixel, uint triangle, int firstSample) {
+  Spot spot = spotOf(cornersOf(int(triangle)), pixel, firstSample);
   precise vec3 base = color;
 #ifdef PALETTE
   base = paletteColor(spot);
@@ -58,14 +63,16 @@ vec3 lightOf(ivec2 pixel, uint id, int firstSample) {
   return light;
 }
 
+#ifdef PAIRS
+void main() {
+  lightTile(firstId, uint(trianglesToDraw()));
+}
+#else
 void main() {
   ivec2 pixel = pixelToShade();
   if (pixel.x < 0) return;
   PixelIds shown = idsOf(pixel);
-  int left = 0;
-  int triangles = trianglesToDraw();
-  for (int s = 0; s < SAMPLES; ++s)
-    if (shown.of[s] >= firstId && shown.of[s] - firstId < uint(triangles)) left |= 1 << s;
+  int left = samplesOf(shown, firstId, uint(trianglesToDraw()));
   vec4 sum = imageLoad(sums, pixel);
   while (left != 0) {
     int first = findLSB(left);
@@ -73,8 +80,9 @@ void main() {
     int same = 0;
     for (int s = 0; s < SAMPLES; ++s)
       if (shown.of[s] == id) same |= 1 << s;
-    sum = withLight(sum, vec4(lightOf(pixel, id, first), 1.0f), bitCount(same));
+    sum = withLight(sum, vec4(lightOf(pixel, id - firstId, first), 1.0f), bitCount(same));
     left &= ~same;
   }
   imageStore(sums, pixel, sum);
 }
+#endif

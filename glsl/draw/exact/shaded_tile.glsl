@@ -10,16 +10,23 @@ layout(binding = counterUnit) uniform usamplerBuffer tileCounts;
 layout(rgba32f, binding = sumImage) restrict uniform image2D sums;
 uniform int draw_;
 uniform int tileCount;
-uniform int tilesAcross;
+
+// The tile's first pixel; outside the picture where there is no tile.
+ivec2 tileToShade() {
+  uint entry = gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x;
+  if (entry >= texelFetch(tileCounts, draw_).x) return ivec2(-1);
+  uint tile = texelFetch(tileLists, draw_ * tileCount + int(entry)).x;
+  return ivec2(tile & 0xffffu, tile >> 16) * tileSide + ivec2(0, view.rows.x);
+}
+
+bool inPicture(ivec2 pixel) {
+  return pixel.x < view.size.x && pixel.y < view.rows.y;
+}
 
 // Outside the picture where there is none.
 ivec2 pixelToShade() {
-  uint entry = gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x;
-  if (entry >= texelFetch(tileCounts, draw_).x) return ivec2(-1);
-  int tile = int(texelFetch(tileLists, draw_ * tileCount + int(entry)).x);
-  ivec2 pixel = ivec2(tile % tilesAcross, tile / tilesAcross) * tileSide + ivec2(gl_LocalInvocationID.xy);
-  pixel.y += view.rows.x;
-  return pixel.x < view.size.x && pixel.y < view.rows.y ? pixel : ivec2(-1);
+  ivec2 corner = tileToShade(), pixel = corner + ivec2(gl_LocalInvocationID.xy);
+  return corner.x >= 0 && inPicture(pixel) ? pixel : ivec2(-1);
 }
 
 uint idAt(ivec2 pixel, int s) {
@@ -43,6 +50,22 @@ PixelIds idsOf(ivec2 pixel) {
   }
 #endif
   return ids;
+}
+
+// A bit for each sample that shows one of `numbers` numbers from `first` on.
+int samplesOf(PixelIds shown, uint first, uint numbers) {
+  int shows = 0;
+  for (int s = 0; s < SAMPLES; ++s) shows |= shown.of[s] >= first && shown.of[s] - first < numbers ? 1 << s : 0;
+  return shows;
+}
+
+// A bit for each sample that shows the same as sample `first`.
+int samplesLike(PixelIds shown, int first) {
+  uint id = shown.of[0];
+  for (int s = 1; s < SAMPLES; ++s) id = s == first ? shown.of[s] : id;
+  int same = 0;
+  for (int s = 0; s < SAMPLES; ++s) same |= shown.of[s] == id ? 1 << s : 0;
+  return same;
 }
 
 // A sum and light of so many of the pixel's samples; alpha is the part of the pixel that something covers.

@@ -2,10 +2,14 @@
 #ifdef GRID
 uniform ivec2 grid;
 uniform vec2 perGrid;  // 1 / (grid - 1)
+uniform float perRow;  // 1 / grid.x
 
 vec2 uvOf(int vertex) {
+  // Software drivers divide integers lane by lane. In floats the quotient is off by one at most, of up to five million rows.
   int i = vertex - firstVertex;
-  int row = i / grid.x;
+  precise float about = float(i) * perRow;
+  int row = int(about);
+  row += (i < row * grid.x ? -1 : 0) + (i >= row * grid.x + grid.x ? 1 : 0);
   precise vec2 uv = vec2(i - row * grid.x, row) * perGrid;
   return uv;
 }

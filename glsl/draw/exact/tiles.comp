@@ -1,6 +1,7 @@
 // Lays the ground under what is visible and lists, for each thing drawn, the tiles that show it: a group does one. With
 // GROUND two lists more, of tiles whose ground no shadow can reach, and of the others (SHADOW). GROUND_KEYS: what is nearest has the
-// ground, too. EMPTIES: the light of all pixels, too. SAMPLES, PAIRED.
+// ground, too. EMPTIES: the light of all pixels, too. FEW: lists for 32 at most, the
+// ground's included. SAMPLES, PAIRED.
 #include "draw/frame_block.glsl"
 #include "draw/exact/view_block.glsl"
 #include "draw/exact/tile_lists.glsl"
@@ -31,11 +32,25 @@ layout(std430, binding = counterBinding) restrict buffer CounterBlock { uint cou
 layout(std430, binding = tileListBinding) writeonly restrict buffer ListBlock { uint lists[]; };
 uniform int draws;
 uniform int tileCount;
+uniform int firstTileRow;
+#ifdef FEW
+const int maxWords = 1;
+#else
 const int maxWords = 64;
+#endif
 shared uint shown[maxWords];
 
+// What an invocation shows; with FEW all of it together, since software drivers do atomics lane by lane.
+uint mine = 0u;
 void show(int draw) {
+#ifdef FEW
+  mine |= 1u << draw;
+#else
   atomicOr(shown[draw >> 5], 1u << (draw & 31));
+#endif
+}
+bool isShown(int draw) {
+  return (shown[draw >> 5] >> (draw & 31) & 1u) != 0u;
 }
 
 // Samples s to s + 3, or s alone, of what lies at `at`.
@@ -84,7 +99,8 @@ void main() {
   int me = int(gl_LocalInvocationIndex);
   if (me < maxWords) shown[me] = 0u;
   barrier();
-  ivec2 pixel = ivec2(gl_GlobalInvocationID.xy) + ivec2(0, view.rows.x);
+  ivec2 at = ivec2(gl_WorkGroupID.xy) + ivec2(0, firstTileRow);
+  ivec2 pixel = at * tileSide + ivec2(gl_LocalInvocationID.xy) + ivec2(0, view.rows.x);
   bool within = pixel.x < view.size.x && pixel.y < view.rows.y;
   if (within) {
 #ifdef EMPTIES
@@ -121,12 +137,15 @@ void main() {
       for (int s = 0; s < SAMPLES; ++s) left &= seen[s] >= from && seen[s] < to ? ~(1 << s) : ~0;
     }
     if (onGround > 0) show(draws + onGround - 1);
+#ifdef FEW
+    if (mine != 0u) atomicOr(shown[0], mine);
+#endif
   }
   barrier();
-  int tile = int(gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x);
+  uint tile = uint(at.x) | uint(at.y) << 16;
   for (int draw = me; draw < draws + 2; draw += tileSide * tileSide) {
-    bool listed = (shown[draw >> 5] >> (draw & 31) & 1u) != 0u;
-    if (draw == draws && (shown[(draws + 1) >> 5] >> ((draws + 1) & 31) & 1u) != 0u) listed = false;
-    if (listed) lists[draw * tileCount + int(atomicAdd(counters[draw], 1u))] = uint(tile);
+    bool listed = isShown(draw);
+    if (draw == draws && isShown(draws + 1)) listed = false;
+    if (listed) lists[draw * tileCount + int(atomicAdd(counters[draw], 1u))] = tile;
   }
 }

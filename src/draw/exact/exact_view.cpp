@@ -1,5 +1,7 @@
 #include "draw/exact/exact_view.hpp"
 
+#include <algorithm>
+
 #include <glm/geometric.hpp>
 
 namespace simreel::draw {
@@ -23,6 +25,25 @@ shader::ExactView exactView(const View& view, const scene::Camera& camera, glm::
   exact.near = camera.near;
   exact.nearOverFar = camera.near / camera.far;
   return exact;
+}
+
+glm::ivec2 rowsTowardsGround(const shader::ExactView& view, float height, int step) {
+  const float side = view.eye.y > height ? -1.0F : 1.0F;  // of y, of rays that meet it
+  const int count = (view.rows.y - view.rows.x + step - 1) / step;
+  glm::ivec2 rows(0);
+  for (int row = 0; row < count; ++row) {
+    float most = -1;  // of side y in the row's corners
+    for (const int corner : {0, 1, 2, 3}) {
+      const auto x = static_cast<float>((corner & 1) * view.size.x);
+      const auto y = static_cast<float>(view.rows.x + (row + (corner >> 1)) * step);
+      most = std::max(most, side * (view.ray.y + view.rayAcross.y * x + view.rayDown.y * y));
+    }
+    constexpr float slack = 1e-4F;  // for what is rounded
+    if (most < -slack) continue;
+    if (rows.y == 0) rows.x = row * step;
+    rows.y = (row + 1) * step;
+  }
+  return rows;
 }
 
 }  // namespace simreel::draw

@@ -9,38 +9,48 @@
 #include <span>
 #include <string>
 
+#include <glm/common.hpp>
+
 namespace simreel::draw {
 
 namespace {
 
-constexpr int maxThings = 2046;  // 32 times maxWords of tiles.comp, less the ground's two
+constexpr int maxThings = 2046;  // 32 times maxWords of tiles.comp, less the ground's two,
+constexpr int fewThings = 30;    // and with FEW
+constexpr unsigned onGround = 1;
+constexpr unsigned groundsKeys = 2;
+constexpr unsigned few = 4;
 
 }  // namespace
 
 ShadedTiles::ShadedTiles(const Visibility& visibility, bool ground, bool shadow)
     : size_(visibility.size()),
       tiles_((size_ + side - 1) / side),
-      defines_(definesOf(visibility.layout())) {
+      defines_(definesOf(visibility.layout())),
+      ground_(ground) {
   defines_.emplace_back("SAMPLES", std::to_string(visibility.samples()));
   if (emptiesLight()) defines_.emplace_back("EMPTIES", "1");
-  if (ground) defines_.emplace_back("GROUND", "1");
   if (shadow) defines_.emplace_back("SHADOW", "1");
-  program_ = gl::Program::compute("draw/exact/tiles.comp", defines_);
+  program((ground ? onGround : 0U) | few);
 }
 
 bool ShadedTiles::emptiesLight() {
   return !gl::softwareDriver();
 }
 
+const gl::Program& ShadedTiles::program(unsigned features) {
+  const auto found = programs_.find(features);
+  if (found != programs_.end()) return found->second;
+  gl::Defines defines = defines_;
+  if ((features & onGround) != 0) defines.emplace_back("GROUND", "1");
+  if ((features & groundsKeys) != 0) defines.emplace_back("GROUND_KEYS", "1");
+  if ((features & few) != 0) defines.emplace_back("FEW", "1");
+  return programs_.emplace(features, gl::Program::compute("draw/exact/tiles.comp", defines)).first->second;
+}
+
 void ShadedTiles::list(const std::vector<unsigned>& firstIds, const Visibility& visibility,
-                       bool groundKeys) {
+                       glm::ivec2 groundRows, bool groundKeys) {
   constexpr GLuint zero = 0;
-  if (groundKeys && keyProgram_.name() == 0) {
-    gl::Defines defines = defines_;
-    defines.emplace_back("GROUND_KEYS", "1");
-    keyProgram_ = gl::Program::compute("draw/exact/tiles.comp", defines);
-  }
-  const gl::Program& program = groundKeys ? keyProgram_ : program_;
   things_ = static_cast<int>(firstIds.size());
   if (things_ > maxThings)
     fail(ExitCode::device,
@@ -58,9 +68,22 @@ void ShadedTiles::list(const std::vector<unsigned>& firstIds, const Visibility& 
   firstIdView_.bind(firstIdUnit);
   lists_.bindStorage(tileListBinding);
   counters_.bindStorage(counterBinding);
-  program.set("draws", things_);
-  program.set("tileCount", tiles_.x * tiles_.y);
-  program.dispatch(size_.x, size_.y);
+  // Cards do all rows at once; software drivers run both sides of a branch.
+  const glm::ivec2 ground = !ground_               ? glm::ivec2(0)
+                            : gl::softwareDriver() ? glm::min(groundRows / side, tiles_.y)
+                                                   : glm::ivec2(0, tiles_.y);
+  const unsigned size = things_ <= fewThings ? few : 0U;
+  const auto rows = [&](int from, int to, unsigned features) {
+    if (from >= to) return;
+    const gl::Program& kernel = program(features | size);
+    kernel.set("draws", things_);
+    kernel.set("tileCount", tiles_.x * tiles_.y);
+    kernel.set("firstTileRow", from);
+    kernel.dispatch(tiles_.x * side, (to - from) * side);
+  };
+  rows(0, ground.x, 0);
+  rows(ground.x, ground.y, onGround | (groundKeys ? groundsKeys : 0U));
+  rows(ground.y, tiles_.y, 0);
   gl::barrier();
   glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
   groups_.fill(counters_, {.counts = things_ + 2}, dispatches_);
@@ -73,7 +96,6 @@ void ShadedTiles::shade(int thing, const gl::Program& program) const {
   counterView_.bind(counterUnit);
   program.set("draw_", thing);
   program.set("tileCount", tiles_.x * tiles_.y);
-  program.set("tilesAcross", tiles_.x);
   program.use();
   GroupCounts::dispatch(dispatches_, static_cast<std::size_t>(thing));
   glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);

@@ -3,6 +3,7 @@
 #include "draw/draw_state.hpp"
 #include "draw/surface/skin_look.hpp"
 #include "draw/surface/surface_pass.hpp"
+#include "gl/context.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,28 +16,30 @@ namespace simreel::draw {
 
 namespace {
 
+constexpr unsigned triplanar = 1U << 7U;
+constexpr unsigned skinned = 1U << 9U;
 constexpr const char* featureNames[] = {"DOUBLE_SIDED", "TRANSLUCENT", "REFLECTIVE", "PALETTE", "COUNTED",
                                         "TEXTURED",     "GRID",        "TRIPLANAR",  "BUMPED",  "SKIN"};
 
-unsigned featuresOf(const sim::Surface& surface, bool skinned) {
+unsigned featuresOf(const sim::Surface& surface, bool skin) {
   const scene::Material& material = *surface.material;
   scene::Material shown = material;
-  if (skinned) shown.roughness = lookOf(material.skin).roughness;
-  const bool textured = !skinned && !material.texture.empty();
+  if (skin) shown.roughness = lookOf(material.skin).roughness;
+  const bool textured = !skin && !material.texture.empty();
   const bool grid = surface.normals == nullptr;
   const bool byUv = (grid || surface.uvs != nullptr) &&
-                    !(skinned && material.skin.projection != scene::Skin::Projection::uv);
-  const bool laidOn = skinned || textured;
+                    !(skin && material.skin.projection != scene::Skin::Projection::uv);
+  const bool laidOn = skin || textured;
   const bool wanted[] = {surface.doubleSided,
                          material.translucency > 0,
                          isReflective(shown),
-                         !skinned && surface.palette != nullptr,
+                         !skin && surface.palette != nullptr,
                          surface.arguments != nullptr,
                          textured,
                          laidOn && byUv && grid,
                          laidOn && !byUv,
                          textured && material.bump != 0,
-                         skinned};
+                         skin};
   unsigned features = 0;
   for (std::size_t i = 0; i < std::size(wanted); ++i) features |= wanted[i] ? 1U << i : 0U;
   return features;
@@ -50,25 +53,16 @@ void setSeen(const sim::Surface& surface, glm::vec2 repeats, const gl::Program& 
   if (surface.normals == nullptr) {
     shader.set("grid", surface.grid);
     shader.set("perGrid", 1.0F / glm::vec2(surface.grid - 1));
+    shader.set("perRow", 1.0F / static_cast<float>(surface.grid.x));
   } else if (surface.uvs != nullptr) {
     surface.uvs->bind(uvUnit);
   }
 }
 
-void setSkin(const sim::Surface& surface, const SkinTextures::Entry& entry, const gl::Program& shader) {
-  const scene::Skin& skin = surface.material->skin;
-  const bool byUv = (surface.normals == nullptr || surface.uvs != nullptr) &&
-                    skin.projection == scene::Skin::Projection::uv;
-  // From three sides, cells are squares whatever the field's shape.
-  const float shape = static_cast<float>(entry.cells.x) / static_cast<float>(entry.cells.y);
-  setSeen(surface, {skin.repeats, byUv ? skin.repeats : skin.repeats * shape}, shader);
-  SkinTextures::bind(entry, skin, shader);
-}
-
 }  // namespace
 
 SurfaceShading::SurfaceShading(const scene::Scene& scene, gl::Defines defines)
-    : defines_(std::move(defines)) {
+    : scene_(scene), defines_(std::move(defines)) {
   for (const scene::Object& object : scene.objects) textures_.load(object.material.texture);
 }
 
@@ -78,6 +72,10 @@ const gl::Program& SurfaceShading::program(unsigned features, int look) {
   gl::Defines defines = defines_;
   for (std::size_t i = 0; i < std::size(featureNames); ++i)
     if ((features >> i & 1U) != 0) defines.emplace_back(featureNames[i], "1");
+  const bool lamps = std::any_of(defines_.begin(), defines_.end(),
+                                 [](const auto& define) { return define.first == "LAMPS"; });
+  if (gl::softwareDriver() && (lamps || (features & (triplanar | skinned)) != 0))
+    defines.emplace_back("PAIRS", "1");
   if (look >= 0) {
     scene::Skin skin;
     skin.look = static_cast<scene::Skin::Look>(look);
@@ -86,6 +84,12 @@ const gl::Program& SurfaceShading::program(unsigned features, int look) {
   return programs_
       .emplace(std::pair(features, look), gl::Program::compute("draw/exact/shade_surface.comp", defines))
       .first->second;
+}
+
+void SurfaceShading::prepare(const SkinTextures& skins) {
+  for (const scene::Object& object : scene_.objects)
+    if (object.material.hasSkin)
+      if (const SkinTextures::Entry* entry = skins.find(object.material.skin)) skinTexels_.update(*entry);
 }
 
 void SurfaceShading::shade(const TriangleRaster& raster, const TriangleRaster::Drawn& drawn,
@@ -105,6 +109,18 @@ void SurfaceShading::shade(const TriangleRaster& raster, const TriangleRaster::D
   else if (const TexelLists::List* albedo = textures_.load(material.texture))
     setTexture(surface, *albedo, shader);
   tiles.shade(thing, shader);
+}
+
+void SurfaceShading::setSkin(const sim::Surface& surface, const SkinTextures::Entry& entry,
+                             const gl::Program& shader) const {
+  const scene::Skin& skin = surface.material->skin;
+  const bool byUv = (surface.normals == nullptr || surface.uvs != nullptr) &&
+                    skin.projection == scene::Skin::Projection::uv;
+  // From three sides, cells are squares whatever the field's shape.
+  const float shape = static_cast<float>(entry.cells.x) / static_cast<float>(entry.cells.y);
+  setSeen(surface, {skin.repeats, byUv ? skin.repeats : skin.repeats * shape}, shader);
+  SkinTextures::set(entry, skin, shader);
+  skinTexels_.find(entry).bind(reliefUnit);
 }
 
 void SurfaceShading::setTexture(const sim::Surface& surface, const TexelLists::List& albedo,

@@ -1,5 +1,6 @@
 #pragma once
 #include "draw/exact/shaded_tiles.hpp"
+#include "draw/exact/skin_texels.hpp"
 #include "draw/exact/texel_lists.hpp"
 #include "draw/exact/triangle_raster.hpp"
 #include "draw/surface/skin_textures.hpp"
@@ -14,8 +15,11 @@ namespace simreel::draw {
 /// software drivers run both sides of a branch.
 class SurfaceShading {
  public:
-  /// Loads the textures of the scene's materials. `defines`: SAMPLES and those of the lights.
+  /// Loads the textures of the materials of the scene, which must outlive it. `defines`: SAMPLES and those
+  /// of the lights.
   SurfaceShading(const scene::Scene& scene, gl::Defines defines);
+  /// Makes what surfaces read of the skins, which are up to date.
+  void prepare(const SkinTextures& skins);
   /// Adds the light of `drawn`, thing number `thing` of the tiles, to the bound sums. A skin whose field is
   /// not there leaves the material as it is without one.
   void shade(const TriangleRaster& raster, const TriangleRaster::Drawn& drawn, const SkinTextures& skins,
@@ -27,9 +31,14 @@ class SurfaceShading {
   static void setTexture(const sim::Surface& surface, const TexelLists::List& albedo,
                          const gl::Program& shader);
 
+  void setSkin(const sim::Surface& surface, const SkinTextures::Entry& entry,
+               const gl::Program& shader) const;
+
+  const scene::Scene& scene_;
   gl::Defines defines_;
   std::map<std::pair<unsigned, int>, gl::Program> programs_;
   TexelLists textures_;
+  SkinTexels skinTexels_;
 };
 
 }  // namespace simreel::draw

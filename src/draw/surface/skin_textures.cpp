@@ -82,16 +82,24 @@ void SkinTextures::run(const char* path, const FieldTextures::Entry& field, cons
   if (!ownColors) mips_.make(entry.surroundings, GL_R16F);
 }
 
+int SkinTextures::Entry::levels() const {
+  return static_cast<int>(std::bit_width(static_cast<unsigned>(std::max(relief.width(), relief.height()))));
+}
+
 const SkinTextures::Entry* SkinTextures::find(const scene::Skin& skin) const {
   const auto found = entries_.find(keyOf(skin));
   return found == entries_.end() ? nullptr : &found->second;
 }
 
 void SkinTextures::bind(const Entry& entry, const scene::Skin& skin, const gl::Program& program) {
-  const SkinLook look = lookOf(skin);
   entry.relief.bind(reliefUnit);
   entry.surroundings.bind(surroundingsUnit);
   if (entry.colors) entry.colors.bind(skinColorUnit);
+  set(entry, skin, program);
+}
+
+void SkinTextures::set(const Entry& entry, const scene::Skin& skin, const gl::Program& program) {
+  const SkinLook look = lookOf(skin);
   program.set("skinThreshold", entry.threshold);
   program.set("skinLow", look.low);
   program.set("skinHigh", look.high);
@@ -99,8 +107,7 @@ void SkinTextures::bind(const Entry& entry, const scene::Skin& skin, const gl::P
   program.set("skinDepth", look.depth);
   const glm::ivec2 size(entry.relief.width(), entry.relief.height());
   program.set("reliefSize", size);
-  program.set("reliefLevels",
-              static_cast<int>(std::bit_width(static_cast<unsigned>(std::max(size.x, size.y)))));
+  program.set("reliefLevels", entry.levels());
   program.set("skinCells", glm::vec2(entry.cells));
 }
 

@@ -17,10 +17,11 @@ class SkinTextures {
  public:
   struct Entry {
     gl::Texture relief;  ///< RGBA16F, mip-mapped, repeating: what glsl/draw/surface/skin_relief.comp says
-    gl::Texture surroundings;  ///< R16F of the same kind: mean around
-    gl::Texture colors;        ///< RGBA16F, mip-mapped, repeating; of the look "map" only
-    float threshold = 0.5F;    ///< fraction of the field's range
-    glm::ivec2 cells{1, 1};    ///< of the field
+    gl::Texture surroundings;          ///< R16F of the same kind: mean around
+    gl::Texture colors;                ///< RGBA16F, mip-mapped, repeating; of the look "map" only
+    float threshold = 0.5F;            ///< fraction of the field's range
+    glm::ivec2 cells{1, 1};            ///< of the field
+    [[nodiscard]] int levels() const;  ///< of each texture
   };
 
   /// Compiles the kernels if any material of the scene has a skin. The scene must outlive it.
@@ -34,6 +35,8 @@ class SkinTextures {
 
   /// Binds what glsl/draw/surface/skin.glsl reads and sets its uniforms.
   static void bind(const Entry& entry, const scene::Skin& skin, const gl::Program& program);
+  /// Sets its uniforms only.
+  static void set(const Entry& entry, const scene::Skin& skin, const gl::Program& program);
 
  private:
   using Key = std::tuple<std::string, scene::Skin::Look, std::optional<double>>;

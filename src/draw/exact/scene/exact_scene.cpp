@@ -65,7 +65,7 @@ struct ExactScene::State {
     return defines;
   }
   void drawShadows(const sim::Drawables& drawables);
-  void drawBand(const sim::Drawables& drawables, glm::ivec2 rows, const Watch& watch);
+  void drawBand(const sim::Drawables& drawables, const shader::ExactView& values, const Watch& watch);
   void shadeAll();
   void keepVisibility(glm::ivec2 rows) const;
 
@@ -175,7 +175,9 @@ void ExactScene::keepPasses(PassPicture* passes) {
   state_->passes = passes;
 }
 
-void ExactScene::State::drawBand(const sim::Drawables& drawables, glm::ivec2 rows, const Watch& watch) {
+void ExactScene::State::drawBand(const sim::Drawables& drawables, const shader::ExactView& values,
+                                 const Watch& watch) {
+  const glm::ivec2 rows = values.rows;
   std::vector<const sim::Surface*> shown;
   for (const sim::Surface& surface : drawables.surfaces) shown.push_back(&surface);
   triangles.number(shown);
@@ -194,7 +196,8 @@ void ExactScene::State::drawBand(const sim::Drawables& drawables, glm::ivec2 row
   instances.drawNumbers(visibility);
   if (watch) watch("visibility");
   sums.bindImage(sumImage, GL_READ_WRITE);
-  tiles.list(firstIds, visibility, ExactInstances::anyAdd(drawables));
+  tiles.list(firstIds, visibility, rowsTowardsGround(values, scene.ground.height, ShadedTiles::side),
+             ExactInstances::anyAdd(drawables));
   if (passes != nullptr) keepVisibility(rows);
   shadeAll();
   if (passes != nullptr) passes->keepLight("light", "", sums, rows);
@@ -207,6 +210,7 @@ void ExactScene::draw(double seconds, const sim::Drawables& published, const Ove
                       const gl::Texture& picture, const Watch& watch) {
   State& s = *state_;
   s.skins.update(overlays.textures);
+  s.surfaces.prepare(s.skins);
   if (s.lamps.on()) s.lamps.update(seconds, published);
   const sim::Drawables drawables = s.lamps.on() ? s.lamps.withGlows(published) : published;
   const auto issued = [&](const char* stage) {
@@ -229,7 +233,7 @@ void ExactScene::draw(double seconds, const sim::Drawables& published, const Ove
   for (int row = 0; row < s.size.y; row += s.bandRows) {
     values.rows = {row, std::min(row + s.bandRows, s.size.y)};
     s.view.write(0, std::as_bytes(std::span(&values, 1)));
-    s.drawBand(drawables, values.rows, watch);
+    s.drawBand(drawables, values, watch);
   }
   glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
   if (s.passes && ExactInstances::anyAdd(drawables))

@@ -1,0 +1,32 @@
+#pragma once
+#include "draw/surface/skin_textures.hpp"
+#include "gl/buffer.hpp"
+#include "gl/program.hpp"
+#include "gl/texture.hpp"
+
+#include <map>
+
+namespace simreel::draw {
+
+/// The textures of skins as lists of texels, all that there is of one together: software drivers find those
+/// of a buffer several times as fast as those of a 2-D texture.
+class SkinTexels {
+ public:
+  /// Brings the list of an entry, which stays where it is, up to date with its textures.
+  void update(const SkinTextures::Entry& entry);
+  /// View of the list of an entry that has been brought up to date: RGBA32UI, level after level, of each
+  /// texel eight halves as glsl/draw/exact/skin_texels.comp says.
+  [[nodiscard]] const gl::Texture& find(const SkinTextures::Entry& entry) const {
+    return lists_.at(&entry).view;
+  }
+
+ private:
+  struct List {
+    gl::Buffer texels;
+    gl::Texture view;
+  };
+  std::map<const SkinTextures::Entry*, List> lists_;
+  gl::Program program_;
+};
+
+}  // namespace simreel::draw
