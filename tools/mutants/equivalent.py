@@ -56,6 +56,20 @@ EQUIVALENT = {
         "either way of drawing gives the same, as a test says",
     ("draw/sky.glsl", "ROUNDED float glow = max(dotted(direction, vec3(frame.sunDirection)), 0.01f);"):
         "to the power of 16, 1e-32 at most",
+    ("draw/exact/clip.glsl",
+     "for (int k = 0; k < 5; ++k) all_ = all_ && insideOf(k, v, size, nearest) > 0.0f;"):
+        "clipping leaves the corners of what has none beyond",
+    ("draw/exact/crossing.glsl",
+     "int first = (int(floor(low)) + edge.from.x - 2) >> 8, last = (int(floor(high)) + edge.from.x + 2) << 8;"):
+        "a wider span, of which every sample is tested",
+    ("draw/exact/triangle.glsl", "return uint(low1) > uint(low2) ? 1 : low1 == low2 ? 1 : -1;"):
+        "a triangle of no area covers no sample: of its edges at least one is neither a left nor a top one",
+    ("draw/exact/footprint.glsl", "print.part = beyond ? 1.0f : part;"):
+        "beyond the last level the next one is the last, too",
+    ("draw/exact/instances/cull_copies.comp", "precise float reach = radius * exactReciprocal(lightTexel()) + 0.0f;"):
+        "what covers a texel's middle reaches half a texel into the map, more than is lost by rounding",
+    ("draw/overlay/field_view.glsl", "return vec4(1.0);"):
+        "nobody calls it: `reduces` is false there",
     ("draw/exact/bloom_down.comp", "if (2 * at.x > size.x || 2 * at.y >= size.y) return;"):
         "what is stored beyond an image is dropped",
 }

@@ -1,9 +1,10 @@
-// The sun's map, what is nearest to the sun at each texel: of balls against double precision, of copies of
-// a mesh against the same triangles as a surface.
+// Shadow maps, what is nearest to the sun or a lamp at each texel: of balls against double precision, of
+// copies of a mesh against the same triangles as a surface.
 #include "draw/exact/instances/ball_raster.hpp"
 #include "draw/exact/instances/copy_raster.hpp"
 #include "draw/exact/triangle_raster.hpp"
 #include "gpu/draw/exact/instance_stage.hpp"
+#include "gpu/draw/exact/stage.hpp"
 #include "sim/core/shader_code.hpp"
 
 #include <algorithm>
@@ -160,4 +161,77 @@ TEST_CASE("sun's map: copies of a mesh throw the shadows of the same triangles o
       CHECK(stage.keys() == wanted);
     }
   }
+}
+
+TEST_CASE(
+    "a lamp's map: of balls the discs through their middles that face the lamp, in double precision") {
+  testContext();
+  constexpr int side = 83;
+  const shader::ExactView v = exactViewFrom({0.1F, 0.2F, 0.3F}, {0.2F, -0.1F, 0}, {side, side});
+  gl::Buffer block("view", sizeof v);
+  block.write(0, std::as_bytes(std::span(&v, 1)));
+  Dice dice(67);
+  std::vector<glm::vec4> places;
+  for (int i = 0; i < 150; ++i) {
+    const float away = i % 3 == 0 ? 4.0F : 0.6F;
+    const glm::vec3 aside = away * dice.cube();
+    if (glm::length(aside) < 0.2F) continue;
+    places.emplace_back(glm::vec3(v.eye) + aside, 0.05F + dice());
+  }
+  InstanceStage group(places, std::vector<glm::vec4>(places.size(), glm::vec4(0)));
+  group.instances.shape = Shape::sphere;
+  group.instances.size = 0.2F;
+  group.instances.massExponent = 1;
+  std::vector<unsigned> usual;
+  for (const int smallPixels : {16, 0, 64}) {
+    const draw::Visibility keys("a test", {side, side}, 1, false);
+    draw::BallRaster raster(draw::BallRaster::Into::lampMap, 1, smallPixels);
+    block.bindUniform(draw::viewBinding, 0, sizeof v);
+    keys.clear();
+    gl::barrier();
+    raster.drawNearest({&group.instances}, {}, keys,
+                       {.slopeOffset = 1.5F, .side = side, .firstKey = 0, .keyStride = side});
+    testContext().check();
+    std::vector<unsigned> found = keys.readKeys();
+    found.resize(static_cast<std::size_t>(side) * side);
+    if (usual.empty()) usual = found;
+    CHECK(found == usual);
+  }
+  int wrong = 0;
+  int close = 0;
+  int covered = 0;
+  for (int y = 0; y < side; ++y)
+    for (int x = 0; x < side; ++x) {
+      const glm::dvec3 ray = glm::dvec3(glm::vec3(v.ray)) + glm::dvec3(glm::vec3(v.rayAcross)) * (x + 0.5) +
+                             glm::dvec3(glm::vec3(v.rayDown)) * (y + 0.5);
+      double nearest = 1e9;
+      bool doubtful = false;
+      for (const glm::vec4& place : places) {
+        const glm::dvec3 middle = glm::dvec3(glm::vec3(place)) - glm::dvec3(glm::vec3(v.eye));
+        const double radius = 0.1 * static_cast<double>(place.w);
+        // How far the ray passes the middle, and where it meets the plane through the middle across the way
+        // to it.
+        const double along = glm::dot(ray, middle);
+        const double past = glm::length(glm::cross(ray, middle)) / glm::length(ray);
+        doubtful = doubtful || std::abs(past - radius) < 1e-4 * glm::length(middle);
+        if (past >= radius || along <= 0) continue;
+        const double depth = glm::dot(middle, middle) / along;
+        doubtful = doubtful || std::abs(depth - static_cast<double>(v.near)) < 1e-5;
+        if (depth >= static_cast<double>(v.near)) nearest = std::min(nearest, depth);
+      }
+      close += doubtful ? 1 : 0;
+      covered += nearest < 1e9 ? 1 : 0;
+      if (doubtful) continue;
+      const unsigned key = usual[static_cast<std::size_t>(y * side + x)];
+      if (key == 0xffffffffU || nearest == 1e9) {
+        wrong += (key == 0xffffffffU) != (nearest == 1e9) ? 1 : 0;
+        continue;
+      }
+      const auto near = static_cast<double>(shader::intBitsToFloat(static_cast<int>(0x7fffffffU - key)));
+      wrong += std::abs(static_cast<double>(v.near) / near - nearest) > 1e-5 * nearest ? 1 : 0;
+    }
+  CHECK(wrong == 0);
+  CHECK(close < 200);
+  CHECK(covered > 1000);
+  CHECK(covered < side * side - 1000);
 }
