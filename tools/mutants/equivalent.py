@@ -70,6 +70,11 @@ EQUIVALENT = {
         "what covers a texel's middle reaches half a texel into the map, more than is lost by rounding",
     ("draw/overlay/field_view.glsl", "return vec4(1.0);"):
         "nobody calls it: `reduces` is false there",
+    ("draw/overlay/field_shading.glsl", "ROUNDED float beyond = 1.0f - max(facing, 0.0f);"):
+        "what follows from it is taken where `facing` is above 1",
+    ("draw/exact/instances/disc.glsl",
+     "return ivec4(int(floor(from.x)), int(floor(from.y)), int(ceil(to.x)), int(floor(to.y)));"):
+        "a wider box, no larger than the picture, of which every pixel is tested",
     ("draw/exact/bloom_down.comp", "if (2 * at.x > size.x || 2 * at.y >= size.y) return;"):
         "what is stored beyond an image is dropped",
 }
