@@ -75,6 +75,8 @@ EQUIVALENT = {
     ("draw/exact/instances/disc.glsl",
      "return ivec4(int(floor(from.x)), int(floor(from.y)), int(ceil(to.x)), int(floor(to.y)));"):
         "a wider box, no larger than the picture, of which every pixel is tested",
+    ("draw/exact/fill_tiles.glsl", "span = tilesBetween(span, t.edges[2], b, y);"):
+        "only where the edge begins is taken of it: the other end of the one whose slope `b` is",
     ("draw/exact/bloom_down.comp", "if (2 * at.x > size.x || 2 * at.y >= size.y) return;"):
         "what is stored beyond an image is dropped",
 }
