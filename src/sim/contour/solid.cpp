@@ -3,21 +3,11 @@
 #include "base/error.hpp"
 #include "gl/element_array.hpp"
 #include "gl/limits.hpp"
-#include "gl/program.hpp"
-#include "sim/contour/border.hpp"
-#include "sim/contour/unwrap.hpp"
-#include "sim/core/shader_code.hpp"
+#include "sim/contour/solid_state.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cstring>
-#include <map>
-
-namespace simreel::shader {
-#include "glsl/contour/bindings.glsl"
-#include "glsl/contour/types.glsl"
-static_assert(sizeof(ContourDraw) == 48);
-}  // namespace simreel::shader
 
 namespace simreel::sim {
 
@@ -34,11 +24,6 @@ gl::Defines definesOf(const SolidShape& shape) {
   return defines;
 }
 
-/// Kernels that read the field, made for the kind of its cells.
-struct FieldKernels {
-  gl::Program classify, raise;
-};
-
 void setField(const gl::Program& program, const Field& field) {
   program.set("fieldSize", field.size);
   program.set("rowWords", field.rowWords);
@@ -53,83 +38,38 @@ void setEach(const gl::Program& program, const char* name, const std::vector<flo
 
 }  // namespace
 
-struct Solid::State {
-  State(const std::string& label, const SolidShape& given)
-      : name(label),
-        shape(given),
-        samples(given.size + 2),
-        rowElements((samples.x + 15) / 16),
-        corners(std::int64_t{samples.x} * samples.y),
-        elements(std::int64_t{rowElements} * samples.y) {
-    checkLimits();
-    const auto count = static_cast<int>(elements);
-    classes = gl::WordsArray(name + " classes", count);
-    tallies = gl::WordsArray(name + " tallies", count);
-    tiles = (count + tallyTile - 1) / tallyTile;
-    tileSums = gl::WordsArray(name + " sums of tallies", tiles);
-    draw = gl::Buffer(name + " draw", sizeof(shader::ContourDraw));
-    counted = gl::Buffer::mapped(name + " counted", sizeof(shader::ContourDraw), false);
-    const gl::Defines defines = definesOf(shape);
-    tally = gl::Program::compute("contour/count.comp", defines);
-    sums = gl::Program::compute("contour/sums.comp", defines);
-    total = gl::Program::compute("contour/total.comp", defines);
-    spread = gl::Program::compute("contour/spread.comp", defines);
-    gl::Defines freshDefines = defines;
-    freshDefines.emplace_back("FRESH", "1");
-    freshSheet = gl::Program::compute("contour/sheet.comp", freshDefines);
-    list = gl::Program::compute("contour/list.comp", defines);
-    cornerVertices = shape.ceiling ? 2 * corners : corners;
-    heights = shape.heights;
-    border = solidBorder(shape, heights, static_cast<unsigned>(cornerVertices));
-    // A cave has a point for every fourth cell at most; what needs more gets it.
-    const std::int64_t points = std::max<std::int64_t>(64, corners / 8);
-    getRoom(points,
-            static_cast<std::int64_t>(border.indices.size()) + sheetIndices() * corners + 12 * points);
-  }
-  State(const State&) = delete;
-  State& operator=(const State&) = delete;
-  ~State() { glDeleteSync(fence); }
-
-  std::string name;
-  SolidShape shape;
-  glm::ivec2 samples;
-  int rowElements;
-  std::int64_t corners, elements;
-  std::int64_t cornerVertices = 0;
-  int tiles = 0;
-  std::vector<float> heights;
-  SolidBorder border;
-  std::int64_t pointRoom = 0, indexRoom = 0;
-  gl::WordsArray classes, tallies, tileSums;
-  gl::WordsArray squares;  ///< of each point, the square that its contour goes on in
-  gl::Buffer draw, counted;
-  gl::Buffer positions, normals, indices, next;
-  gl::Texture positionView, normalView;
-  gl::Program tally, sums, total, spread, list;
-  gl::Program freshSheet, sheet;  ///< the second when it is first needed
-  std::map<Field::Cells, FieldKernels> kernels;
-  Field field;
-  GLsync fence = nullptr;
-  bool fresh = true;  ///< normals of the samples are not there yet
-
-  [[nodiscard]] std::int64_t sheetIndices() const { return shape.ceiling ? 12 : 6; }
-  [[nodiscard]] std::int64_t firstPoint() const {
-    return cornerVertices + static_cast<std::int64_t>(border.positions.size());
-  }
-  [[nodiscard]] const shader::ContourDraw& found() const {
-    return *static_cast<const shader::ContourDraw*>(counted.memory());
-  }
-
-  void checkLimits() const;
-  void checkRoom(const char* what, std::int64_t count, int bytes) const;
-  void getRoom(std::int64_t points, std::int64_t indexCount);
-  void setPlace(const gl::Program& program) const;
-  void make();
-  void count(const FieldKernels& made);
-  [[nodiscard]] const gl::Program& laterSheet();
-  void emit(const FieldKernels& made);
-  const FieldKernels& kernelsFor(Field::Cells cells);
-};
+Solid::State::State(const std::string& label, const SolidShape& given)
+    : name(label),
+      shape(given),
+      samples(given.size + 2),
+      rowElements((samples.x + 15) / 16),
+      corners(std::int64_t{samples.x} * samples.y),
+      elements(std::int64_t{rowElements} * samples.y) {
+  checkLimits();
+  const auto count = static_cast<int>(elements);
+  classes = gl::WordsArray(name + " classes", count);
+  tallies = gl::WordsArray(name + " tallies", count);
+  tiles = (count + tallyTile - 1) / tallyTile;
+  tileSums = gl::WordsArray(name + " sums of tallies", tiles);
+  draw = gl::Buffer(name + " draw", sizeof(shader::ContourDraw));
+  counted = gl::Buffer::mapped(name + " counted", sizeof(shader::ContourDraw), false);
+  const gl::Defines defines = definesOf(shape);
+  tally = gl::Program::compute("contour/count.comp", defines);
+  sums = gl::Program::compute("contour/sums.comp", defines);
+  total = gl::Program::compute("contour/total.comp", defines);
+  spread = gl::Program::compute("contour/spread.comp", defines);
+  gl::Defines freshDefines = defines;
+  freshDefines.emplace_back("FRESH", "1");
+  freshSheet = gl::Program::compute("contour/sheet.comp", freshDefines);
+  list = gl::Program::compute("contour/list.comp", defines);
+  cornerVertices = shape.ceiling ? 2 * corners : corners;
+  heights = shape.heights;
+  border = solidBorder(shape, heights, static_cast<unsigned>(cornerVertices));
+  // A cave has a point for every fourth cell at most; what needs more gets it.
+  const std::int64_t points = std::max<std::int64_t>(64, corners / 8);
+  getRoom(points,
+          static_cast<std::int64_t>(border.indices.size()) + sheetIndices() * corners + 12 * points);
+}
 
 void Solid::State::checkRoom(const char* what, std::int64_t count, int bytes) const {
   const gl::Limits& limits = gl::limits();
@@ -353,52 +293,6 @@ int Solid::rowElements() const {
 
 const gl::Buffer& Solid::tallies() const {
   return state_->tallies.buffer();
-}
-
-MeshTable Solid::mesh() const {
-  const State& s = *state_;
-  const auto vertices = static_cast<std::size_t>(s.firstPoint()) + 4 * std::size_t{s.found().points};
-  MeshTable table;
-  std::vector<glm::vec4> wide(vertices);
-  const auto narrowed = [&](const gl::Buffer& buffer) {
-    buffer.read(0, std::as_writable_bytes(std::span(wide)));
-    return std::vector<glm::vec3>(wide.begin(), wide.end());
-  };
-  glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
-  table.positions = narrowed(s.positions);
-  table.normals = narrowed(s.normals);
-  table.indices.resize(s.found().indices);
-  s.indices.read(0, std::as_writable_bytes(std::span(table.indices)));
-  return table;
-}
-
-MeshTable Solid::unwrapped() const {
-  const State& s = *state_;
-  MeshTable table = mesh();
-  unwrap(table, lines().next, static_cast<unsigned>(s.firstPoint()),
-         s.shape.spacing * static_cast<float>(s.samples.x - 1));
-  return table;
-}
-
-ContourLines Solid::lines() const {
-  const State& s = *state_;
-  const std::size_t count = s.found().points;
-  std::vector<glm::vec4> vertices(4 * count);
-  ContourLines lines;
-  lines.size = s.shape.size;
-  lines.next.resize(count);
-  glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
-  s.positions.read(static_cast<std::size_t>(s.firstPoint()) * 16,
-                   std::as_writable_bytes(std::span(vertices)));
-  s.next.read(0, std::as_writable_bytes(std::span(lines.next)));
-  const glm::vec2 corner = solidCorner(s.shape);
-  for (std::size_t i = 0; i < count; ++i) {
-    const glm::vec4& wall = vertices[4 * i + 1];
-    // Sample (0, 0) lies one before the field's first cell.
-    lines.points.push_back((glm::vec2(wall.x, wall.z) - corner) / s.shape.spacing - 1.0F);
-    lines.levels.push_back(static_cast<int>(wall.w) / 5);
-  }
-  return lines;
 }
 
 }  // namespace simreel::sim

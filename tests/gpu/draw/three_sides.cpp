@@ -3,6 +3,7 @@
 #include "gpu/draw/ball_stage.hpp"
 #include "unit/help.hpp"
 
+#include <cmath>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -88,4 +89,38 @@ TEST_CASE("relief of a texture: what is bright stands out, and its sides face th
   CHECK(brightness(0.5F, rising) < brightness(0, rising) - 15);
   CHECK(brightness(-0.5F, rising) > brightness(0, rising) + 5);
   CHECK(brightness(0.5F, falling) > brightness(-0.5F, falling) + 5);
+}
+
+TEST_CASE("relief of a texture: a slope of hundreds of pixels is even, but for 25 of them at its ends") {
+  testContext();
+  // Pixels of 2 mm, 200 to a texel: it rises from grey at pixel 100 to white at pixel 300.
+  const ImageFile file(2, 1, {128, 128, 128, 255, 255, 255, 255, 255});
+  GridStage square({2, 2}, glm::vec3(-2, 2, 0), glm::vec3(4, 0, 0), glm::vec3(0, -4, 0));
+  square.material.color = glm::vec3(0.3F);
+  square.material.roughness = 1;
+  square.material.texture = file.path();
+  square.material.textureScale = glm::vec3(5);  // by uv, which goes once over the 4 m
+  scene::Scene scene = darkScene();
+  scene.camera.fieldOfView = 2 * std::atan(4.5F * 0.002F / 5) * 57.29577951F;
+  scene.sun.shadow = false;
+  const auto pictureWith = [&](float bump) {
+    square.material.bump = bump;
+    return drawn(scene, {.surfaces = {square.surface}}, {401, 9}, 1);
+  };
+  const auto albedo = [](int x) { return 0.3 * (0.21586 + 0.78414 * (x + 0.5 - 100.5) / 200); };
+  const auto byteOf = [](double light) { return filmByte({light, light, light})[1]; };
+  for (const float bump : {0.0F, 1.0F}) {
+    const Picture picture = pictureWith(bump);
+    double low = 0;
+    double high = 4;  // of what light there is what the slope throws back
+    for (int i = 0; i < 40; ++i)
+      (byteOf(albedo(200) * 0.5 * (low + high)) < picture.at(200, 4).y ? low : high) = 0.5 * (low + high);
+    for (const int x : {128, 140, 170, 230, 260, 272}) {
+      CAPTURE(bump);
+      CAPTURE(low);
+      CAPTURE(x);
+      CHECK(std::abs(picture.at(x, 4).y - byteOf(albedo(x) * low)) < 3);
+    }
+  }
+  CHECK(pictureWith(1).at(200, 4).y < pictureWith(0).at(200, 4).y - 20);
 }

@@ -75,8 +75,11 @@ TEST_CASE(
     "exact charts: panel and curves have the bits of their twin, whatever the steps and the picture") {
   testContext();
   for (const glm::ivec2 size : {glm::ivec2(641, 363), glm::ivec2(1279, 719), glm::ivec2(65, 33)})
-    for (const int steps : {0, 1, 7, 300, 20001}) {
-      CountStage stage(steps, std::max(2 * steps, 3), 65536, waves);
+    for (const auto& [steps, all] :
+         {std::pair(0, 3), {1, 3}, {7, 14}, {300, 600}, {20001, 40002}, {7, 7}, {300, 301}, {2000, 2000}}) {
+      CAPTURE(steps);
+      CAPTURE(all);
+      CountStage stage(steps, all, 65536, waves);
       stage.chart.names = {"", "", ""};  // letters: below
       const auto below = someBytes(size);
       const auto exact = charted(stage.chart, below, draw::Rasterizer::exact);

@@ -121,6 +121,35 @@ TEST_CASE("exact fields: averaged texels have the bits of their twin, values and
     }
 }
 
+TEST_CASE("exact fields: averaged light is of the nearest half floats, zero where those are subnormal") {
+  testContext();
+  // Places in the range from 2^-16 to 4: powers of two, what is next to them, and what lies between.
+  const auto value = [](int x, int y) {
+    const double power = std::exp2(y % 18 - 16);
+    return x == 0   ? power
+           : x == 1 ? power * (1 - 0x1p-13)
+           : x == 2 ? power * (1 + 0x1p-13)
+                    : power * (1 + 0.0173 * x);
+  };
+  const FieldStage stage(Cells::floats, {43, 37}, value, FieldStage::Memory(), someStops);
+  draw::FieldKernel kernel;
+  draw::FieldColors colors;
+  colors.update(stage.colors);
+  const gl::Texture texture = draw::FieldKernel::texture(stage.field, 1, true, 1);
+  kernel.average(stage.field, colors, texture, true);
+  const auto found = readBack<glm::vec4>(texture);
+  REQUIRE(found.size == stage.field.size);
+  int wrong = 0;
+  for (int y = 0; y < 37; ++y)
+    for (int x = 0; x < 43; ++x) {
+      const auto place = static_cast<double>(static_cast<float>(value(x, y)));
+      const double unit = std::exp2(std::floor(std::log2(place)) - 10);
+      const double half = place < 0x1p-14 ? 0 : std::nearbyint(place / unit) * unit;
+      wrong += static_cast<double>(found.pixels[static_cast<std::size_t>(43 * y + x)].w) != half ? 1 : 0;
+    }
+  CHECK(wrong == 0);
+}
+
 TEST_CASE(
     "exact fields: behind light, the later before the earlier, has the twin's bits and the driver's "
     "light") {

@@ -3,6 +3,7 @@
 #include "draw/exact/exact_view.hpp"
 #include "draw/exact/visibility.hpp"
 #include "draw/frame_values.hpp"
+#include "draw/instances/instance_values.hpp"
 #include "gl/element_array.hpp"
 #include "gpu/draw/instance_stage.hpp"
 
@@ -58,4 +59,40 @@ struct ExactStage {
   simreel::shader::ExactView view{};
   simreel::gl::Buffer frame, viewBuffer;
   simreel::draw::Visibility target;
+};
+
+/// A dart whose faces all have other sizes.
+struct DartStage {
+  std::vector<glm::vec3> positions = {{0, 0, 0.6F},       {0.34F, 0.03F, -0.4F}, {-0.34F, 0.03F, -0.4F},
+                                      {0, -0.14F, -0.4F}, {0.05F, 0.04F, -0.3F}, {-0.05F, 0.04F, -0.3F}};
+  std::vector<unsigned> corners = {0, 4, 1, 0, 2, 5, 0, 5, 4, 0, 1, 3, 0, 3, 2, 1, 4, 3, 2, 3, 5, 4, 5, 3};
+  simreel::draw::InstanceShape shape = simreel::draw::InstanceShape::mesh(
+      positions, std::vector<glm::vec3>(positions.size(), glm::vec3(0, 1, 0)), corners);
+};
+
+/// The triangles of all copies that live, as a surface whose numbers are theirs.
+struct DartSurface {
+  DartSurface(const DartStage& mesh, const std::vector<glm::vec3>& places, float size) {
+    std::vector<glm::vec4> points;
+    std::vector<unsigned> all;
+    for (std::size_t k = 0; k < places.size(); ++k) {
+      for (const unsigned corner : mesh.corners)
+        all.push_back(static_cast<unsigned>(k * mesh.positions.size()) + corner);
+      for (const glm::vec3& p : mesh.positions) points.emplace_back(places[k] + size * p, 1.0F);
+    }
+    buffer = simreel::gl::Buffer::of<glm::vec4>("points", points);
+    indices = simreel::gl::Buffer::of<unsigned>("corners", all);
+    view = simreel::gl::Texture::view("points", GL_RGBA32F, buffer);
+    surface.positions = &view;
+    surface.normals = &view;
+    surface.vertexCount = static_cast<int>(points.size());
+    surface.indices = &indices;
+    surface.indexCount = static_cast<int>(all.size());
+    surface.doubleSided = true;
+    surface.material = &material;
+  }
+  simreel::gl::Buffer buffer, indices;
+  simreel::gl::Texture view;
+  simreel::scene::Material material;
+  simreel::sim::Surface surface;
 };

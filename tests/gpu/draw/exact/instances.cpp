@@ -228,48 +228,9 @@ TEST_CASE("small balls cover a disk of 0.57 pixels of radius in the mean") {
   CHECK(shown / 400 == doctest::Approx(4 * 3.14159265 * 0.57 * 0.57).epsilon(0.07));
 }
 
-namespace {
-
-struct MeshStage {
-  std::vector<glm::vec3> positions = {{0, 0, 0.6F},       {0.34F, 0.03F, -0.4F}, {-0.34F, 0.03F, -0.4F},
-                                      {0, -0.14F, -0.4F}, {0.05F, 0.04F, -0.3F}, {-0.05F, 0.04F, -0.3F}};
-  std::vector<unsigned> corners = {0, 4, 1, 0, 2, 5, 0, 5, 4, 0, 1, 3, 0, 3, 2, 1, 4, 3, 2, 3, 5, 4, 5, 3};
-  draw::InstanceShape shape = draw::InstanceShape::mesh(
-      positions, std::vector<glm::vec3>(positions.size(), glm::vec3(0, 1, 0)), corners);
-};
-
-/// The triangles of all copies that live, as a surface whose numbers are theirs.
-struct SameSurface {
-  SameSurface(const MeshStage& mesh, const std::vector<glm::vec3>& places, float size) {
-    std::vector<glm::vec4> points;
-    std::vector<unsigned> all;
-    for (std::size_t k = 0; k < places.size(); ++k) {
-      for (const unsigned corner : mesh.corners)
-        all.push_back(static_cast<unsigned>(k * mesh.positions.size()) + corner);
-      for (const glm::vec3& p : mesh.positions) points.emplace_back(places[k] + size * p, 1.0F);
-    }
-    buffer = gl::Buffer::of<glm::vec4>("points", points);
-    indices = gl::Buffer::of<unsigned>("corners", all);
-    view = gl::Texture::view("points", GL_RGBA32F, buffer);
-    surface.positions = &view;
-    surface.normals = &view;
-    surface.vertexCount = static_cast<int>(points.size());
-    surface.indices = &indices;
-    surface.indexCount = static_cast<int>(all.size());
-    surface.doubleSided = true;
-    surface.material = &material;
-  }
-  gl::Buffer buffer, indices;
-  gl::Texture view;
-  scene::Material material;
-  sim::Surface surface;
-};
-
-}  // namespace
-
 TEST_CASE("copies of a mesh cover what the same triangles of a surface cover, with the same numbers") {
   testContext();
-  const MeshStage mesh;
+  const DartStage mesh;
   Dice dice(3);
   for (const float size : {0.5F, 2.7F}) {
     CAPTURE(size);
@@ -281,7 +242,7 @@ TEST_CASE("copies of a mesh cover what the same triangles of a surface cover, wi
     group.instances.shape = Shape::mesh;
     for (const int samples : {1, 4}) {
       ExactStage stage(sideScene(), {67, 45}, samples);
-      const SameSurface same(mesh, places, size);
+      const DartSurface same(mesh, places, size);
       draw::TriangleRaster surfaces(draw::TriangleRaster::Into::picture, samples);
       surfaces.number({&same.surface});
       surfaces.draw(stage.target);

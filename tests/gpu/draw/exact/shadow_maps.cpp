@@ -1,0 +1,237 @@
+// Shadow maps, what is nearest to the sun or a lamp at each texel: of balls against double precision, of
+// copies of a mesh against the same triangles as a surface.
+#include "draw/exact/instances/ball_raster.hpp"
+#include "draw/exact/instances/copy_raster.hpp"
+#include "draw/exact/triangle_raster.hpp"
+#include "gpu/draw/exact/instance_stage.hpp"
+#include "gpu/draw/exact/stage.hpp"
+#include "sim/core/shader_code.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+#include <doctest/doctest.h>
+#include <glm/geometric.hpp>
+
+using namespace simreel;
+using Shape = sim::Instances::Shape;
+
+namespace {
+
+/// A map of some metres, as deep: what is drawn reaches beyond it on all sides.
+struct SunMapStage {
+  static constexpr int side = 149;
+
+  SunMapStage() : stage(sideScene(), {side, side}, 1), map("a test", {side, side}, 1, false) {
+    const float across = 5;
+    const float deep = 4;
+    const glm::vec3 sun(0.48F, 0.6F, 0.64F);
+    rows = {glm::vec4(glm::vec3(0.8F, 0, -0.6F) / across, 0.47F),
+            glm::vec4(glm::vec3(-0.36F, 0.8F, -0.48F) / across, 0.55F), glm::vec4(-sun / deep, 0.52F),
+            glm::vec4(across / side, across, deep, 0), glm::vec4(0)};
+    light = gl::Buffer::of<glm::vec4>("light", rows);
+    view = gl::Texture::view("light", GL_RGBA32F, light);
+  }
+  void clear() {
+    stage.clear();
+    view.bind(draw::lightUnit);
+    map.clear();
+    gl::barrier();
+  }
+  /// Row by row.
+  [[nodiscard]] std::vector<unsigned> keys() const {
+    testContext().check();
+    std::vector<unsigned> found = map.readKeys();
+    found.resize(static_cast<std::size_t>(side) * side);
+    return found;
+  }
+
+  ExactStage stage;
+  draw::Visibility map;
+  std::vector<glm::vec4> rows;
+  gl::Buffer light;
+  gl::Texture view;
+};
+
+/// Over the map and beyond its edges, before and behind what it holds; masses spread over five decades.
+std::vector<glm::vec4> spread(int count, std::uint32_t seed) {
+  Dice dice(seed);
+  std::vector<glm::vec4> places;
+  for (int i = 0; i < count; ++i)
+    places.emplace_back(3.1F * dice.cube(), std::pow(10.0F, 5 * dice() * dice() - 2));
+  return places;
+}
+
+}  // namespace
+
+TEST_CASE("sun's map: of balls the one nearest to the sun, in double precision, drawn in any way") {
+  testContext();
+  SunMapStage stage;
+  const std::vector<glm::vec4> places = spread(190, 51);
+  std::vector<glm::vec4> speeds(places.size(), glm::vec4(0));
+  for (std::size_t i = 0; i < speeds.size(); i += 9) speeds[i].w = -1;  // dead
+  InstanceStage first(places, speeds);
+  InstanceStage second({{0.1F, 0.4F, 0.2F, 1}, {-4.5F, 1, 0, 300}}, {glm::vec4(0), glm::vec4(0)});
+  for (InstanceStage* group : {&first, &second}) {
+    group->instances.shape = Shape::sphere;
+    group->instances.size = 0.17F;
+    group->instances.massExponent = 1.0F / 3;
+  }
+  std::vector<unsigned> usual;
+  for (const int smallPixels : {16, 0, 3, 64}) {
+    draw::BallRaster raster(draw::BallRaster::Into::sunMap, 1, smallPixels);
+    stage.clear();
+    raster.drawNearest({&first.instances, &second.instances}, {}, stage.map);
+    if (usual.empty()) usual = stage.keys();
+    CHECK(stage.keys() == usual);
+  }
+  struct Disc {
+    glm::dvec2 middle;
+    double radius, near;
+  };
+  std::vector<Disc> discs;
+  const auto add = [&](glm::vec4 place) {
+    const glm::dvec4 p(glm::dvec3(place), 1);
+    const auto along = [&](std::size_t row) { return glm::dot(glm::dvec4(stage.rows[row]), p); };
+    discs.push_back(
+        {glm::dvec2(along(0), along(1)) * double{SunMapStage::side},
+         0.5 * 0.17 * std::cbrt(static_cast<double>(place.w)) / static_cast<double>(stage.rows[3].x),
+         std::max(1 - along(2), 0.0)});
+  };
+  for (std::size_t i = 0; i < places.size(); ++i)
+    if (speeds[i].w >= 0) add(places[i]);
+  add({0.1F, 0.4F, 0.2F, 1});
+  add({-4.5F, 1, 0, 300});
+  int wrong = 0;
+  int close = 0;
+  int covered = 0;
+  for (int y = 0; y < SunMapStage::side; ++y)
+    for (int x = 0; x < SunMapStage::side; ++x) {
+      double nearest = -1;
+      bool doubtful = false;
+      for (const Disc& disc : discs) {
+        const double away = glm::length(glm::dvec2(x, y) + 0.5 - disc.middle) - disc.radius;
+        doubtful = doubtful || std::abs(away) < 2e-3;
+        if (away <= 0) nearest = std::max(nearest, disc.near);
+      }
+      const unsigned key = usual[static_cast<std::size_t>(y * SunMapStage::side + x)];
+      close += doubtful ? 1 : 0;
+      covered += nearest >= 0 ? 1 : 0;
+      if (doubtful) continue;
+      const double found =
+          key == 0xffffffffU
+              ? -1
+              : static_cast<double>(shader::intBitsToFloat(static_cast<int>(0x7fffffffU - key)));
+      wrong += std::abs(found - nearest) > 2e-6 ? 1 : 0;
+    }
+  CHECK(wrong == 0);
+  CHECK(close < 300);
+  CHECK(covered > 3000);
+  CHECK(covered < SunMapStage::side * SunMapStage::side - 3000);
+}
+
+TEST_CASE("sun's map: copies of a mesh throw the shadows of the same triangles of a surface") {
+  testContext();
+  SunMapStage stage;
+  const DartStage mesh;
+  for (const auto& [size, count] : {std::pair(0.3F, 300), {3.1F, 12}}) {
+    CAPTURE(size);
+    std::vector<glm::vec3> places;
+    for (const glm::vec4& p : spread(count, 57)) places.emplace_back(p);
+    InstanceStage group(places);
+    group.instances.size = size;
+    group.instances.shape = Shape::mesh;
+    const DartSurface same(mesh, places, size);
+    const draw::MapPart part{.slopeOffset = 1.5F};
+    draw::TriangleRaster surfaces(draw::TriangleRaster::Into::sunMap, 1);
+    stage.clear();
+    surfaces.number({&same.surface});
+    surfaces.draw(stage.map, part);
+    const std::vector<unsigned> wanted = stage.keys();
+    const auto empty = std::count(wanted.begin(), wanted.end(), 0xffffffffU);
+    CHECK(empty > 500);
+    CHECK(empty < SunMapStage::side * SunMapStage::side - 2000);
+    CHECK(std::count(wanted.begin(), wanted.end(), 0x7fffffffU) > 20);  // as far away as the map reaches
+    for (const auto& [smallPixels, pairs] : {std::pair(16, 1U << 22U), {0, 100U}, {64, 17U}}) {
+      CAPTURE(smallPixels);
+      draw::CopyRaster raster(draw::CopyRaster::Into::sunMap, 1, smallPixels, pairs, pairs == 17U ? 0 : 40);
+      stage.clear();
+      raster.drawNearest({{&group.instances, &mesh.shape}}, {}, stage.map, part);
+      CHECK(stage.keys() == wanted);
+    }
+  }
+}
+
+TEST_CASE(
+    "a lamp's map: of balls the discs through their middles that face the lamp, in double precision") {
+  testContext();
+  constexpr int side = 83;
+  const shader::ExactView v = exactViewFrom({0.1F, 0.2F, 0.3F}, {0.2F, -0.1F, 0}, {side, side});
+  gl::Buffer block("view", sizeof v);
+  block.write(0, std::as_bytes(std::span(&v, 1)));
+  Dice dice(67);
+  std::vector<glm::vec4> places;
+  for (int i = 0; i < 150; ++i) {
+    const float away = i % 3 == 0 ? 4.0F : 0.6F;
+    const glm::vec3 aside = away * dice.cube();
+    if (glm::length(aside) < 0.2F) continue;
+    places.emplace_back(glm::vec3(v.eye) + aside, 0.05F + dice());
+  }
+  InstanceStage group(places, std::vector<glm::vec4>(places.size(), glm::vec4(0)));
+  group.instances.shape = Shape::sphere;
+  group.instances.size = 0.2F;
+  group.instances.massExponent = 1;
+  std::vector<unsigned> usual;
+  for (const int smallPixels : {16, 0, 64}) {
+    const draw::Visibility keys("a test", {side, side}, 1, false);
+    draw::BallRaster raster(draw::BallRaster::Into::lampMap, 1, smallPixels);
+    block.bindUniform(draw::viewBinding, 0, sizeof v);
+    keys.clear();
+    gl::barrier();
+    raster.drawNearest({&group.instances}, {}, keys,
+                       {.slopeOffset = 1.5F, .side = side, .firstKey = 0, .keyStride = side});
+    testContext().check();
+    std::vector<unsigned> found = keys.readKeys();
+    found.resize(static_cast<std::size_t>(side) * side);
+    if (usual.empty()) usual = found;
+    CHECK(found == usual);
+  }
+  int wrong = 0;
+  int close = 0;
+  int covered = 0;
+  for (int y = 0; y < side; ++y)
+    for (int x = 0; x < side; ++x) {
+      const glm::dvec3 ray = glm::dvec3(glm::vec3(v.ray)) + glm::dvec3(glm::vec3(v.rayAcross)) * (x + 0.5) +
+                             glm::dvec3(glm::vec3(v.rayDown)) * (y + 0.5);
+      double nearest = 1e9;
+      bool doubtful = false;
+      for (const glm::vec4& place : places) {
+        const glm::dvec3 middle = glm::dvec3(glm::vec3(place)) - glm::dvec3(glm::vec3(v.eye));
+        const double radius = 0.1 * static_cast<double>(place.w);
+        // How far the ray passes the middle, and where it meets the plane through the middle across the way
+        // to it.
+        const double along = glm::dot(ray, middle);
+        const double past = glm::length(glm::cross(ray, middle)) / glm::length(ray);
+        doubtful = doubtful || std::abs(past - radius) < 1e-4 * glm::length(middle);
+        if (past >= radius || along <= 0) continue;
+        const double depth = glm::dot(middle, middle) / along;
+        doubtful = doubtful || std::abs(depth - static_cast<double>(v.near)) < 1e-5;
+        if (depth >= static_cast<double>(v.near)) nearest = std::min(nearest, depth);
+      }
+      close += doubtful ? 1 : 0;
+      covered += nearest < 1e9 ? 1 : 0;
+      if (doubtful) continue;
+      const unsigned key = usual[static_cast<std::size_t>(y * side + x)];
+      if (key == 0xffffffffU || nearest == 1e9) {
+        wrong += (key == 0xffffffffU) != (nearest == 1e9) ? 1 : 0;
+        continue;
+      }
+      const auto near = static_cast<double>(shader::intBitsToFloat(static_cast<int>(0x7fffffffU - key)));
+      wrong += std::abs(static_cast<double>(v.near) / near - nearest) > 1e-5 * nearest ? 1 : 0;
+    }
+  CHECK(wrong == 0);
+  CHECK(close < 200);
+  CHECK(covered > 1000);
+  CHECK(covered < side * side - 1000);
+}

@@ -1,0 +1,82 @@
+"""Mutants that change nothing."""
+
+# By file and line as it is afterwards, with the reason.
+EQUIVALENT = {
+    ("draw/half.glsl",
+     "return vec2(abs(held.x) < 6.2e-5 ? 0.0 : held.x, abs(held.y) <= 6.2e-5 ? 0.0 : held.y);"):
+        "no half float is 6.2e-5",
+    ("draw/overlay/chart_shading.glsl", "(p.y >= plotSize.y && p.y < foot && p.x >= -unit && p.x <= plotSize.x);"):
+        "the plot's sides are whole, middles of pixels are not",
+    ("draw/overlay/chart_shading.glsl", "bool within = p.x >= 0.0f && p.y >= 0.0f && p.x <= size.x && p.y < size.y;"):
+        "the plot's sides are whole, middles of pixels are not",
+    ("draw/overlay/chart_shading.glsl", "if (columnAt(c, 1).x < 0.0f) break;"):
+        "of a column all rows are negative, or none is",
+    ("draw/overlay/chart_shading.glsl", "vec4 square = vec4(1.01e+12f), below = vec4(-1e6f);"):
+        "further than anything on a picture is",
+    ("draw/overlay/field_values.glsl", "return lost ? (word == 0x7f800000u ? 1e18f : -1.01e+18f) : value;"):
+        "below every range, either way",
+    ("draw/exact/instances/ball.glsl", "precise float beyond = exactDot(aside, aside) + rr * (aa - af * af);"):
+        "a wider box, of which every sample is looked at by ray",
+    ("draw/exact/instances/ball.glsl",
+     "precise float half_ = ball.radius * exactSqrt(max(beyond, 1.0f)) * perSquare;"):
+        "a wider box, of which every sample is looked at by ray",
+    ("draw/exact/instances/ball.glsl",
+     "precise float more = half_ + 0.01f + 1.00001f * (abs(middle) + half_);  // for what is lost by rounding"):
+        "a wider box, of which every sample is looked at by ray",
+    ("draw/sky.glsl", "ROUNDED float up = 1.0f - clamp(y, 0.0f, 1.01f);"):
+        "of unit vectors no part is above 1 but by rounding, which a byte does not show",
+    ("draw/exact/tiles.comp", "const int maxWords = 65;"):
+        "more room than things need",
+    ("draw/exact/clip.glsl", "max(x.x, max(x.y, x.z)) < 0.0f && max(y.x, max(y.y, y.z)) < 0.0f;"):
+        "beside() spares work: what it lets pass covers no sample",
+    ("draw/exact/clip.glsl", "precise vec3 y = size.y * vec3(a.z, b.z, c.z) + vec3(a.y, b.y, c.y);"):
+        "beside() spares work: it still rejects none but what lies above the picture",
+    ("draw/exact/visible_sample.glsl", "if (key <= before) atomicMin(nearKeys[at], key);"):
+        "the least of two equal keys is either",
+    ("draw/exact/vertex.glsl", "const uint lostVertex = 0xfffffffdu;"):
+        "no packed normal has 0xffff above, no nearness is a NaN",
+    ("draw/exact/shade_ground.comp", "vec3 ray = rayThrough(shadingPlace(pixel, -2));"):
+        "any negative sample is the pixel's middle",
+    ("draw/exact/instances/ball_shadows.comp", "int across = (box.z + box.x) / tileSide + 1;"):
+        "more tiles, whose texels beyond the box are left out",
+    ("draw/exact/instances/cull_copies.comp",
+     "return max(low.x, low.y) >= 0.0f && max(high.x, high.y) <= float(mapTexels);"):
+        "more copies are listed, whose triangles cover nothing of the map",
+    ("draw/exact/instances/ball.glsl", "if (low < 0.0f || high > 1.0f) return vec2(1.0f, -1.0f);"):
+        "fewer are left out early, of which no sample is covered",
+    ("draw/exact/unit_vector.glsl", "precise float y = clamp(v, -1.0f, 1.01f) * 32767.0f + 32767.5f;"):
+        "no part of a vector is above the sum of all but by rounding, which floor() drops",
+    ("draw/exact/unit_vector.glsl", "precise float x = clamp(u, -1.0f, 2.0f) * 32767.0f + 32767.5f;"):
+        "no part of a vector is above the sum of all but by rounding, which floor() drops",
+    ("draw/exact/instances/balls.comp", "if (box.z < box.x && box.w < box.y) return;"):
+        "an empty box has no pixel either way, also as a large one's",
+    ("draw/exact/instances/ball_shadows.comp", "int tiles = across * ((box.w + box.y) / tileSide + 1);"):
+        "more tiles, whose texels beyond the box are left out",
+    ("draw/exact/triangles.comp", "if (!whole || extent >= smallPixels * subpixels) {"):
+        "either way of drawing gives the same, as a test says",
+    ("draw/sky.glsl", "ROUNDED float glow = max(dotted(direction, vec3(frame.sunDirection)), 0.01f);"):
+        "to the power of 16, 1e-32 at most",
+    ("draw/exact/clip.glsl",
+     "for (int k = 0; k < 5; ++k) all_ = all_ && insideOf(k, v, size, nearest) > 0.0f;"):
+        "clipping leaves the corners of what has none beyond",
+    ("draw/exact/crossing.glsl",
+     "int first = (int(floor(low)) + edge.from.x - 2) >> 8, last = (int(floor(high)) + edge.from.x + 2) << 8;"):
+        "a wider span, of which every sample is tested",
+    ("draw/exact/triangle.glsl", "return uint(low1) > uint(low2) ? 1 : low1 == low2 ? 1 : -1;"):
+        "a triangle of no area covers no sample: of its edges at least one is neither a left nor a top one",
+    ("draw/exact/footprint.glsl", "print.part = beyond ? 1.0f : part;"):
+        "beyond the last level the next one is the last, too",
+    ("draw/exact/instances/cull_copies.comp", "precise float reach = radius * exactReciprocal(lightTexel()) + 0.0f;"):
+        "what covers a texel's middle reaches half a texel into the map, more than is lost by rounding",
+    ("draw/overlay/field_view.glsl", "return vec4(1.0);"):
+        "nobody calls it: `reduces` is false there",
+    ("draw/overlay/field_shading.glsl", "ROUNDED float beyond = 1.0f - max(facing, 0.0f);"):
+        "what follows from it is taken where `facing` is above 1",
+    ("draw/exact/instances/disc.glsl",
+     "return ivec4(int(floor(from.x)), int(floor(from.y)), int(ceil(to.x)), int(floor(to.y)));"):
+        "a wider box, no larger than the picture, of which every pixel is tested",
+    ("draw/exact/fill_tiles.glsl", "span = tilesBetween(span, t.edges[2], b, y);"):
+        "only where the edge begins is taken of it: the other end of the one whose slope `b` is",
+    ("draw/exact/bloom_down.comp", "if (2 * at.x > size.x || 2 * at.y >= size.y) return;"):
+        "what is stored beyond an image is dropped",
+}
