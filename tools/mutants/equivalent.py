@@ -29,6 +29,12 @@ EQUIVALENT = {
         "more room than things need",
     ("draw/exact/clip.glsl", "max(x.x, max(x.y, x.z)) < 0.0f && max(y.x, max(y.y, y.z)) < 0.0f;"):
         "beside() spares work: what it lets pass covers no sample",
+    ("draw/exact/clip.glsl",
+     "return max(a.z, max(b.z, c.z)) < nearest && max(a.x, max(b.x, c.x)) < 0.0f || max(a.y, max(b.y, c.y)) < 0.0f ||"):
+        "beside() spares work: what it lets pass is clipped away",
+    ("draw/exact/triangle.glsl",
+     "edge.bias = edge.step_.y > 0 || (edge.step_.y == 0 && edge.step_.x < 1) ? 0 : -1;"):
+        "only of an edge without length, whose triangle is empty",
     ("draw/exact/clip.glsl", "precise vec3 y = size.y * vec3(a.z, b.z, c.z) + vec3(a.y, b.y, c.y);"):
         "beside() spares work: it still rejects none but what lies above the picture",
     ("draw/exact/visible_sample.glsl", "if (key <= before) atomicMin(nearKeys[at], key);"):
