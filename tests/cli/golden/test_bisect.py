@@ -15,7 +15,7 @@ from golden_common import GoldenCase
 
 GRAVITY = ("cloth/model.glsl", "force * here.w + vec3(stepData.gravity);",
            "force * here.w + vec3(stepData.gravity) * 1.01f;")
-PUSH = ("cloth/model.glsl", "precise vec3 pushed = m.position + normal * depth - slid * held;",
+PUSH = ("cloth/motion.glsl", "precise vec3 pushed = m.position + normal * depth - slid * held;",
         "precise vec3 pushed = m.position + normal * (depth * 1.01f);")
 # Falls flat but for its jitter, so particles reach the ground one after another.
 HEIGHT, MARGIN = 0.5, 0.01

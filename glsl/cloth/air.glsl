@@ -1,0 +1,42 @@
+// What moving air does to the corner of a face. Compiles as GLSL and as C++; needs `stepData` (ClothStep).
+// Value noise with three components in [-1, 1): a random vector at each lattice point, blended by
+// 3u^2 - 2u^3.
+FUNCTION vec3 latticeVector(int x, int y, int z) {
+  return signedUnits(hash3(uvec3(uint(x), uint(y), uint(z) ^ (uint(stepData.seed) * 0x9e3779b9u))));
+}
+FUNCTION vec3 latticeRow(int x, int y, int z, float t) {
+  return exactMix(latticeVector(x, y, z), latticeVector(x + 1, y, z), t);
+}
+
+FUNCTION float smoothCurve(float u) {
+  precise float t = (3.0f - 2.0f * u) * u * u;
+  return t;
+}
+
+FUNCTION vec3 noise(vec3 p) {
+  precise vec3 base = floor(p);
+  precise vec3 u = p - base;
+  int x = int(base.x);
+  int y = int(base.y);
+  int z = int(base.z);
+  float tx = smoothCurve(u.x);
+  float ty = smoothCurve(u.y);
+  vec3 low = exactMix(latticeRow(x, y, z, tx), latticeRow(x, y + 1, z, tx), ty);
+  vec3 high = exactMix(latticeRow(x, y, z + 1, tx), latticeRow(x, y + 1, z + 1, tx), ty);
+  return exactMix(low, high, smoothCurve(u.z));
+}
+
+// Air force on a corner of a face: c = a x b has twice the area of the triangle (here, a, b), and half of
+// that triangle belongs to this particle, so A n = c/4. With v the air's velocity relative to the cloth:
+//   drag = 1/2 rho Cd A |v.n| v,   lift = 1/2 rho Cl A (v.n) (|v|^2 n - (v.n) v) / |v|,
+// the lift being perpendicular to v and zero both edge-on and face-on.
+FUNCTION vec3 airForceOnFace(vec3 a, vec3 b, vec3 v, float speedSquared, float inverseSpeed) {
+  vec3 c = exactCross(a, b);
+  float through = exactDot(v, c);
+  precise float pressure = 0.125f * stepData.air.density;
+  precise float drag = pressure * stepData.air.drag * abs(through);
+  float inverseArea = exactInverseSqrt(max(exactDot(c, c), 1e-24f));
+  precise float lift = pressure * stepData.air.lift * through * inverseSpeed * inverseArea;
+  precise vec3 force = v * drag + (c * speedSquared - v * through) * lift;
+  return force;
+}
