@@ -23,6 +23,7 @@ using glm::abs;
 using glm::clamp;
 using glm::floor;
 using glm::ivec2;
+using glm::ivec3;
 using glm::ivec4;
 using glm::max;
 using glm::min;

@@ -110,8 +110,8 @@ void solveLine(Kernel& kernel, std::vector<vec4>& particles) {
 ClothTwin::ClothTwin(simreel::sim::ClothPlan plan)
     : positions(plan.firstPositions()),
       velocities(plan.firstVelocities()),
-      plan_(std::move(plan)),
-      next_(positions) {}
+      next(positions),
+      plan_(std::move(plan)) {}
 
 void ClothTwin::step(double time, int threads) {
   int index = 0;
@@ -119,6 +119,15 @@ void ClothTwin::step(double time, int threads) {
 }
 
 void ClothTwin::substep(const ClothStep& data, int threads, int index) {
+  predict(data, threads, index);
+  finish();
+}
+
+void ClothTwin::finish() {
+  std::swap(positions, next);
+}
+
+void ClothTwin::predict(const ClothStep& data, int threads, int index) {
   const bool lands = heightPlan.has_value();
   HeightGrid grid{};
   if (lands) grid = heightPlan->at(index, plan_.substeps(), plan_.parameters().margin, 0.0F);
@@ -135,25 +144,24 @@ void ClothTwin::substep(const ClothStep& data, int threads, int index) {
       const auto i = static_cast<std::size_t>(y * size.x + x);
       const auto m = kernel.advance({x, y}, positions[i], velocities[i], !constraints, air, fabric,
                                     !constraints, lands, walls.has_value());
-      next_[i] = vec4(m.position, positions[i].w);
+      next[i] = vec4(m.position, positions[i].w);
       velocities[i] = vec4(m.velocity, velocities[i].w);
     }
   });
   if (constraints) {
     constrain(data);
     Kernel kernel{size, data, positions.data(), grid, heights.data(), wallGrid, solid};
-    for (std::size_t i = 0; i < next_.size(); ++i) {
-      const auto m = kernel.settled(positions[i], next_[i], lands, walls.has_value());
-      next_[i] = vec4(m.position, next_[i].w);
+    for (std::size_t i = 0; i < next.size(); ++i) {
+      const auto m = kernel.settled(positions[i], next[i], lands, walls.has_value());
+      next[i] = vec4(m.position, next[i].w);
       velocities[i] = vec4(m.velocity, velocities[i].w);
     }
   }
-  std::swap(positions, next_);
 }
 
 void ClothTwin::constrain(const ClothStep& data) {
   const ivec2 size = plan_.parameters().size;
-  Kernel kernel{size, data, next_.data()};
+  Kernel kernel{size, data, next.data()};
   for (const simreel::sim::SpringFamily& f : relaxedFamilies(plan_.parameters()))
     for (int color = 0; color < 2; ++color)
       for (int y = 0; y < size.y; ++y)
@@ -162,8 +170,8 @@ void ClothTwin::constrain(const ClothStep& data) {
           if (to.x < 0 || to.x >= size.x || to.y >= size.y) continue;
           const int along = f.reach.x > 0 ? x / f.reach.x : y / f.reach.y;
           if ((along & 1) != color) continue;
-          vec4& a = next_[static_cast<std::size_t>(y * size.x + x)];
-          vec4& b = next_[static_cast<std::size_t>(to.y * size.x + to.x)];
+          vec4& a = next[static_cast<std::size_t>(y * size.x + x)];
+          vec4& b = next[static_cast<std::size_t>(to.y * size.x + to.x)];
           const vec3 shift =
               kernel.constraintShift(a, b, kernel.springLength(f.kind), kernel.scaledCompliance(f.kind));
           a = vec4(vec3(a) - shift * a.w, a.w);
@@ -177,6 +185,6 @@ void ClothTwin::constrain(const ClothStep& data) {
       kernel.lineRest = kernel.springLength(0);
       kernel.lineCompliance =
           plan_.parameters().hasFabric ? kernel.fabricCompliance(rows, line) : kernel.scaledCompliance(0);
-      solveLine(kernel, next_);
+      solveLine(kernel, next);
     }
 }

@@ -18,9 +18,13 @@ class ClothTwin {
   void step(double time, int threads = 1);
   /// One substep with the given data, the frame's number `index`.
   void substep(const simreel::shader::ClothStep& data, int threads = 1, int index = 0);
+  /// The same in two halves, between which contact may change where the particles go.
+  void predict(const simreel::shader::ClothStep& data, int threads = 1, int index = 0);
+  void finish();
 
   std::vector<glm::vec4> positions;   ///< xyz m, w inverse mass
   std::vector<glm::vec4> velocities;  ///< xyz m/s, w pin group
+  std::vector<glm::vec4> next;        ///< between predict() and finish(): where they go
   /// The mesh it falls onto; none without a plan.
   std::optional<simreel::sim::HeightPlan> heightPlan;
   std::vector<glm::vec4> heights;  ///< of the frame to step: x at its beginning, y at its end (m)
@@ -31,5 +35,4 @@ class ClothTwin {
   void constrain(const simreel::shader::ClothStep& data);
 
   simreel::sim::ClothPlan plan_;
-  std::vector<glm::vec4> next_;
 };

@@ -7,6 +7,7 @@
 #include "sim/cloth/plan.hpp"
 #include "sim/cloth/quantities.hpp"
 #include "sim/cloth/sheet_mesh.hpp"
+#include "sim/contact/lock_step.hpp"
 #include "sim/contour/walls.hpp"
 #include "sim/core/kind.hpp"
 #include "sim/core/step_blocks.hpp"
@@ -27,12 +28,12 @@ namespace simreel::sim {
 
 namespace {
 
-class Cloth : public Simulation {
+class Cloth : public Simulation, public LockStep {
  public:
   Cloth(const scene::Object& object, const Setting& setting)
       : name_(object.name),
         material_(object.material),
-        plan_(parametersOf<ClothParameters>(object), setting.seed, setting.frameSeconds,
+        plan_(inStep(parametersOf<ClothParameters>(object), setting), setting.seed, setting.frameSeconds,
               *setting.colliders),
         size_(plan_.parameters().size),
         constrained_(plan_.parameters().constrained()),
@@ -56,26 +57,49 @@ class Cloth : public Simulation {
   }
 
   void step(double time, const StepWatch& watch) override {
-    steps_.upload(plan_.frame(time));
-    status_.bindStorage(shader::statusBinding);
-    if (walls_ != nullptr)
-      walls_->tell(touching(), plan_.substepSeconds(), plan_.parameters().margin, 0.0F);
+    beginFrame(time);
     for (int i = 0; i < plan_.substeps(); ++i) {
-      steps_.bind(static_cast<std::size_t>(i));
-      positions_[0].bindInput(shader::cloth::positionsBinding);
-      positions_[1].bindState(shader::cloth::nextPositionsBinding);
-      velocities_.bindState(shader::cloth::velocitiesBinding);
-      if (heights_ != nullptr) {
-        heights_->bind();
-        heights_->tell(touching(), i, plan_.substeps(), plan_.parameters().margin, 0.0F);
-      }
-      if (walls_ != nullptr) walls_->bind();
-      gl::barrier();
-      if (!(constrained_ && inLines_)) step_.dispatch(size_.x, size_.y);
-      if (constrained_) constrain();
-      std::swap(positions_[0], positions_[1]);
+      predict(i);
+      finish();
       if (watch) watch(i + 1);
     }
+    endFrame(time);
+  }
+
+  [[nodiscard]] LockStep* lockStep() override { return plan_.parameters().hasContact ? this : nullptr; }
+  [[nodiscard]] ContactPart contactPart() const override {
+    const ClothParameters& p = plan_.parameters();
+    const std::vector<unsigned> corners = gridIndices(size_);
+    ContactPart part{plan_.firstPositions(), {}, p.contactThickness(), p.contact.friction};
+    for (std::size_t i = 0; i + 2 < corners.size(); i += 3)
+      part.faces.emplace_back(corners[i], corners[i + 1], corners[i + 2]);
+    return part;
+  }
+  void beginFrame(double time) override {
+    steps_.upload(plan_.frame(time));
+    if (walls_ != nullptr)
+      walls_->tell(touching(), plan_.substepSeconds(), plan_.parameters().margin, 0.0F);
+  }
+  void predict(int substep) override {
+    status_.bindStorage(shader::statusBinding);
+    steps_.bind(static_cast<std::size_t>(substep));
+    positions_[0].bindInput(shader::cloth::positionsBinding);
+    positions_[1].bindState(shader::cloth::nextPositionsBinding);
+    velocities_.bindState(shader::cloth::velocitiesBinding);
+    if (heights_ != nullptr) {
+      heights_->bind();
+      heights_->tell(touching(), substep, plan_.substeps(), plan_.parameters().margin, 0.0F);
+    }
+    if (walls_ != nullptr) walls_->bind();
+    gl::barrier();
+    if (!(constrained_ && inLines_)) step_.dispatch(size_.x, size_.y);
+    if (constrained_) constrain();
+  }
+  [[nodiscard]] Contact::Part arrays() const override {
+    return {&positions_[0], &positions_[1], &velocities_};
+  }
+  void finish() override { std::swap(positions_[0], positions_[1]); }
+  void endFrame(double time) override {
     gl::barrier();
     time_ = time + frameSeconds_;
   }
@@ -137,6 +161,12 @@ class Cloth : public Simulation {
   }
 
  private:
+  /// With as many substeps as what it touches.
+  static ClothParameters inStep(ClothParameters parameters, const Setting& setting) {
+    if (parameters.hasContact) parameters.substeps = std::max(setting.contactSubsteps, 1);
+    return parameters;
+  }
+
   /// Before anything is filled: a cloth far beyond the limit would first take gigabytes.
   void checkLimits() const {
     const auto bytes = std::int64_t{24} * (size_.x - 1) * (size_.y - 1);

@@ -34,6 +34,12 @@ struct Air : shader::AirConstants {
   float gustSize = 0.8F;  ///< m
 };
 
+/// How a cloth keeps off itself and others.
+struct ClothContact {
+  std::optional<double> thickness;  ///< m
+  float friction = 0.3F;            ///< Coulomb's coefficient
+};
+
 enum class ClothSolver { springs, constraints };
 
 struct ClothParameters : ObjectParameters, shader::ClothConstants {
@@ -52,12 +58,20 @@ struct ClothParameters : ObjectParameters, shader::ClothConstants {
   Air air;
   std::optional<int> substeps = 4;
   std::vector<PinGroup> pins;
+  bool hasContact = false;
+  ClothContact contact;
   std::string walls;  ///< name of the solid it meets; empty: none
 
   ClothParameters();
   void describe(scene::Fields& fields) override;
   [[nodiscard]] std::span<const scene::Quantity> quantities() const override;
   [[nodiscard]] std::string meetsWalls() const override { return walls; }
+
+  [[nodiscard]] int contactSubsteps(double frameSeconds) const override {
+    return hasContact ? substepsPerFrame(frameSeconds) : 0;
+  }
+  /// m between two layers of it.
+  [[nodiscard]] float contactThickness() const;
 
   /// Whether XPBD keeps the lengths; else springs are forces.
   [[nodiscard]] bool constrained() const { return hasFabric || solver == ClothSolver::constraints; }

@@ -18,6 +18,7 @@
 namespace simreel::sim {
 
 class HeightField;
+class LockStep;
 class Walls;
 
 /// What a simulation may know of the scene around it.
@@ -35,7 +36,8 @@ struct Setting {
   /// The solid of the object of that name, as it is once that has stepped. Only for names that the scene's
   /// check has found (ObjectParameters::meetsWalls).
   std::function<const Walls&(const std::string& name)> wallsNamed = {};
-  double startTime = 0;  ///< s of scene time of the first state: minus what is simulated before frame 0
+  int contactSubsteps = 0;  ///< a frame, of all that are in contact; 0: none is
+  double startTime = 0;     ///< s of scene time of the first state: minus what is simulated before frame 0
   /// Hears how many of its steps before the first frame an object has done; may throw to end them. Empty:
   /// nobody listens.
   std::function<void(long done, long total)> presteps = {};
@@ -144,6 +146,8 @@ class Simulation {
   /// What others collide with; null for things that are no solid. Who was asked for it has it there after
   /// pass(), too.
   [[nodiscard]] virtual const Walls* walls() { return nullptr; }
+  /// What steps together with others that it touches; null: by itself, by step().
+  [[nodiscard]] virtual LockStep* lockStep() { return nullptr; }
   /// Four words as glsl/common/status.glsl writes them, or null.
   [[nodiscard]] virtual const gl::Buffer* status() const { return nullptr; }
   /// The quantities of its parameters, in that order, of the present state, which is read back: summed up

@@ -4,6 +4,7 @@
 #include "base/log.hpp"
 #include "gl/element_array.hpp"
 #include "gl/errors.hpp"
+#include "sim/contact/lock_step.hpp"
 #include "sim/core/state_hash.hpp"
 #include "sim/grid/picture_file.hpp"
 #include "sim/shape/shape.hpp"
@@ -61,6 +62,14 @@ std::vector<std::size_t> stepOrder(const scene::Scene& scene) {
   return order;
 }
 
+/// Substeps a frame of all that are in contact: as many as the one that needs most.
+int contactSubstepsOf(const scene::Scene& scene) {
+  int most = 0;
+  for (const scene::Object& object : scene.objects)
+    most = std::max(most, parametersOf<ObjectParameters>(object).contactSubsteps(1.0 / scene.time.fps));
+  return most;
+}
+
 /// Sides of textures that OpenGL 4.5 asks of every device.
 constexpr int maxTextureSide = 16384;
 
@@ -93,6 +102,8 @@ struct World::State {
   int done = 0;  ///< frames simulated, the pre-roll's included
   std::vector<ColliderShape> colliders;
   std::vector<std::unique_ptr<Simulation>> objects;
+  std::vector<std::size_t> touching;  ///< objects that are in contact, in their order
+  std::unique_ptr<ContactGroup> contact;
   std::vector<std::size_t> order;  ///< in which objects are made and stepped
   std::vector<std::string> names;
   std::vector<bool> remarked;  ///< of each object, whether its remark was made
@@ -128,6 +139,7 @@ struct World::State {
                     timing};
     setting.startTime = -preroll / fps;
     setting.presteps = presteps;
+    setting.contactSubsteps = contactSubstepsOf(scene);
     for (const scene::Object& object : scene.objects) names.push_back(object.name);
     setting.fieldNamed = [this](const std::string& name) { return fieldNamed(name); };
     setting.wallsNamed = [this](const std::string& name) -> const Walls& { return wallsNamed(name); };
@@ -135,6 +147,15 @@ struct World::State {
       objects[i] = simulationNamed(scene.objects[i].kind).make(scene.objects[i], setting);
       if (objects[i]->heights() != nullptr) setting.heights = objects[i]->heights();
     }
+    std::vector<LockStep*> members;
+    for (const std::size_t i : order)
+      if (LockStep* member = objects[i]->lockStep()) {
+        touching.push_back(i);
+        members.push_back(member);
+      }
+    if (!members.empty())
+      contact = std::make_unique<ContactGroup>(members, setting.contactSubsteps, setting.frameSeconds,
+                                               setting.fast);
     for (std::size_t i = 0; i < objects.size(); ++i)
       for (const StateArray& array : objects[i]->state())
         arrays.push_back(
@@ -157,6 +178,10 @@ struct World::State {
   State& operator=(const State&) = delete;
   ~State() {
     for (const Pending& p : pending) glDeleteSync(p.fence);
+  }
+
+  [[nodiscard]] bool isTouching(std::size_t object) const {
+    return std::find(touching.begin(), touching.end(), object) != touching.end();
   }
 
   /// As its object publishes it.
@@ -286,16 +311,26 @@ void World::advanceTo(int frame, const Watch& watch, const Stepped& stepped) {
   for (; state_->done < frame + state_->preroll; ++state_->done) {
     const double time = (state_->done - state_->preroll) / state_->fps;
     for (const std::size_t i : state_->order) {
+      if (state_->isTouching(i)) continue;
       const StepWatch one = watch ? StepWatch([&](int step) { watch(i, step); }) : StepWatch();
       state_->objects[i]->step(time, one);
       if (stepped) stepped(i);
     }
+    if (state_->contact == nullptr) continue;
+    state_->contact->step(time, [&](std::size_t member, int step) {
+      if (watch) watch(state_->touching[member], step);
+    });
+    for (const std::size_t i : state_->touching)
+      if (stepped) stepped(i);
   }
 }
 
 void World::passTo(int frame) {
-  for (; state_->done < frame + state_->preroll; ++state_->done)
-    for (const std::size_t i : state_->order) state_->objects[i]->pass(time());
+  for (; state_->done < frame + state_->preroll; ++state_->done) {
+    for (const std::size_t i : state_->order)
+      if (!state_->isTouching(i)) state_->objects[i]->pass(time());
+    if (state_->contact) state_->contact->step(time(), {});
+  }
 }
 
 void World::show() {

@@ -1,0 +1,17 @@
+// Where the impulses of a round take each vertex.
+#include "contact/kernel.glsl"
+layout(local_size_x = 64) in;
+layout(std430, binding = talliesBinding) restrict buffer TallyBlock { ivec4 tallies[]; };
+
+void main() {
+  int v = int(gl_GlobalInvocationID.x);
+  if (v >= contactStep.vertices) return;
+  int tally = impulseSection * contactStep.vertices + v;
+  ivec4 sum = tallies[tally];
+  tallies[tally] = ivec4(0);
+  float weight = pointAt(nowSection, v).w;
+  if (sum.w == 0 || weight == 0.0f) return;
+  vec4 next = pointAt(nextSection, v), wanted = pointAt(wantedSection, v);
+  vec3 pushed = pushedTo(next.xyz, wanted.xyz, weight, sum.xyz, next.w, pointAt(lowSection, v).xyz, pointAt(highSection, v).xyz);
+  keepPoint(wantedSection, v, vec4(pushed, wanted.w));
+}

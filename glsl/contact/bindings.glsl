@@ -1,0 +1,37 @@
+// Where the kernels of contact find their arrays. Compiles as GLSL and as C++ (src/sim/contact).
+#ifndef CONTACT_BINDINGS
+#define CONTACT_BINDINGS
+
+const int pointsBinding = 0;    // vec4 a vertex in each of these sections:
+const int nowSection = 0;       // xyz at the substep's start, w inverse mass (0: held)
+const int nextSection = 1;      // xyz where it would go, w half the thickness
+const int wantedSection = 2;    // xyz after the contacts' impulses
+const int lowSection = 3;       // xyz the box in which pairs stay good,
+const int highSection = 4;
+const int skinSection = 5;      // x half the thickness, y friction
+const int pointSections = 6;
+const int talliesBinding = 4;   // ivec4 a vertex in each of these sections:
+const int impulseSection = 0;   // xyz sum of impulses, w of claims
+const int letSection = 1;       // how far it may go, as floats' bits: in the first three rounds, and with everything at rest
+const int tallySections = 2;
+const int controlBinding = 5;   // counts and arguments of dispatches
+const int boxesBinding = 1;     // two vec4 a node
+const int leavesBinding = 2;
+const int pairsBinding = 3;     // ivec4: first those of vertices with faces, then those of edges
+const int cornersBinding = 6;   // ivec4 of what is near
+const int nearsBinding = 1;     // three vec4 of what is near: shares, normal, way
+const int partNowBinding = 1;   // of a simulation that takes part
+const int partNextBinding = 2;
+const int partVelocitiesBinding = 3;
+
+// Dispatches whose size kernels decide, four words of control each, after its counts.
+const int vertexDispatch = 0;
+const int leafDispatch = 1;
+const int vertexPairDispatch = 2;
+const int edgePairDispatch = 3;
+const int nearDispatch = 4;
+const int levelDispatch = 5;    // one a level of the tree, from the root's on
+const int maxLevels = 24;
+const int countWords = 8;
+
+#endif

@@ -1,0 +1,17 @@
+// How far each contact is to move its sides, and what it claims of its corners.
+#include "contact/kernel.glsl"
+#include "contact/near_list.glsl"
+
+void main() {
+  int i = nearIndex();
+  if (i >= nearsThere()) return;
+  Near near = nearAt(i);
+  ivec4 c = cornersOf(near);
+  vec3 slide = weighted(near.shares, wayOf(c.x), wayOf(c.y), wayOf(c.z), wayOf(c.w));
+  precise float friction = 0.5f * (pointAt(skinSection, c.x).y + pointAt(skinSection, c.w).y);
+  vec3 way = correctionOf(near, slide, thicknessOf(c), friction);
+  bool touching = way != vec3(0.0f);
+  STORE_STATE(nears, 3 * i + 2, vec4(way, touching ? 1.0f : 0.0f));
+  if (!touching) return;
+  for (int k = 0; k < 4; ++k) atomicAdd(tallies[impulseTally(c[k])].w, claimOf(near.shares[k]));
+}

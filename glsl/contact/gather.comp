@@ -1,0 +1,23 @@
+// Takes over a simulation's vertices, and sees whether they are still where pairs were looked for.
+#include "contact/kernel.glsl"
+layout(local_size_x = 64) in;
+INPUT_ARRAY(partNowBinding, PartNowBlock, partNow)
+INPUT_ARRAY(partNextBinding, PartNextBlock, partNext)
+layout(std430, binding = talliesBinding) restrict buffer TallyBlock { ivec4 tallies[]; };
+uniform int first;
+uniform int count;
+
+void main() {
+  int i = int(gl_GlobalInvocationID.x);
+  if (i >= count) return;
+  int v = first + i;
+  vec4 next = LOAD_INPUT(partNext, i);
+  vec4 skin = pointAt(skinSection, v);
+  bool within = isWithin(next.xyz, pointAt(lowSection, v).xyz, pointAt(highSection, v).xyz);
+  if (!within) control.stale = 1u;
+  keepPoint(nowSection, v, LOAD_INPUT(partNow, i));
+  keepPoint(nextSection, v, vec4(next.xyz, skin.x));
+  keepPoint(wantedSection, v, next);
+  tallies[impulseSection * contactStep.vertices + v] = ivec4(0);
+  tallies[letSection * contactStep.vertices + v] = ivec4(floatBitsToInt(1.0f));
+}

@@ -1,0 +1,33 @@
+// What every kernel of contact includes.
+#include "common/bindings.glsl"
+#include "common/exact.glsl"
+#include "common/memory.glsl"
+#include "common/words.glsl"
+#include "contact/bindings.glsl"
+#include "contact/types.glsl"
+
+layout(std140, binding = stepBinding) uniform StepBlock { ContactStep contactStep; };
+STATE_ARRAY(pointsBinding, PointBlock, points)
+layout(std430, binding = controlBinding) restrict buffer ControlBlock {
+  uint pairCounts[2];  // of vertices with faces, of edges with edges
+  uint nearCount;
+  uint stale;          // 1: something has left its box, so that pairs are to be found anew
+  uint stopped;        // 1: planes at rest are to hold everything
+  uint mostPairs;      // of either kind, since the start
+  uint searches;
+  uint spare;
+  uvec4 dispatches[levelDispatch + maxLevels];
+} control;
+
+#include "contact/model.glsl"
+
+vec4 pointAt(int section, int i) {
+  return LOAD_ONCE(points, section * contactStep.vertices + i);
+}
+void keepPoint(int section, int i, vec4 value) {
+  STORE_STATE(points, section * contactStep.vertices + i, value);
+}
+float thicknessOf(ivec4 corners) {
+  precise float thick = pointAt(nextSection, corners.x).w + pointAt(nextSection, corners.w).w;
+  return thick;
+}

@@ -1,0 +1,252 @@
+// Contact of triangles: faces and edges keep a distance, and never pass through each other. Compiles as GLSL and as C++, where
+// it is the CPU twin. Needs common/exact.glsl, types.glsl and `contactStep`.
+//
+// Positions of a substep's start are x, where it would lead x'; no face crosses another at x. Two convex features that are
+// apart at x have a slab between them, normal to the way between their closest points. As long as some plane parallel to
+// it, at rest or moving evenly, keeps them apart, neither passes through the other.
+
+// Where a vertex may be for as long as pairs are used that are found now: the way of `horizon` substeps, and half a
+// thickness and a fifth of the way around it.
+FUNCTION Hull reachOf(vec3 now, vec3 next, float half_) {
+  precise vec3 way = (next - now) * contactStep.horizon;
+  precise vec3 end = now + way;
+  precise float wide = half_ + 0.2f * max(max(abs(way.x), abs(way.y)), abs(way.z));
+  precise vec3 low = min(now, end) - wide;
+  precise vec3 high = max(now, end) + wide;
+  Hull hull;
+  hull.low = min(low, next);
+  hull.high = max(high, next);
+  return hull;
+}
+FUNCTION bool isWithin(vec3 p, vec3 low, vec3 high) {
+  return p.x >= low.x && p.y >= low.y && p.z >= low.z && p.x <= high.x && p.y <= high.y && p.z <= high.z;
+}
+FUNCTION bool overlap(vec3 low, vec3 high, vec3 otherLow, vec3 otherHigh) {
+  return low.x <= otherHigh.x && low.y <= otherHigh.y && low.z <= otherHigh.z && otherLow.x <= high.x && otherLow.y <= high.y &&
+         otherLow.z <= high.z;
+}
+
+// Shares of the corners in the point of a triangle that is closest to p (Ericson, Real-Time Collision Detection, 5.1.5).
+// The first of the regions that p belongs to decides: here they come last to first.
+FUNCTION vec3 closestOnTriangle(vec3 p, vec3 a, vec3 b, vec3 c) {
+  precise vec3 ab = b - a;
+  precise vec3 ac = c - a;
+  precise vec3 ap = p - a;
+  precise vec3 bp = p - b;
+  precise vec3 cp = p - c;
+  float d1 = exactDot(ab, ap), d2 = exactDot(ac, ap), d3 = exactDot(ab, bp), d4 = exactDot(ac, bp), d5 = exactDot(ab, cp),
+        d6 = exactDot(ac, cp);
+  precise float va = d3 * d6 - d5 * d4;
+  precise float vb = d5 * d2 - d1 * d6;
+  precise float vc = d1 * d4 - d3 * d2;
+  precise float area = va + vb + vc;
+  precise vec3 shares = vec3(va, vb, vc) * exactReciprocal(max(area, 1e-30f));
+  precise float toC = d4 - d3;
+  precise float toB = d5 - d6;
+  precise float bc = toC + toB;
+  precise float t = toC * exactReciprocal(max(bc, 1e-30f));
+  precise vec3 onBC = vec3(0.0f, 1.0f - t, t);
+  shares = va <= 0.0f && toC >= 0.0f && toB >= 0.0f ? onBC : shares;
+  precise float acac = d2 - d6;
+  precise float u = d2 * exactReciprocal(max(acac, 1e-30f));
+  precise vec3 onAC = vec3(1.0f - u, 0.0f, u);
+  shares = vb <= 0.0f && d2 >= 0.0f && d6 <= 0.0f ? onAC : shares;
+  shares = d6 >= 0.0f && d5 <= d6 ? vec3(0.0f, 0.0f, 1.0f) : shares;
+  precise float abab = d1 - d3;
+  precise float v = d1 * exactReciprocal(max(abab, 1e-30f));
+  precise vec3 onAB = vec3(1.0f - v, v, 0.0f);
+  shares = vc <= 0.0f && d1 >= 0.0f && d3 <= 0.0f ? onAB : shares;
+  shares = d3 >= 0.0f && d4 <= d3 ? vec3(0.0f, 1.0f, 0.0f) : shares;
+  shares = d1 <= 0.0f && d2 <= 0.0f ? vec3(1.0f, 0.0f, 0.0f) : shares;
+  return shares;
+}
+
+// How far along a-b and c-d, from 0 to 1, the segments are closest (Ericson, 5.1.9).
+FUNCTION vec2 closestOfEdges(vec3 a, vec3 b, vec3 c, vec3 d) {
+  precise vec3 along = b - a;
+  precise vec3 other = d - c;
+  precise vec3 between = a - c;
+  float aa = exactDot(along, along), ee = exactDot(other, other), ff = exactDot(other, between), cc = exactDot(along, between),
+        bb = exactDot(along, other);
+  precise float slope = aa * ee - bb * bb;
+  precise float parallel = aa * ee * 1e-6f;
+  precise float s = (bb * ff - cc * ee) * exactReciprocal(max(slope, 1e-30f));
+  s = slope <= parallel ? 0.5f : clamp(s, 0.0f, 1.0f);
+  precise float t = (bb * s + ff) * exactReciprocal(max(ee, 1e-30f));
+  float held = clamp(t, 0.0f, 1.0f);
+  precise float again = (bb * held - cc) * exactReciprocal(max(aa, 1e-30f));
+  s = held == t ? s : clamp(again, 0.0f, 1.0f);
+  return vec2(s, held);
+}
+
+FUNCTION vec3 weighted(vec4 shares, vec3 a, vec3 b, vec3 c, vec3 d) {
+  precise vec3 sum = a * shares.x + b * shares.y + c * shares.z + d * shares.w;
+  return sum;
+}
+
+// `across`: normal to the face or to both edges; none, 0, where a closest point is at a border. It is exact however close
+// they are, where the way between the points would be made of rounding.
+FUNCTION Near nearOf(ivec4 corners, vec4 shares, vec3 apart, vec3 across) {
+  float squared = exactDot(apart, apart), size = exactDot(across, across);
+  float inverse = exactInverseSqrt(max(squared, 1e-24f));
+  precise vec3 direct = apart * inverse;
+  precise float distance = squared * inverse;
+  precise vec3 unit = across * exactInverseSqrt(max(size, 1e-24f));
+  float side = exactDot(unit, direct);
+  bool has = size > 1e-24f;
+  vec3 normal = has ? (side < 0.0f ? -unit : unit) : direct;
+  Near near;
+  near.corners = corners;
+  near.shares = shares;
+  near.normal = squared < 1e-18f ? vec4(0.0f) : vec4(normal, distance);
+  return near;
+}
+FUNCTION Near nearOfVertex(ivec4 corners, vec3 p, vec3 a, vec3 b, vec3 c) {
+  vec3 shares = closestOnTriangle(p, a, b, c);
+  precise vec3 ab = b - a;
+  precise vec3 ac = c - a;
+  precise vec3 ap = p - a;
+  precise vec3 apart = ap - ab * shares.y - ac * shares.z;
+  bool inside = shares.x > 0.0f && shares.y > 0.0f && shares.z > 0.0f;
+  return nearOf(corners, vec4(1.0f, -shares.x, -shares.y, -shares.z), apart, inside ? exactCross(ab, ac) : vec3(0.0f));
+}
+FUNCTION Near nearOfEdges(ivec4 corners, vec3 a, vec3 b, vec3 c, vec3 d) {
+  vec2 at = closestOfEdges(a, b, c, d);
+  precise vec3 along = b - a;
+  precise vec3 other = d - c;
+  precise vec3 between = a - c;
+  precise vec3 apart = between + along * at.x - other * at.y;
+  precise float fromA = 1.0f - at.x;
+  precise float fromC = at.y - 1.0f;
+  bool inside = at.x > 0.0f && at.x < 1.0f && at.y > 0.0f && at.y < 1.0f;
+  float size = exactDot(along, along), otherSize = exactDot(other, other);
+  vec3 across = exactCross(along, other);
+  precise float parallel = size * otherSize * 1e-4f;
+  inside = inside && exactDot(across, across) > parallel;
+  return nearOf(ivec4(corners.x, ~corners.y, corners.z, corners.w), vec4(fromA, at.x, fromC, -at.y), apart,
+                inside ? across : vec3(0.0f));
+}
+
+FUNCTION bool isOfEdges(Near near) {
+  return near.corners.y < 0;
+}
+FUNCTION ivec4 cornersOf(Near near) {
+  return ivec4(near.corners.x, isOfEdges(near) ? ~near.corners.y : near.corners.y, near.corners.z, near.corners.w);
+}
+
+// Heights of four corners along the normal.
+FUNCTION vec4 heightsOf(Near near, vec3 a, vec3 b, vec3 c, vec3 d) {
+  vec3 normal = vec3(near.normal);
+  return vec4(exactDot(normal, a), exactDot(normal, b), exactDot(normal, c), exactDot(normal, d));
+}
+// The lowest of the first side and the highest of the other.
+FUNCTION float lowestOf(Near near, vec4 heights) {
+  return isOfEdges(near) ? min(heights.x, heights.y) : heights.x;
+}
+FUNCTION float highestOf(Near near, vec4 heights) {
+  float two = max(heights.z, heights.w);
+  return isOfEdges(near) ? two : max(two, heights.y);
+}
+FUNCTION float gapOf(Near near, vec4 heights) {
+  precise float gap = lowestOf(near, heights) - highestOf(near, heights);
+  return gap;
+}
+// What the gap comes to at worst if every corner goes no further than by its rise.
+FUNCTION float worstGap(Near near, vec4 heights, vec4 rises) {
+  precise vec4 after = heights + rises;
+  vec4 low = min(heights, after), high = max(heights, after);
+  precise float gap = lowestOf(near, low) - highestOf(near, high);
+  return gap;
+}
+
+// Whether it has to be looked at in this substep: impulses move either side by no more than half a thickness.
+FUNCTION bool isNear(Near near, vec4 heights, vec4 rises, float thick) {
+  precise float most = 2.0f * thick;
+  return near.normal.w > 0.0f && worstGap(near, heights, rises) < most;
+}
+
+// How much of a gap may be left at least after a substep. Where it is below a twentieth of the thickness, nothing goes:
+// normals between points still closer would be those of rounding.
+FUNCTION float leftOf(float gap, float thick) {
+  precise float fifth = 0.2f * gap;
+  precise float least = 0.05f * thick;
+  return gap > least ? max(fifth, least) : gap;
+}
+// Whether the corners on their ways, as far as they are let, keep a moving plane between them.
+FUNCTION bool passes(Near near, vec4 heights, vec4 rises, vec4 let, float thick) {
+  precise vec4 after = heights + rises * let;
+  return gapOf(near, after) < leftOf(gapOf(near, heights), thick);
+}
+// How much of its way each corner may go so that a plane at rest keeps them apart: at most half of the gap for either side.
+FUNCTION vec4 letOf(Near near, vec4 heights, vec4 rises, float thick) {
+  float gap = gapOf(near, heights);
+  precise float own = 0.5f * (gap - leftOf(gap, thick));
+  precise float floor_ = lowestOf(near, heights) - own;
+  precise float ceiling = highestOf(near, heights) + own;
+  vec4 let = vec4(1.0f);
+  for (int k = 0; k < 4; ++k) {
+    bool first = k == 0 || (k == 1 && isOfEdges(near));
+    precise float room = first ? heights[k] - floor_ : ceiling - heights[k];
+    precise float way = first ? -rises[k] : rises[k];
+    precise float part = room * exactReciprocal(max(way, 1e-30f));
+    let[k] = way > room ? clamp(part, 0.0f, 1.0f) : 1.0f;
+  }
+  return let;
+}
+
+// The way that the first side's closest point has to go away from the other's (m): as much as keeps them `thick` apart at the
+// substep's end; where they are nearer already, slowly. Of the way along each other, friction takes at most its
+// coefficient times that.
+FUNCTION vec3 correctionOf(Near near, vec3 slide, float thick, float friction) {
+  vec3 normal = vec3(near.normal);
+  float through = exactDot(slide, normal);
+  precise float missing = thick - near.normal.w;
+  precise float part = missing * contactStep.recovery;
+  precise float slowly = near.normal.w + min(part, contactStep.mostRecovery);
+  float target = missing > 0.0f ? slowly : thick;
+  precise float push = target - near.normal.w - through;
+  precise vec3 along = slide - normal * through;
+  precise float held = friction * push * exactInverseSqrt(max(exactDot(along, along), 1e-24f));
+  precise vec3 way = normal * push - along * min(held, 1.0f);
+  bool there = near.normal.w > 0.0f && push > 0.0f;
+  return there ? way : vec3(0.0f);
+}
+
+// How much a contact claims of a corner, as an integer.
+FUNCTION int claimOf(float share) {
+  precise float scaled = abs(share) * 4096.0f + 0.5f;
+  return int(floor(scaled));
+}
+// The impulse (kg m) that makes that way good. So that all contacts may be solved at once, each corner's mass is split among
+// its contacts by their shares (Tonge et al. 2012, Mass Splitting for Jitter-Free Parallel Rigid Body Simulation): of
+// inverse masses w and sums of shares s, w s / |share| each. `weights`: w s of the corners.
+FUNCTION vec3 impulseOf(vec4 shares, vec4 weights, vec3 way) {
+  vec4 sizes = abs(shares);
+  float weight = exactDot(sizes, weights);
+  precise vec3 impulse = way * exactReciprocal(max(weight, 1e-20f));
+  return weight > 0.0f ? impulse : vec3(0.0f);
+}
+FUNCTION float weightOf(float inverseMass, int claims) {
+  precise float weight = inverseMass * (float(claims) * 2.44140625e-4f);
+  return weight;
+}
+
+// As integers, which add up to the same whatever their order. The last corner's is what the others leave.
+FUNCTION ivec3 quantaOf(vec3 impulse, float share) {
+  precise vec3 scaled = impulse * (share * contactStep.quanta) + 0.5f;
+  vec3 held = clamp(floor(scaled), vec3(-1e8f), vec3(1e8f));
+  return ivec3(int(held.x), int(held.y), int(held.z));
+}
+
+// Where the impulses take a vertex: from where it was to go no further than `most`, and not out of where it may be.
+FUNCTION vec3 pushedTo(vec3 next, vec3 wanted, float weight, ivec3 sum, float most, vec3 low, vec3 high) {
+  precise vec3 way = wanted - next + vec3(float(sum.x), float(sum.y), float(sum.z)) * (contactStep.perQuanta * weight);
+  precise float part = most * exactInverseSqrt(max(exactDot(way, way), 1e-24f));
+  precise vec3 moved = next + way * min(part, 1.0f);
+  return clamp(moved, low, high);
+}
+
+FUNCTION vec3 heldAt(vec3 now, vec3 wanted, float let) {
+  precise vec3 part = now + (wanted - now) * let;
+  return let == 1.0f ? wanted : part;
+}

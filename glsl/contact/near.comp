@@ -1,0 +1,36 @@
+// What of the pairs (of edges with EDGES) may touch in this substep.
+#include "contact/kernel.glsl"
+layout(local_size_x = 64) in;
+INPUT_WORDS(pairsBinding, PairBlock, pairs)
+layout(std430, binding = cornersBinding) restrict writeonly buffer CornerBlock { ivec4 corners[]; };
+layout(std430, binding = nearsBinding) restrict writeonly buffer NearBlock { vec4 nears[]; };
+
+void main() {
+  int i = int(gl_GlobalInvocationID.x);
+#ifdef EDGES
+  int kind = 1;
+#else
+  int kind = 0;
+#endif
+  if (i >= min(int(control.pairCounts[kind]), contactStep.maxPairs)) return;
+  ivec4 c = ivec4(LOAD_INPUT_WORDS(pairs, kind * contactStep.maxPairs + i));
+  vec3 now[4], rise[4];
+  for (int k = 0; k < 4; ++k) {
+    now[k] = pointAt(nowSection, c[k]).xyz;
+    precise vec3 way = pointAt(nextSection, c[k]).xyz - now[k];
+    rise[k] = way;
+  }
+#ifdef EDGES
+  Near near = nearOfEdges(c, now[0], now[1], now[2], now[3]);
+#else
+  Near near = nearOfVertex(c, now[0], now[1], now[2], now[3]);
+#endif
+  vec4 heights = heightsOf(near, now[0], now[1], now[2], now[3]);
+  vec4 rises = heightsOf(near, rise[0], rise[1], rise[2], rise[3]);
+  if (!isNear(near, heights, rises, thicknessOf(c))) return;
+  int place = int(atomicAdd(control.nearCount, 1u));
+  if (place >= contactStep.maxPairs) return;
+  corners[place] = near.corners;
+  nears[3 * place] = near.shares;
+  nears[3 * place + 1] = near.normal;
+}

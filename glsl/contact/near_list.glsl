@@ -1,0 +1,29 @@
+// What is near, one an invocation.
+layout(local_size_x = 64) in;
+INPUT_WORDS(cornersBinding, CornerBlock, corners)
+STATE_ARRAY(nearsBinding, NearBlock, nears)
+layout(std430, binding = talliesBinding) restrict buffer TallyBlock { ivec4 tallies[]; };
+
+int nearIndex() {
+  return int(gl_GlobalInvocationID.x);
+}
+int nearsThere() {
+  return min(int(control.nearCount), contactStep.maxPairs);
+}
+Near nearAt(int i) {
+  Near near;
+  near.corners = ivec4(LOAD_INPUT_WORDS(corners, i));
+  near.shares = LOAD_ONCE(nears, 3 * i);
+  near.normal = LOAD_ONCE(nears, 3 * i + 1);
+  return near;
+}
+vec3 wayOf(int vertex) {
+  precise vec3 way = pointAt(wantedSection, vertex).xyz - pointAt(nowSection, vertex).xyz;
+  return way;
+}
+int impulseTally(int vertex) {
+  return impulseSection * contactStep.vertices + vertex;
+}
+int letTally(int vertex) {
+  return letSection * contactStep.vertices + vertex;
+}

@@ -1,0 +1,170 @@
+#include "sim/contact/contact.hpp"
+
+#include "base/error.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace simreel::shader::contact {
+#include "glsl/contact/bindings.glsl"
+}  // namespace simreel::shader::contact
+
+namespace simreel::sim {
+
+namespace {
+
+namespace at = shader::contact;
+
+constexpr int rounds = 2;      ///< of impulses
+constexpr int holdRounds = 4;  ///< hold.comp
+constexpr std::size_t mostPairsWord = 5;
+
+}  // namespace
+
+Contact::Contact(ContactPlan plan, int substeps, bool fast) : plan_(std::move(plan)), stepCount_(substeps) {
+  const auto vertices = static_cast<std::size_t>(plan_.vertices());
+  std::vector<glm::vec4> points(vertices * at::pointSections, glm::vec4(0));
+  for (std::size_t i = 0; i < vertices; ++i)
+    points[at::skinSection * vertices + i] = glm::vec4(plan_.skins()[i], 0, 0);
+  points_ = gl::Vec4Array("contact points", points);
+  tallies_ = gl::Buffer("contact tallies", vertices * at::tallySections * 16);
+  leaves_ = gl::WordsArray("contact leaves", plan_.leaves());
+  boxes_ = gl::Vec4Array("contact boxes", static_cast<int>(4 * plan_.leaves().size()));
+  control_ = gl::Buffer("contact control",
+                        4 * at::countWords + std::size_t{16} * (at::levelDispatch + at::maxLevels));
+  steps_ = StepBlocks<shader::ContactStep>("contact steps", substeps);
+  allocate(std::max(16 * plan_.faces(), 4096));
+  makePrograms(fast);
+}
+
+void Contact::makePrograms(bool fast) {
+  gl::Defines defines = gl::kernelDefines(fast);
+  const auto make = [&](const char* name) { return gl::Program::compute(name, defines); };
+  gather_ = make("contact/gather.comp");
+  begin_ = make("contact/begin.comp");
+  reach_ = make("contact/reach.comp");
+  leafBoxes_ = make("contact/leaves.comp");
+  refit_ = make("contact/refit.comp");
+  search_ = make("contact/search.comp");
+  pairLists_ = make("contact/lists.comp");
+  nearVertices_ = make("contact/near.comp");
+  claim_ = make("contact/claim.comp");
+  push_ = make("contact/push.comp");
+  apply_ = make("contact/apply.comp");
+  hold_ = make("contact/hold.comp");
+  leave_ = make("contact/leave.comp");
+  defines.emplace_back("NEAR", "1");
+  nearList_ = make("contact/lists.comp");
+  defines.emplace_back("EDGES", "1");
+  nearEdges_ = make("contact/near.comp");
+  begin_.checkUniformBlock("StepBlock", sizeof(shader::ContactStep));
+}
+
+void Contact::allocate(int pairs) {
+  maxPairs_ = pairs;
+  const auto count = static_cast<std::size_t>(pairs);
+  pairs_ = gl::WordsArray("contact pairs", gl::Buffer("contact pairs", 2 * count * 16));
+  corners_ = gl::WordsArray("contact corners", gl::Buffer("contact corners", count * 16));
+  nears_ = gl::Vec4Array("contact nears", gl::Buffer("contact nears", 3 * count * 16));
+}
+
+void Contact::beginFrame() {
+  unsigned most = 0;
+  control_.read(4 * mostPairsWord, std::as_writable_bytes(std::span(&most, 1)));
+  if (most > static_cast<unsigned>(maxPairs_))
+    fail(
+        ExitCode::device,
+        "cloths in contact: more came near each other in a frame than there was memory for ({} pairs, room "
+        "for {}); use more substeps, a smaller \"thickness\" or slower motion",
+        most, maxPairs_);
+  if (most > static_cast<unsigned>(maxPairs_ / 2)) allocate(2 * maxPairs_);
+  std::vector<shader::ContactStep> steps;
+  for (int i = 0; i < stepCount_; ++i) steps.push_back(plan_.step(i == 0, maxPairs_));
+  steps_.upload(steps);
+}
+
+void Contact::dispatchIndirect(const gl::Program& program, int number) const {
+  program.use();
+  glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, control_.name());
+  glDispatchComputeIndirect(static_cast<GLintptr>(4 * at::countWords + 16 * number));
+}
+
+void Contact::search() const {
+  const auto next = [] {
+    gl::barrier();
+    glMemoryBarrier(GL_COMMAND_BARRIER_BIT);
+  };
+  begin_.dispatch(1);
+  next();
+  dispatchIndirect(reach_, at::vertexDispatch);
+  gl::barrier();
+  leaves_.bindInput(at::leavesBinding);
+  boxes_.bindState(at::boxesBinding);
+  dispatchIndirect(leafBoxes_, at::leafDispatch);
+  for (int level = plan_.levels() - 1; level >= 0; --level) {
+    gl::barrier();
+    refit_.set("level", level);
+    dispatchIndirect(refit_, at::levelDispatch + level);
+  }
+  gl::barrier();
+  boxes_.bindInput(at::boxesBinding);
+  pairs_.buffer().bindStorage(at::pairsBinding);
+  dispatchIndirect(search_, at::leafDispatch);
+  gl::barrier();
+  pairLists_.dispatch(1);
+  next();
+}
+
+void Contact::substep(int index, std::span<const Part> parts) {
+  SIMREEL_CHECK(parts.size() == plan_.firsts().size());
+  steps_.bind(static_cast<std::size_t>(index));
+  points_.bindState(at::pointsBinding);
+  tallies_.bindStorage(at::talliesBinding);
+  control_.bindStorage(at::controlBinding);
+  const auto forParts = [&](const gl::Program& program, const auto& bind) {
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      const auto count = static_cast<int>(parts[i].now->buffer().bytes() / 16);
+      bind(parts[i]);
+      program.set("first", plan_.firsts()[i]);
+      program.set("count", count);
+      program.dispatch(count);
+    }
+  };
+  gl::barrier();
+  forParts(gather_, [](const Part& part) {
+    part.now->bindInput(at::partNowBinding);
+    part.next->bindInput(at::partNextBinding);
+  });
+  gl::barrier();
+  search();
+  pairs_.bindInput(at::pairsBinding);
+  corners_.buffer().bindStorage(at::cornersBinding);
+  nears_.bindState(at::nearsBinding);
+  dispatchIndirect(nearVertices_, at::vertexPairDispatch);
+  dispatchIndirect(nearEdges_, at::edgePairDispatch);
+  gl::barrier();
+  nearList_.dispatch(1);
+  gl::barrier();
+  glMemoryBarrier(GL_COMMAND_BARRIER_BIT);
+  corners_.bindInput(at::cornersBinding);
+  for (int round = 0; round < rounds; ++round) {
+    dispatchIndirect(claim_, at::nearDispatch);
+    gl::barrier();
+    dispatchIndirect(push_, at::nearDispatch);
+    gl::barrier();
+    apply_.dispatch(plan_.vertices());
+    gl::barrier();
+  }
+  for (int round = 0; round < holdRounds; ++round) {
+    hold_.set("round", round);
+    dispatchIndirect(hold_, at::nearDispatch);
+    gl::barrier();
+  }
+  forParts(leave_, [](const Part& part) {
+    part.next->bindState(at::partNextBinding);
+    part.velocities->bindState(at::partVelocitiesBinding);
+  });
+  gl::barrier();
+}
+
+}  // namespace simreel::sim

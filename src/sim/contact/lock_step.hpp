@@ -1,0 +1,42 @@
+#pragma once
+#include "sim/contact/contact.hpp"
+#include "sim/core/simulation.hpp"
+
+#include <functional>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace simreel::sim {
+
+/// A simulation whose substeps go in step with those of others that it touches, Simulation::stepsPerFrame()
+/// of them a frame.
+class LockStep {
+ public:
+  virtual ~LockStep() = default;
+  /// As it is at the start.
+  [[nodiscard]] virtual ContactPart contactPart() const = 0;
+  virtual void beginFrame(double time) = 0;
+  /// Up to where its particles would go if nothing held them up.
+  virtual void predict(int substep) = 0;
+  /// Between predict() and finish().
+  [[nodiscard]] virtual Contact::Part arrays() const = 0;
+  virtual void finish() = 0;
+  virtual void endFrame(double time) = 0;
+};
+
+/// Simulations in step, and their contact.
+class ContactGroup {
+ public:
+  /// `members` outlive it and take `substeps` a frame of `frameSeconds`.
+  ContactGroup(std::vector<LockStep*> members, int substeps, double frameSeconds, bool fast);
+  /// Advances all by the frame that starts at `time`; `watch` as Simulation::step has it, with the member.
+  void step(double time, const std::function<void(std::size_t member, int step)>& watch);
+
+ private:
+  std::vector<LockStep*> members_;
+  int substeps_;
+  Contact contact_;
+};
+
+}  // namespace simreel::sim

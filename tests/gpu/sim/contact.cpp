@@ -1,0 +1,122 @@
+#include "gpu/context.hpp"
+#include "reference/cloth_twin.hpp"
+#include "reference/contact_twin.hpp"
+#include "sim/cloth/sheet_mesh.hpp"
+#include "sim/contact/lock_step.hpp"
+#include "sim/world/list.hpp"
+
+#include <bit>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include <doctest/doctest.h>
+
+using namespace simreel;
+
+namespace {
+
+sim::ClothParameters contactSheet(glm::ivec2 size, glm::vec3 position, glm::vec3 rotation) {
+  sim::ClothParameters p;
+  p.size = size;
+  p.spacing = 0.03F;
+  p.position = position;
+  p.rotation = rotation;
+  p.jitter = 2e-4F;
+  p.hasFabric = true;
+  p.wind = glm::vec3(0);
+  p.damping = 0.3F;
+  p.substeps = 9;
+  p.pins.clear();
+  p.hasContact = true;
+  return p;
+}
+
+/// Steps both sides and compares every word of the state.
+void compareContact(const std::vector<sim::ClothParameters>& sheets, int frames,
+                    const std::vector<sim::ColliderShape>& colliders) {
+  testContext();
+  const double frameSeconds = 1.0 / 60.0;
+  sim::Setting setting{false, 5, frameSeconds, &colliders};
+  setting.contactSubsteps = *sheets.front().substeps;
+  std::vector<std::unique_ptr<sim::Simulation>> cloths;
+  std::vector<sim::LockStep*> members;
+  std::vector<std::unique_ptr<ClothTwin>> twins;
+  std::vector<sim::ContactPart> parts;
+  for (const sim::ClothParameters& p : sheets) {
+    scene::Object object;
+    object.name = "sheet";
+    object.kind = "cloth";
+    object.parameters = std::make_unique<sim::ClothParameters>(p);
+    cloths.push_back(sim::simulationNamed("cloth").make(object, setting));
+    members.push_back(cloths.back()->lockStep());
+    twins.push_back(std::make_unique<ClothTwin>(sim::ClothPlan(p, 5, frameSeconds, colliders)));
+    parts.push_back(members.back()->contactPart());
+  }
+  sim::ContactGroup group(members, *sheets.front().substeps, frameSeconds, false);
+  ContactTwin contact(sim::ContactPlan(parts, frameSeconds / *sheets.front().substeps));
+  std::size_t touching = 0, stopped = 0;
+  for (int frame = 0; frame < frames; ++frame) {
+    group.step(frame * frameSeconds, {});
+    std::vector<std::vector<shader::ClothStep>> steps;
+    for (const auto& twin : twins) steps.push_back(twin->plan().frame(frame * frameSeconds));
+    for (std::size_t i = 0; i < steps.front().size(); ++i) {
+      std::vector<ContactTwin::Part> sides;
+      for (std::size_t c = 0; c < twins.size(); ++c) {
+        twins[c]->predict(steps[c][i], 1, static_cast<int>(i));
+        sides.push_back({&twins[c]->positions, &twins[c]->next, &twins[c]->velocities});
+      }
+      contact.substep(sides, i == 0);
+      touching += contact.touching;
+      stopped += contact.stopped;
+      for (const auto& twin : twins) twin->finish();
+    }
+  }
+  CHECK(touching > 100);
+  CHECK(stopped > 10);
+  for (std::size_t c = 0; c < cloths.size(); ++c) {
+    const auto state = cloths[c]->state();
+    const std::vector<glm::vec4>* expected[] = {&twins[c]->positions, &twins[c]->velocities};
+    for (std::size_t array = 0; array < 2; ++array) {
+      const auto got = state[array].buffer->readAll<std::uint32_t>();
+      REQUIRE(got.size() == expected[array]->size() * 4);
+      std::size_t different = 0;
+      for (std::size_t i = 0; i < got.size(); ++i)
+        different +=
+            got[i] == std::bit_cast<std::uint32_t>((*expected[array])[i / 4][static_cast<int>(i % 4)]) ? 0
+                                                                                                       : 1;
+      CHECK_MESSAGE(different == 0, "cloth ", c, " ", state[array].name, ": ", different, " of ",
+                    got.size(), " words differ");
+    }
+  }
+}
+
+}  // namespace
+
+TEST_CASE("cloths in contact equal their CPU twins, which try every pair") {
+  sim::ColliderShape ball;
+  ball.position = glm::vec3(0, 0.2F, 0);
+  ball.radius = 0.15F;
+  ball.friction = 0.3;
+  sim::ColliderShape floor;
+  floor.kind = sim::ColliderShape::Kind::plane;
+  auto held = contactSheet({7, 5}, {0.1F, 0.34F, 0.05F}, {20, 70, 0});
+  sim::PinGroup& pins = held.pins.emplace_back();
+  pins.columns = {0};
+  pins.move = scene::Animated<glm::vec3>({{0.0, glm::vec3(0)}, {0.5, glm::vec3(-0.1F, 0.1F, 0)}},
+                                         scene::Ease::linear);
+  compareContact({contactSheet({13, 11}, {0, 0.38F, 0}, {0, 0, 0}),
+                  contactSheet({11, 15}, {0.02F, 0.42F, 0}, {0, 25, 0}), held},
+                 30, {ball, floor});
+}
+
+TEST_CASE("a cloth in contact with itself equals its CPU twin") {
+  auto p = contactSheet({5, 45}, {0, 0.9F, 0}, {85, 0, 0});
+  p.contact.friction = 0.6F;
+  p.contact.thickness = 0.012;
+  p.fabric.material = sim::FabricMaterial::silk;
+  sim::ColliderShape floor;
+  floor.kind = sim::ColliderShape::Kind::plane;
+  floor.friction = 0.4;
+  compareContact({p}, 45, {floor});
+}

@@ -1,0 +1,175 @@
+#include "reference/contact_twin.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
+namespace {
+
+using namespace simreel::shader;
+
+#define FUNCTION inline
+#define precise
+struct ContactKernel {
+  const ContactStep& contactStep;
+#include "glsl/contact/model.glsl"
+#include "glsl/contact/search.glsl"
+};
+#undef precise
+#undef FUNCTION
+
+std::size_t at(int i) {
+  return static_cast<std::size_t>(i);
+}
+
+}  // namespace
+
+void ContactTwin::substep(const std::vector<Part>& parts, bool first) {
+  const ContactStep step = plan_.step(first, 1 << 20);
+  ContactKernel kernel{step};
+  const auto& skins = plan_.skins();
+  std::vector<vec4> now, next;
+  for (const Part& part : parts) {
+    now.insert(now.end(), part.now->begin(), part.now->end());
+    next.insert(next.end(), part.next->begin(), part.next->end());
+  }
+  const auto xyz = [](const std::vector<vec4>& from, int i) { return vec3(from[at(i)]); };
+  bool stale = first || hulls_.empty();
+  for (std::size_t i = 0; i < next.size() && !stale; ++i)
+    stale = !kernel.isWithin(vec3(next[i]), hulls_[i].low, hulls_[i].high);
+  if (stale) {
+    ++searches;
+    hulls_.clear();
+    for (std::size_t i = 0; i < next.size(); ++i)
+      hulls_.push_back(kernel.reachOf(vec3(now[i]), vec3(next[i]), skins[i].x));
+    vertexPairs_.clear();
+    edgePairs_.clear();
+    const auto hullOf = [&](uint v) { return kernel.widened(hulls_[v], skins[v].x); };
+    const auto& leaves = plan_.leaves();
+    const auto missing = [](const uvec4& leaf) { return (leaf.w >> 31U) != 0; };
+    std::vector<Hull> boxes;
+    for (const uvec4& leaf : leaves)
+      boxes.push_back(kernel.together(kernel.together(hullOf(leaf.x), hullOf(leaf.y)), hullOf(leaf.z)));
+    const auto vertexWithFace = [&](const uvec4& a, const uvec4& b, const Hull& boxOfB) {
+      for (int k = 0; k < 3; ++k) {
+        if (!kernel.ownsVertex(a, k)) continue;
+        const uint v = a[k];
+        if (v == b.x || v == b.y || v == b.z) continue;
+        const Hull hull = hullOf(v);
+        if (kernel.overlap(hull.low, hull.high, boxOfB.low, boxOfB.high))
+          vertexPairs_.emplace_back(v, b.x, b.y, b.z);
+      }
+    };
+    for (std::size_t i = 0; i < leaves.size(); ++i)
+      for (std::size_t j = i + 1; j < leaves.size(); ++j) {
+        const uvec4 a = leaves[i], b = leaves[j];
+        if (missing(a) || missing(b)) continue;
+        if (!kernel.overlap(boxes[i].low, boxes[i].high, boxes[j].low, boxes[j].high)) continue;
+        vertexWithFace(a, b, boxes[j]);
+        vertexWithFace(b, a, boxes[i]);
+        for (int k = 0; k < 3; ++k)
+          for (int l = 0; l < 3; ++l) {
+            if (!kernel.ownsEdge(a, k) || !kernel.ownsEdge(b, l)) continue;
+            const uint p = a[k], q = a[(k + 1) % 3], r = b[l], s = b[(l + 1) % 3];
+            if (p == r || p == s || q == r || q == s) continue;
+            const Hull one = kernel.together(hullOf(p), hullOf(q)),
+                       other = kernel.together(hullOf(r), hullOf(s));
+            if (kernel.overlap(one.low, one.high, other.low, other.high))
+              edgePairs_.emplace_back(p, q, r, s);
+          }
+      }
+  }
+  pairs = vertexPairs_.size() + edgePairs_.size();
+
+  std::vector<Near> near;
+  const auto consider = [&](const Near& n) {
+    const ivec4 c = kernel.cornersOf(n);
+    const vec4 heights = kernel.heightsOf(n, xyz(now, c.x), xyz(now, c.y), xyz(now, c.z), xyz(now, c.w));
+    const vec4 rises = kernel.heightsOf(n, xyz(next, c.x) - xyz(now, c.x), xyz(next, c.y) - xyz(now, c.y),
+                                        xyz(next, c.z) - xyz(now, c.z), xyz(next, c.w) - xyz(now, c.w));
+    const float thick = skins[at(c.x)].x + skins[at(c.w)].x;
+    if (kernel.isNear(n, heights, rises, thick)) near.push_back(n);
+  };
+  for (const ivec4& c : vertexPairs_)
+    consider(kernel.nearOfVertex(c, xyz(now, c.x), xyz(now, c.y), xyz(now, c.z), xyz(now, c.w)));
+  for (const ivec4& c : edgePairs_)
+    consider(kernel.nearOfEdges(c, xyz(now, c.x), xyz(now, c.y), xyz(now, c.z), xyz(now, c.w)));
+  nears = near.size();
+
+  std::vector<vec4> wanted = next;
+  for (int round = 0; round < 2; ++round) {
+    std::vector<int> counts(now.size(), 0);
+    std::vector<vec3> ways;
+    touching = 0;
+    for (const Near& n : near) {
+      const ivec4 c = kernel.cornersOf(n);
+      std::array<vec3, 4> moves;
+      for (int k = 0; k < 4; ++k) moves[at(k)] = xyz(wanted, c[k]) - xyz(now, c[k]);
+      const vec3 slide = kernel.weighted(n.shares, moves[0], moves[1], moves[2], moves[3]);
+      const float thick = skins[at(c.x)].x + skins[at(c.w)].x;
+      const float friction = 0.5F * (skins[at(c.x)].y + skins[at(c.w)].y);
+      const vec3 way = kernel.correctionOf(n, slide, thick, friction);
+      ways.push_back(way);
+      if (way == vec3(0)) continue;
+      ++touching;
+      for (int k = 0; k < 4; ++k) counts[at(c[k])] += kernel.claimOf(n.shares[k]);
+    }
+    std::vector<ivec3> sums(now.size(), ivec3(0));
+    for (std::size_t i = 0; i < near.size(); ++i) {
+      if (ways[i] == vec3(0)) continue;
+      const Near& n = near[i];
+      const ivec4 c = kernel.cornersOf(n);
+      vec4 weights(0);
+      for (int k = 0; k < 4; ++k) weights[k] = kernel.weightOf(now[at(c[k])].w, counts[at(c[k])]);
+      const vec3 impulse = kernel.impulseOf(n.shares, weights, ways[i]);
+      ivec3 rest(0);
+      for (int k = 0; k < 3; ++k) {
+        const ivec3 quanta = kernel.quantaOf(impulse, n.shares[k]);
+        sums[at(c[k])] += quanta;
+        rest -= quanta;
+      }
+      sums[at(c.w)] += rest;
+    }
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+      const float most = skins[i].x;
+      const vec3 moved = kernel.pushedTo(vec3(next[i]), vec3(wanted[i]), now[i].w, sums[i], most,
+                                         hulls_[i].low, hulls_[i].high);
+      if (counts[i] > 0 && now[i].w > 0) wanted[i] = vec4(moved, wanted[i].w);
+    }
+  }
+
+  std::vector<float> let(now.size(), 1.0F), still(now.size(), 1.0F);
+  const auto hold = [&](int round) {
+    bool any = false;
+    const std::vector<float> before = let;
+    for (const Near& n : near) {
+      const ivec4 c = kernel.cornersOf(n);
+      const vec4 heights = kernel.heightsOf(n, xyz(now, c.x), xyz(now, c.y), xyz(now, c.z), xyz(now, c.w));
+      const vec4 rises =
+          kernel.heightsOf(n, xyz(wanted, c.x) - xyz(now, c.x), xyz(wanted, c.y) - xyz(now, c.y),
+                           xyz(wanted, c.z) - xyz(now, c.z), xyz(wanted, c.w) - xyz(now, c.w));
+      const float thick = skins[at(c.x)].x + skins[at(c.w)].x;
+      const vec4 own = kernel.letOf(n, heights, rises, thick);
+      if (round == 0)
+        for (int k = 0; k < 4; ++k) still[at(c[k])] = std::min(still[at(c[k])], own[k]);
+      const vec4 lets(before[at(c.x)], before[at(c.y)], before[at(c.z)], before[at(c.w)]);
+      if (!kernel.passes(n, heights, rises, lets, thick)) continue;
+      any = true;
+      for (int k = 0; k < 4; ++k) let[at(c[k])] = std::min(let[at(c[k])], own[k]);
+    }
+    return any;
+  };
+  allStopped = false;
+  for (int round = 0; round < 4; ++round) allStopped = hold(round);
+  stopped = 0;
+  std::size_t i = 0;
+  for (const Part& part : parts)
+    for (std::size_t k = 0; k < part.next->size(); ++k, ++i) {
+      const float part_ = now[i].w == 0.0F ? 1.0F : allStopped ? still[i] : let[i];
+      if (part_ < 1) ++stopped;
+      const vec3 held = kernel.heldAt(vec3(now[i]), vec3(wanted[i]), part_);
+      const vec3 v = vec3((*part.velocities)[k]) + (held - vec3(next[i])) * step.perDt;
+      (*part.next)[k] = vec4(held, next[i].w);
+      if (now[i].w > 0) (*part.velocities)[k] = vec4(v, (*part.velocities)[k].w);
+    }
+}

@@ -1,0 +1,32 @@
+#pragma once
+#include "sim/contact/plan.hpp"
+
+#include <utility>
+#include <vector>
+
+#include <glm/vec4.hpp>
+
+/// Contact on the CPU: the kernels' own model (glsl/contact/model.glsl compiled as C++) in plain loops, and
+/// every face with every other instead of the tree.
+class ContactTwin {
+ public:
+  explicit ContactTwin(simreel::sim::ContactPlan plan) : plan_(std::move(plan)) {}
+
+  struct Part {
+    const std::vector<glm::vec4>* now;   ///< at the substep's start: xyz m, w inverse mass
+    std::vector<glm::vec4>* next;        ///< where it would lead; becomes where it leads
+    std::vector<glm::vec4>* velocities;  ///< xyz m/s
+  };
+  /// `first`: of a frame.
+  void substep(const std::vector<Part>& parts, bool first);
+
+  /// Of the last substep.
+  std::size_t pairs = 0, nears = 0, touching = 0, stopped = 0;
+  long searches = 0;  ///< so far
+  bool allStopped = false;
+
+ private:
+  simreel::sim::ContactPlan plan_;
+  std::vector<simreel::shader::Hull> hulls_;
+  std::vector<glm::ivec4> vertexPairs_, edgePairs_;
+};
