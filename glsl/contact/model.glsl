@@ -90,10 +90,10 @@ FUNCTION Near nearOf(ivec4 corners, vec4 shares, vec3 apart, vec3 across) {
   float squared = exactDot(apart, apart), size = exactDot(across, across);
   float inverse = exactInverseSqrt(max(squared, 1e-24f));
   precise vec3 direct = apart * inverse;
-  precise float distance = squared * inverse;
   precise vec3 unit = across * exactInverseSqrt(max(size, 1e-24f));
-  float side = exactDot(unit, direct);
+  float side = exactDot(unit, apart);
   bool has = size > 1e-24f;
+  precise float distance = has ? abs(side) : squared * inverse;
   vec3 normal = has ? (side < 0.0f ? -unit : unit) : direct;
   Near near;
   near.corners = corners;
@@ -121,7 +121,7 @@ FUNCTION Near nearOfEdges(ivec4 corners, vec3 a, vec3 b, vec3 c, vec3 d) {
   bool inside = at.x > 0.0f && at.x < 1.0f && at.y > 0.0f && at.y < 1.0f;
   float size = exactDot(along, along), otherSize = exactDot(other, other);
   vec3 across = exactCross(along, other);
-  precise float parallel = size * otherSize * 1e-4f;
+  precise float parallel = size * otherSize * 1e-6f;
   inside = inside && exactDot(across, across) > parallel;
   return nearOf(ivec4(corners.x, ~corners.y, corners.z, corners.w), vec4(fromA, at.x, fromC, -at.y), apart,
                 inside ? across : vec3(0.0f));
@@ -159,9 +159,10 @@ FUNCTION float worstGap(Near near, vec4 heights, vec4 rises) {
   return gap;
 }
 
-// Whether it has to be looked at in this substep: impulses move either side by no more than half a thickness.
+// Whether it has to be looked at in this substep: impulses move either side by no more than half a thickness, and colliders
+// that it is then pushed out of again leave it within 5/4 of one.
 FUNCTION bool isNear(Near near, vec4 heights, vec4 rises, float thick) {
-  precise float most = 2.0f * thick;
+  precise float most = 2.5f * thick;
   return near.normal.w > 0.0f && worstGap(near, heights, rises) < most;
 }
 
@@ -194,6 +195,12 @@ FUNCTION vec4 letOf(Near near, vec4 heights, vec4 rises, float thick) {
   return let;
 }
 
+// Whether both closest points are inside their features. Others belong to a neighbour as well, which decides where they push:
+// in the plane of a cloth that another slides over there are edges, but nothing to run against.
+FUNCTION bool isInside(Near near) {
+  return near.shares.x != 0.0f && near.shares.y != 0.0f && near.shares.z != 0.0f && near.shares.w != 0.0f;
+}
+
 // The way that the first side's closest point has to go away from the other's (m): as much as keeps them `thick` apart at the
 // substep's end; where they are nearer already, slowly. Of the way along each other, friction takes at most its
 // coefficient times that.
@@ -208,7 +215,7 @@ FUNCTION vec3 correctionOf(Near near, vec3 slide, float thick, float friction) {
   precise vec3 along = slide - normal * through;
   precise float held = friction * push * exactInverseSqrt(max(exactDot(along, along), 1e-24f));
   precise vec3 way = normal * push - along * min(held, 1.0f);
-  bool there = near.normal.w > 0.0f && push > 0.0f;
+  bool there = near.normal.w > 0.0f && push > 0.0f && isInside(near);
   return there ? way : vec3(0.0f);
 }
 
@@ -238,12 +245,19 @@ FUNCTION ivec3 quantaOf(vec3 impulse, float share) {
   return ivec3(int(held.x), int(held.y), int(held.z));
 }
 
-// Where the impulses take a vertex: from where it was to go no further than `most`, and not out of where it may be.
-FUNCTION vec3 pushedTo(vec3 next, vec3 wanted, float weight, ivec3 sum, float most, vec3 low, vec3 high) {
-  precise vec3 way = wanted - next + vec3(float(sum.x), float(sum.y), float(sum.z)) * (contactStep.perQuanta * weight);
+// A place, but no further from `next` than `most`, and not out of a box.
+FUNCTION vec3 keptWithin(vec3 next, vec3 place, float most, vec3 low, vec3 high) {
+  precise vec3 way = place - next;
   precise float part = most * exactInverseSqrt(max(exactDot(way, way), 1e-24f));
   precise vec3 moved = next + way * min(part, 1.0f);
-  return clamp(moved, low, high);
+  vec3 kept = part < 1.0f ? moved : place;
+  return clamp(kept, low, high);
+}
+
+// Where the impulses take a vertex: from where it was to go no further than `most`, and not out of where it may be.
+FUNCTION vec3 pushedTo(vec3 next, vec3 wanted, float weight, ivec3 sum, float most, vec3 low, vec3 high) {
+  precise vec3 way = wanted + vec3(float(sum.x), float(sum.y), float(sum.z)) * (contactStep.perQuanta * weight);
+  return keptWithin(next, way, most, low, high);
 }
 
 FUNCTION vec3 heldAt(vec3 now, vec3 wanted, float let) {

@@ -150,12 +150,22 @@ void ClothTwin::predict(const ClothStep& data, int threads, int index) {
   });
   if (constraints) {
     constrain(data);
-    Kernel kernel{size, data, positions.data(), grid, heights.data(), wallGrid, solid};
-    for (std::size_t i = 0; i < next.size(); ++i) {
-      const auto m = kernel.settled(positions[i], next[i], lands, walls.has_value());
-      next[i] = vec4(m.position, next[i].w);
-      velocities[i] = vec4(m.velocity, velocities[i].w);
-    }
+    settle(data, index);
+  }
+}
+
+void ClothTwin::settle(const ClothStep& data, int index) {
+  const bool lands = heightPlan.has_value();
+  HeightGrid grid{};
+  if (lands) grid = heightPlan->at(index, plan_.substeps(), plan_.parameters().margin, 0.0F);
+  WallGrid wallGrid{};
+  if (walls) wallGrid = walls->grid({plan_.parameters().margin, 0.0F, plan_.substepSeconds()});
+  const WallsTwin* solid = walls ? &*walls : nullptr;
+  Kernel kernel{plan_.parameters().size, data, positions.data(), grid, heights.data(), wallGrid, solid};
+  for (std::size_t i = 0; i < next.size(); ++i) {
+    const auto m = kernel.settled(positions[i], next[i], lands, walls.has_value());
+    next[i] = vec4(m.position, next[i].w);
+    velocities[i] = vec4(m.velocity, velocities[i].w);
   }
 }
 

@@ -20,6 +20,7 @@ class ClothTwin {
   void substep(const simreel::shader::ClothStep& data, int threads = 1, int index = 0);
   /// The same in two halves, between which contact may change where the particles go.
   void predict(const simreel::shader::ClothStep& data, int threads = 1, int index = 0);
+  void settle(const simreel::shader::ClothStep& data, int index = 0);
   void finish();
 
   std::vector<glm::vec4> positions;   ///< xyz m, w inverse mass

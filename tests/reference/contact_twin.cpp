@@ -24,11 +24,13 @@ std::size_t at(int i) {
 
 }  // namespace
 
-void ContactTwin::substep(const std::vector<Part>& parts, bool first) {
+void ContactTwin::push(const std::vector<Part>& parts, bool first) {
   const ContactStep step = plan_.step(first, 1 << 20);
   ContactKernel kernel{step};
   const auto& skins = plan_.skins();
-  std::vector<vec4> now, next;
+  std::vector<vec4>&now = now_, &next = next_;
+  now.clear();
+  next.clear();
   for (const Part& part : parts) {
     now.insert(now.end(), part.now->begin(), part.now->end());
     next.insert(next.end(), part.next->begin(), part.next->end());
@@ -81,7 +83,8 @@ void ContactTwin::substep(const std::vector<Part>& parts, bool first) {
   }
   pairs = vertexPairs_.size() + edgePairs_.size();
 
-  std::vector<Near> near;
+  std::vector<Near>& near = near_;
+  near.clear();
   const auto consider = [&](const Near& n) {
     const ivec4 c = kernel.cornersOf(n);
     const vec4 heights = kernel.heightsOf(n, xyz(now, c.x), xyz(now, c.y), xyz(now, c.z), xyz(now, c.w));
@@ -96,7 +99,8 @@ void ContactTwin::substep(const std::vector<Part>& parts, bool first) {
     consider(kernel.nearOfEdges(c, xyz(now, c.x), xyz(now, c.y), xyz(now, c.z), xyz(now, c.w)));
   nears = near.size();
 
-  std::vector<vec4> wanted = next;
+  std::vector<vec4>& wanted = wanted_;
+  wanted = next;
   for (int round = 0; round < 2; ++round) {
     std::vector<int> counts(now.size(), 0);
     std::vector<vec3> ways;
@@ -138,11 +142,31 @@ void ContactTwin::substep(const std::vector<Part>& parts, bool first) {
     }
   }
 
+  std::size_t i = 0;
+  for (const Part& part : parts)
+    for (vec4& place : *part.next) place = wanted[i++];
+}
+
+void ContactTwin::hold(const std::vector<Part>& parts) {
+  const ContactStep step = plan_.step(false, 1 << 20);
+  ContactKernel kernel{step};
+  const auto& skins = plan_.skins();
+  const std::vector<vec4>& now = now_;
+  std::vector<vec4>& wanted = wanted_;
+  const auto xyz = [](const std::vector<vec4>& from, int k) { return vec3(from[at(k)]); };
+  std::size_t vertex = 0;
+  for (const Part& part : parts)
+    for (const vec4& settled : *part.next) {
+      wanted[vertex] = vec4(kernel.keptWithin(vec3(next_[vertex]), vec3(settled), skins[vertex].x * 2.5F, hulls_[vertex].low,
+                                         hulls_[vertex].high),
+                       settled.w);
+      ++vertex;
+    }
   std::vector<float> let(now.size(), 1.0F), still(now.size(), 1.0F);
   const auto hold = [&](int round) {
     bool any = false;
     const std::vector<float> before = let;
-    for (const Near& n : near) {
+    for (const Near& n : near_) {
       const ivec4 c = kernel.cornersOf(n);
       const vec4 heights = kernel.heightsOf(n, xyz(now, c.x), xyz(now, c.y), xyz(now, c.z), xyz(now, c.w));
       const vec4 rises =
@@ -168,8 +192,8 @@ void ContactTwin::substep(const std::vector<Part>& parts, bool first) {
       const float part_ = now[i].w == 0.0F ? 1.0F : allStopped ? still[i] : let[i];
       if (part_ < 1) ++stopped;
       const vec3 held = kernel.heldAt(vec3(now[i]), vec3(wanted[i]), part_);
-      const vec3 v = vec3((*part.velocities)[k]) + (held - vec3(next[i])) * step.perDt;
-      (*part.next)[k] = vec4(held, next[i].w);
+      const vec3 v = vec3((*part.velocities)[k]) + (held - vec3((*part.next)[k])) * step.perDt;
+      (*part.next)[k] = vec4(held, wanted[i].w);
       if (now[i].w > 0) (*part.velocities)[k] = vec4(v, (*part.velocities)[k].w);
     }
 }

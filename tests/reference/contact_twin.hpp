@@ -17,8 +17,10 @@ class ContactTwin {
     std::vector<glm::vec4>* next;        ///< where it would lead; becomes where it leads
     std::vector<glm::vec4>* velocities;  ///< xyz m/s
   };
-  /// `first`: of a frame.
-  void substep(const std::vector<Part>& parts, bool first);
+  /// Changes `next` by the contacts' impulses. `first`: of a frame.
+  void push(const std::vector<Part>& parts, bool first);
+  /// After push(), where colliders may have moved `next` again.
+  void hold(const std::vector<Part>& parts);
 
   /// Of the last substep.
   std::size_t pairs = 0, nears = 0, touching = 0, stopped = 0;
@@ -29,4 +31,6 @@ class ContactTwin {
   simreel::sim::ContactPlan plan_;
   std::vector<simreel::shader::Hull> hulls_;
   std::vector<glm::ivec4> vertexPairs_, edgePairs_;
+  std::vector<glm::vec4> now_, next_, wanted_;
+  std::vector<simreel::shader::Near> near_;
 };

@@ -75,28 +75,30 @@ class Cloth : public Simulation, public LockStep {
       part.faces.emplace_back(corners[i], corners[i + 1], corners[i + 2]);
     return part;
   }
-  void beginFrame(double time) override {
-    steps_.upload(plan_.frame(time));
-    if (walls_ != nullptr)
-      walls_->tell(touching(), plan_.substepSeconds(), plan_.parameters().margin, 0.0F);
-  }
+  void beginFrame(double time) override { steps_.upload(plan_.frame(time)); }
   void predict(int substep) override {
     status_.bindStorage(shader::statusBinding);
     steps_.bind(static_cast<std::size_t>(substep));
     positions_[0].bindInput(shader::cloth::positionsBinding);
     positions_[1].bindState(shader::cloth::nextPositionsBinding);
     velocities_.bindState(shader::cloth::velocitiesBinding);
-    if (heights_ != nullptr) {
-      heights_->bind();
-      heights_->tell(touching(), substep, plan_.substeps(), plan_.parameters().margin, 0.0F);
-    }
-    if (walls_ != nullptr) walls_->bind();
+    tellColliders(touching(), substep);
     gl::barrier();
     if (!(constrained_ && inLines_)) step_.dispatch(size_.x, size_.y);
     if (constrained_) constrain();
   }
   [[nodiscard]] Contact::Part arrays() const override {
     return {&positions_[0], &positions_[1], &velocities_};
+  }
+  void settle(int substep) override {
+    steps_.bind(static_cast<std::size_t>(substep));
+    positions_[0].bindInput(shader::cloth::positionsBinding);
+    positions_[1].bindState(shader::cloth::nextPositionsBinding);
+    velocities_.bindState(shader::cloth::velocitiesBinding);
+    status_.bindStorage(shader::statusBinding);
+    tellColliders(settle_, substep);
+    gl::barrier();
+    settle_.dispatch(size_.x * size_.y);
   }
   void finish() override { std::swap(positions_[0], positions_[1]); }
   void endFrame(double time) override {
@@ -207,6 +209,7 @@ class Cloth : public Simulation, public LockStep {
       define("CONTACT", !constrained_);
       make(step_, "cloth/step.comp");
     }
+    if (plan_.parameters().hasContact) make(settle_, "cloth/settle.comp");
     step_.checkUniformBlock("StepBlock", sizeof(shader::ClothStep));
   }
 
@@ -224,6 +227,19 @@ class Cloth : public Simulation, public LockStep {
     program.set("size", size_);
     program.set("lines", size_.x * size_.y / particles);
     return program;
+  }
+
+  /// What is no shape, which a kernel that touches colliders is to know.
+  void tellColliders(const gl::Program& program, int substep) const {
+    const float margin = plan_.parameters().margin;
+    if (heights_ != nullptr) {
+      heights_->bind();
+      heights_->tell(program, substep, plan_.substeps(), margin, 0.0F);
+    }
+    if (walls_ != nullptr) {
+      walls_->bind();
+      walls_->tell(program, plan_.substepSeconds(), margin, 0.0F);
+    }
   }
 
   /// The kernel that touches colliders.
@@ -283,7 +299,7 @@ class Cloth : public Simulation, public LockStep {
   gl::Buffer indices_;
   gl::Buffer status_;
   StepBlocks<shader::ClothStep> steps_;
-  gl::Program step_, constrain_, rows_, columns_;
+  gl::Program step_, constrain_, rows_, columns_, settle_;
 };
 
 }  // namespace

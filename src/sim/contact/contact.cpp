@@ -51,6 +51,8 @@ void Contact::makePrograms(bool fast) {
   claim_ = make("contact/claim.comp");
   push_ = make("contact/push.comp");
   apply_ = make("contact/apply.comp");
+  hand_ = make("contact/hand.comp");
+  take_ = make("contact/take.comp");
   hold_ = make("contact/hold.comp");
   leave_ = make("contact/leave.comp");
   defines.emplace_back("NEAR", "1");
@@ -115,27 +117,33 @@ void Contact::search() const {
   next();
 }
 
-void Contact::substep(int index, std::span<const Part> parts) {
-  SIMREEL_CHECK(parts.size() == plan_.firsts().size());
+void Contact::bind(int index) const {
   steps_.bind(static_cast<std::size_t>(index));
   points_.bindState(at::pointsBinding);
   tallies_.bindStorage(at::talliesBinding);
   control_.bindStorage(at::controlBinding);
-  const auto forParts = [&](const gl::Program& program, const auto& bind) {
-    for (std::size_t i = 0; i < parts.size(); ++i) {
-      const auto count = static_cast<int>(parts[i].now->buffer().bytes() / 16);
-      bind(parts[i]);
-      program.set("first", plan_.firsts()[i]);
-      program.set("count", count);
-      program.dispatch(count);
-    }
-  };
+}
+
+template <class Bind>
+void Contact::forParts(const gl::Program& program, std::span<const Part> parts, const Bind& bind) const {
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const auto count = static_cast<int>(parts[i].now->buffer().bytes() / 16);
+    bind(parts[i]);
+    program.set("first", plan_.firsts()[i]);
+    program.set("count", count);
+    program.dispatch(count);
+  }
   gl::barrier();
-  forParts(gather_, [](const Part& part) {
+}
+
+void Contact::push(int index, std::span<const Part> parts) {
+  SIMREEL_CHECK(parts.size() == plan_.firsts().size());
+  bind(index);
+  gl::barrier();
+  forParts(gather_, parts, [](const Part& part) {
     part.now->bindInput(at::partNowBinding);
     part.next->bindInput(at::partNextBinding);
   });
-  gl::barrier();
   search();
   pairs_.bindInput(at::pairsBinding);
   corners_.buffer().bindStorage(at::cornersBinding);
@@ -155,16 +163,24 @@ void Contact::substep(int index, std::span<const Part> parts) {
     apply_.dispatch(plan_.vertices());
     gl::barrier();
   }
+  forParts(hand_, parts, [](const Part& part) { part.next->bindState(at::partNextBinding); });
+}
+
+void Contact::hold(int index, std::span<const Part> parts) {
+  bind(index);
+  gl::barrier();
+  forParts(take_, parts, [](const Part& part) { part.next->bindInput(at::partNextBinding); });
+  corners_.bindInput(at::cornersBinding);
+  nears_.bindState(at::nearsBinding);
   for (int round = 0; round < holdRounds; ++round) {
     hold_.set("round", round);
     dispatchIndirect(hold_, at::nearDispatch);
     gl::barrier();
   }
-  forParts(leave_, [](const Part& part) {
+  forParts(leave_, parts, [](const Part& part) {
     part.next->bindState(at::partNextBinding);
     part.velocities->bindState(at::partVelocitiesBinding);
   });
-  gl::barrier();
 }
 
 }  // namespace simreel::sim

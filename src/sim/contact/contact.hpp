@@ -30,13 +30,19 @@ class Contact {
   /// Looks at how much the last frame found, and gets more memory where that came near what there is.
   /// Throws UserError(device) where it was not enough: states since then are lost.
   void beginFrame();
-  /// Behind the dispatches that made `next`; `index` of the frame's substeps.
-  void substep(int index, std::span<const Part> parts);
+  /// Behind the dispatches that made `next`: changes it by the contacts' impulses. `index` of the frame's
+  /// substeps.
+  void push(int index, std::span<const Part> parts);
+  /// After push(), where colliders may have moved `next` again: holds back what would pass through.
+  void hold(int index, std::span<const Part> parts);
 
  private:
   void makePrograms(bool fast);
   void allocate(int pairs);
   void search() const;
+  void bind(int index) const;
+  template <class Bind>
+  void forParts(const gl::Program& program, std::span<const Part> parts, const Bind& bind) const;
   void dispatchIndirect(const gl::Program& program, int number) const;
 
   ContactPlan plan_;
@@ -47,7 +53,7 @@ class Contact {
   gl::Buffer tallies_, control_;
   StepBlocks<shader::ContactStep> steps_;
   gl::Program gather_, begin_, reach_, leafBoxes_, refit_, search_, pairLists_, nearVertices_, nearEdges_,
-      nearList_, claim_, push_, apply_, hold_, leave_;
+      nearList_, claim_, push_, apply_, hand_, take_, hold_, leave_;
 };
 
 }  // namespace simreel::sim

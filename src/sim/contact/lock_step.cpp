@@ -28,7 +28,9 @@ void ContactGroup::step(double time, const std::function<void(std::size_t member
       member->predict(i);
       parts.push_back(member->arrays());
     }
-    contact_.substep(i, parts);
+    contact_.push(i, parts);
+    for (LockStep* member : members_) member->settle(i);
+    contact_.hold(i, parts);
     for (std::size_t m = 0; m < members_.size(); ++m) {
       members_[m]->finish();
       if (watch) watch(m, i + 1);

@@ -19,6 +19,8 @@ class LockStep {
   virtual void beginFrame(double time) = 0;
   /// Up to where its particles would go if nothing held them up.
   virtual void predict(int substep) = 0;
+  /// After predict(); what contact has pushed since is to keep out of colliders again.
+  virtual void settle(int substep) = 0;
   /// Between predict() and finish().
   [[nodiscard]] virtual Contact::Part arrays() const = 0;
   virtual void finish() = 0;

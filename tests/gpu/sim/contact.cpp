@@ -66,7 +66,9 @@ void compareContact(const std::vector<sim::ClothParameters>& sheets, int frames,
         twins[c]->predict(steps[c][i], 1, static_cast<int>(i));
         sides.push_back({&twins[c]->positions, &twins[c]->next, &twins[c]->velocities});
       }
-      contact.substep(sides, i == 0);
+      contact.push(sides, i == 0);
+      for (std::size_t c = 0; c < twins.size(); ++c) twins[c]->settle(steps[c][i], static_cast<int>(i));
+      contact.hold(sides);
       touching += contact.touching;
       stopped += contact.stopped;
       for (const auto& twin : twins) twin->finish();

@@ -1,0 +1,16 @@
+// Takes back where a simulation's colliders leave its vertices.
+#include "contact/kernel.glsl"
+layout(local_size_x = 64) in;
+INPUT_ARRAY(partNextBinding, PartNextBlock, partNext)
+uniform int first;
+uniform int count;
+
+void main() {
+  int i = int(gl_GlobalInvocationID.x);
+  if (i >= count) return;
+  int v = first + i;
+  vec4 next = pointAt(nextSection, v), settled = LOAD_INPUT(partNext, i);
+  precise float most = next.w * 2.5f;
+  vec3 wanted = keptWithin(next.xyz, settled.xyz, most, pointAt(lowSection, v).xyz, pointAt(highSection, v).xyz);
+  keepPoint(wantedSection, v, vec4(wanted, settled.w));
+}
