@@ -2,6 +2,10 @@
 #include "contact/kernel.glsl"
 layout(local_size_x = 1) in;
 
+uvec4 groupsFor(int items, bool anew) {
+  return uvec4(anew ? uint(items + 63) / 64u : 0u, 1u, 1u, 0u);
+}
+
 void main() {
   bool anew = contactStep.forced == 1 || control.stale == 1u;
   control.stale = 0u;
@@ -12,12 +16,9 @@ void main() {
     control.pairCounts[1] = 0u;
     control.searches += 1u;
   }
-  uint vertexGroups = anew ? uint(contactStep.vertices + 63) / 64u : 0u;
-  uint leafGroups = anew ? uint((1 << contactStep.levels) + 63) / 64u : 0u;
-  control.dispatches[vertexDispatch] = uvec4(vertexGroups, 1u, 1u, 0u);
-  control.dispatches[leafDispatch] = uvec4(leafGroups, 1u, 1u, 0u);
-  for (int level = 0; level < contactStep.levels; ++level) {
-    uint groups = anew ? uint((1 << level) + 63) / 64u : 0u;
-    control.dispatches[levelDispatch + level] = uvec4(groups, 1u, 1u, 0u);
-  }
+  control.dispatches[vertexDispatch] = groupsFor(contactStep.vertices, anew);
+  control.dispatches[faceDispatch] = groupsFor(1 << contactStep.faceLevels, anew);
+  control.dispatches[edgeDispatch] = groupsFor(1 << contactStep.edgeLevels, anew);
+  for (int level = 0; level < max(contactStep.faceLevels, contactStep.edgeLevels); ++level)
+    control.dispatches[levelDispatch + level] = groupsFor(1 << level, anew);
 }

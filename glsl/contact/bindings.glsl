@@ -15,8 +15,8 @@ const int impulseSection = 0;   // xyz sum of impulses, w of claims
 const int letSection = 1;       // how far it may go, as floats' bits: in the first three rounds, and with everything at rest
 const int tallySections = 2;
 const int controlBinding = 5;   // counts and arguments of dispatches
-const int boxesBinding = 1;     // two vec4 a node
-const int leavesBinding = 2;
+const int boxesBinding = 1;     // two vec4 a node, of a tree
+const int leavesBinding = 2;    // uvec4: corners of a face or ends of an edge; w 1: neither
 const int pairsBinding = 3;     // ivec4: first those of vertices with faces, then those of edges
 const int cornersBinding = 6;   // ivec4 of what is near
 const int nearsBinding = 1;     // three vec4 of what is near: shares, normal, way
@@ -26,11 +26,12 @@ const int partVelocitiesBinding = 3;
 
 // Dispatches whose size kernels decide, four words of control each, after its counts.
 const int vertexDispatch = 0;
-const int leafDispatch = 1;
+const int faceDispatch = 1;     // leaves of the tree over faces
+const int edgeDispatch = 5;     // and of that over edges
 const int vertexPairDispatch = 2;
 const int edgePairDispatch = 3;
 const int nearDispatch = 4;
-const int levelDispatch = 5;    // one a level of the tree, from the root's on
+const int levelDispatch = 6;    // one a level of a tree, from the root's on
 const int maxLevels = 24;
 const int countWords = 8;
 

@@ -9,17 +9,17 @@ void main() {
   if (i >= nearsThere()) return;
   Near near = nearAt(i);
   ivec4 c = cornersOf(near);
+  vec4 let = vec4(1.0f);
+  for (int k = 0; k < 4 && round > 0; ++k) {
+    ivec4 lets = tallies[letTally(c[k])];
+    let[k] = intBitsToFloat(min(lets.x, round > 1 ? lets.y : lets.x));
+    if (round > 2) let[k] = min(let[k], intBitsToFloat(lets.z));
+  }
+  if (round > 0 && let == vec4(1.0f)) return;  // as before
   vec4 heights = heightsOf(near, pointAt(nowSection, c.x).xyz, pointAt(nowSection, c.y).xyz, pointAt(nowSection, c.z).xyz,
                            pointAt(nowSection, c.w).xyz);
   vec4 rises = heightsOf(near, wayOf(c.x), wayOf(c.y), wayOf(c.z), wayOf(c.w));
   float thick = thicknessOf(c);
-  vec4 let = vec4(1.0f);
-  for (int k = 0; k < 4; ++k) {
-    ivec4 lets = tallies[letTally(c[k])];
-    if (round > 0) let[k] = intBitsToFloat(lets.x);
-    if (round > 1) let[k] = min(let[k], intBitsToFloat(lets.y));
-    if (round > 2) let[k] = min(let[k], intBitsToFloat(lets.z));
-  }
   bool through = passes(near, heights, rises, let, thick);
   if (round == 3) {
     if (through) control.stopped = 1u;

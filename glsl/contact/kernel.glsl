@@ -27,6 +27,16 @@ vec4 pointAt(int section, int i) {
 void keepPoint(int section, int i, vec4 value) {
   STORE_STATE(points, section * contactStep.vertices + i, value);
 }
+// Where a vertex may be, and half a thickness around.
+Hull hullOf(uint vertex) {
+  int v = int(vertex);
+  precise vec3 low = pointAt(lowSection, v).xyz - pointAt(nextSection, v).w;
+  precise vec3 high = pointAt(highSection, v).xyz + pointAt(nextSection, v).w;
+  Hull hull;
+  hull.low = low;
+  hull.high = high;
+  return hull;
+}
 float thicknessOf(ivec4 corners) {
   precise float thick = pointAt(nextSection, corners.x).w + pointAt(nextSection, corners.w).w;
   return thick;

@@ -2,15 +2,15 @@
 #include "contact/kernel.glsl"
 layout(local_size_x = 1) in;
 
+uvec4 groupsOf(uint count) {
+  control.mostPairs = max(control.mostPairs, count);
+  return uvec4((min(count, uint(contactStep.maxPairs)) + 63u) / 64u, 1u, 1u, 0u);
+}
+
 void main() {
 #ifdef NEAR
-  control.dispatches[nearDispatch] = uvec4((control.nearCount + 63u) / 64u, 1u, 1u, 0u);
+  control.dispatches[nearDispatch] = groupsOf(control.nearCount);
 #else
-  for (int kind = 0; kind < 2; ++kind) {
-    uint count = control.pairCounts[kind];
-    control.mostPairs = max(control.mostPairs, count);
-    count = min(count, uint(contactStep.maxPairs));
-    control.dispatches[vertexPairDispatch + kind] = uvec4((count + 63u) / 64u, 1u, 1u, 0u);
-  }
+  for (int kind = 0; kind < 2; ++kind) control.dispatches[vertexPairDispatch + kind] = groupsOf(control.pairCounts[kind]);
 #endif
 }

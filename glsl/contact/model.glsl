@@ -5,10 +5,14 @@
 // apart at x have a slab between them, normal to the way between their closest points. As long as some plane parallel to
 // it, at rest or moving evenly, keeps them apart, neither passes through the other.
 
-// Where a vertex may be for as long as pairs are used that are found now: the way of `horizon` substeps, and half a
-// thickness and a fifth of the way around it.
+// Where a vertex may be for as long as pairs are used that are found now: the way of `horizon` substeps, but of no more than
+// lead through two thicknesses, and half a thickness and a fifth of the way around it. What is fast has its pairs found often,
+// rather than with all that is far.
 FUNCTION Hull reachOf(vec3 now, vec3 next, float half_) {
-  precise vec3 way = (next - now) * contactStep.horizon;
+  precise vec3 one = next - now;
+  float fastest = max(max(abs(one.x), abs(one.y)), abs(one.z));
+  precise float steps = 4.0f * half_ * exactReciprocal(max(fastest, 1e-20f));
+  precise vec3 way = one * clamp(steps, 1.0f, contactStep.horizon);
   precise vec3 end = now + way;
   precise float wide = half_ + 0.2f * max(max(abs(way.x), abs(way.y)), abs(way.z));
   precise vec3 low = min(now, end) - wide;
@@ -16,6 +20,14 @@ FUNCTION Hull reachOf(vec3 now, vec3 next, float half_) {
   Hull hull;
   hull.low = min(low, next);
   hull.high = max(high, next);
+  return hull;
+}
+FUNCTION Hull widened(Hull a, float by) {
+  precise vec3 low = a.low - by;
+  precise vec3 high = a.high + by;
+  Hull hull;
+  hull.low = low;
+  hull.high = high;
   return hull;
 }
 FUNCTION bool isWithin(vec3 p, vec3 low, vec3 high) {

@@ -1,4 +1,5 @@
-// Which features may come near each other. Compiles as GLSL and as C++, after model.glsl.
+// Trees of boxes: binary and complete, node i over nodes 2 i and 2 i + 1, the root 1. Compiles as GLSL and as C++, after
+// model.glsl.
 
 FUNCTION Hull together(Hull a, Hull b) {
   Hull hull;
@@ -6,24 +7,8 @@ FUNCTION Hull together(Hull a, Hull b) {
   hull.high = max(a.high, b.high);
   return hull;
 }
-FUNCTION Hull widened(Hull a, float by) {
-  precise vec3 low = a.low - by;
-  precise vec3 high = a.high + by;
-  Hull hull;
-  hull.low = low;
-  hull.high = high;
-  return hull;
-}
-FUNCTION bool ownsVertex(uvec4 leaf, int k) {
-  return ((leaf.w >> uint(k)) & 1u) == 1u;
-}
-FUNCTION bool ownsEdge(uvec4 leaf, int k) {
-  return ((leaf.w >> uint(k + 3)) & 1u) == 1u;
-}
-FUNCTION bool hasNoFace(uvec4 leaf) {
-  return (leaf.w >> 31u) == 1u;
-}
-FUNCTION bool hasCorner(uvec4 leaf, uint vertex) {
+// Of a face, or an edge, whose third corner is its second.
+FUNCTION bool isCornerOf(uvec4 leaf, uint vertex) {
   return leaf.x == vertex || leaf.y == vertex || leaf.z == vertex;
 }
 // The node after `node` and all that is below it, in the order in which parents come first; 0: it was the last.
@@ -35,8 +20,8 @@ FUNCTION int nodeAfter(int node) {
   }
   return next == 1 ? 0 : next;
 }
-// Whether all leaves of a node come before the one whose node is `leaf`, or are it.
-FUNCTION bool comesBefore(int node, int leaf, int levels) {
+// The last leaf below a node, as a node.
+FUNCTION int lastLeaf(int node, int levels) {
   int depth = 0, at = node;
   for (int k = 0; k < 5; ++k) {
     int steps = 16 >> k;
@@ -44,6 +29,5 @@ FUNCTION bool comesBefore(int node, int leaf, int levels) {
     depth = deep ? depth + steps : depth;
     at = deep ? at >> steps : at;
   }
-  int down = levels - depth;
-  return ((node + 1) << down) - 1 <= leaf;
+  return ((node + 1) << (levels - depth)) - 1;
 }

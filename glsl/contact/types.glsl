@@ -10,8 +10,8 @@ struct STD140 ContactStep {
   float quanta;       // impulses are summed up as integers: so many a kg m
   float perQuanta;    // kg m
   int vertices;
-  int faces;
-  int levels;         // of the tree of boxes: its leaves are 2^levels
+  int faceLevels;     // of the tree over faces: it has 2^faceLevels leaves
+  int edgeLevels;     // of the tree over edges
   int forced;         // 1: pairs are to be found anew in any case
   int maxPairs;       // of each kind
 };

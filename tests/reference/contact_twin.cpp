@@ -47,39 +47,28 @@ void ContactTwin::push(const std::vector<Part>& parts, bool first) {
     vertexPairs_.clear();
     edgePairs_.clear();
     const auto hullOf = [&](uint v) { return kernel.widened(hulls_[v], skins[v].x); };
-    const auto& leaves = plan_.leaves();
-    const auto missing = [](const uvec4& leaf) { return (leaf.w >> 31U) != 0; };
-    std::vector<Hull> boxes;
-    for (const uvec4& leaf : leaves)
-      boxes.push_back(kernel.together(kernel.together(hullOf(leaf.x), hullOf(leaf.y)), hullOf(leaf.z)));
-    const auto vertexWithFace = [&](const uvec4& a, const uvec4& b, const Hull& boxOfB) {
-      for (int k = 0; k < 3; ++k) {
-        if (!kernel.ownsVertex(a, k)) continue;
-        const uint v = a[k];
-        if (v == b.x || v == b.y || v == b.z) continue;
-        const Hull hull = hullOf(v);
-        if (kernel.overlap(hull.low, hull.high, boxOfB.low, boxOfB.high))
-          vertexPairs_.emplace_back(v, b.x, b.y, b.z);
-      }
+    const auto boxesOf = [&](const std::vector<uvec4>& leaves) {
+      std::vector<Hull> boxes;
+      for (const uvec4& leaf : leaves)
+        boxes.push_back(kernel.together(kernel.together(hullOf(leaf.x), hullOf(leaf.y)), hullOf(leaf.z)));
+      return boxes;
     };
-    for (std::size_t i = 0; i < leaves.size(); ++i)
-      for (std::size_t j = i + 1; j < leaves.size(); ++j) {
-        const uvec4 a = leaves[i], b = leaves[j];
-        if (missing(a) || missing(b)) continue;
-        if (!kernel.overlap(boxes[i].low, boxes[i].high, boxes[j].low, boxes[j].high)) continue;
-        vertexWithFace(a, b, boxes[j]);
-        vertexWithFace(b, a, boxes[i]);
-        for (int k = 0; k < 3; ++k)
-          for (int l = 0; l < 3; ++l) {
-            if (!kernel.ownsEdge(a, k) || !kernel.ownsEdge(b, l)) continue;
-            const uint p = a[k], q = a[(k + 1) % 3], r = b[l], s = b[(l + 1) % 3];
-            if (p == r || p == s || q == r || q == s) continue;
-            const Hull one = kernel.together(hullOf(p), hullOf(q)),
-                       other = kernel.together(hullOf(r), hullOf(s));
-            if (kernel.overlap(one.low, one.high, other.low, other.high))
-              edgePairs_.emplace_back(p, q, r, s);
-          }
-      }
+    const auto meet = [&](const Hull& a, const Hull& b) {
+      return kernel.overlap(a.low, a.high, b.low, b.high);
+    };
+    const auto& faces = plan_.faces();
+    const std::vector<Hull> faceBoxes = boxesOf(faces);
+    for (uint v = 0; v < now.size(); ++v)
+      for (std::size_t f = 0; f < faces.size(); ++f)
+        if (faces[f].w == 0 && !kernel.isCornerOf(faces[f], v) && meet(hullOf(v), faceBoxes[f]))
+          vertexPairs_.emplace_back(v, faces[f].x, faces[f].y, faces[f].z);
+    const auto& edges = plan_.edges();
+    const std::vector<Hull> edgeBoxes = boxesOf(edges);
+    for (std::size_t i = 0; i < edges.size(); ++i)
+      for (std::size_t j = i + 1; j < edges.size(); ++j)
+        if (edges[i].w == 0 && edges[j].w == 0 && !kernel.isCornerOf(edges[j], edges[i].x) &&
+            !kernel.isCornerOf(edges[j], edges[i].y) && meet(edgeBoxes[i], edgeBoxes[j]))
+          edgePairs_.emplace_back(edges[i].x, edges[i].y, edges[j].x, edges[j].y);
   }
   pairs = vertexPairs_.size() + edgePairs_.size();
 
@@ -157,9 +146,9 @@ void ContactTwin::hold(const std::vector<Part>& parts) {
   std::size_t vertex = 0;
   for (const Part& part : parts)
     for (const vec4& settled : *part.next) {
-      wanted[vertex] = vec4(kernel.keptWithin(vec3(next_[vertex]), vec3(settled), skins[vertex].x * 2.5F, hulls_[vertex].low,
-                                         hulls_[vertex].high),
-                       settled.w);
+      wanted[vertex] = vec4(kernel.keptWithin(vec3(next_[vertex]), vec3(settled), skins[vertex].x * 2.5F,
+                                              hulls_[vertex].low, hulls_[vertex].high),
+                            settled.w);
       ++vertex;
     }
   std::vector<float> let(now.size(), 1.0F), still(now.size(), 1.0F);

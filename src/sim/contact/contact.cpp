@@ -28,12 +28,16 @@ Contact::Contact(ContactPlan plan, int substeps, bool fast) : plan_(std::move(pl
     points[at::skinSection * vertices + i] = glm::vec4(plan_.skins()[i], 0, 0);
   points_ = gl::Vec4Array("contact points", points);
   tallies_ = gl::Buffer("contact tallies", vertices * at::tallySections * 16);
-  leaves_ = gl::WordsArray("contact leaves", plan_.leaves());
-  boxes_ = gl::Vec4Array("contact boxes", static_cast<int>(4 * plan_.leaves().size()));
+  const auto treeOver = [](const std::vector<glm::uvec4>& leaves, int levels) {
+    return Tree{levels, gl::WordsArray("contact leaves", leaves),
+                gl::Vec4Array("contact boxes", static_cast<int>(4 * leaves.size()))};
+  };
+  faces_ = treeOver(plan_.faces(), plan_.faceLevels());
+  edges_ = treeOver(plan_.edges(), plan_.edgeLevels());
   control_ = gl::Buffer("contact control",
                         4 * at::countWords + std::size_t{16} * (at::levelDispatch + at::maxLevels));
   steps_ = StepBlocks<shader::ContactStep>("contact steps", substeps);
-  allocate(std::max(16 * plan_.faces(), 4096));
+  allocate(std::max(16 * plan_.vertices(), 4096));
   makePrograms(fast);
 }
 
@@ -45,7 +49,7 @@ void Contact::makePrograms(bool fast) {
   reach_ = make("contact/reach.comp");
   leafBoxes_ = make("contact/leaves.comp");
   refit_ = make("contact/refit.comp");
-  search_ = make("contact/search.comp");
+  searchVertices_ = make("contact/search.comp");
   pairLists_ = make("contact/lists.comp");
   nearVertices_ = make("contact/near.comp");
   claim_ = make("contact/claim.comp");
@@ -57,7 +61,8 @@ void Contact::makePrograms(bool fast) {
   leave_ = make("contact/leave.comp");
   defines.emplace_back("NEAR", "1");
   nearList_ = make("contact/lists.comp");
-  defines.emplace_back("EDGES", "1");
+  defines.back().first = "EDGES";
+  searchEdges_ = make("contact/search.comp");
   nearEdges_ = make("contact/near.comp");
   begin_.checkUniformBlock("StepBlock", sizeof(shader::ContactStep));
 }
@@ -70,25 +75,73 @@ void Contact::allocate(int pairs) {
   nears_ = gl::Vec4Array("contact nears", gl::Buffer("contact nears", 3 * count * 16));
 }
 
-void Contact::beginFrame() {
-  unsigned most = 0;
-  control_.read(4 * mostPairsWord, std::as_writable_bytes(std::span(&most, 1)));
-  if (most > static_cast<unsigned>(maxPairs_))
-    fail(
-        ExitCode::device,
-        "cloths in contact: more came near each other in a frame than there was memory for ({} pairs, room "
-        "for {}); use more substeps, a smaller \"thickness\" or slower motion",
-        most, maxPairs_);
-  if (most > static_cast<unsigned>(maxPairs_ / 2)) allocate(2 * maxPairs_);
+void Contact::beginFrame(std::span<const Part> parts) {
+  if (saved_.empty())
+    for (const Part& part : parts)
+      for (const gl::Vec4Array* array : {part.now, part.velocities})
+        saved_.emplace_back("contact before a frame", array->buffer().bytes());
+  copySaved(parts, true);
+  uploadSteps();
+}
+
+void Contact::copySaved(std::span<const Part> parts, bool saving) const {
+  glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+  std::size_t i = 0;
+  for (const Part& part : parts)
+    for (const gl::Vec4Array* array : {part.now, part.velocities}) {
+      const gl::Buffer& own = array->buffer();
+      const gl::Buffer& saved = saved_[i++];
+      glCopyNamedBufferSubData(saving ? own.name() : saved.name(), saving ? saved.name() : own.name(), 0, 0,
+                               static_cast<GLsizeiptr>(own.bytes()));
+    }
+  gl::barrier();
+}
+
+void Contact::uploadSteps() {
   std::vector<shader::ContactStep> steps;
   for (int i = 0; i < stepCount_; ++i) steps.push_back(plan_.step(i == 0, maxPairs_));
   steps_.upload(steps);
+}
+
+bool Contact::endFrame() {
+  unsigned most = 0;
+  gl::barrier();
+  control_.read(4 * mostPairsWord, std::as_writable_bytes(std::span(&most, 1)));
+  if (most == ~0U)
+    fail(
+        ExitCode::device,
+        "cloths in contact: a search for what is near took too long, so much is crumpled in one place; use "
+        "more substeps or slower motion");
+  const bool enough = most <= static_cast<unsigned>(maxPairs_);
+  // Twice what was needed, before it is: a frame seldom needs twice what the one before did.
+  int wanted = maxPairs_;
+  while (most > static_cast<unsigned>(wanted / 2)) wanted *= 2;
+  if (wanted > maxPairs_) {
+    allocate(wanted);
+    const unsigned none = 0;
+    control_.write(4 * mostPairsWord, std::as_bytes(std::span(&none, 1)));
+    uploadSteps();
+  }
+  return enough;
 }
 
 void Contact::dispatchIndirect(const gl::Program& program, int number) const {
   program.use();
   glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, control_.name());
   glDispatchComputeIndirect(static_cast<GLintptr>(4 * at::countWords + 16 * number));
+}
+
+void Contact::fit(const Tree& tree, int dispatch) const {
+  tree.leaves.bindInput(at::leavesBinding);
+  tree.boxes.bindState(at::boxesBinding);
+  leafBoxes_.set("levels", tree.levels);
+  dispatchIndirect(leafBoxes_, dispatch);
+  refit_.set("levels", tree.levels);
+  for (int level = tree.levels - 1; level >= 0; --level) {
+    gl::barrier();
+    refit_.set("level", level);
+    dispatchIndirect(refit_, at::levelDispatch + level);
+  }
 }
 
 void Contact::search() const {
@@ -100,18 +153,18 @@ void Contact::search() const {
   next();
   dispatchIndirect(reach_, at::vertexDispatch);
   gl::barrier();
-  leaves_.bindInput(at::leavesBinding);
-  boxes_.bindState(at::boxesBinding);
-  dispatchIndirect(leafBoxes_, at::leafDispatch);
-  for (int level = plan_.levels() - 1; level >= 0; --level) {
-    gl::barrier();
-    refit_.set("level", level);
-    dispatchIndirect(refit_, at::levelDispatch + level);
-  }
+  fit(faces_, at::faceDispatch);
+  fit(edges_, at::edgeDispatch);
   gl::barrier();
-  boxes_.bindInput(at::boxesBinding);
   pairs_.buffer().bindStorage(at::pairsBinding);
-  dispatchIndirect(search_, at::leafDispatch);
+  const auto walk = [&](const gl::Program& program, const Tree& tree, int dispatch) {
+    tree.leaves.bindInput(at::leavesBinding);
+    tree.boxes.bindInput(at::boxesBinding);
+    program.set("levels", tree.levels);
+    dispatchIndirect(program, dispatch);
+  };
+  walk(searchVertices_, faces_, at::vertexDispatch);
+  walk(searchEdges_, edges_, at::edgeDispatch);
   gl::barrier();
   pairLists_.dispatch(1);
   next();

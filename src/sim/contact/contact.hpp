@@ -27,9 +27,13 @@ class Contact {
 
   Contact(ContactPlan plan, int substeps, bool fast);
 
-  /// Looks at how much the last frame found, and gets more memory where that came near what there is.
-  /// Throws UserError(device) where it was not enough: states since then are lost.
-  void beginFrame();
+  void beginFrame(std::span<const Part> parts);
+  /// Waits for the device. False: more came near each other than there was memory for, which there is now;
+  /// after restore() the frame's substeps are to be done again. Throws UserError(device) where the device
+  /// has no such memory.
+  bool endFrame();
+  /// Puts `now` and `velocities` back as they were at beginFrame().
+  void restore(std::span<const Part> parts) const { copySaved(parts, false); }
   /// Behind the dispatches that made `next`: changes it by the contacts' impulses. `index` of the frame's
   /// substeps.
   void push(int index, std::span<const Part> parts);
@@ -38,8 +42,16 @@ class Contact {
 
  private:
   void makePrograms(bool fast);
+  void uploadSteps();
+  void copySaved(std::span<const Part> parts, bool saving) const;
   void allocate(int pairs);
+  struct Tree {
+    int levels = 0;
+    gl::WordsArray leaves;
+    gl::Vec4Array boxes;
+  };
   void search() const;
+  void fit(const Tree& tree, int dispatch) const;
   void bind(int index) const;
   template <class Bind>
   void forParts(const gl::Program& program, std::span<const Part> parts, const Bind& bind) const;
@@ -48,12 +60,14 @@ class Contact {
   ContactPlan plan_;
   int stepCount_;  ///< of a frame
   int maxPairs_ = 0;
-  gl::Vec4Array points_, boxes_, nears_;
-  gl::WordsArray leaves_, pairs_, corners_;
+  Tree faces_, edges_;
+  gl::Vec4Array points_, nears_;
+  gl::WordsArray pairs_, corners_;
   gl::Buffer tallies_, control_;
+  std::vector<gl::Buffer> saved_;  ///< of each part `now` and `velocities`
   StepBlocks<shader::ContactStep> steps_;
-  gl::Program gather_, begin_, reach_, leafBoxes_, refit_, search_, pairLists_, nearVertices_, nearEdges_,
-      nearList_, claim_, push_, apply_, hand_, take_, hold_, leave_;
+  gl::Program gather_, begin_, reach_, leafBoxes_, refit_, searchVertices_, searchEdges_, pairLists_,
+      nearVertices_, nearEdges_, nearList_, claim_, push_, apply_, hand_, take_, hold_, leave_;
 };
 
 }  // namespace simreel::sim

@@ -19,22 +19,36 @@ ContactGroup::ContactGroup(std::vector<LockStep*> members, int substeps, double 
       substeps_(substeps),
       contact_(planOf(members_, frameSeconds / substeps), substeps, fast) {}
 
-void ContactGroup::step(double time, const std::function<void(std::size_t member, int step)>& watch) {
-  contact_.beginFrame();
-  for (LockStep* member : members_) member->beginFrame(time);
+std::vector<Contact::Part> ContactGroup::parts() const {
+  std::vector<Contact::Part> parts;
+  for (const LockStep* member : members_) parts.push_back(member->arrays());
+  return parts;
+}
+
+void ContactGroup::substeps(const Watch& watch) {
   for (int i = 0; i < substeps_; ++i) {
-    std::vector<Contact::Part> parts;
-    for (LockStep* member : members_) {
-      member->predict(i);
-      parts.push_back(member->arrays());
-    }
-    contact_.push(i, parts);
+    for (LockStep* member : members_) member->predict(i);
+    contact_.push(i, parts());
     for (LockStep* member : members_) member->settle(i);
-    contact_.hold(i, parts);
+    contact_.hold(i, parts());
     for (std::size_t m = 0; m < members_.size(); ++m) {
       members_[m]->finish();
       if (watch) watch(m, i + 1);
     }
+  }
+}
+
+void ContactGroup::step(double time, const Watch& watch) {
+  contact_.beginFrame(parts());
+  for (LockStep* member : members_) member->beginFrame(time);
+  substeps({});
+  bool enough = contact_.endFrame();
+  while (!enough || watch) {  // who watches sees only what has room
+    contact_.restore(parts());
+    substeps(enough ? watch : Watch());
+    if (enough) break;
+    enough = contact_.endFrame();
+    if (enough && !watch) break;
   }
   for (LockStep* member : members_) member->endFrame(time);
 }

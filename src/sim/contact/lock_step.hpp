@@ -32,10 +32,15 @@ class ContactGroup {
  public:
   /// `members` outlive it and take `substeps` a frame of `frameSeconds`.
   ContactGroup(std::vector<LockStep*> members, int substeps, double frameSeconds, bool fast);
-  /// Advances all by the frame that starts at `time`; `watch` as Simulation::step has it, with the member.
-  void step(double time, const std::function<void(std::size_t member, int step)>& watch);
+  /// As StepWatch, with the member.
+  using Watch = std::function<void(std::size_t member, int step)>;
+  /// Advances all by the frame that starts at `time`.
+  void step(double time, const Watch& watch);
 
  private:
+  [[nodiscard]] std::vector<Contact::Part> parts() const;
+  void substeps(const Watch& watch);
+
   std::vector<LockStep*> members_;
   int substeps_;
   Contact contact_;

@@ -14,7 +14,6 @@ namespace simreel::sim {
 
 namespace {
 
-constexpr unsigned noFace = 1U << 31U;
 constexpr int maxLevels = 24;
 
 /// Every third bit of the result is one of the ten lowest of `x`.
@@ -25,12 +24,14 @@ std::uint32_t spread(std::uint32_t x) {
   return (x | (x << 2U)) & 0x09249249U;
 }
 
-/// The faces of a part along Morton's curve through the box of their middles.
-std::vector<std::size_t> mortonOrder(const ContactPart& part) {
+using Leaves = std::vector<glm::uvec4>;
+
+/// Faces or edges of a part along Morton's curve through the box of their middles.
+Leaves mortonOrder(const Leaves& leaves, const std::vector<glm::vec4>& positions) {
   std::vector<glm::vec3> middles;
-  for (const glm::uvec3& f : part.faces)
-    middles.push_back(glm::vec3(part.positions[f.x]) + glm::vec3(part.positions[f.y]) +
-                      glm::vec3(part.positions[f.z]));
+  for (const glm::uvec4& leaf : leaves)
+    middles.push_back(glm::vec3(positions[leaf.x]) + glm::vec3(positions[leaf.y]) +
+                      glm::vec3(positions[leaf.z]));
   glm::vec3 low = middles.front(), high = low;
   for (const glm::vec3& m : middles) {
     low = glm::min(low, m);
@@ -45,28 +46,54 @@ std::vector<std::size_t> mortonOrder(const ContactPart& part) {
                     spread(static_cast<std::uint32_t>(place.y)) << 1U |
                     spread(static_cast<std::uint32_t>(place.z)) << 2U);
   }
-  std::vector<std::size_t> order(middles.size());
+  std::vector<std::size_t> order(leaves.size());
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return codes[a] < codes[b]; });
-  return order;
+  Leaves sorted;
+  for (const std::size_t i : order) sorted.push_back(leaves[i]);
+  return sorted;
 }
 
-/// Faces with their owned features, vertices numbered from `first` on.
-std::vector<glm::uvec4> owners(const ContactPart& part, unsigned first) {
-  std::set<unsigned> vertices;
-  std::set<std::pair<unsigned, unsigned>> edges;
-  std::vector<glm::uvec4> faces;
-  for (const std::size_t i : mortonOrder(part)) {
-    const glm::uvec3& f = part.faces[i];
-    glm::uvec4 face(first + f.x, first + f.y, first + f.z, 0);
-    for (int k = 0; k < 3; ++k) {
-      if (vertices.insert(f[k]).second) face.w |= 1U << static_cast<unsigned>(k);
-      if (edges.insert(std::minmax(f[k], f[(k + 1) % 3])).second) face.w |= 8U << static_cast<unsigned>(k);
-    }
-    faces.push_back(face);
-  }
+Leaves facesOf(const ContactPart& part) {
+  Leaves faces;
+  for (const glm::uvec3& f : part.faces) faces.emplace_back(f, 0);
   return faces;
+}
+
+Leaves edgesOf(const ContactPart& part) {
+  std::set<std::pair<unsigned, unsigned>> edges;
+  for (const glm::uvec3& f : part.faces)
+    for (int k = 0; k < 3; ++k) edges.insert(std::minmax(f[k], f[(k + 1) % 3]));
+  Leaves leaves;
+  for (const auto& [a, b] : edges) leaves.emplace_back(a, b, b, 0);
+  return leaves;
+}
+
+/// The leaves of a tree of all parts: largest subtrees first, so that each begins at a multiple of its
+/// size.
+Leaves leavesOf(std::span<const ContactPart> parts, const std::vector<int>& firsts,
+                Leaves (*featuresOf)(const ContactPart&)) {
+  constexpr glm::uvec4 none(0, 0, 0, 1);
+  std::vector<Leaves> subtrees;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    Leaves leaves = featuresOf(parts[i]);
+    if (leaves.empty()) continue;
+    leaves = mortonOrder(leaves, parts[i].positions);
+    const auto first = static_cast<unsigned>(firsts[i]);
+    for (glm::uvec4& leaf : leaves) leaf += glm::uvec4(first, first, first, 0);
+    leaves.resize(std::bit_ceil(leaves.size()), none);
+    subtrees.push_back(std::move(leaves));
+  }
+  std::stable_sort(subtrees.begin(), subtrees.end(),
+                   [](const Leaves& a, const Leaves& b) { return a.size() > b.size(); });
+  Leaves all;
+  for (const Leaves& subtree : subtrees) all.insert(all.end(), subtree.begin(), subtree.end());
+  all.resize(std::bit_ceil(std::max<std::size_t>(all.size(), 2)), none);
+  if (std::countr_zero(all.size()) > maxLevels)
+    fail(ExitCode::usage, "contact of {} faces or edges together; there may be {} at most", all.size(),
+         1 << maxLevels);
+  return all;
 }
 
 }  // namespace
@@ -76,7 +103,6 @@ ContactPlan::ContactPlan(std::span<const ContactPart> parts, double substepSecon
   float lightest = 0;  // greatest inverse mass, least of those that are not held
   for (const ContactPart& part : parts) {
     firsts_.push_back(vertices());
-    faces_ += static_cast<int>(part.faces.size());
     for (const glm::vec4& p : part.positions) {
       skins_.emplace_back(0.5F * part.thickness, part.friction);
       if (p.w > 0) lightest = lightest == 0 ? p.w : std::min(lightest, p.w);
@@ -87,23 +113,15 @@ ContactPlan::ContactPlan(std::span<const ContactPart> parts, double substepSecon
   quanta_ = 1.0F;
   while (quanta_ * heaviest < 0x1p30F) quanta_ *= 2;
   while (quanta_ * heaviest >= 0x1p31F) quanta_ *= 0.5F;
-  // Largest subtrees first, so that each begins at a multiple of its size.
-  std::vector<std::size_t> bySize(parts.size());
-  std::iota(bySize.begin(), bySize.end(), 0);
-  std::stable_sort(bySize.begin(), bySize.end(), [&](std::size_t a, std::size_t b) {
-    return std::bit_ceil(parts[a].faces.size()) > std::bit_ceil(parts[b].faces.size());
-  });
-  for (const std::size_t i : bySize) {
-    if (parts[i].faces.empty()) continue;
-    const auto faces = owners(parts[i], static_cast<unsigned>(firsts_[i]));
-    leaves_.insert(leaves_.end(), faces.begin(), faces.end());
-    leaves_.resize(leaves_.size() + std::bit_ceil(faces.size()) - faces.size(),
-                   glm::uvec4(0, 0, 0, noFace));
-  }
-  leaves_.resize(std::bit_ceil(std::max<std::size_t>(leaves_.size(), 2)), glm::uvec4(0, 0, 0, noFace));
-  levels_ = std::countr_zero(leaves_.size());
-  if (levels_ > maxLevels)
-    fail(ExitCode::usage, "contact of {} faces together; there may be {} at most", faces_, 1 << maxLevels);
+  faces_ = leavesOf(parts, firsts_, facesOf);
+  edges_ = leavesOf(parts, firsts_, edgesOf);
+}
+
+int ContactPlan::faceLevels() const {
+  return std::countr_zero(faces_.size());
+}
+int ContactPlan::edgeLevels() const {
+  return std::countr_zero(edges_.size());
 }
 
 shader::ContactStep ContactPlan::step(bool first, int maxPairs) const {
@@ -111,12 +129,12 @@ shader::ContactStep ContactPlan::step(bool first, int maxPairs) const {
   step.perDt = static_cast<float>(1.0 / substepSeconds_);
   step.recovery = 0.2F;
   step.mostRecovery = static_cast<float>(0.3 * substepSeconds_);  // at 0.3 m/s
-  step.horizon = 4.0F;
+  step.horizon = 8.0F;
   step.quanta = quanta_;
   step.perQuanta = 1.0F / quanta_;
   step.vertices = vertices();
-  step.faces = faces_;
-  step.levels = levels_;
+  step.faceLevels = faceLevels();
+  step.edgeLevels = edgeLevels();
   step.forced = first ? 1 : 0;
   step.maxPairs = maxPairs;
   return step;

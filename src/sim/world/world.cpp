@@ -317,9 +317,9 @@ void World::advanceTo(int frame, const Watch& watch, const Stepped& stepped) {
       if (stepped) stepped(i);
     }
     if (state_->contact == nullptr) continue;
-    state_->contact->step(time, [&](std::size_t member, int step) {
-      if (watch) watch(state_->touching[member], step);
-    });
+    state_->contact->step(
+        time, !watch ? ContactGroup::Watch()
+                     : [&](std::size_t member, int step) { watch(state_->touching[member], step); });
     for (const std::size_t i : state_->touching)
       if (stepped) stepped(i);
   }
