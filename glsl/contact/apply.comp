@@ -12,6 +12,7 @@ void main() {
   float weight = pointAt(nowSection, v).w;
   if (sum.w == 0 || weight == 0.0f) return;
   vec4 next = pointAt(nextSection, v), wanted = pointAt(wantedSection, v);
-  vec3 pushed = pushedTo(next.xyz, wanted.xyz, weight, sum.xyz, next.w, pointAt(lowSection, v).xyz, pointAt(highSection, v).xyz);
+  precise float most = 0.5f * next.w;
+  vec3 pushed = pushedTo(next.xyz, wanted.xyz, weight, sum.xyz, most, pointAt(lowSection, v).xyz, pointAt(highSection, v).xyz);
   keepPoint(wantedSection, v, vec4(pushed, wanted.w));
 }

@@ -11,6 +11,8 @@ void main() {
   control.stale = 0u;
   control.stopped = 0u;
   control.nearCount = 0u;
+  control.candidateCounts[0] = 0u;
+  control.candidateCounts[1] = 0u;
   if (anew) {
     control.pairCounts[0] = 0u;
     control.pairCounts[1] = 0u;

@@ -18,6 +18,7 @@ const int controlBinding = 5;   // counts and arguments of dispatches
 const int boxesBinding = 1;     // two vec4 a node, of a tree
 const int leavesBinding = 2;    // uvec4: corners of a face or ends of an edge; w 1: neither
 const int pairsBinding = 3;     // ivec4: first those of vertices with faces, then those of edges
+const int candidatesBinding = 6;  // the same, of which pairs are some
 const int cornersBinding = 6;   // ivec4 of what is near
 const int nearsBinding = 1;     // three vec4 of what is near: shares, normal, way
 const int partNowBinding = 1;   // of a simulation that takes part
@@ -31,8 +32,10 @@ const int edgeDispatch = 5;     // and of that over edges
 const int vertexPairDispatch = 2;
 const int edgePairDispatch = 3;
 const int nearDispatch = 4;
-const int levelDispatch = 6;    // one a level of a tree, from the root's on
+const int vertexCandidateDispatch = 6;
+const int edgeCandidateDispatch = 7;
+const int levelDispatch = 8;    // one a level of a tree, from the root's on
 const int maxLevels = 24;
-const int countWords = 8;
+const int countWords = 12;
 
 #endif

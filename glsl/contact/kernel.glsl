@@ -15,7 +15,8 @@ layout(std430, binding = controlBinding) restrict buffer ControlBlock {
   uint stopped;        // 1: planes at rest are to hold everything
   uint mostPairs;      // of either kind, since the start
   uint searches;
-  uint spare;
+  uint candidateCounts[2];
+  uint spare[3];
   uvec4 dispatches[levelDispatch + maxLevels];
 } control;
 

@@ -1,4 +1,4 @@
-// Sizes of dispatches from what was counted: pairs, or with NEAR what is near.
+// Sizes of dispatches from what was counted: CANDIDATES, of a search; NEAR, what is near; else pairs.
 #include "contact/kernel.glsl"
 layout(local_size_x = 1) in;
 
@@ -8,7 +8,10 @@ uvec4 groupsOf(uint count) {
 }
 
 void main() {
-#ifdef NEAR
+#if defined CANDIDATES
+  for (int kind = 0; kind < 2; ++kind)
+    control.dispatches[vertexCandidateDispatch + kind] = groupsOf(control.candidateCounts[kind]);
+#elif defined NEAR
   control.dispatches[nearDispatch] = groupsOf(control.nearCount);
 #else
   for (int kind = 0; kind < 2; ++kind) control.dispatches[vertexPairDispatch + kind] = groupsOf(control.pairCounts[kind]);

@@ -6,7 +6,7 @@
 // it, at rest or moving evenly, keeps them apart, neither passes through the other.
 
 // Where a vertex may be for as long as pairs are used that are found now: the way of `horizon` substeps, but of no more than
-// lead through two thicknesses, and half a thickness and a fifth of the way around it. What is fast has its pairs found often,
+// lead through two thicknesses, and an eighth of a thickness and a fifth of the way around it. What is fast has its pairs found often,
 // rather than with all that is far.
 FUNCTION Hull reachOf(vec3 now, vec3 next, float half_) {
   precise vec3 one = next - now;
@@ -14,7 +14,7 @@ FUNCTION Hull reachOf(vec3 now, vec3 next, float half_) {
   precise float steps = 4.0f * half_ * exactReciprocal(max(fastest, 1e-20f));
   precise vec3 way = one * clamp(steps, 1.0f, contactStep.horizon);
   precise vec3 end = now + way;
-  precise float wide = half_ + 0.2f * max(max(abs(way.x), abs(way.y)), abs(way.z));
+  precise float wide = 0.25f * half_ + 0.2f * max(max(abs(way.x), abs(way.y)), abs(way.z));
   precise vec3 low = min(now, end) - wide;
   precise vec3 high = max(now, end) + wide;
   Hull hull;
@@ -32,6 +32,15 @@ FUNCTION Hull widened(Hull a, float by) {
 }
 FUNCTION bool isWithin(vec3 p, vec3 low, vec3 high) {
   return p.x >= low.x && p.y >= low.y && p.z >= low.z && p.x <= high.x && p.y <= high.y && p.z <= high.z;
+}
+// How far a vertex may get from where it is now.
+FUNCTION float radiusOf(vec3 now, vec3 low, vec3 high) {
+  precise vec3 down = now - low;
+  precise vec3 up = high - now;
+  vec3 most = max(down, up);
+  float squared = exactDot(most, most);
+  precise float radius = squared * exactInverseSqrt(max(squared, 1e-24f));
+  return radius;
 }
 FUNCTION bool overlap(vec3 low, vec3 high, vec3 otherLow, vec3 otherHigh) {
   return low.x <= otherHigh.x && low.y <= otherHigh.y && low.z <= otherHigh.z && otherLow.x <= high.x && otherLow.y <= high.y &&
@@ -146,6 +155,13 @@ FUNCTION ivec4 cornersOf(Near near) {
   return ivec4(near.corners.x, isOfEdges(near) ? ~near.corners.y : near.corners.y, near.corners.z, near.corners.w);
 }
 
+// Whether they may come within a thickness of each other while no corner gets further than its radius.
+FUNCTION bool mayMeet(Near near, vec4 radii, float thick) {
+  float two = max(radii.z, radii.w);
+  precise float most = isOfEdges(near) ? max(radii.x, radii.y) + two + thick : radii.x + max(radii.y, two) + thick;
+  return near.normal.w <= most;
+}
+
 // Heights of four corners along the normal.
 FUNCTION vec4 heightsOf(Near near, vec3 a, vec3 b, vec3 c, vec3 d) {
   vec3 normal = vec3(near.normal);
@@ -171,10 +187,10 @@ FUNCTION float worstGap(Near near, vec4 heights, vec4 rises) {
   return gap;
 }
 
-// Whether it has to be looked at in this substep: impulses move either side by no more than half a thickness, and colliders
-// that it is then pushed out of again leave it within 5/4 of one.
+// Whether it has to be looked at in this substep: impulses move either side by no more than a quarter of the thickness, and
+// colliders that it is then pushed out of again leave it within 5/8.
 FUNCTION bool isNear(Near near, vec4 heights, vec4 rises, float thick) {
-  precise float most = 2.5f * thick;
+  precise float most = 1.5f * thick;
   return near.normal.w > 0.0f && worstGap(near, heights, rises) < most;
 }
 

@@ -5,7 +5,7 @@
 layout(local_size_x = 64) in;
 INPUT_WORDS(leavesBinding, LeafBlock, leaves)
 INPUT_ARRAY(boxesBinding, BoxBlock, boxes)
-layout(std430, binding = pairsBinding) restrict writeonly buffer PairBlock { ivec4 pairs[]; };
+layout(std430, binding = candidatesBinding) restrict writeonly buffer CandidateBlock { ivec4 candidates[]; };
 uniform int levels;
 
 const int maxVisited = 60000;  // a software driver's loops end at 65,535
@@ -31,9 +31,9 @@ void main() {
     if (meets && node >= count) {
       uvec4 other = LOAD_INPUT_WORDS(leaves, node - count);
       if (!isCornerOf(other, mine.x) && !isCornerOf(other, mine.y)) {
-        uint place = atomicAdd(control.pairCounts[kind], 1u);
+        uint place = atomicAdd(control.candidateCounts[kind], 1u);
         ivec4 pair = kind == 1 ? ivec4(mine.xy, other.xy) : ivec4(mine.x, other.xyz);
-        if (place < uint(contactStep.maxPairs)) pairs[kind * contactStep.maxPairs + int(place)] = pair;
+        if (place < uint(contactStep.maxPairs)) candidates[kind * contactStep.maxPairs + int(place)] = pair;
       }
     }
     node = meets && node < count ? 2 * node : floatBitsToInt(otherLow.w);

@@ -10,7 +10,7 @@ void main() {
   if (i >= count) return;
   int v = first + i;
   vec4 next = pointAt(nextSection, v), settled = LOAD_INPUT(partNext, i);
-  precise float most = next.w * 2.5f;
+  precise float most = next.w * 1.25f;
   vec3 wanted = keptWithin(next.xyz, settled.xyz, most, pointAt(lowSection, v).xyz, pointAt(highSection, v).xyz);
   keepPoint(wantedSection, v, vec4(wanted, settled.w));
 }

@@ -56,19 +56,30 @@ void ContactTwin::push(const std::vector<Part>& parts, bool first) {
     const auto meet = [&](const Hull& a, const Hull& b) {
       return kernel.overlap(a.low, a.high, b.low, b.high);
     };
+    const auto thickOf = [&](uint a, uint b) { return skins[a].x + skins[b].x; };
+    const auto radius = [&](uint v) {
+      return kernel.radiusOf(vec3(now[v]), hulls_[v].low, hulls_[v].high);
+    };
+    const auto place = [&](uint v) { return vec3(now[v]); };
+    const auto sift = [&](bool edge, uint a, uint b, uint c, uint d) {
+      const Near n = edge ? kernel.nearOfEdges(ivec4(0), place(a), place(b), place(c), place(d))
+                          : kernel.nearOfVertex(ivec4(0), place(a), place(b), place(c), place(d));
+      if (!kernel.mayMeet(n, vec4(radius(a), radius(b), radius(c), radius(d)), thickOf(a, d))) return;
+      (edge ? edgePairs_ : vertexPairs_).emplace_back(a, b, c, d);
+    };
     const auto& faces = plan_.faces();
     const std::vector<Hull> faceBoxes = boxesOf(faces);
     for (uint v = 0; v < now.size(); ++v)
       for (std::size_t f = 0; f < faces.size(); ++f)
         if (faces[f].w == 0 && !kernel.isCornerOf(faces[f], v) && meet(hullOf(v), faceBoxes[f]))
-          vertexPairs_.emplace_back(v, faces[f].x, faces[f].y, faces[f].z);
+          sift(false, v, faces[f].x, faces[f].y, faces[f].z);
     const auto& edges = plan_.edges();
     const std::vector<Hull> edgeBoxes = boxesOf(edges);
     for (std::size_t i = 0; i < edges.size(); ++i)
       for (std::size_t j = i + 1; j < edges.size(); ++j)
         if (edges[i].w == 0 && edges[j].w == 0 && !kernel.isCornerOf(edges[j], edges[i].x) &&
             !kernel.isCornerOf(edges[j], edges[i].y) && meet(edgeBoxes[i], edgeBoxes[j]))
-          edgePairs_.emplace_back(edges[i].x, edges[i].y, edges[j].x, edges[j].y);
+          sift(true, edges[i].x, edges[i].y, edges[j].x, edges[j].y);
   }
   pairs = vertexPairs_.size() + edgePairs_.size();
 
@@ -124,7 +135,7 @@ void ContactTwin::push(const std::vector<Part>& parts, bool first) {
       sums[at(c.w)] += rest;
     }
     for (std::size_t i = 0; i < wanted.size(); ++i) {
-      const float most = skins[i].x;
+      const float most = 0.5F * skins[i].x;
       const vec3 moved = kernel.pushedTo(vec3(next[i]), vec3(wanted[i]), now[i].w, sums[i], most,
                                          hulls_[i].low, hulls_[i].high);
       if (counts[i] > 0 && now[i].w > 0) wanted[i] = vec4(moved, wanted[i].w);
@@ -146,7 +157,7 @@ void ContactTwin::hold(const std::vector<Part>& parts) {
   std::size_t vertex = 0;
   for (const Part& part : parts)
     for (const vec4& settled : *part.next) {
-      wanted[vertex] = vec4(kernel.keptWithin(vec3(next_[vertex]), vec3(settled), skins[vertex].x * 2.5F,
+      wanted[vertex] = vec4(kernel.keptWithin(vec3(next_[vertex]), vec3(settled), skins[vertex].x * 1.25F,
                                               hulls_[vertex].low, hulls_[vertex].high),
                             settled.w);
       ++vertex;

@@ -51,6 +51,7 @@ void Contact::makePrograms(bool fast) {
   refit_ = make("contact/refit.comp");
   searchVertices_ = make("contact/search.comp");
   pairLists_ = make("contact/lists.comp");
+  siftVertices_ = make("contact/sift.comp");
   nearVertices_ = make("contact/near.comp");
   claim_ = make("contact/claim.comp");
   push_ = make("contact/push.comp");
@@ -61,7 +62,10 @@ void Contact::makePrograms(bool fast) {
   leave_ = make("contact/leave.comp");
   defines.emplace_back("NEAR", "1");
   nearList_ = make("contact/lists.comp");
+  defines.back().first = "CANDIDATES";
+  candidateLists_ = make("contact/lists.comp");
   defines.back().first = "EDGES";
+  siftEdges_ = make("contact/sift.comp");
   searchEdges_ = make("contact/search.comp");
   nearEdges_ = make("contact/near.comp");
   begin_.checkUniformBlock("StepBlock", sizeof(shader::ContactStep));
@@ -71,6 +75,7 @@ void Contact::allocate(int pairs) {
   maxPairs_ = pairs;
   const auto count = static_cast<std::size_t>(pairs);
   pairs_ = gl::WordsArray("contact pairs", gl::Buffer("contact pairs", 2 * count * 16));
+  candidates_ = gl::WordsArray("contact candidates", gl::Buffer("contact candidates", 2 * count * 16));
   corners_ = gl::WordsArray("contact corners", gl::Buffer("contact corners", count * 16));
   nears_ = gl::Vec4Array("contact nears", gl::Buffer("contact nears", 3 * count * 16));
 }
@@ -156,7 +161,7 @@ void Contact::search() const {
   fit(faces_, at::faceDispatch);
   fit(edges_, at::edgeDispatch);
   gl::barrier();
-  pairs_.buffer().bindStorage(at::pairsBinding);
+  candidates_.buffer().bindStorage(at::candidatesBinding);
   const auto walk = [&](const gl::Program& program, const Tree& tree, int dispatch) {
     tree.leaves.bindInput(at::leavesBinding);
     tree.boxes.bindInput(at::boxesBinding);
@@ -165,6 +170,13 @@ void Contact::search() const {
   };
   walk(searchVertices_, faces_, at::vertexDispatch);
   walk(searchEdges_, edges_, at::edgeDispatch);
+  gl::barrier();
+  candidateLists_.dispatch(1);
+  next();
+  candidates_.bindInput(at::candidatesBinding);
+  pairs_.buffer().bindStorage(at::pairsBinding);
+  dispatchIndirect(siftVertices_, at::vertexCandidateDispatch);
+  dispatchIndirect(siftEdges_, at::edgeCandidateDispatch);
   gl::barrier();
   pairLists_.dispatch(1);
   next();

@@ -62,12 +62,13 @@ class Contact {
   int maxPairs_ = 0;
   Tree faces_, edges_;
   gl::Vec4Array points_, nears_;
-  gl::WordsArray pairs_, corners_;
+  gl::WordsArray candidates_, pairs_, corners_;
   gl::Buffer tallies_, control_;
   std::vector<gl::Buffer> saved_;  ///< of each part `now` and `velocities`
   StepBlocks<shader::ContactStep> steps_;
-  gl::Program gather_, begin_, reach_, leafBoxes_, refit_, searchVertices_, searchEdges_, pairLists_,
-      nearVertices_, nearEdges_, nearList_, claim_, push_, apply_, hand_, take_, hold_, leave_;
+  gl::Program gather_, begin_, reach_, leafBoxes_, refit_, searchVertices_, searchEdges_, candidateLists_,
+      siftVertices_, siftEdges_, pairLists_, nearVertices_, nearEdges_, nearList_, claim_, push_, apply_,
+      hand_, take_, hold_, leave_;
 };
 
 }  // namespace simreel::sim
