@@ -90,6 +90,7 @@ void ClothParameters::describe(scene::Fields& f) {
   f.number("compliance", compliance, {0, 1e6}, "m/N", "Of structural constraints; 0 cannot stretch.");
   f.number("shearCompliance", shearCompliance, {0, 1e6}, "m/N", "Of diagonal constraints.");
   f.number("bendCompliance", bendCompliance, {0, 1e6}, "m/N", "Of constraints of length two.");
+  f.shorthand("fabric", "material");
   f.optionalGroup("fabric", hasFabric,
                   "A material by its properties per area and length, whatever the spacing, instead of "
                   "\"mass\", springs and their constraints; lengths are kept by XPBD.",
