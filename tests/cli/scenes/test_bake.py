@@ -2,7 +2,7 @@
 import math
 import struct
 
-from common import Case, main, with_values
+from common import Case, main, png_rows, unfiltered, with_values
 
 
 def read_ply(data):
@@ -68,7 +68,7 @@ class Bake(Case):
             (faces,) = [int(line.split()[2]) for line in head.decode().splitlines() if line.startswith("element face")]
             names, rows = self.read(name)[1:]
             corners = [struct.unpack_from("<3I", body, len(rows) * len(names) * 4 + 13 * i + 1) for i in range(faces)]
-            return [x for face in corners for i in face for x in rows[i][:6]]
+            return [x for face in corners for i in face for x in rows[i][:8]]
 
         wanted = surface("out/flag_000005.ply")
         self.assertEqual(len(rows), 63)
@@ -79,6 +79,27 @@ class Bake(Case):
             found = surface("again/m_000000.ply")
             self.assertEqual(len(found), len(wanted))
             self.assertLess(max(abs(a - b) for a, b in zip(found, wanted)), 2e-6, suffix)
+
+    def test_a_picture_stands_upright_on_what_comes_back(self):
+        red, blue = bytes([255, 0, 0]), bytes([0, 0, 255])
+        self.write("flag.ppm", b"P6 8 8 255\n" + 32 * red + 32 * blue)
+        self.write("scene.json", with_values({"objects.flag.material": {"texture": "flag.ppm"}, "objects.flag.cloth.jitter": 0,
+                                              "objects.flag.cloth.pins": [{"rows": [0]}], "objects.flag.cloth.position": [0, 1, 2]}))
+
+        def upright(name):
+            self.good("render", name, "-o", "out.png", "--frames", "0", "--overwrite")
+            width, height, rows = png_rows((self.folder / "out.png").read_bytes())
+            step = (len(rows) // height - 1) // width
+            column = [line[step * width // 2:][:3] for line in unfiltered(rows, step * width, step)]
+            self.assertGreater(column[height * 3 // 8][0], 2 * column[height * 3 // 8][2])
+            self.assertGreater(column[height * 5 // 8][2], 2 * column[height * 5 // 8][0])
+
+        upright("scene.json")
+        for suffix in ("ply", "obj", "glb"):
+            self.good("bake", "scene.json", "-o", "out", "--frames", "0", "--format", suffix)
+            self.write("again.json", with_values({"objects": {"m": {
+                "mesh": {"shape": "file", "file": f"out/flag_000000.{suffix}", "sides": "both"}, "material": {"texture": "flag.ppm"}}}}))
+            upright("again.json")
 
     def test_a_mesh_on_keyframes(self):
         mesh = {"resolution": [2, 2], "size": [2, 0, 2], "position": {"keys": [[0, [0, 0, 0]], [0.1, [3, 0, 0]]]}}
