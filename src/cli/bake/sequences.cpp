@@ -76,7 +76,7 @@ void bakeSequences(sim::World& world, const SequencesOptions& o) {
     for (ObjectSequence& one : all) one.add();
   }
   for (ObjectSequence& one : all) one.finish();
-  info("{} frames in {} files -> {}", o.frames.size(), files.size(),
+  info("{} frames in {} {} -> {}", o.frames.size(), files.size(), files.size() > 1 ? "files" : "file",
        files.front().string() + (files.size() > 1 ? " ..." : ""));
 }
 
