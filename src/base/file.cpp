@@ -96,22 +96,57 @@ const std::string& standardInput(const char* what, std::size_t maxBytes) {
   return text;
 }
 
-void writeFileAtomically(const std::filesystem::path& path, std::span<const std::byte> bytes,
-                         NameSync name) {
-  const std::filesystem::path part = path.string() + ".part";
-  Descriptor file(::open(part.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
-  if (file.get() < 0) removeAndFail(part, "create", path);
+PartFile::PartFile(std::filesystem::path path)
+    : path_(std::move(path)),
+      part_(path_.string() + ".part"),
+      file_(::open(part_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666)) {
+  if (file_ < 0) giveUp("create");
+}
+
+PartFile::~PartFile() {
+  if (file_ >= 0) ::close(file_);
+  if (open_) ::unlink(part_.c_str());
+}
+
+void PartFile::giveUp(const char* verb) {
+  open_ = false;
+  const Descriptor closed(std::exchange(file_, -1));
+  removeAndFail(part_, verb, path_);
+}
+
+void PartFile::append(std::span<const std::byte> bytes) {
   while (!bytes.empty()) {
-    const ssize_t put = ::write(file.get(), bytes.data(), bytes.size());
+    const ssize_t put = ::write(file_, bytes.data(), bytes.size());
     if (put < 0 && errno == EINTR) continue;
-    if (put < 0) removeAndFail(part, "write", path);
+    if (put < 0) giveUp("write");
     bytes = bytes.subspan(static_cast<std::size_t>(put));
   }
-  if (!synced(file.get())) removeAndFail(part, "write", path);
+}
+
+void PartFile::put(std::uint64_t offset, std::span<const std::byte> bytes) {
+  while (!bytes.empty()) {
+    const ssize_t put = ::pwrite(file_, bytes.data(), bytes.size(), static_cast<off_t>(offset));
+    if (put < 0 && errno == EINTR) continue;
+    if (put < 0) giveUp("write");
+    bytes = bytes.subspan(static_cast<std::size_t>(put));
+    offset += static_cast<std::uint64_t>(put);
+  }
+}
+
+void PartFile::finish(NameSync name) {
+  if (!synced(file_)) giveUp("write");
   // Some file systems report a full disk only here.
-  if (::close(file.release()) != 0) removeAndFail(part, "write", path);
-  if (::rename(part.c_str(), path.c_str()) != 0) removeAndFail(part, "rename into", path);
-  if (name == NameSync::now) syncFolder(path.parent_path());
+  if (::close(std::exchange(file_, -1)) != 0) giveUp("write");
+  if (::rename(part_.c_str(), path_.c_str()) != 0) giveUp("rename into");
+  open_ = false;
+  if (name == NameSync::now) syncFolder(path_.parent_path());
+}
+
+void writeFileAtomically(const std::filesystem::path& path, std::span<const std::byte> bytes,
+                         NameSync name) {
+  PartFile file(path);
+  file.append(bytes);
+  file.finish(name);
 }
 
 void writeFileAtomically(const std::filesystem::path& path, std::string_view text, NameSync name) {

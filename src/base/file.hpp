@@ -1,5 +1,6 @@
 #pragma once
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <span>
 #include <string>
@@ -28,7 +29,33 @@ void writeFileAtomically(const std::filesystem::path& path, std::span<const std:
 void writeFileAtomically(const std::filesystem::path& path, std::string_view text,
                          NameSync name = NameSync::now);
 
-/// The same for a file that another program wrote as `part`: syncs it, renames it to `path`, syncs the
+/// A file that is written piece by piece, for what does not fit into memory: as `path` + ".part", which
+/// takes the name once it is whole. All of it throws UserError(inputOutput) naming the path and the
+/// system's reason.
+class PartFile {
+ public:
+  explicit PartFile(std::filesystem::path path);
+  /// Removes what is not finished.
+  ~PartFile();
+  PartFile(const PartFile&) = delete;
+  PartFile& operator=(const PartFile&) = delete;
+
+  void append(std::span<const std::byte> bytes);
+  /// Over bytes that are there already.
+  void put(std::uint64_t offset, std::span<const std::byte> bytes);
+  /// Syncs and renames it. Nothing may be written afterwards.
+  void finish(NameSync name = NameSync::now);
+
+ private:
+  /// With errno set.
+  [[noreturn]] void giveUp(const char* verb);
+
+  std::filesystem::path path_, part_;
+  int file_ = -1;
+  bool open_ = true;  ///< whether there is a part to remove
+};
+
+/// For a file that another program wrote as `part`: syncs it, renames it to `path`, syncs the
 /// folder. Throws UserError(inputOutput); `part` is removed then.
 void renameDurably(const std::filesystem::path& part, const std::filesystem::path& path);
 

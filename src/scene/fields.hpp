@@ -66,6 +66,8 @@ class Fields {
                            const std::function<void(Fields&, std::size_t)>& describe) = 0;
   /// What the field declared next was called before: still read, with a warning that says the name.
   virtual void formerly(const char* /*old*/, const char* /*name*/) {}
+  /// The group declared next may be given as one word, which is the value of its field `field` then.
+  virtual void shorthand(const char* /*group*/, const char* /*field*/) {}
   /// What stands for the field just declared where a scene leaves it out, when that is no constant
   /// ("the preset's"): shown in place of the value.
   virtual void leftOut(const char* /*name*/, const char* /*what*/) {}

@@ -71,7 +71,10 @@ void HelpWriter::field(const char* name, Member member, const Spec& spec) {
 
 void HelpWriter::section(const char* name, bool* present, const char* doc,
                          const std::function<void(Fields&)>& describe) {
-  add(name, present == nullptr ? "" : "off", "", "", doc);
+  const auto word = shorthands_.find(name);
+  const bool isShort = word != shorthands_.end();
+  add(name, present == nullptr ? "" : "off", "", "",
+      isShort ? fmt::format("{} A word alone is its \"{}\".", doc, word->second) : doc);
   if (!expandGroups_) return;
   const std::string outer = prefix_;
   prefix_ += std::string(name) + ".";

@@ -1,6 +1,7 @@
 #pragma once
 #include "scene/fields.hpp"
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,7 @@ class HelpWriter final : public Fields {
                    const std::function<void(const std::vector<std::string>&)>& rename,
                    const std::function<void(Fields&, std::size_t)>& describe) override;
   void leftOut(const char* name, const char* what) override;
+  void shorthand(const char* group, const char* field) override { shorthands_[group] = field; }
 
  private:
   struct Row {
@@ -36,6 +38,7 @@ class HelpWriter final : public Fields {
   bool expandGroups_;
   std::string prefix_;
   std::vector<Row> rows_;
+  std::map<std::string, std::string> shorthands_;
 };
 
 }  // namespace simreel::scene

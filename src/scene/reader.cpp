@@ -141,6 +141,22 @@ class MemberReader {
   ReadContext context_;
 };
 
+/// The group that a word stands for: {field: word}, with every place that of the word.
+Node spelledOut(const Node& word, const std::string& field) {
+  Node group;
+  group.kind = Node::Kind::object;
+  group.source = word.source;
+  group.key = word.key;
+  group.begin = word.begin;
+  group.end = word.end;
+  group.keyBegin = word.keyBegin;
+  group.keyEnd = word.keyEnd;
+  group.children.push_back(word);
+  group.children.front().key = field;
+  group.children.front().keyBegin = group.children.front().keyEnd = 0;
+  return group;
+}
+
 }  // namespace
 
 Reader::Reader(const Node* object, Place place, ReadContext context)
@@ -192,6 +208,13 @@ void Reader::section(const char* name, bool* present, const char* /*doc*/,
                      const std::function<void(Fields&)>& describe) {
   const Node* node = take(name);
   if (present != nullptr) *present = node != nullptr;
+  if (const auto word = shorthands_.find(name); node != nullptr && word != shorthands_.end()) {
+    if (node->kind == Node::Kind::text)
+      return readObject(spelledOut(*node, word->second), context_, describe);
+    if (node->kind != Node::Kind::object)
+      return context_.diagnostics.add(node->place(), fmt::format("expected an object or a {}, found {}",
+                                                                 word->second, node->kindText()));
+  }
   if (node != nullptr) return readObject(*node, context_, describe);
   if (present != nullptr) return;
   // Described all the same: its cross checks may look at values of other groups.

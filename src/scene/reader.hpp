@@ -47,6 +47,7 @@ class Reader final : public Fields {
                    const std::function<void(const std::vector<std::string>&)>& rename,
                    const std::function<void(Fields&, std::size_t)>& describe) override;
   void formerly(const char* old, const char* name) override;
+  void shorthand(const char* group, const char* field) override { shorthands_[group] = field; }
   void error(const char* name, const std::string& message) override;
   [[nodiscard]] bool given(const char* name) const override;
 
@@ -60,6 +61,7 @@ class Reader final : public Fields {
   std::size_t errorsBefore_;
   std::vector<std::string> known_;
   std::map<std::string, std::string> formerNames_;  ///< of what is given by its old name: new name -> old
+  std::map<std::string, std::string> shorthands_;   ///< group -> the field that a word alone is
 };
 
 }  // namespace simreel::scene

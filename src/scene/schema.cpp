@@ -105,6 +105,11 @@ void SchemaWriter::section(const char* name, bool* present, const char* doc,
   SchemaWriter inner;
   describe(inner);
   Json schema = inner.object();
+  if (const auto word = shorthands_.find(name); word != shorthands_.end()) {
+    Json words = {{"enum", inner.properties_[word->second]["enum"]},
+                  {"description", fmt::format("Short for {{\"{}\": ...}}.", word->second)}};
+    schema = {{"anyOf", Json::array({std::move(words), std::move(schema)})}};
+  }
   schema["description"] = fmt::format("{}{}", doc, present == nullptr ? "" : " Off unless given.");
   add(name, std::move(schema));
 }

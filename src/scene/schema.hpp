@@ -1,6 +1,9 @@
 #pragma once
 #include "scene/fields.hpp"
 
+#include <map>
+#include <string>
+
 #include <nlohmann/json.hpp>
 
 namespace simreel::scene {
@@ -24,9 +27,11 @@ class SchemaWriter final : public Fields {
                    const std::function<void(const std::vector<std::string>&)>& rename,
                    const std::function<void(Fields&, std::size_t)>& describe) override;
   void leftOut(const char* name, const char* what) override;
+  void shorthand(const char* group, const char* field) override { shorthands_[group] = field; }
 
  private:
   nlohmann::ordered_json properties_ = nlohmann::ordered_json::object();
+  std::map<std::string, std::string> shorthands_;
 };
 
 }  // namespace simreel::scene

@@ -61,6 +61,10 @@ RUNS = {
     "resume": Run(FRAMES + ["--resume"], FRAMES + ["--resume"], before=interrupted),
     "video": Run(["render", "scene.json", "-o", "out/a.mp4"], ["render", "scene.json", "-o", "out/a.mp4", "--overwrite"]),
     "bake": Run(["bake", "scene.json", "-o", "out/"], ["bake", "scene.json", "-o", "out/", "--overwrite"]),
+    "sequence": Run(["bake", "scene.json", "-o", "out/", "--sequence"],
+                    ["bake", "scene.json", "-o", "out/", "--sequence", "--overwrite"]),
+    "cache": Run(["bake", "scene.json", "-o", "out/", "--format", "pc2"],
+                 ["bake", "scene.json", "-o", "out/", "--format", "pc2", "--overwrite"]),
     "update": Run(["test", "scene.json", "--update"], ["test", "scene.json", "--update"], made="golden",
                   codes=(1, 2, 4, 6)),
 }

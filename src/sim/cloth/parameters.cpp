@@ -1,6 +1,7 @@
 #include "sim/cloth/parameters.hpp"
 
 #include "base/error.hpp"
+#include "sim/core/collider.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -90,6 +91,7 @@ void ClothParameters::describe(scene::Fields& f) {
   f.number("compliance", compliance, {0, 1e6}, "m/N", "Of structural constraints; 0 cannot stretch.");
   f.number("shearCompliance", shearCompliance, {0, 1e6}, "m/N", "Of diagonal constraints.");
   f.number("bendCompliance", bendCompliance, {0, 1e6}, "m/N", "Of constraints of length two.");
+  f.shorthand("fabric", "material");
   f.optionalGroup("fabric", hasFabric,
                   "A material by its properties per area and length, whatever the spacing, instead of "
                   "\"mass\", springs and their constraints; lengths are kept by XPBD.",
@@ -253,6 +255,36 @@ int ClothParameters::substepsPerFrame(double frameSeconds) const {
   // Contact is solved by a step or two of an iteration in each substep: at 960 a second layers keep apart.
   if (hasContact) min = std::max(min, static_cast<int>(substepsFor(frameSeconds, 1.0 / 960)));
   return std::max(static_cast<int>(needed), min);
+}
+
+std::optional<scene::Box> ClothParameters::framed() const {
+  const glm::mat4 turn = rotationMatrix(rotation);
+  const glm::vec2 half = 0.5F * glm::vec2(size - 1);
+  const auto restAt = [&](glm::ivec2 at) {
+    const glm::vec2 from = spacing * (glm::vec2(at) - half);
+    return position + glm::vec3(turn * glm::vec4(from.x, 0, from.y, 0));
+  };
+  const glm::ivec2 last = size - 1;
+  const glm::ivec2 corners[] = {{0, 0}, {last.x, 0}, {0, last.y}, last};
+  scene::Box box{position, position};
+  const auto include = [&](const glm::vec3& point) {
+    box = {glm::min(box.min, point), glm::max(box.max, point)};
+  };
+  for (const glm::ivec2 corner : corners) include(restAt(corner));
+  std::set<int> pinned;
+  for (const PinGroup& group : pins)
+    for (const int i : pinnedBy(group)) pinned.insert(i);
+  const float width = spacing * static_cast<float>(std::max(last.x, last.y));
+  if (pinned.empty()) include({position.x, position.y > 0 ? 0.0F : box.min.y - width, position.z});
+  float hanging = 0;  // m, of the corner that is farthest from all pins
+  for (const glm::ivec2 corner : corners) {
+    float nearest = std::numeric_limits<float>::infinity();
+    for (const int i : pinned)
+      nearest = std::min(nearest, glm::length(glm::vec2(corner - glm::ivec2(i % size.x, i / size.x))));
+    if (!pinned.empty()) hanging = std::max(hanging, spacing * nearest);
+  }
+  for (const int i : pinned) include(restAt({i % size.x, i / size.x}) - glm::vec3(0, hanging, 0));
+  return box;
 }
 
 std::vector<int> ClothParameters::pinnedBy(const PinGroup& group) const {

@@ -66,6 +66,9 @@ struct ClothParameters : ObjectParameters, shader::ClothConstants {
   void describe(scene::Fields& fields) override;
   [[nodiscard]] std::span<const scene::Quantity> quantities() const override;
   [[nodiscard]] std::string meetsWalls() const override { return walls; }
+  /// Where it is at rest, and where it comes to when it hangs from what is pinned at the start; without
+  /// pins where it falls through once its size.
+  [[nodiscard]] std::optional<scene::Box> framed() const override;
 
   [[nodiscard]] int contactSubsteps(double frameSeconds) const override {
     return hasContact ? substepsPerFrame(frameSeconds) : 0;

@@ -27,6 +27,7 @@ MeshTable sheetMesh(glm::ivec2 size, std::span<const glm::vec4> positions) {
                                static_cast<std::size_t>(x)]);
   };
   MeshTable mesh;
+  mesh.doubleSided = true;
   mesh.indices = gridIndices(size);
   for (int y = 0; y < size.y; ++y)
     for (int x = 0; x < size.x; ++x) {

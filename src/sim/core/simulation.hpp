@@ -65,12 +65,14 @@ struct PointTable {
 };
 
 /// A surface as a table for other programs, read back from the GPU where it is there: metres, the object's
-/// own position, rotation and scale applied; uvs are empty where the mesh has none.
+/// own position, rotation and scale applied; uvs are empty where the mesh has none, and v
+/// counts from a picture's first row.
 struct MeshTable {
   std::vector<glm::vec3> positions;
   std::vector<glm::vec3> normals;
   std::vector<glm::vec2> uvs;
   std::vector<unsigned> indices;  ///< three a triangle
+  bool doubleSided = false;       ///< whether its backs are to be seen
 };
 
 /// A room of a cave: open cells that are joined over edges, before corridors join it to others.

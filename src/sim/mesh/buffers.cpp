@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include <glm/geometric.hpp>
 #include <glm/vec4.hpp>
 
 namespace simreel::sim {
@@ -17,8 +18,20 @@ std::vector<glm::vec4> widened(const std::vector<glm::vec3>& items, float w) {
 
 }  // namespace
 
+MeshTable placed(std::span<const glm::vec4> positions, std::span<const glm::vec4> normals,
+                 const glm::mat4& model) {
+  MeshTable table;
+  table.positions.reserve(positions.size());
+  table.normals.reserve(normals.size());
+  for (const glm::vec4& p : positions) table.positions.emplace_back(model * glm::vec4(glm::vec3(p), 1.0F));
+  for (const glm::vec4& n : normals)
+    table.normals.push_back(glm::normalize(glm::vec3(model * glm::vec4(glm::vec3(n), 0.0F))));
+  return table;
+}
+
 MeshTopology::MeshTopology(const std::string& name, const Mesh& mesh)
-    : vertexCount_(static_cast<int>(mesh.positions.size())),
+    : hasUvs_(!mesh.uvs.empty()),
+      vertexCount_(static_cast<int>(mesh.positions.size())),
       indexCount_(static_cast<int>(mesh.indices.size())) {
   const std::vector<glm::vec2> none(mesh.uvs.empty() ? mesh.positions.size() : 0, glm::vec2(0));
   uvs_ = gl::Buffer::of<glm::vec2>(name + " uvs", mesh.uvs.empty() ? none : mesh.uvs);
@@ -35,6 +48,11 @@ Surface MeshTopology::surface() const {
   return surface;
 }
 
+void MeshTopology::complete(MeshTable& table) const {
+  if (hasUvs_) table.uvs = uvs_.readAll<glm::vec2>();
+  table.indices = indices_.readAll<unsigned>();
+}
+
 MeshBuffers::MeshBuffers(const std::string& name, const Mesh& mesh) : topology_(name, mesh) {
   positions_ = gl::Buffer::of<glm::vec4>(name + " positions", widened(mesh.positions, 1.0F));
   normals_ = gl::Buffer::of<glm::vec4>(name + " normals", widened(mesh.normals, 0.0F));
@@ -47,6 +65,12 @@ Surface MeshBuffers::surface() const {
   surface.positions = &positionView_;
   surface.normals = &normalView_;
   return surface;
+}
+
+MeshTable MeshBuffers::table(const glm::mat4& model) const {
+  MeshTable table = placed(positions_.readAll<glm::vec4>(), normals_.readAll<glm::vec4>(), model);
+  topology_.complete(table);
+  return table;
 }
 
 }  // namespace simreel::sim

@@ -2,11 +2,20 @@
 #include "gl/buffer.hpp"
 #include "gl/texture.hpp"
 #include "sim/core/drawable.hpp"
+#include "sim/core/simulation.hpp"
 #include "sim/mesh/file.hpp"
 
+#include <span>
 #include <string>
 
+#include <glm/mat4x4.hpp>
+#include <glm/vec4.hpp>
+
 namespace simreel::sim {
+
+/// Positions and unit normals, moved by `model`, which scales all directions alike; w counts for nothing.
+[[nodiscard]] MeshTable placed(std::span<const glm::vec4> positions, std::span<const glm::vec4> normals,
+                               const glm::mat4& model);
 
 /// What stays of a mesh while it deforms: vec2 uvs (zero where it has none) and 32-bit indices.
 class MeshTopology {
@@ -15,10 +24,13 @@ class MeshTopology {
   /// Everything of a surface but positions, normals, model, sides and material; the pointers live as long
   /// as this.
   [[nodiscard]] Surface surface() const;
+  /// Reads back what a table has besides positions and normals.
+  void complete(MeshTable& table) const;
 
  private:
   gl::Buffer uvs_, indices_;
   gl::Texture uvView_;
+  bool hasUvs_;
   int vertexCount_;
   int indexCount_;
 };
@@ -30,6 +42,8 @@ class MeshBuffers {
 
   /// Everything but model, sides and material; the pointers live as long as this.
   [[nodiscard]] Surface surface() const;
+  /// Reads all of it back.
+  [[nodiscard]] MeshTable table(const glm::mat4& model) const;
 
  private:
   MeshTopology topology_;

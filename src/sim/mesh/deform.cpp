@@ -18,8 +18,6 @@
 #include <optional>
 #include <utility>
 
-#include <glm/geometric.hpp>
-
 namespace simreel::sim {
 
 namespace {
@@ -38,8 +36,6 @@ class DeformedMesh : public Simulation {
         parameters_(parameters),
         technique_(parameters.deform.technique),
         material_(object.material),
-        uvs_(mesh.uvs),
-        indices_(mesh.indices),
         frameSeconds_(setting.frameSeconds),
         plan_(name_, parameters, mesh, *setting.colliders),
         rest_(name_, mesh),
@@ -149,8 +145,6 @@ class DeformedMesh : public Simulation {
   MeshParameters parameters_;
   DeformTechnique technique_;
   scene::Material material_;
-  std::vector<glm::vec2> uvs_;
-  std::vector<unsigned> indices_;
   double frameSeconds_;
   double time_ = 0;  ///< s, of the present positions
   DeformPlan plan_;
@@ -312,15 +306,9 @@ std::optional<MeshTable> DeformedMesh::mesh() const {
     positions = cpu_.positions();
     normals = cpu_.normals();
   }
-  const glm::mat4 model = parameters_.model(time_);
-  MeshTable table;
-  table.uvs = uvs_;
-  table.indices = indices_;
-  table.positions.reserve(positions.size());
-  table.normals.reserve(normals.size());
-  for (const glm::vec4& p : positions) table.positions.emplace_back(model * glm::vec4(glm::vec3(p), 1.0F));
-  for (const glm::vec4& n : normals)
-    table.normals.push_back(glm::normalize(glm::vec3(model * glm::vec4(glm::vec3(n), 0.0F))));
+  MeshTable table = placed(positions, normals, parameters_.model(time_));
+  topology_.complete(table);
+  table.doubleSided = parameters_.doubleSided();
   return table;
 }
 

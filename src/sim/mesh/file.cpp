@@ -34,6 +34,11 @@ glm::vec3 toVec(const aiVector3D& v) {
   return {v.x, v.y, v.z};
 }
 
+/// OBJ and PLY count v from the last row of a picture, we from the first.
+glm::vec2 pictureUv(const aiVector3D& uv) {
+  return {uv.x, 1.0F - uv.y};
+}
+
 glm::mat4 toMat(const aiMatrix4x4& m) {
   return {m.a1, m.b1, m.c1, m.d1, m.a2, m.b2, m.c2, m.d2, m.a3, m.b3, m.c3, m.d3, m.a4, m.b4, m.c4, m.d4};
 }
@@ -65,7 +70,7 @@ class Gatherer {
     builder_.begin(part.mNumVertices, part.mNumFaces, transform, textured);
     for (unsigned i = 0; i < part.mNumVertices; ++i)
       builder_.vertex(toVec(part.mVertices[i]), part.HasNormals() ? toVec(part.mNormals[i]) : glm::vec3(0),
-                      textured ? glm::vec2(toVec(part.mTextureCoords[0][i])) : glm::vec2(0));
+                      textured ? pictureUv(part.mTextureCoords[0][i]) : glm::vec2(0));
     for (unsigned i = 0; i < part.mNumFaces; ++i) {
       const aiFace& face = part.mFaces[i];
       if (face.mNumIndices == 3) builder_.triangle({face.mIndices[0], face.mIndices[1], face.mIndices[2]});

@@ -8,7 +8,7 @@
 namespace simreel::sim {
 
 /// Indexed triangles. Positions in m, unit normals, one of each per vertex; uvs are empty when the file has
-/// none.
+/// none, v counts from a picture's first row.
 struct Mesh {
   std::vector<glm::vec3> positions;
   std::vector<glm::vec3> normals;

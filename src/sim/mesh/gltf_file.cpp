@@ -193,8 +193,7 @@ class GltfReader {
     builder_.begin(kept.size(), triangles.size(), transform, !uvs.empty());
     for (const Corner& corner : kept) {
       const std::array<float, 8>& v = corner.values;
-      builder_.vertex({v[0], v[1], v[2]}, {v[3], v[4], v[5]},
-                      uvs.empty() ? glm::vec2(0) : glm::vec2(v[6], 1 - v[7]));  // glTF's v points down
+      builder_.vertex({v[0], v[1], v[2]}, {v[3], v[4], v[5]}, {v[6], v[7]});
     }
     for (const auto& [a, b, c] : triangles) builder_.triangle({first[a], first[b], first[c]});
   }

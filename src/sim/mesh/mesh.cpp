@@ -8,6 +8,8 @@
 #include "sim/mesh/deform_rest.hpp"
 #include "sim/mesh/parameters.hpp"
 
+#include <optional>
+
 namespace simreel::sim {
 
 namespace {
@@ -15,10 +17,15 @@ namespace {
 /// A mesh that keeps its shape: scenery, moved by keyframes.
 class RigidMesh : public Simulation {
  public:
-  RigidMesh(const scene::Object& object, const MeshParameters& parameters, const Mesh& mesh)
-      : parameters_(parameters), material_(object.material), buffers_(object.name, mesh) {}
+  RigidMesh(const scene::Object& object, const MeshParameters& parameters, const Mesh& mesh,
+            double frameSeconds)
+      : parameters_(parameters),
+        material_(object.material),
+        frameSeconds_(frameSeconds),
+        buffers_(object.name, mesh) {}
 
-  void step(double /*time*/, const StepWatch& /*watch*/) override {}
+  void step(double time, const StepWatch& /*watch*/) override { time_ = time + frameSeconds_; }
+  void resumed(double time) override { time_ = time; }
 
   void publish(double time, Drawables& drawables) const override {
     if (!parameters_.visible) return;
@@ -29,9 +36,17 @@ class RigidMesh : public Simulation {
     drawables.surfaces.push_back(surface);
   }
 
+  [[nodiscard]] std::optional<MeshTable> mesh() const override {
+    MeshTable table = buffers_.table(parameters_.model(time_));
+    table.doubleSided = parameters_.doubleSided();
+    return table;
+  }
+
  private:
   MeshParameters parameters_;
   scene::Material material_;
+  double frameSeconds_;
+  double time_ = 0;  ///< s, of the present frame
   MeshBuffers buffers_;
 };
 
@@ -60,7 +75,7 @@ std::unique_ptr<Simulation> makeMesh(const scene::Object& object, const Setting&
   const auto& parameters = parametersOf<MeshParameters>(object);
   const Mesh mesh = readMesh(object, setting);
   if (!parameters.deform.list.empty()) return makeDeformedMesh(object, parameters, mesh, setting);
-  return std::make_unique<RigidMesh>(object, parameters, mesh);
+  return std::make_unique<RigidMesh>(object, parameters, mesh, setting.frameSeconds);
 }
 
 }  // namespace

@@ -2,7 +2,7 @@
 #include "base/file.hpp"
 #include "draw/camera.hpp"
 #include "frame/file/contour_file.hpp"
-#include "frame/file/glb.hpp"
+#include "frame/mesh/glb.hpp"
 
 #include <assimp/Importer.hpp>
 #include <assimp/postprocess.h>

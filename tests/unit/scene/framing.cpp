@@ -61,6 +61,19 @@ TEST_CASE("a camera that stands nowhere has all of a solid in view, and little m
       }
 }
 
+TEST_CASE("a camera looks down on what lies, and almost level at what is tall") {
+  const auto way = [](const glm::vec3& extent) {
+    const scene::Scene scene = with({{-0.5F * extent, 0.5F * extent}}, {640, 360});
+    const glm::vec3 back = scene.camera.position.at(0);
+    return back / std::sqrt(back.x * back.x + back.y * back.y + back.z * back.z);
+  };
+  CHECK(way({4, 1, 4}).x == 0);
+  CHECK(way({4, 1, 4}).y > 0.7F);
+  CHECK(way({3, 3, 3}).y < 0.4F);
+  CHECK(way({3, 3, 3}).x < -0.3F);
+  CHECK(way({3, 3, 3}).z > 0.8F);
+}
+
 TEST_CASE("a camera frames all that ask for it together, and stays where a scene has placed it") {
   const scene::Box left{{-5, 0, 0}, {-4, 1, 1}};
   const scene::Box right{{6, 0, -3}, {7, 2, 1}};

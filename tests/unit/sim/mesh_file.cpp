@@ -87,7 +87,7 @@ TEST_CASE("normals and texture coordinates of the file are kept") {
   REQUIRE(mesh.uvs.size() == mesh.positions.size());
   for (std::size_t i = 0; i < 3; ++i) {
     CHECK(mesh.uvs[i].x == doctest::Approx(0.5F * mesh.positions[i].x));
-    CHECK(mesh.uvs[i].y == doctest::Approx(0.25F * mesh.positions[i].y));
+    CHECK(mesh.uvs[i].y == doctest::Approx(1 - 0.25F * mesh.positions[i].y));
   }
 }
 

@@ -1,4 +1,4 @@
-#include "frame/file/obj.hpp"
+#include "frame/mesh/obj.hpp"
 
 #include <iterator>
 
@@ -15,7 +15,7 @@ std::string encodeObj(const sim::MeshTable& mesh, std::span<const std::string> c
     text += '\n';
   }
   for (const glm::vec3& p : mesh.positions) fmt::format_to(out, "v {} {} {}\n", p.x, p.y, p.z);
-  for (const glm::vec2& uv : mesh.uvs) fmt::format_to(out, "vt {} {}\n", uv.x, uv.y);
+  for (const glm::vec2& uv : mesh.uvs) fmt::format_to(out, "vt {} {}\n", uv.x, 1 - uv.y);
   for (const glm::vec3& n : mesh.normals) fmt::format_to(out, "vn {} {} {}\n", n.x, n.y, n.z);
   for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
     text += 'f';

@@ -29,7 +29,7 @@ inline constexpr std::array<const char*, 8> stateFormats = {"ply", "obj", "glb",
                                                std::span<const std::string> comments);
 
 /// Simulates up to a frame, the only one that is looked at. After an interrupt false, having said that so
-/// many files are whole.
+/// many files are whole, or none was written.
 [[nodiscard]] bool simulateTo(sim::World& world, int frame, int files);
 
 }  // namespace simreel::cli

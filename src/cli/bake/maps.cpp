@@ -1,10 +1,10 @@
-#include "cli/bake_maps.hpp"
+#include "cli/bake/maps.hpp"
 
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "base/log.hpp"
 #include "base/version.hpp"
-#include "cli/bake_files.hpp"
+#include "cli/bake/files.hpp"
 #include "cli/commands.hpp"
 #include "draw/overlay/field_textures.hpp"
 #include "draw/surface/skin_look.hpp"

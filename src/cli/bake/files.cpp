@@ -1,14 +1,14 @@
-#include "cli/bake_files.hpp"
+#include "cli/bake/files.hpp"
 
 #include "base/error.hpp"
 #include "base/log.hpp"
 #include "cli/commands.hpp"
 #include "frame/file/contour_file.hpp"
 #include "frame/file/field_file.hpp"
-#include "frame/file/glb.hpp"
-#include "frame/file/obj.hpp"
-#include "frame/file/ply.hpp"
 #include "frame/interrupt.hpp"
+#include "frame/mesh/glb.hpp"
+#include "frame/mesh/obj.hpp"
+#include "frame/mesh/ply.hpp"
 #include "frame/summaries.hpp"
 #include "sim/grid/field_values.hpp"
 
@@ -28,6 +28,11 @@ const sim::Field* fieldOf(const sim::Drawables& drawables, const std::string& na
 
 bool isContourFormat(const std::string& format) {
   return format == "svg" || format == "geojson";
+}
+
+/// Of meshes alone.
+bool isMeshFormat(const std::string& format) {
+  return format == "obj" || format == "glb" || format == "pc2" || format == "mdd";
 }
 
 bool isFieldFormat(const std::string& format) {
@@ -57,7 +62,7 @@ std::vector<std::byte> meshPly(const sim::MeshTable& mesh, const sim::PointTable
     const glm::vec3& p = mesh.positions[i];
     const glm::vec3& n = mesh.normals[i];
     values.insert(values.end(), {p.x, p.y, p.z, n.x, n.y, n.z});
-    if (!mesh.uvs.empty()) values.insert(values.end(), {mesh.uvs[i].x, mesh.uvs[i].y});
+    if (!mesh.uvs.empty()) values.insert(values.end(), {mesh.uvs[i].x, 1 - mesh.uvs[i].y});  // v as in OBJ
     for (std::size_t k = own; k < width; ++k) values.push_back(points.values[i * width + k]);
   }
   return frame::encodePly(columns, values, mesh.indices, comments);
@@ -67,7 +72,7 @@ bool has(const sim::World& world, std::size_t object, const std::string& format)
   const sim::Simulation& simulation = world.object(object);
   if (isFieldFormat(format)) return fieldOf(world.drawables(), world.objectName(object)) != nullptr;
   if (isContourFormat(format)) return simulation.lines().has_value();
-  if (format == "obj" || format == "glb") return simulation.mesh().has_value();
+  if (isMeshFormat(format)) return simulation.mesh().has_value();
   if (format == "ply") return !simulation.points().columns.empty() || simulation.mesh();
   const char* own = simulation.stateFile().suffix;
   return own != nullptr && format == own;
@@ -84,7 +89,7 @@ std::string formatFor(const sim::World& world, std::size_t object, const std::st
 
 const char* contentsOf(const std::string& format) {
   if (format == "ply") return "points or a mesh";
-  if (format == "obj" || format == "glb") return "a mesh";
+  if (isMeshFormat(format)) return "a mesh";
   if (isContourFormat(format)) return "contours";
   if (format == "rle") return "cells";
   return format.empty() ? "state" : "a field";
@@ -130,7 +135,10 @@ std::vector<std::byte> stateFile(const sim::World& world, std::size_t object, co
 bool simulateTo(sim::World& world, int frame, int files) {
   for (int next = std::min(world.frame() + 1, frame); next <= frame; ++next) {
     if (const int signal = frame::interruptSignal()) {
-      info("simreel: interrupted; the {} files written so far are whole", files);
+      if (files > 0)
+        info("simreel: interrupted; the {} files written so far are whole", files);
+      else
+        info("simreel: interrupted; no file was written");
       setExitCode(128 + signal);
       return false;
     }

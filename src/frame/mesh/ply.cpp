@@ -1,4 +1,4 @@
-#include "frame/file/ply.hpp"
+#include "frame/mesh/ply.hpp"
 
 #include "base/error.hpp"
 

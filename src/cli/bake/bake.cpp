@@ -4,15 +4,18 @@
 #include "base/log.hpp"
 #include "base/text.hpp"
 #include "base/version.hpp"
-#include "cli/bake_files.hpp"
-#include "cli/bake_maps.hpp"
+#include "cli/bake/files.hpp"
+#include "cli/bake/maps.hpp"
+#include "cli/bake/sequences.hpp"
 #include "cli/commands.hpp"
 #include "cli/device_options.hpp"
 #include "cli/scene_options.hpp"
 #include "frame/interrupt.hpp"
+#include "frame/mesh/mesh_sequence.hpp"
 #include "gl/context.hpp"
 #include "sim/world/world.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -33,6 +36,7 @@ struct BakeOptions {
   gl::ContextOptions on;
   std::optional<std::string> frames;
   bool overwrite = false;
+  bool sequence = false;  ///< all frames in one file
 };
 
 /// One of the files that a frame gives.
@@ -64,7 +68,49 @@ fs::path fileOf(const BakeOptions& o, const BakedFile& baked, int frame) {
   return fs::path(o.output) / fmt::format("{}_{:06}.{}", baked.name, frame, baked.format);
 }
 
-void bake(const BakeOptions& o) {
+/// Checks --sequence against the format, which stands for it or is chosen by it.
+void settleSequence(BakeOptions& o) {
+  const auto& formats = frame::sequenceFormats;
+  const bool known = std::find(formats.begin(), formats.end(), o.format) != formats.end();
+  if (o.sequence && o.format.empty()) o.format = formats.front();
+  if (o.sequence && !known && o.format != formats.front())
+    fail(ExitCode::usage, "--sequence: {} holds one frame; take --format glb, pc2 or mdd", o.format);
+  o.sequence = o.sequence || (known && o.format != "glb");
+}
+
+/// Lines about an object at the present frame.
+std::vector<std::string> commentsOn(const scene::Scene& scene, const sim::World& world,
+                                    std::size_t object) {
+  std::vector<std::string> comments = {
+      fmt::format("simreel {}", version()), fmt::format("scene {}", scene.hash),
+      fmt::format("object {} frame {} time {:g} s seed {}", world.objectName(object), world.frame(),
+                  world.time(), scene.seed)};
+  if (!scene.overrides.empty())
+    comments.push_back("overrides " + oneLine(scene::asArguments(scene.overrides)));
+  return comments;
+}
+
+void bakeFrames(const BakeOptions& o, const scene::Scene& scene, sim::World& world,
+                const std::vector<BakedFile>& all, const std::vector<int>& frames) {
+  for (const int frame : frames)
+    for (const BakedFile& baked : all)
+      if (const auto file = fileOf(o, baked, frame); !o.overwrite && pathExists(file))
+        fail(ExitCode::inputOutput, "{} exists; use --overwrite to replace it", file.string());
+  makeFolders(o.output);
+  int files = 0;
+  for (const int frame : frames) {
+    if (!simulateTo(world, frame, files)) return;
+    for (const BakedFile& baked : all) {
+      writeFileAtomically(fileOf(o, baked, frame), stateFile(world, baked.object, baked.name, baked.format,
+                                                             commentsOn(scene, world, baked.object)));
+      ++files;
+    }
+  }
+  info("{} files -> {}", files, fileOf(o, all.front(), frames.front()).string() + " ...");
+}
+
+void bake(BakeOptions o) {
+  settleSequence(o);
   if (o.format == "maps")
     return bakeMaps({.scene = o.scene,
                      .output = o.output,
@@ -81,27 +127,16 @@ void bake(const BakeOptions& o) {
   sim::World world(scene);
   static_cast<void>(world.settle());  // what there is, is asked of whole meshes
   const auto all = bakedFiles(world, o);
-  for (const int frame : frames)
-    for (const BakedFile& baked : all)
-      if (const auto file = fileOf(o, baked, frame); !o.overwrite && pathExists(file))
-        fail(ExitCode::inputOutput, "{} exists; use --overwrite to replace it", file.string());
-  makeFolders(o.output);
-  int files = 0;
-  for (const int frame : frames) {
-    if (!simulateTo(world, frame, files)) return;
-    for (const BakedFile& baked : all) {
-      std::vector<std::string> comments = {
-          fmt::format("simreel {}", version()), fmt::format("scene {}", scene.hash),
-          fmt::format("object {} frame {} time {:g} s seed {}", world.objectName(baked.object), frame,
-                      world.time(), scene.seed)};
-      if (!scene.overrides.empty())
-        comments.push_back("overrides " + oneLine(scene::asArguments(scene.overrides)));
-      writeFileAtomically(fileOf(o, baked, frame),
-                          stateFile(world, baked.object, baked.name, baked.format, comments));
-      ++files;
-    }
-  }
-  info("{} files -> {}", files, fileOf(o, all.front(), frames.front()).string() + " ...");
+  if (!o.sequence) return bakeFrames(o, scene, world, all, frames);
+  std::vector<std::size_t> objects;
+  for (const BakedFile& baked : all) objects.push_back(baked.object);
+  bakeSequences(world, {.format = o.format,
+                        .output = o.output,
+                        .objects = objects,
+                        .frames = frames,
+                        .fps = scene.time.fps,
+                        .overwrite = o.overwrite,
+                        .comments = [&](std::size_t object) { return commentsOn(scene, world, object); }});
 }
 
 }  // namespace
@@ -114,11 +149,13 @@ void addBake(CLI::App& app) {
   command->add_option("-o,--output", o->output, "Folder for NAME_000000.ply, NAME_000000_albedo.png ...")
       ->required();
   std::vector<std::string> formats(stateFormats.begin(), stateFormats.end());
-  formats.emplace_back("maps");
+  for (const char* more : {"pc2", "mdd", "maps"}) formats.emplace_back(more);
   command
       ->add_option(
           "--format", o->format,
-          "ply: points or meshes; obj, glb (binary glTF): meshes; svg, geojson: contours, and of caves the "
+          "ply: points or meshes; obj, glb (binary glTF): meshes; pc2, mdd: all frames of a mesh as a "
+          "point "
+          "cache, its first as obj beside it; svg, geojson: contours, and of caves the "
           "path and rooms; npy, pfm: values of fields, of caves the steps from the entrance too; rle: "
           "cells of "
           "automata; maps: of skins, textures that tile (albedo, normal with +y up, 16-bit height, "
@@ -128,6 +165,8 @@ void addBake(CLI::App& app) {
                       "Frames to write, for example 0-99x2,150; none given: all, of maps the last");
   command->add_option("--look", o->look, "With maps: a field as it is, as leather, spots, cracks or map");
   command->add_option("--object", o->object, "Only this object");
+  command->add_flag("--sequence", o->sequence,
+                    "All frames of a mesh in one file, NAME.glb: morph targets and an animation");
   addDevice(*command, o->on);
   command->add_flag("--overwrite", o->overwrite, "Replace files that exist");
   command->callback([o] { bake(*o); });

@@ -1,0 +1,113 @@
+#include "frame/mesh/glb_sequence.hpp"
+
+#include "base/error.hpp"
+
+#include <limits>
+
+namespace simreel::frame {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// A float takes at most that many characters in the document: sign, 17 digits, point, zeros or exponent.
+constexpr std::uint64_t longestFloat = 24;
+
+}  // namespace
+
+GlbSequence::GlbSequence(const std::filesystem::path& file, SequencePlan plan)
+    : plan_(std::move(plan)), file_(file) {}
+
+std::string GlbSequence::text() const {
+  Json document = document_;
+  layout_.into(document);
+  return document.dump();
+}
+
+/// Positions and normals of each frame after the first, less those of the first, one after the other.
+void GlbSequence::describeTargets(Json& primitive) {
+  const std::size_t count = first_.positions.size();
+  const std::uint64_t bytes = sizeof(glm::vec3) * std::uint64_t{count};
+  const std::size_t view = layout_.view(2 * bytes * targets(), gltfVertices, sizeof(glm::vec3));
+  for (std::size_t i = 0; i < targets(); ++i) {
+    bounded_.push_back(layout_.accessor(view, 2 * bytes * i, gltfFloat, count, "VEC3"));
+    layout_.setBounds(bounded_.back(), Bounds());
+    const std::size_t normals = layout_.accessor(view, 2 * bytes * i + bytes, gltfFloat, count, "VEC3");
+    primitive["targets"].push_back({{"POSITION", bounded_.back()}, {"NORMAL", normals}});
+  }
+}
+
+void GlbSequence::describeAnimation(std::size_t times, std::size_t weights) {
+  const Json sampler = {{"input", times}, {"interpolation", "LINEAR"}, {"output", weights}};
+  const Json channel = {{"sampler", 0}, {"target", {{"node", 0}, {"path", "weights"}}}};
+  document_["animations"] = Json::array(
+      {{{"name", plan_.name}, {"samplers", Json::array({sampler})}, {"channels", Json::array({channel})}}});
+  for (std::size_t i = 1; i < plan_.frames.size(); ++i)  // what programs call the targets
+    document_["meshes"][0]["extras"]["targetNames"].push_back(fmt::format("frame {}", plan_.frames[i]));
+}
+
+/// At frame i the weight of target i - 1 is 1, of all others 0.
+void GlbSequence::writeTimesAndWeights() {
+  std::vector<float> row(plan_.frames.size());
+  for (std::size_t i = 0; i < row.size(); ++i) row[i] = plan_.seconds(i);
+  file_.append(std::as_bytes(std::span(row)));
+  row.resize(targets());
+  for (std::size_t i = 0; i <= targets(); ++i) {
+    for (std::size_t k = 0; k < row.size(); ++k) row[k] = k + 1 == i ? 1.0F : 0.0F;
+    file_.append(std::as_bytes(std::span(row)));
+  }
+}
+
+void GlbSequence::begin() {
+  const std::size_t frames = plan_.frames.size();
+  document_ = gltfDocument(plan_.name, plan_.comments);
+  Json primitive = addSurface(layout_, first_);
+  std::size_t times = 0, weights = 0;
+  if (targets() > 0) {
+    times = layout_.list(0, gltfFloat, frames, "SCALAR");
+    layout_.setBounds(times, 0.0F, plan_.seconds(frames - 1));
+    weights = layout_.list(0, gltfFloat, frames * targets(), "SCALAR");
+    describeTargets(primitive);
+  }
+  addMesh(document_, plan_.name, primitive, first_.doubleSided);
+  if (targets() > 0) describeAnimation(times, weights);
+  room_ = (text().size() + 6 * longestFloat * targets() + 3) / 4 * 4;
+  if (const std::uint64_t total = layout_.bytes() + room_ + 64;
+      total > std::numeric_limits<std::uint32_t>::max())
+    fail(
+        ExitCode::usage,
+        "\"{}\": {} frames of {} vertices are {:.1f} GB, and GLB holds 4.2; take fewer --frames, or pc2 or "
+        "mdd",
+        plan_.name, frames, first_.positions.size(), static_cast<double>(total) * 1e-9);
+  file_.append(glbHeader(room_, layout_.bytes()));
+  const std::string blank(room_, ' ');
+  file_.append(std::as_bytes(std::span(blank)));
+  file_.append(glbBinaryHeader(layout_.bytes()));
+  for (const auto& list : surfaceBytes(first_)) file_.append(list);
+  if (targets() > 0) writeTimesAndWeights();
+}
+
+void GlbSequence::add(const sim::MeshTable& mesh) {
+  const std::size_t i = surface_.seen();
+  sim::MeshTable named = surface_.next(mesh);
+  if (i == 0) {
+    first_ = std::move(named);
+    return begin();
+  }
+  for (std::size_t k = 0; k < named.positions.size(); ++k) {
+    named.positions[k] -= first_.positions[k];
+    named.normals[k] -= first_.normals[k];
+  }
+  layout_.setBounds(bounded_[i - 1], Bounds::of(named.positions));
+  append(named.positions);
+  append(named.normals);
+}
+
+void GlbSequence::finish() {
+  const std::string document = text();
+  SIMREEL_CHECK(document.size() <= room_);  // the rest of it stays blank
+  file_.put(glbHeader(0, 0).size(), std::as_bytes(std::span(document)));
+  file_.finish();
+}
+
+}  // namespace simreel::frame

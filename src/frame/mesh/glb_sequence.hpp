@@ -1,0 +1,38 @@
+#pragma once
+#include "base/file.hpp"
+#include "frame/mesh/gltf_parts.hpp"
+#include "frame/mesh/mesh_sequence.hpp"
+#include "frame/mesh/same_surface.hpp"
+
+namespace simreel::frame {
+
+/// A surface as binary glTF with a morph target for each frame after the first. All sizes are known with
+/// the first frame; the document stands before the data but has the bounds of every target in it, so it is
+/// written last, into room that was left for it.
+class GlbSequence : public MeshSequence {
+ public:
+  GlbSequence(const std::filesystem::path& file, SequencePlan plan);
+
+  void add(const sim::MeshTable& mesh) override;
+  void finish() override;
+
+ private:
+  void begin();
+  void describeTargets(nlohmann::ordered_json& primitive);
+  void describeAnimation(std::size_t times, std::size_t weights);
+  void writeTimesAndWeights();
+  void append(const std::vector<glm::vec3>& items) { file_.append(std::as_bytes(std::span(items))); }
+  [[nodiscard]] std::size_t targets() const { return plan_.frames.size() - 1; }
+  [[nodiscard]] std::string text() const;
+
+  SequencePlan plan_;
+  SameSurface surface_{plan_};
+  PartFile file_;
+  sim::MeshTable first_;
+  nlohmann::ordered_json document_;
+  GltfLayout layout_;
+  std::vector<std::size_t> bounded_;  ///< accessors of the targets' positions
+  std::uint64_t room_ = 0;            ///< bytes for the document
+};
+
+}  // namespace simreel::frame

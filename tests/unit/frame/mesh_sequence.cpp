@@ -1,0 +1,183 @@
+// A surface over several frames as one file: glTF as assimp reads it, and what cannot be one.
+#include "frame/mesh/mesh_sequence.hpp"
+
+#include "base/error.hpp"
+#include "base/file.hpp"
+#include "frame/mesh/glb.hpp"
+#include "frame/mesh/obj.hpp"
+#include "frame/mesh/ply.hpp"
+#include "help.hpp"
+#include "sim/mesh/file.hpp"
+
+#include <assimp/Importer.hpp>
+#include <assimp/postprocess.h>
+#include <assimp/scene.h>
+#include <cmath>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <doctest/doctest.h>
+
+using namespace simreel;
+
+namespace {
+
+using frame::test::TemporaryFolder;
+
+/// Two triangles that share an edge, moved; the first vertex is in neither.
+sim::MeshTable movedPair(float by) {
+  sim::MeshTable mesh;
+  mesh.positions = {{9, 9, 9}, {0, by, 0}, {1, 0, 0}, {1, 0, 1 + 2 * by}, {0, 0, 1}};
+  mesh.normals = {{1, 0, 0}, {0, 1, 0}, {0, 1, 0}, {by, 1 - by, 0}, {0, 1, 0}};
+  mesh.uvs = {{0, 0}, {0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  mesh.indices = {1, 3, 2, 1, 4, 3};
+  return mesh;
+}
+
+std::string failureOf(const std::string& format, const std::vector<int>& frames,
+                      const std::vector<sim::MeshTable>& meshes) {
+  const TemporaryFolder folder;
+  const auto file = folder / "it";
+  std::string message = "no failure";
+  try {
+    const auto sequence = frame::openSequence(format, file, {"it", frames, 30, {}});
+    for (const sim::MeshTable& mesh : meshes) sequence->add(mesh);
+    sequence->finish();
+  } catch (const UserError& error) {
+    message = error.what();
+    CHECK(!pathExists(file));
+    CHECK(!pathExists(file.string() + ".part"));
+  }
+  return message;
+}
+
+}  // namespace
+
+TEST_CASE(
+    "meshes as PLY and glTF are read back bit for bit, as OBJ as well as the library reads decimals") {
+  const TemporaryFolder folder;
+  sim::MeshTable mesh;
+  std::uint32_t word = 1;
+  const auto any = [&word] {  // of every size between 1e-6 and 1e6, with all bits of the mantissa
+    word = word * 747796405U + 2891336453U;
+    const float mantissa = 1.0F + static_cast<float>(word >> 9U) * 0x1p-23F;
+    return std::ldexp((word & 1U) == 0 ? mantissa : -mantissa, static_cast<int>(word % 40) - 20);
+  };
+  for (unsigned i = 0; i < 300; ++i) {
+    mesh.positions.emplace_back(any(), any(), any());
+    mesh.normals.emplace_back(i % 3 == 0, i % 3 == 1, i % 3 == 2);
+    mesh.indices.push_back(i);
+  }
+  const auto written = [&](const char* name, const auto& bytes) {
+    writeFileAtomically(folder / name, bytes);
+    return folder / name;
+  };
+  std::vector<float> values;
+  for (std::size_t i = 0; i < 300; ++i)
+    for (const glm::vec3& row : {mesh.positions[i], mesh.normals[i]})
+      values.insert(values.end(), {row.x, row.y, row.z});
+  const std::vector<const char*> columns = {"x", "y", "z", "nx", "ny", "nz"};
+  for (const auto& file :
+       {written("a.obj", frame::encodeObj(mesh, {})), written("a.glb", frame::encodeGlb(mesh, "a", {})),
+        written("a.ply", frame::encodePly(columns, values, mesh.indices, {}))}) {
+    CAPTURE(file.string());
+    const bool isText = file.extension() == ".obj";
+    const sim::Mesh read = sim::loadMesh(file);
+    REQUIRE(read.indices.size() == mesh.indices.size());
+    for (std::size_t i = 0; i < 300; ++i) {
+      const glm::vec3 found = read.positions[read.indices[i]], wanted = mesh.positions[i];
+      for (int k = 0; k < 3; ++k)
+        CHECK(std::abs(found[k] - wanted[k]) <= (isText ? 0x1p-23F * std::abs(wanted[k]) : 0.0F));
+      CHECK(read.normals[read.indices[i]] == mesh.normals[i]);
+    }
+  }
+}
+
+TEST_CASE("mesh sequences: assimp finds the frames as morph targets and their weights") {
+  const TemporaryFolder folder;
+  const auto file = folder / "pair.glb";
+  const auto sequence = frame::openSequence("glb", file, {"pair", {4, 5, 8}, 10, {"a comment"}});
+  for (const float by : {0.0F, 0.5F, 1.0F}) sequence->add(movedPair(by));
+  CHECK(!pathExists(file));
+  sequence->finish();
+  Assimp::Importer importer;
+  const aiScene* scene = importer.ReadFile(file.string(), aiProcess_ValidateDataStructure);
+  REQUIRE_MESSAGE(scene != nullptr, importer.GetErrorString());
+  REQUIRE(scene->mNumMeshes == 1);
+  const aiMesh& mesh = *scene->mMeshes[0];
+  REQUIRE(mesh.mNumVertices == 4);
+  REQUIRE(mesh.mNumFaces == 2);
+  REQUIRE(mesh.mNumAnimMeshes == 2);
+  for (unsigned target = 0; target < 2; ++target) {
+    const sim::MeshTable wanted = movedPair(0.5F * static_cast<float>(target + 1));
+    const aiAnimMesh& found = *mesh.mAnimMeshes[target];
+    CHECK(std::string(found.mName.C_Str()) == (target == 0 ? "frame 5" : "frame 8"));
+    for (unsigned i = 0; i < 4; ++i) {
+      CHECK(glm::vec3(found.mVertices[i].x, found.mVertices[i].y, found.mVertices[i].z) ==
+            wanted.positions[i + 1]);
+      CHECK(glm::vec3(found.mNormals[i].x, found.mNormals[i].y, found.mNormals[i].z) ==
+            wanted.normals[i + 1]);
+    }
+  }
+  REQUIRE(scene->mNumAnimations == 1);
+  REQUIRE(scene->mAnimations[0]->mNumMorphMeshChannels == 1);
+  const aiMeshMorphAnim& animation = *scene->mAnimations[0]->mMorphMeshChannels[0];
+  REQUIRE(animation.mNumKeys == 3);
+  const double milliseconds[3] = {0, 100, 400};
+  for (unsigned key = 0; key < 3; ++key) {
+    CHECK(animation.mKeys[key].mTime == doctest::Approx(milliseconds[key]));
+    for (unsigned k = 0; k < 2; ++k) CHECK(animation.mKeys[key].mWeights[k] == (k + 1 == key ? 1.0 : 0.0));
+  }
+}
+
+TEST_CASE("mesh sequences: one file holds one surface") {
+  sim::MeshTable turned = movedPair(0.1F), longer = movedPair(0.1F), wider = movedPair(0.1F),
+                 drawn = turned;
+  std::swap(turned.indices[1], turned.indices[2]);
+  longer.indices.insert(longer.indices.end(), {1, 2, 4});
+  wider.positions.emplace_back(0);
+  wider.normals.emplace_back(0);
+  wider.uvs.emplace_back(0);
+  drawn.uvs[2].x = 0.5F;
+  for (const char* format : frame::sequenceFormats) {
+    const auto second = [&](const sim::MeshTable& mesh) {
+      return failureOf(format, {7, 9}, {movedPair(0), mesh});
+    };
+    CHECK(second(movedPair(1)) == "no failure");
+    CHECK(second(turned).find("\"it\" has other triangles in frame 9") == 0);
+    CHECK(second(longer).find("\"it\" has 3 triangles instead of 2 in frame 9") == 0);
+    CHECK(second(wider).find("\"it\" has 6 vertices instead of 5 in frame 9") == 0);
+    CHECK(second(drawn).find("\"it\" has other texture coordinates in frame 9") == 0);
+    CHECK(failureOf(format, {7}, {{}}).find("\"it\" has no triangles in frame 7") == 0);
+  }
+  CHECK(failureOf("pc2", {0, 2, 3}, {}).find("--frames: PC2 has one step") == 0);
+}
+
+TEST_CASE("mesh sequences: more than GLB holds is said with the first frame") {
+  std::vector<int> frames(60'000);
+  for (std::size_t i = 0; i < frames.size(); ++i) frames[i] = static_cast<int>(i);
+  const std::string said = failureOf("glb", frames, {movedPair(0)});
+  CHECK(said.find("\"it\": 60000 frames of 4 vertices are 14.") == 0);
+}
+
+TEST_CASE("files in parts: written over, and gone where they are not finished") {
+  const TemporaryFolder folder;
+  const auto file = folder / "file";
+  const auto bytes = [](std::string_view text) { return std::as_bytes(std::span(text)); };
+  {
+    PartFile part(file);
+    part.append(bytes("one "));
+    CHECK(pathExists(file.string() + ".part"));
+  }
+  CHECK(!pathExists(file.string() + ".part"));
+  PartFile part(file);
+  part.append(bytes("one two"));
+  part.put(0, bytes("TWO"));
+  part.append(bytes(" three"));
+  CHECK(!pathExists(file));
+  part.finish();
+  CHECK(readFile(file, "file") == "TWO two three");
+  CHECK(!pathExists(file.string() + ".part"));
+}
