@@ -32,8 +32,8 @@ class Cloth : public Simulation {
   Cloth(const scene::Object& object, const Setting& setting)
       : name_(object.name),
         material_(object.material),
-        plan_(parametersOf<ClothParameters>(object), setting.seed, setting.frameSeconds,
-              *setting.colliders),
+        plan_(parametersOf<ClothParameters>(object), setting.seed, setting.frameSeconds, *setting.colliders,
+              setting.boneNamed, setting.startTime),
         size_(plan_.parameters().size),
         constrained_(plan_.parameters().constrained()),
         heights_(setting.heights),
@@ -263,7 +263,8 @@ SimulationKind clothKind() {
       "cloth", "A sheet of particles held together by springs, in wind and over colliders.",
       [](const scene::Object& object, const Setting& setting) {
         static_cast<void>(ClothPlan(parametersOf<ClothParameters>(object), setting.seed,
-                                    setting.frameSeconds, *setting.colliders));
+                                    setting.frameSeconds, *setting.colliders, setting.boneNamed,
+                                    setting.startTime));
       },
       makeSimulation<Cloth>);
 }
