@@ -118,6 +118,33 @@ TEST_CASE("body: each mistake of a file is one line with its place") {
   checkHas(changed([](auto& d) { d["animations"][0]["channels"][0]["sampler"] = 7; }), "sound glTF");
 }
 
+TEST_CASE("body: whatever stands in a file is read or refused in one line") {
+  auto gltf = test::tubeText();
+  nlohmann::json whole = nlohmann::json::parse(gltf.text());
+  std::vector<nlohmann::json::json_pointer> leaves;
+  const nlohmann::json flat = whole.flatten();
+  for (const auto& [path, value] : flat.items())
+    if (!value.is_string() || path.find("uri") == std::string::npos) leaves.emplace_back(path);
+  CHECK(leaves.size() > 100);
+  int refused = 0;
+  int astray = 0;
+  for (const auto& leaf : leaves)
+    for (const char* wrong : {"-1", "7", "1e9", "\"x\"", "null"}) {
+      nlohmann::json changed = whole;
+      changed[leaf] = nlohmann::json::parse(wrong);
+      try {
+        const sim::Figure figure = sim::readFigure("tube.gltf", changed.dump());
+        for (const glm::uvec4& follow : figure.follow)
+          for (int k = 0; k < 4; ++k) astray += follow[k] < figure.joints.size() ? 0 : 1;
+      } catch (const UserError& error) {
+        ++refused;
+        CHECK(std::string(error.what()).find('\n') == std::string::npos);
+      }
+    }
+  CHECK(refused > 300);
+  CHECK(astray == 0);
+}
+
 TEST_CASE("body: names that are not there are named, and what there is") {
   const TemporaryFile file("tube.gltf", test::tubeText().text());
   const std::string body = fmt::format(R"("tube": {{"body": {{"file": "{}" )", file.path().string());
