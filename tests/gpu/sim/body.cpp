@@ -137,6 +137,9 @@ TEST_CASE("body: a cape on a walking body equals its CPU twin, keeps out of it a
   testContext();
   const scene::Scene scene = capeScene();
   sim::World world(scene);
+  std::vector<std::size_t> order;
+  world.advanceTo(-14, {}, [&](std::size_t object) { order.push_back(object); });
+  CHECK(order == std::vector<std::size_t>{1, 0});  // the body before those that it moves
   world.advanceTo(20);
   const sim::Bones bones(scene);
   std::vector<sim::ColliderShape> colliders;
