@@ -32,8 +32,8 @@ double areaOf(const std::vector<Spot>& spots) {
 
 /// The mean of the values between two fractions of the area.
 double meanBetween(std::vector<Weighed> values, double low, double high) {
-  std::sort(values.begin(), values.end(),
-            [](const Weighed& a, const Weighed& b) { return a.value < b.value; });
+  std::stable_sort(values.begin(), values.end(),
+                   [](const Weighed& a, const Weighed& b) { return a.value < b.value; });
   double total = 0;
   for (const Weighed& v : values) total += v.area;
   double before = 0;
@@ -50,7 +50,7 @@ double meanBetween(std::vector<Weighed> values, double low, double high) {
   return counted > 0 ? sum / counted : 0;
 }
 
-double distance(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b) {
+double toSegment(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b) {
   const glm::dvec3 axis = b - a;
   const double squared = glm::dot(axis, axis);
   const double t = squared > 0 ? std::clamp(glm::dot(p - a, axis) / squared, 0.0, 1.0) : 0;
@@ -108,7 +108,7 @@ BoneCapsule fitted(int node, const std::vector<Spot>& spots, const glm::dvec3& c
   const auto measure = [&] {
     distances.clear();
     for (const Spot& spot : spots)
-      distances.push_back({distance(spot.place, place(low), place(high)), spot.area});
+      distances.push_back({toSegment(spot.place, place(low), place(high)), spot.area});
     return meanBetween(distances, 0.25, 0.75);
   };
   double radius = measure();

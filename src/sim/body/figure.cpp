@@ -11,8 +11,8 @@ namespace simreel::sim {
 namespace {
 
 template <class Item>
-std::size_t named(const std::vector<Item>& items, const std::string& name, const std::string& what,
-                  const char* kind) {
+std::size_t placeOf(const std::vector<Item>& items, const std::string& name, const std::string& what,
+                    const char* kind) {
   std::vector<std::string> names;
   for (std::size_t i = 0; i < items.size(); ++i) {
     if (items[i].name == name) return i;
@@ -25,11 +25,11 @@ std::size_t named(const std::vector<Item>& items, const std::string& name, const
 }  // namespace
 
 int Figure::nodeNamed(const std::string& name, const std::string& what) const {
-  return static_cast<int>(named(nodes, name, what, "bone"));
+  return static_cast<int>(placeOf(nodes, name, what, "bone"));
 }
 
 const FigureAnimation& Figure::animationNamed(const std::string& name, const std::string& what) const {
-  return animations[named(animations, name, what, "animation")];
+  return animations[placeOf(animations, name, what, "animation")];
 }
 
 Figure loadFigure(const std::filesystem::path& file) {

@@ -11,18 +11,18 @@ double dot(const glm::dquat& a, const glm::dquat& b) {
   return a.x * b.x + a.y * b.y + a.z * b.z + a.w * b.w;
 }
 
-glm::dquat scaled(const glm::dquat& q, double by) {
+glm::dquat timesScalar(const glm::dquat& q, double by) {
   return {q.w * by, q.x * by, q.y * by, q.z * by};
 }
 
-glm::dquat unit(const glm::dquat& q) {
+glm::dquat unitOf(const glm::dquat& q) {
   const double squared = dot(q, q);
-  return squared > 1e-30 ? scaled(q, 1.0 / std::sqrt(squared)) : glm::dquat(1, 0, 0, 0);
+  return squared > 1e-30 ? timesScalar(q, 1.0 / std::sqrt(squared)) : glm::dquat(1, 0, 0, 0);
 }
 
 /// sin(u a) / sin(a) for cos(a) = 1 + below: u (1 + b1 (1 + b2 (1 + ...))), with
 /// b_i = (u^2 - i^2) / (i (2i + 1)) * below. For a up to a right angle |b_i| comes to 1/2.
-double share(double u, double below) {
+double sineShare(double u, double below) {
   double sum = 1;
   for (int i = 44; i >= 1; --i) {
     const double n = i;
@@ -41,7 +41,7 @@ glm::dvec4 keyAt(const FigureChannel& channel, std::size_t item) {
 
 glm::dvec4 finished(const FigureChannel& channel, const glm::dvec4& value) {
   if (channel.path != FigureChannel::Path::rotation) return value;
-  const glm::dquat q = unit(glm::dquat(value.w, value.x, value.y, value.z));
+  const glm::dquat q = unitOf(glm::dquat(value.w, value.x, value.y, value.z));
   return {q.x, q.y, q.z, q.w};
 }
 
@@ -51,9 +51,9 @@ glm::dquat slerp(const glm::dquat& from, const glm::dquat& to, double u) {
   const double cosine = dot(from, to);
   const double sign = cosine < 0 ? -1.0 : 1.0;
   const double below = std::min(cosine * sign, 1.0) - 1.0;
-  const glm::dquat a = scaled(from, share(1 - u, below));
-  const glm::dquat b = scaled(to, sign * share(u, below));
-  return unit({a.w + b.w, a.x + b.x, a.y + b.y, a.z + b.z});
+  const glm::dquat a = timesScalar(from, sineShare(1 - u, below));
+  const glm::dquat b = timesScalar(to, sign * sineShare(u, below));
+  return unitOf({a.w + b.w, a.x + b.x, a.y + b.y, a.z + b.z});
 }
 
 glm::dvec4 sample(const FigureChannel& channel, double seconds) {
@@ -81,13 +81,13 @@ glm::dvec4 sample(const FigureChannel& channel, double seconds) {
                                  to * (3 * u2 - 2 * u3) + in * (u3 - u2));
   }
   if (channel.path != FigureChannel::Path::rotation) return from * (1 - u) + to * u;
-  const glm::dquat q =
-      slerp(unit(glm::dquat(from.w, from.x, from.y, from.z)), unit(glm::dquat(to.w, to.x, to.y, to.z)), u);
+  const glm::dquat q = slerp(unitOf(glm::dquat(from.w, from.x, from.y, from.z)),
+                             unitOf(glm::dquat(to.w, to.x, to.y, to.z)), u);
   return {q.x, q.y, q.z, q.w};
 }
 
 glm::dmat4 transformOf(const glm::dvec3& translation, const glm::dquat& rotation, const glm::dvec3& scale) {
-  const glm::dquat q = unit(rotation);
+  const glm::dquat q = unitOf(rotation);
   // The matrix of a unit quaternion, column by column, each scaled.
   return {glm::dvec4(1 - 2 * (q.y * q.y + q.z * q.z), 2 * (q.x * q.y + q.w * q.z),
                      2 * (q.x * q.z - q.w * q.y), 0) *

@@ -14,7 +14,7 @@ namespace simreel::sim {
 
 namespace {
 
-std::vector<glm::vec4> widened(const std::vector<glm::vec3>& items) {
+std::vector<glm::vec4> asVec4(const std::vector<glm::vec3>& items) {
   std::vector<glm::vec4> wide;
   wide.reserve(items.size());
   for (const glm::vec3& item : items) wide.emplace_back(item, 0.0F);
@@ -30,7 +30,7 @@ std::vector<glm::uvec4> facesOf(const Mesh& mesh) {
 }
 
 /// Before anything is filled.
-int countOf(const std::string& name, const Mesh& mesh) {
+int checkedCount(const std::string& name, const Mesh& mesh) {
   const auto bytes =
       static_cast<std::int64_t>(std::max(mesh.positions.size(), mesh.indices.size() / 3)) * 16;
   const std::int64_t max = gl::limits().storageBlockBytes;
@@ -46,10 +46,10 @@ int countOf(const std::string& name, const Mesh& mesh) {
 
 SkinnedSurface::SkinnedSurface(const std::string& name, const Figure& figure, bool fast)
     : name_(name),
-      vertexCount_(countOf(name, figure.mesh)),
+      vertexCount_(checkedCount(name, figure.mesh)),
       faceCount_(static_cast<int>(figure.mesh.indices.size() / 3)),
-      restPositions_(name + " positions at bind", widened(figure.mesh.positions)),
-      restNormals_(name + " normals at bind", widened(figure.mesh.normals)),
+      restPositions_(name + " positions at bind", asVec4(figure.mesh.positions)),
+      restNormals_(name + " normals at bind", asVec4(figure.mesh.normals)),
       weights_(name + " weights", figure.weights),
       poses_(name + " poses", static_cast<int>(6 * figure.joints.size())),
       follow_(name + " joints", figure.follow),

@@ -37,12 +37,12 @@ shader::PinFrame pinFrame(const PinGroup& group, double time) {
 
 /// A fraction of the way between what a frame begins and ends with.
 template <class T>
-T between(const std::array<T, 2>& ends, double now) {
+T betweenEnds(const std::array<T, 2>& ends, double now) {
   return ends[0] * (1 - now) + ends[1] * now;
 }
 
 /// First the frame, then the carrier.
-shader::PinFrame carried(const shader::PinFrame& frame, const glm::dmat4& carrier) {
+shader::PinFrame carriedFrame(const shader::PinFrame& frame, const glm::dmat4& carrier) {
   const glm::dvec4 rows[3] = {glm::dvec4(frame.row0), glm::dvec4(frame.row1), glm::dvec4(frame.row2)};
   shader::PinFrame result{};
   glm::vec4* to[3] = {&result.row0, &result.row1, &result.row2};
@@ -171,7 +171,7 @@ shader::Collider ClothPlan::carriedCollider(const ColliderShape& shape,
   shader::Collider c{};
   const auto side = [&](std::size_t end, glm::vec4& place, glm::vec4& velocity) {
     const std::array<glm::dvec3, 2> way = {ends[0].ends[end], ends[1].ends[end]};
-    place = glm::vec4(glm::vec3(between(way, now)), 0);
+    place = glm::vec4(glm::vec3(betweenEnds(way, now)), 0);
     velocity = glm::vec4(glm::vec3((way[1] - way[0]) * perFrame), 0);
   };
   side(0, c.a, c.velocityA);
@@ -179,7 +179,7 @@ shader::Collider ClothPlan::carriedCollider(const ColliderShape& shape,
   const glm::dvec3 axis(c.b - c.a);
   const double squared = axis.x * axis.x + axis.y * axis.y + axis.z * axis.z;
   c.perLengthSquared = squared > 1e-12 ? static_cast<float>(1.0 / squared) : 0.0F;
-  c.reach = static_cast<float>(between(std::array{ends[0].radius, ends[1].radius}, now));
+  c.reach = static_cast<float>(betweenEnds(std::array{ends[0].radius, ends[1].radius}, now));
   c.grip = kept(shape.grip, substepSeconds_);
   c.friction = static_cast<float>(shape.friction.value_or(-1.0));
   return c;
@@ -226,7 +226,8 @@ std::vector<shader::ClothStep> ClothPlan::frame(double time) {
     for (std::size_t g = 0; g < p.pins.size(); ++g) {
       s.frames[g] = pinFrame(p.pins[g], end);
       if (carriers_[g].at)
-        s.frames[g] = carried(s.frames[g], between(ends.pins[g], static_cast<double>(i + 1) / substeps_));
+        s.frames[g] =
+            carriedFrame(s.frames[g], betweenEnds(ends.pins[g], static_cast<double>(i + 1) / substeps_));
     }
     const glm::vec3 inwards[4] = {alongX_, -alongX_, alongY_, -alongY_};
     for (int border = 0; border < 4; ++border)
