@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
@@ -12,6 +13,15 @@ namespace simreel::sim {
 namespace {
 
 constexpr double leastShare = 1.0 / 300;  ///< of the whole skin
+
+/// The area that a bone needs to have a capsule.
+double leastArea(std::vector<double> areas) {
+  double total = 0;
+  for (const double area : areas) total += area;
+  std::sort(areas.begin(), areas.end(), std::greater<>());
+  const double last = areas.size() > maxCapsules ? areas[maxCapsules - 1] : 0;
+  return std::max(last, leastShare * total);
+}
 
 /// A vertex that a bone dominates, in the bone's space.
 struct Spot {
@@ -128,7 +138,6 @@ BoneCapsule fitted(int node, const std::vector<Spot>& spots, const glm::dvec3& c
 std::vector<BoneCapsule> fitCapsules(const Figure& figure) {
   const std::vector<double> areas = vertexAreas(figure.mesh);
   std::vector<std::vector<Spot>> spots(figure.joints.size());
-  double total = 0;
   for (std::size_t i = 0; i < figure.mesh.positions.size(); ++i) {
     int most = 0;
     for (int k = 1; k < 4; ++k)
@@ -136,12 +145,15 @@ std::vector<BoneCapsule> fitCapsules(const Figure& figure) {
     const std::size_t joint = figure.follow[i][most];
     const glm::dvec4 place(glm::dvec3(figure.mesh.positions[i]), 1);
     spots[joint].push_back({glm::dvec3(figure.joints[joint].inverseBind * place), areas[i]});
-    total += areas[i];
   }
+  std::vector<double> boneAreas;
+  for (std::size_t joint = 0; joint < spots.size(); ++joint)
+    boneAreas.push_back(figure.joints[joint].bone ? areaOf(spots[joint]) : 0);
+  const double least = leastArea(boneAreas);
   std::vector<BoneCapsule> capsules;
   for (std::size_t joint = 0; joint < spots.size(); ++joint) {
+    if (!(boneAreas[joint] >= least) || !(least > 0) || capsules.size() == maxCapsules) continue;
     const FigureJoint& bone = figure.joints[joint];
-    if (!bone.bone || !(areaOf(spots[joint]) >= leastShare * total) || !(total > 0)) continue;
     capsules.push_back(fitted(bone.node, spots[joint], childOf(figure, joint, bone.inverseBind)));
   }
   return capsules;

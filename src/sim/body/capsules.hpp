@@ -1,6 +1,7 @@
 #pragma once
 #include "sim/body/figure.hpp"
 
+#include <cstddef>
 #include <vector>
 
 #include <glm/vec3.hpp>
@@ -13,6 +14,9 @@ struct BoneCapsule {
   glm::dvec3 ends[2] = {};  ///< m, centres of its round ends
   double radius = 0;        ///< m
 };
+
+/// Most capsules of a body: those of the bones with the most skin.
+constexpr std::size_t maxCapsules = 24;
 
 /// A capsule for each bone that dominates (has the greatest weight) a three-hundredth of the skin or more.
 /// Its axis goes from the bone to its child, or to the middle of several, or, of a bone without children or

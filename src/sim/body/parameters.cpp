@@ -28,7 +28,7 @@ void BodyParameters::describe(scene::Fields& f) {
   f.boolean("visible", visible, "Whether it is drawn.");
   f.boolean("collides", collides,
             "Whether cloth touches it: capsules around its bones, from each to its child, as thick as the "
-            "skin there (simreel render -v says where).");
+            "skin there (simreel render -v says where), of the 24 bones with the most skin.");
   f.number("grip", grip, {0, 1e6}, "1/s",
            "Rate at which cloth sliding over it loses speed; 25.3 keeps 0.9 at 240 Hz.");
   f.optionalNumber("friction", friction, {0, 100}, "",

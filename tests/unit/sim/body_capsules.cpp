@@ -84,6 +84,24 @@ TEST_CASE("a bone without children has a capsule as long as its skin") {
   CHECK(capsules[0].radius < 0.21);
 }
 
+TEST_CASE("of many bones those with the most skin have capsules") {
+  sim::Figure figure;
+  for (int bone = 0; bone < 40; ++bone) {
+    figure.nodes.push_back({.name = std::to_string(bone)});
+    figure.joints.push_back({bone, true, glm::dmat4(1)});
+    const float size = 1.0F + 0.1F * static_cast<float>(bone * 17 % 40);
+    for (const glm::vec3& corner : {glm::vec3(0), glm::vec3(size, 0, 0), glm::vec3(0, size, 0)}) {
+      figure.mesh.indices.push_back(static_cast<unsigned>(figure.mesh.positions.size()));
+      figure.mesh.positions.push_back(corner);
+      figure.follow.emplace_back(static_cast<unsigned>(bone));
+      figure.weights.emplace_back(1, 0, 0, 0);
+    }
+  }
+  const auto capsules = sim::fitCapsules(figure);
+  REQUIRE(capsules.size() == sim::maxCapsules);
+  for (const sim::BoneCapsule& capsule : capsules) CHECK(capsule.node * 17 % 40 >= 16);
+}
+
 TEST_CASE("cloth hears where the capsules of a moving body are and how fast") {
   const test::TemporaryFile file("tube.gltf", test::tubeText().text());
   const scene::Scene scene = tubeScene(file, R"(, "animation": "bend", "scale": 2)");
