@@ -3,7 +3,7 @@
 #ifndef CLOTH_TYPES
 #define CLOTH_TYPES
 
-const int maxColliders = 12;
+const int maxColliders = 32;
 const int maxPinFrames = 8;
 
 // What a scene says and the kernels read as it is.

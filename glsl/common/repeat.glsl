@@ -1,25 +1,30 @@
-// Writes REPEATED(0) to REPEATED(TIMES - 1), for TIMES of at most 16: a loop whose counter is a constant in each round. Software
+// Writes REPEATED(0) to REPEATED(TIMES - 1), for TIMES of at most 32: a loop whose counter is a constant in each round. Software
 // drivers read uniform blocks lane by lane where the place is none, and run the code of every branch.
 #ifndef REPEAT_MACROS
 #define REPEAT_MACROS
 #define REPEAT_2(i) REPEATED(i) REPEATED((i) + 1)
 #define REPEAT_4(i) REPEAT_2(i) REPEAT_2((i) + 2)
 #define REPEAT_8(i) REPEAT_4(i) REPEAT_4((i) + 4)
+#define REPEAT_16(i) REPEAT_8(i) REPEAT_8((i) + 8)
 #endif
-#if TIMES >= 8
-REPEAT_8(0)
-#endif
-#if TIMES >= 16
-REPEAT_8(8)
+#if TIMES >= 32
+REPEAT_16(0)
+REPEAT_16(16)
 #else
+#if (TIMES & 16) != 0
+REPEAT_16(0)
+#endif
+#if (TIMES & 8) != 0
+REPEAT_8(TIMES & 16)
+#endif
 #if (TIMES & 4) != 0
-REPEAT_4(TIMES & 8)
+REPEAT_4(TIMES & 24)
 #endif
 #if (TIMES & 2) != 0
-REPEAT_2(TIMES & 12)
+REPEAT_2(TIMES & 28)
 #endif
 #if (TIMES & 1) != 0
-REPEATED(TIMES & 14)
+REPEATED(TIMES & 30)
 #endif
 #endif
 #undef TIMES

@@ -34,7 +34,7 @@ class Cloth : public Simulation, public LockStep {
       : name_(object.name),
         material_(object.material),
         plan_(inStep(parametersOf<ClothParameters>(object), setting), setting.seed, setting.frameSeconds,
-              *setting.colliders),
+              *setting.colliders, setting.boneNamed, setting.startTime),
         size_(plan_.parameters().size),
         constrained_(plan_.parameters().constrained()),
         heights_(setting.heights),
@@ -309,7 +309,8 @@ SimulationKind clothKind() {
       "cloth", "A sheet of particles held together by springs, in wind and over colliders.",
       [](const scene::Object& object, const Setting& setting) {
         static_cast<void>(ClothPlan(parametersOf<ClothParameters>(object), setting.seed,
-                                    setting.frameSeconds, *setting.colliders));
+                                    setting.frameSeconds, *setting.colliders, setting.boneNamed,
+                                    setting.startTime));
       },
       makeSimulation<Cloth>);
 }

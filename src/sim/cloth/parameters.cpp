@@ -67,6 +67,12 @@ void PinGroup::describe(scene::Fields& f, const glm::ivec2& grid) {
   f.vector("rotate", rotate, scene::anyNumber, "degrees", "Rotation of the pins about the pivot.");
   f.vector("scale", scale, {-1e3, 1e3}, "", "Scale of the pins about the pivot.");
   f.vector("pivot", pivot, scene::anyNumber, "m", "Fixed point of rotation and scale, in world space.");
+  f.text("to", to,
+         "Name of a body that carries the pins: they follow its \"bone\" from where the sheet lies at the "
+         "start.");
+  f.text("bone", bone, "Name of that bone in the body's file.");
+  if (to.empty() != bone.empty())
+    f.error(to.empty() ? "bone" : "to", "pins are carried by both: \"to\" a body and its \"bone\"");
   checkLines(f, "rows", rows, grid.y);
   checkLines(f, "columns", columns, grid.x);
   for (const glm::ivec2& p : points)
@@ -150,6 +156,13 @@ void ClothParameters::describe(scene::Fields& f) {
     for (int side = 0; side < 4; ++side) border = border || pinsBorder(group, side);
     if (!border) f.error("pins", "\"clamp\" holds borders: pin the first or last of the rows or columns");
   }
+}
+
+std::vector<ObjectParameters::Tie> ClothParameters::ties() const {
+  std::vector<Tie> ties;
+  for (std::size_t i = 0; i < pins.size(); ++i)
+    if (!pins[i].to.empty()) ties.push_back({pins[i].to, {"pins", std::to_string(i), "to"}});
+  return ties;
 }
 
 bool ClothParameters::pinsBorder(const PinGroup& group, int border) const {

@@ -24,6 +24,8 @@ struct PinGroup {
   scene::Animated<glm::vec3> rotate = glm::vec3(0);  ///< degrees
   scene::Animated<glm::vec3> scale = glm::vec3(1);
   glm::vec3 pivot{0, 0, 0};  ///< m, world; rotation and scale act about it
+  std::string to;            ///< body whose bone carries them; empty: none
+  std::string bone;
   void describe(scene::Fields& fields, const glm::ivec2& grid);
 };
 
@@ -66,6 +68,7 @@ struct ClothParameters : ObjectParameters, shader::ClothConstants {
   void describe(scene::Fields& fields) override;
   [[nodiscard]] std::span<const scene::Quantity> quantities() const override;
   [[nodiscard]] std::string meetsWalls() const override { return walls; }
+  [[nodiscard]] std::vector<Tie> ties() const override;
   /// Where it is at rest, and where it comes to when it hangs from what is pinned at the start; without
   /// pins where it falls through once its size.
   [[nodiscard]] std::optional<scene::Box> framed() const override;

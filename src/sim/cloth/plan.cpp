@@ -9,6 +9,8 @@
 #include <cmath>
 #include <string>
 
+#include <glm/matrix.hpp>
+
 namespace simreel::sim {
 
 namespace {
@@ -33,6 +35,25 @@ shader::PinFrame pinFrame(const PinGroup& group, double time) {
   return frame;
 }
 
+/// A fraction of the way between what a frame begins and ends with.
+template <class T>
+T betweenEnds(const std::array<T, 2>& ends, double now) {
+  return ends[0] * (1 - now) + ends[1] * now;
+}
+
+/// First the frame, then the carrier.
+shader::PinFrame carriedFrame(const shader::PinFrame& frame, const glm::dmat4& carrier) {
+  const glm::dvec4 rows[3] = {glm::dvec4(frame.row0), glm::dvec4(frame.row1), glm::dvec4(frame.row2)};
+  shader::PinFrame result{};
+  glm::vec4* to[3] = {&result.row0, &result.row1, &result.row2};
+  for (int i = 0; i < 3; ++i) {
+    glm::dvec4 row = rows[0] * carrier[0][i] + rows[1] * carrier[1][i] + rows[2] * carrier[2][i];
+    row.w += carrier[3][i];
+    *to[i] = glm::vec4(row);
+  }
+  return result;
+}
+
 /// What a frame makes of a direction.
 glm::vec4 turned(const shader::PinFrame& frame, glm::vec3 way) {
   const auto row = [&](const glm::vec4& r) { return r.x * way.x + r.y * way.y + r.z * way.z; };
@@ -42,7 +63,9 @@ glm::vec4 turned(const shader::PinFrame& frame, glm::vec3 way) {
 }  // namespace
 
 ClothPlan::ClothPlan(const ClothParameters& parameters, int seed, double frameSeconds,
-                     const std::vector<ColliderShape>& colliders)
+                     const std::vector<ColliderShape>& colliders,
+                     const std::function<Carrier(const std::string&, const std::string&)>& boneNamed,
+                     double startTime)
     : parameters_(parameters),
       seed_(seed),
       substeps_(parameters.substepsPerFrame(frameSeconds)),
@@ -58,6 +81,13 @@ ClothPlan::ClothPlan(const ClothParameters& parameters, int seed, double frameSe
     const shader::FabricConstants fabric = parameters_.fabric.constants();
     parameters_.shearCompliance = 1.0F / fabric.shear;
     parameters_.margin += 0.5F * fabric.thickness;
+  }
+  for (const PinGroup& group : parameters_.pins) {
+    PinCarrier& carrier = carriers_.emplace_back();
+    if (group.to.empty()) continue;
+    SIMREEL_CHECK(boneNamed);
+    carrier.at = boneNamed(group.to, group.bone);
+    carrier.fromStart = glm::inverse(carrier.at(startTime));
   }
   const glm::mat4 turn = rotationMatrix(parameters_.rotation);
   alongX_ = glm::vec3(turn[0]) * parameters_.spacing;
@@ -122,10 +152,44 @@ shader::Collider ClothPlan::colliderAt(const ColliderShape& shape, double time) 
   return c;
 }
 
+ClothPlan::Ends ClothPlan::endsOf(double time) const {
+  const double end = time + substeps_ * substepSeconds_;
+  Ends ends;
+  for (const ColliderShape& shape : colliders_)
+    if (shape.carrier) ends.capsules.push_back({carriedAt(shape, time), carriedAt(shape, end)});
+  for (const PinCarrier& carrier : carriers_) {
+    auto& pair = ends.pins.emplace_back();
+    if (carrier.at) pair = {carrier.at(time) * carrier.fromStart, carrier.at(end) * carrier.fromStart};
+  }
+  return ends;
+}
+
+shader::Collider ClothPlan::carriedCollider(const ColliderShape& shape,
+                                            const std::array<CarriedCapsule, 2>& ends, int substep) const {
+  const double now = static_cast<double>(substep + 1) / substeps_;
+  const double perFrame = 1.0 / (substeps_ * substepSeconds_);
+  shader::Collider c{};
+  const auto side = [&](std::size_t end, glm::vec4& place, glm::vec4& velocity) {
+    const std::array<glm::dvec3, 2> way = {ends[0].ends[end], ends[1].ends[end]};
+    place = glm::vec4(glm::vec3(betweenEnds(way, now)), 0);
+    velocity = glm::vec4(glm::vec3((way[1] - way[0]) * perFrame), 0);
+  };
+  side(0, c.a, c.velocityA);
+  side(1, c.b, c.velocityB);
+  const glm::dvec3 axis(c.b - c.a);
+  const double squared = axis.x * axis.x + axis.y * axis.y + axis.z * axis.z;
+  c.perLengthSquared = squared > 1e-12 ? static_cast<float>(1.0 / squared) : 0.0F;
+  c.reach = static_cast<float>(betweenEnds(std::array{ends[0].radius, ends[1].radius}, now));
+  c.grip = kept(shape.grip, substepSeconds_);
+  c.friction = static_cast<float>(shape.friction.value_or(-1.0));
+  return c;
+}
+
 std::vector<shader::ClothStep> ClothPlan::frame(double time) {
   std::vector<shader::ClothStep> steps(static_cast<std::size_t>(substeps_));
   const ClothParameters& p = parameters_;
   const shader::FabricConstants fabric = p.fabric.constants();
+  const Ends ends = endsOf(time);
   for (int i = 0; i < substeps_; ++i) {
     const double start = time + i * substepSeconds_;
     const double end = time + (i + 1) * substepSeconds_;
@@ -155,8 +219,16 @@ std::vector<shader::ClothStep> ClothPlan::frame(double time) {
     s.fabric = fabric;
     s.perBend = fabric.bending / (p.spacing * p.spacing);
     s.air = p.air;
-    for (std::size_t c = 0; c < colliders_.size(); ++c) s.colliders[c] = colliderAt(colliders_[c], end);
-    for (std::size_t g = 0; g < p.pins.size(); ++g) s.frames[g] = pinFrame(p.pins[g], end);
+    auto capsule = ends.capsules.begin();
+    for (std::size_t c = 0; c < colliders_.size(); ++c)
+      s.colliders[c] = colliders_[c].carrier ? carriedCollider(colliders_[c], *capsule++, i)
+                                             : colliderAt(colliders_[c], end);
+    for (std::size_t g = 0; g < p.pins.size(); ++g) {
+      s.frames[g] = pinFrame(p.pins[g], end);
+      if (carriers_[g].at)
+        s.frames[g] =
+            carriedFrame(s.frames[g], betweenEnds(ends.pins[g], static_cast<double>(i + 1) / substeps_));
+    }
     const glm::vec3 inwards[4] = {alongX_, -alongX_, alongY_, -alongY_};
     for (int border = 0; border < 4; ++border)
       if (const int group = p.clampOf(border); group >= 0)

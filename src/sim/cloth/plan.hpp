@@ -3,8 +3,11 @@
 #include "sim/core/carry_over.hpp"
 #include "sim/core/collider.hpp"
 
+#include <array>
 #include <cstdint>
+#include <functional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include <glm/vec2.hpp>
@@ -32,8 +35,11 @@ class ClothPlan {
  public:
   /// Throws UserError(usage) when there are more colliders than the kernels hold, or "auto" takes more
   /// substeps than there may be; warns once when the given substeps are fewer than it needs.
+  /// `boneNamed`, `startTime`: as of Setting; who has pins that a bone carries needs them.
   ClothPlan(const ClothParameters& parameters, int seed, double frameSeconds,
-            const std::vector<ColliderShape>& colliders);
+            const std::vector<ColliderShape>& colliders,
+            const std::function<Carrier(const std::string& body, const std::string& bone)>& boneNamed = {},
+            double startTime = 0);
 
   /// The same in every step.
   [[nodiscard]] int colliderCount() const { return static_cast<int>(colliders_.size()); }
@@ -53,13 +59,28 @@ class ClothPlan {
   [[nodiscard]] double substepSeconds() const { return substepSeconds_; }
 
  private:
+  /// What a frame that starts at some time begins and ends with.
+  struct Ends {
+    std::vector<std::array<CarriedCapsule, 2>> capsules;  ///< of each collider that is carried
+    std::vector<std::array<glm::dmat4, 2>> pins;          ///< of each pin group, on top of its own frame
+  };
+  [[nodiscard]] Ends endsOf(double time) const;
   [[nodiscard]] shader::Collider colliderAt(const ColliderShape& shape, double time) const;
+  [[nodiscard]] shader::Collider carriedCollider(const ColliderShape& shape,
+                                                 const std::array<CarriedCapsule, 2>& ends,
+                                                 int substep) const;
 
   ClothParameters parameters_;
   int seed_;
   double substepSeconds_;
   int substeps_;
   std::vector<ColliderShape> colliders_;
+  /// What carries a pin group, and its inverse at the start; empty: nothing.
+  struct PinCarrier {
+    Carrier at;
+    glm::dmat4 fromStart{1};
+  };
+  std::vector<PinCarrier> carriers_;
   glm::vec3 alongX_, alongY_, origin_;
   double drift_[3] = {0, 0, 0};
   std::uint32_t done_ = 0;  ///< substeps so far

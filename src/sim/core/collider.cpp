@@ -2,6 +2,8 @@
 
 #include "sim/core/shader_code.hpp"
 
+#include <cmath>
+
 namespace simreel::sim {
 
 glm::mat4 rotationMatrix(const glm::vec3& degrees) {
@@ -16,6 +18,14 @@ glm::mat4 rotationMatrix(const glm::vec3& degrees) {
   return {glm::vec4(cz * cy, sz * cy, -sy, 0),
           glm::vec4(cz * sy * sx - sz * cx, sz * sy * sx + cz * cx, cy * sx, 0),
           glm::vec4(cz * sy * cx + sz * sx, sz * sy * cx - cz * sx, cy * cx, 0), glm::vec4(0, 0, 0, 1)};
+}
+
+CarriedCapsule carriedAt(const ColliderShape& shape, double time) {
+  const glm::dmat4 m = shape.carrier(time);
+  const auto place = [&](const glm::vec3& end) { return glm::dvec3(m * glm::dvec4(glm::dvec3(end), 1)); };
+  const glm::dvec3 across(m[0]);
+  const double scale = std::sqrt(across.x * across.x + across.y * across.y + across.z * across.z);
+  return {{place(shape.ends[0]), place(shape.ends[1])}, scale * shape.radius};
 }
 
 }  // namespace simreel::sim

@@ -1,6 +1,8 @@
 #pragma once
 #include "scene/animated.hpp"
+#include "sim/core/carrier.hpp"
 
+#include <array>
 #include <optional>
 
 #include <glm/mat4x4.hpp>
@@ -18,7 +20,18 @@ struct ColliderShape {
   float length = 0.0F;                  ///< m between the centres of a capsule's ends
   float grip = 25.3F;                   ///< 1/s at which tangential velocity is lost in contact
   std::optional<double> friction;       ///< Coulomb's coefficient, instead of `grip`
+  /// Of a capsule that a bone carries: in its space lie `ends`, and position, rotation and length are
+  /// unused; the radius is scaled, too.
+  Carrier carrier = {};
+  std::array<glm::vec3, 2> ends = {};  ///< m
 };
+
+/// The ends of a capsule that a bone carries, and its radius there.
+struct CarriedCapsule {
+  std::array<glm::dvec3, 2> ends;
+  double radius;
+};
+[[nodiscard]] CarriedCapsule carriedAt(const ColliderShape& shape, double time);
 
 /// Rotation by degrees about x, then y, then z (R = Rz Ry Rx), through the exact sine: same bits
 /// everywhere.

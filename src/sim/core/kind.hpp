@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace simreel::sim {
 
@@ -20,6 +21,14 @@ struct ObjectParameters : scene::Parameters {
   /// has several.
   [[nodiscard]] virtual bool needsField() const { return false; }
   [[nodiscard]] virtual std::string readsField() const { return {}; }
+  /// Whether it is a body with bones, which steps before those that it moves or touches.
+  [[nodiscard]] virtual bool isBody() const { return false; }
+  /// The bodies that it is tied to: their names, and where its parameters name them.
+  struct Tie {
+    std::string body;
+    std::vector<std::string> path;
+  };
+  [[nodiscard]] virtual std::vector<Tie> ties() const { return {}; }
   /// Whether it is a solid that others may collide with, and the name of that which it collides with
   /// itself; empty: none.
   [[nodiscard]] virtual bool hasWalls() const { return false; }

@@ -19,6 +19,7 @@ namespace simreel::sim {
 
 class HeightField;
 class LockStep;
+class SkinnedSurface;
 class Walls;
 
 /// What a simulation may know of the scene around it.
@@ -37,7 +38,13 @@ struct Setting {
   /// check has found (ObjectParameters::meetsWalls).
   std::function<const Walls&(const std::string& name)> wallsNamed = {};
   int contactSubsteps = 0;  ///< a frame, of all that are in contact; 0: none is
-  double startTime = 0;     ///< s of scene time of the first state: minus what is simulated before frame 0
+  /// The skin of the body of that name, already stepped when others step. Only for names that the scene's
+  /// check has found.
+  std::function<SkinnedSurface&(const std::string& name)> skinNamed = {};
+  /// The bone of a body, from its own space to the world; needs no context. Throws UserError(usage) for a
+  /// body or a bone that is not there, and what its file's reader throws.
+  std::function<Carrier(const std::string& body, const std::string& bone)> boneNamed = {};
+  double startTime = 0;  ///< s of scene time of the first state: minus what is simulated before frame 0
   /// Hears how many of its steps before the first frame an object has done; may throw to end them. Empty:
   /// nobody listens.
   std::function<void(long done, long total)> presteps = {};
@@ -145,6 +152,8 @@ class Simulation {
   [[nodiscard]] virtual std::optional<ContourLines> lines() const { return std::nullopt; }
   /// What others fall onto; null for things that are no such surface.
   [[nodiscard]] virtual const HeightField* heights() const { return nullptr; }
+  /// What others touch of a body; null for things that are none.
+  [[nodiscard]] virtual SkinnedSurface* skin() { return nullptr; }
   /// What others collide with; null for things that are no solid. Who was asked for it has it there after
   /// pass(), too.
   [[nodiscard]] virtual const Walls* walls() { return nullptr; }

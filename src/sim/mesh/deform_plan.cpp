@@ -97,7 +97,7 @@ DeformPlan::DeformPlan(const std::string& name, const MeshParameters& parameters
   }
   measureTrail();
   for (const ColliderShape& shape : colliders)
-    if (touched && shape.kind != ColliderShape::Kind::plane) pressers_.push_back(shape);
+    if (touched && shape.kind != ColliderShape::Kind::plane && !shape.carrier) pressers_.push_back(shape);
   if (pressers_.size() > shader::maxPressers)
     fail(ExitCode::usage,
          "mesh \"{}\" gives way to at most {} spheres and capsules, the scene has {}; set \"collides\": "

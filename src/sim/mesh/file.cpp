@@ -3,6 +3,7 @@
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "base/isolated.hpp"
+#include "base/packed.hpp"
 #include "sim/mesh/before_library.hpp"
 #include "sim/mesh/builder.hpp"
 #include "sim/mesh/gltf_file.hpp"
@@ -14,7 +15,6 @@
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 #include <cctype>
-#include <cstring>
 #include <stdexcept>
 #include <string>
 
@@ -149,74 +149,42 @@ Mesh readWithLibrary(const std::filesystem::path& file) {
   return Gatherer(file, *scene).gather();
 }
 
-bool isGltf(const std::string& extension) {
+}  // namespace
+
+bool isGltf(const std::filesystem::path& file) {
+  const std::string extension = extensionOf(file);
   return extension == ".gltf" || extension == ".glb";
 }
 
-/// A mesh as bytes: the lengths of its lists, then the lists.
-template <class Visit>
-void eachList(Mesh& mesh, const Visit& visit) {
-  visit(mesh.positions);
-  visit(mesh.normals);
-  visit(mesh.uvs);
-  visit(mesh.indices);
-}
-
-std::string pack(Mesh mesh) {
-  std::string bytes;
-  eachList(mesh, [&](auto& list) {
-    const std::size_t length = list.size();
-    bytes.append(reinterpret_cast<const char*>(&length), sizeof length);
-    bytes.append(reinterpret_cast<const char*>(list.data()), length * sizeof list[0]);
-  });
-  return bytes;
-}
-
-Mesh unpack(const std::string& bytes) {
-  Mesh mesh;
-  std::size_t at = 0;
-  const auto take = [&](void* to, std::size_t size) {
-    SIMREEL_CHECK(size <= bytes.size() - at);
-    if (size > 0) std::memcpy(to, bytes.data() + at, size);
-    at += size;
-  };
-  eachList(mesh, [&](auto& list) {
-    std::size_t length = 0;
-    take(&length, sizeof length);
-    list.resize(length);
-    take(list.data(), length * sizeof list[0]);
-  });
-  return mesh;
-}
-
-}  // namespace
-
 Mesh importMesh(const std::filesystem::path& file) {
   const std::string extension = extensionOf(file);
-  if (extension != ".obj" && extension != ".ply" && !isGltf(extension))
+  if (extension != ".obj" && extension != ".ply" && !isGltf(file))
     fail(ExitCode::usage, "the mesh {} is none of .obj, .ply, .gltf and .glb", file.string());
   const std::string text = readFile(file, "mesh");  // says why a file cannot be read, or is too large
-  if (isGltf(extension)) return readGltf(file, text);
+  if (isGltf(file)) return readGltf(file, text);
   if (extension == ".ply") checkPly(file, text);
   if (extension == ".obj") checkObj(file, text);
   return readWithLibrary(file);
 }
 
-Mesh loadMesh(const std::filesystem::path& file) {
+std::string readApart(const std::filesystem::path& file, const std::function<std::string()>& read) {
   std::error_code unknown;
   const auto size = std::filesystem::file_size(file, unknown);
   const std::size_t bytes = unknown ? 0 : size;
   // What the library makes of a byte has been seen to take 30, what we make of glTF is counted beforehand.
-  const Allotment allotment{
-      isGltf(extensionOf(file)) ? std::size_t{4} << 30 : (std::size_t{256} << 20) + 64 * bytes,
-      10 + static_cast<int>(std::min<std::size_t>(bytes >> 20U, 3600))};
+  const Allotment allotment{isGltf(file) ? std::size_t{4} << 30 : (std::size_t{256} << 20) + 64 * bytes,
+                            10 + static_cast<int>(std::min<std::size_t>(bytes >> 20U, 3600))};
   try {
-    return unpack(runIsolated(allotment, [&] { return pack(importMesh(file)); }));
+    return runIsolated(allotment, read);
   } catch (const UserError&) {
     throw;
   } catch (const std::runtime_error& end) {
     refuseMesh(file, fmt::format("cannot be read: the reader {}", end.what()));
   }
+}
+
+Mesh loadMesh(const std::filesystem::path& file) {
+  return unpacked<Mesh>(readApart(file, [&] { return packed(importMesh(file)); }));
 }
 
 }  // namespace simreel::sim

@@ -1,5 +1,7 @@
 #pragma once
 #include <filesystem>
+#include <functional>
+#include <string>
 #include <vector>
 
 #include <glm/vec2.hpp>
@@ -14,6 +16,14 @@ struct Mesh {
   std::vector<glm::vec3> normals;
   std::vector<glm::vec2> uvs;
   std::vector<unsigned> indices;  ///< three a triangle, counter-clockwise seen from outside
+
+  template <class Archive>
+  void pack(Archive& archive) {
+    archive(positions);
+    archive(normals);
+    archive(uvs);
+    archive(indices);
+  }
 };
 
 /// Reads OBJ, PLY, glTF or GLB: every mesh of the file with its node's transform, polygons as triangles,
@@ -28,5 +38,12 @@ struct Mesh {
 
 /// The same in this process, for those who look for such crashes.
 [[nodiscard]] Mesh importMesh(const std::filesystem::path& file);
+
+/// Whether its name ends as those of glTF files do.
+[[nodiscard]] bool isGltf(const std::filesystem::path& file);
+
+/// What `read` returns, done in that process of its own: for other readers of the same files.
+[[nodiscard]] std::string readApart(const std::filesystem::path& file,
+                                    const std::function<std::string()>& read);
 
 }  // namespace simreel::sim

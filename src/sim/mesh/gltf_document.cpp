@@ -209,13 +209,13 @@ std::size_t GltfDocument::count(std::size_t accessor) const {
 }
 
 GltfDocument::Values GltfDocument::values(const JsonValue& accessor) const {
-  constexpr std::array<std::pair<std::string_view, std::size_t>, 4> types = {
-      {{"SCALAR", 1}, {"VEC2", 2}, {"VEC3", 3}, {"VEC4", 4}}};
+  constexpr std::array<std::pair<std::string_view, std::size_t>, 5> types = {
+      {{"SCALAR", 1}, {"VEC2", 2}, {"VEC3", 3}, {"VEC4", 4}, {"MAT4", 16}}};
   const std::string type = accessor.at("type").text();
   std::size_t components = 0;
   for (const auto& [name, count] : types)
     if (type == name) components = count;
-  if (components == 0) refuse("has an accessor that is neither a number nor a vector");
+  if (components == 0) refuse("has an accessor that is no number, vector or matrix of 4x4");
   Values values = slice(accessor, number(accessor, "componentType"), components, number(accessor, "count"));
   const auto normalised = accessor.find("normalized");
   values.normalised = normalised && normalised->boolean();

@@ -1,6 +1,7 @@
 #include "sim/world/list.hpp"
 
 #include "base/error.hpp"
+#include "sim/body/body.hpp"
 #include "sim/cave/cave.hpp"
 #include "sim/cloth/cloth.hpp"
 #include "sim/contour/contour.hpp"
@@ -20,8 +21,9 @@ namespace simreel::sim {
 
 std::span<const SimulationKind> simulations() {
   static const std::vector<SimulationKind> list = {
-      clothKind(), particlesKind(), lifeKind(), grayScottKind(), epidemicKind(), wildfireKind(),
-      caveKind(),  contourKind(),   meshKind(), sphereKind(),    capsuleKind(),  planeKind(),
+      clothKind(),    particlesKind(), lifeKind(),    grayScottKind(), epidemicKind(),
+      wildfireKind(), caveKind(),      contourKind(), meshKind(),      bodyKind(),
+      sphereKind(),   capsuleKind(),   planeKind(),
   };
   return list;
 }

@@ -73,6 +73,32 @@ void checkWalls(const scene::Object& object, std::span<const scene::Object> obje
              solids.empty() ? "the scene has no cave and no contour" : scene::suggestion(name, solids)));
 }
 
+/// The bodies that an object is tied to.
+void checkTies(const scene::Object& object, std::span<const scene::Object> objects,
+               const scene::Report& report) {
+  const auto* parameters = parametersAt(object);
+  if (parameters == nullptr) return;
+  std::vector<std::string> bodies;
+  for (const scene::Object& candidate : objects)
+    if (const auto* other = parametersAt(candidate); other != nullptr && other->isBody())
+      bodies.push_back(candidate.name);
+  for (const ObjectParameters::Tie& tie : parameters->ties()) {
+    if (std::find(bodies.begin(), bodies.end(), tie.body) != bodies.end()) continue;
+    const auto named = std::find_if(objects.begin(), objects.end(),
+                                    [&](const auto& other) { return other.name == tie.body; });
+    if (named != objects.end() && named->parameters == nullptr) continue;  // a mistake of its own
+    const std::string what =
+        named == objects.end()
+            ? fmt::format("no object is named {}", scene::inQuotes(tie.body))
+            : fmt::format("object \"{}\" is a {}, which has no bones", tie.body, named->kind);
+    std::vector<std::string> path = {object.kind};
+    path.insert(path.end(), tie.path.begin(), tie.path.end());
+    report(object, path,
+           fmt::format("{}; {}", what,
+                       bodies.empty() ? "the scene has no body" : scene::suggestion(tie.body, bodies)));
+  }
+}
+
 /// One surface of heights for those that ask for it.
 void checkHeights(std::span<const scene::Object> objects, const scene::Report& report) {
   const scene::Object* surface = nullptr;
@@ -99,6 +125,7 @@ void checkRelations(std::span<const scene::Object> objects, const scene::Report&
   for (const scene::Object& object : objects) {
     checkFields(object, objects, report);
     checkWalls(object, objects, report);
+    checkTies(object, objects, report);
   }
   checkHeights(objects, report);
 }

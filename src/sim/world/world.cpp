@@ -4,6 +4,7 @@
 #include "base/log.hpp"
 #include "gl/element_array.hpp"
 #include "gl/errors.hpp"
+#include "sim/body/bones.hpp"
 #include "sim/contact/lock_step.hpp"
 #include "sim/core/state_hash.hpp"
 #include "sim/grid/picture_file.hpp"
@@ -30,7 +31,8 @@ struct Pending {
   std::vector<int> countRows;  ///< of each object that counts
 };
 
-std::vector<ColliderShape> collect(const scene::Scene& scene) {
+/// In the scene's order, then the capsules of its bodies. Without `bones` those are left out.
+std::vector<ColliderShape> collect(const scene::Scene& scene, const Bones* bones) {
   std::vector<ColliderShape> shapes;
   for (const scene::Object& object : scene.objects)
     if (const auto* shape = dynamic_cast<const ShapeParameters*>(object.parameters.get()))
@@ -41,16 +43,18 @@ std::vector<ColliderShape> collect(const scene::Scene& scene) {
     ground.position = glm::vec3(0, scene.ground.height, 0);
     shapes.push_back(ground);
   }
+  if (bones != nullptr) bones->addCapsules(shapes);
   return shapes;
 }
 
-/// Meshes that others fall onto come first, what is made of others' fields after the rest, and last who
-/// collides with solids; within each the scene's order. Who falls finds the heights of the frame's
+/// Meshes that others fall onto and bodies come first, what is made of others' fields after the rest, and
+/// last who collides with solids; within each the scene's order. Who falls finds the heights of the frame's
 /// beginning and end, who reads a field that of its end, who meets walls those of its end.
 std::vector<std::size_t> stepOrder(const scene::Scene& scene) {
   const auto turnOf = [&](std::size_t i) {
     const auto& parameters = parametersOf<ObjectParameters>(scene.objects[i]);
     return parameters.publishesHeights()      ? 0
+           : parameters.isBody()              ? 0
            : !parameters.meetsWalls().empty() ? 3
            : parameters.needsField()          ? 2
                                               : 1;
@@ -70,15 +74,34 @@ int contactSubstepsOf(const scene::Scene& scene) {
   return most;
 }
 
+/// Frames that are simulated before frame 0.
+int prerollOf(const scene::Scene& scene) {
+  return static_cast<int>(std::lround(scene.time.start * scene.time.fps));
+}
+
+/// Setting::startTime.
+double startOf(const scene::Scene& scene) {
+  return -prerollOf(scene) / scene.time.fps;
+}
+
 /// Sides of textures that OpenGL 4.5 asks of every device.
 constexpr int maxTextureSide = 16384;
 
 }  // namespace
 
 std::vector<UserError> findProblems(const scene::Scene& scene) {
-  const std::vector<ColliderShape> colliders = collect(scene);
-  const Setting setting{scene.numerics == scene::Numerics::fast, scene.seed, 1.0 / scene.time.fps,
-                        &colliders};
+  const Bones bones(scene);
+  std::vector<ColliderShape> colliders;
+  Setting setting{scene.numerics == scene::Numerics::fast, scene.seed, 1.0 / scene.time.fps, &colliders};
+  setting.startTime = startOf(scene);
+  setting.boneNamed = [&](const std::string& body, const std::string& bone) {
+    return bones.named(body, bone);
+  };
+  try {
+    colliders = collect(scene, &bones);
+  } catch (const UserError&) {  // which the body's own check reports
+    colliders = collect(scene, nullptr);
+  }
   std::vector<UserError> problems;
   const auto attempt = [&](const auto& work) {
     try {
@@ -100,6 +123,7 @@ struct World::State {
   double fps;
   int preroll;
   int done = 0;  ///< frames simulated, the pre-roll's included
+  Bones bones;
   std::vector<ColliderShape> colliders;
   std::vector<std::unique_ptr<Simulation>> objects;
   std::vector<std::size_t> touching;  ///< objects that are in contact, in their order
@@ -128,8 +152,9 @@ struct World::State {
 
   State(const scene::Scene& scene, bool timing, const std::function<void(long, long)>& presteps)
       : fps(scene.time.fps),
-        preroll(static_cast<int>(std::lround(scene.time.start * scene.time.fps))),
-        colliders(collect(scene)),
+        preroll(prerollOf(scene)),
+        bones(scene),
+        colliders(collect(scene, &bones)),
         objects(scene.objects.size()),
         order(stepOrder(scene)),
         remarked(scene.objects.size()) {
@@ -137,12 +162,16 @@ struct World::State {
       throw UserError(ExitCode::usage, mistakes.front());
     Setting setting{scene.numerics == scene::Numerics::fast, scene.seed, 1.0 / scene.time.fps, &colliders,
                     timing};
-    setting.startTime = -preroll / fps;
+    setting.startTime = startOf(scene);
     setting.presteps = presteps;
     setting.contactSubsteps = contactSubstepsOf(scene);
     for (const scene::Object& object : scene.objects) names.push_back(object.name);
     setting.fieldNamed = [this](const std::string& name) { return fieldNamed(name); };
     setting.wallsNamed = [this](const std::string& name) -> const Walls& { return wallsNamed(name); };
+    setting.skinNamed = [this](const std::string& name) -> SkinnedSurface& { return skinNamed(name); };
+    setting.boneNamed = [this](const std::string& body, const std::string& bone) {
+      return bones.named(body, bone);
+    };
     for (const std::size_t i : order) {
       objects[i] = simulationNamed(scene.objects[i].kind).make(scene.objects[i], setting);
       if (objects[i]->heights() != nullptr) setting.heights = objects[i]->heights();
@@ -200,6 +229,13 @@ struct World::State {
       if (objects[i] && name == names[i])
         if (const Walls* walls = objects[i]->walls()) return *walls;
     fail(ExitCode::usage, "no object named \"{}\" has walls", name);
+  }
+
+  [[nodiscard]] SkinnedSurface& skinNamed(const std::string& name) const {
+    for (std::size_t i = 0; i < objects.size(); ++i)
+      if (objects[i] && name == names[i])
+        if (SkinnedSurface* skin = objects[i]->skin()) return *skin;
+    fail(ExitCode::usage, "no object named \"{}\" is a body", name);
   }
 
   void start(int frame) {

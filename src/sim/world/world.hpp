@@ -17,10 +17,9 @@ namespace simreel::sim {
 /// and one a picture at most: reads every file the scene names. Needs no context.
 [[nodiscard]] std::vector<UserError> findProblems(const scene::Scene& scene);
 
-/// All objects of a scene, stepped together: a mesh that collides first, then the others in the scene's
-/// order, but what is made of another's field after them, and last who collides with a solid, and cloths in
-/// contact, a substep of each in turn.
-/// Frame 0 is at time 0; the pre-roll runs before it.
+/// All objects of a scene, stepped together: a mesh that collides and bodies first, then the others in the
+/// scene's order, but what is made of another's field after them, and last who collides with a solid, and
+/// cloths in contact, a substep of each in turn. Frame 0 is at time 0; the pre-roll runs before it.
 class World {
  public:
   /// Makes every simulation on the current context. `timing`: they measure their stages (Setting::timing).

@@ -190,9 +190,9 @@ class SceneMistakes(Case):
 
     def test_too_many_colliders(self):
         scene = with_values({})
-        scene["objects"] = dict(SCENE["objects"], **{f"s{i}": {"sphere": {}} for i in range(13)})
+        scene["objects"] = dict(SCENE["objects"], **{f"s{i}": {"sphere": {}} for i in range(33)})
         self.write("many.json", scene)
-        self.bad(2, ["12", "13", "\"collides\": false"], "render", "many.json", "-o", "out/")
+        self.bad(2, ["32", "33", "\"collides\": false"], "render", "many.json", "-o", "out/")
         self.assertEqual(list(self.folder.glob("out/*")), [])
 
 

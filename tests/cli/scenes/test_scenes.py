@@ -170,8 +170,8 @@ class ValidateAndRender(Case):
                   "outside the grid")
 
     def test_what_several_objects_come_to(self):
-        balls = {f"s{i}": {"sphere": {}} for i in range(13)}
-        self.both(dict(balls, flag={"cloth": {}}), 2, "at most 12 shapes")
+        balls = {f"s{i}": {"sphere": {}} for i in range(33)}
+        self.both(dict(balls, flag={"cloth": {}}), 2, "at most 32 shapes")
 
     def test_every_object_and_every_scene_is_reported(self):
         self.write("s.json", self.scene({"a": {"sphere": {}, "material": {"texture": "cut.png"}},

@@ -1,0 +1,88 @@
+#include "sim/body/body.hpp"
+
+#include "base/log.hpp"
+#include "sim/body/motion.hpp"
+#include "sim/body/skinned_surface.hpp"
+#include "sim/core/kind.hpp"
+#include "sim/mesh/buffers.hpp"
+#include "sim/mesh/quantities.hpp"
+
+#include <utility>
+
+namespace simreel::sim {
+
+namespace {
+
+/// A skinned mesh: where its vertices are depends on the time alone.
+class Body : public Simulation {
+ public:
+  Body(const scene::Object& object, const Setting& setting)
+      : name_(object.name),
+        parameters_(parametersOf<BodyParameters>(object)),
+        material_(object.material),
+        frameSeconds_(setting.frameSeconds),
+        motion_(name_, parameters_),
+        topology_(name_, motion_.figure().mesh),
+        surface_(name_, motion_.figure(), setting.fast) {
+    resumed(setting.startTime);
+  }
+
+  void step(double time, const StepWatch& watch) override {
+    surface_.begin(motion_.rowsAt(time), motion_.rowsAt(time + frameSeconds_));
+    if (watch) watch(1);
+  }
+  void resumed(double time) override { surface_.begin(motion_.rowsAt(time), motion_.rowsAt(time)); }
+
+  void publish(double /*time*/, Drawables& drawables) const override {
+    if (!parameters_.visible) return;
+    Surface surface = topology_.surface();
+    surface.positions = &surface_.positions().view();
+    surface.normals = &surface_.normals().view();
+    surface.doubleSided = parameters_.doubleSided;
+    surface.material = &material_;
+    drawables.surfaces.push_back(surface);
+  }
+
+  [[nodiscard]] std::vector<StateArray> state() const override {
+    return {{"positions", &surface_.positions().buffer()}};
+  }
+  [[nodiscard]] std::string elementName(long element) const override {
+    return "vertex " + std::to_string(element);
+  }
+  [[nodiscard]] SkinnedSurface* skin() override { return &surface_; }
+  [[nodiscard]] std::optional<MeshTable> mesh() const override {
+    MeshTable table;
+    table.uvs = motion_.figure().mesh.uvs;
+    table.indices = motion_.figure().mesh.indices;
+    for (const glm::vec4& p : surface_.positions().buffer().readAll<glm::vec4>())
+      table.positions.emplace_back(p);
+    for (const glm::vec4& n : surface_.normals().buffer().readAll<glm::vec4>())
+      table.normals.emplace_back(n);
+    return table;
+  }
+  [[nodiscard]] std::vector<double> measure() const override { return measureMesh(*mesh()); }
+
+ private:
+  std::string name_;
+  BodyParameters parameters_;
+  scene::Material material_;
+  double frameSeconds_;
+  BodyMotion motion_;
+  MeshTopology topology_;
+  SkinnedSurface surface_;
+};
+
+}  // namespace
+
+SimulationKind bodyKind() {
+  return kindOf<BodyParameters>(
+      "body",
+      "A figure of a glTF file whose skin follows bones: a motion of the file, and bones that the scene "
+      "moves.",
+      [](const scene::Object& object, const Setting& /*setting*/) {
+        static_cast<void>(BodyMotion(object.name, parametersOf<BodyParameters>(object)));
+      },
+      makeSimulation<Body>);
+}
+
+}  // namespace simreel::sim

@@ -1,0 +1,59 @@
+#include "sim/body/bones.hpp"
+
+#include "base/error.hpp"
+#include "base/log.hpp"
+#include "scene/scene.hpp"
+#include "scene/words.hpp"
+#include "sim/body/capsules.hpp"
+
+#include <utility>
+
+namespace simreel::sim {
+
+namespace {
+
+Carrier carrierOf(std::shared_ptr<const BodyMotion> motion, int node) {
+  return [motion = std::move(motion), node](double time) { return motion->nodeAt(node, time); };
+}
+
+}  // namespace
+
+Bones::Bones(const scene::Scene& scene) {
+  for (const scene::Object& object : scene.objects)
+    if (const auto* body = dynamic_cast<const BodyParameters*>(object.parameters.get()))
+      bodies_[object.name] = body;
+}
+
+std::shared_ptr<const BodyMotion> Bones::motionOf(const std::string& body) const {
+  std::shared_ptr<const BodyMotion>& motion = motions_[body];
+  if (!motion) motion = std::make_shared<const BodyMotion>(body, *bodies_.at(body));
+  return motion;
+}
+
+Carrier Bones::named(const std::string& body, const std::string& bone) const {
+  if (!bodies_.contains(body)) fail(ExitCode::usage, "no object named {} is a body", scene::inQuotes(body));
+  const auto motion = motionOf(body);
+  return carrierOf(motion, motion->boneNamed(bone));
+}
+
+void Bones::addCapsules(std::vector<ColliderShape>& shapes) const {
+  for (const auto& [name, body] : bodies_) {
+    if (!body->collides) continue;
+    const auto motion = motionOf(name);
+    for (const BoneCapsule& capsule : fitCapsules(motion->figure())) {
+      ColliderShape shape;
+      shape.kind = ColliderShape::Kind::capsule;
+      shape.carrier = carrierOf(motion, capsule.node);
+      for (std::size_t end = 0; end < 2; ++end) shape.ends[end] = glm::vec3(capsule.ends[end]);
+      shape.radius = static_cast<float>(capsule.radius);
+      shape.grip = body->grip;
+      shape.friction = body->friction;
+      shapes.push_back(shape);
+      detail("body \"{}\": around bone \"{}\" a capsule of {:.3f} m, {:.3f} m long", name,
+             motion->figure().nodes[static_cast<std::size_t>(capsule.node)].name, shape.radius,
+             glm::length(capsule.ends[1] - capsule.ends[0]));
+    }
+  }
+}
+
+}  // namespace simreel::sim

@@ -1,0 +1,30 @@
+#pragma once
+#include "sim/body/motion.hpp"
+#include "sim/core/collider.hpp"
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace simreel::sim {
+
+/// The bodies of a scene as others know them without a device: where their bones are, and the capsules
+/// around those. Files are read when somebody asks.
+class Bones {
+ public:
+  explicit Bones(const scene::Scene& scene);
+
+  /// As Setting::boneNamed has it. What is returned may outlive this.
+  [[nodiscard]] Carrier named(const std::string& body, const std::string& bone) const;
+  /// Appends the capsules of the bodies that collide. Throws what BodyMotion throws.
+  void addCapsules(std::vector<ColliderShape>& shapes) const;
+
+ private:
+  [[nodiscard]] std::shared_ptr<const BodyMotion> motionOf(const std::string& body) const;
+
+  std::map<std::string, const BodyParameters*> bodies_;
+  mutable std::map<std::string, std::shared_ptr<const BodyMotion>> motions_;
+};
+
+}  // namespace simreel::sim

@@ -1,0 +1,177 @@
+#include "sim/mesh/gltf_parts.hpp"
+
+#include "sim/mesh/builder.hpp"
+
+#include <bit>
+#include <cmath>
+#include <string>
+#include <unordered_map>
+
+#include <fmt/format.h>
+
+namespace simreel::sim {
+
+namespace {
+
+/// Most primitives over all nodes.
+constexpr std::size_t maxParts = 100'000;
+/// How far a vertex' weights may be from a sum of 1: those of 8 bits are off by some 1/255 each.
+constexpr float weightSlack = 0.02F;
+
+struct VertexHash {
+  std::size_t operator()(const GltfVertex& vertex) const {
+    std::uint64_t hash = 14695981039346656037U;  // FNV-1a over words
+    const auto add = [&](std::uint32_t word) { hash = (hash ^ word) * 1099511628211U; };
+    for (const float value : vertex.values) add(std::bit_cast<std::uint32_t>(value == 0 ? 0.0F : value));
+    for (const std::uint32_t bone : vertex.bones) add(bone);
+    for (const float weight : vertex.weights) add(std::bit_cast<std::uint32_t>(weight));
+    return hash ^ hash >> 29U;
+  }
+};
+
+std::uint64_t modeOf(const JsonValue& primitive) {
+  return GltfDocument::number(primitive, "mode", triangleList);
+}
+
+std::size_t position(const JsonValue& primitive) {
+  return GltfDocument::number(primitive.at("attributes"), "POSITION");
+}
+
+}  // namespace
+
+GltfParts::GltfParts(const std::filesystem::path& file, std::string_view text) : document_(file, text) {
+  checkExtensions();
+}
+
+/// What has to be understood for the triangles to be right; looks and lights have not.
+void GltfParts::checkExtensions() const {
+  const auto required = document_.root().find("extensionsRequired");
+  if (!required) return;
+  for (const std::string& name : required->texts()) {
+    bool harmless = name == "KHR_mesh_quantization";
+    for (const char* looks : {"KHR_materials_", "KHR_texture_", "EXT_texture_", "KHR_lights_"})
+      harmless = harmless || name.starts_with(looks);
+    if (!harmless)
+      document_.refuse(fmt::format("needs the extension {}, which is not read; export it without", name));
+  }
+}
+
+JsonValue GltfParts::primitivesOf(std::size_t mesh) const {
+  return document_.item("meshes", mesh).at("primitives");
+}
+
+void GltfParts::count(std::size_t mesh) {
+  parts_ += primitivesOf(mesh).size();
+  if (parts_ > maxParts) document_.refuse(fmt::format("has more than {} parts; join them", maxParts));
+  forEachPrimitive(mesh, [&](const JsonValue& primitive) {
+    vertices_ += document_.count(position(primitive));
+    corners_ += cornerCount(primitive);
+    if (vertices_ > maxMeshItems || corners_ > 3 * maxMeshItems)
+      document_.refuse(fmt::format("has more than {} vertices or triangles; simplify it", maxMeshItems));
+  });
+}
+
+std::size_t GltfParts::cornerCount(const JsonValue& primitive) const {
+  const std::size_t count = document_.count(
+      primitive.has("indices") ? GltfDocument::number(primitive, "indices") : position(primitive));
+  return modeOf(primitive) == triangleList ? count : 3 * count;
+}
+
+/// Values of an attribute for each vertex; empty where it has none.
+std::vector<float> GltfParts::attribute(const JsonValue& primitive, const char* name,
+                                        std::size_t components, std::size_t vertices) const {
+  const JsonValue attributes = primitive.at("attributes");
+  if (!attributes.has(name)) return {};
+  const std::size_t accessor = GltfDocument::number(attributes, name);
+  if (document_.count(accessor) != vertices)
+    document_.refuse(
+        fmt::format("has a {} for {} of {} vertices", name, document_.count(accessor), vertices));
+  return document_.floats(accessor, components);
+}
+
+GltfPart GltfParts::part(std::size_t mesh, const JsonValue& primitive, bool skinned) const {
+  const std::size_t count = document_.count(position(primitive));
+  const std::vector<float> positions = attribute(primitive, "POSITION", 3, count);
+  const std::vector<float> normals = attribute(primitive, "NORMAL", 3, count);
+  const std::vector<float> uvs = attribute(primitive, "TEXCOORD_0", 2, count);
+  std::vector<GltfVertex> all(count);
+  for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t k = 0; k < 3; ++k) {
+      all[i].values[k] = positions[3 * i + k];
+      if (!normals.empty()) all[i].values[3 + k] = normals[3 * i + k];
+      if (k < 2 && !uvs.empty()) all[i].values[6 + k] = uvs[2 * i + k];
+    }
+  if (skinned) addBones(mesh, primitive, all);
+  GltfPart part;
+  part.hasUvs = !uvs.empty();
+  part.triangles = trianglesOf(primitive, count);
+  std::unordered_map<GltfVertex, unsigned, VertexHash> known;
+  std::vector<unsigned> first(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto [at, fresh] = known.try_emplace(all[i], static_cast<unsigned>(part.vertices.size()));
+    if (fresh) part.vertices.push_back(all[i]);
+    first[i] = at->second;
+  }
+  for (auto& triangle : part.triangles)
+    for (unsigned& corner : triangle) corner = first[corner];
+  return part;
+}
+
+void GltfParts::addBones(std::size_t mesh, const JsonValue& primitive,
+                         std::vector<GltfVertex>& vertices) const {
+  const auto refuse = [&](const std::string& why) {
+    document_.refuse(fmt::format("has a skin for its mesh {}, {}", mesh, why));
+  };
+  for (const char* name : {"JOINTS_0", "WEIGHTS_0"})
+    if (!primitive.at("attributes").has(name))
+      refuse(fmt::format("which has no {}: paint its vertices with weights", name));
+  for (const char* name : {"JOINTS_1", "WEIGHTS_1"})
+    if (primitive.at("attributes").has(name))
+      refuse("of which vertices follow more than four bones; export at most four");
+  const std::vector<float> bones = attribute(primitive, "JOINTS_0", 4, vertices.size());
+  const std::vector<float> weights = attribute(primitive, "WEIGHTS_0", 4, vertices.size());
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    float sum = 0;
+    for (std::size_t k = 0; k < 4; ++k) {
+      const float bone = bones[4 * i + k];
+      const float weight = weights[4 * i + k];
+      if (!(weight >= 0 && weight <= 2))
+        refuse(fmt::format("whose vertex {} has the weight {}", i, weight));
+      if (!(bone >= 0 && bone < 65536 && bone == std::floor(bone)))
+        refuse(fmt::format("whose vertex {} follows the joint {}, which is no whole number", i, bone));
+      sum += weight;
+      if (weight == 0) continue;  // what is left over may name any joint
+      vertices[i].bones[k] = static_cast<std::uint32_t>(bone);
+      vertices[i].weights[k] = weight;
+    }
+    if (!(std::abs(sum - 1) <= weightSlack))
+      refuse(fmt::format("whose vertex {} has weights with the sum {}, which has to be 1", i, sum));
+    for (float& weight : vertices[i].weights) weight /= sum;
+  }
+}
+
+std::vector<std::array<unsigned, 3>> GltfParts::trianglesOf(const JsonValue& primitive,
+                                                            std::size_t vertices) const {
+  std::vector<unsigned> corners;
+  const bool indexed = primitive.has("indices");
+  if (indexed) corners = document_.indices(GltfDocument::number(primitive, "indices"));
+  for (const unsigned corner : corners)
+    if (corner >= vertices)
+      document_.refuse(fmt::format("has a triangle with vertex {} of {}", corner, vertices));
+  if (!indexed)
+    for (unsigned i = 0; i < vertices; ++i) corners.push_back(i);
+  std::vector<std::array<unsigned, 3>> triangles;
+  const std::uint64_t mode = modeOf(primitive);
+  const std::size_t step = mode == triangleList ? 3 : 1;
+  for (std::size_t i = 0; i + 2 < corners.size(); i += step) {
+    if (mode == triangleFan)  // a fan around the first
+      triangles.push_back({corners[0], corners[i + 1], corners[i + 2]});
+    else if (mode == triangleStrip && i % 2 == 1)  // every second of a strip is turned
+      triangles.push_back({corners[i], corners[i + 2], corners[i + 1]});
+    else
+      triangles.push_back({corners[i], corners[i + 1], corners[i + 2]});
+  }
+  return triangles;
+}
+
+}  // namespace simreel::sim

@@ -1,0 +1,78 @@
+#pragma once
+#include "sim/mesh/gltf_document.hpp"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <string_view>
+#include <vector>
+
+#include <fmt/format.h>
+
+namespace simreel::sim {
+
+/// A vertex of a part of a glTF mesh.
+struct GltfVertex {
+  std::array<float, 8> values{};         ///< position, normal, texture coordinates; 0 where there are none
+  std::array<std::uint32_t, 4> bones{};  ///< numbers in the skin's list of joints
+  std::array<float, 4> weights{};        ///< of those; sum 1
+  bool operator==(const GltfVertex&) const = default;
+};
+
+/// Triangles with one material. Vertices that are equal in all that is read are one, so that computed
+/// normals are smooth.
+struct GltfPart {
+  bool hasUvs = false;
+  std::vector<GltfVertex> vertices;
+  std::vector<std::array<unsigned, 3>> triangles;
+};
+
+/// The triangles of a glTF 2.0 or GLB file, whatever becomes of them. Throws as GltfDocument does.
+class GltfParts {
+ public:
+  /// Refuses required extensions that change the mesh.
+  GltfParts(const std::filesystem::path& file, std::string_view text);
+
+  [[nodiscard]] const GltfDocument& document() const { return document_; }
+  /// Notes that a mesh is used once more; refuses more vertices, triangles or parts than there may be,
+  /// before any of them is read.
+  void count(std::size_t mesh);
+  /// The parts of a mesh; with `skinned` their bones, and a mistake where those are missing. `visit` takes
+  /// a GltfPart.
+  template <class Visit>
+  void eachPart(std::size_t mesh, bool skinned, const Visit& visit) const {
+    forEachPrimitive(mesh, [&](const JsonValue& primitive) { visit(part(mesh, primitive, skinned)); });
+  }
+
+ private:
+  void checkExtensions() const;
+  [[nodiscard]] JsonValue primitivesOf(std::size_t mesh) const;
+  template <class Visit>
+  void forEachPrimitive(std::size_t mesh, const Visit& visit) const;
+  [[nodiscard]] std::size_t cornerCount(const JsonValue& primitive) const;
+  [[nodiscard]] std::vector<float> attribute(const JsonValue& primitive, const char* name,
+                                             std::size_t components, std::size_t vertices) const;
+  [[nodiscard]] GltfPart part(std::size_t mesh, const JsonValue& primitive, bool skinned) const;
+  void addBones(std::size_t mesh, const JsonValue& primitive, std::vector<GltfVertex>& vertices) const;
+  [[nodiscard]] std::vector<std::array<unsigned, 3>> trianglesOf(const JsonValue& primitive,
+                                                                 std::size_t vertices) const;
+
+  GltfDocument document_;
+  std::size_t vertices_ = 0, corners_ = 0, parts_ = 0;  ///< counted so far
+};
+
+/// Modes of a primitive by their numbers in glTF.
+constexpr std::uint64_t triangleList = 4, triangleStrip = 5, triangleFan = 6;
+
+template <class Visit>
+void GltfParts::forEachPrimitive(std::size_t mesh, const Visit& visit) const {
+  primitivesOf(mesh).eachItem([&](const JsonValue& primitive) {
+    if (!primitive.has("attributes")) document_.refuse("has a primitive without attributes");
+    const std::uint64_t mode = GltfDocument::number(primitive, "mode", triangleList);
+    if (mode > triangleFan) document_.refuse(fmt::format("has a primitive of mode {}", mode));
+    if (mode >= triangleList) visit(primitive);  // the others are points and lines
+  });
+}
+
+}  // namespace simreel::sim
