@@ -2,8 +2,8 @@
 
 #include "base/error.hpp"
 #include "sim/cave/cave.hpp"
-#include "sim/cloth/cloth.hpp"
 #include "sim/contour/contour.hpp"
+#include "sim/garment/garment.hpp"
 #include "sim/gray_scott/gray_scott.hpp"
 #include "sim/life/life.hpp"
 #include "sim/mesh/mesh.hpp"

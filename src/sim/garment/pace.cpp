@@ -1,0 +1,124 @@
+#include "sim/garment/pace.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <set>
+#include <utility>
+
+#include <glm/geometric.hpp>
+
+namespace simreel::sim {
+
+namespace {
+
+constexpr double mostStretchError = 0.005;
+constexpr double safety = 0.7;  // as of grids
+constexpr int fewest = 8;
+constexpr int most = 1024;
+/// Beyond these, elements are softened instead: slivers would slow down all the rest.
+constexpr double mostForBending = 240;
+
+constexpr double far = std::numeric_limits<double>::infinity();
+
+/// Shortens the ways in `distances` by what leads along edges from the vertices of `open`.
+void spread(const ClothTriangles& cloth, std::vector<double>& distances,
+            std::set<std::pair<double, unsigned>> open) {
+  while (!open.empty()) {
+    const auto [distance, vertex] = *open.begin();
+    open.erase(open.begin());
+    if (distance > distances[vertex]) continue;
+    for (unsigned k = cloth.starts[vertex]; k < cloth.starts[vertex + 1]; ++k)
+      for (const unsigned other : cloth.faces[cloth.around[k]].corners) {
+        const glm::dvec3 d = cloth.points[other] - cloth.points[vertex];
+        const double length = distance + std::sqrt(glm::dot(d, d));
+        if (length >= distances[other]) continue;
+        distances[other] = length;
+        open.emplace(length, other);
+      }
+  }
+}
+
+/// The vertex of a piece farthest from one of its vertices, and how far it is.
+std::pair<unsigned, double> farthestFrom(const ClothTriangles& cloth, unsigned vertex,
+                                         std::vector<double>& distances) {
+  distances.assign(cloth.points.size(), far);
+  distances[vertex] = 0;
+  spread(cloth, distances, {{0.0, vertex}});
+  std::pair<unsigned, double> farthest{vertex, 0};
+  for (unsigned i = 0; i < distances.size(); ++i)
+    if (distances[i] < far && distances[i] > farthest.second) farthest = {i, distances[i]};
+  return farthest;
+}
+
+}  // namespace
+
+double hangingLength(const ClothTriangles& cloth, const std::vector<bool>& pinned) {
+  std::vector<double> distances(cloth.points.size(), far);
+  std::set<std::pair<double, unsigned>> open;
+  for (unsigned i = 0; i < distances.size(); ++i)
+    if (pinned[i]) {
+      distances[i] = 0;
+      open.emplace(0.0, i);
+    }
+  spread(cloth, distances, open);
+  double longest = 0;
+  for (unsigned i = 0; i < distances.size(); ++i) {
+    if (distances[i] < far) {
+      longest = std::max(longest, distances[i]);
+      continue;
+    }
+    std::vector<double> piece;
+    const unsigned end = farthestFrom(cloth, i, piece).first;
+    longest = std::max(longest, 0.5 * farthestFrom(cloth, end, piece).second);
+    for (unsigned k = 0; k < piece.size(); ++k)
+      if (piece[k] < far) distances[k] = 0;
+  }
+  return longest;
+}
+
+GarmentPace::GarmentPace(const ClothParameters& parameters, const ClothTriangles& cloth,
+                         const std::vector<MembraneElement>& membrane, const std::vector<double>& masses,
+                         const std::vector<bool>& pinned)
+    : hanging(hangingLength(cloth, pinned)) {
+  const double density = parameters.fabric.constants().density;
+  double area = 0;
+  double sum = 0;
+  double total = 0;
+  for (const double mass : masses) total += mass;
+  for (std::size_t f = 0; f < membrane.size(); ++f) {
+    const MembraneElement& e = membrane[f];
+    const double gradients[3][2] = {{-e.p - e.q, -e.r - e.s}, {e.p, e.r}, {e.q, e.s}};
+    double weight = 0;
+    for (std::size_t k = 0; k < 3; ++k)
+      weight += 0.5 * (gradients[k][0] * gradients[k][0] + gradients[k][1] * gradients[k][1]) /
+                masses[cloth.faces[f].corners[k]];
+    area += e.area;
+    sum += e.area * e.area * weight;
+  }
+  const double fastest = parameters.fastestAir();
+  const double pushed =
+      parameters.air.density * static_cast<double>(parameters.air.drag + parameters.air.lift);
+  drag = pushed * fastest / density;
+  const double streaming = 0.1 * 0.5 * pushed * fastest * fastest / density;
+  const double load = parameters.greatestLoad(total / static_cast<double>(masses.size())) + streaming;
+  stiffening = density * load * hanging * sum / area;
+}
+
+double GarmentPace::stableSeconds() const {
+  // As of grids: (w dt)^2 + 2 c dt < 4 with w^2 <= 4 T A S.
+  const double rate = drag + std::sqrt(drag * drag + 16.0 * stiffening);
+  return rate > 0 ? 4.0 / rate : far;
+}
+
+int GarmentPace::substeps(double frameSeconds, double bendingSquared) const {
+  const double bending =
+      std::min(frameSeconds * std::sqrt(bendingSquared / mostBending(1.0)), mostForBending);
+  const double stretching = frameSeconds * std::sqrt(0.5 * stiffening / mostStretchError);
+  const double steady = frameSeconds / (safety * stableSeconds());
+  const double needed = std::ceil(std::max({bending, stretching, steady}));
+  return static_cast<int>(std::clamp(needed, static_cast<double>(fewest), static_cast<double>(most)));
+}
+
+}  // namespace simreel::sim
