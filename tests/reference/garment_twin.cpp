@@ -46,13 +46,10 @@ GarmentTwin::GarmentTwin(simreel::sim::GarmentPlan plan)
 
 void GarmentTwin::step(double time) {
   int index = 0;
-  for (const ClothStep& data : plan_.frame(time)) {
-    ++index;
-    substep(data, index - 1, time + index * plan_.substepSeconds());
-  }
+  for (const ClothStep& data : plan_.frame(time)) substep(data, index++);
 }
 
-void GarmentTwin::substep(const ClothStep& data, int index, double /*time*/) {
+void GarmentTwin::substep(const ClothStep& data, int index) {
   const bool lands = heightPlan.has_value();
   HeightGrid grid{};
   if (lands) grid = heightPlan->at(index, plan_.substeps(), plan_.parameters().margin, 0.0F);
@@ -79,6 +76,13 @@ void GarmentTwin::substep(const ClothStep& data, int index, double /*time*/) {
     next_[face.x] = kernel.shifted(next_[face.x], shift.a);
     next_[face.y] = kernel.shifted(next_[face.y], shift.b);
     next_[face.z] = kernel.shifted(next_[face.z], shift.c);
+  }
+  for (const uvec4 stitch : arrays.stitches) {
+    const vec3 shift =
+        kernel.stitchShift(next_[stitch.x], next_[stitch.y], intBitsToFloat(static_cast<int>(stitch.z)),
+                           intBitsToFloat(static_cast<int>(stitch.w)));
+    next_[stitch.x] = kernel.shifted(next_[stitch.x], shift);
+    next_[stitch.y] = kernel.shifted(next_[stitch.y], -shift);
   }
   for (std::size_t i = 0; i < positions.size(); ++i) {
     const auto m = kernel.settled(positions[i], next_[i], lands, false);

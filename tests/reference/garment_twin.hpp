@@ -15,8 +15,8 @@ class GarmentTwin {
 
   /// One frame starting at `time` (s).
   void step(double time);
-  /// One substep with the given data, the frame's number `index`; `time` (s): of its end.
-  void substep(const simreel::shader::ClothStep& data, int index = 0, double time = 0);
+  /// One substep with the given data, the frame's number `index`.
+  void substep(const simreel::shader::ClothStep& data, int index = 0);
   /// Normals of the cloth's vertices.
   [[nodiscard]] std::vector<glm::vec3> normals() const;
 

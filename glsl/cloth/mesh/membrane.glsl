@@ -1,4 +1,4 @@
-// Stretch and shear of a face. Compiles as GLSL and as C++; needs common/exact.glsl.
+// Stretch and shear of a face, and seams. Compiles as GLSL and as C++; needs `stepData` (ClothStep) and common/exact.glsl.
 //
 // With the corners a, b, c and the inverse ((p, r), (q, s)) of their places at rest along weft and warp, `shape` = (p, q, r, s),
 // the deformation gradient has the columns fu = (b - a) p + (c - a) q and fv = (b - a) r + (c - a) s. XPBD keeps
@@ -70,6 +70,21 @@ FUNCTION FaceShift faceShift(vec4 a, vec4 b, vec4 c, vec4 shape, vec3 compliance
   shift.b = shiftB;
   shift.c = shiftC;
   return shift;
+}
+
+// How far a stitch of a seam moves its ends, for each of their inverse masses: the first by this, the other back. It may be
+// `longest` long at the start and gets shorter evenly until it is shut; `perSecond`: 1 / the seconds until then.
+FUNCTION vec3 stitchShift(vec4 a, vec4 b, float longest, float perSecond) {
+  precise float left = 1.0f - float(stepData.substep + 1) * stepData.dt * perSecond;
+  precise float rest = longest * max(left, 0.0f);
+  precise vec3 d = vec3(b) - vec3(a);
+  float squared = max(exactDot(d, d), 1e-20f);
+  float inverse = exactInverseSqrt(squared);
+  precise float beyond = squared * inverse - rest;
+  precise float weight = a.w + b.w;
+  precise float part = beyond * inverse * exactReciprocal(max(weight, 1e-20f));
+  precise vec3 shift = d * part;
+  return beyond > 0.0f && weight > 0.0f ? shift : vec3(0.0f);
 }
 
 FUNCTION vec4 shifted(vec4 corner, vec3 shift) {

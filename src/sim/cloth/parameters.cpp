@@ -49,7 +49,7 @@ void PinGroup::describe(scene::Fields& f, const glm::ivec2& grid, bool onMesh) {
            "Corners to pin; row 0 is the top.");
   f.pairs("points", points, {0, 1e6}, "", "Single particles to pin, each [x, y].");
   f.integers("vertices", vertices, {0, 1e7}, "",
-             "Of a mesh: vertices to pin, from 0 on, as its file has them.");
+             "Of a mesh: vertices to pin, from 0 on, in the order in which \"simreel bake\" writes them.");
   f.optionalGroup("box", hasBox, "Of a mesh: pins all that lies in it at the start.",
                   [&](scene::Fields& b) {
                     b.vector("min", box.min, scene::anyNumber, "m", "Its least corner, in world space.");
@@ -89,7 +89,8 @@ void ClothParameters::describeMesh(scene::Fields& f) {
   f.optionalGroup("mesh", hasMesh, "Triangles that the cloth is made of, instead of a grid; a fabric.",
                   [&](scene::Fields& g) { mesh.describe(g); });
   f.list("seams", seams, "Of a mesh: vertices that are sewn together.", [](scene::Fields& s, Seam& seam) {
-    s.integers("from", seam.from, {0, 1e7}, "", "Vertices of one side, as the mesh's file has them.");
+    s.integers("from", seam.from, {0, 1e7}, "",
+               "Vertices of one side, from 0 on, in the order in which \"simreel bake\" writes them.");
     s.integers("to", seam.to, {0, 1e7}, "", "As many of the other side, in the same order.");
     s.number("seconds", seam.seconds, {1e-3, 1e6}, "s", "Until it has pulled shut.");
     if (seam.from.size() != seam.to.size())

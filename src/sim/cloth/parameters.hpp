@@ -19,7 +19,7 @@ struct PinGroup {
   std::vector<int> columns;
   std::vector<int> corners;        ///< 0 top-left, 1 top-right, 2 bottom-left, 3 bottom-right
   std::vector<glm::ivec2> points;  ///< (x, y)
-  std::vector<int> vertices;       ///< of a mesh, as its file numbers them
+  std::vector<int> vertices;       ///< of a mesh, in its order
   bool hasBox = false;
   scene::Box box{glm::vec3(-1), glm::vec3(1)};  ///< m, world, of a mesh at rest
   std::filesystem::path map;                    ///< picture over a mesh's uv; empty: none
@@ -43,7 +43,7 @@ enum class ClothSolver { springs, constraints };
 
 /// Vertices of a mesh that are sewn together, the i-th of `from` to the i-th of `to`.
 struct Seam {
-  std::vector<int> from, to;  ///< as the mesh's file numbers them
+  std::vector<int> from, to;  ///< in the mesh's order
   double seconds = 1;         ///< until it has pulled shut
 };
 

@@ -56,6 +56,7 @@ class Garment : public Simulation {
       gl::barrier();
       predict();
       stretch();
+      sew();
       // Here the cloth meets itself: positions_[1] is where its vertices go (xyz, inverse mass), corners_
       // its faces, positions_[0] where they were. Speeds are made of what is left in positions_[1].
       settle(i);
@@ -138,6 +139,7 @@ class Garment : public Simulation {
     corners_ = words(" faces", arrays.corners);
     fans_ = words(" fans", arrays.fans);
     rings_ = words(" rings", arrays.rings);
+    if (!arrays.stitches.empty()) stitches_ = words(" stitches", arrays.stitches);
     entries_ = words(" bending", arrays.entries);
     copies_ = words(" copies", arrays.copies);
     elements_ = gl::Vec4Array(name_ + " elements", arrays.elements);
@@ -171,6 +173,7 @@ class Garment : public Simulation {
     if (plan_.parameters().hasAir) air_ = make("cloth/mesh/air.comp", plan_.arrays().corners.size());
     predict_ = make("cloth/mesh/predict.comp", vertices);
     stretch_ = make("cloth/mesh/stretch.comp", 0);
+    if (!plan_.arrays().stitches.empty()) sew_ = make("cloth/mesh/sew.comp", 0);
     settle_ = make("cloth/mesh/settle.comp", vertices, true);
     show_ = make("cloth/mesh/show.comp", plan_.arrays().copies.size());
     settle_.checkUniformBlock("StepBlock", sizeof(shader::ClothStep));
@@ -195,21 +198,32 @@ class Garment : public Simulation {
     fans_.bindInput(shader::garment::fansBinding);
     rings_.bindInput(shader::garment::ringsBinding);
     predict_.dispatch(vertices_);
+    gl::barrier();
   }
 
   /// positions_[1], from where the vertices would go to where they may.
   void stretch() {
     elements_.bindInput(shader::garment::elementsBinding);
     corners_.bindInput(shader::garment::cornersBinding);
-    const std::vector<int>& colours = plan_.arrays().colours;
+    inColours(stretch_, plan_.arrays().colours);
+  }
+
+  /// Pulls seams shut, a colour of stitches after the other.
+  void sew() {
+    if (plan_.arrays().stitches.empty()) return;
+    stitches_.bindInput(shader::garment::stitchesBinding);
+    inColours(sew_, plan_.arrays().stitchColours);
+  }
+
+  /// A dispatch for each colour; what they wrote is there for what follows.
+  static void inColours(const gl::Program& program, const std::vector<int>& colours) {
     for (std::size_t colour = 0; colour + 1 < colours.size(); ++colour) {
-      gl::barrier();
       const int count = colours[colour + 1] - colours[colour];
-      stretch_.set("first", colours[colour]);
-      stretch_.set("count", count);
-      stretch_.dispatch(count);
+      program.set("first", colours[colour]);
+      program.set("count", count);
+      program.dispatch(count);
+      gl::barrier();
     }
-    gl::barrier();
   }
 
   void settle(int substep) {
@@ -248,12 +262,12 @@ class Garment : public Simulation {
   double time_ = 0;             ///< s, of the present state
   gl::Vec4Array positions_[2];  ///< now, and where the next substep writes
   gl::Vec4Array velocities_, restPositions_, elements_, faceForces_;
-  gl::WordsArray corners_, fans_, rings_, entries_, copies_;
+  gl::WordsArray corners_, fans_, rings_, entries_, copies_, stitches_;
   gl::Vec4Array drawnPositions_, drawnNormals_;
   MeshTopology topology_;
   gl::Buffer status_;
   StepBlocks<shader::ClothStep> steps_;
-  gl::Program air_, predict_, stretch_, settle_, show_;
+  gl::Program air_, predict_, stretch_, sew_, settle_, show_;
 };
 
 }  // namespace

@@ -23,12 +23,18 @@ constexpr double mostForBending = 240;
 constexpr double far = std::numeric_limits<double>::infinity();
 
 /// Shortens the ways in `distances` by what leads along edges from the vertices of `open`.
-void spread(const ClothTriangles& cloth, std::vector<double>& distances,
-            std::set<std::pair<double, unsigned>> open) {
+void spread(const ClothTriangles& cloth, const std::multimap<unsigned, unsigned>& links,
+            std::vector<double>& distances, std::set<std::pair<double, unsigned>> open) {
   while (!open.empty()) {
     const auto [distance, vertex] = *open.begin();
     open.erase(open.begin());
     if (distance > distances[vertex]) continue;
+    const auto [firstLink, lastLink] = links.equal_range(vertex);
+    for (auto link = firstLink; link != lastLink; ++link)
+      if (distance < distances[link->second]) {
+        distances[link->second] = distance;
+        open.emplace(distance, link->second);
+      }
     for (unsigned k = cloth.starts[vertex]; k < cloth.starts[vertex + 1]; ++k)
       for (const unsigned other : cloth.faces[cloth.around[k]].corners) {
         const glm::dvec3 d = cloth.points[other] - cloth.points[vertex];
@@ -41,11 +47,12 @@ void spread(const ClothTriangles& cloth, std::vector<double>& distances,
 }
 
 /// The vertex of a piece farthest from one of its vertices, and how far it is.
-std::pair<unsigned, double> farthestFrom(const ClothTriangles& cloth, unsigned vertex,
+std::pair<unsigned, double> farthestFrom(const ClothTriangles& cloth,
+                                         const std::multimap<unsigned, unsigned>& links, unsigned vertex,
                                          std::vector<double>& distances) {
   distances.assign(cloth.points.size(), far);
   distances[vertex] = 0;
-  spread(cloth, distances, {{0.0, vertex}});
+  spread(cloth, links, distances, {{0.0, vertex}});
   std::pair<unsigned, double> farthest{vertex, 0};
   for (unsigned i = 0; i < distances.size(); ++i)
     if (distances[i] < far && distances[i] > farthest.second) farthest = {i, distances[i]};
@@ -54,7 +61,8 @@ std::pair<unsigned, double> farthestFrom(const ClothTriangles& cloth, unsigned v
 
 }  // namespace
 
-double hangingLength(const ClothTriangles& cloth, const std::vector<bool>& pinned) {
+double hangingLength(const ClothTriangles& cloth, const std::vector<bool>& pinned,
+                     const std::multimap<unsigned, unsigned>& links) {
   std::vector<double> distances(cloth.points.size(), far);
   std::set<std::pair<double, unsigned>> open;
   for (unsigned i = 0; i < distances.size(); ++i)
@@ -62,7 +70,7 @@ double hangingLength(const ClothTriangles& cloth, const std::vector<bool>& pinne
       distances[i] = 0;
       open.emplace(0.0, i);
     }
-  spread(cloth, distances, open);
+  spread(cloth, links, distances, open);
   double longest = 0;
   for (unsigned i = 0; i < distances.size(); ++i) {
     if (distances[i] < far) {
@@ -70,8 +78,8 @@ double hangingLength(const ClothTriangles& cloth, const std::vector<bool>& pinne
       continue;
     }
     std::vector<double> piece;
-    const unsigned end = farthestFrom(cloth, i, piece).first;
-    longest = std::max(longest, 0.5 * farthestFrom(cloth, end, piece).second);
+    const unsigned end = farthestFrom(cloth, links, i, piece).first;
+    longest = std::max(longest, 0.5 * farthestFrom(cloth, links, end, piece).second);
     for (unsigned k = 0; k < piece.size(); ++k)
       if (piece[k] < far) distances[k] = 0;
   }
@@ -80,8 +88,8 @@ double hangingLength(const ClothTriangles& cloth, const std::vector<bool>& pinne
 
 GarmentPace::GarmentPace(const ClothParameters& parameters, const ClothTriangles& cloth,
                          const std::vector<MembraneElement>& membrane, const std::vector<double>& masses,
-                         const std::vector<bool>& pinned)
-    : hanging(hangingLength(cloth, pinned)) {
+                         const std::vector<bool>& pinned, const std::multimap<unsigned, unsigned>& links)
+    : hanging(hangingLength(cloth, pinned, links)) {
   const double density = parameters.fabric.constants().density;
   double area = 0;
   double sum = 0;

@@ -4,6 +4,7 @@
 #include "sim/garment/plate.hpp"
 #include "sim/garment/triangles.hpp"
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -19,7 +20,7 @@ namespace simreel::sim {
 struct GarmentPace {
   GarmentPace(const ClothParameters& parameters, const ClothTriangles& cloth,
               const std::vector<MembraneElement>& membrane, const std::vector<double>& masses,
-              const std::vector<bool>& pinned);
+              const std::vector<bool>& pinned, const std::multimap<unsigned, unsigned>& links);
 
   double hanging = 0;     ///< m, from the farthest vertex to the nearest pin, along edges
   double stiffening = 0;  ///< 1/s^2, rho a d A S
@@ -32,8 +33,10 @@ struct GarmentPace {
 };
 
 /// m: the longest of all shortest ways along edges from a vertex to the pins of its piece; of a piece
-/// without any, half of the way between two vertices far apart.
-[[nodiscard]] double hangingLength(const ClothTriangles& cloth, const std::vector<bool>& pinned);
+/// without any, half of the way between two vertices far apart. `links` join vertices, both ways, without
+/// any length: seams.
+[[nodiscard]] double hangingLength(const ClothTriangles& cloth, const std::vector<bool>& pinned,
+                                   const std::multimap<unsigned, unsigned>& links);
 
 /// Of an explicit step of that many seconds: what squared frequencies of bending keep to (1/s^2).
 [[nodiscard]] constexpr double mostBending(double seconds) {

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <utility>
 
 namespace simreel::sim {
@@ -66,18 +67,20 @@ void GarmentPlan::pin(const std::string& name, const ClothParameters& parameters
     pinGroup(name, parameters.pins[i], static_cast<int>(i));
 }
 
+unsigned GarmentPlan::vertexNamed(const std::string& name, const std::string& what, int number) const {
+  if (static_cast<std::size_t>(number) >= cloth_.vertexOf.size())
+    fail(ExitCode::usage, "{}: {} names vertex {}, but there are {} (0 to {})", name, what, number,
+         cloth_.vertexOf.size(), cloth_.vertexOf.size() - 1);
+  return cloth_.vertexOf[static_cast<std::size_t>(number)];
+}
+
 void GarmentPlan::pinGroup(const std::string& name, const PinGroup& group, int number) {
   int held = 0;
   const auto hold = [&](std::size_t vertex) {
     groups_[vertex] = number;
     ++held;
   };
-  for (const int vertex : group.vertices) {
-    if (static_cast<std::size_t>(vertex) >= cloth_.vertexOf.size())
-      fail(ExitCode::usage, "{}: pins[{}] names vertex {}, but there are {} (0 to {})", name, number,
-           vertex, cloth_.vertexOf.size(), cloth_.vertexOf.size() - 1);
-    hold(cloth_.vertexOf[static_cast<std::size_t>(vertex)]);
-  }
+  for (const int vertex : group.vertices) hold(vertexNamed(name, fmt::format("pins[{}]", number), vertex));
   if (group.hasBox)
     for (std::size_t i = 0; i < rest_.size(); ++i) {
       bool inside = true;
@@ -107,17 +110,56 @@ void GarmentPlan::pinGroup(const std::string& name, const PinGroup& group, int n
         name, number);
 }
 
+void GarmentPlan::sew(const std::string& name, const ClothParameters& parameters) {
+  std::vector<glm::uvec4> stitches;
+  for (std::size_t k = 0; k < parameters.seams.size(); ++k) {
+    const Seam& seam = parameters.seams[k];
+    for (std::size_t i = 0; i < seam.from.size(); ++i) {
+      const unsigned a = vertexNamed(name, fmt::format("seams[{}]", k), seam.from[i]);
+      const unsigned b = vertexNamed(name, fmt::format("seams[{}]", k), seam.to[i]);
+      if (a == b) continue;  // one already
+      const glm::dvec3 d = glm::dvec3(rest_[b]) - glm::dvec3(rest_[a]);
+      stitches.emplace_back(a, b, bitsOf(std::sqrt(d.x * d.x + d.y * d.y + d.z * d.z)),
+                            bitsOf(1 / seam.seconds));
+    }
+  }
+  // The first colour that neither end has, one after the other.
+  std::vector<std::vector<glm::uvec4>> colours;
+  std::vector<std::vector<bool>> taken;
+  for (const glm::uvec4& stitch : stitches) {
+    std::size_t colour = 0;
+    while (colour < taken.size() && (taken[colour][stitch.x] || taken[colour][stitch.y])) ++colour;
+    if (colour == taken.size()) {
+      taken.emplace_back(cloth_.points.size(), false);
+      colours.emplace_back();
+    }
+    taken[colour][stitch.x] = taken[colour][stitch.y] = true;
+    colours[colour].push_back(stitch);
+  }
+  for (const auto& colour : colours) {
+    arrays_.stitchColours.push_back(static_cast<int>(arrays_.stitches.size()));
+    arrays_.stitches.insert(arrays_.stitches.end(), colour.begin(), colour.end());
+  }
+  arrays_.stitchColours.push_back(static_cast<int>(arrays_.stitches.size()));
+}
+
 ClothParameters GarmentPlan::settled(const std::string& name, ClothParameters parameters,
                                      double frameSeconds) {
   place(parameters);
   pin(name, parameters);
+  sew(name, parameters);
   std::vector<bool> pinned;
   std::vector<double> inverse;
   for (std::size_t i = 0; i < masses_.size(); ++i) {
     pinned.push_back(groups_[i] >= 0);
     inverse.push_back(groups_[i] >= 0 ? 0 : 1 / masses_[i]);
   }
-  const GarmentPace pace(parameters, cloth_, membrane_, masses_, pinned);
+  std::multimap<unsigned, unsigned> links;
+  for (const glm::uvec4& stitch : arrays_.stitches) {
+    links.emplace(stitch.x, stitch.y);
+    links.emplace(stitch.y, stitch.x);
+  }
+  const GarmentPace pace(parameters, cloth_, membrane_, masses_, pinned, links);
   const double bending = parameters.fabric.constants().bending;
   const bool given = parameters.substeps.has_value();
   if (!given)

@@ -18,8 +18,10 @@ struct GarmentArrays {
   std::vector<glm::vec4> elements;  ///< two a face: p, q, r, s; compliances of weft, warp and shear (m/N)
   std::vector<glm::uvec4> fans;   ///< of each vertex: first ring, how many, first pair of entries, how many
   std::vector<glm::uvec4> rings;  ///< a face around a vertex: the two others, the face
-  std::vector<glm::uvec4> entries;  ///< two a pair: a vertex, N/m
-  std::vector<glm::uvec4> copies;   ///< of each drawn vertex: x its vertex
+  std::vector<glm::uvec4> entries;   ///< two a pair: a vertex, N/m
+  std::vector<glm::uvec4> stitches;  ///< colour by colour: two vertices, m apart at the start, 1/s
+  std::vector<int> stitchColours;    ///< as of faces
+  std::vector<glm::uvec4> copies;    ///< of each drawn vertex: x its vertex
 };
 
 /// Everything of cloth made of triangles that is decided on the CPU, as ClothPlan for grids; shared by the
@@ -27,7 +29,8 @@ struct GarmentArrays {
 class GarmentPlan {
  public:
   /// Reads the mesh. Throws what ClothPlan and ClothTriangles throw, what the mesh's reader does, and
-  /// UserError(usage) for pins that hold nothing or no vertex. Warns where the given substeps are too few.
+  /// UserError(usage) for pins that hold nothing, or pins or seams of no vertex. Warns where the given
+  /// substeps are too few.
   GarmentPlan(const std::string& name, const ClothParameters& parameters, int seed, double frameSeconds,
               const std::vector<ColliderShape>& colliders);
 
@@ -60,7 +63,10 @@ class GarmentPlan {
                                         double frameSeconds);
   void place(const ClothParameters& parameters);
   void pin(const std::string& name, const ClothParameters& parameters);
+  /// Of a vertex that `what` of the scene names by its number in the mesh.
+  [[nodiscard]] unsigned vertexNamed(const std::string& name, const std::string& what, int number) const;
   void pinGroup(const std::string& name, const PinGroup& group, int number);
+  void sew(const std::string& name, const ClothParameters& parameters);
   void makeArrays();
 
   int seed_;

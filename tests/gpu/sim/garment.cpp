@@ -113,3 +113,15 @@ TEST_CASE("garment: closed shapes equal their CPU twin") {
     compareGarment(p, 40, {floor});
   }
 }
+
+TEST_CASE("garment: seams equal their CPU twin") {
+  sim::ClothParameters p = test::freeCloth();
+  p.mesh.shape = sim::ClothShape::disc;
+  p.mesh.resolution = {15, 3};
+  p.gravity = glm::vec3(0, -9.8F, 0);
+  test::pinBox(p, glm::vec3(-0.1F), glm::vec3(0.1F));
+  // Of the outermost ring, 127 to 168; one vertex is sewn twice.
+  p.seams.push_back({{127, 130, 131, 140}, {129, 140, 150, 160}, 0.2});
+  p.seams.push_back({{128}, {165}, 0.4});
+  compareGarment(p, 30);
+}
