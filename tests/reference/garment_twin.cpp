@@ -18,17 +18,19 @@ struct GarmentKernel {
   const vec4* forces;
   HeightGrid heightGrid{};
   const vec4* heights = nullptr;
+  WallGrid wallGrid{};
+  const WallsTwin* walls = nullptr;
 
   [[nodiscard]] vec3 loadPoint(int i) const { return vec3(source[i]); }
   [[nodiscard]] vec3 loadFaceForce(int i) const { return vec3(forces[i]); }
   [[nodiscard]] uvec4 loadEntry(int i) const { return arrays.entries[static_cast<std::size_t>(i)]; }
   [[nodiscard]] uvec4 loadRing(int i) const { return arrays.rings[static_cast<std::size_t>(i)]; }
   [[nodiscard]] vec4 loadHeights(int i) const { return heights[i]; }
-  struct WallMotion {
-    vec3 position, velocity;
-  };
-  static WallMotion outOfWalls(vec3 /*from*/, vec3 to, vec3 velocity) { return {to, velocity}; }
+  [[nodiscard]] int loadWallClass(int x, int y) const { return walls->classAt(x, y); }
+  [[nodiscard]] float loadWallValue(int x, int y) const { return walls->valueAt(x, y); }
 #include "glsl/cloth/mesh/model.glsl"
+#include "glsl/contour/model.glsl"
+#include "glsl/contour/wall_model.glsl"
 #include "glsl/mesh/height_model.glsl"
 };
 #undef precise
@@ -53,8 +55,11 @@ void GarmentTwin::substep(const ClothStep& data, int index) {
   const bool lands = heightPlan.has_value();
   HeightGrid grid{};
   if (lands) grid = heightPlan->at(index, plan_.substeps(), plan_.parameters().margin, 0.0F);
+  WallGrid wallGrid{};
+  if (walls) wallGrid = walls->grid({plan_.parameters().margin, 0.0F, plan_.substepSeconds()});
   const simreel::sim::GarmentArrays& arrays = plan_.arrays();
-  GarmentKernel kernel{data, arrays, positions.data(), forces_.data(), grid, heights.data()};
+  GarmentKernel kernel{data, arrays,         positions.data(), forces_.data(),
+                       grid, heights.data(), wallGrid,         walls ? &*walls : nullptr};
   const bool air = plan_.parameters().hasAir;
   for (std::size_t f = 0; air && f < arrays.corners.size(); ++f) {
     const uvec4 face = arrays.corners[f];
@@ -85,7 +90,7 @@ void GarmentTwin::substep(const ClothStep& data, int index) {
     next_[stitch.y] = kernel.shifted(next_[stitch.y], -shift);
   }
   for (std::size_t i = 0; i < positions.size(); ++i) {
-    const auto m = kernel.settled(positions[i], next_[i], lands, false);
+    const auto m = kernel.settled(positions[i], next_[i], lands, walls.has_value());
     next_[i] = vec4(m.position, next_[i].w);
     velocities[i] = vec4(m.velocity, velocities[i].w);
   }

@@ -1,4 +1,5 @@
 #pragma once
+#include "reference/walls_twin.hpp"
 #include "sim/garment/plan.hpp"
 #include "sim/mesh/height_plan.hpp"
 
@@ -25,6 +26,7 @@ class GarmentTwin {
   /// The mesh it falls onto; none without a plan.
   std::optional<simreel::sim::HeightPlan> heightPlan;
   std::vector<glm::vec4> heights;  ///< of the frame to step: x at its beginning, y at its end (m)
+  std::optional<WallsTwin> walls;  ///< the solid it meets; none: no solid
   [[nodiscard]] simreel::sim::GarmentPlan& plan() { return plan_; }
 
  private:
