@@ -108,9 +108,10 @@ void ClothParameters::describe(scene::Fields& f) {
   describeMesh(f);
   f.pair("size", size, {2, 16384}, "particles", "Particles along a row and number of rows.");
   f.number("spacing", spacing, {1e-4, 1e3}, "m", "Rest distance between neighbours.");
-  f.vector("position", position, scene::anyNumber, "m", "Middle of the sheet at rest.");
+  f.vector("position", position, scene::anyNumber, "m",
+           "Middle of the sheet at rest; of a mesh, where its origin is.");
   f.vector("rotation", rotation, scene::anyNumber, "degrees",
-           "About x, then y, then z; unrotated the sheet lies flat, rows along x.");
+           "About x, then y, then z; unrotated the sheet lies flat, rows along x, and a mesh as it is.");
   f.number("jitter", jitter, {0, 10}, "m", "Largest random displacement of the particles at the start.");
   f.number("mass", mass, {1e-6, 1e6}, "kg", "Of each particle.");
   f.number("stiffness", stiffness, {0, 1e9}, "N/m", "Of the structural springs.");

@@ -101,7 +101,9 @@ std::span<const scene::Quantity> ClothParameters::quantities() const {
        "Of all springs; of the constraints solver that of compliant constraints; of a fabric its bending, "
        "too."},
       {"energy", "J", "Kinetic, potential and elastic."},
-      {"stretch", "", "Largest length of a structural spring as a ratio to rest."},
+      {"stretch", "",
+       "Largest length of a structural spring as a ratio to rest; of a mesh that of a face along weft or "
+       "warp."},
       {"speed", "m/s", "Of the fastest particle."}};
   return table;
 }
