@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <limits>
 #include <set>
+#include <utility>
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
@@ -67,14 +68,22 @@ void PinGroup::describe(scene::Fields& f, const glm::ivec2& grid, bool onMesh) {
   f.vector("rotate", rotate, scene::anyNumber, "degrees", "Rotation of the pins about the pivot.");
   f.vector("scale", scale, {-1e3, 1e3}, "", "Scale of the pins about the pivot.");
   f.vector("pivot", pivot, scene::anyNumber, "m", "Fixed point of rotation and scale, in world space.");
+  const std::pair<const char*, bool> ofGrids[] = {{"rows", !rows.empty()},
+                                                  {"columns", !columns.empty()},
+                                                  {"corners", !corners.empty()},
+                                                  {"points", !points.empty()},
+                                                  {"clamp", clamp},
+                                                  {"every", every != 1}};
+  const std::pair<const char*, bool> ofMeshes[] = {
+      {"vertices", !vertices.empty()}, {"box", hasBox}, {"map", !map.empty()}};
   if (onMesh) {
-    for (const char* name : {"rows", "columns", "corners", "points", "clamp", "every"})
-      if (f.given(name))
+    for (const auto& [name, used] : ofGrids)
+      if (used)
         f.error(name, fmt::format("a mesh has no {}; pin by \"vertices\", \"box\" or \"map\"", name));
     return;
   }
-  for (const char* name : {"vertices", "box", "map"})
-    if (f.given(name))
+  for (const auto& [name, used] : ofMeshes)
+    if (used)
       f.error(name, "this pins a mesh; a grid has \"rows\", \"columns\", \"corners\" and \"points\"");
   checkLines(f, "rows", rows, grid.y);
   checkLines(f, "columns", columns, grid.x);
