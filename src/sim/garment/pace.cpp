@@ -22,41 +22,30 @@ constexpr double mostForBending = 240;
 
 constexpr double far = std::numeric_limits<double>::infinity();
 
-/// Shortens the ways in `distances` by what leads along edges from the vertices of `open`.
-void spread(const ClothTriangles& cloth, const std::multimap<unsigned, unsigned>& links,
-            std::vector<double>& distances, std::set<std::pair<double, unsigned>> open) {
+/// Shortens the ways in `distances` by what leads along edges from the vertices of `open`. Returns the
+/// vertices it reaches, the farthest last.
+std::vector<unsigned> spread(const ClothTriangles& cloth, const std::multimap<unsigned, unsigned>& links,
+                             std::vector<double>& distances, std::set<std::pair<double, unsigned>> open) {
+  std::vector<unsigned> reached;
   while (!open.empty()) {
     const auto [distance, vertex] = *open.begin();
     open.erase(open.begin());
     if (distance > distances[vertex]) continue;
-    const auto [firstLink, lastLink] = links.equal_range(vertex);
-    for (auto link = firstLink; link != lastLink; ++link)
-      if (distance < distances[link->second]) {
-        distances[link->second] = distance;
-        open.emplace(distance, link->second);
-      }
+    reached.push_back(vertex);
+    const auto reach = [&](unsigned other, double length) {
+      if (length >= distances[other]) return;
+      distances[other] = length;
+      open.emplace(length, other);
+    };
+    const auto [first, last] = links.equal_range(vertex);
+    for (auto link = first; link != last; ++link) reach(link->second, distance);
     for (unsigned k = cloth.starts[vertex]; k < cloth.starts[vertex + 1]; ++k)
       for (const unsigned other : cloth.faces[cloth.around[k]].corners) {
         const glm::dvec3 d = cloth.points[other] - cloth.points[vertex];
-        const double length = distance + std::sqrt(glm::dot(d, d));
-        if (length >= distances[other]) continue;
-        distances[other] = length;
-        open.emplace(length, other);
+        reach(other, distance + std::sqrt(glm::dot(d, d)));
       }
   }
-}
-
-/// The vertex of a piece farthest from one of its vertices, and how far it is.
-std::pair<unsigned, double> farthestFrom(const ClothTriangles& cloth,
-                                         const std::multimap<unsigned, unsigned>& links, unsigned vertex,
-                                         std::vector<double>& distances) {
-  distances.assign(cloth.points.size(), far);
-  distances[vertex] = 0;
-  spread(cloth, links, distances, {{0.0, vertex}});
-  std::pair<unsigned, double> farthest{vertex, 0};
-  for (unsigned i = 0; i < distances.size(); ++i)
-    if (distances[i] < far && distances[i] > farthest.second) farthest = {i, distances[i]};
-  return farthest;
+  return reached;
 }
 
 }  // namespace
@@ -70,18 +59,19 @@ double hangingLength(const ClothTriangles& cloth, const std::vector<bool>& pinne
       distances[i] = 0;
       open.emplace(0.0, i);
     }
-  spread(cloth, links, distances, open);
   double longest = 0;
+  for (const unsigned i : spread(cloth, links, distances, open)) longest = std::max(longest, distances[i]);
   for (unsigned i = 0; i < distances.size(); ++i) {
-    if (distances[i] < far) {
-      longest = std::max(longest, distances[i]);
-      continue;
+    if (distances[i] < far) continue;
+    // A piece without pins: from one of its ends to the other.
+    unsigned end = i;
+    for (int way = 0; way < 2; ++way) {
+      distances[end] = 0;
+      const std::vector<unsigned> piece = spread(cloth, links, distances, {{0.0, end}});
+      end = piece.back();
+      if (way == 1) longest = std::max(longest, 0.5 * distances[end]);
+      for (const unsigned k : piece) distances[k] = way == 0 ? far : 0;
     }
-    std::vector<double> piece;
-    const unsigned end = farthestFrom(cloth, links, i, piece).first;
-    longest = std::max(longest, 0.5 * farthestFrom(cloth, links, end, piece).second);
-    for (unsigned k = 0; k < piece.size(); ++k)
-      if (piece[k] < far) distances[k] = 0;
   }
   return longest;
 }

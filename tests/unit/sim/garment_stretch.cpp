@@ -128,6 +128,30 @@ TEST_CASE("garment: \"auto\" takes more substeps the longer it hangs and the fin
         doctest::Approx(2).epsilon(0.001));  // no diagonal leads there
 }
 
+TEST_CASE("garment: what hangs is measured piece by piece, over seams, too") {
+  // Strips of one column of cells, 1 m long, beside each other; the first is pinned at its end.
+  sim::Mesh mesh = test::rectangle(test::Kind::right, {10, 1}, 0.1);
+  const std::size_t count = mesh.positions.size();
+  for (std::size_t i = 0; i < count; ++i)
+    mesh.positions.push_back(mesh.positions[i] * 1.5F + glm::vec3(0, 0, 1));
+  mesh.normals.resize(2 * count);
+  for (std::size_t i = 0; i < 60; ++i)
+    mesh.indices.push_back(mesh.indices[i] + static_cast<unsigned>(count));
+  const sim::ClothTriangles cloth("a", mesh, 1, 0);
+  std::vector<bool> pinned(2 * count, false);
+  pinned[0] = pinned[11] = true;
+  CHECK(sim::hangingLength(cloth, pinned, {}) == doctest::Approx(1).epsilon(1e-6));
+  const double free = 0.5 * (1.5 + 0.15);  // half of the way between corners that no diagonal leads to
+  pinned[0] = pinned[11] = false;
+  CHECK(sim::hangingLength(cloth, pinned, {}) == doctest::Approx(free).epsilon(0.001));
+  pinned[0] = pinned[11] = true;
+  const unsigned end = 10;
+  const auto other =
+      static_cast<unsigned>(count);  // the far end of the first to the near one of the second
+  CHECK(sim::hangingLength(cloth, pinned, {{end, other}, {other, end}}) ==
+        doctest::Approx(2.5 + 0.15 * (std::sqrt(2.0) - 1)).epsilon(0.05));
+}
+
 TEST_CASE("garment: air drags a flat sheet across it by rho Cd A v^2 / 2") {
   RandomCloth cloth;
   cloth.p.hasAir = true;
