@@ -16,6 +16,8 @@ namespace {
 
 /// A face whose area is below this fraction of its longest edge's square has none.
 constexpr double leastArea = 1e-5;
+/// Faces around a vertex: each has a colour of its own, and all colours are one after the other.
+constexpr unsigned mostAround = 256;
 
 using Place = std::array<float, 3>;
 
@@ -161,6 +163,9 @@ void ClothTriangles::gather(const std::string& name) {
           std::find(vertexOf.begin(), vertexOf.end(), static_cast<unsigned>(i)) - vertexOf.begin();
       fail(ExitCode::usage, "{}: vertex {} belongs to no face, {}; remove it", name, copy, at(points[i]));
     }
+    if (starts[i + 1] > mostAround)
+      fail(ExitCode::usage, "{}: {} faces meet in one vertex, {}, more than {}; make it finer there", name,
+           starts[i + 1], at(points[i]), mostAround);
     starts[i + 1] += starts[i];
   }
   around.resize(starts.back());

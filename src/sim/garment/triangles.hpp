@@ -25,7 +25,7 @@ struct ClothTriangles {
   /// Vertices of the mesh no farther apart than `weld` (m) become one, with the place of the first; 0:
   /// those at the same place. Coordinates are multiplied with `scale`. Throws UserError(usage), with `name`
   /// and the place, for an edge of more than two faces, neighbours that do not face the same way, a face
-  /// without area, a vertex without faces.
+  /// without area, a vertex without faces or of more than 256.
   ClothTriangles(const std::string& name, const Mesh& mesh, double scale, double weld);
 
   std::vector<glm::dvec3> points;  ///< m, in the mesh's own space

@@ -6,6 +6,7 @@
 #include "unit/sim/garment_help.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -66,6 +67,15 @@ TEST_CASE("garment: a mesh that is no cloth is refused with the place") {
   sim::Mesh loose = square();
   loose.positions.emplace_back(7.0F, 8.0F, 9.0F);
   loose.normals.emplace_back(0.0F, 1.0F, 0.0F);
+  sim::Mesh fan;
+  fan.positions.emplace_back(1.0F, 2.0F, 3.0F);
+  for (unsigned i = 0; i < 300; ++i) {
+    const double angle = 2 * std::numbers::pi * i / 300;
+    fan.positions.emplace_back(1 + std::sin(angle), 2, 3 + std::cos(angle));
+    fan.indices.insert(fan.indices.end(), {0, 1 + i, 1 + (i + 1) % 300});
+  }
+  fan.normals.assign(301, glm::vec3(0, 1, 0));
+  test::checkHas(refusal(fan), "300 faces meet in one vertex, at (1, 2, 3)");
   test::checkHas(refusal(loose), "vertex 4 belongs to no face, at (7, 8, 9)");
 }
 
