@@ -63,11 +63,25 @@ FaceStrain strainOf(const MembraneElement& element, const glm::dvec3& a, const g
   return {weft, warp, weft * warp > 0 ? glm::dot(fu, fv) / (weft * warp) : 0};
 }
 
-double membraneEnergy(const MembraneElement& element, const shader::FabricConstants& fabric,
+FaceStiffness stiffnessOf(const MembraneElement& element, const shader::FabricConstants& fabric,
+                          const glm::dvec3& inverseMasses, double seconds) {
+  const auto& [p, q, r, s, area] = element;
+  const glm::dvec3 squaresU((p + q) * (p + q), p * p, q * q);
+  const glm::dvec3 squaresV((r + s) * (r + s), r * r, s * s);
+  const double scale = area * seconds * seconds;
+  const double weft = scale * glm::dot(inverseMasses, squaresU);
+  const double warp = scale * glm::dot(inverseMasses, squaresV);
+  return {1 / (1 / static_cast<double>(fabric.weft) + weft),
+          1 / (1 / static_cast<double>(fabric.warp) + warp),
+          1 / (1 / static_cast<double>(fabric.shear) + weft + warp)};
+}
+
+double membraneEnergy(const MembraneElement& element, const FaceStiffness& stiffness,
                       const FaceStrain& strain) {
   return 0.5 * element.area *
-         (fabric.weft * (strain.weft - 1) * (strain.weft - 1) +
-          fabric.warp * (strain.warp - 1) * (strain.warp - 1) + fabric.shear * strain.shear * strain.shear);
+         (stiffness.weft * (strain.weft - 1) * (strain.weft - 1) +
+          stiffness.warp * (strain.warp - 1) * (strain.warp - 1) +
+          stiffness.shear * strain.shear * strain.shear);
 }
 
 }  // namespace simreel::sim

@@ -27,8 +27,19 @@ struct FaceStrain {
 [[nodiscard]] FaceStrain strainOf(const MembraneElement& element, const glm::dvec3& a, const glm::dvec3& b,
                                   const glm::dvec3& c);
 
+/// N/m.
+struct FaceStiffness {
+  double weft, warp, shear;
+};
+/// What a face resists with where constraints are relaxed once in `seconds`: 1 / (1 / k + A S seconds^2), S
+/// the sum of its corners' inverse masses (1/kg) times the squares of its gradients. That is what it stores
+/// energy by; with 0 s what the fabric says.
+[[nodiscard]] FaceStiffness stiffnessOf(const MembraneElement& element,
+                                        const shader::FabricConstants& fabric,
+                                        const glm::dvec3& inverseMasses, double seconds);
+
 /// E = A / 2 (weft (l - 1)^2 + warp (m - 1)^2 + shear s^2), J.
-[[nodiscard]] double membraneEnergy(const MembraneElement& element, const shader::FabricConstants& fabric,
+[[nodiscard]] double membraneEnergy(const MembraneElement& element, const FaceStiffness& stiffness,
                                     const FaceStrain& strain);
 
 }  // namespace simreel::sim

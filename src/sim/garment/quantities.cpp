@@ -40,7 +40,11 @@ std::vector<double> measureGarment(const GarmentPlan& plan, std::span<const glm:
     const auto& corners = plan.cloth().faces[f].corners;
     const FaceStrain strain =
         strainOf(plan.membrane()[f], points[corners[0]], points[corners[1]], points[corners[2]]);
-    elastic += membraneEnergy(plan.membrane()[f], fabric, strain);
+    const glm::dvec3 inverseMasses(positions[corners[0]].w, positions[corners[1]].w,
+                                   positions[corners[2]].w);
+    elastic += membraneEnergy(plan.membrane()[f],
+                              stiffnessOf(plan.membrane()[f], fabric, inverseMasses, plan.substepSeconds()),
+                              strain);
     stretch = larger(stretch, larger(strain.weft, strain.warp));
   }
   return {static_cast<double>(points.size()),
