@@ -14,7 +14,7 @@ namespace simreel::sim {
 
 namespace {
 
-constexpr std::int64_t maxVertices = 4'000'000;
+constexpr std::int64_t mostClothVertices = 4'000'000;
 
 /// A point of a circle, `part` of a turn from +z on.
 glm::dvec2 onCircle(double part) {
@@ -50,9 +50,9 @@ void ClothMesh::describe(scene::Fields& f) {
     f.error("tube", fmt::format("a tube of {} m closes the hole of a torus of {} m", tube, radius));
   if (shape == ClothShape::plane && (size.x < 1e-4F || size.z < 1e-4F))
     f.error("size", "a plane is at least 0.0001 m wide and deep");
-  if (std::int64_t{resolution.x} * resolution.y > maxVertices)
+  if (std::int64_t{resolution.x} * resolution.y > mostClothVertices)
     f.error("resolution",
-            fmt::format("{}x{} are more than {} vertices", resolution.x, resolution.y, maxVertices));
+            fmt::format("{}x{} are more than {} vertices", resolution.x, resolution.y, mostClothVertices));
 }
 
 Mesh ClothMesh::make() const {

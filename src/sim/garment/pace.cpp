@@ -14,13 +14,13 @@ namespace simreel::sim {
 namespace {
 
 constexpr double mostStretchError = 0.005;
-constexpr double safety = 0.7;  // as of grids
-constexpr int fewest = 8;
-constexpr int most = 1024;
+constexpr double steadyPart = 0.7;  // as of grids
+constexpr int fewestSubsteps = 8;
+constexpr int mostSubsteps = 1024;
 /// Beyond these, elements are softened instead: slivers would slow down all the rest.
 constexpr double mostForBending = 240;
 
-constexpr double far = std::numeric_limits<double>::infinity();
+constexpr double unreached = std::numeric_limits<double>::infinity();
 
 /// Shortens the ways in `distances` by what leads along edges from the vertices of `open`. Returns the
 /// vertices it reaches, the farthest last.
@@ -52,7 +52,7 @@ std::vector<unsigned> spread(const ClothTriangles& cloth, const std::multimap<un
 
 double hangingLength(const ClothTriangles& cloth, const std::vector<bool>& pinned,
                      const std::multimap<unsigned, unsigned>& links) {
-  std::vector<double> distances(cloth.points.size(), far);
+  std::vector<double> distances(cloth.points.size(), unreached);
   std::set<std::pair<double, unsigned>> open;
   for (unsigned i = 0; i < distances.size(); ++i)
     if (pinned[i]) {
@@ -62,7 +62,7 @@ double hangingLength(const ClothTriangles& cloth, const std::vector<bool>& pinne
   double longest = 0;
   for (const unsigned i : spread(cloth, links, distances, open)) longest = std::max(longest, distances[i]);
   for (unsigned i = 0; i < distances.size(); ++i) {
-    if (distances[i] < far) continue;
+    if (distances[i] < unreached) continue;
     // A piece without pins: from one of its ends to the other.
     unsigned end = i;
     for (int way = 0; way < 2; ++way) {
@@ -70,7 +70,7 @@ double hangingLength(const ClothTriangles& cloth, const std::vector<bool>& pinne
       const std::vector<unsigned> piece = spread(cloth, links, distances, {{0.0, end}});
       end = piece.back();
       if (way == 1) longest = std::max(longest, 0.5 * distances[end]);
-      for (const unsigned k : piece) distances[k] = way == 0 ? far : 0;
+      for (const unsigned k : piece) distances[k] = way == 0 ? unreached : 0;
     }
   }
   return longest;
@@ -107,16 +107,17 @@ GarmentPace::GarmentPace(const ClothParameters& parameters, const ClothTriangles
 double GarmentPace::stableSeconds() const {
   // As of grids: (w dt)^2 + 2 c dt < 4 with w^2 <= 4 T A S.
   const double rate = drag + std::sqrt(drag * drag + 16.0 * stiffening);
-  return rate > 0 ? 4.0 / rate : far;
+  return rate > 0 ? 4.0 / rate : unreached;
 }
 
 int GarmentPace::substeps(double frameSeconds, double bendingSquared) const {
   const double bending =
       std::min(frameSeconds * std::sqrt(bendingSquared / mostBending(1.0)), mostForBending);
   const double stretching = frameSeconds * std::sqrt(0.5 * stiffening / mostStretchError);
-  const double steady = frameSeconds / (safety * stableSeconds());
+  const double steady = frameSeconds / (steadyPart * stableSeconds());
   const double needed = std::ceil(std::max({bending, stretching, steady}));
-  return static_cast<int>(std::clamp(needed, static_cast<double>(fewest), static_cast<double>(most)));
+  return static_cast<int>(
+      std::clamp(needed, static_cast<double>(fewestSubsteps), static_cast<double>(mostSubsteps)));
 }
 
 }  // namespace simreel::sim

@@ -92,11 +92,12 @@ class Patch {
 };
 
 constexpr std::size_t mostUnknowns = 6;
-using Row = std::array<double, mostUnknowns>;
+using SolverRow = std::array<double, mostUnknowns>;
 
 /// The inverse of a symmetric positive matrix; nothing where it is singular.
-std::optional<std::array<Row, mostUnknowns>> inverse(std::array<Row, mostUnknowns> m, std::size_t size) {
-  std::array<Row, mostUnknowns> result{};
+std::optional<std::array<SolverRow, mostUnknowns>> inverse(std::array<SolverRow, mostUnknowns> m,
+                                                           std::size_t size) {
+  std::array<SolverRow, mostUnknowns> result{};
   for (std::size_t i = 0; i < size; ++i) result[i][i] = 1;
   for (std::size_t k = 0; k < size; ++k) {
     std::size_t pivot = k;
@@ -132,11 +133,11 @@ struct Term {
 /// they do not say it.
 std::vector<Term> slopeOfFit(const Patch& patch) {
   if (patch.points.size() < mostUnknowns) return {};
-  std::vector<Row> values;
-  std::array<Row, mostUnknowns> normal{};
+  std::vector<SolverRow> values;
+  std::array<SolverRow, mostUnknowns> normal{};
   for (const FlatPoint& point : patch.points) {
     const glm::dvec2 p = point.place / patch.length;
-    const Row row{1, p.x, p.y, p.x * p.x, p.x * p.y, p.y * p.y};
+    const SolverRow row{1, p.x, p.y, p.x * p.x, p.x * p.y, p.y * p.y};
     values.push_back(row);
     for (std::size_t i = 0; i < mostUnknowns; ++i)
       for (std::size_t j = 0; j < mostUnknowns; ++j) normal[i][j] += row[i] * row[j];

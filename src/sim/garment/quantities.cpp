@@ -10,7 +10,7 @@ namespace simreel::sim {
 namespace {
 
 /// The larger one; NaN once there was one.
-double larger(double a, double b) {
+double greaterOf(double a, double b) {
   return std::isnan(a) || a >= b ? a : b;
 }
 
@@ -32,7 +32,7 @@ std::vector<double> measureGarment(const GarmentPlan& plan, std::span<const glm:
     total += mass;
     kinetic += 0.5 * mass * glm::dot(v, v);
     potential -= mass * glm::dot(gravity, points.back());
-    fastestSquared = larger(fastestSquared, glm::dot(v, v));
+    fastestSquared = greaterOf(fastestSquared, glm::dot(v, v));
   }
   double elastic = plateEnergy(plan.plate(), fabric.bending, points);
   double stretch = 0;
@@ -45,7 +45,7 @@ std::vector<double> measureGarment(const GarmentPlan& plan, std::span<const glm:
     elastic += membraneEnergy(plan.membrane()[f],
                               stiffnessOf(plan.membrane()[f], fabric, inverseMasses, plan.substepSeconds()),
                               strain);
-    stretch = larger(stretch, larger(strain.weft, strain.warp));
+    stretch = greaterOf(stretch, greaterOf(strain.weft, strain.warp));
   }
   return {static_cast<double>(points.size()),
           total,

@@ -76,7 +76,7 @@ std::vector<unsigned> firstWithin(const Mesh& mesh, double scale, double reach) 
   return first;
 }
 
-std::string at(const glm::dvec3& p) {
+std::string placeText(const glm::dvec3& p) {
   return fmt::format("at ({:.4g}, {:.4g}, {:.4g})", p.x, p.y, p.z);
 }
 
@@ -107,7 +107,7 @@ ClothTriangles::ClothTriangles(const std::string& name, const Mesh& mesh, double
     if (!(face.area > leastArea * longest))
       fail(ExitCode::usage,
            "{}: face {} (vertices {}, {} and {}) has no area, {}; remove it, or \"weld\" closer", name,
-           i / 3, mesh.indices[i], mesh.indices[i + 1], mesh.indices[i + 2], at(a));
+           i / 3, mesh.indices[i], mesh.indices[i + 1], mesh.indices[i + 2], placeText(a));
     faces.push_back(face);
   }
   join(name);
@@ -136,14 +136,14 @@ void ClothTriangles::join(const std::string& name) {
     if (end - i > 2)
       fail(ExitCode::usage,
            "{}: an edge belongs to {} faces ({}, {}, {}...), {}; cloth is one layer, so take them apart",
-           name, end - i, first.face, edges[i + 1].face, edges[i + 2].face, at(points[first.low]));
+           name, end - i, first.face, edges[i + 1].face, edges[i + 2].face, placeText(points[first.low]));
     if (end - i == 2) {
       const Edge& second = edges[i + 1];
       Face& here = faces[first.face];
       Face& there = faces[second.face];
       if (here.corners[first.side] == there.corners[second.side])
         fail(ExitCode::usage, "{}: faces {} and {} face opposite ways, {}; turn one over", name, first.face,
-             second.face, at(points[first.low]));
+             second.face, placeText(points[first.low]));
       here.neighbours[first.side] = second.face;
       there.neighbours[second.side] = first.face;
       here.beyond[first.side] = there.corners[(second.side + 2) % 3];
@@ -161,11 +161,12 @@ void ClothTriangles::gather(const std::string& name) {
     if (starts[i + 1] == 0) {
       const auto copy =
           std::find(vertexOf.begin(), vertexOf.end(), static_cast<unsigned>(i)) - vertexOf.begin();
-      fail(ExitCode::usage, "{}: vertex {} belongs to no face, {}; remove it", name, copy, at(points[i]));
+      fail(ExitCode::usage, "{}: vertex {} belongs to no face, {}; remove it", name, copy,
+           placeText(points[i]));
     }
     if (starts[i + 1] > mostAround)
       fail(ExitCode::usage, "{}: {} faces meet in one vertex, {}, more than {}; make it finer there", name,
-           starts[i + 1], at(points[i]), mostAround);
+           starts[i + 1], placeText(points[i]), mostAround);
     starts[i + 1] += starts[i];
   }
   around.resize(starts.back());

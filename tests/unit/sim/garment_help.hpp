@@ -14,7 +14,7 @@ namespace simreel::test {
 enum class Kind { right, equilateral, random };
 
 /// A number from -1 to 1.
-[[nodiscard]] inline double scattered(std::size_t i) {
+[[nodiscard]] inline double disorder(std::size_t i) {
   const double x = 43758.5453 * std::sin(12.9898 * static_cast<double>(i + 1));
   return 2 * (x - std::floor(x)) - 1;
 }
@@ -33,8 +33,8 @@ enum class Kind { right, equilateral, random };
       if (kind == Kind::equilateral && x == cells.x && z % 2 == 1) across += 0;
       if (kind == Kind::random && inside && z > 0 && z < cells.y) {
         const auto number = static_cast<std::size_t>(z * (cells.x + 1) + x);
-        across += 0.3 * scattered(2 * number);
-        down += 0.3 * scattered(2 * number + 1);
+        across += 0.3 * disorder(2 * number);
+        down += 0.3 * disorder(2 * number + 1);
       }
       mesh.positions.emplace_back(across * cell, 0.0, down * deep);
       mesh.normals.emplace_back(0, 1, 0);

@@ -17,7 +17,7 @@ using namespace simreel;
 
 namespace {
 
-std::string refusal(const sim::Mesh& mesh) {
+std::string clothRefusal(const sim::Mesh& mesh) {
   try {
     static_cast<void>(sim::ClothTriangles("cloth \"a\"", mesh, 1, 0));
   } catch (const UserError& error) {
@@ -27,7 +27,7 @@ std::string refusal(const sim::Mesh& mesh) {
   return "";
 }
 
-sim::Mesh square() {
+sim::Mesh clothSquare() {
   sim::Mesh mesh;
   mesh.positions = {{0, 0, 0}, {0, 0, 1}, {1, 0, 0}, {1, 0, 1}};
   mesh.normals.assign(4, glm::vec3(0, 1, 0));
@@ -52,19 +52,19 @@ int bordersOf(const sim::ClothTriangles& cloth) {
 }  // namespace
 
 TEST_CASE("garment: a mesh that is no cloth is refused with the place") {
-  CHECK(refusal(square()).empty());
-  sim::Mesh fold = square();
+  CHECK(clothRefusal(clothSquare()).empty());
+  sim::Mesh fold = clothSquare();
   fold.positions.emplace_back(0.5F, 1.0F, 0.5F);
   fold.indices.insert(fold.indices.end(), {2, 1, 4});
-  test::checkHas(refusal(fold), "cloth \"a\": an edge belongs to 3 faces (0, 1, 2");
-  test::checkHas(refusal(fold), "at (0, 0, 1)");
-  sim::Mesh turned = square();
+  test::checkHas(clothRefusal(fold), "cloth \"a\": an edge belongs to 3 faces (0, 1, 2");
+  test::checkHas(clothRefusal(fold), "at (0, 0, 1)");
+  sim::Mesh turned = clothSquare();
   std::swap(turned.indices[4], turned.indices[5]);
-  test::checkHas(refusal(turned), "faces 0 and 1 face opposite ways");
-  sim::Mesh flat = square();
+  test::checkHas(clothRefusal(turned), "faces 0 and 1 face opposite ways");
+  sim::Mesh flat = clothSquare();
   flat.positions[3] = {0.5F, 0, 0.5F};
-  test::checkHas(refusal(flat), "face 1 (vertices 2, 1 and 3) has no area, at (1, 0, 0)");
-  sim::Mesh loose = square();
+  test::checkHas(clothRefusal(flat), "face 1 (vertices 2, 1 and 3) has no area, at (1, 0, 0)");
+  sim::Mesh loose = clothSquare();
   loose.positions.emplace_back(7.0F, 8.0F, 9.0F);
   loose.normals.emplace_back(0.0F, 1.0F, 0.0F);
   sim::Mesh fan;
@@ -75,12 +75,12 @@ TEST_CASE("garment: a mesh that is no cloth is refused with the place") {
     fan.indices.insert(fan.indices.end(), {0, 1 + i, 1 + (i + 1) % 300});
   }
   fan.normals.assign(301, glm::vec3(0, 1, 0));
-  test::checkHas(refusal(fan), "300 faces meet in one vertex, at (1, 2, 3)");
-  test::checkHas(refusal(loose), "vertex 4 belongs to no face, at (7, 8, 9)");
+  test::checkHas(clothRefusal(fan), "300 faces meet in one vertex, at (1, 2, 3)");
+  test::checkHas(clothRefusal(loose), "vertex 4 belongs to no face, at (7, 8, 9)");
 }
 
 TEST_CASE("garment: vertices at one place are one, and within the distance to weld") {
-  sim::Mesh mesh = square();  // the second face by vertices of its own
+  sim::Mesh mesh = clothSquare();  // the second face by vertices of its own
   mesh.positions.insert(mesh.positions.end(), {{1, 0, 0}, {0, 0, 1}});
   mesh.normals.assign(6, glm::vec3(0, 1, 0));
   mesh.indices = {0, 1, 2, 4, 5, 3};

@@ -30,7 +30,7 @@ sim::ClothParameters unitPlane() {
   return p;
 }
 
-std::set<std::size_t> pinned(const sim::ClothParameters& p) {
+std::set<std::size_t> pinnedVertices(const sim::ClothParameters& p) {
   const sim::GarmentPlan plan("sheet", p, 1, 1.0 / 60, {});
   std::set<std::size_t> found;
   const auto positions = plan.firstPositions();
@@ -39,9 +39,9 @@ std::set<std::size_t> pinned(const sim::ClothParameters& p) {
   return found;
 }
 
-std::string refused(const sim::ClothParameters& p) {
+std::string refusedPins(const sim::ClothParameters& p) {
   try {
-    static_cast<void>(pinned(p));
+    static_cast<void>(pinnedVertices(p));
   } catch (const UserError& error) {
     CHECK(error.code() == ExitCode::usage);
     return error.what();
@@ -54,11 +54,11 @@ std::string refused(const sim::ClothParameters& p) {
 TEST_CASE("garment: pins by vertex, by a box in the world and by a picture over uv") {
   sim::ClothParameters p = unitPlane();
   p.pins.emplace_back().vertices = {3, 120, 3};
-  CHECK(pinned(p) == std::set<std::size_t>{3, 120});
+  CHECK(pinnedVertices(p) == std::set<std::size_t>{3, 120});
   p.pins.clear();
   p.position = glm::vec3(5, 0, 0);
   test::pinBox(p, glm::vec3(4.45F, -1, 0.35F), glm::vec3(4.65F, 1, 0.6F));
-  CHECK(pinned(p) == std::set<std::size_t>{9 * 11, 9 * 11 + 1, 10 * 11, 10 * 11 + 1});
+  CHECK(pinnedVertices(p) == std::set<std::size_t>{9 * 11, 9 * 11 + 1, 10 * 11, 10 * 11 + 1});
   p.pins.clear();
   // Two rows of two pixels: only the lower right one is bright.
   const test::TemporaryFile map("pins.pgm",
@@ -67,29 +67,29 @@ TEST_CASE("garment: pins by vertex, by a box in the world and by a picture over 
   std::set<std::size_t> expected;
   for (std::size_t z = 5; z < 10; ++z)  // uv 1 is 0 of the next picture
     for (std::size_t x = 5; x < 10; ++x) expected.insert(z * 11 + x);
-  CHECK(pinned(p) == expected);
+  CHECK(pinnedVertices(p) == expected);
 }
 
 TEST_CASE("garment: pins and seams that name no vertex are refused") {
   sim::ClothParameters p = unitPlane();
   p.pins.emplace_back().vertices = {121};
-  test::checkHas(refused(p),
+  test::checkHas(refusedPins(p),
                  "cloth \"sheet\" (plane): pins[0] names vertex 121, but there are 121 (0 to 120)");
   p.pins.clear();
   test::pinBox(p, glm::vec3(2), glm::vec3(3));
-  test::checkHas(refused(p), "pins[0] holds no vertex");
+  test::checkHas(refusedPins(p), "pins[0] holds no vertex");
   p.pins.clear();
   p.seams.push_back({{0}, {500}, 1});
-  test::checkHas(refused(p), "seams[0] names vertex 500");
+  test::checkHas(refusedPins(p), "seams[0] names vertex 500");
   p.seams.clear();
   p.mesh.shape = sim::ClothShape::file;
   const test::TemporaryFile file("bare.obj", "v 0 0 0\nv 0 0 1\nv 1 0 0\nf 1 2 3\n");
   p.mesh.file = file.path();
   p.pins.emplace_back().map = "nothing.png";
-  test::checkHas(refused(p), "has no uv");
+  test::checkHas(refusedPins(p), "has no uv");
   p.pins[0].map.clear();
   p.pins[0].vertices = {0};
-  CHECK(refused(p).empty());  // of a single face
+  CHECK(refusedPins(p).empty());  // of a single face
 }
 
 TEST_CASE("garment: a seam pulls two pieces shut, in its time, without moving what they weigh") {

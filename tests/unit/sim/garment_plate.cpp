@@ -15,17 +15,17 @@ using namespace simreel;
 
 namespace {
 
-struct Quadratic {
+struct PlateShape {
   double a, b, c;  ///< 1/m
   [[nodiscard]] double at(const glm::dvec3& p) const {
     return 0.5 * (a * p.x * p.x + 2 * b * p.x * p.z + c * p.z * p.z);
   }
 };
 
-constexpr test::Kind allKinds[] = {test::Kind::right, test::Kind::equilateral, test::Kind::random};
-constexpr Quadratic quadratics[] = {{0.02, 0, 0}, {0, 0.02, 0}, {0, 0, -0.02}, {0.01, -0.02, 0.015}};
+constexpr test::Kind meshKinds[] = {test::Kind::right, test::Kind::equilateral, test::Kind::random};
+constexpr PlateShape plateShapes[] = {{0.02, 0, 0}, {0, 0.02, 0}, {0, 0, -0.02}, {0.01, -0.02, 0.015}};
 
-std::vector<glm::dvec3> bent(const sim::ClothTriangles& cloth, const Quadratic& q) {
+std::vector<glm::dvec3> bentCloth(const sim::ClothTriangles& cloth, const PlateShape& q) {
   std::vector<glm::dvec3> points = cloth.points;
   for (glm::dvec3& p : points) p.y = q.at(p);
   return points;
@@ -34,8 +34,8 @@ std::vector<glm::dvec3> bent(const sim::ClothTriangles& cloth, const Quadratic& 
 }  // namespace
 
 TEST_CASE("garment: the energy within of z = (a x^2 + 2 b x y + c y^2) / 2 is a plate's, on any mesh") {
-  for (const auto kind : allKinds)
-    for (const Quadratic& q : quadratics) {
+  for (const auto kind : meshKinds)
+    for (const PlateShape& q : plateShapes) {
       const sim::ClothTriangles cloth("a", test::rectangle(kind, {30, 22}, 0.01), 1, 0);
       std::vector<sim::PlateElement> within;
       double area = 0;
@@ -49,20 +49,20 @@ TEST_CASE("garment: the energy within of z = (a x^2 + 2 b x y + c y^2) / 2 is a 
         area += elements[f].area;
       }
       CHECK(area > 0.75 * 0.3 * 0.22 * (kind == test::Kind::equilateral ? 0.866 : 1));
-      const double energy = sim::plateEnergy(within, 3, bent(cloth, q));
+      const double energy = sim::plateEnergy(within, 3, bentCloth(cloth, q));
       CHECK(energy ==
             doctest::Approx(0.5 * 3 * area * (q.a * q.a + 2 * q.b * q.b + q.c * q.c)).epsilon(1e-6));
     }
 }
 
 TEST_CASE("garment: an even moment pulls at no vertex within, and flat cloth nowhere") {
-  for (const auto kind : allKinds)
-    for (const Quadratic& q : quadratics) {
+  for (const auto kind : meshKinds)
+    for (const PlateShape& q : plateShapes) {
       const sim::ClothTriangles cloth("a", test::rectangle(kind, {16, 13}, 0.02), 1, 0);
       const std::vector<double> masses(cloth.points.size(), 1);
       const sim::PlateMatrix matrix(sim::plateElements(cloth), 1, masses, 1e30);
       CHECK(matrix.softened == 0);
-      const auto points = bent(cloth, q);
+      const auto points = bentCloth(cloth, q);
       double least = 1e30;
       double tilted = 0;
       for (std::size_t i = 0; i < points.size(); ++i) {
@@ -91,7 +91,7 @@ TEST_CASE("garment: a clamped strip of any mesh bends by q L^4 / 8 D") {
   constexpr double q = 0.115 * 0.098;  // N/m^2
   constexpr double bending = 7.5e-4;
   const double expected = q * std::pow(length, 4) / (8 * bending);  // 0.015 of the length
-  for (const auto kind : allKinds)
+  for (const auto kind : meshKinds)
     for (const int cells : {8, 12, 16}) {
       CAPTURE(cells);
       CAPTURE(static_cast<int>(kind));

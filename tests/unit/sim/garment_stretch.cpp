@@ -19,7 +19,7 @@ using namespace simreel;
 
 namespace {
 
-double quantity(const sim::GarmentPlan& plan, const GarmentTwin& twin, const std::string& name) {
+double garmentQuantity(const sim::GarmentPlan& plan, const GarmentTwin& twin, const std::string& name) {
   const auto names = plan.parameters().quantities();
   const auto values = sim::measureGarment(plan, twin.positions, twin.velocities, 0);
   for (std::size_t i = 0; i < names.size(); ++i)
@@ -66,9 +66,9 @@ TEST_CASE("garment: an even strain stores A / 2 (weft e^2 + warp f^2 + shear g^2
         doctest::Approx(0.5 * area * 40 * 0.03 * 0.03).epsilon(0.01));
   GarmentTwin twin(plan);
   for (glm::vec4& v : twin.positions) v = glm::vec4(1.02F * v.x, v.y, 0.97F * v.z, v.w);
-  CHECK(quantity(twin.plan(), twin, "stretch") == doctest::Approx(1.02).epsilon(1e-5));
-  CHECK(quantity(twin.plan(), twin, "mass") == doctest::Approx(0.115 * area).epsilon(1e-5));
-  CHECK(quantity(twin.plan(), twin, "elasticEnergy") <
+  CHECK(garmentQuantity(twin.plan(), twin, "stretch") == doctest::Approx(1.02).epsilon(1e-5));
+  CHECK(garmentQuantity(twin.plan(), twin, "mass") == doctest::Approx(0.115 * area).epsilon(1e-5));
+  CHECK(garmentQuantity(twin.plan(), twin, "elasticEnergy") <
         0.5 * area * (300 * 0.02 * 0.02 + 500 * 0.03 * 0.03));  // not all of it in so few substeps
 }
 
@@ -79,17 +79,17 @@ TEST_CASE("garment: a strip that swings from its end never gains energy, and har
   p.gravity = glm::vec3(0, -9.8F, 0);
   test::pinBox(p, glm::vec3(-9), glm::vec3(9, 9, -0.499F));
   GarmentTwin twin(sim::GarmentPlan("strip", p, 1, 1.0 / 60, {}));
-  double before = quantity(twin.plan(), twin, "energy");
+  double before = garmentQuantity(twin.plan(), twin, "energy");
   const double falls = 0.5 * 0.115 * 0.25 * 9.8;  // J, from lying to hanging
   double fastest = 0;
   for (int frame = 0; frame < 180; ++frame) {
     twin.step(frame / 60.0);
     if (frame % 10 != 9) continue;
-    const double now = quantity(twin.plan(), twin, "energy");
+    const double now = garmentQuantity(twin.plan(), twin, "energy");
     CHECK(now < before + 0.01 * falls);
     before = now;
-    fastest = std::max(fastest, quantity(twin.plan(), twin, "kineticEnergy"));
-    CHECK(quantity(twin.plan(), twin, "stretch") < 1.15);  // of the worst face, at the pins
+    fastest = std::max(fastest, garmentQuantity(twin.plan(), twin, "kineticEnergy"));
+    CHECK(garmentQuantity(twin.plan(), twin, "stretch") < 1.15);  // of the worst face, at the pins
   }
   CHECK(fastest > 0.5 * falls);
 }
@@ -209,10 +209,10 @@ TEST_CASE("garment: free in the air it keeps momentum and energy never rises") {
   cloth.p.jitter = 0.001F;
   GarmentTwin twin(sim::GarmentPlan("a", cloth.p, 1, 1.0 / 60, {}));
   for (glm::vec4& v : twin.velocities) v.y = 0.5F;
-  const double first = quantity(twin.plan(), twin, "energy");
+  const double first = garmentQuantity(twin.plan(), twin, "energy");
   for (int frame = 0; frame < 60; ++frame) {
     twin.step(frame / 60.0);
-    CHECK(quantity(twin.plan(), twin, "energy") < first);
+    CHECK(garmentQuantity(twin.plan(), twin, "energy") < first);
   }
   glm::dvec3 momentum(0);
   for (std::size_t i = 0; i < twin.velocities.size(); ++i)
