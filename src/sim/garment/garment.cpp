@@ -59,7 +59,7 @@ class Garment : public Simulation {
       sew();
       // Here the cloth meets itself: positions_[1] is where its vertices go (xyz, inverse mass), corners_
       // its faces, positions_[0] where they were. Speeds are made of what is left in positions_[1].
-      settle(i);
+      meet(i);
       std::swap(positions_[0], positions_[1]);
       if (watch) watch(i + 1);
     }
@@ -226,7 +226,8 @@ class Garment : public Simulation {
     }
   }
 
-  void settle(int substep) {
+  /// Speeds of what is left in positions_[1], and what the vertices meet.
+  void meet(int substep) {
     status_.bindStorage(shader::statusBinding);
     positions_[0].bindInput(shader::garment::positionsBinding);
     positions_[1].bindState(shader::garment::nextPositionsBinding);
