@@ -304,15 +304,13 @@ class Cloth : public Simulation, public LockStep {
 
 }  // namespace
 
-SimulationKind clothKind() {
-  return kindOf<ClothParameters>(
-      "cloth", "A sheet of particles held together by springs, in wind and over colliders.",
-      [](const scene::Object& object, const Setting& setting) {
-        static_cast<void>(ClothPlan(parametersOf<ClothParameters>(object), setting.seed,
-                                    setting.frameSeconds, *setting.colliders, setting.boneNamed,
-                                    setting.startTime));
-      },
-      makeSimulation<Cloth>);
+std::unique_ptr<Simulation> makeSheet(const scene::Object& object, const Setting& setting) {
+  return makeSimulation<Cloth>(object, setting);
+}
+
+void checkSheet(const scene::Object& object, const Setting& setting) {
+  static_cast<void>(ClothPlan(parametersOf<ClothParameters>(object), setting.seed, setting.frameSeconds,
+                              *setting.colliders, setting.boneNamed, setting.startTime));
 }
 
 }  // namespace simreel::sim

@@ -27,8 +27,9 @@ void Fabric::describe(scene::Fields& f) {
   };
   property("density", density, {1e-3, 1e3}, "kg/m^2",
            "Mass of an area; particles at borders have half of it.");
-  property("weft", weft, {0.1, 1e7}, "N/m", "Stiffness against stretching along rows.");
-  property("warp", warp, {0.1, 1e7}, "N/m", "Stiffness against stretching along columns.");
+  property("weft", weft, {0.1, 1e7}, "N/m", "Stiffness against stretching along rows, of a mesh along u.");
+  property("warp", warp, {0.1, 1e7}, "N/m",
+           "Stiffness against stretching along columns, of a mesh across u.");
   property("shear", shear, {1e-3, 1e7}, "N/m",
            "Force along a side of unit length that shears by an angle of 1.");
   property("bending", bending, {0, 1e3}, "N m", "Moment on a side of unit length for a curvature of 1/m.");

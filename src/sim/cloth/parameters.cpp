@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <limits>
 #include <set>
+#include <utility>
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
@@ -21,17 +22,6 @@ constexpr int maxSubsteps = 1024;
 /// pulls sideways as strongly as along its springs at most, which doubles the square of its fastest
 /// frequency.
 constexpr double safety = 0.7;
-
-/// Greatest speed of the air, m/s: on a straight way between keys it is greatest at one of them, and each
-/// component of a gust comes up to its share.
-double fastestAir(const Air& air) {
-  double fastest = 0;
-  for (const auto& key : air.velocity.keys()) {
-    const glm::dvec3 v(key.value);
-    fastest = std::max(fastest, std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z));
-  }
-  return fastest * (1.0 + std::sqrt(3.0) * air.gusts);
-}
 
 /// Substeps of a frame, none of them longer than `longest`; at most 1e15.
 std::int64_t substepsFor(double frameSeconds, double longest) {
@@ -54,12 +44,24 @@ ClothParameters::ClothParameters() {
   pins.push_back(lastRow);
 }
 
-void PinGroup::describe(scene::Fields& f, const glm::ivec2& grid) {
+void PinGroup::describe(scene::Fields& f, const glm::ivec2& grid, bool onMesh) {
   f.integers("rows", rows, {-1e6, 1e6}, "", "Rows to pin; negative ones count from the last.");
   f.integers("columns", columns, {-1e6, 1e6}, "", "Columns to pin; negative ones count from the last.");
   f.someOf("corners", corners, {"top-left", "top-right", "bottom-left", "bottom-right"},
            "Corners to pin; row 0 is the top.");
   f.pairs("points", points, {0, 1e6}, "", "Single particles to pin, each [x, y].");
+  f.integers("vertices", vertices, {0, 1e7}, "",
+             "Of a mesh: vertices to pin, from 0 on, in the order in which \"simreel bake\" writes them.");
+  f.optionalGroup("box", hasBox, "Of a mesh: pins all that lies in it at the start.",
+                  [&](scene::Fields& b) {
+                    b.vector("min", box.min, scene::anyNumber, "m", "Its least corner, in world space.");
+                    b.vector("max", box.max, scene::anyNumber, "m", "Its greatest corner.");
+                    for (int i = 0; i < 3; ++i)
+                      if (box.max[i] < box.min[i])
+                        b.error("max", "the greatest corner lies below the least one");
+                  });
+  f.asset("map", map,
+          "Of a mesh: a picture over its uv; what lies where it is brighter than half is pinned.");
   f.boolean("clamp", clamp,
             "Hold the direction in which a fabric leaves a pinned border, too, as between two plates.");
   f.integer("every", every, {1, 1e6}, "", "Of rows and columns pin only each n-th particle, and the last.");
@@ -73,6 +75,23 @@ void PinGroup::describe(scene::Fields& f, const glm::ivec2& grid) {
   f.text("bone", bone, "Name of that bone in the body's file.");
   if (to.empty() != bone.empty())
     f.error(to.empty() ? "bone" : "to", "pins are carried by both: \"to\" a body and its \"bone\"");
+  const std::pair<const char*, bool> ofGrids[] = {{"rows", !rows.empty()},
+                                                  {"columns", !columns.empty()},
+                                                  {"corners", !corners.empty()},
+                                                  {"points", !points.empty()},
+                                                  {"clamp", clamp},
+                                                  {"every", every != 1}};
+  const std::pair<const char*, bool> ofMeshes[] = {
+      {"vertices", !vertices.empty()}, {"box", hasBox}, {"map", !map.empty()}};
+  if (onMesh) {
+    for (const auto& [name, used] : ofGrids)
+      if (used)
+        f.error(name, fmt::format("a mesh has no {}; pin by \"vertices\", \"box\" or \"map\"", name));
+    return;
+  }
+  for (const auto& [name, used] : ofMeshes)
+    if (used)
+      f.error(name, "this pins a mesh; a grid has \"rows\", \"columns\", \"corners\" and \"points\"");
   checkLines(f, "rows", rows, grid.y);
   checkLines(f, "columns", columns, grid.x);
   for (const glm::ivec2& p : points)
@@ -81,12 +100,34 @@ void PinGroup::describe(scene::Fields& f, const glm::ivec2& grid) {
               fmt::format("[{}, {}] is outside the cloth of {}x{} particles", p.x, p.y, grid.x, grid.y));
 }
 
+/// Cloth of a mesh is a fabric, and free unless it is pinned.
+void ClothParameters::describeMesh(scene::Fields& f) {
+  f.optionalGroup("mesh", hasMesh, "Triangles that the cloth is made of, instead of a grid; a fabric.",
+                  [&](scene::Fields& g) { mesh.describe(g); });
+  f.list("seams", seams, "Of a mesh: vertices that are sewn together.", [](scene::Fields& s, Seam& seam) {
+    s.integers("from", seam.from, {0, 1e7}, "",
+               "Vertices of one side, from 0 on, in the order in which \"simreel bake\" writes them.");
+    s.integers("to", seam.to, {0, 1e7}, "", "As many of the other side, in the same order.");
+    s.number("seconds", seam.seconds, {1e-3, 1e6}, "s", "Until it has pulled shut.");
+    if (seam.from.size() != seam.to.size())
+      s.error("to",
+              fmt::format("{} vertices are sewn to {}; each needs one", seam.from.size(), seam.to.size()));
+  });
+  if (!seams.empty() && !hasMesh) f.error("seams", "a grid has no seams; give \"mesh\"");
+  if (!hasMesh) return;
+  for (const char* name : {"size", "spacing"})
+    if (f.given(name)) f.error(name, fmt::format("\"mesh\" says it; leave out \"{}\"", name));
+  if (!f.given("pins")) pins.clear();
+}
+
 void ClothParameters::describe(scene::Fields& f) {
+  describeMesh(f);
   f.pair("size", size, {2, 16384}, "particles", "Particles along a row and number of rows.");
   f.number("spacing", spacing, {1e-4, 1e3}, "m", "Rest distance between neighbours.");
-  f.vector("position", position, scene::anyNumber, "m", "Middle of the sheet at rest.");
+  f.vector("position", position, scene::anyNumber, "m",
+           "Middle of the sheet at rest; of a mesh, where its origin is.");
   f.vector("rotation", rotation, scene::anyNumber, "degrees",
-           "About x, then y, then z; unrotated the sheet lies flat, rows along x.");
+           "About x, then y, then z; unrotated the sheet lies flat, rows along x, and a mesh as it is.");
   f.number("jitter", jitter, {0, 10}, "m", "Largest random displacement of the particles at the start.");
   f.number("mass", mass, {1e-6, 1e6}, "kg", "Of each particle.");
   f.number("stiffness", stiffness, {0, 1e9}, "N/m", "Of the structural springs.");
@@ -102,6 +143,7 @@ void ClothParameters::describe(scene::Fields& f) {
                   "A material by its properties per area and length, whatever the spacing, instead of "
                   "\"mass\", springs and their constraints; lengths are kept by XPBD.",
                   [&](scene::Fields& g) { fabric.describe(g); });
+  hasFabric = hasFabric || hasMesh;
   if (hasFabric) {
     for (const char* name :
          {"mass", "stiffness", "shear", "bend", "compliance", "shearCompliance", "bendCompliance"})
@@ -145,11 +187,11 @@ void ClothParameters::describe(scene::Fields& f) {
   f.leftOut("substeps", "4, or \"auto\" of a fabric");
   if (hasFabric && !f.given("substeps")) substeps.reset();
   f.list("pins", pins, "Particles that are held, and how they move.",
-         [&](scene::Fields& p, PinGroup& group) { group.describe(p, size); });
+         [&](scene::Fields& p, PinGroup& group) { group.describe(p, size, hasMesh); });
   if (pins.size() > shader::maxPinFrames)
     f.error("pins", fmt::format("at most {} groups of pins", shader::maxPinFrames));
   for (const PinGroup& group : pins) {
-    if (!group.clamp) continue;
+    if (!group.clamp || hasMesh) continue;
     if (!hasFabric)
       f.error("pins", "\"clamp\" is of a fabric, which has a bending stiffness; give \"fabric\"");
     bool border = false;
@@ -190,7 +232,19 @@ float ClothParameters::contactThickness() const {
   return std::max(0.125F * spacing, hasFabric ? fabric.constants().thickness : 0.0F);
 }
 
-double ClothParameters::greatestLoad() const {
+double ClothParameters::fastestAir() const {
+  if (!hasAir) return 0;
+  // On a straight way between keys it is fastest at one of them; each component of a gust comes up to its
+  // share.
+  double fastest = 0;
+  for (const auto& key : air.velocity.keys()) {
+    const glm::dvec3 v(key.value);
+    fastest = std::max(fastest, std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z));
+  }
+  return fastest * (1.0 + std::sqrt(3.0) * air.gusts);
+}
+
+double ClothParameters::greatestLoad(double each) const {
   const auto greatest = [](const scene::Animated<glm::vec3>& vector) {
     double most = 0;
     for (const auto& key : vector.keys()) {
@@ -199,7 +253,7 @@ double ClothParameters::greatestLoad() const {
     }
     return most;
   };
-  return greatest(gravity) + greatest(wind) / massAt(size / 2);
+  return greatest(gravity) + greatest(wind) / each;
 }
 
 double ClothParameters::stableSeconds() const {
@@ -212,11 +266,12 @@ double ClothParameters::stableSeconds() const {
   // Air pulls, too: on a sheet that streams from a pole about a tenth of what it would face-on.
   const double each = massAt({1, 1});
   const double area = static_cast<double>(spacing) * spacing;
-  const double fastest = hasAir ? fastestAir(air) : 0.0;
+  const double fastest = fastestAir();
   const double streaming = hasAir ? 0.1 * 0.5 * air.density * static_cast<double>(air.drag + air.lift) *
                                         fastest * fastest * area / each
                                   : 0.0;
-  const double hanging = 4.0 * std::max(size.x, size.y) * (greatestLoad() + streaming) / spacing;
+  const double hanging =
+      4.0 * std::max(size.x, size.y) * (greatestLoad(massAt(size / 2)) + streaming) / spacing;
   // A fabric bends by w^2 <= 64 D / (L^2 m): 16 along either axis, 32 twisting.
   const double bending = hasFabric ? 64.0 * fabric.constants().bending / (area * each) : 0.0;
   const double w2 = constrained() ? hanging + bending
@@ -244,6 +299,7 @@ std::string ClothParameters::steadierWay(double frameSeconds) const {
 }
 
 std::string ClothParameters::instability(double frameSeconds) const {
+  if (hasMesh) return "";  // GarmentPlan knows its mesh
   const double stable = stableSeconds();
   if (!substeps || frameSeconds / *substeps <= stable) return "";
   return fmt::format(

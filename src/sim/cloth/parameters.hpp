@@ -1,6 +1,7 @@
 #pragma once
 #include "scene/fields.hpp"
 #include "sim/cloth/fabric.hpp"
+#include "sim/cloth/mesh_source.hpp"
 #include "sim/core/kind.hpp"
 
 #include <optional>
@@ -18,15 +19,19 @@ struct PinGroup {
   std::vector<int> columns;
   std::vector<int> corners;        ///< 0 top-left, 1 top-right, 2 bottom-left, 3 bottom-right
   std::vector<glm::ivec2> points;  ///< (x, y)
-  bool clamp = false;              ///< borders keep the direction that the sheet leaves them in, a fabric's
-  int every = 1;                   ///< of a row or column only each n-th particle, the ends included
+  std::vector<int> vertices;       ///< of a mesh, in its order
+  bool hasBox = false;
+  scene::Box box{glm::vec3(-1), glm::vec3(1)};  ///< m, world, of a mesh at rest
+  std::filesystem::path map;                    ///< picture over a mesh's uv; empty: none
+  bool clamp = false;  ///< borders keep the direction that the sheet leaves them in, a fabric's
+  int every = 1;       ///< of a row or column only each n-th particle, the ends included
   scene::Animated<glm::vec3> move = glm::vec3(0);    ///< m
   scene::Animated<glm::vec3> rotate = glm::vec3(0);  ///< degrees
   scene::Animated<glm::vec3> scale = glm::vec3(1);
   glm::vec3 pivot{0, 0, 0};  ///< m, world; rotation and scale act about it
   std::string to;            ///< body whose bone carries them; empty: none
   std::string bone;
-  void describe(scene::Fields& fields, const glm::ivec2& grid);
+  void describe(scene::Fields& fields, const glm::ivec2& grid, bool onMesh);
 };
 
 /// The air around the cloth.
@@ -44,7 +49,16 @@ struct ClothContact {
 
 enum class ClothSolver { springs, constraints };
 
+/// Vertices of a mesh that are sewn together, the i-th of `from` to the i-th of `to`.
+struct Seam {
+  std::vector<int> from, to;  ///< in the mesh's order
+  double seconds = 1;         ///< until it has pulled shut
+};
+
 struct ClothParameters : ObjectParameters, shader::ClothConstants {
+  bool hasMesh = false;  ///< instead of a grid
+  ClothMesh mesh;
+  std::vector<Seam> seams;
   glm::ivec2 size{32, 32};      ///< particles
   glm::vec3 position{0, 0, 0};  ///< m, middle of the sheet at rest
   glm::vec3 rotation{0, 0, 0};  ///< degrees; unrotated it lies in the xz plane, rows along x
@@ -95,10 +109,13 @@ struct ClothParameters : ObjectParameters, shader::ClothConstants {
   [[nodiscard]] int substepsPerFrame(double frameSeconds) const;
   /// Particle indices of a group, ascending, without repeats.
   [[nodiscard]] std::vector<int> pinnedBy(const PinGroup& group) const;
+  /// m/s^2, greatest of gravity and wind in the whole run on a particle of that many kg.
+  [[nodiscard]] double greatestLoad(double each) const;
+  /// m/s, greatest of the air in the whole run; 0 without.
+  [[nodiscard]] double fastestAir() const;
 
  private:
-  /// m/s^2, greatest of gravity and wind in the whole run.
-  [[nodiscard]] double greatestLoad() const;
+  void describeMesh(scene::Fields& fields);
   /// 0 left, 1 right, 2 top, 3 bottom.
   [[nodiscard]] bool pinsBorder(const PinGroup& group, int border) const;
   [[nodiscard]] std::string steadierWay(double frameSeconds) const;

@@ -99,9 +99,11 @@ std::span<const scene::Quantity> ClothParameters::quantities() const {
       {"potentialEnergy", "J", "In the field of gravity, against the plane through the origin across it."},
       {"elasticEnergy", "J",
        "Of all springs; of the constraints solver that of compliant constraints; of a fabric its bending, "
-       "too."},
+       "too; of a mesh by what its substeps leave of the stiffness."},
       {"energy", "J", "Kinetic, potential and elastic."},
-      {"stretch", "", "Largest length of a structural spring as a ratio to rest."},
+      {"stretch", "",
+       "Largest length of a structural spring as a ratio to rest; of a mesh that of a face along weft or "
+       "warp."},
       {"speed", "m/s", "Of the fastest particle."}};
   return table;
 }

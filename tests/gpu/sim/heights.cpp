@@ -2,6 +2,7 @@
 // surface.
 #include "gpu/context.hpp"
 #include "reference/cloth_twin.hpp"
+#include "reference/garment_twin.hpp"
 #include "reference/particles_twin.hpp"
 #include "sim/mesh/deform_cpu.hpp"
 #include "sim/world/list.hpp"
@@ -171,6 +172,18 @@ TEST_CASE("heights: cloth on a swell equals its CPU twin and stays above") {
     CHECK(c.min > 0.02 - 1e-5);  // float against double
     CHECK(c.touching > 100);
   }
+}
+
+TEST_CASE("heights: cloth of a mesh on a swell equals its CPU twin and stays above") {
+  const auto scene = sceneOf(
+      R"("cloth": {"mesh": {"shape": "disc", "radius": 1, "resolution": [25, 3]}, "position": [1.8, 0.25, 0.1],
+  "rotation": [4, 20, 0], "fabric": {"material": "canvas", "thickness": 0}, "margin": 0.02})");
+  GarmentTwin twin(
+      sim::GarmentPlan("sheet", dynamic_cast<const sim::ClothParameters&>(*scene.objects.at(0).parameters),
+                       5, heightsFrame, HeightsTwin::colliders()));
+  const Clearance c = fall(scene, twin, 60, 0.02);
+  CHECK(c.min > 0.02 - 1e-5);
+  CHECK(c.touching > 50);
 }
 
 TEST_CASE("heights: particles on a swell equal their CPU twin and stay above") {

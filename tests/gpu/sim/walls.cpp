@@ -4,6 +4,7 @@
 
 #include "gpu/context.hpp"
 #include "reference/cloth_twin.hpp"
+#include "reference/garment_twin.hpp"
 #include "reference/particles_twin.hpp"
 #include "sim/cave/parameters.hpp"
 #include "sim/contour/parameters.hpp"
@@ -168,6 +169,15 @@ TEST_CASE("walls: cloth on living terraces equals its CPU twin") {
     const auto scene = wallsScene(sheet, livingTerraces);
     checkBesideWalls(scene, clothOf(scene), 40);
   }
+}
+
+TEST_CASE("walls: cloth of a mesh on living terraces equals its CPU twin") {
+  const auto scene = wallsScene(
+      R"("cloth": {"mesh": {"shape": "sphere", "radius": 0.5, "resolution": [9, 3]}, "position": [0.4, 0.9, 0.1],
+  "fabric": {"material": "rubber"}, "margin": 0.02, "walls": "hills"})",
+      livingTerraces);
+  const auto& p = dynamic_cast<const sim::ClothParameters&>(*scene.objects.at(0).parameters);
+  checkBesideWalls(scene, GarmentTwin(sim::GarmentPlan("ball", p, 5, wallsFrame, {})), 40);
 }
 
 TEST_CASE("walls: who passes frames ends in the same state as who steps them") {

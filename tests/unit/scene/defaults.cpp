@@ -148,7 +148,9 @@ TEST_CASE("defaults: given or left out, every one in every shipped scene is the 
       ".test.tolerance.windowSize",
       // What a fabric says instead.
       "cloth.mass", "cloth.stiffness", "cloth.shear", "cloth.bend", "cloth.solver", "cloth.compliance",
-      "cloth.shearCompliance", "cloth.bendCompliance"};
+      "cloth.shearCompliance", "cloth.bendCompliance",
+      // What a mesh, and a coefficient of friction, say instead.
+      "cloth.size", "cloth.spacing", "capsule.grip"};
   for (const std::string& path : refused) CHECK_MESSAGE(allowed.contains(path), path);
 }
 

@@ -1,0 +1,13 @@
+// What every kernel of cloth made of triangles includes. HEIGHTS and WALLS are 1 in the one that meets others.
+#include "common/bindings.glsl"
+#include "common/exact.glsl"
+#include "common/hash.glsl"
+#include "common/memory.glsl"
+#include "common/words.glsl"
+#include "mesh/height_array.glsl"
+#include "contour/wall_array.glsl"
+#include "cloth/mesh/bindings.glsl"
+#include "cloth/types.glsl"
+
+layout(std140, binding = stepBinding) uniform StepBlock { ClothStep stepData; };
+uniform int count;  // of invocations

@@ -1,0 +1,93 @@
+// Stretch and shear of a face, and seams. Compiles as GLSL and as C++; needs `stepData` (ClothStep) and common/exact.glsl.
+//
+// With the corners a, b, c and the inverse ((p, r), (q, s)) of their places at rest along weft and warp, `shape` = (p, q, r, s),
+// the deformation gradient has the columns fu = (b - a) p + (c - a) q and fv = (b - a) r + (c - a) s. XPBD keeps
+//   |fu| = 1,  |fv| = 1,  fu.fv / (|fu| |fv|) = 0
+// with the compliances 1 / (k A), so the energy is A / 2 (weft eu^2 + warp ev^2 + shear g^2), the same for any mesh where the
+// strain is even. The three of a face are solved at once:
+//   (J W J^T + compliance / dt^2) l = -C.
+struct FaceShift {
+  vec3 a, b, c;  // m for each of a corner's inverse mass
+};
+
+FUNCTION FaceShift faceShift(vec4 a, vec4 b, vec4 c, vec4 shape, vec3 compliance) {
+  precise vec3 first = vec3(b) - vec3(a);
+  precise vec3 second = vec3(c) - vec3(a);
+  precise vec3 fu = first * shape.x + second * shape.y;
+  precise vec3 fv = first * shape.z + second * shape.w;
+  float squaredU = max(exactDot(fu, fu), 1e-12f);
+  float squaredV = max(exactDot(fv, fv), 1e-12f);
+  float inverseU = exactInverseSqrt(squaredU);
+  float inverseV = exactInverseSqrt(squaredV);
+  precise vec3 u = fu * inverseU;
+  precise vec3 v = fv * inverseV;
+  precise float stretchU = squaredU * inverseU - 1.0f;
+  precise float stretchV = squaredV * inverseV - 1.0f;
+  float sheared = exactDot(u, v);
+  // The gradients of the third by fu and fv.
+  precise vec3 gu = (v - u * sheared) * inverseU;
+  precise vec3 gv = (u - v * sheared) * inverseV;
+  precise float ofA = -(shape.x + shape.y);
+  precise float alsoA = -(shape.z + shape.w);
+  precise float uu = shape.x * shape.x * b.w + shape.y * shape.y * c.w + ofA * ofA * a.w;
+  precise float uv = shape.x * shape.z * b.w + shape.y * shape.w * c.w + ofA * alsoA * a.w;
+  precise float vv = shape.z * shape.z * b.w + shape.w * shape.w * c.w + alsoA * alsoA * a.w;
+  float uOnV = exactDot(u, gv);
+  float vOnU = exactDot(v, gu);
+  float guu = exactDot(gu, gu);
+  float guv = exactDot(gu, gv);
+  float gvv = exactDot(gv, gv);
+  precise float m11 = uu + compliance.x;
+  precise float m12 = uv * sheared;
+  precise float m13 = uv * uOnV;
+  precise float m22 = vv + compliance.y;
+  precise float m23 = uv * vOnU;
+  precise float m33 = uu * guu + 2.0f * uv * guv + vv * gvv + compliance.z;
+  // L D L^T, its pivots kept from the rounding of what cancels.
+  float inverse1 = exactReciprocal(max(m11, 1e-20f));
+  precise float l21 = m12 * inverse1;
+  precise float l31 = m13 * inverse1;
+  precise float pivot2 = m22 - m12 * l21;
+  precise float least2 = m22 * 1e-5f;
+  float inverse2 = exactReciprocal(max(max(pivot2, least2), 1e-20f));
+  precise float rest32 = m23 - m13 * l21;
+  precise float l32 = rest32 * inverse2;
+  precise float pivot3 = m33 - m13 * l31 - rest32 * l32;
+  precise float least3 = m33 * 1e-5f;
+  float inverse3 = exactReciprocal(max(max(pivot3, least3), 1e-20f));
+  precise float y2 = stretchU * l21 - stretchV;
+  precise float y3 = stretchU * l31 - sheared - l32 * y2;
+  precise float lambda3 = y3 * inverse3;
+  precise float lambda2 = y2 * inverse2 - l32 * lambda3;
+  precise float lambda1 = -stretchU * inverse1 - l21 * lambda2 - l31 * lambda3;
+  precise vec3 alongU = u * lambda1 + gu * lambda3;
+  precise vec3 alongV = v * lambda2 + gv * lambda3;
+  precise vec3 shiftA = alongU * ofA + alongV * alsoA;
+  precise vec3 shiftB = alongU * shape.x + alongV * shape.z;
+  precise vec3 shiftC = alongU * shape.y + alongV * shape.w;
+  FaceShift shift;
+  shift.a = shiftA;
+  shift.b = shiftB;
+  shift.c = shiftC;
+  return shift;
+}
+
+// How far a stitch of a seam moves its ends, for each of their inverse masses: the first by this, the other back. It may be
+// `longest` long at the start and gets shorter evenly until it is shut; `perSecond`: 1 / the seconds until then.
+FUNCTION vec3 stitchShift(vec4 a, vec4 b, float longest, float perSecond) {
+  precise float left = 1.0f - float(stepData.substep + 1) * stepData.dt * perSecond;
+  precise float rest = longest * max(left, 0.0f);
+  precise vec3 d = vec3(b) - vec3(a);
+  float squared = max(exactDot(d, d), 1e-20f);
+  float inverse = exactInverseSqrt(squared);
+  precise float beyond = squared * inverse - rest;
+  precise float weight = a.w + b.w;
+  precise float part = beyond * inverse * exactReciprocal(max(weight, 1e-20f));
+  precise vec3 shift = d * part;
+  return beyond > 0.0f && weight > 0.0f ? shift : vec3(0.0f);
+}
+
+FUNCTION vec4 shifted(vec4 corner, vec3 shift) {
+  precise vec3 moved = vec3(corner) + shift * corner.w;
+  return vec4(moved, corner.w);
+}

@@ -1,0 +1,75 @@
+// A vertex or a face of cloth made of triangles, over one substep. Compiles as GLSL and as C++, where it is the CPU twin.
+// Whoever includes it provides `stepData` (ClothStep), loadPoint(int) -> vec3, loadEntry(int) -> uvec4,
+// loadRing(int) -> uvec4, loadFaceForce(int) -> vec3 and the files types.glsl, common/exact.glsl, common/hash.glsl,
+// mesh/height_model.glsl, contour/wall_model.glsl before it. A fan (uvec4) says of a vertex: x first ring, y how many, one a face
+// around it, z first pair of entries, w how many.
+#include "cloth/air.glsl"
+#include "cloth/motion.glsl"
+#include "cloth/mesh/membrane.glsl"
+
+// F_i = -sum K_ij (x_j - x_i), the gradient of the plate's energy (src/sim/garment/plate.hpp); two entries (j, K_ij) an element.
+FUNCTION vec3 bendingForce(uvec4 fan, vec3 here) {
+  precise vec3 force = vec3(0.0f);
+  for (uint k = 0u; k < fan.w; ++k) {
+    uvec4 entry = loadEntry(int(fan.z + k));
+    precise vec3 first = loadPoint(int(entry.x)) - here;
+    precise vec3 second = loadPoint(int(entry.z)) - here;
+    force = force - first * intBitsToFloat(int(entry.y)) - second * intBitsToFloat(int(entry.w));
+  }
+  return force;
+}
+
+// What the air does to each corner of a face: a third of the face's. airForceOnFace is of a corner of a grid, whose faces
+// leave it half of c / 2; here A n = c / 6. `velocity`: the mean of the corners'.
+FUNCTION vec3 airOnCorner(vec3 a, vec3 b, vec3 c, vec3 velocity) {
+  precise vec3 middle = (a + b + c) * 0.33333333f;
+  precise vec3 place = (middle - vec3(stepData.gustDrift)) * stepData.perGustSize;
+  precise vec3 v = vec3(stepData.airVelocity) + noise(place) * stepData.gustSpeed - velocity;
+  float speedSquared = max(exactDot(v, v), 1e-12f);
+  float inverseSpeed = exactInverseSqrt(speedSquared);
+  precise vec3 left = b - a;
+  precise vec3 right = c - a;
+  precise vec3 third = airForceOnFace(left, right, v, speedSquared, inverseSpeed) * 0.66666667f;
+  return third;
+}
+
+FUNCTION vec3 airForces(uvec4 fan) {
+  precise vec3 force = vec3(0.0f);
+  for (uint k = 0u; k < fan.y; ++k) force = force + loadFaceForce(int(loadRing(int(fan.x + k)).z));
+  return force;
+}
+
+// Semi-implicit Euler: v' = (v + (F w + g) dt) keep, x' = x + v' dt; what is pinned goes where its frame carries it from where
+// it is at rest.
+FUNCTION Motion predicted(uvec4 fan, vec4 here, vec4 velocity, vec3 rest, bool air) {
+  Motion m;
+  if (here.w == 0.0f) {
+    int frame = int(velocity.w);
+    m.position = vec3(applyRow(stepData.frames[frame].row0, rest), applyRow(stepData.frames[frame].row1, rest),
+                      applyRow(stepData.frames[frame].row2, rest));
+    m.velocity = vec3(0.0f);
+    return m;
+  }
+  precise vec3 force = vec3(stepData.wind) + bendingForce(fan, vec3(here));
+  if (air) force = force + airForces(fan);
+  precise vec3 acceleration = force * here.w + vec3(stepData.gravity);
+  precise vec3 v = (vec3(velocity) + acceleration * stepData.dt) * stepData.kept;
+  precise vec3 moved = vec3(here) + v * stepData.dt;
+  m.velocity = v;
+  m.position = moved;
+  return m;
+}
+
+// n = sum (b - a) x (c - a) over the faces around a, so weighted by area; straight up where nothing is left of them.
+FUNCTION vec3 normalAt(uvec4 fan, vec3 here) {
+  precise vec3 sum = vec3(0.0f);
+  for (uint k = 0u; k < fan.y; ++k) {
+    uvec4 ring = loadRing(int(fan.x + k));
+    precise vec3 left = loadPoint(int(ring.x)) - here;
+    precise vec3 right = loadPoint(int(ring.y)) - here;
+    sum = sum + exactCross(left, right);
+  }
+  float squared = exactDot(sum, sum);
+  precise vec3 unit = sum * exactInverseSqrt(max(squared, 1e-30f));
+  return squared < 1e-30f ? vec3(0.0f, 1.0f, 0.0f) : unit;
+}

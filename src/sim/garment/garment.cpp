@@ -1,0 +1,292 @@
+#include "sim/garment/garment.hpp"
+
+#include "base/error.hpp"
+#include "gl/element_array.hpp"
+#include "gl/program.hpp"
+#include "sim/cloth/cloth.hpp"
+#include "sim/contour/walls.hpp"
+#include "sim/core/kind.hpp"
+#include "sim/core/step_blocks.hpp"
+#include "sim/garment/plan.hpp"
+#include "sim/garment/quantities.hpp"
+#include "sim/mesh/buffers.hpp"
+#include "sim/mesh/height_field.hpp"
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <utility>
+
+namespace simreel::shader::garment {
+#include "glsl/cloth/mesh/bindings.glsl"
+}  // namespace simreel::shader::garment
+
+namespace simreel::sim {
+
+namespace {
+
+/// Cloth of triangles on the GPU. Each substep: what the air does to faces; forces and a prediction by
+/// vertices; stretch and shear, a colour of faces after the other; then speeds and what the cloth meets.
+class Garment : public Simulation {
+ public:
+  Garment(const scene::Object& object, const Setting& setting)
+      : name_(object.name),
+        material_(object.material),
+        plan_(object.name, parametersOf<ClothParameters>(object), setting.seed, setting.frameSeconds,
+              *setting.colliders),
+        vertices_(static_cast<int>(plan_.cloth().points.size())),
+        heights_(setting.heights),
+        frameSeconds_(setting.frameSeconds),
+        topology_(name_, plan_.mesh()) {
+    const ClothParameters& p = plan_.parameters();
+    if (!p.walls.empty()) {
+      walls_ = &setting.wallsNamed(p.walls);
+      walls_->checkReach(name_, p.margin);
+    }
+    makeArrays();
+    makePrograms(setting.fast);
+    show();
+  }
+
+  void step(double time, const StepWatch& watch) override {
+    steps_.upload(plan_.frame(time));
+    if (walls_ != nullptr) walls_->tell(settle_, plan_.substepSeconds(), plan_.parameters().margin, 0.0F);
+    for (int i = 0; i < plan_.substeps(); ++i) {
+      steps_.bind(static_cast<std::size_t>(i));
+      gl::barrier();
+      predict();
+      stretch();
+      sew();
+      // Here the cloth meets itself: positions_[1] is where its vertices go (xyz, inverse mass), corners_
+      // its faces, positions_[0] where they were. Speeds are made of what is left in positions_[1].
+      meet(i);
+      std::swap(positions_[0], positions_[1]);
+      if (watch) watch(i + 1);
+    }
+    gl::barrier();
+    time_ = time + frameSeconds_;
+    show();
+  }
+
+  [[nodiscard]] int stepsPerFrame() const override { return plan_.substeps(); }
+  [[nodiscard]] std::string elementName(long element) const override {
+    return fmt::format("vertex {}", element);
+  }
+
+  void publish(double /*time*/, Drawables& drawables) const override {
+    Surface surface = topology_.surface();
+    surface.positions = &drawnPositions_.view();
+    surface.normals = &drawnNormals_.view();
+    surface.doubleSided = true;
+    surface.material = &material_;
+    drawables.surfaces.push_back(surface);
+  }
+
+  void carryOver(CarryOver& carry) override {
+    plan_.carryOver(carry);
+    carry.array("positions", positions_[0].buffer());
+    carry.array("velocities", velocities_.buffer());
+  }
+  void resumed(double time) override {
+    time_ = time;
+    show();
+  }
+
+  [[nodiscard]] std::vector<StateArray> state() const override {
+    return {{"positions", &positions_[0].buffer()}, {"velocities", &velocities_.buffer()}};
+  }
+  [[nodiscard]] PointTable points() const override {
+    const auto positions = positions_[0].buffer().readAll<glm::vec4>();
+    const auto velocities = velocities_.buffer().readAll<glm::vec4>();
+    PointTable table{{"x", "y", "z", "vx", "vy", "vz"}, {}};
+    for (const unsigned i : plan_.cloth().vertexOf)
+      table.values.insert(table.values.end(), {positions[i].x, positions[i].y, positions[i].z,
+                                               velocities[i].x, velocities[i].y, velocities[i].z});
+    return table;
+  }
+  [[nodiscard]] std::optional<MeshTable> mesh() const override {
+    MeshTable table;
+    table.uvs = plan_.mesh().uvs;
+    table.indices = plan_.mesh().indices;
+    for (const glm::vec4& p : drawnPositions_.buffer().readAll<glm::vec4>())
+      table.positions.emplace_back(p);
+    for (const glm::vec4& n : drawnNormals_.buffer().readAll<glm::vec4>()) table.normals.emplace_back(n);
+    return table;
+  }
+  [[nodiscard]] const gl::Buffer* status() const override { return &status_; }
+  [[nodiscard]] std::vector<double> measure() const override {
+    return measureGarment(plan_, positions_[0].buffer().readAll<glm::vec4>(),
+                          velocities_.buffer().readAll<glm::vec4>(), time_);
+  }
+  [[nodiscard]] std::string explainLoss(unsigned step, unsigned element) const override {
+    return fmt::format(
+        "cloth \"{}\" blew up in substep {} at vertex {}: its position or velocity is no longer a sensible "
+        "number; use more substeps ({} per frame now, or \"auto\"), or a heavier fabric",
+        name_, step, element, plan_.substeps());
+  }
+
+ private:
+  void makeArrays() {
+    const auto positions = plan_.firstPositions();
+    positions_[0] = gl::Vec4Array(name_ + " positions", positions);
+    positions_[1] = gl::Vec4Array(name_ + " next positions", positions);
+    velocities_ = gl::Vec4Array(name_ + " velocities", plan_.firstVelocities());
+    restPositions_ = gl::Vec4Array(name_ + " rest positions", plan_.restPositions());
+    const GarmentArrays& arrays = plan_.arrays();
+    const auto words = [&](const char* what, const std::vector<glm::uvec4>& items) {
+      return gl::WordsArray(name_ + what, items);
+    };
+    corners_ = words(" faces", arrays.corners);
+    fans_ = words(" fans", arrays.fans);
+    rings_ = words(" rings", arrays.rings);
+    if (!arrays.stitches.empty()) stitches_ = words(" stitches", arrays.stitches);
+    entries_ = words(" bending", arrays.entries);
+    copies_ = words(" copies", arrays.copies);
+    elements_ = gl::Vec4Array(name_ + " elements", arrays.elements);
+    const int faces = plan_.parameters().hasAir ? static_cast<int>(arrays.corners.size()) : 1;
+    faceForces_ = gl::Vec4Array(name_ + " air", faces);
+    const int drawn = static_cast<int>(arrays.copies.size());
+    drawnPositions_ = gl::Vec4Array(name_ + " drawn positions", drawn);
+    drawnNormals_ = gl::Vec4Array(name_ + " drawn normals", drawn);
+    const unsigned fine[4] = {0xffffffffU, 0xffffffffU, 0, 0};
+    status_ = gl::Buffer::of<unsigned>(name_ + " status", fine);
+    steps_ = StepBlocks<shader::ClothStep>(name_ + " steps", plan_.substeps());
+  }
+
+  void makePrograms(bool fast) {
+    gl::Defines defines = gl::kernelDefines(fast);
+    defines.emplace_back("AIR", plan_.parameters().hasAir ? "true" : "false");
+    if (gl::memoryPath() == gl::MemoryPath::texel)
+      defines.emplace_back("COLLIDERS", std::to_string(plan_.colliderCount()));
+    const auto meeting = [&](bool meets) {
+      gl::Defines all = defines;
+      all.emplace_back("HEIGHTS", meets && heights_ != nullptr ? "1" : "0");
+      addWallDefines(all, meets ? walls_ : nullptr);
+      return all;
+    };
+    const auto make = [&](const char* path, std::size_t count, bool meets = false) {
+      gl::Program program = gl::Program::compute(path, meeting(meets));
+      program.set("count", static_cast<int>(count));
+      return program;
+    };
+    const auto vertices = static_cast<std::size_t>(vertices_);
+    if (plan_.parameters().hasAir) air_ = make("cloth/mesh/air.comp", plan_.arrays().corners.size());
+    predict_ = make("cloth/mesh/predict.comp", vertices);
+    stretch_ = make("cloth/mesh/stretch.comp", 0);
+    if (!plan_.arrays().stitches.empty()) sew_ = make("cloth/mesh/sew.comp", 0);
+    settle_ = make("cloth/mesh/settle.comp", vertices, true);
+    show_ = make("cloth/mesh/show.comp", plan_.arrays().copies.size());
+    settle_.checkUniformBlock("StepBlock", sizeof(shader::ClothStep));
+  }
+
+  /// Into positions_[1], where forces take the vertices.
+  void predict() {
+    if (plan_.parameters().hasAir) {
+      positions_[0].bindInput(shader::garment::positionsBinding);
+      velocities_.bindInput(shader::garment::velocitiesBinding);
+      corners_.bindInput(shader::garment::cornersBinding);
+      faceForces_.bindState(shader::garment::faceForcesBinding);
+      air_.dispatch(static_cast<int>(plan_.arrays().corners.size()));
+      gl::barrier();
+    }
+    positions_[0].bindInput(shader::garment::positionsBinding);
+    positions_[1].bindState(shader::garment::nextPositionsBinding);
+    velocities_.bindInput(shader::garment::velocitiesBinding);
+    restPositions_.bindInput(shader::garment::restPositionsBinding);
+    faceForces_.bindInput(shader::garment::faceForcesBinding);
+    entries_.bindInput(shader::garment::entriesBinding);
+    fans_.bindInput(shader::garment::fansBinding);
+    rings_.bindInput(shader::garment::ringsBinding);
+    predict_.dispatch(vertices_);
+    gl::barrier();
+  }
+
+  /// positions_[1], from where the vertices would go to where they may.
+  void stretch() {
+    elements_.bindInput(shader::garment::elementsBinding);
+    corners_.bindInput(shader::garment::cornersBinding);
+    inColours(stretch_, plan_.arrays().colours);
+  }
+
+  /// Pulls seams shut, a colour of stitches after the other.
+  void sew() {
+    if (plan_.arrays().stitches.empty()) return;
+    stitches_.bindInput(shader::garment::stitchesBinding);
+    inColours(sew_, plan_.arrays().stitchColours);
+  }
+
+  /// A dispatch for each colour; what they wrote is there for what follows.
+  static void inColours(const gl::Program& program, const std::vector<int>& colours) {
+    for (std::size_t colour = 0; colour + 1 < colours.size(); ++colour) {
+      const int count = colours[colour + 1] - colours[colour];
+      program.set("first", colours[colour]);
+      program.set("count", count);
+      program.dispatch(count);
+      gl::barrier();
+    }
+  }
+
+  /// Speeds of what is left in positions_[1], and what the vertices meet.
+  void meet(int substep) {
+    status_.bindStorage(shader::statusBinding);
+    positions_[0].bindInput(shader::garment::positionsBinding);
+    positions_[1].bindState(shader::garment::nextPositionsBinding);
+    velocities_.bindState(shader::garment::velocitiesBinding);
+    if (heights_ != nullptr) {
+      heights_->bind();
+      heights_->tell(settle_, substep, plan_.substeps(), plan_.parameters().margin, 0.0F);
+    }
+    if (walls_ != nullptr) walls_->bind();
+    settle_.dispatch(vertices_);
+  }
+
+  /// What is drawn of the present state.
+  void show() {
+    positions_[0].bindInput(shader::garment::positionsBinding);
+    copies_.bindInput(shader::garment::copiesBinding);
+    fans_.bindInput(shader::garment::fansBinding);
+    rings_.bindInput(shader::garment::ringsBinding);
+    drawnPositions_.bindState(shader::garment::drawnPositionsBinding);
+    drawnNormals_.bindState(shader::garment::drawnNormalsBinding);
+    gl::barrier();
+    show_.dispatch(static_cast<int>(plan_.arrays().copies.size()));
+    gl::barrier();
+  }
+
+  std::string name_;
+  scene::Material material_;
+  GarmentPlan plan_;
+  int vertices_;
+  const HeightField* heights_;    ///< null: none in the scene
+  const Walls* walls_ = nullptr;  ///< null: it meets none
+  double frameSeconds_;
+  double time_ = 0;             ///< s, of the present state
+  gl::Vec4Array positions_[2];  ///< now, and where the next substep writes
+  gl::Vec4Array velocities_, restPositions_, elements_, faceForces_;
+  gl::WordsArray corners_, fans_, rings_, entries_, copies_, stitches_;
+  gl::Vec4Array drawnPositions_, drawnNormals_;
+  MeshTopology topology_;
+  gl::Buffer status_;
+  StepBlocks<shader::ClothStep> steps_;
+  gl::Program air_, predict_, stretch_, sew_, settle_, show_;
+};
+
+}  // namespace
+
+SimulationKind clothKind() {
+  return kindOf<ClothParameters>(
+      "cloth",
+      "A sheet of particles held together by springs, or a mesh of fabric, in wind and over colliders.",
+      [](const scene::Object& object, const Setting& setting) {
+        const auto& parameters = parametersOf<ClothParameters>(object);
+        if (!parameters.hasMesh) return checkSheet(object, setting);
+        static_cast<void>(
+            GarmentPlan(object.name, parameters, setting.seed, setting.frameSeconds, *setting.colliders));
+      },
+      [](const scene::Object& object, const Setting& setting) {
+        if (parametersOf<ClothParameters>(object).hasMesh) return makeSimulation<Garment>(object, setting);
+        return makeSheet(object, setting);
+      });
+}
+
+}  // namespace simreel::sim

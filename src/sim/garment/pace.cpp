@@ -1,0 +1,123 @@
+#include "sim/garment/pace.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <set>
+#include <utility>
+
+#include <glm/geometric.hpp>
+
+namespace simreel::sim {
+
+namespace {
+
+constexpr double mostStretchError = 0.005;
+constexpr double steadyPart = 0.7;  // as of grids
+constexpr int fewestSubsteps = 8;
+constexpr int mostSubsteps = 1024;
+/// Beyond these, elements are softened instead: slivers would slow down all the rest.
+constexpr double mostForBending = 240;
+
+constexpr double unreached = std::numeric_limits<double>::infinity();
+
+/// Shortens the ways in `distances` by what leads along edges from the vertices of `open`. Returns the
+/// vertices it reaches, the farthest last.
+std::vector<unsigned> spread(const ClothTriangles& cloth, const std::multimap<unsigned, unsigned>& links,
+                             std::vector<double>& distances, std::set<std::pair<double, unsigned>> open) {
+  std::vector<unsigned> reached;
+  while (!open.empty()) {
+    const auto [distance, vertex] = *open.begin();
+    open.erase(open.begin());
+    if (distance > distances[vertex]) continue;
+    reached.push_back(vertex);
+    const auto reach = [&](unsigned other, double length) {
+      if (length >= distances[other]) return;
+      distances[other] = length;
+      open.emplace(length, other);
+    };
+    const auto [first, last] = links.equal_range(vertex);
+    for (auto link = first; link != last; ++link) reach(link->second, distance);
+    for (unsigned k = cloth.starts[vertex]; k < cloth.starts[vertex + 1]; ++k)
+      for (const unsigned other : cloth.faces[cloth.around[k]].corners) {
+        const glm::dvec3 d = cloth.points[other] - cloth.points[vertex];
+        reach(other, distance + std::sqrt(glm::dot(d, d)));
+      }
+  }
+  return reached;
+}
+
+}  // namespace
+
+double hangingLength(const ClothTriangles& cloth, const std::vector<bool>& pinned,
+                     const std::multimap<unsigned, unsigned>& links) {
+  std::vector<double> distances(cloth.points.size(), unreached);
+  std::set<std::pair<double, unsigned>> open;
+  for (unsigned i = 0; i < distances.size(); ++i)
+    if (pinned[i]) {
+      distances[i] = 0;
+      open.emplace(0.0, i);
+    }
+  double longest = 0;
+  for (const unsigned i : spread(cloth, links, distances, open)) longest = std::max(longest, distances[i]);
+  for (unsigned i = 0; i < distances.size(); ++i) {
+    if (distances[i] < unreached) continue;
+    // A piece without pins: from one of its ends to the other.
+    unsigned end = i;
+    for (int way = 0; way < 2; ++way) {
+      distances[end] = 0;
+      const std::vector<unsigned> piece = spread(cloth, links, distances, {{0.0, end}});
+      end = piece.back();
+      if (way == 1) longest = std::max(longest, 0.5 * distances[end]);
+      for (const unsigned k : piece) distances[k] = way == 0 ? unreached : 0;
+    }
+  }
+  return longest;
+}
+
+GarmentPace::GarmentPace(const ClothParameters& parameters, const ClothTriangles& cloth,
+                         const std::vector<MembraneElement>& membrane, const std::vector<double>& masses,
+                         const std::vector<bool>& pinned, const std::multimap<unsigned, unsigned>& links)
+    : hanging(hangingLength(cloth, pinned, links)) {
+  const double density = parameters.fabric.constants().density;
+  double area = 0;
+  double sum = 0;
+  double total = 0;
+  for (const double mass : masses) total += mass;
+  for (std::size_t f = 0; f < membrane.size(); ++f) {
+    const MembraneElement& e = membrane[f];
+    const double gradients[3][2] = {{-e.p - e.q, -e.r - e.s}, {e.p, e.r}, {e.q, e.s}};
+    double weight = 0;
+    for (std::size_t k = 0; k < 3; ++k)
+      weight += 0.5 * (gradients[k][0] * gradients[k][0] + gradients[k][1] * gradients[k][1]) /
+                masses[cloth.faces[f].corners[k]];
+    area += e.area;
+    sum += e.area * e.area * weight;
+  }
+  const double fastest = parameters.fastestAir();
+  const double pushed =
+      parameters.air.density * static_cast<double>(parameters.air.drag + parameters.air.lift);
+  drag = pushed * fastest / density;
+  const double streaming = 0.1 * 0.5 * pushed * fastest * fastest / density;
+  const double load = parameters.greatestLoad(total / static_cast<double>(masses.size())) + streaming;
+  stiffening = density * load * hanging * sum / area;
+}
+
+double GarmentPace::stableSeconds() const {
+  // As of grids: (w dt)^2 + 2 c dt < 4 with w^2 <= 4 T A S.
+  const double rate = drag + std::sqrt(drag * drag + 16.0 * stiffening);
+  return rate > 0 ? 4.0 / rate : unreached;
+}
+
+int GarmentPace::substeps(double frameSeconds, double bendingSquared) const {
+  const double bending =
+      std::min(frameSeconds * std::sqrt(bendingSquared / mostBending(1.0)), mostForBending);
+  const double stretching = frameSeconds * std::sqrt(0.5 * stiffening / mostStretchError);
+  const double steady = frameSeconds / (steadyPart * stableSeconds());
+  const double needed = std::ceil(std::max({bending, stretching, steady}));
+  return static_cast<int>(
+      std::clamp(needed, static_cast<double>(fewestSubsteps), static_cast<double>(mostSubsteps)));
+}
+
+}  // namespace simreel::sim

@@ -1,0 +1,46 @@
+#pragma once
+#include "sim/cloth/parameters.hpp"
+#include "sim/garment/membrane.hpp"
+#include "sim/garment/plate.hpp"
+#include "sim/garment/triangles.hpp"
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace simreel::sim {
+
+/// How finely time is cut for cloth of a mesh.
+///
+/// Constraints are relaxed once a substep (XPBD with small steps, Macklin et al. 2019). What hangs at rest
+/// falls by g h^2 a substep and is pulled back through the same: a face carries the tension T per width
+/// only once it is stretched by e = T A S h^2 beyond what its compliance gives, where S is the sum of its
+/// corners' inverse masses times the squares of its gradients. T = rho g d where the length d hangs on it,
+/// so that on the average over that length e = 1/2 rho g d A S h^2. "auto" keeps that below 1/2 %.
+struct GarmentPace {
+  GarmentPace(const ClothParameters& parameters, const ClothTriangles& cloth,
+              const std::vector<MembraneElement>& membrane, const std::vector<double>& masses,
+              const std::vector<bool>& pinned, const std::multimap<unsigned, unsigned>& links);
+
+  double hanging = 0;     ///< m, from the farthest vertex to the nearest pin, along edges
+  double stiffening = 0;  ///< 1/s^2, rho a d A S
+  double drag = 0;        ///< 1/s
+  [[nodiscard]] double stretchError(double seconds) const { return 0.5 * stiffening * seconds * seconds; }
+  /// Longest substep (s) that is stable: of what hangs straight and swings sideways, in the fastest air.
+  [[nodiscard]] double stableSeconds() const;
+  /// Substeps of a frame for "auto". `bendingSquared` (1/s^2): of plateFrequencySquared.
+  [[nodiscard]] int substeps(double frameSeconds, double bendingSquared) const;
+};
+
+/// m: the longest of all shortest ways along edges from a vertex to the pins of its piece; of a piece
+/// without any, half of the way between two vertices far apart. `links` join vertices, both ways, without
+/// any length: seams.
+[[nodiscard]] double hangingLength(const ClothTriangles& cloth, const std::vector<bool>& pinned,
+                                   const std::multimap<unsigned, unsigned>& links);
+
+/// Of an explicit step of that many seconds: what squared frequencies of bending keep to (1/s^2).
+[[nodiscard]] constexpr double mostBending(double seconds) {
+  return 2.0 / (seconds * seconds);
+}
+
+}  // namespace simreel::sim

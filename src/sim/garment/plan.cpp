@@ -1,0 +1,260 @@
+#include "sim/garment/plan.hpp"
+
+#include "base/error.hpp"
+#include "base/log.hpp"
+#include "sim/core/shader_code.hpp"
+#include "sim/garment/pace.hpp"
+#include "sim/grid/picture_file.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <utility>
+
+namespace simreel::sim {
+
+namespace {
+
+std::string placeOf(const std::string& name, const ClothParameters& parameters) {
+  return fmt::format("cloth \"{}\" ({})", name, parameters.mesh.text());
+}
+
+std::vector<double> vertexMasses(const ClothTriangles& cloth, double density) {
+  std::vector<double> masses(cloth.points.size(), 0);
+  for (const ClothTriangles::Face& face : cloth.faces)
+    for (const unsigned corner : face.corners) masses[corner] += density * face.area / 3;
+  return masses;
+}
+
+std::uint32_t bitsOf(double value) {
+  return std::bit_cast<std::uint32_t>(static_cast<float>(value));
+}
+
+}  // namespace
+
+GarmentPlan::GarmentPlan(const std::string& name, const ClothParameters& parameters, int seed,
+                         double frameSeconds, const std::vector<ColliderShape>& colliders)
+    : GarmentPlan(name, parameters, seed, frameSeconds, colliders, parameters.mesh.make()) {}
+
+GarmentPlan::GarmentPlan(const std::string& name, const ClothParameters& parameters, int seed,
+                         double frameSeconds, const std::vector<ColliderShape>& colliders, Mesh mesh)
+    : seed_(seed),
+      mesh_(std::move(mesh)),
+      cloth_(placeOf(name, parameters), mesh_, parameters.mesh.scale, parameters.mesh.weld),
+      membrane_(membraneElements(cloth_, mesh_)),
+      plate_(plateElements(cloth_)),
+      masses_(vertexMasses(cloth_, parameters.fabric.constants().density)),
+      steps_(settled(placeOf(name, parameters), parameters, frameSeconds), seed, frameSeconds, colliders) {
+  makeArrays();
+}
+
+void GarmentPlan::place(const ClothParameters& parameters) {
+  const glm::mat4 turn = rotationMatrix(parameters.rotation);
+  rest_.reserve(cloth_.points.size());
+  for (const glm::dvec3& p : cloth_.points) {
+    glm::dvec3 placed(parameters.position);
+    for (int k = 0; k < 3; ++k) placed += glm::dvec3(glm::vec3(turn[k])) * p[k];
+    rest_.emplace_back(placed);
+  }
+}
+
+void GarmentPlan::pin(const std::string& name, const ClothParameters& parameters) {
+  groups_.assign(cloth_.points.size(), -1);
+  for (std::size_t i = 0; i < parameters.pins.size(); ++i)
+    pinGroup(name, parameters.pins[i], static_cast<int>(i));
+}
+
+unsigned GarmentPlan::vertexNamed(const std::string& name, const std::string& what, int number) const {
+  if (static_cast<std::size_t>(number) >= cloth_.vertexOf.size())
+    fail(ExitCode::usage, "{}: {} names vertex {}, but there are {} (0 to {})", name, what, number,
+         cloth_.vertexOf.size(), cloth_.vertexOf.size() - 1);
+  return cloth_.vertexOf[static_cast<std::size_t>(number)];
+}
+
+void GarmentPlan::pinGroup(const std::string& name, const PinGroup& group, int number) {
+  int held = 0;
+  const auto hold = [&](std::size_t vertex) {
+    groups_[vertex] = number;
+    ++held;
+  };
+  for (const int vertex : group.vertices) hold(vertexNamed(name, fmt::format("pins[{}]", number), vertex));
+  if (group.hasBox)
+    for (std::size_t i = 0; i < rest_.size(); ++i) {
+      bool inside = true;
+      for (int k = 0; k < 3; ++k)
+        inside = inside && rest_[i][k] >= group.box.min[k] && rest_[i][k] <= group.box.max[k];
+      if (inside) hold(i);
+    }
+  if (!group.map.empty()) {
+    if (mesh_.uvs.empty())
+      fail(ExitCode::usage,
+           "{}: pins[{}] has a \"map\", but the mesh has no uv; pin by \"box\" or \"vertices\"", name,
+           number);
+    const Picture picture = loadPicture(group.map, "map of pins", 16384);
+    const auto pixel = [](float at, int size) {
+      const double part = static_cast<double>(at) - std::floor(static_cast<double>(at));
+      return std::min(static_cast<int>(part * size), size - 1);
+    };
+    for (std::size_t i = 0; i < mesh_.uvs.size(); ++i)
+      if (picture.level(pixel(mesh_.uvs[i].x, picture.size.x), pixel(mesh_.uvs[i].y, picture.size.y)) >=
+          128)
+        hold(cloth_.vertexOf[i]);
+  }
+  if (held == 0)
+    fail(
+        ExitCode::usage,
+        "{}: pins[{}] holds no vertex; give \"vertices\", a larger \"box\" or a \"map\" with bright places",
+        name, number);
+}
+
+void GarmentPlan::sew(const std::string& name, const ClothParameters& parameters) {
+  std::vector<glm::uvec4> stitches;
+  for (std::size_t k = 0; k < parameters.seams.size(); ++k) {
+    const Seam& seam = parameters.seams[k];
+    for (std::size_t i = 0; i < seam.from.size(); ++i) {
+      const unsigned a = vertexNamed(name, fmt::format("seams[{}]", k), seam.from[i]);
+      const unsigned b = vertexNamed(name, fmt::format("seams[{}]", k), seam.to[i]);
+      if (a == b) continue;  // one already
+      const glm::dvec3 d = glm::dvec3(rest_[b]) - glm::dvec3(rest_[a]);
+      stitches.emplace_back(a, b, bitsOf(std::sqrt(d.x * d.x + d.y * d.y + d.z * d.z)),
+                            bitsOf(1 / seam.seconds));
+    }
+  }
+  // The first colour that neither end has, one after the other.
+  std::vector<std::vector<glm::uvec4>> colours;
+  std::vector<std::vector<bool>> taken;
+  for (const glm::uvec4& stitch : stitches) {
+    std::size_t colour = 0;
+    while (colour < taken.size() && (taken[colour][stitch.x] || taken[colour][stitch.y])) ++colour;
+    if (colour == taken.size()) {
+      taken.emplace_back(cloth_.points.size(), false);
+      colours.emplace_back();
+    }
+    taken[colour][stitch.x] = taken[colour][stitch.y] = true;
+    colours[colour].push_back(stitch);
+  }
+  for (const auto& colour : colours) {
+    arrays_.stitchColours.push_back(static_cast<int>(arrays_.stitches.size()));
+    arrays_.stitches.insert(arrays_.stitches.end(), colour.begin(), colour.end());
+  }
+  arrays_.stitchColours.push_back(static_cast<int>(arrays_.stitches.size()));
+}
+
+ClothParameters GarmentPlan::settled(const std::string& name, ClothParameters parameters,
+                                     double frameSeconds) {
+  place(parameters);
+  pin(name, parameters);
+  sew(name, parameters);
+  std::vector<bool> pinned;
+  std::vector<double> inverse;
+  for (std::size_t i = 0; i < masses_.size(); ++i) {
+    pinned.push_back(groups_[i] >= 0);
+    inverse.push_back(groups_[i] >= 0 ? 0 : 1 / masses_[i]);
+  }
+  std::multimap<unsigned, unsigned> links;
+  for (const glm::uvec4& stitch : arrays_.stitches) {
+    links.emplace(stitch.x, stitch.y);
+    links.emplace(stitch.y, stitch.x);
+  }
+  const GarmentPace pace(parameters, cloth_, membrane_, masses_, pinned, links);
+  const double bending = parameters.fabric.constants().bending;
+  const bool given = parameters.substeps.has_value();
+  if (!given)
+    parameters.substeps =
+        pace.substeps(frameSeconds, std::min(plateFrequencySquared(plate_, bending, inverse, 1.0),
+                                             25 * plateFrequencySquared(plate_, bending, inverse, 0.5)));
+  const double seconds = frameSeconds / *parameters.substeps;
+  if (given && seconds > pace.stableSeconds())
+    warn(
+        "{}: {} substeps are fewer than the {:.0f} that what hangs needs to be stable; set \"substeps\": "
+        "\"auto\"",
+        name, *parameters.substeps, std::ceil(frameSeconds / pace.stableSeconds()));
+  if (!given && pace.stretchError(seconds) > 0.01)
+    warn("{}: with {} substeps it stretches by {:.1f}% more than its fabric; take a coarser mesh", name,
+         *parameters.substeps, 100 * pace.stretchError(seconds));
+  const PlateMatrix matrix(plate_, bending, inverse, mostBending(seconds));
+  if (static_cast<double>(matrix.softened) > 0.05 * static_cast<double>(plate_.size()))
+    warn(
+        "{}: {} of {} faces are so small that they bend more easily than the fabric at {} substeps a "
+        "frame; {}",
+        name, matrix.softened, plate_.size(), *parameters.substeps,
+        given ? "set \"substeps\": \"auto\"" : "take a coarser or more even mesh");
+  arrays_.fans.resize(masses_.size());
+  for (std::size_t i = 0; i < masses_.size(); ++i) {
+    const PlateRow& row = matrix.rows[i];
+    const auto first = static_cast<unsigned>(arrays_.entries.size());
+    for (std::size_t k = 0; k < row.size(); k += 2) {
+      const auto [vertex, value] =
+          k + 1 < row.size() ? row[k + 1] : std::pair(static_cast<unsigned>(i), 0.0);
+      arrays_.entries.emplace_back(row[k].first, bitsOf(row[k].second), vertex, bitsOf(value));
+    }
+    arrays_.fans[i].z = first;
+    arrays_.fans[i].w = static_cast<unsigned>(arrays_.entries.size()) - first;
+  }
+  if (arrays_.entries.empty()) arrays_.entries.emplace_back(0);
+  return parameters;
+}
+
+void GarmentPlan::makeArrays() {
+  const shader::FabricConstants fabric = parameters().fabric.constants();
+  const std::vector<int> colours = colourFaces(cloth_);
+  const int last = *std::max_element(colours.begin(), colours.end());
+  std::vector<unsigned> numbers(colours.size());
+  for (int colour = 0; colour <= last; ++colour) {
+    arrays_.colours.push_back(static_cast<int>(arrays_.corners.size()));
+    for (std::size_t f = 0; f < colours.size(); ++f) {
+      if (colours[f] != colour) continue;
+      numbers[f] = static_cast<unsigned>(arrays_.corners.size());
+      const auto& corners = cloth_.faces[f].corners;
+      arrays_.corners.emplace_back(corners[0], corners[1], corners[2], 0);
+      const MembraneElement& e = membrane_[f];
+      arrays_.elements.emplace_back(e.p, e.q, e.r, e.s);
+      arrays_.elements.emplace_back(1 / (fabric.weft * e.area), 1 / (fabric.warp * e.area),
+                                    1 / (fabric.shear * e.area), 0);
+    }
+  }
+  arrays_.colours.push_back(static_cast<int>(arrays_.corners.size()));
+  for (std::size_t i = 0; i < cloth_.points.size(); ++i) {
+    arrays_.fans[i].x = cloth_.starts[i];
+    arrays_.fans[i].y = cloth_.starts[i + 1] - cloth_.starts[i];
+  }
+  for (unsigned i = 0; i < cloth_.points.size(); ++i)
+    for (unsigned k = cloth_.starts[i]; k < cloth_.starts[i + 1]; ++k) {
+      const unsigned f = cloth_.around[k];
+      const auto& corners = cloth_.faces[f].corners;
+      const std::size_t at = corners[0] == i ? 0 : corners[1] == i ? 1 : 2;
+      arrays_.rings.emplace_back(corners[(at + 1) % 3], corners[(at + 2) % 3], numbers[f], 0);
+    }
+  for (const unsigned vertex : cloth_.vertexOf) arrays_.copies.emplace_back(vertex, 0, 0, 0);
+}
+
+std::vector<glm::vec4> GarmentPlan::restPositions() const {
+  std::vector<glm::vec4> positions;
+  positions.reserve(rest_.size());
+  for (const glm::vec3& p : rest_) positions.emplace_back(p, 0.0F);
+  return positions;
+}
+
+std::vector<glm::vec4> GarmentPlan::firstPositions() const {
+  std::vector<glm::vec4> positions;
+  positions.reserve(rest_.size());
+  for (std::size_t i = 0; i < rest_.size(); ++i) {
+    const glm::vec3 noise =
+        shader::signedUnits(shader::hash3({static_cast<unsigned>(i), 0U, static_cast<unsigned>(seed_)}));
+    positions.emplace_back(rest_[i] + noise * parameters().jitter,
+                           groups_[i] >= 0 ? 0.0F : static_cast<float>(1 / masses_[i]));
+  }
+  return positions;
+}
+
+std::vector<glm::vec4> GarmentPlan::firstVelocities() const {
+  std::vector<glm::vec4> velocities;
+  velocities.reserve(groups_.size());
+  for (const int group : groups_) velocities.emplace_back(0, 0, 0, std::max(group, 0));
+  return velocities;
+}
+
+}  // namespace simreel::sim

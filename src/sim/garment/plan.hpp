@@ -1,0 +1,84 @@
+#pragma once
+#include "sim/cloth/plan.hpp"
+#include "sim/garment/membrane.hpp"
+#include "sim/garment/plate.hpp"
+#include "sim/garment/triangles.hpp"
+
+#include <string>
+#include <vector>
+
+#include <glm/vec4.hpp>
+
+namespace simreel::sim {
+
+/// What the kernels of cloth of a mesh read and never write (glsl/cloth/mesh).
+struct GarmentArrays {
+  std::vector<glm::uvec4> corners;  ///< of each face, colour by colour: three vertices
+  std::vector<int> colours;         ///< first face of each colour, and their number
+  std::vector<glm::vec4> elements;  ///< two a face: p, q, r, s; compliances of weft, warp and shear (m/N)
+  std::vector<glm::uvec4> fans;   ///< of each vertex: first ring, how many, first pair of entries, how many
+  std::vector<glm::uvec4> rings;  ///< a face around a vertex: the two others, the face
+  std::vector<glm::uvec4> entries;   ///< two a pair: a vertex, N/m
+  std::vector<glm::uvec4> stitches;  ///< colour by colour: two vertices, m apart at the start, 1/s
+  std::vector<int> stitchColours;    ///< as of faces
+  std::vector<glm::uvec4> copies;    ///< of each drawn vertex: x its vertex
+};
+
+/// Everything of cloth made of triangles that is decided on the CPU, as ClothPlan for grids; shared by the
+/// GPU simulation and its CPU twin.
+class GarmentPlan {
+ public:
+  /// Reads the mesh. Throws what ClothPlan and ClothTriangles throw, what the mesh's reader does, and
+  /// UserError(usage) for pins that hold nothing, or pins or seams of no vertex. Warns where the given
+  /// substeps are too few.
+  GarmentPlan(const std::string& name, const ClothParameters& parameters, int seed, double frameSeconds,
+              const std::vector<ColliderShape>& colliders);
+
+  /// xyz in m, w inverse mass in 1/kg (0: pinned).
+  [[nodiscard]] std::vector<glm::vec4> firstPositions() const;
+  /// xyz in m/s (zero), w the pin group of a pinned vertex.
+  [[nodiscard]] std::vector<glm::vec4> firstVelocities() const;
+  /// xyz in m: where pins carry the vertices from.
+  [[nodiscard]] std::vector<glm::vec4> restPositions() const;
+  [[nodiscard]] std::vector<shader::ClothStep> frame(double time) { return steps_.frame(time); }
+  void carryOver(CarryOver& carry) { steps_.carryOver(carry); }
+
+  [[nodiscard]] const ClothParameters& parameters() const { return steps_.parameters(); }
+  [[nodiscard]] int substeps() const { return steps_.substeps(); }
+  [[nodiscard]] double substepSeconds() const { return steps_.substepSeconds(); }
+  [[nodiscard]] int colliderCount() const { return steps_.colliderCount(); }
+  [[nodiscard]] const GarmentArrays& arrays() const { return arrays_; }
+  [[nodiscard]] const Mesh& mesh() const { return mesh_; }  ///< as drawn
+  [[nodiscard]] const ClothTriangles& cloth() const { return cloth_; }
+  [[nodiscard]] const std::vector<MembraneElement>& membrane() const { return membrane_; }
+  [[nodiscard]] const std::vector<PlateElement>& plate() const { return plate_; }
+  [[nodiscard]] const std::vector<double>& masses() const { return masses_; }  ///< kg, the pinned included
+
+ private:
+  GarmentPlan(const std::string& name, const ClothParameters& parameters, int seed, double frameSeconds,
+              const std::vector<ColliderShape>& colliders, Mesh mesh);
+  /// Places and pins the vertices, makes the rows of bending. Returns the parameters with the substeps that
+  /// "auto" comes to.
+  [[nodiscard]] ClothParameters settled(const std::string& name, ClothParameters parameters,
+                                        double frameSeconds);
+  void place(const ClothParameters& parameters);
+  void pin(const std::string& name, const ClothParameters& parameters);
+  /// Of a vertex that `what` of the scene names by its number in the mesh.
+  [[nodiscard]] unsigned vertexNamed(const std::string& name, const std::string& what, int number) const;
+  void pinGroup(const std::string& name, const PinGroup& group, int number);
+  void sew(const std::string& name, const ClothParameters& parameters);
+  void makeArrays();
+
+  int seed_;
+  Mesh mesh_;
+  ClothTriangles cloth_;
+  std::vector<MembraneElement> membrane_;
+  std::vector<PlateElement> plate_;
+  std::vector<double> masses_;
+  std::vector<glm::vec3> rest_;  ///< m, world
+  std::vector<int> groups_;      ///< of each vertex: the pin group; -1: free
+  GarmentArrays arrays_;
+  ClothPlan steps_;
+};
+
+}  // namespace simreel::sim

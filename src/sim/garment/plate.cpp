@@ -1,0 +1,342 @@
+#include "sim/garment/plate.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <optional>
+#include <utility>
+
+#include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
+
+namespace simreel::sim {
+
+namespace {
+
+using Face = ClothTriangles::Face;
+
+struct FlatPoint {
+  unsigned vertex;
+  glm::dvec2 place;
+};
+
+/// A face laid into the plane of the first.
+struct FlatFace {
+  unsigned face;
+  std::array<glm::dvec2, 3> corners;
+};
+
+/// The two faces of an edge and those around them, ring by ring, unfolded over their edges into one plane.
+/// The edge's middle is the origin, x leads along it and y out of the first face.
+class Patch {
+ public:
+  Patch(const ClothTriangles& cloth, unsigned first, std::size_t side) : cloth_(cloth) {
+    const Face& face = cloth.faces[first];
+    const glm::dvec3 a = cloth.points[face.corners[side]];
+    const glm::dvec3 b = cloth.points[face.corners[(side + 1) % 3]] - a;
+    const glm::dvec3 c = cloth.points[face.corners[(side + 2) % 3]] - a;
+    length = std::sqrt(glm::dot(b, b));
+    const double half = 0.5 * length;
+    FlatFace flat{first, {}};
+    flat.corners[side] = {-half, 0};
+    flat.corners[(side + 1) % 3] = {half, 0};
+    flat.corners[(side + 2) % 3] = {glm::dot(b, c) / length - half, -2 * face.area / length};
+    faces_.push_back(flat);
+    for (std::size_t k = 0; k < 3; ++k) points.push_back({face.corners[k], flat.corners[k]});
+    addBeyond(flat, side);
+  }
+
+  /// Adds the faces beyond the edges of those that were added last.
+  void widen() {
+    const std::size_t end = faces_.size();
+    for (std::size_t i = next_; i < end; ++i)
+      for (std::size_t side = 0; side < 3; ++side) addBeyond(faces_[i], side);
+    next_ = end;
+  }
+
+  std::vector<FlatPoint> points;
+  double length;  ///< m, of the edge
+
+ private:
+  void addBeyond(const FlatFace from, std::size_t side) {
+    const Face& face = cloth_.faces[from.face];
+    const unsigned other = face.neighbours[side];
+    if (other == ClothTriangles::none) return;
+    if (std::any_of(faces_.begin(), faces_.end(), [&](const FlatFace& f) { return f.face == other; }))
+      return;
+    const glm::dvec2 p = from.corners[side];
+    const glm::dvec2 along = from.corners[(side + 1) % 3] - p;
+    const glm::dvec3 start = cloth_.points[face.corners[side]];
+    const glm::dvec3 edge = cloth_.points[face.corners[(side + 1) % 3]] - start;
+    const unsigned vertex = face.beyond[side];
+    const double squared = glm::dot(edge, edge);
+    const double part = glm::dot(cloth_.points[vertex] - start, edge) / squared;
+    const double height = 2 * cloth_.faces[other].area / squared;
+    const glm::dvec2 place = p + along * part + glm::dvec2(-along.y, along.x) * height;
+    FlatFace flat{other, {}};
+    const Face& beyond = cloth_.faces[other];
+    for (std::size_t k = 0; k < 3; ++k)
+      flat.corners[k] = beyond.corners[k] == vertex               ? place
+                        : beyond.corners[k] == face.corners[side] ? p
+                                                                  : p + along;
+    faces_.push_back(flat);
+    if (std::none_of(points.begin(), points.end(), [&](const FlatPoint& q) { return q.vertex == vertex; }))
+      points.push_back({vertex, place});
+  }
+
+  const ClothTriangles& cloth_;
+  std::vector<FlatFace> faces_;
+  std::size_t next_ = 0;
+};
+
+constexpr std::size_t mostUnknowns = 6;
+using SolverRow = std::array<double, mostUnknowns>;
+
+/// The inverse of a symmetric positive matrix; nothing where it is singular.
+std::optional<std::array<SolverRow, mostUnknowns>> inverse(std::array<SolverRow, mostUnknowns> m,
+                                                           std::size_t size) {
+  std::array<SolverRow, mostUnknowns> result{};
+  for (std::size_t i = 0; i < size; ++i) result[i][i] = 1;
+  for (std::size_t k = 0; k < size; ++k) {
+    std::size_t pivot = k;
+    for (std::size_t i = k + 1; i < size; ++i)
+      if (std::abs(m[i][k]) > std::abs(m[pivot][k])) pivot = i;
+    if (!(std::abs(m[pivot][k]) > 1e-9)) return std::nullopt;
+    std::swap(m[k], m[pivot]);
+    std::swap(result[k], result[pivot]);
+    const double by = 1 / m[k][k];
+    for (std::size_t j = 0; j < size; ++j) {
+      m[k][j] *= by;
+      result[k][j] *= by;
+    }
+    for (std::size_t i = 0; i < size; ++i) {
+      if (i == k) continue;
+      const double factor = m[i][k];
+      for (std::size_t j = 0; j < size; ++j) {
+        m[i][j] -= factor * m[k][j];
+        result[i][j] -= factor * result[k][j];
+      }
+    }
+  }
+  return result;
+}
+
+/// A sum over vertices.
+struct Term {
+  unsigned vertex;
+  double weight;
+};
+
+/// Along y at the origin, the derivative of the quadratic that fits the points best (1/m). Nothing where
+/// they do not say it.
+std::vector<Term> slopeOfFit(const Patch& patch) {
+  if (patch.points.size() < mostUnknowns) return {};
+  std::vector<SolverRow> values;
+  std::array<SolverRow, mostUnknowns> normal{};
+  for (const FlatPoint& point : patch.points) {
+    const glm::dvec2 p = point.place / patch.length;
+    const SolverRow row{1, p.x, p.y, p.x * p.x, p.x * p.y, p.y * p.y};
+    values.push_back(row);
+    for (std::size_t i = 0; i < mostUnknowns; ++i)
+      for (std::size_t j = 0; j < mostUnknowns; ++j) normal[i][j] += row[i] * row[j];
+  }
+  const auto solved = inverse(normal, mostUnknowns);
+  if (!solved) return {};
+  std::vector<Term> terms;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    double weight = 0;
+    for (std::size_t j = 0; j < mostUnknowns; ++j) weight += (*solved)[2][j] * values[i][j];
+    terms.push_back({patch.points[i].vertex, weight / patch.length});
+  }
+  return terms;
+}
+
+/// The mean of what the two faces' planes say, where there are too few points for more.
+std::vector<Term> slopeOfPlanes(const Patch& patch) {
+  std::vector<Term> terms;
+  for (std::size_t k = 0; k < 4; ++k) terms.push_back({patch.points[k].vertex, 0});
+  const auto ends = [&](std::size_t k) { return std::abs(patch.points[k].place.y) < 1e-9 * patch.length; };
+  for (std::size_t k = 0; k < 4; ++k) {
+    if (ends(k)) continue;
+    const glm::dvec2 p = patch.points[k].place;
+    terms[k].weight += 0.5 / p.y;
+    for (std::size_t end = 0; end < 4; ++end)
+      if (ends(end))
+        terms[end].weight -=
+            0.5 / p.y * (0.5 + p.x * patch.points[end].place.x * 2 / (patch.length * patch.length));
+  }
+  return terms;
+}
+
+/// The derivative across an edge at its middle, out of the face.
+std::vector<Term> slopeAcross(const ClothTriangles& cloth, unsigned face, std::size_t side) {
+  constexpr double most = 3;
+  constexpr int rings = 3;
+  Patch patch(cloth, face, side);
+  std::vector<Term> best;
+  double least = 1e30;
+  for (int ring = 0; ring < rings && least > most; ++ring) {
+    patch.widen();
+    std::vector<Term> terms = slopeOfFit(patch);
+    double size = 0;
+    for (const Term& term : terms) size += term.weight * term.weight * patch.length * patch.length;
+    if (terms.empty() || size >= least) continue;
+    least = size;
+    best = std::move(terms);
+  }
+  return best.empty() ? slopeOfPlanes(patch) : best;
+}
+
+/// A symmetric matrix as xx, yy, sqrt(2) xy: its product with itself is the sum of squares.
+glm::dvec3 symmetric(const glm::dvec2& a, const glm::dvec2& b) {
+  return {a.x * b.x, a.y * b.y, (a.x * b.y + a.y * b.x) / std::numbers::sqrt2};
+}
+
+/// Without what lies along the directions, which need not be at right angles.
+glm::dvec3 without(const std::vector<glm::dvec3>& directions, glm::dvec3 v) {
+  std::vector<glm::dvec3> axes;
+  for (glm::dvec3 axis : directions) {
+    for (const glm::dvec3& other : axes) axis -= other * glm::dot(axis, other);
+    const double squared = glm::dot(axis, axis);
+    if (squared < 1e-12) continue;
+    axes.push_back(axis / std::sqrt(squared));
+    v -= axes.back() * glm::dot(v, axes.back());
+  }
+  return v;
+}
+
+using Slopes = std::vector<std::array<std::vector<Term>, 3>>;
+
+PlateElement elementOf(const ClothTriangles& cloth, unsigned number, const Slopes& slopes) {
+  const Face& face = cloth.faces[number];
+  PlateElement element;
+  element.area = face.area;
+  const auto add = [&](unsigned vertex, const glm::dvec3& weights) {
+    for (PlateElement::Part& part : element.parts)
+      if (part.vertex == vertex) {
+        part.weights += weights;
+        return;
+      }
+    element.parts.push_back({vertex, weights});
+  };
+  const glm::dvec3 a = cloth.points[face.corners[0]];
+  const glm::dvec3 b = cloth.points[face.corners[1]] - a;
+  const glm::dvec3 c = cloth.points[face.corners[2]] - a;
+  const double base = std::sqrt(glm::dot(b, b));
+  const glm::dvec2 flat[3] = {{0, 0}, {base, 0}, {glm::dot(b, c) / base, 2 * face.area / base}};
+  std::vector<glm::dvec3> free;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const glm::dvec2 edge = flat[(k + 1) % 3] - flat[k];
+    const double length = std::sqrt(glm::dot(edge, edge));
+    const glm::dvec2 along = edge / length;
+    const glm::dvec2 out(along.y, -along.x);
+    const glm::dvec3 twist =
+        symmetric(along, out) / face.area;  // times the length, times 1 / length of the slope
+    add(face.corners[(k + 1) % 3], twist);
+    add(face.corners[k], -twist);
+    if (face.neighbours[k] == ClothTriangles::none) {
+      free.push_back(symmetric(out, out));
+      continue;
+    }
+    const bool mine = number < face.neighbours[k];
+    const Face& other = cloth.faces[face.neighbours[k]];
+    const auto side = static_cast<std::size_t>(
+        std::find(other.neighbours.begin(), other.neighbours.end(), number) - other.neighbours.begin());
+    const std::vector<Term>& slope = mine ? slopes[number][k] : slopes[face.neighbours[k]][side];
+    const glm::dvec3 bend = symmetric(out, out) * ((mine ? length : -length) / face.area);
+    for (const Term& term : slope) add(term.vertex, bend * term.weight);
+  }
+  if (free.size() == 3) element.parts.clear();
+  for (PlateElement::Part& part : element.parts) part.weights = without(free, part.weights);
+  return element;
+}
+
+/// Of the element's matrix, by which D is multiplied.
+double entry(const PlateElement& element, std::size_t i, std::size_t j) {
+  return element.area * glm::dot(element.parts[i].weights, element.parts[j].weights);
+}
+
+/// What an element adds to the bound at its i-th vertex, by which D is multiplied.
+double boundAt(const PlateElement& element, std::size_t i, const std::vector<double>& inverseMasses) {
+  double sum = 0;
+  for (std::size_t j = 0; j < element.parts.size(); ++j) sum += std::abs(entry(element, i, j));
+  return sum * inverseMasses[element.parts[i].vertex];
+}
+
+std::vector<double> bounds(const std::vector<PlateElement>& elements, double bending,
+                           const std::vector<double>& inverseMasses) {
+  std::vector<double> sums(inverseMasses.size(), 0);
+  for (const PlateElement& element : elements)
+    for (std::size_t i = 0; i < element.parts.size(); ++i)
+      sums[element.parts[i].vertex] += bending * boundAt(element, i, inverseMasses);
+  return sums;
+}
+
+}  // namespace
+
+std::vector<PlateElement> plateElements(const ClothTriangles& cloth) {
+  std::vector<PlateElement> elements;
+  elements.reserve(cloth.faces.size());
+  Slopes slopes(cloth.faces.size());
+  for (unsigned f = 0; f < cloth.faces.size(); ++f)
+    for (std::size_t k = 0; k < 3; ++k)
+      if (const unsigned other = cloth.faces[f].neighbours[k]; other != ClothTriangles::none && f < other)
+        slopes[f][k] = slopeAcross(cloth, f, k);
+  for (unsigned f = 0; f < cloth.faces.size(); ++f) elements.push_back(elementOf(cloth, f, slopes));
+  return elements;
+}
+
+double plateEnergy(const std::vector<PlateElement>& elements, double bending,
+                   const std::vector<glm::dvec3>& points) {
+  double sum = 0;
+  for (const PlateElement& element : elements) {
+    glm::dvec3 second[3] = {glm::dvec3(0), glm::dvec3(0), glm::dvec3(0)};
+    for (const PlateElement::Part& part : element.parts)
+      for (int k = 0; k < 3; ++k) second[k] += part.weights[k] * points[part.vertex];
+    for (const glm::dvec3& h : second) sum += 0.5 * bending * element.area * glm::dot(h, h);
+  }
+  return sum;
+}
+
+PlateMatrix::PlateMatrix(const std::vector<PlateElement>& elements, double bending,
+                         const std::vector<double>& inverseMasses, double mostSquaredFrequency)
+    : rows(inverseMasses.size()) {
+  const std::vector<double> sums = bounds(elements, bending, inverseMasses);
+  for (const PlateElement& element : elements) {
+    double soft = 1;
+    for (const PlateElement::Part& part : element.parts)
+      if (sums[part.vertex] > mostSquaredFrequency)
+        soft = std::min(soft, mostSquaredFrequency / sums[part.vertex]);
+    if (soft < 1) ++softened;
+    stiffnesses.push_back(bending * soft);
+    for (std::size_t i = 0; i < element.parts.size(); ++i)
+      for (std::size_t j = 0; j < element.parts.size(); ++j)
+        if (i != j)
+          rows[element.parts[i].vertex].emplace_back(element.parts[j].vertex,
+                                                     bending * soft * entry(element, i, j));
+  }
+  for (PlateRow& row : rows) {
+    std::stable_sort(row.begin(), row.end(),
+                     [](const auto& a, const auto& b) { return a.first < b.first; });
+    PlateRow merged;
+    for (const auto& [vertex, value] : row)
+      if (!merged.empty() && merged.back().first == vertex)
+        merged.back().second += value;
+      else
+        merged.emplace_back(vertex, value);
+    row = std::move(merged);
+  }
+}
+
+double plateFrequencySquared(const std::vector<PlateElement>& elements, double bending,
+                             const std::vector<double>& inverseMasses, double share) {
+  std::vector<double> sums = bounds(elements, bending, inverseMasses);
+  sums.erase(std::remove(sums.begin(), sums.end(), 0.0), sums.end());
+  std::sort(sums.begin(), sums.end());
+  const auto last = static_cast<std::size_t>(share * static_cast<double>(sums.size()));
+  return sums.empty() ? 0 : sums[std::min(last, sums.size() - 1)];
+}
+
+}  // namespace simreel::sim

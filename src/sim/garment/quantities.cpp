@@ -1,0 +1,60 @@
+#include "sim/garment/quantities.hpp"
+
+#include <cmath>
+#include <cstddef>
+
+#include <glm/geometric.hpp>
+
+namespace simreel::sim {
+
+namespace {
+
+/// The larger one; NaN once there was one.
+double greaterOf(double a, double b) {
+  return std::isnan(a) || a >= b ? a : b;
+}
+
+}  // namespace
+
+std::vector<double> measureGarment(const GarmentPlan& plan, std::span<const glm::vec4> positions,
+                                   std::span<const glm::vec4> velocities, double time) {
+  const glm::dvec3 gravity(plan.parameters().gravity.at(time));
+  const shader::FabricConstants fabric = plan.parameters().fabric.constants();
+  std::vector<glm::dvec3> points;
+  double total = 0;
+  double kinetic = 0;
+  double potential = 0;
+  double fastestSquared = 0;
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    points.emplace_back(positions[i]);
+    const double mass = plan.masses()[i];
+    const glm::dvec3 v(velocities[i]);
+    total += mass;
+    kinetic += 0.5 * mass * glm::dot(v, v);
+    potential -= mass * glm::dot(gravity, points.back());
+    fastestSquared = greaterOf(fastestSquared, glm::dot(v, v));
+  }
+  double elastic = plateEnergy(plan.plate(), fabric.bending, points);
+  double stretch = 0;
+  for (std::size_t f = 0; f < plan.membrane().size(); ++f) {
+    const auto& corners = plan.cloth().faces[f].corners;
+    const FaceStrain strain =
+        strainOf(plan.membrane()[f], points[corners[0]], points[corners[1]], points[corners[2]]);
+    const glm::dvec3 inverseMasses(positions[corners[0]].w, positions[corners[1]].w,
+                                   positions[corners[2]].w);
+    elastic += membraneEnergy(plan.membrane()[f],
+                              stiffnessOf(plan.membrane()[f], fabric, inverseMasses, plan.substepSeconds()),
+                              strain);
+    stretch = greaterOf(stretch, greaterOf(strain.weft, strain.warp));
+  }
+  return {static_cast<double>(points.size()),
+          total,
+          kinetic,
+          potential,
+          elastic,
+          kinetic + potential + elastic,
+          stretch,
+          std::sqrt(fastestSquared)};
+}
+
+}  // namespace simreel::sim

@@ -1,0 +1,196 @@
+#include "sim/garment/triangles.hpp"
+
+#include "base/error.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <utility>
+
+#include <glm/geometric.hpp>
+
+namespace simreel::sim {
+
+namespace {
+
+/// A face whose area is below this fraction of its longest edge's square has none.
+constexpr double leastArea = 1e-5;
+/// Faces around a vertex: each has a colour of its own, and all colours are one after the other.
+constexpr unsigned mostAround = 256;
+
+using Place = std::array<float, 3>;
+
+Place placeOf(const glm::vec3& p) {
+  return {p.x, p.y, p.z};
+}
+
+/// For each vertex the first one at its place.
+std::vector<unsigned> firstAtPlace(const Mesh& mesh) {
+  std::vector<unsigned> order(mesh.positions.size());
+  std::iota(order.begin(), order.end(), 0U);
+  std::sort(order.begin(), order.end(), [&](unsigned a, unsigned b) {
+    const Place p = placeOf(mesh.positions[a]);
+    const Place q = placeOf(mesh.positions[b]);
+    return p != q ? p < q : a < b;
+  });
+  std::vector<unsigned> first(order.size());
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const bool same = i > 0 && mesh.positions[order[i]] == mesh.positions[order[i - 1]];
+    first[order[i]] = same ? first[order[i - 1]] : order[i];
+  }
+  return first;
+}
+
+/// For each vertex the first one that a chain of steps of at most `reach` (m) leads to.
+std::vector<unsigned> firstWithin(const Mesh& mesh, double scale, double reach) {
+  std::vector<unsigned> first(mesh.positions.size());
+  std::iota(first.begin(), first.end(), 0U);
+  const auto root = [&](unsigned i) {
+    while (first[i] != i) i = first[i] = first[first[i]];
+    return i;
+  };
+  using Cell = std::array<long, 3>;
+  std::map<Cell, std::vector<unsigned>> cells;
+  for (unsigned i = 0; i < mesh.positions.size(); ++i) {
+    const glm::dvec3 p = glm::dvec3(mesh.positions[i]) * scale;
+    Cell at{};
+    for (int k = 0; k < 3; ++k)
+      at[static_cast<std::size_t>(k)] =
+          static_cast<long>(std::floor(std::clamp(p[k] / reach, -1e15, 1e15)));
+    for (int near = 0; near < 27; ++near) {
+      const Cell cell{at[0] + near % 3 - 1, at[1] + near / 3 % 3 - 1, at[2] + near / 9 - 1};
+      const auto found = cells.find(cell);
+      if (found == cells.end()) continue;
+      for (const unsigned other : found->second) {
+        const glm::dvec3 d = glm::dvec3(mesh.positions[other]) * scale - p;
+        if (glm::dot(d, d) > reach * reach) continue;
+        const unsigned a = root(i);
+        const unsigned b = root(other);
+        first[std::max(a, b)] = std::min(a, b);
+      }
+    }
+    cells[at].push_back(i);
+  }
+  for (unsigned i = 0; i < first.size(); ++i) first[i] = root(i);
+  return first;
+}
+
+std::string placeText(const glm::dvec3& p) {
+  return fmt::format("at ({:.4g}, {:.4g}, {:.4g})", p.x, p.y, p.z);
+}
+
+}  // namespace
+
+ClothTriangles::ClothTriangles(const std::string& name, const Mesh& mesh, double scale, double weld) {
+  const std::vector<unsigned> first = weld > 0 ? firstWithin(mesh, scale, weld) : firstAtPlace(mesh);
+  vertexOf.resize(first.size());
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    if (first[i] == i) {
+      vertexOf[i] = static_cast<unsigned>(points.size());
+      points.push_back(glm::dvec3(mesh.positions[i]) * scale);
+    } else {
+      vertexOf[i] = vertexOf[first[i]];
+    }
+  }
+  for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
+    Face face{};
+    for (std::size_t k = 0; k < 3; ++k) face.corners[k] = vertexOf[mesh.indices[i + k]];
+    face.neighbours.fill(none);
+    face.beyond.fill(none);
+    const glm::dvec3 a = points[face.corners[0]];
+    const glm::dvec3 b = points[face.corners[1]] - a;
+    const glm::dvec3 c = points[face.corners[2]] - a;
+    const glm::dvec3 n = glm::cross(b, c);
+    face.area = 0.5 * std::sqrt(glm::dot(n, n));
+    const double longest = std::max({glm::dot(b, b), glm::dot(c, c), glm::dot(b - c, b - c)});
+    if (!(face.area > leastArea * longest))
+      fail(ExitCode::usage,
+           "{}: face {} (vertices {}, {} and {}) has no area, {}; remove it, or \"weld\" closer", name,
+           i / 3, mesh.indices[i], mesh.indices[i + 1], mesh.indices[i + 2], placeText(a));
+    faces.push_back(face);
+  }
+  join(name);
+  gather(name);
+}
+
+void ClothTriangles::join(const std::string& name) {
+  struct Edge {
+    unsigned low, high, face, side;
+  };
+  std::vector<Edge> edges;
+  edges.reserve(faces.size() * 3);
+  for (unsigned f = 0; f < faces.size(); ++f)
+    for (unsigned k = 0; k < 3; ++k) {
+      const unsigned a = faces[f].corners[k];
+      const unsigned b = faces[f].corners[(k + 1) % 3];
+      edges.push_back({std::min(a, b), std::max(a, b), f, k});
+    }
+  std::sort(edges.begin(), edges.end(), [](const Edge& a, const Edge& b) {
+    return std::array{a.low, a.high, a.face, a.side} < std::array{b.low, b.high, b.face, b.side};
+  });
+  for (std::size_t i = 0; i < edges.size();) {
+    std::size_t end = i + 1;
+    while (end < edges.size() && edges[end].low == edges[i].low && edges[end].high == edges[i].high) ++end;
+    const Edge& first = edges[i];
+    if (end - i > 2)
+      fail(ExitCode::usage,
+           "{}: an edge belongs to {} faces ({}, {}, {}...), {}; cloth is one layer, so take them apart",
+           name, end - i, first.face, edges[i + 1].face, edges[i + 2].face, placeText(points[first.low]));
+    if (end - i == 2) {
+      const Edge& second = edges[i + 1];
+      Face& here = faces[first.face];
+      Face& there = faces[second.face];
+      if (here.corners[first.side] == there.corners[second.side])
+        fail(ExitCode::usage, "{}: faces {} and {} face opposite ways, {}; turn one over", name, first.face,
+             second.face, placeText(points[first.low]));
+      here.neighbours[first.side] = second.face;
+      there.neighbours[second.side] = first.face;
+      here.beyond[first.side] = there.corners[(second.side + 2) % 3];
+      there.beyond[second.side] = here.corners[(first.side + 2) % 3];
+    }
+    i = end;
+  }
+}
+
+void ClothTriangles::gather(const std::string& name) {
+  starts.assign(points.size() + 1, 0);
+  for (const Face& face : faces)
+    for (const unsigned corner : face.corners) ++starts[corner + 1];
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (starts[i + 1] == 0) {
+      const auto copy =
+          std::find(vertexOf.begin(), vertexOf.end(), static_cast<unsigned>(i)) - vertexOf.begin();
+      fail(ExitCode::usage, "{}: vertex {} belongs to no face, {}; remove it", name, copy,
+           placeText(points[i]));
+    }
+    if (starts[i + 1] > mostAround)
+      fail(ExitCode::usage, "{}: {} faces meet in one vertex, {}, more than {}; make it finer there", name,
+           starts[i + 1], placeText(points[i]), mostAround);
+    starts[i + 1] += starts[i];
+  }
+  around.resize(starts.back());
+  std::vector<unsigned> filled(starts.begin(), starts.end() - 1);
+  for (unsigned f = 0; f < faces.size(); ++f)
+    for (const unsigned corner : faces[f].corners) around[filled[corner]++] = f;
+}
+
+std::vector<int> colourFaces(const ClothTriangles& cloth) {
+  std::vector<int> colours(cloth.faces.size(), -1);
+  std::vector<unsigned> taken;  // by which face last
+  for (unsigned f = 0; f < cloth.faces.size(); ++f) {
+    for (const unsigned corner : cloth.faces[f].corners)
+      for (unsigned k = cloth.starts[corner]; k < cloth.starts[corner + 1]; ++k) {
+        const int colour = colours[cloth.around[k]];
+        if (colour < 0) continue;
+        if (taken.size() <= static_cast<std::size_t>(colour))
+          taken.resize(static_cast<std::size_t>(colour) + 1, ClothTriangles::none);
+        taken[static_cast<std::size_t>(colour)] = f;
+      }
+    const auto free = std::find_if(taken.begin(), taken.end(), [&](unsigned by) { return by != f; });
+    colours[f] = static_cast<int>(free - taken.begin());
+  }
+  return colours;
+}
+
+}  // namespace simreel::sim

@@ -1,0 +1,107 @@
+#include "reference/garment_twin.hpp"
+
+#include "sim/core/shader_code.hpp"
+
+#include <utility>
+
+namespace {
+
+using namespace simreel::shader;
+
+#define FUNCTION inline
+#define precise
+/// What a kernel sees: the globals that the model asks for, and the model itself.
+struct GarmentKernel {
+  const ClothStep& stepData;
+  const simreel::sim::GarmentArrays& arrays;
+  const vec4* source;
+  const vec4* forces;
+  HeightGrid heightGrid{};
+  const vec4* heights = nullptr;
+  WallGrid wallGrid{};
+  const WallsTwin* walls = nullptr;
+
+  [[nodiscard]] vec3 loadPoint(int i) const { return vec3(source[i]); }
+  [[nodiscard]] vec3 loadFaceForce(int i) const { return vec3(forces[i]); }
+  [[nodiscard]] uvec4 loadEntry(int i) const { return arrays.entries[static_cast<std::size_t>(i)]; }
+  [[nodiscard]] uvec4 loadRing(int i) const { return arrays.rings[static_cast<std::size_t>(i)]; }
+  [[nodiscard]] vec4 loadHeights(int i) const { return heights[i]; }
+  [[nodiscard]] int loadWallClass(int x, int y) const { return walls->classAt(x, y); }
+  [[nodiscard]] float loadWallValue(int x, int y) const { return walls->valueAt(x, y); }
+#include "glsl/cloth/mesh/model.glsl"
+#include "glsl/contour/model.glsl"
+#include "glsl/contour/wall_model.glsl"
+#include "glsl/mesh/height_model.glsl"
+};
+#undef precise
+#undef FUNCTION
+
+}  // namespace
+
+GarmentTwin::GarmentTwin(simreel::sim::GarmentPlan plan)
+    : positions(plan.firstPositions()),
+      velocities(plan.firstVelocities()),
+      plan_(std::move(plan)),
+      rest_(plan_.restPositions()),
+      next_(positions),
+      forces_(plan_.arrays().corners.size()) {}
+
+void GarmentTwin::step(double time) {
+  int index = 0;
+  for (const ClothStep& data : plan_.frame(time)) substep(data, index++);
+}
+
+void GarmentTwin::substep(const ClothStep& data, int index) {
+  const bool lands = heightPlan.has_value();
+  HeightGrid grid{};
+  if (lands) grid = heightPlan->at(index, plan_.substeps(), plan_.parameters().margin, 0.0F);
+  WallGrid wallGrid{};
+  if (walls) wallGrid = walls->grid({plan_.parameters().margin, 0.0F, plan_.substepSeconds()});
+  const simreel::sim::GarmentArrays& arrays = plan_.arrays();
+  GarmentKernel kernel{data, arrays,         positions.data(), forces_.data(),
+                       grid, heights.data(), wallGrid,         walls ? &*walls : nullptr};
+  const bool air = plan_.parameters().hasAir;
+  for (std::size_t f = 0; air && f < arrays.corners.size(); ++f) {
+    const uvec4 face = arrays.corners[f];
+    const vec3 velocity =
+        (vec3(velocities[face.x]) + vec3(velocities[face.y]) + vec3(velocities[face.z])) * 0.33333333F;
+    forces_[f] = vec4(kernel.airOnCorner(vec3(positions[face.x]), vec3(positions[face.y]),
+                                         vec3(positions[face.z]), velocity),
+                      0);
+  }
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    const auto m = kernel.predicted(arrays.fans[i], positions[i], velocities[i], vec3(rest_[i]), air);
+    next_[i] = vec4(m.position, positions[i].w);
+  }
+  for (std::size_t f = 0; f < arrays.corners.size(); ++f) {
+    const uvec4 face = arrays.corners[f];
+    const vec3 compliance = vec3(arrays.elements[2 * f + 1]) * data.perDtSquared;
+    const auto shift =
+        kernel.faceShift(next_[face.x], next_[face.y], next_[face.z], arrays.elements[2 * f], compliance);
+    next_[face.x] = kernel.shifted(next_[face.x], shift.a);
+    next_[face.y] = kernel.shifted(next_[face.y], shift.b);
+    next_[face.z] = kernel.shifted(next_[face.z], shift.c);
+  }
+  for (const uvec4 stitch : arrays.stitches) {
+    const vec3 shift =
+        kernel.stitchShift(next_[stitch.x], next_[stitch.y], intBitsToFloat(static_cast<int>(stitch.z)),
+                           intBitsToFloat(static_cast<int>(stitch.w)));
+    next_[stitch.x] = kernel.shifted(next_[stitch.x], shift);
+    next_[stitch.y] = kernel.shifted(next_[stitch.y], -shift);
+  }
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    const auto m = kernel.settled(positions[i], next_[i], lands, walls.has_value());
+    next_[i] = vec4(m.position, next_[i].w);
+    velocities[i] = vec4(m.velocity, velocities[i].w);
+  }
+  std::swap(positions, next_);
+}
+
+std::vector<glm::vec3> GarmentTwin::normals() const {
+  const ClothStep nothing{};
+  GarmentKernel kernel{nothing, plan_.arrays(), positions.data(), forces_.data()};
+  std::vector<glm::vec3> normals;
+  for (std::size_t i = 0; i < positions.size(); ++i)
+    normals.push_back(kernel.normalAt(plan_.arrays().fans[i], vec3(positions[i])));
+  return normals;
+}
