@@ -33,8 +33,8 @@ class Cloth : public Simulation, public LockStep {
   Cloth(const scene::Object& object, const Setting& setting)
       : name_(object.name),
         material_(object.material),
-        plan_(inStep(parametersOf<ClothParameters>(object), setting), setting.seed, setting.frameSeconds,
-              *setting.colliders, setting.boneNamed, setting.startTime),
+        plan_(parametersOf<ClothParameters>(object).inStep(setting.contactSubsteps), setting.seed,
+              setting.frameSeconds, *setting.colliders, setting.boneNamed, setting.startTime),
         size_(plan_.parameters().size),
         constrained_(plan_.parameters().constrained()),
         heights_(setting.heights),
@@ -70,7 +70,7 @@ class Cloth : public Simulation, public LockStep {
   [[nodiscard]] ContactPart contactPart() const override {
     const ClothParameters& p = plan_.parameters();
     const std::vector<unsigned> corners = gridIndices(size_);
-    ContactPart part{plan_.firstPositions(), {}, p.contactThickness(), p.contact.friction};
+    ContactPart part{plan_.firstPositions(), {}, p.contactThickness(p.spacing), p.contact.friction, {}};
     for (std::size_t i = 0; i + 2 < corners.size(); i += 3)
       part.faces.emplace_back(corners[i], corners[i + 1], corners[i + 2]);
     return part;
@@ -163,12 +163,6 @@ class Cloth : public Simulation, public LockStep {
   }
 
  private:
-  /// With as many substeps as what it touches.
-  static ClothParameters inStep(ClothParameters parameters, const Setting& setting) {
-    if (parameters.hasContact) parameters.substeps = std::max(setting.contactSubsteps, 1);
-    return parameters;
-  }
-
   /// Before anything is filled: a cloth far beyond the limit would first take gigabytes.
   void checkLimits() const {
     const auto bytes = std::int64_t{24} * (size_.x - 1) * (size_.y - 1);

@@ -167,20 +167,20 @@ void ClothParameters::describe(scene::Fields& f) {
                     a.number("gustSize", air.gustSize, {1e-2, 1e3}, "m", "Size of the gusts.");
                   });
   f.number("margin", margin, {0, 10}, "m", "Distance kept from colliders.");
-  f.optionalGroup("contact", hasContact,
-                  "Its faces and edges keep off each other, and off those of other cloths that have this.",
-                  [&](scene::Fields& c) {
-                    c.optionalNumber("thickness", contact.thickness, {1e-6, 10}, "m",
-                                     "Kept between the middles of two layers.");
-                    c.leftOut("thickness", "the fabric's, and at least an eighth of the spacing");
-                    c.number("friction", contact.friction, {0, 10}, "",
-                             "Coulomb's coefficient; between cloths the mean of theirs.");
-                    if (contact.thickness && *contact.thickness > 0.5 * static_cast<double>(spacing))
-                      c.error("thickness",
-                              fmt::format("is more than half of the spacing of {} m, which the "
-                                          "cloth's own neighbours could not keep",
-                                          spacing));
-                  });
+  f.optionalGroup(
+      "contact", hasContact,
+      "Its faces and edges keep off each other, and off those of other cloths that have this.",
+      [&](scene::Fields& c) {
+        c.optionalNumber("thickness", contact.thickness, {1e-6, 10}, "m",
+                         "Kept between the middles of two layers; around small triangles of a mesh less.");
+        c.leftOut("thickness", "the fabric's, and at least an eighth of the way between neighbours");
+        c.number("friction", contact.friction, {0, 10}, "",
+                 "Coulomb's coefficient; between cloths the mean of theirs.");
+        if (contact.thickness && !hasMesh && *contact.thickness > 0.35 * static_cast<double>(spacing))
+          c.error("thickness", fmt::format("is more than 0.35 of the spacing of {} m, which the "
+                                           "cloth's own neighbours could not keep",
+                                           spacing));
+      });
   f.text("walls", walls, "Name of the cave or contour whose walls, floor and tops it meets.");
   f.integerOr("substeps", substeps, "auto", {1, maxSubsteps}, "per frame",
               "Steps a frame is divided into; \"auto\" takes as many as the springs need to be stable.");
@@ -227,9 +227,20 @@ float ClothParameters::massAt(glm::ivec2 at) const {
   return fabric.constants().density * spacing * spacing * share(at.x, size.x) * share(at.y, size.y);
 }
 
-float ClothParameters::contactThickness() const {
+float ClothParameters::contactThickness(float between) const {
   if (contact.thickness) return static_cast<float>(*contact.thickness);
-  return std::max(0.125F * spacing, hasFabric ? fabric.constants().thickness : 0.0F);
+  return std::max(0.125F * between, hasFabric ? fabric.constants().thickness : 0.0F);
+}
+
+ClothParameters ClothParameters::inStep(int contactSubsteps) const {
+  ClothParameters all = *this;
+  if (hasContact && contactSubsteps > 0) all.substeps = contactSubsteps;
+  return all;
+}
+
+int ClothParameters::fewestSubsteps(double frameSeconds, int otherwise) const {
+  return hasContact ? std::max(otherwise, static_cast<int>(substepsFor(frameSeconds, 1.0 / 960)))
+                    : otherwise;
 }
 
 double ClothParameters::fastestAir() const {
@@ -320,13 +331,12 @@ int ClothParameters::substepsPerFrame(double frameSeconds) const {
     fail(ExitCode::usage,
          "cloth: \"substeps\": \"auto\" would take {} a frame to be stable, more than {}; {}", needed,
          maxSubsteps, steadierWay(frameSeconds));
-  int min = constrained() ? 8 : 1;
-  // Contact is solved by a step or two of an iteration in each substep: at 960 a second layers keep apart.
-  if (hasContact) min = std::max(min, static_cast<int>(substepsFor(frameSeconds, 1.0 / 960)));
+  const int min = fewestSubsteps(frameSeconds, constrained() ? 8 : 1);
   return std::max(static_cast<int>(needed), min);
 }
 
 std::optional<scene::Box> ClothParameters::framed() const {
+  if (hasMesh) return std::nullopt;
   const glm::mat4 turn = rotationMatrix(rotation);
   const glm::vec2 half = 0.5F * glm::vec2(size - 1);
   const auto restAt = [&](glm::ivec2 at) {

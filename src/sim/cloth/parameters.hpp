@@ -87,11 +87,13 @@ struct ClothParameters : ObjectParameters, shader::ClothConstants {
   /// pins where it falls through once its size.
   [[nodiscard]] std::optional<scene::Box> framed() const override;
 
-  [[nodiscard]] int contactSubsteps(double frameSeconds) const override {
-    return hasContact ? substepsPerFrame(frameSeconds) : 0;
-  }
-  /// m between two layers of it.
-  [[nodiscard]] float contactThickness() const;
+  /// The same with as many substeps as what it touches takes; 0: its own.
+  [[nodiscard]] ClothParameters inStep(int contactSubsteps) const;
+  /// Fewest substeps of a frame that "auto" takes of cloth in contact: it is solved by a round or two in
+  /// each, and at 960 a second layers keep apart.
+  [[nodiscard]] int fewestSubsteps(double frameSeconds, int otherwise) const;
+  /// m between two layers of it, on which the distance of neighbours is `between`.
+  [[nodiscard]] float contactThickness(float between) const;
 
   /// Whether XPBD keeps the lengths; else springs are forces.
   [[nodiscard]] bool constrained() const { return hasFabric || solver == ClothSolver::constraints; }

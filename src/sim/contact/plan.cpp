@@ -103,8 +103,10 @@ ContactPlan::ContactPlan(std::span<const ContactPart> parts, double substepSecon
   float lightest = 0;  // greatest inverse mass, least of those that are not held
   for (const ContactPart& part : parts) {
     firsts_.push_back(vertices());
-    for (const glm::vec4& p : part.positions) {
-      skins_.emplace_back(0.5F * part.thickness, part.friction);
+    for (std::size_t i = 0; i < part.positions.size(); ++i) {
+      const glm::vec4& p = part.positions[i];
+      const float thick = part.rooms.empty() ? part.thickness : std::min(part.thickness, part.rooms[i]);
+      skins_.emplace_back(0.5F * thick, part.friction);
       if (p.w > 0) lightest = lightest == 0 ? p.w : std::min(lightest, p.w);
     }
   }

@@ -21,6 +21,7 @@ struct ContactPart {
   std::vector<glm::uvec3> faces;     ///< corners, numbers of its positions
   float thickness = 0.001F;          ///< m between its middle and that of another like it, at least
   float friction = 0.3F;             ///< Coulomb's coefficient
+  std::vector<float> rooms;          ///< m, of each position the most for its thickness; empty: no limit
 };
 
 /// What of contact is decided once, on the CPU: the order of faces and edges in their trees of boxes

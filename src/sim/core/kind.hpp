@@ -33,8 +33,6 @@ struct ObjectParameters : scene::Parameters {
   /// itself; empty: none.
   [[nodiscard]] virtual bool hasWalls() const { return false; }
   [[nodiscard]] virtual std::string meetsWalls() const { return {}; }
-  /// Substeps a frame of a surface that touches others and itself; 0: it does not.
-  [[nodiscard]] virtual int contactSubsteps(double /*frameSeconds*/) const { return 0; }
 };
 
 /// What a scene says of an object of a kind whose parameters are `Parameters`.

@@ -37,7 +37,8 @@ struct Setting {
   /// The solid of the object of that name, as it is once that has stepped. Only for names that the scene's
   /// check has found (ObjectParameters::meetsWalls).
   std::function<const Walls&(const std::string& name)> wallsNamed = {};
-  int contactSubsteps = 0;  ///< a frame, of all that are in contact; 0: none is
+  /// A frame, of those that are in contact; 0: each takes as many as it needs by itself.
+  int contactSubsteps = 0;
   /// The skin of the body of that name, already stepped when others step. Only for names that the scene's
   /// check has found.
   std::function<SkinnedSurface&(const std::string& name)> skinNamed = {};

@@ -4,6 +4,7 @@
 #include "gl/element_array.hpp"
 #include "gl/program.hpp"
 #include "sim/cloth/cloth.hpp"
+#include "sim/contact/lock_step.hpp"
 #include "sim/contour/walls.hpp"
 #include "sim/core/kind.hpp"
 #include "sim/core/step_blocks.hpp"
@@ -27,13 +28,13 @@ namespace {
 
 /// Cloth of triangles on the GPU. Each substep: what the air does to faces; forces and a prediction by
 /// vertices; stretch and shear, a colour of faces after the other; then speeds and what the cloth meets.
-class Garment : public Simulation {
+class Garment : public Simulation, public LockStep {
  public:
   Garment(const scene::Object& object, const Setting& setting)
       : name_(object.name),
         material_(object.material),
-        plan_(object.name, parametersOf<ClothParameters>(object), setting.seed, setting.frameSeconds,
-              *setting.colliders),
+        plan_(object.name, parametersOf<ClothParameters>(object).inStep(setting.contactSubsteps),
+              setting.seed, setting.frameSeconds, *setting.colliders, setting.boneNamed, setting.startTime),
         vertices_(static_cast<int>(plan_.cloth().points.size())),
         heights_(setting.heights),
         frameSeconds_(setting.frameSeconds),
@@ -49,20 +50,45 @@ class Garment : public Simulation {
   }
 
   void step(double time, const StepWatch& watch) override {
-    steps_.upload(plan_.frame(time));
-    if (walls_ != nullptr) walls_->tell(settle_, plan_.substepSeconds(), plan_.parameters().margin, 0.0F);
+    beginFrame(time);
     for (int i = 0; i < plan_.substeps(); ++i) {
-      steps_.bind(static_cast<std::size_t>(i));
-      gl::barrier();
-      predict();
-      stretch();
-      sew();
-      // Here the cloth meets itself: positions_[1] is where its vertices go (xyz, inverse mass), corners_
-      // its faces, positions_[0] where they were. Speeds are made of what is left in positions_[1].
-      meet(i);
-      std::swap(positions_[0], positions_[1]);
+      predict(i);
+      finish();
       if (watch) watch(i + 1);
     }
+    endFrame(time);
+  }
+
+  [[nodiscard]] LockStep* lockStep() override { return plan_.parameters().hasContact ? this : nullptr; }
+  [[nodiscard]] ContactPart contactPart() const override {
+    const ClothParameters& p = plan_.parameters();
+    ContactPart part{plan_.firstPositions(), {}, 0, p.contact.friction, plan_.contactRooms()};
+    for (const glm::uvec4& face : plan_.arrays().corners) part.faces.emplace_back(face);
+    double sum = 0;
+    for (const float room : part.rooms) sum += room;
+    part.thickness =
+        p.contactThickness(static_cast<float>(sum / (roomOfHeight * static_cast<double>(vertices_))));
+    return part;
+  }
+  void beginFrame(double time) override { steps_.upload(plan_.frame(time)); }
+  void predict(int substep) override {
+    steps_.bind(static_cast<std::size_t>(substep));
+    gl::barrier();
+    accelerate();
+    stretch();
+    sew();
+    meet(substep);
+  }
+  void settle(int substep) override {
+    steps_.bind(static_cast<std::size_t>(substep));
+    gl::barrier();
+    meet(substep);
+  }
+  [[nodiscard]] Contact::Part arrays() const override {
+    return {&positions_[0], &positions_[1], &velocities_};
+  }
+  void finish() override { std::swap(positions_[0], positions_[1]); }
+  void endFrame(double time) override {
     gl::barrier();
     time_ = time + frameSeconds_;
     show();
@@ -180,7 +206,7 @@ class Garment : public Simulation {
   }
 
   /// Into positions_[1], where forces take the vertices.
-  void predict() {
+  void accelerate() {
     if (plan_.parameters().hasAir) {
       positions_[0].bindInput(shader::garment::positionsBinding);
       velocities_.bindInput(shader::garment::velocitiesBinding);
@@ -236,7 +262,10 @@ class Garment : public Simulation {
       heights_->bind();
       heights_->tell(settle_, substep, plan_.substeps(), plan_.parameters().margin, 0.0F);
     }
-    if (walls_ != nullptr) walls_->bind();
+    if (walls_ != nullptr) {
+      walls_->bind();
+      walls_->tell(settle_, plan_.substepSeconds(), plan_.parameters().margin, 0.0F);
+    }
     settle_.dispatch(vertices_);
   }
 
@@ -280,8 +309,8 @@ SimulationKind clothKind() {
       [](const scene::Object& object, const Setting& setting) {
         const auto& parameters = parametersOf<ClothParameters>(object);
         if (!parameters.hasMesh) return checkSheet(object, setting);
-        static_cast<void>(
-            GarmentPlan(object.name, parameters, setting.seed, setting.frameSeconds, *setting.colliders));
+        static_cast<void>(GarmentPlan(object.name, parameters, setting.seed, setting.frameSeconds,
+                                      *setting.colliders, setting.boneNamed, setting.startTime));
       },
       [](const scene::Object& object, const Setting& setting) {
         if (parametersOf<ClothParameters>(object).hasMesh) return makeSimulation<Garment>(object, setting);

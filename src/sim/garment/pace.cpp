@@ -15,7 +15,6 @@ namespace {
 
 constexpr double mostStretchError = 0.005;
 constexpr double steadyPart = 0.7;  // as of grids
-constexpr int fewestSubsteps = 8;
 constexpr int mostSubsteps = 1024;
 /// Beyond these, elements are softened instead: slivers would slow down all the rest.
 constexpr double mostForBending = 240;
@@ -110,14 +109,14 @@ double GarmentPace::stableSeconds() const {
   return rate > 0 ? 4.0 / rate : unreached;
 }
 
-int GarmentPace::substeps(double frameSeconds, double bendingSquared) const {
+int GarmentPace::substeps(double frameSeconds, double bendingSquared, int fewest) const {
   const double bending =
       std::min(frameSeconds * std::sqrt(bendingSquared / mostBending(1.0)), mostForBending);
   const double stretching = frameSeconds * std::sqrt(0.5 * stiffening / mostStretchError);
   const double steady = frameSeconds / (steadyPart * stableSeconds());
   const double needed = std::ceil(std::max({bending, stretching, steady}));
   return static_cast<int>(
-      std::clamp(needed, static_cast<double>(fewestSubsteps), static_cast<double>(mostSubsteps)));
+      std::clamp(needed, static_cast<double>(fewest), static_cast<double>(mostSubsteps)));
 }
 
 }  // namespace simreel::sim

@@ -29,7 +29,7 @@ struct GarmentPace {
   /// Longest substep (s) that is stable: of what hangs straight and swings sideways, in the fastest air.
   [[nodiscard]] double stableSeconds() const;
   /// Substeps of a frame for "auto". `bendingSquared` (1/s^2): of plateFrequencySquared.
-  [[nodiscard]] int substeps(double frameSeconds, double bendingSquared) const;
+  [[nodiscard]] int substeps(double frameSeconds, double bendingSquared, int fewest = 8) const;
 };
 
 /// m: the longest of all shortest ways along edges from a vertex to the pins of its piece; of a piece

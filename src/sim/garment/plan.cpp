@@ -11,8 +11,11 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <utility>
+
+#include <glm/geometric.hpp>
 
 namespace simreel::sim {
 
@@ -36,18 +39,22 @@ std::uint32_t bitsOf(double value) {
 }  // namespace
 
 GarmentPlan::GarmentPlan(const std::string& name, const ClothParameters& parameters, int seed,
-                         double frameSeconds, const std::vector<ColliderShape>& colliders)
-    : GarmentPlan(name, parameters, seed, frameSeconds, colliders, parameters.mesh.make()) {}
+                         double frameSeconds, const std::vector<ColliderShape>& colliders,
+                         const BoneNamed& boneNamed, double startTime)
+    : GarmentPlan(name, parameters, seed, frameSeconds, colliders, boneNamed, startTime,
+                  parameters.mesh.make()) {}
 
 GarmentPlan::GarmentPlan(const std::string& name, const ClothParameters& parameters, int seed,
-                         double frameSeconds, const std::vector<ColliderShape>& colliders, Mesh mesh)
+                         double frameSeconds, const std::vector<ColliderShape>& colliders,
+                         const BoneNamed& boneNamed, double startTime, Mesh mesh)
     : seed_(seed),
       mesh_(std::move(mesh)),
       cloth_(placeOf(name, parameters), mesh_, parameters.mesh.scale, parameters.mesh.weld),
       membrane_(membraneElements(cloth_, mesh_)),
       plate_(plateElements(cloth_)),
       masses_(vertexMasses(cloth_, parameters.fabric.constants().density)),
-      steps_(settled(placeOf(name, parameters), parameters, frameSeconds), seed, frameSeconds, colliders) {
+      steps_(settled(placeOf(name, parameters), parameters, frameSeconds), seed, frameSeconds, colliders,
+             boneNamed, startTime) {
   makeArrays();
 }
 
@@ -163,9 +170,10 @@ ClothParameters GarmentPlan::settled(const std::string& name, ClothParameters pa
   const double bending = parameters.fabric.constants().bending;
   const bool given = parameters.substeps.has_value();
   if (!given)
-    parameters.substeps =
-        pace.substeps(frameSeconds, std::min(plateFrequencySquared(plate_, bending, inverse, 1.0),
-                                             25 * plateFrequencySquared(plate_, bending, inverse, 0.5)));
+    parameters.substeps = pace.substeps(frameSeconds,
+                                        std::min(plateFrequencySquared(plate_, bending, inverse, 1.0),
+                                                 25 * plateFrequencySquared(plate_, bending, inverse, 0.5)),
+                                        parameters.fewestSubsteps(frameSeconds, 8));
   const double seconds = frameSeconds / *parameters.substeps;
   if (given && seconds > pace.stableSeconds())
     warn(
@@ -255,6 +263,19 @@ std::vector<glm::vec4> GarmentPlan::firstVelocities() const {
   velocities.reserve(groups_.size());
   for (const int group : groups_) velocities.emplace_back(0, 0, 0, std::max(group, 0));
   return velocities;
+}
+
+std::vector<float> GarmentPlan::contactRooms() const {
+  std::vector<float> rooms(cloth_.points.size(), std::numeric_limits<float>::infinity());
+  for (const ClothTriangles::Face& face : cloth_.faces) {
+    double longest = 0;
+    for (std::size_t k = 0; k < 3; ++k)
+      longest = std::max(
+          longest, glm::distance(cloth_.points[face.corners[k]], cloth_.points[face.corners[(k + 1) % 3]]));
+    for (const unsigned corner : face.corners)
+      rooms[corner] = std::min(rooms[corner], static_cast<float>(roomOfHeight * 2 * face.area / longest));
+  }
+  return rooms;
 }
 
 }  // namespace simreel::sim

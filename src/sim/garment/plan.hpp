@@ -4,6 +4,7 @@
 #include "sim/garment/plate.hpp"
 #include "sim/garment/triangles.hpp"
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,9 @@ struct GarmentArrays {
   std::vector<glm::uvec4> copies;    ///< of each drawn vertex: x its vertex
 };
 
+/// Fraction of a triangle's height that contact may keep around it.
+inline constexpr double roomOfHeight = 0.35;
+
 /// Everything of cloth made of triangles that is decided on the CPU, as ClothPlan for grids; shared by the
 /// GPU simulation and its CPU twin.
 class GarmentPlan {
@@ -31,8 +35,11 @@ class GarmentPlan {
   /// Reads the mesh. Throws what ClothPlan and ClothTriangles throw, what the mesh's reader does, and
   /// UserError(usage) for pins that hold nothing, or pins or seams of no vertex. Warns where the given
   /// substeps are too few.
+  /// `boneNamed`, `startTime`: as of ClothPlan.
+  using BoneNamed = std::function<Carrier(const std::string& body, const std::string& bone)>;
   GarmentPlan(const std::string& name, const ClothParameters& parameters, int seed, double frameSeconds,
-              const std::vector<ColliderShape>& colliders);
+              const std::vector<ColliderShape>& colliders, const BoneNamed& boneNamed = {},
+              double startTime = 0);
 
   /// xyz in m, w inverse mass in 1/kg (0: pinned).
   [[nodiscard]] std::vector<glm::vec4> firstPositions() const;
@@ -52,11 +59,15 @@ class GarmentPlan {
   [[nodiscard]] const ClothTriangles& cloth() const { return cloth_; }
   [[nodiscard]] const std::vector<MembraneElement>& membrane() const { return membrane_; }
   [[nodiscard]] const std::vector<PlateElement>& plate() const { return plate_; }
+  /// m, of each vertex the most that contact may keep around it, so that a triangle does not touch its
+  /// neighbours: roomOfHeight of the least height of a triangle there.
+  [[nodiscard]] std::vector<float> contactRooms() const;
   [[nodiscard]] const std::vector<double>& masses() const { return masses_; }  ///< kg, the pinned included
 
  private:
   GarmentPlan(const std::string& name, const ClothParameters& parameters, int seed, double frameSeconds,
-              const std::vector<ColliderShape>& colliders, Mesh mesh);
+              const std::vector<ColliderShape>& colliders, const BoneNamed& boneNamed, double startTime,
+              Mesh mesh);
   /// Places and pins the vertices, makes the rows of bending. Returns the parameters with the substeps that
   /// "auto" comes to.
   [[nodiscard]] ClothParameters settled(const std::string& name, ClothParameters parameters,

@@ -66,14 +66,6 @@ std::vector<std::size_t> stepOrder(const scene::Scene& scene) {
   return order;
 }
 
-/// Substeps a frame of all that are in contact: as many as the one that needs most.
-int contactSubstepsOf(const scene::Scene& scene) {
-  int most = 0;
-  for (const scene::Object& object : scene.objects)
-    most = std::max(most, parametersOf<ObjectParameters>(object).contactSubsteps(1.0 / scene.time.fps));
-  return most;
-}
-
 /// Frames that are simulated before frame 0.
 int prerollOf(const scene::Scene& scene) {
   return static_cast<int>(std::lround(scene.time.start * scene.time.fps));
@@ -164,7 +156,6 @@ struct World::State {
                     timing};
     setting.startTime = startOf(scene);
     setting.presteps = presteps;
-    setting.contactSubsteps = contactSubstepsOf(scene);
     for (const scene::Object& object : scene.objects) names.push_back(object.name);
     setting.fieldNamed = [this](const std::string& name) { return fieldNamed(name); };
     setting.wallsNamed = [this](const std::string& name) -> const Walls& { return wallsNamed(name); };
@@ -176,15 +167,7 @@ struct World::State {
       objects[i] = simulationNamed(scene.objects[i].kind).make(scene.objects[i], setting);
       if (objects[i]->heights() != nullptr) setting.heights = objects[i]->heights();
     }
-    std::vector<LockStep*> members;
-    for (const std::size_t i : order)
-      if (LockStep* member = objects[i]->lockStep()) {
-        touching.push_back(i);
-        members.push_back(member);
-      }
-    if (!members.empty())
-      contact = std::make_unique<ContactGroup>(members, setting.contactSubsteps, setting.frameSeconds,
-                                               setting.fast);
+    keepInStep(scene, setting);
     for (std::size_t i = 0; i < objects.size(); ++i)
       for (const StateArray& array : objects[i]->state())
         arrays.push_back(
@@ -201,6 +184,24 @@ struct World::State {
     sums = gl::Buffer("state hash sums", std::max<std::size_t>(1, arrays.size()) * 16);
     sumCopies = copies("copies of state hash sums", arrays.size());
     statuses = copies("status copies", objects.size());
+  }
+
+  /// All that are in contact take as many substeps as the one that needs most.
+  void keepInStep(const scene::Scene& scene, Setting& setting) {
+    for (const std::size_t i : order)
+      if (objects[i]->lockStep() != nullptr) {
+        touching.push_back(i);
+        setting.contactSubsteps = std::max(setting.contactSubsteps, objects[i]->stepsPerFrame());
+      }
+    if (touching.empty()) return;
+    std::vector<LockStep*> members;
+    for (const std::size_t i : touching) {
+      if (objects[i]->stepsPerFrame() != setting.contactSubsteps)
+        objects[i] = simulationNamed(scene.objects[i].kind).make(scene.objects[i], setting);
+      members.push_back(objects[i]->lockStep());
+    }
+    contact = std::make_unique<ContactGroup>(members, setting.contactSubsteps, setting.frameSeconds,
+                                             setting.fast);
   }
 
   State(const State&) = delete;

@@ -40,7 +40,7 @@ struct Pile {
     unsigned first = 0;
     for (const sim::ClothParameters& p : parameters) {
       cloths.push_back(std::make_unique<ClothTwin>(sim::ClothPlan(p, 5, frameSeconds, colliders)));
-      parts.push_back({cloths.back()->positions, facesOfSheet(p.size), thickness, friction});
+      parts.push_back({cloths.back()->positions, facesOfSheet(p.size), thickness, friction, {}});
       for (const glm::uvec3& f : parts.back().faces) faces.push_back(f + first);
       first += static_cast<unsigned>(cloths.back()->positions.size());
     }
