@@ -85,4 +85,103 @@ EQUIVALENT = {
         "only where the edge begins is taken of it: the other end of the one whose slope `b` is",
     ("draw/exact/bloom_down.comp", "if (2 * at.x > size.x || 2 * at.y >= size.y) return;"):
         "what is stored beyond an image is dropped",
+    ("draw/exact/crossing.glsl",
+     "int first = (int(ceil(low)) + edge.from.x - 2) >> 8, last = (int(floor(high)) + edge.from.x + 2) >> 8;"):
+        "samples lie 16/256 from a pixel's right side, so a span may begin as much too far right",
+    ("draw/exact/crossing.glsl",
+     "int first = (int(floor(low)) + edge.from.x + 2) >> 8, last = (int(floor(high)) + edge.from.x + 2) >> 8;"):
+        "samples lie 16/256 from a pixel's right side, so a span may begin as much too far right",
+    ("draw/exact/crossing.glsl",
+     "int first = (int(floor(low)) + edge.from.x - 1) >> 8, last = (int(floor(high)) + edge.from.x + 2) >> 8;"):
+        "samples lie 16/256 from a pixel's right side, so a span may begin as much too far right",
+    ("draw/exact/crossing.glsl",
+     "int first = (int(floor(low)) + edge.from.x - 0) >> 8, last = (int(floor(high)) + edge.from.x + 2) >> 8;"):
+        "samples lie 16/256 from a pixel's right side, so a span may begin as much too far right",
+    ("draw/exact/crossing.glsl",
+     "int first = (int(floor(low)) + edge.from.x - 3) >> 8, last = (int(floor(high)) + edge.from.x + 2) >> 8;"):
+        "a wider span, of which every sample is tested",
+    ("draw/exact/crossing.glsl",
+     "int first = (int(floor(low)) + edge.from.x - 2) >> 9, last = (int(floor(high)) + edge.from.x + 2) >> 8;"):
+        "a wider span, of which every sample is tested: the box bounds it",
+    ("draw/exact/crossing.glsl",
+     "int first = (int(floor(low)) + edge.from.x - 2) >> 8, last = (int(ceil(high)) + edge.from.x + 2) >> 8;"):
+        "a wider span, of which every sample is tested",
+    ("draw/exact/crossing.glsl",
+     "int first = (int(floor(low)) + edge.from.x - 2) >> 8, last = (int(floor(high)) + edge.from.x + 3) >> 8;"):
+        "a wider span, of which every sample is tested",
+    ("draw/exact/crossing.glsl",
+     "int first = (int(floor(low)) + edge.from.x - 2) >> 8, last = (int(floor(high)) + edge.from.x + 1) >> 8;"):
+        "an upright edge's crossing is exact, and that of others errs by far less than the row's last 16/256 add",
+    ("draw/exact/crossing.glsl",
+     "int first = (int(floor(low)) + edge.from.x - 2) >> 8, last = (int(floor(high)) + edge.from.x + 0) >> 8;"):
+        "an upright edge's crossing is exact, and that of others errs by far less than the row's last 16/256 add",
+    ("draw/exact/crossing.glsl",
+     "int first = (int(floor(low)) + edge.from.x - 2) >> 8, last = (int(floor(high)) + edge.from.x + 2) >> 7;"):
+        "a wider span, of which every sample is tested: the box bounds it",
+    ("draw/exact/crossing.glsl",
+     "int first = (int(floor(low)) + edge.from.x - 2) >> 8, last = (int(floor(high)) + edge.from.x + 2) >> 0;"):
+        "a wider span, of which every sample is tested: the box bounds it",
+    ("draw/exact/crossing.glsl",
+     "return ivec2(crossing.side >= 0 ? max(span.x, first) : span.x, crossing.side < 0 ? min(span.y, last) : span.y);"):
+        "of a level edge the place found lies left of it",
+    ("draw/exact/crossing.glsl",
+     "return ivec2(crossing.side > 1 ? max(span.x, first) : span.x, crossing.side < 0 ? min(span.y, last) : span.y);"):
+        "a wider span, of which every sample is tested",
+    ("draw/exact/crossing.glsl",
+     "int first = (int(ceil(low)) + edge.from.x - subpixels) >> 11, last = (int(floor(high)) + edge.from.x + subpixels) >> 11;"):
+        "a 256th of the slack, which is a pixel",
+    ("draw/exact/crossing.glsl",
+     "int first = (int(floor(low)) + edge.from.x - subpixels) >> 11, last = (int(ceil(high)) + edge.from.x + subpixels) >> 11;"):
+        "a 256th of the slack, which is a pixel",
+    ("draw/exact/crossing.glsl",
+     "int first = (int(floor(low)) + edge.from.x - subpixels) >> 11, last = (int(floor(high)) + edge.from.x + subpixels) << 11;"):
+        "a wider span, of which every sample is tested",
+    ("draw/exact/instances/copies.comp", "if (whole && extent < smallPixels * subpixels)"):
+        "either way of drawing gives the same, as a test says",
+    ("draw/exact/instances/copies.comp", "if (whole && extent <= smallPixels + subpixels)"):
+        "either way of drawing gives the same, as a test says, and this asks for fewer small ones",
+    ("draw/exact/instances/copies.comp", "else if (whole && extent < mediumPixels * subpixels)"):
+        "either way of drawing gives the same, as a test says",
+    ("draw/exact/instances/copies.comp", "else if (whole && extent <= mediumPixels + subpixels)"):
+        "either way of drawing gives the same, as a test says, and this asks for fewer of medium size",
+    ("draw/exact/instances/balls.comp", "if (max(box.z + box.x, box.w - box.y) >= smallPixels) {"):
+        "either way of drawing gives the same, as a test says, and this asks for fewer small ones",
+    ("draw/exact/instances/balls.comp", "if (max(box.z - box.x, box.w + box.y) >= smallPixels) {"):
+        "either way of drawing gives the same, as a test says, and this asks for fewer small ones",
+    ("draw/exact/instances/balls.comp", "if (max(box.z - box.x, box.w - box.y) > smallPixels) {"):
+        "either way of drawing gives the same, as a test says",
+    ("draw/exact/instances/ball_shadows.comp", "if (max(box.z + box.x, box.w - box.y) >= smallPixels) {"):
+        "either way of drawing gives the same, as a test says, and this asks for fewer small ones",
+    ("draw/exact/instances/ball_shadows.comp", "if (max(box.z - box.x, box.w + box.y) >= smallPixels) {"):
+        "either way of drawing gives the same, as a test says, and this asks for fewer small ones",
+    ("draw/exact/instances/ball_shadows.comp", "if (max(box.z - box.x, box.w - box.y) > smallPixels) {"):
+        "either way of drawing gives the same, as a test says",
+    ("draw/exact/instances/glow_disc.glsl",
+     "precise float depth = exactDot(middle, middle) * exactReciprocal(max(towards, 1.01e-12f));"):
+        "as far beyond the farthest plane",
+    ("draw/exact/instances/glow_disc.glsl",
+     "precise float depth = exactDot(middle, middle) * exactReciprocal(max(towards, 0.0f));"):
+        "where `towards` is not above 0 nothing is drawn, and below 1e-12 it is beyond the farthest plane",
+    ("draw/exact/instances/glow_disc.glsl",
+     "if (square > 1.0f || (!glow.round_ && (towards <= 0.0f || !farEnough(depth, near)))) return;"):
+        "on the rim there is no light",
+    ("draw/exact/instances/glow_disc.glsl",
+     "if (square >= 1.0f || (!glow.round_ && (towards < 0.0f || !farEnough(depth, near)))) return;"):
+        "at 0 the disc is beyond the farthest plane",
+    ("draw/exact/instances/cull_copies.comp", "return farthest > view.near && x.x <= x.y && y.x <= y.y;"):
+        "the radius is a thousandth more than a mesh reaches, and spans are 0.02 pixels wider than that",
+    ("draw/exact/instances/cull_copies.comp", "return farthest >= view.near && x.x < x.y && y.x <= y.y;"):
+        "the radius is a thousandth more than a mesh reaches, and spans are 0.02 pixels wider than that",
+    ("draw/exact/instances/cull_copies.comp", "return farthest >= view.near && x.x <= x.y && y.x < y.y;"):
+        "the radius is a thousandth more than a mesh reaches, and spans are 0.02 pixels wider than that",
+    ("draw/exact/fans.glsl", "if (p.count == 0) fans[(firstFan + entry) * fanTexels] = uvec4(1u);"):
+        "a fan of one corner has no triangle",
+    ("draw/overlay/field_means.glsl", "bits = (bits + 0xfff + ((bits >> 13) & 1)) & ~0x1ff7;"):
+        "a thousandth of a half float's step, which storing one drops",
+    ("draw/overlay/chart_shading.glsl", "bool within = p.x > 0.0f && p.y >= 0.0f && p.x <= size.x && p.y <= size.y;"):
+        "the plot's sides are whole, middles of pixels are not",
+    ("draw/overlay/chart_shading.glsl", "bool within = p.x >= 0.0f && p.y > 0.0f && p.x <= size.x && p.y <= size.y;"):
+        "the plot's sides are whole, middles of pixels are not",
+    ("draw/overlay/chart_shading.glsl", "bool within = p.x >= 0.0f && p.y >= 0.0f && p.x < size.x && p.y <= size.y;"):
+        "the plot's sides are whole, middles of pixels are not",
 }

@@ -75,12 +75,8 @@ void main() {
   int left = samplesOf(shown, firstId, uint(trianglesToDraw()));
   vec4 sum = imageLoad(sums, pixel);
   while (left != 0) {
-    int first = findLSB(left);
-    uint id = idAt(pixel, first);
-    int same = 0;
-    for (int s = 0; s < SAMPLES; ++s)
-      if (shown.of[s] == id) same |= 1 << s;
-    sum = withLight(sum, vec4(lightOf(pixel, id - firstId, first), 1.0f), bitCount(same));
+    int first = findLSB(left), same = samplesLike(shown, first);
+    sum = withLight(sum, vec4(lightOf(pixel, idAt(pixel, first) - firstId, first), 1.0f), bitCount(same));
     left &= ~same;
   }
   imageStore(sums, pixel, sum);

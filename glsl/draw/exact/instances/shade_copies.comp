@@ -46,17 +46,11 @@ void main() {
   ivec2 pixel = pixelToShade();
   if (pixel.x < 0) return;
   PixelIds shown = idsOf(pixel);
-  int left = 0;
-  for (int s = 0; s < SAMPLES; ++s)
-    if (shown.of[s] >= firstId && shown.of[s] - firstId < uint(capacity) * triangles) left |= 1 << s;
+  int left = samplesOf(shown, firstId, uint(capacity) * triangles);
   vec4 sum = imageLoad(sums, pixel);
   while (left != 0) {
-    int first = findLSB(left);
-    uint id = idAt(pixel, first);
-    int same = 0;
-    for (int s = 0; s < SAMPLES; ++s)
-      if (shown.of[s] == id) same |= 1 << s;
-    sum = withLight(sum, lightOf(pixel, id - firstId, first), bitCount(same));
+    int first = findLSB(left), same = samplesLike(shown, first);
+    sum = withLight(sum, lightOf(pixel, idAt(pixel, first) - firstId, first), bitCount(same));
     left &= ~same;
   }
   imageStore(sums, pixel, sum);

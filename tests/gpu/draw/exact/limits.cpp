@@ -16,8 +16,8 @@ using Shape = sim::Instances::Shape;
 
 namespace {
 
-/// Invocations of the first row of groups (dispatchRows).
-constexpr std::size_t row = std::size_t{32768} * 64;
+/// Invocations of two rows of groups (dispatchRows), but for few.
+constexpr std::size_t rows = 2 * std::size_t{32768} * 64 - 40;
 
 scene::Scene litScene() {
   scene::Scene scene = darkScene();
@@ -36,7 +36,7 @@ Picture exactly(const scene::Scene& scene, const sim::Drawables& drawables, glm:
 
 }  // namespace
 
-TEST_CASE("exact limits: instances beyond the first row of groups") {
+TEST_CASE("exact limits: instances beyond the first row of groups, to the end of the second") {
   testContext();
   const scene::Scene scene = litScene();
   const auto file = temporaryFile("row_dart.obj");
@@ -52,8 +52,8 @@ TEST_CASE("exact limits: instances beyond the first row of groups") {
   }
   InstanceStage few(places, speeds);
   constexpr glm::vec4 dead{0, 0, 0, -1};
-  std::vector<glm::vec4> allPlaces(row + 3, glm::vec4(0, 1, 0, 1));
-  std::vector<glm::vec4> allSpeeds(row + 3, dead);
+  std::vector<glm::vec4> allPlaces(rows, glm::vec4(0, 1, 0, 1));
+  std::vector<glm::vec4> allSpeeds(rows, dead);
   allPlaces.insert(allPlaces.end(), places.begin(), places.end());
   allSpeeds.insert(allSpeeds.end(), speeds.begin(), speeds.end());
   InstanceStage many(allPlaces, allSpeeds);
@@ -75,7 +75,7 @@ TEST_CASE("exact limits: instances beyond the first row of groups") {
   std::filesystem::remove(file);
 }
 
-TEST_CASE("exact limits: vertices and triangles beyond the first row of groups") {
+TEST_CASE("exact limits: vertices and triangles beyond the first row of groups, to the end of the second") {
   testContext();
   const scene::Scene scene = litScene();
   Dice dice(43);
@@ -87,7 +87,7 @@ TEST_CASE("exact limits: vertices and triangles beyond the first row of groups")
     corners.push_back(i);
   }
   TriangleStage few(places, corners);
-  constexpr auto before = static_cast<unsigned>(row + 5);
+  constexpr auto before = static_cast<unsigned>(rows);
   std::vector<glm::vec3> allPlaces(before, glm::vec3(0));
   std::vector<unsigned> allCorners(std::size_t{3} * before, 0);
   allPlaces.insert(allPlaces.end(), places.begin(), places.end());
@@ -190,7 +190,15 @@ TEST_CASE("exact limits: one primitive over the whole picture is the same at any
   ball.instances.size = 120;
   instance.instances.shape = Shape::mesh;
   ball.instances.shape = Shape::sphere;
+  // No part of it is clipped away, however many pixels the picture has.
+  const auto whole = temporaryFile("whole_triangle.obj");
+  writeFileAtomically(whole, "v -8 -8 0\nv 8 -8 0\nv 0 13 0\nf 1 2 3\n");
+  InstanceStage inside(std::vector<glm::vec3>(1, glm::vec3(0)));
+  inside.instances.mesh = whole;
+  inside.instances.size = 1;
+  inside.instances.shape = Shape::mesh;
   const sim::Drawables kinds[] = {{.surfaces = {triangle.surface}},
+                                  {.instances = {inside.instances}},
                                   {.instances = {instance.instances}},
                                   {.instances = {ball.instances}}};
   for (const sim::Drawables& drawables : kinds) {
@@ -205,6 +213,15 @@ TEST_CASE("exact limits: one primitive over the whole picture is the same at any
       CAPTURE(samples);
       CHECK(with(samples).bytes == one.bytes);
     }
+    // More pixels than an invocation may go through, and than small triangles may have.
+    for (const glm::ivec2 size : {glm::ivec2(401, 301), glm::ivec2(13, 5400)}) {
+      const Picture large = drawn(scene, drawables, size, 1, {.rasterizer = scene::Rasterizer::exact});
+      int dark = 0;
+      for (int y = 0; y < size.y; ++y)
+        for (int x = 0; x < size.x; ++x) dark += large.brightness(x, y) > 200 ? 0 : 1;
+      CHECK(dark == 0);
+    }
   }
   std::filesystem::remove(file);
+  std::filesystem::remove(whole);
 }
