@@ -25,8 +25,6 @@ EQUIVALENT = {
         "a wider box, of which every sample is looked at by ray",
     ("draw/sky.glsl", "ROUNDED float up = 1.0f - clamp(y, 0.0f, 1.01f);"):
         "of unit vectors no part is above 1 but by rounding, which a byte does not show",
-    ("draw/exact/tiles/tiles.comp", "const int maxWords = 65;"):
-        "more room than things need",
     ("draw/exact/triangles/clip.glsl", "max(x.x, max(x.y, x.z)) < 0.0f && max(y.x, max(y.y, y.z)) < 0.0f;"):
         "beside() spares work: what it lets pass covers no sample",
     ("draw/exact/triangles/clip.glsl",
@@ -184,4 +182,24 @@ EQUIVALENT = {
         "the plot's sides are whole, middles of pixels are not",
     ("draw/overlay/chart_shading.glsl", "bool within = p.x >= 0.0f && p.y >= 0.0f && p.x < size.x && p.y <= size.y;"):
         "the plot's sides are whole, middles of pixels are not",
+    ("draw/overlay/chart_shading.glsl", "vec4 square = vec4(1e12f), below = vec4(-1000001.0f);"):
+        "further than anything on a picture is",
+    ("draw/overlay/chart_shading.glsl", "vec4 square = vec4(1e12f), below = vec4(-1010000.0f);"):
+        "further than anything on a picture is",
+    ("draw/exact/instances/raster_ball.glsl", "if (!(ball.radius > 0.0f) || farthest < view.near) return ivec4(1, 0, -1, -1);"):
+        "a box that ends before it begins in one direction is empty",
+    ("draw/exact/instances/raster_ball.glsl", "if (!(ball.radius > 0.0f) || farthest < view.near) return ivec4(0, 1, -1, -1);"):
+        "a box that ends before it begins in one direction is empty",
+    ("draw/exact/instances/raster_ball.glsl", "if (!(ball.radius > 0.0f) || farthest < view.near) return ivec4(0, 0, 1, -1);"):
+        "a box that ends before it begins in one direction is empty",
+    ("draw/exact/instances/raster_ball.glsl", "if (!(ball.radius > 0.0f) || farthest < view.near) return ivec4(0, 0, -1, 1);"):
+        "a box that ends before it begins in one direction is empty",
+    ("draw/exact/instances/raster_ball.glsl", "if (x.x > x.y || y.x > y.y) return ivec4(1, 0, -1, -1);"):
+        "a box that ends before it begins in one direction is empty",
+    ("draw/exact/instances/raster_ball.glsl", "if (x.x > x.y || y.x > y.y) return ivec4(0, 1, -1, -1);"):
+        "a box that ends before it begins in one direction is empty",
+    ("draw/exact/instances/raster_ball.glsl", "if (x.x > x.y || y.x > y.y) return ivec4(0, 0, 1, -1);"):
+        "a box that ends before it begins in one direction is empty",
+    ("draw/exact/instances/raster_ball.glsl", "if (x.x > x.y || y.x > y.y) return ivec4(0, 0, -1, 1);"):
+        "a box that ends before it begins in one direction is empty",
 }

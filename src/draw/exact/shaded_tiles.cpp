@@ -15,7 +15,7 @@ namespace simreel::draw {
 
 namespace {
 
-constexpr int maxThings = 2046;  // 32 times maxWords of tiles.comp, less the ground's two,
+constexpr int maxThings = 2046;  // the bits that tiles.comp has, 32 times 64, less the ground's two,
 constexpr int fewThings = 30;    // and with FEW
 constexpr unsigned onGround = 1;
 constexpr unsigned groundsKeys = 2;

@@ -33,12 +33,7 @@ layout(std430, binding = tileListBinding) writeonly restrict buffer ListBlock { 
 uniform int draws;
 uniform int tileCount;
 uniform int firstTileRow;
-#ifdef FEW
-const int maxWords = 1;
-#else
-const int maxWords = 64;
-#endif
-shared uint shown[maxWords];
+shared uint shown[64];  // a bit a thing, and a word an invocation; FEW: those of the first alone
 
 // What an invocation shows; with FEW all of it together, since software drivers do atomics lane by lane.
 uint mine = 0u;
@@ -97,7 +92,7 @@ int groundAt(ivec2 pixel, int s, int at, uint key) {
 
 void main() {
   int me = int(gl_LocalInvocationIndex);
-  if (me < maxWords) shown[me] = 0u;
+  shown[me] = 0u;
   barrier();
   ivec2 at = ivec2(gl_WorkGroupID.xy) + ivec2(0, firstTileRow);
   ivec2 pixel = at * tileSide + ivec2(gl_LocalInvocationID.xy) + ivec2(0, view.rows.x);
