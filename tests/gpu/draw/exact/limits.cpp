@@ -16,8 +16,18 @@ using Shape = sim::Instances::Shape;
 
 namespace {
 
-/// Invocations of two rows of groups (dispatchRows), but for few.
-constexpr std::size_t rows = 2 * std::size_t{32768} * 64 - 40;
+/// Invocations of the first row of groups (dispatchRows), and of two but for few: where what is drawn lies.
+constexpr std::size_t row = std::size_t{32768} * 64;
+constexpr std::size_t rows = 2 * row - 40;
+
+/// `all`, things that show nothing, with a part of `few` from the second row's beginning on, the others at
+/// its end.
+template <class T>
+void putInto(std::vector<T>& all, const std::vector<T>& few, std::size_t part) {
+  const auto from = few.begin() + static_cast<std::ptrdiff_t>(part);
+  std::copy(few.begin(), from, all.begin() + static_cast<std::ptrdiff_t>(row));
+  all.insert(all.end(), from, few.end());
+}
 
 scene::Scene litScene() {
   scene::Scene scene = darkScene();
@@ -54,8 +64,8 @@ TEST_CASE("exact limits: instances beyond the first row of groups, to the end of
   constexpr glm::vec4 dead{0, 0, 0, -1};
   std::vector<glm::vec4> allPlaces(rows, glm::vec4(0, 1, 0, 1));
   std::vector<glm::vec4> allSpeeds(rows, dead);
-  allPlaces.insert(allPlaces.end(), places.begin(), places.end());
-  allSpeeds.insert(allSpeeds.end(), speeds.begin(), speeds.end());
+  putInto(allPlaces, places, 15);
+  putInto(allSpeeds, speeds, 15);
   InstanceStage many(allPlaces, allSpeeds);
   for (const Shape shape : {Shape::sprite, Shape::sphere, Shape::mesh})
     for (const bool additive : {false, true}) {
@@ -87,11 +97,16 @@ TEST_CASE("exact limits: vertices and triangles beyond the first row of groups, 
     corners.push_back(i);
   }
   TriangleStage few(places, corners);
-  constexpr auto before = static_cast<unsigned>(rows);
-  std::vector<glm::vec3> allPlaces(before, glm::vec3(0));
-  std::vector<unsigned> allCorners(std::size_t{3} * before, 0);
-  allPlaces.insert(allPlaces.end(), places.begin(), places.end());
-  for (const unsigned corner : corners) allCorners.push_back(before + corner);
+  std::vector<glm::vec3> allPlaces(rows, glm::vec3(0));
+  putInto(allPlaces, places, 45);
+  std::vector<unsigned> allCorners(std::size_t{3} * rows, 0);
+  for (const unsigned corner : corners) {
+    const std::size_t number = corner < 45 ? row + corner : rows + corner - 45;
+    if (corner < 45)
+      allCorners[3 * row + corner] = static_cast<unsigned>(number);
+    else
+      allCorners.push_back(static_cast<unsigned>(number));
+  }
   TriangleStage many(allPlaces, allCorners);
   few.surface.doubleSided = many.surface.doubleSided = true;
   const Picture wanted = exactly(scene, {.surfaces = {few.surface}}, {67, 53});
