@@ -202,4 +202,10 @@ EQUIVALENT = {
         "a box that ends before it begins in one direction is empty",
     ("draw/exact/instances/raster_ball.glsl", "if (x.x > x.y || y.x > y.y) return ivec4(0, 0, -1, 1);"):
         "a box that ends before it begins in one direction is empty",
+    ("draw/exact/instances/glows.comp", "if (max(box.z + box.x, box.w - box.y) >= smallPixels) {"):
+        "either way of drawing gives the same, as a test says, and this asks for fewer small ones",
+    ("draw/exact/instances/glows.comp", "if (max(box.z - box.x, box.w + box.y) >= smallPixels) {"):
+        "either way of drawing gives the same, as a test says, and this asks for fewer small ones",
+    ("draw/exact/instances/glows.comp", "if (max(box.z - box.x, box.w - box.y) > smallPixels) {"):
+        "either way of drawing gives the same, as a test says",
 }

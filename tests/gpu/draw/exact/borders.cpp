@@ -201,3 +201,19 @@ TEST_CASE("exact borders: a bright glow in space close to the eye, and nothing b
   CHECK(lit > 500);
   CHECK(rim > 4);
 }
+
+TEST_CASE("exact borders: a glow over more pixels than an invocation may go through") {
+  testContext();
+  InstanceStage glow({{0, 0, 0, 1}}, {{0, 0, 0, 0.5F}});
+  glow.instances.size = 4000;
+  glow.instances.additive = true;
+  glow.instances.discs = true;
+  for (const glm::ivec2 size : {glm::ivec2(401, 301), glm::ivec2(11, 6100)}) {
+    CAPTURE(size.x);
+    ExactStage stage(darkScene(), size, 1);
+    const auto found = lightOfGlow(stage, glow.instances);
+    const float all = glow.material.color.r;
+    CHECK(std::all_of(found.begin(), found.end(),
+                      [&](glm::vec4 light) { return std::abs(light.r - all) < 1e-3F * all; }));
+  }
+}
