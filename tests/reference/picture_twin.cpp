@@ -18,8 +18,8 @@ struct Kernel {
   int samples;
   const TwinTexture& texture;
 #include "glsl/draw/exact/fixed.glsl"
-#include "glsl/draw/exact/footprint.glsl"
 #include "glsl/draw/exact/ground_plane.glsl"
+#include "glsl/draw/exact/surface/footprint.glsl"
 #include "glsl/draw/exact/unit_vector.glsl"
 #include "glsl/draw/exact/weights.glsl"
 #include "glsl/draw/screen/lens.glsl"

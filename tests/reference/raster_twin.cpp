@@ -19,9 +19,9 @@ struct Raster {
   ExactView view;
   int samples;
 #include "glsl/common/exact.glsl"
-#include "glsl/draw/exact/clip.glsl"
 #include "glsl/draw/exact/fixed.glsl"
-#include "glsl/draw/exact/triangle.glsl"
+#include "glsl/draw/exact/triangles/clip.glsl"
+#include "glsl/draw/exact/triangles/triangle.glsl"
   [[nodiscard]] vec3 onPicture(vec3 p) const;
   void fill(const Triangle& t, uint id, RasterTwinResult& result);
 };

@@ -1,4 +1,5 @@
 """Changes of one constant or operator of the shaders."""
+import collections
 import os
 import pathlib
 import random
@@ -79,9 +80,11 @@ def is_unary(line, at):
     return not before or before[-1] in "(,=<>*/+-&|?:;{[" or before.endswith("return")
 
 
-def mutants_of(file, rng):
-    """A mutant for each place of the file that has some."""
+def mutants_of(file, seed, every=False):
+    """A mutant (or every one) for each place of the file that has some, and its lot, which nothing but its line and the seed decides: whatever
+    is changed elsewhere, or moved to another folder, the same ones come first."""
     found = []
+    met = collections.Counter()  # lines that are the same words
     inside = False  # of a declaration that is no code
     for number, line in enumerate((GLSL / file).read_text(encoding="utf-8").split("\n"), 1):
         code = line.split("//")[0]
@@ -91,10 +94,13 @@ def mutants_of(file, rng):
         if SKIPPED_LINE.match(code):
             inside = bool(re.match(r"\s*(struct|layout)\b", code)) and "{" in code and "}" not in code
             continue
+        met[code.strip()] += 1
         header = re.match(r"\s*(FUNCTION\s+)?\w+ \w+\([^=]*\) \{", code)
         begin = header.end() if header else 0
         for match in TOKEN.finditer(code, begin):
             word = match[0]
+            rng = random.Random("|".join(map(str, (seed, pathlib.Path(file).name, code.strip(), met[code.strip()],
+                                                   match.start() - len(code) + len(code.lstrip())))))
             if word[0].isdigit():
                 others = changed_number(word, rng)
             elif word in "+-" and is_unary(code, match.start()):
@@ -102,17 +108,16 @@ def mutants_of(file, rng):
             else:
                 others = SWAPS.get(word, [])
             if others:
-                found.append(Mutant(file, number, line, match.start(), word, rng.choice(others)))
+                lot = rng.random()
+                others = others if every else [rng.choice(others)]
+                found += [(lot, Mutant(file, number, line, match.start(), word, other)) for other in others]
     return found
 
 
-def drawn_lots(files, seed):
+def drawn_lots(files, seed, every=False):
     """Mutants in the order in which they are taken, of all files but those of NOT_MUTATED."""
-    files = [file for file in files if not NOT_MUTATED.search(file)]
-    rng = random.Random(seed)
-    lots = [mutant for file in files for mutant in mutants_of(file, rng)]
-    rng.shuffle(lots)
-    return lots
+    lots = [lot for file in files if not NOT_MUTATED.search(file) for lot in mutants_of(file, seed, every)]
+    return [mutant for _, mutant in sorted(lots, key=lambda lot: lot[0])]
 
 
 def reported(report):

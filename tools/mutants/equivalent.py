@@ -25,27 +25,25 @@ EQUIVALENT = {
         "a wider box, of which every sample is looked at by ray",
     ("draw/sky.glsl", "ROUNDED float up = 1.0f - clamp(y, 0.0f, 1.01f);"):
         "of unit vectors no part is above 1 but by rounding, which a byte does not show",
-    ("draw/exact/tiles.comp", "const int maxWords = 65;"):
-        "more room than things need",
-    ("draw/exact/clip.glsl", "max(x.x, max(x.y, x.z)) < 0.0f && max(y.x, max(y.y, y.z)) < 0.0f;"):
+    ("draw/exact/triangles/clip.glsl", "max(x.x, max(x.y, x.z)) < 0.0f && max(y.x, max(y.y, y.z)) < 0.0f;"):
         "beside() spares work: what it lets pass covers no sample",
-    ("draw/exact/clip.glsl",
+    ("draw/exact/triangles/clip.glsl",
      "return max(a.z, max(b.z, c.z)) < nearest && max(a.x, max(b.x, c.x)) < 0.0f || max(a.y, max(b.y, c.y)) < 0.0f ||"):
         "beside() spares work: what it lets pass is clipped away",
-    ("draw/exact/triangle.glsl",
+    ("draw/exact/triangles/triangle.glsl",
      "edge.bias = edge.step_.y > 0 || (edge.step_.y == 0 && edge.step_.x < 1) ? 0 : -1;"):
         "only of an edge without length, whose triangle is empty",
-    ("draw/exact/clip.glsl", "precise vec3 y = size.y * vec3(a.z, b.z, c.z) + vec3(a.y, b.y, c.y);"):
+    ("draw/exact/triangles/clip.glsl", "precise vec3 y = size.y * vec3(a.z, b.z, c.z) + vec3(a.y, b.y, c.y);"):
         "beside() spares work: it still rejects none but what lies above the picture",
     ("draw/exact/visible_sample.glsl", "if (key <= before) atomicMin(nearKeys[at], key);"):
         "the least of two equal keys is either",
     ("draw/exact/vertex.glsl", "const uint lostVertex = 0xfffffffdu;"):
         "no packed normal has 0xffff above, no nearness is a NaN",
-    ("draw/exact/shade_ground.comp", "vec3 ray = rayThrough(shadingPlace(pixel, -2));"):
+    ("draw/exact/tiles/shade_ground.comp", "vec3 ray = rayThrough(shadingPlace(pixel, -2));"):
         "any negative sample is the pixel's middle",
     ("draw/exact/instances/ball_shadows.comp", "int across = (box.z + box.x) / tileSide + 1;"):
         "more tiles, whose texels beyond the box are left out",
-    ("draw/exact/instances/cull_copies.comp",
+    ("draw/exact/copies/cull_copies.comp",
      "return max(low.x, low.y) >= 0.0f && max(high.x, high.y) <= float(mapTexels);"):
         "more copies are listed, whose triangles cover nothing of the map",
     ("draw/exact/instances/ball.glsl", "if (low < 0.0f || high > 1.0f) return vec2(1.0f, -1.0f);"):
@@ -58,21 +56,21 @@ EQUIVALENT = {
         "an empty box has no pixel either way, also as a large one's",
     ("draw/exact/instances/ball_shadows.comp", "int tiles = across * ((box.w + box.y) / tileSide + 1);"):
         "more tiles, whose texels beyond the box are left out",
-    ("draw/exact/triangles.comp", "if (!whole || extent >= smallPixels * subpixels) {"):
+    ("draw/exact/triangles/triangles.comp", "if (!whole || extent >= smallPixels * subpixels) {"):
         "either way of drawing gives the same, as a test says",
     ("draw/sky.glsl", "ROUNDED float glow = max(dotted(direction, vec3(frame.sunDirection)), 0.01f);"):
         "to the power of 16, 1e-32 at most",
-    ("draw/exact/clip.glsl",
+    ("draw/exact/triangles/clip.glsl",
      "for (int k = 0; k < 5; ++k) all_ = all_ && insideOf(k, v, size, nearest) > 0.0f;"):
         "clipping leaves the corners of what has none beyond",
-    ("draw/exact/crossing.glsl",
+    ("draw/exact/triangles/crossing.glsl",
      "int first = (int(floor(low)) + edge.from.x - 2) >> 8, last = (int(floor(high)) + edge.from.x + 2) << 8;"):
         "a wider span, of which every sample is tested",
-    ("draw/exact/triangle.glsl", "return uint(low1) > uint(low2) ? 1 : low1 == low2 ? 1 : -1;"):
+    ("draw/exact/triangles/triangle.glsl", "return uint(low1) > uint(low2) ? 1 : low1 == low2 ? 1 : -1;"):
         "a triangle of no area covers no sample: of its edges at least one is neither a left nor a top one",
-    ("draw/exact/footprint.glsl", "print.part = beyond ? 1.0f : part;"):
+    ("draw/exact/surface/footprint.glsl", "print.part = beyond ? 1.0f : part;"):
         "beyond the last level the next one is the last, too",
-    ("draw/exact/instances/cull_copies.comp", "precise float reach = radius * exactReciprocal(lightTexel()) + 0.0f;"):
+    ("draw/exact/copies/cull_copies.comp", "precise float reach = radius * exactReciprocal(lightTexel()) + 0.0f;"):
         "what covers a texel's middle reaches half a texel into the map, more than is lost by rounding",
     ("draw/overlay/field_view.glsl", "return vec4(1.0);"):
         "nobody calls it: `reduces` is false there",
@@ -81,8 +79,133 @@ EQUIVALENT = {
     ("draw/exact/instances/disc.glsl",
      "return ivec4(int(floor(from.x)), int(floor(from.y)), int(ceil(to.x)), int(floor(to.y)));"):
         "a wider box, no larger than the picture, of which every pixel is tested",
-    ("draw/exact/fill_tiles.glsl", "span = tilesBetween(span, t.edges[2], b, y);"):
+    ("draw/exact/triangles/fill_tiles.glsl", "span = tilesBetween(span, t.edges[2], b, y);"):
         "only where the edge begins is taken of it: the other end of the one whose slope `b` is",
-    ("draw/exact/bloom_down.comp", "if (2 * at.x > size.x || 2 * at.y >= size.y) return;"):
+    ("draw/exact/screen/bloom_down.comp", "if (2 * at.x > size.x || 2 * at.y >= size.y) return;"):
         "what is stored beyond an image is dropped",
+    ("draw/exact/triangles/crossing.glsl",
+     "int first = (int(ceil(low)) + edge.from.x - 2) >> 8, last = (int(floor(high)) + edge.from.x + 2) >> 8;"):
+        "samples lie 16/256 from a pixel's right side, so a span may begin as much too far right",
+    ("draw/exact/triangles/crossing.glsl",
+     "int first = (int(floor(low)) + edge.from.x + 2) >> 8, last = (int(floor(high)) + edge.from.x + 2) >> 8;"):
+        "samples lie 16/256 from a pixel's right side, so a span may begin as much too far right",
+    ("draw/exact/triangles/crossing.glsl",
+     "int first = (int(floor(low)) + edge.from.x - 1) >> 8, last = (int(floor(high)) + edge.from.x + 2) >> 8;"):
+        "samples lie 16/256 from a pixel's right side, so a span may begin as much too far right",
+    ("draw/exact/triangles/crossing.glsl",
+     "int first = (int(floor(low)) + edge.from.x - 0) >> 8, last = (int(floor(high)) + edge.from.x + 2) >> 8;"):
+        "samples lie 16/256 from a pixel's right side, so a span may begin as much too far right",
+    ("draw/exact/triangles/crossing.glsl",
+     "int first = (int(floor(low)) + edge.from.x - 3) >> 8, last = (int(floor(high)) + edge.from.x + 2) >> 8;"):
+        "a wider span, of which every sample is tested",
+    ("draw/exact/triangles/crossing.glsl",
+     "int first = (int(floor(low)) + edge.from.x - 2) >> 9, last = (int(floor(high)) + edge.from.x + 2) >> 8;"):
+        "a wider span, of which every sample is tested: the box bounds it",
+    ("draw/exact/triangles/crossing.glsl",
+     "int first = (int(floor(low)) + edge.from.x - 2) >> 8, last = (int(ceil(high)) + edge.from.x + 2) >> 8;"):
+        "a wider span, of which every sample is tested",
+    ("draw/exact/triangles/crossing.glsl",
+     "int first = (int(floor(low)) + edge.from.x - 2) >> 8, last = (int(floor(high)) + edge.from.x + 3) >> 8;"):
+        "a wider span, of which every sample is tested",
+    ("draw/exact/triangles/crossing.glsl",
+     "int first = (int(floor(low)) + edge.from.x - 2) >> 8, last = (int(floor(high)) + edge.from.x + 1) >> 8;"):
+        "an upright edge's crossing is exact, and that of others errs by far less than the row's last 16/256 add",
+    ("draw/exact/triangles/crossing.glsl",
+     "int first = (int(floor(low)) + edge.from.x - 2) >> 8, last = (int(floor(high)) + edge.from.x + 0) >> 8;"):
+        "an upright edge's crossing is exact, and that of others errs by far less than the row's last 16/256 add",
+    ("draw/exact/triangles/crossing.glsl",
+     "int first = (int(floor(low)) + edge.from.x - 2) >> 8, last = (int(floor(high)) + edge.from.x + 2) >> 7;"):
+        "a wider span, of which every sample is tested: the box bounds it",
+    ("draw/exact/triangles/crossing.glsl",
+     "int first = (int(floor(low)) + edge.from.x - 2) >> 8, last = (int(floor(high)) + edge.from.x + 2) >> 0;"):
+        "a wider span, of which every sample is tested: the box bounds it",
+    ("draw/exact/triangles/crossing.glsl",
+     "return ivec2(crossing.side >= 0 ? max(span.x, first) : span.x, crossing.side < 0 ? min(span.y, last) : span.y);"):
+        "of a level edge the place found lies left of it",
+    ("draw/exact/triangles/crossing.glsl",
+     "return ivec2(crossing.side > 1 ? max(span.x, first) : span.x, crossing.side < 0 ? min(span.y, last) : span.y);"):
+        "a wider span, of which every sample is tested",
+    ("draw/exact/triangles/crossing.glsl",
+     "int first = (int(ceil(low)) + edge.from.x - subpixels) >> 11, last = (int(floor(high)) + edge.from.x + subpixels) >> 11;"):
+        "a 256th of the slack, which is a pixel",
+    ("draw/exact/triangles/crossing.glsl",
+     "int first = (int(floor(low)) + edge.from.x - subpixels) >> 11, last = (int(ceil(high)) + edge.from.x + subpixels) >> 11;"):
+        "a 256th of the slack, which is a pixel",
+    ("draw/exact/triangles/crossing.glsl",
+     "int first = (int(floor(low)) + edge.from.x - subpixels) >> 11, last = (int(floor(high)) + edge.from.x + subpixels) << 11;"):
+        "a wider span, of which every sample is tested",
+    ("draw/exact/copies/copies.comp", "if (whole && extent < smallPixels * subpixels)"):
+        "either way of drawing gives the same, as a test says",
+    ("draw/exact/copies/copies.comp", "if (whole && extent <= smallPixels + subpixels)"):
+        "either way of drawing gives the same, as a test says, and this asks for fewer small ones",
+    ("draw/exact/copies/copies.comp", "else if (whole && extent < mediumPixels * subpixels)"):
+        "either way of drawing gives the same, as a test says",
+    ("draw/exact/copies/copies.comp", "else if (whole && extent <= mediumPixels + subpixels)"):
+        "either way of drawing gives the same, as a test says, and this asks for fewer of medium size",
+    ("draw/exact/instances/balls.comp", "if (max(box.z + box.x, box.w - box.y) >= smallPixels) {"):
+        "either way of drawing gives the same, as a test says, and this asks for fewer small ones",
+    ("draw/exact/instances/balls.comp", "if (max(box.z - box.x, box.w + box.y) >= smallPixels) {"):
+        "either way of drawing gives the same, as a test says, and this asks for fewer small ones",
+    ("draw/exact/instances/balls.comp", "if (max(box.z - box.x, box.w - box.y) > smallPixels) {"):
+        "either way of drawing gives the same, as a test says",
+    ("draw/exact/instances/ball_shadows.comp", "if (max(box.z + box.x, box.w - box.y) >= smallPixels) {"):
+        "either way of drawing gives the same, as a test says, and this asks for fewer small ones",
+    ("draw/exact/instances/ball_shadows.comp", "if (max(box.z - box.x, box.w + box.y) >= smallPixels) {"):
+        "either way of drawing gives the same, as a test says, and this asks for fewer small ones",
+    ("draw/exact/instances/ball_shadows.comp", "if (max(box.z - box.x, box.w - box.y) > smallPixels) {"):
+        "either way of drawing gives the same, as a test says",
+    ("draw/exact/instances/glow_disc.glsl",
+     "precise float depth = exactDot(middle, middle) * exactReciprocal(max(towards, 1.01e-12f));"):
+        "as far beyond the farthest plane",
+    ("draw/exact/instances/glow_disc.glsl",
+     "precise float depth = exactDot(middle, middle) * exactReciprocal(max(towards, 0.0f));"):
+        "where `towards` is not above 0 nothing is drawn, and below 1e-12 it is beyond the farthest plane",
+    ("draw/exact/instances/glow_disc.glsl",
+     "if (square > 1.0f || (!glow.round_ && (towards <= 0.0f || !farEnough(depth, near)))) return;"):
+        "on the rim there is no light",
+    ("draw/exact/instances/glow_disc.glsl",
+     "if (square >= 1.0f || (!glow.round_ && (towards < 0.0f || !farEnough(depth, near)))) return;"):
+        "at 0 the disc is beyond the farthest plane",
+    ("draw/exact/copies/cull_copies.comp", "return farthest > view.near && x.x <= x.y && y.x <= y.y;"):
+        "the radius is a thousandth more than a mesh reaches, and spans are 0.02 pixels wider than that",
+    ("draw/exact/copies/cull_copies.comp", "return farthest >= view.near && x.x < x.y && y.x <= y.y;"):
+        "the radius is a thousandth more than a mesh reaches, and spans are 0.02 pixels wider than that",
+    ("draw/exact/copies/cull_copies.comp", "return farthest >= view.near && x.x <= x.y && y.x < y.y;"):
+        "the radius is a thousandth more than a mesh reaches, and spans are 0.02 pixels wider than that",
+    ("draw/exact/triangles/fans.glsl", "if (p.count == 0) fans[(firstFan + entry) * fanTexels] = uvec4(1u);"):
+        "a fan of one corner has no triangle",
+    ("draw/overlay/field_means.glsl", "bits = (bits + 0xfff + ((bits >> 13) & 1)) & ~0x1ff7;"):
+        "a thousandth of a half float's step, which storing one drops",
+    ("draw/overlay/chart_shading.glsl", "bool within = p.x > 0.0f && p.y >= 0.0f && p.x <= size.x && p.y <= size.y;"):
+        "the plot's sides are whole, middles of pixels are not",
+    ("draw/overlay/chart_shading.glsl", "bool within = p.x >= 0.0f && p.y > 0.0f && p.x <= size.x && p.y <= size.y;"):
+        "the plot's sides are whole, middles of pixels are not",
+    ("draw/overlay/chart_shading.glsl", "bool within = p.x >= 0.0f && p.y >= 0.0f && p.x < size.x && p.y <= size.y;"):
+        "the plot's sides are whole, middles of pixels are not",
+    ("draw/overlay/chart_shading.glsl", "vec4 square = vec4(1e12f), below = vec4(-1000001.0f);"):
+        "further than anything on a picture is",
+    ("draw/overlay/chart_shading.glsl", "vec4 square = vec4(1e12f), below = vec4(-1010000.0f);"):
+        "further than anything on a picture is",
+    ("draw/exact/instances/raster_ball.glsl", "if (!(ball.radius > 0.0f) || farthest < view.near) return ivec4(1, 0, -1, -1);"):
+        "a box that ends before it begins in one direction is empty",
+    ("draw/exact/instances/raster_ball.glsl", "if (!(ball.radius > 0.0f) || farthest < view.near) return ivec4(0, 1, -1, -1);"):
+        "a box that ends before it begins in one direction is empty",
+    ("draw/exact/instances/raster_ball.glsl", "if (!(ball.radius > 0.0f) || farthest < view.near) return ivec4(0, 0, 1, -1);"):
+        "a box that ends before it begins in one direction is empty",
+    ("draw/exact/instances/raster_ball.glsl", "if (!(ball.radius > 0.0f) || farthest < view.near) return ivec4(0, 0, -1, 1);"):
+        "a box that ends before it begins in one direction is empty",
+    ("draw/exact/instances/raster_ball.glsl", "if (x.x > x.y || y.x > y.y) return ivec4(1, 0, -1, -1);"):
+        "a box that ends before it begins in one direction is empty",
+    ("draw/exact/instances/raster_ball.glsl", "if (x.x > x.y || y.x > y.y) return ivec4(0, 1, -1, -1);"):
+        "a box that ends before it begins in one direction is empty",
+    ("draw/exact/instances/raster_ball.glsl", "if (x.x > x.y || y.x > y.y) return ivec4(0, 0, 1, -1);"):
+        "a box that ends before it begins in one direction is empty",
+    ("draw/exact/instances/raster_ball.glsl", "if (x.x > x.y || y.x > y.y) return ivec4(0, 0, -1, 1);"):
+        "a box that ends before it begins in one direction is empty",
+    ("draw/exact/instances/glows.comp", "if (max(box.z + box.x, box.w - box.y) >= smallPixels) {"):
+        "either way of drawing gives the same, as a test says, and this asks for fewer small ones",
+    ("draw/exact/instances/glows.comp", "if (max(box.z - box.x, box.w + box.y) >= smallPixels) {"):
+        "either way of drawing gives the same, as a test says, and this asks for fewer small ones",
+    ("draw/exact/instances/glows.comp", "if (max(box.z - box.x, box.w - box.y) > smallPixels) {"):
+        "either way of drawing gives the same, as a test says",
 }

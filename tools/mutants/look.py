@@ -16,6 +16,7 @@ from mutants.changes import GLSL, ROOT
 from mutants.processes import run
 
 FIRST_SCENES = 5  # are drawn before the tests of exact drawing, which take as long as ten, run
+FRAME = 8  # of the small pictures
 PATIENCE = 120  # s that a picture may take: a mutant that never ends is caught
 EXACT_TESTS = "--source-file=*gpu/draw/exact/*"
 OTHER_TESTS = ["--source-file=*gpu/draw/*", "--source-file-exclude=*gpu/draw/exact/*"]
@@ -67,14 +68,15 @@ class Scenes:
     def __init__(self, program, jobs):
         self.program = program
         self.compiled = {}  # of mutants: whether a scene compiles the place
-        self.listed = exact_pictures.listed()
         with tempfile.TemporaryDirectory(prefix="simreel-mutate-") as folder, \
                 concurrent.futures.ThreadPoolExecutor(jobs) as pool:
-            found = dict(zip(self.listed, pool.map(
-                lambda scene: read_files(folder, program, scene, self.listed[scene]["frame"]), self.listed)))
-        wrong = [scene for scene, (entry, _, _) in found.items() if entry != self.listed[scene]]
-        if wrong:
-            sys.exit(f"without a change, too, pictures are not as listed: {', '.join(wrong)}")
+            names = exact_pictures.scenes()
+            found = dict(zip(names, pool.map(lambda scene: read_files(folder, program, scene, FRAME), names)))
+        self.unchanged = {scene: entry for scene, (entry, _, _) in found.items()}
+        if wrong := [f"{scene} {entry}" for scene, entry in self.unchanged.items() if "pixels" not in entry]:
+            sys.exit(f"without a change, too, pictures cannot be drawn: {', '.join(wrong)}")
+        if scene := baselines_differ(program, names, GLSL):
+            sys.exit(f"without a change, too, {scene} is not as its baseline")
         self.quickest = sorted(found, key=lambda scene: found[scene][2])
         self.read = {scene: files for scene, (_, files, _) in found.items()}
 
@@ -87,11 +89,10 @@ class Scenes:
     def drawn(self, scene, glsl):
         """What is drawn instead of the picture, or nothing; and whether a shader does not compile."""
         try:
-            entry = exact_pictures.drawn(self.program, scene, self.listed[scene]["frame"], *ARGUMENTS,
-                                         env={"SIMREEL_GLSL": str(glsl)}, timeout=PATIENCE)
+            entry = exact_pictures.drawn(self.program, scene, FRAME, *ARGUMENTS, env={"SIMREEL_GLSL": str(glsl)}, timeout=PATIENCE)
         except subprocess.TimeoutExpired:
             return "slow", False
-        words = exact_pictures.difference(self.listed[scene], entry)
+        words = exact_pictures.difference(self.unchanged[scene], entry)
         if words and "pixels" in entry:
             return entry["pixels"][:8], False
         return words and "failed", words is not None and re.search(r"does not (compile|link)|syntax error|glsl/", words) is not None
@@ -150,16 +151,18 @@ def outcome(mutant, scenes, with_tests):
     with tempfile.TemporaryDirectory(prefix="mutant-") as folder:
         glsl = mutant.written(folder)
         names = scenes.of(mutant.file)
+        small = ""
         for count, scene in enumerate(names):
             words, mistake = scenes.drawn(scene, glsl)
             if mistake:
                 return "not compiled", scene, ""
-            if words:
+            if words and baselines_differ(scenes.program, [scene], glsl):
                 return "caught", f"{scene} {words}", ""
+            small = small or words and f"{scene} {words}, not its baseline"
             if count + 1 != min(FIRST_SCENES, len(names)):
                 continue
             if mutant.changes_nothing():
-                return "equivalent", "", ""
+                return "equivalent", "", small
             if with_tests and scenes.reads(mutant, folder) and (test := test_that_fails(folder, glsl, EXACT_TESTS)):
                 return "caught", "test_gpu", test
         if not scenes.reads(mutant, folder):
@@ -168,4 +171,4 @@ def outcome(mutant, scenes, with_tests):
             return "caught", "test_gpu", test
         if with_tests and (scene := baselines_differ(scenes.program, names, glsl)):
             return "caught", f"{scene} (test)", ""
-    return "survived", "", ""
+    return "survived", "", small

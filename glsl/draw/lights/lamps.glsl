@@ -5,7 +5,7 @@
 #if SHADOWED_LAMPS > 0
 #include "draw/lights/faces.glsl"
 #ifdef EXACT_PICTURE
-#include "draw/exact/lamp_maps.glsl"
+#include "draw/exact/shadows/lamp_maps.glsl"
 #else
 #include "draw/lights/lamp_shadow.glsl"
 #endif

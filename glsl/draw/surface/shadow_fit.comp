@@ -20,14 +20,9 @@ void main() {
   vec3 low = vec3(0), high = vec3(0);
   vec4 ground = vec4(0);
   if (boundLow[0] <= boundHigh[0]) {
-    for (int axis = 0; axis < 3; ++axis) {
-      low[axis] = fromOrderedKey(boundLow[axis]);
-      high[axis] = fromOrderedKey(boundHigh[axis]);
-    }
-    for (int axis = 0; axis < 2; ++axis) {
-      ground[axis] = fromOrderedKey(boundLow[3 + axis]);
-      ground[axis + 2] = fromOrderedKey(boundHigh[3 + axis]);
-    }
+    low = vec3(fromOrderedKey(boundLow[0]), fromOrderedKey(boundLow[1]), fromOrderedKey(boundLow[2]));
+    high = vec3(fromOrderedKey(boundHigh[0]), fromOrderedKey(boundHigh[1]), fromOrderedKey(boundHigh[2]));
+    ground = vec4(fromOrderedKey(boundLow[3]), fromOrderedKey(boundLow[4]), fromOrderedKey(boundHigh[3]), fromOrderedKey(boundHigh[4]));
   }
   // No caster lies within `margin` texels of the border, so reading past the border finds no shadow.
   float texels = frame.shadowTexels;

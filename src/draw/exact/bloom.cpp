@@ -33,9 +33,9 @@ Bloom::Bloom(const scene::Bloom& bloom, glm::ivec2 size)
       reach_(std::clamp(static_cast<float>(ieee::log2(static_cast<double>(bloom.radius) * size.y)), 1.0F,
                         maxLevels)) {
   if (!bloom.strength.moves() && bloom.strength.at(0) <= 0) return;
-  first_ = gl::Program::compute("draw/exact/bloom_first.comp");
-  down_ = gl::Program::compute("draw/exact/bloom_down.comp");
-  up_ = gl::Program::compute("draw/exact/bloom_up.comp");
+  first_ = gl::Program::compute("draw/exact/screen/bloom_first.comp");
+  down_ = gl::Program::compute("draw/exact/screen/bloom_down.comp");
+  up_ = gl::Program::compute("draw/exact/screen/bloom_up.comp");
   for (int i = 0; i < static_cast<int>(std::ceil(reach_)); ++i) {
     size = (size + 1) / 2;
     const auto level = [&](const char* label) {

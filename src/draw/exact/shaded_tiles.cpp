@@ -15,7 +15,7 @@ namespace simreel::draw {
 
 namespace {
 
-constexpr int maxThings = 2046;  // 32 times maxWords of tiles.comp, less the ground's two,
+constexpr int maxThings = 2046;  // the bits that tiles.comp has, 32 times 64, less the ground's two,
 constexpr int fewThings = 30;    // and with FEW
 constexpr unsigned onGround = 1;
 constexpr unsigned groundsKeys = 2;
@@ -45,7 +45,8 @@ const gl::Program& ShadedTiles::program(unsigned features) {
   if ((features & onGround) != 0) defines.emplace_back("GROUND", "1");
   if ((features & groundsKeys) != 0) defines.emplace_back("GROUND_KEYS", "1");
   if ((features & few) != 0) defines.emplace_back("FEW", "1");
-  return programs_.emplace(features, gl::Program::compute("draw/exact/tiles.comp", defines)).first->second;
+  return programs_.emplace(features, gl::Program::compute("draw/exact/tiles/tiles.comp", defines))
+      .first->second;
 }
 
 void ShadedTiles::list(const std::vector<unsigned>& firstIds, const Visibility& visibility,

@@ -15,7 +15,7 @@ class SkinTexels {
   /// Brings the list of an entry, which stays where it is, up to date with its textures.
   void update(const SkinTextures::Entry& entry);
   /// View of the list of an entry that has been brought up to date: RGBA32UI, level after level, of each
-  /// texel eight halves as glsl/draw/exact/skin_texels.comp says.
+  /// texel eight halves as glsl/draw/exact/surface/skin_texels.comp says.
   [[nodiscard]] const gl::Texture& find(const SkinTextures::Entry& entry) const {
     return lists_.at(&entry).view;
   }

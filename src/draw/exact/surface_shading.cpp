@@ -82,7 +82,8 @@ const gl::Program& SurfaceShading::program(unsigned features, int look) {
     defines.emplace_back(lookOf(skin).define, "1");
   }
   return programs_
-      .emplace(std::pair(features, look), gl::Program::compute("draw/exact/shade_surface.comp", defines))
+      .emplace(std::pair(features, look),
+               gl::Program::compute("draw/exact/surface/shade_surface.comp", defines))
       .first->second;
 }
 

@@ -18,10 +18,10 @@ namespace simreel::draw {
 
 namespace {
 
-constexpr const char* trianglesPath = "draw/exact/triangles.comp";
-constexpr const char* mediumPath = "draw/exact/medium.comp";
-constexpr const char* largePath = "draw/exact/large.comp";
-constexpr const char* clipPath = "draw/exact/clip_large.comp";
+constexpr const char* trianglesPath = "draw/exact/triangles/triangles.comp";
+constexpr const char* mediumPath = "draw/exact/triangles/medium.comp";
+constexpr const char* largePath = "draw/exact/triangles/large.comp";
+constexpr const char* clipPath = "draw/exact/triangles/clip_large.comp";
 constexpr unsigned groupTriangles = 64;
 constexpr std::int64_t maxIds = 0xfffffff0;  // the last ones say ground, and nothing
 
@@ -123,7 +123,7 @@ const gl::Program& TriangleRaster::vertexProgram(const sim::Surface& surface) {
   if (key.first) defines.emplace_back("GRID", "1");
   if (key.second) defines.emplace_back("DEFORMED", "1");
   if (into_ == Into::sunMap) defines.emplace_back("SUN_MAP", "1");
-  return vertexPrograms_.emplace(key, gl::Program::compute("draw/exact/vertices.comp", defines))
+  return vertexPrograms_.emplace(key, gl::Program::compute("draw/exact/triangles/vertices.comp", defines))
       .first->second;
 }
 

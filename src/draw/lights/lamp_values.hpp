@@ -31,7 +31,7 @@ struct LampOrder {
 [[nodiscard]] std::vector<shader::Lamp> lampValues(const LampOrder& order, int seed, double seconds,
                                                    const sim::Drawables& drawables);
 
-/// Says in `maps` where the maps lie in whole texels, as glsl/draw/exact/lamp_maps.glsl reads it.
+/// Says in `maps` where the maps lie in whole texels, as glsl/draw/exact/shadows/lamp_maps.glsl reads it.
 void setTexels(std::vector<shader::Lamp>& lamps, const LampOrder& order);
 
 }  // namespace simreel::draw

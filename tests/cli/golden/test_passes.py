@@ -27,11 +27,12 @@ SCENE = with_values({
 
 # Pass: (file, text that stands there once, the text with another constant)
 CHANGES = {
-    "visibility": ("draw/exact/triangle.glsl", "v.x * perDepth * 256.0f + 0.5f", "v.x * perDepth * 256.0f + 9.5f"),
-    "shadow": ("draw/exact/vertices.comp", "precise float near = 1.0f - place.z;", "precise float near = 1.2f - place.z;"),
-    "light": ("draw/exact/sun_map.glsl", "lightTexel() * (0.5f + 0.5f", "lightTexel() * (0.1f + 0.1f"),
+    "visibility": ("draw/exact/triangles/triangle.glsl", "v.x * perDepth * 256.0f + 0.5f", "v.x * perDepth * 256.0f + 9.5f"),
+    "shadow": ("draw/exact/triangles/vertices.comp", "precise float near = 1.0f - place.z;",
+               "precise float near = 1.2f - place.z;"),
+    "light": ("draw/exact/shadows/sun_map.glsl", "lightTexel() * (0.5f + 0.5f", "lightTexel() * (0.1f + 0.1f"),
     "glow": ("draw/exact/instances/glow_add.glsl", "precise vec3 all_ = light * part;", "precise vec3 all_ = light * (part * 1.01f);"),
-    "bloom": ("draw/exact/bloom_up.comp", "(fraction.y * 0.0625f)", "(fraction.y * 0.0626f)"),
+    "bloom": ("draw/exact/screen/bloom_up.comp", "(fraction.y * 0.0625f)", "(fraction.y * 0.0626f)"),
     "picture": ("draw/screen/film.glsl", "bright = 1.3f * light", "bright = 1.31f * light"),
 }
 PROGRAM_WORD = shlex.quote(str(pathlib.Path(PROGRAM).resolve()) if os.sep in PROGRAM else PROGRAM)

@@ -3,7 +3,7 @@
 #define EXACT_PICTURE
 #include "draw/frame_block.glsl"
 #include "draw/exact/visible_sample.glsl"
-#include "draw/exact/triangle.glsl"
+#include "draw/exact/triangles/triangle.glsl"
 #include "draw/exact/light_place.glsl"
 #include "draw/exact/instances/instance_source.glsl"
 #include "draw/exact/instances/disc.glsl"

@@ -1,6 +1,6 @@
 // Adding light to the sums of draw/instances/glow_block.glsl, before what is visible. SAMPLES.
 #include "draw/exact/view_block.glsl"
-#include "draw/exact/triangle.glsl"
+#include "draw/exact/triangles/triangle.glsl"
 #define GLOW_FIRST_ROW view.rows.x
 #include "draw/instances/glow_block.glsl"
 #include "draw/exact/sample_read.glsl"

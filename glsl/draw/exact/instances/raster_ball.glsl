@@ -1,6 +1,6 @@
 // Drawing balls by ray, sample by sample. Variants of visible_sample.glsl.
 #include "draw/exact/visible_sample.glsl"
-#include "draw/exact/triangle.glsl"
+#include "draw/exact/triangles/triangle.glsl"
 #include "draw/exact/instances/ball_source.glsl"
 #include "draw/exact/instances/rays.glsl"
 

@@ -3,14 +3,14 @@
 // (draw/instances/small_sprites.comp): else they would twinkle. Variants: those of draw/surface/lighting.glsl, SHADOW (with
 // SHADOW_TAPS). SAMPLES.
 #define EXACT_PICTURE
-#include "draw/exact/shaded_tile.glsl"
+#include "draw/exact/tiles/shaded_tile.glsl"
 #include "draw/exact/instances/ball_source.glsl"
 #include "draw/exact/instances/rays.glsl"
 #include "draw/instances/instance_list.glsl"
 #include "draw/surface/facing.glsl"
 #include "draw/surface/lighting.glsl"
 #ifdef SHADOW
-#include "draw/exact/sun_map.glsl"
+#include "draw/exact/shadows/sun_map.glsl"
 #endif
 uniform vec3 material;  // roughness, metallic, translucency
 uniform float squarePixels;  // radius of those of few pixels

@@ -13,9 +13,9 @@ namespace simreel::draw {
 
 namespace {
 
-constexpr const char* copiesPath = "draw/exact/instances/copies.comp";
-constexpr const char* mediumCopiesPath = "draw/exact/instances/medium_copies.comp";
-constexpr const char* largeCopiesPath = "draw/exact/instances/large_copies.comp";
+constexpr const char* copiesPath = "draw/exact/copies/copies.comp";
+constexpr const char* mediumCopiesPath = "draw/exact/copies/medium_copies.comp";
+constexpr const char* largeCopiesPath = "draw/exact/copies/large_copies.comp";
 constexpr unsigned groupPairs = 64;
 
 void clear(const gl::Buffer& counts) {
@@ -91,7 +91,7 @@ void CopyRaster::list(const std::vector<Copies>& copies, const Visibility& into)
   reserve(smallGroups_, "groups for copies", parts * GroupCounts::bytes);
   reserve(largeGroups_, "groups for large triangles", parts * GroupCounts::bytes);
   if (cull_.name() == 0)
-    cull_ = gl::Program::compute("draw/exact/instances/cull_copies.comp", cullDefines(into_));
+    cull_ = gl::Program::compute("draw/exact/copies/cull_copies.comp", cullDefines(into_));
   clear(counts_);
   gl::barrier();
   listed_.bindStorage(largeBinding);

@@ -46,7 +46,7 @@ class CopyRaster {
   /// Adds light to the bound sums of GlowRaster, before what is visible.
   void addLight(const std::vector<Copies>& copies, const Visibility& into);
 
-  /// Sets and binds what glsl/draw/exact/instances/copy_source.glsl reads.
+  /// Sets and binds what glsl/draw/exact/copies/copy_source.glsl reads.
   void set(const gl::Program& program, const Copies& copies, unsigned firstId);
 
  private:

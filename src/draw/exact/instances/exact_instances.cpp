@@ -133,7 +133,7 @@ void ExactInstances::shade(const ShadedTiles& tiles, int firstThing) {
   }
   for (std::size_t i = 0; i < copies_.size(); ++i) {
     const CopyRaster::Copies& copies = copies_[i];
-    const gl::Program& shader = shading("draw/exact/instances/shade_copies.comp", *copies.instances);
+    const gl::Program& shader = shading("draw/exact/copies/shade_copies.comp", *copies.instances);
     copyRaster_.set(shader, copies, copyIds_[i]);
     setLook(shader, *copies.instances, balls_.size() + i);
     tiles.shade(firstThing + static_cast<int>(balls_.size() + i), shader);

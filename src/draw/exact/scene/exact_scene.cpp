@@ -109,7 +109,7 @@ ExactScene::State::State(const scene::Scene& shown, glm::ivec2 pixels, int count
       surfaces(shown, lighting(count)),
       instances(count, lighting(count)),
       bloom(shown.render.bloom, pixels),
-      picture(gl::Program::compute("draw/exact/picture.comp", pictureDefines())),
+      picture(gl::Program::compute("draw/exact/screen/picture.comp", pictureDefines())),
       sums(gl::Texture::image("light", GL_RGBA32F, pixels.x, pixels.y)) {
   if (shadow.on()) {
     map.emplace("the shadow map", shadow.size(), 1, false);
@@ -118,10 +118,10 @@ ExactScene::State::State(const scene::Scene& shown, glm::ivec2 pixels, int count
   if (!ground) return;
   gl::Defines defines = lighting(count);
   if (shown.ground.roughness < 0.6F) defines.emplace_back("REFLECTIVE", "1");
-  litGround = gl::Program::compute("draw/exact/shade_ground.comp", defines);
+  litGround = gl::Program::compute("draw/exact/tiles/shade_ground.comp", defines);
   if (!shadow.on()) return;
   defines.emplace_back("SHADOWED", "1");
-  shadedGround = gl::Program::compute("draw/exact/shade_ground.comp", defines);
+  shadedGround = gl::Program::compute("draw/exact/tiles/shade_ground.comp", defines);
 }
 
 ExactScene::ExactScene(const scene::Scene& scene, glm::ivec2 size, int samples,

@@ -17,7 +17,7 @@ FaceLists::FaceLists(const gl::Defines& lampDefines) {
   if (lampDefines.empty()) return;
   gl::Defines defines = lampDefines;
   for (const auto& define : laneDefines()) defines.push_back(define);
-  program_ = gl::Program::compute("draw/exact/face_lists.comp", defines);
+  program_ = gl::Program::compute("draw/exact/shadows/face_lists.comp", defines);
 }
 
 int FaceLists::facesAtOnce(int triangles) {

@@ -21,7 +21,8 @@ const gl::Program& MergedMesh::program(bool deformed, bool counted) {
   gl::Defines defines;
   if (deformed) defines.emplace_back("DEFORMED", "1");
   if (counted) defines.emplace_back("COUNTED", "1");
-  return programs_.emplace(key, gl::Program::compute("draw/exact/merge_mesh.comp", defines)).first->second;
+  return programs_.emplace(key, gl::Program::compute("draw/exact/shadows/merge_mesh.comp", defines))
+      .first->second;
 }
 
 void MergedMesh::merge(const std::vector<const sim::Surface*>& surfaces) {

@@ -16,8 +16,18 @@ using Shape = sim::Instances::Shape;
 
 namespace {
 
-/// Invocations of the first row of groups (dispatchRows).
+/// Invocations of the first row of groups (dispatchRows), and of two but for few: where what is drawn lies.
 constexpr std::size_t row = std::size_t{32768} * 64;
+constexpr std::size_t rows = 2 * row - 40;
+
+/// `all`, things that show nothing, with a part of `few` from the second row's beginning on, the others at
+/// its end.
+template <class T>
+void putInto(std::vector<T>& all, const std::vector<T>& few, std::size_t part) {
+  const auto from = few.begin() + static_cast<std::ptrdiff_t>(part);
+  std::copy(few.begin(), from, all.begin() + static_cast<std::ptrdiff_t>(row));
+  all.insert(all.end(), from, few.end());
+}
 
 scene::Scene litScene() {
   scene::Scene scene = darkScene();
@@ -36,7 +46,7 @@ Picture exactly(const scene::Scene& scene, const sim::Drawables& drawables, glm:
 
 }  // namespace
 
-TEST_CASE("exact limits: instances beyond the first row of groups") {
+TEST_CASE("exact limits: instances beyond the first row of groups, to the end of the second") {
   testContext();
   const scene::Scene scene = litScene();
   const auto file = temporaryFile("row_dart.obj");
@@ -52,10 +62,10 @@ TEST_CASE("exact limits: instances beyond the first row of groups") {
   }
   InstanceStage few(places, speeds);
   constexpr glm::vec4 dead{0, 0, 0, -1};
-  std::vector<glm::vec4> allPlaces(row + 3, glm::vec4(0, 1, 0, 1));
-  std::vector<glm::vec4> allSpeeds(row + 3, dead);
-  allPlaces.insert(allPlaces.end(), places.begin(), places.end());
-  allSpeeds.insert(allSpeeds.end(), speeds.begin(), speeds.end());
+  std::vector<glm::vec4> allPlaces(rows, glm::vec4(0, 1, 0, 1));
+  std::vector<glm::vec4> allSpeeds(rows, dead);
+  putInto(allPlaces, places, 15);
+  putInto(allSpeeds, speeds, 15);
   InstanceStage many(allPlaces, allSpeeds);
   for (const Shape shape : {Shape::sprite, Shape::sphere, Shape::mesh})
     for (const bool additive : {false, true}) {
@@ -75,7 +85,7 @@ TEST_CASE("exact limits: instances beyond the first row of groups") {
   std::filesystem::remove(file);
 }
 
-TEST_CASE("exact limits: vertices and triangles beyond the first row of groups") {
+TEST_CASE("exact limits: vertices and triangles beyond the first row of groups, to the end of the second") {
   testContext();
   const scene::Scene scene = litScene();
   Dice dice(43);
@@ -87,11 +97,16 @@ TEST_CASE("exact limits: vertices and triangles beyond the first row of groups")
     corners.push_back(i);
   }
   TriangleStage few(places, corners);
-  constexpr auto before = static_cast<unsigned>(row + 5);
-  std::vector<glm::vec3> allPlaces(before, glm::vec3(0));
-  std::vector<unsigned> allCorners(std::size_t{3} * before, 0);
-  allPlaces.insert(allPlaces.end(), places.begin(), places.end());
-  for (const unsigned corner : corners) allCorners.push_back(before + corner);
+  std::vector<glm::vec3> allPlaces(rows, glm::vec3(0));
+  putInto(allPlaces, places, 45);
+  std::vector<unsigned> allCorners(std::size_t{3} * rows, 0);
+  for (const unsigned corner : corners) {
+    const std::size_t number = corner < 45 ? row + corner : rows + corner - 45;
+    if (corner < 45)
+      allCorners[3 * row + corner] = static_cast<unsigned>(number);
+    else
+      allCorners.push_back(static_cast<unsigned>(number));
+  }
   TriangleStage many(allPlaces, allCorners);
   few.surface.doubleSided = many.surface.doubleSided = true;
   const Picture wanted = exactly(scene, {.surfaces = {few.surface}}, {67, 53});
@@ -190,7 +205,15 @@ TEST_CASE("exact limits: one primitive over the whole picture is the same at any
   ball.instances.size = 120;
   instance.instances.shape = Shape::mesh;
   ball.instances.shape = Shape::sphere;
+  // No part of it is clipped away, however many pixels the picture has.
+  const auto whole = temporaryFile("whole_triangle.obj");
+  writeFileAtomically(whole, "v -8 -8 0\nv 8 -8 0\nv 0 13 0\nf 1 2 3\n");
+  InstanceStage inside(std::vector<glm::vec3>(1, glm::vec3(0)));
+  inside.instances.mesh = whole;
+  inside.instances.size = 1;
+  inside.instances.shape = Shape::mesh;
   const sim::Drawables kinds[] = {{.surfaces = {triangle.surface}},
+                                  {.instances = {inside.instances}},
                                   {.instances = {instance.instances}},
                                   {.instances = {ball.instances}}};
   for (const sim::Drawables& drawables : kinds) {
@@ -205,6 +228,15 @@ TEST_CASE("exact limits: one primitive over the whole picture is the same at any
       CAPTURE(samples);
       CHECK(with(samples).bytes == one.bytes);
     }
+    // More pixels than an invocation may go through, and than small triangles may have.
+    for (const glm::ivec2 size : {glm::ivec2(401, 301), glm::ivec2(13, 5400)}) {
+      const Picture large = drawn(scene, drawables, size, 1, {.rasterizer = scene::Rasterizer::exact});
+      int dark = 0;
+      for (int y = 0; y < size.y; ++y)
+        for (int x = 0; x < size.x; ++x) dark += large.brightness(x, y) > 200 ? 0 : 1;
+      CHECK(dark == 0);
+    }
   }
   std::filesystem::remove(file);
+  std::filesystem::remove(whole);
 }

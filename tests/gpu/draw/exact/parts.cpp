@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <deque>
+#include <span>
 
 #include <doctest/doctest.h>
 
@@ -146,4 +147,37 @@ TEST_CASE("exact parts: triangles as one surface, as several or in the other ord
     CHECK(wanted == pictureOf(corners, {1, 70, 149, 150}, samples));
     CHECK(wanted == pictureOf(turned, {81, 150}, samples));
   }
+}
+
+TEST_CASE("exact parts: a surface's colours are its own after others, by palette") {
+  testContext();
+  scene::Scene scene = dealtScene();
+  scene.sun.shadow = false;  // its map is fitted to all
+  const std::vector<glm::vec4> colors = {{0.9F, 0.1F, 0.1F, 1}, {0.1F, 0.9F, 0.2F, 1}, {0.2F, 0.3F, 1, 1}};
+  const auto buffer = gl::Buffer::of<glm::vec4>("palette", colors);
+  const gl::Texture palette = gl::Texture::view("palette", GL_RGBA32F, buffer);
+  Dice dice(47);
+  std::vector<glm::vec3> places;
+  std::vector<unsigned> corners;
+  for (unsigned i = 0; i < 60; ++i) {
+    const glm::vec3 middle = i % 3 == 0 ? dice.cube() : places[i - i % 3];
+    places.push_back(middle + 0.3F * dice.cube() + glm::vec3(0, i % 3 == 0 ? 0.9F : 0, 0));
+    corners.push_back(i);
+  }
+  TriangleStage coloured(places, corners);
+  std::vector<glm::vec4> texels;
+  for (std::size_t i = 0; i < places.size(); ++i)
+    texels.emplace_back(places[i], static_cast<float>(i / 3 % 3));
+  coloured.positions.write(0, std::as_bytes(std::span(texels)));
+  coloured.surface.doubleSided = true;
+  coloured.surface.palette = &palette;
+  // Below the ground.
+  TriangleStage hidden({{-1, -3, 0}, {1, -3, 0}, {0, -3, 1}, {0, -4, 0}, {0, -5, 0}}, {0, 1, 2});
+  const auto picture = [&](const std::vector<sim::Surface>& surfaces) {
+    return drawn(scene, {.surfaces = surfaces}, pictureSize, 4).bytes;
+  };
+  const auto wanted = picture({coloured.surface});
+  CHECK(picture({hidden.surface, coloured.surface}) == wanted);
+  coloured.surface.palette = nullptr;
+  CHECK(picture({coloured.surface}) != wanted);
 }

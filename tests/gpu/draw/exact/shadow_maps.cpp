@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <span>
+#include <tuple>
 
 #include <doctest/doctest.h>
 #include <glm/geometric.hpp>
@@ -21,15 +22,14 @@ namespace {
 
 /// A map of some metres, as deep: what is drawn reaches beyond it on all sides.
 struct SunMapStage {
-  static constexpr int side = 149;
-
-  SunMapStage() : stage(sideScene(), {side, side}, 1), map("a test", {side, side}, 1, false) {
+  explicit SunMapStage(int texels = 149)
+      : side(texels), stage(sideScene(), {side, side}, 1), map("a test", {side, side}, 1, false) {
     const float across = 5;
     const float deep = 4;
     const glm::vec3 sun(0.48F, 0.6F, 0.64F);
     rows = {glm::vec4(glm::vec3(0.8F, 0, -0.6F) / across, 0.47F),
             glm::vec4(glm::vec3(-0.36F, 0.8F, -0.48F) / across, 0.55F), glm::vec4(-sun / deep, 0.52F),
-            glm::vec4(across / side, across, deep, 0), glm::vec4(0)};
+            glm::vec4(across / static_cast<float>(side), across, deep, 0), glm::vec4(0)};
     light = gl::Buffer::of<glm::vec4>("light", rows);
     view = gl::Texture::view("light", GL_RGBA32F, light);
   }
@@ -47,6 +47,7 @@ struct SunMapStage {
     return found;
   }
 
+  int side;
   ExactStage stage;
   draw::Visibility map;
   std::vector<glm::vec4> rows;
@@ -95,7 +96,7 @@ TEST_CASE("sun's map: of balls the one nearest to the sun, in double precision, 
     const glm::dvec4 p(glm::dvec3(place), 1);
     const auto along = [&](std::size_t row) { return glm::dot(glm::dvec4(stage.rows[row]), p); };
     discs.push_back(
-        {glm::dvec2(along(0), along(1)) * double{SunMapStage::side},
+        {glm::dvec2(along(0), along(1)) * static_cast<double>(stage.side),
          0.5 * 0.17 * std::cbrt(static_cast<double>(place.w)) / static_cast<double>(stage.rows[3].x),
          std::max(1 - along(2), 0.0)});
   };
@@ -106,8 +107,8 @@ TEST_CASE("sun's map: of balls the one nearest to the sun, in double precision, 
   int wrong = 0;
   int close = 0;
   int covered = 0;
-  for (int y = 0; y < SunMapStage::side; ++y)
-    for (int x = 0; x < SunMapStage::side; ++x) {
+  for (int y = 0; y < stage.side; ++y)
+    for (int x = 0; x < stage.side; ++x) {
       double nearest = -1;
       bool doubtful = false;
       for (const Disc& disc : discs) {
@@ -115,7 +116,7 @@ TEST_CASE("sun's map: of balls the one nearest to the sun, in double precision, 
         doubtful = doubtful || std::abs(away) < 2e-3;
         if (away <= 0) nearest = std::max(nearest, disc.near);
       }
-      const unsigned key = usual[static_cast<std::size_t>(y * SunMapStage::side + x)];
+      const unsigned key = usual[static_cast<std::size_t>(y * stage.side + x)];
       close += doubtful ? 1 : 0;
       covered += nearest >= 0 ? 1 : 0;
       if (doubtful) continue;
@@ -128,7 +129,36 @@ TEST_CASE("sun's map: of balls the one nearest to the sun, in double precision, 
   CHECK(wrong == 0);
   CHECK(close < 300);
   CHECK(covered > 3000);
-  CHECK(covered < SunMapStage::side * SunMapStage::side - 3000);
+  CHECK(covered < stage.side * stage.side - 3000);
+}
+
+TEST_CASE("sun's map: a ball over more texels than an invocation may go through") {
+  testContext();
+  SunMapStage stage(301);
+  InstanceStage ball({{0, 0, 0, 1}}, {glm::vec4(0)});
+  ball.instances.shape = Shape::sphere;
+  ball.instances.size = 60;
+  draw::BallRaster raster(draw::BallRaster::Into::sunMap, 1);
+  stage.clear();
+  raster.drawNearest({&ball.instances}, {}, stage.map);
+  const std::vector<unsigned> keys = stage.keys();
+  CHECK(std::count(keys.begin(), keys.end(), keys.front()) == static_cast<std::ptrdiff_t>(keys.size()));
+  CHECK(keys.front() != 0xffffffffU);
+  // Of another one fifteen columns, the rows around the last but fifty.
+  SunMapStage wide(4500);
+  const glm::vec3 right(0.8F, 0, -0.6F);
+  const glm::vec3 up(-0.36F, 0.8F, -0.48F);
+  InstanceStage beside({glm::vec4(-32.3333F * right + 2.1944F * up, 1)}, {glm::vec4(0)});
+  beside.instances.shape = Shape::sphere;
+  beside.instances.size = 60;
+  wide.clear();
+  raster.drawNearest({&beside.instances}, {}, wide.map);
+  const std::vector<unsigned> found = wide.keys();
+  for (const auto& [column, row, covered] :
+       {std::tuple(3, 4495, true), {3, 4450, true}, {3, 4200, true}, {3, 10, false}, {30, 4450, false}}) {
+    CAPTURE(row);
+    CHECK((found[static_cast<std::size_t>(row * wide.side + column)] != 0xffffffffU) == covered);
+  }
 }
 
 TEST_CASE("sun's map: copies of a mesh throw the shadows of the same triangles of a surface") {
@@ -151,7 +181,7 @@ TEST_CASE("sun's map: copies of a mesh throw the shadows of the same triangles o
     const std::vector<unsigned> wanted = stage.keys();
     const auto empty = std::count(wanted.begin(), wanted.end(), 0xffffffffU);
     CHECK(empty > 500);
-    CHECK(empty < SunMapStage::side * SunMapStage::side - 2000);
+    CHECK(empty < stage.side * stage.side - 2000);
     CHECK(std::count(wanted.begin(), wanted.end(), 0x7fffffffU) > 20);  // as far away as the map reaches
     for (const auto& [smallPixels, pairs] : {std::pair(16, 1U << 22U), {0, 100U}, {64, 17U}}) {
       CAPTURE(smallPixels);

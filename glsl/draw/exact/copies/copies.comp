@@ -1,0 +1,41 @@
+// Triangles of listed copies, an invocation each; the numbers of the others go on a list: those of medium size from its end
+// on (medium_copies.comp), large ones from its beginning (large_copies.comp). Variants of raster_triangle.glsl, BALLOT.
+#include "draw/exact/copies/raster_copy.glsl"
+#include "draw/exact/triangles/fill_box.glsl"
+layout(local_size_x = 64) in;
+layout(std430, binding = largeBinding) writeonly restrict buffer LargeBlock { uint large[]; };
+layout(std430, binding = counterBinding) restrict buffer CounterBlock { uint counters[]; };
+layout(binding = counterUnit) uniform usamplerBuffer listedCounts;
+uniform int draw_;        // number of the copies among those drawn
+uniform int part;         // of the dispatches
+uniform int mostCopies;   // of one dispatch
+uniform int parts;
+uniform int listRoom;      // numbers that the list holds
+uniform int smallPixels;   // the longest side of a small triangle's box,
+uniform int mediumPixels;  // and of one of medium size; none is where it is less
+#include "draw/exact/list_place.glsl"
+
+void main() {
+  uint pair = gl_WorkGroupID.y * gl_NumWorkGroups.x * 64u + gl_GlobalInvocationID.x;
+  int copies = min(int(texelFetch(listedCounts, draw_).x) - skipped, mostCopies);
+  if (copies <= 0 || pair >= uint(copies) * triangles) return;
+  CopyTriangle c = copyTriangle(pair);
+  vec2 size = vec2(PICTURE_SIZE);
+#ifndef SUN_MAP
+  float nearest = view.near;
+#endif
+  if (beside(c.a, c.b, c.c, size, nearest)) return;
+  bool whole = inside(c.a, size, nearest) && inside(c.b, size, nearest) && inside(c.c, size, nearest);
+  Triangle t;
+  t.empty = false;
+  t.low = t.high = ivec2(0);
+  if (whole) t = drawnTriangle(cornerAt(c.a, c.na), cornerAt(c.b, c.nb), cornerAt(c.c, c.nc));
+  if (t.empty) return;
+  int extent = max(t.high.x - t.low.x, t.high.y - t.low.y);
+  if (whole && extent <= smallPixels * subpixels)
+    fillBox(t, c.id);
+  else if (whole && extent <= mediumPixels * subpixels)
+    large[listRoom - 1 - int(nextPlace(parts + part))] = pair;
+  else
+    large[int(nextPlace(part))] = pair;
+}

@@ -1,0 +1,57 @@
+// Light of copies of a mesh on their tiles: each triangle of a pixel once, in the pixel's middle if that is on it, else at the
+// first of its samples. Variants: those of draw/surface/lighting.glsl, SHADOW (with SHADOW_TAPS). SAMPLES.
+#define EXACT_PICTURE
+#include "draw/exact/tiles/shaded_tile.glsl"
+#include "draw/exact/copies/copy_source.glsl"
+#include "draw/exact/copies/copy_place.glsl"
+#include "draw/exact/ground_plane.glsl"
+#include "draw/exact/weights.glsl"
+#include "draw/instances/instance_list.glsl"
+#include "draw/surface/lighting.glsl"
+#ifdef SHADOW
+#include "draw/exact/shadows/sun_map.glsl"
+#endif
+uniform vec3 material;  // roughness, metallic, translucency
+
+vec4 lightOf(ivec2 pixel, uint number, int firstSample) {
+  int slot = int(number / triangles);
+  Copy copy = copyOf(slot);
+  ivec3 corners = cornersOf(number % triangles);
+  vec3 a = onPicture(pointOf(copy, corners.x)), b = onPicture(pointOf(copy, corners.y));
+  vec3 c = onPicture(pointOf(copy, corners.z));
+  vec2 place = shadingPlace(pixel, -1);
+  Weights weights = weightsAt(a, b, c, place);
+  if (!weights.within) {
+    place = shadingPlace(pixel, firstSample);
+    weights = weightsAt(a, b, c, place);
+  }
+  vec3 w = weights.of;
+  precise float depth = w.x * a.z + w.y * b.z + w.z * c.z;
+  vec3 ray = rayThrough(place);
+  vec3 p = placeOnRay(ray, depth);
+  precise vec3 mean = w.x * normalOf(copy, corners.x) + w.y * normalOf(copy, corners.y) + w.z * normalOf(copy, corners.z);
+  vec3 normal = unitOf(mean);
+  normal = weights.turned ? -normal : normal;  // a mesh may be open
+#ifdef SHADOW
+  float fraction = sunFractionOn(p, normal);
+#else
+  const float fraction = 1.0f;
+#endif
+  precise vec3 towards = -ray;
+  vec3 tint = tintOf(texelFetch(positions, slot), texelFetch(velocities, slot));
+  return vec4(allLight(Look(tint, material.x, material.y, material.z, 1.0f), p, normal, unitOf(towards), fraction), 1.0f);
+}
+
+void main() {
+  ivec2 pixel = pixelToShade();
+  if (pixel.x < 0) return;
+  PixelIds shown = idsOf(pixel);
+  int left = samplesOf(shown, firstId, uint(capacity) * triangles);
+  vec4 sum = imageLoad(sums, pixel);
+  while (left != 0) {
+    int first = findLSB(left), same = samplesLike(shown, first);
+    sum = withLight(sum, lightOf(pixel, idAt(pixel, first) - firstId, first), bitCount(same));
+    left &= ~same;
+  }
+  imageStore(sums, pixel, sum);
+}

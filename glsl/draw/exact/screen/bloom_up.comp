@@ -1,0 +1,34 @@
+// One level's light and, through a tent of 3 by 3 bilinear taps, that of the coarser levels.
+#include "draw/bindings.glsl"
+#include "draw/exact/bindings.glsl"
+#include "draw/exact/screen/twice_as_large.glsl"
+layout(local_size_x = 8, local_size_y = 8) in;
+layout(binding = sceneUnit) uniform sampler2D coarse;
+layout(binding = bloomUnit) uniform sampler2D fine;
+layout(rgba32f, binding = sumImage) writeonly restrict uniform image2D sum_;
+uniform ivec2 size;        // of the result
+uniform ivec2 coarseSize;
+uniform vec2 fraction;     // of fine and coarse
+
+// Three taps of weights 1, 2, 1 a texel apart, each between two texels: four texels.
+vec4 weights(int i) {
+  float second = secondWeight(i);
+  precise vec4 w = vec4(1, 2, 1, 0) * (1.0f - second) + vec4(0, 1, 2, 1) * second;
+  return w;
+}
+
+void main() {
+  ivec2 at = ivec2(gl_GlobalInvocationID.xy);
+  if (at.x >= size.x || at.y >= size.y) return;
+  vec4 across = weights(at.x), down = weights(at.y);
+  ivec2 first = ivec2(firstHalfTexel(at.x), firstHalfTexel(at.y)) - 1;
+  precise vec3 tent = vec3(0);
+  for (int y = 0; y < 4; ++y) {
+    precise vec3 row = vec3(0);
+    for (int x = 0; x < 4; ++x)
+      row = row + across[x] * texelFetch(coarse, clamp(first + ivec2(x, y), ivec2(0), coarseSize - 1), 0).rgb;
+    tent = tent + down[y] * row;
+  }
+  precise vec3 light = fraction.x * texelFetch(fine, at, 0).rgb + (fraction.y * 0.0625f) * tent;
+  imageStore(sum_, at, vec4(light, 1.0f));
+}

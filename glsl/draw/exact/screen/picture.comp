@@ -1,0 +1,38 @@
+// The finished picture: light over the sky, through lens and film, as bytes. BLOOM: adds scattered light.
+#define EXACT_PICTURE
+#include "draw/frame_block.glsl"
+#include "draw/exact/view_block.glsl"
+#include "draw/exact/ground_plane.glsl"
+#include "draw/sky.glsl"
+#include "draw/screen/film.glsl"
+#include "draw/screen/lens.glsl"
+layout(local_size_x = 8, local_size_y = 8) in;
+layout(binding = sceneUnit) uniform sampler2D sums;
+layout(rgba8, binding = pictureImage) writeonly restrict uniform image2D picture;
+uniform vec2 perSize;  // 2 / the picture's size
+#ifdef BLOOM
+#include "draw/exact/screen/bloom_read.glsl"
+uniform float bloomStrength;
+#endif
+
+// A fraction of white as a byte / 255, which every driver's rounding keeps.
+float asByte(float x) {
+  precise float scaled = clamp(x, 0.0f, 1.0f) * 255.0f + 0.5f;
+  precise float byte_ = floor(scaled) * 0.0039215687f;
+  return byte_;
+}
+
+void main() {
+  ivec2 at = ivec2(gl_GlobalInvocationID.xy);
+  if (at.x >= view.size.x || at.y >= view.size.y) return;
+  vec4 drawn = min(texelFetch(sums, at, 0), 6e4f);
+  precise vec2 place = vec2(at) + 0.5f;
+  vec3 direction = unitOf(rayThrough(place));
+  precise vec3 light = drawn.rgb + (1.0f - drawn.a) * skyInDirection(direction);
+#ifdef BLOOM
+  light = light + bloomStrength * scatteredAt(at);
+#endif
+  precise vec2 aside = place * perSize - 1.0f;
+  precise vec3 color = encoded(filmed(throughLens(light, aside))) + dither(at);
+  imageStore(picture, at, vec4(asByte(color.r), asByte(color.g), asByte(color.b), 1.0f));
+}

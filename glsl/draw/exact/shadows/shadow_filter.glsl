@@ -1,0 +1,65 @@
+// Fraction of a light that reaches a place of its shadow map, filtered over a few texels, by reads of our own.
+#include "draw/exact/bindings.glsl"
+#include "draw/exact/triangles/triangle.glsl"
+
+// Where a map lies among keys.
+struct ShadowMap {
+  int side;    // texels
+  int first;   // its first key,
+  int stride;  // and how many there are from a row to the next
+};
+
+// Lit texels around a place (texels), weighted linearly.
+float litAround(usamplerBuffer keys, ShadowMap map, vec2 place, uint key) {
+  precise vec2 corner = place - 0.5f;
+  precise vec2 whole = floor(corner);
+  precise vec2 part = corner - whole;
+  ivec2 a = clamp(ivec2(whole), ivec2(0), ivec2(map.side - 1));
+  ivec2 b = clamp(ivec2(whole) + 1, ivec2(0), ivec2(map.side - 1));
+  int upperRow = map.first + a.y * map.stride, lowerRow = map.first + b.y * map.stride;
+  float p = key <= texelFetch(keys, upperRow + a.x).x ? 1.0f : 0.0f;
+  float q = key <= texelFetch(keys, upperRow + b.x).x ? 1.0f : 0.0f;
+  float r = key <= texelFetch(keys, lowerRow + a.x).x ? 1.0f : 0.0f;
+  float s = key <= texelFetch(keys, lowerRow + b.x).x ? 1.0f : 0.0f;
+  precise float upper = p + (q - p) * part.x;
+  precise float lower = r + (s - r) * part.x;
+  precise float lit = upper + (lower - upper) * part.y;
+  return lit;
+}
+
+// Four taps: a square turned by 27 degrees, whose steps overlap into a smooth ramp.
+float litByFour(usamplerBuffer keys, ShadowMap map, vec2 middle, uint key, float radius) {
+  precise vec2 u = radius * vec2(0.667f, 0.333f);
+  precise vec2 v = radius * vec2(-0.333f, 0.667f);
+  precise vec2 one = middle + u;
+  precise vec2 two = middle - u;
+  precise vec2 three = middle + v;
+  precise vec2 four = middle - v;
+  precise float sum = litAround(keys, map, one, key) + litAround(keys, map, two, key) + litAround(keys, map, three, key) +
+                      litAround(keys, map, four, key);
+  precise float fraction = 0.25f * sum;
+  return fraction;
+}
+
+// A sunflower disc: of its point i the distance from the middle, exactSqrt((i + 1/2) / 16), and cosine and sine of 2.399963 i.
+const vec3 sunflower[16] = vec3[](
+    vec3(0.176776692f, 0.999999881f, 0.0f), vec3(0.306186229f, -0.737368882f, 0.675490618f),
+    vec3(0.395284712f, 0.0874252319f, -0.996171057f), vec3(0.467707157f, 0.608439505f, 0.793600142f),
+    vec3(0.530330062f, -0.984713793f, -0.174180642f), vec3(0.586301923f, 0.84375453f, -0.536729038f),
+    vec3(0.637377381f, -0.259602129f, 0.965715587f), vec3(0.684653163f, -0.46090889f, -0.887447178f),
+    vec3(0.728868961f, 0.939321995f, 0.343036175f), vec3(0.770551741f, -0.924344897f, 0.381558806f),
+    vec3(0.810092628f, 0.423844457f, -0.905735254f), vec3(0.847791255f, 0.29928723f, 0.954162836f),
+    vec3(0.883883417f, -0.865212858f, -0.501404345f), vec3(0.918558598f, 0.976674676f, -0.214723125f),
+    vec3(0.951971591f, -0.575125396f, 0.818065643f), vec3(0.984251082f, -0.128515407f, -0.991707444f));
+
+float litBySixteen(usamplerBuffer keys, ShadowMap map, vec2 middle, uint key, float radius) {
+  precise float sum = 0.0f;
+  for (int i = 0; i < 16; ++i) {
+    vec3 point = sunflower[i];
+    precise float along = radius * point.x;
+    precise vec2 tap = middle + along * point.yz;
+    sum = sum + litAround(keys, map, tap, key);
+  }
+  precise float fraction = sum * 0.0625f;
+  return fraction;
+}

@@ -1,0 +1,84 @@
+// Light of one surface on its tiles: each primitive of a pixel once, in the pixel's middle if that is on it, else at the
+// first of its samples. Variants: those of draw/surface/lighting.glsl, SHADOW (with SHADOW_TAPS), PALETTE, DOUBLE_SIDED,
+// TEXTURED (BUMPED) or SKIN (LOOK_ one of draw/surface/skin_look.glsl), by uv, of a GRID or a mesh, or TRIPLANAR. SAMPLES.
+// PAIRS: as shaded_pairs.glsl has it.
+#define EXACT_PICTURE
+#ifdef PAIRS
+#include "draw/exact/tiles/shaded_pairs.glsl"
+#else
+#include "draw/exact/tiles/shaded_tile.glsl"
+#endif
+#include "draw/exact/triangles/surface_triangle.glsl"
+#include "draw/exact/surface/surface_spot.glsl"
+#include "draw/surface/lighting.glsl"
+#if defined TEXTURED || defined SKIN
+#include "draw/exact/surface/surface_seen.glsl"
+#endif
+#ifdef TEXTURED
+#include "draw/exact/surface/surface_texture.glsl"
+#endif
+#ifdef SKIN
+#include "draw/exact/surface/surface_skin.glsl"
+#endif
+#ifdef SHADOW
+#include "draw/exact/shadows/sun_map.glsl"
+#endif
+uniform uint firstId;
+uniform vec3 color;
+uniform vec3 material;  // roughness, metallic, translucency
+
+vec3 lightOf(ivec2 pixel, uint triangle, int firstSample) {
+  Spot spot = spotOf(cornersOf(int(triangle)), pixel, firstSample);
+  precise vec3 base = color;
+#ifdef PALETTE
+  base = paletteColor(spot);
+#endif
+  vec3 normal = spot.normal;
+#ifdef DOUBLE_SIDED
+  normal = spot.turned ? -normal : normal;
+#endif
+#ifdef TEXTURED
+  Patch patch_ = patchSeen(surfaceSeen(spot));
+  base = base * patch_.color;
+#ifdef BUMPED
+  normal = bumpedNormal(patch_, spot, normal);
+#endif
+#endif
+#ifdef SHADOW
+  float fraction = sunFractionOn(spot.place, spot.normal);
+#else
+  const float fraction = 1.0f;
+#endif
+  Look look = Look(base, material.x, material.y, material.z, 1.0f);
+  precise vec3 light = vec3(0);
+#ifdef SKIN
+  SpotSkin found = skinOn(spot, normal);
+  normal = found.normal;
+  look.base = found.skin.albedo;
+  look.roughness = found.skin.roughness;
+  look.openness = found.skin.openness;
+  light = found.skin.emission;
+#endif
+  light = light + allLight(look, spot.place, normal, spot.view, fraction);
+  return light;
+}
+
+#ifdef PAIRS
+void main() {
+  lightTile(firstId, uint(trianglesToDraw()));
+}
+#else
+void main() {
+  ivec2 pixel = pixelToShade();
+  if (pixel.x < 0) return;
+  PixelIds shown = idsOf(pixel);
+  int left = samplesOf(shown, firstId, uint(trianglesToDraw()));
+  vec4 sum = imageLoad(sums, pixel);
+  while (left != 0) {
+    int first = findLSB(left), same = samplesLike(shown, first);
+    sum = withLight(sum, vec4(lightOf(pixel, idAt(pixel, first) - firstId, first), 1.0f), bitCount(same));
+    left &= ~same;
+  }
+  imageStore(sums, pixel, sum);
+}
+#endif

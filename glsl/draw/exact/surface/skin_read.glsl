@@ -1,0 +1,93 @@
+// Materials grown from a field (draw/surface/skin.glsl), by reads of our own.
+#include "draw/bindings.glsl"
+#include "draw/exact/surface/footprint.glsl"
+#include "draw/surface/skin_values.glsl"
+#include "draw/surface/skin_look.glsl"
+layout(binding = reliefUnit) uniform usamplerBuffer skinTexels;  // skin_texels.comp
+uniform ivec2 reliefSize;
+uniform int reliefLevels;
+uniform vec2 skinCells;  // of the field
+
+struct SkinTexel {
+  vec4 relief;
+  vec4 around;  // surroundings, then colour
+};
+
+SkinTexel skinTexel(int at) {
+  uvec4 words = texelFetch(skinTexels, at);
+  return SkinTexel(vec4(unpackHalf2x16(words.x), unpackHalf2x16(words.y)), vec4(unpackHalf2x16(words.z), unpackHalf2x16(words.w)));
+}
+
+// As FILTERED of footprint.glsl has it, of all that a texel holds; `first` is where the level's texels begin.
+SkinTexel skinBetween(vec2 uv, int level, int first, TextureShape shape) {
+  Around around = texelsAround(uv, level, shape);
+  ivec4 t = around.texels;
+  int width = max(shape.size.x >> level, 1), up = first + t.y * width, down = first + t.w * width;
+  SkinTexel p = skinTexel(up + t.x), q = skinTexel(up + t.z), r = skinTexel(down + t.x), s = skinTexel(down + t.z);
+  precise vec4 upper = p.relief + (q.relief - p.relief) * around.part.x;
+  precise vec4 lower = r.relief + (s.relief - r.relief) * around.part.x;
+  precise vec4 relief = upper + (lower - upper) * around.part.y;
+  precise vec4 upperRest = p.around + (q.around - p.around) * around.part.x;
+  precise vec4 lowerRest = r.around + (s.around - r.around) * around.part.x;
+  precise vec4 rest = upperRest + (lowerRest - upperRest) * around.part.y;
+  return SkinTexel(relief, rest);
+}
+
+// Where a level's texels begin.
+int firstOfLevel(int level, ivec2 size) {
+  int first = 0;
+  for (int i = 0; i < level; ++i) {
+    ivec2 across = max(size >> i, ivec2(1));
+    first += across.x * across.y;
+  }
+  return first;
+}
+
+SkinTexel skinAt(vec2 uv, Footprint print, TextureShape shape) {
+  int next = min(print.level + 1, shape.levels - 1), first = firstOfLevel(print.level, shape.size);
+  ivec2 across = max(shape.size >> print.level, ivec2(1));
+  int firstOfNext = next > print.level ? first + across.x * across.y : first;
+  precise vec4 relief = vec4(0);
+  precise vec4 around = vec4(0);
+  for (int i = 0; i < print.taps; ++i) {
+    precise float aside = (float(i) + 0.5f) * perTap(print.taps) - 0.5f;
+    precise vec2 at = uv + print.along * aside;
+    SkinTexel fine = skinBetween(at, print.level, first, shape), coarse = fine;
+    if (print.part > 0.0f) coarse = skinBetween(at, next, firstOfNext, shape);
+    relief = relief + (fine.relief + (coarse.relief - fine.relief) * print.part);
+    around = around + (fine.around + (coarse.around - fine.around) * print.part);
+  }
+  precise vec4 meanRelief = relief * perTap(print.taps);
+  precise vec4 meanAround = around * perTap(print.taps);
+  return SkinTexel(meanRelief, meanAround);
+}
+
+SkinArea skinArea(Seen seen) {
+  TextureShape shape = TextureShape(reliefSize, reliefLevels, true);
+  Footprint print = footprintOf(seen, shape);
+  SkinTexel found = skinAt(seen.at, print, shape);
+  vec4 mean = found.relief;
+  precise float spread = mean.y - mean.x * mean.x;
+  precise float beyond = print.longer - 1.0f;
+  // Between texels that a pixel does not even fill there is no variance, only interpolation.
+  precise float variance = max(spread, 0.0f) * clamp(beyond, 0.0f, 1.0f);
+  SkinArea area;
+  area.q = mean.x;
+  area.variance = variance;
+  area.slope = mean.zw;
+  area.around = found.around.x;
+#ifdef LOOK_MAP
+  area.color = found.around.yzw;
+#else
+  area.color = vec3(0);
+#endif
+  return area;
+}
+
+// How much q changes over a pixel to the right and up.
+vec2 changeOver(SkinArea area, Seen seen) {
+  precise vec2 across = seen.across * skinCells;
+  precise vec2 up = seen.up * skinCells;
+  precise vec2 change = vec2(area.slope.x * across.x + area.slope.y * across.y, area.slope.x * up.x + area.slope.y * up.y);
+  return change;
+}

@@ -1,0 +1,75 @@
+// How a pixel sees what is laid over a spot of a surface: by uv, or TRIPLANAR from three sides in the surface's own space.
+#include "draw/exact/surface/footprint.glsl"
+#include "draw/surface/three_sides.glsl"
+uniform vec2 textureScale;  // repeats along u and v, or a metre
+#ifdef TRIPLANAR
+uniform mat4 model;
+uniform float modelScale;  // of lengths
+
+// In the surface's own space, in metres.
+vec3 ownPlace(Spot spot, vec3 w) {
+  precise vec3 mean = w.x * texelFetch(positions, spot.corners.x - firstVertex).xyz +
+                      w.y * texelFetch(positions, spot.corners.y - firstVertex).xyz +
+                      w.z * texelFetch(positions, spot.corners.z - firstVertex).xyz;
+  precise vec3 p = mean * modelScale;
+  return p;
+}
+
+struct SurfaceSeen {
+  Seen x, y, z;
+  vec3 weight;
+  vec3 side;
+};
+
+Seen seenBetween(vec2 at, vec2 right, vec2 above) {
+  Seen seen;
+  precise vec2 here = at * textureScale;
+  precise vec2 across = (right - at) * textureScale;
+  precise vec2 up = (above - at) * textureScale;
+  seen.at = here;
+  seen.across = across;
+  seen.up = up;
+  return seen;
+}
+
+SurfaceSeen surfaceSeen(Spot spot) {
+  vec3 n = spot.normal;
+  vec3 own = vec3(exactDot(model[0].xyz, n), exactDot(model[1].xyz, n), exactDot(model[2].xyz, n));
+  precise vec3 normal = own * exactReciprocal(modelScale);
+  ThreeSides here = threeSides(ownPlace(spot, spot.weight), normal);
+  ThreeSides right = threeSides(ownPlace(spot, weightsBeside(spot, vec2(1, 0))), normal);
+  ThreeSides above = threeSides(ownPlace(spot, weightsBeside(spot, vec2(0, -1))), normal);
+  SurfaceSeen seen;
+  seen.x = seenBetween(here.x, right.x, above.x);
+  seen.y = seenBetween(here.y, right.y, above.y);
+  seen.z = seenBetween(here.z, right.z, above.z);
+  seen.weight = here.weight;
+  seen.side = here.side;
+  return seen;
+}
+
+// A bit for each.
+int sidesThatShow(vec3 weight) {
+  return (weight.x > 0.0f ? 1 : 0) | (weight.y > 0.0f ? 2 : 0) | (weight.z > 0.0f ? 4 : 0);
+}
+
+Seen sideSeen(SurfaceSeen seen, int side) {
+  Seen one = seen.z;
+  if (side == 0) one = seen.x;
+  if (side == 1) one = seen.y;
+  return one;
+}
+#else
+#include "draw/exact/surface/surface_uv.glsl"
+#define SurfaceSeen Seen
+
+SurfaceSeen surfaceSeen(Spot spot) {
+  return seenByUv(spot, textureScale);
+}
+#endif
+
+// Where a neighbour of the pixel sees the triangle's plane.
+vec3 planePlace(Spot spot, vec2 aside) {
+  precise vec2 at = spot.at + aside;
+  return placeUnder(weightsBeside(spot, aside), spot.a.z, spot.b.z, spot.c.z, rayThrough(at));
+}

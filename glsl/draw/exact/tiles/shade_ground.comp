@@ -1,0 +1,35 @@
+// Light of the ground on its tiles. Variants: SHADOWED (with SHADOW_TAPS), REFLECTIVE, LAMPS. SAMPLES.
+#define EXACT_PICTURE
+#include "draw/exact/tiles/shaded_tile.glsl"
+#include "draw/exact/ground_plane.glsl"
+#include "draw/surface/ground_light.glsl"
+#ifdef SHADOWED
+#include "draw/exact/shadows/sun_map.glsl"
+#endif
+
+void main() {
+  ivec2 pixel = pixelToShade();
+  if (pixel.x < 0) return;
+  PixelIds shown = idsOf(pixel);
+  int samples = 0, first = 0;
+  for (int s = SAMPLES - 1; s >= 0; --s)
+    if (shown.of[s] == groundId) {
+      ++samples;
+      first = s;
+    }
+  if (samples == 0) return;
+  vec3 ray = rayThrough(shadingPlace(pixel, -1));
+  float depth = groundDepth(ray);
+  if (depth < view.near) {
+    ray = rayThrough(shadingPlace(pixel, first));
+    depth = groundDepth(ray);
+  }
+  vec3 p = placeOnRay(ray, depth);
+#ifdef SHADOWED
+  float fraction = sunFraction(lightPlace(p));
+#else
+  const float fraction = 1.0f;
+#endif
+  precise vec3 towards = -ray;
+  addLight(pixel, groundLight(p, unitOf(towards), fraction), samples);
+}

@@ -1,0 +1,87 @@
+// A group's tile of a list of tiles.comp, and what the invocation's pixel shows of the thing drawn. SAMPLES, PAIRED.
+#include "draw/frame_block.glsl"
+#include "draw/exact/view_block.glsl"
+#include "draw/exact/tiles/tile_lists.glsl"
+#include "draw/exact/sample_read.glsl"
+#include "draw/exact/fixed.glsl"
+layout(local_size_x = 8, local_size_y = 8) in;
+layout(binding = tileListUnit) uniform usamplerBuffer tileLists;
+layout(binding = counterUnit) uniform usamplerBuffer tileCounts;
+layout(rgba32f, binding = sumImage) restrict uniform image2D sums;
+uniform int draw_;
+uniform int tileCount;
+
+// The tile's first pixel; outside the picture where there is no tile.
+ivec2 tileToShade() {
+  uint entry = gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x;
+  if (entry >= texelFetch(tileCounts, draw_).x) return ivec2(-1);
+  uint tile = texelFetch(tileLists, draw_ * tileCount + int(entry)).x;
+  return ivec2(tile & 0xffffu, tile >> 16) * tileSide + ivec2(0, view.rows.x);
+}
+
+bool inPicture(ivec2 pixel) {
+  return pixel.x < view.size.x && pixel.y < view.rows.y;
+}
+
+// Outside the picture where there is none.
+ivec2 pixelToShade() {
+  ivec2 corner = tileToShade(), pixel = corner + ivec2(gl_LocalInvocationID.xy);
+  return corner.x >= 0 && inPicture(pixel) ? pixel : ivec2(-1);
+}
+
+uint idAt(ivec2 pixel, int s) {
+  return idAt(firstSample(pixel) + s);
+}
+
+struct PixelIds {
+  uint of[SAMPLES];
+};
+
+// Those of all the samples.
+PixelIds idsOf(ivec2 pixel) {
+  PixelIds ids;
+  int first = firstSample(pixel);
+#if SAMPLES < 4
+  for (int s = 0; s < SAMPLES; ++s) ids.of[s] = idAt(first + s);
+#else
+  for (int s = 0; s < SAMPLES; s += 4) {
+    uvec4 four = fourIdsAt(first + s);
+    for (int i = 0; i < 4; ++i) ids.of[s + i] = four[i];
+  }
+#endif
+  return ids;
+}
+
+// A bit for each sample that shows one of `numbers` numbers from `first` on.
+int samplesOf(PixelIds shown, uint first, uint numbers) {
+  int shows = 0;
+  for (int s = 0; s < SAMPLES; ++s) shows |= shown.of[s] >= first && shown.of[s] - first < numbers ? 1 << s : 0;
+  return shows;
+}
+
+// A bit for each sample that shows the same as sample `first`.
+int samplesLike(PixelIds shown, int first) {
+  uint id = shown.of[0];
+  for (int s = 1; s < SAMPLES; ++s) id = s == first ? shown.of[s] : id;
+  int same = 0;
+  for (int s = 0; s < SAMPLES; ++s) same |= shown.of[s] == id ? 1 << s : 0;
+  return same;
+}
+
+// A sum and light of so many of the pixel's samples; alpha is the part of the pixel that something covers.
+vec4 withLight(vec4 before, vec4 light, int samples) {
+  precise float share = float(samples) * perSamples();
+  precise vec4 sum = before + light * share;
+  return sum;
+}
+
+void addLight(ivec2 pixel, vec4 light, int samples) {
+  imageStore(sums, pixel, withLight(imageLoad(sums, pixel), light, samples));
+}
+
+// Middle of the pixel (-1), or a sample, in pixels.
+vec2 shadingPlace(ivec2 pixel, int s) {
+  ivec2 sixteenth = pixel * 16 + (s < 0 ? ivec2(8) : samplePlace(s));
+  precise vec2 place = vec2(sixteenth) * 0.0625f;
+  return place;
+}

@@ -1,0 +1,34 @@
+// What of large triangles lies before the nearest plane and around the picture: fans of triangles, whose corners clip_large.comp
+// leaves for all that draw them. Those for which there is no room are clipped again by whoever draws them.
+#include "draw/exact/bindings.glsl"
+#include "draw/exact/triangles/clip.glsl"
+#include "draw/exact/triangles/triangle.glsl"
+const int fanTexels = 8;  // of one: x, y, how near, and in the first how many
+uniform int firstFan;  // of the surface,
+uniform int fanRoom;   // and how many have room
+#ifdef MAKES_FANS
+layout(std430, binding = fanBinding) writeonly restrict buffer FanBlock { uvec4 fans[]; };
+
+void makeFan(int entry, vec3 a, vec3 b, vec3 c, vec2 size, float nearest) {
+  Polygon p = clippedToPicture(a, b, c, size, nearest);
+  for (int k = 0; k < p.count; ++k) {
+    Corner corner = cornerOf(p.corners[k], nearest);
+    fans[(firstFan + entry) * fanTexels + k] = uvec4(uvec2(corner.at), floatBitsToUint(corner.near), uint(p.count));
+  }
+  if (p.count == 0) fans[(firstFan + entry) * fanTexels] = uvec4(0u);
+}
+#else
+layout(binding = fanUnit) uniform usamplerBuffer fans;
+
+int cornersOfFan(int entry) {
+  return int(texelFetch(fans, (firstFan + entry) * fanTexels).w);
+}
+
+Corner cornerOfFan(int entry, int k) {
+  uvec4 words = texelFetch(fans, (firstFan + entry) * fanTexels + k);
+  Corner corner;
+  corner.at = ivec2(words.xy);
+  corner.near = uintBitsToFloat(words.z);
+  return corner;
+}
+#endif

@@ -1,0 +1,35 @@
+// Triangles that are large, or reach beyond the picture's surroundings: those that triangles.comp has listed. A group takes every
+// so manyth tile of one. Variants: SAMPLES, PASS, SUN_MAP, COUNTED; CLIPS: those for which clip_large.comp had no room, apart,
+// because software drivers would run that for the others, too.
+#include "draw/exact/triangles/raster.glsl"
+#include "draw/exact/triangles/fill_fan.glsl"
+layout(binding = largeUnit) uniform usamplerBuffer large;
+layout(binding = counterUnit) uniform usamplerBuffer counters;
+uniform int draw_;
+
+void drawLarge(int entry) {
+#ifdef CLIPS
+  if (entry < fanRoom) return;
+#elif !defined SUN_MAP
+  if (entry >= fanRoom) return;
+#endif
+  int number = int(texelFetch(large, firstIndex / 3 + entry).x);
+  uint id = firstId + uint(number);
+#if defined SUN_MAP || defined CLIPS
+  ivec3 corners = cornersOf(number);
+  uvec4 a = vertexOf(corners.x), b = vertexOf(corners.y), c = vertexOf(corners.z);
+#ifdef SUN_MAP
+  fillTiles(drawnTriangle(cornerOfVertex(a), cornerOfVertex(b), cornerOfVertex(c)), id);  // never clipped
+#else
+  fillClipped(placeOf(a), placeOf(b), placeOf(c), view.near, id);
+#endif
+#else
+  fillFan(entry, id);
+#endif
+}
+
+void main() {
+  uint count = texelFetch(counters, draw_).x, groups = gl_NumWorkGroups.x * gl_NumWorkGroups.y;
+  for (uint entry = gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x; entry < count; entry += groups)
+    drawLarge(int(entry));
+}

@@ -1,0 +1,45 @@
+// Small triangles of one surface, an invocation each; the numbers of the others go on a list: those of medium size from its
+// end on (medium.comp), large ones from its beginning (large.comp). SAMPLES, PASS, SUN_MAP, LAMP_MAP, COUNTED, BALLOT.
+#include "draw/exact/triangles/raster.glsl"
+#include "draw/exact/triangles/fill_box.glsl"
+layout(local_size_x = 64) in;
+layout(std430, binding = largeBinding) restrict buffer LargeBlock { uint large[]; };
+layout(std430, binding = counterBinding) restrict buffer CounterBlock { uint counters[]; };
+uniform int draw_;         // number of the surface among those drawn
+uniform int draws;
+uniform int smallPixels;   // the longest side of a small triangle's box,
+uniform int mediumPixels;  // and of one of medium size; none is where it is less
+#include "draw/exact/list_place.glsl"
+
+void main() {
+  int number = int(gl_WorkGroupID.y * gl_NumWorkGroups.x * 64u + gl_GlobalInvocationID.x);
+  if (number >= trianglesToDraw()) return;
+#ifdef LAMP_MAP
+  number = triangleAt(number);
+#endif
+  ivec3 corners = cornersOf(number);
+  uvec4 a = vertexOf(corners.x), b = vertexOf(corners.y), c = vertexOf(corners.z);
+  if (a.w == lostVertex || b.w == lostVertex || c.w == lostVertex) return;
+  vec2 size = vec2(PICTURE_SIZE);
+#ifndef SUN_MAP
+  float nearest = view.near;
+#endif
+  if (beside(placeOf(a), placeOf(b), placeOf(c), size, nearest)) return;
+  bool whole = inside(placeOf(a), size, nearest) && inside(placeOf(b), size, nearest) && inside(placeOf(c), size, nearest);
+  Triangle t;
+  t.empty = false;
+  t.low = t.high = ivec2(0);
+  if (whole) t = drawnTriangle(cornerOfVertex(a), cornerOfVertex(b), cornerOfVertex(c));
+  if (t.empty) return;
+  int extent = max(t.high.x - t.low.x, t.high.y - t.low.y);
+  if (!whole || extent > smallPixels * subpixels) {
+#if PASS == 0
+    if (whole && extent <= mediumPixels * subpixels)
+      large[firstIndex / 3 + triangleCount - 1 - int(nextPlace(draws + draw_))] = uint(number);
+    else
+      large[firstIndex / 3 + int(nextPlace(draw_))] = uint(number);
+#endif
+    return;
+  }
+  fillBox(t, firstId + uint(number));
+}

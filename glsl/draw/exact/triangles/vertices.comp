@@ -1,0 +1,36 @@
+// Vertices of one surface as the rasterizer reads them: pixels times depth to the right and down, depth (m), and the
+// normal; lost ones are marked. SUN_MAP: texels of the sun's map, 1, and how near to the sun it is. Variants: GRID,
+// DEFORMED.
+#include "draw/exact/bindings.glsl"
+#include "draw/exact/triangles/world_vertex.glsl"
+#include "draw/exact/vertex.glsl"
+#ifdef SUN_MAP
+#include "draw/exact/light_place.glsl"
+uniform float mapTexels;
+#else
+#include "draw/exact/unit_vector.glsl"
+#include "draw/exact/view_block.glsl"
+#endif
+layout(local_size_x = 64) in;
+layout(std430, binding = outVertexBinding) writeonly restrict buffer VertexBlock { uvec4 vertices[]; };
+uniform int vertexCount;
+uniform int firstVertex;
+
+void main() {
+  int i = int(gl_WorkGroupID.y * gl_NumWorkGroups.x * 64u + gl_GlobalInvocationID.x);
+  if (i >= vertexCount) return;
+  vec3 p = worldPlace(i);
+#ifdef SUN_MAP
+  vec3 place = lightPlace(p);
+  precise vec2 texel = place.xy * mapTexels;
+  precise float near = 1.0f - place.z;
+  vec3 at = vec3(texel, 1.0f);
+  uint word = uint(floatBitsToInt(max(near, 0.0f)));
+#else
+  precise vec3 from = p - view.eye.xyz;
+  vec3 at = vec3(exactDot(from, view.across.xyz), exactDot(from, view.down.xyz), exactDot(from, view.forward.xyz));
+  uint word = packedUnit(worldNormal(i));
+#endif
+  bool found = isNumber(at.x) && isNumber(at.y) && isNumber(at.z);
+  vertices[firstVertex + i] = found ? uvec4(floatBitsToUint(at), word) : uvec4(0u, 0u, 0u, lostVertex);
+}
