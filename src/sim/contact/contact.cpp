@@ -104,6 +104,7 @@ void Contact::copySaved(std::span<const Part> parts, bool saving) const {
 
 void Contact::uploadSteps() {
   std::vector<shader::ContactStep> steps;
+  steps.reserve(static_cast<std::size_t>(stepCount_));
   for (int i = 0; i < stepCount_; ++i) steps.push_back(plan_.step(i == 0, maxPairs_));
   steps_.upload(steps);
 }
@@ -133,7 +134,7 @@ bool Contact::endFrame() {
 void Contact::dispatchIndirect(const gl::Program& program, int number) const {
   program.use();
   glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, control_.name());
-  glDispatchComputeIndirect(static_cast<GLintptr>(4 * at::countWords + 16 * number));
+  glDispatchComputeIndirect(4 * at::countWords + GLintptr{16} * number);
 }
 
 void Contact::fit(const Tree& tree, int dispatch) const {

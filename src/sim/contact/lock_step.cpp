@@ -8,6 +8,7 @@ namespace {
 
 ContactPlan planOf(const std::vector<LockStep*>& members, double substepSeconds) {
   std::vector<ContactPart> parts;
+  parts.reserve(members.size());
   for (const LockStep* member : members) parts.push_back(member->contactPart());
   return {parts, substepSeconds};
 }
@@ -21,6 +22,7 @@ ContactGroup::ContactGroup(std::vector<LockStep*> members, int substeps, double 
 
 std::vector<Contact::Part> ContactGroup::parts() const {
   std::vector<Contact::Part> parts;
+  parts.reserve(members_.size());
   for (const LockStep* member : members_) parts.push_back(member->arrays());
   return parts;
 }
