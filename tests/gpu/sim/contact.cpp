@@ -1,9 +1,12 @@
 #include "gpu/context.hpp"
 #include "reference/cloth_twin.hpp"
 #include "reference/contact_twin.hpp"
+#include "reference/crossings.hpp"
+#include "scene/scene.hpp"
 #include "sim/cloth/sheet_mesh.hpp"
 #include "sim/contact/lock_step.hpp"
 #include "sim/world/list.hpp"
+#include "sim/world/world.hpp"
 
 #include <bit>
 #include <cstdint>
@@ -121,4 +124,35 @@ TEST_CASE("a cloth in contact with itself equals its CPU twin") {
   floor.kind = sim::ColliderShape::Kind::plane;
   floor.friction = 0.4;
   compareContact({p}, 45, {floor});
+}
+
+TEST_CASE("a disc of triangles falls on a sheet that hangs by its corners, and through nothing") {
+  testContext();
+  const scene::Scene scene = scene::parseScene(R"({"version": 1, "objects": {
+    "sheet": {"cloth": {"size": [17, 15], "spacing": 0.05, "fabric": "canvas", "contact": {},
+                        "pins": [{"corners": ["top-left", "top-right", "bottom-left", "bottom-right"]}]}},
+    "disc": {"cloth": {"mesh": {"shape": "disc", "radius": 0.25, "resolution": [11, 11]}, "position": [0.03, 0.15, 0.02],
+                       "rotation": [20, 10, 0], "fabric": "silk", "contact": {}, "pins": []}}}})",
+                                               "test.json", {}, sim::kinds());
+  sim::World world(scene);
+  CHECK(world.object(0).stepsPerFrame() == world.object(1).stepsPerFrame());
+  double lowest = 0;
+  for (int frame = 0; frame <= 36; frame += 3) {
+    world.advanceTo(frame);
+    std::vector<glm::dvec3> points;
+    std::vector<glm::uvec3> faces;
+    for (std::size_t object = 0; object < 2; ++object) {
+      const auto first = static_cast<unsigned>(points.size());
+      const auto mesh = world.object(object).mesh();
+      REQUIRE(mesh);
+      for (std::size_t i = 0; i + 2 < mesh->indices.size(); i += 3)
+        faces.push_back(glm::uvec3(mesh->indices[i], mesh->indices[i + 1], mesh->indices[i + 2]) + first);
+      points.insert(points.end(), mesh->positions.begin(), mesh->positions.end());
+      if (object == 1)
+        for (const glm::vec3& p : mesh->positions) lowest = std::min<double>(lowest, p.y);
+    }
+    CHECK(crossings(points, faces) == 0);
+  }
+  CHECK(lowest > -0.6);  // the sheet holds it up: 0.6 s of free fall are 1.8 m
+  CHECK(lowest < -0.05);
 }

@@ -1,5 +1,6 @@
 #include "reference/cloth_twin.hpp"
 #include "reference/contact_twin.hpp"
+#include "reference/crossings.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -72,37 +73,6 @@ struct Pile {
     return all;
   }
 };
-
-/// Whether p-q goes through a triangle, by signed volumes in float64.
-bool crosses(const glm::dvec3& p, const glm::dvec3& q, const glm::dvec3& a, const glm::dvec3& b,
-             const glm::dvec3& c) {
-  const auto volume = [](const glm::dvec3& u, const glm::dvec3& v, const glm::dvec3& w,
-                         const glm::dvec3& x) { return glm::dot(glm::cross(v - u, w - u), x - u); };
-  if ((volume(a, b, c, p) > 0) == (volume(a, b, c, q) > 0)) return false;
-  const bool s = volume(p, q, a, b) > 0;
-  return s == (volume(p, q, b, c) > 0) && s == (volume(p, q, c, a) > 0);
-}
-
-/// Edges that go through faces of which they have no corner.
-int crossings(const std::vector<glm::dvec3>& points, const std::vector<glm::uvec3>& faces) {
-  int count = 0;
-  for (const glm::uvec3& f : faces) {
-    const glm::dvec3 &a = points[f.x], &b = points[f.y], &c = points[f.z];
-    const glm::dvec3 low = glm::min(glm::min(a, b), c), high = glm::max(glm::max(a, b), c);
-    for (const glm::uvec3& g : faces)
-      for (int k = 0; k < 3; ++k) {
-        const unsigned u = g[k], v = g[(k + 1) % 3];
-        if (u == f.x || u == f.y || u == f.z || v == f.x || v == f.y || v == f.z) continue;
-        const glm::dvec3 &p = points[u], &q = points[v];
-        bool apart = false;
-        for (int axis = 0; axis < 3; ++axis)
-          apart =
-              apart || std::max(p[axis], q[axis]) < low[axis] || std::min(p[axis], q[axis]) > high[axis];
-        count += !apart && crosses(p, q, a, b, c) ? 1 : 0;
-      }
-  }
-  return count;
-}
 
 sim::ClothParameters silk(glm::ivec2 size, float spacing, glm::vec3 position, glm::vec3 rotation) {
   sim::ClothParameters p;
