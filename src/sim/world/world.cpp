@@ -7,10 +7,9 @@
 #include "sim/body/bones.hpp"
 #include "sim/contact/lock_step.hpp"
 #include "sim/core/state_hash.hpp"
-#include "sim/grid/picture_file.hpp"
-#include "sim/shape/shape.hpp"
 #include "sim/world/list.hpp"
 #include "sim/world/relations.hpp"
+#include "sim/world/setup.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -31,85 +30,7 @@ struct Pending {
   std::vector<int> countRows;  ///< of each object that counts
 };
 
-/// In the scene's order, then the capsules of its bodies. Without `bones` those are left out.
-std::vector<ColliderShape> collect(const scene::Scene& scene, const Bones* bones) {
-  std::vector<ColliderShape> shapes;
-  for (const scene::Object& object : scene.objects)
-    if (const auto* shape = dynamic_cast<const ShapeParameters*>(object.parameters.get()))
-      if (shape->collides) shapes.push_back(shape->shape);
-  if (scene.hasGround) {
-    ColliderShape ground;
-    ground.kind = ColliderShape::Kind::plane;
-    ground.position = glm::vec3(0, scene.ground.height, 0);
-    shapes.push_back(ground);
-  }
-  if (bones != nullptr) bones->addCapsules(shapes);
-  return shapes;
-}
-
-/// Meshes that others fall onto and bodies come first, what is made of others' fields after the rest, and
-/// last who collides with solids; within each the scene's order. Who falls finds the heights of the frame's
-/// beginning and end, who reads a field that of its end, who meets walls those of its end.
-std::vector<std::size_t> stepOrder(const scene::Scene& scene) {
-  const auto turnOf = [&](std::size_t i) {
-    const auto& parameters = parametersOf<ObjectParameters>(scene.objects[i]);
-    return parameters.publishesHeights()      ? 0
-           : parameters.isBody()              ? 0
-           : !parameters.meetsWalls().empty() ? 3
-           : parameters.needsField()          ? 2
-                                              : 1;
-  };
-  std::vector<std::size_t> order;
-  for (int turn = 0; turn < 4; ++turn)
-    for (std::size_t i = 0; i < scene.objects.size(); ++i)
-      if (turnOf(i) == turn) order.push_back(i);
-  return order;
-}
-
-/// Frames that are simulated before frame 0.
-int prerollOf(const scene::Scene& scene) {
-  return static_cast<int>(std::lround(scene.time.start * scene.time.fps));
-}
-
-/// Setting::startTime.
-double startOf(const scene::Scene& scene) {
-  return -prerollOf(scene) / scene.time.fps;
-}
-
-/// Sides of textures that OpenGL 4.5 asks of every device.
-constexpr int maxTextureSide = 16384;
-
 }  // namespace
-
-std::vector<UserError> findProblems(const scene::Scene& scene) {
-  const Bones bones(scene);
-  std::vector<ColliderShape> colliders;
-  Setting setting{scene.numerics == scene::Numerics::fast, scene.seed, 1.0 / scene.time.fps, &colliders};
-  setting.startTime = startOf(scene);
-  setting.boneNamed = [&](const std::string& body, const std::string& bone) {
-    return bones.named(body, bone);
-  };
-  try {
-    colliders = collect(scene, &bones);
-  } catch (const UserError&) {  // which the body's own check reports
-    colliders = collect(scene, nullptr);
-  }
-  std::vector<UserError> problems;
-  const auto attempt = [&](const auto& work) {
-    try {
-      work();
-    } catch (const UserError& error) {
-      problems.push_back(error);
-    }
-  };
-  for (const std::string& mistake : followMistakes(scene)) problems.emplace_back(ExitCode::usage, mistake);
-  for (const scene::Object& object : scene.objects) {
-    if (const auto& check = simulationNamed(object.kind).check) attempt([&] { check(object, setting); });
-    if (!object.material.texture.empty())
-      attempt([&] { static_cast<void>(loadPicture(object.material.texture, "texture", maxTextureSide)); });
-  }
-  return problems;
-}
 
 struct World::State {
   double fps;
@@ -146,7 +67,7 @@ struct World::State {
       : fps(scene.time.fps),
         preroll(prerollOf(scene)),
         bones(scene),
-        colliders(collect(scene, &bones)),
+        colliders(collidersOf(scene, &bones)),
         objects(scene.objects.size()),
         order(stepOrder(scene)),
         remarked(scene.objects.size()) {

@@ -1,0 +1,89 @@
+#include "sim/world/setup.hpp"
+
+#include "sim/grid/picture_file.hpp"
+#include "sim/shape/shape.hpp"
+#include "sim/world/list.hpp"
+#include "sim/world/relations.hpp"
+#include "sim/world/world.hpp"
+
+#include <cmath>
+
+namespace simreel::sim {
+
+namespace {
+
+/// Sides of textures that OpenGL 4.5 asks of every device.
+constexpr int maxTextureSide = 16384;
+
+}  // namespace
+
+std::vector<ColliderShape> collidersOf(const scene::Scene& scene, const Bones* bones) {
+  std::vector<ColliderShape> shapes;
+  for (const scene::Object& object : scene.objects)
+    if (const auto* shape = dynamic_cast<const ShapeParameters*>(object.parameters.get()))
+      if (shape->collides) shapes.push_back(shape->shape);
+  if (scene.hasGround) {
+    ColliderShape ground;
+    ground.kind = ColliderShape::Kind::plane;
+    ground.position = glm::vec3(0, scene.ground.height, 0);
+    shapes.push_back(ground);
+  }
+  if (bones != nullptr) bones->addCapsules(shapes);
+  return shapes;
+}
+
+std::vector<std::size_t> stepOrder(const scene::Scene& scene) {
+  const auto turnOf = [&](std::size_t i) {
+    const auto& parameters = parametersOf<ObjectParameters>(scene.objects[i]);
+    return parameters.publishesHeights()      ? 0
+           : parameters.isBody()              ? 0
+           : !parameters.meetsWalls().empty() ? 3
+           : parameters.needsField()          ? 2
+                                              : 1;
+  };
+  std::vector<std::size_t> order;
+  for (int turn = 0; turn < 4; ++turn)
+    for (std::size_t i = 0; i < scene.objects.size(); ++i)
+      if (turnOf(i) == turn) order.push_back(i);
+  return order;
+}
+
+int prerollOf(const scene::Scene& scene) {
+  return static_cast<int>(std::lround(scene.time.start * scene.time.fps));
+}
+
+double startOf(const scene::Scene& scene) {
+  return -prerollOf(scene) / scene.time.fps;
+}
+
+std::vector<UserError> findProblems(const scene::Scene& scene) {
+  const Bones bones(scene);
+  std::vector<ColliderShape> colliders;
+  Setting setting{scene.numerics == scene::Numerics::fast, scene.seed, 1.0 / scene.time.fps, &colliders};
+  setting.startTime = startOf(scene);
+  setting.boneNamed = [&](const std::string& body, const std::string& bone) {
+    return bones.named(body, bone);
+  };
+  try {
+    colliders = collidersOf(scene, &bones);
+  } catch (const UserError&) {  // which the body's own check reports
+    colliders = collidersOf(scene, nullptr);
+  }
+  std::vector<UserError> problems;
+  const auto attempt = [&](const auto& work) {
+    try {
+      work();
+    } catch (const UserError& error) {
+      problems.push_back(error);
+    }
+  };
+  for (const std::string& mistake : followMistakes(scene)) problems.emplace_back(ExitCode::usage, mistake);
+  for (const scene::Object& object : scene.objects) {
+    if (const auto& check = simulationNamed(object.kind).check) attempt([&] { check(object, setting); });
+    if (!object.material.texture.empty())
+      attempt([&] { static_cast<void>(loadPicture(object.material.texture, "texture", maxTextureSide)); });
+  }
+  return problems;
+}
+
+}  // namespace simreel::sim
