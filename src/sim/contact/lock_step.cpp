@@ -1,5 +1,8 @@
 #include "sim/contact/lock_step.hpp"
 
+#include "base/log.hpp"
+#include "sim/contact/crossings.hpp"
+
 #include <utility>
 
 namespace simreel::sim {
@@ -10,7 +13,16 @@ ContactPlan planOf(const std::vector<LockStep*>& members, double substepSeconds)
   std::vector<ContactPart> parts;
   parts.reserve(members.size());
   for (const LockStep* member : members) parts.push_back(member->contactPart());
-  return {parts, substepSeconds};
+  ContactPlan plan(parts, substepSeconds);
+  std::vector<glm::vec4> positions;
+  for (const ContactPart& part : parts)
+    positions.insert(positions.end(), part.positions.begin(), part.positions.end());
+  if (const long crossings = crossingsOf(plan, positions); crossings > 0)
+    warn(
+        "cloths in contact go through each other or themselves at the start, {} times an edge through a "
+        "face: there they stay so; place them apart",
+        crossings);
+  return plan;
 }
 
 }  // namespace

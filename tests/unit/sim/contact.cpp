@@ -1,11 +1,13 @@
 #include "reference/cloth_twin.hpp"
 #include "reference/contact_twin.hpp"
 #include "reference/crossings.hpp"
+#include "sim/contact/crossings.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <memory>
 #include <random>
+#include <span>
 #include <vector>
 
 #include <doctest/doctest.h>
@@ -268,5 +270,27 @@ TEST_CASE("cloth on a slope of cloth holds below atan(mu), and slides as fast as
       const double acceleration = 9.8 * (std::sin(angle) - mu * std::cos(angle));
       CHECK(speed == doctest::Approx(acceleration * time).epsilon(0.04));
     }
+  }
+}
+
+TEST_CASE("what goes through each other at the start is counted as trying every pair counts it") {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<float> unit(-1, 1);
+  for (const float size :
+       {0.05F, 0.2F, 0.6F}) {  // of triangles in a cube of 2 m, three of which share a corner
+    sim::ContactPart part;
+    std::vector<glm::dvec3> points;
+    for (unsigned i = 0; i < 300; ++i) {
+      const glm::vec3 middle(unit(random), unit(random), unit(random));
+      for (int k = 0; k < 3; ++k)
+        part.positions.emplace_back(middle + size * glm::vec3(unit(random), unit(random), unit(random)),
+                                    1.0F);
+      part.faces.emplace_back(3 * i, 3 * i + 1, i % 3 == 0 ? 3 * i + 2 : 3 * i - 1);
+    }
+    for (const glm::vec4& p : part.positions) points.emplace_back(p);
+    const sim::ContactPlan plan(std::span(&part, 1), 0.001);
+    const long found = sim::crossingsOf(plan, part.positions);
+    CHECK(found > (size > 0.1F ? 10 : -1));
+    CHECK(found == crossings(points, part.faces));
   }
 }
