@@ -37,7 +37,7 @@ Contact::Contact(ContactPlan plan, int substeps, bool fast) : plan_(std::move(pl
   control_ = gl::Buffer("contact control",
                         4 * at::countWords + std::size_t{16} * (at::levelDispatch + at::maxLevels));
   steps_ = StepBlocks<shader::ContactStep>("contact steps", substeps);
-  allocate(std::max(16 * plan_.vertices(), 4096));
+  allocate(std::max(2 * plan_.vertices(), 1 << 15));  // which grows with what is there
   makePrograms(fast);
 }
 
