@@ -16,7 +16,6 @@ void main() {
   if (anew) {
     control.pairCounts[0] = 0u;
     control.pairCounts[1] = 0u;
-    control.searches += 1u;
   }
   control.dispatches[vertexDispatch] = groupsFor(contactStep.vertices, anew);
   control.dispatches[faceDispatch] = groupsFor(1 << contactStep.faceLevels, anew);

@@ -14,9 +14,8 @@ layout(std430, binding = controlBinding) restrict buffer ControlBlock {
   uint stale;          // 1: something has left its box, so that pairs are to be found anew
   uint stopped;        // 1: planes at rest are to hold everything
   uint mostPairs;      // of either kind, since the start
-  uint searches;
   uint candidateCounts[2];
-  uint spare[3];
+  uint spare[4];
   uvec4 dispatches[levelDispatch + maxLevels];
 } control;
 

@@ -173,13 +173,15 @@ void ClothParameters::describe(scene::Fields& f) {
       [&](scene::Fields& c) {
         c.optionalNumber("thickness", contact.thickness, {1e-6, 10}, "m",
                          "Kept between the middles of two layers; around small triangles of a mesh less.");
-        c.leftOut("thickness", "the fabric's, and at least an eighth of the way between neighbours");
+        c.leftOut("thickness",
+                  "the fabric's, but of the way between neighbours at least 0.125 and at most 0.35");
         c.number("friction", contact.friction, {0, 10}, "",
                  "Coulomb's coefficient; between cloths the mean of theirs.");
         if (contact.thickness && !hasMesh && *contact.thickness > 0.35 * static_cast<double>(spacing))
-          c.error("thickness", fmt::format("is more than 0.35 of the spacing of {} m, which the "
-                                           "cloth's own neighbours could not keep",
-                                           spacing));
+          c.error("thickness",
+                  fmt::format("thickness {} is more than 0.35 of the spacing of {} m, which the cloth's "
+                              "own neighbours could not keep; take at most {:.4g}",
+                              *contact.thickness, spacing, 0.35 * static_cast<double>(spacing)));
       });
   f.text("walls", walls, "Name of the cave or contour whose walls, floor and tops it meets.");
   f.integerOr("substeps", substeps, "auto", {1, maxSubsteps}, "per frame",
@@ -229,7 +231,8 @@ float ClothParameters::massAt(glm::ivec2 at) const {
 
 float ClothParameters::contactThickness(float between) const {
   if (contact.thickness) return static_cast<float>(*contact.thickness);
-  return std::max(0.125F * between, hasFabric ? fabric.constants().thickness : 0.0F);
+  const float own = hasFabric ? fabric.constants().thickness : 0.0F;
+  return std::clamp(own, 0.125F * between, 0.35F * between);
 }
 
 ClothParameters ClothParameters::inStep(int contactSubsteps) const {

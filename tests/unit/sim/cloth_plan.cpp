@@ -92,3 +92,14 @@ TEST_CASE("fabric: what a scene says of it, and mistakes are named") {
   CHECK(
       test::has(mistakes(R"({"fabric": {}, "pins": [{"columns": [3], "clamp": true}]})"), "first or last"));
 }
+
+TEST_CASE("contact keeps the fabric's thickness, as far as a cloth's neighbours leave room for it") {
+  sim::ClothParameters p;
+  p.hasFabric = true;
+  p.fabric.thickness = 0.004;
+  CHECK(p.contactThickness(0.02F) == doctest::Approx(0.004));
+  CHECK(p.contactThickness(0.1F) == doctest::Approx(0.0125));   // an eighth
+  CHECK(p.contactThickness(0.01F) == doctest::Approx(0.0035));  // 0.35
+  p.contact.thickness = 0.003;
+  CHECK(p.contactThickness(0.1F) == doctest::Approx(0.003));
+}
