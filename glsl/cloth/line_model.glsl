@@ -1,6 +1,6 @@
 // Constraints along a line of particles, solved together. Compiles as GLSL and as C++. Whoever includes it provides
-// lineParticle(int), xyz and inverse mass of the k-th particle of the line, lineLinks, the number of links between them,
-// lineRest (m), lineCompliance (compliance / dt^2) and lineGive, beside common/exact.glsl.
+// lineLinks, the number of links between particles, lineRest (m), lineCompliance (compliance / dt^2) and lineGive, beside
+// common/exact.glsl.
 //
 // XPBD's constraint k ties particles k and k + 1. With its direction n_k, its stretch C_k and its multiplier l_k, particle k
 // moves by w_k (n_k-1 l_k-1 - n_k l_k); every C_k vanishes at once, to first order, where
@@ -37,19 +37,6 @@ FUNCTION Link linkBetween(vec4 a, vec4 b, bool there) {
   return link;
 }
 
-// How much longer than at rest the links of a segment are together (m).
-FUNCTION float stretchOfSegment(int first, int last) {
-  precise float sum = 0.0f;
-  vec4 a = lineParticle(first);
-  for (int k = first; k <= last; ++k) {
-    vec4 b = lineParticle(k + 1);
-    Link link = linkBetween(a, b, true);
-    sum = sum + link.stretch;
-    a = b;
-  }
-  return sum;
-}
-
 // What is added to the compliance of each link, as a ratio to its weights. A line that is taut between two pins has a
 // multiplier too many, which 2^-15 decides. One that is held further apart than it is long, by s of its length, cannot
 // be satisfied at all: with 0.6 s it pulls evenly, by 5/6 m L / dt^2. A straight line swings sideways with
@@ -60,79 +47,59 @@ FUNCTION float giveOf(float stretch) {
   return max(give, 3.0517578125e-5f);
 }
 
-// Of the link from a to b.
-FUNCTION LineRow lineRow(Link before, Link here, Link after, vec4 a, vec4 b) {
-  precise float weight = a.w + b.w;
+// Of a link by the cosines of its angles to those before and after (0: there is none) and the inverse masses of its ends.
+FUNCTION LineRow lineRow(float before, float stretch, float after, float massA, float massB) {
+  precise float weight = massA + massB;
   precise float diagonal = weight + weight * lineGive + lineCompliance;
-  float fromBefore = exactDot(before.along, here.along);
-  float fromAfter = exactDot(here.along, after.along);
-  precise float lower = fromBefore * -a.w;
-  precise float upper = fromAfter * -b.w;
+  precise float lower = before * -massA;
+  precise float upper = after * -massB;
   LineRow row;
   row.lower = lower;
   row.diagonal = weight > 0.0f ? diagonal : 1.0f;
   row.upper = upper;
-  row.right = weight > 0.0f ? -here.stretch : 0.0f;
+  row.right = weight > 0.0f ? -stretch : 0.0f;
   return row;
 }
 
-// The last link of a segment by what is to the left of the segment and the link to its right.
-FUNCTION Reach lastOfSegment(int first, int last) {
-  vec4 a = lineParticle(first);
-  vec4 b = lineParticle(first + 1);
-  Link before = linkBetween(lineParticle(max(first - 1, 0)), a, first > 0);
-  Link here = linkBetween(a, b, true);
+// Of the link whose row this is, by what is left of the segment and the next link; `before` is of the link before it.
+FUNCTION Reach reachAhead(LineRow row, Reach before) {
+  precise float pivot = row.diagonal - row.lower * before.right;
+  float inverse = exactReciprocal(pivot);
+  precise float fixed_ = (row.right - row.lower * before.fixed_) * inverse;
+  precise float left = row.lower * before.left * -inverse;
+  precise float right = row.upper * inverse;
+  Reach reach;
+  reach.fixed_ = fixed_;
+  reach.left = left;
+  reach.right = right;
+  return reach;
+}
+// By the link before it and the segment's last; `after` is of the link after it.
+FUNCTION Reach reachBack(LineRow row, Reach after) {
+  precise float pivot = row.diagonal - row.upper * after.left;
+  float inverse = exactReciprocal(pivot);
+  precise float fixed_ = (row.right - row.upper * after.fixed_) * inverse;
+  precise float left = row.lower * inverse;
+  precise float right = row.upper * after.right * -inverse;
+  Reach reach;
+  reach.fixed_ = fixed_;
+  reach.left = left;
+  reach.right = right;
+  return reach;
+}
+// Before the first link, and after the last.
+FUNCTION Reach reachAtStart() {
   Reach reach;
   reach.fixed_ = 0.0f;
   reach.left = -1.0f;
   reach.right = 0.0f;
-  for (int k = first; k <= last; ++k) {
-    vec4 c = lineParticle(min(k + 2, lineLinks));
-    Link after = linkBetween(b, c, k + 1 < lineLinks);
-    LineRow row = lineRow(before, here, after, a, b);
-    precise float pivot = row.diagonal - row.lower * reach.right;
-    float inverse = exactReciprocal(pivot);
-    precise float fixed_ = (row.right - row.lower * reach.fixed_) * inverse;
-    precise float left = row.lower * reach.left * -inverse;
-    precise float right = row.upper * inverse;
-    reach.fixed_ = fixed_;
-    reach.left = left;
-    reach.right = right;
-    a = b;
-    b = c;
-    before = here;
-    here = after;
-  }
   return reach;
 }
-
-// The first link of a segment by what is to the left of the segment and its last link.
-FUNCTION Reach firstOfSegment(int first, int last) {
-  vec4 b = lineParticle(last);
-  Link after = linkBetween(b, lineParticle(last + 1), true);
-  vec4 a = lineParticle(max(last - 1, 0));
-  Link here = linkBetween(a, b, true);
+FUNCTION Reach reachAtEnd() {
   Reach reach;
   reach.fixed_ = 0.0f;
   reach.left = 0.0f;
   reach.right = -1.0f;
-  for (int k = last - 1; k >= first; --k) {
-    vec4 z = lineParticle(max(k - 1, 0));
-    Link before = linkBetween(z, a, k > 0);
-    LineRow row = lineRow(before, here, after, a, b);
-    precise float pivot = row.diagonal - row.upper * reach.left;
-    float inverse = exactReciprocal(pivot);
-    precise float fixed_ = (row.right - row.upper * reach.fixed_) * inverse;
-    precise float left = row.lower * inverse;
-    precise float right = row.upper * reach.right * -inverse;
-    reach.fixed_ = fixed_;
-    reach.left = left;
-    reach.right = right;
-    b = a;
-    a = z;
-    after = here;
-    here = before;
-  }
   return reach;
 }
 

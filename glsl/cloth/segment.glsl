@@ -1,29 +1,70 @@
-// The multipliers of a segment between its separators: into lineOnto. Compiles as GLSL and as C++, after line_model.glsl;
-// lineOnto and lineFrom are float[segmentLinks] of the invocation.
-FUNCTION void solveSegment(int first, int last, float leftOne, float lastOne) {
+// A segment of a line, of links `first` to `last`. Compiles as GLSL and as C++, after line_model.glsl. Whoever includes it
+// provides lineParticle(int), xyz and inverse mass of the k-th particle of the line, and, of the invocation, which arrays a
+// compiler keeps where it is cheap: lineCosine[segmentLinks + 1], lineMass[segmentLinks + 1], lineStretch[segmentLinks].
+
+// Makes every link of the segment: into lineCosine, from the one before the segment on, of the angle to the next, lineStretch
+// and lineMass. How much longer than at rest all of them are together (m).
+FUNCTION float readSegment(int first, int last) {
+  precise float sum = 0.0f;
   vec4 a = lineParticle(first);
   vec4 b = lineParticle(first + 1);
   Link before = linkBetween(lineParticle(max(first - 1, 0)), a, first > 0);
   Link here = linkBetween(a, b, true);
+  float cosine = exactDot(before.along, here.along);
+  lineCosine[0] = cosine;
+  lineMass[0] = a.w;
+  for (int k = first; k <= last; ++k) {
+    vec4 c = lineParticle(min(k + 2, lineLinks));
+    Link after = linkBetween(b, c, k + 1 < lineLinks);
+    cosine = exactDot(here.along, after.along);
+    lineCosine[k - first + 1] = cosine;
+    lineMass[k - first + 1] = b.w;
+    lineStretch[k - first] = here.stretch;
+    sum = sum + here.stretch;
+    b = c;
+    here = after;
+  }
+  return sum;
+}
+
+// Of the i-th link of the segment.
+FUNCTION LineRow segmentRow(int i) {
+  return lineRow(lineCosine[i], lineStretch[i], lineCosine[i + 1], lineMass[i], lineMass[i + 1]);
+}
+
+// The last link of a segment by what is to the left of the segment and the link to its right.
+FUNCTION Reach lastOfSegment(int links) {
+  Reach reach = reachAtStart();
+  for (int i = 0; i < links; ++i) reach = reachAhead(segmentRow(i), reach);
+  return reach;
+}
+
+// The first link of a segment by what is to the left of the segment and its last link.
+FUNCTION Reach firstOfSegment(int links) {
+  Reach reach = reachAtEnd();
+  for (int i = links - 2; i >= 0; --i) reach = reachBack(segmentRow(i), reach);
+  return reach;
+}
+
+// The multipliers of a segment between its separators: into lineStretch, which are no longer needed, as cosines are not
+// where they become what a multiplier takes from the next one.
+FUNCTION void solveSegment(int links, float leftOne, float lastOne) {
   Eliminated eliminated;
   eliminated.onto = leftOne;
   eliminated.from = 0.0f;
-  for (int k = first; k < last; ++k) {
-    vec4 c = lineParticle(k + 2);
-    Link after = linkBetween(b, c, true);
-    eliminated = eliminate(lineRow(before, here, after, a, b), eliminated);
-    lineOnto[k - first] = eliminated.onto;
-    lineFrom[k - first] = eliminated.from;
-    a = b;
-    b = c;
-    before = here;
-    here = after;
+  float before = lineCosine[0];
+  for (int i = 0; i < links - 1; ++i) {
+    float next = lineCosine[i + 1];
+    eliminated = eliminate(lineRow(before, lineStretch[i], next, lineMass[i], lineMass[i + 1]), eliminated);
+    lineStretch[i] = eliminated.onto;
+    lineCosine[i] = eliminated.from;
+    before = next;
   }
-  lineOnto[last - first] = lastOne;
+  lineStretch[links - 1] = lastOne;
   float after = lastOne;
-  for (int k = last - first - 1; k >= 0; --k) {
-    after = substituted(lineOnto[k], lineFrom[k], after);
-    lineOnto[k] = after;
+  for (int i = links - 2; i >= 0; --i) {
+    after = substituted(lineStretch[i], lineCosine[i], after);
+    lineStretch[i] = after;
   }
 }
 

@@ -25,7 +25,7 @@ vec4 lineParticle(int k) {
   return LOAD_ONCE(nextPositions, lineStart + k * linePace);
 }
 #include "cloth/line_model.glsl"
-float lineOnto[segmentLinks], lineFrom[segmentLinks];
+float lineCosine[segmentLinks + 1], lineMass[segmentLinks + 1], lineStretch[segmentLinks];
 #include "cloth/segment.glsl"
 
 shared float lastFixed[SEGMENTS * LINES], lastLeft[SEGMENTS * LINES], lastRight[SEGMENTS * LINES];
@@ -84,8 +84,9 @@ void main() {
 #endif
   int segments = (lineLinks + segmentLinks - 1) / segmentLinks;
   int first = segment * segmentLinks, last = min(first + segmentLinks, lineLinks) - 1;
+  int links = last - first + 1;
   bool mine = line < lines && segment < segments;
-  if (mine) lastFixed[me] = stretchOfSegment(first, last);
+  if (mine) lastFixed[me] = readSegment(first, last);
   barrier();
   if (mine && segment == 0) {
     precise float sum = 0.0f;
@@ -96,7 +97,7 @@ void main() {
   if (mine) lineGive = firstFixed[slot];
   barrier();
   if (mine) {
-    Reach end = lastOfSegment(first, last), begin = firstOfSegment(first, last);
+    Reach end = lastOfSegment(links), begin = firstOfSegment(links);
     lastFixed[me] = end.fixed_;
     lastLeft[me] = end.left;
     lastRight[me] = end.right;
@@ -111,7 +112,7 @@ void main() {
   float leftOne = 0.0f;
   if (mine) {
     if (segment > 0) leftOne = lastFixed[me - LINES];
-    solveSegment(first, last, leftOne, lastFixed[me]);
+    solveSegment(links, leftOne, lastFixed[me]);
     // Loads that stay before the barrier.
     before = LOAD_STATE(nextPositions, lineStart + max(first - 1, 0) * linePace);
     beyond = LOAD_STATE(nextPositions, lineStart + (last + 1) * linePace);
@@ -123,7 +124,7 @@ void main() {
   for (int k = first; k <= last; ++k) {
     vec4 next = beyond;
     if (k < last) next = lineParticle(k + 1);
-    vec3 pull = pullBetween(here, next, true, lineOnto[k - first]);
+    vec3 pull = pullBetween(here, next, true, lineStretch[k - first]);
     leave(k, pulled(here, pullBefore, pull));
     here = next;
     pullBefore = pull;

@@ -33,7 +33,7 @@ struct Kernel {
   [[nodiscard]] float loadWallValue(int x, int y) const { return walls->valueAt(x, y); }
   int lineLinks = 0, lineStart = 0, linePace = 1;
   float lineRest = 0, lineCompliance = 0, lineGive = 0;
-  float lineOnto[segmentLinks] = {}, lineFrom[segmentLinks] = {};
+  float lineCosine[segmentLinks + 1] = {}, lineMass[segmentLinks + 1] = {}, lineStretch[segmentLinks] = {};
   [[nodiscard]] vec4 lineParticle(int k) const { return source[lineStart + k * linePace]; }
 #include "glsl/cloth/line_model.glsl"
 #include "glsl/cloth/model.glsl"
@@ -65,16 +65,19 @@ void solveLine(Kernel& kernel, std::vector<vec4>& particles) {
   for (int first = 0; first < kernel.lineLinks; first += segmentLinks)
     segments.emplace_back(first, min(first + segmentLinks, kernel.lineLinks) - 1);
   float stretch = 0;
-  for (const auto& [first, last] : segments) stretch += kernel.stretchOfSegment(first, last);
+  for (const auto& [first, last] : segments) stretch += kernel.readSegment(first, last);
   kernel.lineGive = kernel.giveOf(stretch);
-  std::vector<Kernel::Reach> firsts;
+  std::vector<Kernel::Reach> firsts, lasts;
   std::vector<Kernel::Eliminated> separators;
-  for (const auto& [first, last] : segments) firsts.push_back(kernel.firstOfSegment(first, last));
+  for (const auto& [first, last] : segments) {
+    kernel.readSegment(first, last);
+    firsts.push_back(kernel.firstOfSegment(last - first + 1));
+    lasts.push_back(kernel.lastOfSegment(last - first + 1));
+  }
   Kernel::Eliminated eliminated{0, 0};
   for (std::size_t s = 0; s < segments.size(); ++s) {
-    const auto mine = kernel.lastOfSegment(segments[s].first, segments[s].second);
     const auto next = s + 1 < segments.size() ? firsts[s + 1] : Kernel::Reach{0, 0, 0};
-    eliminated = kernel.eliminate(kernel.separatorRow(mine, next), eliminated);
+    eliminated = kernel.eliminate(kernel.separatorRow(lasts[s], next), eliminated);
     separators.push_back(eliminated);
   }
   std::vector<float> multipliers(static_cast<std::size_t>(kernel.lineLinks));
@@ -85,9 +88,10 @@ void solveLine(Kernel& kernel, std::vector<vec4>& particles) {
   }
   for (std::size_t s = 0; s < segments.size(); ++s) {
     const auto [first, last] = segments[s];
-    kernel.solveSegment(first, last, s > 0 ? separators[s - 1].onto : 0.0F, separators[s].onto);
+    kernel.readSegment(first, last);
+    kernel.solveSegment(last - first + 1, s > 0 ? separators[s - 1].onto : 0.0F, separators[s].onto);
     for (int k = first; k <= last; ++k)
-      multipliers[static_cast<std::size_t>(k)] = kernel.lineOnto[k - first];
+      multipliers[static_cast<std::size_t>(k)] = kernel.lineStretch[k - first];
   }
   std::vector<vec4> moved;
   vec3 before(0);

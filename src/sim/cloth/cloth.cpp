@@ -21,6 +21,7 @@
 
 namespace simreel::shader::cloth {
 #include "glsl/cloth/bindings.glsl"
+#include "glsl/cloth/relax_tile.glsl"
 #include "glsl/cloth/segment_links.glsl"
 }  // namespace simreel::shader::cloth
 
@@ -48,6 +49,7 @@ class Cloth : public Simulation, public LockStep {
     const auto positions = plan_.firstPositions();
     positions_[0] = gl::Vec4Array(name_ + " positions", positions);
     positions_[1] = gl::Vec4Array(name_ + " next positions", positions);
+    if (constrained_ && bends() && !inLines_) between_ = gl::Vec4Array(name_ + " between", positions);
     velocities_ = gl::Vec4Array(name_ + " velocities", plan_.firstVelocities());
     indices_ = gl::Buffer::of<unsigned>(name_ + " indices", gridIndices(size_));
     const unsigned fine[4] = {0xffffffffU, 0xffffffffU, 0, 0};
@@ -84,8 +86,10 @@ class Cloth : public Simulation, public LockStep {
     velocities_.bindState(shader::cloth::velocitiesBinding);
     tellColliders(touching(), substep);
     gl::barrier();
-    if (!(constrained_ && inLines_)) step_.dispatch(size_.x, size_.y);
-    if (constrained_) constrain();
+    if (constrained_)
+      constrain();
+    else
+      step_.dispatch(size_.x, size_.y);
   }
   [[nodiscard]] Contact::Part arrays() const override {
     return {&positions_[0], &positions_[1], &velocities_};
@@ -197,10 +201,13 @@ class Cloth : public Simulation, public LockStep {
       make(constrain_, "cloth/constrain_lines.comp");
       defines.emplace_back("FIRST", "1");
       make(step_, "cloth/constrain_lines.comp");
+    } else if (constrained_) {
+      make(step_, "cloth/relax.comp");
+      defines.emplace_back("BENDS", "1");
+      if (bends()) make(constrain_, "cloth/relax.comp");
     } else {
-      if (constrained_) make(constrain_, "cloth/constrain.comp");
-      define("SPRINGS", !constrained_);
-      define("CONTACT", !constrained_);
+      define("SPRINGS", true);
+      define("CONTACT", true);
       make(step_, "cloth/step.comp");
     }
     if (plan_.parameters().hasContact) make(settle_, "cloth/settle.comp");
@@ -241,29 +248,48 @@ class Cloth : public Simulation, public LockStep {
 
   /// From where the particles would go to where they may.
   void constrain() {
-    const auto families = relaxedFamilies(plan_.parameters());
-    for (const SpringFamily& family : families) {
-      const gl::Program& program = inLines_ && &family == families.data() ? step_ : constrain_;
-      program.set("reach", family.reach);
-      program.set("kind", family.kind);
-      if (inLines_) {
-        const int lines = lineCount(family.reach);
-        program.set("lines", lines);
-        gl::barrier();
-        program.dispatch(lines);
-        continue;
-      }
-      for (int color = 0; color < 2; ++color) {  // keeps a family's pairs apart
-        gl::barrier();
-        program.set("color", color);
-        program.dispatch(size_.x, size_.y);
-      }
-    }
+    if (inLines_)
+      relaxInLines();
+    else
+      relaxInTiles();
     gl::barrier();
     rows_.dispatch(size_.y, segmentsOf(size_.x));
     gl::barrier();
     columns_.dispatch(size_.x, segmentsOf(size_.y));
   }
+
+  void relaxInLines() const {
+    const auto families = relaxedFamilies(plan_.parameters());
+    for (const SpringFamily& family : families) {
+      const bool first = &family == families.data();
+      const gl::Program& program = first ? step_ : constrain_;
+      const int lines = lineCount(family.reach);
+      program.set("reach", family.reach);
+      program.set("kind", family.kind);
+      program.set("lines", lines);
+      if (!first) gl::barrier();
+      program.dispatch(lines);
+    }
+  }
+
+  void relaxInTiles() const {
+    using namespace shader::cloth;
+    const int x = ((size_.x - 1) / relaxInnerX + 1) * relaxGroupX;
+    const int y = ((size_.y - 1) / relaxInnerY + 1) * relaxGroupY;
+    if (!bends()) {
+      step_.dispatch(x, y);
+      return;
+    }
+    between_.bindState(nextPositionsBinding);
+    step_.dispatch(x, y);
+    gl::barrier();
+    between_.bindInput(positionsBinding);
+    positions_[1].bindState(nextPositionsBinding);
+    constrain_.dispatch(x, y);
+    positions_[0].bindInput(positionsBinding);
+  }
+  /// By constraints.
+  [[nodiscard]] bool bends() const { return relaxedFamilies(plan_.parameters()).size() > 2; }
 
   static int segmentsOf(int particles) {
     return (particles - 1 + shader::cloth::segmentLinks - 1) / shader::cloth::segmentLinks;
@@ -289,6 +315,7 @@ class Cloth : public Simulation, public LockStep {
   double frameSeconds_;
   double time_ = 0;             ///< s, of the present state
   gl::Vec4Array positions_[2];  ///< now, and where the next substep writes
+  gl::Vec4Array between_;       ///< positions after the diagonal constraints, where those of bending follow
   gl::Vec4Array velocities_;
   gl::Buffer indices_;
   gl::Buffer status_;
