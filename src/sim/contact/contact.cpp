@@ -3,6 +3,8 @@
 #include "base/error.hpp"
 
 #include <algorithm>
+#include <iterator>
+#include <string>
 #include <utility>
 
 namespace simreel::shader::contact {
@@ -48,7 +50,6 @@ void Contact::makePrograms(bool fast) {
   begin_ = make("contact/begin.comp");
   reach_ = make("contact/reach.comp");
   leafBoxes_ = make("contact/leaves.comp");
-  refit_ = make("contact/refit.comp");
   searchVertices_ = make("contact/search.comp");
   pairLists_ = make("contact/lists.comp");
   siftVertices_ = make("contact/sift.comp");
@@ -60,6 +61,11 @@ void Contact::makePrograms(bool fast) {
   take_ = make("contact/take.comp");
   hold_ = make("contact/hold.comp");
   leave_ = make("contact/leave.comp");
+  for (std::size_t i = 0; i < std::size(refit_); ++i) {
+    defines.emplace_back("AT_ONCE", std::to_string(i + 1));
+    refit_[i] = make("contact/refit.comp");
+    defines.pop_back();
+  }
   defines.emplace_back("NEAR", "1");
   nearList_ = make("contact/lists.comp");
   defines.back().first = "CANDIDATES";
@@ -137,16 +143,32 @@ void Contact::dispatchIndirect(const gl::Program& program, int number) const {
   glDispatchComputeIndirect(4 * at::countWords + GLintptr{16} * number);
 }
 
-void Contact::fit(const Tree& tree, int dispatch) const {
-  tree.leaves.bindInput(at::leavesBinding);
-  tree.boxes.bindState(at::boxesBinding);
-  leafBoxes_.set("levels", tree.levels);
-  dispatchIndirect(leafBoxes_, dispatch);
-  refit_.set("levels", tree.levels);
-  for (int level = tree.levels - 1; level >= 0; --level) {
+void Contact::fit() const {
+  struct Fitting {
+    const Tree* tree;
+    int dispatch;
+    int levels;  ///< that are left to fit
+  };
+  Fitting fittings[] = {{&faces_, at::faceDispatch, faces_.levels},
+                        {&edges_, at::edgeDispatch, edges_.levels}};
+  for (const Fitting& f : fittings) {
+    f.tree->leaves.bindInput(at::leavesBinding);
+    f.tree->boxes.bindState(at::boxesBinding);
+    leafBoxes_.set("levels", f.tree->levels);
+    dispatchIndirect(leafBoxes_, f.dispatch);
+  }
+  while (fittings[0].levels > 0 || fittings[1].levels > 0) {
     gl::barrier();
-    refit_.set("level", level);
-    dispatchIndirect(refit_, at::levelDispatch + level);
+    for (Fitting& f : fittings) {
+      const int levels = std::min(f.levels, static_cast<int>(std::size(refit_)));
+      if (levels == 0) continue;
+      f.levels -= levels;
+      const gl::Program& program = refit_[levels - 1];
+      f.tree->boxes.bindState(at::boxesBinding);
+      program.set("levels", f.tree->levels);
+      program.set("level", f.levels);
+      dispatchIndirect(program, at::levelDispatch + f.levels);
+    }
   }
 }
 
@@ -159,8 +181,7 @@ void Contact::search() const {
   next();
   dispatchIndirect(reach_, at::vertexDispatch);
   gl::barrier();
-  fit(faces_, at::faceDispatch);
-  fit(edges_, at::edgeDispatch);
+  fit();
   gl::barrier();
   candidates_.buffer().bindStorage(at::candidatesBinding);
   const auto walk = [&](const gl::Program& program, const Tree& tree, int dispatch) {

@@ -51,7 +51,8 @@ class Contact {
     gl::Vec4Array boxes;
   };
   void search() const;
-  void fit(const Tree& tree, int dispatch) const;
+  /// Boxes of both trees.
+  void fit() const;
   void bind(int index) const;
   template <class Bind>
   void forParts(const gl::Program& program, std::span<const Part> parts, const Bind& bind) const;
@@ -66,7 +67,8 @@ class Contact {
   gl::Buffer tallies_, control_;
   std::vector<gl::Buffer> saved_;  ///< of each part `now` and `velocities`
   StepBlocks<shader::ContactStep> steps_;
-  gl::Program gather_, begin_, reach_, leafBoxes_, refit_, searchVertices_, searchEdges_, candidateLists_,
+  gl::Program refit_[3];  ///< of one, two, three levels at once
+  gl::Program gather_, begin_, reach_, leafBoxes_, searchVertices_, searchEdges_, candidateLists_,
       siftVertices_, siftEdges_, pairLists_, nearVertices_, nearEdges_, nearList_, claim_, push_, apply_,
       hand_, take_, hold_, leave_;
 };
