@@ -5,7 +5,10 @@
 #include "reference/cloth_twin.hpp"
 #include "sim/world/list.hpp"
 
+#include <algorithm>
+#include <cstdlib>
 #include <memory>
+#include <string_view>
 
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
@@ -14,16 +17,18 @@ using namespace simreel;
 
 namespace {
 
+int substeps = 8;  ///< a frame, after which the device is waited for: --substeps N
+
 sim::ClothParameters sheet(int side) {
   sim::ClothParameters p;
   p.size = {side, side};
   p.spacing = 3.2F / static_cast<float>(side);
-  p.substeps = 8;
+  p.substeps = substeps;
   return p;
 }
 
 void report(benchmark::State& state, int side) {
-  const double steps = static_cast<double>(state.iterations()) * 8 * side * side;
+  const double steps = static_cast<double>(state.iterations()) * substeps * side * side;
   state.counters["particle-steps/s"] = benchmark::Counter(steps, benchmark::Counter::kIsRate);
   state.counters["bytes/s at 64 B"] = benchmark::Counter(steps * 64, benchmark::Counter::kIsRate);
 }
@@ -57,6 +62,7 @@ void twin(benchmark::State& state, int threads) {
 
 int main(int argc, char** argv) {
   benchmark::Initialize(&argc, argv);
+  if (argc == 3 && std::string_view(argv[1]) == "--substeps") substeps = std::max(1, std::atoi(argv[2]));
   const gl::Context context;
   fmt::print("device: {}\n", context.device().name);
   const bool software = context.device().software;
