@@ -4,6 +4,17 @@ layout(local_size_x = 64) in;
 INPUT_WORDS(pairsBinding, PairBlock, pairs)
 layout(std430, binding = cornersBinding) restrict writeonly buffer CornerBlock { ivec4 corners[]; };
 layout(std430, binding = nearsBinding) restrict writeonly buffer NearBlock { vec4 nears[]; };
+layout(std430, binding = talliesBinding) restrict buffer TallyBlock { ivec4 tallies[]; };
+
+// Solids carry a vertex as far as the one asks that goes furthest, along each axis by itself, so that it does not matter in which
+// order they are met.
+void carry(int v, vec3 by) {
+  int up = upSection * contactStep.vertices + v, down = downSection * contactStep.vertices + v;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (by[axis] > 0.0f) atomicMax(tallies[up][axis], floatBitsToInt(by[axis]));
+    if (by[axis] < 0.0f) atomicMax(tallies[down][axis], floatBitsToInt(-by[axis]));
+  }
+}
 
 void main() {
   int i = int(gl_GlobalInvocationID.x);
@@ -27,7 +38,19 @@ void main() {
 #endif
   vec4 heights = heightsOf(near, now[0], now[1], now[2], now[3]);
   vec4 rises = heightsOf(near, rise[0], rise[1], rise[2], rise[3]);
-  if (!isNear(near, heights, rises, thicknessOf(c))) return;
+  float thick = thicknessOf(c);
+  vec4 roams;
+  for (int k = 0; k < 4; ++k) roams[k] = roamOf(c[k], now[k], pointAt(nextSection, c[k]).xyz, stirOf());
+  if (!isNear(near, heights, rises, thick, roams)) return;
+  if (meetsSolid(near)) {
+    vec3 way = solidWay(near, rise[0], rise[1], rise[2], rise[3]);
+    vec4 carries = carriesOf(near, heights, rises, way, thick);
+    for (int k = 0; k < 4; ++k) {
+      if (carries[k] == 0.0f) continue;
+      precise vec3 by = way * carries[k];
+      carry(c[k], by);
+    }
+  }
   int place = int(atomicAdd(control.nearCount, 1u));
   if (place >= contactStep.maxPairs) return;
   corners[place] = near.corners;

@@ -15,7 +15,6 @@ namespace {
 
 namespace at = shader::contact;
 
-constexpr int rounds = 2;      ///< of impulses
 constexpr int holdRounds = 4;  ///< hold.comp
 constexpr std::size_t mostPairsWord = 5;
 
@@ -82,7 +81,7 @@ void Contact::allocate(int pairs) {
 
 void Contact::beginFrame(std::span<const Part> parts) {
   if (saved_.empty())
-    for (const Part& part : parts)
+    for (const Part& part : cloths(parts))
       for (const gl::Vec4Array* array : {part.now, part.velocities})
         saved_.emplace_back("contact before a frame", array->buffer().bytes());
   copySaved(parts, true);
@@ -92,7 +91,7 @@ void Contact::beginFrame(std::span<const Part> parts) {
 void Contact::copySaved(std::span<const Part> parts, bool saving) const {
   glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
   std::size_t i = 0;
-  for (const Part& part : parts)
+  for (const Part& part : cloths(parts))
     for (const gl::Vec4Array* array : {part.now, part.velocities}) {
       const gl::Buffer& own = array->buffer();
       const gl::Buffer& saved = saved_[i++];
@@ -190,6 +189,11 @@ void Contact::bind(int index) const {
   control_.bindStorage(at::controlBinding);
 }
 
+std::span<const Contact::Part> Contact::cloths(std::span<const Part> parts) const {
+  const auto firstSolid = std::lower_bound(plan_.firsts().begin(), plan_.firsts().end(), plan_.movable());
+  return parts.first(static_cast<std::size_t>(firstSolid - plan_.firsts().begin()));
+}
+
 template <class Bind>
 void Contact::forParts(const gl::Program& program, std::span<const Part> parts, const Bind& bind) const {
   for (std::size_t i = 0; i < parts.size(); ++i) {
@@ -221,15 +225,15 @@ void Contact::push(int index, std::span<const Part> parts) {
   gl::barrier();
   glMemoryBarrier(GL_COMMAND_BARRIER_BIT);
   corners_.bindInput(at::cornersBinding);
-  for (int round = 0; round < rounds; ++round) {
+  for (int round = 0; round < plan_.rounds(); ++round) {
     dispatchIndirect(claim_, at::nearDispatch);
     gl::barrier();
     dispatchIndirect(push_, at::nearDispatch);
     gl::barrier();
-    apply_.dispatch(plan_.vertices());
+    apply_.dispatch(plan_.movable());
     gl::barrier();
   }
-  forParts(hand_, parts, [](const Part& part) { part.next->bindState(at::partNextBinding); });
+  forParts(hand_, cloths(parts), [](const Part& part) { part.next->bindState(at::partNextBinding); });
 }
 
 void Contact::hold(int index, std::span<const Part> parts) {
@@ -243,7 +247,7 @@ void Contact::hold(int index, std::span<const Part> parts) {
     dispatchIndirect(hold_, at::nearDispatch);
     gl::barrier();
   }
-  forParts(leave_, parts, [](const Part& part) {
+  forParts(leave_, cloths(parts), [](const Part& part) {
     part.next->bindState(at::partNextBinding);
     part.velocities->bindState(at::partVelocitiesBinding);
   });
