@@ -28,6 +28,10 @@ const int partNowBinding = 1;   // of a simulation that takes part
 const int partNextBinding = 2;
 const int partVelocitiesBinding = 3;
 
+const int beginBinding = 1;     // of a solid: vertices in its own space, at the frame's beginning
+const int endBinding = 2;       // and at its end
+const int placesBinding = 3;
+
 // Dispatches whose size kernels decide, four words of control each, after its counts.
 const int vertexDispatch = 0;
 const int faceDispatch = 1;     // leaves of the tree over faces

@@ -56,7 +56,7 @@ void compareContact(const std::vector<sim::ClothParameters>& sheets, int frames,
     twins.push_back(std::make_unique<ClothTwin>(sim::ClothPlan(p, 5, frameSeconds, colliders)));
     parts.push_back(members.back()->contactPart());
   }
-  sim::ContactGroup group(members, *sheets.front().substeps, frameSeconds, false);
+  sim::ContactGroup group(members, {}, *sheets.front().substeps, frameSeconds, false);
   ContactTwin contact(sim::ContactPlan(parts, frameSeconds / *sheets.front().substeps));
   std::size_t touching = 0, stopped = 0;
   for (int frame = 0; frame < frames; ++frame) {
