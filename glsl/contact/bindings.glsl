@@ -41,7 +41,9 @@ const int edgePairDispatch = 3;
 const int nearDispatch = 4;
 const int vertexCandidateDispatch = 6;
 const int edgeCandidateDispatch = 7;
-const int levelDispatch = 8;    // one a level of a tree, from the root's on
+const int carryDispatch = 8;    // what is near, where solids move, and vertices
+const int startDispatch = 9;
+const int levelDispatch = 10;    // one a level of a tree, from the root's on
 const int maxLevels = 24;
 const int countWords = 12;
 

@@ -215,9 +215,9 @@ FUNCTION float gapOf(Near near, vec4 heights) {
   precise float gap = lowestOf(near, heights) - highestOf(near, heights);
   return gap;
 }
-// The way of the solid, at the point closest to the cloth. `ways`: of the corners.
-FUNCTION vec3 solidWay(Near near, vec3 a, vec3 b, vec3 c, vec3 d) {
-  bool first = isSolid(near.corners.x), edges = isOfEdges(near);
+// The way of a side at its closest point. `ways`: of the corners.
+FUNCTION vec3 wayOfSide(Near near, bool first, vec3 a, vec3 b, vec3 c, vec3 d) {
+  bool edges = isOfEdges(near);
   vec4 shares = first ? vec4(near.shares.x, edges ? near.shares.y : 0.0f, 0.0f, 0.0f)
                       : vec4(0.0f, edges ? 0.0f : -near.shares.y, -near.shares.z, -near.shares.w);
   return weighted(shares, a, b, c, d);
@@ -253,20 +253,18 @@ FUNCTION bool meetsSolid(Near near) {
 FUNCTION bool isOfFirst(Near near, int corner) {
   return corner == 0 || (corner == 1 && isOfEdges(near));
 }
-// Where a solid goes that is one side: heights that the other one has to stay above (x) or below (y).
+// Where the sides end: heights that the first one has to stay above (x) if it is the other that decides, and the other one below (y).
 FUNCTION vec2 limitsOf(Near near, vec4 heights, vec4 after, float thick) {
   float left = leftOf(gapOf(near, heights), thick);
   precise float floor_ = highestOf(near, after) + left;
   precise float ceiling = lowestOf(near, after) - left;
   return vec2(floor_, ceiling);
 }
-// How much of the solid's own way `way`, at the point closest to it, each corner of a cloth has to go at least so that the solid
-// leaves it room. Who goes all of that way stays as it is to a solid that does not turn, so the ways that several features of
-// one ask for do not contradict each other. `rises`: of the solid's corners.
-FUNCTION vec4 carriesOf(Near near, vec4 heights, vec4 rises, vec3 way, float thick) {
-  ivec4 corners = cornersOf(near);
-  bool firstSolid = isSolid(corners.x), otherSolid = isSolid(corners.w);
-  precise vec4 after = heights + rises;
+// How much of the way `way` of the side that leads (the first, or the other one), at its closest point, each corner across from it has
+// to go at least so that it leaves them room: a solid, or a cloth that solids carry. Who goes all of the way stays as it is to what does not
+// turn, so the ways that several features of one ask for do not contradict each other. `after`: heights of the leading side's
+// corners at its end.
+FUNCTION vec4 carriesOf(Near near, bool firstLeads, vec4 heights, vec4 after, vec3 way, float thick) {
   vec2 limits = limitsOf(near, heights, after, thick);
   float rise = exactDot(vec3(near.normal), way);
   precise float perRise = exactReciprocal(max(abs(rise), 1e-12f));
@@ -275,10 +273,16 @@ FUNCTION vec4 carriesOf(Near near, vec4 heights, vec4 rises, vec3 way, float thi
     bool first = isOfFirst(near, k);
     precise float up = (limits.x - heights[k]) * perRise;
     precise float down = (heights[k] - limits.y) * perRise;
-    float share = first && otherSolid && rise > 0.0f ? up : !first && firstSolid && rise < 0.0f ? down : 0.0f;
+    float share = first && !firstLeads && rise > 0.0f ? up : !first && firstLeads && rise < 0.0f ? down : 0.0f;
     carries[k] = clamp(share, 0.0f, 1.0f);
   }
   return carries;
+}
+// Of two cloths, or layers of one, that come too near when solids carry them so far: whether the first is carried further towards the other.
+FUNCTION bool firstGoesFurther(Near near, vec3 way, vec3 otherWay) {
+  vec3 normal = vec3(near.normal);
+  precise float both = exactDot(normal, way) + exactDot(normal, otherWay);
+  return both < 0.0f;
 }
 // Whether the corners on their ways, as far as they are let, do not keep a moving plane between them. `starts`: heights where
 // those ways begin, which is where the corners are, or as far as solids carry them.
@@ -294,9 +298,10 @@ FUNCTION vec4 letOf(Near near, vec4 heights, vec4 starts, vec4 rises, float thic
   ivec4 corners = cornersOf(near);
   bool firstSolid = isSolid(corners.x), otherSolid = isSolid(corners.w);
   float gap = gapOf(near, heights);
-  precise float own = 0.5f * (gap - leftOf(gap, thick));
-  precise float floor_ = lowestOf(near, heights) - own;
-  precise float ceiling = highestOf(near, heights) + own;
+  precise float spare = 0.5f * (gapOf(near, starts) - leftOf(gap, thick));
+  float own = max(spare, 0.0f);
+  precise float floor_ = lowestOf(near, starts) - own;
+  precise float ceiling = highestOf(near, starts) + own;
   precise vec4 after = starts + rises;
   vec2 limits = limitsOf(near, heights, after, thick);
   floor_ = otherSolid ? limits.x : floor_;

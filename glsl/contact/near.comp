@@ -6,15 +6,7 @@ layout(std430, binding = cornersBinding) restrict writeonly buffer CornerBlock {
 layout(std430, binding = nearsBinding) restrict writeonly buffer NearBlock { vec4 nears[]; };
 layout(std430, binding = talliesBinding) restrict buffer TallyBlock { ivec4 tallies[]; };
 
-// Solids carry a vertex as far as the one asks that goes furthest, along each axis by itself, so that it does not matter in which
-// order they are met.
-void carry(int v, vec3 by) {
-  int up = upSection * contactStep.vertices + v, down = downSection * contactStep.vertices + v;
-  for (int axis = 0; axis < 3; ++axis) {
-    if (by[axis] > 0.0f) atomicMax(tallies[up][axis], floatBitsToInt(by[axis]));
-    if (by[axis] < 0.0f) atomicMax(tallies[down][axis], floatBitsToInt(-by[axis]));
-  }
-}
+#include "contact/carry.glsl"
 
 void main() {
   int i = int(gl_GlobalInvocationID.x);
@@ -43,13 +35,10 @@ void main() {
   for (int k = 0; k < 4; ++k) roams[k] = roamOf(c[k], now[k], pointAt(nextSection, c[k]).xyz, stirOf());
   if (!isNear(near, heights, rises, thick, roams)) return;
   if (meetsSolid(near)) {
-    vec3 way = solidWay(near, rise[0], rise[1], rise[2], rise[3]);
-    vec4 carries = carriesOf(near, heights, rises, way, thick);
-    for (int k = 0; k < 4; ++k) {
-      if (carries[k] == 0.0f) continue;
-      precise vec3 by = way * carries[k];
-      carry(c[k], by);
-    }
+    bool first = isSolid(c.x);
+    vec3 way = wayOfSide(near, first, rise[0], rise[1], rise[2], rise[3]);
+    precise vec4 after = heights + rises;
+    carryAll(c, carriesOf(near, first, heights, after, way, thick), way);
   }
   int place = int(atomicAdd(control.nearCount, 1u));
   if (place >= contactStep.maxPairs) return;

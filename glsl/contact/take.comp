@@ -2,7 +2,6 @@
 #include "contact/kernel.glsl"
 layout(local_size_x = 64) in;
 INPUT_ARRAY(partNextBinding, PartNextBlock, partNext)
-layout(std430, binding = talliesBinding) restrict readonly buffer TallyBlock { ivec4 tallies[]; };
 uniform int first;
 uniform int count;
 
@@ -15,8 +14,4 @@ void main() {
   precise float most = next.w * 1.25f + roamOf(v, now.xyz, next.xyz, stirOf());
   vec3 wanted = keptWithin(next.xyz, settled.xyz, most, pointAt(lowSection, v).xyz, pointAt(highSection, v).xyz);
   keepPoint(wantedSection, v, vec4(wanted, settled.w));
-  if (!hasSolids()) return;
-  vec3 up = intBitsToFloat(tallies[upSection * contactStep.vertices + v].xyz);
-  vec3 down = intBitsToFloat(tallies[downSection * contactStep.vertices + v].xyz);
-  keepPoint(startSection, v, vec4(carriedTo(now, up, down), 0.0f));
 }

@@ -35,6 +35,7 @@ struct Pile {
   std::vector<PileSolid> solids;
   std::unique_ptr<ContactTwin> contact;
   std::vector<glm::uvec3> faces;  ///< of all, numbered through
+  unsigned firstSolid = 0;        ///< vertex
   double frameSeconds = 1.0 / 60.0;
   int frame = 0;
 
@@ -50,6 +51,7 @@ struct Pile {
       for (const glm::uvec3& f : parts.back().faces) faces.push_back(f + first);
       first += static_cast<unsigned>(cloths.back()->positions.size());
     }
+    firstSolid = first;
     for (const PileSolid& solid : solids) {
       parts.push_back({solid.at(0), solid.faces, 0, solid.friction, {}, true});
       for (const glm::uvec3& f : solid.faces) faces.push_back(f + first);

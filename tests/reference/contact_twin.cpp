@@ -122,18 +122,40 @@ void ContactTwin::push(const std::vector<Part>& parts, bool first) {
     if (!kernel.isNear(n, heights, rises, thick, roams)) return;
     near.push_back(n);
     if (!kernel.meetsSolid(n)) return;
-    const vec3 way = kernel.solidWay(n, xyz(next, c.x) - xyz(now, c.x), xyz(next, c.y) - xyz(now, c.y),
-                                     xyz(next, c.z) - xyz(now, c.z), xyz(next, c.w) - xyz(now, c.w));
-    carry(n, way, kernel.carriesOf(n, heights, rises, way, thick));
+    const bool solid = kernel.isSolid(c.x);
+    const vec3 way =
+        kernel.wayOfSide(n, solid, xyz(next, c.x) - xyz(now, c.x), xyz(next, c.y) - xyz(now, c.y),
+                         xyz(next, c.z) - xyz(now, c.z), xyz(next, c.w) - xyz(now, c.w));
+    carry(n, way, kernel.carriesOf(n, solid, heights, heights + rises, way, thick));
   };
   for (const ivec4& c : vertexPairs_)
     consider(kernel.nearOfVertex(c, xyz(now, c.x), xyz(now, c.y), xyz(now, c.z), xyz(now, c.w)));
   for (const ivec4& c : edgePairs_)
     consider(kernel.nearOfEdges(c, xyz(now, c.x), xyz(now, c.y), xyz(now, c.z), xyz(now, c.w)));
   nears = near.size();
-  starts_.clear();
-  for (std::size_t i = 0; i < now.size(); ++i)
-    starts_.push_back(movable == now.size() ? vec3(now[i]) : kernel.carriedTo(now[i], up[i], down[i]));
+  const auto start = [&] {
+    starts_.clear();
+    for (std::size_t i = 0; i < now.size(); ++i)
+      starts_.push_back(stir_ == 0 ? vec3(now[i]) : kernel.carriedTo(now[i], up[i], down[i]));
+  };
+  start();
+  for (int round = 0; round < simreel::sim::ContactPlan::carryRounds && stir_ > 0; ++round) {
+    for (const Near& n : near) {
+      const ivec4 c = kernel.cornersOf(n);
+      if (kernel.meetsSolid(n)) continue;
+      const auto by = [&](int v) { return starts_[at(v)] - xyz(now, v); };
+      const vec4 heights = kernel.heightsOf(n, xyz(now, c.x), xyz(now, c.y), xyz(now, c.z), xyz(now, c.w));
+      const vec4 after = heights + kernel.heightsOf(n, by(c.x), by(c.y), by(c.z), by(c.w));
+      const float thick = thicknessOf(kernel, c);
+      if (kernel.gapOf(n, after) >= kernel.leftOf(kernel.gapOf(n, heights), thick)) continue;
+      const vec3 way = kernel.wayOfSide(n, true, by(c.x), by(c.y), by(c.z), by(c.w));
+      const vec3 otherWay = kernel.wayOfSide(n, false, by(c.x), by(c.y), by(c.z), by(c.w));
+      const bool further = kernel.firstGoesFurther(n, way, otherWay);
+      const vec3 leading = further ? way : otherWay;
+      carry(n, leading, kernel.carriesOf(n, further, heights, after, leading, thick));
+    }
+    start();
+  }
   carried = 0;
   for (std::size_t i = 0; i < movable; ++i) carried += starts_[i] == vec3(now[i]) ? 0 : 1;
 

@@ -59,6 +59,8 @@ void Contact::makePrograms(bool fast) {
   take_ = make("contact/take.comp");
   hold_ = make("contact/hold.comp");
   leave_ = make("contact/leave.comp");
+  start_ = make("contact/start.comp");
+  spread_ = make("contact/spread.comp");
   defines.emplace_back("NEAR", "1");
   nearList_ = make("contact/lists.comp");
   defines.back().first = "CANDIDATES";
@@ -206,6 +208,17 @@ void Contact::forParts(const gl::Program& program, std::span<const Part> parts, 
   gl::barrier();
 }
 
+/// From where cloth may be held back, where solids move.
+void Contact::carry() const {
+  if (plan_.movable() == plan_.vertices()) return;
+  for (int round = 0; round <= ContactPlan::carryRounds; ++round) {
+    if (round > 0) dispatchIndirect(spread_, at::carryDispatch);
+    gl::barrier();
+    dispatchIndirect(start_, at::startDispatch);
+    gl::barrier();
+  }
+}
+
 void Contact::push(int index, std::span<const Part> parts) {
   SIMREEL_CHECK(parts.size() == plan_.firsts().size());
   bind(index);
@@ -225,6 +238,7 @@ void Contact::push(int index, std::span<const Part> parts) {
   gl::barrier();
   glMemoryBarrier(GL_COMMAND_BARRIER_BIT);
   corners_.bindInput(at::cornersBinding);
+  carry();
   for (int round = 0; round < plan_.rounds(); ++round) {
     dispatchIndirect(claim_, at::nearDispatch);
     gl::barrier();

@@ -52,6 +52,7 @@ class Contact {
     gl::Vec4Array boxes;
   };
   void search() const;
+  void carry() const;
   void fit(const Tree& tree, int dispatch) const;
   void bind(int index) const;
   template <class Bind>
@@ -70,7 +71,7 @@ class Contact {
   StepBlocks<shader::ContactStep> steps_;
   gl::Program gather_, begin_, reach_, leafBoxes_, refit_, searchVertices_, searchEdges_, candidateLists_,
       siftVertices_, siftEdges_, pairLists_, nearVertices_, nearEdges_, nearList_, claim_, push_, apply_,
-      hand_, take_, hold_, leave_;
+      hand_, take_, hold_, leave_, start_, spread_;
 };
 
 }  // namespace simreel::sim

@@ -51,6 +51,8 @@ class ContactPlan {
   /// Those of cloths, which come first.
   [[nodiscard]] int movable() const { return movable_; }
   /// Of impulses: a solid stops all of what is taut over it at once.
+  /// Of cloth that solids carry carrying what lies in its way: so many layers.
+  static constexpr int carryRounds = 4;
   [[nodiscard]] int rounds() const { return movable_ < vertices() ? 4 : 2; }
   [[nodiscard]] int faceLevels() const;
   [[nodiscard]] int edgeLevels() const;
