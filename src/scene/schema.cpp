@@ -115,8 +115,8 @@ void SchemaWriter::section(const char* name, bool* present, const char* doc,
     schema = {{"anyOf", Json::array({std::move(words), std::move(schema)})}};
   }
   if (switchable_.contains(name))
-    schema = {
-        {"anyOf", Json::array({{{"type", "boolean"}, {"description", "true: {}."}}, std::move(schema)})}};
+    schema = {{"anyOf", Json::array({{{"type", "boolean"}, {"description", "true stands for {}."}},
+                                     std::move(schema)})}};
   schema["description"] = fmt::format("{}{}", doc, present == nullptr ? "" : " Off unless given.");
   add(name, std::move(schema));
 }

@@ -1,7 +1,9 @@
 #include "reference/contact_pile.hpp"
 #include "reference/crossings.hpp"
+#include "scene/scene.hpp"
 #include "sim/contact/crossings.hpp"
 #include "sim/mesh/shapes.hpp"
+#include "sim/world/list.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -177,4 +179,32 @@ TEST_CASE("solids that go through each other at the start are no matter, a cloth
   CHECK(count() == 0);
   for (glm::vec4& p : parts[0].positions) p.x = 0.1F;
   CHECK(count() > 0);
+}
+
+TEST_CASE("faces need a cloth that feels them, and say what they cannot have") {
+  const auto mistake = [](const std::string& objects) -> std::string {
+    try {
+      const std::string text = R"({"version": 1, "objects": {)" + objects + "}}";
+      static_cast<void>(scene::parseScene(text, "s.json", {}, sim::kinds()));
+      return "none";
+    } catch (const UserError& error) {
+      return error.what();
+    }
+  };
+  const std::string sheet = R"("c": {"cloth": {"contact": true}}, )";
+  const std::string ball = R"("b": {"mesh": {"shape": "sphere", "collides": "faces")";
+  const auto says = [](const std::string& message, const char* what) {
+    CHECK_MESSAGE(message.find(what) != std::string::npos, message);
+  };
+  CHECK(mistake(sheet + ball + "}}") == "none");
+  CHECK(mistake(sheet + ball + R"(, "friction": 0.2, "rotation": [0, 0, 5], "scale": 2}})") == "none");
+  says(mistake(ball + "}}"), "nothing feels these faces; give a \"cloth\" of this scene \"contact\": {}");
+  says(mistake(R"("c": {"cloth": {"contact": false}}, )" + ball + "}}"), "nothing feels these faces");
+  says(mistake(sheet + ball + R"(, "grip": 2}})"), R"("grip" is for a mesh with "collides": true)");
+  says(mistake(sheet + R"("b": {"mesh": {"shape": "sphere", "friction": 2}})"),
+       R"("friction" is for a mesh with "collides": "faces")");
+  says(mistake(sheet + ball + R"(, "technique": "vertex-shader", "deform": [{"ripple": {}}]}})"),
+       "keeps no positions to collide with");
+  says(mistake(sheet + R"("b": {"body": {"file": "meshes/walker.gltf", "collides": "faces", "grip": 2}})"),
+       R"(faces have "friction" instead)");
 }
