@@ -13,7 +13,8 @@ void main() {
   float weight = now.w;
   if (sum.w == 0 || weight == 0.0f) return;
   vec4 next = pointAt(nextSection, v), wanted = pointAt(wantedSection, v);
-  precise float most = 0.5f * next.w + roamOf(v, now.xyz, next.xyz, stirOf());
-  vec3 pushed = pushedTo(next.xyz, wanted.xyz, weight, sum.xyz, most, pointAt(lowSection, v).xyz, pointAt(highSection, v).xyz);
+  vec4 high = pointAt(highSection, v);
+  precise float most = 0.5f * next.w + roamOf(now.xyz, next.xyz, stirOf(), high.w);
+  vec3 pushed = pushedTo(next.xyz, wanted.xyz, weight, sum.xyz, most, pointAt(lowSection, v).xyz, high.xyz);
   keepPoint(wantedSection, v, vec4(pushed, wanted.w));
 }

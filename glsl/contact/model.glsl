@@ -48,10 +48,11 @@ FUNCTION bool hasSolids() {
   return contactStep.movable < contactStep.vertices;
 }
 // How much further than by thicknesses contact may move a vertex away from `next`, where there are solids (m): as far as the fastest
-// of them goes, and back by all of its own way, which a taut cloth may lead far through a solid.
-FUNCTION float roamOf(int vertex, vec3 now, vec3 next, float stir) {
+// of them goes, and back by all of its own way, which a taut cloth may lead far through a solid. `beside`: 1 where a pair with a
+// solid was found, elsewhere 0.
+FUNCTION float roamOf(vec3 now, vec3 next, float stir, float beside) {
   precise float roam = stir + lengthOf(now, next);
-  return isSolid(vertex) || !hasSolids() ? 0.0f : roam;
+  return beside == 1.0f ? roam : 0.0f;
 }
 // For what `stir` (m) of solids pairs are looked for.
 FUNCTION float foreseen(float stir) {

@@ -31,8 +31,9 @@ void main() {
   vec4 heights = heightsOf(near, now[0], now[1], now[2], now[3]);
   vec4 rises = heightsOf(near, rise[0], rise[1], rise[2], rise[3]);
   float thick = thicknessOf(c);
-  vec4 roams;
-  for (int k = 0; k < 4; ++k) roams[k] = roamOf(c[k], now[k], pointAt(nextSection, c[k]).xyz, stirOf());
+  vec4 roams = vec4(0.0f);
+  for (int k = 0; k < 4 && hasSolids(); ++k)
+    roams[k] = roamOf(now[k], pointAt(nextSection, c[k]).xyz, stirOf(), pointAt(highSection, c[k]).w);
   if (!isNear(near, heights, rises, thick, roams)) return;
   if (meetsSolid(near)) {
     bool first = isSolid(c.x);

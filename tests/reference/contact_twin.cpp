@@ -45,15 +45,13 @@ void ContactTwin::push(const std::vector<Part>& parts, bool first) {
   stir_ = 0;
   for (std::size_t i = movable; i < now.size(); ++i)
     stir_ = std::max(stir_, kernel.lengthOf(vec3(now[i]), vec3(next[i])));
-  roam_.clear();
-  for (std::size_t i = 0; i < now.size(); ++i)
-    roam_.push_back(kernel.roamOf(static_cast<int>(i), vec3(now[i]), vec3(next[i]), stir_));
   bool stale = first || hulls_.empty() || stir_ > searched_;
   for (std::size_t i = 0; i < next.size() && !stale; ++i)
     stale = !kernel.isWithin(vec3(next[i]), hulls_[i].low, hulls_[i].high);
   if (stale) {
     ++searches;
     searched_ = kernel.foreseen(stir_);
+    beside_.assign(now.size(), 0.0F);
     hulls_.clear();
     for (std::size_t i = 0; i < next.size(); ++i)
       hulls_.push_back(kernel.widened(kernel.reachOf(vec3(now[i]), vec3(next[i]), skins[i].x),
@@ -81,6 +79,9 @@ void ContactTwin::push(const std::vector<Part>& parts, bool first) {
       if (!kernel.mayMeet(n, vec4(radius(a), radius(b), radius(c), radius(d)),
                           thicknessOf(kernel, ivec4(a, b, c, d))))
         return;
+      if (bothSolid(a, a) || bothSolid(d, d))
+        for (const uint v : {a, b, c, d})
+          if (v < movable) beside_[v] = 1;
       (edge ? edgePairs_ : vertexPairs_).emplace_back(a, b, c, d);
     };
     const auto& faces = plan_.faces();
@@ -100,6 +101,9 @@ void ContactTwin::push(const std::vector<Part>& parts, bool first) {
           sift(true, edges[i].x, edges[i].y, edges[j].x, edges[j].y);
   }
   pairs = vertexPairs_.size() + edgePairs_.size();
+  roam_.clear();
+  for (std::size_t i = 0; i < now.size(); ++i)
+    roam_.push_back(kernel.roamOf(vec3(now[i]), vec3(next[i]), stir_, beside_[i]));
 
   std::vector<Near>& near = near_;
   near.clear();
