@@ -5,14 +5,16 @@ layout(std430, binding = talliesBinding) restrict buffer TallyBlock { ivec4 tall
 
 void main() {
   int v = int(gl_GlobalInvocationID.x);
-  if (v >= contactStep.vertices) return;
+  if (v >= contactStep.movable) return;
   int tally = impulseSection * contactStep.vertices + v;
   ivec4 sum = tallies[tally];
   tallies[tally] = ivec4(0);
-  float weight = pointAt(nowSection, v).w;
+  vec4 now = pointAt(nowSection, v);
+  float weight = now.w;
   if (sum.w == 0 || weight == 0.0f) return;
   vec4 next = pointAt(nextSection, v), wanted = pointAt(wantedSection, v);
-  precise float most = 0.5f * next.w;
-  vec3 pushed = pushedTo(next.xyz, wanted.xyz, weight, sum.xyz, most, pointAt(lowSection, v).xyz, pointAt(highSection, v).xyz);
+  vec4 high = pointAt(highSection, v);
+  precise float most = 0.5f * next.w + roamOf(now.xyz, next.xyz, stirOf(), high.w);
+  vec3 pushed = pushedTo(next.xyz, wanted.xyz, weight, sum.xyz, most, pointAt(lowSection, v).xyz, high.xyz);
   keepPoint(wantedSection, v, vec4(pushed, wanted.w));
 }

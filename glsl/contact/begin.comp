@@ -7,7 +7,11 @@ uvec4 groupsFor(int items, bool anew) {
 }
 
 void main() {
-  bool anew = contactStep.forced == 1 || control.stale == 1u;
+  float stir = uintBitsToFloat(control.fastest);
+  bool anew = contactStep.forced == 1 || control.stale == 1u || stir > uintBitsToFloat(control.searched);
+  control.stir = control.fastest;
+  control.fastest = 0u;
+  if (anew) control.searched = floatBitsToUint(foreseen(stir));
   control.stale = 0u;
   control.stopped = 0u;
   control.nearCount = 0u;

@@ -8,10 +8,11 @@ void main() {
   Near near = nearAt(i);
   ivec4 c = cornersOf(near);
   vec3 slide = weighted(near.shares, wayOf(c.x), wayOf(c.y), wayOf(c.z), wayOf(c.w));
-  precise float friction = 0.5f * (pointAt(skinSection, c.x).y + pointAt(skinSection, c.w).y);
+  float friction = frictionBetween(pointAt(skinSection, c.x).y, pointAt(skinSection, c.w).y);
   vec3 way = correctionOf(near, slide, thicknessOf(c), friction);
   bool touching = way != vec3(0.0f);
   STORE_STATE(nears, 3 * i + 2, vec4(way, touching ? 1.0f : 0.0f));
   if (!touching) return;
-  for (int k = 0; k < 4; ++k) atomicAdd(tallies[impulseTally(c[k])].w, claimOf(near.shares[k]));
+  for (int k = 0; k < 4; ++k)
+    if (!isSolid(c[k])) atomicAdd(tallies[impulseTally(c[k])].w, claimOf(near.shares[k]));
 }

@@ -11,13 +11,20 @@ void main() {
   int i = int(gl_GlobalInvocationID.x);
   if (i >= count) return;
   int v = first + i;
-  vec4 next = LOAD_INPUT(partNext, i);
+  vec4 now = LOAD_INPUT(partNow, i), next = LOAD_INPUT(partNext, i);
+  bool solid = isSolid(v);
   vec4 skin = pointAt(skinSection, v);
   bool within = isWithin(next.xyz, pointAt(lowSection, v).xyz, pointAt(highSection, v).xyz);
   if (!within) control.stale = 1u;
-  keepPoint(nowSection, v, LOAD_INPUT(partNow, i));
+  keepPoint(nowSection, v, vec4(now.xyz, solid ? 0.0f : now.w));
   keepPoint(nextSection, v, vec4(next.xyz, skin.x));
   keepPoint(wantedSection, v, next);
   tallies[impulseSection * contactStep.vertices + v] = ivec4(0);
   tallies[letSection * contactStep.vertices + v] = ivec4(floatBitsToInt(1.0f));
+  if (!hasSolids()) return;
+  tallies[upSection * contactStep.vertices + v] = ivec4(0);
+  tallies[downSection * contactStep.vertices + v] = ivec4(0);
+  if (!solid) return;
+  float way = lengthOf(now.xyz, next.xyz);
+  if (way > 0.0f) atomicMax(control.fastest, floatBitsToUint(way));  // bits are in the floats' order, as these are not negative
 }

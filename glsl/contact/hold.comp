@@ -18,15 +18,16 @@ void main() {
   if (round > 0 && let == vec4(1.0f)) return;  // as before
   vec4 heights = heightsOf(near, pointAt(nowSection, c.x).xyz, pointAt(nowSection, c.y).xyz, pointAt(nowSection, c.z).xyz,
                            pointAt(nowSection, c.w).xyz);
-  vec4 rises = heightsOf(near, wayOf(c.x), wayOf(c.y), wayOf(c.z), wayOf(c.w));
+  vec4 starts = heightsOf(near, startOf(c.x), startOf(c.y), startOf(c.z), startOf(c.w));
+  vec4 rises = heightsOf(near, wayFromStart(c.x), wayFromStart(c.y), wayFromStart(c.z), wayFromStart(c.w));
   float thick = thicknessOf(c);
-  bool through = passes(near, heights, rises, let, thick);
+  bool through = passes(near, heights, starts, rises, let, thick);
   if (round == 3) {
-    if (through) control.stopped = 1u;
+    if (through && !meetsSolid(near)) control.stopped = 1u;  // a cloth that is off a solid stays so whatever others do
     return;
   }
   if (!through && round > 0) return;
-  vec4 own = letOf(near, heights, rises, thick);
+  vec4 own = letOf(near, heights, starts, rises, thick);
   for (int k = 0; k < 4; ++k) {
     int bits = floatBitsToInt(own[k]);  // which are in the floats' order, as these are not negative
     if (own[k] == 1.0f) continue;

@@ -15,7 +15,10 @@ layout(std430, binding = controlBinding) restrict buffer ControlBlock {
   uint stopped;        // 1: planes at rest are to hold everything
   uint mostPairs;      // of either kind, since the start
   uint candidateCounts[2];
-  uint spare[4];
+  uint fastest;        // m, the longest way of a vertex of a solid in this substep as a float's bits, while it is summed up,
+  uint stir;           // when it is,
+  uint searched;       // and for which pairs were found
+  uint spare;
   uvec4 dispatches[levelDispatch + maxLevels];
 } control;
 
@@ -38,6 +41,8 @@ Hull hullOf(uint vertex) {
   return hull;
 }
 float thicknessOf(ivec4 corners) {
-  precise float thick = pointAt(nextSection, corners.x).w + pointAt(nextSection, corners.w).w;
-  return thick;
+  return thicknessBetween(corners, pointAt(nextSection, corners.x).w, pointAt(nextSection, corners.w).w);
+}
+float stirOf() {
+  return uintBitsToFloat(control.stir);
 }

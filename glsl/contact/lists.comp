@@ -13,6 +13,9 @@ void main() {
     control.dispatches[vertexCandidateDispatch + kind] = groupsOf(control.candidateCounts[kind]);
 #elif defined NEAR
   control.dispatches[nearDispatch] = groupsOf(control.nearCount);
+  bool moved = control.stir != 0u;
+  control.dispatches[carryDispatch] = moved ? groupsOf(control.nearCount) : uvec4(0u, 1u, 1u, 0u);
+  control.dispatches[startDispatch] = moved ? uvec4(uint(contactStep.vertices + 63) / 64u, 1u, 1u, 0u) : uvec4(0u, 1u, 1u, 0u);
 #else
   for (int kind = 0; kind < 2; ++kind) control.dispatches[vertexPairDispatch + kind] = groupsOf(control.pairCounts[kind]);
 #endif

@@ -5,6 +5,22 @@
 // apart at x have a slab between them, normal to the way between their closest points. As long as some plane parallel to
 // it, at rest or moving evenly, keeps them apart, neither passes through the other.
 
+// Solids go where they go and are never held back: cloths give way. Their vertices come last.
+FUNCTION bool isSolid(int vertex) {
+  return vertex >= contactStep.movable;
+}
+// The distance kept between the first corner's feature and the last one's, of half their thicknesses: off a solid a cloth keeps
+// its own.
+FUNCTION float thicknessBetween(ivec4 corners, float half_, float lastHalf) {
+  precise float thick = (isSolid(corners.x) ? lastHalf : half_) + (isSolid(corners.w) ? half_ : lastHalf);
+  return thick;
+}
+// Coulomb's coefficient of two: the mean, or the other's where one, a solid, has none (-1).
+FUNCTION float frictionBetween(float a, float b) {
+  precise float mean = 0.5f * (a + b);
+  return a < 0.0f ? b : b < 0.0f ? a : mean;
+}
+
 // Where a vertex may be for as long as pairs are used that are found now: the way of `horizon` substeps, but of no more than
 // lead through two thicknesses, and an eighth of a thickness and a fifth of the way around it. What is fast has its pairs found often,
 // rather than with all that is far.
@@ -21,6 +37,27 @@ FUNCTION Hull reachOf(vec3 now, vec3 next, float half_) {
   hull.low = min(low, next);
   hull.high = max(high, next);
   return hull;
+}
+FUNCTION float lengthOf(vec3 a, vec3 b) {
+  precise vec3 way = b - a;
+  float squared = exactDot(way, way);
+  precise float length_ = squared * exactInverseSqrt(max(squared, 1e-24f));
+  return length_;
+}
+FUNCTION bool hasSolids() {
+  return contactStep.movable < contactStep.vertices;
+}
+// How much further than by thicknesses contact may move a vertex away from `next`, where there are solids (m): as far as the fastest
+// of them goes, and back by all of its own way, which a taut cloth may lead far through a solid. `beside`: 1 where a pair with a
+// solid was found, elsewhere 0.
+FUNCTION float roamOf(vec3 now, vec3 next, float stir, float beside) {
+  precise float roam = stir + lengthOf(now, next);
+  return beside == 1.0f ? roam : 0.0f;
+}
+// For what `stir` (m) of solids pairs are looked for.
+FUNCTION float foreseen(float stir) {
+  precise float more = 1.125f * stir;
+  return more;
 }
 FUNCTION Hull widened(Hull a, float by) {
   precise vec3 low = a.low - by;
@@ -179,6 +216,13 @@ FUNCTION float gapOf(Near near, vec4 heights) {
   precise float gap = lowestOf(near, heights) - highestOf(near, heights);
   return gap;
 }
+// The way of a side at its closest point. `ways`: of the corners.
+FUNCTION vec3 wayOfSide(Near near, bool first, vec3 a, vec3 b, vec3 c, vec3 d) {
+  bool edges = isOfEdges(near);
+  vec4 shares = first ? vec4(near.shares.x, edges ? near.shares.y : 0.0f, 0.0f, 0.0f)
+                      : vec4(0.0f, edges ? 0.0f : -near.shares.y, -near.shares.z, -near.shares.w);
+  return weighted(shares, a, b, c, d);
+}
 // What the gap comes to at worst if every corner goes no further than by its rise.
 FUNCTION float worstGap(Near near, vec4 heights, vec4 rises) {
   precise vec4 after = heights + rises;
@@ -188,9 +232,10 @@ FUNCTION float worstGap(Near near, vec4 heights, vec4 rises) {
 }
 
 // Whether it has to be looked at in this substep: impulses move either side by no more than a quarter of the thickness, and
-// colliders that it is then pushed out of again leave it within 5/8.
-FUNCTION bool isNear(Near near, vec4 heights, vec4 rises, float thick) {
-  precise float most = 1.5f * thick;
+// colliders that it is then pushed out of again leave it within 5/8. `roams`: of the corners, roamOf().
+FUNCTION bool isNear(Near near, vec4 heights, vec4 rises, float thick, vec4 roams) {
+  float roam = max(max(roams.x, roams.y), max(roams.z, roams.w));
+  precise float most = 1.5f * thick + 2.0f * roam;
   return near.normal.w > 0.0f && worstGap(near, heights, rises) < most;
 }
 
@@ -201,24 +246,74 @@ FUNCTION float leftOf(float gap, float thick) {
   precise float least = 0.05f * thick;
   return gap > least ? max(fifth, least) : gap;
 }
-// Whether the corners on their ways, as far as they are let, keep a moving plane between them.
-FUNCTION bool passes(Near near, vec4 heights, vec4 rises, vec4 let, float thick) {
-  precise vec4 after = heights + rises * let;
-  return gapOf(near, after) < leftOf(gapOf(near, heights), thick);
+// Whether one side is a solid's.
+FUNCTION bool meetsSolid(Near near) {
+  ivec4 corners = cornersOf(near);
+  return isSolid(corners.x) || isSolid(corners.w);
 }
-// How much of its way each corner may go so that a plane at rest keeps them apart: at most half of the gap for either side.
-FUNCTION vec4 letOf(Near near, vec4 heights, vec4 rises, float thick) {
+FUNCTION bool isOfFirst(Near near, int corner) {
+  return corner == 0 || (corner == 1 && isOfEdges(near));
+}
+// Where the sides end: heights that the first one has to stay above (x) if it is the other that decides, and the other one below (y).
+FUNCTION vec2 limitsOf(Near near, vec4 heights, vec4 after, float thick) {
+  float left = leftOf(gapOf(near, heights), thick);
+  precise float floor_ = highestOf(near, after) + left;
+  precise float ceiling = lowestOf(near, after) - left;
+  return vec2(floor_, ceiling);
+}
+// How much of the way `way` of the side that leads (the first, or the other one), at its closest point, each corner across from it has
+// to go at least so that it leaves them room: a solid, or a cloth that solids carry. Who goes all of the way stays as it is to what does not
+// turn, so the ways that several features of one ask for do not contradict each other. `after`: heights of the leading side's
+// corners at its end.
+FUNCTION vec4 carriesOf(Near near, bool firstLeads, vec4 heights, vec4 after, vec3 way, float thick) {
+  vec2 limits = limitsOf(near, heights, after, thick);
+  float rise = exactDot(vec3(near.normal), way);
+  precise float perRise = exactReciprocal(max(abs(rise), 1e-12f));
+  vec4 carries = vec4(0.0f);
+  for (int k = 0; k < 4; ++k) {
+    bool first = isOfFirst(near, k);
+    precise float up = (limits.x - heights[k]) * perRise;
+    precise float down = (heights[k] - limits.y) * perRise;
+    float share = first && !firstLeads && rise > 0.0f ? up : !first && firstLeads && rise < 0.0f ? down : 0.0f;
+    carries[k] = clamp(share, 0.0f, 1.0f);
+  }
+  return carries;
+}
+// Of two cloths, or layers of one, that come too near when solids carry them so far: whether the first is carried further towards the other.
+FUNCTION bool firstGoesFurther(Near near, vec3 way, vec3 otherWay) {
+  vec3 normal = vec3(near.normal);
+  precise float both = exactDot(normal, way) + exactDot(normal, otherWay);
+  return both < 0.0f;
+}
+// Whether the corners on their ways, as far as they are let, do not keep a moving plane between them. `starts`: heights where
+// those ways begin, which is where the corners are, or as far as solids carry them.
+FUNCTION bool passes(Near near, vec4 heights, vec4 starts, vec4 rises, vec4 let, float thick) {
+  precise vec4 after = starts + rises * let;
+  float left = leftOf(gapOf(near, heights), thick);
+  precise float rounded = 0.875f * left;
+  return gapOf(near, after) < (meetsSolid(near) ? rounded : left);
+}
+// How much of its way each corner may go so that a plane at rest keeps them apart: at most half of the gap for either side. A
+// solid goes all of its way, and the plane with it.
+FUNCTION vec4 letOf(Near near, vec4 heights, vec4 starts, vec4 rises, float thick) {
+  ivec4 corners = cornersOf(near);
+  bool firstSolid = isSolid(corners.x), otherSolid = isSolid(corners.w);
   float gap = gapOf(near, heights);
-  precise float own = 0.5f * (gap - leftOf(gap, thick));
-  precise float floor_ = lowestOf(near, heights) - own;
-  precise float ceiling = highestOf(near, heights) + own;
+  precise float spare = 0.5f * (gapOf(near, starts) - leftOf(gap, thick));
+  float own = max(spare, 0.0f);
+  precise float floor_ = lowestOf(near, starts) - own;
+  precise float ceiling = highestOf(near, starts) + own;
+  precise vec4 after = starts + rises;
+  vec2 limits = limitsOf(near, heights, after, thick);
+  floor_ = otherSolid ? limits.x : floor_;
+  ceiling = firstSolid ? limits.y : ceiling;
   vec4 let = vec4(1.0f);
   for (int k = 0; k < 4; ++k) {
-    bool first = k == 0 || (k == 1 && isOfEdges(near));
-    precise float room = first ? heights[k] - floor_ : ceiling - heights[k];
+    bool first = isOfFirst(near, k);
+    precise float room = first ? starts[k] - floor_ : ceiling - starts[k];
     precise float way = first ? -rises[k] : rises[k];
     precise float part = room * exactReciprocal(max(way, 1e-30f));
-    let[k] = way > room ? clamp(part, 0.0f, 1.0f) : 1.0f;
+    let[k] = way > room && !(first ? firstSolid : otherSolid) ? clamp(part, 0.0f, 1.0f) : 1.0f;
   }
   return let;
 }
@@ -288,7 +383,13 @@ FUNCTION vec3 pushedTo(vec3 next, vec3 wanted, float weight, ivec3 sum, float mo
   return keptWithin(next, way, most, low, high);
 }
 
-FUNCTION vec3 heldAt(vec3 now, vec3 wanted, float let) {
-  precise vec3 part = now + (wanted - now) * let;
+// Where a vertex is held back to at worst: where it was, or where solids carry it. What is held by pins is not.
+FUNCTION vec3 carriedTo(vec4 now, vec3 up, vec3 down) {
+  precise vec3 carried = vec3(now) + up - down;
+  return now.w == 0.0f ? vec3(now) : carried;
+}
+// `start`: where it is held back to.
+FUNCTION vec3 heldAt(vec3 start, vec3 wanted, float let) {
+  precise vec3 part = start + (wanted - start) * let;
   return let == 1.0f ? wanted : part;
 }

@@ -4,6 +4,9 @@ layout(local_size_x = 64) in;
 INPUT_WORDS(pairsBinding, PairBlock, pairs)
 layout(std430, binding = cornersBinding) restrict writeonly buffer CornerBlock { ivec4 corners[]; };
 layout(std430, binding = nearsBinding) restrict writeonly buffer NearBlock { vec4 nears[]; };
+layout(std430, binding = talliesBinding) restrict buffer TallyBlock { ivec4 tallies[]; };
+
+#include "contact/carry.glsl"
 
 void main() {
   int i = int(gl_GlobalInvocationID.x);
@@ -27,7 +30,17 @@ void main() {
 #endif
   vec4 heights = heightsOf(near, now[0], now[1], now[2], now[3]);
   vec4 rises = heightsOf(near, rise[0], rise[1], rise[2], rise[3]);
-  if (!isNear(near, heights, rises, thicknessOf(c))) return;
+  float thick = thicknessOf(c);
+  vec4 roams = vec4(0.0f);
+  for (int k = 0; k < 4 && hasSolids(); ++k)
+    roams[k] = roamOf(now[k], pointAt(nextSection, c[k]).xyz, stirOf(), pointAt(highSection, c[k]).w);
+  if (!isNear(near, heights, rises, thick, roams)) return;
+  if (meetsSolid(near)) {
+    bool first = isSolid(c.x);
+    vec3 way = wayOfSide(near, first, rise[0], rise[1], rise[2], rise[3]);
+    precise vec4 after = heights + rises;
+    carryAll(c, carriesOf(near, first, heights, after, way, thick), way);
+  }
   int place = int(atomicAdd(control.nearCount, 1u));
   if (place >= contactStep.maxPairs) return;
   corners[place] = near.corners;

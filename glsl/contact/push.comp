@@ -3,6 +3,7 @@
 #include "contact/near_list.glsl"
 
 void add(int vertex, ivec3 quanta) {
+  if (isSolid(vertex)) return;
   int i = impulseTally(vertex);
   atomicAdd(tallies[i].x, quanta.x);
   atomicAdd(tallies[i].y, quanta.y);

@@ -6,7 +6,8 @@ void main() {
   int v = int(gl_GlobalInvocationID.x);
   if (v >= contactStep.vertices) return;
   vec4 next = pointAt(nextSection, v);
-  Hull hull = reachOf(pointAt(nowSection, v).xyz, next.xyz, next.w);
+  float foreseenStir = isSolid(v) ? 0.0f : uintBitsToFloat(control.searched);
+  Hull hull = widened(reachOf(pointAt(nowSection, v).xyz, next.xyz, next.w), foreseenStir);
   keepPoint(lowSection, v, vec4(hull.low, 0.0f));
   keepPoint(highSection, v, vec4(hull.high, 0.0f));
 }

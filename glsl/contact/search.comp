@@ -1,5 +1,6 @@
 // Pairs of features whose boxes overlap, by walks through a tree of boxes: from each vertex through that of faces, or with EDGES
-// from each edge through those that come after it.
+// from each edge through those that come after it. Solids, where there are any, are the second half of a tree, and no pair of
+// two of them is looked for.
 #include "contact/kernel.glsl"
 #include "contact/search.glsl"
 layout(local_size_x = 64) in;
@@ -13,7 +14,7 @@ const int maxVisited = 60000;  // a software driver's loops end at 65,535
 void main() {
   int i = int(gl_GlobalInvocationID.x), count = 1 << levels;
 #ifdef EDGES
-  if (i >= count) return;
+  if (i >= (hasSolids() ? count / 2 : count)) return;
   uvec4 mine = LOAD_INPUT_WORDS(leaves, i);
   int own = count + i, kind = 1;
   vec3 low = LOAD_INPUT(boxes, 2 * own).xyz, high = LOAD_INPUT(boxes, 2 * own + 1).xyz;
@@ -24,8 +25,13 @@ void main() {
   Hull hull = hullOf(uint(i));
   vec3 low = hull.low, high = hull.high;
 #endif
-  int node = 1, visited = 0;
-  for (; node != 0 && visited < maxVisited; ++visited) {
+#ifdef EDGES
+  int node = 1, end = 0;
+#else
+  int node = isSolid(i) ? 2 : 1, end = isSolid(i) ? 3 : 0;
+#endif
+  int visited = 0;
+  for (; node != end && visited < maxVisited; ++visited) {
     vec4 otherLow = LOAD_INPUT(boxes, 2 * node), otherHigh = LOAD_INPUT(boxes, 2 * node + 1);
     bool meets = overlap(low, high, otherLow.xyz, otherHigh.xyz) && floatBitsToInt(otherHigh.w) > own;
     if (meets && node >= count) {
@@ -38,5 +44,5 @@ void main() {
     }
     node = meets && node < count ? 2 * node : floatBitsToInt(otherLow.w);
   }
-  if (node != 0) control.mostPairs = 0xffffffffu;  // no search ends early without a word
+  if (node != end) control.mostPairs = 0xffffffffu;  // no search ends early without a word
 }

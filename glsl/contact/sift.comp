@@ -30,6 +30,9 @@ void main() {
   Near near = nearOfVertex(c, now[0], now[1], now[2], now[3]);
 #endif
   if (!mayMeet(near, radii, thicknessOf(c))) return;
+  if (meetsSolid(near))
+    for (int k = 0; k < 4; ++k)
+      if (!isSolid(c[k])) points[highSection * contactStep.vertices + c[k]].w = 1.0f;
   int place = int(atomicAdd(control.pairCounts[kind], 1u));
   if (place < contactStep.maxPairs) pairs[kind * contactStep.maxPairs + place] = c;
 }

@@ -10,7 +10,9 @@ void main() {
   if (i >= count) return;
   int v = first + i;
   vec4 next = pointAt(nextSection, v), settled = LOAD_INPUT(partNext, i);
-  precise float most = next.w * 1.25f;
-  vec3 wanted = keptWithin(next.xyz, settled.xyz, most, pointAt(lowSection, v).xyz, pointAt(highSection, v).xyz);
+  vec4 now = pointAt(nowSection, v);
+  vec4 high = pointAt(highSection, v);
+  precise float most = next.w * 1.25f + roamOf(now.xyz, next.xyz, stirOf(), high.w);
+  vec3 wanted = keptWithin(next.xyz, settled.xyz, most, pointAt(lowSection, v).xyz, high.xyz);
   keepPoint(wantedSection, v, vec4(wanted, settled.w));
 }

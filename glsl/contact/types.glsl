@@ -10,6 +10,7 @@ struct STD140 ContactStep {
   float quanta;       // impulses are summed up as integers: so many a kg m
   float perQuanta;    // kg m
   int vertices;
+  int movable;        // of them the first are of cloths, the others of solids, which go where they go
   int faceLevels;     // of the tree over faces: it has 2^faceLevels leaves
   int edgeLevels;     // of the tree over edges
   int forced;         // 1: pairs are to be found anew in any case

@@ -9,6 +9,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -28,7 +29,8 @@ inline constexpr Range fraction{0.0, 1.0};
 inline constexpr Range anyNumber{-1e9, 1e9};
 
 /// What a field holds: the member of a parameter struct. An int with words is the index of one of them, or
-/// -1 where none applies unless one is given; a std::vector<int> with words some of them.
+/// -1 where none applies unless one is given; a std::vector<int> with words some of them. Where the first
+/// words are "false" and "true", a scene says those two without quotes.
 using Member = std::variant<bool*, int*, float*, double*, std::string*, std::filesystem::path*, glm::vec3*,
                             glm::ivec2*, Animated<float>*, Animated<glm::vec3>*, std::optional<int>*,
                             std::optional<double>*, std::vector<int>*, std::vector<glm::ivec2>*>;
@@ -40,6 +42,12 @@ struct Spec {
   Range range = {};       ///< holds for each number of several
   std::span<const char* const> words = {};
   const char* none = nullptr;  ///< word for the empty value of a std::optional<int>
+
+  /// Whether the words begin with the two of JSON.
+  [[nodiscard]] bool isSwitch() const {
+    return words.size() > 1 && std::string_view(words[0]) == "false" &&
+           std::string_view(words[1]) == "true";
+  }
 };
 
 /// Where parameters are declared, once. A struct's `describe(Fields&)` names each of its members with
@@ -68,6 +76,8 @@ class Fields {
   virtual void formerly(const char* /*old*/, const char* /*name*/) {}
   /// The group declared next may be given as one word, which is the value of its field `field` then.
   virtual void shorthand(const char* /*group*/, const char* /*field*/) {}
+  /// The optional group declared next may be given as true, which is the group without fields, or false.
+  virtual void switchable(const char* /*group*/) {}
   /// What stands for the field just declared where a scene leaves it out, when that is no constant
   /// ("the preset's"): shown in place of the value.
   virtual void leftOut(const char* /*name*/, const char* /*what*/) {}
@@ -116,6 +126,13 @@ class Fields {
   /// One of `words`, by its index. Use `choice` below for an enum.
   void oneOf(const char* name, int& value, const std::vector<const char*>& words, const char* doc) {
     field(name, &value, {doc, "", {}, words});
+  }
+  /// false, true or `word`: `value` or `other`, or neither.
+  void booleanOr(const char* name, bool& value, bool& other, const char* word, const char* doc) {
+    int index = other ? 2 : value ? 1 : 0;
+    oneOf(name, index, {"false", "true", word}, doc);
+    value = index == 1;
+    other = index == 2;
   }
   void someOf(const char* name, std::vector<int>& value, const std::vector<const char*>& words,
               const char* doc) {

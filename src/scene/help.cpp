@@ -74,7 +74,9 @@ void HelpWriter::section(const char* name, bool* present, const char* doc,
   const auto word = shorthands_.find(name);
   const bool isShort = word != shorthands_.end();
   add(name, present == nullptr ? "" : "off", "", "",
-      isShort ? fmt::format("{} A word alone is its \"{}\".", doc, word->second) : doc);
+      isShort                      ? fmt::format("{} A word alone is its \"{}\".", doc, word->second)
+      : switchable_.contains(name) ? fmt::format("{} Or true: all as by default.", doc)
+                                   : doc);
   if (!expandGroups_) return;
   const std::string outer = prefix_;
   prefix_ += std::string(name) + ".";

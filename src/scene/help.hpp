@@ -2,6 +2,7 @@
 #include "scene/fields.hpp"
 
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,7 @@ class HelpWriter final : public Fields {
                    const std::function<void(Fields&, std::size_t)>& describe) override;
   void leftOut(const char* name, const char* what) override;
   void shorthand(const char* group, const char* field) override { shorthands_[group] = field; }
+  void switchable(const char* group) override { switchable_.insert(group); }
 
  private:
   struct Row {
@@ -39,6 +41,7 @@ class HelpWriter final : public Fields {
   std::string prefix_;
   std::vector<Row> rows_;
   std::map<std::string, std::string> shorthands_;
+  std::set<std::string> switchable_;
 };
 
 }  // namespace simreel::scene

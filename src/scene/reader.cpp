@@ -141,8 +141,8 @@ class MemberReader {
   ReadContext context_;
 };
 
-/// The group that a word stands for: {field: word}, with every place that of the word.
-Node spelledOut(const Node& word, const std::string& field) {
+/// The group that `true` stands for: {}, where that stands.
+Node emptyGroup(const Node& word) {
   Node group;
   group.kind = Node::Kind::object;
   group.source = word.source;
@@ -151,6 +151,12 @@ Node spelledOut(const Node& word, const std::string& field) {
   group.end = word.end;
   group.keyBegin = word.keyBegin;
   group.keyEnd = word.keyEnd;
+  return group;
+}
+
+/// The group that a word stands for: {field: word}, with every place that of the word.
+Node spelledOut(const Node& word, const std::string& field) {
+  Node group = emptyGroup(word);
   group.children.push_back(word);
   group.children.front().key = field;
   group.children.front().keyBegin = group.children.front().keyEnd = 0;
@@ -208,6 +214,15 @@ void Reader::section(const char* name, bool* present, const char* /*doc*/,
                      const std::function<void(Fields&)>& describe) {
   const Node* node = take(name);
   if (present != nullptr) *present = node != nullptr;
+  if (node != nullptr && switchable_.contains(name)) {
+    if (node->kind == Node::Kind::boolean) {
+      *present = node->boolean;
+      return node->boolean ? readObject(emptyGroup(*node), context_, describe) : void();
+    }
+    if (node->kind != Node::Kind::object)
+      return context_.diagnostics.add(
+          node->place(), fmt::format("expected an object or true, found {}", node->kindText()));
+  }
   if (const auto word = shorthands_.find(name); node != nullptr && word != shorthands_.end()) {
     if (node->kind == Node::Kind::text)
       return readObject(spelledOut(*node, word->second), context_, describe);

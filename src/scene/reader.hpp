@@ -9,6 +9,7 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -48,6 +49,7 @@ class Reader final : public Fields {
                    const std::function<void(Fields&, std::size_t)>& describe) override;
   void formerly(const char* old, const char* name) override;
   void shorthand(const char* group, const char* field) override { shorthands_[group] = field; }
+  void switchable(const char* group) override { switchable_.insert(group); }
   void error(const char* name, const std::string& message) override;
   [[nodiscard]] bool given(const char* name) const override;
 
@@ -62,6 +64,7 @@ class Reader final : public Fields {
   std::vector<std::string> known_;
   std::map<std::string, std::string> formerNames_;  ///< of what is given by its old name: new name -> old
   std::map<std::string, std::string> shorthands_;   ///< group -> the field that a word alone is
+  std::set<std::string> switchable_;                ///< groups that may be true
 };
 
 }  // namespace simreel::scene

@@ -80,7 +80,11 @@ class Types {
   }
 
  private:
-  [[nodiscard]] Json words() const { return {{"enum", spec_.words}}; }
+  [[nodiscard]] Json words() const {
+    Json words(spec_.words);
+    if (spec_.isSwitch()) words[0] = false, words[1] = true;
+    return {{"enum", words}};
+  }
 
   const Spec& spec_;
 };
@@ -110,6 +114,9 @@ void SchemaWriter::section(const char* name, bool* present, const char* doc,
                   {"description", fmt::format("Short for {{\"{}\": ...}}.", word->second)}};
     schema = {{"anyOf", Json::array({std::move(words), std::move(schema)})}};
   }
+  if (switchable_.contains(name))
+    schema = {{"anyOf", Json::array({{{"type", "boolean"}, {"description", "true stands for {}."}},
+                                     std::move(schema)})}};
   schema["description"] = fmt::format("{}{}", doc, present == nullptr ? "" : " Off unless given.");
   add(name, std::move(schema));
 }

@@ -108,8 +108,19 @@ std::optional<glm::ivec2> ValueReader::pair(const Node& node) const {
 }
 
 std::optional<int> ValueReader::oneOf(const Node& node, std::span<const char* const> names) const {
+  std::size_t first = 0;
+  if (Spec{.words = names}.isSwitch()) {
+    if (node.kind == Node::Kind::boolean) return node.boolean ? 1 : 0;
+    first = 2;
+    const std::string expected = fmt::format("true, false or \"{}\"", names[first]);
+    if (node.kind == Node::Kind::text && node.text != names[first]) {
+      diagnostics_.add(node.place(), fmt::format("expected {}, found {}", expected, inQuotes(node.text)));
+      return std::nullopt;
+    }
+    if (!expect(node, Node::Kind::text, expected.c_str())) return std::nullopt;
+  }
   if (!expect(node, Node::Kind::text, "a string")) return std::nullopt;
-  for (std::size_t i = 0; i < names.size(); ++i)
+  for (std::size_t i = first; i < names.size(); ++i)
     if (node.text == names[i]) return static_cast<int>(i);
   const std::vector<std::string> known(names.begin(), names.end());
   diagnostics_.add(node.place(), fmt::format("unknown {} {}; {}", name_, inQuotes(node.text),

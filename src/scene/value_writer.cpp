@@ -40,7 +40,10 @@ class Writer {
   }
 
  private:
-  [[nodiscard]] Json word(int index) const { return spec_.words[static_cast<std::size_t>(index)]; }
+  [[nodiscard]] Json word(int index) const {
+    if (spec_.isSwitch() && index < 2) return index == 1;
+    return spec_.words[static_cast<std::size_t>(index)];
+  }
 
   const Spec& spec_;
 };

@@ -141,6 +141,35 @@ TEST_CASE(
   }
 }
 
+TEST_CASE("checkpoint: cloth on faces of meshes that keep a trail, wave and are moved, and of a body") {
+  testContext();
+  const test::TemporaryFile place("checkpoint", "");
+  ::setenv("SIMREEL_ASSETS", (fs::path(sourceFolder()) / "assets").c_str(), 1);
+  const scene::Scene scene = ofText(R"({"version": 1, "time": {"start": 0.05}, "objects": {
+    "sheet": {"cloth": {"size": [9, 8], "spacing": 0.04, "position": [0, 0.03, 0], "fabric": "cotton", "contact": true, "pins": []}},
+    "cap": {"cloth": {"size": [9, 8], "spacing": 0.04, "position": [3, 1.82, 0], "fabric": "cotton", "contact": true, "pins": []}},
+    "roller": {"sphere": {"radius": 0.1, "collides": true,
+                          "position": {"keys": [[0, [-0.3, 0.08, 0.3]], [0.4, [0.3, 0.08, 0.3]]]}}},
+    "snow": {"mesh": {"shape": "plane", "size": [1, 0, 1], "resolution": [17, 15], "collides": "faces",
+                      "deform": [{"footprints": {}}, {"waves": [{"amplitude": 0.02, "length": 0.4}]}]}},
+    "ball": {"mesh": {"shape": "sphere", "radius": 0.06, "resolution": [9, 6], "collides": "faces",
+                      "position": {"keys": [[0, [0, -0.1, 0]], [0.2, [0, 0.2, 0]]]},
+                      "rotation": {"keys": [[0, [0, 0, 0]], [0.2, [0, 90, 30]]]}}},
+    "walker": {"body": {"file": "meshes/walker.gltf", "animation": "walk", "position": [3, 0, 0], "collides": "faces"}}}})");
+  sim::World whole(scene);
+  const auto at = summaryAt(whole, 5);
+  frame::Checkpoint::write(place.path(), runOf(scene), at.stateHash, "", whole);
+  sim::World resumed(scene);
+  frame::Checkpoint::read(place.path(), runOf(scene), lastFrame).value().restore(resumed);
+  const auto later = summaryAt(whole, 9);
+  CHECK(later.stateHash != at.stateHash);
+  CHECK(summaryAt(resumed, 9).stateHash == later.stateHash);
+  sim::World passed(scene);
+  passed.passTo(8);
+  CHECK(summaryAt(passed, 9).stateHash == later.stateHash);
+  ::unsetenv("SIMREEL_ASSETS");
+}
+
 TEST_CASE("checkpoint: what is damaged, of another run or of another program is not used") {
   testContext();
   const test::TemporaryFile place("checkpoint", "");

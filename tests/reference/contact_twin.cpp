@@ -24,6 +24,10 @@ std::size_t at(int i) {
 
 }  // namespace
 
+float ContactTwin::thicknessOf(auto& kernel, const ivec4& corners) const {
+  return kernel.thicknessBetween(corners, plan_.skins()[at(corners.x)].x, plan_.skins()[at(corners.w)].x);
+}
+
 void ContactTwin::push(const std::vector<Part>& parts, bool first) {
   const ContactStep step = plan_.step(first, 1 << 20);
   ContactKernel kernel{step};
@@ -32,18 +36,26 @@ void ContactTwin::push(const std::vector<Part>& parts, bool first) {
   now.clear();
   next.clear();
   for (const Part& part : parts) {
-    now.insert(now.end(), part.now->begin(), part.now->end());
+    for (const vec4& p : *part.now)
+      now.emplace_back(vec3(p), kernel.isSolid(static_cast<int>(now.size())) ? 0.0F : p.w);
     next.insert(next.end(), part.next->begin(), part.next->end());
   }
   const auto xyz = [](const std::vector<vec4>& from, int i) { return vec3(from[at(i)]); };
-  bool stale = first || hulls_.empty();
+  const std::size_t movable = at(plan_.movable());
+  stir_ = 0;
+  for (std::size_t i = movable; i < now.size(); ++i)
+    stir_ = std::max(stir_, kernel.lengthOf(vec3(now[i]), vec3(next[i])));
+  bool stale = first || hulls_.empty() || stir_ > searched_;
   for (std::size_t i = 0; i < next.size() && !stale; ++i)
     stale = !kernel.isWithin(vec3(next[i]), hulls_[i].low, hulls_[i].high);
   if (stale) {
     ++searches;
+    searched_ = kernel.foreseen(stir_);
+    beside_.assign(now.size(), 0.0F);
     hulls_.clear();
     for (std::size_t i = 0; i < next.size(); ++i)
-      hulls_.push_back(kernel.reachOf(vec3(now[i]), vec3(next[i]), skins[i].x));
+      hulls_.push_back(kernel.widened(kernel.reachOf(vec3(now[i]), vec3(next[i]), skins[i].x),
+                                      i < movable ? searched_ : 0.0F));
     vertexPairs_.clear();
     edgePairs_.clear();
     const auto hullOf = [&](uint v) { return kernel.widened(hulls_[v], skins[v].x); };
@@ -56,7 +68,7 @@ void ContactTwin::push(const std::vector<Part>& parts, bool first) {
     const auto meet = [&](const Hull& a, const Hull& b) {
       return kernel.overlap(a.low, a.high, b.low, b.high);
     };
-    const auto thickOf = [&](uint a, uint b) { return skins[a].x + skins[b].x; };
+    const auto bothSolid = [&](uint a, uint b) { return a >= movable && b >= movable; };
     const auto radius = [&](uint v) {
       return kernel.radiusOf(vec3(now[v]), hulls_[v].low, hulls_[v].high);
     };
@@ -64,44 +76,96 @@ void ContactTwin::push(const std::vector<Part>& parts, bool first) {
     const auto sift = [&](bool edge, uint a, uint b, uint c, uint d) {
       const Near n = edge ? kernel.nearOfEdges(ivec4(0), place(a), place(b), place(c), place(d))
                           : kernel.nearOfVertex(ivec4(0), place(a), place(b), place(c), place(d));
-      if (!kernel.mayMeet(n, vec4(radius(a), radius(b), radius(c), radius(d)), thickOf(a, d))) return;
+      if (!kernel.mayMeet(n, vec4(radius(a), radius(b), radius(c), radius(d)),
+                          thicknessOf(kernel, ivec4(a, b, c, d))))
+        return;
+      if (bothSolid(a, a) || bothSolid(d, d))
+        for (const uint v : {a, b, c, d})
+          if (v < movable) beside_[v] = 1;
       (edge ? edgePairs_ : vertexPairs_).emplace_back(a, b, c, d);
     };
     const auto& faces = plan_.faces();
     const std::vector<Hull> faceBoxes = boxesOf(faces);
     for (uint v = 0; v < now.size(); ++v)
       for (std::size_t f = 0; f < faces.size(); ++f)
-        if (faces[f].w == 0 && !kernel.isCornerOf(faces[f], v) && meet(hullOf(v), faceBoxes[f]))
+        if (faces[f].w == 0 && !bothSolid(v, faces[f].x) && !kernel.isCornerOf(faces[f], v) &&
+            meet(hullOf(v), faceBoxes[f]))
           sift(false, v, faces[f].x, faces[f].y, faces[f].z);
     const auto& edges = plan_.edges();
     const std::vector<Hull> edgeBoxes = boxesOf(edges);
     for (std::size_t i = 0; i < edges.size(); ++i)
       for (std::size_t j = i + 1; j < edges.size(); ++j)
-        if (edges[i].w == 0 && edges[j].w == 0 && !kernel.isCornerOf(edges[j], edges[i].x) &&
-            !kernel.isCornerOf(edges[j], edges[i].y) && meet(edgeBoxes[i], edgeBoxes[j]))
+        if (edges[i].w == 0 && edges[j].w == 0 && !bothSolid(edges[i].x, edges[j].x) &&
+            !kernel.isCornerOf(edges[j], edges[i].x) && !kernel.isCornerOf(edges[j], edges[i].y) &&
+            meet(edgeBoxes[i], edgeBoxes[j]))
           sift(true, edges[i].x, edges[i].y, edges[j].x, edges[j].y);
   }
   pairs = vertexPairs_.size() + edgePairs_.size();
+  roam_.clear();
+  for (std::size_t i = 0; i < now.size(); ++i)
+    roam_.push_back(kernel.roamOf(vec3(now[i]), vec3(next[i]), stir_, beside_[i]));
 
   std::vector<Near>& near = near_;
   near.clear();
+  std::vector<vec3> up(now.size(), vec3(0)), down = up;
+  const auto carry = [&](const Near& n, const vec3& way, const vec4& carries) {
+    const ivec4 c = kernel.cornersOf(n);
+    for (int k = 0; k < 4; ++k) {
+      const vec3 by = way * carries[k];
+      up[at(c[k])] = max(up[at(c[k])], by);
+      down[at(c[k])] = max(down[at(c[k])], -by);
+    }
+  };
   const auto consider = [&](const Near& n) {
     const ivec4 c = kernel.cornersOf(n);
     const vec4 heights = kernel.heightsOf(n, xyz(now, c.x), xyz(now, c.y), xyz(now, c.z), xyz(now, c.w));
     const vec4 rises = kernel.heightsOf(n, xyz(next, c.x) - xyz(now, c.x), xyz(next, c.y) - xyz(now, c.y),
                                         xyz(next, c.z) - xyz(now, c.z), xyz(next, c.w) - xyz(now, c.w));
-    const float thick = skins[at(c.x)].x + skins[at(c.w)].x;
-    if (kernel.isNear(n, heights, rises, thick)) near.push_back(n);
+    const float thick = thicknessOf(kernel, c);
+    const vec4 roams(roam_[at(c.x)], roam_[at(c.y)], roam_[at(c.z)], roam_[at(c.w)]);
+    if (!kernel.isNear(n, heights, rises, thick, roams)) return;
+    near.push_back(n);
+    if (!kernel.meetsSolid(n)) return;
+    const bool solid = kernel.isSolid(c.x);
+    const vec3 way =
+        kernel.wayOfSide(n, solid, xyz(next, c.x) - xyz(now, c.x), xyz(next, c.y) - xyz(now, c.y),
+                         xyz(next, c.z) - xyz(now, c.z), xyz(next, c.w) - xyz(now, c.w));
+    carry(n, way, kernel.carriesOf(n, solid, heights, heights + rises, way, thick));
   };
   for (const ivec4& c : vertexPairs_)
     consider(kernel.nearOfVertex(c, xyz(now, c.x), xyz(now, c.y), xyz(now, c.z), xyz(now, c.w)));
   for (const ivec4& c : edgePairs_)
     consider(kernel.nearOfEdges(c, xyz(now, c.x), xyz(now, c.y), xyz(now, c.z), xyz(now, c.w)));
   nears = near.size();
+  const auto start = [&] {
+    starts_.clear();
+    for (std::size_t i = 0; i < now.size(); ++i)
+      starts_.push_back(stir_ == 0 ? vec3(now[i]) : kernel.carriedTo(now[i], up[i], down[i]));
+  };
+  start();
+  for (int round = 0; round < simreel::sim::ContactPlan::carryRounds && stir_ > 0; ++round) {
+    for (const Near& n : near) {
+      const ivec4 c = kernel.cornersOf(n);
+      if (kernel.meetsSolid(n)) continue;
+      const auto by = [&](int v) { return starts_[at(v)] - xyz(now, v); };
+      const vec4 heights = kernel.heightsOf(n, xyz(now, c.x), xyz(now, c.y), xyz(now, c.z), xyz(now, c.w));
+      const vec4 after = heights + kernel.heightsOf(n, by(c.x), by(c.y), by(c.z), by(c.w));
+      const float thick = thicknessOf(kernel, c);
+      if (kernel.gapOf(n, after) >= kernel.leftOf(kernel.gapOf(n, heights), thick)) continue;
+      const vec3 way = kernel.wayOfSide(n, true, by(c.x), by(c.y), by(c.z), by(c.w));
+      const vec3 otherWay = kernel.wayOfSide(n, false, by(c.x), by(c.y), by(c.z), by(c.w));
+      const bool further = kernel.firstGoesFurther(n, way, otherWay);
+      const vec3 leading = further ? way : otherWay;
+      carry(n, leading, kernel.carriesOf(n, further, heights, after, leading, thick));
+    }
+    start();
+  }
+  carried = 0;
+  for (std::size_t i = 0; i < movable; ++i) carried += starts_[i] == vec3(now[i]) ? 0 : 1;
 
   std::vector<vec4>& wanted = wanted_;
   wanted = next;
-  for (int round = 0; round < 2; ++round) {
+  for (int round = 0; round < plan_.rounds(); ++round) {
     std::vector<int> counts(now.size(), 0);
     std::vector<vec3> ways;
     touching = 0;
@@ -110,8 +174,8 @@ void ContactTwin::push(const std::vector<Part>& parts, bool first) {
       std::array<vec3, 4> moves;
       for (int k = 0; k < 4; ++k) moves[at(k)] = xyz(wanted, c[k]) - xyz(now, c[k]);
       const vec3 slide = kernel.weighted(n.shares, moves[0], moves[1], moves[2], moves[3]);
-      const float thick = skins[at(c.x)].x + skins[at(c.w)].x;
-      const float friction = 0.5F * (skins[at(c.x)].y + skins[at(c.w)].y);
+      const float thick = thicknessOf(kernel, c);
+      const float friction = kernel.frictionBetween(skins[at(c.x)].y, skins[at(c.w)].y);
       const vec3 way = kernel.correctionOf(n, slide, thick, friction);
       ways.push_back(way);
       if (way == vec3(0)) continue;
@@ -134,8 +198,8 @@ void ContactTwin::push(const std::vector<Part>& parts, bool first) {
       }
       sums[at(c.w)] += rest;
     }
-    for (std::size_t i = 0; i < wanted.size(); ++i) {
-      const float most = 0.5F * skins[i].x;
+    for (std::size_t i = 0; i < movable; ++i) {
+      const float most = 0.5F * skins[i].x + roam_[i];
       const vec3 moved = kernel.pushedTo(vec3(next[i]), vec3(wanted[i]), now[i].w, sums[i], most,
                                          hulls_[i].low, hulls_[i].high);
       if (counts[i] > 0 && now[i].w > 0) wanted[i] = vec4(moved, wanted[i].w);
@@ -144,7 +208,10 @@ void ContactTwin::push(const std::vector<Part>& parts, bool first) {
 
   std::size_t i = 0;
   for (const Part& part : parts)
-    for (vec4& place : *part.next) place = wanted[i++];
+    for (vec4& place : *part.next) {
+      if (i < movable) place = wanted[i];
+      ++i;
+    }
 }
 
 void ContactTwin::hold(const std::vector<Part>& parts) {
@@ -157,9 +224,10 @@ void ContactTwin::hold(const std::vector<Part>& parts) {
   std::size_t vertex = 0;
   for (const Part& part : parts)
     for (const vec4& settled : *part.next) {
-      wanted[vertex] = vec4(kernel.keptWithin(vec3(next_[vertex]), vec3(settled), skins[vertex].x * 1.25F,
-                                              hulls_[vertex].low, hulls_[vertex].high),
-                            settled.w);
+      wanted[vertex] = vec4(
+          kernel.keptWithin(vec3(next_[vertex]), vec3(settled), skins[vertex].x * 1.25F + roam_[vertex],
+                            hulls_[vertex].low, hulls_[vertex].high),
+          settled.w);
       ++vertex;
     }
   std::vector<float> let(now.size(), 1.0F), still(now.size(), 1.0F);
@@ -169,16 +237,17 @@ void ContactTwin::hold(const std::vector<Part>& parts) {
     for (const Near& n : near_) {
       const ivec4 c = kernel.cornersOf(n);
       const vec4 heights = kernel.heightsOf(n, xyz(now, c.x), xyz(now, c.y), xyz(now, c.z), xyz(now, c.w));
-      const vec4 rises =
-          kernel.heightsOf(n, xyz(wanted, c.x) - xyz(now, c.x), xyz(wanted, c.y) - xyz(now, c.y),
-                           xyz(wanted, c.z) - xyz(now, c.z), xyz(wanted, c.w) - xyz(now, c.w));
-      const float thick = skins[at(c.x)].x + skins[at(c.w)].x;
-      const vec4 own = kernel.letOf(n, heights, rises, thick);
+      const vec4 starts =
+          kernel.heightsOf(n, starts_[at(c.x)], starts_[at(c.y)], starts_[at(c.z)], starts_[at(c.w)]);
+      const auto way = [&](int v) { return xyz(wanted, v) - starts_[at(v)]; };
+      const vec4 rises = kernel.heightsOf(n, way(c.x), way(c.y), way(c.z), way(c.w));
+      const float thick = thicknessOf(kernel, c);
+      const vec4 own = kernel.letOf(n, heights, starts, rises, thick);
       if (round == 0)
         for (int k = 0; k < 4; ++k) still[at(c[k])] = std::min(still[at(c[k])], own[k]);
       const vec4 lets(before[at(c.x)], before[at(c.y)], before[at(c.z)], before[at(c.w)]);
-      if (!kernel.passes(n, heights, rises, lets, thick)) continue;
-      any = true;
+      if (!kernel.passes(n, heights, starts, rises, lets, thick)) continue;
+      any = any || !kernel.meetsSolid(n);
       for (int k = 0; k < 4; ++k) let[at(c[k])] = std::min(let[at(c[k])], own[k]);
     }
     return any;
@@ -189,9 +258,10 @@ void ContactTwin::hold(const std::vector<Part>& parts) {
   std::size_t i = 0;
   for (const Part& part : parts)
     for (std::size_t k = 0; k < part.next->size(); ++k, ++i) {
+      if (i >= at(plan_.movable())) continue;
       const float part_ = now[i].w == 0.0F ? 1.0F : allStopped ? still[i] : let[i];
       if (part_ < 1) ++stopped;
-      const vec3 held = kernel.heldAt(vec3(now[i]), vec3(wanted[i]), part_);
+      const vec3 held = kernel.heldAt(starts_[i], vec3(wanted[i]), part_);
       const vec3 v = vec3((*part.velocities)[k]) + (held - vec3((*part.next)[k])) * step.perDt;
       (*part.next)[k] = vec4(held, wanted[i].w);
       if (now[i].w > 0) (*part.velocities)[k] = vec4(v, (*part.velocities)[k].w);

@@ -19,12 +19,14 @@ bool crosses(const glm::dvec3& p, const glm::dvec3& q, const glm::dvec3& a, cons
 
 }  // namespace
 
-int crossings(const std::vector<glm::dvec3>& points, const std::vector<glm::uvec3>& faces) {
+int crossings(const std::vector<glm::dvec3>& points, const std::vector<glm::uvec3>& faces,
+              unsigned firstSolid) {
   int count = 0;
   for (const glm::uvec3& f : faces) {
     const glm::dvec3 &a = points[f.x], &b = points[f.y], &c = points[f.z];
     const glm::dvec3 low = glm::min(glm::min(a, b), c), high = glm::max(glm::max(a, b), c);
-    for (const glm::uvec3& g : faces)
+    for (const glm::uvec3& g : faces) {
+      if (f.x >= firstSolid && g.x >= firstSolid) continue;
       for (int k = 0; k < 3; ++k) {
         const unsigned u = g[k], v = g[(k + 1) % 3];
         if (u == f.x || u == f.y || u == f.z || v == f.x || v == f.y || v == f.z) continue;
@@ -35,6 +37,7 @@ int crossings(const std::vector<glm::dvec3>& points, const std::vector<glm::uvec
               apart || std::max(p[axis], q[axis]) < low[axis] || std::min(p[axis], q[axis]) > high[axis];
         count += !apart && crosses(p, q, a, b, c) ? 1 : 0;
       }
+    }
   }
   return count;
 }

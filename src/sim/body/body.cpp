@@ -3,6 +3,7 @@
 #include "base/log.hpp"
 #include "sim/body/motion.hpp"
 #include "sim/body/skinned_surface.hpp"
+#include "sim/contact/solid.hpp"
 #include "sim/core/kind.hpp"
 #include "sim/mesh/buffers.hpp"
 #include "sim/mesh/quantities.hpp"
@@ -14,7 +15,7 @@ namespace simreel::sim {
 namespace {
 
 /// A skinned mesh: where its vertices are depends on the time alone.
-class Body : public Simulation {
+class Body : public Simulation, public ContactSolid {
  public:
   Body(const scene::Object& object, const Setting& setting)
       : name_(object.name),
@@ -50,6 +51,14 @@ class Body : public Simulation {
     return "vertex " + std::to_string(element);
   }
   [[nodiscard]] SkinnedSurface* skin() override { return &surface_; }
+  [[nodiscard]] ContactSolid* solid() override { return parameters_.byFaces ? this : nullptr; }
+  [[nodiscard]] ContactPart contactPart() const override {
+    const MeshTable table = *mesh();
+    return solidPart(table.positions, table.indices, parameters_.friction);
+  }
+  void moveTo(int substep, int substeps) override { surface_.moveTo(substep, substeps); }
+  [[nodiscard]] const gl::Vec4Array& now() const override { return surface_.before(); }
+  [[nodiscard]] const gl::Vec4Array& next() const override { return surface_.now(); }
   [[nodiscard]] std::optional<MeshTable> mesh() const override {
     MeshTable table;
     table.uvs = motion_.figure().mesh.uvs;

@@ -26,20 +26,25 @@ void BodyParameters::describe(scene::Fields& f) {
   f.number("scale", scale, {1e-3, 1e3}, "", "Factor on the file's coordinates.");
   f.boolean("doubleSided", doubleSided, "Whether both sides of its triangles are drawn.");
   f.boolean("visible", visible, "Whether it is drawn.");
-  f.boolean("collides", collides,
-            "Whether cloth touches it: capsules around its bones, from each to its child, as thick as the "
-            "skin there (simreel render -v says where), of the 24 bones with the most skin.");
+  f.booleanOr(
+      "collides", collides, byFaces, "faces",
+      "true: cloth touches capsules around its bones, from each to its child, as thick as the skin "
+      "there (simreel render -v says where), of the 24 bones with the most skin; \"faces\": cloth with "
+      "\"contact\" keeps off the triangles of its skin.");
   f.number("grip", grip, {0, 1e6}, "1/s",
            "Rate at which cloth sliding over it loses speed; 25.3 keeps 0.9 at 240 Hz.");
-  f.optionalNumber("friction", friction, {0, 100}, "",
-                   "Coulomb's coefficient, instead of grip: cloth holds on slopes up to its arc tangent.");
+  f.optionalNumber(
+      "friction", friction, {0, 100}, "",
+      "Coulomb's coefficient, instead of grip: cloth holds on slopes up to its arc tangent. Of "
+      "faces: with a cloth's the mean of both; left out the cloth's.");
   if (file.empty()) f.error("file", "a body needs \"file\": the glTF to read");
   for (const char* name : {"speed", "start", "loop"})
     if (animation.empty() && f.given(name))
       f.error(name, "give \"animation\", the name of the motion that it is of");
   if (friction && f.given("grip")) f.error("friction", "give \"grip\" or \"friction\", not both");
   for (const char* name : {"grip", "friction"})
-    if (!collides && f.given(name)) f.error(name, "this is for a body with \"collides\": true");
+    if (!collides && !byFaces && f.given(name)) f.error(name, "this is for a body with \"collides\": true");
+  if (byFaces && f.given("grip")) f.error("grip", "faces have \"friction\" instead");
 }
 
 std::span<const scene::Quantity> BodyParameters::quantities() const {

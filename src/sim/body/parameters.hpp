@@ -32,12 +32,14 @@ struct BodyParameters : ObjectParameters {
   scene::Animated<float> scale = 1.0F;
   bool doubleSided = false;
   bool visible = true;
-  bool collides = false;
-  float grip = 25.3F;  ///< 1/s
+  bool collides = false;  ///< by capsules
+  bool byFaces = false;   ///< with cloths in contact
+  float grip = 25.3F;     ///< 1/s
   std::optional<double> friction;
   void describe(scene::Fields& fields) override;
   [[nodiscard]] std::span<const scene::Quantity> quantities() const override;
   [[nodiscard]] bool isBody() const override { return true; }
+  [[nodiscard]] bool collidesByFaces() const override { return byFaces; }
 
   /// What the file holds, read once. Throws what loadFigure() throws.
   [[nodiscard]] const std::shared_ptr<const Figure>& figure() const;

@@ -167,16 +167,21 @@ void ClothParameters::describe(scene::Fields& f) {
                     a.number("gustSize", air.gustSize, {1e-2, 1e3}, "m", "Size of the gusts.");
                   });
   f.number("margin", margin, {0, 10}, "m", "Distance kept from colliders.");
+  f.switchable("contact");
   f.optionalGroup(
       "contact", hasContact,
-      "Its faces and edges keep off each other, and off those of other cloths that have this.",
+      "Its faces and edges keep off each other, off those of other cloths that have this, and off meshes "
+      "and bodies with \"collides\": \"faces\".",
       [&](scene::Fields& c) {
         c.optionalNumber("thickness", contact.thickness, {1e-6, 10}, "m",
-                         "Kept between the middles of two layers; around small triangles of a mesh less.");
+                         "Kept between the middles of two layers, and off meshes and bodies; around small "
+                         "triangles of a "
+                         "mesh less.");
         c.leftOut("thickness",
                   "the fabric's, but of the way between neighbours at least 0.125 and at most 0.35");
         c.number("friction", contact.friction, {0, 10}, "",
-                 "Coulomb's coefficient; between cloths the mean of theirs.");
+                 "Coulomb's coefficient; between cloths the mean of theirs, and of a mesh or body that has "
+                 "one.");
         if (contact.thickness && !hasMesh && *contact.thickness > 0.35 * static_cast<double>(spacing))
           c.error("thickness",
                   fmt::format("thickness {} is more than 0.35 of the spacing of {} m, which the cloth's "

@@ -17,7 +17,6 @@ namespace {
 
 namespace at = shader::contact;
 
-constexpr int rounds = 2;      ///< of impulses
 constexpr int holdRounds = 4;  ///< hold.comp
 constexpr std::size_t mostPairsWord = 5;
 
@@ -66,6 +65,8 @@ void Contact::makePrograms(bool fast) {
     refit_[i] = make("contact/refit.comp");
     defines.pop_back();
   }
+  start_ = make("contact/start.comp");
+  spread_ = make("contact/spread.comp");
   defines.emplace_back("NEAR", "1");
   nearList_ = make("contact/lists.comp");
   defines.back().first = "CANDIDATES";
@@ -88,7 +89,7 @@ void Contact::allocate(int pairs) {
 
 void Contact::beginFrame(std::span<const Part> parts) {
   if (saved_.empty())
-    for (const Part& part : parts)
+    for (const Part& part : cloths(parts))
       for (const gl::Vec4Array* array : {part.now, part.velocities})
         saved_.emplace_back("contact before a frame", array->buffer().bytes());
   copySaved(parts, true);
@@ -98,7 +99,7 @@ void Contact::beginFrame(std::span<const Part> parts) {
 void Contact::copySaved(std::span<const Part> parts, bool saving) const {
   glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
   std::size_t i = 0;
-  for (const Part& part : parts)
+  for (const Part& part : cloths(parts))
     for (const gl::Vec4Array* array : {part.now, part.velocities}) {
       const gl::Buffer& own = array->buffer();
       const gl::Buffer& saved = saved_[i++];
@@ -211,6 +212,11 @@ void Contact::bind(int index) const {
   control_.bindStorage(at::controlBinding);
 }
 
+std::span<const Contact::Part> Contact::cloths(std::span<const Part> parts) const {
+  const auto firstSolid = std::lower_bound(plan_.firsts().begin(), plan_.firsts().end(), plan_.movable());
+  return parts.first(static_cast<std::size_t>(firstSolid - plan_.firsts().begin()));
+}
+
 template <class Bind>
 void Contact::forParts(const gl::Program& program, std::span<const Part> parts, const Bind& bind) const {
   for (std::size_t i = 0; i < parts.size(); ++i) {
@@ -221,6 +227,17 @@ void Contact::forParts(const gl::Program& program, std::span<const Part> parts, 
     program.dispatch(count);
   }
   gl::barrier();
+}
+
+/// From where cloth may be held back, where solids move.
+void Contact::carry() const {
+  if (plan_.movable() == plan_.vertices()) return;
+  for (int round = 0; round <= ContactPlan::carryRounds; ++round) {
+    if (round > 0) dispatchIndirect(spread_, at::carryDispatch);
+    gl::barrier();
+    dispatchIndirect(start_, at::startDispatch);
+    gl::barrier();
+  }
 }
 
 void Contact::push(int index, std::span<const Part> parts) {
@@ -242,15 +259,16 @@ void Contact::push(int index, std::span<const Part> parts) {
   gl::barrier();
   glMemoryBarrier(GL_COMMAND_BARRIER_BIT);
   corners_.bindInput(at::cornersBinding);
-  for (int round = 0; round < rounds; ++round) {
+  carry();
+  for (int round = 0; round < plan_.rounds(); ++round) {
     dispatchIndirect(claim_, at::nearDispatch);
     gl::barrier();
     dispatchIndirect(push_, at::nearDispatch);
     gl::barrier();
-    apply_.dispatch(plan_.vertices());
+    apply_.dispatch(plan_.movable());
     gl::barrier();
   }
-  forParts(hand_, parts, [](const Part& part) { part.next->bindState(at::partNextBinding); });
+  forParts(hand_, cloths(parts), [](const Part& part) { part.next->bindState(at::partNextBinding); });
 }
 
 void Contact::hold(int index, std::span<const Part> parts) {
@@ -264,7 +282,7 @@ void Contact::hold(int index, std::span<const Part> parts) {
     dispatchIndirect(hold_, at::nearDispatch);
     gl::barrier();
   }
-  forParts(leave_, parts, [](const Part& part) {
+  forParts(leave_, cloths(parts), [](const Part& part) {
     part.next->bindState(at::partNextBinding);
     part.velocities->bindState(at::partVelocitiesBinding);
   });

@@ -12,13 +12,14 @@ namespace simreel::sim {
 /// Contact of cloths with themselves and each other on the GPU (glsl/contact), between the substep that
 /// each makes by itself and the next. Faces and edges keep the thickness between them; where forces are too
 /// strong for that, they are held back, so that none ever passes through another that it was apart from at
-/// the start. What is held by pins goes where the pins take it.
+/// the start. What is held by pins goes where the pins take it, and solids where they go: cloths give way.
 ///
 /// Impulses are summed up as integers and ways are shortened by minima, so the order in which pairs are
 /// found does not matter, and the bits are the same everywhere.
 class Contact {
  public:
-  /// A simulation's own arrays, in the order of the parts of the plan.
+  /// A simulation's own arrays, in the order of the parts of the plan. Of a solid only its positions count,
+  /// and nothing is written: the rest may be null.
   struct Part {
     const gl::Vec4Array* now;         ///< at the substep's start: xyz m, w inverse mass in 1/kg
     const gl::Vec4Array* next;        ///< where it would lead; becomes where it leads
@@ -53,9 +54,11 @@ class Contact {
   void search() const;
   /// Boxes of both trees.
   void fit() const;
+  void carry() const;
   void bind(int index) const;
   template <class Bind>
   void forParts(const gl::Program& program, std::span<const Part> parts, const Bind& bind) const;
+  [[nodiscard]] std::span<const Part> cloths(std::span<const Part> parts) const;
   void dispatchIndirect(const gl::Program& program, int number) const;
 
   ContactPlan plan_;
@@ -70,7 +73,7 @@ class Contact {
   gl::Program refit_[3];  ///< of one, two, three levels at once
   gl::Program gather_, begin_, reach_, leafBoxes_, searchVertices_, searchEdges_, candidateLists_,
       siftVertices_, siftEdges_, pairLists_, nearVertices_, nearEdges_, nearList_, claim_, push_, apply_,
-      hand_, take_, hold_, leave_;
+      hand_, take_, hold_, leave_, start_, spread_;
 };
 
 }  // namespace simreel::sim

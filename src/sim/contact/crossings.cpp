@@ -38,8 +38,12 @@ double volume(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, con
 /// Faces under their tree of boxes, which is that of glsl/contact/search.glsl.
 class FaceTree {
  public:
-  FaceTree(const std::vector<glm::uvec4>& faces, std::span<const glm::vec4> positions)
-      : faces_(faces), positions_(positions), boxes_(2 * faces.size()) {
+  FaceTree(const ContactPlan& plan, std::span<const glm::vec4> positions)
+      : faces_(plan.faces()),
+        positions_(positions),
+        movable_(static_cast<unsigned>(plan.movable())),
+        boxes_(2 * plan.faces().size()) {
+    const std::vector<glm::uvec4>& faces = faces_;
     for (std::size_t i = 0; i < faces.size(); ++i)
       if (faces[i].w == 0)
         for (int k = 0; k < 3; ++k) boxes_[faces.size() + i].include(at(faces[i][k]));
@@ -75,6 +79,7 @@ class FaceTree {
   [[nodiscard]] bool crosses(const glm::uvec4& edge, const glm::uvec4& face) const {
     for (int k = 0; k < 3; ++k)
       if (face[k] == edge.x || face[k] == edge.y) return false;
+    if (face.x >= movable_ && edge.x >= movable_) return false;
     const glm::dvec3 p = at(edge.x), q = at(edge.y), a = at(face.x), b = at(face.y), c = at(face.z);
     if ((volume(a, b, c, p) > 0) == (volume(a, b, c, q) > 0)) return false;
     const bool side = volume(p, q, a, b) > 0;
@@ -83,13 +88,14 @@ class FaceTree {
 
   const std::vector<glm::uvec4>& faces_;
   std::span<const glm::vec4> positions_;
+  unsigned movable_;
   std::vector<Box> boxes_;
 };
 
 }  // namespace
 
 long crossingsOf(const ContactPlan& plan, std::span<const glm::vec4> positions) {
-  const FaceTree tree(plan.faces(), positions);
+  const FaceTree tree(plan, positions);
   long count = 0;
   for (const glm::uvec4& edge : plan.edges())
     if (edge.w == 0) count += tree.crossedBy(edge);

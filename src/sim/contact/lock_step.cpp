@@ -9,38 +9,44 @@ namespace simreel::sim {
 
 namespace {
 
-ContactPlan planOf(const std::vector<LockStep*>& members, double substepSeconds) {
+ContactPlan planOf(const std::vector<LockStep*>& members, const std::vector<ContactSolid*>& solids,
+                   double substepSeconds) {
   std::vector<ContactPart> parts;
-  parts.reserve(members.size());
+  parts.reserve(members.size() + solids.size());
   for (const LockStep* member : members) parts.push_back(member->contactPart());
+  for (const ContactSolid* solid : solids) parts.push_back(solid->contactPart());
   ContactPlan plan(parts, substepSeconds);
   std::vector<glm::vec4> positions;
   for (const ContactPart& part : parts)
     positions.insert(positions.end(), part.positions.begin(), part.positions.end());
   if (const long crossings = crossingsOf(plan, positions); crossings > 0)
     warn(
-        "cloths in contact go through each other or themselves at the start, {} times an edge through a "
+        "cloths in contact go through each other{} or themselves at the start, {} times an edge through a "
         "face: there they stay so; place them apart",
-        crossings);
+        solids.empty() ? "" : ", a solid", crossings);
   return plan;
 }
 
 }  // namespace
 
-ContactGroup::ContactGroup(std::vector<LockStep*> members, int substeps, double frameSeconds, bool fast)
+ContactGroup::ContactGroup(std::vector<LockStep*> members, std::vector<ContactSolid*> solids, int substeps,
+                           double frameSeconds, bool fast)
     : members_(std::move(members)),
+      solids_(std::move(solids)),
       substeps_(substeps),
-      contact_(planOf(members_, frameSeconds / substeps), substeps, fast) {}
+      contact_(planOf(members_, solids_, frameSeconds / substeps), substeps, fast) {}
 
 std::vector<Contact::Part> ContactGroup::parts() const {
   std::vector<Contact::Part> parts;
-  parts.reserve(members_.size());
+  parts.reserve(members_.size() + solids_.size());
   for (const LockStep* member : members_) parts.push_back(member->arrays());
+  for (const ContactSolid* solid : solids_) parts.push_back({&solid->now(), &solid->next(), nullptr});
   return parts;
 }
 
 void ContactGroup::substeps(const Watch& watch) {
   for (int i = 0; i < substeps_; ++i) {
+    for (ContactSolid* solid : solids_) solid->moveTo(i, substeps_);
     for (LockStep* member : members_) member->predict(i);
     contact_.push(i, parts());
     for (LockStep* member : members_) member->settle(i);

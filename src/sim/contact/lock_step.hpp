@@ -1,5 +1,6 @@
 #pragma once
 #include "sim/contact/contact.hpp"
+#include "sim/contact/solid.hpp"
 #include "sim/core/simulation.hpp"
 
 #include <functional>
@@ -27,14 +28,15 @@ class LockStep {
   virtual void endFrame(double time) = 0;
 };
 
-/// Simulations in step, and their contact.
+/// Simulations in step, and their contact with each other and with solids.
 class ContactGroup {
  public:
-  /// `members` outlive it and take `substeps` a frame of `frameSeconds`.
-  ContactGroup(std::vector<LockStep*> members, int substeps, double frameSeconds, bool fast);
+  /// `members` and `solids` outlive it; `members` take `substeps` a frame of `frameSeconds`.
+  ContactGroup(std::vector<LockStep*> members, std::vector<ContactSolid*> solids, int substeps,
+               double frameSeconds, bool fast);
   /// As StepWatch, with the member.
   using Watch = std::function<void(std::size_t member, int step)>;
-  /// Advances all by the frame that starts at `time`.
+  /// Advances all members by the frame that starts at `time`, which the solids have stepped.
   void step(double time, const Watch& watch);
 
  private:
@@ -42,6 +44,7 @@ class ContactGroup {
   void substeps(const Watch& watch);
 
   std::vector<LockStep*> members_;
+  std::vector<ContactSolid*> solids_;
   int substeps_;
   Contact contact_;
 };

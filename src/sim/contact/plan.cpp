@@ -70,13 +70,15 @@ Leaves edgesOf(const ContactPart& part) {
   return leaves;
 }
 
-/// The leaves of a tree of all parts: largest subtrees first, so that each begins at a multiple of its
-/// size.
-Leaves leavesOf(std::span<const ContactPart> parts, const std::vector<int>& firsts,
+constexpr glm::uvec4 none(0, 0, 0, 1);
+
+/// The leaves of a tree of all cloths, or of all solids: largest subtrees first, so that each begins at a
+/// multiple of its size.
+Leaves leavesOf(std::span<const ContactPart> parts, const std::vector<int>& firsts, bool solid,
                 Leaves (*featuresOf)(const ContactPart&)) {
-  constexpr glm::uvec4 none(0, 0, 0, 1);
   std::vector<Leaves> subtrees;
   for (std::size_t i = 0; i < parts.size(); ++i) {
+    if (parts[i].solid != solid) continue;
     Leaves leaves = featuresOf(parts[i]);
     if (leaves.empty()) continue;
     leaves = mortonOrder(leaves, parts[i].positions);
@@ -89,7 +91,21 @@ Leaves leavesOf(std::span<const ContactPart> parts, const std::vector<int>& firs
                    [](const Leaves& a, const Leaves& b) { return a.size() > b.size(); });
   Leaves all;
   for (const Leaves& subtree : subtrees) all.insert(all.end(), subtree.begin(), subtree.end());
-  all.resize(std::bit_ceil(std::max<std::size_t>(all.size(), 2)), none);
+  if (!all.empty() || !solid) all.resize(std::bit_ceil(std::max<std::size_t>(all.size(), 2)), none);
+  return all;
+}
+
+/// Of cloths, and of solids if there are any as many again.
+Leaves bothHalves(std::span<const ContactPart> parts, const std::vector<int>& firsts,
+                  Leaves (*featuresOf)(const ContactPart&)) {
+  Leaves all = leavesOf(parts, firsts, false, featuresOf);
+  Leaves solids = leavesOf(parts, firsts, true, featuresOf);
+  if (std::any_of(parts.begin(), parts.end(), [](const ContactPart& part) { return part.solid; })) {
+    const std::size_t half = std::max(all.size(), solids.size());
+    all.resize(half, none);
+    solids.resize(half, none);
+    all.insert(all.end(), solids.begin(), solids.end());
+  }
   if (std::countr_zero(all.size()) > maxLevels)
     fail(ExitCode::usage, "contact of {} faces or edges together; there may be {} at most", all.size(),
          1 << maxLevels);
@@ -101,22 +117,30 @@ Leaves leavesOf(std::span<const ContactPart> parts, const std::vector<int>& firs
 ContactPlan::ContactPlan(std::span<const ContactPart> parts, double substepSeconds)
     : substepSeconds_(substepSeconds) {
   float lightest = 0;  // greatest inverse mass, least of those that are not held
+  float thickest = 0;
   for (const ContactPart& part : parts) {
     firsts_.push_back(vertices());
+    if (part.solid) {
+      skins_.insert(skins_.end(), part.positions.size(), glm::vec2(thickest, part.friction));
+      continue;
+    }
+    SIMREEL_CHECK(movable_ == vertices());
     for (std::size_t i = 0; i < part.positions.size(); ++i) {
       const glm::vec4& p = part.positions[i];
       const float thick = part.rooms.empty() ? part.thickness : std::min(part.thickness, part.rooms[i]);
       skins_.emplace_back(0.5F * thick, part.friction);
+      thickest = std::max(thickest, 0.5F * thick);
       if (p.w > 0) lightest = lightest == 0 ? p.w : std::min(lightest, p.w);
     }
+    movable_ = vertices();
   }
   // 2^-30 m of the heaviest: three decimal digits below what floats near 1 m resolve, and room for 2 m.
   const float heaviest = 1.0F / std::max(lightest, 1e-20F);
   quanta_ = 1.0F;
   while (quanta_ * heaviest < 0x1p30F) quanta_ *= 2;
   while (quanta_ * heaviest >= 0x1p31F) quanta_ *= 0.5F;
-  faces_ = leavesOf(parts, firsts_, facesOf);
-  edges_ = leavesOf(parts, firsts_, edgesOf);
+  faces_ = bothHalves(parts, firsts_, facesOf);
+  edges_ = bothHalves(parts, firsts_, edgesOf);
 }
 
 int ContactPlan::faceLevels() const {
@@ -135,6 +159,7 @@ shader::ContactStep ContactPlan::step(bool first, int maxPairs) const {
   step.quanta = quanta_;
   step.perQuanta = 1.0F / quanta_;
   step.vertices = vertices();
+  step.movable = movable_;
   step.faceLevels = faceLevels();
   step.edgeLevels = edgeLevels();
   step.forced = first ? 1 : 0;

@@ -20,8 +20,10 @@ struct ContactPart {
   std::vector<glm::vec4> positions;  ///< first ones: xyz in m, w inverse mass in 1/kg (0: held)
   std::vector<glm::uvec3> faces;     ///< corners, numbers of its positions
   float thickness = 0.001F;          ///< m between its middle and that of another like it, at least
-  float friction = 0.3F;             ///< Coulomb's coefficient
+  float friction = 0.3F;             ///< Coulomb's coefficient; of a solid -1: that of who touches it
   std::vector<float> rooms;          ///< m, of each position the most for its thickness; empty: no limit
+  /// It goes where it goes, and cloths give way: its thickness is theirs, and no two solids are a pair.
+  bool solid = false;
 };
 
 /// What of contact is decided once, on the CPU: the order of faces and edges in their trees of boxes
@@ -29,21 +31,29 @@ struct ContactPart {
 /// numbered one part after the other.
 ///
 /// Of a tree a part is a subtree of its own, in which what is near at the start is near in the tree
-/// (Morton's order of middles); it stays as it is, only the boxes follow the cloth.
+/// (Morton's order of middles); it stays as it is, only the boxes follow the cloth. Solids, where there are
+/// any, are the second half of each tree.
 class ContactPlan {
  public:
-  /// Throws UserError(usage) where there are more faces than the kernels can number.
+  /// `parts`: solids come last. Throws UserError(usage) where there are more faces than the kernels can
+  /// number.
   ContactPlan(std::span<const ContactPart> parts, double substepSeconds);
 
   /// Leaves of the trees, powers of two of them: corners of a face, or ends of an edge and the second one
   /// again; w 1: none.
   [[nodiscard]] const std::vector<glm::uvec4>& faces() const { return faces_; }
   [[nodiscard]] const std::vector<glm::uvec4>& edges() const { return edges_; }
-  /// Of each vertex: x half the thickness (m), y friction.
+  /// Of each vertex: x half the thickness (m), of solids that of the thickest cloth; y friction.
   [[nodiscard]] const std::vector<glm::vec2>& skins() const { return skins_; }
   /// First vertex of each part.
   [[nodiscard]] const std::vector<int>& firsts() const { return firsts_; }
   [[nodiscard]] int vertices() const { return static_cast<int>(skins_.size()); }
+  /// Those of cloths, which come first.
+  [[nodiscard]] int movable() const { return movable_; }
+  /// Of impulses: a solid stops all of what is taut over it at once.
+  /// Of cloth that solids carry carrying what lies in its way: so many layers.
+  static constexpr int carryRounds = 4;
+  [[nodiscard]] int rounds() const { return movable_ < vertices() ? 4 : 2; }
   [[nodiscard]] int faceLevels() const;
   [[nodiscard]] int edgeLevels() const;
   /// Of a substep; `first`: of a frame, where pairs are found anew so that frames depend on nothing else.
@@ -53,6 +63,7 @@ class ContactPlan {
   std::vector<glm::uvec4> faces_, edges_;
   std::vector<glm::vec2> skins_;
   std::vector<int> firsts_;
+  int movable_ = 0;
   double substepSeconds_;
   float quanta_ = 1.0F;
 };

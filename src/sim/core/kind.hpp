@@ -23,6 +23,9 @@ struct ObjectParameters : scene::Parameters {
   [[nodiscard]] virtual std::string readsField() const { return {}; }
   /// Whether it is a body with bones, which steps before those that it moves or touches.
   [[nodiscard]] virtual bool isBody() const { return false; }
+  /// Whether cloths in contact feel its faces, and whether it is such a cloth.
+  [[nodiscard]] virtual bool collidesByFaces() const { return false; }
+  [[nodiscard]] virtual bool feelsFaces() const { return false; }
   /// The bodies that it is tied to: their names, and where its parameters name them.
   struct Tie {
     std::string body;

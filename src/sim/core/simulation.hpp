@@ -17,6 +17,7 @@
 
 namespace simreel::sim {
 
+class ContactSolid;
 class HeightField;
 class LockStep;
 class SkinnedSurface;
@@ -160,6 +161,8 @@ class Simulation {
   [[nodiscard]] virtual const Walls* walls() { return nullptr; }
   /// What steps together with others that it touches; null: by itself, by step().
   [[nodiscard]] virtual LockStep* lockStep() { return nullptr; }
+  /// What cloths in contact feel by its faces; null for things that are none. It has stepped before them.
+  [[nodiscard]] virtual ContactSolid* solid() { return nullptr; }
   /// Four words as glsl/common/status.glsl writes them, or null.
   [[nodiscard]] virtual const gl::Buffer* status() const { return nullptr; }
   /// The quantities of its parameters, in that order, of the present state, which is read back: summed up

@@ -4,6 +4,7 @@
 #include "gl/element_array.hpp"
 #include "gl/program.hpp"
 #include "gl/radix_sort.hpp"
+#include "sim/contact/solid.hpp"
 #include "sim/core/position_readback.hpp"
 #include "sim/core/stage_times.hpp"
 #include "sim/mesh/buffers.hpp"
@@ -28,7 +29,7 @@ struct Vertices {
   GLsync drawn = nullptr;  ///< reached once the GPU has read a mapped slot
 };
 
-class DeformedMesh : public Simulation {
+class DeformedMesh : public Simulation, public ContactSolid {
  public:
   DeformedMesh(const scene::Object& object, const MeshParameters& parameters, const Mesh& mesh,
                const Setting& setting)
@@ -51,7 +52,9 @@ class DeformedMesh : public Simulation {
     makeVertices();
     if (onDevice()) makePrograms(setting.fast);
     if (parameters.collides) heights_.emplace(name_, HeightPlan(parameters, frameSeconds_));
-    deform(0.0);
+    if (parameters.byFaces) time_ = setting.startTime;
+    if (parameters.byFaces) touched_.emplace(name_, rest_.positions, setting.fast);
+    deform(parameters.byFaces ? setting.startTime : 0.0);
   }
   ~DeformedMesh() override {
     for (const Vertices& v : vertices_)
@@ -62,21 +65,29 @@ class DeformedMesh : public Simulation {
 
   void step(double time, const StepWatch& watch) override {
     time_ = time + frameSeconds_;
+    if (touched_) {
+      deform(time);
+      touched_->takeBegin(shown().positions);
+    }
     if (heights_ && !hasHeights_) {
       deform(time);
-      heights_->take(now().positions);
+      heights_->take(shown().positions);
       hasHeights_ = true;
     }
     if (plan_.hasTrail()) press(time_);
     deform(time_);
-    if (heights_) heights_->take(now().positions);
+    if (heights_) heights_->take(shown().positions);
+    if (touched_) {
+      touched_->takeEnd(shown().positions);
+      touched_->place(parameters_.model(time), parameters_.model(time_));
+    }
     if (watch) watch(1);
   }
 
   /// Where vertices are depends on the time alone; trails stay, and others fall between two frames'
   /// heights.
   void pass(double time) override {
-    if (heights_) return step(time, {});
+    if (heights_ || touched_) return step(time, {});
     time_ = time + frameSeconds_;
     if (plan_.hasTrail()) press(time_);
   }
@@ -97,8 +108,8 @@ class DeformedMesh : public Simulation {
     if (!parameters_.visible) return;
     Surface surface = topology_.surface();
     const bool late = technique_ == DeformTechnique::vertexShader;
-    surface.positions = late ? &restPositions_.view() : &now().positions.view();
-    surface.normals = late ? &restNormals_.view() : &now().normals.view();
+    surface.positions = late ? &restPositions_.view() : &shown().positions.view();
+    surface.normals = late ? &restNormals_.view() : &shown().normals.view();
     surface.deform = late ? &block_ : nullptr;
     surface.trail = late ? &trail_.view() : nullptr;
     surface.model = parameters_.model(time);
@@ -110,7 +121,7 @@ class DeformedMesh : public Simulation {
   [[nodiscard]] std::vector<StateArray> state() const override {
     std::vector<StateArray> arrays;
     if (technique_ != DeformTechnique::vertexShader)
-      arrays.push_back({"positions", &now().positions.buffer()});
+      arrays.push_back({"positions", &shown().positions.buffer()});
     if (plan_.hasTrail()) arrays.push_back({"trail", &trail_.buffer()});
     return arrays;
   }
@@ -119,6 +130,14 @@ class DeformedMesh : public Simulation {
   }
   [[nodiscard]] std::optional<MeshTable> mesh() const override;
   [[nodiscard]] const HeightField* heights() const override { return heights_ ? &*heights_ : nullptr; }
+  [[nodiscard]] ContactSolid* solid() override { return touched_ ? this : nullptr; }
+  [[nodiscard]] ContactPart contactPart() const override {
+    const MeshTable table = *mesh();
+    return solidPart(table.positions, table.indices, parameters_.friction);
+  }
+  void moveTo(int substep, int substeps) override { touched_->moveTo(substep, substeps); }
+  [[nodiscard]] const gl::Vec4Array& now() const override { return touched_->now(); }
+  [[nodiscard]] const gl::Vec4Array& next() const override { return touched_->next(); }
   [[nodiscard]] std::vector<double> measure() const override { return measureMesh(*mesh()); }
   [[nodiscard]] std::vector<std::pair<const char*, double>> stageTimes() const override {
     return clock_.times();
@@ -131,7 +150,7 @@ class DeformedMesh : public Simulation {
   [[nodiscard]] Threads threads() const {
     return technique_ == DeformTechnique::singleThread ? Threads::one : Threads::all;
   }
-  [[nodiscard]] const Vertices& now() const { return vertices_[current_]; }
+  [[nodiscard]] const Vertices& shown() const { return vertices_[current_]; }
 
   void makeVertices();
   void makePrograms(bool fast);
@@ -160,8 +179,9 @@ class DeformedMesh : public Simulation {
   gl::WordsArray fans_, faces_;
   gl::Program press_, displace_, gather_;
   std::unique_ptr<PositionReadback> readback_;
-  std::optional<HeightField> heights_;  ///< of a mesh that collides
-  bool hasHeights_ = false;             ///< whether they begin with the first frame
+  std::optional<HeightField> heights_;    ///< of a mesh that collides
+  bool hasHeights_ = false;               ///< whether they begin with the first frame
+  std::optional<MovedVertices> touched_;  ///< of a mesh that collides by its faces
 };
 
 void DeformedMesh::makeVertices() {
@@ -244,21 +264,21 @@ void DeformedMesh::deformOnDevice() {
   block_.bindUniform(shader::stepBinding, 0, sizeof(shader::DeformStep));
   restPositions_.bindInput(shader::mesh::restPositionsBinding);
   trail_.bindInput(shader::mesh::trailBinding);
-  now().positions.bindState(shader::mesh::positionsBinding);
+  shown().positions.bindState(shader::mesh::positionsBinding);
   gl::barrier();
   displace_.dispatch(count);
   gl::barrier();
   clock_.lap(&StageTimes::deform);
-  now().positions.bindInput(shader::mesh::positionsBinding);
+  shown().positions.bindInput(shader::mesh::positionsBinding);
   restNormals_.bindInput(shader::mesh::restNormalsBinding);
-  now().normals.bindState(shader::mesh::normalsBinding);
+  shown().normals.bindState(shader::mesh::normalsBinding);
   fans_.bindInput(shader::mesh::fansBinding);
   faces_.bindInput(shader::mesh::facesBinding);
   gather_.dispatch(count);
   gl::barrier();
   clock_.lap(&StageTimes::normals);
   if (!readback_) return;
-  readback_->start(now().positions.buffer());
+  readback_->start(shown().positions.buffer());
   clock_.lap(&StageTimes::transfer);
 }
 
@@ -295,8 +315,8 @@ std::optional<MeshTable> DeformedMesh::mesh() const {
   if (technique_ == DeformTechnique::compute) {
     // A device that lags behind may have left out the copy of the latest frame.
     const bool copied = readback_ && readback_->current();
-    positions = copied ? readback_->wait() : now().positions.buffer().readAll<glm::vec4>();
-    normals = now().normals.buffer().readAll<glm::vec4>();
+    positions = copied ? readback_->wait() : shown().positions.buffer().readAll<glm::vec4>();
+    normals = shown().normals.buffer().readAll<glm::vec4>();
   } else {
     if (technique_ == DeformTechnique::vertexShader) {
       if (plan_.hasTrail()) cpu_.setTrail(trail_.buffer().readAll<glm::vec4>());

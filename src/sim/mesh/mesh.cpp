@@ -1,6 +1,7 @@
 #include "sim/mesh/mesh.hpp"
 
 #include "base/log.hpp"
+#include "sim/contact/solid.hpp"
 #include "sim/core/kind.hpp"
 #include "sim/mesh/buffers.hpp"
 #include "sim/mesh/deform.hpp"
@@ -9,22 +10,32 @@
 #include "sim/mesh/parameters.hpp"
 
 #include <optional>
+#include <vector>
 
 namespace simreel::sim {
 
 namespace {
 
 /// A mesh that keeps its shape: scenery, moved by keyframes.
-class RigidMesh : public Simulation {
+class RigidMesh : public Simulation, public ContactSolid {
  public:
   RigidMesh(const scene::Object& object, const MeshParameters& parameters, const Mesh& mesh,
-            double frameSeconds)
+            const Setting& setting)
       : parameters_(parameters),
         material_(object.material),
-        frameSeconds_(frameSeconds),
-        buffers_(object.name, mesh) {}
+        frameSeconds_(setting.frameSeconds),
+        time_(setting.startTime),
+        buffers_(object.name, mesh) {
+    if (!parameters_.byFaces) return;
+    std::vector<glm::vec4> positions;
+    for (const glm::vec3& p : mesh.positions) positions.emplace_back(p, 1.0F);
+    touched_.emplace(object.name, positions, setting.fast);
+  }
 
-  void step(double time, const StepWatch& /*watch*/) override { time_ = time + frameSeconds_; }
+  void step(double time, const StepWatch& /*watch*/) override {
+    time_ = time + frameSeconds_;
+    if (touched_) touched_->place(parameters_.model(time), parameters_.model(time_));
+  }
   void resumed(double time) override { time_ = time; }
 
   void publish(double time, Drawables& drawables) const override {
@@ -42,12 +53,22 @@ class RigidMesh : public Simulation {
     return table;
   }
 
+  [[nodiscard]] ContactSolid* solid() override { return touched_ ? this : nullptr; }
+  [[nodiscard]] ContactPart contactPart() const override {
+    const MeshTable table = buffers_.table(parameters_.model(time_));
+    return solidPart(table.positions, table.indices, parameters_.friction);
+  }
+  void moveTo(int substep, int substeps) override { touched_->moveTo(substep, substeps); }
+  [[nodiscard]] const gl::Vec4Array& now() const override { return touched_->now(); }
+  [[nodiscard]] const gl::Vec4Array& next() const override { return touched_->next(); }
+
  private:
   MeshParameters parameters_;
   scene::Material material_;
   double frameSeconds_;
-  double time_ = 0;  ///< s, of the present frame
+  double time_;  ///< s, of the present frame
   MeshBuffers buffers_;
+  std::optional<MovedVertices> touched_;  ///< of a mesh that collides by its faces
 };
 
 Mesh readMesh(const scene::Object& object, const Setting& setting) {
@@ -75,7 +96,7 @@ std::unique_ptr<Simulation> makeMesh(const scene::Object& object, const Setting&
   const auto& parameters = parametersOf<MeshParameters>(object);
   const Mesh mesh = readMesh(object, setting);
   if (!parameters.deform.list.empty()) return makeDeformedMesh(object, parameters, mesh, setting);
-  return std::make_unique<RigidMesh>(object, parameters, mesh, setting.frameSeconds);
+  return std::make_unique<RigidMesh>(object, parameters, mesh, setting);
 }
 
 }  // namespace

@@ -66,10 +66,19 @@ void MeshParameters::describe(scene::Fields& f) {
 }
 
 void MeshParameters::describeCollision(scene::Fields& f) {
-  f.boolean("collides", collides,
-            "Whether cloth, and particles that ask for it, fall onto this deformed plane; one of a scene.");
+  f.booleanOr(
+      "collides", collides, byFaces, "faces",
+      "true: cloth, and particles that ask for it, fall onto this deformed plane, one of a scene; "
+      "\"faces\": cloth with \"contact\" keeps off its triangles, of any shape, moved or deformed.");
   f.number("grip", grip, {0, 1e6}, "1/s",
            "Rate at which what slides over it loses speed, where it collides.");
+  f.optionalNumber("friction", friction, {0, 10}, "",
+                   "Coulomb's coefficient where it collides by faces: with a cloth's the mean of both.");
+  f.leftOut("friction", "the cloth's");
+  if (!byFaces && f.given("friction"))
+    f.error("friction", "\"friction\" is for a mesh with \"collides\": \"faces\"");
+  if (byFaces && deform.technique == DeformTechnique::vertexShader && !deform.list.empty())
+    f.error("technique", "\"vertex-shader\" keeps no positions to collide with; use \"compute\"");
   if (!collides) {
     if (f.given("grip")) f.error("grip", "\"grip\" is for a mesh with \"collides\": true");
     return;

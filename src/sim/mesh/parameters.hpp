@@ -5,6 +5,7 @@
 #include "sim/mesh/file.hpp"
 
 #include <filesystem>
+#include <optional>
 
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
@@ -32,12 +33,15 @@ struct MeshParameters : ObjectParameters {
   scene::Animated<glm::vec3> position = glm::vec3(0);  ///< m
   scene::Animated<glm::vec3> rotation = glm::vec3(0);  ///< degrees
   scene::Animated<float> scale = 1.0F;
-  bool collides = false;
-  float grip = 25.3F;  ///< 1/s
+  bool collides = false;           ///< as a surface of heights
+  bool byFaces = false;            ///< with cloths in contact
+  float grip = 25.3F;              ///< 1/s
+  std::optional<double> friction;  ///< by faces; none: that of who touches it
   void describe(scene::Fields& fields) override;
   [[nodiscard]] std::span<const scene::Quantity> quantities() const override;
   [[nodiscard]] bool measures() const override { return !deform.list.empty(); }
   [[nodiscard]] bool publishesHeights() const override { return collides; }
+  [[nodiscard]] bool collidesByFaces() const override { return byFaces; }
 
   [[nodiscard]] bool doubleSided() const;
   /// From the mesh's own space to the world's at `time`.

@@ -119,6 +119,22 @@ void checkHeights(std::span<const scene::Object> objects, const scene::Report& r
   }
 }
 
+/// Cloths in contact for those whose faces are to be felt.
+void checkFaces(std::span<const scene::Object> objects, const scene::Report& report) {
+  const auto any = [&](bool (ObjectParameters::*is)() const) {
+    return std::any_of(objects.begin(), objects.end(), [&](const scene::Object& object) {
+      const auto* parameters = parametersAt(object);
+      return parameters != nullptr && (parameters->*is)();
+    });
+  };
+  if (any(&ObjectParameters::feelsFaces)) return;
+  for (const scene::Object& object : objects)
+    if (const auto* parameters = parametersAt(object);
+        parameters != nullptr && parameters->collidesByFaces())
+      report(object, {object.kind, "collides"},
+             "nothing feels these faces; give a \"cloth\" of this scene \"contact\": {}");
+}
+
 }  // namespace
 
 void checkRelations(std::span<const scene::Object> objects, const scene::Report& report) {
@@ -128,6 +144,7 @@ void checkRelations(std::span<const scene::Object> objects, const scene::Report&
     checkTies(object, objects, report);
   }
   checkHeights(objects, report);
+  checkFaces(objects, report);
 }
 
 std::vector<std::string> followMistakes(const scene::Scene& scene) {

@@ -121,7 +121,10 @@ struct World::State {
         objects[i] = simulationNamed(scene.objects[i].kind).make(scene.objects[i], setting);
       members.push_back(objects[i]->lockStep());
     }
-    contact = std::make_unique<ContactGroup>(members, setting.contactSubsteps, setting.frameSeconds,
+    std::vector<ContactSolid*> solids;
+    for (const std::size_t i : order)
+      if (ContactSolid* solid = objects[i]->solid()) solids.push_back(solid);
+    contact = std::make_unique<ContactGroup>(members, solids, setting.contactSubsteps, setting.frameSeconds,
                                              setting.fast);
   }
 

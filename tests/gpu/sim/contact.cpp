@@ -5,15 +5,19 @@
 #include "scene/scene.hpp"
 #include "sim/cloth/sheet_mesh.hpp"
 #include "sim/contact/lock_step.hpp"
+#include "sim/core/collider.hpp"
+#include "sim/mesh/shapes.hpp"
 #include "sim/world/list.hpp"
 #include "sim/world/world.hpp"
 
 #include <bit>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include <doctest/doctest.h>
+#include <glm/matrix.hpp>
 
 using namespace simreel;
 
@@ -35,9 +39,63 @@ sim::ClothParameters contactSheet(glm::ivec2 size, glm::vec3 position, glm::vec3
   return p;
 }
 
+#define FUNCTION inline
+#define precise
+struct PlaceModel {
+  using vec3 = glm::vec3;
+  using vec4 = glm::vec4;
+  static float exactFlush(float x) { return shader::exactFlush(x); }
+#include "glsl/contact/place.glsl"
+};
+#undef precise
+#undef FUNCTION
+
+/// A mesh that moves, on the device and as its twin has it.
+class MovedSolid : public sim::ContactSolid {
+ public:
+  using Place = glm::mat4 (*)(double time);
+  MovedSolid(const sim::Mesh& mesh, Place place) : mesh_(mesh), place_(place) {
+    for (const glm::vec3& p : mesh.positions) rest_.emplace_back(p, 1.0F);
+    vertices_ = std::make_unique<sim::MovedVertices>("solid", rest_, false);
+  }
+  [[nodiscard]] sim::ContactPart contactPart() const override {
+    std::vector<glm::vec3> positions;
+    for (const glm::vec4& p : at(0, 0, 0)) positions.emplace_back(p);
+    return sim::solidPart(positions, mesh_.indices, std::nullopt);
+  }
+  void step(double time, double frameSeconds) {
+    vertices_->place(place_(time), place_(time + frameSeconds));
+  }
+  void moveTo(int substep, int substeps) override { vertices_->moveTo(substep, substeps); }
+  [[nodiscard]] const gl::Vec4Array& now() const override { return vertices_->now(); }
+  [[nodiscard]] const gl::Vec4Array& next() const override { return vertices_->next(); }
+  /// The twin's.
+  [[nodiscard]] std::vector<glm::vec4> at(double begin, double end, double share) const {
+    const auto rows = [&](double time) {
+      const glm::mat4 m = glm::transpose(place_(time));
+      return PlaceModel::Placement{m[0], m[1], m[2]};
+    };
+    PlaceModel model;
+    std::vector<glm::vec4> places;
+    for (const glm::vec4& p : rest_)
+      places.emplace_back(
+          model.onTheWay(model.placedBy(rows(begin), glm::vec3(p)), model.placedBy(rows(end), glm::vec3(p)),
+                         static_cast<float>(share)),
+          0.0F);
+    return places;
+  }
+
+ private:
+  sim::Mesh mesh_;
+  Place place_;
+  std::vector<glm::vec4> rest_;
+  std::unique_ptr<sim::MovedVertices> vertices_;
+};
+
 /// Steps both sides and compares every word of the state.
 void compareContact(const std::vector<sim::ClothParameters>& sheets, int frames,
-                    const std::vector<sim::ColliderShape>& colliders) {
+                    const std::vector<sim::ColliderShape>& colliders,
+                    const std::vector<MovedSolid*>& solids = {}) {
   testContext();
   const double frameSeconds = 1.0 / 60.0;
   sim::Setting setting{false, 5, frameSeconds, &colliders};
@@ -56,11 +114,15 @@ void compareContact(const std::vector<sim::ClothParameters>& sheets, int frames,
     twins.push_back(std::make_unique<ClothTwin>(sim::ClothPlan(p, 5, frameSeconds, colliders)));
     parts.push_back(members.back()->contactPart());
   }
-  sim::ContactGroup group(members, *sheets.front().substeps, frameSeconds, false);
+  for (const MovedSolid* solid : solids) parts.push_back(solid->contactPart());
+  sim::ContactGroup group(members, {solids.begin(), solids.end()}, *sheets.front().substeps, frameSeconds,
+                          false);
   ContactTwin contact(sim::ContactPlan(parts, frameSeconds / *sheets.front().substeps));
-  std::size_t touching = 0, stopped = 0;
+  std::size_t touching = 0, stopped = 0, carried = 0;
   for (int frame = 0; frame < frames; ++frame) {
-    group.step(frame * frameSeconds, {});
+    const double time = frame * frameSeconds;
+    for (MovedSolid* solid : solids) solid->step(time, frameSeconds);
+    group.step(time, {});
     std::vector<std::vector<shader::ClothStep>> steps;
     for (const auto& twin : twins) steps.push_back(twin->plan().frame(frame * frameSeconds));
     for (std::size_t i = 0; i < steps.front().size(); ++i) {
@@ -69,16 +131,25 @@ void compareContact(const std::vector<sim::ClothParameters>& sheets, int frames,
         twins[c]->predict(steps[c][i], 1, static_cast<int>(i));
         sides.push_back({&twins[c]->positions, &twins[c]->next, &twins[c]->velocities});
       }
+      std::vector<std::vector<glm::vec4>> places;
+      for (const std::size_t k : {i, i + 1})
+        for (const MovedSolid* solid : solids)
+          places.push_back(solid->at(time, time + frameSeconds,
+                                     static_cast<double>(k) / static_cast<double>(steps.front().size())));
+      for (std::size_t k = 0; k < solids.size(); ++k)
+        sides.push_back({&places[k], &places[solids.size() + k], nullptr});
       contact.push(sides, i == 0);
       for (std::size_t c = 0; c < twins.size(); ++c) twins[c]->settle(steps[c][i], static_cast<int>(i));
       contact.hold(sides);
       touching += contact.touching;
       stopped += contact.stopped;
+      carried += contact.carried;
       for (const auto& twin : twins) twin->finish();
     }
   }
   CHECK(touching > 100);
   CHECK(stopped > 10);
+  CHECK((carried > 10) == !solids.empty());
   for (std::size_t c = 0; c < cloths.size(); ++c) {
     const auto state = cloths[c]->state();
     const std::vector<glm::vec4>* expected[] = {&twins[c]->positions, &twins[c]->velocities};
@@ -124,6 +195,81 @@ TEST_CASE("a cloth in contact with itself equals its CPU twin") {
   floor.kind = sim::ColliderShape::Kind::plane;
   floor.friction = 0.4;
   compareContact({p}, 45, {floor});
+}
+
+TEST_CASE("cloths in contact with solids that move and one that does not equal their CPU twins") {
+  testContext();
+  auto held = contactSheet({13, 11}, {0, 0.1F, 0}, {90, 0, 0});
+  held.pins.emplace_back().rows = {0};
+  held.contact.friction = 0.4F;
+  MovedSolid ball(sim::sphereMesh(0.09F, {13, 8}), [](double time) {
+    glm::mat4 m = sim::rotationMatrix({0, 0, static_cast<float>(700 * time)});
+    m[3] = glm::vec4(0.02F, 0.05F, static_cast<float>(-0.2 + 6 * time), 1);
+    return m;
+  });
+  MovedSolid floor(sim::planeMesh({0.9F, 0, 0.7F}, {3, 2}), [](double) {
+    glm::mat4 m(1);
+    m[3].y = -0.13F;
+    return m;
+  });
+  compareContact({held, contactSheet({11, 9}, {0.05F, -0.11F, 0.1F}, {0, 25, 0})}, 9, {}, {&ball, &floor});
+}
+
+namespace {
+
+/// Frames of a scene whose first object is cloth and whose second one touches it: none of the first's edges
+/// may go through a face of the second, or the other way round. Returns the first one's lowest place.
+float stepApart(const char* text, int frames) {
+  testContext();
+  const scene::Scene scene = scene::parseScene(text, "test.json", {}, sim::kinds());
+  sim::World world(scene);
+  float lowest = 1e9F;
+  for (int frame = 0; frame <= frames; frame += 3) {
+    world.advanceTo(frame);
+    std::vector<glm::dvec3> points;
+    std::vector<glm::uvec3> faces;
+    unsigned firstSolid = 0;
+    for (std::size_t object = 0; object < 2; ++object) {
+      firstSolid = static_cast<unsigned>(points.size());
+      const auto mesh = world.object(object).mesh();
+      REQUIRE(mesh);
+      for (std::size_t i = 0; i + 2 < mesh->indices.size(); i += 3)
+        faces.push_back(glm::uvec3(mesh->indices[i], mesh->indices[i + 1], mesh->indices[i + 2]) +
+                        firstSolid);
+      points.insert(points.end(), mesh->positions.begin(), mesh->positions.end());
+      if (object == 0 && frame >= frames - 3)
+        for (const glm::vec3& p : mesh->positions) lowest = std::min(lowest, p.y);
+    }
+    CHECK(crossings(points, faces, firstSolid) == 0);
+  }
+  return lowest;
+}
+
+}  // namespace
+
+TEST_CASE("a sheet falls on a mesh that waves, and on one that is moved and turned") {
+  const float waving = stepApart(R"({"version": 1, "objects": {
+    "sheet": {"cloth": {"size": [13, 11], "spacing": 0.05, "position": [0, 0.12, 0], "fabric": "cotton", "contact": true, "pins": []}},
+    "sea": {"mesh": {"shape": "plane", "size": [1.2, 0, 1.2], "resolution": [17, 15], "collides": "faces", "friction": 0.5,
+                     "deform": [{"waves": [{"amplitude": 0.04, "length": 0.6, "speed": 1, "steepness": 0.5}]}]}}}})",
+                                 30);
+  CHECK(waving > -0.06F);
+  CHECK(waving < 0.1F);
+  const float moved = stepApart(R"({"version": 1, "time": {"start": 0.1}, "objects": {
+    "sheet": {"cloth": {"size": [13, 11], "spacing": 0.05, "position": [0, 0.35, 0], "fabric": "cotton", "contact": {}, "pins": []}},
+    "ring": {"mesh": {"shape": "torus", "radius": 0.2, "tube": 0.07, "resolution": [21, 9], "collides": "faces",
+                      "position": {"keys": [[0, [0, 0, 0]], [0.5, [0.1, 0.6, 0]]]},
+                      "rotation": {"keys": [[0, [60, 0, 0]], [0.5, [90, 0, 90]]]}}}}})",
+                                30);
+  CHECK(moved > -0.2F);  // it is lifted: by itself it would have fallen to -0.9 m
+}
+
+TEST_CASE("a sheet falls on the skin of a walking figure") {
+  const float lowest = stepApart(R"({"version": 1, "time": {"start": 0.2}, "objects": {
+    "sheet": {"cloth": {"size": [17, 15], "spacing": 0.05, "position": [0, 1.85, 0.1], "fabric": "cotton", "contact": true, "pins": []}},
+    "walker": {"body": {"file": "meshes/walker.gltf", "animation": "walk", "collides": "faces", "friction": 0.4}}}})",
+                                 24);
+  CHECK(lowest > 1.2F);
 }
 
 TEST_CASE("a disc of triangles falls on a sheet that hangs by its corners, and through nothing") {

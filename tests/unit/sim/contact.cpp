@@ -1,5 +1,4 @@
-#include "reference/cloth_twin.hpp"
-#include "reference/contact_twin.hpp"
+#include "reference/contact_pile.hpp"
 #include "reference/crossings.hpp"
 #include "sim/contact/crossings.hpp"
 
@@ -14,85 +13,6 @@
 #include <glm/geometric.hpp>
 
 using namespace simreel;
-
-namespace {
-
-std::vector<glm::uvec3> facesOfSheet(glm::ivec2 size) {
-  std::vector<glm::uvec3> faces;
-  for (int y = 0; y + 1 < size.y; ++y)
-    for (int x = 0; x + 1 < size.x; ++x) {
-      const auto a = static_cast<unsigned>(y * size.x + x);
-      const unsigned b = a + 1, c = a + static_cast<unsigned>(size.x), d = c + 1;
-      faces.emplace_back(a, c, b);
-      faces.emplace_back(b, c, d);
-    }
-  return faces;
-}
-
-/// Cloths that touch each other and themselves, by the twins.
-struct Pile {
-  std::vector<std::unique_ptr<ClothTwin>> cloths;
-  std::unique_ptr<ContactTwin> contact;
-  std::vector<glm::uvec3> faces;  ///< of all, numbered through
-  double frameSeconds = 1.0 / 60.0;
-  int frame = 0;
-
-  Pile(const std::vector<sim::ClothParameters>& parameters,
-       const std::vector<sim::ColliderShape>& colliders, float thickness, float friction) {
-    std::vector<sim::ContactPart> parts;
-    unsigned first = 0;
-    for (const sim::ClothParameters& p : parameters) {
-      cloths.push_back(std::make_unique<ClothTwin>(sim::ClothPlan(p, 5, frameSeconds, colliders)));
-      parts.push_back({cloths.back()->positions, facesOfSheet(p.size), thickness, friction, {}});
-      for (const glm::uvec3& f : parts.back().faces) faces.push_back(f + first);
-      first += static_cast<unsigned>(cloths.back()->positions.size());
-    }
-    contact =
-        std::make_unique<ContactTwin>(sim::ContactPlan(parts, cloths.front()->plan().substepSeconds()));
-  }
-
-  void step() {
-    std::vector<std::vector<shader::ClothStep>> steps;
-    for (const auto& cloth : cloths) steps.push_back(cloth->plan().frame(frame * frameSeconds));
-    for (std::size_t i = 0; i < steps.front().size(); ++i) {
-      std::vector<ContactTwin::Part> parts;
-      for (std::size_t c = 0; c < cloths.size(); ++c) {
-        cloths[c]->predict(steps[c][i], 1, static_cast<int>(i));
-        parts.push_back({&cloths[c]->positions, &cloths[c]->next, &cloths[c]->velocities});
-      }
-      contact->push(parts, i == 0);
-      for (std::size_t c = 0; c < cloths.size(); ++c) cloths[c]->settle(steps[c][i], static_cast<int>(i));
-      contact->hold(parts);
-      for (const auto& cloth : cloths) cloth->finish();
-    }
-    ++frame;
-  }
-
-  [[nodiscard]] std::vector<glm::dvec3> points() const {
-    std::vector<glm::dvec3> all;
-    for (const auto& cloth : cloths)
-      for (const glm::vec4& p : cloth->positions) all.emplace_back(p);
-    return all;
-  }
-};
-
-sim::ClothParameters silk(glm::ivec2 size, float spacing, glm::vec3 position, glm::vec3 rotation) {
-  sim::ClothParameters p;
-  p.size = size;
-  p.spacing = spacing;
-  p.position = position;
-  p.rotation = rotation;
-  p.jitter = 1e-4F;
-  p.hasFabric = true;
-  p.fabric.material = sim::FabricMaterial::cotton;
-  p.wind = glm::vec3(0);
-  p.substeps = 16;
-  p.damping = 0.5F;
-  p.pins.clear();
-  return p;
-}
-
-}  // namespace
 
 namespace {
 

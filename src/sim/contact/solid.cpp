@@ -1,0 +1,92 @@
+#include "sim/contact/solid.hpp"
+
+#include <array>
+#include <utility>
+
+#include <glm/matrix.hpp>
+
+namespace simreel::shader::contact {
+#include "glsl/contact/bindings.glsl"
+}  // namespace simreel::shader::contact
+
+namespace simreel::sim {
+
+namespace {
+
+namespace at = shader::contact;
+
+/// Of a face, squared and times four, in m^4.
+double areaSquared(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
+  const glm::dvec3 u = b - a, v = c - a;
+  const glm::dvec3 n(u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x);
+  return n.x * n.x + n.y * n.y + n.z * n.z;
+}
+
+void setPlacement(const gl::Program& program, const char* name, const glm::mat4& matrix) {
+  const glm::mat4 rows = glm::transpose(matrix);
+  for (int row = 0; row < 3; ++row)
+    program.set((std::string(name) + ".row" + std::to_string(row)).c_str(), rows[row]);
+}
+
+}  // namespace
+
+ContactPart solidPart(std::span<const glm::vec3> positions, std::span<const unsigned> indices,
+                      const std::optional<double>& friction) {
+  ContactPart part;
+  part.solid = true;
+  part.thickness = 0;
+  part.friction = friction ? static_cast<float>(*friction) : -1.0F;
+  part.positions.reserve(positions.size());
+  for (const glm::vec3& p : positions) part.positions.emplace_back(p, 0.0F);
+  for (std::size_t i = 0; i + 2 < indices.size(); i += 3) {
+    const glm::uvec3 face(indices[i], indices[i + 1], indices[i + 2]);
+    constexpr double none = 1e-24;
+    if (areaSquared(positions[face.x], positions[face.y], positions[face.z]) > none)
+      part.faces.push_back(face);
+  }
+  return part;
+}
+
+MovedVertices::MovedVertices(const std::string& name, std::span<const glm::vec4> positions, bool fast)
+    : count_(static_cast<int>(positions.size())),
+      begins_(name + " at a frame's beginning", positions),
+      ends_(name + " at a frame's end", positions),
+      places_{gl::Vec4Array(name + " touched", positions), gl::Vec4Array(name + " touched", positions)},
+      move_(gl::Program::compute("contact/move.comp", gl::kernelDefines(fast))) {
+  move_.set("count", count_);
+}
+
+void MovedVertices::take(const gl::Vec4Array& from, const gl::Vec4Array& to) {
+  glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+  glCopyNamedBufferSubData(from.buffer().name(), to.buffer().name(), 0, 0,
+                           static_cast<GLsizeiptr>(to.buffer().bytes()));
+}
+
+void MovedVertices::place(const glm::mat4& begin, const glm::mat4& end) {
+  setPlacement(move_, "begin", begin);
+  setPlacement(move_, "end", end);
+  substep_ = -1;
+}
+
+void MovedVertices::moveTo(int substep, int substeps) {
+  if (substep == substep_ && substeps == substeps_) return;
+  gl::barrier();
+  if (substep == substep_ + 1 && substeps == substeps_ && substep_ >= 0)
+    std::swap(places_[0], places_[1]);
+  else
+    makeAt(static_cast<double>(substep) / substeps, places_[0]);
+  makeAt(static_cast<double>(substep + 1) / substeps, places_[1]);
+  gl::barrier();
+  substep_ = substep;
+  substeps_ = substeps;
+}
+
+void MovedVertices::makeAt(double share, const gl::Vec4Array& places) const {
+  move_.set("now", static_cast<float>(share));
+  begins_.bindInput(at::beginBinding);
+  ends_.bindInput(at::endBinding);
+  places.bindState(at::placesBinding);
+  move_.dispatch(count_);
+}
+
+}  // namespace simreel::sim
