@@ -2,6 +2,9 @@
 // all of them may move their ends at once.
 #include "cloth/kernel.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
+#if DAMPED
+INPUT_ARRAY(positionsBinding, PositionBlock, positions)
+#endif
 STATE_ARRAY(nextPositionsBinding, NextBlock, nextPositions)
 uniform ivec2 reach;  // from one end to the other, in particles
 uniform int color;    // 0 or 1
@@ -22,7 +25,11 @@ void main() {
   int j = to.y * size.x + to.x;
   vec4 a = loadPosition(i);
   vec4 b = loadPosition(j);
-  vec3 shift = constraintShift(a, b, springLength(kind), scaledCompliance(kind));
+  float kept = 0.0f;
+#if DAMPED
+  kept = keptStretch(LOAD_INPUT(positions, i), LOAD_INPUT(positions, j), springLength(kind));
+#endif
+  vec3 shift = constraintShift(a, b, springLength(kind), scaledCompliance(kind), kept);
   precise vec3 newA = a.xyz - shift * a.w;
   precise vec3 newB = b.xyz + shift * b.w;
   STORE_STATE(nextPositions, i, vec4(newA, a.w));

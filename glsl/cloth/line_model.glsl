@@ -1,6 +1,7 @@
 // Constraints along a line of particles, solved together. Compiles as GLSL and as C++. Whoever includes it provides
 // lineParticle(int), xyz and inverse mass of the k-th particle of the line, lineLinks, the number of links between them,
-// lineRest (m), lineCompliance (compliance / dt^2) and lineGive, beside common/exact.glsl.
+// lineRest (m), lineCompliance (compliance / dt^2) and lineGive, beside common/exact.glsl; lineKept, what damping keeps of a
+// link's stretch over the substep (glsl/cloth/model.glsl), and lineBefore(int), the particle at the substep's beginning.
 //
 // XPBD's constraint k ties particles k and k + 1. With its direction n_k, its stretch C_k and its multiplier l_k, particle k
 // moves by w_k (n_k-1 l_k-1 - n_k l_k); every C_k vanishes at once, to first order, where
@@ -60,8 +61,8 @@ FUNCTION float giveOf(float stretch) {
   return max(give, 3.0517578125e-5f);
 }
 
-// Of the link from a to b.
-FUNCTION LineRow lineRow(Link before, Link here, Link after, vec4 a, vec4 b) {
+// Of the k-th link, from a to b.
+FUNCTION LineRow lineRow(int k, Link before, Link here, Link after, vec4 a, vec4 b) {
   precise float weight = a.w + b.w;
   precise float diagonal = weight + weight * lineGive + lineCompliance;
   float fromBefore = exactDot(before.along, here.along);
@@ -72,7 +73,13 @@ FUNCTION LineRow lineRow(Link before, Link here, Link after, vec4 a, vec4 b) {
   row.lower = lower;
   row.diagonal = weight > 0.0f ? diagonal : 1.0f;
   row.upper = upper;
-  row.right = weight > 0.0f ? -here.stretch : 0.0f;
+  float stretch = here.stretch;
+  if (lineKept > 0.0f) {
+    Link past = linkBetween(lineBefore(k), lineBefore(k + 1), true);
+    precise float undone = stretch - past.stretch * lineKept;
+    stretch = undone;
+  }
+  row.right = weight > 0.0f ? -stretch : 0.0f;
   return row;
 }
 
@@ -89,7 +96,7 @@ FUNCTION Reach lastOfSegment(int first, int last) {
   for (int k = first; k <= last; ++k) {
     vec4 c = lineParticle(min(k + 2, lineLinks));
     Link after = linkBetween(b, c, k + 1 < lineLinks);
-    LineRow row = lineRow(before, here, after, a, b);
+    LineRow row = lineRow(k, before, here, after, a, b);
     precise float pivot = row.diagonal - row.lower * reach.right;
     float inverse = exactReciprocal(pivot);
     precise float fixed_ = (row.right - row.lower * reach.fixed_) * inverse;
@@ -119,7 +126,7 @@ FUNCTION Reach firstOfSegment(int first, int last) {
   for (int k = last - 1; k >= first; --k) {
     vec4 z = lineParticle(max(k - 1, 0));
     Link before = linkBetween(z, a, k > 0);
-    LineRow row = lineRow(before, here, after, a, b);
+    LineRow row = lineRow(k, before, here, after, a, b);
     precise float pivot = row.diagonal - row.upper * reach.left;
     float inverse = exactReciprocal(pivot);
     precise float fixed_ = (row.right - row.upper * reach.fixed_) * inverse;

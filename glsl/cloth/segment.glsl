@@ -11,7 +11,7 @@ FUNCTION void solveSegment(int first, int last, float leftOne, float lastOne) {
   for (int k = first; k < last; ++k) {
     vec4 c = lineParticle(k + 2);
     Link after = linkBetween(b, c, true);
-    eliminated = eliminate(lineRow(before, here, after, a, b), eliminated);
+    eliminated = eliminate(lineRow(k, before, here, after, a, b), eliminated);
     lineOnto[k - first] = eliminated.onto;
     lineFrom[k - first] = eliminated.from;
     a = b;

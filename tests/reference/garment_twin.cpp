@@ -75,9 +75,14 @@ void GarmentTwin::substep(const ClothStep& data, int index) {
   }
   for (std::size_t f = 0; f < arrays.corners.size(); ++f) {
     const uvec4 face = arrays.corners[f];
-    const vec3 compliance = vec3(arrays.elements[2 * f + 1]) * data.perDtSquared;
+    const vec3 compliance = vec3(arrays.elements[2 * f + 1]) * data.complianceScale;
+    const vec4 shape = arrays.elements[2 * f];
+    const vec3 kept = plan_.parameters().damped()
+                          ? kernel.keptStrain(vec3(positions[face.x]), vec3(positions[face.y]),
+                                              vec3(positions[face.z]), shape)
+                          : vec3(0);
     const auto shift =
-        kernel.faceShift(next_[face.x], next_[face.y], next_[face.z], arrays.elements[2 * f], compliance);
+        kernel.faceShift(next_[face.x], next_[face.y], next_[face.z], shape, compliance, kept);
     next_[face.x] = kernel.shifted(next_[face.x], shift.a);
     next_[face.y] = kernel.shifted(next_[face.y], shift.b);
     next_[face.z] = kernel.shifted(next_[face.z], shift.c);

@@ -182,6 +182,7 @@ class Garment : public Simulation, public LockStep {
   void makePrograms(bool fast) {
     gl::Defines defines = gl::kernelDefines(fast);
     defines.emplace_back("AIR", plan_.parameters().hasAir ? "true" : "false");
+    defines.emplace_back("DAMPED", plan_.parameters().damped() ? "1" : "0");
     if (gl::memoryPath() == gl::MemoryPath::texel)
       defines.emplace_back("COLLIDERS", std::to_string(plan_.colliderCount()));
     const auto meeting = [&](bool meets) {
