@@ -35,7 +35,7 @@ class Garment : public Simulation, public LockStep {
         material_(object.material),
         plan_(object.name, parametersOf<ClothParameters>(object).inStep(setting.contactSubsteps),
               setting.seed, setting.frameSeconds, *setting.colliders, setting.boneNamed, setting.startTime),
-        vertices_(static_cast<int>(plan_.cloth().points.size())),
+        vertices_(static_cast<int>(plan_.restPositions().size())),
         heights_(setting.heights),
         frameSeconds_(setting.frameSeconds),
         topology_(name_, plan_.mesh()) {
@@ -63,11 +63,12 @@ class Garment : public Simulation, public LockStep {
   [[nodiscard]] ContactPart contactPart() const override {
     const ClothParameters& p = plan_.parameters();
     ContactPart part{plan_.firstPositions(), {}, 0, p.contact.friction, plan_.contactRooms()};
+    part.positions.resize(part.rooms.size());  // without ghosts
     for (const glm::uvec4& face : plan_.arrays().corners) part.faces.emplace_back(face);
     double sum = 0;
     for (const float room : part.rooms) sum += room;
-    part.thickness =
-        p.contactThickness(static_cast<float>(sum / (roomOfHeight * static_cast<double>(vertices_))));
+    part.thickness = p.contactThickness(
+        static_cast<float>(sum / (roomOfHeight * static_cast<double>(part.rooms.size()))));
     return part;
   }
   void beginFrame(double time) override { steps_.upload(plan_.frame(time)); }
@@ -286,7 +287,7 @@ class Garment : public Simulation, public LockStep {
   std::string name_;
   scene::Material material_;
   GarmentPlan plan_;
-  int vertices_;
+  int vertices_;                  ///< with the ghosts of clamped edges
   const HeightField* heights_;    ///< null: none in the scene
   const Walls* walls_ = nullptr;  ///< null: it meets none
   double frameSeconds_;

@@ -32,6 +32,14 @@ std::vector<double> vertexMasses(const ClothTriangles& cloth, double density) {
   return masses;
 }
 
+/// From the mesh's space to the world.
+glm::vec3 placed(const ClothParameters& parameters, const glm::dvec3& p) {
+  const glm::mat4 turn = rotationMatrix(parameters.rotation);
+  glm::dvec3 place(parameters.position);
+  for (int k = 0; k < 3; ++k) place += glm::dvec3(glm::vec3(turn[k])) * p[k];
+  return glm::vec3(place);
+}
+
 std::uint32_t bitsOf(double value) {
   return std::bit_cast<std::uint32_t>(static_cast<float>(value));
 }
@@ -51,7 +59,6 @@ GarmentPlan::GarmentPlan(const std::string& name, const ClothParameters& paramet
       mesh_(std::move(mesh)),
       cloth_(placeOf(name, parameters), mesh_, parameters.mesh.scale, parameters.mesh.weld),
       membrane_(membraneElements(cloth_, mesh_)),
-      plate_(plateElements(cloth_)),
       masses_(vertexMasses(cloth_, parameters.fabric.constants().density)),
       steps_(settled(placeOf(name, parameters), parameters, frameSeconds), seed, frameSeconds, colliders,
              boneNamed, startTime) {
@@ -59,13 +66,8 @@ GarmentPlan::GarmentPlan(const std::string& name, const ClothParameters& paramet
 }
 
 void GarmentPlan::place(const ClothParameters& parameters) {
-  const glm::mat4 turn = rotationMatrix(parameters.rotation);
   rest_.reserve(cloth_.points.size());
-  for (const glm::dvec3& p : cloth_.points) {
-    glm::dvec3 placed(parameters.position);
-    for (int k = 0; k < 3; ++k) placed += glm::dvec3(glm::vec3(turn[k])) * p[k];
-    rest_.emplace_back(placed);
-  }
+  for (const glm::dvec3& p : cloth_.points) rest_.push_back(placed(parameters, p));
 }
 
 void GarmentPlan::pin(const std::string& name, const ClothParameters& parameters) {
@@ -117,6 +119,37 @@ void GarmentPlan::pinGroup(const std::string& name, const PinGroup& group, int n
         name, number);
 }
 
+void GarmentPlan::clamp(const std::string& name, const ClothParameters& parameters) {
+  std::vector<bool> holds(parameters.pins.size(), false);
+  for (unsigned f = 0; f < cloth_.faces.size(); ++f)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const ClothTriangles::Face& face = cloth_.faces[f];
+      const int group = groups_[face.corners[k]];
+      if (face.neighbours[k] != ClothTriangles::none || group < 0 ||
+          groups_[face.corners[(k + 1) % 3]] != group)
+        continue;
+      const auto number = static_cast<std::size_t>(group);
+      if (!parameters.pins[number].clamp) continue;
+      holds[number] = true;
+      const glm::dvec3 a = cloth_.points[face.corners[k]];
+      const glm::dvec3 edge = cloth_.points[face.corners[(k + 1) % 3]] - a;
+      const glm::dvec3 within = cloth_.points[face.corners[(k + 2) % 3]] - a;
+      // As far out as the third corner is within.
+      const glm::dvec3 out = edge * (glm::dot(within, edge) / glm::dot(edge, edge)) - within;
+      const auto ghost = static_cast<unsigned>(cloth_.points.size() + clamps_.size());
+      clamps_.push_back({f, k, ghost, std::sqrt(glm::dot(out, out))});
+      rest_.push_back(placed(parameters, a + 0.5 * edge + out));
+    }
+  for (const ClampedEdge& edge : clamps_)
+    groups_.push_back(groups_[cloth_.faces[edge.face].corners[edge.side]]);
+  for (std::size_t i = 0; i < holds.size(); ++i)
+    if (parameters.pins[i].clamp && !holds[i])
+      fail(ExitCode::usage,
+           "{}: pins[{}] has \"clamp\", but holds no edge of a border: pin both ends of one, or leave out "
+           "\"clamp\"",
+           name, i);
+}
+
 void GarmentPlan::sew(const std::string& name, const ClothParameters& parameters) {
   std::vector<glm::uvec4> stitches;
   for (std::size_t k = 0; k < parameters.seams.size(); ++k) {
@@ -154,6 +187,8 @@ ClothParameters GarmentPlan::settled(const std::string& name, ClothParameters pa
                                      double frameSeconds) {
   place(parameters);
   pin(name, parameters);
+  clamp(name, parameters);
+  plate_ = plateElements(cloth_, clamps_);
   sew(name, parameters);
   std::vector<bool> pinned;
   std::vector<double> inverse;
@@ -161,6 +196,7 @@ ClothParameters GarmentPlan::settled(const std::string& name, ClothParameters pa
     pinned.push_back(groups_[i] >= 0);
     inverse.push_back(groups_[i] >= 0 ? 0 : 1 / masses_[i]);
   }
+  inverse.resize(rest_.size(), 0);
   std::multimap<unsigned, unsigned> links;
   for (const glm::uvec4& stitch : arrays_.stitches) {
     links.emplace(stitch.x, stitch.y);
@@ -190,7 +226,7 @@ ClothParameters GarmentPlan::settled(const std::string& name, ClothParameters pa
         "frame; {}",
         name, matrix.softened, plate_.size(), *parameters.substeps,
         given ? "set \"substeps\": \"auto\"" : "take a coarser or more even mesh");
-  arrays_.fans.resize(masses_.size());
+  arrays_.fans.resize(rest_.size());
   for (std::size_t i = 0; i < masses_.size(); ++i) {
     const PlateRow& row = matrix.rows[i];
     const auto first = static_cast<unsigned>(arrays_.entries.size());

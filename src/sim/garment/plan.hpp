@@ -41,7 +41,8 @@ class GarmentPlan {
               const std::vector<ColliderShape>& colliders, const BoneNamed& boneNamed = {},
               double startTime = 0);
 
-  /// xyz in m, w inverse mass in 1/kg (0: pinned).
+  /// xyz in m, w inverse mass in 1/kg (0: pinned): the vertices, then the ghosts of clamped edges, which
+  /// are pinned.
   [[nodiscard]] std::vector<glm::vec4> firstPositions() const;
   /// xyz in m/s (zero), w the pin group of a pinned vertex.
   [[nodiscard]] std::vector<glm::vec4> firstVelocities() const;
@@ -77,6 +78,7 @@ class GarmentPlan {
   /// Of a vertex that `what` of the scene names by its number in the mesh.
   [[nodiscard]] unsigned vertexNamed(const std::string& name, const std::string& what, int number) const;
   void pinGroup(const std::string& name, const PinGroup& group, int number);
+  void clamp(const std::string& name, const ClothParameters& parameters);
   void sew(const std::string& name, const ClothParameters& parameters);
   void makeArrays();
 
@@ -86,8 +88,9 @@ class GarmentPlan {
   std::vector<MembraneElement> membrane_;
   std::vector<PlateElement> plate_;
   std::vector<double> masses_;
-  std::vector<glm::vec3> rest_;  ///< m, world
-  std::vector<int> groups_;      ///< of each vertex: the pin group; -1: free
+  std::vector<glm::vec3> rest_;  ///< m, world, of vertices and ghosts
+  std::vector<int> groups_;      ///< of each of them: the pin group; -1: free
+  std::vector<ClampedEdge> clamps_;
   GarmentArrays arrays_;
   ClothPlan steps_;
 };

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <map>
 #include <numbers>
 #include <optional>
 #include <utility>
@@ -209,7 +210,11 @@ glm::dvec3 without(const std::vector<glm::dvec3>& directions, glm::dvec3 v) {
 
 using Slopes = std::vector<std::array<std::vector<Term>, 3>>;
 
-PlateElement elementOf(const ClothTriangles& cloth, unsigned number, const Slopes& slopes) {
+/// Of a face the clamped edges; null: the side is not.
+using Clamps = std::array<const ClampedEdge*, 3>;
+
+PlateElement elementOf(const ClothTriangles& cloth, unsigned number, const Slopes& slopes,
+                       const Clamps& clamps) {
   const Face& face = cloth.faces[number];
   PlateElement element;
   element.area = face.area;
@@ -236,6 +241,12 @@ PlateElement elementOf(const ClothTriangles& cloth, unsigned number, const Slope
         symmetric(along, out) / face.area;  // times the length, times 1 / length of the slope
     add(face.corners[(k + 1) % 3], twist);
     add(face.corners[k], -twist);
+    if (clamps[k] != nullptr) {
+      const glm::dvec3 towards = symmetric(out, out) * (length / face.area / clamps[k]->reach);
+      add(clamps[k]->ghost, towards);
+      for (const std::size_t end : {k, (k + 1) % 3}) add(face.corners[end], -0.5 * towards);
+      continue;
+    }
     if (face.neighbours[k] == ClothTriangles::none) {
       free.push_back(symmetric(out, out));
       continue;
@@ -276,7 +287,8 @@ std::vector<double> bounds(const std::vector<PlateElement>& elements, double ben
 
 }  // namespace
 
-std::vector<PlateElement> plateElements(const ClothTriangles& cloth) {
+std::vector<PlateElement> plateElements(const ClothTriangles& cloth,
+                                        const std::vector<ClampedEdge>& clamps) {
   std::vector<PlateElement> elements;
   elements.reserve(cloth.faces.size());
   Slopes slopes(cloth.faces.size());
@@ -284,7 +296,12 @@ std::vector<PlateElement> plateElements(const ClothTriangles& cloth) {
     for (std::size_t k = 0; k < 3; ++k)
       if (const unsigned other = cloth.faces[f].neighbours[k]; other != ClothTriangles::none && f < other)
         slopes[f][k] = slopeAcross(cloth, f, k);
-  for (unsigned f = 0; f < cloth.faces.size(); ++f) elements.push_back(elementOf(cloth, f, slopes));
+  std::map<unsigned, Clamps> clamped;
+  for (const ClampedEdge& edge : clamps) clamped.try_emplace(edge.face).first->second[edge.side] = &edge;
+  for (unsigned f = 0; f < cloth.faces.size(); ++f) {
+    const auto found = clamped.find(f);
+    elements.push_back(elementOf(cloth, f, slopes, found == clamped.end() ? Clamps{} : found->second));
+  }
   return elements;
 }
 

@@ -27,6 +27,7 @@ std::vector<double> measureGarment(const GarmentPlan& plan, std::span<const glm:
   double fastestSquared = 0;
   for (std::size_t i = 0; i < positions.size(); ++i) {
     points.emplace_back(positions[i]);
+    if (i >= plan.masses().size()) continue;  // a ghost of a clamped edge
     const double mass = plan.masses()[i];
     const glm::dvec3 v(velocities[i]);
     total += mass;
@@ -47,7 +48,7 @@ std::vector<double> measureGarment(const GarmentPlan& plan, std::span<const glm:
                               strain);
     stretch = greaterOf(stretch, greaterOf(strain.weft, strain.warp));
   }
-  return {static_cast<double>(points.size()),
+  return {static_cast<double>(plan.masses().size()),
           total,
           kinetic,
           potential,
