@@ -17,6 +17,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace simreel::shader::garment {
 #include "glsl/cloth/mesh/bindings.glsl"
@@ -71,11 +72,14 @@ class Garment : public Simulation, public LockStep {
         static_cast<float>(sum / (roomOfHeight * static_cast<double>(part.rooms.size()))));
     return part;
   }
-  void beginFrame(double time) override { steps_.upload(plan_.frame(time)); }
+  void beginFrame(double time) override {
+    begun_ = plan_.stepsBegun();
+    steps_.upload(plan_.frame(time));
+  }
   void predict(int substep) override {
     steps_.bind(static_cast<std::size_t>(substep));
     gl::barrier();
-    accelerate();
+    accelerate(plan_.bendingAt(begun_ + substep));
     stretch();
     sew();
     meet(substep);
@@ -164,10 +168,12 @@ class Garment : public Simulation, public LockStep {
       return gl::WordsArray(name_ + what, items);
     };
     corners_ = words(" faces", arrays.corners);
-    fans_ = words(" fans", arrays.fans);
     rings_ = words(" rings", arrays.rings);
     if (!arrays.stitches.empty()) stitches_ = words(" stitches", arrays.stitches);
-    entries_ = words(" bending", arrays.entries);
+    for (const GarmentBending& bending : arrays.bendings) {
+      fans_.push_back(words(" fans", bending.fans));
+      entries_.push_back(words(" bending", bending.entries));
+    }
     copies_ = words(" copies", arrays.copies);
     elements_ = gl::Vec4Array(name_ + " elements", arrays.elements);
     const int faces = plan_.parameters().hasAir ? static_cast<int>(arrays.corners.size()) : 1;
@@ -208,7 +214,7 @@ class Garment : public Simulation, public LockStep {
   }
 
   /// Into positions_[1], where forces take the vertices.
-  void accelerate() {
+  void accelerate(std::size_t bending) {
     if (plan_.parameters().hasAir) {
       positions_[0].bindInput(shader::garment::positionsBinding);
       velocities_.bindInput(shader::garment::velocitiesBinding);
@@ -222,8 +228,8 @@ class Garment : public Simulation, public LockStep {
     velocities_.bindInput(shader::garment::velocitiesBinding);
     restPositions_.bindInput(shader::garment::restPositionsBinding);
     faceForces_.bindInput(shader::garment::faceForcesBinding);
-    entries_.bindInput(shader::garment::entriesBinding);
-    fans_.bindInput(shader::garment::fansBinding);
+    entries_[bending].bindInput(shader::garment::entriesBinding);
+    fans_[bending].bindInput(shader::garment::fansBinding);
     rings_.bindInput(shader::garment::ringsBinding);
     predict_.dispatch(vertices_);
     gl::barrier();
@@ -275,7 +281,7 @@ class Garment : public Simulation, public LockStep {
   void show() {
     positions_[0].bindInput(shader::garment::positionsBinding);
     copies_.bindInput(shader::garment::copiesBinding);
-    fans_.bindInput(shader::garment::fansBinding);
+    fans_[0].bindInput(shader::garment::fansBinding);
     rings_.bindInput(shader::garment::ringsBinding);
     drawnPositions_.bindState(shader::garment::drawnPositionsBinding);
     drawnNormals_.bindState(shader::garment::drawnNormalsBinding);
@@ -294,7 +300,9 @@ class Garment : public Simulation, public LockStep {
   double time_ = 0;             ///< s, of the present state
   gl::Vec4Array positions_[2];  ///< now, and where the next substep writes
   gl::Vec4Array velocities_, restPositions_, elements_, faceForces_;
-  gl::WordsArray corners_, fans_, rings_, entries_, copies_, stitches_;
+  gl::WordsArray corners_, rings_, copies_, stitches_;
+  std::vector<gl::WordsArray> fans_, entries_;  ///< of each bending
+  int begun_ = 0;                               ///< substeps before the present frame
   gl::Vec4Array drawnPositions_, drawnNormals_;
   MeshTopology topology_;
   gl::Buffer status_;

@@ -159,6 +159,7 @@ void GarmentPlan::sew(const std::string& name, const ClothParameters& parameters
       const unsigned b = vertexNamed(name, fmt::format("seams[{}]", k), seam.to[i]);
       if (a == b) continue;  // one already
       const glm::dvec3 d = glm::dvec3(rest_[b]) - glm::dvec3(rest_[a]);
+      shut_[seam.seconds].emplace_back(a, b);
       stitches.emplace_back(a, b, bitsOf(std::sqrt(d.x * d.x + d.y * d.y + d.z * d.z)),
                             bitsOf(1 / seam.seconds));
     }
@@ -188,15 +189,25 @@ ClothParameters GarmentPlan::settled(const std::string& name, ClothParameters pa
   place(parameters);
   pin(name, parameters);
   clamp(name, parameters);
-  plate_ = plateElements(cloth_, clamps_);
   sew(name, parameters);
-  std::vector<bool> pinned;
-  std::vector<double> inverse;
-  for (std::size_t i = 0; i < masses_.size(); ++i) {
-    pinned.push_back(groups_[i] >= 0);
-    inverse.push_back(groups_[i] >= 0 ? 0 : 1 / masses_[i]);
+  plates_.push_back(plateElements(cloth_, clamps_));
+  std::vector<std::pair<unsigned, unsigned>> sewn;
+  int opposite = 0;
+  for (const auto& [seconds, stitches] : shut_) {
+    sewn.insert(sewn.end(), stitches.begin(), stitches.end());
+    ClothTriangles grown = cloth_;
+    opposite = grown.sew(sewn);
+    plates_.push_back(plateElements(grown, clamps_));
   }
-  inverse.resize(rest_.size(), 0);
+  if (opposite > 0)
+    warn(
+        "{}: {} edges are sewn to edges whose faces face the other way; the seam bends like a hinge there; "
+        "turn one "
+        "piece over",
+        name, opposite);
+  std::vector<bool> pinned;
+  for (std::size_t i = 0; i < masses_.size(); ++i) pinned.push_back(groups_[i] >= 0);
+  const std::vector<double> inverse = inverseMasses();
   std::multimap<unsigned, unsigned> links;
   for (const glm::uvec4& stitch : arrays_.stitches) {
     links.emplace(stitch.x, stitch.y);
@@ -204,12 +215,15 @@ ClothParameters GarmentPlan::settled(const std::string& name, ClothParameters pa
   }
   const GarmentPace pace(parameters, cloth_, membrane_, masses_, pinned, links);
   const double bending = parameters.fabric.constants().bending;
+  double bendingSquared = 0;
+  for (const auto& plate : plates_)
+    bendingSquared =
+        std::max(bendingSquared, std::min(plateFrequencySquared(plate, bending, inverse, 1.0),
+                                          25 * plateFrequencySquared(plate, bending, inverse, 0.5)));
   const bool given = parameters.substeps.has_value();
   if (!given)
-    parameters.substeps = pace.substeps(frameSeconds,
-                                        std::min(plateFrequencySquared(plate_, bending, inverse, 1.0),
-                                                 25 * plateFrequencySquared(plate_, bending, inverse, 0.5)),
-                                        parameters.fewestSubsteps(frameSeconds, 8));
+    parameters.substeps =
+        pace.substeps(frameSeconds, bendingSquared, parameters.fewestSubsteps(frameSeconds, 8));
   const double seconds = frameSeconds / *parameters.substeps;
   if (given && seconds > pace.stableSeconds())
     warn(
@@ -219,27 +233,56 @@ ClothParameters GarmentPlan::settled(const std::string& name, ClothParameters pa
   if (!given && pace.stretchError(seconds) > 0.01)
     warn("{}: with {} substeps it stretches by {:.1f}% more than its fabric; take a coarser mesh", name,
          *parameters.substeps, 100 * pace.stretchError(seconds));
-  const PlateMatrix matrix(plate_, bending, inverse, mostBending(seconds));
-  if (static_cast<double>(matrix.softened) > 0.05 * static_cast<double>(plate_.size()))
+  bend(name, parameters, seconds, given);
+  return parameters;
+}
+
+std::vector<double> GarmentPlan::inverseMasses() const {
+  std::vector<double> inverse;
+  for (std::size_t i = 0; i < masses_.size(); ++i) inverse.push_back(groups_[i] >= 0 ? 0 : 1 / masses_[i]);
+  inverse.resize(rest_.size(), 0);
+  return inverse;
+}
+
+void GarmentPlan::bend(const std::string& name, const ClothParameters& parameters, double seconds,
+                       bool given) {
+  auto shut = shut_.begin();
+  int softened = 0;
+  for (const std::vector<PlateElement>& plate : plates_) {
+    GarmentBending bending;
+    // A seam is shut by the end of the substep before.
+    if (!arrays_.bendings.empty()) bending.from = static_cast<int>(std::ceil((shut++)->first / seconds));
+    const PlateMatrix matrix(plate, parameters.fabric.constants().bending, inverseMasses(),
+                             mostBending(seconds));
+    softened = std::max(softened, matrix.softened);
+    bending.fans.resize(rest_.size());
+    for (std::size_t i = 0; i < masses_.size(); ++i) {
+      const PlateRow& row = matrix.rows[i];
+      const auto first = static_cast<unsigned>(bending.entries.size());
+      for (std::size_t k = 0; k < row.size(); k += 2) {
+        const auto [vertex, value] =
+            k + 1 < row.size() ? row[k + 1] : std::pair(static_cast<unsigned>(i), 0.0);
+        bending.entries.emplace_back(row[k].first, bitsOf(row[k].second), vertex, bitsOf(value));
+      }
+      bending.fans[i] = {cloth_.starts[i], cloth_.starts[i + 1] - cloth_.starts[i], first,
+                         static_cast<unsigned>(bending.entries.size()) - first};
+    }
+    if (bending.entries.empty()) bending.entries.emplace_back(0);
+    arrays_.bendings.push_back(std::move(bending));
+  }
+  if (static_cast<double>(softened) > 0.05 * static_cast<double>(cloth_.faces.size()))
     warn(
         "{}: {} of {} faces are so small that they bend more easily than the fabric at {} substeps a "
         "frame; {}",
-        name, matrix.softened, plate_.size(), *parameters.substeps,
+        name, softened, cloth_.faces.size(), *parameters.substeps,
         given ? "set \"substeps\": \"auto\"" : "take a coarser or more even mesh");
-  arrays_.fans.resize(rest_.size());
-  for (std::size_t i = 0; i < masses_.size(); ++i) {
-    const PlateRow& row = matrix.rows[i];
-    const auto first = static_cast<unsigned>(arrays_.entries.size());
-    for (std::size_t k = 0; k < row.size(); k += 2) {
-      const auto [vertex, value] =
-          k + 1 < row.size() ? row[k + 1] : std::pair(static_cast<unsigned>(i), 0.0);
-      arrays_.entries.emplace_back(row[k].first, bitsOf(row[k].second), vertex, bitsOf(value));
-    }
-    arrays_.fans[i].z = first;
-    arrays_.fans[i].w = static_cast<unsigned>(arrays_.entries.size()) - first;
-  }
-  if (arrays_.entries.empty()) arrays_.entries.emplace_back(0);
-  return parameters;
+}
+
+std::size_t GarmentPlan::bendingAt(int substep) const {
+  std::size_t last = 0;
+  for (std::size_t i = 1; i < arrays_.bendings.size(); ++i)
+    if (arrays_.bendings[i].from <= substep) last = i;
+  return last;
 }
 
 void GarmentPlan::makeArrays() {
@@ -261,10 +304,6 @@ void GarmentPlan::makeArrays() {
     }
   }
   arrays_.colours.push_back(static_cast<int>(arrays_.corners.size()));
-  for (std::size_t i = 0; i < cloth_.points.size(); ++i) {
-    arrays_.fans[i].x = cloth_.starts[i];
-    arrays_.fans[i].y = cloth_.starts[i + 1] - cloth_.starts[i];
-  }
   for (unsigned i = 0; i < cloth_.points.size(); ++i)
     for (unsigned k = cloth_.starts[i]; k < cloth_.starts[i + 1]; ++k) {
       const unsigned f = cloth_.around[k];
