@@ -90,6 +90,9 @@ void GarmentTwin::substep(const ClothStep& data, int index) {
     next_[face.y] = kernel.shifted(next_[face.y], shift.b);
     next_[face.z] = kernel.shifted(next_[face.z], shift.c);
   }
+  for (const uvec4 a : arrays.attachments)
+    next_[a.x] = kernel.attached(next_[a.x], vec3(next_[a.y]), intBitsToFloat(static_cast<int>(a.z)),
+                                 intBitsToFloat(static_cast<int>(a.w)));
   for (const uvec4 stitch : arrays.stitches) {
     const vec3 shift =
         kernel.stitchShift(next_[stitch.x], next_[stitch.y], intBitsToFloat(static_cast<int>(stitch.z)),

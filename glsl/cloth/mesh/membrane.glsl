@@ -105,6 +105,18 @@ FUNCTION vec3 stitchShift(vec4 a, vec4 b, float longest, float perSecond) {
   return beyond > 0.0f && weight > 0.0f ? shift : vec3(0.0f);
 }
 
+// A vertex that is farther from a pin than `longest` (m) is pulled towards it, by 1 / compliance (N/m).
+FUNCTION vec4 attached(vec4 here, vec3 pin, float longest, float compliance) {
+  precise vec3 d = pin - vec3(here);
+  float squared = max(exactDot(d, d), 1e-20f);
+  float inverse = exactInverseSqrt(squared);
+  precise float beyond = squared * inverse - longest;
+  precise float weight = here.w + compliance * stepData.perDt * stepData.perDt;
+  precise float part = beyond * inverse * exactReciprocal(max(weight, 1e-20f)) * here.w;
+  precise vec3 moved = vec3(here) + d * part;
+  return beyond > 0.0f && here.w > 0.0f ? vec4(moved, here.w) : here;
+}
+
 FUNCTION vec4 shifted(vec4 corner, vec3 shift) {
   precise vec3 moved = vec3(corner) + shift * corner.w;
   return vec4(moved, corner.w);

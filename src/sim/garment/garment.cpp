@@ -81,6 +81,7 @@ class Garment : public Simulation, public LockStep {
     gl::barrier();
     accelerate(plan_.bendingAt(begun_ + substep));
     stretch();
+    attach();
     sew();
     meet(substep);
   }
@@ -169,6 +170,7 @@ class Garment : public Simulation, public LockStep {
     };
     corners_ = words(" faces", arrays.corners);
     rings_ = words(" rings", arrays.rings);
+    if (!arrays.attachments.empty()) attachments_ = words(" attachments", arrays.attachments);
     if (!arrays.stitches.empty()) stitches_ = words(" stitches", arrays.stitches);
     for (const GarmentBending& bending : arrays.bendings) {
       fans_.push_back(words(" fans", bending.fans));
@@ -207,6 +209,8 @@ class Garment : public Simulation, public LockStep {
     if (plan_.parameters().hasAir) air_ = make("cloth/mesh/air.comp", plan_.arrays().corners.size());
     predict_ = make("cloth/mesh/predict.comp", vertices);
     stretch_ = make("cloth/mesh/stretch.comp", 0);
+    if (!plan_.arrays().attachments.empty())
+      attach_ = make("cloth/mesh/attach.comp", plan_.arrays().attachments.size());
     if (!plan_.arrays().stitches.empty()) sew_ = make("cloth/mesh/sew.comp", 0);
     settle_ = make("cloth/mesh/settle.comp", vertices, true);
     show_ = make("cloth/mesh/show.comp", plan_.arrays().copies.size());
@@ -240,6 +244,14 @@ class Garment : public Simulation, public LockStep {
     elements_.bindInput(shader::garment::elementsBinding);
     corners_.bindInput(shader::garment::cornersBinding);
     inColours(stretch_, plan_.arrays().colours);
+  }
+
+  /// Holds what is farther from its pin than the cloth is long.
+  void attach() {
+    if (plan_.arrays().attachments.empty()) return;
+    attachments_.bindInput(shader::garment::attachmentsBinding);
+    attach_.dispatch(static_cast<int>(plan_.arrays().attachments.size()));
+    gl::barrier();
   }
 
   /// Pulls seams shut, a colour of stitches after the other.
@@ -300,14 +312,14 @@ class Garment : public Simulation, public LockStep {
   double time_ = 0;             ///< s, of the present state
   gl::Vec4Array positions_[2];  ///< now, and where the next substep writes
   gl::Vec4Array velocities_, restPositions_, elements_, faceForces_;
-  gl::WordsArray corners_, rings_, copies_, stitches_;
+  gl::WordsArray corners_, rings_, copies_, stitches_, attachments_;
   std::vector<gl::WordsArray> fans_, entries_;  ///< of each bending
   int begun_ = 0;                               ///< substeps before the present frame
   gl::Vec4Array drawnPositions_, drawnNormals_;
   MeshTopology topology_;
   gl::Buffer status_;
   StepBlocks<shader::ClothStep> steps_;
-  gl::Program air_, predict_, stretch_, sew_, settle_, show_;
+  gl::Program air_, predict_, stretch_, attach_, sew_, settle_, show_;
 };
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include "base/error.hpp"
 #include "base/log.hpp"
 #include "sim/core/shader_code.hpp"
+#include "sim/garment/attachments.hpp"
 #include "sim/garment/pace.hpp"
 #include "sim/grid/picture_file.hpp"
 
@@ -233,6 +234,9 @@ ClothParameters GarmentPlan::settled(const std::string& name, ClothParameters pa
   if (!given && pace.stretchError(seconds) > 0.01)
     warn("{}: with {} substeps it stretches by {:.1f}% more than its fabric; take a coarser mesh", name,
          *parameters.substeps, 100 * pace.stretchError(seconds));
+  for (const Attachment& a :
+       attachmentsOf(cloth_, pinned, membrane_, masses_, parameters.fabric.constants(), seconds))
+    arrays_.attachments.emplace_back(a.vertex, a.pin, bitsOf(a.length), bitsOf(a.compliance));
   bend(name, parameters, seconds, given);
   return parameters;
 }

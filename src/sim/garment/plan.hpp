@@ -30,6 +30,7 @@ struct GarmentArrays {
   std::vector<GarmentBending> bendings;  ///< by their start, the first from 0 on
   std::vector<glm::uvec4> stitches;      ///< colour by colour: two vertices, m apart at the start, 1/s
   std::vector<int> stitchColours;        ///< as of faces
+  std::vector<glm::uvec4> attachments;   ///< a vertex, a pin, m, m/N
   std::vector<glm::uvec4> copies;        ///< of each drawn vertex: x its vertex
 };
 

@@ -1,5 +1,6 @@
 #include "sim/garment/quantities.hpp"
 
+#include <bit>
 #include <cmath>
 #include <cstddef>
 
@@ -47,6 +48,11 @@ std::vector<double> measureGarment(const GarmentPlan& plan, std::span<const glm:
                               stiffnessOf(plan.membrane()[f], fabric, inverseMasses, plan.substepSeconds()),
                               strain);
     stretch = greaterOf(stretch, greaterOf(strain.weft, strain.warp));
+  }
+  for (const glm::uvec4& a : plan.arrays().attachments) {
+    const double beyond =
+        glm::distance(points[a.x], points[a.y]) - static_cast<double>(std::bit_cast<float>(a.z));
+    if (beyond > 0) elastic += 0.5 * beyond * beyond / static_cast<double>(std::bit_cast<float>(a.w));
   }
   return {static_cast<double>(plan.masses().size()),
           total,
