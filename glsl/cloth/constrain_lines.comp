@@ -31,8 +31,12 @@ void leave(int i, vec4 here) {
   STORE_STATE(nextPositions, i, here);
 }
 
-void relax(inout vec4 a, inout vec4 b, float restLength, float compliance) {
-  vec3 shift = constraintShift(a, b, restLength, compliance);
+void relax(inout vec4 a, inout vec4 b, int i, int j, float restLength, float compliance) {
+  float kept = 0.0f;
+#if DAMPED
+  kept = keptStretch(loadPosition(i), loadPosition(j), restLength);
+#endif
+  vec3 shift = constraintShift(a, b, restLength, compliance, kept);
   precise vec3 newA = a.xyz - shift * a.w;
   precise vec3 newB = b.xyz + shift * b.w;
   a.xyz = newA;
@@ -75,10 +79,10 @@ void main() {
     vec4 b = vec4(0);
     if (k + 1 < count) {
       b = taken(at + k * reach + reach, here + pace);
-      relax(a, b, restLength, compliance);
+      relax(a, b, here, here + pace, restLength, compliance);
     }
     if (k > 0) {
-      relax(waiting, a, restLength, compliance);
+      relax(waiting, a, here - pace, here, restLength, compliance);
       leave(here - pace, waiting);
     }
     leave(here, a);

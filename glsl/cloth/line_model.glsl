@@ -1,6 +1,6 @@
 // Constraints along a line of particles, solved together. Compiles as GLSL and as C++. Whoever includes it provides
 // lineLinks, the number of links between particles, lineRest (m), lineCompliance (compliance / dt^2) and lineGive, beside
-// common/exact.glsl.
+// common/exact.glsl; lineKept, what damping keeps of a link's stretch over the substep (glsl/cloth/model.glsl).
 //
 // XPBD's constraint k ties particles k and k + 1. With its direction n_k, its stretch C_k and its multiplier l_k, particle k
 // moves by w_k (n_k-1 l_k-1 - n_k l_k); every C_k vanishes at once, to first order, where

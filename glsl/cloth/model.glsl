@@ -18,19 +18,19 @@ FUNCTION float springLength(int kind) {
   precise float restLength = stepData.constants.spacing * ratio;
   return restLength;
 }
-// compliance / dt^2
+// compliance / dt^2, or less of what is damped
 FUNCTION float scaledCompliance(int kind) {
   float compliance = kind == 0   ? stepData.constants.compliance
                      : kind == 1 ? stepData.constants.shearCompliance
                                  : stepData.constants.bendCompliance;
-  precise float scaled = compliance * stepData.perDtSquared;
+  precise float scaled = compliance * stepData.complianceScale;
   return scaled;
 }
 // Of a fabric's row, or column. A link stands for a strip as wide as it is long, so 1 / (N/m); one along a border for half.
 FUNCTION float fabricCompliance(bool row, int line) {
   int count = row ? size.y : size.x;
   float half_ = line == 0 || line == count - 1 ? 2.0f : 1.0f;
-  precise float scaled = exactReciprocal(row ? stepData.fabric.weft : stepData.fabric.warp) * half_ * stepData.perDtSquared;
+  precise float scaled = exactReciprocal(row ? stepData.fabric.weft : stepData.fabric.warp) * half_ * stepData.complianceScale;
   return scaled;
 }
 
@@ -118,12 +118,22 @@ FUNCTION Motion advance(ivec2 at, vec4 here, vec4 velocity, bool springs, bool a
 
 // How far XPBD (Macklin et al. 2016; one iteration per substep, 2019) moves each end of a constraint
 // C = |d| - L0 along d = b - a: lambda = -C / (wa + wb + compliance/dt^2), a -= wa lambda d/|d|, b += ...
-// Returns lambda d/|d|.
-FUNCTION vec3 constraintShift(vec4 a, vec4 b, float restLength, float scaledCompliance) {
+// Returns lambda d/|d|. Of the stretch `kept` is not undone.
+//
+// Damping along edges: a fabric resists with k (C + T dC/dt). With g = T / dt XPBD solves C' + compliance/dt^2 lambda +
+// g (C' - C_before) = 0, that is the same constraint with C - g/(1+g) C_before and compliance / (1+g). It is made of lengths
+// alone, so that what turns and travels without stretching is not damped.
+FUNCTION float keptStretch(vec4 a, vec4 b, float restLength) {
+  precise vec3 d = vec3(b) - vec3(a);
+  float squared = max(exactDot(d, d), 1e-12f);
+  precise float kept = (squared * exactInverseSqrt(squared) - restLength) * stepData.dampedPart;
+  return kept;
+}
+FUNCTION vec3 constraintShift(vec4 a, vec4 b, float restLength, float scaledCompliance, float kept) {
   precise vec3 d = vec3(b) - vec3(a);
   float squared = max(exactDot(d, d), 1e-12f);
   float inverse = exactInverseSqrt(squared);
-  precise float stretch = squared * inverse - restLength;
+  precise float stretch = squared * inverse - restLength - kept;
   precise float weight = scaledCompliance + a.w + b.w;
   precise float lambda = stretch * exactReciprocal(max(weight, 1e-20f)) * inverse;
   precise vec3 shift = d * -lambda;

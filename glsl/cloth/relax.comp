@@ -27,13 +27,22 @@ bool isInside(ivec2 at) {
   return at.x >= 0 && at.y >= 0 && at.x < size.x && at.y < size.y;
 }
 
+// At the substep's beginning. Only fabrics are damped, and have no constraints of bending.
+vec4 begun(ivec2 within) {
+  return loadPosition((corner.y + within.y) * size.x + corner.x + within.x);
+}
+
 void relax(ivec2 from, ivec2 reach, int kind) {
   ivec2 to = from + reach;
   bool within = to.x >= 0 && to.x < relaxTileX && to.y < relaxTileY;
   if (!within || !isInside(corner + from) || !isInside(corner + to)) return;
   int i = place(from.x, from.y), j = place(to.x, to.y);
   vec4 a = tile[i], b = tile[j];
-  vec3 shift = constraintShift(a, b, springLength(kind), scaledCompliance(kind));
+  float kept = 0.0f;
+#if DAMPED
+  kept = keptStretch(begun(from), begun(to), springLength(kind));
+#endif
+  vec3 shift = constraintShift(a, b, springLength(kind), scaledCompliance(kind), kept);
   precise vec3 newA = a.xyz - shift * a.w;
   precise vec3 newB = b.xyz + shift * b.w;
   tile[i] = vec4(newA, a.w);

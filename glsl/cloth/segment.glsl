@@ -1,6 +1,18 @@
 // A segment of a line, of links `first` to `last`. Compiles as GLSL and as C++, after line_model.glsl. Whoever includes it
-// provides lineParticle(int), xyz and inverse mass of the k-th particle of the line, and, of the invocation, which arrays a
+// provides lineParticle(int), xyz and inverse mass of the k-th particle of the line, lineBefore(int), the same at the substep's
+// beginning, and, of the invocation, which arrays a
 // compiler keeps where it is cheap: lineCosine[segmentLinks + 1], lineMass[segmentLinks + 1], lineStretch[segmentLinks].
+
+// How much of the stretch of link k is to be undone.
+FUNCTION float undone(int k, float stretch) {
+  float all = stretch;
+  if (lineKept > 0.0f) {
+    Link past = linkBetween(lineBefore(k), lineBefore(k + 1), true);
+    precise float some = stretch - past.stretch * lineKept;
+    all = some;
+  }
+  return all;
+}
 
 // Makes every link of the segment: into lineCosine, from the one before the segment on, of the angle to the next, lineStretch
 // and lineMass. How much longer than at rest all of them are together (m).
@@ -19,7 +31,7 @@ FUNCTION float readSegment(int first, int last) {
     cosine = exactDot(here.along, after.along);
     lineCosine[k - first + 1] = cosine;
     lineMass[k - first + 1] = b.w;
-    lineStretch[k - first] = here.stretch;
+    lineStretch[k - first] = undone(k, here.stretch);
     sum = sum + here.stretch;
     b = c;
     here = after;

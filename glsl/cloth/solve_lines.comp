@@ -3,14 +3,16 @@
 // SEGMENTS of a line.
 #include "cloth/kernel.glsl"
 layout(local_size_x = LINES, local_size_y = SEGMENTS) in;
-#ifdef LAST
+#if defined(LAST) || DAMPED
 INPUT_ARRAY(positionsBinding, PositionBlock, positions)
+#endif
+#ifdef LAST
 STATE_ARRAY(velocitiesBinding, VelocityBlock, velocities)
 #endif
 STATE_ARRAY(nextPositionsBinding, NextBlock, nextPositions)
 uniform int lines;
 int lineLinks = 0, lineStart = 0, linePace = 1;
-float lineRest = 0.0f, lineCompliance = 0.0f, lineGive = 0.0f;
+float lineRest = 0.0f, lineCompliance = 0.0f, lineGive = 0.0f, lineKept = 0.0f;
 
 vec4 loadPosition(int i) {
 #ifdef LAST
@@ -23,6 +25,13 @@ vec4 loadPosition(int i) {
 
 vec4 lineParticle(int k) {
   return LOAD_ONCE(nextPositions, lineStart + k * linePace);
+}
+vec4 lineBefore(int k) {
+#if DAMPED
+  return LOAD_INPUT(positions, lineStart + k * linePace);
+#else
+  return vec4(0.0f);
+#endif
 }
 #include "cloth/line_model.glsl"
 float lineCosine[segmentLinks + 1], lineMass[segmentLinks + 1], lineStretch[segmentLinks];
@@ -77,6 +86,9 @@ void main() {
   linePace = size.x;
 #endif
   lineRest = springLength(0);
+#if DAMPED
+  lineKept = stepData.dampedPart;
+#endif
 #ifdef ROWS
   lineCompliance = FABRIC ? fabricCompliance(true, line) : scaledCompliance(0);
 #else

@@ -65,7 +65,7 @@ struct STD140 ClothStep {
   vec4 clamped[4];     // of the borders left, right, top, bottom: xyz from one to its neighbour within (m); w 1: it is held so
   float dt;            // s
   float perDt;         // 1/s
-  float perDtSquared;  // 1/s^2
+  float complianceScale; // 1/s^2, compliances' factor: 1 / dt^2, with damping (1 - dampedPart) / dt^2
   float kept;          // fraction of velocity kept per substep
   float gustSpeed;     // m/s, size of the gusts' variation
   float perGustSize;   // 1/m
@@ -73,6 +73,7 @@ struct STD140 ClothStep {
   int substep;         // since the start
   int seed;
   float perBend;       // N/m, bending / spacing^2 of a fabric
+  float dampedPart;    // T / (T + dt), of a fabric's stretchDamping T: how much of a stretch damping keeps over a substep
   ClothConstants constants;
   FabricConstants fabric;
   AirConstants air;

@@ -32,9 +32,11 @@ struct Kernel {
   [[nodiscard]] int loadWallClass(int x, int y) const { return walls->classAt(x, y); }
   [[nodiscard]] float loadWallValue(int x, int y) const { return walls->valueAt(x, y); }
   int lineLinks = 0, lineStart = 0, linePace = 1;
-  float lineRest = 0, lineCompliance = 0, lineGive = 0;
+  float lineRest = 0, lineCompliance = 0, lineGive = 0, lineKept = 0;
+  const vec4* past = nullptr;  // positions at the substep's beginning
   float lineCosine[segmentLinks + 1] = {}, lineMass[segmentLinks + 1] = {}, lineStretch[segmentLinks] = {};
   [[nodiscard]] vec4 lineParticle(int k) const { return source[lineStart + k * linePace]; }
+  [[nodiscard]] vec4 lineBefore(int k) const { return past[lineStart + k * linePace]; }
 #include "glsl/cloth/line_model.glsl"
 #include "glsl/cloth/model.glsl"
 #include "glsl/cloth/segment.glsl"
@@ -175,7 +177,9 @@ void ClothTwin::settle(const ClothStep& data, int index) {
 
 void ClothTwin::constrain(const ClothStep& data) {
   const ivec2 size = plan_.parameters().size;
+  const bool damped = plan_.parameters().damped();
   Kernel kernel{size, data, next.data()};
+  kernel.past = positions.data();
   for (const simreel::sim::SpringFamily& f : relaxedFamilies(plan_.parameters()))
     for (int color = 0; color < 2; ++color)
       for (int y = 0; y < size.y; ++y)
@@ -186,8 +190,12 @@ void ClothTwin::constrain(const ClothStep& data) {
           if ((along & 1) != color) continue;
           vec4& a = next[static_cast<std::size_t>(y * size.x + x)];
           vec4& b = next[static_cast<std::size_t>(to.y * size.x + to.x)];
-          const vec3 shift =
-              kernel.constraintShift(a, b, kernel.springLength(f.kind), kernel.scaledCompliance(f.kind));
+          const float length = kernel.springLength(f.kind);
+          const float kept =
+              damped ? kernel.keptStretch(positions[static_cast<std::size_t>(y * size.x + x)],
+                                          positions[static_cast<std::size_t>(to.y * size.x + to.x)], length)
+                     : 0.0F;
+          const vec3 shift = kernel.constraintShift(a, b, length, kernel.scaledCompliance(f.kind), kept);
           a = vec4(vec3(a) - shift * a.w, a.w);
           b = vec4(vec3(b) + shift * b.w, b.w);
         }
@@ -197,6 +205,7 @@ void ClothTwin::constrain(const ClothStep& data) {
       kernel.lineStart = rows ? line * size.x : line;
       kernel.linePace = rows ? 1 : size.x;
       kernel.lineRest = kernel.springLength(0);
+      if (damped) kernel.lineKept = data.dampedPart;
       kernel.lineCompliance =
           plan_.parameters().hasFabric ? kernel.fabricCompliance(rows, line) : kernel.scaledCompliance(0);
       solveLine(kernel, next);

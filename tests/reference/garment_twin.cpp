@@ -23,7 +23,8 @@ struct GarmentKernel {
 
   [[nodiscard]] vec3 loadPoint(int i) const { return vec3(source[i]); }
   [[nodiscard]] vec3 loadFaceForce(int i) const { return vec3(forces[i]); }
-  [[nodiscard]] uvec4 loadEntry(int i) const { return arrays.entries[static_cast<std::size_t>(i)]; }
+  const simreel::sim::GarmentBending* bending = nullptr;
+  [[nodiscard]] uvec4 loadEntry(int i) const { return bending->entries[static_cast<std::size_t>(i)]; }
   [[nodiscard]] uvec4 loadRing(int i) const { return arrays.rings[static_cast<std::size_t>(i)]; }
   [[nodiscard]] vec4 loadHeights(int i) const { return heights[i]; }
   [[nodiscard]] int loadWallClass(int x, int y) const { return walls->classAt(x, y); }
@@ -60,6 +61,7 @@ void GarmentTwin::substep(const ClothStep& data, int index) {
   const simreel::sim::GarmentArrays& arrays = plan_.arrays();
   GarmentKernel kernel{data, arrays,         positions.data(), forces_.data(),
                        grid, heights.data(), wallGrid,         walls ? &*walls : nullptr};
+  kernel.bending = &arrays.bendings[plan_.bendingAt(static_cast<int>(data.substep))];
   const bool air = plan_.parameters().hasAir;
   for (std::size_t f = 0; air && f < arrays.corners.size(); ++f) {
     const uvec4 face = arrays.corners[f];
@@ -70,18 +72,27 @@ void GarmentTwin::substep(const ClothStep& data, int index) {
                       0);
   }
   for (std::size_t i = 0; i < positions.size(); ++i) {
-    const auto m = kernel.predicted(arrays.fans[i], positions[i], velocities[i], vec3(rest_[i]), air);
+    const auto m =
+        kernel.predicted(kernel.bending->fans[i], positions[i], velocities[i], vec3(rest_[i]), air);
     next_[i] = vec4(m.position, positions[i].w);
   }
   for (std::size_t f = 0; f < arrays.corners.size(); ++f) {
     const uvec4 face = arrays.corners[f];
-    const vec3 compliance = vec3(arrays.elements[2 * f + 1]) * data.perDtSquared;
+    const vec3 compliance = vec3(arrays.elements[2 * f + 1]) * data.complianceScale;
+    const vec4 shape = arrays.elements[2 * f];
+    const vec3 kept = plan_.parameters().damped()
+                          ? kernel.keptStrain(vec3(positions[face.x]), vec3(positions[face.y]),
+                                              vec3(positions[face.z]), shape)
+                          : vec3(0);
     const auto shift =
-        kernel.faceShift(next_[face.x], next_[face.y], next_[face.z], arrays.elements[2 * f], compliance);
+        kernel.faceShift(next_[face.x], next_[face.y], next_[face.z], shape, compliance, kept);
     next_[face.x] = kernel.shifted(next_[face.x], shift.a);
     next_[face.y] = kernel.shifted(next_[face.y], shift.b);
     next_[face.z] = kernel.shifted(next_[face.z], shift.c);
   }
+  for (const uvec4 a : arrays.attachments)
+    next_[a.x] = kernel.attached(next_[a.x], vec3(next_[a.y]), intBitsToFloat(static_cast<int>(a.z)),
+                                 intBitsToFloat(static_cast<int>(a.w)));
   for (const uvec4 stitch : arrays.stitches) {
     const vec3 shift =
         kernel.stitchShift(next_[stitch.x], next_[stitch.y], intBitsToFloat(static_cast<int>(stitch.z)),
@@ -102,6 +113,6 @@ std::vector<glm::vec3> GarmentTwin::normals() const {
   GarmentKernel kernel{nothing, plan_.arrays(), positions.data(), forces_.data()};
   std::vector<glm::vec3> normals;
   for (std::size_t i = 0; i < positions.size(); ++i)
-    normals.push_back(kernel.normalAt(plan_.arrays().fans[i], vec3(positions[i])));
+    normals.push_back(kernel.normalAt(plan_.arrays().bendings[0].fans[i], vec3(positions[i])));
   return normals;
 }

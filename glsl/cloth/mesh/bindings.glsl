@@ -11,6 +11,7 @@ const int faceForcesBinding = 4;
 const int elementsBinding = 4;       // of the kernel that stretches
 const int cornersBinding = 5;
 const int stitchesBinding = 5;
+const int attachmentsBinding = 5;
 const int entriesBinding = 5;        // of the kernels that gather by vertex
 const int fansBinding = 6;
 const int drawnPositionsBinding = 1; // of the kernel that makes what is drawn

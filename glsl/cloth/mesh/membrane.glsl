@@ -6,11 +6,28 @@
 // with the compliances 1 / (k A), so the energy is A / 2 (weft eu^2 + warp ev^2 + shear g^2), the same for any mesh where the
 // strain is even. The three of a face are solved at once:
 //   (J W J^T + compliance / dt^2) l = -C.
+// Of C what damping keeps is not undone (`kept`; keptStrain, as of links in glsl/cloth/model.glsl).
 struct FaceShift {
   vec3 a, b, c;  // m for each of a corner's inverse mass
 };
 
-FUNCTION FaceShift faceShift(vec4 a, vec4 b, vec4 c, vec4 shape, vec3 compliance) {
+FUNCTION vec3 keptStrain(vec3 a, vec3 b, vec3 c, vec4 shape) {
+  precise vec3 first = b - a;
+  precise vec3 second = c - a;
+  precise vec3 fu = first * shape.x + second * shape.y;
+  precise vec3 fv = first * shape.z + second * shape.w;
+  float squaredU = max(exactDot(fu, fu), 1e-12f);
+  float squaredV = max(exactDot(fv, fv), 1e-12f);
+  float inverseU = exactInverseSqrt(squaredU);
+  float inverseV = exactInverseSqrt(squaredV);
+  precise float stretchU = squaredU * inverseU - 1.0f;
+  precise float stretchV = squaredV * inverseV - 1.0f;
+  precise float sheared = exactDot(fu, fv) * inverseU * inverseV;
+  precise vec3 kept = vec3(stretchU, stretchV, sheared) * stepData.dampedPart;
+  return kept;
+}
+
+FUNCTION FaceShift faceShift(vec4 a, vec4 b, vec4 c, vec4 shape, vec3 compliance, vec3 kept) {
   precise vec3 first = vec3(b) - vec3(a);
   precise vec3 second = vec3(c) - vec3(a);
   precise vec3 fu = first * shape.x + second * shape.y;
@@ -21,9 +38,10 @@ FUNCTION FaceShift faceShift(vec4 a, vec4 b, vec4 c, vec4 shape, vec3 compliance
   float inverseV = exactInverseSqrt(squaredV);
   precise vec3 u = fu * inverseU;
   precise vec3 v = fv * inverseV;
-  precise float stretchU = squaredU * inverseU - 1.0f;
-  precise float stretchV = squaredV * inverseV - 1.0f;
+  precise float stretchU = squaredU * inverseU - 1.0f - kept.x;
+  precise float stretchV = squaredV * inverseV - 1.0f - kept.y;
   float sheared = exactDot(u, v);
+  precise float shear = sheared - kept.z;
   // The gradients of the third by fu and fv.
   precise vec3 gu = (v - u * sheared) * inverseU;
   precise vec3 gv = (u - v * sheared) * inverseV;
@@ -56,7 +74,7 @@ FUNCTION FaceShift faceShift(vec4 a, vec4 b, vec4 c, vec4 shape, vec3 compliance
   precise float least3 = m33 * 1e-5f;
   float inverse3 = exactReciprocal(max(max(pivot3, least3), 1e-20f));
   precise float y2 = stretchU * l21 - stretchV;
-  precise float y3 = stretchU * l31 - sheared - l32 * y2;
+  precise float y3 = stretchU * l31 - shear - l32 * y2;
   precise float lambda3 = y3 * inverse3;
   precise float lambda2 = y2 * inverse2 - l32 * lambda3;
   precise float lambda1 = -stretchU * inverse1 - l21 * lambda2 - l31 * lambda3;
@@ -85,6 +103,18 @@ FUNCTION vec3 stitchShift(vec4 a, vec4 b, float longest, float perSecond) {
   precise float part = beyond * inverse * exactReciprocal(max(weight, 1e-20f));
   precise vec3 shift = d * part;
   return beyond > 0.0f && weight > 0.0f ? shift : vec3(0.0f);
+}
+
+// A vertex that is farther from a pin than `longest` (m) is pulled towards it, by 1 / compliance (N/m).
+FUNCTION vec4 attached(vec4 here, vec3 pin, float longest, float compliance) {
+  precise vec3 d = pin - vec3(here);
+  float squared = max(exactDot(d, d), 1e-20f);
+  float inverse = exactInverseSqrt(squared);
+  precise float beyond = squared * inverse - longest;
+  precise float weight = here.w + compliance * stepData.perDt * stepData.perDt;
+  precise float part = beyond * inverse * exactReciprocal(max(weight, 1e-20f)) * here.w;
+  precise vec3 moved = vec3(here) + d * part;
+  return beyond > 0.0f && here.w > 0.0f ? vec4(moved, here.w) : here;
 }
 
 FUNCTION vec4 shifted(vec4 corner, vec3 shift) {

@@ -191,6 +191,7 @@ class Cloth : public Simulation, public LockStep {
     addWallDefines(defines, walls_);
     if (gl::memoryPath() == gl::MemoryPath::texel)
       defines.emplace_back("COLLIDERS", std::to_string(plan_.colliderCount()));
+    defines.emplace_back("DAMPED", plan_.parameters().damped() ? "1" : "0");
     define("AIR", plan_.parameters().hasAir);
     define("FABRIC", plan_.parameters().hasFabric);
     if (constrained_) {

@@ -27,6 +27,7 @@ struct Fabric {
   std::optional<double> shear;      ///< N/m
   std::optional<double> bending;    ///< N m
   std::optional<double> thickness;  ///< m
+  double stretchDamping = 0;        ///< s: T of stress = k (strain + T d strain / dt)
   void describe(scene::Fields& fields);
   [[nodiscard]] shader::FabricConstants constants() const;
 };

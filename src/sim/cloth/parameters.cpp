@@ -79,7 +79,6 @@ void PinGroup::describe(scene::Fields& f, const glm::ivec2& grid, bool onMesh) {
                                                   {"columns", !columns.empty()},
                                                   {"corners", !corners.empty()},
                                                   {"points", !points.empty()},
-                                                  {"clamp", clamp},
                                                   {"every", every != 1}};
   const std::pair<const char*, bool> ofMeshes[] = {
       {"vertices", !vertices.empty()}, {"box", hasBox}, {"map", !map.empty()}};

@@ -98,6 +98,8 @@ struct ClothParameters : ObjectParameters, shader::ClothConstants {
 
   /// Whether XPBD keeps the lengths; else springs are forces.
   [[nodiscard]] bool constrained() const { return hasFabric || solver == ClothSolver::constraints; }
+  /// Whether changes of length are damped.
+  [[nodiscard]] bool damped() const { return hasFabric && fabric.stretchDamping > 0; }
   /// kg of a particle: of a fabric, the density times its share of the area.
   [[nodiscard]] float massAt(glm::ivec2 at) const;
   /// The pin group that clamps the border left, right, top or bottom; -1: none.

@@ -208,7 +208,9 @@ std::vector<shader::ClothStep> ClothPlan::frame(double time) {
     s.alongY = glm::vec4(alongY_, 0);
     s.dt = static_cast<float>(substepSeconds_);
     s.perDt = static_cast<float>(1.0 / substepSeconds_);
-    s.perDtSquared = static_cast<float>(1.0 / (substepSeconds_ * substepSeconds_));
+    const double damped = p.fabric.stretchDamping / (p.fabric.stretchDamping + substepSeconds_);
+    s.dampedPart = static_cast<float>(damped);
+    s.complianceScale = static_cast<float>((1.0 - damped) / (substepSeconds_ * substepSeconds_));
     s.kept = kept(p.damping, substepSeconds_);
     s.gustSpeed = p.air.gusts * speed;
     s.perGustSize = 1.0F / p.air.gustSize;

@@ -56,6 +56,8 @@ class ClothPlan {
 
   [[nodiscard]] const ClothParameters& parameters() const { return parameters_; }
   [[nodiscard]] int substeps() const { return substeps_; }
+  /// Of all frames that were asked for.
+  [[nodiscard]] int stepsBegun() const { return static_cast<int>(done_); }
   [[nodiscard]] double substepSeconds() const { return substepSeconds_; }
 
  private:

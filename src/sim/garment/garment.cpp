@@ -17,6 +17,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace simreel::shader::garment {
 #include "glsl/cloth/mesh/bindings.glsl"
@@ -35,7 +36,7 @@ class Garment : public Simulation, public LockStep {
         material_(object.material),
         plan_(object.name, parametersOf<ClothParameters>(object).inStep(setting.contactSubsteps),
               setting.seed, setting.frameSeconds, *setting.colliders, setting.boneNamed, setting.startTime),
-        vertices_(static_cast<int>(plan_.cloth().points.size())),
+        vertices_(static_cast<int>(plan_.restPositions().size())),
         heights_(setting.heights),
         frameSeconds_(setting.frameSeconds),
         topology_(name_, plan_.mesh()) {
@@ -63,19 +64,24 @@ class Garment : public Simulation, public LockStep {
   [[nodiscard]] ContactPart contactPart() const override {
     const ClothParameters& p = plan_.parameters();
     ContactPart part{plan_.firstPositions(), {}, 0, p.contact.friction, plan_.contactRooms()};
+    part.positions.resize(part.rooms.size());  // without ghosts
     for (const glm::uvec4& face : plan_.arrays().corners) part.faces.emplace_back(face);
     double sum = 0;
     for (const float room : part.rooms) sum += room;
-    part.thickness =
-        p.contactThickness(static_cast<float>(sum / (roomOfHeight * static_cast<double>(vertices_))));
+    part.thickness = p.contactThickness(
+        static_cast<float>(sum / (roomOfHeight * static_cast<double>(part.rooms.size()))));
     return part;
   }
-  void beginFrame(double time) override { steps_.upload(plan_.frame(time)); }
+  void beginFrame(double time) override {
+    begun_ = plan_.stepsBegun();
+    steps_.upload(plan_.frame(time));
+  }
   void predict(int substep) override {
     steps_.bind(static_cast<std::size_t>(substep));
     gl::barrier();
-    accelerate();
+    accelerate(plan_.bendingAt(begun_ + substep));
     stretch();
+    attach();
     sew();
     meet(substep);
   }
@@ -163,10 +169,13 @@ class Garment : public Simulation, public LockStep {
       return gl::WordsArray(name_ + what, items);
     };
     corners_ = words(" faces", arrays.corners);
-    fans_ = words(" fans", arrays.fans);
     rings_ = words(" rings", arrays.rings);
+    if (!arrays.attachments.empty()) attachments_ = words(" attachments", arrays.attachments);
     if (!arrays.stitches.empty()) stitches_ = words(" stitches", arrays.stitches);
-    entries_ = words(" bending", arrays.entries);
+    for (const GarmentBending& bending : arrays.bendings) {
+      fans_.push_back(words(" fans", bending.fans));
+      entries_.push_back(words(" bending", bending.entries));
+    }
     copies_ = words(" copies", arrays.copies);
     elements_ = gl::Vec4Array(name_ + " elements", arrays.elements);
     const int faces = plan_.parameters().hasAir ? static_cast<int>(arrays.corners.size()) : 1;
@@ -182,6 +191,7 @@ class Garment : public Simulation, public LockStep {
   void makePrograms(bool fast) {
     gl::Defines defines = gl::kernelDefines(fast);
     defines.emplace_back("AIR", plan_.parameters().hasAir ? "true" : "false");
+    defines.emplace_back("DAMPED", plan_.parameters().damped() ? "1" : "0");
     if (gl::memoryPath() == gl::MemoryPath::texel)
       defines.emplace_back("COLLIDERS", std::to_string(plan_.colliderCount()));
     const auto meeting = [&](bool meets) {
@@ -199,6 +209,8 @@ class Garment : public Simulation, public LockStep {
     if (plan_.parameters().hasAir) air_ = make("cloth/mesh/air.comp", plan_.arrays().corners.size());
     predict_ = make("cloth/mesh/predict.comp", vertices);
     stretch_ = make("cloth/mesh/stretch.comp", 0);
+    if (!plan_.arrays().attachments.empty())
+      attach_ = make("cloth/mesh/attach.comp", plan_.arrays().attachments.size());
     if (!plan_.arrays().stitches.empty()) sew_ = make("cloth/mesh/sew.comp", 0);
     settle_ = make("cloth/mesh/settle.comp", vertices, true);
     show_ = make("cloth/mesh/show.comp", plan_.arrays().copies.size());
@@ -206,7 +218,7 @@ class Garment : public Simulation, public LockStep {
   }
 
   /// Into positions_[1], where forces take the vertices.
-  void accelerate() {
+  void accelerate(std::size_t bending) {
     if (plan_.parameters().hasAir) {
       positions_[0].bindInput(shader::garment::positionsBinding);
       velocities_.bindInput(shader::garment::velocitiesBinding);
@@ -220,8 +232,8 @@ class Garment : public Simulation, public LockStep {
     velocities_.bindInput(shader::garment::velocitiesBinding);
     restPositions_.bindInput(shader::garment::restPositionsBinding);
     faceForces_.bindInput(shader::garment::faceForcesBinding);
-    entries_.bindInput(shader::garment::entriesBinding);
-    fans_.bindInput(shader::garment::fansBinding);
+    entries_[bending].bindInput(shader::garment::entriesBinding);
+    fans_[bending].bindInput(shader::garment::fansBinding);
     rings_.bindInput(shader::garment::ringsBinding);
     predict_.dispatch(vertices_);
     gl::barrier();
@@ -232,6 +244,14 @@ class Garment : public Simulation, public LockStep {
     elements_.bindInput(shader::garment::elementsBinding);
     corners_.bindInput(shader::garment::cornersBinding);
     inColours(stretch_, plan_.arrays().colours);
+  }
+
+  /// Holds what is farther from its pin than the cloth is long.
+  void attach() {
+    if (plan_.arrays().attachments.empty()) return;
+    attachments_.bindInput(shader::garment::attachmentsBinding);
+    attach_.dispatch(static_cast<int>(plan_.arrays().attachments.size()));
+    gl::barrier();
   }
 
   /// Pulls seams shut, a colour of stitches after the other.
@@ -273,7 +293,7 @@ class Garment : public Simulation, public LockStep {
   void show() {
     positions_[0].bindInput(shader::garment::positionsBinding);
     copies_.bindInput(shader::garment::copiesBinding);
-    fans_.bindInput(shader::garment::fansBinding);
+    fans_[0].bindInput(shader::garment::fansBinding);
     rings_.bindInput(shader::garment::ringsBinding);
     drawnPositions_.bindState(shader::garment::drawnPositionsBinding);
     drawnNormals_.bindState(shader::garment::drawnNormalsBinding);
@@ -285,19 +305,21 @@ class Garment : public Simulation, public LockStep {
   std::string name_;
   scene::Material material_;
   GarmentPlan plan_;
-  int vertices_;
+  int vertices_;                  ///< with the ghosts of clamped edges
   const HeightField* heights_;    ///< null: none in the scene
   const Walls* walls_ = nullptr;  ///< null: it meets none
   double frameSeconds_;
   double time_ = 0;             ///< s, of the present state
   gl::Vec4Array positions_[2];  ///< now, and where the next substep writes
   gl::Vec4Array velocities_, restPositions_, elements_, faceForces_;
-  gl::WordsArray corners_, fans_, rings_, entries_, copies_, stitches_;
+  gl::WordsArray corners_, rings_, copies_, stitches_, attachments_;
+  std::vector<gl::WordsArray> fans_, entries_;  ///< of each bending
+  int begun_ = 0;                               ///< substeps before the present frame
   gl::Vec4Array drawnPositions_, drawnNormals_;
   MeshTopology topology_;
   gl::Buffer status_;
   StepBlocks<shader::ClothStep> steps_;
-  gl::Program air_, predict_, stretch_, sew_, settle_, show_;
+  gl::Program air_, predict_, stretch_, attach_, sew_, settle_, show_;
 };
 
 }  // namespace

@@ -14,6 +14,8 @@ namespace simreel::sim {
 namespace {
 
 constexpr double mostStretchError = 0.005;
+/// Of a length that attachments hold.
+constexpr double attachedPart = 0.1;
 constexpr double steadyPart = 0.7;  // as of grids
 constexpr int mostSubsteps = 1024;
 /// Beyond these, elements are softened instead: slivers would slow down all the rest.
@@ -49,8 +51,8 @@ std::vector<unsigned> spread(const ClothTriangles& cloth, const std::multimap<un
 
 }  // namespace
 
-double hangingLength(const ClothTriangles& cloth, const std::vector<bool>& pinned,
-                     const std::multimap<unsigned, unsigned>& links) {
+std::vector<double> hangingWays(const ClothTriangles& cloth, const std::vector<bool>& pinned,
+                                const std::multimap<unsigned, unsigned>& links) {
   std::vector<double> distances(cloth.points.size(), unreached);
   std::set<std::pair<double, unsigned>> open;
   for (unsigned i = 0; i < distances.size(); ++i)
@@ -58,8 +60,7 @@ double hangingLength(const ClothTriangles& cloth, const std::vector<bool>& pinne
       distances[i] = 0;
       open.emplace(0.0, i);
     }
-  double longest = 0;
-  for (const unsigned i : spread(cloth, links, distances, open)) longest = std::max(longest, distances[i]);
+  spread(cloth, links, distances, open);
   for (unsigned i = 0; i < distances.size(); ++i) {
     if (distances[i] < unreached) continue;
     // A piece without pins: from one of its ends to the other.
@@ -68,17 +69,33 @@ double hangingLength(const ClothTriangles& cloth, const std::vector<bool>& pinne
       distances[end] = 0;
       const std::vector<unsigned> piece = spread(cloth, links, distances, {{0.0, end}});
       end = piece.back();
-      if (way == 1) longest = std::max(longest, 0.5 * distances[end]);
-      for (const unsigned k : piece) distances[k] = way == 0 ? unreached : 0;
+      const double longest = 0.5 * distances[end];
+      for (const unsigned k : piece) distances[k] = way == 0 ? unreached : longest;
     }
   }
-  return longest;
+  return distances;
+}
+
+double hangingLength(const ClothTriangles& cloth, const std::vector<bool>& pinned,
+                     const std::multimap<unsigned, unsigned>& links) {
+  const std::vector<double> ways = hangingWays(cloth, pinned, links);
+  return *std::max_element(ways.begin(), ways.end());
 }
 
 GarmentPace::GarmentPace(const ClothParameters& parameters, const ClothTriangles& cloth,
                          const std::vector<MembraneElement>& membrane, const std::vector<double>& masses,
-                         const std::vector<bool>& pinned, const std::multimap<unsigned, unsigned>& links)
-    : hanging(hangingLength(cloth, pinned, links)) {
+                         const std::vector<bool>& pinned, const std::multimap<unsigned, unsigned>& links) {
+  const std::vector<double> ways = hangingWays(cloth, pinned, links);
+  std::vector<double> own(ways.size(), unreached);
+  std::set<std::pair<double, unsigned>> pins;
+  for (unsigned i = 0; i < own.size(); ++i)
+    if (pinned[i]) {
+      own[i] = 0;
+      pins.emplace(0.0, i);
+    }
+  spread(cloth, {}, own, pins);
+  for (std::size_t i = 0; i < ways.size(); ++i)
+    hanging = std::max(hanging, own[i] < unreached ? attachedPart * own[i] : ways[i]);
   const double density = parameters.fabric.constants().density;
   double area = 0;
   double sum = 0;
@@ -112,7 +129,7 @@ double GarmentPace::stableSeconds() const {
 int GarmentPace::substeps(double frameSeconds, double bendingSquared, int fewest) const {
   const double bending =
       std::min(frameSeconds * std::sqrt(bendingSquared / mostBending(1.0)), mostForBending);
-  const double stretching = frameSeconds * std::sqrt(0.5 * stiffening / mostStretchError);
+  const double stretching = frameSeconds * std::sqrt(stretchError(1.0) / mostStretchError);
   const double steady = frameSeconds / (steadyPart * stableSeconds());
   const double needed = std::ceil(std::max({bending, stretching, steady}));
   return static_cast<int>(

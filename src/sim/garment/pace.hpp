@@ -16,21 +16,29 @@ namespace simreel::sim {
 /// falls by g h^2 a substep and is pulled back through the same: a face carries the tension T per width
 /// only once it is stretched by e = T A S h^2 beyond what its compliance gives, where S is the sum of its
 /// corners' inverse masses times the squares of its gradients. T = rho g d where the length d hangs on it,
-/// so that on the average over that length e = 1/2 rho g d A S h^2. "auto" keeps that below 1/2 %.
+/// so that on the average over that length e = 1/2 rho g d A S h^2. "auto" keeps that below 1/2 %, and
+/// where pins hold it by attachments (attachments.hpp) below 5 %: these hold it straight, but are slack
+/// where cloth that swings is taut along a curve.
 struct GarmentPace {
   GarmentPace(const ClothParameters& parameters, const ClothTriangles& cloth,
               const std::vector<MembraneElement>& membrane, const std::vector<double>& masses,
               const std::vector<bool>& pinned, const std::multimap<unsigned, unsigned>& links);
 
-  double hanging = 0;     ///< m, from the farthest vertex to the nearest pin, along edges
+  double hanging = 0;     ///< m, d: hangingLength; where attachments hold it only a tenth counts
   double stiffening = 0;  ///< 1/s^2, rho a d A S
   double drag = 0;        ///< 1/s
   [[nodiscard]] double stretchError(double seconds) const { return 0.5 * stiffening * seconds * seconds; }
   /// Longest substep (s) that is stable: of what hangs straight and swings sideways, in the fastest air.
+  /// What attachments hold is: its faces have the tension k_e e of their stretch e, and k_e A S h^2 <= 1,
+  /// so that w^2 h^2 <= 4 e.
   [[nodiscard]] double stableSeconds() const;
   /// Substeps of a frame for "auto". `bendingSquared` (1/s^2): of plateFrequencySquared.
   [[nodiscard]] int substeps(double frameSeconds, double bendingSquared, int fewest = 8) const;
 };
+
+/// m: the ways of hangingLength, of each vertex.
+[[nodiscard]] std::vector<double> hangingWays(const ClothTriangles& cloth, const std::vector<bool>& pinned,
+                                              const std::multimap<unsigned, unsigned>& links);
 
 /// m: the longest of all shortest ways along edges from a vertex to the pins of its piece; of a piece
 /// without any, half of the way between two vertices far apart. `links` join vertices, both ways, without

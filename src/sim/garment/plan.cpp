@@ -3,6 +3,7 @@
 #include "base/error.hpp"
 #include "base/log.hpp"
 #include "sim/core/shader_code.hpp"
+#include "sim/garment/attachments.hpp"
 #include "sim/garment/pace.hpp"
 #include "sim/grid/picture_file.hpp"
 
@@ -32,6 +33,14 @@ std::vector<double> vertexMasses(const ClothTriangles& cloth, double density) {
   return masses;
 }
 
+/// From the mesh's space to the world.
+glm::vec3 placed(const ClothParameters& parameters, const glm::dvec3& p) {
+  const glm::mat4 turn = rotationMatrix(parameters.rotation);
+  glm::dvec3 place(parameters.position);
+  for (int k = 0; k < 3; ++k) place += glm::dvec3(glm::vec3(turn[k])) * p[k];
+  return glm::vec3(place);
+}
+
 std::uint32_t bitsOf(double value) {
   return std::bit_cast<std::uint32_t>(static_cast<float>(value));
 }
@@ -51,7 +60,6 @@ GarmentPlan::GarmentPlan(const std::string& name, const ClothParameters& paramet
       mesh_(std::move(mesh)),
       cloth_(placeOf(name, parameters), mesh_, parameters.mesh.scale, parameters.mesh.weld),
       membrane_(membraneElements(cloth_, mesh_)),
-      plate_(plateElements(cloth_)),
       masses_(vertexMasses(cloth_, parameters.fabric.constants().density)),
       steps_(settled(placeOf(name, parameters), parameters, frameSeconds), seed, frameSeconds, colliders,
              boneNamed, startTime) {
@@ -59,13 +67,8 @@ GarmentPlan::GarmentPlan(const std::string& name, const ClothParameters& paramet
 }
 
 void GarmentPlan::place(const ClothParameters& parameters) {
-  const glm::mat4 turn = rotationMatrix(parameters.rotation);
   rest_.reserve(cloth_.points.size());
-  for (const glm::dvec3& p : cloth_.points) {
-    glm::dvec3 placed(parameters.position);
-    for (int k = 0; k < 3; ++k) placed += glm::dvec3(glm::vec3(turn[k])) * p[k];
-    rest_.emplace_back(placed);
-  }
+  for (const glm::dvec3& p : cloth_.points) rest_.push_back(placed(parameters, p));
 }
 
 void GarmentPlan::pin(const std::string& name, const ClothParameters& parameters) {
@@ -117,6 +120,37 @@ void GarmentPlan::pinGroup(const std::string& name, const PinGroup& group, int n
         name, number);
 }
 
+void GarmentPlan::clamp(const std::string& name, const ClothParameters& parameters) {
+  std::vector<bool> holds(parameters.pins.size(), false);
+  for (unsigned f = 0; f < cloth_.faces.size(); ++f)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const ClothTriangles::Face& face = cloth_.faces[f];
+      const int group = groups_[face.corners[k]];
+      if (face.neighbours[k] != ClothTriangles::none || group < 0 ||
+          groups_[face.corners[(k + 1) % 3]] != group)
+        continue;
+      const auto number = static_cast<std::size_t>(group);
+      if (!parameters.pins[number].clamp) continue;
+      holds[number] = true;
+      const glm::dvec3 a = cloth_.points[face.corners[k]];
+      const glm::dvec3 edge = cloth_.points[face.corners[(k + 1) % 3]] - a;
+      const glm::dvec3 within = cloth_.points[face.corners[(k + 2) % 3]] - a;
+      // As far out as the third corner is within.
+      const glm::dvec3 out = edge * (glm::dot(within, edge) / glm::dot(edge, edge)) - within;
+      const auto ghost = static_cast<unsigned>(cloth_.points.size() + clamps_.size());
+      clamps_.push_back({f, k, ghost, std::sqrt(glm::dot(out, out))});
+      rest_.push_back(placed(parameters, a + 0.5 * edge + out));
+    }
+  for (const ClampedEdge& edge : clamps_)
+    groups_.push_back(groups_[cloth_.faces[edge.face].corners[edge.side]]);
+  for (std::size_t i = 0; i < holds.size(); ++i)
+    if (parameters.pins[i].clamp && !holds[i])
+      fail(ExitCode::usage,
+           "{}: pins[{}] has \"clamp\", but holds no edge of a border: pin both ends of one, or leave out "
+           "\"clamp\"",
+           name, i);
+}
+
 void GarmentPlan::sew(const std::string& name, const ClothParameters& parameters) {
   std::vector<glm::uvec4> stitches;
   for (std::size_t k = 0; k < parameters.seams.size(); ++k) {
@@ -126,6 +160,7 @@ void GarmentPlan::sew(const std::string& name, const ClothParameters& parameters
       const unsigned b = vertexNamed(name, fmt::format("seams[{}]", k), seam.to[i]);
       if (a == b) continue;  // one already
       const glm::dvec3 d = glm::dvec3(rest_[b]) - glm::dvec3(rest_[a]);
+      shut_[seam.seconds].emplace_back(a, b);
       stitches.emplace_back(a, b, bitsOf(std::sqrt(d.x * d.x + d.y * d.y + d.z * d.z)),
                             bitsOf(1 / seam.seconds));
     }
@@ -154,13 +189,26 @@ ClothParameters GarmentPlan::settled(const std::string& name, ClothParameters pa
                                      double frameSeconds) {
   place(parameters);
   pin(name, parameters);
+  clamp(name, parameters);
   sew(name, parameters);
-  std::vector<bool> pinned;
-  std::vector<double> inverse;
-  for (std::size_t i = 0; i < masses_.size(); ++i) {
-    pinned.push_back(groups_[i] >= 0);
-    inverse.push_back(groups_[i] >= 0 ? 0 : 1 / masses_[i]);
+  plates_.push_back(plateElements(cloth_, clamps_));
+  std::vector<std::pair<unsigned, unsigned>> sewn;
+  int opposite = 0;
+  for (const auto& [seconds, stitches] : shut_) {
+    sewn.insert(sewn.end(), stitches.begin(), stitches.end());
+    ClothTriangles grown = cloth_;
+    opposite = grown.sew(sewn);
+    plates_.push_back(plateElements(grown, clamps_));
   }
+  if (opposite > 0)
+    warn(
+        "{}: {} edges are sewn to edges whose faces face the other way; the seam bends like a hinge there; "
+        "turn one "
+        "piece over",
+        name, opposite);
+  std::vector<bool> pinned;
+  for (std::size_t i = 0; i < masses_.size(); ++i) pinned.push_back(groups_[i] >= 0);
+  const std::vector<double> inverse = inverseMasses();
   std::multimap<unsigned, unsigned> links;
   for (const glm::uvec4& stitch : arrays_.stitches) {
     links.emplace(stitch.x, stitch.y);
@@ -168,12 +216,15 @@ ClothParameters GarmentPlan::settled(const std::string& name, ClothParameters pa
   }
   const GarmentPace pace(parameters, cloth_, membrane_, masses_, pinned, links);
   const double bending = parameters.fabric.constants().bending;
+  double bendingSquared = 0;
+  for (const auto& plate : plates_)
+    bendingSquared =
+        std::max(bendingSquared, std::min(plateFrequencySquared(plate, bending, inverse, 1.0),
+                                          25 * plateFrequencySquared(plate, bending, inverse, 0.5)));
   const bool given = parameters.substeps.has_value();
   if (!given)
-    parameters.substeps = pace.substeps(frameSeconds,
-                                        std::min(plateFrequencySquared(plate_, bending, inverse, 1.0),
-                                                 25 * plateFrequencySquared(plate_, bending, inverse, 0.5)),
-                                        parameters.fewestSubsteps(frameSeconds, 8));
+    parameters.substeps =
+        pace.substeps(frameSeconds, bendingSquared, parameters.fewestSubsteps(frameSeconds, 8));
   const double seconds = frameSeconds / *parameters.substeps;
   if (given && seconds > pace.stableSeconds())
     warn(
@@ -183,27 +234,59 @@ ClothParameters GarmentPlan::settled(const std::string& name, ClothParameters pa
   if (!given && pace.stretchError(seconds) > 0.01)
     warn("{}: with {} substeps it stretches by {:.1f}% more than its fabric; take a coarser mesh", name,
          *parameters.substeps, 100 * pace.stretchError(seconds));
-  const PlateMatrix matrix(plate_, bending, inverse, mostBending(seconds));
-  if (static_cast<double>(matrix.softened) > 0.05 * static_cast<double>(plate_.size()))
+  for (const Attachment& a :
+       attachmentsOf(cloth_, pinned, membrane_, masses_, parameters.fabric.constants(), seconds))
+    arrays_.attachments.emplace_back(a.vertex, a.pin, bitsOf(a.length), bitsOf(a.compliance));
+  bend(name, parameters, seconds, given);
+  return parameters;
+}
+
+std::vector<double> GarmentPlan::inverseMasses() const {
+  std::vector<double> inverse;
+  for (std::size_t i = 0; i < masses_.size(); ++i) inverse.push_back(groups_[i] >= 0 ? 0 : 1 / masses_[i]);
+  inverse.resize(rest_.size(), 0);
+  return inverse;
+}
+
+void GarmentPlan::bend(const std::string& name, const ClothParameters& parameters, double seconds,
+                       bool given) {
+  auto shut = shut_.begin();
+  int softened = 0;
+  for (const std::vector<PlateElement>& plate : plates_) {
+    GarmentBending bending;
+    // A seam is shut by the end of the substep before.
+    if (!arrays_.bendings.empty()) bending.from = static_cast<int>(std::ceil((shut++)->first / seconds));
+    const PlateMatrix matrix(plate, parameters.fabric.constants().bending, inverseMasses(),
+                             mostBending(seconds));
+    softened = std::max(softened, matrix.softened);
+    bending.fans.resize(rest_.size());
+    for (std::size_t i = 0; i < masses_.size(); ++i) {
+      const PlateRow& row = matrix.rows[i];
+      const auto first = static_cast<unsigned>(bending.entries.size());
+      for (std::size_t k = 0; k < row.size(); k += 2) {
+        const auto [vertex, value] =
+            k + 1 < row.size() ? row[k + 1] : std::pair(static_cast<unsigned>(i), 0.0);
+        bending.entries.emplace_back(row[k].first, bitsOf(row[k].second), vertex, bitsOf(value));
+      }
+      bending.fans[i] = {cloth_.starts[i], cloth_.starts[i + 1] - cloth_.starts[i], first,
+                         static_cast<unsigned>(bending.entries.size()) - first};
+    }
+    if (bending.entries.empty()) bending.entries.emplace_back(0);
+    arrays_.bendings.push_back(std::move(bending));
+  }
+  if (static_cast<double>(softened) > 0.05 * static_cast<double>(cloth_.faces.size()))
     warn(
         "{}: {} of {} faces are so small that they bend more easily than the fabric at {} substeps a "
         "frame; {}",
-        name, matrix.softened, plate_.size(), *parameters.substeps,
+        name, softened, cloth_.faces.size(), *parameters.substeps,
         given ? "set \"substeps\": \"auto\"" : "take a coarser or more even mesh");
-  arrays_.fans.resize(masses_.size());
-  for (std::size_t i = 0; i < masses_.size(); ++i) {
-    const PlateRow& row = matrix.rows[i];
-    const auto first = static_cast<unsigned>(arrays_.entries.size());
-    for (std::size_t k = 0; k < row.size(); k += 2) {
-      const auto [vertex, value] =
-          k + 1 < row.size() ? row[k + 1] : std::pair(static_cast<unsigned>(i), 0.0);
-      arrays_.entries.emplace_back(row[k].first, bitsOf(row[k].second), vertex, bitsOf(value));
-    }
-    arrays_.fans[i].z = first;
-    arrays_.fans[i].w = static_cast<unsigned>(arrays_.entries.size()) - first;
-  }
-  if (arrays_.entries.empty()) arrays_.entries.emplace_back(0);
-  return parameters;
+}
+
+std::size_t GarmentPlan::bendingAt(int substep) const {
+  std::size_t last = 0;
+  for (std::size_t i = 1; i < arrays_.bendings.size(); ++i)
+    if (arrays_.bendings[i].from <= substep) last = i;
+  return last;
 }
 
 void GarmentPlan::makeArrays() {
@@ -225,10 +308,6 @@ void GarmentPlan::makeArrays() {
     }
   }
   arrays_.colours.push_back(static_cast<int>(arrays_.corners.size()));
-  for (std::size_t i = 0; i < cloth_.points.size(); ++i) {
-    arrays_.fans[i].x = cloth_.starts[i];
-    arrays_.fans[i].y = cloth_.starts[i + 1] - cloth_.starts[i];
-  }
   for (unsigned i = 0; i < cloth_.points.size(); ++i)
     for (unsigned k = cloth_.starts[i]; k < cloth_.starts[i + 1]; ++k) {
       const unsigned f = cloth_.around[k];

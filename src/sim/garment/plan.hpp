@@ -5,24 +5,33 @@
 #include "sim/garment/triangles.hpp"
 
 #include <functional>
+#include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <glm/vec4.hpp>
 
 namespace simreel::sim {
 
+/// How cloth of a mesh bends from some substep on: seams that have pulled shut bend as the cloth does.
+struct GarmentBending {
+  int from = 0;                     ///< substeps since the start
+  std::vector<glm::uvec4> entries;  ///< two a pair: a vertex, N/m
+  std::vector<glm::uvec4> fans;  ///< of each vertex: first ring, how many, first pair of entries, how many
+};
+
 /// What the kernels of cloth of a mesh read and never write (glsl/cloth/mesh).
 struct GarmentArrays {
   std::vector<glm::uvec4> corners;  ///< of each face, colour by colour: three vertices
   std::vector<int> colours;         ///< first face of each colour, and their number
   std::vector<glm::vec4> elements;  ///< two a face: p, q, r, s; compliances of weft, warp and shear (m/N)
-  std::vector<glm::uvec4> fans;   ///< of each vertex: first ring, how many, first pair of entries, how many
-  std::vector<glm::uvec4> rings;  ///< a face around a vertex: the two others, the face
-  std::vector<glm::uvec4> entries;   ///< two a pair: a vertex, N/m
-  std::vector<glm::uvec4> stitches;  ///< colour by colour: two vertices, m apart at the start, 1/s
-  std::vector<int> stitchColours;    ///< as of faces
-  std::vector<glm::uvec4> copies;    ///< of each drawn vertex: x its vertex
+  std::vector<glm::uvec4> rings;    ///< a face around a vertex: the two others, the face
+  std::vector<GarmentBending> bendings;  ///< by their start, the first from 0 on
+  std::vector<glm::uvec4> stitches;      ///< colour by colour: two vertices, m apart at the start, 1/s
+  std::vector<int> stitchColours;        ///< as of faces
+  std::vector<glm::uvec4> attachments;   ///< a vertex, a pin, m, m/N
+  std::vector<glm::uvec4> copies;        ///< of each drawn vertex: x its vertex
 };
 
 /// Fraction of a triangle's height that contact may keep around it.
@@ -41,7 +50,8 @@ class GarmentPlan {
               const std::vector<ColliderShape>& colliders, const BoneNamed& boneNamed = {},
               double startTime = 0);
 
-  /// xyz in m, w inverse mass in 1/kg (0: pinned).
+  /// xyz in m, w inverse mass in 1/kg (0: pinned): the vertices, then the ghosts of clamped edges, which
+  /// are pinned.
   [[nodiscard]] std::vector<glm::vec4> firstPositions() const;
   /// xyz in m/s (zero), w the pin group of a pinned vertex.
   [[nodiscard]] std::vector<glm::vec4> firstVelocities() const;
@@ -53,12 +63,18 @@ class GarmentPlan {
   [[nodiscard]] const ClothParameters& parameters() const { return steps_.parameters(); }
   [[nodiscard]] int substeps() const { return steps_.substeps(); }
   [[nodiscard]] double substepSeconds() const { return steps_.substepSeconds(); }
+  [[nodiscard]] int stepsBegun() const { return steps_.stepsBegun(); }
   [[nodiscard]] int colliderCount() const { return steps_.colliderCount(); }
   [[nodiscard]] const GarmentArrays& arrays() const { return arrays_; }
   [[nodiscard]] const Mesh& mesh() const { return mesh_; }  ///< as drawn
   [[nodiscard]] const ClothTriangles& cloth() const { return cloth_; }
   [[nodiscard]] const std::vector<MembraneElement>& membrane() const { return membrane_; }
-  [[nodiscard]] const std::vector<PlateElement>& plate() const { return plate_; }
+  /// As of the next substep.
+  [[nodiscard]] const std::vector<PlateElement>& plate() const {
+    return plates_[bendingAt(steps_.stepsBegun())];
+  }
+  /// Which of the bendings holds in the substep of that number since the start.
+  [[nodiscard]] std::size_t bendingAt(int substep) const;
   /// m, of each vertex the most that contact may keep around it, so that a triangle does not touch its
   /// neighbours: roomOfHeight of the least height of a triangle there.
   [[nodiscard]] std::vector<float> contactRooms() const;
@@ -77,6 +93,9 @@ class GarmentPlan {
   /// Of a vertex that `what` of the scene names by its number in the mesh.
   [[nodiscard]] unsigned vertexNamed(const std::string& name, const std::string& what, int number) const;
   void pinGroup(const std::string& name, const PinGroup& group, int number);
+  void clamp(const std::string& name, const ClothParameters& parameters);
+  void bend(const std::string& name, const ClothParameters& parameters, double seconds, bool given);
+  [[nodiscard]] std::vector<double> inverseMasses() const;
   void sew(const std::string& name, const ClothParameters& parameters);
   void makeArrays();
 
@@ -84,10 +103,13 @@ class GarmentPlan {
   Mesh mesh_;
   ClothTriangles cloth_;
   std::vector<MembraneElement> membrane_;
-  std::vector<PlateElement> plate_;
+  std::vector<std::vector<PlateElement>> plates_;  ///< of each bending
   std::vector<double> masses_;
-  std::vector<glm::vec3> rest_;  ///< m, world
-  std::vector<int> groups_;      ///< of each vertex: the pin group; -1: free
+  std::vector<glm::vec3> rest_;  ///< m, world, of vertices and ghosts
+  std::vector<int> groups_;      ///< of each of them: the pin group; -1: free
+  std::vector<ClampedEdge> clamps_;
+  /// Stitches by the seconds until they are shut.
+  std::map<double, std::vector<std::pair<unsigned, unsigned>>> shut_;
   GarmentArrays arrays_;
   ClothPlan steps_;
 };

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <map>
 #include <numbers>
 #include <optional>
 #include <utility>
@@ -44,7 +45,7 @@ class Patch {
     flat.corners[(side + 1) % 3] = {half, 0};
     flat.corners[(side + 2) % 3] = {glm::dot(b, c) / length - half, -2 * face.area / length};
     faces_.push_back(flat);
-    for (std::size_t k = 0; k < 3; ++k) points.push_back({face.corners[k], flat.corners[k]});
+    for (std::size_t k = 0; k < 3; ++k) points.push_back({cloth.firstOf(face.corners[k]), flat.corners[k]});
     addBeyond(flat, side);
   }
 
@@ -68,22 +69,24 @@ class Patch {
       return;
     const glm::dvec2 p = from.corners[side];
     const glm::dvec2 along = from.corners[(side + 1) % 3] - p;
-    const glm::dvec3 start = cloth_.points[face.corners[side]];
-    const glm::dvec3 edge = cloth_.points[face.corners[(side + 1) % 3]] - start;
-    const unsigned vertex = face.beyond[side];
+    // Of the other face's own corners, for what is sewn on lies elsewhere.
+    const Face& beyond = cloth_.faces[other];
+    const std::size_t back = cloth_.sideBeyond(from.face, side);
+    const glm::dvec3 start = cloth_.points[beyond.corners[(back + 1) % 3]];
+    const glm::dvec3 edge = cloth_.points[beyond.corners[back]] - start;
+    const unsigned vertex = beyond.corners[(back + 2) % 3];
     const double squared = glm::dot(edge, edge);
     const double part = glm::dot(cloth_.points[vertex] - start, edge) / squared;
     const double height = 2 * cloth_.faces[other].area / squared;
     const glm::dvec2 place = p + along * part + glm::dvec2(-along.y, along.x) * height;
     FlatFace flat{other, {}};
-    const Face& beyond = cloth_.faces[other];
-    for (std::size_t k = 0; k < 3; ++k)
-      flat.corners[k] = beyond.corners[k] == vertex               ? place
-                        : beyond.corners[k] == face.corners[side] ? p
-                                                                  : p + along;
+    flat.corners[(back + 1) % 3] = p;
+    flat.corners[back] = p + along;
+    flat.corners[(back + 2) % 3] = place;
     faces_.push_back(flat);
-    if (std::none_of(points.begin(), points.end(), [&](const FlatPoint& q) { return q.vertex == vertex; }))
-      points.push_back({vertex, place});
+    const unsigned first = cloth_.firstOf(vertex);
+    if (std::none_of(points.begin(), points.end(), [&](const FlatPoint& q) { return q.vertex == first; }))
+      points.push_back({first, place});
   }
 
   const ClothTriangles& cloth_;
@@ -209,7 +212,11 @@ glm::dvec3 without(const std::vector<glm::dvec3>& directions, glm::dvec3 v) {
 
 using Slopes = std::vector<std::array<std::vector<Term>, 3>>;
 
-PlateElement elementOf(const ClothTriangles& cloth, unsigned number, const Slopes& slopes) {
+/// Of a face the clamped edges; null: the side is not.
+using Clamps = std::array<const ClampedEdge*, 3>;
+
+PlateElement elementOf(const ClothTriangles& cloth, unsigned number, const Slopes& slopes,
+                       const Clamps& clamps) {
   const Face& face = cloth.faces[number];
   PlateElement element;
   element.area = face.area;
@@ -234,23 +241,42 @@ PlateElement elementOf(const ClothTriangles& cloth, unsigned number, const Slope
     const glm::dvec2 out(along.y, -along.x);
     const glm::dvec3 twist =
         symmetric(along, out) / face.area;  // times the length, times 1 / length of the slope
-    add(face.corners[(k + 1) % 3], twist);
-    add(face.corners[k], -twist);
+    add(cloth.firstOf(face.corners[(k + 1) % 3]), twist);
+    add(cloth.firstOf(face.corners[k]), -twist);
+    if (clamps[k] != nullptr) {
+      const glm::dvec3 towards = symmetric(out, out) * (length / face.area / clamps[k]->reach);
+      add(clamps[k]->ghost, towards);
+      for (const std::size_t end : {k, (k + 1) % 3}) add(cloth.firstOf(face.corners[end]), -0.5 * towards);
+      continue;
+    }
     if (face.neighbours[k] == ClothTriangles::none) {
       free.push_back(symmetric(out, out));
       continue;
     }
     const bool mine = number < face.neighbours[k];
-    const Face& other = cloth.faces[face.neighbours[k]];
-    const auto side = static_cast<std::size_t>(
-        std::find(other.neighbours.begin(), other.neighbours.end(), number) - other.neighbours.begin());
-    const std::vector<Term>& slope = mine ? slopes[number][k] : slopes[face.neighbours[k]][side];
+    const std::vector<Term>& slope =
+        mine ? slopes[number][k] : slopes[face.neighbours[k]][cloth.sideBeyond(number, k)];
     const glm::dvec3 bend = symmetric(out, out) * ((mine ? length : -length) / face.area);
     for (const Term& term : slope) add(term.vertex, bend * term.weight);
   }
   if (free.size() == 3) element.parts.clear();
   for (PlateElement::Part& part : element.parts) part.weights = without(free, part.weights);
   return element;
+}
+
+/// Of vertices that are sewn together each has its share.
+void share(const std::vector<std::vector<unsigned>>& sewn, PlateElement& element) {
+  std::vector<PlateElement::Part> parts;
+  for (const PlateElement::Part& part : element.parts) {
+    if (part.vertex >= sewn.size() || sewn[part.vertex].size() < 2) {
+      parts.push_back(part);
+      continue;
+    }
+    const auto& all = sewn[part.vertex];
+    for (const unsigned vertex : all)
+      parts.push_back({vertex, part.weights / static_cast<double>(all.size())});
+  }
+  element.parts = std::move(parts);
 }
 
 /// Of the element's matrix, by which D is multiplied.
@@ -276,7 +302,8 @@ std::vector<double> bounds(const std::vector<PlateElement>& elements, double ben
 
 }  // namespace
 
-std::vector<PlateElement> plateElements(const ClothTriangles& cloth) {
+std::vector<PlateElement> plateElements(const ClothTriangles& cloth,
+                                        const std::vector<ClampedEdge>& clamps) {
   std::vector<PlateElement> elements;
   elements.reserve(cloth.faces.size());
   Slopes slopes(cloth.faces.size());
@@ -284,7 +311,15 @@ std::vector<PlateElement> plateElements(const ClothTriangles& cloth) {
     for (std::size_t k = 0; k < 3; ++k)
       if (const unsigned other = cloth.faces[f].neighbours[k]; other != ClothTriangles::none && f < other)
         slopes[f][k] = slopeAcross(cloth, f, k);
-  for (unsigned f = 0; f < cloth.faces.size(); ++f) elements.push_back(elementOf(cloth, f, slopes));
+  std::map<unsigned, Clamps> clamped;
+  for (const ClampedEdge& edge : clamps) clamped.try_emplace(edge.face).first->second[edge.side] = &edge;
+  for (unsigned f = 0; f < cloth.faces.size(); ++f) {
+    const auto found = clamped.find(f);
+    elements.push_back(elementOf(cloth, f, slopes, found == clamped.end() ? Clamps{} : found->second));
+  }
+  std::vector<std::vector<unsigned>> sewn(cloth.points.size());
+  for (unsigned i = 0; i < cloth.points.size(); ++i) sewn[cloth.firstOf(i)].push_back(i);
+  for (PlateElement& element : elements) share(sewn, element);
   return elements;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 #include "sim/garment/triangles.hpp"
 
+#include <cstddef>
 #include <utility>
 #include <vector>
 
@@ -23,8 +24,19 @@ struct PlateElement {
   double area = 0;          ///< m^2
 };
 
-/// One for each face. The cloth is flat at rest whatever the mesh is: what is curved there is bent.
-[[nodiscard]] std::vector<PlateElement> plateElements(const ClothTriangles& cloth);
+/// An edge of a border across which the cloth's direction is held: by a point that is pinned beyond it,
+/// `reach` (m) out of the edge's middle in the face's plane at rest.
+struct ClampedEdge {
+  unsigned face;
+  std::size_t side;
+  unsigned ghost;  ///< its number, after those of the vertices
+  double reach;
+};
+
+/// One for each face. The cloth is flat at rest whatever the mesh is: what is curved there is bent. At a
+/// clamped edge the derivative across it is that towards its ghost.
+[[nodiscard]] std::vector<PlateElement> plateElements(const ClothTriangles& cloth,
+                                                      const std::vector<ClampedEdge>& clamps = {});
 
 /// E = 1/2 sum D A |H|^2 with |H|^2 = |xx|^2 + |yy|^2 + 2 |xy|^2, J; `bending` D in N m.
 [[nodiscard]] double plateEnergy(const std::vector<PlateElement>& elements, double bending,

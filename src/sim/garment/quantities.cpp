@@ -1,5 +1,6 @@
 #include "sim/garment/quantities.hpp"
 
+#include <bit>
 #include <cmath>
 #include <cstddef>
 
@@ -27,6 +28,7 @@ std::vector<double> measureGarment(const GarmentPlan& plan, std::span<const glm:
   double fastestSquared = 0;
   for (std::size_t i = 0; i < positions.size(); ++i) {
     points.emplace_back(positions[i]);
+    if (i >= plan.masses().size()) continue;  // a ghost of a clamped edge
     const double mass = plan.masses()[i];
     const glm::dvec3 v(velocities[i]);
     total += mass;
@@ -47,7 +49,12 @@ std::vector<double> measureGarment(const GarmentPlan& plan, std::span<const glm:
                               strain);
     stretch = greaterOf(stretch, greaterOf(strain.weft, strain.warp));
   }
-  return {static_cast<double>(points.size()),
+  for (const glm::uvec4& a : plan.arrays().attachments) {
+    const double beyond =
+        glm::distance(points[a.x], points[a.y]) - static_cast<double>(std::bit_cast<float>(a.z));
+    if (beyond > 0) elastic += 0.5 * beyond * beyond / static_cast<double>(std::bit_cast<float>(a.w));
+  }
+  return {static_cast<double>(plan.masses().size()),
           total,
           kinetic,
           potential,

@@ -175,6 +175,52 @@ void ClothTriangles::gather(const std::string& name) {
     for (const unsigned corner : faces[f].corners) around[filled[corner]++] = f;
 }
 
+int ClothTriangles::sew(const std::vector<std::pair<unsigned, unsigned>>& stitches) {
+  sewn_.resize(points.size());
+  std::iota(sewn_.begin(), sewn_.end(), 0U);
+  const auto root = [&](unsigned i) {
+    while (sewn_[i] != i) i = sewn_[i];
+    return i;
+  };
+  for (const auto& [a, b] : stitches) {
+    const unsigned first = root(a);
+    const unsigned second = root(b);
+    sewn_[std::max(first, second)] = std::min(first, second);
+  }
+  for (unsigned i = 0; i < sewn_.size(); ++i) sewn_[i] = root(i);
+  int opposite = 0;
+  std::map<std::pair<unsigned, unsigned>, std::pair<unsigned, std::size_t>> borders;  // by its ends
+  for (unsigned f = 0; f < faces.size(); ++f)
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (faces[f].neighbours[k] != none) continue;
+      const unsigned from = sewn_[faces[f].corners[k]];
+      const unsigned to = sewn_[faces[f].corners[(k + 1) % 3]];
+      if (borders.count({from, to}) != 0) ++opposite;
+      const auto found = borders.find({to, from});
+      if (from == to || found == borders.end() || found->second.first == f) {
+        borders.try_emplace({from, to}, f, k);
+        continue;
+      }
+      const auto [other, side] = found->second;
+      borders.erase(found);
+      faces[f].neighbours[k] = other;
+      faces[f].beyond[k] = faces[other].corners[(side + 2) % 3];
+      faces[other].neighbours[side] = f;
+      faces[other].beyond[side] = faces[f].corners[(k + 2) % 3];
+    }
+  return opposite;
+}
+
+std::size_t ClothTriangles::sideBeyond(unsigned face, std::size_t side) const {
+  const Face& here = faces[face];
+  const Face& there = faces[here.neighbours[side]];
+  std::size_t k = 0;
+  while (k < 2 && (there.neighbours[k] != face ||
+                   firstOf(there.corners[k]) != firstOf(here.corners[(side + 1) % 3])))
+    ++k;
+  return k;
+}
+
 std::vector<int> colourFaces(const ClothTriangles& cloth) {
   std::vector<int> colours(cloth.faces.size(), -1);
   std::vector<unsigned> taken;  // by which face last

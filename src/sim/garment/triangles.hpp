@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <glm/vec3.hpp>
@@ -35,9 +36,20 @@ struct ClothTriangles {
   /// Faces around each vertex, in their order: of vertex i from around[starts[i]] to around[starts[i + 1]].
   std::vector<unsigned> starts, around;
 
+  /// Makes neighbours of the faces at border edges whose ends are sewn together by `stitches` of two
+  /// vertices, as of cloth that has grown together there. Returns how many pairs of faces cannot be: they
+  /// face opposite ways.
+  int sew(const std::vector<std::pair<unsigned, unsigned>>& stitches);
+  /// Of those that a vertex is sewn to, with itself, the first.
+  [[nodiscard]] unsigned firstOf(unsigned vertex) const { return sewn_.empty() ? vertex : sewn_[vertex]; }
+  /// The side of a face's neighbour beyond `side` at which that has the face.
+  [[nodiscard]] std::size_t sideBeyond(unsigned face, std::size_t side) const;
+
  private:
   void join(const std::string& name);
   void gather(const std::string& name);
+
+  std::vector<unsigned> sewn_;  ///< empty: nothing is
 };
 
 /// Which faces may be moved at once: a colour for each, no two of a colour sharing a vertex, by the first

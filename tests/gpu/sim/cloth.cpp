@@ -161,5 +161,7 @@ TEST_CASE("fabric equals its CPU twin, clamped on every side or on one") {
           {{0.0, glm::vec3(0)}, {0.5, glm::vec3(20, 10.0F * side, 5)}}, scene::Ease::linear);
     }
     compare(p, 40);
+    p.fabric.stretchDamping = 0.01;
+    compare(p, 25);
   }
 }

@@ -56,7 +56,7 @@ void compareGarment(const sim::ClothParameters& parameters, int frames,
   CHECK(gpu->points().values.size() == 6 * table.positions.size());
   const auto measured = gpu->measure();
   CHECK(measured.size() == parameters.quantities().size());
-  CHECK(measured[0] == static_cast<double>(twin.positions.size()));
+  CHECK(measured[0] == static_cast<double>(twin.plan().masses().size()));
 }
 
 }  // namespace
@@ -97,6 +97,21 @@ TEST_CASE("garment: a random mesh on moving pins equals its CPU twin") {
   p.pins.emplace_back().vertices = {0, 23, 200};
   p.pins[0].rotate =
       scene::Animated<glm::vec3>({{0.0, glm::vec3(0)}, {0.5, glm::vec3(30, 40, -5)}}, scene::Ease::linear);
+  compareGarment(p, 30);
+  p.fabric.stretchDamping = 0.01;
+  compareGarment(p, 20);
+}
+
+TEST_CASE("garment: clamped borders equal their CPU twin") {
+  sim::ClothParameters p = test::freeCloth();
+  p.mesh.size = glm::vec3(0.5F, 0, 0.4F);
+  p.mesh.resolution = {13, 11};
+  p.fabric.material = sim::FabricMaterial::canvas;
+  p.gravity = glm::vec3(0, -9.8F, 0);
+  test::pinBox(p, glm::vec3(-9), glm::vec3(-0.24F, 9, 9));
+  p.pins[0].clamp = true;
+  p.pins[0].rotate =
+      scene::Animated<glm::vec3>({{0.0, glm::vec3(0)}, {0.5, glm::vec3(5, 10, 40)}}, scene::Ease::linear);
   compareGarment(p, 30);
 }
 

@@ -78,6 +78,9 @@ TEST_CASE("garment: pins and seams that name no vertex are refused") {
   p.pins.clear();
   test::pinBox(p, glm::vec3(2), glm::vec3(3));
   test::checkHas(refusedPins(p), "pins[0] holds no vertex");
+  p.pins[0].box = {glm::vec3(-0.01F), glm::vec3(0.01F)};
+  p.pins[0].clamp = true;
+  test::checkHas(refusedPins(p), "pins[0] has \"clamp\", but holds no edge of a border");
   p.pins.clear();
   p.seams.push_back({{0}, {500}, 1});
   test::checkHas(refusedPins(p), "seams[0] names vertex 500");

@@ -142,3 +142,56 @@ TEST_CASE("garment: slivers are softened until bending is stable at the given st
     CHECK((sum + diagonal) * inverse[i] <= 2.0001 * bound);
   }
 }
+
+TEST_CASE("garment: a clamped border bends by q L^4 / 8 D and turns with its pins") {
+  constexpr double length = 0.2;
+  constexpr double q = 0.115 * 0.098;  // N/m^2
+  constexpr double bending = 7.5e-4;
+  const double expected = q * std::pow(length, 4) / (8 * bending);
+  std::vector<double> drops;
+  for (const auto kind : meshKinds)
+    for (const int cells : {8, 12, 16}) {
+      CAPTURE(cells);
+      CAPTURE(static_cast<int>(kind));
+      const double cell = length / cells;
+      const test::TemporaryFile file("strip.obj", test::objOf(test::rectangle(kind, {cells, 3}, cell)));
+      sim::ClothParameters p = test::freeCloth();
+      p.mesh.shape = sim::ClothShape::file;
+      p.mesh.file = file.path();
+      p.gravity = glm::vec3(0, -0.098F, 0);
+      p.damping = 10;
+      p.fabric.bending = bending;
+      test::pinBox(p, glm::vec3(-9), glm::vec3(static_cast<float>(cell * (0.2 - 0.5 * cells)), 9, 9));
+      p.pins[0].clamp = true;
+      GarmentTwin twin(sim::GarmentPlan("strip", p, 1, 1.0 / 60, {}));
+      CHECK(twin.positions.size() == twin.plan().masses().size() + 3);
+      for (int frame = 0; frame < 150; ++frame) twin.step(frame / 60.0);
+      double drop = 0;
+      int ends = 0;
+      for (std::size_t i = 0; i < twin.plan().masses().size(); ++i)
+        if (twin.positions[i].x > cell * (0.5 * cells - 0.1)) {
+          drop -= twin.positions[i].y;
+          ++ends;
+        }
+      CHECK(ends == 4);
+      drops.push_back(drop / ends);
+      CHECK(drops.back() == doctest::Approx(expected).epsilon(0.03));
+    }
+  // Turned by two degrees about the border, and without weight, it leaves along the new direction.
+  sim::ClothParameters p = test::freeCloth();
+  p.mesh.size = glm::vec3(0.2F, 0, 0.06F);
+  p.mesh.resolution = {9, 4};
+  p.damping = 10;
+  p.fabric.bending = bending;
+  test::pinBox(p, glm::vec3(-9), glm::vec3(-0.099F, 9, 9));
+  p.pins[0].clamp = true;
+  p.pins[0].pivot = glm::vec3(-0.1F, 0, 0);
+  p.pins[0].rotate = glm::vec3(0, 0, 2);
+  GarmentTwin twin(sim::GarmentPlan("strip", p, 1, 1.0 / 60, {}));
+  for (int frame = 0; frame < 120; ++frame) twin.step(frame / 60.0);
+  for (std::size_t i = 0; i < twin.plan().masses().size(); ++i)
+    CHECK(twin.positions[i].y ==
+          doctest::Approx((twin.positions[i].x + 0.1) * std::tan(2 * 3.14159265 / 180))
+              .epsilon(0.02)
+              .scale(5e-4));
+}

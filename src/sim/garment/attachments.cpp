@@ -1,0 +1,283 @@
+#include "sim/garment/attachments.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <map>
+#include <set>
+#include <utility>
+
+#include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
+
+namespace simreel::sim {
+
+namespace {
+
+constexpr double unreachedWay = std::numeric_limits<double>::infinity();
+/// Where attachments would carry less of a weight they are left out.
+constexpr double leastLacking = 0.2;
+/// How much softer than the fabric faces are, as a part of what stiffnessOf says, since they help each
+/// other: what hanging rows of right-angled and random meshes stretch by without attachments.
+constexpr double partOfSoftness = 0.75;
+
+double lengthOf(const glm::dvec3& d) {
+  return std::sqrt(glm::dot(d, d));
+}
+
+/// A front that comes over the segment between two vertices to a third one.
+struct WayOver {
+  double length = unreachedWay;
+  bool second = false;  ///< whether it passed nearer to the second vertex
+};
+
+/// The third is at the origin. From one source behind the segment, or evenly over it where there are
+/// several.
+WayOver wayOver(const glm::dvec2& a, const glm::dvec2& b, double toA, double toB, bool oneSource) {
+  const glm::dvec2 edge = b - a;
+  const double e = std::sqrt(glm::dot(edge, edge));
+  const double x = -glm::dot(a, edge) / e;
+  const double y = std::abs(a.x * b.y - a.y * b.x) / e;
+  double crosses = 0;
+  double length = 0;
+  if (oneSource) {
+    const double sx = (toA * toA - toB * toB + e * e) / (2 * e);
+    const double sy = std::sqrt(std::max(toA * toA - sx * sx, 0.0));
+    crosses = sy + y > 0 ? sx + (x - sx) * sy / (sy + y) : sx;
+    length = std::sqrt((x - sx) * (x - sx) + (y + sy) * (y + sy));
+  } else {
+    const double slope = (toB - toA) / e;
+    if (!(std::abs(slope) < 1)) return {};
+    const double rise = std::sqrt(1 - slope * slope);
+    crosses = x - y * slope / rise;
+    length = toA + slope * x + rise * y;
+  }
+  if (crosses < 0 || crosses > e) return {};
+  return {length, crosses > 0.5 * e};
+}
+
+/// Fronts from all pins at once, vertex by vertex.
+class Fronts {
+ public:
+  Fronts(const ClothTriangles& cloth, const std::vector<bool>& pinned) : cloth_(cloth) {
+    const std::size_t count = cloth.points.size();
+    ways.lengths.assign(count, unreachedWay);
+    ways.pins.assign(count, ClothTriangles::none);
+    reached_.assign(count, false);
+    for (unsigned i = 0; i < count; ++i)
+      if (pinned[i]) reach(i, 0, i);
+    while (!open_.empty()) {
+      const unsigned next = open_.begin()->second;
+      open_.erase(open_.begin());
+      reached_[next] = true;
+      for (unsigned k = cloth.starts[next]; k < cloth.starts[next + 1]; ++k) {
+        const ClothTriangles::Face& face = cloth.faces[cloth.around[k]];
+        for (std::size_t side = 0; side < 3; ++side) {
+          if (face.corners[side] != next) update(face.corners[side]);
+          if (face.corners[side] != next && face.corners[(side + 1) % 3] != next &&
+              face.beyond[side] != ClothTriangles::none)
+            update(face.beyond[side]);
+        }
+      }
+    }
+  }
+
+  WaysToPins ways;
+
+ private:
+  void reach(unsigned vertex, double length, unsigned pin) {
+    if (!(length < ways.lengths[vertex])) return;
+    open_.erase({ways.lengths[vertex], vertex});
+    ways.lengths[vertex] = length;
+    ways.pins[vertex] = pin;
+    open_.emplace(length, vertex);
+  }
+
+  void over(unsigned vertex, unsigned a, unsigned b, const glm::dvec2& placeA, const glm::dvec2& placeB) {
+    if (!reached_[a] || !reached_[b]) return;
+    const WayOver way =
+        wayOver(placeA, placeB, ways.lengths[a], ways.lengths[b], ways.pins[a] == ways.pins[b]);
+    if (way.length < std::max(ways.lengths[a], ways.lengths[b])) return;
+    reach(vertex, way.length, ways.pins[way.second ? b : a]);
+  }
+
+  /// By what is reached around a vertex: along edges, over faces, and over those beyond them, laid into one
+  /// plane, where angles at the vertex are wide.
+  void update(unsigned vertex) {
+    if (reached_[vertex]) return;
+    const glm::dvec3 here = cloth_.points[vertex];
+    for (unsigned k = cloth_.starts[vertex]; k < cloth_.starts[vertex + 1]; ++k) {
+      const unsigned f = cloth_.around[k];
+      const ClothTriangles::Face& face = cloth_.faces[f];
+      const std::size_t at = face.corners[0] == vertex ? 0 : face.corners[1] == vertex ? 1 : 2;
+      const std::size_t side = (at + 1) % 3;
+      const unsigned a = face.corners[side];
+      const unsigned b = face.corners[(at + 2) % 3];
+      const glm::dvec3 toA = cloth_.points[a] - here;
+      const glm::dvec3 toB = cloth_.points[b] - here;
+      const double first = lengthOf(toA);
+      if (reached_[a]) reach(vertex, ways.lengths[a] + first, ways.pins[a]);
+      if (reached_[b]) reach(vertex, ways.lengths[b] + lengthOf(toB), ways.pins[b]);
+      const glm::dvec2 placeA(first, 0);
+      const glm::dvec2 placeB(glm::dot(toA, toB) / first, 2 * face.area / first);
+      over(vertex, a, b, placeA, placeB);
+      const unsigned c = face.beyond[side];
+      if (c == ClothTriangles::none || !reached_[c]) continue;
+      const glm::dvec3 edge = cloth_.points[b] - cloth_.points[a];
+      const double squared = glm::dot(edge, edge);
+      const double part = glm::dot(cloth_.points[c] - cloth_.points[a], edge) / squared;
+      const double height = 2 * cloth_.faces[face.neighbours[side]].area / squared;
+      const glm::dvec2 along = placeB - placeA;
+      const glm::dvec2 placeC = placeA + along * part + glm::dvec2(along.y, -along.x) * height;
+      if (!(placeC.y > 0) || !(placeC.x * placeB.y - placeC.y * placeB.x > 0)) continue;  // out of sight
+      over(vertex, a, c, placeA, placeC);
+      over(vertex, c, b, placeC, placeB);
+    }
+  }
+
+  const ClothTriangles& cloth_;
+  std::vector<bool> reached_;
+  std::set<std::pair<double, unsigned>> open_;
+};
+
+/// What hangs on pins that edges join, by its distance s from them: M(s) over b(s), and its integral.
+class Hanging {
+ public:
+  Hanging() = default;
+  explicit Hanging(double farthest) : width_(std::max(farthest, 1e-9) / bins) {}
+
+  /// Area (m^2) and mass (kg) of a face from one distance to another, evenly.
+  void add(double from, double to, double area, double mass) {
+    const double first = from / width_;
+    const double last = std::max(to / width_, first + 1e-9);
+    const auto begin = std::min(static_cast<std::size_t>(first), bins - 1);
+    const auto end = std::min(static_cast<std::size_t>(last), bins - 1);
+    for (std::size_t k = begin; k <= end; ++k) {
+      const double lower = std::max(first, static_cast<double>(k));
+      const double upper = k == bins - 1 ? last : std::min(last, static_cast<double>(k + 1));
+      const double part = std::max(upper - lower, 0.0) / (last - first);
+      areas_[k] += part * area;
+      masses_[k] += part * mass;
+    }
+  }
+
+  /// U(d), kg.
+  [[nodiscard]] double lowered(double distance) const {
+    double beyond = 0;
+    for (const double mass : masses_) beyond += mass;
+    double sum = 0;
+    for (std::size_t k = 0; k < bins; ++k) {
+      const double part = std::clamp(distance / width_ - static_cast<double>(k), 0.0, 1.0);
+      if (part <= 0 || areas_[k] <= 0) break;
+      sum += (beyond - 0.5 * masses_[k] * part) * part * width_ * width_ / areas_[k];
+      beyond -= masses_[k];
+    }
+    return sum;
+  }
+
+ private:
+  static constexpr std::size_t bins = 64;
+  double width_ = 1;
+  std::array<double, bins> areas_{}, masses_{};
+};
+
+/// N/m of a strip cut at an angle to the weft whose cosine and sine have these squares.
+double alongWay(const FaceStiffness& k, double cosine, double sine) {
+  return 1 / (cosine * cosine / k.weft + sine * sine / k.warp + cosine * sine / k.shear);
+}
+
+/// Of each vertex its cluster: the first pin of those that edges join with the one at which its way ends.
+std::vector<unsigned> clustersOf(const ClothTriangles& cloth, const std::vector<bool>& pinned,
+                                 const WaysToPins& ways) {
+  std::vector<unsigned> first(pinned.size());
+  for (unsigned i = 0; i < first.size(); ++i) first[i] = i;
+  const auto root = [&](unsigned i) {
+    while (first[i] != i) i = first[i] = first[first[i]];
+    return i;
+  };
+  for (const ClothTriangles::Face& face : cloth.faces)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const unsigned a = face.corners[k];
+      const unsigned b = face.corners[(k + 1) % 3];
+      if (!pinned[a] || !pinned[b]) continue;
+      const unsigned low = std::min(root(a), root(b));
+      first[std::max(root(a), root(b))] = low;
+    }
+  std::vector<unsigned> clusters;
+  for (const unsigned pin : ways.pins) clusters.push_back(pin == ClothTriangles::none ? pin : root(pin));
+  return clusters;
+}
+
+}  // namespace
+
+WaysToPins waysToPins(const ClothTriangles& cloth, const std::vector<bool>& pinned) {
+  WaysToPins ways = Fronts(cloth, pinned).ways;
+  for (std::size_t i = 0; i < ways.pins.size(); ++i)
+    if (ways.pins[i] != ClothTriangles::none)  // of several pins the front does not say to which
+      ways.lengths[i] = std::max(ways.lengths[i], lengthOf(cloth.points[ways.pins[i]] - cloth.points[i]));
+  return ways;
+}
+
+std::vector<Attachment> attachmentsOf(const ClothTriangles& cloth, const std::vector<bool>& pinned,
+                                      const std::vector<MembraneElement>& membrane,
+                                      const std::vector<double>& masses,
+                                      const shader::FabricConstants& fabric, double seconds) {
+  const WaysToPins ways = waysToPins(cloth, pinned);
+  const std::vector<unsigned> clusters = clustersOf(cloth, pinned, ways);
+  std::map<unsigned, double> farthest;
+  for (std::size_t i = 0; i < clusters.size(); ++i)
+    if (clusters[i] != ClothTriangles::none) {
+      double& most = farthest[clusters[i]];
+      most = std::max(most, ways.lengths[i]);
+    }
+  std::map<unsigned, Hanging> hanging;
+  for (const auto& [cluster, most] : farthest) hanging.emplace(cluster, Hanging(most));
+  for (const ClothTriangles::Face& face : cloth.faces)
+    for (const unsigned corner : face.corners) {  // a third of it each
+      if (clusters[corner] == ClothTriangles::none) continue;
+      double from = unreachedWay;
+      double to = 0;
+      for (const unsigned other : face.corners) {
+        from = std::min(from, ways.lengths[other]);
+        to = std::max(to, ways.lengths[other]);
+      }
+      hanging[clusters[corner]].add(from, to, face.area / 3,
+                                    static_cast<double>(fabric.density) * face.area / 3);
+    }
+  std::vector<Attachment> attachments;
+  for (unsigned i = 0; i < clusters.size(); ++i) {
+    if (clusters[i] == ClothTriangles::none || pinned[i]) continue;
+    const glm::dvec3 way = cloth.points[ways.pins[i]] - cloth.points[i];
+    double whole = 0;
+    double left = 0;
+    for (unsigned k = cloth.starts[i]; k < cloth.starts[i + 1]; ++k) {
+      const auto& corners = cloth.faces[cloth.around[k]].corners;
+      const MembraneElement& e = membrane[cloth.around[k]];
+      const glm::dvec3 b = cloth.points[corners[1]] - cloth.points[corners[0]];
+      const glm::dvec3 c = cloth.points[corners[2]] - cloth.points[corners[0]];
+      const double u = glm::dot(way, b * e.p + c * e.q);
+      const double v = glm::dot(way, b * e.r + c * e.s);
+      const double both = u * u + v * v;
+      const double cosine = both > 0 ? u * u / both : 1;
+      glm::dvec3 inverse(0);
+      for (int n = 0; n < 3; ++n) {
+        const unsigned corner = corners[static_cast<std::size_t>(n)];
+        inverse[n] = pinned[corner] ? 0 : 1 / masses[corner];
+      }
+      whole += 1 / alongWay({fabric.weft, fabric.warp, fabric.shear}, cosine, 1 - cosine);
+      left += 1 / alongWay(stiffnessOf(e, fabric, inverse, seconds * std::sqrt(partOfSoftness)), cosine,
+                           1 - cosine);
+    }
+    const double around = cloth.starts[i + 1] - cloth.starts[i];
+    const double lacking = 1 - whole / left;
+    if (lacking < leastLacking) continue;
+    const double compliance =
+        hanging[clusters[i]].lowered(ways.lengths[i]) * (whole / around) / (masses[i] * lacking);
+    attachments.push_back({i, ways.pins[i], ways.lengths[i], compliance});
+  }
+  return attachments;
+}
+
+}  // namespace simreel::sim
