@@ -94,38 +94,6 @@ TEST_CASE("a mass on a spring swings with period 2 pi sqrt(m/k)") {
   CHECK(period == doctest::Approx(2 * 3.14159265358979 * std::sqrt(1.0 / 500)).epsilon(1e-3));
 }
 
-TEST_CASE("a hanging chain takes the shape of a catenary") {
-  // Two rows of 41 that move alike are a chain of length 4 m; its ends are 3 m apart.
-  sim::ClothParameters p = freeSheet(41, 2);
-  p.gravity = glm::vec3(0, -9.8F, 0);
-  p.solver = sim::ClothSolver::constraints;
-  p.shearCompliance = 1e3F;
-  p.bendCompliance = 1e3F;
-  p.substeps = 32;
-  p.damping = 2;
-  p.pins.emplace_back().columns = {0};
-  p.pins.emplace_back().columns = {-1};
-  p.pins[0].move = glm::vec3(0.5F, 0, 0);
-  p.pins[1].move = glm::vec3(-0.5F, 0, 0);
-  ClothTwin twin = makeTwin(p);
-  for (auto& position : twin.positions) position.x *= 0.75F;
-  for (int frame = 0; frame < 600; ++frame) twin.step(frame * frameSeconds);
-  // Half length s = a sinh(h/a) with half span h = 1.5, s = 2: solve for a; the sag is a (cosh(h/a) - 1).
-  double low = 0.5;
-  double high = 5;
-  for (int i = 0; i < 60; ++i) {
-    const double a = 0.5 * (low + high);
-    (a * std::sinh(1.5 / a) > 2.0 ? low : high) = a;
-  }
-  const double sag = low * (std::cosh(1.5 / low) - 1);
-  CHECK(-twin.positions[20].y == doctest::Approx(sag).epsilon(0.01));
-  for (std::size_t i = 0; i < 41; ++i) {
-    const double x = twin.positions[i].x;
-    const double y = low * (std::cosh(x / low) - std::cosh(1.5 / low));
-    CHECK(std::abs(twin.positions[i].y - y) < 0.02);
-  }
-}
-
 TEST_CASE("constraints stretch by compliance times load, whatever the number of substeps") {
   // Three masses of 1 kg under a pin: the first link carries 3 g, the last 1 g.
   for (const int substeps : {8, 16, 40}) {
