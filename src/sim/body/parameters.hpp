@@ -38,6 +38,8 @@ struct BodyParameters : ObjectParameters {
   void describe(scene::Fields& fields) override;
   [[nodiscard]] std::span<const scene::Quantity> quantities() const override;
   [[nodiscard]] bool isBody() const override { return true; }
+  /// Its skin along the motion, and at each key of its position.
+  [[nodiscard]] std::optional<scene::Box> framed() const override;
 
   /// What the file holds, read once. Throws what loadFigure() throws.
   [[nodiscard]] const std::shared_ptr<const Figure>& figure() const;
