@@ -6,6 +6,8 @@
 #include "sim/world/list.hpp"
 #include "sim/world/world.hpp"
 
+#include <utility>
+
 #include <doctest/doctest.h>
 
 using namespace simreel;
