@@ -47,7 +47,7 @@ struct BenchRun::State {
         renderer(scene, scene.render.size, scene.render.samples),
         readback(scene.render.size) {
     for (std::size_t i = 0; timing != Timing::whole && i < world.objectCount(); ++i)
-      stepStage.push_back(stage("step " + world.objectName(i)));
+      stepStage.push_back(stage("step " + world.stepName(i)));
   }
 
   scene::Scene scene;

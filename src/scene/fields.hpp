@@ -13,6 +13,7 @@
 #include <variant>
 #include <vector>
 
+#include <glm/common.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
@@ -187,12 +188,18 @@ struct Quantity {
   const char* doc;
 };
 
-/// Parameters of one kind of object; each simulation derives its own.
 /// A box along the axes of the scene.
 struct Box {
   glm::vec3 min{0}, max{0};  ///< m
 };
 
+/// The least box that has the point, too.
+inline void include(std::optional<Box>& box, const glm::vec3& point) {
+  if (!box) box = Box{point, point};
+  box = Box{glm::min(box->min, point), glm::max(box->max, point)};
+}
+
+/// Parameters of one kind of object; each simulation derives its own.
 struct Parameters {
   virtual ~Parameters() = default;
   virtual void describe(Fields& fields) = 0;
@@ -200,7 +207,8 @@ struct Parameters {
   [[nodiscard]] virtual std::span<const Quantity> quantities() const { return {}; }
   /// Whether it does with these values.
   [[nodiscard]] virtual bool measures() const { return !quantities().empty(); }
-  /// What a camera has in view that the scene places nowhere; nothing of kinds that leave it alone.
+  /// What a camera has in view that the scene places nowhere; nothing of kinds that leave it alone. May
+  /// read the files that they name, and says nothing of those that cannot be read.
   [[nodiscard]] virtual std::optional<Box> framed() const { return std::nullopt; }
 };
 

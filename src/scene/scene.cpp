@@ -175,7 +175,7 @@ void readScene(const Node& root, ReadContext context, const Kinds& kinds, bool h
   // A length that could not be read says nothing about the frames.
   const bool lengthKnown = heldToLength && context.diagnostics.count() == errorsBefore;
   if (const Node* objects = fields.take("objects")) readObjects(*objects, context, kinds, scene.objects);
-  frameObjects(scene);
+  if (context.diagnostics.count() == 0) frameObjects(scene);  // which may read files that it names
   describeTests(fields, scene, lengthKnown ? std::optional(scene.frameCount()) : std::nullopt);
   std::string schemaAddress;  // for editors
   fields.text("$schema", schemaAddress, "");

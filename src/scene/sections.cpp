@@ -111,7 +111,7 @@ void Follow::describe(Fields& fields) {
 
 void Camera::describe(Fields& fields) {
   fields.vector("position", position, anyNumber, "m", "Where the camera stands.");
-  fields.leftOut("position", "[0,1.5,6], or a whole cave, contour or cloth is in view");
+  fields.leftOut("position", "[0,1.5,6], or a whole cave, contour, cloth, mesh, body or ball is in view");
   fields.vector("target", target, anyNumber, "m", "What it looks at.");
   fields.leftOut("target", "[0,0,0], or its middle");
   fields.number("fieldOfView", fieldOfView, {1, 170}, "degrees", "Vertical angle of view.");

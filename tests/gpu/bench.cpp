@@ -6,6 +6,8 @@
 #include "sim/world/list.hpp"
 #include "sim/world/world.hpp"
 
+#include <utility>
+
 #include <doctest/doctest.h>
 
 using namespace simreel;
@@ -58,6 +60,20 @@ TEST_CASE("bench: the world tells when an object has stepped") {
   std::vector<std::size_t> stepped;
   world.advanceTo(2, {}, [&](std::size_t object) { stepped.push_back(object); });
   CHECK(stepped == std::vector<std::size_t>{0, 1, 0, 1});
+}
+
+TEST_CASE("bench: the step of those in contact is theirs together") {
+  scene::Scene scene = scene::parseScene(
+      R"({"version": 1, "objects": {
+           "a": {"cloth": {"size": [5, 5], "fabric": {}, "contact": {}}},
+           "b": {"cloth": {"size": [5, 5], "position": [0, 0.5, 0]}},
+           "c": {"cloth": {"size": [5, 5], "position": [0, 1, 0], "fabric": {}, "contact": {}}}}})",
+      "scene.json", {}, sim::kinds());
+  frame::BenchRun run(std::move(scene), testContext(), frame::Timing::wait);
+  run.run(0, 2, [] { return true; });
+  CHECK(run.times().stages[0].name == "step a and 1 more in contact");
+  CHECK(run.times().stages[1].name == "step b");
+  CHECK(run.times().stages[2].name == "state hash");
 }
 
 TEST_CASE("timestamps go forward") {

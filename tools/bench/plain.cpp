@@ -2,14 +2,15 @@
 // nothing exact) and beside its CPU twin on one thread: rates by the clock and per processor second, and
 // both as ratios to the plain loop. The three take turns, round after round, so that a busy machine hits
 // all alike; medians of the rounds' rates and ratios. For software drivers; a GPU's figures come from the
-// other benches.
+// other benches. Where what an item takes at least has been counted, the last columns have what that would
+// allow a processor, and how much of it the kernel reaches.
 //
 //   bench_plain [NAME [SECONDS]]     only those whose name contains NAME; SECONDS: nothing but the kernel,
 //   for profilers
 #include "plain/plain.hpp"
 
-#include "base/clock.hpp"
 #include "base/processor.hpp"
+#include "beside/subject.hpp"
 #include "gl/context.hpp"
 #include "reference/cloth_twin.hpp"
 #include "reference/gravity_tree_twin.hpp"
@@ -24,11 +25,8 @@
 #include "sim/mesh/parameters.hpp"
 #include "sim/particles/gravity_tree.hpp"
 #include "sim/particles/pairs.hpp"
-#include "sim/world/list.hpp"
 
-#include <algorithm>
 #include <cstdlib>
-#include <ctime>
 #include <functional>
 #include <memory>
 #include <string_view>
@@ -37,81 +35,9 @@
 #include <fmt/format.h>
 
 using namespace simreel;
+using namespace simreel::bench;
 
 namespace {
-
-constexpr double frameSeconds = 1.0 / 60;
-
-/// Work in turns; `items` of a turn give rates.
-struct Subject {
-  const char* name;
-  const char* unit;
-  double items;
-  std::function<void()> plain, twin, device;  ///< twin: may be missing
-};
-
-struct Turn {
-  double wall = 0, processor = 0;  ///< s
-};
-
-Turn timed(const std::function<void()>& work) {
-  const auto begin = Clock::now();
-  const std::clock_t used = std::clock();
-  work();
-  return {secondsSince(begin), static_cast<double>(std::clock() - used) / CLOCKS_PER_SEC};
-}
-
-double median(std::vector<double> values) {
-  std::nth_element(values.begin(), values.begin() + static_cast<long>(values.size() / 2), values.end());
-  return values[values.size() / 2];
-}
-
-void keepBusy(const Subject& subject, double seconds) {
-  for (const auto begin = Clock::now(); secondsSince(begin) < seconds; glFinish()) subject.device();
-}
-
-void print(const Subject& subject) {
-  constexpr int fewest = 5;
-  std::vector<double> plain, twin, wall, processor, wallRatio, processorRatio;
-  const auto device = [&] {
-    subject.device();
-    glFinish();
-  };
-  device();
-  const auto begin = Clock::now();
-  for (int round = 0; round < fewest || secondsSince(begin) < 3; ++round) {
-    const Turn a = timed(subject.plain);
-    const Turn b = timed(device);
-    if (subject.twin) twin.push_back(subject.items / timed(subject.twin).processor);
-    plain.push_back(subject.items / a.processor);
-    wall.push_back(subject.items / b.wall);
-    processor.push_back(subject.items / b.processor);
-    wallRatio.push_back(a.wall / b.wall);
-    processorRatio.push_back(a.processor / b.processor);
-  }
-  fmt::print("{:<24} {:>10.2f} {:>10} {:>10.2f} {:>8.2f} x {:>10.2f} {:>8.2f} x  {}\n", subject.name,
-             median(plain) / 1e6, twin.empty() ? "" : fmt::format("{:.2f}", median(twin) / 1e6),
-             median(wall) / 1e6, median(wallRatio), median(processor) / 1e6, median(processorRatio),
-             subject.unit);
-  std::fflush(stdout);
-}
-
-template <class Parameters>
-std::shared_ptr<sim::Simulation> onDevice(const char* kind, const Parameters& parameters) {
-  scene::Object object;
-  object.name = kind;
-  object.parameters = std::make_unique<Parameters>(parameters);
-  static const std::vector<sim::ColliderShape> none;
-  return sim::simulationNamed(kind).make(object, {false, 1, frameSeconds, &none});
-}
-
-/// Frame after frame of a simulation.
-template <class Simulation>
-std::function<void()> frames(const std::shared_ptr<Simulation>& simulation, auto... arguments) {
-  return [simulation, frame = 0, ... arguments = arguments]() mutable {
-    simulation->step(frame++ * frameSeconds, arguments...);
-  };
-}
 
 Subject grayScott(int side) {
   sim::GrayScottParameters p;
@@ -347,13 +273,15 @@ Subject walls() {
 int main(int argc, char** argv) {
   const gl::Context context;
   fmt::print("device: {}, {} processors\n", context.device().name, processorCount());
-  fmt::print("{:<24} {:>10} {:>10} {:>10} {:>10} {:>10} {:>10}\n", "", "plain loop", "twin", "wall", "",
-             "processor", "");
+  printHeads();
   using Make = std::function<Subject()>;
   const std::pair<std::string_view, Make> subjects[] = {{"gray-scott", [] { return grayScott(512); }},
                                                         {"gray-scott-1024", [] { return grayScott(1024); }},
                                                         {"springs", [] { return cloth(false); }},
                                                         {"constraints", [] { return cloth(true); }},
+                                                        {"fabric", fabricSheet},
+                                                        {"mesh-cloth", meshCloth},
+                                                        {"contact", clothsInContact},
                                                         {"epidemic", epidemic},
                                                         {"wildfire", [] { return wildfire(10); }},
                                                         {"wildfire-4", [] { return wildfire(2); }},

@@ -40,6 +40,8 @@ struct BodyParameters : ObjectParameters {
   [[nodiscard]] std::span<const scene::Quantity> quantities() const override;
   [[nodiscard]] bool isBody() const override { return true; }
   [[nodiscard]] bool collidesByFaces() const override { return byFaces; }
+  /// Its skin along the motion, and at each key of its position.
+  [[nodiscard]] std::optional<scene::Box> framed() const override;
 
   /// What the file holds, read once. Throws what loadFigure() throws.
   [[nodiscard]] const std::shared_ptr<const Figure>& figure() const;

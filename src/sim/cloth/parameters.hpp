@@ -121,6 +121,7 @@ struct ClothParameters : ObjectParameters, shader::ClothConstants {
 
  private:
   void describeMesh(scene::Fields& fields);
+  [[nodiscard]] std::optional<scene::Box> framedMesh() const;
   /// 0 left, 1 right, 2 top, 3 bottom.
   [[nodiscard]] bool pinsBorder(const PinGroup& group, int border) const;
   [[nodiscard]] std::string steadierWay(double frameSeconds) const;

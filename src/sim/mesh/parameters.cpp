@@ -1,5 +1,6 @@
 #include "sim/mesh/parameters.hpp"
 
+#include "base/error.hpp"
 #include "sim/core/collider.hpp"
 #include "sim/mesh/shapes.hpp"
 
@@ -111,6 +112,21 @@ glm::mat4 MeshParameters::model(double time) const {
   for (int i = 0; i < 3; ++i) m[i] *= factor;
   m[3] = glm::vec4(position.at(time), 1.0F);
   return m;
+}
+
+std::optional<scene::Box> MeshParameters::framed() const {
+  if (!visible) return std::nullopt;
+  std::optional<scene::Box> box;
+  try {
+    const Mesh mesh = make(0);
+    for (const auto& key : position.keys()) {
+      const glm::mat4 placed = model(key.time);
+      for (const glm::vec3& at : mesh.positions) include(box, glm::vec3(placed * glm::vec4(at, 1)));
+    }
+  } catch (const UserError&) {
+    return std::nullopt;  // whoever makes it says why
+  }
+  return box;
 }
 
 Mesh MeshParameters::make(int seed) const {

@@ -40,6 +40,8 @@ struct MeshParameters : ObjectParameters {
   void describe(scene::Fields& fields) override;
   [[nodiscard]] std::span<const scene::Quantity> quantities() const override;
   [[nodiscard]] bool measures() const override { return !deform.list.empty(); }
+  /// As it is at rest, at each key of its position.
+  [[nodiscard]] std::optional<scene::Box> framed() const override;
   [[nodiscard]] bool publishesHeights() const override { return collides; }
   [[nodiscard]] bool collidesByFaces() const override { return byFaces; }
 

@@ -47,6 +47,19 @@ SimulationKind shapeKind(const char* name, const char* doc) {
 
 }  // namespace
 
+std::optional<scene::Box> ShapeParameters::framed() const {
+  if (!visible || shape.kind == ColliderShape::Kind::plane) return std::nullopt;
+  std::optional<scene::Box> box;
+  for (const auto& key : shape.position.keys())
+    for (const float end : {-0.5F, 0.5F}) {
+      const glm::vec3 along(rotationMatrix(shape.rotation.at(key.time))[1]);
+      const glm::vec3 middle = key.value + along * (end * shape.length);
+      scene::include(box, middle - shape.radius);
+      scene::include(box, middle + shape.radius);
+    }
+  return box;
+}
+
 void ShapeParameters::describe(scene::Fields& f) {
   using Kind = ColliderShape::Kind;
   f.vector("position", shape.position, scene::anyNumber, "m",

@@ -22,6 +22,8 @@ struct ShapeParameters : ObjectParameters {
   bool collides = true;
   bool visible = true;
   void describe(scene::Fields& fields) override;
+  /// Balls and capsules at each key of their position; planes are ground.
+  [[nodiscard]] std::optional<scene::Box> framed() const override;
 };
 
 [[nodiscard]] SimulationKind sphereKind();

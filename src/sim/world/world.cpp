@@ -17,6 +17,8 @@
 #include <functional>
 #include <vector>
 
+#include <fmt/format.h>
+
 namespace simreel::sim {
 
 namespace {
@@ -321,6 +323,12 @@ std::size_t World::objectCount() const {
 
 const std::string& World::objectName(std::size_t index) const {
   return state_->names.at(index);
+}
+
+std::string World::stepName(std::size_t index) const {
+  const auto& group = state_->touching;
+  if (group.size() < 2 || !state_->isTouching(index)) return objectName(index);
+  return fmt::format("{} and {} more in contact", objectName(group[0]), group.size() - 1);
 }
 
 int World::frame() const {

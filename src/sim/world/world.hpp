@@ -34,7 +34,8 @@ class World {
 
   /// Called after each step, counted from 1, of each object in turn.
   using Watch = std::function<void(std::size_t object, int step)>;
-  /// Called when an object has issued all of its steps of a frame.
+  /// Called when an object has issued all of its steps of a frame; for those in contact one after the other
+  /// when all of them have.
   using Stepped = std::function<void(std::size_t object)>;
   /// Simulates up to `frame` (0: the pre-roll only). Never goes back.
   void advanceTo(int frame, const Watch& watch = {}, const Stepped& stepped = {});
@@ -51,6 +52,9 @@ class World {
   [[nodiscard]] int firstFrame() const;
   [[nodiscard]] std::size_t objectCount() const;
   [[nodiscard]] const std::string& objectName(std::size_t index) const;
+  /// Whose step it is that Stepped tells of: the object, or all that are in contact, since these go a
+  /// substep of each in turn: "a and 9 more in contact".
+  [[nodiscard]] std::string stepName(std::size_t index) const;
   [[nodiscard]] int frame() const;
   [[nodiscard]] double time() const;  ///< s, of the current frame
   [[nodiscard]] Drawables drawables() const;

@@ -96,7 +96,7 @@ TEST_CASE(
   CHECK(sum / frames == doctest::Approx(1).epsilon(0.01));
   // Uniform hashes have the variance 1/3; smooth blending keeps 26/35 of it, and the two noises 5/9.
   CHECK(std::sqrt(squares / frames) ==
-        doctest::Approx(0.4 * std::sqrt(26.0 / 35 * 5 / 9 / 3)).epsilon(0.05));
+        doctest::Approx(0.4 * std::sqrt(26.0 / 35 * 5 / 9 / 3)).epsilon(0.05).scale(0));
   const auto at = [&](const char* name, int seed) {
     return draw::flickered(flicker, name, seed, 1.1).factor;
   };
@@ -187,8 +187,8 @@ TEST_CASE("point light: inverse square outside the ball, constant inside") {
     const glm::dvec3 direction = glm::normalize(glm::dvec3(1, -2, 0.5));
     const Arrival a = arrivalAt(vec3(glm::dvec3(0.3, -1, 2) + d * direction), ball, 1 / (0.25F * 0.25F));
     const double nearest = std::fmax(d, 0.25);
-    CHECK(a.perArea == doctest::Approx(1 / (nearest * nearest)).epsilon(1e-4));
-    CHECK(a.spread == doctest::Approx(std::fmin(0.25 / std::fmax(d, 1e-9), 1.0)).epsilon(1e-4));
+    CHECK(a.perArea == doctest::Approx(1 / (nearest * nearest)).epsilon(1e-4).scale(0));
+    CHECK(a.spread == doctest::Approx(std::fmin(0.25 / std::fmax(d, 1e-9), 1.0)).epsilon(1e-4).scale(0));
     if (d > 0.01) CHECK(glm::dot(glm::dvec3(a.towards), direction) == doctest::Approx(-1).epsilon(1e-4));
   }
 }

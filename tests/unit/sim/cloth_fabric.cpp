@@ -136,7 +136,7 @@ TEST_CASE("fabric: a clamped strip bends by q L^4 / 8 D at any spacing") {
     ClothTwin twin(sim::ClothPlan(p, 3, 1.0 / 60, {}));
     for (int frame = 0; frame < 150; ++frame) twin.step(frame / 60.0);
     drops.push_back(-static_cast<double>(twin.positions[static_cast<std::size_t>(cells)].y));
-    CHECK(drops.back() == doctest::Approx(expected).epsilon(0.03));
+    CHECK(drops.back() == doctest::Approx(expected).epsilon(0.03).scale(0));
   }
   const auto [least, most] = std::minmax_element(drops.begin(), drops.end());
   CHECK(*most < 1.02 * *least);
@@ -171,9 +171,10 @@ TEST_CASE("fabric: the energy of z = (a x^2 + 2 b x y + c y^2) / 2 is D / 2 (a^2
     // Borders have no difference across them.
     const double expected =
         0.5 * 1000 * (s.a * s.a * (w - 0.01) * h + 2 * s.b * s.b * w * h + s.c * s.c * w * (h - 0.01));
-    CHECK(energy == doctest::Approx(expected).epsilon(0.01));
-    CHECK(energy ==
-          doctest::Approx(0.5 * 1000 * w * h * (s.a * s.a + 2 * s.b * s.b + s.c * s.c)).epsilon(0.04));
+    CHECK(energy == doctest::Approx(expected).epsilon(0.01).scale(0));
+    CHECK(energy == doctest::Approx(0.5 * 1000 * w * h * (s.a * s.a + 2 * s.b * s.b + s.c * s.c))
+                        .epsilon(0.04)
+                        .scale(0));
   }
 }
 
@@ -205,7 +206,8 @@ TEST_CASE("fabric: it hangs longer by rho g H / 2 k, borders as much as the rest
   for (const std::size_t column : {0, 2, 4}) {
     const auto last = static_cast<std::size_t>(rows - 1) * 5 + column;
     const double strain = (twin.positions[column].y - twin.positions[last].y) / height - 1;
-    CHECK(strain == doctest::Approx(0.4 * 9.8 * height / (2 * 60)).epsilon(0.01));
+    // A line that is longer than at rest by s gives way by 0.6 s of its weights, 3.6% more here.
+    CHECK(strain == doctest::Approx(0.4 * 9.8 * height / (2 * 60)).epsilon(0.04).scale(0));
   }
 }
 

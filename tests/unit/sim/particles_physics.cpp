@@ -130,7 +130,7 @@ TEST_CASE("two bodies keep period and eccentricity over 100 periods") {
   REQUIRE(passages.size() >= 100);
   const double period = passages.back() / static_cast<double>(passages.size());
   CHECK(period == doctest::Approx(ellipsePeriod).epsilon(2e-5));
-  CHECK((max - min) / (max + min) == doctest::Approx(0.3).epsilon(1e-3));
+  CHECK((max - min) / (max + min) == doctest::Approx(0.3).epsilon(1e-3).scale(0));
 }
 
 TEST_CASE("the phase error of leapfrog falls four times when the step is halved") {
@@ -173,7 +173,7 @@ TEST_CASE("a Plummer sphere is in equilibrium and keeps its energy") {
   constexpr int steps = 100;
   auto twin = sphere(501, crossing / steps);
   const Energy first = energy(twin);
-  CHECK(first.total() == doctest::Approx(-3 * pi / 64).epsilon(0.08));
+  CHECK(energy(sphere(8001, 1)).total() == doctest::Approx(-3 * pi / 64).epsilon(0.03).scale(0));
   double virial = 0;
   for (int i = 0; i < 10 * steps; ++i) {
     twin.step(i * crossing / steps, 0);

@@ -43,6 +43,95 @@ class Cloth {
   std::vector<Vec3> before_;
 };
 
+/// A woven sheet: lines of links solved at once (XPBD), diagonals pair by pair, a plate's bending.
+class Fabric {
+ public:
+  struct Numbers {
+    float spacing, density, weft, warp, shear, bending, gravity, kept, dt;
+  };
+  /// Hangs from where it begins.
+  Fabric(int width, int height, const Numbers& numbers);
+  /// From `position` to `next`; then settle(), between them whatever else moves `next`.
+  void predict();
+  void settle();
+  std::vector<Vec3> position, velocity, next;
+  std::vector<float> inverseMass;  ///< 0: held
+
+ private:
+  [[nodiscard]] std::size_t at(int x, int y) const { return std::size_t(y) * width_ + x; }
+  void bend();
+  void pull(std::size_t a, std::size_t b, float rest, float give);
+  void line(std::size_t first, std::size_t pace, int count, float stiffness);
+  int width_, height_;
+  Numbers n_;
+  std::vector<Vec3> force_, along_;
+  std::vector<float> upper_, lambda_;
+};
+
+/// Cloth of triangles: weft, warp and shear of a face at once (XPBD), one face after the other; bending by
+/// rows of a matrix.
+class Garment {
+ public:
+  struct Face {
+    int a, b, c;
+    float p, q, r, s;         ///< inverse of its places at rest
+    float weft, warp, shear;  ///< compliances / dt^2
+  };
+  struct Bend {
+    int other;
+    float stiffness;
+  };
+  std::vector<Vec3> position, velocity;
+  std::vector<float> inverseMass;
+  std::vector<Face> faces;
+  std::vector<int> firstBend;  ///< of each vertex, and their number
+  std::vector<Bend> bends;
+  float gravity, kept, dt;
+  void step();
+
+ private:
+  std::vector<Vec3> next_;
+};
+
+/// Faces and edges keep off each other: found by a hash of cubes in every substep, vertices with faces and
+/// edges with edges, two rounds of impulses with friction.
+class Contact {
+ public:
+  Contact(std::vector<std::uint32_t> indices, std::size_t vertices, float cell, float thickness,
+          float friction);
+  /// Changes `next`.
+  void push(const std::vector<Vec3>& now, std::vector<Vec3>& next, const std::vector<float>& inverseMass);
+
+ private:
+  struct Touch {
+    int corner[4];
+    float share[4];  ///< positive on the first side, negative on the other
+    Vec3 normal;
+    float distance;
+  };
+  struct Box {
+    Vec3 low, high;
+  };
+  void fill(const std::vector<Box>& boxes);
+  template <class Visit>
+  void cells(const Box& box, const Visit& visit) const;
+  [[nodiscard]] std::size_t slot(int x, int y, int z) const;
+  void addVertex(const std::vector<Vec3>& now, int v, std::size_t face);
+  void addEdges(const std::vector<Vec3>& now, std::size_t i, std::size_t j);
+  void addTouch(const int* corner, const float* share, const Vec3& apart);
+  void solve(const std::vector<Vec3>& now, std::vector<Vec3>& next, const std::vector<float>& inverseMass);
+  std::vector<std::uint32_t> indices_, edges_;
+  float cell_, thickness_, friction_;
+  std::vector<std::uint32_t> starts_, entries_;
+  std::vector<Box> boxes_;
+  std::vector<Touch> touches_;
+};
+
+/// One thread does as many operations on floats as it can; how many.
+double arithmetic();
+/// One thread copies again and again what takes so many bytes with its copy; how many it read and wrote.
+double copying(std::size_t bytes);
+
 /// Bytes: 1 susceptible, 2 infected, 3 immune; a thousandth's chance by the same hash as ours.
 class Epidemic {
  public:

@@ -1,0 +1,52 @@
+#include "base/error.hpp"
+#include "sim/body/motion.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+namespace simreel::sim {
+
+namespace {
+
+/// Moments at which to look: along the motion, and at the keys that move the whole.
+std::vector<double> momentsOf(const BodyParameters& body) {
+  std::vector<double> moments = {0};
+  constexpr int looks = 12;
+  if (!body.animation.empty() && body.speed != 0) {
+    const double seconds = body.figure()->animationNamed(body.animation, "body").seconds;
+    for (int i = 1; i <= looks; ++i) moments.push_back(seconds / std::abs(body.speed) * i / looks);
+  }
+  for (const auto& key : body.position.keys()) moments.push_back(key.time);
+  return moments;
+}
+
+}  // namespace
+
+std::optional<scene::Box> BodyParameters::framed() const {
+  if (!visible) return std::nullopt;
+  std::optional<scene::Box> box;
+  try {
+    const BodyMotion motion("body", *this);
+    const Figure& figure = motion.figure();
+    for (const double moment : momentsOf(*this)) {
+      const std::vector<glm::vec4> rows = motion.rowsAt(moment);
+      for (std::size_t v = 0; v < figure.mesh.positions.size(); ++v) {
+        const glm::vec4 at(figure.mesh.positions[v], 1);
+        glm::vec3 placed(0);
+        for (int k = 0; k < 4; ++k)
+          for (int axis = 0; axis < 3; ++axis)
+            placed[axis] += figure.weights[v][k] *
+                            glm::dot(rows[3 * figure.follow[v][k] + static_cast<unsigned>(axis)], at);
+        scene::include(box, placed);
+      }
+    }
+  } catch (const UserError&) {
+    return std::nullopt;  // whoever makes it says why
+  }
+  return box;
+}
+
+}  // namespace simreel::sim

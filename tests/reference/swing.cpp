@@ -1,0 +1,162 @@
+#include "reference/swing.hpp"
+
+#include "reference/cloth_twin.hpp"
+#include "reference/garment_twin.hpp"
+#include "sim/cloth/quantities.hpp"
+#include "sim/garment/quantities.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace simreel::swing {
+
+namespace {
+
+constexpr double frameSeconds = 1.0 / 60;
+constexpr double gravity = 9.8;
+
+sim::ClothParameters quiet(double degrees) {
+  sim::ClothParameters p;
+  p.wind = glm::vec3(0);
+  p.damping = 0;
+  p.rotation = glm::vec3(90.0 - degrees, 0, 0);
+  p.pins.clear();
+  return p;
+}
+
+Case sheet(double degrees, double spacing) {
+  Case made;
+  made.degrees = degrees;
+  sim::ClothParameters& p = made.parameters;
+  p = quiet(degrees);
+  const int rows = static_cast<int>(std::lround(1 / spacing)) + 1;
+  p.size = {(rows + 1) / 2, rows};
+  p.spacing = static_cast<float>(spacing);
+  p.pins.emplace_back().rows = {0};
+  made.length = spacing * (rows - 1);
+  return made;
+}
+
+/// The quantity "energy".
+double energyOf(const std::vector<double>& measured) {
+  return measured[5];
+}
+
+}  // namespace
+
+Case springs(double degrees, double spacing) {
+  Case made = sheet(degrees, spacing);
+  made.name = "springs";
+  made.parameters.mass = static_cast<float>(spacing * spacing);  // 1 kg/m^2
+  made.parameters.substeps = 32;
+  return made;
+}
+
+Case fabric(double degrees, double spacing) {
+  Case made = sheet(degrees, spacing);
+  made.name = "fabric";
+  made.parameters.hasFabric = true;
+  made.parameters.substeps.reset();
+  return made;
+}
+
+Case strip(double degrees, double spacing) {
+  Case made;
+  made.name = "strip of triangles";
+  made.degrees = degrees;
+  sim::ClothParameters& p = made.parameters;
+  p = quiet(degrees);
+  p.hasFabric = p.hasMesh = true;
+  p.substeps.reset();
+  const int rows = static_cast<int>(std::lround(1 / spacing)) + 1;
+  p.mesh.size = glm::vec3(0.5F, 0, 1);
+  p.mesh.resolution = {(rows + 1) / 2, rows};
+  sim::PinGroup& top = p.pins.emplace_back();
+  top.hasBox = true;
+  // The upper border, wherever the turn puts it.
+  const double angle = degrees * 3.14159265358979 / 180;
+  const auto y = static_cast<float>(0.5 * std::cos(angle)), z = static_cast<float>(-0.5 * std::sin(angle));
+  top.box = {glm::vec3(-1, y - 1e-3F, z - 1e-3F), glm::vec3(1, y + 1e-3F, z + 1e-3F)};
+  made.length = 1;
+  return made;
+}
+
+namespace {
+
+/// The twin of a case, and its energy.
+template <class Twin, class Measure>
+class Swinging {
+ public:
+  Swinging(Twin twin, Measure measure) : twin_(std::move(twin)), measure_(std::move(measure)) {}
+  [[nodiscard]] double energy() {
+    return energyOf(measure_(twin_.plan(), twin_.positions, twin_.velocities, frame_ * frameSeconds));
+  }
+  double energyAfter() {
+    twin_.step(frame_++ * frameSeconds);
+    return energy();
+  }
+  /// Straight down, at the length at rest.
+  double energyHanging(double degrees) {
+    const auto start = twin_.positions;
+    double top = -1e300;
+    for (const glm::vec4& p : start) top = std::max(top, static_cast<double>(p.y));
+    const double part = std::cos(degrees * 3.14159265358979 / 180);
+    for (glm::vec4& p : twin_.positions)
+      p = glm::vec4(p.x, top - (top - static_cast<double>(p.y)) / part, 0, p.w);
+    const double hanging = energy();
+    twin_.positions = start;
+    return hanging;
+  }
+
+ private:
+  Twin twin_;
+  Measure measure_;
+  int frame_ = 0;
+};
+
+/// Calls `use` with the case's Swinging.
+template <class Use>
+auto withTwin(const Case& given, const Use& use) {
+  const sim::ClothParameters& p = given.parameters;
+  if (p.hasMesh)
+    return use(
+        Swinging(GarmentTwin(sim::GarmentPlan("strip", p, 1, frameSeconds, {})), sim::measureGarment));
+  return use(
+      Swinging(ClothTwin(sim::ClothPlan(p, 1, frameSeconds, {})),
+               [](const sim::ClothPlan& plan, const auto& positions, const auto& velocities, double time) {
+                 return sim::measureCloth(plan.parameters(), positions, velocities, time);
+               }));
+}
+
+}  // namespace
+
+Course courseOf(const Case& given, double seconds, const std::function<double()>& energyAfter) {
+  const auto [first, hanging] = withTwin(
+      given, [&](auto twin) { return std::pair(twin.energy(), twin.energyHanging(given.degrees)); });
+  // A chain swings with j01 / 2 sqrt(g / L), j01 = 2.405 being the first zero of J0.
+  const double period = 2 * 3.14159265358979 / (1.2024 * std::sqrt(gravity / given.length));
+  const int frames = static_cast<int>(std::lround(seconds / frameSeconds));
+  const int window = static_cast<int>(std::lround(period / frameSeconds));
+  Course course;
+  double sum = 0;
+  double lowest = 1e300;
+  for (int frame = 1; frame <= frames; ++frame) {
+    sum += (energyAfter() - hanging) / (first - hanging);
+    if (frame % window != 0) continue;
+    const double mean = sum / window;
+    sum = 0;
+    if (frame == window) continue;
+    course.means.push_back(mean);
+    course.rise = std::max(course.rise, mean - lowest);
+    lowest = std::min(lowest, mean);
+  }
+  return course;
+}
+
+Course courseOfTwin(const Case& given, double seconds) {
+  return withTwin(given,
+                  [&](auto twin) { return courseOf(given, seconds, [&] { return twin.energyAfter(); }); });
+}
+
+}  // namespace simreel::swing

@@ -1,0 +1,95 @@
+// What a camera has in view of meshes, bodies, balls and cloth of meshes where the scene places it nowhere.
+#include "sim/body/parameters.hpp"
+#include "sim/cloth/parameters.hpp"
+#include "sim/mesh/parameters.hpp"
+#include "sim/shape/shape.hpp"
+#include "source_folder.hpp"
+
+#include <cmath>
+#include <filesystem>
+
+#include <doctest/doctest.h>
+
+using namespace simreel;
+
+namespace {
+
+void checkFramed(const scene::Parameters& parameters, const glm::vec3& min, const glm::vec3& max) {
+  const auto box = parameters.framed();
+  REQUIRE(box.has_value());
+  for (int k = 0; k < 3; ++k) {
+    CHECK(std::abs(box->min[k] - min[k]) < 1e-4F);
+    CHECK(std::abs(box->max[k] - max[k]) < 1e-4F);
+  }
+}
+
+std::filesystem::path walkerFile() {
+  return std::filesystem::path(sourceFolder()) / "assets/meshes/walker.gltf";
+}
+
+}  // namespace
+
+TEST_CASE("framed: a mesh where it is at rest, at all keys of its position") {
+  sim::MeshParameters mesh;  // a plane of 4 m by 4 m
+  mesh.scale = 0.5F;
+  mesh.position = scene::Animated<glm::vec3>({{0.0, glm::vec3(0, 1, 0)}, {1.0, glm::vec3(3, 2, 0)}},
+                                             scene::Ease::linear);
+  checkFramed(mesh, {-1, 1, -1}, {4, 2, 1});
+  mesh.rotation = glm::vec3(90, 0, 0);
+  checkFramed(mesh, {-1, 0, 0}, {4, 3, 0});
+  mesh.visible = false;
+  CHECK_FALSE(mesh.framed());
+}
+
+TEST_CASE("framed: balls and capsules, but no planes") {
+  sim::ShapeParameters capsule(sim::ColliderShape::Kind::capsule);
+  capsule.shape.radius = 0.25F;
+  capsule.shape.rotation = glm::vec3(0, 0, 90);
+  capsule.shape.position = glm::vec3(1, 2, 3);
+  checkFramed(capsule, {-0.25F, 1.75F, 2.75F}, {2.25F, 2.25F, 3.25F});
+  CHECK_FALSE(sim::ShapeParameters(sim::ColliderShape::Kind::plane).framed());
+}
+
+TEST_CASE("framed: a body's skin, and where its motion takes it") {
+  sim::BodyParameters body;
+  body.file = walkerFile();
+  const auto stands = body.framed();
+  REQUIRE(stands.has_value());
+  CHECK(std::abs(stands->min.y) < 0.05F);
+  CHECK(stands->max.y > 1.5F);
+  CHECK(stands->max.y < 2);
+  body.animation = "walk";
+  const auto walks = body.framed();
+  REQUIRE(walks.has_value());
+  CHECK(walks->max.z - walks->min.z > stands->max.z - stands->min.z + 0.2F);  // a step
+  body.scale = 2.0F;
+  body.position = glm::vec3(10, 0, 0);
+  const auto moved = body.framed();
+  REQUIRE(moved.has_value());
+  CHECK(std::abs(moved->max.y - 2 * walks->max.y) < 1e-3F);
+  CHECK(std::abs(moved->min.x - 10 - 2 * walks->min.x) < 1e-3F);
+}
+
+TEST_CASE("framed: files that cannot be read leave the camera alone") {
+  sim::BodyParameters body;
+  body.file = "/no/such.gltf";
+  CHECK_FALSE(body.framed());
+  body.file = walkerFile();
+  body.animation = "swim";
+  CHECK_FALSE(body.framed());
+  sim::MeshParameters mesh;
+  mesh.shape = sim::MeshShape::file;
+  mesh.file = "/no/such.obj";
+  CHECK_FALSE(mesh.framed());
+}
+
+TEST_CASE("framed: cloth of a mesh at rest, and where it falls or hangs") {
+  sim::ClothParameters cloth;
+  cloth.hasMesh = true;
+  cloth.mesh.size = glm::vec3(3, 0, 1);
+  cloth.position = glm::vec3(0, 2, 0);
+  cloth.pins.clear();
+  checkFramed(cloth, {-1.5F, 0, -0.5F}, {1.5F, 2, 0.5F});
+  cloth.pins.emplace_back().vertices = {0};
+  checkFramed(cloth, {-1.5F, -1, -0.5F}, {1.5F, 2, 0.5F});
+}

@@ -1,0 +1,239 @@
+// Cloth beside plain loops, and what a substep of it takes at least.
+#include "beside/subject.hpp"
+#include "plain/plain.hpp"
+#include "reference/cloth_twin.hpp"
+#include "reference/contact_twin.hpp"
+#include "reference/garment_twin.hpp"
+#include "sim/cloth/sheet_mesh.hpp"
+#include "sim/contact/lock_step.hpp"
+
+#include <cstring>
+
+namespace simreel::bench {
+
+namespace {
+
+constexpr int substeps = 16;
+constexpr float dt = static_cast<float>(frameSeconds / substeps);
+constexpr double stateBytes = 64;  // position and velocity, read and written
+
+// Operations of a substep, by hand from the equations; a division or a root counts as one.
+// A particle of a sheet: second differences along both axes and the twist, scattered 63; velocity and
+// place 21; two diagonals 60; a link of a row and one of a column, directions 28, the matrix 12, solved 26,
+// applied 18; v = (x - x_before) / dt 6.
+constexpr double sheetOperations = 63 + 21 + 60 + 28 + 12 + 26 + 18 + 6;
+// A face: its columns 24, lengths and directions 22, strains 7, gradients of shear 18, their products 25,
+// the matrix 11, solved 28, applied 63. What does not change, the weights of the corners, counts as
+// prepared. A vertex: 27, and 9 for each entry of its row of bending.
+constexpr double faceOperations = 198, vertexOperations = 27, entryOperations = 9;
+// A pair that may touch: its closest points 120, whether it comes near in this substep 65. One that does:
+// two rounds of impulses 110 each, and whether it passes through afterwards 85. That pairs are found counts
+// for nothing, as if nothing moved.
+constexpr double pairOperations = 185, nearOperations = 305;
+
+plain::Fabric::Numbers numbersOf(const sim::ClothParameters& p) {
+  const auto f = p.fabric.constants();
+  return {p.spacing, f.density, f.weft, f.warp, f.shear, f.bending, 9.8F, 1 - p.damping * dt, dt};
+}
+
+sim::ClothParameters sheet(glm::ivec2 size, float spacing) {
+  sim::ClothParameters p;
+  p.size = size;
+  p.spacing = spacing;
+  p.hasFabric = true;
+  p.wind = glm::vec3(0);
+  p.damping = 0.5F;
+  p.substeps = substeps;
+  p.pins.clear();
+  return p;
+}
+
+}  // namespace
+
+Subject fabricSheet() {
+  constexpr int side = 256;
+  sim::ClothParameters p = sheet({side, side}, 3.2F / side);
+  p.rotation = glm::vec3(90, 0, 0);
+  p.pins.emplace_back().rows = {0};
+  auto own = std::make_shared<plain::Fabric>(side, side, numbersOf(p));
+  for (std::size_t x = 0; x < side; ++x) own->inverseMass[x] = 0;
+  return {"cloth, fabric",
+          "1e6 particle-steps/s",
+          double(substeps) * side * side,
+          [=] {
+            for (int i = 0; i < substeps; ++i) {
+              own->predict();
+              own->settle();
+            }
+          },
+          frames(std::make_shared<ClothTwin>(sim::ClothPlan(p, 1, frameSeconds, {})), 1),
+          frames(onDevice("cloth", p), sim::StepWatch{}),
+          {sheetOperations, stateBytes, double(side) * side}};
+}
+
+Subject meshCloth() {
+  sim::ClothParameters p = sheet({2, 2}, 1);
+  p.hasMesh = true;
+  p.mesh.resolution = {129, 129};
+  p.rotation = glm::vec3(90, 0, 0);
+  sim::PinGroup& top = p.pins.emplace_back();
+  top.hasBox = true;
+  top.box = {glm::vec3(-2, 0.999F, -1), glm::vec3(2, 1.1F, 1)};
+  const sim::GarmentPlan plan("cloth", p, 1, frameSeconds, {});
+  const sim::GarmentArrays& from = plan.arrays();
+  auto own = std::make_shared<plain::Garment>();
+  own->gravity = 9.8F;
+  own->kept = 1 - p.damping * dt;
+  own->dt = dt;
+  for (const glm::vec4& v : plan.firstPositions()) {
+    own->position.push_back({v.x, v.y, v.z});
+    own->inverseMass.push_back(v.w);
+  }
+  own->velocity.resize(own->position.size());
+  for (std::size_t f = 0; f < from.corners.size(); ++f) {
+    const glm::uvec4 c = from.corners[f];
+    const glm::vec4 shape = from.elements[2 * f], give = from.elements[2 * f + 1] / (dt * dt);
+    own->faces.push_back(
+        {int(c.x), int(c.y), int(c.z), shape.x, shape.y, shape.z, shape.w, give.x, give.y, give.z});
+  }
+  const auto add = [&](unsigned other, unsigned bits) {
+    float stiffness = 0;
+    std::memcpy(&stiffness, &bits, sizeof stiffness);
+    own->bends.push_back({int(other), stiffness});
+  };
+  for (const glm::uvec4 fan : from.fans) {
+    own->firstBend.push_back(int(own->bends.size()));
+    for (unsigned k = fan.z; k < fan.z + fan.w; ++k) {
+      add(from.entries[k].x, from.entries[k].y);
+      add(from.entries[k].z, from.entries[k].w);
+    }
+  }
+  own->firstBend.push_back(int(own->bends.size()));
+  const double vertices = double(own->position.size());
+  const double faces = double(own->faces.size()) / vertices, entries = double(own->bends.size()) / vertices;
+  return {"cloth, mesh",
+          "1e6 vertex-steps/s",
+          substeps * vertices,
+          [=] {
+            for (int i = 0; i < substeps; ++i) own->step();
+          },
+          frames(std::make_shared<GarmentTwin>(sim::GarmentPlan("cloth", p, 1, frameSeconds, {}))),
+          frames(onDevice("cloth", p), sim::StepWatch{}),
+          {vertexOperations + faceOperations * faces + entryOperations * entries,
+           stateBytes + sizeof(plain::Garment::Face) * faces + sizeof(plain::Garment::Bend) * entries,
+           vertices}};
+}
+
+namespace {
+
+/// Sheets on one another, the lowest held by its borders: on the device, by the twins, plainly.
+struct Pile {
+  static constexpr int count = 5;
+  static constexpr glm::ivec2 size{23, 21};
+  static constexpr std::size_t each = std::size_t(size.x) * size.y;
+  std::vector<std::shared_ptr<sim::Simulation>> cloths;
+  std::unique_ptr<sim::ContactGroup> group;
+  std::vector<ClothTwin> twins;
+  std::unique_ptr<ContactTwin> twinContact;
+  std::vector<plain::Fabric> plains;
+  std::unique_ptr<plain::Contact> plainContact;
+  std::vector<plain::Vec3> now, next;
+  std::vector<float> inverseMass;
+  int frame = 0;
+  double pairs = 0, nears = 0;  ///< of a substep, when they lie
+
+  Pile() {
+    std::vector<sim::LockStep*> members;
+    std::vector<sim::ContactPart> parts;
+    std::vector<std::uint32_t> indices;
+    for (int i = 0; i < count; ++i) {
+      sim::ClothParameters p = sheet(size, 0.036F);
+      p.position = glm::vec3(0.003F * static_cast<float>(i), 0.007F * static_cast<float>(i), 0);
+      p.rotation = glm::vec3(0, static_cast<float>(i) * 25, 0);
+      p.jitter = 2e-4F;
+      p.hasContact = true;
+      if (i == 0) {
+        p.pins.emplace_back().rows = {0, -1};
+        p.pins.back().columns = {0, -1};
+      }
+      cloths.push_back(onDevice("cloth", p, substeps));
+      members.push_back(cloths.back()->lockStep());
+      parts.push_back(members.back()->contactPart());
+      twins.emplace_back(sim::ClothPlan(p, 1, frameSeconds, {}));
+      plains.emplace_back(size.x, size.y, numbersOf(p));
+      for (const unsigned k : sim::gridIndices(size)) indices.push_back(k + std::uint32_t(i * each));
+    }
+    group = std::make_unique<sim::ContactGroup>(members, substeps, frameSeconds, false);
+    twinContact = std::make_unique<ContactTwin>(sim::ContactPlan(parts, frameSeconds / substeps));
+    plainContact = std::make_unique<plain::Contact>(indices, count * each, 0.04F, parts[0].thickness,
+                                                    parts[0].friction);
+    for (int i = 0; i < 40; ++i) deviceFrame();
+    for (std::size_t i = 0; i < count; ++i) {
+      const auto state = cloths[i]->state();
+      twins[i].positions = state[0].buffer->readAll<glm::vec4>();
+      twins[i].velocities = state[1].buffer->readAll<glm::vec4>();
+      for (std::size_t k = 0; k < each; ++k) {
+        const glm::vec4 x = twins[i].positions[k], v = twins[i].velocities[k];
+        plains[i].position[k] = {x.x, x.y, x.z};
+        plains[i].velocity[k] = {v.x, v.y, v.z};
+        plains[i].inverseMass[k] = x.w;
+        inverseMass.push_back(x.w);
+      }
+    }
+    twinFrame();
+    pairs = double(twinContact->pairs);
+    nears = double(twinContact->nears);
+  }
+
+  void deviceFrame() { group->step(frame++ * frameSeconds, {}); }
+
+  void twinFrame() {
+    std::vector<std::vector<shader::ClothStep>> steps;
+    for (ClothTwin& twin : twins) steps.push_back(twin.plan().frame(0));
+    for (std::size_t s = 0; s < std::size_t(substeps); ++s) {
+      std::vector<ContactTwin::Part> parts;
+      for (std::size_t i = 0; i < count; ++i) {
+        twins[i].predict(steps[i][s], 1, int(s));
+        parts.push_back({&twins[i].positions, &twins[i].next, &twins[i].velocities});
+      }
+      twinContact->push(parts, s == 0);
+      for (std::size_t i = 0; i < count; ++i) twins[i].settle(steps[i][s], int(s));
+      twinContact->hold(parts);
+      for (ClothTwin& twin : twins) twin.finish();
+    }
+  }
+
+  void plainFrame() {
+    for (int s = 0; s < substeps; ++s) {
+      now.clear();
+      next.clear();
+      for (plain::Fabric& cloth : plains) {
+        cloth.predict();
+        now.insert(now.end(), cloth.position.begin(), cloth.position.end());
+        next.insert(next.end(), cloth.next.begin(), cloth.next.end());
+      }
+      plainContact->push(now, next, inverseMass);
+      for (std::size_t i = 0; i < count; ++i) {
+        std::copy_n(next.begin() + long(i * each), each, plains[i].next.begin());
+        plains[i].settle();
+      }
+    }
+  }
+};
+
+}  // namespace
+
+Subject clothsInContact() {
+  auto pile = std::make_shared<Pile>();
+  const double vertices = double(Pile::count * Pile::each);
+  return {"cloth, five in contact",
+          "1e6 particle-steps/s",
+          substeps * vertices,
+          [=] { pile->plainFrame(); },
+          [=] { pile->twinFrame(); },
+          [=] { pile->deviceFrame(); },
+          {sheetOperations + (pairOperations * pile->pairs + nearOperations * pile->nears) / vertices,
+           stateBytes, vertices}};
+}
+
+}  // namespace simreel::bench

@@ -1,0 +1,90 @@
+#include "beside/subject.hpp"
+
+#include "base/clock.hpp"
+#include "gl/context.hpp"
+#include "plain/plain.hpp"
+
+#include <algorithm>
+#include <ctime>
+
+#include <fmt/format.h>
+
+namespace simreel::bench {
+
+namespace {
+
+struct Turn {
+  double wall = 0, processor = 0;  ///< s
+};
+
+Turn timed(const std::function<void()>& work) {
+  const auto begin = Clock::now();
+  const std::clock_t used = std::clock();
+  work();
+  return {secondsSince(begin), static_cast<double>(std::clock() - used) / CLOCKS_PER_SEC};
+}
+
+double median(std::vector<double> values) {
+  std::nth_element(values.begin(), values.begin() + static_cast<long>(values.size() / 2), values.end());
+  return values[values.size() / 2];
+}
+
+/// Items a second that one processor could do if it did nothing else than the least, at the rate that it
+/// reached just now in a loop of nothing but such operations, or in copying what it goes through,
+/// from whichever cache that stays in.
+double limit(const Least& least) {
+  const auto rate = [](auto work) {
+    std::vector<double> rates;
+    for (int i = 0; i < 5; ++i) {
+      double amount = 0;
+      const Turn turn = timed([&] { amount = work(); });
+      rates.push_back(amount / turn.processor);
+    }
+    return median(rates);
+  };
+  const double arithmetic = rate([] { return plain::arithmetic(); }) / least.operations;
+  const auto size = static_cast<std::size_t>(least.bytes * least.pass);
+  return std::min(arithmetic, rate([&] { return plain::copying(size); }) / least.bytes);
+}
+
+}  // namespace
+
+void keepBusy(const Subject& subject, double seconds) {
+  for (const auto begin = Clock::now(); secondsSince(begin) < seconds; glFinish()) subject.device();
+}
+
+void printHeads() {
+  fmt::print("{:<24} {:>10} {:>10} {:>10} {:>10} {:>10} {:>10} {:>8} {:>6}\n", "", "plain loop", "twin",
+             "wall", "", "processor", "", "limit", "");
+}
+
+void print(const Subject& subject) {
+  constexpr int fewest = 5;
+  std::vector<double> plain, twin, wall, processor, wallRatio, processorRatio;
+  const auto device = [&] {
+    subject.device();
+    glFinish();
+  };
+  device();
+  const auto begin = Clock::now();
+  for (int round = 0; round < fewest || secondsSince(begin) < 3; ++round) {
+    const Turn a = timed(subject.plain);
+    const Turn b = timed(device);
+    if (subject.twin) twin.push_back(subject.items / timed(subject.twin).processor);
+    plain.push_back(subject.items / a.processor);
+    wall.push_back(subject.items / b.wall);
+    processor.push_back(subject.items / b.processor);
+    wallRatio.push_back(a.wall / b.wall);
+    processorRatio.push_back(a.processor / b.processor);
+  }
+  const double most = subject.least.operations > 0 ? limit(subject.least) : 0;
+  fmt::print("{:<24} {:>10.2f} {:>10} {:>10.2f} {:>8.2f} x {:>10.2f} {:>8.2f} x {:>8} {:>6}  {}\n",
+             subject.name, median(plain) / 1e6,
+             twin.empty() ? "" : fmt::format("{:.2f}", median(twin) / 1e6), median(wall) / 1e6,
+             median(wallRatio), median(processor) / 1e6, median(processorRatio),
+             most > 0 ? fmt::format("{:.1f}", most / 1e6) : "",
+             most > 0 ? fmt::format("{:.1f}%", 100 * median(processor) / most) : "", subject.unit);
+  std::fflush(stdout);
+}
+
+}  // namespace simreel::bench
