@@ -96,8 +96,10 @@ void ParticlesTwin::step(double time, int threads) {
       kernel.walls = &*walls;
     }
     const auto store = [&](std::size_t i, Kernel::ParticleMotion m, const vec4* from) {
+      const vec3 start(from != nullptr ? *from : m.position);
+      if (data.colliderCount > 0) m = kernel.besideShapes(m, start);
       if (heightPlan) m = kernel.overHeights(m);
-      if (walls) m = kernel.besideWalls(m, vec3(from != nullptr ? *from : m.position));
+      if (walls) m = kernel.besideWalls(m, from != nullptr ? start : vec3(m.position));
       positions[i] = m.position;
       velocities[i] = m.velocity;
     };

@@ -27,12 +27,14 @@ void BodyParameters::describe(scene::Fields& f) {
   f.boolean("doubleSided", doubleSided, "Whether both sides of its triangles are drawn.");
   f.boolean("visible", visible, "Whether it is drawn.");
   f.boolean("collides", collides,
-            "Whether cloth touches it: capsules around its bones, from each to its child, as thick as the "
+            "Whether cloth and particles touch it: capsules around its bones, from each to its child, as "
+            "thick as the "
             "skin there (simreel render -v says where), of the 24 bones with the most skin.");
   f.number("grip", grip, {0, 1e6}, "1/s",
-           "Rate at which cloth sliding over it loses speed; 25.3 keeps 0.9 at 240 Hz.");
-  f.optionalNumber("friction", friction, {0, 100}, "",
-                   "Coulomb's coefficient, instead of grip: cloth holds on slopes up to its arc tangent.");
+           "Rate at which what slides over it loses speed; 25.3 keeps 0.9 at 240 Hz.");
+  f.optionalNumber(
+      "friction", friction, {0, 100}, "",
+      "Coulomb's coefficient, instead of grip: what lies there holds on slopes up to its arc tangent.");
   if (file.empty()) f.error("file", "a body needs \"file\": the glTF to read");
   for (const char* name : {"speed", "start", "loop"})
     if (animation.empty() && f.given(name))

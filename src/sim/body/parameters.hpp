@@ -38,6 +38,7 @@ struct BodyParameters : ObjectParameters {
   void describe(scene::Fields& fields) override;
   [[nodiscard]] std::span<const scene::Quantity> quantities() const override;
   [[nodiscard]] bool isBody() const override { return true; }
+  [[nodiscard]] bool isTouched() const override { return collides; }
 
   /// What the file holds, read once. Throws what loadFigure() throws.
   [[nodiscard]] const std::shared_ptr<const Figure>& figure() const;

@@ -1,7 +1,7 @@
 #pragma once
 #include "sim/cloth/parameters.hpp"
+#include "sim/collide/colliders.hpp"
 #include "sim/core/carry_over.hpp"
-#include "sim/core/collider.hpp"
 
 #include <array>
 #include <cstdint>
@@ -42,7 +42,7 @@ class ClothPlan {
             double startTime = 0);
 
   /// The same in every step.
-  [[nodiscard]] int colliderCount() const { return static_cast<int>(colliders_.size()); }
+  [[nodiscard]] int colliderCount() const { return colliders_.count(); }
   /// xyz in m, w inverse mass in 1/kg (0: pinned); size.x * size.y elements, x fastest.
   [[nodiscard]] std::vector<glm::vec4> firstPositions() const;
   /// xyz in m/s (zero), w the pin group of a pinned particle.
@@ -59,22 +59,14 @@ class ClothPlan {
   [[nodiscard]] double substepSeconds() const { return substepSeconds_; }
 
  private:
-  /// What a frame that starts at some time begins and ends with.
-  struct Ends {
-    std::vector<std::array<CarriedCapsule, 2>> capsules;  ///< of each collider that is carried
-    std::vector<std::array<glm::dmat4, 2>> pins;          ///< of each pin group, on top of its own frame
-  };
-  [[nodiscard]] Ends endsOf(double time) const;
-  [[nodiscard]] shader::Collider colliderAt(const ColliderShape& shape, double time) const;
-  [[nodiscard]] shader::Collider carriedCollider(const ColliderShape& shape,
-                                                 const std::array<CarriedCapsule, 2>& ends,
-                                                 int substep) const;
+  /// What a frame that starts at `time` begins and ends with, of each pin group, on top of its own frame.
+  [[nodiscard]] std::vector<std::array<glm::dmat4, 2>> pinsAround(double time) const;
 
   ClothParameters parameters_;
   int seed_;
-  double substepSeconds_;
   int substeps_;
-  std::vector<ColliderShape> colliders_;
+  double substepSeconds_;
+  ColliderPlan colliders_;
   /// What carries a pin group, and its inverse at the start; empty: nothing.
   struct PinCarrier {
     Carrier at;

@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <memory>
 #include <optional>
+#include <string>
 
 namespace simreel::shader::particles {
 #include "glsl/particles/bindings.glsl"
@@ -35,13 +36,18 @@ int maxParticles() {
   return static_cast<int>(std::min<std::int64_t>(max, maxAnywhere));
 }
 
+const std::vector<ColliderShape>& shapesIn(const Setting& setting) {
+  static const std::vector<ColliderShape> none;
+  return setting.colliders != nullptr ? *setting.colliders : none;
+}
+
 class Particles : public Simulation {
  public:
   Particles(const scene::Object& object, const Setting& setting)
       : name_(object.name),
         material_(object.material),
-        plan_(parametersOf<ParticleParameters>(object), setting.seed, setting.frameSeconds,
-              maxParticles()) {
+        plan_(parametersOf<ParticleParameters>(object), setting.seed, setting.frameSeconds, maxParticles(),
+              shapesIn(setting)) {
     const ParticleParameters& p = plan_.parameters();
     if (p.collides) heights_ = setting.heights;
     if (!p.walls.empty()) {
@@ -159,6 +165,9 @@ class Particles : public Simulation {
   void makePrograms(bool fast) {
     const ParticleParameters& p = plan_.parameters();
     gl::Defines defines = gl::kernelDefines(fast);
+    defines.emplace_back("SHAPES", plan_.colliderCount() > 0 ? "1" : "0");
+    if (gl::memoryPath() == gl::MemoryPath::texel)
+      defines.emplace_back("COLLIDERS", std::to_string(plan_.colliderCount()));
     defines.emplace_back("HEIGHTS", heights_ != nullptr ? "1" : "0");
     defines.emplace_back("ATTRACTOR", p.hasAttractor ? "true" : "false");
     defines.emplace_back("TURBULENCE", p.turbulence.strength > 0 ? "true" : "false");
@@ -253,7 +262,7 @@ SimulationKind particlesKind() {
       "particles", "Particles that attract each other, follow fields or stream from emitters.",
       [](const scene::Object& object, const Setting& setting) {
         static_cast<void>(ParticlePlan(parametersOf<ParticleParameters>(object), setting.seed,
-                                       setting.frameSeconds, maxAnywhere));
+                                       setting.frameSeconds, maxAnywhere, shapesIn(setting)));
       },
       makeSimulation<Particles>);
 }

@@ -22,6 +22,7 @@ struct ShapeParameters : ObjectParameters {
   bool collides = true;
   bool visible = true;
   void describe(scene::Fields& fields) override;
+  [[nodiscard]] bool isTouched() const override { return collides; }
 };
 
 [[nodiscard]] SimulationKind sphereKind();

@@ -26,6 +26,7 @@ std::vector<ColliderShape> collidersOf(const scene::Scene& scene, const Bones* b
     ColliderShape ground;
     ground.kind = ColliderShape::Kind::plane;
     ground.position = glm::vec3(0, scene.ground.height, 0);
+    ground.friction = scene.ground.friction;
     shapes.push_back(ground);
   }
   if (bones != nullptr) bones->addCapsules(shapes);
@@ -77,7 +78,8 @@ std::vector<UserError> findProblems(const scene::Scene& scene) {
       problems.push_back(error);
     }
   };
-  for (const std::string& mistake : followMistakes(scene)) problems.emplace_back(ExitCode::usage, mistake);
+  for (const std::string& mistake : relationMistakes(scene))
+    problems.emplace_back(ExitCode::usage, mistake);
   for (const scene::Object& object : scene.objects) {
     if (const auto& check = simulationNamed(object.kind).check) attempt([&] { check(object, setting); });
     if (!object.material.texture.empty())

@@ -71,7 +71,7 @@ struct World::State {
         objects(scene.objects.size()),
         order(stepOrder(scene)),
         remarked(scene.objects.size()) {
-    if (const auto mistakes = followMistakes(scene); !mistakes.empty())
+    if (const auto mistakes = relationMistakes(scene); !mistakes.empty())
       throw UserError(ExitCode::usage, mistakes.front());
     Setting setting{scene.numerics == scene::Numerics::fast, scene.seed, 1.0 / scene.time.fps, &colliders,
                     timing};
