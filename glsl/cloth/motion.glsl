@@ -1,5 +1,5 @@
 // A particle of any cloth and what it meets: pins, colliders, ground, walls. Compiles as GLSL and as C++; needs `stepData`
-// (ClothStep), mesh/height_model.glsl and contour/wall_model.glsl.
+// (ClothStep), what collide/field_model.glsl does, mesh/height_model.glsl and contour/wall_model.glsl.
 FUNCTION float applyRow(vec4 row, vec3 p) {
   precise float value = exactDot(vec3(row), p) + row.w;
   return value;
@@ -11,6 +11,7 @@ FUNCTION float applyRow(vec4 row, vec3 p) {
 // meets, on the way from `before`.
 FUNCTION Motion contact(Motion m, vec3 before, bool lands, bool walled) {
   m = outOfShapes(m, before, stepData.constants.margin, 0.0f);
+  m = outOfMeshes(m, before, stepData.constants.margin, 0.0f);
   if (lands) {
     Landing l = landed(m.position, m.velocity);
     m.position = l.position;

@@ -88,3 +88,43 @@ FUNCTION Motion outOfShapes(Motion m, vec3 before, float margin, float bounce) {
 #endif
   return m;
 }
+
+#if defined MESHES && !MESHES
+FUNCTION Motion outOfMeshes(Motion m, vec3 before, float margin, float bounce) {
+  return m;
+}
+#else
+#include "collide/field_model.glsl"
+
+// Out of every rigid mesh in turn; for software drivers the place in the uniform block is a constant (common/repeat.glsl).
+FUNCTION Motion outOfMeshes(Motion m, vec3 before, float margin, float bounce) {
+#ifdef COLLIDERS
+#define AND_MESH(k) m = outOfMesh(k, m, before, margin, bounce);
+  AND_MESH(0)
+#if MESHES > 1
+  AND_MESH(1)
+#endif
+#if MESHES > 2
+  AND_MESH(2)
+#endif
+#if MESHES > 3
+  AND_MESH(3)
+#endif
+#if MESHES > 4
+  AND_MESH(4)
+#endif
+#if MESHES > 5
+  AND_MESH(5)
+#endif
+#if MESHES > 6
+  AND_MESH(6)
+#endif
+#if MESHES > 7
+  AND_MESH(7)
+#endif
+#else
+  for (int i = 0; i < meshData.count; ++i) m = outOfMesh(i, m, before, margin, bounce);
+#endif
+  return m;
+}
+#endif

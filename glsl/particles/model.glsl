@@ -218,13 +218,14 @@ FUNCTION ParticleMotion newbornMoved(int e, int k, bool attractor, bool turbulen
   return grownOlder(m, lived, newbornSlot(e, k), e);
 }
 
-// After the drift, with `from` where it began: out of the shapes.
-FUNCTION ParticleMotion besideShapes(ParticleMotion m, vec3 from) {
+// After the drift, with `from` where it began: out of shapes and rigid meshes.
+FUNCTION ParticleMotion outOfSolids(ParticleMotion m, vec3 from) {
   bool alive = m.velocity.w >= 0.0f;
   Motion here;
   here.position = vec3(m.position);
   here.velocity = vec3(m.velocity);
   Motion out_ = outOfShapes(here, from, stepData.constants.margin, stepData.constants.bounce);
+  out_ = outOfMeshes(out_, from, stepData.constants.margin, stepData.constants.bounce);
   m.position = alive ? vec4(out_.position, m.position.w) : m.position;
   m.velocity = alive ? vec4(out_.velocity, m.velocity.w) : m.velocity;
   return m;

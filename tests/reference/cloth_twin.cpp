@@ -22,6 +22,8 @@ struct Kernel {
   ivec2 size;
   const ClothStep& stepData;
   const vec4* source;
+  MeshColliders meshData{};
+  const uvec4* fieldCells = nullptr;
   HeightGrid heightGrid{};
   const vec4* heights = nullptr;
   WallGrid wallGrid{};
@@ -29,6 +31,7 @@ struct Kernel {
 
   [[nodiscard]] vec4 loadPosition(int i) const { return source[i]; }
   [[nodiscard]] vec4 loadHeights(int i) const { return heights[i]; }
+  [[nodiscard]] uvec4 loadFieldCell(int i) const { return fieldCells[i]; }
   [[nodiscard]] int loadWallClass(int x, int y) const { return walls->classAt(x, y); }
   [[nodiscard]] float loadWallValue(int x, int y) const { return walls->valueAt(x, y); }
   int lineLinks = 0, lineStart = 0, linePace = 1;
@@ -44,6 +47,19 @@ struct Kernel {
 };
 #undef precise
 #undef FUNCTION
+
+void tell(Kernel& kernel, const HeightGrid& grid, const vec4* heights, const WallGrid& wallGrid,
+          const WallsTwin* walls) {
+  kernel.heightGrid = grid;
+  kernel.heights = heights;
+  kernel.wallGrid = wallGrid;
+  kernel.walls = walls;
+}
+
+void tellMeshes(Kernel& kernel, const FieldTwin& meshes, int index) {
+  kernel.meshData = meshes.steps[static_cast<std::size_t>(index)];
+  kernel.fieldCells = meshes.cells.data();
+}
 
 template <class Body>
 void forRows(int rows, int threads, const Body& body) {
@@ -115,6 +131,7 @@ ClothTwin::ClothTwin(simreel::sim::ClothPlan plan)
 
 void ClothTwin::step(double time, int threads) {
   int index = 0;
+  if (meshes) meshes->beginFrame(time, plan_.substeps(), plan_.substepSeconds());
   for (const ClothStep& data : plan_.frame(time)) substep(data, threads, index++);
 }
 
@@ -139,7 +156,9 @@ void ClothTwin::predict(const ClothStep& data, int threads, int index) {
   const bool air = plan_.parameters().hasAir;
   const ivec2 size = plan_.parameters().size;
   forRows(size.y, threads, [&](int y) {
-    Kernel kernel{size, data, positions.data(), grid, heights.data(), wallGrid, solid};
+    Kernel kernel{size, data, positions.data()};
+    tell(kernel, grid, heights.data(), wallGrid, solid);
+    if (meshes) tellMeshes(kernel, *meshes, index);
     for (int x = 0; x < size.x; ++x) {
       const auto i = static_cast<std::size_t>(y * size.x + x);
       const auto m = kernel.advance({x, y}, positions[i], velocities[i], !constraints, air, fabric,
@@ -161,7 +180,9 @@ void ClothTwin::settle(const ClothStep& data, int index) {
   WallGrid wallGrid{};
   if (walls) wallGrid = walls->grid({plan_.parameters().margin, 0.0F, plan_.substepSeconds()});
   const WallsTwin* solid = walls ? &*walls : nullptr;
-  Kernel kernel{plan_.parameters().size, data, positions.data(), grid, heights.data(), wallGrid, solid};
+  Kernel kernel{plan_.parameters().size, data, positions.data()};
+  tell(kernel, grid, heights.data(), wallGrid, solid);
+  if (meshes) tellMeshes(kernel, *meshes, index);
   for (std::size_t i = 0; i < next.size(); ++i) {
     const auto m = kernel.settled(positions[i], next[i], lands, walls.has_value());
     next[i] = vec4(m.position, next[i].w);

@@ -16,6 +16,8 @@ struct GarmentKernel {
   const simreel::sim::GarmentArrays& arrays;
   const vec4* source;
   const vec4* forces;
+  MeshColliders meshData{};
+  const uvec4* fieldCells = nullptr;
   HeightGrid heightGrid{};
   const vec4* heights = nullptr;
   WallGrid wallGrid{};
@@ -26,6 +28,7 @@ struct GarmentKernel {
   [[nodiscard]] uvec4 loadEntry(int i) const { return arrays.entries[static_cast<std::size_t>(i)]; }
   [[nodiscard]] uvec4 loadRing(int i) const { return arrays.rings[static_cast<std::size_t>(i)]; }
   [[nodiscard]] vec4 loadHeights(int i) const { return heights[i]; }
+  [[nodiscard]] uvec4 loadFieldCell(int i) const { return fieldCells[i]; }
   [[nodiscard]] int loadWallClass(int x, int y) const { return walls->classAt(x, y); }
   [[nodiscard]] float loadWallValue(int x, int y) const { return walls->valueAt(x, y); }
 #include "glsl/cloth/mesh/model.glsl"
@@ -48,6 +51,7 @@ GarmentTwin::GarmentTwin(simreel::sim::GarmentPlan plan)
 
 void GarmentTwin::step(double time) {
   int index = 0;
+  if (meshes) meshes->beginFrame(time, plan_.substeps(), plan_.substepSeconds());
   for (const ClothStep& data : plan_.frame(time)) substep(data, index++);
 }
 
@@ -58,8 +62,15 @@ void GarmentTwin::substep(const ClothStep& data, int index) {
   WallGrid wallGrid{};
   if (walls) wallGrid = walls->grid({plan_.parameters().margin, 0.0F, plan_.substepSeconds()});
   const simreel::sim::GarmentArrays& arrays = plan_.arrays();
-  GarmentKernel kernel{data, arrays,         positions.data(), forces_.data(),
-                       grid, heights.data(), wallGrid,         walls ? &*walls : nullptr};
+  GarmentKernel kernel{data, arrays, positions.data(), forces_.data()};
+  kernel.heightGrid = grid;
+  kernel.heights = heights.data();
+  kernel.wallGrid = wallGrid;
+  kernel.walls = walls ? &*walls : nullptr;
+  if (meshes) {
+    kernel.meshData = meshes->steps[static_cast<std::size_t>(index)];
+    kernel.fieldCells = meshes->cells.data();
+  }
   const bool air = plan_.parameters().hasAir;
   for (std::size_t f = 0; air && f < arrays.corners.size(); ++f) {
     const uvec4 face = arrays.corners[f];

@@ -19,6 +19,8 @@ struct ObjectParameters : scene::Parameters {
   [[nodiscard]] virtual bool isTouched() const { return publishesHeights(); }
   /// Whether it asks for something to touch, which the scene should have.
   [[nodiscard]] virtual bool asksToCollide() const { return false; }
+  /// What it keeps (m) from rigid meshes that collide; below 0: it touches none.
+  [[nodiscard]] virtual double touchMargin() const { return -1; }
   /// Whether it is made of another object's field, and the name of that: an object, or NAME.u of one that
   /// has several.
   [[nodiscard]] virtual bool needsField() const { return false; }

@@ -4,6 +4,7 @@
 #include "gl/element_array.hpp"
 #include "gl/program.hpp"
 #include "sim/cloth/cloth.hpp"
+#include "sim/collide/distance_fields.hpp"
 #include "sim/contact/lock_step.hpp"
 #include "sim/contour/walls.hpp"
 #include "sim/core/kind.hpp"
@@ -44,6 +45,7 @@ class Garment : public Simulation, public LockStep {
       walls_ = &setting.wallsNamed(p.walls);
       walls_->checkReach(name_, p.margin);
     }
+    meshes_ = MeshTouch(name_, setting.meshes, plan_.substeps(), plan_.substepSeconds());
     makeArrays();
     makePrograms(setting.fast);
     show();
@@ -70,7 +72,10 @@ class Garment : public Simulation, public LockStep {
         p.contactThickness(static_cast<float>(sum / (roomOfHeight * static_cast<double>(vertices_))));
     return part;
   }
-  void beginFrame(double time) override { steps_.upload(plan_.frame(time)); }
+  void beginFrame(double time) override {
+    steps_.upload(plan_.frame(time));
+    meshes_.beginFrame(time);
+  }
   void predict(int substep) override {
     steps_.bind(static_cast<std::size_t>(substep));
     gl::barrier();
@@ -188,6 +193,7 @@ class Garment : public Simulation, public LockStep {
       gl::Defines all = defines;
       all.emplace_back("HEIGHTS", meets && heights_ != nullptr ? "1" : "0");
       addWallDefines(all, meets ? walls_ : nullptr);
+      if (meets) meshes_.addDefines(all);
       return all;
     };
     const auto make = [&](const char* path, std::size_t count, bool meets = false) {
@@ -203,6 +209,7 @@ class Garment : public Simulation, public LockStep {
     settle_ = make("cloth/mesh/settle.comp", vertices, true);
     show_ = make("cloth/mesh/show.comp", plan_.arrays().copies.size());
     settle_.checkUniformBlock("StepBlock", sizeof(shader::ClothStep));
+    meshes_.check(settle_);
   }
 
   /// Into positions_[1], where forces take the vertices.
@@ -258,6 +265,7 @@ class Garment : public Simulation, public LockStep {
     positions_[0].bindInput(shader::garment::positionsBinding);
     positions_[1].bindState(shader::garment::nextPositionsBinding);
     velocities_.bindState(shader::garment::velocitiesBinding);
+    meshes_.bind(substep);
     if (heights_ != nullptr) {
       heights_->bind();
       heights_->tell(settle_, substep, plan_.substeps(), plan_.parameters().margin, 0.0F);
@@ -288,6 +296,7 @@ class Garment : public Simulation, public LockStep {
   int vertices_;
   const HeightField* heights_;    ///< null: none in the scene
   const Walls* walls_ = nullptr;  ///< null: it meets none
+  MeshTouch meshes_;
   double frameSeconds_;
   double time_ = 0;             ///< s, of the present state
   gl::Vec4Array positions_[2];  ///< now, and where the next substep writes

@@ -5,6 +5,7 @@
 #include "sim/mesh/file.hpp"
 
 #include <filesystem>
+#include <optional>
 
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
@@ -33,11 +34,16 @@ struct MeshParameters : ObjectParameters {
   scene::Animated<glm::vec3> rotation = glm::vec3(0);  ///< degrees
   scene::Animated<float> scale = 1.0F;
   bool collides = false;
-  float grip = 25.3F;  ///< 1/s
+  float grip = 25.3F;              ///< 1/s
+  std::optional<double> friction;  ///< Coulomb's coefficient, instead of `grip`
+  int distanceCells = 0;           ///< along its longest side; 0: by its size
   void describe(scene::Fields& fields) override;
   [[nodiscard]] std::span<const scene::Quantity> quantities() const override;
   [[nodiscard]] bool measures() const override { return !deform.list.empty(); }
-  [[nodiscard]] bool publishesHeights() const override { return collides; }
+  [[nodiscard]] bool publishesHeights() const override { return collides && !deform.list.empty(); }
+  [[nodiscard]] bool isTouched() const override { return collides; }
+  /// Whether it collides as it is, by its distance field.
+  [[nodiscard]] bool collidesRigidly() const { return collides && deform.list.empty(); }
 
   [[nodiscard]] bool doubleSided() const;
   /// From the mesh's own space to the world's at `time`.
@@ -47,6 +53,8 @@ struct MeshParameters : ObjectParameters {
 
  private:
   void describeCollision(scene::Fields& fields);
+  void checkSolid(scene::Fields& fields) const;
+  void checkHeights(scene::Fields& fields) const;
 };
 
 }  // namespace simreel::sim

@@ -86,6 +86,7 @@ struct ParticleParameters : ObjectParameters, shader::ParticleConstants {
   void describe(scene::Fields& fields) override;
   [[nodiscard]] std::span<const scene::Quantity> quantities() const override;
   [[nodiscard]] bool asksToCollide() const override { return collides; }
+  [[nodiscard]] double touchMargin() const override { return collides ? margin : -1; }
   [[nodiscard]] std::string meetsWalls() const override { return walls; }
 
  private:

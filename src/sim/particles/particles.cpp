@@ -4,6 +4,7 @@
 #include "gl/element_array.hpp"
 #include "gl/limits.hpp"
 #include "gl/program.hpp"
+#include "sim/collide/distance_fields.hpp"
 #include "sim/contour/walls.hpp"
 #include "sim/core/kind.hpp"
 #include "sim/core/step_blocks.hpp"
@@ -50,6 +51,7 @@ class Particles : public Simulation {
               shapesIn(setting)) {
     const ParticleParameters& p = plan_.parameters();
     if (p.collides) heights_ = setting.heights;
+    meshes_ = MeshTouch(name_, p.collides ? setting.meshes : nullptr, p.substeps, plan_.substepSeconds());
     if (!p.walls.empty()) {
       walls_ = &setting.wallsNamed(p.walls);
       walls_->checkReach(name_, p.margin);
@@ -72,6 +74,7 @@ class Particles : public Simulation {
     if (!primed_) prime(time);
     const auto steps = plan_.frame(time);
     steps_.upload(steps);
+    meshes_.beginFrame(time);
     tellWalls();
     for (int i = 0; i < plan_.parameters().substeps; ++i) {
       bind(i);
@@ -165,9 +168,10 @@ class Particles : public Simulation {
   void makePrograms(bool fast) {
     const ParticleParameters& p = plan_.parameters();
     gl::Defines defines = gl::kernelDefines(fast);
-    defines.emplace_back("SHAPES", plan_.colliderCount() > 0 ? "1" : "0");
+    defines.emplace_back("SOLIDS", plan_.colliderCount() + meshes_.count() > 0 ? "1" : "0");
     if (gl::memoryPath() == gl::MemoryPath::texel)
       defines.emplace_back("COLLIDERS", std::to_string(plan_.colliderCount()));
+    meshes_.addDefines(defines);
     defines.emplace_back("HEIGHTS", heights_ != nullptr ? "1" : "0");
     defines.emplace_back("ATTRACTOR", p.hasAttractor ? "true" : "false");
     defines.emplace_back("TURBULENCE", p.turbulence.strength > 0 ? "true" : "false");
@@ -175,6 +179,7 @@ class Particles : public Simulation {
     kick_ = gl::Program::compute("particles/kick.comp", defines);
     kick_.checkUniformBlock("StepBlock", sizeof(shader::ParticleStep));
     move_ = gl::Program::compute(attracts() ? "particles/drift.comp" : "particles/step.comp", defines);
+    meshes_.check(move_);
     if (p.emitters.empty()) return;
     if (attracts()) defines.emplace_back("ATTRACTS", "1");
     birth_ = gl::Program::compute("particles/birth.comp", defines);
@@ -224,6 +229,7 @@ class Particles : public Simulation {
     velocities_.bindState(shader::particles::velocitiesBinding);
     accelerations_.bindState(shader::particles::accelerationsBinding);
     status_.bindStorage(shader::statusBinding);
+    meshes_.bind(substep);
     if (walls_ != nullptr) walls_->bind();
     if (heights_ == nullptr) return;
     const ParticleParameters& p = plan_.parameters();
@@ -248,7 +254,8 @@ class Particles : public Simulation {
   StepBlocks<shader::ParticleStep> steps_;
   const HeightField* heights_ = nullptr;  ///< null: it falls onto nothing
   const Walls* walls_ = nullptr;          ///< null: it meets none
-  gl::Program move_, birth_, kick_;       ///< move_: the whole substep unless they attract each other
+  MeshTouch meshes_;
+  gl::Program move_, birth_, kick_;  ///< move_: the whole substep unless they attract each other
   PairGravity pairs_;
   std::optional<GravityTree> tree_;
   std::vector<glm::vec3> colors_;  ///< where the parameters give none

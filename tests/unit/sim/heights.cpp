@@ -125,8 +125,8 @@ TEST_CASE("heights: beside the mesh there is nothing, on its edge there is") {
 TEST_CASE("heights: what cannot collide is told where it stands") {
   const std::string deform = R"(, "deform": [{"ripple": {}}])";
   CHECK(meshFailure(deform) == "no failure");
-  test::checkHas(meshFailure(deform + R"(, "shape": "sphere")"), "a mesh that collides is a \"plane\"");
-  test::checkHas(meshFailure(""), "by what \"deform\" makes of it");
+  test::checkHas(meshFailure(deform + R"(, "shape": "sphere")"), "mesh that collides is a \"plane\"");
+  test::checkHas(meshFailure(""), "or a plane that \"deform\" moves");
   test::checkHas(meshFailure(deform + R"(, "technique": "vertex-shader")"), "keeps no positions");
   test::checkHas(meshFailure(deform + R"(, "size": [0, 0, 3])"), "at least 0.001 m");
   test::checkHas(meshFailure(deform + R"(, "rotation": [0, 20, 0])"), "not turned");
