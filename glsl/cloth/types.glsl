@@ -58,6 +58,8 @@ struct STD140 ClothStep {
   float gustSpeed;     // m/s, size of the gusts' variation
   float perGustSize;   // 1/m
   int colliderCount;
+  int thinCount;       // of those after them, which edges and faces feel instead of vertices
+  float thinRoom;      // m around a vertex within which its faces lie
   int substep;         // since the start
   int seed;
   float perBend;       // N/m, bending / spacing^2 of a fabric

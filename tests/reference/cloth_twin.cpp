@@ -14,6 +14,7 @@ namespace {
 
 using namespace simreel::shader;
 #include "glsl/cloth/segment_links.glsl"
+#include "glsl/cloth/thin_rounds.glsl"
 
 #define FUNCTION inline
 #define precise
@@ -41,6 +42,8 @@ struct Kernel {
 #include "glsl/cloth/line_model.glsl"
 #include "glsl/cloth/model.glsl"
 #include "glsl/cloth/segment.glsl"
+#include "glsl/cloth/thin.glsl"
+#include "glsl/collide/closest.glsl"
 #include "glsl/contour/model.glsl"
 #include "glsl/contour/wall_model.glsl"
 #include "glsl/mesh/height_model.glsl"
@@ -170,6 +173,8 @@ void ClothTwin::predict(const ClothStep& data, int threads, int index) {
   if (constraints) {
     constrain(data);
     settle(data, index);
+  } else {
+    for (int round = 0; round < thinRounds; ++round) fend(data);
   }
 }
 
@@ -187,6 +192,44 @@ void ClothTwin::settle(const ClothStep& data, int index) {
     const auto m = kernel.settled(positions[i], next[i], lands, walls.has_value());
     next[i] = vec4(m.position, next[i].w);
     velocities[i] = vec4(m.velocity, velocities[i].w);
+  }
+  for (int round = 0; round < thinRounds; ++round) fend(data);
+}
+
+void ClothTwin::fend(const ClothStep& data) {
+  if (data.thinCount == 0) return;
+  const ivec2 size = plan_.parameters().size;
+  const ivec2 around[] = {{1, 0}, {0, 1}, {-1, 1}, {-1, 0}, {0, -1}, {1, -1}};
+  Kernel kernel{size, data, positions.data()};
+  const auto indexOf = [&](ivec2 at) {
+    return at.x >= 0 && at.y >= 0 && at.x < size.x && at.y < size.y ? at.y * size.x + at.x : -1;
+  };
+  const auto cornerAt = [&](int index) {
+    const auto i = static_cast<std::size_t>(index);
+    return kernel.cornerOf(positions[i], next[i], velocities[i]);
+  };
+  std::vector<Kernel::Fended> all;
+  for (int y = 0; y < size.y; ++y)
+    for (int x = 0; x < size.x; ++x) {
+      const Kernel::Corner here = cornerAt(indexOf({x, y}));
+      Kernel::Fended sum = kernel.notFended();
+      for (int c = data.colliderCount; c < data.colliderCount + data.thinCount; ++c) {
+        if (here.inverseMass == 0 || !kernel.mayMeet(c, here)) continue;
+        Kernel::Fended most = kernel.notFended();
+        for (int k = 0; k < 6; ++k) {
+          const int first = indexOf(ivec2(x, y) + around[k]);
+          const int second = indexOf(ivec2(x, y) + around[(k + 1) % 6]);
+          if (first < 0) continue;
+          most = kernel.fendedByEdge(most, c, here, cornerAt(first));
+          if (second >= 0) most = kernel.fendedByFace(most, c, here, cornerAt(first), cornerAt(second));
+        }
+        sum = kernel.together(sum, most);
+      }
+      all.push_back(sum);
+    }
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    next[i] = vec4(vec3(next[i]) + all[i].shift, next[i].w);
+    velocities[i] = vec4(vec3(velocities[i]) + all[i].change, velocities[i].w);
   }
 }
 

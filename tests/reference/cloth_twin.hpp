@@ -36,6 +36,7 @@ class ClothTwin {
 
  private:
   void constrain(const simreel::shader::ClothStep& data);
+  void fend(const simreel::shader::ClothStep& data);
 
   simreel::sim::ClothPlan plan_;
 };

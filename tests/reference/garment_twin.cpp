@@ -7,6 +7,7 @@
 namespace {
 
 using namespace simreel::shader;
+#include "glsl/cloth/thin_rounds.glsl"
 
 #define FUNCTION inline
 #define precise
@@ -32,6 +33,8 @@ struct GarmentKernel {
   [[nodiscard]] int loadWallClass(int x, int y) const { return walls->classAt(x, y); }
   [[nodiscard]] float loadWallValue(int x, int y) const { return walls->valueAt(x, y); }
 #include "glsl/cloth/mesh/model.glsl"
+#include "glsl/cloth/thin.glsl"
+#include "glsl/collide/closest.glsl"
 #include "glsl/contour/model.glsl"
 #include "glsl/contour/wall_model.glsl"
 #include "glsl/mesh/height_model.glsl"
@@ -105,7 +108,38 @@ void GarmentTwin::substep(const ClothStep& data, int index) {
     next_[i] = vec4(m.position, next_[i].w);
     velocities[i] = vec4(m.velocity, velocities[i].w);
   }
+  for (int round = 0; round < thinRounds; ++round) fend(data);
   std::swap(positions, next_);
+}
+
+void GarmentTwin::fend(const ClothStep& data) {
+  if (data.thinCount == 0) return;
+  const simreel::sim::GarmentArrays& arrays = plan_.arrays();
+  GarmentKernel kernel{data, arrays, positions.data(), forces_.data()};
+  const auto cornerAt = [&](std::size_t i) {
+    return kernel.cornerOf(positions[i], next_[i], velocities[i]);
+  };
+  std::vector<GarmentKernel::Fended> all;
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    const GarmentKernel::Corner here = cornerAt(i);
+    GarmentKernel::Fended sum = kernel.notFended();
+    for (int c = data.colliderCount; c < data.colliderCount + data.thinCount; ++c) {
+      if (here.inverseMass == 0 || !kernel.mayMeet(c, here)) continue;
+      GarmentKernel::Fended most = kernel.notFended();
+      for (unsigned k = 0; k < arrays.fans[i].y; ++k) {
+        const uvec4 ring = arrays.rings[arrays.fans[i].x + k];
+        most = kernel.fendedByEdge(most, c, here, cornerAt(ring.x));
+        most = kernel.fendedByEdge(most, c, here, cornerAt(ring.y));
+        most = kernel.fendedByFace(most, c, here, cornerAt(ring.x), cornerAt(ring.y));
+      }
+      sum = kernel.together(sum, most);
+    }
+    all.push_back(sum);
+  }
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    next_[i] = vec4(vec3(next_[i]) + all[i].shift, next_[i].w);
+    velocities[i] = vec4(vec3(velocities[i]) + all[i].change, velocities[i].w);
+  }
 }
 
 std::vector<glm::vec3> GarmentTwin::normals() const {

@@ -32,6 +32,7 @@ class GarmentTwin {
   [[nodiscard]] simreel::sim::GarmentPlan& plan() { return plan_; }
 
  private:
+  void fend(const simreel::shader::ClothStep& data);
   simreel::sim::GarmentPlan plan_;
   std::vector<glm::vec4> rest_, next_, forces_;
 };

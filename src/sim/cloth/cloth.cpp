@@ -7,6 +7,7 @@
 #include "sim/cloth/plan.hpp"
 #include "sim/cloth/quantities.hpp"
 #include "sim/cloth/sheet_mesh.hpp"
+#include "sim/cloth/thin.hpp"
 #include "sim/collide/distance_fields.hpp"
 #include "sim/contact/lock_step.hpp"
 #include "sim/contour/walls.hpp"
@@ -56,6 +57,8 @@ class Cloth : public Simulation, public LockStep {
     status_ = gl::Buffer::of<unsigned>(name_ + " status", fine);
     makePrograms(setting.fast);
     steps_ = StepBlocks<shader::ClothStep>(name_ + " steps", plan_.substeps());
+    thin_ = ThinColliders(name_, "cloth/thin.comp", plan_.thinCount(), size_.x * size_.y, setting.fast);
+    if (thin_.there()) thin_.kernel().set("size", size_);
   }
 
   void step(double time, const StepWatch& watch) override {
@@ -91,6 +94,7 @@ class Cloth : public Simulation, public LockStep {
     gl::barrier();
     if (!(constrained_ && inLines_)) step_.dispatch(size_.x, size_.y);
     if (constrained_) constrain();
+    thin_.fend(positions_[0], positions_[1], velocities_, size_.x, size_.y);
   }
   [[nodiscard]] Contact::Part arrays() const override {
     return {&positions_[0], &positions_[1], &velocities_};
@@ -104,6 +108,7 @@ class Cloth : public Simulation, public LockStep {
     tellColliders(settle_, substep);
     gl::barrier();
     settle_.dispatch(size_.x * size_.y);
+    thin_.fend(positions_[0], positions_[1], velocities_, size_.x, size_.y);
   }
   void finish() override { std::swap(positions_[0], positions_[1]); }
   void endFrame(double time) override {
@@ -295,6 +300,7 @@ class Cloth : public Simulation, public LockStep {
   const HeightField* heights_;    ///< null: none in the scene
   const Walls* walls_ = nullptr;  ///< null: it meets none
   MeshTouch meshes_;
+  ThinColliders thin_;
   double frameSeconds_;
   double time_ = 0;             ///< s, of the present state
   gl::Vec4Array positions_[2];  ///< now, and where the next substep writes

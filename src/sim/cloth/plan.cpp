@@ -60,12 +60,13 @@ glm::vec4 turned(const shader::PinFrame& frame, glm::vec3 way) {
 ClothPlan::ClothPlan(const ClothParameters& parameters, int seed, double frameSeconds,
                      const std::vector<ColliderShape>& colliders,
                      const std::function<Carrier(const std::string&, const std::string&)>& boneNamed,
-                     double startTime)
+                     double startTime, double edge)
     : parameters_(parameters),
       seed_(seed),
       substeps_(parameters.substepsPerFrame(frameSeconds)),
       substepSeconds_(frameSeconds / substeps_),
-      colliders_("a cloth", colliders, substeps_, substepSeconds_) {
+      colliders_("a cloth", colliders, substeps_, substepSeconds_),
+      edge_(edge > 0 ? edge : parameters.spacing) {
   if (const std::string problem = parameters_.instability(frameSeconds); !problem.empty())
     warn("cloth: {}", problem);
   if (parameters_.hasFabric) {
@@ -73,6 +74,7 @@ ClothPlan::ClothPlan(const ClothParameters& parameters, int seed, double frameSe
     parameters_.shearCompliance = 1.0F / fabric.shear;
     parameters_.margin += 0.5F * fabric.thickness;
   }
+  thinCount_ = colliders_.putThinLast(edge_, parameters_.margin);
   for (const PinGroup& group : parameters_.pins) {
     PinCarrier& carrier = carriers_.emplace_back();
     if (group.to.empty()) continue;
@@ -151,7 +153,9 @@ std::vector<shader::ClothStep> ClothPlan::frame(double time) {
     s.kept = keptOf(p.damping, substepSeconds_);
     s.gustSpeed = p.air.gusts * speed;
     s.perGustSize = 1.0F / p.air.gustSize;
-    s.colliderCount = colliders_.count();
+    s.colliderCount = colliderCount();
+    s.thinCount = thinCount_;
+    s.thinRoom = static_cast<float>(3 * edge_);
     s.substep = static_cast<int>(done_);
     s.seed = seed_;
     s.constants = p;

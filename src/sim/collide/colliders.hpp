@@ -24,7 +24,9 @@ class ColliderPlan {
   ColliderPlan(const char* who, std::vector<ColliderShape> shapes, int substeps, double substepSeconds);
 
   [[nodiscard]] int count() const { return static_cast<int>(shapes_.size()); }
-  [[nodiscard]] const std::vector<ColliderShape>& shapes() const { return shapes_; }
+  /// Puts those last that pass between vertices that are `edge` (m) apart, `margin` (m) around them
+  /// included: rods thinner than that, and balls that fit between four. Returns how many they are.
+  int putThinLast(double edge, double margin);
   /// Of each substep of the frame that starts at `time` (s): its colliders at its end, count() of them.
   [[nodiscard]] std::vector<std::vector<shader::Collider>> frame(double time) const;
 

@@ -4,6 +4,7 @@
 #include "gl/element_array.hpp"
 #include "gl/program.hpp"
 #include "sim/cloth/cloth.hpp"
+#include "sim/cloth/thin.hpp"
 #include "sim/collide/distance_fields.hpp"
 #include "sim/contact/lock_step.hpp"
 #include "sim/contour/walls.hpp"
@@ -48,6 +49,8 @@ class Garment : public Simulation, public LockStep {
     meshes_ = MeshTouch(name_, setting.meshes, plan_.substeps(), plan_.substepSeconds());
     makeArrays();
     makePrograms(setting.fast);
+    thin_ = ThinColliders(name_, "cloth/mesh/thin.comp", plan_.thinCount(), vertices_, setting.fast);
+    if (thin_.there()) thin_.kernel().set("count", vertices_);
     show();
   }
 
@@ -275,6 +278,10 @@ class Garment : public Simulation, public LockStep {
       walls_->tell(settle_, plan_.substepSeconds(), plan_.parameters().margin, 0.0F);
     }
     settle_.dispatch(vertices_);
+    if (!thin_.there()) return;
+    fans_.bindInput(shader::garment::fansBinding);
+    rings_.bindInput(shader::garment::ringsBinding);
+    thin_.fend(positions_[0], positions_[1], velocities_, vertices_, 1);
   }
 
   /// What is drawn of the present state.
@@ -297,6 +304,7 @@ class Garment : public Simulation, public LockStep {
   const HeightField* heights_;    ///< null: none in the scene
   const Walls* walls_ = nullptr;  ///< null: it meets none
   MeshTouch meshes_;
+  ThinColliders thin_;
   double frameSeconds_;
   double time_ = 0;             ///< s, of the present state
   gl::Vec4Array positions_[2];  ///< now, and where the next substep writes

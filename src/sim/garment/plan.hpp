@@ -54,6 +54,7 @@ class GarmentPlan {
   [[nodiscard]] int substeps() const { return steps_.substeps(); }
   [[nodiscard]] double substepSeconds() const { return steps_.substepSeconds(); }
   [[nodiscard]] int colliderCount() const { return steps_.colliderCount(); }
+  [[nodiscard]] int thinCount() const { return steps_.thinCount(); }
   [[nodiscard]] const GarmentArrays& arrays() const { return arrays_; }
   [[nodiscard]] const Mesh& mesh() const { return mesh_; }  ///< as drawn
   [[nodiscard]] const ClothTriangles& cloth() const { return cloth_; }

@@ -157,3 +157,36 @@ TEST_CASE("collide: cloth on meshes that move equals its CPU twin") {
   twin.meshes.emplace(planOf(scene));
   compareTouching(scene, twin, 25);
 }
+
+TEST_CASE("collide: cloth on rods and balls thinner than its mesh equals its CPU twin") {
+  const char* const thin = R"("rod": {"capsule": {"radius": 0.01, "length": 0.9, "friction": 0.3,
+      "position": {"keys": [[0, [0, 0.3, 0]], [0.1, [0.1, -0.3, 0]], [1, [0, 0.2, 0.3]]]},
+      "rotation": {"keys": [[0, [0, 20, 90]], [1, [0, 70, 80]]]}}},
+    "bead": {"sphere": {"radius": 0.012, "position": {"keys": [[0, [0.3, 0.5, 0.2]], [0.2, [0.31, -0.4, 0.2]]]}}},
+    "floor": {"plane": {"position": [0, -0.6, 0]}},
+    "stake": {"capsule": {"radius": 0.2, "length": 0.4, "position": [-0.4, -0.4, 0.2]}})";
+  const auto sceneOf = [&](const std::string& cloth) {
+    return test::parsedScene(
+        fmt::format(R"("sheet": {{"cloth": {{"position": [0.1, 0, 0.05], "rotation": [4, 9, 0],
+      "wind": [0, 0, 0], "margin": 0.005, {}}}}}, {})",
+                    cloth, thin));
+  };
+  const auto parameters = [](const scene::Scene& scene) {
+    return dynamic_cast<const sim::ClothParameters&>(*scene.objects.at(0).parameters);
+  };
+  for (const char* solver : {R"("mass": 0.004, "stiffness": 60)", R"("fabric": {"material": "cotton"})"}) {
+    CAPTURE(solver);
+    const auto scene = sceneOf(
+        std::string(
+            R"("size": [25, 19], "spacing": 0.05, "pins": [{"corners": ["top-left"]}], "substeps": 9, )") +
+        solver);
+    ClothTwin twin(sim::ClothPlan(parameters(scene), 5, collideSeconds, shapesOf(scene)));
+    CHECK(twin.plan().thinCount() == 2);
+    compareTouching(scene, twin, 20);
+  }
+  const auto scene = sceneOf(
+      R"("mesh": {"shape": "disc", "radius": 0.6, "resolution": [11, 3]}, "fabric": {"material": "canvas"})");
+  GarmentTwin twin(sim::GarmentPlan("sheet", parameters(scene), 5, collideSeconds, shapesOf(scene)));
+  CHECK(twin.plan().thinCount() == 2);
+  compareTouching(scene, twin, 20);
+}
