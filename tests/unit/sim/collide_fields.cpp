@@ -58,7 +58,8 @@ TEST_CASE("collide: the field of a ball and of a torus is the closed form's, wit
     const double across = std::sqrt(q.x * q.x + q.z * q.z) - 1;
     const double ring = std::sqrt(across * across + q.y * q.y);
     const glm::dvec4 there = fieldTwinAt(torus, glm::vec3(q));
-    if (there.w < 1e8 && ring > 0.2 && ring < 0.8) worstTorus = std::max(worstTorus, std::abs(there.w - (ring - 0.3)));
+    if (there.w < 1e8 && ring > 0.2 && ring < 0.8)
+      worstTorus = std::max(worstTorus, std::abs(there.w - (ring - 0.3)));
   }
   CHECK(worstBall < 1e-3);   // cells of 0.0156 m
   CHECK(worstTorus < 2e-3);  // cells of 0.026 m
