@@ -5,5 +5,6 @@
 const int positionsBinding = 0;
 const int nextPositionsBinding = 1;
 const int velocitiesBinding = 2;
+const int shiftsBinding = 3;  // of the kernels of thin colliders
 
 #endif

@@ -4,6 +4,7 @@
 #include "common/hash.glsl"
 #include "common/memory.glsl"
 #include "common/status.glsl"
+#include "collide/field_array.glsl"
 #include "mesh/height_array.glsl"
 #include "contour/wall_array.glsl"
 #include "cloth/bindings.glsl"

@@ -3,7 +3,8 @@
 #ifndef CLOTH_TYPES
 #define CLOTH_TYPES
 
-const int maxColliders = 32;
+#include "collide/types.glsl"
+
 const int maxPinFrames = 8;
 
 // What a scene says and the kernels read as it is.
@@ -34,19 +35,6 @@ struct STD140 AirConstants {
   float lift DEFAULT(0.6f);     // coefficient
 };
 
-// A sphere or capsule around the segment a-b, or the plane n.x = d.
-struct STD140 Collider {
-  vec4 a;                 // xyz start of the segment (m), or n
-  vec4 b;                 // xyz end of the segment
-  vec4 velocityA;         // xyz m/s of the start
-  vec4 velocityB;         // xyz m/s of the end
-  float reach;            // radius or d, m
-  float perLengthSquared; // 1/|b-a|^2, 0 for a sphere
-  float grip;             // fraction of tangential velocity kept per substep
-  int plane;              // 1: it is one
-  float friction;         // Coulomb's coefficient; below 0: grip
-};
-
 // Affine map of a pinned particle's rest position: row i gives component i.
 struct STD140 PinFrame {
   vec4 row0;
@@ -70,6 +58,8 @@ struct STD140 ClothStep {
   float gustSpeed;     // m/s, size of the gusts' variation
   float perGustSize;   // 1/m
   int colliderCount;
+  int thinCount;       // of those after them, which edges and faces feel instead of vertices
+  float thinRoom;      // m around a vertex within which its faces lie
   int substep;         // since the start
   int seed;
   float perBend;       // N/m, bending / spacing^2 of a fabric

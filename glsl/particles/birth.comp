@@ -12,6 +12,7 @@ void main() {
   if (e == stepData.emitterCount) return;
   int i = newbornSlot(e, k);
   ParticleMotion m = newbornMoved(e, k, ATTRACTOR, TURBULENCE);
+  if (SOLIDS == 1) m = outOfSolids(m, m.position.xyz);
   if (HEIGHTS == 1) m = overHeights(m);
   if (WALLS == 1) m = besideWalls(m, m.position.xyz);
   STORE_STATE(positions, i, m.position);

@@ -8,6 +8,7 @@
 #include "particles/types.glsl"
 #include "particles/pairs.glsl"
 #include "particles/pace.glsl"
+#include "collide/field_array.glsl"
 #include "mesh/height_array.glsl"
 #include "contour/wall_array.glsl"
 

@@ -2,6 +2,7 @@
 // Compiles as GLSL and as C++, where it is the CPU twin. Whoever includes it provides `stepData`
 // (ParticleStep) and the files types.glsl, common/exact.glsl, common/hash.glsl, particles/pairs.glsl,
 // particles/pace.glsl, mesh/height_model.glsl, contour/wall_model.glsl.
+#include "collide/model.glsl"
 
 struct ParticleMotion {
   vec4 position;  // xyz m; w kg, 0 while not alive
@@ -217,7 +218,20 @@ FUNCTION ParticleMotion newbornMoved(int e, int k, bool attractor, bool turbulen
   return grownOlder(m, lived, newbornSlot(e, k), e);
 }
 
-// After the drift: out of the mesh that collides.
+// After the drift, with `from` where it began: out of shapes and rigid meshes.
+FUNCTION ParticleMotion outOfSolids(ParticleMotion m, vec3 from) {
+  bool alive = m.velocity.w >= 0.0f;
+  Motion here;
+  here.position = vec3(m.position);
+  here.velocity = vec3(m.velocity);
+  Motion out_ = outOfShapes(here, from, stepData.constants.margin, stepData.constants.bounce);
+  out_ = outOfMeshes(out_, from, stepData.constants.margin, stepData.constants.bounce);
+  m.position = alive ? vec4(out_.position, m.position.w) : m.position;
+  m.velocity = alive ? vec4(out_.velocity, m.velocity.w) : m.velocity;
+  return m;
+}
+
+// After that: out of the mesh that collides.
 FUNCTION ParticleMotion overHeights(ParticleMotion m) {
   Landing l = landed(vec3(m.position), vec3(m.velocity));
   bool alive = m.velocity.w >= 0.0f;

@@ -6,6 +6,7 @@ void main() {
   if (i >= stepData.count) return;
   vec4 from = LOAD_STATE(positions, i);
   ParticleMotion m = moved(i, from, LOAD_STATE(velocities, i), LOAD_STATE(accelerations, i).xyz);
+  if (SOLIDS == 1) m = outOfSolids(m, from.xyz);
   if (HEIGHTS == 1) m = overHeights(m);
   if (WALLS == 1) m = besideWalls(m, from.xyz);
   vec3 acceleration = fieldAcceleration(stepData.fields, m.position.xyz, ATTRACTOR, TURBULENCE);

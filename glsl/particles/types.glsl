@@ -3,6 +3,8 @@
 #ifndef PARTICLE_TYPES
 #define PARTICLE_TYPES
 
+#include "collide/types.glsl"
+
 const int maxEmitters = 16;
 // All-pairs gravity adds this many bodies into a sum of their own before they join the total. The size
 // decides how sums round, so both memory paths and the CPU twin share it.
@@ -24,6 +26,8 @@ struct STD140 TurbulenceConstants {
 struct STD140 ParticleConstants {
   float damping DEFAULT(0.0f);             // 1/s, towards rest; 0.06 keeps 0.999 at 60 Hz
   float attractorSoftening DEFAULT(0.1f);  // m
+  float bounce DEFAULT(0.3f);              // fraction of the speed of impact that is given back
+  float margin DEFAULT(0.0f);              // m kept from what they touch
 };
 
 // A ring of slots; newborns fill it in turn, each at its own moment of the substep.
@@ -68,9 +72,11 @@ struct STD140 ParticleStep {
   int substep;                  // since the start
   int seed;
   int emitterCount;
+  int colliderCount;
   ParticleConstants constants;
   TurbulenceConstants turbulence;
   EmitterStep emitters[maxEmitters];
+  Collider colliders[maxColliders];
 };
 
 #endif

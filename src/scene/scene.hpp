@@ -120,7 +120,8 @@ struct Sky {
 
 /// The ground plane, drawn and collided with.
 struct Ground {
-  float height = -5.0F;  ///< m
+  float height = -5.0F;            ///< m
+  std::optional<double> friction;  ///< Coulomb's coefficient; none: what slides loses speed at 25.3 1/s
   bool visible = true;
   glm::vec3 color{0.32F, 0.29F, 0.25F};
   float roughness = 0.9F;

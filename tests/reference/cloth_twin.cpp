@@ -14,6 +14,7 @@ namespace {
 
 using namespace simreel::shader;
 #include "glsl/cloth/segment_links.glsl"
+#include "glsl/cloth/thin_rounds.glsl"
 
 #define FUNCTION inline
 #define precise
@@ -22,6 +23,8 @@ struct Kernel {
   ivec2 size;
   const ClothStep& stepData;
   const vec4* source;
+  MeshColliders meshData{};
+  const uvec4* fieldCells = nullptr;
   HeightGrid heightGrid{};
   const vec4* heights = nullptr;
   WallGrid wallGrid{};
@@ -29,6 +32,7 @@ struct Kernel {
 
   [[nodiscard]] vec4 loadPosition(int i) const { return source[i]; }
   [[nodiscard]] vec4 loadHeights(int i) const { return heights[i]; }
+  [[nodiscard]] uvec4 loadFieldCell(int i) const { return fieldCells[i]; }
   [[nodiscard]] int loadWallClass(int x, int y) const { return walls->classAt(x, y); }
   [[nodiscard]] float loadWallValue(int x, int y) const { return walls->valueAt(x, y); }
   int lineLinks = 0, lineStart = 0, linePace = 1;
@@ -40,12 +44,27 @@ struct Kernel {
 #include "glsl/cloth/line_model.glsl"
 #include "glsl/cloth/model.glsl"
 #include "glsl/cloth/segment.glsl"
+#include "glsl/cloth/thin.glsl"
+#include "glsl/collide/closest.glsl"
 #include "glsl/contour/model.glsl"
 #include "glsl/contour/wall_model.glsl"
 #include "glsl/mesh/height_model.glsl"
 };
 #undef precise
 #undef FUNCTION
+
+void tell(Kernel& kernel, const HeightGrid& grid, const vec4* heights, const WallGrid& wallGrid,
+          const WallsTwin* walls) {
+  kernel.heightGrid = grid;
+  kernel.heights = heights;
+  kernel.wallGrid = wallGrid;
+  kernel.walls = walls;
+}
+
+void tellMeshes(Kernel& kernel, const FieldTwin& meshes, int index) {
+  kernel.meshData = meshes.steps[static_cast<std::size_t>(index)];
+  kernel.fieldCells = meshes.cells.data();
+}
 
 template <class Body>
 void forRows(int rows, int threads, const Body& body) {
@@ -121,6 +140,7 @@ ClothTwin::ClothTwin(simreel::sim::ClothPlan plan)
 
 void ClothTwin::step(double time, int threads) {
   int index = 0;
+  if (meshes) meshes->beginFrame(time, plan_.substeps(), plan_.substepSeconds());
   for (const ClothStep& data : plan_.frame(time)) substep(data, threads, index++);
 }
 
@@ -145,7 +165,9 @@ void ClothTwin::predict(const ClothStep& data, int threads, int index) {
   const bool air = plan_.parameters().hasAir;
   const ivec2 size = plan_.parameters().size;
   forRows(size.y, threads, [&](int y) {
-    Kernel kernel{size, data, positions.data(), grid, heights.data(), wallGrid, solid};
+    Kernel kernel{size, data, positions.data()};
+    tell(kernel, grid, heights.data(), wallGrid, solid);
+    if (meshes) tellMeshes(kernel, *meshes, index);
     for (int x = 0; x < size.x; ++x) {
       const auto i = static_cast<std::size_t>(y * size.x + x);
       const auto m = kernel.advance({x, y}, positions[i], velocities[i], !constraints, air, fabric,
@@ -157,6 +179,8 @@ void ClothTwin::predict(const ClothStep& data, int threads, int index) {
   if (constraints) {
     constrain(data);
     settle(data, index);
+  } else {
+    for (int round = 0; round < thinRounds; ++round) fend(data);
   }
 }
 
@@ -167,11 +191,51 @@ void ClothTwin::settle(const ClothStep& data, int index) {
   WallGrid wallGrid{};
   if (walls) wallGrid = walls->grid({plan_.parameters().margin, 0.0F, plan_.substepSeconds()});
   const WallsTwin* solid = walls ? &*walls : nullptr;
-  Kernel kernel{plan_.parameters().size, data, positions.data(), grid, heights.data(), wallGrid, solid};
+  Kernel kernel{plan_.parameters().size, data, positions.data()};
+  tell(kernel, grid, heights.data(), wallGrid, solid);
+  if (meshes) tellMeshes(kernel, *meshes, index);
   for (std::size_t i = 0; i < next.size(); ++i) {
     const auto m = kernel.settled(positions[i], next[i], lands, walls.has_value());
     next[i] = vec4(m.position, next[i].w);
     velocities[i] = vec4(m.velocity, velocities[i].w);
+  }
+  for (int round = 0; round < thinRounds; ++round) fend(data);
+}
+
+void ClothTwin::fend(const ClothStep& data) {
+  if (data.thinCount == 0) return;
+  const ivec2 size = plan_.parameters().size;
+  const ivec2 around[] = {{1, 0}, {0, 1}, {-1, 1}, {-1, 0}, {0, -1}, {1, -1}};
+  Kernel kernel{size, data, positions.data()};
+  const auto indexOf = [&](ivec2 at) {
+    return at.x >= 0 && at.y >= 0 && at.x < size.x && at.y < size.y ? at.y * size.x + at.x : -1;
+  };
+  const auto cornerAt = [&](int index) {
+    const auto i = static_cast<std::size_t>(index);
+    return kernel.cornerOf(positions[i], next[i], velocities[i]);
+  };
+  std::vector<Kernel::Fended> all;
+  for (int y = 0; y < size.y; ++y)
+    for (int x = 0; x < size.x; ++x) {
+      const Kernel::Corner here = cornerAt(indexOf({x, y}));
+      Kernel::Fended sum = kernel.notFended();
+      for (int c = data.colliderCount; c < data.colliderCount + data.thinCount; ++c) {
+        if (here.inverseMass == 0 || !kernel.mayMeet(c, here)) continue;
+        Kernel::Fended most = kernel.notFended();
+        for (int k = 0; k < 6; ++k) {
+          const int first = indexOf(ivec2(x, y) + around[k]);
+          const int second = indexOf(ivec2(x, y) + around[(k + 1) % 6]);
+          if (first < 0) continue;
+          most = kernel.fendedByEdge(most, c, here, cornerAt(first));
+          if (second >= 0) most = kernel.fendedByFace(most, c, here, cornerAt(first), cornerAt(second));
+        }
+        sum = kernel.together(sum, most);
+      }
+      all.push_back(sum);
+    }
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    next[i] = vec4(vec3(next[i]) + all[i].shift, next[i].w);
+    velocities[i] = vec4(vec3(velocities[i]) + all[i].change, velocities[i].w);
   }
 }
 

@@ -1,4 +1,5 @@
 #pragma once
+#include "reference/field_twin.hpp"
 #include "reference/walls_twin.hpp"
 #include "sim/cloth/plan.hpp"
 #include "sim/mesh/height_plan.hpp"
@@ -28,12 +29,14 @@ class ClothTwin {
   std::vector<glm::vec4> next;        ///< between predict() and finish(): where they go
   /// The mesh it falls onto; none without a plan.
   std::optional<simreel::sim::HeightPlan> heightPlan;
-  std::vector<glm::vec4> heights;  ///< of the frame to step: x at its beginning, y at its end (m)
-  std::optional<WallsTwin> walls;  ///< the solid it meets; none: no solid
+  std::vector<glm::vec4> heights;   ///< of the frame to step: x at its beginning, y at its end (m)
+  std::optional<FieldTwin> meshes;  ///< the rigid meshes they meet; none: no mesh
+  std::optional<WallsTwin> walls;   ///< the solid it meets; none: no solid
   [[nodiscard]] simreel::sim::ClothPlan& plan() { return plan_; }
 
  private:
   void constrain(const simreel::shader::ClothStep& data);
+  void fend(const simreel::shader::ClothStep& data);
 
   simreel::sim::ClothPlan plan_;
 };

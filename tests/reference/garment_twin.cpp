@@ -7,6 +7,7 @@
 namespace {
 
 using namespace simreel::shader;
+#include "glsl/cloth/thin_rounds.glsl"
 
 #define FUNCTION inline
 #define precise
@@ -16,6 +17,8 @@ struct GarmentKernel {
   const simreel::sim::GarmentArrays& arrays;
   const vec4* source;
   const vec4* forces;
+  MeshColliders meshData{};
+  const uvec4* fieldCells = nullptr;
   HeightGrid heightGrid{};
   const vec4* heights = nullptr;
   WallGrid wallGrid{};
@@ -27,9 +30,12 @@ struct GarmentKernel {
   [[nodiscard]] uvec4 loadEntry(int i) const { return bending->entries[static_cast<std::size_t>(i)]; }
   [[nodiscard]] uvec4 loadRing(int i) const { return arrays.rings[static_cast<std::size_t>(i)]; }
   [[nodiscard]] vec4 loadHeights(int i) const { return heights[i]; }
+  [[nodiscard]] uvec4 loadFieldCell(int i) const { return fieldCells[i]; }
   [[nodiscard]] int loadWallClass(int x, int y) const { return walls->classAt(x, y); }
   [[nodiscard]] float loadWallValue(int x, int y) const { return walls->valueAt(x, y); }
 #include "glsl/cloth/mesh/model.glsl"
+#include "glsl/cloth/thin.glsl"
+#include "glsl/collide/closest.glsl"
 #include "glsl/contour/model.glsl"
 #include "glsl/contour/wall_model.glsl"
 #include "glsl/mesh/height_model.glsl"
@@ -49,6 +55,7 @@ GarmentTwin::GarmentTwin(simreel::sim::GarmentPlan plan)
 
 void GarmentTwin::step(double time) {
   int index = 0;
+  if (meshes) meshes->beginFrame(time, plan_.substeps(), plan_.substepSeconds());
   for (const ClothStep& data : plan_.frame(time)) substep(data, index++);
 }
 
@@ -59,9 +66,16 @@ void GarmentTwin::substep(const ClothStep& data, int index) {
   WallGrid wallGrid{};
   if (walls) wallGrid = walls->grid({plan_.parameters().margin, 0.0F, plan_.substepSeconds()});
   const simreel::sim::GarmentArrays& arrays = plan_.arrays();
-  GarmentKernel kernel{data, arrays,         positions.data(), forces_.data(),
-                       grid, heights.data(), wallGrid,         walls ? &*walls : nullptr};
+  GarmentKernel kernel{data, arrays, positions.data(), forces_.data()};
+  kernel.heightGrid = grid;
+  kernel.heights = heights.data();
+  kernel.wallGrid = wallGrid;
+  kernel.walls = walls ? &*walls : nullptr;
   kernel.bending = &arrays.bendings[plan_.bendingAt(static_cast<int>(data.substep))];
+  if (meshes) {
+    kernel.meshData = meshes->steps[static_cast<std::size_t>(index)];
+    kernel.fieldCells = meshes->cells.data();
+  }
   const bool air = plan_.parameters().hasAir;
   for (std::size_t f = 0; air && f < arrays.corners.size(); ++f) {
     const uvec4 face = arrays.corners[f];
@@ -105,7 +119,38 @@ void GarmentTwin::substep(const ClothStep& data, int index) {
     next_[i] = vec4(m.position, next_[i].w);
     velocities[i] = vec4(m.velocity, velocities[i].w);
   }
+  for (int round = 0; round < thinRounds; ++round) fend(data);
   std::swap(positions, next_);
+}
+
+void GarmentTwin::fend(const ClothStep& data) {
+  if (data.thinCount == 0) return;
+  const simreel::sim::GarmentArrays& arrays = plan_.arrays();
+  GarmentKernel kernel{data, arrays, positions.data(), forces_.data()};
+  const auto cornerAt = [&](std::size_t i) {
+    return kernel.cornerOf(positions[i], next_[i], velocities[i]);
+  };
+  std::vector<GarmentKernel::Fended> all;
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    const GarmentKernel::Corner here = cornerAt(i);
+    GarmentKernel::Fended sum = kernel.notFended();
+    for (int c = data.colliderCount; c < data.colliderCount + data.thinCount; ++c) {
+      if (here.inverseMass == 0 || !kernel.mayMeet(c, here)) continue;
+      GarmentKernel::Fended most = kernel.notFended();
+      for (unsigned k = 0; k < arrays.fans[i].y; ++k) {
+        const uvec4 ring = arrays.rings[arrays.fans[i].x + k];
+        most = kernel.fendedByEdge(most, c, here, cornerAt(ring.x));
+        most = kernel.fendedByEdge(most, c, here, cornerAt(ring.y));
+        most = kernel.fendedByFace(most, c, here, cornerAt(ring.x), cornerAt(ring.y));
+      }
+      sum = kernel.together(sum, most);
+    }
+    all.push_back(sum);
+  }
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    next_[i] = vec4(vec3(next_[i]) + all[i].shift, next_[i].w);
+    velocities[i] = vec4(vec3(velocities[i]) + all[i].change, velocities[i].w);
+  }
 }
 
 std::vector<glm::vec3> GarmentTwin::normals() const {

@@ -20,12 +20,15 @@ using namespace simreel::shader;
 /// What a kernel sees: the globals that model.glsl asks for, and the model itself.
 struct Kernel {
   const ParticleStep& stepData;
+  MeshColliders meshData{};
+  const uvec4* fieldCells = nullptr;
   HeightGrid heightGrid{};
   const vec4* heights = nullptr;
   WallGrid wallGrid{};
   const WallsTwin* walls = nullptr;
 
   [[nodiscard]] vec4 loadHeights(int i) const { return heights[i]; }
+  [[nodiscard]] uvec4 loadFieldCell(int i) const { return fieldCells[i]; }
   [[nodiscard]] int loadWallClass(int x, int y) const { return walls->classAt(x, y); }
   [[nodiscard]] float loadWallValue(int x, int y) const { return walls->valueAt(x, y); }
 #include "glsl/contour/model.glsl"
@@ -87,17 +90,25 @@ void ParticlesTwin::step(double time, int threads) {
   }
   const auto& p = plan_.parameters();
   int index = 0;
+  if (meshes) meshes->beginFrame(time, p.substeps, plan_.substepSeconds());
   for (const ParticleStep& data : plan_.frame(time)) {
     Kernel kernel{data};
-    if (heightPlan) kernel.heightGrid = heightPlan->at(index++, p.substeps, p.margin, p.bounce);
+    if (meshes) {
+      kernel.meshData = meshes->steps[static_cast<std::size_t>(index)];
+      kernel.fieldCells = meshes->cells.data();
+    }
+    if (heightPlan) kernel.heightGrid = heightPlan->at(index, p.substeps, p.margin, p.bounce);
+    ++index;
     kernel.heights = heights.data();
     if (walls) {
       kernel.wallGrid = walls->grid({p.margin, p.bounce, plan_.substepSeconds()});
       kernel.walls = &*walls;
     }
     const auto store = [&](std::size_t i, Kernel::ParticleMotion m, const vec4* from) {
+      const vec3 start(from != nullptr ? *from : m.position);
+      if (data.colliderCount > 0 || meshes) m = kernel.outOfSolids(m, start);
       if (heightPlan) m = kernel.overHeights(m);
-      if (walls) m = kernel.besideWalls(m, vec3(from != nullptr ? *from : m.position));
+      if (walls) m = kernel.besideWalls(m, from != nullptr ? start : vec3(m.position));
       positions[i] = m.position;
       velocities[i] = m.velocity;
     };

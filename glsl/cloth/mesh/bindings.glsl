@@ -7,6 +7,7 @@ const int positionsBinding = 0;
 const int nextPositionsBinding = 1;
 const int velocitiesBinding = 2;
 const int restPositionsBinding = 3;
+const int shiftsBinding = 3;         // of the kernels of thin colliders
 const int faceForcesBinding = 4;
 const int elementsBinding = 4;       // of the kernel that stretches
 const int cornersBinding = 5;

@@ -28,14 +28,14 @@ void BodyParameters::describe(scene::Fields& f) {
   f.boolean("visible", visible, "Whether it is drawn.");
   f.booleanOr(
       "collides", collides, byFaces, "faces",
-      "true: cloth touches capsules around its bones, from each to its child, as thick as the skin "
+      "true: cloth and particles touch capsules around its bones, from each to its child, as thick as the skin "
       "there (simreel render -v says where), of the 24 bones with the most skin; \"faces\": cloth with "
       "\"contact\" keeps off the triangles of its skin.");
   f.number("grip", grip, {0, 1e6}, "1/s",
-           "Rate at which cloth sliding over it loses speed; 25.3 keeps 0.9 at 240 Hz.");
+           "Rate at which what slides over it loses speed; 25.3 keeps 0.9 at 240 Hz.");
   f.optionalNumber(
       "friction", friction, {0, 100}, "",
-      "Coulomb's coefficient, instead of grip: cloth holds on slopes up to its arc tangent. Of "
+      "Coulomb's coefficient, instead of grip: what lies there holds on slopes up to its arc tangent. Of "
       "faces: with a cloth's the mean of both; left out the cloth's.");
   if (file.empty()) f.error("file", "a body needs \"file\": the glTF to read");
   for (const char* name : {"speed", "start", "loop"})

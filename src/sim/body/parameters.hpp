@@ -42,6 +42,7 @@ struct BodyParameters : ObjectParameters {
   [[nodiscard]] bool collidesByFaces() const override { return byFaces; }
   /// Its skin along the motion, and at each key of its position.
   [[nodiscard]] std::optional<scene::Box> framed() const override;
+  [[nodiscard]] bool isTouched() const override { return collides; }
 
   /// What the file holds, read once. Throws what loadFigure() throws.
   [[nodiscard]] const std::shared_ptr<const Figure>& figure() const;

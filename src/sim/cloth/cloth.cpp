@@ -7,6 +7,8 @@
 #include "sim/cloth/plan.hpp"
 #include "sim/cloth/quantities.hpp"
 #include "sim/cloth/sheet_mesh.hpp"
+#include "sim/cloth/thin.hpp"
+#include "sim/collide/distance_fields.hpp"
 #include "sim/contact/lock_step.hpp"
 #include "sim/contour/walls.hpp"
 #include "sim/core/kind.hpp"
@@ -46,6 +48,7 @@ class Cloth : public Simulation, public LockStep {
       walls_ = &setting.wallsNamed(p.walls);
       walls_->checkReach(name_, p.margin);
     }
+    meshes_ = MeshTouch(name_, setting.meshes, plan_.substeps(), plan_.substepSeconds());
     const auto positions = plan_.firstPositions();
     positions_[0] = gl::Vec4Array(name_ + " positions", positions);
     positions_[1] = gl::Vec4Array(name_ + " next positions", positions);
@@ -56,6 +59,8 @@ class Cloth : public Simulation, public LockStep {
     status_ = gl::Buffer::of<unsigned>(name_ + " status", fine);
     makePrograms(setting.fast);
     steps_ = StepBlocks<shader::ClothStep>(name_ + " steps", plan_.substeps());
+    thin_ = ThinColliders(name_, "cloth/thin.comp", plan_.thinCount(), size_.x * size_.y, setting.fast);
+    if (thin_.there()) thin_.kernel().set("size", size_);
   }
 
   void step(double time, const StepWatch& watch) override {
@@ -77,7 +82,10 @@ class Cloth : public Simulation, public LockStep {
       part.faces.emplace_back(corners[i], corners[i + 1], corners[i + 2]);
     return part;
   }
-  void beginFrame(double time) override { steps_.upload(plan_.frame(time)); }
+  void beginFrame(double time) override {
+    steps_.upload(plan_.frame(time));
+    meshes_.beginFrame(time);
+  }
   void predict(int substep) override {
     status_.bindStorage(shader::statusBinding);
     steps_.bind(static_cast<std::size_t>(substep));
@@ -90,6 +98,7 @@ class Cloth : public Simulation, public LockStep {
       constrain();
     else
       step_.dispatch(size_.x, size_.y);
+    thin_.fend(positions_[0], positions_[1], velocities_, size_.x, size_.y);
   }
   [[nodiscard]] Contact::Part arrays() const override {
     return {&positions_[0], &positions_[1], &velocities_};
@@ -103,6 +112,7 @@ class Cloth : public Simulation, public LockStep {
     tellColliders(settle_, substep);
     gl::barrier();
     settle_.dispatch(size_.x * size_.y);
+    thin_.fend(positions_[0], positions_[1], velocities_, size_.x, size_.y);
   }
   void finish() override { std::swap(positions_[0], positions_[1]); }
   void endFrame(double time) override {
@@ -187,6 +197,7 @@ class Cloth : public Simulation, public LockStep {
     const auto define = [&](const char* name, bool on) {
       defines.emplace_back(name, on ? "true" : "false");
     };
+    meshes_.addDefines(defines);
     defines.emplace_back("HEIGHTS", heights_ != nullptr ? "1" : "0");
     addWallDefines(defines, walls_);
     if (gl::memoryPath() == gl::MemoryPath::texel)
@@ -213,6 +224,7 @@ class Cloth : public Simulation, public LockStep {
     }
     if (plan_.parameters().hasContact) make(settle_, "cloth/settle.comp");
     step_.checkUniformBlock("StepBlock", sizeof(shader::ClothStep));
+    meshes_.check(touching());
   }
 
   /// Of lines of so many particles; a group has as many of them as it has room for, up to a software
@@ -234,6 +246,7 @@ class Cloth : public Simulation, public LockStep {
   /// What is no shape, which a kernel that touches colliders is to know.
   void tellColliders(const gl::Program& program, int substep) const {
     const float margin = plan_.parameters().margin;
+    meshes_.bind(substep);
     if (heights_ != nullptr) {
       heights_->bind();
       heights_->tell(program, substep, plan_.substeps(), margin, 0.0F);
@@ -313,6 +326,8 @@ class Cloth : public Simulation, public LockStep {
   bool inLines_ = gl::memoryPath() == gl::MemoryPath::texel;
   const HeightField* heights_;    ///< null: none in the scene
   const Walls* walls_ = nullptr;  ///< null: it meets none
+  MeshTouch meshes_;
+  ThinColliders thin_;
   double frameSeconds_;
   double time_ = 0;             ///< s, of the present state
   gl::Vec4Array positions_[2];  ///< now, and where the next substep writes

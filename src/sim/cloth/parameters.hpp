@@ -82,6 +82,9 @@ struct ClothParameters : ObjectParameters, shader::ClothConstants {
   void describe(scene::Fields& fields) override;
   [[nodiscard]] std::span<const scene::Quantity> quantities() const override;
   [[nodiscard]] std::string meetsWalls() const override { return walls; }
+  [[nodiscard]] double touchMargin() const override {
+    return margin + (hasFabric ? 0.5F * fabric.constants().thickness : 0);
+  }
   [[nodiscard]] std::vector<Tie> ties() const override;
   /// Where it is at rest, and where it comes to when it hangs from what is pinned at the start; without
   /// pins where it falls through once its size.

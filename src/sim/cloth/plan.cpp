@@ -15,11 +15,6 @@ namespace simreel::sim {
 
 namespace {
 
-/// Fraction of a quantity left after dt when it decays at `rate`.
-float kept(float rate, double dt) {
-  return shader::exactExp(static_cast<float>(-rate * dt));
-}
-
 shader::PinFrame pinFrame(const PinGroup& group, double time) {
   // x' = pivot + move + R S (x - pivot)
   glm::mat4 m = rotationMatrix(group.rotate.at(time));
@@ -65,16 +60,13 @@ glm::vec4 turned(const shader::PinFrame& frame, glm::vec3 way) {
 ClothPlan::ClothPlan(const ClothParameters& parameters, int seed, double frameSeconds,
                      const std::vector<ColliderShape>& colliders,
                      const std::function<Carrier(const std::string&, const std::string&)>& boneNamed,
-                     double startTime)
+                     double startTime, double edge)
     : parameters_(parameters),
       seed_(seed),
       substeps_(parameters.substepsPerFrame(frameSeconds)),
-      colliders_(colliders) {
-  substepSeconds_ = frameSeconds / substeps_;
-  if (colliders_.size() > shader::maxColliders)
-    fail(ExitCode::usage,
-         "a cloth collides with at most {} shapes, the scene has {}; set \"collides\": false on some",
-         shader::maxColliders, colliders_.size());
+      substepSeconds_(frameSeconds / substeps_),
+      colliders_("a cloth", colliders, substeps_, substepSeconds_),
+      edge_(edge > 0 ? edge : parameters.spacing) {
   if (const std::string problem = parameters_.instability(frameSeconds); !problem.empty())
     warn("cloth: {}", problem);
   if (parameters_.hasFabric) {
@@ -82,6 +74,7 @@ ClothPlan::ClothPlan(const ClothParameters& parameters, int seed, double frameSe
     parameters_.shearCompliance = 1.0F / fabric.shear;
     parameters_.margin += 0.5F * fabric.thickness;
   }
+  thinCount_ = colliders_.putThinLast(edge_, parameters_.margin);
   for (const PinGroup& group : parameters_.pins) {
     PinCarrier& carrier = carriers_.emplace_back();
     if (group.to.empty()) continue;
@@ -122,74 +115,22 @@ std::vector<glm::vec4> ClothPlan::firstVelocities() const {
   return velocities;
 }
 
-shader::Collider ClothPlan::colliderAt(const ColliderShape& shape, double time) const {
-  const auto ends = [&](double t) {
-    const glm::vec3 up(rotationMatrix(shape.rotation.at(t))[1]);
-    const glm::vec3 centre = shape.position.at(t);
-    const glm::vec3 reach = up * (0.5F * shape.length);
-    return std::array{centre - reach, centre + reach, up};
-  };
-  const auto now = ends(time);
-  const auto before = ends(time - substepSeconds_);
-  const auto rate = static_cast<float>(1.0 / substepSeconds_);
-  shader::Collider c{};
-  c.grip = kept(shape.grip, substepSeconds_);
-  c.friction = static_cast<float>(shape.friction.value_or(-1.0));
-  if (shape.kind == ColliderShape::Kind::plane) {
-    const glm::vec3 n = now[2];
-    const glm::vec3 p = shape.position.at(time);
-    c.a = glm::vec4(n, 0);
-    c.reach = n.x * p.x + n.y * p.y + n.z * p.z;
-    c.plane = 1;
-    return c;
-  }
-  c.a = glm::vec4(now[0], 0);
-  c.b = glm::vec4(now[1], 0);
-  c.velocityA = glm::vec4((now[0] - before[0]) * rate, 0);
-  c.velocityB = glm::vec4((now[1] - before[1]) * rate, 0);
-  c.reach = shape.radius;
-  c.perLengthSquared = shape.length > 0 ? 1.0F / (shape.length * shape.length) : 0.0F;
-  return c;
-}
-
-ClothPlan::Ends ClothPlan::endsOf(double time) const {
+std::vector<std::array<glm::dmat4, 2>> ClothPlan::pinsAround(double time) const {
   const double end = time + substeps_ * substepSeconds_;
-  Ends ends;
-  for (const ColliderShape& shape : colliders_)
-    if (shape.carrier) ends.capsules.push_back({carriedAt(shape, time), carriedAt(shape, end)});
+  std::vector<std::array<glm::dmat4, 2>> pins;
   for (const PinCarrier& carrier : carriers_) {
-    auto& pair = ends.pins.emplace_back();
+    auto& pair = pins.emplace_back();
     if (carrier.at) pair = {carrier.at(time) * carrier.fromStart, carrier.at(end) * carrier.fromStart};
   }
-  return ends;
-}
-
-shader::Collider ClothPlan::carriedCollider(const ColliderShape& shape,
-                                            const std::array<CarriedCapsule, 2>& ends, int substep) const {
-  const double now = static_cast<double>(substep + 1) / substeps_;
-  const double perFrame = 1.0 / (substeps_ * substepSeconds_);
-  shader::Collider c{};
-  const auto side = [&](std::size_t end, glm::vec4& place, glm::vec4& velocity) {
-    const std::array<glm::dvec3, 2> way = {ends[0].ends[end], ends[1].ends[end]};
-    place = glm::vec4(glm::vec3(betweenEnds(way, now)), 0);
-    velocity = glm::vec4(glm::vec3((way[1] - way[0]) * perFrame), 0);
-  };
-  side(0, c.a, c.velocityA);
-  side(1, c.b, c.velocityB);
-  const glm::dvec3 axis(c.b - c.a);
-  const double squared = axis.x * axis.x + axis.y * axis.y + axis.z * axis.z;
-  c.perLengthSquared = squared > 1e-12 ? static_cast<float>(1.0 / squared) : 0.0F;
-  c.reach = static_cast<float>(betweenEnds(std::array{ends[0].radius, ends[1].radius}, now));
-  c.grip = kept(shape.grip, substepSeconds_);
-  c.friction = static_cast<float>(shape.friction.value_or(-1.0));
-  return c;
+  return pins;
 }
 
 std::vector<shader::ClothStep> ClothPlan::frame(double time) {
   std::vector<shader::ClothStep> steps(static_cast<std::size_t>(substeps_));
   const ClothParameters& p = parameters_;
   const shader::FabricConstants fabric = p.fabric.constants();
-  const Ends ends = endsOf(time);
+  const auto colliders = colliders_.frame(time);
+  const auto pins = pinsAround(time);
   for (int i = 0; i < substeps_; ++i) {
     const double start = time + i * substepSeconds_;
     const double end = time + (i + 1) * substepSeconds_;
@@ -211,25 +152,24 @@ std::vector<shader::ClothStep> ClothPlan::frame(double time) {
     const double damped = p.fabric.stretchDamping / (p.fabric.stretchDamping + substepSeconds_);
     s.dampedPart = static_cast<float>(damped);
     s.complianceScale = static_cast<float>((1.0 - damped) / (substepSeconds_ * substepSeconds_));
-    s.kept = kept(p.damping, substepSeconds_);
+    s.kept = keptOf(p.damping, substepSeconds_);
     s.gustSpeed = p.air.gusts * speed;
     s.perGustSize = 1.0F / p.air.gustSize;
-    s.colliderCount = static_cast<int>(colliders_.size());
+    s.colliderCount = colliderCount();
+    s.thinCount = thinCount_;
+    s.thinRoom = static_cast<float>(3 * edge_);
     s.substep = static_cast<int>(done_);
     s.seed = seed_;
     s.constants = p;
     s.fabric = fabric;
     s.perBend = fabric.bending / (p.spacing * p.spacing);
     s.air = p.air;
-    auto capsule = ends.capsules.begin();
-    for (std::size_t c = 0; c < colliders_.size(); ++c)
-      s.colliders[c] = colliders_[c].carrier ? carriedCollider(colliders_[c], *capsule++, i)
-                                             : colliderAt(colliders_[c], end);
+    std::ranges::copy(colliders[static_cast<std::size_t>(i)], s.colliders);
     for (std::size_t g = 0; g < p.pins.size(); ++g) {
       s.frames[g] = pinFrame(p.pins[g], end);
       if (carriers_[g].at)
         s.frames[g] =
-            carriedFrame(s.frames[g], betweenEnds(ends.pins[g], static_cast<double>(i + 1) / substeps_));
+            carriedFrame(s.frames[g], betweenEnds(pins[g], static_cast<double>(i + 1) / substeps_));
     }
     const glm::vec3 inwards[4] = {alongX_, -alongX_, alongY_, -alongY_};
     for (int border = 0; border < 4; ++border)

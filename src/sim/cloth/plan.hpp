@@ -1,7 +1,7 @@
 #pragma once
 #include "sim/cloth/parameters.hpp"
+#include "sim/collide/colliders.hpp"
 #include "sim/core/carry_over.hpp"
-#include "sim/core/collider.hpp"
 
 #include <array>
 #include <cstdint>
@@ -35,14 +35,16 @@ class ClothPlan {
  public:
   /// Throws UserError(usage) when there are more colliders than the kernels hold, or "auto" takes more
   /// substeps than there may be; warns once when the given substeps are fewer than it needs.
-  /// `boneNamed`, `startTime`: as of Setting; who has pins that a bone carries needs them.
+  /// `boneNamed`, `startTime`: as of Setting; who has pins that a bone carries needs them. `edge`: the
+  /// longest between vertices (m), 0: a grid's spacing.
   ClothPlan(const ClothParameters& parameters, int seed, double frameSeconds,
             const std::vector<ColliderShape>& colliders,
             const std::function<Carrier(const std::string& body, const std::string& bone)>& boneNamed = {},
-            double startTime = 0);
+            double startTime = 0, double edge = 0);
 
-  /// The same in every step.
-  [[nodiscard]] int colliderCount() const { return static_cast<int>(colliders_.size()); }
+  /// The same in every step: those that vertices feel, and thin ones that edges and faces do.
+  [[nodiscard]] int colliderCount() const { return colliders_.count() - thinCount_; }
+  [[nodiscard]] int thinCount() const { return thinCount_; }
   /// xyz in m, w inverse mass in 1/kg (0: pinned); size.x * size.y elements, x fastest.
   [[nodiscard]] std::vector<glm::vec4> firstPositions() const;
   /// xyz in m/s (zero), w the pin group of a pinned particle.
@@ -61,22 +63,16 @@ class ClothPlan {
   [[nodiscard]] double substepSeconds() const { return substepSeconds_; }
 
  private:
-  /// What a frame that starts at some time begins and ends with.
-  struct Ends {
-    std::vector<std::array<CarriedCapsule, 2>> capsules;  ///< of each collider that is carried
-    std::vector<std::array<glm::dmat4, 2>> pins;          ///< of each pin group, on top of its own frame
-  };
-  [[nodiscard]] Ends endsOf(double time) const;
-  [[nodiscard]] shader::Collider colliderAt(const ColliderShape& shape, double time) const;
-  [[nodiscard]] shader::Collider carriedCollider(const ColliderShape& shape,
-                                                 const std::array<CarriedCapsule, 2>& ends,
-                                                 int substep) const;
+  /// What a frame that starts at `time` begins and ends with, of each pin group, on top of its own frame.
+  [[nodiscard]] std::vector<std::array<glm::dmat4, 2>> pinsAround(double time) const;
 
   ClothParameters parameters_;
   int seed_;
-  double substepSeconds_;
   int substeps_;
-  std::vector<ColliderShape> colliders_;
+  double substepSeconds_;
+  ColliderPlan colliders_;
+  double edge_;  ///< m
+  int thinCount_ = 0;
   /// What carries a pin group, and its inverse at the start; empty: nothing.
   struct PinCarrier {
     Carrier at;

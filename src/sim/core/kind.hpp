@@ -15,8 +15,12 @@ struct ObjectParameters : scene::Parameters {
   [[nodiscard]] virtual bool findsPath() const { return false; }
   /// Whether it is a surface of heights that others fall onto; a scene has at most one.
   [[nodiscard]] virtual bool publishesHeights() const { return false; }
-  /// Whether it asks for such a surface.
-  [[nodiscard]] virtual bool needsHeights() const { return false; }
+  /// Whether others touch it: a shape, a body, a mesh that collides.
+  [[nodiscard]] virtual bool isTouched() const { return publishesHeights(); }
+  /// Whether it asks for something to touch, which the scene should have.
+  [[nodiscard]] virtual bool asksToCollide() const { return false; }
+  /// What it keeps (m) from rigid meshes that collide; below 0: it touches none.
+  [[nodiscard]] virtual double touchMargin() const { return -1; }
   /// Whether it is made of another object's field, and the name of that: an object, or NAME.u of one that
   /// has several.
   [[nodiscard]] virtual bool needsField() const { return false; }

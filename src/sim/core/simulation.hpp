@@ -18,6 +18,7 @@
 namespace simreel::sim {
 
 class ContactSolid;
+class DistanceFields;
 class HeightField;
 class LockStep;
 class SkinnedSurface;
@@ -32,6 +33,8 @@ struct Setting {
   bool timing = false;  ///< whether simulations measure their stages
   /// Of the mesh that collides, already stepped when others step; null: none.
   const HeightField* heights = nullptr;
+  /// Of the rigid meshes that collide; null: none.
+  const DistanceFields* meshes = nullptr;
   /// The field of that name as it is now; its pointers live until its object's next step. Only for names
   /// that the scene's check has found (ObjectParameters::readsField).
   std::function<Field(const std::string& name)> fieldNamed = {};
@@ -185,7 +188,7 @@ class Simulation {
 struct SimulationKind {
   scene::Kind kind;
   /// Reads the files of the object and throws the UserError that `make` would throw on any device; empty
-  /// where there is none. Needs no context; `heights` of the setting are null.
+  /// where there is none. Needs no context; `heights` and `meshes` of the setting are null.
   std::function<void(const scene::Object&, const Setting&)> check;
   std::function<std::unique_ptr<Simulation>(const scene::Object&, const Setting&)> make;
 };

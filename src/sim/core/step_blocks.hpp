@@ -34,8 +34,8 @@ class StepBlocks {
     }
     buffer_.write(0, bytes);
   }
-  void bind(std::size_t step) const {
-    buffer_.bindUniform(shader::stepBinding, stride_ * step, sizeof(Block));
+  void bind(std::size_t step, GLuint binding = shader::stepBinding) const {
+    buffer_.bindUniform(binding, stride_ * step, sizeof(Block));
   }
 
  private:

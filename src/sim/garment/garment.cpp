@@ -4,6 +4,8 @@
 #include "gl/element_array.hpp"
 #include "gl/program.hpp"
 #include "sim/cloth/cloth.hpp"
+#include "sim/cloth/thin.hpp"
+#include "sim/collide/distance_fields.hpp"
 #include "sim/contact/lock_step.hpp"
 #include "sim/contour/walls.hpp"
 #include "sim/core/kind.hpp"
@@ -45,8 +47,11 @@ class Garment : public Simulation, public LockStep {
       walls_ = &setting.wallsNamed(p.walls);
       walls_->checkReach(name_, p.margin);
     }
+    meshes_ = MeshTouch(name_, setting.meshes, plan_.substeps(), plan_.substepSeconds());
     makeArrays();
     makePrograms(setting.fast);
+    thin_ = ThinColliders(name_, "cloth/mesh/thin.comp", plan_.thinCount(), vertices_, setting.fast);
+    if (thin_.there()) thin_.kernel().set("count", vertices_);
     show();
   }
 
@@ -75,6 +80,7 @@ class Garment : public Simulation, public LockStep {
   void beginFrame(double time) override {
     begun_ = plan_.stepsBegun();
     steps_.upload(plan_.frame(time));
+    meshes_.beginFrame(time);
   }
   void predict(int substep) override {
     steps_.bind(static_cast<std::size_t>(substep));
@@ -198,6 +204,7 @@ class Garment : public Simulation, public LockStep {
       gl::Defines all = defines;
       all.emplace_back("HEIGHTS", meets && heights_ != nullptr ? "1" : "0");
       addWallDefines(all, meets ? walls_ : nullptr);
+      if (meets) meshes_.addDefines(all);
       return all;
     };
     const auto make = [&](const char* path, std::size_t count, bool meets = false) {
@@ -215,6 +222,7 @@ class Garment : public Simulation, public LockStep {
     settle_ = make("cloth/mesh/settle.comp", vertices, true);
     show_ = make("cloth/mesh/show.comp", plan_.arrays().copies.size());
     settle_.checkUniformBlock("StepBlock", sizeof(shader::ClothStep));
+    meshes_.check(settle_);
   }
 
   /// Into positions_[1], where forces take the vertices.
@@ -278,6 +286,7 @@ class Garment : public Simulation, public LockStep {
     positions_[0].bindInput(shader::garment::positionsBinding);
     positions_[1].bindState(shader::garment::nextPositionsBinding);
     velocities_.bindState(shader::garment::velocitiesBinding);
+    meshes_.bind(substep);
     if (heights_ != nullptr) {
       heights_->bind();
       heights_->tell(settle_, substep, plan_.substeps(), plan_.parameters().margin, 0.0F);
@@ -287,6 +296,10 @@ class Garment : public Simulation, public LockStep {
       walls_->tell(settle_, plan_.substepSeconds(), plan_.parameters().margin, 0.0F);
     }
     settle_.dispatch(vertices_);
+    if (!thin_.there()) return;
+    fans_.bindInput(shader::garment::fansBinding);
+    rings_.bindInput(shader::garment::ringsBinding);
+    thin_.fend(positions_[0], positions_[1], velocities_, vertices_, 1);
   }
 
   /// What is drawn of the present state.
@@ -308,6 +321,8 @@ class Garment : public Simulation, public LockStep {
   int vertices_;                  ///< with the ghosts of clamped edges
   const HeightField* heights_;    ///< null: none in the scene
   const Walls* walls_ = nullptr;  ///< null: it meets none
+  MeshTouch meshes_;
+  ThinColliders thin_;
   double frameSeconds_;
   double time_ = 0;             ///< s, of the present state
   gl::Vec4Array positions_[2];  ///< now, and where the next substep writes

@@ -41,6 +41,15 @@ glm::vec3 placed(const ClothParameters& parameters, const glm::dvec3& p) {
   return glm::vec3(place);
 }
 
+double longestEdge(const ClothTriangles& cloth) {
+  double longest = 0;
+  for (const ClothTriangles::Face& face : cloth.faces)
+    for (std::size_t k = 0; k < 3; ++k)
+      longest = std::max(
+          longest, glm::distance(cloth.points[face.corners[k]], cloth.points[face.corners[(k + 1) % 3]]));
+  return longest;
+}
+
 std::uint32_t bitsOf(double value) {
   return std::bit_cast<std::uint32_t>(static_cast<float>(value));
 }
@@ -62,7 +71,7 @@ GarmentPlan::GarmentPlan(const std::string& name, const ClothParameters& paramet
       membrane_(membraneElements(cloth_, mesh_)),
       masses_(vertexMasses(cloth_, parameters.fabric.constants().density)),
       steps_(settled(placeOf(name, parameters), parameters, frameSeconds), seed, frameSeconds, colliders,
-             boneNamed, startTime) {
+             boneNamed, startTime, longestEdge(cloth_)) {
   makeArrays();
 }
 

@@ -65,6 +65,7 @@ class GarmentPlan {
   [[nodiscard]] double substepSeconds() const { return steps_.substepSeconds(); }
   [[nodiscard]] int stepsBegun() const { return steps_.stepsBegun(); }
   [[nodiscard]] int colliderCount() const { return steps_.colliderCount(); }
+  [[nodiscard]] int thinCount() const { return steps_.thinCount(); }
   [[nodiscard]] const GarmentArrays& arrays() const { return arrays_; }
   [[nodiscard]] const Mesh& mesh() const { return mesh_; }  ///< as drawn
   [[nodiscard]] const ClothTriangles& cloth() const { return cloth_; }

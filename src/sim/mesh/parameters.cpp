@@ -69,26 +69,49 @@ void MeshParameters::describe(scene::Fields& f) {
 void MeshParameters::describeCollision(scene::Fields& f) {
   f.booleanOr(
       "collides", collides, byFaces, "faces",
-      "true: cloth, and particles that ask for it, fall onto this deformed plane, one of a scene; "
-      "\"faces\": cloth with \"contact\" keeps off its triangles, of any shape, moved or deformed.");
+      "true: cloth, and particles that ask for it, touch it: a closed mesh as it is, wherever it moves; or a "
+      "deformed plane, onto which they fall, one of a scene; \"faces\": cloth with \"contact\" keeps off its "
+      "triangles, of any shape, open or closed, moved or deformed.");
   f.number("grip", grip, {0, 1e6}, "1/s",
            "Rate at which what slides over it loses speed, where it collides.");
-  f.optionalNumber("friction", friction, {0, 10}, "",
-                   "Coulomb's coefficient where it collides by faces: with a cloth's the mean of both.");
-  f.leftOut("friction", "the cloth's");
-  if (!byFaces && f.given("friction"))
-    f.error("friction", "\"friction\" is for a mesh with \"collides\": \"faces\"");
+  f.optionalNumber(
+      "friction", friction, {0, 100}, "",
+      "Coulomb's coefficient, instead of grip, of a closed mesh that collides: what lies there "
+      "holds on slopes up to its arc tangent. Of faces: with a cloth's the mean of both; left out the cloth's.");
+  f.integer("distanceCells", distanceCells, {0, 1024}, "cells",
+            "Along the longest side of a closed mesh that collides: its distances are known at the corners "
+            "of cells; 0: 64, and up to 256 where it is thin.");
+  if (friction && f.given("grip")) f.error("friction", "give \"grip\" or \"friction\", not both");
+  if (!collides && !byFaces && f.given("friction"))
+    f.error("friction", "\"friction\" is for a mesh with \"collides\": true or \"faces\"");
+  for (const char* name : {"grip", "distanceCells"})
+    if (!collides && f.given(name))
+      f.error(name, fmt::format("\"{}\" is for a mesh with \"collides\": true", name));
   if (byFaces && deform.technique == DeformTechnique::vertexShader && !deform.list.empty())
     f.error("technique", "\"vertex-shader\" keeps no positions to collide with; use \"compute\"");
-  if (!collides) {
-    if (f.given("grip")) f.error("grip", "\"grip\" is for a mesh with \"collides\": true");
-    return;
-  }
-  if (shape != MeshShape::plane)
-    f.error("shape", "a mesh that collides is a \"plane\", whose heights others fall onto");
+  if (!collides) return;
   if (deform.list.empty())
-    f.error("collides",
-            "a mesh collides by what \"deform\" makes of it; give it one, or use a \"plane\" object");
+    checkSolid(f);
+  else
+    checkHeights(f);
+}
+
+void MeshParameters::checkSolid(scene::Fields& f) const {
+  if (shape == MeshShape::plane || shape == MeshShape::grass)
+    f.error("shape",
+            "a mesh that collides is closed all around, or a plane that \"deform\" moves; use a \"plane\" "
+            "object");
+  if (distanceCells > 0 && distanceCells < 8)
+    f.error("distanceCells", "a mesh that collides has at least 8 cells along its longest side");
+  if (scale.moves()) f.error("scale", "a mesh that collides keeps its size: one scale, no keys");
+}
+
+void MeshParameters::checkHeights(scene::Fields& f) const {
+  if (shape != MeshShape::plane)
+    f.error("shape", "a deformed mesh that collides is a \"plane\", whose heights others fall onto");
+  for (const char* name : {"friction", "distanceCells"})
+    if (f.given(name))
+      f.error(name, fmt::format("\"{}\" is for a mesh that collides and is not deformed", name));
   if (deform.technique == DeformTechnique::vertexShader)
     f.error("technique", "\"vertex-shader\" keeps no positions to collide with; use \"compute\"");
   if (size.x < 1e-3F || size.z < 1e-3F)

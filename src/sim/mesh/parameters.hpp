@@ -33,17 +33,21 @@ struct MeshParameters : ObjectParameters {
   scene::Animated<glm::vec3> position = glm::vec3(0);  ///< m
   scene::Animated<glm::vec3> rotation = glm::vec3(0);  ///< degrees
   scene::Animated<float> scale = 1.0F;
-  bool collides = false;           ///< as a surface of heights
+  bool collides = false;           ///< as a closed mesh, or as a surface of heights
   bool byFaces = false;            ///< with cloths in contact
   float grip = 25.3F;              ///< 1/s
-  std::optional<double> friction;  ///< by faces; none: that of who touches it
+  std::optional<double> friction;  ///< Coulomb's coefficient, instead of `grip`; by faces none: the cloth's
+  int distanceCells = 0;           ///< along its longest side; 0: by its size
   void describe(scene::Fields& fields) override;
   [[nodiscard]] std::span<const scene::Quantity> quantities() const override;
   [[nodiscard]] bool measures() const override { return !deform.list.empty(); }
   /// As it is at rest, at each key of its position.
   [[nodiscard]] std::optional<scene::Box> framed() const override;
-  [[nodiscard]] bool publishesHeights() const override { return collides; }
+  [[nodiscard]] bool publishesHeights() const override { return collides && !deform.list.empty(); }
+  [[nodiscard]] bool isTouched() const override { return collides; }
   [[nodiscard]] bool collidesByFaces() const override { return byFaces; }
+  /// Whether it collides as it is, by its distance field.
+  [[nodiscard]] bool collidesRigidly() const { return collides && deform.list.empty(); }
 
   [[nodiscard]] bool doubleSided() const;
   /// From the mesh's own space to the world's at `time`.
@@ -53,6 +57,8 @@ struct MeshParameters : ObjectParameters {
 
  private:
   void describeCollision(scene::Fields& fields);
+  void checkSolid(scene::Fields& fields) const;
+  void checkHeights(scene::Fields& fields) const;
 };
 
 }  // namespace simreel::sim

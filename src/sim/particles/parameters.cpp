@@ -91,10 +91,11 @@ void ParticleParameters::describe(scene::Fields& f) {
     t.number("speed", turbulence.speed, {0, 1e5}, "m/s", "At which they drift through the scene.");
   });
   f.integer("substeps", substeps, {1, 1024}, "per frame", "Steps a frame is divided into.");
-  f.boolean("collides", collides, "Whether they fall onto the scene's mesh that collides.");
+  f.boolean("collides", collides,
+            "Whether they meet what collides: shapes, the ground, bodies, a mesh that collides.");
   f.text("walls", walls, "Name of the cave or contour whose walls, floor and tops they meet.");
   f.number("bounce", bounce, {0, 1}, "", "Fraction of the speed of impact that is given back.");
-  f.number("margin", margin, {0, 1e3}, "m", "Distance kept from the mesh that collides, and from walls.");
+  f.number("margin", margin, {0, 1e3}, "m", "Distance kept from what they meet, and from walls.");
   for (const char* name : {"bounce", "margin"})
     if (!collides && walls.empty() && f.given(name))
       f.error(name, fmt::format("\"{}\" is for particles with \"collides\": true or \"walls\"", name));

@@ -69,8 +69,6 @@ struct ParticleParameters : ObjectParameters, shader::ParticleConstants {
   int substeps = 1;
   bool collides = false;
   std::string walls;  ///< name of the solid they meet; empty: none
-  float bounce = 0.3F;
-  float margin = 0.0F;  ///< m
 
   // How they look.
   Instances::Shape shape = Instances::Shape::sprite;
@@ -87,7 +85,8 @@ struct ParticleParameters : ObjectParameters, shader::ParticleConstants {
 
   void describe(scene::Fields& fields) override;
   [[nodiscard]] std::span<const scene::Quantity> quantities() const override;
-  [[nodiscard]] bool needsHeights() const override { return collides; }
+  [[nodiscard]] bool asksToCollide() const override { return collides; }
+  [[nodiscard]] double touchMargin() const override { return collides ? margin : -1; }
   [[nodiscard]] std::string meetsWalls() const override { return walls; }
 
  private:

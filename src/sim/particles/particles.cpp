@@ -4,6 +4,7 @@
 #include "gl/element_array.hpp"
 #include "gl/limits.hpp"
 #include "gl/program.hpp"
+#include "sim/collide/distance_fields.hpp"
 #include "sim/contour/walls.hpp"
 #include "sim/core/kind.hpp"
 #include "sim/core/step_blocks.hpp"
@@ -15,6 +16,7 @@
 #include <algorithm>
 #include <memory>
 #include <optional>
+#include <string>
 
 namespace simreel::shader::particles {
 #include "glsl/particles/bindings.glsl"
@@ -35,15 +37,21 @@ int maxParticles() {
   return static_cast<int>(std::min<std::int64_t>(max, maxAnywhere));
 }
 
+const std::vector<ColliderShape>& shapesIn(const Setting& setting) {
+  static const std::vector<ColliderShape> none;
+  return setting.colliders != nullptr ? *setting.colliders : none;
+}
+
 class Particles : public Simulation {
  public:
   Particles(const scene::Object& object, const Setting& setting)
       : name_(object.name),
         material_(object.material),
-        plan_(parametersOf<ParticleParameters>(object), setting.seed, setting.frameSeconds,
-              maxParticles()) {
+        plan_(parametersOf<ParticleParameters>(object), setting.seed, setting.frameSeconds, maxParticles(),
+              shapesIn(setting)) {
     const ParticleParameters& p = plan_.parameters();
     if (p.collides) heights_ = setting.heights;
+    meshes_ = MeshTouch(name_, p.collides ? setting.meshes : nullptr, p.substeps, plan_.substepSeconds());
     if (!p.walls.empty()) {
       walls_ = &setting.wallsNamed(p.walls);
       walls_->checkReach(name_, p.margin);
@@ -66,6 +74,7 @@ class Particles : public Simulation {
     if (!primed_) prime(time);
     const auto steps = plan_.frame(time);
     steps_.upload(steps);
+    meshes_.beginFrame(time);
     tellWalls();
     for (int i = 0; i < plan_.parameters().substeps; ++i) {
       bind(i);
@@ -159,6 +168,10 @@ class Particles : public Simulation {
   void makePrograms(bool fast) {
     const ParticleParameters& p = plan_.parameters();
     gl::Defines defines = gl::kernelDefines(fast);
+    defines.emplace_back("SOLIDS", plan_.colliderCount() + meshes_.count() > 0 ? "1" : "0");
+    if (gl::memoryPath() == gl::MemoryPath::texel)
+      defines.emplace_back("COLLIDERS", std::to_string(plan_.colliderCount()));
+    meshes_.addDefines(defines);
     defines.emplace_back("HEIGHTS", heights_ != nullptr ? "1" : "0");
     defines.emplace_back("ATTRACTOR", p.hasAttractor ? "true" : "false");
     defines.emplace_back("TURBULENCE", p.turbulence.strength > 0 ? "true" : "false");
@@ -166,6 +179,7 @@ class Particles : public Simulation {
     kick_ = gl::Program::compute("particles/kick.comp", defines);
     kick_.checkUniformBlock("StepBlock", sizeof(shader::ParticleStep));
     move_ = gl::Program::compute(attracts() ? "particles/drift.comp" : "particles/step.comp", defines);
+    meshes_.check(move_);
     if (p.emitters.empty()) return;
     if (attracts()) defines.emplace_back("ATTRACTS", "1");
     birth_ = gl::Program::compute("particles/birth.comp", defines);
@@ -215,6 +229,7 @@ class Particles : public Simulation {
     velocities_.bindState(shader::particles::velocitiesBinding);
     accelerations_.bindState(shader::particles::accelerationsBinding);
     status_.bindStorage(shader::statusBinding);
+    meshes_.bind(substep);
     if (walls_ != nullptr) walls_->bind();
     if (heights_ == nullptr) return;
     const ParticleParameters& p = plan_.parameters();
@@ -239,7 +254,8 @@ class Particles : public Simulation {
   StepBlocks<shader::ParticleStep> steps_;
   const HeightField* heights_ = nullptr;  ///< null: it falls onto nothing
   const Walls* walls_ = nullptr;          ///< null: it meets none
-  gl::Program move_, birth_, kick_;       ///< move_: the whole substep unless they attract each other
+  MeshTouch meshes_;
+  gl::Program move_, birth_, kick_;  ///< move_: the whole substep unless they attract each other
   PairGravity pairs_;
   std::optional<GravityTree> tree_;
   std::vector<glm::vec3> colors_;  ///< where the parameters give none
@@ -253,7 +269,7 @@ SimulationKind particlesKind() {
       "particles", "Particles that attract each other, follow fields or stream from emitters.",
       [](const scene::Object& object, const Setting& setting) {
         static_cast<void>(ParticlePlan(parametersOf<ParticleParameters>(object), setting.seed,
-                                       setting.frameSeconds, maxAnywhere));
+                                       setting.frameSeconds, maxAnywhere, shapesIn(setting)));
       },
       makeSimulation<Particles>);
 }

@@ -39,10 +39,13 @@ int centralCount(const ParticleGroup& group) {
 
 }  // namespace
 
-ParticlePlan::ParticlePlan(ParticleParameters parameters, int seed, double frameSeconds, int maxParticles)
+ParticlePlan::ParticlePlan(ParticleParameters parameters, int seed, double frameSeconds, int maxParticles,
+                           const std::vector<ColliderShape>& colliders)
     : parameters_(std::move(parameters)),
       seed_(seed),
-      substepSeconds_(frameSeconds / parameters_.substeps) {
+      substepSeconds_(frameSeconds / parameters_.substeps),
+      colliders_("a cloud of particles", parameters_.collides ? colliders : std::vector<ColliderShape>(),
+                 parameters_.substeps, substepSeconds_) {
   double total = 0;
   for (const ParticleGroup& group : parameters_.groups) {
     files_.emplace_back();
@@ -149,11 +152,14 @@ shader::ParticleStep ParticlePlan::prime(double time) const {
 
 std::vector<shader::ParticleStep> ParticlePlan::frame(double time) {
   std::vector<shader::ParticleStep> steps(static_cast<std::size_t>(parameters_.substeps));
+  const auto colliders = colliders_.frame(time);
   for (int i = 0; i < parameters_.substeps; ++i) {
     const double start = time + i * substepSeconds_;
     const double end = time + (i + 1) * substepSeconds_;
     shader::ParticleStep& s = steps[static_cast<std::size_t>(i)];
     s = between(start, end);
+    s.colliderCount = colliders_.count();
+    std::ranges::copy(colliders[static_cast<std::size_t>(i)], s.colliders);
     for (std::size_t e = 0; e < rings_.size(); ++e)
       births(s.emitters[e], parameters_.emitters[e], rings_[e], start, end);
     ++done_;

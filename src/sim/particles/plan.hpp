@@ -1,4 +1,5 @@
 #pragma once
+#include "sim/collide/colliders.hpp"
 #include "sim/core/carry_over.hpp"
 #include "sim/particles/parameters.hpp"
 
@@ -23,8 +24,10 @@ struct ParticleCloud {
 class ParticlePlan {
  public:
   /// Reads the groups' files. Throws UserError(usage) for a file that holds no usable particles or when
-  /// there are more than `maxParticles` slots.
-  ParticlePlan(ParticleParameters parameters, int seed, double frameSeconds, int maxParticles = 1 << 24);
+  /// there are more than `maxParticles` slots, or more `colliders` than the kernels hold where they
+  /// collide; those of particles that do not are left out.
+  ParticlePlan(ParticleParameters parameters, int seed, double frameSeconds, int maxParticles = 1 << 24,
+               const std::vector<ColliderShape>& colliders = {});
 
   /// Slots: the groups' particles in order, then a ring of slots for each emitter.
   [[nodiscard]] int count() const { return count_; }
@@ -47,6 +50,8 @@ class ParticlePlan {
 
   [[nodiscard]] const ParticleParameters& parameters() const { return parameters_; }
   [[nodiscard]] double substepSeconds() const { return substepSeconds_; }
+  /// The same in every step.
+  [[nodiscard]] int colliderCount() const { return colliders_.count(); }
 
  private:
   [[nodiscard]] std::vector<Companion> companionsOf(std::size_t group) const;
@@ -66,6 +71,7 @@ class ParticlePlan {
   ParticleParameters parameters_;
   int seed_;
   double substepSeconds_;
+  ColliderPlan colliders_;
   std::vector<ParticleCloud> files_;  ///< one for each group, empty unless it is a file
   std::vector<Ring> rings_;
   int count_ = 0;

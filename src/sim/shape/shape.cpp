@@ -75,9 +75,10 @@ void ShapeParameters::describe(scene::Fields& f) {
   f.boolean("collides", collides, "Whether simulations touch it.");
   f.boolean("visible", visible, "Whether it is drawn.");
   f.number("grip", shape.grip, {0, 1e6}, "1/s",
-           "Rate at which cloth sliding over it loses speed; 25.3 keeps 0.9 at 240 Hz.");
-  f.optionalNumber("friction", shape.friction, {0, 100}, "",
-                   "Coulomb's coefficient, instead of grip: cloth holds on slopes up to its arc tangent.");
+           "Rate at which what slides over it loses speed; 25.3 keeps 0.9 at 240 Hz.");
+  f.optionalNumber(
+      "friction", shape.friction, {0, 100}, "",
+      "Coulomb's coefficient, instead of grip: what lies there holds on slopes up to its arc tangent.");
   if (shape.friction && f.given("grip")) f.error("friction", "give \"grip\" or \"friction\", not both");
 }
 

@@ -99,7 +99,7 @@ void checkTies(const scene::Object& object, std::span<const scene::Object> objec
   }
 }
 
-/// One surface of heights for those that ask for it.
+/// One surface of heights.
 void checkHeights(std::span<const scene::Object> objects, const scene::Report& report) {
   const scene::Object* surface = nullptr;
   for (const scene::Object& object : objects) {
@@ -110,12 +110,6 @@ void checkHeights(std::span<const scene::Object> objects, const scene::Report& r
              fmt::format("a scene has one mesh that collides, and \"{}\" is one already", surface->name));
     else
       surface = &object;
-  }
-  for (const scene::Object& object : objects) {
-    const auto* parameters = parametersAt(object);
-    if (surface == nullptr && parameters != nullptr && parameters->needsHeights())
-      report(object, {object.kind, "collides"},
-             "there is nothing to fall onto; give a \"mesh\" of this scene \"collides\": true");
   }
 }
 
@@ -135,18 +129,6 @@ void checkFaces(std::span<const scene::Object> objects, const scene::Report& rep
              "nothing feels these faces; give a \"cloth\" of this scene \"contact\": {}");
 }
 
-}  // namespace
-
-void checkRelations(std::span<const scene::Object> objects, const scene::Report& report) {
-  for (const scene::Object& object : objects) {
-    checkFields(object, objects, report);
-    checkWalls(object, objects, report);
-    checkTies(object, objects, report);
-  }
-  checkHeights(objects, report);
-  checkFaces(objects, report);
-}
-
 std::vector<std::string> followMistakes(const scene::Scene& scene) {
   std::vector<std::string> finders;
   for (const scene::Object& object : scene.objects)
@@ -162,6 +144,33 @@ std::vector<std::string> followMistakes(const scene::Scene& scene) {
   if (scene.camera.follows) check("camera", scene.camera.follow.object);
   for (const scene::Light& light : scene.lights)
     if (light.follows) check("lights." + light.name, light.follow.object);
+  return mistakes;
+}
+
+}  // namespace
+
+void checkRelations(std::span<const scene::Object> objects, const scene::Report& report) {
+  for (const scene::Object& object : objects) {
+    checkFields(object, objects, report);
+    checkWalls(object, objects, report);
+    checkTies(object, objects, report);
+  }
+  checkHeights(objects, report);
+  checkFaces(objects, report);
+}
+
+std::vector<std::string> relationMistakes(const scene::Scene& scene) {
+  std::vector<std::string> mistakes = followMistakes(scene);
+  bool touched = scene.hasGround;
+  for (const scene::Object& object : scene.objects)
+    touched = touched || (parametersAt(object) != nullptr && parametersAt(object)->isTouched());
+  for (const scene::Object& object : scene.objects)
+    if (const auto* parameters = parametersAt(object);
+        !touched && parameters != nullptr && parameters->asksToCollide())
+      mistakes.push_back(
+          fmt::format("objects.{}.{}.collides: there is nothing to touch; add a ground or a shape, or give "
+                      "a mesh or a body \"collides\": true",
+                      object.name, object.kind));
   return mistakes;
 }
 

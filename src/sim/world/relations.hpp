@@ -7,10 +7,11 @@
 
 namespace simreel::sim {
 
-/// Reports objects that need of others what none of them is: the field of a skin, a surface to fall onto.
+/// Reports objects that need of others what none of them is: the field of a skin, a solid with walls.
 void checkRelations(std::span<const scene::Object> objects, const scene::Report& report);
 
-/// One message for each, of the camera and the lights, that follows an object that finds no path.
-[[nodiscard]] std::vector<std::string> followMistakes(const scene::Scene& scene);
+/// One message for each of the camera and the lights that follows an object that finds no path, and for
+/// each object that asks for something to touch where there is nothing.
+[[nodiscard]] std::vector<std::string> relationMistakes(const scene::Scene& scene);
 
 }  // namespace simreel::sim

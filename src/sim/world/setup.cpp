@@ -1,11 +1,13 @@
 #include "sim/world/setup.hpp"
 
+#include "sim/collide/mesh_colliders.hpp"
 #include "sim/grid/picture_file.hpp"
 #include "sim/shape/shape.hpp"
 #include "sim/world/list.hpp"
 #include "sim/world/relations.hpp"
 #include "sim/world/world.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace simreel::sim {
@@ -14,6 +16,13 @@ namespace {
 
 /// Sides of textures that OpenGL 4.5 asks of every device.
 constexpr int maxTextureSide = 16384;
+
+/// Whether the last of them stands there already.
+bool isReported(const std::vector<UserError>& problems) {
+  return std::any_of(problems.begin(), problems.end() - 1, [&](const UserError& problem) {
+    return std::string(problem.what()) == problems.back().what();
+  });
+}
 
 }  // namespace
 
@@ -26,6 +35,7 @@ std::vector<ColliderShape> collidersOf(const scene::Scene& scene, const Bones* b
     ColliderShape ground;
     ground.kind = ColliderShape::Kind::plane;
     ground.position = glm::vec3(0, scene.ground.height, 0);
+    ground.friction = scene.ground.friction;
     shapes.push_back(ground);
   }
   if (bones != nullptr) bones->addCapsules(shapes);
@@ -77,12 +87,17 @@ std::vector<UserError> findProblems(const scene::Scene& scene) {
       problems.push_back(error);
     }
   };
-  for (const std::string& mistake : followMistakes(scene)) problems.emplace_back(ExitCode::usage, mistake);
+  for (const std::string& mistake : relationMistakes(scene))
+    problems.emplace_back(ExitCode::usage, mistake);
   for (const scene::Object& object : scene.objects) {
     if (const auto& check = simulationNamed(object.kind).check) attempt([&] { check(object, setting); });
     if (!object.material.texture.empty())
       attempt([&] { static_cast<void>(loadPicture(object.material.texture, "texture", maxTextureSide)); });
   }
+  const std::size_t others = problems.size();
+  attempt([&] { static_cast<void>(MeshColliderPlan(scene, std::max(0.0, meshReach(scene)))); });
+  // A file that cannot be read is a problem of its object already.
+  if (others > 0 && problems.size() > others && isReported(problems)) problems.pop_back();
   return problems;
 }
 

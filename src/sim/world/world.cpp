@@ -5,6 +5,7 @@
 #include "gl/element_array.hpp"
 #include "gl/errors.hpp"
 #include "sim/body/bones.hpp"
+#include "sim/collide/distance_fields.hpp"
 #include "sim/contact/lock_step.hpp"
 #include "sim/core/state_hash.hpp"
 #include "sim/world/list.hpp"
@@ -15,6 +16,7 @@
 #include <cmath>
 #include <deque>
 #include <functional>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -40,6 +42,7 @@ struct World::State {
   int done = 0;  ///< frames simulated, the pre-roll's included
   Bones bones;
   std::vector<ColliderShape> colliders;
+  std::unique_ptr<DistanceFields> meshes;  ///< of the rigid meshes that collide, where something may touch
   std::vector<std::unique_ptr<Simulation>> objects;
   std::vector<std::size_t> touching;  ///< objects that are in contact, in their order
   std::unique_ptr<ContactGroup> contact;
@@ -73,7 +76,7 @@ struct World::State {
         objects(scene.objects.size()),
         order(stepOrder(scene)),
         remarked(scene.objects.size()) {
-    if (const auto mistakes = followMistakes(scene); !mistakes.empty())
+    if (const auto mistakes = relationMistakes(scene); !mistakes.empty())
       throw UserError(ExitCode::usage, mistakes.front());
     Setting setting{scene.numerics == scene::Numerics::fast, scene.seed, 1.0 / scene.time.fps, &colliders,
                     timing};
@@ -86,6 +89,8 @@ struct World::State {
     setting.boneNamed = [this](const std::string& body, const std::string& bone) {
       return bones.named(body, bone);
     };
+    makeFields(scene);
+    setting.meshes = meshes.get();
     for (const std::size_t i : order) {
       objects[i] = simulationNamed(scene.objects[i].kind).make(scene.objects[i], setting);
       if (objects[i]->heights() != nullptr) setting.heights = objects[i]->heights();
@@ -107,6 +112,13 @@ struct World::State {
     sums = gl::Buffer("state hash sums", std::max<std::size_t>(1, arrays.size()) * 16);
     sumCopies = copies("copies of state hash sums", arrays.size());
     statuses = copies("status copies", objects.size());
+  }
+
+  void makeFields(const scene::Scene& scene) {
+    const double reach = meshReach(scene);
+    if (reach < 0) return;
+    MeshColliderPlan plan(scene, reach);
+    if (plan.count() > 0) meshes = std::make_unique<DistanceFields>(std::move(plan));
   }
 
   /// All that are in contact take as many substeps as the one that needs most.

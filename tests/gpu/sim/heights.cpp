@@ -141,8 +141,9 @@ ClothTwin clothTwin(const scene::Scene& scene) {
 }
 
 ParticlesTwin particlesTwin(const scene::Scene& scene) {
-  return ParticlesTwin(sim::ParticlePlan(
-      dynamic_cast<const sim::ParticleParameters&>(*scene.objects.at(0).parameters), 5, heightsFrame));
+  return ParticlesTwin(
+      sim::ParticlePlan(dynamic_cast<const sim::ParticleParameters&>(*scene.objects.at(0).parameters), 5,
+                        heightsFrame, 1 << 24, HeightsTwin::colliders()));
 }
 
 // A third of it hangs over the swell's edge.

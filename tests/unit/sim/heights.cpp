@@ -4,6 +4,7 @@
 #include "reference/particles_twin.hpp"
 #include "scene/scene.hpp"
 #include "sim/world/list.hpp"
+#include "sim/world/world.hpp"
 #include "unit/help.hpp"
 
 #include <cmath>
@@ -124,8 +125,8 @@ TEST_CASE("heights: beside the mesh there is nothing, on its edge there is") {
 TEST_CASE("heights: what cannot collide is told where it stands") {
   const std::string deform = R"(, "deform": [{"ripple": {}}])";
   CHECK(meshFailure(deform) == "no failure");
-  test::checkHas(meshFailure(deform + R"(, "shape": "sphere")"), "a mesh that collides is a \"plane\"");
-  test::checkHas(meshFailure(""), "by what \"deform\" makes of it");
+  test::checkHas(meshFailure(deform + R"(, "shape": "sphere")"), "mesh that collides is a \"plane\"");
+  test::checkHas(meshFailure(""), "or a plane that \"deform\" moves");
   test::checkHas(meshFailure(deform + R"(, "technique": "vertex-shader")"), "keeps no positions");
   test::checkHas(meshFailure(deform + R"(, "size": [0, 0, 3])"), "at least 0.001 m");
   test::checkHas(meshFailure(deform + R"(, "rotation": [0, 20, 0])"), "not turned");
@@ -148,7 +149,14 @@ TEST_CASE("heights: a scene has one mesh to fall onto, and particles that collid
   const std::string second = heightsFailure("\"a\": " + mesh + ",\n\"b\": " + mesh);
   test::checkHas(second, "one mesh that collides, and \"a\" is one already");
   test::checkHas(second, "test.json:3:");
-  test::checkHas(heightsFailure("\"p\": " + grains), "nothing to fall onto");
+  const auto problems = [&](const std::string& more) {
+    const auto scene = scene::parseScene(R"({"version": 1, "objects": {"p": )" + grains + "}" + more + "}",
+                                         "test.json", {}, sim::kinds());
+    const auto found = sim::findProblems(scene);
+    return found.empty() ? std::string("none") : std::string(found.front().what());
+  };
+  test::checkHas(problems(""), "objects.p.particles.collides: there is nothing to touch");
+  CHECK(problems(R"(, "ground": {"height": -1})") == "none");
   test::checkHas(heightsFailure(R"("p": {"particles": {"groups": [{}], "bounce": 0.2}})"),
                  "for particles with \"collides\"");
   test::checkHas(heightsFailure(R"("p": {"particles": {"groups": [{}], "margin": 0.2}})"),

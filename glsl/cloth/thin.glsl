@@ -1,0 +1,130 @@
+// Spheres and capsules thinner than a cloth's mesh is wide, which would pass between its vertices: what its edges and faces
+// feel of them. Compiles as GLSL and as C++; needs `stepData` (ClothStep), cloth/motion.glsl and collide/closest.glsl.
+//
+// Of each edge and face around a vertex, and the collider, the closest points at the beginning of the substep give a normal
+// that has not been passed yet. Along it the two points have to be apart by radius and margin at the end, however far they went;
+// where they are not, they are pushed out as a vertex is. A point of shares w is moved so by w_j W_j / sum w^2 W of each corner,
+// W its inverse mass. A vertex takes the greatest of these for each collider, all at once, so no order matters; and again for
+// what is left, thinRounds in all.
+#include "cloth/thin_rounds.glsl"
+
+struct Corner {
+  vec3 before;
+  vec3 now;
+  vec3 velocity;
+  float inverseMass;
+};
+
+struct Fended {
+  vec3 shift;    // m
+  vec3 change;   // m/s
+  float squared; // of the shift
+};
+
+FUNCTION Corner cornerOf(vec4 before, vec4 now, vec4 velocity) {
+  Corner corner;
+  corner.before = vec3(before);
+  corner.now = vec3(now);
+  corner.velocity = vec3(velocity);
+  corner.inverseMass = before.w;
+  return corner;
+}
+
+FUNCTION vec3 sharedBy(vec3 shares, vec3 a, vec3 b, vec3 c) {
+  precise vec3 sum = a * shares.x + b * shares.y + c * shares.z;
+  return sum;
+}
+
+// Collider i, t of the way along it, against the point of these shares of the corners; what the first of them gets.
+FUNCTION Fended fendedAt(Fended most, int i, float t, vec3 shares, Corner a, Corner b, Corner c) {
+  vec3 velocityA = vec3(stepData.colliders[i].velocityA);
+  vec3 velocityB = vec3(stepData.colliders[i].velocityB);
+  precise vec3 surface = velocityA + (velocityB - velocityA) * t;
+  precise vec3 there = vec3(stepData.colliders[i].a) + (vec3(stepData.colliders[i].b) - vec3(stepData.colliders[i].a)) * t;
+  precise vec3 wasThere = there - surface * stepData.dt;
+  vec3 before = sharedBy(shares, a.before, b.before, c.before);
+  Motion m;
+  m.position = sharedBy(shares, a.now, b.now, c.now);
+  m.velocity = sharedBy(shares, a.velocity, b.velocity, c.velocity);
+  precise vec3 offset = before - wasThere;
+  float squared = exactDot(offset, offset);
+  precise vec3 normal = offset * exactInverseSqrt(max(squared, 1e-12f));
+  precise vec3 apart = m.position - there;
+  precise float depth = stepData.colliders[i].reach + stepData.constants.margin - exactDot(apart, normal);
+  Touch touch;
+  touch.depth = squared > 1e-12f ? depth : 0.0f;
+  touch.normal = normal;
+  touch.surface = surface;
+  touch.grip = stepData.colliders[i].grip;
+  touch.friction = stepData.colliders[i].friction;
+  touch.bounce = 0.0f;
+  Motion out_ = pushedOut(m, before, touch);
+  precise float weight = shares.x * shares.x * a.inverseMass + shares.y * shares.y * b.inverseMass +
+                         shares.z * shares.z * c.inverseMass;
+  precise float part = shares.x * a.inverseMass * exactReciprocal(max(weight, 1e-20f));
+  precise vec3 shift = (out_.position - m.position) * part;
+  precise vec3 change = (out_.velocity - m.velocity) * part;
+  float size = exactDot(shift, shift);
+  if (touch.depth > 0.0f && size > most.squared) {
+    most.shift = shift;
+    most.change = change;
+    most.squared = size;
+  }
+  return most;
+}
+
+FUNCTION Fended fendedByEdge(Fended most, int i, Corner a, Corner b) {
+  precise vec3 start = vec3(stepData.colliders[i].a) - vec3(stepData.colliders[i].velocityA) * stepData.dt;
+  precise vec3 end = vec3(stepData.colliders[i].b) - vec3(stepData.colliders[i].velocityB) * stepData.dt;
+  Crossing crossing = crossingOf(a.before, b.before, start, end, stepData.colliders[i].perLengthSquared);
+  precise float rest = 1.0f - crossing.onFirst;
+  return fendedAt(most, i, crossing.onSecond, vec3(rest, crossing.onFirst, 0.0f), a, b, b);
+}
+
+// By the ends of a capsule, or the middle of a sphere.
+FUNCTION Fended fendedByFace(Fended most, int i, Corner a, Corner b, Corner c) {
+  precise vec3 start = vec3(stepData.colliders[i].a) - vec3(stepData.colliders[i].velocityA) * stepData.dt;
+  precise vec3 end = vec3(stepData.colliders[i].b) - vec3(stepData.colliders[i].velocityB) * stepData.dt;
+  Closest first = closestOf(start, a.before, b.before, c.before);
+  precise float restOfFirst = 1.0f - first.v - first.w;
+  most = fendedAt(most, i, 0.0f, vec3(restOfFirst, first.v, first.w), a, b, c);
+  if (stepData.colliders[i].perLengthSquared > 0.0f) {
+    Closest last = closestOf(end, a.before, b.before, c.before);
+    precise float restOfLast = 1.0f - last.v - last.w;
+    most = fendedAt(most, i, 1.0f, vec3(restOfLast, last.v, last.w), a, b, c);
+  }
+  return most;
+}
+
+// Whether collider i may be near: within its reach, what both go in the substep and the sides of the faces around.
+FUNCTION bool mayMeet(int i, Corner a) {
+  vec3 from = vec3(stepData.colliders[i].a);
+  precise vec3 axis = vec3(stepData.colliders[i].b) - from;
+  precise vec3 fromA = a.now - from;
+  precise float along = exactDot(fromA, axis) * stepData.colliders[i].perLengthSquared;
+  precise vec3 apart = fromA - axis * clamp(along, 0.0f, 1.0f);
+  precise vec3 way = a.now - a.before;
+  float waySquared = exactDot(way, way);
+  vec3 velocityA = vec3(stepData.colliders[i].velocityA), velocityB = vec3(stepData.colliders[i].velocityB);
+  float fastest = max(exactDot(velocityA, velocityA), exactDot(velocityB, velocityB));
+  precise float reach = stepData.colliders[i].reach + stepData.constants.margin + stepData.thinRoom +
+                        exactSqrt(waySquared) * 2.0f + exactSqrt(fastest) * stepData.dt;
+  precise float most = reach * reach;
+  return exactDot(apart, apart) < most;
+}
+
+FUNCTION Fended notFended() {
+  Fended none;
+  none.shift = vec3(0.0f);
+  none.change = vec3(0.0f);
+  none.squared = 0.0f;
+  return none;
+}
+
+FUNCTION Fended together(Fended sum, Fended more) {
+  precise vec3 shift = sum.shift + more.shift;
+  precise vec3 change = sum.change + more.change;
+  sum.shift = shift;
+  sum.change = change;
+  return sum;
+}

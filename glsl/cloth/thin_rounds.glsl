@@ -1,0 +1,7 @@
+// Compiles as GLSL and as C++ (src/sim/cloth/thin.cpp).
+#ifndef CLOTH_THIN_ROUNDS
+#define CLOTH_THIN_ROUNDS
+
+const int thinRounds = 4;
+
+#endif

@@ -1,0 +1,24 @@
+// The nearest face of each node of the grid: some rounds of the search, again until all are done, since software drivers end a
+// shader's loops without a word after 65,535.
+#include "collide/distance/kernel.glsl"
+layout(std430, binding = leftBinding) restrict buffer LeftBlock { uint left; };
+uniform int rounds;
+uniform bool begins;
+
+void main() {
+  int i = int(gl_GlobalInvocationID.x);
+  if (i >= nodes.w) return;
+  vec3 p = placeOf(i);
+  Search s;
+  if (begins) {
+    s = begun(p);
+  } else {
+    uvec4 words = LOAD_WORDS(searches, i);
+    s.squared = intBitsToFloat(int(words.x));
+    s.face = int(words.y);
+    s.box = int(words.z);
+  }
+  for (int k = 0; k < rounds && s.box != 0; ++k) s = searched(p, s);
+  STORE_WORDS(searches, i, uvec4(uint(floatBitsToInt(s.squared)), uint(s.face), uint(s.box), 0u));
+  if (s.box != 0) atomicAdd(left, 1u);
+}

@@ -1,0 +1,9 @@
+// The signed distance of each node, in whole units, where its nearest face was.
+#include "collide/distance/kernel.glsl"
+
+void main() {
+  int i = int(gl_GlobalInvocationID.x);
+  if (i >= nodes.w) return;
+  float distance_ = signedDistance(placeOf(i), int(LOAD_WORDS(searches, i).y));
+  STORE_WORDS(searches, i, uvec4(uint(wholeUnits(distance_, perUnit)), 0u, 0u, 0u));
+}

@@ -1,0 +1,13 @@
+// The rigid meshes that cloth and particles touch: MESHES of them; without, nothing is bound or read.
+#ifndef MESHES
+#define MESHES 0
+#endif
+#if MESHES
+#include "common/words.glsl"
+#include "collide/field_types.glsl"
+layout(std140, binding = meshCollidersBinding) uniform MeshColliderBlock { MeshColliders meshData; };
+INPUT_WORDS(fieldCellsBinding, FieldCellBlock, fieldCells)
+uvec4 loadFieldCell(int i) {
+  return LOAD_INPUT_WORDS(fieldCells, i);
+}
+#endif

@@ -1,0 +1,198 @@
+// What touches rigid meshes: answers known without the program. The GPU has the twins' bits.
+#include "reference/cloth_twin.hpp"
+#include "reference/garment_twin.hpp"
+#include "reference/particles_twin.hpp"
+#include "unit/help.hpp"
+#include "unit/sim/collide_help.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include <doctest/doctest.h>
+
+using namespace simreel;
+
+namespace {
+
+constexpr double meshFrame = 1.0 / 60.0;
+
+struct Grain {
+  glm::dvec3 position, velocity;
+};
+
+struct GrainSetting {
+  float bounce = 1, margin = 0.05F;
+  glm::vec3 acceleration{0};
+  int substeps = 8;
+};
+
+/// Particles beside the first mesh of a scene.
+ParticlesTwin grainsBeside(const std::string& mesh, const std::vector<Grain>& grains,
+                           const GrainSetting& setting = {}) {
+  sim::ParticleParameters p;
+  p.groups.emplace_back().count = static_cast<int>(grains.size());
+  p.method = sim::GravityMethod::none;
+  p.acceleration = setting.acceleration;
+  p.substeps = setting.substeps;
+  p.collides = true;
+  p.bounce = setting.bounce;
+  p.margin = setting.margin;
+  ParticlesTwin twin(sim::ParticlePlan(p, 1, meshFrame));
+  for (std::size_t i = 0; i < grains.size(); ++i) {
+    twin.positions[i] = glm::vec4(glm::vec3(grains[i].position), 1);
+    twin.velocities[i] = glm::vec4(glm::vec3(grains[i].velocity), 0);
+  }
+  twin.meshes.emplace(sim::MeshColliderPlan(test::parsedScene(test::meshObject(mesh)), setting.margin));
+  return twin;
+}
+
+std::string boxMesh(const test::TemporaryFile& file, const std::string& more = "") {
+  return fmt::format(R"("shape": "file", "file": "{}"{})", file.path().string(), more);
+}
+
+/// The sheet over a torus of 0.5 m with a tube of 0.15 m, as the sheet's parameters have it.
+constexpr const char* torusUnderCloth =
+    R"("shape": "torus", "radius": 0.5, "tube": 0.15, "resolution": [97, 49], "rotation": [0, 20, 0])";
+
+double overTorus(const glm::vec4& p) {
+  const double across = std::sqrt(double{p.x} * p.x + double{p.z} * p.z) - 0.5;
+  return std::sqrt(across * across + double{p.y} * p.y) - 0.15;
+}
+
+}  // namespace
+
+TEST_CASE("collide: balls bounce off a mesh box as off a box by hand, and keep their energy") {
+  const test::TemporaryFile file("hand.obj", test::boxObj({0.4, 0.3, 0.5}));
+  const glm::dvec3 half(0.4, 0.3, 0.5);
+  const double margin = 0.05;
+  test::Draws draws;
+  std::vector<Grain> grains;
+  std::vector<glm::dvec3> expected;
+  while (grains.size() < 60) {
+    // Hits the middle part of a face after 0.1 s.
+    const int axis = static_cast<int>(grains.size() % 3);
+    const double side = grains.size() % 2 == 0 ? 1 : -1;
+    glm::dvec3 target = draws.inBox(half * 0.8);
+    target[axis] = side * (half[axis] + margin);
+    glm::dvec3 v = draws.inBox(glm::dvec3(1));
+    v[axis] = -side * (1.5 + draws() * 0.5);
+    grains.push_back({target - v * 0.1, v});
+    v[axis] = -v[axis];
+    expected.push_back(v);
+  }
+  auto twin = grainsBeside(boxMesh(file, R"(, "grip": 0)"), grains);
+  for (int frame = 0; frame < 15; ++frame) twin.step(frame * meshFrame);
+  double energy = 0, before = 0;
+  for (std::size_t i = 0; i < grains.size(); ++i) {
+    CHECK(glm::length(glm::dvec3(twin.velocities[i]) - expected[i]) < 2e-3);
+    const glm::dvec3 place = grains[i].position + grains[i].velocity * 0.1 + expected[i] * 0.15;
+    // A substep's way is made after the bounce instead of within.
+    CHECK(glm::length(glm::dvec3(twin.positions[i]) - place) < 2 * 2 * meshFrame / 8);
+    energy += glm::dot(glm::dvec3(twin.velocities[i]), glm::dvec3(twin.velocities[i]));
+    before += glm::dot(grains[i].velocity, grains[i].velocity);
+  }
+  CHECK(energy == doctest::Approx(before).epsilon(1e-5));
+}
+
+TEST_CASE("collide: nothing gets into a mesh, however fast it comes") {
+  const test::TemporaryFile file("thin.obj", test::boxObj({0.5, 0.02, 0.5}));
+  std::vector<Grain> grains;
+  test::Draws draws;
+  for (int i = 0; i < 50; ++i)
+    grains.push_back({{0.4 * draws(), 1, 0.4 * draws()}, {draws(), -40.0 - i, draws()}});
+  auto twin = grainsBeside(boxMesh(file), grains, {.bounce = 0.2F, .margin = 0.01F, .substeps = 1});
+  for (int frame = 0; frame < 20; ++frame) twin.step(frame * meshFrame);
+  for (const glm::vec4& p : twin.positions) CHECK(p.y > 0.029);
+  // The plate itself at 40 m/s, as fast as a substep has ways of half a metre.
+  auto swept = grainsBeside(
+      boxMesh(file, R"(, "position": {"keys": [[0, [0, -1, 0]], [0.05, [0, 1, 0]]], "ease": "linear"})"),
+      {{{0.1, 0, 0.2}, {0, 0, 0}}}, {.bounce = 0, .margin = 0.01F, .substeps = 1});
+  for (int frame = 0; frame < 3; ++frame) swept.step(frame * meshFrame);
+  CHECK(swept.positions[0].y > 1.0);
+  CHECK(swept.velocities[0].y == doctest::Approx(40).epsilon(0.01));
+}
+
+TEST_CASE("collide: a mesh that turns carries what lies on it, and Coulomb's law holds it there") {
+  const test::TemporaryFile file("turn.obj", test::boxObj({0.5, 0.1, 0.5}));
+  const GrainSetting weight{.bounce = 0, .margin = 0.01F, .acceleration = {0, -9.81F, 0}, .substeps = 8};
+  // 0.9 rad/s at 0.4 m: 0.36 m/s, and 0.324 m/s^2 inwards.
+  const std::string turning =
+      R"(, "rotation": {"keys": [[0, [0, 0, 0]], [4, [0, 206.26, 0]]], "ease": "linear"})";
+  auto held = grainsBeside(boxMesh(file, turning + R"(, "friction": 0.5)"),
+                           {{{0.4, 0.11, 0}, {0, 0, -0.36}}}, weight);
+  auto smooth =
+      grainsBeside(boxMesh(file, turning + R"(, "friction": 0)"), {{{0.4, 0.11, 0}, {0, 0, 0}}}, weight);
+  for (int frame = 0; frame < 60; ++frame) {
+    held.step(frame * meshFrame);
+    smooth.step(frame * meshFrame);
+  }
+  const glm::dvec3 expected(0.4 * std::cos(0.9), 0.11, -0.4 * std::sin(0.9));
+  CHECK(glm::length(glm::dvec3(held.positions[0]) - expected) < 3e-3);
+  CHECK(glm::length(glm::dvec3(held.velocities[0])) == doctest::Approx(0.36).epsilon(0.03));
+  CHECK(glm::length(glm::dvec3(smooth.positions[0]) - glm::dvec3(0.4, 0.11, 0)) < 1e-3);
+  // A slope of 20 degrees under a coefficient of 0.5, and one of 35.
+  for (const double degrees : {20.0, 35.0}) {
+    CAPTURE(degrees);
+    const double angle = degrees * M_PI / 180;
+    const glm::dvec3 up(-std::sin(angle), std::cos(angle), 0);
+    auto slope =
+        grainsBeside(boxMesh(file, fmt::format(R"(, "friction": 0.5, "rotation": [0, 0, {}])", degrees)),
+                     {{up * 0.11, {0, 0, 0}}}, weight);
+    for (int frame = 0; frame < 30; ++frame) slope.step(frame * meshFrame);
+    const double way = glm::length(glm::dvec3(slope.positions[0]) - up * 0.11);
+    const double theory = 0.125 * 9.81 * (std::sin(angle) - 0.5 * std::cos(angle));
+    if (degrees < 26)
+      CHECK(way < 2e-4);
+    else
+      CHECK(std::abs(way - theory) < 0.03 * theory);
+  }
+}
+
+TEST_CASE("collide: cloth over a mesh torus does not sink, whatever it is made of") {
+  const auto scene = test::parsedScene(test::meshObject(torusUnderCloth));
+  const auto settle = [&](auto twin, double margin) {
+    twin.meshes.emplace(sim::MeshColliderPlan(scene, margin));
+    double least = 1e9;
+    int touching = 0;
+    for (int frame = 0; frame < 60; ++frame) {
+      twin.step(frame * meshFrame);
+      touching = 0;
+      for (const glm::vec4& p : twin.positions) {
+        least = std::min(least, overTorus(p));
+        touching += overTorus(p) < margin + 2e-3 ? 1 : 0;
+      }
+    }
+    CHECK(least > margin - 1.5e-3);
+    CHECK(touching > 30);
+  };
+  sim::ClothParameters p;
+  p.size = {33, 29};
+  p.spacing = 0.05F;
+  p.position = glm::vec3(0.03F, 0.2F, 0);
+  p.wind = glm::vec3(0);
+  p.pins.clear();
+  p.mass = 0.0003F;
+  p.stiffness = 20;
+  p.substeps.reset();
+  p.margin = 0.01F;
+  SUBCASE("springs") {
+    settle(ClothTwin(sim::ClothPlan(p, 5, meshFrame, {})), 0.01);
+  }
+  SUBCASE("constraints") {
+    p.hasFabric = true;
+    p.solver = sim::ClothSolver::constraints;
+    const double thickness = p.fabric.constants().thickness;
+    settle(ClothTwin(sim::ClothPlan(p, 5, meshFrame, {})), 0.01 + 0.5 * thickness);
+  }
+  SUBCASE("a mesh of fabric") {
+    p.hasMesh = true;
+    p.hasFabric = true;
+    p.mesh.shape = sim::ClothShape::disc;
+    p.mesh.radius = 0.8F;
+    p.mesh.resolution = {21, 3};
+    const double thickness = p.fabric.constants().thickness;
+    settle(GarmentTwin(sim::GarmentPlan("disc", p, 5, meshFrame, {})), 0.01 + 0.5 * thickness);
+  }
+}
