@@ -1,6 +1,7 @@
 #include "sim/contact/contact.hpp"
 
 #include "base/error.hpp"
+#include "gl/limits.hpp"
 
 #include <algorithm>
 #include <iterator>
@@ -20,10 +21,23 @@ namespace at = shader::contact;
 constexpr int holdRounds = 4;  ///< hold.comp
 constexpr std::size_t mostPairsWord = 5;
 
+/// Before anything is filled.
+void checkLimits(std::size_t vertices) {
+  const std::size_t bytes = vertices * at::pointSections * 16;
+  const auto max = static_cast<std::size_t>(gl::limits().storageBlockBytes);
+  if (bytes > max)
+    fail(ExitCode::device,
+         "cloths in contact and the meshes and bodies that they touch have {} vertices together, which "
+         "need {} "
+         "bytes, this device allows {} in one buffer (GL_MAX_SHADER_STORAGE_BLOCK_SIZE); simplify them",
+         vertices, bytes, max);
+}
+
 }  // namespace
 
 Contact::Contact(ContactPlan plan, int substeps, bool fast) : plan_(std::move(plan)), stepCount_(substeps) {
   const auto vertices = static_cast<std::size_t>(plan_.vertices());
+  checkLimits(vertices);
   std::vector<glm::vec4> points(vertices * at::pointSections, glm::vec4(0));
   for (std::size_t i = 0; i < vertices; ++i)
     points[at::skinSection * vertices + i] = glm::vec4(plan_.skins()[i], 0, 0);
