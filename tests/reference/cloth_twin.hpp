@@ -36,4 +36,5 @@ class ClothTwin {
   void constrain(const simreel::shader::ClothStep& data);
 
   simreel::sim::ClothPlan plan_;
+  std::vector<glm::vec4> ways_;  ///< of pins that follow a skin, in the frame
 };

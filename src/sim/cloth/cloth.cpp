@@ -7,6 +7,7 @@
 #include "sim/cloth/plan.hpp"
 #include "sim/cloth/quantities.hpp"
 #include "sim/cloth/sheet_mesh.hpp"
+#include "sim/cloth/skin_hold.hpp"
 #include "sim/contact/lock_step.hpp"
 #include "sim/contour/walls.hpp"
 #include "sim/core/kind.hpp"
@@ -34,7 +35,8 @@ class Cloth : public Simulation, public LockStep {
       : name_(object.name),
         material_(object.material),
         plan_(parametersOf<ClothParameters>(object).inStep(setting.contactSubsteps), setting.seed,
-              setting.frameSeconds, *setting.colliders, setting.boneNamed, setting.startTime),
+              setting.frameSeconds, *setting.colliders, setting.boneNamed, setting.startTime,
+              setting.heldBySkin),
         size_(plan_.parameters().size),
         constrained_(plan_.parameters().constrained()),
         heights_(setting.heights),
@@ -75,7 +77,10 @@ class Cloth : public Simulation, public LockStep {
       part.faces.emplace_back(corners[i], corners[i + 1], corners[i + 2]);
     return part;
   }
-  void beginFrame(double time) override { steps_.upload(plan_.frame(time)); }
+  void beginFrame(double time) override {
+    steps_.upload(plan_.frame(time));
+    hold_.beginFrame(plan_.skinPins(), time, time + frameSeconds_);
+  }
   void predict(int substep) override {
     status_.bindStorage(shader::statusBinding);
     steps_.bind(static_cast<std::size_t>(substep));
@@ -84,6 +89,7 @@ class Cloth : public Simulation, public LockStep {
     velocities_.bindState(shader::cloth::velocitiesBinding);
     tellColliders(touching(), substep);
     gl::barrier();
+    hold_.hold(velocities_, substep, plan_.substeps());
     if (!(constrained_ && inLines_)) step_.dispatch(size_.x, size_.y);
     if (constrained_) constrain();
   }
@@ -176,6 +182,7 @@ class Cloth : public Simulation, public LockStep {
 
   void makePrograms(bool fast) {
     gl::Defines defines = gl::kernelDefines(fast);
+    hold_ = SkinHold(name_, plan_.skinPins(), defines);
     const auto make = [&](gl::Program& program, const char* path) {
       program = gl::Program::compute(path, defines);
       program.set("size", size_);
@@ -294,6 +301,7 @@ class Cloth : public Simulation, public LockStep {
   gl::Buffer indices_;
   gl::Buffer status_;
   StepBlocks<shader::ClothStep> steps_;
+  SkinHold hold_;
   gl::Program step_, constrain_, rows_, columns_, settle_;
 };
 
@@ -305,7 +313,8 @@ std::unique_ptr<Simulation> makeSheet(const scene::Object& object, const Setting
 
 void checkSheet(const scene::Object& object, const Setting& setting) {
   static_cast<void>(ClothPlan(parametersOf<ClothParameters>(object), setting.seed, setting.frameSeconds,
-                              *setting.colliders, setting.boneNamed, setting.startTime));
+                              *setting.colliders, setting.boneNamed, setting.startTime,
+                              setting.heldBySkin));
 }
 
 }  // namespace simreel::sim

@@ -1,5 +1,6 @@
 #pragma once
 #include "sim/cloth/parameters.hpp"
+#include "sim/cloth/skin_pins.hpp"
 #include "sim/core/carry_over.hpp"
 #include "sim/core/collider.hpp"
 
@@ -35,11 +36,11 @@ class ClothPlan {
  public:
   /// Throws UserError(usage) when there are more colliders than the kernels hold, or "auto" takes more
   /// substeps than there may be; warns once when the given substeps are fewer than it needs.
-  /// `boneNamed`, `startTime`: as of Setting; who has pins that a bone carries needs them.
+  /// `boneNamed`, `startTime`, `heldBySkin`: as of Setting; who has pins that a body carries needs them.
   ClothPlan(const ClothParameters& parameters, int seed, double frameSeconds,
             const std::vector<ColliderShape>& colliders,
             const std::function<Carrier(const std::string& body, const std::string& bone)>& boneNamed = {},
-            double startTime = 0);
+            double startTime = 0, const HeldBySkin& heldBySkin = {});
 
   /// The same in every step.
   [[nodiscard]] int colliderCount() const { return static_cast<int>(colliders_.size()); }
@@ -55,6 +56,7 @@ class ClothPlan {
   }
 
   [[nodiscard]] const ClothParameters& parameters() const { return parameters_; }
+  [[nodiscard]] const SkinPins& skinPins() const { return skinPins_; }  ///< of a grid
   [[nodiscard]] int substeps() const { return substeps_; }
   /// Of all frames that were asked for.
   [[nodiscard]] int stepsBegun() const { return static_cast<int>(done_); }
@@ -66,6 +68,9 @@ class ClothPlan {
     std::vector<std::array<CarriedCapsule, 2>> capsules;  ///< of each collider that is carried
     std::vector<std::array<glm::dmat4, 2>> pins;          ///< of each pin group, on top of its own frame
   };
+  /// Of each particle of a grid: its pin group; -1: free.
+  [[nodiscard]] std::vector<int> owners() const;
+  [[nodiscard]] glm::vec3 restAt(int x, int y) const;
   [[nodiscard]] Ends endsOf(double time) const;
   [[nodiscard]] shader::Collider colliderAt(const ColliderShape& shape, double time) const;
   [[nodiscard]] shader::Collider carriedCollider(const ColliderShape& shape,
@@ -83,6 +88,7 @@ class ClothPlan {
     glm::dmat4 fromStart{1};
   };
   std::vector<PinCarrier> carriers_;
+  SkinPins skinPins_;
   glm::vec3 alongX_, alongY_, origin_;
   double drift_[3] = {0, 0, 0};
   std::uint32_t done_ = 0;  ///< substeps so far

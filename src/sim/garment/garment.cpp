@@ -4,6 +4,7 @@
 #include "gl/element_array.hpp"
 #include "gl/program.hpp"
 #include "sim/cloth/cloth.hpp"
+#include "sim/cloth/skin_hold.hpp"
 #include "sim/contact/lock_step.hpp"
 #include "sim/contour/walls.hpp"
 #include "sim/core/kind.hpp"
@@ -35,7 +36,8 @@ class Garment : public Simulation, public LockStep {
       : name_(object.name),
         material_(object.material),
         plan_(object.name, parametersOf<ClothParameters>(object).inStep(setting.contactSubsteps),
-              setting.seed, setting.frameSeconds, *setting.colliders, setting.boneNamed, setting.startTime),
+              setting.seed, setting.frameSeconds, *setting.colliders, setting.boneNamed, setting.startTime,
+              setting.heldBySkin),
         vertices_(static_cast<int>(plan_.restPositions().size())),
         heights_(setting.heights),
         frameSeconds_(setting.frameSeconds),
@@ -75,10 +77,13 @@ class Garment : public Simulation, public LockStep {
   void beginFrame(double time) override {
     begun_ = plan_.stepsBegun();
     steps_.upload(plan_.frame(time));
+    hold_.beginFrame(plan_.skinPins(), time, time + frameSeconds_);
   }
   void predict(int substep) override {
     steps_.bind(static_cast<std::size_t>(substep));
     gl::barrier();
+    push();
+    hold_.hold(velocities_, substep, plan_.substeps());
     accelerate(plan_.bendingAt(begun_ + substep));
     stretch();
     attach();
@@ -190,6 +195,7 @@ class Garment : public Simulation, public LockStep {
 
   void makePrograms(bool fast) {
     gl::Defines defines = gl::kernelDefines(fast);
+    hold_ = SkinHold(name_, plan_.skinPins(), defines);
     defines.emplace_back("AIR", plan_.parameters().hasAir ? "true" : "false");
     defines.emplace_back("DAMPED", plan_.parameters().damped() ? "1" : "0");
     if (gl::memoryPath() == gl::MemoryPath::texel)
@@ -217,8 +223,8 @@ class Garment : public Simulation, public LockStep {
     settle_.checkUniformBlock("StepBlock", sizeof(shader::ClothStep));
   }
 
-  /// Into positions_[1], where forces take the vertices.
-  void accelerate(std::size_t bending) {
+  /// What the air does to faces.
+  void push() {
     if (plan_.parameters().hasAir) {
       positions_[0].bindInput(shader::garment::positionsBinding);
       velocities_.bindInput(shader::garment::velocitiesBinding);
@@ -227,6 +233,10 @@ class Garment : public Simulation, public LockStep {
       air_.dispatch(static_cast<int>(plan_.arrays().corners.size()));
       gl::barrier();
     }
+  }
+
+  /// Into positions_[1], where forces take the vertices.
+  void accelerate(std::size_t bending) {
     positions_[0].bindInput(shader::garment::positionsBinding);
     positions_[1].bindState(shader::garment::nextPositionsBinding);
     velocities_.bindInput(shader::garment::velocitiesBinding);
@@ -319,6 +329,7 @@ class Garment : public Simulation, public LockStep {
   MeshTopology topology_;
   gl::Buffer status_;
   StepBlocks<shader::ClothStep> steps_;
+  SkinHold hold_;
   gl::Program air_, predict_, stretch_, attach_, sew_, settle_, show_;
 };
 
@@ -332,7 +343,8 @@ SimulationKind clothKind() {
         const auto& parameters = parametersOf<ClothParameters>(object);
         if (!parameters.hasMesh) return checkSheet(object, setting);
         static_cast<void>(GarmentPlan(object.name, parameters, setting.seed, setting.frameSeconds,
-                                      *setting.colliders, setting.boneNamed, setting.startTime));
+                                      *setting.colliders, setting.boneNamed, setting.startTime,
+                                      setting.heldBySkin));
       },
       [](const scene::Object& object, const Setting& setting) {
         if (parametersOf<ClothParameters>(object).hasMesh) return makeSimulation<Garment>(object, setting);

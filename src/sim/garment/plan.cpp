@@ -49,13 +49,14 @@ std::uint32_t bitsOf(double value) {
 
 GarmentPlan::GarmentPlan(const std::string& name, const ClothParameters& parameters, int seed,
                          double frameSeconds, const std::vector<ColliderShape>& colliders,
-                         const BoneNamed& boneNamed, double startTime)
-    : GarmentPlan(name, parameters, seed, frameSeconds, colliders, boneNamed, startTime,
+                         const BoneNamed& boneNamed, double startTime, const HeldBySkin& heldBySkin)
+    : GarmentPlan(name, parameters, seed, frameSeconds, colliders, boneNamed, startTime, heldBySkin,
                   parameters.mesh.make()) {}
 
 GarmentPlan::GarmentPlan(const std::string& name, const ClothParameters& parameters, int seed,
                          double frameSeconds, const std::vector<ColliderShape>& colliders,
-                         const BoneNamed& boneNamed, double startTime, Mesh mesh)
+                         const BoneNamed& boneNamed, double startTime, const HeldBySkin& heldBySkin,
+                         Mesh mesh)
     : seed_(seed),
       mesh_(std::move(mesh)),
       cloth_(placeOf(name, parameters), mesh_, parameters.mesh.scale, parameters.mesh.weld),
@@ -63,6 +64,7 @@ GarmentPlan::GarmentPlan(const std::string& name, const ClothParameters& paramet
       masses_(vertexMasses(cloth_, parameters.fabric.constants().density)),
       steps_(settled(placeOf(name, parameters), parameters, frameSeconds), seed, frameSeconds, colliders,
              boneNamed, startTime) {
+  skinPins_.attach(parameters.pins, groups_, rest_, heldBySkin, startTime);
   makeArrays();
 }
 
@@ -341,6 +343,7 @@ std::vector<glm::vec4> GarmentPlan::firstVelocities() const {
   std::vector<glm::vec4> velocities;
   velocities.reserve(groups_.size());
   for (const int group : groups_) velocities.emplace_back(0, 0, 0, std::max(group, 0));
+  for (const unsigned i : skinPins_.particles()) velocities[i].w = heldBySkinMark;
   return velocities;
 }
 
