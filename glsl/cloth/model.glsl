@@ -93,7 +93,8 @@ FUNCTION vec3 newVelocity(ivec2 at, vec4 here, vec3 velocity, bool springs, bool
 }
 
 // Where the pin's frame carries the particle's rest position.
-FUNCTION vec3 pinnedPosition(ivec2 at, int frame) {
+FUNCTION vec3 pinnedPosition(ivec2 at, int group) {
+  int frame = max(group, 0);
   precise vec3 rest =
       vec3(stepData.origin) + vec3(stepData.alongX) * float(at.x) + vec3(stepData.alongY) * float(at.y);
   return vec3(applyRow(stepData.frames[frame].row0, rest), applyRow(stepData.frames[frame].row1, rest),
@@ -105,7 +106,7 @@ FUNCTION Motion advance(ivec2 at, vec4 here, vec4 velocity, bool springs, bool a
                         bool lands, bool walled) {
   Motion m;
   if (here.w == 0.0f) {
-    m.position = pinnedPosition(at, int(velocity.w));
+    m.position = velocity.w < 0.0f ? vec3(velocity) : pinnedPosition(at, int(velocity.w));  // cloth/hold.comp
     m.velocity = vec3(0.0f);
     return m;
   }

@@ -1,5 +1,6 @@
 #include "reference/cloth_twin.hpp"
 
+#include "reference/held_twin.hpp"
 #include "sim/core/shader_code.hpp"
 
 #include <algorithm>
@@ -140,8 +141,10 @@ ClothTwin::ClothTwin(simreel::sim::ClothPlan plan)
 
 void ClothTwin::step(double time, int threads) {
   int index = 0;
+  const auto steps = plan_.frame(time);
   if (meshes) meshes->beginFrame(time, plan_.substeps(), plan_.substepSeconds());
-  for (const ClothStep& data : plan_.frame(time)) substep(data, threads, index++);
+  ways_ = plan_.skinPins().frame(time, time + plan_.substeps() * plan_.substepSeconds());
+  for (const ClothStep& data : steps) substep(data, threads, index++);
 }
 
 void ClothTwin::substep(const ClothStep& data, int threads, int index) {
@@ -154,6 +157,7 @@ void ClothTwin::finish() {
 }
 
 void ClothTwin::predict(const ClothStep& data, int threads, int index) {
+  holdBySkin(ways_, index, plan_.substeps(), velocities);
   const bool lands = heightPlan.has_value();
   HeightGrid grid{};
   if (lands) grid = heightPlan->at(index, plan_.substeps(), plan_.parameters().margin, 0.0F);

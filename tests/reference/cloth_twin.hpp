@@ -39,4 +39,5 @@ class ClothTwin {
   void fend(const simreel::shader::ClothStep& data);
 
   simreel::sim::ClothPlan plan_;
+  std::vector<glm::vec4> ways_;  ///< of pins that follow a skin, in the frame
 };

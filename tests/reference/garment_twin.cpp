@@ -1,5 +1,6 @@
 #include "reference/garment_twin.hpp"
 
+#include "reference/held_twin.hpp"
 #include "sim/core/shader_code.hpp"
 
 #include <utility>
@@ -55,8 +56,10 @@ GarmentTwin::GarmentTwin(simreel::sim::GarmentPlan plan)
 
 void GarmentTwin::step(double time) {
   int index = 0;
+  const auto steps = plan_.frame(time);
   if (meshes) meshes->beginFrame(time, plan_.substeps(), plan_.substepSeconds());
-  for (const ClothStep& data : plan_.frame(time)) substep(data, index++);
+  ways_ = plan_.skinPins().frame(time, time + plan_.substeps() * plan_.substepSeconds());
+  for (const ClothStep& data : steps) substep(data, index++);
 }
 
 void GarmentTwin::substep(const ClothStep& data, int index) {
@@ -85,6 +88,7 @@ void GarmentTwin::substep(const ClothStep& data, int index) {
                                          vec3(positions[face.z]), velocity),
                       0);
   }
+  holdBySkin(ways_, index, plan_.substeps(), velocities);
   for (std::size_t i = 0; i < positions.size(); ++i) {
     const auto m =
         kernel.predicted(kernel.bending->fans[i], positions[i], velocities[i], vec3(rest_[i]), air);

@@ -35,4 +35,5 @@ class GarmentTwin {
   void fend(const simreel::shader::ClothStep& data);
   simreel::sim::GarmentPlan plan_;
   std::vector<glm::vec4> rest_, next_, forces_;
+  std::vector<glm::vec4> ways_;  ///< of pins that follow a skin, in the frame
 };

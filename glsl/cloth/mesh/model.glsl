@@ -44,9 +44,10 @@ FUNCTION vec3 airForces(uvec4 fan) {
 FUNCTION Motion predicted(uvec4 fan, vec4 here, vec4 velocity, vec3 rest, bool air) {
   Motion m;
   if (here.w == 0.0f) {
-    int frame = int(velocity.w);
-    m.position = vec3(applyRow(stepData.frames[frame].row0, rest), applyRow(stepData.frames[frame].row1, rest),
-                      applyRow(stepData.frames[frame].row2, rest));
+    int frame = max(int(velocity.w), 0);
+    vec3 carried = vec3(applyRow(stepData.frames[frame].row0, rest), applyRow(stepData.frames[frame].row1, rest),
+                        applyRow(stepData.frames[frame].row2, rest));
+    m.position = velocity.w < 0.0f ? vec3(velocity) : carried;  // cloth/hold.comp
     m.velocity = vec3(0.0f);
     return m;
   }

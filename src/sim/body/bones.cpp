@@ -5,6 +5,7 @@
 #include "scene/scene.hpp"
 #include "scene/words.hpp"
 #include "sim/body/capsules.hpp"
+#include "sim/body/skin_points.hpp"
 
 #include <utility>
 
@@ -28,6 +29,12 @@ std::shared_ptr<const BodyMotion> Bones::motionOf(const std::string& body) const
   std::shared_ptr<const BodyMotion>& motion = motions_[body];
   if (!motion) motion = std::make_shared<const BodyMotion>(body, *bodies_.at(body));
   return motion;
+}
+
+SkinHolder Bones::heldBySkin(const std::string& body, std::span<const glm::dvec3> points,
+                             double time) const {
+  if (!bodies_.contains(body)) fail(ExitCode::usage, "no object named {} is a body", scene::inQuotes(body));
+  return [held = SkinPoints(body, motionOf(body), points, time)](double now) { return held.at(now); };
 }
 
 Carrier Bones::named(const std::string& body, const std::string& bone) const {

@@ -4,6 +4,7 @@
 
 #include <map>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,9 @@ class Bones {
 
   /// As Setting::boneNamed has it. What is returned may outlive this.
   [[nodiscard]] Carrier named(const std::string& body, const std::string& bone) const;
+  /// As HeldBySkin.
+  [[nodiscard]] SkinHolder heldBySkin(const std::string& body, std::span<const glm::dvec3> points,
+                                      double time) const;
   /// Appends the capsules of the bodies that collide. Throws what BodyMotion throws.
   void addCapsules(std::vector<ColliderShape>& shapes) const;
 

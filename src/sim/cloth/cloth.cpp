@@ -7,6 +7,7 @@
 #include "sim/cloth/plan.hpp"
 #include "sim/cloth/quantities.hpp"
 #include "sim/cloth/sheet_mesh.hpp"
+#include "sim/cloth/skin_hold.hpp"
 #include "sim/cloth/thin.hpp"
 #include "sim/collide/distance_fields.hpp"
 #include "sim/contact/lock_step.hpp"
@@ -37,7 +38,8 @@ class Cloth : public Simulation, public LockStep {
       : name_(object.name),
         material_(object.material),
         plan_(parametersOf<ClothParameters>(object).inStep(setting.contactSubsteps), setting.seed,
-              setting.frameSeconds, *setting.colliders, setting.boneNamed, setting.startTime),
+              setting.frameSeconds, *setting.colliders, setting.boneNamed, setting.startTime,
+              setting.heldBySkin),
         size_(plan_.parameters().size),
         constrained_(plan_.parameters().constrained()),
         heights_(setting.heights),
@@ -85,6 +87,7 @@ class Cloth : public Simulation, public LockStep {
   void beginFrame(double time) override {
     steps_.upload(plan_.frame(time));
     meshes_.beginFrame(time);
+    hold_.beginFrame(plan_.skinPins(), time, time + frameSeconds_);
   }
   void predict(int substep) override {
     status_.bindStorage(shader::statusBinding);
@@ -94,6 +97,7 @@ class Cloth : public Simulation, public LockStep {
     velocities_.bindState(shader::cloth::velocitiesBinding);
     tellColliders(touching(), substep);
     gl::barrier();
+    hold_.hold(velocities_, substep, plan_.substeps());
     if (constrained_)
       constrain();
     else
@@ -190,6 +194,7 @@ class Cloth : public Simulation, public LockStep {
 
   void makePrograms(bool fast) {
     gl::Defines defines = gl::kernelDefines(fast);
+    hold_ = SkinHold(name_, plan_.skinPins(), defines);
     const auto make = [&](gl::Program& program, const char* path) {
       program = gl::Program::compute(path, defines);
       program.set("size", size_);
@@ -336,6 +341,7 @@ class Cloth : public Simulation, public LockStep {
   gl::Buffer indices_;
   gl::Buffer status_;
   StepBlocks<shader::ClothStep> steps_;
+  SkinHold hold_;
   gl::Program step_, constrain_, rows_, columns_, settle_;
 };
 
@@ -347,7 +353,8 @@ std::unique_ptr<Simulation> makeSheet(const scene::Object& object, const Setting
 
 void checkSheet(const scene::Object& object, const Setting& setting) {
   static_cast<void>(ClothPlan(parametersOf<ClothParameters>(object), setting.seed, setting.frameSeconds,
-                              *setting.colliders, setting.boneNamed, setting.startTime));
+                              *setting.colliders, setting.boneNamed, setting.startTime,
+                              setting.heldBySkin));
 }
 
 }  // namespace simreel::sim

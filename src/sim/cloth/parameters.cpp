@@ -27,75 +27,12 @@ std::int64_t substepsFor(double frameSeconds, double longest) {
   return static_cast<std::int64_t>(std::ceil(std::min(frameSeconds / longest, 1e15)));
 }
 
-void checkLines(scene::Fields& f, const char* name, const std::vector<int>& lines, int count) {
-  for (const int line : lines)
-    if (line >= count || line < -count)
-      f.error(name,
-              fmt::format("{} {} is outside the cloth: it has {} (0 to {}, or -1 for the last)",
-                          std::string_view(name) == "rows" ? "row" : "column", line, count, count - 1));
-}
-
 }  // namespace
 
 ClothParameters::ClothParameters() {
   PinGroup lastRow;
   lastRow.rows = {-1};
   pins.push_back(lastRow);
-}
-
-void PinGroup::describe(scene::Fields& f, const glm::ivec2& grid, bool onMesh) {
-  f.integers("rows", rows, {-1e6, 1e6}, "", "Rows to pin; negative ones count from the last.");
-  f.integers("columns", columns, {-1e6, 1e6}, "", "Columns to pin; negative ones count from the last.");
-  f.someOf("corners", corners, {"top-left", "top-right", "bottom-left", "bottom-right"},
-           "Corners to pin; row 0 is the top.");
-  f.pairs("points", points, {0, 1e6}, "", "Single particles to pin, each [x, y].");
-  f.integers("vertices", vertices, {0, 1e7}, "",
-             "Of a mesh: vertices to pin, from 0 on, in the order in which \"simreel bake\" writes them.");
-  f.optionalGroup("box", hasBox, "Of a mesh: pins all that lies in it at the start.",
-                  [&](scene::Fields& b) {
-                    b.vector("min", box.min, scene::anyNumber, "m", "Its least corner, in world space.");
-                    b.vector("max", box.max, scene::anyNumber, "m", "Its greatest corner.");
-                    for (int i = 0; i < 3; ++i)
-                      if (box.max[i] < box.min[i])
-                        b.error("max", "the greatest corner lies below the least one");
-                  });
-  f.asset("map", map,
-          "Of a mesh: a picture over its uv; what lies where it is brighter than half is pinned.");
-  f.boolean("clamp", clamp,
-            "Hold the direction in which a fabric leaves a pinned border, too, as between two plates.");
-  f.integer("every", every, {1, 1e6}, "", "Of rows and columns pin only each n-th particle, and the last.");
-  f.vector("move", move, scene::anyNumber, "m", "How far the pins are moved.");
-  f.vector("rotate", rotate, scene::anyNumber, "degrees", "Rotation of the pins about the pivot.");
-  f.vector("scale", scale, {-1e3, 1e3}, "", "Scale of the pins about the pivot.");
-  f.vector("pivot", pivot, scene::anyNumber, "m", "Fixed point of rotation and scale, in world space.");
-  f.text("to", to,
-         "Name of a body that carries the pins: they follow its \"bone\" from where the sheet lies at the "
-         "start.");
-  f.text("bone", bone, "Name of that bone in the body's file.");
-  if (to.empty() != bone.empty())
-    f.error(to.empty() ? "bone" : "to", "pins are carried by both: \"to\" a body and its \"bone\"");
-  const std::pair<const char*, bool> ofGrids[] = {{"rows", !rows.empty()},
-                                                  {"columns", !columns.empty()},
-                                                  {"corners", !corners.empty()},
-                                                  {"points", !points.empty()},
-                                                  {"every", every != 1}};
-  const std::pair<const char*, bool> ofMeshes[] = {
-      {"vertices", !vertices.empty()}, {"box", hasBox}, {"map", !map.empty()}};
-  if (onMesh) {
-    for (const auto& [name, used] : ofGrids)
-      if (used)
-        f.error(name, fmt::format("a mesh has no {}; pin by \"vertices\", \"box\" or \"map\"", name));
-    return;
-  }
-  for (const auto& [name, used] : ofMeshes)
-    if (used)
-      f.error(name, "this pins a mesh; a grid has \"rows\", \"columns\", \"corners\" and \"points\"");
-  checkLines(f, "rows", rows, grid.y);
-  checkLines(f, "columns", columns, grid.x);
-  for (const glm::ivec2& p : points)
-    if (p.x >= grid.x || p.y >= grid.y)
-      f.error("points",
-              fmt::format("[{}, {}] is outside the cloth of {}x{} particles", p.x, p.y, grid.x, grid.y));
 }
 
 /// Cloth of a mesh is a fabric, and free unless it is pinned.

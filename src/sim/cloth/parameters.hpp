@@ -13,6 +13,9 @@
 
 namespace simreel::sim {
 
+/// What of a body carries pins.
+enum class PinPlace { bone, skin };
+
 /// Particles that do not move by themselves, and the moving frame they may be attached to.
 struct PinGroup {
   std::vector<int> rows;  ///< negative counts from the end
@@ -31,6 +34,8 @@ struct PinGroup {
   glm::vec3 pivot{0, 0, 0};  ///< m, world; rotation and scale act about it
   std::string to;            ///< body whose bone carries them; empty: none
   std::string bone;
+  PinPlace at = PinPlace::bone;
+  [[nodiscard]] bool onSkin() const { return at == PinPlace::skin; }
   void describe(scene::Fields& fields, const glm::ivec2& grid, bool onMesh);
 };
 

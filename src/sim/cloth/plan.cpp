@@ -60,7 +60,7 @@ glm::vec4 turned(const shader::PinFrame& frame, glm::vec3 way) {
 ClothPlan::ClothPlan(const ClothParameters& parameters, int seed, double frameSeconds,
                      const std::vector<ColliderShape>& colliders,
                      const std::function<Carrier(const std::string&, const std::string&)>& boneNamed,
-                     double startTime, double edge)
+                     double startTime, const HeldBySkin& heldBySkin, double edge)
     : parameters_(parameters),
       seed_(seed),
       substeps_(parameters.substepsPerFrame(frameSeconds)),
@@ -77,7 +77,7 @@ ClothPlan::ClothPlan(const ClothParameters& parameters, int seed, double frameSe
   thinCount_ = colliders_.putThinLast(edge_, parameters_.margin);
   for (const PinGroup& group : parameters_.pins) {
     PinCarrier& carrier = carriers_.emplace_back();
-    if (group.to.empty()) continue;
+    if (group.to.empty() || group.onSkin()) continue;
     SIMREEL_CHECK(boneNamed);
     carrier.at = boneNamed(group.to, group.bone);
     carrier.fromStart = glm::inverse(carrier.at(startTime));
@@ -87,6 +87,24 @@ ClothPlan::ClothPlan(const ClothParameters& parameters, int seed, double frameSe
   alongY_ = glm::vec3(turn[2]) * parameters_.spacing;
   origin_ = parameters_.position - alongX_ * (0.5F * static_cast<float>(parameters_.size.x - 1)) -
             alongY_ * (0.5F * static_cast<float>(parameters_.size.y - 1));
+  if (parameters_.hasMesh) return;
+  std::vector<glm::vec3> rest;
+  for (int y = 0; y < parameters_.size.y; ++y)
+    for (int x = 0; x < parameters_.size.x; ++x) rest.push_back(restAt(x, y));
+  skinPins_.attach(parameters_.pins, owners(), rest, heldBySkin, startTime);
+}
+
+glm::vec3 ClothPlan::restAt(int x, int y) const {
+  return origin_ + alongX_ * static_cast<float>(x) + alongY_ * static_cast<float>(y);
+}
+
+std::vector<int> ClothPlan::owners() const {
+  std::vector<int> owners(
+      static_cast<std::size_t>(parameters_.size.x) * static_cast<std::size_t>(parameters_.size.y), -1);
+  for (std::size_t group = 0; group < parameters_.pins.size(); ++group)
+    for (const int i : parameters_.pinnedBy(parameters_.pins[group]))
+      owners[static_cast<std::size_t>(i)] = static_cast<int>(group);
+  return owners;
 }
 
 std::vector<glm::vec4> ClothPlan::firstPositions() const {
@@ -97,8 +115,7 @@ std::vector<glm::vec4> ClothPlan::firstPositions() const {
     for (int x = 0; x < size.x; ++x) {
       const glm::vec3 noise = shader::signedUnits(shader::hash3(
           {static_cast<unsigned>(x), static_cast<unsigned>(y), static_cast<unsigned>(seed_)}));
-      const glm::vec3 rest = origin_ + alongX_ * static_cast<float>(x) + alongY_ * static_cast<float>(y);
-      positions.emplace_back(rest + noise * parameters_.jitter, 1.0F / parameters_.massAt({x, y}));
+      positions.emplace_back(restAt(x, y) + noise * parameters_.jitter, 1.0F / parameters_.massAt({x, y}));
     }
   for (const PinGroup& group : parameters_.pins)
     for (const int i : parameters_.pinnedBy(group)) positions[static_cast<std::size_t>(i)].w = 0.0F;
@@ -112,6 +129,7 @@ std::vector<glm::vec4> ClothPlan::firstVelocities() const {
   for (std::size_t group = 0; group < parameters_.pins.size(); ++group)
     for (const int i : parameters_.pinnedBy(parameters_.pins[group]))
       velocities[static_cast<std::size_t>(i)].w = static_cast<float>(group);
+  for (const unsigned i : skinPins_.particles()) velocities[i].w = heldBySkinMark;
   return velocities;
 }
 

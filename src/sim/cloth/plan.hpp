@@ -1,5 +1,6 @@
 #pragma once
 #include "sim/cloth/parameters.hpp"
+#include "sim/cloth/skin_pins.hpp"
 #include "sim/collide/colliders.hpp"
 #include "sim/core/carry_over.hpp"
 
@@ -35,12 +36,12 @@ class ClothPlan {
  public:
   /// Throws UserError(usage) when there are more colliders than the kernels hold, or "auto" takes more
   /// substeps than there may be; warns once when the given substeps are fewer than it needs.
-  /// `boneNamed`, `startTime`: as of Setting; who has pins that a bone carries needs them. `edge`: the
-  /// longest between vertices (m), 0: a grid's spacing.
+  /// `boneNamed`, `startTime`, `heldBySkin`: as of Setting; who has pins that a body carries needs them.
+  /// `edge`: the longest between vertices (m), 0: a grid's spacing.
   ClothPlan(const ClothParameters& parameters, int seed, double frameSeconds,
             const std::vector<ColliderShape>& colliders,
             const std::function<Carrier(const std::string& body, const std::string& bone)>& boneNamed = {},
-            double startTime = 0, double edge = 0);
+            double startTime = 0, const HeldBySkin& heldBySkin = {}, double edge = 0);
 
   /// The same in every step: those that vertices feel, and thin ones that edges and faces do.
   [[nodiscard]] int colliderCount() const { return colliders_.count() - thinCount_; }
@@ -57,12 +58,16 @@ class ClothPlan {
   }
 
   [[nodiscard]] const ClothParameters& parameters() const { return parameters_; }
+  [[nodiscard]] const SkinPins& skinPins() const { return skinPins_; }  ///< of a grid
   [[nodiscard]] int substeps() const { return substeps_; }
   /// Of all frames that were asked for.
   [[nodiscard]] int stepsBegun() const { return static_cast<int>(done_); }
   [[nodiscard]] double substepSeconds() const { return substepSeconds_; }
 
  private:
+  /// Of each particle of a grid: its pin group; -1: free.
+  [[nodiscard]] std::vector<int> owners() const;
+  [[nodiscard]] glm::vec3 restAt(int x, int y) const;
   /// What a frame that starts at `time` begins and ends with, of each pin group, on top of its own frame.
   [[nodiscard]] std::vector<std::array<glm::dmat4, 2>> pinsAround(double time) const;
 
@@ -79,6 +84,7 @@ class ClothPlan {
     glm::dmat4 fromStart{1};
   };
   std::vector<PinCarrier> carriers_;
+  SkinPins skinPins_;
   glm::vec3 alongX_, alongY_, origin_;
   double drift_[3] = {0, 0, 0};
   std::uint32_t done_ = 0;  ///< substeps so far

@@ -4,6 +4,7 @@
 #include "gl/element_array.hpp"
 #include "gl/program.hpp"
 #include "sim/cloth/cloth.hpp"
+#include "sim/cloth/skin_hold.hpp"
 #include "sim/cloth/thin.hpp"
 #include "sim/collide/distance_fields.hpp"
 #include "sim/contact/lock_step.hpp"
@@ -37,7 +38,8 @@ class Garment : public Simulation, public LockStep {
       : name_(object.name),
         material_(object.material),
         plan_(object.name, parametersOf<ClothParameters>(object).inStep(setting.contactSubsteps),
-              setting.seed, setting.frameSeconds, *setting.colliders, setting.boneNamed, setting.startTime),
+              setting.seed, setting.frameSeconds, *setting.colliders, setting.boneNamed, setting.startTime,
+              setting.heldBySkin),
         vertices_(static_cast<int>(plan_.restPositions().size())),
         heights_(setting.heights),
         frameSeconds_(setting.frameSeconds),
@@ -81,10 +83,13 @@ class Garment : public Simulation, public LockStep {
     begun_ = plan_.stepsBegun();
     steps_.upload(plan_.frame(time));
     meshes_.beginFrame(time);
+    hold_.beginFrame(plan_.skinPins(), time, time + frameSeconds_);
   }
   void predict(int substep) override {
     steps_.bind(static_cast<std::size_t>(substep));
     gl::barrier();
+    push();
+    hold_.hold(velocities_, substep, plan_.substeps());
     accelerate(plan_.bendingAt(begun_ + substep));
     stretch();
     attach();
@@ -196,6 +201,7 @@ class Garment : public Simulation, public LockStep {
 
   void makePrograms(bool fast) {
     gl::Defines defines = gl::kernelDefines(fast);
+    hold_ = SkinHold(name_, plan_.skinPins(), defines);
     defines.emplace_back("AIR", plan_.parameters().hasAir ? "true" : "false");
     defines.emplace_back("DAMPED", plan_.parameters().damped() ? "1" : "0");
     if (gl::memoryPath() == gl::MemoryPath::texel)
@@ -225,8 +231,8 @@ class Garment : public Simulation, public LockStep {
     meshes_.check(settle_);
   }
 
-  /// Into positions_[1], where forces take the vertices.
-  void accelerate(std::size_t bending) {
+  /// What the air does to faces.
+  void push() {
     if (plan_.parameters().hasAir) {
       positions_[0].bindInput(shader::garment::positionsBinding);
       velocities_.bindInput(shader::garment::velocitiesBinding);
@@ -235,6 +241,10 @@ class Garment : public Simulation, public LockStep {
       air_.dispatch(static_cast<int>(plan_.arrays().corners.size()));
       gl::barrier();
     }
+  }
+
+  /// Into positions_[1], where forces take the vertices.
+  void accelerate(std::size_t bending) {
     positions_[0].bindInput(shader::garment::positionsBinding);
     positions_[1].bindState(shader::garment::nextPositionsBinding);
     velocities_.bindInput(shader::garment::velocitiesBinding);
@@ -334,6 +344,7 @@ class Garment : public Simulation, public LockStep {
   MeshTopology topology_;
   gl::Buffer status_;
   StepBlocks<shader::ClothStep> steps_;
+  SkinHold hold_;
   gl::Program air_, predict_, stretch_, attach_, sew_, settle_, show_;
 };
 
@@ -347,7 +358,8 @@ SimulationKind clothKind() {
         const auto& parameters = parametersOf<ClothParameters>(object);
         if (!parameters.hasMesh) return checkSheet(object, setting);
         static_cast<void>(GarmentPlan(object.name, parameters, setting.seed, setting.frameSeconds,
-                                      *setting.colliders, setting.boneNamed, setting.startTime));
+                                      *setting.colliders, setting.boneNamed, setting.startTime,
+                                      setting.heldBySkin));
       },
       [](const scene::Object& object, const Setting& setting) {
         if (parametersOf<ClothParameters>(object).hasMesh) return makeSimulation<Garment>(object, setting);

@@ -58,20 +58,22 @@ std::uint32_t bitsOf(double value) {
 
 GarmentPlan::GarmentPlan(const std::string& name, const ClothParameters& parameters, int seed,
                          double frameSeconds, const std::vector<ColliderShape>& colliders,
-                         const BoneNamed& boneNamed, double startTime)
-    : GarmentPlan(name, parameters, seed, frameSeconds, colliders, boneNamed, startTime,
+                         const BoneNamed& boneNamed, double startTime, const HeldBySkin& heldBySkin)
+    : GarmentPlan(name, parameters, seed, frameSeconds, colliders, boneNamed, startTime, heldBySkin,
                   parameters.mesh.make()) {}
 
 GarmentPlan::GarmentPlan(const std::string& name, const ClothParameters& parameters, int seed,
                          double frameSeconds, const std::vector<ColliderShape>& colliders,
-                         const BoneNamed& boneNamed, double startTime, Mesh mesh)
+                         const BoneNamed& boneNamed, double startTime, const HeldBySkin& heldBySkin,
+                         Mesh mesh)
     : seed_(seed),
       mesh_(std::move(mesh)),
       cloth_(placeOf(name, parameters), mesh_, parameters.mesh.scale, parameters.mesh.weld),
       membrane_(membraneElements(cloth_, mesh_)),
       masses_(vertexMasses(cloth_, parameters.fabric.constants().density)),
       steps_(settled(placeOf(name, parameters), parameters, frameSeconds), seed, frameSeconds, colliders,
-             boneNamed, startTime, longestEdge(cloth_)) {
+             boneNamed, startTime, {}, longestEdge(cloth_)) {
+  skinPins_.attach(parameters.pins, groups_, rest_, heldBySkin, startTime);
   makeArrays();
 }
 
@@ -350,6 +352,7 @@ std::vector<glm::vec4> GarmentPlan::firstVelocities() const {
   std::vector<glm::vec4> velocities;
   velocities.reserve(groups_.size());
   for (const int group : groups_) velocities.emplace_back(0, 0, 0, std::max(group, 0));
+  for (const unsigned i : skinPins_.particles()) velocities[i].w = heldBySkinMark;
   return velocities;
 }
 

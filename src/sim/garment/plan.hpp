@@ -48,7 +48,7 @@ class GarmentPlan {
   using BoneNamed = std::function<Carrier(const std::string& body, const std::string& bone)>;
   GarmentPlan(const std::string& name, const ClothParameters& parameters, int seed, double frameSeconds,
               const std::vector<ColliderShape>& colliders, const BoneNamed& boneNamed = {},
-              double startTime = 0);
+              double startTime = 0, const HeldBySkin& heldBySkin = {});
 
   /// xyz in m, w inverse mass in 1/kg (0: pinned): the vertices, then the ghosts of clamped edges, which
   /// are pinned.
@@ -64,6 +64,7 @@ class GarmentPlan {
   [[nodiscard]] int substeps() const { return steps_.substeps(); }
   [[nodiscard]] double substepSeconds() const { return steps_.substepSeconds(); }
   [[nodiscard]] int stepsBegun() const { return steps_.stepsBegun(); }
+  [[nodiscard]] const SkinPins& skinPins() const { return skinPins_; }
   [[nodiscard]] int colliderCount() const { return steps_.colliderCount(); }
   [[nodiscard]] int thinCount() const { return steps_.thinCount(); }
   [[nodiscard]] const GarmentArrays& arrays() const { return arrays_; }
@@ -84,7 +85,7 @@ class GarmentPlan {
  private:
   GarmentPlan(const std::string& name, const ClothParameters& parameters, int seed, double frameSeconds,
               const std::vector<ColliderShape>& colliders, const BoneNamed& boneNamed, double startTime,
-              Mesh mesh);
+              const HeldBySkin& heldBySkin, Mesh mesh);
   /// Places and pins the vertices, makes the rows of bending. Returns the parameters with the substeps that
   /// "auto" comes to.
   [[nodiscard]] ClothParameters settled(const std::string& name, ClothParameters parameters,
@@ -113,6 +114,7 @@ class GarmentPlan {
   std::map<double, std::vector<std::pair<unsigned, unsigned>>> shut_;
   GarmentArrays arrays_;
   ClothPlan steps_;
+  SkinPins skinPins_;
 };
 
 }  // namespace simreel::sim

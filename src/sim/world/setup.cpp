@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace simreel::sim {
 
@@ -71,6 +72,9 @@ std::vector<UserError> findProblems(const scene::Scene& scene) {
   std::vector<ColliderShape> colliders;
   Setting setting{scene.numerics == scene::Numerics::fast, scene.seed, 1.0 / scene.time.fps, &colliders};
   setting.startTime = startOf(scene);
+  setting.heldBySkin = [&](const std::string& body, std::span<const glm::dvec3> points, double time) {
+    return bones.heldBySkin(body, points, time);
+  };
   setting.boneNamed = [&](const std::string& body, const std::string& bone) {
     return bones.named(body, bone);
   };

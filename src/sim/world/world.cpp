@@ -16,6 +16,7 @@
 #include <cmath>
 #include <deque>
 #include <functional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -86,6 +87,9 @@ struct World::State {
     setting.fieldNamed = [this](const std::string& name) { return fieldNamed(name); };
     setting.wallsNamed = [this](const std::string& name) -> const Walls& { return wallsNamed(name); };
     setting.skinNamed = [this](const std::string& name) -> SkinnedSurface& { return skinNamed(name); };
+    setting.heldBySkin = [this](const std::string& body, std::span<const glm::dvec3> points, double time) {
+      return bones.heldBySkin(body, points, time);
+    };
     setting.boneNamed = [this](const std::string& body, const std::string& bone) {
       return bones.named(body, bone);
     };

@@ -3,6 +3,7 @@
 #include "gpu/context.hpp"
 #include "reference/body_twin.hpp"
 #include "reference/cloth_twin.hpp"
+#include "reference/garment_twin.hpp"
 #include "sim/body/bones.hpp"
 #include "sim/body/skinned_surface.hpp"
 #include "sim/world/list.hpp"
@@ -14,6 +15,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <span>
 #include <string>
 
 #include <doctest/doctest.h>
@@ -131,6 +133,67 @@ TEST_CASE("body: bones that are squeezed and stretched keep normals upright on t
     const glm::dvec3 expected = glm::normalize(glm::dvec3(positions[i].x / 0.04, 0, positions[i].z / 0.01));
     CHECK(glm::length(expected - glm::dvec3(normals[i])) < 2e-3);
   }
+}
+
+TEST_CASE("body: cloth pinned to the nearest places of a skin equals its CPU twin, grid and mesh") {
+  testContext();
+  const auto sceneOf = [](const std::string& cloth) {
+    return scene::parseScene(
+        fmt::format(R"({{"version": 1, "time": {{"fps": 30, "start": 0.5}}, "objects": {{
+    "cape": {{"cloth": {{{}, "position": [0, 1.15, -0.2], "rotation": [-80, 0, 0], "substeps": 9,
+      "air": {{"velocity": [1, 0, 0]}}}}}},
+    "walker": {{"body": {{"file": "{}/assets/meshes/walker.gltf", "animation": "walk", "collides": true}}}}}}}})",
+                    cloth, sourceFolder()),
+        "test.json", {}, sim::kinds());
+  };
+  const auto check = [](const scene::Scene& scene, const auto& make) {
+    sim::World world(scene);
+    world.advanceTo(20);
+    const sim::Bones bones(scene);
+    std::vector<sim::ColliderShape> colliders;
+    bones.addCapsules(colliders);
+    auto twin = make(dynamic_cast<const sim::ClothParameters&>(*scene.objects[0].parameters), colliders,
+                     [&](const std::string& body, std::span<const glm::dvec3> points, double time) {
+                       return bones.heldBySkin(body, points, time);
+                     });
+    const auto rest = twin.positions;
+    for (int frame = 0; frame < 35; ++frame) twin.step((frame - 15) / 30.0);
+    const std::vector<glm::vec4>* expected[] = {&twin.positions, &twin.velocities};
+    for (std::size_t array = 0; array < 2; ++array) {
+      const auto words = world.object(0).state()[array].buffer->readAll<std::uint32_t>();
+      std::size_t different = 0;
+      for (std::size_t i = 0; i < words.size(); ++i)
+        different +=
+            words[i] == std::bit_cast<std::uint32_t>((*expected[array])[i / 4][static_cast<int>(i % 4)])
+                ? 0
+                : 1;
+      CHECK(different == 0);
+    }
+    // Where the skin is, to the bit that floats have.
+    std::vector<glm::dvec3> points;
+    std::vector<std::size_t> pins;
+    for (std::size_t i = 0; i < rest.size(); ++i)
+      if (rest[i].w == 0) {
+        pins.push_back(i);
+        points.emplace_back(rest[i]);
+      }
+    REQUIRE(pins.size() > 5);
+    const auto places = bones.heldBySkin("walker", points, -0.5)(20 / 30.0);
+    for (std::size_t k = 0; k < pins.size(); ++k) {
+      CHECK(glm::length(places[k] - glm::dvec3(twin.positions[pins[k]])) < 1e-6);
+      CHECK(glm::vec3(twin.velocities[pins[k]]) == glm::vec3(0));
+    }
+  };
+  check(sceneOf(R"("size": [19, 23], "spacing": 0.03, "fabric": {"material": "cotton"},
+      "pins": [{"rows": [0], "every": 3, "to": "walker", "at": "nearest"}])"),
+        [](const sim::ClothParameters& p, const auto& colliders, const sim::HeldBySkin& held) {
+          return ClothTwin(sim::ClothPlan(p, 1, 1.0 / 30, colliders, {}, -0.5, held));
+        });
+  check(sceneOf(R"("mesh": {"size": [0.5, 0, 0.6], "resolution": [15, 18]},
+      "pins": [{"vertices": [0, 2, 4, 6, 8, 10, 12, 14], "to": "walker", "at": "nearest"}])"),
+        [](const sim::ClothParameters& p, const auto& colliders, const sim::HeldBySkin& held) {
+          return GarmentTwin(sim::GarmentPlan("cape", p, 1, 1.0 / 30, colliders, {}, -0.5, held));
+        });
 }
 
 TEST_CASE("body: a cape on a walking body equals its CPU twin, keeps out of it and follows the bone") {

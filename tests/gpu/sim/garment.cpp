@@ -115,6 +115,18 @@ TEST_CASE("garment: clamped borders equal their CPU twin") {
   compareGarment(p, 30);
 }
 
+TEST_CASE("garment: attachments equal their CPU twin") {
+  sim::ClothParameters p = test::freeCloth();
+  p.mesh.size = glm::vec3(1, 0, 0.8F);
+  p.mesh.resolution = {37, 31};
+  p.gravity = glm::vec3(0, -9.8F, 0);
+  p.fabric.bending = 1e-7;
+  p.substeps = 8;
+  p.pins.emplace_back().vertices = {0, 36, 700};
+  CHECK(sim::GarmentPlan("a", p, 5, 1.0 / 60, {}).arrays().attachments.size() == 37 * 31 - 3);
+  compareGarment(p, 30);
+}
+
 TEST_CASE("garment: closed shapes equal their CPU twin") {
   for (const auto shape : {sim::ClothShape::sphere, sim::ClothShape::torus, sim::ClothShape::cylinder}) {
     sim::ClothParameters p = test::freeCloth();
