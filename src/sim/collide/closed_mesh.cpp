@@ -10,6 +10,7 @@
 #include <tuple>
 
 #include <fmt/format.h>
+#include <glm/common.hpp>
 
 namespace simreel::sim {
 

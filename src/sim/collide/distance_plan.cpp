@@ -11,6 +11,8 @@
 #include <tuple>
 #include <utility>
 
+#include <glm/common.hpp>
+
 namespace simreel::shader::distance {
 #include "glsl/collide/distance/bindings.glsl"
 }  // namespace simreel::shader::distance
@@ -81,6 +83,7 @@ void DistancePlan::plantTree(const std::vector<ClosedMesh::Face>& from) {
   std::vector<unsigned> order(from.size());
   std::iota(order.begin(), order.end(), 0U);
   std::vector<glm::vec3> middles;  // three times
+  middles.reserve(from.size());
   for (const ClosedMesh::Face& f : from) middles.push_back(f.corners[0] + f.corners[1] + f.corners[2]);
   // Halves by the middles along the longest side of their box, box by box in the tree's order.
   std::vector<std::pair<std::size_t, std::size_t>> ranges(2 * leaves);
