@@ -141,8 +141,8 @@ void GarmentTwin::fend(const ClothStep& data) {
     for (int c = data.colliderCount; c < data.colliderCount + data.thinCount; ++c) {
       if (here.inverseMass == 0 || !kernel.mayMeet(c, here)) continue;
       GarmentKernel::Fended most = kernel.notFended();
-      for (unsigned k = 0; k < arrays.fans[i].y; ++k) {
-        const uvec4 ring = arrays.rings[arrays.fans[i].x + k];
+      for (unsigned k = 0; k < arrays.bendings[0].fans[i].y; ++k) {
+        const uvec4 ring = arrays.rings[arrays.bendings[0].fans[i].x + k];
         most = kernel.fendedByEdge(most, c, here, cornerAt(ring.x));
         most = kernel.fendedByEdge(most, c, here, cornerAt(ring.y));
         most = kernel.fendedByFace(most, c, here, cornerAt(ring.x), cornerAt(ring.y));

@@ -307,7 +307,7 @@ class Garment : public Simulation, public LockStep {
     }
     settle_.dispatch(vertices_);
     if (!thin_.there()) return;
-    fans_.bindInput(shader::garment::fansBinding);
+    fans_[0].bindInput(shader::garment::fansBinding);
     rings_.bindInput(shader::garment::ringsBinding);
     thin_.fend(positions_[0], positions_[1], velocities_, vertices_, 1);
   }

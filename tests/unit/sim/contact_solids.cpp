@@ -1,3 +1,4 @@
+#include "base/error.hpp"
 #include "reference/contact_pile.hpp"
 #include "reference/crossings.hpp"
 #include "scene/scene.hpp"
@@ -187,7 +188,7 @@ TEST_CASE("faces need a cloth that feels them, and say what they cannot have") {
       const std::string text = R"({"version": 1, "objects": {)" + objects + "}}";
       static_cast<void>(scene::parseScene(text, "s.json", {}, sim::kinds()));
       return "none";
-    } catch (const UserError& error) {
+    } catch (const simreel::UserError& error) {
       return error.what();
     }
   };
