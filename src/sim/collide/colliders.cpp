@@ -32,13 +32,15 @@ ColliderPlan::ColliderPlan(const char* who, std::vector<ColliderShape> shapes, i
          shader::maxColliders, shapes_.size());
 }
 
+bool ColliderPlan::isThin(const ColliderShape& shape, double edge, double margin) {
+  if (shape.kind == ColliderShape::Kind::plane) return false;
+  const double radius = shape.carrier ? carriedAt(shape, 0).radius : shape.radius;
+  const bool ball = !shape.carrier && shape.length == 0;
+  return radius + margin < (ball ? 0.7 : 0.49) * edge;
+}
+
 int ColliderPlan::putThinLast(double edge, double margin) {
-  const auto isThick = [&](const ColliderShape& shape) {
-    if (shape.kind == ColliderShape::Kind::plane) return true;
-    const double radius = shape.carrier ? carriedAt(shape, 0).radius : shape.radius;
-    const bool ball = !shape.carrier && shape.length == 0;
-    return radius + margin >= (ball ? 0.7 : 0.49) * edge;
-  };
+  const auto isThick = [&](const ColliderShape& shape) { return !isThin(shape, edge, margin); };
   const auto thin = std::stable_partition(shapes_.begin(), shapes_.end(), isThick);
   return static_cast<int>(shapes_.end() - thin);
 }

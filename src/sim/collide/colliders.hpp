@@ -24,8 +24,10 @@ class ColliderPlan {
   ColliderPlan(const char* who, std::vector<ColliderShape> shapes, int substeps, double substepSeconds);
 
   [[nodiscard]] int count() const { return static_cast<int>(shapes_.size()); }
-  /// Puts those last that pass between vertices that are `edge` (m) apart, `margin` (m) around them
-  /// included: rods thinner than that, and balls that fit between four. Returns how many they are.
+  /// Whether it passes between vertices that are `edge` (m) apart, `margin` (m) around it included: a rod
+  /// thinner than that, or a ball that fits between four.
+  static bool isThin(const ColliderShape& shape, double edge, double margin);
+  /// Puts those last that do. Returns how many they are.
   int putThinLast(double edge, double margin);
   /// Of each substep of the frame that starts at `time` (s): its colliders at its end, count() of them.
   [[nodiscard]] std::vector<std::vector<shader::Collider>> frame(double time) const;

@@ -71,8 +71,8 @@ GarmentPlan::GarmentPlan(const std::string& name, const ClothParameters& paramet
       cloth_(placeOf(name, parameters), mesh_, parameters.mesh.scale, parameters.mesh.weld),
       membrane_(membraneElements(cloth_, mesh_)),
       masses_(vertexMasses(cloth_, parameters.fabric.constants().density)),
-      steps_(settled(placeOf(name, parameters), parameters, frameSeconds), seed, frameSeconds, colliders,
-             boneNamed, startTime, {}, longestEdge(cloth_)) {
+      steps_(settled(placeOf(name, parameters), parameters, frameSeconds, colliders), seed, frameSeconds,
+             colliders, boneNamed, startTime, {}, longestEdge(cloth_)) {
   skinPins_.attach(parameters.pins, groups_, rest_, heldBySkin, startTime);
   makeArrays();
 }
@@ -197,7 +197,7 @@ void GarmentPlan::sew(const std::string& name, const ClothParameters& parameters
 }
 
 ClothParameters GarmentPlan::settled(const std::string& name, ClothParameters parameters,
-                                     double frameSeconds) {
+                                     double frameSeconds, const std::vector<ColliderShape>& colliders) {
   place(parameters);
   pin(name, parameters);
   clamp(name, parameters);
@@ -233,9 +233,17 @@ ClothParameters GarmentPlan::settled(const std::string& name, ClothParameters pa
         std::max(bendingSquared, std::min(plateFrequencySquared(plate, bending, inverse, 1.0),
                                           25 * plateFrequencySquared(plate, bending, inverse, 0.5)));
   const bool given = parameters.substeps.has_value();
-  if (!given)
-    parameters.substeps =
-        pace.substeps(frameSeconds, bendingSquared, parameters.fewestSubsteps(frameSeconds, 8));
+  if (!given) {
+    const double reach = parameters.margin + 0.5 * parameters.fabric.constants().thickness;
+    const double edge = longestEdge(cloth_);
+    const bool thin = std::any_of(colliders.begin(), colliders.end(), [&](const ColliderShape& shape) {
+      return ColliderPlan::isThin(shape, edge, reach);
+    });
+    // Faces, relaxed once a substep, make way for a rod of 2 cm at 10 m/s in 1/960 s.
+    const int fewest = thin ? static_cast<int>(std::ceil(frameSeconds * 960 - 1e-9)) : 8;
+    parameters.substeps = pace.substeps(frameSeconds, bendingSquared,
+                                        parameters.fewestSubsteps(frameSeconds, std::max(fewest, 8)));
+  }
   const double seconds = frameSeconds / *parameters.substeps;
   if (given && seconds > pace.stableSeconds())
     warn(

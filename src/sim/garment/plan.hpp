@@ -89,7 +89,7 @@ class GarmentPlan {
   /// Places and pins the vertices, makes the rows of bending. Returns the parameters with the substeps that
   /// "auto" comes to.
   [[nodiscard]] ClothParameters settled(const std::string& name, ClothParameters parameters,
-                                        double frameSeconds);
+                                        double frameSeconds, const std::vector<ColliderShape>& colliders);
   void place(const ClothParameters& parameters);
   void pin(const std::string& name, const ClothParameters& parameters);
   /// Of a vertex that `what` of the scene names by its number in the mesh.

@@ -203,7 +203,7 @@ TEST_CASE("faces need a cloth that feels them, and say what they cannot have") {
   says(mistake(R"("c": {"cloth": {"contact": false}}, )" + ball + "}}"), "nothing feels these faces");
   says(mistake(sheet + ball + R"(, "grip": 2}})"), R"("grip" is for a mesh with "collides": true)");
   says(mistake(sheet + R"("b": {"mesh": {"shape": "sphere", "friction": 2}})"),
-       R"("friction" is for a mesh with "collides": "faces")");
+       R"("friction" is for a mesh with "collides": true or "faces")");
   says(mistake(sheet + ball + R"(, "technique": "vertex-shader", "deform": [{"ripple": {}}]}})"),
        "keeps no positions to collide with");
   says(mistake(sheet + R"("b": {"body": {"file": "meshes/walker.gltf", "collides": "faces", "grip": 2}})"),
