@@ -1,12 +1,12 @@
 // What a shader gets of a field: its cells as its simulation keeps them, and its colours. Variants: CELLS (0 bits, 1
-// bytes, 2 floats), CATEGORIES, COLORED.
+// bytes, 2 floats, 3 colours), CATEGORIES, COLORED.
 #include "draw/bindings.glsl"
 layout(binding = wordUnit) uniform usamplerBuffer words;
 layout(binding = colorUnit) uniform samplerBuffer stops;
 uniform ivec2 cells;     // of the field
 uniform int rowWords;    // from one row to the next
 uniform int firstWord;   // of cell (0, 0)
-uniform int cellWords;   // of floats: from a cell to the next
+uniform int cellWords;   // of floats and colours: from a cell to the next
 uniform int stopCount;
 uniform float rangeLow;     // value of the first colour
 uniform float rangeFactor;  // on what is above it: 1 at the last colour

@@ -42,7 +42,7 @@ FUNCTION vec4 blockMean(ivec2 first, ivec2 end) {
   for (int y = first.y; y < end.y; ++y)
     for (int x = first.x; x < end.x; ++x) {
       float value = valueOf(ivec2(x, y));
-      sum = sum + (colored ? vec4(colorOf(value), value) : vec4(value));
+      sum = sum + (colored ? vec4(colorOfCell(ivec2(x, y), value), value) : vec4(value));
     }
   vec4 mean = meanOf(sum, float((end.x - first.x) * (end.y - first.y)));
   if (!colored) return mean;

@@ -9,7 +9,7 @@ FUNCTION vec4 element(ivec2 place) {
   ivec2 at = tiled ? (place + 64 * size) % size : clamp(place, ivec2(0), size - 1);
   if (reduces) return colored ? reducedAt(at) : vec4(placeOf(reducedAt(at).x));
   float value = valueOf(at);
-  return colored ? vec4(colorOf(value), placeOf(value)) : vec4(placeOf(value));
+  return colored ? vec4(colorOfCell(at, value), placeOf(value)) : vec4(placeOf(value));
 }
 
 // Mean over a rectangle, each element by the area it has in it.
@@ -94,7 +94,7 @@ FUNCTION vec4 fieldPixel(ivec2 at) {
   ROUNDED vec2 halfway = 0.5f * (from + to);
   vec2 middle = clamp(halfway, -3e7f, 3e7f);
   // Where a small field is repeated many times in a pixel, part of them will do.
-  ROUNDED vec2 reach = 0.5f * clamp(perPixel, vec2(colored ? 1e-5f : 1.0f), vec2(40.0f));
+  ROUNDED vec2 reach = 0.5f * clamp(perPixel, vec2(colored && !smoothColors ? 1e-5f : 1.0f), vec2(40.0f));
   float inside = 1.0f;
   if (!tiled) {
     vec2 low = vec2(-base), high = vec2(size - base);

@@ -18,7 +18,7 @@ FUNCTION float valueOf(ivec2 cell) {
   int row = firstWord + cell.y * rowWords;
   if (cellKind == 0) return float(int(wordAt(row + (cell.x >> 5)) >> uint(cell.x & 31) & 1u));
   if (cellKind == 1) return float(int(wordAt(row + (cell.x >> 2)) >> uint(8 * (cell.x & 3)) & 255u));
-  return heldValue(wordAt(row + cell.x * cellWords));
+  return heldValue(wordAt(row + cell.x * cellWords + (cellKind == 3 ? 3 : 0)));
 }
 
 // 0 at the first colour, 1 at the last.
@@ -42,4 +42,12 @@ FUNCTION vec3 colorOf(float value) {
   if (!categories) return colorAtPlace(placeOf(value));
   ROUNDED float number = clamp(value, 0.0f, float(stopCount - 1)) + 0.5f;
   return stopAt(int(number));
+}
+
+// Of a cell that has this value: its own where cells have colours.
+FUNCTION vec3 colorOfCell(ivec2 cell, float value) {
+  if (cellKind != 3) return colorOf(value);
+  int word = firstWord + cell.y * rowWords + cell.x * cellWords;
+  return vec3(clamp(heldValue(wordAt(word)), 0.0f, 1e4f), clamp(heldValue(wordAt(word + 1)), 0.0f, 1e4f),
+              clamp(heldValue(wordAt(word + 2)), 0.0f, 1e4f));
 }

@@ -1,5 +1,6 @@
 // What a shader gets of a field's place on the picture. Variants: REDUCED (reads a texture of averaged blocks), RELIEF
-// (shaded as if lit), OVER (encoded for the finished picture; else light), TILED (repeated beyond its borders; else
+// (shaded as if lit), OVER (encoded for the finished picture; else light), SMOOTH_COLORS
+// (colours are linear between cells; else cells are squares), TILED (repeated beyond its borders; else
 // `border` is shown there). Constants: software drivers compute both sides of every choice, and divisions are dear.
 #ifdef REDUCED
 layout(binding = reducedUnit) uniform sampler2D reduced;
@@ -25,6 +26,12 @@ const bool relief = false;
 const bool encodes = true;
 #else
 const bool encodes = false;
+#endif
+
+#ifdef SMOOTH_COLORS
+const bool smoothColors = true;
+#else
+const bool smoothColors = false;
 #endif
 
 #ifdef REDUCED

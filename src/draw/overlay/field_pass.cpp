@@ -22,9 +22,13 @@ bool shown(const sim::Field& field, double seconds) {
          field.display->opacity.at(seconds) > 1e-6F && field.size.x > 0 && field.size.y > 0;
 }
 
-/// Squares and categories are averaged as light; smooth values are averaged before they are coloured.
+/// Squares, categories and what has colours are averaged as light; smooth values before they are coloured.
 bool averagesLight(const sim::Field& field) {
-  return field.categories || !field.display->smooth;
+  return field.categories || !field.display->smooth || field.cells == sim::Field::Cells::colors;
+}
+
+bool hasSmoothColors(const sim::Field& field) {
+  return field.cells == sim::Field::Cells::colors && field.display->smooth;
 }
 
 bool hasRelief(const sim::Field& field) {
@@ -74,12 +78,13 @@ const gl::Program& FieldPass::program(const sim::Field& field, const Kept& kept)
   const bool over = field.display->layer == Layer::over;
   const int variant = static_cast<int>(field.cells) + (field.categories ? 4 : 0) + (kept.colored ? 8 : 0) +
                       (reduced ? 16 : 0) + (over ? 32 : 0) + (hasRelief(field) ? 64 : 0) +
-                      (field.display->tiled ? 128 : 0);
+                      (field.display->tiled ? 128 : 0) + (hasSmoothColors(field) ? 256 : 0);
   const auto found = programs_.find(variant);
   if (found != programs_.end()) return found->second;
   gl::Defines defines = fieldDefines(field, kept.colored);
   if (reduced) defines.emplace_back("REDUCED", "1");
   if (over) defines.emplace_back("OVER", "1");
+  if (hasSmoothColors(field)) defines.emplace_back("SMOOTH_COLORS", "1");
   if (field.display->tiled) defines.emplace_back("TILED", "1");
   if (hasRelief(field)) defines.emplace_back("RELIEF", "1");
   return programs_

@@ -95,16 +95,17 @@ struct FieldDisplay;
 /// A 2-D grid of cells, read straight from the simulation's memory. Cell (0, 0) is the top left one of the
 /// picture and the one at uv (0, 0) of a skin.
 struct Field {
-  enum class Cells { bits, bytes, floats };
+  enum class Cells { bits, bytes, floats, colors };
   const std::string* name = nullptr;   ///< of the object; skins ask for it
   const gl::Texture* words = nullptr;  ///< RGBA32UI texel view of the state, of floats too
-  Cells cells = Cells::floats;         ///< lowest bit or byte of a word first; bytes are 0 to 255
-  glm::ivec2 size{0, 0};               ///< cells
-  int rowWords = 0;                    ///< 32-bit words from one row to the next
-  int firstWord = 0;                   ///< of cell (0, 0)
-  int cellWords = 1;                   ///< of floats: words from a cell to the next
-  bool categories = false;             ///< a value is the number of its colour; else a place in `range`
-  glm::vec2 range{0, 1};               ///< values of the first and the last colour
+  Cells cells = Cells::floats;  ///< lowest bit or byte of a word first; bytes are 0 to 255; colors: linear
+                                ///< RGB and the value that skins take, four floats
+  glm::ivec2 size{0, 0};        ///< cells
+  int rowWords = 0;             ///< 32-bit words from one row to the next
+  int firstWord = 0;            ///< of cell (0, 0)
+  int cellWords = 1;            ///< of floats: words from a cell to the next
+  bool categories = false;      ///< a value is the number of its colour; else a place in `range`
+  glm::vec2 range{0, 1};        ///< values of the first and the last colour
   const std::vector<glm::vec3>* colors =
       nullptr;                            ///< linear RGB: stops, evenly spaced, or one per category
   const FieldDisplay* display = nullptr;  ///< null: not laid over the picture

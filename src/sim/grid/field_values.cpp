@@ -13,9 +13,11 @@ namespace {
 /// Words from the first to the last one of any cell.
 std::vector<std::uint32_t> wordsOf(const Field& field) {
   const int perWord = field.cells == Field::Cells::bits ? 32 : field.cells == Field::Cells::bytes ? 4 : 1;
-  const std::int64_t apart = field.cells == Field::Cells::floats ? field.cellWords : 1;
+  const bool whole = perWord == 1;
+  const std::int64_t apart = whole ? field.cellWords : 1;
+  const std::int64_t beyond = field.cells == Field::Cells::colors ? 4 : 1;
   const std::int64_t count =
-      std::int64_t{field.size.y - 1} * field.rowWords + (field.size.x - 1) * apart / perWord + 1;
+      std::int64_t{field.size.y - 1} * field.rowWords + (field.size.x - 1) * apart / perWord + beyond;
   GLint buffer = 0;
   glGetTextureLevelParameteriv(field.words->name(), 0, GL_TEXTURE_BUFFER_DATA_STORE_BINDING, &buffer);
   gl::checkCalls();
@@ -48,6 +50,9 @@ std::vector<float> fieldValues(const Field& field) {
           break;
         case Field::Cells::floats:
           values.push_back(std::bit_cast<float>(row[x * static_cast<std::size_t>(field.cellWords)]));
+          break;
+        case Field::Cells::colors:
+          values.push_back(std::bit_cast<float>(row[x * static_cast<std::size_t>(field.cellWords) + 3]));
           break;
       }
   }

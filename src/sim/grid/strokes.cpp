@@ -125,7 +125,8 @@ void Strokes::check(std::size_t index) const {
          index, grid_.size.x, grid_.size.y);
 }
 
-std::vector<shader::Stroke> Strokes::into(double time, double seconds, long step) const {
+std::vector<shader::Stroke> Strokes::into(double time, double seconds, long step,
+                                          std::vector<int>* numbers) const {
   std::vector<shader::Stroke> active;
   const double before = time - seconds;
   // Times are multiples of the step but for rounding: a state owns (before, time] shifted by a hair.
@@ -162,6 +163,7 @@ std::vector<shader::Stroke> Strokes::into(double time, double seconds, long step
     s.imageFrom = glm::ivec2(glm::floor(flat(p.from)));
     s.imageSize = stamps_[i].size;
     addImages(active, s);
+    if (numbers != nullptr) numbers->resize(active.size(), static_cast<int>(i));
   }
   return active;
 }

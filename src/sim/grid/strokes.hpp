@@ -50,7 +50,9 @@ class Strokes {
   /// what is due after time - seconds and no later than `time`, with where the brush went in between. The
   /// first state of a run is painted as well, so a stroke at 0 is in frame 0. On a torus a stroke stands
   /// here once for each of its images that may reach the grid.
-  [[nodiscard]] std::vector<shader::Stroke> into(double time, double seconds, long step) const;
+  /// `numbers`, where given, gets for each of them which stroke of the scene it is.
+  [[nodiscard]] std::vector<shader::Stroke> into(double time, double seconds, long step,
+                                                 std::vector<int>* numbers = nullptr) const;
   /// Bits of the stamps, one per pixel in words, rows packed without gaps (shader::Stroke::image).
   [[nodiscard]] const std::vector<std::uint32_t>& imageBits() const { return bits_; }
   /// Whether a stroke paints this cell: reach or stamp, and share. What the kernels do, for twins.

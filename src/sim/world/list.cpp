@@ -4,6 +4,7 @@
 #include "sim/body/body.hpp"
 #include "sim/cave/cave.hpp"
 #include "sim/contour/contour.hpp"
+#include "sim/fluid/fluid.hpp"
 #include "sim/garment/garment.hpp"
 #include "sim/gray_scott/gray_scott.hpp"
 #include "sim/life/life.hpp"
@@ -22,8 +23,8 @@ namespace simreel::sim {
 std::span<const SimulationKind> simulations() {
   static const std::vector<SimulationKind> list = {
       clothKind(),    particlesKind(), lifeKind(),    grayScottKind(), epidemicKind(),
-      wildfireKind(), caveKind(),      contourKind(), meshKind(),      bodyKind(),
-      sphereKind(),   capsuleKind(),   planeKind(),
+      wildfireKind(), fluidKind(),     caveKind(),    contourKind(),   meshKind(),
+      bodyKind(),     sphereKind(),    capsuleKind(), planeKind(),
   };
   return list;
 }

@@ -20,7 +20,9 @@ struct FieldStage {
              Memory memory = {3, 5, 2}, std::vector<glm::vec3> stops = {glm::vec3(0), glm::vec3(1)})
       : colors(std::move(stops)) {
     const int perWord = cells == Cells::bits ? 32 : cells == Cells::bytes ? 4 : 1;
-    const int apart = cells == Cells::floats ? memory.cellWords : 1;
+    const int apart = cells == Cells::floats   ? memory.cellWords
+                      : cells == Cells::colors ? memory.cellWords + 3
+                                               : 1;
     field.cells = cells;
     field.size = size;
     field.rowWords = (size.x * apart + perWord - 1) / perWord + memory.rowPadding;
@@ -38,6 +40,8 @@ struct FieldStage {
         if (cells == Cells::bytes)
           word = (word & ~(255U << (8 * (x % 4)))) | (static_cast<std::uint32_t>(v) << (8 * (x % 4)));
         if (cells == Cells::floats) word = std::bit_cast<std::uint32_t>(static_cast<float>(v));
+        if (cells == Cells::colors)
+          for (int c = 0; c < 4; ++c) (&word)[c] = std::bit_cast<std::uint32_t>(colorPart(v, c));
       }
     buffer = simreel::gl::Buffer::of<std::uint32_t>("field words", words);
     view = simreel::gl::Texture::view("field words", GL_RGBA32UI, buffer);
@@ -52,6 +56,12 @@ struct FieldStage {
   FieldStage(FieldStage&&) = delete;
   FieldStage& operator=(FieldStage&&) = delete;
   ~FieldStage() = default;
+
+  /// Of a cell with colours: three of them, and its value.
+  static float colorPart(double value, int part) {
+    const auto v = static_cast<float>(value);
+    return part == 0 ? v * v : part == 1 ? 0.25F * v : part == 2 ? 1 - v : v;
+  }
 
   std::string name = "grid";
   simreel::gl::Buffer buffer;

@@ -99,7 +99,9 @@ struct FieldOnPicture {
     inputs.rangeFactor = simreel::draw::rangeFactor(field.range);
     inputs.cellKind = static_cast<int>(field.cells);
     inputs.categories = field.categories;
-    inputs.colored = field.categories || !display.smooth;
+    const bool ownColors = field.cells == simreel::sim::Field::Cells::colors;
+    inputs.colored = field.categories || !display.smooth || ownColors;
+    inputs.smoothColors = ownColors && display.smooth;
     inputs.tiled = display.tiled;
     inputs.relief = display.relief != 0 && !field.categories;
     inputs.encodes = display.layer == simreel::sim::FieldDisplay::Layer::over;

@@ -10,7 +10,7 @@ using Cells = sim::Field::Cells;
 
 TEST_CASE("field values come back bit for bit") {
   testContext();
-  for (const Cells cells : {Cells::bits, Cells::bytes, Cells::floats})
+  for (const Cells cells : {Cells::bits, Cells::bytes, Cells::floats, Cells::colors})
     for (const glm::ivec2 size :
          {glm::ivec2(1, 1), glm::ivec2(67, 35), glm::ivec2(32, 3), glm::ivec2(5, 64)}) {
       const auto value = [&](int x, int y) {

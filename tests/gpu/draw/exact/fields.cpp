@@ -26,11 +26,11 @@ double bump(int x, int y) {
 std::vector<std::unique_ptr<FieldStage>> allKinds() {
   std::vector<std::unique_ptr<FieldStage>> stages;
   int n = 0;
-  for (const Cells cells : {Cells::bits, Cells::bytes, Cells::floats})
+  for (const Cells cells : {Cells::bits, Cells::bytes, Cells::floats, Cells::colors})
     for (const bool categories : {false, true})
       for (const bool smooth : {false, true})
         for (const float zoom : {3.7F, 0.9F, 0.045F}) {
-          if (categories && (cells == Cells::bits || smooth)) continue;
+          if (categories && (cells == Cells::bits || cells == Cells::colors || smooth)) continue;
           const auto value = [&](int x, int y) {
             if (categories) return std::floor(4 * bump(x, y));
             return cells == Cells::bits    ? double((x * 7 + y * 13) % 3 == 0)

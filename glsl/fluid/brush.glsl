@@ -1,0 +1,73 @@
+// What brushes do to a cell. Compiles as GLSL (paint.comp) and as C++, after transport.glsl; brushPaints(i, cell) says whether
+// brush i paints a cell, brushes[i] is what it does.
+
+FUNCTION float towards(float value, float aim, float part) {
+  precise float next = value + (aim - value) * part;
+  return next;
+}
+
+FUNCTION float pushed(float value, float force) {
+  precise float next = value + force;
+  return next;
+}
+
+// A cell of the grid; others are not painted.
+FUNCTION bool paintsCell(int i, int x, int y) {
+  ivec2 cell = ivec2(insideX(x), insideY(y));
+  bool there = leftKind == periodicSide || (x >= 0 && x < size.x);
+  there = there && (topKind == periodicSide || (y >= 0 && y < size.y));
+  return there && brushPaints(i, cell);
+}
+
+// Faces of a cell that is painted, but for those that do not let anything through.
+FUNCTION float paintedU(int x, int y) {
+  float u = flowAt(x, y).x;
+  if (faceAt(x, y).x == 0.0f) return u;
+  for (int i = 0; i < brushCount; ++i)
+    if (paintsCell(i, x, y) || paintsCell(i, x - 1, y)) {
+      FluidBrush brush = brushes[i];
+      if ((brush.stamp.w & 1) != 0) u = towards(u, brush.flow.x, brush.reach.z);
+      u = pushed(u, brush.force.x);
+    }
+  return exactFlush(u);
+}
+
+FUNCTION float paintedV(int x, int y) {
+  float v = flowAt(x, y).y;
+  if (faceAt(x, y).y == 0.0f) return v;
+  for (int i = 0; i < brushCount; ++i)
+    if (paintsCell(i, x, y) || paintsCell(i, x, y - 1)) {
+      FluidBrush brush = brushes[i];
+      if ((brush.stamp.w & 1) != 0) v = towards(v, brush.flow.y, brush.reach.z);
+      v = pushed(v, brush.force.y);
+    }
+  return exactFlush(v);
+}
+
+FUNCTION float paintedHeat(int x, int y) {
+  float heat = flowAt(x, y).z;
+  for (int i = 0; i < brushCount; ++i)
+    if ((brushes[i].stamp.w & 2) != 0 && paintsCell(i, x, y) && !isSolid(x, y))
+      heat = towards(heat, brushes[i].flow.z, brushes[i].reach.z);
+  return exactFlush(heat);
+}
+
+FUNCTION vec4 paintedCell(int x, int y) {
+  int ix = insideX(x), iy = insideY(y);
+  float u = paintedU(faceX(x), iy);
+  float v = paintedV(ix, faceY(y));
+  return vec4(beyondTopBottom(u, y), beyondLeftRight(v, x), paintedHeat(ix, iy), flowAt(x, y).w);
+}
+
+FUNCTION vec4 paintedDye(int x, int y) {
+  if (beyondOpen(x, y)) return vec4(0.0f);
+  int ix = insideX(x), iy = insideY(y);
+  vec4 dye = dyeAt(ix, iy);
+  for (int i = 0; i < brushCount; ++i)
+    if ((brushes[i].stamp.w & 4) != 0 && paintsCell(i, ix, iy) && !isSolid(ix, iy)) {
+      FluidBrush brush = brushes[i];
+      dye = vec4(towards(dye.x, brush.dye.x, brush.reach.z), towards(dye.y, brush.dye.y, brush.reach.z),
+                 towards(dye.z, brush.dye.z, brush.reach.z), 0.0f);
+    }
+  return vec4(wholeDye(dye.x), wholeDye(dye.y), wholeDye(dye.z), 0.0f);
+}

@@ -1,0 +1,10 @@
+// Carries the flow along itself, once.
+#include "fluid/grid.glsl"
+layout(local_size_x = 32, local_size_y = 2) in;
+STATE_ARRAY(nextFlowBinding, NextBlock, nextFlow)
+
+void main() {
+  int x = int(gl_GlobalInvocationID.x) - 1, y = int(gl_GlobalInvocationID.y) - 1;
+  if (x > size.x || y > size.y) return;
+  STORE_STATE(nextFlow, elementOf(x, y), carriedCell(x, y));
+}

@@ -1,0 +1,88 @@
+// A level of the grids that solve for the pressure: blocks of 2x2 cells an element, of values in `pool` and openings in
+// `weights`; columns and rows of blocks go one cell beyond the last one at least, where there is nothing. The levels and
+// their weights: src/sim/fluid/levels.hpp.
+#include "common/bindings.glsl"
+#include "common/exact.glsl"
+#include "common/memory.glsl"
+#include "common/words.glsl"
+#include "fluid/bindings.glsl"
+#include "fluid/model.glsl"
+// Not `restrict`, as inputs are elsewhere: other parts of the same memory are written.
+#ifdef TEXEL_PATH
+#define POOL_ARRAY(unit, block, name) layout(binding = unit) uniform samplerBuffer name;
+#else
+#define POOL_ARRAY(unit, block, name) layout(std430, binding = unit) readonly buffer block { vec4 name[]; };
+#endif
+POOL_ARRAY(poolBinding, PoolBlock, pool)
+POOL_ARRAY(raisedBinding, RaisedBlock, raisedPool)
+INPUT_WORDS(weightsBinding, WeightBlock, weights)
+uniform ivec2 cells;         // of this level
+uniform int weightsStart;    // elements: where the level's weights are,
+uniform int rhsStart;        // what is missing, in pool, and
+uniform int wayStart;        // its correction on the way down, in raisedPool,
+uniform int levelStart;      // and on the way up
+uniform int nextRhsStart;    // of the coarser level
+
+ivec2 blocksOf(ivec2 count) {
+  return count / 2 + 1;
+}
+
+ivec2 within(ivec2 c) {
+#if LEFT == 4
+  c.x = c.x < 0 ? c.x + cells.x : c.x >= cells.x ? c.x - cells.x : c.x;
+  // Levels of one or two cells go round more than once.
+  c.x = c.x < 0 ? c.x + cells.x : c.x >= cells.x ? c.x - cells.x : c.x;
+#endif
+#if TOP == 4
+  c.y = c.y < 0 ? c.y + cells.y : c.y >= cells.y ? c.y - cells.y : c.y;
+  c.y = c.y < 0 ? c.y + cells.y : c.y >= cells.y ? c.y - cells.y : c.y;
+#endif
+  return c;
+}
+
+// Beyond the blocks there are no weights.
+bool isThere(ivec2 c) {
+  return c.x >= 0 && c.y >= 0 && (c.x >> 1) <= cells.x / 2 && (c.y >> 1) <= cells.y / 2;
+}
+
+bool isInside(ivec2 c) {
+  return c.x >= 0 && c.y >= 0 && c.x < cells.x && c.y < cells.y;
+}
+
+int blockOf(ivec2 c) {
+  return (c.y >> 1) * (cells.x / 2 + 1) + (c.x >> 1);
+}
+
+float cellOf(vec4 four, ivec2 c) {
+  return (c.y & 1) == 0 ? ((c.x & 1) == 0 ? four.x : four.y) : ((c.x & 1) == 0 ? four.z : four.w);
+}
+
+uint wordOf(uvec4 four, ivec2 c) {
+  return (c.y & 1) == 0 ? ((c.x & 1) == 0 ? four.x : four.y) : ((c.x & 1) == 0 ? four.z : four.w);
+}
+
+vec2 facesOf(ivec2 c) {
+  if (!isThere(c)) return vec2(0.0);
+  return faceWeights(wordOf(LOAD_INPUT_WORDS(weights, weightsStart + blockOf(c)), c));
+}
+
+// Left, right, top, bottom. `c` is within the grid.
+vec4 weightsOf(ivec2 c) {
+  vec2 own = facesOf(c);
+  return vec4(own.x, facesOf(c + ivec2(1, 0)).x, own.y, facesOf(c + ivec2(0, 1)).y);
+}
+
+float inPool(int start, ivec2 c) {
+  if (!isInside(c)) return 0.0;
+  return cellOf(LOAD_INPUT(pool, start + blockOf(c)), c);
+}
+
+// Beyond open sides the correction is 0.
+float inRaised(int start, ivec2 c) {
+  if (!isInside(c)) return 0.0;
+  return cellOf(LOAD_INPUT(raisedPool, start + blockOf(c)), c);
+}
+
+bool isRed(ivec2 c) {
+  return ((c.x + c.y) & 1) == 0;
+}

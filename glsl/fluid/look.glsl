@@ -1,0 +1,41 @@
+// What of a fluid is shown. Compiles as GLSL and as C++, after transport.glsl.
+const int dyeShown = 0;
+const int speedShown = 1;
+const int vorticityShown = 2;
+const int heatShown = 3;
+const int pressureShown = 4;
+
+FUNCTION float shownValue(int what, int x, int y) {
+  vec4 here = flowAt(x, y);
+  if (what == heatShown) return here.z;
+  if (what == pressureShown) return here.w;
+  if (what == vorticityShown) {
+    precise float curl = 0.25f * ((curlAt(x, y) + curlAt(x + 1, y)) + (curlAt(x, y + 1) + curlAt(x + 1, y + 1)));
+    return curl;
+  }
+  if (what == speedShown) {
+    vec2 velocity = ownVelocity(2, x, y);
+    precise float square = velocity.x * velocity.x + velocity.y * velocity.y;
+    return exactSqrt(square);
+  }
+  precise float mean = 0.333333333f * densityOf(dyeAt(x, y));
+  return mean;
+}
+
+FUNCTION float fraction(float absorbed) {
+  precise float negative = -absorbed;
+  return exactExp(negative);
+}
+
+// Linear RGB of dye that shines on black: 1 - e^(-brightness dye); of ink on paper: e^(-brightness a), where an ink absorbs
+// of each primary what its colour lacks, and a little of all (Beer and Lambert).
+FUNCTION vec4 shownColor(bool ink, float brightness, vec4 dye) {
+  precise vec4 light = brightness * dye;
+  if (ink) {
+    float most = max(max(light.x, light.y), light.z);
+    precise vec4 lacking = vec4(1.15f * most) - light;
+    return vec4(fraction(lacking.x), fraction(lacking.y), fraction(lacking.z), 0.0f);
+  }
+  precise vec4 shining = vec4(1.0f) - vec4(fraction(light.x), fraction(light.y), fraction(light.z), 1.0f);
+  return shining;
+}

@@ -1,0 +1,154 @@
+// What a fluid's kernels are told, and its arithmetic where that is a function of values. Compiles as GLSL and as C++
+// (src/sim/fluid/plan.hpp). Lengths are in cells, h = 1.
+const int wallSide = 0;      // no slip; may move along itself
+const int slipSide = 1;
+const int inflowSide = 2;    // velocity given
+const int openSide = 3;      // pressure 0
+const int periodicSide = 4;
+
+// What each step is told.
+struct STD140 FluidStep {
+  vec4 leftRight;      // cells/s: velocity of the left side and of the right one
+  vec4 topBottom;      // and of top and bottom
+  float dt;            // s
+  float perDt;         // 1/s
+  float viscosity;     // dt nu
+  float confinement;   // dt epsilon
+  float lift;          // dt times the acceleration of a temperature of 1
+  float keptHeat;      // fraction of temperature that is left after dt
+  float dyeDt;         // s, of each pass of dye
+  float weight;        // dt times the acceleration, down, of a dye of 1
+};
+
+// What a brush does. At most maxBrushes at once.
+const int maxBrushes = 16;
+struct STD140 FluidBrush {
+  vec4 segment;   // Stroke's from and to
+  vec4 reach;     // radius2, perLength2, the part of the way that values go, 0
+  ivec4 stamp;    // seed, picked, imageWord, which of velocity, temperature and dye it sets (1, 2, 4)
+  ivec4 image;    // imageFrom, imageSize
+  ivec4 box;      // cells that it may paint: first column and row, and how many of each
+  vec4 flow;      // velocity that is set, temperature, 0
+  vec4 force;     // velocity that is added, 0, 0
+  vec4 dye;
+};
+
+// Of the coarsest level, which has at most so many cells.
+const int bottomSweeps = 24;
+const int bottomCells = 64;
+// What cells without an open face have for a correction.
+const float noCell = 1e20f;
+// Part of a cell that dye crosses in a pass, at most.
+const float maxDyeWay = 0.25f;
+
+FUNCTION float between(float a, float b, float f) {
+  precise float value = a + (b - a) * f;
+  return value;
+}
+
+// Openings of a cell's left and top face over the distance of the cells there, 16 bits each.
+FUNCTION vec2 faceWeights(uint word) {
+  precise float left = float(int(word & 0xffffu)) * 0.000244140625f;
+  precise float top = float(int(word >> 16u)) * 0.000244140625f;
+  return vec2(left, top);
+}
+
+// Weights of a cell's faces: left, right, top, bottom.
+FUNCTION float diagonal(vec4 w) {
+  precise float sum = (w.x + w.y) + (w.z + w.w);
+  return sum;
+}
+
+FUNCTION float neighbours(vec4 w, float left, float right, float top, float bottom) {
+  precise float sum = (w.x * left + w.y * right) + (w.z * top + w.w * bottom);
+  return sum;
+}
+
+// The x of a cell that fulfils sum w (x - neighbour) = rhs.
+FUNCTION float relaxed(float rhs, float sum, float diag) {
+  float each = exactReciprocal(max(diag, 1e-6f));
+  precise float value = (rhs + sum) * each;
+  return diag > 0.0f ? exactFlush(value) : noCell;
+}
+
+// rhs - sum w (value - neighbour): by differences, which are small beside the values.
+FUNCTION float residual(float rhs, vec4 w, float value, float left, float right, float top, float bottom) {
+  precise float rest = rhs - ((w.x * (value - left) + w.y * (value - right)) +
+                              (w.z * (value - top) + w.w * (value - bottom)));
+  return diagonal(w) > 0.0f ? exactFlush(rest) : 0.0f;
+}
+
+// What a sum of two floats loses (Knuth).
+FUNCTION float lostInSum(float a, float b) {
+  precise float sum = a + b;
+  precise float ofB = sum - a;
+  precise float ofA = sum - ofB;
+  precise float lost = (a - ofA) + (b - ofB);
+  return lost;
+}
+
+FUNCTION float added(float a, float b) {
+  precise float sum = a + b;
+  return sum;
+}
+
+// The residuals of a coarse cell's first and fourth.
+FUNCTION float restricted(float a, float b) {
+  precise float sum = a + b;
+  return sum;
+}
+
+// Linear in both directions between the middles of coarse cells; where there is no cell, as here.
+FUNCTION float prolonged(float here, float across, float down, float corner) {
+  float x = across >= noCell ? here : across;
+  float y = down >= noCell ? here : down;
+  float xy = corner >= noCell ? here : corner;
+  precise float value = (9.0f * here + 3.0f * (x + y) + xy) * 0.0625f;
+  return here >= noCell ? 0.0f : value;
+}
+
+FUNCTION float raised(float value, float more) {
+  precise float sum = value + more;
+  return value >= noCell ? noCell : sum;
+}
+
+// One sweep of the coarsest level goes farther than to relaxed().
+FUNCTION float overrelaxed(float before, float aim) {
+  precise float value = before + 1.5f * (aim - before);
+  return aim >= noCell ? noCell : exactFlush(value);
+}
+
+// The steepest slope that makes no new extremes: van Leer's monotonized central one.
+FUNCTION float limitedSlope(float before, float after) {
+  precise float mean = 0.5f * (before + after);
+  precise float first = before + before;
+  precise float second = after + after;
+  float steepest = min(min(abs(first), abs(second)), abs(mean));
+  bool same = (before > 0.0f && after > 0.0f) || (before < 0.0f && after < 0.0f);
+  return same ? (mean < 0.0f ? -steepest : steepest) : 0.0f;
+}
+
+// Dye comes in units of 2^-20: so sums and differences of what is below 16 are exact, and none is made or lost by
+// rounding. Towards zero, so that no cell gives more than it has.
+FUNCTION float wholeDye(float amount) {
+  precise float units = abs(amount) * 1048576.0f;
+  precise float whole = floor(units) * 9.5367431640625e-7f;
+  return amount < 0.0f ? -whole : whole;
+}
+
+// What crosses a face in a pass: `way` of a cell; a, b | c, d are two cells before and two after it.
+FUNCTION float dyeFlux(float way, float a, float b, float c, float d) {
+  precise float ab = b - a;
+  precise float bc = c - b;
+  precise float cd = d - c;
+  float slopeBefore = limitedSlope(ab, bc);
+  float slopeAfter = limitedSlope(bc, cd);
+  precise float before = way * (b + 0.5f * (1.0f - way) * slopeBefore);
+  precise float after = way * (c - 0.5f * (1.0f + way) * slopeAfter);
+  return wholeDye(way > 0.0f ? before : after);
+}
+
+FUNCTION vec4 dyeFluxes(float way, vec4 a, vec4 b, vec4 c, vec4 d) {
+  return vec4(dyeFlux(way, a.x, b.x, c.x, d.x), dyeFlux(way, a.y, b.y, c.y, d.y),
+              dyeFlux(way, a.z, b.z, c.z, d.z), 0.0f);
+}

@@ -1,0 +1,40 @@
+// Brushes, all that are due at once. brushCount is uniform, so loops are as long as there are brushes.
+#define READS_DYE
+#include "common/hash.glsl"
+#include "fluid/grid.glsl"
+#include "grid/stroke.glsl"
+layout(local_size_x = 32, local_size_y = 2) in;
+STATE_ARRAY(nextFlowBinding, NextFlowBlock, nextFlow)
+STATE_ARRAY(nextDyeBinding, NextDyeBlock, nextDye)
+INPUT_WORDS(stampsBinding, StampBlock, stamps)
+layout(std140, binding = brushesBinding) uniform BrushBlock { FluidBrush brushes[maxBrushes]; };
+uniform int brushCount;
+
+bool brushPaints(int i, ivec2 cell) {
+  ivec2 inBox = cell - brushes[i].box.xy;
+  if (any(lessThan(inBox, ivec2(0))) || any(greaterThanEqual(inBox, brushes[i].box.zw))) return false;
+  FluidBrush b = brushes[i];
+  Stroke stroke;
+  stroke.from = b.segment.xy;
+  stroke.to = b.segment.zw;
+  stroke.radius2 = b.reach.x;
+  stroke.perLength2 = b.reach.y;
+  stroke.value = b.reach.z;
+  stroke.seed = b.stamp.x;
+  stroke.picked = b.stamp.y;
+  if (!strokePicks(stroke, cell)) return false;
+  if (b.image.z == 0) return strokeReaches(stroke, cell);
+  ivec2 at = cell - b.image.xy;
+  if (any(lessThan(at, ivec2(0))) || any(greaterThanEqual(at, b.image.zw))) return false;
+  int bit = at.y * b.image.z + at.x;
+  int word = b.stamp.z + (bit >> 5);
+  return (LOAD_INPUT_WORDS(stamps, word >> 2)[word & 3] >> uint(bit & 31) & 1u) != 0u;
+}
+#include "fluid/brush.glsl"
+
+void main() {
+  int x = int(gl_GlobalInvocationID.x) - 1, y = int(gl_GlobalInvocationID.y) - 1;
+  if (x > size.x || y > size.y) return;
+  STORE_STATE(nextFlow, elementOf(x, y), paintedCell(x, y));
+  STORE_STATE(nextDye, elementOf(x, y), paintedDye(x, y));
+}

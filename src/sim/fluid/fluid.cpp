@@ -1,0 +1,136 @@
+#include "sim/fluid/fluid.hpp"
+
+#include "sim/core/kind.hpp"
+#include "sim/fluid/kernels.hpp"
+#include "sim/fluid/quantities.hpp"
+
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace simreel::sim {
+
+namespace {
+
+class Fluid : public Simulation {
+ public:
+  Fluid(const scene::Object& object, const Setting& setting)
+      : name_(object.name),
+        plan_(parametersOf<FluidParameters>(object), object.name, setting.seed, setting.frameSeconds),
+        kernels_(name_, plan_, setting.fast),
+        colors_(plan_.parameters().display.colors()) {
+    constexpr const char* channels[] = {"u", "v", "temperature", "pressure", "red", "green", "blue"};
+    for (std::size_t i = 0; i < channelNames_.size(); ++i)
+      channelNames_[i] = fmt::format("{}.{}", name_, channels[i]);
+    kernels_.start(setting.startTime);
+  }
+
+  void step(double time, const StepWatch& watch) override {
+    advance(time, watch);
+    kernels_.show();
+  }
+  void pass(double time) override { advance(time, {}); }
+  void resumed(double time) override {
+    kernels_.beginFrame(time);
+    kernels_.show();
+  }
+
+  [[nodiscard]] int stepsPerFrame() const override { return plan_.substeps(); }
+  [[nodiscard]] std::string elementName(long element) const override {
+    const long width = plan_.size().x + 2;
+    return fmt::format("cell ({}, {})", element % width - 1, element / width - 1);
+  }
+
+  void publish(double /*time*/, Drawables& drawables) const override {
+    const FluidParameters& p = plan_.parameters();
+    Field field;
+    field.name = &name_;
+    field.words = &kernels_.shownWords();
+    field.cells = Field::Cells::colors;
+    field.size = p.size;
+    field.rowWords = 4 * (p.size.x + 2);
+    field.firstWord = field.rowWords + 4;
+    field.cellWords = 4;
+    field.range = {static_cast<float>(p.display.low), static_cast<float>(p.display.high)};
+    field.colors = &colors_;
+    field.display = &p.display;
+    drawables.fields.push_back(field);
+    // For files only.
+    field.cells = Field::Cells::floats;
+    field.display = nullptr;
+    const int first = field.firstWord;
+    for (int i = 0; i < static_cast<int>(channelNames_.size()); ++i) {
+      field.name = &channelNames_[static_cast<std::size_t>(i)];
+      field.words = i < 4 ? &kernels_.flowWords() : &kernels_.dyeWords();
+      field.firstWord = first + i % 4;
+      drawables.fields.push_back(field);
+    }
+  }
+
+  void carryOver(CarryOver& carry) override {
+    carry.array("flow", kernels_.flow().buffer());
+    carry.array("dye", kernels_.dye().buffer());
+    carry.array("solver", kernels_.pressure().control());
+    carry.number("steps", steps_);
+  }
+  [[nodiscard]] std::vector<StateArray> state() const override {
+    return {{"flow", &kernels_.flow().buffer()}, {"dye", &kernels_.dye().buffer()}};
+  }
+  [[nodiscard]] const gl::Buffer* status() const override { return &kernels_.status(); }
+  [[nodiscard]] std::string explainLoss(unsigned step, unsigned element) const override {
+    const auto width = static_cast<unsigned>(plan_.size().x);
+    return fmt::format("substep {}, cell ({}, {}); more \"substeps\" or weaker forces keep it", step,
+                       element % width, element / width);
+  }
+  [[nodiscard]] std::string remark(int frame) const override {
+    const FluidPressure::Report report = kernels_.pressure().report();
+    std::string text;
+    if (report.worstShare > maxFluidDivergence)
+      text += fmt::format(
+          "max|div u| is {:.2g} of max|u| after a projection, above {:.0e}; more \"cycles\" than {} "
+          "bring it down",
+          report.worstShare, maxFluidDivergence, plan_.parameters().cycles);
+    if (report.worstSpeed > plan_.parameters().speed)
+      text += fmt::format(
+          "{}the flow reaches {:.4g} cells/s, above \"speed\" {:.4g} ({:.2g} cells a substep), so "
+          "dye lags behind; raise \"speed\"",
+          text.empty() ? "" : "; ", report.worstSpeed, plan_.parameters().speed,
+          static_cast<double>(report.worstSpeed) * plan_.stepAt(0, 0).dt);
+    return fmt::format("fluid \"{}\": by frame {} {}", name_, frame, text);
+  }
+  [[nodiscard]] std::vector<double> measure() const override {
+    return measureFluid(plan_, kernels_.flow().buffer().readAll<glm::vec4>(),
+                        kernels_.dye().buffer().readAll<glm::vec4>(), kernels_.pressure().report());
+  }
+
+ private:
+  void advance(double time, const StepWatch& watch) {
+    kernels_.beginFrame(time);
+    for (int i = 1; i <= plan_.substeps(); ++i) {
+      kernels_.advance(time, i, static_cast<unsigned>(++steps_));
+      if (watch) watch(i);
+    }
+  }
+
+  std::string name_;
+  FluidPlan plan_;
+  FluidKernels kernels_;
+  std::vector<glm::vec3> colors_;
+  std::array<std::string, 7> channelNames_;
+  long steps_ = 0;
+};
+
+}  // namespace
+
+SimulationKind fluidKind() {
+  return kindOf<FluidParameters>(
+      "fluid", "Incompressible flow with dye and heat: jets, plumes, wakes.",
+      [](const scene::Object& object, const Setting& setting) {
+        const FluidPlan plan(parametersOf<FluidParameters>(object), object.name, setting.seed,
+                             setting.frameSeconds);
+      },
+      makeSimulation<Fluid>);
+}
+
+}  // namespace simreel::sim

@@ -1,0 +1,207 @@
+#include "sim/fluid/kernels.hpp"
+
+#include "base/error.hpp"
+#include "gl/limits.hpp"
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace simreel::shader::fluid {
+#include "glsl/fluid/bindings.glsl"
+}
+
+namespace simreel::sim {
+
+namespace {
+
+namespace at = shader::fluid;
+
+/// Before anything is filled.
+void checkLimits(const std::string& name, glm::ivec2 size) {
+  const std::int64_t elements = (std::int64_t{size.x} + 2) * (size.y + 2);
+  const auto refuse = [&](std::int64_t need, const char* what, std::int64_t max, const char* limit) {
+    if (need > max)
+      fail(ExitCode::device,
+           "fluid \"{}\" of {}x{} cells needs {} {} in one buffer, this device allows {} ({}); make it "
+           "smaller",
+           name, size.x, size.y, need, what, max, limit);
+  };
+  refuse(elements * 16, "bytes", gl::limits().storageBlockBytes, "GL_MAX_SHADER_STORAGE_BLOCK_SIZE");
+  refuse(elements, "texels", gl::limits().texelBufferTexels, "GL_MAX_TEXTURE_BUFFER_SIZE");
+}
+
+gl::Defines definesOf(const FluidParameters& p, bool fast) {
+  gl::Defines defines = gl::kernelDefines(fast);
+  const auto define = [&](const char* key, int value) { defines.emplace_back(key, std::to_string(value)); };
+  define("LEFT", static_cast<int>(p.left.kind));
+  define("RIGHT", static_cast<int>(p.right.kind));
+  define("TOP", static_cast<int>(p.top.kind));
+  define("BOTTOM", static_cast<int>(p.bottom.kind));
+  define("HEATS", p.heats() ? 1 : 0);
+  define("CONFINES", p.confines() ? 1 : 0);
+  define("SINKS", p.sinks() ? 1 : 0);
+  define("SECOND_ORDER", p.advection == FluidParameters::Advection::macCormack ? 1 : 0);
+  define("OBSTACLES_SLIP", p.obstaclesSlip ? 1 : 0);
+  define("SHOWN", static_cast<int>(p.show));
+  define("INK", p.look == FluidParameters::Look::ink ? 1 : 0);
+  return defines;
+}
+
+std::vector<glm::uvec4> stampElements(const std::vector<std::uint32_t>& words) {
+  std::vector<glm::uvec4> elements;
+  for (std::size_t i = 0; i + 3 < words.size(); i += 4)
+    elements.emplace_back(words[i], words[i + 1], words[i + 2], words[i + 3]);
+  return elements;
+}
+
+std::vector<glm::vec4> stopElements(const std::vector<glm::vec3>& colors) {
+  std::vector<glm::vec4> elements;
+  elements.reserve(colors.size());
+  for (const glm::vec3& color : colors) elements.emplace_back(color, 0.0F);
+  return elements;
+}
+
+/// As `name` is checked before the arrays are made.
+const std::string& checked(const std::string& name, const FluidPlan& plan) {
+  checkLimits(name, plan.size());
+  return name;
+}
+
+}  // namespace
+
+FluidKernels::FluidKernels(const std::string& name, const FluidPlan& plan, bool fast)
+    : plan_(plan), pressure_(checked(name, plan), plan, definesOf(plan.parameters(), fast)) {
+  const FluidParameters& p = plan.parameters();
+  const char* const labels[] = {" flow", " dye", " scratch", " more scratch"};
+  arrays_[flow_] = gl::Vec4Array(name + labels[0], plan.firstFlow());
+  for (int i = 1; i < 4; ++i) arrays_[i] = gl::Vec4Array(name + labels[i], plan.arrayElements());
+  for (int i = 0; i < 4; ++i)
+    words_[i] = gl::Texture::view(name + " words", GL_RGBA32UI, arrays_[i].buffer());
+  stops_ = gl::Vec4Array(name + " colours", stopElements(p.display.colors()));
+  constexpr unsigned fine[] = {0xffffffffU, 0, 0, 0};
+  status_ = gl::Buffer::of<unsigned>(name + " status", fine);
+  brushes_ = gl::Buffer(name + " brushes", sizeof(shader::FluidBrush) * shader::maxBrushes);
+  steps_ = StepBlocks<shader::FluidStep>(name + " steps", plan.substeps());
+  const gl::Defines defines = definesOf(p, fast);
+  const auto make = [&](gl::Program& program, const char* path) {
+    program = gl::Program::compute(path, defines);
+    program.set("size", plan.size());
+  };
+  if (p.rubs()) make(rub_, "fluid/rub.comp");
+  make(carry_, "fluid/carry.comp");
+  make(correct_, "fluid/correct.comp");
+  correct_.checkUniformBlock("FluidBlock", sizeof(shader::FluidStep));
+  make(project_, "fluid/project.comp");
+  make(moveDye_, "fluid/dye.comp");
+  make(show_, "fluid/show.comp");
+  show_.set("stopCount", static_cast<int>(p.display.colors().size()));
+  show_.set("low", static_cast<float>(p.display.low));
+  show_.set("perRange", static_cast<float>(1 / (p.display.high - p.display.low)));
+  show_.set("brightness", p.brightness);
+  show_.set("obstacleColor", p.obstacleColor);
+  if (plan.strokes().empty()) return;
+  stamps_ = gl::WordsArray(name + " brush images", stampElements(plan.strokes().imageBits()));
+  make(paint_, "fluid/paint.comp");
+  paint_.checkUniformBlock("BrushBlock", brushes_.bytes());
+}
+
+void FluidKernels::beginFrame(double time) {
+  std::vector<shader::FluidStep> steps;
+  for (int i = 1; i <= plan_.substeps(); ++i) steps.push_back(plan_.stepAt(time, i));
+  steps_.upload(steps);
+}
+
+/// Over the grid and the ring around it.
+void FluidKernels::run(const gl::Program& program) const {
+  pressure_.weights().bindInput(at::weightsBinding);
+  gl::barrier();
+  program.dispatch(plan_.size().x + 2, plan_.size().y + 2);
+}
+
+void FluidKernels::paint(double time, int step) {
+  const std::vector<shader::FluidBrush> brushes = plan_.brushesAt(time, step).brushes;
+  if (brushes.empty()) return;
+  brushes_.write(0, std::as_bytes(std::span(brushes)));
+  brushes_.bindUniform(at::brushesBinding, 0, brushes_.bytes());
+  paint_.set("brushCount", static_cast<int>(brushes.size()));
+  stamps_.bindInput(at::stampsBinding);
+  arrays_[flow_].bindInput(at::flowBinding);
+  arrays_[dye_].bindInput(at::dyeBinding);
+  arrays_[free_].bindState(at::nextFlowBinding);
+  arrays_[spare_].bindState(at::nextDyeBinding);
+  run(paint_);
+  std::swap(flow_, free_);
+  std::swap(dye_, spare_);
+}
+
+void FluidKernels::project(unsigned number) {
+  pressure_.solve(arrays_[flow_], arrays_[free_], arrays_[spare_]);
+  arrays_[flow_].bindInput(at::flowBinding);
+  arrays_[free_].bindInput(at::carriedBinding);
+  arrays_[spare_].bindState(at::nextFlowBinding);
+  pressure_.control().bindStorage(at::controlBinding);
+  status_.bindStorage(shader::statusBinding);
+  project_.set("number", number);
+  run(project_);
+  std::swap(flow_, spare_);
+  pressure_.judge(status_);
+}
+
+void FluidKernels::moveDye() {
+  for (int i = 0; i < plan_.dyePasses(); ++i) {
+    arrays_[flow_].bindInput(at::flowBinding);
+    arrays_[dye_].bindInput(at::dyeBinding);
+    arrays_[free_].bindState(at::nextDyeBinding);
+    run(moveDye_);
+    std::swap(dye_, free_);
+  }
+}
+
+void FluidKernels::start(double time) {
+  steps_.upload(std::vector<shader::FluidStep>{plan_.stepAt(time, 0)});
+  steps_.bind(0);
+  paint(time, 0);
+  project(0);
+  show();
+}
+
+void FluidKernels::advance(double time, int step, unsigned number) {
+  steps_.bind(static_cast<std::size_t>(step) - 1);
+  if (plan_.parameters().rubs()) {
+    arrays_[flow_].bindInput(at::flowBinding);
+    arrays_[free_].bindState(at::nextFlowBinding);
+    run(rub_);
+    std::swap(flow_, free_);
+  }
+  arrays_[flow_].bindInput(at::flowBinding);
+  arrays_[free_].bindState(at::nextFlowBinding);
+  run(carry_);
+  arrays_[flow_].bindInput(at::flowBinding);
+  arrays_[free_].bindInput(at::carriedBinding);
+  arrays_[dye_].bindInput(at::dyeBinding);
+  arrays_[spare_].bindState(at::nextFlowBinding);
+  run(correct_);
+  std::swap(flow_, spare_);
+  paint(time, step);
+  steps_.bind(static_cast<std::size_t>(step) - 1);
+  project(number);
+  moveDye();
+  gl::barrier();
+}
+
+void FluidKernels::show() {
+  steps_.bind(0);
+  arrays_[flow_].bindInput(at::flowBinding);
+  stops_.bindInput(at::carriedBinding);
+  arrays_[dye_].bindInput(at::dyeBinding);
+  arrays_[free_].bindState(at::nextFlowBinding);
+  pressure_.weights().bindInput(at::weightsBinding);
+  gl::barrier();
+  show_.dispatch(plan_.size().x, plan_.size().y);
+  gl::barrier();
+}
+
+}  // namespace simreel::sim

@@ -1,0 +1,61 @@
+#pragma once
+#include "gl/element_array.hpp"
+#include "gl/program.hpp"
+#include "sim/core/step_blocks.hpp"
+#include "sim/fluid/plan.hpp"
+#include "sim/fluid/pressure.hpp"
+
+#include <string>
+
+#include <glm/vec3.hpp>
+
+namespace simreel::sim {
+
+/// A fluid's cells on the GPU and the kernels that step them. Four arrays of an element a cell: the flow,
+/// the dye, and two that are free, in which a step leaves what it is at; so they change places.
+class FluidKernels {
+ public:
+  /// Throws UserError(device) when the grid is beyond a limit of the device.
+  FluidKernels(const std::string& name, const FluidPlan& plan, bool fast);
+
+  /// What the following steps are told, those of the frame that starts at `time` (s).
+  void beginFrame(double time);
+  /// Substep `step` of that frame, from 1.
+  void advance(double time, int step, unsigned number);
+  /// The first state: what is painted at `time`, without divergence.
+  void start(double time);
+  /// Makes shown() of the present state.
+  void show();
+
+  [[nodiscard]] gl::Vec4Array& flow() { return arrays_[flow_]; }
+  [[nodiscard]] gl::Vec4Array& dye() { return arrays_[dye_]; }
+  [[nodiscard]] const gl::Vec4Array& flow() const { return arrays_[flow_]; }
+  [[nodiscard]] const gl::Vec4Array& dye() const { return arrays_[dye_]; }
+  /// As words, for Field.
+  [[nodiscard]] const gl::Texture& flowWords() const { return words_[flow_]; }
+  [[nodiscard]] const gl::Texture& dyeWords() const { return words_[dye_]; }
+  /// Colour in rgb, what is shown in a.
+  [[nodiscard]] const gl::Texture& shownWords() const { return words_[free_]; }
+  [[nodiscard]] const gl::Buffer& status() const { return status_; }
+  [[nodiscard]] FluidPressure& pressure() { return pressure_; }
+  [[nodiscard]] const FluidPressure& pressure() const { return pressure_; }
+
+ private:
+  void run(const gl::Program& program) const;
+  void paint(double time, int step);
+  void project(unsigned number);
+  void moveDye();
+
+  const FluidPlan& plan_;
+  gl::Vec4Array arrays_[4];
+  gl::Texture words_[4];
+  int flow_ = 0, dye_ = 1, free_ = 2, spare_ = 3;
+  gl::WordsArray stamps_;
+  gl::Vec4Array stops_;
+  gl::Buffer status_, brushes_;
+  StepBlocks<shader::FluidStep> steps_;
+  gl::Program rub_, carry_, correct_, paint_, project_, moveDye_, show_;
+  FluidPressure pressure_;
+};
+
+}  // namespace simreel::sim

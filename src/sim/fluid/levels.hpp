@@ -1,0 +1,43 @@
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include <glm/vec2.hpp>
+#include <glm/vec4.hpp>
+
+namespace simreel::sim {
+
+/// One grid of the multigrid that solves for a fluid's pressure.
+struct FluidLevel {
+  glm::ivec2 cells{0, 0};
+  int start = 0;  ///< elements (blocks of 2x2 cells) of the finer levels together
+
+  /// One cell beyond the last one at least, for the faces there.
+  [[nodiscard]] glm::ivec2 blocks() const { return cells / 2 + 1; }
+  [[nodiscard]] int elements() const { return blocks().x * blocks().y; }
+};
+
+/// The grids and the weights of their faces: a finite-volume Poisson equation, sum over a cell's faces of w
+/// (phi - phi of the neighbour), w the face's open length over the distance of the two middles, 0 for
+/// walls. An open side has phi = 0 on the face itself. A coarse cell is 2x2 finer ones, those at the far
+/// borders may be less; what a coarse face lets through is what its fine ones do.
+class FluidLevels {
+ public:
+  /// `solid`: a byte a cell, x fastest. `wraps` and `open`: of the sides left, right, top, bottom.
+  FluidLevels(glm::ivec2 size, const std::vector<std::uint8_t>& solid, glm::bvec4 open, glm::bvec2 wraps);
+
+  [[nodiscard]] const std::vector<FluidLevel>& levels() const { return levels_; }
+  /// As glsl/fluid/model.glsl reads them: left face | top face << 16 in units of 2^-12, four cells an
+  /// element.
+  [[nodiscard]] const std::vector<glm::uvec4>& weights() const { return weights_; }
+  [[nodiscard]] int elements() const { return levels_.back().start + levels_.back().elements(); }
+
+ private:
+  struct Grid;
+  void add(const Grid& grid);
+
+  std::vector<FluidLevel> levels_;
+  std::vector<glm::uvec4> weights_;
+};
+
+}  // namespace simreel::sim

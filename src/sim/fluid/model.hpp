@@ -1,0 +1,13 @@
+#pragma once
+// What glsl/fluid shares with C++, in simreel::shader.
+#include "sim/core/shader_code.hpp"
+
+namespace simreel::shader {
+#define FUNCTION inline
+#define precise
+#include "glsl/fluid/model.glsl"
+static_assert(sizeof(FluidStep) == 64);
+static_assert(sizeof(FluidBrush) == 128);
+#undef precise
+#undef FUNCTION
+}  // namespace simreel::shader

@@ -1,0 +1,178 @@
+#include "sim/fluid/parameters.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <fmt/format.h>
+
+namespace simreel::sim {
+
+namespace {
+
+const std::vector<const char*> sideKinds = {"wall", "slip", "inflow", "open", "periodic"};
+
+void describeSide(scene::Fields& f, const char* name, FluidSide& side) {
+  f.shorthand(name, "kind");
+  f.group(name, "A border of the grid, or its kind alone.", [&](scene::Fields& s) {
+    s.choice(
+        "kind", side.kind, sideKinds,
+        "A wall holds the fluid, a slip side does not; an inflow has a velocity, an open side pressure 0; "
+        "periodic ones, in pairs, meet.");
+    s.vector("velocity", side.velocity, {-1e5, 1e5}, "cells/s",
+             "Of a wall along itself; of an inflow. The third is unused.");
+    if (s.given("velocity") && side.kind != FluidSide::Kind::wall && side.kind != FluidSide::Kind::inflow)
+      s.error("velocity", "only a \"wall\" or an \"inflow\" has a velocity");
+  });
+}
+
+void describeStroke(scene::Fields& f, FluidStroke& stroke) {
+  stroke.describe(f, 1, "Part of the way to what it sets, in each substep: 1 sets it.");
+  f.vector("velocity", stroke.velocity, {-1e5, 1e5}, "cells/s",
+           "Velocity that it sets; the third is unused.");
+  f.leftOut("velocity", "not set");
+  f.number("temperature", stroke.temperature, {-1e6, 1e6}, "", "Temperature that it sets.");
+  f.leftOut("temperature", "not set");
+  f.vector("dye", stroke.dye, {0, 8}, "", "Dye that it sets: red, green, blue.");
+  f.leftOut("dye", "not set");
+  f.vector("force", stroke.force, {-1e6, 1e6}, "cells/s^2", "Acceleration; the third is unused.");
+  if (f.given("velocity")) stroke.setsVelocity = true;
+  if (f.given("temperature")) stroke.setsTemperature = true;
+  if (f.given("dye")) stroke.setsDye = true;
+}
+
+/// Two jets from the sides and one from below, each of its own colour.
+std::vector<FluidStroke> standardStrokes(glm::ivec2 size) {
+  const auto w = static_cast<float>(size.x), h = static_cast<float>(size.y);
+  const float scale = h / 180;
+  const auto jet = [&](glm::vec3 at, glm::vec3 way, glm::vec3 dye) {
+    FluidStroke s;
+    s.until = 1e6;
+    s.from = s.to = at;
+    s.radius = std::max(7 * scale, 1.5F);
+    s.setsVelocity = s.setsDye = true;
+    s.velocity = way * std::min(scale, 1.0F);
+    s.dye = dye;
+    return s;
+  };
+  return {jet({0.06F * w, 0.36F * h, 0}, {120, 28, 0}, {1.6F, 0.22F, 0.04F}),
+          jet({0.94F * w, 0.45F * h, 0}, {-120, 20, 0}, {0.03F, 0.35F, 1.6F}),
+          jet({0.5F * w, 0.92F * h, 0}, {10, -105, 0}, {1.1F, 0.8F, 0.1F})};
+}
+
+}  // namespace
+
+bool FluidObstacle::contains(double x, double y) const {
+  const double dx = x - center.x, dy = y - center.y;
+  if (shape == Shape::circle) return dx * dx + dy * dy <= double{radius} * radius;
+  const float angle = turn * (std::numbers::pi_v<float> / 180);
+  const double c = shader::exactCos(angle), s = shader::exactSin(angle);
+  return std::abs(c * dx + s * dy) <= 0.5 * extent.x && std::abs(c * dy - s * dx) <= 0.5 * extent.y;
+}
+
+FluidParameters::FluidParameters() {
+  display.map = "viridis";
+  strokes = standardStrokes(size);
+}
+
+void FluidParameters::describe(scene::Fields& f) {
+  f.pair("size", size, {4, 16384}, "cells", "Width and height.");
+  f.group("sides", "The borders of the grid.", [&](scene::Fields& s) {
+    describeSide(s, "left", left);
+    describeSide(s, "right", right);
+    describeSide(s, "top", top);
+    describeSide(s, "bottom", bottom);
+    const auto paired = [&](const FluidSide& a, const FluidSide& b, const char* one, const char* other) {
+      const bool first = a.kind == FluidSide::Kind::periodic, second = b.kind == FluidSide::Kind::periodic;
+      if (first != second)
+        s.error(first ? one : other,
+                fmt::format("\"{}\" and \"{}\" are periodic both or not at all", one, other));
+    };
+    paired(left, right, "left", "right");
+    paired(top, bottom, "top", "bottom");
+  });
+  f.vector("flow", flow, {-1e5, 1e5}, "cells/s", "Velocity everywhere at the start; the third is unused.");
+  f.number("speed", speed, {1e-3, 1e6}, "cells/s",
+           "The greatest that is expected: \"auto\" substeps go by it, and dye goes no faster.");
+  f.integerOr("substeps", substeps, "auto", {1, 10000}, "per frame",
+              "\"auto\": as many as \"speed\" / \"courant\" and the viscosity ask for.");
+  f.number("courant", courant, {0.05, 8}, "cells",
+           "What the greatest speed goes in a substep of \"auto\".");
+  f.choice("advection", advection, {"macCormack", "semiLagrangian"},
+           "How velocity and temperature are carried along: second-order with a limiter, or first-order.");
+  f.number("viscosity", viscosity, {0, 1e6}, "cells^2/s", "Of the fluid.");
+  f.number("confinement", confinement, {0, 1e4}, "1/s",
+           "Force that keeps up vortices of the size of cells.");
+  f.number("lift", lift, {-1e5, 1e5}, "cells/s^2", "Acceleration, up the picture, of a temperature of 1.");
+  f.number("cooling", cooling, {0, 1e3}, "1/s", "Rate at which temperature falls to 0.");
+  f.number("dyeWeight", dyeWeight, {-1e5, 1e5}, "cells/s^2",
+           "Acceleration, down the picture, of a dye of (1, 1, 1).");
+  f.integer(
+      "cycles", cycles, {1, 100}, "",
+      "Of the multigrid that solves for the pressure, at most, in each substep; as few as needed are run.");
+  f.list("obstacles", obstacles, "What stands in the fluid: cells whose middle lies within.",
+         [](scene::Fields& o, FluidObstacle& obstacle) {
+           o.choice("shape", obstacle.shape, {"circle", "box"}, "What it is.");
+           o.vector("center", obstacle.center, {-1e6, 1e6}, "cells", "Its middle; the third is unused.");
+           o.number("radius", obstacle.radius, {0, 1e5}, "cells", "Of a circle.");
+           o.vector("extent", obstacle.extent, {0, 1e5}, "cells",
+                    "Width and height of a box; the third is unused.");
+           o.number("turn", obstacle.turn, {-360, 360}, "degrees", "Of a box, clockwise.");
+         });
+  f.boolean("obstaclesSlip", obstaclesSlip,
+            "Whether the fluid slips along obstacles; else it sticks to them.");
+  f.vector("obstacleColor", obstacleColor, {0, 1e4}, "", "Colour of obstacles, linear RGB.");
+  if (!f.given("strokes")) strokes = standardStrokes(size);
+  f.list("strokes", strokes, "Timed strokes that set velocity, temperature or dye, or push.",
+         describeStroke);
+  f.leftOut("strokes", "three jets of dye");
+  f.choice("show", show, {"dye", "speed", "vorticity", "temperature", "pressure"},
+           "What is drawn: dye in its own colours, all else by the display's colour map.");
+  f.choice("look", look, {"light", "ink"}, "Dye that shines on black, or ink that absorbs on white.");
+  f.number("brightness", brightness, {0, 1e4}, "", "Of dye.");
+  f.group("display", "How it is laid over the picture.", [&](scene::Fields& d) {
+    if (show == Show::speed) display.high = speed;
+    if (show == Show::vorticity) {
+      display.high = 0.1 * speed;
+      display.low = -display.high;
+    }
+    display.describe(d);
+  });
+}
+
+std::span<const scene::Quantity> FluidParameters::quantities() const {
+  static constexpr scene::Quantity list[] = {
+      {"divergence", "", "max|div u| over max|u| of the worst substep so far."},
+      {"kineticEnergy", "cells^2/s^2", "Mean of u^2 / 2 over the open cells."},
+      {"enstrophy", "1/s^2", "Mean of half the curl's square over the corners of cells."},
+      {"dye", "", "Sum of red, green and blue of all cells."},
+      {"temperature", "", "Mean over the open cells."},
+      {"speed", "cells/s", "The greatest |u| or |v|."},
+      {"courant", "cells", "What the greatest |u| or |v| goes in a substep."},
+      {"cycles", "", "Of the multigrid, on the average of all substeps so far."},
+  };
+  return list;
+}
+
+bool FluidParameters::heats() const {
+  const auto sets = [](const FluidStroke& s) { return s.setsTemperature; };
+  return std::any_of(strokes.begin(), strokes.end(), sets);
+}
+
+bool FluidParameters::dyes() const {
+  return std::any_of(strokes.begin(), strokes.end(), [](const FluidStroke& s) { return s.setsDye; });
+}
+
+bool FluidParameters::sinks() const {
+  return dyeWeight.moves() || dyeWeight.at(0) != 0;
+}
+
+bool FluidParameters::rubs() const {
+  return confines() || viscosity.moves() || viscosity.at(0) != 0;
+}
+
+bool FluidParameters::confines() const {
+  return confinement.moves() || confinement.at(0) != 0;
+}
+
+}  // namespace simreel::sim

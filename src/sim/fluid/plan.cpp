@@ -1,0 +1,169 @@
+#include "sim/fluid/plan.hpp"
+
+#include "base/error.hpp"
+#include "base/ieee.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace simreel::sim {
+
+namespace {
+
+/// dt nu / h^2 up to which a step is stable: 1/4 in the open, less where mirrored cells lie along walls.
+constexpr double maxDiffusion = 0.2;
+
+double greatest(const scene::Animated<float>& value) {
+  double most = 0;
+  for (const auto& key : value.keys()) most = std::max<double>(most, key.value);
+  return most;
+}
+
+std::vector<StrokeParameters> plainStrokes(const std::vector<FluidStroke>& strokes) {
+  return {strokes.begin(), strokes.end()};
+}
+
+std::vector<std::uint8_t> solidCells(const FluidParameters& p) {
+  std::vector<std::uint8_t> cells(static_cast<std::size_t>(p.size.x) * static_cast<std::size_t>(p.size.y));
+  for (int y = 0; y < p.size.y; ++y)
+    for (int x = 0; x < p.size.x; ++x)
+      for (const FluidObstacle& obstacle : p.obstacles)
+        if (obstacle.contains(x + 0.5, y + 0.5))
+          cells[static_cast<std::size_t>(y) * static_cast<std::size_t>(p.size.x) +
+                static_cast<std::size_t>(x)] = 1;
+  return cells;
+}
+
+bool isOpen(const FluidSide& side) {
+  return side.kind == FluidSide::Kind::open;
+}
+
+FluidLevels levelsOf(const FluidParameters& p, const std::vector<std::uint8_t>& solid) {
+  return {p.size,
+          solid,
+          {isOpen(p.left), isOpen(p.right), isOpen(p.top), isOpen(p.bottom)},
+          {p.wrapsX(), p.wrapsY()}};
+}
+
+/// (along x, along y): a wall moves along itself only, `alongX` or along y.
+glm::vec2 velocityOf(const FluidSide& side, bool alongX, double time) {
+  const glm::vec3 v = side.velocity.at(time);
+  if (side.kind == FluidSide::Kind::inflow) return {v.x, v.y};
+  if (side.kind == FluidSide::Kind::wall) return alongX ? glm::vec2(v.x, 0) : glm::vec2(0, v.y);
+  return {0, 0};
+}
+
+}  // namespace
+
+FluidPlan::FluidPlan(FluidParameters parameters, const std::string& object, int seed, double frameSeconds)
+    : parameters_(std::move(parameters)),
+      object_(object),
+      frameSeconds_(frameSeconds),
+      solid_(solidCells(parameters_)),
+      levels_(levelsOf(parameters_, solid_)),
+      strokes_(
+          plainStrokes(parameters_.strokes), seed,
+          {parameters_.size, parameters_.wrapsX() && parameters_.wrapsY(), "fluid \"" + object + "\""}) {
+  const FluidParameters& p = parameters_;
+  const double viscosity = greatest(p.viscosity);
+  const double bySpeed = std::ceil(p.speed * frameSeconds / p.courant - 1e-9);
+  const double byFriction = std::ceil(viscosity * frameSeconds / maxDiffusion - 1e-9);
+  const double wanted = std::max({bySpeed, byFriction, 1.0});
+  if (!p.substeps && wanted > 10000)
+    fail(ExitCode::usage,
+         "fluid \"{}\": \"speed\" {} and \"viscosity\" {} ask for {:.0f} substeps a frame, at most 10000 "
+         "are taken; "
+         "lower them, or give \"substeps\"",
+         object, p.speed, viscosity, wanted);
+  substeps_ = p.substeps ? *p.substeps : static_cast<int>(wanted);
+  const double dt = frameSeconds / substeps_;
+  if (dt * viscosity > maxDiffusion * (1 + 1e-9))
+    fail(ExitCode::usage,
+         "fluid \"{}\": a substep takes dt viscosity = {:.3g}, and is stable up to {}; give \"substeps\" "
+         "{:.0f} or "
+         "\"auto\"",
+         object, dt * viscosity, maxDiffusion, byFriction);
+  const double passes = std::ceil(p.speed * dt / shader::maxDyeWay - 1e-9);
+  dyePasses_ = p.dyes() ? static_cast<int>(std::clamp(passes, 1.0, 10000.0)) : 0;
+}
+
+int FluidPlan::arrayElements() const {
+  return std::max(
+      {elements(), 2 * levels_.levels().front().elements() + levels_.elements(), 2 * levels_.elements()});
+}
+
+// Faces that let nothing through have the velocity of their side, or none. What lies around the grid is the
+// first projection's.
+std::vector<glm::vec4> FluidPlan::firstFlow() const {
+  const glm::ivec2 size = parameters_.size;
+  const glm::vec3 flow = parameters_.flow;
+  const shader::FluidStep sides = stepAt(0, 0);
+  std::vector<glm::vec4> cells(static_cast<std::size_t>(arrayElements()), glm::vec4(0));
+  for (int y = 0; y <= size.y; ++y)
+    for (int x = 0; x <= size.x; ++x) {
+      const int number = y / 2 * (size.x / 2 + 1) + x / 2;
+      const glm::uvec4 block = levels_.weights()[static_cast<std::size_t>(number)];
+      const glm::vec2 open = shader::faceWeights(block[y % 2 * 2 + x % 2]);
+      const int element = (y + 1) * (size.x + 2) + x + 1;
+      glm::vec4& cell = cells[static_cast<std::size_t>(element)];
+      const float acrossX = x == 0 ? sides.leftRight.x : x == size.x ? sides.leftRight.z : 0;
+      const float acrossY = y == 0 ? sides.topBottom.y : y == size.y ? sides.topBottom.w : 0;
+      cell.x = open.x > 0 ? flow.x : acrossX;
+      cell.y = open.y > 0 ? flow.y : acrossY;
+    }
+  return cells;
+}
+
+shader::FluidStep FluidPlan::stepAt(double time, int step) const {
+  const FluidParameters& p = parameters_;
+  const double dt = frameSeconds_ / substeps_;
+  const double now = time + step * dt;
+  const auto scaled = [&](const scene::Animated<float>& value) {
+    return static_cast<float>(dt * static_cast<double>(value.at(now)));
+  };
+  const glm::vec2 left = velocityOf(p.left, false, now), right = velocityOf(p.right, false, now);
+  const glm::vec2 top = velocityOf(p.top, true, now), bottom = velocityOf(p.bottom, true, now);
+  shader::FluidStep s{};
+  s.leftRight = {left.x, left.y, right.x, right.y};
+  s.topBottom = {top.x, top.y, bottom.x, bottom.y};
+  s.dt = static_cast<float>(dt);
+  s.perDt = static_cast<float>(1 / dt);
+  s.viscosity = scaled(p.viscosity);
+  s.confinement = scaled(p.confinement);
+  s.lift = scaled(p.lift);
+  s.keptHeat = shader::exactExp(static_cast<float>(-dt * p.cooling));
+  s.dyeDt = static_cast<float>(dt / std::max(dyePasses_, 1));
+  s.weight = scaled(p.dyeWeight);
+  return s;
+}
+
+FluidPlan::Brushes FluidPlan::brushesAt(double time, int step) const {
+  Brushes all;
+  if (strokes_.empty()) return all;
+  const double dt = frameSeconds_ / substeps_;
+  const double now = time + step * dt;
+  std::vector<int> numbers;
+  all.strokes = strokes_.into(now, dt, std::lround(now / dt), &numbers);
+  if (all.strokes.size() > static_cast<std::size_t>(shader::maxBrushes))
+    fail(ExitCode::usage, "fluid \"{}\": {} strokes are at work at {:.3f} s, at most {} may be", object_,
+         all.strokes.size(), now, shader::maxBrushes);
+  for (std::size_t i = 0; i < all.strokes.size(); ++i) {
+    const shader::Stroke& stroke = all.strokes[i];
+    const FluidStroke& what = parameters_.strokes[static_cast<std::size_t>(numbers[i])];
+    shader::FluidBrush brush{};
+    brush.segment = {stroke.from.x, stroke.from.y, stroke.to.x, stroke.to.y};
+    brush.reach = {stroke.radius2, stroke.perLength2, stroke.value, 0};
+    brush.stamp = {stroke.seed, stroke.picked, stroke.imageWord,
+                   (what.setsVelocity ? 1 : 0) + (what.setsTemperature ? 2 : 0) + (what.setsDye ? 4 : 0)};
+    brush.image = {stroke.imageFrom.x, stroke.imageFrom.y, stroke.imageSize.x, stroke.imageSize.y};
+    brush.box = Strokes::box(stroke, parameters_.size);
+    brush.flow = {what.velocity.x, what.velocity.y, what.temperature, 0};
+    brush.force = {static_cast<float>(what.force.x * dt), static_cast<float>(what.force.y * dt), 0, 0};
+    brush.dye = {what.dye.x, what.dye.y, what.dye.z, 0};
+    all.brushes.push_back(brush);
+  }
+  return all;
+}
+
+}  // namespace simreel::sim

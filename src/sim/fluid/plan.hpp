@@ -1,0 +1,61 @@
+#pragma once
+#include "sim/fluid/levels.hpp"
+#include "sim/fluid/model.hpp"
+#include "sim/fluid/parameters.hpp"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <glm/vec2.hpp>
+#include <glm/vec4.hpp>
+
+namespace simreel::sim {
+
+/// Everything of a fluid that is decided on the CPU: the obstacles' cells, the multigrid's weights, what
+/// each substep is told. Shared by the GPU simulation and its CPU twin.
+class FluidPlan {
+ public:
+  /// Brushes that are at work in the same substep, and the strokes that they are.
+  struct Brushes {
+    std::vector<shader::FluidBrush> brushes;
+    std::vector<shader::Stroke> strokes;
+  };
+
+  /// Reads the strokes' images. Throws UserError(usage) for substeps that the viscosity makes unstable, or
+  /// for more brushes at once than maxBrushes.
+  FluidPlan(FluidParameters parameters, const std::string& object, int seed, double frameSeconds);
+
+  [[nodiscard]] const FluidParameters& parameters() const { return parameters_; }
+  [[nodiscard]] glm::ivec2 size() const { return parameters_.size; }
+  /// Of an array of cells and the ring around them.
+  [[nodiscard]] int elements() const { return (size().x + 2) * (size().y + 2); }
+  /// Of every array of the simulation: those, and what the multigrid keeps in one at most.
+  [[nodiscard]] int arrayElements() const;
+  [[nodiscard]] int substeps() const { return substeps_; }
+  /// Passes of dye in each substep; none where no stroke sets any.
+  [[nodiscard]] int dyePasses() const { return dyePasses_; }
+  [[nodiscard]] const FluidLevels& levels() const { return levels_; }
+  /// A byte a cell, x fastest.
+  [[nodiscard]] const std::vector<std::uint8_t>& solid() const { return solid_; }
+  [[nodiscard]] const Strokes& strokes() const { return strokes_; }
+
+  /// The flow before anything is painted or projected, with its ring.
+  [[nodiscard]] std::vector<glm::vec4> firstFlow() const;
+  /// Of substep `step` (from 1) of the frame that starts at `time` (s).
+  [[nodiscard]] shader::FluidStep stepAt(double time, int step) const;
+  /// What is painted into the state after `step` substeps of the frame that starts at `time` (s). Throws
+  /// UserError(usage) for more than maxBrushes.
+  [[nodiscard]] Brushes brushesAt(double time, int step) const;
+
+ private:
+  FluidParameters parameters_;
+  std::string object_;
+  double frameSeconds_;
+  int substeps_ = 1, dyePasses_ = 1;
+  std::vector<std::uint8_t> solid_;
+  FluidLevels levels_;
+  Strokes strokes_;
+};
+
+}  // namespace simreel::sim

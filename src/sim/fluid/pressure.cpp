@@ -1,0 +1,142 @@
+#include "sim/fluid/pressure.hpp"
+
+#include "base/error.hpp"
+#include "gl/errors.hpp"
+
+#include <bit>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace simreel::shader::fluid {
+#include "glsl/fluid/bindings.glsl"
+}
+
+namespace simreel::sim {
+
+namespace {
+
+namespace at = shader::fluid;
+
+constexpr std::size_t controlWords = 8;  // before the groups: glsl/fluid/solve_control.glsl
+
+/// What the recurrence of residuals reaches may be exceeded by the flow itself, by rounding.
+constexpr float aim = 0.5F * maxFluidDivergence;
+
+}  // namespace
+
+// A dispatch for each level's blocks, one for a single group.
+FluidPressure::FluidPressure(const std::string& name, const FluidPlan& plan, const gl::Defines& defines)
+    : levels_(plan.levels()),
+      cycles_(plan.parameters().cycles),
+      weights_(name + " openings", std::span<const glm::uvec4>(levels_.weights())),
+      divergence_(gl::Program::compute("fluid/divergence.comp", defines)),
+      descend_(gl::Program::compute("fluid/descend.comp", defines)),
+      bottom_(gl::Program::compute("fluid/bottom.comp", defines)),
+      ascend_(gl::Program::compute("fluid/ascend.comp", defines)),
+      residual_(gl::Program::compute("fluid/residual.comp", defines)),
+      decide_(gl::Program::compute("fluid/decide.comp", defines)) {
+  gl::Defines judging = defines;
+  judging.emplace_back("JUDGE", "1");
+  judge_ = gl::Program::compute("fluid/decide.comp", judging);
+  std::vector<std::uint32_t> groups;
+  for (const FluidLevel& level : levels_.levels()) {
+    const glm::ivec2 blocks = level.blocks();
+    groups.insert(groups.end(), {static_cast<unsigned>((blocks.x + 15) / 16),
+                                 static_cast<unsigned>((blocks.y + 3) / 4), 1U});
+  }
+  groups.insert(groups.end(), {1U, 1U, 1U});
+  std::vector<std::uint32_t> words(controlWords + groups.size());
+  words.insert(words.end(), groups.begin(), groups.end());
+  words.resize((words.size() + 3) / 4 * 4);
+  control_ = gl::Buffer::of<std::uint32_t>(name + " solver", words);
+  const auto& finest = levels_.levels().front();
+  divergence_.set("size", finest.cells);
+  divergence_.set("rhsStart", 2 * finest.elements());
+  decide_.set("dispatches", static_cast<int>(levels_.levels().size()) + 1);
+  decide_.set("tolerance", aim);
+  judge_.set("tolerance", maxFluidDivergence);
+  judge_.set("mostSpeed", plan.parameters().speed);
+}
+
+void FluidPressure::setLevel(const gl::Program& program, std::size_t number) const {
+  const FluidLevel& level = levels_.levels()[number];
+  const int finest = levels_.levels().front().elements();
+  program.set("cells", level.cells);
+  program.set("weightsStart", level.start);
+  program.set("rhsStart", 2 * finest + level.start);
+  program.set("wayStart", levels_.elements() + level.start);
+  program.set("levelStart", level.start);
+  if (number + 1 == levels_.levels().size()) return;
+  const FluidLevel& coarser = levels_.levels()[number + 1];
+  program.set("nextRhsStart", 2 * finest + coarser.start);
+  program.set("coarseStart", coarser.start);
+}
+
+void FluidPressure::indirect(const gl::Program& program, std::size_t number) const {
+  gl::barrier();
+  glMemoryBarrier(GL_COMMAND_BARRIER_BIT);
+  program.use();
+  glDispatchComputeIndirect(static_cast<GLintptr>((controlWords + 3 * number) * 4));
+}
+
+void FluidPressure::cycle() const {
+  const std::size_t coarsest = levels_.levels().size() - 1;
+  for (std::size_t i = 0; i < coarsest; ++i) {
+    setLevel(descend_, i);
+    indirect(descend_, i);
+  }
+  setLevel(bottom_, coarsest);
+  indirect(bottom_, coarsest + 1);
+  for (std::size_t i = coarsest; i-- > 0;) {
+    setLevel(ascend_, i);
+    indirect(ascend_, i);
+  }
+  setLevel(residual_, 0);
+  indirect(residual_, 0);
+  indirect(decide_, coarsest + 1);
+}
+
+void FluidPressure::solve(const gl::Vec4Array& flow, const gl::Vec4Array& pool,
+                          const gl::Vec4Array& raised) {
+  const glm::ivec2 blocks = levels_.levels().front().blocks();
+  flow.bindInput(at::flowBinding);
+  weights_.bindInput(at::weightsBinding);
+  pool.buffer().bindStorage(at::poolOutBinding);
+  control_.bindStorage(at::controlBinding);
+  gl::barrier();
+  divergence_.dispatch(blocks.x, blocks.y);
+  gl::barrier();
+  decide_.set("first", 1);
+  decide_.dispatch(1);
+  decide_.set("first", 0);
+  pool.bindInput(at::poolBinding);
+  raised.bindInput(at::raisedBinding);
+  raised.buffer().bindStorage(at::raisedOutBinding);
+  glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, control_.name());
+  for (int i = 0; i < cycles_; ++i) cycle();
+  glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, 0);
+  gl::barrier();
+}
+
+void FluidPressure::judge(const gl::Buffer& status) const {
+  control_.bindStorage(at::controlBinding);
+  status.bindStorage(shader::statusBinding);
+  gl::barrier();
+  judge_.dispatch(1);
+}
+
+FluidPressure::Report FluidPressure::report() const {
+  std::uint32_t words[controlWords];
+  control_.read(0, std::as_writable_bytes(std::span(words)));
+  const auto number = [&](int i) { return std::bit_cast<float>(words[i]); };
+  Report r;
+  r.worstShare = number(4);
+  r.worstSpeed = number(5);
+  r.lastShare = number(6);
+  r.lastSpeed = number(7);
+  r.cycles = words[3] > 0 ? static_cast<double>(words[2]) / words[3] : 0;
+  return r;
+}
+
+}  // namespace simreel::sim

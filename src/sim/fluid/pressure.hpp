@@ -1,0 +1,47 @@
+#pragma once
+#include "gl/element_array.hpp"
+#include "gl/program.hpp"
+#include "sim/fluid/plan.hpp"
+
+#include <string>
+
+namespace simreel::sim {
+
+/// Solves for the pressure that makes a flow free of divergence: V-cycles of multigrid until what is
+/// missing in the worst cell is small beside the greatest speed. All cycles there may be are dispatched,
+/// indirectly; once that is reached the rest of them are empty, and the CPU waits for nothing.
+class FluidPressure {
+ public:
+  /// What the kernels tell of their work.
+  struct Report {
+    float worstShare = 0, worstSpeed = 0, lastShare = 0, lastSpeed = 0;
+    double cycles = 0;  ///< of a projection, on the average
+  };
+
+  /// `defines`: of all kernels of the fluid.
+  FluidPressure(const std::string& name, const FluidPlan& plan, const gl::Defines& defines);
+
+  /// Of `flow`; the sum of corrections is left in the front of `pool`. `raised` is overwritten, too.
+  void solve(const gl::Vec4Array& flow, const gl::Vec4Array& pool, const gl::Vec4Array& raised);
+  /// Once the projected flow has been noted in control(): whether it is good enough, and not too fast.
+  void judge(const gl::Buffer& status) const;
+
+  [[nodiscard]] const gl::Buffer& control() const { return control_; }
+  [[nodiscard]] gl::Buffer& control() { return control_; }
+  [[nodiscard]] const gl::WordsArray& weights() const { return weights_; }
+  /// Waits for the GPU.
+  [[nodiscard]] Report report() const;
+
+ private:
+  void setLevel(const gl::Program& program, std::size_t level) const;
+  void indirect(const gl::Program& program, std::size_t number) const;
+  void cycle() const;
+
+  const FluidLevels& levels_;
+  int cycles_;
+  gl::WordsArray weights_;
+  gl::Buffer control_;
+  gl::Program divergence_, descend_, bottom_, ascend_, residual_, decide_, judge_;
+};
+
+}  // namespace simreel::sim

@@ -1,0 +1,200 @@
+// Fluids on the GPU against their CPU twin, bit for bit, whatever their sides, size and forces are.
+#include "sim/fluid/fluid.hpp"
+
+#include "gpu/context.hpp"
+#include "reference/fluid_twin.hpp"
+#include "sim/fluid/kernels.hpp"
+
+#include <bit>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <doctest/doctest.h>
+
+using namespace simreel;
+
+namespace {
+
+constexpr double fluidFrame = 1.0 / 30;
+using Side = sim::FluidSide::Kind;
+
+sim::FluidStroke fluidJet(glm::vec3 from, glm::vec3 velocity, glm::vec3 dye) {
+  sim::FluidStroke s;
+  s.from = s.to = from;
+  s.until = 1e3;
+  s.radius = 3.5F;
+  s.setsVelocity = s.setsDye = true;
+  s.velocity = velocity;
+  s.dye = dye;
+  return s;
+}
+
+sim::FluidParameters jets(int width, int height) {
+  sim::FluidParameters p;
+  p.size = {width, height};
+  p.speed = 90;
+  const auto w = static_cast<float>(width), h = static_cast<float>(height);
+  p.strokes = {fluidJet({0.2F * w, 0.4F * h, 0}, {60, 13, 0}, {1, 0.25F, 0}),
+               fluidJet({0.8F * w, 0.55F * h, 0}, {-55, -20, 0}, {0, 0.5F, 1})};
+  return p;
+}
+
+void setSides(sim::FluidParameters& p, Side left, Side right, Side top, Side bottom) {
+  p.left.kind = left;
+  p.right.kind = right;
+  p.top.kind = top;
+  p.bottom.kind = bottom;
+}
+
+void checkFluid(const std::vector<glm::vec4>& got, const std::vector<glm::vec4>& want, const char* what) {
+  REQUIRE(got.size() >= want.size());
+  std::size_t different = 0, first = 0;
+  float most = 0;
+  for (std::size_t i = 0; i < want.size(); ++i) {
+    bool same = true;
+    for (int c = 0; c < 4; ++c) {
+      same = same && std::bit_cast<std::uint32_t>(got[i][c]) == std::bit_cast<std::uint32_t>(want[i][c]);
+      most = std::max(most, std::abs(want[i][c]));
+    }
+    if (!same && different++ == 0) first = i;
+  }
+  CHECK_MESSAGE(different == 0, what, ": ", different, " of ", want.size(), " elements differ, first ",
+                first);
+  CHECK(most > 0.01F);  // something happens
+}
+
+/// Steps both sides and compares every word of the state.
+void compareFluid(const sim::FluidParameters& parameters, int frames) {
+  testContext();
+  scene::Object object;
+  object.name = "bath";
+  object.kind = "fluid";
+  object.parameters = std::make_unique<sim::FluidParameters>(parameters);
+  const std::vector<sim::ColliderShape> none;
+  const auto gpu = sim::fluidKind().make(object, {false, 5, fluidFrame, &none});
+  FluidTwin twin(sim::FluidPlan(parameters, "bath", 5, fluidFrame));
+  for (int frame = 0; frame < frames; ++frame) {
+    gpu->step(frame * fluidFrame, {});
+    twin.step(frame * fluidFrame);
+  }
+  checkFluid(gpu->state()[0].buffer->readAll<glm::vec4>(), twin.flow, "flow");
+  checkFluid(gpu->state()[1].buffer->readAll<glm::vec4>(), twin.dye, "dye");
+  CHECK(gpu->measure()[0] <= sim::maxFluidDivergence);
+}
+
+}  // namespace
+
+TEST_CASE("fluid equals its CPU twin between walls, on sizes that are no multiples of anything") {
+  for (const glm::ivec2 size :
+       {glm::ivec2(37, 29), glm::ivec2(64, 33), glm::ivec2(4, 5), glm::ivec2(131, 18)}) {
+    CAPTURE(size.x);
+    CAPTURE(size.y);
+    compareFluid(jets(size.x, size.y), 4);
+  }
+}
+
+TEST_CASE("fluid equals its CPU twin with every kind of side") {
+  auto p = jets(45, 38);
+  setSides(p, Side::inflow, Side::open, Side::slip, Side::wall);
+  p.left.velocity = scene::Animated<glm::vec3>({{0.0, glm::vec3(20, 3, 0)}, {0.2, glm::vec3(30, -3, 0)}},
+                                               scene::Ease::linear);
+  p.bottom.velocity = glm::vec3(-25, 0, 0);
+  compareFluid(p, 4);
+  setSides(p, Side::open, Side::slip, Side::open, Side::open);
+  compareFluid(p, 4);
+}
+
+TEST_CASE("fluid equals its CPU twin on a torus, odd ones too") {
+  for (const glm::ivec2 size : {glm::ivec2(36, 28), glm::ivec2(37, 29), glm::ivec2(9, 70)}) {
+    CAPTURE(size.x);
+    auto p = jets(size.x, size.y);
+    setSides(p, Side::periodic, Side::periodic, Side::periodic, Side::periodic);
+    p.strokes[0].from.x = p.strokes[0].to.x = 0;  // over the seam
+    compareFluid(p, 4);
+  }
+  auto p = jets(41, 30);
+  setSides(p, Side::periodic, Side::periodic, Side::wall, Side::open);
+  compareFluid(p, 4);
+}
+
+TEST_CASE("fluid with obstacles, heat, friction, confinement and heavy dye equals its CPU twin") {
+  for (const bool slip : {false, true}) {
+    auto p = jets(67, 45);
+    setSides(p, Side::wall, Side::wall, Side::open, Side::wall);
+    p.obstaclesSlip = slip;
+    p.obstacles.resize(3);
+    p.obstacles[0].center = {40, 20, 0};
+    p.obstacles[1].shape = sim::FluidObstacle::Shape::box;
+    p.obstacles[1].center = {20, 30, 0};
+    p.obstacles[1].extent = {20, 1.5F, 0};
+    p.obstacles[1].turn = 20;
+    p.obstacles[2].center = {2, 2, 0};  // over the border
+    p.obstacles[2].radius = 5;
+    p.viscosity = 2.5F;
+    p.confinement = 4.0F;
+    p.lift = 30.0F;
+    p.cooling = 0.7F;
+    p.dyeWeight = 12.0F;
+    p.strokes[1].setsTemperature = true;
+    p.strokes[1].temperature = 2;
+    p.strokes[1].force = {30, -40, 0};
+    p.strokes[1].value = 0.3;
+    p.strokes[0].shape = sim::StrokeParameters::Shape::line;
+    p.strokes[0].to = {30, 35, 0};
+    p.strokes[0].fraction = 0.7F;
+    compareFluid(p, 5);
+  }
+}
+
+TEST_CASE("fluid equals its CPU twin with semi-Lagrangian advection, and where a box shuts in a pocket") {
+  auto p = jets(50, 41);
+  p.advection = sim::FluidParameters::Advection::semiLagrangian;
+  for (const glm::vec4 wall : {glm::vec4(25, 10, 22, 2), glm::vec4(25, 30, 22, 2), glm::vec4(15, 20, 2, 22),
+                               glm::vec4(35, 20, 2, 22)}) {
+    sim::FluidObstacle& box = p.obstacles.emplace_back();
+    box.shape = sim::FluidObstacle::Shape::box;
+    box.center = {wall.x, wall.y, 0};
+    box.extent = {wall.z, wall.w, 0};
+  }
+  p.cycles = 60;                                      // a coarse grid does not see thin walls
+  p.strokes[0].from = p.strokes[0].to = {25, 20, 0};  // in the pocket
+  compareFluid(p, 6);
+}
+
+TEST_CASE("what a fluid shows equals its CPU twin") {
+  for (const auto show : {sim::FluidParameters::Show::dye, sim::FluidParameters::Show::speed,
+                          sim::FluidParameters::Show::vorticity, sim::FluidParameters::Show::pressure}) {
+    auto p = jets(39, 27);
+    p.show = show;
+    p.look = sim::FluidParameters::Look::ink;
+    p.obstacles.resize(1);
+    p.obstacles[0].center = {20, 12, 0};
+    p.obstacles[0].radius = 4;
+    testContext();
+    const sim::FluidPlan plan(p, "bath", 5, fluidFrame);
+    sim::FluidKernels kernels("bath", plan, false);
+    FluidTwin twin(plan);
+    kernels.start(0);
+    kernels.beginFrame(0);
+    for (int i = 1; i <= plan.substeps(); ++i) kernels.advance(0, i, 1);
+    kernels.show();
+    twin.step(0);
+    const auto want = twin.shown();
+    GLint buffer = 0;
+    glGetTextureLevelParameteriv(kernels.shownWords().name(), 0, GL_TEXTURE_BUFFER_DATA_STORE_BINDING,
+                                 &buffer);
+    std::vector<glm::vec4> got(static_cast<std::size_t>(plan.elements()));
+    glGetNamedBufferSubData(static_cast<GLuint>(buffer), 0, static_cast<GLsizeiptr>(got.size() * 16),
+                            got.data());
+    int different = 0;
+    for (int y = 0; y < p.size.y; ++y)
+      for (int x = 0; x < p.size.x; ++x) {
+        const glm::vec4 a = got[twin.index(x, y)];
+        const glm::vec4 b = want[static_cast<std::size_t>(y * p.size.x + x)];
+        const bool coloured = show == sim::FluidParameters::Show::dye;
+        different += a.w != b.w || (coloured && glm::vec3(a) != glm::vec3(b)) ? 1 : 0;
+      }
+    CHECK(different == 0);
+  }
+}

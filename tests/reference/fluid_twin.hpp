@@ -1,0 +1,95 @@
+#pragma once
+#include "sim/fluid/plan.hpp"
+
+#include <vector>
+
+#include <glm/vec4.hpp>
+
+/// A fluid on the CPU: the kernels' own arithmetic (glsl/fluid compiled as C++) cell by cell, the multigrid
+/// as plain sweeps over its levels. Equals the GPU bit for bit in exact mode.
+class FluidTwin {
+ public:
+  /// The first state, as of `start` (s).
+  explicit FluidTwin(simreel::sim::FluidPlan plan, double start = 0);
+
+  /// One frame starting at `time` (s).
+  void step(double time);
+
+  // The stages of a substep.
+  void setStep(const simreel::shader::FluidStep& step) { step_ = step; }
+  void advect();  ///< and forces
+  void paint(double time, int step);
+  void project();
+  void moveDye();
+
+  /// What a frame shows: colour, and the value in a.
+  [[nodiscard]] std::vector<glm::vec4> shown() const;
+  [[nodiscard]] const simreel::sim::FluidPlan& plan() const { return plan_; }
+  [[nodiscard]] std::size_t index(int x, int y) const {
+    return static_cast<std::size_t>((y + 1) * (plan_.size().x + 2) + x + 1);
+  }
+  /// max|div u| over max|u|, of the grid's cells.
+  [[nodiscard]] double divergence() const;
+
+  std::vector<glm::vec4> flow, dye;  ///< with their ring, x fastest
+  long cycles = 0;                   ///< of the multigrid so far
+
+ private:
+  /// A grid of the multigrid: its weights cell by cell, and what is known of each.
+  struct Level {
+    glm::ivec2 cells;
+    bool wrapsX, wrapsY;
+    std::vector<glm::vec2> faces;  ///< (cells.x + 1) x (cells.y + 1)
+    std::vector<float> rhs, value;
+
+    [[nodiscard]] std::size_t index(int x, int y) const {
+      return static_cast<std::size_t>(y * cells.x + x);
+    }
+    [[nodiscard]] glm::vec4 weights(int x, int y) const {
+      const auto face = [&](int i, int j) {
+        return faces.at(static_cast<std::size_t>(j * (cells.x + 1) + i));
+      };
+      return {face(x, y).x, face(x + 1, y).x, face(x, y).y, face(x, y + 1).y};
+    }
+    /// Beyond the grid 0.
+    [[nodiscard]] float at(const std::vector<float>& of, int x, int y) const {
+      if (wrapsX) x = (x + cells.x) % cells.x;
+      if (wrapsY) y = (y + cells.y) % cells.y;
+      return x < 0 || y < 0 || x >= cells.x || y >= cells.y ? 0 : of[index(x, y)];
+    }
+    [[nodiscard]] float sumAround(const std::vector<float>& of, int x, int y) const {
+      return simreel::shader::neighbours(weights(x, y), at(of, x - 1, y), at(of, x + 1, y),
+                                         at(of, x, y - 1), at(of, x, y + 1));
+    }
+    [[nodiscard]] float leftIn(int x, int y) const {
+      return simreel::shader::residual(rhs[index(x, y)], weights(x, y), value[index(x, y)],
+                                       at(value, x - 1, y), at(value, x + 1, y), at(value, x, y - 1),
+                                       at(value, x, y + 1));
+    }
+    template <class Change>
+    void eachOf(int color, const Change& change) {
+      const std::vector<float> before = value;
+      for (int y = 0; y < cells.y; ++y)
+        for (int x = 0; x < cells.x; ++x)
+          if ((x + y) % 2 == color) change(x, y, before);
+    }
+    /// Red cells, then black ones, each by what there was before its colour's turn.
+    void sweep() {
+      for (const int color : {0, 1})
+        eachOf(color, [&](int x, int y, const std::vector<float>& before) {
+          value[index(x, y)] = simreel::shader::relaxed(rhs[index(x, y)], sumAround(before, x, y),
+                                                        simreel::shader::diagonal(weights(x, y)));
+        });
+    }
+  };
+  void cycle();
+  void descend(std::size_t level);
+  void bottom();
+  void ascend(std::size_t level);
+
+  simreel::sim::FluidPlan plan_;
+  simreel::shader::FluidStep step_{};
+  std::vector<glm::vec4> carried_;
+  std::vector<glm::vec2> sum_;  ///< of corrections, a cell each, and what rounding took
+  std::vector<Level> levels_;
+};

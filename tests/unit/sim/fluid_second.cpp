@@ -1,0 +1,273 @@
+// One step of each of a fluid's kernels against its equations stated a second time, in double and another
+// way: u and v are functions of places between walls, no array of them has a ring.
+#include "reference/fluid_twin.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <vector>
+
+#include <doctest/doctest.h>
+
+using namespace simreel;
+
+namespace {
+
+using Plane = std::function<double(int, int)>;
+
+/// A flow between no-slip walls, of which the top one moves.
+struct Walled {
+  int w, h;
+  double lid;
+  Plane inU, inV;  ///< of the faces that there are
+
+  [[nodiscard]] double u(int x, int y) const {
+    if (y < 0) return 2 * lid - u(x, 0);
+    if (y >= h) return -u(x, h - 1);
+    return inU(std::clamp(x, 0, w), y);
+  }
+  [[nodiscard]] double v(int x, int y) const {
+    if (x < 0) return -v(0, y);
+    if (x >= w) return -v(w - 1, y);
+    return inV(x, std::clamp(y, 0, h));
+  }
+};
+
+struct Spot {
+  double x, y;
+};
+
+double bilinear(const std::function<double(int, int)>& node, double x, double y) {
+  const int i = static_cast<int>(std::floor(x)), j = static_cast<int>(std::floor(y));
+  const double s = x - i, t = y - j;
+  return (1 - s) * (1 - t) * node(i, j) + s * (1 - t) * node(i + 1, j) + (1 - s) * t * node(i, j + 1) +
+         s * t * node(i + 1, j + 1);
+}
+
+Spot velocity(const Walled& f, Spot p) {
+  return {bilinear([&](int x, int y) { return f.u(x, y); }, p.x, p.y - 0.5),
+          bilinear([&](int x, int y) { return f.v(x, y); }, p.x - 0.5, p.y)};
+}
+
+Spot heldSpot(const Walled& f, Spot p) {
+  return {std::clamp(p.x, 0.0, double(f.w)), std::clamp(p.y, 0.0, double(f.h))};
+}
+
+Spot went(const Walled& f, Spot p, double seconds) {
+  const Spot first = velocity(f, p);
+  const Spot second = velocity(f, heldSpot(f, {p.x + first.x * seconds / 2, p.y + first.y * seconds / 2}));
+  return heldSpot(f, {p.x + second.x * seconds, p.y + second.y * seconds});
+}
+
+/// MacCormack with its limiter for u (`alongX`) or v; `ahead` is the flow carried along once.
+double macCormack(const Walled& f, const Walled& ahead, bool alongX, int x, int y, double dt) {
+  const Spot place = alongX ? Spot{double(x), y + 0.5} : Spot{x + 0.5, double(y)};
+  const auto sample = [&](const Walled& of, Spot p) {
+    return alongX ? velocity(of, p).x : velocity(of, p).y;
+  };
+  const auto node = [&](const Walled& of, int i, int j) { return alongX ? of.u(i, j) : of.v(i, j); };
+  const Spot from = went(f, place, -dt);
+  const double value = node(ahead, x, y) + (node(f, x, y) - sample(ahead, went(f, place, dt))) / 2;
+  const int i = static_cast<int>(std::floor(alongX ? from.x : from.x - 0.5));
+  const int j = static_cast<int>(std::floor(alongX ? from.y - 0.5 : from.y));
+  const auto corners = {node(f, i, j), node(f, i + 1, j), node(f, i, j + 1), node(f, i + 1, j + 1)};
+  return std::clamp(value, std::min(corners), std::max(corners));
+}
+
+sim::FluidParameters walledBath(int w, int h) {
+  sim::FluidParameters p;
+  p.size = {w, h};
+  p.substeps = 1;
+  p.top.velocity = glm::vec3(9, 0, 0);
+  p.speed = 100;
+  sim::FluidStroke jet;
+  jet.from = jet.to = {0.4F * static_cast<float>(w), 0.5F * static_cast<float>(h), 0};
+  jet.until = 1;
+  jet.radius = 4;
+  jet.setsVelocity = jet.setsDye = jet.setsTemperature = true;
+  jet.velocity = {45, 25, 0};
+  jet.temperature = 1.5F;
+  jet.dye = {1, 0.5F, 0.25F};
+  p.strokes = {jet};
+  return p;
+}
+
+/// The twin's flow as functions of places.
+Walled walled(const FluidTwin& twin, const std::vector<glm::vec4>& flow, double lid) {
+  return {twin.plan().size().x, twin.plan().size().y, lid,
+          [&](int x, int y) -> double { return flow[twin.index(x, y)].x; },
+          [&](int x, int y) -> double { return flow[twin.index(x, y)].y; }};
+}
+
+}  // namespace
+
+TEST_CASE("fluid: advection, friction, pressure, lift and confinement are their equations in double") {
+  auto p = walledBath(27, 21);
+  p.viscosity = 1.3F;
+  p.confinement = 6.0F;
+  p.lift = 40.0F;
+  p.cooling = 2;
+  p.dyeWeight = 25.0F;
+  const double dt = 0.02;
+  FluidTwin twin(sim::FluidPlan(p, "bath", 1, dt));
+  for (int i = 0; i < 6; ++i) twin.step(i * dt);
+  const std::vector<glm::vec4> flow = twin.flow;
+  const Walled start = walled(twin, flow, 9);
+  const int w = p.size.x, h = p.size.y;
+  const auto inside = [&](int across, int along, int end) {
+    return along > 0 && along < end && across >= 0;
+  };
+  const auto curl = [&](int x, int y) {
+    return start.v(x, y) - start.v(x - 1, y) - start.u(x, y) + start.u(x, y - 1);
+  };
+  // epsilon (N x omega), N = grad |omega| / |grad |omega||: along a face between the corners a and b, whose
+  // neighbours before and after are given.
+  const auto confined = [&](double a, double b, double before, double after) {
+    const double along = std::abs(b) - std::abs(a), across = (after - before) / 2;
+    return 6 * (a + b) / 2 * along / std::sqrt(std::max(along * along + across * across, 1e-12));
+  };
+  // After friction and confinement.
+  Walled f = start;
+  f.inU = [&](int x, int y) {
+    const auto u = [&](int i, int j) { return start.u(i, j); };
+    if (!inside(y, x, w)) return u(x, y);
+    const double pull = u(x - 1, y) + u(x + 1, y) + u(x, y - 1) + u(x, y + 1) - 4 * u(x, y);
+    const auto mean = [&](int i) { return (std::abs(curl(i, y)) + std::abs(curl(i, y + 1))) / 2; };
+    return u(x, y) + dt * (1.3 * pull + confined(curl(x, y), curl(x, y + 1), mean(x - 1), mean(x + 1)));
+  };
+  f.inV = [&](int x, int y) {
+    const auto v = [&](int i, int j) { return start.v(i, j); };
+    if (!inside(x, y, h)) return v(x, y);
+    const double pull = v(x - 1, y) + v(x + 1, y) + v(x, y - 1) + v(x, y + 1) - 4 * v(x, y);
+    const auto mean = [&](int j) { return (std::abs(curl(x, j)) + std::abs(curl(x + 1, j))) / 2; };
+    return v(x, y) + dt * (1.3 * pull - confined(curl(x, y), curl(x + 1, y), mean(y - 1), mean(y + 1)));
+  };
+  Walled ahead = f;
+  ahead.inU = [&](int x, int y) {
+    return inside(y, x, w) ? velocity(f, went(f, {double(x), y + 0.5}, -dt)).x : f.u(x, y);
+  };
+  ahead.inV = [&](int x, int y) {
+    return inside(x, y, h) ? velocity(f, went(f, {x + 0.5, double(y)}, -dt)).y : f.v(x, y);
+  };
+  const auto pressure = [&](int x, int y) -> double { return flow[twin.index(x, y)].w; };
+  const auto heat = [&](int x, int y) -> double { return flow[twin.index(x, y)].z; };
+  const auto density = [&](int x, int y) -> double {
+    const glm::vec4 c = twin.dye[twin.index(x, y)];
+    return c.x / 3.0 + c.y / 3.0 + c.z / 3.0;
+  };
+  twin.setStep(twin.plan().stepAt(6 * dt, 1));
+  twin.advect();
+  double worstU = 0, worstV = 0, most = 0;
+  for (int y = 0; y < h; ++y)
+    for (int x = 0; x < w; ++x) {
+      if (x > 0) {
+        const double want =
+            macCormack(f, ahead, true, x, y, dt) - dt * (pressure(x, y) - pressure(x - 1, y));
+        worstU = std::max(worstU, std::abs(want - twin.flow[twin.index(x, y)].x));
+        most = std::max(most, std::abs(want));
+      }
+      if (y > 0) {
+        const double rise = 40 * (heat(x, y) + heat(x, y - 1)) / 2;
+        const double fall = 25 * (density(x, y) + density(x, y - 1)) / 2;
+        const double want = macCormack(f, ahead, false, x, y, dt) -
+                            dt * (pressure(x, y) - pressure(x, y - 1) + rise - fall);
+        worstV = std::max(worstV, std::abs(want - twin.flow[twin.index(x, y)].y));
+      }
+    }
+  CHECK(most > 20);
+  CHECK(worstU < 3e-4);
+  CHECK(worstV < 3e-4);
+}
+
+TEST_CASE(
+    "fluid: the projection is a dense solution of Poisson's equation, around obstacles and to an open "
+    "side") {
+  auto p = walledBath(19, 14);
+  p.right.kind = sim::FluidSide::Kind::open;
+  p.obstacles.resize(1);
+  p.obstacles[0].center = {12, 6, 0};
+  p.obstacles[0].radius = 2.5F;
+  const int w = p.size.x, h = p.size.y;
+  FluidTwin twin(sim::FluidPlan(p, "bath", 1, 0.02));
+  twin.setStep(twin.plan().stepAt(0, 1));
+  twin.advect();
+  twin.paint(0, 1);
+  const std::vector<glm::vec4> before = twin.flow;
+  twin.project();
+  const auto solid = [&](int x, int y) {
+    return x < 0 || y < 0 || y >= h || (x < w && std::hypot(x + 0.5 - 12, y + 0.5 - 6) <= 2.5);
+  };
+  // SOR, in double; beyond the open side phi = 0, half a cell away.
+  std::vector<double> phi(static_cast<std::size_t>(w * h));
+  const auto at = [&](int x, int y) -> double& { return phi[static_cast<std::size_t>(y * w + x)]; };
+  const auto flowAt = [&](int x, int y) { return glm::dvec4(before[twin.index(x, y)]); };
+  for (int sweep = 0; sweep < 4000; ++sweep)
+    for (int y = 0; y < h; ++y)
+      for (int x = 0; x < w; ++x) {
+        if (solid(x, y)) continue;
+        double sum = 0, weights = 0;
+        for (const auto& [i, j] :
+             {std::pair(x - 1, y), std::pair(x + 1, y), std::pair(x, y - 1), std::pair(x, y + 1)}) {
+          if (solid(i, j)) continue;
+          const double weight = i == w ? 2 : 1;
+          weights += weight;
+          sum += i == w ? 0 : at(i, j);
+        }
+        const double out = flowAt(x + 1, y).x - flowAt(x, y).x + flowAt(x, y + 1).y - flowAt(x, y).y;
+        at(x, y) += 1.6 * ((sum - out) / weights - at(x, y));
+      }
+  double worst = 0, change = 0;
+  for (int y = 0; y < h; ++y)
+    for (int x = 1; x <= w; ++x) {
+      if (solid(x, y) || solid(x - 1, y)) continue;
+      const double push = x == w ? -2 * at(x - 1, y) : at(x, y) - at(x - 1, y);
+      worst = std::max(worst, std::abs(flowAt(x, y).x - push - twin.flow[twin.index(x, y)].x));
+      change = std::max(change, std::abs(push));
+    }
+  CHECK(change > 5);
+  CHECK(worst < 2e-3);
+  CHECK(twin.divergence() < sim::maxFluidDivergence);
+}
+
+TEST_CASE("fluid: a pass of dye is van Leer's scheme in double") {
+  auto p = walledBath(23, 17);
+  FluidTwin twin(sim::FluidPlan(p, "bath", 1, 0.002));
+  for (int i = 0; i < 30; ++i) twin.step(i * 0.002);
+  const std::vector<glm::vec4> dye = twin.dye;
+  REQUIRE(twin.plan().dyePasses() == 1);
+  const double dt = 0.002;
+  const int w = p.size.x, h = p.size.y;
+  const auto q = [&](int x, int y) -> double {
+    return dye[twin.index(std::clamp(x, 0, w - 1), std::clamp(y, 0, h - 1))].x;
+  };
+  // Downwind, here and upwind of the face's donor.
+  const auto flux = [](double way, double up, double here, double down) {
+    const double a = here - up, b = down - here;
+    const double slope =
+        a * b <= 0 ? 0
+                   : std::copysign(std::min({2 * std::abs(a), 2 * std::abs(b), std::abs(a + b) / 2}), a);
+    return std::abs(way) * (here + slope * (1 - std::abs(way)) / 2);
+  };
+  const auto acrossLeft = [&](int x, int y) {
+    const double way = std::clamp(dt * twin.flow[twin.index(x, y)].x, -0.25, 0.25);
+    return way > 0 ? flux(way, q(x - 2, y), q(x - 1, y), q(x, y))
+                   : -flux(way, q(x + 1, y), q(x, y), q(x - 1, y));
+  };
+  const auto acrossTop = [&](int x, int y) {
+    const double way = std::clamp(dt * twin.flow[twin.index(x, y)].y, -0.25, 0.25);
+    return way > 0 ? flux(way, q(x, y - 2), q(x, y - 1), q(x, y))
+                   : -flux(way, q(x, y + 1), q(x, y), q(x, y - 1));
+  };
+  twin.setStep(twin.plan().stepAt(0.06, 1));
+  twin.moveDye();
+  double worst = 0, change = 0;
+  for (int y = 0; y < h; ++y)
+    for (int x = 0; x < w; ++x) {
+      const double want =
+          q(x, y) + acrossLeft(x, y) - acrossLeft(x + 1, y) + acrossTop(x, y) - acrossTop(x, y + 1);
+      worst = std::max(worst, std::abs(want - twin.dye[twin.index(x, y)].x));
+      change = std::max(change, std::abs(want - q(x, y)));
+    }
+  CHECK(change > 0.02);
+  CHECK(worst < 6e-6);  // four faces, each rounded down to 2^-20
+}
