@@ -12,6 +12,7 @@
 #include "sim/shape/shape.hpp"
 #include "sim/spread/epidemic.hpp"
 #include "sim/spread/wildfire.hpp"
+#include "sim/water/water.hpp"
 #include "sim/world/relations.hpp"
 
 #include <algorithm>
@@ -24,6 +25,7 @@ std::span<const SimulationKind> simulations() {
       clothKind(),    particlesKind(), lifeKind(),    grayScottKind(), epidemicKind(),
       wildfireKind(), caveKind(),      contourKind(), meshKind(),      bodyKind(),
       sphereKind(),   capsuleKind(),   planeKind(),
+      waterKind(),
   };
   return list;
 }
