@@ -6,7 +6,7 @@ FUNCTION float waterDepth(vec4 texel) {
   return max(depth, 0.0f);
 }
 
-// Depth, speed, level and foam.
+// Depth, level, speed and foam.
 FUNCTION vec4 waterValues(int x, int y) {
   vec4 here = loadWater(x, y);
   WaterCell c = waterCell(here, look.thin);
@@ -22,7 +22,7 @@ FUNCTION vec4 waterValues(int x, int y) {
   precise float foam = (slope - look.calm) * look.foam;
   precise float squared = c.u * c.u + c.v * c.v;
   foam = clamp(foam, 0.0f, 1.0f);
-  return vec4(c.depth, exactSqrt(squared), here.x, least > look.shallow && c.depth > look.shallow ? foam : 0.0f);
+  return vec4(c.depth, here.x, exactSqrt(squared), least > look.shallow && c.depth > look.shallow ? foam : 0.0f);
 }
 
 // The vertex of a cell, and its colour's number. Where there is no water it lies beneath the bed: as high as the water

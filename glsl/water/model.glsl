@@ -216,13 +216,14 @@ FUNCTION float waterCourant(WaterCell c, WaterStep s) {
 }
 
 // What a drop adds to the level of a cell.
-FUNCTION float waterDropAt(WaterDrop d, ivec2 cell) {
+FUNCTION float waterDropAt(WaterDrop d, ivec2 cell, vec4 texel) {
+  precise float depth = texel.x - texel.w;
   precise float x = float(cell.x) + 0.5f - d.center.x;
   precise float y = float(cell.y) + 0.5f - d.center.y;
   precise float inside = 1.0f - (x * x + y * y) * d.perRadius2;
   inside = max(inside, 0.0f);
   precise float rise = inside * inside * d.height;
-  return rise;
+  return depth > d.shallow ? rise : 0.0f;
 }
 
 // A cell's texel with `rise` (m) more water; never below the bed.

@@ -15,11 +15,12 @@ uniform WaterDrop drop;
 void main() {
   ivec2 cell;
   if (!strokeCell(gl_GlobalInvocationID.xy, cell)) return;
+  int i = cell.y * size.x + cell.x;
+  vec4 texel = LOAD_STATE(cells, i);
 #ifdef DROP
-  float rise = waterDropAt(drop, cell);
+  float rise = waterDropAt(drop, cell, texel);
 #else
   float rise = strokePaints(cell) ? stroke.value : 0.0f;
 #endif
-  int i = cell.y * size.x + cell.x;
-  STORE_STATE(cells, i, waterRaised(LOAD_STATE(cells, i), rise));
+  STORE_STATE(cells, i, waterRaised(texel, rise));
 }

@@ -23,9 +23,10 @@ struct STD140 WaterStep {
   int south;
 };
 
-// Adds `height` (1 - r^2 / R^2)^2 to the level within R.
+// Adds `height` (1 - r^2 / R^2)^2 to the level within R, where there is water.
 struct WaterDrop {
-  vec2 center;        // cells
-  float perRadius2;   // 1 / R^2 (1/cells^2)
-  float height;       // m
+  vec2 center;       // cells
+  float perRadius2;  // 1 / R^2 (1/cells^2)
+  float height;      // m
+  float shallow;     // m: what is thinner is no water to fall into
 };

@@ -60,14 +60,16 @@ void WaterTwin::fall(double time, int step) {
     for (int y = box.y; y < box.y + box.w; ++y)
       for (int x = box.x; x < box.x + box.z; ++x) {
         glm::vec4& cell = cells[static_cast<std::size_t>(y * size.x + x)];
-        cell = shader::waterRaised(cell, rise(glm::ivec2(x, y)));
+        cell = shader::waterRaised(cell, rise(glm::ivec2(x, y), cell));
       }
   };
   for (const shader::Stroke& stroke : falls.strokes)
-    raise(sim::Strokes::box(stroke, size),
-          [&](glm::ivec2 cell) { return plan_.strokes().paints(stroke, cell) ? stroke.value : 0.0F; });
+    raise(sim::Strokes::box(stroke, size), [&](glm::ivec2 cell, const glm::vec4& /*texel*/) {
+      return plan_.strokes().paints(stroke, cell) ? stroke.value : 0.0F;
+    });
   for (const shader::WaterDrop& drop : falls.drops)
-    raise(plan_.box(drop), [&](glm::ivec2 cell) { return shader::waterDropAt(drop, cell); });
+    raise(plan_.box(drop),
+          [&](glm::ivec2 cell, const glm::vec4& texel) { return shader::waterDropAt(drop, cell, texel); });
 }
 
 void WaterTwin::look(std::vector<glm::vec4>& positions, std::vector<glm::vec4>& values) const {

@@ -63,7 +63,10 @@ void WaterParameters::describeStart(scene::Fields& f) {
     if (!terrain.empty() && t.given("bed")) t.error("bed", "an image gives the heights; leave out \"bed\"");
     t.vector("color", ground, scene::fraction, "linear RGB", "Of the ground.");
     t.number("roughness", groundRoughness, scene::fraction, "", "Of the ground.");
-    t.asset("texture", groundTexture, "Picture laid over the ground once, multiplied with its colour.");
+    t.asset("texture", groundTexture, "Picture laid over the ground, multiplied with its colour.");
+    t.number("repeat", groundRepeat, {1e-3, 1e4}, "", "How often the texture stands along x.");
+    if (groundTexture.empty() && t.given("repeat"))
+      t.error("repeat", "\"repeat\" is of a texture; give \"texture\"");
   });
 }
 
@@ -93,14 +96,16 @@ void WaterParameters::describeFlow(scene::Fields& f) {
       "Of the water, for \"auto\". Faster water is safe up to twice that many cells a step, with "
       "a warning beyond.");
   f.leftOut("greatestSpeed", "sqrt(gravity * greatestDepth)");
-  f.list("drops", drops, "Water that falls in at once.", [](scene::Fields& d, WaterDropParameters& drop) {
-    d.number("at", drop.at, scene::anyNumber, "s", "When.");
-    d.vector("center", drop.center, scene::anyNumber, "m", "Where, from the grid's middle; y is unused.");
-    d.number("radius", drop.radius, {1e-4, 1e4}, "m", "Of it.");
-    d.number("height", drop.height, heights, "m",
-             "By which the level rises in its middle; a dent below 0.");
-  });
-  f.optionalGroup("rain", hasRain, "Drops at random places.", [&](scene::Fields& r) {
+  f.list("drops", drops, "Water that falls in at once, where there is water.",
+         [](scene::Fields& d, WaterDropParameters& drop) {
+           d.number("at", drop.at, scene::anyNumber, "s", "When.");
+           d.vector("center", drop.center, scene::anyNumber, "m",
+                    "Where, from the grid's middle; y is unused.");
+           d.number("radius", drop.radius, {1e-4, 1e4}, "m", "Of it.");
+           d.number("height", drop.height, heights, "m",
+                    "By which the level rises in its middle; a dent below 0.");
+         });
+  f.optionalGroup("rain", hasRain, "Drops at random places, where there is water.", [&](scene::Fields& r) {
     r.number("rate", rain.rate, {1e-3, 1e4}, "1/s", "Drops on the whole grid.");
     r.number("radius", rain.radius, {1e-4, 1e4}, "m", "Of the mean drop; half to one and a half of it.");
     r.number("height", rain.height, heights, "m", "By which each raises the level in its middle.");
@@ -115,6 +120,13 @@ void WaterParameters::describeFlow(scene::Fields& f) {
 }
 
 void WaterParameters::describeLook(scene::Fields& f) {
+  f.boolean(
+      "collides", collides,
+      "Whether cloth, and particles that ask for it, fall onto the water and the dry ground as onto a "
+      "mesh that collides; the water does not feel it. One of a scene.");
+  f.number("grip", grip, {0, 1e6}, "1/s",
+           "Rate at which what slides over it loses speed, where it collides.");
+  if (!collides && f.given("grip")) f.error("grip", "\"grip\" is for water with \"collides\": true");
   f.boolean("visible", visible, "Whether water and ground are drawn.");
   f.group("look", "The water's colours; where it is deep, the material's.", [&](scene::Fields& l) {
     l.vector("shallow", shallow, scene::fraction, "linear RGB",

@@ -71,6 +71,8 @@ struct WaterParameters : ObjectParameters {
   bool hasRain = false;
   WaterRain rain;
   std::vector<StrokeParameters> strokes;
+  bool collides = false;
+  float grip = 2;  ///< 1/s
   bool visible = true;
   glm::vec3 shallow{0.35F, 0.32F, 0.22F};  ///< linear RGB
   float clarity = 0.5F;                    ///< m
@@ -78,12 +80,14 @@ struct WaterParameters : ObjectParameters {
   glm::vec3 ground{0.35F, 0.3F, 0.22F};  ///< linear RGB
   float groundRoughness = 0.9F;
   std::filesystem::path groundTexture;
+  float groundRepeat = 1;  ///< of the texture along x
   FieldDisplay display;
 
   WaterParameters();
   void describe(scene::Fields& fields) override;
   [[nodiscard]] bool isField() const override { return true; }
   [[nodiscard]] std::span<const scene::Quantity> quantities() const override;
+  [[nodiscard]] bool publishesHeights() const override { return collides; }
   [[nodiscard]] bool isTorus() const;
 
  private:

@@ -164,7 +164,7 @@ shader::WaterStep WaterPlan::stepAt(double time) const {
 
 shader::WaterDrop WaterPlan::dropOf(glm::dvec2 center, double radius, float height) const {
   const double cells = std::max(radius / parameters_.cell, 0.75);  // one cell at least feels it
-  return {glm::vec2(center), static_cast<float>(1 / (cells * cells)), height};
+  return {glm::vec2(center), static_cast<float>(1 / (cells * cells)), height, look().shallow};
 }
 
 WaterFalls WaterPlan::fallsAt(double time, int step) const {

@@ -8,11 +8,13 @@
 #include "sim/core/kind.hpp"
 #include "sim/core/step_blocks.hpp"
 #include "sim/grid/picture_file.hpp"
+#include "sim/mesh/height_field.hpp"
 #include "sim/water/plan.hpp"
 #include "sim/water/quantities.hpp"
 
 #include <bit>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <utility>
 
@@ -59,6 +61,17 @@ std::vector<glm::uvec4> elementsOf(const std::vector<std::uint32_t>& words) {
   return elements;
 }
 
+/// The vertices as a plane of a mesh that others fall onto.
+HeightPlan heightsOf(const WaterParameters& p, double frameSeconds) {
+  MeshParameters plane;
+  const glm::vec2 cells(p.size - 1);
+  plane.size = {cells.x * p.cell, 0, cells.y * p.cell};
+  plane.resolution = p.size;
+  plane.position = p.position;
+  plane.grip = p.grip;
+  return {plane, frameSeconds};
+}
+
 class Water : public Simulation {
  public:
   Water(const scene::Object& object, const Setting& setting)
@@ -78,6 +91,8 @@ class Water : public Simulation {
     ground_.color = p.ground;
     ground_.roughness = p.groundRoughness;
     ground_.texture = p.groundTexture;
+    const float across = static_cast<float>(p.size.y) / static_cast<float>(p.size.x);
+    ground_.textureScale = glm::vec3(p.groundRepeat, p.groundRepeat * across, 1);
     for (gl::Vec4Array& cells : cells_) cells = gl::Vec4Array(name_ + " cells", plan_.firstCells());
     const int count = size_.x * size_.y;
     positions_ = gl::Vec4Array(name_ + " positions", count);
@@ -90,17 +105,30 @@ class Water : public Simulation {
     const shader::WaterLook look = plan_.look();
     look_.write(0, std::as_bytes(std::span(&look, 1)));
     makePrograms(setting.fast);
+    if (p.collides) heights_.emplace(name_, heightsOf(p, setting.frameSeconds));
     fall(setting.startTime, 0);
     show();
   }
 
   void step(double time, const StepWatch& watch) override {
+    if (heights_ && !hasHeights_) heights_->take(values_);
+    hasHeights_ = true;
     advance(time, watch);
     show();
+    if (heights_) heights_->take(values_);
   }
-  void pass(double time) override { advance(time, {}); }
+  /// Others fall between two frames' heights.
+  void pass(double time) override {
+    if (heights_) return step(time, {});
+    advance(time, {});
+  }
   void resumed(double /*time*/) override { show(); }
-  void carryOver(CarryOver& carry) override { carry.array("cells", cells_[0].buffer()); }
+  void carryOver(CarryOver& carry) override {
+    carry.array("cells", cells_[0].buffer());
+    if (!heights_) return;
+    carry.number("has heights", hasHeights_);
+    heights_->carryOver(carry);
+  }
 
   [[nodiscard]] int stepsPerFrame() const override { return plan_.substeps(); }
   [[nodiscard]] std::string elementName(long element) const override {
@@ -137,10 +165,10 @@ class Water : public Simulation {
     drawables.fields.push_back(field);
     // For files only.
     field.display = nullptr;
-    field.name = &speedName_;
+    field.name = &levelName_;
     field.firstWord = 1;
     drawables.fields.push_back(field);
-    field.name = &levelName_;
+    field.name = &speedName_;
     field.firstWord = 2;
     drawables.fields.push_back(field);
   }
@@ -149,6 +177,7 @@ class Water : public Simulation {
   [[nodiscard]] std::optional<MeshTable> mesh() const override {
     return sheetMesh(size_, positions_.buffer().readAll<glm::vec4>());
   }
+  [[nodiscard]] const HeightField* heights() const override { return heights_ ? &*heights_ : nullptr; }
   [[nodiscard]] const gl::Buffer* status() const override { return &status_; }
   [[nodiscard]] std::string remark(int frame) const override {
     const auto words = status_.readAll<unsigned>();
@@ -221,6 +250,7 @@ class Water : public Simulation {
       drop_.set("drop.center", drop.center);
       drop_.set("drop.perRadius2", drop.perRadius2);
       drop_.set("drop.height", drop.height);
+      drop_.set("drop.shallow", drop.shallow);
       drop_.set("strokeBox", box);
       raise(drop_, box);
     }
@@ -259,6 +289,8 @@ class Water : public Simulation {
   StepBlocks<shader::WaterStep> steps_;
   gl::Buffer look_;
   gl::Program step_, paint_, drop_, show_;
+  std::optional<HeightField> heights_;  ///< of water that collides: levels
+  bool hasHeights_ = false;             ///< whether they begin with the first frame
 };
 
 }  // namespace

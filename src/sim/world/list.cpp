@@ -24,8 +24,7 @@ std::span<const SimulationKind> simulations() {
   static const std::vector<SimulationKind> list = {
       clothKind(),    particlesKind(), lifeKind(),    grayScottKind(), epidemicKind(),
       wildfireKind(), caveKind(),      contourKind(), meshKind(),      bodyKind(),
-      sphereKind(),   capsuleKind(),   planeKind(),
-      waterKind(),
+      sphereKind(),   capsuleKind(),   planeKind(),   waterKind(),
   };
   return list;
 }

@@ -107,15 +107,17 @@ void checkHeights(std::span<const scene::Object> objects, const scene::Report& r
     if (parameters == nullptr || !parameters->publishesHeights()) continue;
     if (surface != nullptr)
       report(object, {object.kind, "collides"},
-             fmt::format("a scene has one mesh that collides, and \"{}\" is one already", surface->name));
+             fmt::format("a scene has one thing that others fall onto, and \"{}\" is one already",
+                         surface->name));
     else
       surface = &object;
   }
   for (const scene::Object& object : objects) {
     const auto* parameters = parametersAt(object);
     if (surface == nullptr && parameters != nullptr && parameters->needsHeights())
-      report(object, {object.kind, "collides"},
-             "there is nothing to fall onto; give a \"mesh\" of this scene \"collides\": true");
+      report(
+          object, {object.kind, "collides"},
+          "there is nothing to fall onto; give a \"mesh\" or a \"water\" of this scene \"collides\": true");
   }
 }
 

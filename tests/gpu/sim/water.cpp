@@ -80,7 +80,7 @@ void compareWater(const sim::WaterParameters& parameters, int frames) {
   gpu->publish(0, drawables);
   REQUIRE(drawables.surfaces.size() == 2);
   REQUIRE(drawables.fields.size() == 3);
-  CHECK(*drawables.fields[1].name == "pond.speed");
+  CHECK(*drawables.fields[1].name == "pond.level");
   for (int channel = 0; channel < 3; ++channel) {
     const std::vector<float> field = sim::fieldValues(drawables.fields[static_cast<std::size_t>(channel)]);
     std::size_t different = 0;

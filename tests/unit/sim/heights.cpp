@@ -146,7 +146,7 @@ TEST_CASE("heights: a scene has one mesh to fall onto, and particles that collid
   const std::string grains = R"({"particles": {"groups": [{}], "collides": true}})";
   CHECK(heightsFailure("\"a\": " + mesh + ", \"p\": " + grains) == "no failure");
   const std::string second = heightsFailure("\"a\": " + mesh + ",\n\"b\": " + mesh);
-  test::checkHas(second, "one mesh that collides, and \"a\" is one already");
+  test::checkHas(second, "one thing that others fall onto, and \"a\" is one already");
   test::checkHas(second, "test.json:3:");
   test::checkHas(heightsFailure("\"p\": " + grains), "nothing to fall onto");
   test::checkHas(heightsFailure(R"("p": {"particles": {"groups": [{}], "bounce": 0.2}})"),
