@@ -222,7 +222,7 @@ shader::WaterLook WaterPlan::look() const {
   l.left = p.position.x - 0.5F * static_cast<float>(p.size.x - 1) * p.cell;
   l.back = p.position.z - 0.5F * static_cast<float>(p.size.y - 1) * p.cell;
   l.base = p.position.y;
-  l.shallow = static_cast<float>(1e-3 * depth_);
+  l.shallow = static_cast<float>(5e-3 * depth_);
   l.thin = step.thin;
   l.perClarity = static_cast<float>(1.0 / static_cast<double>(p.clarity));
   l.foam = p.foam;

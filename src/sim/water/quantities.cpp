@@ -19,7 +19,7 @@ std::span<const scene::Quantity> WaterParameters::quantities() const {
       {"courant", "", "Greatest (|u| + sqrt(g h)) dt / cell along an axis."},
       {"fastest", "m/s", "Greatest speed; of what is thinner than 1/10,000 of the greatest depth none."},
       {"deepest", "m", "Greatest depth."},
-      {"wetArea", "m^2", "Of cells with more than 1/1,000 of the greatest depth."},
+      {"wetArea", "m^2", "Of cells with more than 1/200 of the greatest depth."},
       {"highestLevel", "m", "Of the water there."},
       {"lowestLevel", "m", "Of the water there; both 0 where all is dry."}};
   return list;
