@@ -53,6 +53,13 @@ WaterPlan::WaterPlan(WaterParameters parameters, const std::string& object, int 
   chooseSubsteps(object);
   strokes_ = Strokes(perStep(parameters_.strokes, stepSeconds()), seed,
                      {parameters_.size, parameters_.isTorus(), "water \"" + object + "\""});
+  for (const WaterDropParameters& drop : parameters_.drops)
+    if (box(dropOf(cellsAt(drop.center), drop.radius, drop.height)).z == 0)
+      warn(
+          "water \"{}\": the drop at {} s, ({}, {}) m from the middle, falls beside the grid of {} by {} m",
+          object, drop.at, drop.center.x, drop.center.z,
+          static_cast<float>(parameters_.size.x) * parameters_.cell,
+          static_cast<float>(parameters_.size.y) * parameters_.cell);
 }
 
 glm::dvec2 WaterPlan::cellsAt(const glm::vec3& metres) const {

@@ -49,8 +49,9 @@ std::vector<glm::vec4> groundOf(const WaterPlan& plan) {
   std::vector<glm::vec4> vertices;
   for (const glm::vec4& cell : plan.firstCells()) {
     const auto i = static_cast<int>(vertices.size());
-    vertices.emplace_back(look.left + static_cast<float>(i % width) * look.cell, look.base + cell.w,
-                          look.back + static_cast<float>(i / width) * look.cell, 0.0F);
+    const glm::ivec2 at(i % width, i / width);
+    vertices.emplace_back(look.left + static_cast<float>(at.x) * look.cell, look.base + cell.w,
+                          look.back + static_cast<float>(at.y) * look.cell, 0.0F);
   }
   return vertices;
 }

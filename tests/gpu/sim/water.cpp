@@ -3,8 +3,12 @@
 #include "gpu/context.hpp"
 #include "reference/water_twin.hpp"
 #include "sim/grid/field_values.hpp"
+#include "sim/world/list.hpp"
+#include "sim/world/world.hpp"
 
+#include <algorithm>
 #include <bit>
+#include <cmath>
 #include <cstdint>
 #include <string>
 
@@ -116,6 +120,30 @@ TEST_CASE("water with every kind of side and friction equals its CPU twin") {
   compareWater(p, 10);
   p.sides = {periodic, periodic, wall, open};
   compareWater(p, 10);
+}
+
+TEST_CASE("water: what falls onto it lies on the water and on the dry ground") {
+  testContext();
+  const scene::Scene scene = scene::parseScene(R"({"version": 1, "objects": {
+    "grains": {"particles": {"method": "none", "collides": true, "bounce": 0, "margin": 0.05,
+      "acceleration": [0, -9.81, 0], "groups": [{"shape": "cube", "count": 200, "radius": 1.5, "position": [0, 2, 0]}]}},
+    "pond": {"water": {"size": [41, 37], "cell": 0.1, "collides": true, "grip": 1000, "position": [0, 0.2, 0],
+      "terrain": {"bed": -0.5, "hills": [{"radii": [1, 0, 1], "height": 1.2}]}}}}})",
+                                               "test.json", {}, sim::kinds());
+  sim::World world(scene);
+  world.advanceTo(120);
+  int afloat = 0;
+  int ashore = 0;
+  for (const glm::vec4& p : world.object(0).state()[0].buffer->readAll<glm::vec4>()) {
+    CHECK(p.y > 0.25 - 1e-4);
+    const double inside =
+        std::max(0.0, 1 - static_cast<double>(p.x) * p.x - static_cast<double>(p.z) * p.z);
+    const double ground = 0.2 - 0.5 + 1.2 * inside * inside;
+    afloat += std::abs(p.y - 0.25) < 1e-4 ? 1 : 0;
+    ashore += ground > 0.22 && std::abs(p.y - ground - 0.05) < 0.01 ? 1 : 0;
+  }
+  CHECK(afloat > 100);
+  CHECK(ashore > 3);
 }
 
 TEST_CASE("water warns of steps that are too long, with the number") {
