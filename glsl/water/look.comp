@@ -10,7 +10,7 @@ STATE_ARRAY(positionsBinding, PositionBlock, positions)
 STATE_ARRAY(valuesBinding, ValueBlock, values)
 uniform ivec2 size;
 
-vec4 loadWater(int x, int y) {
+vec4 loadWaterAt(int x, int y) {
   return LOAD_INPUT(cells, y * size.x + x);
 }
 #include "water/model.glsl"

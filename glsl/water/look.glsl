@@ -1,5 +1,5 @@
 // What is drawn and shown of a cell. Compiles as GLSL and as C++; after water/model.glsl. Whoever includes it provides
-// `look` (WaterLook), `size` and loadWater(int x, int y).
+// `look` (WaterLook), `size` and loadWaterAt(int x, int y).
 
 FUNCTION float waterDepth(vec4 texel) {
   precise float depth = texel.x - texel.w;
@@ -8,12 +8,12 @@ FUNCTION float waterDepth(vec4 texel) {
 
 // Depth, level, speed and foam.
 FUNCTION vec4 waterValues(int x, int y) {
-  vec4 here = loadWater(x, y);
+  vec4 here = loadWaterAt(x, y);
   WaterCell c = waterCell(here, look.thin);
-  vec4 e = loadWater(min(x + 1, size.x - 1), y);
-  vec4 w = loadWater(max(x - 1, 0), y);
-  vec4 n = loadWater(x, max(y - 1, 0));
-  vec4 s = loadWater(x, min(y + 1, size.y - 1));
+  vec4 e = loadWaterAt(min(x + 1, size.x - 1), y);
+  vec4 w = loadWaterAt(max(x - 1, 0), y);
+  vec4 n = loadWaterAt(x, max(y - 1, 0));
+  vec4 s = loadWaterAt(x, min(y + 1, size.y - 1));
   precise float acrossX = e.x - w.x;
   precise float acrossY = s.x - n.x;
   float least = min(min(waterDepth(e), waterDepth(w)), min(waterDepth(n), waterDepth(s)));
@@ -28,12 +28,12 @@ FUNCTION vec4 waterValues(int x, int y) {
 // The vertex of a cell, and its colour's number. Where there is no water it lies beneath the bed: as high as the water
 // beside it, so that the two meet where they should.
 FUNCTION vec4 waterVertex(int x, int y, vec4 values) {
-  vec4 here = loadWater(x, y);
+  vec4 here = loadWaterAt(x, y);
   precise float sum = 0.0f;
   precise float count = 0.0f;
   for (int j = -1; j <= 1; ++j)
     for (int i = -1; i <= 1; ++i) {
-      vec4 near = loadWater(clamp(x + i, 0, size.x - 1), clamp(y + j, 0, size.y - 1));
+      vec4 near = loadWaterAt(clamp(x + i, 0, size.x - 1), clamp(y + j, 0, size.y - 1));
       bool wet = waterDepth(near) > look.shallow;
       sum = wet ? sum + near.x : sum;
       count = wet ? count + 1.0f : count;

@@ -207,6 +207,22 @@ FUNCTION vec4 waterSettled(vec3 moved, float bed, WaterStep s) {
   return vec4(level, stands ? 0.0f : waterFlush(qx), stands ? 0.0f : waterFlush(qy), bed);
 }
 
+// A cell's texel from what goes through its sides. half_ is the cell half a step later, with its slopes.
+FUNCTION vec4 waterGathered(vec4 texel, WaterCell half_, WaterCell slopeX, WaterCell slopeY, WaterFlux east, WaterFlux west,
+                            WaterFlux south, WaterFlux north, WaterStep told) {
+  // Within the cell the pressure changes by g h dw.
+  precise float pressX = told.gravity * half_.depth * slopeX.level;
+  precise float pressY = told.gravity * half_.depth * slopeY.level;
+  precise float out_ = (east.mass - west.mass) + (south.mass - north.mass);
+  precise float outX = ((east.before - west.behind) + pressX) + (south.across - north.across);
+  precise float outY = ((south.before - north.behind) + pressY) + (east.across - west.across);
+  precise float level = texel.x - told.ratio * out_;
+  level = level + told.rain;
+  precise float qx = texel.y - told.ratio * outX;
+  precise float qy = texel.z - told.ratio * outY;
+  return waterSettled(vec3(level, qx, qy), texel.w, told);
+}
+
 // (|u| + sqrt(g h)) dt / side along the faster of both axes; of what is thin 0.
 FUNCTION float waterCourant(WaterCell c, WaterStep s) {
   precise float weight = s.gravity * c.depth;

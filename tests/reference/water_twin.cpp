@@ -17,10 +17,8 @@ struct WaterKernel {
   WaterStep water;
   WaterLook look;
 
-  [[nodiscard]] vec4 loadWater(int x, int y) const {
-    return cells[static_cast<std::size_t>(y) * static_cast<std::size_t>(size.x) +
-                 static_cast<std::size_t>(x)];
-  }
+  [[nodiscard]] vec4 loadWater(int i) const { return cells[static_cast<std::size_t>(i)]; }
+  [[nodiscard]] vec4 loadWaterAt(int x, int y) const { return loadWater(y * size.x + x); }
 #include "glsl/water/look.glsl"
 #include "glsl/water/step.glsl"
 };

@@ -203,7 +203,9 @@ class Water : public Simulation {
  private:
   void makePrograms(bool fast) {
     gl::Defines defines = gl::kernelDefines(fast);
-    step_ = gl::Program::compute("water/step.comp", defines);
+    gl::Defines rows = defines;
+    rows.emplace_back("ROWS", std::to_string(rowsEach_));
+    step_ = gl::Program::compute("water/step.comp", rows);
     step_.checkUniformBlock("WaterBlock", sizeof(shader::WaterStep));
     step_.set("size", size_);
     show_ = gl::Program::compute("water/look.comp", defines);
@@ -227,7 +229,7 @@ class Water : public Simulation {
       cells_[1].bindState(shader::water::nextCellsBinding);
       step_.set("stepNumber", i);
       gl::barrier();
-      step_.dispatch(size_.x, size_.y);
+      step_.dispatch(size_.x, (size_.y - 1) / rowsEach_ + 1);
       std::swap(cells_[0], cells_[1]);
       fall(time, i);
       if (watch) {
@@ -280,6 +282,8 @@ class Water : public Simulation {
   WaterPlan plan_;
   glm::ivec2 size_;
   std::vector<glm::vec3> colors_;
+  /// That an invocation of the step takes: fewer where there is little to share out.
+  int rowsEach_ = gl::memoryPath() == gl::MemoryPath::texel ? 8 : 4;
   gl::Vec4Array cells_[2];  ///< now, and where the next step writes
   gl::Vec4Array positions_, values_, groundPositions_;
   gl::Vec4Array palette_;
