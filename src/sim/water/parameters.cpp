@@ -128,7 +128,9 @@ void WaterParameters::describeLook(scene::Fields& f) {
            "Rate at which what slides over it loses speed, where it collides.");
   if (!collides && f.given("grip")) f.error("grip", "\"grip\" is for water with \"collides\": true");
   f.boolean("visible", visible, "Whether water and ground are drawn.");
-  f.group("look", "The water's colours; where it is deep, the material's.", [&](scene::Fields& l) {
+  f.group("look", "The water's colours, instead of the material's.", [&](scene::Fields& l) {
+    l.vector("deep", deep, scene::fraction, "linear RGB", "Where it is deep.");
+    l.number("roughness", roughness, scene::fraction, "", "Of its surface.");
     l.vector("shallow", shallow, scene::fraction, "linear RGB",
              "Where it is thin: the ground seen through it.");
     l.number("clarity", clarity, {1e-4, 1e4}, "m",
@@ -137,6 +139,14 @@ void WaterParameters::describeLook(scene::Fields& f) {
   });
   f.group("display", "How the depth is laid over the picture; \"layer\" shows it.",
           [&](scene::Fields& d) { display.describe(d); });
+}
+
+std::optional<scene::Box> WaterParameters::framed() const {
+  if (!visible) return std::nullopt;
+  const glm::vec3 reach = 0.5F * cell * glm::vec3(size.x, 0, size.y);
+  const float under = terrain.empty() ? bed : terrainLow;
+  return scene::Box{position - reach + glm::vec3(0, std::min(level, under), 0),
+                    position + reach + glm::vec3(0, std::max(level, under), 0)};
 }
 
 bool WaterParameters::isTorus() const {

@@ -74,6 +74,8 @@ struct WaterParameters : ObjectParameters {
   bool collides = false;
   float grip = 2;  ///< 1/s
   bool visible = true;
+  glm::vec3 deep{0.01F, 0.045F, 0.05F};  ///< linear RGB
+  float roughness = 0.06F;
   glm::vec3 shallow{0.35F, 0.32F, 0.22F};  ///< linear RGB
   float clarity = 0.5F;                    ///< m
   float foam = 0;
@@ -88,6 +90,7 @@ struct WaterParameters : ObjectParameters {
   [[nodiscard]] bool isField() const override { return true; }
   [[nodiscard]] std::span<const scene::Quantity> quantities() const override;
   [[nodiscard]] bool publishesHeights() const override { return collides; }
+  [[nodiscard]] std::optional<scene::Box> framed() const override;
   [[nodiscard]] bool isTorus() const;
 
  private:

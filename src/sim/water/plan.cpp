@@ -238,7 +238,8 @@ shader::WaterLook WaterPlan::look() const {
 }
 
 // Beer's law: e^(-d / clarity) of what is seen is the ground, the rest the water's own colour.
-std::vector<glm::vec4> WaterPlan::palette(const glm::vec3& deep) const {
+std::vector<glm::vec4> WaterPlan::palette() const {
+  const glm::vec3 deep = parameters_.deep;
   std::vector<glm::vec4> colors;
   for (int foam = 0; foam < shader::foamColors; ++foam)
     for (int depth = 0; depth < shader::depthColors; ++depth) {

@@ -51,7 +51,7 @@ class WaterPlan {
   [[nodiscard]] const Strokes& strokes() const { return strokes_; }
   [[nodiscard]] shader::WaterLook look() const;
   /// Linear RGB by the number that a vertex has in w.
-  [[nodiscard]] std::vector<glm::vec4> palette(const glm::vec3& deep) const;
+  [[nodiscard]] std::vector<glm::vec4> palette() const;
   /// Metres from the grid's middle to cells.
   [[nodiscard]] glm::dvec2 cellsAt(const glm::vec3& metres) const;
 

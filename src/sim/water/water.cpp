@@ -12,6 +12,7 @@
 #include "sim/water/plan.hpp"
 #include "sim/water/quantities.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <cstdint>
 #include <optional>
@@ -45,12 +46,24 @@ void checkLimits(const std::string& name, glm::ivec2 size) {
 
 std::vector<glm::vec4> groundOf(const WaterPlan& plan) {
   const shader::WaterLook look = plan.look();
-  const int width = plan.parameters().size.x;
+  const WaterParameters& p = plan.parameters();
+  const int width = p.size.x;
+  // A wall stands up a little beyond the water.
+  float rim = -1e9F;
+  for (const glm::vec4& cell : plan.firstCells())
+    if (cell.x - cell.w > look.shallow) rim = std::max(rim, cell.x + 0.05F * (cell.x - cell.w));
+  const auto walled = [&](glm::ivec2 at) {
+    const bool touched[] = {at.x == 0, at.x == width - 1, at.y == 0, at.y == p.size.y - 1};
+    for (std::size_t i = 0; i < 4; ++i)
+      if (touched[i] && p.sides[i] == WaterBorder::wall) return true;
+    return false;
+  };
   std::vector<glm::vec4> vertices;
   for (const glm::vec4& cell : plan.firstCells()) {
     const auto i = static_cast<int>(vertices.size());
     const glm::ivec2 at(i % width, i / width);
-    vertices.emplace_back(look.left + static_cast<float>(at.x) * look.cell, look.base + cell.w,
+    vertices.emplace_back(look.left + static_cast<float>(at.x) * look.cell,
+                          look.base + (walled(at) ? std::max(cell.w, rim) : cell.w),
                           look.back + static_cast<float>(at.y) * look.cell, 0.0F);
   }
   return vertices;
@@ -85,10 +98,11 @@ class Water : public Simulation {
               object.name, setting.seed, setting.frameSeconds),
         size_(plan_.parameters().size),
         colors_(plan_.parameters().display.colors()),
-        palette_(name_ + " colours", plan_.palette(object.material.color)),
+        palette_(name_ + " colours", plan_.palette()),
         steps_(name_ + " step", 1),
         look_(name_ + " look", sizeof(shader::WaterLook)) {
     const WaterParameters& p = plan_.parameters();
+    material_.roughness = p.roughness;
     ground_.color = p.ground;
     ground_.roughness = p.groundRoughness;
     ground_.texture = p.groundTexture;
