@@ -122,7 +122,12 @@ TEST_CASE(
         "sea": {"mesh": {"shape": "plane", "size": [4, 0, 4], "resolution": [33, 31], "collides": true,
           "deform": [{"ripple": {"amplitude": 0.2}}]}},
         "rain": {"particles": {"method": "none", "acceleration": [0, -9.81, 0], "collides": true,
-          "groups": [{"shape": "cube", "count": 777, "position": [0, 2, 0]}]}}}})"};
+          "groups": [{"shape": "cube", "count": 777, "position": [0, 2, 0]}]}}}})",
+      R"({"version": 1, "objects": {
+        "pond": {"water": {"size": [33, 31], "cell": 0.1, "terrain": {"bed": -0.4}, "collides": true, "rain": {"rate": 40},
+          "drops": [{"at": 0.3, "height": 0.3}]}},
+        "leaves": {"particles": {"method": "none", "acceleration": [0, -9.81, 0], "collides": true,
+          "groups": [{"shape": "cube", "count": 77, "position": [0, 2, 0]}]}}}})"};
   for (const std::string& text : texts) {
     CAPTURE(text);
     const scene::Scene scene = ofText(text);

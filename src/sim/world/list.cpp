@@ -13,6 +13,7 @@
 #include "sim/shape/shape.hpp"
 #include "sim/spread/epidemic.hpp"
 #include "sim/spread/wildfire.hpp"
+#include "sim/water/water.hpp"
 #include "sim/world/relations.hpp"
 
 #include <algorithm>
@@ -23,8 +24,8 @@ namespace simreel::sim {
 std::span<const SimulationKind> simulations() {
   static const std::vector<SimulationKind> list = {
       clothKind(),    particlesKind(), lifeKind(),    grayScottKind(), epidemicKind(),
-      wildfireKind(), fluidKind(),     caveKind(),    contourKind(),   meshKind(),
-      bodyKind(),     sphereKind(),    capsuleKind(), planeKind(),
+      wildfireKind(), fluidKind(),     waterKind(),   caveKind(),      contourKind(),
+      meshKind(),     bodyKind(),      sphereKind(),  capsuleKind(),   planeKind(),
   };
   return list;
 }

@@ -107,7 +107,8 @@ void checkHeights(std::span<const scene::Object> objects, const scene::Report& r
     if (parameters == nullptr || !parameters->publishesHeights()) continue;
     if (surface != nullptr)
       report(object, {object.kind, "collides"},
-             fmt::format("a scene has one mesh that collides, and \"{}\" is one already", surface->name));
+             fmt::format("a scene has one thing that others fall onto, and \"{}\" is one already",
+                         surface->name));
     else
       surface = &object;
   }
@@ -169,7 +170,7 @@ std::vector<std::string> relationMistakes(const scene::Scene& scene) {
         !touched && parameters != nullptr && parameters->asksToCollide())
       mistakes.push_back(
           fmt::format("objects.{}.{}.collides: there is nothing to touch; add a ground or a shape, or give "
-                      "a mesh or a body \"collides\": true",
+                      "a mesh, a body or water \"collides\": true",
                       object.name, object.kind));
   return mistakes;
 }

@@ -150,7 +150,9 @@ TEST_CASE("defaults: given or left out, every one in every shipped scene is the 
       "cloth.mass", "cloth.stiffness", "cloth.shear", "cloth.bend", "cloth.solver", "cloth.compliance",
       "cloth.shearCompliance", "cloth.bendCompliance",
       // What a mesh, and a coefficient of friction, say instead.
-      "cloth.size", "cloth.spacing", "capsule.grip", "sphere.grip"};
+      "cloth.size", "cloth.spacing", "capsule.grip", "sphere.grip",
+      // What an image of a terrain says.
+      "water.terrain.low", "water.terrain.high", "water.terrain.smooth"};
   for (const std::string& path : refused) CHECK_MESSAGE(allowed.contains(path), path);
 }
 

@@ -147,7 +147,7 @@ TEST_CASE("heights: a scene has one mesh to fall onto, and particles that collid
   const std::string grains = R"({"particles": {"groups": [{}], "collides": true}})";
   CHECK(heightsFailure("\"a\": " + mesh + ", \"p\": " + grains) == "no failure");
   const std::string second = heightsFailure("\"a\": " + mesh + ",\n\"b\": " + mesh);
-  test::checkHas(second, "one mesh that collides, and \"a\" is one already");
+  test::checkHas(second, "one thing that others fall onto, and \"a\" is one already");
   test::checkHas(second, "test.json:3:");
   const auto problems = [&](const std::string& more) {
     const auto scene = scene::parseScene(R"({"version": 1, "objects": {"p": )" + grains + "}" + more + "}",

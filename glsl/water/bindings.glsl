@@ -1,0 +1,10 @@
+#ifndef WATER_BINDINGS
+#define WATER_BINDINGS
+
+const int cellsBinding = 0;
+const int nextCellsBinding = 1;
+const int stampsBinding = 2;
+const int positionsBinding = 3;
+const int valuesBinding = 4;
+
+#endif

@@ -1,0 +1,156 @@
+#include "sim/water/parameters.hpp"
+
+#include <algorithm>
+#include <cstdint>
+
+#include <fmt/format.h>
+
+namespace simreel::sim {
+
+namespace {
+
+constexpr std::int64_t maxCells = 8192LL * 8192;
+constexpr scene::Range heights{-1e4, 1e4};
+
+}  // namespace
+
+WaterParameters::WaterParameters() {
+  display.layer = FieldDisplay::Layer::none;
+  display.map = "viridis";
+  display.high = 1;
+}
+
+void WaterParameters::describe(scene::Fields& f) {
+  f.pair("size", size, {2, 16384}, "cells", "Cells along x and z.");
+  if (std::int64_t{size.x} * size.y > maxCells)
+    f.error("size", fmt::format("{}x{} are more than {} cells", size.x, size.y, maxCells));
+  f.number("cell", cell, {1e-3, 1e3}, "m", "Side of a cell.");
+  f.vector("position", position, scene::anyNumber, "m", "The grid's middle, at level 0.");
+  describeStart(f);
+  describeFlow(f);
+  describeLook(f);
+}
+
+void WaterParameters::describeStart(scene::Fields& f) {
+  f.number("level", level, heights, "m",
+           "Of the water's surface at the start; what of the bed is higher is dry.");
+  f.list("pools", pools, "Parts with a level of their own at the start: a dam's two sides, say.",
+         [](scene::Fields& p, WaterPool& pool) {
+           p.vector("from", pool.from, scene::anyNumber, "m",
+                    "A corner, from the grid's middle; y is unused.");
+           p.vector("to", pool.to, scene::anyNumber, "m", "The corner opposite.");
+           p.number("level", pool.level, heights, "m", "Within it.");
+         });
+  f.group("terrain", "What is under the water.", [&](scene::Fields& t) {
+    t.number("bed", bed, heights, "m", "Height of a flat bed; with an image it counts for nothing.");
+    t.asset("image", terrain, "Picture of heights: \"low\" where it is black, \"high\" where white.");
+    t.number("low", terrainLow, heights, "m", "Where the image is black.");
+    t.number("high", terrainHigh, heights, "m", "Where it is white.");
+    t.integer("smooth", terrainSmooth, {0, 64}, "",
+              "How often an image's heights become means of nine cells: it has but 256 of them.");
+    t.list("hills", hills, "Round hills that are added, hollows where the height is negative.",
+           [](scene::Fields& h, WaterHill& hill) {
+             h.vector("center", hill.center, scene::anyNumber, "m",
+                      "Middle, from the grid's; y is unused.");
+             h.vector("radii", hill.radii, {0, 1e6}, "m", "To its foot along x and z; y is unused.");
+             if (hill.radii.x < 1e-3F || hill.radii.z < 1e-3F)
+               h.error("radii", "a hill is at least 0.001 m wide and deep");
+             h.number("height", hill.height, heights, "m", "In the middle.");
+           });
+    for (const char* name : {"low", "high", "smooth"})
+      if (terrain.empty() && t.given(name))
+        t.error(name, fmt::format("\"{}\" is of an image; give \"image\"", name));
+    if (!terrain.empty() && t.given("bed")) t.error("bed", "an image gives the heights; leave out \"bed\"");
+    t.vector("color", ground, scene::fraction, "linear RGB", "Of the ground.");
+    t.number("roughness", groundRoughness, scene::fraction, "", "Of the ground.");
+    t.asset("texture", groundTexture, "Picture laid over the ground, multiplied with its colour.");
+    t.number("repeat", groundRepeat, {1e-3, 1e4}, "", "How often the texture stands along x.");
+    if (groundTexture.empty() && t.given("repeat"))
+      t.error("repeat", "\"repeat\" is of a texture; give \"texture\"");
+  });
+}
+
+void WaterParameters::describeFlow(scene::Fields& f) {
+  f.group("sides", "What lies beyond each side.", [&](scene::Fields& s) {
+    const char* const names[] = {"west", "east", "north", "south"};
+    const char* const docs[] = {"Towards -x.", "Towards +x.", "Towards -z.", "Towards +z."};
+    for (std::size_t i = 0; i < 4; ++i) s.choice(names[i], sides[i], {"wall", "open", "periodic"}, docs[i]);
+    for (std::size_t i = 0; i < 4; i += 2)
+      if ((sides[i] == WaterBorder::periodic) != (sides[i + 1] == WaterBorder::periodic))
+        s.error(
+            s.given(names[i]) ? names[i] : names[i + 1],
+            fmt::format("\"{}\" and \"{}\" are periodic together or not at all", names[i], names[i + 1]));
+  });
+  f.number("gravity", gravity, {1e-3, 1e3}, "m/s^2", "Downwards.");
+  f.number("drag", drag, scene::notNegative, "1/s", "Rate at which the water loses speed everywhere.");
+  f.number("manning", manning, {0, 1}, "s/m^(1/3)",
+           "Roughness of the bed after Manning: 0.01 glass, 0.03 a river, 0.1 reeds.");
+  f.number("rainfall", rainfall, {0, 1e9}, "mm/h", "Rain that falls evenly on everything.");
+  f.integerOr("substeps", substeps, "auto", {1, 1e5}, "per frame",
+              "Steps; \"auto\": so many that nothing goes farther than a quarter of a cell in one.");
+  f.optionalNumber("greatestDepth", greatestDepth, {1e-6, 1e4}, "m",
+                   "That there will be, for \"auto\" and for what counts as dry.");
+  f.leftOut("greatestDepth", "the first state's");
+  f.optionalNumber(
+      "greatestSpeed", greatestSpeed, {0, 1e4}, "m/s",
+      "Of the water, for \"auto\". Faster water is safe up to twice that many cells a step, with "
+      "a warning beyond.");
+  f.leftOut("greatestSpeed", "sqrt(gravity * greatestDepth)");
+  f.list("drops", drops, "Water that falls in at once, where there is water.",
+         [](scene::Fields& d, WaterDropParameters& drop) {
+           d.number("at", drop.at, scene::anyNumber, "s", "When.");
+           d.vector("center", drop.center, scene::anyNumber, "m",
+                    "Where, from the grid's middle; y is unused.");
+           d.number("radius", drop.radius, {1e-4, 1e4}, "m", "Of it.");
+           d.number("height", drop.height, heights, "m",
+                    "By which the level rises in its middle; a dent below 0.");
+         });
+  f.optionalGroup("rain", hasRain, "Drops at random places, where there is water.", [&](scene::Fields& r) {
+    r.number("rate", rain.rate, {1e-3, 1e4}, "1/s", "Drops on the whole grid.");
+    r.number("radius", rain.radius, {1e-4, 1e4}, "m", "Of the mean drop; half to one and a half of it.");
+    r.number("height", rain.height, heights, "m", "By which each raises the level in its middle.");
+    r.number("from", rain.from, scene::anyNumber, "s", "When it begins.");
+    r.number("until", rain.until, scene::anyNumber, "s", "When it ends.");
+  });
+  f.list("strokes", strokes, "Timed strokes of a brush, in cells: sources.",
+         [](scene::Fields& s, StrokeParameters& stroke) {
+           stroke.describe(s, 1e4,
+                           "Depth of water that is added (m); while a stroke lasts, of each second (m/s).");
+         });
+}
+
+void WaterParameters::describeLook(scene::Fields& f) {
+  f.boolean(
+      "collides", collides,
+      "Whether cloth, and particles that ask for it, fall onto the water and the dry ground as onto a "
+      "mesh that collides; the water does not feel it. One of a scene.");
+  f.number("grip", grip, {0, 1e6}, "1/s",
+           "Rate at which what slides over it loses speed, where it collides.");
+  if (!collides && f.given("grip")) f.error("grip", "\"grip\" is for water with \"collides\": true");
+  f.boolean("visible", visible, "Whether water and ground are drawn.");
+  f.group("look", "The water's colours, instead of the material's.", [&](scene::Fields& l) {
+    l.vector("deep", deep, scene::fraction, "linear RGB", "Where it is deep.");
+    l.number("roughness", roughness, scene::fraction, "", "Of its surface.");
+    l.vector("shallow", shallow, scene::fraction, "linear RGB",
+             "Where it is thin: the ground seen through it.");
+    l.number("clarity", clarity, {1e-4, 1e4}, "m",
+             "Depth in which all but 1/e of the ground's light is lost.");
+    l.number("foam", foam, {0, 1e3}, "", "White for each unit of slope beyond 0.1.");
+  });
+  f.group("display", "How the depth is laid over the picture; \"layer\" shows it.",
+          [&](scene::Fields& d) { display.describe(d); });
+}
+
+std::optional<scene::Box> WaterParameters::framed() const {
+  if (!visible) return std::nullopt;
+  const glm::vec3 reach = 0.5F * cell * glm::vec3(size.x, 0, size.y);
+  const float under = terrain.empty() ? bed : terrainLow;
+  return scene::Box{position - reach + glm::vec3(0, std::min(level, under), 0),
+                    position + reach + glm::vec3(0, std::max(level, under), 0)};
+}
+
+bool WaterParameters::isTorus() const {
+  return std::all_of(sides.begin(), sides.end(), [](WaterBorder b) { return b == WaterBorder::periodic; });
+}
+
+}  // namespace simreel::sim

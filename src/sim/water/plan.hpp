@@ -1,0 +1,73 @@
+#pragma once
+#include "sim/core/shader_code.hpp"
+#include "sim/water/parameters.hpp"
+
+#include <string>
+#include <vector>
+
+#include <glm/vec2.hpp>
+#include <glm/vec4.hpp>
+
+namespace simreel::shader {
+#define FUNCTION inline
+#define precise
+#include "glsl/water/types.glsl"
+// After the types.
+#include "glsl/water/look_types.glsl"
+#include "glsl/water/model.glsl"
+static_assert(sizeof(WaterStep) == 64 && sizeof(WaterLook) == 48);
+#undef precise
+#undef FUNCTION
+}  // namespace simreel::shader
+
+namespace simreel::sim {
+
+/// What falls in as one step ends.
+struct WaterFalls {
+  std::vector<shader::Stroke> strokes;
+  std::vector<shader::WaterDrop> drops;
+};
+
+/// Everything of the water that is decided on the CPU; shared by the GPU simulation and its CPU twin.
+class WaterPlan {
+ public:
+  /// Reads the images. Throws UserError for one that cannot be read and usage where no number of substeps
+  /// is enough. Warns where `substeps` are too few for the greatest depth and speed.
+  WaterPlan(WaterParameters parameters, const std::string& object, int seed, double frameSeconds);
+
+  /// A cell an element, x fastest: level (m), discharges along x and z (m^2/s, zero), bed (m).
+  [[nodiscard]] const std::vector<glm::vec4>& firstCells() const { return first_; }
+  [[nodiscard]] int substeps() const { return substeps_; }
+  [[nodiscard]] double stepSeconds() const { return frameSeconds_ / substeps_; }
+  /// What the steps of the frame that starts at `time` (s) are told.
+  [[nodiscard]] shader::WaterStep stepAt(double time) const;
+  /// What falls into the state after `step` steps of the frame that starts at `time` (s).
+  [[nodiscard]] WaterFalls fallsAt(double time, int step) const;
+  /// Cells that a drop may reach: as Strokes::box.
+  [[nodiscard]] glm::ivec4 box(const shader::WaterDrop& drop) const;
+  [[nodiscard]] bool anythingFalls() const;
+
+  [[nodiscard]] const WaterParameters& parameters() const { return parameters_; }
+  [[nodiscard]] const Strokes& strokes() const { return strokes_; }
+  [[nodiscard]] shader::WaterLook look() const;
+  /// Linear RGB by the number that a vertex has in w.
+  [[nodiscard]] std::vector<glm::vec4> palette() const;
+  /// Metres from the grid's middle to cells.
+  [[nodiscard]] glm::dvec2 cellsAt(const glm::vec3& metres) const;
+
+ private:
+  [[nodiscard]] std::vector<float> bedHeights() const;
+  void makeFirst();
+  void chooseSubsteps(const std::string& object);
+  [[nodiscard]] shader::WaterDrop dropOf(glm::dvec2 center, double radius, float height) const;
+
+  WaterParameters parameters_;
+  int seed_;
+  double frameSeconds_;
+  int substeps_ = 1;
+  double depth_ = 1;  ///< m, the greatest
+  std::vector<glm::vec4> first_;
+  Strokes strokes_;
+};
+
+}  // namespace simreel::sim

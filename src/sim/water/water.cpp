@@ -1,0 +1,329 @@
+#include "sim/water/water.hpp"
+
+#include "base/error.hpp"
+#include "gl/element_array.hpp"
+#include "gl/limits.hpp"
+#include "gl/program.hpp"
+#include "sim/cloth/sheet_mesh.hpp"
+#include "sim/core/kind.hpp"
+#include "sim/core/step_blocks.hpp"
+#include "sim/grid/picture_file.hpp"
+#include "sim/mesh/height_field.hpp"
+#include "sim/water/plan.hpp"
+#include "sim/water/quantities.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace simreel::shader::water {
+#include "glsl/water/bindings.glsl"
+}
+
+namespace simreel::sim {
+
+namespace {
+
+/// Before anything is filled: a grid far beyond the limit would first take gigabytes.
+void checkLimits(const std::string& name, glm::ivec2 size) {
+  const std::int64_t cells = std::int64_t{size.x} * size.y;
+  const auto refuse = [&](std::int64_t need, const char* what, std::int64_t max, const char* limit) {
+    if (need > max)
+      fail(ExitCode::device,
+           "water \"{}\" of {}x{} cells needs {} {} in one buffer, this device allows {} ({}); make "
+           "\"size\" "
+           "smaller",
+           name, size.x, size.y, need, what, max, limit);
+  };
+  refuse(cells * 24, "bytes", gl::limits().storageBlockBytes, "GL_MAX_SHADER_STORAGE_BLOCK_SIZE");
+  refuse(cells, "texels", gl::limits().texelBufferTexels, "GL_MAX_TEXTURE_BUFFER_SIZE");
+}
+
+std::vector<glm::vec4> groundOf(const WaterPlan& plan) {
+  const shader::WaterLook look = plan.look();
+  const WaterParameters& p = plan.parameters();
+  const int width = p.size.x;
+  // A wall stands up a little beyond the water.
+  float rim = -1e9F;
+  for (const glm::vec4& cell : plan.firstCells())
+    if (cell.x - cell.w > look.shallow) rim = std::max(rim, cell.x + 0.05F * (cell.x - cell.w));
+  const auto walled = [&](glm::ivec2 at) {
+    const bool touched[] = {at.x == 0, at.x == width - 1, at.y == 0, at.y == p.size.y - 1};
+    for (std::size_t i = 0; i < 4; ++i)
+      if (touched[i] && p.sides[i] == WaterBorder::wall) return true;
+    return false;
+  };
+  std::vector<glm::vec4> vertices;
+  for (const glm::vec4& cell : plan.firstCells()) {
+    const auto i = static_cast<int>(vertices.size());
+    const glm::ivec2 at(i % width, i / width);
+    vertices.emplace_back(look.left + static_cast<float>(at.x) * look.cell,
+                          look.base + (walled(at) ? std::max(cell.w, rim) : cell.w),
+                          look.back + static_cast<float>(at.y) * look.cell, 0.0F);
+  }
+  return vertices;
+}
+
+std::vector<glm::uvec4> elementsOf(const std::vector<std::uint32_t>& words) {
+  std::vector<glm::uvec4> elements((words.size() + 3) / 4, glm::uvec4(0));
+  for (std::size_t i = 0; i < words.size(); ++i) elements[i / 4][static_cast<int>(i % 4)] = words[i];
+  return elements;
+}
+
+/// The vertices as a plane of a mesh that others fall onto.
+HeightPlan heightsOf(const WaterParameters& p, double frameSeconds) {
+  MeshParameters plane;
+  const glm::vec2 cells(p.size - 1);
+  plane.size = {cells.x * p.cell, 0, cells.y * p.cell};
+  plane.resolution = p.size;
+  plane.position = p.position;
+  plane.grip = p.grip;
+  return {plane, frameSeconds};
+}
+
+class Water : public Simulation {
+ public:
+  Water(const scene::Object& object, const Setting& setting)
+      : name_(object.name),
+        speedName_(object.name + ".speed"),
+        levelName_(object.name + ".level"),
+        material_(object.material),
+        plan_((checkLimits(object.name, parametersOf<WaterParameters>(object).size),
+               parametersOf<WaterParameters>(object)),
+              object.name, setting.seed, setting.frameSeconds),
+        size_(plan_.parameters().size),
+        colors_(plan_.parameters().display.colors()),
+        palette_(name_ + " colours", plan_.palette()),
+        steps_(name_ + " step", 1),
+        look_(name_ + " look", sizeof(shader::WaterLook)) {
+    const WaterParameters& p = plan_.parameters();
+    material_.roughness = p.roughness;
+    ground_.color = p.ground;
+    ground_.roughness = p.groundRoughness;
+    ground_.texture = p.groundTexture;
+    const float across = static_cast<float>(p.size.y) / static_cast<float>(p.size.x);
+    ground_.textureScale = glm::vec3(p.groundRepeat, p.groundRepeat * across, 1);
+    for (gl::Vec4Array& cells : cells_) cells = gl::Vec4Array(name_ + " cells", plan_.firstCells());
+    const int count = size_.x * size_.y;
+    positions_ = gl::Vec4Array(name_ + " positions", count);
+    values_ = gl::Vec4Array(name_ + " values", count);
+    words_ = gl::Texture::view(name_ + " words", GL_RGBA32UI, values_.buffer());
+    groundPositions_ = gl::Vec4Array(name_ + " ground", groundOf(plan_));
+    indices_ = gl::Buffer::of<unsigned>(name_ + " indices", gridIndices(size_));
+    constexpr unsigned fine[4] = {0xffffffffU, 0xffffffffU, 0, 0};
+    status_ = gl::Buffer::of<unsigned>(name_ + " status", fine);
+    const shader::WaterLook look = plan_.look();
+    look_.write(0, std::as_bytes(std::span(&look, 1)));
+    makePrograms(setting.fast);
+    if (p.collides) heights_.emplace(name_, heightsOf(p, setting.frameSeconds));
+    fall(setting.startTime, 0);
+    show();
+  }
+
+  void step(double time, const StepWatch& watch) override {
+    if (heights_ && !hasHeights_) heights_->take(values_);
+    hasHeights_ = true;
+    advance(time, watch);
+    show();
+    if (heights_) heights_->take(values_);
+  }
+  /// Others fall between two frames' heights.
+  void pass(double time) override {
+    if (heights_) return step(time, {});
+    advance(time, {});
+  }
+  void resumed(double /*time*/) override { show(); }
+  void carryOver(CarryOver& carry) override {
+    carry.array("cells", cells_[0].buffer());
+    if (!heights_) return;
+    carry.number("has heights", hasHeights_);
+    heights_->carryOver(carry);
+  }
+
+  [[nodiscard]] int stepsPerFrame() const override { return plan_.substeps(); }
+  [[nodiscard]] std::string elementName(long element) const override {
+    return fmt::format("cell ({}, {})", element % size_.x, element / size_.x);
+  }
+
+  void publish(double /*time*/, Drawables& drawables) const override {
+    const WaterParameters& p = plan_.parameters();
+    if (p.visible) {
+      Surface surface;
+      surface.grid = size_;
+      surface.vertexCount = size_.x * size_.y;
+      surface.indices = &indices_;
+      surface.indexCount = (size_.x - 1) * (size_.y - 1) * 6;
+      surface.doubleSided = true;
+      surface.positions = &groundPositions_.view();
+      surface.material = &ground_;
+      drawables.surfaces.push_back(surface);
+      surface.positions = &positions_.view();
+      surface.palette = &palette_.view();
+      surface.material = &material_;
+      drawables.surfaces.push_back(surface);
+    }
+    Field field;
+    field.name = &name_;
+    field.words = &words_;
+    field.cells = Field::Cells::floats;
+    field.size = size_;
+    field.rowWords = 4 * size_.x;
+    field.cellWords = 4;
+    field.range = {static_cast<float>(p.display.low), static_cast<float>(p.display.high)};
+    field.colors = &colors_;
+    field.display = &p.display;
+    drawables.fields.push_back(field);
+    // For files only.
+    field.display = nullptr;
+    field.name = &levelName_;
+    field.firstWord = 1;
+    drawables.fields.push_back(field);
+    field.name = &speedName_;
+    field.firstWord = 2;
+    drawables.fields.push_back(field);
+  }
+
+  [[nodiscard]] std::vector<StateArray> state() const override { return {{"cells", &cells_[0].buffer()}}; }
+  [[nodiscard]] std::optional<MeshTable> mesh() const override {
+    return sheetMesh(size_, positions_.buffer().readAll<glm::vec4>());
+  }
+  [[nodiscard]] const HeightField* heights() const override { return heights_ ? &*heights_ : nullptr; }
+  [[nodiscard]] const gl::Buffer* status() const override { return &status_; }
+  [[nodiscard]] std::string remark(int frame) const override {
+    const auto words = status_.readAll<unsigned>();
+    return fmt::format(
+        "water \"{}\": by frame {} a step took a Courant number of {:.3g}, and more than 0.5 is not "
+        "accurate; "
+        "give more \"substeps\" ({} now), or with \"auto\" the \"greatestDepth\" and \"greatestSpeed\" "
+        "that "
+        "there are",
+        name_, frame, std::bit_cast<float>(words[2]), plan_.substeps());
+  }
+  [[nodiscard]] std::string explainLoss(unsigned step, unsigned element) const override {
+    return fmt::format(
+        "water \"{}\" was lost in substep {} at {}: its level or speed is no longer a number; use more "
+        "substeps ({} per frame now, or \"auto\")",
+        name_, step, elementName(element), plan_.substeps());
+  }
+  [[nodiscard]] std::vector<double> measure() const override {
+    return measureWater(plan_, cells_[0].buffer().readAll<glm::vec4>());
+  }
+
+ private:
+  void makePrograms(bool fast) {
+    gl::Defines defines = gl::kernelDefines(fast);
+    gl::Defines rows = defines;
+    rows.emplace_back("ROWS", std::to_string(rowsEach_));
+    step_ = gl::Program::compute("water/step.comp", rows);
+    step_.checkUniformBlock("WaterBlock", sizeof(shader::WaterStep));
+    step_.set("size", size_);
+    show_ = gl::Program::compute("water/look.comp", defines);
+    show_.checkUniformBlock("LookBlock", sizeof(shader::WaterLook));
+    show_.set("size", size_);
+    if (!plan_.anythingFalls()) return;
+    stamps_ = gl::WordsArray(name_ + " stroke images", elementsOf(plan_.strokes().imageBits()));
+    paint_ = gl::Program::compute("water/paint.comp", defines);
+    paint_.set("size", size_);
+    defines.emplace_back("DROP", "1");
+    drop_ = gl::Program::compute("water/paint.comp", defines);
+    drop_.set("size", size_);
+  }
+
+  void advance(double time, const StepWatch& watch) {
+    steps_.upload(std::vector<shader::WaterStep>{plan_.stepAt(time)});
+    for (int i = 1; i <= plan_.substeps(); ++i) {
+      steps_.bind(0);
+      status_.bindStorage(shader::statusBinding);
+      cells_[0].bindInput(shader::water::cellsBinding);
+      cells_[1].bindState(shader::water::nextCellsBinding);
+      step_.set("stepNumber", i);
+      gl::barrier();
+      step_.dispatch(size_.x, (size_.y - 1) / rowsEach_ + 1);
+      std::swap(cells_[0], cells_[1]);
+      fall(time, i);
+      if (watch) {
+        gl::barrier();
+        watch(i);
+      }
+    }
+    gl::barrier();
+  }
+
+  void fall(double time, int step) {
+    if (!plan_.anythingFalls()) return;
+    const WaterFalls falls = plan_.fallsAt(time, step);
+    for (const shader::Stroke& stroke : falls.strokes) {
+      const glm::ivec4 box = Strokes::box(stroke, size_);
+      setStroke(paint_, stroke, box);
+      raise(paint_, box);
+    }
+    for (const shader::WaterDrop& drop : falls.drops) {
+      const glm::ivec4 box = plan_.box(drop);
+      drop_.set("drop.center", drop.center);
+      drop_.set("drop.perRadius2", drop.perRadius2);
+      drop_.set("drop.height", drop.height);
+      drop_.set("drop.shallow", drop.shallow);
+      drop_.set("strokeBox", box);
+      raise(drop_, box);
+    }
+  }
+
+  void raise(const gl::Program& program, glm::ivec4 box) {
+    if (box.z <= 0 || box.w <= 0) return;
+    cells_[0].bindState(shader::water::cellsBinding);
+    stamps_.bindInput(shader::water::stampsBinding);
+    gl::barrier();
+    program.dispatch(box.z, box.w);
+  }
+
+  void show() {
+    look_.bindUniform(shader::stepBinding, 0, sizeof(shader::WaterLook));
+    cells_[0].bindInput(shader::water::cellsBinding);
+    positions_.bindState(shader::water::positionsBinding);
+    values_.bindState(shader::water::valuesBinding);
+    gl::barrier();
+    show_.dispatch(size_.x, size_.y);
+    gl::barrier();
+  }
+
+  std::string name_, speedName_, levelName_;
+  scene::Material material_, ground_;
+  WaterPlan plan_;
+  glm::ivec2 size_;
+  std::vector<glm::vec3> colors_;
+  /// That an invocation of the step takes: fewer where there is little to share out.
+  int rowsEach_ = gl::memoryPath() == gl::MemoryPath::texel ? 8 : 4;
+  gl::Vec4Array cells_[2];  ///< now, and where the next step writes
+  gl::Vec4Array positions_, values_, groundPositions_;
+  gl::Vec4Array palette_;
+  gl::Texture words_;
+  gl::Buffer indices_;
+  gl::WordsArray stamps_;
+  gl::Buffer status_;
+  StepBlocks<shader::WaterStep> steps_;
+  gl::Buffer look_;
+  gl::Program step_, paint_, drop_, show_;
+  std::optional<HeightField> heights_;  ///< of water that collides: levels
+  bool hasHeights_ = false;             ///< whether they begin with the first frame
+};
+
+}  // namespace
+
+SimulationKind waterKind() {
+  return kindOf<WaterParameters>(
+      "water", "Shallow water that flows over a terrain, wets and leaves it dry; rain, sources, dams.",
+      [](const scene::Object& object, const Setting& setting) {
+        const auto& parameters = parametersOf<WaterParameters>(object);
+        static_cast<void>(WaterPlan(parameters, object.name, setting.seed, setting.frameSeconds));
+        if (!parameters.groundTexture.empty())
+          static_cast<void>(loadPicture(parameters.groundTexture, "texture", 16384));
+      },
+      makeSimulation<Water>);
+}
+
+}  // namespace simreel::sim

@@ -1,0 +1,30 @@
+#pragma once
+#include "sim/water/plan.hpp"
+
+#include <vector>
+
+#include <glm/vec4.hpp>
+
+/// Shallow water on the CPU: the kernels' own arithmetic (glsl/water compiled as C++). Equals the GPU bit
+/// for bit in exact mode.
+class WaterTwin {
+ public:
+  /// `start`: time (s) of the first state.
+  explicit WaterTwin(simreel::sim::WaterPlan plan, double start = 0);
+
+  /// One frame starting at `time` (s).
+  void step(double time);
+  /// One step and nothing that falls.
+  void advance(const simreel::shader::WaterStep& water);
+  /// Positions and values as glsl/water/look.comp makes them.
+  void look(std::vector<glm::vec4>& positions, std::vector<glm::vec4>& values) const;
+  [[nodiscard]] const simreel::sim::WaterPlan& plan() const { return plan_; }
+
+  std::vector<glm::vec4> cells;  ///< x fastest
+
+ private:
+  void fall(double time, int step);
+
+  simreel::sim::WaterPlan plan_;
+  std::vector<glm::vec4> next_;
+};

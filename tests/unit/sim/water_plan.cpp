@@ -1,0 +1,74 @@
+#include "base/error.hpp"
+#include "scene/scene.hpp"
+#include "sim/water/plan.hpp"
+#include "sim/world/list.hpp"
+#include "unit/help.hpp"
+
+#include <algorithm>
+#include <string>
+
+#include <doctest/doctest.h>
+
+using namespace simreel;
+
+namespace {
+
+std::string waterFailure(const std::string& members) {
+  try {
+    static_cast<void>(scene::parseScene(R"({"version": 1, "objects": {"w": {"water": {)" + members + "}}}}",
+                                        "test.json", {}, sim::kinds()));
+  } catch (const UserError& error) {
+    CHECK(error.code() == ExitCode::usage);
+    return error.what();
+  }
+  return "no failure";
+}
+
+}  // namespace
+
+TEST_CASE("water: \"auto\" substeps keep to a quarter of a cell") {
+  sim::WaterParameters p;
+  p.size = {5, 4};
+  p.cell = 0.1F;
+  p.bed = 0;
+  p.level = 1;
+  // sqrt(9.81) + sqrt(9.81) = 6.264 m/s: 0.2088 m in a frame, 8.35 quarters of a cell.
+  CHECK(sim::WaterPlan(p, "w", 1, 1.0 / 30).substeps() == 9);
+  p.greatestSpeed = 0;
+  CHECK(sim::WaterPlan(p, "w", 1, 1.0 / 30).substeps() == 5);
+  p.greatestDepth = 4;
+  CHECK(sim::WaterPlan(p, "w", 1, 1.0 / 30).substeps() == 9);
+  p.cell = 1e-3F;
+  CHECK_THROWS_AS(sim::WaterPlan(p, "w", 1, 1000.0), UserError);
+}
+
+TEST_CASE("water: each drop falls into one state, in whatever frame") {
+  sim::WaterParameters p;
+  p.size = {60, 40};
+  p.hasRain = true;
+  p.rain.rate = 37;
+  p.rain.from = 0.2;
+  p.rain.until = 2;
+  p.drops = {{0.5, {0, 0, 0}, 0.2F, 0.1F}, {0, {0, 0, 0}, 0.2F, 0.1F}};
+  const sim::WaterPlan plan(p, "w", 1, 1.0 / 30);
+  std::size_t drops = plan.fallsAt(0, 0).drops.size();
+  CHECK(drops == 1);
+  for (int frame = 0; frame < 90; ++frame)
+    for (int i = 1; i <= plan.substeps(); ++i) {
+      const sim::WaterFalls falls = plan.fallsAt(frame / 30.0, i);
+      drops += falls.drops.size();
+      for (const shader::WaterDrop& drop : falls.drops) CHECK(plan.box(drop).z > 0);
+    }
+  CHECK(drops == 2 + 67);  // 0.2 s and every 1/37 s from then on, up to 2 s
+}
+
+TEST_CASE("water: mistakes are told where they stand") {
+  CHECK(waterFailure("") == "no failure");
+  test::checkHas(waterFailure(R"("sides": {"west": "periodic"})"), "periodic together or not at all");
+  test::checkHas(waterFailure(R"("terrain": {"low": 1})"), "give \"image\"");
+  test::checkHas(waterFailure(R"("terrain": {"repeat": 2})"), "give \"texture\"");
+  test::checkHas(waterFailure(R"("terrain": {"hills": [{"radii": [0, 0, 1]}]})"), "at least 0.001 m");
+  test::checkHas(waterFailure(R"("grip": 2)"), "with \"collides\": true");
+  test::checkHas(waterFailure(R"("size": [16384, 16384])"), "more than");
+  test::checkHas(waterFailure(R"("size": [1, 5])"), "size");
+}
