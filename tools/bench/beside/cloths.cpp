@@ -101,11 +101,12 @@ Subject meshCloth() {
     std::memcpy(&stiffness, &bits, sizeof stiffness);
     own->bends.push_back({int(other), stiffness});
   };
-  for (const glm::uvec4 fan : from.fans) {
+  const sim::GarmentBending& bending = from.bendings.front();
+  for (const glm::uvec4 fan : bending.fans) {
     own->firstBend.push_back(int(own->bends.size()));
     for (unsigned k = fan.z; k < fan.z + fan.w; ++k) {
-      add(from.entries[k].x, from.entries[k].y);
-      add(from.entries[k].z, from.entries[k].w);
+      add(bending.entries[k].x, bending.entries[k].y);
+      add(bending.entries[k].z, bending.entries[k].w);
     }
   }
   own->firstBend.push_back(int(own->bends.size()));
@@ -163,7 +164,8 @@ struct Pile {
       plains.emplace_back(size.x, size.y, numbersOf(p));
       for (const unsigned k : sim::gridIndices(size)) indices.push_back(k + std::uint32_t(i * each));
     }
-    group = std::make_unique<sim::ContactGroup>(members, substeps, frameSeconds, false);
+    group = std::make_unique<sim::ContactGroup>(members, std::vector<sim::ContactSolid*>{}, substeps,
+                                                frameSeconds, false);
     twinContact = std::make_unique<ContactTwin>(sim::ContactPlan(parts, frameSeconds / substeps));
     plainContact = std::make_unique<plain::Contact>(indices, count * each, 0.04F, parts[0].thickness,
                                                     parts[0].friction);
