@@ -62,7 +62,7 @@ void tell(Kernel& kernel, const HeightGrid& grid, const vec4* heights, const Wal
   kernel.walls = walls;
 }
 
-void tellMeshes(Kernel& kernel, const FieldTwin& meshes, int index) {
+void tellMeshes(Kernel& kernel, const DistanceTwin& meshes, int index) {
   kernel.meshData = meshes.steps[static_cast<std::size_t>(index)];
   kernel.fieldCells = meshes.cells.data();
 }

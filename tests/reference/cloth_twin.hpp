@@ -1,5 +1,5 @@
 #pragma once
-#include "reference/field_twin.hpp"
+#include "reference/distance_twin.hpp"
 #include "reference/walls_twin.hpp"
 #include "sim/cloth/plan.hpp"
 #include "sim/mesh/height_plan.hpp"
@@ -29,9 +29,9 @@ class ClothTwin {
   std::vector<glm::vec4> next;        ///< between predict() and finish(): where they go
   /// The mesh it falls onto; none without a plan.
   std::optional<simreel::sim::HeightPlan> heightPlan;
-  std::vector<glm::vec4> heights;   ///< of the frame to step: x at its beginning, y at its end (m)
-  std::optional<FieldTwin> meshes;  ///< the rigid meshes they meet; none: no mesh
-  std::optional<WallsTwin> walls;   ///< the solid it meets; none: no solid
+  std::vector<glm::vec4> heights;      ///< of the frame to step: x at its beginning, y at its end (m)
+  std::optional<DistanceTwin> meshes;  ///< the rigid meshes they meet; none: no mesh
+  std::optional<WallsTwin> walls;      ///< the solid it meets; none: no solid
   [[nodiscard]] simreel::sim::ClothPlan& plan() { return plan_; }
 
  private:

@@ -1,5 +1,5 @@
 #pragma once
-#include "reference/field_twin.hpp"
+#include "reference/distance_twin.hpp"
 #include "reference/walls_twin.hpp"
 #include "sim/garment/plan.hpp"
 #include "sim/mesh/height_plan.hpp"
@@ -26,9 +26,9 @@ class GarmentTwin {
   std::vector<glm::vec4> velocities;  ///< xyz m/s, w pin group
   /// The mesh it falls onto; none without a plan.
   std::optional<simreel::sim::HeightPlan> heightPlan;
-  std::vector<glm::vec4> heights;   ///< of the frame to step: x at its beginning, y at its end (m)
-  std::optional<FieldTwin> meshes;  ///< the rigid meshes they meet; none: no mesh
-  std::optional<WallsTwin> walls;   ///< the solid it meets; none: no solid
+  std::vector<glm::vec4> heights;      ///< of the frame to step: x at its beginning, y at its end (m)
+  std::optional<DistanceTwin> meshes;  ///< the rigid meshes they meet; none: no mesh
+  std::optional<WallsTwin> walls;      ///< the solid it meets; none: no solid
   [[nodiscard]] simreel::sim::GarmentPlan& plan() { return plan_; }
 
  private:

@@ -1,5 +1,5 @@
 #pragma once
-#include "reference/field_twin.hpp"
+#include "reference/distance_twin.hpp"
 #include "reference/walls_twin.hpp"
 #include "sim/mesh/height_plan.hpp"
 #include "sim/particles/plan.hpp"
@@ -24,9 +24,9 @@ class ParticlesTwin {
   std::vector<glm::vec4> accelerations;  ///< xyz m/s^2
   /// The mesh they fall onto; none without a plan.
   std::optional<simreel::sim::HeightPlan> heightPlan;
-  std::vector<glm::vec4> heights;   ///< of the frame to step: x at its beginning, y at its end (m)
-  std::optional<FieldTwin> meshes;  ///< the rigid meshes they meet; none: no mesh
-  std::optional<WallsTwin> walls;   ///< the solid they meet; none: no solid
+  std::vector<glm::vec4> heights;      ///< of the frame to step: x at its beginning, y at its end (m)
+  std::optional<DistanceTwin> meshes;  ///< the rigid meshes they meet; none: no mesh
+  std::optional<WallsTwin> walls;      ///< the solid they meet; none: no solid
   [[nodiscard]] const simreel::sim::ParticlePlan& plan() const { return plan_; }
   /// Forgets the accelerations, after the state was changed from outside.
   void restart() { primed_ = false; }

@@ -87,7 +87,10 @@ ClothPlan::ClothPlan(const ClothParameters& parameters, int seed, double frameSe
   alongY_ = glm::vec3(turn[2]) * parameters_.spacing;
   origin_ = parameters_.position - alongX_ * (0.5F * static_cast<float>(parameters_.size.x - 1)) -
             alongY_ * (0.5F * static_cast<float>(parameters_.size.y - 1));
-  if (parameters_.hasMesh) return;
+  const auto& pins = parameters_.pins;
+  if (parameters_.hasMesh ||
+      std::none_of(pins.begin(), pins.end(), [](const PinGroup& g) { return g.onSkin(); }))
+    return;
   std::vector<glm::vec3> rest;
   for (int y = 0; y < parameters_.size.y; ++y)
     for (int x = 0; x < parameters_.size.x; ++x) rest.push_back(restAt(x, y));

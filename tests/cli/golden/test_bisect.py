@@ -15,8 +15,8 @@ from golden_common import GoldenCase
 
 GRAVITY = ("cloth/model.glsl", "force * here.w + vec3(stepData.gravity);",
            "force * here.w + vec3(stepData.gravity) * 1.01f;")
-PUSH = ("cloth/motion.glsl", "precise vec3 pushed = m.position + normal * depth - slid * held;",
-        "precise vec3 pushed = m.position + normal * (depth * 1.01f);")
+PUSH = ("collide/model.glsl", "precise vec3 pushed = m.position + normal * touch.depth - slid * held;",
+        "precise vec3 pushed = m.position + normal * (touch.depth * 1.01f);")
 # Falls flat but for its jitter, so particles reach the ground one after another.
 HEIGHT, MARGIN = 0.5, 0.01
 FALLING = with_values({"ground": {"height": HEIGHT}, "time.duration": 0.6, "objects.flag.cloth.pins": [],

@@ -105,7 +105,7 @@ TEST_CASE("collide: distance fields equal their CPU twin, also where one search 
   const auto scene = test::parsedScene(movingMeshes(file) + R"(,
     "globe": {"mesh": {"shape": "sphere", "radius": 0.4, "resolution": [301, 203], "collides": true,
       "distanceCells": 22}})");
-  const FieldTwin twin(sim::MeshColliderPlan(scene, 0.03));
+  const DistanceTwin twin(sim::MeshColliderPlan(scene, 0.03));
   const sim::DistanceFields fields(sim::MeshColliderPlan(scene, 0.03));
   const auto cells = fields.cells().buffer().readAll<glm::uvec4>();
   REQUIRE(cells.size() == twin.cells.size());

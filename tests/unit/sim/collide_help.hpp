@@ -1,6 +1,6 @@
 #pragma once
 // Meshes that collide, for tests of several files.
-#include "reference/field_twin.hpp"
+#include "reference/distance_twin.hpp"
 #include "scene/scene.hpp"
 #include "sim/world/list.hpp"
 

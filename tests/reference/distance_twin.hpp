@@ -8,8 +8,8 @@
 
 /// The distance fields of a scene's rigid meshes on the CPU: the kernels' own model (glsl/collide/distance
 /// compiled as C++). Equals the GPU bit for bit.
-struct FieldTwin {
-  explicit FieldTwin(simreel::sim::MeshColliderPlan plan);
+struct DistanceTwin {
+  explicit DistanceTwin(simreel::sim::MeshColliderPlan plan);
 
   /// For the frame that starts at `time` (s).
   void beginFrame(double time, int substeps, double substepSeconds) {
@@ -23,7 +23,7 @@ struct FieldTwin {
 
 /// What touches the first mesh sees of its field at a place of the mesh's own space: the gradient, and the
 /// distance in w; w 1e9 beside the field.
-[[nodiscard]] glm::vec4 fieldTwinAt(const FieldTwin& twin, const glm::vec3& place);
+[[nodiscard]] glm::vec4 distanceTwinAt(const DistanceTwin& twin, const glm::vec3& place);
 
 /// The signed distance of a place in the mesh's own space by the kernels' search, without a grid.
 [[nodiscard]] float distanceTo(const simreel::sim::DistancePlan& plan, const glm::vec3& place);

@@ -1,4 +1,4 @@
-#include "reference/field_twin.hpp"
+#include "reference/distance_twin.hpp"
 
 #include "sim/core/shader_code.hpp"
 #include "sim/particles/parameters.hpp"
@@ -32,7 +32,7 @@ struct FieldKernel {
 
 }  // namespace
 
-glm::vec4 fieldTwinAt(const FieldTwin& twin, const glm::vec3& place) {
+glm::vec4 distanceTwinAt(const DistanceTwin& twin, const glm::vec3& place) {
   FieldKernel kernel;
   kernel.meshData = twin.plan.frame(0, 1, 1).front();
   kernel.fieldCells = twin.cells.data();
@@ -47,7 +47,7 @@ float distanceTo(const simreel::sim::DistancePlan& plan, const glm::vec3& place)
   return kernel.signedDistance(place, search.face);
 }
 
-FieldTwin::FieldTwin(simreel::sim::MeshColliderPlan from) : plan(std::move(from)) {
+DistanceTwin::DistanceTwin(simreel::sim::MeshColliderPlan from) : plan(std::move(from)) {
   for (const auto& part : plan.parts()) {
     const simreel::sim::DistancePlan& p = part.plan;
     DistanceKernel kernel{p, p.firstLeaf};
