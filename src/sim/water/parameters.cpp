@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <iterator>
 
 #include <fmt/format.h>
 
@@ -29,6 +30,21 @@ void WaterParameters::describe(scene::Fields& f) {
   describeStart(f);
   describeFlow(f);
   describeLook(f);
+  rainOnPond(f);
+}
+
+void WaterParameters::rainOnPond(scene::Fields& f) {
+  constexpr const char* told[] = {"level", "pools", "terrain", "rainfall", "drops", "rain", "strokes"};
+  f.leftOut("rain",
+            "rain on a round pond, if none of \"level\", \"pools\", \"terrain\", \"rainfall\", "
+            "\"drops\" and \"strokes\" is given; else off");
+  if (std::any_of(std::begin(told), std::end(told), [&](const char* name) { return f.given(name); }))
+    return;
+  const glm::vec2 extent = glm::vec2(size) * cell;
+  const float smaller = std::min(extent.x, extent.y);
+  bed = 0.02F * smaller;
+  hills = {{glm::vec3(0), 0.47F * glm::vec3(extent.x, 0, extent.y), -0.2F * smaller}};
+  hasRain = true;
 }
 
 void WaterParameters::describeStart(scene::Fields& f) {

@@ -40,9 +40,9 @@ struct WaterDropParameters {
 
 /// Drops at random places.
 struct WaterRain {
-  double rate = 5;       ///< 1/s, on the whole grid
-  float radius = 0.1F;   ///< m
-  float height = 0.03F;  ///< m
+  double rate = 10;      ///< 1/s, on the whole grid
+  float radius = 0.22F;  ///< m
+  float height = 0.1F;   ///< m
   double from = 0;       ///< s
   double until = 1e9;    ///< s
 };
@@ -76,8 +76,8 @@ struct WaterParameters : ObjectParameters {
   bool visible = true;
   glm::vec3 deep{0.01F, 0.045F, 0.05F};  ///< linear RGB
   float roughness = 0.06F;
-  glm::vec3 shallow{0.35F, 0.32F, 0.22F};  ///< linear RGB
-  float clarity = 0.5F;                    ///< m
+  glm::vec3 shallow{0.2F, 0.17F, 0.1F};  ///< linear RGB
+  float clarity = 0.15F;                 ///< m
   float foam = 0;
   glm::vec3 ground{0.35F, 0.3F, 0.22F};  ///< linear RGB
   float groundRoughness = 0.9F;
@@ -94,6 +94,8 @@ struct WaterParameters : ObjectParameters {
   [[nodiscard]] bool isTorus() const;
 
  private:
+  /// What a scene that says nothing of the water gets.
+  void rainOnPond(scene::Fields& fields);
   void describeStart(scene::Fields& fields);
   void describeFlow(scene::Fields& fields);
   void describeLook(scene::Fields& fields);

@@ -165,8 +165,10 @@ TEST_CASE("collide: a rod of 2 cm at 10 m/s does not pass a sheet of 5 cm spacin
   for (const ThinCloth kind : {ThinCloth::springs, ThinCloth::constraints, ThinCloth::mesh}) {
     CAPTURE(static_cast<int>(kind));
     // Half way between two rows; aslant; and a short one, whose ends are within the sheet.
-    for (const auto& [length, turn] : std::vector<std::pair<float, glm::vec3>>{
+    for (const auto& rod : std::vector<std::pair<float, glm::vec3>>{
              {1.6F, {0, 0, 90}}, {1.6F, {0, 0, 60}}, {0.33F, {0, 0, 90}}, {0.33F, {0, 20, 75}}}) {
+      const float length = rod.first;
+      const glm::vec3 turn = rod.second;
       CAPTURE(length);
       CAPTURE(turn.z);
       const Passage p = flyInto(kind, flying(0.01F, length, turn, {0.013F, -0.025F, -0.1F}, 10), 4);
