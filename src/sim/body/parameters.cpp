@@ -28,7 +28,8 @@ void BodyParameters::describe(scene::Fields& f) {
   f.boolean("visible", visible, "Whether it is drawn.");
   f.booleanOr(
       "collides", collides, byFaces, "faces",
-      "true: cloth and particles touch capsules around its bones, from each to its child, as thick as the skin "
+      "true: cloth and particles touch capsules around its bones, from each to its child, as thick as the "
+      "skin "
       "there (simreel render -v says where), of the 24 bones with the most skin; \"faces\": cloth with "
       "\"contact\" keeps off the triangles of its skin.");
   f.number("grip", grip, {0, 1e6}, "1/s",

@@ -67,17 +67,19 @@ void MeshParameters::describe(scene::Fields& f) {
 }
 
 void MeshParameters::describeCollision(scene::Fields& f) {
-  f.booleanOr(
-      "collides", collides, byFaces, "faces",
-      "true: cloth, and particles that ask for it, touch it: a closed mesh as it is, wherever it moves; or a "
-      "deformed plane, onto which they fall, one of a scene; \"faces\": cloth with \"contact\" keeps off its "
-      "triangles, of any shape, open or closed, moved or deformed.");
+  f.booleanOr("collides", collides, byFaces, "faces",
+              "true: cloth, and particles that ask for it, touch it: a closed mesh as it is, wherever it "
+              "moves; or a "
+              "deformed plane, onto which they fall, one of a scene; \"faces\": cloth with \"contact\" "
+              "keeps off its "
+              "triangles, of any shape, open or closed, moved or deformed.");
   f.number("grip", grip, {0, 1e6}, "1/s",
            "Rate at which what slides over it loses speed, where it collides.");
   f.optionalNumber(
       "friction", friction, {0, 100}, "",
       "Coulomb's coefficient, instead of grip, of a closed mesh that collides: what lies there "
-      "holds on slopes up to its arc tangent. Of faces: with a cloth's the mean of both; left out the cloth's.");
+      "holds on slopes up to its arc tangent. Of faces: with a cloth's the mean of both; left out the "
+      "cloth's.");
   f.integer("distanceCells", distanceCells, {0, 1024}, "cells",
             "Along the longest side of a closed mesh that collides: its distances are known at the corners "
             "of cells; 0: 64, and up to 256 where it is thin.");
