@@ -56,7 +56,8 @@ WaterPlan::WaterPlan(WaterParameters parameters, const std::string& object, int 
   for (const WaterDropParameters& drop : parameters_.drops)
     if (box(dropOf(cellsAt(drop.center), drop.radius, drop.height)).z == 0)
       warn(
-          "water \"{}\": the drop at {} s, ({}, {}) m from the middle, falls beside the grid of {} by {} m",
+          "water \"{}\": the drop at {} s, ({:g}, {:g}) m from the middle, falls beside the grid of {:g} "
+          "by {:g} m",
           object, drop.at, drop.center.x, drop.center.z,
           static_cast<float>(parameters_.size.x) * parameters_.cell,
           static_cast<float>(parameters_.size.y) * parameters_.cell);
