@@ -208,4 +208,27 @@ EQUIVALENT = {
         "either way of drawing gives the same, as a test says, and this asks for fewer small ones",
     ("draw/exact/instances/glows.comp", "if (max(box.z - box.x, box.w - box.y) > smallPixels) {"):
         "either way of drawing gives the same, as a test says",
+    ("draw/exact/triangles/medium.comp",
+     "for (uint entry = gl_WorkGroupID.x * teams + me / teamSize; entry < count; entry += gl_NumWorkGroups.x + teams) {"):
+        "some are drawn twice, which shows nothing; a group alone has no more than it begins with",
+    ("draw/exact/shadows/face_lists.comp",
+     "precise vec3 y = along[(axis + 1) % 3] * scale, z = along[(axis + 0) % 3] * scale;"):
+        "more are listed, of which a face shows nothing: the scale is below 1",
+    ("draw/exact/surface/surface_seen.glsl",
+     "return (weight.x >= 0.0f ? 1 : 0) | (weight.y > 0.0f ? 2 : 0) | (weight.z > 0.0f ? 4 : 0);"):
+        "a side of no weight is read and counts nothing",
+    ("draw/exact/surface/skin_read.glsl", "area.color = vec3(1);"):
+        "only of looks that read no colour of an area",
+    ("draw/exact/instances/glow_disc.glsl", "ivec2 last = min(ivec2(int(floor(x.y)), int(ceil(y.y))), view.size - 1);"):
+        "a wider box, of which every sample is looked at by ray",
+    ("draw/exact/instances/glow_disc.glsl", "if (x.x > x.y && y.x > y.y) return glow;"):
+        "a box that ends before it begins in one direction is empty",
+    ("draw/exact/instances/add_glows.comp", "precise float sum = light[i] + (float(min(upper, 0xfffffbu)) * glowUpper + fine);"):
+        "either light is white",
+    ("draw/exact/instances/ball.glsl",
+     "precise float more = half_ + 0.01f + 1e-5f + (abs(middle) + half_);  // for what is lost by rounding"):
+        "a wider box, of which every sample is looked at by ray",
+    ("draw/exact/triangles/triangle.glsl",
+     "edge.bias = edge.step_.y > 0 || (edge.step_.y == 0 && edge.step_.x <= 0) ? 0 : -1;"):
+        "only of an edge without length, whose triangle is empty",
 }

@@ -7,6 +7,7 @@
 #include "gpu/draw/skin_stage.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include <doctest/doctest.h>
 #include <glm/geometric.hpp>
@@ -121,6 +122,16 @@ TEST_CASE("skin maps: values follow theory on a slope") {
     const glm::vec4 relief = maps.relief[static_cast<std::size_t>(2 * 64 + x)];
     CHECK(relief.w == doctest::Approx(x < 32 ? x / 32.0 : (64 - x) / 32.0).epsilon(0.002));
     if (x % 32 != 0) CHECK(glm::distance(glm::vec3(relief), x < 32 ? up : down) < 1e-3F);
+  }
+  // Lost numbers, and what lies further below the range than that is wide, lie the range's width below it.
+  const FieldStage lost(Cells::floats, {12, 6}, [](int x, int) {
+    return x == 3 ? std::numeric_limits<double>::quiet_NaN() : x == 8 ? -7.0 : 0.25;
+  });
+  const draw::SkinMaps pits = mapsOf(material, lost, {12, 6});
+  const glm::vec3 into = glm::normalize(glm::vec3(depth * 0.625F, 0, 1));
+  for (const std::size_t x : {2, 7}) {
+    CHECK(glm::distance(glm::vec3(pits.relief[2 * 12 + x]), into) < 1e-3F);
+    CHECK(glm::distance(glm::vec3(pits.relief[2 * 12 + x + 2]), glm::vec3(-into.x, 0, into.z)) < 1e-3F);
   }
   // Down the rows: up is against them.
   const FieldStage rows(Cells::floats, {6, 64},

@@ -1,6 +1,7 @@
 // Small balls of instances, an invocation each; the numbers of the others go on a list (large_balls.comp). SAMPLES, PASS.
 #define EXACT_PICTURE
 #include "draw/exact/instances/raster_ball.glsl"
+#include "draw/exact/instances/box.glsl"
 layout(local_size_x = 64) in;
 layout(std430, binding = largeBinding) restrict buffer LargeBlock { uint large[]; };
 layout(std430, binding = counterBinding) restrict buffer CounterBlock { uint counters[]; };
@@ -23,9 +24,9 @@ void main() {
   }
   Rays rays = raysOfView();
   ivec2 pixel = box.xy;
-  int pixels = (box.z - box.x + 1) * (box.w - box.y + 1);
+  int pixels = pixelsIn(box);
   for (int i = 0; i < pixels; ++i) {
     putBall(ball, rays, pixel, firstId + uint(number));
-    pixel = pixel.x < box.z ? ivec2(pixel.x + 1, pixel.y) : ivec2(box.x, pixel.y + 1);
+    pixel = nextIn(box, pixel);
   }
 }

@@ -14,6 +14,7 @@ layout(local_size_x = 64) in;
 layout(std430, binding = largeBinding) restrict buffer LargeBlock { uint large[]; };
 layout(std430, binding = counterBinding) restrict buffer CounterBlock { uint counters[]; };
 #include "draw/exact/list_place.glsl"
+#include "draw/exact/instances/box.glsl"
 #endif
 
 Rays raysOfView() {
@@ -51,10 +52,10 @@ void main() {
   }
   Rays rays = raysOfView();
   ivec2 pixel = box.xy;
-  int pixels = (box.z - box.x + 1) * (box.w - box.y + 1);
+  int pixels = pixelsIn(box);
   for (int i = 0; i < pixels; ++i) {
     addGlow(glow, rays, pixel);
-    pixel = pixel.x < box.z ? ivec2(pixel.x + 1, pixel.y) : ivec2(box.x, pixel.y + 1);
+    pixel = nextIn(box, pixel);
   }
 }
 #endif

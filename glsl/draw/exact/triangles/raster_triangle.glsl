@@ -61,7 +61,7 @@ void putPixel(Triangle t, ivec2 pixel, int mask, uint id) {
   for (int s = 0; s < SAMPLES; ++s)
     if ((mask >> s & 1) != 0) putSample(t, pixel, s, keyAt(sampleIndex(pixel, s)), id);
 #else
-  int at = sampleIndex(pixel, 0);
+  int at = firstSample(pixel);
   for (int s = 0; s < SAMPLES; s += 4) {  // software drivers fetch four as dearly as one
     uvec4 before = fourKeysAt(at + s);
     for (int i = 0; i < 4; ++i)
