@@ -29,6 +29,9 @@ void WaterParameters::describe(scene::Fields& f) {
   f.vector("position", position, scene::anyNumber, "m", "The grid's middle, at level 0.");
   describeStart(f);
   describeFlow(f);
+  f.list(
+      "floats", floats, "Bodies that float on the water and push it.",
+      [](scene::Fields& b, WaterFloat& body) { body.describe(b); }, 64);
   describeLook(f);
   rainOnPond(f);
 }

@@ -3,6 +3,7 @@
 #include "sim/core/kind.hpp"
 #include "sim/grid/field_display.hpp"
 #include "sim/grid/strokes.hpp"
+#include "sim/water/floats.hpp"
 
 #include <array>
 #include <filesystem>
@@ -71,6 +72,7 @@ struct WaterParameters : ObjectParameters {
   bool hasRain = false;
   WaterRain rain;
   std::vector<StrokeParameters> strokes;
+  std::vector<WaterFloat> floats;
   bool collides = false;
   float grip = 2;  ///< 1/s
   bool visible = true;

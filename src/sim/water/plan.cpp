@@ -50,9 +50,11 @@ std::vector<float> smoothed(const std::vector<float>& heights, glm::ivec2 size) 
 WaterPlan::WaterPlan(WaterParameters parameters, const std::string& object, int seed, double frameSeconds)
     : parameters_(std::move(parameters)), seed_(seed), frameSeconds_(frameSeconds) {
   makeFirst();
-  chooseSubsteps(object);
+  std::vector<Hull> hulls = FloatPlan::hullsOf(parameters_, object);
+  chooseSubsteps(object, FloatPlan::longestStep(hulls, parameters_.gravity));
   strokes_ = Strokes(perStep(parameters_.strokes, stepSeconds()), seed,
                      {parameters_.size, parameters_.isTorus(), "water \"" + object + "\""});
+  floats_ = FloatPlan(parameters_, object, std::move(hulls), frameSeconds_, substeps_, depth_, first_);
   for (const WaterDropParameters& drop : parameters_.drops)
     if (box(dropOf(cellsAt(drop.center), drop.radius, drop.height)).z == 0)
       warn(
@@ -122,13 +124,13 @@ void WaterPlan::makeFirst() {
 }
 
 // Courant number (u + c) dt / side.
-void WaterPlan::chooseSubsteps(const std::string& object) {
+void WaterPlan::chooseSubsteps(const std::string& object, double longest) {
   const WaterParameters& p = parameters_;
   const double wave = std::sqrt(p.gravity * depth_);
   const double fastest = wave + p.greatestSpeed.value_or(wave);
   const double perFrame = fastest * frameSeconds_ / p.cell;
   if (!p.substeps) {
-    const double needed = std::ceil(perFrame / aimed);
+    const double needed = std::max(std::ceil(perFrame / aimed), std::ceil(frameSeconds_ / longest));
     if (needed > maxSubsteps)
       fail(
           ExitCode::usage,

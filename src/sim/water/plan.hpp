@@ -1,5 +1,6 @@
 #pragma once
 #include "sim/core/shader_code.hpp"
+#include "sim/water/float_plan.hpp"
 #include "sim/water/parameters.hpp"
 
 #include <string>
@@ -46,6 +47,7 @@ class WaterPlan {
   /// Cells that a drop may reach: as Strokes::box.
   [[nodiscard]] glm::ivec4 box(const shader::WaterDrop& drop) const;
   [[nodiscard]] bool anythingFalls() const;
+  [[nodiscard]] const FloatPlan& floats() const { return floats_; }
 
   [[nodiscard]] const WaterParameters& parameters() const { return parameters_; }
   [[nodiscard]] const Strokes& strokes() const { return strokes_; }
@@ -58,7 +60,8 @@ class WaterPlan {
  private:
   [[nodiscard]] std::vector<float> bedHeights() const;
   void makeFirst();
-  void chooseSubsteps(const std::string& object);
+  /// `longest` (s) that a step may be for floats.
+  void chooseSubsteps(const std::string& object, double longest);
   [[nodiscard]] shader::WaterDrop dropOf(glm::dvec2 center, double radius, float height) const;
 
   WaterParameters parameters_;
@@ -68,6 +71,7 @@ class WaterPlan {
   double depth_ = 1;  ///< m, the greatest
   std::vector<glm::vec4> first_;
   Strokes strokes_;
+  FloatPlan floats_;
 };
 
 }  // namespace simreel::sim

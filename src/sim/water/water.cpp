@@ -9,6 +9,7 @@
 #include "sim/core/step_blocks.hpp"
 #include "sim/grid/picture_file.hpp"
 #include "sim/mesh/height_field.hpp"
+#include "sim/water/float_kernels.hpp"
 #include "sim/water/plan.hpp"
 #include "sim/water/quantities.hpp"
 
@@ -122,6 +123,10 @@ class Water : public Simulation {
     makePrograms(setting.fast);
     if (p.collides) heights_.emplace(name_, heightsOf(p, setting.frameSeconds));
     fall(setting.startTime, 0);
+    if (!plan_.floats().empty()) {
+      floats_.emplace(name_, plan_, setting.fast);
+      floats_->begin(cells_[0], status_);
+    }
     show();
   }
 
@@ -140,6 +145,7 @@ class Water : public Simulation {
   void resumed(double /*time*/) override { show(); }
   void carryOver(CarryOver& carry) override {
     carry.array("cells", cells_[0].buffer());
+    if (floats_) floats_->carryOver(carry);
     if (!heights_) return;
     carry.number("has heights", hasHeights_);
     heights_->carryOver(carry);
@@ -147,6 +153,8 @@ class Water : public Simulation {
 
   [[nodiscard]] int stepsPerFrame() const override { return plan_.substeps(); }
   [[nodiscard]] std::string elementName(long element) const override {
+    const long cells = static_cast<long>(size_.x) * size_.y;
+    if (element >= cells) return fmt::format("float {}", element - cells);
     return fmt::format("cell ({}, {})", element % size_.x, element / size_.x);
   }
 
@@ -166,6 +174,7 @@ class Water : public Simulation {
       surface.palette = &palette_.view();
       surface.material = &material_;
       drawables.surfaces.push_back(surface);
+      if (floats_) floats_->publish(drawables);
     }
     Field field;
     field.name = &name_;
@@ -188,7 +197,11 @@ class Water : public Simulation {
     drawables.fields.push_back(field);
   }
 
-  [[nodiscard]] std::vector<StateArray> state() const override { return {{"cells", &cells_[0].buffer()}}; }
+  [[nodiscard]] std::vector<StateArray> state() const override {
+    std::vector<StateArray> arrays = {{"cells", &cells_[0].buffer()}};
+    if (floats_) floats_->addState(arrays);
+    return arrays;
+  }
   [[nodiscard]] std::optional<MeshTable> mesh() const override {
     return sheetMesh(size_, positions_.buffer().readAll<glm::vec4>());
   }
@@ -211,7 +224,8 @@ class Water : public Simulation {
         name_, step, elementName(element), plan_.substeps());
   }
   [[nodiscard]] std::vector<double> measure() const override {
-    return measureWater(plan_, cells_[0].buffer().readAll<glm::vec4>());
+    return measureWater(plan_, cells_[0].buffer().readAll<glm::vec4>(),
+                        floats_ ? floats_->state().readAll<glm::vec4>() : std::vector<glm::vec4>());
   }
 
  private:
@@ -236,6 +250,7 @@ class Water : public Simulation {
 
   void advance(double time, const StepWatch& watch) {
     steps_.upload(std::vector<shader::WaterStep>{plan_.stepAt(time)});
+    if (floats_) floats_->startFrame(time);
     for (int i = 1; i <= plan_.substeps(); ++i) {
       steps_.bind(0);
       status_.bindStorage(shader::statusBinding);
@@ -246,6 +261,7 @@ class Water : public Simulation {
       step_.dispatch(size_.x, (size_.y - 1) / rowsEach_ + 1);
       std::swap(cells_[0], cells_[1]);
       fall(time, i);
+      if (floats_) floats_->step(i - 1, cells_[0], status_);
       if (watch) {
         gl::barrier();
         watch(i);
@@ -289,6 +305,7 @@ class Water : public Simulation {
     gl::barrier();
     show_.dispatch(size_.x, size_.y);
     gl::barrier();
+    if (floats_) floats_->show();
   }
 
   std::string name_, speedName_, levelName_;
@@ -308,6 +325,7 @@ class Water : public Simulation {
   StepBlocks<shader::WaterStep> steps_;
   gl::Buffer look_;
   gl::Program step_, paint_, drop_, show_;
+  std::optional<FloatKernels> floats_;
   std::optional<HeightField> heights_;  ///< of water that collides: levels
   bool hasHeights_ = false;             ///< whether they begin with the first frame
 };
