@@ -5,7 +5,17 @@
 FUNCTION WaterCell waterAt(int x, int y, WaterStep told, ivec2 grid) {
   int column = waterFolded(x, grid.x, told.west, told.east);
   int row = waterFolded(y, grid.y, told.north, told.south);
-  WaterCell c = waterCell(loadWater(row * grid.x + column), told.thin);
+  vec4 texel = loadWater(row * grid.x + column);
+  WaterCell c = waterCell(texel, told.thin);
+  bool west = x < 0 && told.west == seaSide, east = x >= grid.x && told.east == seaSide;
+  bool north = y < 0 && told.north == seaSide, south = y >= grid.y && told.south == seaSide;
+  if (west || east || north || south) {
+    c = waterSea(texel, west ? told.seaWest : east ? told.seaEast : north ? told.seaNorth : told.seaSouth, told);
+    float speed = west || north ? c.u : -c.u;
+    c.u = west || east ? speed : 0.0f;
+    c.v = west || east ? 0.0f : speed;
+    return c;
+  }
   return waterMirrored(c, waterIsMirrored(x, grid.x, told.west, told.east),
                        waterIsMirrored(y, grid.y, told.north, told.south));
 }

@@ -57,9 +57,8 @@ WaterTwin::WaterTwin(sim::WaterPlan plan, double start)
 }
 
 void WaterTwin::step(double time) {
-  const shader::WaterStep water = plan_.stepAt(time);
   for (int i = 1; i <= plan_.substeps(); ++i) {
-    advance(water);
+    advance(plan_.stepAt(time, i - 1));
     fall(time, i);
     if (!floats.empty()) drift(time, i - 1);
   }
@@ -108,7 +107,8 @@ void WaterTwin::drift(double time, int index) {
     for (std::size_t stride = lanes.size() / 2; stride > 0; stride /= 2)
       for (std::size_t lane = 0; lane < stride; ++lane)
         lanes[lane] = kernel.floatAdded(lanes[lane], lanes[lane + stride]);
-    shader::FloatKernel::FloatBody next = index < 0 ? now : kernel.floatMoved(body, index, now, what, lanes[0]);
+    shader::FloatKernel::FloatBody next =
+        index < 0 ? now : kernel.floatMoved(body, index, now, what, lanes[0]);
     next.under = lanes[0].push.w;
     const auto first = static_cast<std::size_t>(body * shader::floatTexels);
     floats[first] = {next.at, next.level};

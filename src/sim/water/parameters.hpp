@@ -16,7 +16,7 @@
 namespace simreel::sim {
 
 /// What lies beyond a side of the grid; in the order of glsl/water/types.glsl.
-enum class WaterBorder { wall, open, periodic };
+enum class WaterBorder { wall, open, periodic, sea };
 
 /// A round rise of the bed, `height` (1 - r^2 / radius^2)^2; a hollow where the height is negative.
 struct WaterHill {
@@ -48,6 +48,14 @@ struct WaterRain {
   double until = 1e9;    ///< s
 };
 
+/// Waves that come in from the sea.
+struct WaterSwell {
+  int side = 3;                          ///< west, east, north, south
+  scene::Animated<float> height = 0.3F;  ///< m, from trough to crest
+  double period = 4;                     ///< s
+  double phase = 0;                      ///< of a period
+};
+
 /// Shallow water over a terrain as a scene says it.
 struct WaterParameters : ObjectParameters {
   glm::ivec2 size{129, 129};  ///< cells along x and z
@@ -61,6 +69,7 @@ struct WaterParameters : ObjectParameters {
   int terrainSmooth = 2;
   std::vector<WaterHill> hills;
   std::array<WaterBorder, 4> sides{};  ///< west, east, north, south
+  std::vector<WaterSwell> swell;
   float gravity = 9.81F;
   scene::Animated<float> drag = 0.0F;      ///< 1/s
   float manning = 0;                       ///< s/m^(1/3)

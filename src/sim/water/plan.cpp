@@ -150,7 +150,7 @@ void WaterPlan::chooseSubsteps(const std::string& object, double longest) {
         static_cast<long>(std::ceil(perFrame / allowed)));
 }
 
-shader::WaterStep WaterPlan::stepAt(double time) const {
+shader::WaterStep WaterPlan::stepAt(double time, int step) const {
   const WaterParameters& p = parameters_;
   const double dt = stepSeconds();
   const double ratio = dt / p.cell;
@@ -169,6 +169,14 @@ shader::WaterStep WaterPlan::stepAt(double time) const {
   s.east = static_cast<int>(p.sides[1]);
   s.north = static_cast<int>(p.sides[2]);
   s.south = static_cast<int>(p.sides[3]);
+  s.sea = shader::waterFlush(p.level);
+  float* const seas[] = {&s.seaWest, &s.seaEast, &s.seaNorth, &s.seaSouth};
+  for (const WaterSwell& wave : p.swell) {
+    const double now = time + (step + 0.5) * dt;
+    const double periods = now / wave.period + wave.phase;
+    const auto angle = static_cast<float>(6.283185307179586 * (periods - std::floor(periods)));
+    *seas[wave.side] += 0.5F * wave.height.at(now) * shader::exactSin(angle);
+  }
   return s;
 }
 

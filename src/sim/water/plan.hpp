@@ -16,7 +16,7 @@ namespace simreel::shader {
 // After the types.
 #include "glsl/water/look_types.glsl"
 #include "glsl/water/model.glsl"
-static_assert(sizeof(WaterStep) == 64 && sizeof(WaterLook) == 48);
+static_assert(sizeof(WaterStep) == 80 && sizeof(WaterLook) == 48);
 #undef precise
 #undef FUNCTION
 }  // namespace simreel::shader
@@ -40,8 +40,11 @@ class WaterPlan {
   [[nodiscard]] const std::vector<glm::vec4>& firstCells() const { return first_; }
   [[nodiscard]] int substeps() const { return substeps_; }
   [[nodiscard]] double stepSeconds() const { return frameSeconds_ / substeps_; }
-  /// What the steps of the frame that starts at `time` (s) are told.
-  [[nodiscard]] shader::WaterStep stepAt(double time) const;
+  /// What the steps of the frame that starts at `time` (s) are told; `step` counts from 0, and matters
+  /// where waves come in alone.
+  [[nodiscard]] shader::WaterStep stepAt(double time, int step = 0) const;
+  /// How many of them differ: one, or each.
+  [[nodiscard]] int toldSteps() const { return parameters_.swell.empty() ? 1 : substeps_; }
   /// What falls into the state after `step` steps of the frame that starts at `time` (s).
   [[nodiscard]] WaterFalls fallsAt(double time, int step) const;
   /// Cells that a drop may reach: as Strokes::box.

@@ -100,7 +100,7 @@ class Water : public Simulation {
         size_(plan_.parameters().size),
         colors_(plan_.parameters().display.colors()),
         palette_(name_ + " colours", plan_.palette()),
-        steps_(name_ + " step", 1),
+        steps_(name_ + " step", plan_.toldSteps()),
         look_(name_ + " look", sizeof(shader::WaterLook)) {
     const WaterParameters& p = plan_.parameters();
     material_.roughness = p.roughness;
@@ -249,10 +249,12 @@ class Water : public Simulation {
   }
 
   void advance(double time, const StepWatch& watch) {
-    steps_.upload(std::vector<shader::WaterStep>{plan_.stepAt(time)});
+    std::vector<shader::WaterStep> told;
+    for (int i = 0; i < plan_.toldSteps(); ++i) told.push_back(plan_.stepAt(time, i));
+    steps_.upload(told);
     if (floats_) floats_->startFrame(time);
     for (int i = 1; i <= plan_.substeps(); ++i) {
-      steps_.bind(0);
+      steps_.bind(plan_.toldSteps() > 1 ? static_cast<std::size_t>(i - 1) : 0);
       status_.bindStorage(shader::statusBinding);
       cells_[0].bindInput(shader::water::cellsBinding);
       cells_[1].bindState(shader::water::nextCellsBinding);

@@ -176,6 +176,17 @@ TEST_CASE("water with bodies that float equals its CPU twin") {
   compareWater(p, 5);
 }
 
+TEST_CASE("water into which waves come equals its CPU twin") {
+  using enum sim::WaterBorder;
+  auto p = pond(29, 35);
+  p.sides = {sea, wall, sea, sea};
+  p.swell = {{3, 0.2F, 0.7, 0}, {3, 0.1F, 0.5, 0.3}, {0, 0.1F, 0.9, 0.1}};
+  compareWater(p, 10);
+  p.sides = {wall, sea, sea, open};
+  p.swell = {{1, 0.2F, 0.7, 0}, {2, 0.1F, 0.5, 0.3}};
+  compareWater(p, 6);
+}
+
 TEST_CASE("water: what falls onto it lies on the water and on the dry ground") {
   testContext();
   const scene::Scene scene = scene::parseScene(R"({"version": 1, "objects": {
