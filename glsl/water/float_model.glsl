@@ -340,12 +340,19 @@ FUNCTION FloatBody floatMoved(int me, int stepNumber, FloatBody body, FloatTold 
   precise float off = ahead.z * t.head.x - ahead.x * t.head.y;
   precise float facing = ahead.z * t.head.y + ahead.x * t.head.x;
   off = facing < 0.0f ? (off < 0.0f ? -1.0f : 1.0f) : off;
-  precise float swing = t.head.w * t.mass.w * (t.pull.z * off - t.pull.w * turning.y);
+  precise float swing = t.mass.w * (t.pull.z * off - t.pull.w * turning.y);
   force = force + own + vec3(towX, 0.0f, towZ);
   moment = moment + steering + vec3(0.0f, swing, 0.0f);
   precise vec3 velocity = body.velocity + floats.dt * t.mass.y * force;
   precise float falling = velocity.y - floats.dt * floats.gravity;
   velocity = vec3(clamp(velocity.x, -floats.most, floats.most), falling, clamp(velocity.z, -floats.most, floats.most));
+  // Air slows down what is not in the water, implicit.
+  precise float over = t.grain.w - sum.push.w;
+  precise float dry = max(over, 0.0f) * exactReciprocal(t.grain.w);
+  precise float slower = 1.0f + floats.dt * t.head.w * dry;
+  precise float kept = exactReciprocal(slower);
+  kept = t.head.w > 0.0f ? kept : 1.0f;
+  velocity = velocity * kept;
   precise vec3 at = body.at + floats.dt * velocity;
   precise float wholeX = 2.0f * floats.halfX;
   precise float wholeZ = 2.0f * floats.halfZ;
@@ -355,7 +362,7 @@ FUNCTION FloatBody floatMoved(int me, int stepNumber, FloatBody body, FloatTold 
   precise float frontZ = at.z - wholeZ;
   if (floats.west == periodicSide) at.x = at.x < -floats.halfX ? leftX : at.x > floats.halfX ? rightX : at.x;
   if (floats.north == periodicSide) at.z = at.z < -floats.halfZ ? backZ : at.z > floats.halfZ ? frontZ : at.z;
-  precise vec3 spin = body.spin + floats.dt * moment;
+  precise vec3 spin = (body.spin + floats.dt * moment) * kept;
   vec3 turned = floatTurning(t, body.turn, spin);
   vec4 q = body.turn;
   precise float half_ = 0.5f * floats.dt;

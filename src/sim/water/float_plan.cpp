@@ -64,11 +64,13 @@ std::vector<Hull> FloatPlan::hullsOf(const WaterParameters& water, const std::st
 }
 
 // What lies on the ground sinks in by g dt^2 / (0.25 s) where a share s of it touches, some 3 %; that is to
-// be a twentieth of its height.
-double FloatPlan::longestStep(const std::vector<Hull>& hulls, double gravity) {
+// be a twentieth of its height or a quarter of a cell.
+double FloatPlan::longestStep(const WaterParameters& water, const std::vector<Hull>& hulls) {
   double seconds = 1e9;
-  for (const Hull& hull : hulls)
-    seconds = std::min(seconds, std::sqrt(0.05 * hull.height * 0.25 * 0.03 / gravity));
+  for (const Hull& hull : hulls) {
+    const double sinks = std::max(0.05 * hull.height, 0.25 * water.cell);
+    seconds = std::min(seconds, std::sqrt(sinks * 0.25 * 0.03 / water.gravity));
+  }
   return seconds;
 }
 
@@ -169,15 +171,18 @@ std::vector<glm::vec4> FloatPlan::toldAt(double time) const {
     const WaterFloat& body = floats_[i];
     shader::FloatTold t = told_[i];
     t.reach.w = body.thrust.at(time);
-    t.head = four(0, 0, body.steering.at(time), 0);
+    t.head = four(0, 0, body.steering.at(time), body.air);
     if (body.towed) {
       const glm::dvec3 from(body.tow.at(time));
       const glm::dvec3 speed = (glm::dvec3(body.tow.at(time + frameSeconds_)) - from) / frameSeconds_;
       t.tow = four(from.x, from.z, speed.x, speed.z);
       const double pull = body.pull;
-      t.pull = four(pull * pull, 2 * pull, pull * pull, 2 * pull);
+      t.pull = four(pull * pull, 2 * pull, 0, 0);
       const double along = std::sqrt(speed.x * speed.x + speed.z * speed.z);
-      if (body.turns && along > 1e-6) t.head = four(speed.x / along, speed.z / along, t.head.z, 1);
+      if (body.turns && along > 1e-6) {
+        t.head = four(speed.x / along, speed.z / along, t.head.z, t.head.w);
+        t.pull = four(pull * pull, 2 * pull, pull * pull, 2 * pull);
+      }
     }
     std::memcpy(&texels[i * static_cast<std::size_t>(shader::floatToldTexels)], &t, sizeof t);
   }

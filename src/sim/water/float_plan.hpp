@@ -22,7 +22,7 @@ class FloatPlan {
   /// The bodies of a water, whose name is of messages. Throws what Hull throws.
   [[nodiscard]] static std::vector<Hull> hullsOf(const WaterParameters& water, const std::string& object);
   /// In which these (s) lie on the ground as they should.
-  [[nodiscard]] static double longestStep(const std::vector<Hull>& hulls, double gravity);
+  [[nodiscard]] static double longestStep(const WaterParameters& water, const std::vector<Hull>& hulls);
   /// `cells`: WaterPlan::firstCells(); `depth`: the water's greatest (m). Throws usage for a body that
   /// reaches over too many cells.
   FloatPlan(const WaterParameters& water, const std::string& object, std::vector<Hull> hulls,

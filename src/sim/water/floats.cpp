@@ -16,7 +16,7 @@ void WaterFloat::describe(scene::Fields& f) {
   f.number("radius", radius, {1e-3, 1e3}, "m", "Of a ball.");
   f.vector("size", size, {1e-3, 1e3}, "m", "Of a box.");
   f.asset("file", file, "Closed mesh (OBJ, PLY, glTF), y up, its bow towards +z.");
-  f.number("scale", scale, {1e-6, 1e6}, "", "Factor on the file's coordinates.");
+  f.number("scale", scale, {1e-6, 1e6}, "", "Factor on the coordinates of files.");
   if (shape == WaterFloatShape::file && file.empty())
     f.error("shape", "the shape \"file\" needs \"file\": the mesh to read");
   const auto only = [&](const char* name, WaterFloatShape wanted, const char* what) {
@@ -25,7 +25,9 @@ void WaterFloat::describe(scene::Fields& f) {
   only("radius", WaterFloatShape::ball, "a \"ball\"");
   only("size", WaterFloatShape::box, "a \"box\"");
   only("file", WaterFloatShape::file, "the shape \"file\"");
-  only("scale", WaterFloatShape::file, "the shape \"file\"");
+  f.asset("drawn", drawn, "Mesh that is drawn in its place; it may be open: a leaf, a bowl.");
+  if (shape != WaterFloatShape::file && drawn.empty() && f.given("scale"))
+    f.error("scale", "\"scale\" is of files; give \"drawn\", or the shape \"file\"");
   f.number("density", density, {1, 1e5}, "kg/m^3", "Of it; water has 1000.");
   f.optionalNumber("mass", mass, {1e-6, 1e12}, "kg", "Of it, instead of \"density\".");
   f.leftOut("mass", "density * volume");
@@ -42,6 +44,7 @@ void WaterFloat::describe(scene::Fields& f) {
   f.number("resistance", resistance, {0, 100}, "",
            "Drag coefficient: force over density * speed^2 * area / 2; 0.5 a ball, 1 a box.");
   f.number("keel", keel, {1, 1000}, "", "Factor on both drags sideways, along its x.");
+  f.number("air", air, scene::notNegative, "1/s", "Rate at which it loses its speed in the air.");
   f.number("friction", friction, {0, 10}, "", "Coulomb's coefficient where it touches the ground.");
   f.optionalNumber("apart", apart, {0, 1e4}, "m",
                    "Radius of the sphere around its middle by which floats keep each other away.");

@@ -17,7 +17,8 @@ struct WaterFloat {
   float radius = 0.3F;          ///< m, of a ball
   glm::vec3 size{1, 0.4F, 2};   ///< m, of a box
   std::filesystem::path file;   ///< of a closed mesh
-  float scale = 1;              ///< factor on the file's coordinates
+  float scale = 1;              ///< factor on the coordinates of files
+  std::filesystem::path drawn;  ///< mesh that is drawn in place of the shape; may be open
   float density = 500;          ///< kg/m^3
   std::optional<double> mass;   ///< kg, instead
   glm::vec3 ballast{0};         ///< m from the volume's middle to that of the mass
@@ -28,6 +29,7 @@ struct WaterFloat {
   float drag = 0.2F;            ///< 1/s of a body as dense as the water
   float resistance = 0.5F;      ///< coefficient of the quadratic drag
   float keel = 1;               ///< factor on both sideways
+  float air = 0;                ///< 1/s at which it loses speed in the air
   float friction = 0.4F;        ///< Coulomb's coefficient on the ground
   std::optional<double> apart;  ///< m: radius of the sphere that others keep away from
   scene::Animated<float> thrust = 0.0F;    ///< N along its z

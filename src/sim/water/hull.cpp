@@ -189,11 +189,16 @@ Hull::Hull(const WaterFloat& body, const std::string& name) : mesh(meshOf(body))
     inertia[4] -= kg * r.x * r.z;
     inertia[5] -= kg * r.y * r.z;
   }
-  for (glm::vec3& p : mesh.positions) {
-    p = glm::vec3(glm::dvec3(p) - middle);
-    const glm::dvec3 d(p);
+  for (const glm::vec3& p : mesh.positions) {
+    const glm::dvec3 d = glm::dvec3(p) - middle;
+    corners.emplace_back(d);
     reach = std::max(reach, std::sqrt(d.x * d.x + d.y * d.y + d.z * d.z));
   }
+  if (!body.drawn.empty()) {
+    mesh = loadMesh(body.drawn);
+    for (glm::vec3& p : mesh.positions) p *= body.scale;
+  }
+  for (glm::vec3& p : mesh.positions) p = glm::vec3(glm::dvec3(p) - middle);
   apart = body.apart.value_or(ball ? radius : std::sqrt(outline / std::numbers::pi));
 }
 

@@ -18,7 +18,8 @@ struct Hull {
   /// is not closed.
   Hull(const WaterFloat& body, const std::string& name);
 
-  Mesh mesh;  ///< m, its origin the middle of mass
+  Mesh mesh;                       ///< m, what is drawn, its origin the middle of mass
+  std::vector<glm::vec3> corners;  ///< m, vertices of the shape
   std::vector<glm::vec4>
       points;            ///< middle of a cuboid's part within (m from the middle of mass), m^3 of it
   glm::dvec3 grain{0};   ///< m: sides of a cuboid

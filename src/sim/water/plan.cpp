@@ -51,7 +51,7 @@ WaterPlan::WaterPlan(WaterParameters parameters, const std::string& object, int 
     : parameters_(std::move(parameters)), seed_(seed), frameSeconds_(frameSeconds) {
   makeFirst();
   std::vector<Hull> hulls = FloatPlan::hullsOf(parameters_, object);
-  chooseSubsteps(object, FloatPlan::longestStep(hulls, parameters_.gravity));
+  chooseSubsteps(object, FloatPlan::longestStep(parameters_, hulls));
   strokes_ = Strokes(perStep(parameters_.strokes, stepSeconds()), seed,
                      {parameters_.size, parameters_.isTorus(), "water \"" + object + "\""});
   floats_ = FloatPlan(parameters_, object, std::move(hulls), frameSeconds_, substeps_, depth_, first_);

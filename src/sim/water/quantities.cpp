@@ -54,7 +54,7 @@ std::vector<double> measureFloats(const WaterPlan& plan, std::span<const glm::ve
     if (i > 0) continue;
     at = glm::dvec3(floats[0]);
     double lowest = 1e300;
-    for (const glm::vec3& p : plan.floats().hulls()[0].mesh.positions)
+    for (const glm::vec3& p : plan.floats().hulls()[0].corners)
       lowest = std::min(lowest, heightOf(q, glm::dvec3(p)));
     draft = floats[0].w - (at.y + lowest);
   }

@@ -82,6 +82,7 @@ void addFloats(sim::WaterParameters& p) {
   p.floats.push_back(ball);
   ball.position += glm::vec3(0.1F, 0.35F, 0.05F);
   ball.density = 150;
+  ball.air = 2;
   p.floats.push_back(ball);
   sim::WaterFloat box;
   box.shape = sim::WaterFloatShape::box;
