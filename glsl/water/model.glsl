@@ -260,8 +260,13 @@ FUNCTION float waterDropAt(WaterDrop d, ivec2 cell, vec4 texel) {
   return depth > d.shallow ? rise : 0.0f;
 }
 
-// A cell's texel with `rise` (m) more water; never below the bed.
+// A cell's texel with `rise` (m) more water; never below the bed. What is taken away takes its discharge along.
 FUNCTION vec4 waterRaised(vec4 texel, float rise) {
   precise float level = texel.x + rise;
-  return vec4(max(waterFlush(level), texel.w), texel.y, texel.z, texel.w);
+  precise float depth = texel.x - texel.w;
+  precise float left = 1.0f + rise * exactReciprocal(max(depth, 1e-12f));
+  left = rise < 0.0f ? max(left, 0.0f) : 1.0f;
+  precise float qx = texel.y * left;
+  precise float qy = texel.z * left;
+  return vec4(max(waterFlush(level), texel.w), waterFlush(qx), waterFlush(qy), texel.w);
 }

@@ -37,6 +37,7 @@ FloatKernels::FloatKernels(const std::string& name, const WaterPlan& plan, bool 
   for (std::size_t i = 0; i < floats.hulls().size(); ++i) {
     drawn_.emplace_back(name + " float " + std::to_string(i), floats.hulls()[i]);
     drawn_.back().material = plan.parameters().floats[i].material;
+    drawn_.back().doubleSided = !plan.parameters().floats[i].drawn.empty();
   }
   for (gl::Vec4Array& bodies : bodies_) bodies = gl::Vec4Array(name + " floats", floats.first());
   points_ = gl::Vec4Array(name + " floats' points", floats.points());
@@ -113,6 +114,7 @@ void FloatKernels::publish(Drawables& drawables) const {
     surface.positions = &drawn.positions.view();
     surface.normals = &drawn.normals.view();
     surface.material = &drawn.material;
+    surface.doubleSided = drawn.doubleSided;
     drawables.surfaces.push_back(surface);
   }
 }

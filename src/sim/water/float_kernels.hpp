@@ -41,6 +41,7 @@ class FloatKernels {
     gl::Vec4Array rest, restNormals, positions, normals;
     scene::Material material;
     int count;
+    bool doubleSided = false;
   };
 
   const WaterPlan* plan_;

@@ -61,6 +61,8 @@ void WaterFloat::describe(scene::Fields& f) {
   f.vector("color", material.color, scene::fraction, "linear RGB", "Of it.");
   f.asset("texture", material.texture, "Picture laid over it by its uv, multiplied with the colour.");
   f.number("roughness", material.roughness, scene::fraction, "", "0 mirrors, 1 is matt.");
+  f.number("translucency", material.translucency, scene::fraction, "",
+           "Fraction of the light from behind that shines through.");
   f.number("metallic", material.metallic, scene::fraction, "", "1 for metal.");
 }
 

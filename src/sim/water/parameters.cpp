@@ -140,6 +140,16 @@ void WaterParameters::describeFlow(scene::Fields& f) {
            d.number("height", drop.height, heights, "m",
                     "By which the level rises in its middle; a dent below 0.");
          });
+  f.list("drains", drains, "Holes through which water leaves, down to a film.",
+         [](scene::Fields& d, WaterDrain& drain) {
+           d.vector("center", drain.center, scene::anyNumber, "m",
+                    "Where, from the grid's middle; y is unused.");
+           d.number("radius", drain.radius, {1e-4, 1e4}, "m", "Of it.");
+           d.number("speed", drain.speed, {0, 1e3}, "m/s",
+                    "At which the level would fall in its middle: pi / 3 radius^2 speed m^3 a second.");
+           d.number("from", drain.from, scene::anyNumber, "s", "When it opens.");
+           d.number("until", drain.until, scene::anyNumber, "s", "When it closes.");
+         });
   f.optionalGroup("rain", hasRain, "Drops at random places, where there is water.", [&](scene::Fields& r) {
     r.number("rate", rain.rate, {1e-3, 1e4}, "1/s", "Drops on the whole grid.");
     r.number("radius", rain.radius, {1e-4, 1e4}, "m", "Of the mean drop; half to one and a half of it.");

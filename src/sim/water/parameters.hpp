@@ -39,6 +39,14 @@ struct WaterDropParameters {
   float height = 0.1F;  ///< m, that the level rises by in its middle; negative: a dent
 };
 
+/// Where water leaves.
+struct WaterDrain {
+  glm::vec3 center{0};                  ///< m from the grid's middle (y unused)
+  float radius = 0.5F;                  ///< m
+  scene::Animated<float> speed = 0.5F;  ///< m/s at which the level falls in its middle
+  double from = 0, until = 1e9;         ///< s
+};
+
 /// Drops at random places.
 struct WaterRain {
   double rate = 10;      ///< 1/s, on the whole grid
@@ -78,6 +86,7 @@ struct WaterParameters : ObjectParameters {
   std::optional<double> greatestDepth;     ///< m
   std::optional<double> greatestSpeed;     ///< m/s
   std::vector<WaterDropParameters> drops;
+  std::vector<WaterDrain> drains;
   bool hasRain = false;
   WaterRain rain;
   std::vector<StrokeParameters> strokes;

@@ -63,6 +63,10 @@ WaterPlan::WaterPlan(WaterParameters parameters, const std::string& object, int 
           object, drop.at, drop.center.x, drop.center.z,
           static_cast<float>(parameters_.size.x) * parameters_.cell,
           static_cast<float>(parameters_.size.y) * parameters_.cell);
+  for (const WaterDrain& drain : parameters_.drains)
+    if (box(dropOf(cellsAt(drain.center), drain.radius, 0)).z == 0)
+      warn("water \"{}\": the drain at ({:g}, {:g}) m from the middle is beside the grid", object,
+           drain.center.x, drain.center.z);
 }
 
 glm::dvec2 WaterPlan::cellsAt(const glm::vec3& metres) const {
@@ -196,6 +200,10 @@ WaterFalls WaterPlan::fallsAt(double time, int step) const {
   if (!strokes_.empty()) falls.strokes = strokes_.into(now, dt, state);
   for (const WaterDropParameters& drop : p.drops)
     if (due(drop.at)) falls.drops.push_back(dropOf(cellsAt(drop.center), drop.radius, drop.height));
+  for (const WaterDrain& drain : p.drains)
+    if (step > 0 && now - 0.5 * dt >= drain.from && now - 0.5 * dt < drain.until)
+      falls.drops.push_back(
+          dropOf(cellsAt(drain.center), drain.radius, static_cast<float>(-drain.speed.at(now) * dt)));
   if (!p.hasRain) return falls;
   const double begin = std::floor((now - 2 * dt - p.rain.from) * p.rain.rate);
   const double end = std::ceil((now + 2 * dt - p.rain.from) * p.rain.rate);
@@ -229,7 +237,8 @@ glm::ivec4 WaterPlan::box(const shader::WaterDrop& drop) const {
 }
 
 bool WaterPlan::anythingFalls() const {
-  return !strokes_.empty() || !parameters_.drops.empty() || parameters_.hasRain;
+  return !strokes_.empty() || !parameters_.drops.empty() || !parameters_.drains.empty() ||
+         parameters_.hasRain;
 }
 
 shader::WaterLook WaterPlan::look() const {

@@ -111,7 +111,6 @@ class Water : public Simulation {
     ground_.textureScale = glm::vec3(p.groundRepeat, p.groundRepeat * across, 1);
     for (gl::Vec4Array& cells : cells_) cells = gl::Vec4Array(name_ + " cells", plan_.firstCells());
     const int count = size_.x * size_.y;
-    positions_ = gl::Vec4Array(name_ + " positions", count);
     values_ = gl::Vec4Array(name_ + " values", count);
     words_ = gl::Texture::view(name_ + " words", GL_RGBA32UI, values_.buffer());
     groundPositions_ = gl::Vec4Array(name_ + " ground", groundOf(plan_));
@@ -170,7 +169,7 @@ class Water : public Simulation {
       surface.positions = &groundPositions_.view();
       surface.material = &ground_;
       drawables.surfaces.push_back(surface);
-      surface.positions = &positions_.view();
+      surface.positions = &cells_[1].view();
       surface.palette = &palette_.view();
       surface.material = &material_;
       drawables.surfaces.push_back(surface);
@@ -203,7 +202,7 @@ class Water : public Simulation {
     return arrays;
   }
   [[nodiscard]] std::optional<MeshTable> mesh() const override {
-    return sheetMesh(size_, positions_.buffer().readAll<glm::vec4>());
+    return sheetMesh(size_, cells_[1].buffer().readAll<glm::vec4>());
   }
   [[nodiscard]] const HeightField* heights() const override { return heights_ ? &*heights_ : nullptr; }
   [[nodiscard]] const gl::Buffer* status() const override { return &status_; }
@@ -302,7 +301,7 @@ class Water : public Simulation {
   void show() {
     look_.bindUniform(shader::stepBinding, 0, sizeof(shader::WaterLook));
     cells_[0].bindInput(shader::water::cellsBinding);
-    positions_.bindState(shader::water::positionsBinding);
+    cells_[1].bindState(shader::water::positionsBinding);
     values_.bindState(shader::water::valuesBinding);
     gl::barrier();
     show_.dispatch(size_.x, size_.y);
@@ -317,8 +316,8 @@ class Water : public Simulation {
   std::vector<glm::vec3> colors_;
   /// That an invocation of the step takes: fewer where there is little to share out.
   int rowsEach_ = gl::memoryPath() == gl::MemoryPath::texel ? 8 : 4;
-  gl::Vec4Array cells_[2];  ///< now, and where the next step writes
-  gl::Vec4Array positions_, values_, groundPositions_;
+  gl::Vec4Array cells_[2];  ///< now, and where the next step writes: until then what is drawn
+  gl::Vec4Array values_, groundPositions_;
   gl::Vec4Array palette_;
   gl::Texture words_;
   gl::Buffer indices_;

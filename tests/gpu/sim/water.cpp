@@ -32,6 +32,7 @@ sim::WaterParameters pond(int width, int height) {
   p.pools = {{{-10, 0, -10}, {-0.4F * w, 0, 10}, 0.3F}};
   p.greatestSpeed = 4;
   p.foam = 2;
+  p.drains = {{{0.3F * w, 0, 0.6F * w}, 0.3F, 0.8F, 0.05, 0.3}};
   p.drops = {{0.1, {0.1F, 0, 0.2F}, 0.5F, 0.2F}};
   p.hasRain = true;
   p.rain.rate = 100;

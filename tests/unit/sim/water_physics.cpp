@@ -194,6 +194,26 @@ TEST_CASE("water: rain, sources and drops bring what they say") {
   CHECK(waterOf(dropped, "volume") - before == doctest::Approx(3.14159265 / 3 * 0.1).epsilon(1e-3));
 }
 
+TEST_CASE("water: a drain takes what it says, and never more than there is") {
+  sim::WaterParameters p;
+  p.size = {40, 44};
+  p.cell = 0.25F;
+  p.drains = {{{0.5F, 0, 0.2F}, 1, 0.4F, 0.5, 1.5}};
+  WaterTwin twin(sim::WaterPlan(p, "basin", 1, 1.0 / 20));
+  const double before = waterOf(twin, "volume");
+  for (int frame = 0; frame < 40; ++frame) twin.step(frame / 20.0);
+  CHECK(before - waterOf(twin, "volume") == doctest::Approx(3.14159265 / 3 * 0.4).epsilon(0.02));
+  p.drains[0].speed = 50.0F;
+  WaterTwin emptied(sim::WaterPlan(p, "basin", 1, 1.0 / 20));
+  double lowest = 0;
+  for (int frame = 0; frame < 40; ++frame) {
+    emptied.step(frame / 20.0);
+    for (const glm::vec4& c : emptied.cells) lowest = std::min(lowest, static_cast<double>(c.x) - c.w);
+  }
+  CHECK(lowest == 0);
+  CHECK(waterOf(emptied, "volume") < 0.95 * before);
+}
+
 TEST_CASE("water: a stream slows down as Manning's law says") {
   // dv/dt = -g n^2 v^2 / h^(4/3): at h = 1 the inverse of the speed grows by g n^2 a second.
   sim::WaterParameters p;
