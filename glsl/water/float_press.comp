@@ -23,6 +23,7 @@ vec4 loadFloatPoint(int i) { return vec4(0.0f); }
 void addToSum(int cell, int which, int value) {}
 #include "water/model.glsl"
 #include "water/float_model.glsl"
+#include "water/float_motion.glsl"
 
 void main() {
   int x = int(gl_GlobalInvocationID.x), y = int(gl_GlobalInvocationID.y);

@@ -28,6 +28,7 @@ vec4 loadFloatPoint(int i) { return LOAD_INPUT(points, i); }
 void addToSum(int cell, int which, int value) { atomicAdd(sums[cell * 4 + which], value); }
 #include "water/model.glsl"
 #include "water/float_model.glsl"
+#include "water/float_motion.glsl"
 
 void main() {
   int me = int(gl_WorkGroupID.x), lane = int(gl_LocalInvocationID.x);

@@ -39,6 +39,7 @@ struct FloatKernel {
   [[nodiscard]] vec4 loadFloatPoint(int i) const { return points[static_cast<std::size_t>(i)]; }
   void addToSum(int cell, int which, int value) { sums[static_cast<std::size_t>(cell)][which] += value; }
 #include "glsl/water/float_model.glsl"
+#include "glsl/water/float_motion.glsl"
 };
 
 #undef precise

@@ -249,6 +249,7 @@ class Water : public Simulation {
 
   void advance(double time, const StepWatch& watch) {
     std::vector<shader::WaterStep> told;
+    told.reserve(static_cast<std::size_t>(plan_.toldSteps()));
     for (int i = 0; i < plan_.toldSteps(); ++i) told.push_back(plan_.stepAt(time, i));
     steps_.upload(told);
     if (floats_) floats_->startFrame(time);
