@@ -7,6 +7,7 @@ using namespace simreel;
 namespace simreel::shader {
 namespace {
 
+#define SEA 1
 #define FUNCTION
 #define precise
 
@@ -44,6 +45,7 @@ struct FloatKernel {
 
 #undef precise
 #undef FUNCTION
+#undef SEA
 
 }  // namespace
 }  // namespace simreel::shader

@@ -1,5 +1,6 @@
 #include "sim/water/hull.hpp"
 
+#include "base/error.hpp"
 #include "sim/collide/closed_mesh.hpp"
 #include "sim/mesh/shapes.hpp"
 
@@ -57,6 +58,16 @@ Mesh meshOf(const WaterFloat& body) {
   Mesh mesh = loadMesh(body.file);
   for (glm::vec3& p : mesh.positions) p *= body.scale;
   return mesh;
+}
+
+ClosedMesh closedOf(const Mesh& mesh, const std::string& name) {
+  try {
+    return {name, mesh, 1};
+  } catch (const UserError& error) {
+    fail(error.code(),
+         "{}; what floats may also be a \"box\" or \"ball\" for which an open mesh is \"drawn\"",
+         error.what());
+  }
 }
 
 /// Lines along y, raysAcross^2 to each column of cuboids.
@@ -125,7 +136,7 @@ glm::ivec3 cuboidsOf(const glm::dvec3& extent) {
 }  // namespace
 
 Hull::Hull(const WaterFloat& body, const std::string& name) : mesh(meshOf(body)) {
-  const ClosedMesh closed(name, mesh, 1);
+  const ClosedMesh closed = closedOf(mesh, name);
   const bool ball = body.shape == WaterFloatShape::ball;
   const double radius = body.radius;
   volume = ball ? 4.0 / 3 * std::numbers::pi * radius * radius * radius : closed.volume;

@@ -113,8 +113,10 @@ class Water : public Simulation {
     const int count = size_.x * size_.y;
     values_ = gl::Vec4Array(name_ + " values", count);
     words_ = gl::Texture::view(name_ + " words", GL_RGBA32UI, values_.buffer());
-    groundPositions_ = gl::Vec4Array(name_ + " ground", groundOf(plan_));
-    indices_ = gl::Buffer::of<unsigned>(name_ + " indices", gridIndices(size_));
+    if (p.visible) {
+      groundPositions_ = gl::Vec4Array(name_ + " ground", groundOf(plan_));
+      indices_ = gl::Buffer::of<unsigned>(name_ + " indices", gridIndices(size_));
+    }
     constexpr unsigned fine[4] = {0xffffffffU, 0xffffffffU, 0, 0};
     status_ = gl::Buffer::of<unsigned>(name_ + " status", fine);
     const shader::WaterLook look = plan_.look();
@@ -232,6 +234,9 @@ class Water : public Simulation {
     gl::Defines defines = gl::kernelDefines(fast);
     gl::Defines rows = defines;
     rows.emplace_back("ROWS", std::to_string(rowsEach_));
+    const auto& sides = plan_.parameters().sides;
+    const bool sea = std::find(sides.begin(), sides.end(), WaterBorder::sea) != sides.end();
+    rows.emplace_back("SEA", sea ? "1" : "0");
     step_ = gl::Program::compute("water/step.comp", rows);
     step_.checkUniformBlock("WaterBlock", sizeof(shader::WaterStep));
     step_.set("size", size_);

@@ -189,6 +189,25 @@ TEST_CASE("water floats: what drag takes from a body goes to the water") {
   CHECK(momentum().y == doctest::Approx(before.y).epsilon(5e-3));
 }
 
+TEST_CASE("water floats: a body slides down a slope of the water as fast as the water does") {
+  // The pressure's gradient over its draft: dv/dt = -g w_x. And a free fall.
+  auto body = boxOf({0.8F, 0.5F, 1}, 500);
+  body.drag = 0;
+  body.resistance = 0;
+  auto p = poolWith(body, 40, 0.2F);
+  p.floats.push_back(body);
+  p.floats[1].position = {2, 3, 2};
+  WaterTwin twin = twinOf(p);
+  for (std::size_t i = 0; i < twin.cells.size(); ++i)
+    twin.cells[i].x = 0.02F * 0.2F * (static_cast<float>(i % 40) - 19.5F);
+  twin.step(0);
+  twin.step(floatFrame);
+  CHECK(static_cast<double>(twin.floats[2].x) ==
+        doctest::Approx(-9.81 * 0.02 * 2 * floatFrame).epsilon(0.03));
+  CHECK(std::abs(twin.floats[2].z) < 1e-5F);
+  CHECK(static_cast<double>(twin.floats[6].y) == doctest::Approx(-9.81 * 2 * floatFrame).epsilon(1e-4));
+}
+
 TEST_CASE("water floats: bodies lie on the ground, keep apart, and follow a tow") {
   // On a beach that is dry.
   sim::WaterFloat ball;
