@@ -59,12 +59,30 @@ FUNCTION WaterCell waterMirrored(WaterCell c, bool alongX, bool alongY) {
 
 // The cell that stands for cell i of `count`, -2 <= i <= count + 1. Whether it is mirrored: waterIsMirrored.
 FUNCTION int waterFolded(int i, int count, int low, int high) {
-  if (i < 0) return low == periodicSide ? i + count : low == openSide ? 0 : -1 - i;
-  if (i >= count) return high == periodicSide ? i - count : high == openSide ? count - 1 : 2 * count - 1 - i;
+  if (i < 0) return low == periodicSide ? i + count : low == wallSide ? -1 - i : 0;
+  if (i >= count) return high == periodicSide ? i - count : high == wallSide ? 2 * count - 1 - i : count - 1;
   return i;
 }
 FUNCTION bool waterIsMirrored(int i, int count, int low, int high) {
   return (i < 0 && low == wallSide) || (i >= count && high == wallSide);
+}
+
+// What comes from the sea: a wave that goes one way over still water of the border cell's depth, so u = 2 (c - c0) (a simple
+// wave); whatever comes out meets no wall. The level is never below the bed.
+FUNCTION WaterCell waterSea(vec4 border, float swell, WaterStep told) {
+  precise float top = told.sea + swell;
+  precise float level = max(top, border.w);
+  precise float depth = level - border.w;
+  precise float still = told.sea - border.w;
+  precise float weight = told.gravity * depth;
+  precise float weight0 = told.gravity * max(still, 0.0f);
+  precise float speed = 2.0f * (exactSqrt(weight) - exactSqrt(weight0));
+  WaterCell c;
+  c.level = level;
+  c.depth = depth;
+  c.u = swell == 0.0f || still <= told.thin ? 0.0f : speed;
+  c.v = 0.0f;
+  return c;
 }
 
 // Of the differences to both neighbours and their mean: twice the smaller ones or the mean, whichever is
@@ -242,8 +260,13 @@ FUNCTION float waterDropAt(WaterDrop d, ivec2 cell, vec4 texel) {
   return depth > d.shallow ? rise : 0.0f;
 }
 
-// A cell's texel with `rise` (m) more water; never below the bed.
+// A cell's texel with `rise` (m) more water; never below the bed. What is taken away takes its discharge along.
 FUNCTION vec4 waterRaised(vec4 texel, float rise) {
   precise float level = texel.x + rise;
-  return vec4(max(waterFlush(level), texel.w), texel.y, texel.z, texel.w);
+  precise float depth = texel.x - texel.w;
+  precise float left = 1.0f + rise * exactReciprocal(max(depth, 1e-12f));
+  left = rise < 0.0f ? max(left, 0.0f) : 1.0f;
+  precise float qx = texel.y * left;
+  precise float qy = texel.z * left;
+  return vec4(max(waterFlush(level), texel.w), waterFlush(qx), waterFlush(qy), texel.w);
 }

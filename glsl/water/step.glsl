@@ -1,11 +1,24 @@
 // A whole step of one cell from the thirteen around it. Compiles as GLSL and as C++. Whoever includes it provides
-// `water` (WaterStep), `size` (ivec2, cells) and loadWater(int i), a texel of the state.
+// `water` (WaterStep), `size` (ivec2, cells) and loadWater(int i), a texel of the state. Define SEA: 1 or 0, whether a side is
+// the sea.
 
 // `told` and `grid`: copies of them, which are read once.
 FUNCTION WaterCell waterAt(int x, int y, WaterStep told, ivec2 grid) {
   int column = waterFolded(x, grid.x, told.west, told.east);
   int row = waterFolded(y, grid.y, told.north, told.south);
-  WaterCell c = waterCell(loadWater(row * grid.x + column), told.thin);
+  vec4 texel = loadWater(row * grid.x + column);
+  WaterCell c = waterCell(texel, told.thin);
+#if SEA
+  bool west = x < 0 && told.west == seaSide, east = x >= grid.x && told.east == seaSide;
+  bool north = y < 0 && told.north == seaSide, south = y >= grid.y && told.south == seaSide;
+  if (west || east || north || south) {
+    c = waterSea(texel, west ? told.seaWest : east ? told.seaEast : north ? told.seaNorth : told.seaSouth, told);
+    float speed = west || north ? c.u : -c.u;
+    c.u = west || east ? speed : 0.0f;
+    c.v = west || east ? 0.0f : speed;
+    return c;
+  }
+#endif
   return waterMirrored(c, waterIsMirrored(x, grid.x, told.west, told.east),
                        waterIsMirrored(y, grid.y, told.north, told.south));
 }

@@ -4,6 +4,7 @@
 const int wallSide = 0;      // the mirror image: nothing flows through
 const int openSide = 1;      // the border cell again: what comes goes
 const int periodicSide = 2;  // the opposite side
+const int seaSide = 3;       // a wide sea: its waves come in, and what comes out is gone
 
 // A cell is a texel: x level (m), y and z discharge along x and y (m^2/s), w bed (m).
 struct STD140 WaterStep {
@@ -21,6 +22,11 @@ struct STD140 WaterStep {
   int east;
   int north;
   int south;
+  float sea;        // m: the sea's level
+  float seaWest;    // m: how much higher it stands beyond each side now
+  float seaEast;
+  float seaNorth;
+  float seaSouth;
 };
 
 // Adds `height` (1 - r^2 / R^2)^2 to the level within R, where there is water.

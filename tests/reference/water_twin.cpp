@@ -7,6 +7,7 @@ using namespace simreel;
 namespace simreel::shader {
 namespace {
 
+#define SEA 1
 #define FUNCTION
 #define precise
 
@@ -23,8 +24,28 @@ struct WaterKernel {
 #include "glsl/water/step.glsl"
 };
 
+/// What the kernels of floats see.
+struct FloatKernel {
+  const std::vector<glm::vec4>& cells;
+  const std::vector<glm::vec4>& bodies;
+  const std::vector<glm::vec4>& told;
+  const std::vector<glm::vec4>& points;
+  std::vector<glm::ivec4>& sums;
+  ivec2 size;
+  FloatStep floats;
+
+  [[nodiscard]] vec4 loadWater(int i) const { return cells[static_cast<std::size_t>(i)]; }
+  [[nodiscard]] vec4 loadFloat(int i) const { return bodies[static_cast<std::size_t>(i)]; }
+  [[nodiscard]] vec4 loadTold(int i) const { return told[static_cast<std::size_t>(i)]; }
+  [[nodiscard]] vec4 loadFloatPoint(int i) const { return points[static_cast<std::size_t>(i)]; }
+  void addToSum(int cell, int which, int value) { sums[static_cast<std::size_t>(cell)][which] += value; }
+#include "glsl/water/float_model.glsl"
+#include "glsl/water/float_motion.glsl"
+};
+
 #undef precise
 #undef FUNCTION
+#undef SEA
 
 }  // namespace
 }  // namespace simreel::shader
@@ -32,13 +53,17 @@ struct WaterKernel {
 WaterTwin::WaterTwin(sim::WaterPlan plan, double start)
     : cells(plan.firstCells()), plan_(std::move(plan)), next_(cells) {
   fall(start, 0);
+  if (plan_.floats().empty()) return;
+  floats = plan_.floats().first();
+  displaced.resize(cells.size());
+  drift(start, -1);
 }
 
 void WaterTwin::step(double time) {
-  const shader::WaterStep water = plan_.stepAt(time);
   for (int i = 1; i <= plan_.substeps(); ++i) {
-    advance(water);
+    advance(plan_.stepAt(time, i - 1));
     fall(time, i);
+    if (!floats.empty()) drift(time, i - 1);
   }
 }
 
@@ -68,6 +93,46 @@ void WaterTwin::fall(double time, int step) {
   for (const shader::WaterDrop& drop : falls.drops)
     raise(plan_.box(drop),
           [&](glm::ivec2 cell, const glm::vec4& texel) { return shader::waterDropAt(drop, cell, texel); });
+}
+
+void WaterTwin::drift(double time, int index) {
+  const glm::ivec2 size = plan_.parameters().size;
+  const std::vector<glm::vec4> told = plan_.floats().toldAt(time);
+  const std::vector<glm::vec4> before = floats;
+  shader::FloatKernel kernel{
+      cells, before, told, plan_.floats().points(), displaced, size, plan_.floats().step()};
+  for (int body = 0; body < kernel.floats.count; ++body) {
+    const shader::FloatKernel::FloatBody now = kernel.floatBody(body);
+    const shader::FloatTold what = kernel.floatTold(body);
+    std::vector<shader::FloatKernel::FloatSum> lanes;
+    for (int lane = 0; lane < shader::floatLanes; ++lane)
+      lanes.push_back(kernel.floatLane(lane, now, what));
+    for (std::size_t stride = lanes.size() / 2; stride > 0; stride /= 2)
+      for (std::size_t lane = 0; lane < stride; ++lane)
+        lanes[lane] = kernel.floatAdded(lanes[lane], lanes[lane + stride]);
+    shader::FloatKernel::FloatBody next =
+        index < 0 ? now : kernel.floatMoved(body, index, now, what, lanes[0]);
+    next.under = lanes[0].push.w;
+    const auto first = static_cast<std::size_t>(body * shader::floatTexels);
+    floats[first] = {next.at, next.level};
+    floats[first + 1] = next.turn;
+    floats[first + 2] = {next.velocity, next.under};
+    floats[first + 3] = {next.spin, 0.0F};
+  }
+  for (int body = 0; body < kernel.floats.count; ++body) {
+    const int side = plan_.floats().side();
+    for (int y = 0; y < side; ++y)
+      for (int x = 0; x < side; ++x) {
+        const int cell = kernel.floatOwned(body, {x, y});
+        if (cell < 0) continue;
+        glm::ivec4& sum = displaced[static_cast<std::size_t>(cell)];
+        glm::vec4& texel = cells[static_cast<std::size_t>(cell)];
+        const bool same = sum.x == sum.w && sum.y == 0 && sum.z == 0;
+        const glm::vec4 old = texel;
+        if (index >= 0 && !same) texel = kernel.floatPressed(old, sum);
+        sum = {0, 0, 0, index < 0 ? sum.x : same ? sum.w : kernel.floatDisplaced(old, sum)};
+      }
+  }
 }
 
 void WaterTwin::look(std::vector<glm::vec4>& positions, std::vector<glm::vec4>& values) const {

@@ -20,7 +20,13 @@ class WaterTwin {
   void look(std::vector<glm::vec4>& positions, std::vector<glm::vec4>& values) const;
   [[nodiscard]] const simreel::sim::WaterPlan& plan() const { return plan_; }
 
-  std::vector<glm::vec4> cells;  ///< x fastest
+  /// Moves floats, and what they do to the water; step `index` of the frame at `time`, from 0. -1: what the
+  /// first state's floats displace.
+  void drift(double time, int index);
+
+  std::vector<glm::vec4> cells;       ///< x fastest
+  std::vector<glm::vec4> floats;      ///< FloatPlan::first()
+  std::vector<glm::ivec4> displaced;  ///< a cell an element, as the kernels have it; empty without floats
 
  private:
   void fall(double time, int step);

@@ -29,6 +29,9 @@ void WaterParameters::describe(scene::Fields& f) {
   f.vector("position", position, scene::anyNumber, "m", "The grid's middle, at level 0.");
   describeStart(f);
   describeFlow(f);
+  f.list(
+      "floats", floats, "Bodies that float on the water and push it.",
+      [](scene::Fields& b, WaterFloat& body) { body.describe(b); }, 64);
   describeLook(f);
   rainOnPond(f);
 }
@@ -87,16 +90,32 @@ void WaterParameters::describeStart(scene::Fields& f) {
 }
 
 void WaterParameters::describeFlow(scene::Fields& f) {
-  f.group("sides", "What lies beyond each side.", [&](scene::Fields& s) {
-    const char* const names[] = {"west", "east", "north", "south"};
-    const char* const docs[] = {"Towards -x.", "Towards +x.", "Towards -z.", "Towards +z."};
-    for (std::size_t i = 0; i < 4; ++i) s.choice(names[i], sides[i], {"wall", "open", "periodic"}, docs[i]);
-    for (std::size_t i = 0; i < 4; i += 2)
-      if ((sides[i] == WaterBorder::periodic) != (sides[i + 1] == WaterBorder::periodic))
-        s.error(
-            s.given(names[i]) ? names[i] : names[i + 1],
-            fmt::format("\"{}\" and \"{}\" are periodic together or not at all", names[i], names[i + 1]));
-  });
+  f.group("sides",
+          "What lies beyond each side; \"sea\": still water at \"level\", from which \"swell\" comes and "
+          "into which "
+          "waves go.",
+          [&](scene::Fields& s) {
+            const char* const names[] = {"west", "east", "north", "south"};
+            const char* const docs[] = {"Towards -x.", "Towards +x.", "Towards -z.", "Towards +z."};
+            for (std::size_t i = 0; i < 4; ++i)
+              s.choice(names[i], sides[i], {"wall", "open", "periodic", "sea"}, docs[i]);
+            for (std::size_t i = 0; i < 4; i += 2)
+              if ((sides[i] == WaterBorder::periodic) != (sides[i + 1] == WaterBorder::periodic))
+                s.error(s.given(names[i]) ? names[i] : names[i + 1],
+                        fmt::format("\"{}\" and \"{}\" are periodic together or not at all", names[i],
+                                    names[i + 1]));
+          });
+  f.list(
+      "swell", swell, "Waves that come in from a side that is \"sea\"; those of one side add up.",
+      [&](scene::Fields& w, WaterSwell& wave) {
+        w.oneOf("side", wave.side, {"west", "east", "north", "south"}, "Where from.");
+        w.number("height", wave.height, {0, 1e3}, "m", "From trough to crest.");
+        w.number("period", wave.period, {1e-2, 1e4}, "s", "From crest to crest.");
+        w.number("phase", wave.phase, {-1e3, 1e3}, "periods", "0 rises through the sea's level at 0 s.");
+        if (sides[static_cast<std::size_t>(wave.side)] != WaterBorder::sea)
+          w.error("side", "waves come in over a side that is \"sea\"");
+      },
+      16);
   f.number("gravity", gravity, {1e-3, 1e3}, "m/s^2", "Downwards.");
   f.number("drag", drag, scene::notNegative, "1/s", "Rate at which the water loses speed everywhere.");
   f.number("manning", manning, {0, 1}, "s/m^(1/3)",
@@ -120,6 +139,16 @@ void WaterParameters::describeFlow(scene::Fields& f) {
            d.number("radius", drop.radius, {1e-4, 1e4}, "m", "Of it.");
            d.number("height", drop.height, heights, "m",
                     "By which the level rises in its middle; a dent below 0.");
+         });
+  f.list("drains", drains, "Holes through which water leaves, down to a film.",
+         [](scene::Fields& d, WaterDrain& drain) {
+           d.vector("center", drain.center, scene::anyNumber, "m",
+                    "Where, from the grid's middle; y is unused.");
+           d.number("radius", drain.radius, {1e-4, 1e4}, "m", "Of it.");
+           d.number("speed", drain.speed, {0, 1e3}, "m/s",
+                    "At which the level would fall in its middle: pi / 3 radius^2 speed m^3 a second.");
+           d.number("from", drain.from, scene::anyNumber, "s", "When it opens.");
+           d.number("until", drain.until, scene::anyNumber, "s", "When it closes.");
          });
   f.optionalGroup("rain", hasRain, "Drops at random places, where there is water.", [&](scene::Fields& r) {
     r.number("rate", rain.rate, {1e-3, 1e4}, "1/s", "Drops on the whole grid.");

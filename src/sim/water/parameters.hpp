@@ -3,6 +3,7 @@
 #include "sim/core/kind.hpp"
 #include "sim/grid/field_display.hpp"
 #include "sim/grid/strokes.hpp"
+#include "sim/water/floats.hpp"
 
 #include <array>
 #include <filesystem>
@@ -15,7 +16,7 @@
 namespace simreel::sim {
 
 /// What lies beyond a side of the grid; in the order of glsl/water/types.glsl.
-enum class WaterBorder { wall, open, periodic };
+enum class WaterBorder { wall, open, periodic, sea };
 
 /// A round rise of the bed, `height` (1 - r^2 / radius^2)^2; a hollow where the height is negative.
 struct WaterHill {
@@ -38,6 +39,14 @@ struct WaterDropParameters {
   float height = 0.1F;  ///< m, that the level rises by in its middle; negative: a dent
 };
 
+/// Where water leaves.
+struct WaterDrain {
+  glm::vec3 center{0};                  ///< m from the grid's middle (y unused)
+  float radius = 0.5F;                  ///< m
+  scene::Animated<float> speed = 0.5F;  ///< m/s at which the level falls in its middle
+  double from = 0, until = 1e9;         ///< s
+};
+
 /// Drops at random places.
 struct WaterRain {
   double rate = 10;      ///< 1/s, on the whole grid
@@ -45,6 +54,14 @@ struct WaterRain {
   float height = 0.1F;   ///< m
   double from = 0;       ///< s
   double until = 1e9;    ///< s
+};
+
+/// Waves that come in from the sea.
+struct WaterSwell {
+  int side = 3;                          ///< west, east, north, south
+  scene::Animated<float> height = 0.3F;  ///< m, from trough to crest
+  double period = 4;                     ///< s
+  double phase = 0;                      ///< of a period
 };
 
 /// Shallow water over a terrain as a scene says it.
@@ -60,6 +77,7 @@ struct WaterParameters : ObjectParameters {
   int terrainSmooth = 2;
   std::vector<WaterHill> hills;
   std::array<WaterBorder, 4> sides{};  ///< west, east, north, south
+  std::vector<WaterSwell> swell;
   float gravity = 9.81F;
   scene::Animated<float> drag = 0.0F;      ///< 1/s
   float manning = 0;                       ///< s/m^(1/3)
@@ -68,9 +86,11 @@ struct WaterParameters : ObjectParameters {
   std::optional<double> greatestDepth;     ///< m
   std::optional<double> greatestSpeed;     ///< m/s
   std::vector<WaterDropParameters> drops;
+  std::vector<WaterDrain> drains;
   bool hasRain = false;
   WaterRain rain;
   std::vector<StrokeParameters> strokes;
+  std::vector<WaterFloat> floats;
   bool collides = false;
   float grip = 2;  ///< 1/s
   bool visible = true;

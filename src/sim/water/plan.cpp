@@ -50,9 +50,11 @@ std::vector<float> smoothed(const std::vector<float>& heights, glm::ivec2 size) 
 WaterPlan::WaterPlan(WaterParameters parameters, const std::string& object, int seed, double frameSeconds)
     : parameters_(std::move(parameters)), seed_(seed), frameSeconds_(frameSeconds) {
   makeFirst();
-  chooseSubsteps(object);
+  std::vector<Hull> hulls = FloatPlan::hullsOf(parameters_, object);
+  chooseSubsteps(object, FloatPlan::longestStep(parameters_, hulls));
   strokes_ = Strokes(perStep(parameters_.strokes, stepSeconds()), seed,
                      {parameters_.size, parameters_.isTorus(), "water \"" + object + "\""});
+  floats_ = FloatPlan(parameters_, object, std::move(hulls), frameSeconds_, substeps_, depth_, first_);
   for (const WaterDropParameters& drop : parameters_.drops)
     if (box(dropOf(cellsAt(drop.center), drop.radius, drop.height)).z == 0)
       warn(
@@ -61,6 +63,10 @@ WaterPlan::WaterPlan(WaterParameters parameters, const std::string& object, int 
           object, drop.at, drop.center.x, drop.center.z,
           static_cast<float>(parameters_.size.x) * parameters_.cell,
           static_cast<float>(parameters_.size.y) * parameters_.cell);
+  for (const WaterDrain& drain : parameters_.drains)
+    if (box(dropOf(cellsAt(drain.center), drain.radius, 0)).z == 0)
+      warn("water \"{}\": the drain at ({:g}, {:g}) m from the middle is beside the grid", object,
+           drain.center.x, drain.center.z);
 }
 
 glm::dvec2 WaterPlan::cellsAt(const glm::vec3& metres) const {
@@ -122,13 +128,13 @@ void WaterPlan::makeFirst() {
 }
 
 // Courant number (u + c) dt / side.
-void WaterPlan::chooseSubsteps(const std::string& object) {
+void WaterPlan::chooseSubsteps(const std::string& object, double longest) {
   const WaterParameters& p = parameters_;
   const double wave = std::sqrt(p.gravity * depth_);
   const double fastest = wave + p.greatestSpeed.value_or(wave);
   const double perFrame = fastest * frameSeconds_ / p.cell;
   if (!p.substeps) {
-    const double needed = std::ceil(perFrame / aimed);
+    const double needed = std::max(std::ceil(perFrame / aimed), std::ceil(frameSeconds_ / longest));
     if (needed > maxSubsteps)
       fail(
           ExitCode::usage,
@@ -148,7 +154,7 @@ void WaterPlan::chooseSubsteps(const std::string& object) {
         static_cast<long>(std::ceil(perFrame / allowed)));
 }
 
-shader::WaterStep WaterPlan::stepAt(double time) const {
+shader::WaterStep WaterPlan::stepAt(double time, int step) const {
   const WaterParameters& p = parameters_;
   const double dt = stepSeconds();
   const double ratio = dt / p.cell;
@@ -167,6 +173,14 @@ shader::WaterStep WaterPlan::stepAt(double time) const {
   s.east = static_cast<int>(p.sides[1]);
   s.north = static_cast<int>(p.sides[2]);
   s.south = static_cast<int>(p.sides[3]);
+  s.sea = shader::waterFlush(p.level);
+  float* const seas[] = {&s.seaWest, &s.seaEast, &s.seaNorth, &s.seaSouth};
+  for (const WaterSwell& wave : p.swell) {
+    const double now = time + (step + 0.5) * dt;
+    const double periods = now / wave.period + wave.phase;
+    const auto angle = static_cast<float>(6.283185307179586 * (periods - std::floor(periods)));
+    *seas[wave.side] += 0.5F * wave.height.at(now) * shader::exactSin(angle);
+  }
   return s;
 }
 
@@ -186,6 +200,10 @@ WaterFalls WaterPlan::fallsAt(double time, int step) const {
   if (!strokes_.empty()) falls.strokes = strokes_.into(now, dt, state);
   for (const WaterDropParameters& drop : p.drops)
     if (due(drop.at)) falls.drops.push_back(dropOf(cellsAt(drop.center), drop.radius, drop.height));
+  for (const WaterDrain& drain : p.drains)
+    if (step > 0 && now - 0.5 * dt >= drain.from && now - 0.5 * dt < drain.until)
+      falls.drops.push_back(
+          dropOf(cellsAt(drain.center), drain.radius, static_cast<float>(-drain.speed.at(now) * dt)));
   if (!p.hasRain) return falls;
   const double begin = std::floor((now - 2 * dt - p.rain.from) * p.rain.rate);
   const double end = std::ceil((now + 2 * dt - p.rain.from) * p.rain.rate);
@@ -219,7 +237,8 @@ glm::ivec4 WaterPlan::box(const shader::WaterDrop& drop) const {
 }
 
 bool WaterPlan::anythingFalls() const {
-  return !strokes_.empty() || !parameters_.drops.empty() || parameters_.hasRain;
+  return !strokes_.empty() || !parameters_.drops.empty() || !parameters_.drains.empty() ||
+         parameters_.hasRain;
 }
 
 shader::WaterLook WaterPlan::look() const {

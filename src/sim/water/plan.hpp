@@ -1,5 +1,6 @@
 #pragma once
 #include "sim/core/shader_code.hpp"
+#include "sim/water/float_plan.hpp"
 #include "sim/water/parameters.hpp"
 
 #include <string>
@@ -15,7 +16,7 @@ namespace simreel::shader {
 // After the types.
 #include "glsl/water/look_types.glsl"
 #include "glsl/water/model.glsl"
-static_assert(sizeof(WaterStep) == 64 && sizeof(WaterLook) == 48);
+static_assert(sizeof(WaterStep) == 80 && sizeof(WaterLook) == 48);
 #undef precise
 #undef FUNCTION
 }  // namespace simreel::shader
@@ -39,13 +40,17 @@ class WaterPlan {
   [[nodiscard]] const std::vector<glm::vec4>& firstCells() const { return first_; }
   [[nodiscard]] int substeps() const { return substeps_; }
   [[nodiscard]] double stepSeconds() const { return frameSeconds_ / substeps_; }
-  /// What the steps of the frame that starts at `time` (s) are told.
-  [[nodiscard]] shader::WaterStep stepAt(double time) const;
+  /// What the steps of the frame that starts at `time` (s) are told; `step` counts from 0, and matters
+  /// where waves come in alone.
+  [[nodiscard]] shader::WaterStep stepAt(double time, int step = 0) const;
+  /// How many of them differ: one, or each.
+  [[nodiscard]] int toldSteps() const { return parameters_.swell.empty() ? 1 : substeps_; }
   /// What falls into the state after `step` steps of the frame that starts at `time` (s).
   [[nodiscard]] WaterFalls fallsAt(double time, int step) const;
   /// Cells that a drop may reach: as Strokes::box.
   [[nodiscard]] glm::ivec4 box(const shader::WaterDrop& drop) const;
   [[nodiscard]] bool anythingFalls() const;
+  [[nodiscard]] const FloatPlan& floats() const { return floats_; }
 
   [[nodiscard]] const WaterParameters& parameters() const { return parameters_; }
   [[nodiscard]] const Strokes& strokes() const { return strokes_; }
@@ -58,7 +63,8 @@ class WaterPlan {
  private:
   [[nodiscard]] std::vector<float> bedHeights() const;
   void makeFirst();
-  void chooseSubsteps(const std::string& object);
+  /// `longest` (s) that a step may be for floats.
+  void chooseSubsteps(const std::string& object, double longest);
   [[nodiscard]] shader::WaterDrop dropOf(glm::dvec2 center, double radius, float height) const;
 
   WaterParameters parameters_;
@@ -68,6 +74,7 @@ class WaterPlan {
   double depth_ = 1;  ///< m, the greatest
   std::vector<glm::vec4> first_;
   Strokes strokes_;
+  FloatPlan floats_;
 };
 
 }  // namespace simreel::sim

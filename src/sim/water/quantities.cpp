@@ -13,7 +13,7 @@ constexpr double density = 1000;  ///< kg/m^3
 
 std::span<const scene::Quantity> WaterParameters::quantities() const {
   static constexpr scene::Quantity list[] = {
-      {"volume", "m^3", "Of all water."},
+      {"volume", "m^3", "Of all water, less what floats displace."},
       {"kineticEnergy", "J", "Of all water, at 1000 kg/m^3."},
       {"potentialEnergy", "J", "Of all water over level 0."},
       {"courant", "", "Greatest (|u| + sqrt(g h)) dt / cell along an axis."},
@@ -21,11 +21,50 @@ std::span<const scene::Quantity> WaterParameters::quantities() const {
       {"deepest", "m", "Greatest depth."},
       {"wetArea", "m^2", "Of cells with more than 1/200 of the greatest depth."},
       {"highestLevel", "m", "Of the water there."},
-      {"lowestLevel", "m", "Of the water there; both 0 where all is dry."}};
+      {"lowestLevel", "m", "Of the water there; both 0 where all is dry."},
+      {"displaced", "m^3", "By all floats, under the level around each."},
+      {"floatSpeed", "m/s", "Of the fastest float."},
+      {"leastUpright", "", "Least cosine of the angle between a float's y and upwards."},
+      {"draft", "m", "Of the first float: its lowest point below the level around it; 0 without floats."},
+      {"floatX", "m", "Of the first float's middle of mass, from the grid's middle."},
+      {"floatY", "m", "The same over level 0."},
+      {"floatZ", "m", "The same along z."}};
   return list;
 }
 
-std::vector<double> measureWater(const WaterPlan& plan, std::span<const glm::vec4> cells) {
+namespace {
+
+/// v.y of a vector turned by the quaternion q.
+double heightOf(const glm::dvec4& q, const glm::dvec3& v) {
+  return 2 * (q.x * q.y + q.z * q.w) * v.x + (1 - 2 * (q.x * q.x + q.z * q.z)) * v.y +
+         2 * (q.y * q.z - q.x * q.w) * v.z;
+}
+
+/// The quantities of floats, in the list's order.
+std::vector<double> measureFloats(const WaterPlan& plan, std::span<const glm::vec4> floats) {
+  double displaced = 0, fastest = 0, upright = 1, draft = 0;
+  glm::dvec3 at(0);
+  constexpr std::size_t each = shader::floatTexels;
+  for (std::size_t i = 0; i < floats.size() / each; ++i) {
+    const glm::dvec4 q(floats[each * i + 1]);
+    const glm::dvec4 v(floats[each * i + 2]);
+    displaced += v.w;
+    fastest = std::max(fastest, std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z));
+    upright = std::min(upright, heightOf(q, {0, 1, 0}));
+    if (i > 0) continue;
+    at = glm::dvec3(floats[0]);
+    double lowest = 1e300;
+    for (const glm::vec3& p : plan.floats().hulls()[0].corners)
+      lowest = std::min(lowest, heightOf(q, glm::dvec3(p)));
+    draft = floats[0].w - (at.y + lowest);
+  }
+  return {displaced, fastest, upright, draft, at.x, at.y, at.z};
+}
+
+}  // namespace
+
+std::vector<double> measureWater(const WaterPlan& plan, std::span<const glm::vec4> cells,
+                                 std::span<const glm::vec4> floats) {
   const WaterParameters& p = plan.parameters();
   const shader::WaterStep step = plan.stepAt(0);
   const double area = static_cast<double>(p.cell) * p.cell;
@@ -52,15 +91,18 @@ std::vector<double> measureWater(const WaterPlan& plan, std::span<const glm::vec
         std::max(courant, (std::max(std::abs(u), std::abs(v)) + std::sqrt(p.gravity * depth)) * ratio);
   }
   if (wet == 0) highest = lowest = 0;
-  return {volume * area,
-          kinetic * area * density,
-          potential * area * density * p.gravity,
-          courant,
-          fastest,
-          deepest,
-          wet * area,
-          highest,
-          lowest};
+  const std::vector<double> ofFloats = measureFloats(plan, floats);
+  std::vector<double> measured = {volume * area - ofFloats[0],
+                                  kinetic * area * density,
+                                  potential * area * density * p.gravity,
+                                  courant,
+                                  fastest,
+                                  deepest,
+                                  wet * area,
+                                  highest,
+                                  lowest};
+  measured.insert(measured.end(), ofFloats.begin(), ofFloats.end());
+  return measured;
 }
 
 }  // namespace simreel::sim

@@ -9,6 +9,7 @@
 #include "sim/core/step_blocks.hpp"
 #include "sim/grid/picture_file.hpp"
 #include "sim/mesh/height_field.hpp"
+#include "sim/water/float_kernels.hpp"
 #include "sim/water/plan.hpp"
 #include "sim/water/quantities.hpp"
 
@@ -99,7 +100,7 @@ class Water : public Simulation {
         size_(plan_.parameters().size),
         colors_(plan_.parameters().display.colors()),
         palette_(name_ + " colours", plan_.palette()),
-        steps_(name_ + " step", 1),
+        steps_(name_ + " step", plan_.toldSteps()),
         look_(name_ + " look", sizeof(shader::WaterLook)) {
     const WaterParameters& p = plan_.parameters();
     material_.roughness = p.roughness;
@@ -110,11 +111,12 @@ class Water : public Simulation {
     ground_.textureScale = glm::vec3(p.groundRepeat, p.groundRepeat * across, 1);
     for (gl::Vec4Array& cells : cells_) cells = gl::Vec4Array(name_ + " cells", plan_.firstCells());
     const int count = size_.x * size_.y;
-    positions_ = gl::Vec4Array(name_ + " positions", count);
     values_ = gl::Vec4Array(name_ + " values", count);
     words_ = gl::Texture::view(name_ + " words", GL_RGBA32UI, values_.buffer());
-    groundPositions_ = gl::Vec4Array(name_ + " ground", groundOf(plan_));
-    indices_ = gl::Buffer::of<unsigned>(name_ + " indices", gridIndices(size_));
+    if (p.visible) {
+      groundPositions_ = gl::Vec4Array(name_ + " ground", groundOf(plan_));
+      indices_ = gl::Buffer::of<unsigned>(name_ + " indices", gridIndices(size_));
+    }
     constexpr unsigned fine[4] = {0xffffffffU, 0xffffffffU, 0, 0};
     status_ = gl::Buffer::of<unsigned>(name_ + " status", fine);
     const shader::WaterLook look = plan_.look();
@@ -122,6 +124,10 @@ class Water : public Simulation {
     makePrograms(setting.fast);
     if (p.collides) heights_.emplace(name_, heightsOf(p, setting.frameSeconds));
     fall(setting.startTime, 0);
+    if (!plan_.floats().empty()) {
+      floats_.emplace(name_, plan_, setting.fast);
+      floats_->begin(cells_[0], status_);
+    }
     show();
   }
 
@@ -140,6 +146,7 @@ class Water : public Simulation {
   void resumed(double /*time*/) override { show(); }
   void carryOver(CarryOver& carry) override {
     carry.array("cells", cells_[0].buffer());
+    if (floats_) floats_->carryOver(carry);
     if (!heights_) return;
     carry.number("has heights", hasHeights_);
     heights_->carryOver(carry);
@@ -147,6 +154,8 @@ class Water : public Simulation {
 
   [[nodiscard]] int stepsPerFrame() const override { return plan_.substeps(); }
   [[nodiscard]] std::string elementName(long element) const override {
+    const long cells = static_cast<long>(size_.x) * size_.y;
+    if (element >= cells) return fmt::format("float {}", element - cells);
     return fmt::format("cell ({}, {})", element % size_.x, element / size_.x);
   }
 
@@ -162,10 +171,11 @@ class Water : public Simulation {
       surface.positions = &groundPositions_.view();
       surface.material = &ground_;
       drawables.surfaces.push_back(surface);
-      surface.positions = &positions_.view();
+      surface.positions = &cells_[1].view();
       surface.palette = &palette_.view();
       surface.material = &material_;
       drawables.surfaces.push_back(surface);
+      if (floats_) floats_->publish(drawables);
     }
     Field field;
     field.name = &name_;
@@ -188,9 +198,13 @@ class Water : public Simulation {
     drawables.fields.push_back(field);
   }
 
-  [[nodiscard]] std::vector<StateArray> state() const override { return {{"cells", &cells_[0].buffer()}}; }
+  [[nodiscard]] std::vector<StateArray> state() const override {
+    std::vector<StateArray> arrays = {{"cells", &cells_[0].buffer()}};
+    if (floats_) floats_->addState(arrays);
+    return arrays;
+  }
   [[nodiscard]] std::optional<MeshTable> mesh() const override {
-    return sheetMesh(size_, positions_.buffer().readAll<glm::vec4>());
+    return sheetMesh(size_, cells_[1].buffer().readAll<glm::vec4>());
   }
   [[nodiscard]] const HeightField* heights() const override { return heights_ ? &*heights_ : nullptr; }
   [[nodiscard]] const gl::Buffer* status() const override { return &status_; }
@@ -211,7 +225,8 @@ class Water : public Simulation {
         name_, step, elementName(element), plan_.substeps());
   }
   [[nodiscard]] std::vector<double> measure() const override {
-    return measureWater(plan_, cells_[0].buffer().readAll<glm::vec4>());
+    return measureWater(plan_, cells_[0].buffer().readAll<glm::vec4>(),
+                        floats_ ? floats_->state().readAll<glm::vec4>() : std::vector<glm::vec4>());
   }
 
  private:
@@ -219,6 +234,9 @@ class Water : public Simulation {
     gl::Defines defines = gl::kernelDefines(fast);
     gl::Defines rows = defines;
     rows.emplace_back("ROWS", std::to_string(rowsEach_));
+    const auto& sides = plan_.parameters().sides;
+    const bool sea = std::find(sides.begin(), sides.end(), WaterBorder::sea) != sides.end();
+    rows.emplace_back("SEA", sea ? "1" : "0");
     step_ = gl::Program::compute("water/step.comp", rows);
     step_.checkUniformBlock("WaterBlock", sizeof(shader::WaterStep));
     step_.set("size", size_);
@@ -235,9 +253,13 @@ class Water : public Simulation {
   }
 
   void advance(double time, const StepWatch& watch) {
-    steps_.upload(std::vector<shader::WaterStep>{plan_.stepAt(time)});
+    std::vector<shader::WaterStep> told;
+    told.reserve(static_cast<std::size_t>(plan_.toldSteps()));
+    for (int i = 0; i < plan_.toldSteps(); ++i) told.push_back(plan_.stepAt(time, i));
+    steps_.upload(told);
+    if (floats_) floats_->startFrame(time);
     for (int i = 1; i <= plan_.substeps(); ++i) {
-      steps_.bind(0);
+      steps_.bind(plan_.toldSteps() > 1 ? static_cast<std::size_t>(i - 1) : 0);
       status_.bindStorage(shader::statusBinding);
       cells_[0].bindInput(shader::water::cellsBinding);
       cells_[1].bindState(shader::water::nextCellsBinding);
@@ -246,6 +268,7 @@ class Water : public Simulation {
       step_.dispatch(size_.x, (size_.y - 1) / rowsEach_ + 1);
       std::swap(cells_[0], cells_[1]);
       fall(time, i);
+      if (floats_) floats_->step(i - 1, cells_[0], status_);
       if (watch) {
         gl::barrier();
         watch(i);
@@ -284,11 +307,12 @@ class Water : public Simulation {
   void show() {
     look_.bindUniform(shader::stepBinding, 0, sizeof(shader::WaterLook));
     cells_[0].bindInput(shader::water::cellsBinding);
-    positions_.bindState(shader::water::positionsBinding);
+    cells_[1].bindState(shader::water::positionsBinding);
     values_.bindState(shader::water::valuesBinding);
     gl::barrier();
     show_.dispatch(size_.x, size_.y);
     gl::barrier();
+    if (floats_) floats_->show();
   }
 
   std::string name_, speedName_, levelName_;
@@ -298,8 +322,8 @@ class Water : public Simulation {
   std::vector<glm::vec3> colors_;
   /// That an invocation of the step takes: fewer where there is little to share out.
   int rowsEach_ = gl::memoryPath() == gl::MemoryPath::texel ? 8 : 4;
-  gl::Vec4Array cells_[2];  ///< now, and where the next step writes
-  gl::Vec4Array positions_, values_, groundPositions_;
+  gl::Vec4Array cells_[2];  ///< now, and where the next step writes: until then what is drawn
+  gl::Vec4Array values_, groundPositions_;
   gl::Vec4Array palette_;
   gl::Texture words_;
   gl::Buffer indices_;
@@ -308,6 +332,7 @@ class Water : public Simulation {
   StepBlocks<shader::WaterStep> steps_;
   gl::Buffer look_;
   gl::Program step_, paint_, drop_, show_;
+  std::optional<FloatKernels> floats_;
   std::optional<HeightField> heights_;  ///< of water that collides: levels
   bool hasHeights_ = false;             ///< whether they begin with the first frame
 };

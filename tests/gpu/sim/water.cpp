@@ -3,6 +3,7 @@
 #include "gpu/context.hpp"
 #include "reference/water_twin.hpp"
 #include "sim/grid/field_values.hpp"
+#include "sim/water/quantities.hpp"
 #include "sim/world/list.hpp"
 #include "sim/world/world.hpp"
 
@@ -31,6 +32,7 @@ sim::WaterParameters pond(int width, int height) {
   p.pools = {{{-10, 0, -10}, {-0.4F * w, 0, 10}, 0.3F}};
   p.greatestSpeed = 4;
   p.foam = 2;
+  p.drains = {{{0.3F * w, 0, 0.6F * w}, 0.3F, 0.8F, 0.05, 0.3}};
   p.drops = {{0.1, {0.1F, 0, 0.2F}, 0.5F, 0.2F}};
   p.hasRain = true;
   p.rain.rate = 100;
@@ -64,6 +66,40 @@ std::size_t differing(const std::vector<glm::vec4>& got, const std::vector<glm::
   return different;
 }
 
+std::size_t differing(const std::vector<glm::ivec4>& got, const std::vector<glm::ivec4>& want) {
+  REQUIRE(got.size() == want.size());
+  std::size_t different = 0;
+  for (std::size_t i = 0; i < got.size(); ++i) different += got[i] != want[i] ? 1 : 0;
+  return different;
+}
+
+/// Two balls, one of which falls onto the other, a box that is driven and one that is towed.
+void addFloats(sim::WaterParameters& p) {
+  const float w = 0.05F * static_cast<float>(p.size.x);
+  sim::WaterFloat ball;
+  ball.radius = 0.15F;
+  ball.position = {-0.3F * w, 0.1F, 0.1F};
+  ball.spin = {40, 300, -200};
+  p.floats.push_back(ball);
+  ball.position += glm::vec3(0.1F, 0.35F, 0.05F);
+  ball.density = 150;
+  ball.air = 2;
+  p.floats.push_back(ball);
+  sim::WaterFloat box;
+  box.shape = sim::WaterFloatShape::box;
+  box.size = {0.3F, 0.2F, 0.5F};
+  box.position = {-0.6F * w, 0.3F, -0.3F * w};
+  box.rotation = {10, 40, -25};
+  box.keel = 5;
+  box.thrust = 60.0F;
+  box.steering = 4.0F;
+  p.floats.push_back(box);
+  box.position = {0.9F * w, 0.2F, 0.6F * w};
+  box.towed = true;
+  box.tow = scene::Animated<glm::vec3>({{0, box.position}, {0.4, {-w, 0, 0.2F}}}, scene::Ease::smooth);
+  p.floats.push_back(box);
+}
+
 /// Steps both sides and compares every word of the state, and of what is drawn.
 void compareWater(const sim::WaterParameters& parameters, int frames) {
   scene::Object object;
@@ -74,6 +110,12 @@ void compareWater(const sim::WaterParameters& parameters, int frames) {
     twin.step(frame * pondFrame);
   }
   CHECK(differing(gpu->state()[0].buffer->readAll<glm::vec4>(), twin.cells) == 0);
+  const bool floating = !parameters.floats.empty();
+  if (floating) {
+    CHECK(differing(gpu->state()[1].buffer->readAll<glm::vec4>(), twin.floats) == 0);
+    CHECK(differing(gpu->state()[2].buffer->readAll<glm::ivec4>(), twin.displaced) == 0);
+    CHECK(gpu->measure() == sim::measureWater(twin.plan(), twin.cells, twin.floats));
+  }
   double moving = 0;
   for (const glm::vec4& cell : twin.cells) moving = std::max<double>(moving, std::abs(cell.y));
   CHECK(moving > 1e-3);
@@ -82,7 +124,7 @@ void compareWater(const sim::WaterParameters& parameters, int frames) {
   twin.look(positions, values);
   sim::Drawables drawables;
   gpu->publish(0, drawables);
-  REQUIRE(drawables.surfaces.size() == 2);
+  REQUIRE(drawables.surfaces.size() == 2 + parameters.floats.size());
   REQUIRE(drawables.fields.size() == 3);
   CHECK(*drawables.fields[1].name == "pond.level");
   for (int channel = 0; channel < 3; ++channel) {
@@ -120,6 +162,31 @@ TEST_CASE("water with every kind of side and friction equals its CPU twin") {
   compareWater(p, 10);
   p.sides = {periodic, periodic, wall, open};
   compareWater(p, 10);
+}
+
+TEST_CASE("water with bodies that float equals its CPU twin") {
+  using enum sim::WaterBorder;
+  auto p = pond(37, 31);
+  p.greatestSpeed = 6;
+  addFloats(p);
+  compareWater(p, 14);
+  p.sides = {periodic, periodic, open, wall};
+  compareWater(p, 8);
+  p = pond(7, 5);
+  addFloats(p);
+  p.sides.fill(periodic);
+  compareWater(p, 5);
+}
+
+TEST_CASE("water into which waves come equals its CPU twin") {
+  using enum sim::WaterBorder;
+  auto p = pond(29, 35);
+  p.sides = {sea, wall, sea, sea};
+  p.swell = {{3, 0.2F, 0.7, 0}, {3, 0.1F, 0.5, 0.3}, {0, 0.1F, 0.9, 0.1}};
+  compareWater(p, 10);
+  p.sides = {wall, sea, sea, open};
+  p.swell = {{1, 0.2F, 0.7, 0}, {2, 0.1F, 0.5, 0.3}};
+  compareWater(p, 6);
 }
 
 TEST_CASE("water: what falls onto it lies on the water and on the dry ground") {

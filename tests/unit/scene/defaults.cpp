@@ -152,7 +152,10 @@ TEST_CASE("defaults: given or left out, every one in every shipped scene is the 
       // What a mesh, and a coefficient of friction, say instead.
       "cloth.size", "cloth.spacing", "capsule.grip", "sphere.grip",
       // What an image of a terrain says.
-      "water.terrain.low", "water.terrain.high", "water.terrain.smooth"};
+      "water.terrain.low", "water.terrain.high", "water.terrain.smooth", "water.terrain.bed",
+      // What a float's shape, or its mass, says instead; what is of water that collides.
+      "water.floats[].density", "water.floats[].file", "water.floats[].radius", "water.floats[].scale",
+      "water.floats[].size", "water.grip"};
   for (const std::string& path : refused) CHECK_MESSAGE(allowed.contains(path), path);
 }
 

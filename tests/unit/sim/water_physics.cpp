@@ -125,8 +125,8 @@ TEST_CASE("water: a lake with islands stays at rest, to the bit") {
   p.hills = {{{-1.5F, 0, 0.3F}, {2, 0, 1.7F}, 1.6F}, {{2.6F, 0, -1}, {1.9F, 0, 2}, 0.9F}};
   p.drag = 0.0F;
   p.manning = 0.02F;
-  for (const sim::WaterBorder border :
-       {sim::WaterBorder::wall, sim::WaterBorder::open, sim::WaterBorder::periodic}) {
+  for (const sim::WaterBorder border : {sim::WaterBorder::wall, sim::WaterBorder::open,
+                                        sim::WaterBorder::periodic, sim::WaterBorder::sea}) {
     p.sides = {border, border, border, border};
     WaterTwin twin(sim::WaterPlan(p, "lake", 1, 1.0 / 30));
     const auto before = twin.cells;
@@ -194,6 +194,26 @@ TEST_CASE("water: rain, sources and drops bring what they say") {
   CHECK(waterOf(dropped, "volume") - before == doctest::Approx(3.14159265 / 3 * 0.1).epsilon(1e-3));
 }
 
+TEST_CASE("water: a drain takes what it says, and never more than there is") {
+  sim::WaterParameters p;
+  p.size = {40, 44};
+  p.cell = 0.25F;
+  p.drains = {{{0.5F, 0, 0.2F}, 1, 0.4F, 0.5, 1.5}};
+  WaterTwin twin(sim::WaterPlan(p, "basin", 1, 1.0 / 20));
+  const double before = waterOf(twin, "volume");
+  for (int frame = 0; frame < 40; ++frame) twin.step(frame / 20.0);
+  CHECK(before - waterOf(twin, "volume") == doctest::Approx(3.14159265 / 3 * 0.4).epsilon(0.02));
+  p.drains[0].speed = 50.0F;
+  WaterTwin emptied(sim::WaterPlan(p, "basin", 1, 1.0 / 20));
+  double lowest = 0;
+  for (int frame = 0; frame < 40; ++frame) {
+    emptied.step(frame / 20.0);
+    for (const glm::vec4& c : emptied.cells) lowest = std::min(lowest, static_cast<double>(c.x) - c.w);
+  }
+  CHECK(lowest == 0);
+  CHECK(waterOf(emptied, "volume") < 0.95 * before);
+}
+
 TEST_CASE("water: a stream slows down as Manning's law says") {
   // dv/dt = -g n^2 v^2 / h^(4/3): at h = 1 the inverse of the speed grows by g n^2 a second.
   sim::WaterParameters p;
@@ -210,4 +230,32 @@ TEST_CASE("water: a stream slows down as Manning's law says") {
   const double seconds = 300 * twin.plan().stepSeconds();
   CHECK(1 / static_cast<double>(twin.cells[5].y) ==
         doctest::Approx(0.5 + earth * 0.0025 * seconds).epsilon(2e-3));
+}
+
+TEST_CASE("water: waves come in as they are told, go on by c = sqrt(g h), and leave") {
+  sim::WaterParameters p;
+  p.size = {240, 2};
+  p.cell = 0.25F;
+  p.bed = -2;
+  p.sides = {sim::WaterBorder::sea, sim::WaterBorder::sea, sim::WaterBorder::wall, sim::WaterBorder::wall};
+  // Three crests, then the sea is still.
+  p.swell = {{0, scene::Animated<float>({{0, 0.04F}, {6, 0.04F}, {6.001, 0}}, scene::Ease::linear), 2, 0}};
+  WaterTwin twin(sim::WaterPlan(p, "channel", 1, 1.0 / 20));
+  const double c = std::sqrt(earth * 2);
+  double most = 0;
+  double latest = 0;
+  for (int frame = 0; frame < 600; ++frame) {
+    twin.step(frame / 20.0);
+    const double seconds = (frame + 1) / 20.0;
+    const double level = twin.cells[80].x;  // 20.1 m from the sea
+    if (seconds > 5 && seconds < 9) {
+      const double phase = 2 * 3.14159265358979 * (seconds - 20.125 / c) / 2;
+      CHECK(std::abs(level - 0.02 * std::sin(phase)) < 3e-3);
+      most = std::max(most, level);
+    }
+    if (seconds > 22) latest = std::max(latest, std::abs(level));
+  }
+  CHECK(most > 0.017);
+  CHECK(latest < 0.02 * 0.02);
+  CHECK(waterOf(twin, "volume") == doctest::Approx(60 * 0.5 * 2).epsilon(1e-3));
 }

@@ -71,4 +71,18 @@ TEST_CASE("water: mistakes are told where they stand") {
   test::checkHas(waterFailure(R"("grip": 2)"), "with \"collides\": true");
   test::checkHas(waterFailure(R"("size": [16384, 16384])"), "more than");
   test::checkHas(waterFailure(R"("size": [1, 5])"), "size");
+  test::checkHas(waterFailure(R"("swell": [{"side": "west"}])"), "a side that is \"sea\"");
+  test::checkHas(waterFailure(R"("floats": [{"shape": "file"}])"), "needs \"file\"");
+  test::checkHas(waterFailure(R"("floats": [{"size": [1, 1, 1]}])"), "\"size\" is of a \"box\"");
+  test::checkHas(waterFailure(R"("floats": [{"mass": 3, "density": 20}])"), "leave out \"density\"");
+  test::checkHas(waterFailure(R"("floats": [{"scale": 3}])"), "give \"drawn\"");
+}
+
+TEST_CASE("water: a float that no window of cells holds is refused") {
+  sim::WaterParameters p;
+  p.cell = 0.01F;
+  p.floats.resize(1);
+  p.floats[0].radius = 20;
+  CHECK_THROWS_WITH_AS(sim::WaterPlan(p, "w", 1, 1.0 / 30),
+                       doctest::Contains("are the most; make it smaller"), UserError);
 }

@@ -1,0 +1,15 @@
+#ifndef FLOAT_BINDINGS
+#define FLOAT_BINDINGS
+
+// cellsBinding 0: water/bindings.glsl
+const int floatsBinding = 1;
+const int nextFloatsBinding = 2;
+const int floatToldBinding = 3;
+const int floatPointsBinding = 4;
+const int floatSumsBinding = 5;
+const int hullPositionsBinding = 3;
+const int hullNormalsBinding = 4;
+const int placedPositionsBinding = 5;
+const int placedNormalsBinding = 6;
+
+#endif

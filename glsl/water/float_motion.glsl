@@ -1,0 +1,129 @@
+// Where bodies go, and what the water gets of them. Compiles as GLSL and as C++, after water/float_model.glsl and with
+// what that asks for.
+
+// Spheres around the bodies' middles push each other apart.
+FUNCTION vec3 floatOthers(int me, FloatBody body, FloatTold t) {
+  precise vec3 force = vec3(0.0f, 0.0f, 0.0f);
+  for (int i = 0; i < floats.count; ++i) {
+    vec4 place = loadFloat(i * floatTexels), motion = loadFloat(i * floatTexels + 2);
+    vec4 other = loadTold(i * floatToldTexels);
+    precise vec3 apart = body.at - vec3(place);
+    precise float squared = exactDot(apart, apart);
+    precise float near = t.mass.z + other.z;
+    precise float nearSquared = near * near;
+    if (i == me || squared >= nearSquared) continue;
+    float inverse = exactInverseSqrt(max(squared, 1e-12f));
+    precise vec3 normal = apart * inverse;
+    precise float deep = near - squared * inverse;
+    precise vec3 velocity = body.velocity - vec3(motion);
+    precise float both = t.mass.y + other.y;
+    precise float mass = exactReciprocal(both);
+    force = force + mass * floatTouch(normal, deep, velocity, 0.0f);
+  }
+  return force;
+}
+
+// The body a step later.
+FUNCTION FloatBody floatMoved(int me, int stepNumber, FloatBody body, FloatTold t, FloatSum sum) {
+  FloatBody next = body;
+  precise vec3 force = vec3(sum.push) + floatOthers(me, body, t);
+  precise vec3 moment = vec3(sum.turn);
+  vec3 ahead = floatTurned(body.turn, vec3(0.0f, 0.0f, 1.0f));
+  vec3 up = floatTurned(body.turn, vec3(0.0f, 1.0f, 0.0f));
+  vec3 turning = floatTurning(t, body.turn, body.spin);
+  // Its own push works in the water only.
+  float afloat = sum.push.w > 0.0f ? 1.0f : 0.0f;
+  precise vec3 own = (t.reach.w * afloat) * ahead;
+  precise vec3 steering = (t.head.z * afloat) * up;
+  // The tow: a damped spring to where it should be by now.
+  precise float passed = float(stepNumber) * floats.dt;
+  precise float towX = t.mass.x * (t.pull.x * (t.tow.x + passed * t.tow.z - body.at.x) + t.pull.y * (t.tow.z - body.velocity.x));
+  precise float towZ = t.mass.x * (t.pull.x * (t.tow.y + passed * t.tow.w - body.at.z) + t.pull.y * (t.tow.w - body.velocity.z));
+  precise float off = ahead.z * t.head.x - ahead.x * t.head.y;
+  precise float facing = ahead.z * t.head.y + ahead.x * t.head.x;
+  off = facing < 0.0f ? (off < 0.0f ? -1.0f : 1.0f) : off;
+  precise float swing = t.mass.w * (t.pull.z * off - t.pull.w * turning.y);
+  force = force + own + vec3(towX, 0.0f, towZ);
+  moment = moment + steering + vec3(0.0f, swing, 0.0f);
+  precise vec3 velocity = body.velocity + floats.dt * t.mass.y * force;
+  precise float falling = velocity.y - floats.dt * floats.gravity;
+  velocity = vec3(clamp(velocity.x, -floats.most, floats.most), falling, clamp(velocity.z, -floats.most, floats.most));
+  // Air slows down what is not in the water, implicit.
+  precise float over = t.grain.w - sum.push.w;
+  precise float dry = max(over, 0.0f) * exactReciprocal(t.grain.w);
+  precise float slower = 1.0f + floats.dt * t.head.w * dry;
+  precise float kept = exactReciprocal(slower);
+  kept = t.head.w > 0.0f ? kept : 1.0f;
+  velocity = velocity * kept;
+  precise vec3 at = body.at + floats.dt * velocity;
+  precise float wholeX = 2.0f * floats.halfX;
+  precise float wholeZ = 2.0f * floats.halfZ;
+  precise float leftX = at.x + wholeX;
+  precise float rightX = at.x - wholeX;
+  precise float backZ = at.z + wholeZ;
+  precise float frontZ = at.z - wholeZ;
+  if (floats.west == periodicSide) at.x = at.x < -floats.halfX ? leftX : at.x > floats.halfX ? rightX : at.x;
+  if (floats.north == periodicSide) at.z = at.z < -floats.halfZ ? backZ : at.z > floats.halfZ ? frontZ : at.z;
+  precise vec3 spin = (body.spin + floats.dt * moment) * kept;
+  vec3 turned = floatTurning(t, body.turn, spin);
+  vec4 q = body.turn;
+  precise float half_ = 0.5f * floats.dt;
+  precise vec3 axis = vec3(q) + half_ * (q.w * turned + exactCross(turned, vec3(q)));
+  precise float real = q.w - half_ * exactDot(turned, vec3(q));
+  precise float norm = exactDot(axis, axis) + real * real;
+  precise vec4 unit = vec4(axis, real) * exactInverseSqrt(norm);
+  precise float followed = body.level + t.reach.y * sum.rest.x * exactReciprocal(max(sum.turn.w, 1e-20f));
+  next.at = at;
+  next.level = sum.turn.w > 0.0f ? followed : body.level;
+  next.turn = unit;
+  next.velocity = velocity;
+  next.under = sum.push.w;
+  next.spin = spin;
+  return next;
+}
+
+// Cells that a body may touch: from this one on, so many along x and y.
+FUNCTION ivec4 floatWindow(vec4 place, float half_) {
+  precise float column = place.x * floats.perCell + floats.columns;
+  precise float row = place.z * floats.perCell + floats.rows;
+  int reach = int(half_);
+  int x = int(floor(clamp(column, -30000.0f, 60000.0f))) - reach;
+  int y = int(floor(clamp(row, -30000.0f, 60000.0f))) - reach;
+  return ivec4(x, y, min(2 * reach + 1, size.x), min(2 * reach + 1, size.y));
+}
+
+// The cell's number where window `body` holds it and none of those before it does; -1 elsewhere.
+FUNCTION int floatOwned(int body, ivec2 within) {
+  ivec4 window = floatWindow(loadFloat(body * floatTexels), loadTold(body * floatToldTexels + 5).x);
+  if (within.x >= window.z || within.y >= window.w) return -1;
+  int x = window.x + within.x, y = window.y + within.y;
+  bool torusX = floats.west == periodicSide, torusY = floats.north == periodicSide;
+  x = torusX ? floatColumn(x) : x;
+  y = torusY ? floatRow(y) : y;
+  if (x < 0 || y < 0 || x >= size.x || y >= size.y) return -1;
+  for (int i = 0; i < body; ++i) {
+    ivec4 other = floatWindow(loadFloat(i * floatTexels), loadTold(i * floatToldTexels + 5).x);
+    int dx = x - other.x, dy = y - other.y;
+    dx = torusX ? floatColumn(dx) : dx;
+    dy = torusY ? floatRow(dy) : dy;
+    if (dx >= 0 && dy >= 0 && dx < other.z && dy < other.w) return -1;
+  }
+  return y * size.x + x;
+}
+
+// A cell's texel when its bodies displace sums.x units of depth instead of sums.w, and have pulled by sums.y and z.
+FUNCTION vec4 floatPressed(vec4 texel, ivec4 sums) {
+  precise float change = float(sums.x - sums.w) * floats.depthUnit;
+  precise float level = texel.x + change;
+  precise float qx = texel.y + float(sums.y) * floats.flowUnit;
+  precise float qy = texel.z + float(sums.z) * floats.flowUnit;
+  return vec4(sums.x == sums.w ? texel.x : max(waterFlush(level), texel.w), waterFlush(qx), waterFlush(qy), texel.w);
+}
+
+// What they displace then: what a cell could not give back, since less is there, stays owed.
+FUNCTION int floatDisplaced(vec4 texel, ivec4 sums) {
+  precise float depth = texel.x - texel.w;
+  precise float units = depth * exactReciprocal(floats.depthUnit);
+  int there = int(floor(min(max(units, 0.0f), 1e9f)));
+  return max(sums.x, sums.w - there);
+}

@@ -1,0 +1,46 @@
+// What bodies have done to the water, in the cells around each; where windows meet the first one takes the cell.
+#include "common/bindings.glsl"
+#include "common/exact.glsl"
+#include "common/memory.glsl"
+#include "water/bindings.glsl"
+#include "water/float_bindings.glsl"
+#include "water/types.glsl"
+#include "water/float_types.glsl"
+layout(local_size_x = 32, local_size_y = 2) in;
+STATE_ARRAY(cellsBinding, CellBlock, cells)
+INPUT_ARRAY(floatsBinding, FloatsBlock, bodies)
+INPUT_ARRAY(floatToldBinding, FloatToldBlock, told)
+layout(std430, binding = floatSumsBinding) restrict buffer FloatSumBlock { ivec4 sums[]; };
+layout(std140, binding = stepBinding) uniform FloatBlock { FloatStep floats; };
+uniform ivec2 size;
+uniform int side;   // of the largest window
+uniform int first;  // not 0: of the first state, which bodies are part of already
+
+vec4 loadWater(int i) { return LOAD_STATE(cells, i); }
+vec4 loadFloat(int i) { return LOAD_INPUT(bodies, i); }
+vec4 loadTold(int i) { return LOAD_INPUT(told, i); }
+vec4 loadFloatPoint(int i) { return vec4(0.0f); }
+void addToSum(int cell, int which, int value) {}
+#include "water/model.glsl"
+#include "water/float_model.glsl"
+#include "water/float_motion.glsl"
+
+void main() {
+  int x = int(gl_GlobalInvocationID.x), y = int(gl_GlobalInvocationID.y);
+  int body = y / side;
+  if (x >= side || body >= floats.count) return;
+  int cell = floatOwned(body, ivec2(x, y - body * side));
+  if (cell < 0) return;
+  ivec4 sum = sums[cell];
+  if (first != 0) {
+    sums[cell] = ivec4(0, 0, 0, sum.x);
+    return;
+  }
+  if (sum.x == sum.w && sum.y == 0 && sum.z == 0) {
+    if (sum.x != 0) sums[cell].x = 0;
+    return;
+  }
+  vec4 texel = loadWater(cell);
+  STORE_STATE(cells, cell, floatPressed(texel, sum));
+  sums[cell] = ivec4(0, 0, 0, floatDisplaced(texel, sum));
+}

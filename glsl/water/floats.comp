@@ -1,0 +1,64 @@
+// A step of all bodies that float: a group each, whose lanes share its points. Sums are added up in the same order everywhere;
+// what they do to the water goes into whole numbers, which any order adds up alike.
+#include "common/bindings.glsl"
+#include "common/exact.glsl"
+#include "common/memory.glsl"
+#include "common/status.glsl"
+#include "water/bindings.glsl"
+#include "water/float_bindings.glsl"
+#include "water/types.glsl"
+#include "water/float_types.glsl"
+layout(local_size_x = 64) in;
+INPUT_ARRAY(cellsBinding, CellBlock, cells)
+INPUT_ARRAY(floatsBinding, FloatsBlock, bodies)
+STATE_ARRAY(nextFloatsBinding, NextFloatsBlock, nextBodies)
+INPUT_ARRAY(floatToldBinding, FloatToldBlock, told)
+INPUT_ARRAY(floatPointsBinding, FloatPointBlock, points)
+layout(std430, binding = floatSumsBinding) restrict buffer FloatSumBlock { int sums[]; };
+layout(std140, binding = stepBinding) uniform FloatBlock { FloatStep floats; };
+uniform ivec2 size;
+uniform int stepNumber;  // of the frame, from 0; below: the first state, of which only the sums are wanted
+uniform int cellCount;
+shared vec4 parts[192];
+
+vec4 loadWater(int i) { return LOAD_INPUT(cells, i); }
+vec4 loadFloat(int i) { return LOAD_INPUT(bodies, i); }
+vec4 loadTold(int i) { return LOAD_INPUT(told, i); }
+vec4 loadFloatPoint(int i) { return LOAD_INPUT(points, i); }
+void addToSum(int cell, int which, int value) { atomicAdd(sums[cell * 4 + which], value); }
+#include "water/model.glsl"
+#include "water/float_model.glsl"
+#include "water/float_motion.glsl"
+
+void main() {
+  int me = int(gl_WorkGroupID.x), lane = int(gl_LocalInvocationID.x);
+  FloatBody body = floatBody(me);
+  FloatTold t = floatTold(me);
+  FloatSum sum = floatLane(lane, body, t);
+  parts[lane * 3] = sum.push;
+  parts[lane * 3 + 1] = sum.turn;
+  parts[lane * 3 + 2] = sum.rest;
+  for (int stride = floatLanes / 2; stride > 0; stride /= 2) {
+    barrier();
+    if (lane < stride) {
+      FloatSum other;
+      other.push = parts[(lane + stride) * 3];
+      other.turn = parts[(lane + stride) * 3 + 1];
+      other.rest = parts[(lane + stride) * 3 + 2];
+      sum = floatAdded(sum, other);
+      parts[lane * 3] = sum.push;
+      parts[lane * 3 + 1] = sum.turn;
+      parts[lane * 3 + 2] = sum.rest;
+    }
+  }
+  if (lane != 0) return;
+  FloatBody next = body;
+  if (stepNumber >= 0) next = floatMoved(me, stepNumber, body, t, sum);
+  next.under = sum.push.w;
+  STORE_STATE(nextBodies, me * floatTexels, vec4(next.at, next.level));
+  STORE_STATE(nextBodies, me * floatTexels + 1, next.turn);
+  STORE_STATE(nextBodies, me * floatTexels + 2, vec4(next.velocity, next.under));
+  STORE_STATE(nextBodies, me * floatTexels + 3, vec4(next.spin, 0.0f));
+  if (!(isNumber(next.at.x) && isNumber(next.at.y) && isNumber(next.at.z) && isNumber(next.turn.w) && isNumber(next.spin.x)))
+    noteLost(uint(max(stepNumber, 0) + 1), uint(cellCount + me));
+}

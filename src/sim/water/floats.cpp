@@ -1,0 +1,69 @@
+#include "sim/water/floats.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+namespace simreel::sim {
+
+WaterFloat::WaterFloat() {
+  material.color = {0.62F, 0.1F, 0.05F};
+  material.roughness = 0.45F;
+}
+
+void WaterFloat::describe(scene::Fields& f) {
+  f.choice("shape", shape, {"ball", "box", "file"}, "What it is; \"file\": a closed mesh.");
+  f.number("radius", radius, {1e-3, 1e3}, "m", "Of a ball.");
+  f.vector("size", size, {1e-3, 1e3}, "m", "Of a box.");
+  f.asset("file", file, "Closed mesh (OBJ, PLY, glTF), y up, its bow towards +z.");
+  f.number("scale", scale, {1e-6, 1e6}, "", "Factor on the coordinates of files.");
+  if (shape == WaterFloatShape::file && file.empty())
+    f.error("shape", "the shape \"file\" needs \"file\": the mesh to read");
+  const auto only = [&](const char* name, WaterFloatShape wanted, const char* what) {
+    if (shape != wanted && f.given(name)) f.error(name, fmt::format("\"{}\" is of {}", name, what));
+  };
+  only("radius", WaterFloatShape::ball, "a \"ball\"");
+  only("size", WaterFloatShape::box, "a \"box\"");
+  only("file", WaterFloatShape::file, "the shape \"file\"");
+  f.asset("drawn", drawn, "Mesh that is drawn in its place; it may be open: a leaf, a bowl.");
+  if (shape != WaterFloatShape::file && drawn.empty() && f.given("scale"))
+    f.error("scale", "\"scale\" is of files; give \"drawn\", or the shape \"file\"");
+  f.number("density", density, {1, 1e5}, "kg/m^3", "Of it; water has 1000.");
+  f.optionalNumber("mass", mass, {1e-6, 1e12}, "kg", "Of it, instead of \"density\".");
+  f.leftOut("mass", "density * volume");
+  if (mass && f.given("density")) f.error("density", "\"mass\" says it; leave out \"density\"");
+  f.vector("ballast", ballast, {-1e3, 1e3}, "m",
+           "From the middle of its volume to that of its mass: below, so that it does not capsize.");
+  f.vector("position", position, scene::anyNumber, "m",
+           "Of its origin at the start, from the grid's middle, y over level 0.");
+  f.vector("rotation", rotation, scene::anyNumber, "degrees", "At the start, about x, then y, then z.");
+  f.vector("velocity", velocity, {-1e3, 1e3}, "m/s", "At the start.");
+  f.vector("spin", spin, {-1e5, 1e5}, "degrees/s", "At the start, about x, y and z.");
+  f.number("drag", drag, scene::notNegative, "1/s",
+           "Rate at which it loses its speed through the water, if it is as dense and all under.");
+  f.number("resistance", resistance, {0, 100}, "",
+           "Drag coefficient: force over density * speed^2 * area / 2; 0.5 a ball, 1 a box.");
+  f.number("keel", keel, {1, 1000}, "", "Factor on both drags sideways, along its x.");
+  f.number("air", air, scene::notNegative, "1/s", "Rate at which it loses its speed in the air.");
+  f.number("friction", friction, {0, 10}, "", "Coulomb's coefficient where it touches the ground.");
+  f.optionalNumber("apart", apart, {0, 1e4}, "m",
+                   "Radius of the sphere around its middle by which floats keep each other away.");
+  f.leftOut("apart", "a ball's radius; else that of the circle as large as its outline from above");
+  f.number("thrust", thrust, {-1e9, 1e9}, "N", "Of its engine, along its z, while it is in the water.");
+  f.number("steering", steering, {-1e9, 1e9}, "N m", "About its y, while it is in the water.");
+  f.optionalGroup("tow", towed, "A line that pulls it along.", [&](scene::Fields& t) {
+    t.vector("position", tow, scene::anyNumber, "m",
+             "Where to, from the grid's middle; y is unused: it floats there.");
+    t.boolean("turns", turns, "Whether its z turns along the way.");
+    t.number("pull", pull, {1e-2, 50}, "1/s",
+             "How fast it follows: the tow is a critically damped spring.");
+  });
+  f.vector("color", material.color, scene::fraction, "linear RGB", "Of it.");
+  f.asset("texture", material.texture, "Picture laid over it by its uv, multiplied with the colour.");
+  f.number("roughness", material.roughness, scene::fraction, "", "0 mirrors, 1 is matt.");
+  f.number("translucency", material.translucency, scene::fraction, "",
+           "Fraction of the light from behind that shines through.");
+  f.number("metallic", material.metallic, scene::fraction, "", "1 for metal.");
+}
+
+}  // namespace simreel::sim

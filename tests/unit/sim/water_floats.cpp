@@ -1,0 +1,248 @@
+#include "measured.hpp"
+#include "reference/water_twin.hpp"
+#include "sim/water/quantities.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include <doctest/doctest.h>
+
+using namespace simreel;
+
+namespace {
+
+constexpr double floatFrame = 1.0 / 30;
+
+/// A pool with walls, 3 m deep, and one body.
+sim::WaterParameters poolWith(const sim::WaterFloat& body, int cells = 40, float cell = 0.1F) {
+  sim::WaterParameters p;
+  p.size = {cells, cells};
+  p.cell = cell;
+  p.bed = -3;
+  p.greatestSpeed = 2;
+  p.floats = {body};
+  return p;
+}
+
+WaterTwin twinOf(const sim::WaterParameters& p) {
+  return WaterTwin(sim::WaterPlan(p, "pool", 1, floatFrame));
+}
+
+double floatOf(const WaterTwin& twin, const char* name) {
+  return named(sim::WaterParameters(), sim::measureWater(twin.plan(), twin.cells, twin.floats), name);
+}
+
+void run(WaterTwin& twin, double seconds, double from = 0) {
+  for (int i = 0; i < seconds / floatFrame; ++i) twin.step(from + i * floatFrame);
+}
+
+sim::WaterFloat boxOf(const glm::vec3& size, float density) {
+  sim::WaterFloat body;
+  body.shape = sim::WaterFloatShape::box;
+  body.size = size;
+  body.density = density;
+  body.resistance = 1;
+  body.drag = 1;
+  return body;
+}
+
+/// Depth of a ball's lowest point when a fraction `under` of its volume is: pi d^2 (3 R - d) / 3.
+double ballDraft(double radius, double under) {
+  double low = 0;
+  double high = 2 * radius;
+  for (int i = 0; i < 100; ++i) {
+    const double d = 0.5 * (low + high);
+    (d * d * (3 * radius - d) < 4 * under * radius * radius * radius ? low : high) = d;
+  }
+  return low;
+}
+
+}  // namespace
+
+TEST_CASE("water floats: a hull has the volume, middle and inertia that its shape has") {
+  const sim::Hull box(boxOf({0.6F, 0.3F, 1.5F}, 400), "box");
+  CHECK(box.volume == doctest::Approx(0.27).epsilon(1e-6));
+  CHECK(box.outline == doctest::Approx(0.9).epsilon(1e-3));
+  CHECK(box.mass == doctest::Approx(108).epsilon(1e-5));
+  CHECK(box.inertia[0] == doctest::Approx(9 * (0.09 + 2.25)).epsilon(1e-3));
+  CHECK(box.inertia[1] == doctest::Approx(9 * (0.36 + 2.25)).epsilon(1e-3));
+  CHECK(box.inertia[2] == doctest::Approx(9 * (0.36 + 0.09)).epsilon(1e-3));
+  CHECK(std::abs(box.inertia[3]) < 1e-3);
+  CHECK(box.inverseInertia()[1] * box.inertia[1] == doctest::Approx(1).epsilon(1e-5));
+  sim::WaterFloat ball;
+  ball.radius = 0.5F;
+  const sim::Hull round(ball, "ball");
+  CHECK(round.volume == doctest::Approx(0.523599).epsilon(1e-5));
+  CHECK(round.inertia[2] == doctest::Approx(0.4 * round.mass * 0.25).epsilon(5e-3));
+  CHECK(round.points.size() > 300);
+}
+
+TEST_CASE("water floats: drafts at rest are Archimedes'") {
+  for (const float density : {300.0F, 700.0F}) {
+    auto body = boxOf({0.8F, 0.5F, 1}, density);
+    body.position.y = 0.3F - 0.5F * density / 1000;  // 5 cm too high
+    auto p = poolWith(body, 24, 0.2F);
+    p.drag = 0.5F;
+    WaterTwin twin = twinOf(p);
+    run(twin, 12);
+    CHECK(floatOf(twin, "draft") == doctest::Approx(0.5 * density / 1000).epsilon(0.01));
+    CHECK(floatOf(twin, "floatSpeed") < 0.1);
+    CHECK(floatOf(twin, "leastUpright") > 0.9999);
+  }
+  sim::WaterFloat ball;
+  ball.radius = 0.4F;
+  ball.density = 250;
+  ball.drag = 1;
+  ball.position.y = 0.2F;
+  auto p = poolWith(ball, 24, 0.2F);
+  p.drag = 0.5F;
+  WaterTwin twin = twinOf(p);
+  run(twin, 12);
+  CHECK(floatOf(twin, "draft") == doctest::Approx(ballDraft(0.4, 0.25)).epsilon(0.01));
+  CHECK(floatOf(twin, "displaced") * 1000 ==
+        doctest::Approx(twin.plan().floats().hulls()[0].mass).epsilon(0.02));
+}
+
+TEST_CASE("water floats: a box heaves with the period of its draft") {
+  // T = 2 pi sqrt(M / (rho g A)) = 2 pi sqrt(draft / g), with no added mass: the water's own is that of
+  // flow below it.
+  auto body = boxOf({0.6F, 0.5F, 0.6F}, 400);
+  body.drag = 0;
+  body.resistance = 0;
+  body.position.y = 0.12F;  // 0.05 + 0.07
+  auto p = poolWith(body, 60, 0.1F);
+  p.bed = -8;
+  p.sides.fill(sim::WaterBorder::open);
+  WaterTwin twin = twinOf(p);
+  std::vector<double> crossings;
+  double before = 1;
+  for (int i = 0; i < 90 && crossings.size() < 4; ++i) {
+    const double y = static_cast<double>(twin.floats[0].y) - 0.05;
+    if (i > 0 && before * y < 0) crossings.push_back(i - y / (y - before));
+    before = y;
+    twin.step(i * floatFrame);
+  }
+  REQUIRE(crossings.size() == 4);
+  const double period = (crossings[3] - crossings[1]) * floatFrame;
+  MESSAGE("heave: period ", period, " s, ", 2 * 3.14159265 * std::sqrt(0.2 / 9.81), " s by its draft");
+  CHECK(period == doctest::Approx(2 * 3.14159265 * std::sqrt(0.2 / 9.81)).epsilon(0.1));
+}
+
+TEST_CASE("water floats: a wide box returns, a tall one capsizes") {
+  // GM = I / V - (distance from buoyancy to mass): (b^2 / 12 d) - (H - d) / 2 with draft d and height H.
+  for (const bool wide : {true, false}) {
+    auto body = wide ? boxOf({1.2F, 0.5F, 1}, 500) : boxOf({0.5F, 1.2F, 1}, 500);
+    body.rotation = {0, 0, 12};
+    WaterTwin twin = twinOf(poolWith(body, 24, 0.2F));
+    run(twin, 8);
+    const double upright = floatOf(twin, "leastUpright");
+    MESSAGE((wide ? "wide" : "tall"), ": cosine ", upright);
+    if (wide)
+      CHECK(upright > 0.999);
+    else
+      CHECK(std::abs(upright) < 0.5);
+  }
+}
+
+TEST_CASE("water floats: a ball that falls in and out keeps the water's volume and makes rings") {
+  sim::WaterFloat ball;
+  ball.radius = 0.4F;
+  ball.density = 200;
+  ball.position = {0.1F, 1.5F, -0.2F};
+  WaterTwin twin = twinOf(poolWith(ball));
+  const double before = floatOf(twin, "volume");
+  double highest = 0;
+  double most = 0;
+  for (int i = 0; i < 90; ++i) {
+    twin.step(i * floatFrame);
+    double sum = 0;
+    double displaced = 0;
+    for (std::size_t k = 0; k < twin.cells.size(); ++k) {
+      sum += (static_cast<double>(twin.cells[k].x) - twin.cells[k].w) * 0.01;
+      displaced += twin.displaced[k].w * static_cast<double>(twin.plan().floats().step().depthUnit) * 0.01;
+    }
+    most = std::max(most, displaced);
+    CHECK(sum - displaced == doctest::Approx(before).epsilon(1e-6));
+    highest = std::max<double>(highest, twin.cells[40 * 20 + 36].x);
+  }
+  CHECK(most > 0.1);       // of 0.268 m^3
+  CHECK(highest > 0.005);  // 1.6 m from where it fell
+}
+
+TEST_CASE("water floats: what drag takes from a body goes to the water") {
+  auto body = boxOf({0.6F, 0.4F, 0.9F}, 500);
+  body.velocity = {1.5F, 0, 0.5F};
+  auto p = poolWith(body, 32, 0.25F);
+  p.sides.fill(sim::WaterBorder::periodic);
+  WaterTwin twin = twinOf(p);
+  const double mass = twin.plan().floats().hulls()[0].mass;
+  const auto momentum = [&] {
+    glm::dvec2 sum(mass * twin.floats[2].x, mass * twin.floats[2].z);
+    for (const glm::vec4& c : twin.cells) sum += 1000.0 * 0.0625 * glm::dvec2(c.y, c.z);
+    return sum;
+  };
+  const glm::dvec2 before = momentum();
+  run(twin, 3);
+  CHECK(twin.floats[2].x < 0.8F);
+  CHECK(momentum().x == doctest::Approx(before.x).epsilon(5e-3));
+  CHECK(momentum().y == doctest::Approx(before.y).epsilon(5e-3));
+}
+
+TEST_CASE("water floats: a body slides down a slope of the water as fast as the water does") {
+  // The pressure's gradient over its draft: dv/dt = -g w_x. And a free fall.
+  auto body = boxOf({0.8F, 0.5F, 1}, 500);
+  body.drag = 0;
+  body.resistance = 0;
+  auto p = poolWith(body, 40, 0.2F);
+  p.floats.push_back(body);
+  p.floats[1].position = {2, 3, 2};
+  WaterTwin twin = twinOf(p);
+  for (std::size_t i = 0; i < twin.cells.size(); ++i)
+    twin.cells[i].x = 0.02F * 0.2F * (static_cast<float>(i % 40) - 19.5F);
+  twin.step(0);
+  twin.step(floatFrame);
+  CHECK(static_cast<double>(twin.floats[2].x) ==
+        doctest::Approx(-9.81 * 0.02 * 2 * floatFrame).epsilon(0.03));
+  CHECK(std::abs(twin.floats[2].z) < 1e-5F);
+  CHECK(static_cast<double>(twin.floats[6].y) == doctest::Approx(-9.81 * 2 * floatFrame).epsilon(1e-4));
+}
+
+TEST_CASE("water floats: bodies lie on the ground, keep apart, and follow a tow") {
+  // On a beach that is dry.
+  sim::WaterFloat ball;
+  ball.radius = 0.3F;
+  ball.position = {0, 1.5F, 0};
+  auto p = poolWith(ball, 24, 0.2F);
+  p.bed = 1;
+  WaterTwin ashore = twinOf(p);
+  run(ashore, 4);
+  CHECK(std::abs(ashore.floats[0].y - 1.3) < 0.06);
+  CHECK(floatOf(ashore, "floatSpeed") < 0.1);
+
+  p = poolWith(ball, 24, 0.2F);
+  p.floats[0].position = {-0.8F, 0, 0};
+  p.floats[0].velocity = {1.5F, 0, 0};
+  p.floats.push_back(p.floats[0]);
+  p.floats[1].position = {0.8F, 0, 0};
+  p.floats[1].velocity = {-1.5F, 0, 0};
+  WaterTwin two = twinOf(p);
+  double nearest = 10;
+  for (int i = 0; i < 60; ++i) {
+    two.step(i * floatFrame);
+    nearest = std::min<double>(nearest, two.floats[4].x - two.floats[0].x);
+  }
+  CHECK(nearest > 0.5);
+  CHECK(nearest < 0.62);
+
+  auto boat = boxOf({0.5F, 0.3F, 1}, 400);
+  boat.towed = true;
+  boat.tow = scene::Animated<glm::vec3>({{0, {-1.5F, 0, 0}}, {4, {1.5F, 0, 0}}}, scene::Ease::linear);
+  boat.position = {-1.5F, 0, 0};
+  boat.pull = 5;
+  WaterTwin towed = twinOf(poolWith(boat, 30, 0.2F));
+  run(towed, 3);
+  CHECK(std::abs(towed.floats[0].x - 0.75) < 0.35);
+  // z points along x: a quarter turn about y.
+  CHECK(std::abs(towed.floats[1].y) == doctest::Approx(0.7071).epsilon(0.03));
+}
