@@ -123,13 +123,14 @@ TEST_CASE("fluid with obstacles, heat, friction, confinement and heavy dye equal
     auto p = jets(67, 45);
     setSides(p, Side::wall, Side::wall, Side::open, Side::wall);
     p.obstaclesSlip = slip;
+    p.cycles = 80;  // coarse grids see little of thin walls
     p.obstacles.resize(3);
-    p.obstacles[0].center = {40, 20, 0};
+    p.obstacles[0].center = glm::vec3(40, 20, 0);
     p.obstacles[1].shape = sim::FluidObstacle::Shape::box;
-    p.obstacles[1].center = {20, 30, 0};
+    p.obstacles[1].center = glm::vec3(20, 30, 0);
     p.obstacles[1].extent = {20, 1.5F, 0};
     p.obstacles[1].turn = 20;
-    p.obstacles[2].center = {2, 2, 0};  // over the border
+    p.obstacles[2].center = glm::vec3(2, 2, 0);  // over the border
     p.obstacles[2].radius = 5;
     p.viscosity = 2.5F;
     p.confinement = 4.0F;
@@ -154,7 +155,7 @@ TEST_CASE("fluid equals its CPU twin with semi-Lagrangian advection, and where a
                                glm::vec4(35, 20, 2, 22)}) {
     sim::FluidObstacle& box = p.obstacles.emplace_back();
     box.shape = sim::FluidObstacle::Shape::box;
-    box.center = {wall.x, wall.y, 0};
+    box.center = glm::vec3(wall.x, wall.y, 0);
     box.extent = {wall.z, wall.w, 0};
   }
   p.cycles = 60;                                      // a coarse grid does not see thin walls
@@ -169,7 +170,7 @@ TEST_CASE("what a fluid shows equals its CPU twin") {
     p.show = show;
     p.look = sim::FluidParameters::Look::ink;
     p.obstacles.resize(1);
-    p.obstacles[0].center = {20, 12, 0};
+    p.obstacles[0].center = glm::vec3(20, 12, 0);
     p.obstacles[0].radius = 4;
     testContext();
     const sim::FluidPlan plan(p, "bath", 5, fluidFrame);

@@ -169,7 +169,7 @@ TEST_CASE("fluid: the sum of dye stays, and no cell has less than none or more t
   push.velocity = {70, 45, 0};
   p.strokes = {push};
   p.obstacles.resize(1);
-  p.obstacles[0].center = {25, 12, 0};
+  p.obstacles[0].center = glm::vec3(25, 12, 0);
   p.obstacles[0].radius = 4;
   FluidTwin twin(sim::FluidPlan(p, "bath", 1, 0.002));
   for (int y = 4; y < 18; ++y)
