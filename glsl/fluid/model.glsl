@@ -30,7 +30,7 @@ struct STD140 FluidSolid {
 };
 struct STD140 FluidSolidSet {
   FluidSolid solids[maxSolids + 1];
-  vec4 growth[(maxPockets + 1) / 4];  // 1/s: net flow out of each cell of a pocket
+  vec4 growth[(maxPockets + 1) / 4];  // 1/s: net flow out of a pocket over its area
 };
 
 // How far off a wall the fluid is looked at that says how it moves beyond it: all four values around are fluid's.

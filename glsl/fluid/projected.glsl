@@ -60,13 +60,15 @@ FUNCTION float seenThen(int which, vec2 p) {
 FUNCTION float finishedU(int x, int y) {
   if (!obstacles || faceAt(x, y).x > 0.0f || borderU(x)) return projectedU(x, y);
   if (offWallU(x, y) < deepWall) return solidU(x, y);
-  return exactFlush(wallU(x, y, seenThen(0, seenFromU(x, y))));
+  vec2 from = seenFromU(x, y);
+  return exactFlush(wallU(x, y, from, seenThen(0, from)));
 }
 
 FUNCTION float finishedV(int x, int y) {
   if (!obstacles || faceAt(x, y).y > 0.0f || borderV(y)) return projectedV(x, y);
   if (offWallV(x, y) < deepWall) return solidV(x, y);
-  return exactFlush(wallV(x, y, seenThen(1, seenFromV(x, y))));
+  vec2 from = seenFromV(x, y);
+  return exactFlush(wallV(x, y, from, seenThen(1, from)));
 }
 
 // Within obstacles temperature and pressure are what they are off them: nothing crosses, and what comes free fits in.
@@ -99,7 +101,10 @@ FUNCTION float growthAt(int x, int y) {
   if (!pocketsGrow) return 0.0f;
   int pocket = int(solidWord(x, y) >> 24u);
   vec4 four = solidSet.growth[pocket >> 2];
-  return (pocket & 2) == 0 ? ((pocket & 1) == 0 ? four.x : four.y) : ((pocket & 1) == 0 ? four.z : four.w);
+  float of = (pocket & 2) == 0 ? ((pocket & 1) == 0 ? four.x : four.y) : ((pocket & 1) == 0 ? four.z : four.w);
+  float part = openPart(x, y);
+  precise float growth = of * part;
+  return growth;
 }
 
 // Minus the net flow out of a cell that is too much: what the corrections have to take away.

@@ -303,7 +303,10 @@ FUNCTION float pushedV(int x, int y) {
 // u of a left face before the pressure makes the flow free of divergence.
 FUNCTION float steppedU(int x, int y) {
   if (faceAt(x, y).x == 0.0f) return borderU(x) ? sideU(x, y) : flowAt(x, y).x;
-  if (heldU(x, y)) return exactFlush(wallU(x, y, valueIn(around(true, 0, seenFromU(x, y)))));
+  if (heldU(x, y)) {
+    vec2 from = seenFromU(x, y);
+    return exactFlush(wallU(x, y, from, valueIn(around(true, 0, from))));
+  }
   precise float value = (movedPart(0, x, y) + 0.5f * stepData.viscosity * pullOn(true, 0, x, y)) - pushOnU(x, y);
   return exactFlush(value);
 }
@@ -315,7 +318,10 @@ FUNCTION float densityOf(vec4 dye) {
 
 FUNCTION float steppedV(int x, int y) {
   if (faceAt(x, y).y == 0.0f) return borderV(y) ? sideV(x, y) : flowAt(x, y).y;
-  if (heldV(x, y)) return exactFlush(wallV(x, y, valueIn(around(true, 1, seenFromV(x, y)))));
+  if (heldV(x, y)) {
+    vec2 from = seenFromV(x, y);
+    return exactFlush(wallV(x, y, from, valueIn(around(true, 1, from))));
+  }
   precise float value = (movedPart(1, x, y) + 0.5f * stepData.viscosity * pullOn(true, 1, x, y)) - pushOnV(true, x, y);
   if (sinks) {
     precise float fall = 0.166666667f * stepData.weight * (densityOf(dyeAt(x, y)) + densityOf(dyeAt(x, y - 1)));

@@ -40,16 +40,23 @@ FUNCTION uint nearerWall(uint a, uint b) {
   return (b & 0xffffu) < (a & 0xffffu) ? b : a;
 }
 
-FUNCTION float solidU(int x, int y) {
+// Of the obstacle that is nearest to a face: as fast as it would be at p.
+FUNCTION float solidUAt(int x, int y, vec2 p) {
   if (!obstaclesMove) return 0.0f;
-  uint word = nearerWall(solidWord(insideX(x - 1), insideY(y)), solidWord(insideX(x), insideY(y)));
-  return solidSpeed(0, word, placeOf(0, x, y));
+  return solidSpeed(0, nearerWall(solidWord(insideX(x - 1), insideY(y)), solidWord(insideX(x), insideY(y))), p);
+}
+
+FUNCTION float solidVAt(int x, int y, vec2 p) {
+  if (!obstaclesMove) return 0.0f;
+  return solidSpeed(1, nearerWall(solidWord(insideX(x), insideY(y - 1)), solidWord(insideX(x), insideY(y))), p);
+}
+
+FUNCTION float solidU(int x, int y) {
+  return solidUAt(x, y, placeOf(0, x, y));
 }
 
 FUNCTION float solidV(int x, int y) {
-  if (!obstaclesMove) return 0.0f;
-  uint word = nearerWall(solidWord(insideX(x), insideY(y - 1)), solidWord(insideX(x), insideY(y)));
-  return solidSpeed(1, word, placeOf(1, x, y));
+  return solidVAt(x, y, placeOf(1, x, y));
 }
 
 // wallReach off the wall, from p, which is `off` away from it along the slope of distances.
@@ -79,19 +86,20 @@ FUNCTION vec2 seenFromCell(int x, int y) {
   return seenFrom(placeOf(2, x, y), offWall(x, y), across, along);
 }
 
-// Given the speed of the fluid at the place that is seen: the wall has its own, and it is linear across; what slips goes on.
-FUNCTION float beyondWall(float seen, float wall, float off) {
+// Given the speed of the fluid at the place that is seen and what the obstacle's would be there and here: their difference is
+// linear across the wall, none on it. What slips goes on.
+FUNCTION float beyondWall(float seen, float solidThere, float solid, float off) {
   float held = max(off, -wallReach);
-  precise float value = wall + (seen - wall) * (held * perWallReach);
+  precise float value = solid + (seen - solidThere) * (held * perWallReach);
   return obstaclesSlip ? seen : value;
 }
 
-FUNCTION float wallU(int x, int y, float seen) {
-  return beyondWall(seen, solidU(x, y), offWallU(x, y));
+FUNCTION float wallU(int x, int y, vec2 from, float seen) {
+  return beyondWall(seen, solidUAt(x, y, from), solidU(x, y), offWallU(x, y));
 }
 
-FUNCTION float wallV(int x, int y, float seen) {
-  return beyondWall(seen, solidV(x, y), offWallV(x, y));
+FUNCTION float wallV(int x, int y, vec2 from, float seen) {
+  return beyondWall(seen, solidVAt(x, y, from), solidV(x, y), offWallV(x, y));
 }
 
 // What goes through a face: fluid through its opening, an obstacle through the rest. Sides that are closed have the speed of

@@ -52,11 +52,12 @@ glm::vec2 velocityOf(const FluidSide& side, bool alongX, double time) {
 
 }  // namespace
 
-FluidPlan::FluidPlan(FluidParameters parameters, const std::string& object, int seed, double frameSeconds)
+FluidPlan::FluidPlan(FluidParameters parameters, const std::string& object, int seed, double frameSeconds,
+                     std::vector<PictureDistances> pictures)
     : parameters_(std::move(parameters)),
       object_(object),
       frameSeconds_(frameSeconds),
-      pictures_(picturesOf(parameters_)),
+      pictures_(pictures.empty() ? picturesOf(parameters_) : std::move(pictures)),
       strokes_(
           plainStrokes(parameters_.strokes), seed,
           {parameters_.size, parameters_.wrapsX() && parameters_.wrapsY(), "fluid \"" + object + "\""}) {

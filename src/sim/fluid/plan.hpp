@@ -22,9 +22,10 @@ class FluidPlan {
     std::vector<shader::Stroke> strokes;
   };
 
-  /// Reads the strokes' images. Throws UserError(usage) for substeps that the viscosity makes unstable, or
+  /// Reads the obstacles' images unless they are given, and the strokes' images. Throws UserError(usage) for substeps that the viscosity makes unstable, or
   /// for more brushes at once than maxBrushes.
-  FluidPlan(FluidParameters parameters, const std::string& object, int seed, double frameSeconds);
+  FluidPlan(FluidParameters parameters, const std::string& object, int seed, double frameSeconds,
+            std::vector<PictureDistances> pictures = {});
 
   [[nodiscard]] const FluidParameters& parameters() const { return parameters_; }
   [[nodiscard]] glm::ivec2 size() const { return parameters_.size; }

@@ -54,9 +54,11 @@ FluidForce forceOn(const FluidParameters& p, const FluidSolids& solids, double v
       const glm::dvec2 slope(off(x + 1, y) - off(x - 1, y), off(x, y + 1) - off(x, y - 1));
       const glm::dvec2 normal = slope / std::max(std::sqrt(slope.x * slope.x + slope.y * slope.y), 1e-6);
       const glm::dvec2 foot = glm::dvec2(x + 0.5, y + 0.5) - off(x, y) * normal;
-      const glm::dvec2 own = solids.velocityAt(x, y);
-      const glm::dvec2 first = velocityAt(size, flow, foot + near * normal) - own;
-      const glm::dvec2 second = velocityAt(size, flow, foot + farther * normal) - own;
+      const auto past = [&](double away) {
+        const glm::dvec2 point = foot + away * normal;
+        return velocityAt(size, flow, point) - solids.velocityAt({x, y}, point);
+      };
+      const glm::dvec2 first = past(near), second = past(farther);
       const glm::dvec2 shear =
           (first * (farther * farther) - second * (near * near)) / (near * farther * (farther - near));
       force.friction += viscosity * length * shear;

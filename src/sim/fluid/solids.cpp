@@ -192,10 +192,10 @@ glm::dvec4 FluidSolids::closedAt(int x, int y) const {
           closed(y + 1 == size_.y, face(x, y + 1).y)};
 }
 
-glm::dvec2 FluidSolids::velocityAt(int x, int y) const {
-  const shader::FluidSolid& s = set_.solids[wordAt(x, y) >> 16U & 255U];
-  return {s.velocity.x - double{s.place.z} * (y + 0.5 - s.place.y),
-          s.velocity.y + double{s.place.z} * (x + 0.5 - s.place.x)};
+glm::dvec2 FluidSolids::velocityAt(glm::ivec2 cell, glm::dvec2 point) const {
+  const shader::FluidSolid& s = set_.solids[wordAt(cell.x, cell.y) >> 16U & 255U];
+  return {s.velocity.x - double{s.place.z} * (point.y - s.place.y),
+          s.velocity.y + double{s.place.z} * (point.x - s.place.x)};
 }
 
 void FluidSolids::findSolid() {
@@ -256,7 +256,7 @@ void FluidSolids::balance(const FluidParameters& p, const shader::FluidStep& sid
                   : s.velocity.y + double{s.place.z} * (x - s.place.x);
   };
   std::vector<double> out(static_cast<std::size_t>(pockets_));
-  std::vector<long> cells(out.size());
+  std::vector<double> area(out.size());
   std::vector<bool> open(out.size());
   const auto through = [&](bool border, bool periodic, double weight, double side, double solid) {
     if (border && !periodic) return weight > 0 ? 0.0 : side;
@@ -286,7 +286,7 @@ void FluidSolids::balance(const FluidParameters& p, const shader::FluidStep& sid
       if (pocket < 0) continue;
       const auto i = static_cast<std::size_t>(pocket);
       out[i] += acrossX(x + 1, y) - acrossX(x, y) + acrossY(x, y + 1) - acrossY(x, y);
-      ++cells[i];
+      area[i] += std::clamp(0.5 + distanceAt(x, y), 0.0, 1.0);  // openPart of glsl/fluid/projected.glsl
       const bool lets = (x == 0 && !wraps.x && face(0, y).x > 0) ||
                         (x + 1 == size_.x && !wraps.x && face(size_.x, y).x > 0) ||
                         (y == 0 && !wraps.y && face(x, 0).y > 0) ||
@@ -296,7 +296,7 @@ void FluidSolids::balance(const FluidParameters& p, const shader::FluidStep& sid
   std::vector<std::uint32_t> number(out.size());
   std::uint32_t used = 0;
   for (std::size_t i = 0; i < out.size(); ++i) {
-    const double each = out[i] / static_cast<double>(cells[i]);
+    const double each = area[i] > 0 ? out[i] / area[i] : 0;
     if (open[i] || std::abs(each) < 1e-9 || used == shader::maxPockets) continue;
     number[i] = ++used;
     set_.growth[used / 4][static_cast<int>(used % 4)] = static_cast<float>(each);

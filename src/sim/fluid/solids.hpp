@@ -59,8 +59,8 @@ class FluidSolids {
   [[nodiscard]] const std::vector<int>& pocketOf() const { return pocketOf_; }
   /// How much of a cell's four faces obstacles close: left, right, top, bottom, 0 to 1; of borders nothing.
   [[nodiscard]] glm::dvec4 closedAt(int x, int y) const;
-  /// Velocity (cells/s) of the obstacle nearest to cell (x, y), at its middle.
-  [[nodiscard]] glm::dvec2 velocityAt(int x, int y) const;
+  /// Velocity (cells/s) that the obstacle nearest to a cell has, or would have, at a point in cells.
+  [[nodiscard]] glm::dvec2 velocityAt(glm::ivec2 cell, glm::dvec2 point) const;
   /// Whether some pocket has to grow or shrink: no side is open, and walls push or let in.
   [[nodiscard]] bool grows() const { return grows_; }
   /// Signed distance (cells) of cell (x, y)'s middle to the nearest obstacle and its number; at most 8.

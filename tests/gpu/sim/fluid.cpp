@@ -7,6 +7,8 @@
 
 #include <bit>
 #include <cstdint>
+#include <filesystem>
+#include <fstream>
 #include <string>
 #include <vector>
 
@@ -161,6 +163,44 @@ TEST_CASE("fluid equals its CPU twin with semi-Lagrangian advection, and where a
   p.cycles = 60;                                      // a coarse grid does not see thin walls
   p.strokes[0].from = p.strokes[0].to = {25, 20, 0};  // in the pocket
   compareFluid(p, 6);
+}
+
+TEST_CASE("fluid with obstacles that move, turn, are pictures or squeeze a pocket equals its CPU twin") {
+  const auto file = std::filesystem::temp_directory_path() / "simreel_fluid_obstacle.pgm";
+  {
+    std::ofstream out(file, std::ios::binary);
+    out << "P5 11 9 255\n";
+    for (int i = 0; i < 99; ++i) out.put(static_cast<char>(i % 11 > 1 && i % 11 < 9 && i > 20 ? 40 + 9 * (i % 23) : 0));
+  }
+  for (const bool slip : {false, true}) {
+    auto p = jets(71, 43);
+    setSides(p, Side::inflow, Side::wall, slip ? Side::open : Side::slip, Side::wall);
+    p.left.velocity = glm::vec3(15, 2, 0);
+    p.left.profile = sim::FluidSide::Profile::parabola;
+    p.obstaclesSlip = slip;
+    p.viscosity = 1.5F;
+    p.lift = 20.0F;
+    p.strokes[0].setsTemperature = true;
+    p.strokes[0].temperature = 1;
+    p.obstacles.resize(4);
+    p.obstacles[0].center = scene::Animated<glm::vec3>({{0.0, glm::vec3(18, 15, 0)}, {0.3, glm::vec3(25.5, 19, 0)}},
+                                                       scene::Ease::smooth);
+    p.obstacles[0].radius = 5.5F;
+    p.obstacles[1].shape = sim::FluidObstacle::Shape::image;
+    p.obstacles[1].image = file;
+    p.obstacles[1].scale = 1.3F;
+    p.obstacles[1].center = glm::vec3(20, 34, 0);
+    p.obstacles[1].turn = scene::Animated<float>({{0.0, 0.0F}, {1.0, 200.0F}}, scene::Ease::linear);
+    p.obstacles[2].shape = sim::FluidObstacle::Shape::box;  // shuts off the right end, and goes there
+    p.obstacles[2].center = scene::Animated<glm::vec3>({{0.0, glm::vec3(45, 21, 0)}, {1.0, glm::vec3(60, 21, 0)}},
+                                                       scene::Ease::linear);
+    p.obstacles[2].extent = {5, 60, 0};
+    p.obstacles[3].center = glm::vec3(60, 10, 0);
+    p.obstacles[3].radius = 3;
+    p.cycles = 60;
+    compareFluid(p, 4);
+  }
+  std::filesystem::remove(file);
 }
 
 TEST_CASE("what a fluid shows equals its CPU twin") {
