@@ -11,7 +11,7 @@ layout(std140, binding = stepBinding) uniform FluidBlock { FluidStep stepData; }
 uniform ivec2 size;  // cells
 const int leftKind = LEFT, rightKind = RIGHT, topKind = TOP, bottomKind = BOTTOM;
 const bool heats = HEATS == 1, confines = CONFINES == 1, sinks = SINKS == 1;
-const bool secondOrder = SECOND_ORDER == 1, obstacles = OBSTACLES == 1, obstaclesSlip = OBSTACLES_SLIP == 1;
+const bool secondOrder = ADVECTION == 0, cubic = ADVECTION == 2, obstacles = OBSTACLES == 1, obstaclesSlip = OBSTACLES_SLIP == 1;
 const bool obstaclesMove = OBSTACLES_MOVE == 1, pocketsGrow = POCKETS_GROW == 1;
 layout(std140, binding = solidsBinding) uniform SolidBlock { FluidSolidSet solidSet; };
 uniform int solidsStart;  // elements: where in `weights` the words of solidWord are, in blocks as faces

@@ -68,6 +68,18 @@ FUNCTION float sideSpeed(int i, int count, float speed, float parabola) {
   return parabola > 0.0f ? value : speed;
 }
 
+// Lagrange's of four points at 0, 1, 2, 3.
+FUNCTION vec4 cubicWeights(float t) {
+  precise float a = t - 1.0f;
+  precise float b = t - 2.0f;
+  precise float c = t - 3.0f;
+  precise float first = -0.166666667f * (a * b * c);
+  precise float second = 0.5f * (t * b * c);
+  precise float third = -0.5f * (t * a * c);
+  precise float fourth = 0.166666667f * (t * a * b);
+  return vec4(first, second, third, fourth);
+}
+
 FUNCTION float between(float a, float b, float f) {
   precise float value = a + (b - a) * f;
   return value;

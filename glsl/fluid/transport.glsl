@@ -158,42 +158,7 @@ FUNCTION vec2 placeOf(int which, int x, int y) {
 
 #include "fluid/walls.glsl"
 
-// Where what is at p now will be after dt. The flow has been pushed for half of it, so it is the mean velocity of what is
-// here on its way.
-FUNCTION vec2 wentTo(vec2 p, vec2 own) {
-  precise vec2 end = p + own * stepData.dt;
-  return heldPoint(end);
-}
-
-// Where what is at p then was before: the same way back, p - dt u(where it was).
-FUNCTION vec2 cameFrom(vec2 p, vec2 own) {
-  precise vec2 about = p - own * stepData.dt;
-  vec2 velocity = velocityAt(heldPoint(about));
-  precise vec2 start = p - velocity * stepData.dt;
-  return heldPoint(start);
-}
-
-// Semi-Lagrangian: what was where this place's fluid comes from.
-FUNCTION float carriedPart(int which, int x, int y) {
-  vec2 from = cameFrom(placeOf(which, x, y), ownVelocity(which, x, y));
-  return exactFlush(valueIn(around(false, which, from)));
-}
-
-// MacCormack: less half of what carrying it back again would miss; within the values that it came from.
-FUNCTION float correctedPart(int which, int x, int y) {
-  vec2 place = placeOf(which, x, y);
-  vec2 own = ownVelocity(which, x, y);
-  Around from = around(false, which, cameFrom(place, own));
-  float there = valueIn(around(true, which, wentTo(place, own)));
-  precise float value = partOf(carriedAt(x, y), which) + 0.5f * (partOf(flowAt(x, y), which) - there);
-  float low = min(min(from.a, from.b), min(from.c, from.d));
-  float high = max(max(from.a, from.b), max(from.c, from.d));
-  return clamp(value, low, high);
-}
-
-FUNCTION float movedPart(int which, int x, int y) {
-  return secondOrder ? correctedPart(which, x, y) : partOf(carriedAt(x, y), which);
-}
+#include "fluid/advection.glsl"
 
 // dv/dx - du/dy at the upper left corner of a cell.
 FUNCTION float curlAt(int x, int y) {

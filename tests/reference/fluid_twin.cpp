@@ -13,7 +13,7 @@ struct FluidModel {
   ivec2 size;
   FluidStep stepData;
   int leftKind, rightKind, topKind, bottomKind;
-  bool heats, confines, sinks, secondOrder, obstacles, obstaclesSlip, obstaclesMove, pocketsGrow;
+  bool heats, confines, sinks, secondOrder, cubic, obstacles, obstaclesSlip, obstaclesMove, pocketsGrow;
   const std::vector<vec4>& flow;
   const std::vector<vec4>& carried;
   const std::vector<vec4>& dye;
@@ -78,6 +78,7 @@ FluidModel modelOf(const sim::FluidPlan& plan, const sim::FluidSolids& solids, c
           p.confines(),
           p.sinks(),
           p.advection == sim::FluidParameters::Advection::macCormack,
+          p.advection == sim::FluidParameters::Advection::cubic,
           !p.obstacles.empty(),
           p.obstaclesSlip,
           p.obstaclesMove(),

@@ -43,7 +43,7 @@ gl::Defines definesOf(const FluidParameters& p, bool fast) {
   define("HEATS", p.heats() ? 1 : 0);
   define("CONFINES", p.confines() ? 1 : 0);
   define("SINKS", p.sinks() ? 1 : 0);
-  define("SECOND_ORDER", p.advection == FluidParameters::Advection::macCormack ? 1 : 0);
+  define("ADVECTION", static_cast<int>(p.advection));
   define("OBSTACLES", p.obstacles.empty() ? 0 : 1);
   define("OBSTACLES_MOVE", p.obstaclesMove() ? 1 : 0);
   define("POCKETS_GROW", p.pocketsGrow() ? 1 : 0);

@@ -93,8 +93,10 @@ void FluidParameters::describe(scene::Fields& f) {
               "\"auto\": as many as \"speed\" / \"courant\" and the viscosity ask for.");
   f.number("courant", courant, {0.05, 8}, "cells",
            "What the greatest speed goes in a substep of \"auto\".");
-  f.choice("advection", advection, {"macCormack", "semiLagrangian"},
-           "How velocity and temperature are carried along: second-order with a limiter, or first-order.");
+  f.choice(
+      "advection", advection, {"macCormack", "semiLagrangian", "cubic"},
+      "How velocity and temperature are carried along: second-order with a limiter, first-order, or by "
+      "cubic interpolation with a limiter.");
   f.number("viscosity", viscosity, {0, 1e6}, "cells^2/s", "Of the fluid.");
   f.number("confinement", confinement, {0, 1e4}, "1/s",
            "Force that keeps up vortices of the size of cells.");

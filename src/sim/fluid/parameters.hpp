@@ -51,7 +51,7 @@ struct FluidStroke : StrokeParameters {
 
 /// Incompressible flow (SPEC 9) as a scene says it. Lengths are in cells; v and y grow down the picture.
 struct FluidParameters : ObjectParameters {
-  enum class Advection { macCormack, semiLagrangian };
+  enum class Advection { macCormack, semiLagrangian, cubic };  // as ADVECTION of glsl/fluid/grid.glsl
   enum class Show { dye, speed, vorticity, temperature, pressure };
   enum class Look { light, ink };
   glm::ivec2 size{320, 180};  ///< cells

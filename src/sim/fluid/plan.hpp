@@ -22,8 +22,8 @@ class FluidPlan {
     std::vector<shader::Stroke> strokes;
   };
 
-  /// Reads the obstacles' images unless they are given, and the strokes' images. Throws UserError(usage) for substeps that the viscosity makes unstable, or
-  /// for more brushes at once than maxBrushes.
+  /// Reads the obstacles' images unless they are given, and the strokes' images. Throws UserError(usage)
+  /// for substeps that the viscosity makes unstable, or for more brushes at once than maxBrushes.
   FluidPlan(FluidParameters parameters, const std::string& object, int seed, double frameSeconds,
             std::vector<PictureDistances> pictures = {});
 

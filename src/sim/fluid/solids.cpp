@@ -98,6 +98,45 @@ struct FluidSolids::Nearest {
         which[cell] = number;
       }
   }
+  /// As the kernels have a middle's distance.
+  [[nodiscard]] int units(int x, int y) const {
+    const int i = (x + size.x) % size.x, j = (y + size.y) % size.y;
+    const double distance = middles[static_cast<std::size_t>(j) * static_cast<std::size_t>(size.x) +
+                                    static_cast<std::size_t>(i)];
+    return static_cast<int>(std::lround(std::clamp(distance, -far, far) * 2048));
+  }
+  /// Closes what only faces open that a wall holds (heldU of glsl/fluid/walls.glsl): no pressure would act
+  /// on the flow there, and so it would never come to rest.
+  void closeSlivers(glm::bvec2 wraps, std::vector<double>& left, std::vector<double>& top) const {
+    const auto leftAt = [&](int x, int y) -> double& {
+      return left[static_cast<std::size_t>(y) * static_cast<std::size_t>(size.x + 1) +
+                  static_cast<std::size_t>(x)];
+    };
+    const auto topAt = [&](int x, int y) -> double& {
+      return top[static_cast<std::size_t>(y) * static_cast<std::size_t>(size.x) +
+                 static_cast<std::size_t>(x)];
+    };
+    const auto freeX = [&](int x, int y) {
+      const bool border = !wraps.x && (x == 0 || x == size.x);
+      return leftAt(x, y) > 0 &&
+             (border || std::lround(leftAt(x, y) * 4096) >= 4096 || units(x - 1, y) + units(x, y) > 0);
+    };
+    const auto freeY = [&](int x, int y) {
+      const bool border = !wraps.y && (y == 0 || y == size.y);
+      return topAt(x, y) > 0 &&
+             (border || std::lround(topAt(x, y) * 4096) >= 4096 || units(x, y - 1) + units(x, y) > 0);
+    };
+    for (int y = 0; y < size.y; ++y)
+      for (int x = 0; x < size.x; ++x) {
+        const bool cut = leftAt(x, y) < 1 || leftAt(x + 1, y) < 1 || topAt(x, y) < 1 || topAt(x, y + 1) < 1;
+        if (!cut || freeX(x, y) || freeX(x + 1, y) || freeY(x, y) || freeY(x, y + 1)) continue;
+        leftAt(x, y) = leftAt(x + 1, y) = topAt(x, y) = topAt(x, y + 1) = 0;
+        if (wraps.x && x == 0) leftAt(size.x, y) = 0;
+        if (wraps.x && x + 1 == size.x) leftAt(0, y) = 0;
+        if (wraps.y && y == 0) topAt(x, size.y) = 0;
+        if (wraps.y && y + 1 == size.y) topAt(x, 0) = 0;
+      }
+  }
   /// On a torus the first corners are the last.
   void join(glm::bvec2 wraps) {
     for (int y = 0; wraps.x && y <= size.y; ++y)
@@ -120,6 +159,7 @@ struct FluidSolids::Nearest {
       for (int x = 0; x < size.x; ++x, ++face)
         if (!(y == 0 && shut(p.top)) && !(y == size.y && shut(p.bottom)))
           top[face] = openShare(corner(x, y), corner(x + 1, y));
+    if (!p.obstaclesSlip) closeSlivers({p.wrapsX(), p.wrapsY()}, left, top);
     return {size, std::move(left), std::move(top), {p.wrapsX(), p.wrapsY()}};
   }
 };
@@ -164,8 +204,7 @@ FluidSolids::FluidSolids(const FluidParameters& p, Nearest nearest)
                 glm::uvec4(0));
   for (int y = 0; y < size_.y; ++y)
     for (int x = 0; x < size_.x; ++x) {
-      const double distance = std::clamp(nearest.middles[cell(x, y)], -far, far);
-      const auto units = static_cast<std::uint32_t>(std::lround(distance * 2048) + 32768);
+      const auto units = static_cast<std::uint32_t>(nearest.units(x, y) + 32768);
       wordOf(x, y) = units | static_cast<std::uint32_t>(nearest.which[cell(x, y)]) << 16U;
     }
 }

@@ -129,7 +129,8 @@ TEST_CASE("fluid obstacles: a piston squeezes one pocket as it widens the other,
   CHECK(worst < 0.001);
 }
 
-TEST_CASE("fluid obstacles: what a turning ring cuts off turns with it in the end, in a pocket of its own") {
+TEST_CASE(
+    "fluid obstacles: what a turning ring cuts off turns with it in the end, in a pocket of its own") {
   auto p = emptyTank(37, 35);
   p.speed = 12;
   p.viscosity = 9.0F;
@@ -139,7 +140,8 @@ TEST_CASE("fluid obstacles: what a turning ring cuts off turns with it in the en
   p.obstacles = {drum};
   const double dt = 0.02;
   const double radius = 8.7;
-  FluidTwin twin(sim::FluidPlan(p, "bath", 1, dt, {sim::PictureDistances({32, 32}, ringPicture(32, radius, 13), 0.5)}));
+  FluidTwin twin(sim::FluidPlan(p, "bath", 1, dt,
+                                {sim::PictureDistances({32, 32}, ringPicture(32, radius, 13), 0.5)}));
   CHECK(twin.solids().pockets() == 2);
   CHECK(twin.solids().pocketOf()[17 * 37 + 18] != twin.solids().pocketOf()[0]);
   for (int i = 0; i < 480; ++i) twin.step(i * dt);
