@@ -13,6 +13,7 @@ const int raisedBinding = 1;    // and corrections on the way up
 const int poolOutBinding = 3;   // the same, to be written
 const int raisedOutBinding = 4;
 const int brushesBinding = 1;   // of uniform blocks
+const int solidsBinding = 2;
 const int stampsBinding = 1;    // images of brushes
 
 #endif

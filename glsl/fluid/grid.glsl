@@ -11,7 +11,10 @@ layout(std140, binding = stepBinding) uniform FluidBlock { FluidStep stepData; }
 uniform ivec2 size;  // cells
 const int leftKind = LEFT, rightKind = RIGHT, topKind = TOP, bottomKind = BOTTOM;
 const bool heats = HEATS == 1, confines = CONFINES == 1, sinks = SINKS == 1;
-const bool secondOrder = SECOND_ORDER == 1, obstaclesSlip = OBSTACLES_SLIP == 1;
+const bool secondOrder = ADVECTION == 0, cubic = ADVECTION == 2, obstacles = OBSTACLES == 1, obstaclesSlip = OBSTACLES_SLIP == 1;
+const bool obstaclesMove = OBSTACLES_MOVE == 1, pocketsGrow = POCKETS_GROW == 1;
+layout(std140, binding = solidsBinding) uniform SolidBlock { FluidSolidSet solidSet; };
+uniform int solidsStart;  // elements: where in `weights` the words of solidWord are, in blocks as faces
 
 int elementOf(int x, int y) {
   return (y + 1) * (size.x + 2) + x + 1;
@@ -54,6 +57,14 @@ uint wordOf(uvec4 four, int x, int y) {
   return (y & 1) == 0 ? ((x & 1) == 0 ? four.x : four.y) : ((x & 1) == 0 ? four.z : four.w);
 }
 
+uint solidWord(int x, int y) {
+#if OBSTACLES == 1
+  return wordOf(LOAD_INPUT_WORDS(weights, solidsStart + (y >> 1) * (size.x / 2 + 1) + (x >> 1)), x, y);
+#else
+  return 0xffffu;
+#endif
+}
+
 vec2 faceAt(int x, int y) {
   return faceWeights(wordOf(LOAD_INPUT_WORDS(weights, (y >> 1) * (size.x / 2 + 1) + (x >> 1)), x, y));
 }
@@ -76,3 +87,5 @@ vec2 sumAt(int x, int y) {
 }
 #endif
 #include "fluid/transport.glsl"
+// What transport.glsl has comes first.
+#include "fluid/projected.glsl"

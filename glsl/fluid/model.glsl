@@ -18,7 +18,26 @@ struct STD140 FluidStep {
   float keptHeat;      // fraction of temperature that is left after dt
   float dyeDt;         // s, of each pass of dye
   float weight;        // dt times the acceleration, down, of a dye of 1
+  vec4 parabolas;      // of left, right, top and bottom: 1 where an inflow is a parabola between its ends
 };
+
+// What stands in a fluid, as it moves in a step, and what closed pockets of fluid have to give way by.
+const int maxSolids = 255;
+const int maxPockets = 255;
+struct STD140 FluidSolid {
+  vec4 place;     // cells: what it turns about; 1/s: how fast, clockwise; 0
+  vec4 velocity;  // cells/s: of that place; 0, 0
+};
+struct STD140 FluidSolidSet {
+  FluidSolid solids[maxSolids + 1];
+  vec4 growth[(maxPockets + 1) / 4];  // 1/s: net flow out of a pocket over its area
+};
+
+// How far off a wall the fluid is looked at that says how it moves beyond it: all four values around are fluid's.
+const float wallReach = 1.5f;
+const float perWallReach = 0.6666667f;
+// Faces within obstacles, so far from the fluid that nothing asks for their values.
+const float deepWall = -2.5f;
 
 // What a brush does. At most maxBrushes at once.
 const int maxBrushes = 16;
@@ -41,9 +60,35 @@ const float noCell = 1e20f;
 // Part of a cell that dye crosses in a pass, at most.
 const float maxDyeWay = 0.25f;
 
+// Speed of a side's face i of `count`: even, or a parabola from 0 through `speed` in the middle to 0.
+FUNCTION float sideSpeed(int i, int count, float speed, float parabola) {
+  float each = exactReciprocal(float(count));
+  precise float along = (float(i) + 0.5f) * each;
+  precise float value = 4.0f * speed * (along * (1.0f - along));
+  return parabola > 0.0f ? value : speed;
+}
+
+// Lagrange's of four points at 0, 1, 2, 3.
+FUNCTION vec4 cubicWeights(float t) {
+  precise float a = t - 1.0f;
+  precise float b = t - 2.0f;
+  precise float c = t - 3.0f;
+  precise float first = -0.166666667f * (a * b * c);
+  precise float second = 0.5f * (t * b * c);
+  precise float third = -0.5f * (t * a * c);
+  precise float fourth = 0.166666667f * (t * a * b);
+  return vec4(first, second, third, fourth);
+}
+
 FUNCTION float between(float a, float b, float f) {
   precise float value = a + (b - a) * f;
   return value;
+}
+
+// How far a cell's middle is off obstacles, negative within: its lower 16 bits. Above: which obstacle, 8 bits, and pocket.
+FUNCTION float wallDistance(uint word) {
+  precise float distance_ = float(int(word & 0xffffu) - 32768) * 0.00048828125f;
+  return distance_;
 }
 
 // Openings of a cell's left and top face over the distance of the cells there, 16 bits each.

@@ -22,9 +22,9 @@ vec4 mappedColor(float value) {
 void main() {
   int x = int(gl_GlobalInvocationID.x), y = int(gl_GlobalInvocationID.y);
   if (x >= size.x || y >= size.y) return;
-  bool solid = isSolid(x, y);
-  float value = solid ? 0.0 : shownValue(SHOWN, x, y);
-  vec4 color = solid ? vec4(obstacleColor, 0.0)
-                     : SHOWN == dyeShown ? shownColor(INK == 1, brightness, dyeAt(x, y)) : mappedColor(value);
+  float open = openPart(x, y);
+  float value = open == 0.0 ? 0.0 : shownValue(SHOWN, x, y);
+  vec4 fluid = SHOWN == dyeShown ? shownColor(INK == 1, brightness, dyeAt(x, y)) : mappedColor(value);
+  precise vec4 color = vec4(obstacleColor, 0.0) + (fluid - vec4(obstacleColor, 0.0)) * open;
   STORE_STATE(shown, elementOf(x, y), vec4(color.xyz, value));
 }

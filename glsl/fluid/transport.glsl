@@ -1,5 +1,6 @@
 // How a fluid's cells change in a step, but for the pressure's solution. Compiles as GLSL (grid.glsl) and as C++, in a
-// struct that has what is read: flowAt, carriedAt, dyeAt, faceAt, sumAt, size, stepData and the kinds of the sides.
+// struct that has what is read: flowAt, carriedAt, dyeAt, faceAt, solidWord, sumAt, size, stepData, solidSet and the kinds
+// of the sides.
 //
 // Cell (x, y) holds u in the middle of its left face, v in that of its top face, temperature and pressure in its own. Around
 // the grid lies a ring of cells, so x is from -1 to size.x: beyond walls u and v are mirrored, so that the mean is the
@@ -52,6 +53,26 @@ FUNCTION float beyondLeftRight(float v, int x) {
 FUNCTION bool beyondOpen(int x, int y) {
   return (x < 0 && leftKind == openSide) || (x >= size.x && rightKind == openSide) || (y < 0 && topKind == openSide) ||
          (y >= size.y && bottomKind == openSide);
+}
+
+// Faces of the border, where the middle beyond lies half a cell away if it lets anything through.
+FUNCTION bool borderU(int x) {
+  return leftKind != periodicSide && (x == 0 || x == size.x);
+}
+
+FUNCTION bool borderV(int y) {
+  return topKind != periodicSide && (y == 0 || y == size.y);
+}
+
+// What u of the left and right sides is, v of top and bottom.
+FUNCTION float sideU(int x, int y) {
+  float speed = x == 0 ? stepData.leftRight.x : stepData.leftRight.z;
+  return sideSpeed(y, size.y, speed, x == 0 ? stepData.parabolas.x : stepData.parabolas.y);
+}
+
+FUNCTION float sideV(int x, int y) {
+  float speed = y == 0 ? stepData.topBottom.y : stepData.topBottom.w;
+  return sideSpeed(x, size.x, speed, y == 0 ? stepData.parabolas.z : stepData.parabolas.w);
 }
 
 FUNCTION float heldAlong(float p, float end, bool wraps) {
@@ -135,35 +156,9 @@ FUNCTION vec2 placeOf(int which, int x, int y) {
   return vec2(px, py);
 }
 
-// Where what is at p now will be in `seconds`, or was: by the velocity half-way, which is second-order.
-FUNCTION vec2 traced(vec2 p, vec2 own, float seconds) {
-  precise vec2 half_ = p + own * (0.5f * seconds);
-  vec2 velocity = velocityAt(heldPoint(half_));
-  precise vec2 end = p + velocity * seconds;
-  return heldPoint(end);
-}
+#include "fluid/walls.glsl"
 
-// Semi-Lagrangian: what was where this place's fluid comes from.
-FUNCTION float carriedPart(int which, int x, int y) {
-  vec2 from = traced(placeOf(which, x, y), ownVelocity(which, x, y), -stepData.dt);
-  return exactFlush(valueIn(around(false, which, from)));
-}
-
-// MacCormack: less half of what carrying it back again would miss; within the values that it came from.
-FUNCTION float correctedPart(int which, int x, int y) {
-  vec2 place = placeOf(which, x, y);
-  vec2 own = ownVelocity(which, x, y);
-  Around from = around(false, which, traced(place, own, -stepData.dt));
-  float there = valueIn(around(true, which, traced(place, own, stepData.dt)));
-  precise float value = partOf(carriedAt(x, y), which) + 0.5f * (partOf(flowAt(x, y), which) - there);
-  float low = min(min(from.a, from.b), min(from.c, from.d));
-  float high = max(max(from.a, from.b), max(from.c, from.d));
-  return clamp(value, low, high);
-}
-
-FUNCTION float movedPart(int which, int x, int y) {
-  return secondOrder ? correctedPart(which, x, y) : partOf(carriedAt(x, y), which);
-}
+#include "fluid/advection.glsl"
 
 // dv/dx - du/dy at the upper left corner of a cell.
 FUNCTION float curlAt(int x, int y) {
@@ -208,35 +203,76 @@ FUNCTION float laplacianOf(float here, float left, float right, float top, float
   return sum;
 }
 
-// Friction and confinement come before the flow carries itself along, for they act where the fluid is, which may be cells
-// away from where it goes.
-FUNCTION float rubbedU(int x, int y) {
-  float here = flowAt(x, y).x;
-  float pull = laplacianOf(here, flowAt(max(x - 1, -1), y).x, flowAt(min(x + 1, size.x), y).x, flowAt(x, y - 1).x,
-                           flowAt(x, y + 1).x);
-  float spin = confines ? confinementX(x, y) : 0.0f;
-  precise float value = here + (stepData.viscosity * pull + spin);
-  return faceAt(x, y).x == 0.0f ? here : exactFlush(value);
+FUNCTION float partThere(bool ofCarried, int which, int x, int y) {
+  return partOf(ofCarried ? carriedAt(x, y) : flowAt(x, y), which);
 }
 
-FUNCTION float rubbedV(int x, int y) {
+// What is missing of the second difference beside a wall, which is half a cell away and not a whole one, as the mirrored
+// value `beyond` has it: 8/3 wall - 4 here + 4/3 after instead of 2 wall - 3 here + after.
+FUNCTION float besideWall(float beyond, float here, float after) {
+  precise float more = 0.333333333f * ((beyond + here) + after) - here;
+  return more;
+}
+
+FUNCTION float pullOn(bool ofCarried, int which, int x, int y) {
+  float here = partThere(ofCarried, which, x, y);
+  float left = partThere(ofCarried, which, max(x - 1, -1), y), right = partThere(ofCarried, which, min(x + 1, size.x), y);
+  float top = partThere(ofCarried, which, x, max(y - 1, -1)), bottom = partThere(ofCarried, which, x, min(y + 1, size.y));
+  float first = 0.0f, second = 0.0f;
+  if (which == 0) {
+    if (y == 0 && mirrors(topKind)) first = besideWall(top, here, bottom);
+    if (y == size.y - 1 && mirrors(bottomKind)) second = besideWall(bottom, here, top);
+  } else {
+    if (x == 0 && mirrors(leftKind)) first = besideWall(left, here, right);
+    if (x == size.x - 1 && mirrors(rightKind)) second = besideWall(right, here, left);
+  }
+  precise float pull = laplacianOf(here, left, right, top, bottom) + (first + second);
+  return pull;
+}
+
+// Half of what the forces do comes before the flow carries itself along, half after it: the trapezoid rule along the ways
+// of the fluid, second-order in time. Confinement, which has no order, comes before.
+FUNCTION float pushOnU(int x, int y) {
+  precise float slope = flowAt(x, y).w - flowAt(x - 1, y).w;
+  precise float push = (borderU(x) ? stepData.dt : 0.5f * stepData.dt) * slope;
+  return push;
+}
+
+FUNCTION float pushOnV(bool ofCarried, int x, int y) {
+  vec4 here = flowAt(x, y), above = flowAt(x, y - 1);
+  precise float slope = here.w - above.w;
+  precise float push = (borderV(y) ? stepData.dt : 0.5f * stepData.dt) * slope;
+  if (heats) {
+    float heat = ofCarried ? carriedAt(x, y).z : here.z, heatAbove = ofCarried ? carriedAt(x, y - 1).z : above.z;
+    push = push + 0.25f * stepData.lift * (heat + heatAbove);
+  }
+  return push;
+}
+
+FUNCTION float pushedU(int x, int y) {
+  float here = flowAt(x, y).x;
+  if (faceAt(x, y).x == 0.0f || heldU(x, y)) return here;
+  float spin = confines ? confinementX(x, y) : 0.0f;
+  precise float value = here + ((0.5f * stepData.viscosity * pullOn(false, 0, x, y) + spin) - pushOnU(x, y));
+  return exactFlush(value);
+}
+
+FUNCTION float pushedV(int x, int y) {
   float here = flowAt(x, y).y;
-  float pull = laplacianOf(here, flowAt(x - 1, y).y, flowAt(x + 1, y).y, flowAt(x, max(y - 1, -1)).y,
-                           flowAt(x, min(y + 1, size.y)).y);
+  if (faceAt(x, y).y == 0.0f || heldV(x, y)) return here;
   float spin = confines ? confinementY(x, y) : 0.0f;
-  precise float value = here + (stepData.viscosity * pull + spin);
-  return faceAt(x, y).y == 0.0f ? here : exactFlush(value);
+  precise float value = here + ((0.5f * stepData.viscosity * pullOn(false, 1, x, y) + spin) - pushOnV(false, x, y));
+  return exactFlush(value);
 }
 
 // u of a left face before the pressure makes the flow free of divergence.
 FUNCTION float steppedU(int x, int y) {
-  float here = flowAt(x, y).x;
-  float open = faceAt(x, y).x;
-  bool atLeft = x == 0 && leftKind != periodicSide;
-  bool atRight = x == size.x && leftKind != periodicSide;
-  if (open == 0.0f) return atLeft ? stepData.leftRight.x : atRight ? stepData.leftRight.z : here;
-  precise float push = stepData.dt * (open * (flowAt(x, y).w - flowAt(x - 1, y).w));
-  precise float value = movedPart(0, x, y) - push;
+  if (faceAt(x, y).x == 0.0f) return borderU(x) ? sideU(x, y) : flowAt(x, y).x;
+  if (heldU(x, y)) {
+    vec2 from = seenFromU(x, y);
+    return exactFlush(wallU(x, y, from, valueIn(around(true, 0, from))));
+  }
+  precise float value = (movedPart(0, x, y) + 0.5f * stepData.viscosity * pullOn(true, 0, x, y)) - pushOnU(x, y);
   return exactFlush(value);
 }
 
@@ -246,17 +282,12 @@ FUNCTION float densityOf(vec4 dye) {
 }
 
 FUNCTION float steppedV(int x, int y) {
-  float here = flowAt(x, y).y;
-  float open = faceAt(x, y).y;
-  bool atTop = y == 0 && topKind != periodicSide;
-  bool atBottom = y == size.y && topKind != periodicSide;
-  if (open == 0.0f) return atTop ? stepData.topBottom.y : atBottom ? stepData.topBottom.w : here;
-  precise float push = stepData.dt * (open * (flowAt(x, y).w - flowAt(x, y - 1).w));
-  precise float value = movedPart(1, x, y) - push;
-  if (heats) {
-    precise float upwards = 0.5f * stepData.lift * (flowAt(x, y).z + flowAt(x, y - 1).z);
-    value = value - upwards;
+  if (faceAt(x, y).y == 0.0f) return borderV(y) ? sideV(x, y) : flowAt(x, y).y;
+  if (heldV(x, y)) {
+    vec2 from = seenFromV(x, y);
+    return exactFlush(wallV(x, y, from, valueIn(around(true, 1, from))));
   }
+  precise float value = (movedPart(1, x, y) + 0.5f * stepData.viscosity * pullOn(true, 1, x, y)) - pushOnV(true, x, y);
   if (sinks) {
     precise float fall = 0.166666667f * stepData.weight * (densityOf(dyeAt(x, y)) + densityOf(dyeAt(x, y - 1)));
     value = value + fall;
@@ -272,16 +303,16 @@ FUNCTION float steppedHeat(int x, int y) {
 // What a kernel writes for a cell of the grid or of the ring around it.
 FUNCTION vec4 carriedCell(int x, int y) {
   int fx = faceX(x), fy = faceY(y), ix = insideX(x), iy = insideY(y);
-  float u = faceAt(fx, iy).x == 0.0f ? flowAt(fx, iy).x : carriedPart(0, fx, iy);
-  float v = faceAt(ix, fy).y == 0.0f ? flowAt(ix, fy).y : carriedPart(1, ix, fy);
+  float u = faceAt(fx, iy).x == 0.0f || heldU(fx, iy) ? flowAt(fx, iy).x : carriedPart(0, fx, iy);
+  float v = faceAt(ix, fy).y == 0.0f || heldV(ix, fy) ? flowAt(ix, fy).y : carriedPart(1, ix, fy);
   float heat = heats ? carriedPart(2, ix, iy) : 0.0f;
   return vec4(beyondTopBottom(u, y), beyondLeftRight(v, x), heat, 0.0f);
 }
 
-FUNCTION vec4 rubbedCell(int x, int y) {
+FUNCTION vec4 pushedCell(int x, int y) {
   int ix = insideX(x), iy = insideY(y);
-  float u = rubbedU(faceX(x), iy);
-  float v = rubbedV(ix, faceY(y));
+  float u = pushedU(faceX(x), iy);
+  float v = pushedV(ix, faceY(y));
   return vec4(beyondTopBottom(u, y), beyondLeftRight(v, x), flowAt(x, y).z, flowAt(x, y).w);
 }
 
@@ -293,80 +324,17 @@ FUNCTION vec4 steppedCell(int x, int y) {
   return vec4(beyondTopBottom(u, y), beyondLeftRight(v, x), heat, flowAt(ix, iy).w);
 }
 
-// sumAt: the sum of all corrections phi of the pressure, and what rounding took from it; u' = u - grad phi.
-FUNCTION float rise(vec2 from, vec2 to) {
-  precise float difference = (to.x - from.x) + (to.y - from.y);
-  return difference;
-}
-
-FUNCTION float projectedU(int x, int y) {
-  precise float value = flowAt(x, y).x - faceAt(x, y).x * rise(sumAt(x - 1, y), sumAt(x, y));
-  return exactFlush(value);
-}
-
-FUNCTION float projectedV(int x, int y) {
-  precise float value = flowAt(x, y).y - faceAt(x, y).y * rise(sumAt(x, y - 1), sumAt(x, y));
-  return exactFlush(value);
-}
-
-FUNCTION bool isSolid(int x, int y) {
-  vec2 here = faceAt(x, y);
-  return here.x == 0.0f && here.y == 0.0f && faceAt(x + 1, y).x == 0.0f && faceAt(x, y + 1).y == 0.0f;
-}
-
-// Along a wall within an obstacle: mirrored, so that the wall has speed 0 half-way, or the same where it slips.
-FUNCTION float withinObstacle(bool first, float one, bool second, float other) {
-  precise float both = 0.5f * (one + other);
-  float mean = first ? (second ? both : one) : second ? other : 0.0f;
-  return obstaclesSlip ? mean : -mean;
-}
-
-FUNCTION float finishedU(int x, int y) {
-  if (faceAt(x, y).x > 0.0f) return projectedU(x, y);
-  bool border = leftKind != periodicSide && (x == 0 || x == size.x);
-  if (border) return flowAt(x, y).x;
-  if (!isSolid(insideX(x), y) || !isSolid(insideX(x - 1), y)) return 0.0f;
-  int above = insideY(y - 1), below = insideY(y + 1);
-  return withinObstacle(faceAt(x, above).x > 0.0f, projectedU(x, above), faceAt(x, below).x > 0.0f, projectedU(x, below));
-}
-
-FUNCTION float finishedV(int x, int y) {
-  if (faceAt(x, y).y > 0.0f) return projectedV(x, y);
-  bool border = topKind != periodicSide && (y == 0 || y == size.y);
-  if (border) return flowAt(x, y).y;
-  if (!isSolid(x, insideY(y)) || !isSolid(x, insideY(y - 1))) return 0.0f;
-  int left = insideX(x - 1), right = insideX(x + 1);
-  return withinObstacle(faceAt(left, y).y > 0.0f, projectedV(left, y), faceAt(right, y).y > 0.0f, projectedV(right, y));
-}
-
-FUNCTION vec4 finishedCell(int x, int y) {
-  int ix = insideX(x), iy = insideY(y);
-  float u = finishedU(faceX(x), iy);
-  float v = finishedV(ix, faceY(y));
-  vec4 inside = flowAt(ix, iy);
-  vec2 sum = sumAt(ix, iy);
-  precise float pressure = inside.w + stepData.perDt * (sum.x + sum.y);
-  return vec4(beyondTopBottom(u, y), beyondLeftRight(v, x), inside.z, beyondOpen(x, y) ? 0.0f : exactFlush(pressure));
-}
-
-// Minus the net flow out of a cell: what the corrections have to take away.
-FUNCTION float missingFlow(int x, int y) {
-  vec4 here = flowAt(x, y);
-  precise float out_ = (flowAt(x + 1, y).x - here.x) + (flowAt(x, y + 1).y - here.y);
-  return isSolid(x, y) ? 0.0f : -out_;
-}
-
 FUNCTION float dyeWay(float speed) {
   precise float way = speed * stepData.dyeDt;
   return clamp(way, -maxDyeWay, maxDyeWay);
 }
 
 FUNCTION vec4 dyeThroughLeft(int x, int y) {
-  return dyeFluxes(dyeWay(flowAt(x, y).x), dyeAt(x - 2, y), dyeAt(x - 1, y), dyeAt(x, y), dyeAt(x + 1, y));
+  return dyeFluxes(dyeWay(throughU(x, y)), dyeAt(x - 2, y), dyeAt(x - 1, y), dyeAt(x, y), dyeAt(x + 1, y));
 }
 
 FUNCTION vec4 dyeThroughTop(int x, int y) {
-  return dyeFluxes(dyeWay(flowAt(x, y).y), dyeAt(x, y - 2), dyeAt(x, y - 1), dyeAt(x, y), dyeAt(x, y + 1));
+  return dyeFluxes(dyeWay(throughV(x, y)), dyeAt(x, y - 2), dyeAt(x, y - 1), dyeAt(x, y), dyeAt(x, y + 1));
 }
 
 FUNCTION vec4 dyedCell(int x, int y) {

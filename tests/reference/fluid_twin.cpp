@@ -13,11 +13,12 @@ struct FluidModel {
   ivec2 size;
   FluidStep stepData;
   int leftKind, rightKind, topKind, bottomKind;
-  bool heats, confines, sinks, secondOrder, obstaclesSlip;
+  bool heats, confines, sinks, secondOrder, cubic, obstacles, obstaclesSlip, obstaclesMove, pocketsGrow;
   const std::vector<vec4>& flow;
   const std::vector<vec4>& carried;
   const std::vector<vec4>& dye;
-  const std::vector<uvec4>& weights;
+  const sim::FluidSolids& solids;
+  const FluidSolidSet& solidSet;
   const std::vector<vec2>& sum;
   const sim::FluidPlan::Brushes* painting = nullptr;
   const sim::Strokes* strokes = nullptr;
@@ -37,9 +38,10 @@ struct FluidModel {
         element(wrapped(x, size.x, leftKind == periodicSide), wrapped(y, size.y, topKind == periodicSide)));
   }
   [[nodiscard]] vec2 faceAt(int x, int y) const {
-    const uvec4& block = weights.at(static_cast<std::size_t>(y / 2 * (size.x / 2 + 1) + x / 2));
+    const uvec4& block = solids.words().at(static_cast<std::size_t>(y / 2 * (size.x / 2 + 1) + x / 2));
     return faceWeights(block[y % 2 * 2 + x % 2]);
   }
+  [[nodiscard]] uint solidWord(int x, int y) const { return obstacles ? solids.wordAt(x, y) : 0xffffU; }
   [[nodiscard]] vec2 sumAt(int x, int y) const {
     if (leftKind == periodicSide) x = (x + size.x) % size.x;
     if (topKind == periodicSide) y = (y + size.y) % size.y;
@@ -54,15 +56,17 @@ struct FluidModel {
 #define precise
 #include "glsl/fluid/transport.glsl"
 // Above: what cells are.
+#include "glsl/fluid/projected.glsl"
+// What becomes of them.
 #include "glsl/fluid/brush.glsl"
 #include "glsl/fluid/look.glsl"
 #undef precise
 #undef FUNCTION
 };
 
-FluidModel modelOf(const sim::FluidPlan& plan, const FluidStep& step, const std::vector<vec4>& flow,
-                   const std::vector<vec4>& carried, const std::vector<vec4>& dye,
-                   const std::vector<vec2>& sum) {
+FluidModel modelOf(const sim::FluidPlan& plan, const sim::FluidSolids& solids, const FluidStep& step,
+                   const std::vector<vec4>& flow, const std::vector<vec4>& carried,
+                   const std::vector<vec4>& dye, const std::vector<vec2>& sum) {
   const sim::FluidParameters& p = plan.parameters();
   return {p.size,
           step,
@@ -74,11 +78,16 @@ FluidModel modelOf(const sim::FluidPlan& plan, const FluidStep& step, const std:
           p.confines(),
           p.sinks(),
           p.advection == sim::FluidParameters::Advection::macCormack,
+          p.advection == sim::FluidParameters::Advection::cubic,
+          !p.obstacles.empty(),
           p.obstaclesSlip,
+          p.obstaclesMove(),
+          p.pocketsGrow(),
           flow,
           carried,
           dye,
-          plan.levels().weights(),
+          solids,
+          solids.set(),
           sum};
 }
 
@@ -90,29 +99,41 @@ using namespace simreel;
 
 FluidTwin::FluidTwin(sim::FluidPlan plan, double start) : plan_(std::move(plan)) {
   const glm::ivec2 size = plan_.size();
-  flow = plan_.firstFlow();
+  flow = plan_.firstFlow(start);
   flow.resize(static_cast<std::size_t>(plan_.elements()));
   dye.resize(flow.size());
   carried_.resize(flow.size());
   sum_.resize(static_cast<std::size_t>(size.x * size.y));
   for (const sim::FluidLevel& level : plan_.levels().levels()) {
     Level l{level.cells, plan_.parameters().wrapsX(), plan_.parameters().wrapsY(), {}, {}, {}};
-    for (int y = 0; y <= level.cells.y; ++y)
-      for (int x = 0; x <= level.cells.x; ++x) {
-        const auto block = static_cast<std::size_t>(level.start + y / 2 * level.blocks().x + x / 2);
-        l.faces.push_back(shader::faceWeights(plan_.levels().weights()[block][y % 2 * 2 + x % 2]));
-      }
     l.rhs.resize(static_cast<std::size_t>(level.cells.x * level.cells.y));
     l.value.resize(l.rhs.size());
     levels_.push_back(std::move(l));
   }
+  place(start, 0);
   step_ = plan_.stepAt(start, 0);
   paint(start, 0);
   project();
 }
 
+void FluidTwin::place(double time, int step) {
+  auto solids = plan_.solidsAt(time, step);
+  if (solids == solids_) return;
+  solids_ = std::move(solids);
+  for (std::size_t i = 0; i < levels_.size(); ++i) {
+    const sim::FluidLevel& level = solids_->levels().levels()[i];
+    levels_[i].faces.clear();
+    for (int y = 0; y <= level.cells.y; ++y)
+      for (int x = 0; x <= level.cells.x; ++x) {
+        const auto block = static_cast<std::size_t>(level.start + y / 2 * level.blocks().x + x / 2);
+        levels_[i].faces.push_back(shader::faceWeights(solids_->words()[block][y % 2 * 2 + x % 2]));
+      }
+  }
+}
+
 void FluidTwin::step(double time) {
   for (int i = 1; i <= plan_.substeps(); ++i) {
+    place(time, i);
     step_ = plan_.stepAt(time, i);
     advect();
     paint(time, i);
@@ -135,9 +156,8 @@ std::vector<glm::vec4> eachCell(glm::ivec2 size, const Cell& cell) {
 }  // namespace
 
 void FluidTwin::advect() {
-  auto model = shader::modelOf(plan_, step_, flow, carried_, dye, sum_);
-  if (plan_.parameters().rubs())
-    flow = eachCell(plan_.size(), [&](int x, int y) { return model.rubbedCell(x, y); });
+  auto model = shader::modelOf(plan_, *solids_, step_, flow, carried_, dye, sum_);
+  flow = eachCell(plan_.size(), [&](int x, int y) { return model.pushedCell(x, y); });
   carried_ = eachCell(plan_.size(), [&](int x, int y) { return model.carriedCell(x, y); });
   flow = eachCell(plan_.size(), [&](int x, int y) { return model.steppedCell(x, y); });
 }
@@ -145,7 +165,7 @@ void FluidTwin::advect() {
 void FluidTwin::paint(double time, int step) {
   const sim::FluidPlan::Brushes brushes = plan_.brushesAt(time, step);
   if (brushes.brushes.empty()) return;
-  auto model = shader::modelOf(plan_, step_, flow, carried_, dye, sum_);
+  auto model = shader::modelOf(plan_, *solids_, step_, flow, carried_, dye, sum_);
   model.painting = &brushes;
   model.strokes = &plan_.strokes();
   model.brushes = brushes.brushes;
@@ -156,7 +176,7 @@ void FluidTwin::paint(double time, int step) {
 }
 
 void FluidTwin::moveDye() {
-  auto model = shader::modelOf(plan_, step_, flow, carried_, dye, sum_);
+  auto model = shader::modelOf(plan_, *solids_, step_, flow, carried_, dye, sum_);
   for (int i = 0; i < plan_.dyePasses(); ++i)
     dye = eachCell(plan_.size(), [&](int x, int y) { return model.dyedCell(x, y); });
 }
@@ -222,7 +242,7 @@ void FluidTwin::cycle() {
 void FluidTwin::project() {
   const glm::ivec2 size = plan_.size();
   std::fill(sum_.begin(), sum_.end(), glm::vec2(0));
-  auto model = shader::modelOf(plan_, step_, flow, carried_, dye, sum_);
+  auto model = shader::modelOf(plan_, *solids_, step_, flow, carried_, dye, sum_);
   Level& finest = levels_.front();
   float missing = 0;
   float speed = 0;
@@ -259,21 +279,22 @@ void FluidTwin::project() {
 }
 
 std::vector<glm::vec4> FluidTwin::shown() const {
-  auto model = shader::modelOf(plan_, step_, flow, carried_, dye, sum_);
+  auto model = shader::modelOf(plan_, *solids_, step_, flow, carried_, dye, sum_);
   const sim::FluidParameters& p = plan_.parameters();
   std::vector<glm::vec4> cells;
   for (int y = 0; y < p.size.y; ++y)
     for (int x = 0; x < p.size.x; ++x) {
-      const bool solid = model.isSolid(x, y);
-      const glm::vec4 color =
-          model.shownColor(p.look == sim::FluidParameters::Look::ink, p.brightness, model.dyeAt(x, y));
-      const float value = model.shownValue(static_cast<int>(p.show), x, y);
-      cells.emplace_back(solid ? p.obstacleColor : glm::vec3(color), solid ? 0.0F : value);
+      const float open = model.openPart(x, y);
+      const glm::vec3 color(
+          model.shownColor(p.look == sim::FluidParameters::Look::ink, p.brightness, model.dyeAt(x, y)));
+      const float value = open == 0 ? 0.0F : model.shownValue(static_cast<int>(p.show), x, y);
+      cells.emplace_back(p.obstacleColor + (color - p.obstacleColor) * open, value);
     }
   return cells;
 }
 
 double FluidTwin::divergence() const {
+  auto model = shader::modelOf(plan_, *solids_, step_, flow, carried_, dye, sum_);
   const glm::ivec2 size = plan_.size();
   double most = 0;
   double speed = 1e-30;
@@ -281,8 +302,7 @@ double FluidTwin::divergence() const {
     for (int x = 0; x < size.x; ++x) {
       const glm::dvec4 here(flow[index(x, y)]);
       speed = std::max({speed, std::abs(here.x), std::abs(here.y)});
-      if (plan_.solid()[static_cast<std::size_t>(y * size.x + x)] != 0) continue;
-      most = std::max(most, std::abs(flow[index(x + 1, y)].x - here.x + flow[index(x, y + 1)].y - here.y));
+      most = std::max(most, std::abs(double{model.missingFlow(x, y)}));
     }
   return most / speed;
 }

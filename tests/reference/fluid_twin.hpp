@@ -1,6 +1,7 @@
 #pragma once
 #include "sim/fluid/plan.hpp"
 
+#include <memory>
 #include <vector>
 
 #include <glm/vec4.hpp>
@@ -17,6 +18,8 @@ class FluidTwin {
 
   // The stages of a substep.
   void setStep(const simreel::shader::FluidStep& step) { step_ = step; }
+  /// Obstacles as they are after `step` substeps of the frame that starts at `time` (s).
+  void place(double time, int step);
   void advect();  ///< and forces
   void paint(double time, int step);
   void project();
@@ -25,10 +28,11 @@ class FluidTwin {
   /// What a frame shows: colour, and the value in a.
   [[nodiscard]] std::vector<glm::vec4> shown() const;
   [[nodiscard]] const simreel::sim::FluidPlan& plan() const { return plan_; }
+  [[nodiscard]] const simreel::sim::FluidSolids& solids() const { return *solids_; }
   [[nodiscard]] std::size_t index(int x, int y) const {
     return static_cast<std::size_t>((y + 1) * (plan_.size().x + 2) + x + 1);
   }
-  /// max|div u| over max|u|, of the grid's cells.
+  /// What is missing of the flow through the worst cell's faces, over max|u|.
   [[nodiscard]] double divergence() const;
 
   std::vector<glm::vec4> flow, dye;  ///< with their ring, x fastest
@@ -88,6 +92,7 @@ class FluidTwin {
   void ascend(std::size_t level);
 
   simreel::sim::FluidPlan plan_;
+  std::shared_ptr<const simreel::sim::FluidSolids> solids_;
   simreel::shader::FluidStep step_{};
   std::vector<glm::vec4> carried_;
   std::vector<glm::vec2> sum_;  ///< of corrections, a cell each, and what rounding took

@@ -18,7 +18,7 @@ class Fluid : public Simulation {
   Fluid(const scene::Object& object, const Setting& setting)
       : name_(object.name),
         plan_(parametersOf<FluidParameters>(object), object.name, setting.seed, setting.frameSeconds),
-        kernels_(name_, plan_, setting.fast),
+        kernels_(name_, plan_, setting.fast, setting.startTime),
         colors_(plan_.parameters().display.colors()) {
     constexpr const char* channels[] = {"u", "v", "temperature", "pressure", "red", "green", "blue"};
     for (std::size_t i = 0; i < channelNames_.size(); ++i)
@@ -32,7 +32,9 @@ class Fluid : public Simulation {
   }
   void pass(double time) override { advance(time, {}); }
   void resumed(double time) override {
+    time_ = time;
     kernels_.beginFrame(time);
+    kernels_.place(time, 0);
     kernels_.show();
   }
 
@@ -100,12 +102,13 @@ class Fluid : public Simulation {
     return fmt::format("fluid \"{}\": by frame {} {}", name_, frame, text);
   }
   [[nodiscard]] std::vector<double> measure() const override {
-    return measureFluid(plan_, kernels_.flow().buffer().readAll<glm::vec4>(),
-                        kernels_.dye().buffer().readAll<glm::vec4>(), kernels_.pressure().report());
+    return measureFluid(plan_, kernels_.solids(), kernels_.flow().buffer().readAll<glm::vec4>(),
+                        kernels_.dye().buffer().readAll<glm::vec4>(), kernels_.pressure().report(), time_);
   }
 
  private:
   void advance(double time, const StepWatch& watch) {
+    time_ = time;
     kernels_.beginFrame(time);
     for (int i = 1; i <= plan_.substeps(); ++i) {
       kernels_.advance(time, i, static_cast<unsigned>(++steps_));
@@ -119,6 +122,7 @@ class Fluid : public Simulation {
   std::vector<glm::vec3> colors_;
   std::array<std::string, 7> channelNames_;
   long steps_ = 0;
+  double time_ = 0;  ///< s
 };
 
 }  // namespace

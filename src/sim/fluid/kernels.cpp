@@ -43,7 +43,10 @@ gl::Defines definesOf(const FluidParameters& p, bool fast) {
   define("HEATS", p.heats() ? 1 : 0);
   define("CONFINES", p.confines() ? 1 : 0);
   define("SINKS", p.sinks() ? 1 : 0);
-  define("SECOND_ORDER", p.advection == FluidParameters::Advection::macCormack ? 1 : 0);
+  define("ADVECTION", static_cast<int>(p.advection));
+  define("OBSTACLES", p.obstacles.empty() ? 0 : 1);
+  define("OBSTACLES_MOVE", p.obstaclesMove() ? 1 : 0);
+  define("POCKETS_GROW", p.pocketsGrow() ? 1 : 0);
   define("OBSTACLES_SLIP", p.obstaclesSlip ? 1 : 0);
   define("SHOWN", static_cast<int>(p.show));
   define("INK", p.look == FluidParameters::Look::ink ? 1 : 0);
@@ -72,11 +75,11 @@ const std::string& checked(const std::string& name, const FluidPlan& plan) {
 
 }  // namespace
 
-FluidKernels::FluidKernels(const std::string& name, const FluidPlan& plan, bool fast)
+FluidKernels::FluidKernels(const std::string& name, const FluidPlan& plan, bool fast, double startTime)
     : plan_(plan), pressure_(checked(name, plan), plan, definesOf(plan.parameters(), fast)) {
   const FluidParameters& p = plan.parameters();
   const char* const labels[] = {" flow", " dye", " scratch", " more scratch"};
-  arrays_[flow_] = gl::Vec4Array(name + labels[0], plan.firstFlow());
+  arrays_[flow_] = gl::Vec4Array(name + labels[0], plan.firstFlow(startTime));
   for (int i = 1; i < 4; ++i) arrays_[i] = gl::Vec4Array(name + labels[i], plan.arrayElements());
   for (int i = 0; i < 4; ++i)
     words_[i] = gl::Texture::view(name + " words", GL_RGBA32UI, arrays_[i].buffer());
@@ -89,8 +92,9 @@ FluidKernels::FluidKernels(const std::string& name, const FluidPlan& plan, bool 
   const auto make = [&](gl::Program& program, const char* path) {
     program = gl::Program::compute(path, defines);
     program.set("size", plan.size());
+    program.set("solidsStart", plan.levels().elements());
   };
-  if (p.rubs()) make(rub_, "fluid/rub.comp");
+  make(push_, "fluid/push.comp");
   make(carry_, "fluid/carry.comp");
   make(correct_, "fluid/correct.comp");
   correct_.checkUniformBlock("FluidBlock", sizeof(shader::FluidStep));
@@ -114,9 +118,16 @@ void FluidKernels::beginFrame(double time) {
   steps_.upload(steps);
 }
 
+void FluidKernels::place(double time, int step) {
+  auto solids = plan_.solidsAt(time, step);
+  if (solids == solids_) return;
+  solids_ = std::move(solids);
+  pressure_.setSolids(*solids_);
+}
+
 /// Over the grid and the ring around it.
 void FluidKernels::run(const gl::Program& program) const {
-  pressure_.weights().bindInput(at::weightsBinding);
+  pressure_.bindSolids();
   gl::barrier();
   program.dispatch(plan_.size().x + 2, plan_.size().y + 2);
 }
@@ -161,6 +172,7 @@ void FluidKernels::moveDye() {
 }
 
 void FluidKernels::start(double time) {
+  place(time, 0);
   steps_.upload(std::vector<shader::FluidStep>{plan_.stepAt(time, 0)});
   steps_.bind(0);
   paint(time, 0);
@@ -169,13 +181,12 @@ void FluidKernels::start(double time) {
 }
 
 void FluidKernels::advance(double time, int step, unsigned number) {
+  place(time, step);
   steps_.bind(static_cast<std::size_t>(step) - 1);
-  if (plan_.parameters().rubs()) {
-    arrays_[flow_].bindInput(at::flowBinding);
-    arrays_[free_].bindState(at::nextFlowBinding);
-    run(rub_);
-    std::swap(flow_, free_);
-  }
+  arrays_[flow_].bindInput(at::flowBinding);
+  arrays_[free_].bindState(at::nextFlowBinding);
+  run(push_);
+  std::swap(flow_, free_);
   arrays_[flow_].bindInput(at::flowBinding);
   arrays_[free_].bindState(at::nextFlowBinding);
   run(carry_);
@@ -198,7 +209,7 @@ void FluidKernels::show() {
   stops_.bindInput(at::carriedBinding);
   arrays_[dye_].bindInput(at::dyeBinding);
   arrays_[free_].bindState(at::nextFlowBinding);
-  pressure_.weights().bindInput(at::weightsBinding);
+  pressure_.bindSolids();
   gl::barrier();
   show_.dispatch(plan_.size().x, plan_.size().y);
   gl::barrier();

@@ -5,6 +5,7 @@
 #include "sim/fluid/plan.hpp"
 #include "sim/fluid/pressure.hpp"
 
+#include <memory>
 #include <string>
 
 #include <glm/vec3.hpp>
@@ -16,10 +17,12 @@ namespace simreel::sim {
 class FluidKernels {
  public:
   /// Throws UserError(device) when the grid is beyond a limit of the device.
-  FluidKernels(const std::string& name, const FluidPlan& plan, bool fast);
+  FluidKernels(const std::string& name, const FluidPlan& plan, bool fast, double startTime = 0);
 
   /// What the following steps are told, those of the frame that starts at `time` (s).
   void beginFrame(double time);
+  /// Obstacles as they are after `step` substeps of the frame that starts at `time` (s).
+  void place(double time, int step);
   /// Substep `step` of that frame, from 1.
   void advance(double time, int step, unsigned number);
   /// The first state: what is painted at `time`, without divergence.
@@ -37,6 +40,8 @@ class FluidKernels {
   /// Colour in rgb, what is shown in a.
   [[nodiscard]] const gl::Texture& shownWords() const { return words_[free_]; }
   [[nodiscard]] const gl::Buffer& status() const { return status_; }
+  /// The obstacles of the present state.
+  [[nodiscard]] const FluidSolids& solids() const { return *solids_; }
   [[nodiscard]] FluidPressure& pressure() { return pressure_; }
   [[nodiscard]] const FluidPressure& pressure() const { return pressure_; }
 
@@ -47,6 +52,7 @@ class FluidKernels {
   void moveDye();
 
   const FluidPlan& plan_;
+  std::shared_ptr<const FluidSolids> solids_;
   gl::Vec4Array arrays_[4];
   gl::Texture words_[4];
   int flow_ = 0, dye_ = 1, free_ = 2, spare_ = 3;
@@ -54,7 +60,7 @@ class FluidKernels {
   gl::Vec4Array stops_;
   gl::Buffer status_, brushes_;
   StepBlocks<shader::FluidStep> steps_;
-  gl::Program rub_, carry_, correct_, paint_, project_, moveDye_, show_;
+  gl::Program push_, carry_, correct_, paint_, project_, moveDye_, show_;
   FluidPressure pressure_;
 };
 

@@ -8,11 +8,18 @@
 
 namespace simreel::sim {
 
+namespace {
+
+/// What is left of a coarse opening beside a wall within a coarse cell. Not none: parts that are cut off on
+/// a coarse grid alone would have no solution there.
+constexpr double throughWalls = 0.15;
+
+}  // namespace
+
 struct FluidLevels::Grid {
   glm::ivec2 cells;
   std::vector<double> widths, heights;  ///< fine cells
   std::vector<double> left, top;  ///< open lengths: (cells.x + 1) x cells.y and cells.x x (cells.y + 1)
-  glm::bvec4 open;
   glm::bvec2 wraps;
 
   [[nodiscard]] double& leftAt(int x, int y) { return left[index(x, y, cells.x + 1)]; }
@@ -33,7 +40,6 @@ struct FluidLevels::Grid {
   [[nodiscard]] Grid coarser() {
     Grid c;
     c.cells = (cells + 1) / 2;
-    c.open = open;
     c.wraps = wraps;
     const auto joined = [](const std::vector<double>& sizes) {
       std::vector<double> all;
@@ -46,10 +52,30 @@ struct FluidLevels::Grid {
     c.left.resize(static_cast<std::size_t>(c.cells.x + 1) * static_cast<std::size_t>(c.cells.y));
     c.top.resize(static_cast<std::size_t>(c.cells.x) * static_cast<std::size_t>(c.cells.y + 1));
     for (int y = 0; y < cells.y; ++y)
-      for (int x = 0; x <= c.cells.x; ++x) c.leftAt(x, y / 2) += leftAt(std::min(2 * x, cells.x), y);
+      for (int x = 0; x <= c.cells.x; ++x)
+        c.leftAt(x, y / 2) += (isWalledX(2 * x - 1, y) || isWalledX(2 * x + 1, y) ? throughWalls : 1) *
+                              leftAt(std::min(2 * x, cells.x), y);
     for (int y = 0; y <= c.cells.y; ++y)
-      for (int x = 0; x < cells.x; ++x) c.topAt(x / 2, y) += topAt(x, std::min(2 * y, cells.y));
+      for (int x = 0; x < cells.x; ++x)
+        c.topAt(x / 2, y) += (isWalledY(x, 2 * y - 1) || isWalledY(x, 2 * y + 1) ? throughWalls : 1) *
+                             topAt(x, std::min(2 * y, cells.y));
     return c;
+  }
+
+  /// Whether a face is closed between two cells that are both open elsewhere: a wall within a coarse cell,
+  /// through which it must not join what it keeps apart.
+  [[nodiscard]] bool isWalledX(int x, int y) {
+    if (wraps.x) x = (x + cells.x) % cells.x;
+    if (x <= 0 || x >= cells.x) return false;
+    return leftAt(x, y) == 0 && isOpen(x - 1, y) && isOpen(x, y);
+  }
+  [[nodiscard]] bool isWalledY(int x, int y) {
+    if (wraps.y) y = (y + cells.y) % cells.y;
+    if (y <= 0 || y >= cells.y) return false;
+    return topAt(x, y) == 0 && isOpen(x, y - 1) && isOpen(x, y);
+  }
+  [[nodiscard]] bool isOpen(int x, int y) {
+    return leftAt(x, y) > 0 || leftAt(x + 1, y) > 0 || topAt(x, y) > 0 || topAt(x, y + 1) > 0;
   }
 };
 
@@ -76,29 +102,15 @@ void FluidLevels::add(const Grid& g) {
                     << 16U;
 }
 
-FluidLevels::FluidLevels(glm::ivec2 size, const std::vector<std::uint8_t>& solid, glm::bvec4 open,
+FluidLevels::FluidLevels(glm::ivec2 size, std::vector<double> left, std::vector<double> top,
                          glm::bvec2 wraps) {
   Grid g;
   g.cells = size;
-  g.open = open;
   g.wraps = wraps;
   g.widths.assign(static_cast<std::size_t>(size.x), 1);
   g.heights.assign(static_cast<std::size_t>(size.y), 1);
-  g.left.resize(static_cast<std::size_t>(size.x + 1) * static_cast<std::size_t>(size.y));
-  g.top.resize(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y + 1));
-  const auto free = [&](int x, int y) { return solid[Grid::index(x, y, size.x)] == 0; };
-  // A cell beyond the border is as the side is; on a torus it is the one opposite.
-  const auto freeAt = [&](int x, int y) {
-    if (x < 0) return wraps.x ? free(size.x - 1, y) : open[0];
-    if (x >= size.x) return wraps.x ? free(0, y) : open[1];
-    if (y < 0) return wraps.y ? free(x, size.y - 1) : open[2];
-    if (y >= size.y) return wraps.y ? free(x, 0) : open[3];
-    return free(x, y);
-  };
-  for (int y = 0; y < size.y; ++y)
-    for (int x = 0; x <= size.x; ++x) g.leftAt(x, y) = freeAt(x - 1, y) && freeAt(x, y) ? 1 : 0;
-  for (int y = 0; y <= size.y; ++y)
-    for (int x = 0; x < size.x; ++x) g.topAt(x, y) = freeAt(x, y - 1) && freeAt(x, y) ? 1 : 0;
+  g.left = std::move(left);
+  g.top = std::move(top);
   add(g);
   while (std::int64_t{g.cells.x} * g.cells.y > shader::bottomCells) {
     g = g.coarser();

@@ -23,8 +23,9 @@ struct FluidLevel {
 /// borders may be less; what a coarse face lets through is what its fine ones do.
 class FluidLevels {
  public:
-  /// `solid`: a byte a cell, x fastest. `wraps` and `open`: of the sides left, right, top, bottom.
-  FluidLevels(glm::ivec2 size, const std::vector<std::uint8_t>& solid, glm::bvec4 open, glm::bvec2 wraps);
+  /// `left`, `top`: how much of each face is open, 0 to 1, (size.x + 1) x size.y and size.x x (size.y + 1),
+  /// x fastest. `wraps`: along x and y, where the first faces are the last ones.
+  FluidLevels(glm::ivec2 size, std::vector<double> left, std::vector<double> top, glm::bvec2 wraps);
 
   [[nodiscard]] const std::vector<FluidLevel>& levels() const { return levels_; }
   /// As glsl/fluid/model.glsl reads them: left face | top face << 16 in units of 2^-12, four cells an

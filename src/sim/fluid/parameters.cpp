@@ -1,8 +1,9 @@
 #include "sim/fluid/parameters.hpp"
 
+#include "sim/fluid/model.hpp"
+
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include <fmt/format.h>
 
@@ -21,6 +22,8 @@ void describeSide(scene::Fields& f, const char* name, FluidSide& side) {
         "periodic ones, in pairs, meet.");
     s.vector("velocity", side.velocity, {-1e5, 1e5}, "cells/s",
              "Of a wall along itself; of an inflow. The third is unused.");
+    s.choice("profile", side.profile, {"even", "parabola"},
+             "Of an inflow: even, or the velocity in the middle and 0 at both ends.");
     if (s.given("velocity") && side.kind != FluidSide::Kind::wall && side.kind != FluidSide::Kind::inflow)
       s.error("velocity", "only a \"wall\" or an \"inflow\" has a velocity");
   });
@@ -62,14 +65,6 @@ std::vector<FluidStroke> standardStrokes(glm::ivec2 size) {
 
 }  // namespace
 
-bool FluidObstacle::contains(double x, double y) const {
-  const double dx = x - center.x, dy = y - center.y;
-  if (shape == Shape::circle) return dx * dx + dy * dy <= double{radius} * radius;
-  const float angle = turn * (std::numbers::pi_v<float> / 180);
-  const double c = shader::exactCos(angle), s = shader::exactSin(angle);
-  return std::abs(c * dx + s * dy) <= 0.5 * extent.x && std::abs(c * dy - s * dx) <= 0.5 * extent.y;
-}
-
 FluidParameters::FluidParameters() {
   display.map = "viridis";
   strokes = standardStrokes(size);
@@ -98,8 +93,10 @@ void FluidParameters::describe(scene::Fields& f) {
               "\"auto\": as many as \"speed\" / \"courant\" and the viscosity ask for.");
   f.number("courant", courant, {0.05, 8}, "cells",
            "What the greatest speed goes in a substep of \"auto\".");
-  f.choice("advection", advection, {"macCormack", "semiLagrangian"},
-           "How velocity and temperature are carried along: second-order with a limiter, or first-order.");
+  f.choice(
+      "advection", advection, {"macCormack", "semiLagrangian", "cubic"},
+      "How velocity and temperature are carried along: second-order with a limiter, first-order, or by "
+      "cubic interpolation with a limiter.");
   f.number("viscosity", viscosity, {0, 1e6}, "cells^2/s", "Of the fluid.");
   f.number("confinement", confinement, {0, 1e4}, "1/s",
            "Force that keeps up vortices of the size of cells.");
@@ -110,15 +107,27 @@ void FluidParameters::describe(scene::Fields& f) {
   f.integer(
       "cycles", cycles, {1, 100}, "",
       "Of the multigrid that solves for the pressure, at most, in each substep; as few as needed are run.");
-  f.list("obstacles", obstacles, "What stands in the fluid: cells whose middle lies within.",
-         [](scene::Fields& o, FluidObstacle& obstacle) {
-           o.choice("shape", obstacle.shape, {"circle", "box"}, "What it is.");
-           o.vector("center", obstacle.center, {-1e6, 1e6}, "cells", "Its middle; the third is unused.");
-           o.number("radius", obstacle.radius, {0, 1e5}, "cells", "Of a circle.");
-           o.vector("extent", obstacle.extent, {0, 1e5}, "cells",
-                    "Width and height of a box; the third is unused.");
-           o.number("turn", obstacle.turn, {-360, 360}, "degrees", "Of a box, clockwise.");
-         });
+  f.list(
+      "obstacles", obstacles, "What stands in the fluid, or moves through it.",
+      [](scene::Fields& o, FluidObstacle& obstacle) {
+        o.choice("shape", obstacle.shape, {"circle", "box", "image"}, "What it is.");
+        o.vector("center", obstacle.center, {-1e6, 1e6}, "cells",
+                 "Its middle; the third is unused. With keys it moves and pushes the fluid.");
+        o.number("radius", obstacle.radius, {0, 1e5}, "cells", "Of a circle.");
+        o.vector("extent", obstacle.extent, {0, 1e5}, "cells",
+                 "Width and height of a box, at least 1; the third is unused.");
+        o.number("turn", obstacle.turn, {-1e5, 1e5}, "degrees", "Clockwise, about its middle.");
+        o.asset("image", obstacle.image,
+                "Picture of shape \"image\": what is light is solid, grey edges are so to a fraction of a "
+                "cell.");
+        o.number("threshold", obstacle.threshold, {0.02, 0.98}, "",
+                 "Of an image: how light its edge is, of white.");
+        o.number("scale", obstacle.scale, {1e-3, 1e3}, "cells", "Side of a pixel of an image.");
+        o.boolean("measured", obstacle.measured, "Whether the quantities \"drag\" and \"lift\" count it.");
+        if (obstacle.shape == FluidObstacle::Shape::image && obstacle.image.empty())
+          o.error("shape", "shape \"image\" needs \"image\", a picture");
+      },
+      shader::maxSolids);
   f.boolean("obstaclesSlip", obstaclesSlip,
             "Whether the fluid slips along obstacles; else it sticks to them.");
   f.vector("obstacleColor", obstacleColor, {0, 1e4}, "", "Colour of obstacles, linear RGB.");
@@ -150,6 +159,9 @@ std::span<const scene::Quantity> FluidParameters::quantities() const {
       {"speed", "cells/s", "The greatest |u| or |v|."},
       {"courant", "cells", "What the greatest |u| or |v| goes in a substep."},
       {"cycles", "", "Of the multigrid, on the average of all substeps so far."},
+      {"drag", "cells^3/s^2",
+       "Force of the fluid on measured obstacles, to the right, over density and depth."},
+      {"lift", "cells^3/s^2", "The same up the picture."},
   };
   return list;
 }
@@ -167,12 +179,17 @@ bool FluidParameters::sinks() const {
   return dyeWeight.moves() || dyeWeight.at(0) != 0;
 }
 
-bool FluidParameters::rubs() const {
-  return confines() || viscosity.moves() || viscosity.at(0) != 0;
-}
-
 bool FluidParameters::confines() const {
   return confinement.moves() || confinement.at(0) != 0;
+}
+
+bool FluidParameters::obstaclesMove() const {
+  return std::any_of(obstacles.begin(), obstacles.end(), [](const FluidObstacle& o) { return o.moves(); });
+}
+
+bool FluidParameters::pocketsGrow() const {
+  const auto lets = [](const FluidSide& s) { return s.kind == FluidSide::Kind::inflow; };
+  return !obstacles.empty() && (obstaclesMove() || lets(left) || lets(right) || lets(top) || lets(bottom));
 }
 
 }  // namespace simreel::sim

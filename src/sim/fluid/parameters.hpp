@@ -4,6 +4,7 @@
 #include "sim/grid/field_display.hpp"
 #include "sim/grid/strokes.hpp"
 
+#include <filesystem>
 #include <optional>
 #include <vector>
 
@@ -17,19 +18,25 @@ struct FluidSide {
   enum class Kind { wall, slip, inflow, open, periodic };
   Kind kind = Kind::wall;
   scene::Animated<glm::vec3> velocity = glm::vec3(0);  ///< cells/s: of a wall along itself, of an inflow
+  /// Of an inflow: what goes across the side is even, or `velocity` in the middle and 0 at the ends.
+  enum class Profile { even, parabola };
+  Profile profile = Profile::even;
 };
 
-/// What stands in a fluid.
+/// What stands in a fluid, or moves through it.
 struct FluidObstacle {
-  enum class Shape { circle, box };
+  enum class Shape { circle, box, image };
   Shape shape = Shape::circle;
-  glm::vec3 center{0};          ///< cells (third unused)
-  float radius = 8;             ///< cells, of a circle
-  glm::vec3 extent{16, 16, 0};  ///< cells: width and height of a box
-  float turn = 0;               ///< degrees, of a box
+  scene::Animated<glm::vec3> center = glm::vec3(0);  ///< cells (third unused)
+  float radius = 8;                                  ///< cells, of a circle
+  glm::vec3 extent{16, 16, 0};                       ///< cells: width and height of a box, 1 at least
+  scene::Animated<float> turn = 0.0F;                ///< degrees, clockwise, about the centre
+  std::filesystem::path image;                       ///< its light is solid
+  float threshold = 0.5F;                            ///< of the light, 0 to 1
+  float scale = 1;                                   ///< cells a pixel of the image
+  bool measured = true;                              ///< whether drag and lift are its own, too
 
-  /// Whether the point (x, y), in cells, lies within.
-  [[nodiscard]] bool contains(double x, double y) const;
+  [[nodiscard]] bool moves() const { return center.moves() || turn.moves(); }
 };
 
 /// A stroke that sets velocity, temperature or dye, or pushes. Its `value` is the part of the way that what
@@ -44,7 +51,7 @@ struct FluidStroke : StrokeParameters {
 
 /// Incompressible flow (SPEC 9) as a scene says it. Lengths are in cells; v and y grow down the picture.
 struct FluidParameters : ObjectParameters {
-  enum class Advection { macCormack, semiLagrangian };
+  enum class Advection { macCormack, semiLagrangian, cubic };  // as ADVECTION of glsl/fluid/grid.glsl
   enum class Show { dye, speed, vorticity, temperature, pressure };
   enum class Look { light, ink };
   glm::ivec2 size{320, 180};  ///< cells
@@ -81,8 +88,9 @@ struct FluidParameters : ObjectParameters {
   [[nodiscard]] bool dyes() const;
   [[nodiscard]] bool sinks() const;
   [[nodiscard]] bool confines() const;
-  /// Whether there is friction or confinement.
-  [[nodiscard]] bool rubs() const;
+  [[nodiscard]] bool obstaclesMove() const;
+  /// Whether closed pockets may have to grow or shrink.
+  [[nodiscard]] bool pocketsGrow() const;
 };
 
 /// max|div u| over max|u| after a projection, at most.

@@ -24,26 +24,22 @@ std::vector<StrokeParameters> plainStrokes(const std::vector<FluidStroke>& strok
   return {strokes.begin(), strokes.end()};
 }
 
-std::vector<std::uint8_t> solidCells(const FluidParameters& p) {
-  std::vector<std::uint8_t> cells(static_cast<std::size_t>(p.size.x) * static_cast<std::size_t>(p.size.y));
-  for (int y = 0; y < p.size.y; ++y)
-    for (int x = 0; x < p.size.x; ++x)
-      for (const FluidObstacle& obstacle : p.obstacles)
-        if (obstacle.contains(x + 0.5, y + 0.5))
-          cells[static_cast<std::size_t>(y) * static_cast<std::size_t>(p.size.x) +
-                static_cast<std::size_t>(x)] = 1;
-  return cells;
+std::vector<PictureDistances> picturesOf(const FluidParameters& p) {
+  std::vector<PictureDistances> pictures(p.obstacles.size());
+  for (std::size_t i = 0; i < pictures.size(); ++i)
+    if (p.obstacles[i].shape == FluidObstacle::Shape::image)
+      pictures[i] = PictureDistances(p.obstacles[i].image, p.obstacles[i].threshold);
+  return pictures;
 }
 
-bool isOpen(const FluidSide& side) {
-  return side.kind == FluidSide::Kind::open;
+float isParabola(const FluidSide& side) {
+  const bool is = side.kind == FluidSide::Kind::inflow && side.profile == FluidSide::Profile::parabola;
+  return is ? 1 : 0;
 }
 
-FluidLevels levelsOf(const FluidParameters& p, const std::vector<std::uint8_t>& solid) {
-  return {p.size,
-          solid,
-          {isOpen(p.left), isOpen(p.right), isOpen(p.top), isOpen(p.bottom)},
-          {p.wrapsX(), p.wrapsY()}};
+bool inflowMoves(const FluidParameters& p) {
+  return p.left.velocity.moves() || p.right.velocity.moves() || p.top.velocity.moves() ||
+         p.bottom.velocity.moves();
 }
 
 /// (along x, along y): a wall moves along itself only, `alongX` or along y.
@@ -56,12 +52,12 @@ glm::vec2 velocityOf(const FluidSide& side, bool alongX, double time) {
 
 }  // namespace
 
-FluidPlan::FluidPlan(FluidParameters parameters, const std::string& object, int seed, double frameSeconds)
+FluidPlan::FluidPlan(FluidParameters parameters, const std::string& object, int seed, double frameSeconds,
+                     std::vector<PictureDistances> pictures)
     : parameters_(std::move(parameters)),
       object_(object),
       frameSeconds_(frameSeconds),
-      solid_(solidCells(parameters_)),
-      levels_(levelsOf(parameters_, solid_)),
+      pictures_(pictures.empty() ? picturesOf(parameters_) : std::move(pictures)),
       strokes_(
           plainStrokes(parameters_.strokes), seed,
           {parameters_.size, parameters_.wrapsX() && parameters_.wrapsY(), "fluid \"" + object + "\""}) {
@@ -86,29 +82,43 @@ FluidPlan::FluidPlan(FluidParameters parameters, const std::string& object, int 
          object, dt * viscosity, maxDiffusion, byFriction);
   const double passes = std::ceil(p.speed * dt / shader::maxDyeWay - 1e-9);
   dyePasses_ = p.dyes() ? static_cast<int>(std::clamp(passes, 1.0, 10000.0)) : 0;
+  still_ = std::make_shared<FluidSolids>(p, pictures_, 0, dt, stepAt(0, 0));
+}
+
+std::shared_ptr<const FluidSolids> FluidPlan::solidsAt(double time, int step) const {
+  const FluidParameters& p = parameters_;
+  const bool changes = p.obstaclesMove() || (p.pocketsGrow() && inflowMoves(p));
+  if (!changes) return still_;
+  const double dt = frameSeconds_ / substeps_;
+  return std::make_shared<FluidSolids>(p, pictures_, time + step * dt, dt, stepAt(time, step));
 }
 
 int FluidPlan::arrayElements() const {
-  return std::max(
-      {elements(), 2 * levels_.levels().front().elements() + levels_.elements(), 2 * levels_.elements()});
+  return std::max({elements(), 2 * levels().levels().front().elements() + levels().elements(),
+                   2 * levels().elements()});
 }
 
 // Faces that let nothing through have the velocity of their side, or none. What lies around the grid is the
 // first projection's.
-std::vector<glm::vec4> FluidPlan::firstFlow() const {
+std::vector<glm::vec4> FluidPlan::firstFlow(double time) const {
   const glm::ivec2 size = parameters_.size;
   const glm::vec3 flow = parameters_.flow;
-  const shader::FluidStep sides = stepAt(0, 0);
+  const shader::FluidStep sides = stepAt(time, 0);
+  const auto solids = solidsAt(time, 0);
   std::vector<glm::vec4> cells(static_cast<std::size_t>(arrayElements()), glm::vec4(0));
   for (int y = 0; y <= size.y; ++y)
     for (int x = 0; x <= size.x; ++x) {
       const int number = y / 2 * (size.x / 2 + 1) + x / 2;
-      const glm::uvec4 block = levels_.weights()[static_cast<std::size_t>(number)];
+      const glm::uvec4 block = solids->levels().weights()[static_cast<std::size_t>(number)];
       const glm::vec2 open = shader::faceWeights(block[y % 2 * 2 + x % 2]);
       const int element = (y + 1) * (size.x + 2) + x + 1;
       glm::vec4& cell = cells[static_cast<std::size_t>(element)];
-      const float acrossX = x == 0 ? sides.leftRight.x : x == size.x ? sides.leftRight.z : 0;
-      const float acrossY = y == 0 ? sides.topBottom.y : y == size.y ? sides.topBottom.w : 0;
+      const float left = shader::sideSpeed(y, size.y, sides.leftRight.x, sides.parabolas.x);
+      const float right = shader::sideSpeed(y, size.y, sides.leftRight.z, sides.parabolas.y);
+      const float top = shader::sideSpeed(x, size.x, sides.topBottom.y, sides.parabolas.z);
+      const float bottom = shader::sideSpeed(x, size.x, sides.topBottom.w, sides.parabolas.w);
+      const float acrossX = x == 0 ? left : x == size.x ? right : 0;
+      const float acrossY = y == 0 ? top : y == size.y ? bottom : 0;
       cell.x = open.x > 0 ? flow.x : acrossX;
       cell.y = open.y > 0 ? flow.y : acrossY;
     }
@@ -135,6 +145,7 @@ shader::FluidStep FluidPlan::stepAt(double time, int step) const {
   s.keptHeat = shader::exactExp(static_cast<float>(-dt * p.cooling));
   s.dyeDt = static_cast<float>(dt / std::max(dyePasses_, 1));
   s.weight = scaled(p.dyeWeight);
+  s.parabolas = {isParabola(p.left), isParabola(p.right), isParabola(p.top), isParabola(p.bottom)};
   return s;
 }
 

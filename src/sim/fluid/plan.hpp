@@ -1,9 +1,9 @@
 #pragma once
-#include "sim/fluid/levels.hpp"
 #include "sim/fluid/model.hpp"
 #include "sim/fluid/parameters.hpp"
+#include "sim/fluid/solids.hpp"
 
-#include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -22,9 +22,10 @@ class FluidPlan {
     std::vector<shader::Stroke> strokes;
   };
 
-  /// Reads the strokes' images. Throws UserError(usage) for substeps that the viscosity makes unstable, or
-  /// for more brushes at once than maxBrushes.
-  FluidPlan(FluidParameters parameters, const std::string& object, int seed, double frameSeconds);
+  /// Reads the obstacles' images unless they are given, and the strokes' images. Throws UserError(usage)
+  /// for substeps that the viscosity makes unstable, or for more brushes at once than maxBrushes.
+  FluidPlan(FluidParameters parameters, const std::string& object, int seed, double frameSeconds,
+            std::vector<PictureDistances> pictures = {});
 
   [[nodiscard]] const FluidParameters& parameters() const { return parameters_; }
   [[nodiscard]] glm::ivec2 size() const { return parameters_.size; }
@@ -35,13 +36,15 @@ class FluidPlan {
   [[nodiscard]] int substeps() const { return substeps_; }
   /// Passes of dye in each substep; none where no stroke sets any.
   [[nodiscard]] int dyePasses() const { return dyePasses_; }
-  [[nodiscard]] const FluidLevels& levels() const { return levels_; }
-  /// A byte a cell, x fastest.
-  [[nodiscard]] const std::vector<std::uint8_t>& solid() const { return solid_; }
+  /// The multigrid's grids; their weights are those of the start where obstacles move.
+  [[nodiscard]] const FluidLevels& levels() const { return still_->levels(); }
+  /// The obstacles after `step` substeps of the frame that starts at `time` (s); always the same object
+  /// where none moves.
+  [[nodiscard]] std::shared_ptr<const FluidSolids> solidsAt(double time, int step) const;
   [[nodiscard]] const Strokes& strokes() const { return strokes_; }
 
   /// The flow before anything is painted or projected, with its ring.
-  [[nodiscard]] std::vector<glm::vec4> firstFlow() const;
+  [[nodiscard]] std::vector<glm::vec4> firstFlow(double time) const;
   /// Of substep `step` (from 1) of the frame that starts at `time` (s).
   [[nodiscard]] shader::FluidStep stepAt(double time, int step) const;
   /// What is painted into the state after `step` substeps of the frame that starts at `time` (s). Throws
@@ -53,9 +56,9 @@ class FluidPlan {
   std::string object_;
   double frameSeconds_;
   int substeps_ = 1, dyePasses_ = 1;
-  std::vector<std::uint8_t> solid_;
-  FluidLevels levels_;
+  std::vector<PictureDistances> pictures_;  ///< of the obstacles
   Strokes strokes_;
+  std::shared_ptr<const FluidSolids> still_;  ///< at 0 s
 };
 
 }  // namespace simreel::sim

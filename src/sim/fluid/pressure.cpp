@@ -29,7 +29,8 @@ constexpr float aim = 0.5F * maxFluidDivergence;
 FluidPressure::FluidPressure(const std::string& name, const FluidPlan& plan, const gl::Defines& defines)
     : levels_(plan.levels()),
       cycles_(plan.parameters().cycles),
-      weights_(name + " openings", std::span<const glm::uvec4>(levels_.weights())),
+      weights_(name + " openings", std::span<const glm::uvec4>(plan.solidsAt(0, 0)->words())),
+      solids_(name + " obstacles", sizeof(shader::FluidSolidSet)),
       divergence_(gl::Program::compute("fluid/divergence.comp", defines)),
       descend_(gl::Program::compute("fluid/descend.comp", defines)),
       bottom_(gl::Program::compute("fluid/bottom.comp", defines)),
@@ -53,10 +54,21 @@ FluidPressure::FluidPressure(const std::string& name, const FluidPlan& plan, con
   const auto& finest = levels_.levels().front();
   divergence_.set("size", finest.cells);
   divergence_.set("rhsStart", 2 * finest.elements());
+  divergence_.set("solidsStart", levels_.elements());
   decide_.set("dispatches", static_cast<int>(levels_.levels().size()) + 1);
   decide_.set("tolerance", aim);
   judge_.set("tolerance", maxFluidDivergence);
   judge_.set("mostSpeed", plan.parameters().speed);
+}
+
+void FluidPressure::setSolids(const FluidSolids& solids) {
+  weights_.write(solids.words());
+  solids_.write(0, std::as_bytes(std::span(&solids.set(), 1)));
+}
+
+void FluidPressure::bindSolids() const {
+  weights_.bindInput(at::weightsBinding);
+  solids_.bindUniform(at::solidsBinding, 0, solids_.bytes());
 }
 
 void FluidPressure::setLevel(const gl::Program& program, std::size_t number) const {
@@ -101,7 +113,7 @@ void FluidPressure::solve(const gl::Vec4Array& flow, const gl::Vec4Array& pool,
                           const gl::Vec4Array& raised) {
   const glm::ivec2 blocks = levels_.levels().front().blocks();
   flow.bindInput(at::flowBinding);
-  weights_.bindInput(at::weightsBinding);
+  bindSolids();
   pool.buffer().bindStorage(at::poolOutBinding);
   control_.bindStorage(at::controlBinding);
   gl::barrier();

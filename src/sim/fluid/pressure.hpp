@@ -21,6 +21,11 @@ class FluidPressure {
   /// `defines`: of all kernels of the fluid.
   FluidPressure(const std::string& name, const FluidPlan& plan, const gl::Defines& defines);
 
+  /// Where obstacles are from now on.
+  void setSolids(const FluidSolids& solids);
+  /// Binds what kernels know of obstacles: faceAt, solidWord and solidSet of glsl/fluid/grid.glsl.
+  void bindSolids() const;
+
   /// Of `flow`; the sum of corrections is left in the front of `pool`. `raised` is overwritten, too.
   void solve(const gl::Vec4Array& flow, const gl::Vec4Array& pool, const gl::Vec4Array& raised);
   /// Once the projected flow has been noted in control(): whether it is good enough, and not too fast.
@@ -28,7 +33,6 @@ class FluidPressure {
 
   [[nodiscard]] const gl::Buffer& control() const { return control_; }
   [[nodiscard]] gl::Buffer& control() { return control_; }
-  [[nodiscard]] const gl::WordsArray& weights() const { return weights_; }
   /// Waits for the GPU.
   [[nodiscard]] Report report() const;
 
@@ -37,10 +41,10 @@ class FluidPressure {
   void indirect(const gl::Program& program, std::size_t number) const;
   void cycle() const;
 
-  const FluidLevels& levels_;
+  const FluidLevels& levels_;  ///< but for their weights
   int cycles_;
-  gl::WordsArray weights_;
-  gl::Buffer control_;
+  gl::WordsArray weights_;  ///< FluidSolids::words
+  gl::Buffer solids_, control_;
   gl::Program divergence_, descend_, bottom_, ascend_, residual_, decide_, judge_;
 };
 

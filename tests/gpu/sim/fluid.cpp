@@ -7,6 +7,8 @@
 
 #include <bit>
 #include <cstdint>
+#include <filesystem>
+#include <fstream>
 #include <string>
 #include <vector>
 
@@ -105,6 +107,15 @@ TEST_CASE("fluid equals its CPU twin with every kind of side") {
   compareFluid(p, 4);
 }
 
+TEST_CASE("fluid equals its CPU twin with cubic advection, between walls and on a torus") {
+  auto p = jets(39, 33);
+  p.advection = sim::FluidParameters::Advection::cubic;
+  setSides(p, Side::periodic, Side::periodic, Side::wall, Side::slip);
+  p.viscosity = 2.0F;
+  p.strokes[0].from.x = p.strokes[0].to.x = 0;
+  compareFluid(p, 3);
+}
+
 TEST_CASE("fluid equals its CPU twin on a torus, odd ones too") {
   for (const glm::ivec2 size : {glm::ivec2(36, 28), glm::ivec2(37, 29), glm::ivec2(9, 70)}) {
     CAPTURE(size.x);
@@ -123,13 +134,14 @@ TEST_CASE("fluid with obstacles, heat, friction, confinement and heavy dye equal
     auto p = jets(67, 45);
     setSides(p, Side::wall, Side::wall, Side::open, Side::wall);
     p.obstaclesSlip = slip;
+    p.cycles = 80;  // coarse grids see little of thin walls
     p.obstacles.resize(3);
-    p.obstacles[0].center = {40, 20, 0};
+    p.obstacles[0].center = glm::vec3(40, 20, 0);
     p.obstacles[1].shape = sim::FluidObstacle::Shape::box;
-    p.obstacles[1].center = {20, 30, 0};
+    p.obstacles[1].center = glm::vec3(20, 30, 0);
     p.obstacles[1].extent = {20, 1.5F, 0};
     p.obstacles[1].turn = 20;
-    p.obstacles[2].center = {2, 2, 0};  // over the border
+    p.obstacles[2].center = glm::vec3(2, 2, 0);  // over the border
     p.obstacles[2].radius = 5;
     p.viscosity = 2.5F;
     p.confinement = 4.0F;
@@ -154,12 +166,52 @@ TEST_CASE("fluid equals its CPU twin with semi-Lagrangian advection, and where a
                                glm::vec4(35, 20, 2, 22)}) {
     sim::FluidObstacle& box = p.obstacles.emplace_back();
     box.shape = sim::FluidObstacle::Shape::box;
-    box.center = {wall.x, wall.y, 0};
+    box.center = glm::vec3(wall.x, wall.y, 0);
     box.extent = {wall.z, wall.w, 0};
   }
   p.cycles = 60;                                      // a coarse grid does not see thin walls
   p.strokes[0].from = p.strokes[0].to = {25, 20, 0};  // in the pocket
   compareFluid(p, 6);
+}
+
+TEST_CASE("fluid with obstacles that move, turn, are pictures or squeeze a pocket equals its CPU twin") {
+  const auto file = std::filesystem::temp_directory_path() / "simreel_fluid_obstacle.pgm";
+  {
+    std::ofstream out(file, std::ios::binary);
+    out << "P5 11 9 255\n";
+    for (int i = 0; i < 99; ++i)
+      out.put(static_cast<char>(i % 11 > 1 && i % 11 < 9 && i > 20 ? 40 + 9 * (i % 23) : 0));
+  }
+  {
+    const bool slip = false;
+    auto p = jets(71, 43);
+    setSides(p, Side::inflow, Side::wall, slip ? Side::open : Side::slip, Side::wall);
+    p.left.velocity = glm::vec3(15, 2, 0);
+    p.left.profile = sim::FluidSide::Profile::parabola;
+    p.obstaclesSlip = slip;
+    p.viscosity = 1.5F;
+    p.lift = 20.0F;
+    p.strokes[0].setsTemperature = true;
+    p.strokes[0].temperature = 1;
+    p.obstacles.resize(4);
+    p.obstacles[0].center = scene::Animated<glm::vec3>(
+        {{0.0, glm::vec3(18, 15, 0)}, {0.3, glm::vec3(25.5, 19, 0)}}, scene::Ease::smooth);
+    p.obstacles[0].radius = 5.5F;
+    p.obstacles[1].shape = sim::FluidObstacle::Shape::image;
+    p.obstacles[1].image = file;
+    p.obstacles[1].scale = 1.3F;
+    p.obstacles[1].center = glm::vec3(20, 34, 0);
+    p.obstacles[1].turn = scene::Animated<float>({{0.0, 0.0F}, {1.0, 200.0F}}, scene::Ease::linear);
+    p.obstacles[2].shape = sim::FluidObstacle::Shape::box;  // shuts off the right end, and goes there
+    p.obstacles[2].center = scene::Animated<glm::vec3>(
+        {{0.0, glm::vec3(45, 21, 0)}, {1.0, glm::vec3(60, 21, 0)}}, scene::Ease::linear);
+    p.obstacles[2].extent = {5, 60, 0};
+    p.obstacles[3].center = glm::vec3(60, 10, 0);
+    p.obstacles[3].radius = 3;
+    p.cycles = 60;
+    compareFluid(p, 4);
+  }
+  std::filesystem::remove(file);
 }
 
 TEST_CASE("what a fluid shows equals its CPU twin") {
@@ -169,7 +221,7 @@ TEST_CASE("what a fluid shows equals its CPU twin") {
     p.show = show;
     p.look = sim::FluidParameters::Look::ink;
     p.obstacles.resize(1);
-    p.obstacles[0].center = {20, 12, 0};
+    p.obstacles[0].center = glm::vec3(20, 12, 0);
     p.obstacles[0].radius = 4;
     testContext();
     const sim::FluidPlan plan(p, "bath", 5, fluidFrame);

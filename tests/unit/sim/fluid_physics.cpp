@@ -1,8 +1,8 @@
 // Fluids against closed forms and published tables.
+#include "reference/fluid_flows.hpp"
 #include "reference/fluid_twin.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -68,59 +68,12 @@ Vortices taylorGreen(int n) {
   return {std::abs(got / wanted - 1), error / n};
 }
 
-/// Ghia, Ghia and Shin (1982), tables I and II: u along the vertical through the middle, v along the
-/// horizontal.
-constexpr double ghiaY[] = {0.9766, 0.9688, 0.9609, 0.9531, 0.8516, 0.7344, 0.6172, 0.5,
-                            0.4531, 0.2813, 0.1719, 0.1016, 0.0703, 0.0625, 0.0547};
-constexpr double ghiaX[] = {0.9688, 0.9609, 0.9531, 0.9453, 0.9063, 0.8594, 0.8047, 0.5,
-                            0.2344, 0.2266, 0.1563, 0.0938, 0.0781, 0.0703, 0.0625};
-struct Ghia {
-  double reynolds;
-  std::array<double, 15> u, v;
-};
-constexpr Ghia ghia100 = {100,
-                          {0.84123, 0.78871, 0.73722, 0.68717, 0.23151, 0.00332, -0.13641, -0.20581,
-                           -0.21090, -0.15662, -0.10150, -0.06434, -0.04775, -0.04192, -0.03717},
-                          {-0.05906, -0.07391, -0.08864, -0.10313, -0.16914, -0.22445, -0.24533, 0.05454,
-                           0.17527, 0.17507, 0.16077, 0.12317, 0.10890, 0.10091, 0.09233}};
-constexpr Ghia ghia400 = {400,
-                          {0.75837, 0.68439, 0.61756, 0.55892, 0.29093, 0.16256, 0.02135, -0.11477,
-                           -0.17119, -0.32726, -0.24299, -0.14612, -0.10338, -0.09266, -0.08186},
-                          {-0.12146, -0.15663, -0.19254, -0.22847, -0.23827, -0.44993, -0.38598, 0.05186,
-                           0.30174, 0.30203, 0.28124, 0.22965, 0.20920, 0.19713, 0.18360}};
-constexpr Ghia ghia1000 = {1000,
-                           {0.65928, 0.57492, 0.51117, 0.46604, 0.33304, 0.18719, 0.05702, -0.06080,
-                            -0.10648, -0.27805, -0.38289, -0.29730, -0.22220, -0.20196, -0.18109},
-                           {-0.21388, -0.27669, -0.33714, -0.39188, -0.51550, -0.42665, -0.31966, 0.02526,
-                            0.32235, 0.33075, 0.37095, 0.32627, 0.30353, 0.29012, 0.27485}};
-
-/// The greatest difference from the tables, over the lid's speed, of an n x n cavity after `turns` of its
-/// lid. A misprint of theirs, v(0.9063) at Re 400, is left out.
-double cavityError(int n, const Ghia& table, double turns) {
-  auto p = calmFluid(n, n);
-  p.top.velocity = glm::vec3(n, 0, 0);
-  p.speed = static_cast<float>(n);
-  p.viscosity = static_cast<float>(n * n / table.reynolds);
-  p.substeps.reset();
-  p.courant = 0.8F;
+/// flows::ghiaError of an n x n cavity after `turns` of its lid.
+double cavityError(int n, double reynolds, double turns) {
   const double seconds = 0.25;
-  FluidTwin twin(sim::FluidPlan(p, "cavity", 1, seconds));
+  FluidTwin twin(sim::FluidPlan(flows::cavity(n, reynolds), "cavity", 1, seconds));
   for (int i = 0; i < turns / seconds; ++i) twin.step(i * seconds);
-  // Linear between nodes; nodes half a cell beyond the walls hold what makes the wall's speed.
-  const auto between = [&](double place, const auto& node) {
-    const int i = static_cast<int>(std::floor(place));
-    return node(i) + (node(i + 1) - node(i)) * (place - i);
-  };
-  double worst = 0;
-  for (std::size_t i = 0; i < 15; ++i) {
-    const double u = between((1 - ghiaY[i]) * n - 0.5,
-                             [&](int y) -> double { return twin.flow[twin.index(n / 2, y)].x; });
-    const double v =
-        between(ghiaX[i] * n - 0.5, [&](int x) -> double { return -twin.flow[twin.index(x, n / 2)].y; });
-    worst = std::max(worst, std::abs(u / n - table.u[i]));
-    if (table.reynolds != 400 || ghiaX[i] != 0.9063) worst = std::max(worst, std::abs(v / n - table.v[i]));
-  }
-  return worst;
+  return flows::ghiaError(flows::ghia(reynolds), n, twin.flow);
 }
 
 }  // namespace
@@ -136,20 +89,9 @@ TEST_CASE("fluid: Taylor-Green vortices decay as they should, with an error of s
 }
 
 TEST_CASE("fluid: a lid-driven cavity at Re 100 is Ghia's") {
-  const double error = cavityError(32, ghia100, 14);
+  const double error = cavityError(32, 100, 14);
   MESSAGE("error ", error);
-  CHECK(error < 0.02);
-}
-
-// build/tests/test_unit --no-skip -tc='fluid: 128*'
-TEST_CASE("fluid: 128x128 cavities at Re 100, 400 and 1000 are Ghia's" * doctest::skip()) {
-  for (const Ghia* table : {&ghia100, &ghia400, &ghia1000}) {
-    const double re = table->reynolds;
-    const double error = cavityError(128, *table, re < 200 ? 15 : re < 500 ? 30 : 45);
-    MESSAGE("Re ", re, ": error ", error);
-    // Re 1000 has 0.0234: steps are of first order in time.
-    CHECK(error < (re < 500 ? 0.02 : 0.025));
-  }
+  CHECK(error < 0.01);
 }
 
 TEST_CASE("fluid: Taylor-Green vortices over 32 to 128 cells" * doctest::skip()) {
@@ -169,7 +111,7 @@ TEST_CASE("fluid: the sum of dye stays, and no cell has less than none or more t
   push.velocity = {70, 45, 0};
   p.strokes = {push};
   p.obstacles.resize(1);
-  p.obstacles[0].center = {25, 12, 0};
+  p.obstacles[0].center = glm::vec3(25, 12, 0);
   p.obstacles[0].radius = 4;
   FluidTwin twin(sim::FluidPlan(p, "bath", 1, 0.002));
   for (int y = 4; y < 18; ++y)
