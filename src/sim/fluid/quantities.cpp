@@ -5,6 +5,22 @@
 
 namespace simreel::sim {
 
+FluidCells openCells(const FluidPlan& plan) {
+  const glm::ivec2 size = plan.size();
+  const auto isOpen = [&](int x, int y) {
+    return plan.solid()[static_cast<std::size_t>(y) * static_cast<std::size_t>(size.x) +
+                        static_cast<std::size_t>(x)] == 0;
+  };
+  FluidCells cells;
+  for (int y = 0; y < size.y; ++y)
+    for (int x = 0; x < size.x; ++x) {
+      if (!isOpen(x, y)) continue;
+      ++cells.open;
+      if (x > 0 && y > 0 && isOpen(x - 1, y) && isOpen(x, y - 1) && isOpen(x - 1, y - 1)) ++cells.corners;
+    }
+  return cells;
+}
+
 std::vector<double> measureFluid(const FluidPlan& plan, std::span<const glm::vec4> flow,
                                  std::span<const glm::vec4> dye, const FluidPressure::Report& report) {
   const glm::ivec2 size = plan.size();

@@ -15,4 +15,10 @@ namespace simreel::sim {
                                                std::span<const glm::vec4> dye,
                                                const FluidPressure::Report& report);
 
+/// Cells that are no obstacle, and corners between four such cells: what means are taken over.
+struct FluidCells {
+  long open = 0, corners = 0;
+};
+[[nodiscard]] FluidCells openCells(const FluidPlan& plan);
+
 }  // namespace simreel::sim

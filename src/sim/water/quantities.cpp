@@ -25,6 +25,12 @@ std::span<const scene::Quantity> WaterParameters::quantities() const {
   return list;
 }
 
+glm::vec4 waterSumFactors(const WaterParameters& parameters) {
+  const double area = static_cast<double>(parameters.cell) * parameters.cell;
+  const double weight = area * density;
+  return {area, weight, weight * parameters.gravity, area};
+}
+
 std::vector<double> measureWater(const WaterPlan& plan, std::span<const glm::vec4> cells) {
   const WaterParameters& p = plan.parameters();
   const shader::WaterStep step = plan.stepAt(0);

@@ -8,6 +8,7 @@
 #include "sim/core/kind.hpp"
 #include "sim/core/step_blocks.hpp"
 #include "sim/grid/picture_file.hpp"
+#include "sim/grid/tally.hpp"
 #include "sim/mesh/height_field.hpp"
 #include "sim/water/plan.hpp"
 #include "sim/water/quantities.hpp"
@@ -123,6 +124,7 @@ class Water : public Simulation {
     if (p.collides) heights_.emplace(name_, heightsOf(p, setting.frameSeconds));
     fall(setting.startTime, 0);
     show();
+    tallyNow(setting.startTime);
   }
 
   void step(double time, const StepWatch& watch) override {
@@ -130,6 +132,7 @@ class Water : public Simulation {
     hasHeights_ = true;
     advance(time, watch);
     show();
+    tallyNow(time);
     if (heights_) heights_->take(values_);
   }
   /// Others fall between two frames' heights.
@@ -137,7 +140,10 @@ class Water : public Simulation {
     if (heights_) return step(time, {});
     advance(time, {});
   }
-  void resumed(double /*time*/) override { show(); }
+  void resumed(double time) override {
+    show();
+    tallyNow(time);
+  }
   void carryOver(CarryOver& carry) override {
     carry.array("cells", cells_[0].buffer());
     if (!heights_) return;
@@ -210,6 +216,10 @@ class Water : public Simulation {
         "substeps ({} per frame now, or \"auto\")",
         name_, step, elementName(element), plan_.substeps());
   }
+  [[nodiscard]] CountTable counts() const override {
+    return tally_.table(
+        {"volume", "kineticEnergy", "potentialEnergy", "wetArea", "courant", "fastest", "deepest"});
+  }
   [[nodiscard]] std::vector<double> measure() const override {
     return measureWater(plan_, cells_[0].buffer().readAll<glm::vec4>());
   }
@@ -225,6 +235,9 @@ class Water : public Simulation {
     show_ = gl::Program::compute("water/look.comp", defines);
     show_.checkUniformBlock("LookBlock", sizeof(shader::WaterLook));
     show_.set("size", size_);
+    tally_ = Tally(name_, "water/tally.comp", defines);
+    tally_.kernel().set("size", size_);
+    tally_.kernel().set("shallow", plan_.look().shallow);
     if (!plan_.anythingFalls()) return;
     stamps_ = gl::WordsArray(name_ + " stroke images", elementsOf(plan_.strokes().imageBits()));
     paint_ = gl::Program::compute("water/paint.comp", defines);
@@ -281,6 +294,14 @@ class Water : public Simulation {
     program.dispatch(box.z, box.w);
   }
 
+  /// What is measured of the present state, for the table beside the frames.
+  void tallyNow(double time) {
+    steps_.upload(std::vector<shader::WaterStep>{plan_.stepAt(time)});
+    steps_.bind(0);
+    cells_[0].bindInput(shader::water::cellsBinding);
+    tally_.take(waterSumFactors(plan_.parameters()), glm::vec4(1));
+  }
+
   void show() {
     look_.bindUniform(shader::stepBinding, 0, sizeof(shader::WaterLook));
     cells_[0].bindInput(shader::water::cellsBinding);
@@ -308,6 +329,7 @@ class Water : public Simulation {
   StepBlocks<shader::WaterStep> steps_;
   gl::Buffer look_;
   gl::Program step_, paint_, drop_, show_;
+  Tally tally_;
   std::optional<HeightField> heights_;  ///< of water that collides: levels
   bool hasHeights_ = false;             ///< whether they begin with the first frame
 };
