@@ -1,4 +1,5 @@
-// What moving air does to the corner of a face. Compiles as GLSL and as C++; needs `stepData` (ClothStep).
+// What moving air does to the corner of a face. Compiles as GLSL and as C++; needs `stepData` (ClothStep), and blown and
+// windAt() of fluid/wind_array.glsl.
 // Value noise with three components in [-1, 1): a random vector at each lattice point, blended by
 // 3u^2 - 2u^3.
 FUNCTION vec3 latticeVector(int x, int y, int z) {

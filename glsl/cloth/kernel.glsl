@@ -7,6 +7,7 @@
 #include "collide/field_array.glsl"
 #include "mesh/height_array.glsl"
 #include "contour/wall_array.glsl"
+#include "fluid/wind_array.glsl"
 #include "cloth/bindings.glsl"
 #include "cloth/types.glsl"
 

@@ -68,6 +68,7 @@ FUNCTION vec3 springForces(ivec2 at, vec3 here) {
 FUNCTION vec3 airForces(ivec2 at, vec3 here, vec3 velocity) {
   precise vec3 place = (here - vec3(stepData.gustDrift)) * stepData.perGustSize;
   precise vec3 v = vec3(stepData.airVelocity) + noise(place) * stepData.gustSpeed - velocity;
+  if (blown) v = v + windAt(here);
   float speedSquared = max(exactDot(v, v), 1e-12f);
   float inverseSpeed = exactInverseSqrt(speedSquared);
   precise vec3 left = vec3(loadPosition(neighbour(at, -1, 0))) - here;

@@ -11,6 +11,7 @@
 #include "collide/field_array.glsl"
 #include "mesh/height_array.glsl"
 #include "contour/wall_array.glsl"
+#include "fluid/wind_array.glsl"
 
 layout(std140, binding = stepBinding) uniform StepBlock { ParticleStep stepData; };
 layout(local_size_x = 64) in;

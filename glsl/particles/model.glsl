@@ -1,7 +1,7 @@
 // One particle over one substep of a leapfrog (kick, drift, kick), apart from the particles' own gravity.
 // Compiles as GLSL and as C++, where it is the CPU twin. Whoever includes it provides `stepData`
 // (ParticleStep) and the files types.glsl, common/exact.glsl, common/hash.glsl, particles/pairs.glsl,
-// particles/pace.glsl, mesh/height_model.glsl, contour/wall_model.glsl.
+// particles/pace.glsl, mesh/height_model.glsl, contour/wall_model.glsl, and blown and windAt (fluid/wind_array.glsl).
 #include "collide/model.glsl"
 
 struct ParticleMotion {
@@ -95,6 +95,7 @@ FUNCTION vec3 fieldAcceleration(ParticleFields fields, vec3 here, bool attractor
     precise vec3 place = (here - vec3(fields.turbulenceDrift)) * stepData.perTurbulenceSize;
     sum = sum + curlNoise(place) * stepData.turbulence.strength;
   }
+  if (blown) sum = sum + windAt(here) * stepData.windDrag;
   return sum;
 }
 

@@ -73,6 +73,7 @@ struct STD140 ParticleStep {
   int seed;
   int emitterCount;
   int colliderCount;
+  float windDrag;               // 1/s, at which velocity becomes the wind's; the constants' damping has it, too
   ParticleConstants constants;
   TurbulenceConstants turbulence;
   EmitterStep emitters[maxEmitters];

@@ -10,6 +10,7 @@ const int climbsBinding = 5;
 const int countsBinding = 6;
 const int stampsBinding = 7;
 const int tilesBinding = 8;
+const int galesBinding = 9;
 const int nextTilesBinding = 5;  // a storage block, on the texel path only
 
 #endif

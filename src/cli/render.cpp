@@ -137,8 +137,9 @@ void addRender(CLI::App& app) {
           "never (default: 60)")
       ->check(CLI::Range(0.0, 1e6));
   command->add_flag("--skip-existing", o->skipExisting, "Keep every frame whose file exists");
-  command->add_flag("--no-counts", o->noCounts,
-                    "Do not write what epidemics and fires count (NAME.counts.csv beside the frames)");
+  command->add_flag(
+      "--no-counts", o->noCounts,
+      "Do not write what epidemics, fires, fluids and water count (NAME.counts.csv beside the frames)");
   command->add_flag("--debug", o->on.debug, "Ask the driver for debug messages; serious ones are errors");
   command->callback([o] { render(*o); });
 }

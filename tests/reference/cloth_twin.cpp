@@ -30,7 +30,17 @@ struct Kernel {
   const vec4* heights = nullptr;
   WallGrid wallGrid{};
   const WallsTwin* walls = nullptr;
+  bool blown = false;
+  const WindTwin* windTwin = nullptr;
+  WindGrid windGrid{};
+  void blow(const std::optional<WindTwin>& wind) {
+    blown = wind.has_value();
+    if (!blown) return;
+    windTwin = &*wind;
+    windGrid = wind->grid;
+  }
 
+  [[nodiscard]] vec4 loadWindCell(int x, int y) const { return windTwin->cell(x, y); }
   [[nodiscard]] vec4 loadPosition(int i) const { return source[i]; }
   [[nodiscard]] vec4 loadHeights(int i) const { return heights[i]; }
   [[nodiscard]] uvec4 loadFieldCell(int i) const { return fieldCells[i]; }
@@ -49,6 +59,7 @@ struct Kernel {
 #include "glsl/collide/closest.glsl"
 #include "glsl/contour/model.glsl"
 #include "glsl/contour/wall_model.glsl"
+#include "glsl/fluid/wind_model.glsl"
 #include "glsl/mesh/height_model.glsl"
 };
 #undef precise
@@ -170,6 +181,7 @@ void ClothTwin::predict(const ClothStep& data, int threads, int index) {
   const ivec2 size = plan_.parameters().size;
   forRows(size.y, threads, [&](int y) {
     Kernel kernel{size, data, positions.data()};
+    kernel.blow(wind);
     tell(kernel, grid, heights.data(), wallGrid, solid);
     if (meshes) tellMeshes(kernel, *meshes, index);
     for (int x = 0; x < size.x; ++x) {
@@ -196,6 +208,7 @@ void ClothTwin::settle(const ClothStep& data, int index) {
   if (walls) wallGrid = walls->grid({plan_.parameters().margin, 0.0F, plan_.substepSeconds()});
   const WallsTwin* solid = walls ? &*walls : nullptr;
   Kernel kernel{plan_.parameters().size, data, positions.data()};
+  kernel.blow(wind);
   tell(kernel, grid, heights.data(), wallGrid, solid);
   if (meshes) tellMeshes(kernel, *meshes, index);
   for (std::size_t i = 0; i < next.size(); ++i) {
@@ -211,6 +224,7 @@ void ClothTwin::fend(const ClothStep& data) {
   const ivec2 size = plan_.parameters().size;
   const ivec2 around[] = {{1, 0}, {0, 1}, {-1, 1}, {-1, 0}, {0, -1}, {1, -1}};
   Kernel kernel{size, data, positions.data()};
+  kernel.blow(wind);
   const auto indexOf = [&](ivec2 at) {
     return at.x >= 0 && at.y >= 0 && at.x < size.x && at.y < size.y ? at.y * size.x + at.x : -1;
   };
@@ -247,6 +261,7 @@ void ClothTwin::constrain(const ClothStep& data) {
   const ivec2 size = plan_.parameters().size;
   const bool damped = plan_.parameters().damped();
   Kernel kernel{size, data, next.data()};
+  kernel.blow(wind);
   kernel.past = positions.data();
   for (const simreel::sim::SpringFamily& f : relaxedFamilies(plan_.parameters()))
     for (int color = 0; color < 2; ++color)

@@ -1,6 +1,7 @@
 #pragma once
 #include "reference/distance_twin.hpp"
 #include "reference/walls_twin.hpp"
+#include "reference/wind_twin.hpp"
 #include "sim/cloth/plan.hpp"
 #include "sim/mesh/height_plan.hpp"
 
@@ -32,6 +33,7 @@ class ClothTwin {
   std::vector<glm::vec4> heights;      ///< of the frame to step: x at its beginning, y at its end (m)
   std::optional<DistanceTwin> meshes;  ///< the rigid meshes they meet; none: no mesh
   std::optional<WallsTwin> walls;      ///< the solid it meets; none: no solid
+  std::optional<WindTwin> wind;        ///< the fluid that is its wind; none: none blows
   [[nodiscard]] simreel::sim::ClothPlan& plan() { return plan_; }
 
  private:

@@ -24,7 +24,17 @@ struct GarmentKernel {
   const vec4* heights = nullptr;
   WallGrid wallGrid{};
   const WallsTwin* walls = nullptr;
+  bool blown = false;
+  const WindTwin* windTwin = nullptr;
+  WindGrid windGrid{};
+  void blow(const std::optional<WindTwin>& wind) {
+    blown = wind.has_value();
+    if (!blown) return;
+    windTwin = &*wind;
+    windGrid = wind->grid;
+  }
 
+  [[nodiscard]] vec4 loadWindCell(int x, int y) const { return windTwin->cell(x, y); }
   [[nodiscard]] vec3 loadPoint(int i) const { return vec3(source[i]); }
   [[nodiscard]] vec3 loadFaceForce(int i) const { return vec3(forces[i]); }
   const simreel::sim::GarmentBending* bending = nullptr;
@@ -39,6 +49,7 @@ struct GarmentKernel {
 #include "glsl/collide/closest.glsl"
 #include "glsl/contour/model.glsl"
 #include "glsl/contour/wall_model.glsl"
+#include "glsl/fluid/wind_model.glsl"
 #include "glsl/mesh/height_model.glsl"
 };
 #undef precise
@@ -70,6 +81,7 @@ void GarmentTwin::substep(const ClothStep& data, int index) {
   if (walls) wallGrid = walls->grid({plan_.parameters().margin, 0.0F, plan_.substepSeconds()});
   const simreel::sim::GarmentArrays& arrays = plan_.arrays();
   GarmentKernel kernel{data, arrays, positions.data(), forces_.data()};
+  kernel.blow(wind);
   kernel.heightGrid = grid;
   kernel.heights = heights.data();
   kernel.wallGrid = wallGrid;
@@ -131,6 +143,7 @@ void GarmentTwin::fend(const ClothStep& data) {
   if (data.thinCount == 0) return;
   const simreel::sim::GarmentArrays& arrays = plan_.arrays();
   GarmentKernel kernel{data, arrays, positions.data(), forces_.data()};
+  kernel.blow(wind);
   const auto cornerAt = [&](std::size_t i) {
     return kernel.cornerOf(positions[i], next_[i], velocities[i]);
   };

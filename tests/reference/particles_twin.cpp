@@ -26,13 +26,24 @@ struct Kernel {
   const vec4* heights = nullptr;
   WallGrid wallGrid{};
   const WallsTwin* walls = nullptr;
+  bool blown = false;
+  const WindTwin* windTwin = nullptr;
+  WindGrid windGrid{};
+  void blow(const std::optional<WindTwin>& wind) {
+    blown = wind.has_value();
+    if (!blown) return;
+    windTwin = &*wind;
+    windGrid = wind->grid;
+  }
 
+  [[nodiscard]] vec4 loadWindCell(int x, int y) const { return windTwin->cell(x, y); }
   [[nodiscard]] vec4 loadHeights(int i) const { return heights[i]; }
   [[nodiscard]] uvec4 loadFieldCell(int i) const { return fieldCells[i]; }
   [[nodiscard]] int loadWallClass(int x, int y) const { return walls->classAt(x, y); }
   [[nodiscard]] float loadWallValue(int x, int y) const { return walls->valueAt(x, y); }
 #include "glsl/contour/model.glsl"
 #include "glsl/contour/wall_model.glsl"
+#include "glsl/fluid/wind_model.glsl"
 #include "glsl/mesh/height_model.glsl"
 #include "glsl/particles/model.glsl"
 };
@@ -93,6 +104,7 @@ void ParticlesTwin::step(double time, int threads) {
   if (meshes) meshes->beginFrame(time, p.substeps, plan_.substepSeconds());
   for (const ParticleStep& data : plan_.frame(time)) {
     Kernel kernel{data};
+    kernel.blow(wind);
     if (meshes) {
       kernel.meshData = meshes->steps[static_cast<std::size_t>(index)];
       kernel.fieldCells = meshes->cells.data();
@@ -138,11 +150,12 @@ void ParticlesTwin::kick(const ParticleStep& data, int threads) {
   const bool pairs = p.method != simreel::sim::GravityMethod::none;
   forAll(positions.size(), threads, [&](std::size_t i) {
     Kernel kernel{data};
+    kernel.blow(wind);
     Kernel::ParticleMotion m{positions[i], velocities[i]};
     const vec3 pull = pairs ? vec3(accelerations[i]) : vec3(0);
     Pace pace = data.pace;
     if (const auto place = kernel.ringPlace(static_cast<int>(i)); place.y >= 0) {
-      pace = paceOf(kernel.livedSeconds(place.x, place.y), p.damping);
+      pace = paceOf(kernel.livedSeconds(place.x, place.y), p.slowing());
       if (pairs) m = kernel.pulledSinceBirth(m, pull, pace);
     }
     const vec3 field =

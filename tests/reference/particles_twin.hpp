@@ -1,6 +1,7 @@
 #pragma once
 #include "reference/distance_twin.hpp"
 #include "reference/walls_twin.hpp"
+#include "reference/wind_twin.hpp"
 #include "sim/mesh/height_plan.hpp"
 #include "sim/particles/plan.hpp"
 
@@ -27,6 +28,7 @@ class ParticlesTwin {
   std::vector<glm::vec4> heights;      ///< of the frame to step: x at its beginning, y at its end (m)
   std::optional<DistanceTwin> meshes;  ///< the rigid meshes they meet; none: no mesh
   std::optional<WallsTwin> walls;      ///< the solid they meet; none: no solid
+  std::optional<WindTwin> wind;        ///< the fluid that is its wind; none: none blows
   [[nodiscard]] const simreel::sim::ParticlePlan& plan() const { return plan_; }
   /// Forgets the accelerations, after the state was changed from outside.
   void restart() { primed_ = false; }

@@ -1,5 +1,7 @@
 #include "reference/spread_twin.hpp"
 
+#include "sim/core/shader_code.hpp"
+
 #include <algorithm>
 #include <bit>
 #include <utility>
@@ -19,11 +21,20 @@ struct EpidemicModel {
   const EpidemicStep& stepData;
 #include "glsl/spread/epidemic/model.glsl"
 };
+struct GaleModel {
+  const WindTwin& wind;
+  const WindGrid& windGrid;
+
+  [[nodiscard]] vec4 loadWindCell(int x, int y) const { return wind.cell(x, y); }
+#include "glsl/fluid/wind_model.glsl"
+#include "glsl/spread/wildfire/gale.glsl"
+};
 struct WildfireModel {
   const WildfireStep& stepData;
   const std::vector<vec4>& climbs;
 
   [[nodiscard]] float climbFactor(int i) const { return climbs[static_cast<std::size_t>(i / 4)][i % 4]; }
+#include "glsl/spread/wildfire/gale.glsl"
 #include "glsl/spread/wildfire/model.glsl"
 };
 #undef precise
@@ -160,6 +171,22 @@ void WildfireTwin::paint(const simreel::sim::WildfirePlan::Step& step) {
   if (!step.strokes.empty()) counts.back() = countAll(cells);
 }
 
+void WildfireTwin::blow(double time, float speed) {
+  GaleModel model{*wind, wind->grid};
+  const glm::ivec2 size = plan_.parameters().size;
+  const glm::vec2 per = glm::vec2(wind->grid.size) / glm::vec2(size);
+  const float scale = plan_.galeScale(time, speed);
+  gales_.clear();
+  for (int y = 0; y < size.y; ++y)
+    for (int x = 0; x < size.x; ++x) {
+      const float px =
+          std::min((static_cast<float>(x) + 0.5F) * per.x, static_cast<float>(wind->grid.size.x));
+      const float py =
+          std::min((static_cast<float>(y) + 0.5F) * per.y, static_cast<float>(wind->grid.size.y));
+      gales_.push_back(model.galeOf(model.windPart(0, px, py), model.windPart(1, px, py), scale));
+    }
+}
+
 void WildfireTwin::step(double time, int threads) {
   for (const auto& one : plan_.frame(time)) oneStep(one, threads);
 }
@@ -178,12 +205,15 @@ void WildfireTwin::oneStep(const simreel::sim::WildfirePlan::Step& step, int thr
         const auto random = spreadRandom(static_cast<std::uint32_t>(i), step.data.step, step.data.seed);
         const std::uint32_t weight = model.fuelWeight(plan_.fuels()[i]);
         const std::uint32_t incline = plan_.inclines().empty() ? evenGround : plan_.inclines()[i];
-        bool caught = random >> 15U < model.catchChance(grid.neighbours(x, y), weight, incline);
+        const std::uint32_t gale = gales_.empty() ? 0 : gales_[i];
+        bool caught = random >> 15U < model.catchChance(grid.neighbours(x, y), weight, incline, gale);
         if (p.hasEmbers && (random & 255U) < weight) {
           const std::uint32_t group =
               static_cast<std::uint32_t>(y) * groups + static_cast<std::uint32_t>(x) / 16;
           const uvec3 flight = hash3(uvec3(group, step.data.step, step.data.seed ^ 0x5bd1e995U));
-          const ivec2 from = ivec2(x, y) - model.emberFlight(flight);
+          const ivec2 from =
+              ivec2(x, y) -
+              model.emberFlight(flight, gales_.empty() ? step.data.emberFlight : model.galeFlight(gale));
           if (flight.x >> 5U < step.data.emberThreshold && (flight.x & 15U) == (x & 15) &&
               grid.isActive(from.x, from.y))
             caught = true;

@@ -1,8 +1,10 @@
 #pragma once
+#include "reference/wind_twin.hpp"
 #include "sim/spread/epidemic_plan.hpp"
 #include "sim/spread/wildfire_plan.hpp"
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include <glm/vec4.hpp>
@@ -39,6 +41,9 @@ class WildfireTwin {
   std::vector<std::uint8_t> cells;
   std::vector<glm::uvec4> counts;
   [[nodiscard]] simreel::sim::WildfirePlan& plan() { return plan_; }
+  std::optional<WindTwin> wind;  ///< the fluid that blows
+  /// Before the steps of the frame at `time` (s) where a fluid of that "speed" blows.
+  void blow(double time, float speed);
 
  private:
   void paint(const simreel::sim::WildfirePlan::Step& step);
@@ -46,4 +51,5 @@ class WildfireTwin {
   simreel::sim::WildfirePlan plan_;
   std::vector<std::uint8_t> next_;
   std::vector<glm::vec4> climbs_;
+  std::vector<std::uint32_t> gales_;
 };

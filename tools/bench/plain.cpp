@@ -289,7 +289,9 @@ int main(int argc, char** argv) {
                                                         {"pairs", pairs},
                                                         {"tree", tree},
                                                         {"deform", deform},
-                                                        {"walls", walls}};
+                                                        {"walls", walls},
+                                                        {"fluid", fluidTank},
+                                                        {"water", waterBasin}};
   const std::string_view wanted = argc > 1 ? argv[1] : "";
   for (const auto& [name, make] : subjects)
     if (name.find(wanted) == std::string_view::npos)

@@ -25,6 +25,7 @@ FUNCTION vec3 airOnCorner(vec3 a, vec3 b, vec3 c, vec3 velocity) {
   precise vec3 middle = (a + b + c) * 0.33333333f;
   precise vec3 place = (middle - vec3(stepData.gustDrift)) * stepData.perGustSize;
   precise vec3 v = vec3(stepData.airVelocity) + noise(place) * stepData.gustSpeed - velocity;
+  if (blown) v = v + windAt(middle);
   float speedSquared = max(exactDot(v, v), 1e-12f);
   float inverseSpeed = exactInverseSqrt(speedSquared);
   precise vec3 left = b - a;

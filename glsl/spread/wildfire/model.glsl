@@ -1,5 +1,5 @@
 // A fire that walks from cell to neighbouring cell (SPEC 6). Compiles as GLSL and, inside a struct that has `stepData`
-// (WildfireStep) and climbFactor(int), as C++.
+// (WildfireStep) and climbFactor(int), as C++. gale.glsl comes before it.
 
 // The chance t that a neighbour lights a cell, times e^(slope * tangent) of the ground's rise on the way from it, at
 // most certain. An incline holds the rises to the right and downwards in sixteenths of a cell a cell, each plus 128, in
@@ -22,11 +22,12 @@ FUNCTION uint climbed(uint t, uint d, uint incline) {
 
 // Chance in 1/65536 that a cell catches fire from its burning neighbours (a bit each, in the order of
 // WildfireStep.spread). Fuel 0 to 256 weighs each chance t; chances join as p + t (1 - p), in integers.
-FUNCTION uint catchChance(uint burning, uint fuel, uint incline) {
+FUNCTION uint catchChance(uint burning, uint fuel, uint incline, uint gale) {
   uint p = 0u;
   for (uint d = 0u; d < 8u; ++d) {
     uint t = (burning >> d & 1u) != 0u ? stepData.spread[d >> 2u][d & 3u] : 0u;
     if (incline != evenGround) t = climbed(t, d, incline);
+    if (gale != stillAir) t = blownOver(t, d, gale);
     t = (t * fuel) >> 8u;
     p = t + (((p - (p >> 16u)) * (65536u - t)) >> 16u);
   }
@@ -38,13 +39,21 @@ FUNCTION uint fuelWeight(uint level) {
   return level + (level >> 7u);
 }
 
-// From where an ember falls onto a cell now: its displacement, along the wind and to its side, both by hash.
-FUNCTION ivec2 emberFlight(uvec3 random) {
+// The longest flight of an ember onto a cell with this gale (1/256 cell), up to what emberFlight() can take.
+FUNCTION ivec2 galeFlight(uint gale) {
+  ivec2 parts = galeParts(gale);
+  precise float x = float(parts.x) * stepData.emberReach;
+  precise float y = float(parts.y) * stepData.emberReach;
+  return ivec2(int(clamp(x, -512000.0f, 512000.0f)), int(clamp(y, -512000.0f, 512000.0f)));
+}
+
+// From where an ember falls onto a cell now: its displacement, along the wind and to its side, both by hash. `longest`: 1/256 cell.
+FUNCTION ivec2 emberFlight(uvec3 random, ivec2 longest) {
   int along = int(random.y >> 20u);            // 0 to 4095
   int side = int(random.z >> 20u) - 2048;      // -2048 to 2047
   int aside = (stepData.emberSpread * side) >> 11;  // 1/256 of the flight
-  int dx = (stepData.emberFlight.x * along) >> 12;
-  int dy = (stepData.emberFlight.y * along) >> 12;
+  int dx = (longest.x * along) >> 12;
+  int dy = (longest.y * along) >> 12;
   return ivec2((dx - ((dy * aside) >> 8)) >> 8, (dy + ((dx * aside) >> 8)) >> 8);
 }
 

@@ -1,8 +1,10 @@
+#include "common/exact.glsl"
 #include "spread/paint.glsl"
 #include "spread/wildfire/types.glsl"
 layout(std140, binding = stepBinding) uniform StepBlock { WildfireStep stepData; };
 INPUT_WORDS(groundBinding, GroundBlock, ground)
 float climbFactor(int i) { return 1.0f; }
+#include "spread/wildfire/gale.glsl"
 #include "spread/wildfire/model.glsl"
 
 uint painted(uint cell, int value, ivec2 at) {

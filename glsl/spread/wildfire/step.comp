@@ -1,4 +1,5 @@
-// One step of the fire. EMBERS: sparks that fly ahead. SLOPE: it climbs.
+// One step of the fire. EMBERS: sparks that fly ahead. SLOPE: it climbs. GALES: a fluid blows.
+#include "common/exact.glsl"
 #include "common/memory.glsl"
 #include "spread/rows.glsl"
 #include "spread/wildfire/types.glsl"
@@ -14,7 +15,14 @@ float climbFactor(int i) {
 #else
 float climbFactor(int i) { return 1.0f; }
 #endif
+#include "spread/wildfire/gale.glsl"
 #include "spread/wildfire/model.glsl"
+#ifdef GALES
+INPUT_WORDS(galesBinding, GaleBlock, gales)  // a word a cell
+uint galeOn(int place, int k) {
+  return LOAD_INPUT_WORDS(gales, 4 * place + (k >> 2))[k & 3];
+}
+#endif
 
 struct Rates {
   uvec4 spread[2];
@@ -34,7 +42,12 @@ int emberTarget(Rates rates, Column column, int y) {
   uvec3 random = hash3(uvec3(uint(placeIn(column, y)), rates.step, rates.seed ^ 0x5bd1e995u));
   if (random.x >> 5u >= rates.emberThreshold) return -1;
   int k = int(random.x & 15u);
-  ivec2 from = ivec2(16 * column.here + k, y) - emberFlight(random);
+#ifdef GALES
+  ivec2 longest = galeFlight(galeOn(placeIn(column, y), k));
+#else
+  ivec2 longest = stepData.emberFlight;
+#endif
+  ivec2 from = ivec2(16 * column.here + k, y) - emberFlight(random, longest);
   if (column.torus) from = (from + 1024 * column.size) % column.size;
   if (any(lessThan(from, ivec2(0))) || any(greaterThanEqual(from, column.size))) return -1;
   uvec4 there = LOAD_INPUT_WORDS(cells, from.y * column.rowElements + (from.x >> 4));
@@ -68,8 +81,8 @@ bool changesAlone(Rates rates, uvec4 counts) {
   return rates.emberThreshold != 0u && (counts.x & 0xffffu) != 0u;
 }
 
-#ifndef SLOPE
-// catchChance() on even ground.
+#if !defined(SLOPE) && !defined(GALES)
+// catchChance() on even ground, in a wind that is the same everywhere.
 uint evenChance(uint burning, uint fuel, uvec4 spread[2]) {
   uint p = 0u;
   for (uint d = 0u; d < 8u; ++d) {
@@ -106,10 +119,16 @@ uvec4 stepElement(Rates rates, Column column, int y, Row above, Row here, Row be
     int k = findLSB(todo);
     uint random = spreadRandoms(uvec4(first + uint(k)), rates.draw).x;
     uint weight = fuelWeight(byteOf(fuel, k));
+#if defined(SLOPE) || defined(GALES)
+    uint incline = evenGround, gale = stillAir;
 #ifdef SLOPE
     uint pair = k < 8 ? leftSteep[k >> 1 & 3] : rightSteep[k >> 1 & 3];
-    uint incline = pair >> uint(16 * (k & 1)) & 0xffffu;
-    bool caught = random >> 15u < catchChance(byteOf(burning, k), weight, incline);
+    incline = pair >> uint(16 * (k & 1)) & 0xffffu;
+#endif
+#ifdef GALES
+    gale = galeOn(place, k);
+#endif
+    bool caught = random >> 15u < catchChance(byteOf(burning, k), weight, incline, gale);
 #else
     bool caught = random >> 15u < evenChance(byteOf(burning, k), weight, rates.spread);
 #endif

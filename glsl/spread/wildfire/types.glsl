@@ -20,6 +20,7 @@ struct STD140 WildfireStep {
   uint phases;           // and how many
   uint emberThreshold;   // of landing
   int emberSpread;       // how far it goes to its side, 1/256 of the flight
+  float emberReach;      // where a fluid blows: 1/256 cell of the longest flight for a gale of 1/2048
   WildfireConstants constants;
 };
 

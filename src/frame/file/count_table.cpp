@@ -3,9 +3,20 @@
 #include "base/error.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <utility>
 
 namespace simreel::frame {
+
+namespace {
+
+/// A float as short as it is still itself.
+std::string cell(const sim::World::CountNames& names, const glm::uvec4* row, std::size_t column) {
+  const unsigned word = row[column / 4][static_cast<int>(column % 4)];
+  return names.measured ? fmt::format("{}", std::bit_cast<float>(word)) : fmt::format("{}", word);
+}
+
+}  // namespace
 
 CountTable::CountTable(double fps, std::vector<sim::World::CountNames> names)
     : fps_(fps), names_(std::move(names)) {
@@ -17,7 +28,9 @@ CountTable::CountTable(double fps, std::vector<sim::World::CountNames> names)
 
 void CountTable::add(const sim::World::Summary& summary) {
   SIMREEL_CHECK_EQ(summary.counts.size(), names_.size());
-  const auto count = [&](std::size_t i) { return static_cast<long>(summary.counts[i].size()); };
+  const auto count = [&](std::size_t i) {
+    return static_cast<long>(summary.counts[i].size()) / names_[i].elements;
+  };
   if (rows_ == 0) {  // the start: one row of each
     std::vector<const glm::uvec4*> row;
     for (const auto& counts : summary.counts) row.push_back(counts.empty() ? nullptr : counts.data());
@@ -39,7 +52,8 @@ void CountTable::add(const sim::World::Summary& summary) {
     std::vector<const glm::uvec4*> row(next.size(), nullptr);
     for (std::size_t i = 0; i < next.size(); ++i)
       if (next[i] <= count(i) && next[i] * bottom == top * count(i))
-        row[i] = &summary.counts[i][static_cast<std::size_t>(next[i]++ - 1)];
+        row[i] = &summary.counts[i][static_cast<std::size_t>(next[i]++ - 1) *
+                                    static_cast<std::size_t>(names_[i].elements)];
     addRow((summary.frame - 1 + static_cast<double>(top) / static_cast<double>(bottom)) / fps_, row);
   }
 }
@@ -53,8 +67,7 @@ void CountTable::addRow(double time, const std::vector<const glm::uvec4*>& count
   text_ += fmt::format("{},{:.6f}", rows_++, time);
   for (std::size_t i = 0; i < counts.size(); ++i)
     for (std::size_t c = 0; c < names_[i].columns.size(); ++c)
-      text_ +=
-          counts[i] == nullptr ? std::string(",") : fmt::format(",{}", (*counts[i])[static_cast<int>(c)]);
+      text_ += counts[i] == nullptr ? std::string(",") : "," + cell(names_[i], counts[i], c);
   text_ += "\n";
 }
 

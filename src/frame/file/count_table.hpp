@@ -7,9 +7,9 @@
 
 namespace simreel::frame {
 
-/// What the simulations of a run count in each of their steps, as CSV: step (since the start, which is step
-/// 0), time (s), and a column for each count, "object.column". Objects with steps of other lengths share
-/// rows where their times agree and leave cells empty elsewhere.
+/// What the simulations of a run count in each of their steps, or measure in each frame, as CSV: step
+/// (since the start, which is step 0), time (s), and a column for each count, "object.column". Objects with
+/// steps of other lengths share rows where their times agree and leave cells empty elsewhere.
 class CountTable {
  public:
   /// `fps` of the scene.

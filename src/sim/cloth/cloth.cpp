@@ -14,6 +14,7 @@
 #include "sim/contour/walls.hpp"
 #include "sim/core/kind.hpp"
 #include "sim/core/step_blocks.hpp"
+#include "sim/fluid/wind.hpp"
 #include "sim/mesh/height_field.hpp"
 
 #include <algorithm>
@@ -50,6 +51,7 @@ class Cloth : public Simulation, public LockStep {
       walls_ = &setting.wallsNamed(p.walls);
       walls_->checkReach(name_, p.margin);
     }
+    if (p.hasAir && !p.air.fluid.empty()) wind_ = &setting.windNamed(p.air.fluid);
     meshes_ = MeshTouch(name_, setting.meshes, plan_.substeps(), plan_.substepSeconds());
     const auto positions = plan_.firstPositions();
     positions_[0] = gl::Vec4Array(name_ + " positions", positions);
@@ -96,6 +98,7 @@ class Cloth : public Simulation, public LockStep {
     positions_[1].bindState(shader::cloth::nextPositionsBinding);
     velocities_.bindState(shader::cloth::velocitiesBinding);
     tellColliders(touching(), substep);
+    if (wind_ != nullptr) wind_->bind();
     gl::barrier();
     hold_.hold(velocities_, substep, plan_.substeps());
     if (constrained_)
@@ -207,6 +210,7 @@ class Cloth : public Simulation, public LockStep {
     addWallDefines(defines, walls_);
     if (gl::memoryPath() == gl::MemoryPath::texel)
       defines.emplace_back("COLLIDERS", std::to_string(plan_.colliderCount()));
+    addWindDefines(defines, wind_);
     defines.emplace_back("DAMPED", plan_.parameters().damped() ? "1" : "0");
     define("AIR", plan_.parameters().hasAir);
     define("FABRIC", plan_.parameters().hasFabric);
@@ -229,6 +233,7 @@ class Cloth : public Simulation, public LockStep {
     }
     if (plan_.parameters().hasContact) make(settle_, "cloth/settle.comp");
     step_.checkUniformBlock("StepBlock", sizeof(shader::ClothStep));
+    if (wind_ != nullptr) wind_->tell(step_);
     meshes_.check(touching());
   }
 
@@ -329,8 +334,9 @@ class Cloth : public Simulation, public LockStep {
   /// Whether an invocation takes a line of pairs (constrain_lines.comp) instead of one, and the first also
   /// steps.
   bool inLines_ = gl::memoryPath() == gl::MemoryPath::texel;
-  const HeightField* heights_;    ///< null: none in the scene
-  const Walls* walls_ = nullptr;  ///< null: it meets none
+  const HeightField* heights_;       ///< null: none in the scene
+  const Walls* walls_ = nullptr;     ///< null: it meets none
+  const FluidWind* wind_ = nullptr;  ///< null: no fluid's is in its air
   MeshTouch meshes_;
   ThinColliders thin_;
   double frameSeconds_;

@@ -100,6 +100,13 @@ void ClothParameters::describe(scene::Fields& f) {
                     a.number("gusts", air.gusts, {0, 10}, "",
                              "How much the velocity varies, as a fraction of its magnitude.");
                     a.number("gustSize", air.gustSize, {1e-2, 1e3}, "m", "Size of the gusts.");
+                    a.text("fluid", air.fluid,
+                           "Name of a fluid whose wind, where its \"plane\" lies, is added to the air's "
+                           "velocity; of a frame's end.");
+                    a.number("fluidSpeed", air.fluidSpeed, {0, 200}, "m/s",
+                             "The greatest expected of it: \"auto\" substeps reckon with it.");
+                    if (a.given("fluidSpeed") && air.fluid.empty())
+                      a.error("fluidSpeed", "\"fluidSpeed\" is for air with \"fluid\"");
                   });
   f.number("margin", margin, {0, 10}, "m", "Distance kept from colliders.");
   f.switchable("contact");
@@ -195,7 +202,7 @@ double ClothParameters::fastestAir() const {
     const glm::dvec3 v(key.value);
     fastest = std::max(fastest, std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z));
   }
-  return fastest * (1.0 + std::sqrt(3.0) * air.gusts);
+  return fastest * (1.0 + std::sqrt(3.0) * air.gusts) + (air.fluid.empty() ? 0.0 : air.fluidSpeed);
 }
 
 double ClothParameters::greatestLoad(double each) const {

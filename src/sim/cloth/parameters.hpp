@@ -41,6 +41,8 @@ struct PinGroup {
 
 /// The air around the cloth.
 struct Air : shader::AirConstants {
+  std::string fluid;      ///< name of the fluid whose wind is added; empty: none
+  float fluidSpeed = 10;  ///< m/s, greatest that is expected of it
   scene::Animated<glm::vec3> velocity = glm::vec3(5, 0, 0);  ///< m/s
   float gusts = 0.3F;     ///< size of the velocity's variation as a fraction of its magnitude
   float gustSize = 0.8F;  ///< m
@@ -87,6 +89,9 @@ struct ClothParameters : ObjectParameters, shader::ClothConstants {
   void describe(scene::Fields& fields) override;
   [[nodiscard]] std::span<const scene::Quantity> quantities() const override;
   [[nodiscard]] std::string meetsWalls() const override { return walls; }
+  [[nodiscard]] WindFrom windFrom() const override {
+    return {hasAir ? air.fluid : std::string(), {"air", "fluid"}};
+  }
   [[nodiscard]] double touchMargin() const override {
     return margin + (hasFabric ? 0.5F * fabric.constants().thickness : 0);
   }

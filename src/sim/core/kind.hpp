@@ -40,6 +40,15 @@ struct ObjectParameters : scene::Parameters {
   /// itself; empty: none.
   [[nodiscard]] virtual bool hasWalls() const { return false; }
   [[nodiscard]] virtual std::string meetsWalls() const { return {}; }
+  /// Whether others may take it as their wind. Nothing that blows takes wind itself, so it steps before
+  /// them.
+  [[nodiscard]] virtual bool blows() const { return false; }
+  /// The fluid that is its wind: its name (empty: none), and where its parameters name it.
+  struct WindFrom {
+    std::string fluid;
+    std::vector<std::string> path;
+  };
+  [[nodiscard]] virtual WindFrom windFrom() const { return {}; }
 };
 
 /// What a scene says of an object of a kind whose parameters are `Parameters`.

@@ -19,6 +19,7 @@ namespace simreel::sim {
 
 class ContactSolid;
 class DistanceFields;
+class FluidWind;
 class HeightField;
 class LockStep;
 class SkinnedSurface;
@@ -41,6 +42,9 @@ struct Setting {
   /// The solid of the object of that name, as it is once that has stepped. Only for names that the scene's
   /// check has found (ObjectParameters::meetsWalls).
   std::function<const Walls&(const std::string& name)> wallsNamed = {};
+  /// The fluid of that name as wind, as it is at the end of the frame. Only for names that the scene's
+  /// check has found (ObjectParameters::windFrom).
+  std::function<const FluidWind&(const std::string& name)> windNamed = {};
   /// A frame, of those that are in contact; 0: each takes as many as it needs by itself.
   int contactSubsteps = 0;
   /// The skin of the body of that name, already stepped when others step. Only for names that the scene's
@@ -65,10 +69,12 @@ struct StateArray {
 
 /// What a simulation counts in each step: for a table beside the frames.
 struct CountTable {
-  std::vector<const char*> columns;  ///< at most four
+  std::vector<const char*> columns;  ///< at most four for each element
   const gl::Buffer* steps =
-      nullptr;   ///< uvec4 a step of the present frame, room for stepsPerFrame() of them
+      nullptr;   ///< `elements` uvec4 a row: of a step, or the frame; room for all rows of a frame
   int rows = 0;  ///< of them in use; before the first step one: the counts of the start
+  int elements = 1;
+  bool measured = false;  ///< floats, not counts
 };
 
 /// The state as a table for other programs: a row for each point, read back from the GPU.
@@ -163,6 +169,8 @@ class Simulation {
   /// What others collide with; null for things that are no solid. Who was asked for it has it there after
   /// pass(), too.
   [[nodiscard]] virtual const Walls* walls() { return nullptr; }
+  /// What others take as their wind; null for things that do not blow.
+  [[nodiscard]] virtual const FluidWind* wind() const { return nullptr; }
   /// What steps together with others that it touches; null: by itself, by step().
   [[nodiscard]] virtual LockStep* lockStep() { return nullptr; }
   /// What cloths in contact feel by its faces; null for things that are none. It has stepped before them.

@@ -19,23 +19,33 @@ class Fluid : public Simulation {
       : name_(object.name),
         plan_(parametersOf<FluidParameters>(object), object.name, setting.seed, setting.frameSeconds),
         kernels_(name_, plan_, setting.fast, setting.startTime),
+        wind_(plan_.parameters().plane, plan_.size(), plan_.parameters().speed,
+              [this]() -> const gl::Vec4Array& { return flow(); }),
         colors_(plan_.parameters().display.colors()) {
     constexpr const char* channels[] = {"u", "v", "temperature", "pressure", "red", "green", "blue"};
     for (std::size_t i = 0; i < channelNames_.size(); ++i)
       channelNames_[i] = fmt::format("{}.{}", name_, channels[i]);
+    const FluidParameters& p = plan_.parameters();
+    if (p.hasTracers)
+      tracers_ = Tracers(name_, p.tracers, wind_, plan_.solidsAt(setting.startTime, 0)->solid(),
+                         tracerStep(p.tracers, setting.frameSeconds / plan_.substeps(), setting.seed,
+                                    p.wrapsX(), p.wrapsY()),
+                         setting.frameSeconds, setting.fast);
     kernels_.start(setting.startTime);
+    if (p.hasTracers) tracers_.show(kernels_.shown());
+    kernels_.measure();
   }
 
   void step(double time, const StepWatch& watch) override {
     advance(time, watch);
-    kernels_.show();
+    show();
   }
   void pass(double time) override { advance(time, {}); }
   void resumed(double time) override {
     time_ = time;
     kernels_.beginFrame(time);
     kernels_.place(time, 0);
-    kernels_.show();
+    show();
   }
 
   [[nodiscard]] int stepsPerFrame() const override { return plan_.substeps(); }
@@ -75,10 +85,16 @@ class Fluid : public Simulation {
     carry.array("dye", kernels_.dye().buffer());
     carry.array("solver", kernels_.pressure().control());
     carry.number("steps", steps_);
+    if (plan_.parameters().hasTracers) tracers_.carryOver(carry);
   }
   [[nodiscard]] std::vector<StateArray> state() const override {
-    return {{"flow", &kernels_.flow().buffer()}, {"dye", &kernels_.dye().buffer()}};
+    std::vector<StateArray> arrays = {{"flow", &kernels_.flow().buffer()},
+                                      {"dye", &kernels_.dye().buffer()}};
+    if (plan_.parameters().hasTracers)
+      for (const StateArray& array : tracers_.state()) arrays.push_back(array);
+    return arrays;
   }
+  [[nodiscard]] CountTable counts() const override { return kernels_.counts(); }
   [[nodiscard]] const gl::Buffer* status() const override { return &kernels_.status(); }
   [[nodiscard]] std::string explainLoss(unsigned step, unsigned element) const override {
     const auto width = static_cast<unsigned>(plan_.size().x);
@@ -106,12 +122,25 @@ class Fluid : public Simulation {
                         kernels_.dye().buffer().readAll<glm::vec4>(), kernels_.pressure().report(), time_);
   }
 
+  [[nodiscard]] const FluidWind* wind() const override { return &wind_; }
+
  private:
+  [[nodiscard]] const gl::Vec4Array& flow() const { return kernels_.flow(); }
+  void show() {
+    kernels_.show();
+    if (plan_.parameters().hasTracers) tracers_.show(kernels_.shown());
+    kernels_.measure();
+  }
   void advance(double time, const StepWatch& watch) {
     time_ = time;
     kernels_.beginFrame(time);
+    if (plan_.parameters().hasTracers) tracers_.beginFrame();
     for (int i = 1; i <= plan_.substeps(); ++i) {
       kernels_.advance(time, i, static_cast<unsigned>(++steps_));
+      if (plan_.parameters().hasTracers) {
+        if (plan_.parameters().obstaclesMove()) tracers_.setSolid(kernels_.solids().solid());
+        tracers_.advance();
+      }
       if (watch) watch(i);
     }
   }
@@ -119,6 +148,8 @@ class Fluid : public Simulation {
   std::string name_;
   FluidPlan plan_;
   FluidKernels kernels_;
+  FluidWind wind_;
+  Tracers tracers_;
   std::vector<glm::vec3> colors_;
   std::array<std::string, 7> channelNames_;
   long steps_ = 0;

@@ -2,7 +2,9 @@
 
 #include "base/error.hpp"
 #include "gl/limits.hpp"
+#include "sim/fluid/quantities.hpp"
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -106,6 +108,9 @@ FluidKernels::FluidKernels(const std::string& name, const FluidPlan& plan, bool 
   show_.set("perRange", static_cast<float>(1 / (p.display.high - p.display.low)));
   show_.set("brightness", p.brightness);
   show_.set("obstacleColor", p.obstacleColor);
+  tally_ = Tally(name, "fluid/tally.comp", defines);
+  tally_.kernel().set("size", plan.size());
+  tally_.kernel().set("solidsStart", plan.levels().elements());
   if (plan.strokes().empty()) return;
   stamps_ = gl::WordsArray(name + " brush images", stampElements(plan.strokes().imageBits()));
   make(paint_, "fluid/paint.comp");
@@ -123,6 +128,11 @@ void FluidKernels::place(double time, int step) {
   if (solids == solids_) return;
   solids_ = std::move(solids);
   pressure_.setSolids(*solids_);
+  const FluidCells cells = openCells(plan_.size(), solids_->solid());
+  const auto per = [](long count) {
+    return static_cast<float>(1.0 / static_cast<double>(std::max(count, 1L)));
+  };
+  perCells_ = {per(cells.open), per(cells.corners), 1, per(cells.open)};
 }
 
 /// Over the grid and the ring around it.
@@ -201,6 +211,20 @@ void FluidKernels::advance(double time, int step, unsigned number) {
   project(number);
   moveDye();
   gl::barrier();
+}
+
+void FluidKernels::measure() {
+  steps_.bind(0);
+  arrays_[flow_].bindInput(at::flowBinding);
+  arrays_[dye_].bindInput(at::dyeBinding);
+  pressure_.bindSolids();
+  pressure_.control().bindStorage(at::controlBinding);
+  tally_.take(perCells_, {1, plan_.stepAt(0, 0).dt, 1, 1});
+}
+
+CountTable FluidKernels::counts() const {
+  return tally_.table(
+      {"kineticEnergy", "enstrophy", "dye", "temperature", "speed", "courant", "divergence", "cycles"});
 }
 
 void FluidKernels::show() {

@@ -4,6 +4,7 @@
 #include "sim/core/step_blocks.hpp"
 #include "sim/fluid/plan.hpp"
 #include "sim/fluid/pressure.hpp"
+#include "sim/grid/tally.hpp"
 
 #include <memory>
 #include <string>
@@ -30,6 +31,10 @@ class FluidKernels {
   /// Makes shown() of the present state.
   void show();
 
+  /// Measures the present state for counts().
+  void measure();
+  [[nodiscard]] CountTable counts() const;
+
   [[nodiscard]] gl::Vec4Array& flow() { return arrays_[flow_]; }
   [[nodiscard]] gl::Vec4Array& dye() { return arrays_[dye_]; }
   [[nodiscard]] const gl::Vec4Array& flow() const { return arrays_[flow_]; }
@@ -39,6 +44,7 @@ class FluidKernels {
   [[nodiscard]] const gl::Texture& dyeWords() const { return words_[dye_]; }
   /// Colour in rgb, what is shown in a.
   [[nodiscard]] const gl::Texture& shownWords() const { return words_[free_]; }
+  [[nodiscard]] const gl::Vec4Array& shown() const { return arrays_[free_]; }
   [[nodiscard]] const gl::Buffer& status() const { return status_; }
   /// The obstacles of the present state.
   [[nodiscard]] const FluidSolids& solids() const { return *solids_; }
@@ -62,6 +68,8 @@ class FluidKernels {
   StepBlocks<shader::FluidStep> steps_;
   gl::Program push_, carry_, correct_, paint_, project_, moveDye_, show_;
   FluidPressure pressure_;
+  Tally tally_;
+  glm::vec4 perCells_{1};  ///< of the sums: means over open cells, and over corners in the open
 };
 
 }  // namespace simreel::sim

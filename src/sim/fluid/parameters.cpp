@@ -31,6 +31,7 @@ void describeSide(scene::Fields& f, const char* name, FluidSide& side) {
 
 void describeStroke(scene::Fields& f, FluidStroke& stroke) {
   stroke.describe(f, 1, "Part of the way to what it sets, in each substep: 1 sets it.");
+  f.number("strength", stroke.strength, {0, 1e6}, "", "Factor on \"value\" and \"force\", by keyframes.");
   f.vector("velocity", stroke.velocity, {-1e5, 1e5}, "cells/s",
            "Velocity that it sets; the third is unused.");
   f.leftOut("velocity", "not set");
@@ -135,6 +136,15 @@ void FluidParameters::describe(scene::Fields& f) {
   f.list("strokes", strokes, "Timed strokes that set velocity, temperature or dye, or push.",
          describeStroke);
   f.leftOut("strokes", "three jets of dye");
+  f.group("plane", "Where it lies in the world, for what takes it as its wind.", [&](scene::Fields& p) {
+    p.vector("position", plane.position, scene::anyNumber, "m", "Middle of its rectangle.");
+    p.vector("rotation", plane.rotation, scene::anyNumber, "degrees",
+             "About x, then y, then z; unturned it stands upright and is seen as it is along -z.");
+    p.number("cell", plane.cell, {1e-4, 1e3}, "m", "Width of a cell.");
+  });
+  f.switchable("tracers");
+  f.optionalGroup("tracers", hasTracers, "Specks that the flow carries along and that draw streaks.",
+                  [&](scene::Fields& t) { tracers.describe(t); });
   f.choice("show", show, {"dye", "speed", "vorticity", "temperature", "pressure"},
            "What is drawn: dye in its own colours, all else by the display's colour map.");
   f.choice("look", look, {"light", "ink"}, "Dye that shines on black, or ink that absorbs on white.");

@@ -1,6 +1,8 @@
 #pragma once
 #include "scene/fields.hpp"
 #include "sim/core/kind.hpp"
+#include "sim/fluid/tracers.hpp"
+#include "sim/fluid/wind.hpp"
 #include "sim/grid/field_display.hpp"
 #include "sim/grid/strokes.hpp"
 
@@ -43,10 +45,10 @@ struct FluidObstacle {
 /// it sets goes in each substep.
 struct FluidStroke : StrokeParameters {
   bool setsVelocity = false, setsTemperature = false, setsDye = false;
-  glm::vec3 velocity{0};  ///< cells/s
-  float temperature = 0;
-  glm::vec3 dye{0};    ///< RGB
-  glm::vec3 force{0};  ///< cells/s^2
+  scene::Animated<glm::vec3> velocity = glm::vec3(0);  ///< cells/s
+  scene::Animated<float> temperature = 0.0F;
+  scene::Animated<glm::vec3> dye = glm::vec3(0);    ///< RGB
+  scene::Animated<glm::vec3> force = glm::vec3(0);  ///< cells/s^2
 };
 
 /// Incompressible flow (SPEC 9) as a scene says it. Lengths are in cells; v and y grow down the picture.
@@ -74,11 +76,15 @@ struct FluidParameters : ObjectParameters {
   Show show = Show::dye;
   Look look = Look::light;
   float brightness = 1.6F;
+  FluidPlane plane;
+  bool hasTracers = false;
+  TracerParameters tracers;
   FieldDisplay display;
 
   FluidParameters();
   void describe(scene::Fields& fields) override;
   [[nodiscard]] bool isField() const override { return true; }
+  [[nodiscard]] bool blows() const override { return true; }
   [[nodiscard]] std::span<const scene::Quantity> quantities() const override;
 
   [[nodiscard]] bool wrapsX() const { return left.kind == FluidSide::Kind::periodic; }

@@ -164,14 +164,17 @@ FluidPlan::Brushes FluidPlan::brushesAt(double time, int step) const {
     const FluidStroke& what = parameters_.strokes[static_cast<std::size_t>(numbers[i])];
     shader::FluidBrush brush{};
     brush.segment = {stroke.from.x, stroke.from.y, stroke.to.x, stroke.to.y};
-    brush.reach = {stroke.radius2, stroke.perLength2, stroke.value, 0};
+    brush.reach = {stroke.radius2, stroke.perLength2, std::min(stroke.value, 1.0F), 0};
     brush.stamp = {stroke.seed, stroke.picked, stroke.imageWord,
                    (what.setsVelocity ? 1 : 0) + (what.setsTemperature ? 2 : 0) + (what.setsDye ? 4 : 0)};
     brush.image = {stroke.imageFrom.x, stroke.imageFrom.y, stroke.imageSize.x, stroke.imageSize.y};
     brush.box = Strokes::box(stroke, parameters_.size);
-    brush.flow = {what.velocity.x, what.velocity.y, what.temperature, 0};
-    brush.force = {static_cast<float>(what.force.x * dt), static_cast<float>(what.force.y * dt), 0, 0};
-    brush.dye = {what.dye.x, what.dye.y, what.dye.z, 0};
+    const glm::vec3 velocity = what.velocity.at(now), dye = what.dye.at(now);
+    const glm::dvec3 force(what.force.at(now));
+    const double push = static_cast<double>(what.strength.at(now)) * dt;
+    brush.flow = {velocity.x, velocity.y, what.temperature.at(now), 0};
+    brush.force = {static_cast<float>(force.x * push), static_cast<float>(force.y * push), 0, 0};
+    brush.dye = {dye.x, dye.y, dye.z, 0};
     all.brushes.push_back(brush);
   }
   return all;

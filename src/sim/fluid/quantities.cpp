@@ -66,6 +66,21 @@ FluidForce forceOn(const FluidParameters& p, const FluidSolids& solids, double v
   return force;
 }
 
+FluidCells openCells(glm::ivec2 size, const std::vector<std::uint8_t>& solid) {
+  const auto isOpen = [&](int x, int y) {
+    return solid[static_cast<std::size_t>(y) * static_cast<std::size_t>(size.x) +
+                 static_cast<std::size_t>(x)] == 0;
+  };
+  FluidCells cells;
+  for (int y = 0; y < size.y; ++y)
+    for (int x = 0; x < size.x; ++x) {
+      if (!isOpen(x, y)) continue;
+      ++cells.open;
+      if (x > 0 && y > 0 && isOpen(x - 1, y) && isOpen(x, y - 1) && isOpen(x - 1, y - 1)) ++cells.corners;
+    }
+  return cells;
+}
+
 std::vector<double> measureFluid(const FluidPlan& plan, const FluidSolids& solids,
                                  std::span<const glm::vec4> flow, std::span<const glm::vec4> dye,
                                  const FluidPressure::Report& report, double time) {

@@ -2,6 +2,7 @@
 #include "sim/fluid/plan.hpp"
 #include "sim/fluid/pressure.hpp"
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -27,5 +28,12 @@ struct FluidForce {
                                                std::span<const glm::vec4> flow,
                                                std::span<const glm::vec4> dye,
                                                const FluidPressure::Report& report, double time);
+
+/// Cells that are no obstacle, and corners between four such cells: what means are taken over. `solid`: a
+/// byte a cell, as FluidSolids has them.
+struct FluidCells {
+  long open = 0, corners = 0;
+};
+[[nodiscard]] FluidCells openCells(glm::ivec2 size, const std::vector<std::uint8_t>& solid);
 
 }  // namespace simreel::sim

@@ -11,6 +11,7 @@
 #include "sim/contour/walls.hpp"
 #include "sim/core/kind.hpp"
 #include "sim/core/step_blocks.hpp"
+#include "sim/fluid/wind.hpp"
 #include "sim/garment/plan.hpp"
 #include "sim/garment/quantities.hpp"
 #include "sim/mesh/buffers.hpp"
@@ -49,6 +50,7 @@ class Garment : public Simulation, public LockStep {
       walls_ = &setting.wallsNamed(p.walls);
       walls_->checkReach(name_, p.margin);
     }
+    if (p.hasAir && !p.air.fluid.empty()) wind_ = &setting.windNamed(p.air.fluid);
     meshes_ = MeshTouch(name_, setting.meshes, plan_.substeps(), plan_.substepSeconds());
     makeArrays();
     makePrograms(setting.fast);
@@ -219,7 +221,13 @@ class Garment : public Simulation, public LockStep {
       return program;
     };
     const auto vertices = static_cast<std::size_t>(vertices_);
-    if (plan_.parameters().hasAir) air_ = make("cloth/mesh/air.comp", plan_.arrays().corners.size());
+    if (plan_.parameters().hasAir) {
+      gl::Defines all = meeting(false);
+      addWindDefines(all, wind_);
+      air_ = gl::Program::compute("cloth/mesh/air.comp", all);
+      air_.set("count", static_cast<int>(plan_.arrays().corners.size()));
+      if (wind_ != nullptr) wind_->tell(air_);
+    }
     predict_ = make("cloth/mesh/predict.comp", vertices);
     stretch_ = make("cloth/mesh/stretch.comp", 0);
     if (!plan_.arrays().attachments.empty())
@@ -238,6 +246,7 @@ class Garment : public Simulation, public LockStep {
       velocities_.bindInput(shader::garment::velocitiesBinding);
       corners_.bindInput(shader::garment::cornersBinding);
       faceForces_.bindState(shader::garment::faceForcesBinding);
+      if (wind_ != nullptr) wind_->bind();
       air_.dispatch(static_cast<int>(plan_.arrays().corners.size()));
       gl::barrier();
     }
@@ -328,9 +337,10 @@ class Garment : public Simulation, public LockStep {
   std::string name_;
   scene::Material material_;
   GarmentPlan plan_;
-  int vertices_;                  ///< with the ghosts of clamped edges
-  const HeightField* heights_;    ///< null: none in the scene
-  const Walls* walls_ = nullptr;  ///< null: it meets none
+  int vertices_;                     ///< with the ghosts of clamped edges
+  const HeightField* heights_;       ///< null: none in the scene
+  const Walls* walls_ = nullptr;     ///< null: it meets none
+  const FluidWind* wind_ = nullptr;  ///< null: no fluid's is in its air
   MeshTouch meshes_;
   ThinColliders thin_;
   double frameSeconds_;

@@ -68,6 +68,12 @@ void StrokeParameters::describe(scene::Fields& f, double max, const char* valueD
   f.vector("to", to, {-1e6, 1e6}, "cells", "Where the circle moves to, or the line's end.");
   f.leftOut("to", "\"from\"");
   if (!f.given("to")) to = from;
+  f.vector("path", path, {-1e6, 1e6}, "cells", "Where the circle is, by keyframes; the third is unused.");
+  f.leftOut("path", "from \"from\" to \"to\"");
+  hasPath = f.given("path");
+  if (hasPath && shape != Shape::circle) f.error("path", "only a circle has a path");
+  if (hasPath && (f.given("from") || f.given("to")))
+    f.error("path", "the path says where the circle is; leave out \"from\" and \"to\"");
   f.number("radius", radius, {0, 1e5}, "cells", "Of the circle; half the width of the line.");
   f.asset("image", image, "Picture of shape \"image\"; its light pixels are painted.");
   f.number("value", value, {0, max}, "", valueDoc);
@@ -75,6 +81,14 @@ void StrokeParameters::describe(scene::Fields& f, double max, const char* valueD
   f.number("fraction", fraction, {0, 1}, "", "Of the cells within reach, picked at random.");
   if (shape == Shape::image && image.empty())
     f.error("shape", "shape \"image\" needs \"image\", a picture");
+}
+
+glm::vec2 StrokeParameters::placeAt(double time) const {
+  if (hasPath) return flat(path.at(time));
+  const double part = until > at ? std::clamp((time - at) / (until - at), 0.0, 1.0) : 0.0;
+  const glm::vec2 a = flat(from);
+  const glm::vec2 b = flat(to);
+  return {static_cast<float>(a.x + part * (b.x - a.x)), static_cast<float>(a.y + part * (b.y - a.y))};
 }
 
 Strokes::Strokes(std::vector<StrokeParameters> strokes, int seed, StrokeGrid grid)
@@ -105,8 +119,17 @@ void Strokes::check(std::size_t index) const {
   const bool stays = p.shape == StrokeParameters::Shape::circle && !(p.until > p.at);
   const glm::dvec2 to = stays ? from : glm::dvec2(flat(p.to));
   const glm::dvec2 stamp(stamps_[index].size);
+  // The ways between keys: straight, from one to the next.
+  std::vector<std::pair<glm::dvec2, glm::dvec2>> legs = {{from, to}};
+  if (p.hasPath) {
+    legs.clear();
+    const auto& keys = p.path.keys();
+    for (std::size_t i = 0; i < keys.size(); ++i)
+      legs.emplace_back(flat(keys[i].value), flat(keys[std::min(i + 1, keys.size() - 1)].value));
+  }
   if (grid_.torus) {
-    const double rounds = std::abs(to.x - from.x) / size.x + std::abs(to.y - from.y) / size.y;
+    double rounds = 0;
+    for (const auto& [a, b] : legs) rounds += std::abs(b.x - a.x) / size.x + std::abs(b.y - a.y) / size.y;
     const double images = (stamp.x / size.x + 2) * (stamp.y / size.y + 2);
     if (isStamp ? images > maxStampImages : rounds > maxRounds)
       fail(ExitCode::usage,
@@ -117,9 +140,12 @@ void Strokes::check(std::size_t index) const {
     return;
   }
   const glm::dvec2 corner(std::floor(from.x), std::floor(from.y));
-  const bool outside = isStamp ? corner.x >= size.x || corner.y >= size.y || corner.x + stamp.x <= 0 ||
-                                     corner.y + stamp.y <= 0
-                               : distanceToCells(from, to, grid_.size) > static_cast<double>(p.radius);
+  const bool outside =
+      isStamp
+          ? corner.x >= size.x || corner.y >= size.y || corner.x + stamp.x <= 0 || corner.y + stamp.y <= 0
+          : std::all_of(legs.begin(), legs.end(), [&](const auto& leg) {
+              return distanceToCells(leg.first, leg.second, grid_.size) > static_cast<double>(p.radius);
+            });
   if (outside)
     warn("{}: strokes[{}] paints nothing, it lies wholly outside the grid of {} x {} cells", grid_.object,
          index, grid_.size.x, grid_.size.y);
@@ -138,15 +164,9 @@ std::vector<shader::Stroke> Strokes::into(double time, double seconds, long step
     glm::vec2 from = flat(p.from);
     glm::vec2 to = flat(p.to);
     if (p.shape == StrokeParameters::Shape::circle) {
-      const auto placeAt = [&](double t) {
-        const double fraction = once ? 0.0 : std::clamp((t - p.at) / (p.until - p.at), 0.0, 1.0);
-        const glm::vec2 a = flat(p.from);
-        const glm::vec2 b = flat(p.to);
-        return glm::vec2(static_cast<float>(a.x + fraction * (b.x - a.x)),
-                         static_cast<float>(a.y + fraction * (b.y - a.y)));
-      };
-      from = placeAt(before);
-      to = placeAt(time);
+      const auto held = [&](double t) { return std::clamp(t, p.at, std::max(p.at, p.until)); };
+      from = p.placeAt(p.hasPath ? held(once ? p.at : before) : before);
+      to = p.placeAt(p.hasPath ? held(once ? p.at : time) : time);
     }
     const glm::vec2 d = to - from;
     const float length2 = d.x * d.x + d.y * d.y;
@@ -155,7 +175,7 @@ std::vector<shader::Stroke> Strokes::into(double time, double seconds, long step
     s.to = to;
     s.radius2 = p.radius * p.radius;
     s.perLength2 = length2 > 0 ? 1.0F / length2 : 0.0F;
-    s.value = static_cast<float>(p.value);
+    s.value = static_cast<float>(p.value * static_cast<double>(p.strength.at(time)));
     s.seed = static_cast<int>(static_cast<unsigned>(seed_) * 7919U + static_cast<unsigned>(i) * 104729U +
                               static_cast<unsigned>(step) * 15485863U);
     s.picked = static_cast<int>(std::lround(static_cast<double>(p.fraction) * 16777216.0));

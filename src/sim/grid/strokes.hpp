@@ -1,5 +1,6 @@
 #pragma once
 #include "gl/program.hpp"
+#include "scene/animated.hpp"
 #include "scene/fields.hpp"
 #include "sim/core/shader_code.hpp"
 
@@ -26,8 +27,13 @@ struct StrokeParameters {
   std::filesystem::path image;  ///< light pixels (level above 127) are painted
   double value = 1;             ///< what is painted; each simulation says what it means
   float fraction = 1;           ///< of the cells within reach, picked by hash
+  bool hasPath = false;
+  scene::Animated<glm::vec3> path;         ///< cells: where a circle is, instead of `from` and `to`
+  scene::Animated<float> strength = 1.0F;  ///< factor on `value`, of fields where that is an amount
   /// `most`: greatest value that may be painted; `valueDoc`: what it means.
   void describe(scene::Fields& fields, double max, const char* valueDoc);
+  /// Where a circle is at `time` (s), cells.
+  [[nodiscard]] glm::vec2 placeAt(double time) const;
 };
 
 /// The grid that strokes are painted on.

@@ -90,6 +90,14 @@ void ParticleParameters::describe(scene::Fields& f) {
     t.number("size", turbulence.size, {1e-3, 1e6}, "m", "Of the swirls.");
     t.number("speed", turbulence.speed, {0, 1e5}, "m/s", "At which they drift through the scene.");
   });
+  f.optionalGroup("wind", hasWind, "Wind that carries them along.", [&](scene::Fields& w) {
+    w.text(
+        "fluid", windFluid,
+        "Name of the fluid that it is, where its \"plane\" lies in the world; outside of its rectangle the "
+        "air is still. In all of a frame it is the wind of the frame's end.");
+    w.number("drag", windDrag, {0, 1e4}, "1/s", "Rate at which their velocity becomes the wind's.");
+    if (windFluid.empty()) w.error("fluid", "whose wind? Give \"fluid\", the name of one of this scene");
+  });
   f.integer("substeps", substeps, {1, 1024}, "per frame", "Steps a frame is divided into.");
   f.boolean("collides", collides,
             "Whether they meet what collides: shapes, the ground, bodies, a mesh that collides.");

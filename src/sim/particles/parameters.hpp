@@ -69,6 +69,9 @@ struct ParticleParameters : ObjectParameters, shader::ParticleConstants {
   int substeps = 1;
   bool collides = false;
   std::string walls;  ///< name of the solid they meet; empty: none
+  bool hasWind = false;
+  std::string windFluid;  ///< name of the fluid that is their wind
+  float windDrag = 4;     ///< 1/s
 
   // How they look.
   Instances::Shape shape = Instances::Shape::sprite;
@@ -88,6 +91,9 @@ struct ParticleParameters : ObjectParameters, shader::ParticleConstants {
   [[nodiscard]] bool asksToCollide() const override { return collides; }
   [[nodiscard]] double touchMargin() const override { return collides ? margin : -1; }
   [[nodiscard]] std::string meetsWalls() const override { return walls; }
+  [[nodiscard]] WindFrom windFrom() const override { return {windFluid, {"wind", "fluid"}}; }
+  /// 1/s, at which they lose velocity: to rest and to the wind.
+  [[nodiscard]] float slowing() const { return damping + (hasWind ? windDrag : 0.0F); }
 
  private:
   void describeLook(scene::Fields& fields);

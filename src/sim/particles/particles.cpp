@@ -8,6 +8,7 @@
 #include "sim/contour/walls.hpp"
 #include "sim/core/kind.hpp"
 #include "sim/core/step_blocks.hpp"
+#include "sim/fluid/wind.hpp"
 #include "sim/mesh/height_field.hpp"
 #include "sim/particles/gravity_tree.hpp"
 #include "sim/particles/pairs.hpp"
@@ -56,6 +57,7 @@ class Particles : public Simulation {
       walls_ = &setting.wallsNamed(p.walls);
       walls_->checkReach(name_, p.margin);
     }
+    if (p.hasWind) wind_ = &setting.windNamed(p.windFluid);
     if (p.method == GravityMethod::allPairs) pairs_ = PairGravity(setting.fast);
     if (p.method == GravityMethod::tree) tree_.emplace(name_, plan_.count(), setting.fast);
     const ParticleCloud cloud = plan_.firstCloud();
@@ -176,13 +178,17 @@ class Particles : public Simulation {
     defines.emplace_back("ATTRACTOR", p.hasAttractor ? "true" : "false");
     defines.emplace_back("TURBULENCE", p.turbulence.strength > 0 ? "true" : "false");
     addWallDefines(defines, walls_);
+    addWindDefines(defines, wind_);
     kick_ = gl::Program::compute("particles/kick.comp", defines);
     kick_.checkUniformBlock("StepBlock", sizeof(shader::ParticleStep));
     move_ = gl::Program::compute(attracts() ? "particles/drift.comp" : "particles/step.comp", defines);
     meshes_.check(move_);
+    if (wind_ != nullptr) wind_->tell(kick_);
+    if (wind_ != nullptr && !attracts()) wind_->tell(move_);
     if (p.emitters.empty()) return;
     if (attracts()) defines.emplace_back("ATTRACTS", "1");
     birth_ = gl::Program::compute("particles/birth.comp", defines);
+    if (wind_ != nullptr) wind_->tell(birth_);
   }
 
   [[nodiscard]] bool attracts() const { return plan_.parameters().method != GravityMethod::none; }
@@ -231,6 +237,7 @@ class Particles : public Simulation {
     status_.bindStorage(shader::statusBinding);
     meshes_.bind(substep);
     if (walls_ != nullptr) walls_->bind();
+    if (wind_ != nullptr) wind_->bind();
     if (heights_ == nullptr) return;
     const ParticleParameters& p = plan_.parameters();
     heights_->bind();
@@ -254,6 +261,7 @@ class Particles : public Simulation {
   StepBlocks<shader::ParticleStep> steps_;
   const HeightField* heights_ = nullptr;  ///< null: it falls onto nothing
   const Walls* walls_ = nullptr;          ///< null: it meets none
+  const FluidWind* wind_ = nullptr;       ///< null: none blows
   MeshTouch meshes_;
   gl::Program move_, birth_, kick_;  ///< move_: the whole substep unless they attract each other
   PairGravity pairs_;

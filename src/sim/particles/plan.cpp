@@ -134,14 +134,16 @@ shader::ParticleStep ParticlePlan::between(double start, double end) const {
   shader::ParticleStep s{};
   s.fields = fields(end);
   s.fieldsBefore = fields(start);
-  s.pace = shader::paceOf(seconds, p.damping);
+  s.pace = shader::paceOf(seconds, p.slowing());
   s.dt = seconds;
   s.perTurbulenceSize = 1.0F / p.turbulence.size;
   s.count = count_;
   s.substep = done_;
   s.seed = seed_;
   s.emitterCount = static_cast<int>(rings_.size());
+  s.windDrag = p.hasWind ? p.windDrag : 0.0F;
   s.constants = p;
+  s.constants.damping = p.slowing();
   s.turbulence = p.turbulence;
   return s;
 }

@@ -3,6 +3,7 @@
 #include "gl/element_array.hpp"
 #include "gl/limits.hpp"
 #include "sim/core/kind.hpp"
+#include "sim/fluid/wind.hpp"
 #include "sim/spread/grid.hpp"
 #include "sim/spread/wildfire_plan.hpp"
 
@@ -24,12 +25,14 @@ class Wildfire final : public Simulation {
     steps_.bind(0);
     ground_.bindInput(shader::spread::groundBinding);
     grid_.paintFirst(plan_.firstStrokes(setting.startTime));
+    if (blown()) makeGales(setting);
     if (!climbs()) return;
     inclines_ = gl::WordsArray(name_ + " inclines", packedCells(plan_.inclines(), parameters().size));
     climbs_ = gl::Vec4Array(name_ + " climb", plan_.climbFactors());
   }
 
   void step(double time, const StepWatch& watch) override {
+    if (blown()) blow(time);
     grid_.runFrame(plan_.frame(time), steps_, plan_.stepsPerFrame(), watch, [&] { bindMaps(); });
   }
 
@@ -61,21 +64,48 @@ class Wildfire final : public Simulation {
   void bindMaps() const {
     fuels_.bindInput(shader::spread::fuelsBinding);
     ground_.bindInput(shader::spread::groundBinding);
+    if (blown()) gales_.bindInput(shader::spread::galesBinding);
     if (!climbs()) return;
     inclines_.bindInput(shader::spread::inclinesBinding);
     climbs_.bindInput(shader::spread::climbsBinding);
   }
   [[nodiscard]] const WildfireParameters& parameters() const { return plan_.parameters(); }
+  [[nodiscard]] bool blown() const { return !parameters().windFluid.empty(); }
+  void makeGales(const Setting& setting) {
+    wind_ = &setting.windNamed(parameters().windFluid);
+    const glm::ivec2 size = parameters().size;
+    const int rowGales = 4 * grid_.rowElements();
+    gales_ = gl::WordsArray(name_ + " gales", rowGales * size.y);
+    gl::Defines defines = gl::kernelDefines(setting.fast);
+    addWindDefines(defines, wind_);
+    gale_ = gl::Program::compute("spread/wildfire/gale.comp", defines);
+    gale_.set("size", size);
+    gale_.set("perCell", glm::vec2(wind_->grid().size) / glm::vec2(size));
+    gale_.set("rowGales", rowGales);
+    gale_.set("count", rowGales * size.y);
+    wind_->tell(gale_);
+  }
+  /// The wind that the steps of the frame that starts at `time` (s) have.
+  void blow(double time) {
+    gale_.set("scale", plan_.galeScale(time, wind_->speed()));
+    wind_->bind();
+    gales_.bindState(shader::spread::nextCellsBinding);
+    gl::barrier();
+    gale_.dispatch(4 * grid_.rowElements() * parameters().size.y);
+    gl::barrier();
+  }
   [[nodiscard]] bool climbs() const { return parameters().slope > 0; }
   static const WildfireParameters& checked(const scene::Object& object) {
     const auto& parameters = parametersOf<WildfireParameters>(object);
-    SpreadGrid::checkLimits(object.name, parameters.size, parameters.slope > 0 ? 2 : 1);
+    const int bytes = !parameters.windFluid.empty() ? 4 : parameters.slope > 0 ? 2 : 1;
+    SpreadGrid::checkLimits(object.name, parameters.size, bytes);
     return parameters;
   }
   static gl::Defines defines(const WildfireParameters& parameters, bool fast) {
     gl::Defines defines = gl::kernelDefines(fast);
     if (parameters.hasEmbers) defines.emplace_back("EMBERS", "1");
     if (parameters.slope > 0) defines.emplace_back("SLOPE", "1");
+    if (!parameters.windFluid.empty()) defines.emplace_back("GALES", "1");
     return defines;
   }
 
@@ -86,6 +116,9 @@ class Wildfire final : public Simulation {
   SpreadGrid grid_;
   gl::WordsArray fuels_, ground_, inclines_;
   gl::Vec4Array climbs_;
+  const FluidWind* wind_ = nullptr;  ///< null: the wind is the same everywhere
+  gl::WordsArray gales_;
+  gl::Program gale_;
 };
 
 }  // namespace

@@ -73,7 +73,14 @@ void WildfireParameters::describe(scene::Fields& f) {
     w.number("direction", windDirection, {-36000, 36000}, "degrees",
              "Where it blows to: 0 to the right, 90 up.");
     w.number("strength", windStrength, {0, 20}, "",
-             "It spreads e^strength times as likely with the wind and e^-strength times against it.");
+             "It spreads e^strength times as likely with the wind and e^-strength times against it; of a "
+             "fluid's wind where that has the fluid's \"speed\".");
+    w.text("fluid", windFluid,
+           "Name of a fluid that blows instead: its rectangle, stretched over the map, at a frame's end.");
+    if (windFluid.empty()) return;
+    if (!w.given("strength")) windStrength = 1.0F;
+    if (w.given("direction"))
+      w.error("direction", "the fluid says where it blows; leave out \"direction\"");
   });
   f.integer("burnSteps", burnSteps, {1, 63}, "steps", "How long a cell burns.");
   f.integer("coolSteps", coolSteps, {7, 1000000}, "steps",
@@ -187,7 +194,8 @@ std::vector<glm::vec4> WildfirePlan::climbFactors() const {
 shader::WildfireStep WildfirePlan::stepAt(double time) const {
   const WildfireParameters& p = parameters_;
   const double angle = static_cast<double>(p.windDirection.at(time)) * std::numbers::pi / 180;
-  const double strength = static_cast<double>(p.windStrength.at(time));
+  const double given = static_cast<double>(p.windStrength.at(time));
+  const double strength = p.windFluid.empty() ? given : 0.0;
   const double windX = std::cos(angle);
   const double windY = -std::sin(angle);
   const double base =
@@ -217,6 +225,7 @@ shader::WildfireStep WildfirePlan::stepAt(double time) const {
   data.phases = phases(done_ + 1ULL) - firstPhase;
   if (!p.hasEmbers) return data;
   data.emberThreshold = static_cast<unsigned>(std::lround(p.embers.chance * 16 * 134217728.0));
+  data.emberReach = given > 0 ? static_cast<float>(256 * p.embers.distance / (2048 * given)) : 0.0F;
   data.emberFlight = {std::lround(256 * p.embers.distance * windX),
                       std::lround(256 * p.embers.distance * windY)};
   data.emberSpread = static_cast<int>(std::lround(256 * p.embers.spread));

@@ -10,7 +10,7 @@
 
 namespace simreel::shader {
 #include "glsl/spread/wildfire/types.glsl"
-static_assert(sizeof(WildfireStep) == 80);
+static_assert(sizeof(WildfireStep) == 96);
 }  // namespace simreel::shader
 
 namespace simreel::sim {
@@ -34,6 +34,7 @@ struct WildfireParameters final : ObjectParameters, SpreadParameters, shader::Wi
   scene::Animated<float> spread = 0.12F;
   scene::Animated<float> windDirection = 0.0F;  ///< degrees: 0 to the right, 90 up
   scene::Animated<float> windStrength = 0.0F;   ///< logarithm of how much faster it spreads with the wind
+  std::string windFluid;                        ///< name of the fluid that blows instead; empty: none
   int coolSteps = 240;
   bool hasEmbers = false;
   Embers embers;
@@ -46,6 +47,7 @@ struct WildfireParameters final : ObjectParameters, SpreadParameters, shader::Wi
   void describe(scene::Fields& fields) override;
   [[nodiscard]] bool isField() const override { return true; }
   [[nodiscard]] std::span<const scene::Quantity> quantities() const override;
+  [[nodiscard]] WindFrom windFrom() const override { return {windFluid, {"wind", "fluid"}}; }
 };
 
 /// Everything of a wildfire that is decided on the CPU; shared by the GPU simulation and its CPU twin.
@@ -81,6 +83,11 @@ class WildfirePlan {
 
   [[nodiscard]] const WildfireParameters& parameters() const { return parameters_; }
   [[nodiscard]] const Strokes& strokes() const { return strokes_; }
+  /// Of galeOf() of glsl/spread/wildfire/gale.glsl in the frame that starts at `time` (s), for a fluid of
+  /// that "speed" (cells/s).
+  [[nodiscard]] float galeScale(double time, float speed) const {
+    return static_cast<float>(static_cast<double>(parameters_.windStrength.at(time)) / speed);
+  }
   [[nodiscard]] int stepsPerFrame() const { return pace_.stepsPerFrame(); }
   /// Colours of the 256 values of a cell, linear RGB.
   [[nodiscard]] std::vector<glm::vec3> palette() const;

@@ -161,6 +161,7 @@ void WaterParameters::describeFlow(scene::Fields& f) {
          [](scene::Fields& s, StrokeParameters& stroke) {
            stroke.describe(s, 1e4,
                            "Depth of water that is added (m); while a stroke lasts, of each second (m/s).");
+           s.number("strength", stroke.strength, {0, 1e6}, "", "Factor on the value, by keyframes.");
          });
 }
 

@@ -63,6 +63,12 @@ std::vector<double> measureFloats(const WaterPlan& plan, std::span<const glm::ve
 
 }  // namespace
 
+glm::vec4 waterSumFactors(const WaterParameters& parameters) {
+  const double area = static_cast<double>(parameters.cell) * parameters.cell;
+  const double weight = area * density;
+  return {area, weight, weight * parameters.gravity, area};
+}
+
 std::vector<double> measureWater(const WaterPlan& plan, std::span<const glm::vec4> cells,
                                  std::span<const glm::vec4> floats) {
   const WaterParameters& p = plan.parameters();

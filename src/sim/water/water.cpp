@@ -8,6 +8,7 @@
 #include "sim/core/kind.hpp"
 #include "sim/core/step_blocks.hpp"
 #include "sim/grid/picture_file.hpp"
+#include "sim/grid/tally.hpp"
 #include "sim/mesh/height_field.hpp"
 #include "sim/water/float_kernels.hpp"
 #include "sim/water/plan.hpp"
@@ -129,6 +130,7 @@ class Water : public Simulation {
       floats_->begin(cells_[0], status_);
     }
     show();
+    tallyNow(setting.startTime);
   }
 
   void step(double time, const StepWatch& watch) override {
@@ -136,6 +138,7 @@ class Water : public Simulation {
     hasHeights_ = true;
     advance(time, watch);
     show();
+    tallyNow(time);
     if (heights_) heights_->take(values_);
   }
   /// Others fall between two frames' heights.
@@ -143,7 +146,10 @@ class Water : public Simulation {
     if (heights_) return step(time, {});
     advance(time, {});
   }
-  void resumed(double /*time*/) override { show(); }
+  void resumed(double time) override {
+    show();
+    tallyNow(time);
+  }
   void carryOver(CarryOver& carry) override {
     carry.array("cells", cells_[0].buffer());
     if (floats_) floats_->carryOver(carry);
@@ -224,6 +230,10 @@ class Water : public Simulation {
         "substeps ({} per frame now, or \"auto\")",
         name_, step, elementName(element), plan_.substeps());
   }
+  [[nodiscard]] CountTable counts() const override {
+    return tally_.table(
+        {"volume", "kineticEnergy", "potentialEnergy", "wetArea", "courant", "fastest", "deepest"});
+  }
   [[nodiscard]] std::vector<double> measure() const override {
     return measureWater(plan_, cells_[0].buffer().readAll<glm::vec4>(),
                         floats_ ? floats_->state().readAll<glm::vec4>() : std::vector<glm::vec4>());
@@ -243,6 +253,9 @@ class Water : public Simulation {
     show_ = gl::Program::compute("water/look.comp", defines);
     show_.checkUniformBlock("LookBlock", sizeof(shader::WaterLook));
     show_.set("size", size_);
+    tally_ = Tally(name_, "water/tally.comp", defines);
+    tally_.kernel().set("size", size_);
+    tally_.kernel().set("shallow", plan_.look().shallow);
     if (!plan_.anythingFalls()) return;
     stamps_ = gl::WordsArray(name_ + " stroke images", elementsOf(plan_.strokes().imageBits()));
     paint_ = gl::Program::compute("water/paint.comp", defines);
@@ -304,6 +317,14 @@ class Water : public Simulation {
     program.dispatch(box.z, box.w);
   }
 
+  /// What is measured of the present state, for the table beside the frames.
+  void tallyNow(double time) {
+    steps_.upload(std::vector<shader::WaterStep>{plan_.stepAt(time)});
+    steps_.bind(0);
+    cells_[0].bindInput(shader::water::cellsBinding);
+    tally_.take(waterSumFactors(plan_.parameters()), glm::vec4(1));
+  }
+
   void show() {
     look_.bindUniform(shader::stepBinding, 0, sizeof(shader::WaterLook));
     cells_[0].bindInput(shader::water::cellsBinding);
@@ -333,6 +354,7 @@ class Water : public Simulation {
   gl::Buffer look_;
   gl::Program step_, paint_, drop_, show_;
   std::optional<FloatKernels> floats_;
+  Tally tally_;
   std::optional<HeightField> heights_;  ///< of water that collides: levels
   bool hasHeights_ = false;             ///< whether they begin with the first frame
 };

@@ -73,6 +73,31 @@ void checkWalls(const scene::Object& object, std::span<const scene::Object> obje
              solids.empty() ? "the scene has no cave and no contour" : scene::suggestion(name, solids)));
 }
 
+/// The fluid that is an object's wind.
+void checkWind(const scene::Object& object, std::span<const scene::Object> objects,
+               const scene::Report& report) {
+  const auto* parameters = parametersAt(object);
+  if (parameters == nullptr) return;
+  const ObjectParameters::WindFrom from = parameters->windFrom();
+  if (from.fluid.empty()) return;
+  std::vector<std::string> fluids;
+  for (const scene::Object& candidate : objects)
+    if (const auto* other = parametersAt(candidate); other != nullptr && other->blows())
+      fluids.push_back(candidate.name);
+  if (std::find(fluids.begin(), fluids.end(), from.fluid) != fluids.end()) return;
+  const auto named = std::find_if(objects.begin(), objects.end(),
+                                  [&](const auto& other) { return other.name == from.fluid; });
+  if (named != objects.end() && named->parameters == nullptr) return;  // a mistake of its own
+  const std::string what = named == objects.end()
+                               ? fmt::format("no object is named {}", scene::inQuotes(from.fluid))
+                               : fmt::format("object \"{}\" is a {}, not a fluid", from.fluid, named->kind);
+  std::vector<std::string> path = {object.kind};
+  path.insert(path.end(), from.path.begin(), from.path.end());
+  report(object, path,
+         fmt::format("{}; {}", what,
+                     fluids.empty() ? "the scene has no fluid" : scene::suggestion(from.fluid, fluids)));
+}
+
 /// The bodies that an object is tied to.
 void checkTies(const scene::Object& object, std::span<const scene::Object> objects,
                const scene::Report& report) {
@@ -154,6 +179,7 @@ void checkRelations(std::span<const scene::Object> objects, const scene::Report&
   for (const scene::Object& object : objects) {
     checkFields(object, objects, report);
     checkWalls(object, objects, report);
+    checkWind(object, objects, report);
     checkTies(object, objects, report);
   }
   checkHeights(objects, report);

@@ -48,6 +48,7 @@ std::vector<std::size_t> stepOrder(const scene::Scene& scene) {
     const auto& parameters = parametersOf<ObjectParameters>(scene.objects[i]);
     return parameters.publishesHeights()      ? 0
            : parameters.isBody()              ? 0
+           : parameters.blows()               ? 0
            : !parameters.meetsWalls().empty() ? 3
            : parameters.needsField()          ? 2
                                               : 1;

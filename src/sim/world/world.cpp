@@ -32,7 +32,7 @@ struct Pending {
   int frame;
   int slot;
   GLsync fence;
-  std::vector<int> countRows;  ///< of each object that counts
+  std::vector<int> countRows;  ///< elements of each object that counts
 };
 
 }  // namespace
@@ -86,6 +86,7 @@ struct World::State {
     for (const scene::Object& object : scene.objects) names.push_back(object.name);
     setting.fieldNamed = [this](const std::string& name) { return fieldNamed(name); };
     setting.wallsNamed = [this](const std::string& name) -> const Walls& { return wallsNamed(name); };
+    setting.windNamed = [this](const std::string& name) -> const FluidWind& { return windNamed(name); };
     setting.skinNamed = [this](const std::string& name) -> SkinnedSurface& { return skinNamed(name); };
     setting.heldBySkin = [this](const std::string& body, std::span<const glm::dvec3> points, double time) {
       return bones.heldBySkin(body, points, time);
@@ -174,6 +175,13 @@ struct World::State {
     fail(ExitCode::usage, "no object named \"{}\" has walls", name);
   }
 
+  [[nodiscard]] const FluidWind& windNamed(const std::string& name) const {
+    for (std::size_t i = 0; i < objects.size(); ++i)
+      if (objects[i] && name == names[i])
+        if (const FluidWind* wind = objects[i]->wind()) return *wind;
+    fail(ExitCode::usage, "no object named \"{}\" is a fluid", name);
+  }
+
   [[nodiscard]] SkinnedSurface& skinNamed(const std::string& name) const {
     for (std::size_t i = 0; i < objects.size(); ++i)
       if (objects[i] && name == names[i])
@@ -208,7 +216,7 @@ struct World::State {
     glFlush();
   }
 
-  /// Returns how many rows each object has.
+  /// Returns how many elements each object has.
   [[nodiscard]] std::vector<int> copyCounts(int slot) const {
     std::vector<int> rows;
     if (!counting.empty()) glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
@@ -216,8 +224,8 @@ struct World::State {
       const CountTable table = objects[c.object]->counts();
       glCopyNamedBufferSubData(table.steps->name(), countCopies.name(), 0,
                                static_cast<GLintptr>(countOffset(slot, c)),
-                               static_cast<GLsizeiptr>(table.rows) * 16);
-      rows.push_back(table.rows);
+                               static_cast<GLsizeiptr>(table.rows) * table.elements * 16);
+      rows.push_back(table.rows * table.elements);
     }
     return rows;
   }
@@ -383,8 +391,10 @@ std::vector<World::CountNames> World::countNames() const {
   for (const State::Counting& c : state_->counting) {
     CountNames& entry = names.emplace_back();
     entry.object = state_->names[c.object];
-    for (const char* column : state_->objects[c.object]->counts().columns)
-      entry.columns.emplace_back(column);
+    const CountTable table = state_->objects[c.object]->counts();
+    entry.elements = table.elements;
+    entry.measured = table.measured;
+    for (const char* column : table.columns) entry.columns.emplace_back(column);
   }
   return names;
 }

@@ -17,9 +17,10 @@ namespace simreel::sim {
 /// and one a picture at most: reads every file the scene names. Needs no context.
 [[nodiscard]] std::vector<UserError> findProblems(const scene::Scene& scene);
 
-/// All objects of a scene, stepped together: a mesh that collides and bodies first, then the others in the
-/// scene's order, but what is made of another's field after them, and last who collides with a solid, and
-/// cloths in contact, a substep of each in turn. Frame 0 is at time 0; the pre-roll runs before it.
+/// All objects of a scene, stepped together: a mesh that collides, bodies and fluids first, then the others
+/// in the scene's order, but what is made of another's field after them, and last who collides with a
+/// solid, and cloths in contact, a substep of each in turn. Frame 0 is at time 0; the pre-roll runs before
+/// it.
 class World {
  public:
   /// Makes every simulation on the current context. `timing`: they measure their stages (Setting::timing).
@@ -74,6 +75,8 @@ class World {
   struct CountNames {
     std::string object;
     std::vector<std::string> columns;
+    int elements = 1;       ///< uvec4 a row
+    bool measured = false;  ///< floats
   };
   [[nodiscard]] std::vector<CountNames> countNames() const;
 
@@ -88,8 +91,8 @@ class World {
     int frame = 0;
     std::string stateHash;
     std::vector<std::string> arrays;  ///< hash of each state array, in the order of arrays()
-    /// Counts of each step of the frame, for each entry of countNames(); where nothing has stepped yet, one
-    /// row of the start.
+    /// Counts of each step of the frame, row by row, for each entry of countNames(); where nothing has
+    /// stepped yet, one row of the start.
     std::vector<std::vector<glm::uvec4>> counts = {};
   };
   [[nodiscard]] std::optional<Summary> takeSummary(bool wait);

@@ -150,7 +150,7 @@ TEST_CASE("fluid with obstacles, heat, friction, confinement and heavy dye equal
     p.dyeWeight = 12.0F;
     p.strokes[1].setsTemperature = true;
     p.strokes[1].temperature = 2;
-    p.strokes[1].force = {30, -40, 0};
+    p.strokes[1].force = glm::vec3(30, -40, 0);
     p.strokes[1].value = 0.3;
     p.strokes[0].shape = sim::StrokeParameters::Shape::line;
     p.strokes[0].to = {30, 35, 0};

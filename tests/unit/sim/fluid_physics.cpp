@@ -108,7 +108,7 @@ TEST_CASE("fluid: the sum of dye stays, and no cell has less than none or more t
   push.from = push.to = {12, 10, 0};
   push.radius = 5;
   push.setsVelocity = push.setsDye = true;
-  push.velocity = {70, 45, 0};
+  push.velocity = glm::vec3(70, 45, 0);
   p.strokes = {push};
   p.obstacles.resize(1);
   p.obstacles[0].center = glm::vec3(25, 12, 0);

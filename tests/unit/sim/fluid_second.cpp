@@ -107,9 +107,9 @@ sim::FluidParameters walledBath(int w, int h) {
   jet.until = 1;
   jet.radius = 4;
   jet.setsVelocity = jet.setsDye = jet.setsTemperature = true;
-  jet.velocity = {45, 25, 0};
+  jet.velocity = glm::vec3(45, 25, 0);
   jet.temperature = 1.5F;
-  jet.dye = {1, 0.5F, 0.25F};
+  jet.dye = glm::vec3(1, 0.5F, 0.25F);
   p.strokes = {jet};
   return p;
 }

@@ -84,6 +84,7 @@ void print(const Subject& subject) {
              median(wallRatio), median(processor) / 1e6, median(processorRatio),
              most > 0 ? fmt::format("{:.1f}", most / 1e6) : "",
              most > 0 ? fmt::format("{:.1f}%", 100 * median(processor) / most) : "", subject.unit);
+  if (subject.after) subject.after();
   std::fflush(stdout);
 }
 

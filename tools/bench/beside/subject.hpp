@@ -24,6 +24,7 @@ struct Subject {
   double items;
   std::function<void()> plain, twin, device;  ///< twin: may be missing
   Least least{};
+  std::function<void()> after = {};  ///< prints more; may be missing
 };
 
 /// Runs the three in turns and prints a line.
@@ -37,6 +38,10 @@ void keepBusy(const Subject& subject, double seconds);
 [[nodiscard]] Subject fabricSheet();
 [[nodiscard]] Subject meshCloth();
 [[nodiscard]] Subject clothsInContact();
+
+/// A tank of 512x512 cells with dye in three colours, temperature and an obstacle; a basin with islands.
+[[nodiscard]] Subject fluidTank();
+[[nodiscard]] Subject waterBasin();
 
 template <class Parameters>
 std::shared_ptr<sim::Simulation> onDevice(const char* kind, const Parameters& parameters,

@@ -127,6 +127,70 @@ class Contact {
   std::vector<Touch> touches_;
 };
 
+/// Incompressible flow on a staggered grid, closed on all sides, with an obstacle and three jets:
+/// MacCormack, buoyancy, multigrid until max|div u| is 1e-5 of max|u|, dye in monotone fluxes.
+class Fluid {
+ public:
+  struct Numbers {
+    float dt, lift, kept;
+    int dyePasses;
+  };
+  struct Jet {
+    float x, y, radius, u, v, dye[3];
+  };
+  Fluid(int width, int height, const Numbers& numbers);
+  static std::vector<Jet> jetsOf(int width, int height);
+  void step();
+  std::vector<float> u, v, heat, dye[3];
+  std::vector<unsigned char> solid;
+  int cycles = 0;  ///< of the latest step
+
+ private:
+  struct Level {
+    int width, height;
+    std::vector<float> value, rhs, across, down;
+  };
+  [[nodiscard]] std::size_t at(int x, int y) const { return std::size_t(y) * width_ + x; }
+  void velocity(float x, float y, float& a, float& b) const;
+  void trace(float& x, float& y, float dt) const;
+  void carry(const std::vector<float>& from, std::vector<float>& forth, std::vector<float>& to, int w,
+             int h, float ox, float oy) const;
+  void paint();
+  static void sweep(Level& l, int color);
+  [[nodiscard]] float residual(const Level& l, int x, int y) const;
+  void project();
+  void moveDye(std::vector<float>& d, float dt);
+  int width_, height_;
+  Numbers n_;
+  std::vector<Jet> jets_;
+  std::vector<float> nextU_, nextV_, nextHeat_, forthU_, forthV_, forthHeat_, flux_;
+  std::vector<Level> levels_;
+};
+
+/// Shallow water within walls: MUSCL-Hancock and HLL over hydrostatic reconstruction.
+class Water {
+ public:
+  struct Numbers {
+    float ratio, gravity, thin, dry, kept;
+  };
+  Water(int width, int height, const Numbers& numbers);
+  void step();
+  std::vector<float> level, alongX, alongY, bed;
+
+ private:
+  struct Cell {
+    float level, depth, u, v;
+  };
+  static constexpr std::size_t none = ~std::size_t{0};
+  [[nodiscard]] std::size_t at(int x, int y) const { return std::size_t(y) * width_ + x; }
+  [[nodiscard]] Cell cell(int x, int y) const;
+  void flow(std::size_t before, std::size_t behind, bool across, std::size_t a, std::size_t b);
+  int width_, height_;
+  Numbers n_;
+  std::vector<float> nextLevel_, nextX_, nextY_;
+  std::vector<Cell> slopesX_, slopesY_, halves_;
+};
+
 /// One thread does as many operations on floats as it can; how many.
 double arithmetic();
 /// One thread copies again and again what takes so many bytes with its copy; how many it read and wrote.

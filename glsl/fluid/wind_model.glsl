@@ -1,0 +1,42 @@
+// The wind of a fluid at a place of the world. Compiles as GLSL and as C++; whoever includes it provides windGrid (WindGrid)
+// and loadWindCell(x, y), a cell of the flow, x from -1 to size.x: the ring is read, too.
+//
+// Bilinear in each component between the places where it stands: u in the middles of cells' left faces, v of top faces. The
+// fluid is as deep as the world, so what lies before its plane or behind it feels what the plane does there; around its
+// rectangle the air is still.
+FUNCTION float windBetween(float a, float b, float f) {
+  precise float value = a + (b - a) * f;
+  return value;
+}
+
+// Component 0 (u) or 1 (v), cells/s, at a point of the rectangle.
+FUNCTION float windPart(int which, float px, float py) {
+  precise float nodeX = which == 0 ? px : px - 0.5f;
+  precise float nodeY = which == 0 ? py - 0.5f : py;
+  int x = min(int(floor(nodeX)), windGrid.size.x - 1);
+  int y = min(int(floor(nodeY)), windGrid.size.y - 1);
+  precise float fx = nodeX - float(x);
+  precise float fy = nodeY - float(y);
+  vec4 a = loadWindCell(x, y);
+  vec4 b = loadWindCell(x + 1, y);
+  vec4 c = loadWindCell(x, y + 1);
+  vec4 d = loadWindCell(x + 1, y + 1);
+  float above = which == 0 ? windBetween(a.x, b.x, fx) : windBetween(a.y, b.y, fx);
+  float below = which == 0 ? windBetween(c.x, d.x, fx) : windBetween(c.y, d.y, fx);
+  return windBetween(above, below, fy);
+}
+
+// m/s
+FUNCTION vec3 windAt(vec3 here) {
+  precise float x = (windGrid.across.x * here.x + windGrid.across.y * here.y) + (windGrid.across.z * here.z + windGrid.across.w);
+  precise float y = (windGrid.down.x * here.x + windGrid.down.y * here.y) + (windGrid.down.z * here.z + windGrid.down.w);
+  float width = float(windGrid.size.x);
+  float height = float(windGrid.size.y);
+  bool inside = x >= 0.0f && x <= width && y >= 0.0f && y <= height;
+  float px = inside ? x : 0.0f;
+  float py = inside ? y : 0.0f;
+  float u = windPart(0, px, py);
+  float v = windPart(1, px, py);
+  precise vec3 wind = windGrid.alongX * u + windGrid.alongY * v;
+  return inside ? wind : vec3(0.0f);
+}

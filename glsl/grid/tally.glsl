@@ -1,0 +1,16 @@
+// Sums over all cells of a field, in a fixed order: lane i has the cells i, i + tallyLanes and so on. Before including: cellCount()
+// and tallied(int cell), whose members are added up, or of which the most is kept.
+#include "grid/tally_types.glsl"
+STATE_ARRAY(sumsOutBinding, SumBlock, laneSums)
+
+void tallyLane(int lane, int cellCount) {
+  precise vec4 sums = vec4(0.0f);
+  vec4 most = vec4(-1e30f);
+  for (int cell = lane; cell < cellCount; cell += tallyLanes) {
+    Tallied one = tallied(cell);
+    sums = sums + one.sums;
+    most = max(most, one.most);
+  }
+  STORE_STATE(laneSums, 2 * lane, sums);
+  STORE_STATE(laneSums, 2 * lane + 1, most);
+}

@@ -1,0 +1,37 @@
+// What is measured of water in each frame (src/sim/water/quantities.cpp): sums of depth, of h |u|^2 / 2, of h (w + b) / 2 and of wet
+// cells; the most of the Courant number, the speed and the depth.
+#include "common/bindings.glsl"
+#include "common/exact.glsl"
+#include "common/memory.glsl"
+#include "water/bindings.glsl"
+#include "water/types.glsl"
+layout(local_size_x = 64) in;
+INPUT_ARRAY(cellsBinding, CellBlock, cells)
+layout(std140, binding = stepBinding) uniform WaterBlock { WaterStep water; };
+uniform ivec2 size;
+uniform float shallow;  // m: what is thinner is not wet
+#include "water/model.glsl"
+
+struct Tallied {
+  vec4 sums;
+  vec4 most;
+};
+
+Tallied tallied(int i) {
+  vec4 texel = LOAD_INPUT(cells, i);
+  WaterCell c = waterCell(texel, water.thin);
+  bool wet = c.depth > shallow, moves = c.depth > water.thin;
+  precise float squared = c.u * c.u + c.v * c.v;
+  precise float kinetic = 0.5f * c.depth * squared;
+  precise float potential = 0.5f * c.depth * (texel.x + texel.w);
+  Tallied t;
+  t.sums = vec4(c.depth, moves ? kinetic : 0.0f, potential, wet ? 1.0f : 0.0f);
+  t.most = vec4(moves ? waterCourant(c, water) : 0.0f, moves ? exactSqrt(squared) : 0.0f, c.depth, 0.0f);
+  return t;
+}
+#include "grid/tally.glsl"
+
+void main() {
+  int lane = int(gl_GlobalInvocationID.x);
+  if (lane < tallyLanes) tallyLane(lane, size.x * size.y);
+}

@@ -1,0 +1,49 @@
+#include "sim/fluid/wind.hpp"
+
+#include "sim/core/collider.hpp"
+
+#include <utility>
+
+#include <glm/mat4x4.hpp>
+
+namespace simreel::sim {
+
+// x = (p - c) . ex / h + W / 2 and y = H / 2 - (p - c) . ey / h.
+shader::WindGrid fluidWindGrid(const FluidPlane& plane, glm::ivec2 size) {
+  const glm::dmat4 turned(rotationMatrix(plane.rotation));
+  const glm::dvec3 right(turned[0]), up(turned[1]), middle(plane.position);
+  const double cell = plane.cell;
+  const auto row = [&](const glm::dvec3& way, double before) {
+    const double here = way.x * middle.x + way.y * middle.y + way.z * middle.z;
+    return glm::vec4(way.x / cell, way.y / cell, way.z / cell, 0.5 * before - here / cell);
+  };
+  shader::WindGrid grid{};
+  grid.across = row(right, size.x);
+  grid.down = row(-up, size.y);
+  grid.alongX = glm::vec3(right * cell);
+  grid.alongY = glm::vec3(up * -cell);
+  grid.size = size;
+  return grid;
+}
+
+FluidWind::FluidWind(const FluidPlane& plane, glm::ivec2 size, float speed,
+                     std::function<const gl::Vec4Array&()> flow)
+    : grid_(fluidWindGrid(plane, size)), speed_(speed), flow_(std::move(flow)) {}
+
+void FluidWind::bind() const {
+  flow_().bindInput(shader::windBinding);
+}
+
+void FluidWind::tell(const gl::Program& kernel) const {
+  kernel.set("windGrid.across", grid_.across);
+  kernel.set("windGrid.down", grid_.down);
+  kernel.set("windGrid.alongX", grid_.alongX);
+  kernel.set("windGrid.alongY", grid_.alongY);
+  kernel.set("windGrid.size", grid_.size);
+}
+
+void addWindDefines(gl::Defines& defines, const FluidWind* wind) {
+  if (wind != nullptr) defines.emplace_back("WIND", "1");
+}
+
+}  // namespace simreel::sim

@@ -1,0 +1,54 @@
+#pragma once
+#include "gl/element_array.hpp"
+#include "gl/program.hpp"
+#include "glsl/common/cpp.hpp"
+
+#include <functional>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+namespace simreel::shader {
+#include "glsl/fluid/wind_types.glsl"
+}  // namespace simreel::shader
+
+namespace simreel::sim {
+
+/// Where a fluid's rectangle lies in the world. Unturned it stands upright, as a picture that is looked at
+/// along -z: the fluid's x to the right, its y down.
+struct FluidPlane {
+  glm::vec3 position{0};  ///< m, of its middle
+  glm::vec3 rotation{0};  ///< degrees, about x, then y, then z
+  float cell = 0.05F;     ///< m, width of a cell
+};
+
+/// What those that take a fluid of `size` cells as their wind are told of it (glsl/fluid/wind_model.glsl);
+/// shared with the CPU twins.
+[[nodiscard]] shader::WindGrid fluidWindGrid(const FluidPlane& plane, glm::ivec2 size);
+
+/// A fluid as the wind of others, in the state in which its latest step left it. Outside of its rectangle
+/// there is none; before and behind its plane there is what the plane has.
+class FluidWind {
+ public:
+  /// `flow`: the array that holds it at the moment of the call.
+  /// `speed` (cells/s): the greatest that is expected.
+  FluidWind(const FluidPlane& plane, glm::ivec2 size, float speed,
+            std::function<const gl::Vec4Array&()> flow);
+
+  /// For glsl/fluid/wind_array.glsl of a kernel.
+  void bind() const;
+  /// Tells such a kernel, once, where the fluid lies.
+  void tell(const gl::Program& kernel) const;
+  [[nodiscard]] const shader::WindGrid& grid() const { return grid_; }
+  [[nodiscard]] float speed() const { return speed_; }
+
+ private:
+  shader::WindGrid grid_;
+  float speed_;
+  std::function<const gl::Vec4Array&()> flow_;
+};
+
+/// Defines of a kernel that includes wind_array.glsl; `wind` null: none blows.
+void addWindDefines(gl::Defines& defines, const FluidWind* wind);
+
+}  // namespace simreel::sim

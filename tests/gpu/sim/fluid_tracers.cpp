@@ -1,0 +1,72 @@
+// Tracers of a fluid beside their CPU twin, word by word.
+#include "gpu/context.hpp"
+#include "reference/tracers_twin.hpp"
+#include "sim/fluid/plan.hpp"
+#include "sim/world/list.hpp"
+#include "sim/world/world.hpp"
+
+#include <bit>
+#include <cstdint>
+#include <string>
+
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+
+using namespace simreel;
+
+namespace {
+
+void checkTracers(const std::string& sides) {
+  testContext();
+  const auto scene =
+      scene::parseScene(fmt::format(R"({{"version": 1, "seed": 9, "objects": {{"it": {{"fluid": {{
+      "size": [45, 29], "speed": 200, "courant": 3, "flow": [40, 9, 0], "sides": {{{}}},
+      "obstacles": [{{"center": [22, 14, 0], "radius": 4.4}}],
+      "tracers": {{"count": 700, "seconds": 0.4, "streak": 0.1}}, "strokes": []}}}}}}}})",
+                                    sides),
+                        "test.json", {}, sim::kinds());
+  const auto& p = dynamic_cast<const sim::FluidParameters&>(*scene.objects.at(0).parameters);
+  const sim::FluidPlan plan(p, "it", scene.seed, 1.0 / 60);
+  const auto step =
+      sim::tracerStep(p.tracers, 1.0 / 60 / plan.substeps(), scene.seed, p.wrapsX(), p.wrapsY());
+  TracersTwin twin(p.tracers, p.size, plan.solidsAt(0, 0)->solid(), step, 1.0 / 60);
+  sim::World world(scene);
+  const auto same = [&] {
+    const auto arrays = world.object(0).state();
+    REQUIRE(arrays.size() == 4);
+    const auto got = arrays[2].buffer->readAll<glm::uvec4>();
+    std::size_t different = 0;
+    for (std::size_t i = 0; i < twin.tracers.size(); ++i)
+      different += got[i] == std::bit_cast<glm::uvec4>(twin.tracers[i]) ? 0 : 1;
+    CHECK(different == 0);
+    auto trail = arrays[3].buffer->readAll<std::uint32_t>();
+    trail.resize(twin.trail.size());
+    CHECK(trail == twin.trail);
+  };
+  same();
+  WindTwin wind{sim::fluidWindGrid(p.plane, p.size)};
+  for (int frame = 1; frame <= 6; ++frame) {
+    twin.beginFrame();
+    world.advanceTo(frame, [&](std::size_t, int) {
+      wind.flow = world.object(0).state()[0].buffer->readAll<glm::vec4>();
+      twin.advance(wind);
+    });
+    same();
+  }
+  long drawn = 0, anew = 0;
+  for (const std::uint32_t level : twin.trail) drawn += level > 0 ? 1 : 0;
+  for (const glm::vec4& tracer : twin.tracers) anew += tracer.w > 0 ? 1 : 0;
+  CHECK(drawn > 300);
+  CHECK(anew > 20);
+  testContext().check();
+}
+
+}  // namespace
+
+TEST_CASE("tracers: those of a channel equal their CPU twin") {
+  checkTracers(R"("left": {"kind": "inflow", "velocity": [40, 0, 0]}, "right": "open")");
+}
+
+TEST_CASE("tracers: those of a torus equal their CPU twin") {
+  checkTracers(R"("left": "periodic", "right": "periodic", "top": "periodic", "bottom": "periodic")");
+}

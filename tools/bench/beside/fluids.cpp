@@ -1,0 +1,130 @@
+// Fluid beside a plain loop: its buffers, what a step moves through memory, and where its time goes.
+#include "beside/memory.hpp"
+#include "beside/subject.hpp"
+#include "plain/plain.hpp"
+#include "reference/fluid_twin.hpp"
+#include "sim/fluid/kernels.hpp"
+
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace simreel::bench {
+
+namespace {
+
+constexpr int side = 512;
+constexpr double cells = double(side) * side;
+
+// Bytes that a whole step of a cell moves if every kernel reads and writes each of its elements once: flow
+// and dye are 16 bytes each, weights 4, a correction, a residual or a right-hand side 4.
+//   carry 16 + 16, correct 16 + 16 + 16, brushes 16 + 16 + 16 + 16 where they are at work (here
+//   everywhere), divergence 16 + 4 + 4, projection 16 + 8 + 4 + 16, a pass of dye 16 + 16 + 16. A cycle, on
+//   all levels 4/3 of the finest: residual 16, descent 16, ascent 20, the sum with what it lost 16.
+constexpr double stepBytes = 32 + 48 + 64 + 24 + 44, passBytes = 48, cycleBytes = 68 * 4.0 / 3;
+
+sim::FluidParameters tank() {
+  sim::FluidParameters p;
+  p.size = {side, side};
+  p.speed = 150;
+  p.substeps = 1;
+  p.lift = 60.0F;
+  p.cooling = 0.1F;
+  p.strokes.clear();
+  for (const plain::Fluid::Jet& jet : plain::Fluid::jetsOf(side, side)) {
+    sim::FluidStroke s;
+    s.until = 1e6;
+    s.from = s.to = {jet.x, jet.y, 0};
+    s.radius = jet.radius;
+    s.setsVelocity = s.setsDye = s.setsTemperature = true;
+    s.velocity = glm::vec3(jet.u, jet.v, 0);
+    s.dye = glm::vec3(jet.dye[0], jet.dye[1], jet.dye[2]);
+    s.temperature = 1.0F;
+    p.strokes.push_back(s);
+  }
+  p.obstacles.resize(1);
+  p.obstacles[0].center = {0.37F * side, 0.5F * side, 0};
+  p.obstacles[0].radius = 0.05F * side;
+  return p;
+}
+
+std::function<void()> stepsOf(const std::shared_ptr<sim::FluidPlan>& plan,
+                              const std::shared_ptr<sim::FluidKernels>& kernels) {
+  return [plan, kernels, frame = 0]() mutable {
+    const double time = frame++ * frameSeconds;
+    kernels->beginFrame(time);
+    kernels->advance(time, 1, static_cast<unsigned>(frame));
+  };
+}
+
+/// How much less a step takes without one of its parts: device only.
+void printShares(double whole) {
+  const std::pair<const char*, std::function<void(sim::FluidParameters&)>> without[] = {
+      {"all cycles but one", [](auto& p) { p.cycles = 1; }},
+      {"dye",
+       [](auto& p) {
+         for (auto& s : p.strokes) s.setsDye = false;
+       }},
+      {"the second half of MacCormack",
+       [](auto& p) { p.advection = sim::FluidParameters::Advection::semiLagrangian; }},
+      {"temperature",
+       [](auto& p) {
+         for (auto& s : p.strokes) s.setsTemperature = false;
+       }},
+      {"brushes",
+       [](auto& p) {
+         for (auto& s : p.strokes) s.until = 0;
+       }},
+  };
+  for (const auto& [name, leave] : without) {
+    sim::FluidParameters p = tank();
+    leave(p);
+    const auto plan = std::make_shared<sim::FluidPlan>(p, "tank", 1, frameSeconds);
+    const auto kernels = std::make_shared<sim::FluidKernels>("tank", *plan, false);
+    kernels->start(0);
+    const auto steps = stepsOf(plan, kernels);
+    for (int i = 0; i < 10; ++i) steps();
+    const Taken taken = leastOf(steps);
+    fmt::print("  without {:<30} {:>6.1f} ms of a processor, {:>5.1f}% of the step\n", name,
+               1e3 * taken.processor, 100 * taken.processor / whole);
+  }
+}
+
+}  // namespace
+
+Subject fluidTank() {
+  const sim::FluidParameters p = tank();
+  const GLuint first = nextBuffer();
+  const auto plan = std::make_shared<sim::FluidPlan>(p, "tank", 1, frameSeconds);
+  const auto kernels = std::make_shared<sim::FluidKernels>("tank", *plan, false);
+  kernels->start(0);
+  const auto own = std::make_shared<plain::Fluid>(
+      side, side,
+      plain::Fluid::Numbers{static_cast<float>(frameSeconds), 60,
+                            static_cast<float>(1 - 0.1 * frameSeconds), plan->dyePasses()});
+  const auto steps = stepsOf(plan, kernels);
+  for (int i = 0; i < 10; ++i) {
+    own->step();
+    steps();
+  }
+  Subject subject{"fluid 512x512",
+                  "1e6 cell-steps/s",
+                  cells,
+                  [=] { own->step(); },
+                  frames(std::make_shared<FluidTwin>(*plan)),
+                  steps};
+  subject.after = [=] {
+    const Taken taken = leastOf(steps);
+    const double cycles = kernels->pressure().report().cycles;
+    fmt::print(
+        "  {:.1f} whole steps a second, {:.1f} a processor second; {:.1f} cycles (the plain loop {}), {} "
+        "passes of dye\n",
+        1 / taken.wall, 1 / taken.processor, cycles, own->cycles, plan->dyePasses());
+    printBytes(stepBytes + plan->dyePasses() * passBytes + cycles * cycleBytes, cells / taken.processor);
+    listBuffers("fluid", first, cells);
+    printShares(taken.processor);
+  };
+  return subject;
+}
+
+}  // namespace simreel::bench

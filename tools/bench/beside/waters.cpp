@@ -1,0 +1,77 @@
+// Water beside a plain loop. Apart from fluids.cpp, for both models have names like `wallSide`.
+#include "beside/memory.hpp"
+#include "beside/subject.hpp"
+#include "plain/plain.hpp"
+#include "reference/water_twin.hpp"
+
+#include <fmt/format.h>
+
+namespace simreel::bench {
+
+namespace {
+
+constexpr int basinSide = 512, basinSteps = 16;
+constexpr double basinCells = double(basinSide) * basinSide;
+
+sim::WaterParameters basin() {
+  sim::WaterParameters p;
+  p.size = {basinSide, basinSide};
+  p.cell = 0.1F;
+  p.level = 0;
+  p.bed = -1;
+  p.hills.resize(2);
+  p.hills[0].center = {6, 0, 4};
+  p.hills[0].radii = {9, 0, 7};
+  p.hills[0].height = 1.6F;
+  p.hills[1].center = {-14, 0, -9};
+  p.hills[1].radii = {6, 0, 8};
+  p.hills[1].height = 0.9F;
+  p.pools.resize(1);
+  p.pools[0].from = {-26, 0, -26};
+  p.pools[0].to = {-12, 0, 26};
+  p.pools[0].level = 0.6F;
+  p.drops.clear();
+  p.hasRain = false;
+  p.strokes.clear();
+  p.substeps = basinSteps;
+  p.greatestSpeed = 4;
+  return p;
+}
+
+}  // namespace
+
+Subject waterBasin() {
+  const sim::WaterParameters p = basin();
+  const sim::WaterPlan plan(p, "basin", 1, frameSeconds);
+  const shader::WaterStep told = plan.stepAt(0);
+  const auto own = std::make_shared<plain::Water>(
+      basinSide, basinSide,
+      plain::Water::Numbers{told.ratio, told.gravity, told.thin, told.dry, told.kept});
+  for (std::size_t i = 0; i < own->level.size(); ++i) {
+    own->level[i] = plan.firstCells()[i].x;
+    own->bed[i] = plan.firstCells()[i].w;
+  }
+  const GLuint first = nextBuffer();
+  const auto steps = frames(onDevice("water", p), sim::StepWatch{});
+  Subject subject{"water 512x512",
+                  "1e6 cell-steps/s",
+                  basinSteps * basinCells,
+                  [=] {
+                    for (int i = 0; i < basinSteps; ++i) own->step();
+                  },
+                  [=, twin = std::make_shared<WaterTwin>(plan)] {
+                    for (int i = 0; i < basinSteps; ++i) twin->advance(told);
+                  },
+                  steps};
+  subject.after = [=] {
+    const Taken taken = leastOf(steps);
+    fmt::print("  {:.1f} steps a second, {:.1f} a processor second, drawing of one in {} counted in\n",
+               basinSteps / taken.wall, basinSteps / taken.processor, basinSteps);
+    printBytes(
+        32, basinSteps * basinCells / taken.processor);  // level, two discharges and bed, read and written
+    listBuffers("water", first, basinCells);
+  };
+  return subject;
+}
+
+}  // namespace simreel::bench
