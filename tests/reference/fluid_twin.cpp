@@ -56,6 +56,10 @@ struct FluidModel {
 // Above: what cells are.
 #include "glsl/fluid/brush.glsl"
 #include "glsl/fluid/look.glsl"
+  int lineDetail = 1;
+  float linePerDetail = 1, linePhase = 0;
+// Line integral convolution.
+#include "glsl/fluid/lines.glsl"
 #undef precise
 #undef FUNCTION
 };
@@ -265,12 +269,28 @@ std::vector<glm::vec4> FluidTwin::shown() const {
   for (int y = 0; y < p.size.y; ++y)
     for (int x = 0; x < p.size.x; ++x) {
       const bool solid = model.isSolid(x, y);
-      const glm::vec4 color =
-          model.shownColor(p.look == sim::FluidParameters::Look::ink, p.brightness, model.dyeAt(x, y));
+      const glm::vec4 color = model.shownColor(static_cast<int>(p.look), p.brightness, model.dyeAt(x, y),
+                                               model.flowAt(x, y).z, p.paper);
       const float value = model.shownValue(static_cast<int>(p.show), x, y);
       cells.emplace_back(solid ? p.obstacleColor : glm::vec3(color), solid ? 0.0F : value);
     }
   return cells;
+}
+
+std::vector<float> FluidTwin::lines(double time) const {
+  auto model = shader::modelOf(plan_, step_, flow, carried_, dye, sum_);
+  const sim::FluidParameters& p = plan_.parameters();
+  model.lineDetail = p.lineDetail;
+  model.linePerDetail = 1.0F / static_cast<float>(p.lineDetail);
+  model.linePhase = plan_.linePhase(time);
+  std::vector<float> places;
+  for (int y = 0; y < p.size.y * p.lineDetail; ++y)
+    for (int x = 0; x < p.size.x * p.lineDetail; ++x) {
+      const glm::vec2 at((static_cast<float>(x) + 0.5F) * model.linePerDetail,
+                         (static_cast<float>(y) + 0.5F) * model.linePerDetail);
+      places.push_back(model.isSolid(x / p.lineDetail, y / p.lineDetail) ? 0.0F : model.lineAt(at));
+    }
+  return places;
 }
 
 double FluidTwin::divergence() const {

@@ -18,6 +18,7 @@ class Fluid : public Simulation {
   Fluid(const scene::Object& object, const Setting& setting)
       : name_(object.name),
         plan_(parametersOf<FluidParameters>(object), object.name, setting.seed, setting.frameSeconds),
+        frameSeconds_(setting.frameSeconds),
         kernels_(name_, plan_, setting.fast),
         colors_(plan_.parameters().display.colors()) {
     constexpr const char* channels[] = {"u", "v", "temperature", "pressure", "red", "green", "blue"};
@@ -28,12 +29,12 @@ class Fluid : public Simulation {
 
   void step(double time, const StepWatch& watch) override {
     advance(time, watch);
-    kernels_.show();
+    kernels_.show(time + frameSeconds_);
   }
   void pass(double time) override { advance(time, {}); }
   void resumed(double time) override {
     kernels_.beginFrame(time);
-    kernels_.show();
+    kernels_.show(time);
   }
 
   [[nodiscard]] int stepsPerFrame() const override { return plan_.substeps(); }
@@ -55,11 +56,19 @@ class Fluid : public Simulation {
     field.range = {static_cast<float>(p.display.low), static_cast<float>(p.display.high)};
     field.colors = &colors_;
     field.display = &p.display;
+    const int first = field.firstWord;
+    const int rowWords = field.rowWords;
+    if (p.show == FluidParameters::Show::lines) {
+      field.size = p.size * p.lineDetail;
+      field.rowWords = 4 * field.size.x;
+      field.firstWord = 0;
+    }
     drawables.fields.push_back(field);
     // For files only.
     field.cells = Field::Cells::floats;
     field.display = nullptr;
-    const int first = field.firstWord;
+    field.size = p.size;
+    field.rowWords = rowWords;
     for (int i = 0; i < static_cast<int>(channelNames_.size()); ++i) {
       field.name = &channelNames_[static_cast<std::size_t>(i)];
       field.words = i < 4 ? &kernels_.flowWords() : &kernels_.dyeWords();
@@ -115,6 +124,7 @@ class Fluid : public Simulation {
 
   std::string name_;
   FluidPlan plan_;
+  double frameSeconds_;
   FluidKernels kernels_;
   std::vector<glm::vec3> colors_;
   std::array<std::string, 7> channelNames_;
