@@ -19,6 +19,26 @@ FUNCTION bool paintsCell(int i, int x, int y) {
   return there && brushPaints(i, cell);
 }
 
+// How much of what brush i does reaches a place: all within, less towards the rim of a soft one, none on it.
+FUNCTION float brushPart(int i, vec2 place) {
+  FluidBrush b = brushes[i];
+  if (b.reach.w == 0.0f) return 1.0f;
+  precise vec2 p = place - vec2(b.segment.x, b.segment.y);
+  precise vec2 d = vec2(b.segment.z, b.segment.w) - vec2(b.segment.x, b.segment.y);
+  precise float along = (p.x * d.x + p.y * d.y) * b.reach.y;
+  along = clamp(along, 0.0f, 1.0f);
+  precise vec2 q = p - along * d;
+  precise float inside = (b.reach.x - (q.x * q.x + q.y * q.y)) * b.reach.w;
+  float held = clamp(inside, 0.0f, 1.0f);
+  precise float part = held * held * (3.0f - 2.0f * held);
+  return held < 1e-3f ? 0.0f : part;
+}
+
+FUNCTION float scaled(float value, float part) {
+  precise float product = value * part;
+  return product;
+}
+
 // Faces of a cell that is painted, but for those that do not let anything through.
 FUNCTION float paintedU(int x, int y) {
   float u = flowAt(x, y).x;
@@ -26,8 +46,9 @@ FUNCTION float paintedU(int x, int y) {
   for (int i = 0; i < brushCount; ++i)
     if (paintsCell(i, x, y) || paintsCell(i, x - 1, y)) {
       FluidBrush brush = brushes[i];
-      if ((brush.stamp.w & 1) != 0) u = towards(u, brush.flow.x, brush.reach.z);
-      u = pushed(u, brush.force.x);
+      float part = brushPart(i, placeOf(0, x, y));
+      if ((brush.stamp.w & 1) != 0) u = towards(u, brush.flow.x, scaled(brush.reach.z, part));
+      u = pushed(u, scaled(brush.force.x, part));
     }
   return exactFlush(u);
 }
@@ -38,8 +59,9 @@ FUNCTION float paintedV(int x, int y) {
   for (int i = 0; i < brushCount; ++i)
     if (paintsCell(i, x, y) || paintsCell(i, x, y - 1)) {
       FluidBrush brush = brushes[i];
-      if ((brush.stamp.w & 1) != 0) v = towards(v, brush.flow.y, brush.reach.z);
-      v = pushed(v, brush.force.y);
+      float part = brushPart(i, placeOf(1, x, y));
+      if ((brush.stamp.w & 1) != 0) v = towards(v, brush.flow.y, scaled(brush.reach.z, part));
+      v = pushed(v, scaled(brush.force.y, part));
     }
   return exactFlush(v);
 }
@@ -48,7 +70,7 @@ FUNCTION float paintedHeat(int x, int y) {
   float heat = flowAt(x, y).z;
   for (int i = 0; i < brushCount; ++i)
     if ((brushes[i].stamp.w & 2) != 0 && paintsCell(i, x, y) && !isSolid(x, y))
-      heat = towards(heat, brushes[i].flow.z, brushes[i].reach.z);
+      heat = towards(heat, brushes[i].flow.z, scaled(brushes[i].reach.z, brushPart(i, placeOf(2, x, y))));
   return exactFlush(heat);
 }
 
@@ -66,8 +88,9 @@ FUNCTION vec4 paintedDye(int x, int y) {
   for (int i = 0; i < brushCount; ++i)
     if ((brushes[i].stamp.w & 4) != 0 && paintsCell(i, ix, iy) && !isSolid(ix, iy)) {
       FluidBrush brush = brushes[i];
-      dye = vec4(towards(dye.x, brush.dye.x, brush.reach.z), towards(dye.y, brush.dye.y, brush.reach.z),
-                 towards(dye.z, brush.dye.z, brush.reach.z), 0.0f);
+      float part = scaled(brush.reach.z, brushPart(i, placeOf(2, ix, iy)));
+      dye = vec4(towards(dye.x, brush.dye.x, part), towards(dye.y, brush.dye.y, part), towards(dye.z, brush.dye.z, part),
+                 0.0f);
     }
   return vec4(wholeDye(dye.x), wholeDye(dye.y), wholeDye(dye.z), 0.0f);
 }

@@ -27,15 +27,32 @@ FUNCTION float fraction(float absorbed) {
   return exactExp(negative);
 }
 
-// Linear RGB of dye that shines on black: 1 - e^(-brightness dye); of ink on paper: e^(-brightness a), where an ink absorbs
-// of each primary what its colour lacks, and a little of all (Beer and Lambert).
-FUNCTION vec4 shownColor(bool ink, float brightness, vec4 dye) {
+const int lightLook = 0;
+const int inkLook = 1;
+const int fireLook = 2;
+
+// What glows at a temperature: red first, then yellow, then white.
+FUNCTION vec4 glowOf(float heat) {
+  float held = clamp(heat, 0.0f, 3.0f);
+  precise float square = held * held;
+  precise vec4 glow = vec4(1.9f * square, 0.6f * square * held, 0.13f * square * square, 0.0f);
+  return glow;
+}
+
+// Linear RGB of dye that shines on dark paper: what is not its light, e^(-brightness dye), is the paper's; fire glows besides.
+// Of ink on paper: e^(-brightness a), where an ink absorbs of each primary what its colour lacks, and a little of all (Beer
+// and Lambert).
+FUNCTION vec4 shownColor(int look, float brightness, vec4 dye, float heat, vec3 paper) {
   precise vec4 light = brightness * dye;
-  if (ink) {
+  if (look == inkLook) {
     float most = max(max(light.x, light.y), light.z);
     precise vec4 lacking = vec4(1.15f * most) - light;
-    return vec4(fraction(lacking.x), fraction(lacking.y), fraction(lacking.z), 0.0f);
+    precise vec4 left = vec4(paper, 0.0f) * vec4(fraction(lacking.x), fraction(lacking.y), fraction(lacking.z), 0.0f);
+    return left;
   }
-  precise vec4 shining = vec4(1.0f) - vec4(fraction(light.x), fraction(light.y), fraction(light.z), 1.0f);
+  vec4 glow = look == fireLook ? glowOf(heat) : vec4(0.0f);
+  light = light + glow;
+  precise vec4 dark = vec4(1.0f) - vec4(paper, 0.0f);
+  precise vec4 shining = vec4(1.0f) - dark * vec4(fraction(light.x), fraction(light.y), fraction(light.z), 1.0f);
   return shining;
 }

@@ -43,7 +43,7 @@ const float deepWall = -2.5f;
 const int maxBrushes = 16;
 struct STD140 FluidBrush {
   vec4 segment;   // Stroke's from and to
-  vec4 reach;     // radius2, perLength2, the part of the way that values go, 0
+  vec4 reach;     // radius2, perLength2, the part of the way that values go, 1 / (radius2 less the rim's inner one); 0: hard
   ivec4 stamp;    // seed, picked, imageWord, which of velocity, temperature and dye it sets (1, 2, 4)
   ivec4 image;    // imageFrom, imageSize
   ivec4 box;      // cells that it may paint: first column and row, and how many of each

@@ -25,30 +25,62 @@ FUNCTION vec4 waterValues(int x, int y) {
   return vec4(c.depth, here.x, exactSqrt(squared), least > look.shallow && c.depth > look.shallow ? foam : 0.0f);
 }
 
-// The vertex of a cell, and its colour's number. Where there is no water it lies beneath the bed: as high as the water
-// beside it, so that the two meet where they should.
-FUNCTION vec4 waterVertex(int x, int y, vec4 values) {
-  vec4 here = loadWaterAt(x, y);
+// Where the surface is drawn above the bed for a depth: thin water sinks below it, smoothly, so that films are not drawn and
+// shores run through cells, where the two surfaces meet.
+FUNCTION float drawnAbove(float depth) {
+  precise float ratio = max(depth, 0.0f) * exactReciprocal(look.shallow);
+  precise float lacking = 1.0f - min(ratio, 1.0f);
+  precise float above = depth - look.shallow * (lacking * lacking);
+  return above;
+}
+
+// The depth that thin water and dry ground have in the eyes of the lake beside them: the lake's level less the bed, where
+// there is a lake; what is dry has none above the bed.
+FUNCTION float seenDepth(int x, int y, vec4 here, float depth) {
   precise float sum = 0.0f;
-  precise float count = 0.0f;
+  precise float weights = 0.0f;
   for (int j = -1; j <= 1; ++j)
     for (int i = -1; i <= 1; ++i) {
       vec4 near = loadWaterAt(clamp(x + i, 0, size.x - 1), clamp(y + j, 0, size.y - 1));
-      bool wet = waterDepth(near) > look.shallow;
-      sum = wet ? sum + near.x : sum;
-      count = wet ? count + 1.0f : count;
+      precise float more = waterDepth(near) - look.shallow;
+      float weight = more > 1e-6f ? more : 0.0f;
+      sum = sum + weight * (near.x - here.w);
+      weights = weights + weight;
     }
-  precise float mean = sum * exactReciprocal(max(count, 1.0f));
-  precise float under = here.w - 0.25f * look.cell;
-  precise float lowest = here.w - look.shallow;
-  float beside = min(mean, lowest);
-  float hidden = count > 0.0f ? beside : under;
-  float level = values.x > look.shallow ? here.x : hidden;
+  precise float beside = sum * exactReciprocal(max(weights, 1e-6f));
+  precise float under = -0.25f * look.cell;
+  float lake = weights > 0.0f ? min(beside, 0.0f) : under;
+  precise float ratio = depth * exactReciprocal(look.shallow);
+  float thick = min(ratio, 1.0f);
+  precise float seen = lake + (depth - lake) * thick;
+  return depth > look.shallow ? depth : seen;
+}
+
+// How deep the ground seems: crests throw more light on it, as if it were nearer, and troughs less.
+FUNCTION float lookedThrough(int x, int y, vec4 here, float depth) {
+  vec4 e = loadWaterAt(min(x + 1, size.x - 1), y);
+  vec4 w = loadWaterAt(max(x - 1, 0), y);
+  vec4 n = loadWaterAt(x, max(y - 1, 0));
+  vec4 s = loadWaterAt(x, min(y + 1, size.y - 1));
+  float least = min(min(waterDepth(e), waterDepth(w)), min(waterDepth(n), waterDepth(s)));
+  precise float mean = 0.25f * ((e.x + w.x) + (n.x + s.x));
+  precise float crest = 2.5f * (here.x - mean) * exactReciprocal(look.cell);
+  float held = least > look.shallow ? clamp(crest, -0.6f, 0.6f) : 0.0f;
+  precise float seen = depth * (1.0f - held);
+  return seen;
+}
+
+// The vertex of a cell, and its colour's number.
+FUNCTION vec4 waterVertex(int x, int y, vec4 values) {
+  vec4 here = loadWaterAt(x, y);
+  float above = drawnAbove(seenDepth(x, y, here, values.x));
+  precise float level = here.w + above;
   precise float px = look.left + float(x) * look.cell;
   precise float py = look.base + level;
   precise float pz = look.back + float(y) * look.cell;
-  precise float depths = values.x * look.perClarity * 16.0f + 0.5f;
-  precise float foams = values.w * 15.0f + 0.5f;
+  float through = lookedThrough(x, y, here, values.x);
+  precise float depths = through * look.perClarity * 16.0f + 0.5f;
+  precise float foams = values.w * float(foamColors - 1) + 0.5f;
   int depthColor = min(int(min(depths, 1000.0f)), depthColors - 1);
   return vec4(px, py, pz, float(int(foams) * depthColors + depthColor));
 }

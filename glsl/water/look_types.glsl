@@ -12,4 +12,4 @@ struct STD140 WaterLook {
   float calm;
 };
 const int depthColors = 64;
-const int foamColors = 16;
+const int foamColors = 64;

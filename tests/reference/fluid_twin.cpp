@@ -60,6 +60,10 @@ struct FluidModel {
 // What becomes of them.
 #include "glsl/fluid/brush.glsl"
 #include "glsl/fluid/look.glsl"
+  int lineDetail = 1;
+  float linePerDetail = 1, linePhase = 0;
+// Line integral convolution.
+#include "glsl/fluid/lines.glsl"
 #undef precise
 #undef FUNCTION
 };
@@ -285,12 +289,28 @@ std::vector<glm::vec4> FluidTwin::shown() const {
   for (int y = 0; y < p.size.y; ++y)
     for (int x = 0; x < p.size.x; ++x) {
       const float open = model.openPart(x, y);
-      const glm::vec3 color(
-          model.shownColor(p.look == sim::FluidParameters::Look::ink, p.brightness, model.dyeAt(x, y)));
+      const glm::vec3 color(model.shownColor(static_cast<int>(p.look), p.brightness, model.dyeAt(x, y),
+                                             model.flowAt(x, y).z, p.paper));
       const float value = open == 0 ? 0.0F : model.shownValue(static_cast<int>(p.show), x, y);
       cells.emplace_back(p.obstacleColor + (color - p.obstacleColor) * open, value);
     }
   return cells;
+}
+
+std::vector<float> FluidTwin::lines(double time) const {
+  auto model = shader::modelOf(plan_, *solids_, step_, flow, carried_, dye, sum_);
+  const sim::FluidParameters& p = plan_.parameters();
+  model.lineDetail = p.lineDetail;
+  model.linePerDetail = 1.0F / static_cast<float>(p.lineDetail);
+  model.linePhase = plan_.linePhase(time);
+  std::vector<float> places;
+  for (int y = 0; y < p.size.y * p.lineDetail; ++y)
+    for (int x = 0; x < p.size.x * p.lineDetail; ++x) {
+      const glm::vec2 at((static_cast<float>(x) + 0.5F) * model.linePerDetail,
+                         (static_cast<float>(y) + 0.5F) * model.linePerDetail);
+      places.push_back(model.isSolid(x / p.lineDetail, y / p.lineDetail) ? 0.0F : model.lineAt(at));
+    }
+  return places;
 }
 
 double FluidTwin::divergence() const {

@@ -27,6 +27,8 @@ class FluidTwin {
 
   /// What a frame shows: colour, and the value in a.
   [[nodiscard]] std::vector<glm::vec4> shown() const;
+  /// The brightness of lines of flow at `time` (s), lineDetail places a cell.
+  [[nodiscard]] std::vector<float> lines(double time) const;
   [[nodiscard]] const simreel::sim::FluidPlan& plan() const { return plan_; }
   [[nodiscard]] const simreel::sim::FluidSolids& solids() const { return *solids_; }
   [[nodiscard]] std::size_t index(int x, int y) const {

@@ -1,6 +1,7 @@
 // A field on the picture: each pixel is the exact average over the cells under it, so edges of cells are
 // smooth, nothing aliases and nothing shimmers while it zooms. Where a pixel covers less than a cell, values
-// are averaged over one whole cell around it instead, which is linear interpolation.
+// are averaged over one whole cell around it instead, which is linear interpolation; colours that cells have of their own
+// over that interpolation again, which is a quadratic spline without creases.
 // `colored`: averages the light of cells; else values, coloured afterwards. Reads what field_view.glsl declares.
 // Compiles as GLSL and as C++, after field_values.glsl and film.glsl.
 
@@ -28,6 +29,49 @@ FUNCTION vec4 meanOver(vec2 from, vec2 to) {
   ROUNDED float area = (to.x - from.x) * (to.y - from.y);
   ROUNDED vec4 mean = sum * inverse(area);
   return mean;
+}
+
+// Weights of the elements before, around and after a place: what is under a box of one element moved over linear
+// interpolation. `beyond`: how far from the middle one's middle, -1/2 to 1/2.
+FUNCTION vec3 splineWeights(float beyond) {
+  ROUNDED float before = 0.5f - beyond;
+  ROUNDED float after = 0.5f + beyond;
+  before = before < 1e-3f ? 0.0f : before;  // products stay normal numbers
+  after = after < 1e-3f ? 0.0f : after;
+  ROUNDED vec3 weights = vec3(0.5f * (before * before), 0.75f - beyond * beyond, 0.5f * (after * after));
+  return weights;
+}
+
+FUNCTION vec4 splineRow(ivec2 at, vec3 weights) {
+  ROUNDED vec4 sum = element(at - ivec2(1, 0)) * weights.x + element(at) * weights.y + element(at + ivec2(1, 0)) * weights.z;
+  return sum;
+}
+
+FUNCTION vec4 splineAt(vec2 place) {
+  ivec2 at = ivec2(floor(place));
+  ROUNDED vec2 beyond = place - vec2(at) - 0.5f;
+  vec3 across = splineWeights(beyond.x), down = splineWeights(beyond.y);
+  ivec2 middle = base + at;
+  ROUNDED vec4 sum = splineRow(middle - ivec2(0, 1), across) * down.x + splineRow(middle, across) * down.y +
+                     splineRow(middle + ivec2(0, 1), across) * down.z;
+  return sum;
+}
+
+// What a pixel shows that reaches so far around its middle. From half an element a pixel to a whole one the spline goes
+// over into the mean.
+FUNCTION vec4 seenAround(vec2 middle, vec2 reach) {
+  ROUNDED float coarse = 2.0f * max(perPixel.x, perPixel.y) - 1.0f;
+  float share = smoothColors ? clamp(coarse, 0.0f, 1.0f) : 1.0f;
+  vec4 mean = vec4(0.0f), spline = vec4(0.0f);
+  if (share > 0.0f) {
+    ROUNDED vec2 a = middle - reach;
+    ROUNDED vec2 b = middle + reach;
+    mean = meanOver(a, b);
+  }
+  if (share >= 1.0f) return mean;
+  spline = splineAt(middle);
+  ROUNDED vec4 both = spline + (mean - spline) * share;
+  return share > 0.0f ? both : spline;
 }
 
 // Fraction of the interval from..to that lies in low..high.
@@ -70,6 +114,16 @@ FUNCTION vec3 lit(vec3 color, vec2 middle, vec2 reach) {
   ROUNDED vec2 b4 = b - down;
   ROUNDED float riseX = (meanOver(a1, b1).w - meanOver(a2, b2).w) * inverse(twice.x);
   ROUNDED float riseY = (meanOver(a3, b3).w - meanOver(a4, b4).w) * inverse(twice.y);
+  if (smoothColors) {
+    ROUNDED vec2 after = middle + right;
+    ROUNDED vec2 before = middle - right;
+    ROUNDED vec2 below = middle + down;
+    ROUNDED vec2 above = middle - down;
+    riseX = seenAround(after, reach).w - seenAround(before, reach).w;
+    riseY = seenAround(below, reach).w - seenAround(above, reach).w;
+    riseX = riseX * inverse(twice.x);
+    riseY = riseY * inverse(twice.y);
+  }
   ROUNDED vec3 up = vec3(-slope.x * riseX, -slope.y * riseY, 1.0f);
   vec3 normal = unitOf(up);
   ROUNDED float facing = dotted(normal, vec3(-0.484717914f, -0.572848444f, 0.660978974f)) * 1.51290743f;
@@ -103,9 +157,7 @@ FUNCTION vec4 fieldPixel(ivec2 at) {
   }
   vec3 color = border;
   if (inside > 0.0f) {
-    ROUNDED vec2 a = middle - reach;
-    ROUNDED vec2 b = middle + reach;
-    vec4 mean = meanOver(a, b);
+    vec4 mean = seenAround(middle, reach);
     vec3 own = colored ? vec3(mean) : colorAtPlace(mean.w);
     if (relief) own = lit(own, middle, max(reach, vec2(0.5f)));
     color = blend(border, own, inside);

@@ -18,6 +18,7 @@ class Fluid : public Simulation {
   Fluid(const scene::Object& object, const Setting& setting)
       : name_(object.name),
         plan_(parametersOf<FluidParameters>(object), object.name, setting.seed, setting.frameSeconds),
+        frameSeconds_(setting.frameSeconds),
         kernels_(name_, plan_, setting.fast, setting.startTime),
         wind_(plan_.parameters().plane, plan_.size(), plan_.parameters().speed,
               [this]() -> const gl::Vec4Array& { return flow(); }),
@@ -38,14 +39,14 @@ class Fluid : public Simulation {
 
   void step(double time, const StepWatch& watch) override {
     advance(time, watch);
-    show();
+    show(time + frameSeconds_);
   }
   void pass(double time) override { advance(time, {}); }
   void resumed(double time) override {
     time_ = time;
     kernels_.beginFrame(time);
     kernels_.place(time, 0);
-    show();
+    show(time);
   }
 
   [[nodiscard]] int stepsPerFrame() const override { return plan_.substeps(); }
@@ -67,11 +68,19 @@ class Fluid : public Simulation {
     field.range = {static_cast<float>(p.display.low), static_cast<float>(p.display.high)};
     field.colors = &colors_;
     field.display = &p.display;
+    const int first = field.firstWord;
+    const int rowWords = field.rowWords;
+    if (p.show == FluidParameters::Show::lines) {
+      field.size = p.size * p.lineDetail;
+      field.rowWords = 4 * field.size.x;
+      field.firstWord = 0;
+    }
     drawables.fields.push_back(field);
     // For files only.
     field.cells = Field::Cells::floats;
     field.display = nullptr;
-    const int first = field.firstWord;
+    field.size = p.size;
+    field.rowWords = rowWords;
     for (int i = 0; i < static_cast<int>(channelNames_.size()); ++i) {
       field.name = &channelNames_[static_cast<std::size_t>(i)];
       field.words = i < 4 ? &kernels_.flowWords() : &kernels_.dyeWords();
@@ -126,8 +135,8 @@ class Fluid : public Simulation {
 
  private:
   [[nodiscard]] const gl::Vec4Array& flow() const { return kernels_.flow(); }
-  void show() {
-    kernels_.show();
+  void show(double time) {
+    kernels_.show(time);
     if (plan_.parameters().hasTracers) tracers_.show(kernels_.shown());
     kernels_.measure();
   }
@@ -147,6 +156,7 @@ class Fluid : public Simulation {
 
   std::string name_;
   FluidPlan plan_;
+  double frameSeconds_;
   FluidKernels kernels_;
   FluidWind wind_;
   Tracers tracers_;

@@ -51,7 +51,7 @@ gl::Defines definesOf(const FluidParameters& p, bool fast) {
   define("POCKETS_GROW", p.pocketsGrow() ? 1 : 0);
   define("OBSTACLES_SLIP", p.obstaclesSlip ? 1 : 0);
   define("SHOWN", static_cast<int>(p.show));
-  define("INK", p.look == FluidParameters::Look::ink ? 1 : 0);
+  define("LOOK", static_cast<int>(p.look));
   return defines;
 }
 
@@ -102,15 +102,25 @@ FluidKernels::FluidKernels(const std::string& name, const FluidPlan& plan, bool 
   correct_.checkUniformBlock("FluidBlock", sizeof(shader::FluidStep));
   make(project_, "fluid/project.comp");
   make(moveDye_, "fluid/dye.comp");
-  make(show_, "fluid/show.comp");
+  const bool lines = p.show == FluidParameters::Show::lines;
+  make(show_, lines ? "fluid/lines.comp" : "fluid/show.comp");
   show_.set("stopCount", static_cast<int>(p.display.colors().size()));
   show_.set("low", static_cast<float>(p.display.low));
   show_.set("perRange", static_cast<float>(1 / (p.display.high - p.display.low)));
-  show_.set("brightness", p.brightness);
   show_.set("obstacleColor", p.obstacleColor);
   tally_ = Tally(name, "fluid/tally.comp", defines);
   tally_.kernel().set("size", plan.size());
   tally_.kernel().set("solidsStart", plan.levels().elements());
+  if (lines) {
+    const int detail = p.lineDetail;
+    lines_ = gl::Vec4Array(name + " lines", p.size.x * p.size.y * detail * detail);
+    lineWords_ = gl::Texture::view(name + " lines", GL_RGBA32UI, lines_.buffer());
+    show_.set("lineDetail", detail);
+    show_.set("linePerDetail", 1.0F / static_cast<float>(detail));
+  } else {
+    show_.set("brightness", p.brightness);
+    show_.set("paper", p.paper);
+  }
   if (plan.strokes().empty()) return;
   stamps_ = gl::WordsArray(name + " brush images", stampElements(plan.strokes().imageBits()));
   make(paint_, "fluid/paint.comp");
@@ -187,7 +197,7 @@ void FluidKernels::start(double time) {
   steps_.bind(0);
   paint(time, 0);
   project(0);
-  show();
+  show(time);
 }
 
 void FluidKernels::advance(double time, int step, unsigned number) {
@@ -227,15 +237,18 @@ CountTable FluidKernels::counts() const {
       {"kineticEnergy", "enstrophy", "dye", "temperature", "speed", "courant", "divergence", "cycles"});
 }
 
-void FluidKernels::show() {
+void FluidKernels::show(double time) {
+  const bool lines = plan_.parameters().show == FluidParameters::Show::lines;
   steps_.bind(0);
   arrays_[flow_].bindInput(at::flowBinding);
   stops_.bindInput(at::carriedBinding);
   arrays_[dye_].bindInput(at::dyeBinding);
-  arrays_[free_].bindState(at::nextFlowBinding);
   pressure_.bindSolids();
+  (lines ? lines_ : arrays_[free_]).bindState(at::nextFlowBinding);
   gl::barrier();
-  show_.dispatch(plan_.size().x, plan_.size().y);
+  if (lines) show_.set("linePhase", plan_.linePhase(time));
+  const glm::ivec2 places = plan_.size() * (lines ? plan_.parameters().lineDetail : 1);
+  show_.dispatch(places.x, places.y);
   gl::barrier();
 }
 

@@ -28,8 +28,8 @@ class FluidKernels {
   void advance(double time, int step, unsigned number);
   /// The first state: what is painted at `time`, without divergence.
   void start(double time);
-  /// Makes shown() of the present state.
-  void show();
+  /// Makes shownWords() of the present state, that of `time` (s).
+  void show(double time);
 
   /// Measures the present state for counts().
   void measure();
@@ -42,9 +42,10 @@ class FluidKernels {
   /// As words, for Field.
   [[nodiscard]] const gl::Texture& flowWords() const { return words_[flow_]; }
   [[nodiscard]] const gl::Texture& dyeWords() const { return words_[dye_]; }
-  /// Colour in rgb, what is shown in a.
-  [[nodiscard]] const gl::Texture& shownWords() const { return words_[free_]; }
+  /// What is shown with a ring, unless it is lines.
   [[nodiscard]] const gl::Vec4Array& shown() const { return arrays_[free_]; }
+  /// Colour in rgb, what is shown in a; of lines, with lineDetail places a cell and no ring.
+  [[nodiscard]] const gl::Texture& shownWords() const { return lineWords_ ? lineWords_ : words_[free_]; }
   [[nodiscard]] const gl::Buffer& status() const { return status_; }
   /// The obstacles of the present state.
   [[nodiscard]] const FluidSolids& solids() const { return *solids_; }
@@ -61,6 +62,8 @@ class FluidKernels {
   std::shared_ptr<const FluidSolids> solids_;
   gl::Vec4Array arrays_[4];
   gl::Texture words_[4];
+  gl::Vec4Array lines_;  ///< where lines are shown
+  gl::Texture lineWords_;
   int flow_ = 0, dye_ = 1, free_ = 2, spare_ = 3;
   gl::WordsArray stamps_;
   gl::Vec4Array stops_;

@@ -40,28 +40,45 @@ void describeStroke(scene::Fields& f, FluidStroke& stroke) {
   f.vector("dye", stroke.dye, {0, 8}, "", "Dye that it sets: red, green, blue.");
   f.leftOut("dye", "not set");
   f.vector("force", stroke.force, {-1e6, 1e6}, "cells/s^2", "Acceleration; the third is unused.");
+  f.number("soft", stroke.soft, scene::fraction, "",
+           "Part of the radius over which it fades towards its rim; not of images.");
   if (f.given("velocity")) stroke.setsVelocity = true;
   if (f.given("temperature")) stroke.setsTemperature = true;
   if (f.given("dye")) stroke.setsDye = true;
 }
 
-/// Two jets from the sides and one from below, each of its own colour.
+/// Thin jets from a ring, past the middle on the same side, so that together they turn: two colours side by
+/// side in each, of which the next one has the second.
 std::vector<FluidStroke> standardStrokes(glm::ivec2 size) {
+  constexpr int count = 5;
+  constexpr glm::vec3 colors[count] = {{1.7F, 0.03F, 0.01F},
+                                       {1.6F, 0.45F, 0.01F},
+                                       {0.02F, 0.9F, 0.5F},
+                                       {0.01F, 0.25F, 1.6F},
+                                       {0.9F, 0.02F, 0.7F}};
   const auto w = static_cast<float>(size.x), h = static_cast<float>(size.y);
-  const float scale = h / 180;
-  const auto jet = [&](glm::vec3 at, glm::vec3 way, glm::vec3 dye) {
-    FluidStroke s;
-    s.until = 1e6;
-    s.from = s.to = at;
-    s.radius = std::max(7 * scale, 1.5F);
-    s.setsVelocity = s.setsDye = true;
-    s.velocity = way * std::min(scale, 1.0F);
-    s.dye = dye;
-    return s;
-  };
-  return {jet({0.06F * w, 0.36F * h, 0}, {120, 28, 0}, {1.6F, 0.22F, 0.04F}),
-          jet({0.94F * w, 0.45F * h, 0}, {-120, 20, 0}, {0.03F, 0.35F, 1.6F}),
-          jet({0.5F * w, 0.92F * h, 0}, {10, -105, 0}, {1.1F, 0.8F, 0.1F})};
+  const float scale = std::min(h / 180, w / 320);
+  std::vector<FluidStroke> strokes;
+  for (int i = 0; i < count; ++i) {
+    const float angle = (static_cast<float>(i) + 0.25F) * 2 * std::numbers::pi_v<float> / count;
+    const glm::vec2 from(0.4F * w * shader::exactCos(angle), 0.44F * h * shader::exactSin(angle));
+    const glm::vec2 inward = -from / std::sqrt(from.x * from.x + from.y * from.y);
+    const glm::vec2 way = 330.0F * inward + 70.0F * glm::vec2(inward.y, -inward.x);
+    const glm::vec2 across = glm::vec2(-way.y, way.x) / std::sqrt(way.x * way.x + way.y * way.y);
+    for (const int side : {0, 1}) {
+      const glm::vec2 at =
+          0.5F * glm::vec2(w, h) + from + across * (2.6F * scale * static_cast<float>(2 * side - 1));
+      FluidStroke s;
+      s.until = 1e6;
+      s.from = s.to = glm::vec3(at, 0);
+      s.radius = std::max(4.2F * scale, 1.5F);
+      s.setsVelocity = s.setsDye = true;
+      s.velocity = glm::vec3(std::min(scale, 1.0F) * way, 0);
+      s.dye = colors[(i + side) % count];
+      strokes.push_back(s);
+    }
+  }
+  return strokes;
 }
 
 }  // namespace
@@ -135,7 +152,7 @@ void FluidParameters::describe(scene::Fields& f) {
   if (!f.given("strokes")) strokes = standardStrokes(size);
   f.list("strokes", strokes, "Timed strokes that set velocity, temperature or dye, or push.",
          describeStroke);
-  f.leftOut("strokes", "three jets of dye");
+  f.leftOut("strokes", "jets of dye from five sides");
   f.group("plane", "Where it lies in the world, for what takes it as its wind.", [&](scene::Fields& p) {
     p.vector("position", plane.position, scene::anyNumber, "m", "Middle of its rectangle.");
     p.vector("rotation", plane.rotation, scene::anyNumber, "degrees",
@@ -145,13 +162,28 @@ void FluidParameters::describe(scene::Fields& f) {
   f.switchable("tracers");
   f.optionalGroup("tracers", hasTracers, "Specks that the flow carries along and that draw streaks.",
                   [&](scene::Fields& t) { tracers.describe(t); });
-  f.choice("show", show, {"dye", "speed", "vorticity", "temperature", "pressure"},
-           "What is drawn: dye in its own colours, all else by the display's colour map.");
-  f.choice("look", look, {"light", "ink"}, "Dye that shines on black, or ink that absorbs on white.");
+  f.choice(
+      "show", show, {"dye", "speed", "vorticity", "temperature", "pressure", "lines"},
+      "What is drawn: dye in its own colours, lines of flow in the colour of their speed, all else by the "
+      "display's colour map.");
+  f.choice("look", look, {"light", "ink", "fire"},
+           "Dye that shines on dark, ink that absorbs on paper, or dye that is smoke round what is hot.");
   f.number("brightness", brightness, {0, 1e4}, "", "Of dye.");
+  if (look == Look::ink) paper = glm::vec3(0.94F, 0.9F, 0.82F);
+  f.vector("paper", paper, scene::fraction, "linear RGB", "Where there is no dye.");
+  f.leftOut("paper", "dark for \"light\" and \"fire\", a warm white for \"ink\"");
+  f.integer("lineDetail", lineDetail, {1, 16}, "", "Places a cell on a side in which lines are drawn.");
+  f.number("lineRate", lineRate, {0, 1e3}, "1/s", "Ripples that run along the lines, with the flow.");
+  if (show == Show::lines && hasTracers)
+    f.error("tracers", "\"tracers\" are drawn over cells, not over \"show\": \"lines\"");
+  for (const char* name : {"lineDetail", "lineRate"})
+    if (show != Show::lines && f.given(name))
+      f.error(name, fmt::format("\"{}\" is for \"show\": \"lines\"", name));
   f.group("display", "How it is laid over the picture.", [&](scene::Fields& d) {
-    if (show == Show::speed) display.high = speed;
+    if (show == Show::speed || show == Show::lines) display.high = speed;
+    if (show == Show::lines || show == Show::temperature) display.map = "inferno";
     if (show == Show::vorticity) {
+      display.map = "polar";
       display.high = 0.1 * speed;
       display.low = -display.high;
     }

@@ -49,18 +49,19 @@ struct FluidStroke : StrokeParameters {
   scene::Animated<float> temperature = 0.0F;
   scene::Animated<glm::vec3> dye = glm::vec3(0);    ///< RGB
   scene::Animated<glm::vec3> force = glm::vec3(0);  ///< cells/s^2
+  float soft = 0.5F;   ///< part of the radius over which it fades towards its rim
 };
 
 /// Incompressible flow (SPEC 9) as a scene says it. Lengths are in cells; v and y grow down the picture.
 struct FluidParameters : ObjectParameters {
   enum class Advection { macCormack, semiLagrangian, cubic };  // as ADVECTION of glsl/fluid/grid.glsl
-  enum class Show { dye, speed, vorticity, temperature, pressure };
-  enum class Look { light, ink };
+  enum class Show { dye, speed, vorticity, temperature, pressure, lines };
+  enum class Look { light, ink, fire };
   glm::ivec2 size{320, 180};  ///< cells
   FluidSide left, right, top, bottom;
-  float speed = 260;            ///< cells/s that the flow is expected to have at most
+  float speed = 420;            ///< cells/s that the flow is expected to have at most
   std::optional<int> substeps;  ///< a frame; none: as speed and viscosity ask for
-  float courant = 2;            ///< cells that the greatest speed goes in a substep
+  float courant = 2.5F;         ///< cells that the greatest speed goes in a substep
   Advection advection = Advection::macCormack;
   scene::Animated<float> viscosity = 0.0F;    ///< cells^2/s
   scene::Animated<float> confinement = 0.0F;  ///< 1/s
@@ -75,10 +76,13 @@ struct FluidParameters : ObjectParameters {
   std::vector<FluidStroke> strokes;
   Show show = Show::dye;
   Look look = Look::light;
-  float brightness = 1.6F;
   FluidPlane plane;
   bool hasTracers = false;
   TracerParameters tracers;
+  float brightness = 1.1F;
+  glm::vec3 paper{0.003F, 0.004F, 0.009F};  ///< linear RGB where there is no dye
+  int lineDetail = 4;                       ///< places a cell on a side in which lines are drawn
+  double lineRate = 0.8;                    ///< 1/s: ripples that run through a place of a line
   FieldDisplay display;
 
   FluidParameters();

@@ -149,6 +149,11 @@ shader::FluidStep FluidPlan::stepAt(double time, int step) const {
   return s;
 }
 
+float FluidPlan::linePhase(double time) const {
+  const double turns = time * parameters_.lineRate;
+  return static_cast<float>(turns - std::floor(turns));
+}
+
 FluidPlan::Brushes FluidPlan::brushesAt(double time, int step) const {
   Brushes all;
   if (strokes_.empty()) return all;
@@ -164,7 +169,10 @@ FluidPlan::Brushes FluidPlan::brushesAt(double time, int step) const {
     const FluidStroke& what = parameters_.strokes[static_cast<std::size_t>(numbers[i])];
     shader::FluidBrush brush{};
     brush.segment = {stroke.from.x, stroke.from.y, stroke.to.x, stroke.to.y};
-    brush.reach = {stroke.radius2, stroke.perLength2, std::min(stroke.value, 1.0F), 0};
+    const float hard = 1 - what.soft;
+    const float rim = stroke.radius2 * (1 - hard * hard);  // of squares, from where it fades to the rim
+    brush.reach = {stroke.radius2, stroke.perLength2, std::min(stroke.value, 1.0F),
+                   rim > 1e-6F && stroke.imageSize.x == 0 ? 1 / rim : 0};
     brush.stamp = {stroke.seed, stroke.picked, stroke.imageWord,
                    (what.setsVelocity ? 1 : 0) + (what.setsTemperature ? 2 : 0) + (what.setsDye ? 4 : 0)};
     brush.image = {stroke.imageFrom.x, stroke.imageFrom.y, stroke.imageSize.x, stroke.imageSize.y};

@@ -47,6 +47,8 @@ class FluidPlan {
   [[nodiscard]] std::vector<glm::vec4> firstFlow(double time) const;
   /// Of substep `step` (from 1) of the frame that starts at `time` (s).
   [[nodiscard]] shader::FluidStep stepAt(double time, int step) const;
+  /// Where the ripples are that run along lines of flow at `time` (s), in turns, 0 to 1.
+  [[nodiscard]] float linePhase(double time) const;
   /// What is painted into the state after `step` substeps of the frame that starts at `time` (s). Throws
   /// UserError(usage) for more than maxBrushes.
   [[nodiscard]] Brushes brushesAt(double time, int step) const;

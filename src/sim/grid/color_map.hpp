@@ -12,7 +12,8 @@ namespace simreel::sim {
 /// Evenly spaced stops of a colour map, linear RGB; empty for an unknown name. Interpolated linearly they
 /// stay within 5/255 (sRGB) of the published map.
 /// viridis, magma, inferno, plasma: N. J. Smith, S. van der Walt, E. Firing (CC0). turbo: A. Mikhailov,
-/// Google (Apache 2.0).
+/// Google (Apache 2.0). polar: of this program, for what has a sign: dark in the middle, even in lightness
+/// to both sides.
 [[nodiscard]] std::vector<glm::vec3> colorMapStops(const std::string& name);
 
 }  // namespace simreel::sim

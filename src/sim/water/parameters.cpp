@@ -45,9 +45,30 @@ void WaterParameters::rainOnPond(scene::Fields& f) {
     return;
   const glm::vec2 extent = glm::vec2(size) * cell;
   const float smaller = std::min(extent.x, extent.y);
-  bed = 0.02F * smaller;
-  hills = {{glm::vec3(0), 0.47F * glm::vec3(extent.x, 0, extent.y), -0.2F * smaller}};
-  hasRain = true;
+  isPond = hasRain = true;
+  rain.rate = 60;
+  rain.radius = 0.017F * smaller;
+  rain.height = 0.017F * smaller;
+  clarity = 0.045F * smaller;
+  ground = {0.17F, 0.165F, 0.07F};
+  pondTerrain(extent, smaller);
+}
+
+/// A hollow among hills, with two stones.
+void WaterParameters::pondTerrain(glm::vec2 extent, float smaller) {
+  struct Hill {
+    float x, z, across, along, height;
+  };
+  constexpr Hill shape[] = {
+      {-0.06F, 0.12F, 0.58F, 0.62F, -0.22F},   {0.32F, -0.44F, 0.3F, 0.26F, 0.12F},
+      {-0.22F, -0.5F, 0.36F, 0.22F, 0.09F},    {0.5F, 0.05F, 0.2F, 0.4F, 0.08F},
+      {0.14F, -0.12F, 0.075F, 0.055F, 0.058F}, {0.2F, -0.07F, 0.045F, 0.04F, 0.042F},
+  };
+  bed = 0.1F * smaller;
+  hills.clear();
+  for (const Hill& h : shape)
+    hills.push_back({glm::vec3(h.x * extent.x, 0, h.z * extent.y),
+                     glm::vec3(h.across * extent.x, 0, h.along * extent.y), h.height * smaller});
 }
 
 void WaterParameters::describeStart(scene::Fields& f) {
@@ -189,10 +210,12 @@ void WaterParameters::describeLook(scene::Fields& f) {
 
 std::optional<scene::Box> WaterParameters::framed() const {
   if (!visible) return std::nullopt;
-  const glm::vec3 reach = 0.5F * cell * glm::vec3(size.x, 0, size.y);
-  const float under = terrain.empty() ? bed : terrainLow;
-  return scene::Box{position - reach + glm::vec3(0, std::min(level, under), 0),
-                    position + reach + glm::vec3(0, std::max(level, under), 0)};
+  // As tall as makes an unplaced camera look along the water; of the pond its middle.
+  const glm::vec3 extent = cell * glm::vec3(size.x, 0, size.y);
+  glm::vec3 reach = (isPond ? 0.15F : 0.5F) * extent;
+  reach.y = 0.51F * std::max(reach.x, reach.z);
+  const glm::vec3 middle = position + glm::vec3(0, level, 0);
+  return scene::Box{middle - reach, middle + reach};
 }
 
 bool WaterParameters::isTorus() const {

@@ -66,8 +66,8 @@ struct WaterSwell {
 
 /// Shallow water over a terrain as a scene says it.
 struct WaterParameters : ObjectParameters {
-  glm::ivec2 size{129, 129};  ///< cells along x and z
-  float cell = 0.05F;         ///< m
+  glm::ivec2 size{193, 193};  ///< cells along x and z
+  float cell = 0.035F;        ///< m
   glm::vec3 position{0};      ///< m, the grid's middle at level 0
   float level = 0;            ///< m
   std::vector<WaterPool> pools;
@@ -88,16 +88,17 @@ struct WaterParameters : ObjectParameters {
   std::vector<WaterDropParameters> drops;
   std::vector<WaterDrain> drains;
   bool hasRain = false;
+  bool isPond = false;  ///< nothing was said of the water
   WaterRain rain;
   std::vector<StrokeParameters> strokes;
   std::vector<WaterFloat> floats;
   bool collides = false;
   float grip = 2;  ///< 1/s
   bool visible = true;
-  glm::vec3 deep{0.01F, 0.045F, 0.05F};  ///< linear RGB
-  float roughness = 0.06F;
-  glm::vec3 shallow{0.2F, 0.17F, 0.1F};  ///< linear RGB
-  float clarity = 0.15F;                 ///< m
+  glm::vec3 deep{0.003F, 0.022F, 0.024F};  ///< linear RGB
+  float roughness = 0.04F;
+  glm::vec3 shallow{0.1F, 0.105F, 0.05F};  ///< linear RGB
+  float clarity = 0.15F;                   ///< m
   float foam = 0;
   glm::vec3 ground{0.35F, 0.3F, 0.22F};  ///< linear RGB
   float groundRoughness = 0.9F;
@@ -116,6 +117,7 @@ struct WaterParameters : ObjectParameters {
  private:
   /// What a scene that says nothing of the water gets.
   void rainOnPond(scene::Fields& fields);
+  void pondTerrain(glm::vec2 extent, float smaller);
   void describeStart(scene::Fields& fields);
   void describeFlow(scene::Fields& fields);
   void describeLook(scene::Fields& fields);

@@ -257,15 +257,19 @@ shader::WaterLook WaterPlan::look() const {
   return l;
 }
 
-// Beer's law: e^(-d / clarity) of what is seen is the ground, the rest the water's own colour.
+// Beer's law: e^(-d / clarity) of what is seen is the ground, the rest the water's own colour; of red less
+// gets through.
 std::vector<glm::vec4> WaterPlan::palette() const {
   const glm::vec3 deep = parameters_.deep;
+  constexpr glm::vec3 absorbed(1.7F, 0.95F, 1.1F);
   std::vector<glm::vec4> colors;
   for (int foam = 0; foam < shader::foamColors; ++foam)
     for (int depth = 0; depth < shader::depthColors; ++depth) {
-      const float through = shader::exactExp(-static_cast<float>(depth) / 16.0F);
+      const glm::vec3 ways = absorbed * (-static_cast<float>(depth) / 16.0F);
+      const glm::vec3 through(shader::exactExp(ways.x), shader::exactExp(ways.y), shader::exactExp(ways.z));
       const glm::vec3 water = deep + (parameters_.shallow - deep) * through;
-      const float white = static_cast<float>(foam) / static_cast<float>(shader::foamColors - 1);
+      const float share = static_cast<float>(foam) / static_cast<float>(shader::foamColors - 1);
+      const float white = share * share;
       colors.emplace_back(water + (glm::vec3(0.9F) - water) * white, 0.0F);
     }
   return colors;

@@ -11,6 +11,7 @@
 #include "sim/grid/tally.hpp"
 #include "sim/mesh/height_field.hpp"
 #include "sim/water/float_kernels.hpp"
+#include "sim/water/ground.hpp"
 #include "sim/water/plan.hpp"
 #include "sim/water/quantities.hpp"
 
@@ -44,31 +45,6 @@ void checkLimits(const std::string& name, glm::ivec2 size) {
   };
   refuse(cells * 24, "bytes", gl::limits().storageBlockBytes, "GL_MAX_SHADER_STORAGE_BLOCK_SIZE");
   refuse(cells, "texels", gl::limits().texelBufferTexels, "GL_MAX_TEXTURE_BUFFER_SIZE");
-}
-
-std::vector<glm::vec4> groundOf(const WaterPlan& plan) {
-  const shader::WaterLook look = plan.look();
-  const WaterParameters& p = plan.parameters();
-  const int width = p.size.x;
-  // A wall stands up a little beyond the water.
-  float rim = -1e9F;
-  for (const glm::vec4& cell : plan.firstCells())
-    if (cell.x - cell.w > look.shallow) rim = std::max(rim, cell.x + 0.05F * (cell.x - cell.w));
-  const auto walled = [&](glm::ivec2 at) {
-    const bool touched[] = {at.x == 0, at.x == width - 1, at.y == 0, at.y == p.size.y - 1};
-    for (std::size_t i = 0; i < 4; ++i)
-      if (touched[i] && p.sides[i] == WaterBorder::wall) return true;
-    return false;
-  };
-  std::vector<glm::vec4> vertices;
-  for (const glm::vec4& cell : plan.firstCells()) {
-    const auto i = static_cast<int>(vertices.size());
-    const glm::ivec2 at(i % width, i / width);
-    vertices.emplace_back(look.left + static_cast<float>(at.x) * look.cell,
-                          look.base + (walled(at) ? std::max(cell.w, rim) : cell.w),
-                          look.back + static_cast<float>(at.y) * look.cell, 0.0F);
-  }
-  return vertices;
 }
 
 std::vector<glm::uvec4> elementsOf(const std::vector<std::uint32_t>& words) {
@@ -105,7 +81,6 @@ class Water : public Simulation {
         look_(name_ + " look", sizeof(shader::WaterLook)) {
     const WaterParameters& p = plan_.parameters();
     material_.roughness = p.roughness;
-    ground_.color = p.ground;
     ground_.roughness = p.groundRoughness;
     ground_.texture = p.groundTexture;
     const float across = static_cast<float>(p.size.y) / static_cast<float>(p.size.x);
@@ -115,7 +90,8 @@ class Water : public Simulation {
     values_ = gl::Vec4Array(name_ + " values", count);
     words_ = gl::Texture::view(name_ + " words", GL_RGBA32UI, values_.buffer());
     if (p.visible) {
-      groundPositions_ = gl::Vec4Array(name_ + " ground", groundOf(plan_));
+      groundPositions_ = gl::Vec4Array(name_ + " ground", groundVertices(plan_));
+      groundPalette_ = gl::Vec4Array(name_ + " ground colours", groundPalette(plan_));
       indices_ = gl::Buffer::of<unsigned>(name_ + " indices", gridIndices(size_));
     }
     constexpr unsigned fine[4] = {0xffffffffU, 0xffffffffU, 0, 0};
@@ -175,6 +151,7 @@ class Water : public Simulation {
       surface.indexCount = (size_.x - 1) * (size_.y - 1) * 6;
       surface.doubleSided = true;
       surface.positions = &groundPositions_.view();
+      surface.palette = &groundPalette_.view();
       surface.material = &ground_;
       drawables.surfaces.push_back(surface);
       surface.positions = &cells_[1].view();
@@ -345,7 +322,7 @@ class Water : public Simulation {
   int rowsEach_ = gl::memoryPath() == gl::MemoryPath::texel ? 8 : 4;
   gl::Vec4Array cells_[2];  ///< now, and where the next step writes: until then what is drawn
   gl::Vec4Array values_, groundPositions_;
-  gl::Vec4Array palette_;
+  gl::Vec4Array palette_, groundPalette_;
   gl::Texture words_;
   gl::Buffer indices_;
   gl::WordsArray stamps_;

@@ -3,6 +3,7 @@
 #include "draw/overlay/field_kernel.hpp"
 #include "gpu/draw/overlay_stage.hpp"
 
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -233,6 +234,41 @@ TEST_CASE("exact fields: a pixel is the average of the light under it, in double
       }
     CHECK(worst < 0.7);  // half a step of rounding, and the root's error
   }
+}
+
+TEST_CASE("exact fields: magnified colours are quadratic splines, in double precision") {
+  testContext();
+  const glm::ivec2 cells{7, 5};
+  const auto value = [](int x, int y) { return 0.1 + 0.05 * ((3 * x + 5 * y) % 11); };
+  FieldStage stage(Cells::colors, cells, value, FieldStage::Memory(), {glm::vec3(0), glm::vec3(1)});
+  stage.display.fit = Fit::stretch;
+  stage.display.smooth = true;
+  const glm::ivec2 pixels(91, 55);
+  const FieldOnPicture there(stage, pixels);
+  const auto light = [&](int x, int y) {
+    const int i = std::clamp(x, 0, cells.x - 1), j = std::clamp(y, 0, cells.y - 1);
+    const auto& memory = there.inputs;
+    const int word = memory.firstWord + j * memory.rowWords + i * memory.cellWords;
+    return static_cast<double>(
+        std::bit_cast<float>(memory.words[static_cast<std::size_t>(word / 4)][word % 4]));
+  };
+  // A hat of width 2 under a box of width 1: its integral.
+  const auto share = [](double apart) {
+    const double d = std::abs(apart);
+    return d < 0.5 ? 0.75 - d * d : d < 1.5 ? 0.5 * (1.5 - d) * (1.5 - d) : 0.0;
+  };
+  const auto picture = over({stage.field}, someBytes(pixels), draw::Rasterizer::exact);
+  double worst = 0;
+  for (int py = 0; py < pixels.y; ++py)
+    for (int px = 0; px < pixels.x; ++px) {
+      const double x = (px + 0.5) * cells.x / pixels.x, y = (py + 0.5) * cells.y / pixels.y;
+      double sum = 0;
+      for (int j = -2; j < cells.y + 2; ++j)
+        for (int i = -2; i < cells.x + 2; ++i) sum += light(i, j) * share(x - i - 0.5) * share(y - j - 0.5);
+      const auto pixel = picture.pixels[static_cast<std::size_t>(py * pixels.x + px)];
+      worst = std::max(worst, std::abs(pixel[0] - srgbByte(sum)));
+    }
+  CHECK(worst < 0.8);
 }
 
 TEST_CASE("exact fields: relief in double precision") {

@@ -1,0 +1,86 @@
+#include "sim/water/ground.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+namespace simreel::sim {
+
+namespace {
+
+constexpr int shades = 32, wetnesses = 16;
+
+/// 0 to 1 at the corners of squares of side 1, smooth between them.
+float mottle(glm::vec2 p, unsigned seed) {
+  const glm::vec2 whole(std::floor(p.x), std::floor(p.y));
+  const glm::vec2 beyond = p - whole;
+  const glm::vec2 share = beyond * beyond * (3.0F - 2.0F * beyond);
+  const auto corner = [&](int x, int y) {
+    const shader::uvec3 bits = shader::hash3({static_cast<unsigned>(static_cast<int>(whole.x) + x),
+                                              static_cast<unsigned>(static_cast<int>(whole.y) + y), seed});
+    return static_cast<float>(bits.x >> 8U) / 16777216.0F;
+  };
+  const float above = corner(0, 0) + (corner(1, 0) - corner(0, 0)) * share.x;
+  const float below = corner(0, 1) + (corner(1, 1) - corner(0, 1)) * share.x;
+  return above + (below - above) * share.y;
+}
+
+/// Patches of five sizes, each half as strong as those of twice its size.
+float patches(glm::vec2 p) {
+  float sum = 0, weight = 0.5F, weights = 0;
+  for (unsigned octave = 0; octave < 5; ++octave) {
+    sum += weight * mottle(p, octave);
+    weights += weight;
+    weight *= 0.62F;
+    p *= 2.0F;
+  }
+  return sum / weights;
+}
+
+}  // namespace
+
+std::vector<glm::vec4> groundVertices(const WaterPlan& plan) {
+  const shader::WaterLook look = plan.look();
+  const WaterParameters& p = plan.parameters();
+  const int width = p.size.x;
+  float rim = -1e9F;
+  for (const glm::vec4& cell : plan.firstCells())
+    if (cell.x - cell.w > look.shallow) rim = std::max(rim, cell.x + 0.05F * (cell.x - cell.w));
+  const auto walled = [&](glm::ivec2 at) {
+    const bool touched[] = {at.x == 0, at.x == width - 1, at.y == 0, at.y == p.size.y - 1};
+    for (std::size_t i = 0; i < 4; ++i)
+      if (touched[i] && p.sides[i] == WaterBorder::wall) return true;
+    return false;
+  };
+  const float perPatch = 14.0F / static_cast<float>(std::max(p.size.x, p.size.y));
+  std::vector<glm::vec4> vertices;
+  for (const glm::vec4& cell : plan.firstCells()) {
+    const auto i = static_cast<int>(vertices.size());
+    const glm::ivec2 at(i % width, i / width);
+    // Wet is what lies no more than 18 times `shallow` above the water's first level.
+    const float dry = (cell.w - p.level) / (18.0F * look.shallow);
+    const float wetness = 1 - std::clamp(dry, 0.0F, 1.0F);
+    const float shade = std::clamp(1.8F * patches(glm::vec2(at) * perPatch) - 0.4F, 0.0F, 1.0F);
+    const int color = static_cast<int>(wetness * (wetnesses - 1) + 0.5F) * shades +
+                      static_cast<int>(shade * (shades - 1) + 0.5F);
+    vertices.emplace_back(look.left + static_cast<float>(at.x) * look.cell,
+                          look.base + (walled(at) ? std::max(cell.w, rim) : cell.w),
+                          look.back + static_cast<float>(at.y) * look.cell, static_cast<float>(color));
+  }
+  return vertices;
+}
+
+std::vector<glm::vec4> groundPalette(const WaterPlan& plan) {
+  std::vector<glm::vec4> colors;
+  for (int wet = 0; wet < wetnesses; ++wet)
+    for (int shade = 0; shade < shades; ++shade) {
+      const float light = 0.68F + 0.64F * static_cast<float>(shade) / (shades - 1);
+      const float dark = 1 - 0.5F * static_cast<float>(wet) / (wetnesses - 1);
+      colors.emplace_back(plan.parameters().ground * (light * dark), 0.0F);
+    }
+  return colors;
+}
+
+}  // namespace simreel::sim

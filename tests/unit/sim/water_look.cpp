@@ -1,0 +1,83 @@
+// How water is drawn: shores, and the ground's colours.
+#include "reference/water_twin.hpp"
+#include "sim/water/ground.hpp"
+
+#include <cmath>
+#include <vector>
+
+#include <doctest/doctest.h>
+
+using namespace simreel;
+
+namespace {
+
+/// A lake at level 0 on a beach that rises by `slope` along x and by half of it along z.
+WaterTwin beach(double slope) {
+  sim::WaterParameters p;
+  p.size = {65, 9};
+  p.cell = 0.1F;
+  p.bed = -1;
+  WaterTwin twin(sim::WaterPlan(p, "lake", 1, 1.0 / 30));
+  for (int y = 0; y < 9; ++y)
+    for (int x = 0; x < 65; ++x) {
+      const auto bed = static_cast<float>(slope * (0.1 * (x - 32) + 0.05 * (y - 4)));
+      twin.cells[static_cast<std::size_t>(y * 65 + x)] = {std::max(0.0F, bed), 0, 0, bed};
+    }
+  return twin;
+}
+
+}  // namespace
+
+TEST_CASE("a lake's shore is a straight line on a plane beach, within a few hundredths of a cell") {
+  for (const double slope : {0.05, 0.2, 0.8}) {
+    CAPTURE(slope);
+    const WaterTwin twin = beach(slope);
+    std::vector<glm::vec4> positions, values;
+    twin.look(positions, values);
+    double first = 0, last = 0, worst = 0;
+    std::vector<double> shore;
+    for (int y = 0; y < 9; ++y) {
+      double found = -1;
+      for (int x = 0; x + 1 < 65; ++x) {
+        const auto above = [&](int i) {
+          const auto at = static_cast<std::size_t>(y * 65 + i);
+          return static_cast<double>(positions[at].y) - static_cast<double>(twin.cells[at].w);
+        };
+        if (above(x) > 0 && above(x + 1) <= 0) found = x + above(x) / (above(x) - above(x + 1));
+      }
+      shore.push_back(found);
+    }
+    first = shore.front();
+    last = shore.back();
+    for (int y = 0; y < 9; ++y)
+      worst =
+          std::max(worst, std::abs(shore[static_cast<std::size_t>(y)] - (first + (last - first) * y / 8)));
+    CHECK(std::abs(last - first + 4) < 0.3);  // the beach rises half as fast across
+    CHECK(worst < 0.25);
+    MESSAGE("shore: worst ", worst, " of a cell");
+  }
+}
+
+TEST_CASE("the ground is darker where water wets it, and its colours are all in the palette") {
+  sim::WaterParameters p;
+  p.size = {65, 33};
+  p.bed = 0.3F;
+  p.hills = {{glm::vec3(0), {1, 0, 1}, -0.8F}};
+  const sim::WaterPlan plan(p, "pond", 1, 1.0 / 30);
+  const auto vertices = sim::groundVertices(plan);
+  const auto palette = sim::groundPalette(plan);
+  REQUIRE(vertices.size() == 65 * 33);
+  double wet = 0, dry = 0;
+  int wets = 0, dries = 0;
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    const auto number = static_cast<std::size_t>(vertices[i].w);
+    REQUIRE(number < palette.size());
+    const glm::vec4 cell = plan.firstCells()[i];
+    const bool under = cell.x > cell.w;
+    (under ? wet : dry) += static_cast<double>(palette[number].x);
+    ++(under ? wets : dries);
+  }
+  REQUIRE(wets > 50);
+  REQUIRE(dries > 50);
+  CHECK(wet / wets < 0.7 * dry / dries);
+}
