@@ -8,13 +8,14 @@ const int nextSection = 1;      // xyz where it would go, w half the thickness
 const int wantedSection = 2;    // xyz after the contacts' impulses
 const int lowSection = 3;       // xyz the box in which pairs stay good,
 const int highSection = 4;      // w 1: a solid may come near it while they do
-const int skinSection = 5;      // x half the thickness, y friction
+const int skinSection = 5;      // x half the thickness, or of a ball its radius; y friction; z bounce of a ball; w the cloth that it meets
+                                // (-1: any), of a cloth its number
 const int startSection = 6;     // xyz from where it may be held back: where it was, or as far as solids carry it
 const int pointSections = 7;
 const int talliesBinding = 4;   // ivec4 a vertex in each of these sections:
 const int impulseSection = 0;   // xyz sum of impulses, w of claims
 const int letSection = 1;       // how far it may go, as floats' bits: in the first three rounds, and with everything at rest
-const int upSection = 2;        // xyz how far solids carry it along each axis, as floats' bits,
+const int upSection = 2;        // xyz how far solids carry it along each axis, as floats' bits; w of a ball how near the nearest is,
 const int downSection = 3;      // and against it
 const int tallySections = 4;
 const int controlBinding = 5;   // counts and arguments of dispatches

@@ -9,6 +9,23 @@
 FUNCTION bool isSolid(int vertex) {
   return vertex >= contactStep.movable;
 }
+// Particles that meet cloths: vertices without faces, which come after those of cloths.
+FUNCTION bool isBall(int vertex) {
+  return vertex >= contactStep.balls && vertex < contactStep.movable;
+}
+// Whether anything moves cloth by more than thicknesses: balls, solids.
+FUNCTION bool hasStir() {
+  return contactStep.balls < contactStep.vertices;
+}
+// Of a ball: inverse mass; 0 unless it lives at the substep's start and at its end. A newborn is met from its next substep on.
+FUNCTION float ballWeight(float mass, float nextMass) {
+  return mass > 0.0f && nextMass > 0.0f ? exactReciprocal(mass) : 0.0f;
+}
+// Its share in what `stir` counts: as far as it goes, and what it throws goes.
+FUNCTION float ballStir(float way, float bounce) {
+  precise float stir = way * (1.0f + bounce);
+  return stir;
+}
 // The distance kept between the first corner's feature and the last one's, of half their thicknesses: off a solid a cloth keeps
 // its own.
 FUNCTION float thicknessBetween(ivec4 corners, float half_, float lastHalf) {
@@ -324,21 +341,35 @@ FUNCTION bool isInside(Near near) {
   return near.shares.x != 0.0f && near.shares.y != 0.0f && near.shares.z != 0.0f && near.shares.w != 0.0f;
 }
 
+// A ball has no edges that would meet a cloth's, so it is pushed by borders, too, where nothing is nearer to it. `nearest` (m): of all.
+FUNCTION bool pushesBall(Near near, float nearest) {
+  return isInside(near) || near.normal.w <= nearest;
+}
+// How far a ball is to go back (m) of the way along each other that the two would have gone: the share `bounce` of what is fast.
+FUNCTION float givenBack(Near near, vec3 slide, float thick, float bounce) {
+  float through = exactDot(slide, vec3(near.normal));
+  precise float after = near.normal.w + through;
+  precise float back = through * -bounce;
+  precise float least = -contactStep.bounceFrom;
+  return through < least && after < thick ? back : -1e30f;
+}
+
 // The way that the first side's closest point has to go away from the other's (m): as much as keeps them `thick` apart at the
-// substep's end; where they are nearer already, slowly. Of the way along each other, friction takes at most its
-// coefficient times that.
-FUNCTION vec3 correctionOf(Near near, vec3 slide, float thick, float friction) {
+// substep's end; where they are nearer already, slowly; and of a ball at least `back`. Of the way along each other, friction takes
+// at most its coefficient times that.
+FUNCTION vec3 correctionOf(Near near, vec3 slide, float thick, float friction, float back, bool pushes) {
   vec3 normal = vec3(near.normal);
   float through = exactDot(slide, normal);
   precise float missing = thick - near.normal.w;
   precise float part = missing * contactStep.recovery;
   precise float slowly = near.normal.w + min(part, contactStep.mostRecovery);
   float target = missing > 0.0f ? slowly : thick;
-  precise float push = target - near.normal.w - through;
+  precise float apart = target - near.normal.w;
+  precise float push = max(apart, back) - through;
   precise vec3 along = slide - normal * through;
   precise float held = friction * push * exactInverseSqrt(max(exactDot(along, along), 1e-24f));
   precise vec3 way = normal * push - along * min(held, 1.0f);
-  bool there = near.normal.w > 0.0f && push > 0.0f && isInside(near);
+  bool there = near.normal.w > 0.0f && push > 0.0f && pushes;
   return there ? way : vec3(0.0f);
 }
 

@@ -21,9 +21,14 @@ vec3 wayOf(int vertex) {
   precise vec3 way = pointAt(wantedSection, vertex).xyz - pointAt(nowSection, vertex).xyz;
   return way;
 }
+// Where it would go without contact.
+vec3 ledOf(int vertex) {
+  precise vec3 way = pointAt(nextSection, vertex).xyz - pointAt(nowSection, vertex).xyz;
+  return way;
+}
 // From where it may be held back, and how far from there it is to go.
 vec3 startOf(int vertex) {
-  return pointAt(isSolid(vertex) || control.stir == 0u ? nowSection : startSection, vertex).xyz;
+  return pointAt(isSolid(vertex) || nothingCarried() ? nowSection : startSection, vertex).xyz;
 }
 vec3 wayFromStart(int vertex) {
   precise vec3 way = pointAt(wantedSection, vertex).xyz - startOf(vertex);

@@ -39,8 +39,7 @@ Contact::Contact(ContactPlan plan, int substeps, bool fast) : plan_(std::move(pl
   const auto vertices = static_cast<std::size_t>(plan_.vertices());
   checkLimits(vertices);
   std::vector<glm::vec4> points(vertices * at::pointSections, glm::vec4(0));
-  for (std::size_t i = 0; i < vertices; ++i)
-    points[at::skinSection * vertices + i] = glm::vec4(plan_.skins()[i], 0, 0);
+  for (std::size_t i = 0; i < vertices; ++i) points[at::skinSection * vertices + i] = plan_.skins()[i];
   points_ = gl::Vec4Array("contact points", points);
   tallies_ = gl::Buffer("contact tallies", vertices * at::tallySections * 16);
   const auto treeOver = [](const std::vector<glm::uvec4>& leaves, int levels) {

@@ -68,7 +68,8 @@ struct ParticleParameters : ObjectParameters, shader::ParticleConstants {
   Turbulence turbulence;
   int substeps = 1;
   bool collides = false;
-  std::string walls;  ///< name of the solid they meet; empty: none
+  std::string walls;           ///< name of the solid they meet; empty: none
+  std::string cloths = "all";  ///< with contact, which they meet: "all", "none", or a name
 
   // How they look.
   Instances::Shape shape = Instances::Shape::sprite;
@@ -88,6 +89,13 @@ struct ParticleParameters : ObjectParameters, shader::ParticleConstants {
   [[nodiscard]] bool asksToCollide() const override { return collides; }
   [[nodiscard]] double touchMargin() const override { return collides ? margin : -1; }
   [[nodiscard]] std::string meetsWalls() const override { return walls; }
+  [[nodiscard]] std::string meetsCloth() const override {
+    return meetsCloths() && cloths != "all" ? cloths : std::string();
+  }
+  [[nodiscard]] bool meetsAllCloths() const override { return meetsCloths() && cloths == "all"; }
+  [[nodiscard]] bool meetsCloths() const { return collides && cloths != "none"; }
+  /// The same with as many substeps as the cloths that it meets take; 0: its own.
+  [[nodiscard]] ParticleParameters inStep(int contactSubsteps) const;
 
  private:
   void describeLook(scene::Fields& fields);
