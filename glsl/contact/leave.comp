@@ -17,7 +17,7 @@ void main() {
   int bits = control.stopped == 1u ? lets.w : min(min(lets.x, lets.y), lets.z);
   vec3 start = pointAt(nothingCarried() ? nowSection : startSection, v).xyz;
   vec3 end = heldAt(start, pointAt(wantedSection, v).xyz, intBitsToFloat(bits));
-  precise vec3 speed = velocity.xyz + (end - next.xyz) * contactStep.perDt;
+  vec3 speed = speedBy(velocity.xyz, next.xyz, end);
   STORE_STATE(partNext, i, vec4(end, next.w));
   STORE_STATE(partVelocities, i, vec4(speed, velocity.w));
 }

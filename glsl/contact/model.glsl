@@ -419,6 +419,11 @@ FUNCTION vec3 carriedTo(vec4 now, vec3 up, vec3 down) {
   precise vec3 carried = vec3(now) + up - down;
   return now.w == 0.0f ? vec3(now) : carried;
 }
+// What it makes of a velocity that a vertex goes to `end` instead of `next`.
+FUNCTION vec3 speedBy(vec3 velocity, vec3 next, vec3 end) {
+  precise vec3 speed = velocity + (end - next) * contactStep.perDt;
+  return speed;
+}
 // `start`: where it is held back to.
 FUNCTION vec3 heldAt(vec3 start, vec3 wanted, float let) {
   precise vec3 part = start + (wanted - start) * let;

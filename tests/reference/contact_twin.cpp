@@ -232,9 +232,12 @@ void ContactTwin::push(const std::vector<Part>& parts, bool first) {
 
   std::size_t i = 0;
   for (const Part& part : parts)
-    for (vec4& place : *part.next) {
-      if (i < movable) place = wanted[i];
-      ++i;
+    for (std::size_t k = 0; k < part.next->size(); ++k, ++i) {
+      if (i >= movable) continue;
+      (*part.next)[k] = wanted[i];
+      if (!kernel.isBall(static_cast<int>(i)) || now[i].w == 0) continue;
+      vec4& velocity = (*part.velocities)[k];
+      velocity = vec4(kernel.speedBy(vec3(velocity), vec3(next[i]), vec3(wanted[i])), velocity.w);
     }
 }
 
@@ -288,7 +291,7 @@ void ContactTwin::hold(const std::vector<Part>& parts) {
       const float part_ = now[i].w == 0.0F ? 1.0F : allStopped ? still[i] : let[i];
       if (part_ < 1) ++stopped;
       const vec3 held = kernel.heldAt(starts_[i], vec3(wanted[i]), part_);
-      const vec3 v = vec3((*part.velocities)[k]) + (held - vec3((*part.next)[k])) * step.perDt;
+      const vec3 v = kernel.speedBy(vec3((*part.velocities)[k]), vec3((*part.next)[k]), held);
       (*part.next)[k] = vec4(held, wanted[i].w);
       if (now[i].w > 0) (*part.velocities)[k] = vec4(v, (*part.velocities)[k].w);
     }

@@ -281,7 +281,10 @@ void Contact::push(int index, std::span<const Part> parts) {
     apply_.dispatch(plan_.movable());
     gl::barrier();
   }
-  forParts(hand_, cloths(parts), [](const Part& part) { part.next->bindState(at::partNextBinding); });
+  forParts(hand_, cloths(parts), [](const Part& part) {
+    part.next->bindState(at::partNextBinding);
+    part.velocities->bindState(at::partVelocitiesBinding);
+  });
 }
 
 void Contact::hold(int index, std::span<const Part> parts) {

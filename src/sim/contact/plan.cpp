@@ -117,7 +117,7 @@ Leaves bothHalves(std::span<const ContactPart> parts, const std::vector<int>& fi
 ContactPlan::ContactPlan(std::span<const ContactPart> parts, double substepSeconds)
     : substepSeconds_(substepSeconds) {
   float lightest = 0;  // greatest inverse mass, least of those that are not held
-  float thickest = 0;
+  float thickest = 0, heaviestBall = 0;
   for (std::size_t k = 0; k < parts.size(); ++k) {
     const ContactPart& part = parts[k];
     firsts_.push_back(vertices());
@@ -133,6 +133,7 @@ ContactPlan::ContactPlan(std::span<const ContactPart> parts, double substepSecon
       const auto number = met == parts.end() ? -1.0F : static_cast<float>(met - parts.begin());
       skins_.insert(skins_.end(), part.positions.size(),
                     glm::vec4(std::max(part.thickness, thickest), -1, part.bounce, number));
+      heaviestBall = std::max(heaviestBall, part.heaviest);
       movable_ = vertices();
       continue;
     }
@@ -146,10 +147,11 @@ ContactPlan::ContactPlan(std::span<const ContactPart> parts, double substepSecon
     }
     movable_ = balls_ = vertices();
   }
-  // 2^-30 m of the heaviest: three decimal digits below what floats near 1 m resolve, and room for 2 m.
-  const float heaviest = 1.0F / std::max(lightest, 1e-20F);
+  // 2^-30 m of the heaviest: three decimal digits below what floats near 1 m resolve, and room for 2 m. Of
+  // a ball an eighth counts, which has seldom far to go in a substep.
+  const float heaviest = std::max(lightest > 0 ? 1.0F / lightest : 0, 0.125F * heaviestBall);
   quanta_ = 1.0F;
-  while (quanta_ * heaviest < 0x1p30F) quanta_ *= 2;
+  while (heaviest > 0 && quanta_ * heaviest < 0x1p30F) quanta_ *= 2;
   while (quanta_ * heaviest >= 0x1p31F) quanta_ *= 0.5F;
   faces_ = bothHalves(parts, firsts_, facesOf);
   edges_ = bothHalves(parts, firsts_, edgesOf);

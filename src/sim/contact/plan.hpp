@@ -27,6 +27,7 @@ struct ContactPart {
   /// Particles: no faces, positions' w mass in kg (0: not alive). They keep `thickness`, their radius, and
   /// half a cloth's off the middle of cloths, but at least half of the thickest cloth's more than that.
   bool balls = false;
+  float heaviest = 0;      ///< of balls: kg of the heaviest, of those that are born later, too
   float bounce = 0;        ///< of balls: the share of the speed of impact that is given back
   std::string name = {};   ///< of a cloth
   std::string meets = {};  ///< of balls: the name of the cloth that they meet; empty: all

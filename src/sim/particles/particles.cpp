@@ -90,16 +90,7 @@ class Particles : public Simulation, public LockStep {
 
   [[nodiscard]] LockStep* lockStep() override { return inContact_ ? this : nullptr; }
   [[nodiscard]] bool isOfBalls() const override { return true; }
-  [[nodiscard]] ContactPart contactPart() const override {
-    const ParticleParameters& p = plan_.parameters();
-    ContactPart part;
-    part.balls = true;
-    part.positions = plan_.firstCloud().positions;
-    part.thickness = p.margin;
-    part.bounce = p.bounce;
-    if (p.cloths != "all") part.meets = p.cloths;
-    return part;
-  }
+  [[nodiscard]] ContactPart contactPart() const override { return plan_.contactPart(); }
   void beginFrame(double time) override {
     if (!primed_) prime(time);
     stepsOfFrame_ = plan_.frame(time);
