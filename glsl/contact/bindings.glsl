@@ -18,6 +18,7 @@ const int letSection = 1;       // how far it may go, as floats' bits: in the fi
 const int upSection = 2;        // xyz how far solids carry it along each axis, as floats' bits; w of a ball how near the nearest is,
 const int downSection = 3;      // and against it
 const int tallySections = 4;
+const int toldBinding = 2;      // the same as texels
 const int controlBinding = 5;   // counts and arguments of dispatches
 const int boxesBinding = 1;     // two vec4 a node, of a tree
 const int leavesBinding = 2;    // uvec4: corners of a face or ends of an edge; w 1: neither

@@ -12,7 +12,7 @@ void main() {
   float thick = thicknessOf(c), back = -1e30f;
   bool pushes = isInside(near);
   if (isBall(c.x)) {
-    pushes = pushesBall(near, intBitsToFloat(tallies[nearestTally(c.x)].w));
+    pushes = pushesBall(near, intBitsToFloat(LOAD_TALLY(nearestTally(c.x)).w));
     vec3 led = weighted(near.shares, ledOf(c.x), ledOf(c.y), ledOf(c.z), ledOf(c.w));
     back = givenBack(near, led, thick, pointAt(skinSection, c.x).z);
   }

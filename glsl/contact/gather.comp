@@ -16,7 +16,8 @@ void main() {
   vec4 skin = pointAt(skinSection, v);
   float weight = solid ? 0.0f : ball ? ballWeight(now.w, next.w) : now.w;
   bool gone = ball && weight == 0.0f;
-  bool within = isWithin(next.xyz, pointAt(lowSection, v).xyz, pointAt(highSection, v).xyz);
+  vec4 high = pointAt(highSection, v);
+  bool within = isGood(next.xyz, pointAt(lowSection, v).xyz, high.xyz, stirOf(), high.w);
   if (!within && !gone) control.stale = 1u;
   keepPoint(nowSection, v, vec4(now.xyz, weight));
   keepPoint(nextSection, v, vec4(next.xyz, skin.x));

@@ -3,6 +3,13 @@ layout(local_size_x = 64) in;
 INPUT_WORDS(cornersBinding, CornerBlock, corners)
 STATE_ARRAY(nearsBinding, NearBlock, nears)
 layout(std430, binding = talliesBinding) restrict buffer TallyBlock { ivec4 tallies[]; };
+// What an earlier dispatch left of a tally: of words that this one does not write.
+#ifdef TEXEL_PATH
+layout(binding = toldBinding) uniform usamplerBuffer told;
+#define LOAD_TALLY(i) ivec4(texelFetch(told, i))
+#else
+#define LOAD_TALLY(i) tallies[i]
+#endif
 
 int nearIndex() {
   return int(gl_GlobalInvocationID.x);

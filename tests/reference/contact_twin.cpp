@@ -47,6 +47,7 @@ void ContactTwin::push(const std::vector<Part>& parts, bool first) {
   }
   const auto xyz = [](const std::vector<vec4>& from, int i) { return vec3(from[at(i)]); };
   const std::size_t movable = at(plan_.movable());
+  const float stirBefore = stir_;
   stir_ = 0;
   const auto isGone = [&](std::size_t i) { return kernel.isBall(static_cast<int>(i)) && now[i].w == 0; };
   for (std::size_t i = at(plan_.balls()); i < now.size(); ++i) {
@@ -55,7 +56,8 @@ void ContactTwin::push(const std::vector<Part>& parts, bool first) {
   }
   bool stale = first || hulls_.empty() || stir_ > searched_;
   for (std::size_t i = 0; i < next.size() && !stale; ++i)
-    stale = !isGone(i) && !kernel.isWithin(vec3(next[i]), hulls_[i].low, hulls_[i].high);
+    stale =
+        !isGone(i) && !kernel.isGood(vec3(next[i]), hulls_[i].low, hulls_[i].high, stirBefore, beside_[i]);
   if (stale) {
     ++searches;
     searched_ = kernel.foreseen(stir_);
