@@ -9,7 +9,14 @@ void main() {
   ivec4 c = cornersOf(near);
   vec3 slide = weighted(near.shares, wayOf(c.x), wayOf(c.y), wayOf(c.z), wayOf(c.w));
   float friction = frictionBetween(pointAt(skinSection, c.x).y, pointAt(skinSection, c.w).y);
-  vec3 way = correctionOf(near, slide, thicknessOf(c), friction);
+  float thick = thicknessOf(c), back = -1e30f;
+  bool pushes = isInside(near);
+  if (isBall(c.x)) {
+    pushes = pushesBall(near, intBitsToFloat(LOAD_TALLY(nearestTally(c.x)).w));
+    vec3 led = weighted(near.shares, ledOf(c.x), ledOf(c.y), ledOf(c.z), ledOf(c.w));
+    back = givenBack(near, led, thick, pointAt(skinSection, c.x).z);
+  }
+  vec3 way = correctionOf(near, slide, thick, friction, back, pushes);
   bool touching = way != vec3(0.0f);
   STORE_STATE(nears, 3 * i + 2, vec4(way, touching ? 1.0f : 0.0f));
   if (!touching) return;

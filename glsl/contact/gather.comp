@@ -12,19 +12,23 @@ void main() {
   if (i >= count) return;
   int v = first + i;
   vec4 now = LOAD_INPUT(partNow, i), next = LOAD_INPUT(partNext, i);
-  bool solid = isSolid(v);
+  bool solid = isSolid(v), ball = isBall(v);
   vec4 skin = pointAt(skinSection, v);
-  bool within = isWithin(next.xyz, pointAt(lowSection, v).xyz, pointAt(highSection, v).xyz);
-  if (!within) control.stale = 1u;
-  keepPoint(nowSection, v, vec4(now.xyz, solid ? 0.0f : now.w));
+  float weight = solid ? 0.0f : ball ? ballWeight(now.w, next.w) : now.w;
+  bool gone = ball && weight == 0.0f;
+  vec4 high = pointAt(highSection, v);
+  bool within = isGood(next.xyz, pointAt(lowSection, v).xyz, high.xyz, stirOf(), high.w);
+  if (!within && !gone) control.stale = 1u;
+  keepPoint(nowSection, v, vec4(now.xyz, weight));
   keepPoint(nextSection, v, vec4(next.xyz, skin.x));
   keepPoint(wantedSection, v, next);
   tallies[impulseSection * contactStep.vertices + v] = ivec4(0);
   tallies[letSection * contactStep.vertices + v] = ivec4(floatBitsToInt(1.0f));
-  if (!hasSolids()) return;
-  tallies[upSection * contactStep.vertices + v] = ivec4(0);
+  if (!hasStir()) return;
+  tallies[upSection * contactStep.vertices + v] = ivec4(0, 0, 0, floatBitsToInt(1e30f));
   tallies[downSection * contactStep.vertices + v] = ivec4(0);
-  if (!solid) return;
+  if (gone || !(solid || ball)) return;
   float way = lengthOf(now.xyz, next.xyz);
+  if (ball) way = ballStir(way, skin.z);
   if (way > 0.0f) atomicMax(control.fastest, floatBitsToUint(way));  // bits are in the floats' order, as these are not negative
 }

@@ -1,12 +1,19 @@
-// Shows a simulation where the impulses take its vertices.
+// Shows a simulation where the impulses take its vertices, and balls how fast that makes them.
 #include "contact/kernel.glsl"
 layout(local_size_x = 64) in;
 STATE_ARRAY(partNextBinding, PartNextBlock, partNext)
+STATE_ARRAY(partVelocitiesBinding, PartVelocityBlock, partVelocities)
 uniform int first;
 uniform int count;
 
 void main() {
   int i = int(gl_GlobalInvocationID.x);
   if (i >= count) return;
-  STORE_STATE(partNext, i, pointAt(wantedSection, first + i));
+  int v = first + i;
+  vec4 wanted = pointAt(wantedSection, v);
+  STORE_STATE(partNext, i, wanted);
+  if (!isBall(v) || pointAt(nowSection, v).w == 0.0f) return;  // cloths see from it how fast they are
+  vec4 velocity = LOAD_ONCE(partVelocities, i);
+  vec3 speed = speedBy(velocity.xyz, pointAt(nextSection, v).xyz, wanted.xyz);
+  STORE_STATE(partVelocities, i, vec4(speed, velocity.w));
 }

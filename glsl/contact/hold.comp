@@ -11,7 +11,7 @@ void main() {
   ivec4 c = cornersOf(near);
   vec4 let = vec4(1.0f);
   for (int k = 0; k < 4 && round > 0; ++k) {
-    ivec4 lets = tallies[letTally(c[k])];
+    ivec4 lets = LOAD_TALLY(letTally(c[k]));
     let[k] = intBitsToFloat(min(lets.x, round > 1 ? lets.y : lets.x));
     if (round > 2) let[k] = min(let[k], intBitsToFloat(lets.z));
   }

@@ -15,7 +15,7 @@ layout(std430, binding = controlBinding) restrict buffer ControlBlock {
   uint stopped;        // 1: planes at rest are to hold everything
   uint mostPairs;      // of either kind, since the start
   uint candidateCounts[2];
-  uint fastest;        // m, the longest way of a vertex of a solid in this substep as a float's bits, while it is summed up,
+  uint fastest;        // m, the longest way of a ball or a vertex of a solid in this substep as a float's bits, while it is summed up,
   uint stir;           // when it is,
   uint searched;       // and for which pairs were found
   uint spare;
@@ -42,6 +42,13 @@ Hull hullOf(uint vertex) {
 }
 float thicknessOf(ivec4 corners) {
   return thicknessBetween(corners, pointAt(nextSection, corners.x).w, pointAt(nextSection, corners.w).w);
+}
+int nearestTally(int ball) {
+  return upSection * contactStep.vertices + ball;
+}
+// Whether nothing is carried, so that all begin where they are.
+bool nothingCarried() {
+  return !hasSolids() || control.stir == 0u;
 }
 float stirOf() {
   return uintBitsToFloat(control.stir);

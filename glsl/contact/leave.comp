@@ -15,9 +15,9 @@ void main() {
   if (now.w == 0.0f) return;
   ivec4 lets = tallies[letSection * contactStep.vertices + v];
   int bits = control.stopped == 1u ? lets.w : min(min(lets.x, lets.y), lets.z);
-  vec3 start = pointAt(control.stir == 0u ? nowSection : startSection, v).xyz;
+  vec3 start = pointAt(nothingCarried() ? nowSection : startSection, v).xyz;
   vec3 end = heldAt(start, pointAt(wantedSection, v).xyz, intBitsToFloat(bits));
-  precise vec3 speed = velocity.xyz + (end - next.xyz) * contactStep.perDt;
+  vec3 speed = speedBy(velocity.xyz, next.xyz, end);
   STORE_STATE(partNext, i, vec4(end, next.w));
   STORE_STATE(partVelocities, i, vec4(speed, velocity.w));
 }

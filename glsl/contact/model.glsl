@@ -5,9 +5,39 @@
 // apart at x have a slab between them, normal to the way between their closest points. As long as some plane parallel to
 // it, at rest or moving evenly, keeps them apart, neither passes through the other.
 
-// Solids go where they go and are never held back: cloths give way. Their vertices come last.
+// Solids go where they go and are never held back: cloths give way. Their vertices come last. A kernel that has NO_SOLIDS or
+// NO_BALLS is for scenes without.
 FUNCTION bool isSolid(int vertex) {
+#ifdef NO_SOLIDS
+  return false;
+#else
   return vertex >= contactStep.movable;
+#endif
+}
+// Particles that meet cloths: vertices without faces, which come after those of cloths.
+FUNCTION bool isBall(int vertex) {
+#ifdef NO_BALLS
+  return false;
+#else
+  return vertex >= contactStep.balls && vertex < contactStep.movable;
+#endif
+}
+// Whether anything moves cloth by more than thicknesses: balls, solids.
+FUNCTION bool hasStir() {
+#if defined NO_SOLIDS && defined NO_BALLS
+  return false;
+#else
+  return contactStep.balls < contactStep.vertices;
+#endif
+}
+// Of a ball: inverse mass; 0 unless it lives at the substep's start and at its end. A newborn is met from its next substep on.
+FUNCTION float ballWeight(float mass, float nextMass) {
+  return mass > 0.0f && nextMass > 0.0f ? exactReciprocal(mass) : 0.0f;
+}
+// Its share in what `stir` counts: as far as it goes, and what it throws goes; one corner of a face goes up to 1.4 times as far as a point in it.
+FUNCTION float ballStir(float way, float bounce) {
+  precise float stir = way * 1.5f * (1.0f + bounce);
+  return stir;
 }
 // The distance kept between the first corner's feature and the last one's, of half their thicknesses: off a solid a cloth keeps
 // its own.
@@ -45,7 +75,11 @@ FUNCTION float lengthOf(vec3 a, vec3 b) {
   return length_;
 }
 FUNCTION bool hasSolids() {
+#ifdef NO_SOLIDS
+  return false;
+#else
   return contactStep.movable < contactStep.vertices;
+#endif
 }
 // How much further than by thicknesses contact may move a vertex away from `next`, where there are solids (m): as far as the fastest
 // of them goes, and back by all of its own way, which a taut cloth may lead far through a solid. `beside`: 1 where a pair with a
@@ -69,6 +103,18 @@ FUNCTION Hull widened(Hull a, float by) {
 }
 FUNCTION bool isWithin(vec3 p, vec3 low, vec3 high) {
   return p.x >= low.x && p.y >= low.y && p.z >= low.z && p.x <= high.x && p.y <= high.y && p.z <= high.z;
+}
+// Whether pairs are still good for a vertex; `stir`: of the substep before, which one beside a ball is to have room for: what would end
+// at its box would take less of a push than the ball feels.
+FUNCTION bool isGood(vec3 next, vec3 low, vec3 high, float stir, float beside) {
+#ifdef NO_BALLS
+  return isWithin(next, low, high);
+#else
+  float room = beside == 1.0f && contactStep.balls < contactStep.movable ? stir : 0.0f;
+  precise vec3 least = next - room;
+  precise vec3 most = next + room;
+  return isWithin(least, low, high) && isWithin(most, low, high);
+#endif
 }
 // How far a vertex may get from where it is now.
 FUNCTION float radiusOf(vec3 now, vec3 low, vec3 high) {
@@ -324,21 +370,35 @@ FUNCTION bool isInside(Near near) {
   return near.shares.x != 0.0f && near.shares.y != 0.0f && near.shares.z != 0.0f && near.shares.w != 0.0f;
 }
 
+// A ball has no edges that would meet a cloth's, so it is pushed by borders, too, where nothing is nearer to it. `nearest` (m): of all.
+FUNCTION bool pushesBall(Near near, float nearest) {
+  return isInside(near) || near.normal.w <= nearest;
+}
+// How far a ball is to go back (m) of the way along each other that the two would have gone: the share `bounce` of what is fast.
+FUNCTION float givenBack(Near near, vec3 slide, float thick, float bounce) {
+  float through = exactDot(slide, vec3(near.normal));
+  precise float after = near.normal.w + through;
+  precise float back = through * -bounce;
+  precise float least = -contactStep.bounceFrom;
+  return through < least && after < thick ? back : -1e30f;
+}
+
 // The way that the first side's closest point has to go away from the other's (m): as much as keeps them `thick` apart at the
-// substep's end; where they are nearer already, slowly. Of the way along each other, friction takes at most its
-// coefficient times that.
-FUNCTION vec3 correctionOf(Near near, vec3 slide, float thick, float friction) {
+// substep's end; where they are nearer already, slowly; and of a ball at least `back`. Of the way along each other, friction takes
+// at most its coefficient times that.
+FUNCTION vec3 correctionOf(Near near, vec3 slide, float thick, float friction, float back, bool pushes) {
   vec3 normal = vec3(near.normal);
   float through = exactDot(slide, normal);
   precise float missing = thick - near.normal.w;
   precise float part = missing * contactStep.recovery;
   precise float slowly = near.normal.w + min(part, contactStep.mostRecovery);
   float target = missing > 0.0f ? slowly : thick;
-  precise float push = target - near.normal.w - through;
+  precise float apart = target - near.normal.w;
+  precise float push = max(apart, back) - through;
   precise vec3 along = slide - normal * through;
   precise float held = friction * push * exactInverseSqrt(max(exactDot(along, along), 1e-24f));
   precise vec3 way = normal * push - along * min(held, 1.0f);
-  bool there = near.normal.w > 0.0f && push > 0.0f && isInside(near);
+  bool there = near.normal.w > 0.0f && push > 0.0f && pushes;
   return there ? way : vec3(0.0f);
 }
 
@@ -387,6 +447,11 @@ FUNCTION vec3 pushedTo(vec3 next, vec3 wanted, float weight, ivec3 sum, float mo
 FUNCTION vec3 carriedTo(vec4 now, vec3 up, vec3 down) {
   precise vec3 carried = vec3(now) + up - down;
   return now.w == 0.0f ? vec3(now) : carried;
+}
+// What it makes of a velocity that a vertex goes to `end` instead of `next`.
+FUNCTION vec3 speedBy(vec3 velocity, vec3 next, vec3 end) {
+  precise vec3 speed = velocity + (end - next) * contactStep.perDt;
+  return speed;
 }
 // `start`: where it is held back to.
 FUNCTION vec3 heldAt(vec3 start, vec3 wanted, float let) {

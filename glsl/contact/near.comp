@@ -32,8 +32,10 @@ void main() {
   vec4 rises = heightsOf(near, rise[0], rise[1], rise[2], rise[3]);
   float thick = thicknessOf(c);
   vec4 roams = vec4(0.0f);
-  for (int k = 0; k < 4 && hasSolids(); ++k)
+  for (int k = 0; k < 4 && hasStir(); ++k)
     roams[k] = roamOf(now[k], pointAt(nextSection, c[k]).xyz, stirOf(), pointAt(highSection, c[k]).w);
+  bool ball = isBall(c.x);
+  if (ball && pointAt(nowSection, c.x).w == 0.0f) return;  // it is no more
   if (!isNear(near, heights, rises, thick, roams)) return;
   if (meetsSolid(near)) {
     bool first = isSolid(c.x);
@@ -41,6 +43,7 @@ void main() {
     precise vec4 after = heights + rises;
     carryAll(c, carriesOf(near, first, heights, after, way, thick), way);
   }
+  if (ball) atomicMin(tallies[nearestTally(c.x)].w, floatBitsToInt(near.normal.w));  // not negative: bits in the floats' order
   int place = int(atomicAdd(control.nearCount, 1u));
   if (place >= contactStep.maxPairs) return;
   corners[place] = near.corners;

@@ -3,6 +3,13 @@ layout(local_size_x = 64) in;
 INPUT_WORDS(cornersBinding, CornerBlock, corners)
 STATE_ARRAY(nearsBinding, NearBlock, nears)
 layout(std430, binding = talliesBinding) restrict buffer TallyBlock { ivec4 tallies[]; };
+// What an earlier dispatch left of a tally: of words that this one does not write.
+#ifdef TEXEL_PATH
+layout(binding = toldBinding) uniform usamplerBuffer told;
+#define LOAD_TALLY(i) ivec4(texelFetch(told, i))
+#else
+#define LOAD_TALLY(i) tallies[i]
+#endif
 
 int nearIndex() {
   return int(gl_GlobalInvocationID.x);
@@ -21,9 +28,14 @@ vec3 wayOf(int vertex) {
   precise vec3 way = pointAt(wantedSection, vertex).xyz - pointAt(nowSection, vertex).xyz;
   return way;
 }
+// Where it would go without contact.
+vec3 ledOf(int vertex) {
+  precise vec3 way = pointAt(nextSection, vertex).xyz - pointAt(nowSection, vertex).xyz;
+  return way;
+}
 // From where it may be held back, and how far from there it is to go.
 vec3 startOf(int vertex) {
-  return pointAt(isSolid(vertex) || control.stir == 0u ? nowSection : startSection, vertex).xyz;
+  return pointAt(isSolid(vertex) || nothingCarried() ? nowSection : startSection, vertex).xyz;
 }
 vec3 wayFromStart(int vertex) {
   precise vec3 way = pointAt(wantedSection, vertex).xyz - startOf(vertex);

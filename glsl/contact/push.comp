@@ -18,7 +18,7 @@ void main() {
   Near near = nearAt(i);
   ivec4 c = cornersOf(near);
   vec4 weights;
-  for (int k = 0; k < 4; ++k) weights[k] = weightOf(pointAt(nowSection, c[k]).w, tallies[impulseTally(c[k])].w);
+  for (int k = 0; k < 4; ++k) weights[k] = weightOf(pointAt(nowSection, c[k]).w, LOAD_TALLY(impulseTally(c[k])).w);
   vec3 impulse = impulseOf(near.shares, weights, way.xyz);
   ivec3 rest = ivec3(0);
   for (int k = 0; k < 3; ++k) {

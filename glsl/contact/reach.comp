@@ -8,6 +8,9 @@ void main() {
   vec4 next = pointAt(nextSection, v);
   float foreseenStir = isSolid(v) ? 0.0f : uintBitsToFloat(control.searched);
   Hull hull = widened(reachOf(pointAt(nowSection, v).xyz, next.xyz, next.w), foreseenStir);
+  bool nowhere = isBall(v) && pointAt(nowSection, v).w == 0.0f;  // it overlaps nothing
+  hull.low = nowhere ? vec3(1e30f) : hull.low;
+  hull.high = nowhere ? vec3(-1e30f) : hull.high;
   keepPoint(lowSection, v, vec4(hull.low, 0.0f));
   keepPoint(highSection, v, vec4(hull.high, 0.0f));
 }

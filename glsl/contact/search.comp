@@ -28,7 +28,8 @@ void main() {
 #ifdef EDGES
   int node = 1, end = 0;
 #else
-  int node = isSolid(i) ? 2 : 1, end = isSolid(i) ? 3 : 0;
+  bool half_ = isSolid(i) || (isBall(i) && hasSolids());  // that of cloths
+  int node = half_ ? 2 : 1, end = half_ ? 3 : 0;
 #endif
   int visited = 0;
   for (; node != end && visited < maxVisited; ++visited) {

@@ -30,7 +30,11 @@ void main() {
   Near near = nearOfVertex(c, now[0], now[1], now[2], now[3]);
 #endif
   if (!mayMeet(near, radii, thicknessOf(c))) return;
-  if (meetsSolid(near))
+  if (isBall(c.x)) {
+    float meets = pointAt(skinSection, c.x).w;
+    if (meets >= 0.0f && meets != pointAt(skinSection, c.y).w) return;
+  }
+  if (meetsSolid(near) || isBall(c.x))
     for (int k = 0; k < 4; ++k)
       if (!isSolid(c[k])) points[highSection * contactStep.vertices + c[k]].w = 1.0f;
   int place = int(atomicAdd(control.pairCounts[kind], 1u));

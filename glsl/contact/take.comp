@@ -13,6 +13,10 @@ void main() {
   vec4 now = pointAt(nowSection, v);
   vec4 high = pointAt(highSection, v);
   precise float most = next.w * 1.25f + roamOf(now.xyz, next.xyz, stirOf(), high.w);
+  if (isBall(v) && now.w == 0.0f) {
+    keepPoint(wantedSection, v, settled);
+    return;
+  }
   vec3 wanted = keptWithin(next.xyz, settled.xyz, most, pointAt(lowSection, v).xyz, high.xyz);
   keepPoint(wantedSection, v, vec4(wanted, settled.w));
 }

@@ -9,8 +9,10 @@ struct STD140 ContactStep {
   float horizon;      // substeps ahead for which pairs are looked for
   float quanta;       // impulses are summed up as integers: so many a kg m
   float perQuanta;    // kg m
+  float bounceFrom;   // m a substep: what meets a ball more slowly is not given back
   int vertices;
-  int movable;        // of them the first are of cloths, the others of solids, which go where they go
+  int movable;        // of them the first are of cloths and balls, the others of solids, which go where they go
+  int balls;          // the first of the balls
   int faceLevels;     // of the tree over faces: it has 2^faceLevels leaves
   int edgeLevels;     // of the tree over edges
   int forced;         // 1: pairs are to be found anew in any case

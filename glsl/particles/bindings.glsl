@@ -5,5 +5,6 @@
 const int positionsBinding = 0;
 const int velocitiesBinding = 1;
 const int accelerationsBinding = 2;
+const int startsBinding = 2;  // where a substep began, of kernels that read no accelerations
 
 #endif

@@ -17,5 +17,9 @@ layout(std140, binding = stepBinding) uniform StepBlock { ParticleStep stepData;
 layout(local_size_x = 64) in;
 STATE_ARRAY(positionsBinding, PositionBlock, positions)
 STATE_ARRAY(velocitiesBinding, VelocityBlock, velocities)
+#ifdef SETTLES
+INPUT_ARRAY(startsBinding, StartBlock, starts)
+#else
 STATE_ARRAY(accelerationsBinding, AccelerationBlock, accelerations)
+#endif
 #include "particles/model.glsl"

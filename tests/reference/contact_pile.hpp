@@ -1,7 +1,9 @@
 #pragma once
 #include "reference/cloth_twin.hpp"
 #include "reference/contact_twin.hpp"
+#include "reference/particles_twin.hpp"
 
+#include <cmath>
 #include <functional>
 #include <memory>
 #include <utility>
@@ -32,6 +34,7 @@ struct PileSolid {
 /// Cloths that touch each other and themselves, and solids, by the twins.
 struct Pile {
   std::vector<std::unique_ptr<ClothTwin>> cloths;
+  std::unique_ptr<ParticlesTwin> balls;  ///< null: none
   std::vector<PileSolid> solids;
   std::unique_ptr<ContactTwin> contact;
   std::vector<glm::uvec3> faces;  ///< of all, numbered through
@@ -41,7 +44,7 @@ struct Pile {
 
   Pile(const std::vector<simreel::sim::ClothParameters>& parameters,
        const std::vector<simreel::sim::ColliderShape>& colliders, float thickness, float friction,
-       std::vector<PileSolid> solids_ = {})
+       std::vector<PileSolid> solids_ = {}, const simreel::sim::ParticleParameters* particles = nullptr)
       : solids(std::move(solids_)) {
     std::vector<simreel::sim::ContactPart> parts;
     unsigned first = 0;
@@ -50,6 +53,14 @@ struct Pile {
       parts.push_back({cloths.back()->positions, facesOfSheet(p.size), thickness, friction, {}});
       for (const glm::uvec3& f : parts.back().faces) faces.push_back(f + first);
       first += static_cast<unsigned>(cloths.back()->positions.size());
+    }
+    if (particles != nullptr) {
+      simreel::sim::ParticleParameters p = *particles;
+      p.substeps = static_cast<int>(std::lround(frameSeconds / cloths.front()->plan().substepSeconds()));
+      balls = std::make_unique<ParticlesTwin>(
+          simreel::sim::ParticlePlan(p, 5, frameSeconds, 1 << 10, colliders));
+      parts.push_back(balls->plan().contactPart());
+      first += static_cast<unsigned>(balls->positions.size());
     }
     firstSolid = first;
     for (const PileSolid& solid : solids) {
@@ -64,11 +75,16 @@ struct Pile {
   void step() {
     std::vector<std::vector<simreel::shader::ClothStep>> steps;
     for (const auto& cloth : cloths) steps.push_back(cloth->plan().frame(frame * frameSeconds));
+    if (balls) balls->beginFrame(frame * frameSeconds);
     for (std::size_t i = 0; i < steps.front().size(); ++i) {
       std::vector<ContactTwin::Part> parts;
       for (std::size_t c = 0; c < cloths.size(); ++c) {
         cloths[c]->predict(steps[c][i], 1, static_cast<int>(i));
         parts.push_back({&cloths[c]->positions, &cloths[c]->next, &cloths[c]->velocities});
+      }
+      if (balls) {
+        balls->predict(static_cast<int>(i));
+        parts.push_back({&balls->starts, &balls->positions, &balls->velocities});
       }
       const double dt = cloths.front()->plan().substepSeconds();
       std::vector<std::vector<glm::vec4>> places;
@@ -79,6 +95,7 @@ struct Pile {
         parts.push_back({&places[k], &places[solids.size() + k], nullptr});
       contact->push(parts, i == 0);
       for (std::size_t c = 0; c < cloths.size(); ++c) cloths[c]->settle(steps[c][i], static_cast<int>(i));
+      if (balls) balls->settle(static_cast<int>(i));
       contact->hold(parts);
       for (const auto& cloth : cloths) cloth->finish();
     }

@@ -36,18 +36,28 @@ void ContactTwin::push(const std::vector<Part>& parts, bool first) {
   now.clear();
   next.clear();
   for (const Part& part : parts) {
-    for (const vec4& p : *part.now)
-      now.emplace_back(vec3(p), kernel.isSolid(static_cast<int>(now.size())) ? 0.0F : p.w);
+    for (std::size_t k = 0; k < part.now->size(); ++k) {
+      const vec4& p = (*part.now)[k];
+      const int v = static_cast<int>(now.size());
+      now.emplace_back(vec3(p), kernel.isSolid(v)  ? 0.0F
+                                : kernel.isBall(v) ? kernel.ballWeight(p.w, (*part.next)[k].w)
+                                                   : p.w);
+    }
     next.insert(next.end(), part.next->begin(), part.next->end());
   }
   const auto xyz = [](const std::vector<vec4>& from, int i) { return vec3(from[at(i)]); };
   const std::size_t movable = at(plan_.movable());
+  const float stirBefore = stir_;
   stir_ = 0;
-  for (std::size_t i = movable; i < now.size(); ++i)
-    stir_ = std::max(stir_, kernel.lengthOf(vec3(now[i]), vec3(next[i])));
+  const auto isGone = [&](std::size_t i) { return kernel.isBall(static_cast<int>(i)) && now[i].w == 0; };
+  for (std::size_t i = at(plan_.balls()); i < now.size(); ++i) {
+    const float way = isGone(i) ? 0.0F : kernel.lengthOf(vec3(now[i]), vec3(next[i]));
+    stir_ = std::max(stir_, i < movable ? kernel.ballStir(way, skins[i].z) : way);
+  }
   bool stale = first || hulls_.empty() || stir_ > searched_;
   for (std::size_t i = 0; i < next.size() && !stale; ++i)
-    stale = !kernel.isWithin(vec3(next[i]), hulls_[i].low, hulls_[i].high);
+    stale =
+        !isGone(i) && !kernel.isGood(vec3(next[i]), hulls_[i].low, hulls_[i].high, stirBefore, beside_[i]);
   if (stale) {
     ++searches;
     searched_ = kernel.foreseen(stir_);
@@ -56,6 +66,8 @@ void ContactTwin::push(const std::vector<Part>& parts, bool first) {
     for (std::size_t i = 0; i < next.size(); ++i)
       hulls_.push_back(kernel.widened(kernel.reachOf(vec3(now[i]), vec3(next[i]), skins[i].x),
                                       i < movable ? searched_ : 0.0F));
+    for (std::size_t i = 0; i < next.size(); ++i)
+      if (isGone(i)) hulls_[i] = {vec3(1e30F), vec3(-1e30F)};
     vertexPairs_.clear();
     edgePairs_.clear();
     const auto hullOf = [&](uint v) { return kernel.widened(hulls_[v], skins[v].x); };
@@ -68,7 +80,7 @@ void ContactTwin::push(const std::vector<Part>& parts, bool first) {
     const auto meet = [&](const Hull& a, const Hull& b) {
       return kernel.overlap(a.low, a.high, b.low, b.high);
     };
-    const auto bothSolid = [&](uint a, uint b) { return a >= movable && b >= movable; };
+    const auto bothSolid = [&](uint a, uint b) { return a >= at(plan_.balls()) && b >= movable; };
     const auto radius = [&](uint v) {
       return kernel.radiusOf(vec3(now[v]), hulls_[v].low, hulls_[v].high);
     };
@@ -79,7 +91,9 @@ void ContactTwin::push(const std::vector<Part>& parts, bool first) {
       if (!kernel.mayMeet(n, vec4(radius(a), radius(b), radius(c), radius(d)),
                           thicknessOf(kernel, ivec4(a, b, c, d))))
         return;
-      if (bothSolid(a, a) || bothSolid(d, d))
+      const bool ball = kernel.isBall(static_cast<int>(a));
+      if (ball && skins[a].w >= 0 && skins[a].w != skins[b].w) return;
+      if (kernel.isSolid(static_cast<int>(a)) || kernel.isSolid(static_cast<int>(d)) || ball)
         for (const uint v : {a, b, c, d})
           if (v < movable) beside_[v] = 1;
       (edge ? edgePairs_ : vertexPairs_).emplace_back(a, b, c, d);
@@ -107,6 +121,7 @@ void ContactTwin::push(const std::vector<Part>& parts, bool first) {
 
   std::vector<Near>& near = near_;
   near.clear();
+  std::vector<float> nearest(now.size(), 1e30F);
   std::vector<vec3> up(now.size(), vec3(0)), down = up;
   const auto carry = [&](const Near& n, const vec3& way, const vec4& carries) {
     const ivec4 c = kernel.cornersOf(n);
@@ -123,8 +138,10 @@ void ContactTwin::push(const std::vector<Part>& parts, bool first) {
                                         xyz(next, c.z) - xyz(now, c.z), xyz(next, c.w) - xyz(now, c.w));
     const float thick = thicknessOf(kernel, c);
     const vec4 roams(roam_[at(c.x)], roam_[at(c.y)], roam_[at(c.z)], roam_[at(c.w)]);
+    if (isGone(at(c.x))) return;
     if (!kernel.isNear(n, heights, rises, thick, roams)) return;
     near.push_back(n);
+    nearest[at(c.x)] = std::min(nearest[at(c.x)], n.normal.w);
     if (!kernel.meetsSolid(n)) return;
     const bool solid = kernel.isSolid(c.x);
     const vec3 way =
@@ -140,7 +157,8 @@ void ContactTwin::push(const std::vector<Part>& parts, bool first) {
   const auto start = [&] {
     starts_.clear();
     for (std::size_t i = 0; i < now.size(); ++i)
-      starts_.push_back(stir_ == 0 ? vec3(now[i]) : kernel.carriedTo(now[i], up[i], down[i]));
+      starts_.push_back(stir_ == 0 || !kernel.hasSolids() ? vec3(now[i])
+                                                          : kernel.carriedTo(now[i], up[i], down[i]));
   };
   start();
   for (int round = 0; round < simreel::sim::ContactPlan::carryRounds && stir_ > 0; ++round) {
@@ -176,7 +194,15 @@ void ContactTwin::push(const std::vector<Part>& parts, bool first) {
       const vec3 slide = kernel.weighted(n.shares, moves[0], moves[1], moves[2], moves[3]);
       const float thick = thicknessOf(kernel, c);
       const float friction = kernel.frictionBetween(skins[at(c.x)].y, skins[at(c.w)].y);
-      const vec3 way = kernel.correctionOf(n, slide, thick, friction);
+      bool pushes = kernel.isInside(n);
+      float back = -1e30F;
+      if (kernel.isBall(c.x)) {
+        const auto led = [&](int v) { return xyz(next, v) - xyz(now, v); };
+        pushes = kernel.pushesBall(n, nearest[at(c.x)]);
+        back = kernel.givenBack(n, kernel.weighted(n.shares, led(c.x), led(c.y), led(c.z), led(c.w)), thick,
+                                skins[at(c.x)].z);
+      }
+      const vec3 way = kernel.correctionOf(n, slide, thick, friction, back, pushes);
       ways.push_back(way);
       if (way == vec3(0)) continue;
       ++touching;
@@ -208,9 +234,12 @@ void ContactTwin::push(const std::vector<Part>& parts, bool first) {
 
   std::size_t i = 0;
   for (const Part& part : parts)
-    for (vec4& place : *part.next) {
-      if (i < movable) place = wanted[i];
-      ++i;
+    for (std::size_t k = 0; k < part.next->size(); ++k, ++i) {
+      if (i >= movable) continue;
+      (*part.next)[k] = wanted[i];
+      if (!kernel.isBall(static_cast<int>(i)) || now[i].w == 0) continue;
+      vec4& velocity = (*part.velocities)[k];
+      velocity = vec4(kernel.speedBy(vec3(velocity), vec3(next[i]), vec3(wanted[i])), velocity.w);
     }
 }
 
@@ -224,10 +253,12 @@ void ContactTwin::hold(const std::vector<Part>& parts) {
   std::size_t vertex = 0;
   for (const Part& part : parts)
     for (const vec4& settled : *part.next) {
-      wanted[vertex] = vec4(
-          kernel.keptWithin(vec3(next_[vertex]), vec3(settled), skins[vertex].x * 1.25F + roam_[vertex],
-                            hulls_[vertex].low, hulls_[vertex].high),
-          settled.w);
+      wanted[vertex] = kernel.isBall(static_cast<int>(vertex)) && now[vertex].w == 0
+                           ? settled
+                           : vec4(kernel.keptWithin(vec3(next_[vertex]), vec3(settled),
+                                                    skins[vertex].x * 1.25F + roam_[vertex],
+                                                    hulls_[vertex].low, hulls_[vertex].high),
+                                  settled.w);
       ++vertex;
     }
   std::vector<float> let(now.size(), 1.0F), still(now.size(), 1.0F);
@@ -262,7 +293,7 @@ void ContactTwin::hold(const std::vector<Part>& parts) {
       const float part_ = now[i].w == 0.0F ? 1.0F : allStopped ? still[i] : let[i];
       if (part_ < 1) ++stopped;
       const vec3 held = kernel.heldAt(starts_[i], vec3(wanted[i]), part_);
-      const vec3 v = vec3((*part.velocities)[k]) + (held - vec3((*part.next)[k])) * step.perDt;
+      const vec3 v = kernel.speedBy(vec3((*part.velocities)[k]), vec3((*part.next)[k]), held);
       (*part.next)[k] = vec4(held, wanted[i].w);
       if (now[i].w > 0) (*part.velocities)[k] = vec4(v, (*part.velocities)[k].w);
     }

@@ -13,7 +13,7 @@ class ContactTwin {
   explicit ContactTwin(simreel::sim::ContactPlan plan) : plan_(std::move(plan)) {}
 
   struct Part {
-    const std::vector<glm::vec4>* now;   ///< at the substep's start: xyz m, w inverse mass
+    const std::vector<glm::vec4>* now;   ///< at the substep's start: xyz m, w inverse mass, of balls mass
     std::vector<glm::vec4>* next;        ///< where it would lead; becomes where it leads
     std::vector<glm::vec4>* velocities;  ///< xyz m/s; null of a solid
   };

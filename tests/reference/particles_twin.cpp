@@ -94,47 +94,72 @@ ParticlesTwin::ParticlesTwin(simreel::sim::ParticlePlan plan) : plan_(std::move(
 }
 
 void ParticlesTwin::step(double time, int threads) {
+  beginFrame(time, threads);
+  for (int i = 0; i < plan_.parameters().substeps; ++i) predict(i, threads);
+}
+
+void ParticlesTwin::beginFrame(double time, int threads) {
   if (!primed_) {
     attract(threads);
     kick(plan_.prime(time), threads);
     primed_ = true;
   }
   const auto& p = plan_.parameters();
-  int index = 0;
   if (meshes) meshes->beginFrame(time, p.substeps, plan_.substepSeconds());
-  for (const ParticleStep& data : plan_.frame(time)) {
-    Kernel kernel{data};
-    kernel.blow(wind);
-    if (meshes) {
-      kernel.meshData = meshes->steps[static_cast<std::size_t>(index)];
-      kernel.fieldCells = meshes->cells.data();
-    }
-    if (heightPlan) kernel.heightGrid = heightPlan->at(index, p.substeps, p.margin, p.bounce);
-    ++index;
-    kernel.heights = heights.data();
-    if (walls) {
-      kernel.wallGrid = walls->grid({p.margin, p.bounce, plan_.substepSeconds()});
-      kernel.walls = &*walls;
-    }
-    const auto store = [&](std::size_t i, Kernel::ParticleMotion m, const vec4* from) {
-      const vec3 start(from != nullptr ? *from : m.position);
-      if (data.colliderCount > 0 || meshes) m = kernel.outOfSolids(m, start);
-      if (heightPlan) m = kernel.overHeights(m);
-      if (walls) m = kernel.besideWalls(m, from != nullptr ? start : vec3(m.position));
-      positions[i] = m.position;
-      velocities[i] = m.velocity;
-    };
+  steps_ = plan_.frame(time);
+}
+
+void ParticlesTwin::meet(int index, const std::function<void(const Meet&)>& body) {
+  const auto& p = plan_.parameters();
+  const ParticleStep& data = steps_[static_cast<std::size_t>(index)];
+  Kernel kernel{data};
+  if (meshes) {
+    kernel.meshData = meshes->steps[static_cast<std::size_t>(index)];
+    kernel.fieldCells = meshes->cells.data();
+  }
+  if (heightPlan) kernel.heightGrid = heightPlan->at(index, p.substeps, p.margin, p.bounce);
+  kernel.heights = heights.data();
+  if (walls) {
+    kernel.wallGrid = walls->grid({p.margin, p.bounce, plan_.substepSeconds()});
+    kernel.walls = &*walls;
+  }
+  body([&](std::size_t i, const vec4& position, const vec4& velocity, const vec4* start) {
+    Kernel::ParticleMotion m{position, velocity};
+    if (data.colliderCount > 0 || meshes)
+      m = kernel.outOfSolids(m, vec3(start != nullptr ? *start : position));
+    if (heightPlan) m = kernel.overHeights(m);
+    if (walls) m = kernel.besideWalls(m, vec3(start != nullptr ? *start : m.position));
+    positions[i] = m.position;
+    velocities[i] = m.velocity;
+  });
+}
+
+void ParticlesTwin::predict(int index, int threads) {
+  const auto& p = plan_.parameters();
+  const ParticleStep& data = steps_[static_cast<std::size_t>(index)];
+  Kernel kernel{data};
+  kernel.blow(wind);
+  starts = positions;
+  meet(index, [&](const Meet& out) {
     forAll(positions.size(), threads, [&](std::size_t i) {
-      store(i, kernel.moved(static_cast<int>(i), positions[i], velocities[i], vec3(accelerations[i])),
-            &positions[i]);
+      const auto m = kernel.moved(static_cast<int>(i), positions[i], velocities[i], vec3(accelerations[i]));
+      out(i, m.position, m.velocity, &starts[i]);
     });
     for (int e = 0; e < data.emitterCount; ++e)
-      for (int k = 0; k < data.emitters[e].newborns; ++k)
-        store(static_cast<std::size_t>(kernel.newbornSlot(e, k)),
-              kernel.newbornMoved(e, k, p.hasAttractor, p.turbulence.strength > 0), nullptr);
-    attract(threads);
-    kick(data, threads);
-  }
+      for (int k = 0; k < data.emitters[e].newborns; ++k) {
+        const auto m = kernel.newbornMoved(e, k, p.hasAttractor, p.turbulence.strength > 0);
+        out(static_cast<std::size_t>(kernel.newbornSlot(e, k)), m.position, m.velocity, nullptr);
+      }
+  });
+  attract(threads);
+  kick(data, threads);
+}
+
+void ParticlesTwin::settle(int index) {
+  meet(index, [&](const Meet& out) {
+    for (std::size_t i = 0; i < positions.size(); ++i)
+      if (starts[i].w != 0) out(i, positions[i], velocities[i], &starts[i]);
+  });
 }
 
 void ParticlesTwin::attract(int threads) {

@@ -5,6 +5,7 @@
 #include "sim/mesh/height_plan.hpp"
 #include "sim/particles/plan.hpp"
 
+#include <cstddef>
 #include <functional>
 #include <optional>
 #include <vector>
@@ -19,10 +20,16 @@ class ParticlesTwin {
 
   /// One frame starting at `time` (s). `threads` 0: all processors.
   void step(double time, int threads = 1);
+  /// The parts of it, for particles in contact: of substep `index` of the frame begun, to where they would
+  /// go; and after contact has changed `positions`, out of what they collide with.
+  void beginFrame(double time, int threads = 1);
+  void predict(int index, int threads = 1);
+  void settle(int index);
 
   std::vector<glm::vec4> positions;      ///< xyz m, w kg
   std::vector<glm::vec4> velocities;     ///< xyz m/s, w age
   std::vector<glm::vec4> accelerations;  ///< xyz m/s^2
+  std::vector<glm::vec4> starts;         ///< positions as predict() found them
   /// The mesh they fall onto; none without a plan.
   std::optional<simreel::sim::HeightPlan> heightPlan;
   std::vector<glm::vec4> heights;      ///< of the frame to step: x at its beginning, y at its end (m)
@@ -34,10 +41,15 @@ class ParticlesTwin {
   void restart() { primed_ = false; }
 
  private:
+  /// Stores particle `i` as what it collides with leaves it, from `start` on; null: from where it is.
+  using Meet = std::function<void(std::size_t i, const glm::vec4& position, const glm::vec4& velocity,
+                                  const glm::vec4* start)>;
+  void meet(int index, const std::function<void(const Meet&)>& body);
   void attract(int threads);
   void kick(const simreel::shader::ParticleStep& data, int threads);
 
   simreel::sim::ParticlePlan plan_;
+  std::vector<simreel::shader::ParticleStep> steps_;
   bool primed_ = false;
 };
 

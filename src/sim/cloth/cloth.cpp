@@ -84,6 +84,7 @@ class Cloth : public Simulation, public LockStep {
     ContactPart part{plan_.firstPositions(), {}, p.contactThickness(p.spacing), p.contact.friction, {}};
     for (std::size_t i = 0; i + 2 < corners.size(); i += 3)
       part.faces.emplace_back(corners[i], corners[i + 1], corners[i + 2]);
+    part.name = name_;
     return part;
   }
   void beginFrame(double time) override {

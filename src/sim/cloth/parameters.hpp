@@ -100,8 +100,9 @@ struct ClothParameters : ObjectParameters, shader::ClothConstants {
   /// pins where it falls through once its size.
   [[nodiscard]] std::optional<scene::Box> framed() const override;
 
-  /// The same with as many substeps as what it touches takes; 0: its own.
   [[nodiscard]] bool feelsFaces() const override { return hasContact; }
+  [[nodiscard]] bool isCloth() const override { return true; }
+  /// The same with as many substeps as what it touches takes; 0: its own.
   [[nodiscard]] ClothParameters inStep(int contactSubsteps) const;
   /// Fewest substeps of a frame that "auto" takes of cloth in contact: it is solved by a round or two in
   /// each, and at 960 a second layers keep apart.

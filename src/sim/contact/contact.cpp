@@ -39,10 +39,9 @@ Contact::Contact(ContactPlan plan, int substeps, bool fast) : plan_(std::move(pl
   const auto vertices = static_cast<std::size_t>(plan_.vertices());
   checkLimits(vertices);
   std::vector<glm::vec4> points(vertices * at::pointSections, glm::vec4(0));
-  for (std::size_t i = 0; i < vertices; ++i)
-    points[at::skinSection * vertices + i] = glm::vec4(plan_.skins()[i], 0, 0);
+  for (std::size_t i = 0; i < vertices; ++i) points[at::skinSection * vertices + i] = plan_.skins()[i];
   points_ = gl::Vec4Array("contact points", points);
-  tallies_ = gl::Buffer("contact tallies", vertices * at::tallySections * 16);
+  tallies_ = gl::WordsArray("contact tallies", static_cast<int>(vertices * at::tallySections));
   const auto treeOver = [](const std::vector<glm::uvec4>& leaves, int levels) {
     return Tree{levels, gl::WordsArray("contact leaves", leaves),
                 gl::Vec4Array("contact boxes", static_cast<int>(4 * leaves.size()))};
@@ -58,6 +57,8 @@ Contact::Contact(ContactPlan plan, int substeps, bool fast) : plan_(std::move(pl
 
 void Contact::makePrograms(bool fast) {
   gl::Defines defines = gl::kernelDefines(fast);
+  if (plan_.movable() == plan_.vertices()) defines.emplace_back("NO_SOLIDS", "1");
+  if (plan_.balls() == plan_.movable()) defines.emplace_back("NO_BALLS", "1");
   const auto make = [&](const char* name) { return gl::Program::compute(name, defines); };
   gather_ = make("contact/gather.comp");
   begin_ = make("contact/begin.comp");
@@ -222,7 +223,7 @@ void Contact::search() const {
 void Contact::bind(int index) const {
   steps_.bind(static_cast<std::size_t>(index));
   points_.bindState(at::pointsBinding);
-  tallies_.bindStorage(at::talliesBinding);
+  tallies_.buffer().bindStorage(at::talliesBinding);
   control_.bindStorage(at::controlBinding);
 }
 
@@ -274,6 +275,7 @@ void Contact::push(int index, std::span<const Part> parts) {
   glMemoryBarrier(GL_COMMAND_BARRIER_BIT);
   corners_.bindInput(at::cornersBinding);
   carry();
+  tallies_.bindInput(at::toldBinding);
   for (int round = 0; round < plan_.rounds(); ++round) {
     dispatchIndirect(claim_, at::nearDispatch);
     gl::barrier();
@@ -282,7 +284,10 @@ void Contact::push(int index, std::span<const Part> parts) {
     apply_.dispatch(plan_.movable());
     gl::barrier();
   }
-  forParts(hand_, cloths(parts), [](const Part& part) { part.next->bindState(at::partNextBinding); });
+  forParts(hand_, cloths(parts), [](const Part& part) {
+    part.next->bindState(at::partNextBinding);
+    part.velocities->bindState(at::partVelocitiesBinding);
+  });
 }
 
 void Contact::hold(int index, std::span<const Part> parts) {
@@ -291,6 +296,7 @@ void Contact::hold(int index, std::span<const Part> parts) {
   forParts(take_, parts, [](const Part& part) { part.next->bindInput(at::partNextBinding); });
   corners_.bindInput(at::cornersBinding);
   nears_.bindState(at::nearsBinding);
+  tallies_.bindInput(at::toldBinding);
   for (int round = 0; round < holdRounds; ++round) {
     hold_.set("round", round);
     dispatchIndirect(hold_, at::nearDispatch);

@@ -66,8 +66,8 @@ class Contact {
   int maxPairs_ = 0;
   Tree faces_, edges_;
   gl::Vec4Array points_, nears_;
-  gl::WordsArray candidates_, pairs_, corners_;
-  gl::Buffer tallies_, control_;
+  gl::WordsArray candidates_, pairs_, corners_, tallies_;
+  gl::Buffer control_;
   std::vector<gl::Buffer> saved_;  ///< of each part `now` and `velocities`
   StepBlocks<shader::ContactStep> steps_;
   gl::Program refit_[3];  ///< of one, two, three levels at once

@@ -65,6 +65,7 @@ void ContactGroup::step(double time, const Watch& watch) {
   bool enough = contact_.endFrame();
   while (!enough || watch) {  // who watches sees only what has room
     contact_.restore(parts());
+    for (LockStep* member : members_) member->restored();
     substeps(enough ? watch : Watch());
     if (enough) break;
     enough = contact_.endFrame();

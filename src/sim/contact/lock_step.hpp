@@ -15,6 +15,8 @@ namespace simreel::sim {
 class LockStep {
  public:
   virtual ~LockStep() = default;
+  /// Whether its part is one of balls, which come after all cloths.
+  [[nodiscard]] virtual bool isOfBalls() const { return false; }
   /// As it is at the start.
   [[nodiscard]] virtual ContactPart contactPart() const = 0;
   virtual void beginFrame(double time) = 0;
@@ -26,6 +28,8 @@ class LockStep {
   [[nodiscard]] virtual Contact::Part arrays() const = 0;
   virtual void finish() = 0;
   virtual void endFrame(double time) = 0;
+  /// The positions and velocities of arrays() are again as they were at beginFrame().
+  virtual void restored() {}
 };
 
 /// Simulations in step, and their contact with each other and with solids.

@@ -117,27 +117,41 @@ Leaves bothHalves(std::span<const ContactPart> parts, const std::vector<int>& fi
 ContactPlan::ContactPlan(std::span<const ContactPart> parts, double substepSeconds)
     : substepSeconds_(substepSeconds) {
   float lightest = 0;  // greatest inverse mass, least of those that are not held
-  float thickest = 0;
-  for (const ContactPart& part : parts) {
+  float thickest = 0, heaviestBall = 0;
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    const ContactPart& part = parts[k];
     firsts_.push_back(vertices());
     if (part.solid) {
-      skins_.insert(skins_.end(), part.positions.size(), glm::vec2(thickest, part.friction));
+      skins_.insert(skins_.end(), part.positions.size(), glm::vec4(thickest, part.friction, 0, -1));
       continue;
     }
     SIMREEL_CHECK(movable_ == vertices());
+    if (part.balls) {
+      const auto met = std::find_if(parts.begin(), parts.end(), [&](const ContactPart& other) {
+        return !part.meets.empty() && other.name == part.meets;
+      });
+      const auto number = met == parts.end() ? -1.0F : static_cast<float>(met - parts.begin());
+      skins_.insert(skins_.end(), part.positions.size(),
+                    glm::vec4(std::max(part.thickness, thickest), -1, part.bounce, number));
+      heaviestBall = std::max(heaviestBall, part.heaviest);
+      movable_ = vertices();
+      continue;
+    }
+    SIMREEL_CHECK(balls_ == vertices());
     for (std::size_t i = 0; i < part.positions.size(); ++i) {
       const glm::vec4& p = part.positions[i];
       const float thick = part.rooms.empty() ? part.thickness : std::min(part.thickness, part.rooms[i]);
-      skins_.emplace_back(0.5F * thick, part.friction);
+      skins_.emplace_back(0.5F * thick, part.friction, 0, static_cast<float>(k));
       thickest = std::max(thickest, 0.5F * thick);
       if (p.w > 0) lightest = lightest == 0 ? p.w : std::min(lightest, p.w);
     }
-    movable_ = vertices();
+    movable_ = balls_ = vertices();
   }
-  // 2^-30 m of the heaviest: three decimal digits below what floats near 1 m resolve, and room for 2 m.
-  const float heaviest = 1.0F / std::max(lightest, 1e-20F);
+  // 2^-30 m of the heaviest: three decimal digits below what floats near 1 m resolve, and room for 2 m. Of
+  // a ball an eighth counts, which has seldom far to go in a substep.
+  const float heaviest = std::max(lightest > 0 ? 1.0F / lightest : 0, 0.125F * heaviestBall);
   quanta_ = 1.0F;
-  while (quanta_ * heaviest < 0x1p30F) quanta_ *= 2;
+  while (heaviest > 0 && quanta_ * heaviest < 0x1p30F) quanta_ *= 2;
   while (quanta_ * heaviest >= 0x1p31F) quanta_ *= 0.5F;
   faces_ = bothHalves(parts, firsts_, facesOf);
   edges_ = bothHalves(parts, firsts_, edgesOf);
@@ -158,8 +172,10 @@ shader::ContactStep ContactPlan::step(bool first, int maxPairs) const {
   step.horizon = 8.0F;
   step.quanta = quanta_;
   step.perQuanta = 1.0F / quanta_;
+  step.bounceFrom = static_cast<float>(0.1 * substepSeconds_);  // 0.1 m/s
   step.vertices = vertices();
   step.movable = movable_;
+  step.balls = balls_;
   step.faceLevels = faceLevels();
   step.edgeLevels = edgeLevels();
   step.forced = first ? 1 : 0;

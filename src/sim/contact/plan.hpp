@@ -3,9 +3,9 @@
 
 #include <cstdint>
 #include <span>
+#include <string>
 #include <vector>
 
-#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
@@ -24,6 +24,13 @@ struct ContactPart {
   std::vector<float> rooms;          ///< m, of each position the most for its thickness; empty: no limit
   /// It goes where it goes, and cloths give way: its thickness is theirs, and no two solids are a pair.
   bool solid = false;
+  /// Particles: no faces, positions' w mass in kg (0: not alive). They keep `thickness`, their radius, and
+  /// half a cloth's off the middle of cloths, but at least half of the thickest cloth's more than that.
+  bool balls = false;
+  float heaviest = 0;      ///< of balls: kg of the heaviest, of those that are born later, too
+  float bounce = 0;        ///< of balls: the share of the speed of impact that is given back
+  std::string name = {};   ///< of a cloth
+  std::string meets = {};  ///< of balls: the name of the cloth that they meet; empty: all
 };
 
 /// What of contact is decided once, on the CPU: the order of faces and edges in their trees of boxes
@@ -35,21 +42,24 @@ struct ContactPart {
 /// any, are the second half of each tree.
 class ContactPlan {
  public:
-  /// `parts`: solids come last. Throws UserError(usage) where there are more faces than the kernels can
-  /// number.
+  /// `parts`: cloths, then balls, then solids. Throws UserError(usage) where there are more faces than the
+  /// kernels can number.
   ContactPlan(std::span<const ContactPart> parts, double substepSeconds);
 
   /// Leaves of the trees, powers of two of them: corners of a face, or ends of an edge and the second one
   /// again; w 1: none.
   [[nodiscard]] const std::vector<glm::uvec4>& faces() const { return faces_; }
   [[nodiscard]] const std::vector<glm::uvec4>& edges() const { return edges_; }
-  /// Of each vertex: x half the thickness (m), of solids that of the thickest cloth; y friction.
-  [[nodiscard]] const std::vector<glm::vec2>& skins() const { return skins_; }
+  /// Of each vertex: x half the thickness (m), of solids that of the thickest cloth, of balls the radius; y
+  /// friction; z bounce; w of a cloth its number, of a ball that of the cloth that it meets, -1 for any.
+  [[nodiscard]] const std::vector<glm::vec4>& skins() const { return skins_; }
   /// First vertex of each part.
   [[nodiscard]] const std::vector<int>& firsts() const { return firsts_; }
   [[nodiscard]] int vertices() const { return static_cast<int>(skins_.size()); }
-  /// Those of cloths, which come first.
+  /// Those of cloths and balls, which come first.
   [[nodiscard]] int movable() const { return movable_; }
+  /// The first of balls.
+  [[nodiscard]] int balls() const { return balls_; }
   /// Of impulses: a solid stops all of what is taut over it at once.
   /// Of cloth that solids carry carrying what lies in its way: so many layers.
   static constexpr int carryRounds = 4;
@@ -61,9 +71,10 @@ class ContactPlan {
 
  private:
   std::vector<glm::uvec4> faces_, edges_;
-  std::vector<glm::vec2> skins_;
+  std::vector<glm::vec4> skins_;
   std::vector<int> firsts_;
   int movable_ = 0;
+  int balls_ = 0;
   double substepSeconds_;
   float quanta_ = 1.0F;
 };

@@ -30,6 +30,12 @@ struct ObjectParameters : scene::Parameters {
   /// Whether cloths in contact feel its faces, and whether it is such a cloth.
   [[nodiscard]] virtual bool collidesByFaces() const { return false; }
   [[nodiscard]] virtual bool feelsFaces() const { return false; }
+  /// The name of the cloth in contact that it meets, empty: none by name; and whether it meets all there
+  /// are.
+  [[nodiscard]] virtual std::string meetsCloth() const { return {}; }
+  [[nodiscard]] virtual bool meetsAllCloths() const { return false; }
+  /// Whether it is a cloth.
+  [[nodiscard]] virtual bool isCloth() const { return false; }
   /// The bodies that it is tied to: their names, and where its parameters name them.
   struct Tie {
     std::string body;

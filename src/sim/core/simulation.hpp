@@ -47,6 +47,8 @@ struct Setting {
   std::function<const FluidWind&(const std::string& name)> windNamed = {};
   /// A frame, of those that are in contact; 0: each takes as many as it needs by itself.
   int contactSubsteps = 0;
+  /// Whether the scene has cloths in contact, which particles may meet.
+  bool clothsInContact = false;
   /// The skin of the body of that name, already stepped when others step. Only for names that the scene's
   /// check has found.
   std::function<SkinnedSurface&(const std::string& name)> skinNamed = {};

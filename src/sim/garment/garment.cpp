@@ -74,6 +74,7 @@ class Garment : public Simulation, public LockStep {
     const ClothParameters& p = plan_.parameters();
     ContactPart part{plan_.firstPositions(), {}, 0, p.contact.friction, plan_.contactRooms()};
     part.positions.resize(part.rooms.size());  // without ghosts
+    part.name = name_;
     for (const glm::uvec4& face : plan_.arrays().corners) part.faces.emplace_back(face);
     double sum = 0;
     for (const float room : part.rooms) sum += room;

@@ -100,10 +100,17 @@ void ParticleParameters::describe(scene::Fields& f) {
   });
   f.integer("substeps", substeps, {1, 1024}, "per frame", "Steps a frame is divided into.");
   f.boolean("collides", collides,
-            "Whether they meet what collides: shapes, the ground, bodies, a mesh that collides.");
+            "Whether they meet what collides: shapes, the ground, bodies, a mesh that collides, and cloths "
+            "with \"contact\".");
+  f.text("cloths", cloths,
+         "Which cloths with \"contact\" they meet, of those that collide: \"all\", \"none\" or the name of "
+         "one. Cloth and particle push each other, by their masses; at the distance \"margin\" and half "
+         "the cloth's thickness; friction is the cloth's. Cloths without \"contact\" let them through.");
   f.text("walls", walls, "Name of the cave or contour whose walls, floor and tops they meet.");
   f.number("bounce", bounce, {0, 1}, "", "Fraction of the speed of impact that is given back.");
   f.number("margin", margin, {0, 1e3}, "m", "Distance kept from what they meet, and from walls.");
+  if (!collides && f.given("cloths"))
+    f.error("cloths", "\"cloths\" is for particles with \"collides\": true");
   for (const char* name : {"bounce", "margin"})
     if (!collides && walls.empty() && f.given(name))
       f.error(name, fmt::format("\"{}\" is for particles with \"collides\": true or \"walls\"", name));
@@ -147,6 +154,12 @@ void ParticleParameters::describeLook(scene::Fields& l) {
     colors.clear();
     for (const ColorStop& stop : stops) colors.push_back(stop.color);
   }
+}
+
+ParticleParameters ParticleParameters::inStep(int contactSubsteps) const {
+  ParticleParameters all = *this;
+  if (meetsCloths() && contactSubsteps > 0) all.substeps = contactSubsteps;
+  return all;
 }
 
 std::span<const scene::Quantity> ParticleParameters::quantities() const {

@@ -68,10 +68,11 @@ struct ParticleParameters : ObjectParameters, shader::ParticleConstants {
   Turbulence turbulence;
   int substeps = 1;
   bool collides = false;
-  std::string walls;  ///< name of the solid they meet; empty: none
   bool hasWind = false;
   std::string windFluid;  ///< name of the fluid that is their wind
   float windDrag = 4;     ///< 1/s
+  std::string walls;           ///< name of the solid they meet; empty: none
+  std::string cloths = "all";  ///< with contact, which they meet: "all", "none", or a name
 
   // How they look.
   Instances::Shape shape = Instances::Shape::sprite;
@@ -94,6 +95,13 @@ struct ParticleParameters : ObjectParameters, shader::ParticleConstants {
   [[nodiscard]] WindFrom windFrom() const override { return {windFluid, {"wind", "fluid"}}; }
   /// 1/s, at which they lose velocity: to rest and to the wind.
   [[nodiscard]] float slowing() const { return damping + (hasWind ? windDrag : 0.0F); }
+  [[nodiscard]] std::string meetsCloth() const override {
+    return meetsCloths() && cloths != "all" ? cloths : std::string();
+  }
+  [[nodiscard]] bool meetsAllCloths() const override { return meetsCloths() && cloths == "all"; }
+  [[nodiscard]] bool meetsCloths() const { return collides && cloths != "none"; }
+  /// The same with as many substeps as the cloths that it meets take; 0: its own.
+  [[nodiscard]] ParticleParameters inStep(int contactSubsteps) const;
 
  private:
   void describeLook(scene::Fields& fields);

@@ -5,6 +5,7 @@
 #include "gl/limits.hpp"
 #include "gl/program.hpp"
 #include "sim/collide/distance_fields.hpp"
+#include "sim/contact/lock_step.hpp"
 #include "sim/contour/walls.hpp"
 #include "sim/core/kind.hpp"
 #include "sim/core/step_blocks.hpp"
@@ -18,6 +19,8 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace simreel::shader::particles {
 #include "glsl/particles/bindings.glsl"
@@ -43,13 +46,13 @@ const std::vector<ColliderShape>& shapesIn(const Setting& setting) {
   return setting.colliders != nullptr ? *setting.colliders : none;
 }
 
-class Particles : public Simulation {
+class Particles : public Simulation, public LockStep {
  public:
   Particles(const scene::Object& object, const Setting& setting)
       : name_(object.name),
         material_(object.material),
-        plan_(parametersOf<ParticleParameters>(object), setting.seed, setting.frameSeconds, maxParticles(),
-              shapesIn(setting)) {
+        plan_(parametersOf<ParticleParameters>(object).inStep(setting.contactSubsteps), setting.seed,
+              setting.frameSeconds, maxParticles(), shapesIn(setting)) {
     const ParticleParameters& p = plan_.parameters();
     if (p.collides) heights_ = setting.heights;
     meshes_ = MeshTouch(name_, p.collides ? setting.meshes : nullptr, p.substeps, plan_.substepSeconds());
@@ -61,7 +64,13 @@ class Particles : public Simulation {
     if (p.method == GravityMethod::allPairs) pairs_ = PairGravity(setting.fast);
     if (p.method == GravityMethod::tree) tree_.emplace(name_, plan_.count(), setting.fast);
     const ParticleCloud cloud = plan_.firstCloud();
-    positions_ = gl::Vec4Array(name_ + " positions", cloud.positions);
+    positions_[0] = gl::Vec4Array(name_ + " positions", cloud.positions);
+    inContact_ = setting.clothsInContact && p.meetsCloths();
+    if (inContact_) {
+      positions_[1] = gl::Vec4Array(name_ + " next positions", cloud.positions);
+      savedAccelerations_ =
+          gl::Buffer(name_ + " accelerations before a frame", 16 * cloud.positions.size());
+    }
     velocities_ = gl::Vec4Array(name_ + " velocities", cloud.velocities);
     accelerations_ =
         gl::Vec4Array(name_ + " accelerations", std::vector<glm::vec4>(cloud.positions.size()));
@@ -73,30 +82,56 @@ class Particles : public Simulation {
   }
 
   void step(double time, const StepWatch& watch) override {
-    if (!primed_) prime(time);
-    const auto steps = plan_.frame(time);
-    steps_.upload(steps);
-    meshes_.beginFrame(time);
-    tellWalls();
+    beginFrame(time);
     for (int i = 0; i < plan_.parameters().substeps; ++i) {
-      bind(i);
-      gl::barrier();
-      move_.dispatch(plan_.count());
-      giveBirth(steps[static_cast<std::size_t>(i)]);
-      if (attracts()) {
-        attract();
-        bind(i);
-        kick_.dispatch(plan_.count());
-      }
+      advance(i);
       if (watch) watch(i + 1);
     }
-    gl::barrier();
+    endFrame(time);
   }
+
+  [[nodiscard]] LockStep* lockStep() override { return inContact_ ? this : nullptr; }
+  [[nodiscard]] bool isOfBalls() const override { return true; }
+  [[nodiscard]] ContactPart contactPart() const override { return plan_.contactPart(); }
+  void beginFrame(double time) override {
+    if (!primed_) prime(time);
+    stepsOfFrame_ = plan_.frame(time);
+    steps_.upload(stepsOfFrame_);
+    meshes_.beginFrame(time);
+    tellWalls();
+    if (inContact_) copy(accelerations_.buffer(), savedAccelerations_);
+  }
+  void predict(int substep) override {
+    gl::barrier();
+    positions_[0].bindInput(shader::particles::startsBinding);
+    positions_[1].bindState(shader::particles::positionsBinding);
+    keep_.set("count", plan_.count());
+    keep_.dispatch(plan_.count());
+    next_ = 1;
+    advance(substep);
+  }
+  void settle(int substep) override {
+    if (!settles_) return;
+    bind(substep);
+    tellHeights(settle_, substep);
+    positions_[0].bindInput(shader::particles::startsBinding);
+    gl::barrier();
+    settle_.dispatch(plan_.count());
+  }
+  [[nodiscard]] Contact::Part arrays() const override {
+    return {&positions_[0], &positions_[1], &velocities_};
+  }
+  void finish() override {
+    std::swap(positions_[0], positions_[1]);
+    next_ = 0;
+  }
+  void restored() override { copy(savedAccelerations_, accelerations_.buffer()); }
+  void endFrame(double /*time*/) override { gl::barrier(); }
 
   void publish(double /*time*/, Drawables& drawables) const override {
     const ParticleParameters& p = plan_.parameters();
     Instances instances;
-    instances.positions = &positions_.view();
+    instances.positions = &positions_[0].view();
     instances.velocities = &velocities_.view();
     instances.capacity = plan_.count();
     instances.shape = p.shape;
@@ -118,18 +153,18 @@ class Particles : public Simulation {
   void carryOver(CarryOver& carry) override {
     plan_.carryOver(carry);
     carry.number("primed", primed_);
-    carry.array("positions", positions_.buffer());
+    carry.array("positions", positions_[0].buffer());
     carry.array("velocities", velocities_.buffer());
     carry.array("accelerations", accelerations_.buffer());
   }
 
   [[nodiscard]] std::vector<StateArray> state() const override {
-    return {{"positions", &positions_.buffer()}, {"velocities", &velocities_.buffer()}};
+    return {{"positions", &positions_[0].buffer()}, {"velocities", &velocities_.buffer()}};
   }
   [[nodiscard]] std::vector<double> measure() const override {
     double alive = 0, mass = 0, kinetic = 0;
     glm::dvec3 momentum(0);
-    const auto positions = positions_.buffer().readAll<glm::vec4>();
+    const auto positions = positions_[0].buffer().readAll<glm::vec4>();
     const auto velocities = velocities_.buffer().readAll<glm::vec4>();
     for (std::size_t i = 0; i < static_cast<std::size_t>(plan_.count()); ++i) {
       if (velocities[i].w < 0) continue;
@@ -147,7 +182,7 @@ class Particles : public Simulation {
     return fmt::format("particle {}", element);
   }
   [[nodiscard]] PointTable points() const override {
-    const auto positions = positions_.buffer().readAll<glm::vec4>();
+    const auto positions = positions_[0].buffer().readAll<glm::vec4>();
     const auto velocities = velocities_.buffer().readAll<glm::vec4>();
     PointTable table{{"x", "y", "z", "mass", "vx", "vy", "vz", "age"}, {}};
     for (std::size_t i = 0; i < static_cast<std::size_t>(plan_.count()); ++i) {
@@ -185,6 +220,12 @@ class Particles : public Simulation {
     meshes_.check(move_);
     if (wind_ != nullptr) wind_->tell(kick_);
     if (wind_ != nullptr && !attracts()) wind_->tell(move_);
+    settles_ = plan_.colliderCount() + meshes_.count() > 0 || heights_ != nullptr || walls_ != nullptr;
+    if (inContact_) {
+      keep_ = gl::Program::compute("particles/keep.comp", gl::kernelDefines(fast));
+      settle_ = gl::Program::compute("particles/settle.comp", defines);
+      meshes_.check(settle_);
+    }
     if (p.emitters.empty()) return;
     if (attracts()) defines.emplace_back("ATTRACTS", "1");
     birth_ = gl::Program::compute("particles/birth.comp", defines);
@@ -192,6 +233,24 @@ class Particles : public Simulation {
   }
 
   [[nodiscard]] bool attracts() const { return plan_.parameters().method != GravityMethod::none; }
+
+  /// A substep of what lies in positions_[next_].
+  void advance(int substep) {
+    bind(substep);
+    gl::barrier();
+    move_.dispatch(plan_.count());
+    giveBirth(stepsOfFrame_[static_cast<std::size_t>(substep)]);
+    if (!attracts()) return;
+    attract();
+    bind(substep);
+    kick_.dispatch(plan_.count());
+  }
+
+  static void copy(const gl::Buffer& from, const gl::Buffer& to) {
+    glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+    glCopyNamedBufferSubData(from.name(), to.name(), 0, 0, static_cast<GLsizeiptr>(to.bytes()));
+    gl::barrier();
+  }
 
   void giveBirth(const shader::ParticleStep& step) const {
     int newborns = 0;
@@ -216,9 +275,10 @@ class Particles : public Simulation {
     const ParticleParameters& p = plan_.parameters();
     gl::barrier();
     if (p.method == GravityMethod::tree)
-      tree_->accelerate(positions_, accelerations_, plan_.count(), p.gravity, p.softening, p.opening);
+      tree_->accelerate(positions_[next_], accelerations_, plan_.count(), p.gravity, p.softening,
+                        p.opening);
     else
-      pairs_.accelerate(positions_, accelerations_, plan_.count(), p.gravity, p.softening);
+      pairs_.accelerate(positions_[next_], accelerations_, plan_.count(), p.gravity, p.softening);
     gl::barrier();
   }
 
@@ -227,22 +287,27 @@ class Particles : public Simulation {
     const ParticleParameters& p = plan_.parameters();
     walls_->tell(move_, plan_.substepSeconds(), p.margin, p.bounce);
     if (!p.emitters.empty()) walls_->tell(birth_, plan_.substepSeconds(), p.margin, p.bounce);
+    if (inContact_) walls_->tell(settle_, plan_.substepSeconds(), p.margin, p.bounce);
   }
 
   void bind(int substep) const {
     steps_.bind(static_cast<std::size_t>(substep));
-    positions_.bindState(shader::particles::positionsBinding);
+    positions_[next_].bindState(shader::particles::positionsBinding);
     velocities_.bindState(shader::particles::velocitiesBinding);
     accelerations_.bindState(shader::particles::accelerationsBinding);
     status_.bindStorage(shader::statusBinding);
     meshes_.bind(substep);
     if (walls_ != nullptr) walls_->bind();
     if (wind_ != nullptr) wind_->bind();
+    tellHeights(move_, substep);
+    if (!plan_.parameters().emitters.empty()) tellHeights(birth_, substep);
+  }
+
+  void tellHeights(const gl::Program& program, int substep) const {
     if (heights_ == nullptr) return;
     const ParticleParameters& p = plan_.parameters();
     heights_->bind();
-    heights_->tell(move_, substep, p.substeps, p.margin, p.bounce);
-    if (!p.emitters.empty()) heights_->tell(birth_, substep, p.substeps, p.margin, p.bounce);
+    heights_->tell(program, substep, p.substeps, p.margin, p.bounce);
   }
 
   /// Mass of an ordinary particle: of the first group, else of the first emitter.
@@ -256,13 +321,20 @@ class Particles : public Simulation {
   std::string name_;
   scene::Material material_;
   ParticlePlan plan_;
-  gl::Vec4Array positions_, velocities_, accelerations_;
+  gl::Vec4Array positions_[2];  ///< now; and in contact with cloth, where the substep leads
+  gl::Vec4Array velocities_, accelerations_;
+  gl::Buffer savedAccelerations_;  ///< of particles in contact, before the frame
+  int next_ = 0;                   ///< of positions_, what kernels work on
+  bool inContact_ = false;         ///< with cloth
+  bool settles_ = false;           ///< whether it meets anything else
   gl::Buffer status_;
   StepBlocks<shader::ParticleStep> steps_;
+  std::vector<shader::ParticleStep> stepsOfFrame_;
   const HeightField* heights_ = nullptr;  ///< null: it falls onto nothing
   const Walls* walls_ = nullptr;          ///< null: it meets none
   const FluidWind* wind_ = nullptr;       ///< null: none blows
   MeshTouch meshes_;
+  gl::Program keep_, settle_;
   gl::Program move_, birth_, kick_;  ///< move_: the whole substep unless they attract each other
   PairGravity pairs_;
   std::optional<GravityTree> tree_;

@@ -148,6 +148,18 @@ shader::ParticleStep ParticlePlan::between(double start, double end) const {
   return s;
 }
 
+ContactPart ParticlePlan::contactPart() const {
+  ContactPart part;
+  part.balls = true;
+  part.positions = firstCloud().positions;
+  part.thickness = parameters_.margin;
+  part.bounce = parameters_.bounce;
+  if (parameters_.cloths != "all") part.meets = parameters_.cloths;
+  for (const glm::vec4& p : part.positions) part.heaviest = std::max(part.heaviest, p.w);
+  for (const Emitter& emitter : parameters_.emitters) part.heaviest = std::max(part.heaviest, emitter.mass);
+  return part;
+}
+
 shader::ParticleStep ParticlePlan::prime(double time) const {
   return between(time, time);
 }

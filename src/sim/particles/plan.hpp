@@ -1,5 +1,6 @@
 #pragma once
 #include "sim/collide/colliders.hpp"
+#include "sim/contact/plan.hpp"
 #include "sim/core/carry_over.hpp"
 #include "sim/particles/parameters.hpp"
 
@@ -35,6 +36,8 @@ class ParticlePlan {
   [[nodiscard]] int groupCount(std::size_t group) const;
   /// The groups' particles and empty slots.
   [[nodiscard]] ParticleCloud firstCloud() const;
+  /// As cloths in contact see them at the start.
+  [[nodiscard]] ContactPart contactPart() const;
   /// What the kick is told that finds the first accelerations, at `time` (s), and changes nothing else.
   [[nodiscard]] shader::ParticleStep prime(double time) const;
   /// The substeps of the frame that starts at `time` (s). Call in order: emitters go on where they were.

@@ -98,6 +98,34 @@ void checkWind(const scene::Object& object, std::span<const scene::Object> objec
                      fluids.empty() ? "the scene has no fluid" : scene::suggestion(from.fluid, fluids)));
 }
 
+/// The cloth that particles meet.
+void checkCloth(const scene::Object& object, std::span<const scene::Object> objects,
+                const scene::Report& report) {
+  const auto* parameters = parametersAt(object);
+  const std::string name = parameters == nullptr ? std::string() : parameters->meetsCloth();
+  if (name.empty()) return;
+  std::vector<std::string> cloths;
+  for (const scene::Object& candidate : objects)
+    if (const auto* other = parametersAt(candidate); other != nullptr && other->feelsFaces())
+      cloths.push_back(candidate.name);
+  if (std::find(cloths.begin(), cloths.end(), name) != cloths.end()) return;
+  const auto named =
+      std::find_if(objects.begin(), objects.end(), [&](const auto& other) { return other.name == name; });
+  if (named != objects.end() && named->parameters == nullptr) return;  // a mistake of its own
+  const std::string what =
+      named == objects.end()
+          ? fmt::format("no object is named {}; \"all\" and \"none\" are words here, too",
+                        scene::inQuotes(name))
+          : fmt::format("object \"{}\" is {}", name,
+                        parametersAt(*named)->isCloth()
+                            ? "a cloth without \"contact\", which lets particles through"
+                            : "no cloth");
+  report(object, {object.kind, "cloths"},
+         fmt::format("{}; {}", what,
+                     cloths.empty() ? "give a \"cloth\" of this scene \"contact\": {}"
+                                    : scene::suggestion(name, cloths)));
+}
+
 /// The bodies that an object is tied to.
 void checkTies(const scene::Object& object, std::span<const scene::Object> objects,
                const scene::Report& report) {
@@ -180,6 +208,7 @@ void checkRelations(std::span<const scene::Object> objects, const scene::Report&
     checkFields(object, objects, report);
     checkWalls(object, objects, report);
     checkWind(object, objects, report);
+    checkCloth(object, objects, report);
     checkTies(object, objects, report);
   }
   checkHeights(objects, report);
@@ -190,15 +219,37 @@ std::vector<std::string> relationMistakes(const scene::Scene& scene) {
   std::vector<std::string> mistakes = followMistakes(scene);
   bool touched = scene.hasGround;
   for (const scene::Object& object : scene.objects)
-    touched = touched || (parametersAt(object) != nullptr && parametersAt(object)->isTouched());
+    if (const auto* parameters = parametersAt(object))
+      touched = touched || parameters->isTouched() || parameters->feelsFaces();
   for (const scene::Object& object : scene.objects)
     if (const auto* parameters = parametersAt(object);
         !touched && parameters != nullptr && parameters->asksToCollide())
       mistakes.push_back(
           fmt::format("objects.{}.{}.collides: there is nothing to touch; add a ground or a shape, or give "
-                      "a mesh, a body or water \"collides\": true",
+                      "a mesh, a body or water \"collides\": true, or a cloth \"contact\": true",
                       object.name, object.kind));
   return mistakes;
+}
+
+bool hasClothsInContact(const scene::Scene& scene) {
+  return std::any_of(scene.objects.begin(), scene.objects.end(), [](const scene::Object& object) {
+    return parametersAt(object) != nullptr && parametersAt(object)->feelsFaces();
+  });
+}
+
+std::vector<std::string> relationRemarks(const scene::Scene& scene) {
+  std::vector<std::string> remarks;
+  const scene::Object* falling = nullptr;
+  for (const scene::Object& object : scene.objects)
+    if (parametersAt(object) != nullptr && parametersAt(object)->meetsAllCloths()) falling = &object;
+  for (const scene::Object& object : scene.objects)
+    if (const auto* cloth = parametersAt(object);
+        falling != nullptr && cloth != nullptr && cloth->isCloth() && !cloth->feelsFaces())
+      remarks.push_back(fmt::format(
+          "particles \"{}\" collide, but pass through cloth \"{}\", which has no contact: give it "
+          "\"contact\": true, or them \"cloths\": \"none\"",
+          falling->name, object.name));
+  return remarks;
 }
 
 }  // namespace simreel::sim

@@ -14,4 +14,9 @@ void checkRelations(std::span<const scene::Object> objects, const scene::Report&
 /// each object that asks for something to touch where there is nothing.
 [[nodiscard]] std::vector<std::string> relationMistakes(const scene::Scene& scene);
 
+/// Whether a cloth of the scene is in contact.
+[[nodiscard]] bool hasClothsInContact(const scene::Scene& scene);
+/// A line for each cloth that particles fall through, though nobody said so.
+[[nodiscard]] std::vector<std::string> relationRemarks(const scene::Scene& scene);
+
 }  // namespace simreel::sim

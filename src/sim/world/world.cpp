@@ -81,6 +81,8 @@ struct World::State {
       throw UserError(ExitCode::usage, mistakes.front());
     Setting setting{scene.numerics == scene::Numerics::fast, scene.seed, 1.0 / scene.time.fps, &colliders,
                     timing};
+    setting.clothsInContact = hasClothsInContact(scene);
+    for (const std::string& remark : relationRemarks(scene)) warn("{}", remark);
     setting.startTime = startOf(scene);
     setting.presteps = presteps;
     for (const scene::Object& object : scene.objects) names.push_back(object.name);
@@ -128,11 +130,12 @@ struct World::State {
 
   /// All that are in contact take as many substeps as the one that needs most.
   void keepInStep(const scene::Scene& scene, Setting& setting) {
-    for (const std::size_t i : order)
-      if (objects[i]->lockStep() != nullptr) {
-        touching.push_back(i);
-        setting.contactSubsteps = std::max(setting.contactSubsteps, objects[i]->stepsPerFrame());
-      }
+    for (const bool balls : {false, true})  // which come last
+      for (const std::size_t i : order)
+        if (LockStep* member = objects[i]->lockStep(); member != nullptr && member->isOfBalls() == balls) {
+          touching.push_back(i);
+          setting.contactSubsteps = std::max(setting.contactSubsteps, objects[i]->stepsPerFrame());
+        }
     if (touching.empty()) return;
     std::vector<LockStep*> members;
     for (const std::size_t i : touching) {

@@ -2,6 +2,7 @@
 #include "reference/cloth_twin.hpp"
 #include "reference/contact_twin.hpp"
 #include "reference/crossings.hpp"
+#include "reference/particles_twin.hpp"
 #include "scene/scene.hpp"
 #include "sim/cloth/sheet_mesh.hpp"
 #include "sim/contact/lock_step.hpp"
@@ -95,11 +96,13 @@ class MovedSolid : public sim::ContactSolid {
 /// Steps both sides and compares every word of the state.
 void compareContact(const std::vector<sim::ClothParameters>& sheets, int frames,
                     const std::vector<sim::ColliderShape>& colliders,
-                    const std::vector<MovedSolid*>& solids = {}) {
+                    const std::vector<MovedSolid*>& solids = {},
+                    const sim::ParticleParameters* particles = nullptr) {
   testContext();
   const double frameSeconds = 1.0 / 60.0;
   sim::Setting setting{false, 5, frameSeconds, &colliders};
   setting.contactSubsteps = *sheets.front().substeps;
+  setting.clothsInContact = true;
   std::vector<std::unique_ptr<sim::Simulation>> cloths;
   std::vector<sim::LockStep*> members;
   std::vector<std::unique_ptr<ClothTwin>> twins;
@@ -114,6 +117,19 @@ void compareContact(const std::vector<sim::ClothParameters>& sheets, int frames,
     twins.push_back(std::make_unique<ClothTwin>(sim::ClothPlan(p, 5, frameSeconds, colliders)));
     parts.push_back(members.back()->contactPart());
   }
+  std::unique_ptr<sim::Simulation> cloud;
+  std::unique_ptr<ParticlesTwin> balls;
+  if (particles != nullptr) {
+    scene::Object object;
+    object.name = "balls";
+    object.kind = "particles";
+    object.parameters = std::make_unique<sim::ParticleParameters>(*particles);
+    cloud = sim::simulationNamed("particles").make(object, setting);
+    members.push_back(cloud->lockStep());
+    balls = std::make_unique<ParticlesTwin>(
+        sim::ParticlePlan(particles->inStep(setting.contactSubsteps), 5, frameSeconds, 1 << 10, colliders));
+    parts.push_back(balls->plan().contactPart());
+  }
   for (const MovedSolid* solid : solids) parts.push_back(solid->contactPart());
   sim::ContactGroup group(members, {solids.begin(), solids.end()}, *sheets.front().substeps, frameSeconds,
                           false);
@@ -125,11 +141,16 @@ void compareContact(const std::vector<sim::ClothParameters>& sheets, int frames,
     group.step(time, {});
     std::vector<std::vector<shader::ClothStep>> steps;
     for (const auto& twin : twins) steps.push_back(twin->plan().frame(frame * frameSeconds));
+    if (balls) balls->beginFrame(time);
     for (std::size_t i = 0; i < steps.front().size(); ++i) {
       std::vector<ContactTwin::Part> sides;
       for (std::size_t c = 0; c < twins.size(); ++c) {
         twins[c]->predict(steps[c][i], 1, static_cast<int>(i));
         sides.push_back({&twins[c]->positions, &twins[c]->next, &twins[c]->velocities});
+      }
+      if (balls) {
+        balls->predict(static_cast<int>(i));
+        sides.push_back({&balls->starts, &balls->positions, &balls->velocities});
       }
       std::vector<std::vector<glm::vec4>> places;
       for (const std::size_t k : {i, i + 1})
@@ -140,6 +161,7 @@ void compareContact(const std::vector<sim::ClothParameters>& sheets, int frames,
         sides.push_back({&places[k], &places[solids.size() + k], nullptr});
       contact.push(sides, i == 0);
       for (std::size_t c = 0; c < twins.size(); ++c) twins[c]->settle(steps[c][i], static_cast<int>(i));
+      if (balls) balls->settle(static_cast<int>(i));
       contact.hold(sides);
       touching += contact.touching;
       stopped += contact.stopped;
@@ -150,9 +172,11 @@ void compareContact(const std::vector<sim::ClothParameters>& sheets, int frames,
   CHECK(touching > 100);
   CHECK(stopped > 10);
   CHECK((carried > 10) == !solids.empty());
-  for (std::size_t c = 0; c < cloths.size(); ++c) {
-    const auto state = cloths[c]->state();
-    const std::vector<glm::vec4>* expected[] = {&twins[c]->positions, &twins[c]->velocities};
+  for (std::size_t c = 0; c < members.size(); ++c) {
+    const auto state = c < cloths.size() ? cloths[c]->state() : cloud->state();
+    const std::vector<glm::vec4>* expected[] = {
+        &(c < cloths.size() ? twins[c]->positions : balls->positions),
+        &(c < cloths.size() ? twins[c]->velocities : balls->velocities)};
     for (std::size_t array = 0; array < 2; ++array) {
       const auto got = state[array].buffer->readAll<std::uint32_t>();
       REQUIRE(got.size() == expected[array]->size() * 4);
@@ -195,6 +219,52 @@ TEST_CASE("a cloth in contact with itself equals its CPU twin") {
   floor.kind = sim::ColliderShape::Kind::plane;
   floor.friction = 0.4;
   compareContact({p}, 45, {floor});
+}
+
+namespace {
+
+sim::ParticleParameters fallingBalls() {
+  sim::ParticleParameters p;
+  p.method = sim::GravityMethod::none;
+  p.collides = true;
+  p.margin = 0.02F;
+  p.bounce = 0.4F;
+  p.acceleration = glm::vec3(0, -9.8F, 0);
+  sim::ParticleGroup& group = p.groups.emplace_back();
+  group.shape = sim::ParticleGroup::Shape::cube;
+  group.count = 9;
+  group.radius = 0.12F;
+  group.totalMass = 0.05F;
+  group.position = glm::vec3(0.01F, 0.3F, 0);
+  group.velocity = glm::vec3(0.1F, -2, 0);
+  sim::Emitter& emitter = p.emitters.emplace_back();  // they are born and die between and in the sheets
+  emitter.rate = 55;
+  emitter.lifetime = 0.15F;
+  emitter.mass = 0.001F;
+  emitter.radius = 0.05F;
+  emitter.position = glm::vec3(0, 0.2F, 0.02F);
+  emitter.velocity = glm::vec3(0, -3, 0);
+  return p;
+}
+
+}  // namespace
+
+TEST_CASE("balls that are thrown into cloths, are born and die there equal their CPU twins") {
+  auto held = contactSheet({13, 11}, {0, 0.1F, 0}, {0, 0, 0});
+  held.pins.emplace_back().columns = {0, -1};
+  sim::ColliderShape floor;
+  floor.kind = sim::ColliderShape::Kind::plane;
+  floor.friction = 0.3;
+  auto balls = fallingBalls();
+  compareContact({held, contactSheet({7, 9}, {0.02F, 0.13F, 0}, {0, 25, 0})}, 14, {floor}, {}, &balls);
+  balls.method = sim::GravityMethod::allPairs;  // and pull each other
+  balls.gravity = 1e-4F;
+  MovedSolid box(sim::planeMesh({0.3F, 0, 0.3F}, {3, 2}), [](double time) {
+    glm::mat4 m(1);
+    m[3].y = static_cast<float>(0.05 + 0.3 * time);
+    return m;
+  });
+  compareContact({held}, 8, {floor}, {&box}, &balls);
 }
 
 TEST_CASE("cloths in contact with solids that move and one that does not equal their CPU twins") {

@@ -214,3 +214,85 @@ TEST_CASE("what goes through each other at the start is counted as trying every 
     CHECK(found == crossings(points, part.faces));
   }
 }
+
+namespace {
+
+sim::ParticleParameters oneBall(float mass, float radius, glm::vec3 position, glm::vec3 velocity) {
+  sim::ParticleParameters p;
+  p.method = sim::GravityMethod::none;
+  p.collides = true;
+  p.margin = radius;
+  p.bounce = 0;
+  sim::ParticleGroup& group = p.groups.emplace_back();
+  group.count = 1;
+  group.radius = 1e-4F;
+  group.totalMass = mass;
+  group.position = position;
+  group.velocity = velocity;
+  return p;
+}
+
+}  // namespace
+
+TEST_CASE("a ball bounces off a sheet that is held by its share, and friction takes mu times that") {
+  auto sheet = silk({9, 7}, 0.05F, {0, 0, 0}, {0, 0, 0});
+  sheet.gravity = glm::vec3(0);
+  auto& pins = sheet.pins.emplace_back();
+  for (int row = 0; row < 7; ++row) pins.rows.push_back(row);
+  auto ball = oneBall(0.02F, 0.02F, {-0.03F, 0.05F, 0.004F}, {1.5F, -2.0F, 0});
+  ball.bounce = 0.5F;
+  Pile pile({sheet}, {}, 0.005F, 0.3F, {}, &ball);
+  for (int f = 0; f < 3; ++f) pile.step();
+  const glm::vec4 v = pile.balls->velocities[0];
+  CHECK(v.y == doctest::Approx(1.0).epsilon(0.01));
+  CHECK(v.x == doctest::Approx(1.5 - 0.3 * 3.0).epsilon(0.01));
+  CHECK(std::abs(v.z) < 0.01);
+}
+
+TEST_CASE("a ball that flies into a loose sheet keeps momentum with it, and does not pass") {
+  auto sheet = silk({9, 7}, 0.05F, {0, 0, 0}, {0, 0, 0});
+  sheet.damping = 0;
+  sheet.gravity = glm::vec3(0);
+  for (const float mass : {0.002F, 0.05F}) {  // lighter and heavier than the sheet's 14 g
+    const auto ball = oneBall(mass, 0.02F, {0.01F, 0.05F, 0.004F}, {0.2F, -4.0F, 0.1F});
+    Pile pile({sheet}, {}, 0.005F, 0.3F, {}, &ball);
+    const auto ballMomentum = [&] {
+      return glm::dvec3(pile.balls->velocities[0]) * static_cast<double>(pile.balls->positions[0].w);
+    };
+    const glm::dvec3 before = ballMomentum();
+    for (int f = 0; f < 4; ++f) pile.step();
+    const glm::dvec3 sheets = momentumOf(*pile.cloths[0]), after = sheets + ballMomentum();
+    CHECK(sheets.y < 0.15 * before.y);
+    CHECK(glm::length(after - before) < 5e-3 * glm::length(before));
+    double highest = -10;  // of what is around it: the ball is above, and does not touch
+    for (const glm::vec4& p : pile.cloths[0]->positions)
+      if (glm::length(glm::dvec2(p.x - pile.balls->positions[0].x, p.z - pile.balls->positions[0].z)) <
+          0.03)
+        highest = std::max(highest, static_cast<double>(p.y));
+    CHECK(highest < static_cast<double>(pile.balls->positions[0].y) - 0.01);
+  }
+}
+
+TEST_CASE("a ball hangs in a strip: what it weighs is carried by the tension on both sides") {
+  const double half = 0.3, width = 0.03, stiffness = 500, mass = 0.03, density = 0.3;
+  auto strip = silk({21, 2}, 0.03F, {0, 0, 0}, {0, 0, 0});
+  strip.pins.emplace_back().columns = {0, -1};
+  strip.fabric.weft = stiffness;
+  strip.fabric.density = density;
+  strip.damping = 8;
+  auto ball = oneBall(static_cast<float>(mass), 0.02F, {0.004F, 0.03F, 0}, {0, 0, 0});
+  ball.acceleration = glm::vec3(0, -9.8F, 0);
+  ball.damping = 12;
+  Pile pile({strip}, {}, 0.004F, 0.3F, {}, &ball);
+  for (int f = 0; f < 90; ++f) pile.step();
+  CHECK(std::abs(pile.balls->velocities[0].y) < 0.01);
+  // 2 T d / l = m g of the ball and half of the strip, T = k w (l - L) / L, l^2 = L^2 + d^2.
+  const double weight = 9.8 * (mass + 0.5 * density * 2 * half * width);
+  double low = 0, high = half;
+  for (int i = 0; i < 60; ++i) {
+    const double d = 0.5 * (low + high), l = std::sqrt(half * half + d * d);
+    (2 * stiffness * width * (l - half) / half * d / l < weight ? low : high) = d;
+  }
+  CHECK(low > 0.04);
+  CHECK(0.022 - static_cast<double>(pile.balls->positions[0].y) == doctest::Approx(low).epsilon(0.05));
+}

@@ -5,6 +5,7 @@
 #include "sim/contact/crossings.hpp"
 #include "sim/mesh/shapes.hpp"
 #include "sim/world/list.hpp"
+#include "sim/world/relations.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -208,4 +209,37 @@ TEST_CASE("faces need a cloth that feels them, and say what they cannot have") {
        "keeps no positions to collide with");
   says(mistake(sheet + R"("b": {"body": {"file": "meshes/walker.gltf", "collides": "faces", "grip": 2}})"),
        R"(faces have "friction" instead)");
+}
+
+TEST_CASE(
+    "particles name a cloth in contact that is there, and none falls through another without a word") {
+  const auto sceneOf = [](const std::string& objects) {
+    return scene::parseScene(R"({"version": 1, "objects": {)" + objects + "}}", "s.json", {}, sim::kinds());
+  };
+  const auto mistake = [&](const std::string& objects) -> std::string {
+    try {
+      const auto mistakes = sim::relationMistakes(sceneOf(objects));
+      return mistakes.empty() ? "none" : mistakes.front();
+    } catch (const simreel::UserError& error) {
+      return error.what();
+    }
+  };
+  const auto balls = [](const std::string& more) {
+    return R"("b": {"particles": {"groups": [{"shape": "ball"}])" + more + "}}";
+  };
+  const std::string sheet = R"("c": {"cloth": {"contact": true}}, "d": {"cloth": {}}, )";
+  CHECK(mistake(sheet + balls(R"(, "collides": true)")) == "none");
+  CHECK(mistake(sheet + balls(R"(, "collides": true, "cloths": "c")")) == "none");
+  const auto says = [](const std::string& message, const char* what) {
+    CHECK_MESSAGE(message.find(what) != std::string::npos, message);
+  };
+  says(mistake(sheet + balls(R"(, "collides": true, "cloths": "e")")), "no object is named \"e\"");
+  says(mistake(sheet + balls(R"(, "collides": true, "cloths": "d")")),
+       "\"d\" is a cloth without \"contact\"");
+  says(mistake(sheet + balls(R"(, "cloths": "c")")), "\"cloths\" is for particles with \"collides\": true");
+  says(mistake(R"("d": {"cloth": {}}, )" + balls(R"(, "collides": true)")), "there is nothing to touch");
+  const auto remarks = sim::relationRemarks(sceneOf(sheet + balls(R"(, "collides": true)")));
+  REQUIRE(remarks.size() == 1);
+  says(remarks.front(), "pass through cloth \"d\"");
+  CHECK(sim::relationRemarks(sceneOf(sheet + balls(R"(, "collides": true, "cloths": "none")"))).empty());
 }

@@ -1,0 +1,12 @@
+// Keeps where a substep of particles in contact with cloth begins: the rest of it works on the copy.
+#include "common/memory.glsl"
+#include "particles/bindings.glsl"
+layout(local_size_x = 64) in;
+INPUT_ARRAY(startsBinding, StartBlock, starts)
+STATE_ARRAY(positionsBinding, PositionBlock, positions)
+uniform int count;
+
+void main() {
+  int i = int(gl_GlobalInvocationID.x);
+  if (i < count) STORE_STATE(positions, i, LOAD_INPUT(starts, i));
+}

@@ -1,0 +1,17 @@
+// Particles that cloth has pushed, out of what they collide with again.
+#define SETTLES
+#include "particles/kernel.glsl"
+
+void main() {
+  int i = int(gl_GlobalInvocationID.x);
+  if (i >= stepData.count) return;
+  vec4 from = LOAD_INPUT(starts, i);
+  ParticleMotion m = ParticleMotion(LOAD_ONCE(positions, i), LOAD_ONCE(velocities, i));
+  if (from.w == 0.0f) return;  // a newborn, which no cloth has pushed
+  if (SOLIDS == 1) m = outOfSolids(m, from.xyz);
+  if (HEIGHTS == 1) m = overHeights(m);
+  if (WALLS == 1) m = besideWalls(m, from.xyz);
+  STORE_STATE(positions, i, m.position);
+  STORE_STATE(velocities, i, m.velocity);
+  if (isLost(m.position, m.velocity)) noteLost(uint(stepData.substep), uint(i));
+}
