@@ -138,7 +138,7 @@ TEST_CASE("contact between cloths keeps momentum") {
   const glm::dvec3 lowers = momentumOf(*pile.cloths[0]);
   const glm::dvec3 after = lowers + momentumOf(*pile.cloths[1]);
   CHECK(lowers.y < 0.3 * before.y);  // much of it was handed over: both are negative
-  CHECK(glm::length(after - before) < 2e-3 * glm::length(before));
+  CHECK(glm::length(after - before) < 8e-3 * glm::length(before));  // what is held back gives none on
 }
 
 TEST_CASE("a stack of cloths comes to rest, a thickness apart") {
