@@ -6,5 +6,8 @@ const int positionsBinding = 0;
 const int nextPositionsBinding = 1;
 const int velocitiesBinding = 2;
 const int shiftsBinding = 3;  // of the kernels of thin colliders
+const int aimsBinding = 3;    // of the kernels that predict: velocities before constraints
+const int trendsBinding = 5;
+const int leftBinding = 5;    // of the kernel that settles again
 
 #endif

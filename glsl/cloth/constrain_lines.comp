@@ -6,7 +6,11 @@
 layout(local_size_x = 8) in;
 INPUT_ARRAY(positionsBinding, PositionBlock, positions)
 STATE_ARRAY(nextPositionsBinding, NextBlock, nextPositions)
-STATE_ARRAY(velocitiesBinding, VelocityBlock, velocities)
+#ifdef FIRST
+INPUT_ARRAY(velocitiesBinding, VelocityBlock, velocities)
+INPUT_ARRAY(trendsBinding, TrendBlock, trends)
+STATE_ARRAY(aimsBinding, AimBlock, aims)
+#endif
 uniform ivec2 reach;  // from one end to the other, in particles
 uniform int kind;     // 0 structural, 1 shear, 2 bend
 uniform int lines;
@@ -19,8 +23,10 @@ vec4 loadPosition(int i) {
 vec4 taken(ivec2 at, int i) {
 #ifdef FIRST
   vec4 here = loadPosition(i);
-  Motion m = advance(at, here, LOAD_ONCE(velocities, i), false, AIR, FABRIC, false, false, false);
+  vec4 velocity = LOAD_INPUT(velocities, i);
+  Motion m = advance(at, here, velocity, LOAD_INPUT(trends, i).xyz, false, AIR, FABRIC, false, false, false);
   if (isLost(m)) noteLost(uint(stepData.substep), uint(i));
+  STORE_STATE(aims, i, vec4(m.velocity, velocity.w));
   return vec4(m.position, here.w);
 #else
   return LOAD_ONCE(nextPositions, i);

@@ -1,10 +1,10 @@
 // Constraints along a line of particles, solved together. Compiles as GLSL and as C++. Whoever includes it provides
-// lineLinks, the number of links between particles, lineRest (m), lineCompliance (compliance / dt^2) and lineGive, beside
+// lineLinks, the number of links between particles, lineRest (m), lineCompliance (compliance / h^2) and lineGive, beside
 // common/exact.glsl; lineKept, what damping keeps of a link's stretch over the substep (glsl/cloth/model.glsl).
 //
 // XPBD's constraint k ties particles k and k + 1. With its direction n_k, its stretch C_k and its multiplier l_k, particle k
 // moves by w_k (n_k-1 l_k-1 - n_k l_k); every C_k vanishes at once, to first order, where
-//   -w_k (n_k-1.n_k) l_k-1 + (w_k + w_k+1 + compliance / dt^2) l_k - w_k+1 (n_k.n_k+1) l_k+1 = -C_k.
+//   -w_k (n_k-1.n_k) l_k-1 + (w_k + w_k+1 + compliance / h^2) l_k - w_k+1 (n_k.n_k+1) l_k+1 = -C_k.
 // So what pulls at one end is felt at the other in the same step, however long the line is, where constraints one after
 // the other carry it a link a step. Lines are cut into segments of segmentLinks: the last link of each, its separator, is
 // found first, from a system of separators alone; then all segments at once are solved between theirs.
@@ -37,10 +37,9 @@ FUNCTION Link linkBetween(vec4 a, vec4 b, bool there) {
   return link;
 }
 
-// What is added to the compliance of each link, as a ratio to its weights. A line that is taut between two pins has a
+// The least compliance of each link, as a ratio to its weights. A line that is taut between two pins has a
 // multiplier too many, which 2^-15 decides. One that is held further apart than it is long, by s of its length, cannot
-// be satisfied at all: with 0.6 s it pulls evenly, by 5/6 m L / dt^2. A straight line swings sideways with
-// w^2 = 4 T / (m L) at most, which is stable while T < m L / dt^2.
+// be satisfied at all: with 0.6 s it pulls evenly, by 5/6 m L / h^2 at most. Softer lines are as soft as they are.
 FUNCTION float giveOf(float stretch) {
   precise float rest = float(lineLinks) * lineRest;
   precise float give = stretch * exactReciprocal(rest) * 0.6f;
@@ -50,7 +49,8 @@ FUNCTION float giveOf(float stretch) {
 // Of a link by the cosines of its angles to those before and after (0: there is none) and the inverse masses of its ends.
 FUNCTION LineRow lineRow(float before, float stretch, float after, float massA, float massB) {
   precise float weight = massA + massB;
-  precise float diagonal = weight + weight * lineGive + lineCompliance;
+  precise float give = weight * lineGive;
+  precise float diagonal = weight + max(give, lineCompliance);
   precise float lower = before * -massA;
   precise float upper = after * -massB;
   LineRow row;

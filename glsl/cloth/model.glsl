@@ -102,8 +102,8 @@ FUNCTION vec3 pinnedPosition(ivec2 at, int group) {
               applyRow(stepData.frames[frame].row2, rest));
 }
 
-// Semi-implicit Euler: x' = x + v' dt, then contact unless constraints still have to act.
-FUNCTION Motion advance(ivec2 at, vec4 here, vec4 velocity, bool springs, bool air, bool fabric, bool touch,
+// Semi-implicit Euler: x' = x + v' dt, then contact unless constraints still have to act, towards which the `trend` leads.
+FUNCTION Motion advance(ivec2 at, vec4 here, vec4 velocity, vec3 trend, bool springs, bool air, bool fabric, bool touch,
                         bool lands, bool walled) {
   Motion m;
   if (here.w == 0.0f) {
@@ -114,16 +114,17 @@ FUNCTION Motion advance(ivec2 at, vec4 here, vec4 velocity, bool springs, bool a
   m.velocity = newVelocity(at, here, vec3(velocity), springs, air, fabric);
   precise vec3 moved = vec3(here) + m.velocity * stepData.dt;
   m.position = moved;
+  if (!springs) m.position = ledTo(vec3(here), m.velocity, trend);
   if (touch) m = contact(m, vec3(here), lands, walled);
   return m;
 }
 
 // How far XPBD (Macklin et al. 2016; one iteration per substep, 2019) moves each end of a constraint
-// C = |d| - L0 along d = b - a: lambda = -C / (wa + wb + compliance/dt^2), a -= wa lambda d/|d|, b += ...
+// C = |d| - L0 along d = b - a: lambda = -C / (wa + wb + compliance/h^2), a -= wa lambda d/|d|, b += ...
 // Returns lambda d/|d|. Of the stretch `kept` is not undone.
 //
 // Damping along edges: a fabric resists with k (C + T dC/dt). With g = T / dt XPBD solves C' + compliance/dt^2 lambda +
-// g (C' - C_before) = 0, that is the same constraint with C - g/(1+g) C_before and compliance / (1+g). It is made of lengths
+// g (C' - C_before) = 0 (compliance/h^2 here), that is the same constraint with C - g/(1+g) C_before and compliance / (1+g). It is made of lengths
 // alone, so that what turns and travels without stretching is not damped.
 FUNCTION float keptStretch(vec4 a, vec4 b, float restLength) {
   precise vec3 d = vec3(b) - vec3(a);

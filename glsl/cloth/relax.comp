@@ -6,7 +6,11 @@
 layout(local_size_x = relaxGroupX, local_size_y = relaxGroupY) in;
 INPUT_ARRAY(positionsBinding, PositionBlock, positions)  // BENDS: what the diagonal ones left
 STATE_ARRAY(nextPositionsBinding, NextBlock, nextPositions)
-STATE_ARRAY(velocitiesBinding, VelocityBlock, velocities)
+#ifndef BENDS
+INPUT_ARRAY(velocitiesBinding, VelocityBlock, velocities)
+INPUT_ARRAY(trendsBinding, TrendBlock, trends)
+STATE_ARRAY(aimsBinding, AimBlock, aims)
+#endif
 
 vec4 loadPosition(int i) {
   return LOAD_INPUT(positions, i);
@@ -54,14 +58,21 @@ int numbered(int i, int pace, int color) {
   return (i / pace * 2 + color) * pace + i % pace;
 }
 
-vec4 taken(ivec2 at) {
+bool isOwn(int x, int y) {
+  return x >= relaxHalo && x < relaxTileX - relaxHalo && y >= relaxHalo && y < relaxTileY - relaxHalo;
+}
+
+vec4 taken(int x, int y) {
+  ivec2 at = corner + ivec2(x, y);
   if (!isInside(at)) return vec4(0.0f);
   int i = at.y * size.x + at.x;
   vec4 here = loadPosition(i);
 #ifdef BENDS
   return here;
 #else
-  Motion m = advance(at, here, LOAD_ONCE(velocities, i), false, AIR, FABRIC, false, false, false);
+  vec4 velocity = LOAD_INPUT(velocities, i);
+  Motion m = advance(at, here, velocity, LOAD_INPUT(trends, i).xyz, false, AIR, FABRIC, false, false, false);
+  if (isOwn(x, y)) STORE_STATE(aims, i, vec4(m.velocity, velocity.w));
   return vec4(m.position, here.w);
 #endif
 }
@@ -71,8 +82,8 @@ void main() {
   corner = ivec2(gl_WorkGroupID.xy) * ivec2(relaxInnerX, relaxInnerY) - relaxHalo;
   for (int r = 0; r < rounds; ++r) {
     int y = me.y + r * relaxGroupY;
-    tile[place(me.x, y)] = taken(corner + ivec2(me.x, y));
-    tile[place(me.x + half_, y)] = taken(corner + ivec2(me.x + half_, y));
+    tile[place(me.x, y)] = taken(me.x, y);
+    tile[place(me.x + half_, y)] = taken(me.x + half_, y);
   }
   barrier();
 #ifdef BENDS
@@ -99,7 +110,6 @@ void main() {
     for (int side = 0; side < 2; ++side) {
       int x = me.x + side * half_, y = me.y + r * relaxGroupY;
       ivec2 at = corner + ivec2(x, y);
-      bool own = x >= relaxHalo && x < relaxTileX - relaxHalo && y >= relaxHalo && y < relaxTileY - relaxHalo;
-      if (own && isInside(at)) STORE_STATE(nextPositions, at.y * size.x + at.x, tile[place(x, y)]);
+      if (isOwn(x, y) && isInside(at)) STORE_STATE(nextPositions, at.y * size.x + at.x, tile[place(x, y)]);
     }
 }

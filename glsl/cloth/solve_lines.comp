@@ -7,7 +7,8 @@ layout(local_size_x = LINES, local_size_y = SEGMENTS) in;
 INPUT_ARRAY(positionsBinding, PositionBlock, positions)
 #endif
 #ifdef LAST
-STATE_ARRAY(velocitiesBinding, VelocityBlock, velocities)
+STATE_ARRAY(velocitiesBinding, VelocityBlock, velocities)  // before: where forces alone would lead
+STATE_ARRAY(trendsBinding, TrendBlock, trends)
 #endif
 STATE_ARRAY(nextPositionsBinding, NextBlock, nextPositions)
 uniform int lines;
@@ -43,9 +44,11 @@ shared float firstFixed[SEGMENTS * LINES], firstLeft[SEGMENTS * LINES], firstRig
 void leave(int k, vec4 here) {
   int i = lineStart + k * linePace;
 #ifdef LAST
-  vec4 velocity = LOAD_ONCE(velocities, i);
-  Motion m = settled(loadPosition(i), here, HEIGHTS == 1, WALLS == 1);
+  vec4 velocity = LOAD_ONCE(velocities, i), trend = LOAD_ONCE(trends, i);
+  Settled s = settled(loadPosition(i), here, velocity.xyz, trend.xyz, HEIGHTS == 1, WALLS == 1);
+  Motion m = s.motion;
   if (isLost(m)) noteLost(uint(stepData.substep), uint(i));
+  STORE_STATE(trends, i, vec4(s.trend, 0.0f));
   STORE_STATE(nextPositions, i, vec4(m.position, here.w));
   STORE_STATE(velocities, i, vec4(m.velocity, velocity.w));
 #else

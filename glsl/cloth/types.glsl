@@ -53,7 +53,9 @@ struct STD140 ClothStep {
   vec4 clamped[4];     // of the borders left, right, top, bottom: xyz from one to its neighbour within (m); w 1: it is held so
   float dt;            // s
   float perDt;         // 1/s
-  float complianceScale; // 1/s^2, compliances' factor: 1 / dt^2, with damping (1 - dampedPart) / dt^2
+  float perReach;      // 1/s, 1 / h of constraints, h = 2/3 dt (cloth/motion.glsl)
+  float trendDt;       // s, dt / 18
+  float complianceScale; // 1/s^2, compliances' factor: 1 / h^2, with damping (1 - dampedPart) / h^2
   float kept;          // fraction of velocity kept per substep
   float gustSpeed;     // m/s, size of the gusts' variation
   float perGustSize;   // 1/m

@@ -5,7 +5,7 @@
 
 // Of the kernels that read them: beside what cloth and particles have.
 const int wallClassesBinding = 4;
-const int wallFieldUnit = 5;
+const int wallFieldUnit = 8;
 const int maxWallLevels = 16;
 
 struct WallGrid {

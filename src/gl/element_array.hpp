@@ -43,6 +43,11 @@ class ElementArray {
     buffer_.bindStorage(unit);
   }
 
+  /// All of another as large, ordered with the GL commands around it.
+  void copyFrom(const ElementArray& other) {
+    glCopyNamedBufferSubData(other.buffer_.name(), buffer_.name(), 0, 0,
+                             static_cast<GLsizeiptr>(buffer_.bytes()));
+  }
   /// Copies to the front, ordered with the GL commands around it.
   void write(std::span<const Element> items) { buffer_.write(0, std::as_bytes(items)); }
   [[nodiscard]] const Buffer& buffer() const { return buffer_; }

@@ -147,6 +147,7 @@ void solveLine(Kernel& kernel, std::vector<vec4>& particles) {
 ClothTwin::ClothTwin(simreel::sim::ClothPlan plan)
     : positions(plan.firstPositions()),
       velocities(plan.firstVelocities()),
+      trends(positions.size()),
       next(positions),
       plan_(std::move(plan)) {}
 
@@ -186,21 +187,22 @@ void ClothTwin::predict(const ClothStep& data, int threads, int index) {
     if (meshes) tellMeshes(kernel, *meshes, index);
     for (int x = 0; x < size.x; ++x) {
       const auto i = static_cast<std::size_t>(y * size.x + x);
-      const auto m = kernel.advance({x, y}, positions[i], velocities[i], !constraints, air, fabric,
-                                    !constraints, lands, walls.has_value());
+      const auto m = kernel.advance({x, y}, positions[i], velocities[i], vec3(trends[i]), !constraints, air,
+                                    fabric, !constraints, lands, walls.has_value());
       next[i] = vec4(m.position, positions[i].w);
       velocities[i] = vec4(m.velocity, velocities[i].w);
     }
   });
   if (constraints) {
     constrain(data);
-    settle(data, index);
+    settle(data, index, false);
   } else {
     for (int round = 0; round < thinRounds; ++round) fend(data);
   }
+  left_ = next;
 }
 
-void ClothTwin::settle(const ClothStep& data, int index) {
+void ClothTwin::settle(const ClothStep& data, int index, bool again) {
   const bool lands = heightPlan.has_value();
   HeightGrid grid{};
   if (lands) grid = heightPlan->at(index, plan_.substeps(), plan_.parameters().margin, 0.0F);
@@ -212,7 +214,12 @@ void ClothTwin::settle(const ClothStep& data, int index) {
   tell(kernel, grid, heights.data(), wallGrid, solid);
   if (meshes) tellMeshes(kernel, *meshes, index);
   for (std::size_t i = 0; i < next.size(); ++i) {
-    const auto m = kernel.settled(positions[i], next[i], lands, walls.has_value());
+    const auto s = kernel.settled(positions[i], next[i], vec3(velocities[i]), vec3(trends[i]), lands,
+                                  walls.has_value());
+    const auto m = again ? kernel.settledAgain(positions[i], left_[i], next[i], vec3(velocities[i]), lands,
+                                               walls.has_value())
+                         : s.motion;
+    if (!again) trends[i] = vec4(s.trend, 0);
     next[i] = vec4(m.position, next[i].w);
     velocities[i] = vec4(m.velocity, velocities[i].w);
   }

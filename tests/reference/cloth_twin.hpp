@@ -22,11 +22,12 @@ class ClothTwin {
   void substep(const simreel::shader::ClothStep& data, int threads = 1, int index = 0);
   /// The same in two halves, between which contact may change where the particles go.
   void predict(const simreel::shader::ClothStep& data, int threads = 1, int index = 0);
-  void settle(const simreel::shader::ClothStep& data, int index = 0);
+  void settle(const simreel::shader::ClothStep& data, int index = 0, bool again = true);
   void finish();
 
   std::vector<glm::vec4> positions;   ///< xyz m, w inverse mass
   std::vector<glm::vec4> velocities;  ///< xyz m/s, w pin group
+  std::vector<glm::vec4> trends;      ///< xyz m/s, of constraints (glsl/cloth/motion.glsl)
   std::vector<glm::vec4> next;        ///< between predict() and finish(): where they go
   /// The mesh it falls onto; none without a plan.
   std::optional<simreel::sim::HeightPlan> heightPlan;
@@ -41,5 +42,6 @@ class ClothTwin {
   void fend(const simreel::shader::ClothStep& data);
 
   simreel::sim::ClothPlan plan_;
+  std::vector<glm::vec4> left_;  ///< where predict() left them
   std::vector<glm::vec4> ways_;  ///< of pins that follow a skin, in the frame
 };

@@ -60,8 +60,8 @@ struct GarmentKernel {
 GarmentTwin::GarmentTwin(simreel::sim::GarmentPlan plan)
     : positions(plan.firstPositions()),
       velocities(plan.firstVelocities()),
+      trends(plan.firstTrends()),
       plan_(std::move(plan)),
-      rest_(plan_.restPositions()),
       next_(positions),
       forces_(plan_.arrays().corners.size()) {}
 
@@ -103,10 +103,13 @@ void GarmentTwin::substep(const ClothStep& data, int index) {
   holdBySkin(ways_, index, plan_.substeps(), velocities);
   for (std::size_t i = 0; i < positions.size(); ++i) {
     const auto m =
-        kernel.predicted(kernel.bending->fans[i], positions[i], velocities[i], vec3(rest_[i]), air);
+        kernel.predicted(kernel.bending->fans[i], positions[i], velocities[i], vec3(trends[i]), air);
+    velocities[i] = vec4(m.velocity, velocities[i].w);
     next_[i] = vec4(m.position, positions[i].w);
   }
-  for (std::size_t f = 0; f < arrays.corners.size(); ++f) {
+  const std::size_t faces = arrays.corners.size();
+  for (std::size_t k = 0; k < 2 * faces; ++k) {
+    const std::size_t f = k < faces ? k : 2 * faces - 1 - k;  // there and back
     const uvec4 face = arrays.corners[f];
     const vec3 compliance = vec3(arrays.elements[2 * f + 1]) * data.complianceScale;
     const vec4 shape = arrays.elements[2 * f];
@@ -120,18 +123,33 @@ void GarmentTwin::substep(const ClothStep& data, int index) {
     next_[face.y] = kernel.shifted(next_[face.y], shift.b);
     next_[face.z] = kernel.shifted(next_[face.z], shift.c);
   }
-  for (const uvec4 a : arrays.attachments)
-    next_[a.x] = kernel.attached(next_[a.x], vec3(next_[a.y]), intBitsToFloat(static_cast<int>(a.z)),
-                                 intBitsToFloat(static_cast<int>(a.w)));
+  const auto push = [&](unsigned i, vec4 to) {
+    velocities[i] = kernel.pushed(velocities[i], next_[i], to);
+    next_[i] = to;
+  };
+  for (const uvec4 a : arrays.attachments) {
+    const bool held = trends[a.x].w > 0;
+    const vec4 here = next_[a.x];
+    const vec4 moved = kernel.attached(here, vec3(next_[a.y]), intBitsToFloat(static_cast<int>(a.z)),
+                                       intBitsToFloat(static_cast<int>(a.w)), held);
+    trends[a.x].w = vec3(moved) != vec3(here) ? 1.0F : 0.0F;
+    if (held)
+      next_[a.x] = moved;
+    else
+      push(a.x, moved);
+  }
   for (const uvec4 stitch : arrays.stitches) {
     const vec3 shift =
         kernel.stitchShift(next_[stitch.x], next_[stitch.y], intBitsToFloat(static_cast<int>(stitch.z)),
                            intBitsToFloat(static_cast<int>(stitch.w)));
-    next_[stitch.x] = kernel.shifted(next_[stitch.x], shift);
-    next_[stitch.y] = kernel.shifted(next_[stitch.y], -shift);
+    push(stitch.x, kernel.shifted(next_[stitch.x], shift));
+    push(stitch.y, kernel.shifted(next_[stitch.y], -shift));
   }
   for (std::size_t i = 0; i < positions.size(); ++i) {
-    const auto m = kernel.settled(positions[i], next_[i], lands, walls.has_value());
+    const auto s = kernel.settled(positions[i], next_[i], vec3(velocities[i]), vec3(trends[i]), lands,
+                                  walls.has_value());
+    const auto m = s.motion;
+    trends[i] = vec4(s.trend, trends[i].w);
     next_[i] = vec4(m.position, next_[i].w);
     velocities[i] = vec4(m.velocity, velocities[i].w);
   }

@@ -25,6 +25,7 @@ class GarmentTwin {
 
   std::vector<glm::vec4> positions;   ///< xyz m, w inverse mass
   std::vector<glm::vec4> velocities;  ///< xyz m/s, w pin group
+  std::vector<glm::vec4> trends;      ///< xyz m/s; of what is pinned where it is at rest (m)
   /// The mesh it falls onto; none without a plan.
   std::optional<simreel::sim::HeightPlan> heightPlan;
   std::vector<glm::vec4> heights;      ///< of the frame to step: x at its beginning, y at its end (m)
@@ -36,6 +37,6 @@ class GarmentTwin {
  private:
   void fend(const simreel::shader::ClothStep& data);
   simreel::sim::GarmentPlan plan_;
-  std::vector<glm::vec4> rest_, next_, forces_;
+  std::vector<glm::vec4> next_, forces_;
   std::vector<glm::vec4> ways_;  ///< of pins that follow a skin, in the frame
 };

@@ -3,6 +3,8 @@
 layout(local_size_x = 64) in;
 INPUT_WORDS(attachmentsBinding, AttachmentBlock, attachments)
 STATE_ARRAY(nextPositionsBinding, NextBlock, nextPositions)
+STATE_ARRAY(velocitiesBinding, VelocityBlock, velocities)
+STATE_ARRAY(trendsBinding, TrendBlock, trends)  // w 1: held
 #include "cloth/mesh/membrane.glsl"
 
 void main() {
@@ -12,5 +14,11 @@ void main() {
   int i = int(attachment.x);
   vec4 here = LOAD_ONCE(nextPositions, i);
   vec3 pin = LOAD_ONCE(nextPositions, int(attachment.y)).xyz;
-  STORE_STATE(nextPositions, i, attached(here, pin, intBitsToFloat(int(attachment.z)), intBitsToFloat(int(attachment.w))));
+  vec4 velocity = LOAD_ONCE(velocities, i), trend = LOAD_ONCE(trends, i);
+  bool held = trend.w > 0.0f;
+  vec4 moved = attached(here, pin, intBitsToFloat(int(attachment.z)), intBitsToFloat(int(attachment.w)), held);
+  bool taut = moved.x != here.x || moved.y != here.y || moved.z != here.z;
+  STORE_STATE(nextPositions, i, moved);
+  STORE_STATE(trends, i, vec4(trend.xyz, taut ? 1.0f : 0.0f));
+  STORE_STATE(velocities, i, held ? velocity : pushed(velocity, here, moved));
 }

@@ -5,7 +5,7 @@
 //   |fu| = 1,  |fv| = 1,  fu.fv / (|fu| |fv|) = 0
 // with the compliances 1 / (k A), so the energy is A / 2 (weft eu^2 + warp ev^2 + shear g^2), the same for any mesh where the
 // strain is even. The three of a face are solved at once:
-//   (J W J^T + compliance / dt^2) l = -C.
+//   (J W J^T + compliance / h^2) l = -C.
 // Of C what damping keeps is not undone (`kept`; keptStrain, as of links in glsl/cloth/model.glsl).
 struct FaceShift {
   vec3 a, b, c;  // m for each of a corner's inverse mass
@@ -105,16 +105,25 @@ FUNCTION vec3 stitchShift(vec4 a, vec4 b, float longest, float perSecond) {
   return beyond > 0.0f && weight > 0.0f ? shift : vec3(0.0f);
 }
 
-// A vertex that is farther from a pin than `longest` (m) is pulled towards it, by 1 / compliance (N/m).
-FUNCTION vec4 attached(vec4 here, vec3 pin, float longest, float compliance) {
+// A vertex that is farther from a pin than `longest` (m) is pulled towards it, by 1 / compliance (N/m). `held`: it was in the
+// substep before, and the trend has what pulls; else it is caught without a trend, so that it does not bounce.
+FUNCTION vec4 attached(vec4 here, vec3 pin, float longest, float compliance, bool held) {
   precise vec3 d = pin - vec3(here);
   float squared = max(exactDot(d, d), 1e-20f);
   float inverse = exactInverseSqrt(squared);
   precise float beyond = squared * inverse - longest;
-  precise float weight = here.w + compliance * stepData.perDt * stepData.perDt;
+  float perStep = held ? stepData.perReach : stepData.perDt;
+  precise float weight = here.w + compliance * perStep * perStep;
   precise float part = beyond * inverse * exactReciprocal(max(weight, 1e-20f)) * here.w;
   precise vec3 moved = vec3(here) + d * part;
   return beyond > 0.0f && here.w > 0.0f ? vec4(moved, here.w) : here;
+}
+
+// The velocity before constraints of what attachments caught or seams moved: what pulls one way only is no part of the trend
+// (cloth/motion.glsl).
+FUNCTION vec4 pushed(vec4 aim, vec4 from, vec4 to) {
+  precise vec3 velocity = vec3(aim) + (vec3(to) - vec3(from)) * stepData.perDt;
+  return vec4(velocity, aim.w);
 }
 
 FUNCTION vec4 shifted(vec4 corner, vec3 shift) {

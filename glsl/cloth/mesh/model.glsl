@@ -40,14 +40,14 @@ FUNCTION vec3 airForces(uvec4 fan) {
   return force;
 }
 
-// Semi-implicit Euler: v' = (v + (F w + g) dt) keep, x' = x + v' dt; what is pinned goes where its frame carries it from where
-// it is at rest.
-FUNCTION Motion predicted(uvec4 fan, vec4 here, vec4 velocity, vec3 rest, bool air) {
+// u = (v + (F w + g) dt) keep, and where that leads; what is pinned goes where its frame carries it from where
+// it is at rest, which it has in place of a trend.
+FUNCTION Motion predicted(uvec4 fan, vec4 here, vec4 velocity, vec3 trend, bool air) {
   Motion m;
   if (here.w == 0.0f) {
     int frame = max(int(velocity.w), 0);
-    vec3 carried = vec3(applyRow(stepData.frames[frame].row0, rest), applyRow(stepData.frames[frame].row1, rest),
-                        applyRow(stepData.frames[frame].row2, rest));
+    vec3 carried = vec3(applyRow(stepData.frames[frame].row0, trend), applyRow(stepData.frames[frame].row1, trend),
+                        applyRow(stepData.frames[frame].row2, trend));
     m.position = velocity.w < 0.0f ? vec3(velocity) : carried;  // cloth/hold.comp
     m.velocity = vec3(0.0f);
     return m;
@@ -56,9 +56,8 @@ FUNCTION Motion predicted(uvec4 fan, vec4 here, vec4 velocity, vec3 rest, bool a
   if (air) force = force + airForces(fan);
   precise vec3 acceleration = force * here.w + vec3(stepData.gravity);
   precise vec3 v = (vec3(velocity) + acceleration * stepData.dt) * stepData.kept;
-  precise vec3 moved = vec3(here) + v * stepData.dt;
   m.velocity = v;
-  m.position = moved;
+  m.position = ledTo(vec3(here), v, trend);
   return m;
 }
 

@@ -1,9 +1,9 @@
-// Where forces take the vertices, before lengths are kept.
+// Where forces take the vertices, before lengths are kept, and with which velocities.
 #include "cloth/mesh/kernel.glsl"
 layout(local_size_x = 64) in;
 INPUT_ARRAY(positionsBinding, PositionBlock, positions)
-INPUT_ARRAY(velocitiesBinding, VelocityBlock, velocities)
-INPUT_ARRAY(restPositionsBinding, RestBlock, restPositions)
+STATE_ARRAY(velocitiesBinding, VelocityBlock, velocities)
+INPUT_ARRAY(trendsBinding, TrendBlock, trends)
 INPUT_ARRAY(faceForcesBinding, ForceBlock, faceForces)
 INPUT_WORDS(entriesBinding, EntryBlock, entries)
 INPUT_WORDS(fansBinding, FanBlock, fans)
@@ -28,6 +28,8 @@ void main() {
   int i = int(gl_GlobalInvocationID.x);
   if (i >= count) return;
   vec4 here = LOAD_INPUT(positions, i);
-  Motion m = predicted(LOAD_INPUT_WORDS(fans, i), here, LOAD_INPUT(velocities, i), LOAD_INPUT(restPositions, i).xyz, AIR);
+  vec4 velocity = LOAD_ONCE(velocities, i);
+  Motion m = predicted(LOAD_INPUT_WORDS(fans, i), here, velocity, LOAD_INPUT(trends, i).xyz, AIR);
+  STORE_STATE(velocities, i, vec4(m.velocity, velocity.w));
   STORE_STATE(nextPositions, i, vec4(m.position, here.w));
 }

@@ -1,10 +1,15 @@
-// After the constraints: v = (x - x_before) / dt, then what the vertices meet.
+// After the constraints: velocities, then what the vertices meet; AGAIN: of those that cloths in contact have pushed since.
 #include "cloth/mesh/kernel.glsl"
 #include "common/status.glsl"
 layout(local_size_x = 64) in;
 INPUT_ARRAY(positionsBinding, PositionBlock, positions)
 STATE_ARRAY(nextPositionsBinding, NextBlock, nextPositions)
 STATE_ARRAY(velocitiesBinding, VelocityBlock, velocities)
+#if AGAIN
+INPUT_ARRAY(leftBinding, LeftBlock, left)
+#else
+STATE_ARRAY(settledTrendsBinding, TrendBlock, trends)
+#endif
 #include "cloth/motion.glsl"
 
 void main() {
@@ -12,7 +17,14 @@ void main() {
   if (i >= count) return;
   vec4 here = LOAD_ONCE(nextPositions, i);
   vec4 velocity = LOAD_ONCE(velocities, i);
-  Motion m = settled(LOAD_INPUT(positions, i), here, HEIGHTS == 1, WALLS == 1);
+#if AGAIN
+  Motion m = settledAgain(LOAD_INPUT(positions, i), LOAD_INPUT(left, i), here, velocity.xyz, HEIGHTS == 1, WALLS == 1);
+#else
+  vec4 trend = LOAD_ONCE(trends, i);
+  Settled s = settled(LOAD_INPUT(positions, i), here, velocity.xyz, trend.xyz, HEIGHTS == 1, WALLS == 1);
+  Motion m = s.motion;
+  STORE_STATE(trends, i, vec4(s.trend, trend.w));
+#endif
   if (isLost(m)) noteLost(uint(stepData.substep), uint(i));
   STORE_STATE(nextPositions, i, vec4(m.position, here.w));
   STORE_STATE(velocities, i, vec4(m.velocity, velocity.w));

@@ -3,6 +3,7 @@
 layout(local_size_x = 64) in;
 INPUT_WORDS(stitchesBinding, StitchBlock, stitches)
 STATE_ARRAY(nextPositionsBinding, NextBlock, nextPositions)
+STATE_ARRAY(velocitiesBinding, VelocityBlock, velocities)
 uniform int first;  // stitch of the colour
 #include "cloth/mesh/membrane.glsl"
 
@@ -13,6 +14,9 @@ void main() {
   vec4 a = LOAD_ONCE(nextPositions, int(stitch.x));
   vec4 b = LOAD_ONCE(nextPositions, int(stitch.y));
   vec3 shift = stitchShift(a, b, intBitsToFloat(int(stitch.z)), intBitsToFloat(int(stitch.w)));
-  STORE_STATE(nextPositions, int(stitch.x), shifted(a, shift));
-  STORE_STATE(nextPositions, int(stitch.y), shifted(b, -shift));
+  vec4 movedA = shifted(a, shift), movedB = shifted(b, -shift);
+  STORE_STATE(nextPositions, int(stitch.x), movedA);
+  STORE_STATE(nextPositions, int(stitch.y), movedB);
+  STORE_STATE(velocities, int(stitch.x), pushed(LOAD_ONCE(velocities, int(stitch.x)), a, movedA));
+  STORE_STATE(velocities, int(stitch.y), pushed(LOAD_ONCE(velocities, int(stitch.y)), b, movedB));
 }

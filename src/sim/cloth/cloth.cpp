@@ -56,8 +56,8 @@ class Cloth : public Simulation, public LockStep {
     const auto positions = plan_.firstPositions();
     positions_[0] = gl::Vec4Array(name_ + " positions", positions);
     positions_[1] = gl::Vec4Array(name_ + " next positions", positions);
-    if (constrained_ && bends() && !inLines_) between_ = gl::Vec4Array(name_ + " between", positions);
-    velocities_ = gl::Vec4Array(name_ + " velocities", plan_.firstVelocities());
+    velocities_[0] = gl::Vec4Array(name_ + " velocities", plan_.firstVelocities());
+    makeConstrained();
     indices_ = gl::Buffer::of<unsigned>(name_ + " indices", gridIndices(size_));
     const unsigned fine[4] = {0xffffffffU, 0xffffffffU, 0, 0};
     status_ = gl::Buffer::of<unsigned>(name_ + " status", fine);
@@ -97,32 +97,42 @@ class Cloth : public Simulation, public LockStep {
     steps_.bind(static_cast<std::size_t>(substep));
     positions_[0].bindInput(shader::cloth::positionsBinding);
     positions_[1].bindState(shader::cloth::nextPositionsBinding);
-    velocities_.bindState(shader::cloth::velocitiesBinding);
     tellColliders(touching(), substep);
     if (wind_ != nullptr) wind_->bind();
     gl::barrier();
-    hold_.hold(velocities_, substep, plan_.substeps());
-    if (constrained_)
+    hold_.hold(velocities_[0], substep, plan_.substeps());
+    if (constrained_) {
       constrain();
-    else
+    } else {
+      velocities_[0].bindState(shader::cloth::velocitiesBinding);
       step_.dispatch(size_.x, size_.y);
-    thin_.fend(positions_[0], positions_[1], velocities_, size_.x, size_.y);
+    }
+    predicted_ = true;
+    thin_.fend(positions_[0], positions_[1], velocities(), size_.x, size_.y);
+    if (!plan_.parameters().hasContact) return;
+    glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+    left_.copyFrom(positions_[1]);
   }
   [[nodiscard]] Contact::Part arrays() const override {
-    return {&positions_[0], &positions_[1], &velocities_};
+    return {&positions_[0], &positions_[1], &velocities(), constrained_ ? &trends_ : nullptr};
   }
   void settle(int substep) override {
     steps_.bind(static_cast<std::size_t>(substep));
     positions_[0].bindInput(shader::cloth::positionsBinding);
     positions_[1].bindState(shader::cloth::nextPositionsBinding);
-    velocities_.bindState(shader::cloth::velocitiesBinding);
+    velocities().bindState(shader::cloth::velocitiesBinding);
+    left_.bindInput(shader::cloth::leftBinding);
     status_.bindStorage(shader::statusBinding);
     tellColliders(settle_, substep);
     gl::barrier();
     settle_.dispatch(size_.x * size_.y);
-    thin_.fend(positions_[0], positions_[1], velocities_, size_.x, size_.y);
+    thin_.fend(positions_[0], positions_[1], velocities(), size_.x, size_.y);
   }
-  void finish() override { std::swap(positions_[0], positions_[1]); }
+  void finish() override {
+    std::swap(positions_[0], positions_[1]);
+    if (constrained_) std::swap(velocities_[0], velocities_[1]);
+    predicted_ = false;
+  }
   void endFrame(double time) override {
     gl::barrier();
     time_ = time + frameSeconds_;
@@ -148,16 +158,20 @@ class Cloth : public Simulation, public LockStep {
   void carryOver(CarryOver& carry) override {
     plan_.carryOver(carry);
     carry.array("positions", positions_[0].buffer());
-    carry.array("velocities", velocities_.buffer());
+    carry.array("velocities", velocities_[0].buffer());
+    if (constrained_) carry.array("trends", trends_.buffer());
   }
   void resumed(double time) override { time_ = time; }
 
   [[nodiscard]] std::vector<StateArray> state() const override {
-    return {{"positions", &positions_[0].buffer()}, {"velocities", &velocities_.buffer()}};
+    std::vector<StateArray> arrays = {{"positions", &positions_[0].buffer()},
+                                      {"velocities", &velocities_[0].buffer()}};
+    if (constrained_) arrays.push_back({"trends", &trends_.buffer()});
+    return arrays;
   }
   [[nodiscard]] PointTable points() const override {
     const auto positions = positions_[0].buffer().readAll<glm::vec4>();
-    const auto velocities = velocities_.buffer().readAll<glm::vec4>();
+    const auto velocities = velocities_[0].buffer().readAll<glm::vec4>();
     PointTable table{{"x", "y", "z", "vx", "vy", "vz"}, {}};
     table.values.reserve(positions.size() * table.columns.size());
     for (std::size_t i = 0; i < positions.size(); ++i)
@@ -171,7 +185,7 @@ class Cloth : public Simulation, public LockStep {
   [[nodiscard]] const gl::Buffer* status() const override { return &status_; }
   [[nodiscard]] std::vector<double> measure() const override {
     return measureCloth(plan_.parameters(), positions_[0].buffer().readAll<glm::vec4>(),
-                        velocities_.buffer().readAll<glm::vec4>(), time_);
+                        velocities_[0].buffer().readAll<glm::vec4>(), time_);
   }
   [[nodiscard]] std::string explainLoss(unsigned step, unsigned element) const override {
     const auto width = static_cast<unsigned>(size_.x);
@@ -185,6 +199,22 @@ class Cloth : public Simulation, public LockStep {
   }
 
  private:
+  /// Velocities as far as the substep has come.
+  [[nodiscard]] const gl::Vec4Array& velocities() const {
+    return velocities_[constrained_ && predicted_ ? 1 : 0];
+  }
+
+  /// What constraints and contact need besides.
+  void makeConstrained() {
+    const int count = size_.x * size_.y;
+    if (constrained_) {
+      velocities_[1] = gl::Vec4Array(name_ + " next velocities", count);
+      trends_ = gl::Vec4Array(name_ + " trends", count);
+      if (bends() && !inLines_) between_ = gl::Vec4Array(name_ + " between", count);
+    }
+    if (plan_.parameters().hasContact) left_ = gl::Vec4Array(name_ + " left", count);
+  }
+
   /// Before anything is filled: a cloth far beyond the limit would first take gigabytes.
   void checkLimits() const {
     const auto bytes = std::int64_t{24} * (size_.x - 1) * (size_.y - 1);
@@ -219,23 +249,35 @@ class Cloth : public Simulation, public LockStep {
       rows_ = lineSolver(defines, "ROWS", size_.x);
       columns_ = lineSolver(defines, "LAST", size_.y);
     }
-    if (constrained_ && inLines_) {
-      make(constrain_, "cloth/constrain_lines.comp");
-      defines.emplace_back("FIRST", "1");
-      make(step_, "cloth/constrain_lines.comp");
-    } else if (constrained_) {
-      make(step_, "cloth/relax.comp");
-      defines.emplace_back("BENDS", "1");
-      if (bends()) make(constrain_, "cloth/relax.comp");
+    if (plan_.parameters().hasContact) make(settle_, "cloth/settle.comp");
+    if (constrained_) {
+      makeRelaxing(fast);
     } else {
       define("SPRINGS", true);
       define("CONTACT", true);
       make(step_, "cloth/step.comp");
     }
-    if (plan_.parameters().hasContact) make(settle_, "cloth/settle.comp");
     step_.checkUniformBlock("StepBlock", sizeof(shader::ClothStep));
     if (wind_ != nullptr) wind_->tell(step_);
     meshes_.check(touching());
+  }
+
+  /// The kernels that predict and relax pairs, which meet nothing.
+  void makeRelaxing(bool fast) {
+    gl::Defines defines = gl::kernelDefines(fast);
+    for (const char* other : {"HEIGHTS", "WALLS", "MESHES"}) defines.emplace_back(other, "0");
+    defines.emplace_back("DAMPED", plan_.parameters().damped() ? "1" : "0");
+    defines.emplace_back("AIR", plan_.parameters().hasAir ? "true" : "false");
+    defines.emplace_back("FABRIC", plan_.parameters().hasFabric ? "true" : "false");
+    const char* path = inLines_ ? "cloth/constrain_lines.comp" : "cloth/relax.comp";
+    gl::Defines first = defines;
+    gl::Defines others = defines;
+    (inLines_ ? first : others).emplace_back(inLines_ ? "FIRST" : "BENDS", "1");
+    step_ = gl::Program::compute(path, first);
+    step_.set("size", size_);
+    if (!inLines_ && !bends()) return;
+    constrain_ = gl::Program::compute(path, others);
+    constrain_.set("size", size_);
   }
 
   /// Of lines of so many particles; a group has as many of them as it has room for, up to a software
@@ -273,6 +315,9 @@ class Cloth : public Simulation, public LockStep {
 
   /// From where the particles would go to where they may.
   void constrain() {
+    velocities_[0].bindInput(shader::cloth::velocitiesBinding);
+    velocities_[1].bindState(shader::cloth::aimsBinding);
+    trends_.bindInput(shader::cloth::trendsBinding);
     if (inLines_)
       relaxInLines();
     else
@@ -280,6 +325,9 @@ class Cloth : public Simulation, public LockStep {
     gl::barrier();
     rows_.dispatch(size_.y, segmentsOf(size_.x));
     gl::barrier();
+    velocities_[1].bindState(shader::cloth::velocitiesBinding);
+    trends_.bindState(shader::cloth::trendsBinding);
+    if (heights_ != nullptr) heights_->bind();
     columns_.dispatch(size_.x, segmentsOf(size_.y));
   }
 
@@ -344,7 +392,10 @@ class Cloth : public Simulation, public LockStep {
   double time_ = 0;             ///< s, of the present state
   gl::Vec4Array positions_[2];  ///< now, and where the next substep writes
   gl::Vec4Array between_;       ///< positions after the diagonal constraints, where those of bending follow
-  gl::Vec4Array velocities_;
+  gl::Vec4Array velocities_[2];  ///< now, and of constraints where the next substep writes
+  gl::Vec4Array trends_;         ///< of constraints (glsl/cloth/motion.glsl)
+  gl::Vec4Array left_;           ///< of cloth in contact: where it was left before contact pushed
+  bool predicted_ = false;       ///< between predict() and finish()
   gl::Buffer indices_;
   gl::Buffer status_;
   StepBlocks<shader::ClothStep> steps_;

@@ -10,6 +10,9 @@ namespace simreel::shader {
 
 namespace simreel::sim {
 
+/// Constraints act as in a step of that part of a substep's seconds (glsl/cloth/motion.glsl).
+inline constexpr double constraintPart = 2.0 / 3;
+
 enum class FabricMaterial { cotton, silk, denim, nylon, canvas, rubber };
 
 /// What a material is by itself. Fabrics: what the low-stress tests of Kawabata (KES-F) typically give for

@@ -172,7 +172,12 @@ std::vector<shader::ClothStep> ClothPlan::frame(double time) {
     s.perDt = static_cast<float>(1.0 / substepSeconds_);
     const double damped = p.fabric.stretchDamping / (p.fabric.stretchDamping + substepSeconds_);
     s.dampedPart = static_cast<float>(damped);
-    s.complianceScale = static_cast<float>((1.0 - damped) / (substepSeconds_ * substepSeconds_));
+    const double reach = constraintPart * substepSeconds_;
+    s.perReach = static_cast<float>(1.0 / reach);
+    s.trendDt = static_cast<float>(substepSeconds_ / 18);
+    // Faces of meshes are relaxed twice, there and back.
+    const double rounds = p.hasMesh ? 2.0 : 1.0;
+    s.complianceScale = static_cast<float>(rounds * (1.0 - damped) / (reach * reach));
     s.kept = keptOf(p.damping, substepSeconds_);
     s.gustSpeed = p.air.gusts * speed;
     s.perGustSize = 1.0F / p.air.gustSize;

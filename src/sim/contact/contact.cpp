@@ -105,8 +105,8 @@ void Contact::allocate(int pairs) {
 void Contact::beginFrame(std::span<const Part> parts) {
   if (saved_.empty())
     for (const Part& part : cloths(parts))
-      for (const gl::Vec4Array* array : {part.now, part.velocities})
-        saved_.emplace_back("contact before a frame", array->buffer().bytes());
+      for (const gl::Vec4Array* array : {part.now, part.velocities, part.trends})
+        if (array != nullptr) saved_.emplace_back("contact before a frame", array->buffer().bytes());
   copySaved(parts, true);
   uploadSteps();
 }
@@ -115,7 +115,8 @@ void Contact::copySaved(std::span<const Part> parts, bool saving) const {
   glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
   std::size_t i = 0;
   for (const Part& part : cloths(parts))
-    for (const gl::Vec4Array* array : {part.now, part.velocities}) {
+    for (const gl::Vec4Array* array : {part.now, part.velocities, part.trends}) {
+      if (array == nullptr) continue;
       const gl::Buffer& own = array->buffer();
       const gl::Buffer& saved = saved_[i++];
       glCopyNamedBufferSubData(saving ? own.name() : saved.name(), saving ? saved.name() : own.name(), 0, 0,

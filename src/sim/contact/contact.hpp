@@ -21,9 +21,10 @@ class Contact {
   /// A simulation's own arrays, in the order of the parts of the plan. Of a solid only its positions count,
   /// and nothing is written: the rest may be null.
   struct Part {
-    const gl::Vec4Array* now;         ///< at the substep's start: xyz m, w inverse mass in 1/kg
-    const gl::Vec4Array* next;        ///< where it would lead; becomes where it leads
-    const gl::Vec4Array* velocities;  ///< xyz m/s, made to agree
+    const gl::Vec4Array* now;               ///< at the substep's start: xyz m, w inverse mass in 1/kg
+    const gl::Vec4Array* next;              ///< where it would lead; becomes where it leads
+    const gl::Vec4Array* velocities;        ///< xyz m/s, made to agree
+    const gl::Vec4Array* trends = nullptr;  ///< goes back with them in restore(); null: none
   };
 
   Contact(ContactPlan plan, int substeps, bool fast);
@@ -33,7 +34,7 @@ class Contact {
   /// after restore() the frame's substeps are to be done again. Throws UserError(device) where the device
   /// has no such memory.
   bool endFrame();
-  /// Puts `now` and `velocities` back as they were at beginFrame().
+  /// Puts `now`, `velocities` and `trends` back as they were at beginFrame().
   void restore(std::span<const Part> parts) const { copySaved(parts, false); }
   /// Behind the dispatches that made `next`: changes it by the contacts' impulses. `index` of the frame's
   /// substeps.
@@ -68,7 +69,7 @@ class Contact {
   gl::Vec4Array points_, nears_;
   gl::WordsArray candidates_, pairs_, corners_, tallies_;
   gl::Buffer control_;
-  std::vector<gl::Buffer> saved_;  ///< of each part `now` and `velocities`
+  std::vector<gl::Buffer> saved_;  ///< of each part `now`, `velocities` and `trends`
   StepBlocks<shader::ContactStep> steps_;
   gl::Program refit_[3];  ///< of one, two, three levels at once
   gl::Program gather_, begin_, reach_, leafBoxes_, searchVertices_, searchEdges_, candidateLists_,

@@ -41,7 +41,7 @@ class Garment : public Simulation, public LockStep {
         plan_(object.name, parametersOf<ClothParameters>(object).inStep(setting.contactSubsteps),
               setting.seed, setting.frameSeconds, *setting.colliders, setting.boneNamed, setting.startTime,
               setting.heldBySkin),
-        vertices_(static_cast<int>(plan_.restPositions().size())),
+        vertices_(static_cast<int>(plan_.vertexCount())),
         heights_(setting.heights),
         frameSeconds_(setting.frameSeconds),
         topology_(name_, plan_.mesh()) {
@@ -97,15 +97,20 @@ class Garment : public Simulation, public LockStep {
     stretch();
     attach();
     sew();
-    meet(substep);
+    trends_.bindState(shader::garment::settledTrendsBinding);
+    meet(settle_, substep);
+    if (!plan_.parameters().hasContact) return;
+    glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+    left_.copyFrom(positions_[1]);
   }
   void settle(int substep) override {
     steps_.bind(static_cast<std::size_t>(substep));
     gl::barrier();
-    meet(substep);
+    left_.bindInput(shader::garment::leftBinding);
+    meet(settleAgain_, substep);
   }
   [[nodiscard]] Contact::Part arrays() const override {
-    return {&positions_[0], &positions_[1], &velocities_};
+    return {&positions_[0], &positions_[1], &velocities_, &trends_};
   }
   void finish() override { std::swap(positions_[0], positions_[1]); }
   void endFrame(double time) override {
@@ -132,6 +137,7 @@ class Garment : public Simulation, public LockStep {
     plan_.carryOver(carry);
     carry.array("positions", positions_[0].buffer());
     carry.array("velocities", velocities_.buffer());
+    carry.array("trends", trends_.buffer());
   }
   void resumed(double time) override {
     time_ = time;
@@ -139,7 +145,9 @@ class Garment : public Simulation, public LockStep {
   }
 
   [[nodiscard]] std::vector<StateArray> state() const override {
-    return {{"positions", &positions_[0].buffer()}, {"velocities", &velocities_.buffer()}};
+    return {{"positions", &positions_[0].buffer()},
+            {"velocities", &velocities_.buffer()},
+            {"trends", &trends_.buffer()}};
   }
   [[nodiscard]] PointTable points() const override {
     const auto positions = positions_[0].buffer().readAll<glm::vec4>();
@@ -177,7 +185,8 @@ class Garment : public Simulation, public LockStep {
     positions_[0] = gl::Vec4Array(name_ + " positions", positions);
     positions_[1] = gl::Vec4Array(name_ + " next positions", positions);
     velocities_ = gl::Vec4Array(name_ + " velocities", plan_.firstVelocities());
-    restPositions_ = gl::Vec4Array(name_ + " rest positions", plan_.restPositions());
+    trends_ = gl::Vec4Array(name_ + " trends", plan_.firstTrends());
+    if (plan_.parameters().hasContact) left_ = gl::Vec4Array(name_ + " left", vertices_);
     const GarmentArrays& arrays = plan_.arrays();
     const auto words = [&](const char* what, const std::vector<glm::uvec4>& items) {
       return gl::WordsArray(name_ + what, items);
@@ -235,6 +244,9 @@ class Garment : public Simulation, public LockStep {
       attach_ = make("cloth/mesh/attach.comp", plan_.arrays().attachments.size());
     if (!plan_.arrays().stitches.empty()) sew_ = make("cloth/mesh/sew.comp", 0);
     settle_ = make("cloth/mesh/settle.comp", vertices, true);
+    defines.emplace_back("AGAIN", "1");
+    if (plan_.parameters().hasContact) settleAgain_ = make("cloth/mesh/settle.comp", vertices, true);
+    defines.pop_back();
     show_ = make("cloth/mesh/show.comp", plan_.arrays().copies.size());
     settle_.checkUniformBlock("StepBlock", sizeof(shader::ClothStep));
     meshes_.check(settle_);
@@ -257,8 +269,8 @@ class Garment : public Simulation, public LockStep {
   void accelerate(std::size_t bending) {
     positions_[0].bindInput(shader::garment::positionsBinding);
     positions_[1].bindState(shader::garment::nextPositionsBinding);
-    velocities_.bindInput(shader::garment::velocitiesBinding);
-    restPositions_.bindInput(shader::garment::restPositionsBinding);
+    velocities_.bindState(shader::garment::velocitiesBinding);
+    trends_.bindInput(shader::garment::trendsBinding);
     faceForces_.bindInput(shader::garment::faceForcesBinding);
     entries_[bending].bindInput(shader::garment::entriesBinding);
     fans_[bending].bindInput(shader::garment::fansBinding);
@@ -271,13 +283,15 @@ class Garment : public Simulation, public LockStep {
   void stretch() {
     elements_.bindInput(shader::garment::elementsBinding);
     corners_.bindInput(shader::garment::cornersBinding);
-    inColours(stretch_, plan_.arrays().colours);
+    inColours(stretch_, plan_.arrays().colours, false);
+    inColours(stretch_, plan_.arrays().colours, true);
   }
 
   /// Holds what is farther from its pin than the cloth is long.
   void attach() {
     if (plan_.arrays().attachments.empty()) return;
     attachments_.bindInput(shader::garment::attachmentsBinding);
+    trends_.bindState(shader::garment::trendsBinding);
     attach_.dispatch(static_cast<int>(plan_.arrays().attachments.size()));
     gl::barrier();
   }
@@ -286,12 +300,13 @@ class Garment : public Simulation, public LockStep {
   void sew() {
     if (plan_.arrays().stitches.empty()) return;
     stitches_.bindInput(shader::garment::stitchesBinding);
-    inColours(sew_, plan_.arrays().stitchColours);
+    inColours(sew_, plan_.arrays().stitchColours, false);
   }
 
   /// A dispatch for each colour; what they wrote is there for what follows.
-  static void inColours(const gl::Program& program, const std::vector<int>& colours) {
-    for (std::size_t colour = 0; colour + 1 < colours.size(); ++colour) {
+  static void inColours(const gl::Program& program, const std::vector<int>& colours, bool back) {
+    for (std::size_t k = 0; k + 1 < colours.size(); ++k) {
+      const std::size_t colour = back ? colours.size() - 2 - k : k;
       const int count = colours[colour + 1] - colours[colour];
       program.set("first", colours[colour]);
       program.set("count", count);
@@ -301,7 +316,7 @@ class Garment : public Simulation, public LockStep {
   }
 
   /// Speeds of what is left in positions_[1], and what the vertices meet.
-  void meet(int substep) {
+  void meet(const gl::Program& settling, int substep) {
     status_.bindStorage(shader::statusBinding);
     positions_[0].bindInput(shader::garment::positionsBinding);
     positions_[1].bindState(shader::garment::nextPositionsBinding);
@@ -309,13 +324,13 @@ class Garment : public Simulation, public LockStep {
     meshes_.bind(substep);
     if (heights_ != nullptr) {
       heights_->bind();
-      heights_->tell(settle_, substep, plan_.substeps(), plan_.parameters().margin, 0.0F);
+      heights_->tell(settling, substep, plan_.substeps(), plan_.parameters().margin, 0.0F);
     }
     if (walls_ != nullptr) {
       walls_->bind();
-      walls_->tell(settle_, plan_.substepSeconds(), plan_.parameters().margin, 0.0F);
+      walls_->tell(settling, plan_.substepSeconds(), plan_.parameters().margin, 0.0F);
     }
-    settle_.dispatch(vertices_);
+    settling.dispatch(vertices_);
     if (!thin_.there()) return;
     fans_[0].bindInput(shader::garment::fansBinding);
     rings_.bindInput(shader::garment::ringsBinding);
@@ -347,7 +362,9 @@ class Garment : public Simulation, public LockStep {
   double frameSeconds_;
   double time_ = 0;             ///< s, of the present state
   gl::Vec4Array positions_[2];  ///< now, and where the next substep writes
-  gl::Vec4Array velocities_, restPositions_, elements_, faceForces_;
+  gl::Vec4Array velocities_, elements_, faceForces_;
+  gl::Vec4Array trends_;  ///< glsl/cloth/motion.glsl; of what is pinned where it is at rest
+  gl::Vec4Array left_;    ///< of cloth in contact: where it was left before contact pushed
   gl::WordsArray corners_, rings_, copies_, stitches_, attachments_;
   std::vector<gl::WordsArray> fans_, entries_;  ///< of each bending
   int begun_ = 0;                               ///< substeps before the present frame
@@ -356,7 +373,7 @@ class Garment : public Simulation, public LockStep {
   gl::Buffer status_;
   StepBlocks<shader::ClothStep> steps_;
   SkinHold hold_;
-  gl::Program air_, predict_, stretch_, attach_, sew_, settle_, show_;
+  gl::Program air_, predict_, stretch_, attach_, sew_, settle_, settleAgain_, show_;
 };
 
 }  // namespace

@@ -68,7 +68,8 @@ FaceStiffness stiffnessOf(const MembraneElement& element, const shader::FabricCo
   const auto& [p, q, r, s, area] = element;
   const glm::dvec3 squaresU((p + q) * (p + q), p * p, q * q);
   const glm::dvec3 squaresV((r + s) * (r + s), r * r, s * s);
-  const double scale = area * seconds * seconds;
+  const double reach = constraintPart * seconds;
+  const double scale = 0.5 * area * reach * reach;
   const double weft = scale * glm::dot(inverseMasses, squaresU);
   const double warp = scale * glm::dot(inverseMasses, squaresV);
   return {1 / (1 / static_cast<double>(fabric.weft) + weft),

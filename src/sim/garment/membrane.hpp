@@ -31,9 +31,9 @@ struct FaceStrain {
 struct FaceStiffness {
   double weft, warp, shear;
 };
-/// What a face resists with where constraints are relaxed once in `seconds`: 1 / (1 / k + A S seconds^2), S
-/// the sum of its corners' inverse masses (1/kg) times the squares of its gradients. That is what it stores
-/// energy by; with 0 s what the fabric says.
+/// What a face resists with where constraints are relaxed there and back once in `seconds`: 1 / (1 / k + A
+/// S h^2 / 2), h being constraintPart of these, S the sum of its corners' inverse masses (1/kg) times the
+/// squares of its gradients. That is what it stores energy by; with 0 s what the fabric says.
 [[nodiscard]] FaceStiffness stiffnessOf(const MembraneElement& element,
                                         const shader::FabricConstants& fabric,
                                         const glm::dvec3& inverseMasses, double seconds);

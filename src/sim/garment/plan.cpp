@@ -337,11 +337,12 @@ void GarmentPlan::makeArrays() {
   for (const unsigned vertex : cloth_.vertexOf) arrays_.copies.emplace_back(vertex, 0, 0, 0);
 }
 
-std::vector<glm::vec4> GarmentPlan::restPositions() const {
-  std::vector<glm::vec4> positions;
-  positions.reserve(rest_.size());
-  for (const glm::vec3& p : rest_) positions.emplace_back(p, 0.0F);
-  return positions;
+std::vector<glm::vec4> GarmentPlan::firstTrends() const {
+  std::vector<glm::vec4> trends;
+  trends.reserve(rest_.size());
+  for (std::size_t i = 0; i < rest_.size(); ++i)
+    trends.emplace_back(groups_[i] >= 0 ? rest_[i] : glm::vec3(0), 0.0F);
+  return trends;
 }
 
 std::vector<glm::vec4> GarmentPlan::firstPositions() const {

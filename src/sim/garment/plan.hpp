@@ -55,8 +55,10 @@ class GarmentPlan {
   [[nodiscard]] std::vector<glm::vec4> firstPositions() const;
   /// xyz in m/s (zero), w the pin group of a pinned vertex.
   [[nodiscard]] std::vector<glm::vec4> firstVelocities() const;
-  /// xyz in m: where pins carry the vertices from.
-  [[nodiscard]] std::vector<glm::vec4> restPositions() const;
+  /// xyz: of what is pinned where pins carry it from (m), else zero (m/s; glsl/cloth/motion.glsl).
+  [[nodiscard]] std::vector<glm::vec4> firstTrends() const;
+  /// With the ghosts.
+  [[nodiscard]] std::size_t vertexCount() const { return rest_.size(); }
   [[nodiscard]] std::vector<shader::ClothStep> frame(double time) { return steps_.frame(time); }
   void carryOver(CarryOver& carry) { steps_.carryOver(carry); }
 

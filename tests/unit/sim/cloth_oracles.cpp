@@ -56,8 +56,8 @@ struct Catenary {
 double distanceFromCatenary(sim::ClothParameters p, double weightPerStiffness) {
   constexpr int links = 40;
   p.damping = 3;
-  // Constraints take their velocities from rounded places: many short substeps would make them stick.
-  p.substeps = p.constrained() ? 8 : 32;
+  // Of many substeps roundings must not make it stick.
+  p.substeps = !p.constrained() ? 32 : p.compliance > 0 ? 8 : 64;
   p.pins.emplace_back().columns = {0};
   p.pins.emplace_back().columns = {-1};
   p.pins[0].move = glm::vec3(0.5F, 0, 0);
@@ -166,14 +166,13 @@ TEST_CASE("oracle: a pendulum's period is that of the elliptic integral, at any 
           crossings.see(std::atan2(hangs.z, -hangs.y), static_cast<double>(++substep) * step, step);
         }
       REQUIRE(crossings.times.size() > 3);
-      // Constraints are damped by their substeps, so a swing's amplitude is less certain.
-      const double bar = !p.constrained() ? 5e-4 : degrees > 90 ? 1e-2 : 2e-3;
+      const double bar = p.constrained() ? 2e-3 : 5e-4;
       for (std::size_t i = 1; i < crossings.times.size(); ++i) {
         const double period = crossings.times[i] - crossings.times[i - 1];
         const double amplitude = crossings.peaks[i];
         CHECK(std::abs(period / pendulumPeriod(1, amplitude) - 1) < bar);
       }
-      CHECK(crossings.peaks[1] > 0.95 * degrees * oraclePi / 180);
+      CHECK(crossings.peaks[1] > 0.99 * degrees * oraclePi / 180);
     }
 }
 

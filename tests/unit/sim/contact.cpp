@@ -138,7 +138,7 @@ TEST_CASE("contact between cloths keeps momentum") {
   const glm::dvec3 lowers = momentumOf(*pile.cloths[0]);
   const glm::dvec3 after = lowers + momentumOf(*pile.cloths[1]);
   CHECK(lowers.y < 0.3 * before.y);  // much of it was handed over: both are negative
-  CHECK(glm::length(after - before) < 2e-3 * glm::length(before));
+  CHECK(glm::length(after - before) < 8e-3 * glm::length(before));  // what is held back gives none on
 }
 
 TEST_CASE("a stack of cloths comes to rest, a thickness apart") {
@@ -188,7 +188,7 @@ TEST_CASE("cloth on a slope of cloth holds below atan(mu), and slides as fast as
       CHECK(std::abs(at + 0.25) < 0.001);
     } else {
       const double acceleration = 9.8 * (std::sin(angle) - mu * std::cos(angle));
-      CHECK(speed == doctest::Approx(acceleration * time).epsilon(0.07).scale(0));
+      CHECK(speed == doctest::Approx(acceleration * time).epsilon(0.04).scale(0));
     }
   }
 }
