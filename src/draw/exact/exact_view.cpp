@@ -1,7 +1,9 @@
 #include "draw/exact/exact_view.hpp"
 
 #include <algorithm>
+#include <cmath>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 namespace simreel::draw {
@@ -44,6 +46,31 @@ glm::ivec2 rowsTowardsGround(const shader::ExactView& view, float height, int st
     rows.y = (row + 1) * step;
   }
   return rows;
+}
+
+glm::vec4 nearOfGround(const shader::ExactView& view, float height) {
+  // A ray of depth 1 goes down by -y, so the ground has the depth (height - eye.y) / y: near / depth is
+  // affine.
+  const float down = height - view.eye.y;
+  if (std::abs(down) < 1e-6F) return {1e30F, 0, 0, 0};
+  const float across = view.near * view.rayAcross.y / down;
+  const float below = view.near * view.rayDown.y / down;
+  const float corner = view.near * view.ray.y / down;
+  const float half = 0.5F * (std::abs(across) + std::abs(below));
+  const auto size = glm::vec2(view.size);
+  constexpr float slack = 1e-5F;  // of the terms that are rounded
+  const float terms = std::abs(corner) + std::abs(across) * size.x + std::abs(below) * size.y;
+  return {corner + 0.5F * (across + below), across, below, half + slack * terms};
+}
+
+glm::vec3 raysAside(const shader::ExactView& view) {
+  constexpr float slack = 1e-5F;
+  const auto size = glm::vec2(view.size);
+  const glm::vec3 across = glm::abs(glm::vec3(view.rayAcross));
+  const glm::vec3 down = glm::abs(glm::vec3(view.rayDown));
+  const glm::vec3 terms = glm::abs(glm::vec3(view.ray)) + across * size.x + down * size.y;
+  const glm::vec3 within = 0.5F * (across + down) + slack * terms;
+  return view.near * glm::vec3(std::max(terms.x, terms.z), within.x, within.z);
 }
 
 }  // namespace simreel::draw

@@ -17,4 +17,12 @@ namespace simreel::draw {
 /// from the band's first, in whole multiples of `step`.
 [[nodiscard]] glm::ivec2 rowsTowardsGround(const shader::ExactView& view, float height, int step);
 
+/// How near a ground of that height (m) is on the picture, as keys of visibility have it: in the middle of
+/// the first pixel, what one to the right and one below add to it, and by how much samples of a pixel may
+/// be nearer, rounding included.
+[[nodiscard]] glm::vec4 nearOfGround(const shader::ExactView& view, float height);
+/// Times the nearest depth: the most that a ray of depth 1 goes along x or z, and how much each of these
+/// differs within a pixel, rounding included.
+[[nodiscard]] glm::vec3 raysAside(const shader::ExactView& view);
+
 }  // namespace simreel::draw

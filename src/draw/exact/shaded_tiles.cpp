@@ -20,6 +20,21 @@ constexpr int fewThings = 30;    // and with FEW
 constexpr unsigned onGround = 1;
 constexpr unsigned groundsKeys = 2;
 constexpr unsigned few = 4;
+constexpr unsigned fours = 8;  // and twice that: lists for four things, or for eight
+
+/// Of a tile, for an invocation: groups of software drivers begin and end once for each vector of lanes.
+int rowsAtOnce() {
+  return gl::softwareDriver() ? ShadedTiles::side : 1;
+}
+
+/// Four of the numbers, from `first` on; beyond them, more than any.
+glm::ivec4 fourOf(const std::vector<unsigned>& numbers, std::size_t first) {
+  glm::ivec4 four(-1);
+  for (int i = 0; i < 4; ++i)
+    if (const auto at = first + static_cast<std::size_t>(i); at < numbers.size())
+      four[i] = static_cast<int>(numbers[at]);
+  return four;
+}
 
 }  // namespace
 
@@ -29,9 +44,10 @@ ShadedTiles::ShadedTiles(const Visibility& visibility, bool ground, bool shadow)
       defines_(definesOf(visibility.layout())),
       ground_(ground) {
   defines_.emplace_back("SAMPLES", std::to_string(visibility.samples()));
+  defines_.emplace_back("ROWS", std::to_string(rowsAtOnce()));
   if (emptiesLight()) defines_.emplace_back("EMPTIES", "1");
   if (shadow) defines_.emplace_back("SHADOW", "1");
-  program((ground ? onGround : 0U) | few);
+  program((ground ? onGround : 0U) | few | fours);
 }
 
 bool ShadedTiles::emptiesLight() {
@@ -45,12 +61,13 @@ const gl::Program& ShadedTiles::program(unsigned features) {
   if ((features & onGround) != 0) defines.emplace_back("GROUND", "1");
   if ((features & groundsKeys) != 0) defines.emplace_back("GROUND_KEYS", "1");
   if ((features & few) != 0) defines.emplace_back("FEW", "1");
+  if (features >= fours) defines.emplace_back("FOURS", std::to_string(features / fours));
   return programs_.emplace(features, gl::Program::compute("draw/exact/tiles/tiles.comp", defines))
       .first->second;
 }
 
 void ShadedTiles::list(const std::vector<unsigned>& firstIds, const Visibility& visibility,
-                       glm::ivec2 groundRows, bool groundKeys) {
+                       const GroundPlace& place, bool groundKeys) {
   constexpr GLuint zero = 0;
   things_ = static_cast<int>(firstIds.size());
   if (things_ > maxThings)
@@ -70,17 +87,24 @@ void ShadedTiles::list(const std::vector<unsigned>& firstIds, const Visibility& 
   lists_.bindStorage(tileListBinding);
   counters_.bindStorage(counterBinding);
   // Cards do all rows at once; software drivers run both sides of a branch.
+  const glm::ivec2 groundRows = place.rows;
   const glm::ivec2 ground = !ground_               ? glm::ivec2(0)
                             : gl::softwareDriver() ? glm::min(groundRows / side, tiles_.y)
                                                    : glm::ivec2(0, tiles_.y);
-  const unsigned size = things_ <= fewThings ? few : 0U;
+  const unsigned size = (things_ <= fewThings ? few : 0U) | (things_ <= 4   ? fours
+                                                             : things_ <= 8 ? 2 * fours
+                                                                            : 0U);
   const auto rows = [&](int from, int to, unsigned features) {
     if (from >= to) return;
     const gl::Program& kernel = program(features | size);
     kernel.set("draws", things_);
     kernel.set("tileCount", tiles_.x * tiles_.y);
     kernel.set("firstTileRow", from);
-    kernel.dispatch(tiles_.x * side, (to - from) * side);
+    kernel.set("firstFour", fourOf(firstIds, 0));
+    kernel.set("nextFour", fourOf(firstIds, 4));
+    kernel.set("groundNear", place.near);
+    kernel.set("groundRays", place.rays);
+    kernel.dispatch(tiles_.x * side, (to - from) * side / rowsAtOnce());
   };
   rows(0, ground.x, 0);
   rows(ground.x, ground.y, onGround | (groundKeys ? groundsKeys : 0U));

@@ -112,6 +112,7 @@ void TriangleRaster::reserveLists(std::size_t draws, std::int64_t triangles, int
   reserve(surfaceGroups_, "groups for triangles", draws * GroupCounts::bytes);
   if (into_ == Into::sunMap) return;  // never clipped
   reserve(clipGroups_, "groups for clipping", draws * GroupCounts::bytes);
+  reserve(roomlessGroups_, "groups for triangles not clipped", draws * GroupCounts::bytes);
   reserve(fans_, fanView_, "clipped triangles", static_cast<std::size_t>(fans) * 128, GL_RGBA32UI, 16);
 }
 
@@ -221,12 +222,31 @@ void TriangleRaster::run(const char* path, int pass, const Visibility& into, boo
     if (path == mediumPath) {
       GroupCounts::dispatchFixed(kernel);
     } else if (path == largePath) {
-      GroupCounts::dispatchList(kernel, largeGroups_, i, partsFor(sizeOf(into, part), samples_));
+      GroupCounts::dispatchList(kernel, clips ? roomlessGroups_ : largeGroups_, i,
+                                partsFor(sizeOf(into, part), samples_));
     } else {
       kernel.use();
       GroupCounts::dispatch(groups, i);
     }
   }
+}
+
+void TriangleRaster::prepareLarge(glm::ivec2 size) {
+  const unsigned parts = partsFor(size, samples_);
+  GroupCounts::Order order{.counts = static_cast<int>(drawn_.size()),
+                           .parts = parts,
+                           .fewerParts = gl::softwareDriver() ? leastParts(size, samples_) : parts};
+  if (into_ != Into::sunMap && fanRoom_ > 0) {
+    // Of each list those that have a fan, and the others apart.
+    const auto room = static_cast<unsigned>(fanRoom_ / static_cast<int>(drawn_.size()));
+    order.most = room;
+    GroupCounts::Order others = order;
+    others.most = ~0U;
+    others.skipped = room;
+    groups_.prepareLists(counters_, others, roomlessGroups_);
+  }
+  groups_.prepareLists(counters_, order,
+                       into_ != Into::sunMap && fanRoom_ == 0 ? roomlessGroups_ : largeGroups_);
 }
 
 void TriangleRaster::runLists(int pass, const Visibility& into) {
@@ -264,12 +284,7 @@ void TriangleRaster::draw(const Visibility& into, const MapPart& part) {
   glMemoryBarrier(GL_COMMAND_BARRIER_BIT);
   run(trianglesPath, 0, into);
   clipLarge(into);
-  const unsigned parts = partsFor(largest, samples_);
-  groups_.prepareLists(counters_,
-                       {.counts = static_cast<int>(drawn_.size()),
-                        .parts = parts,
-                        .fewerParts = gl::softwareDriver() ? leastParts(largest, samples_) : parts},
-                       largeGroups_);
+  prepareLarge(largest);
   runLists(0, into);
   gl::barrier();
   if (into_ != Into::picture || into.layout() == SampleLayout::wholes) return;

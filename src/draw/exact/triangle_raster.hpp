@@ -76,6 +76,7 @@ class TriangleRaster {
   const gl::Program& program(const Variant& variant);
   void makeVertices(const Visibility& into);
   void clipLarge(const Visibility& into);
+  void prepareLarge(glm::ivec2 size);
   void reserveLists(std::size_t draws, std::int64_t triangles, int fans);
   void fillGroups();
   void run(const char* path, int pass, const Visibility& into, bool clips = false);
@@ -91,7 +92,8 @@ class TriangleRaster {
   GroupCounts groups_;
   TriangleLists lists_;  ///< that lamps' maps show
   std::vector<Drawn> drawn_;
-  gl::Buffer vertices_, large_, counters_, largeGroups_, surfaceGroups_, fans_, clipGroups_;
+  gl::Buffer vertices_, large_, counters_, largeGroups_, surfaceGroups_, fans_, clipGroups_,
+      roomlessGroups_;
   gl::Texture vertexView_, largeView_, counterView_, fanView_;
 };
 

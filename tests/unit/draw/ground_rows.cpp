@@ -1,6 +1,8 @@
 // Rows of the picture that may see the ground.
 #include "draw/exact/exact_view.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <random>
 
 #include <doctest/doctest.h>
@@ -61,5 +63,47 @@ TEST_CASE("ground: every row that sees it is among those that may, and few other
     CHECK(rows.y <= last + 2 * step + 1);
     CHECK(rows.x % step == 0);
     CHECK(rows.y % step == 0);
+  }
+}
+
+TEST_CASE("ground: how near it is within a pixel lies around its middle, rays too, and nearly touches it") {
+  std::mt19937 random(8);
+  std::uniform_real_distribution<float> any(-1, 1);
+  const glm::ivec2 size(91, 67);
+  for (int i = 0; i < 100; ++i) {
+    ExactView view = viewOf(3 * any(random), any(random), 0.6F * any(random), size);
+    view.near = 0.05F;
+    view.rayDown.z = 0.3F * any(random) / static_cast<float>(size.y);
+    const float ground = any(random);
+    const glm::vec4 near = simreel::draw::nearOfGround(view, ground);
+    const glm::vec3 rays = simreel::draw::raysAside(view);
+    const double down = static_cast<double>(ground) - view.eye.y;
+    CAPTURE(i);
+    double farthest = 0;
+    double off = 0;
+    double offX = 0;
+    double offZ = 0;
+    for (int y = 0; y < size.y; ++y)
+      for (int x = 0; x < size.x; ++x)
+        for (const int corner : {0, 1, 2, 3}) {
+          const double right = x + (corner & 1), below = y + (corner >> 1);
+          const auto ray = [&](int axis) {
+            return view.ray[axis] + view.rayAcross[axis] * right + view.rayDown[axis] * below;
+          };
+          const auto middle = [&](int axis) {
+            return view.ray[axis] + view.rayAcross[axis] * (x + 0.5) + view.rayDown[axis] * (y + 0.5);
+          };
+          const double there = view.near * ray(1) / down;
+          const double about = near.x + static_cast<double>(near.y) * x + static_cast<double>(near.z) * y;
+          off = std::max(off, std::abs(there - about));
+          farthest = std::max({farthest, view.near * std::abs(ray(0)), view.near * std::abs(ray(2))});
+          offX = std::max(offX, view.near * std::abs(ray(0) - middle(0)));
+          offZ = std::max(offZ, view.near * std::abs(ray(2) - middle(2)));
+        }
+    CHECK_LE(off, near.w);
+    CHECK_GT(off, 0.9 * near.w);
+    CHECK_LE(offX, rays.y);
+    CHECK_LE(offZ, rays.z);
+    CHECK_LE(farthest, rays.x);
   }
 }

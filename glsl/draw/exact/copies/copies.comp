@@ -11,8 +11,7 @@ uniform int part;         // of the dispatches
 uniform int mostCopies;   // of one dispatch
 uniform int parts;
 uniform int listRoom;      // numbers that the list holds
-uniform int smallPixels;   // the longest side of a small triangle's box,
-uniform int mediumPixels;  // and of one of medium size; none is where it is less
+uniform int mediumPixels;  // the longest side of a box of medium size; none is where that is less than smallPixels
 #include "draw/exact/list_place.glsl"
 
 void main() {
@@ -31,7 +30,7 @@ void main() {
   t.low = t.high = ivec2(0);
   if (whole) t = drawnTriangle(cornerAt(c.a, c.na), cornerAt(c.b, c.nb), cornerAt(c.c, c.nc));
   if (t.empty) return;
-  int extent = max(t.high.x - t.low.x, t.high.y - t.low.y);
+  int extent = drawnAs(t);
   if (whole && extent <= smallPixels * subpixels)
     fillBox(t, c.id);
   else if (whole && extent <= mediumPixels * subpixels)

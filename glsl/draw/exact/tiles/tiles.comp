@@ -1,7 +1,8 @@
 // Lays the ground under what is visible and lists, for each thing drawn, the tiles that show it: a group does one. With
 // GROUND two lists more, of tiles whose ground no shadow can reach, and of the others (SHADOW). GROUND_KEYS: what is nearest has the
 // ground, too. EMPTIES: the light of all pixels, too. FEW: lists for 32 at most, the
-// ground's included. SAMPLES, PAIRED.
+// ground's included; FOURS: for 4 times as many at most, without the ground's. SAMPLES, PAIRED. An invocation does ROWS pixels, one
+// below the other.
 #include "draw/frame_block.glsl"
 #include "draw/exact/view_block.glsl"
 #include "draw/exact/tiles/tile_lists.glsl"
@@ -13,7 +14,7 @@
 #ifdef SHADOW
 #include "draw/exact/light_place.glsl"
 #endif
-layout(local_size_x = 8, local_size_y = 8) in;
+layout(local_size_x = 8, local_size_y = 8 / ROWS) in;
 layout(binding = firstIdUnit) uniform usamplerBuffer firstIds;
 #ifdef PAIRED
 layout(std430, binding = nearBinding) writeonly restrict buffer PairBlock { uint words[]; };
@@ -33,7 +34,27 @@ layout(std430, binding = tileListBinding) writeonly restrict buffer ListBlock { 
 uniform int draws;
 uniform int tileCount;
 uniform int firstTileRow;
-shared uint shown[64];  // a bit a thing, and a word an invocation; FEW: those of the first alone
+#ifdef FOURS
+uniform ivec4 firstFour, nextFour;  // as firstIds has them, then more than any
+uvec4 firsts = uvec4(firstFour), next = uvec4(nextFour);  // once, not in each turn of a loop
+#endif
+#ifdef GROUND
+// How near the ground is in the middle of the picture's first pixel, what one to the right and one below add to it, and how much
+// nearer a pixel's samples may be.
+uniform vec4 groundNear;
+vec4 groundAffine = groundNear;
+// Near times: x the most that a ray of depth 1 goes along x or z, y and z how much either differs within a pixel.
+uniform vec3 groundRays;
+vec3 raysAround = groundRays;
+#ifdef SHADOW
+vec4 shadowReach = texelFetch(light, 4);
+#endif
+#endif
+#ifdef FEW
+shared uint shown[1];  // a bit a thing
+#else
+shared uint shown[64];
+#endif
 
 // What an invocation shows; with FEW all of it together, since software drivers do atomics lane by lane.
 uint mine = 0u;
@@ -67,7 +88,67 @@ int drawOf(uint id) {
   return low;
 }
 
+#ifdef FOURS
+int above(uint id, uvec4 f) {
+  return (id >= f.x ? 1 : 0) + (id >= f.y ? 1 : 0) + (id >= f.z ? 1 : 0) + (id >= f.w ? 1 : 0);
+}
+
+void showId(uint id) {
+  int draw = above(id, firsts) - 1;
+#if FOURS > 1
+  draw += above(id, next);
+#endif
+  mine |= id < groundId ? 1u << draw : 0u;
+}
+#endif
+
 #ifdef GROUND
+#ifdef SHADOW
+// 2 where a shadow may reach the ground under all of a pixel, 1 where none may anywhere, 3 between. Of the place p at the depth d it
+// looks at p / d = eye / d + ray, which is affine on the picture, times the nearest depth; `middle` is near / d in the middle.
+int shadowAround(ivec2 pixel, float middle) {
+  precise vec2 place = vec2(pixel) + 0.5f;
+  vec3 ray = rayThrough(place);
+  vec4 reach = shadowReach;
+  vec2 eye = vec2(view.eye.x, view.eye.z), low = vec2(reach.x, reach.y), high = vec2(reach.z, reach.w);
+  precise vec2 aside = vec2(ray.x, ray.z) * view.near;
+  precise vec2 above = (eye - low) * middle + aside;
+  precise vec2 below = (high - eye) * middle - aside;
+  precise float wide = groundAffine.w + 1e-5f * abs(middle);
+  precise vec2 offAbove = (abs(eye) + abs(low)) * wide + vec2(raysAround.y, raysAround.z);
+  precise vec2 offBelow = (abs(eye) + abs(high)) * wide + vec2(raysAround.y, raysAround.z);
+  bool within = above.x > offAbove.x && above.y > offAbove.y && below.x > offBelow.x && below.y > offBelow.y;
+  bool beside = above.x < -offAbove.x || above.y < -offAbove.y || below.x < -offBelow.x || below.y < -offBelow.y;
+  return within ? 2 : beside ? 1 : 3;
+}
+#endif
+
+// What all samples of these keys show, as groundAt has it; 3 where that has to be found one by one.
+int groundOf(ivec2 pixel, uvec4 keys) {
+  uint nearest = min(min(keys.x, keys.y), min(keys.z, keys.w)), farthest = max(max(keys.x, keys.y), max(keys.z, keys.w));
+  precise float middle = groundAffine.x + groundAffine.y * float(pixel.x) + groundAffine.z * float(pixel.y);
+  precise float nearer = middle + groundAffine.w;
+  precise float farther = middle - groundAffine.w;
+  bool none = nearer <= 0.0f || nearKey(max(nearer, 0.0f)) > farthest;
+#ifdef GROUND_KEYS
+  int kind = 3;
+#elif defined SHADOW
+  int kind = shadowAround(pixel, middle);
+#else
+  int kind = 1;
+#endif
+  precise vec3 from = view.eye.xyz - frame.target.xyz;
+  precise float sure = 0.999f * frame.groundReach - max(abs(from.x), abs(from.z));
+  precise float within = sure * farther;
+  precise float down = frame.groundHeight - view.eye.y;
+  precise float steep = abs(down) * farther;
+  precise float leastSteep = 3e-6f * view.near;  // groundDepth has a least, too
+  precise float leastNear = view.nearOverFar * 1.001f;
+  bool seen = farther >= leastNear && steep >= leastSteep && nearer <= 0.999f && within >= raysAround.x;
+  bool all_ = seen && nearKey(max(farther, 0.0f)) < nearest;
+  return none ? 0 : all_ ? kind : 3;
+}
+
 // 1 where the ground is what the sample shows, 2 where a shadow may reach it.
 int groundAt(ivec2 pixel, int s, int at, uint key) {
   precise vec2 place = vec2(pixel * 16 + samplePlace(s)) * 0.0625f;
@@ -80,7 +161,7 @@ int groundAt(ivec2 pixel, int s, int at, uint key) {
   if (seen) PUT_KEY(at, nearKey(near));
 #endif
 #ifdef SHADOW
-  vec4 reach = texelFetch(light, 4);
+  vec4 reach = shadowReach;
   vec3 p = placeOnRay(ray, depth);
   bool reached = p.x >= reach.x && p.z >= reach.y && p.x <= reach.z && p.z <= reach.w;
 #else
@@ -90,55 +171,74 @@ int groundAt(ivec2 pixel, int s, int at, uint key) {
 }
 #endif
 
+void look(ivec2 pixel) {
+#ifdef EMPTIES
+  imageStore(sums, pixel, vec4(0.0f));
+#endif
+  int onGround = 0, left = 0;
+  uint seen[SAMPLES];
+  for (int s = 0; s < SAMPLES; s += together) {
+    int first = firstSample(pixel) + s;
+    uvec4 four = FETCHED(idAt, fourIdsAt, first);
+#ifdef GROUND
+    uvec4 keys = FETCHED(keyAt, fourKeysAt, first);
+    int kind = groundOf(pixel, keys);
+    bool all_ = kind == 1 || kind == 2;
+    four = all_ ? uvec4(groundId) : four;
+    if (all_)
+      for (int k = 0; k < together; ++k) PUT_ID(first + k, groundId);
+    onGround = max(onGround, all_ ? kind : 0);
+    // One by one in a loop, which ends at once where that is clear: software drivers run both sides of a branch.
+    int left_ = kind == 3 ? (1 << together) - 1 : 0;
+    while (left_ != 0) {
+      int i = findLSB(left_);
+      left_ &= left_ - 1;
+      uint key = keys.x;
+      for (int k = 1; k < together; ++k) key = k == i ? keys[k] : key;
+      int found = groundAt(pixel, s + i, first + i, key);
+      for (int k = 0; k < together; ++k) four[k] = found > 0 && k == i ? groundId : four[k];
+      if (found > 0) PUT_ID(first + i, groundId);
+      onGround = max(onGround, found);
+    }
+#endif
+    for (int i = 0; i < together; ++i) {
+      seen[s + i] = four[i];
+      left |= four[i] < groundId ? 1 << (s + i) : 0;
+    }
+  }
+#ifdef FOURS
+  for (int s = 0; s < SAMPLES; ++s) showId(seen[s]);
+#else
+  while (left != 0) {  // once for each thing of the pixel
+    uint id = emptyId;
+    for (int s = SAMPLES - 1; s >= 0; --s) id = (left >> s & 1) != 0 ? seen[s] : id;
+    left &= left - 1;
+    int draw = drawOf(id);
+    show(draw);
+    uint from = texelFetch(firstIds, draw).x, to = draw + 1 < draws ? texelFetch(firstIds, draw + 1).x : groundId;
+    for (int s = 0; s < SAMPLES; ++s) left &= seen[s] >= from && seen[s] < to ? ~(1 << s) : ~0;
+  }
+#endif
+  if (onGround > 0) show(draws + onGround - 1);
+}
+
 void main() {
+  const int lanes = tileSide * tileSide / ROWS;
   int me = int(gl_LocalInvocationIndex);
-  shown[me] = 0u;
+  for (int i = me; i < shown.length(); i += lanes) shown[i] = 0u;
   barrier();
   ivec2 at = ivec2(gl_WorkGroupID.xy) + ivec2(0, firstTileRow);
-  ivec2 pixel = at * tileSide + ivec2(gl_LocalInvocationID.xy) + ivec2(0, view.rows.x);
-  bool within = pixel.x < view.size.x && pixel.y < view.rows.y;
-  if (within) {
-#ifdef EMPTIES
-    imageStore(sums, pixel, vec4(0.0f));
-#endif
-    int onGround = 0, left = 0;
-    uint seen[SAMPLES];
-    for (int s = 0; s < SAMPLES; s += together) {
-      int first = firstSample(pixel) + s;
-      uvec4 four = FETCHED(idAt, fourIdsAt, first);
-#ifdef GROUND
-      uvec4 keys = FETCHED(keyAt, fourKeysAt, first);
-#endif
-      for (int i = 0; i < together; ++i) {
-        seen[s + i] = four[i];
-#ifdef GROUND
-        int kind = groundAt(pixel, s + i, first + i, keys[i]);
-        if (kind > 0) {
-          seen[s + i] = groundId;
-          PUT_ID(first + i, groundId);
-          onGround = max(onGround, kind);
-        }
-#endif
-        left |= seen[s + i] < groundId ? 1 << (s + i) : 0;
-      }
-    }
-    while (left != 0) {  // once for each thing of the pixel
-      uint id = emptyId;
-      for (int s = SAMPLES - 1; s >= 0; --s) id = (left >> s & 1) != 0 ? seen[s] : id;
-      left &= left - 1;
-      int draw = drawOf(id);
-      show(draw);
-      uint from = texelFetch(firstIds, draw).x, to = draw + 1 < draws ? texelFetch(firstIds, draw + 1).x : groundId;
-      for (int s = 0; s < SAMPLES; ++s) left &= seen[s] >= from && seen[s] < to ? ~(1 << s) : ~0;
-    }
-    if (onGround > 0) show(draws + onGround - 1);
-#ifdef FEW
-    if (mine != 0u) atomicOr(shown[0], mine);
-#endif
+  ivec2 pixel = at * tileSide + ivec2(gl_LocalInvocationID.xy) * ivec2(1, ROWS) + ivec2(0, view.rows.x);
+  for (int row = 0; row < ROWS; ++row) {
+    ivec2 next = pixel + ivec2(0, row);
+    if (next.x < view.size.x && next.y < view.rows.y) look(next);
   }
+#ifdef FEW
+  if (mine != 0u) atomicOr(shown[0], mine);
+#endif
   barrier();
   uint tile = uint(at.x) | uint(at.y) << 16;
-  for (int draw = me; draw < draws + 2; draw += tileSide * tileSide) {
+  for (int draw = me; draw < draws + 2; draw += lanes) {
     bool listed = isShown(draw);
     if (draw == draws && isShown(draws + 1)) listed = false;
     if (listed) lists[draw * tileCount + int(atomicAdd(counters[draw], 1u))] = tile;

@@ -2,6 +2,7 @@
 // BRANCHES: an invocation saves what it leaves out.
 #include "draw/exact/triangles/raster_triangle.glsl"
 #include "draw/exact/triangles/crossing.glsl"
+uniform int smallPixels;  // the longest side of a small triangle's box
 
 void fillBox(Triangle t, uint id) {
   ivec2 first = max(t.low >> 8, ivec2(0, PICTURE_ROWS.x));
@@ -29,4 +30,19 @@ void fillBox(Triangle t, uint id) {
       e += across;
     }
   }
+}
+
+// The longest side of a triangle's box (1/256 pixel). To software drivers slivers are small: of the tiles that they meet they
+// have little, and rods are many that are alike. E is below 2^31 around them, since its parts may go around.
+int drawnAs(Triangle t) {
+  int longest = max(t.high.x - t.low.x, t.high.y - t.low.y);
+#ifndef BRANCHES
+  ivec2 u = t.edges[0].step_, v = t.edges[1].step_;
+  precise float doubled = (float(u.x) * float(v.y) - float(u.y) * float(v.x)) * 1.5258789e-5f;
+  precise float length_ = float(longest) * 0.00390625f;
+  precise float thick = length_ * float(smallPixels) * 0.25f;
+  precise float around = abs(doubled) + 4.0f * length_;
+  if (abs(doubled) <= thick && around <= 24576.0f && length_ <= 2048.0f) longest = min(longest, smallPixels * subpixels);
+#endif
+  return longest;
 }

@@ -8,11 +8,6 @@ layout(binding = counterUnit) uniform usamplerBuffer counters;
 uniform int draw_;
 
 void drawLarge(int entry) {
-#ifdef CLIPS
-  if (entry < fanRoom) return;
-#elif !defined SUN_MAP
-  if (entry >= fanRoom) return;
-#endif
   int number = int(texelFetch(large, firstIndex / 3 + entry).x);
   uint id = firstId + uint(number);
 #if defined SUN_MAP || defined CLIPS
@@ -29,7 +24,12 @@ void drawLarge(int entry) {
 }
 
 void main() {
-  uint count = texelFetch(counters, draw_).x, groups = gl_NumWorkGroups.x * gl_NumWorkGroups.y;
-  for (uint entry = gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x; entry < count; entry += groups)
+  uint first = 0u, count = texelFetch(counters, draw_).x, groups = gl_NumWorkGroups.x * gl_NumWorkGroups.y;
+#ifdef CLIPS
+  first = uint(fanRoom);
+#elif !defined SUN_MAP
+  count = min(count, uint(fanRoom));
+#endif
+  for (uint entry = first + gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x; entry < count; entry += groups)
     drawLarge(int(entry));
 }

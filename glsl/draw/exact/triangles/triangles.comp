@@ -7,8 +7,7 @@ layout(std430, binding = largeBinding) restrict buffer LargeBlock { uint large[]
 layout(std430, binding = counterBinding) restrict buffer CounterBlock { uint counters[]; };
 uniform int draw_;         // number of the surface among those drawn
 uniform int draws;
-uniform int smallPixels;   // the longest side of a small triangle's box,
-uniform int mediumPixels;  // and of one of medium size; none is where it is less
+uniform int mediumPixels;  // the longest side of a box of medium size; none is where that is less than smallPixels
 #include "draw/exact/list_place.glsl"
 
 void main() {
@@ -31,7 +30,7 @@ void main() {
   t.low = t.high = ivec2(0);
   if (whole) t = drawnTriangle(cornerOfVertex(a), cornerOfVertex(b), cornerOfVertex(c));
   if (t.empty) return;
-  int extent = max(t.high.x - t.low.x, t.high.y - t.low.y);
+  int extent = drawnAs(t);
   if (!whole || extent > smallPixels * subpixels) {
 #if PASS == 0
     if (whole && extent <= mediumPixels * subpixels)

@@ -196,8 +196,9 @@ void ExactScene::State::drawBand(const sim::Drawables& drawables, const shader::
   instances.drawNumbers(visibility);
   if (watch) watch("visibility");
   sums.bindImage(sumImage, GL_READ_WRITE);
-  tiles.list(firstIds, visibility, rowsTowardsGround(values, scene.ground.height, ShadedTiles::side),
-             ExactInstances::anyAdd(drawables));
+  const GroundPlace place{rowsTowardsGround(values, scene.ground.height, ShadedTiles::side),
+                          nearOfGround(values, scene.ground.height), raysAside(values)};
+  tiles.list(firstIds, visibility, place, ExactInstances::anyAdd(drawables));
   if (passes != nullptr) keepVisibility(rows);
   shadeAll();
   if (passes != nullptr) passes->keepLight("light", "", sums, rows);
