@@ -85,6 +85,7 @@ Cylinder schaeferTurek(int n) {
   p.flow = {static_cast<float>(metre), 0, 0};
   p.speed = static_cast<float>(2.3 * metre);
   p.viscosity = static_cast<float>(1e-3 * metre * metre);
+  p.advection = sim::FluidParameters::Advection::cubic;
   p.courant = 1;
   sim::FluidObstacle obstacle;
   obstacle.center = glm::vec3(0.2 * metre, 0.21 * metre, 0);

@@ -15,9 +15,9 @@ constexpr double far = 8;                  ///< cells: distances beyond are not 
 constexpr double leastOpening = 1 / 16.0;  ///< of a face; less is closed
 
 /// An obstacle where it is at one moment.
-class Placed {
+class PlacedObstacle {
  public:
-  Placed(const FluidObstacle& what, const PictureDistances& picture, double time)
+  PlacedObstacle(const FluidObstacle& what, const PictureDistances& picture, double time)
       : what_(what), picture_(picture) {
     const glm::vec3 center = what.center.at(time);
     center_ = {center.x, center.y};
@@ -81,7 +81,7 @@ struct FluidSolids::Nearest {
                    static_cast<std::size_t>(x)];
   }
 
-  void add(const Placed& obstacle, std::uint8_t number) {
+  void add(const PlacedObstacle& obstacle, std::uint8_t number) {
     const double reach = obstacle.reach() + far;
     const glm::dvec2 most = glm::dvec2(size);
     const glm::ivec2 from = glm::clamp(glm::floor(obstacle.center() - reach), glm::dvec2(0), most);
@@ -167,10 +167,10 @@ struct FluidSolids::Nearest {
 namespace {
 
 template <class N>
-N nearestOf(const FluidParameters& p, const std::vector<PictureDistances>& pictures, double time) {
+N nearestObstacles(const FluidParameters& p, const std::vector<PictureDistances>& pictures, double time) {
   N nearest(p.size);
   for (std::size_t i = 0; i < p.obstacles.size(); ++i)
-    nearest.add(Placed(p.obstacles[i], pictures[i], time), static_cast<std::uint8_t>(i));
+    nearest.add(PlacedObstacle(p.obstacles[i], pictures[i], time), static_cast<std::uint8_t>(i));
   nearest.join({p.wrapsX(), p.wrapsY()});
   return nearest;
 }
@@ -179,7 +179,7 @@ N nearestOf(const FluidParameters& p, const std::vector<PictureDistances>& pictu
 
 FluidSolids::FluidSolids(const FluidParameters& p, const std::vector<PictureDistances>& pictures,
                          double time, double dt, const shader::FluidStep& sides)
-    : FluidSolids(p, nearestOf<Nearest>(p, pictures, time)) {
+    : FluidSolids(p, nearestObstacles<Nearest>(p, pictures, time)) {
   for (std::size_t i = 0; i < p.obstacles.size(); ++i) {
     const FluidObstacle& o = p.obstacles[i];
     if (!o.moves()) continue;
