@@ -127,7 +127,13 @@ TEST_CASE(
         "pond": {"water": {"size": [33, 31], "cell": 0.1, "terrain": {"bed": -0.4}, "collides": true, "rain": {"rate": 40},
           "drops": [{"at": 0.3, "height": 0.3}]}},
         "leaves": {"particles": {"method": "none", "acceleration": [0, -9.81, 0], "collides": true,
-          "groups": [{"shape": "cube", "count": 77, "position": [0, 2, 0]}]}}}})"};
+          "groups": [{"shape": "cube", "count": 77, "position": [0, 2, 0]}]}}}})",
+      R"({"version": 1, "objects": {
+        "dust": {"particles": {"method": "none", "wind": {"fluid": "air"}, "groups": [{"shape": "cube", "count": 77}]}},
+        "heath": {"wildfire": {"size": [65, 41], "wind": {"fluid": "air"}, "strokes": [{"from": [20, 20, 0]}]}},
+        "air": {"fluid": {"size": [31, 22], "substeps": 1, "tracers": {"count": 99, "seconds": 0.5},
+          "strokes": [{"until": 9, "radius": 3, "velocity": [25, 0, 0],
+            "path": {"keys": [[0, [5, 5, 0]], [2, [20, 15, 0]]]}}]}}}})"};
   for (const std::string& text : texts) {
     CAPTURE(text);
     const scene::Scene scene = ofText(text);

@@ -105,8 +105,6 @@ void ClothParameters::describe(scene::Fields& f) {
                            "velocity; of a frame's end.");
                     a.number("fluidSpeed", air.fluidSpeed, {0, 200}, "m/s",
                              "The greatest expected of it: \"auto\" substeps reckon with it.");
-                    if (a.given("fluidSpeed") && air.fluid.empty())
-                      a.error("fluidSpeed", "\"fluidSpeed\" is for air with \"fluid\"");
                   });
   f.number("margin", margin, {0, 10}, "m", "Distance kept from colliders.");
   f.switchable("contact");

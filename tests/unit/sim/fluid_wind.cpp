@@ -102,7 +102,8 @@ TEST_CASE("fluid wind: a linear flow is sampled as it is, on a plane that lies a
   }
 }
 
-// A sheet that faces an even wind w and is free: m v' = rho Cd A (w - v)^2 / 2, so w - v = w / (1 + k w t), k = rho Cd A / 2m.
+// A sheet that faces an even wind w and is free: m v' = rho Cd A (w - v)^2 / 2, so w - v = w / (1 + k w t),
+// k = rho Cd A / 2m.
 TEST_CASE("fluid wind: a free sheet is carried along as the closed form has it") {
   sim::FluidPlane plane;
   plane.cell = 1;
