@@ -152,7 +152,9 @@ TEST_CASE("defaults: given or left out, every one in every shipped scene is the 
       // What a mesh, and a coefficient of friction, say instead.
       "cloth.size", "cloth.spacing", "capsule.grip", "sphere.grip",
       // What an image of a terrain says.
-      "water.terrain.low", "water.terrain.high", "water.terrain.smooth"};
+      "water.terrain.low", "water.terrain.high", "water.terrain.smooth",
+      // What lines of flow have.
+      "fluid.lineDetail", "fluid.lineRate"};
   for (const std::string& path : refused) CHECK_MESSAGE(allowed.contains(path), path);
 }
 
