@@ -180,7 +180,8 @@ void FluidParameters::describe(scene::Fields& f) {
     if (show != Show::lines && f.given(name))
       f.error(name, fmt::format("\"{}\" is for \"show\": \"lines\"", name));
   f.group("display", "How it is laid over the picture.", [&](scene::Fields& d) {
-    if (show == Show::speed || show == Show::lines) display.high = speed;
+    if (show == Show::speed) display.high = speed;
+    if (show == Show::lines) display.high = 0.6 * speed;
     if (show == Show::lines || show == Show::temperature) display.map = "inferno";
     if (show == Show::vorticity) {
       display.map = "polar";

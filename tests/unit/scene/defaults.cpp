@@ -155,7 +155,9 @@ TEST_CASE("defaults: given or left out, every one in every shipped scene is the 
       "water.terrain.low", "water.terrain.high", "water.terrain.smooth", "water.terrain.bed",
       // What a float's shape, or its mass, says instead; what is of water that collides.
       "water.floats[].density", "water.floats[].file", "water.floats[].radius", "water.floats[].scale",
-      "water.floats[].size", "water.grip"};
+      "water.floats[].size", "water.grip",
+      // What lines of flow have.
+      "fluid.lineDetail", "fluid.lineRate"};
   for (const std::string& path : refused) CHECK_MESSAGE(allowed.contains(path), path);
 }
 
