@@ -10,8 +10,8 @@ from golden_common import GoldenCase
 
 # kind of object: (file, text that stands there once, the text with one constant 1 % off)
 MUTATIONS = {
-    "cloth": ("cloth/model.glsl", "precise vec3 moved = vec3(here) + m.velocity * stepData.dt;",
-              "precise vec3 moved = vec3(here) + m.velocity * (stepData.dt * 1.01f);"),
+    "cloth": ("cloth/model.glsl", "precise vec3 v = (velocity + acceleration * stepData.dt) * stepData.kept;",
+              "precise vec3 v = (velocity + acceleration * (stepData.dt * 1.01f)) * stepData.kept;"),
     "particles": ("particles/model.glsl", "v * pace.drift;",
                   "v * (pace.drift * 1.01f);"),
     "mesh": ("mesh/displace.comp", "vec4(displaced(LOAD_INPUT(restPositions, i).xyz), 1)",
