@@ -119,7 +119,7 @@ Cylinder wideChannel(int n) {
   kick.until = 3;
   kick.from = kick.to = {10.5F * static_cast<float>(n), 15.0F * static_cast<float>(n), 0};
   kick.radius = 0.8F * static_cast<float>(n);
-  kick.force = {0, 0.6F * static_cast<float>(n), 0};
+  kick.force = glm::vec3(0, 0.6F * static_cast<float>(n), 0);
   p.strokes = {kick};
   c.diameter = n;
   c.speed = n;

@@ -49,7 +49,7 @@ struct FluidStroke : StrokeParameters {
   scene::Animated<float> temperature = 0.0F;
   scene::Animated<glm::vec3> dye = glm::vec3(0);    ///< RGB
   scene::Animated<glm::vec3> force = glm::vec3(0);  ///< cells/s^2
-  float soft = 0.5F;   ///< part of the radius over which it fades towards its rim
+  float soft = 0.5F;  ///< part of the radius over which it fades towards its rim
 };
 
 /// Incompressible flow (SPEC 9) as a scene says it. Lengths are in cells; v and y grow down the picture.

@@ -69,8 +69,8 @@ struct ParticleParameters : ObjectParameters, shader::ParticleConstants {
   int substeps = 1;
   bool collides = false;
   bool hasWind = false;
-  std::string windFluid;  ///< name of the fluid that is their wind
-  float windDrag = 4;     ///< 1/s
+  std::string windFluid;       ///< name of the fluid that is their wind
+  float windDrag = 4;          ///< 1/s
   std::string walls;           ///< name of the solid they meet; empty: none
   std::string cloths = "all";  ///< with contact, which they meet: "all", "none", or a name
 

@@ -113,7 +113,7 @@ TEST_CASE("a soft brush leaves all within and fades to nothing on its rim, as 3 
   stroke.from = stroke.to = {20.2F, 19.4F, 0};
   stroke.radius = 12;
   stroke.setsDye = true;
-  stroke.dye = {1, 0.5F, 0};
+  stroke.dye = glm::vec3(1, 0.5F, 0);
   for (const double soft : {0.0, 0.4, 1.0}) {
     stroke.soft = static_cast<float>(soft);
     p.strokes = {stroke};

@@ -43,7 +43,7 @@ sim::FluidParameters tank() {
     p.strokes.push_back(s);
   }
   p.obstacles.resize(1);
-  p.obstacles[0].center = {0.37F * side, 0.5F * side, 0};
+  p.obstacles[0].center = glm::vec3(0.37F * side, 0.5F * side, 0);
   p.obstacles[0].radius = 0.05F * side;
   return p;
 }
