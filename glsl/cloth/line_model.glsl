@@ -39,10 +39,11 @@ FUNCTION Link linkBetween(vec4 a, vec4 b, bool there) {
 
 // The least compliance of each link, as a ratio to its weights. A line that is taut between two pins has a
 // multiplier too many, which 2^-15 decides. One that is held further apart than it is long, by s of its length, cannot
-// be satisfied at all: with 0.6 s it pulls evenly, by 5/6 m L / h^2 at most. Softer lines are as soft as they are.
+// be satisfied at all: with 1.7 s it pulls evenly, by 0.29 m L / h^2 at most, so that it does not begin to swing sideways
+// (w dt = 1.63, cloth/motion.glsl). Softer lines are as soft as they are.
 FUNCTION float giveOf(float stretch) {
   precise float rest = float(lineLinks) * lineRest;
-  precise float give = stretch * exactReciprocal(rest) * 0.6f;
+  precise float give = stretch * exactReciprocal(rest) * 1.7f;
   return max(give, 3.0517578125e-5f);
 }
 

@@ -17,6 +17,7 @@ void main() {
   precise float share = speed > 1e-20 ? flow * each : 0.0;
   control.lastShare = floatBitsToUint(share);
   control.lastSpeed = control.speed;
+  control.fastest = control.speed;
   control.worstShare = max(control.worstShare, control.lastShare);
   control.worstSpeed = max(control.worstSpeed, control.speed);
   control.solved += 1u;

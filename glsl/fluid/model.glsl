@@ -19,6 +19,7 @@ struct STD140 FluidStep {
   float dyeDt;         // s, of each pass of dye
   float weight;        // dt times the acceleration, down, of a dye of 1
   vec4 parabolas;      // of left, right, top and bottom: 1 where an inflow is a parabola between its ends
+  vec4 confined;       // s a cell: 2 over the greatest speed that is expected; 0, 0, 0
 };
 
 // What stands in a fluid, as it moves in a step, and what closed pockets of fluid have to give way by.

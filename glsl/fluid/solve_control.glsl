@@ -9,6 +9,7 @@ layout(std430, binding = controlBinding) restrict buffer ControlBlock {
   uint worstSpeed;  // and of speeds
   uint lastShare;   // of the latest projection
   uint lastSpeed;
+  uint fastest;     // speed that the flow has now
   uint groups[];    // three for each indirect dispatch: as they are now, then as a cycle wants them
 } control;
 

@@ -174,27 +174,38 @@ FUNCTION float meanCurl(float a, float b) {
   return mean;
 }
 
+// What there is of confinement's force: all up to half the speed that is expected, nothing from that speed on. The force grows
+// with the flow that it drives, so nothing else would end it.
+FUNCTION float confinedShare(int x, int y) {
+  vec4 here = flowAt(x, y);
+  float speed = max(abs(here.x), abs(here.y));
+  precise float share = 2.0f - speed * stepData.confined.x;
+  return clamp(share, 0.0f, 1.0f);
+}
+
 // Vorticity confinement, dt epsilon N x omega with N the unit vector up the slope of |omega|: along x at the middle of a
 // left face, along y at that of a top face.
 FUNCTION float confinementX(int x, int y) {
+  float share = confinedShare(x, y);
   float top = curlAt(x, y);
   float bottom = curlAt(x, y + 1);
   precise float sides = 0.25f * ((abs(curlAt(x + 1, y)) + abs(curlAt(x + 1, y + 1))) -
                                  (abs(curlAt(x - 1, y)) + abs(curlAt(x - 1, y + 1))));
   precise float along = abs(bottom) - abs(top);
   precise float length2 = sides * sides + along * along;
-  precise float force = stepData.confinement * meanCurl(top, bottom) * along * exactInverseSqrt(max(length2, 1e-12f));
+  precise float force = stepData.confinement * meanCurl(top, bottom) * along * exactInverseSqrt(max(length2, 1e-12f)) * share;
   return force;
 }
 
 FUNCTION float confinementY(int x, int y) {
+  float share = confinedShare(x, y);
   float left = curlAt(x, y);
   float right = curlAt(x + 1, y);
   precise float sides = 0.25f * ((abs(curlAt(x, y + 1)) + abs(curlAt(x + 1, y + 1))) -
                                  (abs(curlAt(x, y - 1)) + abs(curlAt(x + 1, y - 1))));
   precise float along = abs(right) - abs(left);
   precise float length2 = sides * sides + along * along;
-  precise float force = stepData.confinement * meanCurl(left, right) * along * exactInverseSqrt(max(length2, 1e-12f));
+  precise float force = stepData.confinement * meanCurl(left, right) * along * exactInverseSqrt(max(length2, 1e-12f)) * share;
   return -force;
 }
 
@@ -230,17 +241,26 @@ FUNCTION float pullOn(bool ofCarried, int which, int x, int y) {
   return pull;
 }
 
+// How much of the pressure of the step before is taken for what this one's will be, where the fastest of the flow goes at
+// `fastest` cells/s: all while it goes two cells in a step, nothing from three on. There vortices have turned on, what was carried
+// off by the pressure's slope is elsewhere, and the flow would gain energy from it. With nothing it is Chorin's
+// projection, which is of first order and stable however fast the flow is.
+FUNCTION float keptPressure(float fastest) {
+  precise float kept = 3.0f - fastest * stepData.dt;
+  return clamp(kept, 0.0f, 1.0f);
+}
+
 // Half of what the forces do comes before the flow carries itself along, half after it: the trapezoid rule along the ways
 // of the fluid, second-order in time. Confinement, which has no order, comes before.
-FUNCTION float pushOnU(int x, int y) {
-  precise float slope = flowAt(x, y).w - flowAt(x - 1, y).w;
+FUNCTION float pushOnU(float kept, int x, int y) {
+  precise float slope = kept * flowAt(x, y).w - kept * flowAt(x - 1, y).w;
   precise float push = (borderU(x) ? stepData.dt : 0.5f * stepData.dt) * slope;
   return push;
 }
 
-FUNCTION float pushOnV(bool ofCarried, int x, int y) {
+FUNCTION float pushOnV(bool ofCarried, float kept, int x, int y) {
   vec4 here = flowAt(x, y), above = flowAt(x, y - 1);
-  precise float slope = here.w - above.w;
+  precise float slope = kept * here.w - kept * above.w;
   precise float push = (borderV(y) ? stepData.dt : 0.5f * stepData.dt) * slope;
   if (heats) {
     float heat = ofCarried ? carriedAt(x, y).z : here.z, heatAbove = ofCarried ? carriedAt(x, y - 1).z : above.z;
@@ -249,19 +269,19 @@ FUNCTION float pushOnV(bool ofCarried, int x, int y) {
   return push;
 }
 
-FUNCTION float pushedU(int x, int y) {
+FUNCTION float pushedU(float kept, int x, int y) {
   float here = flowAt(x, y).x;
   if (faceAt(x, y).x == 0.0f || heldU(x, y)) return here;
   float spin = confines ? confinementX(x, y) : 0.0f;
-  precise float value = here + ((0.5f * stepData.viscosity * pullOn(false, 0, x, y) + spin) - pushOnU(x, y));
+  precise float value = here + ((0.5f * stepData.viscosity * pullOn(false, 0, x, y) + spin) - pushOnU(kept, x, y));
   return exactFlush(value);
 }
 
-FUNCTION float pushedV(int x, int y) {
+FUNCTION float pushedV(float kept, int x, int y) {
   float here = flowAt(x, y).y;
   if (faceAt(x, y).y == 0.0f || heldV(x, y)) return here;
   float spin = confines ? confinementY(x, y) : 0.0f;
-  precise float value = here + ((0.5f * stepData.viscosity * pullOn(false, 1, x, y) + spin) - pushOnV(false, x, y));
+  precise float value = here + ((0.5f * stepData.viscosity * pullOn(false, 1, x, y) + spin) - pushOnV(false, kept, x, y));
   return exactFlush(value);
 }
 
@@ -272,7 +292,7 @@ FUNCTION float steppedU(int x, int y) {
     vec2 from = seenFromU(x, y);
     return exactFlush(wallU(x, y, from, valueIn(around(true, 0, from))));
   }
-  precise float value = (movedPart(0, x, y) + 0.5f * stepData.viscosity * pullOn(true, 0, x, y)) - pushOnU(x, y);
+  precise float value = (movedPart(0, x, y) + 0.5f * stepData.viscosity * pullOn(true, 0, x, y)) - pushOnU(1.0f, x, y);
   return exactFlush(value);
 }
 
@@ -287,7 +307,7 @@ FUNCTION float steppedV(int x, int y) {
     vec2 from = seenFromV(x, y);
     return exactFlush(wallV(x, y, from, valueIn(around(true, 1, from))));
   }
-  precise float value = (movedPart(1, x, y) + 0.5f * stepData.viscosity * pullOn(true, 1, x, y)) - pushOnV(true, x, y);
+  precise float value = (movedPart(1, x, y) + 0.5f * stepData.viscosity * pullOn(true, 1, x, y)) - pushOnV(true, 1.0f, x, y);
   if (sinks) {
     precise float fall = 0.166666667f * stepData.weight * (densityOf(dyeAt(x, y)) + densityOf(dyeAt(x, y - 1)));
     value = value + fall;
@@ -309,11 +329,14 @@ FUNCTION vec4 carriedCell(int x, int y) {
   return vec4(beyondTopBottom(u, y), beyondLeftRight(v, x), heat, 0.0f);
 }
 
-FUNCTION vec4 pushedCell(int x, int y) {
+// And of the pressure what is kept.
+FUNCTION vec4 pushedCell(float kept, int x, int y) {
   int ix = insideX(x), iy = insideY(y);
-  float u = pushedU(faceX(x), iy);
-  float v = pushedV(ix, faceY(y));
-  return vec4(beyondTopBottom(u, y), beyondLeftRight(v, x), flowAt(x, y).z, flowAt(x, y).w);
+  float u = pushedU(kept, faceX(x), iy);
+  float v = pushedV(kept, ix, faceY(y));
+  vec4 here = flowAt(x, y);
+  precise float pressure = kept * here.w;
+  return vec4(beyondTopBottom(u, y), beyondLeftRight(v, x), here.z, exactFlush(pressure));
 }
 
 FUNCTION vec4 steppedCell(int x, int y) {

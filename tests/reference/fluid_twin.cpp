@@ -161,7 +161,14 @@ std::vector<glm::vec4> eachCell(glm::ivec2 size, const Cell& cell) {
 
 void FluidTwin::advect() {
   auto model = shader::modelOf(plan_, *solids_, step_, flow, carried_, dye, sum_);
-  flow = eachCell(plan_.size(), [&](int x, int y) { return model.pushedCell(x, y); });
+  float fastest = 0;
+  for (int y = 0; y < plan_.size().y; ++y)
+    for (int x = 0; x < plan_.size().x; ++x) {
+      const glm::vec4 cell = model.flowAt(x, y);
+      fastest = std::max({fastest, std::abs(cell.x), std::abs(cell.y)});
+    }
+  const float kept = model.keptPressure(fastest);
+  flow = eachCell(plan_.size(), [&](int x, int y) { return model.pushedCell(kept, x, y); });
   carried_ = eachCell(plan_.size(), [&](int x, int y) { return model.carriedCell(x, y); });
   flow = eachCell(plan_.size(), [&](int x, int y) { return model.steppedCell(x, y); });
 }

@@ -44,8 +44,7 @@ class Fluid : public Simulation {
   void pass(double time) override { advance(time, {}); }
   void resumed(double time) override {
     time_ = time;
-    kernels_.beginFrame(time);
-    kernels_.place(time, 0);
+    kernels_.resume(time);
     show(time);
   }
 
@@ -107,8 +106,12 @@ class Fluid : public Simulation {
   [[nodiscard]] const gl::Buffer* status() const override { return &kernels_.status(); }
   [[nodiscard]] std::string explainLoss(unsigned step, unsigned element) const override {
     const auto width = static_cast<unsigned>(plan_.size().x);
-    return fmt::format("substep {}, cell ({}, {}); more \"substeps\" or weaker forces keep it", step,
-                       element % width, element / width);
+    return fmt::format(
+        "fluid \"{}\" blew up in substep {} at cell ({}, {}): its flow is not a number or goes beyond {:g} "
+        "times \"speed\" ({:g} "
+        "cells/s); use more substeps ({} per frame now), a greater \"speed\" or weaker forces",
+        name_, step, element % width, element / width, lostFluidSpeed, plan_.parameters().speed,
+        plan_.substeps());
   }
   [[nodiscard]] std::string remark(int frame) const override {
     const FluidPressure::Report report = kernels_.pressure().report();

@@ -100,7 +100,9 @@ FluidKernels::FluidKernels(const std::string& name, const FluidPlan& plan, bool 
   make(carry_, "fluid/carry.comp");
   make(correct_, "fluid/correct.comp");
   correct_.checkUniformBlock("FluidBlock", sizeof(shader::FluidStep));
+  make(fastest_, "fluid/fastest.comp");
   make(project_, "fluid/project.comp");
+  project_.set("lostSpeed", lostFluidSpeed * p.speed);
   make(moveDye_, "fluid/dye.comp");
   const bool lines = p.show == FluidParameters::Show::lines;
   make(show_, lines ? "fluid/lines.comp" : "fluid/show.comp");
@@ -200,11 +202,23 @@ void FluidKernels::start(double time) {
   show(time);
 }
 
+void FluidKernels::resume(double time) {
+  beginFrame(time);
+  place(time, 0);
+  steps_.bind(0);
+  pressure_.forgetFastest();
+  arrays_[flow_].bindInput(at::flowBinding);
+  pressure_.control().bindStorage(at::controlBinding);
+  run(fastest_);
+  gl::barrier();
+}
+
 void FluidKernels::advance(double time, int step, unsigned number) {
   place(time, step);
   steps_.bind(static_cast<std::size_t>(step) - 1);
   arrays_[flow_].bindInput(at::flowBinding);
   arrays_[free_].bindState(at::nextFlowBinding);
+  pressure_.control().bindStorage(at::controlBinding);
   run(push_);
   std::swap(flow_, free_);
   arrays_[flow_].bindInput(at::flowBinding);

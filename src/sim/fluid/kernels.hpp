@@ -28,6 +28,9 @@ class FluidKernels {
   void advance(double time, int step, unsigned number);
   /// The first state: what is painted at `time`, without divergence.
   void start(double time);
+  /// After a state was loaded for the frame that starts at `time` (s): the obstacles, and what steps know
+  /// from those before.
+  void resume(double time);
   /// Makes shownWords() of the present state, that of `time` (s).
   void show(double time);
 
@@ -69,7 +72,7 @@ class FluidKernels {
   gl::Vec4Array stops_;
   gl::Buffer status_, brushes_;
   StepBlocks<shader::FluidStep> steps_;
-  gl::Program push_, carry_, correct_, paint_, project_, moveDye_, show_;
+  gl::Program push_, carry_, correct_, fastest_, paint_, project_, moveDye_, show_;
   FluidPressure pressure_;
   Tally tally_;
   glm::vec4 perCells_{1};  ///< of the sums: means over open cells, and over corners in the open

@@ -117,7 +117,8 @@ void FluidParameters::describe(scene::Fields& f) {
       "cubic interpolation with a limiter.");
   f.number("viscosity", viscosity, {0, 1e6}, "cells^2/s", "Of the fluid.");
   f.number("confinement", confinement, {0, 1e4}, "1/s",
-           "Force that keeps up vortices of the size of cells.");
+           "Force that keeps up vortices of the size of cells; less of it beyond half of \"speed\", none "
+           "beyond \"speed\".");
   f.number("lift", lift, {-1e5, 1e5}, "cells/s^2", "Acceleration, up the picture, of a temperature of 1.");
   f.number("cooling", cooling, {0, 1e3}, "1/s", "Rate at which temperature falls to 0.");
   f.number("dyeWeight", dyeWeight, {-1e5, 1e5}, "cells/s^2",

@@ -105,5 +105,7 @@ struct FluidParameters : ObjectParameters {
 
 /// max|div u| over max|u| after a projection, at most.
 inline constexpr float maxFluidDivergence = 1e-5F;
+/// Times the speed that is expected: a flow that is faster than that has lost its way, and the run ends.
+inline constexpr float lostFluidSpeed = 1e3F;
 
 }  // namespace simreel::sim

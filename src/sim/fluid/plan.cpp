@@ -146,6 +146,7 @@ shader::FluidStep FluidPlan::stepAt(double time, int step) const {
   s.dyeDt = static_cast<float>(dt / std::max(dyePasses_, 1));
   s.weight = scaled(p.dyeWeight);
   s.parabolas = {isParabola(p.left), isParabola(p.right), isParabola(p.top), isParabola(p.bottom)};
+  s.confined = {static_cast<float>(2.0 / static_cast<double>(p.speed)), 0, 0, 0};
   return s;
 }
 

@@ -31,6 +31,9 @@ class FluidPressure {
   /// Once the projected flow has been noted in control(): whether it is good enough, and not too fast.
   void judge(const gl::Buffer& status) const;
 
+  /// Before fluid/fastest.comp finds it out anew.
+  void forgetFastest();
+
   [[nodiscard]] const gl::Buffer& control() const { return control_; }
   [[nodiscard]] gl::Buffer& control() { return control_; }
   /// Waits for the GPU.

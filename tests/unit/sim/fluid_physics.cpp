@@ -101,6 +101,29 @@ TEST_CASE("fluid: Taylor-Green vortices over 32 to 128 cells" * doctest::skip())
   CHECK(fine.decay < 0.01);
 }
 
+TEST_CASE("fluid: what goes many cells in a step does not grow by itself") {
+  sim::FluidParameters p;
+  p.size = {47, 35};
+  p.substeps = 1;
+  sim::FluidStroke jet;
+  jet.from = jet.to = {20, 15, 0};
+  jet.until = 0.02;
+  jet.radius = 4;
+  jet.setsVelocity = true;
+  p.strokes = {jet};
+  for (const float cells : {2.5F, 4.0F, 7.0F}) {
+    CAPTURE(cells);
+    p.strokes[0].velocity = glm::vec3(60 * cells, 24 * cells, 0);
+    FluidTwin twin(sim::FluidPlan(p, "f", 1, 1.0 / 60));
+    for (int i = 0; i < 120; ++i) twin.step(i / 60.0);
+    float fastest = 0;
+    for (const glm::vec4& c : twin.flow) fastest = std::max({fastest, std::abs(c.x), std::abs(c.y)});
+    MESSAGE("fastest ", fastest);
+    CHECK(fastest > 20);
+    CHECK(fastest < 60 * cells);
+  }
+}
+
 TEST_CASE("fluid: the sum of dye stays, and no cell has less than none or more than there was") {
   auto p = calmFluid(37, 23);
   p.speed = 100;

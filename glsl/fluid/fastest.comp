@@ -1,0 +1,12 @@
+// The speed of the flow's fastest, for a step that none went before: of a run that is resumed.
+#include "fluid/grid.glsl"
+#include "fluid/solve_control.glsl"
+layout(local_size_x = 32, local_size_y = 2) in;
+
+void main() {
+  int x = int(gl_GlobalInvocationID.x), y = int(gl_GlobalInvocationID.y);
+  if (x >= size.x || y >= size.y) return;
+  vec4 cell = flowAt(x, y);
+  uint speed = floatBitsToUint(max(abs(cell.x), abs(cell.y)));
+  if (speed > control.fastest) atomicMax(control.fastest, speed);
+}
