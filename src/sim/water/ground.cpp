@@ -63,8 +63,8 @@ std::vector<glm::vec4> groundVertices(const WaterPlan& plan) {
     const float dry = (cell.w - p.level) / (18.0F * look.shallow);
     const float wetness = 1 - std::clamp(dry, 0.0F, 1.0F);
     const float shade = std::clamp(1.8F * patches(glm::vec2(at) * perPatch) - 0.4F, 0.0F, 1.0F);
-    const int color = static_cast<int>(wetness * (wetnesses - 1) + 0.5F) * shades +
-                      static_cast<int>(shade * (shades - 1) + 0.5F);
+    const int color = static_cast<int>(std::lround(wetness * (wetnesses - 1))) * shades +
+                      static_cast<int>(std::lround(shade * (shades - 1)));
     vertices.emplace_back(look.left + static_cast<float>(at.x) * look.cell,
                           look.base + (walled(at) ? std::max(cell.w, rim) : cell.w),
                           look.back + static_cast<float>(at.y) * look.cell, static_cast<float>(color));
