@@ -106,7 +106,8 @@ void main() {
   if (mine && segment == 0) {
     precise float sum = 0.0f;
     for (int s = 0; s < segments; ++s) sum = sum + lastFixed[s * LINES + slot];
-    firstFixed[slot] = giveOf(sum);
+    bool pinned = lineParticle(0).w == 0.0f && lineParticle(lineLinks).w == 0.0f;
+    firstFixed[slot] = giveOf(sum, pinned);
   }
   barrier();
   if (mine) lineGive = firstFixed[slot];

@@ -16,18 +16,17 @@ void main() {
   float each = exactReciprocal(max(speed, 1e-20));
   precise float share = speed > 1e-20 ? flow * each : 0.0;
   control.lastShare = floatBitsToUint(share);
-  control.lastSpeed = control.speed;
-  control.fastest = control.speed;
   control.worstShare = max(control.worstShare, control.lastShare);
-  control.worstSpeed = max(control.worstSpeed, control.speed);
+  control.worstSpeed = max(control.worstSpeed, control.lastSpeed);
   control.solved += 1u;
   if (share > tolerance) status.remark |= 1u;
-  if (speed > mostSpeed) status.remark |= 2u;
+  if (uintBitsToFloat(control.lastSpeed) > mostSpeed) status.remark |= 2u;
   control.flow = 0u;
   control.speed = 0u;
 #else
   precise float most = tolerance * speed;
   bool met = flow <= most;
+  if (first == 1) control.lastSpeed = 0u;
   if (first == 0 && control.groups[0] == 0u) return;
   for (int i = 0; i < 3 * dispatches; ++i) control.groups[i] = met ? 0u : control.groups[3 * dispatches + i];
   if (!met) control.cycles += 1u;

@@ -7,6 +7,5 @@ void main() {
   int x = int(gl_GlobalInvocationID.x), y = int(gl_GlobalInvocationID.y);
   if (x >= size.x || y >= size.y) return;
   vec4 cell = flowAt(x, y);
-  uint speed = floatBitsToUint(max(abs(cell.x), abs(cell.y)));
-  if (speed > control.fastest) atomicMax(control.fastest, speed);
+  noteSpeed(max(abs(cell.x), abs(cell.y)));
 }

@@ -17,5 +17,6 @@ void main() {
   if (x < 0 || y < 0 || x >= size.x || y >= size.y) return;
   float speed = max(abs(cell.x), abs(cell.y));
   noteMost(abs(stillMissing(x, y)), speed);
+  noteSpeed(speed);
   if (speed > lostSpeed || !isNumber(cell.x) || !isNumber(cell.y) || !isNumber(cell.z)) noteLost(number, uint(y * size.x + x));
 }

@@ -7,5 +7,5 @@ STATE_ARRAY(nextFlowBinding, NextBlock, nextFlow)
 void main() {
   int x = int(gl_GlobalInvocationID.x) - 1, y = int(gl_GlobalInvocationID.y) - 1;
   if (x > size.x || y > size.y) return;
-  STORE_STATE(nextFlow, elementOf(x, y), pushedCell(keptPressure(uintBitsToFloat(control.fastest)), x, y));
+  STORE_STATE(nextFlow, elementOf(x, y), pushedCell(keptPressure(uintBitsToFloat(control.lastSpeed)), x, y));
 }

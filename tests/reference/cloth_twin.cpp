@@ -99,7 +99,8 @@ void solveLine(Kernel& kernel, std::vector<vec4>& particles) {
     segments.emplace_back(first, min(first + segmentLinks, kernel.lineLinks) - 1);
   float stretch = 0;
   for (const auto& [first, last] : segments) stretch += kernel.readSegment(first, last);
-  kernel.lineGive = kernel.giveOf(stretch);
+  kernel.lineGive = kernel.giveOf(
+      stretch, kernel.lineParticle(0).w == 0.0F && kernel.lineParticle(kernel.lineLinks).w == 0.0F);
   std::vector<Kernel::Reach> firsts, lasts;
   std::vector<Kernel::Eliminated> separators;
   for (const auto& [first, last] : segments) {

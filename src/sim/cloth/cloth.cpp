@@ -273,6 +273,7 @@ class Cloth : public Simulation, public LockStep {
     gl::Defines first = defines;
     gl::Defines others = defines;
     (inLines_ ? first : others).emplace_back(inLines_ ? "FIRST" : "BENDS", "1");
+    addWindDefines(first, wind_);
     step_ = gl::Program::compute(path, first);
     step_.set("size", size_);
     if (!inLines_ && !bends()) return;

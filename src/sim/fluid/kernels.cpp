@@ -206,7 +206,7 @@ void FluidKernels::resume(double time) {
   beginFrame(time);
   place(time, 0);
   steps_.bind(0);
-  pressure_.forgetFastest();
+  pressure_.forgetSpeed();
   arrays_[flow_].bindInput(at::flowBinding);
   pressure_.control().bindStorage(at::controlBinding);
   run(fastest_);

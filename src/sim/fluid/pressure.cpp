@@ -18,7 +18,7 @@ namespace {
 
 namespace at = shader::fluid;
 
-constexpr std::size_t controlWords = 9;  // before the groups: glsl/fluid/solve_control.glsl
+constexpr std::size_t controlWords = 8;  // before the groups: glsl/fluid/solve_control.glsl
 
 /// What the recurrence of residuals reaches may be exceeded by the flow itself, by rounding.
 constexpr float aim = 0.5F * maxFluidDivergence;
@@ -138,7 +138,7 @@ void FluidPressure::judge(const gl::Buffer& status) const {
   judge_.dispatch(1);
 }
 
-void FluidPressure::forgetFastest() {
+void FluidPressure::forgetSpeed() {
   constexpr std::uint32_t none = 0;
   control_.write(4 * (controlWords - 1), std::as_bytes(std::span(&none, 1)));
 }

@@ -32,7 +32,7 @@ class FluidPressure {
   void judge(const gl::Buffer& status) const;
 
   /// Before fluid/fastest.comp finds it out anew.
-  void forgetFastest();
+  void forgetSpeed();
 
   [[nodiscard]] const gl::Buffer& control() const { return control_; }
   [[nodiscard]] gl::Buffer& control() { return control_; }

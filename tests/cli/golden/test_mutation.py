@@ -18,8 +18,8 @@ MUTATIONS = {
              "vec4(displaced(LOAD_INPUT(restPositions, i).xyz * 1.01), 1)"),
     "body": ("body/model.glsl", "precise vec4 between = begin * moment.before + end * moment.now;",
              "precise vec4 between = begin * moment.before + end * (moment.now * 1.01f);"),
-    "fluid": ("fluid/transport.glsl", "precise vec2 end = p + velocity * seconds;",
-              "precise vec2 end = p + velocity * (seconds * 1.01f);"),
+    "fluid": ("fluid/advection.glsl", "precise vec2 start = p - velocity * stepData.dt;",
+              "precise vec2 start = p - velocity * (stepData.dt * 1.01f);"),
     "grayScott": ("gray_scott/model.glsl", "rates.feed * (1.0f - u)", "rates.feed * (1.01f - u)"),
     # Counts have no percent: a carry of the adder is wrong.
     "life": ("life/model.glsl", "WORD carry = highs.low & lows.high;", "WORD carry = highs.low & ~lows.high;"),

@@ -80,7 +80,7 @@ TEST_CASE("fluid wind: particles equal their CPU twin") {
 TEST_CASE("fluid wind: sheets equal their CPU twin") {
   for (const char* solver : {R"("solver": "springs", "mass": 0.004, "stiffness": 60)",
                              R"("solver": "constraints", "mass": 0.004)", R"("fabric": "cotton")"}) {
-    CAPTURE(solver);
+    CAPTURE(std::string(solver));
     const auto scene = windyScene(fmt::format(R"("cloth": {{"size": [21, 17], "spacing": 0.06, {},
       "position": [0.1, 0.5, 0.1], "rotation": [70, 20, 0], "substeps": 6,
       "air": {{"velocity": [0.4, 0, 0.1], "gusts": 0.3, "fluid": "storm"}}}})",
