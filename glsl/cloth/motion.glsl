@@ -53,8 +53,9 @@ FUNCTION Settled settled(vec4 before, vec4 here, vec3 aim, vec3 trend, bool land
   if (here.w == 0.0f) return s;
   vec3 led = ledTo(vec3(before), aim, trend);
   precise vec3 next = trend * 0.33333333f + (vec3(here) - led) * stepData.perReach;
-  precise vec3 velocity = aim + next;
-  s.trend = next;
+  // It falls to a third a substep where nothing pulls, which some GPUs would follow below the smallest normal number.
+  s.trend = vec3(exactFlush(next.x), exactFlush(next.y), exactFlush(next.z));
+  precise vec3 velocity = aim + s.trend;
   s.motion.velocity = velocity;
   s.motion = contact(s.motion, vec3(before), lands, walled);
   return s;

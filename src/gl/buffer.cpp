@@ -106,4 +106,8 @@ void Buffer::read(std::size_t offset, std::span<std::byte> bytes) const {
   checkCalls();
 }
 
+void beforeWrites() {
+  glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+}
+
 }  // namespace simreel::gl

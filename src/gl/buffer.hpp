@@ -29,7 +29,8 @@ class Buffer {
   /// Of a mapped buffer, else null.
   [[nodiscard]] void* memory() const { return memory_; }
 
-  /// Copies into the buffer, ordered with the GL commands around it.
+  /// Copies into the buffer, ordered with the GL commands around it; after what kernels wrote there only by
+  /// beforeWrites().
   void write(std::size_t offset, std::span<const std::byte> bytes);
   /// Waits for the GPU and copies out.
   void read(std::size_t offset, std::span<std::byte> bytes) const;
@@ -58,5 +59,8 @@ class Buffer {
   std::size_t bytes_ = 0;
   void* memory_ = nullptr;  ///< as long as the buffer
 };
+
+/// What kernels have written so far comes before what Buffer::write writes from now on.
+void beforeWrites();
 
 }  // namespace simreel::gl

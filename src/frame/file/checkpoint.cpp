@@ -159,6 +159,7 @@ void Checkpoint::restore(sim::World& world) const {
     std::size_t at_;
   };
 
+  gl::beforeWrites();  // kernels of the first state may still be at it
   Restorer restorer(*this);
   world.carryOver(restorer, [&](const std::string& object) { restorer.begin(object); });
   if (!restorer.ended())

@@ -140,6 +140,7 @@ void FluidPressure::judge(const gl::Buffer& status) const {
 
 void FluidPressure::forgetSpeed() {
   constexpr std::uint32_t none = 0;
+  gl::beforeWrites();
   control_.write(4 * (controlWords - 1), std::as_bytes(std::span(&none, 1)));
 }
 
