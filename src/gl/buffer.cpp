@@ -106,8 +106,10 @@ void Buffer::read(std::size_t offset, std::span<std::byte> bytes) const {
   checkCalls();
 }
 
+// With NVIDIA's driver 580 a large glNamedBufferSubData overtakes kernels that were dispatched before it
+// and write to the same buffer, in spite of GL_BUFFER_UPDATE_BARRIER_BIT.
 void beforeWrites() {
-  glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+  glFinish();
 }
 
 }  // namespace simreel::gl

@@ -60,7 +60,8 @@ class Buffer {
   void* memory_ = nullptr;  ///< as long as the buffer
 };
 
-/// What kernels have written so far comes before what Buffer::write writes from now on.
+/// What kernels have written so far comes before what Buffer::write writes from now on: waits for the
+/// device.
 void beforeWrites();
 
 }  // namespace simreel::gl
