@@ -20,7 +20,7 @@ using namespace simreel::shader;
 #define FUNCTION inline
 #define precise
 /// What a kernel sees: the globals that model.glsl asks for, and the model itself.
-struct Kernel {
+struct Kernel : WindKernel {
   ivec2 size;
   const ClothStep& stepData;
   const vec4* source;
@@ -30,17 +30,6 @@ struct Kernel {
   const vec4* heights = nullptr;
   WallGrid wallGrid{};
   const WallsTwin* walls = nullptr;
-  bool blown = false;
-  const WindTwin* windTwin = nullptr;
-  WindGrid windGrid{};
-  void blow(const std::optional<WindTwin>& wind) {
-    blown = wind.has_value();
-    if (!blown) return;
-    windTwin = &*wind;
-    windGrid = wind->grid;
-  }
-
-  [[nodiscard]] vec4 loadWindCell(int x, int y) const { return windTwin->cell(x, y); }
   [[nodiscard]] vec4 loadPosition(int i) const { return source[i]; }
   [[nodiscard]] vec4 loadHeights(int i) const { return heights[i]; }
   [[nodiscard]] uvec4 loadFieldCell(int i) const { return fieldCells[i]; }
@@ -182,7 +171,7 @@ void ClothTwin::predict(const ClothStep& data, int threads, int index) {
   const bool air = plan_.parameters().hasAir;
   const ivec2 size = plan_.parameters().size;
   forRows(size.y, threads, [&](int y) {
-    Kernel kernel{size, data, positions.data()};
+    Kernel kernel{{}, size, data, positions.data()};
     kernel.blow(wind);
     tell(kernel, grid, heights.data(), wallGrid, solid);
     if (meshes) tellMeshes(kernel, *meshes, index);
@@ -210,7 +199,7 @@ void ClothTwin::settle(const ClothStep& data, int index, bool again) {
   WallGrid wallGrid{};
   if (walls) wallGrid = walls->grid({plan_.parameters().margin, 0.0F, plan_.substepSeconds()});
   const WallsTwin* solid = walls ? &*walls : nullptr;
-  Kernel kernel{plan_.parameters().size, data, positions.data()};
+  Kernel kernel{{}, plan_.parameters().size, data, positions.data()};
   kernel.blow(wind);
   tell(kernel, grid, heights.data(), wallGrid, solid);
   if (meshes) tellMeshes(kernel, *meshes, index);
@@ -231,7 +220,7 @@ void ClothTwin::fend(const ClothStep& data) {
   if (data.thinCount == 0) return;
   const ivec2 size = plan_.parameters().size;
   const ivec2 around[] = {{1, 0}, {0, 1}, {-1, 1}, {-1, 0}, {0, -1}, {1, -1}};
-  Kernel kernel{size, data, positions.data()};
+  Kernel kernel{{}, size, data, positions.data()};
   kernel.blow(wind);
   const auto indexOf = [&](ivec2 at) {
     return at.x >= 0 && at.y >= 0 && at.x < size.x && at.y < size.y ? at.y * size.x + at.x : -1;
@@ -268,7 +257,7 @@ void ClothTwin::fend(const ClothStep& data) {
 void ClothTwin::constrain(const ClothStep& data) {
   const ivec2 size = plan_.parameters().size;
   const bool damped = plan_.parameters().damped();
-  Kernel kernel{size, data, next.data()};
+  Kernel kernel{{}, size, data, next.data()};
   kernel.blow(wind);
   kernel.past = positions.data();
   for (const simreel::sim::SpringFamily& f : relaxedFamilies(plan_.parameters()))

@@ -13,7 +13,7 @@ using namespace simreel::shader;
 #define FUNCTION inline
 #define precise
 /// What a kernel sees: the globals that the model asks for, and the model itself.
-struct GarmentKernel {
+struct GarmentKernel : WindKernel {
   const ClothStep& stepData;
   const simreel::sim::GarmentArrays& arrays;
   const vec4* source;
@@ -24,17 +24,6 @@ struct GarmentKernel {
   const vec4* heights = nullptr;
   WallGrid wallGrid{};
   const WallsTwin* walls = nullptr;
-  bool blown = false;
-  const WindTwin* windTwin = nullptr;
-  WindGrid windGrid{};
-  void blow(const std::optional<WindTwin>& wind) {
-    blown = wind.has_value();
-    if (!blown) return;
-    windTwin = &*wind;
-    windGrid = wind->grid;
-  }
-
-  [[nodiscard]] vec4 loadWindCell(int x, int y) const { return windTwin->cell(x, y); }
   [[nodiscard]] vec3 loadPoint(int i) const { return vec3(source[i]); }
   [[nodiscard]] vec3 loadFaceForce(int i) const { return vec3(forces[i]); }
   const simreel::sim::GarmentBending* bending = nullptr;
@@ -80,7 +69,7 @@ void GarmentTwin::substep(const ClothStep& data, int index) {
   WallGrid wallGrid{};
   if (walls) wallGrid = walls->grid({plan_.parameters().margin, 0.0F, plan_.substepSeconds()});
   const simreel::sim::GarmentArrays& arrays = plan_.arrays();
-  GarmentKernel kernel{data, arrays, positions.data(), forces_.data()};
+  GarmentKernel kernel{{}, data, arrays, positions.data(), forces_.data()};
   kernel.blow(wind);
   kernel.heightGrid = grid;
   kernel.heights = heights.data();
@@ -160,7 +149,7 @@ void GarmentTwin::substep(const ClothStep& data, int index) {
 void GarmentTwin::fend(const ClothStep& data) {
   if (data.thinCount == 0) return;
   const simreel::sim::GarmentArrays& arrays = plan_.arrays();
-  GarmentKernel kernel{data, arrays, positions.data(), forces_.data()};
+  GarmentKernel kernel{{}, data, arrays, positions.data(), forces_.data()};
   kernel.blow(wind);
   const auto cornerAt = [&](std::size_t i) {
     return kernel.cornerOf(positions[i], next_[i], velocities[i]);
@@ -190,7 +179,7 @@ void GarmentTwin::fend(const ClothStep& data) {
 
 std::vector<glm::vec3> GarmentTwin::normals() const {
   const ClothStep nothing{};
-  GarmentKernel kernel{nothing, plan_.arrays(), positions.data(), forces_.data()};
+  GarmentKernel kernel{{}, nothing, plan_.arrays(), positions.data(), forces_.data()};
   std::vector<glm::vec3> normals;
   for (std::size_t i = 0; i < positions.size(); ++i)
     normals.push_back(kernel.normalAt(plan_.arrays().bendings[0].fans[i], vec3(positions[i])));

@@ -18,7 +18,7 @@ using namespace simreel::shader;
 #include "glsl/particles/pace.glsl"
 #include "glsl/particles/pairs.glsl"
 /// What a kernel sees: the globals that model.glsl asks for, and the model itself.
-struct Kernel {
+struct Kernel : WindKernel {
   const ParticleStep& stepData;
   MeshColliders meshData{};
   const uvec4* fieldCells = nullptr;
@@ -26,17 +26,6 @@ struct Kernel {
   const vec4* heights = nullptr;
   WallGrid wallGrid{};
   const WallsTwin* walls = nullptr;
-  bool blown = false;
-  const WindTwin* windTwin = nullptr;
-  WindGrid windGrid{};
-  void blow(const std::optional<WindTwin>& wind) {
-    blown = wind.has_value();
-    if (!blown) return;
-    windTwin = &*wind;
-    windGrid = wind->grid;
-  }
-
-  [[nodiscard]] vec4 loadWindCell(int x, int y) const { return windTwin->cell(x, y); }
   [[nodiscard]] vec4 loadHeights(int i) const { return heights[i]; }
   [[nodiscard]] uvec4 loadFieldCell(int i) const { return fieldCells[i]; }
   [[nodiscard]] int loadWallClass(int x, int y) const { return walls->classAt(x, y); }
@@ -83,7 +72,7 @@ glm::vec3 pairAcceleration(const std::vector<glm::vec4>& bodies, glm::vec3 here,
 glm::vec3 curlNoiseAt(glm::vec3 p, int seed) {
   ParticleStep data{};
   data.seed = seed;
-  return Kernel{data}.curlNoise(p);
+  return Kernel{{}, data}.curlNoise(p);
 }
 
 ParticlesTwin::ParticlesTwin(simreel::sim::ParticlePlan plan) : plan_(std::move(plan)) {
@@ -112,7 +101,7 @@ void ParticlesTwin::beginFrame(double time, int threads) {
 void ParticlesTwin::meet(int index, const std::function<void(const Meet&)>& body) {
   const auto& p = plan_.parameters();
   const ParticleStep& data = steps_[static_cast<std::size_t>(index)];
-  Kernel kernel{data};
+  Kernel kernel{{}, data};
   if (meshes) {
     kernel.meshData = meshes->steps[static_cast<std::size_t>(index)];
     kernel.fieldCells = meshes->cells.data();
@@ -137,7 +126,7 @@ void ParticlesTwin::meet(int index, const std::function<void(const Meet&)>& body
 void ParticlesTwin::predict(int index, int threads) {
   const auto& p = plan_.parameters();
   const ParticleStep& data = steps_[static_cast<std::size_t>(index)];
-  Kernel kernel{data};
+  Kernel kernel{{}, data};
   kernel.blow(wind);
   starts = positions;
   meet(index, [&](const Meet& out) {
@@ -174,7 +163,7 @@ void ParticlesTwin::kick(const ParticleStep& data, int threads) {
   const auto& p = plan_.parameters();
   const bool pairs = p.method != simreel::sim::GravityMethod::none;
   forAll(positions.size(), threads, [&](std::size_t i) {
-    Kernel kernel{data};
+    Kernel kernel{{}, data};
     kernel.blow(wind);
     Kernel::ParticleMotion m{positions[i], velocities[i]};
     const vec3 pull = pairs ? vec3(accelerations[i]) : vec3(0);

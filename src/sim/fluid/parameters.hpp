@@ -59,7 +59,7 @@ struct FluidParameters : ObjectParameters {
   enum class Look { light, ink, fire };
   glm::ivec2 size{320, 180};  ///< cells
   FluidSide left, right, top, bottom;
-  float speed = 420;            ///< cells/s that the flow is expected to have at most
+  float speed = 450;            ///< cells/s that the flow is expected to have at most
   std::optional<int> substeps;  ///< a frame; none: as speed and viscosity ask for
   float courant = 2.5F;         ///< cells that the greatest speed goes in a substep
   Advection advection = Advection::macCormack;

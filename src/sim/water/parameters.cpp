@@ -1,6 +1,8 @@
 #include "sim/water/parameters.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstdint>
 #include <iterator>
 
@@ -10,6 +12,7 @@ namespace simreel::sim {
 
 namespace {
 
+constexpr std::array<const char*, 4> sideNames = {"west", "east", "north", "south"};
 constexpr std::int64_t maxCells = 8192LL * 8192;
 constexpr scene::Range heights{-1e4, 1e4};
 
@@ -31,7 +34,15 @@ void WaterParameters::describe(scene::Fields& f) {
   describeFlow(f);
   f.list(
       "floats", floats, "Bodies that float on the water and push it.",
-      [](scene::Fields& b, WaterFloat& body) { body.describe(b); }, 64);
+      [this](scene::Fields& b, WaterFloat& body) {
+        body.describe(b);
+        const glm::vec2 half = 0.5F * cell * glm::vec2(size);
+        if (std::abs(body.position.x) > half.x || std::abs(body.position.z) > half.y)
+          b.error("position", fmt::format("it starts outside the water, which reaches {:g} m along x and "
+                                          "{:g} m along z from its middle",
+                                          half.x, half.y));
+      },
+      64);
   describeLook(f);
   rainOnPond(f);
 }
@@ -116,25 +127,26 @@ void WaterParameters::describeFlow(scene::Fields& f) {
           "into which "
           "waves go.",
           [&](scene::Fields& s) {
-            const char* const names[] = {"west", "east", "north", "south"};
             const char* const docs[] = {"Towards -x.", "Towards +x.", "Towards -z.", "Towards +z."};
             for (std::size_t i = 0; i < 4; ++i)
-              s.choice(names[i], sides[i], {"wall", "open", "periodic", "sea"}, docs[i]);
+              s.choice(sideNames[i], sides[i], {"wall", "open", "periodic", "sea"}, docs[i]);
             for (std::size_t i = 0; i < 4; i += 2)
               if ((sides[i] == WaterBorder::periodic) != (sides[i + 1] == WaterBorder::periodic))
-                s.error(s.given(names[i]) ? names[i] : names[i + 1],
-                        fmt::format("\"{}\" and \"{}\" are periodic together or not at all", names[i],
-                                    names[i + 1]));
+                s.error(s.given(sideNames[i]) ? sideNames[i] : sideNames[i + 1],
+                        fmt::format("\"{}\" and \"{}\" are periodic together or not at all", sideNames[i],
+                                    sideNames[i + 1]));
           });
   f.list(
       "swell", swell, "Waves that come in from a side that is \"sea\"; those of one side add up.",
       [&](scene::Fields& w, WaterSwell& wave) {
-        w.oneOf("side", wave.side, {"west", "east", "north", "south"}, "Where from.");
+        w.oneOf("side", wave.side, {sideNames.begin(), sideNames.end()}, "Where from.");
         w.number("height", wave.height, {0, 1e3}, "m", "From trough to crest.");
         w.number("period", wave.period, {1e-2, 1e4}, "s", "From crest to crest.");
         w.number("phase", wave.phase, {-1e3, 1e3}, "periods", "0 rises through the sea's level at 0 s.");
         if (sides[static_cast<std::size_t>(wave.side)] != WaterBorder::sea)
-          w.error("side", "waves come in over a side that is \"sea\"");
+          w.error("side", fmt::format("waves come in over a side that is \"sea\", and \"{}\" is none; give "
+                                      "it in \"sides\", or another \"side\"",
+                                      sideNames[static_cast<std::size_t>(wave.side)]));
       },
       16);
   f.number("gravity", gravity, {1e-3, 1e3}, "m/s^2", "Downwards.");
