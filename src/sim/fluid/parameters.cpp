@@ -63,7 +63,7 @@ std::vector<FluidStroke> standardStrokes(glm::ivec2 size) {
     const float angle = (static_cast<float>(i) + 0.25F) * 2 * std::numbers::pi_v<float> / count;
     const glm::vec2 from(0.4F * w * shader::exactCos(angle), 0.44F * h * shader::exactSin(angle));
     const glm::vec2 inward = -from / std::sqrt(from.x * from.x + from.y * from.y);
-    const glm::vec2 way = 195.0F * inward + 42.0F * glm::vec2(inward.y, -inward.x);
+    const glm::vec2 way = 165.0F * inward + 36.0F * glm::vec2(inward.y, -inward.x);
     const glm::vec2 across = glm::vec2(-way.y, way.x) / std::sqrt(way.x * way.x + way.y * way.y);
     for (const int side : {0, 1}) {
       const glm::vec2 at =
