@@ -4,22 +4,14 @@
 // stack: the next node follows from the number of the last. A tree is walked in at most 8191 visits and
 // 32768 bodies, whatever the positions are.
 //
-// An invocation carries two REALs of bodies, eight or two in all: what is loaded and tested serves them all.
-#ifdef TEXEL_PATH
+// An invocation carries eight bodies: what is loaded and tested serves them all. Texels only; walk_list.comp is the
+// one for storage blocks.
 #define LANES 4
 #define REAL vec4
 #define LANE(v, k) v[k]
 layout(local_size_x = 32) in;
-#else
-#define LANES 1
-#define REAL float
-#define LANE(v, k) v
-layout(local_size_x = 128) in;
-#endif
 #include "common/exact.glsl"
-#ifdef TEXEL_PATH
 EXACT_INVERSE_SQRT(REAL)
-#endif
 #include "common/memory.glsl"
 #include "common/words.glsl"
 #include "particles/tree/bindings.glsl"
