@@ -224,9 +224,10 @@ class Water : public Simulation {
     const auto& sides = plan_.parameters().sides;
     const bool sea = std::find(sides.begin(), sides.end(), WaterBorder::sea) != sides.end();
     rows.emplace_back("SEA", sea ? "1" : "0");
-    step_ = gl::Program::compute("water/step.comp", rows);
+    step_ = gl::Program::compute(strips_ ? "water/step_strips.comp" : "water/step.comp", rows);
     step_.checkUniformBlock("WaterBlock", sizeof(shader::WaterStep));
     step_.set("size", size_);
+    step_.set("rows", rowsEach_);
     show_ = gl::Program::compute("water/look.comp", defines);
     show_.checkUniformBlock("LookBlock", sizeof(shader::WaterLook));
     show_.set("size", size_);
@@ -255,7 +256,8 @@ class Water : public Simulation {
       cells_[1].bindState(shader::water::nextCellsBinding);
       step_.set("stepNumber", i);
       gl::barrier();
-      step_.dispatch(size_.x, (size_.y - 1) / rowsEach_ + 1);
+      const int parts = (size_.y - 1) / rowsEach_ + 1;
+      step_.dispatch(strips_ ? (size_.x - 1) / 28 * 32 + 32 : size_.x, parts);
       std::swap(cells_[0], cells_[1]);
       fall(time, i);
       if (floats_) floats_->step(i - 1, cells_[0], status_);
@@ -318,8 +320,10 @@ class Water : public Simulation {
   WaterPlan plan_;
   glm::ivec2 size_;
   std::vector<glm::vec3> colors_;
-  /// That an invocation of the step takes: fewer where there is little to share out.
-  int rowsEach_ = gl::memoryPath() == gl::MemoryPath::texel ? 8 : 4;
+  /// By strips (step_strips.comp), or by columns, one an invocation.
+  bool strips_ = gl::memoryPath() == gl::MemoryPath::storage;
+  /// Of a strip or column: the more, the less is computed twice; fewer where there is little to share out.
+  int rowsEach_ = strips_ ? std::clamp(size_.x * size_.y / 60000, 4, 32) : 8;
   gl::Vec4Array cells_[2];  ///< now, and where the next step writes: until then what is drawn
   gl::Vec4Array values_, groundPositions_;
   gl::Vec4Array palette_, groundPalette_;
