@@ -3,9 +3,17 @@
 //   bench_fluid cylinder [CELLS [SECONDS]]   2D-2 of Schaefer and Turek, so many cells a diameter (40)
 //   bench_fluid wide [CELLS [SECONDS]]       a cylinder at Re 100 in a channel of 30 diameters (12)
 //   bench_fluid cavity [CELLS [RE]]          Ghia, Ghia and Shin, 128 cells, Re 1000; and Botella and
-//   Peyret at Re 1000 bench_fluid quick                        all of them coarse, in a few seconds
+//                                            Peyret at Re 1000
+//   bench_fluid quick                        all of them coarse, in a few seconds
+//
+// and how fast they are on this device, one figure a process: whole steps of a cell a second, bytes moved
+// beside what copying moves, every buffer in bytes a cell.
+//
+//   bench_fluid speed [SIDE]                 a fluid, SIDE 4096 on a GPU, 512 on a software driver
+//   bench_fluid water [SIDE]                 water, SIDE 8192 on a GPU, 1024 on a software driver
 //
 // Exits with 1 where a figure is beyond its bar.
+#include "beside/memory.hpp"
 #include "beside/subject.hpp"
 #include "gl/context.hpp"
 #include "reference/fluid_flows.hpp"
@@ -113,13 +121,23 @@ bool cavity(int cells, double reynolds, Advection advection, double turns) {
 int main(int argc, char** argv) {
   const std::string_view what = argc > 1 ? argv[1] : "";
   const auto number = [&](int i, double standard) { return argc > i ? std::atof(argv[i]) : standard; };
-  if (what != "cylinder" && what != "wide" && what != "cavity" && what != "quick") {
-    fmt::print(stderr, "usage: bench_fluid cylinder|wide|cavity|quick [CELLS [SECONDS|RE [macCormack]]]\n");
+  const bool speed = what == "speed" || what == "water";
+  if (!speed && what != "cylinder" && what != "wide" && what != "cavity" && what != "quick") {
+    fmt::print(stderr,
+               "usage: bench_fluid cylinder|wide|cavity|quick [CELLS [SECONDS|RE [macCormack]]]\n"
+               "       bench_fluid speed|water [SIDE]\n");
     return 2;
   }
   const gl::Context context;
   fmt::print("device: {}\n", context.device().name);
   const WakeBars published{{0.295, 0.305}, {3.23 * 0.97, 3.23 * 1.03}, {0.9, 1.1}};
+  if (speed) {
+    const bool fluid = what == "speed", software = gl::softwareDriver();
+    const auto side =
+        static_cast<int>(number(2, fluid ? (software ? 512 : 4096) : (software ? 1024 : 8192)));
+    (fluid ? bench::printFluidSpeed : bench::printWaterSpeed)(side);
+    return 0;
+  }
   bool fine = true;
   if (what == "cylinder") fine = cylinder(static_cast<int>(number(2, 40)), number(3, 8), published);
   if (what == "wide") fine = wide(static_cast<int>(number(2, 12)), number(3, 160), {0.16, 0.17});

@@ -13,8 +13,8 @@ namespace simreel::bench {
 
 namespace {
 
-constexpr int side = 512;
-constexpr double cells = double(side) * side;
+constexpr int tankSide = 512;
+constexpr double cells = double(tankSide) * tankSide;
 
 // Bytes that a whole step of a cell moves if every kernel reads and writes each of its elements once: flow
 // and dye are 16 bytes each, weights 4, a correction, a residual or a right-hand side 4.
@@ -23,7 +23,11 @@ constexpr double cells = double(side) * side;
 //   all levels 4/3 of the finest: residual 16, descent 16, ascent 20, the sum with what it lost 16.
 constexpr double stepBytes = 32 + 48 + 64 + 24 + 44, passBytes = 48, cycleBytes = 68 * 4.0 / 3;
 
-sim::FluidParameters tank() {
+double movedBytes(const sim::FluidPlan& plan, double cycles) {
+  return stepBytes + plan.dyePasses() * passBytes + cycles * cycleBytes;
+}
+
+sim::FluidParameters tank(int side) {
   sim::FluidParameters p;
   p.size = {side, side};
   p.speed = 150;
@@ -77,7 +81,7 @@ void printShares(double whole) {
        }},
   };
   for (const auto& [name, leave] : without) {
-    sim::FluidParameters p = tank();
+    sim::FluidParameters p = tank(tankSide);
     leave(p);
     const auto plan = std::make_shared<sim::FluidPlan>(p, "tank", 1, frameSeconds);
     const auto kernels = std::make_shared<sim::FluidKernels>("tank", *plan, false);
@@ -93,13 +97,13 @@ void printShares(double whole) {
 }  // namespace
 
 Subject fluidTank() {
-  const sim::FluidParameters p = tank();
+  const sim::FluidParameters p = tank(tankSide);
   const GLuint first = nextBuffer();
   const auto plan = std::make_shared<sim::FluidPlan>(p, "tank", 1, frameSeconds);
   const auto kernels = std::make_shared<sim::FluidKernels>("tank", *plan, false);
   kernels->start(0);
   const auto own = std::make_shared<plain::Fluid>(
-      side, side,
+      tankSide, tankSide,
       plain::Fluid::Numbers{static_cast<float>(frameSeconds), 60,
                             static_cast<float>(1 - 0.1 * frameSeconds), plan->dyePasses()});
   const auto steps = stepsOf(plan, kernels);
@@ -120,11 +124,34 @@ Subject fluidTank() {
         "  {:.1f} whole steps a second, {:.1f} a processor second; {:.1f} cycles (the plain loop {}), {} "
         "passes of dye\n",
         1 / taken.wall, 1 / taken.processor, cycles, own->cycles, plan->dyePasses());
-    printBytes(stepBytes + plan->dyePasses() * passBytes + cycles * cycleBytes, cells / taken.processor);
+    printBytes(movedBytes(*plan, cycles), cells / taken.processor);
     listBuffers("fluid", first, cells);
     printShares(taken.processor);
   };
   return subject;
+}
+
+void printFluidSpeed(int side) {
+  const GLuint first = nextBuffer();
+  const auto plan = std::make_shared<sim::FluidPlan>(tank(side), "tank", 1, frameSeconds);
+  const auto kernels = std::make_shared<sim::FluidKernels>("tank", *plan, false);
+  kernels->start(0);
+  const auto step = stepsOf(plan, kernels);
+  constexpr int steps = 5;
+  for (int i = 0; i < 2 * steps; ++i) step();
+  const double all = double(side) * side;
+  double cycles = 0;
+  printSpeed(
+      fmt::format("fluid {}x{} with RGB, temperature and an obstacle", side, side).c_str(), all, steps,
+      [&] {
+        for (int i = 0; i < steps; ++i) step();
+      },
+      [&] {
+        cycles = kernels->pressure().report().cycles;
+        return movedBytes(*plan, cycles);
+      });
+  fmt::print("  {:.2f} cycles a projection, {} passes of dye\n", cycles, plan->dyePasses());
+  listBuffers("fluid", first, all);
 }
 
 }  // namespace simreel::bench

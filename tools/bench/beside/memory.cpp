@@ -1,6 +1,7 @@
 #include "beside/memory.hpp"
 
 #include "base/clock.hpp"
+#include "gl/context.hpp"
 #include "plain/plain.hpp"
 
 #include <algorithm>
@@ -69,6 +70,48 @@ void printBytes(double bytes, double cellsPerProcessorSecond) {
       "copying moves\n",
       bytes, 1e-9 * bytes * cellsPerProcessorSecond, 100 * bytes * cellsPerProcessorSecond / copies,
       1e-9 * copies);
+}
+
+namespace {
+
+/// Bytes that the device reads and writes in a second of copying between buffers, the best of some turns.
+double copiedBySecond() {
+  const std::size_t bytes = std::size_t{1} << (gl::softwareDriver() ? 27U : 30U);
+  const gl::Buffer from("copied", bytes), to("copy", bytes);
+  const Taken taken = leastOf([&] {
+    for (int i = 0; i < 8; ++i)
+      glCopyNamedBufferSubData(from.name(), to.name(), 0, 0, static_cast<GLsizeiptr>(bytes));
+  });
+  return 16 * static_cast<double>(bytes) / taken.wall;
+}
+
+}  // namespace
+
+void printSpeed(const char* name, double cells, int steps, const std::function<void()>& turn,
+                const std::function<double()>& bytes) {
+  std::vector<double> wall, processor;
+  const auto begun = Clock::now();
+  while (wall.size() < 3 || secondsSince(begun) < 5) {
+    glFinish();
+    const auto begin = Clock::now();
+    const std::clock_t used = std::clock();
+    turn();
+    glFinish();
+    wall.push_back(secondsSince(begin) / steps);
+    processor.push_back(static_cast<double>(std::clock() - used) / CLOCKS_PER_SEC / steps);
+  }
+  const auto median = [](std::vector<double> values) {
+    std::sort(values.begin(), values.end());
+    return values[values.size() / 2];
+  };
+  const double step = median(wall), moved = bytes() * cells / step, copied = copiedBySecond();
+  fmt::print(
+      "{}: {:.4g}e9 whole steps of a cell a second ({:.4g} ms a step, {:.4g} to {:.4g} in {} turns of {}; "
+      "{:.4g} ms of a processor)\n",
+      name, 1e-9 * cells / step, 1e3 * step, 1e3 * *std::min_element(wall.begin(), wall.end()),
+      1e3 * *std::max_element(wall.begin(), wall.end()), wall.size(), steps, 1e3 * median(processor));
+  fmt::print("  {:.0f} bytes a cell and step: {:.4g} GB/s, {:.1f}% of the {:.4g} GB/s that copying moves\n",
+             moved * step / cells, 1e-9 * moved, 100 * moved / copied, 1e-9 * copied);
 }
 
 }  // namespace simreel::bench

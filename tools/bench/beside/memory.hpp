@@ -6,6 +6,11 @@
 
 namespace simreel::bench {
 
+/// What `bench_fluid speed` and `bench_fluid water` print: a square field of so many cells, alone on the
+/// device.
+void printFluidSpeed(int side);
+void printWaterSpeed(int side);
+
 /// The name that the next buffer gets.
 [[nodiscard]] GLuint nextBuffer();
 /// A line for every buffer that was made since `first`, the greatest first, as bytes of one of `cells`.
@@ -20,5 +25,11 @@ struct Taken {
 /// Bytes that a cell moves in a step, and how much of what one processor copies a processor second of the
 /// kernels moves.
 void printBytes(double bytes, double cellsPerProcessorSecond);
+
+/// Steps of a field of `cells`, in turns until they have taken a few seconds, beside copying on the same
+/// device: rates of the median turn, bytes that move and what part of copying's that is. `turn`: so many
+/// steps, each of them a whole one. `bytes` of a cell and step are asked for when the turns are over.
+void printSpeed(const char* name, double cells, int steps, const std::function<void()>& turn,
+                const std::function<double()>& bytes);
 
 }  // namespace simreel::bench

@@ -11,11 +11,13 @@ namespace simreel::bench {
 namespace {
 
 constexpr int basinSide = 512, basinSteps = 16;
+constexpr double basinBytes = 32;  // of a cell and step: level, two discharges and bed, read and written
 constexpr double basinCells = double(basinSide) * basinSide;
 
-sim::WaterParameters basin() {
+/// As many cells as stated on the same hills, which are as much wider.
+sim::WaterParameters basin(int side) {
   sim::WaterParameters p;
-  p.size = {basinSide, basinSide};
+  p.size = {side, side};
   p.cell = 0.1F;
   p.level = 0;
   p.bed = -1;
@@ -35,13 +37,20 @@ sim::WaterParameters basin() {
   p.strokes.clear();
   p.substeps = basinSteps;
   p.greatestSpeed = 4;
+  const float wider = static_cast<float>(side) / basinSide;
+  for (auto& hill : p.hills) {
+    hill.center *= wider;
+    hill.radii *= wider;
+  }
+  p.pools[0].from *= wider;
+  p.pools[0].to *= wider;
   return p;
 }
 
 }  // namespace
 
 Subject waterBasin() {
-  const sim::WaterParameters p = basin();
+  const sim::WaterParameters p = basin(basinSide);
   const sim::WaterPlan plan(p, "basin", 1, frameSeconds);
   const shader::WaterStep told = plan.stepAt(0);
   const auto own = std::make_shared<plain::Water>(
@@ -67,11 +76,22 @@ Subject waterBasin() {
     const Taken taken = leastOf(steps);
     fmt::print("  {:.1f} steps a second, {:.1f} a processor second, drawing of one in {} counted in\n",
                basinSteps / taken.wall, basinSteps / taken.processor, basinSteps);
-    printBytes(
-        32, basinSteps * basinCells / taken.processor);  // level, two discharges and bed, read and written
+    printBytes(basinBytes, basinSteps * basinCells / taken.processor);
     listBuffers("water", first, basinCells);
   };
   return subject;
+}
+
+void printWaterSpeed(int side) {
+  const GLuint first = nextBuffer();
+  const auto water = onDevice("water", basin(side));
+  const double cells = double(side) * side;
+  int frame = 0;
+  const auto turn = [&] { water->pass(frame++ * frameSeconds); };
+  turn();
+  printSpeed(fmt::format("water {}x{}", side, side).c_str(), cells, basinSteps, turn,
+             [] { return basinBytes; });
+  listBuffers("water", first, cells);
 }
 
 }  // namespace simreel::bench
