@@ -210,48 +210,68 @@ struct Pull {
   REAL z;
 };
 
+// A node's mass, spread and half the spread's trace, as nodeMoments0 and nodeMoments1 pack them.
+struct Moments {
+  REAL mass;
+  REAL xx;
+  REAL xy;
+  REAL xz;
+  REAL yy;
+  REAL yz;
+  REAL zz;
+  REAL halfTrace;
+};
+
 FUNCTION REAL softenedSquare(REAL dx, REAL dy, REAL dz, float softening2) {
   precise REAL sum = dx * dx + dy * dy + dz * dz + softening2;
   return sum;
 }
 
-// The sum plus m d / R^3 with R^2 = |d|^2 + eps^2, d towards the body.
+FUNCTION Pull plusPull(Pull sum, Pull more) {
+  precise REAL x = sum.x + more.x;
+  precise REAL y = sum.y + more.y;
+  precise REAL z = sum.z + more.z;
+  return Pull(x, y, z);
+}
+
+// m d / R^3 with R^2 = |d|^2 + eps^2, d towards the body.
+FUNCTION Pull bodyPull(REAL dx, REAL dy, REAL dz, REAL mass, float softening2) {
+  REAL inverse = exactInverseSqrt(softenedSquare(dx, dy, dz, softening2));
+  precise REAL k = mass * inverse * inverse * inverse;
+  precise REAL x = dx * k;
+  precise REAL y = dy * k;
+  precise REAL z = dz * k;
+  return Pull(x, y, z);
+}
 FUNCTION Pull plusBody(Pull sum, REAL x, REAL y, REAL z, vec4 body, float softening2) {
   precise REAL dx = body.x - x;
   precise REAL dy = body.y - y;
   precise REAL dz = body.z - z;
-  REAL inverse = exactInverseSqrt(softenedSquare(dx, dy, dz, softening2));
-  precise REAL k = body.w * inverse * inverse * inverse;
-  precise REAL sx = sum.x + dx * k;
-  precise REAL sy = sum.y + dy * k;
-  precise REAL sz = sum.z + dz * k;
-  sum.x = sx;
-  sum.y = sy;
-  sum.z = sz;
-  return sum;
+  return plusPull(sum, bodyPull(dx, dy, dz, REAL(body.w), softening2));
 }
 
-// The sum plus the pull of a node to second order. The potential of its bodies about the centre of mass,
+// The pull of a node to second order. The potential of its bodies about the centre of mass,
 // -M [1/R + (d.A d / R^5 - tr A / (3 R^3)) / 2] with the spread A, has the gradient
 // M/R^3 [(1 + (5/2 d.w - tr A / 2) / R^2) d - w] with w = A d / R^2: also with softening, since the trace stays.
+FUNCTION Pull nodePull(REAL dx, REAL dy, REAL dz, Moments a, float softening2) {
+  REAL inverse = exactInverseSqrt(softenedSquare(dx, dy, dz, softening2));
+  precise REAL inverse2 = inverse * inverse;
+  precise REAL wx = (a.xx * dx + a.xy * dy + a.xz * dz) * inverse2;
+  precise REAL wy = (a.xy * dx + a.yy * dy + a.yz * dz) * inverse2;
+  precise REAL wz = (a.xz * dx + a.yz * dy + a.zz * dz) * inverse2;
+  precise REAL scale = ((dx * wx + dy * wy + dz * wz) * 2.5f - a.halfTrace) * inverse2 + 1.0f;
+  precise REAL k = a.mass * inverse * inverse2;
+  precise REAL x = (dx * scale - wx) * k;
+  precise REAL y = (dy * scale - wy) * k;
+  precise REAL z = (dz * scale - wz) * k;
+  return Pull(x, y, z);
+}
 FUNCTION Pull plusNode(Pull sum, REAL x, REAL y, REAL z, vec3 center, vec4 m0, vec4 m1, float softening2) {
   precise REAL dx = center.x - x;
   precise REAL dy = center.y - y;
   precise REAL dz = center.z - z;
-  REAL inverse = exactInverseSqrt(softenedSquare(dx, dy, dz, softening2));
-  precise REAL inverse2 = inverse * inverse;
-  precise REAL wx = (m0.y * dx + m0.z * dy + m0.w * dz) * inverse2;
-  precise REAL wy = (m0.z * dx + m1.x * dy + m1.y * dz) * inverse2;
-  precise REAL wz = (m0.w * dx + m1.y * dy + m1.z * dz) * inverse2;
-  precise REAL scale = ((dx * wx + dy * wy + dz * wz) * 2.5f - m1.w) * inverse2 + 1.0f;
-  precise REAL k = m0.x * inverse * inverse2;
-  precise REAL sx = sum.x + (dx * scale - wx) * k;
-  precise REAL sy = sum.y + (dy * scale - wy) * k;
-  precise REAL sz = sum.z + (dz * scale - wz) * k;
-  sum.x = sx;
-  sum.y = sy;
-  sum.z = sz;
-  return sum;
+  Moments a = Moments(REAL(m0.x), REAL(m0.y), REAL(m0.z), REAL(m0.w), REAL(m1.x), REAL(m1.y), REAL(m1.z), REAL(m1.w));
+  return plusPull(sum, nodePull(dx, dy, dz, a, softening2));
 }
 
 // Whether a node is far from a group's box, given by its middle and half its size.

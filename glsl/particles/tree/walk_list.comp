@@ -1,11 +1,13 @@
 // walk.comp for storage blocks, and so for graphics cards: the same sums in the same order, without a long chain of
-// visits that wait for one another. A work group takes the bodies of a group, one an invocation, and first lists what
-// pulls them: from the list {half of a tree}, every near node is replaced by its two children in its place, level by level, all
-// nodes of the list at once. That leaves the far nodes and the near leaves in the order of a walk depth first. Then all
-// go through the list, 64 entries at a time from shared memory, four far nodes in flight where four follow each other.
-// The halves of a tree one after the other, so that lists fit into shared memory.
-#define REAL float
+// visits that wait for one another. A work group takes the bodies of a group, one an invocation. Together they look at up
+// to 64 nodes at a time: those that come next in a walk depth first. A near node is replaced by its two children, a far
+// node or a near leaf is settled, and what is settled before all that is not is ready to pull. What is ready is taken 64
+// entries at a time; REAL is of four sources, whose pulls on a body are made side by side and then added in their order.
+//
+// Little shared memory: a driver may give a processor's work groups 48 KiB of it together, or less.
+#define REAL vec4
 #include "common/exact.glsl"
+EXACT_INVERSE_SQRT(REAL)
 #include "common/memory.glsl"
 #include "common/words.glsl"
 #include "particles/tree/bindings.glsl"
@@ -24,96 +26,88 @@ uniform bool finish;
 uniform float gravity;
 uniform float softening2;
 
-const uint settled = 0x8000u;  // of an entry: it stays
-const uint opened = 0x4000u;   // a leaf whose bodies pull one by one
-const uint nodeBits = 0x3fffu;
+// An entry is root * rootNodes + node, and what has been found out of it.
+const uint settled = 0x80000000u;
+const uint opened = 0x40000000u;  // a leaf whose bodies pull one by one
+const uint placeBits = 0x3fffffffu;
 
-shared uint entries[2][rootLeaves / 2];  // no node stands above another in a list, so none is longer than all leaves
-shared int before[groupBodies];      // entries that the invocations up to this one write
-shared vec4 staged[groupBodies * leafBodies];
+const int capacity = 512;
+shared uint waiting[capacity];     // a stack; its top comes next
+shared uint ready[2 * groupBodies];
+shared uint divided[2];            // bits: which of the entries in work are replaced by their children
+shared vec4 staged[3][groupBodies];
 
 vec4 loadBody(int i) {
   return LOAD_INPUT(bodies, i);
 }
 #include "particles/tree/model.glsl"
 
-// The inclusive sum of `value` over the invocations up to this one.
-int sumUpTo(int thread, int value) {
-  before[thread] = value;
-  barrier();
-  for (int reach = 1; reach < groupBodies; reach *= 2) {
-    int lower = thread >= reach ? before[thread - reach] : 0;
-    barrier();
-    before[thread] += lower;
-    barrier();
-  }
-  return before[thread];
+vec3 plusFour(vec3 sum, Pull p, int many) {
+  precise vec3 one = sum + vec3(p.x.x, p.y.x, p.z.x);
+  precise vec3 two = one + vec3(p.x.y, p.y.y, p.z.y);
+  precise vec3 three = two + vec3(p.x.z, p.y.z, p.z.z);
+  precise vec3 four = three + vec3(p.x.w, p.y.w, p.z.w);
+  return many == 4 ? four : many == 3 ? three : many == 2 ? two : one;
 }
 
-// Lists what of the nodes below `top`, 2 or 3, pulls the box, in one of the two `entries`; x: which, y: how many. A
-// tree that is far as a whole is all of the first list.
-ivec2 list(int thread, int root, int top, vec3 middle, vec3 halfSize) {
-  int half_ = 0;
-  int length_ = 1;
-  bool whole = isFar(LOAD_INPUT(cells, root * rootNodes + 1), middle, halfSize);
-  if (whole && top == 3) return ivec2(0, 0);
+vec3 plusBodies(vec3 sum, vec3 at, int first) {
+  vec4 a = loadBody(first), b = loadBody(first + 1), c = loadBody(first + 2), d = loadBody(first + 3);
+  precise vec4 dx = vec4(a.x, b.x, c.x, d.x) - at.x;
+  precise vec4 dy = vec4(a.y, b.y, c.y, d.y) - at.y;
+  precise vec4 dz = vec4(a.z, b.z, c.z, d.z) - at.z;
+  return plusFour(sum, bodyPull(dx, dy, dz, vec4(a.w, b.w, c.w, d.w), softening2), 4);
+}
+
+// The nodes of the entries k to k + many - 1, four at most.
+vec3 plusNodes(vec3 sum, vec3 at, int k, int many) {
+  int k1 = k + min(1, many - 1), k2 = k + min(2, many - 1), k3 = k + many - 1;
+  vec4 a = staged[0][k], b = staged[0][k1], c = staged[0][k2], d = staged[0][k3];
+  precise vec4 dx = vec4(a.x, b.x, c.x, d.x) - at.x;
+  precise vec4 dy = vec4(a.y, b.y, c.y, d.y) - at.y;
+  precise vec4 dz = vec4(a.z, b.z, c.z, d.z) - at.z;
+  vec4 a0 = staged[1][k], b0 = staged[1][k1], c0 = staged[1][k2], d0 = staged[1][k3];
+  vec4 a1 = staged[2][k], b1 = staged[2][k1], c1 = staged[2][k2], d1 = staged[2][k3];
+  Moments m = Moments(vec4(a0.x, b0.x, c0.x, d0.x), vec4(a0.y, b0.y, c0.y, d0.y), vec4(a0.z, b0.z, c0.z, d0.z),
+                      vec4(a0.w, b0.w, c0.w, d0.w), vec4(a1.x, b1.x, c1.x, d1.x), vec4(a1.y, b1.y, c1.y, d1.y),
+                      vec4(a1.z, b1.z, c1.z, d1.z), vec4(a1.w, b1.w, c1.w, d1.w));
+  return plusFour(sum, nodePull(dx, dy, dz, m, softening2), many);
+}
+
+// The sum plus what the first `many` of `ready` pull.
+vec3 plusReady(vec3 sum, vec3 at, int thread, int many) {
+  uint mine = ready[thread];
+  if (thread < many && (mine & opened) == 0u) {
+    int place = int(mine & placeBits);
+    staged[0][thread] = LOAD_INPUT(cells, place);
+    staged[1][thread] = LOAD_INPUT(moments, 2 * place);
+    staged[2][thread] = LOAD_INPUT(moments, 2 * place + 1);
+  }
   barrier();
-  if (thread == 0) entries[0][0] = whole ? 1u | settled : uint(top);
-  barrier();
-  for (int level = 2; level <= rootLeaves; level *= 2) {
-    int share = (length_ - 1) / groupBodies + 1;
-    int first = min(thread * share, length_);
-    int last = min(first + share, length_);
-    int places = last - first;
-    for (int i = first; i < last; ++i) {
-      uint entry = entries[half_][i];
-      if ((entry & settled) == 0u) {
-        int node = int(entry);
-        bool far = isFar(LOAD_INPUT(cells, root * rootNodes + node), middle, halfSize);
-        if (far || node >= rootLeaves)
-          entries[half_][i] = entry | (far ? settled : settled | opened);
-        else
-          ++places;
-      }
+  for (int k = 0; k < many;) {
+    uint entry = ready[k];
+    int nodes = 1;
+    if ((entry & opened) != 0u) {
+      int place = int(entry & placeBits);
+      int first = place / rootNodes * rootBodies + (place % rootNodes - rootLeaves) * leafBodies;
+      sum = plusBodies(sum, at, first);
+      sum = plusBodies(sum, at, first + 4);
+    } else {
+      if (k + 1 < many && (ready[k + 1] & opened) == 0u) nodes = 2;
+      if (nodes == 2 && k + 2 < many && (ready[k + 2] & opened) == 0u) nodes = 3;
+      if (nodes == 3 && k + 3 < many && (ready[k + 3] & opened) == 0u) nodes = 4;
+      sum = plusNodes(sum, at, k, nodes);
     }
-    int next = sumUpTo(thread, places) - places;
-    int total = before[groupBodies - 1];
-    if (total == length_) break;
-    for (int i = first; i < last; ++i) {
-      uint entry = entries[half_][i];
-      bool stays = (entry & settled) != 0u;
-      entries[1 - half_][next] = stays ? entry : 2u * entry;
-      ++next;
-      if (!stays) {
-        entries[1 - half_][next] = 2u * entry + 1u;
-        ++next;
-      }
-    }
-    barrier();
-    half_ = 1 - half_;
-    length_ = total;
+    k += nodes;
   }
-  return ivec2(half_, length_);
+  barrier();
+  return sum;
 }
 
-// What entry `thread` of a chunk needs: a node's centre and moments, or a leaf's bodies.
-void stage(int thread, int root, uint entry) {
-  int to = thread * leafBodies;
-  int node = int(entry & nodeBits);
-  if ((entry & opened) != 0u) {
-    int body = root * rootBodies + (node - rootLeaves) * leafBodies;
-    for (int k = 0; k < leafBodies; ++k) staged[to + k] = loadBody(body + k);
-  } else {
-    int at = root * rootNodes + node;
-    staged[to] = LOAD_INPUT(cells, at);
-    staged[to + 1] = LOAD_INPUT(moments, 2 * at);
-    staged[to + 2] = LOAD_INPUT(moments, 2 * at + 1);
-  }
-}
-
-Pull plusStagedNode(Pull sum, vec3 at, int k) {
-  int from = k * leafBodies;
-  return plusNode(sum, at.x, at.y, at.z, staged[from].xyz, staged[from + 1], staged[from + 2], softening2);
+// How many bits below `bit` are set.
+int dividedBelow(uvec2 bits, int bit) {
+  uint low = bit < 32 ? bits.x & ((1u << uint(bit)) - 1u) : bits.x;
+  uint high = bit < 32 ? 0u : bits.y & ((1u << uint(bit - 32)) - 1u);
+  return bitCount(low) + bitCount(high);
 }
 
 void main() {
@@ -124,10 +118,7 @@ void main() {
   int index = mine < count ? int(LOAD_INPUT_WORDS(records, mine).z) : 0;
   vec4 earlier = vec4(0.0f);
   if (firstRoot > 0 && mine < count) earlier = LOAD_STATE(accelerations, index);
-  Pull sum;
-  sum.x = earlier.x;
-  sum.y = earlier.y;
-  sum.z = earlier.z;
+  vec3 sum = earlier.xyz;
   const int groupsOfRoot = rootBodies / groupBodies;
   int box = group / groupsOfRoot * rootNodes + groupsOfRoot + group % groupsOfRoot;
   vec3 low = LOAD_INPUT(boxes, 2 * box).xyz;
@@ -136,41 +127,56 @@ void main() {
   precise vec3 above = high - middle;
   precise vec3 below = middle - low;
   vec3 halfSize = max(above, below);
-  // The trees one after the other; a group without bodies walks none.
+  // The trees in their order; a group without bodies walks none.
   int last = low.x <= high.x ? lastRoot : firstRoot;
-  for (int part = 2 * firstRoot; part < 2 * last; ++part) {
-    int root = part / 2;
-    ivec2 listed = list(thread, root, 2 + part % 2, middle, halfSize);
-    for (int chunk = 0; chunk < listed.y; chunk += groupBodies) {
-      int length_ = min(listed.y - chunk, groupBodies);
-      if (thread < length_) stage(thread, root, entries[listed.x][chunk + thread]);
+  int readyCount = 0;
+  if (thread < 2) divided[thread] = 0u;
+  for (int root = firstRoot; root < last; root += groupBodies) {
+    int size = min(last - root, groupBodies);
+    if (thread < size) waiting[size - 1 - thread] = uint((root + thread) * rootNodes + 1);
+    barrier();
+    while (size > 0) {
+      int taken = min(size, groupBodies);
+      uint entry = settled;
+      if (thread < taken) entry = waiting[size - 1 - thread];
+      // Where there is no room for 64 more, one at a time is divided: a walk depth first needs 12 more at most.
+      bool may = size + groupBodies + 12 <= capacity;
+      if ((entry & settled) == 0u) {
+        bool far = isFar(LOAD_INPUT(cells, int(entry)), middle, halfSize);
+        if (far || int(entry) % rootNodes >= rootLeaves)
+          entry |= far ? settled : settled | opened;
+        else
+          atomicOr(divided[thread / 32], 1u << uint(thread % 32));
+      }
       barrier();
-      for (int k = 0; k < length_;) {
-        uint kinds = entries[listed.x][chunk + k];
-        if (k + 3 < length_)
-          kinds |= entries[listed.x][chunk + k + 1] | entries[listed.x][chunk + k + 2] | entries[listed.x][chunk + k + 3];
-        if (k + 3 < length_ && (kinds & opened) == 0u) {
-          sum = plusStagedNode(sum, body.xyz, k);
-          sum = plusStagedNode(sum, body.xyz, k + 1);
-          sum = plusStagedNode(sum, body.xyz, k + 2);
-          sum = plusStagedNode(sum, body.xyz, k + 3);
-          k += 4;
-        } else {
-          if ((entries[listed.x][chunk + k] & opened) != 0u) {
-            for (int i = 0; i < leafBodies; ++i)
-              sum = plusBody(sum, body.x, body.y, body.z, staged[k * leafBodies + i], softening2);
-          } else {
-            sum = plusStagedNode(sum, body.xyz, k);
-          }
-          ++k;
-        }
+      uvec2 bits = uvec2(divided[0], divided[1]);
+      int first = bits.x != 0u ? findLSB(bits.x) : bits.y != 0u ? 32 + findLSB(bits.y) : taken;
+      if (!may) bits = first < 32 ? uvec2(bits.x & (1u << uint(first)), 0u) : uvec2(0u, bits.y & (1u << uint(first - 32)));
+      int kept = taken - first + bitCount(bits.x) + bitCount(bits.y);
+      if (thread < first) {
+        ready[readyCount + thread] = entry;
+      } else if (thread < taken) {
+        int order = thread - first + dividedBelow(bits, thread);
+        int to = size - taken + kept - 1 - order;
+        bool divides = ((thread < 32 ? bits.x : bits.y) >> uint(thread % 32) & 1u) != 0u;
+        waiting[to] = divides ? 2u * entry - entry / uint(rootNodes) * uint(rootNodes) : entry;
+        if (divides) waiting[to - 1] = waiting[to] + 1u;
+      }
+      size += kept - taken;
+      readyCount += first;
+      barrier();
+      if (thread < 2) divided[thread] = 0u;
+      if (readyCount >= groupBodies) {
+        sum = plusReady(sum, body.xyz, thread, groupBodies);
+        readyCount -= groupBodies;
+        if (thread < readyCount) ready[thread] = ready[groupBodies + thread];
       }
       barrier();
     }
   }
+  sum = plusReady(sum, body.xyz, thread, readyCount);
   if (mine >= count) return;
-  vec3 total = vec3(sum.x, sum.y, sum.z);
-  precise vec3 scaled = total * gravity;
-  vec3 result = finish ? flushed(scaled) : total;
+  precise vec3 scaled = sum * gravity;
+  vec3 result = finish ? flushed(scaled) : sum;
   STORE_STATE(accelerations, index, vec4(body.w > 0.0f ? result : vec3(0.0f), 0.0f));
 }
