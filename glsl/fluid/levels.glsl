@@ -83,6 +83,26 @@ float inRaised(int start, ivec2 c) {
   return cellOf(LOAD_INPUT(raisedPool, start + blockOf(c)), c);
 }
 
+#include "fluid/tiles.glsl"
+
+#if IN_THE_OPEN == 1
+// neighbours(), relaxed() and residual() of a cell with weights of 1.
+float aroundOpen(float left, float right, float top, float bottom) {
+  precise float sum = (left + right) + (top + bottom);
+  return sum;
+}
+
+float relaxedOpen(float rhs, float sum) {
+  return relaxed(rhs, sum, 4.0);
+}
+
+float residualOpen(float rhs, float value, float left, float right, float top, float bottom) {
+  precise float rest = rhs - (((value - left) + (value - right)) + ((value - top) + (value - bottom)));
+  return exactFlush(rest);
+}
+
+#endif
+
 bool isRed(ivec2 c) {
   return ((c.x + c.y) & 1) == 0;
 }

@@ -1,9 +1,20 @@
 // Adds the finest level's correction to the sum, and says what is still missing.
 #include "fluid/levels.glsl"
 #include "fluid/solve_control.glsl"
-layout(local_size_x = 16, local_size_y = 4) in;
+layout(local_size_x = 8, local_size_y = 8) in;
 layout(std430, binding = poolOutBinding) writeonly buffer PoolOutBlock { vec4 poolOut[]; };
 
+#if IN_THE_OPEN == 1
+vec4 leftOf(vec4 rhs, vec4 here, ivec2 block, int element, int row) {
+  vec4 before = LOAD_INPUT(raisedPool, element - 1), after = LOAD_INPUT(raisedPool, element + 1);
+  vec4 above = LOAD_INPUT(raisedPool, element - row), below = LOAD_INPUT(raisedPool, element + row);
+  return vec4(residualOpen(rhs.x, here.x, before.y, here.y, above.z, here.z),
+              residualOpen(rhs.y, here.y, here.x, after.x, above.w, here.w),
+              residualOpen(rhs.z, here.z, before.w, here.w, here.x, below.x),
+              residualOpen(rhs.w, here.w, here.z, after.z, here.y, below.y));
+}
+
+#else
 float valueAt(ivec2 place) {
   return inRaised(0, within(place));
 }
@@ -14,16 +25,21 @@ float leftOver(ivec2 c, float rhs) {
                   valueAt(c - ivec2(0, 1)), valueAt(c + ivec2(0, 1)));
 }
 
+vec4 leftOf(vec4 rhs, vec4 here, ivec2 block, int element, int row) {
+  ivec2 o = 2 * block;
+  return vec4(leftOver(o, rhs.x), leftOver(o + ivec2(1, 0), rhs.y), leftOver(o + ivec2(0, 1), rhs.z),
+              leftOver(o + ivec2(1, 1), rhs.w));
+}
+#endif
+
 void main() {
-  ivec2 block = ivec2(gl_GlobalInvocationID.xy);
+  ivec2 block = blockHere();
   ivec2 blocks = blocksOf(cells);
   if (block.x >= blocks.x || block.y >= blocks.y) return;
-  ivec2 o = 2 * block;
   int element = block.y * blocks.x + block.x;
   vec4 rhs = LOAD_INPUT(pool, rhsStart + element);
   vec4 more = LOAD_INPUT(raisedPool, element);
-  vec4 left = vec4(leftOver(o, rhs.x), leftOver(o + ivec2(1, 0), rhs.y), leftOver(o + ivec2(0, 1), rhs.z),
-                   leftOver(o + ivec2(1, 1), rhs.w));
+  vec4 left = leftOf(rhs, more, block, element, blocks.x);
   more = vec4(more.x >= noCell ? 0.0 : more.x, more.y >= noCell ? 0.0 : more.y, more.z >= noCell ? 0.0 : more.z,
               more.w >= noCell ? 0.0 : more.w);
   vec4 sum = LOAD_INPUT(pool, element), lost = LOAD_INPUT(pool, blocks.x * blocks.y + element);
