@@ -36,9 +36,8 @@ vec4 finishedOf(vec4 cell, float u, float v, vec2 sum) {
   return vec4(u, v, exactFlush(cell.z), exactFlush(pressure));
 }
 
-void main() {
-  ivec2 block = blockHere();
-  if (2 * block.x >= size.x) return;
+// What is missing after it, and the speed.
+vec2 projected(ivec2 block) {
   int x = 2 * block.x, y = 2 * block.y, row = size.x + 2, e = elementOf(x, y), f = e + row;
   int blockRow = size.x / 2 + 1, at = block.y * blockRow + block.x, lostAt = blockRow * (size.y / 2 + 1) + at;
   vec4 sum = LOAD_INPUT(pool, at), lost = LOAD_INPUT(pool, lostAt);
@@ -68,24 +67,32 @@ void main() {
   float missing = max(max(missingBetween(x, y, u00, u10, v00, v01), missingBetween(x + 1, y, u10, u20, v10, v11)),
                       max(missingBetween(x, y + 1, u01, u11, v01, v02), missingBetween(x + 1, y + 1, u11, u21, v11, v12)));
   float speed = max(max(speedOf(here), speedOf(right)), max(speedOf(below), speedOf(corner)));
-  noteMost(missing, speed);
-  noteSpeed(speed);
   noteCell(x, y, here);
   noteCell(x + 1, y, right);
   noteCell(x, y + 1, below);
   noteCell(x + 1, y + 1, corner);
+  return vec2(missing, speed);
+}
+
+void main() {
+  ivec2 block = blockHere();
+  vec2 most = vec2(0.0);
+  if (2 * block.x < size.x) most = projected(block);
+  noteMost(most.x, most.y, most.y);
 }
 #else
 void main() {
+  float missing = 0.0, speed = 0.0;
   for (int k = 0; k < 4; ++k) {
     ivec2 c = cellHere(k);
     if (c.x > size.x || c.y > size.y) continue;
     vec4 cell = finishedCell(c.x, c.y);
     STORE_STATE(nextFlow, elementOf(c.x, c.y), cell);
     if (tilesStart < 0) continue;
-    noteMost(abs(stillMissing(c.x, c.y)), speedOf(cell));
-    noteSpeed(speedOf(cell));
+    missing = max(missing, abs(stillMissing(c.x, c.y)));
+    speed = max(speed, speedOf(cell));
     noteCell(c.x, c.y, cell);
   }
+  noteMost(missing, speed, speed);
 }
 #endif

@@ -32,22 +32,34 @@ vec4 leftOf(vec4 rhs, vec4 here, ivec2 block, int element, int row) {
 }
 #endif
 
-void main() {
-  ivec2 block = blockHere();
-  ivec2 blocks = blocksOf(cells);
-  if (block.x >= blocks.x || block.y >= blocks.y) return;
-  int element = block.y * blocks.x + block.x;
+vec4 addedTo(vec4 a, vec4 b) {
+  return vec4(added(a.x, b.x), added(a.y, b.y), added(a.z, b.z), added(a.w, b.w));
+}
+
+vec4 lostInSums(vec4 a, vec4 b) {
+  return vec4(lostInSum(a.x, b.x), lostInSum(a.y, b.y), lostInSum(a.z, b.z), lostInSum(a.w, b.w));
+}
+
+// What is still missing of a block.
+vec4 takenIn(ivec2 block, ivec2 blocks) {
+  int element = block.y * blocks.x + block.x, ofLost = blocks.x * blocks.y + element;
   vec4 rhs = LOAD_INPUT(pool, rhsStart + element);
   vec4 more = LOAD_INPUT(raisedPool, element);
   vec4 left = leftOf(rhs, more, block, element, blocks.x);
   more = vec4(more.x >= noCell ? 0.0 : more.x, more.y >= noCell ? 0.0 : more.y, more.z >= noCell ? 0.0 : more.z,
               more.w >= noCell ? 0.0 : more.w);
-  vec4 sum = LOAD_INPUT(pool, element), lost = LOAD_INPUT(pool, blocks.x * blocks.y + element);
-  poolOut[blocks.x * blocks.y + element] =
-      vec4(added(lost.x, lostInSum(sum.x, more.x)), added(lost.y, lostInSum(sum.y, more.y)),
-           added(lost.z, lostInSum(sum.z, more.z)), added(lost.w, lostInSum(sum.w, more.w)));
-  poolOut[element] = vec4(added(sum.x, more.x), added(sum.y, more.y), added(sum.z, more.z), added(sum.w, more.w));
+  vec4 sum = LOAD_INPUT(pool, element), lost = LOAD_INPUT(pool, ofLost);
+  poolOut[ofLost] = addedTo(lost, lostInSums(sum, more));
+  poolOut[element] = addedTo(sum, more);
   poolOut[rhsStart + element] = left;
+  return left;
+}
+
+void main() {
+  ivec2 block = blockHere();
+  ivec2 blocks = blocksOf(cells);
+  vec4 left = vec4(0.0);
+  if (block.x < blocks.x && block.y < blocks.y) left = takenIn(block, blocks);
   vec4 sizes = abs(left);
-  noteMost(max(max(sizes.x, sizes.y), max(sizes.z, sizes.w)), 0.0);
+  noteMost(max(max(sizes.x, sizes.y), max(sizes.z, sizes.w)), 0.0, 0.0);
 }
