@@ -6,18 +6,18 @@ layout(std430, binding = poolOutBinding) writeonly buffer PoolOutBlock { float p
 layout(std430, binding = raisedOutBinding) writeonly buffer RaisedOutBlock { vec4 raisedOut[]; };
 
 void store(ivec2 block, int element, vec4 values, float left) {
-  raisedOut[wayStart + element] = values;
-  ivec2 coarse = (cells + 1) / 2;
+  raisedOut[level.way + element] = values;
+  ivec2 coarse = (level.cells + 1) / 2;
   if (block.x >= coarse.x || block.y >= coarse.y) return;
-  poolOut[4 * (nextRhsStart + (block.y >> 1) * (coarse.x / 2 + 1) + (block.x >> 1)) + 2 * (block.y & 1) + (block.x & 1)] = left;
+  poolOut[4 * (level.coarseRhs + (block.y >> 1) * (coarse.x / 2 + 1) + (block.x >> 1)) + 2 * (block.y & 1) + (block.x & 1)] = left;
 }
 
 #if IN_THE_OPEN == 1
 void sweep(ivec2 block, int element, int row) {
-  vec4 here = LOAD_INPUT(pool, rhsStart + element);
-  vec4 before = LOAD_INPUT(pool, rhsStart + element - 1), after = LOAD_INPUT(pool, rhsStart + element + 1);
-  vec4 above = LOAD_INPUT(pool, rhsStart + element - row), below = LOAD_INPUT(pool, rhsStart + element + row);
-  vec4 aboveBefore = LOAD_INPUT(pool, rhsStart + element - row - 1), belowAfter = LOAD_INPUT(pool, rhsStart + element + row + 1);
+  vec4 here = LOAD_INPUT(pool, level.rhs + element);
+  vec4 before = LOAD_INPUT(pool, level.rhs + element - 1), after = LOAD_INPUT(pool, level.rhs + element + 1);
+  vec4 above = LOAD_INPUT(pool, level.rhs + element - row), below = LOAD_INPUT(pool, level.rhs + element + row);
+  vec4 aboveBefore = LOAD_INPUT(pool, level.rhs + element - row - 1), belowAfter = LOAD_INPUT(pool, level.rhs + element + row + 1);
   float r00 = relaxedOpen(here.x, 0.0), r11 = relaxedOpen(here.w, 0.0);
   float rn0 = relaxedOpen(before.x, 0.0), rm1 = relaxedOpen(before.w, 0.0);
   float r20 = relaxedOpen(after.x, 0.0), r31 = relaxedOpen(after.w, 0.0);
@@ -35,7 +35,7 @@ void sweep(ivec2 block, int element, int row) {
 float redAt(ivec2 place) {
   ivec2 c = within(place);
   if (!isInside(c) || !isRed(c)) return 0.0;
-  return relaxed(inPool(rhsStart, c), 0.0, diagonal(weightsOf(c)));
+  return relaxed(inPool(level.rhs, c), 0.0, diagonal(weightsOf(c)));
 }
 
 // Of a black cell, given its neighbours; where an odd torus closes it may be a red one.
@@ -44,12 +44,12 @@ float blackAt(ivec2 place, float left, float right, float top, float bottom) {
   if (!isInside(c)) return 0.0;
   vec4 w = weightsOf(c);
   float sum = neighbours(w, left, right, top, bottom);
-  return relaxed(inPool(rhsStart, c), isRed(c) ? 0.0 : sum, diagonal(w));
+  return relaxed(inPool(level.rhs, c), isRed(c) ? 0.0 : sum, diagonal(w));
 }
 
 float leftOver(ivec2 c, float value, float left, float right, float top, float bottom) {
   if (!isInside(c)) return 0.0;
-  return residual(inPool(rhsStart, c), weightsOf(c), value, left, right, top, bottom);
+  return residual(inPool(level.rhs, c), weightsOf(c), value, left, right, top, bottom);
 }
 
 void sweep(ivec2 block, int element, int row) {
@@ -73,7 +73,7 @@ void sweep(ivec2 block, int element, int row) {
 
 void main() {
   ivec2 block = blockHere();
-  ivec2 blocks = blocksOf(cells);
+  ivec2 blocks = blocksOf(level.cells);
   if (block.x >= blocks.x || block.y >= blocks.y) return;
   int element = block.y * blocks.x + block.x;
   sweep(block, element, blocks.x);

@@ -17,7 +17,7 @@ vec4 dyedBetween(vec4 here, vec4 left, vec4 right, vec4 top, vec4 bottom) {
 
 // Of four cells through faces that are open, each flux once.
 void main() {
-  ivec2 block = blockHere();
+  ivec2 block = blockHere(tilesStart);
   if (2 * block.x >= size.x) return;
   int row = size.x + 2, e = elementOf(2 * block.x, 2 * block.y), f = e + row;
   vec4 here = dyeThere(e), right = dyeThere(e + 1), below = dyeThere(f), corner = dyeThere(f + 1);

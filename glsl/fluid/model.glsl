@@ -22,6 +22,20 @@ struct STD140 FluidStep {
   vec4 confined;       // s a cell: 2 over the greatest speed that is expected; 0, 0, 0
 };
 
+// A level of the grids that solve for the pressure, and where in arrays what belongs to it starts; elements.
+struct STD140 FluidLevelPlace {
+  ivec2 cells;
+  int weights;       // its openings,
+  int rhs;           // what is missing, in `pool`,
+  int way;           // its correction on the way down, in `raisedPool`,
+  int up;            // and on the way up
+  int coarseRhs;     // of the coarser level
+  int coarseUp;
+  int openTiles;     // the lists of tiles, those in the open,
+  int otherTiles;    // and the others
+  int spare0, spare1;
+};
+
 // What stands in a fluid, as it moves in a step, and what closed pockets of fluid have to give way by.
 const int maxSolids = 255;
 const int maxPockets = 255;

@@ -75,7 +75,7 @@ vec2 projected(ivec2 block) {
 }
 
 void main() {
-  ivec2 block = blockHere();
+  ivec2 block = blockHere(tilesStart);
   vec2 most = vec2(0.0);
   if (2 * block.x < size.x) most = projected(block);
   noteMost(most.x, most.y, most.y);

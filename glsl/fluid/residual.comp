@@ -20,7 +20,7 @@ float valueAt(ivec2 place) {
 }
 
 float leftOver(ivec2 c, float rhs) {
-  if (c.x >= cells.x || c.y >= cells.y) return 0.0;
+  if (c.x >= level.cells.x || c.y >= level.cells.y) return 0.0;
   return residual(rhs, weightsOf(c), inRaised(0, c), valueAt(c - ivec2(1, 0)), valueAt(c + ivec2(1, 0)),
                   valueAt(c - ivec2(0, 1)), valueAt(c + ivec2(0, 1)));
 }
@@ -43,7 +43,7 @@ vec4 lostInSums(vec4 a, vec4 b) {
 // What is still missing of a block.
 vec4 takenIn(ivec2 block, ivec2 blocks) {
   int element = block.y * blocks.x + block.x, ofLost = blocks.x * blocks.y + element;
-  vec4 rhs = LOAD_INPUT(pool, rhsStart + element);
+  vec4 rhs = LOAD_INPUT(pool, level.rhs + element);
   vec4 more = LOAD_INPUT(raisedPool, element);
   vec4 left = leftOf(rhs, more, block, element, blocks.x);
   more = vec4(more.x >= noCell ? 0.0 : more.x, more.y >= noCell ? 0.0 : more.y, more.z >= noCell ? 0.0 : more.z,
@@ -51,13 +51,13 @@ vec4 takenIn(ivec2 block, ivec2 blocks) {
   vec4 sum = LOAD_INPUT(pool, element), lost = LOAD_INPUT(pool, ofLost);
   poolOut[ofLost] = addedTo(lost, lostInSums(sum, more));
   poolOut[element] = addedTo(sum, more);
-  poolOut[rhsStart + element] = left;
+  poolOut[level.rhs + element] = left;
   return left;
 }
 
 void main() {
   ivec2 block = blockHere();
-  ivec2 blocks = blocksOf(cells);
+  ivec2 blocks = blocksOf(level.cells);
   vec4 left = vec4(0.0);
   if (block.x < blocks.x && block.y < blocks.y) left = takenIn(block, blocks);
   vec4 sizes = abs(left);

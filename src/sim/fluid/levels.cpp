@@ -116,7 +116,8 @@ std::vector<std::uint8_t> FluidLevels::openBlocks(const FluidLevel& level) const
       const glm::uvec4& faces = weights_[static_cast<std::size_t>(level.start + number)];
       column = faces == glm::uvec4(whole) ? column + 1 : 0;
       along = column > 2 * reach ? along + 1 : 0;
-      if (along > 2 * reach) open[static_cast<std::size_t>(number - reach * (level.blocks().x + 1))] = 1;
+      const int middle = number - reach * (level.blocks().x + 1);
+      if (along > 2 * reach) open[static_cast<std::size_t>(middle)] = 1;
     }
   }
   return open;
@@ -129,19 +130,22 @@ std::vector<glm::uvec4> FluidLevels::tileLists(std::vector<glm::ivec2>& counts) 
     const std::vector<std::uint8_t> open = openBlocks(level);
     const glm::ivec2 tiles = level.tiles(), blocks = level.blocks();
     const auto start = static_cast<int>(words.size());
-    words.resize(words.size() + 2 * static_cast<std::size_t>(level.listElements()), glm::uvec4(~0U));
+    const int end = start + 2 * level.listElements();
+    words.resize(static_cast<std::size_t>(end), glm::uvec4(~0U));
     glm::ivec2 found(0, 0);
     for (int ty = 0; ty < tiles.y; ++ty)
       for (int tx = 0; tx < tiles.x; ++tx) {
         const glm::ivec2 first = FluidLevel::tileBlocks * glm::ivec2(tx, ty);
-        const glm::ivec2 end = glm::min(first + FluidLevel::tileBlocks, (level.cells + 1) / 2);
+        const glm::ivec2 beyond = glm::min(first + FluidLevel::tileBlocks, (level.cells + 1) / 2);
         bool isOpen = level.hasOpenTiles();
-        for (int y = first.y; y < end.y && isOpen; ++y)
-          for (int x = first.x; x < end.x && isOpen; ++x)
-            isOpen = open[static_cast<std::size_t>(y * blocks.x + x)] != 0;
+        for (int y = first.y; y < beyond.y && isOpen; ++y)
+          for (int x = first.x; x < beyond.x && isOpen; ++x) {
+            const int number = y * blocks.x + x;
+            isOpen = open[static_cast<std::size_t>(number)] != 0;
+          }
         const int which = isOpen ? 0 : 1;
-        const int at = found[which]++;
-        words[static_cast<std::size_t>(start + which * level.listElements() + at / 4)][at % 4] =
+        const int at = found[which]++, element = start + which * level.listElements() + at / 4;
+        words[static_cast<std::size_t>(element)][at % 4] =
             static_cast<unsigned>(tx) | static_cast<unsigned>(ty) << 16U;
       }
     counts.push_back((found + FluidLevel::groupTiles - 1) / FluidLevel::groupTiles);

@@ -47,6 +47,10 @@ FluidPressure::FluidPressure(const std::string& name, const FluidPlan& plan, con
   words.insert(words.end(), groups_.begin(), groups_.end());
   words.resize((words.size() + 3) / 4 * 4);
   control_ = gl::Buffer::of<std::uint32_t>(name + " solver", words);
+  places_ =
+      StepBlocks<shader::FluidLevelPlace>(name + " levels", static_cast<int>(levels_.levels().size()));
+  places_.upload(places());
+  bottom_.checkUniformBlock("LevelBlock", sizeof(shader::FluidLevelPlace));
   const auto& finest = levels_.levels().front();
   divergence_.set("size", finest.cells);
   divergence_.set("rhsStart", 2 * finest.elements());
@@ -92,18 +96,26 @@ void FluidPressure::bindSolids() const {
   solids_.bindUniform(at::solidsBinding, 0, solids_.bytes());
 }
 
-void FluidPressure::setLevel(const gl::Program& program, std::size_t number) const {
-  const FluidLevel& level = levels_.levels()[number];
-  const int finest = levels_.levels().front().elements();
-  program.set("cells", level.cells);
-  program.set("weightsStart", level.start);
-  program.set("rhsStart", 2 * finest + level.start);
-  program.set("wayStart", levels_.elements() + level.start);
-  program.set("levelStart", level.start);
-  if (number + 1 == levels_.levels().size()) return;
-  const FluidLevel& coarser = levels_.levels()[number + 1];
-  program.set("nextRhsStart", 2 * finest + coarser.start);
-  program.set("coarseStart", coarser.start);
+std::vector<shader::FluidLevelPlace> FluidPressure::places() const {
+  const std::vector<FluidLevel>& levels = levels_.levels();
+  const int finest = levels.front().elements();
+  std::vector<shader::FluidLevelPlace> places;
+  int tiles = tilesStart_;
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    const int coarser = i + 1 < levels.size() ? levels[i + 1].start : 0;
+    shader::FluidLevelPlace place{};
+    place.cells = levels[i].cells;
+    place.weights = place.up = levels[i].start;
+    place.rhs = 2 * finest + levels[i].start;
+    place.way = levels_.elements() + levels[i].start;
+    place.coarseRhs = 2 * finest + coarser;
+    place.coarseUp = coarser;
+    place.openTiles = tiles;
+    place.otherTiles = tiles + levels[i].listElements();
+    tiles += 2 * levels[i].listElements();
+    places.push_back(place);
+  }
+  return places;
 }
 
 void FluidPressure::indirect(const gl::Program& program, std::size_t number) const {
@@ -111,36 +123,23 @@ void FluidPressure::indirect(const gl::Program& program, std::size_t number) con
   glDispatchComputeIndirect(static_cast<GLintptr>((controlWords + 3 * number) * 4));
 }
 
-/// What was written before and how much there is to do.
-static void settled() {
-  gl::barrier();
-  glMemoryBarrier(GL_COMMAND_BARRIER_BIT);
-}
-
 void FluidPressure::onLevel(const Pair& pair, std::size_t number) const {
-  settled();
-  int start = tilesStart_;
-  for (std::size_t i = 0; i < number; ++i) start += 2 * levels_.levels()[i].listElements();
-  const FluidLevel& level = levels_.levels()[number];
-  if (level.hasOpenTiles()) {
-    setLevel(pair.open, number);
-    pair.open.set("tilesStart", start);
-    indirect(pair.open, 2 * number);
-  }
-  setLevel(pair.others, number);
-  pair.others.set("tilesStart", start + level.listElements());
+  places_.bind(number, at::levelBinding);
+  gl::barrier();
+  if (levels_.levels()[number].hasOpenTiles()) indirect(pair.open, 2 * number);
   indirect(pair.others, 2 * number + 1);
 }
 
 void FluidPressure::cycle() const {
   const std::size_t coarsest = levels_.levels().size() - 1, single = 2 * levels_.levels().size();
+  glMemoryBarrier(GL_COMMAND_BARRIER_BIT);  // how much there is to do
   for (std::size_t i = 0; i < coarsest; ++i) onLevel(descend_, i);
-  setLevel(bottom_, coarsest);
-  settled();
+  places_.bind(coarsest, at::levelBinding);
+  gl::barrier();
   indirect(bottom_, single);
   for (std::size_t i = coarsest; i-- > 0;) onLevel(ascend_, i);
   onLevel(residual_, 0);
-  settled();
+  gl::barrier();
   indirect(decide_, single);
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 #include "gl/element_array.hpp"
 #include "gl/program.hpp"
+#include "sim/core/step_blocks.hpp"
 #include "sim/fluid/plan.hpp"
 
 #include <cstdint>
@@ -33,8 +34,8 @@ class FluidPressure {
   /// Once the projected flow has been noted in control(): whether it is good enough, and not too fast.
   void judge(const gl::Buffer& status) const;
 
-  /// After a state was loaded: what goes by the obstacles of now, and no speed, before fluid/fastest.comp finds
-  /// it out anew.
+  /// After a state was loaded: what goes by the obstacles of now, and no speed, before fluid/fastest.comp
+  /// finds it out anew.
   void resume();
 
   [[nodiscard]] const gl::Buffer& control() const { return control_; }
@@ -50,7 +51,7 @@ class FluidPressure {
   [[nodiscard]] static Pair pairOf(const char* path, const gl::Defines& defines);
   /// Three words for each dispatch that a cycle may have.
   [[nodiscard]] static std::vector<std::uint32_t> groupsOf(const FluidSolids& solids);
-  void setLevel(const gl::Program& program, std::size_t level) const;
+  [[nodiscard]] std::vector<shader::FluidLevelPlace> places() const;
   void indirect(const gl::Program& program, std::size_t number) const;
   void onLevel(const Pair& pair, std::size_t level) const;
   void cycle() const;
@@ -59,6 +60,7 @@ class FluidPressure {
   int cycles_;
   gl::WordsArray weights_;  ///< FluidSolids::words
   gl::Buffer solids_, control_;
+  StepBlocks<shader::FluidLevelPlace> places_;  ///< a level each
   Pair descend_, ascend_, residual_;
   gl::Program divergence_, bottom_, decide_, judge_;
   int tilesStart_;
