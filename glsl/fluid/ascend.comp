@@ -1,12 +1,80 @@
 // Adds the coarser level's correction, then a red-black sweep. As descend.comp, by blocks of 2x2 cells.
 #include "fluid/levels.glsl"
-layout(local_size_x = 16, local_size_y = 4) in;
+layout(local_size_x = 8, local_size_y = 8) in;
 layout(std430, binding = raisedOutBinding) writeonly buffer RaisedOutBlock { vec4 raisedOut[]; };
-uniform int coarseStart;  // of the coarser level, in raisedPool
 
+#if IN_THE_OPEN == 1
+// Five coarse cells of a row, from two before a block's own one to two after it.
+struct Five {
+  float a, b, c, d, e;
+};
+
+Five fiveOf(bool odd, vec2 before, vec2 here, vec2 after) {
+  Five f;
+  f.a = odd ? before.y : before.x;
+  f.b = odd ? here.x : before.y;
+  f.c = odd ? here.y : here.x;
+  f.d = odd ? after.x : here.y;
+  f.e = odd ? after.y : after.x;
+  return f;
+}
+
+Five eitherOf(bool odd, Five lower, Five upper) {
+  Five f;
+  f.a = odd ? lower.a : upper.a;
+  f.b = odd ? lower.b : upper.b;
+  f.c = odd ? lower.c : upper.c;
+  f.d = odd ? lower.d : upper.d;
+  f.e = odd ? lower.e : upper.e;
+  return f;
+}
+
+float openAt(float way, float here, float across, float down, float corner) {
+  return raised(way, prolonged(here, across, down, corner));
+}
+
+vec4 swept(ivec2 block, int element, int row) {
+  int coarseRow = (level.cells.x + 1) / 2 / 2 + 1;
+  int coarse = level.coarseUp + (block.y >> 1) * coarseRow + (block.x >> 1);
+  bool odd = (block.x & 1) == 1, oddRow = (block.y & 1) == 1;
+  vec4 p = LOAD_INPUT(raisedPool, coarse - coarseRow - 1), q = LOAD_INPUT(raisedPool, coarse - coarseRow);
+  vec4 r = LOAD_INPUT(raisedPool, coarse - coarseRow + 1);
+  Five c0 = fiveOf(odd, p.xy, q.xy, r.xy), c1 = fiveOf(odd, p.zw, q.zw, r.zw);
+  p = LOAD_INPUT(raisedPool, coarse - 1);
+  q = LOAD_INPUT(raisedPool, coarse);
+  r = LOAD_INPUT(raisedPool, coarse + 1);
+  Five c2 = fiveOf(odd, p.xy, q.xy, r.xy), c3 = fiveOf(odd, p.zw, q.zw, r.zw);
+  p = LOAD_INPUT(raisedPool, coarse + coarseRow - 1);
+  q = LOAD_INPUT(raisedPool, coarse + coarseRow);
+  r = LOAD_INPUT(raisedPool, coarse + coarseRow + 1);
+  Five c4 = fiveOf(odd, p.xy, q.xy, r.xy), c5 = fiveOf(odd, p.zw, q.zw, r.zw);
+  Five n = eitherOf(oddRow, c1, c0), m = eitherOf(oddRow, c2, c1), o = eitherOf(oddRow, c3, c2);
+  Five s = eitherOf(oddRow, c4, c3), t = eitherOf(oddRow, c5, c4);
+  vec4 here = LOAD_INPUT(raisedPool, level.way + element);
+  vec4 before = LOAD_INPUT(raisedPool, level.way + element - 1), after = LOAD_INPUT(raisedPool, level.way + element + 1);
+  vec4 above = LOAD_INPUT(raisedPool, level.way + element - row), below = LOAD_INPUT(raisedPool, level.way + element + row);
+  vec4 aboveAfter = LOAD_INPUT(raisedPool, level.way + element - row + 1);
+  vec4 belowBefore = LOAD_INPUT(raisedPool, level.way + element + row - 1);
+  float b10 = openAt(here.y, o.c, o.d, m.c, m.d), b01 = openAt(here.z, o.c, o.b, s.c, s.b);
+  float bm0 = openAt(before.y, o.b, o.c, m.b, m.c), bn1 = openAt(before.z, o.b, o.a, s.b, s.a);
+  float b0m = openAt(above.z, m.c, m.b, o.c, o.b), b1n = openAt(above.y, m.c, m.d, n.c, n.d);
+  float b30 = openAt(after.y, o.d, o.e, m.d, m.e), b21 = openAt(after.z, o.d, o.c, s.d, s.c);
+  float b12 = openAt(below.y, s.c, s.d, o.c, o.d), b03 = openAt(below.z, s.c, s.b, t.c, t.b);
+  float b2m = openAt(aboveAfter.z, m.d, m.c, o.d, o.c), bm2 = openAt(belowBefore.y, s.b, s.c, o.b, o.c);
+  vec4 rhs = LOAD_INPUT(pool, level.rhs + element);
+  float r00 = relaxedOpen(rhs.x, aroundOpen(bm0, b10, b0m, b01));
+  float r11 = relaxedOpen(rhs.w, aroundOpen(b01, b21, b10, b12));
+  float r20 = relaxedOpen(LOAD_INPUT(pool, level.rhs + element + 1).x, aroundOpen(b10, b30, b2m, b21));
+  float r1m = relaxedOpen(LOAD_INPUT(pool, level.rhs + element - row).w, aroundOpen(b0m, b2m, b1n, b10));
+  float rm1 = relaxedOpen(LOAD_INPUT(pool, level.rhs + element - 1).w, aroundOpen(bn1, b01, bm0, bm2));
+  float r02 = relaxedOpen(LOAD_INPUT(pool, level.rhs + element + row).x, aroundOpen(bm2, b12, b01, b03));
+  return vec4(r00, relaxedOpen(rhs.y, aroundOpen(r00, r20, r1m, r11)), relaxedOpen(rhs.z, aroundOpen(rm1, r11, r00, r02)), r11);
+}
+
+#else
 // A coarse cell's correction; noCell beyond walls, and beyond open sides what makes it 0 there.
 float coarseAt(ivec2 c) {
-  ivec2 count = (cells + 1) / 2;
+  ivec2 count = (level.cells + 1) / 2;
 #if LEFT == 4
   c.x = c.x < 0 ? c.x + count.x : c.x >= count.x ? c.x - count.x : c.x;
 #endif
@@ -17,7 +85,7 @@ float coarseAt(ivec2 c) {
               (c.y >= count.y && BOTTOM != openSide);
   if (wall) return noCell;
   ivec2 near = clamp(c, ivec2(0), count - 1);
-  float value = cellOf(LOAD_INPUT(raisedPool, coarseStart + (near.y >> 1) * (count.x / 2 + 1) + (near.x >> 1)), near);
+  float value = cellOf(LOAD_INPUT(raisedPool, level.coarseUp + (near.y >> 1) * (count.x / 2 + 1) + (near.x >> 1)), near);
   return value < noCell && near != c ? -value : value;
 }
 
@@ -26,7 +94,7 @@ float raisedAt(ivec2 place) {
   if (!isInside(c)) return 0.0;
   ivec2 here = c >> 1, to = here + 2 * (c & 1) - 1;
   float more = prolonged(coarseAt(here), coarseAt(ivec2(to.x, here.y)), coarseAt(ivec2(here.x, to.y)), coarseAt(to));
-  return raised(inRaised(wayStart, c), more);
+  return raised(inRaised(level.way, c), more);
 }
 
 // Of a cell of either colour, given its neighbours.
@@ -34,7 +102,7 @@ float sweptAt(ivec2 place, float left, float right, float top, float bottom) {
   ivec2 c = within(place);
   if (!isInside(c)) return 0.0;
   vec4 w = weightsOf(c);
-  return relaxed(inPool(rhsStart, c), neighbours(w, left, right, top, bottom), diagonal(w));
+  return relaxed(inPool(level.rhs, c), neighbours(w, left, right, top, bottom), diagonal(w));
 }
 
 // A red cell after its half of the sweep; where an odd torus closes it may be a black one, which is not swept yet.
@@ -42,10 +110,7 @@ float redAt(ivec2 place, float left, float right, float top, float bottom) {
   return isRed(within(place)) ? sweptAt(place, left, right, top, bottom) : raisedAt(place);
 }
 
-void main() {
-  ivec2 block = ivec2(gl_GlobalInvocationID.xy);
-  ivec2 blocks = blocksOf(cells);
-  if (block.x >= blocks.x || block.y >= blocks.y) return;
+vec4 swept(ivec2 block, int element, int row) {
   ivec2 o = 2 * block;
   float b10 = raisedAt(o + ivec2(1, 0)), b01 = raisedAt(o + ivec2(0, 1));
   float bm0 = raisedAt(o + ivec2(-1, 0)), b0m = raisedAt(o + ivec2(0, -1));
@@ -58,6 +123,14 @@ void main() {
   float r1m = redAt(o + ivec2(1, -1), b0m, b2m, b1n, b10);
   float rm1 = redAt(o + ivec2(-1, 1), bn1, b01, bm0, bm2);
   float r02 = redAt(o + ivec2(0, 2), bm2, b12, b01, b03);
-  raisedOut[levelStart + block.y * blocks.x + block.x] =
-      vec4(r00, sweptAt(o + ivec2(1, 0), r00, r20, r1m, r11), sweptAt(o + ivec2(0, 1), rm1, r11, r00, r02), r11);
+  return vec4(r00, sweptAt(o + ivec2(1, 0), r00, r20, r1m, r11), sweptAt(o + ivec2(0, 1), rm1, r11, r00, r02), r11);
+}
+#endif
+
+void main() {
+  ivec2 block = blockHere();
+  ivec2 blocks = blocksOf(level.cells);
+  if (block.x >= blocks.x || block.y >= blocks.y) return;
+  int element = block.y * blocks.x + block.x;
+  raisedOut[level.up + element] = swept(block, element, blocks.x);
 }

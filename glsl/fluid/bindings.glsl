@@ -14,6 +14,7 @@ const int poolOutBinding = 3;   // the same, to be written
 const int raisedOutBinding = 4;
 const int brushesBinding = 1;   // of uniform blocks
 const int solidsBinding = 2;
+const int levelBinding = 3;
 const int stampsBinding = 1;    // images of brushes
 
 #endif

@@ -6,14 +6,14 @@ shared float values[64];
 
 float valueAt(ivec2 place) {
   ivec2 c = within(place);
-  return isInside(c) ? values[c.y * cells.x + c.x] : 0.0;
+  return isInside(c) ? values[c.y * level.cells.x + c.x] : 0.0;
 }
 
 void main() {
   int i = int(gl_LocalInvocationIndex);
-  bool used = i < cells.x * cells.y;
-  ivec2 c = ivec2(i % cells.x, i / cells.x);
-  float rhs = used ? inPool(rhsStart, c) : 0.0;
+  bool used = i < level.cells.x * level.cells.y;
+  ivec2 c = ivec2(i % level.cells.x, i / level.cells.x);
+  float rhs = used ? inPool(level.rhs, c) : 0.0;
   vec4 w = used ? weightsOf(c) : vec4(0.0);
   float diag = diagonal(w);
   values[i] = 0.0;
@@ -27,5 +27,5 @@ void main() {
     values[i] = next;
     barrier();
   }
-  if (used) raisedOut[4 * (levelStart + blockOf(c)) + 2 * (c.y & 1) + (c.x & 1)] = values[i];
+  if (used) raisedOut[4 * (level.up + blockOf(c)) + 2 * (c.y & 1) + (c.x & 1)] = values[i];
 }

@@ -1,5 +1,5 @@
 // What brushes do to a cell. Compiles as GLSL (paint.comp) and as C++, after transport.glsl; brushPaints(i, cell) says whether
-// brush i paints a cell, brushes[i] is what it does.
+// brush i paints a cell, brushes[i] is what it does; those from firstBrush to before endBrush are asked.
 
 FUNCTION float towards(float value, float aim, float part) {
   precise float next = value + (aim - value) * part;
@@ -43,7 +43,7 @@ FUNCTION float scaled(float value, float part) {
 FUNCTION float paintedU(int x, int y) {
   float u = flowAt(x, y).x;
   if (faceAt(x, y).x == 0.0f) return u;
-  for (int i = 0; i < brushCount; ++i)
+  for (int i = firstBrush; i < endBrush; ++i)
     if (paintsCell(i, x, y) || paintsCell(i, x - 1, y)) {
       FluidBrush brush = brushes[i];
       float part = brushPart(i, placeOf(0, x, y));
@@ -56,7 +56,7 @@ FUNCTION float paintedU(int x, int y) {
 FUNCTION float paintedV(int x, int y) {
   float v = flowAt(x, y).y;
   if (faceAt(x, y).y == 0.0f) return v;
-  for (int i = 0; i < brushCount; ++i)
+  for (int i = firstBrush; i < endBrush; ++i)
     if (paintsCell(i, x, y) || paintsCell(i, x, y - 1)) {
       FluidBrush brush = brushes[i];
       float part = brushPart(i, placeOf(1, x, y));
@@ -68,7 +68,7 @@ FUNCTION float paintedV(int x, int y) {
 
 FUNCTION float paintedHeat(int x, int y) {
   float heat = flowAt(x, y).z;
-  for (int i = 0; i < brushCount; ++i)
+  for (int i = firstBrush; i < endBrush; ++i)
     if ((brushes[i].stamp.w & 2) != 0 && paintsCell(i, x, y) && !isSolid(x, y))
       heat = towards(heat, brushes[i].flow.z, scaled(brushes[i].reach.z, brushPart(i, placeOf(2, x, y))));
   return exactFlush(heat);
@@ -85,7 +85,7 @@ FUNCTION vec4 paintedDye(int x, int y) {
   if (beyondOpen(x, y)) return vec4(0.0f);
   int ix = insideX(x), iy = insideY(y);
   vec4 dye = dyeAt(ix, iy);
-  for (int i = 0; i < brushCount; ++i)
+  for (int i = firstBrush; i < endBrush; ++i)
     if ((brushes[i].stamp.w & 4) != 0 && paintsCell(i, ix, iy) && !isSolid(ix, iy)) {
       FluidBrush brush = brushes[i];
       float part = scaled(brush.reach.z, brushPart(i, placeOf(2, ix, iy)));

@@ -27,7 +27,7 @@ void main() {
   precise float most = tolerance * speed;
   bool met = flow <= most;
   if (first == 1) control.lastSpeed = 0u;
-  if (first == 0 && control.groups[0] == 0u) return;
+  if (first == 0 && control.groups[3 * dispatches - 1] == 0u) return;  // of the last, which a cycle always has
   for (int i = 0; i < 3 * dispatches; ++i) control.groups[i] = met ? 0u : control.groups[3 * dispatches + i];
   if (!met) control.cycles += 1u;
   control.flow = 0u;

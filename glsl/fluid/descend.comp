@@ -1,14 +1,41 @@
 // From no correction: a red-black sweep, and what it leaves missing in the red cells for the coarser level (the black ones
 // fulfil their equations). An invocation takes a block of 2x2 cells, and repeats what its sweep reads around.
 #include "fluid/levels.glsl"
-layout(local_size_x = 16, local_size_y = 4) in;
+layout(local_size_x = 8, local_size_y = 8) in;
 layout(std430, binding = poolOutBinding) writeonly buffer PoolOutBlock { float poolOut[]; };
 layout(std430, binding = raisedOutBinding) writeonly buffer RaisedOutBlock { vec4 raisedOut[]; };
 
+void store(ivec2 block, int element, vec4 values, float left) {
+  raisedOut[level.way + element] = values;
+  ivec2 coarse = (level.cells + 1) / 2;
+  if (block.x >= coarse.x || block.y >= coarse.y) return;
+  poolOut[4 * (level.coarseRhs + (block.y >> 1) * (coarse.x / 2 + 1) + (block.x >> 1)) + 2 * (block.y & 1) + (block.x & 1)] = left;
+}
+
+#if IN_THE_OPEN == 1
+void sweep(ivec2 block, int element, int row) {
+  vec4 here = LOAD_INPUT(pool, level.rhs + element);
+  vec4 before = LOAD_INPUT(pool, level.rhs + element - 1), after = LOAD_INPUT(pool, level.rhs + element + 1);
+  vec4 above = LOAD_INPUT(pool, level.rhs + element - row), below = LOAD_INPUT(pool, level.rhs + element + row);
+  vec4 aboveBefore = LOAD_INPUT(pool, level.rhs + element - row - 1), belowAfter = LOAD_INPUT(pool, level.rhs + element + row + 1);
+  float r00 = relaxedOpen(here.x, 0.0), r11 = relaxedOpen(here.w, 0.0);
+  float rn0 = relaxedOpen(before.x, 0.0), rm1 = relaxedOpen(before.w, 0.0);
+  float r20 = relaxedOpen(after.x, 0.0), r31 = relaxedOpen(after.w, 0.0);
+  float r0n = relaxedOpen(above.x, 0.0), r1m = relaxedOpen(above.w, 0.0);
+  float r02 = relaxedOpen(below.x, 0.0), r13 = relaxedOpen(below.w, 0.0);
+  float rmm = relaxedOpen(aboveBefore.w, 0.0), r22 = relaxedOpen(belowAfter.x, 0.0);
+  float b10 = relaxedOpen(here.y, aroundOpen(r00, r20, r1m, r11)), b01 = relaxedOpen(here.z, aroundOpen(rm1, r11, r00, r02));
+  float bm0 = relaxedOpen(before.y, aroundOpen(rn0, r00, rmm, rm1)), b0m = relaxedOpen(above.z, aroundOpen(rmm, r1m, r0n, r00));
+  float b21 = relaxedOpen(after.z, aroundOpen(r11, r31, r20, r22)), b12 = relaxedOpen(below.y, aroundOpen(r02, r22, r11, r13));
+  store(block, element, vec4(r00, b10, b01, r11),
+        restricted(residualOpen(here.x, r00, bm0, b10, b0m, b01), residualOpen(here.w, r11, b01, b21, b10, b12)));
+}
+
+#else
 float redAt(ivec2 place) {
   ivec2 c = within(place);
   if (!isInside(c) || !isRed(c)) return 0.0;
-  return relaxed(inPool(rhsStart, c), 0.0, diagonal(weightsOf(c)));
+  return relaxed(inPool(level.rhs, c), 0.0, diagonal(weightsOf(c)));
 }
 
 // Of a black cell, given its neighbours; where an odd torus closes it may be a red one.
@@ -17,18 +44,15 @@ float blackAt(ivec2 place, float left, float right, float top, float bottom) {
   if (!isInside(c)) return 0.0;
   vec4 w = weightsOf(c);
   float sum = neighbours(w, left, right, top, bottom);
-  return relaxed(inPool(rhsStart, c), isRed(c) ? 0.0 : sum, diagonal(w));
+  return relaxed(inPool(level.rhs, c), isRed(c) ? 0.0 : sum, diagonal(w));
 }
 
 float leftOver(ivec2 c, float value, float left, float right, float top, float bottom) {
   if (!isInside(c)) return 0.0;
-  return residual(inPool(rhsStart, c), weightsOf(c), value, left, right, top, bottom);
+  return residual(inPool(level.rhs, c), weightsOf(c), value, left, right, top, bottom);
 }
 
-void main() {
-  ivec2 block = ivec2(gl_GlobalInvocationID.xy);
-  ivec2 blocks = blocksOf(cells);
-  if (block.x >= blocks.x || block.y >= blocks.y) return;
+void sweep(ivec2 block, int element, int row) {
   ivec2 o = 2 * block;
   // By their places from the block's first cell: m is -1, n is -2.
   float r00 = redAt(o), r11 = redAt(o + ivec2(1, 1));
@@ -42,9 +66,15 @@ void main() {
   float b0m = blackAt(o + ivec2(0, -1), rmm, r1m, r0n, r00);
   float b21 = blackAt(o + ivec2(2, 1), r11, r31, r20, r22);
   float b12 = blackAt(o + ivec2(1, 2), r02, r22, r11, r13);
-  raisedOut[wayStart + block.y * blocks.x + block.x] = vec4(r00, b10, b01, r11);
-  ivec2 coarse = (cells + 1) / 2;
-  if (block.x >= coarse.x || block.y >= coarse.y) return;
-  float left = restricted(leftOver(o, r00, bm0, b10, b0m, b01), leftOver(o + ivec2(1, 1), r11, b01, b21, b10, b12));
-  poolOut[4 * (nextRhsStart + (block.y >> 1) * (coarse.x / 2 + 1) + (block.x >> 1)) + 2 * (block.y & 1) + (block.x & 1)] = left;
+  store(block, element, vec4(r00, b10, b01, r11),
+        restricted(leftOver(o, r00, bm0, b10, b0m, b01), leftOver(o + ivec2(1, 1), r11, b01, b21, b10, b12)));
+}
+#endif
+
+void main() {
+  ivec2 block = blockHere();
+  ivec2 blocks = blocksOf(level.cells);
+  if (block.x >= blocks.x || block.y >= blocks.y) return;
+  int element = block.y * blocks.x + block.x;
+  sweep(block, element, blocks.x);
 }

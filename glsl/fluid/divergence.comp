@@ -17,14 +17,17 @@ float speedIn(int x, int y) {
 void main() {
   ivec2 block = ivec2(gl_GlobalInvocationID.xy);
   ivec2 blocks = size / 2 + 1;
-  if (block.x >= blocks.x || block.y >= blocks.y) return;
-  int x = 2 * block.x, y = 2 * block.y;
-  vec4 missing = vec4(missingIn(x, y), missingIn(x + 1, y), missingIn(x, y + 1), missingIn(x + 1, y + 1));
-  int element = block.y * blocks.x + block.x;
-  poolOut[element] = vec4(0.0);
-  poolOut[blocks.x * blocks.y + element] = vec4(0.0);
-  poolOut[rhsStart + element] = missing;
+  vec4 missing = vec4(0.0);
+  float speed = 0.0;
+  if (block.x < blocks.x && block.y < blocks.y) {
+    int x = 2 * block.x, y = 2 * block.y;
+    missing = vec4(missingIn(x, y), missingIn(x + 1, y), missingIn(x, y + 1), missingIn(x + 1, y + 1));
+    speed = max(max(speedIn(x, y), speedIn(x + 1, y)), max(speedIn(x, y + 1), speedIn(x + 1, y + 1)));
+    int element = block.y * blocks.x + block.x;
+    poolOut[element] = vec4(0.0);
+    poolOut[blocks.x * blocks.y + element] = vec4(0.0);
+    poolOut[rhsStart + element] = missing;
+  }
   vec4 sizes = abs(missing);
-  noteMost(max(max(sizes.x, sizes.y), max(sizes.z, sizes.w)),
-           max(max(speedIn(x, y), speedIn(x + 1, y)), max(speedIn(x, y + 1), speedIn(x + 1, y + 1))));
+  noteMost(max(max(sizes.x, sizes.y), max(sizes.z, sizes.w)), speed, 0.0);
 }

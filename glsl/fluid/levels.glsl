@@ -16,12 +16,7 @@
 POOL_ARRAY(poolBinding, PoolBlock, pool)
 POOL_ARRAY(raisedBinding, RaisedBlock, raisedPool)
 INPUT_WORDS(weightsBinding, WeightBlock, weights)
-uniform ivec2 cells;         // of this level
-uniform int weightsStart;    // elements: where the level's weights are,
-uniform int rhsStart;        // what is missing, in pool, and
-uniform int wayStart;        // its correction on the way down, in raisedPool,
-uniform int levelStart;      // and on the way up
-uniform int nextRhsStart;    // of the coarser level
+layout(std140, binding = levelBinding) uniform LevelBlock { FluidLevelPlace level; };
 
 ivec2 blocksOf(ivec2 count) {
   return count / 2 + 1;
@@ -29,28 +24,28 @@ ivec2 blocksOf(ivec2 count) {
 
 ivec2 within(ivec2 c) {
 #if LEFT == 4
-  c.x = c.x < 0 ? c.x + cells.x : c.x >= cells.x ? c.x - cells.x : c.x;
+  c.x = c.x < 0 ? c.x + level.cells.x : c.x >= level.cells.x ? c.x - level.cells.x : c.x;
   // Levels of one or two cells go round more than once.
-  c.x = c.x < 0 ? c.x + cells.x : c.x >= cells.x ? c.x - cells.x : c.x;
+  c.x = c.x < 0 ? c.x + level.cells.x : c.x >= level.cells.x ? c.x - level.cells.x : c.x;
 #endif
 #if TOP == 4
-  c.y = c.y < 0 ? c.y + cells.y : c.y >= cells.y ? c.y - cells.y : c.y;
-  c.y = c.y < 0 ? c.y + cells.y : c.y >= cells.y ? c.y - cells.y : c.y;
+  c.y = c.y < 0 ? c.y + level.cells.y : c.y >= level.cells.y ? c.y - level.cells.y : c.y;
+  c.y = c.y < 0 ? c.y + level.cells.y : c.y >= level.cells.y ? c.y - level.cells.y : c.y;
 #endif
   return c;
 }
 
 // Beyond the blocks there are no weights.
 bool isThere(ivec2 c) {
-  return c.x >= 0 && c.y >= 0 && (c.x >> 1) <= cells.x / 2 && (c.y >> 1) <= cells.y / 2;
+  return c.x >= 0 && c.y >= 0 && (c.x >> 1) <= level.cells.x / 2 && (c.y >> 1) <= level.cells.y / 2;
 }
 
 bool isInside(ivec2 c) {
-  return c.x >= 0 && c.y >= 0 && c.x < cells.x && c.y < cells.y;
+  return c.x >= 0 && c.y >= 0 && c.x < level.cells.x && c.y < level.cells.y;
 }
 
 int blockOf(ivec2 c) {
-  return (c.y >> 1) * (cells.x / 2 + 1) + (c.x >> 1);
+  return (c.y >> 1) * (level.cells.x / 2 + 1) + (c.x >> 1);
 }
 
 float cellOf(vec4 four, ivec2 c) {
@@ -63,7 +58,7 @@ uint wordOf(uvec4 four, ivec2 c) {
 
 vec2 facesOf(ivec2 c) {
   if (!isThere(c)) return vec2(0.0);
-  return faceWeights(wordOf(LOAD_INPUT_WORDS(weights, weightsStart + blockOf(c)), c));
+  return faceWeights(wordOf(LOAD_INPUT_WORDS(weights, level.weights + blockOf(c)), c));
 }
 
 // Left, right, top, bottom. `c` is within the grid.
@@ -82,6 +77,29 @@ float inRaised(int start, ivec2 c) {
   if (!isInside(c)) return 0.0;
   return cellOf(LOAD_INPUT(raisedPool, start + blockOf(c)), c);
 }
+
+#include "fluid/tiles.glsl"
+ivec2 blockHere() {
+  return blockHere(IN_THE_OPEN == 1 ? level.openTiles : level.otherTiles);
+}
+
+#if IN_THE_OPEN == 1
+// neighbours(), relaxed() and residual() of a cell with weights of 1.
+float aroundOpen(float left, float right, float top, float bottom) {
+  precise float sum = (left + right) + (top + bottom);
+  return sum;
+}
+
+float relaxedOpen(float rhs, float sum) {
+  return relaxed(rhs, sum, 4.0);
+}
+
+float residualOpen(float rhs, float value, float left, float right, float top, float bottom) {
+  precise float rest = rhs - (((value - left) + (value - right)) + ((value - top) + (value - bottom)));
+  return exactFlush(rest);
+}
+
+#endif
 
 bool isRed(ivec2 c) {
   return ((c.x + c.y) & 1) == 0;

@@ -22,6 +22,20 @@ struct STD140 FluidStep {
   vec4 confined;       // s a cell: 2 over the greatest speed that is expected; 0, 0, 0
 };
 
+// A level of the grids that solve for the pressure, and where in arrays what belongs to it starts; elements.
+struct STD140 FluidLevelPlace {
+  ivec2 cells;
+  int weights;       // its openings,
+  int rhs;           // what is missing, in `pool`,
+  int way;           // its correction on the way down, in `raisedPool`,
+  int up;            // and on the way up
+  int coarseRhs;     // of the coarser level
+  int coarseUp;
+  int openTiles;     // the lists of tiles, those in the open,
+  int otherTiles;    // and the others
+  int spare0, spare1;
+};
+
 // What stands in a fluid, as it moves in a step, and what closed pockets of fluid have to give way by.
 const int maxSolids = 255;
 const int maxPockets = 255;
@@ -167,9 +181,9 @@ FUNCTION float overrelaxed(float before, float aim) {
 // The steepest slope that makes no new extremes: van Leer's monotonized central one.
 FUNCTION float limitedSlope(float before, float after) {
   precise float mean = 0.5f * (before + after);
-  precise float first = before + before;
-  precise float second = after + after;
-  float steepest = min(min(abs(first), abs(second)), abs(mean));
+  float least = min(abs(before), abs(after));
+  precise float twice = least + least;
+  float steepest = min(twice, abs(mean));
   bool same = (before > 0.0f && after > 0.0f) || (before < 0.0f && after < 0.0f);
   return same ? (mean < 0.0f ? -steepest : steepest) : 0.0f;
 }
@@ -184,14 +198,12 @@ FUNCTION float wholeDye(float amount) {
 
 // What crosses a face in a pass: `way` of a cell; a, b | c, d are two cells before and two after it.
 FUNCTION float dyeFlux(float way, float a, float b, float c, float d) {
-  precise float ab = b - a;
+  bool on = way > 0.0f;
   precise float bc = c - b;
-  precise float cd = d - c;
-  float slopeBefore = limitedSlope(ab, bc);
-  float slopeAfter = limitedSlope(bc, cd);
-  precise float before = way * (b + 0.5f * (1.0f - way) * slopeBefore);
-  precise float after = way * (c - 0.5f * (1.0f + way) * slopeAfter);
-  return wholeDye(way > 0.0f ? before : after);
+  precise float beyond = on ? b - a : d - c;
+  precise float far = 0.5f * (1.0f - abs(way));
+  precise float amount = way * ((on ? b : c) + (on ? far : -far) * limitedSlope(beyond, bc));
+  return wholeDye(amount);
 }
 
 FUNCTION vec4 dyeFluxes(float way, vec4 a, vec4 b, vec4 c, vec4 d) {

@@ -1,4 +1,4 @@
-// Brushes, all that are due at once. brushCount is uniform, so loops are as long as there are brushes.
+// Brushes, all that are due at once. firstBrush and endBrush are uniform, so loops are as long as there are brushes.
 #define READS_DYE
 #include "common/hash.glsl"
 #include "fluid/grid.glsl"
@@ -8,7 +8,8 @@ STATE_ARRAY(nextFlowBinding, NextFlowBlock, nextFlow)
 STATE_ARRAY(nextDyeBinding, NextDyeBlock, nextDye)
 INPUT_WORDS(stampsBinding, StampBlock, stamps)
 layout(std140, binding = brushesBinding) uniform BrushBlock { FluidBrush brushes[maxBrushes]; };
-uniform int brushCount;
+uniform int firstBrush, endBrush;  // others reach none of these cells
+uniform ivec4 box;  // cells that may change: first column and row, how many of each; the ring counts
 
 bool brushPaints(int i, ivec2 cell) {
   ivec2 inBox = cell - brushes[i].box.xy;
@@ -33,8 +34,9 @@ bool brushPaints(int i, ivec2 cell) {
 #include "fluid/brush.glsl"
 
 void main() {
-  int x = int(gl_GlobalInvocationID.x) - 1, y = int(gl_GlobalInvocationID.y) - 1;
-  if (x > size.x || y > size.y) return;
+  ivec2 at = ivec2(gl_GlobalInvocationID.xy);
+  if (at.x >= box.z || at.y >= box.w) return;
+  int x = at.x + box.x, y = at.y + box.y;
   STORE_STATE(nextFlow, elementOf(x, y), paintedCell(x, y));
   STORE_STATE(nextDye, elementOf(x, y), paintedDye(x, y));
 }

@@ -12,14 +12,33 @@ layout(std430, binding = controlBinding) restrict buffer ControlBlock {
   uint groups[];    // three for each indirect dispatch: as they are now, then as a cycle wants them
 } control;
 
-void noteMost(float flow, float speed) {
-  uint flowBits = floatBitsToUint(flow), speedBits = floatBitsToUint(speed);
+// Of a whole work group, of 64: each of its invocations calls this once, with zeros where it has nothing to tell. What is
+// missing, the most of |u|, |v|, and that of the state. A group joins on a GPU, where a word that all invocations
+// change is what they wait for.
+#ifndef TEXEL_PATH
+shared uint flowsOfGroup[64], speedsOfGroup[64], fastestOfGroup[64];
+#endif
+void noteMost(float flow, float speed, float fastest) {
+  uint flowBits = floatBitsToUint(flow), speedBits = floatBitsToUint(speed), fastestBits = floatBitsToUint(fastest);
+#ifndef TEXEL_PATH
+  int lane = int(gl_LocalInvocationIndex);
+  flowsOfGroup[lane] = flowBits;
+  speedsOfGroup[lane] = speedBits;
+  fastestOfGroup[lane] = fastestBits;
+  for (int others = 32; others > 0; others >>= 1) {
+    barrier();
+    if (lane < others) {
+      flowsOfGroup[lane] = max(flowsOfGroup[lane], flowsOfGroup[lane + others]);
+      speedsOfGroup[lane] = max(speedsOfGroup[lane], speedsOfGroup[lane + others]);
+      fastestOfGroup[lane] = max(fastestOfGroup[lane], fastestOfGroup[lane + others]);
+    }
+  }
+  if (lane > 0) return;
+  flowBits = flowsOfGroup[0];
+  speedBits = speedsOfGroup[0];
+  fastestBits = fastestOfGroup[0];
+#endif
   if (flowBits > control.flow) atomicMax(control.flow, flowBits);
   if (speedBits > control.speed) atomicMax(control.speed, speedBits);
-}
-
-// The most of |u|, |v| of the state.
-void noteSpeed(float speed) {
-  uint bits = floatBitsToUint(speed);
-  if (bits > control.lastSpeed) atomicMax(control.lastSpeed, bits);
+  if (fastestBits > control.lastSpeed) atomicMax(control.lastSpeed, fastestBits);
 }

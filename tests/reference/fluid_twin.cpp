@@ -23,7 +23,7 @@ struct FluidModel {
   const sim::FluidPlan::Brushes* painting = nullptr;
   const sim::Strokes* strokes = nullptr;
   std::vector<FluidBrush> brushes = {};
-  int brushCount = 0;
+  int firstBrush = 0, endBrush = 0;
 
   [[nodiscard]] std::size_t element(int x, int y) const {
     return static_cast<std::size_t>((y + 1) * (size.x + 2) + x + 1);
@@ -180,7 +180,7 @@ void FluidTwin::paint(double time, int step) {
   model.painting = &brushes;
   model.strokes = &plan_.strokes();
   model.brushes = brushes.brushes;
-  model.brushCount = static_cast<int>(brushes.brushes.size());
+  model.endBrush = static_cast<int>(brushes.brushes.size());
   auto nextFlow = eachCell(plan_.size(), [&](int x, int y) { return model.paintedCell(x, y); });
   dye = eachCell(plan_.size(), [&](int x, int y) { return model.paintedDye(x, y); });
   flow = std::move(nextFlow);

@@ -9,7 +9,8 @@
 // and how fast they are on this device, one figure a process: whole steps of a cell a second, bytes moved
 // beside what copying moves, every buffer in bytes a cell.
 //
-//   bench_fluid speed [SIDE]                 a fluid, SIDE 4096 on a GPU, 512 on a software driver
+//   bench_fluid speed [SIDE [CYCLES]]        a fluid, SIDE 4096 on a GPU, 512 on a software driver; at most
+//                                            CYCLES a projection: what those cost that are empty
 //   bench_fluid water [SIDE]                 water, SIDE 8192 on a GPU, 1024 on a software driver
 //
 // Exits with 1 where a figure is beyond its bar.
@@ -125,7 +126,7 @@ int main(int argc, char** argv) {
   if (!speed && what != "cylinder" && what != "wide" && what != "cavity" && what != "quick") {
     fmt::print(stderr,
                "usage: bench_fluid cylinder|wide|cavity|quick [CELLS [SECONDS|RE [macCormack]]]\n"
-               "       bench_fluid speed|water [SIDE]\n");
+               "       bench_fluid speed|water [SIDE [CYCLES]]\n");
     return 2;
   }
   const gl::Context context;
@@ -135,7 +136,10 @@ int main(int argc, char** argv) {
     const bool fluid = what == "speed", software = gl::softwareDriver();
     const auto side =
         static_cast<int>(number(2, fluid ? (software ? 512 : 4096) : (software ? 1024 : 8192)));
-    (fluid ? bench::printFluidSpeed : bench::printWaterSpeed)(side);
+    if (fluid)
+      bench::printFluidSpeed(side, static_cast<int>(number(3, 0)));
+    else
+      bench::printWaterSpeed(side);
     return 0;
   }
   bool fine = true;

@@ -69,6 +69,25 @@ std::vector<glm::vec4> stopElements(const std::vector<glm::vec3>& colors) {
   return elements;
 }
 
+/// Cells that a brush's box may change, columns and rows of the ring among them: faces beyond it, too, and
+/// on a torus whatever lies on the other side. First column and row, how many of each.
+glm::ivec4 changedBy(const shader::FluidBrush& brush, const FluidParameters& p) {
+  glm::ivec4 changed;
+  for (int i = 0; i < 2; ++i) {
+    int from = brush.box[i], end = from + brush.box[i + 2] + 1;
+    const bool first = from == 0, last = end > p.size[i], wraps = i == 0 ? p.wrapsX() : p.wrapsY();
+    if (first || (wraps && last)) from = -1;
+    if (wraps && first) end = p.size[i] + 1;
+    changed[i] = from;
+    changed[i + 2] = end - from;
+  }
+  return changed;
+}
+
+bool meet(const glm::ivec4& a, const glm::ivec4& b) {
+  return a.x < b.x + b.z && b.x < a.x + a.z && a.y < b.y + b.w && b.y < a.y + a.w;
+}
+
 /// As `name` is checked before the arrays are made.
 const std::string& checked(const std::string& name, const FluidPlan& plan) {
   checkLimits(name, plan.size());
@@ -91,19 +110,28 @@ FluidKernels::FluidKernels(const std::string& name, const FluidPlan& plan, bool 
   brushes_ = gl::Buffer(name + " brushes", sizeof(shader::FluidBrush) * shader::maxBrushes);
   steps_ = StepBlocks<shader::FluidStep>(name + " steps", plan.substeps());
   const gl::Defines defines = definesOf(p, fast);
-  const auto make = [&](gl::Program& program, const char* path) {
-    program = gl::Program::compute(path, defines);
+  const auto compiled = [&](const char* path, const gl::Defines& with) {
+    gl::Program program = gl::Program::compute(path, with);
     program.set("size", plan.size());
     program.set("solidsStart", plan.levels().elements());
+    return program;
+  };
+  const auto make = [&](gl::Program& program, const char* path) { program = compiled(path, defines); };
+  const auto makeTiled = [&](Tiled& tiled, const char* path) {
+    gl::Defines open = defines, others = defines;
+    open.emplace_back("IN_THE_OPEN", "1");
+    others.emplace_back("IN_THE_OPEN", "0");
+    tiled = {compiled(path, open), compiled(path, others)};
   };
   make(push_, "fluid/push.comp");
   make(carry_, "fluid/carry.comp");
   make(correct_, "fluid/correct.comp");
   correct_.checkUniformBlock("FluidBlock", sizeof(shader::FluidStep));
   make(fastest_, "fluid/fastest.comp");
-  make(project_, "fluid/project.comp");
-  project_.set("lostSpeed", lostFluidSpeed * p.speed);
-  make(moveDye_, "fluid/dye.comp");
+  makeTiled(project_, "fluid/project.comp");
+  for (const gl::Program* program : {&project_.open, &project_.others})
+    program->set("lostSpeed", lostFluidSpeed * p.speed);
+  makeTiled(moveDye_, "fluid/dye.comp");
   const bool lines = p.show == FluidParameters::Show::lines;
   make(show_, lines ? "fluid/lines.comp" : "fluid/show.comp");
   show_.set("stopCount", static_cast<int>(p.display.colors().size()));
@@ -127,6 +155,8 @@ FluidKernels::FluidKernels(const std::string& name, const FluidPlan& plan, bool 
   stamps_ = gl::WordsArray(name + " brush images", stampElements(plan.strokes().imageBits()));
   make(paint_, "fluid/paint.comp");
   paint_.checkUniformBlock("BrushBlock", brushes_.bytes());
+  paintBack_ = gl::Program::compute("fluid/paint_back.comp", defines);
+  paintBack_.set("size", plan.size());
 }
 
 void FluidKernels::beginFrame(double time) {
@@ -154,18 +184,66 @@ void FluidKernels::run(const gl::Program& program) const {
   program.dispatch(plan_.size().x + 2, plan_.size().y + 2);
 }
 
-void FluidKernels::paint(double time, int step) {
+/// Four cells to an invocation.
+void FluidKernels::run(const Tiled& tiled) const {
+  constexpr int side = 8, lanes = side * side, row = FluidLevel::groupRow;
+  pressure_.bindSolids();
+  gl::barrier();
+  const auto groups = [&](const gl::Program& program, int start, int count) {
+    program.set("tilesStart", start);
+    program.dispatch(std::min(count, row) * side, (count + row - 1) / row * side);
+  };
+  const glm::ivec2 count = solids_->tileGroups().front();
+  const int start = solids_->tilesStart(), list = plan_.levels().levels().front().listElements();
+  groups(tiled.open, start, count.x);
+  groups(tiled.others, start + list, count.y);
+  const int ring = 2 * (plan_.size().x + plan_.size().y + 2);
+  groups(tiled.others, -1, (ring + 4 * lanes - 1) / (4 * lanes));
+}
+
+/// Where brushes reach a small part of the cells only that is painted, and taken back to the rest.
+void FluidKernels::paint(double time, int step, bool all) {
   const std::vector<shader::FluidBrush> brushes = plan_.brushesAt(time, step).brushes;
   if (brushes.empty()) return;
   brushes_.write(0, std::as_bytes(std::span(brushes)));
   brushes_.bindUniform(at::brushesBinding, 0, brushes_.bytes());
-  paint_.set("brushCount", static_cast<int>(brushes.size()));
   stamps_.bindInput(at::stampsBinding);
   arrays_[flow_].bindInput(at::flowBinding);
   arrays_[dye_].bindInput(at::dyeBinding);
   arrays_[free_].bindState(at::nextFlowBinding);
   arrays_[spare_].bindState(at::nextDyeBinding);
+  pressure_.bindSolids();
+  const glm::ivec2 size = plan_.size() + 2;
+  std::vector<glm::ivec4> boxes;
+  std::int64_t cells = 0;
+  for (const shader::FluidBrush& brush : brushes) {
+    boxes.push_back(changedBy(brush, plan_.parameters()));
+    cells += std::int64_t{boxes.back().z} * boxes.back().w;
+  }
+  all = all || 2 * cells > std::int64_t{size.x} * size.y;
+  if (all) boxes = {glm::ivec4(-1, -1, size)};
+  const auto run = [&](const gl::Program& program) {
+    gl::barrier();
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+      // Those that reach into it; a box may be painted twice, and is the same each time.
+      std::size_t first = 0, end = brushes.size();
+      while (!all && !meet(boxes[first], boxes[i])) ++first;
+      while (!all && !meet(boxes[end - 1], boxes[i])) --end;
+      program.set("firstBrush", static_cast<int>(first));
+      program.set("endBrush", static_cast<int>(end));
+      program.set("box", boxes[i]);
+      program.dispatch(boxes[i].z, boxes[i].w);
+    }
+  };
   run(paint_);
+  std::swap(flow_, free_);
+  std::swap(dye_, spare_);
+  if (all) return;
+  arrays_[flow_].bindInput(at::flowBinding);
+  arrays_[dye_].bindInput(at::dyeBinding);
+  arrays_[free_].bindState(at::nextFlowBinding);
+  arrays_[spare_].bindState(at::nextDyeBinding);
+  run(paintBack_);
   std::swap(flow_, free_);
   std::swap(dye_, spare_);
 }
@@ -177,7 +255,7 @@ void FluidKernels::project(unsigned number) {
   arrays_[spare_].bindState(at::nextFlowBinding);
   pressure_.control().bindStorage(at::controlBinding);
   status_.bindStorage(shader::statusBinding);
-  project_.set("number", number);
+  for (const gl::Program* program : {&project_.open, &project_.others}) program->set("number", number);
   run(project_);
   std::swap(flow_, spare_);
   pressure_.judge(status_);
@@ -197,7 +275,7 @@ void FluidKernels::start(double time) {
   place(time, 0);
   steps_.upload(std::vector<shader::FluidStep>{plan_.stepAt(time, 0)});
   steps_.bind(0);
-  paint(time, 0);
+  paint(time, 0, true);
   project(0);
   show(time);
 }
@@ -206,7 +284,7 @@ void FluidKernels::resume(double time) {
   beginFrame(time);
   place(time, 0);
   steps_.bind(0);
-  pressure_.forgetSpeed();
+  pressure_.resume();
   arrays_[flow_].bindInput(at::flowBinding);
   pressure_.control().bindStorage(at::controlBinding);
   run(fastest_);
@@ -230,7 +308,7 @@ void FluidKernels::advance(double time, int step, unsigned number) {
   arrays_[spare_].bindState(at::nextFlowBinding);
   run(correct_);
   std::swap(flow_, spare_);
-  paint(time, step);
+  paint(time, step, false);
   steps_.bind(static_cast<std::size_t>(step) - 1);
   project(number);
   moveDye();

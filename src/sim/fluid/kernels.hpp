@@ -56,8 +56,14 @@ class FluidKernels {
   [[nodiscard]] const FluidPressure& pressure() const { return pressure_; }
 
  private:
+  /// Kernels for tiles in the open, and for the others and the ring.
+  struct Tiled {
+    gl::Program open, others;
+  };
   void run(const gl::Program& program) const;
-  void paint(double time, int step);
+  void run(const Tiled& tiled) const;
+  /// `all`: the ring around the grid, too, wherever brushes are.
+  void paint(double time, int step, bool all);
   void project(unsigned number);
   void moveDye();
 
@@ -72,7 +78,8 @@ class FluidKernels {
   gl::Vec4Array stops_;
   gl::Buffer status_, brushes_;
   StepBlocks<shader::FluidStep> steps_;
-  gl::Program push_, carry_, correct_, fastest_, paint_, project_, moveDye_, show_;
+  gl::Program push_, carry_, correct_, fastest_, paint_, paintBack_, show_;
+  Tiled project_, moveDye_;
   FluidPressure pressure_;
   Tally tally_;
   glm::vec4 perCells_{1};  ///< of the sums: means over open cells, and over corners in the open

@@ -102,6 +102,57 @@ void FluidLevels::add(const Grid& g) {
                     << 16U;
 }
 
+std::vector<std::uint8_t> FluidLevels::openBlocks(const FluidLevel& level) const {
+  constexpr std::uint32_t whole = 4096U | 4096U << 16U;
+  constexpr int reach = 2;
+  std::vector<std::uint8_t> open(static_cast<std::size_t>(level.elements()));
+  const glm::ivec2 inside = level.cells / 2;
+  std::vector<int> columns(static_cast<std::size_t>(inside.x));  // whole ones up to this row
+  for (int y = 0; y < inside.y; ++y) {
+    int along = 0;  // columns that have enough of them
+    for (int x = 0; x < inside.x; ++x) {
+      const int number = y * level.blocks().x + x;
+      int& column = columns[static_cast<std::size_t>(x)];
+      const glm::uvec4& faces = weights_[static_cast<std::size_t>(level.start + number)];
+      column = faces == glm::uvec4(whole) ? column + 1 : 0;
+      along = column > 2 * reach ? along + 1 : 0;
+      const int middle = number - reach * (level.blocks().x + 1);
+      if (along > 2 * reach) open[static_cast<std::size_t>(middle)] = 1;
+    }
+  }
+  return open;
+}
+
+std::vector<glm::uvec4> FluidLevels::tileLists(std::vector<glm::ivec2>& counts) const {
+  std::vector<glm::uvec4> words;
+  counts.clear();
+  for (const FluidLevel& level : levels_) {
+    const std::vector<std::uint8_t> open = openBlocks(level);
+    const glm::ivec2 tiles = level.tiles(), blocks = level.blocks();
+    const auto start = static_cast<int>(words.size());
+    const int end = start + 2 * level.listElements();
+    words.resize(static_cast<std::size_t>(end), glm::uvec4(~0U));
+    glm::ivec2 found(0, 0);
+    for (int ty = 0; ty < tiles.y; ++ty)
+      for (int tx = 0; tx < tiles.x; ++tx) {
+        const glm::ivec2 first = FluidLevel::tileBlocks * glm::ivec2(tx, ty);
+        const glm::ivec2 beyond = glm::min(first + FluidLevel::tileBlocks, (level.cells + 1) / 2);
+        bool isOpen = level.hasOpenTiles();
+        for (int y = first.y; y < beyond.y && isOpen; ++y)
+          for (int x = first.x; x < beyond.x && isOpen; ++x) {
+            const int number = y * blocks.x + x;
+            isOpen = open[static_cast<std::size_t>(number)] != 0;
+          }
+        const int which = isOpen ? 0 : 1;
+        const int at = found[which]++, element = start + which * level.listElements() + at / 4;
+        words[static_cast<std::size_t>(element)][at % 4] =
+            static_cast<unsigned>(tx) | static_cast<unsigned>(ty) << 16U;
+      }
+    counts.push_back((found + FluidLevel::groupTiles - 1) / FluidLevel::groupTiles);
+  }
+  return words;
+}
+
 FluidLevels::FluidLevels(glm::ivec2 size, std::vector<double> left, std::vector<double> top,
                          glm::bvec2 wraps) {
   Grid g;

@@ -7,6 +7,7 @@ namespace simreel::shader {
 #define precise
 #include "glsl/fluid/model.glsl"
 static_assert(sizeof(FluidStep) == 96);
+static_assert(sizeof(FluidLevelPlace) == 48);
 static_assert(sizeof(FluidSolidSet) == 9216);
 static_assert(sizeof(FluidBrush) == 128);
 #undef precise

@@ -3,6 +3,7 @@
 #include "base/error.hpp"
 #include "gl/errors.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <cstdint>
 #include <span>
@@ -25,44 +26,68 @@ constexpr float aim = 0.5F * maxFluidDivergence;
 
 }  // namespace
 
-// A dispatch for each level's blocks, one for a single group.
+// Dispatches for each level's tiles, those in the open and the others, and one for a single group.
 FluidPressure::FluidPressure(const std::string& name, const FluidPlan& plan, const gl::Defines& defines)
     : levels_(plan.levels()),
       cycles_(plan.parameters().cycles),
       weights_(name + " openings", std::span<const glm::uvec4>(plan.solidsAt(0, 0)->words())),
       solids_(name + " obstacles", sizeof(shader::FluidSolidSet)),
+      descend_(pairOf("fluid/descend.comp", defines)),
+      ascend_(pairOf("fluid/ascend.comp", defines)),
+      residual_(pairOf("fluid/residual.comp", defines)),
       divergence_(gl::Program::compute("fluid/divergence.comp", defines)),
-      descend_(gl::Program::compute("fluid/descend.comp", defines)),
-      bottom_(gl::Program::compute("fluid/bottom.comp", defines)),
-      ascend_(gl::Program::compute("fluid/ascend.comp", defines)),
-      residual_(gl::Program::compute("fluid/residual.comp", defines)),
-      decide_(gl::Program::compute("fluid/decide.comp", defines)) {
+      bottom_(pairOf("fluid/bottom.comp", defines).others),
+      decide_(gl::Program::compute("fluid/decide.comp", defines)),
+      tilesStart_(plan.solidsAt(0, 0)->tilesStart()),
+      groups_(groupsOf(*plan.solidsAt(0, 0))) {
   gl::Defines judging = defines;
   judging.emplace_back("JUDGE", "1");
   judge_ = gl::Program::compute("fluid/decide.comp", judging);
-  std::vector<std::uint32_t> groups;
-  for (const FluidLevel& level : levels_.levels()) {
-    const glm::ivec2 blocks = level.blocks();
-    groups.insert(groups.end(), {static_cast<unsigned>((blocks.x + 15) / 16),
-                                 static_cast<unsigned>((blocks.y + 3) / 4), 1U});
-  }
-  groups.insert(groups.end(), {1U, 1U, 1U});
-  std::vector<std::uint32_t> words(controlWords + groups.size());
-  words.insert(words.end(), groups.begin(), groups.end());
+  std::vector<std::uint32_t> words(controlWords + groups_.size());
+  words.insert(words.end(), groups_.begin(), groups_.end());
   words.resize((words.size() + 3) / 4 * 4);
   control_ = gl::Buffer::of<std::uint32_t>(name + " solver", words);
+  places_ =
+      StepBlocks<shader::FluidLevelPlace>(name + " levels", static_cast<int>(levels_.levels().size()));
+  places_.upload(places());
+  bottom_.checkUniformBlock("LevelBlock", sizeof(shader::FluidLevelPlace));
   const auto& finest = levels_.levels().front();
   divergence_.set("size", finest.cells);
   divergence_.set("rhsStart", 2 * finest.elements());
   divergence_.set("solidsStart", levels_.elements());
-  decide_.set("dispatches", static_cast<int>(levels_.levels().size()) + 1);
+  decide_.set("dispatches", static_cast<int>(groups_.size()) / 3);
   decide_.set("tolerance", aim);
   judge_.set("tolerance", maxFluidDivergence);
   judge_.set("mostSpeed", plan.parameters().speed);
 }
 
+FluidPressure::Pair FluidPressure::pairOf(const char* path, const gl::Defines& defines) {
+  gl::Defines open = defines, others = defines;
+  open.emplace_back("IN_THE_OPEN", "1");
+  others.emplace_back("IN_THE_OPEN", "0");
+  return {gl::Program::compute(path, open), gl::Program::compute(path, others)};
+}
+
+std::vector<std::uint32_t> FluidPressure::groupsOf(const FluidSolids& solids) {
+  constexpr auto row = static_cast<std::uint32_t>(FluidLevel::groupRow);
+  std::vector<std::uint32_t> groups;
+  for (const glm::ivec2& counts : solids.tileGroups())
+    for (int i = 0; i < 2; ++i) {
+      const auto count = static_cast<std::uint32_t>(counts[i]);
+      groups.insert(groups.end(), {std::min(count, row), (count + row - 1) / row, 1U});
+    }
+  groups.insert(groups.end(), {1U, 1U, 1U});
+  return groups;
+}
+
 void FluidPressure::setSolids(const FluidSolids& solids) {
   weights_.write(solids.words());
+  const std::vector<std::uint32_t> groups = groupsOf(solids);
+  if (groups != groups_) {
+    gl::beforeWrites();
+    control_.write(4 * (controlWords + groups.size()), std::as_bytes(std::span(groups)));
+    groups_ = groups;
+  }
   solids_.write(0, std::as_bytes(std::span(&solids.set(), 1)));
 }
 
@@ -71,42 +96,51 @@ void FluidPressure::bindSolids() const {
   solids_.bindUniform(at::solidsBinding, 0, solids_.bytes());
 }
 
-void FluidPressure::setLevel(const gl::Program& program, std::size_t number) const {
-  const FluidLevel& level = levels_.levels()[number];
-  const int finest = levels_.levels().front().elements();
-  program.set("cells", level.cells);
-  program.set("weightsStart", level.start);
-  program.set("rhsStart", 2 * finest + level.start);
-  program.set("wayStart", levels_.elements() + level.start);
-  program.set("levelStart", level.start);
-  if (number + 1 == levels_.levels().size()) return;
-  const FluidLevel& coarser = levels_.levels()[number + 1];
-  program.set("nextRhsStart", 2 * finest + coarser.start);
-  program.set("coarseStart", coarser.start);
+std::vector<shader::FluidLevelPlace> FluidPressure::places() const {
+  const std::vector<FluidLevel>& levels = levels_.levels();
+  const int finest = levels.front().elements();
+  std::vector<shader::FluidLevelPlace> places;
+  int tiles = tilesStart_;
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    const int coarser = i + 1 < levels.size() ? levels[i + 1].start : 0;
+    shader::FluidLevelPlace place{};
+    place.cells = levels[i].cells;
+    place.weights = place.up = levels[i].start;
+    place.rhs = 2 * finest + levels[i].start;
+    place.way = levels_.elements() + levels[i].start;
+    place.coarseRhs = 2 * finest + coarser;
+    place.coarseUp = coarser;
+    place.openTiles = tiles;
+    place.otherTiles = tiles + levels[i].listElements();
+    tiles += 2 * levels[i].listElements();
+    places.push_back(place);
+  }
+  return places;
 }
 
 void FluidPressure::indirect(const gl::Program& program, std::size_t number) const {
-  gl::barrier();
-  glMemoryBarrier(GL_COMMAND_BARRIER_BIT);
   program.use();
   glDispatchComputeIndirect(static_cast<GLintptr>((controlWords + 3 * number) * 4));
 }
 
+void FluidPressure::onLevel(const Pair& pair, std::size_t number) const {
+  places_.bind(number, at::levelBinding);
+  gl::barrier();
+  if (levels_.levels()[number].hasOpenTiles()) indirect(pair.open, 2 * number);
+  indirect(pair.others, 2 * number + 1);
+}
+
 void FluidPressure::cycle() const {
-  const std::size_t coarsest = levels_.levels().size() - 1;
-  for (std::size_t i = 0; i < coarsest; ++i) {
-    setLevel(descend_, i);
-    indirect(descend_, i);
-  }
-  setLevel(bottom_, coarsest);
-  indirect(bottom_, coarsest + 1);
-  for (std::size_t i = coarsest; i-- > 0;) {
-    setLevel(ascend_, i);
-    indirect(ascend_, i);
-  }
-  setLevel(residual_, 0);
-  indirect(residual_, 0);
-  indirect(decide_, coarsest + 1);
+  const std::size_t coarsest = levels_.levels().size() - 1, single = 2 * levels_.levels().size();
+  glMemoryBarrier(GL_COMMAND_BARRIER_BIT);  // how much there is to do
+  for (std::size_t i = 0; i < coarsest; ++i) onLevel(descend_, i);
+  places_.bind(coarsest, at::levelBinding);
+  gl::barrier();
+  indirect(bottom_, single);
+  for (std::size_t i = coarsest; i-- > 0;) onLevel(ascend_, i);
+  onLevel(residual_, 0);
+  gl::barrier();
+  indirect(decide_, single);
 }
 
 void FluidPressure::solve(const gl::Vec4Array& flow, const gl::Vec4Array& pool,
@@ -138,10 +172,11 @@ void FluidPressure::judge(const gl::Buffer& status) const {
   judge_.dispatch(1);
 }
 
-void FluidPressure::forgetSpeed() {
+void FluidPressure::resume() {
   constexpr std::uint32_t none = 0;
   gl::beforeWrites();
   control_.write(4 * (controlWords - 1), std::as_bytes(std::span(&none, 1)));
+  control_.write(4 * (controlWords + groups_.size()), std::as_bytes(std::span(groups_)));
 }
 
 FluidPressure::Report FluidPressure::report() const {

@@ -1,9 +1,12 @@
 #pragma once
 #include "gl/element_array.hpp"
 #include "gl/program.hpp"
+#include "sim/core/step_blocks.hpp"
 #include "sim/fluid/plan.hpp"
 
+#include <cstdint>
 #include <string>
+#include <vector>
 
 namespace simreel::sim {
 
@@ -31,8 +34,9 @@ class FluidPressure {
   /// Once the projected flow has been noted in control(): whether it is good enough, and not too fast.
   void judge(const gl::Buffer& status) const;
 
-  /// Before fluid/fastest.comp finds it out anew.
-  void forgetSpeed();
+  /// After a state was loaded: what goes by the obstacles of now, and no speed, before fluid/fastest.comp
+  /// finds it out anew.
+  void resume();
 
   [[nodiscard]] const gl::Buffer& control() const { return control_; }
   [[nodiscard]] gl::Buffer& control() { return control_; }
@@ -40,15 +44,27 @@ class FluidPressure {
   [[nodiscard]] Report report() const;
 
  private:
-  void setLevel(const gl::Program& program, std::size_t level) const;
+  /// Kernels for tiles in the open and for the others.
+  struct Pair {
+    gl::Program open, others;
+  };
+  [[nodiscard]] static Pair pairOf(const char* path, const gl::Defines& defines);
+  /// Three words for each dispatch that a cycle may have.
+  [[nodiscard]] static std::vector<std::uint32_t> groupsOf(const FluidSolids& solids);
+  [[nodiscard]] std::vector<shader::FluidLevelPlace> places() const;
   void indirect(const gl::Program& program, std::size_t number) const;
+  void onLevel(const Pair& pair, std::size_t level) const;
   void cycle() const;
 
   const FluidLevels& levels_;  ///< but for their weights
   int cycles_;
   gl::WordsArray weights_;  ///< FluidSolids::words
   gl::Buffer solids_, control_;
-  gl::Program divergence_, descend_, bottom_, ascend_, residual_, decide_, judge_;
+  StepBlocks<shader::FluidLevelPlace> places_;  ///< a level each
+  Pair descend_, ascend_, residual_;
+  gl::Program divergence_, bottom_, decide_, judge_;
+  int tilesStart_;
+  std::vector<std::uint32_t> groups_;
 };
 
 }  // namespace simreel::sim

@@ -198,7 +198,13 @@ FluidSolids::FluidSolids(const FluidParameters& p, Nearest nearest)
     : size_(p.size), levels_(nearest.levels(p)) {
   findSolid();
   words_ = levels_.weights();
-  if (p.obstacles.empty()) return;
+  if (!p.obstacles.empty()) addDistances(p, nearest);
+  tilesStart_ = static_cast<int>(words_.size());
+  const std::vector<glm::uvec4> tiles = levels_.tileLists(tileGroups_);
+  words_.insert(words_.end(), tiles.begin(), tiles.end());
+}
+
+void FluidSolids::addDistances(const FluidParameters& p, const Nearest& nearest) {
   findPockets({p.wrapsX(), p.wrapsY()});
   words_.resize(words_.size() + static_cast<std::size_t>(levels_.levels().front().elements()),
                 glm::uvec4(0));

@@ -47,9 +47,12 @@ class FluidSolids {
   /// A byte a cell, x fastest: 1 where no face lets anything through.
   [[nodiscard]] const std::vector<std::uint8_t>& solid() const { return solid_; }
   /// For the kernels: the weights of all levels, then the words of solidWord (glsl/fluid/walls.glsl) in
-  /// blocks of 2x2 cells, where there are obstacles.
+  /// blocks of 2x2 cells, where there are obstacles, then FluidLevels::tileLists.
   [[nodiscard]] const std::vector<glm::uvec4>& words() const { return words_; }
   [[nodiscard]] int solidsStart() const { return levels_.elements(); }
+  [[nodiscard]] int tilesStart() const { return tilesStart_; }
+  /// Of each level, work groups for those in the open and for the others.
+  [[nodiscard]] const std::vector<glm::ivec2>& tileGroups() const { return tileGroups_; }
   /// A word of a cell: distance, obstacle, pocket.
   [[nodiscard]] std::uint32_t wordAt(int x, int y) const;
   [[nodiscard]] const shader::FluidSolidSet& set() const { return set_; }
@@ -70,6 +73,7 @@ class FluidSolids {
   struct Nearest;
   FluidSolids(const FluidParameters& p, Nearest nearest);
   [[nodiscard]] std::uint32_t& wordOf(int x, int y);
+  void addDistances(const FluidParameters& p, const Nearest& nearest);
   void findSolid();
   void findPockets(glm::bvec2 wraps);
   void balance(const FluidParameters& p, const shader::FluidStep& sides);
@@ -84,7 +88,8 @@ class FluidSolids {
   std::vector<std::uint8_t> solid_;
   std::vector<glm::uvec4> words_;
   std::vector<int> pocketOf_;
-  int pockets_ = 0;
+  std::vector<glm::ivec2> tileGroups_;
+  int pockets_ = 0, tilesStart_ = 0;
   bool grows_ = false;
   shader::FluidSolidSet set_{};
 };

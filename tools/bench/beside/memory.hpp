@@ -7,8 +7,8 @@
 namespace simreel::bench {
 
 /// What `bench_fluid speed` and `bench_fluid water` print: a square field of so many cells, alone on the
-/// device.
-void printFluidSpeed(int side);
+/// device. `mostCycles`: of a projection, so many are dispatched; 0: the standard.
+void printFluidSpeed(int side, int mostCycles);
 void printWaterSpeed(int side);
 
 /// The name that the next buffer gets.
