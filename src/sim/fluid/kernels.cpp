@@ -21,6 +21,8 @@ namespace {
 
 namespace at = shader::fluid;
 
+constexpr int groupSide = 8;  // of kernels that take tiles, glsl/fluid/tiles.glsl
+
 /// Before anything is filled.
 void checkLimits(const std::string& name, glm::ivec2 size) {
   const std::int64_t elements = (std::int64_t{size.x} + 2) * (size.y + 2);
@@ -132,6 +134,7 @@ FluidKernels::FluidKernels(const std::string& name, const FluidPlan& plan, bool 
   for (const gl::Program* program : {&project_.open, &project_.others})
     program->set("lostSpeed", lostFluidSpeed * p.speed);
   makeTiled(moveDye_, "fluid/dye.comp");
+  if (gl::memoryPath() == gl::MemoryPath::storage) make(dyeStrips_, "fluid/dye_strips.comp");
   const bool lines = p.show == FluidParameters::Show::lines;
   make(show_, lines ? "fluid/lines.comp" : "fluid/show.comp");
   show_.set("stopCount", static_cast<int>(p.display.colors().size()));
@@ -186,7 +189,7 @@ void FluidKernels::run(const gl::Program& program) const {
 
 /// Four cells to an invocation.
 void FluidKernels::run(const Tiled& tiled) const {
-  constexpr int side = 8, lanes = side * side, row = FluidLevel::groupRow;
+  constexpr int side = groupSide, row = FluidLevel::groupRow;
   pressure_.bindSolids();
   gl::barrier();
   const auto groups = [&](const gl::Program& program, int start, int count) {
@@ -197,8 +200,14 @@ void FluidKernels::run(const Tiled& tiled) const {
   const int start = solids_->tilesStart(), list = plan_.levels().levels().front().listElements();
   groups(tiled.open, start, count.x);
   groups(tiled.others, start + list, count.y);
-  const int ring = 2 * (plan_.size().x + plan_.size().y + 2);
-  groups(tiled.others, -1, (ring + 4 * lanes - 1) / (4 * lanes));
+  runRing(tiled);
+}
+void FluidKernels::runRing(const Tiled& tiled) const {
+  const int cells = 2 * (plan_.size().x + plan_.size().y + 2);
+  const int count = (cells + 4 * groupSide * groupSide - 1) / (4 * groupSide * groupSide);
+  tiled.others.set("tilesStart", -1);
+  tiled.others.dispatch(std::min(count, FluidLevel::groupRow) * groupSide,
+                        (count + FluidLevel::groupRow - 1) / FluidLevel::groupRow * groupSide);
 }
 
 /// Where brushes reach a small part of the cells only that is painted, and taken back to the rest.
@@ -266,9 +275,20 @@ void FluidKernels::moveDye() {
     arrays_[flow_].bindInput(at::flowBinding);
     arrays_[dye_].bindInput(at::dyeBinding);
     arrays_[free_].bindState(at::nextDyeBinding);
-    run(moveDye_);
+    moveDyeOnce();
     std::swap(dye_, free_);
   }
+}
+
+void FluidKernels::moveDyeOnce() const {
+  if (gl::memoryPath() == gl::MemoryPath::texel) return run(moveDye_);
+  pressure_.bindSolids();
+  gl::barrier();
+  const glm::ivec2 size = plan_.size();
+  const int rows = std::clamp(size.x * size.y / 60000, 4, 32);
+  dyeStrips_.set("rows", rows);
+  dyeStrips_.dispatch(((size.x - 1) / 28 + 1) * 32, (size.y - 1) / rows + 1);
+  runRing(moveDye_);
 }
 
 void FluidKernels::start(double time) {

@@ -62,10 +62,12 @@ class FluidKernels {
   };
   void run(const gl::Program& program) const;
   void run(const Tiled& tiled) const;
+  void runRing(const Tiled& tiled) const;
   /// `all`: the ring around the grid, too, wherever brushes are.
   void paint(double time, int step, bool all);
   void project(unsigned number);
   void moveDye();
+  void moveDyeOnce() const;
 
   const FluidPlan& plan_;
   std::shared_ptr<const FluidSolids> solids_;
@@ -80,6 +82,7 @@ class FluidKernels {
   StepBlocks<shader::FluidStep> steps_;
   gl::Program push_, carry_, correct_, fastest_, paint_, paintBack_, show_;
   Tiled project_, moveDye_;
+  gl::Program dyeStrips_;  ///< of storage blocks
   FluidPressure pressure_;
   Tally tally_;
   glm::vec4 perCells_{1};  ///< of the sums: means over open cells, and over corners in the open
