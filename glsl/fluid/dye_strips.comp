@@ -1,4 +1,4 @@
-// dye.comp's cells within the grid for storage blocks, and so for graphics cards: each flux is made once. A work group of
+// dye.comp for storage blocks, and so for graphics cards: each flux is made once. A work group of
 // 32 columns goes down `rows` rows: an invocation makes the fluxes through the left and the top face of its cells, and
 // what it needs of its neighbours passes through shared memory. Strips are 28 columns apart: the outermost ones
 // only serve the others.
@@ -11,6 +11,19 @@ uniform int rows;  // of a strip
 
 shared vec4 dyeRow[columns];
 shared vec4 leftFluxes[columns];
+
+// A cell, and where it is at the border what of the ring is like it.
+void storeDye(int x, int y, vec4 value) {
+  STORE_STATE(nextDye, elementOf(x, y), value);
+  if (x > 0 && y > 0 && x < size.x - 1 && y < size.y - 1) return;
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) {
+      int atX = i == 0 ? x : i == 1 ? -1 : size.x;
+      int atY = j == 0 ? y : j == 1 ? -1 : size.y;
+      if ((i > 0 || j > 0) && insideX(atX) == x && insideY(atY) == y)
+        STORE_STATE(nextDye, elementOf(atX, atY), beyondOpen(atX, atY) ? vec4(0.0f) : value);
+    }
+}
 
 void main() {
   int column = int(gl_LocalInvocationID.x);
@@ -29,7 +42,7 @@ void main() {
     vec4 bottomFlux = writes ? dyeFluxes(dyeWay(throughV(x, y)), a, b, c, d) : vec4(0.0f);
     if (writes && y > top) {
       precise vec4 next = b - ((right - left) + (bottomFlux - topFlux));
-      STORE_STATE(nextDye, elementOf(x, y - 1), next);
+      storeDye(x, y - 1, next);
     }
     topFlux = bottomFlux;
     dyeRow[column] = c;

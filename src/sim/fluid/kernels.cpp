@@ -21,8 +21,6 @@ namespace {
 
 namespace at = shader::fluid;
 
-constexpr int groupSide = 8;  // of kernels that take tiles, glsl/fluid/tiles.glsl
-
 /// Before anything is filled.
 void checkLimits(const std::string& name, glm::ivec2 size) {
   const std::int64_t elements = (std::int64_t{size.x} + 2) * (size.y + 2);
@@ -189,7 +187,7 @@ void FluidKernels::run(const gl::Program& program) const {
 
 /// Four cells to an invocation.
 void FluidKernels::run(const Tiled& tiled) const {
-  constexpr int side = groupSide, row = FluidLevel::groupRow;
+  constexpr int side = 8, row = FluidLevel::groupRow;
   pressure_.bindSolids();
   gl::barrier();
   const auto groups = [&](const gl::Program& program, int start, int count) {
@@ -200,14 +198,8 @@ void FluidKernels::run(const Tiled& tiled) const {
   const int start = solids_->tilesStart(), list = plan_.levels().levels().front().listElements();
   groups(tiled.open, start, count.x);
   groups(tiled.others, start + list, count.y);
-  runRing(tiled);
-}
-void FluidKernels::runRing(const Tiled& tiled) const {
-  const int cells = 2 * (plan_.size().x + plan_.size().y + 2);
-  const int count = (cells + 4 * groupSide * groupSide - 1) / (4 * groupSide * groupSide);
-  tiled.others.set("tilesStart", -1);
-  tiled.others.dispatch(std::min(count, FluidLevel::groupRow) * groupSide,
-                        (count + FluidLevel::groupRow - 1) / FluidLevel::groupRow * groupSide);
+  const int ring = 2 * (plan_.size().x + plan_.size().y + 2);
+  groups(tiled.others, -1, (ring + 4 * side * side - 1) / (4 * side * side));
 }
 
 /// Where brushes reach a small part of the cells only that is painted, and taken back to the rest.
@@ -288,7 +280,6 @@ void FluidKernels::moveDyeOnce() const {
   const int rows = std::clamp(size.x * size.y / 60000, 4, 32);
   dyeStrips_.set("rows", rows);
   dyeStrips_.dispatch(((size.x - 1) / 28 + 1) * 32, (size.y - 1) / rows + 1);
-  runRing(moveDye_);
 }
 
 void FluidKernels::start(double time) {

@@ -62,7 +62,6 @@ class FluidKernels {
   };
   void run(const gl::Program& program) const;
   void run(const Tiled& tiled) const;
-  void runRing(const Tiled& tiled) const;
   /// `all`: the ring around the grid, too, wherever brushes are.
   void paint(double time, int step, bool all);
   void project(unsigned number);
