@@ -111,9 +111,9 @@ std::vector<std::uint8_t> FluidLevels::openBlocks(const FluidLevel& level) const
   for (int y = 0; y < inside.y; ++y) {
     int along = 0;  // columns that have enough of them
     for (int x = 0; x < inside.x; ++x) {
-      const int number = y * level.blocks().x + x;
+      const int number = y * level.blocks().x + x, among = level.start + number;
       int& column = columns[static_cast<std::size_t>(x)];
-      const glm::uvec4& faces = weights_[static_cast<std::size_t>(level.start + number)];
+      const glm::uvec4& faces = weights_[static_cast<std::size_t>(among)];
       column = faces == glm::uvec4(whole) ? column + 1 : 0;
       along = column > 2 * reach ? along + 1 : 0;
       const int middle = number - reach * (level.blocks().x + 1);

@@ -24,7 +24,7 @@ struct FluidLevel {
     return (groups + groupRow - 1) / groupRow * groupRow;
   }
   /// Whether it is worth while to treat those apart that lie in the open.
-  [[nodiscard]] bool hasOpenTiles() const { return tiles().x * tiles().y >= 64; }
+  [[nodiscard]] bool hasOpenTiles() const { return tiles().x * tiles().y >= 20; }
 
   static constexpr int tileBlocks = 4, groupTiles = 4;
   static constexpr int groupRow = 64;  ///< groups along x where there are as many

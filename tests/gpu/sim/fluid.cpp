@@ -96,6 +96,24 @@ TEST_CASE("fluid equals its CPU twin between walls, on sizes that are no multipl
   }
 }
 
+// Three of its levels have tiles in the open.
+TEST_CASE("fluid equals its CPU twin where much of it lies in the open") {
+  auto p = jets(150, 133);
+  setSides(p, Side::wall, Side::open, Side::slip, Side::wall);
+  p.lift = 20.0F;
+  p.strokes[0].setsTemperature = true;
+  p.strokes[0].temperature = 1.0F;
+  p.obstacles.resize(1);
+  p.obstacles[0].center = glm::vec3(90, 60, 0);
+  p.obstacles[0].radius = 9;
+  CHECK(sim::FluidPlan(p, "bath", 5, fluidFrame).solidsAt(0, 0)->tileGroups()[2].x > 0);
+  compareFluid(p, 2);
+  p.obstacles.clear();
+  setSides(p, Side::periodic, Side::periodic, Side::periodic, Side::periodic);
+  p.strokes[1].from.x = p.strokes[1].to.x = 150;  // over the seam
+  compareFluid(p, 2);
+}
+
 TEST_CASE("fluid equals its CPU twin with every kind of side") {
   auto p = jets(45, 38);
   setSides(p, Side::inflow, Side::open, Side::slip, Side::wall);

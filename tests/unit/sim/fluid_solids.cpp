@@ -158,3 +158,41 @@ TEST_CASE(
   CHECK(worst < 0.005 * radius);
   CHECK(pressure < 2 * radius * radius);  // its mean does not drift
 }
+
+TEST_CASE("fluid tiles: each is in one list, and those in the open see whole faces only") {
+  for (const bool wraps : {false, true}) {
+    auto p = emptyTank(101, 83);
+    if (wraps) p.left.kind = p.right.kind = sim::FluidSide::Kind::periodic;
+    p.obstacles = {ballAt(60, 40, 9)};
+    const sim::FluidPlan plan(p, "tank", 1, 1.0 / 30);
+    const auto solids = plan.solidsAt(0, 0);
+    int start = solids->tilesStart(), open = 0;
+    for (std::size_t number = 0; number < plan.levels().levels().size(); ++number) {
+      const sim::FluidLevel& level = plan.levels().levels()[number];
+      const glm::ivec2 tiles = level.tiles();
+      std::vector<int> found(static_cast<std::size_t>(tiles.x * tiles.y));
+      for (int which = 0; which < 2; ++which, start += level.listElements())
+        for (int i = 0; i < 4 * level.listElements(); ++i) {
+          const unsigned word = solids->words()[static_cast<std::size_t>(start + i / 4)][i % 4];
+          if (word == ~0U) continue;
+          CHECK(i < 4 * solids->tileGroups()[number][which]);
+          const int x = static_cast<int>(word & 0xffffU), y = static_cast<int>(word >> 16U);
+          ++found.at(static_cast<std::size_t>(y * tiles.x + x));
+          if (which == 1) continue;
+          ++open;
+          bool whole = true;
+          for (int j = 4 * y - 2; j < 4 * y + 6; ++j)
+            for (int k = 4 * x - 2; k < 4 * x + 6; ++k) {
+              const bool inside = k >= 0 && j >= 0 && k < level.cells.x / 2 && j < level.cells.y / 2;
+              const int block = level.start + j * level.blocks().x + k;
+              whole = whole && inside &&
+                      solids->words()[static_cast<std::size_t>(block)] == glm::uvec4(4096U | 4096U << 16U);
+            }
+          CHECK(whole);
+        }
+      CHECK(std::count(found.begin(), found.end(), 1) == std::ssize(found));
+    }
+    CHECK(start == std::ssize(solids->words()));
+    CHECK(open > 40);
+  }
+}
