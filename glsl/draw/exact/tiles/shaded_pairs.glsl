@@ -15,7 +15,7 @@ void lightTile(uint firstId, uint numbers) {
   ivec2 corner = tileToShade();
   if (corner.x < 0) return;
   int me = int(gl_LocalInvocationIndex);
-  ivec2 pixel = corner + ivec2(gl_LocalInvocationID.xy);
+  ivec2 pixel = corner + inTile();
   if (me == 0) pairCount = 0u;
   barrier();
   PixelIds shown;
@@ -33,7 +33,7 @@ void lightTile(uint firstId, uint numbers) {
   int count = int(pairCount);  // once: software drivers read shared memory lane by lane
   for (int i = me; i < count; i += tilePixels) {
     int pair = int(pairs[i]), first = pair >> 6, at = pair & (tilePixels - 1);
-    ivec2 lit = corner + ivec2(at % tileSide, at / tileSide);
+    ivec2 lit = corner + placeInTile(at);
     lightOfPair[first * tilePixels + at] = lightOf(lit, idAt(lit, first) - firstId, first);
   }
   barrier();

@@ -19,13 +19,22 @@ ivec2 tileToShade() {
   return ivec2(tile & 0xffffu, tile >> 16) * tileSide + ivec2(0, view.rows.x);
 }
 
+// The invocation's pixel of the tile. Eight in a row, which are a vector of a software driver, have blocks of 4x2: fewer edges run
+// through those than through rows.
+ivec2 placeInTile(int i) {
+  return ivec2((i & 3) | (i >> 1 & 4), (i >> 2 & 1) | (i >> 3 & 6));
+}
+ivec2 inTile() {
+  return placeInTile(int(gl_LocalInvocationIndex));
+}
+
 bool inPicture(ivec2 pixel) {
   return pixel.x < view.size.x && pixel.y < view.rows.y;
 }
 
 // Outside the picture where there is none.
 ivec2 pixelToShade() {
-  ivec2 corner = tileToShade(), pixel = corner + ivec2(gl_LocalInvocationID.xy);
+  ivec2 corner = tileToShade(), pixel = corner + inTile();
   return corner.x >= 0 && inPicture(pixel) ? pixel : ivec2(-1);
 }
 
