@@ -3,6 +3,7 @@
 // (draw/instances/small_sprites.comp): else they would twinkle. Variants: those of draw/surface/lighting.glsl, SHADOW (with
 // SHADOW_TAPS). SAMPLES.
 #define EXACT_PICTURE
+#include "common/once.glsl"
 #include "draw/exact/tiles/shaded_tile.glsl"
 #include "draw/exact/instances/ball_source.glsl"
 #include "draw/exact/instances/rays.glsl"
@@ -13,7 +14,9 @@
 #include "draw/exact/shadows/sun_map.glsl"
 #endif
 uniform vec3 material;  // roughness, metallic, translucency
+vec3 material_ = once(material);
 uniform float squarePixels;  // radius of those of few pixels
+float squarePixels_ = once(squarePixels);
 
 // The place of a pixel or sample on it that is lit.
 struct Place {
@@ -45,7 +48,7 @@ float weightOf(Ball ball, Facing facing, vec2 corner, float perHalf, ivec2 pixel
 vec4 lightOf(ivec2 pixel, int number, int firstSample) {
   vec4 position = texelFetch(positions, number), velocity = texelFetch(velocities, number);
   Ball ball = ballOf(position, velocity);
-  bool small = pixelRadius(position.xyz, ball.radius) <= squarePixels;
+  bool small = pixelRadius(position.xyz, ball.radius) <= squarePixels_;
   Facing facing = facingEye(position.xyz);
   Place place = placeOn(ball, pixel, firstSample);
   precise vec3 backwards = -place.ray;
@@ -58,7 +61,7 @@ vec4 lightOf(ivec2 pixel, int number, int firstSample) {
   const float fraction = 1.0f;
 #endif
   vec3 tint = tintOf(position, velocity);
-  Look look = Look(tint, material.x, material.y, material.z, 1.0f);
+  Look look = Look(tint, material_.x, material_.y, material_.z, 1.0f);
   precise float perHalf = 1.1283792f * exactReciprocal(ball.radius);
   vec3 firstNormal = unitOf(place.outwards);
   precise vec3 light = vec3(0.0f);
@@ -80,7 +83,7 @@ void main() {
   PixelIds shown = idsOf(pixel);
   int left = 0;
   for (int s = 0; s < SAMPLES; ++s)
-    if (shown.of[s] >= firstId && shown.of[s] - firstId < uint(capacity)) left |= 1 << s;
+    if (shown.of[s] >= firstId_ && shown.of[s] - firstId_ < uint(capacity_)) left |= 1 << s;
   vec4 sum = imageLoad(sums, pixel);
   while (left != 0) {
     int first = findLSB(left);
@@ -88,7 +91,7 @@ void main() {
     int same = 0;
     for (int s = 0; s < SAMPLES; ++s)
       if (shown.of[s] == id) same |= 1 << s;
-    sum = withLight(sum, lightOf(pixel, int(id - firstId), first), bitCount(same));
+    sum = withLight(sum, lightOf(pixel, int(id - firstId_), first), bitCount(same));
     left &= ~same;
   }
   imageStore(sums, pixel, sum);
