@@ -1,4 +1,4 @@
-// A field, drawn by a kernel: OVER the finished picture, else behind the light of the scene.
+// A field, drawn by a kernel: OVER the finished picture (OPAQUE: nothing of that is seen), else behind the light of the scene.
 #define EXACT_PICTURE
 #include "draw/arithmetic.glsl"
 #include "draw/overlay/field_inputs.glsl"
@@ -8,7 +8,9 @@
 #include "draw/overlay/field_shading.glsl"
 #include "draw/overlay/pixel.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
-#ifdef OVER
+#ifdef OPAQUE
+layout(rgba8, binding = targetImage) writeonly uniform restrict image2D target;
+#elif defined OVER
 layout(rgba8, binding = targetImage) uniform restrict image2D target;
 #else
 layout(rgba32f, binding = targetImage) uniform restrict image2D target;
@@ -21,8 +23,11 @@ void main() {
   if (any(greaterThanEqual(at, part.zw))) return;
   ivec2 texel = ivec2(at.x, lastRow < 0 ? at.y : lastRow - at.y);
 #ifdef OVER
-  vec4 below = vec4(0.0);
-  if (opacity < 1.0) below = bytesOf(imageLoad(target, texel));
+#ifdef OPAQUE
+  const vec4 below = vec4(0.0);
+#else
+  vec4 below = bytesOf(imageLoad(target, texel));
+#endif
   imageStore(target, texel, storedBytes(laidOver(below, fieldPixel(at))));
 #else
   imageStore(target, texel, laidBehind(imageLoad(target, texel), fieldPixel(at)));
