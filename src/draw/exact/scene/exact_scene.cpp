@@ -5,6 +5,7 @@
 #include "draw/exact/bloom.hpp"
 #include "draw/exact/exact_view.hpp"
 #include "draw/exact/instances/exact_instances.hpp"
+#include "draw/exact/parts.hpp"
 #include "draw/exact/scene/lamp_maps.hpp"
 #include "draw/exact/shaded_tiles.hpp"
 #include "draw/exact/surface_shading.hpp"
@@ -59,7 +60,7 @@ struct ExactScene::State {
     return defines;
   }
   [[nodiscard]] gl::Defines pictureDefines() const {
-    gl::Defines defines;
+    gl::Defines defines = {{"ROWS", std::to_string(rowsAtOnce())}};
     if (bloom.on()) defines.emplace_back("BLOOM", "1");
     if (scene.numerics == scene::Numerics::fast) defines.emplace_back("FAST_NUMERICS", "1");
     return defines;
@@ -251,7 +252,7 @@ void ExactScene::draw(double seconds, const sim::Drawables& published, const Ove
   s.sums.bind(sceneUnit);
   picture.bindImage(pictureImage, GL_WRITE_ONLY);
   s.picture.set("perSize", 2.0F / glm::vec2(s.size));
-  s.picture.dispatch(s.size.x, s.size.y);
+  s.picture.dispatch(s.size.x, (s.size.y + rowsAtOnce() - 1) / rowsAtOnce());
   glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT |
                   GL_FRAMEBUFFER_BARRIER_BIT | GL_PIXEL_BUFFER_BARRIER_BIT);
   if (s.passes) s.passes->keepBytes("picture", "film", picture);
