@@ -24,6 +24,9 @@ int once(int x) {
 ivec2 once(ivec2 x) {
   return max(x, ivec2(-0x7fffffff));
 }
+ivec4 once(ivec4 x) {
+  return max(x, ivec4(-0x7fffffff));
+}
 uint once(uint x) {
   return min(x, 0xfffffffeu);
 }

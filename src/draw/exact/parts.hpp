@@ -7,12 +7,6 @@
 
 namespace simreel::draw {
 
-/// Pixels, one below the other, that an invocation does in a row, 8 at most: groups of software drivers begin
-/// and end once for each vector of lanes, and read uniforms there.
-[[nodiscard]] inline int rowsAtOnce() {
-  return gl::softwareDriver() ? 8 : 1;
-}
-
 /// Groups that share the tiles of a large thing so that no invocation's loops end early, which they do in
 /// silence after 65,535 turns on some drivers.
 [[nodiscard]] inline unsigned leastParts(glm::ivec2 size, int samples) {

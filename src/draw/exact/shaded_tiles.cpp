@@ -2,8 +2,8 @@
 
 #include "base/error.hpp"
 #include "draw/exact/bindings.hpp"
-#include "draw/exact/parts.hpp"
 #include "draw/exact/reserve.hpp"
+#include "draw/rows_at_once.hpp"
 #include "gl/context.hpp"
 #include "gl/element_array.hpp"
 

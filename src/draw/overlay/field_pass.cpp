@@ -2,9 +2,11 @@
 
 #include "base/error.hpp"
 #include "draw/overlay/box_kernel.hpp"
+#include "draw/rows_at_once.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include <glm/common.hpp>
 #include <glm/vec4.hpp>
@@ -33,6 +35,12 @@ bool hasSmoothColors(const sim::Field& field) {
 
 bool hasRelief(const sim::Field& field) {
   return field.display->relief != 0 && !field.categories;
+}
+
+/// Pixels of an invocation, one below the other. Relief takes eight means over up to 42 elements a side
+/// more, and drivers end loops in silence after 65,535 turns.
+int rowsFor(const sim::Field& field) {
+  return hasRelief(field) ? 1 : rowsAtOnce();
 }
 
 }  // namespace
@@ -88,6 +96,7 @@ const gl::Program& FieldPass::program(const sim::Field& field, const Kept& kept,
   if (reduced) defines.emplace_back("REDUCED", "1");
   if (over) defines.emplace_back("OVER", "1");
   if (opaque) defines.emplace_back("OPAQUE", "1");
+  if (exact_) defines.emplace_back("ROWS", std::to_string(rowsFor(field)));
   if (hasSmoothColors(field)) defines.emplace_back("SMOOTH_COLORS", "1");
   if (field.display->tiled) defines.emplace_back("TILED", "1");
   if (hasRelief(field)) defines.emplace_back("RELIEF", "1");
@@ -161,7 +170,8 @@ void FieldPass::drawOneExactly(const sim::Field& field, const Kept& kept, double
   shader.set("lastRow", lastRow);
   target.bindImage(targetImage, GL_READ_WRITE);
   imageBarrier();
-  shader.dispatch(part.z - part.x, part.w - part.y);
+  const int rows = rowsFor(field);
+  shader.dispatch(part.z - part.x, (part.w - part.y + rows - 1) / rows);
   imageBarrier();
 }
 
