@@ -2,7 +2,7 @@
 // first of its samples. Variants: those of draw/surface/lighting.glsl, SHADOW (with SHADOW_TAPS). SAMPLES.
 #define EXACT_PICTURE
 #include "common/once.glsl"
-#include "draw/exact/tiles/shaded_tile.glsl"
+#include "draw/exact/tiles/lit_tile.glsl"
 #include "draw/exact/copies/copy_source.glsl"
 #include "draw/exact/copies/copy_place.glsl"
 #include "draw/exact/ground_plane.glsl"
@@ -45,15 +45,5 @@ vec4 lightOf(ivec2 pixel, uint number, int firstSample) {
 }
 
 void main() {
-  ivec2 pixel = pixelToShade();
-  if (pixel.x < 0) return;
-  PixelIds shown = idsOf(pixel);
-  int left = samplesOf(shown, firstId_, uint(capacity_) * triangles_);
-  vec4 sum = imageLoad(sums, pixel);
-  while (left != 0) {
-    int first = findLSB(left), same = samplesLike(shown, first);
-    sum = withLight(sum, lightOf(pixel, idAt(pixel, first) - firstId_, first), bitCount(same));
-    left &= ~same;
-  }
-  imageStore(sums, pixel, sum);
+  lightTile(firstId_, uint(capacity_) * triangles_);
 }

@@ -4,7 +4,7 @@
 // SHADOW_TAPS). SAMPLES.
 #define EXACT_PICTURE
 #include "common/once.glsl"
-#include "draw/exact/tiles/shaded_tile.glsl"
+#include "draw/exact/tiles/lit_tile.glsl"
 #include "draw/exact/instances/ball_source.glsl"
 #include "draw/exact/instances/rays.glsl"
 #include "draw/instances/instance_list.glsl"
@@ -45,7 +45,8 @@ float weightOf(Ball ball, Facing facing, vec2 corner, float perHalf, ivec2 pixel
   return weight;
 }
 
-vec4 lightOf(ivec2 pixel, int number, int firstSample) {
+vec4 lightOf(ivec2 pixel, uint slot, int firstSample) {
+  int number = int(slot);
   vec4 position = texelFetch(positions, number), velocity = texelFetch(velocities, number);
   Ball ball = ballOf(position, velocity);
   bool small = pixelRadius(position.xyz, ball.radius) <= squarePixels_;
@@ -78,21 +79,5 @@ vec4 lightOf(ivec2 pixel, int number, int firstSample) {
 }
 
 void main() {
-  ivec2 pixel = pixelToShade();
-  if (pixel.x < 0) return;
-  PixelIds shown = idsOf(pixel);
-  int left = 0;
-  for (int s = 0; s < SAMPLES; ++s)
-    if (shown.of[s] >= firstId_ && shown.of[s] - firstId_ < uint(capacity_)) left |= 1 << s;
-  vec4 sum = imageLoad(sums, pixel);
-  while (left != 0) {
-    int first = findLSB(left);
-    uint id = idAt(pixel, first);
-    int same = 0;
-    for (int s = 0; s < SAMPLES; ++s)
-      if (shown.of[s] == id) same |= 1 << s;
-    sum = withLight(sum, lightOf(pixel, int(id - firstId_), first), bitCount(same));
-    left &= ~same;
-  }
-  imageStore(sums, pixel, sum);
+  lightTile(firstId_, uint(capacity_));
 }

@@ -55,6 +55,7 @@ struct ExactScene::State {
     gl::Defines defines = definesOf(visibility.layout());
     if (scene.numerics == scene::Numerics::fast) defines.emplace_back("FAST_NUMERICS", "1");
     defines.emplace_back("SAMPLES", std::to_string(count));
+    defines.emplace_back("ROWS", std::to_string(rowsAtOnce()));
     for (const gl::Defines& more : {shadow.defines(), lamps.defines()})
       defines.insert(defines.end(), more.begin(), more.end());
     return defines;
