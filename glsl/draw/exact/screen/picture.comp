@@ -4,11 +4,12 @@
 #include "draw/frame_block.glsl"
 #include "draw/exact/view_block.glsl"
 #include "draw/exact/ground_plane.glsl"
+#include "draw/exact/screen/light_read.glsl"
 #include "draw/sky.glsl"
 #include "draw/screen/film.glsl"
 #include "draw/screen/lens.glsl"
 layout(local_size_x = 8, local_size_y = 8 / ROWS) in;
-layout(binding = sceneUnit) uniform sampler2D sums;
+LIGHT_PICTURE(sceneUnit, lightImage, sums);
 layout(rgba8, binding = pictureImage) writeonly restrict uniform image2D picture;
 uniform vec2 perSize;  // 2 / the picture's size
 vec2 perSize_ = once(perSize);
@@ -26,7 +27,7 @@ float asByte(float x) {
 }
 
 void finish(ivec2 at) {
-  vec4 drawn = min(texelFetch(sums, at, 0), 6e4f);
+  vec4 drawn = min(LIGHT_AT(sums, at), 6e4f);
   precise vec2 place = vec2(at) + 0.5f;
   vec3 direction = unitOf(rayThrough(place));
   precise vec3 light = drawn.rgb + (1.0f - drawn.a) * skyInDirection(direction);
