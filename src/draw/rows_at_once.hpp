@@ -3,8 +3,8 @@
 
 namespace simreel::draw {
 
-/// Pixels, one below the other, that an invocation does in a row, 8 at most: groups of software drivers begin
-/// and end once for each vector of lanes, and read uniforms there.
+/// Pixels, one below the other, that an invocation does in a row, 8 at most: groups of software drivers
+/// begin and end once for each vector of lanes, and read uniforms there.
 [[nodiscard]] inline int rowsAtOnce() {
   return gl::softwareDriver() ? 8 : 1;
 }

@@ -3,7 +3,7 @@
 LIGHT_PICTURE(bloomUnit, scatteredImage, scattered);
 
 vec3 scatteredAt(ivec2 at) {
-  ivec2 last = LIGHT_SIZE(scattered) - 1;
+  ivec2 last = pictureSize(scattered) - 1;
   ivec2 a = clamp(ivec2(firstHalfTexel(at.x), firstHalfTexel(at.y)), ivec2(0), last);
   ivec2 b = clamp(ivec2(firstHalfTexel(at.x), firstHalfTexel(at.y)) + 1, ivec2(0), last);
   vec3 p = LIGHT_AT(scattered, a).rgb, q = LIGHT_AT(scattered, ivec2(b.x, a.y)).rgb;

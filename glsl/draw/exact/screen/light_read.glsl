@@ -4,9 +4,9 @@
 #ifdef LIGHT_IMAGES
 #define LIGHT_PICTURE(unit, image, name) layout(rgba32f, binding = image) readonly restrict uniform image2D name
 #define LIGHT_AT(name, at) imageLoad(name, at)
-#define LIGHT_SIZE(name) imageSize(name)
+#define pictureSize(name) imageSize(name)
 #else
 #define LIGHT_PICTURE(unit, image, name) layout(binding = unit) uniform sampler2D name
 #define LIGHT_AT(name, at) texelFetch(name, at, 0)
-#define LIGHT_SIZE(name) textureSize(name, 0)
+#define pictureSize(name) textureSize(name, 0)
 #endif
