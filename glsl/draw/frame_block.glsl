@@ -1,10 +1,43 @@
 #include "draw/bindings.glsl"
 #include "draw/frame.glsl"
 #ifdef EXACT_PICTURE
+#include "common/once.glsl"
 layout(std140, binding = frameBinding) uniform FrameBlock {
   Frame frameBlock;
 };
-Frame frame = frameBlock;  // once: software drivers read a block again in each turn of a loop
+Frame frameOnce() {  // each member of Frame
+  Frame one;
+  one.viewProjection = once(frameBlock.viewProjection);
+  one.eye = once(frameBlock.eye);
+  one.target = once(frameBlock.target);
+  one.sunDirection = once(frameBlock.sunDirection);
+  one.sunLight = once(frameBlock.sunLight);
+  one.ambientUp = once(frameBlock.ambientUp);
+  one.ambientSide = once(frameBlock.ambientSide);
+  one.ambientDown = once(frameBlock.ambientDown);
+  one.zenith = once(frameBlock.zenith);
+  one.horizon = once(frameBlock.horizon);
+  one.nadir = once(frameBlock.nadir);
+  one.rayForward = once(frameBlock.rayForward);
+  one.rayRight = once(frameBlock.rayRight);
+  one.rayUp = once(frameBlock.rayUp);
+  one.lightRight = once(frameBlock.lightRight);
+  one.lightUp = once(frameBlock.lightUp);
+  one.groundColor = once(frameBlock.groundColor);
+  one.size = once(frameBlock.size);
+  one.exposure = once(frameBlock.exposure);
+  one.vignette = once(frameBlock.vignette);
+  one.sunGlow = once(frameBlock.sunGlow);
+  one.shadowTexels = once(frameBlock.shadowTexels);
+  one.shadowSoftness = once(frameBlock.shadowSoftness);
+  one.groundHeight = once(frameBlock.groundHeight);
+  one.groundRoughness = once(frameBlock.groundRoughness);
+  one.groundReach = once(frameBlock.groundReach);
+  one.groundFadeStart = once(frameBlock.groundFadeStart);
+  one.perGroundFade = once(frameBlock.perGroundFade);
+  return one;
+}
+Frame frame = frameOnce();
 #else
 layout(std140, binding = frameBinding) uniform FrameBlock {
   Frame frame;

@@ -13,5 +13,5 @@ const int outVertexBinding = 0, nearBinding = 1, idBinding = 2, largeBinding = 3
 const int tileListBinding = 5, dispatchBinding = 6, drawArgumentBinding = 7;
 const int fanBinding = 8;
 // Images.
-const int sumImage = 0, pictureImage = 1;
+const int sumImage = 0, pictureImage = 1, lightImage = 2, scatteredImage = 3;
 #endif

@@ -1,9 +1,25 @@
+#include "common/once.glsl"
 #include "draw/exact/bindings.glsl"
 #include "draw/exact/types.glsl"
 layout(std140, binding = viewBinding) uniform ViewBlock {
   ExactView viewBlock;
 };
-ExactView view = viewBlock;  // once: software drivers read a block again in each turn of a loop
+ExactView viewOnce() {  // each member of ExactView
+  ExactView one;
+  one.eye = once(viewBlock.eye);
+  one.across = once(viewBlock.across);
+  one.down = once(viewBlock.down);
+  one.forward = once(viewBlock.forward);
+  one.ray = once(viewBlock.ray);
+  one.rayAcross = once(viewBlock.rayAcross);
+  one.rayDown = once(viewBlock.rayDown);
+  one.size = once(viewBlock.size);
+  one.near = once(viewBlock.near);
+  one.nearOverFar = once(viewBlock.nearOverFar);
+  one.rows = once(viewBlock.rows);
+  return one;
+}
+ExactView view = viewOnce();
 
 #ifdef SAMPLES
 // Where the keys and the numbers of a pixel's samples begin: those of the band are kept, row by row.

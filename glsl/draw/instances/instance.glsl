@@ -1,13 +1,19 @@
 // One instance of a sim::Instances by its slot.
+#include "common/once.glsl"
 #include "common/exact.glsl"
 #include "draw/bindings.glsl"
 layout(binding = positionUnit) uniform samplerBuffer positions;   // xyz (m), w mass (kg)
 layout(binding = velocityUnit) uniform samplerBuffer velocities;  // xyz (m/s), w age 0 to 1, negative: not alive
 uniform float size;         // factor on the shape's coordinates
+float size_ = once(size);
 uniform float shapeRadius;  // of a ball around the shape at size 1
+float shapeRadius_ = once(shapeRadius);
 uniform float massExponent;
+float massExponent_ = once(massExponent);
 uniform float perMassReference;  // 1/kg
+float perMassReference_ = once(perMassReference);
 uniform float minPixels;  // no ball is drawn with a smaller radius on screen
+float minPixels_ = once(minPixels);
 
 // Dead ones and lost ones are not drawn.
 bool isShown(vec4 position, vec4 velocity) {
@@ -16,15 +22,15 @@ bool isShown(vec4 position, vec4 velocity) {
 }
 
 float instanceSize(float mass) {
-  if (massExponent == 0.0) return size;
-  precise float masses = max(mass, 0.0) * perMassReference;
-  precise float scaled = size * exactPow(masses, massExponent);
+  if (massExponent_ == 0.0) return size_;
+  precise float masses = max(mass, 0.0) * perMassReference_;
+  precise float scaled = size_ * exactPow(masses, massExponent_);
   return scaled;
 }
 
 // Of a ball around it (m).
 float instanceRadius(float mass) {
-  precise float radius = instanceSize(mass) * shapeRadius;
+  precise float radius = instanceSize(mass) * shapeRadius_;
   return radius;
 }
 
@@ -48,7 +54,7 @@ float pixelsOf(vec3 p, float radius) {
 
 // Metres that `minPixels` span at p.
 float minRadius(vec3 p) {
-  precise float metres = max(distanceOf(p), 0.0) * minPixels * exactReciprocal(pixelsPerMetre());
+  precise float metres = max(distanceOf(p), 0.0) * minPixels_ * exactReciprocal(pixelsPerMetre());
   return metres;
 }
 

@@ -1,16 +1,24 @@
 // Listed instances and their colours.
+#include "common/once.glsl"
 #include "draw/instances/instance.glsl"
 layout(binding = listUnit) uniform usamplerBuffer list;
 layout(binding = argumentUnit) uniform usamplerBuffer arguments;
 layout(binding = stopUnit) uniform samplerBuffer stops;
 uniform int level;
 uniform int colorBy;  // sim::Instances::ColorBy
+int colorBy_ = once(colorBy);
 uniform int stopCount;
+int stopCount_ = once(stopCount);
 uniform vec3 color;
+vec3 color_ = once(color);
 uniform float colorFactor;  // value * factor + offset is 0 to 1 over the range
+float colorFactor_ = once(colorFactor);
 uniform float colorOffset;
+float colorOffset_ = once(colorOffset);
 uniform float brightness;
+float brightness_ = once(brightness);
 uniform float fade;  // fraction of life to fade in and out
+float fade_ = once(fade);
 
 // Number `at` of the level's visible ones; false where there are fewer.
 bool listed(uint at, out vec4 position, out vec4 velocity) {
@@ -23,24 +31,24 @@ bool listed(uint at, out vec4 position, out vec4 velocity) {
 }
 
 vec3 tintOf(vec4 position, vec4 velocity) {
-  if (colorBy == 0) return color;
+  if (colorBy_ == 0) return color_;
   float speed = exactSqrt(exactDot(velocity.xyz, velocity.xyz));
-  float value = colorBy == 1 ? speed : colorBy == 2 ? position.w : velocity.w;
-  precise float fraction = value * colorFactor + colorOffset;
-  precise float at = clamp(fraction, 0.0, 1.0) * float(stopCount - 1);
-  int below = min(int(at), max(stopCount - 2, 0));
+  float value = colorBy_ == 1 ? speed : colorBy_ == 2 ? position.w : velocity.w;
+  precise float fraction = value * colorFactor_ + colorOffset_;
+  precise float at = clamp(fraction, 0.0, 1.0) * float(stopCount_ - 1);
+  int below = min(int(at), max(stopCount_ - 2, 0));
   precise float rest = at - float(below);
-  return exactMix(texelFetch(stops, below).rgb, texelFetch(stops, min(below + 1, stopCount - 1)).rgb, rest);
+  return exactMix(texelFetch(stops, below).rgb, texelFetch(stops, min(below + 1, stopCount_ - 1)).rgb, rest);
 }
 
 // Light of an additive instance for its colour: it brightens and dims over its life. One whose age is exactly 0
 // does not age.
 float brightnessAt(float age) {
-  if (fade <= 0.0 || age == 0.0) return brightness;
+  if (fade_ <= 0.0 || age == 0.0) return brightness_;
   precise float left = 1.0 - age;
-  precise float risen = min(age, left) * exactReciprocal(fade);
+  precise float risen = min(age, left) * exactReciprocal(fade_);
   float fraction = clamp(risen, 0.0, 1.0);
-  precise float bright = brightness * fraction * fraction * (3.0 - 2.0 * fraction);
+  precise float bright = brightness_ * fraction * fraction * (3.0 - 2.0 * fraction);
   return bright;
 }
 

@@ -1,4 +1,5 @@
-// A field, drawn by a kernel: OVER the finished picture, else behind the light of the scene.
+// A field, drawn by a kernel: OVER the finished picture (OPAQUE: nothing of that is seen), else behind the light of the scene.
+// An invocation does ROWS pixels, one below the other.
 #define EXACT_PICTURE
 #include "draw/arithmetic.glsl"
 #include "draw/overlay/field_inputs.glsl"
@@ -7,24 +8,37 @@
 #include "draw/screen/film.glsl"
 #include "draw/overlay/field_shading.glsl"
 #include "draw/overlay/pixel.glsl"
-layout(local_size_x = 8, local_size_y = 8) in;
-#ifdef OVER
+layout(local_size_x = 8, local_size_y = 8 / ROWS) in;
+#ifdef OPAQUE
+layout(rgba8, binding = targetImage) writeonly uniform restrict image2D target;
+#elif defined OVER
 layout(rgba8, binding = targetImage) uniform restrict image2D target;
 #else
 layout(rgba32f, binding = targetImage) uniform restrict image2D target;
 #endif
 uniform ivec4 part;     // left, top, right, bottom: within the picture, from its top left
+ivec4 part_ = once(part);
 uniform int lastRow;    // of the target, where its row 0 is the picture's last; else -1
+int lastRow_ = once(lastRow);
 
-void main() {
-  ivec2 at = part.xy + ivec2(gl_GlobalInvocationID.xy);
-  if (any(greaterThanEqual(at, part.zw))) return;
-  ivec2 texel = ivec2(at.x, lastRow < 0 ? at.y : lastRow - at.y);
+void put(ivec2 at) {
+  ivec2 texel = ivec2(at.x, lastRow_ < 0 ? at.y : lastRow_ - at.y);
 #ifdef OVER
-  vec4 below = vec4(0.0);
-  if (opacity < 1.0) below = bytesOf(imageLoad(target, texel));
+#ifdef OPAQUE
+  const vec4 below = vec4(0.0);
+#else
+  vec4 below = bytesOf(imageLoad(target, texel));
+#endif
   imageStore(target, texel, storedBytes(laidOver(below, fieldPixel(at))));
 #else
   imageStore(target, texel, laidBehind(imageLoad(target, texel), fieldPixel(at)));
 #endif
+}
+
+void main() {
+  ivec2 first = part_.xy + ivec2(gl_GlobalInvocationID.xy) * ivec2(1, ROWS);
+  for (int row = 0; row < ROWS; ++row) {
+    ivec2 at = first + ivec2(0, row);
+    if (all(lessThan(at, part_.zw))) put(at);
+  }
 }

@@ -12,6 +12,23 @@ uniform vec2 perPixel;
 uniform vec3 border;
 uniform float opacity;
 uniform vec2 slope;      // height of the whole range in elements, along x and y
+#ifdef EXACT_PICTURE  // kernels, which read them before their loops
+#include "common/once.glsl"
+ivec2 size_ = once(size);
+ivec2 base_ = once(base);
+vec2 start_ = once(start);
+vec2 perPixel_ = once(perPixel);
+vec3 border_ = once(border);
+float opacity_ = once(opacity);
+vec2 slope_ = once(slope);
+#define size size_
+#define base base_
+#define start start_
+#define perPixel perPixel_
+#define border border_
+#define opacity opacity_
+#define slope slope_
+#endif
 #ifdef TILED
 const bool tiled = true;
 #else

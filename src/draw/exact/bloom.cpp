@@ -1,7 +1,7 @@
 #include "draw/exact/bloom.hpp"
 
 #include "base/ieee.hpp"
-#include "draw/exact/bindings.hpp"
+#include "draw/exact/light_pictures.hpp"
 #include "gl/element_array.hpp"
 
 #include <algorithm>
@@ -18,7 +18,7 @@ constexpr float maxLevels = 9.0F;
 void run(const gl::Program& program, const gl::Texture& result) {
   result.bindImage(sumImage, GL_WRITE_ONLY);
   program.dispatch(result.width(), result.height());
-  glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
+  glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
 }
 
 glm::ivec2 sizeOf(const gl::Texture& texture) {
@@ -33,9 +33,9 @@ Bloom::Bloom(const scene::Bloom& bloom, glm::ivec2 size)
       reach_(std::clamp(static_cast<float>(ieee::log2(static_cast<double>(bloom.radius) * size.y)), 1.0F,
                         maxLevels)) {
   if (!bloom.strength.moves() && bloom.strength.at(0) <= 0) return;
-  first_ = gl::Program::compute("draw/exact/screen/bloom_first.comp");
-  down_ = gl::Program::compute("draw/exact/screen/bloom_down.comp");
-  up_ = gl::Program::compute("draw/exact/screen/bloom_up.comp");
+  first_ = gl::Program::compute("draw/exact/screen/bloom_first.comp", lightDefines());
+  down_ = gl::Program::compute("draw/exact/screen/bloom_down.comp", lightDefines());
+  up_ = gl::Program::compute("draw/exact/screen/bloom_up.comp", lightDefines());
   for (int i = 0; i < static_cast<int>(std::ceil(reach_)); ++i) {
     size = (size + 1) / 2;
     const auto level = [&](const char* label) {
@@ -49,11 +49,11 @@ Bloom::Bloom(const scene::Bloom& bloom, glm::ivec2 size)
 const gl::Texture& Bloom::draw(const gl::Texture& light) const {
   first_.set("size", sizeOf(light));
   first_.set("threshold", threshold_);
-  light.bind(sceneUnit);
+  bindLight(light, sceneUnit, lightImage);
   run(first_, levels_[0].down);
   for (std::size_t i = 1; i < levels_.size(); ++i) {
     down_.set("size", sizeOf(levels_[i - 1].down));
-    levels_[i - 1].down.bind(sceneUnit);
+    bindLight(levels_[i - 1].down, sceneUnit, lightImage);
     run(down_, levels_[i].down);
   }
   // Each level has the same share, the last what is left of `reach_`.
@@ -65,8 +65,8 @@ const gl::Texture& Bloom::draw(const gl::Texture& light) const {
     up_.set("size", sizeOf(levels_[i].up));
     up_.set("coarseSize", sizeOf(*coarse));
     up_.set("fraction", glm::vec2(1.0F, coarseFraction) / sum);
-    coarse->bind(sceneUnit);
-    levels_[i].down.bind(bloomUnit);
+    bindLight(*coarse, sceneUnit, lightImage);
+    bindLight(levels_[i].down, bloomUnit, scatteredImage);
     run(up_, levels_[i].up);
     coarse = &levels_[i].up;
     coarseFraction = sum;

@@ -3,6 +3,7 @@
 #include "base/error.hpp"
 #include "draw/exact/bindings.hpp"
 #include "draw/exact/reserve.hpp"
+#include "draw/rows_at_once.hpp"
 #include "gl/context.hpp"
 #include "gl/element_array.hpp"
 
@@ -21,11 +22,6 @@ constexpr unsigned onGround = 1;
 constexpr unsigned groundsKeys = 2;
 constexpr unsigned few = 4;
 constexpr unsigned fours = 8;  // and twice that: lists for four things, or for eight
-
-/// Of a tile, for an invocation: groups of software drivers begin and end once for each vector of lanes.
-int rowsAtOnce() {
-  return gl::softwareDriver() ? ShadedTiles::side : 1;
-}
 
 /// Four of the numbers, from `first` on; beyond them, more than any.
 glm::ivec4 fourOf(const std::vector<unsigned>& numbers, std::size_t first) {

@@ -72,10 +72,6 @@ const gl::Program& SurfaceShading::program(unsigned features, int look) {
   gl::Defines defines = defines_;
   for (std::size_t i = 0; i < std::size(featureNames); ++i)
     if ((features >> i & 1U) != 0) defines.emplace_back(featureNames[i], "1");
-  const bool lamps = std::any_of(defines_.begin(), defines_.end(),
-                                 [](const auto& define) { return define.first == "LAMPS"; });
-  if (gl::softwareDriver() && (lamps || (features & (triplanar | skinned)) != 0))
-    defines.emplace_back("PAIRS", "1");
   if (look >= 0) {
     scene::Skin skin;
     skin.look = static_cast<scene::Skin::Look>(look);

@@ -2,9 +2,11 @@
 
 #include "base/error.hpp"
 #include "draw/overlay/box_kernel.hpp"
+#include "draw/rows_at_once.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include <glm/common.hpp>
 #include <glm/vec4.hpp>
@@ -33,6 +35,12 @@ bool hasSmoothColors(const sim::Field& field) {
 
 bool hasRelief(const sim::Field& field) {
   return field.display->relief != 0 && !field.categories;
+}
+
+/// Pixels of an invocation, one below the other. Relief takes eight means over up to 42 elements a side
+/// more, and drivers end loops in silence after 65,535 turns.
+int rowsFor(const sim::Field& field) {
+  return hasRelief(field) ? 1 : rowsAtOnce();
 }
 
 }  // namespace
@@ -73,17 +81,22 @@ void FieldPass::draw(const sim::Drawables& drawables, Layer layer, double second
   }
 }
 
-const gl::Program& FieldPass::program(const sim::Field& field, const Kept& kept) {
+const gl::Program& FieldPass::program(const sim::Field& field, const Kept& kept, double seconds) {
   const bool reduced = kept.reduction > 1;
   const bool over = field.display->layer == Layer::over;
+  // Software drivers would read what nobody sees: they run both sides of a branch.
+  const bool opaque = exact_ && over && field.display->opacity.at(seconds) >= 1;
   const int variant = static_cast<int>(field.cells) + (field.categories ? 4 : 0) + (kept.colored ? 8 : 0) +
                       (reduced ? 16 : 0) + (over ? 32 : 0) + (hasRelief(field) ? 64 : 0) +
-                      (field.display->tiled ? 128 : 0) + (hasSmoothColors(field) ? 256 : 0);
+                      (field.display->tiled ? 128 : 0) + (hasSmoothColors(field) ? 256 : 0) +
+                      (opaque ? 512 : 0);
   const auto found = programs_.find(variant);
   if (found != programs_.end()) return found->second;
   gl::Defines defines = fieldDefines(field, kept.colored);
   if (reduced) defines.emplace_back("REDUCED", "1");
   if (over) defines.emplace_back("OVER", "1");
+  if (opaque) defines.emplace_back("OPAQUE", "1");
+  if (exact_) defines.emplace_back("ROWS", std::to_string(rowsFor(field)));
   if (hasSmoothColors(field)) defines.emplace_back("SMOOTH_COLORS", "1");
   if (field.display->tiled) defines.emplace_back("TILED", "1");
   if (hasRelief(field)) defines.emplace_back("RELIEF", "1");
@@ -113,7 +126,7 @@ void FieldPass::setPlace(const gl::Program& shader, const sim::Field& field, con
 
 void FieldPass::drawOne(const sim::Field& field, const Kept& kept, double seconds) {
   const FieldView view = fieldView(*field.display, field.size, picture_, seconds);
-  const gl::Program& shader = program(field, kept);
+  const gl::Program& shader = program(field, kept, seconds);
   DrawState{.depthTest = false}.set();
   glEnable(GL_BLEND);
   glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
@@ -151,13 +164,14 @@ void FieldPass::drawOneExactly(const sim::Field& field, const Kept& kept, double
   const FieldView view = fieldView(*field.display, field.size, picture_, seconds);
   const glm::ivec4 part(
       glm::clamp(view.part, glm::dvec4(0), glm::dvec4(picture_.x, picture_.y, picture_.x, picture_.y)));
-  const gl::Program& shader = program(field, kept);
+  const gl::Program& shader = program(field, kept, seconds);
   setPlace(shader, field, kept, view, seconds);
   shader.set("part", part);
   shader.set("lastRow", lastRow);
   target.bindImage(targetImage, GL_READ_WRITE);
   imageBarrier();
-  shader.dispatch(part.z - part.x, part.w - part.y);
+  const int rows = rowsFor(field);
+  shader.dispatch(part.z - part.x, (part.w - part.y + rows - 1) / rows);
   imageBarrier();
 }
 

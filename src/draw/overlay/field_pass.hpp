@@ -54,7 +54,7 @@ class FieldPass {
   /// What is set alike for both rasterizers.
   void setPlace(const gl::Program& shader, const sim::Field& field, const Kept& kept, const FieldView& view,
                 double seconds) const;
-  const gl::Program& program(const sim::Field& field, const Kept& kept);
+  const gl::Program& program(const sim::Field& field, const Kept& kept, double seconds);
 
   glm::ivec2 picture_;
   bool exact_;

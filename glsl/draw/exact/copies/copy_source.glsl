@@ -1,9 +1,11 @@
 // Triangles of copies of a mesh, by the number of the instance and of the triangle.
+#include "common/once.glsl"
 #include "draw/exact/bindings.glsl"
 #include "draw/exact/instances/instance_source.glsl"
 #include "draw/screen/copy_vertex.glsl"
 layout(binding = indexUnit) uniform usamplerBuffer indices;
 uniform uint triangles;  // of one copy
+uint triangles_ = once(triangles);
 
 struct Copy {
   vec3 place;

@@ -1,7 +1,8 @@
 // Light of copies of a mesh on their tiles: each triangle of a pixel once, in the pixel's middle if that is on it, else at the
 // first of its samples. Variants: those of draw/surface/lighting.glsl, SHADOW (with SHADOW_TAPS). SAMPLES.
 #define EXACT_PICTURE
-#include "draw/exact/tiles/shaded_tile.glsl"
+#include "common/once.glsl"
+#include "draw/exact/tiles/lit_tile.glsl"
 #include "draw/exact/copies/copy_source.glsl"
 #include "draw/exact/copies/copy_place.glsl"
 #include "draw/exact/ground_plane.glsl"
@@ -12,11 +13,12 @@
 #include "draw/exact/shadows/sun_map.glsl"
 #endif
 uniform vec3 material;  // roughness, metallic, translucency
+vec3 material_ = once(material);
 
 vec4 lightOf(ivec2 pixel, uint number, int firstSample) {
-  int slot = int(number / triangles);
+  int slot = int(number / triangles_);
   Copy copy = copyOf(slot);
-  ivec3 corners = cornersOf(number % triangles);
+  ivec3 corners = cornersOf(number % triangles_);
   vec3 a = onPicture(pointOf(copy, corners.x)), b = onPicture(pointOf(copy, corners.y));
   vec3 c = onPicture(pointOf(copy, corners.z));
   vec2 place = shadingPlace(pixel, -1);
@@ -39,19 +41,9 @@ vec4 lightOf(ivec2 pixel, uint number, int firstSample) {
 #endif
   precise vec3 towards = -ray;
   vec3 tint = tintOf(texelFetch(positions, slot), texelFetch(velocities, slot));
-  return vec4(allLight(Look(tint, material.x, material.y, material.z, 1.0f), p, normal, unitOf(towards), fraction), 1.0f);
+  return vec4(allLight(Look(tint, material_.x, material_.y, material_.z, 1.0f), p, normal, unitOf(towards), fraction), 1.0f);
 }
 
 void main() {
-  ivec2 pixel = pixelToShade();
-  if (pixel.x < 0) return;
-  PixelIds shown = idsOf(pixel);
-  int left = samplesOf(shown, firstId, uint(capacity) * triangles);
-  vec4 sum = imageLoad(sums, pixel);
-  while (left != 0) {
-    int first = findLSB(left), same = samplesLike(shown, first);
-    sum = withLight(sum, lightOf(pixel, idAt(pixel, first) - firstId, first), bitCount(same));
-    left &= ~same;
-  }
-  imageStore(sums, pixel, sum);
+  lightTile(firstId_, uint(capacity_) * triangles_);
 }

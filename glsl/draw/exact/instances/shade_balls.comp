@@ -3,7 +3,8 @@
 // (draw/instances/small_sprites.comp): else they would twinkle. Variants: those of draw/surface/lighting.glsl, SHADOW (with
 // SHADOW_TAPS). SAMPLES.
 #define EXACT_PICTURE
-#include "draw/exact/tiles/shaded_tile.glsl"
+#include "common/once.glsl"
+#include "draw/exact/tiles/lit_tile.glsl"
 #include "draw/exact/instances/ball_source.glsl"
 #include "draw/exact/instances/rays.glsl"
 #include "draw/instances/instance_list.glsl"
@@ -13,7 +14,9 @@
 #include "draw/exact/shadows/sun_map.glsl"
 #endif
 uniform vec3 material;  // roughness, metallic, translucency
+vec3 material_ = once(material);
 uniform float squarePixels;  // radius of those of few pixels
+float squarePixels_ = once(squarePixels);
 
 // The place of a pixel or sample on it that is lit.
 struct Place {
@@ -42,10 +45,11 @@ float weightOf(Ball ball, Facing facing, vec2 corner, float perHalf, ivec2 pixel
   return weight;
 }
 
-vec4 lightOf(ivec2 pixel, int number, int firstSample) {
+vec4 lightOf(ivec2 pixel, uint slot, int firstSample) {
+  int number = int(slot);
   vec4 position = texelFetch(positions, number), velocity = texelFetch(velocities, number);
   Ball ball = ballOf(position, velocity);
-  bool small = pixelRadius(position.xyz, ball.radius) <= squarePixels;
+  bool small = pixelRadius(position.xyz, ball.radius) <= squarePixels_;
   Facing facing = facingEye(position.xyz);
   Place place = placeOn(ball, pixel, firstSample);
   precise vec3 backwards = -place.ray;
@@ -58,7 +62,7 @@ vec4 lightOf(ivec2 pixel, int number, int firstSample) {
   const float fraction = 1.0f;
 #endif
   vec3 tint = tintOf(position, velocity);
-  Look look = Look(tint, material.x, material.y, material.z, 1.0f);
+  Look look = Look(tint, material_.x, material_.y, material_.z, 1.0f);
   precise float perHalf = 1.1283792f * exactReciprocal(ball.radius);
   vec3 firstNormal = unitOf(place.outwards);
   precise vec3 light = vec3(0.0f);
@@ -75,21 +79,5 @@ vec4 lightOf(ivec2 pixel, int number, int firstSample) {
 }
 
 void main() {
-  ivec2 pixel = pixelToShade();
-  if (pixel.x < 0) return;
-  PixelIds shown = idsOf(pixel);
-  int left = 0;
-  for (int s = 0; s < SAMPLES; ++s)
-    if (shown.of[s] >= firstId && shown.of[s] - firstId < uint(capacity)) left |= 1 << s;
-  vec4 sum = imageLoad(sums, pixel);
-  while (left != 0) {
-    int first = findLSB(left);
-    uint id = idAt(pixel, first);
-    int same = 0;
-    for (int s = 0; s < SAMPLES; ++s)
-      if (shown.of[s] == id) same |= 1 << s;
-    sum = withLight(sum, lightOf(pixel, int(id - firstId), first), bitCount(same));
-    left &= ~same;
-  }
-  imageStore(sums, pixel, sum);
+  lightTile(firstId_, uint(capacity_));
 }

@@ -1,16 +1,15 @@
 // Half the size: thirteen taps in five overlapping squares (J. Jimenez, "Next generation post processing in Call of
 // Duty: Advanced Warfare", SIGGRAPH 2014), so that small lights do not shimmer as they move. Each tap lies on a corner of
 // four texels.
-#include "draw/bindings.glsl"
-#include "draw/exact/bindings.glsl"
+#include "draw/exact/screen/light_read.glsl"
 #include "common/exact.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
-layout(binding = sceneUnit) uniform sampler2D fine;
+LIGHT_PICTURE(sceneUnit, lightImage, fine);
 layout(rgba32f, binding = sumImage) writeonly restrict uniform image2D coarse;
 uniform ivec2 size;  // of the source
 
 vec3 texel(ivec2 at) {
-  return texelFetch(fine, clamp(at, ivec2(0), size - 1), 0).rgb;
+  return LIGHT_AT(fine, clamp(at, ivec2(0), size - 1)).rgb;
 }
 
 vec3 tap(ivec2 corner) {

@@ -1,15 +1,14 @@
 // Light above the threshold, at half the size. See draw/screen/bloom_first.glsl.
-#include "draw/bindings.glsl"
-#include "draw/exact/bindings.glsl"
+#include "draw/exact/screen/light_read.glsl"
 #include "common/exact.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
-layout(binding = sceneUnit) uniform sampler2D scene;
+LIGHT_PICTURE(sceneUnit, lightImage, scene);
 layout(rgba32f, binding = sumImage) writeonly restrict uniform image2D half_;
 uniform ivec2 size;  // of the scene
 uniform float threshold;
 
 vec3 above(ivec2 at) {
-  vec3 light = min(texelFetch(scene, min(at, size - 1), 0).rgb, 6e4f);
+  vec3 light = min(LIGHT_AT(scene, min(at, size - 1)).rgb, 6e4f);
   float brightest = max(light.r, max(light.g, light.b));
   precise float over = brightest - threshold;
   precise vec3 rest = light * (max(over, 0.0f) * exactReciprocal(max(brightest, 1e-6f)));

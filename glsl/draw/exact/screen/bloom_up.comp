@@ -1,10 +1,9 @@
 // One level's light and, through a tent of 3 by 3 bilinear taps, that of the coarser levels.
-#include "draw/bindings.glsl"
-#include "draw/exact/bindings.glsl"
+#include "draw/exact/screen/light_read.glsl"
 #include "draw/exact/screen/twice_as_large.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
-layout(binding = sceneUnit) uniform sampler2D coarse;
-layout(binding = bloomUnit) uniform sampler2D fine;
+LIGHT_PICTURE(sceneUnit, lightImage, coarse);
+LIGHT_PICTURE(bloomUnit, scatteredImage, fine);
 layout(rgba32f, binding = sumImage) writeonly restrict uniform image2D sum_;
 uniform ivec2 size;        // of the result
 uniform ivec2 coarseSize;
@@ -26,9 +25,9 @@ void main() {
   for (int y = 0; y < 4; ++y) {
     precise vec3 row = vec3(0);
     for (int x = 0; x < 4; ++x)
-      row = row + across[x] * texelFetch(coarse, clamp(first + ivec2(x, y), ivec2(0), coarseSize - 1), 0).rgb;
+      row = row + across[x] * LIGHT_AT(coarse, clamp(first + ivec2(x, y), ivec2(0), coarseSize - 1)).rgb;
     tent = tent + down[y] * row;
   }
-  precise vec3 light = fraction.x * texelFetch(fine, at, 0).rgb + (fraction.y * 0.0625f) * tent;
+  precise vec3 light = fraction.x * LIGHT_AT(fine, at).rgb + (fraction.y * 0.0625f) * tent;
   imageStore(sum_, at, vec4(light, 1.0f));
 }

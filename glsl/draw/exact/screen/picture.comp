@@ -1,18 +1,22 @@
-// The finished picture: light over the sky, through lens and film, as bytes. BLOOM: adds scattered light.
+// The finished picture: light over the sky, through lens and film, as bytes. BLOOM: adds scattered light. An invocation does ROWS
+// pixels, one below the other.
 #define EXACT_PICTURE
 #include "draw/frame_block.glsl"
 #include "draw/exact/view_block.glsl"
 #include "draw/exact/ground_plane.glsl"
+#include "draw/exact/screen/light_read.glsl"
 #include "draw/sky.glsl"
 #include "draw/screen/film.glsl"
 #include "draw/screen/lens.glsl"
-layout(local_size_x = 8, local_size_y = 8) in;
-layout(binding = sceneUnit) uniform sampler2D sums;
+layout(local_size_x = 8, local_size_y = 8 / ROWS) in;
+LIGHT_PICTURE(sceneUnit, lightImage, sums);
 layout(rgba8, binding = pictureImage) writeonly restrict uniform image2D picture;
 uniform vec2 perSize;  // 2 / the picture's size
+vec2 perSize_ = once(perSize);
 #ifdef BLOOM
 #include "draw/exact/screen/bloom_read.glsl"
 uniform float bloomStrength;
+float bloomStrength_ = once(bloomStrength);
 #endif
 
 // A fraction of white as a byte / 255, which every driver's rounding keeps.
@@ -22,17 +26,23 @@ float asByte(float x) {
   return byte_;
 }
 
-void main() {
-  ivec2 at = ivec2(gl_GlobalInvocationID.xy);
-  if (at.x >= view.size.x || at.y >= view.size.y) return;
-  vec4 drawn = min(texelFetch(sums, at, 0), 6e4f);
+void finish(ivec2 at) {
+  vec4 drawn = min(LIGHT_AT(sums, at), 6e4f);
   precise vec2 place = vec2(at) + 0.5f;
   vec3 direction = unitOf(rayThrough(place));
   precise vec3 light = drawn.rgb + (1.0f - drawn.a) * skyInDirection(direction);
 #ifdef BLOOM
-  light = light + bloomStrength * scatteredAt(at);
+  light = light + bloomStrength_ * scatteredAt(at);
 #endif
-  precise vec2 aside = place * perSize - 1.0f;
+  precise vec2 aside = place * perSize_ - 1.0f;
   precise vec3 color = encoded(filmed(throughLens(light, aside))) + dither(at);
   imageStore(picture, at, vec4(asByte(color.r), asByte(color.g), asByte(color.b), 1.0f));
+}
+
+void main() {
+  ivec2 first = ivec2(gl_GlobalInvocationID.xy) * ivec2(1, ROWS);
+  for (int row = 0; row < ROWS; ++row) {
+    ivec2 at = first + ivec2(0, row);
+    if (at.x < view.size.x && at.y < view.size.y) finish(at);
+  }
 }

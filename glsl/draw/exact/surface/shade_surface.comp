@@ -1,13 +1,9 @@
 // Light of one surface on its tiles: each primitive of a pixel once, in the pixel's middle if that is on it, else at the
 // first of its samples. Variants: those of draw/surface/lighting.glsl, SHADOW (with SHADOW_TAPS), PALETTE, DOUBLE_SIDED,
 // TEXTURED (BUMPED) or SKIN (LOOK_ one of draw/surface/skin_look.glsl), by uv, of a GRID or a mesh, or TRIPLANAR. SAMPLES.
-// PAIRS: as shaded_pairs.glsl has it.
 #define EXACT_PICTURE
-#ifdef PAIRS
-#include "draw/exact/tiles/shaded_pairs.glsl"
-#else
-#include "draw/exact/tiles/shaded_tile.glsl"
-#endif
+#include "common/once.glsl"
+#include "draw/exact/tiles/lit_tile.glsl"
 #include "draw/exact/triangles/surface_triangle.glsl"
 #include "draw/exact/surface/surface_spot.glsl"
 #include "draw/surface/lighting.glsl"
@@ -24,12 +20,15 @@
 #include "draw/exact/shadows/sun_map.glsl"
 #endif
 uniform uint firstId;
+uint firstId_ = once(firstId);
 uniform vec3 color;
+vec3 color_ = once(color);
 uniform vec3 material;  // roughness, metallic, translucency
+vec3 material_ = once(material);
 
-vec3 lightOf(ivec2 pixel, uint triangle, int firstSample) {
+vec4 lightOf(ivec2 pixel, uint triangle, int firstSample) {
   Spot spot = spotOf(cornersOf(int(triangle)), pixel, firstSample);
-  precise vec3 base = color;
+  precise vec3 base = color_;
 #ifdef PALETTE
   base = paletteColor(spot);
 #endif
@@ -49,7 +48,7 @@ vec3 lightOf(ivec2 pixel, uint triangle, int firstSample) {
 #else
   const float fraction = 1.0f;
 #endif
-  Look look = Look(base, material.x, material.y, material.z, 1.0f);
+  Look look = Look(base, material_.x, material_.y, material_.z, 1.0f);
   precise vec3 light = vec3(0);
 #ifdef SKIN
   SpotSkin found = skinOn(spot, normal);
@@ -60,25 +59,9 @@ vec3 lightOf(ivec2 pixel, uint triangle, int firstSample) {
   light = found.skin.emission;
 #endif
   light = light + allLight(look, spot.place, normal, spot.view, fraction);
-  return light;
+  return vec4(light, 1.0f);
 }
 
-#ifdef PAIRS
 void main() {
-  lightTile(firstId, uint(trianglesToDraw()));
+  lightTile(firstId_, uint(trianglesToDraw()));
 }
-#else
-void main() {
-  ivec2 pixel = pixelToShade();
-  if (pixel.x < 0) return;
-  PixelIds shown = idsOf(pixel);
-  int left = samplesOf(shown, firstId, uint(trianglesToDraw()));
-  vec4 sum = imageLoad(sums, pixel);
-  while (left != 0) {
-    int first = findLSB(left), same = samplesLike(shown, first);
-    sum = withLight(sum, vec4(lightOf(pixel, idAt(pixel, first) - firstId, first), 1.0f), bitCount(same));
-    left &= ~same;
-  }
-  imageStore(sums, pixel, sum);
-}
-#endif

@@ -1,12 +1,23 @@
 // Materials grown from a field (draw/surface/skin.glsl), by reads of our own.
+#include "common/once.glsl"
 #include "draw/bindings.glsl"
 #include "draw/exact/surface/footprint.glsl"
 #include "draw/surface/skin_values.glsl"
+float skinThreshold_ = once(skinThreshold), skinRoughness_ = once(skinRoughness), skinDepth_ = once(skinDepth);
+vec3 skinLow_ = once(skinLow), skinHigh_ = once(skinHigh);
+#define skinThreshold skinThreshold_
+#define skinRoughness skinRoughness_
+#define skinDepth skinDepth_
+#define skinLow skinLow_
+#define skinHigh skinHigh_
 #include "draw/surface/skin_look.glsl"
 layout(binding = reliefUnit) uniform usamplerBuffer skinTexels;  // skin_texels.comp
 uniform ivec2 reliefSize;
+ivec2 reliefSize_ = once(reliefSize);
 uniform int reliefLevels;
+int reliefLevels_ = once(reliefLevels);
 uniform vec2 skinCells;  // of the field
+vec2 skinCells_ = once(skinCells);
 
 struct SkinTexel {
   vec4 relief;
@@ -63,7 +74,7 @@ SkinTexel skinAt(vec2 uv, Footprint print, TextureShape shape) {
 }
 
 SkinArea skinArea(Seen seen) {
-  TextureShape shape = TextureShape(reliefSize, reliefLevels, true);
+  TextureShape shape = TextureShape(reliefSize_, reliefLevels_, true);
   Footprint print = footprintOf(seen, shape);
   SkinTexel found = skinAt(seen.at, print, shape);
   vec4 mean = found.relief;
@@ -86,8 +97,8 @@ SkinArea skinArea(Seen seen) {
 
 // How much q changes over a pixel to the right and up.
 vec2 changeOver(SkinArea area, Seen seen) {
-  precise vec2 across = seen.across * skinCells;
-  precise vec2 up = seen.up * skinCells;
+  precise vec2 across = seen.across * skinCells_;
+  precise vec2 up = seen.up * skinCells_;
   precise vec2 change = vec2(area.slope.x * across.x + area.slope.y * across.y, area.slope.x * up.x + area.slope.y * up.y);
   return change;
 }

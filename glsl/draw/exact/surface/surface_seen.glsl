@@ -1,17 +1,21 @@
 // How a pixel sees what is laid over a spot of a surface: by uv, or TRIPLANAR from three sides in the surface's own space.
+#include "common/once.glsl"
 #include "draw/exact/surface/footprint.glsl"
 #include "draw/surface/three_sides.glsl"
 uniform vec2 textureScale;  // repeats along u and v, or a metre
+vec2 textureScale_ = once(textureScale);
 #ifdef TRIPLANAR
 uniform mat4 model;
+mat4 model_ = once(model);
 uniform float modelScale;  // of lengths
+float modelScale_ = once(modelScale);
 
 // In the surface's own space, in metres.
 vec3 ownPlace(Spot spot, vec3 w) {
-  precise vec3 mean = w.x * texelFetch(positions, spot.corners.x - firstVertex).xyz +
-                      w.y * texelFetch(positions, spot.corners.y - firstVertex).xyz +
-                      w.z * texelFetch(positions, spot.corners.z - firstVertex).xyz;
-  precise vec3 p = mean * modelScale;
+  precise vec3 mean = w.x * texelFetch(positions, spot.corners.x - firstVertex_).xyz +
+                      w.y * texelFetch(positions, spot.corners.y - firstVertex_).xyz +
+                      w.z * texelFetch(positions, spot.corners.z - firstVertex_).xyz;
+  precise vec3 p = mean * modelScale_;
   return p;
 }
 
@@ -23,9 +27,9 @@ struct SurfaceSeen {
 
 Seen seenBetween(vec2 at, vec2 right, vec2 above) {
   Seen seen;
-  precise vec2 here = at * textureScale;
-  precise vec2 across = (right - at) * textureScale;
-  precise vec2 up = (above - at) * textureScale;
+  precise vec2 here = at * textureScale_;
+  precise vec2 across = (right - at) * textureScale_;
+  precise vec2 up = (above - at) * textureScale_;
   seen.at = here;
   seen.across = across;
   seen.up = up;
@@ -34,8 +38,8 @@ Seen seenBetween(vec2 at, vec2 right, vec2 above) {
 
 SurfaceSeen surfaceSeen(Spot spot) {
   vec3 n = spot.normal;
-  vec3 own = vec3(exactDot(model[0].xyz, n), exactDot(model[1].xyz, n), exactDot(model[2].xyz, n));
-  precise vec3 normal = own * exactReciprocal(modelScale);
+  vec3 own = vec3(exactDot(model_[0].xyz, n), exactDot(model_[1].xyz, n), exactDot(model_[2].xyz, n));
+  precise vec3 normal = own * exactReciprocal(modelScale_);
   ThreeSides here = threeSides(ownPlace(spot, spot.weight), normal);
   ThreeSides right = threeSides(ownPlace(spot, weightsBeside(spot, vec2(1, 0))), normal);
   ThreeSides above = threeSides(ownPlace(spot, weightsBeside(spot, vec2(0, -1))), normal);
@@ -64,7 +68,7 @@ Seen sideSeen(SurfaceSeen seen, int side) {
 #define SurfaceSeen Seen
 
 SurfaceSeen surfaceSeen(Spot spot) {
-  return seenByUv(spot, textureScale);
+  return seenByUv(spot, textureScale_);
 }
 #endif
 

@@ -46,13 +46,13 @@ SkinSeen skinSeen(Spot spot, vec3 normal) {
   precise vec2 change = w.x * changeOver(x, seen.x) + w.y * changeOver(y, seen.y) + w.z * changeOver(z, seen.z);
   precise float change2 = change.x * change.x + change.y * change.y;
   vec3 own = riseFromSides(w, seen.side, x.slope, y.slope, z.slope);
-  precise vec3 rise = (model[0].xyz * own.x + model[1].xyz * own.y + model[2].xyz * own.z) * exactReciprocal(modelScale);
+  precise vec3 rise = (model_[0].xyz * own.x + model_[1].xyz * own.y + model_[2].xyz * own.z) * exactReciprocal(modelScale_);
   rise = rise - normal * exactDot(normal, rise);
   return SkinSeen(area, change2, rise);
 }
 #else
 SkinSeen skinSeen(Spot spot, vec3 normal) {
-  Seen seen = seenByUv(spot, textureScale);
+  Seen seen = seenByUv(spot, textureScale_);
   SkinArea area = skinArea(seen);
   vec2 change = changeOver(area, seen);
   precise float change2 = change.x * change.x + change.y * change.y;

@@ -60,7 +60,7 @@ vec3 weightsBeside(Spot spot, vec2 aside) {
 
 #ifdef PALETTE
 vec3 paletteOf(int vertex) {
-  return texelFetch(palette, int(texelFetch(positions, vertex - firstVertex).w)).rgb;
+  return texelFetch(palette, int(texelFetch(positions, vertex - firstVertex_).w)).rgb;
 }
 vec3 paletteColor(Spot spot) {
   vec3 w = spot.weight;

@@ -1,8 +1,10 @@
 // A material's texture on a spot of a surface (surface_seen.glsl); BUMPED by the relief of its brightness.
+#include "common/once.glsl"
 #include "draw/exact/surface/texture_read.glsl"
 #include "draw/surface/raised_normal.glsl"
 #ifdef BUMPED
 uniform float bump;  // height of white, m
+float bump_ = once(bump);
 #endif
 
 // The texture there, and where the pixel's neighbours `aside` to the right, left, above and below see it.
@@ -70,7 +72,7 @@ Patch patchSeen(SurfaceSeen seen) {
 
 #ifdef BUMPED
 vec3 bumpedNormal(Patch patch_, Spot spot, vec3 normal) {
-  precise float perPixel = 0.5f * bump * exactReciprocal(patch_.aside);
+  precise float perPixel = 0.5f * bump_ * exactReciprocal(patch_.aside);
   precise float across = brightness(patch_.right) - brightness(patch_.left);
   precise float up = brightness(patch_.above) - brightness(patch_.below);
   precise vec2 rises = vec2(across, up) * perPixel;

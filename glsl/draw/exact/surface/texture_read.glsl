@@ -1,11 +1,15 @@
 // A material's texture by reads of our own, from a list of texels (src/draw/exact/texel_lists.hpp): software drivers find
 // those of a buffer several times as fast as those of a 2-D texture. Each has its neighbour to the right beside it.
+#include "common/once.glsl"
 #include "draw/bindings.glsl"
 #include "draw/exact/surface/footprint.glsl"
 layout(binding = albedoUnit) uniform usamplerBuffer albedo;
 uniform ivec2 albedoSize;
+ivec2 albedoSize_ = once(albedoSize);
 uniform int albedoLevels;
+int albedoLevels_ = once(albedoLevels);
 uniform bool albedoRepeats;
+bool albedoRepeats_ = once(albedoRepeats);
 
 // Of linear light in 1/65535.
 vec3 albedoLight(uint rg, uint b) {
@@ -44,7 +48,7 @@ vec3 albedoAt(vec2 uv, Footprint print, TextureShape shape) {
 }
 
 TextureShape albedoShape() {
-  return TextureShape(albedoSize, albedoLevels, albedoRepeats);
+  return TextureShape(albedoSize_, albedoLevels_, albedoRepeats_);
 }
 
 float texelsAPixel(Seen seen) {

@@ -7,9 +7,7 @@
 #include "draw/exact/shadows/sun_map.glsl"
 #endif
 
-void main() {
-  ivec2 pixel = pixelToShade();
-  if (pixel.x < 0) return;
+void lightGround(ivec2 pixel) {
   PixelIds shown = idsOf(pixel);
   int samples = 0, first = 0;
   for (int s = SAMPLES - 1; s >= 0; --s)
@@ -32,4 +30,13 @@ void main() {
 #endif
   precise vec3 towards = -ray;
   addLight(pixel, groundLight(p, unitOf(towards), fraction), samples);
+}
+
+void main() {
+  ivec2 corner = tileToShade();
+  if (corner.x < 0) return;
+  for (int i = 0; i < ROWS; ++i) {
+    ivec2 pixel = pixelOf(corner, i);
+    if (inPicture(pixel)) lightGround(pixel);
+  }
 }

@@ -1,10 +1,11 @@
-// A group's tile of a list of tiles.comp, and what the invocation's pixel shows of the thing drawn. SAMPLES, PAIRED.
+// A group's tile of a list of tiles.comp, and what the invocation's pixels show of the thing drawn. SAMPLES, PAIRED. An invocation has
+// ROWS pixels, 1 or 8.
 #include "draw/frame_block.glsl"
 #include "draw/exact/view_block.glsl"
 #include "draw/exact/tiles/tile_lists.glsl"
 #include "draw/exact/sample_read.glsl"
 #include "draw/exact/fixed.glsl"
-layout(local_size_x = 8, local_size_y = 8) in;
+layout(local_size_x = 8, local_size_y = 8 / ROWS) in;
 layout(binding = tileListUnit) uniform usamplerBuffer tileLists;
 layout(binding = counterUnit) uniform usamplerBuffer tileCounts;
 layout(rgba32f, binding = sumImage) restrict uniform image2D sums;
@@ -19,14 +20,15 @@ ivec2 tileToShade() {
   return ivec2(tile & 0xffffu, tile >> 16) * tileSide + ivec2(0, view.rows.x);
 }
 
-bool inPicture(ivec2 pixel) {
-  return pixel.x < view.size.x && pixel.y < view.rows.y;
+// Pixel number i of the invocation's, of the tile whose first one that is. What the vectors of a software driver take at once
+// is a block of 4x2: fewer edges run through those than through rows.
+ivec2 pixelOf(ivec2 corner, int i) {
+  int at = i * (64 / ROWS) + int(gl_LocalInvocationIndex);
+  return corner + ivec2((at & 3) | (at >> 1 & 4), (at >> 2 & 1) | (at >> 3 & 6));
 }
 
-// Outside the picture where there is none.
-ivec2 pixelToShade() {
-  ivec2 corner = tileToShade(), pixel = corner + ivec2(gl_LocalInvocationID.xy);
-  return corner.x >= 0 && inPicture(pixel) ? pixel : ivec2(-1);
+bool inPicture(ivec2 pixel) {
+  return pixel.x < view.size.x && pixel.y < view.rows.y;
 }
 
 uint idAt(ivec2 pixel, int s) {

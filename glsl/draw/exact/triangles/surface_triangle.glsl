@@ -1,5 +1,6 @@
 // Triangles of one surface, by number: its indices, and its vertices as vertices.comp left them. LAMP_MAP: of the merged mesh,
 // whose places each face sees for itself.
+#include "common/once.glsl"
 #include "draw/exact/bindings.glsl"
 #include "draw/exact/vertex.glsl"
 #ifdef LAMP_MAP
@@ -22,6 +23,7 @@ uvec4 vertexOf(int i) {
 #endif
 layout(binding = indexUnit) uniform usamplerBuffer indices;
 uniform int firstVertex;
+int firstVertex_ = once(firstVertex);
 uniform int triangleCount;  // less than 0: as the GPU has written into the arguments of the surface's draw
 uniform int firstIndex;
 #ifdef LAMP_MAP
@@ -47,7 +49,7 @@ int trianglesToDraw() {
 
 ivec3 cornersOf(int triangle) {
   int i = 3 * triangle;
-  return firstVertex + ivec3(texelFetch(indices, i).x, texelFetch(indices, i + 1).x, texelFetch(indices, i + 2).x);
+  return firstVertex_ + ivec3(texelFetch(indices, i).x, texelFetch(indices, i + 1).x, texelFetch(indices, i + 2).x);
 }
 vec3 placeOf(uvec4 vertex) {
   return uintBitsToFloat(vertex.xyz);

@@ -5,10 +5,12 @@
 #include "draw/exact/bloom.hpp"
 #include "draw/exact/exact_view.hpp"
 #include "draw/exact/instances/exact_instances.hpp"
+#include "draw/exact/light_pictures.hpp"
 #include "draw/exact/scene/lamp_maps.hpp"
 #include "draw/exact/shaded_tiles.hpp"
 #include "draw/exact/surface_shading.hpp"
 #include "draw/exact/triangle_raster.hpp"
+#include "draw/rows_at_once.hpp"
 #include "draw/surface/shadow_pass.hpp"
 #include "gl/element_array.hpp"
 #include "sim/grid/field_display.hpp"
@@ -54,12 +56,14 @@ struct ExactScene::State {
     gl::Defines defines = definesOf(visibility.layout());
     if (scene.numerics == scene::Numerics::fast) defines.emplace_back("FAST_NUMERICS", "1");
     defines.emplace_back("SAMPLES", std::to_string(count));
+    defines.emplace_back("ROWS", std::to_string(rowsAtOnce()));
     for (const gl::Defines& more : {shadow.defines(), lamps.defines()})
       defines.insert(defines.end(), more.begin(), more.end());
     return defines;
   }
   [[nodiscard]] gl::Defines pictureDefines() const {
-    gl::Defines defines;
+    gl::Defines defines = lightDefines();
+    defines.emplace_back("ROWS", std::to_string(rowsAtOnce()));
     if (bloom.on()) defines.emplace_back("BLOOM", "1");
     if (scene.numerics == scene::Numerics::fast) defines.emplace_back("FAST_NUMERICS", "1");
     return defines;
@@ -236,7 +240,7 @@ void ExactScene::draw(double seconds, const sim::Drawables& published, const Ove
     s.view.write(0, std::as_bytes(std::span(&values, 1)));
     s.drawBand(drawables, values, watch);
   }
-  glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
+  glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
   if (s.passes && ExactInstances::anyAdd(drawables))
     s.passes->keepLight("glow", "glows", s.sums, {0, s.size.y});
   overlays.fields.drawBehind(drawables, seconds, s.sums, true);
@@ -244,14 +248,14 @@ void ExactScene::draw(double seconds, const sim::Drawables& published, const Ove
   if (s.bloom.on()) {
     const gl::Texture& scattered = s.bloom.draw(s.sums);
     if (s.passes) s.passes->keepLight("bloom", "", scattered, {0, scattered.height()});
-    scattered.bind(bloomUnit);
+    bindLight(scattered, bloomUnit, scatteredImage);
     s.picture.set("bloomStrength", s.scene.render.bloom.strength.at(seconds));
     issued("bloom");
   }
-  s.sums.bind(sceneUnit);
+  bindLight(s.sums, sceneUnit, lightImage);
   picture.bindImage(pictureImage, GL_WRITE_ONLY);
   s.picture.set("perSize", 2.0F / glm::vec2(s.size));
-  s.picture.dispatch(s.size.x, s.size.y);
+  s.picture.dispatch(s.size.x, (s.size.y + rowsAtOnce() - 1) / rowsAtOnce());
   glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT |
                   GL_FRAMEBUFFER_BARRIER_BIT | GL_PIXEL_BUFFER_BARRIER_BIT);
   if (s.passes) s.passes->keepBytes("picture", "film", picture);

@@ -1,0 +1,45 @@
+// Light of a tile: each primitive of a pixel once. Whoever includes it has vec4 lightOf(pixel, number, first sample).
+//
+// Software drivers compute a vector of invocations for as long as one of them has something to do, and pixels show one to four
+// primitives. So there an invocation takes one primitive after the other of all its pixels, and is hardly ever idle.
+#include "draw/exact/tiles/shaded_tile.glsl"
+
+vec4 lightOf(ivec2 pixel, uint number, int firstSample);
+
+// Of what has `numbers` numbers from firstId on.
+#if ROWS == 1
+void lightTile(uint firstId, uint numbers) {
+  ivec2 corner = tileToShade(), pixel = pixelOf(corner, 0);
+  if (corner.x < 0 || !inPicture(pixel)) return;
+  PixelIds shown = idsOf(pixel);
+  vec4 sum = imageLoad(sums, pixel);
+  for (int left = samplesOf(shown, firstId, numbers); left != 0;) {
+    int first = findLSB(left), same = samplesLike(shown, first);
+    sum = withLight(sum, lightOf(pixel, idAt(pixel, first) - firstId, first), bitCount(same));
+    left &= ~same;
+  }
+  imageStore(sums, pixel, sum);
+}
+#else
+void lightTile(uint firstId, uint numbers) {
+  const int together = min(ROWS, 32 / SAMPLES);  // pixels, a bit a sample
+  ivec2 corner = tileToShade();
+  if (corner.x < 0) return;
+  for (int begin = 0; begin < ROWS; begin += together) {
+    int left = 0;
+    for (int i = 0; i < together; ++i) {
+      ivec2 pixel = pixelOf(corner, begin + i);
+      if (inPicture(pixel)) left |= samplesOf(idsOf(pixel), firstId, numbers) << (i * SAMPLES);
+    }
+    while (left != 0) {
+      int bit = findLSB(left), i = bit / SAMPLES, first = bit & (SAMPLES - 1);
+      ivec2 pixel = pixelOf(corner, begin + i);
+      PixelIds shown = idsOf(pixel);
+      int same = samplesLike(shown, first);
+      vec4 light = lightOf(pixel, idAt(pixel, first) - firstId, first);
+      imageStore(sums, pixel, withLight(imageLoad(sums, pixel), light, bitCount(same)));
+      left &= ~(same << (i * SAMPLES));
+    }
+  }
+}
+#endif
