@@ -44,12 +44,15 @@ int maxTrianglesOf(const sim::Surface& surface) {
   return static_cast<int>(indices / 3);
 }
 
-TriangleRaster::TriangleRaster(Into into, int samples, int smallPixels, int fanRoom, int mediumPixels)
+TriangleRaster::TriangleRaster(Into into, int samples, int smallPixels, int fanRoom, int mediumPixels,
+                               bool bins)
     : into_(into),
       samples_(samples),
       smallPixels_(smallPixels),
       fanRoom_(fanRoom),
-      mediumPixels_(mediumPixels) {}
+      mediumPixels_(mediumPixels),
+      mayBin_(bins),
+      bins_(into == Into::sunMap, samples) {}
 
 void TriangleRaster::number(const std::vector<const sim::Surface*>& surfaces) {
   std::int64_t vertices = 0;
@@ -131,13 +134,14 @@ const gl::Program& TriangleRaster::vertexProgram(const sim::Surface& surface) {
 const gl::Program& TriangleRaster::program(const Variant& variant) {
   const auto found = programs_.find(variant);
   if (found != programs_.end()) return found->second;
-  const auto& [path, pass, counted, clips, layout] = variant;
+  const auto& [path, pass, counted, clips, layout, bins] = variant;
   gl::Defines defines = {{"SAMPLES", std::to_string(samples_)}, {"PASS", std::to_string(pass)}};
   for (const auto& define : definesOf(layout)) defines.push_back(define);
   if (path == trianglesPath)
     for (const auto& define : laneDefines()) defines.push_back(define);
   if (counted) defines.emplace_back("COUNTED", "1");
   if (clips) defines.emplace_back("CLIPS", "1");
+  if (bins) defines.emplace_back("BINS", "1");
   if (into_ == Into::sunMap) defines.emplace_back("SUN_MAP", "1");
   if (into_ == Into::lampMap) defines.emplace_back("LAMP_MAP", "1");
   return programs_.emplace(variant, gl::Program::compute(path, defines)).first->second;
@@ -206,8 +210,10 @@ void TriangleRaster::run(const char* path, int pass, const Visibility& into, boo
     const MapPart& part = drawn.face.part;
     const bool counted = into_ == Into::lampMap || drawn.surface->arguments != nullptr;
     const bool doubleSided = into_ == Into::lampMap || drawn.surface->doubleSided;
-    const gl::Program& kernel = program({path, pass, counted, clips, into.layout()});
+    const bool bins = small && binned_;
+    const gl::Program& kernel = program({path, pass, counted, clips, into.layout(), bins});
     bind(drawn, kernel);
+    if (bins) bins_.bind(kernel);
     kernel.set("doubleSided", static_cast<int>(doubleSided));
     kernel.set("draw_", static_cast<int>(i));
     kernel.set("draws", static_cast<int>(drawn_.size()));
@@ -278,6 +284,11 @@ void TriangleRaster::draw(const Visibility& into, const MapPart& part) {
     for (Drawn& drawn : drawn_) drawn.face.part = part;
     makeVertices(into);
   }
+  const Drawn& last = drawn_.back();
+  const int triangles = last.firstIndex / 3 + last.maxTriangles;
+  binned_ = mayBin_ && into_ != Into::lampMap && into.layout() == SampleLayout::apart &&
+            triangles <= TriangleBins::maxTriangles;
+  if (binned_) bins_.begin(into.size(), triangles);
   for (const Drawn& drawn : drawn_) largest = glm::max(largest, sizeOf(into, drawn.face.part));
   fillGroups();
   gl::barrier();
@@ -287,8 +298,9 @@ void TriangleRaster::draw(const Visibility& into, const MapPart& part) {
   prepareLarge(largest);
   runLists(0, into);
   gl::barrier();
+  if (binned_) bins_.draw(into);
   if (into_ != Into::picture || into.layout() == SampleLayout::wholes) return;
-  run(trianglesPath, 1, into);
+  if (!binned_) run(trianglesPath, 1, into);
   runLists(1, into);
   gl::barrier();
 }

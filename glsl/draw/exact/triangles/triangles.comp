@@ -1,7 +1,12 @@
 // Small triangles of one surface, an invocation each; the numbers of the others go on a list: those of medium size from its
-// end on (medium.comp), large ones from its beginning (large.comp). SAMPLES, PASS, SUN_MAP, LAMP_MAP, COUNTED, BALLOT.
+// end on (medium.comp), large ones from its beginning (large.comp). SAMPLES, PASS, SUN_MAP, LAMP_MAP, COUNTED, BALLOT. BINS: small
+// ones are listed by tiles (bins.glsl) instead of drawn.
 #include "draw/exact/triangles/raster.glsl"
 #include "draw/exact/triangles/fill_box.glsl"
+#ifdef BINS
+#define MAKES_BINS
+#include "draw/exact/triangles/bins.glsl"
+#endif
 layout(local_size_x = 64) in;
 layout(std430, binding = largeBinding) restrict buffer LargeBlock { uint large[]; };
 layout(std430, binding = counterBinding) restrict buffer CounterBlock { uint counters[]; };
@@ -31,7 +36,11 @@ void main() {
   if (whole) t = drawnTriangle(cornerOfVertex(a), cornerOfVertex(b), cornerOfVertex(c));
   if (t.empty) return;
   int extent = drawnAs(t);
-  if (!whole || extent > smallPixels * subpixels) {
+  bool small = whole && extent <= smallPixels * subpixels;
+#ifdef BINS
+  if (small) small = bin(t, firstId + uint(number), firstIndex / 3 + number);
+#endif
+  if (!small) {
 #if PASS == 0
     if (whole && extent <= mediumPixels * subpixels)
       large[firstIndex / 3 + triangleCount - 1 - int(nextPlace(draws + draw_))] = uint(number);
@@ -40,5 +49,7 @@ void main() {
 #endif
     return;
   }
+#ifndef BINS
   fillBox(t, firstId + uint(number));
+#endif
 }

@@ -1,0 +1,178 @@
+// What of the triangles that bins.glsl lists is nearest in a tile, and where they are as near the least number: beside what
+// is known there already. A group does a tile, an invocation a part of a column of it: samples stay in registers, eight fours
+// of them where there are as many. Such as these are: of four samples row by row, of fewer of several rows. SAMPLES, SUN_MAP.
+#include "draw/exact/sample_read.glsl"
+#include "draw/exact/triangles/triangle.glsl"
+#include "draw/exact/triangles/bins.glsl"
+#ifdef SUN_MAP
+uniform int mapTexels;
+ivec2 mapSize = ivec2(mapTexels);
+#define PICTURE_SIZE mapSize
+#define PICTURE_ROWS ivec2(0, mapTexels)
+#else
+#include "draw/exact/view_block.glsl"
+#define PICTURE_SIZE view.size
+#define PICTURE_ROWS view.rows
+#endif
+#if SAMPLES > 4
+const int foursOfPixel = SAMPLES / 4;
+#else
+const int foursOfPixel = 1;
+#endif
+layout(local_size_x = 8, local_size_y = foursOfPixel) in;
+layout(binding = vertexUnit) uniform usamplerBuffer binned;
+layout(binding = indexUnit) uniform usamplerBuffer nodes;
+layout(binding = tileListUnit) uniform usamplerBuffer bins;
+#if SAMPLES < 4
+layout(std430, binding = nearBinding) writeonly restrict buffer NearBlock { uint nearKeys[]; };
+layout(std430, binding = idBinding) writeonly restrict buffer IdBlock { uint ids[]; };
+#else
+layout(std430, binding = nearBinding) writeonly restrict buffer NearBlock { uvec4 nearKeys[]; };
+layout(std430, binding = idBinding) writeonly restrict buffer IdBlock { uvec4 ids[]; };
+#endif
+uniform int binTiles;
+uniform int rounds;
+uniform int round_;
+
+// All fours of an invocation: FOUR(j) for each.
+#if SAMPLES == 1
+#define ALL_FOURS FOUR(0) FOUR(1)
+#elif SAMPLES == 2
+#define ALL_FOURS FOUR(0) FOUR(1) FOUR(2) FOUR(3)
+#else
+#define ALL_FOURS FOUR(0) FOUR(1) FOUR(2) FOUR(3) FOUR(4) FOUR(5) FOUR(6) FOUR(7)
+#endif
+// Sample i of four j is sample SAMPLE_OF(j, i) of the pixel in row ROW_OF(j, i).
+#define ROW_OF(J, I) ((4 * (J) + (I)) / SAMPLES)
+#define SAMPLE_OF(J, I) ((4 * (J) + (I)) % SAMPLES)
+#define PART_OF(J) ((J) % foursOfPixel)
+const int rowsOfFour = SAMPLES < 4 ? 4 / SAMPLES : 1;  // that the next one is below
+
+// Of the four of part f, from the first pixel's corner (1/256 pixel).
+ivec4 acrossTo(int f) {
+  return ivec4(samplePlace(SAMPLE_OF(f, 0)).x, samplePlace(SAMPLE_OF(f, 1)).x, samplePlace(SAMPLE_OF(f, 2)).x,
+               samplePlace(SAMPLE_OF(f, 3)).x) * (subpixels / 16);
+}
+ivec4 downTo(int f) {
+  return ivec4(samplePlace(SAMPLE_OF(f, 0)).y, samplePlace(SAMPLE_OF(f, 1)).y, samplePlace(SAMPLE_OF(f, 2)).y,
+               samplePlace(SAMPLE_OF(f, 3)).y) * (subpixels / 16) +
+         (SAMPLES < 4 ? ivec4(0, ROW_OF(0, 1), ROW_OF(0, 2), ROW_OF(0, 3)) : ivec4(0)) * subpixels;
+}
+
+ivec4 edgeOfFour(Edge edge, ivec2 corner, int f) {
+  return edgeAt(edge, corner) + edge.step_.y * acrossTo(f) - edge.step_.x * downTo(f);
+}
+
+int placeOf(ivec2 pixel, int s) {
+#ifdef SUN_MAP
+  return pixel.y * mapTexels + pixel.x;
+#else
+  return firstSample(pixel) + s;
+#endif
+}
+
+#if SAMPLES < 4
+#define LOADED(ALONE, FOUR_, PIXEL, J)                                                                             \
+  uvec4(ALONE(placeOf(PIXEL + ivec2(0, ROW_OF(J, 0)), SAMPLE_OF(J, 0))),                                           \
+        ALONE(placeOf(PIXEL + ivec2(0, ROW_OF(J, 1)), SAMPLE_OF(J, 1))),                                           \
+        ALONE(placeOf(PIXEL + ivec2(0, ROW_OF(J, 2)), SAMPLE_OF(J, 2))),                                           \
+        ALONE(placeOf(PIXEL + ivec2(0, ROW_OF(J, 3)), SAMPLE_OF(J, 3))))
+#else
+#define LOADED(ALONE, FOUR_, PIXEL, J) FOUR_(placeOf(PIXEL + ivec2(0, ROW_OF(J, 0)), SAMPLE_OF(J, 0)))
+#endif
+
+void main() {
+  uint entry = gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x;
+  if (entry >= texelFetch(bins, 1 + round_).x) return;
+  int list = int(texelFetch(bins, binRounds + (rounds + round_) * binTiles + int(entry)).x);
+  int columns = (PICTURE_SIZE.x + tileSide - 1) / tileSide, tile = list - round_ * binTiles;
+  ivec2 size = ivec2(PICTURE_SIZE.x, PICTURE_ROWS.y);
+  const int rows = tileSide / foursOfPixel;
+  ivec2 pixel = ivec2(tile % columns, tile / columns) * tileSide + ivec2(0, PICTURE_ROWS.x) +
+                ivec2(gl_LocalInvocationID.xy) * ivec2(1, rows);
+  ivec2 corner = pixel * subpixels;
+#ifndef SUN_MAP
+  float least = view.nearOverFar;
+#endif
+#ifdef SUN_MAP
+#define FOUR(J) uvec4 keys##J = LOADED(keyAt, fourKeysAt, pixel, J);
+#else
+#define FOUR(J)                                        \
+  uvec4 keys##J = LOADED(keyAt, fourKeysAt, pixel, J); \
+  uvec4 ids##J = LOADED(idAt, fourIdsAt, pixel, J);
+#endif
+  ALL_FOURS
+#undef FOUR
+  uint node = texelFetch(bins, binRounds + list).x;
+  while (node != 0u) {
+    uvec2 here = texelFetch(nodes, int(node) - 1).xy;
+    node = here.x;
+    int at = int(here.y) * binTexels;
+    uvec4 first = texelFetch(binned, at), second = texelFetch(binned, at + 1);
+    vec4 plane = uintBitsToFloat(texelFetch(binned, at + 2));
+    ivec2 a = ivec2(first.xy), b = ivec2(first.zw), c = ivec2(second.xy);
+    uint id = second.z;
+    float near = uintBitsToFloat(second.w);
+    Edge ab = edgeOf(a, b), bc = edgeOf(b, c), ca = edgeOf(c, a);
+    ivec4 sidesAb[foursOfPixel], sidesBc[foursOfPixel], sidesCa[foursOfPixel], down[foursOfPixel];
+    vec4 across[foursOfPixel];
+    for (int f = 0; f < foursOfPixel; ++f) {
+      sidesAb[f] = edgeOfFour(ab, corner, f);
+      sidesBc[f] = edgeOfFour(bc, corner, f);
+      sidesCa[f] = edgeOfFour(ca, corner, f);
+      precise vec4 terms = plane.x * vec4(corner.x + acrossTo(f) - a.x);
+      across[f] = terms;
+      down[f] = corner.y + downTo(f) - a.y;
+    }
+    const int below = rowsOfFour * subpixels;
+    int belowAb = ab.step_.x * below, belowBc = bc.step_.x * below, belowCa = ca.step_.x * below;
+#ifdef SUN_MAP
+#define KEEP(J, I) keys##J[I] = covered[I] ? min(keys##J[I], found[I]) : keys##J[I];
+#else
+#define KEEP(J, I)                                                                                                   \
+  {                                                                                                                  \
+    bool nearer = found[I] < keys##J[I] || (found[I] == keys##J[I] && id < ids##J[I]);                               \
+    bool wins = covered[I] && nears[I] >= least && nearer;                                                           \
+    keys##J[I] = wins ? found[I] : keys##J[I];                                                                       \
+    ids##J[I] = wins ? id : ids##J[I];                                                                               \
+  }
+#endif
+#define FOUR(J)                                                                                                      \
+  {                                                                                                                  \
+    const int f = PART_OF(J);                                                                                        \
+    bvec4 covered = greaterThanEqual(sidesAb[f] | sidesBc[f] | sidesCa[f], ivec4(0));                                \
+    precise vec4 nears = near + (across[f] + plane.y * vec4(down[f]));                                               \
+    nears = clamp(nears, plane.z, plane.w);                                                                          \
+    uvec4 found = 0x7fffffffu - floatBitsToUint(nears);                                                              \
+    KEEP(J, 0) KEEP(J, 1) KEEP(J, 2) KEEP(J, 3)                                                                                                          \
+    sidesAb[f] -= belowAb;                                                                                           \
+    sidesBc[f] -= belowBc;                                                                                           \
+    sidesCa[f] -= belowCa;                                                                                           \
+    down[f] += below;                                                                                                \
+  }
+    ALL_FOURS
+#undef FOUR
+  }
+  if (pixel.x >= size.x) return;
+#if SAMPLES < 4
+#ifdef SUN_MAP
+#define PUT(J, I) if (pixel.y + ROW_OF(J, I) < size.y) nearKeys[placeOf(pixel + ivec2(0, ROW_OF(J, I)), 0)] = keys##J[I];
+#else
+#define PUT(J, I)                                                                     \
+  if (pixel.y + ROW_OF(J, I) < size.y) {                                              \
+    int at = placeOf(pixel + ivec2(0, ROW_OF(J, I)), SAMPLE_OF(J, I));                \
+    nearKeys[at] = keys##J[I];                                                        \
+    ids[at] = ids##J[I];                                                              \
+  }
+#endif
+#define FOUR(J) PUT(J, 0) PUT(J, 1) PUT(J, 2) PUT(J, 3)
+#else
+#define FOUR(J)                                                                       \
+  if (pixel.y + ROW_OF(J, 0) < size.y) {                                              \
+    int at = placeOf(pixel + ivec2(0, ROW_OF(J, 0)), SAMPLE_OF(J, 0)) / 4;            \
+    nearKeys[at] = keys##J;                                                           \
+    ids[at] = ids##J;                                                                 \
+  }
+#endif
+  ALL_FOURS
+}
