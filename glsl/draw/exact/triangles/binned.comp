@@ -81,6 +81,30 @@ int placeOf(ivec2 pixel, int s) {
 #define LOADED(ALONE, FOUR_, PIXEL, J) FOUR_(placeOf(PIXEL + ivec2(0, ROW_OF(J, 0)), SAMPLE_OF(J, 0)))
 #endif
 
+vec4 nearOf(uvec4 keys, float least) {
+  vec4 near = uintBitsToFloat(0x7fffffffu - keys);
+  return max(near, vec4(least));
+}
+
+const int noId = 0x7fffffff;  // beyond all that triangles have
+
+// What is there already where that is as good.
+uvec4 keysOf(vec4 near, uvec4 before) {
+  uvec4 keys = 0x7fffffffu - floatBitsToUint(near);
+  return min(keys, before);
+}
+
+uvec4 keysOf(vec4 near, ivec4 id, uvec4 before) {
+  uvec4 keys = 0x7fffffffu - floatBitsToUint(near);
+  return uvec4(id.x == noId ? before.x : keys.x, id.y == noId ? before.y : keys.y, id.z == noId ? before.z : keys.z,
+               id.w == noId ? before.w : keys.w);
+}
+
+uvec4 numbersOf(ivec4 id) {
+  return uvec4(id.x == noId ? ~0u : uint(id.x), id.y == noId ? ~0u : uint(id.y), id.z == noId ? ~0u : uint(id.z),
+               id.w == noId ? ~0u : uint(id.w));
+}
+
 void main() {
   uint entry = gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x;
   if (entry >= texelFetch(bins, 1 + round_).x) return;
@@ -94,12 +118,13 @@ void main() {
 #ifndef SUN_MAP
   float least = view.nearOverFar;
 #endif
+// Nearness and numbers are kept as what compares them fastest, a least one for what is empty.
 #ifdef SUN_MAP
-#define FOUR(J) uvec4 keys##J = LOADED(keyAt, fourKeysAt, pixel, J);
+#define FOUR(J) vec4 nearest##J = nearOf(LOADED(keyAt, fourKeysAt, pixel, J), 0.0f);
 #else
-#define FOUR(J)                                        \
-  uvec4 keys##J = LOADED(keyAt, fourKeysAt, pixel, J); \
-  uvec4 ids##J = LOADED(idAt, fourIdsAt, pixel, J);
+#define FOUR(J)                                                                \
+  vec4 nearest##J = nearOf(LOADED(keyAt, fourKeysAt, pixel, J), least);        \
+  ivec4 ids##J = ivec4(min(LOADED(idAt, fourIdsAt, pixel, J), uvec4(noId)));
 #endif
   ALL_FOURS
 #undef FOUR
@@ -111,7 +136,7 @@ void main() {
     uvec4 first = texelFetch(binned, at), second = texelFetch(binned, at + 1);
     vec4 plane = uintBitsToFloat(texelFetch(binned, at + 2));
     ivec2 a = ivec2(first.xy), b = ivec2(first.zw), c = ivec2(second.xy);
-    uint id = second.z;
+    int id = int(second.z);
     float near = uintBitsToFloat(second.w);
     Edge ab = edgeOf(a, b), bc = edgeOf(b, c), ca = edgeOf(c, a);
     ivec4 sidesAb[foursOfPixel], sidesBc[foursOfPixel], sidesCa[foursOfPixel], down[foursOfPixel];
@@ -127,13 +152,12 @@ void main() {
     const int below = rowsOfFour * subpixels;
     int belowAb = ab.step_.x * below, belowBc = bc.step_.x * below, belowCa = ca.step_.x * below;
 #ifdef SUN_MAP
-#define KEEP(J, I) keys##J[I] = covered[I] ? min(keys##J[I], found[I]) : keys##J[I];
+#define KEEP(J, I) nearest##J[I] = covered[I] && nears[I] > nearest##J[I] ? nears[I] : nearest##J[I];
 #else
 #define KEEP(J, I)                                                                                                   \
   {                                                                                                                  \
-    bool nearer = found[I] < keys##J[I] || (found[I] == keys##J[I] && id < ids##J[I]);                               \
-    bool wins = covered[I] && nears[I] >= least && nearer;                                                           \
-    keys##J[I] = wins ? found[I] : keys##J[I];                                                                       \
+    bool wins = covered[I] && (nears[I] > nearest##J[I] || (nears[I] == nearest##J[I] && id < ids##J[I]));           \
+    nearest##J[I] = wins ? nears[I] : nearest##J[I];                                                                 \
     ids##J[I] = wins ? id : ids##J[I];                                                                               \
   }
 #endif
@@ -142,8 +166,8 @@ void main() {
     const int f = PART_OF(J);                                                                                        \
     bvec4 covered = greaterThanEqual(sidesAb[f] | sidesBc[f] | sidesCa[f], ivec4(0));                                \
     precise vec4 nears = near + (across[f] + plane.y * vec4(down[f]));                                               \
-    nears = clamp(nears, plane.z, plane.w);                                                                          \
-    uvec4 found = 0x7fffffffu - floatBitsToUint(nears);                                                              \
+    for (int i = 0; i < 4; ++i) nears[i] = nears[i] > plane.z ? nears[i] : plane.z;                                  \
+    for (int i = 0; i < 4; ++i) nears[i] = nears[i] < plane.w ? nears[i] : plane.w;                                  \
     KEEP(J, 0) KEEP(J, 1) KEEP(J, 2) KEEP(J, 3)                                                                                                          \
     sidesAb[f] -= belowAb;                                                                                           \
     sidesBc[f] -= belowBc;                                                                                           \
@@ -154,24 +178,32 @@ void main() {
 #undef FOUR
   }
   if (pixel.x >= size.x) return;
-#if SAMPLES < 4
 #ifdef SUN_MAP
-#define PUT(J, I) if (pixel.y + ROW_OF(J, I) < size.y) nearKeys[placeOf(pixel + ivec2(0, ROW_OF(J, I)), 0)] = keys##J[I];
-#else
+#define PUT(J, I) if (pixel.y + ROW_OF(J, I) < size.y) nearKeys[placeOf(pixel + ivec2(0, ROW_OF(J, I)), 0)] = keys[I];
+#define FOUR(J)                                                                       \
+  {                                                                                   \
+    uvec4 keys = keysOf(nearest##J, LOADED(keyAt, fourKeysAt, pixel, J));             \
+    PUT(J, 0) PUT(J, 1) PUT(J, 2) PUT(J, 3)                                           \
+  }
+#elif SAMPLES < 4
 #define PUT(J, I)                                                                     \
   if (pixel.y + ROW_OF(J, I) < size.y) {                                              \
     int at = placeOf(pixel + ivec2(0, ROW_OF(J, I)), SAMPLE_OF(J, I));                \
-    nearKeys[at] = keys##J[I];                                                        \
-    ids[at] = ids##J[I];                                                              \
+    nearKeys[at] = keys[I];                                                           \
+    ids[at] = numbers[I];                                                             \
   }
-#endif
-#define FOUR(J) PUT(J, 0) PUT(J, 1) PUT(J, 2) PUT(J, 3)
+#define FOUR(J)                                                                       \
+  {                                                                                   \
+    uvec4 keys = keysOf(nearest##J, ids##J, LOADED(keyAt, fourKeysAt, pixel, J));     \
+    uvec4 numbers = numbersOf(ids##J);                                                \
+    PUT(J, 0) PUT(J, 1) PUT(J, 2) PUT(J, 3)                                           \
+  }
 #else
 #define FOUR(J)                                                                       \
   if (pixel.y + ROW_OF(J, 0) < size.y) {                                              \
     int at = placeOf(pixel + ivec2(0, ROW_OF(J, 0)), SAMPLE_OF(J, 0)) / 4;            \
-    nearKeys[at] = keys##J;                                                           \
-    ids[at] = ids##J;                                                                 \
+    nearKeys[at] = keysOf(nearest##J, ids##J, LOADED(keyAt, fourKeysAt, pixel, J));   \
+    ids[at] = numbersOf(ids##J);                                                      \
   }
 #endif
   ALL_FOURS
