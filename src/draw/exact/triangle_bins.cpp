@@ -5,17 +5,27 @@
 #include "gl/context.hpp"
 #include "gl/element_array.hpp"
 
+#include <algorithm>
+#include <cstdint>
 #include <string>
+#include <utility>
 
 namespace simreel::draw {
 
 namespace {
 
-constexpr int tileSide = 8;    // of glsl/draw/exact/fixed.glsl
-constexpr int binRounds = 64;  // of bins.glsl, and
-constexpr std::size_t cornerBytes = 48;
+constexpr int tileSide = 8;     // of glsl/draw/exact/fixed.glsl
+constexpr int binCounts = 128;  // of bins.glsl,
+constexpr int firstTileCount = 2;
 constexpr int ownNodes = 4;
+constexpr std::size_t cornerBytes = 48;
 constexpr int roundTriangles = 57344;  // whose lists no loop leaves early
+constexpr int maxTriangles = 1 << 20;  // of a picture,
+constexpr int maxOfFaces = 1 << 18;    // and of all faces; what is more is drawn as large ones are
+
+int roundsOf(int triangles) {
+  return std::max((triangles + roundTriangles - 1) / roundTriangles, 1);
+}
 
 }  // namespace
 
@@ -23,19 +33,29 @@ bool binsTriangles() {
   return gl::softwareDriver();
 }
 
-void TriangleBins::begin(glm::ivec2 size, int triangles) {
+TriangleBins::TriangleBins(gl::Defines defines, int samples) : defines_(std::move(defines)) {
+  defines_.emplace_back("SAMPLES", std::to_string(samples));
+}
+
+bool TriangleBins::holds(int triangles, int faces) {
+  return faces == 0 ? triangles <= maxTriangles : faces * roundsOf(triangles) <= binCounts - firstTileCount;
+}
+
+void TriangleBins::begin(glm::ivec2 size, int triangles, int faces) {
   const glm::ivec2 across = (size + tileSide - 1) / tileSide;
   tiles_ = across.x * across.y;
-  triangles_ = triangles;
-  rounds_ = (triangles + roundTriangles - 1) / roundTriangles;
-  sharedNodes_ = triangles + 16 * tiles_;
+  faceRounds_ = roundsOf(triangles);
+  rounds_ = std::max(faces, 1) * faceRounds_;
+  const std::int64_t all = std::int64_t{std::max(faces, 1)} * triangles;
+  room_ = static_cast<int>(std::min<std::int64_t>(all, faces > 0 ? maxOfFaces : maxTriangles));
+  sharedNodes_ = room_ + 16 * tiles_;
   const auto words = [](int count) { return static_cast<std::size_t>(count) * sizeof(GLuint); };
-  const std::size_t heads = words(binRounds + rounds_ * tiles_);
+  const std::size_t heads = words(binCounts + rounds_ * tiles_);
   reserve(bins_, binView_, "lists of triangles by tiles", heads + words(rounds_ * tiles_), GL_R32UI,
           sizeof(GLuint));
-  reserve(nodes_, nodeView_, "triangles by tiles", words(2 * (ownNodes * triangles + sharedNodes_)),
-          GL_RG32UI, 2 * sizeof(GLuint));
-  reserve(corners_, cornerView_, "corners by tiles", static_cast<std::size_t>(triangles) * cornerBytes,
+  reserve(nodes_, nodeView_, "triangles by tiles", words(2 * (ownNodes * room_ + sharedNodes_)), GL_RG32UI,
+          2 * sizeof(GLuint));
+  reserve(corners_, cornerView_, "corners by tiles", static_cast<std::size_t>(room_) * cornerBytes,
           GL_RGBA32UI, 16);
   reserve(groups_, "groups for triangles by tiles", static_cast<std::size_t>(rounds_) * GroupCounts::bytes);
   constexpr GLuint zero = 0;
@@ -43,24 +63,23 @@ void TriangleBins::begin(glm::ivec2 size, int triangles) {
                             GL_UNSIGNED_INT, &zero);
 }
 
-void TriangleBins::bind(const gl::Program& program) const {
+void TriangleBins::bind(const gl::Program& program, int face) const {
   bins_.bindStorage(binBinding);
   nodes_.bindStorage(nodeBinding);
   corners_.bindStorage(cornerBinding);
   program.set("binTiles", tiles_);
   program.set("rounds", rounds_);
+  program.set("firstRound", face * faceRounds_);
   program.set("roundTriangles", roundTriangles);
+  program.set("cornerRoom", room_);
   program.set("sharedNodes", sharedNodes_);
-  program.set("firstSharedNode", static_cast<unsigned>(ownNodes * triangles_));
+  program.set("firstSharedNode", static_cast<unsigned>(ownNodes * room_));
 }
 
-void TriangleBins::draw(const Visibility& into) {
-  if (program_.name() == 0) {
-    gl::Defines defines = {{"SAMPLES", std::to_string(samples_)}};
-    if (sunMap_) defines.emplace_back("SUN_MAP", "1");
-    program_ = gl::Program::compute("draw/exact/triangles/binned.comp", defines);
-  }
-  counts_.fill(bins_, {.firstCount = 1, .counts = rounds_}, groups_);
+void TriangleBins::draw(const Visibility& into,
+                        const std::function<void(int face, const gl::Program& program)>& bindFace) {
+  if (program_.name() == 0) program_ = gl::Program::compute("draw/exact/triangles/binned.comp", defines_);
+  counts_.fill(bins_, {.firstCount = firstTileCount, .counts = rounds_}, groups_);
   gl::barrier();
   glMemoryBarrier(GL_COMMAND_BARRIER_BIT);
   into.bind();
@@ -71,6 +90,7 @@ void TriangleBins::draw(const Visibility& into) {
   program_.set("rounds", rounds_);
   program_.set("mapTexels", into.size().x);
   for (int round = 0; round < rounds_; ++round) {
+    if (bindFace && round % faceRounds_ == 0) bindFace(round / faceRounds_, program_);
     program_.set("round_", round);
     program_.use();
     GroupCounts::dispatch(groups_, static_cast<std::size_t>(round));

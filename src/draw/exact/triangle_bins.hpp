@@ -2,8 +2,7 @@
 #include "draw/exact/group_counts.hpp"
 #include "draw/exact/visibility.hpp"
 
-#include <map>
-#include <string>
+#include <functional>
 
 #include <glm/vec2.hpp>
 
@@ -18,24 +17,26 @@ namespace simreel::draw {
 /// 80 bytes a triangle.
 class TriangleBins {
  public:
-  static constexpr int maxTriangles = 1 << 20;
-  /// `sunMap`: keys alone.
-  TriangleBins(bool sunMap, int samples) : sunMap_(sunMap), samples_(samples) {}
+  /// `defines`: of what is drawn to; SUN_MAP and LAMP_MAP have keys alone.
+  TriangleBins(gl::Defines defines, int samples);
 
-  /// Empties the lists, for so many triangles of a picture of that size.
-  void begin(glm::ivec2 size, int triangles);
-  /// For kernels with BINS.
-  void bind(const gl::Program& program) const;
+  /// Whether so many triangles at most may be listed, of a picture, or of each of so many faces of maps.
+  [[nodiscard]] static bool holds(int triangles, int faces = 0);
+  /// Empties the lists, for a picture or faces of that size.
+  void begin(glm::ivec2 size, int triangles, int faces = 0);
+  /// For kernels with BINS, of that face.
+  void bind(const gl::Program& program, int face = 0) const;
   /// Into what larger ones have been drawn to already, numbers of none of them. The uniform blocks are
-  /// bound, and what made the lists is behind a barrier.
-  void draw(const Visibility& into);
+  /// bound, or `bindFace` binds those of a face; what made the lists is behind a barrier.
+  void draw(const Visibility& into,
+            const std::function<void(int face, const gl::Program& program)>& bindFace = {});
 
  private:
-  bool sunMap_;
-  int samples_;
+  gl::Defines defines_;
   int tiles_ = 0;
   int rounds_ = 1;
-  int triangles_ = 0;
+  int faceRounds_ = 1;
+  int room_ = 0;  ///< triangles
   int sharedNodes_ = 0;
   GroupCounts counts_;
   gl::Buffer bins_, nodes_, corners_, groups_;

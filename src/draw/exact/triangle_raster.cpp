@@ -52,7 +52,7 @@ TriangleRaster::TriangleRaster(Into into, int samples, int smallPixels, int fanR
       fanRoom_(fanRoom),
       mediumPixels_(mediumPixels),
       mayBin_(bins),
-      bins_(into == Into::sunMap, samples) {}
+      bins_(intoDefines(), samples) {}
 
 void TriangleRaster::number(const std::vector<const sim::Surface*>& surfaces) {
   std::int64_t vertices = 0;
@@ -131,6 +131,11 @@ const gl::Program& TriangleRaster::vertexProgram(const sim::Surface& surface) {
       .first->second;
 }
 
+gl::Defines TriangleRaster::intoDefines() const {
+  if (into_ == Into::picture) return {};
+  return {{into_ == Into::sunMap ? "SUN_MAP" : "LAMP_MAP", "1"}};
+}
+
 const gl::Program& TriangleRaster::program(const Variant& variant) {
   const auto found = programs_.find(variant);
   if (found != programs_.end()) return found->second;
@@ -142,8 +147,7 @@ const gl::Program& TriangleRaster::program(const Variant& variant) {
   if (counted) defines.emplace_back("COUNTED", "1");
   if (clips) defines.emplace_back("CLIPS", "1");
   if (bins) defines.emplace_back("BINS", "1");
-  if (into_ == Into::sunMap) defines.emplace_back("SUN_MAP", "1");
-  if (into_ == Into::lampMap) defines.emplace_back("LAMP_MAP", "1");
+  for (const auto& define : intoDefines()) defines.push_back(define);
   return programs_.emplace(variant, gl::Program::compute(path, defines)).first->second;
 }
 
@@ -213,7 +217,7 @@ void TriangleRaster::run(const char* path, int pass, const Visibility& into, boo
     const bool bins = small && binned_;
     const gl::Program& kernel = program({path, pass, counted, clips, into.layout(), bins});
     bind(drawn, kernel);
-    if (bins) bins_.bind(kernel);
+    if (bins) bins_.bind(kernel, drawn.list);
     kernel.set("doubleSided", static_cast<int>(doubleSided));
     kernel.set("draw_", static_cast<int>(i));
     kernel.set("draws", static_cast<int>(drawn_.size()));
@@ -275,6 +279,15 @@ void TriangleRaster::fillGroups() {
   }
 }
 
+void TriangleRaster::drawBinned(const Visibility& into) {
+  if (into_ != Into::lampMap) return bins_.draw(into);
+  bins_.draw(into, [&](int face, const gl::Program& program) {
+    const MapFace& map = drawn_[static_cast<std::size_t>(face)].face;
+    map.views->bindUniform(viewBinding, map.view, viewBytes);
+    map.part.set(program);
+  });
+}
+
 void TriangleRaster::draw(const Visibility& into, const MapPart& part) {
   constexpr GLuint zero = 0;
   if (drawn_.empty()) return;
@@ -284,12 +297,12 @@ void TriangleRaster::draw(const Visibility& into, const MapPart& part) {
     for (Drawn& drawn : drawn_) drawn.face.part = part;
     makeVertices(into);
   }
-  const Drawn& last = drawn_.back();
-  const int triangles = last.firstIndex / 3 + last.maxTriangles;
-  binned_ = mayBin_ && into_ != Into::lampMap && into.layout() == SampleLayout::apart &&
-            triangles <= TriangleBins::maxTriangles;
-  if (binned_) bins_.begin(into.size(), triangles);
   for (const Drawn& drawn : drawn_) largest = glm::max(largest, sizeOf(into, drawn.face.part));
+  const Drawn& last = drawn_.back();
+  const int faces = into_ == Into::lampMap ? static_cast<int>(drawn_.size()) : 0;
+  const int triangles = faces > 0 ? last.maxTriangles : last.firstIndex / 3 + last.maxTriangles;
+  binned_ = mayBin_ && into.layout() == SampleLayout::apart && TriangleBins::holds(triangles, faces);
+  if (binned_) bins_.begin(largest, triangles, faces);
   fillGroups();
   gl::barrier();
   glMemoryBarrier(GL_COMMAND_BARRIER_BIT);
@@ -298,7 +311,7 @@ void TriangleRaster::draw(const Visibility& into, const MapPart& part) {
   prepareLarge(largest);
   runLists(0, into);
   gl::barrier();
-  if (binned_) bins_.draw(into);
+  if (binned_) drawBinned(into);
   if (into_ != Into::picture || into.layout() == SampleLayout::wholes) return;
   if (!binned_) run(trianglesPath, 1, into);
   runLists(1, into);

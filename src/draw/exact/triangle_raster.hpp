@@ -82,6 +82,8 @@ class TriangleRaster {
   void prepareLarge(glm::ivec2 size);
   void reserveLists(std::size_t draws, std::int64_t triangles, int fans);
   void fillGroups();
+  void drawBinned(const Visibility& into);
+  [[nodiscard]] gl::Defines intoDefines() const;
   void run(const char* path, int pass, const Visibility& into, bool clips = false);
   void runLists(int pass, const Visibility& into);
 

@@ -1,6 +1,6 @@
 // What of the triangles that bins.glsl lists is nearest in a tile, and where they are as near the least number: beside what
 // is known there already. A group does a tile, an invocation a part of a column of it: samples stay in registers, eight fours
-// of them where there are as many. Such as these are: of four samples row by row, of fewer of several rows. SAMPLES, SUN_MAP.
+// of them where there are as many. Such as these are: of four samples row by row, of fewer of several rows. SAMPLES, SUN_MAP, LAMP_MAP.
 #include "draw/exact/sample_read.glsl"
 #include "draw/exact/triangles/triangle.glsl"
 #include "draw/exact/triangles/bins.glsl"
@@ -13,6 +13,13 @@ ivec2 mapSize = ivec2(mapTexels);
 #include "draw/exact/view_block.glsl"
 #define PICTURE_SIZE view.size
 #define PICTURE_ROWS view.rows
+#endif
+#ifdef LAMP_MAP
+uniform int firstKey;   // of this map among those of all lamps
+uniform int keyStride;  // from one row to the next
+#endif
+#if defined SUN_MAP || defined LAMP_MAP
+#define KEYS_ONLY
 #endif
 #if SAMPLES > 4
 const int foursOfPixel = SAMPLES / 4;
@@ -64,7 +71,9 @@ ivec4 edgeOfFour(Edge edge, ivec2 corner, int f) {
 }
 
 int placeOf(ivec2 pixel, int s) {
-#ifdef SUN_MAP
+#ifdef LAMP_MAP
+  return firstKey + pixel.y * keyStride + pixel.x;
+#elif defined SUN_MAP
   return pixel.y * mapTexels + pixel.x;
 #else
   return firstSample(pixel) + s;
@@ -107,19 +116,19 @@ uvec4 numbersOf(ivec4 id) {
 
 void main() {
   uint entry = gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x;
-  if (entry >= texelFetch(bins, 1 + round_).x) return;
-  int list = int(texelFetch(bins, binRounds + (rounds + round_) * binTiles + int(entry)).x);
+  if (entry >= texelFetch(bins, firstTileCount + round_).x) return;
+  int list = int(texelFetch(bins, binCounts + (rounds + round_) * binTiles + int(entry)).x);
   int columns = (PICTURE_SIZE.x + tileSide - 1) / tileSide, tile = list - round_ * binTiles;
   ivec2 size = ivec2(PICTURE_SIZE.x, PICTURE_ROWS.y);
   const int rows = tileSide / foursOfPixel;
   ivec2 pixel = ivec2(tile % columns, tile / columns) * tileSide + ivec2(0, PICTURE_ROWS.x) +
                 ivec2(gl_LocalInvocationID.xy) * ivec2(1, rows);
   ivec2 corner = pixel * subpixels;
-#ifndef SUN_MAP
+#ifndef KEYS_ONLY
   float least = view.nearOverFar;
 #endif
 // Nearness and numbers are kept as what compares them fastest, a least one for what is empty.
-#ifdef SUN_MAP
+#ifdef KEYS_ONLY
 #define FOUR(J) vec4 nearest##J = nearOf(LOADED(keyAt, fourKeysAt, pixel, J), 0.0f);
 #else
 #define FOUR(J)                                                                \
@@ -128,7 +137,7 @@ void main() {
 #endif
   ALL_FOURS
 #undef FOUR
-  uint node = texelFetch(bins, binRounds + list).x;
+  uint node = texelFetch(bins, binCounts + list).x;
   while (node != 0u) {
     uvec2 here = texelFetch(nodes, int(node) - 1).xy;
     node = here.x;
@@ -151,7 +160,7 @@ void main() {
     }
     const int below = rowsOfFour * subpixels;
     int belowAb = ab.step_.x * below, belowBc = bc.step_.x * below, belowCa = ca.step_.x * below;
-#ifdef SUN_MAP
+#ifdef KEYS_ONLY
 #define KEEP(J, I) nearest##J[I] = covered[I] && nears[I] > nearest##J[I] ? nears[I] : nearest##J[I];
 #else
 #define KEEP(J, I)                                                                                                   \
@@ -178,7 +187,7 @@ void main() {
 #undef FOUR
   }
   if (pixel.x >= size.x) return;
-#ifdef SUN_MAP
+#ifdef KEYS_ONLY
 #define PUT(J, I) if (pixel.y + ROW_OF(J, I) < size.y) nearKeys[placeOf(pixel + ivec2(0, ROW_OF(J, I)), 0)] = keys[I];
 #define FOUR(J)                                                                       \
   {                                                                                   \

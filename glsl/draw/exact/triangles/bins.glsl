@@ -1,9 +1,12 @@
 // Small triangles listed by the tiles of the picture that they meet, for software drivers, whose atomics cost more than all
 // the rest: each tile is then one group's alone (binned.comp). A list has nodes of the next node and a triangle, numbers that
-// count from 1; triangles keep their corners, three texels each, at their number. Of very many, each `roundTriangles` have
-// lists of their own, so that no loop ends early.
+// count from 1; triangles keep their corners, three texels each. Of very many, each `roundTriangles` have lists of their own,
+// so that no loop ends early; so have the faces of lamps' maps.
 #include "draw/exact/bindings.glsl"
-const int binRounds = 64;  // words before the lists' heads: how many nodes are taken, then how many tiles have some, by round
+// Words before the lists' heads: how many shared nodes are taken, how many triangles are listed, and how many tiles have some,
+// by round.
+const int binCounts = 128;
+const int firstTileCount = 2;
 const int binTexels = 3;
 const uint ownNodes = 4u;  // of each triangle, before those that all share
 #ifdef MAKES_BINS
@@ -12,13 +15,20 @@ layout(std430, binding = nodeBinding) writeonly restrict buffer NodeBlock { uvec
 layout(std430, binding = cornerBinding) writeonly restrict buffer CornerBlock { uvec4 binned[]; };
 uniform int binTiles;  // of the picture
 uniform int roundTriangles;
+uniform int firstRound;
 uniform int rounds;
+uniform int cornerRoom;       // triangles
 uniform int sharedNodes;      // how many,
 uniform uint firstSharedNode;
 
-// False where there is no room for all of it.
-bool bin(Triangle t, uint id, int number) {
-  int round_ = number / roundTriangles;
+// The triangle at a place of its list; false where there is no room for all of it.
+bool bin(Triangle t, uint id, int place) {
+  int number = int(atomicAdd(bins[1], 1u));
+  if (number >= cornerRoom) return false;
+#ifndef LAMP_MAP
+  place = number;
+#endif
+  int round_ = firstRound + place / roundTriangles;
   ivec2 a = t.edges[0].from, b = t.edges[1].from, c = t.edges[2].from;
   binned[number * binTexels] = uvec4(a, b);
   binned[number * binTexels + 1] = uvec4(c, id, uint(floatBitsToInt(t.near)));
@@ -42,9 +52,10 @@ bool bin(Triangle t, uint id, int number) {
       room = room && node < firstSharedNode + uint(sharedNodes);
       ++count;
       if (room) {
-        uint before = atomicExchange(bins[binRounds + tile], node + 1u);
+        uint before = atomicExchange(bins[binCounts + tile], node + 1u);
         nodes[node] = uvec2(before, uint(number));
-        if (before == 0u) bins[binRounds + rounds * binTiles + round_ * binTiles + int(atomicAdd(bins[1 + round_], 1u))] = uint(tile);
+        int list = binCounts + (rounds + round_) * binTiles;
+        if (before == 0u) bins[list + int(atomicAdd(bins[firstTileCount + round_], 1u))] = uint(tile);
       }
     }
   }

@@ -17,6 +17,7 @@ uniform int mediumPixels;  // the longest side of a box of medium size; none is 
 
 void main() {
   int number = int(gl_WorkGroupID.y * gl_NumWorkGroups.x * 64u + gl_GlobalInvocationID.x);
+  int place = number;
   if (number >= trianglesToDraw()) return;
 #ifdef LAMP_MAP
   number = triangleAt(number);
@@ -38,7 +39,7 @@ void main() {
   int extent = drawnAs(t);
   bool small = whole && extent <= smallPixels * subpixels;
 #ifdef BINS
-  if (small) small = bin(t, firstId + uint(number), firstIndex / 3 + number);
+  if (small) small = bin(t, firstId + uint(number), place);
 #endif
   if (!small) {
 #if PASS == 0
