@@ -15,8 +15,9 @@ namespace simreel::draw {
 namespace {
 
 constexpr int tileSide = 8;     // of glsl/draw/exact/fixed.glsl
-constexpr int binCounts = 128;  // of bins.glsl,
+constexpr int binCounts = 512;  // of bins.glsl,
 constexpr int firstTileCount = 2;
+constexpr int firstFaceCount = 256;
 constexpr int ownNodes = 4;
 constexpr std::size_t cornerBytes = 48;
 constexpr int roundTriangles = 57344;  // whose lists no loop leaves early
@@ -38,7 +39,8 @@ TriangleBins::TriangleBins(gl::Defines defines, int samples) : defines_(std::mov
 }
 
 bool TriangleBins::holds(int triangles, int faces) {
-  return faces == 0 ? triangles <= maxTriangles : faces * roundsOf(triangles) <= binCounts - firstTileCount;
+  return faces == 0 ? triangles <= maxTriangles
+                    : faces * roundsOf(triangles) <= firstFaceCount - firstTileCount;
 }
 
 void TriangleBins::begin(glm::ivec2 size, int triangles, int faces) {
@@ -69,7 +71,8 @@ void TriangleBins::bind(const gl::Program& program, int face) const {
   corners_.bindStorage(cornerBinding);
   program.set("binTiles", tiles_);
   program.set("rounds", rounds_);
-  program.set("firstRound", face * faceRounds_);
+  program.set("face", face);
+  program.set("faceRounds", faceRounds_);
   program.set("roundTriangles", roundTriangles);
   program.set("cornerRoom", room_);
   program.set("sharedNodes", sharedNodes_);

@@ -214,7 +214,7 @@ void TriangleRaster::run(const char* path, int pass, const Visibility& into, boo
     const MapPart& part = drawn.face.part;
     const bool counted = into_ == Into::lampMap || drawn.surface->arguments != nullptr;
     const bool doubleSided = into_ == Into::lampMap || drawn.surface->doubleSided;
-    const bool bins = small && binned_;
+    const bool bins = binned_ && path != mediumPath;
     const gl::Program& kernel = program({path, pass, counted, clips, into.layout(), bins});
     bind(drawn, kernel);
     if (bins) bins_.bind(kernel, drawn.list);
@@ -243,7 +243,9 @@ void TriangleRaster::run(const char* path, int pass, const Visibility& into, boo
 
 void TriangleRaster::prepareLarge(glm::ivec2 size) {
   const unsigned parts = partsFor(size, samples_);
-  GroupCounts::Order order{.counts = static_cast<int>(drawn_.size()),
+  const int draws = static_cast<int>(drawn_.size());
+  GroupCounts::Order order{.firstCount = binned_ && into_ != Into::sunMap ? draws : 0,
+                           .counts = draws,
                            .parts = parts,
                            .fewerParts = gl::softwareDriver() ? leastParts(size, samples_) : parts};
   if (into_ != Into::sunMap && fanRoom_ > 0) {
@@ -301,7 +303,8 @@ void TriangleRaster::draw(const Visibility& into, const MapPart& part) {
   const Drawn& last = drawn_.back();
   const int faces = into_ == Into::lampMap ? static_cast<int>(drawn_.size()) : 0;
   const int triangles = faces > 0 ? last.maxTriangles : last.firstIndex / 3 + last.maxTriangles;
-  binned_ = mayBin_ && into.layout() == SampleLayout::apart && TriangleBins::holds(triangles, faces);
+  binned_ = mayBin_ && (into_ == Into::sunMap || fanRoom_ > 0) && mediumPixels_ <= smallPixels_ &&
+            into.layout() == SampleLayout::apart && TriangleBins::holds(triangles, faces);
   if (binned_) bins_.begin(largest, triangles, faces);
   fillGroups();
   gl::barrier();

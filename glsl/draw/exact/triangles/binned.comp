@@ -66,8 +66,10 @@ ivec4 downTo(int f) {
          (SAMPLES < 4 ? ivec4(0, ROW_OF(0, 1), ROW_OF(0, 2), ROW_OF(0, 3)) : ivec4(0)) * subpixels;
 }
 
-ivec4 edgeOfFour(Edge edge, ivec2 corner, int f) {
-  return edgeAt(edge, corner) + edge.step_.y * acrossTo(f) - edge.step_.x * downTo(f);
+// E / 16 as in edgeOverSixteen, which serves all of a column: of edges of at most 8192 pixels it changes by less than what that
+// holds it beyond.
+ivec4 edgeOfFour(Edge edge, int sixteenth, int f) {
+  return sixteenth + edge.step_.y * (acrossTo(f) / 16) - edge.step_.x * (downTo(f) / 16);
 }
 
 int placeOf(ivec2 pixel, int s) {
@@ -148,18 +150,19 @@ void main() {
     int id = int(second.z);
     float near = uintBitsToFloat(second.w);
     Edge ab = edgeOf(a, b), bc = edgeOf(b, c), ca = edgeOf(c, a);
+    int cornerAb = edgeOverSixteen(ab, corner), cornerBc = edgeOverSixteen(bc, corner), cornerCa = edgeOverSixteen(ca, corner);
     ivec4 sidesAb[foursOfPixel], sidesBc[foursOfPixel], sidesCa[foursOfPixel], down[foursOfPixel];
     vec4 across[foursOfPixel];
     for (int f = 0; f < foursOfPixel; ++f) {
-      sidesAb[f] = edgeOfFour(ab, corner, f);
-      sidesBc[f] = edgeOfFour(bc, corner, f);
-      sidesCa[f] = edgeOfFour(ca, corner, f);
+      sidesAb[f] = edgeOfFour(ab, cornerAb, f);
+      sidesBc[f] = edgeOfFour(bc, cornerBc, f);
+      sidesCa[f] = edgeOfFour(ca, cornerCa, f);
       precise vec4 terms = plane.x * vec4(corner.x + acrossTo(f) - a.x);
       across[f] = terms;
       down[f] = corner.y + downTo(f) - a.y;
     }
-    const int below = rowsOfFour * subpixels;
-    int belowAb = ab.step_.x * below, belowBc = bc.step_.x * below, belowCa = ca.step_.x * below;
+    const int below = rowsOfFour * subpixels, below16 = below / 16;
+    int belowAb = ab.step_.x * below16, belowBc = bc.step_.x * below16, belowCa = ca.step_.x * below16;
 #ifdef KEYS_ONLY
 #define KEEP(J, I) nearest##J[I] = covered[I] && nears[I] > nearest##J[I] ? nears[I] : nearest##J[I];
 #else

@@ -3,10 +3,10 @@
 // count from 1; triangles keep their corners, three texels each. Of very many, each `roundTriangles` have lists of their own,
 // so that no loop ends early; so have the faces of lamps' maps.
 #include "draw/exact/bindings.glsl"
-// Words before the lists' heads: how many shared nodes are taken, how many triangles are listed, and how many tiles have some,
-// by round.
-const int binCounts = 128;
-const int firstTileCount = 2;
+// Words before the lists' heads: how many shared nodes are taken, how many triangles are listed, how many tiles have some, by
+// round, and how many triangles are listed of each face of maps.
+const int binCounts = 512;
+const int firstTileCount = 2, firstFaceCount = 256;
 const int binTexels = 3;
 const uint ownNodes = 4u;  // of each triangle, before those that all share
 #ifdef MAKES_BINS
@@ -15,27 +15,36 @@ layout(std430, binding = nodeBinding) writeonly restrict buffer NodeBlock { uvec
 layout(std430, binding = cornerBinding) writeonly restrict buffer CornerBlock { uvec4 binned[]; };
 uniform int binTiles;  // of the picture
 uniform int roundTriangles;
-uniform int firstRound;
-uniform int rounds;
+#ifdef LAMP_MAP
+uniform int face;
+#endif
+uniform int faceRounds;  // of the picture, or of each face,
+uniform int rounds;      // and of all
 uniform int cornerRoom;       // triangles
 uniform int sharedNodes;      // how many,
 uniform uint firstSharedNode;
 
-// The triangle at a place of its list; false where there is no room for all of it.
-bool bin(Triangle t, uint id, int place) {
+// False where there is no room for all of it, and of those too large for the arithmetic of binned.comp or for a loop.
+bool bin(Triangle t, uint id) {
+  ivec2 first = max(t.low / subpixels, ivec2(0, PICTURE_ROWS.x)) / tileSide;
+  ivec2 last = min(t.high / subpixels, ivec2(PICTURE_SIZE.x, PICTURE_ROWS.y) - 1) / tileSide;
+  ivec2 box = max(last - first + 1, ivec2(0)), longest = t.high - t.low;
+  if (max(longest.x, longest.y) > 8192 * subpixels || box.x * box.y > 16384) return false;
   int number = int(atomicAdd(bins[1], 1u));
   if (number >= cornerRoom) return false;
-#ifndef LAMP_MAP
-  place = number;
+#ifdef LAMP_MAP
+  int round_ = int(atomicAdd(bins[firstFaceCount + face], 1u)) / roundTriangles;
+#else
+  const int face = 0;
+  int round_ = number / roundTriangles;
 #endif
-  int round_ = firstRound + place / roundTriangles;
+  if (round_ >= faceRounds) return false;
+  round_ += face * faceRounds;
   ivec2 a = t.edges[0].from, b = t.edges[1].from, c = t.edges[2].from;
   binned[number * binTexels] = uvec4(a, b);
   binned[number * binTexels + 1] = uvec4(c, id, uint(floatBitsToInt(t.near)));
   binned[number * binTexels + 2] = floatBitsToUint(vec4(t.acrossNear, t.downNear, t.least, t.most));
   int columns = (PICTURE_SIZE.x + tileSide - 1) / tileSide, firstRow = PICTURE_ROWS.x / tileSide;
-  ivec2 first = max(t.low / subpixels, ivec2(0, PICTURE_ROWS.x)) / tileSide;
-  ivec2 last = min(t.high / subpixels, ivec2(PICTURE_SIZE.x, PICTURE_ROWS.y) - 1) / tileSide;
   int end = t.high.x < 0 || t.high.y < 0 ? -1 : last.y;
   Crossing ca = crossingOf(t.edges[0]), cb = crossingOf(t.edges[1]), cc = crossingOf(t.edges[2]);
   uint count = 0u;

@@ -1,14 +1,26 @@
 // Triangles that are large, or reach beyond the picture's surroundings: those that triangles.comp has listed. A group takes every
 // so manyth tile of one. Variants: SAMPLES, PASS, SUN_MAP, COUNTED; CLIPS: those for which clip_large.comp had no room, apart,
-// because software drivers would run that for the others, too.
+// because software drivers would run that for the others, too; BINS: those that clip_large.comp has left at the list's end.
 #include "draw/exact/triangles/raster.glsl"
 #include "draw/exact/triangles/fill_fan.glsl"
 layout(binding = largeUnit) uniform usamplerBuffer large;
 layout(binding = counterUnit) uniform usamplerBuffer counters;
 uniform int draw_;
 
+#if defined BINS && !defined SUN_MAP
+uniform int draws;
+int placeOf(int entry) {
+  return firstIndex / 3 + triangleCount - 1 - entry;
+}
+#else
+const int draws = 0;
+int placeOf(int entry) {
+  return firstIndex / 3 + entry;
+}
+#endif
+
 void drawLarge(int entry) {
-  int number = int(texelFetch(large, firstIndex / 3 + entry).x);
+  int number = int(texelFetch(large, placeOf(entry)).x);
   uint id = firstId + uint(number);
 #if defined SUN_MAP || defined CLIPS
   ivec3 corners = cornersOf(number);
@@ -24,7 +36,7 @@ void drawLarge(int entry) {
 }
 
 void main() {
-  uint first = 0u, count = texelFetch(counters, draw_).x, groups = gl_NumWorkGroups.x * gl_NumWorkGroups.y;
+  uint first = 0u, count = texelFetch(counters, draws + draw_).x, groups = gl_NumWorkGroups.x * gl_NumWorkGroups.y;
 #ifdef CLIPS
   first = uint(fanRoom);
 #elif !defined SUN_MAP

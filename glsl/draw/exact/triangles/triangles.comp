@@ -1,6 +1,6 @@
 // Small triangles of one surface, an invocation each; the numbers of the others go on a list: those of medium size from its
-// end on (medium.comp), large ones from its beginning (large.comp). SAMPLES, PASS, SUN_MAP, LAMP_MAP, COUNTED, BALLOT. BINS: small
-// ones are listed by tiles (bins.glsl) instead of drawn.
+// end on (medium.comp), large ones from its beginning (large.comp). SAMPLES, PASS, SUN_MAP, LAMP_MAP, COUNTED, BALLOT. BINS:
+// those that are whole are listed by tiles (bins.glsl) instead of drawn.
 #include "draw/exact/triangles/raster.glsl"
 #include "draw/exact/triangles/fill_box.glsl"
 #ifdef BINS
@@ -17,7 +17,6 @@ uniform int mediumPixels;  // the longest side of a box of medium size; none is 
 
 void main() {
   int number = int(gl_WorkGroupID.y * gl_NumWorkGroups.x * 64u + gl_GlobalInvocationID.x);
-  int place = number;
   if (number >= trianglesToDraw()) return;
 #ifdef LAMP_MAP
   number = triangleAt(number);
@@ -36,14 +35,17 @@ void main() {
   t.low = t.high = ivec2(0);
   if (whole) t = drawnTriangle(cornerOfVertex(a), cornerOfVertex(b), cornerOfVertex(c));
   if (t.empty) return;
+#ifdef BINS
+  int extent = 0;
+  bool small = false;
+  if (whole) small = bin(t, firstId + uint(number));
+#else
   int extent = drawnAs(t);
   bool small = whole && extent <= smallPixels * subpixels;
-#ifdef BINS
-  if (small) small = bin(t, firstId + uint(number), place);
 #endif
   if (!small) {
 #if PASS == 0
-    if (whole && extent <= mediumPixels * subpixels)
+    if (whole && extent > 0 && extent <= mediumPixels * subpixels)
       large[firstIndex / 3 + triangleCount - 1 - int(nextPlace(draws + draw_))] = uint(number);
     else
       large[firstIndex / 3 + int(nextPlace(draw_))] = uint(number);
