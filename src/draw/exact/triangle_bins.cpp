@@ -50,7 +50,7 @@ void TriangleBins::begin(glm::ivec2 size, int triangles, int faces) {
   rounds_ = std::max(faces, 1) * faceRounds_;
   const std::int64_t all = std::int64_t{std::max(faces, 1)} * triangles;
   room_ = static_cast<int>(std::min<std::int64_t>(all, faces > 0 ? maxOfFaces : maxTriangles));
-  sharedNodes_ = room_ + 16 * tiles_;
+  sharedNodes_ = room_ + 16 * tiles_ * std::min(std::max(faces, 1), 100);
   const auto words = [](int count) { return static_cast<std::size_t>(count) * sizeof(GLuint); };
   const std::size_t heads = words(binCounts + rounds_ * tiles_);
   reserve(bins_, binView_, "lists of triangles by tiles", heads + words(rounds_ * tiles_), GL_R32UI,
