@@ -30,8 +30,8 @@ int roundsOf(int triangles) {
 
 }  // namespace
 
-bool binsTriangles() {
-  return gl::softwareDriver();
+int binnedTriangles() {
+  return gl::softwareDriver() ? maxTriangles : 0;
 }
 
 TriangleBins::TriangleBins(gl::Defines defines, int samples) : defines_(std::move(defines)) {
@@ -43,14 +43,15 @@ bool TriangleBins::holds(int triangles, int faces) {
                     : faces * roundsOf(triangles) <= firstFaceCount - firstTileCount;
 }
 
-void TriangleBins::begin(glm::ivec2 size, int triangles, int faces) {
+void TriangleBins::begin(glm::ivec2 size, int triangles, int room, int faces) {
   const glm::ivec2 across = (size + tileSide - 1) / tileSide;
   tiles_ = across.x * across.y;
   faceRounds_ = roundsOf(triangles);
   rounds_ = std::max(faces, 1) * faceRounds_;
   const std::int64_t all = std::int64_t{std::max(faces, 1)} * triangles;
-  room_ = static_cast<int>(std::min<std::int64_t>(all, faces > 0 ? maxOfFaces : maxTriangles));
-  sharedNodes_ = room_ + 16 * tiles_ * std::min(std::max(faces, 1), 100);
+  room_ = static_cast<int>(std::min<std::int64_t>({all, room, faces > 0 ? maxOfFaces : maxTriangles}));
+  sharedNodes_ = static_cast<int>(std::min<std::int64_t>(
+      room_ + std::int64_t{16} * tiles_ * std::max(faces, 1), std::int64_t{4} * room));
   const auto words = [](int count) { return static_cast<std::size_t>(count) * sizeof(GLuint); };
   const std::size_t heads = words(binCounts + rounds_ * tiles_);
   reserve(bins_, binView_, "lists of triangles by tiles", heads + words(rounds_ * tiles_), GL_R32UI,

@@ -8,11 +8,11 @@
 
 namespace simreel::draw {
 
-/// Whether small triangles are best listed by tiles on this device instead of drawn by atomics: on software
-/// drivers, to whom those are dear.
-[[nodiscard]] bool binsTriangles();
+/// How many triangles are best listed by tiles on this device instead of drawn by atomics: none but on
+/// software drivers, to whom those are dear.
+[[nodiscard]] int binnedTriangles();
 
-/// Small triangles by the tiles of 8 by 8 pixels that they meet, and what of them is nearest there, found a
+/// Triangles by the tiles of 8 by 8 pixels that they meet, and what of them is nearest there, found a
 /// tile a group without atomics (glsl/draw/exact/triangles/bins.glsl). The same as drawing them one by one.
 /// 80 bytes a triangle.
 class TriangleBins {
@@ -22,8 +22,9 @@ class TriangleBins {
 
   /// Whether so many triangles at most may be listed, of a picture, or of each of so many faces of maps.
   [[nodiscard]] static bool holds(int triangles, int faces = 0);
-  /// Empties the lists, for a picture or faces of that size.
-  void begin(glm::ivec2 size, int triangles, int faces = 0);
+  /// Empties the lists, for a picture or faces of that size: for `room` triangles at most, and four times
+  /// as many places of one in a tile beside four of each.
+  void begin(glm::ivec2 size, int triangles, int room, int faces = 0);
   /// For kernels with BINS, of that face.
   void bind(const gl::Program& program, int face = 0) const;
   /// Into what larger ones have been drawn to already, numbers of none of them. The uniform blocks are

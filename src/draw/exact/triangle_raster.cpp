@@ -45,13 +45,13 @@ int maxTrianglesOf(const sim::Surface& surface) {
 }
 
 TriangleRaster::TriangleRaster(Into into, int samples, int smallPixels, int fanRoom, int mediumPixels,
-                               bool bins)
+                               int binRoom)
     : into_(into),
       samples_(samples),
       smallPixels_(smallPixels),
       fanRoom_(fanRoom),
       mediumPixels_(mediumPixels),
-      mayBin_(bins),
+      binRoom_(binRoom),
       bins_(intoDefines(), samples) {}
 
 void TriangleRaster::number(const std::vector<const sim::Surface*>& surfaces) {
@@ -201,8 +201,9 @@ void TriangleRaster::clipLarge(const Visibility& into) {
 
 void TriangleRaster::run(const char* path, int pass, const Visibility& into, bool clips) {
   into.bind();
-  large_.bindStorage(largeBinding);
-  largeView_.bind(largeUnit);
+  const bool ofLeft = binned_ && into_ != Into::sunMap;
+  (ofLeft && path == clipPath ? left_ : large_).bindStorage(largeBinding);
+  (ofLeft && path == largePath ? leftView_ : largeView_).bind(largeUnit);
   counters_.bindStorage(counterBinding);
   counterView_.bind(counterUnit);
   if (into_ != Into::sunMap) fanView_.bind(fanUnit);
@@ -303,9 +304,11 @@ void TriangleRaster::draw(const Visibility& into, const MapPart& part) {
   const Drawn& last = drawn_.back();
   const int faces = into_ == Into::lampMap ? static_cast<int>(drawn_.size()) : 0;
   const int triangles = faces > 0 ? last.maxTriangles : last.firstIndex / 3 + last.maxTriangles;
-  binned_ = mayBin_ && (into_ == Into::sunMap || fanRoom_ > 0) && mediumPixels_ <= smallPixels_ &&
+  binned_ = binRoom_ > 0 && (into_ == Into::sunMap || fanRoom_ > 0) && mediumPixels_ <= smallPixels_ &&
             into.layout() == SampleLayout::apart && TriangleBins::holds(triangles, faces);
-  if (binned_) bins_.begin(largest, triangles, faces);
+  if (binned_ && into_ != Into::sunMap)
+    reserve(left_, leftView_, "large triangles left", large_.bytes(), GL_R32UI, sizeof(GLuint));
+  if (binned_) bins_.begin(largest, triangles, binRoom_, faces);
   fillGroups();
   gl::barrier();
   glMemoryBarrier(GL_COMMAND_BARRIER_BIT);

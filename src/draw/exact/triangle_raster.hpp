@@ -44,7 +44,7 @@ class TriangleRaster {
   /// `bins`: small ones go by tiles where samples lie apart, but for lamps' maps and where they are very
   /// many.
   TriangleRaster(Into into, int samples, int smallPixels = smallTriangle(), int fanRoom = fansOfTriangles(),
-                 int mediumPixels = mediumTriangle(), bool bins = binsTriangles());
+                 int mediumPixels = mediumTriangle(), int binRoom = binnedTriangles());
 
   /// A surface as it was drawn last.
   struct Drawn {
@@ -92,7 +92,7 @@ class TriangleRaster {
   int smallPixels_;
   int fanRoom_;
   int mediumPixels_;
-  bool mayBin_;
+  int binRoom_;
   bool binned_ = false;  ///< those that are being drawn
   std::map<std::pair<bool, bool>, gl::Program> vertexPrograms_;
   std::map<Variant, gl::Program> programs_;
@@ -102,6 +102,8 @@ class TriangleRaster {
   std::vector<Drawn> drawn_;
   gl::Buffer vertices_, large_, counters_, largeGroups_, surfaceGroups_, fans_, clipGroups_,
       roomlessGroups_;
+  gl::Buffer left_;  ///< of large ones, what is not binned
+  gl::Texture leftView_;
   gl::Texture vertexView_, largeView_, counterView_, fanView_;
 };
 

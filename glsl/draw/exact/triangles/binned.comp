@@ -92,17 +92,20 @@ int placeOf(ivec2 pixel, int s) {
 #define LOADED(ALONE, FOUR_, PIXEL, J) FOUR_(placeOf(PIXEL + ivec2(0, ROW_OF(J, 0)), SAMPLE_OF(J, 0)))
 #endif
 
-vec4 nearOf(uvec4 keys, float least) {
+// As kept, what is empty as `none`.
+vec4 nearOf(uvec4 keys, float none) {
   vec4 near = uintBitsToFloat(0x7fffffffu - keys);
-  return max(near, vec4(least));
+  return vec4(keys.x == ~0u ? none : near.x, keys.y == ~0u ? none : near.y, keys.z == ~0u ? none : near.z,
+              keys.w == ~0u ? none : near.w);
 }
 
 const int noId = 0x7fffffff;  // beyond all that triangles have
 
-// What is there already where that is as good.
-uvec4 keysOf(vec4 near, uvec4 before) {
+// What was there `before` where nothing came.
+uvec4 keysOf(vec4 near) {
   uvec4 keys = 0x7fffffffu - floatBitsToUint(near);
-  return min(keys, before);
+  return uvec4(near.x < 0.0f ? ~0u : keys.x, near.y < 0.0f ? ~0u : keys.y, near.z < 0.0f ? ~0u : keys.z,
+               near.w < 0.0f ? ~0u : keys.w);
 }
 
 uvec4 keysOf(vec4 near, ivec4 id, uvec4 before) {
@@ -129,9 +132,9 @@ void main() {
 #ifndef KEYS_ONLY
   float least = view.nearOverFar;
 #endif
-// Nearness and numbers are kept as what compares them fastest, a least one for what is empty.
+// Nearness and numbers are kept as what compares them fastest: floats, where empty as near as may just be seen, or less.
 #ifdef KEYS_ONLY
-#define FOUR(J) vec4 nearest##J = nearOf(LOADED(keyAt, fourKeysAt, pixel, J), 0.0f);
+#define FOUR(J) vec4 nearest##J = nearOf(LOADED(keyAt, fourKeysAt, pixel, J), -1.0f);
 #else
 #define FOUR(J)                                                                \
   vec4 nearest##J = nearOf(LOADED(keyAt, fourKeysAt, pixel, J), least);        \
@@ -194,7 +197,7 @@ void main() {
 #define PUT(J, I) if (pixel.y + ROW_OF(J, I) < size.y) nearKeys[placeOf(pixel + ivec2(0, ROW_OF(J, I)), 0)] = keys[I];
 #define FOUR(J)                                                                       \
   {                                                                                   \
-    uvec4 keys = keysOf(nearest##J, LOADED(keyAt, fourKeysAt, pixel, J));             \
+    uvec4 keys = keysOf(nearest##J);                                                     \
     PUT(J, 0) PUT(J, 1) PUT(J, 2) PUT(J, 3)                                           \
   }
 #elif SAMPLES < 4

@@ -1,4 +1,4 @@
-// Small triangles listed by the tiles of the picture that they meet, for software drivers, whose atomics cost more than all
+// Triangles listed by the tiles of the picture that they meet, for software drivers, whose atomics cost more than all
 // the rest: each tile is then one group's alone (binned.comp). A list has nodes of the next node and a triangle, numbers that
 // count from 1; triangles keep their corners, three texels each. Of very many, each `roundTriangles` have lists of their own,
 // so that no loop ends early; so have the faces of lamps' maps.

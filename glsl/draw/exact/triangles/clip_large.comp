@@ -1,5 +1,5 @@
 // Clips the large triangles of one surface that triangles.comp has listed, an invocation each. LAMP_MAP, COUNTED. BINS: what is left
-// of them is listed by tiles; the numbers of those for which that has no room go on the list's end.
+// of them is listed by tiles; the numbers of those for which that has no room go on a list like that.
 #ifdef BINS
 #include "draw/exact/triangles/raster.glsl"
 #include "draw/exact/triangles/crossing.glsl"
@@ -45,7 +45,7 @@ void main() {
 #ifdef BINS
   if (binFan(placeOf(a), placeOf(b), placeOf(c), firstId + uint(number))) return;
   entry = int(atomicAdd(leftCounts[draws + draw_], 1u));
-  left[firstIndex / 3 + triangleCount - 1 - entry] = uint(number);
+  left[firstIndex / 3 + entry] = uint(number);
   if (entry >= fanRoom) return;
 #endif
   makeFan(entry, placeOf(a), placeOf(b), placeOf(c), vec2(view.size), view.near);

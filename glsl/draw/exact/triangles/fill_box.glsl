@@ -33,7 +33,7 @@ void fillBox(Triangle t, uint id) {
 }
 
 // The longest side of a triangle's box (1/256 pixel). To software drivers slivers are small: of the tiles that they meet they
-// have little, and rods are many that are alike. E is below 2^31 around them, since its parts may go around: up to a tile away.
+// have little, and rods are many that are alike. E is below 2^31 around them, since its parts may go around.
 int drawnAs(Triangle t) {
   int longest = max(t.high.x - t.low.x, t.high.y - t.low.y);
 #ifndef BRANCHES
@@ -41,7 +41,7 @@ int drawnAs(Triangle t) {
   precise float doubled = (float(u.x) * float(v.y) - float(u.y) * float(v.x)) * 1.5258789e-5f;
   precise float length_ = float(longest) * 0.00390625f;
   precise float thick = length_ * float(smallPixels) * 0.25f;
-  precise float around = abs(doubled) + 16.0f * length_;
+  precise float around = abs(doubled) + 4.0f * length_;
   if (abs(doubled) <= thick && around <= 24576.0f && length_ <= 2048.0f) longest = min(longest, smallPixels * subpixels);
 #endif
   return longest;

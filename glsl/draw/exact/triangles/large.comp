@@ -1,6 +1,6 @@
 // Triangles that are large, or reach beyond the picture's surroundings: those that triangles.comp has listed. A group takes every
 // so manyth tile of one. Variants: SAMPLES, PASS, SUN_MAP, COUNTED; CLIPS: those for which clip_large.comp had no room, apart,
-// because software drivers would run that for the others, too; BINS: those that clip_large.comp has left at the list's end.
+// because software drivers would run that for the others, too; BINS: those that clip_large.comp has left.
 #include "draw/exact/triangles/raster.glsl"
 #include "draw/exact/triangles/fill_fan.glsl"
 layout(binding = largeUnit) uniform usamplerBuffer large;
@@ -9,18 +9,12 @@ uniform int draw_;
 
 #if defined BINS && !defined SUN_MAP
 uniform int draws;
-int placeOf(int entry) {
-  return firstIndex / 3 + triangleCount - 1 - entry;
-}
 #else
 const int draws = 0;
-int placeOf(int entry) {
-  return firstIndex / 3 + entry;
-}
 #endif
 
 void drawLarge(int entry) {
-  int number = int(texelFetch(large, placeOf(entry)).x);
+  int number = int(texelFetch(large, firstIndex / 3 + entry).x);
   uint id = firstId + uint(number);
 #if defined SUN_MAP || defined CLIPS
   ivec3 corners = cornersOf(number);
