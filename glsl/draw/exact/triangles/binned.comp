@@ -1,6 +1,6 @@
 // What of the triangles that bins.glsl lists is nearest in a tile, and where they are as near the least number: beside what
-// is known there already. A group does a tile, an invocation a part of a column of it: samples stay in registers, eight fours
-// of them where there are as many. Such as these are: of four samples row by row, of fewer of several rows. SAMPLES, SUN_MAP, LAMP_MAP.
+// is known there already. A group does a tile, an invocation a part of a column of it, whose samples stay in registers: in
+// fours, row by row, or of fewer than four samples of a pixel several rows in each. SAMPLES; SUN_MAP or LAMP_MAP: keys alone.
 #include "draw/exact/sample_read.glsl"
 #include "draw/exact/triangles/triangle.glsl"
 #include "draw/exact/triangles/bins.glsl"
@@ -21,6 +21,14 @@ uniform int keyStride;  // from one row to the next
 #if defined SUN_MAP || defined LAMP_MAP
 #define KEYS_ONLY
 #endif
+// Every four of an invocation.
+#if SAMPLES == 1
+#define ALL_FOURS(EACH) EACH(0) EACH(1)
+#elif SAMPLES == 2
+#define ALL_FOURS(EACH) EACH(0) EACH(1) EACH(2) EACH(3)
+#else
+#define ALL_FOURS(EACH) EACH(0) EACH(1) EACH(2) EACH(3) EACH(4) EACH(5) EACH(6) EACH(7)
+#endif
 #if SAMPLES > 4
 const int foursOfPixel = SAMPLES / 4;
 #else
@@ -40,83 +48,86 @@ layout(std430, binding = idBinding) writeonly restrict buffer IdBlock { uvec4 id
 uniform int binTiles;
 uniform int rounds;
 uniform int round_;
+const int noId = 0x7fffffff;  // beyond all that triangles have
 
-// All fours of an invocation: FOUR(j) for each.
-#if SAMPLES == 1
-#define ALL_FOURS FOUR(0) FOUR(1)
-#elif SAMPLES == 2
-#define ALL_FOURS FOUR(0) FOUR(1) FOUR(2) FOUR(3)
-#else
-#define ALL_FOURS FOUR(0) FOUR(1) FOUR(2) FOUR(3) FOUR(4) FOUR(5) FOUR(6) FOUR(7)
-#endif
-// Sample i of four j is sample SAMPLE_OF(j, i) of the pixel in row ROW_OF(j, i).
-#define ROW_OF(J, I) ((4 * (J) + (I)) / SAMPLES)
-#define SAMPLE_OF(J, I) ((4 * (J) + (I)) % SAMPLES)
-#define PART_OF(J) ((J) % foursOfPixel)
-const int rowsOfFour = SAMPLES < 4 ? 4 / SAMPLES : 1;  // that the next one is below
-
-// Of the four of part f, from the first pixel's corner (1/256 pixel).
-ivec4 acrossTo(int f) {
-  return ivec4(samplePlace(SAMPLE_OF(f, 0)).x, samplePlace(SAMPLE_OF(f, 1)).x, samplePlace(SAMPLE_OF(f, 2)).x,
-               samplePlace(SAMPLE_OF(f, 3)).x) * (subpixels / 16);
+// The pixel below the first one that sample i of four j is of, and which of its samples that is.
+int rowOf(int j, int i) {
+  return (4 * j + i) / SAMPLES;
 }
-ivec4 downTo(int f) {
-  return ivec4(samplePlace(SAMPLE_OF(f, 0)).y, samplePlace(SAMPLE_OF(f, 1)).y, samplePlace(SAMPLE_OF(f, 2)).y,
-               samplePlace(SAMPLE_OF(f, 3)).y) * (subpixels / 16) +
-         (SAMPLES < 4 ? ivec4(0, ROW_OF(0, 1), ROW_OF(0, 2), ROW_OF(0, 3)) : ivec4(0)) * subpixels;
+int sampleOf(int j, int i) {
+  return (4 * j + i) % SAMPLES;
 }
 
-// E / 16 as in edgeOverSixteen, which serves all of a column: of edges of at most 8192 pixels it changes by less than what that
-// holds it beyond.
-ivec4 edgeOfFour(Edge edge, int sixteenth, int f) {
-  return sixteenth + edge.step_.y * (acrossTo(f) / 16) - edge.step_.x * (downTo(f) / 16);
+// Sample i of the first four of its kind, from the corner of the first pixel in 1/16 pixel.
+ivec2 placeOf(int f, int i) {
+  return samplePlace(sampleOf(f, i)) + ivec2(0, SAMPLES < 4 ? 16 * rowOf(0, i) : 0);
 }
 
-int placeOf(ivec2 pixel, int s) {
+int indexOf(ivec2 pixel, int j, int i) {
+  ivec2 at = pixel + ivec2(0, rowOf(j, i));
 #ifdef LAMP_MAP
-  return firstKey + pixel.y * keyStride + pixel.x;
+  return firstKey + at.y * keyStride + at.x;
 #elif defined SUN_MAP
-  return pixel.y * mapTexels + pixel.x;
+  return at.y * mapTexels + at.x;
 #else
-  return firstSample(pixel) + s;
+  return firstSample(at) + sampleOf(j, i);
 #endif
 }
 
+uvec4 keysAt(ivec2 pixel, int j) {
 #if SAMPLES < 4
-#define LOADED(ALONE, FOUR_, PIXEL, J)                                                                             \
-  uvec4(ALONE(placeOf(PIXEL + ivec2(0, ROW_OF(J, 0)), SAMPLE_OF(J, 0))),                                           \
-        ALONE(placeOf(PIXEL + ivec2(0, ROW_OF(J, 1)), SAMPLE_OF(J, 1))),                                           \
-        ALONE(placeOf(PIXEL + ivec2(0, ROW_OF(J, 2)), SAMPLE_OF(J, 2))),                                           \
-        ALONE(placeOf(PIXEL + ivec2(0, ROW_OF(J, 3)), SAMPLE_OF(J, 3))))
+  return uvec4(keyAt(indexOf(pixel, j, 0)), keyAt(indexOf(pixel, j, 1)), keyAt(indexOf(pixel, j, 2)),
+               keyAt(indexOf(pixel, j, 3)));
 #else
-#define LOADED(ALONE, FOUR_, PIXEL, J) FOUR_(placeOf(PIXEL + ivec2(0, ROW_OF(J, 0)), SAMPLE_OF(J, 0)))
+  return fourKeysAt(indexOf(pixel, j, 0));
 #endif
+}
 
-// As kept, what is empty as `none`.
+// Those of nothing are noId, so that they compare as signed.
+ivec4 idsAt(ivec2 pixel, int j) {
+#if SAMPLES < 4
+  uvec4 found = uvec4(idAt(indexOf(pixel, j, 0)), idAt(indexOf(pixel, j, 1)), idAt(indexOf(pixel, j, 2)),
+                      idAt(indexOf(pixel, j, 3)));
+#else
+  uvec4 found = fourIdsAt(indexOf(pixel, j, 0));
+#endif
+  return ivec4(min(found, uvec4(noId)));
+}
+
+// Keys as floats, which compare fastest; `none` where there is nothing.
 vec4 nearOf(uvec4 keys, float none) {
   vec4 near = uintBitsToFloat(0x7fffffffu - keys);
   return vec4(keys.x == ~0u ? none : near.x, keys.y == ~0u ? none : near.y, keys.z == ~0u ? none : near.z,
               keys.w == ~0u ? none : near.w);
 }
 
-const int noId = 0x7fffffff;  // beyond all that triangles have
-
-// What was there `before` where nothing came.
-uvec4 keysOf(vec4 near) {
-  uvec4 keys = 0x7fffffffu - floatBitsToUint(near);
-  return uvec4(near.x < 0.0f ? ~0u : keys.x, near.y < 0.0f ? ~0u : keys.y, near.z < 0.0f ? ~0u : keys.z,
-               near.w < 0.0f ? ~0u : keys.w);
+uint keyOf(float near) {
+  return near < 0.0f ? ~0u : 0x7fffffffu - uint(floatBitsToInt(near));
 }
 
-uvec4 keysOf(vec4 near, ivec4 id, uvec4 before) {
-  uvec4 keys = 0x7fffffffu - floatBitsToUint(near);
-  return uvec4(id.x == noId ? before.x : keys.x, id.y == noId ? before.y : keys.y, id.z == noId ? before.z : keys.z,
-               id.w == noId ? before.w : keys.w);
+// A four as a triangle has it: E / 16 of each edge, how far below the triangle's first corner, and how much nearer it is
+// across from there.
+struct Four {
+  ivec4 ab, bc, ca, down;
+  vec4 across;
+};
+
+ivec4 edgeOfFour(Edge edge, int sixteenth, int f) {
+  return ivec4(edgeAside(edge, sixteenth, placeOf(f, 0)), edgeAside(edge, sixteenth, placeOf(f, 1)),
+               edgeAside(edge, sixteenth, placeOf(f, 2)), edgeAside(edge, sixteenth, placeOf(f, 3)));
 }
 
-uvec4 numbersOf(ivec4 id) {
-  return uvec4(id.x == noId ? ~0u : uint(id.x), id.y == noId ? ~0u : uint(id.y), id.z == noId ? ~0u : uint(id.z),
-               id.w == noId ? ~0u : uint(id.w));
+vec4 nearAt(Four four, float first, vec4 plane) {
+  precise vec4 near = first + (four.across + plane.y * vec4(four.down));
+  for (int i = 0; i < 4; ++i) {
+    float least = near[i] > plane.z ? near[i] : plane.z;
+    near[i] = least < plane.w ? least : plane.w;
+  }
+  return near;
+}
+
+bool covers(Four four, int i) {
+  return (four.ab[i] | four.bc[i] | four.ca[i]) >= 0;
 }
 
 void main() {
@@ -125,23 +136,16 @@ void main() {
   int list = int(texelFetch(bins, binCounts + (rounds + round_) * binTiles + int(entry)).x);
   int columns = (PICTURE_SIZE.x + tileSide - 1) / tileSide, tile = list - round_ * binTiles;
   ivec2 size = ivec2(PICTURE_SIZE.x, PICTURE_ROWS.y);
-  const int rows = tileSide / foursOfPixel;
   ivec2 pixel = ivec2(tile % columns, tile / columns) * tileSide + ivec2(0, PICTURE_ROWS.x) +
-                ivec2(gl_LocalInvocationID.xy) * ivec2(1, rows);
+                ivec2(gl_LocalInvocationID.xy) * ivec2(1, tileSide / foursOfPixel);
   ivec2 corner = pixel * subpixels;
-#ifndef KEYS_ONLY
-  float least = view.nearOverFar;
-#endif
-// Nearness and numbers are kept as what compares them fastest: floats, where empty as near as may just be seen, or less.
 #ifdef KEYS_ONLY
-#define FOUR(J) vec4 nearest##J = nearOf(LOADED(keyAt, fourKeysAt, pixel, J), -1.0f);
+#define LOAD(J) vec4 near##J = nearOf(keysAt(pixel, J), -1.0f);
 #else
-#define FOUR(J)                                                                \
-  vec4 nearest##J = nearOf(LOADED(keyAt, fourKeysAt, pixel, J), least);        \
-  ivec4 ids##J = ivec4(min(LOADED(idAt, fourIdsAt, pixel, J), uvec4(noId)));
+  float least = view.nearOverFar;
+#define LOAD(J) vec4 near##J = nearOf(keysAt(pixel, J), least); ivec4 id##J = idsAt(pixel, J);
 #endif
-  ALL_FOURS
-#undef FOUR
+  ALL_FOURS(LOAD);
   uint node = texelFetch(bins, binCounts + list).x;
   while (node != 0u) {
     uvec2 here = texelFetch(nodes, int(node) - 1).xy;
@@ -151,75 +155,78 @@ void main() {
     vec4 plane = uintBitsToFloat(texelFetch(binned, at + 2));
     ivec2 a = ivec2(first.xy), b = ivec2(first.zw), c = ivec2(second.xy);
     int id = int(second.z);
-    float near = uintBitsToFloat(second.w);
+    float nearest = uintBitsToFloat(second.w);
     Edge ab = edgeOf(a, b), bc = edgeOf(b, c), ca = edgeOf(c, a);
+    // What edgeOverSixteen holds serves all of a column: edges have at most 8192 pixels.
     int cornerAb = edgeOverSixteen(ab, corner), cornerBc = edgeOverSixteen(bc, corner), cornerCa = edgeOverSixteen(ca, corner);
-    ivec4 sidesAb[foursOfPixel], sidesBc[foursOfPixel], sidesCa[foursOfPixel], down[foursOfPixel];
-    vec4 across[foursOfPixel];
+    Four fours[foursOfPixel];
     for (int f = 0; f < foursOfPixel; ++f) {
-      sidesAb[f] = edgeOfFour(ab, cornerAb, f);
-      sidesBc[f] = edgeOfFour(bc, cornerBc, f);
-      sidesCa[f] = edgeOfFour(ca, cornerCa, f);
-      precise vec4 terms = plane.x * vec4(corner.x + acrossTo(f) - a.x);
-      across[f] = terms;
-      down[f] = corner.y + downTo(f) - a.y;
+      fours[f].ab = edgeOfFour(ab, cornerAb, f);
+      fours[f].bc = edgeOfFour(bc, cornerBc, f);
+      fours[f].ca = edgeOfFour(ca, cornerCa, f);
+      ivec4 x = ivec4(placeOf(f, 0).x, placeOf(f, 1).x, placeOf(f, 2).x, placeOf(f, 3).x) * (subpixels / 16);
+      ivec4 y = ivec4(placeOf(f, 0).y, placeOf(f, 1).y, placeOf(f, 2).y, placeOf(f, 3).y) * (subpixels / 16);
+      precise vec4 across = plane.x * vec4(corner.x + x - a.x);
+      fours[f].across = across;
+      fours[f].down = corner.y + y - a.y;
     }
-    const int below = rowsOfFour * subpixels, below16 = below / 16;
-    int belowAb = ab.step_.x * below16, belowBc = bc.step_.x * below16, belowCa = ca.step_.x * below16;
+    const int below = SAMPLES < 4 ? 4 / SAMPLES : 1;  // rows from a four to the next
+    int belowAb = ab.step_.x * (16 * below), belowBc = bc.step_.x * (16 * below), belowCa = ca.step_.x * (16 * below);
+#define BELOW(J)                                 \
+    fours[J % foursOfPixel].ab -= belowAb;       \
+    fours[J % foursOfPixel].bc -= belowBc;       \
+    fours[J % foursOfPixel].ca -= belowCa;       \
+    fours[J % foursOfPixel].down += below * subpixels;
 #ifdef KEYS_ONLY
-#define KEEP(J, I) nearest##J[I] = covered[I] && nears[I] > nearest##J[I] ? nears[I] : nearest##J[I];
+#define KEEP(J)                                                            \
+    {                                                                      \
+      Four four = fours[J % foursOfPixel];                                 \
+      vec4 found = nearAt(four, nearest, plane);                           \
+      for (int i = 0; i < 4; ++i) {                                        \
+        bool wins = covers(four, i) && found[i] > near##J[i];              \
+        near##J[i] = wins ? found[i] : near##J[i];                         \
+      }                                                                    \
+      BELOW(J)                                                             \
+    }
 #else
-#define KEEP(J, I)                                                                                                   \
-  {                                                                                                                  \
-    bool wins = covered[I] && (nears[I] > nearest##J[I] || (nears[I] == nearest##J[I] && id < ids##J[I]));           \
-    nearest##J[I] = wins ? nears[I] : nearest##J[I];                                                                 \
-    ids##J[I] = wins ? id : ids##J[I];                                                                               \
-  }
+#define KEEP(J)                                                                                          \
+    {                                                                                                    \
+      Four four = fours[J % foursOfPixel];                                                               \
+      vec4 found = nearAt(four, nearest, plane);                                                         \
+      for (int i = 0; i < 4; ++i) {                                                                      \
+        bool nearer = found[i] > near##J[i] || (found[i] == near##J[i] && id < id##J[i]);                \
+        bool wins = nearer && covers(four, i);                                                           \
+        near##J[i] = wins ? found[i] : near##J[i];                                                       \
+        id##J[i] = wins ? id : id##J[i];                                                                 \
+      }                                                                                                  \
+      BELOW(J)                                                                                           \
+    }
 #endif
-#define FOUR(J)                                                                                                      \
-  {                                                                                                                  \
-    const int f = PART_OF(J);                                                                                        \
-    bvec4 covered = greaterThanEqual(sidesAb[f] | sidesBc[f] | sidesCa[f], ivec4(0));                                \
-    precise vec4 nears = near + (across[f] + plane.y * vec4(down[f]));                                               \
-    for (int i = 0; i < 4; ++i) nears[i] = nears[i] > plane.z ? nears[i] : plane.z;                                  \
-    for (int i = 0; i < 4; ++i) nears[i] = nears[i] < plane.w ? nears[i] : plane.w;                                  \
-    KEEP(J, 0) KEEP(J, 1) KEEP(J, 2) KEEP(J, 3)                                                                                                          \
-    sidesAb[f] -= belowAb;                                                                                           \
-    sidesBc[f] -= belowBc;                                                                                           \
-    sidesCa[f] -= belowCa;                                                                                           \
-    down[f] += below;                                                                                                \
-  }
-    ALL_FOURS
-#undef FOUR
+    ALL_FOURS(KEEP);
   }
   if (pixel.x >= size.x) return;
 #ifdef KEYS_ONLY
-#define PUT(J, I) if (pixel.y + ROW_OF(J, I) < size.y) nearKeys[placeOf(pixel + ivec2(0, ROW_OF(J, I)), 0)] = keys[I];
-#define FOUR(J)                                                                       \
-  {                                                                                   \
-    uvec4 keys = keysOf(nearest##J);                                                     \
-    PUT(J, 0) PUT(J, 1) PUT(J, 2) PUT(J, 3)                                           \
-  }
+#define PUT(J)                                                                                        \
+  for (int i = 0; i < 4; ++i)                                                                         \
+    if (pixel.y + rowOf(J, i) < size.y) nearKeys[indexOf(pixel, J, i)] = keyOf(near##J[i]);
 #elif SAMPLES < 4
-#define PUT(J, I)                                                                     \
-  if (pixel.y + ROW_OF(J, I) < size.y) {                                              \
-    int at = placeOf(pixel + ivec2(0, ROW_OF(J, I)), SAMPLE_OF(J, I));                \
-    nearKeys[at] = keys[I];                                                           \
-    ids[at] = numbers[I];                                                             \
-  }
-#define FOUR(J)                                                                       \
-  {                                                                                   \
-    uvec4 keys = keysOf(nearest##J, ids##J, LOADED(keyAt, fourKeysAt, pixel, J));     \
-    uvec4 numbers = numbersOf(ids##J);                                                \
-    PUT(J, 0) PUT(J, 1) PUT(J, 2) PUT(J, 3)                                           \
-  }
+#define PUT(J)                                                                                        \
+  for (int i = 0; i < 4; ++i)                                                                         \
+    if (pixel.y + rowOf(J, i) < size.y) {                                                             \
+      nearKeys[indexOf(pixel, J, i)] = id##J[i] == noId ? keysAt(pixel, J)[i] : keyOf(near##J[i]);     \
+      ids[indexOf(pixel, J, i)] = id##J[i] == noId ? ~0u : uint(id##J[i]);                             \
+    }
 #else
-#define FOUR(J)                                                                       \
-  if (pixel.y + ROW_OF(J, 0) < size.y) {                                              \
-    int at = placeOf(pixel + ivec2(0, ROW_OF(J, 0)), SAMPLE_OF(J, 0)) / 4;            \
-    nearKeys[at] = keysOf(nearest##J, ids##J, LOADED(keyAt, fourKeysAt, pixel, J));   \
-    ids[at] = numbersOf(ids##J);                                                      \
+#define PUT(J)                                                                                        \
+  if (pixel.y + rowOf(J, 0) < size.y) {                                                               \
+    uvec4 keys = keysAt(pixel, J), numbers = uvec4(id##J);                                            \
+    for (int i = 0; i < 4; ++i) {                                                                     \
+      keys[i] = id##J[i] == noId ? keys[i] : keyOf(near##J[i]);                                       \
+      numbers[i] = id##J[i] == noId ? ~0u : numbers[i];                                               \
+    }                                                                                                 \
+    nearKeys[indexOf(pixel, J, 0) / 4] = keys;                                                        \
+    ids[indexOf(pixel, J, 0) / 4] = numbers;                                                          \
   }
 #endif
-  ALL_FOURS
+  ALL_FOURS(PUT);
 }

@@ -47,7 +47,8 @@ std::vector<GLuint> mapOf(const std::vector<std::vector<const sim::Surface*>>& m
   gl::Buffer block("view", sizeof view);
   block.write(0, std::as_bytes(std::span(&view, 1)));
   const draw::Visibility keys("a test", {side, side}, 1, false);
-  draw::TriangleRaster raster(draw::TriangleRaster::Into::lampMap, 1, 16, draw::fansOfTriangles(), 0, binRoom);
+  draw::TriangleRaster raster(draw::TriangleRaster::Into::lampMap, 1, 16, draw::fansOfTriangles(), 0,
+                              binRoom);
   draw::FaceLists lists({});
   draw::MergedMesh mesh;
   keys.clear();
