@@ -11,7 +11,7 @@ const int lampMapUnit = 30, fanUnit = 31;
 // Storage blocks.
 const int outVertexBinding = 0, nearBinding = 1, idBinding = 2, largeBinding = 3, counterBinding = 4;
 const int tileListBinding = 5, dispatchBinding = 6, drawArgumentBinding = 7;
-const int fanBinding = 8;
+const int fanBinding = 8, binBinding = 9, nodeBinding = 10, cornerBinding = 11;
 // Images.
 const int sumImage = 0, pictureImage = 1, lightImage = 2, scatteredImage = 3;
 #endif

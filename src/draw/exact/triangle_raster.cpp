@@ -44,12 +44,15 @@ int maxTrianglesOf(const sim::Surface& surface) {
   return static_cast<int>(indices / 3);
 }
 
-TriangleRaster::TriangleRaster(Into into, int samples, int smallPixels, int fanRoom, int mediumPixels)
+TriangleRaster::TriangleRaster(Into into, int samples, int smallPixels, int fanRoom, int mediumPixels,
+                               int binRoom)
     : into_(into),
       samples_(samples),
       smallPixels_(smallPixels),
       fanRoom_(fanRoom),
-      mediumPixels_(mediumPixels) {}
+      mediumPixels_(mediumPixels),
+      binRoom_(binRoom),
+      bins_(intoDefines(), samples) {}
 
 void TriangleRaster::number(const std::vector<const sim::Surface*>& surfaces) {
   std::int64_t vertices = 0;
@@ -128,18 +131,23 @@ const gl::Program& TriangleRaster::vertexProgram(const sim::Surface& surface) {
       .first->second;
 }
 
+gl::Defines TriangleRaster::intoDefines() const {
+  if (into_ == Into::picture) return {};
+  return {{into_ == Into::sunMap ? "SUN_MAP" : "LAMP_MAP", "1"}};
+}
+
 const gl::Program& TriangleRaster::program(const Variant& variant) {
   const auto found = programs_.find(variant);
   if (found != programs_.end()) return found->second;
-  const auto& [path, pass, counted, clips, layout] = variant;
+  const auto& [path, pass, counted, clips, layout, bins] = variant;
   gl::Defines defines = {{"SAMPLES", std::to_string(samples_)}, {"PASS", std::to_string(pass)}};
   for (const auto& define : definesOf(layout)) defines.push_back(define);
   if (path == trianglesPath)
     for (const auto& define : laneDefines()) defines.push_back(define);
   if (counted) defines.emplace_back("COUNTED", "1");
   if (clips) defines.emplace_back("CLIPS", "1");
-  if (into_ == Into::sunMap) defines.emplace_back("SUN_MAP", "1");
-  if (into_ == Into::lampMap) defines.emplace_back("LAMP_MAP", "1");
+  if (bins) defines.emplace_back("BINS", "1");
+  for (const auto& define : intoDefines()) defines.push_back(define);
   return programs_.emplace(variant, gl::Program::compute(path, defines)).first->second;
 }
 
@@ -193,8 +201,9 @@ void TriangleRaster::clipLarge(const Visibility& into) {
 
 void TriangleRaster::run(const char* path, int pass, const Visibility& into, bool clips) {
   into.bind();
-  large_.bindStorage(largeBinding);
-  largeView_.bind(largeUnit);
+  const bool ofLeft = binned_ && into_ != Into::sunMap;
+  (ofLeft && path == clipPath ? left_ : large_).bindStorage(largeBinding);
+  (ofLeft && path == largePath ? leftView_ : largeView_).bind(largeUnit);
   counters_.bindStorage(counterBinding);
   counterView_.bind(counterUnit);
   if (into_ != Into::sunMap) fanView_.bind(fanUnit);
@@ -206,8 +215,10 @@ void TriangleRaster::run(const char* path, int pass, const Visibility& into, boo
     const MapPart& part = drawn.face.part;
     const bool counted = into_ == Into::lampMap || drawn.surface->arguments != nullptr;
     const bool doubleSided = into_ == Into::lampMap || drawn.surface->doubleSided;
-    const gl::Program& kernel = program({path, pass, counted, clips, into.layout()});
+    const bool bins = binned_ && path != mediumPath;
+    const gl::Program& kernel = program({path, pass, counted, clips, into.layout(), bins});
     bind(drawn, kernel);
+    if (bins) bins_.bind(kernel, drawn.list);
     kernel.set("doubleSided", static_cast<int>(doubleSided));
     kernel.set("draw_", static_cast<int>(i));
     kernel.set("draws", static_cast<int>(drawn_.size()));
@@ -233,7 +244,9 @@ void TriangleRaster::run(const char* path, int pass, const Visibility& into, boo
 
 void TriangleRaster::prepareLarge(glm::ivec2 size) {
   const unsigned parts = partsFor(size, samples_);
-  GroupCounts::Order order{.counts = static_cast<int>(drawn_.size()),
+  const int draws = static_cast<int>(drawn_.size());
+  GroupCounts::Order order{.firstCount = binned_ && into_ != Into::sunMap ? draws : 0,
+                           .counts = draws,
                            .parts = parts,
                            .fewerParts = gl::softwareDriver() ? leastParts(size, samples_) : parts};
   if (into_ != Into::sunMap && fanRoom_ > 0) {
@@ -269,6 +282,15 @@ void TriangleRaster::fillGroups() {
   }
 }
 
+void TriangleRaster::drawBinned(const Visibility& into) {
+  if (into_ != Into::lampMap) return bins_.draw(into);
+  bins_.draw(into, [&](int face, const gl::Program& program) {
+    const MapFace& map = drawn_[static_cast<std::size_t>(face)].face;
+    map.views->bindUniform(viewBinding, map.view, viewBytes);
+    map.part.set(program);
+  });
+}
+
 void TriangleRaster::draw(const Visibility& into, const MapPart& part) {
   constexpr GLuint zero = 0;
   if (drawn_.empty()) return;
@@ -279,6 +301,14 @@ void TriangleRaster::draw(const Visibility& into, const MapPart& part) {
     makeVertices(into);
   }
   for (const Drawn& drawn : drawn_) largest = glm::max(largest, sizeOf(into, drawn.face.part));
+  const Drawn& last = drawn_.back();
+  const int faces = into_ == Into::lampMap ? static_cast<int>(drawn_.size()) : 0;
+  const int triangles = faces > 0 ? last.maxTriangles : last.firstIndex / 3 + last.maxTriangles;
+  binned_ = binRoom_ > 0 && (into_ == Into::sunMap || fanRoom_ > 0) && mediumPixels_ <= smallPixels_ &&
+            into.layout() == SampleLayout::apart && TriangleBins::holds(triangles, faces);
+  if (binned_ && into_ != Into::sunMap)
+    reserve(left_, leftView_, "large triangles left", large_.bytes(), GL_R32UI, sizeof(GLuint));
+  if (binned_) bins_.begin(largest, triangles, binRoom_, faces);
   fillGroups();
   gl::barrier();
   glMemoryBarrier(GL_COMMAND_BARRIER_BIT);
@@ -287,8 +317,9 @@ void TriangleRaster::draw(const Visibility& into, const MapPart& part) {
   prepareLarge(largest);
   runLists(0, into);
   gl::barrier();
+  if (binned_) drawBinned(into);
   if (into_ != Into::picture || into.layout() == SampleLayout::wholes) return;
-  run(trianglesPath, 1, into);
+  if (!binned_) run(trianglesPath, 1, into);
   runLists(1, into);
   gl::barrier();
 }

@@ -1,5 +1,6 @@
 #pragma once
 #include "draw/exact/group_counts.hpp"
+#include "draw/exact/triangle_bins.hpp"
 #include "draw/exact/visibility.hpp"
 #include "sim/core/drawable.hpp"
 
@@ -40,8 +41,10 @@ class TriangleRaster {
   /// Triangles whose box has no side above `smallPixels` (0 to 64) are drawn by an invocation each, of the
   /// others those of at most `mediumPixels` (to 64) by sixteen, the rest by groups, tile by tile: the same
   /// either way. Of those `fanRoom` are clipped once, for all invocations that draw them; 128 bytes each.
+  /// `bins`: small ones go by tiles where samples lie apart, but for lamps' maps and where they are very
+  /// many.
   TriangleRaster(Into into, int samples, int smallPixels = smallTriangle(), int fanRoom = fansOfTriangles(),
-                 int mediumPixels = mediumTriangle());
+                 int mediumPixels = mediumTriangle(), int binRoom = binnedTriangles());
 
   /// A surface as it was drawn last.
   struct Drawn {
@@ -71,14 +74,16 @@ class TriangleRaster {
  private:
   const gl::Program& vertexProgram(const sim::Surface& surface);
   /// What suits a program: its file, the pass, whether a surface says itself how many triangles it has,
-  /// whether those are drawn that are not clipped yet, and how samples lie.
-  using Variant = std::tuple<std::string, int, bool, bool, SampleLayout>;
+  /// whether those are drawn that are not clipped yet, how samples lie, and whether small ones are binned.
+  using Variant = std::tuple<std::string, int, bool, bool, SampleLayout, bool>;
   const gl::Program& program(const Variant& variant);
   void makeVertices(const Visibility& into);
   void clipLarge(const Visibility& into);
   void prepareLarge(glm::ivec2 size);
   void reserveLists(std::size_t draws, std::int64_t triangles, int fans);
   void fillGroups();
+  void drawBinned(const Visibility& into);
+  [[nodiscard]] gl::Defines intoDefines() const;
   void run(const char* path, int pass, const Visibility& into, bool clips = false);
   void runLists(int pass, const Visibility& into);
 
@@ -87,13 +92,18 @@ class TriangleRaster {
   int smallPixels_;
   int fanRoom_;
   int mediumPixels_;
+  int binRoom_;
+  bool binned_ = false;  ///< those that are being drawn
   std::map<std::pair<bool, bool>, gl::Program> vertexPrograms_;
   std::map<Variant, gl::Program> programs_;
   GroupCounts groups_;
+  TriangleBins bins_;
   TriangleLists lists_;  ///< that lamps' maps show
   std::vector<Drawn> drawn_;
   gl::Buffer vertices_, large_, counters_, largeGroups_, surfaceGroups_, fans_, clipGroups_,
       roomlessGroups_;
+  gl::Buffer left_;  ///< of large ones, what is not binned
+  gl::Texture leftView_;
   gl::Texture vertexView_, largeView_, counterView_, fanView_;
 };
 

@@ -21,9 +21,14 @@ layout(std430, binding = nearBinding) writeonly restrict buffer PairBlock { uint
 #define PUT_ID(at, id) words[2 * (at)] = id
 #define PUT_KEY(at, key) words[2 * (at) + 1] = key
 #else
+#if SAMPLES < 4
 layout(std430, binding = idBinding) writeonly restrict buffer IdBlock { uint ids[]; };
-layout(std430, binding = nearBinding) writeonly restrict buffer NearBlock { uint nearKeys[]; };
 #define PUT_ID(at, id) ids[at] = id
+#else
+layout(std430, binding = idBinding) writeonly restrict buffer IdBlock { uvec4 ids[]; };  // software drivers store four at once
+#define PUT_FOUR(at, four) ids[(at) / 4] = four
+#endif
+layout(std430, binding = nearBinding) writeonly restrict buffer NearBlock { uint nearKeys[]; };
 #define PUT_KEY(at, key) nearKeys[at] = key
 #endif
 #ifdef EMPTIES
@@ -185,8 +190,11 @@ void look(ivec2 pixel) {
     int kind = groundOf(pixel, keys);
     bool all_ = kind == 1 || kind == 2;
     four = all_ ? uvec4(groundId) : four;
+#ifndef PUT_FOUR
     if (all_)
       for (int k = 0; k < together; ++k) PUT_ID(first + k, groundId);
+#endif
+    bool changed = all_;
     onGround = max(onGround, all_ ? kind : 0);
     // One by one in a loop, which ends at once where that is clear: software drivers run both sides of a branch.
     int left_ = kind == 3 ? (1 << together) - 1 : 0;
@@ -197,9 +205,15 @@ void look(ivec2 pixel) {
       for (int k = 1; k < together; ++k) key = k == i ? keys[k] : key;
       int found = groundAt(pixel, s + i, first + i, key);
       for (int k = 0; k < together; ++k) four[k] = found > 0 && k == i ? groundId : four[k];
+#ifndef PUT_FOUR
       if (found > 0) PUT_ID(first + i, groundId);
+#endif
+      changed = changed || found > 0;
       onGround = max(onGround, found);
     }
+#ifdef PUT_FOUR
+    if (changed) PUT_FOUR(first, four);
+#endif
 #endif
     for (int i = 0; i < together; ++i) {
       seen[s + i] = four[i];

@@ -1,11 +1,17 @@
 // Triangles that are large, or reach beyond the picture's surroundings: those that triangles.comp has listed. A group takes every
 // so manyth tile of one. Variants: SAMPLES, PASS, SUN_MAP, COUNTED; CLIPS: those for which clip_large.comp had no room, apart,
-// because software drivers would run that for the others, too.
+// because software drivers would run that for the others, too; BINS: those that clip_large.comp has left.
 #include "draw/exact/triangles/raster.glsl"
 #include "draw/exact/triangles/fill_fan.glsl"
 layout(binding = largeUnit) uniform usamplerBuffer large;
 layout(binding = counterUnit) uniform usamplerBuffer counters;
 uniform int draw_;
+
+#if defined BINS && !defined SUN_MAP
+uniform int draws;
+#else
+const int draws = 0;
+#endif
 
 void drawLarge(int entry) {
   int number = int(texelFetch(large, firstIndex / 3 + entry).x);
@@ -24,7 +30,7 @@ void drawLarge(int entry) {
 }
 
 void main() {
-  uint first = 0u, count = texelFetch(counters, draw_).x, groups = gl_NumWorkGroups.x * gl_NumWorkGroups.y;
+  uint first = 0u, count = texelFetch(counters, draws + draw_).x, groups = gl_NumWorkGroups.x * gl_NumWorkGroups.y;
 #ifdef CLIPS
   first = uint(fanRoom);
 #elif !defined SUN_MAP

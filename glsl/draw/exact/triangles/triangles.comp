@@ -1,7 +1,12 @@
 // Small triangles of one surface, an invocation each; the numbers of the others go on a list: those of medium size from its
-// end on (medium.comp), large ones from its beginning (large.comp). SAMPLES, PASS, SUN_MAP, LAMP_MAP, COUNTED, BALLOT.
+// end on (medium.comp), large ones from its beginning (large.comp). SAMPLES, PASS, SUN_MAP, LAMP_MAP, COUNTED, BALLOT. BINS:
+// those that are whole are listed by tiles (bins.glsl) instead of drawn.
 #include "draw/exact/triangles/raster.glsl"
 #include "draw/exact/triangles/fill_box.glsl"
+#ifdef BINS
+#define MAKES_BINS
+#include "draw/exact/triangles/bins.glsl"
+#endif
 layout(local_size_x = 64) in;
 layout(std430, binding = largeBinding) restrict buffer LargeBlock { uint large[]; };
 layout(std430, binding = counterBinding) restrict buffer CounterBlock { uint counters[]; };
@@ -30,15 +35,24 @@ void main() {
   t.low = t.high = ivec2(0);
   if (whole) t = drawnTriangle(cornerOfVertex(a), cornerOfVertex(b), cornerOfVertex(c));
   if (t.empty) return;
+#ifdef BINS
+  int extent = 0;
+  bool small = false;
+  if (whole) small = bin(t, firstId + uint(number));
+#else
   int extent = drawnAs(t);
-  if (!whole || extent > smallPixels * subpixels) {
+  bool small = whole && extent <= smallPixels * subpixels;
+#endif
+  if (!small) {
 #if PASS == 0
-    if (whole && extent <= mediumPixels * subpixels)
+    if (whole && extent > 0 && extent <= mediumPixels * subpixels)
       large[firstIndex / 3 + triangleCount - 1 - int(nextPlace(draws + draw_))] = uint(number);
     else
       large[firstIndex / 3 + int(nextPlace(draw_))] = uint(number);
 #endif
     return;
   }
+#ifndef BINS
   fillBox(t, firstId + uint(number));
+#endif
 }

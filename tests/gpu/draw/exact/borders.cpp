@@ -78,9 +78,10 @@ TEST_CASE("exact borders: edges within a few 1/256 of pixels' borders, where six
   for (const int samples : {1, 4, 8, 16}) {
     CAPTURE(samples);
     const auto twin = rasterTwin(view, samples, true, places, corners);
-    for (const int smallPixels : {64, 0}) {
+    for (const auto& [smallPixels, binRoom] : {std::pair(64, 0), {0, 0}, {64, 1 << 20}}) {
       CAPTURE(smallPixels);
-      const SeenSamples seen = seenBy(view, samples, {&stage.surface}, smallPixels);
+      CAPTURE(binRoom);
+      const SeenSamples seen = seenBy(view, samples, {&stage.surface}, smallPixels, 1000, 0, binRoom);
       CHECK(seen.ids == twin.ids);
       CHECK(seen.keys == twin.keys);
     }

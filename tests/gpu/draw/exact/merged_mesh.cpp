@@ -41,12 +41,14 @@ TriangleStage scattered(unsigned seed, int triangles) {
 constexpr int side = 83;
 
 /// A map of a lamp that shows every triangle of `meshes`, each merged of some surfaces.
-std::vector<GLuint> mapOf(const std::vector<std::vector<const sim::Surface*>>& meshes) {
+std::vector<GLuint> mapOf(const std::vector<std::vector<const sim::Surface*>>& meshes,
+                          int binRoom = draw::binnedTriangles()) {
   const shader::ExactView view = exactViewFrom({0.1F, 0.2F, 3}, {0.2F, -0.1F, 0}, {side, side});
   gl::Buffer block("view", sizeof view);
   block.write(0, std::as_bytes(std::span(&view, 1)));
   const draw::Visibility keys("a test", {side, side}, 1, false);
-  draw::TriangleRaster raster(draw::TriangleRaster::Into::lampMap, 1, 16);
+  draw::TriangleRaster raster(draw::TriangleRaster::Into::lampMap, 1, 16, draw::fansOfTriangles(), 0,
+                              binRoom);
   draw::FaceLists lists({});
   draw::MergedMesh mesh;
   keys.clear();
@@ -86,7 +88,7 @@ TEST_CASE("exact: one mesh of several surfaces casts their shadows, counted ones
     for (const sim::Surface* surface : surfaces) apart.push_back({surface});
     const std::vector<GLuint> wanted = mapOf(apart);
     CHECK(std::count(wanted.begin(), wanted.end(), 0xffffffffU) < side * side - 500);
-    CHECK(mapOf({surfaces}) == wanted);
+    for (const int binRoom : {0, 11, 1 << 20}) CHECK(mapOf({surfaces}, binRoom) == wanted);
   }
 }
 

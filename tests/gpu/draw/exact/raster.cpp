@@ -85,13 +85,18 @@ TEST_CASE("exact: what triangles show is what the twin says, small ones alone or
       CAPTURE(samples);
       for (const int fanRoom : {1000, 101, 0}) {
         CAPTURE(fanRoom);
-        const SeenSamples tiles = seenBy(view, samples, {&stage.surface}, 0, fanRoom);
+        const SeenSamples tiles = seenBy(view, samples, {&stage.surface}, 0, fanRoom, 0, 0);
         CHECK(tiles.keys == twin.keys);
         CHECK(tiles.ids == twin.ids);
       }
-      const SeenSamples small = seenBy(view, samples, {&stage.surface}, 64);
-      CHECK(small.keys == twin.keys);
-      CHECK(small.ids == twin.ids);
+      // None of them by lists of tiles, so many, and all.
+      for (const int binRoom : {0, 1, 40, 1 << 20}) {
+        CAPTURE(binRoom);
+        const SeenSamples small =
+            seenBy(view, samples, {&stage.surface}, 64, binRoom == 40 ? 3 : 1000, 0, binRoom);
+        CHECK(small.keys == twin.keys);
+        CHECK(small.ids == twin.ids);
+      }
     }
   }
 }

@@ -174,11 +174,16 @@ TEST_CASE("sun's map: copies of a mesh throw the shadows of the same triangles o
     group.instances.shape = Shape::mesh;
     const DartSurface same(mesh, places, size);
     const draw::MapPart part{.slopeOffset = 1.5F};
-    draw::TriangleRaster surfaces(draw::TriangleRaster::Into::sunMap, 1);
-    stage.clear();
-    surfaces.number({&same.surface});
-    surfaces.draw(stage.map, part);
-    const std::vector<unsigned> wanted = stage.keys();
+    std::vector<unsigned> wanted;
+    for (const int binRoom : {0, 5, 1 << 20}) {  // by lists of tiles, too
+      draw::TriangleRaster surfaces(draw::TriangleRaster::Into::sunMap, 1, draw::smallTriangle(),
+                                    draw::fansOfTriangles(), 0, binRoom);
+      stage.clear();
+      surfaces.number({&same.surface});
+      surfaces.draw(stage.map, part);
+      CHECK((binRoom == 0 || stage.keys() == wanted));
+      wanted = stage.keys();
+    }
     const auto empty = std::count(wanted.begin(), wanted.end(), 0xffffffffU);
     CHECK(empty > 500);
     CHECK(empty < stage.side * stage.side - 2000);

@@ -96,13 +96,14 @@ struct SeenSamples {
 
 inline SeenSamples seenBy(const simreel::shader::ExactView& view, int samples,
                           const std::vector<const simreel::sim::Surface*>& surfaces, int smallPixels,
-                          int fanRoom = 1000, int mediumPixels = 0) {
+                          int fanRoom = 1000, int mediumPixels = 0,
+                          int binRoom = simreel::draw::binnedTriangles()) {
   simreel::gl::Buffer block("view", sizeof view);
   block.write(0, std::as_bytes(std::span(&view, 1)));
   block.bindUniform(simreel::draw::viewBinding, 0, sizeof view);
   const simreel::draw::Visibility visibility("a test", view.size, samples, true);
   simreel::draw::TriangleRaster raster(simreel::draw::TriangleRaster::Into::picture, samples, smallPixels,
-                                       fanRoom, mediumPixels);
+                                       fanRoom, mediumPixels, binRoom);
   visibility.clear();
   raster.number(surfaces);
   raster.draw(visibility);
