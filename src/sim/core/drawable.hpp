@@ -117,6 +117,9 @@ struct Chart {
   int steps = 0;                        ///< counted so far
   int width = 1;                        ///< steps along the whole x axis, at least `steps`
   unsigned max = 1;                     ///< count at the top of the y axis
+  float zero = 0;                       ///< part of that height towards which curves are filled
+  std::string range = {};               ///< said of the y axis; empty: "max" and its count
+  std::string length = {};              ///< said of the x axis; empty: its steps
   std::vector<std::string> names;       ///< of the first counts, at most four
   std::vector<glm::vec3> colors;        ///< linear RGB, one each
   glm::vec2 corner{0.025F, 0.6F};       ///< top left of its panel, as fractions of the picture
