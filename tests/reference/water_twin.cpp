@@ -154,14 +154,11 @@ void WaterTwin::drift(double time, int index) {
   }
 }
 
-void WaterTwin::look(std::vector<glm::vec4>& positions, std::vector<glm::vec4>& values) const {
+std::vector<glm::vec4> WaterTwin::look() const {
   const glm::ivec2 size = plan_.parameters().size;
   shader::WaterKernel kernel{cells, size, plan_.stepAt(0), plan_.look()};
-  positions.clear();
-  values.clear();
+  std::vector<glm::vec4> shown;
   for (int y = 0; y < size.y; ++y)
-    for (int x = 0; x < size.x; ++x) {
-      values.push_back(kernel.waterValues(x, y));
-      positions.push_back(kernel.waterVertex(x, y, values.back()));
-    }
+    for (int x = 0; x < size.x; ++x) shown.push_back(kernel.waterShown(x, y));
+  return shown;
 }

@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
+
+#include <glm/common.hpp>
 
 namespace simreel::sim {
 

@@ -8,9 +8,9 @@ uniform float modelScale;  // of lengths
 
 // In the surface's own space, in metres.
 vec3 ownPlace(Spot spot, vec3 w) {
-  precise vec3 mean = w.x * texelFetch(positions, spot.corners.x - firstVertex).xyz +
-                      w.y * texelFetch(positions, spot.corners.y - firstVertex).xyz +
-                      w.z * texelFetch(positions, spot.corners.z - firstVertex).xyz;
+  precise vec3 mean = w.x * vertexPlace(spot.corners.x - firstVertex) +
+                      w.y * vertexPlace(spot.corners.y - firstVertex) +
+                      w.z * vertexPlace(spot.corners.z - firstVertex);
   precise vec3 p = mean * modelScale;
   return p;
 }
