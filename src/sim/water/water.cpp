@@ -190,9 +190,10 @@ class Water : public Simulation {
     auto positions = cells_[1].buffer().readAll<glm::vec4>();
     const shader::WaterLook look = plan_.look();
     for (std::size_t i = 0; i < positions.size(); ++i) {
-      const auto at = static_cast<int>(i);
-      positions[i].x = look.left + static_cast<float>(at % size_.x) * look.cell;
-      positions[i].z = look.back + static_cast<float>(at / size_.x) * look.cell;
+      const int row = static_cast<int>(i) / size_.x;
+      const int column = static_cast<int>(i) % size_.x;
+      positions[i].x = look.left + static_cast<float>(column) * look.cell;
+      positions[i].z = look.back + static_cast<float>(row) * look.cell;
     }
     return sheetMesh(size_, positions);
   }

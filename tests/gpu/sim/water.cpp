@@ -137,9 +137,10 @@ void compareWater(const sim::WaterParameters& parameters, int frames) {
   std::size_t different = 0;
   const shader::WaterLook look = twin.plan().look();
   for (std::size_t i = 0; i < shown.size(); ++i) {
-    const auto at = static_cast<int>(i);
-    const glm::vec3 want(look.left + static_cast<float>(at % parameters.size.x) * look.cell, shown[i].y,
-                         look.back + static_cast<float>(at / parameters.size.x) * look.cell);
+    const int row = static_cast<int>(i) / parameters.size.x,
+              column = static_cast<int>(i) % parameters.size.x;
+    const glm::vec3 want(look.left + static_cast<float>(column) * look.cell, shown[i].y,
+                         look.back + static_cast<float>(row) * look.cell);
     different += table->positions[i] != want ? 1 : 0;
   }
   CHECK(different == 0);
