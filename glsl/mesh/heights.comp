@@ -8,10 +8,12 @@ INPUT_ARRAY(positionsBinding, PositionBlock, positions)
 STATE_ARRAY(heightsBinding, HeightBlock, heights)
 uniform int count;
 uniform float lift;  // height of the mesh's origin (m)
+uniform int component;
 
 void main() {
   int i = int(gl_GlobalInvocationID.x);
   if (i >= count) return;
-  precise float now = LOAD_INPUT(positions, i).y + lift;
+  vec4 position = LOAD_INPUT(positions, i);
+  precise float now = (component == 0 ? position.x : position.y) + lift;
   STORE_STATE(heights, i, vec4(LOAD_STATE(heights, i).y, now, 0.0f, 0.0f));
 }

@@ -4,7 +4,6 @@
 const int cellsBinding = 0;
 const int nextCellsBinding = 1;
 const int stampsBinding = 2;
-const int positionsBinding = 3;
-const int valuesBinding = 4;
+const int shownBinding = 3;
 
 #endif

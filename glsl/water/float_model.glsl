@@ -43,6 +43,9 @@ FUNCTION FloatTold floatTold(int i) {
   t.tow = loadTold(first + 6);
   t.head = loadTold(first + 7);
   t.pull = loadTold(first + 8);
+  t.meet = loadTold(first + 9);
+  t.field = loadTold(first + 10);
+  t.nodes = loadTold(first + 11);
   return t;
 }
 
@@ -189,7 +192,7 @@ FUNCTION void floatSpread(FloatBody body, float column, float row, vec2 wide, ve
   for (int y = top; y <= bottom; ++y)
     for (int x = left; x <= right; ++x) {
       bool outX = x < 0 || x >= size.x, outY = y < 0 || y >= size.y;
-      if ((outX && !torusX) || (outY && !torusY)) continue;
+      bool beyond = (outX && !torusX) || (outY && !torusY);
       int cell = floatRow(y) * size.x + floatColumn(x);
       precise float nextX = float(x) + 1.0f;
       precise float nextY = float(y) + 1.0f;
@@ -202,14 +205,14 @@ FUNCTION void floatSpread(FloatBody body, float column, float row, vec2 wide, ve
       precise float pullX = force.x * share * floats.perFlowUnit + 0.5f;
       precise float pullY = force.y * share * floats.perFlowUnit + 0.5f;
       int units = int(floor(raised)), flowX = int(floor(pullX)), flowY = int(floor(pullY));
-      if (units != 0 && loadWater(cell).w < body.level) addToSum(cell, 0, units);
+      if (units != 0 && !beyond && loadWater(cell).w < body.level) addToSum(cell, 0, units);
       if (flowX != 0) addToSum(cell, 1, -flowX);
       if (flowY != 0) addToSum(cell, 2, -flowY);
     }
 }
 
-// Point i of a body. `turning`: its angular velocity; `extent`: floatExtent of a point's cuboid.
-FUNCTION FloatSum floatPoint(int i, FloatBody body, FloatTold t, vec3 turning, vec3 extent, vec2 wide, vec2 per) {
+// Point i of a body. `drive`: its own push for each m^3 under water (N/m^3); `turning`: its angular velocity; `extent`: floatExtent of a point's cuboid.
+FUNCTION FloatSum floatPoint(int i, FloatBody body, FloatTold t, vec3 turning, vec3 drive, vec3 extent, vec2 wide, vec2 per) {
   vec4 point = loadFloatPoint(i);
   vec3 arm = floatTurned(body.turn, vec3(point));
   precise vec3 at = body.at + arm;
@@ -238,7 +241,10 @@ FUNCTION FloatSum floatPoint(int i, FloatBody body, FloatTold t, vec3 turning, v
   precise float around = (body.level - at.y) * perHeight + 0.5f;
   around = clamp(around, 0.0f, 1.0f);
   precise float volume = point.w * around;
-  floatSpread(body, column, row, wide, per, volume, vec2(pushX, pushZ));
+  precise vec3 own = drive * (water.share > 0.0f ? volume : 0.0f);
+  precise float pullX = pushX + own.x;
+  precise float pullZ = pushZ + own.z;
+  floatSpread(body, column, row, wide, per, volume, vec2(pullX, pullZ));
   // The ground, and walls at the grid's sides.
   precise float steep = 1.0f + water.bedX * water.bedX + water.bedZ * water.bedZ;
   float upright = exactInverseSqrt(steep);
@@ -260,6 +266,7 @@ FUNCTION FloatSum floatPoint(int i, FloatBody body, FloatTold t, vec3 turning, v
   if (front > 0.0f) touch = touch + floatTouch(vec3(0.0f, 0.0f, -1.0f), front, velocity, t.reach.z);
   precise vec3 force = vec3(pushX, pushY, pushZ) + mass * touch;
   vec3 moment = exactCross(arm, force);
+  force = force + own;  // as if at the middle of mass
   precise float wet = water.share > 0.0f ? point.w : 0.0f;
   precise float risen = wet * (water.level - body.level);
   FloatSum sum;
@@ -290,11 +297,15 @@ FUNCTION FloatSum floatLane(int lane, FloatBody body, FloatTold t) {
   precise float wideY = 0.5f * max(cellsY, 1.0f);
   precise float perX = 0.5f * exactReciprocal(wideX);
   precise float perY = 0.5f * exactReciprocal(wideY);
+  // Its own push, shared out by what of it was under water a step ago: it works there only, and the water gets the opposite.
+  precise float least = 0.02f * t.grain.w;
+  precise float thrust = t.reach.w * exactReciprocal(max(body.under, least));
+  precise vec3 drive = thrust * floatTurned(body.turn, vec3(0.0f, 0.0f, 1.0f));
   FloatSum sum;
   sum.push = vec4(0.0f);
   sum.turn = vec4(0.0f);
   sum.rest = vec4(0.0f);
   for (int i = int(t.turnA.w) + lane; i < int(t.turnB.w); i += floatLanes)
-    sum = floatAdded(sum, floatPoint(i, body, t, turning, extent, vec2(wideX, wideY), vec2(perX, perY)));
+    sum = floatAdded(sum, floatPoint(i, body, t, turning, drive, extent, vec2(wideX, wideY), vec2(perX, perY)));
   return sum;
 }

@@ -1,39 +1,15 @@
 // Where bodies go, and what the water gets of them. Compiles as GLSL and as C++, after water/float_model.glsl and with
 // what that asks for.
 
-// Spheres around the bodies' middles push each other apart.
-FUNCTION vec3 floatOthers(int me, FloatBody body, FloatTold t) {
-  precise vec3 force = vec3(0.0f, 0.0f, 0.0f);
-  for (int i = 0; i < floats.count; ++i) {
-    vec4 place = loadFloat(i * floatTexels), motion = loadFloat(i * floatTexels + 2);
-    vec4 other = loadTold(i * floatToldTexels);
-    precise vec3 apart = body.at - vec3(place);
-    precise float squared = exactDot(apart, apart);
-    precise float near = t.mass.z + other.z;
-    precise float nearSquared = near * near;
-    if (i == me || squared >= nearSquared) continue;
-    float inverse = exactInverseSqrt(max(squared, 1e-12f));
-    precise vec3 normal = apart * inverse;
-    precise float deep = near - squared * inverse;
-    precise vec3 velocity = body.velocity - vec3(motion);
-    precise float both = t.mass.y + other.y;
-    precise float mass = exactReciprocal(both);
-    force = force + mass * floatTouch(normal, deep, velocity, 0.0f);
-  }
-  return force;
-}
-
 // The body a step later.
-FUNCTION FloatBody floatMoved(int me, int stepNumber, FloatBody body, FloatTold t, FloatSum sum) {
+FUNCTION FloatBody floatMoved(int stepNumber, FloatBody body, FloatTold t, FloatSum sum) {
   FloatBody next = body;
-  precise vec3 force = vec3(sum.push) + floatOthers(me, body, t);
+  precise vec3 force = vec3(sum.push);
   precise vec3 moment = vec3(sum.turn);
   vec3 ahead = floatTurned(body.turn, vec3(0.0f, 0.0f, 1.0f));
   vec3 up = floatTurned(body.turn, vec3(0.0f, 1.0f, 0.0f));
   vec3 turning = floatTurning(t, body.turn, body.spin);
-  // Its own push works in the water only.
   float afloat = sum.push.w > 0.0f ? 1.0f : 0.0f;
-  precise vec3 own = (t.reach.w * afloat) * ahead;
   precise vec3 steering = (t.head.z * afloat) * up;
   // The tow: a damped spring to where it should be by now.
   precise float passed = float(stepNumber) * floats.dt;
@@ -43,7 +19,7 @@ FUNCTION FloatBody floatMoved(int me, int stepNumber, FloatBody body, FloatTold 
   precise float facing = ahead.z * t.head.y + ahead.x * t.head.x;
   off = facing < 0.0f ? (off < 0.0f ? -1.0f : 1.0f) : off;
   precise float swing = t.mass.w * (t.pull.z * off - t.pull.w * turning.y);
-  force = force + own + vec3(towX, 0.0f, towZ);
+  force = force + vec3(towX, 0.0f, towZ);
   moment = moment + steering + vec3(0.0f, swing, 0.0f);
   precise vec3 velocity = body.velocity + floats.dt * t.mass.y * force;
   precise float falling = velocity.y - floats.dt * floats.gravity;

@@ -33,7 +33,7 @@ const int floatTexels = 4;
 
 // What a frame is told of each body.
 struct FloatTold {
-  vec4 mass;    // kg, 1 / mass, radius that others touch (m), moment of inertia about y (kg m^2)
+  vec4 mass;    // kg, 1 / mass, radius around all that others touch (m), moment of inertia about y (kg m^2)
   vec4 turnA;   // inverse moments of inertia xx, yy, zz (1/(kg m^2)), number of its first point
   vec4 turnB;   // xy, xz, yz, number behind its last point
   vec4 grain;   // sides of the cuboids that its points stand for (m), its volume (m^3)
@@ -42,6 +42,11 @@ struct FloatTold {
   vec4 tow;     // target at the frame's beginning (x, z), its speed
   vec4 head;    // direction there (x, z), turning moment (N m), drag of the air (1/s)
   vec4 pull;    // stiffness and damping of the tow (1/s^2, 1/s) and of the direction
+  vec4 meet;    // numbers of its first probe, behind its last one, of its first distance; radius (m) of what is a sphere, else 0
+  vec4 field;   // where the distances begin (m from the middle of mass), 1 / their spacing (1/m)
+  vec4 nodes;   // how many there are along x, y, z, their spacing (m)
 };
-const int floatToldTexels = 9;
+const int floatToldTexels = 12;
+const float floatOut = 0.02f;   // part of their depth by which floats that touch go apart in a step
+const float floatEase = 0.8f;   // part of the speed into each other that a step takes, for a float may touch several
 const int floatLanes = 64;  // that share a body's points

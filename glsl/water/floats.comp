@@ -28,7 +28,27 @@ vec4 loadFloatPoint(int i) { return LOAD_INPUT(points, i); }
 void addToSum(int cell, int which, int value) { atomicAdd(sums[cell * 4 + which], value); }
 #include "water/model.glsl"
 #include "water/float_model.glsl"
+#include "water/float_contact.glsl"
 #include "water/float_motion.glsl"
+
+// Of all lanes, in the first one: added up in the same order everywhere.
+FloatMeet meetOfAll(int lane, FloatMeet meet) {
+  barrier();
+  parts[lane * 3] = meet.place;
+  parts[lane * 3 + 1] = meet.way;
+  for (int stride = floatLanes / 2; stride > 0; stride /= 2) {
+    barrier();
+    if (lane < stride) {
+      FloatMeet other;
+      other.place = parts[(lane + stride) * 3];
+      other.way = parts[(lane + stride) * 3 + 1];
+      meet = floatMet(meet, other);
+      parts[lane * 3] = meet.place;
+      parts[lane * 3 + 1] = meet.way;
+    }
+  }
+  return meet;
+}
 
 void main() {
   int me = int(gl_WorkGroupID.x), lane = int(gl_LocalInvocationID.x);
@@ -51,9 +71,21 @@ void main() {
       parts[lane * 3 + 2] = sum.rest;
     }
   }
+  for (int i = 0; i < floats.count; ++i) {
+    if (i == me || stepNumber < 0) continue;
+    FloatBody other = floatBody(i);
+    FloatTold o = floatTold(i);
+    bool isFirst = me < i;
+    FloatBody first = isFirst ? body : other;
+    FloatTold a = isFirst ? t : o, b = isFirst ? o : t;
+    FloatBody second = floatBeside(first, isFirst ? other : body);
+    if (!floatNear(first, a, second, b)) continue;
+    FloatMeet meet = meetOfAll(lane, floatMeetLane(lane, first, a, second, b));
+    sum = floatWithPush(sum, meet, floatPushed(meet, first, a, second, b), isFirst, first, second);
+  }
   if (lane != 0) return;
   FloatBody next = body;
-  if (stepNumber >= 0) next = floatMoved(me, stepNumber, body, t, sum);
+  if (stepNumber >= 0) next = floatMoved(stepNumber, body, t, sum);
   next.under = sum.push.w;
   STORE_STATE(nextBodies, me * floatTexels, vec4(next.at, next.level));
   STORE_STATE(nextBodies, me * floatTexels + 1, next.turn);

@@ -6,8 +6,7 @@
 #include "water/types.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
 INPUT_ARRAY(cellsBinding, CellBlock, cells)
-STATE_ARRAY(positionsBinding, PositionBlock, positions)
-STATE_ARRAY(valuesBinding, ValueBlock, values)
+STATE_ARRAY(shownBinding, ShownBlock, shown)
 uniform ivec2 size;
 
 vec4 loadWaterAt(int x, int y) {
@@ -21,8 +20,5 @@ layout(std140, binding = stepBinding) uniform LookBlock { WaterLook look; };
 void main() {
   int x = int(gl_GlobalInvocationID.x), y = int(gl_GlobalInvocationID.y);
   if (x >= size.x || y >= size.y) return;
-  int i = y * size.x + x;
-  vec4 shown = waterValues(x, y);
-  STORE_STATE(values, i, shown);
-  STORE_STATE(positions, i, waterVertex(x, y, shown));
+  STORE_STATE(shown, y * size.x + x, waterShown(x, y));
 }

@@ -70,17 +70,16 @@ FUNCTION float lookedThrough(int x, int y, vec4 here, float depth) {
   return seen;
 }
 
-// The vertex of a cell, and its colour's number.
-FUNCTION vec4 waterVertex(int x, int y, vec4 values) {
+// Depth, height of the vertex, speed, number of its colour: all that is drawn of a cell and shown of it, but its level.
+FUNCTION vec4 waterShown(int x, int y) {
+  vec4 values = waterValues(x, y);
   vec4 here = loadWaterAt(x, y);
   float above = drawnAbove(seenDepth(x, y, here, values.x));
   precise float level = here.w + above;
-  precise float px = look.left + float(x) * look.cell;
-  precise float py = look.base + level;
-  precise float pz = look.back + float(y) * look.cell;
+  precise float height = look.base + level;
   float through = lookedThrough(x, y, here, values.x);
   precise float depths = through * look.perClarity * 16.0f + 0.5f;
   precise float foams = values.w * float(foamColors - 1) + 0.5f;
   int depthColor = min(int(min(depths, 1000.0f)), depthColors - 1);
-  return vec4(px, py, pz, float(int(foams) * depthColors + depthColor));
+  return vec4(values.x, height, values.z, float(int(foams) * depthColors + depthColor));
 }

@@ -2,7 +2,10 @@
 #include "gl/buffer.hpp"
 #include "gl/errors.hpp"
 #include "gl/handle.hpp"
+#include "gl/program.hpp"
 #include "sim/core/drawable.hpp"
+
+#include <vector>
 
 namespace simreel::draw {
 
@@ -64,8 +67,40 @@ class VertexArray {
   gl::Handle<gl::DeleteVertexArray> handle_;
 };
 
+/// Positions of a surface for draw/surface/vertex_texel.glsl of a program.
+inline void bindPositions(const sim::Surface& surface, const gl::Program& program) {
+  surface.positions->bind(positionUnit);
+  const sim::GridHeights* heights = surface.heights;
+  const bool colored = heights != nullptr && heights->colors != nullptr;
+  if (surface.palette != nullptr) {
+    (colored ? heights->colors : surface.positions)->bind(vertexColorUnit);
+    program.set("colorComponent", colored ? 0 : 3);
+  }
+  program.set("heightShape", heights == nullptr
+                                 ? glm::ivec4(0)
+                                 : glm::ivec4(surface.grid, heights->component, heights->walls));
+  if (heights == nullptr) return;
+  program.set("heightGrid", glm::vec4(heights->corner, heights->cell, heights->base));
+  program.set("heightRim", heights->rim);
+}
+
+/// `rowOf` of draw/exact/triangles/surface_triangle.glsl.
+inline glm::ivec2 rowOf(const sim::Surface& surface) {
+  return surface.rowIndices > 0 ? glm::ivec2(surface.rowIndices / 3, surface.grid.x) : glm::ivec2(0);
+}
+
 /// Draws all triangles of a surface from the bound vertex array.
 inline void drawTriangles(const sim::Surface& surface) {
+  if (surface.rowIndices > 0) {
+    const auto rows = static_cast<std::size_t>(surface.grid.y - 1);
+    const std::vector<GLsizei> counts(rows, surface.rowIndices);
+    const std::vector<const void*> offsets(rows, nullptr);
+    std::vector<GLint> firsts;
+    for (int y = 0; y + 1 < surface.grid.y; ++y) firsts.push_back(y * surface.grid.x);
+    glMultiDrawElementsBaseVertex(GL_TRIANGLES, counts.data(), GL_UNSIGNED_INT, offsets.data(),
+                                  static_cast<GLsizei>(rows), firsts.data());
+    return;
+  }
   if (surface.arguments == nullptr) {
     glDrawElements(GL_TRIANGLES, surface.indexCount, GL_UNSIGNED_INT, nullptr);
     return;

@@ -60,7 +60,7 @@ struct ChartInputs {
   float unit = 1;
   int curves = 0;
   std::array<glm::vec3, 4> colors{};  ///< linear
-  float end = 0;
+  float zero = 0, end = 0;
 };
 
 /// A chart without its letters.

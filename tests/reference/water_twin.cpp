@@ -1,5 +1,6 @@
 #include "reference/water_twin.hpp"
 
+#include <algorithm>
 #include <utility>
 
 using namespace simreel;
@@ -40,7 +41,24 @@ struct FloatKernel {
   [[nodiscard]] vec4 loadFloatPoint(int i) const { return points[static_cast<std::size_t>(i)]; }
   void addToSum(int cell, int which, int value) { sums[static_cast<std::size_t>(cell)][which] += value; }
 #include "glsl/water/float_model.glsl"
+  // After the model.
+#include "glsl/water/float_contact.glsl"
 #include "glsl/water/float_motion.glsl"
+
+  /// What floats.comp does with another body.
+  [[nodiscard]] FloatSum withContact(const FloatSum& sum, int me, int other) {
+    const bool isFirst = me < other;
+    const FloatBody first = floatBody(std::min(me, other));
+    const FloatTold a = floatTold(std::min(me, other)), b = floatTold(std::max(me, other));
+    const FloatBody second = floatBeside(first, floatBody(std::max(me, other)));
+    if (!floatNear(first, a, second, b)) return sum;
+    std::vector<FloatMeet> lanes;
+    for (int lane = 0; lane < floatLanes; ++lane) lanes.push_back(floatMeetLane(lane, first, a, second, b));
+    for (std::size_t stride = lanes.size() / 2; stride > 0; stride /= 2)
+      for (std::size_t lane = 0; lane < stride; ++lane)
+        lanes[lane] = floatMet(lanes[lane], lanes[lane + stride]);
+    return floatWithPush(sum, lanes[0], floatPushed(lanes[0], first, a, second, b), isFirst, first, second);
+  }
 };
 
 #undef precise
@@ -110,8 +128,9 @@ void WaterTwin::drift(double time, int index) {
     for (std::size_t stride = lanes.size() / 2; stride > 0; stride /= 2)
       for (std::size_t lane = 0; lane < stride; ++lane)
         lanes[lane] = kernel.floatAdded(lanes[lane], lanes[lane + stride]);
-    shader::FloatKernel::FloatBody next =
-        index < 0 ? now : kernel.floatMoved(body, index, now, what, lanes[0]);
+    for (int i = 0; index >= 0 && i < kernel.floats.count; ++i)
+      if (i != body) lanes[0] = kernel.withContact(lanes[0], body, i);
+    shader::FloatKernel::FloatBody next = index < 0 ? now : kernel.floatMoved(index, now, what, lanes[0]);
     next.under = lanes[0].push.w;
     const auto first = static_cast<std::size_t>(body * shader::floatTexels);
     floats[first] = {next.at, next.level};
@@ -135,14 +154,11 @@ void WaterTwin::drift(double time, int index) {
   }
 }
 
-void WaterTwin::look(std::vector<glm::vec4>& positions, std::vector<glm::vec4>& values) const {
+std::vector<glm::vec4> WaterTwin::look() const {
   const glm::ivec2 size = plan_.parameters().size;
   shader::WaterKernel kernel{cells, size, plan_.stepAt(0), plan_.look()};
-  positions.clear();
-  values.clear();
+  std::vector<glm::vec4> shown;
   for (int y = 0; y < size.y; ++y)
-    for (int x = 0; x < size.x; ++x) {
-      values.push_back(kernel.waterValues(x, y));
-      positions.push_back(kernel.waterVertex(x, y, values.back()));
-    }
+    for (int x = 0; x < size.x; ++x) shown.push_back(kernel.waterShown(x, y));
+  return shown;
 }

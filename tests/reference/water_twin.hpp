@@ -16,8 +16,8 @@ class WaterTwin {
   void step(double time);
   /// One step and nothing that falls.
   void advance(const simreel::shader::WaterStep& water);
-  /// Positions and values as glsl/water/look.comp makes them.
-  void look(std::vector<glm::vec4>& positions, std::vector<glm::vec4>& values) const;
+  /// What glsl/water/look.comp makes of each cell.
+  [[nodiscard]] std::vector<glm::vec4> look() const;
   [[nodiscard]] const simreel::sim::WaterPlan& plan() const { return plan_; }
 
   /// Moves floats, and what they do to the water; step `index` of the frame at `time`, from 0. -1: what the

@@ -9,6 +9,7 @@ uniform vec4 plot;       // the same, of the curves
 uniform float unit;      // pixels: thickness of a thin line
 uniform int curves;
 uniform vec3 colors[4];  // encoded
+uniform float zero;    // part of the height towards which curves are filled
 uniform float end;       // pixels from the left of the plot to the last count
 
 vec4 columnAt(int column, int row) {

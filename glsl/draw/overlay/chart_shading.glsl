@@ -72,8 +72,11 @@ FUNCTION vec4 withCurves(vec4 panelLight, vec2 p, vec2 size) {
   ChartLook look = looked(p, size, int(ceil(radius)) + 1);
   vec4 last = heightsOf(texelFetch(counts, steps - 1));
   bool within = p.x >= 0.0f && p.y >= 0.0f && p.x <= size.x && p.y <= size.y;
+  ROUNDED float foot = (1.0f - zero) * size.y;
   for (int k = 0; k < curves; ++k) {
-    ROUNDED float into = look.below[k] + 0.5f;
+    ROUNDED float under = look.below[k] + 0.5f;
+    ROUNDED float over = 0.5f - look.below[k];
+    float into = p.y <= foot || look.below[k] < -1e5f ? under : over;
     ROUNDED float alpha = 0.1f * clamp(into, 0.0f, 1.0f);
     if (within) sum = covered(sum, colors[k], alpha);
   }
@@ -116,6 +119,10 @@ FUNCTION vec4 chartPixel(vec2 at) {
   ROUNDED float foot = plotSize.y + unit;
   bool axes = (p.x >= -unit && p.x < 0.0f && p.y >= 0.0f && p.y < foot) ||
               (p.y >= plotSize.y && p.y < foot && p.x >= -unit && p.x < plotSize.x);
+  ROUNDED float fromZero = p.y - (1.0f - zero) * plotSize.y;
+  ROUNDED float zeroLine = thin + 0.5f - abs(fromZero);
+  ROUNDED float zeroAlpha = 0.3f * clamp(zeroLine, 0.0f, 1.0f);
+  if (zero > 0.0f && p.x >= 0.0f && p.x <= plotSize.x) sum = covered(sum, vec3(1.0f), zeroAlpha);
   if (axes) sum = covered(sum, vec3(1.0f), 0.45f);
   if (steps > 0) sum = withCurves(sum, p, plotSize);
   ROUNDED vec4 shaped = sum * clamp(inner, 0.0f, 1.0f);

@@ -61,7 +61,7 @@ void main() {
   int i = gl_VertexID;
   vec3 p = worldPoint(i);
 #ifdef PALETTE
-  paletteColor = texelFetch(palette, int(texelFetch(positions, i).w)).rgb;
+  paletteColor = texelFetch(palette, vertexColor(i)).rgb;
 #endif
 #ifdef GRID
   vec3 normal = gridNormal(i);
@@ -76,7 +76,7 @@ void main() {
   worldNormal = normal;
 #ifdef TRIPLANAR
   float scale2 = max(dot(model[0].xyz, model[0].xyz), 1e-30);
-  objectPosition = texelFetch(positions, i).xyz * sqrt(scale2);
+  objectPosition = vertexPlace(i) * sqrt(scale2);
   objectNormal = transpose(mat3(model)) * normal * inversesqrt(scale2);
 #endif
 #ifdef HAS_UV

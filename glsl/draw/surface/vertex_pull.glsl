@@ -1,14 +1,14 @@
 // Vertices of a sim::Surface by number, world space. GRID: neighbours give the normal.
 #include "common/exact.glsl"
 #include "draw/bindings.glsl"
-layout(binding = positionUnit) uniform samplerBuffer positions;
+#include "draw/surface/vertex_texel.glsl"
 uniform mat4 model;
 
 #ifdef DEFORMED
 #include "draw/surface/deformed_vertex.glsl"
 #endif
 vec3 worldPoint(int i) {
-  vec3 p = texelFetch(positions, i).xyz;
+  vec3 p = vertexPlace(i);
 #ifdef DEFORMED
   p = displaced(p);
 #endif

@@ -99,7 +99,7 @@ void SurfaceShading::shade(const TriangleRaster& raster, const TriangleRaster::D
   raster.bind(drawn, shader);
   shader.set("color", material.color);
   shader.set("material", glm::vec3(material.roughness, material.metallic, material.translucency));
-  surface.positions->bind(positionUnit);
+  bindPositions(surface, shader);
   if (surface.palette != nullptr) surface.palette->bind(paletteUnit);
   if (skin != nullptr)
     setSkin(surface, *skin, shader);

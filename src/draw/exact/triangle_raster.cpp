@@ -161,7 +161,7 @@ void TriangleRaster::makeVertices(const Visibility& into) {
     program.set("vertexCount", verticesOf(surface));
     program.set("firstVertex", drawn.firstVertex);
     program.set("mapTexels", static_cast<float>(into.size().x));
-    surface.positions->bind(positionUnit);
+    bindPositions(surface, program);
     if (surface.normals != nullptr) surface.normals->bind(normalUnit);
     bindDeformation(surface);
     dispatchRows(program, verticesOf(surface));
@@ -181,6 +181,7 @@ void TriangleRaster::bind(const Drawn& drawn, const gl::Program& program) const 
     drawn.indices.bind(indexUnit);
     if (drawn.surface->arguments != nullptr) drawn.surface->arguments->bindStorage(drawArgumentBinding);
   }
+  program.set("rowOf", into_ == Into::lampMap ? glm::ivec2(0) : rowOf(*drawn.surface));
   program.set("firstVertex", drawn.firstVertex);
   program.set("firstIndex", drawn.firstIndex);
   program.set("triangleCount", drawn.maxTriangles);

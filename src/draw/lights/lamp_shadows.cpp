@@ -3,6 +3,7 @@
 #include "base/error.hpp"
 #include "gl/context.hpp"
 #include "gl/limits.hpp"
+#include "sim/cloth/sheet_mesh.hpp"
 
 #include <algorithm>
 
@@ -63,13 +64,20 @@ void LampShadows::draw(const sim::Drawables& drawables, const std::function<void
     const gl::Program& shader = programOf(surface);
     shader.use();
     shader.set("model", surface.model);
-    surface.positions->bind(positionUnit);
+    bindPositions(surface, shader);
     bindDeformation(surface);
-    vertices_.bind(*surface.indices);
+    vertices_.bind(surface.rowIndices > 0 ? allIndices(surface.grid) : *surface.indices);
     cells_->draw(shader, i);
   }
   drawMore(shader::lampFaces * count_);
   clip(false);
+}
+
+/// Indirect draws go through all triangles at once.
+const gl::Buffer& LampShadows::allIndices(glm::ivec2 grid) {
+  gl::Buffer& indices = indices_[{grid.x, grid.y}];
+  if (indices.name() == 0) indices = gl::Buffer::of<unsigned>("indices of a grid", sim::gridIndices(grid));
+  return indices;
 }
 
 const gl::Program& LampShadows::programOf(const sim::Surface& surface) const {

@@ -7,7 +7,9 @@
 #include "sim/core/drawable.hpp"
 
 #include <functional>
+#include <map>
 #include <memory>
+#include <utility>
 
 namespace simreel::draw {
 
@@ -27,6 +29,7 @@ class LampShadows {
 
  private:
   [[nodiscard]] const gl::Program& programOf(const sim::Surface& surface) const;
+  [[nodiscard]] const gl::Buffer& allIndices(glm::ivec2 grid);
 
   int count_;
   gl::Defines defines_;
@@ -37,6 +40,7 @@ class LampShadows {
   gl::Texture maps_;
   gl::Framebuffer target_;
   VertexArray vertices_;
+  std::map<std::pair<int, int>, gl::Buffer> indices_;  ///< of grids that have those of a row alone
 };
 
 }  // namespace simreel::draw

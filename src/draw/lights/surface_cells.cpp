@@ -44,7 +44,7 @@ void SurfaceCells::growBox(const sim::Surface& surface, int number) {
   program.set("vertexCount", surface.vertexCount);
   program.set("invocations", invocations);
   program.set("model", surface.model);
-  surface.positions->bind(positionUnit);
+  bindPositions(surface, program);
   bindDeformation(surface);
   program.dispatch(invocations);
 }

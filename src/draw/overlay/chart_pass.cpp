@@ -56,8 +56,10 @@ std::vector<glm::vec4> labels(const sim::Chart& chart, const ChartLayout& layout
     at.x += width + 8 * u;
   }
   const int below = layout.plot.w + 4 * u;
-  const std::string top = "max " + grouped(chart.max);
-  const std::string right = grouped(static_cast<unsigned>(std::max(chart.width - 1, 0))) + " steps";
+  const std::string top = chart.range.empty() ? "max " + grouped(chart.max) : chart.range;
+  const std::string right = chart.length.empty()
+                                ? grouped(static_cast<unsigned>(std::max(chart.width - 1, 0))) + " steps"
+                                : chart.length;
   const int left = textSize(top, u).x;
   const int wide = textSize(right, u).x;
   if (layout.plot.x + left + wide + 6 * u <= layout.plot.z) add(top, {layout.plot.x, below}, dim);
@@ -169,6 +171,7 @@ void ChartPass::setChart(const sim::Chart& chart, const ChartLayout& layout, con
   curves_.set("steps", chart.steps);
   curves_.set("end", fraction * static_cast<float>(layout.plot.z - layout.plot.x));
   curves_.set("perTop", perTop(chart));
+  curves_.set("zero", chart.zero);
   chart.counts->bind(countUnit);
   kept.columns.bind(columnUnit);
 }

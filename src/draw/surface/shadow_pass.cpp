@@ -60,7 +60,7 @@ void ShadowPass::fit(const sim::Drawables& drawables, const std::function<void()
     bounds.set("vertexCount", surface.vertexCount);
     bounds.set("invocations", invocations);
     bounds.set("model", surface.model);
-    surface.positions->bind(positionUnit);
+    bindPositions(surface, bounds);
     bindDeformation(surface);
     bounds.dispatch(invocations);
   }
@@ -84,7 +84,7 @@ void ShadowPass::draw(const sim::Drawables& drawables, const std::function<void(
     const gl::Program& shader = drawOf(surface);
     shader.use();
     shader.set("model", surface.model);
-    surface.positions->bind(positionUnit);
+    bindPositions(surface, shader);
     bindDeformation(surface);
     vertices_.bind(*surface.indices);
     drawTriangles(surface);

@@ -98,7 +98,7 @@ void SurfacePass::draw(const sim::Surface& surface, const SkinTextures& skins) {
   shader.set("model", surface.model);
   shader.set("metallic", material.metallic);
   shader.set("translucency", material.translucency);
-  surface.positions->bind(positionUnit);
+  bindPositions(surface, shader);
   bindDeformation(surface);
   if (surface.palette != nullptr) surface.palette->bind(paletteUnit);
   if (isGrid) {

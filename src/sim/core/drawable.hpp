@@ -13,6 +13,17 @@
 
 namespace simreel::sim {
 
+/// Vertices of a grid that lie evenly over a plane: a component of a surface's positions is their height.
+struct GridHeights {
+  glm::vec2 corner{0};                  ///< m: x and z of the first one
+  float cell = 1;                       ///< m between them
+  float base = 0;                       ///< m: where height 0 is
+  int component = 1;                    ///< of positions: 1 or 3
+  int walls = 0;                        ///< bits of the sides west, east, north, south at which the
+  float rim = 0;                        ///< height (m) is at least this
+  const gl::Texture* colors = nullptr;  ///< R16F texel view: number in the palette; null: positions' w
+};
+
 /// Indexed triangles pulled from buffers by gl_VertexID; nothing is copied. All pointers stay owned by
 /// the simulation and live until its next step.
 struct Surface {
@@ -26,7 +37,11 @@ struct Surface {
   glm::ivec2 grid{0, 0};
   int vertexCount = 0;  ///< vertices that bound the surface: all, but where others lie within their box
   int vertexRoom = 0;   ///< vertices that there may be, where these are more
+  /// Set where positions are not such: texels of a grid of which one component is a height.
+  const GridHeights* heights = nullptr;
   const gl::Buffer* indices = nullptr;  ///< 32-bit
+  /// Those that there are of a grid, where the other rows of cells are like the first one; 0: all.
+  int rowIndices = 0;
   int indexCount = 0;
   /// Arguments of an indirect draw that the GPU has written (five words); null: indexCount indices.
   const gl::Buffer* arguments = nullptr;
@@ -117,6 +132,9 @@ struct Chart {
   int steps = 0;                        ///< counted so far
   int width = 1;                        ///< steps along the whole x axis, at least `steps`
   unsigned max = 1;                     ///< count at the top of the y axis
+  float zero = 0;                       ///< part of that height towards which curves are filled
+  std::string range = {};               ///< said of the y axis; empty: "max" and its count
+  std::string length = {};              ///< said of the x axis; empty: its steps
   std::vector<std::string> names;       ///< of the first counts, at most four
   std::vector<glm::vec3> colors;        ///< linear RGB, one each
   glm::vec2 corner{0.025F, 0.6F};       ///< top left of its panel, as fractions of the picture

@@ -35,6 +35,9 @@ class Fluid : public Simulation {
     kernels_.start(setting.startTime);
     if (p.hasTracers) tracers_.show(kernels_.shown());
     kernels_.measure();
+    if (!p.hasChart) return;
+    chart_ = FluidChart(name_, p.chart, setting.frameSeconds);
+    chart_.add(measure());
   }
 
   void step(double time, const StepWatch& watch) override {
@@ -75,6 +78,7 @@ class Fluid : public Simulation {
       field.firstWord = 0;
     }
     drawables.fields.push_back(field);
+    if (p.hasChart) chart_.publish(drawables);
     // For files only.
     field.cells = Field::Cells::floats;
     field.display = nullptr;
@@ -94,6 +98,7 @@ class Fluid : public Simulation {
     carry.array("solver", kernels_.pressure().control());
     carry.number("steps", steps_);
     if (plan_.parameters().hasTracers) tracers_.carryOver(carry);
+    if (plan_.parameters().hasChart) chart_.carryOver(carry);
   }
   [[nodiscard]] std::vector<StateArray> state() const override {
     std::vector<StateArray> arrays = {{"flow", &kernels_.flow().buffer()},
@@ -155,6 +160,7 @@ class Fluid : public Simulation {
       }
       if (watch) watch(i);
     }
+    if (plan_.parameters().hasChart) chart_.add(measure());
   }
 
   std::string name_;
@@ -163,6 +169,7 @@ class Fluid : public Simulation {
   FluidKernels kernels_;
   FluidWind wind_;
   Tracers tracers_;
+  FluidChart chart_;
   std::vector<glm::vec3> colors_;
   std::array<std::string, 7> channelNames_;
   long steps_ = 0;

@@ -180,6 +180,8 @@ void FluidParameters::describe(scene::Fields& f) {
   for (const char* name : {"lineDetail", "lineRate"})
     if (show != Show::lines && f.given(name))
       f.error(name, fmt::format("\"{}\" is for \"show\": \"lines\"", name));
+  f.optionalGroup("chart", hasChart, "Curves over the picture: quantities, a value each frame.",
+                  [&](scene::Fields& c) { chart.describe(c); });
   f.group("display", "How it is laid over the picture.", [&](scene::Fields& d) {
     if (show == Show::speed) display.high = speed;
     if (show == Show::lines) display.high = 0.6 * speed;

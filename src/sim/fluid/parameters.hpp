@@ -1,6 +1,7 @@
 #pragma once
 #include "scene/fields.hpp"
 #include "sim/core/kind.hpp"
+#include "sim/fluid/chart.hpp"
 #include "sim/fluid/tracers.hpp"
 #include "sim/fluid/wind.hpp"
 #include "sim/grid/field_display.hpp"
@@ -84,6 +85,8 @@ struct FluidParameters : ObjectParameters {
   int lineDetail = 4;                       ///< places a cell on a side in which lines are drawn
   double lineRate = 0.8;                    ///< 1/s: ripples that run through a place of a line
   FieldDisplay display;
+  bool hasChart = false;
+  FluidChartParameters chart;
 
   FluidParameters();
   void describe(scene::Fields& fields) override;

@@ -21,7 +21,8 @@ HeightField::HeightField(const std::string& name, const HeightPlan& plan)
   keep_.set("lift", plan.lift());
 }
 
-void HeightField::take(const gl::Vec4Array& positions) {
+void HeightField::take(const gl::Vec4Array& positions, int component) {
+  keep_.set("component", component);
   positions.bindInput(shader::mesh::positionsBinding);
   heights_.bindState(shader::heightsBinding);
   gl::barrier();

@@ -19,7 +19,8 @@ class HeightField {
   HeightField(const std::string& name, const HeightPlan& plan);
 
   /// The next frame's end: `positions` in the mesh's own space. Before a first frame, its beginning.
-  void take(const gl::Vec4Array& positions);
+  /// `component` of them that is the height: 1, or 0.
+  void take(const gl::Vec4Array& positions, int component = 1);
   void carryOver(CarryOver& carry) { carry.array("heights", heights_.buffer()); }
   /// For height_array.glsl of a kernel.
   void bind() const { heights_.bindInput(shader::heightsBinding); }

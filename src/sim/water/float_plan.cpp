@@ -132,10 +132,19 @@ void FloatPlan::addBody(const WaterParameters& water, const std::string& name, s
   const double perLength = 0.25 * hull.area / hull.volume;
   const double followed = step_.dt * std::sqrt(water.gravity * depth / hull.outline);
   shader::FloatTold t{};
-  t.mass = four(hull.mass, 1 / hull.mass, hull.apart, hull.inertia[1]);
+  const FloatShape& touched = hull.touched;
+  const double around = touched.radius > 0 ? touched.radius : hull.reach;
+  t.mass = four(hull.mass, 1 / hull.mass, around, hull.inertia[1]);
   t.turnA = four(inverse[0], inverse[1], inverse[2], static_cast<double>(points_.size()));
   points_.insert(points_.end(), hull.points.begin(), hull.points.end());
   t.turnB = four(inverse[3], inverse[4], inverse[5], static_cast<double>(points_.size()));
+  const auto next = [&] { return static_cast<double>(points_.size()); };
+  t.meet = four(next(), 0, 0, touched.radius);
+  points_.insert(points_.end(), touched.probes.begin(), touched.probes.end());
+  t.meet.y = t.meet.z = static_cast<float>(next());
+  points_.insert(points_.end(), touched.nodes.begin(), touched.nodes.end());
+  t.field = glm::vec4(glm::dvec4(touched.low, 1 / touched.step));
+  t.nodes = glm::vec4(glm::dvec4(glm::dvec3(touched.counts), touched.step));
   t.grain = four(hull.grain.x, hull.grain.y, hull.grain.z, hull.volume);
   t.drag = four(body.drag * lighter, 0.5 * body.resistance * perLength * lighter, body.keel - 1.0,
                 hull.mass / (hull.outline * waterDensity));

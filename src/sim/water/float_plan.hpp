@@ -30,7 +30,7 @@ class FloatPlan {
 
   [[nodiscard]] bool empty() const { return hulls_.empty(); }
   [[nodiscard]] const std::vector<Hull>& hulls() const { return hulls_; }
-  /// All bodies' points, one after the other: Hull::points.
+  /// Of each body in turn: Hull::points, and the probes and nodes of Hull::touched.
   [[nodiscard]] const std::vector<glm::vec4>& points() const { return points_; }
   /// floatTexels a body.
   [[nodiscard]] const std::vector<glm::vec4>& first() const { return first_; }

@@ -45,10 +45,12 @@ void WaterFloat::describe(scene::Fields& f) {
            "Drag coefficient: force over density * speed^2 * area / 2; 0.5 a ball, 1 a box.");
   f.number("keel", keel, {1, 1000}, "", "Factor on both drags sideways, along its x.");
   f.number("air", air, scene::notNegative, "1/s", "Rate at which it loses its speed in the air.");
-  f.number("friction", friction, {0, 10}, "", "Coulomb's coefficient where it touches the ground.");
-  f.optionalNumber("apart", apart, {0, 1e4}, "m",
-                   "Radius of the sphere around its middle by which floats keep each other away.");
-  f.leftOut("apart", "a ball's radius; else that of the circle as large as its outline from above");
+  f.number("friction", friction, {0, 10}, "",
+           "Coulomb's coefficient on the ground, and of two floats that touch the mean of theirs.");
+  f.optionalNumber(
+      "apart", apart, {0, 1e4}, "m",
+      "Radius of a sphere around its middle of mass that other floats touch instead of its shape.");
+  f.leftOut("apart", "they touch its shape");
   f.number("thrust", thrust, {-1e9, 1e9}, "N", "Of its engine, along its z, while it is in the water.");
   f.number("steering", steering, {-1e9, 1e9}, "N m", "About its y, while it is in the water.");
   f.optionalGroup("tow", towed, "A line that pulls it along.", [&](scene::Fields& t) {

@@ -30,8 +30,8 @@ struct WaterFloat {
   float resistance = 0.5F;      ///< coefficient of the quadratic drag
   float keel = 1;               ///< factor on both sideways
   float air = 0;                ///< 1/s at which it loses speed in the air
-  float friction = 0.4F;        ///< Coulomb's coefficient on the ground
-  std::optional<double> apart;  ///< m: radius of the sphere that others keep away from
+  float friction = 0.4F;        ///< Coulomb's coefficient on the ground and on others
+  std::optional<double> apart;  ///< m: radius of the sphere that others touch in its place
   scene::Animated<float> thrust = 0.0F;    ///< N along its z
   scene::Animated<float> steering = 0.0F;  ///< N m about its y
   bool towed = false;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <glm/gtc/packing.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
@@ -41,35 +42,33 @@ float patches(glm::vec2 p) {
 
 }  // namespace
 
-std::vector<glm::vec4> groundVertices(const WaterPlan& plan) {
-  const shader::WaterLook look = plan.look();
-  const WaterParameters& p = plan.parameters();
-  const int width = p.size.x;
+float groundRim(const WaterPlan& plan) {
+  const float shallow = plan.look().shallow;
   float rim = -1e9F;
   for (const glm::vec4& cell : plan.firstCells())
-    if (cell.x - cell.w > look.shallow) rim = std::max(rim, cell.x + 0.05F * (cell.x - cell.w));
-  const auto walled = [&](glm::ivec2 at) {
-    const bool touched[] = {at.x == 0, at.x == width - 1, at.y == 0, at.y == p.size.y - 1};
-    for (std::size_t i = 0; i < 4; ++i)
-      if (touched[i] && p.sides[i] == WaterBorder::wall) return true;
-    return false;
-  };
+    if (cell.x - cell.w > shallow) rim = std::max(rim, cell.x + 0.05F * (cell.x - cell.w));
+  return rim;
+}
+
+std::vector<std::uint16_t> groundColors(const WaterPlan& plan) {
+  const float shallow = plan.look().shallow;
+  const WaterParameters& p = plan.parameters();
+  const int width = p.size.x;
   const float perPatch = 14.0F / static_cast<float>(std::max(p.size.x, p.size.y));
-  std::vector<glm::vec4> vertices;
+  std::vector<std::uint16_t> colors;
   for (const glm::vec4& cell : plan.firstCells()) {
-    const auto i = static_cast<int>(vertices.size());
+    const auto i = static_cast<int>(colors.size());
     const glm::ivec2 at(i % width, i / width);
     // Wet is what lies no more than 18 times `shallow` above the water's first level.
-    const float dry = (cell.w - p.level) / (18.0F * look.shallow);
+    const float dry = (cell.w - p.level) / (18.0F * shallow);
     const float wetness = 1 - std::clamp(dry, 0.0F, 1.0F);
     const float shade = std::clamp(1.8F * patches(glm::vec2(at) * perPatch) - 0.4F, 0.0F, 1.0F);
     const int color = static_cast<int>(std::lround(wetness * (wetnesses - 1))) * shades +
                       static_cast<int>(std::lround(shade * (shades - 1)));
-    vertices.emplace_back(look.left + static_cast<float>(at.x) * look.cell,
-                          look.base + (walled(at) ? std::max(cell.w, rim) : cell.w),
-                          look.back + static_cast<float>(at.y) * look.cell, static_cast<float>(color));
+    colors.push_back(glm::packHalf1x16(static_cast<float>(color)));
   }
-  return vertices;
+  colors.resize((colors.size() + 1) / 2 * 2);  // whole words
+  return colors;
 }
 
 std::vector<glm::vec4> groundPalette(const WaterPlan& plan) {

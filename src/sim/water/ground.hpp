@@ -1,15 +1,18 @@
 #pragma once
 #include "sim/water/plan.hpp"
 
+#include <cstdint>
 #include <vector>
 
 #include <glm/vec4.hpp>
 
 namespace simreel::sim {
 
-/// The vertices of what is drawn under the water, a cell each: place (m), and in w the number of a colour
-/// of groundPalette. Walls at sides stand up a little beyond the water.
-[[nodiscard]] std::vector<glm::vec4> groundVertices(const WaterPlan& plan);
+/// The height (m) up to which walls at sides stand at least, a little beyond the water.
+[[nodiscard]] float groundRim(const WaterPlan& plan);
+
+/// Numbers of groundPalette as half floats, a cell each, filled up to whole words.
+[[nodiscard]] std::vector<std::uint16_t> groundColors(const WaterPlan& plan);
 
 /// Linear RGB: the ground's colour, lighter and darker in patches, and darker where the first state's water
 /// wets it.

@@ -210,7 +210,7 @@ Hull::Hull(const WaterFloat& body, const std::string& name) : mesh(meshOf(body))
     for (glm::vec3& p : mesh.positions) p *= body.scale;
   }
   for (glm::vec3& p : mesh.positions) p = glm::vec3(glm::dvec3(p) - middle);
-  apart = body.apart.value_or(ball ? radius : std::sqrt(outline / std::numbers::pi));
+  touched = ball || body.apart ? FloatShape(body.apart.value_or(radius)) : FloatShape(closed, middle);
 }
 
 std::array<double, 6> Hull::inverseInertia() const {

@@ -1,5 +1,6 @@
 #pragma once
 #include "sim/mesh/file.hpp"
+#include "sim/water/float_shape.hpp"
 #include "sim/water/floats.hpp"
 
 #include <array>
@@ -30,7 +31,7 @@ struct Hull {
   double mass = 0;       ///< kg
   double height = 0;     ///< m, of the box around it
   double reach = 0;      ///< m: farthest vertex from the middle of mass
-  double apart = 0;      ///< m: radius that others keep away from
+  FloatShape touched;    ///< what others touch of it
   /// kg m^2: xx, yy, zz, xy, xz, yz of the inertia tensor about the middle of mass.
   std::array<double, 6> inertia{};
   /// 1/(kg m^2): its inverse, in the same order.

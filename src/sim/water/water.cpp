@@ -43,7 +43,7 @@ void checkLimits(const std::string& name, glm::ivec2 size) {
            "smaller",
            name, size.x, size.y, need, what, max, limit);
   };
-  refuse(cells * 24, "bytes", gl::limits().storageBlockBytes, "GL_MAX_SHADER_STORAGE_BLOCK_SIZE");
+  refuse(cells * 16, "bytes", gl::limits().storageBlockBytes, "GL_MAX_SHADER_STORAGE_BLOCK_SIZE");
   refuse(cells, "texels", gl::limits().texelBufferTexels, "GL_MAX_TEXTURE_BUFFER_SIZE");
 }
 
@@ -85,15 +85,11 @@ class Water : public Simulation {
     ground_.texture = p.groundTexture;
     const float across = static_cast<float>(p.size.y) / static_cast<float>(p.size.x);
     ground_.textureScale = glm::vec3(p.groundRepeat, p.groundRepeat * across, 1);
-    for (gl::Vec4Array& cells : cells_) cells = gl::Vec4Array(name_ + " cells", plan_.firstCells());
-    const int count = size_.x * size_.y;
-    values_ = gl::Vec4Array(name_ + " values", count);
-    words_ = gl::Texture::view(name_ + " words", GL_RGBA32UI, values_.buffer());
-    if (p.visible) {
-      groundPositions_ = gl::Vec4Array(name_ + " ground", groundVertices(plan_));
-      groundPalette_ = gl::Vec4Array(name_ + " ground colours", groundPalette(plan_));
-      indices_ = gl::Buffer::of<unsigned>(name_ + " indices", gridIndices(size_));
+    for (int i = 0; i < 2; ++i) {
+      cells_[i] = gl::Vec4Array(name_ + " cells", plan_.firstCells());
+      words_[i] = gl::Texture::view(name_ + " words", GL_RGBA32UI, cells_[i].buffer());
     }
+    if (p.visible) makeSurfaces();
     constexpr unsigned fine[4] = {0xffffffffU, 0xffffffffU, 0, 0};
     status_ = gl::Buffer::of<unsigned>(name_ + " status", fine);
     const shader::WaterLook look = plan_.look();
@@ -110,12 +106,12 @@ class Water : public Simulation {
   }
 
   void step(double time, const StepWatch& watch) override {
-    if (heights_ && !hasHeights_) heights_->take(values_);
+    if (heights_ && !hasHeights_) heights_->take(cells_[0], 0);
     hasHeights_ = true;
     advance(time, watch);
     show();
     tallyNow(time);
-    if (heights_) heights_->take(values_);
+    if (heights_) heights_->take(cells_[0], 0);
   }
   /// Others fall between two frames' heights.
   void pass(double time) override {
@@ -147,14 +143,17 @@ class Water : public Simulation {
       Surface surface;
       surface.grid = size_;
       surface.vertexCount = size_.x * size_.y;
-      surface.indices = &indices_;
+      surface.indices = &rowIndices_;
+      surface.rowIndices = (size_.x - 1) * 6;
       surface.indexCount = (size_.x - 1) * (size_.y - 1) * 6;
       surface.doubleSided = true;
-      surface.positions = &groundPositions_.view();
+      surface.positions = &cells_[0].view();
+      surface.heights = &groundHeights_;
       surface.palette = &groundPalette_.view();
       surface.material = &ground_;
       drawables.surfaces.push_back(surface);
       surface.positions = &cells_[1].view();
+      surface.heights = &shownHeights_;
       surface.palette = &palette_.view();
       surface.material = &material_;
       drawables.surfaces.push_back(surface);
@@ -162,7 +161,7 @@ class Water : public Simulation {
     }
     Field field;
     field.name = &name_;
-    field.words = &words_;
+    field.words = &words_[1];
     field.cells = Field::Cells::floats;
     field.size = size_;
     field.rowWords = 4 * size_.x;
@@ -174,9 +173,10 @@ class Water : public Simulation {
     // For files only.
     field.display = nullptr;
     field.name = &levelName_;
-    field.firstWord = 1;
+    field.words = &words_[0];
     drawables.fields.push_back(field);
     field.name = &speedName_;
+    field.words = &words_[1];
     field.firstWord = 2;
     drawables.fields.push_back(field);
   }
@@ -187,7 +187,15 @@ class Water : public Simulation {
     return arrays;
   }
   [[nodiscard]] std::optional<MeshTable> mesh() const override {
-    return sheetMesh(size_, cells_[1].buffer().readAll<glm::vec4>());
+    auto positions = cells_[1].buffer().readAll<glm::vec4>();
+    const shader::WaterLook look = plan_.look();
+    for (std::size_t i = 0; i < positions.size(); ++i) {
+      const int row = static_cast<int>(i) / size_.x;
+      const int column = static_cast<int>(i) % size_.x;
+      positions[i].x = look.left + static_cast<float>(column) * look.cell;
+      positions[i].z = look.back + static_cast<float>(row) * look.cell;
+    }
+    return sheetMesh(size_, positions);
   }
   [[nodiscard]] const HeightField* heights() const override { return heights_ ? &*heights_ : nullptr; }
   [[nodiscard]] const gl::Buffer* status() const override { return &status_; }
@@ -217,6 +225,24 @@ class Water : public Simulation {
   }
 
  private:
+  /// What is drawn beside the cells: two bytes a cell, and the indices of a row.
+  void makeSurfaces() {
+    const WaterParameters& p = plan_.parameters();
+    const shader::WaterLook look = plan_.look();
+    groundPalette_ = gl::Vec4Array(name_ + " ground colours", groundPalette(plan_));
+    groundColors_ = gl::Buffer::of<std::uint16_t>(name_ + " ground", groundColors(plan_));
+    groundColorView_ = gl::Texture::view(name_ + " ground", GL_R16F, groundColors_, sizeof(std::uint16_t));
+    rowIndices_ = gl::Buffer::of<unsigned>(name_ + " indices", gridIndices({size_.x, 2}));
+    shownHeights_.corner = {look.left, look.back};
+    shownHeights_.cell = look.cell;
+    groundHeights_ = shownHeights_;
+    groundHeights_.base = look.base;
+    groundHeights_.component = 3;
+    groundHeights_.rim = groundRim(plan_);
+    groundHeights_.colors = &groundColorView_;
+    for (std::size_t i = 0; i < 4; ++i)
+      if (p.sides[i] == WaterBorder::wall) groundHeights_.walls |= 1 << i;
+  }
   void makePrograms(bool fast) {
     gl::Defines defines = gl::kernelDefines(fast);
     gl::Defines rows = defines;
@@ -259,6 +285,7 @@ class Water : public Simulation {
       const int parts = (size_.y - 1) / rowsEach_ + 1;
       step_.dispatch(strips_ ? (size_.x - 1) / 28 * 32 + 32 : size_.x, parts);
       std::swap(cells_[0], cells_[1]);
+      std::swap(words_[0], words_[1]);
       fall(time, i);
       if (floats_) floats_->step(i - 1, cells_[0], status_);
       if (watch) {
@@ -307,8 +334,7 @@ class Water : public Simulation {
   void show() {
     look_.bindUniform(shader::stepBinding, 0, sizeof(shader::WaterLook));
     cells_[0].bindInput(shader::water::cellsBinding);
-    cells_[1].bindState(shader::water::positionsBinding);
-    values_.bindState(shader::water::valuesBinding);
+    cells_[1].bindState(shader::water::shownBinding);
     gl::barrier();
     show_.dispatch(size_.x, size_.y);
     gl::barrier();
@@ -324,11 +350,12 @@ class Water : public Simulation {
   bool strips_ = gl::memoryPath() == gl::MemoryPath::storage;
   /// Of a strip or column: the more, the less is computed twice; fewer where there is little to share out.
   int rowsEach_ = strips_ ? std::clamp(size_.x * size_.y / 60000, 4, 32) : 8;
-  gl::Vec4Array cells_[2];  ///< now, and where the next step writes: until then what is drawn
-  gl::Vec4Array values_, groundPositions_;
+  gl::Vec4Array cells_[2];  ///< now, and where the next step writes: until then what is drawn and shown
+  gl::Texture words_[2];    ///< of both
   gl::Vec4Array palette_, groundPalette_;
-  gl::Texture words_;
-  gl::Buffer indices_;
+  gl::Buffer groundColors_, rowIndices_;
+  gl::Texture groundColorView_;
+  GridHeights groundHeights_, shownHeights_;
   gl::WordsArray stamps_;
   gl::Buffer status_;
   StepBlocks<shader::WaterStep> steps_;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <doctest/doctest.h>
+#include <glm/gtc/packing.hpp>
 
 using namespace simreel;
 
@@ -32,8 +33,7 @@ TEST_CASE("a lake's shore is a straight line on a plane beach, within a third of
   for (const double slope : {0.05, 0.2, 0.8}) {
     CAPTURE(slope);
     const WaterTwin twin = beach(slope);
-    std::vector<glm::vec4> positions, values;
-    twin.look(positions, values);
+    const std::vector<glm::vec4> shown = twin.look();
     double first = 0, last = 0, worst = 0;
     std::vector<double> shore;
     for (int y = 0; y < 9; ++y) {
@@ -41,7 +41,7 @@ TEST_CASE("a lake's shore is a straight line on a plane beach, within a third of
       for (int x = 0; x + 1 < 65; ++x) {
         const auto above = [&](int i) {
           const auto at = static_cast<std::size_t>(y * 65 + i);
-          return static_cast<double>(positions[at].y) - static_cast<double>(twin.cells[at].w);
+          return static_cast<double>(shown[at].y) - static_cast<double>(twin.cells[at].w);
         };
         if (above(x) > 0 && above(x + 1) <= 0) found = x + above(x) / (above(x) - above(x + 1));
       }
@@ -63,13 +63,13 @@ TEST_CASE("the ground is darker where water wets it, and its colours are all in 
   p.bed = 0.3F;
   p.hills = {{glm::vec3(0), {1, 0, 1}, -0.8F}};
   const sim::WaterPlan plan(p, "pond", 1, 1.0 / 30);
-  const auto vertices = sim::groundVertices(plan);
+  const auto colors = sim::groundColors(plan);
   const auto palette = sim::groundPalette(plan);
-  REQUIRE(vertices.size() == 65 * 33);
+  REQUIRE(colors.size() == 65 * 33 + 1);
   double wet = 0, dry = 0;
   int wets = 0, dries = 0;
-  for (std::size_t i = 0; i < vertices.size(); ++i) {
-    const auto number = static_cast<std::size_t>(vertices[i].w);
+  for (std::size_t i = 0; i < plan.firstCells().size(); ++i) {
+    const auto number = static_cast<std::size_t>(glm::unpackHalf1x16(colors[i]));
     REQUIRE(number < palette.size());
     const glm::vec4 cell = plan.firstCells()[i];
     const bool under = cell.x > cell.w;

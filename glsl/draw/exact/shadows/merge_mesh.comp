@@ -13,6 +13,7 @@ layout(std430, binding = drawArgumentBinding) readonly restrict buffer DrawArgum
 uniform int vertexCount;
 uniform int firstVertex;
 uniform int triangleCount;
+uniform ivec2 rowOf;  // as draw/exact/triangles/surface_triangle.glsl has it
 
 void main() {
   int i = int(gl_WorkGroupID.y * gl_NumWorkGroups.x * 64u + gl_GlobalInvocationID.x);
@@ -24,5 +25,7 @@ void main() {
 #endif
   if (i >= triangles) return;
   int at = int(atomicAdd(mergedCount, 3u));
-  for (int k = 0; k < 3; ++k) merged[at + k] = uint(firstVertex) + texelFetch(indices, 3 * i + k).x;
+  int row = rowOf.x > 0 ? i / rowOf.x : 0;
+  int first = 3 * (i - row * rowOf.x), vertex = firstVertex + row * rowOf.y;
+  for (int k = 0; k < 3; ++k) merged[at + k] = uint(vertex) + texelFetch(indices, first + k).x;
 }

@@ -12,9 +12,9 @@ float modelScale_ = once(modelScale);
 
 // In the surface's own space, in metres.
 vec3 ownPlace(Spot spot, vec3 w) {
-  precise vec3 mean = w.x * texelFetch(positions, spot.corners.x - firstVertex_).xyz +
-                      w.y * texelFetch(positions, spot.corners.y - firstVertex_).xyz +
-                      w.z * texelFetch(positions, spot.corners.z - firstVertex_).xyz;
+  precise vec3 mean = w.x * vertexPlace(spot.corners.x - firstVertex_) +
+                      w.y * vertexPlace(spot.corners.y - firstVertex_) +
+                      w.z * vertexPlace(spot.corners.z - firstVertex_);
   precise vec3 p = mean * modelScale_;
   return p;
 }

@@ -4,7 +4,7 @@
 #include "draw/exact/weights.glsl"
 #include "draw/exact/unit_vector.glsl"
 #if defined PALETTE || defined TRIPLANAR
-layout(binding = positionUnit) uniform samplerBuffer positions;
+#include "draw/surface/vertex_texel.glsl"
 #endif
 #ifdef PALETTE
 layout(binding = paletteUnit) uniform samplerBuffer palette;
@@ -60,7 +60,7 @@ vec3 weightsBeside(Spot spot, vec2 aside) {
 
 #ifdef PALETTE
 vec3 paletteOf(int vertex) {
-  return texelFetch(palette, int(texelFetch(positions, vertex - firstVertex_).w)).rgb;
+  return texelFetch(palette, vertexColor(vertex - firstVertex_)).rgb;
 }
 vec3 paletteColor(Spot spot) {
   vec3 w = spot.weight;

@@ -47,9 +47,14 @@ int trianglesToDraw() {
 }
 #endif
 
+uniform ivec2 rowOf;  // triangles for which there are indices, of a grid whose other rows are alike, and its width; 0: of all
+ivec2 rowOf_ = once(rowOf);
+
 ivec3 cornersOf(int triangle) {
-  int i = 3 * triangle;
-  return firstVertex_ + ivec3(texelFetch(indices, i).x, texelFetch(indices, i + 1).x, texelFetch(indices, i + 2).x);
+  ivec2 each = rowOf_;
+  int row = each.x > 0 ? triangle / each.x : 0;
+  int i = 3 * (triangle - row * each.x);
+  return firstVertex_ + row * each.y + ivec3(texelFetch(indices, i).x, texelFetch(indices, i + 1).x, texelFetch(indices, i + 2).x);
 }
 vec3 placeOf(uvec4 vertex) {
   return uintBitsToFloat(vertex.xyz);

@@ -1,7 +1,7 @@
 // Vertices of a sim::Surface in world space, by number, exactly. Variants: GRID, DEFORMED, as in draw/surface/surface.vert.
 #include "draw/bindings.glsl"
 #include "common/exact.glsl"
-layout(binding = positionUnit) uniform samplerBuffer positions;
+#include "draw/surface/vertex_texel.glsl"
 uniform mat4 model;
 #ifdef GRID
 uniform ivec2 grid;
@@ -18,7 +18,7 @@ vec3 turnedByModel(vec3 v) {
 }
 
 vec3 worldPlace(int i) {
-  vec3 p = texelFetch(positions, i).xyz;
+  vec3 p = vertexPlace(i);
 #ifdef DEFORMED
   p = displaced(p);
 #endif

@@ -51,7 +51,7 @@ void MergedMesh::merge(const std::vector<const sim::Surface*>& surfaces) {
   for (const sim::Surface* surface : surfaces) {
     const gl::Program& kernel = program(surface->deform != nullptr, surface->arguments != nullptr);
     const gl::Texture corners = gl::Texture::view("indices", GL_R32UI, *surface->indices, sizeof(GLuint));
-    surface->positions->bind(positionUnit);
+    bindPositions(*surface, kernel);
     if (surface->normals != nullptr) surface->normals->bind(normalUnit);
     bindDeformation(*surface);
     corners.bind(indexUnit);
@@ -62,6 +62,7 @@ void MergedMesh::merge(const std::vector<const sim::Surface*>& surfaces) {
     kernel.set("vertexCount", room);
     kernel.set("firstVertex", firstVertex);
     kernel.set("triangleCount", most);
+    kernel.set("rowOf", rowOf(*surface));
     dispatchRows(kernel, std::max(room, most));
     firstVertex += room;
   }

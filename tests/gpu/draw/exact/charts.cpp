@@ -39,6 +39,7 @@ struct CountStage {
     in.unit = static_cast<float>(layout.unit);
     in.curves = static_cast<int>(chart.names.size());
     for (std::size_t i = 0; i < chart.colors.size(); ++i) in.colors.at(i) = chart.colors[i];
+    in.zero = chart.zero;
     in.end = static_cast<float>(std::max(chart.steps - 1, 0)) /
              static_cast<float>(std::max(chart.width - 1, 1)) * static_cast<float>(wide);
     return in;
@@ -81,6 +82,7 @@ TEST_CASE(
       CAPTURE(all);
       CountStage stage(steps, all, 65536, waves);
       stage.chart.names = {"", "", ""};  // letters: below
+      if (steps == 300) stage.chart.zero = 0.37F;
       const auto below = someBytes(size);
       const auto exact = charted(stage.chart, below, draw::Rasterizer::exact);
       auto wanted = below;
@@ -106,7 +108,8 @@ TEST_CASE("exact charts: with letters, the driver's picture within its rounding"
   for (const glm::ivec2 size :
        {glm::ivec2(641, 363), glm::ivec2(1279, 719), glm::ivec2(1, 1), glm::ivec2(9, 7)})
     for (const int steps : {0, 7, 300}) {
-      const CountStage stage(steps, 600, 65536, waves);
+      CountStage stage(steps, 600, 65536, waves);
+      if (steps == 300) stage.chart.zero = 0.5F;
       const auto below = someBytes(size);
       const Distance apart = distance(charted(stage.chart, below, draw::Rasterizer::exact),
                                       charted(stage.chart, below, draw::Rasterizer::driver));

@@ -1,0 +1,195 @@
+// Floats against floats. Compiles as GLSL and as C++, after water/float_model.glsl and with what that asks for.
+//
+// A body is a sphere, or the signed distances to its surface, and probes spread over that (src/sim/water/float_shape.hpp). What
+// of either's probes lies within the other makes one contact of the two: its place and its normal are the means of all,
+// by depth, its depth the greatest. Those that may come within in the step count, too, so that nothing has to go in
+// first. Both bodies find the same contact to the bit, so what pushes them is equal and opposite.
+//
+//   J = max(0, (out - n.v) / (n.K n)),   K_n = sum of 1 / m + n.((I^-1 (r x n)) x r) of both,   |J_t| <= mu J
+//
+// v of one against the other there: nothing bounces; `out` pushes apart what is deep, slowly, or is what closes a gap in a step.
+
+struct FloatMeet {
+  vec4 place;  // from the first body's middle times weight (m^2), weight: depth and margin (m)
+  vec4 way;    // normal towards the first body times weight (m), depth of the deepest (m)
+};
+
+FUNCTION FloatMeet floatApart() {
+  FloatMeet meet;
+  meet.place = vec4(0.0f);
+  meet.way = vec4(0.0f, 0.0f, 0.0f, -1e9f);
+  return meet;
+}
+
+FUNCTION FloatMeet floatMet(FloatMeet a, FloatMeet b) {
+  precise vec4 place = a.place + b.place;
+  precise vec3 way = vec3(a.way) + vec3(b.way);
+  FloatMeet meet;
+  meet.place = place;
+  meet.way = vec4(way, max(a.way.w, b.way.w));
+  return meet;
+}
+
+// The second body as the first one has it nearest, beyond a side of a torus too.
+FUNCTION FloatBody floatBeside(FloatBody first, FloatBody second) {
+  precise vec3 apart = second.at - first.at;
+  precise float wholeX = 2.0f * floats.halfX;
+  precise float wholeZ = 2.0f * floats.halfZ;
+  precise float lowerX = second.at.x - wholeX;
+  precise float higherX = second.at.x + wholeX;
+  precise float lowerZ = second.at.z - wholeZ;
+  precise float higherZ = second.at.z + wholeZ;
+  FloatBody beside = second;
+  if (floats.west == periodicSide)
+    beside.at.x = apart.x > floats.halfX ? lowerX : apart.x < -floats.halfX ? higherX : second.at.x;
+  if (floats.north == periodicSide)
+    beside.at.z = apart.z > floats.halfZ ? lowerZ : apart.z < -floats.halfZ ? higherZ : second.at.z;
+  return beside;
+}
+
+// How far they may come nearer to each other in a step.
+FUNCTION float floatMargin(FloatBody first, FloatBody second) {
+  precise vec3 speed = first.velocity - second.velocity;
+  precise float margin = floats.dt * exactSqrt(exactDot(speed, speed));
+  return margin;
+}
+
+// Whether the spheres around them meet.
+FUNCTION bool floatNear(FloatBody first, FloatTold a, FloatBody second, FloatTold b) {
+  precise vec3 apart = second.at - first.at;
+  precise float reach = a.mass.z + b.mass.z + floatMargin(first, second);
+  precise float square = reach * reach;
+  return exactDot(apart, apart) < square;
+}
+
+FUNCTION vec4 floatBetween(vec4 a, vec4 b, float part) {
+  precise vec4 mean = a + (b - a) * part;
+  return mean;
+}
+
+FUNCTION vec4 floatNodes(int i, int row, float partX, float partY) {
+  vec4 upper = floatBetween(loadFloatPoint(i), loadFloatPoint(i + 1), partX);
+  vec4 lower = floatBetween(loadFloatPoint(i + row), loadFloatPoint(i + row + 1), partX);
+  return floatBetween(upper, lower, partY);
+}
+
+// Normal and signed distance at a place of a body's own space.
+FUNCTION vec4 floatDistance(FloatTold t, vec3 q) {
+  if (t.meet.w > 0.0f) {
+    float square = exactDot(q, q);
+    float inverse = exactInverseSqrt(max(square, 1e-12f));
+    precise vec3 normal = q * inverse;
+    precise float off = square * inverse - t.meet.w;
+    return vec4(normal, off);
+  }
+  precise vec3 u = (q - vec3(t.field)) * t.field.w;
+  precise vec3 most = vec3(t.nodes) - 1.0f;
+  vec3 held = min(max(u, vec3(0.0f)), most);
+  precise vec3 last = most - 1.0f;
+  vec3 whole = min(floor(held), last);
+  precise vec3 part = held - whole;
+  int across = int(t.nodes.x);
+  int layer = across * int(t.nodes.y);
+  int i = int(t.meet.z) + int(whole.z) * layer + int(whole.y) * across + int(whole.x);
+  vec4 found = floatBetween(floatNodes(i, across, part.x, part.y), floatNodes(i + layer, across, part.x, part.y), part.z);
+  vec3 slope = vec3(found);
+  precise vec3 normal = slope * exactInverseSqrt(max(exactDot(slope, slope), 1e-12f));
+  // Beyond the nodes: from the same place of the surface.
+  precise vec3 beyond = (u - held) * t.nodes.w;
+  precise vec3 from = beyond + found.w * normal;
+  float square = exactDot(from, from);
+  float inverse = exactInverseSqrt(max(square, 1e-12f));
+  precise vec3 farNormal = from * inverse;
+  precise float farOff = square * inverse;
+  return exactDot(beyond, beyond) > 0.0f ? vec4(farNormal, farOff) : vec4(normal, found.w);
+}
+
+// A probe of `owner` against the other: `sign` 1 where the owner is the first body.
+FUNCTION FloatMeet floatProbe(vec4 probe, FloatBody owner, FloatBody other, FloatTold o, vec3 origin, float sign, float margin) {
+  precise vec3 place = owner.at + floatTurned(owner.turn, vec3(probe));
+  precise vec3 across = place - other.at;
+  vec4 seen = floatDistance(o, floatTurnedBack(other.turn, across));
+  vec3 normal = floatTurned(other.turn, vec3(seen));
+  precise float within = probe.w - seen.w;
+  precise float weight = within + margin;
+  float deep = weight > 1e-6f ? weight : 0.0f;
+  precise float back = 0.5f * within - probe.w;
+  precise vec3 contact = (place - origin) + back * normal;
+  precise vec3 places = contact * deep;
+  precise vec3 ways = normal * (sign * deep);
+  FloatMeet meet;
+  meet.place = vec4(places, deep);
+  meet.way = vec4(ways, deep > 0.0f ? within : -1e9f);
+  return meet;
+}
+
+// What one lane of two bodies adds up, in order: the first one's probes, then the second one's.
+FUNCTION FloatMeet floatMeetLane(int lane, FloatBody first, FloatTold a, FloatBody second, FloatTold b) {
+  FloatMeet meet = floatApart();
+  float margin = floatMargin(first, second);
+  for (int i = int(a.meet.x) + lane; i < int(a.meet.y); i += floatLanes)
+    meet = floatMet(meet, floatProbe(loadFloatPoint(i), first, second, b, first.at, 1.0f, margin));
+  for (int i = int(b.meet.x) + lane; i < int(b.meet.y); i += floatLanes)
+    meet = floatMet(meet, floatProbe(loadFloatPoint(i), second, first, a, first.at, -1.0f, margin));
+  return meet;
+}
+
+// Speed (m/s) that an impulse of 1 kg m/s along n, at `arm` from its middle, gives a body there along n.
+FUNCTION float floatGive(FloatBody body, FloatTold t, vec3 arm, vec3 n) {
+  vec3 turned = floatTurning(t, body.turn, exactCross(arm, n));
+  vec3 moved = exactCross(turned, arm);
+  precise float give = t.mass.y + exactDot(moved, n);
+  return give;
+}
+
+FUNCTION vec3 floatSpeedAt(FloatBody body, FloatTold t, vec3 arm) {
+  vec3 turning = floatTurning(t, body.turn, body.spin);
+  precise vec3 speed = body.velocity + exactCross(turning, arm);
+  return speed;
+}
+
+// The force (N) on the first body.
+FUNCTION vec3 floatPushed(FloatMeet meet, FloatBody first, FloatTold a, FloatBody second, FloatTold b) {
+  float perDepth = exactReciprocal(max(meet.place.w, 1e-12f));
+  precise vec3 arm = vec3(meet.place) * perDepth;
+  precise vec3 otherArm = arm + (first.at - second.at);
+  vec3 way = vec3(meet.way);
+  precise vec3 normal = way * exactInverseSqrt(max(exactDot(way, way), 1e-24f));
+  float deep = meet.way.w;
+  precise vec3 speed = floatSpeedAt(first, a, arm) - floatSpeedAt(second, b, otherArm);
+  float into = exactDot(speed, normal);
+  precise float perStep = floats.damp * 2.5f;  // 1 / dt
+  precise float slowly = floatOut * min(deep, floats.deepest);
+  float goes = deep > 0.0f ? slowly : deep;
+  precise float apart = goes * perStep - into;
+  precise float give = floatGive(first, a, arm, normal) + floatGive(second, b, otherArm, normal);
+  precise float push = floatEase * max(apart, 0.0f) * exactReciprocal(max(give, 1e-30f));
+  precise vec3 slide = speed - into * normal;
+  float square = exactDot(slide, slide);
+  float inverse = exactInverseSqrt(max(square, 1e-12f));
+  precise vec3 along = slide * inverse;
+  precise float slip = floatEase * square * inverse;
+  precise float giveAlong = floatGive(first, a, arm, along) + floatGive(second, b, otherArm, along);
+  precise float rough = 0.5f * (a.reach.z + b.reach.z);
+  precise float most = rough * push;
+  precise float stop = slip * exactReciprocal(max(giveAlong, 1e-30f));
+  float held = min(most, stop);
+  precise vec3 force = (push * normal - held * along) * perStep;
+  return meet.place.w > 0.0f ? force : vec3(0.0f);
+}
+
+// A body's sum with what the contact with another does to it.
+FUNCTION FloatSum floatWithPush(FloatSum sum, FloatMeet meet, vec3 force, bool isFirst, FloatBody first, FloatBody second) {
+  float perDepth = exactReciprocal(max(meet.place.w, 1e-12f));
+  precise vec3 arm = vec3(meet.place) * perDepth;
+  precise vec3 otherArm = arm + (first.at - second.at);
+  vec3 lever = isFirst ? arm : otherArm;
+  precise vec3 opposite = -force;
+  vec3 own = isFirst ? force : opposite;
+  precise vec3 push = vec3(sum.push) + own;
+  precise vec3 turn = vec3(sum.turn) + exactCross(lever, own);
+  FloatSum both = sum;
+  both.push = vec4(push, sum.push.w);
+  both.turn = vec4(turn, sum.turn.w);
+  return both;
+}

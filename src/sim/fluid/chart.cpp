@@ -1,0 +1,108 @@
+#include "sim/fluid/chart.hpp"
+
+#include "sim/fluid/parameters.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+
+#include <fmt/format.h>
+
+namespace simreel::sim {
+
+namespace {
+
+constexpr unsigned whole = 1U << 24U;  ///< what floats count to, one by one
+constexpr int firstRoom = 1024;
+const std::vector<const char*> names = {"lift",      "drag",        "kineticEnergy",
+                                        "enstrophy", "temperature", "speed"};
+constexpr glm::vec3 colors[] = {
+    {1, 0.42F, 0.08F}, {0.08F, 0.45F, 1}, {0.2F, 0.8F, 0.25F}, {0.8F, 0.3F, 0.9F}};
+
+const char* nameOf(FluidChartParameters::Quantity quantity) {
+  return names[static_cast<std::size_t>(quantity)];
+}
+
+/// The place of a quantity in FluidParameters::quantities().
+std::size_t placeOf(FluidChartParameters::Quantity quantity) {
+  const auto list = FluidParameters().quantities();
+  const auto is = [&](const scene::Quantity& q) { return std::string_view(q.name) == nameOf(quantity); };
+  return static_cast<std::size_t>(std::find_if(list.begin(), list.end(), is) - list.begin());
+}
+
+}  // namespace
+
+void FluidChartParameters::describe(scene::Fields& f) {
+  f.list(
+      "curves", curves, "What is drawn; the lift alone if nothing is said.",
+      [](scene::Fields& c, Curve& curve) {
+        c.choice("of", curve.of, names, "The quantity, as \"checks\" know it.");
+        c.number("per", curve.per, {1e-12, 1e12}, "",
+                 "What the chart shows as 1: of a coefficient speed^2 * diameter / 2.");
+        glm::vec3 color = curve.color.value_or(glm::vec3(0));
+        c.vector("color", color, scene::fraction, "linear RGB", "Of the curve.");
+        c.leftOut("color", "orange, blue, green, violet");
+        if (c.given("color")) curve.color = color;
+      },
+      4);
+  f.number("low", low, {-1e12, 1e12}, "", "At the chart's foot.");
+  f.number("high", high, {-1e12, 1e12}, "", "At its top, more than \"low\".");
+  if (high <= low) f.error("high", "\"high\" is not above \"low\"");
+  f.number("seconds", seconds, {0, 1e6}, "s", "Length of its time axis, which grows when it is over.");
+}
+
+FluidChart::FluidChart(const std::string& name, const FluidChartParameters& parameters, double frameSeconds)
+    : name_(name + " chart"),
+      parameters_(&parameters),
+      frameSeconds_(frameSeconds),
+      room_(firstRoom),
+      rows_(name_, firstRoom) {}
+
+void FluidChart::add(std::span<const double> measured) {
+  if (done_ == room_) {
+    gl::WordsArray longer(name_, 2 * room_);
+    glCopyNamedBufferSubData(rows_.buffer().name(), longer.buffer().name(), 0, 0,
+                             static_cast<GLsizeiptr>(room_) * 16);
+    rows_ = std::move(longer);
+    room_ *= 2;
+  }
+  const FluidChartParameters& p = *parameters_;
+  glm::uvec4 row(0);
+  for (std::size_t i = 0; i < p.curves.size(); ++i) {
+    const double shown = measured[placeOf(p.curves[i].of)] / p.curves[i].per;
+    const double height = (shown - p.low) / (p.high - p.low);
+    // Not a number is not above 0.
+    row[static_cast<int>(i)] =
+        height > 0 ? static_cast<unsigned>(std::floor(std::min(height, 1.0) * whole + 0.5)) : 0;
+  }
+  rows_.buffer().write(static_cast<std::size_t>(done_++) * 16, std::as_bytes(std::span(&row, 1)));
+}
+
+void FluidChart::carryOver(CarryOver& carry) {
+  const int room = room_;
+  carry.number("charted frames", done_);
+  carry.number("room for charted frames", room_);
+  if (room_ != room) rows_ = gl::WordsArray(name_, room_);
+  carry.array("chart", rows_.buffer());
+}
+
+void FluidChart::publish(Drawables& drawables) const {
+  const FluidChartParameters& p = *parameters_;
+  Chart chart;
+  chart.counts = &rows_.view();
+  chart.steps = done_;
+  chart.width = std::max({done_, static_cast<int>(std::ceil(p.seconds / frameSeconds_ - 1e-6)) + 1, 2});
+  chart.max = whole;
+  chart.corner = {0.025F, 0.67F};
+  chart.extent = {0.42F, 0.3F};
+  chart.zero = static_cast<float>(std::clamp(-p.low / (p.high - p.low), 0.0, 1.0));
+  chart.range = fmt::format("{:g} to {:g}", p.low, p.high);
+  chart.length = fmt::format("{:.4g} s", (chart.width - 1) * frameSeconds_);
+  for (std::size_t i = 0; i < p.curves.size(); ++i) {
+    chart.names.emplace_back(nameOf(p.curves[i].of));
+    chart.colors.push_back(p.curves[i].color.value_or(colors[i]));
+  }
+  drawables.charts.push_back(std::move(chart));
+}
+
+}  // namespace simreel::sim
