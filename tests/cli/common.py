@@ -106,7 +106,7 @@ class Case(unittest.TestCase):
             path.write_text(content if isinstance(content, str) else json.dumps(content, indent=1), encoding="utf-8")
         return path
 
-    def run_program(self, *arguments, env=None, stdout=subprocess.PIPE, timeout=60, **options):
+    def run_program(self, *arguments, env=None, stdout=subprocess.PIPE, timeout=240, **options):
         environment = dict(os.environ, **(env or {}))
         done = subprocess.run([PROGRAM, *map(str, arguments)], cwd=self.folder, env=environment, stdout=stdout,
                               stderr=subprocess.PIPE, stdin=subprocess.DEVNULL, timeout=timeout, check=False,

@@ -1,6 +1,7 @@
 // Skinned bodies: the kernel beside its twin bit for bit, beside a float64 restatement, and what cloth
 // makes of them.
 #include "gpu/context.hpp"
+#include "gpu/sim/words.hpp"
 #include "reference/body_twin.hpp"
 #include "reference/cloth_twin.hpp"
 #include "reference/garment_twin.hpp"
@@ -26,15 +27,6 @@
 using namespace simreel;
 
 namespace {
-
-std::size_t differentWords(const gl::Vec4Array& got, const std::vector<glm::vec4>& expected) {
-  const auto words = got.buffer().readAll<std::uint32_t>();
-  REQUIRE(words.size() == 4 * expected.size());
-  std::size_t different = 0;
-  for (std::size_t i = 0; i < words.size(); ++i)
-    different += words[i] == std::bit_cast<std::uint32_t>(expected[i / 4][static_cast<int>(i % 4)]) ? 0 : 1;
-  return different;
-}
 
 sim::BodyParameters walkerBody() {
   sim::BodyParameters p;
@@ -68,15 +60,15 @@ TEST_CASE("body: skinning equals its CPU twin at any substep, in any order") {
   const auto end = motion.rowsAt(0.35);
   surface.begin(begin, end);
   twin.skin(begin, end, 1);
-  CHECK(differentWords(surface.positions(), twin.positions) == 0);
-  CHECK(differentWords(surface.normals(), twin.normals) == 0);
+  CHECK(wordsUnlike(surface.positions().buffer(), twin.positions) == 0);
+  CHECK(wordsUnlike(surface.normals().buffer(), twin.normals) == 0);
   for (const auto& [substep, substeps] : std::vector<std::pair<int, int>>{
            {0, 7}, {1, 7}, {1, 7}, {2, 7}, {6, 7}, {0, 1}, {3, 5}, {4, 5}, {0, 5}}) {
     surface.moveTo(substep, substeps);
     twin.skin(begin, end, static_cast<double>(substep) / substeps);
-    CHECK(differentWords(surface.before(), twin.positions) == 0);
+    CHECK(wordsUnlike(surface.before().buffer(), twin.positions) == 0);
     twin.skin(begin, end, static_cast<double>(substep + 1) / substeps);
-    CHECK(differentWords(surface.now(), twin.positions) == 0);
+    CHECK(wordsUnlike(surface.now().buffer(), twin.positions) == 0);
     if (substep + 1 == substeps)
       CHECK(surface.now().buffer().readAll<std::uint32_t>() ==
             surface.positions().buffer().readAll<std::uint32_t>());
@@ -159,16 +151,8 @@ TEST_CASE("body: cloth pinned to the nearest places of a skin equals its CPU twi
     const auto rest = twin.positions;
     for (int frame = 0; frame < 35; ++frame) twin.step((frame - 15) / 30.0);
     const std::vector<glm::vec4>* expected[] = {&twin.positions, &twin.velocities};
-    for (std::size_t array = 0; array < 2; ++array) {
-      const auto words = world.object(0).state()[array].buffer->readAll<std::uint32_t>();
-      std::size_t different = 0;
-      for (std::size_t i = 0; i < words.size(); ++i)
-        different +=
-            words[i] == std::bit_cast<std::uint32_t>((*expected[array])[i / 4][static_cast<int>(i % 4)])
-                ? 0
-                : 1;
-      CHECK(different == 0);
-    }
+    for (std::size_t array = 0; array < 2; ++array)
+      CHECK(wordsUnlike(*world.object(0).state()[array].buffer, *expected[array]) == 0);
     // Where the skin is, to the bit that floats have.
     std::vector<glm::dvec3> points;
     std::vector<std::size_t> pins;
@@ -213,12 +197,7 @@ TEST_CASE("body: a cape on a walking body equals its CPU twin, keeps out of it a
       [&](const std::string& body, const std::string& bone) { return bones.named(body, bone); }, -0.5));
   for (int frame = 0; frame < 35; ++frame) twin.step((frame - 15) / 30.0);
   const auto state = world.object(0).state();
-  const auto words = state[0].buffer->readAll<std::uint32_t>();
-  std::size_t different = 0;
-  for (std::size_t i = 0; i < words.size(); ++i)
-    different +=
-        words[i] == std::bit_cast<std::uint32_t>(twin.positions[i / 4][static_cast<int>(i % 4)]) ? 0 : 1;
-  CHECK(different == 0);
+  CHECK(wordsUnlike(*state[0].buffer, twin.positions) == 0);
   // The pinned row keeps its place beside the chest.
   const sim::Carrier chest = bones.named("walker", "chest");
   const glm::dmat4 way = chest(20 / 30.0) * glm::inverse(chest(-0.5));

@@ -1,5 +1,6 @@
 // Cloth and particles that touch shapes, bodies and meshes: beside their CPU twins, word by word.
 #include "gpu/context.hpp"
+#include "gpu/sim/words.hpp"
 #include "reference/cloth_twin.hpp"
 #include "reference/garment_twin.hpp"
 #include "reference/particles_twin.hpp"
@@ -12,7 +13,6 @@
 #include "unit/help.hpp"
 #include "unit/sim/collide_help.hpp"
 
-#include <bit>
 #include <cstdint>
 #include <string>
 
@@ -25,15 +25,6 @@ namespace {
 
 constexpr double collideSeconds = 1.0 / 60.0;
 
-std::size_t unlikeWords(const gl::Buffer& buffer, const std::vector<glm::vec4>& expected) {
-  const auto got = buffer.readAll<std::uint32_t>();
-  REQUIRE(got.size() == expected.size() * 4);
-  std::size_t different = 0;
-  for (std::size_t i = 0; i < got.size(); ++i)
-    different += got[i] == std::bit_cast<std::uint32_t>(expected[i / 4][static_cast<int>(i % 4)]) ? 0 : 1;
-  return different;
-}
-
 /// Steps the first object of a scene and its twin.
 template <class Twin>
 void compareTouching(const scene::Scene& scene, Twin& twin, int frames) {
@@ -42,8 +33,8 @@ void compareTouching(const scene::Scene& scene, Twin& twin, int frames) {
   for (int frame = 1; frame <= frames; ++frame) {
     world.advanceTo(frame);
     twin.step((frame - 1) / 60.0);
-    REQUIRE(unlikeWords(*world.object(0).state()[0].buffer, twin.positions) == 0);
-    REQUIRE(unlikeWords(*world.object(0).state()[1].buffer, twin.velocities) == 0);
+    REQUIRE(wordsUnlike(*world.object(0).state()[0].buffer, twin.positions) == 0);
+    REQUIRE(wordsUnlike(*world.object(0).state()[1].buffer, twin.velocities) == 0);
   }
 }
 

@@ -1,6 +1,7 @@
 // What falls onto a deformed mesh: cloth and particles beside their CPU twins, word by word, and above the
 // surface.
 #include "gpu/context.hpp"
+#include "gpu/sim/words.hpp"
 #include "reference/cloth_twin.hpp"
 #include "reference/garment_twin.hpp"
 #include "reference/particles_twin.hpp"
@@ -9,7 +10,6 @@
 #include "sim/world/world.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cstdint>
 #include <string>
 
@@ -93,15 +93,6 @@ class HeightsTwin {
   sim::DeformCpu cpu_;
 };
 
-std::size_t differing(const gl::Buffer& buffer, const std::vector<glm::vec4>& expected) {
-  const auto got = buffer.readAll<std::uint32_t>();
-  REQUIRE(got.size() == expected.size() * 4);
-  std::size_t different = 0;
-  for (std::size_t i = 0; i < got.size(); ++i)
-    different += got[i] == std::bit_cast<std::uint32_t>(expected[i / 4][static_cast<int>(i % 4)]) ? 0 : 1;
-  return different;
-}
-
 struct Clearance {
   double min = 1e9;  ///< m over the surface, of everything at every frame
   int touching = 0;  ///< within a millimetre of the margin at the last frame
@@ -122,8 +113,8 @@ Clearance fall(const scene::Scene& scene, Twin& twin, int frames, double margin,
     twin.heights = heights.frame(before);
     twin.step(before);
     const auto state = world.object(0).state();
-    REQUIRE(differing(*state[0].buffer, twin.positions) == 0);
-    REQUIRE(differing(*state[1].buffer, twin.velocities) == 0);
+    REQUIRE(wordsUnlike(*state[0].buffer, twin.positions) == 0);
+    REQUIRE(wordsUnlike(*state[1].buffer, twin.velocities) == 0);
     clearance.touching = 0;
     for (const glm::vec4& p : twin.positions) {
       const double over = p.y - heights.heightAt(twin.heights, p);
@@ -205,8 +196,8 @@ TEST_CASE("heights: particles on a swell equal their CPU twin and stay above") {
       world.advanceTo(frame);
       twin.heights = heights.frame(before);
       twin.step(before);
-      REQUIRE(differing(*world.object(0).state()[0].buffer, twin.positions) == 0);
-      REQUIRE(differing(*world.object(0).state()[1].buffer, twin.velocities) == 0);
+      REQUIRE(wordsUnlike(*world.object(0).state()[0].buffer, twin.positions) == 0);
+      REQUIRE(wordsUnlike(*world.object(0).state()[1].buffer, twin.velocities) == 0);
       for (std::size_t i = 0; i < twin.positions.size(); ++i) {
         if (twin.velocities[i].w < 0) continue;
         const double over = twin.positions[i].y - heights.heightAt(twin.heights, twin.positions[i]);

@@ -2,12 +2,12 @@
 
 #include "base/error.hpp"
 #include "gpu/context.hpp"
+#include "gpu/sim/words.hpp"
 #include "reference/particles_twin.hpp"
 #include "sim/core/shader_code.hpp"
 #include "sim/particles/pairs.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cstdint>
 
 #include <doctest/doctest.h>
@@ -29,15 +29,6 @@ std::unique_ptr<sim::Simulation> makeParticles(const sim::ParticleParameters& pa
   return sim::particlesKind().make(object, {fast, 5, particleFrame, &colliders});
 }
 
-std::size_t differentWords(const gl::Buffer& buffer, const std::vector<glm::vec4>& expected) {
-  const auto got = buffer.readAll<std::uint32_t>();
-  REQUIRE(got.size() == expected.size() * 4);
-  std::size_t different = 0;
-  for (std::size_t i = 0; i < got.size(); ++i)
-    different += got[i] == std::bit_cast<std::uint32_t>(expected[i / 4][static_cast<int>(i % 4)]) ? 0 : 1;
-  return different;
-}
-
 /// Steps both sides and compares every word of the state; returns the twin for further checks.
 ParticlesTwin compare(const sim::ParticleParameters& parameters, int frames, double start = 0) {
   const auto gpu = makeParticles(parameters);
@@ -48,8 +39,8 @@ ParticlesTwin compare(const sim::ParticleParameters& parameters, int frames, dou
     twin.step(start + frame * particleFrame);
   }
   const auto state = gpu->state();
-  CHECK(differentWords(*state[0].buffer, twin.positions) == 0);
-  CHECK(differentWords(*state[1].buffer, twin.velocities) == 0);
+  CHECK(wordsUnlike(*state[0].buffer, twin.positions) == 0);
+  CHECK(wordsUnlike(*state[1].buffer, twin.velocities) == 0);
   double travelled = 0;
   for (std::size_t i = 0; i < before.size(); ++i)
     travelled += glm::abs(before[i].x - twin.positions[i].x) + glm::abs(before[i].y - twin.positions[i].y);

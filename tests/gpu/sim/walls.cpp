@@ -3,6 +3,7 @@
 #include "sim/contour/walls.hpp"
 
 #include "gpu/context.hpp"
+#include "gpu/sim/words.hpp"
 #include "reference/cloth_twin.hpp"
 #include "reference/garment_twin.hpp"
 #include "reference/particles_twin.hpp"
@@ -96,15 +97,6 @@ class LivingWalls {
   std::vector<std::uint32_t> words_;
 };
 
-std::size_t differingWords(const gl::Buffer& buffer, const std::vector<glm::vec4>& expected) {
-  const auto got = buffer.readAll<std::uint32_t>();
-  REQUIRE(got.size() == expected.size() * 4);
-  std::size_t different = 0;
-  for (std::size_t i = 0; i < got.size(); ++i)
-    different += got[i] == std::bit_cast<std::uint32_t>(expected[i / 4][static_cast<int>(i % 4)]) ? 0 : 1;
-  return different;
-}
-
 template <class Twin>
 void checkBesideWalls(const scene::Scene& scene, Twin twin, int frames) {
   testContext();
@@ -115,8 +107,8 @@ void checkBesideWalls(const scene::Scene& scene, Twin twin, int frames) {
     twin.walls = walls.twin();
     twin.step((frame - 1) * wallsFrame);
     const auto state = world.object(0).state();
-    REQUIRE(differingWords(*state[0].buffer, twin.positions) == 0);
-    REQUIRE(differingWords(*state[1].buffer, twin.velocities) == 0);
+    REQUIRE(wordsUnlike(*state[0].buffer, twin.positions) == 0);
+    REQUIRE(wordsUnlike(*state[1].buffer, twin.velocities) == 0);
   }
   testContext().check();
 }

@@ -141,11 +141,12 @@ TEST_CASE("garment: generated shapes close, face outwards and have their area") 
     const sim::ClothTriangles cloth("a", mesh, 1, 0);
     CHECK(areaOf(cloth) == doctest::Approx(e.area).epsilon(0.005));
     CHECK(bordersOf(cloth) == e.borders);
+    std::vector<std::size_t> first(cloth.points.size());  // the mesh's first vertex at each point
+    for (std::size_t v = cloth.vertexOf.size(); v-- > 0;) first[cloth.vertexOf[v]] = v;
     for (const auto& face : cloth.faces) {
       const glm::dvec3 a = cloth.points[face.corners[0]];
       const glm::dvec3 n = glm::cross(cloth.points[face.corners[1]] - a, cloth.points[face.corners[2]] - a);
-      const auto first = std::find(cloth.vertexOf.begin(), cloth.vertexOf.end(), face.corners[0]);
-      const glm::dvec3 outwards(mesh.normals[static_cast<std::size_t>(first - cloth.vertexOf.begin())]);
+      const glm::dvec3 outwards(mesh.normals[first[face.corners[0]]]);
       REQUIRE(glm::dot(n, outwards) > 0);
     }
   }
