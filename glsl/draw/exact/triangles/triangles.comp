@@ -1,6 +1,6 @@
 // Small triangles of one surface, an invocation each; the numbers of the others go on a list: those of medium size from its
 // end on (medium.comp), large ones from its beginning (large.comp). SAMPLES, PASS, SUN_MAP, LAMP_MAP, COUNTED, BALLOT. BINS:
-// those that are whole are listed by tiles (bins.glsl) instead of drawn, of lamps' maps those that are not very small.
+// those that are whole are listed by tiles (bins.glsl) instead of drawn, of maps those that are not very small.
 #include "draw/exact/triangles/raster.glsl"
 #include "draw/exact/triangles/fill_box.glsl"
 #ifdef BINS
@@ -14,8 +14,8 @@ uniform int draw_;         // number of the surface among those drawn
 uniform int draws;
 uniform int mediumPixels;  // the longest side of a box of medium size; none is where that is less than smallPixels
 #include "draw/exact/list_place.glsl"
-#if defined BINS && defined LAMP_MAP
-// Maps have one sample a pixel, where a few atomics are less work than a tile's samples.
+#if defined BINS && (defined LAMP_MAP || defined SUN_MAP)
+// Maps have one sample a pixel and no numbers, so a few atomics are less work than a tile's samples.
 const int smallerBy = 4;
 #else
 const int smallerBy = 1;
@@ -41,7 +41,7 @@ void main() {
   t.low = t.high = ivec2(0);
   if (whole) t = drawnTriangle(cornerOfVertex(a), cornerOfVertex(b), cornerOfVertex(c));
   if (t.empty) return;
-#if defined BINS && !defined LAMP_MAP
+#if defined BINS && !defined LAMP_MAP && !defined SUN_MAP
   int extent = 0;
   bool small = false;
   if (whole) small = bin(t, firstId + uint(number));
@@ -49,7 +49,7 @@ void main() {
   int extent = drawnAs(t);
   bool small = whole && extent <= smallPixels * subpixels / smallerBy;
 #endif
-#if defined BINS && defined LAMP_MAP
+#if defined BINS && (defined LAMP_MAP || defined SUN_MAP)
   if (whole && !small && bin(t, firstId + uint(number))) return;
 #endif
   if (!small) {
@@ -61,7 +61,7 @@ void main() {
 #endif
     return;
   }
-#if !defined BINS || defined LAMP_MAP
+#if !defined BINS || defined LAMP_MAP || defined SUN_MAP
   fillBox(t, firstId + uint(number));
 #endif
 }
