@@ -63,7 +63,8 @@ GravityTree::GravityTree(const std::string& name, int capacity, bool fast)
   leaves_ = with("LEAVES", "particles/tree/build.comp");
   parents_ = gl::Program::compute("particles/tree/build.comp", defines);
   const bool texels = gl::memoryPath() == gl::MemoryPath::texel;
-  walk_ = gl::Program::compute(texels ? "particles/tree/walk.comp" : "particles/tree/walk_list.comp", defines);
+  walk_ =
+      gl::Program::compute(texels ? "particles/tree/walk.comp" : "particles/tree/walk_list.comp", defines);
 }
 
 /// Before anything is filled: a set far beyond the limit would first take gigabytes.
@@ -146,9 +147,9 @@ void GravityTree::build(const gl::Vec4Array& positions, int count, float opening
   }
 }
 
-// An invocation carries 8 bodies through texels (walk.comp); through storage blocks 64 of them share a list of what
-// pulls them (walk_list.comp). On a software driver every tree has a dispatch of its own, so that none exceeds the
-// iterations a shader may take there.
+// An invocation carries 8 bodies through texels (walk.comp); through storage blocks 64 of them share a list
+// of what pulls them (walk_list.comp). On a software driver every tree has a dispatch of its own, so that
+// none exceeds the iterations a shader may take there.
 //
 // Cost at opening 0.6 of 131,072 bodies in a Plummer sphere, counted by the twin: a group of 64 visits 4142
 // nodes, takes 1700 of them as multipoles (66 operations a body) and opens 373 leaves (8 x 33 operations a
@@ -173,7 +174,8 @@ void GravityTree::walk(const gl::Vec4Array& accelerations, int count, float grav
     walk_.set("lastRoot", root + step);
     walk_.set("finish", root + step == roots ? 1 : 0);
     gl::barrier();
-    walk_.dispatch(texels ? ceilDivide(count, 8) : ceilDivide(count, shader::groupBodies) * shader::groupBodies);
+    walk_.dispatch(texels ? ceilDivide(count, 8)
+                          : ceilDivide(count, shader::groupBodies) * shader::groupBodies);
   }
   gl::barrier();
 }
