@@ -32,6 +32,12 @@ std::size_t placeOf(FluidChartParameters::Quantity quantity) {
 
 }  // namespace
 
+bool FluidChartParameters::showsForces() const {
+  return std::any_of(curves.begin(), curves.end(), [](const Curve& curve) {
+    return curve.of == Quantity::lift || curve.of == Quantity::drag;
+  });
+}
+
 void FluidChartParameters::describe(scene::Fields& f) {
   f.list(
       "curves", curves, "What is drawn; the lift alone if nothing is said.",

@@ -27,6 +27,8 @@ struct FluidChartParameters {
 
   FluidChartParameters() : curves(1) {}
   void describe(scene::Fields& fields);
+  /// Whether a curve is of what pushes obstacles.
+  [[nodiscard]] bool showsForces() const;
 };
 
 /// One value a frame of each curve, as counts of a drawable: 0 at `low`, 2^24 at `high`.

@@ -182,6 +182,9 @@ void FluidParameters::describe(scene::Fields& f) {
       f.error(name, fmt::format("\"{}\" is for \"show\": \"lines\"", name));
   f.optionalGroup("chart", hasChart, "Curves over the picture: quantities, a value each frame.",
                   [&](scene::Fields& c) { chart.describe(c); });
+  if (hasChart && chart.showsForces() && obstacles.empty())
+    f.error("chart",
+            "lift and drag are of \"obstacles\", and there are none; give some, or another \"of\"");
   f.group("display", "How it is laid over the picture.", [&](scene::Fields& d) {
     if (show == Show::speed) display.high = speed;
     if (show == Show::lines) display.high = 0.6 * speed;

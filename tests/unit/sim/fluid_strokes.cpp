@@ -1,4 +1,4 @@
-// Brushes of fluids that move and change by keyframes.
+// Brushes of fluids that move and change by keyframes, and what is refused of a fluid.
 #include "base/error.hpp"
 #include "sim/fluid/plan.hpp"
 #include "sim/grid/strokes.hpp"
@@ -16,15 +16,18 @@ scene::Animated<T> ramp(double from, T a, double to, T b) {
   return scene::Animated<T>({{from, a}, {to, b}}, scene::Ease::linear);
 }
 
-std::string refusedStroke(const std::string& stroke) {
+std::string refusedFluid(const std::string& fluid) {
   try {
-    static_cast<void>(
-        scene::parseScene(R"({"version": 1, "objects": {"it": {"fluid": {"strokes": [)" + stroke + "]}}}}",
-                          "test.json", {}, sim::kinds()));
+    static_cast<void>(scene::parseScene(R"({"version": 1, "objects": {"it": {"fluid": {)" + fluid + "}}}}",
+                                        "test.json", {}, sim::kinds()));
   } catch (const UserError& error) {
     return error.what();
   }
   return "none";
+}
+
+std::string refusedStroke(const std::string& stroke) {
+  return refusedFluid(R"("strokes": [)" + stroke + "]");
 }
 
 }  // namespace
@@ -79,4 +82,12 @@ TEST_CASE("keyed strokes: what goes with no path is said") {
   const std::string path = R"("path": {"keys": [[0, [5, 5, 0]], [2, [25, 5, 0]]]})";
   test::checkHas(refusedStroke(R"({"from": [1, 1, 0], )" + path + "}"), "leave out \"from\"");
   test::checkHas(refusedStroke(R"({"shape": "line", )" + path + "}"), "only a circle has a path");
+}
+
+TEST_CASE("a fluid's chart: of forces without obstacles, and upside down, is said") {
+  test::checkHas(refusedFluid(R"("chart": {})"), "lift and drag are of \"obstacles\"");
+  CHECK(refusedFluid(R"("chart": {}, "obstacles": [{"radius": 9}])") == "none");
+  CHECK(refusedFluid(R"("chart": {"curves": [{"of": "speed"}]})") == "none");
+  test::checkHas(refusedFluid(R"("chart": {"low": 2, "high": 1}, "obstacles": [{"radius": 9}])"),
+                 "is not above");
 }
