@@ -227,11 +227,18 @@ FUNCTION REAL softenedSquare(REAL dx, REAL dy, REAL dz, float softening2) {
   return sum;
 }
 
+FUNCTION Pull pullOf(REAL x, REAL y, REAL z) {
+  Pull p;
+  p.x = x;
+  p.y = y;
+  p.z = z;
+  return p;
+}
 FUNCTION Pull plusPull(Pull sum, Pull more) {
   precise REAL x = sum.x + more.x;
   precise REAL y = sum.y + more.y;
   precise REAL z = sum.z + more.z;
-  return Pull(x, y, z);
+  return pullOf(x, y, z);
 }
 
 // m d / R^3 with R^2 = |d|^2 + eps^2, d towards the body.
@@ -241,7 +248,7 @@ FUNCTION Pull bodyPull(REAL dx, REAL dy, REAL dz, REAL mass, float softening2) {
   precise REAL x = dx * k;
   precise REAL y = dy * k;
   precise REAL z = dz * k;
-  return Pull(x, y, z);
+  return pullOf(x, y, z);
 }
 FUNCTION Pull plusBody(Pull sum, REAL x, REAL y, REAL z, vec4 body, float softening2) {
   precise REAL dx = body.x - x;
@@ -264,13 +271,21 @@ FUNCTION Pull nodePull(REAL dx, REAL dy, REAL dz, Moments a, float softening2) {
   precise REAL x = (dx * scale - wx) * k;
   precise REAL y = (dy * scale - wy) * k;
   precise REAL z = (dz * scale - wz) * k;
-  return Pull(x, y, z);
+  return pullOf(x, y, z);
 }
 FUNCTION Pull plusNode(Pull sum, REAL x, REAL y, REAL z, vec3 center, vec4 m0, vec4 m1, float softening2) {
   precise REAL dx = center.x - x;
   precise REAL dy = center.y - y;
   precise REAL dz = center.z - z;
-  Moments a = Moments(REAL(m0.x), REAL(m0.y), REAL(m0.z), REAL(m0.w), REAL(m1.x), REAL(m1.y), REAL(m1.z), REAL(m1.w));
+  Moments a;
+  a.mass = REAL(m0.x);
+  a.xx = REAL(m0.y);
+  a.xy = REAL(m0.z);
+  a.xz = REAL(m0.w);
+  a.yy = REAL(m1.x);
+  a.yz = REAL(m1.y);
+  a.zz = REAL(m1.z);
+  a.halfTrace = REAL(m1.w);
   return plusPull(sum, nodePull(dx, dy, dz, a, softening2));
 }
 
