@@ -87,12 +87,18 @@ FUNCTION int floatOwned(int body, ivec2 within) {
   return y * size.x + x;
 }
 
-// A cell's texel when its bodies displace sums.x units of depth instead of sums.w, and have pulled by sums.y and z.
+// A cell's texel when its bodies displace sums.x units of depth instead of sums.w, and have pulled by sums.y and z. Where a
+// body leaves little water behind, at a shore, its discharge would be that of a jet: half the Courant number that steps may
+// take is the most.
 FUNCTION vec4 floatPressed(vec4 texel, ivec4 sums) {
   precise float change = float(sums.x - sums.w) * floats.depthUnit;
   precise float level = texel.x + change;
   precise float qx = texel.y + float(sums.y) * floats.flowUnit;
   precise float qy = texel.z + float(sums.z) * floats.flowUnit;
+  precise float depth = max(level, texel.w) - texel.w;
+  precise float held = 0.25f * depth * floats.most;
+  qx = clamp(qx, -held, held);
+  qy = clamp(qy, -held, held);
   return vec4(sums.x == sums.w ? texel.x : max(waterFlush(level), texel.w), waterFlush(qx), waterFlush(qy), texel.w);
 }
 

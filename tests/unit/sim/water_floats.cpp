@@ -246,3 +246,25 @@ TEST_CASE("water floats: bodies lie on the ground, keep apart, and follow a tow"
   // z points along x: a quarter turn about y.
   CHECK(std::abs(towed.floats[1].y) == doctest::Approx(0.7071).epsilon(0.03));
 }
+
+TEST_CASE(
+    "water floats: a box that stands on an island's slope does not make jets of what is left below it") {
+  auto box = boxOf({1, 0.4F, 2}, 500);
+  box.position = {-0.4F, 0, 0};
+  auto p = poolWith(box, 61, 0.07F);
+  p.bed = -1;
+  p.hills.resize(1);
+  p.hills[0].center = {-0.9F, 0, 0.1F};
+  p.hills[0].radii = {1.4F, 0, 1.2F};
+  p.hills[0].height = 1.15F;
+  WaterTwin twin = twinOf(p);
+  double fastest = 0;
+  for (int i = 0; i < 30; ++i) {
+    twin.step(i * floatFrame);
+    fastest = std::max(fastest, floatOf(twin, "courant"));
+  }
+  CHECK(std::all_of(twin.cells.begin(), twin.cells.end(), [](const glm::vec4& cell) {
+    return std::isfinite(cell.x) && std::isfinite(cell.y) && std::isfinite(cell.z);
+  }));
+  CHECK(fastest < 0.5);
+}
