@@ -32,6 +32,9 @@ class Mutant:
     def place(self):
         return f"glsl/{self.file}:{self.number}"
 
+    def name(self):
+        return self.file, self.number, self.at, self.new
+
     def words(self):
         return f"{self.before.strip()}   ->   {self.after.strip()}"
 
@@ -112,6 +115,12 @@ def mutants_of(file, seed, every=False):
                 others = others if every else [rng.choice(others)]
                 found += [(lot, Mutant(file, number, line, match.start(), word, other)) for other in others]
     return found
+
+
+def all_files():
+    """Those that have places."""
+    names = sorted(str(file.relative_to(GLSL)) for file in (GLSL / "draw").rglob("*") if file.is_file())
+    return [file for file in names if not NOT_MUTATED.search(file)]
 
 
 def drawn_lots(files, seed, every=False):
