@@ -211,9 +211,6 @@ EQUIVALENT = {
     ("draw/exact/triangles/medium.comp",
      "for (uint entry = gl_WorkGroupID.x * teams + me / teamSize; entry < count; entry += gl_NumWorkGroups.x + teams) {"):
         "some are drawn twice, which shows nothing; a group alone has no more than it begins with",
-    ("draw/exact/shadows/face_lists.comp",
-     "precise vec3 y = along[(axis + 1) % 3] * scale, z = along[(axis + 0) % 3] * scale;"):
-        "more are listed, of which a face shows nothing: the scale is below 1",
     ("draw/exact/surface/surface_seen.glsl",
      "return (weight.x >= 0.0f ? 1 : 0) | (weight.y > 0.0f ? 2 : 0) | (weight.z > 0.0f ? 4 : 0);"):
         "a side of no weight is read and counts nothing",
@@ -231,4 +228,6 @@ EQUIVALENT = {
     ("draw/exact/triangles/triangle.glsl",
      "edge.bias = edge.step_.y > 0 || (edge.step_.y == 0 && edge.step_.x <= 0) ? 0 : -1;"):
         "only of an edge without length, whose triangle is empty",
+    ("draw/exact/triangles/bins.glsl", "int end = t.high.x < 0 && t.high.y < 0 ? -1 : last.y;"):
+        "a tile at the picture's side has it listed, of which it covers no sample",
 }
