@@ -23,8 +23,25 @@ def pasted(text):
     return found, places, "\n".join(for_cpp)
 
 
+def unused_macros(source):
+    """Those that nothing names but macros that are unused, too: what they say is not compiled."""
+    named, bodies = set(), {}
+    for line in re.sub(r"\\\n|//.*", " ", source).split("\n"):
+        if match := re.match(r"\s*#\s*define\s+(\w+)(.*)", line):
+            bodies.setdefault(match[1], set()).update(re.findall(r"\w+", match[2]))
+        else:
+            named.update(re.findall(r"\w+", line))
+    left = list(named)
+    while left:
+        words = bodies.get(left.pop(), set()) - named
+        named |= words
+        left += words
+    return set(bodies) - named
+
+
 def kept(source):
-    """Lines of the source that conditions leave, of macros the first ones."""
+    """Lines of the source that conditions leave, of macros that are used the first ones."""
+    unused = unused_macros(source)
     done = subprocess.run(["cpp", "-undef", "-nostdinc", "-w", "-dD", "-x", "c", "-std=gnu99", "-"], input=source, text=True,
                           capture_output=True, check=True)
     found, line, ours = set(), 0, False
@@ -32,7 +49,8 @@ def kept(source):
         if match := re.match(r'# (\d+) "([^"]*)"', words):
             line, ours = int(match[1]), match[2] == "<stdin>"
             continue
-        if ours and words.strip():
+        macro = re.match(r"\s*#\s*define\s+(\w+)", words)
+        if ours and words.strip() and not (macro and macro[1] in unused):
             found.add(line)
         line += 1
     return found

@@ -13,8 +13,6 @@ EQUIVALENT = {
         "of a column all rows are negative, or none is",
     ("draw/overlay/chart_shading.glsl", "vec4 square = vec4(1.01e+12f), below = vec4(-1e6f);"):
         "further than anything on a picture is",
-    ("draw/overlay/field_values.glsl", "return lost ? (word == 0x7f800000u ? 1e18f : -1.01e+18f) : value;"):
-        "below every range, either way",
     ("draw/exact/instances/ball.glsl", "precise float beyond = exactDot(aside, aside) + rr * (aa - af * af);"):
         "a wider box, of which every sample is looked at by ray",
     ("draw/exact/instances/ball.glsl",
@@ -230,4 +228,13 @@ EQUIVALENT = {
         "only of an edge without length, whose triangle is empty",
     ("draw/exact/triangles/bins.glsl", "int end = t.high.x < 0 && t.high.y < 0 ? -1 : last.y;"):
         "a tile at the picture's side has it listed, of which it covers no sample",
+    ("draw/exact/triangles/crossing.glsl",
+     "int first = (int(floor(low)) + edge.from.x - subpixels) >> 12, last = (int(floor(high)) + edge.from.x + subpixels) >> 11;"):
+        "a wider span, of which every tile is tested: the box bounds it",
+    ("draw/exact/triangles/fill_box.glsl",
+     "if (abs(doubled) <= thick && around <= 24821.76f && length_ <= 2048.0f) longest = min(longest, smallPixels * subpixels);"):
+        "either way of drawing gives the same, as a test says: E is below 2^31 up to 32768",
+    ("draw/exact/tiles/tiles.comp",
+     "bool within = above.x > offAbove.x || above.y > offAbove.y && below.x > offBelow.x && below.y > offBelow.y;"):
+        "more tiles look for a shadow of the sun, of which there is none where its map does not reach",
 }

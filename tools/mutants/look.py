@@ -204,7 +204,7 @@ def confirmed(mutant, by, test, scenes):
 
 
 def outcome(mutant, scenes, with_tests):
-    """"caught", "survived", "not compiled" or "not reached"; by what; and a test's name."""
+    """"caught", "survived", "equivalent", "not compiled" or "not reached"; by what; and a test's name."""
     names = scenes.of(mutant)
     if not names:
         return "not reached", "", ""
@@ -220,8 +220,6 @@ def outcome(mutant, scenes, with_tests):
             small = small or words and f"{scene} {words}, not its baseline"
             if count + 1 != min(FIRST_SCENES, len(names)):
                 continue
-            if mutant.changes_nothing():
-                return "equivalent", "", small
             if with_tests and scenes.reads(mutant, folder) and (test := test_that_fails(folder, glsl, EXACT_TESTS)):
                 return "caught", "test_gpu", test
         if not scenes.reads(mutant, folder):
@@ -231,4 +229,4 @@ def outcome(mutant, scenes, with_tests):
         for scene in scenes.reading(mutant.file) if with_tests else []:
             if scenes.baseline_differs(scene, glsl):
                 return "caught", f"{scene} (test)", ""
-    return "survived", "", small
+    return ("equivalent" if mutant.changes_nothing() else "survived"), "", small
