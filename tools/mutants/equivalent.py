@@ -54,8 +54,6 @@ EQUIVALENT = {
         "an empty box has no pixel either way, also as a large one's",
     ("draw/exact/instances/ball_shadows.comp", "int tiles = across * ((box.w + box.y) / tileSide + 1);"):
         "more tiles, whose texels beyond the box are left out",
-    ("draw/exact/triangles/triangles.comp", "if (!whole || extent >= smallPixels * subpixels) {"):
-        "either way of drawing gives the same, as a test says",
     ("draw/sky.glsl", "ROUNDED float glow = max(dotted(direction, vec3(frame.sunDirection)), 0.01f);"):
         "to the power of 16, 1e-32 at most",
     ("draw/exact/triangles/clip.glsl",
