@@ -1,7 +1,9 @@
 #!/usr/bin/env python3
 """tools/mutate: what of a source is compiled, and which mutants are known to change nothing."""
+import pathlib
 import shutil
 import sys
+import tempfile
 import unittest
 
 from common import SOURCE, main
@@ -33,6 +35,20 @@ class Compiled(unittest.TestCase):
     @unittest.skipIf(shutil.which("cpp") is None, "there is no cpp")
     def test_kept_lines(self):
         self.assertEqual({1, 3, 7, 11}, compiled.kept(SOURCE_TEXT))
+
+
+class Reported(unittest.TestCase):
+    def test_those_of_a_report_are_those_drawn_each_once(self):
+        drawn = changes.drawn_lots(["draw/half.glsl", "draw/ordered_key.glsl"], 17)
+        lines = [f"survived                          {mutant.place()}  {mutant.words()}" for mutant in drawn]
+        lines[0] = f"caught       test_gpu             {drawn[0].place()}  {drawn[0].words()}\n{'':13}a test"
+        with tempfile.TemporaryDirectory() as folder:
+            report = pathlib.Path(folder) / "report.txt"
+            report.write_text("\n".join([*lines, "", *lines[1:]]), encoding="utf-8")
+            found = changes.reported(report)
+        self.assertEqual([mutant.name() for mutant in drawn], [mutant.name() for mutant in found])
+        self.assertEqual([mutant.after for mutant in drawn], [mutant.after for mutant in found])
+        self.assertEqual([("caught", "test_gpu", "a test")] + [("survived", "", "")] * (len(drawn) - 1), list(found.values()))
 
 
 class Equivalent(unittest.TestCase):
