@@ -235,4 +235,9 @@ EQUIVALENT = {
     ("draw/exact/tiles/tiles.comp",
      "bool within = above.x > offAbove.x || above.y > offAbove.y && below.x > offBelow.x && below.y > offBelow.y;"):
         "more tiles look for a shadow of the sun, of which there is none where its map does not reach",
+    ("draw/exact/screen/bloom_up.comp", "if (at.x >= size.x || at.y > size.y) return;"):
+        "what is stored beyond an image is dropped",
+    ("draw/overlay/chart_shading.glsl",
+     "if (zero > 0.0f && p.x > 0.0f && p.x <= plotSize.x) sum = covered(sum, vec3(1.0f), zeroAlpha);"):
+        "the plot's sides are whole, middles of pixels are not",
 }
