@@ -3,6 +3,7 @@
 #include "base/error.hpp"
 #include "draw/exact/bindings.hpp"
 #include "draw/exact/exact_view.hpp"
+#include "draw/exact/joined_surfaces.hpp"
 #include "draw/exact/parts.hpp"
 #include "draw/exact/reserve.hpp"
 #include "gl/context.hpp"
@@ -139,7 +140,7 @@ gl::Defines TriangleRaster::intoDefines() const {
 const gl::Program& TriangleRaster::program(const Variant& variant) {
   const auto found = programs_.find(variant);
   if (found != programs_.end()) return found->second;
-  const auto& [path, pass, counted, clips, layout, bins] = variant;
+  const auto& [path, pass, counted, clips, layout, bins, joined] = variant;
   gl::Defines defines = {{"SAMPLES", std::to_string(samples_)}, {"PASS", std::to_string(pass)}};
   for (const auto& define : definesOf(layout)) defines.push_back(define);
   if (path == trianglesPath)
@@ -147,13 +148,14 @@ const gl::Program& TriangleRaster::program(const Variant& variant) {
   if (counted) defines.emplace_back("COUNTED", "1");
   if (clips) defines.emplace_back("CLIPS", "1");
   if (bins) defines.emplace_back("BINS", "1");
+  if (joined) defines.emplace_back("JOINED", "1");
   for (const auto& define : intoDefines()) defines.push_back(define);
   return programs_.emplace(variant, gl::Program::compute(path, defines)).first->second;
 }
 
 void TriangleRaster::makeVertices(const Visibility& into) {
   vertices_.bindStorage(outVertexBinding);
-  for (const Drawn& drawn : drawn_) {
+  for (const Drawn& drawn : asked_) {
     const sim::Surface& surface = *drawn.surface;
     const gl::Program& program = vertexProgram(surface);
     program.set("model", surface.model);
@@ -193,7 +195,7 @@ void TriangleRaster::bind(const Drawn& drawn, const gl::Program& program) const 
 void TriangleRaster::clipLarge(const Visibility& into) {
   if (into_ == Into::sunMap || fanRoom_ == 0) return;
   gl::barrier();
-  groups_.fill(counters_, {.counts = static_cast<int>(drawn_.size()), .each = groupTriangles}, clipGroups_);
+  groups_.fill(counters_, {.counts = static_cast<int>(asked_.size()), .each = groupTriangles}, clipGroups_);
   gl::barrier();
   glMemoryBarrier(GL_COMMAND_BARRIER_BIT);
   fans_.bindStorage(fanBinding);
@@ -210,19 +212,21 @@ void TriangleRaster::run(const char* path, int pass, const Visibility& into, boo
   if (into_ != Into::sunMap) fanView_.bind(fanUnit);
   const bool small = path == trianglesPath;
   const gl::Buffer& groups = small ? surfaceGroups_ : path == clipPath ? clipGroups_ : largeGroups_;
-  for (std::size_t i = 0; i < drawn_.size(); ++i) {
-    const Drawn& drawn = drawn_[i];
+  if (joined_ != nullptr) joined_->bind();
+  for (std::size_t i = 0; i < asked_.size(); ++i) {
+    const Drawn& drawn = asked_[i];
     if (clips && drawn.fans == drawn.maxTriangles) continue;
     const MapPart& part = drawn.face.part;
     const bool counted = into_ == Into::lampMap || drawn.surface->arguments != nullptr;
     const bool doubleSided = into_ == Into::lampMap || drawn.surface->doubleSided;
     const bool bins = binned_ && path != mediumPath;
-    const gl::Program& kernel = program({path, pass, counted, clips, into.layout(), bins});
+    const gl::Program& kernel =
+        program({path, pass, counted, clips, into.layout(), bins, joined_ != nullptr});
     bind(drawn, kernel);
     if (bins) bins_.bind(kernel, drawn.list);
     kernel.set("doubleSided", static_cast<int>(doubleSided));
     kernel.set("draw_", static_cast<int>(i));
-    kernel.set("draws", static_cast<int>(drawn_.size()));
+    kernel.set("draws", static_cast<int>(asked_.size()));
     kernel.set("smallPixels", smallPixels_);
     kernel.set("mediumPixels", mediumPixels_);
     kernel.set("mapTexels", into.size().x);
@@ -245,14 +249,14 @@ void TriangleRaster::run(const char* path, int pass, const Visibility& into, boo
 
 void TriangleRaster::prepareLarge(glm::ivec2 size) {
   const unsigned parts = partsFor(size, samples_);
-  const int draws = static_cast<int>(drawn_.size());
+  const int draws = static_cast<int>(asked_.size());
   GroupCounts::Order order{.firstCount = binned_ && into_ != Into::sunMap ? draws : 0,
                            .counts = draws,
                            .parts = parts,
                            .fewerParts = gl::softwareDriver() ? leastParts(size, samples_) : parts};
   if (into_ != Into::sunMap && fanRoom_ > 0) {
     // Of each list those that have a fan, and the others apart.
-    const auto room = static_cast<unsigned>(fanRoom_ / static_cast<int>(drawn_.size()));
+    const auto room = static_cast<unsigned>(fanRoom_ / static_cast<int>(asked_.size()));
     order.most = room;
     GroupCounts::Order others = order;
     others.most = ~0U;
@@ -271,12 +275,12 @@ void TriangleRaster::runLists(int pass, const Visibility& into) {
 
 void TriangleRaster::fillGroups() {
   if (into_ == Into::lampMap) {
-    groups_.fill(*lists_.counts, {.counts = static_cast<int>(drawn_.size()), .each = groupTriangles},
+    groups_.fill(*lists_.counts, {.counts = static_cast<int>(asked_.size()), .each = groupTriangles},
                  surfaceGroups_);
     return;
   }
-  for (std::size_t i = 0; i < drawn_.size(); ++i) {
-    const sim::Surface& surface = *drawn_[i].surface;
+  for (std::size_t i = 0; i < asked_.size(); ++i) {
+    const sim::Surface& surface = *asked_[i].surface;
     if (surface.arguments == nullptr) continue;
     groups_.fill(*surface.arguments, {.first = static_cast<int>(i), .each = 3 * groupTriangles},
                  surfaceGroups_);
@@ -286,24 +290,45 @@ void TriangleRaster::fillGroups() {
 void TriangleRaster::drawBinned(const Visibility& into) {
   if (into_ != Into::lampMap) return bins_.draw(into);
   bins_.draw(into, [&](int face, const gl::Program& program) {
-    const MapFace& map = drawn_[static_cast<std::size_t>(face)].face;
+    const MapFace& map = asked_[static_cast<std::size_t>(face)].face;
     map.views->bindUniform(viewBinding, map.view, viewBytes);
     map.part.set(program);
   });
 }
 
 void TriangleRaster::draw(const Visibility& into, const MapPart& part) {
+  asked_ = drawn_;
+  joined_ = nullptr;
+  drawAsked(into, part);
+}
+
+void TriangleRaster::drawJoined(const Visibility& into, const JoinedSurfaces& joined) {
+  const sim::Surface& surface = joined.surface();
+  whole_.surface = &surface;
+  whole_.maxTriangles = maxTrianglesOf(surface);
+  if (whole_.indices)
+    whole_.indices.show(*surface.indices, sizeof(GLuint));
+  else
+    whole_.indices = gl::Texture::view("joined indices", GL_R32UI, *surface.indices, sizeof(GLuint));
+  whole_.fans = std::min(whole_.maxTriangles, fanRoom_);
+  reserveLists(drawn_.size(), whole_.maxTriangles, whole_.fans);
+  asked_ = {&whole_, 1};
+  joined_ = &joined;
+  drawAsked(into, {});
+}
+
+void TriangleRaster::drawAsked(const Visibility& into, const MapPart& part) {
   constexpr GLuint zero = 0;
-  if (drawn_.empty()) return;
+  if (asked_.empty()) return;
   glClearNamedBufferData(counters_.name(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, &zero);
   glm::ivec2 largest(0);
   if (into_ != Into::lampMap) {
-    for (Drawn& drawn : drawn_) drawn.face.part = part;
+    for (Drawn& drawn : asked_) drawn.face.part = part;
     makeVertices(into);
   }
-  for (const Drawn& drawn : drawn_) largest = glm::max(largest, sizeOf(into, drawn.face.part));
-  const Drawn& last = drawn_.back();
-  const int faces = into_ == Into::lampMap ? static_cast<int>(drawn_.size()) : 0;
+  for (const Drawn& drawn : asked_) largest = glm::max(largest, sizeOf(into, drawn.face.part));
+  const Drawn& last = asked_.back();
+  const int faces = into_ == Into::lampMap ? static_cast<int>(asked_.size()) : 0;
   const int triangles = faces > 0 ? last.maxTriangles : last.firstIndex / 3 + last.maxTriangles;
   binned_ = binRoom_ > 0 && (into_ == Into::sunMap || fanRoom_ > 0) && mediumPixels_ <= smallPixels_ &&
             into.layout() == SampleLayout::apart && TriangleBins::holds(triangles, faces);

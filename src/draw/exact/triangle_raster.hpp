@@ -6,12 +6,15 @@
 
 #include <cstdint>
 #include <map>
+#include <span>
 #include <string>
 #include <tuple>
 #include <utility>
 #include <vector>
 
 namespace simreel::draw {
+
+class JoinedSurfaces;
 
 /// Vertices that a surface has room for, and triangles.
 [[nodiscard]] int verticesOf(const sim::Surface& surface);
@@ -67,16 +70,22 @@ class TriangleRaster {
   /// Draws them into what is cleared. The uniform blocks, and for the sun's map the light's place, are
   /// bound; into lamps' maps, it binds the faces' views.
   void draw(const Visibility& into, const MapPart& part = {});
+  /// The same surfaces, joined, in one go.
+  void drawJoined(const Visibility& into, const JoinedSurfaces& joined);
   [[nodiscard]] const std::vector<Drawn>& drawn() const { return drawn_; }
   /// Binds vertices and indices of one of drawn() and says where they are.
   void bind(const Drawn& drawn, const gl::Program& program) const;
+  /// The same of joined surfaces, which were drawn last.
+  void bindWhole(const gl::Program& program) const { bind(whole_, program); }
 
  private:
   const gl::Program& vertexProgram(const sim::Surface& surface);
   /// What suits a program: its file, the pass, whether a surface says itself how many triangles it has,
-  /// whether those are drawn that are not clipped yet, how samples lie, and whether small ones are binned.
-  using Variant = std::tuple<std::string, int, bool, bool, SampleLayout, bool>;
+  /// whether those are drawn that are not clipped yet, how samples lie, whether small ones are binned, and
+  /// whether surfaces are joined.
+  using Variant = std::tuple<std::string, int, bool, bool, SampleLayout, bool, bool>;
   const gl::Program& program(const Variant& variant);
+  void drawAsked(const Visibility& into, const MapPart& part);
   void makeVertices(const Visibility& into);
   void clipLarge(const Visibility& into);
   void prepareLarge(glm::ivec2 size);
@@ -100,6 +109,9 @@ class TriangleRaster {
   TriangleBins bins_;
   TriangleLists lists_;  ///< that lamps' maps show
   std::vector<Drawn> drawn_;
+  std::span<Drawn> asked_;                  ///< all of those, or what they are joined to,
+  Drawn whole_;                             ///< which is that,
+  const JoinedSurfaces* joined_ = nullptr;  ///< of these
   gl::Buffer vertices_, large_, counters_, largeGroups_, surfaceGroups_, fans_, clipGroups_,
       roomlessGroups_;
   gl::Buffer left_;  ///< of large ones, what is not binned

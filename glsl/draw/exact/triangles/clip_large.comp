@@ -43,6 +43,7 @@ void main() {
   ivec3 corners = cornersOf(number);
   uvec4 a = vertexOf(corners.x), b = vertexOf(corners.y), c = vertexOf(corners.z);
 #ifdef BINS
+  seeSides(number);
   if (binFan(placeOf(a), placeOf(b), placeOf(c), firstId + uint(number))) return;
   entry = int(atomicAdd(leftCounts[draws + draw_], 1u));
   left[firstIndex / 3 + entry] = uint(number);

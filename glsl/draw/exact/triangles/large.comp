@@ -16,6 +16,7 @@ const int draws = 0;
 void drawLarge(int entry) {
   int number = int(texelFetch(large, firstIndex / 3 + entry).x);
   uint id = firstId + uint(number);
+  seeSides(number);
 #if defined SUN_MAP || defined CLIPS
   ivec3 corners = cornersOf(number);
   uvec4 a = vertexOf(corners.x), b = vertexOf(corners.y), c = vertexOf(corners.z);

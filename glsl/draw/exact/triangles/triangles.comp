@@ -27,6 +27,7 @@ void main() {
 #ifdef LAMP_MAP
   number = triangleAt(number);
 #endif
+  seeSides(number);
   ivec3 corners = cornersOf(number);
   uvec4 a = vertexOf(corners.x), b = vertexOf(corners.y), c = vertexOf(corners.z);
   if (a.w == lostVertex || b.w == lostVertex || c.w == lostVertex) return;
