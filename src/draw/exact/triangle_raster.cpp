@@ -89,8 +89,16 @@ void TriangleRaster::number(const std::vector<const sim::Surface*>& surfaces) {
   reserveLists(surfaces.size(), triangles, fans);
 }
 
+void TriangleRaster::number(const TriangleLists& lists, const std::vector<MapFace>& faces,
+                            const gl::Buffer& views, int first) {
+  number(lists, faces);
+  faceViews_ = &views;
+  firstView_ = first;
+}
+
 void TriangleRaster::number(const TriangleLists& lists, const std::vector<MapFace>& faces) {
   lists_ = lists;
+  faceViews_ = nullptr;
   drawn_.resize(faces.size());
   const int fans = std::min(lists.room, fanRoom_ / std::max(static_cast<int>(faces.size()), 1));
   for (std::size_t i = 0; i < faces.size(); ++i) {
@@ -149,6 +157,8 @@ const gl::Program& TriangleRaster::program(const Variant& variant) {
   if (clips) defines.emplace_back("CLIPS", "1");
   if (bins) defines.emplace_back("BINS", "1");
   if (joined) defines.emplace_back("JOINED", "1");
+  if (faceViews_ != nullptr)
+    defines.emplace_back("FACES", path == largePath ? "gl_WorkGroupID.y" : "gl_WorkGroupID.z");
   for (const auto& define : intoDefines()) defines.push_back(define);
   return programs_.emplace(variant, gl::Program::compute(path, defines)).first->second;
 }
@@ -195,9 +205,12 @@ void TriangleRaster::bind(const Drawn& drawn, const gl::Program& program) const 
 void TriangleRaster::clipLarge(const Visibility& into) {
   if (into_ == Into::sunMap || fanRoom_ == 0) return;
   gl::barrier();
-  groups_.fill(counters_, {.counts = static_cast<int>(asked_.size()), .each = groupTriangles}, clipGroups_);
-  gl::barrier();
-  glMemoryBarrier(GL_COMMAND_BARRIER_BIT);
+  if (faceViews_ == nullptr) {
+    groups_.fill(counters_, {.counts = static_cast<int>(asked_.size()), .each = groupTriangles},
+                 clipGroups_);
+    gl::barrier();
+    glMemoryBarrier(GL_COMMAND_BARRIER_BIT);
+  }
   fans_.bindStorage(fanBinding);
   run(clipPath, 0, into);
 }
@@ -213,6 +226,7 @@ void TriangleRaster::run(const char* path, int pass, const Visibility& into, boo
   const bool small = path == trianglesPath;
   const gl::Buffer& groups = small ? surfaceGroups_ : path == clipPath ? clipGroups_ : largeGroups_;
   if (joined_ != nullptr) joined_->bind();
+  if (faceViews_ != nullptr) return runFaces(path, pass, into, clips);
   for (std::size_t i = 0; i < asked_.size(); ++i) {
     const Drawn& drawn = asked_[i];
     if (clips && drawn.fans == drawn.maxTriangles) continue;
@@ -247,6 +261,34 @@ void TriangleRaster::run(const char* path, int pass, const Visibility& into, boo
   }
 }
 
+void TriangleRaster::runFaces(const char* path, int pass, const Visibility& into, bool clips) {
+  constexpr int groups = 8192;  // a card's processors hold some thousands at a time
+  const Drawn& first = asked_.front();
+  if (clips && first.fans == first.maxTriangles) return;
+  const gl::Program& kernel = program({path, pass, true, clips, into.layout(), false, false});
+  bind(first, kernel);
+  faceViews_->bindUniform(viewBinding, 0, faceViews_->bytes());
+  kernel.set("firstView", firstView_);
+  kernel.set("doubleSided", 1);
+  kernel.set("draws", static_cast<int>(asked_.size()));
+  kernel.set("smallPixels", smallPixels_);
+  kernel.set("mediumPixels", mediumPixels_);
+  kernel.set("mapTexels", into.size().x);
+  first.face.part.set(kernel);
+  kernel.use();
+  const auto faces = static_cast<GLuint>(asked_.size());
+  const GLuint each = std::max(groups / faces, 1U);
+  glm::ivec2 largest(0);
+  for (const Drawn& drawn : asked_) largest = glm::max(largest, sizeOf(into, drawn.face.part));
+  if (path == largePath) {
+    const unsigned parts = partsFor(largest, samples_);
+    glDispatchCompute(std::max(each / parts, 1U), faces, parts);
+  } else {
+    const auto needed = static_cast<GLuint>(first.maxTriangles) / groupTriangles + 1;
+    glDispatchCompute(std::min(each, needed), 1, faces);
+  }
+}
+
 void TriangleRaster::prepareLarge(glm::ivec2 size) {
   const unsigned parts = partsFor(size, samples_);
   const int draws = static_cast<int>(asked_.size());
@@ -274,6 +316,7 @@ void TriangleRaster::runLists(int pass, const Visibility& into) {
 }
 
 void TriangleRaster::fillGroups() {
+  if (faceViews_ != nullptr) return;
   if (into_ == Into::lampMap) {
     groups_.fill(*lists_.counts, {.counts = static_cast<int>(asked_.size()), .each = groupTriangles},
                  surfaceGroups_);
@@ -331,7 +374,8 @@ void TriangleRaster::drawAsked(const Visibility& into, const MapPart& part) {
   const int faces = into_ == Into::lampMap ? static_cast<int>(asked_.size()) : 0;
   const int triangles = faces > 0 ? last.maxTriangles : last.firstIndex / 3 + last.maxTriangles;
   binned_ = binRoom_ > 0 && (into_ == Into::sunMap || fanRoom_ > 0) && mediumPixels_ <= smallPixels_ &&
-            into.layout() == SampleLayout::apart && TriangleBins::holds(triangles, faces);
+            faceViews_ == nullptr && into.layout() == SampleLayout::apart &&
+            TriangleBins::holds(triangles, faces);
   if (binned_ && into_ != Into::sunMap)
     reserve(left_, leftView_, "large triangles left", large_.bytes(), GL_R32UI, sizeof(GLuint));
   if (binned_) bins_.begin(largest, triangles, binRoom_, faces);

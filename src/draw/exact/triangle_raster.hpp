@@ -67,6 +67,10 @@ class TriangleRaster {
   void number(const std::vector<const sim::Surface*>& surfaces);
   /// For lamps' maps instead: face i shows the triangles of list i. All of it holds until they are drawn.
   void number(const TriangleLists& lists, const std::vector<MapFace>& faces);
+  /// The same, of which `views` holds those of all maps one behind the other, face 0's number `first`: they
+  /// are drawn all in one go, as cards have it best.
+  void number(const TriangleLists& lists, const std::vector<MapFace>& faces, const gl::Buffer& views,
+              int first);
   /// Draws them into what is cleared. The uniform blocks, and for the sun's map the light's place, are
   /// bound; into lamps' maps, it binds the faces' views.
   void draw(const Visibility& into, const MapPart& part = {});
@@ -90,6 +94,7 @@ class TriangleRaster {
   void clipLarge(const Visibility& into);
   void prepareLarge(glm::ivec2 size);
   void reserveLists(std::size_t draws, std::int64_t triangles, int fans);
+  void runFaces(const char* path, int pass, const Visibility& into, bool clips);
   void fillGroups();
   void drawBinned(const Visibility& into);
   [[nodiscard]] gl::Defines intoDefines() const;
@@ -107,7 +112,9 @@ class TriangleRaster {
   std::map<Variant, gl::Program> programs_;
   GroupCounts groups_;
   TriangleBins bins_;
-  TriangleLists lists_;  ///< that lamps' maps show
+  TriangleLists lists_;                    ///< that lamps' maps show
+  const gl::Buffer* faceViews_ = nullptr;  ///< of all those maps, where they are drawn in one go
+  int firstView_ = 0;
   std::vector<Drawn> drawn_;
   std::span<Drawn> asked_;                  ///< all of those, or what they are joined to,
   Drawn whole_;                             ///< which is that,

@@ -5,7 +5,11 @@
 layout(local_size_x = 64) in;
 layout(binding = largeUnit) uniform usamplerBuffer large;
 layout(binding = counterUnit) uniform usamplerBuffer counters;
+#ifdef FACES
+int draw_ = face_;
+#else
 uniform int draw_;
+#endif
 uniform int draws;
 
 void main() {
