@@ -71,6 +71,10 @@ int smallBall() {
   return gl::softwareDriver() ? 16 : 6;
 }
 
+int smallGlow() {
+  return gl::softwareDriver() ? 12 : 5;
+}
+
 int mediumBall() {
   return gl::softwareDriver() ? 0 : 32;
 }
