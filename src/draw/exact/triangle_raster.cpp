@@ -262,7 +262,10 @@ void TriangleRaster::run(const char* path, int pass, const Visibility& into, boo
 }
 
 void TriangleRaster::runFaces(const char* path, int pass, const Visibility& into, bool clips) {
-  constexpr int groups = 8192;  // a card's processors hold some thousands at a time
+  // A card's processors hold some thousands at a time; faces differ much in what they show, and many groups
+  // find nothing.
+  constexpr unsigned groups = 24576;
+  constexpr unsigned fewParts = 16;  // of a large triangle: most are small among those
   const Drawn& first = asked_.front();
   if (clips && first.fans == first.maxTriangles) return;
   const gl::Program& kernel = program({path, pass, true, clips, into.layout(), false, false});
@@ -281,7 +284,7 @@ void TriangleRaster::runFaces(const char* path, int pass, const Visibility& into
   glm::ivec2 largest(0);
   for (const Drawn& drawn : asked_) largest = glm::max(largest, sizeOf(into, drawn.face.part));
   if (path == largePath) {
-    const unsigned parts = partsFor(largest, samples_);
+    const unsigned parts = std::max(fewParts, leastParts(largest, samples_));
     glDispatchCompute(std::max(each / parts, 1U), faces, parts);
   } else {
     const auto needed = static_cast<GLuint>(first.maxTriangles) / groupTriangles + 1;
