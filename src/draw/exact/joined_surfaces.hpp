@@ -13,8 +13,8 @@
 
 namespace simreel::draw {
 
-/// Whether surfaces are joined on this device, or as SIMREEL_JOIN_SURFACES says, "yes" or "no". Throws
-/// UserError(usage) for another word.
+/// Whether surfaces are joined on this device, and all maps of lamps drawn in one go, or as
+/// SIMREEL_JOIN_SURFACES says, "yes" or "no". Throws UserError(usage) for another word.
 [[nodiscard]] bool joinsSurfaces();
 
 /// All surfaces of a picture as one in world space, their triangles in the order that their numbers have:

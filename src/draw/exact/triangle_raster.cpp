@@ -35,16 +35,6 @@ constexpr std::size_t viewBytes = sizeof(shader::ExactView);
 
 }  // namespace
 
-int verticesOf(const sim::Surface& surface) {
-  return std::max(surface.vertexCount, surface.vertexRoom);
-}
-
-int maxTrianglesOf(const sim::Surface& surface) {
-  const std::size_t indices = surface.arguments == nullptr ? static_cast<std::size_t>(surface.indexCount)
-                                                           : surface.indices->bytes() / sizeof(GLuint);
-  return static_cast<int>(indices / 3);
-}
-
 TriangleRaster::TriangleRaster(Into into, int samples, int smallPixels, int fanRoom, int mediumPixels,
                                int binRoom)
     : into_(into),
@@ -215,6 +205,14 @@ void TriangleRaster::clipLarge(const Visibility& into) {
   run(clipPath, 0, into);
 }
 
+void TriangleRaster::tell(const gl::Program& kernel, const Visibility& into, const MapPart& part) const {
+  kernel.set("draws", static_cast<int>(asked_.size()));
+  kernel.set("smallPixels", smallPixels_);
+  kernel.set("mediumPixels", mediumPixels_);
+  kernel.set("mapTexels", into.size().x);
+  part.set(kernel);
+}
+
 void TriangleRaster::run(const char* path, int pass, const Visibility& into, bool clips) {
   into.bind();
   const bool ofLeft = binned_ && into_ != Into::sunMap;
@@ -240,11 +238,7 @@ void TriangleRaster::run(const char* path, int pass, const Visibility& into, boo
     if (bins) bins_.bind(kernel, drawn.list);
     kernel.set("doubleSided", static_cast<int>(doubleSided));
     kernel.set("draw_", static_cast<int>(i));
-    kernel.set("draws", static_cast<int>(asked_.size()));
-    kernel.set("smallPixels", smallPixels_);
-    kernel.set("mediumPixels", mediumPixels_);
-    kernel.set("mapTexels", into.size().x);
-    part.set(kernel);
+    tell(kernel, into, part);
     if (small && !counted) {
       dispatchRows(kernel, drawn.maxTriangles);
       continue;
@@ -273,11 +267,7 @@ void TriangleRaster::runFaces(const char* path, int pass, const Visibility& into
   faceViews_->bindUniform(viewBinding, 0, faceViews_->bytes());
   kernel.set("firstView", firstView_);
   kernel.set("doubleSided", 1);
-  kernel.set("draws", static_cast<int>(asked_.size()));
-  kernel.set("smallPixels", smallPixels_);
-  kernel.set("mediumPixels", mediumPixels_);
-  kernel.set("mapTexels", into.size().x);
-  first.face.part.set(kernel);
+  tell(kernel, into, first.face.part);
   kernel.use();
   const auto faces = static_cast<GLuint>(asked_.size());
   const GLuint each = std::max(groups / faces, 1U);

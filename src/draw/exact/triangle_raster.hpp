@@ -4,6 +4,8 @@
 #include "draw/exact/visibility.hpp"
 #include "sim/core/drawable.hpp"
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <span>
@@ -17,8 +19,14 @@ namespace simreel::draw {
 class JoinedSurfaces;
 
 /// Vertices that a surface has room for, and triangles.
-[[nodiscard]] int verticesOf(const sim::Surface& surface);
-[[nodiscard]] int maxTrianglesOf(const sim::Surface& surface);
+[[nodiscard]] inline int verticesOf(const sim::Surface& surface) {
+  return std::max(surface.vertexCount, surface.vertexRoom);
+}
+[[nodiscard]] inline int maxTrianglesOf(const sim::Surface& surface) {
+  const std::size_t indices = surface.arguments == nullptr ? static_cast<std::size_t>(surface.indexCount)
+                                                           : surface.indices->bytes() / sizeof(GLuint);
+  return static_cast<int>(indices / 3);
+}
 
 /// Lists of a mesh's triangles on the GPU, one behind the other.
 struct TriangleLists {
@@ -94,6 +102,7 @@ class TriangleRaster {
   void clipLarge(const Visibility& into);
   void prepareLarge(glm::ivec2 size);
   void reserveLists(std::size_t draws, std::int64_t triangles, int fans);
+  void tell(const gl::Program& kernel, const Visibility& into, const MapPart& part) const;
   void runFaces(const char* path, int pass, const Visibility& into, bool clips);
   void fillGroups();
   void drawBinned(const Visibility& into);

@@ -1,11 +1,11 @@
 #pragma once
 #include "draw/exact/instances/exact_instances.hpp"
+#include "draw/exact/joined_surfaces.hpp"
 #include "draw/exact/scene/face_lists.hpp"
 #include "draw/exact/scene/merged_mesh.hpp"
 #include "draw/exact/triangle_raster.hpp"
 #include "draw/lights/lamps.hpp"
 #include "gl/buffer.hpp"
-#include "gl/context.hpp"
 
 #include <optional>
 #include <vector>
@@ -19,7 +19,7 @@ class LampMaps {
   /// `sparing`: faces go through those triangles only that they may show; else, where no surface says
   /// itself how many it has, through all. `together`: all maps in one go, as cards have it best; else one
   /// by one. The maps are the same.
-  explicit LampMaps(const Lamps& lamps, bool sparing = true, bool together = !gl::softwareDriver());
+  explicit LampMaps(const Lamps& lamps, bool sparing = true, bool together = joinsSurfaces());
   [[nodiscard]] bool on() const { return count_ > 0; }
   /// Draws all of them for the lamps as they were updated last; the view's block is bound to others
   /// afterwards.

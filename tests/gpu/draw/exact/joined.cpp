@@ -4,10 +4,17 @@
 #include "gpu/draw/exact/stage.hpp"
 #include "gpu/draw/instance_stage.hpp"
 #include "gpu/draw/lamp_stage.hpp"
+#include "scene/scene.hpp"
+#include "sim/world/list.hpp"
+#include "sim/world/world.hpp"
 #include "source_folder.hpp"
 
 #include <algorithm>
 #include <deque>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
 
 #include <doctest/doctest.h>
 #include <glm/gtc/matrix_transform.hpp>
@@ -149,4 +156,28 @@ TEST_CASE("exact: few surfaces stay apart, and those that the GPU counts") {
   CHECK_FALSE(joined.join(surfaces));
   const JoiningAsked refused("maybe");
   CHECK_THROWS_AS(joined.join(surfaces), UserError);
+}
+
+TEST_CASE("scenery says that it stands still, each mesh by a number of its own; what deforms does not") {
+  testContext();
+  const scene::Scene scene = scene::parseScene(
+      R"({"version": 1, "sun": {"shadow": false}, "objects": {
+          "a": {"sphere": {}}, "b": {"capsule": {"position": {"keys": [[0, [0, 0, 0]], [1, [1, 0, 0]]]}}},
+          "c": {"mesh": {"resolution": [5, 4]}}, "d": {"cloth": {"size": [9, 7]}},
+          "e": {"mesh": {"resolution": [5, 4], "deform": [{"ripple": {}}], "technique": "compute"}},
+          "f": {"mesh": {"resolution": [5, 4], "deform": [{"ripple": {}}], "technique": "vertex-shader"}}}})",
+      "test.json", {}, sim::kinds());
+  sim::World world(scene);
+  std::map<std::string, unsigned> numbers;
+  for (int frame = 0; frame < 3; ++frame) {
+    world.advanceTo(frame);
+    for (const sim::Surface& surface : world.drawables().surfaces) {
+      const auto [found, isNew] = numbers.emplace(objectName(surface), surface.still);
+      CHECK(found->second == surface.still);
+    }
+  }
+  CHECK(numbers.size() == 6);
+  const std::set<unsigned> still = {numbers["a"], numbers["b"], numbers["c"], 0U};
+  CHECK(still.size() == 4);
+  for (const char* moving : {"d", "e", "f"}) CHECK(numbers[moving] == 0);
 }
