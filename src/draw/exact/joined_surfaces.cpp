@@ -61,18 +61,15 @@ const gl::Program& JoinedSurfaces::program(bool grid, bool deformed) {
 }
 
 void JoinedSurfaces::makeRoom(std::size_t vertices, std::size_t triangles, std::size_t surfaces) {
-  const GLuint before = places_.name();
-  const GLuint ownersBefore = owners_.name();
-  reserve(places_, placeView_, "joined places", vertices * sizeof(glm::vec4), GL_RGBA32F,
-          sizeof(glm::vec4));
-  reserve(normals_, normalView_, "joined normals", vertices * sizeof(glm::vec4), GL_RGBA32F,
-          sizeof(glm::vec4));
-  reserve(indices_, "joined indices", 3 * triangles * sizeof(GLuint));
-  reserve(owners_, ownerView_, "surfaces of triangles", triangles * sizeof(GLuint), GL_R32UI,
-          sizeof(GLuint));
-  reserve(lookBuffer_, lookView_, "what surfaces are made of", 2 * surfaces * sizeof(glm::vec4), GL_RGBA32F,
-          sizeof(glm::vec4));
-  if (before != places_.name() || ownersBefore != owners_.name()) parts_.clear();
+  constexpr std::size_t texel = sizeof(glm::vec4);
+  bool lost = reserve(places_, placeView_, "joined places", vertices * texel, GL_RGBA32F, texel);
+  lost |= reserve(normals_, normalView_, "joined normals", vertices * texel, GL_RGBA32F, texel);
+  lost |= reserve(indices_, "joined indices", 3 * triangles * sizeof(GLuint));
+  lost |= reserve(owners_, ownerView_, "surfaces of triangles", triangles * sizeof(GLuint), GL_R32UI,
+                  sizeof(GLuint));
+  if (lost) parts_.clear();
+  if (reserve(lookBuffer_, lookView_, "what surfaces are made of", 2 * surfaces * texel, GL_RGBA32F, texel))
+    looks_.clear();
 }
 
 void JoinedSurfaces::put(const sim::Surface& surface, const Part& part, int number) {

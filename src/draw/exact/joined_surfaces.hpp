@@ -24,7 +24,7 @@ class JoinedSurfaces {
  public:
   /// Few surfaces, and those whose triangles the GPU counts, stay apart: false.
   bool join(const std::vector<sim::Surface>& surfaces);
-  /// As join() has made it. It casts shadows if all of them do.
+  /// As join() has made it. It casts shadows if they do, all or none.
   [[nodiscard]] const sim::Surface& surface() const { return surface_; }
   /// Makes readable by shaders whose each triangle is and which sides it shows, and what surfaces are made
   /// of.

@@ -12,7 +12,6 @@
 #include <algorithm>
 #include <cstdint>
 #include <string>
-#include <tuple>
 #include <utility>
 
 namespace simreel::draw {
@@ -138,19 +137,18 @@ gl::Defines TriangleRaster::intoDefines() const {
 const gl::Program& TriangleRaster::program(const Variant& variant) {
   const auto found = programs_.find(variant);
   if (found != programs_.end()) return found->second;
-  const auto& [path, pass, counted, clips, layout, bins, joined] = variant;
-  gl::Defines defines = {{"SAMPLES", std::to_string(samples_)}, {"PASS", std::to_string(pass)}};
-  for (const auto& define : definesOf(layout)) defines.push_back(define);
-  if (path == trianglesPath)
+  gl::Defines defines = {{"SAMPLES", std::to_string(samples_)}, {"PASS", std::to_string(variant.pass)}};
+  for (const auto& define : definesOf(variant.layout)) defines.push_back(define);
+  if (variant.path == trianglesPath)
     for (const auto& define : laneDefines()) defines.push_back(define);
-  if (counted) defines.emplace_back("COUNTED", "1");
-  if (clips) defines.emplace_back("CLIPS", "1");
-  if (bins) defines.emplace_back("BINS", "1");
-  if (joined) defines.emplace_back("JOINED", "1");
-  if (faceViews_ != nullptr)
-    defines.emplace_back("FACES", path == largePath ? "gl_WorkGroupID.y" : "gl_WorkGroupID.z");
+  if (variant.counted) defines.emplace_back("COUNTED", "1");
+  if (variant.clips) defines.emplace_back("CLIPS", "1");
+  if (variant.bins) defines.emplace_back("BINS", "1");
+  if (variant.joined) defines.emplace_back("JOINED", "1");
+  if (variant.faces)
+    defines.emplace_back("FACES", variant.path == largePath ? "gl_WorkGroupID.y" : "gl_WorkGroupID.z");
   for (const auto& define : intoDefines()) defines.push_back(define);
-  return programs_.emplace(variant, gl::Program::compute(path, defines)).first->second;
+  return programs_.emplace(variant, gl::Program::compute(variant.path, defines)).first->second;
 }
 
 void TriangleRaster::makeVertices(const Visibility& into) {
@@ -232,8 +230,13 @@ void TriangleRaster::run(const char* path, int pass, const Visibility& into, boo
     const bool counted = into_ == Into::lampMap || drawn.surface->arguments != nullptr;
     const bool doubleSided = into_ == Into::lampMap || drawn.surface->doubleSided;
     const bool bins = binned_ && path != mediumPath;
-    const gl::Program& kernel =
-        program({path, pass, counted, clips, into.layout(), bins, joined_ != nullptr});
+    const gl::Program& kernel = program({.path = path,
+                                         .pass = pass,
+                                         .layout = into.layout(),
+                                         .counted = counted,
+                                         .clips = clips,
+                                         .bins = bins,
+                                         .joined = joined_ != nullptr});
     bind(drawn, kernel);
     if (bins) bins_.bind(kernel, drawn.list);
     kernel.set("doubleSided", static_cast<int>(doubleSided));
@@ -262,7 +265,12 @@ void TriangleRaster::runFaces(const char* path, int pass, const Visibility& into
   constexpr unsigned fewParts = 16;  // of a large triangle: most are small among those
   const Drawn& first = asked_.front();
   if (clips && first.fans == first.maxTriangles) return;
-  const gl::Program& kernel = program({path, pass, true, clips, into.layout(), false, false});
+  const gl::Program& kernel = program({.path = path,
+                                       .pass = pass,
+                                       .layout = into.layout(),
+                                       .counted = true,
+                                       .clips = clips,
+                                       .faces = true});
   bind(first, kernel);
   faceViews_->bindUniform(viewBinding, 0, faceViews_->bytes());
   kernel.set("firstView", firstView_);
@@ -347,7 +355,7 @@ void TriangleRaster::drawJoined(const Visibility& into, const JoinedSurfaces& jo
   else
     whole_.indices = gl::Texture::view("joined indices", GL_R32UI, *surface.indices, sizeof(GLuint));
   whole_.fans = std::min(whole_.maxTriangles, fanRoom_);
-  reserveLists(drawn_.size(), whole_.maxTriangles, whole_.fans);
+  reserveLists(1, whole_.maxTriangles, whole_.fans);
   asked_ = {&whole_, 1};
   joined_ = &joined;
   drawAsked(into, {});

@@ -5,12 +5,12 @@
 #include "sim/core/drawable.hpp"
 
 #include <algorithm>
+#include <compare>
 #include <cstddef>
 #include <cstdint>
 #include <map>
 #include <span>
 #include <string>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -92,10 +92,18 @@ class TriangleRaster {
 
  private:
   const gl::Program& vertexProgram(const sim::Surface& surface);
-  /// What suits a program: its file, the pass, whether a surface says itself how many triangles it has,
-  /// whether those are drawn that are not clipped yet, how samples lie, whether small ones are binned, and
-  /// whether surfaces are joined.
-  using Variant = std::tuple<std::string, int, bool, bool, SampleLayout, bool, bool>;
+  /// What suits a program.
+  struct Variant {
+    std::string path;
+    int pass = 0;
+    SampleLayout layout = SampleLayout::apart;
+    bool counted = false;  ///< a surface says itself how many triangles it has
+    bool clips = false;    ///< those are drawn that are not clipped yet
+    bool bins = false;     ///< small ones are binned
+    bool joined = false;   ///< surfaces are
+    bool faces = false;    ///< of lamps' maps, all in one go
+    auto operator<=>(const Variant&) const = default;
+  };
   const gl::Program& program(const Variant& variant);
   void drawAsked(const Visibility& into, const MapPart& part);
   void makeVertices(const Visibility& into);

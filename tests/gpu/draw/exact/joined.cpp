@@ -90,7 +90,7 @@ struct Made {
   bool operator==(const Made&) const = default;
 };
 
-/// What a renderer leaves of each of some pictures between which surfaces move.
+/// What a renderer leaves of each of some pictures between which surfaces move, go and come.
 std::vector<Made> madeOf(HeapStage& stage, const char* joins) {
   const JoiningAsked asked(joins);
   draw::Renderer renderer(stage.scene, {93, 71}, 4,
@@ -98,11 +98,12 @@ std::vector<Made> madeOf(HeapStage& stage, const char* joins) {
   draw::PassPicture kept;
   renderer.keepPasses(&kept);
   std::vector<Made> made;
-  for (int frame = 0; frame < 4; ++frame) {
+  for (int frame = 0; frame < 5; ++frame) {
     sim::Drawables drawables = stage.drawables;
-    if (frame > 0) drawables.surfaces[2].model = glm::rotate(glm::mat4(1), 0.4F, glm::vec3(0.6F, 0.8F, 0));
-    if (frame == 2) drawables.surfaces.erase(drawables.surfaces.begin());
-    if (frame == 3) std::swap(drawables.surfaces[3], drawables.surfaces[6]);
+    if (frame == 0) drawables.surfaces.resize(4);  // so that the room for what is joined grows
+    if (frame > 1) drawables.surfaces[2].model = glm::rotate(glm::mat4(1), 0.4F, glm::vec3(0.6F, 0.8F, 0));
+    if (frame == 3) drawables.surfaces.erase(drawables.surfaces.begin());
+    if (frame == 4) std::swap(drawables.surfaces[3], drawables.surfaces[6]);
     renderer.draw(0, drawables);
     testContext().check();
     Made& one = made.emplace_back();
@@ -132,7 +133,8 @@ TEST_CASE("exact: joined surfaces have the pictures of those that are drawn one 
     }
     CHECK_FALSE(apart[0] == apart[1]);
     CHECK_FALSE(apart[1] == apart[2]);
-    CHECK_FALSE(apart[1] == apart[3]);
+    CHECK_FALSE(apart[2] == apart[3]);
+    CHECK_FALSE(apart[2] == apart[4]);
   }
 }
 
