@@ -102,6 +102,7 @@ class TriangleRaster {
     bool bins = false;     ///< small ones are binned
     bool joined = false;   ///< surfaces are
     bool faces = false;    ///< of lamps' maps, all in one go
+    // NOLINTNEXTLINE(modernize-use-nullptr): none is written
     auto operator<=>(const Variant&) const = default;
   };
   const gl::Program& program(const Variant& variant);
