@@ -2,7 +2,7 @@
 // Level k bounds a prism: where the field reaches it, from the bottom to the height of class k; level 0 all of the block,
 // whose edge is that of the samples. Compiles as GLSL and as C++. Whoever includes it provides `wallGrid` (WallGrid),
 // loadWallClass(int, int) of a sample, loadWallValue(int, int) of a cell of the field, and before it wall_types.glsl,
-// contour/model.glsl and common/exact.glsl.
+// contour/model.glsl and common/exact.glsl. BRANCHES: cards leave out the squares without a wall, software drivers would not.
 
 struct WallMotion {
   vec3 position;
@@ -108,7 +108,23 @@ FUNCTION float wallLevel(int region) {
   return wallGrid.levels[max(region, 1) - 1];  // of region 0 none is asked for
 }
 
+#ifdef BRANCHES
+FUNCTION bool isEven(WallSquare s, int region) {
+  bool a = s.a.class_ >= region;
+  return a == (s.b.class_ >= region) && a == (s.c.class_ >= region) && a == (s.d.class_ >= region);
+}
+
+FUNCTION bool isSaddle(WallSquare s, int region) {
+  bool a = s.a.class_ >= region;
+  bool b = s.b.class_ >= region;
+  return a == (s.c.class_ >= region) && b == (s.d.class_ >= region) && a != b;
+}
+#endif
+
 FUNCTION bool isWithin(WallSquare s, vec2 at, int region) {
+#ifdef BRANCHES
+  if (isEven(s, region)) return s.a.class_ >= region;
+#endif
   float level = wallLevel(region);
   bool low = isBelow(wallChord(s, region, level, false), at) || isBelow(wallChord(s, region, level, true), at);
   bool even = (s.a.class_ >= region) == (s.b.class_ >= region) && (s.b.class_ >= region) == (s.c.class_ >= region) &&
@@ -183,8 +199,17 @@ FUNCTION WallNear nearestWall(vec2 place, int region, int rows) {
       s.b = wallSample(x + i + 1, y);
       s.c = wallSample(x + i + 1, y + 1);
       precise vec2 at = place - vec2(float(x + i), float(y));
+#ifdef BRANCHES
+      if (isEven(s, region)) {  // no wall: most are, and cards skip what is left
+        if (i == half_ && j == half_) n.within = s.a.class_ >= region;
+        continue;
+      }
+      n = nearerOf(n, wallChord(s, region, level, false), at);
+      if (isSaddle(s, region)) n = nearerOf(n, wallChord(s, region, level, true), at);
+#else
       n = nearerOf(n, wallChord(s, region, level, false), at);
       n = nearerOf(n, wallChord(s, region, level, true), at);
+#endif
       if (i == half_ && j == half_) n.within = isWithin(s, at, region);
     }
   }

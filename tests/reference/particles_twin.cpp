@@ -31,7 +31,9 @@ struct Kernel : WindKernel {
   [[nodiscard]] int loadWallClass(int x, int y) const { return walls->classAt(x, y); }
   [[nodiscard]] float loadWallValue(int x, int y) const { return walls->valueAt(x, y); }
 #include "glsl/contour/model.glsl"
+#define BRANCHES  // as on cards; the twin of cloth is without, as software drivers are
 #include "glsl/contour/wall_model.glsl"
+#undef BRANCHES
 #include "glsl/fluid/wind_model.glsl"
 #include "glsl/mesh/height_model.glsl"
 #include "glsl/particles/model.glsl"

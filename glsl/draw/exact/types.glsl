@@ -4,8 +4,8 @@
 #define DRAW_EXACT_TYPES
 
 struct STD140 ExactView {
-  vec4 eye;        // xyz (m)
-  vec4 across;     // xyz: pixels to the right times depth, for each metre from the eye
+  vec4 eye;        // xyz (m); w of a lamp's map: its first row among those of all maps
+  vec4 across;     // xyz: pixels to the right times depth, for each metre from the eye; w: the map's first column there
   vec4 down;       // xyz: the same downwards
   vec4 forward;    // xyz: depth for each metre from the eye; unit
   vec4 ray;        // xyz: ray of depth 1 through the picture's top left corner
@@ -16,5 +16,6 @@ struct STD140 ExactView {
   float nearOverFar;
   ivec2 rows;      // of the picture, from and to before which: the band whose visibility is being found
 };
+const int maxFaceViews = 48;  // of all lamps' maps
 
 #endif

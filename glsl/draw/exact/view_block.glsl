@@ -1,9 +1,19 @@
 #include "common/once.glsl"
 #include "draw/exact/bindings.glsl"
 #include "draw/exact/types.glsl"
+#ifdef FACES
+// All of some lamps' maps in one dispatch: FACES is the coordinate of a group that says which.
+layout(std140, binding = viewBinding) uniform ViewBlock {
+  ExactView viewBlocks[maxFaceViews];
+};
+uniform int firstView;
+int face_ = int(FACES);
+#define viewBlock viewBlocks[firstView + face_]
+#else
 layout(std140, binding = viewBinding) uniform ViewBlock {
   ExactView viewBlock;
 };
+#endif
 ExactView viewOnce() {  // each member of ExactView
   ExactView one;
   one.eye = once(viewBlock.eye);

@@ -13,8 +13,12 @@ ivec2 mapSize = ivec2(mapTexels);
 #define PICTURE_ROWS view.rows
 #endif
 #ifdef LAMP_MAP
-uniform int firstKey;   // of this map among those of all lamps
 uniform int keyStride;  // from one row to the next
+#ifdef FACES
+int firstKey = int(view.eye.w) * keyStride + int(view.across.w);
+#else
+uniform int firstKey;   // of this map among those of all lamps
+#endif
 #endif
 
 int sampleIndex(ivec2 pixel, int s) {

@@ -1,4 +1,5 @@
 // Light that a metal/rough surface under sun, sky and lamps sends to the eye. Variants: TRANSLUCENT, REFLECTIVE, LAMPS.
+// JOINED: of surfaces of which some are such; `mirrors` says whether this one is REFLECTIVE.
 // Compiles as GLSL and as C++.
 #include "draw/sky.glsl"
 #include "draw/surface/shading.glsl"
@@ -50,6 +51,9 @@ FUNCTION vec3 surfaceLight(Look look, vec3 normal, vec3 view, float fraction) {
 #endif
   ROUNDED vec3 light = matt * (sunLight * direct + look.openness * ambient) + mirror * (sunLight * lobed);
 #ifdef REFLECTIVE
+#ifdef JOINED
+  if (!mirrors) return light;
+#endif
   float nv = dotted(normal, view);
   ROUNDED float height = 2.0f * nv * normal.y - view.y;  // of the mirrored direction
   vec2 weight = ambientLobe(look.roughness, abs(nv));

@@ -6,7 +6,8 @@
 
 namespace simreel::draw {
 
-/// Makes room for `bytes` at least; what was there may be lost.
+/// Makes room for `bytes` at least. True where what was there is lost for it; the buffer's name may be the
+/// same even then.
 inline bool reserve(gl::Buffer& buffer, const char* label, std::size_t bytes) {
   constexpr std::size_t least = 256;
   if (buffer.name() != 0 && buffer.bytes() >= bytes) return false;
@@ -16,9 +17,11 @@ inline bool reserve(gl::Buffer& buffer, const char* label, std::size_t bytes) {
 }
 
 /// The same with a texel view of it.
-inline void reserve(gl::Buffer& buffer, gl::Texture& view, const char* label, std::size_t bytes,
+inline bool reserve(gl::Buffer& buffer, gl::Texture& view, const char* label, std::size_t bytes,
                     GLenum format, std::size_t texelBytes) {
-  if (reserve(buffer, label, bytes)) view = gl::Texture::view(label, format, buffer, texelBytes);
+  if (!reserve(buffer, label, bytes)) return false;
+  view = gl::Texture::view(label, format, buffer, texelBytes);
+  return true;
 }
 
 }  // namespace simreel::draw

@@ -18,8 +18,10 @@ namespace {
 
 constexpr unsigned triplanar = 1U << 7U;
 constexpr unsigned skinned = 1U << 9U;
-constexpr const char* featureNames[] = {"DOUBLE_SIDED", "TRANSLUCENT", "REFLECTIVE", "PALETTE", "COUNTED",
-                                        "TEXTURED",     "GRID",        "TRIPLANAR",  "BUMPED",  "SKIN"};
+constexpr unsigned joinedOnes = 1U << 10U;
+constexpr const char* featureNames[] = {"DOUBLE_SIDED", "TRANSLUCENT", "REFLECTIVE", "PALETTE",
+                                        "COUNTED",      "TEXTURED",    "GRID",       "TRIPLANAR",
+                                        "BUMPED",       "SKIN",        "JOINED"};
 
 unsigned featuresOf(const sim::Surface& surface, bool skin) {
   const scene::Material& material = *surface.material;
@@ -105,6 +107,29 @@ void SurfaceShading::shade(const TriangleRaster& raster, const TriangleRaster::D
     setSkin(surface, *skin, shader);
   else if (const TexelLists::List* albedo = textures_.load(material.texture))
     setTexture(surface, *albedo, shader);
+  tiles.shade(thing, shader);
+}
+
+bool SurfaceShading::isPlain(const sim::Surface& surface, const SkinTextures& skins) {
+  const scene::Material& material = *surface.material;
+  return material.texture.empty() && surface.palette == nullptr &&
+         !(material.hasSkin && skins.find(material.skin) != nullptr);
+}
+
+void SurfaceShading::shadeJoined(const JoinedSurfaces& joined, const TriangleRaster& raster,
+                                 std::span<const TriangleRaster::Drawn> drawn, const ShadedTiles& tiles,
+                                 int thing) {
+  unsigned features = joinedOnes;
+  int triangles = 0;
+  for (const TriangleRaster::Drawn& one : drawn) {
+    features |= featuresOf(*one.surface, false);
+    triangles += one.maxTriangles;
+  }
+  const gl::Program& shader = program(features, -1);
+  raster.bindWhole(shader);
+  joined.bind();
+  shader.set("firstId", drawn.front().firstId);
+  shader.set("triangleCount", triangles);
   tiles.shade(thing, shader);
 }
 

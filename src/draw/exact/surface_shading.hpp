@@ -1,4 +1,5 @@
 #pragma once
+#include "draw/exact/joined_surfaces.hpp"
 #include "draw/exact/shaded_tiles.hpp"
 #include "draw/exact/skin_texels.hpp"
 #include "draw/exact/texel_lists.hpp"
@@ -7,6 +8,7 @@
 #include "scene/scene.hpp"
 
 #include <map>
+#include <span>
 #include <utility>
 
 namespace simreel::draw {
@@ -24,6 +26,11 @@ class SurfaceShading {
   /// not there leaves the material as it is without one.
   void shade(const TriangleRaster& raster, const TriangleRaster::Drawn& drawn, const SkinTextures& skins,
              const ShadedTiles& tiles, int thing);
+  /// Whether nothing is laid over the surface, so that it may be shaded together with others.
+  [[nodiscard]] static bool isPlain(const sim::Surface& surface, const SkinTextures& skins);
+  /// The same of such ones, neighbours among joined surfaces.
+  void shadeJoined(const JoinedSurfaces& joined, const TriangleRaster& raster,
+                   std::span<const TriangleRaster::Drawn> drawn, const ShadedTiles& tiles, int thing);
 
  private:
   /// A look's number is -1 without a skin.

@@ -3,6 +3,7 @@
 #include "base/error.hpp"
 #include "draw/exact/bindings.hpp"
 #include "draw/exact/exact_view.hpp"
+#include "draw/exact/joined_surfaces.hpp"
 #include "draw/exact/parts.hpp"
 #include "draw/exact/reserve.hpp"
 #include "gl/context.hpp"
@@ -11,7 +12,6 @@
 #include <algorithm>
 #include <cstdint>
 #include <string>
-#include <tuple>
 #include <utility>
 
 namespace simreel::draw {
@@ -33,16 +33,6 @@ glm::ivec2 sizeOf(const Visibility& into, const MapPart& part) {
 constexpr std::size_t viewBytes = sizeof(shader::ExactView);
 
 }  // namespace
-
-int verticesOf(const sim::Surface& surface) {
-  return std::max(surface.vertexCount, surface.vertexRoom);
-}
-
-int maxTrianglesOf(const sim::Surface& surface) {
-  const std::size_t indices = surface.arguments == nullptr ? static_cast<std::size_t>(surface.indexCount)
-                                                           : surface.indices->bytes() / sizeof(GLuint);
-  return static_cast<int>(indices / 3);
-}
 
 TriangleRaster::TriangleRaster(Into into, int samples, int smallPixels, int fanRoom, int mediumPixels,
                                int binRoom)
@@ -88,8 +78,16 @@ void TriangleRaster::number(const std::vector<const sim::Surface*>& surfaces) {
   reserveLists(surfaces.size(), triangles, fans);
 }
 
+void TriangleRaster::number(const TriangleLists& lists, const std::vector<MapFace>& faces,
+                            const gl::Buffer& views, int first) {
+  number(lists, faces);
+  faceViews_ = &views;
+  firstView_ = first;
+}
+
 void TriangleRaster::number(const TriangleLists& lists, const std::vector<MapFace>& faces) {
   lists_ = lists;
+  faceViews_ = nullptr;
   drawn_.resize(faces.size());
   const int fans = std::min(lists.room, fanRoom_ / std::max(static_cast<int>(faces.size()), 1));
   for (std::size_t i = 0; i < faces.size(); ++i) {
@@ -139,21 +137,23 @@ gl::Defines TriangleRaster::intoDefines() const {
 const gl::Program& TriangleRaster::program(const Variant& variant) {
   const auto found = programs_.find(variant);
   if (found != programs_.end()) return found->second;
-  const auto& [path, pass, counted, clips, layout, bins] = variant;
-  gl::Defines defines = {{"SAMPLES", std::to_string(samples_)}, {"PASS", std::to_string(pass)}};
-  for (const auto& define : definesOf(layout)) defines.push_back(define);
-  if (path == trianglesPath)
+  gl::Defines defines = {{"SAMPLES", std::to_string(samples_)}, {"PASS", std::to_string(variant.pass)}};
+  for (const auto& define : definesOf(variant.layout)) defines.push_back(define);
+  if (variant.path == trianglesPath)
     for (const auto& define : laneDefines()) defines.push_back(define);
-  if (counted) defines.emplace_back("COUNTED", "1");
-  if (clips) defines.emplace_back("CLIPS", "1");
-  if (bins) defines.emplace_back("BINS", "1");
+  if (variant.counted) defines.emplace_back("COUNTED", "1");
+  if (variant.clips) defines.emplace_back("CLIPS", "1");
+  if (variant.bins) defines.emplace_back("BINS", "1");
+  if (variant.joined) defines.emplace_back("JOINED", "1");
+  if (variant.faces)
+    defines.emplace_back("FACES", variant.path == largePath ? "gl_WorkGroupID.y" : "gl_WorkGroupID.z");
   for (const auto& define : intoDefines()) defines.push_back(define);
-  return programs_.emplace(variant, gl::Program::compute(path, defines)).first->second;
+  return programs_.emplace(variant, gl::Program::compute(variant.path, defines)).first->second;
 }
 
 void TriangleRaster::makeVertices(const Visibility& into) {
   vertices_.bindStorage(outVertexBinding);
-  for (const Drawn& drawn : drawn_) {
+  for (const Drawn& drawn : asked_) {
     const sim::Surface& surface = *drawn.surface;
     const gl::Program& program = vertexProgram(surface);
     program.set("model", surface.model);
@@ -193,11 +193,22 @@ void TriangleRaster::bind(const Drawn& drawn, const gl::Program& program) const 
 void TriangleRaster::clipLarge(const Visibility& into) {
   if (into_ == Into::sunMap || fanRoom_ == 0) return;
   gl::barrier();
-  groups_.fill(counters_, {.counts = static_cast<int>(drawn_.size()), .each = groupTriangles}, clipGroups_);
-  gl::barrier();
-  glMemoryBarrier(GL_COMMAND_BARRIER_BIT);
+  if (faceViews_ == nullptr) {
+    groups_.fill(counters_, {.counts = static_cast<int>(asked_.size()), .each = groupTriangles},
+                 clipGroups_);
+    gl::barrier();
+    glMemoryBarrier(GL_COMMAND_BARRIER_BIT);
+  }
   fans_.bindStorage(fanBinding);
   run(clipPath, 0, into);
+}
+
+void TriangleRaster::tell(const gl::Program& kernel, const Visibility& into, const MapPart& part) const {
+  kernel.set("draws", static_cast<int>(asked_.size()));
+  kernel.set("smallPixels", smallPixels_);
+  kernel.set("mediumPixels", mediumPixels_);
+  kernel.set("mapTexels", into.size().x);
+  part.set(kernel);
 }
 
 void TriangleRaster::run(const char* path, int pass, const Visibility& into, bool clips) {
@@ -210,23 +221,27 @@ void TriangleRaster::run(const char* path, int pass, const Visibility& into, boo
   if (into_ != Into::sunMap) fanView_.bind(fanUnit);
   const bool small = path == trianglesPath;
   const gl::Buffer& groups = small ? surfaceGroups_ : path == clipPath ? clipGroups_ : largeGroups_;
-  for (std::size_t i = 0; i < drawn_.size(); ++i) {
-    const Drawn& drawn = drawn_[i];
+  if (joined_ != nullptr) joined_->bind();
+  if (faceViews_ != nullptr) return runFaces(path, pass, into, clips);
+  for (std::size_t i = 0; i < asked_.size(); ++i) {
+    const Drawn& drawn = asked_[i];
     if (clips && drawn.fans == drawn.maxTriangles) continue;
     const MapPart& part = drawn.face.part;
     const bool counted = into_ == Into::lampMap || drawn.surface->arguments != nullptr;
     const bool doubleSided = into_ == Into::lampMap || drawn.surface->doubleSided;
     const bool bins = binned_ && path != mediumPath;
-    const gl::Program& kernel = program({path, pass, counted, clips, into.layout(), bins});
+    const gl::Program& kernel = program({.path = path,
+                                         .pass = pass,
+                                         .layout = into.layout(),
+                                         .counted = counted,
+                                         .clips = clips,
+                                         .bins = bins,
+                                         .joined = joined_ != nullptr});
     bind(drawn, kernel);
     if (bins) bins_.bind(kernel, drawn.list);
     kernel.set("doubleSided", static_cast<int>(doubleSided));
     kernel.set("draw_", static_cast<int>(i));
-    kernel.set("draws", static_cast<int>(drawn_.size()));
-    kernel.set("smallPixels", smallPixels_);
-    kernel.set("mediumPixels", mediumPixels_);
-    kernel.set("mapTexels", into.size().x);
-    part.set(kernel);
+    tell(kernel, into, part);
     if (small && !counted) {
       dispatchRows(kernel, drawn.maxTriangles);
       continue;
@@ -243,16 +258,48 @@ void TriangleRaster::run(const char* path, int pass, const Visibility& into, boo
   }
 }
 
+void TriangleRaster::runFaces(const char* path, int pass, const Visibility& into, bool clips) {
+  // A card's processors hold some thousands at a time; faces differ much in what they show, and many groups
+  // find nothing.
+  constexpr unsigned groups = 24576;
+  constexpr unsigned fewParts = 16;  // of a large triangle: most are small among those
+  const Drawn& first = asked_.front();
+  if (clips && first.fans == first.maxTriangles) return;
+  const gl::Program& kernel = program({.path = path,
+                                       .pass = pass,
+                                       .layout = into.layout(),
+                                       .counted = true,
+                                       .clips = clips,
+                                       .faces = true});
+  bind(first, kernel);
+  faceViews_->bindUniform(viewBinding, 0, faceViews_->bytes());
+  kernel.set("firstView", firstView_);
+  kernel.set("doubleSided", 1);
+  tell(kernel, into, first.face.part);
+  kernel.use();
+  const auto faces = static_cast<GLuint>(asked_.size());
+  const GLuint each = std::max(groups / faces, 1U);
+  glm::ivec2 largest(0);
+  for (const Drawn& drawn : asked_) largest = glm::max(largest, sizeOf(into, drawn.face.part));
+  if (path == largePath) {
+    const unsigned parts = std::max(fewParts, leastParts(largest, samples_));
+    glDispatchCompute(std::max(each / parts, 1U), faces, parts);
+  } else {
+    const auto needed = static_cast<GLuint>(first.maxTriangles) / groupTriangles + 1;
+    glDispatchCompute(std::min(each, needed), 1, faces);
+  }
+}
+
 void TriangleRaster::prepareLarge(glm::ivec2 size) {
   const unsigned parts = partsFor(size, samples_);
-  const int draws = static_cast<int>(drawn_.size());
+  const int draws = static_cast<int>(asked_.size());
   GroupCounts::Order order{.firstCount = binned_ && into_ != Into::sunMap ? draws : 0,
                            .counts = draws,
                            .parts = parts,
                            .fewerParts = gl::softwareDriver() ? leastParts(size, samples_) : parts};
   if (into_ != Into::sunMap && fanRoom_ > 0) {
     // Of each list those that have a fan, and the others apart.
-    const auto room = static_cast<unsigned>(fanRoom_ / static_cast<int>(drawn_.size()));
+    const auto room = static_cast<unsigned>(fanRoom_ / static_cast<int>(asked_.size()));
     order.most = room;
     GroupCounts::Order others = order;
     others.most = ~0U;
@@ -270,13 +317,14 @@ void TriangleRaster::runLists(int pass, const Visibility& into) {
 }
 
 void TriangleRaster::fillGroups() {
+  if (faceViews_ != nullptr) return;
   if (into_ == Into::lampMap) {
-    groups_.fill(*lists_.counts, {.counts = static_cast<int>(drawn_.size()), .each = groupTriangles},
+    groups_.fill(*lists_.counts, {.counts = static_cast<int>(asked_.size()), .each = groupTriangles},
                  surfaceGroups_);
     return;
   }
-  for (std::size_t i = 0; i < drawn_.size(); ++i) {
-    const sim::Surface& surface = *drawn_[i].surface;
+  for (std::size_t i = 0; i < asked_.size(); ++i) {
+    const sim::Surface& surface = *asked_[i].surface;
     if (surface.arguments == nullptr) continue;
     groups_.fill(*surface.arguments, {.first = static_cast<int>(i), .each = 3 * groupTriangles},
                  surfaceGroups_);
@@ -286,27 +334,49 @@ void TriangleRaster::fillGroups() {
 void TriangleRaster::drawBinned(const Visibility& into) {
   if (into_ != Into::lampMap) return bins_.draw(into);
   bins_.draw(into, [&](int face, const gl::Program& program) {
-    const MapFace& map = drawn_[static_cast<std::size_t>(face)].face;
+    const MapFace& map = asked_[static_cast<std::size_t>(face)].face;
     map.views->bindUniform(viewBinding, map.view, viewBytes);
     map.part.set(program);
   });
 }
 
 void TriangleRaster::draw(const Visibility& into, const MapPart& part) {
+  asked_ = drawn_;
+  joined_ = nullptr;
+  drawAsked(into, part);
+}
+
+void TriangleRaster::drawJoined(const Visibility& into, const JoinedSurfaces& joined) {
+  const sim::Surface& surface = joined.surface();
+  whole_.surface = &surface;
+  whole_.maxTriangles = maxTrianglesOf(surface);
+  if (whole_.indices)
+    whole_.indices.show(*surface.indices, sizeof(GLuint));
+  else
+    whole_.indices = gl::Texture::view("joined indices", GL_R32UI, *surface.indices, sizeof(GLuint));
+  whole_.fans = std::min(whole_.maxTriangles, fanRoom_);
+  reserveLists(1, whole_.maxTriangles, whole_.fans);
+  asked_ = {&whole_, 1};
+  joined_ = &joined;
+  drawAsked(into, {});
+}
+
+void TriangleRaster::drawAsked(const Visibility& into, const MapPart& part) {
   constexpr GLuint zero = 0;
-  if (drawn_.empty()) return;
+  if (asked_.empty()) return;
   glClearNamedBufferData(counters_.name(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, &zero);
   glm::ivec2 largest(0);
   if (into_ != Into::lampMap) {
-    for (Drawn& drawn : drawn_) drawn.face.part = part;
+    for (Drawn& drawn : asked_) drawn.face.part = part;
     makeVertices(into);
   }
-  for (const Drawn& drawn : drawn_) largest = glm::max(largest, sizeOf(into, drawn.face.part));
-  const Drawn& last = drawn_.back();
-  const int faces = into_ == Into::lampMap ? static_cast<int>(drawn_.size()) : 0;
+  for (const Drawn& drawn : asked_) largest = glm::max(largest, sizeOf(into, drawn.face.part));
+  const Drawn& last = asked_.back();
+  const int faces = into_ == Into::lampMap ? static_cast<int>(asked_.size()) : 0;
   const int triangles = faces > 0 ? last.maxTriangles : last.firstIndex / 3 + last.maxTriangles;
   binned_ = binRoom_ > 0 && (into_ == Into::sunMap || fanRoom_ > 0) && mediumPixels_ <= smallPixels_ &&
-            into.layout() == SampleLayout::apart && TriangleBins::holds(triangles, faces);
+            faceViews_ == nullptr && into.layout() == SampleLayout::apart &&
+            TriangleBins::holds(triangles, faces);
   if (binned_ && into_ != Into::sunMap)
     reserve(left_, leftView_, "large triangles left", large_.bytes(), GL_R32UI, sizeof(GLuint));
   if (binned_) bins_.begin(largest, triangles, binRoom_, faces);

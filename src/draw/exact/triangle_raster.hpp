@@ -4,18 +4,29 @@
 #include "draw/exact/visibility.hpp"
 #include "sim/core/drawable.hpp"
 
+#include <algorithm>
+#include <compare>
+#include <cstddef>
 #include <cstdint>
 #include <map>
+#include <span>
 #include <string>
-#include <tuple>
 #include <utility>
 #include <vector>
 
 namespace simreel::draw {
 
+class JoinedSurfaces;
+
 /// Vertices that a surface has room for, and triangles.
-[[nodiscard]] int verticesOf(const sim::Surface& surface);
-[[nodiscard]] int maxTrianglesOf(const sim::Surface& surface);
+[[nodiscard]] inline int verticesOf(const sim::Surface& surface) {
+  return std::max(surface.vertexCount, surface.vertexRoom);
+}
+[[nodiscard]] inline int maxTrianglesOf(const sim::Surface& surface) {
+  const std::size_t indices = surface.arguments == nullptr ? static_cast<std::size_t>(surface.indexCount)
+                                                           : surface.indices->bytes() / sizeof(GLuint);
+  return static_cast<int>(indices / 3);
+}
 
 /// Lists of a mesh's triangles on the GPU, one behind the other.
 struct TriangleLists {
@@ -64,23 +75,44 @@ class TriangleRaster {
   void number(const std::vector<const sim::Surface*>& surfaces);
   /// For lamps' maps instead: face i shows the triangles of list i. All of it holds until they are drawn.
   void number(const TriangleLists& lists, const std::vector<MapFace>& faces);
+  /// The same, of which `views` holds those of all maps one behind the other, face 0's number `first`: they
+  /// are drawn all in one go, as cards have it best.
+  void number(const TriangleLists& lists, const std::vector<MapFace>& faces, const gl::Buffer& views,
+              int first);
   /// Draws them into what is cleared. The uniform blocks, and for the sun's map the light's place, are
   /// bound; into lamps' maps, it binds the faces' views.
   void draw(const Visibility& into, const MapPart& part = {});
+  /// The same surfaces, joined, in one go.
+  void drawJoined(const Visibility& into, const JoinedSurfaces& joined);
   [[nodiscard]] const std::vector<Drawn>& drawn() const { return drawn_; }
   /// Binds vertices and indices of one of drawn() and says where they are.
   void bind(const Drawn& drawn, const gl::Program& program) const;
+  /// The same of joined surfaces, which were drawn last.
+  void bindWhole(const gl::Program& program) const { bind(whole_, program); }
 
  private:
   const gl::Program& vertexProgram(const sim::Surface& surface);
-  /// What suits a program: its file, the pass, whether a surface says itself how many triangles it has,
-  /// whether those are drawn that are not clipped yet, how samples lie, and whether small ones are binned.
-  using Variant = std::tuple<std::string, int, bool, bool, SampleLayout, bool>;
+  /// What suits a program.
+  struct Variant {
+    std::string path;
+    int pass = 0;
+    SampleLayout layout = SampleLayout::apart;
+    bool counted = false;  ///< a surface says itself how many triangles it has
+    bool clips = false;    ///< those are drawn that are not clipped yet
+    bool bins = false;     ///< small ones are binned
+    bool joined = false;   ///< surfaces are
+    bool faces = false;    ///< of lamps' maps, all in one go
+    // NOLINTNEXTLINE(modernize-use-nullptr): none is written
+    auto operator<=>(const Variant&) const = default;
+  };
   const gl::Program& program(const Variant& variant);
+  void drawAsked(const Visibility& into, const MapPart& part);
   void makeVertices(const Visibility& into);
   void clipLarge(const Visibility& into);
   void prepareLarge(glm::ivec2 size);
   void reserveLists(std::size_t draws, std::int64_t triangles, int fans);
+  void tell(const gl::Program& kernel, const Visibility& into, const MapPart& part) const;
+  void runFaces(const char* path, int pass, const Visibility& into, bool clips);
   void fillGroups();
   void drawBinned(const Visibility& into);
   [[nodiscard]] gl::Defines intoDefines() const;
@@ -98,8 +130,13 @@ class TriangleRaster {
   std::map<Variant, gl::Program> programs_;
   GroupCounts groups_;
   TriangleBins bins_;
-  TriangleLists lists_;  ///< that lamps' maps show
+  TriangleLists lists_;                    ///< that lamps' maps show
+  const gl::Buffer* faceViews_ = nullptr;  ///< of all those maps, where they are drawn in one go
+  int firstView_ = 0;
   std::vector<Drawn> drawn_;
+  std::span<Drawn> asked_;                  ///< all of those, or what they are joined to,
+  Drawn whole_;                             ///< which is that,
+  const JoinedSurfaces* joined_ = nullptr;  ///< of these
   gl::Buffer vertices_, large_, counters_, largeGroups_, surfaceGroups_, fans_, clipGroups_,
       roomlessGroups_;
   gl::Buffer left_;  ///< of large ones, what is not binned

@@ -67,6 +67,18 @@ int mediumTriangle() {
   return gl::softwareDriver() ? 0 : 64;
 }
 
+int smallBall() {
+  return gl::softwareDriver() ? 16 : 6;
+}
+
+int smallGlow() {
+  return gl::softwareDriver() ? 12 : 5;
+}
+
+int mediumBall() {
+  return gl::softwareDriver() ? 0 : 32;
+}
+
 int fansOfTriangles() {
   return gl::softwareDriver() ? 1 << 17 : 0;
 }

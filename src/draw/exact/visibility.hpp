@@ -79,6 +79,10 @@ struct MapPart {
 int smallTriangle();
 int smallCopyTriangle();  ///< of copies, whose corners are made anew for each use
 int mediumTriangle();
+/// The same of balls, whose every sample is a ray, and of glows; of those of medium size a group draws one.
+int smallBall();
+int smallGlow();
+int mediumBall();
 /// How many large ones are best clipped for all that draw them: none on cards, which wait for each kernel's
 /// end.
 int fansOfTriangles();

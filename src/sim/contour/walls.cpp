@@ -1,6 +1,7 @@
 #include "sim/contour/walls.hpp"
 
 #include "base/error.hpp"
+#include "gl/context.hpp"
 #include "sim/contour/wall_plan.hpp"
 
 #include <utility>
@@ -58,6 +59,7 @@ void addWallDefines(gl::Defines& defines, const Walls* walls) {
   defines.emplace_back("WALLS", walls != nullptr ? "1" : "0");
   if (walls == nullptr) return;
   const Field::Cells cells = walls->solid().field().cells;
+  if (!gl::softwareDriver()) defines.emplace_back("BRANCHES", "1");
   defines.emplace_back("CELLS", std::to_string(static_cast<int>(cells)));
 }
 

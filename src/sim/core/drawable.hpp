@@ -54,6 +54,8 @@ struct Surface {
   const gl::Texture* trail = nullptr;  ///< RGBA32F texel view
   glm::mat4 model{1.0F};               ///< rigid, or uniformly scaled
   bool doubleSided = false;
+  /// A number that no other mesh has, if positions, normals and indices are never written again; else 0.
+  unsigned still = 0;
   const scene::Material* material = nullptr;
 };
 

@@ -1,5 +1,6 @@
 #include "sim/mesh/buffers.hpp"
 
+#include <atomic>
 #include <vector>
 
 #include <glm/geometric.hpp>
@@ -14,6 +15,11 @@ std::vector<glm::vec4> widened(const std::vector<glm::vec3>& items, float w) {
   wide.reserve(items.size());
   for (const glm::vec3& item : items) wide.emplace_back(item, w);
   return wide;
+}
+
+unsigned nextNumber() {
+  static std::atomic<unsigned> last = 0;
+  return ++last;
 }
 
 }  // namespace
@@ -53,7 +59,8 @@ void MeshTopology::complete(MeshTable& table) const {
   table.indices = indices_.readAll<unsigned>();
 }
 
-MeshBuffers::MeshBuffers(const std::string& name, const Mesh& mesh) : topology_(name, mesh) {
+MeshBuffers::MeshBuffers(const std::string& name, const Mesh& mesh)
+    : number_(nextNumber()), topology_(name, mesh) {
   positions_ = gl::Buffer::of<glm::vec4>(name + " positions", widened(mesh.positions, 1.0F));
   normals_ = gl::Buffer::of<glm::vec4>(name + " normals", widened(mesh.normals, 0.0F));
   positionView_ = gl::Texture::view(name + " positions", GL_RGBA32F, positions_);
@@ -64,6 +71,7 @@ Surface MeshBuffers::surface() const {
   Surface surface = topology_.surface();
   surface.positions = &positionView_;
   surface.normals = &normalView_;
+  surface.still = number_;
   return surface;
 }
 

@@ -40,12 +40,13 @@ class MeshBuffers {
  public:
   MeshBuffers(const std::string& name, const Mesh& mesh);
 
-  /// Everything but model, sides and material; the pointers live as long as this.
+  /// Everything but model, sides and material; it is still, and the pointers live as long as this.
   [[nodiscard]] Surface surface() const;
   /// Reads all of it back.
   [[nodiscard]] MeshTable table(const glm::mat4& model) const;
 
  private:
+  unsigned number_;
   MeshTopology topology_;
   gl::Buffer positions_, normals_;
   gl::Texture positionView_, normalView_;

@@ -1,4 +1,5 @@
-// Small balls of instances, an invocation each; the numbers of the others go on a list (large_balls.comp). SAMPLES, PASS.
+// Small balls of instances, an invocation each; the numbers of the others go on a list (large_balls.comp): large ones from its
+// beginning, with MEDIUM those of medium size from its end on. SAMPLES, PASS.
 #define EXACT_PICTURE
 #include "draw/exact/instances/raster_ball.glsl"
 #include "draw/exact/instances/box.glsl"
@@ -9,6 +10,10 @@ layout(std430, binding = counterBinding) restrict buffer CounterBlock { uint cou
 uniform int draw_;        // number of the instances among those drawn
 uniform int firstLarge;   // where their list begins
 uniform int smallPixels;  // the longest side of a small one's box
+#ifdef MEDIUM
+uniform int mediumPixels;  // of one of medium size
+uniform int draws;
+#endif
 
 void main() {
   int number = int(gl_WorkGroupID.y * gl_NumWorkGroups.x * 64u + gl_GlobalInvocationID.x);
@@ -18,6 +23,11 @@ void main() {
   if (box.z < box.x || box.w < box.y) return;
   if (max(box.z - box.x, box.w - box.y) >= smallPixels) {
 #if PASS == 0
+#ifdef MEDIUM
+    if (max(box.z - box.x, box.w - box.y) < mediumPixels)
+      large[firstLarge + capacity - 1 - int(nextPlace(draws + draw_))] = uint(number);
+    else
+#endif
     large[firstLarge + int(nextPlace(draw_))] = uint(number);
 #endif
     return;

@@ -1,10 +1,15 @@
-// Adds light of small instances to the sums, an invocation each; the numbers of the others go on a list. LARGE: those, a group
-// taking every so manyth tile of one. Variants: BALL. SAMPLES.
+// Adds light of small instances to the sums, an invocation each; the numbers of the others go on a list: large ones from its
+// beginning, with MEDIUM those of medium size from its end on. LARGE: those, a group taking every so manyth tile of one, with MEDIUM
+// before them those of medium size, a group each. Variants: BALL. SAMPLES.
 #define EXACT_PICTURE
 #include "draw/exact/instances/glow_disc.glsl"
 uniform int draw_;        // number of the instances among those that add light
 uniform int firstLarge;   // where their list begins
 uniform int smallPixels;  // the longest side of a small one's box
+#ifdef MEDIUM
+uniform int mediumPixels;  // of one of medium size
+uniform int draws;
+#endif
 #ifdef LARGE
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(binding = largeUnit) uniform usamplerBuffer large;
@@ -14,8 +19,8 @@ layout(local_size_x = 64) in;
 layout(std430, binding = largeBinding) restrict buffer LargeBlock { uint large[]; };
 layout(std430, binding = counterBinding) restrict buffer CounterBlock { uint counters[]; };
 #include "draw/exact/list_place.glsl"
-#include "draw/exact/instances/box.glsl"
 #endif
+#include "draw/exact/instances/box.glsl"
 
 Rays raysOfView() {
   return Rays(view.ray.xyz, view.rayAcross.xyz, view.rayDown.xyz);
@@ -34,7 +39,26 @@ void addLarge(int number) {
   }
 }
 
+#ifdef MEDIUM
+void addMedium(int number) {
+  GlowDisc glow = glowDiscOf(number);
+  Rays rays = raysOfView();
+  ivec4 box = glow.box;
+  int across = box.z - box.x + 1, pixels = pixelsIn(box);
+  for (int i = int(gl_LocalInvocationIndex); i < pixels; i += 64) addGlow(glow, rays, box.xy + ivec2(i % across, i / across));
+}
+
+void addMediums() {
+  uint count = texelFetch(counters, draws + draw_).x, groups = gl_NumWorkGroups.x * gl_NumWorkGroups.z;
+  for (uint entry = gl_WorkGroupID.z * gl_NumWorkGroups.x + gl_WorkGroupID.x; entry < count; entry += groups)
+    addMedium(int(texelFetch(large, firstLarge + capacity - 1 - int(entry)).x));
+}
+#endif
+
 void main() {
+#ifdef MEDIUM
+  addMediums();
+#endif
   uint count = texelFetch(counters, draw_).x, groups = gl_NumWorkGroups.x * gl_NumWorkGroups.y;
   for (uint entry = gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x; entry < count; entry += groups)
     addLarge(int(texelFetch(large, firstLarge + int(entry)).x));
@@ -47,6 +71,11 @@ void main() {
   ivec4 box = glow.box;
   if (box.z < box.x || box.w < box.y) return;
   if (max(box.z - box.x, box.w - box.y) >= smallPixels) {
+#ifdef MEDIUM
+    if (max(box.z - box.x, box.w - box.y) < mediumPixels)
+      large[firstLarge + capacity - 1 - int(nextPlace(draws + draw_))] = uint(number);
+    else
+#endif
     large[firstLarge + int(nextPlace(draw_))] = uint(number);
     return;
   }

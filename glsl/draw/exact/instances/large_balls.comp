@@ -1,5 +1,5 @@
-// Balls that are large on the picture: those that balls.comp has listed. A group takes every so manyth tile of one.
-// SAMPLES, PASS.
+// Balls that are large on the picture: those that balls.comp has listed. A group takes every so manyth tile of one. MEDIUM:
+// before them those of medium size, a group each. SAMPLES, PASS.
 #define EXACT_PICTURE
 #include "draw/exact/instances/raster_ball.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
@@ -20,7 +20,30 @@ void drawLarge(int number) {
   }
 }
 
+#ifdef MEDIUM
+#include "draw/exact/instances/box.glsl"
+uniform int draws;
+
+void drawMedium(int number) {
+  Ball ball = ballOf(texelFetch(positions, number), texelFetch(velocities, number));
+  ivec4 box = pixelsOfBall(ball);
+  Rays rays = raysOfView();
+  int across = box.z - box.x + 1, pixels = pixelsIn(box);
+  for (int i = int(gl_LocalInvocationIndex); i < pixels; i += 64)
+    putBall(ball, rays, box.xy + ivec2(i % across, i / across), firstId + uint(number));
+}
+
+void drawMediums() {
+  uint count = texelFetch(counters, draws + draw_).x, groups = gl_NumWorkGroups.x * gl_NumWorkGroups.z;
+  for (uint entry = gl_WorkGroupID.z * gl_NumWorkGroups.x + gl_WorkGroupID.x; entry < count; entry += groups)
+    drawMedium(int(texelFetch(large, firstLarge + capacity - 1 - int(entry)).x));
+}
+#endif
+
 void main() {
+#ifdef MEDIUM
+  drawMediums();
+#endif
   uint count = texelFetch(counters, draw_).x, groups = gl_NumWorkGroups.x * gl_NumWorkGroups.y;
   for (uint entry = gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x; entry < count; entry += groups)
     drawLarge(int(texelFetch(large, firstLarge + int(entry)).x));

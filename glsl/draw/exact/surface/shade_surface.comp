@@ -1,8 +1,15 @@
 // Light of one surface on its tiles: each primitive of a pixel once, in the pixel's middle if that is on it, else at the
-// first of its samples. Variants: those of draw/surface/lighting.glsl, SHADOW (with SHADOW_TAPS), PALETTE, DOUBLE_SIDED,
-// TEXTURED (BUMPED) or SKIN (LOOK_ one of draw/surface/skin_look.glsl), by uv, of a GRID or a mesh, or TRIPLANAR. SAMPLES.
+// first of its samples. JOINED: of several surfaces that have nothing laid over them. Variants: those of draw/surface/lighting.glsl,
+// SHADOW (with SHADOW_TAPS), PALETTE, DOUBLE_SIDED, TEXTURED (BUMPED) or SKIN (LOOK_ one of draw/surface/skin_look.glsl), by uv, of
+// a GRID or a mesh, or TRIPLANAR. SAMPLES.
 #define EXACT_PICTURE
 #include "common/once.glsl"
+#ifdef JOINED
+#include "draw/exact/bindings.glsl"
+#include "draw/exact/triangles/owners.glsl"
+layout(binding = lookUnit) uniform samplerBuffer looks;
+bool mirrors = false, bothSides = false;  // of the surface that is being shaded, as are color_ and material_
+#endif
 #include "draw/exact/tiles/lit_tile.glsl"
 #include "draw/exact/triangles/surface_triangle.glsl"
 #include "draw/exact/surface/surface_spot.glsl"
@@ -21,12 +28,29 @@
 #endif
 uniform uint firstId;
 uint firstId_ = once(firstId);
+#ifdef JOINED
+vec3 color_ = vec3(0), material_ = vec3(0);
+void takeLook(uint number) {
+  int owner = ownerOf(number);
+  vec4 first = texelFetch(looks, 2 * owner);
+  color_ = first.rgb;
+  mirrors = first.a > 0.0f;
+  material_ = texelFetch(looks, 2 * owner + 1).xyz;
+  bothSides = showsBothSides(number);
+}
+#else
+const bool bothSides = true;
 uniform vec3 color;
 vec3 color_ = once(color);
 uniform vec3 material;  // roughness, metallic, translucency
 vec3 material_ = once(material);
+#endif
 
 vec4 lightOf(ivec2 pixel, uint triangle, int firstSample) {
+#ifdef JOINED
+  triangle += firstId_;
+  takeLook(triangle);
+#endif
   Spot spot = spotOf(cornersOf(int(triangle)), pixel, firstSample);
   precise vec3 base = color_;
 #ifdef PALETTE
@@ -34,7 +58,7 @@ vec4 lightOf(ivec2 pixel, uint triangle, int firstSample) {
 #endif
   vec3 normal = spot.normal;
 #ifdef DOUBLE_SIDED
-  normal = spot.turned ? -normal : normal;
+  normal = spot.turned && bothSides ? -normal : normal;
 #endif
 #ifdef TEXTURED
   Patch patch_ = patchSeen(surfaceSeen(spot));

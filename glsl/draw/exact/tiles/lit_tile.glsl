@@ -6,6 +6,20 @@
 
 vec4 lightOf(ivec2 pixel, uint number, int firstSample);
 
+// The sample of these whose primitive is next: light adds up surface by surface, and of each by samples.
+int firstToLight(PixelIds shown, int left) {
+#ifdef JOINED
+  uint least = emptyId;
+  for (int s = 0; s < SAMPLES; ++s) least = (left >> s & 1) != 0 ? min(least, shown.of[s]) : least;
+  int owner = ownerOf(least), first = 0;
+  for (int s = SAMPLES - 1; s >= 0; --s)
+    if ((left >> s & 1) != 0 && (shown.of[s] == least || ownerOf(shown.of[s]) == owner)) first = s;
+  return first;
+#else
+  return findLSB(left);
+#endif
+}
+
 // Of what has `numbers` numbers from firstId on.
 #if ROWS == 1
 void lightTile(uint firstId, uint numbers) {
@@ -14,7 +28,7 @@ void lightTile(uint firstId, uint numbers) {
   PixelIds shown = idsOf(pixel);
   vec4 sum = imageLoad(sums, pixel);
   for (int left = samplesOf(shown, firstId, numbers); left != 0;) {
-    int first = findLSB(left), same = samplesLike(shown, first);
+    int first = firstToLight(shown, left), same = samplesLike(shown, first);
     sum = withLight(sum, lightOf(pixel, idAt(pixel, first) - firstId, first), bitCount(same));
     left &= ~same;
   }
@@ -32,9 +46,10 @@ void lightTile(uint firstId, uint numbers) {
       if (inPicture(pixel)) left |= samplesOf(idsOf(pixel), firstId, numbers) << (i * SAMPLES);
     }
     while (left != 0) {
-      int bit = findLSB(left), i = bit / SAMPLES, first = bit & (SAMPLES - 1);
+      int i = findLSB(left) / SAMPLES;
       ivec2 pixel = pixelOf(corner, begin + i);
       PixelIds shown = idsOf(pixel);
+      int first = firstToLight(shown, left >> (i * SAMPLES) & ((1 << SAMPLES) - 1));
       int same = samplesLike(shown, first);
       vec4 light = lightOf(pixel, idAt(pixel, first) - firstId, first);
       imageStore(sums, pixel, withLight(imageLoad(sums, pixel), light, bitCount(same)));

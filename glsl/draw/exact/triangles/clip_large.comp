@@ -14,7 +14,11 @@
 layout(local_size_x = 64) in;
 layout(binding = largeUnit) uniform usamplerBuffer large;
 layout(binding = counterUnit) uniform usamplerBuffer counters;
+#ifdef FACES
+int draw_ = face_;
+#else
 uniform int draw_;
+#endif
 #ifdef BINS
 layout(std430, binding = largeBinding) writeonly restrict buffer LargeBlock { uint left[]; };
 layout(std430, binding = counterBinding) restrict buffer CounterBlock { uint leftCounts[]; };
@@ -32,21 +36,29 @@ bool binFan(vec3 a, vec3 b, vec3 c, uint id) {
 }
 #endif
 
-void main() {
-  int entry = int(gl_WorkGroupID.y * gl_NumWorkGroups.x * 64u + gl_GlobalInvocationID.x);
-  int count = int(texelFetch(counters, draw_).x);
-#ifndef BINS
-  count = min(count, fanRoom);
-#endif
-  if (entry >= count) return;
+void clipLarge(int entry) {
   int number = int(texelFetch(large, firstIndex / 3 + entry).x);
   ivec3 corners = cornersOf(number);
   uvec4 a = vertexOf(corners.x), b = vertexOf(corners.y), c = vertexOf(corners.z);
 #ifdef BINS
+  seeSides(number);
   if (binFan(placeOf(a), placeOf(b), placeOf(c), firstId + uint(number))) return;
   entry = int(atomicAdd(leftCounts[draws + draw_], 1u));
   left[firstIndex / 3 + entry] = uint(number);
   if (entry >= fanRoom) return;
 #endif
   makeFan(entry, placeOf(a), placeOf(b), placeOf(c), vec2(view.size), view.near);
+}
+
+void main() {
+  int entry = int(gl_WorkGroupID.y * gl_NumWorkGroups.x * 64u + gl_GlobalInvocationID.x);
+  int count = int(texelFetch(counters, draw_).x);
+#ifndef BINS
+  count = min(count, fanRoom);
+#endif
+#ifdef FACES
+  for (entry = int(gl_GlobalInvocationID.x); entry < count; entry += int(gl_NumWorkGroups.x) * 64) clipLarge(entry);
+#else
+  if (entry < count) clipLarge(entry);
+#endif
 }

@@ -4,8 +4,12 @@
 #include "draw/exact/triangles/clip.glsl"
 #include "draw/exact/triangles/triangle.glsl"
 const int fanTexels = 8;  // of one: x, y, how near, and in the first how many
-uniform int firstFan;  // of the surface,
-uniform int fanRoom;   // and how many have room
+uniform int fanRoom;   // how many have room,
+#ifdef FACES
+int firstFan = face_ * fanRoom;
+#else
+uniform int firstFan;  // and the first of the surface
+#endif
 #ifdef MAKES_FANS
 layout(std430, binding = fanBinding) writeonly restrict buffer FanBlock { uvec4 fans[]; };
 

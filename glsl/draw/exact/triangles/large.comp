@@ -5,7 +5,13 @@
 #include "draw/exact/triangles/fill_fan.glsl"
 layout(binding = largeUnit) uniform usamplerBuffer large;
 layout(binding = counterUnit) uniform usamplerBuffer counters;
+#ifdef FACES
+int draw_ = face_;
+const uint groupRow = 0u, groupRows = 1u;
+#else
 uniform int draw_;
+uint groupRow = gl_WorkGroupID.y, groupRows = gl_NumWorkGroups.y;
+#endif
 
 #if defined BINS && !defined SUN_MAP
 uniform int draws;
@@ -16,6 +22,7 @@ const int draws = 0;
 void drawLarge(int entry) {
   int number = int(texelFetch(large, firstIndex / 3 + entry).x);
   uint id = firstId + uint(number);
+  seeSides(number);
 #if defined SUN_MAP || defined CLIPS
   ivec3 corners = cornersOf(number);
   uvec4 a = vertexOf(corners.x), b = vertexOf(corners.y), c = vertexOf(corners.z);
@@ -30,12 +37,12 @@ void drawLarge(int entry) {
 }
 
 void main() {
-  uint first = 0u, count = texelFetch(counters, draws + draw_).x, groups = gl_NumWorkGroups.x * gl_NumWorkGroups.y;
+  uint first = 0u, count = texelFetch(counters, draws + draw_).x, groups = gl_NumWorkGroups.x * groupRows;
 #ifdef CLIPS
   first = uint(fanRoom);
 #elif !defined SUN_MAP
   count = min(count, uint(fanRoom));
 #endif
-  for (uint entry = first + gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x; entry < count; entry += groups)
+  for (uint entry = first + groupRow * gl_NumWorkGroups.x + gl_WorkGroupID.x; entry < count; entry += groups)
     drawLarge(int(entry));
 }

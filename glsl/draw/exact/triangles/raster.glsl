@@ -1,7 +1,16 @@
-// What the kernels that find the visible triangles of surfaces have in common. Variants of raster_triangle.glsl.
+// What the kernels that find the visible triangles of surfaces have in common. Variants of raster_triangle.glsl. JOINED: those
+// of draw::JoinedSurfaces, each with sides of its own, which are seen first.
 #include "draw/exact/triangles/surface_triangle.glsl"
 #include "draw/exact/triangles/raster_triangle.glsl"
 uniform uint firstId;
+#ifdef JOINED
+#include "draw/exact/triangles/owners.glsl"
+void seeSides(int number) {
+  doubleSided = showsBothSides(uint(number));
+}
+#else
+void seeSides(int number) {}
+#endif
 
 Corner cornerOfVertex(uvec4 vertex) {
 #ifdef SUN_MAP

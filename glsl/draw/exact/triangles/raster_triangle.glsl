@@ -10,7 +10,11 @@ const float nearest = 0.0f;
 #ifdef LAMP_MAP
 uniform float slopeOffset;
 #endif
+#ifdef JOINED
+bool doubleSided = true;  // of the triangle that is being drawn
+#else
 uniform bool doubleSided;
+#endif
 #ifdef ADDS
 #include "draw/frame_block.glsl"
 #include "draw/exact/instances/glow_add.glsl"

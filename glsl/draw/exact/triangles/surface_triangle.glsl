@@ -1,5 +1,5 @@
 // Triangles of one surface, by number: its indices, and its vertices as vertices.comp left them. LAMP_MAP: of the merged mesh,
-// whose places each face sees for itself.
+// whose places each face sees for itself. FACES: all faces, as draw/exact/view_block.glsl has it.
 #include "common/once.glsl"
 #include "draw/exact/bindings.glsl"
 #include "draw/exact/vertex.glsl"
@@ -25,11 +25,17 @@ layout(binding = indexUnit) uniform usamplerBuffer indices;
 uniform int firstVertex;
 int firstVertex_ = once(firstVertex);
 uniform int triangleCount;  // less than 0: as the GPU has written into the arguments of the surface's draw
+#ifdef FACES
+int firstIndex = 3 * face_ * triangleCount, list = face_;
+#else
 uniform int firstIndex;
+#endif
 #ifdef LAMP_MAP
 layout(std430, binding = drawArgumentBinding) readonly restrict buffer DrawArgumentBlock { uint listed[]; };
 layout(binding = tileListUnit) uniform usamplerBuffer lists;
+#ifndef FACES
 uniform int list;  // of the face
+#endif
 int trianglesToDraw() {
   return int(listed[list]);
 }

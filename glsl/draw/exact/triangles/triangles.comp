@@ -10,7 +10,11 @@
 layout(local_size_x = 64) in;
 layout(std430, binding = largeBinding) restrict buffer LargeBlock { uint large[]; };
 layout(std430, binding = counterBinding) restrict buffer CounterBlock { uint counters[]; };
+#ifdef FACES
+int draw_ = face_;
+#else
 uniform int draw_;         // number of the surface among those drawn
+#endif
 uniform int draws;
 uniform int mediumPixels;  // the longest side of a box of medium size; none is where that is less than smallPixels
 #include "draw/exact/list_place.glsl"
@@ -21,12 +25,11 @@ const int smallerBy = 4;
 const int smallerBy = 1;
 #endif
 
-void main() {
-  int number = int(gl_WorkGroupID.y * gl_NumWorkGroups.x * 64u + gl_GlobalInvocationID.x);
-  if (number >= trianglesToDraw()) return;
+void drawOrList(int number) {
 #ifdef LAMP_MAP
   number = triangleAt(number);
 #endif
+  seeSides(number);
   ivec3 corners = cornersOf(number);
   uvec4 a = vertexOf(corners.x), b = vertexOf(corners.y), c = vertexOf(corners.z);
   if (a.w == lostVertex || b.w == lostVertex || c.w == lostVertex) return;
@@ -63,5 +66,15 @@ void main() {
   }
 #if !defined BINS || defined LAMP_MAP || defined SUN_MAP
   fillBox(t, firstId + uint(number));
+#endif
+}
+
+void main() {
+#ifdef FACES
+  int count = trianglesToDraw();
+  for (int i = int(gl_GlobalInvocationID.x); i < count; i += int(gl_NumWorkGroups.x) * 64) drawOrList(i);
+#else
+  int number = int(gl_WorkGroupID.y * gl_NumWorkGroups.x * 64u + gl_GlobalInvocationID.x);
+  if (number < trianglesToDraw()) drawOrList(number);
 #endif
 }

@@ -14,8 +14,8 @@ constexpr float ballRadius = 0.5F;  // of sprites and spheres at size 1
 
 }  // namespace
 
-BallRaster::BallRaster(Into into, int samples, int smallPixels)
-    : into_(into), samples_(samples), smallPixels_(smallPixels) {}
+BallRaster::BallRaster(Into into, int samples, int smallPixels, int mediumPixels)
+    : into_(into), samples_(samples), smallPixels_(smallPixels), mediumPixels_(mediumPixels) {}
 
 const gl::Program& BallRaster::program(bool large, int pass, SampleLayout layout) {
   const std::tuple<bool, int, SampleLayout> key{large, pass, layout};
@@ -28,6 +28,7 @@ const gl::Program& BallRaster::program(bool large, int pass, SampleLayout layout
   const bool map = into_ == Into::sunMap;
   if (map) defines.emplace_back("SUN_MAP", "1");
   if (into_ == Into::lampMap) defines.emplace_back("LAMP_MAP", "1");
+  if (anyMedium()) defines.emplace_back("MEDIUM", "1");
   if (map && large) defines.emplace_back("LARGE", "1");
   const char* path = map     ? "draw/exact/instances/ball_shadows.comp"
                      : large ? "draw/exact/instances/large_balls.comp"
@@ -41,7 +42,7 @@ void BallRaster::prepare() {
   for (const sim::Instances* balls : balls_) all += static_cast<std::size_t>(balls->capacity);
   const std::size_t count = balls_.size();
   reserve(large_, largeView_, "large balls", all * sizeof(GLuint), GL_R32UI, sizeof(GLuint));
-  reserve(counters_, counterView_, "counts of large balls", count * sizeof(GLuint), GL_R32UI,
+  reserve(counters_, counterView_, "counts of large balls", 2 * count * sizeof(GLuint), GL_R32UI,
           sizeof(GLuint));
   reserve(largeGroups_, "groups for large balls", count * GroupCounts::bytes);
   glClearNamedBufferData(counters_.name(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, &zero);
@@ -63,10 +64,14 @@ void BallRaster::run(bool large, int pass, const Visibility& into, const MapPart
     kernel.set("draw_", static_cast<int>(i));
     kernel.set("firstLarge", firstLarge);
     kernel.set("smallPixels", smallPixels_);
+    kernel.set("mediumPixels", mediumPixels_);
+    kernel.set("draws", static_cast<int>(balls_.size()));
     kernel.set("mapTexels", into.size().x);
     part.set(kernel);
     firstLarge += balls.capacity;
-    if (large)
+    if (large && anyMedium())
+      GroupCounts::dispatchFixed(kernel, partsFor(into.size(), samples_));
+    else if (large)
       GroupCounts::dispatchList(kernel, largeGroups_, i, partsFor(into.size(), samples_));
     else
       dispatchRows(kernel, balls.capacity);

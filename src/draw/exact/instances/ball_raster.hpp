@@ -15,9 +15,10 @@ namespace simreel::draw {
 class BallRaster {
  public:
   enum class Into { picture, sunMap, lampMap };
-  /// Balls whose box has no side above `smallPixels` (0 to 64) are drawn by an invocation each, the others
-  /// by groups, tile by tile: the same either way.
-  BallRaster(Into into, int samples, int smallPixels = 16);
+  /// Balls whose box has no side above `smallPixels` (0 to 64) are drawn by an invocation each, of the
+  /// others those of at most `mediumPixels` (to 64) by a group, the rest by many, tile by tile: the same
+  /// either way. Into the sun's map there are none of medium size.
+  BallRaster(Into into, int samples, int smallPixels = smallBall(), int mediumPixels = mediumBall());
 
   /// What is nearest, into what is cleared or drawn already. The uniform blocks, and for a map the light's
   /// place, are bound. Numbers of balls[i] begin with firstIds[i]; maps have none.
@@ -27,6 +28,7 @@ class BallRaster {
   void drawNumbers(const Visibility& into);
 
  private:
+  [[nodiscard]] bool anyMedium() const { return into_ != Into::sunMap && mediumPixels_ > smallPixels_; }
   const gl::Program& program(bool large, int pass, SampleLayout layout);
   void prepare();
   void run(bool large, int pass, const Visibility& into, const MapPart& part = {});
@@ -34,6 +36,7 @@ class BallRaster {
   Into into_;
   int samples_;
   int smallPixels_;
+  int mediumPixels_;
   std::vector<const sim::Instances*> balls_;
   std::vector<unsigned> firstIds_;
   std::map<std::tuple<bool, int, SampleLayout>, gl::Program> programs_;

@@ -40,6 +40,7 @@ const gl::Program& GlowRaster::program(bool large, bool ball, SampleLayout layou
   if (!large)
     for (const auto& define : laneDefines()) defines.push_back(define);
   if (large) defines.emplace_back("LARGE", "1");
+  if (anyMedium()) defines.emplace_back("MEDIUM", "1");
   if (ball) defines.emplace_back("BALL", "1");
   return programs_.emplace(key, gl::Program::compute("draw/exact/instances/glows.comp", defines))
       .first->second;
@@ -62,9 +63,13 @@ void GlowRaster::run(bool large, const Visibility& picture) {
     kernel.set("draw_", static_cast<int>(i));
     kernel.set("firstLarge", firstLarge);
     kernel.set("smallPixels", smallPixels_);
+    kernel.set("mediumPixels", mediumPixels_);
+    kernel.set("draws", static_cast<int>(glows_.size()));
     kernel.set("roundPixels", glows.discs ? 0.0F : roundPixels);
     firstLarge += glows.capacity;
-    if (large)
+    if (large && anyMedium())
+      GroupCounts::dispatchFixed(kernel, partsFor(picture.size(), picture.samples()));
+    else if (large)
       GroupCounts::dispatchList(kernel, largeGroups_, i, partsFor(picture.size(), picture.samples()));
     else
       dispatchRows(kernel, glows.capacity);
@@ -83,7 +88,7 @@ void GlowRaster::draw(const std::vector<const sim::Instances*>& glows, const Vis
     all += static_cast<std::size_t>(glows_[i]->capacity);
   }
   reserve(large_, largeView_, "large glows", all * sizeof(GLuint), GL_R32UI, sizeof(GLuint));
-  reserve(counters_, counterView_, "counts of large glows", count * sizeof(GLuint), GL_R32UI,
+  reserve(counters_, counterView_, "counts of large glows", 2 * count * sizeof(GLuint), GL_R32UI,
           sizeof(GLuint));
   reserve(largeGroups_, "groups for large glows", count * GroupCounts::bytes);
   glClearNamedBufferData(counters_.name(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, &zero);

@@ -15,9 +15,10 @@ namespace simreel::draw {
 /// (glsl/draw/instances/glow_block.glsl): the order does not matter.
 class GlowRaster {
  public:
-  /// Those whose box has no side above `smallPixels` are summed up by an invocation each, the others by
-  /// groups.
-  explicit GlowRaster(int samples, int smallPixels = 12) : samples_(samples), smallPixels_(smallPixels) {}
+  /// Those whose box has no side above `smallPixels` are summed up by an invocation each, of the others
+  /// those of at most `mediumPixels` by a group, the rest by many.
+  explicit GlowRaster(int samples, int smallPixels = smallGlow(), int mediumPixels = mediumBall())
+      : samples_(samples), smallPixels_(smallPixels), mediumPixels_(mediumPixels) {}
 
   /// Makes room for a picture. Throws UserError(device) naming the limit where there is none.
   void prepare(glm::ivec2 size);
@@ -29,11 +30,13 @@ class GlowRaster {
   void addTo(glm::ivec2 size) const;
 
  private:
+  [[nodiscard]] bool anyMedium() const { return mediumPixels_ > smallPixels_; }
   const gl::Program& program(bool large, bool ball, SampleLayout layout);
   void run(bool large, const Visibility& picture);
 
   int samples_;
   int smallPixels_;
+  int mediumPixels_;
   std::vector<const sim::Instances*> glows_;
   std::vector<InstanceColors> colors_;
   std::map<std::tuple<bool, bool, SampleLayout>, gl::Program> programs_;

@@ -5,6 +5,7 @@
 #include "draw/exact/bloom.hpp"
 #include "draw/exact/exact_view.hpp"
 #include "draw/exact/instances/exact_instances.hpp"
+#include "draw/exact/joined_surfaces.hpp"
 #include "draw/exact/light_pictures.hpp"
 #include "draw/exact/scene/lamp_maps.hpp"
 #include "draw/exact/shaded_tiles.hpp"
@@ -70,6 +71,7 @@ struct ExactScene::State {
   }
   void drawShadows(const sim::Drawables& drawables);
   void drawBand(const sim::Drawables& drawables, const shader::ExactView& values, const Watch& watch);
+  void gather();
   void shadeAll();
   void keepVisibility(glm::ivec2 rows) const;
 
@@ -83,7 +85,10 @@ struct ExactScene::State {
   ShadowPass shadow;
   gl::Buffer view;
   Visibility visibility;
+  JoinedSurfaces joined;
+  bool joins = false;  ///< the surfaces of this picture
   TriangleRaster triangles;
+  std::vector<std::span<const TriangleRaster::Drawn>> gathered;  ///< surfaces that are shaded together
   std::optional<Visibility> map;
   std::optional<TriangleRaster> casters;
   LampMaps lampMaps;
@@ -150,13 +155,30 @@ void ExactScene::State::drawShadows(const sim::Drawables& drawables) {
   instances.castShadows(drawables, *map, part);
 }
 
+/// One by one, but for neighbours among joined ones.
+void ExactScene::State::gather() {
+  const std::span<const TriangleRaster::Drawn> drawn = triangles.drawn();
+  gathered.clear();
+  bool before = false;
+  for (std::size_t i = 0; i < drawn.size(); ++i) {
+    const bool plain = joins && SurfaceShading::isPlain(*drawn[i].surface, skins);
+    if (plain && before)
+      gathered.back() = drawn.subspan(i - gathered.back().size(), gathered.back().size() + 1);
+    else
+      gathered.push_back(drawn.subspan(i, 1));
+    before = plain;
+  }
+}
+
 void ExactScene::State::shadeAll() {
   if (map) map->nearKeys().bind(mapUnit);
   lampMaps.bind();
-  const auto& drawn = triangles.drawn();
-  for (std::size_t i = 0; i < drawn.size(); ++i)
-    surfaces.shade(triangles, drawn[i], skins, tiles, static_cast<int>(i));
-  instances.shade(tiles, static_cast<int>(drawn.size()));
+  for (std::size_t i = 0; i < gathered.size(); ++i)
+    if (gathered[i].size() == 1)
+      surfaces.shade(triangles, gathered[i].front(), skins, tiles, static_cast<int>(i));
+    else
+      surfaces.shadeJoined(joined, triangles, gathered[i], tiles, static_cast<int>(i));
+  instances.shade(tiles, static_cast<int>(gathered.size()));
   if (!ground) return;
   tiles.shade(tiles.things(), litGround);
   if (shadow.on()) tiles.shade(tiles.things() + 1, shadedGround);
@@ -185,18 +207,22 @@ void ExactScene::State::drawBand(const sim::Drawables& drawables, const shader::
   std::vector<const sim::Surface*> shown;
   for (const sim::Surface& surface : drawables.surfaces) shown.push_back(&surface);
   triangles.number(shown);
+  gather();
   std::vector<unsigned> firstIds;
   unsigned numbers = 0;
-  for (const TriangleRaster::Drawn& drawn : triangles.drawn()) {
-    firstIds.push_back(drawn.firstId);
-    numbers = drawn.firstId + static_cast<unsigned>(drawn.maxTriangles);
+  for (const auto& together : gathered) {
+    firstIds.push_back(together.front().firstId);
+    numbers = together.back().firstId + static_cast<unsigned>(together.back().maxTriangles);
   }
   instances.number(drawables, numbers, firstIds);
   gl::barrier();  // another band may still be read
   visibility.clear();
   gl::barrier();
   instances.drawNearest(visibility);  // before triangles draw numbers
-  triangles.draw(visibility);
+  if (joins)
+    triangles.drawJoined(visibility, joined);
+  else
+    triangles.draw(visibility);
   instances.drawNumbers(visibility);
   if (watch) watch("visibility");
   sums.bindImage(sumImage, GL_READ_WRITE);
@@ -224,13 +250,16 @@ void ExactScene::draw(double seconds, const sim::Drawables& published, const Ove
   shader::ExactView values =
       exactView(viewAt(s.scene.camera, seconds, s.size, drawables), s.scene.camera, s.size);
   s.view.write(0, std::as_bytes(std::span(&values, 1)));
+  s.joins = s.joined.join(drawables.surfaces);
+  sim::Drawables casting = drawables;
+  if (s.joins) casting.surfaces = {s.joined.surface()};
   if (s.lampMaps.on()) {
-    s.lampMaps.draw(drawables, s.lamps, s.instances);
+    s.lampMaps.draw(casting, s.lamps, s.instances);
     issued("shadow");
   }
   s.view.bindUniform(viewBinding, 0, sizeof values);
   if (s.shadow.on()) {
-    s.drawShadows(drawables);
+    s.drawShadows(casting);
     issued("shadow");
   }
   constexpr std::array<GLfloat, 4> none = {0, 0, 0, 0};

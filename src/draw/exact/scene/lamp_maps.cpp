@@ -42,7 +42,10 @@ shader::ExactView faceView(const shader::Lamp& lamp, int face, int side, float s
 
 }  // namespace
 
-LampMaps::LampMaps(const Lamps& lamps, bool sparing) : sparing_(sparing), count_(lamps.order().shadowed) {
+static_assert(shader::maxFaceViews >= shader::lampFaces * static_cast<int>(scene::maxShadowedLights));
+
+LampMaps::LampMaps(const Lamps& lamps, bool sparing, bool together)
+    : sparing_(sparing), together_(together), count_(lamps.order().shadowed) {
   if (!on()) return;
   for (const scene::Light* light : lamps.order().lights)
     if (light->shadow) softness_ = std::max(softness_, light->shadowSoftness);
@@ -56,6 +59,7 @@ LampMaps::LampMaps(const Lamps& lamps, bool sparing) : sparing_(sparing), count_
   viewStride_ = (sizeof(shader::ExactView) + alignment - 1) / alignment * alignment;
   views_ =
       gl::Buffer("views of the lamps", static_cast<std::size_t>(count_ * shader::lampFaces) * viewStride_);
+  allViews_ = gl::Buffer("views of the lamps", shader::maxFaceViews * sizeof(shader::ExactView));
 }
 
 void LampMaps::draw(const sim::Drawables& drawables, const Lamps& lamps, ExactInstances& instances) {
@@ -63,15 +67,21 @@ void LampMaps::draw(const sim::Drawables& drawables, const Lamps& lamps, ExactIn
   for (const sim::Surface& surface : drawables.surfaces)
     if (castsShadow(surface)) casting.push_back(&surface);
   std::vector<std::byte> bytes(views_.bytes());
+  std::vector<shader::ExactView> views;
   const LampOrder& order = lamps.order();
   for (int i = 0; i < count_ * shader::lampFaces; ++i) {
     const auto lamp = static_cast<std::size_t>(i / shader::lampFaces);
-    const shader::ExactView view = faceView(lamps.values()[lamp], i % shader::lampFaces,
-                                            order.lights[lamp]->shadowSize, lamps.values()[lamp].maps.w);
+    const int side = order.lights[lamp]->shadowSize;
+    shader::ExactView view =
+        faceView(lamps.values()[lamp], i % shader::lampFaces, side, lamps.values()[lamp].maps.w);
+    view.eye.w = static_cast<float>(order.rows[lamp]);
+    view.across.w = static_cast<float>(i % shader::lampFaces * side);
+    views.push_back(view);
     const auto from = std::as_bytes(std::span(&view, 1));
     std::copy(from.begin(), from.end(), bytes.begin() + static_cast<std::ptrdiff_t>(i * viewStride_));
   }
   views_.write(0, bytes);
+  allViews_.write(0, std::as_bytes(std::span(views)));
   keys_->clear();
   gl::barrier();
   const int all = count_ * shader::lampFaces;
@@ -104,7 +114,11 @@ void LampMaps::drawMesh(const std::vector<const sim::Surface*>& casting,
     const int some = std::min(atOnce, all - first);
     const TriangleLists& lists =
         sparing_ ? lists_->find(*mesh_, first, some) : lists_->all(*mesh_, mesh_->maxTriangles(), some);
-    raster_->number(lists, {faces.begin() + first, faces.begin() + first + some});
+    const std::vector<MapFace> shown(faces.begin() + first, faces.begin() + first + some);
+    if (together_)
+      raster_->number(lists, shown, allViews_, first);
+    else
+      raster_->number(lists, shown);
     raster_->draw(*keys_);
   }
 }

@@ -1,5 +1,6 @@
 #pragma once
 #include "draw/exact/instances/exact_instances.hpp"
+#include "draw/exact/joined_surfaces.hpp"
 #include "draw/exact/scene/face_lists.hpp"
 #include "draw/exact/scene/merged_mesh.hpp"
 #include "draw/exact/triangle_raster.hpp"
@@ -16,8 +17,9 @@ namespace simreel::draw {
 class LampMaps {
  public:
   /// `sparing`: faces go through those triangles only that they may show; else, where no surface says
-  /// itself how many it has, through all: the maps are the same.
-  explicit LampMaps(const Lamps& lamps, bool sparing = true);
+  /// itself how many it has, through all. `together`: all maps in one go, as cards have it best; else one
+  /// by one. The maps are the same.
+  explicit LampMaps(const Lamps& lamps, bool sparing = true, bool together = joinsSurfaces());
   [[nodiscard]] bool on() const { return count_ > 0; }
   /// Draws all of them for the lamps as they were updated last; the view's block is bound to others
   /// afterwards.
@@ -31,6 +33,7 @@ class LampMaps {
   void drawMesh(const std::vector<const sim::Surface*>& casting, const std::vector<MapFace>& faces);
 
   bool sparing_;
+  bool together_;
   int count_;  ///< lamps with shadows
   float softness_ = 0;
   std::size_t viewStride_ = 0;  ///< bytes from one map's view to the next
@@ -39,6 +42,7 @@ class LampMaps {
   std::optional<MergedMesh> mesh_;
   std::optional<FaceLists> lists_;
   gl::Buffer views_;
+  gl::Buffer allViews_;  ///< without gaps
 };
 
 }  // namespace simreel::draw

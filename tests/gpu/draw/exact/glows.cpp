@@ -90,14 +90,14 @@ TEST_CASE("glows: the sum of their formula in double precision, in any order and
   }
   scene::Material material;
   material.color = glm::vec3(1, 0.5F, 300.0F);  // beyond what the lower words hold
-  const auto run = [&](int smallPixels) {
+  const auto run = [&](int smallPixels, int mediumPixels = 0) {
     InstanceStage group(places, speeds);
     group.instances.size = 0.7F;
     group.instances.additive = true;
     group.instances.discs = discs;
     group.instances.brightness = 0.37F;
     group.instances.material = &material;
-    draw::GlowRaster raster(4, smallPixels);
+    draw::GlowRaster raster(4, smallPixels, mediumPixels);
     const auto first = lightOf(stage, raster, group.instances);
     CHECK(lightOf(stage, raster, group.instances) == first);  // the sums are empty again
     return first;
@@ -105,6 +105,8 @@ TEST_CASE("glows: the sum of their formula in double precision, in any order and
   const auto found = run(12);
   CHECK(run(0) == found);
   CHECK(run(64) == found);
+  CHECK(run(0, 64) == found);
+  CHECK(run(3, 11) == found);
   std::reverse(places.begin(), places.end());
   std::reverse(speeds.begin(), speeds.end());
   CHECK(run(12) == found);

@@ -77,8 +77,8 @@ struct Drawn {
   std::vector<unsigned> keys, ids;
 };
 
-Drawn drawBalls(ExactStage& stage, const Balls& balls, int smallPixels = 16) {
-  draw::BallRaster raster(draw::BallRaster::Into::picture, stage.samples, smallPixels);
+Drawn drawBalls(ExactStage& stage, const Balls& balls, int smallPixels = 16, int mediumPixels = 0) {
+  draw::BallRaster raster(draw::BallRaster::Into::picture, stage.samples, smallPixels, mediumPixels);
   stage.clear();
   raster.drawNearest(balls.drawn, balls.firstIds, stage.target);
   raster.drawNumbers(stage.target);
@@ -183,9 +183,10 @@ TEST_CASE("balls, large or small: forcing either way of drawing changes nothing"
     ExactStage stage(sideScene(), {67, 45}, samples);
     const Balls balls(5);
     const Drawn usual = drawBalls(stage, balls);
-    for (const int smallPixels : {0, 3, 64}) {
+    for (const auto& [smallPixels, mediumPixels] : {std::pair(0, 0), {3, 0}, {64, 0}, {0, 64}, {2, 9}}) {
       CAPTURE(smallPixels);
-      const Drawn other = drawBalls(stage, balls, smallPixels);
+      CAPTURE(mediumPixels);
+      const Drawn other = drawBalls(stage, balls, smallPixels, mediumPixels);
       CHECK(other.keys == usual.keys);
       CHECK(other.ids == usual.ids);
     }

@@ -130,8 +130,8 @@ TEST_CASE("exact: lists of what faces of lamps may show leave out nothing that t
   draw::Lamps lamps(scene, draw::Rasterizer::exact);
   lamps.update(0, drawables);
   draw::ExactInstances instances(1, lamps.defines());
-  const auto mapsOf = [&](bool sparing) {
-    draw::LampMaps maps(lamps, sparing);
+  const auto mapsOf = [&](bool sparing, bool together = false) {
+    draw::LampMaps maps(lamps, sparing, together);
     maps.draw(drawables, lamps, instances);
     testContext().check();
     return maps.keys().readKeys();
@@ -139,6 +139,8 @@ TEST_CASE("exact: lists of what faces of lamps may show leave out nothing that t
   const std::vector<GLuint> wanted = mapsOf(false);
   CHECK(std::count(wanted.begin(), wanted.end(), 0xffffffffU) < 12 * side * side / 2);
   CHECK(mapsOf(true) == wanted);
+  CHECK(mapsOf(true, true) == wanted);  // nor does drawing all of them in one go change them
+  CHECK(mapsOf(false, true) == wanted);
 
   draw::MergedMesh merged;
   merged.merge({&mesh.surface});

@@ -218,9 +218,9 @@ TEST_CASE(
   group.instances.size = 0.2F;
   group.instances.massExponent = 1;
   std::vector<unsigned> usual;
-  for (const int smallPixels : {16, 0, 64}) {
+  for (const auto& [smallPixels, mediumPixels] : {std::pair(16, 0), {0, 0}, {64, 0}, {0, 64}, {3, 12}}) {
     const draw::Visibility keys("a test", {side, side}, 1, false);
-    draw::BallRaster raster(draw::BallRaster::Into::lampMap, 1, smallPixels);
+    draw::BallRaster raster(draw::BallRaster::Into::lampMap, 1, smallPixels, mediumPixels);
     block.bindUniform(draw::viewBinding, 0, sizeof v);
     keys.clear();
     gl::barrier();

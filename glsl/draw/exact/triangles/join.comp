@@ -1,0 +1,29 @@
+// Puts a surface's vertices in world space behind those of others, and its triangles with their owner: twice the number of the
+// surface, and 1 where both its sides show. Variants: GRID, DEFORMED.
+#include "draw/exact/bindings.glsl"
+#include "draw/exact/triangles/world_vertex.glsl"
+layout(local_size_x = 64) in;
+layout(binding = indexUnit) uniform usamplerBuffer indices;
+layout(std430, binding = outVertexBinding) writeonly restrict buffer PlaceBlock { vec4 places[]; };
+layout(std430, binding = outNormalBinding) writeonly restrict buffer NormalBlock { vec4 directions[]; };
+layout(std430, binding = largeBinding) writeonly restrict buffer IndexBlock { uint joined[]; };
+layout(std430, binding = counterBinding) writeonly restrict buffer OwnerBlock { uint owners[]; };
+uniform int vertexCount;
+uniform int firstVertex;
+uniform int triangleCount;
+uniform int firstTriangle;
+uniform ivec2 rowOf;  // as draw/exact/triangles/surface_triangle.glsl has it
+uniform uint owner;
+
+void main() {
+  int i = int(gl_WorkGroupID.y * gl_NumWorkGroups.x * 64u + gl_GlobalInvocationID.x);
+  if (i < vertexCount) {
+    places[firstVertex + i] = vec4(worldPlace(i), 1.0f);
+    directions[firstVertex + i] = vec4(worldNormal(i), 0.0f);
+  }
+  if (i >= triangleCount) return;
+  owners[firstTriangle + i] = owner;
+  int row = rowOf.x > 0 ? i / rowOf.x : 0;
+  int first = 3 * (i - row * rowOf.x), vertex = firstVertex + row * rowOf.y;
+  for (int k = 0; k < 3; ++k) joined[3 * (firstTriangle + i) + k] = uint(vertex) + texelFetch(indices, first + k).x;
+}
