@@ -24,13 +24,13 @@ FUNCTION float readSegment(int first, int last) {
   Link here = linkBetween(a, b, true);
   float cosine = exactDot(before.along, here.along);
   lineCosine[0] = cosine;
-  lineMass[0] = a.w;
+  lineMass[0] = a.w * lineSoftening;
   for (int k = first; k <= last; ++k) {
     vec4 c = lineParticle(min(k + 2, lineLinks));
     Link after = linkBetween(b, c, k + 1 < lineLinks);
     cosine = exactDot(here.along, after.along);
     lineCosine[k - first + 1] = cosine;
-    lineMass[k - first + 1] = b.w;
+    lineMass[k - first + 1] = b.w * lineSoftening;
     lineStretch[k - first] = undone(k, here.stretch);
     sum = sum + here.stretch;
     b = c;
@@ -88,6 +88,22 @@ FUNCTION vec3 pullBetween(vec4 a, vec4 b, bool there, float multiplier) {
   precise float most = lineRest * 1.95f * exactReciprocal(max(weight, 1e-20f));
   float held = clamp(multiplier, -most, most);
   precise vec3 pull = link.along * held;
+  return pull;
+}
+
+// The same of a line that keeps energy, of its link k between two others: B turns with the links, so that of the gradient of
+// 1/2 C^T B^-1 C there is -1/2 l^T dB l, too.
+FUNCTION vec3 keptPull(int k, float multiplierBefore, float multiplier, float multiplierAfter) {
+  vec4 a = lineParticle(k), b = lineParticle(k + 1);
+  Link before = linkBetween(lineParticle(max(k - 1, 0)), a, k > 0);
+  Link here = linkBetween(a, b, true);
+  Link after = linkBetween(b, lineParticle(min(k + 2, lineLinks)), k + 1 < lineLinks);
+  precise vec3 turnBefore = before.along - here.along * exactDot(before.along, here.along);
+  precise vec3 turnAfter = after.along - here.along * exactDot(after.along, here.along);
+  precise float length_ = max(here.stretch + lineRest, lineRest * 0.125f);
+  precise float share = multiplier * lineSoftening * exactReciprocal(length_);
+  precise vec3 turn = turnBefore * (multiplierBefore * a.w) + turnAfter * (multiplierAfter * b.w);
+  precise vec3 pull = pullBetween(a, b, true, multiplier) - turn * share;
   return pull;
 }
 

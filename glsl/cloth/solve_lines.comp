@@ -1,19 +1,21 @@
 // Structural constraints of every row (ROWS) or column at once, line_model.glsl: a group has some lines, an invocation a
 // segment of one. LAST: leaves the particles as they are after the substep, with their velocities. LINES of a group,
-// SEGMENTS of a line.
+// SEGMENTS of a line. KEEPS: by where the particles are at the substep's beginning, so rows and columns do not see each other.
 #include "cloth/kernel.glsl"
 layout(local_size_x = LINES, local_size_y = SEGMENTS) in;
-#if defined(LAST) || DAMPED
+#if defined(LAST) || DAMPED || KEEPS
 INPUT_ARRAY(positionsBinding, PositionBlock, positions)
 #endif
 #ifdef LAST
 STATE_ARRAY(velocitiesBinding, VelocityBlock, velocities)  // before: where forces alone would lead
+#if !KEEPS
 STATE_ARRAY(trendsBinding, TrendBlock, trends)
+#endif
 #endif
 STATE_ARRAY(nextPositionsBinding, NextBlock, nextPositions)
 uniform int lines;
 int lineLinks = 0, lineStart = 0, linePace = 1;
-float lineRest = 0.0f, lineCompliance = 0.0f, lineGive = 0.0f, lineKept = 0.0f;
+float lineRest = 0.0f, lineCompliance = 0.0f, lineGive = 0.0f, lineKept = 0.0f, lineSoftening = 1.0f;
 
 vec4 loadPosition(int i) {
 #ifdef LAST
@@ -25,7 +27,11 @@ vec4 loadPosition(int i) {
 #include "cloth/model.glsl"
 
 vec4 lineParticle(int k) {
+#if KEEPS
+  return LOAD_INPUT(positions, lineStart + k * linePace);
+#else
   return LOAD_ONCE(nextPositions, lineStart + k * linePace);
+#endif
 }
 vec4 lineBefore(int k) {
 #if DAMPED
@@ -44,17 +50,48 @@ shared float firstFixed[SEGMENTS * LINES], firstLeft[SEGMENTS * LINES], firstRig
 void leave(int k, vec4 here) {
   int i = lineStart + k * linePace;
 #ifdef LAST
-  vec4 velocity = LOAD_ONCE(velocities, i), trend = LOAD_ONCE(trends, i);
+  vec4 velocity = LOAD_ONCE(velocities, i), trend = vec4(0.0f);
+#if !KEEPS
+  trend = LOAD_ONCE(trends, i);
+#endif
   Settled s = settled(loadPosition(i), here, velocity.xyz, trend.xyz, HEIGHTS == 1, WALLS == 1);
   Motion m = s.motion;
   if (isLost(m)) noteLost(uint(stepData.substep), uint(i));
+#if !KEEPS
   STORE_STATE(trends, i, vec4(s.trend, 0.0f));
+#endif
   STORE_STATE(nextPositions, i, vec4(m.position, here.w));
   STORE_STATE(velocities, i, vec4(m.velocity, velocity.w));
 #else
   STORE_STATE(nextPositions, i, here);
 #endif
 }
+
+#if KEEPS
+// Of link k, by what its neighbours pull, too.
+vec3 pullOf(int k, int first, int last, float before, float one, float beyond) {
+  float after = k < last ? lineStretch[k - first + 1] : beyond;
+  return keptPull(k, before, one, after);
+}
+
+// The segment's particles, on top of what forces and the other lines did to them. The segments on both sides left their multipliers in
+// firstFixed, of the first link, and firstLeft, of the last but one.
+void leaveKept(int segment, int segments, int first, int last, int me, float leftOne) {
+  float beyond = segment + 1 < segments ? firstFixed[me + LINES] : 0.0f;
+  float before = leftOne;
+  vec3 pullBefore = vec3(0.0f);
+  if (segment > 0) pullBefore = keptPull(first - 1, firstLeft[me - LINES], leftOne, lineStretch[0]);
+  for (int k = first; k <= last; ++k) {
+    float one = lineStretch[k - first];
+    vec3 pull = pullOf(k, first, last, before, one, beyond);
+    leave(k, pulled(LOAD_ONCE(nextPositions, lineStart + k * linePace), pullBefore, pull));
+    pullBefore = pull;
+    before = one;
+  }
+  if (segment == segments - 1)
+    leave(lineLinks, pulled(LOAD_ONCE(nextPositions, lineStart + lineLinks * linePace), pullBefore, vec3(0.0f)));
+}
+#endif
 
 // Leaves the separators of a line of the group in lastFixed.
 void solveSeparators(int slot, int segments) {
@@ -91,6 +128,9 @@ void main() {
   lineRest = springLength(0);
 #if DAMPED
   lineKept = stepData.dampedPart;
+#endif
+#if KEEPS
+  lineSoftening = stepData.softening;
 #endif
 #ifdef ROWS
   lineCompliance = FABRIC ? fabricCompliance(true, line) : scaledCompliance(0);
@@ -133,8 +173,17 @@ void main() {
     before = LOAD_STATE(nextPositions, lineStart + max(first - 1, 0) * linePace);
     beyond = LOAD_STATE(nextPositions, lineStart + (last + 1) * linePace);
   }
+#if KEEPS
+  if (mine) {
+    firstFixed[me] = lineStretch[0];
+    firstLeft[me] = links > 1 ? lineStretch[links - 2] : leftOne;
+  }
+#endif
   barrier();  // others move what is on either side
   if (!mine) return;
+#if KEEPS
+  leaveKept(segment, segments, first, last, me, leftOne);
+#else
   vec4 here = lineParticle(first);
   vec3 pullBefore = pullBetween(before, here, first > 0, leftOne);
   for (int k = first; k <= last; ++k) {
@@ -146,4 +195,5 @@ void main() {
     pullBefore = pull;
   }
   if (segment == segments - 1) leave(lineLinks, pulled(here, pullBefore, vec3(0.0f)));
+#endif
 }

@@ -125,7 +125,7 @@ auto withTwin(const Case& given, const Use& use) {
   return use(
       Swinging(ClothTwin(sim::ClothPlan(p, 1, frameSeconds, {})),
                [](const sim::ClothPlan& plan, const auto& positions, const auto& velocities, double time) {
-                 return sim::measureCloth(plan.parameters(), positions, velocities, time);
+                 return sim::measureCloth(plan.parameters(), positions, velocities, time, plan.softness());
                }));
 }
 

@@ -12,6 +12,13 @@ namespace simreel::sim {
 
 /// Constraints act as in a step of that part of a substep's seconds (glsl/cloth/motion.glsl).
 inline constexpr double constraintPart = 2.0 / 3;
+/// Of lines whose constraints keep energy (glsl/cloth/keeping.glsl), as a ratio to dt^2 times inverse
+/// masses. Rows, columns and pairs that all pull the same way are stable with the least; with the most,
+/// what is measured of the energy stays within 1% of what is kept.
+inline constexpr double leastSoftening = 1.5;
+inline constexpr double mostSoftening = 6;
+/// Of pairs; a constant of glsl/cloth/keeping.glsl.
+inline constexpr double pairSoftening = 4;
 
 enum class FabricMaterial { cotton, silk, denim, nylon, canvas, rubber };
 

@@ -215,6 +215,10 @@ double ClothParameters::greatestLoad(double each) const {
   return greatest(gravity) + greatest(wind) / each;
 }
 
+double ClothParameters::hangingSquared() const {
+  return 4.0 * std::max(size.x, size.y) * greatestLoad(massAt(size / 2)) / spacing;
+}
+
 double ClothParameters::stableSeconds() const {
   // Semi-implicit Euler of x'' = -w^2 x - c x' stays bounded while (w dt)^2 + 2 c dt < 4. At rest the
   // lattice's fastest mode has w^2 <= 4 (k + ks + kb) / m. Drag alone slows down at c = rho (Cd + Cl) A |v|
@@ -229,8 +233,9 @@ double ClothParameters::stableSeconds() const {
   const double streaming = hasAir ? 0.1 * 0.5 * air.density * static_cast<double>(air.drag + air.lift) *
                                         fastest * fastest * area / each
                                   : 0.0;
-  const double hanging =
-      4.0 * std::max(size.x, size.y) * (greatestLoad(massAt(size / 2)) + streaming) / spacing;
+  // Where energy is kept, softening w^2 dt^2 of that is to be less than 1, and in a swing it pulls more.
+  const double hanging = hangingSquared() * (keepsEnergy() ? 6 * leastSoftening : 1.0) +
+                         4.0 * std::max(size.x, size.y) * streaming / spacing;
   // A fabric bends by w^2 <= 64 D / (L^2 m): 16 along either axis, 32 twisting.
   const double bending = hasFabric ? 64.0 * fabric.constants().bending / (area * each) : 0.0;
   const double w2 = constrained() ? hanging + bending
@@ -279,7 +284,7 @@ int ClothParameters::substepsPerFrame(double frameSeconds) const {
     fail(ExitCode::usage,
          "cloth: \"substeps\": \"auto\" would take {} a frame to be stable, more than {}; {}", needed,
          maxSubsteps, steadierWay(frameSeconds));
-  const int min = fewestSubsteps(frameSeconds, constrained() ? 8 : 1);
+  const int min = fewestSubsteps(frameSeconds, keepsEnergy() ? 16 : constrained() ? 8 : 1);
   return std::max(static_cast<int>(needed), min);
 }
 

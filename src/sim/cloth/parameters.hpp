@@ -114,6 +114,13 @@ struct ClothParameters : ObjectParameters, shader::ClothConstants {
   [[nodiscard]] bool constrained() const { return hasFabric || solver == ClothSolver::constraints; }
   /// Whether changes of length are damped.
   [[nodiscard]] bool damped() const { return hasFabric && fabric.stretchDamping > 0; }
+  /// Whether its constraints keep energy (glsl/cloth/keeping.glsl): of a grid that nothing damps, neither
+  /// air nor contact.
+  [[nodiscard]] bool keepsEnergy() const {
+    return constrained() && !hasMesh && damping == 0 && !hasAir && !damped() && !hasContact;
+  }
+  /// 1/s^2: how fast the longest line that hangs swings sideways at most, w^2.
+  [[nodiscard]] double hangingSquared() const;
   /// kg of a particle: of a fabric, the density times its share of the area.
   [[nodiscard]] float massAt(glm::ivec2 at) const;
   /// The pin group that clamps the border left, right, top or bottom; -1: none.
