@@ -1,7 +1,12 @@
 // What becomes of the energy of cloth that swings undamped for a minute; tools/bench/studies.cpp has more.
+#include "reference/cloth_twin.hpp"
 #include "reference/swing.hpp"
+#include "sim/cloth/quantities.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <vector>
 
 #include <doctest/doctest.h>
 
@@ -15,6 +20,96 @@ TEST_CASE("energy: undamped springs keep it for a minute") {
     const auto course = swing::courseOfTwin(given, 60);
     CHECK(std::abs(course.drift()) < 0.01);
     CHECK(course.rise < 1e-3);
+  }
+}
+
+TEST_CASE("energy: a fabric keeps it for a minute") {
+  for (const double spacing : {0.1, 0.05}) {
+    CAPTURE(spacing);
+    const auto course = swing::courseOfTwin(swing::fabric(10, spacing), 60);
+    CHECK(std::abs(course.drift()) < 5e-3);
+    CHECK(course.rise < 2e-3);
+  }
+}
+
+TEST_CASE("energy: what a wide swing loses to flutter stays in the fabric") {
+  // Ten seconds crumple it; of second order in time a third was gone by then.
+  for (const double degrees : {30.0, 60.0}) {
+    CAPTURE(degrees);
+    const auto course = swing::courseOfTwin(swing::fabric(degrees, 0.1), 10);
+    CHECK(std::abs(course.drift()) < 0.015);
+    CHECK(course.rise < 5e-3);
+  }
+}
+
+TEST_CASE("energy: constraints that keep it are the gradient of what is measured") {
+  // On a crumpled sheet of odd size with pins, of lines of two segments; in float64 by differences.
+  for (const bool fabric : {false, true}) {
+    CAPTURE(fabric);
+    sim::ClothParameters p;
+    p.size = {21, 5};
+    p.spacing = 0.05F;
+    p.solver = sim::ClothSolver::constraints;
+    p.hasFabric = fabric;
+    p.fabric.bending = 0.0;
+    p.mass = 1e-3F;
+    p.compliance = 2e-4F;
+    p.shearCompliance = 1e-3F;
+    p.bendCompliance = 1e-2F;
+    p.gravity = glm::vec3(0);
+    p.wind = glm::vec3(0);
+    p.damping = 0;
+    p.jitter = 0.012F;
+    p.substeps = 16;
+    p.pins.clear();
+    p.pins.emplace_back().points = {{0, 0}, {9, 2}};
+    REQUIRE(p.keepsEnergy());
+    ClothTwin twin(sim::ClothPlan(p, 4, 1.0 / 60, {}));
+    const std::vector<glm::vec4> start = twin.positions;
+    const auto steps = twin.plan().frame(0);
+    twin.substep(steps[0]);
+    const auto elastic = [&](const std::vector<glm::vec4>& positions) {
+      return sim::measureCloth(p, positions, std::vector<glm::vec4>(positions.size()), 0,
+                               twin.plan().softness())[4];
+    };
+    double most = 0;
+    double missed = 0;
+    for (std::size_t i = 0; i < start.size(); ++i)
+      for (int axis = 0; axis < 3; ++axis) {
+        if (start[i].w == 0) continue;
+        constexpr float step = 1.0F / 4096;
+        auto there = start;
+        auto back = start;
+        there[i][axis] += step;
+        back[i][axis] -= step;
+        const double way = static_cast<double>(there[i][axis]) - static_cast<double>(back[i][axis]);
+        const double force = -(elastic(there) - elastic(back)) / way;
+        const double found =
+            static_cast<double>(twin.velocities[i][axis]) / static_cast<double>(start[i].w) / steps[0].dt;
+        most = std::max(most, std::abs(force));
+        missed = std::max(missed, std::abs(force - found));
+      }
+    CHECK(most > 0.01);
+    CHECK(missed < 2e-3 * most);
+  }
+}
+
+TEST_CASE("energy: long sheets that nothing damps hang and swing at \"auto\"") {
+  for (const double degrees : {0.0, 80.0}) {
+    CAPTURE(degrees);
+    auto given = swing::fabric(degrees, 0.02);
+    sim::ClothParameters& p = given.parameters;
+    p.size = {3, 256};
+    given.length = 0.02 * 255;
+    ClothTwin twin(sim::ClothPlan(p, 1, 1.0 / 60, {}));
+    const auto energy = [&] {
+      return sim::measureCloth(p, twin.positions, twin.velocities, 0, twin.plan().softness());
+    };
+    const double first = energy()[5];
+    const double swing = energy()[1] * 9.8 * 0.5 * given.length;  // from lying to hanging
+    for (int frame = 0; frame < 120; ++frame) twin.step(frame / 60.0);
+    CHECK(energy()[5] == doctest::Approx(first).epsilon(5e-3 * swing / std::abs(first)).scale(0));
+    CHECK(energy()[6] < 1.02);
   }
 }
 
@@ -34,9 +129,9 @@ TEST_CASE("energy: of cloth that swings undamped the mean over a swing does not 
       CAPTURE(mesh);
       CAPTURE(degrees);
       auto given = mesh ? swing::strip(degrees, 0.1) : swing::fabric(degrees, 0.1);
-      given.parameters.substeps = 8;
+      if (mesh) given.parameters.substeps = 8;
       const auto course = swing::courseOfTwin(given, 60);
-      CHECK(course.rise < 2e-3);
+      CHECK(course.rise < (mesh ? 2e-3 : 1e-2));
       if (degrees < 11) CHECK(course.drift() > -0.2);
     }
 }
