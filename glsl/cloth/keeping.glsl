@@ -6,11 +6,11 @@
 // and the forces are all of its gradient at the substep's beginning: semi-implicit Euler then is symplectic, so there is an
 // energy near this one that it keeps. What is stretched evenly has its compliance, however long the line is; what would vibrate
 // faster than substeps follow is softer, by w dt < 1 / sqrt(softening). Lines have the whole of A and are solved as
-// line_model.glsl has it, of where they are; pairs its diagonal, four times, since four of them and two lines meet at a particle.
+// line_model.glsl has it, of where they are; pairs its diagonal, at least four times, since many of them meet at a particle.
 FUNCTION vec3 pairTo(ivec2 at, vec4 here, int dx, int dy, int kind) {
   vec4 there = loadPosition(neighbour(at, dx, dy));
   precise vec3 d = vec3(there) - vec3(here);
-  precise float give = scaledCompliance(kind) + (here.w + there.w) * 4.0f;
+  precise float give = scaledCompliance(kind) + (here.w + there.w) * max(stepData.softening, 4.0f);
   precise float stiffness = stepData.perDt * stepData.perDt * exactReciprocal(give);
   return springForce(d, springLength(kind), stiffness);
 }

@@ -107,6 +107,11 @@ FUNCTION vec3 keptPull(int k, float multiplierBefore, float multiplier, float mu
   return pull;
 }
 
+FUNCTION vec3 sped(vec3 velocity, float inverseMass, vec3 before, vec3 after) {
+  precise vec3 v = velocity + (before - after) * (inverseMass * stepData.perDt);
+  return v;
+}
+
 FUNCTION vec4 pulled(vec4 here, vec3 before, vec3 after) {
   precise vec3 moved = vec3(here) + (before - after) * here.w;
   return vec4(moved, here.w);

@@ -6,11 +6,11 @@ layout(local_size_x = LINES, local_size_y = SEGMENTS) in;
 #if defined(LAST) || DAMPED || KEEPS
 INPUT_ARRAY(positionsBinding, PositionBlock, positions)
 #endif
-#ifdef LAST
+#if defined(LAST) || KEEPS
 STATE_ARRAY(velocitiesBinding, VelocityBlock, velocities)  // before: where forces alone would lead
-#if !KEEPS
-STATE_ARRAY(trendsBinding, TrendBlock, trends)
 #endif
+#if defined(LAST) && !KEEPS
+STATE_ARRAY(trendsBinding, TrendBlock, trends)
 #endif
 STATE_ARRAY(nextPositionsBinding, NextBlock, nextPositions)
 uniform int lines;
@@ -47,49 +47,52 @@ float lineCosine[segmentLinks + 1], lineMass[segmentLinks + 1], lineStretch[segm
 shared float lastFixed[SEGMENTS * LINES], lastLeft[SEGMENTS * LINES], lastRight[SEGMENTS * LINES];
 shared float firstFixed[SEGMENTS * LINES], firstLeft[SEGMENTS * LINES], firstRight[SEGMENTS * LINES];
 
-void leave(int k, vec4 here) {
-  int i = lineStart + k * linePace;
-#ifdef LAST
-  vec4 velocity = LOAD_ONCE(velocities, i), trend = vec4(0.0f);
-#if !KEEPS
-  trend = LOAD_ONCE(trends, i);
-#endif
-  Settled s = settled(loadPosition(i), here, velocity.xyz, trend.xyz, HEIGHTS == 1, WALLS == 1);
-  Motion m = s.motion;
-  if (isLost(m)) noteLost(uint(stepData.substep), uint(i));
-#if !KEEPS
-  STORE_STATE(trends, i, vec4(s.trend, 0.0f));
-#endif
-  STORE_STATE(nextPositions, i, vec4(m.position, here.w));
-  STORE_STATE(velocities, i, vec4(m.velocity, velocity.w));
-#else
-  STORE_STATE(nextPositions, i, here);
-#endif
-}
-
 #if KEEPS
-// Of link k, by what its neighbours pull, too.
-vec3 pullOf(int k, int first, int last, float before, float one, float beyond) {
-  float after = k < last ? lineStretch[k - first + 1] : beyond;
-  return keptPull(k, before, one, after);
+void leaveKept(int k, vec3 pullBefore, vec3 pull) {
+  int i = lineStart + k * linePace;
+  vec4 before = lineParticle(k), velocity = LOAD_ONCE(velocities, i);
+  vec3 v = sped(velocity.xyz, before.w, pullBefore, pull);
+#ifdef LAST
+  vec4 here = LOAD_ONCE(nextPositions, i);
+  Motion m = forced(before, here, v, HEIGHTS == 1, WALLS == 1);
+  if (isLost(m)) noteLost(uint(stepData.substep), uint(i));
+  STORE_STATE(nextPositions, i, vec4(m.position, here.w));
+  v = m.velocity;
+#endif
+  STORE_STATE(velocities, i, vec4(v, velocity.w));
 }
 
-// The segment's particles, on top of what forces and the other lines did to them. The segments on both sides left their multipliers in
+// What the segment's links pull, and what pulls its first particle. The segments on both sides left their multipliers in
 // firstFixed, of the first link, and firstLeft, of the last but one.
-void leaveKept(int segment, int segments, int first, int last, int me, float leftOne) {
+void leaveSegment(int segment, int segments, int first, int last, int me, float leftOne) {
   float beyond = segment + 1 < segments ? firstFixed[me + LINES] : 0.0f;
   float before = leftOne;
   vec3 pullBefore = vec3(0.0f);
   if (segment > 0) pullBefore = keptPull(first - 1, firstLeft[me - LINES], leftOne, lineStretch[0]);
   for (int k = first; k <= last; ++k) {
-    float one = lineStretch[k - first];
-    vec3 pull = pullOf(k, first, last, before, one, beyond);
-    leave(k, pulled(LOAD_ONCE(nextPositions, lineStart + k * linePace), pullBefore, pull));
+    float one = lineStretch[k - first], after = beyond;
+    if (k < last) after = lineStretch[k - first + 1];
+    vec3 pull = keptPull(k, before, one, after);
+    leaveKept(k, pullBefore, pull);
     pullBefore = pull;
     before = one;
   }
-  if (segment == segments - 1)
-    leave(lineLinks, pulled(LOAD_ONCE(nextPositions, lineStart + lineLinks * linePace), pullBefore, vec3(0.0f)));
+  if (segment == segments - 1) leaveKept(lineLinks, pullBefore, vec3(0.0f));
+}
+#else
+void leave(int k, vec4 here) {
+  int i = lineStart + k * linePace;
+#ifdef LAST
+  vec4 velocity = LOAD_ONCE(velocities, i), trend = LOAD_ONCE(trends, i);
+  Settled s = settled(loadPosition(i), here, velocity.xyz, trend.xyz, HEIGHTS == 1, WALLS == 1);
+  Motion m = s.motion;
+  if (isLost(m)) noteLost(uint(stepData.substep), uint(i));
+  STORE_STATE(trends, i, vec4(s.trend, 0.0f));
+  STORE_STATE(nextPositions, i, vec4(m.position, here.w));
+  STORE_STATE(velocities, i, vec4(m.velocity, velocity.w));
+#else
+  STORE_STATE(nextPositions, i, here);
+#endif
 }
 #endif
 
@@ -182,7 +185,7 @@ void main() {
   barrier();  // others move what is on either side
   if (!mine) return;
 #if KEEPS
-  leaveKept(segment, segments, first, last, me, leftOne);
+  leaveSegment(segment, segments, first, last, me, leftOne);
 #else
   vec4 here = lineParticle(first);
   vec3 pullBefore = pullBetween(before, here, first > 0, leftOne);

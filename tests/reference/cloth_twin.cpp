@@ -83,8 +83,8 @@ void forRows(int rows, int threads, const Body& body) {
 }
 
 /// As glsl/cloth/solve_lines.comp, one segment after the other.
-/// `particles`: what is moved; of a line that keeps energy not what it is solved by.
-void solveLine(Kernel& kernel, std::vector<vec4>& particles) {
+/// `particles`: what is moved; of a line that keeps energy `velocities`.
+void solveLine(Kernel& kernel, std::vector<vec4>& particles, std::vector<vec4>& velocities) {
   std::vector<std::pair<int, int>> segments;  // first and last links
   for (int first = 0; first < kernel.lineLinks; first += segmentLinks)
     segments.emplace_back(first, min(first + segmentLinks, kernel.lineLinks) - 1);
@@ -122,20 +122,25 @@ void solveLine(Kernel& kernel, std::vector<vec4>& particles) {
   vec3 before(0);
   for (int k = 0; k <= kernel.lineLinks; ++k) {
     const bool more = k < kernel.lineLinks;
-    const vec4 here = particles[static_cast<std::size_t>(kernel.lineStart + k * kernel.linePace)];
-    vec3 pull(0);
+    const vec4 here = kernel.lineParticle(k);
     const auto i = static_cast<std::size_t>(k);
+    vec3 pull(0);
     if (more && kernel.keeps)
       pull = kernel.keptPull(k, k > 0 ? multipliers[i - 1] : 0, multipliers[i],
                              k + 1 < kernel.lineLinks ? multipliers[i + 1] : 0);
     else if (more)
       pull = kernel.pullBetween(here, kernel.lineParticle(k + 1), true, multipliers[i]);
-    moved.push_back(kernel.pulled(here, before, pull));
+    if (kernel.keeps) {
+      vec4& velocity = velocities[static_cast<std::size_t>(kernel.lineStart + k * kernel.linePace)];
+      velocity = vec4(kernel.sped(vec3(velocity), here.w, before, pull), velocity.w);
+    } else {
+      moved.push_back(kernel.pulled(here, before, pull));
+    }
     before = pull;
   }
-  for (int k = 0; k <= kernel.lineLinks; ++k)
-    particles[static_cast<std::size_t>(kernel.lineStart + k * kernel.linePace)] =
-        moved[static_cast<std::size_t>(k)];
+  for (std::size_t k = 0; k < moved.size(); ++k)
+    particles[static_cast<std::size_t>(kernel.lineStart + static_cast<int>(k) * kernel.linePace)] =
+        moved[k];
 }
 
 /// Families of pairs one after the other, each by its two colours.
@@ -235,12 +240,18 @@ void ClothTwin::settle(const ClothStep& data, int index, bool again) {
   tell(kernel, grid, heights.data(), wallGrid, solid);
   if (meshes) tellMeshes(kernel, *meshes, index);
   for (std::size_t i = 0; i < next.size(); ++i) {
-    const auto s = kernel.settled(positions[i], next[i], vec3(velocities[i]), vec3(trends[i]), lands,
-                                  walls.has_value());
-    const auto m = again ? kernel.settledAgain(positions[i], left_[i], next[i], vec3(velocities[i]), lands,
-                                               walls.has_value())
-                         : s.motion;
-    if (!again && !plan_.parameters().keepsEnergy()) trends[i] = vec4(s.trend, 0);
+    Kernel::Motion m;
+    if (again) {
+      m = kernel.settledAgain(positions[i], left_[i], next[i], vec3(velocities[i]), lands,
+                              walls.has_value());
+    } else if (plan_.parameters().keepsEnergy()) {
+      m = kernel.forced(positions[i], next[i], vec3(velocities[i]), lands, walls.has_value());
+    } else {
+      const auto s = kernel.settled(positions[i], next[i], vec3(velocities[i]), vec3(trends[i]), lands,
+                                    walls.has_value());
+      m = s.motion;
+      trends[i] = vec4(s.trend, 0);
+    }
     next[i] = vec4(m.position, next[i].w);
     velocities[i] = vec4(m.velocity, velocities[i].w);
   }
@@ -304,6 +315,6 @@ void ClothTwin::constrain(const ClothStep& data) {
       if (damped) kernel.lineKept = data.dampedPart;
       kernel.lineCompliance =
           plan_.parameters().hasFabric ? kernel.fabricCompliance(rows, line) : kernel.scaledCompliance(0);
-      solveLine(kernel, next);
+      solveLine(kernel, next, velocities);
     }
 }

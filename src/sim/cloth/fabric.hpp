@@ -12,13 +12,19 @@ namespace simreel::sim {
 
 /// Constraints act as in a step of that part of a substep's seconds (glsl/cloth/motion.glsl).
 inline constexpr double constraintPart = 2.0 / 3;
-/// Of lines whose constraints keep energy (glsl/cloth/keeping.glsl), as a ratio to dt^2 times inverse
-/// masses. Rows, columns and pairs that all pull the same way are stable with the least; with the most,
-/// what is measured of the energy stays within 1% of what is kept.
+/// Constraints that keep energy (glsl/cloth/keeping.glsl) are softer by so much time squared times inverse
+/// masses (s): what vibrates faster than 1 / (this) rad/s along the cloth is slowed down to it. As a ratio
+/// to a substep it is what says how near the energy that is measured stays to the one that is kept: 1/12
+/// (dt / softSeconds)^2 of what is in those vibrations. A heavy line is held tighter, but not below the
+/// least ratio, squared, at which rows, columns and pairs that all pull the same way are stable.
+inline constexpr double softSeconds = 2.5e-3;
+inline constexpr double keepingSubstep = 1.0 / 1920;  ///< s, the longest that "auto" takes
 inline constexpr double leastSoftening = 1.5;
-inline constexpr double mostSoftening = 6;
-/// Of pairs; a constant of glsl/cloth/keeping.glsl.
-inline constexpr double pairSoftening = 4;
+inline constexpr double pairSoftening = 4;  ///< of pairs at least; in glsl/cloth/keeping.glsl, too
+/// Of faces of a mesh, six of which meet at a vertex.
+inline constexpr double leastFaceSoftening = 6, mostFaceSoftening = 24;
+/// Of attachments, ratio: what becomes taut at once gains or loses energy, the less the softer it is.
+inline constexpr double attachmentSoftening = 32;
 
 enum class FabricMaterial { cotton, silk, denim, nylon, canvas, rubber };
 

@@ -284,7 +284,10 @@ int ClothParameters::substepsPerFrame(double frameSeconds) const {
     fail(ExitCode::usage,
          "cloth: \"substeps\": \"auto\" would take {} a frame to be stable, more than {}; {}", needed,
          maxSubsteps, steadierWay(frameSeconds));
-  const int min = fewestSubsteps(frameSeconds, keepsEnergy() ? 16 : constrained() ? 8 : 1);
+  const int min = fewestSubsteps(
+      frameSeconds, keepsEnergy() ? static_cast<int>(substepsFor(frameSeconds * (1 - 1e-9), keepingSubstep))
+                    : constrained() ? 8
+                                    : 1);
   return std::max(static_cast<int>(needed), min);
 }
 

@@ -114,10 +114,10 @@ struct ClothParameters : ObjectParameters, shader::ClothConstants {
   [[nodiscard]] bool constrained() const { return hasFabric || solver == ClothSolver::constraints; }
   /// Whether changes of length are damped.
   [[nodiscard]] bool damped() const { return hasFabric && fabric.stretchDamping > 0; }
-  /// Whether its constraints keep energy (glsl/cloth/keeping.glsl): of a grid that nothing damps, neither
-  /// air nor contact.
+  /// Whether its constraints keep energy (glsl/cloth/keeping.glsl): where nothing damps, neither air nor
+  /// contact, and nothing is sewn.
   [[nodiscard]] bool keepsEnergy() const {
-    return constrained() && !hasMesh && damping == 0 && !hasAir && !damped() && !hasContact;
+    return constrained() && damping == 0 && !hasAir && !damped() && !hasContact && seams.empty();
   }
   /// 1/s^2: how fast the longest line that hangs swings sideways at most, w^2.
   [[nodiscard]] double hangingSquared() const;

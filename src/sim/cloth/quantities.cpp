@@ -101,7 +101,8 @@ double keptEnergy(const ClothParameters& p, const SpringFamily& family, double s
                   std::span<const glm::vec4> positions, const Softness& softness) {
   const double restLength = p.spacing * std::hypot(family.reach.x, family.reach.y);
   const bool line = family.kind == 0;
-  const double soft = (line ? softness.lines : pairSoftening) * softness.seconds * softness.seconds;
+  const double soft = (line ? softness.lines : std::max(softness.lines, pairSoftening)) * softness.seconds *
+                      softness.seconds;
   const auto inside = [&](glm::ivec2 at) { return at.x >= 0 && at.x < p.size.x && at.y < p.size.y; };
   const auto at = [&](glm::ivec2 where) {
     return positions[static_cast<std::size_t>(where.y) * static_cast<std::size_t>(p.size.x) +
@@ -158,9 +159,19 @@ std::span<const scene::Quantity> ClothParameters::quantities() const {
   return table;
 }
 
-std::vector<double> measureCloth(const ClothParameters& parameters, std::span<const glm::vec4> positions,
+std::vector<glm::vec4> beforeHalf(std::span<const glm::vec4> positions,
+                                  std::span<const glm::vec4> velocities, double seconds) {
+  std::vector<glm::vec4> before(positions.begin(), positions.end());
+  for (std::size_t i = 0; i < before.size(); ++i)
+    before[i] = glm::vec4(
+        glm::vec3(before[i]) - glm::vec3(velocities[i]) * static_cast<float>(0.5 * seconds), before[i].w);
+  return before;
+}
+
+std::vector<double> measureCloth(const ClothParameters& parameters, std::span<const glm::vec4> left,
                                  std::span<const glm::vec4> velocities, double time,
                                  const Softness& softness) {
+  const std::vector<glm::vec4> positions = beforeHalf(left, velocities, softness.seconds);
   SIMREEL_CHECK_EQ(positions.size(), velocities.size());
   SIMREEL_CHECK_EQ(positions.size(), static_cast<std::size_t>(parameters.size.x) *
                                          static_cast<std::size_t>(parameters.size.y));

@@ -1,5 +1,6 @@
 #include "sim/garment/membrane.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 
@@ -75,6 +76,13 @@ FaceStiffness stiffnessOf(const MembraneElement& element, const shader::FabricCo
   return {1 / (1 / static_cast<double>(fabric.weft) + weft),
           1 / (1 / static_cast<double>(fabric.warp) + warp),
           1 / (1 / static_cast<double>(fabric.shear) + weft + warp)};
+}
+
+double softeningSeconds(const ClothParameters& parameters, double seconds) {
+  if (!parameters.keepsEnergy()) return seconds;
+  const double part = softSeconds / seconds;
+  return seconds * std::sqrt(2 * std::clamp(part * part, leastFaceSoftening, mostFaceSoftening)) /
+         constraintPart;
 }
 
 double membraneEnergy(const MembraneElement& element, const FaceStiffness& stiffness,
