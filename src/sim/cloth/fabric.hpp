@@ -17,14 +17,14 @@ inline constexpr double constraintPart = 2.0 / 3;
 /// to a substep it is what says how near the energy that is measured stays to the one that is kept: 1/12
 /// (dt / softSeconds)^2 of what is in those vibrations. A heavy line is held tighter, but not below the
 /// least ratio, squared, at which rows, columns and pairs that all pull the same way are stable.
-inline constexpr double softSeconds = 2.5e-3;
+inline constexpr double softSeconds = 1.8e-3;
 inline constexpr double keepingSubstep = 1.0 / 1920;  ///< s, the longest that "auto" takes
 inline constexpr double leastSoftening = 1.5;
 inline constexpr double pairSoftening = 4;  ///< of pairs at least; in glsl/cloth/keeping.glsl, too
-/// Of faces of a mesh, six of which meet at a vertex.
-inline constexpr double leastFaceSoftening = 6, mostFaceSoftening = 24;
+/// Ratio of faces of a mesh, six of which meet at a vertex.
+inline constexpr double faceSoftening = 6;
 /// Of attachments, ratio: what becomes taut at once gains or loses energy, the less the softer it is.
-inline constexpr double attachmentSoftening = 32;
+inline constexpr double attachmentSoftening = 128;
 
 enum class FabricMaterial { cotton, silk, denim, nylon, canvas, rubber };
 

@@ -1,6 +1,5 @@
 #include "sim/garment/membrane.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 
@@ -79,10 +78,7 @@ FaceStiffness stiffnessOf(const MembraneElement& element, const shader::FabricCo
 }
 
 double softeningSeconds(const ClothParameters& parameters, double seconds) {
-  if (!parameters.keepsEnergy()) return seconds;
-  const double part = softSeconds / seconds;
-  return seconds * std::sqrt(2 * std::clamp(part * part, leastFaceSoftening, mostFaceSoftening)) /
-         constraintPart;
+  return parameters.keepsEnergy() ? seconds * std::sqrt(2 * faceSoftening) / constraintPart : seconds;
 }
 
 double membraneEnergy(const MembraneElement& element, const FaceStiffness& stiffness,

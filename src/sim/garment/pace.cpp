@@ -84,7 +84,7 @@ double hangingLength(const ClothTriangles& cloth, const std::vector<bool>& pinne
 GarmentPace::GarmentPace(const ClothParameters& parameters, const ClothTriangles& cloth,
                          const std::vector<MembraneElement>& membrane, const std::vector<double>& masses,
                          const std::vector<bool>& pinned, const std::multimap<unsigned, unsigned>& links) {
-  softening = softeningSeconds(parameters, keepingSubstep / 2) / (keepingSubstep / 2);
+  softening = softeningSeconds(parameters, 1.0);
   if (parameters.keepsEnergy()) steadyPart = 0.4;  // in a swing it pulls three times as much
   const std::vector<double> ways = hangingWays(cloth, pinned, links);
   std::vector<double> own(ways.size(), unreached);

@@ -28,7 +28,7 @@ struct GarmentPace {
   double hanging = 0;       ///< m, d: hangingLength; where attachments hold it only a tenth counts
   double stiffening = 0;    ///< 1/s^2, rho a d A S
   double drag = 0;          ///< 1/s
-  double softening = 1;     ///< ratio of softeningSeconds, at most, to seconds
+  double softening = 1;     ///< ratio of softeningSeconds to seconds
   double steadyPart = 0.7;  ///< of the stable substep that "auto" takes, as of grids
   [[nodiscard]] double stretchError(double seconds) const {
     const double reach = constraintPart * softening * seconds;
