@@ -186,7 +186,7 @@ bool energy(int seconds) {
           cloth->step(frame++ * bench::frameSeconds, {});
           return cloth->measure()[5];
         });
-        const bool fine = std::abs(course.drift()) < 0.01 && course.rise < 1e-3;
+        const bool fine = std::abs(course.drift()) < 0.01 && course.rise < 2e-3;
         fmt::print("{:<20} {:>8} {:>8} {:>9} {:>10.3f}% {:>10.4f}%{}\n", given.name, angle, spacing,
                    cloth->stepsPerFrame(), 100 * course.drift(), 100 * course.rise, fine ? "" : "  beyond");
         std::fflush(stdout);
