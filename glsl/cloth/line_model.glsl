@@ -1,7 +1,6 @@
 // Constraints along a line of particles, solved together. Compiles as GLSL and as C++. Whoever includes it provides
 // lineLinks, the number of links between particles, lineRest (m), lineCompliance (compliance / h^2) and lineGive, beside
-// common/exact.glsl; lineKept, what damping keeps of a link's stretch over the substep (glsl/cloth/model.glsl); `keeps`, whether it
-// keeps energy, and then lineSoftening, which weighs the masses in the system (cloth/keeping.glsl), else 1.
+// common/exact.glsl; lineKept, what damping keeps of a link's stretch over the substep (glsl/cloth/model.glsl).
 //
 // XPBD's constraint k ties particles k and k + 1. With its direction n_k, its stretch C_k and its multiplier l_k, particle k
 // moves by w_k (n_k-1 l_k-1 - n_k l_k); every C_k vanishes at once, to first order, where
@@ -42,11 +41,9 @@ FUNCTION Link linkBetween(vec4 a, vec4 b, bool there) {
 // multiplier too many, which 2^-15 decides. One that is held further apart than it is long, by s of its length, cannot
 // be satisfied at all: where both its ends are pinned, with 1.7 s it pulls evenly, by 0.29 m L / h^2, so that it does not begin to
 // swing sideways (w dt = 1.63, cloth/motion.glsl). Other lines get what they lack sooner with 0.6 s, by 5/6 m L / h^2 at most,
-// which they do not keep up. Softer lines are as soft as they are. One that keeps energy is as soft as its potential says, but
-// held too far apart it pulls by m L / (6 softening h^2), which its potential allows (w dt < 0.82 / sqrt(softening)).
+// which they do not keep up. Softer lines are as soft as they are. Those that keep energy have keptGive (cloth/segment.glsl) instead.
 FUNCTION float giveOf(float stretch, bool pinned) {
   float part = pinned ? 1.7f : 0.6f;
-  if (keeps) part = pinned ? lineSoftening * 3.0f : 0.0f;
   precise float rest = float(lineLinks) * lineRest;
   precise float give = stretch * exactReciprocal(rest) * part;
   return max(give, 3.0517578125e-5f);

@@ -1,6 +1,6 @@
 // A segment of a line, of links `first` to `last`. Compiles as GLSL and as C++, after line_model.glsl. Whoever includes it
 // provides lineParticle(int), xyz and inverse mass of the k-th particle of the line, lineBefore(int), the same at the substep's
-// beginning, and, of the invocation, which arrays a
+// beginning, lineSoftening, which weighs the masses of lines that keep energy (cloth/keeping.glsl; 1 of others), and, of the invocation, which arrays a
 // compiler keeps where it is cheap: lineCosine[segmentLinks + 1], lineMass[segmentLinks + 1], lineStretch[segmentLinks].
 
 // How much of the stretch of link k is to be undone.
@@ -37,6 +37,27 @@ FUNCTION float readSegment(int first, int last) {
     here = after;
   }
   return sum;
+}
+
+// How many particles of a segment that was read are pinned; its first one is the last of the segment before.
+FUNCTION float pinsOf(int first, int links) {
+  float pins = first == 0 && lineMass[0] == 0.0f ? 1.0f : 0.0f;
+  for (int i = 1; i <= links; ++i) pins = pins + (lineMass[i] == 0.0f ? 1.0f : 0.0f);
+  return pins;
+}
+
+// giveOf of a line that keeps energy, of nothing that a substep changes, so that it still is a potential. A line between pins has a
+// multiplier too many where it is straight, and what swings through there would meet a wall: it stretches by dt^2 / 4m a link and
+// newton, at least. Held s of its length too far apart it pulls by m L / (6 softening dt^2) (w dt = 0.82 / sqrt(softening)).
+FUNCTION float keptGive(float pins) {
+  vec4 a = lineParticle(0), b = lineParticle(lineLinks);
+  Link ends = linkBetween(a, b, true);
+  precise float rest = float(lineLinks) * lineRest;
+  precise float beyond = ends.stretch + lineRest - rest;
+  precise float held = beyond * exactReciprocal(rest) * 3.0f;
+  precise float least = exactReciprocal(lineSoftening) * 0.125f;
+  bool ended = a.w == 0.0f && b.w == 0.0f;
+  return pins < 2.0f ? 3.0517578125e-5f : ended ? max(held, least) : least;
 }
 
 // Of the i-th link of the segment.

@@ -145,12 +145,19 @@ void main() {
   int links = last - first + 1;
   bool mine = line < lines && segment < segments;
   if (mine) lastFixed[me] = readSegment(first, last);
+#if KEEPS
+  if (mine) lastFixed[me] = pinsOf(first, links);
+#endif
   barrier();
   if (mine && segment == 0) {
     precise float sum = 0.0f;
     for (int s = 0; s < segments; ++s) sum = sum + lastFixed[s * LINES + slot];
     bool pinned = lineParticle(0).w == 0.0f && lineParticle(lineLinks).w == 0.0f;
+#if KEEPS
+    firstFixed[slot] = keptGive(sum);
+#else
     firstFixed[slot] = giveOf(sum, pinned);
+#endif
   }
   barrier();
   if (mine) lineGive = firstFixed[slot];

@@ -89,9 +89,13 @@ void solveLine(Kernel& kernel, std::vector<vec4>& particles, std::vector<vec4>& 
   for (int first = 0; first < kernel.lineLinks; first += segmentLinks)
     segments.emplace_back(first, min(first + segmentLinks, kernel.lineLinks) - 1);
   float stretch = 0;
-  for (const auto& [first, last] : segments) stretch += kernel.readSegment(first, last);
-  kernel.lineGive = kernel.giveOf(
-      stretch, kernel.lineParticle(0).w == 0.0F && kernel.lineParticle(kernel.lineLinks).w == 0.0F);
+  float pins = 0;
+  for (const auto& [first, last] : segments) {
+    stretch += kernel.readSegment(first, last);
+    pins += kernel.pinsOf(first, last - first + 1);
+  }
+  const bool pinned = kernel.lineParticle(0).w == 0.0F && kernel.lineParticle(kernel.lineLinks).w == 0.0F;
+  kernel.lineGive = kernel.keeps ? kernel.keptGive(pins) : kernel.giveOf(stretch, pinned);
   std::vector<Kernel::Reach> firsts, lasts;
   std::vector<Kernel::Eliminated> separators;
   for (const auto& [first, last] : segments) {

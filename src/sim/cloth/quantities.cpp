@@ -96,6 +96,15 @@ double complianceOf(const ClothParameters& p, const SpringFamily& family, double
   return stiffness > 0 ? 1 / stiffness : 0;
 }
 
+/// The least compliance of a link of a line, as a ratio to its weights: glsl/cloth/segment.glsl keptGive.
+double keptGive(std::span<const glm::vec4> line, double rest, double softening) {
+  if (std::count_if(line.begin(), line.end(), [](const glm::vec4& p) { return p.w == 0; }) < 2) return 0;
+  const double least = 0.125 / softening;
+  if (line.front().w > 0 || line.back().w > 0) return least;
+  const glm::dvec3 d(glm::vec3(line.back()) - glm::vec3(line.front()));
+  return std::max(3 * (std::sqrt(glm::dot(d, d)) / (rest * static_cast<double>(line.size() - 1)) - 1), least);
+}
+
 /// 1/2 C^T B^-1 C of lines, B = compliance + softening seconds^2 G W G^T, and 1/2 C^2 / b of pairs.
 double keptEnergy(const ClothParameters& p, const SpringFamily& family, double stiffness,
                   std::span<const glm::vec4> positions, const Softness& softness) {
@@ -116,6 +125,9 @@ double keptEnergy(const ClothParameters& p, const SpringFamily& family, double s
       double pivot = 1;
       double right = 0;
       glm::dvec3 before(0);
+      std::vector<glm::vec4> whole;
+      for (glm::ivec2 from(x, y); line && inside(from); from += family.reach) whole.push_back(at(from));
+      const double give = line ? keptGive(whole, restLength, softness.lines) : 0.0;
       for (glm::ivec2 from(x, y); inside(from + family.reach); from += family.reach) {
         const glm::dvec4 a(at(from));
         const glm::dvec4 b(at(from + family.reach));
@@ -123,7 +135,8 @@ double keptEnergy(const ClothParameters& p, const SpringFamily& family, double s
         const double length = std::sqrt(glm::dot(d, d));
         const glm::dvec3 along = d / length;
         const double lower = line ? -soft * a.w * glm::dot(before, along) : 0.0;
-        const double diagonal = complianceOf(p, family, stiffness, from) + soft * (a.w + b.w);
+        const double weight = soft * (a.w + b.w);
+        const double diagonal = weight + std::max(complianceOf(p, family, stiffness, from), give * weight);
         right = length - restLength - lower / pivot * right;
         pivot = diagonal - lower / pivot * lower;
         before = along;
