@@ -240,7 +240,7 @@ ClothParameters GarmentPlan::settled(const std::string& name, ClothParameters pa
       return ColliderPlan::isThin(shape, edge, reach);
     });
     // Faces, relaxed once a substep, make way for a rod of 2 cm at 10 m/s in 1/960 s.
-    const double longest = parameters.keepsEnergy() ? keepingSubstep : 1.0 / 960;
+    const double longest = parameters.keepsEnergy() ? keepingFaceSubstep : 1.0 / 960;
     const int fewest =
         thin || parameters.keepsEnergy() ? static_cast<int>(std::ceil(frameSeconds / longest - 1e-9)) : 8;
     parameters.substeps = pace.substeps(frameSeconds, bendingSquared,

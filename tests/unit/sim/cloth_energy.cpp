@@ -113,7 +113,8 @@ TEST_CASE("energy: constraints that keep it are the gradient of what is measured
     p.shearCompliance = 1e-3F;
     p.bendCompliance = 1e-2F;
     p.jitter = 0.012F;
-    p.pins.emplace_back().points = {{0, 0}, {9, 2}};
+    // Of each kind of line: with one pin, with one at either end, some way apart, and with two in between.
+    p.pins.emplace_back().points = {{0, 0}, {20, 0}, {9, 2}, {13, 2}, {4, 3}};
     REQUIRE(p.keepsEnergy());
     ClothTwin twin(sim::ClothPlan(p, 4, 1.0 / 60, {}));
     CHECK(missedGradient(twin, [&](const std::vector<glm::vec4>& positions) {
@@ -137,6 +138,40 @@ TEST_CASE("energy: so are faces and attachments that keep it") {
           return sim::measureGarment(twin.plan(), positions, std::vector<glm::vec4>(positions.size()),
                                      0)[4];
         }) < 2e-3);
+}
+
+TEST_CASE("energy: sheets between pins keep it, too") {
+  // Straight lines between pins have a constraint too many.
+  struct Held {
+    const char* name;
+    std::function<void(sim::PinGroup&)> pin;
+  };
+  for (const Held& held : {Held{"hammock", [](sim::PinGroup& g) { g.rows = {0, -1}; }},
+                           Held{"two corners", [](sim::PinGroup& g) { g.corners = {0, 1}; }},
+                           Held{"points", [](sim::PinGroup& g) { g.points = {{3, 4}, {9, 4}, {9, 15}}; }}}) {
+    CAPTURE(held.name);
+    auto given = swing::fabric(0, 0.05);
+    sim::ClothParameters& p = given.parameters;
+    p.rotation = glm::vec3(20, 0, 0);
+    p.pins.clear();
+    held.pin(p.pins.emplace_back());
+    REQUIRE(p.keepsEnergy());
+    ClothTwin twin(sim::ClothPlan(p, 1, 1.0 / 60, {}));
+    const auto measure = [&] {
+      return sim::measureCloth(p, twin.positions, twin.velocities, 0, twin.plan().softness());
+    };
+    const double first = measure()[5];
+    double fastest = 0;
+    double farthest = 0;
+    for (int frame = 0; frame < 600; ++frame) {
+      twin.step(frame / 60.0);
+      const auto now = measure();
+      fastest = std::max(fastest, now[2]);
+      farthest = std::max(farthest, std::abs(now[5] - first));
+    }
+    CHECK(fastest > 1e-3);
+    CHECK(farthest < 0.01 * fastest);
+  }
 }
 
 TEST_CASE("energy: long sheets that nothing damps hang and swing at \"auto\"") {

@@ -99,7 +99,7 @@ TEST_CASE("garment: 256 rows swing from their border, and stretch by less than 1
     p.gravity = glm::vec3(0, -9.8F, 0);
     test::pinBox(p, glm::vec3(-9), glm::vec3(9, 9, -0.499F));
     GarmentTwin twin(sim::GarmentPlan("strip", p, 1, 1.0 / 60, {}));
-    CHECK(twin.plan().substeps() < (damped ? 60 : 128));
+    CHECK(twin.plan().substeps() < (damped ? 60 : 180));
     double before = garmentValue(twin, energyValue);
     const double falls = 0.5 * 0.115 * 0.012 * 9.8;  // J, from lying to hanging
     double fastest = 0;
