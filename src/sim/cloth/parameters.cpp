@@ -86,7 +86,8 @@ void ClothParameters::describe(scene::Fields& f) {
     if (f.given("solver") && solver == ClothSolver::springs)
       f.error("solver", "a fabric is solved by constraints; leave out \"solver\"");
   }
-  f.number("damping", damping, {0, 1e4}, "1/s", "Rate at which velocity decays.");
+  f.number("damping", damping, {0, 1e4}, "1/s", "Rate at which velocity decays. With 0, constraints and fabrics in still air without contact keep "
+           "their energy, which takes more substeps.");
   f.vector("gravity", gravity, scene::anyNumber, "m/s^2", "Acceleration of every particle.");
   f.vector("wind", wind, scene::anyNumber, "N", "Constant force on every particle.");
   f.leftOut("wind", "[0.5,0,0.3], or none on a fabric");
@@ -130,7 +131,8 @@ void ClothParameters::describe(scene::Fields& f) {
       });
   f.text("walls", walls, "Name of the cave or contour whose walls, floor and tops it meets.");
   f.integerOr("substeps", substeps, "auto", {1, maxSubsteps}, "per frame",
-              "Steps a frame is divided into; \"auto\" takes as many as the springs need to be stable.");
+              "Steps a frame is divided into; \"auto\" takes as many as the springs need to be stable, and as "
+              "constraints that nothing damps need to keep their energy.");
   f.leftOut("substeps", "4, or \"auto\" of a fabric");
   if (hasFabric && !f.given("substeps")) substeps.reset();
   f.list("pins", pins, "Particles that are held, and how they move.",
