@@ -221,7 +221,7 @@ double ClothParameters::hangingSquared() const {
   return 4.0 * std::max(size.x, size.y) * greatestLoad(massAt(size / 2)) / spacing;
 }
 
-double ClothParameters::stableSeconds() const {
+double ClothParameters::stableSeconds(double lines) const {
   // Semi-implicit Euler of x'' = -w^2 x - c x' stays bounded while (w dt)^2 + 2 c dt < 4. At rest the
   // lattice's fastest mode has w^2 <= 4 (k + ks + kb) / m. Drag alone slows down at c = rho (Cd + Cl) A |v|
   // / m: the force's half of the square, differentiated.
@@ -233,7 +233,7 @@ double ClothParameters::stableSeconds() const {
   const double area = static_cast<double>(spacing) * spacing;
   const double fastest = fastestAir();
   const double streaming = hasAir ? 0.1 * 0.5 * air.density * static_cast<double>(air.drag + air.lift) *
-                                        fastest * fastest * area / each
+                                        fastest * fastest * area / each * lines
                                   : 0.0;
   // Where energy is kept, softening w^2 dt^2 of that is to be less than 1, and in a swing it pulls more.
   const double hanging = hangingSquared() * (keepsEnergy() ? 6 * leastSoftening : 1.0) +
@@ -281,7 +281,11 @@ std::string ClothParameters::instability(double frameSeconds) const {
 
 int ClothParameters::substepsPerFrame(double frameSeconds) const {
   if (substeps) return *substeps;
-  const std::int64_t needed = substepsFor(frameSeconds, safety * stableSeconds());
+  // Gusts draw what streams together at a corner: a line there carries its own and a part of all others' (of
+  // flag.json, where half the part leaves it stretched by a tenth). So substeps go with 1 / L^1.5.
+  constexpr double drawnPart = 1.0 / 72;
+  const double drawn = constrained() ? 1.0 + drawnPart * std::min(size.x, size.y) : 1.0;
+  const std::int64_t needed = substepsFor(frameSeconds, safety * stableSeconds(drawn));
   if (needed > maxSubsteps)
     fail(ExitCode::usage,
          "cloth: \"substeps\": \"auto\" would take {} a frame to be stable, more than {}; {}", needed,

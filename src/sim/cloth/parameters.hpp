@@ -127,7 +127,9 @@ struct ClothParameters : ObjectParameters, shader::ClothConstants {
   [[nodiscard]] int clampOf(int border) const;
   /// Longest stable substep in seconds, of the sheet near rest in the fastest air and gusts of the whole
   /// run; with constraints, of one that hangs by a border.
-  [[nodiscard]] double stableSeconds() const;
+  [[nodiscard]] double stableSeconds() const { return stableSeconds(1.0); }
+  /// The same where a line carries so many times what the air pulls at its own particles.
+  [[nodiscard]] double stableSeconds(double lines) const;
   /// Why the given substeps are too few and what to do; empty when they are enough or "auto".
   [[nodiscard]] std::string instability(double frameSeconds) const;
   /// Substeps a frame takes: the given number, or what "auto" comes to. Throws UserError(usage) when that
