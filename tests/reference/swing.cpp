@@ -49,7 +49,7 @@ Case springs(double degrees, double spacing) {
   Case made = sheet(degrees, spacing);
   made.name = "springs";
   made.parameters.mass = static_cast<float>(spacing * spacing);  // 1 kg/m^2
-  made.parameters.substeps = spacing < 0.03 ? 64 : 32;  // w dt of the lattice: at most 0.7
+  made.parameters.substeps = spacing < 0.03 ? 64 : 32;           // w dt of the lattice: at most 0.7
   return made;
 }
 

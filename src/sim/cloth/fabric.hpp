@@ -21,9 +21,9 @@ inline constexpr double softSeconds = 1.8e-3;
 inline constexpr double keepingSubstep = 1.0 / 1920;  ///< s, the longest that "auto" takes
 inline constexpr double leastSoftening = 1.5;
 inline constexpr double pairSoftening = 4;  ///< of pairs at least; in glsl/cloth/keeping.glsl, too
-/// Ratio of faces of a mesh, six of which meet at a vertex: with half of it a crumpled mesh of uneven faces,
-/// all of whose energy is in vibrations, gains a tenth of it in 20 s. They do not get stiffer where they are
-/// evenly loaded, as lines do, so "auto" takes shorter substeps.
+/// Ratio of faces of a mesh, six of which meet at a vertex: with half of it a crumpled mesh of uneven
+/// faces, all of whose energy is in vibrations, gains a tenth of it in 20 s. They do not get stiffer where
+/// they are evenly loaded, as lines do, so "auto" takes shorter substeps.
 inline constexpr double faceSoftening = 12;
 inline constexpr double keepingFaceSubstep = 1.0 / 2700;
 /// Of attachments, ratio: what becomes taut at once gains or loses energy, the less the softer it is.

@@ -86,8 +86,10 @@ void ClothParameters::describe(scene::Fields& f) {
     if (f.given("solver") && solver == ClothSolver::springs)
       f.error("solver", "a fabric is solved by constraints; leave out \"solver\"");
   }
-  f.number("damping", damping, {0, 1e4}, "1/s", "Rate at which velocity decays. With 0, constraints and fabrics in still air without contact keep "
-           "their energy, which takes more substeps.");
+  f.number(
+      "damping", damping, {0, 1e4}, "1/s",
+      "Rate at which velocity decays. With 0, constraints and fabrics in still air without contact keep "
+      "their energy, which takes more substeps.");
   f.vector("gravity", gravity, scene::anyNumber, "m/s^2", "Acceleration of every particle.");
   f.vector("wind", wind, scene::anyNumber, "N", "Constant force on every particle.");
   f.leftOut("wind", "[0.5,0,0.3], or none on a fabric");
@@ -130,9 +132,10 @@ void ClothParameters::describe(scene::Fields& f) {
                               *contact.thickness, spacing, 0.35 * static_cast<double>(spacing)));
       });
   f.text("walls", walls, "Name of the cave or contour whose walls, floor and tops it meets.");
-  f.integerOr("substeps", substeps, "auto", {1, maxSubsteps}, "per frame",
-              "Steps a frame is divided into; \"auto\" takes as many as the springs need to be stable, and as "
-              "constraints that nothing damps need to keep their energy.");
+  f.integerOr(
+      "substeps", substeps, "auto", {1, maxSubsteps}, "per frame",
+      "Steps a frame is divided into; \"auto\" takes as many as the springs need to be stable, and as "
+      "constraints that nothing damps need to keep their energy.");
   f.leftOut("substeps", "4, or \"auto\" of a fabric");
   if (hasFabric && !f.given("substeps")) substeps.reset();
   f.list("pins", pins, "Particles that are held, and how they move.",
@@ -281,8 +284,8 @@ std::string ClothParameters::instability(double frameSeconds) const {
 
 int ClothParameters::substepsPerFrame(double frameSeconds) const {
   if (substeps) return *substeps;
-  // Gusts draw what streams together at a corner: a line there carries its own and a part of all others' (of
-  // flag.json, where half the part leaves it stretched by a tenth). So substeps go with 1 / L^1.5.
+  // Gusts draw what streams together at a corner: a line there carries its own and a part of all others'
+  // (of flag.json, where half the part leaves it stretched by a tenth). So substeps go with 1 / L^1.5.
   constexpr double drawnPart = 1.0 / 72;
   const double drawn = constrained() ? 1.0 + drawnPart * std::min(size.x, size.y) : 1.0;
   const std::int64_t needed = substepsFor(frameSeconds, safety * stableSeconds(drawn));

@@ -102,7 +102,8 @@ double keptGive(std::span<const glm::vec4> line, double rest, double softening) 
   const double least = 0.125 / softening;
   if (line.front().w > 0 || line.back().w > 0) return least;
   const glm::dvec3 d(glm::vec3(line.back()) - glm::vec3(line.front()));
-  return std::max(3 * (std::sqrt(glm::dot(d, d)) / (rest * static_cast<double>(line.size() - 1)) - 1), least);
+  return std::max(3 * (std::sqrt(glm::dot(d, d)) / (rest * static_cast<double>(line.size() - 1)) - 1),
+                  least);
 }
 
 /// 1/2 C^T B^-1 C of lines, B = compliance + softening seconds^2 G W G^T, and 1/2 C^2 / b of pairs.

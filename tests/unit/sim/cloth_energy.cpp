@@ -146,9 +146,17 @@ TEST_CASE("energy: sheets between pins keep it, too") {
     const char* name;
     std::function<void(sim::PinGroup&)> pin;
   };
-  for (const Held& held : {Held{"hammock", [](sim::PinGroup& g) { g.rows = {0, -1}; }},
-                           Held{"two corners", [](sim::PinGroup& g) { g.corners = {0, 1}; }},
-                           Held{"points", [](sim::PinGroup& g) { g.points = {{3, 4}, {9, 4}, {9, 15}}; }}}) {
+  for (const Held& held : {Held{"hammock",
+                                [](sim::PinGroup& g) {
+                                  g.rows = {0, -1};
+                                }},
+                           Held{"two corners",
+                                [](sim::PinGroup& g) {
+                                  g.corners = {0, 1};
+                                }},
+                           Held{"points", [](sim::PinGroup& g) {
+                                  g.points = {{3, 4}, {9, 4}, {9, 15}};
+                                }}}) {
     CAPTURE(held.name);
     auto given = swing::fabric(0, 0.05);
     sim::ClothParameters& p = given.parameters;

@@ -95,7 +95,8 @@ TEST_CASE("garment: a strip that swings from its end never gains energy, and har
       CHECK(now < before + 0.01 * falls);
       before = now;
       fastest = std::max(fastest, garmentQuantity(twin.plan(), twin, "kineticEnergy"));
-      // Of the worst face, at the pins; where energy is kept, what a swing loses to flutter is in the faces.
+      // Of the worst face, at the pins; where energy is kept, what a swing loses to flutter is in the
+      // faces.
       CHECK(garmentQuantity(twin.plan(), twin, "stretch") < (damped ? 1.15 : 1.25));
     }
     CHECK(fastest > 0.5 * falls);
