@@ -24,13 +24,15 @@ FUNCTION float readSegment(int first, int last) {
   Link here = linkBetween(a, b, true);
   float cosine = exactDot(before.along, here.along);
   lineCosine[0] = cosine;
-  lineMass[0] = a.w * lineSoftening;
+  precise float mass = a.w * lineSoftening;
+  lineMass[0] = mass;
   for (int k = first; k <= last; ++k) {
     vec4 c = lineParticle(min(k + 2, lineLinks));
     Link after = linkBetween(b, c, k + 1 < lineLinks);
     cosine = exactDot(here.along, after.along);
     lineCosine[k - first + 1] = cosine;
-    lineMass[k - first + 1] = b.w * lineSoftening;
+    precise float next = b.w * lineSoftening;
+    lineMass[k - first + 1] = next;
     lineStretch[k - first] = undone(k, here.stretch);
     sum = sum + here.stretch;
     b = c;
@@ -41,9 +43,9 @@ FUNCTION float readSegment(int first, int last) {
 
 // How many particles of a segment that was read are pinned; its first one is the last of the segment before.
 FUNCTION float pinsOf(int first, int links) {
-  float pins = first == 0 && lineMass[0] == 0.0f ? 1.0f : 0.0f;
-  for (int i = 1; i <= links; ++i) pins = pins + (lineMass[i] == 0.0f ? 1.0f : 0.0f);
-  return pins;
+  int pins = first == 0 && lineMass[0] == 0.0f ? 1 : 0;
+  for (int i = 1; i <= links; ++i) pins = lineMass[i] == 0.0f ? pins + 1 : pins;
+  return float(pins);
 }
 
 // giveOf of a line that keeps energy, of nothing that a substep changes, so that it still is a potential. A line between pins has a
@@ -121,9 +123,13 @@ FUNCTION vec3 keptPull(int k, float multiplierBefore, float multiplier, float mu
   Link after = linkBetween(b, lineParticle(min(k + 2, lineLinks)), k + 1 < lineLinks);
   precise vec3 turnBefore = before.along - here.along * exactDot(before.along, here.along);
   precise vec3 turnAfter = after.along - here.along * exactDot(after.along, here.along);
-  precise float length_ = max(here.stretch + lineRest, lineRest * 0.125f);
+  precise float whole = here.stretch + lineRest;
+  precise float least = lineRest * 0.125f;
+  float length_ = max(whole, least);
   precise float share = multiplier * lineSoftening * exactReciprocal(length_);
-  precise vec3 turn = turnBefore * (multiplierBefore * a.w) + turnAfter * (multiplierAfter * b.w);
+  precise float weightBefore = multiplierBefore * a.w;
+  precise float weightAfter = multiplierAfter * b.w;
+  precise vec3 turn = turnBefore * weightBefore + turnAfter * weightAfter;
   precise vec3 pull = pullBetween(a, b, true, multiplier) - turn * share;
   return pull;
 }
