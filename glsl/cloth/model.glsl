@@ -36,30 +36,38 @@ FUNCTION float fabricCompliance(bool row, int line) {
 
 // F = k (|d| - L0) d / |d| = k (1 - L0 / |d|) d, none where |d| < 1e-4 m.
 FUNCTION vec3 springForce(vec3 d, float restLength, float stiffness) {
-  precise float squared = exactDot(d, d);
+  float squared = exactDot(d, d);
   precise float scale = (1.0f - restLength * exactInverseSqrt(squared)) * stiffness;
-  precise vec3 force = d * scale;
-  return squared < 1e-8f ? vec3(0.0f) : force;
+  float held = squared < 1e-8f ? 0.0f : scale;
+  precise vec3 force = d * held;
+  return force;
 }
 
-FUNCTION vec3 springTo(ivec2 at, vec3 here, int dx, int dy, float restLength, float stiffness) {
-  precise vec3 d = vec3(loadPosition(neighbour(at, dx, dy))) - here;
+FUNCTION vec3 springTo(int there, vec3 here, float restLength, float stiffness) {
+  precise vec3 d = vec3(loadPosition(there)) - here;
   return springForce(d, restLength, stiffness);
 }
 
 FUNCTION vec3 springForces(ivec2 at, vec3 here) {
+  // As neighbour() has them, each border looked for once.
+  int w = size.x, i = at.y * w + at.x;
+  bool left = at.x > 0, right = at.x + 1 < w, above = at.y > 0, below = at.y + 1 < size.y;
+  int up = above ? i - w : i, down = below ? i + w : i;
   float k = stepData.constants.stiffness;
   float restLength = springLength(0);
-  precise vec3 sum = springTo(at, here, -1, 0, restLength, k) + springTo(at, here, 1, 0, restLength, k) +
-                     springTo(at, here, 0, -1, restLength, k) + springTo(at, here, 0, 1, restLength, k);
+  precise vec3 sum = springTo(left ? i - 1 : i, here, restLength, k) + springTo(right ? i + 1 : i, here, restLength, k) +
+                     springTo(up, here, restLength, k) + springTo(down, here, restLength, k);
   precise float shear = k * stepData.constants.shear;
   float diagonal = springLength(1);
-  sum = sum + springTo(at, here, -1, -1, diagonal, shear) + springTo(at, here, 1, -1, diagonal, shear) +
-        springTo(at, here, -1, 1, diagonal, shear) + springTo(at, here, 1, 1, diagonal, shear);
+  sum = sum + springTo(left && above ? up - 1 : i, here, diagonal, shear) +
+        springTo(right && above ? up + 1 : i, here, diagonal, shear) +
+        springTo(left && below ? down - 1 : i, here, diagonal, shear) +
+        springTo(right && below ? down + 1 : i, here, diagonal, shear);
   precise float bend = k * stepData.constants.bend;
   float twice = springLength(2);
-  sum = sum + springTo(at, here, -2, 0, twice, bend) + springTo(at, here, 2, 0, twice, bend) +
-        springTo(at, here, 0, -2, twice, bend) + springTo(at, here, 0, 2, twice, bend);
+  sum = sum + springTo(at.x > 1 ? i - 2 : i, here, twice, bend) + springTo(at.x + 2 < w ? i + 2 : i, here, twice, bend) +
+        springTo(at.y > 1 ? i - 2 * w : i, here, twice, bend) +
+        springTo(at.y + 2 < size.y ? i + 2 * w : i, here, twice, bend);
   return sum;
 }
 

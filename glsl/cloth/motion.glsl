@@ -86,10 +86,9 @@ FUNCTION Motion settledAgain(vec4 before, vec4 left, vec4 here, vec3 velocity, b
   return contact(m, vec3(before), lands, walled);
 }
 
-// A position or speed no cloth should have.
+// A position or speed no cloth should have: its square beyond 1e10, or not a number, which as bits is beyond that, too.
 FUNCTION bool isLost(Motion m) {
-  float distanceSquared = exactDot(m.position, m.position);
-  float speedSquared = exactDot(m.velocity, m.velocity);
-  bool numbers = isNumber(distanceSquared) && isNumber(speedSquared);
-  return !numbers || distanceSquared > 1e10f || speedSquared > 1e10f;
+  int distance = floatBitsToInt(exactDot(m.position, m.position)) & 0x7fffffff;
+  int speed = floatBitsToInt(exactDot(m.velocity, m.velocity)) & 0x7fffffff;
+  return max(distance, speed) > 0x501502f9;
 }

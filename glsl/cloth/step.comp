@@ -1,7 +1,11 @@
 // Forces and semi-implicit Euler in one pass: reads every position of the last substep, writes the next
 // ones elsewhere, so no order of work groups changes the result.
 #include "cloth/kernel.glsl"
+#ifdef TEXEL_PATH
 layout(local_size_x = 8, local_size_y = 8) in;
+#else
+layout(local_size_x = 16, local_size_y = 8) in;
+#endif
 INPUT_ARRAY(positionsBinding, PositionBlock, positions)
 STATE_ARRAY(nextPositionsBinding, NextBlock, nextPositions)
 STATE_ARRAY(velocitiesBinding, VelocityBlock, velocities)

@@ -86,6 +86,35 @@ class Paster {
   int conditions_ = 0;             ///< open ones of the files
 };
 
+bool partOfName(char c) {
+  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
+}
+
+/// Whether `name` stands in `text` as a word, outside comments that end a line.
+bool mentions(std::string_view text, std::string_view name) {
+  for (auto at = text.find(name); at != std::string_view::npos; at = text.find(name, at + name.size())) {
+    const auto end = at + name.size();
+    if ((at > 0 && partOfName(text[at - 1])) || (end < text.size() && partOfName(text[end]))) continue;
+    const auto lineBegin = text.rfind('\n', at) + 1;  // 0 in the first line
+    if (text.substr(lineBegin, at - lineBegin).find("//") == std::string_view::npos) return true;
+  }
+  return false;
+}
+
+/// A driver keeps what it compiled by the shader's text: names that the files do not mention are left out,
+/// or shaders that differ in nothing else would be compiled for each.
+Defines mentioned(const std::string& files, const Defines& defines) {
+  Defines result;
+  const auto asks = [](const std::string& name) {
+    return [&name](const auto& define) { return mentions(define.second, name); };
+  };
+  for (const auto& define : defines)
+    if (define.first != extensionDefine &&
+        (mentions(files, define.first) || std::ranges::any_of(defines, asks(define.first))))
+      result.push_back(define);
+  return result;
+}
+
 }  // namespace
 
 std::string ShaderSource::explain(std::string_view log) const {
@@ -112,14 +141,15 @@ std::string ShaderSource::explain(std::string_view log) const {
 
 ShaderSource loadShader(const std::string& path, const Defines& defines) {
   ShaderSource source;
-  // What the files that are C++, too, mark for it (glsl/common/cpp.hpp).
-  source.text = "#version 450 core\n";
-  for (const auto& [name, value] : defines)
-    if (name == extensionDefine) source.text += fmt::format("#extension {} : require\n", value);
-  source.text += "#define FUNCTION\n#define STD140\n#define DEFAULT(value)\n";
-  for (const auto& [name, value] : defines)
-    if (name != extensionDefine) source.text += fmt::format("#define {} {}\n", name, value);
   Paster(source).paste(path, "the program");
+  std::string head = "#version 450 core\n";
+  for (const auto& [name, value] : defines)
+    if (name == extensionDefine) head += fmt::format("#extension {} : require\n", value);
+  // What the files that are C++, too, mark for it (glsl/common/cpp.hpp).
+  head += "#define FUNCTION\n#define STD140\n#define DEFAULT(value)\n";
+  for (const auto& [name, value] : mentioned(source.text, defines))
+    head += fmt::format("#define {} {}\n", name, value);
+  source.text.insert(0, head);
   return source;
 }
 

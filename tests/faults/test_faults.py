@@ -7,8 +7,9 @@ makes; and the same command again, undisturbed, ends with that folder byte for b
 
     SIMREEL=build/simreel FAULTS_LIBRARY=build/tests/faults/libfaults.so tests/faults/test_faults.py [--all]
 
-Without --all: every call for files, threads and processes, the first 200 allocations and GL calls, then every 307th;
---runs and --classes choose."""
+Without --all: every call for files and processes; of threads and the display, which every command starts in the same
+way, every one of the first command's and every fifth of the others'; the first 100 allocations and GL calls, then every
+613th. --runs and --classes choose."""
 import argparse
 import concurrent.futures
 import json
@@ -26,7 +27,8 @@ LIBRARY = os.environ.get("FAULTS_LIBRARY", "libfaults.so")
 KEEP = os.environ.get("FAULTS_KEEP")  # a folder for what is left where something is wrong
 SECONDS = 120  # of one run: a hang
 MANY = ("alloc", "gl")  # classes with thousands of calls
-FIRST, STRIDE = 200, 307
+FIRST, STRIDE = 100, 613
+ALIKE = ("thread", "egl")  # classes whose calls most commands share
 CRASHES = ("terminate called", "internal error", "std::", "AddressSanitizer", "Assertion")
 
 SCENE = {
@@ -129,8 +131,13 @@ class Disturbed:
             if classes and kind not in classes and not (kind not in MANY and "few" in classes):
                 continue
             for number in range(1, count + 1):
-                if everything or kind not in MANY or number <= FIRST or (number - FIRST) % STRIDE == 0:
+                if everything or self.chosen(kind, number):
                     yield f"{kind}:{number}"
+
+    def chosen(self, kind, number):
+        if kind in MANY:
+            return number <= FIRST or (number - FIRST) % STRIDE == 0
+        return kind not in ALIKE or self.name == next(iter(RUNS)) or number % 5 == 0
 
     def problem(self, fault, scratch):
         """What is wrong after this call failed, with what failed and what was said; None where nothing is."""

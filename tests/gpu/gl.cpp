@@ -2,6 +2,7 @@
 #include "gl/element_array.hpp"
 #include "gl/limits.hpp"
 #include "gl/program.hpp"
+#include "gl/shader_source.hpp"
 #include "gl/texture.hpp"
 #include "gpu/context.hpp"
 
@@ -68,6 +69,38 @@ TEST_CASE("shader errors name the original file and line, also of includes") {
     testContext().check();  // some drivers report it here too: the next test is not to hear of it
   } catch (const UserError&) {
   }
+}
+
+TEST_CASE(
+    "names that a shader's files do not mention are left out of its text, so that drivers compile it "
+    "once") {
+  const ShaderFolder folder;
+  folder.write("part.glsl", "const int part = IN_PART;  // not IN_COMMENT\n");
+  folder.write("kernel.comp",
+               "#include \"part.glsl\"\n#if IN_CONDITION == 1\nint x = IN_KERNEL;\n#endif\n");
+  const std::string text = gl::loadShader("kernel.comp", {{"IN_PART", "1"},
+                                                          {"IN_COMMENT", "2"},
+                                                          {"IN_CONDITION", "3"},
+                                                          {"IN_KERNEL", "IN_VALUE"},
+                                                          {"IN_VALUE", "4"},
+                                                          {"IN", "5"},
+                                                          {"N_KERNEL", "6"},
+                                                          {gl::extensionDefine, "GL_ARB_gpu_shader_int64"}})
+                               .text;
+  const auto defined = [&](const char* name) {
+    return text.find(fmt::format("#define {} ", name)) != text.npos;
+  };
+  for (const char* name : {"IN_PART", "IN_CONDITION", "IN_KERNEL", "IN_VALUE"})
+    CHECK_MESSAGE(defined(name), name);
+  for (const char* name : {"IN_COMMENT", "IN", "N_KERNEL"}) CHECK_MESSAGE(!defined(name), name);
+  CHECK(text.find("#version 450 core\n#extension GL_ARB_gpu_shader_int64 : require\n") == 0);
+  CHECK(text == gl::loadShader("kernel.comp", {{"IN_PART", "1"},
+                                               {"IN_CONDITION", "3"},
+                                               {"IN_KERNEL", "IN_VALUE"},
+                                               {"IN_VALUE", "4"},
+                                               {"IN_COMMENT", "7"},
+                                               {gl::extensionDefine, "GL_ARB_gpu_shader_int64"}})
+                    .text);
 }
 
 TEST_CASE("a buffer keeps what is written and survives moves") {

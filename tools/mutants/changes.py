@@ -32,6 +32,9 @@ class Mutant:
     def place(self):
         return f"glsl/{self.file}:{self.number}"
 
+    def name(self):
+        return self.file, self.number, self.after
+
     def words(self):
         return f"{self.before.strip()}   ->   {self.after.strip()}"
 
@@ -114,6 +117,12 @@ def mutants_of(file, seed, every=False):
     return found
 
 
+def all_files():
+    """Those that have places."""
+    names = sorted(str(file.relative_to(GLSL)) for file in (GLSL / "draw").rglob("*") if file.is_file())
+    return [file for file in names if not NOT_MUTATED.search(file)]
+
+
 def drawn_lots(files, seed, every=False):
     """Mutants in the order in which they are taken, of all files but those of NOT_MUTATED."""
     lots = [lot for file in files if not NOT_MUTATED.search(file) for lot in mutants_of(file, seed, every)]
@@ -122,7 +131,7 @@ def drawn_lots(files, seed, every=False):
 
 def reported(report):
     """The mutants of a report as {mutant: (kind, by what, test)}, without those that are not there any more."""
-    found, last = {}, None
+    found, names, last = {}, set(), None
     for line in pathlib.Path(report).read_text(encoding="utf-8").splitlines():
         match = re.match(r"(caught|survived|equivalent) {2,}(\S*)( \w+| \(test\)|) +glsl/(\S+):(\d+)  (.*)   ->   (.*)", line)
         if not match:
@@ -140,6 +149,9 @@ def reported(report):
         at = text.index(before)
         head = len(os.path.commonprefix([before, after]))
         tail = len(os.path.commonprefix([before[head:][::-1], after[head:][::-1]]))
-        last = Mutant(file, number, text, at + head, before[head:len(before) - tail], after[head:len(after) - tail])
-        found[last] = (kind, by + what, "")
+        mutant = Mutant(file, number, text, at + head, before[head:len(before) - tail], after[head:len(after) - tail])
+        if mutant.name() not in names:  # survivors stand below the report's last line, too
+            names.add(mutant.name())
+            last = mutant
+            found[last] = (kind, by + what, "")
     return found

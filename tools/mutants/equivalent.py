@@ -13,8 +13,6 @@ EQUIVALENT = {
         "of a column all rows are negative, or none is",
     ("draw/overlay/chart_shading.glsl", "vec4 square = vec4(1.01e+12f), below = vec4(-1e6f);"):
         "further than anything on a picture is",
-    ("draw/overlay/field_values.glsl", "return lost ? (word == 0x7f800000u ? 1e18f : -1.01e+18f) : value;"):
-        "below every range, either way",
     ("draw/exact/instances/ball.glsl", "precise float beyond = exactDot(aside, aside) + rr * (aa - af * af);"):
         "a wider box, of which every sample is looked at by ray",
     ("draw/exact/instances/ball.glsl",
@@ -56,8 +54,6 @@ EQUIVALENT = {
         "an empty box has no pixel either way, also as a large one's",
     ("draw/exact/instances/ball_shadows.comp", "int tiles = across * ((box.w + box.y) / tileSide + 1);"):
         "more tiles, whose texels beyond the box are left out",
-    ("draw/exact/triangles/triangles.comp", "if (!whole || extent >= smallPixels * subpixels) {"):
-        "either way of drawing gives the same, as a test says",
     ("draw/sky.glsl", "ROUNDED float glow = max(dotted(direction, vec3(frame.sunDirection)), 0.01f);"):
         "to the power of 16, 1e-32 at most",
     ("draw/exact/triangles/clip.glsl",
@@ -211,9 +207,6 @@ EQUIVALENT = {
     ("draw/exact/triangles/medium.comp",
      "for (uint entry = gl_WorkGroupID.x * teams + me / teamSize; entry < count; entry += gl_NumWorkGroups.x + teams) {"):
         "some are drawn twice, which shows nothing; a group alone has no more than it begins with",
-    ("draw/exact/shadows/face_lists.comp",
-     "precise vec3 y = along[(axis + 1) % 3] * scale, z = along[(axis + 0) % 3] * scale;"):
-        "more are listed, of which a face shows nothing: the scale is below 1",
     ("draw/exact/surface/surface_seen.glsl",
      "return (weight.x >= 0.0f ? 1 : 0) | (weight.y > 0.0f ? 2 : 0) | (weight.z > 0.0f ? 4 : 0);"):
         "a side of no weight is read and counts nothing",
@@ -231,4 +224,20 @@ EQUIVALENT = {
     ("draw/exact/triangles/triangle.glsl",
      "edge.bias = edge.step_.y > 0 || (edge.step_.y == 0 && edge.step_.x <= 0) ? 0 : -1;"):
         "only of an edge without length, whose triangle is empty",
+    ("draw/exact/triangles/bins.glsl", "int end = t.high.x < 0 && t.high.y < 0 ? -1 : last.y;"):
+        "a tile at the picture's side has it listed, of which it covers no sample",
+    ("draw/exact/triangles/crossing.glsl",
+     "int first = (int(floor(low)) + edge.from.x - subpixels) >> 12, last = (int(floor(high)) + edge.from.x + subpixels) >> 11;"):
+        "a wider span, of which every tile is tested: the box bounds it",
+    ("draw/exact/triangles/fill_box.glsl",
+     "if (abs(doubled) <= thick && around <= 24821.76f && length_ <= 2048.0f) longest = min(longest, smallPixels * subpixels);"):
+        "either way of drawing gives the same, as a test says: E is below 2^31 up to 32768",
+    ("draw/exact/tiles/tiles.comp",
+     "bool within = above.x > offAbove.x || above.y > offAbove.y && below.x > offBelow.x && below.y > offBelow.y;"):
+        "more tiles look for a shadow of the sun, of which there is none where its map does not reach",
+    ("draw/exact/screen/bloom_up.comp", "if (at.x >= size.x || at.y > size.y) return;"):
+        "what is stored beyond an image is dropped",
+    ("draw/overlay/chart_shading.glsl",
+     "if (zero > 0.0f && p.x > 0.0f && p.x <= plotSize.x) sum = covered(sum, vec3(1.0f), zeroAlpha);"):
+        "the plot's sides are whole, middles of pixels are not",
 }

@@ -2,14 +2,13 @@
 #include "base/error.hpp"
 #include "scene/scene.hpp"
 #include "sim/core/simulation.hpp"
+#include "sim/world/summary_queue.hpp"
 
 #include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
-
-#include <glm/vec4.hpp>
 
 namespace simreel::sim {
 
@@ -64,37 +63,20 @@ class World {
   bool settle();
   [[nodiscard]] const Simulation& object(std::size_t index) const;
 
+  using ArrayName = sim::ArrayName;
+  using CountNames = sim::CountNames;
+  using Summary = sim::Summary;
   /// Every state array of every object, in the order in which they are hashed.
-  struct ArrayName {
-    std::string object, array;
-    long elements = 0;  ///< vec4 each
-  };
   [[nodiscard]] std::vector<ArrayName> arrays() const;
-
   /// Every object that counts something, in the order of objects.
-  struct CountNames {
-    std::string object;
-    std::vector<std::string> columns;
-    int elements = 1;       ///< uvec4 a row
-    bool measured = false;  ///< floats
-  };
   [[nodiscard]] std::vector<CountNames> countNames() const;
 
   /// Starts hashing the state of the current frame on the GPU, and copying its counts; at most that many
   /// may be under way.
-  static constexpr int maxSummaries = 8;
+  static constexpr int maxSummaries = SummaryQueue::capacity;
   void startSummary();
-  /// A finished summary, oldest first: frame and hash (32 hexadecimal digits over every state array of
-  /// every object). With `wait` blocks for the oldest. Throws UserError(device) when a simulation lost its
-  /// state.
-  struct Summary {
-    int frame = 0;
-    std::string stateHash;
-    std::vector<std::string> arrays;  ///< hash of each state array, in the order of arrays()
-    /// Counts of each step of the frame, row by row, for each entry of countNames(); where nothing has
-    /// stepped yet, one row of the start.
-    std::vector<std::vector<glm::uvec4>> counts = {};
-  };
+  /// A finished summary, oldest first. With `wait` blocks for the oldest. Throws UserError(device) when a
+  /// simulation lost its state.
   [[nodiscard]] std::optional<Summary> takeSummary(bool wait);
 
  private:

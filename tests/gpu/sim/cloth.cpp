@@ -110,6 +110,20 @@ TEST_CASE("cloth with constraints equals its CPU twin") {
   compare(p, 75, {ball});
 }
 
+TEST_CASE("constraints of a sheet in many tiles equal their CPU twin") {
+  for (const bool fabric : {false, true}) {
+    auto p = sheet(93, 79);
+    p.solver = sim::ClothSolver::constraints;
+    p.hasFabric = fabric;
+    p.spacing = 0.1F;
+    p.substeps = 16;
+    p.mass = 1e-3F;
+    p.jitter = 0.02F;
+    p.pins.front().points = {{1, 77}, {92, 3}};
+    compare(p, 6);
+  }
+}
+
 TEST_CASE("long lines of constraints, pinned anywhere, equal their CPU twin") {
   // More segments than one on either side, the last of them of one link; and lines longer than a group's
   // room.

@@ -108,16 +108,19 @@ TEST_CASE("exact borders: what was clipped before leaves nothing where all is cl
   block.write(0, std::as_bytes(std::span(&view, 1)));
   block.bindUniform(draw::viewBinding, 0, sizeof view);
   const draw::Visibility visibility("a test", view.size, 4, true);
-  draw::TriangleRaster raster(draw::TriangleRaster::Into::picture, 4, 16, 1000);
-  const auto hidden = [&](TriangleStage& stage) {
-    visibility.clear();
-    raster.number({&stage.surface});
-    raster.draw(visibility);
-    const std::vector<GLuint> ids = visibility.readNumbers();
-    return std::count(ids.begin(), ids.end(), noNumber);
-  };
-  CHECK(hidden(before) == 0);
-  CHECK(hidden(after) == std::ptrdiff_t{4} * 67 * 45);
+  for (const int binRoom : {draw::binnedTriangles(), 0}) {
+    draw::TriangleRaster raster(draw::TriangleRaster::Into::picture, 4, 16, 1000, draw::mediumTriangle(),
+                                binRoom);
+    const auto hidden = [&](TriangleStage& stage) {
+      visibility.clear();
+      raster.number({&stage.surface});
+      raster.draw(visibility);
+      const std::vector<GLuint> ids = visibility.readNumbers();
+      return std::count(ids.begin(), ids.end(), noNumber);
+    };
+    CHECK(hidden(before) == 0);
+    CHECK(hidden(after) == std::ptrdiff_t{4} * 67 * 45);
+  }
 }
 
 TEST_CASE("exact borders: a ball's place at the nearest plane or the farthest itself is shown") {

@@ -3,6 +3,7 @@
 #include "draw/overlay/field_kernel.hpp"
 #include "gpu/draw/overlay_stage.hpp"
 
+#include <array>
 #include <bit>
 #include <cmath>
 #include <limits>
@@ -319,6 +320,28 @@ TEST_CASE("exact fields: cells that are no numbers have the first colour, infini
       if (!smooth) CHECK(at(27) == OverlayBytes{0, 0, 255, 255});
       CHECK(at(49)[1] == 255);
     }
+  }
+}
+
+TEST_CASE("exact fields: what is beyond 1e18 is 1e18, and no number is the least") {
+  testContext();
+  for (const double sign : {1.0, -1.0}) {
+    const auto value = [&](int x, int) {
+      constexpr std::array<double, 5> factors = {0.995, 1, 1.015, 2,
+                                                 std::numeric_limits<double>::infinity()};
+      return x == 5 ? std::numeric_limits<double>::quiet_NaN()
+                    : sign * factors[static_cast<std::size_t>(x)] * 1e18;
+    };
+    FieldStage stage(Cells::floats, {6, 1}, value, {3, 5, 2}, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}});
+    stage.display.fit = Fit::stretch;
+    const auto last = sign < 0 ? 6U : 5U;  // as large as 1e18
+    stage.field.range = sign < 0 ? glm::vec2(-1.02e18F, -0.98e18F) : glm::vec2(0.98e18F, 1.02e18F);
+    const auto picture = over({stage.field}, someBytes({60, 7}), draw::Rasterizer::exact);
+    const auto at = [&](std::size_t x) { return picture.pixels[180 + 10 * x + 5]; };
+    CHECK(at(0) != at(1));
+    CHECK(at(1) == OverlayBytes{0, 255, 0, 255});
+    for (std::size_t x = 2; x < last; ++x) CHECK(at(x) == at(1));
+    if (sign > 0) CHECK(at(5) == OverlayBytes{255, 0, 0, 255});
   }
 }
 

@@ -117,6 +117,34 @@ TEST_CASE("exact: whole pictures are the twin's in every byte") {
   }
 }
 
+TEST_CASE("exact: triangles around the least area whose weights are their own are the twin's") {
+  // Depths of 1e-14 m: of the squares of depths times pixels it is 1e-25.
+  const glm::ivec2 size(91, 59);
+  scene::Scene scene = exactScene(4);
+  scene.camera.position = glm::vec3(0);
+  scene.camera.target = glm::vec3(0, 0, -1);
+  scene.camera.near = 1e-14F;
+  PictureTwinScene twin;
+  see(twin, scene, size, 4);
+  twin.doubleSided = true;
+  int least = 0;
+  for (int k = 0; k < 24; ++k) {
+    const float area = (0.97F + 0.0025F * static_cast<float>(k)) * 1e-25F;
+    least += area < 1e-25F ? 1 : 0;
+    const float depth = std::sqrt(area / 154.0F);
+    for (const glm::vec2 corner : {glm::vec2(0, 0), glm::vec2(13, 1), glm::vec2(2, 12)}) {
+      const glm::vec2 at = corner + glm::vec2(15 * (k % 6) + 1, 14 * (k / 6) + 1);
+      twin.places.push_back(
+          depth * glm::vec3(twin.view.ray + at.x * twin.view.rayAcross + at.y * twin.view.rayDown));
+      twin.normals.push_back(glm::normalize(glm::vec3(corner - 5.0F, 9)));
+      twin.indices.push_back(static_cast<unsigned>(twin.indices.size()));
+    }
+  }
+  CHECK(least == 12);
+  TriangleStage stage(twin.places, twin.indices, twin.normals);
+  CHECK(othersThanTwin(scene, twin, stage, size) == 0);
+}
+
 TEST_CASE("exact: textured pictures are the twin's in every byte, near, far and askew") {
   testContext();
   const glm::ivec2 size(91, 59);

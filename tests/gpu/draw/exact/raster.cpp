@@ -49,6 +49,9 @@ struct TriangleSoup {
 TriangleSoup soup(unsigned seed) {
   MeshDice dice(seed);
   TriangleSoup all;
+  // The first of the lists is seen; number 0, which memory may hold anyway, is not.
+  all.add({0, 0, 0}, {0, 0, 0}, {1, 0, 0});
+  all.add({-0.05F, -0.05F, 4.2F}, {0.05F, -0.05F, 4.2F}, {0, 0.05F, 4.2F});
   for (int i = 0; i < 300; ++i) {
     const glm::vec3 middle = dice.place({-3, -2, -4}, {3, 2, 3});
     const float reach = i % 3 == 0 ? 0.05F : 0.5F;
@@ -61,7 +64,6 @@ TriangleSoup soup(unsigned seed) {
     all.add(dice.place({-30, -30, -30}, {30, 30, 12}), dice.place({-30, -30, -30}, {30, 30, 12}),
             dice.place({-30, -30, -30}, {30, 30, 12}));
   all.add({0, 0, 0}, {1, 1, 0}, {2, 2, 0});
-  all.add({0, 0, 0}, {0, 0, 0}, {1, 0, 0});
   return all;
 }
 

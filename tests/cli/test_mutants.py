@@ -1,0 +1,66 @@
+#!/usr/bin/env python3
+"""tools/mutate: what of a source is compiled, and which mutants are known to change nothing."""
+import pathlib
+import shutil
+import sys
+import tempfile
+import unittest
+
+from common import SOURCE, main
+
+sys.dont_write_bytecode = True
+sys.path[:0] = [str(SOURCE / "tools")]
+from mutants import changes, compiled, equivalent  # noqa: E402  pylint: disable=wrong-import-position
+
+SOURCE_TEXT = """#define ONE(x) TWO(x) + \\
+    1
+#define TWO(x) (2 * x)
+#define THREE(x) FOUR(x)
+#define FOUR(x) 4  // FIVE
+#define FIVE 5
+int a = ONE(2);  // THREE
+#if SIX
+int b;
+#else
+int c;
+#endif
+"""
+
+
+class Compiled(unittest.TestCase):
+    def test_macros_that_nothing_names_are_unused(self):
+        self.assertEqual({"THREE", "FOUR", "FIVE"}, compiled.unused_macros(SOURCE_TEXT))
+        self.assertEqual(set(), compiled.unused_macros(SOURCE_TEXT + "int d = THREE(FIVE);\n"))
+
+    @unittest.skipIf(shutil.which("cpp") is None, "there is no cpp")
+    def test_kept_lines(self):
+        self.assertEqual({1, 3, 7, 11}, compiled.kept(SOURCE_TEXT))
+
+
+class Reported(unittest.TestCase):
+    def test_those_of_a_report_are_those_drawn_each_once(self):
+        drawn = changes.drawn_lots(["draw/half.glsl", "draw/ordered_key.glsl"], 17)
+        lines = [f"survived                          {mutant.place()}  {mutant.words()}" for mutant in drawn]
+        lines[0] = f"caught       test_gpu             {drawn[0].place()}  {drawn[0].words()}\n{'':13}a test"
+        with tempfile.TemporaryDirectory() as folder:
+            report = pathlib.Path(folder) / "report.txt"
+            report.write_text("\n".join([*lines, "", *lines[1:]]), encoding="utf-8")
+            found = changes.reported(report)
+        self.assertEqual([mutant.name() for mutant in drawn], [mutant.name() for mutant in found])
+        self.assertEqual([mutant.after for mutant in drawn], [mutant.after for mutant in found])
+        self.assertEqual([("caught", "test_gpu", "a test")] + [("survived", "", "")] * (len(drawn) - 1), list(found.values()))
+
+
+class Equivalent(unittest.TestCase):
+    def test_each_is_one_change_of_a_line_that_is_there(self):
+        left = set(equivalent.EQUIVALENT)
+        seed = 0
+        while left and seed < 64:  # of a number in hexadecimal digits any of eight bits may be drawn
+            for file in sorted({file for file, _ in left}):
+                left -= {(file, mutant.after.strip()) for _, mutant in changes.mutants_of(file, seed, every=True)}
+            seed += 1
+        self.assertEqual(set(), left)
+
+
+if __name__ == "__main__":
+    main()
