@@ -13,3 +13,7 @@
 
 layout(std140, binding = stepBinding) uniform StepBlock { ClothStep stepData; };
 uniform ivec2 size;
+#ifndef KEEPS
+#define KEEPS 0
+#endif
+const bool keeps = KEEPS == 1;  // energy: cloth/keeping.glsl

@@ -41,7 +41,7 @@ FUNCTION Link linkBetween(vec4 a, vec4 b, bool there) {
 // multiplier too many, which 2^-15 decides. One that is held further apart than it is long, by s of its length, cannot
 // be satisfied at all: where both its ends are pinned, with 1.7 s it pulls evenly, by 0.29 m L / h^2, so that it does not begin to
 // swing sideways (w dt = 1.63, cloth/motion.glsl). Other lines get what they lack sooner with 0.6 s, by 5/6 m L / h^2 at most,
-// which they do not keep up. Softer lines are as soft as they are.
+// which they do not keep up. Softer lines are as soft as they are. Those that keep energy have keptGive (cloth/segment.glsl) instead.
 FUNCTION float giveOf(float stretch, bool pinned) {
   float part = pinned ? 1.7f : 0.6f;
   precise float rest = float(lineLinks) * lineRest;

@@ -1,5 +1,5 @@
 // One particle of a sheet, a grid of particles, over one substep. Compiles as GLSL and as C++, where it is the
-// CPU twin. Whoever includes it provides `size` (ivec2), `stepData` (ClothStep), loadPosition(int),
+// CPU twin. Whoever includes it provides `size` (ivec2), `keeps` (bool), `stepData` (ClothStep), loadPosition(int),
 // and the files types.glsl, common/exact.glsl, common/hash.glsl, mesh/height_model.glsl, contour/wall_model.glsl before it.
 #include "cloth/air.glsl"
 #include "cloth/motion.glsl"
@@ -72,6 +72,7 @@ FUNCTION vec3 springForces(ivec2 at, vec3 here) {
 }
 
 #include "cloth/bending.glsl"
+#include "cloth/keeping.glsl"
 
 FUNCTION vec3 airForces(ivec2 at, vec3 here, vec3 velocity) {
   precise vec3 place = (here - vec3(stepData.gustDrift)) * stepData.perGustSize;
@@ -95,6 +96,7 @@ FUNCTION vec3 newVelocity(ivec2 at, vec4 here, vec3 velocity, bool springs, bool
   precise vec3 force = vec3(stepData.wind);
   if (fabric) force = force + bendingForce(at, vec3(here));
   if (springs) force = force + springForces(at, vec3(here));
+  if (keeps) force = force + pairForces(at, here, fabric);
   if (air) force = force + airForces(at, vec3(here), velocity);
   precise vec3 acceleration = force * here.w + vec3(stepData.gravity);
   precise vec3 v = (velocity + acceleration * stepData.dt) * stepData.kept;

@@ -61,6 +61,18 @@ FUNCTION Settled settled(vec4 before, vec4 here, vec3 aim, vec3 trend, bool land
   return s;
 }
 
+// After forces alone, of cloth that keeps energy: from `before`, unless it is pinned `here`. What a constraint changed a velocity
+// by is added to it, for roundings of positions by a substep would heat the cloth.
+FUNCTION Motion forced(vec4 before, vec4 here, vec3 velocity, bool lands, bool walled) {
+  Motion m;
+  precise vec3 moved = vec3(before) + velocity * stepData.dt;
+  m.position = moved;
+  m.velocity = velocity;
+  if (here.w > 0.0f) return contact(m, vec3(before), lands, walled);
+  m.position = vec3(here);
+  return m;
+}
+
 // After cloths in contact pushed a particle from where it was left, if they did.
 FUNCTION Motion settledAgain(vec4 before, vec4 left, vec4 here, vec3 velocity, bool lands, bool walled) {
   Motion m;

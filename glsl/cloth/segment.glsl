@@ -1,6 +1,6 @@
 // A segment of a line, of links `first` to `last`. Compiles as GLSL and as C++, after line_model.glsl. Whoever includes it
 // provides lineParticle(int), xyz and inverse mass of the k-th particle of the line, lineBefore(int), the same at the substep's
-// beginning, and, of the invocation, which arrays a
+// beginning, lineSoftening, which weighs the masses of lines that keep energy (cloth/keeping.glsl; 1 of others), and, of the invocation, which arrays a
 // compiler keeps where it is cheap: lineCosine[segmentLinks + 1], lineMass[segmentLinks + 1], lineStretch[segmentLinks].
 
 // How much of the stretch of link k is to be undone.
@@ -24,19 +24,42 @@ FUNCTION float readSegment(int first, int last) {
   Link here = linkBetween(a, b, true);
   float cosine = exactDot(before.along, here.along);
   lineCosine[0] = cosine;
-  lineMass[0] = a.w;
+  precise float mass = a.w * lineSoftening;
+  lineMass[0] = mass;
   for (int k = first; k <= last; ++k) {
     vec4 c = lineParticle(min(k + 2, lineLinks));
     Link after = linkBetween(b, c, k + 1 < lineLinks);
     cosine = exactDot(here.along, after.along);
     lineCosine[k - first + 1] = cosine;
-    lineMass[k - first + 1] = b.w;
+    precise float next = b.w * lineSoftening;
+    lineMass[k - first + 1] = next;
     lineStretch[k - first] = undone(k, here.stretch);
     sum = sum + here.stretch;
     b = c;
     here = after;
   }
   return sum;
+}
+
+// How many particles of a segment that was read are pinned; its first one is the last of the segment before.
+FUNCTION float pinsOf(int first, int links) {
+  int pins = first == 0 && lineMass[0] == 0.0f ? 1 : 0;
+  for (int i = 1; i <= links; ++i) pins = lineMass[i] == 0.0f ? pins + 1 : pins;
+  return float(pins);
+}
+
+// giveOf of a line that keeps energy, of nothing that a substep changes, so that it still is a potential. A line between pins has a
+// multiplier too many where it is straight, and what swings through there would meet a wall: it stretches by dt^2 / 4m a link and
+// newton, at least. Held s of its length too far apart it pulls by m L / (6 softening dt^2) (w dt = 0.82 / sqrt(softening)).
+FUNCTION float keptGive(float pins) {
+  vec4 a = lineParticle(0), b = lineParticle(lineLinks);
+  Link ends = linkBetween(a, b, true);
+  precise float rest = float(lineLinks) * lineRest;
+  precise float beyond = ends.stretch + lineRest - rest;
+  precise float held = beyond * exactReciprocal(rest) * 3.0f;
+  precise float least = exactReciprocal(lineSoftening) * 0.125f;
+  bool ended = a.w == 0.0f && b.w == 0.0f;
+  return pins < 2.0f ? 3.0517578125e-5f : ended ? max(held, least) : least;
 }
 
 // Of the i-th link of the segment.
@@ -89,6 +112,31 @@ FUNCTION vec3 pullBetween(vec4 a, vec4 b, bool there, float multiplier) {
   float held = clamp(multiplier, -most, most);
   precise vec3 pull = link.along * held;
   return pull;
+}
+
+// The same of a line that keeps energy, of its link k between two others: B turns with the links, so that of the gradient of
+// 1/2 C^T B^-1 C there is -1/2 l^T dB l, too.
+FUNCTION vec3 keptPull(int k, float multiplierBefore, float multiplier, float multiplierAfter) {
+  vec4 a = lineParticle(k), b = lineParticle(k + 1);
+  Link before = linkBetween(lineParticle(max(k - 1, 0)), a, k > 0);
+  Link here = linkBetween(a, b, true);
+  Link after = linkBetween(b, lineParticle(min(k + 2, lineLinks)), k + 1 < lineLinks);
+  precise vec3 turnBefore = before.along - here.along * exactDot(before.along, here.along);
+  precise vec3 turnAfter = after.along - here.along * exactDot(after.along, here.along);
+  precise float whole = here.stretch + lineRest;
+  precise float least = lineRest * 0.125f;
+  float length_ = max(whole, least);
+  precise float share = multiplier * lineSoftening * exactReciprocal(length_);
+  precise float weightBefore = multiplierBefore * a.w;
+  precise float weightAfter = multiplierAfter * b.w;
+  precise vec3 turn = turnBefore * weightBefore + turnAfter * weightAfter;
+  precise vec3 pull = pullBetween(a, b, true, multiplier) - turn * share;
+  return pull;
+}
+
+FUNCTION vec3 sped(vec3 velocity, float inverseMass, vec3 before, vec3 after) {
+  precise vec3 v = velocity + (before - after) * (inverseMass * stepData.perDt);
+  return v;
 }
 
 FUNCTION vec4 pulled(vec4 here, vec3 before, vec3 after) {

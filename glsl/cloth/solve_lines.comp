@@ -1,19 +1,21 @@
 // Structural constraints of every row (ROWS) or column at once, line_model.glsl: a group has some lines, an invocation a
 // segment of one. LAST: leaves the particles as they are after the substep, with their velocities. LINES of a group,
-// SEGMENTS of a line.
+// SEGMENTS of a line. KEEPS: by where the particles are at the substep's beginning, so rows and columns do not see each other.
 #include "cloth/kernel.glsl"
 layout(local_size_x = LINES, local_size_y = SEGMENTS) in;
-#if defined(LAST) || DAMPED
+#if defined(LAST) || DAMPED || KEEPS
 INPUT_ARRAY(positionsBinding, PositionBlock, positions)
 #endif
-#ifdef LAST
+#if defined(LAST) || KEEPS
 STATE_ARRAY(velocitiesBinding, VelocityBlock, velocities)  // before: where forces alone would lead
+#endif
+#if defined(LAST) && !KEEPS
 STATE_ARRAY(trendsBinding, TrendBlock, trends)
 #endif
 STATE_ARRAY(nextPositionsBinding, NextBlock, nextPositions)
 uniform int lines;
 int lineLinks = 0, lineStart = 0, linePace = 1;
-float lineRest = 0.0f, lineCompliance = 0.0f, lineGive = 0.0f, lineKept = 0.0f;
+float lineRest = 0.0f, lineCompliance = 0.0f, lineGive = 0.0f, lineKept = 0.0f, lineSoftening = 1.0f;
 
 vec4 loadPosition(int i) {
 #ifdef LAST
@@ -25,7 +27,11 @@ vec4 loadPosition(int i) {
 #include "cloth/model.glsl"
 
 vec4 lineParticle(int k) {
+#if KEEPS
+  return LOAD_INPUT(positions, lineStart + k * linePace);
+#else
   return LOAD_ONCE(nextPositions, lineStart + k * linePace);
+#endif
 }
 vec4 lineBefore(int k) {
 #if DAMPED
@@ -41,6 +47,39 @@ float lineCosine[segmentLinks + 1], lineMass[segmentLinks + 1], lineStretch[segm
 shared float lastFixed[SEGMENTS * LINES], lastLeft[SEGMENTS * LINES], lastRight[SEGMENTS * LINES];
 shared float firstFixed[SEGMENTS * LINES], firstLeft[SEGMENTS * LINES], firstRight[SEGMENTS * LINES];
 
+#if KEEPS
+void leaveKept(int k, vec3 pullBefore, vec3 pull) {
+  int i = lineStart + k * linePace;
+  vec4 before = lineParticle(k), velocity = LOAD_ONCE(velocities, i);
+  vec3 v = sped(velocity.xyz, before.w, pullBefore, pull);
+#ifdef LAST
+  vec4 here = LOAD_ONCE(nextPositions, i);
+  Motion m = forced(before, here, v, HEIGHTS == 1, WALLS == 1);
+  if (isLost(m)) noteLost(uint(stepData.substep), uint(i));
+  STORE_STATE(nextPositions, i, vec4(m.position, here.w));
+  v = m.velocity;
+#endif
+  STORE_STATE(velocities, i, vec4(v, velocity.w));
+}
+
+// What the segment's links pull, and what pulls its first particle. The segments on both sides left their multipliers in
+// firstFixed, of the first link, and firstLeft, of the last but one.
+void leaveSegment(int segment, int segments, int first, int last, int me, float leftOne) {
+  float beyond = segment + 1 < segments ? firstFixed[me + LINES] : 0.0f;
+  float before = leftOne;
+  vec3 pullBefore = vec3(0.0f);
+  if (segment > 0) pullBefore = keptPull(first - 1, firstLeft[me - LINES], leftOne, lineStretch[0]);
+  for (int k = first; k <= last; ++k) {
+    float one = lineStretch[k - first], after = beyond;
+    if (k < last) after = lineStretch[k - first + 1];
+    vec3 pull = keptPull(k, before, one, after);
+    leaveKept(k, pullBefore, pull);
+    pullBefore = pull;
+    before = one;
+  }
+  if (segment == segments - 1) leaveKept(lineLinks, pullBefore, vec3(0.0f));
+}
+#else
 void leave(int k, vec4 here) {
   int i = lineStart + k * linePace;
 #ifdef LAST
@@ -55,6 +94,7 @@ void leave(int k, vec4 here) {
   STORE_STATE(nextPositions, i, here);
 #endif
 }
+#endif
 
 // Leaves the separators of a line of the group in lastFixed.
 void solveSeparators(int slot, int segments) {
@@ -92,6 +132,9 @@ void main() {
 #if DAMPED
   lineKept = stepData.dampedPart;
 #endif
+#if KEEPS
+  lineSoftening = stepData.softening;
+#endif
 #ifdef ROWS
   lineCompliance = FABRIC ? fabricCompliance(true, line) : scaledCompliance(0);
 #else
@@ -102,12 +145,19 @@ void main() {
   int links = last - first + 1;
   bool mine = line < lines && segment < segments;
   if (mine) lastFixed[me] = readSegment(first, last);
+#if KEEPS
+  if (mine) lastFixed[me] = pinsOf(first, links);
+#endif
   barrier();
   if (mine && segment == 0) {
     precise float sum = 0.0f;
     for (int s = 0; s < segments; ++s) sum = sum + lastFixed[s * LINES + slot];
     bool pinned = lineParticle(0).w == 0.0f && lineParticle(lineLinks).w == 0.0f;
+#if KEEPS
+    firstFixed[slot] = keptGive(sum);
+#else
     firstFixed[slot] = giveOf(sum, pinned);
+#endif
   }
   barrier();
   if (mine) lineGive = firstFixed[slot];
@@ -133,8 +183,17 @@ void main() {
     before = LOAD_STATE(nextPositions, lineStart + max(first - 1, 0) * linePace);
     beyond = LOAD_STATE(nextPositions, lineStart + (last + 1) * linePace);
   }
+#if KEEPS
+  if (mine) {
+    firstFixed[me] = lineStretch[0];
+    firstLeft[me] = links > 1 ? lineStretch[links - 2] : leftOne;
+  }
+#endif
   barrier();  // others move what is on either side
   if (!mine) return;
+#if KEEPS
+  leaveSegment(segment, segments, first, last, me, leftOne);
+#else
   vec4 here = lineParticle(first);
   vec3 pullBefore = pullBetween(before, here, first > 0, leftOne);
   for (int k = first; k <= last; ++k) {
@@ -146,4 +205,5 @@ void main() {
     pullBefore = pull;
   }
   if (segment == segments - 1) leave(lineLinks, pulled(here, pullBefore, vec3(0.0f)));
+#endif
 }

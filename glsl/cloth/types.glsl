@@ -66,6 +66,7 @@ struct STD140 ClothStep {
   int seed;
   float perBend;       // N/m, bending / spacing^2 of a fabric
   float dampedPart;    // T / (T + dt), of a fabric's stretchDamping T: how much of a stretch damping keeps over a substep
+  float softening;     // of lines that keep energy, ratio to what a substep needs (cloth/keeping.glsl); 1 of others
   ClothConstants constants;
   FabricConstants fabric;
   AirConstants air;

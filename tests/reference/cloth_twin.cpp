@@ -36,7 +36,8 @@ struct Kernel : WindKernel {
   [[nodiscard]] int loadWallClass(int x, int y) const { return walls->classAt(x, y); }
   [[nodiscard]] float loadWallValue(int x, int y) const { return walls->valueAt(x, y); }
   int lineLinks = 0, lineStart = 0, linePace = 1;
-  float lineRest = 0, lineCompliance = 0, lineGive = 0, lineKept = 0;
+  float lineRest = 0, lineCompliance = 0, lineGive = 0, lineKept = 0, lineSoftening = 1;
+  bool keeps = false;
   const vec4* past = nullptr;  // positions at the substep's beginning
   float lineCosine[segmentLinks + 1] = {}, lineMass[segmentLinks + 1] = {}, lineStretch[segmentLinks] = {};
   [[nodiscard]] vec4 lineParticle(int k) const { return source[lineStart + k * linePace]; }
@@ -82,14 +83,19 @@ void forRows(int rows, int threads, const Body& body) {
 }
 
 /// As glsl/cloth/solve_lines.comp, one segment after the other.
-void solveLine(Kernel& kernel, std::vector<vec4>& particles) {
+/// `particles`: what is moved; of a line that keeps energy `velocities`.
+void solveLine(Kernel& kernel, std::vector<vec4>& particles, std::vector<vec4>& velocities) {
   std::vector<std::pair<int, int>> segments;  // first and last links
   for (int first = 0; first < kernel.lineLinks; first += segmentLinks)
     segments.emplace_back(first, min(first + segmentLinks, kernel.lineLinks) - 1);
   float stretch = 0;
-  for (const auto& [first, last] : segments) stretch += kernel.readSegment(first, last);
-  kernel.lineGive = kernel.giveOf(
-      stretch, kernel.lineParticle(0).w == 0.0F && kernel.lineParticle(kernel.lineLinks).w == 0.0F);
+  float pins = 0;
+  for (const auto& [first, last] : segments) {
+    stretch += kernel.readSegment(first, last);
+    pins += kernel.pinsOf(first, last - first + 1);
+  }
+  const bool pinned = kernel.lineParticle(0).w == 0.0F && kernel.lineParticle(kernel.lineLinks).w == 0.0F;
+  kernel.lineGive = kernel.keeps ? kernel.keptGive(pins) : kernel.giveOf(stretch, pinned);
   std::vector<Kernel::Reach> firsts, lasts;
   std::vector<Kernel::Eliminated> separators;
   for (const auto& [first, last] : segments) {
@@ -121,15 +127,48 @@ void solveLine(Kernel& kernel, std::vector<vec4>& particles) {
   for (int k = 0; k <= kernel.lineLinks; ++k) {
     const bool more = k < kernel.lineLinks;
     const vec4 here = kernel.lineParticle(k);
-    const vec3 pull = more ? kernel.pullBetween(here, kernel.lineParticle(k + 1), true,
-                                                multipliers[static_cast<std::size_t>(k)])
-                           : vec3(0);
-    moved.push_back(kernel.pulled(here, before, pull));
+    const auto i = static_cast<std::size_t>(k);
+    vec3 pull(0);
+    if (more && kernel.keeps)
+      pull = kernel.keptPull(k, k > 0 ? multipliers[i - 1] : 0, multipliers[i],
+                             k + 1 < kernel.lineLinks ? multipliers[i + 1] : 0);
+    else if (more)
+      pull = kernel.pullBetween(here, kernel.lineParticle(k + 1), true, multipliers[i]);
+    if (kernel.keeps) {
+      vec4& velocity = velocities[static_cast<std::size_t>(kernel.lineStart + k * kernel.linePace)];
+      velocity = vec4(kernel.sped(vec3(velocity), here.w, before, pull), velocity.w);
+    } else {
+      moved.push_back(kernel.pulled(here, before, pull));
+    }
     before = pull;
   }
-  for (int k = 0; k <= kernel.lineLinks; ++k)
-    particles[static_cast<std::size_t>(kernel.lineStart + k * kernel.linePace)] =
-        moved[static_cast<std::size_t>(k)];
+  for (std::size_t k = 0; k < moved.size(); ++k)
+    particles[static_cast<std::size_t>(kernel.lineStart + static_cast<int>(k) * kernel.linePace)] =
+        moved[k];
+}
+
+/// Families of pairs one after the other, each by its two colours.
+void relaxPairs(Kernel& kernel, const simreel::sim::ClothParameters& parameters,
+                const std::vector<vec4>& positions, std::vector<vec4>& next) {
+  const ivec2 size = parameters.size;
+  for (const simreel::sim::SpringFamily& f : relaxedFamilies(parameters))
+    for (int color = 0; color < 2; ++color)
+      for (int y = 0; y < size.y; ++y)
+        for (int x = 0; x < size.x; ++x) {
+          const ivec2 to = ivec2(x, y) + f.reach;
+          if (to.x < 0 || to.x >= size.x || to.y >= size.y) continue;
+          const int along = f.reach.x > 0 ? x / f.reach.x : y / f.reach.y;
+          if ((along & 1) != color) continue;
+          const auto i = static_cast<std::size_t>(y * size.x + x);
+          const auto j = static_cast<std::size_t>(to.y * size.x + to.x);
+          const float length = kernel.springLength(f.kind);
+          const float kept =
+              parameters.damped() ? kernel.keptStretch(positions[i], positions[j], length) : 0.0F;
+          const vec3 shift =
+              kernel.constraintShift(next[i], next[j], length, kernel.scaledCompliance(f.kind), kept);
+          next[i] = vec4(vec3(next[i]) - shift * next[i].w, next[i].w);
+          next[j] = vec4(vec3(next[j]) + shift * next[j].w, next[j].w);
+        }
 }
 
 }  // namespace
@@ -173,6 +212,7 @@ void ClothTwin::predict(const ClothStep& data, int threads, int index) {
   forRows(size.y, threads, [&](int y) {
     Kernel kernel{{}, size, data, positions.data()};
     kernel.blow(wind);
+    kernel.keeps = plan_.parameters().keepsEnergy();
     tell(kernel, grid, heights.data(), wallGrid, solid);
     if (meshes) tellMeshes(kernel, *meshes, index);
     for (int x = 0; x < size.x; ++x) {
@@ -204,12 +244,18 @@ void ClothTwin::settle(const ClothStep& data, int index, bool again) {
   tell(kernel, grid, heights.data(), wallGrid, solid);
   if (meshes) tellMeshes(kernel, *meshes, index);
   for (std::size_t i = 0; i < next.size(); ++i) {
-    const auto s = kernel.settled(positions[i], next[i], vec3(velocities[i]), vec3(trends[i]), lands,
-                                  walls.has_value());
-    const auto m = again ? kernel.settledAgain(positions[i], left_[i], next[i], vec3(velocities[i]), lands,
-                                               walls.has_value())
-                         : s.motion;
-    if (!again) trends[i] = vec4(s.trend, 0);
+    Kernel::Motion m;
+    if (again) {
+      m = kernel.settledAgain(positions[i], left_[i], next[i], vec3(velocities[i]), lands,
+                              walls.has_value());
+    } else if (plan_.parameters().keepsEnergy()) {
+      m = kernel.forced(positions[i], next[i], vec3(velocities[i]), lands, walls.has_value());
+    } else {
+      const auto s = kernel.settled(positions[i], next[i], vec3(velocities[i]), vec3(trends[i]), lands,
+                                    walls.has_value());
+      m = s.motion;
+      trends[i] = vec4(s.trend, 0);
+    }
     next[i] = vec4(m.position, next[i].w);
     velocities[i] = vec4(m.velocity, velocities[i].w);
   }
@@ -257,28 +303,13 @@ void ClothTwin::fend(const ClothStep& data) {
 void ClothTwin::constrain(const ClothStep& data) {
   const ivec2 size = plan_.parameters().size;
   const bool damped = plan_.parameters().damped();
-  Kernel kernel{{}, size, data, next.data()};
+  const bool keeps = plan_.parameters().keepsEnergy();
+  Kernel kernel{{}, size, data, keeps ? positions.data() : next.data()};
   kernel.blow(wind);
   kernel.past = positions.data();
-  for (const simreel::sim::SpringFamily& f : relaxedFamilies(plan_.parameters()))
-    for (int color = 0; color < 2; ++color)
-      for (int y = 0; y < size.y; ++y)
-        for (int x = 0; x < size.x; ++x) {
-          const ivec2 to = ivec2(x, y) + f.reach;
-          if (to.x < 0 || to.x >= size.x || to.y >= size.y) continue;
-          const int along = f.reach.x > 0 ? x / f.reach.x : y / f.reach.y;
-          if ((along & 1) != color) continue;
-          vec4& a = next[static_cast<std::size_t>(y * size.x + x)];
-          vec4& b = next[static_cast<std::size_t>(to.y * size.x + to.x)];
-          const float length = kernel.springLength(f.kind);
-          const float kept =
-              damped ? kernel.keptStretch(positions[static_cast<std::size_t>(y * size.x + x)],
-                                          positions[static_cast<std::size_t>(to.y * size.x + to.x)], length)
-                     : 0.0F;
-          const vec3 shift = kernel.constraintShift(a, b, length, kernel.scaledCompliance(f.kind), kept);
-          a = vec4(vec3(a) - shift * a.w, a.w);
-          b = vec4(vec3(b) + shift * b.w, b.w);
-        }
+  kernel.keeps = keeps;
+  kernel.lineSoftening = data.softening;
+  if (!keeps) relaxPairs(kernel, plan_.parameters(), positions, next);
   for (const bool rows : {true, false})
     for (int line = 0; line < (rows ? size.y : size.x); ++line) {
       kernel.lineLinks = (rows ? size.x : size.y) - 1;
@@ -288,6 +319,6 @@ void ClothTwin::constrain(const ClothStep& data) {
       if (damped) kernel.lineKept = data.dampedPart;
       kernel.lineCompliance =
           plan_.parameters().hasFabric ? kernel.fabricCompliance(rows, line) : kernel.scaledCompliance(0);
-      solveLine(kernel, next);
+      solveLine(kernel, next, velocities);
     }
 }

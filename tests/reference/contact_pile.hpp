@@ -125,6 +125,7 @@ inline simreel::sim::ClothParameters silk(glm::ivec2 size, float spacing, glm::v
   p.wind = glm::vec3(0);
   p.substeps = 16;
   p.damping = 0.5F;
+  p.hasContact = true;
   p.pins.clear();
   return p;
 }

@@ -18,6 +18,7 @@ struct GarmentKernel : WindKernel {
   const simreel::sim::GarmentArrays& arrays;
   const vec4* source;
   const vec4* forces;
+  bool keeps = false;
   MeshColliders meshData{};
   const uvec4* fieldCells = nullptr;
   HeightGrid heightGrid{};
@@ -25,6 +26,7 @@ struct GarmentKernel : WindKernel {
   WallGrid wallGrid{};
   const WallsTwin* walls = nullptr;
   [[nodiscard]] vec3 loadPoint(int i) const { return vec3(source[i]); }
+  [[nodiscard]] vec4 loadElement(int i) const { return arrays.elements[static_cast<std::size_t>(i)]; }
   [[nodiscard]] vec3 loadFaceForce(int i) const { return vec3(forces[i]); }
   const simreel::sim::GarmentBending* bending = nullptr;
   [[nodiscard]] uvec4 loadEntry(int i) const { return bending->entries[static_cast<std::size_t>(i)]; }
@@ -69,7 +71,8 @@ void GarmentTwin::substep(const ClothStep& data, int index) {
   WallGrid wallGrid{};
   if (walls) wallGrid = walls->grid({plan_.parameters().margin, 0.0F, plan_.substepSeconds()});
   const simreel::sim::GarmentArrays& arrays = plan_.arrays();
-  GarmentKernel kernel{{}, data, arrays, positions.data(), forces_.data()};
+  const bool keeps = plan_.parameters().keepsEnergy();
+  GarmentKernel kernel{{}, data, arrays, positions.data(), forces_.data(), keeps};
   kernel.blow(wind);
   kernel.heightGrid = grid;
   kernel.heights = heights.data();
@@ -97,7 +100,7 @@ void GarmentTwin::substep(const ClothStep& data, int index) {
     next_[i] = vec4(m.position, positions[i].w);
   }
   const std::size_t faces = arrays.corners.size();
-  for (std::size_t k = 0; k < 2 * faces; ++k) {
+  for (std::size_t k = 0; !keeps && k < 2 * faces; ++k) {
     const std::size_t f = k < faces ? k : 2 * faces - 1 - k;  // there and back
     const uvec4 face = arrays.corners[f];
     const vec3 compliance = vec3(arrays.elements[2 * f + 1]) * data.complianceScale;
@@ -117,6 +120,13 @@ void GarmentTwin::substep(const ClothStep& data, int index) {
     next_[i] = to;
   };
   for (const uvec4 a : arrays.attachments) {
+    if (keeps) {
+      const vec3 shift =
+          kernel.attachedShift(positions[a.x], vec3(positions[a.y]), intBitsToFloat(static_cast<int>(a.z)),
+                               intBitsToFloat(static_cast<int>(a.w)), true);
+      velocities[a.x] = vec4(vec3(velocities[a.x]) + shift * data.perDt, velocities[a.x].w);
+      continue;
+    }
     const bool held = trends[a.x].w > 0;
     const vec4 here = next_[a.x];
     const vec4 moved = kernel.attached(here, vec3(next_[a.y]), intBitsToFloat(static_cast<int>(a.z)),
@@ -135,10 +145,15 @@ void GarmentTwin::substep(const ClothStep& data, int index) {
     push(stitch.y, kernel.shifted(next_[stitch.y], -shift));
   }
   for (std::size_t i = 0; i < positions.size(); ++i) {
-    const auto s = kernel.settled(positions[i], next_[i], vec3(velocities[i]), vec3(trends[i]), lands,
-                                  walls.has_value());
-    const auto m = s.motion;
-    trends[i] = vec4(s.trend, trends[i].w);
+    GarmentKernel::Motion m;
+    if (keeps) {
+      m = kernel.forced(positions[i], next_[i], vec3(velocities[i]), lands, walls.has_value());
+    } else {
+      const auto s = kernel.settled(positions[i], next_[i], vec3(velocities[i]), vec3(trends[i]), lands,
+                                    walls.has_value());
+      m = s.motion;
+      trends[i] = vec4(s.trend, trends[i].w);
+    }
     next_[i] = vec4(m.position, next_[i].w);
     velocities[i] = vec4(m.velocity, velocities[i].w);
   }

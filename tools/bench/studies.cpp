@@ -1,8 +1,8 @@
 // What cloth should do however it is cut: figures that stay when the grid gets finer, energy that stays.
 //
 //   bench_studies resolution [SECONDS]   flag.json with 48, 96 and 192 columns: folds at the fly edge,
-//   stretch bench_studies energy [SECONDS]       swings without damping: drift, and whether the mean ever
-//   rises
+//   stretch
+//   bench_studies energy [SECONDS]       swings without damping: drift, and whether the mean ever rises
 //
 // Exits with 1 where a figure is beyond its bar.
 #include "beside/subject.hpp"

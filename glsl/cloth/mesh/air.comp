@@ -18,6 +18,9 @@ vec3 loadFaceForce(int i) {
 uvec4 loadEntry(int i) {
   return uvec4(0u);
 }
+vec4 loadElement(int i) {
+  return vec4(0.0f);
+}
 uvec4 loadRing(int i) {
   return uvec4(0u);
 }

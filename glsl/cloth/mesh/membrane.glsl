@@ -90,6 +90,37 @@ FUNCTION FaceShift faceShift(vec4 a, vec4 b, vec4 c, vec4 shape, vec3 compliance
   return shift;
 }
 
+// The same as a force on a corner, of cloth that keeps energy (cloth/keeping.glsl): minus the gradient of 1/2 (k_u eu^2 + k_v ev^2 +
+// k_g g^2) with `stiffness` k (N m), which are those of the compliances 1 / (k A) + softening dt^2 S, S the sum of inverse masses
+// times the squares of the gradients at rest. `left` and `right` lead to the two other corners, whose gradients `shape` has.
+FUNCTION vec3 membraneForce(vec3 left, vec3 right, vec4 shape, vec3 stiffness) {
+  precise vec3 fu = left * shape.x + right * shape.y;
+  precise vec3 fv = left * shape.z + right * shape.w;
+  float squaredU = max(exactDot(fu, fu), 1e-12f);
+  float squaredV = max(exactDot(fv, fv), 1e-12f);
+  float inverseU = exactInverseSqrt(squaredU);
+  float inverseV = exactInverseSqrt(squaredV);
+  precise vec3 u = fu * inverseU;
+  precise vec3 v = fv * inverseV;
+  float sheared = exactDot(u, v);
+  precise float pullU = (squaredU * inverseU - 1.0f) * stiffness.x;
+  precise float pullV = (squaredV * inverseV - 1.0f) * stiffness.y;
+  precise float turnU = sheared * stiffness.z * inverseU;
+  precise float turnV = sheared * stiffness.z * inverseV;
+  precise vec3 alongU = u * pullU + (v - u * sheared) * turnU;
+  precise vec3 alongV = v * pullV + (u - v * sheared) * turnV;
+  precise vec3 force = alongU * (shape.x + shape.y) + alongV * (shape.z + shape.w);
+  return force;
+}
+// Gradients of the corners after corner k, in turn; the three of a face add up to nothing.
+FUNCTION vec4 shapeFrom(vec4 shape, uint k) {
+  precise float ofU = -(shape.x + shape.y);
+  precise float ofV = -(shape.z + shape.w);
+  vec4 second = vec4(shape.y, ofU, shape.w, ofV);
+  vec4 third = vec4(ofU, shape.x, ofV, shape.z);
+  return k == 0u ? shape : k == 1u ? second : third;
+}
+
 // How far a stitch of a seam moves its ends, for each of their inverse masses: the first by this, the other back. It may be
 // `longest` long at the start and gets shorter evenly until it is shut; `perSecond`: 1 / the seconds until then.
 FUNCTION vec3 stitchShift(vec4 a, vec4 b, float longest, float perSecond) {
@@ -107,7 +138,7 @@ FUNCTION vec3 stitchShift(vec4 a, vec4 b, float longest, float perSecond) {
 
 // A vertex that is farther from a pin than `longest` (m) is pulled towards it, by 1 / compliance (N/m). `held`: it was in the
 // substep before, and the trend has what pulls; else it is caught without a trend, so that it does not bounce.
-FUNCTION vec4 attached(vec4 here, vec3 pin, float longest, float compliance, bool held) {
+FUNCTION vec3 attachedShift(vec4 here, vec3 pin, float longest, float compliance, bool held) {
   precise vec3 d = pin - vec3(here);
   float squared = max(exactDot(d, d), 1e-20f);
   float inverse = exactInverseSqrt(squared);
@@ -115,8 +146,12 @@ FUNCTION vec4 attached(vec4 here, vec3 pin, float longest, float compliance, boo
   float perStep = held ? stepData.perReach : stepData.perDt;
   precise float weight = here.w + compliance * perStep * perStep;
   precise float part = beyond * inverse * exactReciprocal(max(weight, 1e-20f)) * here.w;
-  precise vec3 moved = vec3(here) + d * part;
-  return beyond > 0.0f && here.w > 0.0f ? vec4(moved, here.w) : here;
+  precise vec3 shift = d * part;
+  return beyond > 0.0f && here.w > 0.0f ? shift : vec3(0.0f);
+}
+FUNCTION vec4 attached(vec4 here, vec3 pin, float longest, float compliance, bool held) {
+  precise vec3 moved = vec3(here) + attachedShift(here, pin, longest, compliance, held);
+  return vec4(moved, here.w);
 }
 
 // The velocity before constraints of what attachments caught or seams moved: what pulls one way only is no part of the trend

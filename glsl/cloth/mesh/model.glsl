@@ -1,6 +1,6 @@
 // A vertex or a face of cloth made of triangles, over one substep. Compiles as GLSL and as C++, where it is the CPU twin.
-// Whoever includes it provides `stepData` (ClothStep), loadPoint(int) -> vec3, loadEntry(int) -> uvec4,
-// loadRing(int) -> uvec4, loadFaceForce(int) -> vec3 and the files types.glsl, common/exact.glsl, common/hash.glsl,
+// Whoever includes it provides `stepData` (ClothStep), `keeps` (bool), loadPoint(int) -> vec3, loadEntry(int) -> uvec4,
+// loadRing(int) -> uvec4, loadElement(int) -> vec4, loadFaceForce(int) -> vec3 and the files types.glsl, common/exact.glsl, common/hash.glsl,
 // mesh/height_model.glsl, contour/wall_model.glsl before it. A fan (uvec4) says of a vertex: x first ring, y how many, one a face
 // around it, z first pair of entries, w how many.
 #include "cloth/air.glsl"
@@ -40,6 +40,19 @@ FUNCTION vec3 airForces(uvec4 fan) {
   return force;
 }
 
+// Of the faces around a vertex; a ring's w is its corner of the face.
+FUNCTION vec3 membraneForces(uvec4 fan, vec3 here) {
+  precise vec3 force = vec3(0.0f);
+  for (uint k = 0u; k < fan.y; ++k) {
+    uvec4 ring = loadRing(int(fan.x + k));
+    precise vec3 left = loadPoint(int(ring.x)) - here;
+    precise vec3 right = loadPoint(int(ring.y)) - here;
+    vec4 shape = shapeFrom(loadElement(2 * int(ring.z)), ring.w);
+    force = force + membraneForce(left, right, shape, vec3(loadElement(2 * int(ring.z) + 1)));
+  }
+  return force;
+}
+
 // u = (v + (F w + g) dt) keep, and where that leads; what is pinned goes where its frame carries it from where
 // it is at rest, which it has in place of a trend.
 FUNCTION Motion predicted(uvec4 fan, vec4 here, vec4 velocity, vec3 trend, bool air) {
@@ -54,6 +67,7 @@ FUNCTION Motion predicted(uvec4 fan, vec4 here, vec4 velocity, vec3 trend, bool 
   }
   precise vec3 force = vec3(stepData.wind) + bendingForce(fan, vec3(here));
   if (air) force = force + airForces(fan);
+  if (keeps) force = force + membraneForces(fan, vec3(here));
   precise vec3 acceleration = force * here.w + vec3(stepData.gravity);
   precise vec3 v = (vec3(velocity) + acceleration * stepData.dt) * stepData.kept;
   m.velocity = v;

@@ -4,7 +4,11 @@ layout(local_size_x = 64) in;
 INPUT_ARRAY(positionsBinding, PositionBlock, positions)
 STATE_ARRAY(velocitiesBinding, VelocityBlock, velocities)
 INPUT_ARRAY(trendsBinding, TrendBlock, trends)
+#if KEEPS
+INPUT_ARRAY(elementsBinding, ElementBlock, elements)
+#else
 INPUT_ARRAY(faceForcesBinding, ForceBlock, faceForces)
+#endif
 INPUT_WORDS(entriesBinding, EntryBlock, entries)
 INPUT_WORDS(fansBinding, FanBlock, fans)
 INPUT_WORDS(ringsBinding, RingBlock, rings)
@@ -14,7 +18,18 @@ vec3 loadPoint(int i) {
   return LOAD_INPUT(positions, i).xyz;
 }
 vec3 loadFaceForce(int i) {
+#if KEEPS
+  return vec3(0.0f);
+#else
   return LOAD_INPUT(faceForces, i).xyz;
+#endif
+}
+vec4 loadElement(int i) {
+#if KEEPS
+  return LOAD_INPUT(elements, i);
+#else
+  return vec4(0.0f);
+#endif
 }
 uvec4 loadEntry(int i) {
   return LOAD_INPUT_WORDS(entries, i);

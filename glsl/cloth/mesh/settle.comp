@@ -7,7 +7,7 @@ STATE_ARRAY(nextPositionsBinding, NextBlock, nextPositions)
 STATE_ARRAY(velocitiesBinding, VelocityBlock, velocities)
 #if AGAIN
 INPUT_ARRAY(leftBinding, LeftBlock, left)
-#else
+#elif !KEEPS
 STATE_ARRAY(settledTrendsBinding, TrendBlock, trends)
 #endif
 #include "cloth/motion.glsl"
@@ -19,6 +19,8 @@ void main() {
   vec4 velocity = LOAD_ONCE(velocities, i);
 #if AGAIN
   Motion m = settledAgain(LOAD_INPUT(positions, i), LOAD_INPUT(left, i), here, velocity.xyz, HEIGHTS == 1, WALLS == 1);
+#elif KEEPS
+  Motion m = forced(LOAD_INPUT(positions, i), here, velocity.xyz, HEIGHTS == 1, WALLS == 1);
 #else
   vec4 trend = LOAD_ONCE(trends, i);
   Settled s = settled(LOAD_INPUT(positions, i), here, velocity.xyz, trend.xyz, HEIGHTS == 1, WALLS == 1);

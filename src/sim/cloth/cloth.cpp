@@ -43,6 +43,7 @@ class Cloth : public Simulation, public LockStep {
               setting.heldBySkin),
         size_(plan_.parameters().size),
         constrained_(plan_.parameters().constrained()),
+        keeps_(plan_.parameters().keepsEnergy()),
         heights_(setting.heights),
         frameSeconds_(setting.frameSeconds) {
     checkLimits();
@@ -114,7 +115,7 @@ class Cloth : public Simulation, public LockStep {
     left_.copyFrom(positions_[1]);
   }
   [[nodiscard]] Contact::Part arrays() const override {
-    return {&positions_[0], &positions_[1], &velocities(), constrained_ ? &trends_ : nullptr};
+    return {&positions_[0], &positions_[1], &velocities(), trendy() ? &trends_ : nullptr};
   }
   void settle(int substep) override {
     steps_.bind(static_cast<std::size_t>(substep));
@@ -130,7 +131,7 @@ class Cloth : public Simulation, public LockStep {
   }
   void finish() override {
     std::swap(positions_[0], positions_[1]);
-    if (constrained_) std::swap(velocities_[0], velocities_[1]);
+    if (trendy()) std::swap(velocities_[0], velocities_[1]);
     predicted_ = false;
   }
   void endFrame(double time) override {
@@ -159,14 +160,14 @@ class Cloth : public Simulation, public LockStep {
     plan_.carryOver(carry);
     carry.array("positions", positions_[0].buffer());
     carry.array("velocities", velocities_[0].buffer());
-    if (constrained_) carry.array("trends", trends_.buffer());
+    if (trendy()) carry.array("trends", trends_.buffer());
   }
   void resumed(double time) override { time_ = time; }
 
   [[nodiscard]] std::vector<StateArray> state() const override {
     std::vector<StateArray> arrays = {{"positions", &positions_[0].buffer()},
                                       {"velocities", &velocities_[0].buffer()}};
-    if (constrained_) arrays.push_back({"trends", &trends_.buffer()});
+    if (trendy()) arrays.push_back({"trends", &trends_.buffer()});
     return arrays;
   }
   [[nodiscard]] PointTable points() const override {
@@ -185,7 +186,7 @@ class Cloth : public Simulation, public LockStep {
   [[nodiscard]] const gl::Buffer* status() const override { return &status_; }
   [[nodiscard]] std::vector<double> measure() const override {
     return measureCloth(plan_.parameters(), positions_[0].buffer().readAll<glm::vec4>(),
-                        velocities_[0].buffer().readAll<glm::vec4>(), time_);
+                        velocities_[0].buffer().readAll<glm::vec4>(), time_, plan_.softness());
   }
   [[nodiscard]] std::string explainLoss(unsigned step, unsigned element) const override {
     const auto width = static_cast<unsigned>(size_.x);
@@ -199,15 +200,18 @@ class Cloth : public Simulation, public LockStep {
   }
 
  private:
+  /// Whether constraints have a trend: those that keep energy are forces.
+  [[nodiscard]] bool trendy() const { return constrained_ && !keeps_; }
+
   /// Velocities as far as the substep has come.
   [[nodiscard]] const gl::Vec4Array& velocities() const {
-    return velocities_[constrained_ && predicted_ ? 1 : 0];
+    return velocities_[trendy() && predicted_ ? 1 : 0];
   }
 
   /// What constraints and contact need besides.
   void makeConstrained() {
     const int count = size_.x * size_.y;
-    if (constrained_) {
+    if (trendy()) {
       velocities_[1] = gl::Vec4Array(name_ + " next velocities", count);
       trends_ = gl::Vec4Array(name_ + " trends", count);
       if (bends() && !inLines_) between_ = gl::Vec4Array(name_ + " between", count);
@@ -245,16 +249,17 @@ class Cloth : public Simulation, public LockStep {
     defines.emplace_back("DAMPED", plan_.parameters().damped() ? "1" : "0");
     define("AIR", plan_.parameters().hasAir);
     define("FABRIC", plan_.parameters().hasFabric);
+    defines.emplace_back("KEEPS", keeps_ ? "1" : "0");
     if (constrained_) {
       rows_ = lineSolver(defines, "ROWS", size_.x);
       columns_ = lineSolver(defines, "LAST", size_.y);
     }
     if (plan_.parameters().hasContact) make(settle_, "cloth/settle.comp");
-    if (constrained_) {
+    if (trendy()) {
       makeRelaxing(fast);
     } else {
-      define("SPRINGS", true);
-      define("CONTACT", true);
+      define("SPRINGS", !keeps_);
+      define("CONTACT", !keeps_);
       make(step_, "cloth/step.comp");
     }
     step_.checkUniformBlock("StepBlock", sizeof(shader::ClothStep));
@@ -316,18 +321,23 @@ class Cloth : public Simulation, public LockStep {
 
   /// From where the particles would go to where they may.
   void constrain() {
-    velocities_[0].bindInput(shader::cloth::velocitiesBinding);
-    velocities_[1].bindState(shader::cloth::aimsBinding);
-    trends_.bindInput(shader::cloth::trendsBinding);
-    if (inLines_)
-      relaxInLines();
-    else
-      relaxInTiles();
+    if (keeps_) {
+      velocities_[0].bindState(shader::cloth::velocitiesBinding);
+      step_.dispatch(size_.x, size_.y);
+    } else {
+      velocities_[0].bindInput(shader::cloth::velocitiesBinding);
+      velocities_[1].bindState(shader::cloth::aimsBinding);
+      trends_.bindInput(shader::cloth::trendsBinding);
+      if (inLines_)
+        relaxInLines();
+      else
+        relaxInTiles();
+    }
     gl::barrier();
     rows_.dispatch(size_.y, segmentsOf(size_.x));
     gl::barrier();
-    velocities_[1].bindState(shader::cloth::velocitiesBinding);
-    trends_.bindState(shader::cloth::trendsBinding);
+    velocities_[trendy() ? 1 : 0].bindState(shader::cloth::velocitiesBinding);
+    if (trendy()) trends_.bindState(shader::cloth::trendsBinding);
     if (heights_ != nullptr) heights_->bind();
     columns_.dispatch(size_.x, segmentsOf(size_.y));
   }
@@ -381,6 +391,7 @@ class Cloth : public Simulation, public LockStep {
   ClothPlan plan_;
   glm::ivec2 size_;
   bool constrained_;  ///< by XPBD; else springs
+  bool keeps_;        ///< energy (glsl/cloth/keeping.glsl)
   /// Whether an invocation takes a line of pairs (constrain_lines.comp) instead of one, and the first also
   /// steps.
   bool inLines_ = gl::memoryPath() == gl::MemoryPath::texel;

@@ -86,7 +86,10 @@ void ClothParameters::describe(scene::Fields& f) {
     if (f.given("solver") && solver == ClothSolver::springs)
       f.error("solver", "a fabric is solved by constraints; leave out \"solver\"");
   }
-  f.number("damping", damping, {0, 1e4}, "1/s", "Rate at which velocity decays.");
+  f.number(
+      "damping", damping, {0, 1e4}, "1/s",
+      "Rate at which velocity decays. With 0, constraints and fabrics in still air without contact keep "
+      "their energy, which takes more substeps.");
   f.vector("gravity", gravity, scene::anyNumber, "m/s^2", "Acceleration of every particle.");
   f.vector("wind", wind, scene::anyNumber, "N", "Constant force on every particle.");
   f.leftOut("wind", "[0.5,0,0.3], or none on a fabric");
@@ -129,8 +132,10 @@ void ClothParameters::describe(scene::Fields& f) {
                               *contact.thickness, spacing, 0.35 * static_cast<double>(spacing)));
       });
   f.text("walls", walls, "Name of the cave or contour whose walls, floor and tops it meets.");
-  f.integerOr("substeps", substeps, "auto", {1, maxSubsteps}, "per frame",
-              "Steps a frame is divided into; \"auto\" takes as many as the springs need to be stable.");
+  f.integerOr(
+      "substeps", substeps, "auto", {1, maxSubsteps}, "per frame",
+      "Steps a frame is divided into; \"auto\" takes as many as the springs need to be stable, and as "
+      "constraints that nothing damps need to keep their energy.");
   f.leftOut("substeps", "4, or \"auto\" of a fabric");
   if (hasFabric && !f.given("substeps")) substeps.reset();
   f.list("pins", pins, "Particles that are held, and how they move.",
@@ -215,7 +220,11 @@ double ClothParameters::greatestLoad(double each) const {
   return greatest(gravity) + greatest(wind) / each;
 }
 
-double ClothParameters::stableSeconds() const {
+double ClothParameters::hangingSquared() const {
+  return 4.0 * std::max(size.x, size.y) * greatestLoad(massAt(size / 2)) / spacing;
+}
+
+double ClothParameters::stableSeconds(double lines) const {
   // Semi-implicit Euler of x'' = -w^2 x - c x' stays bounded while (w dt)^2 + 2 c dt < 4. At rest the
   // lattice's fastest mode has w^2 <= 4 (k + ks + kb) / m. Drag alone slows down at c = rho (Cd + Cl) A |v|
   // / m: the force's half of the square, differentiated.
@@ -227,10 +236,11 @@ double ClothParameters::stableSeconds() const {
   const double area = static_cast<double>(spacing) * spacing;
   const double fastest = fastestAir();
   const double streaming = hasAir ? 0.1 * 0.5 * air.density * static_cast<double>(air.drag + air.lift) *
-                                        fastest * fastest * area / each
+                                        fastest * fastest * area / each * lines
                                   : 0.0;
-  const double hanging =
-      4.0 * std::max(size.x, size.y) * (greatestLoad(massAt(size / 2)) + streaming) / spacing;
+  // Where energy is kept, softening w^2 dt^2 of that is to be less than 1, and in a swing it pulls more.
+  const double hanging = hangingSquared() * (keepsEnergy() ? 6 * leastSoftening : 1.0) +
+                         4.0 * std::max(size.x, size.y) * streaming / spacing;
   // A fabric bends by w^2 <= 64 D / (L^2 m): 16 along either axis, 32 twisting.
   const double bending = hasFabric ? 64.0 * fabric.constants().bending / (area * each) : 0.0;
   const double w2 = constrained() ? hanging + bending
@@ -274,12 +284,19 @@ std::string ClothParameters::instability(double frameSeconds) const {
 
 int ClothParameters::substepsPerFrame(double frameSeconds) const {
   if (substeps) return *substeps;
-  const std::int64_t needed = substepsFor(frameSeconds, safety * stableSeconds());
+  // Gusts draw what streams together at a corner: a line there carries its own and a part of all others'
+  // (of flag.json, where half the part leaves it stretched by a tenth). So substeps go with 1 / L^1.5.
+  constexpr double drawnPart = 1.0 / 72;
+  const double drawn = constrained() ? 1.0 + drawnPart * std::min(size.x, size.y) : 1.0;
+  const std::int64_t needed = substepsFor(frameSeconds, safety * stableSeconds(drawn));
   if (needed > maxSubsteps)
     fail(ExitCode::usage,
          "cloth: \"substeps\": \"auto\" would take {} a frame to be stable, more than {}; {}", needed,
          maxSubsteps, steadierWay(frameSeconds));
-  const int min = fewestSubsteps(frameSeconds, constrained() ? 8 : 1);
+  const int min = fewestSubsteps(
+      frameSeconds, keepsEnergy() ? static_cast<int>(substepsFor(frameSeconds * (1 - 1e-9), keepingSubstep))
+                    : constrained() ? 8
+                                    : 1);
   return std::max(static_cast<int>(needed), min);
 }
 

@@ -114,13 +114,22 @@ struct ClothParameters : ObjectParameters, shader::ClothConstants {
   [[nodiscard]] bool constrained() const { return hasFabric || solver == ClothSolver::constraints; }
   /// Whether changes of length are damped.
   [[nodiscard]] bool damped() const { return hasFabric && fabric.stretchDamping > 0; }
+  /// Whether its constraints keep energy (glsl/cloth/keeping.glsl): where nothing damps, neither air nor
+  /// contact, and nothing is sewn.
+  [[nodiscard]] bool keepsEnergy() const {
+    return constrained() && damping == 0 && !hasAir && !damped() && !hasContact && seams.empty();
+  }
+  /// 1/s^2: how fast the longest line that hangs swings sideways at most, w^2.
+  [[nodiscard]] double hangingSquared() const;
   /// kg of a particle: of a fabric, the density times its share of the area.
   [[nodiscard]] float massAt(glm::ivec2 at) const;
   /// The pin group that clamps the border left, right, top or bottom; -1: none.
   [[nodiscard]] int clampOf(int border) const;
   /// Longest stable substep in seconds, of the sheet near rest in the fastest air and gusts of the whole
   /// run; with constraints, of one that hangs by a border.
-  [[nodiscard]] double stableSeconds() const;
+  [[nodiscard]] double stableSeconds() const { return stableSeconds(1.0); }
+  /// The same where a line carries so many times what the air pulls at its own particles.
+  [[nodiscard]] double stableSeconds(double lines) const;
   /// Why the given substeps are too few and what to do; empty when they are enough or "auto".
   [[nodiscard]] std::string instability(double frameSeconds) const;
   /// Substeps a frame takes: the given number, or what "auto" comes to. Throws UserError(usage) when that

@@ -146,6 +146,14 @@ std::vector<std::array<glm::dmat4, 2>> ClothPlan::pinsAround(double time) const 
   return pins;
 }
 
+Softness ClothPlan::softness() const {
+  if (!parameters_.keepsEnergy() || parameters_.hasMesh) return {};
+  // Straight lines are stable to 1 / (w dt)^2, w of what pulls them: in a swing three times what hangs.
+  const double squared = substepSeconds_ * substepSeconds_;
+  const double most = 1.0 / (3.0 * parameters_.hangingSquared() * squared);
+  return {std::max(std::min(softSeconds * softSeconds / squared, most), leastSoftening), substepSeconds_};
+}
+
 std::vector<shader::ClothStep> ClothPlan::frame(double time) {
   std::vector<shader::ClothStep> steps(static_cast<std::size_t>(substeps_));
   const ClothParameters& p = parameters_;
@@ -172,12 +180,13 @@ std::vector<shader::ClothStep> ClothPlan::frame(double time) {
     s.perDt = static_cast<float>(1.0 / substepSeconds_);
     const double damped = p.fabric.stretchDamping / (p.fabric.stretchDamping + substepSeconds_);
     s.dampedPart = static_cast<float>(damped);
-    const double reach = constraintPart * substepSeconds_;
+    const double reach = p.keepsEnergy() ? substepSeconds_ : constraintPart * substepSeconds_;
     s.perReach = static_cast<float>(1.0 / reach);
     s.trendDt = static_cast<float>(substepSeconds_ / 18);
     // Faces of meshes are relaxed twice, there and back.
-    const double rounds = p.hasMesh ? 2.0 : 1.0;
+    const double rounds = p.hasMesh && !p.keepsEnergy() ? 2.0 : 1.0;
     s.complianceScale = static_cast<float>(rounds * (1.0 - damped) / (reach * reach));
+    s.softening = softness().lines > 0 ? static_cast<float>(softness().lines) : 1.0F;
     s.kept = keptOf(p.damping, substepSeconds_);
     s.gustSpeed = p.air.gusts * speed;
     s.perGustSize = 1.0F / p.air.gustSize;

@@ -1,5 +1,6 @@
 #pragma once
 #include "sim/cloth/parameters.hpp"
+#include "sim/cloth/quantities.hpp"
 #include "sim/cloth/skin_pins.hpp"
 #include "sim/collide/colliders.hpp"
 #include "sim/core/carry_over.hpp"
@@ -63,6 +64,8 @@ class ClothPlan {
   /// Of all frames that were asked for.
   [[nodiscard]] int stepsBegun() const { return static_cast<int>(done_); }
   [[nodiscard]] double substepSeconds() const { return substepSeconds_; }
+  /// Of constraints that keep energy; zero of others.
+  [[nodiscard]] Softness softness() const;
 
  private:
   /// Of each particle of a grid: its pin group; -1: free.

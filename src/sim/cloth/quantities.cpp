@@ -89,6 +89,71 @@ void addFamily(const ClothParameters& p, const SpringFamily& family, double stif
     }
 }
 
+/// m/N, of a constraint in place of 1 / stiffness.
+double complianceOf(const ClothParameters& p, const SpringFamily& family, double stiffness,
+                    glm::ivec2 from) {
+  if (p.hasFabric) return 1 / linkStiffness(p, family, from);
+  return stiffness > 0 ? 1 / stiffness : 0;
+}
+
+/// The least compliance of a link of a line, as a ratio to its weights: glsl/cloth/segment.glsl keptGive.
+double keptGive(std::span<const glm::vec4> line, double rest, double softening) {
+  if (std::count_if(line.begin(), line.end(), [](const glm::vec4& p) { return p.w == 0; }) < 2) return 0;
+  const double least = 0.125 / softening;
+  if (line.front().w > 0 || line.back().w > 0) return least;
+  const glm::dvec3 d(glm::vec3(line.back()) - glm::vec3(line.front()));
+  return std::max(3 * (std::sqrt(glm::dot(d, d)) / (rest * static_cast<double>(line.size() - 1)) - 1),
+                  least);
+}
+
+/// 1/2 C^T B^-1 C of lines, B = compliance + softening seconds^2 G W G^T, and 1/2 C^2 / b of pairs.
+double keptEnergy(const ClothParameters& p, const SpringFamily& family, double stiffness,
+                  std::span<const glm::vec4> positions, const Softness& softness) {
+  const double restLength = p.spacing * std::hypot(family.reach.x, family.reach.y);
+  const bool line = family.kind == 0;
+  const double soft = (line ? softness.lines : std::max(softness.lines, pairSoftening)) * softness.seconds *
+                      softness.seconds;
+  const auto inside = [&](glm::ivec2 at) { return at.x >= 0 && at.x < p.size.x && at.y < p.size.y; };
+  const auto at = [&](glm::ivec2 where) {
+    return positions[static_cast<std::size_t>(where.y) * static_cast<std::size_t>(p.size.x) +
+                     static_cast<std::size_t>(where.x)];
+  };
+  double energy = 0;
+  for (int y = 0; y < p.size.y; ++y)
+    for (int x = 0; x < p.size.x; ++x) {
+      // Of a line all links at once, from its first; Gaussian elimination without swapping.
+      if (line && (family.reach.x > 0 ? x : y) > 0) continue;
+      double pivot = 1;
+      double right = 0;
+      glm::dvec3 before(0);
+      std::vector<glm::vec4> whole;
+      for (glm::ivec2 from(x, y); line && inside(from); from += family.reach) whole.push_back(at(from));
+      const double give = line ? keptGive(whole, restLength, softness.lines) : 0.0;
+      for (glm::ivec2 from(x, y); inside(from + family.reach); from += family.reach) {
+        const glm::dvec4 a(at(from));
+        const glm::dvec4 b(at(from + family.reach));
+        const glm::dvec3 d = glm::dvec3(b) - glm::dvec3(a);
+        const double length = std::sqrt(glm::dot(d, d));
+        const glm::dvec3 along = d / length;
+        const double lower = line ? -soft * a.w * glm::dot(before, along) : 0.0;
+        const double weight = soft * (a.w + b.w);
+        const double diagonal = weight + std::max(complianceOf(p, family, stiffness, from), give * weight);
+        right = length - restLength - lower / pivot * right;
+        pivot = diagonal - lower / pivot * lower;
+        before = along;
+        if (diagonal > 0) {
+          energy += 0.5 * right * right / pivot;
+        } else {  // a rigid link between two pins
+          pivot = 1;
+          right = 0;
+          before = glm::dvec3(0);
+        }
+        if (!line) break;
+      }
+    }
+  return energy;
+}
+
 }  // namespace
 
 std::span<const scene::Quantity> ClothParameters::quantities() const {
@@ -99,7 +164,7 @@ std::span<const scene::Quantity> ClothParameters::quantities() const {
       {"potentialEnergy", "J", "In the field of gravity, against the plane through the origin across it."},
       {"elasticEnergy", "J",
        "Of all springs; of the constraints solver that of compliant constraints; of a fabric its bending, "
-       "too; of a mesh by what its substeps leave of the stiffness."},
+       "too; of a mesh, and where nothing damps, by what its substeps leave of the stiffness."},
       {"energy", "J", "Kinetic, potential and elastic."},
       {"stretch", "",
        "Largest length of a structural spring as a ratio to rest; of a mesh that of a face along weft or "
@@ -108,8 +173,19 @@ std::span<const scene::Quantity> ClothParameters::quantities() const {
   return table;
 }
 
-std::vector<double> measureCloth(const ClothParameters& parameters, std::span<const glm::vec4> positions,
-                                 std::span<const glm::vec4> velocities, double time) {
+std::vector<glm::vec4> beforeHalf(std::span<const glm::vec4> positions,
+                                  std::span<const glm::vec4> velocities, double seconds) {
+  std::vector<glm::vec4> before(positions.begin(), positions.end());
+  for (std::size_t i = 0; i < before.size(); ++i)
+    before[i] = glm::vec4(
+        glm::vec3(before[i]) - glm::vec3(velocities[i]) * static_cast<float>(0.5 * seconds), before[i].w);
+  return before;
+}
+
+std::vector<double> measureCloth(const ClothParameters& parameters, std::span<const glm::vec4> left,
+                                 std::span<const glm::vec4> velocities, double time,
+                                 const Softness& softness) {
+  const std::vector<glm::vec4> positions = beforeHalf(left, velocities, softness.seconds);
   SIMREEL_CHECK_EQ(positions.size(), velocities.size());
   SIMREEL_CHECK_EQ(positions.size(), static_cast<std::size_t>(parameters.size.x) *
                                          static_cast<std::size_t>(parameters.size.y));
@@ -132,6 +208,13 @@ std::vector<double> measureCloth(const ClothParameters& parameters, std::span<co
   const auto stiffness = stiffnesses(parameters);
   for (const SpringFamily& family : springFamilies)
     addFamily(parameters, family, stiffness[static_cast<std::size_t>(family.kind)], positions, springs);
+  if (softness.lines > 0) {
+    springs.energy = 0;
+    for (const SpringFamily& family : springFamilies)
+      if (!parameters.hasFabric || family.kind < 2)
+        springs.energy += keptEnergy(parameters, family, stiffness[static_cast<std::size_t>(family.kind)],
+                                     positions, softness);
+  }
   if (parameters.hasFabric) springs.energy += bendingEnergy(parameters, positions);
   const auto count = static_cast<double>(positions.size());
   return {count,           total,

@@ -216,6 +216,7 @@ class Garment : public Simulation, public LockStep {
     hold_ = SkinHold(name_, plan_.skinPins(), defines);
     defines.emplace_back("AIR", plan_.parameters().hasAir ? "true" : "false");
     defines.emplace_back("DAMPED", plan_.parameters().damped() ? "1" : "0");
+    defines.emplace_back("KEEPS", plan_.parameters().keepsEnergy() ? "1" : "0");
     if (gl::memoryPath() == gl::MemoryPath::texel)
       defines.emplace_back("COLLIDERS", std::to_string(plan_.colliderCount()));
     const auto meeting = [&](bool meets) {
@@ -271,7 +272,10 @@ class Garment : public Simulation, public LockStep {
     positions_[1].bindState(shader::garment::nextPositionsBinding);
     velocities_.bindState(shader::garment::velocitiesBinding);
     trends_.bindInput(shader::garment::trendsBinding);
-    faceForces_.bindInput(shader::garment::faceForcesBinding);
+    if (plan_.parameters().keepsEnergy())
+      elements_.bindInput(shader::garment::elementsBinding);
+    else
+      faceForces_.bindInput(shader::garment::faceForcesBinding);
     entries_[bending].bindInput(shader::garment::entriesBinding);
     fans_[bending].bindInput(shader::garment::fansBinding);
     rings_.bindInput(shader::garment::ringsBinding);
@@ -281,6 +285,7 @@ class Garment : public Simulation, public LockStep {
 
   /// positions_[1], from where the vertices would go to where they may.
   void stretch() {
+    if (plan_.parameters().keepsEnergy()) return;  // forces did
     elements_.bindInput(shader::garment::elementsBinding);
     corners_.bindInput(shader::garment::cornersBinding);
     inColours(stretch_, plan_.arrays().colours, false);

@@ -77,6 +77,10 @@ FaceStiffness stiffnessOf(const MembraneElement& element, const shader::FabricCo
           1 / (1 / static_cast<double>(fabric.shear) + weft + warp)};
 }
 
+double softeningSeconds(const ClothParameters& parameters, double seconds) {
+  return parameters.keepsEnergy() ? seconds * std::sqrt(2 * faceSoftening) / constraintPart : seconds;
+}
+
 double membraneEnergy(const MembraneElement& element, const FaceStiffness& stiffness,
                       const FaceStrain& strain) {
   return 0.5 * element.area *

@@ -1,5 +1,5 @@
 #pragma once
-#include "sim/cloth/fabric.hpp"
+#include "sim/cloth/parameters.hpp"
 #include "sim/garment/triangles.hpp"
 
 #include <span>
@@ -37,6 +37,10 @@ struct FaceStiffness {
 [[nodiscard]] FaceStiffness stiffnessOf(const MembraneElement& element,
                                         const shader::FabricConstants& fabric,
                                         const glm::dvec3& inverseMasses, double seconds);
+
+/// What to give stiffnessOf for the seconds of a substep: of cloth that keeps energy a face is softer,
+/// 1 / (1 / k + softening A S dt^2).
+[[nodiscard]] double softeningSeconds(const ClothParameters& parameters, double seconds);
 
 /// E = A / 2 (weft (l - 1)^2 + warp (m - 1)^2 + shear s^2), J.
 [[nodiscard]] double membraneEnergy(const MembraneElement& element, const FaceStiffness& stiffness,

@@ -16,7 +16,6 @@ namespace {
 constexpr double mostStretchError = 0.005;
 /// Of a length that attachments hold.
 constexpr double attachedPart = 0.1;
-constexpr double steadyPart = 0.7;  // as of grids
 constexpr int mostSubsteps = 1024;
 /// Beyond these, elements are softened instead: slivers would slow down all the rest.
 constexpr double mostForBending = 240;
@@ -85,6 +84,8 @@ double hangingLength(const ClothTriangles& cloth, const std::vector<bool>& pinne
 GarmentPace::GarmentPace(const ClothParameters& parameters, const ClothTriangles& cloth,
                          const std::vector<MembraneElement>& membrane, const std::vector<double>& masses,
                          const std::vector<bool>& pinned, const std::multimap<unsigned, unsigned>& links) {
+  softening = softeningSeconds(parameters, 1.0);
+  if (parameters.keepsEnergy()) steadyPart = 0.4;  // in a swing it pulls three times as much
   const std::vector<double> ways = hangingWays(cloth, pinned, links);
   std::vector<double> own(ways.size(), unreached);
   std::set<std::pair<double, unsigned>> pins;

@@ -25,11 +25,13 @@ struct GarmentPace {
               const std::vector<MembraneElement>& membrane, const std::vector<double>& masses,
               const std::vector<bool>& pinned, const std::multimap<unsigned, unsigned>& links);
 
-  double hanging = 0;     ///< m, d: hangingLength; where attachments hold it only a tenth counts
-  double stiffening = 0;  ///< 1/s^2, rho a d A S
-  double drag = 0;        ///< 1/s
+  double hanging = 0;       ///< m, d: hangingLength; where attachments hold it only a tenth counts
+  double stiffening = 0;    ///< 1/s^2, rho a d A S
+  double drag = 0;          ///< 1/s
+  double softening = 1;     ///< ratio of softeningSeconds to seconds
+  double steadyPart = 0.7;  ///< of the stable substep that "auto" takes, as of grids
   [[nodiscard]] double stretchError(double seconds) const {
-    const double reach = constraintPart * seconds;
+    const double reach = constraintPart * softening * seconds;
     return 0.25 * stiffening * reach * reach;
   }
   /// Longest substep (s) that is stable: of what hangs straight and swings sideways, in the fastest air.

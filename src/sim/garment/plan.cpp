@@ -240,7 +240,9 @@ ClothParameters GarmentPlan::settled(const std::string& name, ClothParameters pa
       return ColliderPlan::isThin(shape, edge, reach);
     });
     // Faces, relaxed once a substep, make way for a rod of 2 cm at 10 m/s in 1/960 s.
-    const int fewest = thin ? static_cast<int>(std::ceil(frameSeconds * 960 - 1e-9)) : 8;
+    const double longest = parameters.keepsEnergy() ? keepingFaceSubstep : 1.0 / 960;
+    const int fewest =
+        thin || parameters.keepsEnergy() ? static_cast<int>(std::ceil(frameSeconds / longest - 1e-9)) : 8;
     parameters.substeps = pace.substeps(frameSeconds, bendingSquared,
                                         parameters.fewestSubsteps(frameSeconds, std::max(fewest, 8)));
   }
@@ -254,8 +256,13 @@ ClothParameters GarmentPlan::settled(const std::string& name, ClothParameters pa
     warn("{}: with {} substeps it stretches by {:.1f}% more than its fabric; take a coarser mesh", name,
          *parameters.substeps, 100 * pace.stretchError(seconds));
   for (const Attachment& a :
-       attachmentsOf(cloth_, pinned, membrane_, masses_, parameters.fabric.constants(), seconds))
-    arrays_.attachments.emplace_back(a.vertex, a.pin, bitsOf(a.length), bitsOf(a.compliance));
+       attachmentsOf(cloth_, pinned, membrane_, masses_, parameters.fabric.constants(),
+                     softeningSeconds(parameters, seconds)))
+    arrays_.attachments.emplace_back(
+        a.vertex, a.pin, bitsOf(a.length),
+        bitsOf(a.compliance + (parameters.keepsEnergy()
+                                   ? (attachmentSoftening - 1) * seconds * seconds / masses_[a.vertex]
+                                   : 0)));
   bend(name, parameters, seconds, given);
   return parameters;
 }
@@ -310,6 +317,7 @@ std::size_t GarmentPlan::bendingAt(int substep) const {
 
 void GarmentPlan::makeArrays() {
   const shader::FabricConstants fabric = parameters().fabric.constants();
+  const std::vector<double> inverseMasses = this->inverseMasses();
   const std::vector<int> colours = colourFaces(cloth_);
   const int last = *std::max_element(colours.begin(), colours.end());
   std::vector<unsigned> numbers(colours.size());
@@ -322,8 +330,16 @@ void GarmentPlan::makeArrays() {
       arrays_.corners.emplace_back(corners[0], corners[1], corners[2], 0);
       const MembraneElement& e = membrane_[f];
       arrays_.elements.emplace_back(e.p, e.q, e.r, e.s);
-      arrays_.elements.emplace_back(1 / (fabric.weft * e.area), 1 / (fabric.warp * e.area),
-                                    1 / (fabric.shear * e.area), 0);
+      if (parameters().keepsEnergy()) {
+        const glm::dvec3 inverse(inverseMasses[corners[0]], inverseMasses[corners[1]],
+                                 inverseMasses[corners[2]]);
+        const FaceStiffness k =
+            stiffnessOf(e, fabric, inverse, softeningSeconds(parameters(), substepSeconds()));
+        arrays_.elements.emplace_back(k.weft * e.area, k.warp * e.area, k.shear * e.area, 0);
+      } else {
+        arrays_.elements.emplace_back(1 / (fabric.weft * e.area), 1 / (fabric.warp * e.area),
+                                      1 / (fabric.shear * e.area), 0);
+      }
     }
   }
   arrays_.colours.push_back(static_cast<int>(arrays_.corners.size()));
@@ -332,7 +348,8 @@ void GarmentPlan::makeArrays() {
       const unsigned f = cloth_.around[k];
       const auto& corners = cloth_.faces[f].corners;
       const std::size_t at = corners[0] == i ? 0 : corners[1] == i ? 1 : 2;
-      arrays_.rings.emplace_back(corners[(at + 1) % 3], corners[(at + 2) % 3], numbers[f], 0);
+      arrays_.rings.emplace_back(corners[(at + 1) % 3], corners[(at + 2) % 3], numbers[f],
+                                 static_cast<unsigned>(at));
     }
   for (const unsigned vertex : cloth_.vertexOf) arrays_.copies.emplace_back(vertex, 0, 0, 0);
 }

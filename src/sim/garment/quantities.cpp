@@ -17,8 +17,10 @@ double greaterOf(double a, double b) {
 
 }  // namespace
 
-std::vector<double> measureGarment(const GarmentPlan& plan, std::span<const glm::vec4> positions,
+std::vector<double> measureGarment(const GarmentPlan& plan, std::span<const glm::vec4> left,
                                    std::span<const glm::vec4> velocities, double time) {
+  const std::vector<glm::vec4> positions =
+      beforeHalf(left, velocities, plan.parameters().keepsEnergy() ? plan.substepSeconds() : 0.0);
   const glm::dvec3 gravity(plan.parameters().gravity.at(time));
   const shader::FabricConstants fabric = plan.parameters().fabric.constants();
   std::vector<glm::dvec3> points;
@@ -45,14 +47,18 @@ std::vector<double> measureGarment(const GarmentPlan& plan, std::span<const glm:
     const glm::dvec3 inverseMasses(positions[corners[0]].w, positions[corners[1]].w,
                                    positions[corners[2]].w);
     elastic += membraneEnergy(plan.membrane()[f],
-                              stiffnessOf(plan.membrane()[f], fabric, inverseMasses, plan.substepSeconds()),
+                              stiffnessOf(plan.membrane()[f], fabric, inverseMasses,
+                                          softeningSeconds(plan.parameters(), plan.substepSeconds())),
                               strain);
     stretch = greaterOf(stretch, greaterOf(strain.weft, strain.warp));
   }
   for (const glm::uvec4& a : plan.arrays().attachments) {
     const double beyond =
         glm::distance(points[a.x], points[a.y]) - static_cast<double>(std::bit_cast<float>(a.z));
-    if (beyond > 0) elastic += 0.5 * beyond * beyond / static_cast<double>(std::bit_cast<float>(a.w));
+    double compliance = std::bit_cast<float>(a.w);
+    if (plan.parameters().keepsEnergy())
+      compliance += plan.substepSeconds() * plan.substepSeconds() * static_cast<double>(positions[a.x].w);
+    if (beyond > 0) elastic += 0.5 * beyond * beyond / compliance;
   }
   return {static_cast<double>(plan.masses().size()),
           total,

@@ -137,6 +137,32 @@ TEST_CASE("long lines of constraints, pinned anywhere, equal their CPU twin") {
   }
 }
 
+TEST_CASE("constraints that keep energy equal their CPU twin, on lines of any length and on what moves") {
+  sim::ColliderShape ball;
+  ball.position = scene::Animated<glm::vec3>(
+      {{0.0, glm::vec3(0, -0.8F, 0)}, {1.0, glm::vec3(0.4F, -0.7F, 0.1F)}}, scene::Ease::linear);
+  ball.radius = 0.6F;
+  for (const bool fabric : {false, true})
+    for (const glm::ivec2 size :
+         {glm::ivec2(33, 21), glm::ivec2(3, 130), glm::ivec2(34, 18), glm::ivec2(17, 2)}) {
+      CAPTURE(fabric);
+      CAPTURE(size.x);
+      auto p = sheet(size.x, size.y);
+      p.solver = sim::ClothSolver::constraints;
+      p.hasFabric = fabric;
+      p.spacing = 0.05F;
+      p.mass = 1e-3F;
+      p.wind = glm::vec3(1e-4F, 0, 2e-4F);
+      p.compliance = 1e-4F;
+      p.damping = 0;
+      p.jitter = 0.01F;
+      p.substeps = 12;
+      p.pins.front().points = {{1, size.y / 2}, {size.x - 1, size.y - 1}};
+      REQUIRE(p.keepsEnergy());
+      compare(p, 20, {ball});
+    }
+}
+
 TEST_CASE("cloth that rubs on moving colliders equals its CPU twin") {
   for (const auto solver : {sim::ClothSolver::springs, sim::ClothSolver::constraints}) {
     auto p = sheet(33, 21);

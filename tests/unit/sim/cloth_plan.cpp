@@ -51,6 +51,33 @@ TEST_CASE("auto takes as many substeps as the springs need") {
   CHECK(p.substepsPerFrame(1.0 / 60) == 9);
 }
 
+TEST_CASE("auto of a fabric in gusts counts what its lines carry of each other, as 1 / L^1.5 at last") {
+  // flag.json, cut as bench_studies resolution does.
+  const auto substeps = [](int columns, bool gusts) {
+    sim::ClothParameters p;
+    p.hasFabric = true;
+    p.fabric.material = sim::FabricMaterial::nylon;
+    p.substeps.reset();
+    p.damping = 0.2F;
+    p.wind = glm::vec3(0);
+    p.spacing = 95 * 0.0215F / static_cast<float>(columns - 1);
+    p.size = {columns, 2 * columns / 3};
+    p.hasAir = gusts;
+    p.air.velocity = glm::vec3(9.5F, 0.5F, 1.6F);
+    p.air.drag = 0.8F;
+    p.air.lift = 0.15F;
+    p.air.gusts = 0.36F;
+    return p.substepsPerFrame(1.0 / 60);
+  };
+  CHECK(substeps(48, true) == 13);
+  CHECK(substeps(96, true) == 27);  // 20 left the flag's corner stretched by two thirds
+  const double finer = static_cast<double>(substeps(768, true)) / substeps(384, true);
+  CHECK(finer > 2.5);
+  CHECK(finer < 2.9);
+  CHECK(substeps(96, false) == 8);
+  CHECK(substeps(192, true) == 63);
+}
+
 TEST_CASE("damping does not depend on the number of substeps") {
   sim::ClothParameters p;
   for (const int n : {1, 4, 9}) {
