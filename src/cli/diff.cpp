@@ -7,7 +7,7 @@
 #include "cli/tolerance_options.hpp"
 #include "frame/file/output_name.hpp"
 #include "golden/baseline/tolerance.hpp"
-#include "golden/suite/sequence_diff.hpp"
+#include "golden/pictures/sequence_diff.hpp"
 
 #include <cmath>
 #include <cstdio>

@@ -1,5 +1,5 @@
 #pragma once
-#include "golden/suite/sequence_diff.hpp"
+#include "golden/pictures/sequence_diff.hpp"
 #include "scene/test.hpp"
 
 #include <map>

@@ -8,9 +8,9 @@
 #include "frame/image.hpp"
 #include "golden/compare/difference_image.hpp"
 #include "golden/compare/flip.hpp"
-#include "golden/compare/png_check.hpp"
+#include "golden/files/png_check.hpp"
 #include "golden/compare/ssim.hpp"
-#include "golden/suite/sequence_diff.hpp"
+#include "golden/pictures/sequence_diff.hpp"
 
 #include <cmath>
 #include <cstdint>

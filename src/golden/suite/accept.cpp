@@ -3,7 +3,7 @@
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "golden/baseline/baseline.hpp"
-#include "golden/compare/png_check.hpp"
+#include "golden/files/png_check.hpp"
 #include "golden/report/json.hpp"
 #include "golden/result.hpp"
 #include "golden/suite/scene_set.hpp"

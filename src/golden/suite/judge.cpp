@@ -4,7 +4,7 @@
 #include "base/file.hpp"
 #include "golden/baseline/tolerance.hpp"
 #include "golden/compare/compare.hpp"
-#include "golden/compare/png_check.hpp"
+#include "golden/files/png_check.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "golden/suite/sequence_diff.hpp"
+#include "golden/pictures/sequence_diff.hpp"
 
 #include "base/error.hpp"
 #include "base/file.hpp"
@@ -7,7 +7,7 @@
 #include "frame/file/output_name.hpp"
 #include "golden/compare/compare.hpp"
 #include "golden/compare/difference_image.hpp"
-#include "golden/compare/png_check.hpp"
+#include "golden/files/png_check.hpp"
 
 #include <algorithm>
 #include <array>

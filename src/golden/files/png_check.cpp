@@ -1,4 +1,4 @@
-#include "golden/compare/png_check.hpp"
+#include "golden/files/png_check.hpp"
 
 #include "base/error.hpp"
 
