@@ -65,7 +65,7 @@ std::string cell(std::string_view text) {
 /// those that did not pass.
 const FrameResult* worstFrame(const SceneResult& scene) {
   const auto rank = [](const FrameResult& f) {
-    return f.metrics ? std::pair(f.metrics->pixelsBeyond, f.metrics->worst) : std::pair(-1L, -1);
+    return f.metrics ? std::pair(f.metrics->pixelsBeyond, f.metrics->worst) : std::pair(-1L, -1.0);
   };
   const FrameResult* worst = nullptr;
   for (const FrameResult& frame : scene.frames)
@@ -78,7 +78,7 @@ std::string failureRow(const SceneResult& scene) {
   if (const FrameResult* f = worstFrame(scene)) {
     frame = std::to_string(f->frame);
     if (f->metrics) {
-      worst = std::to_string(f->metrics->worst);
+      worst = fmt::format("{:.4g}", f->metrics->worst);
       beyond = fmt::format("{} ({:.2f}%)", f->metrics->pixelsBeyond, 100 * f->metrics->ratioBeyond);
       ssim = fmt::format("{:.4f}", f->metrics->ssim);
       flip = fmt::format("{:.4f}", f->metrics->flipMean);

@@ -87,20 +87,8 @@ SceneResult Suite::test(const SceneFile& scene) {
   applyExpectation(made);
   result.seconds = secondsSince(begin);
 
-  ++scenes_;
-  const bool flakyFails = result.status == Status::flaky && (!options_.allowFlaky || everHardFailed);
-  differs_ = differs_ || flakyFails || result.status == Status::fail ||
-             result.status == Status::nondeterministic || result.status == Status::xpass;
-  missing_ = missing_ || result.status == Status::missing;
-  if (result.status == Status::error && error_ == ExitCode::ok) error_ = made.error;
+  tally_.add(result.status, options_.allowFlaky && !everHardFailed, made.error);
   return std::move(made.result);
-}
-
-ExitCode Suite::exitCode() const {
-  if (scenes_ == 0) return ExitCode::nothingRan;
-  if (differs_) return ExitCode::different;
-  if (error_ != ExitCode::ok) return error_;
-  return missing_ ? ExitCode::baselineMissing : ExitCode::ok;
 }
 
 }  // namespace simreel::golden
