@@ -79,7 +79,7 @@ fs::path TestOutputs::folder() const {
 
 fs::path TestOutputs::artifacts() const {
   if (!report.empty()) return fs::path(report) / "files";
-  return json.empty() ? fs::path() : fs::path(json).replace_extension().string() + "-files";
+  return json.empty() ? fs::path() : fs::path(fs::path(json).replace_extension().string() + "-files");
 }
 
 void TestOutputs::prepare() const {

@@ -125,6 +125,14 @@ frame::Image readPng(const std::filesystem::path& path, const char* what) {
   return std::move(picture.image);
 }
 
+std::optional<std::pair<int, int>> sizeOfPng(std::span<const std::byte> file) {
+  const std::string_view bytes = textOf(file);
+  constexpr std::size_t widthAt = 16, heightAt = 20, end = 24;
+  if (!bytes.starts_with(signature) || bytes.size() < end) return std::nullopt;
+  return std::pair(static_cast<int>(bigEndian(bytes.data() + widthAt)),
+                   static_cast<int>(bigEndian(bytes.data() + heightAt)));
+}
+
 bool sameEncodedPixels(std::span<const std::byte> a, std::span<const std::byte> b) {
   std::string_view restA = textOf(a), restB = textOf(b);
   if (restA == restB) return true;

@@ -3,8 +3,10 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
+#include <utility>
 
 namespace simreel::golden {
 
@@ -16,6 +18,9 @@ void checkPng(std::span<const std::byte> file, const char* what, const std::stri
 /// Reads, checks and decodes a PNG of at most 8 bits a channel. Throws as checkPng does, also when the file
 /// cannot be read.
 [[nodiscard]] frame::Image readPng(const std::filesystem::path& path, const char* what);
+
+/// Width and height of a file that checkPng is content with; nothing where it is no PNG.
+[[nodiscard]] std::optional<std::pair<int, int>> sizeOfPng(std::span<const std::byte> file);
 
 /// Whether two files that checkPng is content with hold the same chunks, text and time left out; their
 /// pixels are equal then. False where one is no PNG. Pixels of files for which this is false may still be equal.
