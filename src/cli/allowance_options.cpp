@@ -14,7 +14,8 @@ void AllowanceOptions::add(CLI::App& command) {
                   "A pixel may be found so many pixels away, within --max-channel-diff, and the baseline's "
                   "likewise [0 to 16]")
       ->check(CLI::Range(0, golden::largestSearchRadius));
-  command.add_option("--mask", mask, "Picture of the compared size: pixels do not count where it is not black");
+  command.add_option("--mask", mask,
+                     "Picture of the compared size: pixels do not count where it is not black");
 }
 
 }  // namespace simreel::cli

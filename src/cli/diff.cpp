@@ -71,8 +71,8 @@ void comparePictures(const DiffOptions& options, const scene::Tolerance& toleran
       fail(ExitCode::usage, "-o {} is a folder; two pictures need a file name", options.output);
     checkOutput(options.output, options.a, options.b);
   }
-  const auto result =
-      golden::comparePair({options.a, options.a, options.b}, tolerance, allowanceFor(options), options.output, true);
+  const auto result = golden::comparePair({options.a, options.a, options.b}, tolerance,
+                                          allowanceFor(options), options.output, true);
   if (options.json)
     printJson(pairJson(options.a, options.b, result));
   else if (verbosity() != Verbosity::quiet)
@@ -141,7 +141,8 @@ void diff(const DiffOptions& options) {
 void addDiff(CLI::App& app) {
   const auto options = std::make_shared<DiffOptions>();
   CLI::App* command = app.add_subcommand("diff", "Compare two pictures, or two sequences of them");
-  command->add_option("A", options->a, "A picture, a folder with all below it, or a pattern (####, %04d)")->required();
+  command->add_option("A", options->a, "A picture, a folder with all below it, or a pattern (####, %04d)")
+      ->required();
   command->add_option("B", options->b, "What to compare with it: the same kind")->required();
   command->add_option("-o,--output", options->output,
                       "Difference image, blue (small) to red (large); a folder for sequences");
@@ -151,7 +152,8 @@ void addDiff(CLI::App& app) {
   command->footer(
       "Without a bound, pictures must be equal. The window is 16 x 16 unless given. --max-channel-diff "
       "alone holds for every pixel. Every "
-      "bound that is given must hold. Pictures are PNG (8 and 16 bits), JPEG, HDR, EXR and PNM; alpha counts. Files in only "
+      "bound that is given must hold. Pictures are PNG (8 and 16 bits), JPEG, HDR, EXR and PNM; alpha "
+      "counts. Files in only "
       "one of two folders differ; those that are no pictures are named.\n"
       "Exit code: 0 equal or within the bounds, 1 different, 2 usage, 6 a file cannot be read.");
   command->callback([options] { diff(*options); });

@@ -68,8 +68,9 @@ std::string onlyLine(const std::vector<std::string>& names, const std::string& p
 /// What of the pixels did not count, each in a line.
 std::string excusedText(const Metrics& m) {
   std::string text;
-  for (const auto& [count, what] : {std::pair(m.maskedPixels, "masked"), std::pair(m.antialiasedPixels, "of smoothed edges"),
-                                    std::pair(m.movedPixels, "found nearby")})
+  for (const auto& [count, what] :
+       {std::pair(m.maskedPixels, "masked"), std::pair(m.antialiasedPixels, "of smoothed edges"),
+        std::pair(m.movedPixels, "found nearby")})
     if (count > 0) text += fmt::format("left out        {} pixels {}\n", count, what);
   return text;
 }
@@ -142,7 +143,8 @@ bool SequenceReport::differs() const {
 
 std::string SequenceReport::summary(const std::string& a, const std::string& b) const {
   std::string text = onlyLine(onlyA, a) + onlyLine(onlyB, b);
-  if (!passedOver.empty()) text += fmt::format("passed over, no pictures: {}\n", golden::someOf(passedOver));
+  if (!passedOver.empty())
+    text += fmt::format("passed over, no pictures: {}\n", golden::someOf(passedOver));
   text += fmt::format("{} pair{}: {} equal", frames.size(), frames.size() == 1 ? "" : "s",
                       count(Outcome::equal));
   for (const Outcome outcome : {Outcome::within, Outcome::different, Outcome::unreadable})

@@ -38,12 +38,12 @@ struct StatusWords {
 
 /// What is measured between two pictures of equal size. Ratios and FLIP are 0 to 1; x grows right, y down.
 struct Metrics {
-  double worst = 0;              ///< largest difference of one channel, 0 to 255; fractions in deep pictures
-  int worstX = 0, worstY = 0;    ///< where
-  long differentPixels = 0;      ///< with any difference
-  long pixelsBeyond = 0;         ///< with a channel further apart than maxChannelDiff
-  double ratioBeyond = 0;        ///< pixelsBeyond / pixels
-  double windowRatio = 0;        ///< fraction of pixelsBeyond in the densest window
+  double worst = 0;            ///< largest difference of one channel, 0 to 255; fractions in deep pictures
+  int worstX = 0, worstY = 0;  ///< where
+  long differentPixels = 0;    ///< with any difference
+  long pixelsBeyond = 0;       ///< with a channel further apart than maxChannelDiff
+  double ratioBeyond = 0;      ///< pixelsBeyond / pixels
+  double windowRatio = 0;      ///< fraction of pixelsBeyond in the densest window
   int windowX = 0, windowY = 0;  ///< its top left corner
   double psnr = 0;               ///< dB over R, G and B; infinite when equal (null in JSON)
   double ssim = 1;

@@ -11,8 +11,8 @@ class Tally {
   void add(Status status, bool allowFlaky, ExitCode error = ExitCode::inputOutput);
   /// Something beside the results fails the run.
   void addFailure() { differs_ = true; }
-  /// 1 when anything differs, else the code of the first error, else 3 when a baseline is missing, else 0; 5
-  /// when there was nothing.
+  /// 1 when anything differs, else the code of the first error, else 3 when a baseline is missing, else 0;
+  /// 5 when there was nothing.
   [[nodiscard]] ExitCode exitCode() const;
 
  private:

@@ -8,8 +8,8 @@
 #include "frame/image.hpp"
 #include "golden/compare/difference_image.hpp"
 #include "golden/compare/flip.hpp"
-#include "golden/files/png_check.hpp"
 #include "golden/compare/ssim.hpp"
+#include "golden/files/png_check.hpp"
 #include "golden/pictures/sequence_diff.hpp"
 
 #include <cmath>

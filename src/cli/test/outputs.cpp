@@ -59,7 +59,8 @@ bool colored() {
 /// What accepts a run whose baselines are not below the folder that it ran in has to be told their folder.
 std::string acceptCommand(const golden::SuiteResult& suite, const std::string& reportFile) {
   std::string command = "simreel accept " + inShellQuotes(reportFile);
-  if (const fs::path expected = suite.expected; expected.is_absolute() || suite.expected.find("..") != std::string::npos)
+  if (const fs::path expected = suite.expected;
+      expected.is_absolute() || suite.expected.find("..") != std::string::npos)
     command += " --expected " + inShellQuotes(suite.expected);
   return command;
 }
@@ -89,14 +90,15 @@ void TestOutputs::prepare() const {
   if (fs::exists(place, error) && !fs::is_directory(place, error))
     fail(ExitCode::usage, "--report takes a folder, and {} is a file", report);
   if (fs::exists(place, error) && !fs::is_empty(place, error) && !fs::exists(place / "report.json", error))
-    fail(ExitCode::usage, "the folder {} is not empty and holds no report; give --report another one", report);
+    fail(ExitCode::usage, "the folder {} is not empty and holds no report; give --report another one",
+         report);
   fs::remove_all(artifacts(), error);
   makeFolders(place);
 }
 
-void TestOutputs::show(const golden::SceneResult& scene) const {
+void TestOutputs::show(const golden::SceneResult& scene, const std::string& unit) const {
   if (verbosity() == Verbosity::quiet) return;
-  printPainted(golden::sceneLine(scene, colored(), folder()));
+  printPainted(golden::sceneLine(scene, colored(), folder(), unit));
   std::fflush(stdout);
 }
 
@@ -109,7 +111,8 @@ void TestOutputs::write(golden::SuiteResult& suite) const {
     writeFileAtomically(file, golden::reportText(suite));
     golden::writeHtmlReport(report, suite);
   }
-  if (!json.empty()) writeFileAtomically(json, golden::reportText(report.empty() ? suite : forElsewhere(suite)));
+  if (!json.empty())
+    writeFileAtomically(json, golden::reportText(report.empty() ? suite : forElsewhere(suite)));
   if (!junit.empty()) writeFileAtomically(junit, golden::junitText(suite));
   if (github) writeGithub(suite);
   if (verbosity() != Verbosity::quiet) printPainted(golden::closingText(suite, colored(), report));

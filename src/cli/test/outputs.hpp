@@ -23,7 +23,7 @@ struct TestOutputs {
   /// Removes an earlier report. Throws UserError(usage) for a folder that holds something else.
   void prepare() const;
   /// Prints a result as it comes.
-  void show(const golden::SceneResult& scene) const;
+  void show(const golden::SceneResult& scene, const std::string& unit) const;
   /// Writes all that was asked for and prints the closing lines.
   void write(golden::SuiteResult& suite) const;
 };

@@ -1,4 +1,5 @@
-// simreel test --expected DIR (--actual DIR | --run COMMAND): pictures of any program against their baselines.
+// simreel test --expected DIR (--actual DIR | --run COMMAND): pictures of any program against their
+// baselines.
 #include "base/clock.hpp"
 #include "base/error.hpp"
 #include "base/file.hpp"
@@ -51,9 +52,12 @@ class TemporaryFolder {
 void checkOptions(const TestOptions& o) {
   if (o.expected.empty())
     fail(ExitCode::usage, "{} belongs to pictures; give --expected, the folder of their baselines",
-         !o.run.empty() ? "--run" : !o.actual.empty() ? "--actual" : "--rules");
+         !o.run.empty()      ? "--run"
+         : !o.actual.empty() ? "--actual"
+                             : "--rules");
   if (o.actual.empty() && o.run.empty())
-    fail(ExitCode::usage, "--expected needs --actual, the folder of the pictures, or --run, a command that makes them");
+    fail(ExitCode::usage,
+         "--expected needs --actual, the folder of the pictures, or --run, a command that makes them");
   if (o.run.empty() && !o.paths.empty())
     fail(ExitCode::usage, "{} is given beside --expected; scenes go with --run", o.paths.front());
   if (!o.profile.empty() || !o.reason.empty() || o.retries > 0)
@@ -136,7 +140,8 @@ class PictureRun {
         printText(oneLine(scene.name) + "\t" + oneLine(command_.of(scene)) + "\n");
       return;
     }
-    if (o_.actual.empty()) fail(ExitCode::usage, "--list knows the pictures once --run has made them; give --actual");
+    if (o_.actual.empty())
+      fail(ExitCode::usage, "--list knows the pictures once --run has made them; give --actual");
     folder_ = o_.actual;
     for (const golden::PictureCase& one : cases()) printText(oneLine(one.name) + "\n");
   }
@@ -178,7 +183,8 @@ class PictureRun {
       suite_.notes.push_back("passed over, no pictures: " + golden::someOf(set.passedOver));
     auto& all = set.cases;
     if (!command_.eachScene()) {
-      for (std::string& unused : golden::unusedRules(options_.rules, all)) suite_.notes.push_back(std::move(unused));
+      for (std::string& unused : golden::unusedRules(options_.rules, all))
+        suite_.notes.push_back(std::move(unused));
       std::erase_if(all, [&](const golden::PictureCase& one) { return !chosen(o_, one.name); });
       if (!o_.shard.empty()) all = golden::shardOf(std::move(all), o_.shard);
       return std::move(all);
@@ -195,14 +201,15 @@ class PictureRun {
   void compare() {
     const auto all = cases();
     if (all.empty() && suite_.scenes.empty())
-      fail(ExitCode::nothingRan, "no picture to test: neither {} nor {} has one{}", o_.expected, folder_.string(),
+      fail(ExitCode::nothingRan, "no picture to test: neither {} nor {} has one{}", o_.expected,
+           folder_.string(),
            o_.globs.empty() && o_.shard.empty() ? "" : " that matches --filter and --shard");
     golden::testPictures(all, options_, [&](golden::SceneResult&& result) { add(std::move(result)); });
   }
 
   void add(golden::SceneResult&& result, ExitCode error = ExitCode::inputOutput) {
     tally_.add(result.status, false, error);
-    o_.outputs.show(result);
+    o_.outputs.show(result, suite_.unit);
     suite_.scenes.push_back(std::move(result));
   }
 

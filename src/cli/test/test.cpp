@@ -68,7 +68,7 @@ int runAll(const std::vector<golden::SceneFile>& scenes, golden::Suite& suite, c
     } catch (const frame::Interrupted& interrupted) {
       return interrupted.signal;
     }
-    outputs.show(result.scenes.back());
+    outputs.show(result.scenes.back(), result.unit);
   }
   return 0;
 }
@@ -78,8 +78,9 @@ void test(const TestOptions& o) {
   const bool pictures = !o.expected.empty() || !o.actual.empty() || !o.run.empty() || !o.rules.empty();
   if (pictures) return testPictures(o);
   if (o.allowance.ignoreAntialiased || o.allowance.searchRadius || !o.allowance.mask.empty())
-    fail(ExitCode::usage,
-         "--ignore-antialiased, --search-radius and --mask are for pictures (--expected); scenes are exact");
+    fail(
+        ExitCode::usage,
+        "--ignore-antialiased, --search-radius and --mask are for pictures (--expected); scenes are exact");
   checkProfile(o.profile);
   golden::SuiteOptions options;
   options.repeats = o.repeat;
@@ -124,12 +125,15 @@ void test(const TestOptions& o) {
 }
 
 void addPictures(CLI::App& command, TestOptions& o) {
-  command.add_option("--expected", o.expected, "Test pictures instead of scenes: the folder of their baselines");
+  command.add_option("--expected", o.expected,
+                     "Test pictures instead of scenes: the folder of their baselines");
   command.add_option("--actual", o.actual, "The folder of the pictures, with all below it");
-  command.add_option("--run", o.run,
-                     "Make the pictures first, by this command for each scene: 'renderer {scene} -o {output}'; "
-                     "without {scene} once, and {output} is the folder");
-  command.add_option("--rules", o.rules, "JSON: tolerances, masks and expected failures of pictures by name or folder");
+  command.add_option(
+      "--run", o.run,
+      "Make the pictures first, by this command for each scene: 'renderer {scene} -o {output}'; "
+      "without {scene} once, and {output} is the folder");
+  command.add_option("--rules", o.rules,
+                     "JSON: tolerances, masks and expected failures of pictures by name or folder");
   o.allowance.add(command);
 }
 
@@ -167,7 +171,8 @@ void addTest(CLI::App& app) {
             o->updateGiven = true;
             o->update = mode;
           },
-          "Write baselines that are missing, changed or (default) both; prune: remove those that nothing is tested against")
+          "Write baselines that are missing, changed or (default) both; prune: remove those that nothing "
+          "is tested against")
       ->expected(0, 1)
       ->default_str("all")
       ->check(CLI::IsMember({"missing", "changed", "all", "prune"}));

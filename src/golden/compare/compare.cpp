@@ -185,8 +185,8 @@ std::vector<std::string> brokenBounds(const Metrics& metrics, const scene::Toler
   const int channel = tolerance.maxChannelDiff;
   const std::string apart = channel == 0 ? "" : fmt::format(" by more than {}", channel);
   if (tolerance.hardFail && metrics.worst > *tolerance.hardFail)
-    broken.push_back(fmt::format("the pixel at x {}, y {} differs by {:.4g} (hardFail is {})", metrics.worstX,
-                                 metrics.worstY, metrics.worst, *tolerance.hardFail));
+    broken.push_back(fmt::format("the pixel at x {}, y {} differs by {:.4g} (hardFail is {})",
+                                 metrics.worstX, metrics.worstY, metrics.worst, *tolerance.hardFail));
   if (tolerance.maxDiffPixels && double(metrics.pixelsBeyond) > *tolerance.maxDiffPixels)
     broken.push_back(fmt::format("{} pixel{}{} (maxDiffPixels is {})", metrics.pixelsBeyond,
                                  metrics.pixelsBeyond == 1 ? " differs" : "s differ", apart,
@@ -209,8 +209,9 @@ std::vector<std::string> brokenNearness(const Metrics& metrics, int width, int h
   std::vector<std::string> broken;
   const double ratio = double(metrics.differentPixels) / (double(width) * height);
   if (metrics.worst > nearChannel)
-    broken.push_back(fmt::format("the pixel at x {}, y {} differs by {:.4g} (on another machine by {} at most)",
-                                 metrics.worstX, metrics.worstY, metrics.worst, nearChannel));
+    broken.push_back(
+        fmt::format("the pixel at x {}, y {} differs by {:.4g} (on another machine by {} at most)",
+                    metrics.worstX, metrics.worstY, metrics.worst, nearChannel));
   if (ratio > nearRatio)
     broken.push_back(fmt::format("{} of the pixels differ (on another machine {} at most)", percent(ratio),
                                  percent(nearRatio)));

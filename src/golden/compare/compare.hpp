@@ -10,8 +10,9 @@ namespace simreel::golden {
 
 /// Compares two pictures of equal size (an invariant; check before). A pixel differs where any of R, G, B,
 /// A does; PSNR, SSIM and FLIP cost time only where some do. They are of R, G and B; where a pixel is not
-/// opaque they are of the pictures over black and over white, and the worse of the two. The first of several
-/// equally bad pixels or windows, in reading order, is named. The result does not depend on the thread count.
+/// opaque they are of the pictures over black and over white, and the worse of the two. The first of
+/// several equally bad pixels or windows, in reading order, is named. The result does not depend on the
+/// thread count.
 [[nodiscard]] Metrics measure(const frame::Image& a, const frame::Image& b,
                               const scene::Tolerance& tolerance);
 

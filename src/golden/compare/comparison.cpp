@@ -20,7 +20,8 @@ struct DeepPair {
   bool sameDepth;
   const Picture &pictureA, &pictureB;
 
-  /// Largest difference of a channel in units of 1/255, at most 255; above 0 wherever the files' numbers differ.
+  /// Largest difference of a channel in units of 1/255, at most 255; above 0 wherever the files' numbers
+  /// differ.
   [[nodiscard]] double apart(std::size_t pixel) const {
     double worst = 0;
     for (std::size_t i = 4 * pixel; i < 4 * pixel + 4; ++i) worst = std::max(worst, channelApart(i));
@@ -88,8 +89,8 @@ Comparison compare(const Picture& baseline, const Picture& picture, const scene:
   }
   const int width = a.image.width, height = a.image.height;
   if (!allowance.mask.empty() && allowance.mask.size() != std::size_t(width) * std::size_t(height))
-    fail(ExitCode::usage, "the mask has {} pixels, the pictures that it masks {}x{}", allowance.mask.size(), width,
-         height);
+    fail(ExitCode::usage, "the mask has {} pixels, the pictures that it masks {}x{}", allowance.mask.size(),
+         width, height);
   const bool deep = a.depth != Depth::unorm8 || b.depth != Depth::unorm8;
   if (!allowance.none() && (!equalPixels(a, b) || !allowance.mask.empty())) {
     made.excuses = excuses(inUnits(a), inUnits(b), width, height, allowance, tolerance.maxChannelDiff);

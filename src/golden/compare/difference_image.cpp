@@ -43,8 +43,8 @@ frame::Image differenceImage(const frame::Image& a, const frame::Image& b) {
   std::vector<std::uint8_t> apart(a.bytes.size() / 4);
   for (std::size_t pixel = 0; pixel < apart.size(); ++pixel)
     for (std::size_t i = 4 * pixel; i < 4 * pixel + 4; ++i)
-      apart[pixel] = std::max(apart[pixel],
-                              static_cast<std::uint8_t>(std::abs(int{a.bytes[i]} - int{b.bytes[i]})));
+      apart[pixel] =
+          std::max(apart[pixel], static_cast<std::uint8_t>(std::abs(int{a.bytes[i]} - int{b.bytes[i]})));
   return differenceImage(a, apart);
 }
 

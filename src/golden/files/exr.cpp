@@ -4,11 +4,6 @@
 #include "golden/files/damage.hpp"
 #include "golden/files/picture.hpp"
 
-#include <algorithm>
-#include <cstring>
-#include <exception>
-#include <vector>
-
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
@@ -16,6 +11,11 @@
 #include <ImfInputPart.h>
 #include <ImfMultiPartInputFile.h>
 #include <ImfPartType.h>
+#include <algorithm>
+#include <cstring>
+#include <exception>
+#include <vector>
+
 #include <fmt/ranges.h>
 
 namespace simreel::golden {
@@ -85,8 +85,10 @@ Chosen choose(const Imf::ChannelList& channels) {
                                   [&](const char* one) { return one != nullptr && name == one; });
     if (!used) chosen.others.push_back(oneLine(name));
   }
-  if (std::all_of(chosen.names.begin(), chosen.names.end(), [](const char* name) { return name == nullptr; }))
-    throw std::runtime_error(fmt::format("no channel R, G, B, Y or A, only {}", fmt::join(chosen.others, ", ")));
+  if (std::all_of(chosen.names.begin(), chosen.names.end(),
+                  [](const char* name) { return name == nullptr; }))
+    throw std::runtime_error(
+        fmt::format("no channel R, G, B, Y or A, only {}", fmt::join(chosen.others, ", ")));
   return chosen;
 }
 
@@ -106,7 +108,8 @@ Picture read(MemoryStream& stream) {
   for (std::size_t c = 0; c < 4; ++c) {
     const char* name = chosen.names[c];
     if (name == nullptr || buffer.findSlice(name) != nullptr) continue;
-    if (header.channels().findChannel(name)->xSampling != 1 || header.channels().findChannel(name)->ySampling != 1)
+    if (header.channels().findChannel(name)->xSampling != 1 ||
+        header.channels().findChannel(name)->ySampling != 1)
       throw std::runtime_error(fmt::format("a subsampled channel {}", name));
     buffer.insert(name, Imf::Slice::Make(Imf::FLOAT, pixels.data() + c, header.dataWindow(), 16,
                                          16 * std::size_t(data.width)));
@@ -120,7 +123,8 @@ Picture read(MemoryStream& stream) {
   }
   Picture picture;
   picture.values.assign(4 * std::size_t(shown.width) * std::size_t(shown.height), 0.0F);
-  for (int y = std::max(data.top, shown.top); y < std::min(data.top + data.height, shown.top + shown.height); ++y) {
+  for (int y = std::max(data.top, shown.top);
+       y < std::min(data.top + data.height, shown.top + shown.height); ++y) {
     const int left = std::max(data.left, shown.left);
     const int right = std::min(data.left + data.width, shown.left + shown.width);
     if (left >= right) break;

@@ -44,8 +44,8 @@ std::string foreignKind(std::string_view bytes) {
   return {};
 }
 
-/// Whether a JPEG has its end: segments up to the scan, the scan's bytes up to the next marker, and so on (ITU-T
-/// T.81, annex B). The decoder makes the missing rest grey and says nothing.
+/// Whether a JPEG has its end: segments up to the scan, the scan's bytes up to the next marker, and so on
+/// (ITU-T T.81, annex B). The decoder makes the missing rest grey and says nothing.
 bool jpegHasItsEnd(std::string_view bytes) {
   const auto at = [&](std::size_t i) { return static_cast<unsigned char>(bytes[i]); };
   std::size_t i = 2;
@@ -94,8 +94,8 @@ void readBytes(const fs::path& path, const char* what, std::string& bytes) {
   const auto kind = fs::status(path, unknown).type();
   if (kind == fs::file_type::fifo || kind == fs::file_type::character || kind == fs::file_type::block ||
       kind == fs::file_type::socket)
-    fail(ExitCode::inputOutput, "{} {} is a pipe, a device or a socket; copy what it gives into a file", what,
-         path.string());
+    fail(ExitCode::inputOutput, "{} {} is a pipe, a device or a socket; copy what it gives into a file",
+         what, path.string());
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> stream(std::fopen(path.c_str(), "rbe"),
                                                                &std::fclose);
   if (!stream) failed("open");
@@ -177,8 +177,7 @@ std::vector<float> inUnits(const Picture& picture) {
   for (std::size_t i = 0; i < units.size(); ++i) {
     const float value = picture.values[i];
     const bool alpha = i % 4 == 3;
-    units[i] =
-        picture.depth == Depth::unorm16 ? value / 257 : 255 * (alpha ? value : encoded(value));
+    units[i] = picture.depth == Depth::unorm16 ? value / 257 : 255 * (alpha ? value : encoded(value));
   }
   return units;
 }

@@ -23,13 +23,13 @@ struct Picture {
   std::string note;           ///< what of the file is not in it: "channels Z are not compared"; or empty
 };
 
-/// Reads a whole file into `bytes`, whose memory is used again. Throws UserError(inputOutput) in one line that
-/// begins with `what` ("baseline") and the path: for what cannot be read, and for a pipe or a device.
+/// Reads a whole file into `bytes`, whose memory is used again. Throws UserError(inputOutput) in one line
+/// that begins with `what` ("baseline") and the path: for what cannot be read, and for a pipe or a device.
 void readBytes(const std::filesystem::path& path, const char* what, std::string& bytes);
 
-/// PNG (8 and 16 bits, grey, palette, alpha), JPEG, Radiance HDR, OpenEXR and PNM, told apart by their first
-/// bytes. Throws UserError(inputOutput) for what is none of them, is damaged, larger than 16384 on a side, or
-/// something else in its place (standsForAnother()).
+/// PNG (8 and 16 bits, grey, palette, alpha), JPEG, Radiance HDR, OpenEXR and PNM, told apart by their
+/// first bytes. Throws UserError(inputOutput) for what is none of them, is damaged, larger than 16384 on a
+/// side, or something else in its place (standsForAnother()).
 [[nodiscard]] Picture decodePicture(std::string_view bytes, const char* what, const std::string& name);
 [[nodiscard]] Picture readPicture(const std::filesystem::path& path, const char* what);
 
@@ -45,15 +45,15 @@ void checkPicture(std::string_view bytes, const char* what, const std::string& n
 /// digits.
 [[nodiscard]] std::string pictureHash(const Picture& picture);
 
-/// Values in units of 1/255 of the encoded range, RGBA: deeper pictures have fractions, light above white is
-/// above 255 (the sRGB curve goes on).
+/// Values in units of 1/255 of the encoded range, RGBA: deeper pictures have fractions, light above white
+/// is above 255 (the sRGB curve goes on).
 [[nodiscard]] std::vector<float> inUnits(const Picture& picture);
 
 /// The picture at the top left of a larger one, the rest transparent black.
 [[nodiscard]] Picture padded(const Picture& picture, int width, int height);
 
-// One kind each; `bytes` begin as that kind does. Throw UserError(inputOutput) with `label` ("baseline a.exr")
-// first.
+// One kind each; `bytes` begin as that kind does. Throw UserError(inputOutput) with `label` ("baseline
+// a.exr") first.
 [[nodiscard]] Picture decodeDeepPng(std::string_view bytes, const std::string& label);
 [[nodiscard]] Picture decodeRadiance(std::string_view bytes, const std::string& label);
 [[nodiscard]] Picture decodeExr(std::string_view bytes, const std::string& label);

@@ -60,8 +60,8 @@ bool isText(const Chunk& chunk) {
 /// What is wrong with the header's pixel format; empty when nothing is (PNG specification 11.2.2).
 std::string formatProblem(std::string_view header) {
   const int depth = static_cast<unsigned char>(header[8]), colour = static_cast<unsigned char>(header[9]);
-  constexpr std::array<std::uint32_t, 7> depths = {1 | 2 | 4 | 8 | 16, 0, 8 | 16, 1 | 2 | 4 | 8,
-                                                   8 | 16,             0, 8 | 16};
+  constexpr std::array<std::uint32_t, 7> depths = {
+      1 | 2 | 4 | 8 | 16, 0, 8 | 16, 1 | 2 | 4 | 8, 8 | 16, 0, 8 | 16};
   const bool known = colour < static_cast<int>(depths.size()) && (depth & (depth - 1)) == 0 &&
                      (depths[static_cast<std::size_t>(colour)] & static_cast<unsigned>(depth)) != 0;
   if (known) return {};
@@ -121,7 +121,8 @@ frame::Image readPng(const std::filesystem::path& path, const char* what) {
   checkPng(std::as_bytes(std::span(file)), what, path.string());
   Picture picture = decodePicture(file, what, path.string());
   if (picture.depth != Depth::unorm8)
-    fail(ExitCode::inputOutput, "{} {} has 16 bits per channel; convert it to 8-bit RGB", what, path.string());
+    fail(ExitCode::inputOutput, "{} {} has 16 bits per channel; convert it to 8-bit RGB", what,
+         path.string());
   return std::move(picture.image);
 }
 

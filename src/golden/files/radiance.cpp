@@ -1,5 +1,5 @@
-// Radiance HDR (G. Ward, "Real Pixels", Graphics Gems II; ray/src/common/color.c): a text header, then a byte of
-// mantissa for each of R, G and B and a shared exponent, run-length encoded.
+// Radiance HDR (G. Ward, "Real Pixels", Graphics Gems II; ray/src/common/color.c): a text header, then a
+// byte of mantissa for each of R, G and B and a shared exponent, run-length encoded.
 #include "base/error.hpp"
 #include "base/text.hpp"
 #include "golden/files/damage.hpp"

@@ -19,7 +19,8 @@ PictureFolder listPictures(const fs::path& folder) {
     const fs::path path = entries->path();
     const std::string name = path.lexically_relative(folder).generic_string();
     if (entries.depth() > deepest)
-      fail(ExitCode::inputOutput, "cannot search folder {}: its links go round in a circle, or it is deeper than {}",
+      fail(ExitCode::inputOutput,
+           "cannot search folder {}: its links go round in a circle, or it is deeper than {}",
            folder.string(), deepest);
     std::error_code unknown;
     if (entries->is_directory(unknown)) {
@@ -30,8 +31,7 @@ PictureFolder listPictures(const fs::path& folder) {
       (isPictureName(path) ? found.pictures : found.others).push_back(name);
     }
   }
-  if (error)
-    fail(ExitCode::inputOutput, "cannot list folder {}: {}", folder.string(), error.message());
+  if (error) fail(ExitCode::inputOutput, "cannot list folder {}: {}", folder.string(), error.message());
   std::sort(found.pictures.begin(), found.pictures.end());
   std::sort(found.others.begin(), found.others.end());
   return found;

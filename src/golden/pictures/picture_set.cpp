@@ -26,7 +26,8 @@ std::string hashOfFile(const fs::path& file) {
 /// Gives pictures without a baseline the one of those without a picture that has their pixels.
 void findRenamed(std::vector<PictureCase>& cases) {
   std::multimap<std::string, PictureCase*> gone;
-  const bool anyNew = std::any_of(cases.begin(), cases.end(), [](const auto& one) { return one.expected.empty(); });
+  const bool anyNew =
+      std::any_of(cases.begin(), cases.end(), [](const auto& one) { return one.expected.empty(); });
   for (PictureCase& one : cases)
     if (anyNew && one.actual.empty())
       if (const std::string hash = hashOfFile(one.expected); !hash.empty()) gone.emplace(hash, &one);
@@ -51,13 +52,15 @@ PictureSet pairPictures(const fs::path& expected, const fs::path& actual) {
   std::set_union(there.pictures.begin(), there.pictures.end(), here.pictures.begin(), here.pictures.end(),
                  std::back_inserter(names));
   const auto fileIn = [](const fs::path& folder, const PictureFolder& list, const std::string& name) {
-    return std::binary_search(list.pictures.begin(), list.pictures.end(), name) ? folder / name : fs::path();
+    return std::binary_search(list.pictures.begin(), list.pictures.end(), name) ? folder / name
+                                                                                : fs::path();
   };
   PictureSet set;
   for (const std::string& name : names)
     set.cases.push_back({name, fileIn(expected, there, name), fileIn(actual, here, name), {}});
   findRenamed(set.cases);
-  for (const auto& [folder, others] : {std::pair(&expected, &there.others), std::pair(&actual, &here.others)})
+  for (const auto& [folder, others] :
+       {std::pair(&expected, &there.others), std::pair(&actual, &here.others)})
     for (const std::string& name : *others) set.passedOver.push_back((*folder / name).generic_string());
   return set;
 }

@@ -90,19 +90,19 @@ class PictureTest {
     if (expected_) frame_.expectedPixels = pictureHash(expected_->picture);
     if (case_.actual.empty()) {
       result_.status = Status::fail;
-      result_.messages.push_back(
-          fmt::format("there is no picture for the baseline {}; where it is gone for good remove that, or all such "
-                      "with --update=prune",
-                      result_.baselines));
+      result_.messages.push_back(fmt::format(
+          "there is no picture for the baseline {}; where it is gone for good remove that, or all such "
+          "with --update=prune",
+          result_.baselines));
     } else if (case_.expected.empty()) {
       result_.status = Status::missing;
       result_.messages.push_back(fmt::format("there is no baseline {}", result_.baselines));
     } else if (!case_.renamedFrom.empty()) {
       result_.status = Status::missing;
-      result_.messages.push_back(
-          fmt::format("there is no baseline {}; it has the pixels of {}, which has no picture any more: renamed? "
-                      "--update and accept move the baseline",
-                      result_.baselines, case_.renamedFrom));
+      result_.messages.push_back(fmt::format(
+          "there is no baseline {}; it has the pixels of {}, which has no picture any more: renamed? "
+          "--update and accept move the baseline",
+          result_.baselines, case_.renamedFrom));
     }
   }
 
@@ -120,12 +120,14 @@ class PictureTest {
     made_ = compare(expected_->picture, actual_->picture, terms_.tolerance, allowance);
     if (!case_.renamedFrom.empty()) return;
     const auto broken = brokenBounds(made_->metrics, terms_.tolerance, made_->a.width, made_->a.height);
-    const bool excused = made_->metrics.maskedPixels + made_->metrics.antialiasedPixels + made_->metrics.movedPixels > 0;
+    const bool excused =
+        made_->metrics.maskedPixels + made_->metrics.antialiasedPixels + made_->metrics.movedPixels > 0;
     if (made_->metrics.differentPixels > 0 || excused) frame_.metrics = made_->metrics;
     if (made_->sizes.empty() && broken.empty()) return;
     result_.status = Status::fail;
     if (!made_->sizes.empty())
-      result_.messages.push_back(fmt::format("{}; compared as {}x{}, padded", made_->sizes, made_->a.width, made_->a.height));
+      result_.messages.push_back(
+          fmt::format("{}; compared as {}x{}, padded", made_->sizes, made_->a.width, made_->a.height));
     if (!broken.empty()) result_.messages.push_back(fmt::format("{}", fmt::join(broken, "; ")));
   }
 
@@ -149,8 +151,9 @@ class PictureTest {
       makeFolders(baseline.parent_path());
       writeFileAtomically(baseline, actual_->bytes);
       if (!case_.renamedFrom.empty()) removeFile(case_.expected);
-      result_.notes.push_back("wrote " + result_.baselines +
-                              (case_.renamedFrom.empty() ? "" : " and removed " + case_.expected.generic_string()));
+      result_.notes.push_back(
+          "wrote " + result_.baselines +
+          (case_.renamedFrom.empty() ? "" : " and removed " + case_.expected.generic_string()));
       frame_.expectedPixels = frame_.pixels;
       frame_.metrics.reset();
     }
@@ -192,7 +195,8 @@ class PictureTest {
     }
     if (!actual_ || !result_.xfail.empty()) return;
     const std::string kept = "candidate/" + fs::path(case_.name).filename().string();
-    result_.candidate = fs::path(write(kept, std::as_bytes(std::span(actual_->bytes)))).parent_path().generic_string();
+    result_.candidate =
+        fs::path(write(kept, std::as_bytes(std::span(actual_->bytes)))).parent_path().generic_string();
   }
 
   void finishFrame() {
@@ -207,8 +211,8 @@ class PictureTest {
       result_.status = Status::xfail;
     } else if (result_.status == Status::pass) {
       result_.status = Status::xpass;
-      result_.messages.push_back(fmt::format("passes, though the rules expect it to fail ({}); remove its \"xfail\"",
-                                             result_.xfail));
+      result_.messages.push_back(fmt::format(
+          "passes, though the rules expect it to fail ({}); remove its \"xfail\"", result_.xfail));
     }
   }
 
@@ -241,17 +245,17 @@ void testPictures(const std::vector<PictureCase>& cases, const PictureOptions& o
   tbb::parallel_pipeline(
       2 * processorCount(),  // so many pictures are in memory at a time
       tbb::make_filter<void, std::size_t>(filter_mode::serial_in_order, next) &
-          tbb::make_filter<std::size_t, SceneResult>(
-              filter_mode::parallel,
-              [&](std::size_t index) {
-                frame::throwIfInterrupted();
-                return testPicture(cases[index], options);
-              }) &
+          tbb::make_filter<std::size_t, SceneResult>(filter_mode::parallel,
+                                                     [&](std::size_t index) {
+                                                       frame::throwIfInterrupted();
+                                                       return testPicture(cases[index], options);
+                                                     }) &
           tbb::make_filter<SceneResult, void>(filter_mode::serial_in_order,
                                               [&](SceneResult result) { done(std::move(result)); }));
 }
 
-std::vector<std::string> unusedRules(const std::vector<Rule>& rules, const std::vector<PictureCase>& cases) {
+std::vector<std::string> unusedRules(const std::vector<Rule>& rules,
+                                     const std::vector<PictureCase>& cases) {
   std::vector<std::string> unused;
   for (const Rule& rule : rules)
     if (!rule.match.empty() && std::none_of(cases.begin(), cases.end(), [&](const PictureCase& one) {

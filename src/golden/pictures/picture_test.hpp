@@ -20,8 +20,8 @@ struct PictureOptions {
   std::filesystem::path artifacts;     ///< pictures of failures go below it; empty: nowhere
 };
 
-/// Compares one picture with its baseline, updates that where asked and keeps what a report needs. What cannot be
-/// read or written is a result like any other.
+/// Compares one picture with its baseline, updates that where asked and keeps what a report needs. What
+/// cannot be read or written is a result like any other.
 [[nodiscard]] SceneResult testPicture(const PictureCase& one, const PictureOptions& options);
 
 /// Tests pictures in parallel and hands results over in order, from one thread at a time.

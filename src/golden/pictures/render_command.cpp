@@ -28,7 +28,8 @@ bool isOf(const std::string& picture, const std::string& name) {
 void RenderCommand::check() const {
   if (text.find(outputWord) == std::string::npos)
     fail(ExitCode::usage,
-         "--run needs {{output}}, where the picture goes, for example: --run 'my_renderer {{scene}} -o {{output}}'");
+         "--run needs {{output}}, where the picture goes, for example: --run 'my_renderer {{scene}} -o "
+         "{{output}}'");
 }
 
 std::string RenderCommand::of(const SceneFile& scene) const {
@@ -69,7 +70,8 @@ void RenderCommand::run(const SceneFile& scene) const {
     for (const std::string& picture : made()) {
       std::error_code error;
       fs::remove(folder / picture, error);
-      if (error) fail(ExitCode::inputOutput, "cannot remove {}: {}", (folder / picture).string(), error.message());
+      if (error)
+        fail(ExitCode::inputOutput, "cannot remove {}: {}", (folder / picture).string(), error.message());
     }
   const std::string command = of(scene);
   // What it prints goes with its messages: only the end of those is ever shown.
@@ -82,7 +84,8 @@ void RenderCommand::run(const SceneFile& scene) const {
   }
   if (made().empty())
     fail(ExitCode::inputOutput, "the command ended well but made no picture {} ({})",
-         eachScene() ? (folder / scene.name).string() + ".*" : "below " + folder.string(), oneLine(command));
+         eachScene() ? (folder / scene.name).string() + ".*" : "below " + folder.string(),
+         oneLine(command));
 }
 
 std::vector<SceneFile> findInputs(std::span<const std::string> paths) {
@@ -101,7 +104,8 @@ std::vector<SceneFile> findInputs(std::span<const std::string> paths) {
       fail(ExitCode::usage, "there is no file or folder {}", path);
     }
   }
-  std::sort(found.begin(), found.end(), [](const SceneFile& a, const SceneFile& b) { return a.name < b.name; });
+  std::sort(found.begin(), found.end(),
+            [](const SceneFile& a, const SceneFile& b) { return a.name < b.name; });
   for (std::size_t i = 1; i < found.size(); ++i)
     if (found[i].name == found[i - 1].name)
       fail(ExitCode::usage, "{} and {} would make the same picture {}; give one of them",
@@ -112,7 +116,8 @@ std::vector<SceneFile> findInputs(std::span<const std::string> paths) {
 const SceneFile* ownerOf(const std::string& picture, const std::vector<SceneFile>& scenes) {
   const SceneFile* owner = nullptr;
   for (const SceneFile& scene : scenes)
-    if (isOf(picture, scene.name) && (owner == nullptr || scene.name.size() > owner->name.size())) owner = &scene;
+    if (isOf(picture, scene.name) && (owner == nullptr || scene.name.size() > owner->name.size()))
+      owner = &scene;
   return owner;
 }
 

@@ -27,8 +27,8 @@ void readTolerance(const JsonValue& value, Rule& rule) {
     const scene::Range& range = bound.spec.range;
     const bool whole = std::holds_alternative<int*>(bound.member);
     if (!(number >= range.min && number <= range.max) || (whole && number != std::floor(number)))
-      found->wrong(fmt::format("must be a {} from {:g} to {:g}", whole ? "whole number" : "number", range.min,
-                               range.max));
+      found->wrong(fmt::format("must be a {} from {:g} to {:g}", whole ? "whole number" : "number",
+                               range.min, range.max));
     rule.tolerance[bound.name] = number;
   }
   tolerance.finish();

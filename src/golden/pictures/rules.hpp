@@ -36,8 +36,8 @@ struct Rule {
 ///      "pictures": [{"match": "ui/", "ignoreAntialiased": true, "searchRadius": 1,
 ///                    "masks": [[0, 0, 64, 16], "masks/clock.png"], "xfail": "why"}]}
 ///
-/// Top-level members hold for all pictures; the last rule that says something wins. Paths are relative to the
-/// file; comments may stand in it. Throws UserError(usage) naming the file and the mistake.
+/// Top-level members hold for all pictures; the last rule that says something wins. Paths are relative to
+/// the file; comments may stand in it. Throws UserError(usage) naming the file and the mistake.
 [[nodiscard]] std::vector<Rule> readRules(const std::filesystem::path& file);
 [[nodiscard]] std::vector<Rule> parseRules(const std::string& text, const std::filesystem::path& file);
 
@@ -57,8 +57,8 @@ struct Terms {
 /// Of the rules that match it. Without a bound pictures have to be equal, as strictTolerance() says.
 [[nodiscard]] Terms termsFor(const std::string& picture, const std::vector<Rule>& rules);
 
-/// What a comparison needs, for pictures of this size. Throws UserError: usage where a mask has another size or
-/// a rectangle lies outside, as readPicture() for a mask that cannot be read.
+/// What a comparison needs, for pictures of this size. Throws UserError: usage where a mask has another
+/// size or a rectangle lies outside, as readPicture() for a mask that cannot be read.
 [[nodiscard]] Allowance allowanceOf(const Terms& terms, int width, int height);
 
 }  // namespace simreel::golden

@@ -143,7 +143,8 @@ PairResult comparePair(const Pair& pair, const scene::Tolerance& tolerance, cons
   PairResult result;
   const bool wantsImage = !differenceFile.empty();
   const auto bytesA = std::as_bytes(std::span(fileA)), bytesB = std::as_bytes(std::span(fileB));
-  // Checksums say that a PNG is whole; files of other kinds are decoded, or two that are cut off alike were equal.
+  // Checksums say that a PNG is whole; files of other kinds are decoded, or two that are cut off alike were
+  // equal.
   if (const auto size = sizeOfPng(bytesA); size && sameEncodedPixels(bytesA, bytesB)) {
     result.metrics = equalMetrics();
     std::tie(result.width, result.height) = *size;

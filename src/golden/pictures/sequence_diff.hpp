@@ -35,7 +35,8 @@ struct PairResult {
 /// "equal", "within tolerance", "different", "unreadable".
 [[nodiscard]] const char* outcomeName(PairResult::Outcome outcome);
 
-/// The pictures of two folders and all below them, by path. Throws UserError(inputOutput) for a folder that cannot be listed.
+/// The pictures of two folders and all below them, by path. Throws UserError(inputOutput) for a folder that
+/// cannot be listed.
 [[nodiscard]] PairList pairFolders(const std::filesystem::path& a, const std::filesystem::path& b);
 /// Whether the file name holds a frame number: #### or %04d.
 [[nodiscard]] bool isPattern(const std::string& name);
@@ -43,12 +44,13 @@ struct PairResult {
 /// inputOutput for a folder that cannot be listed.
 [[nodiscard]] PairList pairPatterns(const std::string& a, const std::string& b);
 
-/// Reads and compares two pictures; metrics are filled in for equal pictures too. Pictures of different sizes
-/// differ, and are measured padded. The difference image is written where a path is given; for equal pictures
-/// only with `always`. Throws UserError(inputOutput) naming the file; nothing has been written then.
+/// Reads and compares two pictures; metrics are filled in for equal pictures too. Pictures of different
+/// sizes differ, and are measured padded. The difference image is written where a path is given; for equal
+/// pictures only with `always`. Throws UserError(inputOutput) naming the file; nothing has been written
+/// then.
 [[nodiscard]] PairResult comparePair(const Pair& pair, const scene::Tolerance& tolerance,
-                                     const Allowance& allowance, const std::filesystem::path& differenceFile,
-                                     bool always);
+                                     const Allowance& allowance,
+                                     const std::filesystem::path& differenceFile, bool always);
 
 /// Compares pairs in parallel and hands results over in order, from one thread at a time. A pair that
 /// cannot be read is a result like any other. `differenceFolder` (empty: none) must exist.

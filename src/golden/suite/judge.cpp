@@ -95,7 +95,8 @@ std::string unequal(const Metrics& metrics, const Origin& there, const Origin& h
   if (here.exact && !there.exact)
     return "the baseline was drawn by a driver, this picture exactly; look at it and write it anew with "
            "--update=changed, or set \"rasterizer\": \"driver\"";
-  return fmt::format("{} pixels differ, by {:.4g} at most; {} none may", metrics.differentPixels, metrics.worst,
+  return fmt::format("{} pixels differ, by {:.4g} at most; {} none may", metrics.differentPixels,
+                     metrics.worst,
                      here.exact ? "of exact pictures" : "on the machine that drew the baseline");
 }
 
