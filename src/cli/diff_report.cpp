@@ -75,9 +75,10 @@ std::string excusedText(const Metrics& m) {
   return text;
 }
 
-std::string notesText(const PairResult& result) {
+std::string notesText(const PairResult& result, const std::string& name = {}) {
   std::string text;
-  for (const std::string& note : result.notes) text += "note: " + oneLine(note) + "\n";
+  for (const std::string& note : result.notes)
+    text += oneLine(name.empty() ? "note: " + note : name + ": note: " + note) + "\n";
   return text;
 }
 
@@ -113,7 +114,7 @@ ordered_json pairJson(const std::string& a, const std::string& b, const PairResu
 }
 
 std::string pairLine(const golden::Pair& pair, const PairResult& result) {
-  if (result.outcome == PairResult::Outcome::equal) return notesText(result);
+  if (result.outcome == PairResult::Outcome::equal) return notesText(result, pair.name);
   if (result.outcome == PairResult::Outcome::unreadable)
     return oneLine(fmt::format("{}: unreadable: {}", pair.name, result.message)) + "\n";
   std::string line = oneLine(fmt::format("{}: {}", pair.name, verdict(result)));
@@ -122,7 +123,7 @@ std::string pairLine(const golden::Pair& pair, const PairResult& result) {
     line += fmt::format(" [worst {:.4g} at x {}, y {}; PSNR {:.2f} dB; SSIM {:.5f}; FLIP {:.5f}]", m.worst,
                         m.worstX, m.worstY, m.psnr, m.ssim, m.flipMean);
   }
-  return line + "\n" + notesText(result);
+  return line + "\n" + notesText(result, pair.name);
 }
 
 void SequenceReport::add(const golden::Pair& pair, const PairResult& result) {

@@ -58,7 +58,7 @@ Picture decodeDeepPng(std::string_view bytes, const std::string& label) {
   const std::unique_ptr<stbi_us, decltype(&stbi_image_free)> texels(
       stbi_load_16_from_memory(data, size, &width, &height, &channels, 4), &stbi_image_free);
   if (!texels) refuse(stbi_failure_reason());
-  Picture picture{{width, height, {}}, Depth::unorm16, {}, {}};
+  Picture picture{{width, height, {}}, Depth::unorm16, {}, {}, {}};
   picture.values.assign(texels.get(), texels.get() + 4 * pixels);
   picture.image.bytes.resize(4 * pixels);
   for (std::size_t i = 0; i < 4 * pixels; ++i)

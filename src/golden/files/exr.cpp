@@ -5,6 +5,7 @@
 #include "golden/files/picture.hpp"
 
 #include <ImfChannelList.h>
+#include <ImfChromaticitiesAttribute.h>
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
 #include <ImfIO.h>
@@ -132,6 +133,10 @@ Picture read(MemoryStream& stream) {
     const auto to = 4 * (std::ptrdiff_t{y - shown.top} * shown.width + (left - shown.left));
     std::copy_n(pixels.begin() + from, std::ptrdiff_t{4} * (right - left), picture.values.begin() + to);
   }
+  if (const auto* named = header.findTypedAttribute<Imf::ChromaticitiesAttribute>("chromaticities"))
+    if (const Imf::Chromaticities usual; !(named->value() == usual))
+      picture.colours = fmt::format("primaries of its own (red {:.3f} {:.3f}, green {:.3f} {:.3f})", named->value().red.x,
+                                    named->value().red.y, named->value().green.x, named->value().green.y);
   std::vector<std::string> notes;
   if (!chosen.others.empty()) notes.push_back(fmt::format("channels {}", fmt::join(chosen.others, ", ")));
   if (file.parts() > 1) notes.push_back(fmt::format("parts 2 to {}", file.parts()));

@@ -3,6 +3,7 @@
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "base/hash.hpp"
+#include "golden/files/colours.hpp"
 #include "golden/files/damage.hpp"
 #include "golden/files/png_check.hpp"
 
@@ -111,7 +112,37 @@ void readBytes(const fs::path& path, const char* what, std::string& bytes) {
   bytes.resize(used);
 }
 
-void checkPicture(std::string_view bytes, const char* what, const std::string& name) {
+namespace {
+
+/// Calls `read`. A picture that some program just made is not restored but made again: what else than a baseline
+/// is damaged gets no such advice.
+template <class Read>
+auto advised(const char* what, const Read& read) {
+  try {
+    return read();
+  } catch (const UserError& error) {
+    const std::string advice = std::string("; ") + restoreIt;
+    std::string message = error.what();
+    if (std::string_view(what).starts_with("baseline") || !message.ends_with(advice)) throw;
+    message.resize(message.size() - advice.size());
+    throw UserError(error.code(), message);
+  }
+}
+
+/// Of 8 bits a channel.
+Picture decodeShallow(std::string_view bytes, const std::string& label, const std::string& name) {
+  try {
+    return {frame::decodeImage(std::as_bytes(std::span(bytes)), name), Depth::unorm8, {}, {}, {}};
+  } catch (const UserError& error) {
+    // "the image a.png is not a picture this program reads (not enough pixels); use PNG or JPEG"
+    const std::string_view message = error.what();
+    const auto open = message.rfind(" ("), close = message.rfind(')');
+    if (open == std::string_view::npos || close == std::string_view::npos || close < open) throw;
+    fail(error.code(), "{} cannot be decoded{}; {}", label, message.substr(open, close - open + 1), restoreIt);
+  }
+}
+
+void check(std::string_view bytes, const char* what, const std::string& name) {
   const auto refuse = [&](const std::string& why) {
     fail(ExitCode::inputOutput, "{} {} {}", what, name, why);
   };
@@ -140,14 +171,26 @@ void checkPicture(std::string_view bytes, const char* what, const std::string& n
   }
 }
 
-Picture decodePicture(std::string_view bytes, const char* what, const std::string& name) {
-  checkPicture(bytes, what, name);
+Picture decode(std::string_view bytes, const char* what, const std::string& name) {
+  check(bytes, what, name);
   const Kind kind = kindOf(bytes);
   if (kind == Kind::exr) return decodeExr(bytes, labelOf(what, name));
   if (kind == Kind::radiance) return decodeRadiance(bytes, labelOf(what, name));
   constexpr std::size_t bitsInHeader = 24;  // of IHDR, which checkPng has seen
   if (kind == Kind::png && bytes[bitsInHeader] == 16) return decodeDeepPng(bytes, labelOf(what, name));
-  return {frame::decodeImage(std::as_bytes(std::span(bytes)), name), Depth::unorm8, {}, {}};
+  return decodeShallow(bytes, labelOf(what, name), name);
+}
+
+}  // namespace
+
+void checkPicture(std::string_view bytes, const char* what, const std::string& name) {
+  advised(what, [&] { check(bytes, what, name); });
+}
+
+Picture decodePicture(std::string_view bytes, const char* what, const std::string& name) {
+  Picture picture = advised(what, [&] { return decode(bytes, what, name); });
+  if (picture.colours.empty()) picture.colours = colourWords(bytes);
+  return picture;
 }
 
 Picture readPicture(const fs::path& path, const char* what) {
@@ -162,6 +205,16 @@ bool isPictureName(const fs::path& file) {
       ".bmp", ".tif", ".tiff", ".tga", ".avif", ".jxl", ".dds", ".ktx", ".pfm"};
   const std::string ending = lowerExtension(file);
   return std::find(endings.begin(), endings.end(), ending) != endings.end();
+}
+
+bool holdsPicture(const fs::path& file) {
+  std::error_code unknown;
+  if (!fs::is_regular_file(file, unknown)) return false;
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> stream(std::fopen(file.c_str(), "rbe"), &std::fclose);
+  std::array<char, 8> first{};
+  const std::size_t read = stream ? std::fread(first.data(), 1, first.size(), stream.get()) : 0;
+  const Kind kind = kindOf(std::string_view(first.data(), read));
+  return kind == Kind::png || kind == Kind::jpeg || kind == Kind::exr;
 }
 
 std::string pictureHash(const Picture& picture) {

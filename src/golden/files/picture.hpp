@@ -20,6 +20,7 @@ struct Picture {
   frame::Image image;  ///< as a screen shows it: deeper ones are rounded, light is clamped and encoded
   Depth depth = Depth::unorm8;
   std::vector<float> values;  ///< RGBA of each pixel where the file is deeper than 8 bits; else empty
+  std::string colours;        ///< colourWords()
   std::string note;           ///< what of the file is not in it: "channels Z are not compared"; or empty
 };
 
@@ -40,6 +41,10 @@ void checkPicture(std::string_view bytes, const char* what, const std::string& n
 /// Whether the name ends as those of pictures do: of kinds that decodePicture reads and of others, which it
 /// refuses by name, so that none is passed over.
 [[nodiscard]] bool isPictureName(const std::filesystem::path& file);
+
+/// Whether a file begins as a picture of a kind that decodePicture reads, whatever its name. False for what cannot
+/// be read, and for text (PNM and Radiance begin as that, too).
+[[nodiscard]] bool holdsPicture(const std::filesystem::path& file);
 
 /// Hash of size, depth and all four channels, independent of the file's kind and encoder. 32 hexadecimal
 /// digits.

@@ -28,7 +28,7 @@ PictureFolder listPictures(const fs::path& folder) {
       entries.disable_recursion_pending();
       found.others.push_back(name + "/");
     } else {
-      (isPictureName(path) ? found.pictures : found.others).push_back(name);
+      (isPictureName(path) || holdsPicture(path) ? found.pictures : found.others).push_back(name);
     }
   }
   if (error) fail(ExitCode::inputOutput, "cannot list folder {}: {}", folder.string(), error.message());

@@ -4,6 +4,7 @@
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "base/processor.hpp"
+#include "base/text.hpp"
 #include "frame/image.hpp"
 #include "frame/interrupt.hpp"
 #include "golden/compare/compare.hpp"
@@ -58,6 +59,7 @@ class PictureTest {
     } catch (const UserError& error) {
       stop(error);
     }
+    for (std::string& message : result_.messages) message = oneLine(message);
     finishFrame();
     applyExpectation();
     return std::move(result_);
@@ -118,6 +120,7 @@ class PictureTest {
       allowance.mask = std::move(wider);
     }
     made_ = compare(expected_->picture, actual_->picture, terms_.tolerance, allowance);
+    if (!made_->colours.empty()) result_.notes.push_back(made_->colours);
     if (!case_.renamedFrom.empty()) return;
     const auto broken = brokenBounds(made_->metrics, terms_.tolerance, made_->a.width, made_->a.height);
     const bool excused =

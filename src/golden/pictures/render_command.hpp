@@ -16,7 +16,7 @@ struct RenderCommand {
   std::string text;
   std::filesystem::path folder;
 
-  /// Throws UserError(usage) for one without {output}, or with a word in braces that is neither.
+  /// Throws UserError(usage) for one without {output}.
   void check() const;
   [[nodiscard]] bool eachScene() const { return text.find("{scene}") != std::string::npos; }
   /// Both words quoted for the shell.

@@ -158,6 +158,7 @@ PairResult comparePair(const Pair& pair, const scene::Tolerance& tolerance, cons
     if (!picture->note.empty()) result.notes.push_back(file->string() + ": " + picture->note);
   const Comparison made = compare(a, b, tolerance, allowance);
   result.metrics = made.metrics;
+  if (!made.colours.empty()) result.notes.push_back(made.colours);
   result.broken = brokenBounds(*result.metrics, tolerance, made.a.width, made.a.height);
   if (!made.sizes.empty())
     result.broken.insert(result.broken.begin(),

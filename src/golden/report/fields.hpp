@@ -131,7 +131,7 @@ void fields(Visit& visit, Is<SceneResult> auto& s) {
   visit("checks", s.checks);
   visit("divergence", s.divergence);
   visit.path("candidate", s.candidate);
-  visit.path("renamedFrom", s.renamedFrom);
+  visit("renamedFrom", s.renamedFrom);
 }
 
 template <class Visit>
