@@ -197,6 +197,12 @@ void checkWritable(const std::filesystem::path& path) {
   ::unlink(part.c_str());
 }
 
+void removeFile(const std::filesystem::path& path) {
+  std::error_code error;
+  std::filesystem::remove(path, error);
+  if (error) fail(ExitCode::inputOutput, "cannot remove {}: {}", path.string(), error.message());
+}
+
 std::string lowerExtension(const std::filesystem::path& path) {
   std::string extension = path.extension().string();
   for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));

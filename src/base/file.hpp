@@ -66,6 +66,9 @@ void syncFolder(const std::filesystem::path& folder);
 /// Throws UserError(inputOutput) where writeFileAtomically() could not make this file; leaves no trace.
 void checkWritable(const std::filesystem::path& path);
 
+/// Removes a file or an empty folder, where it is there. Throws UserError(inputOutput).
+void removeFile(const std::filesystem::path& path);
+
 /// With its dot, in lower case.
 [[nodiscard]] std::string lowerExtension(const std::filesystem::path& path);
 

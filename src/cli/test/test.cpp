@@ -1,5 +1,6 @@
 #include "base/clock.hpp"
 #include "base/error.hpp"
+#include "base/file.hpp"
 #include "base/log.hpp"
 #include "base/text.hpp"
 #include "base/version.hpp"
@@ -12,9 +13,11 @@
 #include "gl/context.hpp"
 #include "gl/machine.hpp"
 #include "golden/baseline/profile.hpp"
+#include "golden/baseline/stale.hpp"
 #include "golden/suite/suite.hpp"
 #include "sim/core/numerics.hpp"
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -73,6 +76,22 @@ int runAll(const std::vector<golden::SceneFile>& scenes, golden::Suite& suite, c
   return 0;
 }
 
+/// Those that no scene took over.
+void addOrphans(const golden::SuiteOptions& options, golden::SuiteResult& result) {
+  for (const fs::path& folder : options.orphans) {
+    if (!pathExists(folder)) continue;
+    const auto heir = std::find_if(result.scenes.begin(), result.scenes.end(), [&](const golden::SceneResult& scene) {
+      return scene.renamedFrom == folder.generic_string();
+    });
+    golden::Stale stale{folder.generic_string(), "its scene is gone", false};
+    if (heir != result.scenes.end())
+      stale.message = fmt::format("its scene is gone; the pictures are those of {}: --update moves it there", heir->name);
+    else if (options.update == golden::Update::prune && !(stale.removed = golden::removeBaselines(folder)))
+      stale.message = "its scene is gone; what is no baseline was left there";
+    result.stale.push_back(std::move(stale));
+  }
+}
+
 void test(const TestOptions& o) {
   if (o.outputs.github) avoidWorkflowCommands();
   const bool pictures = !o.expected.empty() || !o.actual.empty() || !o.run.empty() || !o.rules.empty();
@@ -106,6 +125,7 @@ void test(const TestOptions& o) {
   const gl::Context context(o.on);
   const golden::Device device = describeDevice(context, o.profile);
 
+  options.orphans = golden::baselinesWithoutScene(o.paths.empty() ? std::vector<std::string>{"."} : o.paths);
   golden::Suite suite(options, device);
   golden::SuiteResult result;
   result.version = version();
@@ -118,6 +138,11 @@ void test(const TestOptions& o) {
   result.command = o.command;
   result.allowFlaky = o.allowFlaky;
   const int signal = runAll(scenes, suite, o.outputs, result);
+  result.strict = o.strict;
+  result.stale = suite.stale();
+  addOrphans(options, result);
+  if (o.strict && std::any_of(result.stale.begin(), result.stale.end(), [](const auto& one) { return !one.removed; }))
+    suite.tally().addFailure();
   result.seconds = secondsSince(begin);
   o.outputs.write(result);
   if (signal != 0) info("simreel: interrupted after {} of {} scenes", result.scenes.size(), scenes.size());

@@ -46,10 +46,7 @@ void promotePicture(const fs::path& kept, const SceneResult& picture, const fs::
          former.string());
   makeFolders(baseline.parent_path());
   writeFileAtomically(baseline, std::as_bytes(std::span(bytes)));
-  if (former.empty()) return;
-  std::error_code error;
-  fs::remove(former, error);
-  if (error) fail(ExitCode::inputOutput, "cannot remove {}: {}", former.string(), error.message());
+  if (!former.empty()) removeFile(former);
 }
 
 }  // namespace

@@ -165,12 +165,6 @@ class PictureTest {
     return true;
   }
 
-  static void removeFile(const fs::path& file) {
-    std::error_code error;
-    fs::remove(file, error);
-    if (error) fail(ExitCode::inputOutput, "cannot remove {}: {}", file.string(), error.message());
-  }
-
   std::string write(const std::string& name, std::span<const std::byte> bytes) const {
     const fs::path file = options_.artifacts / case_.name / name;
     makeFolders(file.parent_path());

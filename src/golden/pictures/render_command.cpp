@@ -67,12 +67,7 @@ void RenderCommand::run(const SceneFile& scene) const {
   // A folder of its own: {output}/####.png expects it.
   if (text.find("{output}/") != std::string::npos && eachScene()) makeFolders(folder / scene.name);
   if (eachScene())
-    for (const std::string& picture : made()) {
-      std::error_code error;
-      fs::remove(folder / picture, error);
-      if (error)
-        fail(ExitCode::inputOutput, "cannot remove {}: {}", (folder / picture).string(), error.message());
-    }
+    for (const std::string& picture : made()) removeFile(folder / picture);
   const std::string command = of(scene);
   // What it prints goes with its messages: only the end of those is ever shown.
   ChildCommand child("{ " + command + "\n} >&2", "the command");

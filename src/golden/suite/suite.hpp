@@ -25,6 +25,7 @@ struct SuiteOptions {
   std::map<std::string, double> tolerance;    ///< bounds from the command line, by field name
   std::filesystem::path reportFolder;         ///< of report.json; image paths are relative to it
   std::filesystem::path artifacts;            ///< pictures of failures go below it; empty: nowhere
+  std::vector<std::filesystem::path> orphans; ///< folders of baselines whose scene is gone
 };
 
 /// The device of this run.
@@ -43,11 +44,14 @@ class Suite {
   SceneResult test(const SceneFile& scene);
   /// Of the scenes so far.
   [[nodiscard]] Tally& tally() { return tally_; }
+  /// What of the baselines of scenes so far nothing was tested against.
+  [[nodiscard]] const std::vector<Stale>& stale() const { return stale_; }
 
  private:
   SuiteOptions options_;
   Device device_;
   Tally tally_;
+  std::vector<Stale> stale_;
 };
 
 }  // namespace simreel::golden
