@@ -112,6 +112,8 @@ Result parseBaseline(const std::string& text, const std::string& name, Result (*
     root.finish();
     return result;
   } catch (const JsonError& mistake) {
+    if (const auto last = text.find_last_not_of(" \t\r\n"); last == std::string::npos || text[last] != '}')
+      fail(ExitCode::inputOutput, "baseline {} is cut off after {} bytes; {}", name, text.size(), restoreIt);
     fail(ExitCode::inputOutput, "baseline {} cannot be used: {}; restore it (git checkout -- FILE) or mend it", name,
          mistake.what());
   }
@@ -243,6 +245,11 @@ std::string pictureName(int frame, int alternate) {
 
 fs::path stateFolder(const fs::path& folder, const std::string& profile, bool exact) {
   return exact ? folder : folder / profile;
+}
+
+void checkReplaceable(const fs::path& folder, const std::string& profile, bool exact) {
+  refuseToReplace(folder / profile / "baseline.json");
+  for (const char* name : {"state.json", "steps.bin"}) refuseToReplace(stateFolder(folder, profile, exact) / name);
 }
 
 std::optional<PictureBaseline> readPictures(const fs::path& folder, const std::string& profile) {

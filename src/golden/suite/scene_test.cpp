@@ -77,6 +77,8 @@ void SceneTest::load() {
     reference_ = findReference(result_.baselines, profile_, exact, origin_);
   } catch (const UserError& error) {
     if (options_.update != Update::all) throw;
+    checkReplaceable(result_.baselines, profile_, exact);
+    checkReplaceable(result_.baselines, sharedProfile, exact);
     result_.notes.push_back(fmt::format("{} (written anew)", error.what()));
     reference_ = {result_.baselines, std::nullopt, std::nullopt, exact, origin_, {}};
   }
