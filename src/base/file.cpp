@@ -61,11 +61,20 @@ bool synced(int descriptor) {
   return result == 0 || errno == EINVAL || errno == EROFS || errno == EOPNOTSUPP;
 }
 
+/// Whether this is written into, as a device, a pipe or a socket is, and /dev/stdout whatever it leads to: another
+/// file must never take its name.
+bool isDevice(const std::filesystem::path& path) {
+  struct stat status {};
+  if (::stat(path.c_str(), &status) != 0) return false;
+  return !S_ISDIR(status.st_mode) && (!S_ISREG(status.st_mode) || path.native().starts_with("/dev/") ||
+                                      path.native().starts_with("/proc/"));
+}
+
 /// With errno set: removes the temporary file and throws.
 [[noreturn]] void removeAndFail(const std::filesystem::path& part, const char* verb,
                                 const std::filesystem::path& path) {
   const int reason = errno;
-  ::unlink(part.c_str());
+  if (!part.empty()) ::unlink(part.c_str());
   fail(ExitCode::inputOutput, "cannot {} {}: {}", verb, path.string(), std::strerror(reason));
 }
 
@@ -96,10 +105,14 @@ const std::string& standardInput(const char* what, std::size_t maxBytes) {
   return text;
 }
 
-PartFile::PartFile(std::filesystem::path path)
-    : path_(std::move(path)),
-      part_(path_.string() + ".part"),
-      file_(::open(part_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666)) {
+PartFile::PartFile(std::filesystem::path path) : path_(std::move(path)) {
+  if (isDevice(path_)) {
+    open_ = false;
+    file_ = ::open(path_.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC);
+  } else {
+    part_ = path_.string() + ".part";
+    file_ = ::open(part_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  }
   if (file_ < 0) giveUp("create");
 }
 
@@ -137,6 +150,7 @@ void PartFile::finish(NameSync name) {
   if (!synced(file_)) giveUp("write");
   // Some file systems report a full disk only here.
   if (::close(std::exchange(file_, -1)) != 0) giveUp("write");
+  if (!open_) return;  // a device
   if (::rename(part_.c_str(), path_.c_str()) != 0) giveUp("rename into");
   open_ = false;
   if (name == NameSync::now) syncFolder(path_.parent_path());
@@ -173,6 +187,7 @@ void checkWritable(const std::filesystem::path& path) {
   std::error_code error;
   if (std::filesystem::is_directory(path, error))
     fail(ExitCode::inputOutput, "cannot write {}: it is a folder", path.string());
+  if (isDevice(path)) return;
   const std::filesystem::path part = path.string() + ".part";
   const Descriptor file(::open(part.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666));
   if (file.get() < 0) {
@@ -180,6 +195,12 @@ void checkWritable(const std::filesystem::path& path) {
     fail(ExitCode::inputOutput, "cannot create {}: {}", path.string(), std::strerror(reason));
   }
   ::unlink(part.c_str());
+}
+
+void removeFile(const std::filesystem::path& path) {
+  std::error_code error;
+  std::filesystem::remove(path, error);
+  if (error) fail(ExitCode::inputOutput, "cannot remove {}: {}", path.string(), error.message());
 }
 
 std::string lowerExtension(const std::filesystem::path& path) {

@@ -30,7 +30,7 @@ void writeFileAtomically(const std::filesystem::path& path, std::string_view tex
                          NameSync name = NameSync::now);
 
 /// A file that is written piece by piece, for what does not fit into memory: as `path` + ".part", which
-/// takes the name once it is whole. All of it throws UserError(inputOutput) naming the path and the
+/// takes the name once it is whole; into what is no file (a device, a pipe) it goes at once. All of it throws UserError(inputOutput) naming the path and the
 /// system's reason.
 class PartFile {
  public:
@@ -65,6 +65,9 @@ void syncFolder(const std::filesystem::path& folder);
 
 /// Throws UserError(inputOutput) where writeFileAtomically() could not make this file; leaves no trace.
 void checkWritable(const std::filesystem::path& path);
+
+/// Removes a file or an empty folder, where it is there. Throws UserError(inputOutput).
+void removeFile(const std::filesystem::path& path);
 
 /// With its dot, in lower case.
 [[nodiscard]] std::string lowerExtension(const std::filesystem::path& path);

@@ -1,5 +1,5 @@
 #pragma once
-#include "golden/suite/bisect.hpp"
+#include "golden/bisect/bisect.hpp"
 
 #include <functional>
 #include <string>

@@ -2,12 +2,16 @@
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "base/log.hpp"
+#include "cli/allowance_options.hpp"
 #include "cli/commands.hpp"
 #include "cli/diff_report.hpp"
 #include "cli/tolerance_options.hpp"
 #include "frame/file/output_name.hpp"
 #include "golden/baseline/tolerance.hpp"
-#include "golden/suite/sequence_diff.hpp"
+#include "golden/files/picture.hpp"
+#include "golden/pictures/picture_folder.hpp"
+#include "golden/pictures/rules.hpp"
+#include "golden/pictures/sequence_diff.hpp"
 
 #include <cmath>
 #include <cstdio>
@@ -30,22 +34,20 @@ using Outcome = golden::PairResult::Outcome;
 struct DiffOptions {
   std::string a, b, output;
   ToleranceOptions tolerance;
+  AllowanceOptions allowance;
   bool json = false;
 };
 
-/// What the flags allow. Equality is exact where none is given; --max-channel-diff alone is kept by every
-/// pixel; a bound on how many pixels, on a window, on FLIP or on the worst pixel replaces that.
-scene::Tolerance toleranceOf(const DiffOptions& options) {
-  scene::Tolerance tolerance;
-  tolerance.maxChannelDiff = 0;
-  for (const auto& [field, value] : options.tolerance.given()) golden::setBound(tolerance, field, value);
-  if (!tolerance.maxDiffPixels && !tolerance.maxDiffRatio) {
-    if (tolerance.maxWindowRatio || tolerance.maxFlipMean || tolerance.hardFail)
-      tolerance.maxDiffRatio = 1;
-    else
-      tolerance.maxDiffPixels = 0;
-  }
-  return tolerance;
+golden::Allowance allowanceFor(const DiffOptions& options) {
+  golden::Allowance allowance;
+  allowance.ignoreAntialiased = options.allowance.ignoreAntialiased;
+  allowance.searchRadius = options.allowance.searchRadius.value_or(0);
+  if (options.allowance.mask.empty()) return allowance;
+  const auto size = golden::readPicture(options.allowance.mask, "mask").image;
+  golden::Terms terms;
+  terms.masks.emplace_back(options.allowance.mask);
+  allowance.mask = golden::allowanceOf(terms, size.width, size.height).mask;
+  return allowance;
 }
 
 /// Writing over what is compared would be a slip of the finger.
@@ -69,8 +71,8 @@ void comparePictures(const DiffOptions& options, const scene::Tolerance& toleran
       fail(ExitCode::usage, "-o {} is a folder; two pictures need a file name", options.output);
     checkOutput(options.output, options.a, options.b);
   }
-  const auto result =
-      golden::comparePair({options.a, options.a, options.b}, tolerance, options.output, true);
+  const auto result = golden::comparePair({options.a, options.a, options.b}, tolerance,
+                                          allowanceFor(options), options.output, true);
   if (options.json)
     printJson(pairJson(options.a, options.b, result));
   else if (verbosity() != Verbosity::quiet)
@@ -82,7 +84,8 @@ golden::PairList findPairs(const DiffOptions& options, bool folders) {
   auto list =
       folders ? golden::pairFolders(options.a, options.b) : golden::pairPatterns(options.a, options.b);
   if (list.pairs.empty() && list.onlyA.empty() && list.onlyB.empty())
-    fail(ExitCode::nothingRan, "neither {} nor {} has any PNG files", options.a, options.b);
+    fail(ExitCode::nothingRan, "neither {} nor {} has any pictures{}", options.a, options.b,
+         list.passedOver.empty() ? "" : "; passed over: " + golden::someOf(list.passedOver));
   return list;
 }
 
@@ -98,7 +101,8 @@ void compareSequences(const DiffOptions& options, const scene::Tolerance& tolera
   SequenceReport report;
   report.onlyA = list.onlyA;
   report.onlyB = list.onlyB;
-  golden::comparePairs(list.pairs, tolerance, options.output,
+  report.passedOver = list.passedOver;
+  golden::comparePairs(list.pairs, tolerance, allowanceFor(options), options.output,
                        [&](const golden::Pair& pair, const golden::PairResult& result) {
                          report.add(pair, result);
                          if (text) printText(pairLine(pair, result));
@@ -116,7 +120,7 @@ void compareSequences(const DiffOptions& options, const scene::Tolerance& tolera
 }
 
 void diff(const DiffOptions& options) {
-  const scene::Tolerance tolerance = toleranceOf(options);
+  const scene::Tolerance tolerance = golden::strictTolerance(options.tolerance.given());
   const auto kindOf = [](const std::string& name) -> std::string {
     std::error_code unknown;
     if (fs::is_directory(name, unknown)) return "a folder";
@@ -137,16 +141,20 @@ void diff(const DiffOptions& options) {
 void addDiff(CLI::App& app) {
   const auto options = std::make_shared<DiffOptions>();
   CLI::App* command = app.add_subcommand("diff", "Compare two pictures, or two sequences of them");
-  command->add_option("A", options->a, "A PNG, a folder of PNGs, or a pattern (####, %04d)")->required();
+  command->add_option("A", options->a, "A picture, a folder with all below it, or a pattern (####, %04d)")
+      ->required();
   command->add_option("B", options->b, "What to compare with it: the same kind")->required();
   command->add_option("-o,--output", options->output,
                       "Difference image, blue (small) to red (large); a folder for sequences");
   options->tolerance.add(*command);
+  options->allowance.add(*command);
   command->add_flag("--json", options->json, "Print one JSON object instead of text");
   command->footer(
       "Without a bound, pictures must be equal. The window is 16 x 16 unless given. --max-channel-diff "
       "alone holds for every pixel. Every "
-      "bound that is given must hold.\n"
+      "bound that is given must hold. Pictures are PNG (8 and 16 bits), JPEG, HDR, EXR and PNM; alpha "
+      "counts. Files in only "
+      "one of two folders differ; those that are no pictures are named.\n"
       "Exit code: 0 equal or within the bounds, 1 different, 2 usage, 6 a file cannot be read.");
   command->callback([options] { diff(*options); });
 }

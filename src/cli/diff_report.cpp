@@ -1,6 +1,7 @@
 #include "cli/diff_report.hpp"
 
 #include "base/text.hpp"
+#include "golden/pictures/picture_folder.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -39,7 +40,10 @@ ordered_json metricsJson(const Metrics& m) {
           {"windowY", m.windowY},
           {"psnr", psnr},
           {"ssim", m.ssim},
-          {"flipMean", m.flipMean}};
+          {"flipMean", m.flipMean},
+          {"maskedPixels", m.maskedPixels},
+          {"antialiasedPixels", m.antialiasedPixels},
+          {"movedPixels", m.movedPixels}};
 }
 
 /// The members that a pair has by itself and in a sequence. "within" is the word of a program's switch.
@@ -53,11 +57,29 @@ void addResult(ordered_json& json, const PairResult& result) {
   if (result.metrics) json["metrics"] = metricsJson(*result.metrics);
   if (!result.broken.empty()) json["broken"] = result.broken;
   if (!result.message.empty()) json["message"] = result.message;
+  if (!result.notes.empty()) json["notes"] = result.notes;
 }
 
 std::string onlyLine(const std::vector<std::string>& names, const std::string& place) {
   if (names.empty()) return {};
   return oneLine(fmt::format("only in {}: {}", place, fmt::join(names, ", "))) + "\n";
+}
+
+/// What of the pixels did not count, each in a line.
+std::string excusedText(const Metrics& m) {
+  std::string text;
+  for (const auto& [count, what] :
+       {std::pair(m.maskedPixels, "masked"), std::pair(m.antialiasedPixels, "of smoothed edges"),
+        std::pair(m.movedPixels, "found nearby")})
+    if (count > 0) text += fmt::format("left out        {} pixels {}\n", count, what);
+  return text;
+}
+
+std::string notesText(const PairResult& result, const std::string& name = {}) {
+  std::string text;
+  for (const std::string& note : result.notes)
+    text += oneLine(name.empty() ? "note: " + note : name + ": note: " + note) + "\n";
+  return text;
 }
 
 }  // namespace
@@ -69,7 +91,7 @@ std::string pairText(const PairResult& result, const scene::Tolerance& tolerance
   std::string text = fmt::format("size            {}x{}\n", result.width, result.height);
   text += m.worst == 0
               ? "worst pixel     0\n"
-              : fmt::format("worst pixel     {} of 255 at x {}, y {}\n", m.worst, m.worstX, m.worstY);
+              : fmt::format("worst pixel     {:.4g} of 255 at x {}, y {}\n", m.worst, m.worstX, m.worstY);
   text += fmt::format("pixels          {} differ ({})", m.differentPixels,
                       percent(double(m.differentPixels), pixels));
   if (tolerance.maxChannelDiff > 0)
@@ -82,7 +104,7 @@ std::string pairText(const PairResult& result, const scene::Tolerance& tolerance
   text += std::isfinite(m.psnr) ? fmt::format("\nPSNR            {:.3f} dB\n", m.psnr)
                                 : std::string("\nPSNR            infinite\n");
   text += fmt::format("SSIM            {:.6f}\nFLIP mean       {:.6f}\n", m.ssim, m.flipMean);
-  return text + verdict(result) + "\n";
+  return text + excusedText(m) + notesText(result) + verdict(result) + "\n";
 }
 
 ordered_json pairJson(const std::string& a, const std::string& b, const PairResult& result) {
@@ -92,16 +114,16 @@ ordered_json pairJson(const std::string& a, const std::string& b, const PairResu
 }
 
 std::string pairLine(const golden::Pair& pair, const PairResult& result) {
-  if (result.outcome == PairResult::Outcome::equal) return {};
+  if (result.outcome == PairResult::Outcome::equal) return notesText(result, pair.name);
   if (result.outcome == PairResult::Outcome::unreadable)
     return oneLine(fmt::format("{}: unreadable: {}", pair.name, result.message)) + "\n";
   std::string line = oneLine(fmt::format("{}: {}", pair.name, verdict(result)));
   if (result.metrics) {
     const Metrics& m = *result.metrics;
-    line += fmt::format(" [worst {} at x {}, y {}; PSNR {:.2f} dB; SSIM {:.5f}; FLIP {:.5f}]", m.worst,
+    line += fmt::format(" [worst {:.4g} at x {}, y {}; PSNR {:.2f} dB; SSIM {:.5f}; FLIP {:.5f}]", m.worst,
                         m.worstX, m.worstY, m.psnr, m.ssim, m.flipMean);
   }
-  return line + "\n";
+  return line + "\n" + notesText(result, pair.name);
 }
 
 void SequenceReport::add(const golden::Pair& pair, const PairResult& result) {
@@ -122,6 +144,8 @@ bool SequenceReport::differs() const {
 
 std::string SequenceReport::summary(const std::string& a, const std::string& b) const {
   std::string text = onlyLine(onlyA, a) + onlyLine(onlyB, b);
+  if (!passedOver.empty())
+    text += fmt::format("passed over, no pictures: {}\n", golden::someOf(passedOver));
   text += fmt::format("{} pair{}: {} equal", frames.size(), frames.size() == 1 ? "" : "s",
                       count(Outcome::equal));
   for (const Outcome outcome : {Outcome::within, Outcome::different, Outcome::unreadable})
@@ -147,6 +171,7 @@ ordered_json SequenceReport::json(const std::string& a, const std::string& b) co
           {"unreadable", count(Outcome::unreadable)},
           {"onlyInA", onlyA},
           {"onlyInB", onlyB},
+          {"passedOver", passedOver},
           {"frames", frames}};
 }
 

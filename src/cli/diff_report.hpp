@@ -1,5 +1,5 @@
 #pragma once
-#include "golden/suite/sequence_diff.hpp"
+#include "golden/pictures/sequence_diff.hpp"
 #include "scene/test.hpp"
 
 #include <map>
@@ -22,7 +22,7 @@ struct SequenceReport {
   using Outcome = golden::PairResult::Outcome;
 
   std::map<Outcome, int> counts;
-  std::vector<std::string> onlyA, onlyB;
+  std::vector<std::string> onlyA, onlyB, passedOver;
   nlohmann::ordered_json frames = nlohmann::ordered_json::array();
 
   void add(const golden::Pair& pair, const golden::PairResult& result);

@@ -38,16 +38,18 @@ struct StatusWords {
 
 /// What is measured between two pictures of equal size. Ratios and FLIP are 0 to 1; x grows right, y down.
 struct Metrics {
-  int worst = 0;                 ///< largest difference of one channel, 0 to 255
-  int worstX = 0, worstY = 0;    ///< where
-  long differentPixels = 0;      ///< with any difference
-  long pixelsBeyond = 0;         ///< with a channel further apart than maxChannelDiff
-  double ratioBeyond = 0;        ///< pixelsBeyond / pixels
-  double windowRatio = 0;        ///< fraction of pixelsBeyond in the densest window
+  double worst = 0;            ///< largest difference of one channel, 0 to 255; fractions in deep pictures
+  int worstX = 0, worstY = 0;  ///< where
+  long differentPixels = 0;    ///< with any difference
+  long pixelsBeyond = 0;       ///< with a channel further apart than maxChannelDiff
+  double ratioBeyond = 0;      ///< pixelsBeyond / pixels
+  double windowRatio = 0;      ///< fraction of pixelsBeyond in the densest window
   int windowX = 0, windowY = 0;  ///< its top left corner
   double psnr = 0;               ///< dB over R, G and B; infinite when equal (null in JSON)
   double ssim = 1;
   double flipMean = 0;
+  /// Pixels that do not count: inside masks, of smoothed edges, found nearby.
+  long maskedPixels = 0, antialiasedPixels = 0, movedPixels = 0;
   bool operator==(const Metrics&) const = default;
 };
 
@@ -59,6 +61,13 @@ struct PassPlace {
   std::string shows;    ///< and what is visible there: "triangle 12 of flag"
   std::string message;  ///< one line
   bool operator==(const PassPlace&) const = default;
+};
+
+/// A picture beside those that are compared: of another attempt or run, under its number.
+struct OtherPicture {
+  std::string label;  ///< "attempt 1", "run 3"
+  std::string image;  ///< relative to the folder of report.json
+  bool operator==(const OtherPicture&) const = default;
 };
 
 struct FrameResult {
@@ -75,6 +84,8 @@ struct FrameResult {
   std::optional<PassPlace> pass;   ///< of an exact picture that fails where the state is equal
   /// Relative to the folder of report.json; empty where there is none.
   std::string expectedImage, actualImage, differenceImage;
+  std::string flipImage;  ///< FLIP's map
+  std::vector<OtherPicture> others;
   bool operator==(const FrameResult&) const = default;
 };
 
@@ -135,17 +146,32 @@ struct SceneResult {
   std::optional<Divergence> divergence;
   /// Folder with what `simreel accept` would promote, relative to report.json; or empty.
   std::string candidate;
+  /// Of a picture without a baseline: the baseline without a picture that has its pixels; or empty.
+  std::string renamedFrom;
   bool operator==(const SceneResult&) const = default;
+};
+
+/// A baseline that nothing was tested against.
+struct Stale {
+  std::string path;
+  std::string message;  ///< one line
+  bool removed = false;
+  bool operator==(const Stale&) const = default;
 };
 
 struct SuiteResult {
   std::string version;
+  std::string unit = "scene";  ///< what was tested: "scene" or "picture"
+  std::string expected;        ///< of pictures: the folder of the baselines
   /// Of this run; fingerprints of numerics and of drawing.
   std::string driver, processor, profile, fingerprint, drawing, memoryPath;
   std::string command;        ///< as typed
   std::string acceptCommand;  ///< to promote this run; empty where nothing was kept
   bool allowFlaky = false;    ///< a flaky scene does not fail the run
+  bool strict = false;        ///< stale baselines fail the run
   double seconds = 0;
+  std::vector<std::string> notes;  ///< of the run as a whole
+  std::vector<Stale> stale;
   std::vector<SceneResult> scenes;
   bool operator==(const SuiteResult&) const = default;
 };

@@ -1,5 +1,5 @@
 // The strict reader of pictures to compare: what it accepts is decoded, encoded and the same again.
-#include "golden/compare/png_check.hpp"
+#include "golden/files/png_check.hpp"
 
 #include "base/error.hpp"
 #include "fuzz/reader.hpp"

@@ -8,9 +8,9 @@
 #include "frame/image.hpp"
 #include "golden/compare/difference_image.hpp"
 #include "golden/compare/flip.hpp"
-#include "golden/compare/png_check.hpp"
 #include "golden/compare/ssim.hpp"
-#include "golden/suite/sequence_diff.hpp"
+#include "golden/files/png_check.hpp"
+#include "golden/pictures/sequence_diff.hpp"
 
 #include <cmath>
 #include <cstdint>
@@ -106,7 +106,7 @@ void pairOfFiles(benchmark::State& state, const std::vector<std::byte>& a,
                  const std::vector<std::byte>& b) {
   const Files files;
   const golden::Pair pair{"pair", files.write("a.png", a), files.write("b.png", b)};
-  for (auto _ : state) benchmark::DoNotOptimize(golden::comparePair(pair, exact(), {}, false));
+  for (auto _ : state) benchmark::DoNotOptimize(golden::comparePair(pair, exact(), {}, {}, false));
   state.counters["file_KiB"] = double(a.size()) / 1024;
 }
 

@@ -5,6 +5,7 @@
 #include "base/strict_json.hpp"
 #include "base/text.hpp"
 #include "golden/baseline/tolerance.hpp"
+#include "golden/files/damage.hpp"
 
 #include <algorithm>
 #include <functional>
@@ -111,9 +112,21 @@ Result parseBaseline(const std::string& text, const std::string& name, Result (*
     root.finish();
     return result;
   } catch (const JsonError& mistake) {
-    fail(ExitCode::inputOutput, "baseline {} cannot be used: {}; mend it, or write it anew with --update",
-         name, mistake.what());
+    if (const auto last = text.find_last_not_of(" \t\r\n"); last == std::string::npos || text[last] != '}')
+      fail(ExitCode::inputOutput, "baseline {} is cut off after {} bytes; {}", name, text.size(), restoreIt);
+    fail(ExitCode::inputOutput, "baseline {} cannot be used: {}; restore it (git checkout -- FILE) or mend it", name,
+         mistake.what());
   }
+}
+
+constexpr std::size_t largestFile = std::size_t{64} << 20;
+
+std::string readWhole(const fs::path& file) {
+  std::string text = readFile(file, "baseline", largestFile);
+  if (const std::string other = standsForAnother(text); !other.empty())
+    fail(ExitCode::inputOutput, "baseline {} {}", file.string(), other);
+  if (text.empty()) fail(ExitCode::inputOutput, "baseline {} is empty; {}", file.string(), restoreIt);
+  return text;
 }
 
 /// Reads a file of the baseline if it is there.
@@ -121,7 +134,21 @@ template <class Result>
 std::optional<Result> readBaseline(const fs::path& file,
                                    Result (*parse)(const std::string&, const std::string&)) {
   if (!pathExists(file)) return std::nullopt;
-  return parse(readFile(file, "baseline", std::size_t{16} << 20), file.string());
+  return parse(readWhole(file), file.string());
+}
+
+/// Throws UserError(inputOutput) where a file to be written holds the place of another, which exists and would be lost.
+void refuseToReplace(const fs::path& file) {
+  std::error_code unknown;
+  if (!fs::is_regular_file(file, unknown)) return;
+  if (const std::string other = standsForAnother(readFile(file, "baseline", largestFile)); !other.empty())
+    fail(ExitCode::inputOutput, "baseline {} {}; it is not written anew", file.string(), other);
+}
+
+template <class Bytes>
+void writeBaseline(const fs::path& file, const Bytes& bytes) {
+  refuseToReplace(file);
+  writeFileAtomically(file, bytes);
 }
 
 std::string dump(const Json& json) {
@@ -146,12 +173,6 @@ int accept(PictureBaseline::Frame& stored, const PictureBaseline::Frame& made, b
   return static_cast<int>(stored.alternates.size());
 }
 
-void removeFile(const fs::path& file) {
-  std::error_code error;
-  fs::remove(file, error);
-  if (error) fail(ExitCode::inputOutput, "cannot remove {}: {}", file.string(), error.message());
-}
-
 /// Pictures of the profile's folder that baseline.json does not list.
 void removeUnlisted(const fs::path& folder, const PictureBaseline& baseline) {
   std::vector<std::string> listed;
@@ -165,7 +186,7 @@ void removeUnlisted(const fs::path& folder, const PictureBaseline& baseline) {
       removeFile(entry.path());
 }
 
-/// What is there, or nothing where it cannot be read: then it is written anew.
+/// What is there, or nothing where it cannot be read: then it is written anew, unless it stands for another file.
 template <class Result>
 Result orFresh(const std::function<std::optional<Result>()>& read) {
   try {
@@ -192,12 +213,12 @@ void promotePictures(const fs::path& folder, const std::string& profile, const C
   merged.height = made.height;
   for (const auto& [frame, png] : candidate.png) {
     const int number = accept(merged.frames[frame], made.frames.at(frame), how.alternate, frame);
-    writeFileAtomically(place / pictureName(frame, number), png);
+    writeBaseline(place / pictureName(frame, number), png);
   }
   merged.version = made.version;
   merged.driver = made.driver;
   if (!how.reason.empty()) merged.reason = how.reason;
-  writeFileAtomically(place / "baseline.json", picturesText(merged));
+  writeBaseline(place / "baseline.json", picturesText(merged));
   removeUnlisted(place, merged);
 }
 
@@ -207,8 +228,8 @@ void promoteState(const fs::path& place, const Candidate& candidate, const Promo
   // Two of three frames of another simulation's state would be a baseline that no run can meet.
   if (!how.keepOthers) merged.frames.clear();
   for (const auto& [frame, hashes] : candidate.state.frames) merged.frames[frame] = hashes;
-  if (!candidate.steps.empty()) writeFileAtomically(place / "steps.bin", candidate.steps);
-  writeFileAtomically(place / "state.json", stateText(merged));
+  if (!candidate.steps.empty()) writeBaseline(place / "steps.bin", candidate.steps);
+  writeBaseline(place / "state.json", stateText(merged));
 }
 
 }  // namespace
@@ -226,6 +247,11 @@ fs::path stateFolder(const fs::path& folder, const std::string& profile, bool ex
   return exact ? folder : folder / profile;
 }
 
+void checkReplaceable(const fs::path& folder, const std::string& profile, bool exact) {
+  refuseToReplace(folder / profile / "baseline.json");
+  for (const char* name : {"state.json", "steps.bin"}) refuseToReplace(stateFolder(folder, profile, exact) / name);
+}
+
 std::optional<PictureBaseline> readPictures(const fs::path& folder, const std::string& profile) {
   auto found = readBaseline(folder / profile / "baseline.json", parsePictures);
   if (found) found->profile = profile;
@@ -239,7 +265,7 @@ std::optional<StateBaseline> readState(const fs::path& stateFolder) {
 std::vector<std::byte> readSteps(const fs::path& stateFolder) {
   const fs::path file = stateFolder / "steps.bin";
   if (!pathExists(file)) return {};
-  const std::string text = readFile(file, "baseline", std::size_t{16} << 20);
+  const std::string text = readWhole(file);
   const auto bytes = std::as_bytes(std::span(text.data(), text.size()));
   return {bytes.begin(), bytes.end()};
 }

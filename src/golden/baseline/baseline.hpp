@@ -62,6 +62,10 @@ struct Candidate {
 [[nodiscard]] std::filesystem::path stateFolder(const std::filesystem::path& folder,
                                                 const std::string& profile, bool exact);
 
+/// Throws UserError(inputOutput) where a file of the baseline holds the place of another (standsForAnother()): that
+/// one exists, and would be lost if this were written anew.
+void checkReplaceable(const std::filesystem::path& folder, const std::string& profile, bool exact);
+
 /// Nothing where there is no such file. Throws UserError(inputOutput) naming the file and the mistake.
 [[nodiscard]] std::optional<PictureBaseline> readPictures(const std::filesystem::path& folder,
                                                           const std::string& profile);

@@ -20,6 +20,18 @@ void setBound(scene::Tolerance& tolerance, const std::string& field, double valu
   SIMREEL_CHECK_EQ(field, "a field of the tolerance");
 }
 
+scene::Tolerance strictTolerance(const std::map<std::string, double>& given) {
+  scene::Tolerance tolerance;
+  tolerance.maxChannelDiff = 0;
+  for (const auto& [field, value] : given) setBound(tolerance, field, value);
+  if (tolerance.maxDiffPixels || tolerance.maxDiffRatio) return tolerance;
+  if (tolerance.maxWindowRatio || tolerance.maxFlipMean || tolerance.hardFail)
+    tolerance.maxDiffRatio = 1;
+  else
+    tolerance.maxDiffPixels = 0;
+  return tolerance;
+}
+
 std::map<std::string, double> boundsInForce(scene::Tolerance tolerance) {
   if (!tolerance.maxDiffPixels && !tolerance.maxDiffRatio) tolerance.maxDiffRatio = allowedRatio(tolerance);
   std::map<std::string, double> bounds;

@@ -17,9 +17,22 @@ namespace simreel::golden {
 namespace {
 
 struct RowDifference {
-  int worst = 0, worstX = 0;
+  double worst = 0;
+  int worstX = 0;
   int different = 0, beyond = 0;
-  bool colour = false;  ///< R, G or B differ, not only alpha
+
+  void add(int x, double apart, int channel, std::uint8_t* marks) {
+    if (apart == 0) return;
+    ++different;
+    if (apart > worst) {
+      worst = apart;
+      worstX = x;
+    }
+    if (apart > channel) {
+      ++beyond;
+      marks[x] = 1;
+    }
+  }
 };
 
 int channelDifference(const std::uint8_t* a, const std::uint8_t* b) {
@@ -33,20 +46,7 @@ RowDifference compareRow(const std::uint8_t* a, const std::uint8_t* b, int width
                          std::uint8_t* beyond) {
   RowDifference row;
   if (std::memcmp(a, b, std::size_t(width) * 4) == 0) return row;
-  for (int x = 0; x < width; ++x, a += 4, b += 4) {
-    const int apart = channelDifference(a, b);
-    if (apart == 0) continue;
-    ++row.different;
-    row.colour = row.colour || std::memcmp(a, b, 3) != 0;
-    if (apart > row.worst) {
-      row.worst = apart;
-      row.worstX = x;
-    }
-    if (apart > channel) {
-      ++row.beyond;
-      beyond[x] = 1;
-    }
-  }
+  for (int x = 0; x < width; ++x, a += 4, b += 4) row.add(x, channelDifference(a, b), channel, beyond);
   return row;
 }
 
@@ -86,29 +86,53 @@ std::string percent(double ratio) {
   return fmt::format("{:.3g}%", ratio * 100);
 }
 
-}  // namespace
+/// Whether some pixel is seen through.
+bool hasHoles(const frame::Image& image) {
+  for (std::size_t i = 3; i < image.bytes.size(); i += 4)
+    if (image.bytes[i] != 255) return true;
+  return false;
+}
 
-Metrics measure(const frame::Image& a, const frame::Image& b, const scene::Tolerance& tolerance) {
-  SIMREEL_CHECK_EQ(a.width, b.width);
-  SIMREEL_CHECK_EQ(a.height, b.height);
-  SIMREEL_CHECK(a.width > 0 && a.height > 0 && tolerance.windowSize > 0);
+frame::Image over(const frame::Image& image, int background) {
+  frame::Image made = image;
+  for (std::size_t i = 0; i < made.bytes.size(); i += 4) {
+    const int alpha = made.bytes[i + 3];
+    for (std::size_t c = i; c < i + 3; ++c)
+      made.bytes[c] =
+          static_cast<std::uint8_t>((made.bytes[c] * alpha + background * (255 - alpha) + 127) / 255);
+    made.bytes[i + 3] = 255;
+  }
+  return made;
+}
+
+/// PSNR, SSIM and FLIP, which know no alpha.
+void measureLook(const frame::Image& a, const frame::Image& b, Metrics& metrics) {
+  if (hasHoles(a) || hasHoles(b)) {
+    for (const int background : {0, 255}) measureLook(over(a, background), over(b, background), metrics);
+    return;
+  }
+  if (a.bytes == b.bytes) return;
+  metrics.psnr = std::min(metrics.psnr, psnr(a, b));
+  metrics.ssim = std::min(metrics.ssim, ssim(a, b));
+  metrics.flipMean = std::max(metrics.flipMean, flipMean(a, b));
+}
+
+/// compareRow(y, marks) finds what differs in a row and marks pixels beyond the tolerance.
+template <class CompareRow>
+Metrics measureRows(const frame::Image& a, const frame::Image& b, const scene::Tolerance& tolerance,
+                    const CompareRow& compareRow) {
+  const std::size_t width = std::size_t(a.width);
   Metrics metrics;
   metrics.psnr = std::numeric_limits<double>::infinity();
-  if (a.bytes == b.bytes) return metrics;
-
-  const std::size_t width = std::size_t(a.width);
   std::vector<RowDifference> rows(std::size_t(a.height));
   std::vector<std::uint8_t> beyond(width * std::size_t(a.height), 0);
   forEachBand(a.height, [&](int first, int last) {
     for (std::size_t y = std::size_t(first); y < std::size_t(last); ++y)
-      rows[y] = compareRow(a.bytes.data() + y * width * 4, b.bytes.data() + y * width * 4, a.width,
-                           tolerance.maxChannelDiff, beyond.data() + y * width);
+      rows[y] = compareRow(y, beyond.data() + y * width);
   });
-  bool colour = false;
   for (std::size_t y = 0; y < rows.size(); ++y) {
     metrics.differentPixels += rows[y].different;
     metrics.pixelsBeyond += rows[y].beyond;
-    colour = colour || rows[y].colour;
     if (rows[y].worst <= metrics.worst) continue;
     metrics.worst = rows[y].worst;
     metrics.worstX = rows[y].worstX;
@@ -116,11 +140,38 @@ Metrics measure(const frame::Image& a, const frame::Image& b, const scene::Toler
   }
   metrics.ratioBeyond = double(metrics.pixelsBeyond) / (double(a.width) * a.height);
   if (metrics.pixelsBeyond > 0) densestWindow(beyond, a.width, a.height, tolerance.windowSize, metrics);
-  if (!colour) return metrics;
-  metrics.psnr = psnr(a, b);
-  metrics.ssim = ssim(a, b);
-  metrics.flipMean = flipMean(a, b);
+  measureLook(a, b, metrics);
   return metrics;
+}
+
+}  // namespace
+
+Metrics measure(const frame::Image& a, const frame::Image& b, const scene::Tolerance& tolerance) {
+  SIMREEL_CHECK_EQ(a.width, b.width);
+  SIMREEL_CHECK_EQ(a.height, b.height);
+  SIMREEL_CHECK(a.width > 0 && a.height > 0 && tolerance.windowSize > 0);
+  if (a.bytes == b.bytes) {
+    Metrics metrics;
+    metrics.psnr = std::numeric_limits<double>::infinity();
+    return metrics;
+  }
+  const std::size_t stride = std::size_t(a.width) * 4;
+  return measureRows(a, b, tolerance, [&](std::size_t y, std::uint8_t* marks) {
+    return compareRow(a.bytes.data() + y * stride, b.bytes.data() + y * stride, a.width,
+                      tolerance.maxChannelDiff, marks);
+  });
+}
+
+Metrics measureApart(const std::vector<float>& apart, const frame::Image& a, const frame::Image& b,
+                     const scene::Tolerance& tolerance) {
+  SIMREEL_CHECK_EQ(a.bytes.size(), 4 * apart.size());
+  SIMREEL_CHECK_EQ(b.bytes.size(), 4 * apart.size());
+  return measureRows(a, b, tolerance, [&](std::size_t y, std::uint8_t* marks) {
+    RowDifference row;
+    for (int x = 0; x < a.width; ++x)
+      row.add(x, apart[y * std::size_t(a.width) + std::size_t(x)], tolerance.maxChannelDiff, marks);
+    return row;
+  });
 }
 
 double allowedRatio(const scene::Tolerance& tolerance) {
@@ -134,8 +185,8 @@ std::vector<std::string> brokenBounds(const Metrics& metrics, const scene::Toler
   const int channel = tolerance.maxChannelDiff;
   const std::string apart = channel == 0 ? "" : fmt::format(" by more than {}", channel);
   if (tolerance.hardFail && metrics.worst > *tolerance.hardFail)
-    broken.push_back(fmt::format("the pixel at x {}, y {} differs by {} (hardFail is {})", metrics.worstX,
-                                 metrics.worstY, metrics.worst, *tolerance.hardFail));
+    broken.push_back(fmt::format("the pixel at x {}, y {} differs by {:.4g} (hardFail is {})",
+                                 metrics.worstX, metrics.worstY, metrics.worst, *tolerance.hardFail));
   if (tolerance.maxDiffPixels && double(metrics.pixelsBeyond) > *tolerance.maxDiffPixels)
     broken.push_back(fmt::format("{} pixel{}{} (maxDiffPixels is {})", metrics.pixelsBeyond,
                                  metrics.pixelsBeyond == 1 ? " differs" : "s differ", apart,
@@ -158,8 +209,9 @@ std::vector<std::string> brokenNearness(const Metrics& metrics, int width, int h
   std::vector<std::string> broken;
   const double ratio = double(metrics.differentPixels) / (double(width) * height);
   if (metrics.worst > nearChannel)
-    broken.push_back(fmt::format("the pixel at x {}, y {} differs by {} (on another machine by {} at most)",
-                                 metrics.worstX, metrics.worstY, metrics.worst, nearChannel));
+    broken.push_back(
+        fmt::format("the pixel at x {}, y {} differs by {:.4g} (on another machine by {} at most)",
+                    metrics.worstX, metrics.worstY, metrics.worst, nearChannel));
   if (ratio > nearRatio)
     broken.push_back(fmt::format("{} of the pixels differ (on another machine {} at most)", percent(ratio),
                                  percent(nearRatio)));

@@ -40,17 +40,24 @@ std::uint8_t dimmed(const std::uint8_t* pixel) {
 frame::Image differenceImage(const frame::Image& a, const frame::Image& b) {
   SIMREEL_CHECK_EQ(a.width, b.width);
   SIMREEL_CHECK_EQ(a.height, b.height);
+  std::vector<std::uint8_t> apart(a.bytes.size() / 4);
+  for (std::size_t pixel = 0; pixel < apart.size(); ++pixel)
+    for (std::size_t i = 4 * pixel; i < 4 * pixel + 4; ++i)
+      apart[pixel] =
+          std::max(apart[pixel], static_cast<std::uint8_t>(std::abs(int{a.bytes[i]} - int{b.bytes[i]})));
+  return differenceImage(a, apart);
+}
+
+frame::Image differenceImage(const frame::Image& a, const std::vector<std::uint8_t>& apart) {
+  SIMREEL_CHECK_EQ(a.bytes.size(), 4 * apart.size());
   static const std::array<Colour, 256> heat = heatColours();
   frame::Image result{a.width, a.height, std::vector<std::uint8_t>(a.bytes.size(), 255)};
-  for (std::size_t pixel = 0; pixel < a.bytes.size(); pixel += 4) {
-    int apart = 0;
-    for (std::size_t c = 0; c < 4; ++c)
-      apart = std::max(apart, std::abs(int{a.bytes[pixel + c]} - int{b.bytes[pixel + c]}));
-    std::uint8_t* const to = result.bytes.data() + pixel;
-    if (apart == 0)
-      std::fill(to, to + 3, dimmed(a.bytes.data() + pixel));
+  for (std::size_t pixel = 0; pixel < apart.size(); ++pixel) {
+    std::uint8_t* const to = result.bytes.data() + 4 * pixel;
+    if (apart[pixel] == 0)
+      std::fill(to, to + 3, dimmed(a.bytes.data() + 4 * pixel));
     else
-      std::copy(heat[std::size_t(apart)].begin(), heat[std::size_t(apart)].end(), to);
+      std::copy(heat[apart[pixel]].begin(), heat[apart[pixel]].end(), to);
   }
   return result;
 }

@@ -32,6 +32,9 @@ void fields(Visit& visit, Is<Metrics> auto& m) {
   visit.decibels("psnr", m.psnr);
   visit("ssim", m.ssim);
   visit("flipMean", m.flipMean);
+  visit("maskedPixels", m.maskedPixels);
+  visit("antialiasedPixels", m.antialiasedPixels);
+  visit("movedPixels", m.movedPixels);
 }
 
 template <class Visit>
@@ -41,6 +44,12 @@ void fields(Visit& visit, Is<PassPlace> auto& p) {
   visit("y", p.y);
   visit("shows", p.shows);
   visit("message", p.message);
+}
+
+template <class Visit>
+void fields(Visit& visit, Is<OtherPicture> auto& o) {
+  visit("label", o.label);
+  visit.path("image", o.image);
 }
 
 template <class Visit>
@@ -59,6 +68,8 @@ void fields(Visit& visit, Is<FrameResult> auto& f) {
   visit.path("expectedImage", f.expectedImage);
   visit.path("actualImage", f.actualImage);
   visit.path("differenceImage", f.differenceImage);
+  visit.path("flipImage", f.flipImage);
+  visit("others", f.others);
 }
 
 template <class Visit>
@@ -120,12 +131,22 @@ void fields(Visit& visit, Is<SceneResult> auto& s) {
   visit("checks", s.checks);
   visit("divergence", s.divergence);
   visit.path("candidate", s.candidate);
+  visit("renamedFrom", s.renamedFrom);
+}
+
+template <class Visit>
+void fields(Visit& visit, Is<Stale> auto& s) {
+  visit("path", s.path);
+  visit("message", s.message);
+  visit("removed", s.removed);
 }
 
 template <class Visit>
 void fields(Visit& visit, Is<SuiteResult> auto& s) {
   visit("simreel", s.version);
   visit.format("format");
+  visit("unit", s.unit);
+  visit("expected", s.expected);
   visit.group("environment", [&](auto& inside) {
     inside("driver", s.driver);
     inside("processor", s.processor);
@@ -137,7 +158,10 @@ void fields(Visit& visit, Is<SuiteResult> auto& s) {
   visit("command", s.command);
   visit("acceptCommand", s.acceptCommand);
   visit("allowFlaky", s.allowFlaky);
+  visit("strict", s.strict);
   visit("seconds", s.seconds);
+  visit("notes", s.notes);
+  visit("stale", s.stale);
   visit.counts("counts", s);
   visit("scenes", s.scenes);
 }

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace simreel::golden {
 
@@ -65,7 +66,7 @@ std::string cell(std::string_view text) {
 /// those that did not pass.
 const FrameResult* worstFrame(const SceneResult& scene) {
   const auto rank = [](const FrameResult& f) {
-    return f.metrics ? std::pair(f.metrics->pixelsBeyond, f.metrics->worst) : std::pair(-1L, -1);
+    return f.metrics ? std::pair(f.metrics->pixelsBeyond, f.metrics->worst) : std::pair(-1L, -1.0);
   };
   const FrameResult* worst = nullptr;
   for (const FrameResult& frame : scene.frames)
@@ -73,34 +74,55 @@ const FrameResult* worstFrame(const SceneResult& scene) {
   return worst;
 }
 
-std::string failureRow(const SceneResult& scene) {
+std::string failureRow(const SuiteResult& suite, const SceneResult& scene) {
   std::string frame, worst, beyond, ssim, flip;
   if (const FrameResult* f = worstFrame(scene)) {
     frame = std::to_string(f->frame);
     if (f->metrics) {
-      worst = std::to_string(f->metrics->worst);
+      worst = fmt::format("{:.4g}", f->metrics->worst);
       beyond = fmt::format("{} ({:.2f}%)", f->metrics->pixelsBeyond, 100 * f->metrics->ratioBeyond);
       ssim = fmt::format("{:.4f}", f->metrics->ssim);
       flip = fmt::format("{:.4f}", f->metrics->flipMean);
     }
   }
+  if (suite.unit == "picture")
+    return fmt::format("| {} | {} | {} | {} | {} | {} | {} |\n", statusName(scene.status), cell(scene.name),
+                       cell(worst), cell(beyond), cell(ssim), cell(flip), cell(firstReason(scene)));
   return fmt::format("| {} | {} | {} | {} | {} | {} | {} | {} | {} |\n", statusName(scene.status),
                      cell(scene.name), cell(frame), cell(worst), cell(beyond), cell(ssim), cell(flip),
                      cell(scene.divergence ? scene.divergence->message : ""), cell(firstReason(scene)));
 }
 
+/// What is stale, and notes of the run.
+std::string aboutRun(const SuiteResult& suite) {
+  constexpr std::size_t most = 50;
+  std::vector<std::string> lines;
+  for (const Stale& stale : suite.stale)
+    lines.push_back(fmt::format("- {}: {}: {}\n", stale.removed ? "removed" : "stale", cell(stale.path),
+                                cell(stale.message)));
+  for (const std::string& note : suite.notes) lines.push_back(fmt::format("- {}\n", cell(note)));
+  if (lines.empty()) return "";
+  if (lines.size() > most) {
+    const std::size_t more = lines.size() - most;
+    lines.resize(most);
+    lines.push_back(fmt::format("- and {} more\n", more));
+  }
+  return fmt::format("{}\n", fmt::join(lines, ""));
+}
+
 std::string heading(const SuiteResult& suite) {
   const std::size_t failed = failures(suite).size();
-  const auto scenes = static_cast<long>(suite.scenes.size());
-  std::string text = failed == 0
-                         ? fmt::format("## simreel: {} good\n\n", counted(scenes, "scene"))
-                         : fmt::format("## simreel: {} of {} failed\n\n", failed, counted(scenes, "scene"));
+  const auto scenes = counted(static_cast<long>(suite.scenes.size()), suite.unit);
+  std::string text = failed == 0 ? fmt::format("## simreel: {} good\n\n", scenes)
+                                 : fmt::format("## simreel: {} of {} failed\n\n", failed, scenes);
   std::string counts;
   for (int i = 0; i < statusCount; ++i)
     if (const long n = countOf(suite, static_cast<Status>(i)); n > 0)
       counts += fmt::format("{}{} {}", counts.empty() ? "" : ", ", n, statusName(static_cast<Status>(i)));
-  text += fmt::format("{}{}{:.1f} s on {} ({}).\n\n", counts, counts.empty() ? "" : " in ", suite.seconds,
-                      cell(suite.driver), cell(suite.profile));
+  const std::string where =
+      suite.driver.empty() ? "" : fmt::format(" on {} ({})", cell(suite.driver), cell(suite.profile));
+  text += fmt::format("{}{}{:.1f} s{}.\n\n", counts, counts.empty() ? "" : " in ", suite.seconds, where);
+  text += aboutRun(suite);
   if (const std::string compared = comparedText(suite); !compared.empty())
     text += fmt::format("Pictures compared: {}.\n\n", compared);
   return text;
@@ -128,10 +150,10 @@ std::pair<std::string, std::size_t> fitting(const std::vector<std::string>& line
   return {text, 0};
 }
 
-std::string leftOut(std::size_t count, const char* which) {
+std::string leftOut(std::size_t count, const std::string& which) {
   if (count == 0) return "";
-  return fmt::format("\n{} more {} {} left out here; report.json has all.\n", count, which,
-                     count == 1 ? "scene is" : "scenes are");
+  return fmt::format("\n{} more {}{} left out here; report.json has all.\n", count, which,
+                     count == 1 ? " is" : "s are");
 }
 
 }  // namespace
@@ -152,6 +174,13 @@ std::string githubAnnotations(const SuiteResult& suite) {
       if (note.find("loose") != std::string::npos)
         warnings += annotation("warning", scene, "tolerance", note);
   }
+  for (const Stale& stale : suite.stale) {
+    SceneResult about;
+    about.name = about.file = stale.path;
+    if (!stale.removed)
+      (suite.strict ? errors : warnings) +=
+          annotation(suite.strict ? "error" : "warning", about, "stale", stale.message);
+  }
   // GitHub shows the first ten of a kind.
   return errors + warnings + notices;
 }
@@ -160,7 +189,7 @@ std::string githubSummary(const SuiteResult& suite) {
   std::vector<std::string> failed, good;
   for (const SceneResult& scene : suite.scenes) {
     if (isFailure(scene.status, suite.allowFlaky))
-      failed.push_back(failureRow(scene));
+      failed.push_back(failureRow(suite, scene));
     else
       good.push_back(
           fmt::format("- {}: {} ({:.1f} s)\n", cell(scene.name), statusName(scene.status), scene.seconds));
@@ -171,17 +200,19 @@ std::string githubSummary(const SuiteResult& suite) {
   const std::size_t used = text.size() + command.size() + words;
   if (!failed.empty()) {
     const auto [rows, more] = fitting(failed, summaryBytes - used);
-    text +=
-        "| Status | Scene | Frame | Worst | Pixels beyond | SSIM | FLIP | First divergence | Message |\n"
-        "|---|---|--:|--:|--:|--:|--:|---|---|\n";
-    text += rows + leftOut(more, "failing") + "\n";
+    text += suite.unit == "picture" ? "| Status | Picture | Worst | Pixels beyond | SSIM | FLIP | Message "
+                                      "|\n|---|---|--:|--:|--:|--:|---|\n"
+                                    : "| Status | Scene | Frame | Worst | Pixels beyond | SSIM | FLIP | "
+                                      "First divergence | Message |\n"
+                                      "|---|---|--:|--:|--:|--:|--:|---|---|\n";
+    text += rows + leftOut(more, "failing " + suite.unit) + "\n";
   }
   text += command;
   if (!good.empty()) {
     const auto [lines, more] = fitting(good, summaryBytes - std::min(summaryBytes, text.size() + words));
     text += fmt::format("\n<details><summary>{} did not fail</summary>\n\n",
-                        counted(static_cast<long>(good.size()), "scene"));
-    text += lines + leftOut(more, "good") + "\n</details>\n";
+                        counted(static_cast<long>(good.size()), suite.unit));
+    text += lines + leftOut(more, "good " + suite.unit) + "\n</details>\n";
   }
   return text;
 }

@@ -7,7 +7,7 @@
 
 namespace simreel::golden {
 
-/// A source file of the report's page built into the program: path below src/golden/report/ and text.
+/// A source file of the report's page built into the program: path below src/golden/report/page/ and text.
 struct PageFile {
   const char* path;
   const char* text;

@@ -33,15 +33,18 @@ void addBody(xml_node node, const std::string& text) {
   node.append_child(pugi::node_pcdata).set_value(cleanText(text).c_str());
 }
 
-std::string imageLines(const SceneResult& scene) {
+std::string imageLines(const SuiteResult& suite, const SceneResult& scene) {
   std::string lines;
-  const auto add = [&](int frame, const char* what, const std::string& path) {
-    if (!path.empty()) lines += fmt::format("frame {} {}: {}\n", frame, what, path);
-  };
   for (const FrameResult& frame : scene.frames) {
-    add(frame.frame, "expected", frame.expectedImage);
-    add(frame.frame, "actual", frame.actualImage);
-    add(frame.frame, "difference", frame.differenceImage);
+    const std::string which = suite.unit == "picture" ? "" : fmt::format("frame {} ", frame.frame);
+    const auto add = [&](const std::string& what, const std::string& path) {
+      if (!path.empty()) lines += fmt::format("{}{}: {}\n", which, what, path);
+    };
+    add("expected", frame.expectedImage);
+    add("actual", frame.actualImage);
+    add("difference", frame.differenceImage);
+    add("FLIP", frame.flipImage);
+    for (const OtherPicture& other : frame.others) add(other.label, other.image);
   }
   return lines;
 }
@@ -49,7 +52,7 @@ std::string imageLines(const SceneResult& scene) {
 std::string failureBody(const SuiteResult& suite, const SceneResult& scene) {
   std::string body;
   for (const std::string& reason : reasons(scene)) body += reason + "\n";
-  body += imageLines(scene);
+  body += imageLines(suite, scene);
   if (!suite.acceptCommand.empty()) body += "To accept: " + suite.acceptCommand + "\n";
   return body;
 }
@@ -64,7 +67,7 @@ std::string outputText(const SuiteResult& suite, const SceneResult& scene) {
       scene.asked != askedName(Asked::equal))
     text += "pictures compared " + comparedText(scene) + "\n";
   for (const std::string& note : scene.notes) text += "note: " + note + "\n";
-  return text + imageLines(scene);
+  return text + imageLines(suite, scene);
 }
 
 std::string folderOf(const SceneResult& scene) {
@@ -118,6 +121,7 @@ std::string junitText(const SuiteResult& suite) {
   setSeconds(node, suite.seconds);
   xml_node properties = node.append_child("properties");
   const auto property = [&](const char* name, const std::string& value) {
+    if (value.empty() && suite.unit == "picture") return;  // no device drew these
     xml_node entry = properties.append_child("property");
     setText(entry, "name", name);
     setText(entry, "value", value);
@@ -129,6 +133,11 @@ std::string junitText(const SuiteResult& suite) {
   property("drawing", suite.drawing);
   property("version", suite.version);
   for (const SceneResult& scene : suite.scenes) addCase(node, suite, scene);
+  std::string about;
+  for (const Stale& stale : suite.stale)
+    about += fmt::format("{}: {}: {}\n", stale.removed ? "removed" : "stale", stale.path, stale.message);
+  for (const std::string& note : suite.notes) about += "note: " + note + "\n";
+  if (!about.empty()) addBody(node.append_child("system-out"), about);
   std::ostringstream text;
   document.save(text, "  ", pugi::format_indent, pugi::encoding_utf8);
   return text.str();

@@ -47,14 +47,29 @@ std::string indented(const std::string& text) {
   return lines;
 }
 
-std::string imageLine(const FrameResult& frame, const std::filesystem::path& folder) {
+std::string imageLine(const FrameResult& frame, const std::filesystem::path& folder, bool isPicture) {
   std::string line;
-  for (const auto& [what, path] :
-       {std::pair("expected", &frame.expectedImage), std::pair("actual", &frame.actualImage),
-        std::pair("difference", &frame.differenceImage)})
-    if (!path->empty())
-      line += fmt::format("{}{} {}", line.empty() ? "" : ", ", what, (folder / *path).string());
-  return line.empty() ? "" : fmt::format("pictures of frame {}: {}", frame.frame, line);
+  const auto add = [&](const std::string& what, const std::string& path) {
+    if (!path.empty())
+      line += fmt::format("{}{} {}", line.empty() ? "" : ", ", what, (folder / path).string());
+  };
+  if (frame.status != Status::nondeterministic) {
+    add("expected", frame.expectedImage);
+    add("actual", frame.actualImage);
+  }
+  for (const OtherPicture& other : frame.others) add(other.label, other.image);
+  add("difference", frame.differenceImage);
+  if (line.empty()) return line;
+  return (isPicture ? "pictures: " : fmt::format("pictures of frame {}: ", frame.frame)) + line;
+}
+
+std::string staleText(const SuiteResult& suite, bool color) {
+  std::string text;
+  for (const Stale& stale : suite.stale)
+    text += fmt::format("{}  {}: {}\n", painted(stale.removed ? "removed" : "stale", yellow, color),
+                        oneLine(stale.path), oneLine(stale.message));
+  for (const std::string& note : suite.notes) text += "note: " + oneLine(note) + "\n";
+  return text;
 }
 
 /// " (flag, curtain and 3 more)"
@@ -73,9 +88,11 @@ std::string namesOf(const SuiteResult& suite, Status status) {
 
 }  // namespace
 
-std::string sceneLine(const SceneResult& scene, bool color, const std::filesystem::path& reportFolder) {
-  std::string about = counted(static_cast<long>(scene.frames.size()), "frame");
-  about += fmt::format(", {:.1f} s", scene.seconds);
+std::string sceneLine(const SceneResult& scene, bool color, const std::filesystem::path& reportFolder,
+                      const std::string& unit) {
+  const bool isPicture = unit == "picture";
+  std::string about = isPicture ? "" : counted(static_cast<long>(scene.frames.size()), "frame") + ", ";
+  about += fmt::format("{:.1f} s", scene.seconds);
   if (scene.status == Status::xfail && !scene.xfail.empty()) about += ": " + oneLine(scene.xfail);
   if (scene.status == Status::flaky) about += ": " + flakyText(scene);
   std::string text =
@@ -89,7 +106,8 @@ std::string sceneLine(const SceneResult& scene, bool color, const std::filesyste
       for (const std::string& message : scene.attempts[i].messages)
         text += indented(fmt::format("attempt {}: {}", i + 1, message));
     for (const FrameResult& frame : scene.frames)
-      if (frame.status != Status::pass) text += indented(imageLine(frame, reportFolder));
+      if (frame.status != Status::pass || !frame.others.empty())
+        text += indented(imageLine(frame, reportFolder, isPicture));
   }
   for (const std::string& note : scene.notes) text += indented("note: " + note);
   return text;
@@ -106,9 +124,16 @@ std::string closingText(const SuiteResult& suite, bool color, const std::filesys
         (counts.empty() ? ": " : ", ") +
         painted(fmt::format("{} {}{}", count, wordsOf(status).counted, names), colorOf(status), color);
   }
-  std::string text =
-      fmt::format("{}{} in {:.1f} s\n", counted(static_cast<long>(suite.scenes.size()), "scene"), counts,
-                  suite.seconds);
+  std::string text = staleText(suite, color);
+  text += fmt::format("{}{} in {:.1f} s\n", counted(static_cast<long>(suite.scenes.size()), suite.unit),
+                      counts, suite.seconds);
+  if (const auto stale =
+          std::count_if(suite.stale.begin(), suite.stale.end(), [](const Stale& s) { return !s.removed; });
+      stale > 0)
+    text +=
+        fmt::format("{} that nothing is tested against; --update=prune removes {}, --strict fails for {}\n",
+                    counted(static_cast<long>(stale), "stale baseline"), stale == 1 ? "it" : "them",
+                    stale == 1 ? "it" : "them");
   if (const std::string compared = comparedText(suite); !compared.empty())
     text += fmt::format("Pictures compared: {}\n", oneLine(compared));
   if (!suite.acceptCommand.empty()) text += fmt::format("To accept: {}\n", oneLine(suite.acceptCommand));

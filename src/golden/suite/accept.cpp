@@ -3,7 +3,8 @@
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "golden/baseline/baseline.hpp"
-#include "golden/compare/png_check.hpp"
+#include "golden/files/png_check.hpp"
+#include "golden/pictures/accept_picture.hpp"
 #include "golden/report/json.hpp"
 #include "golden/result.hpp"
 #include "golden/suite/scene_set.hpp"
@@ -114,13 +115,17 @@ std::vector<Accepted> acceptReport(const fs::path& report, const Acceptance& how
   std::error_code ignored;
   const fs::path file = fs::is_directory(report, ignored) ? report / "report.json" : report;
   const SuiteResult suite = parseReport(readFile(file, "report"), file.string());
+  const bool pictures = suite.unit == "picture";
+  const fs::path expected = pictures ? expectedFolder(suite, how) : fs::path();
   std::vector<Accepted> all;
   for (const SceneResult& scene : suite.scenes) {
     const bool named =
         how.only.empty() || std::any_of(how.only.begin(), how.only.end(),
                                         [&](const auto& glob) { return matches(glob, scene.name); });
     const bool accepted = !isFailure(scene.status, /*allowFlaky=*/true);
-    if (named && !accepted) all.push_back(acceptScene(file.parent_path(), scene, how));
+    if (!named || accepted) continue;
+    all.push_back(pictures ? acceptPicture(file.parent_path(), scene, expected)
+                           : acceptScene(file.parent_path(), scene, how));
   }
   return all;
 }

@@ -4,7 +4,8 @@
 #include "base/file.hpp"
 #include "golden/baseline/tolerance.hpp"
 #include "golden/compare/compare.hpp"
-#include "golden/compare/png_check.hpp"
+#include "golden/files/damage.hpp"
+#include "golden/files/png_check.hpp"
 
 #include <algorithm>
 #include <array>
@@ -95,7 +96,8 @@ std::string unequal(const Metrics& metrics, const Origin& there, const Origin& h
   if (here.exact && !there.exact)
     return "the baseline was drawn by a driver, this picture exactly; look at it and write it anew with "
            "--update=changed, or set \"rasterizer\": \"driver\"";
-  return fmt::format("{} pixels differ, by {} at most; {} none may", metrics.differentPixels, metrics.worst,
+  return fmt::format("{} pixels differ, by {:.4g} at most; {} none may", metrics.differentPixels,
+                     metrics.worst,
                      here.exact ? "of exact pictures" : "on the machine that drew the baseline");
 }
 
@@ -116,12 +118,16 @@ bool judgePixels(const RunFrame& made, const Reference& reference, FrameResult& 
   }
   for (int i = 0; i <= static_cast<int>(stored->alternates.size()); ++i)
     if (const auto file = pictureFile(reference, made.frame, i); !pathExists(file))
-      fail(ExitCode::inputOutput, "baseline picture {} is missing, though baseline.json lists it",
-           file.string());
+      fail(ExitCode::inputOutput, "baseline picture {} is missing, though baseline.json lists it; {}",
+           file.string(), restoreIt);
   const auto known = std::find(stored->alternates.begin(), stored->alternates.end(), made.pixels);
   if (known != stored->alternates.end())
     result.alternate = static_cast<int>(known - stored->alternates.begin()) + 1;
-  if (stored->pixels == made.pixels || known != stored->alternates.end()) return false;
+  if (stored->pixels == made.pixels || known != stored->alternates.end()) {
+    for (int i = 0; i <= static_cast<int>(stored->alternates.size()); ++i)
+      static_cast<void>(referencePicture(reference, made.frame, i));
+    return false;
+  }
   Nearest found = nearest(made, reference, *stored);
   result.alternate = found.alternate;
   result.metrics = found.metrics;
@@ -161,7 +167,7 @@ Judgement judgeFrame(const RunFrame& made, const Reference& reference) {
   try {
     judged.pictureFails = judgePixels(made, reference, result);
   } catch (const UserError& error) {
-    judged.pictureFails = true;
+    judged.pictureFails = judged.damaged = true;
     addMessage(result, Status::fail, error.what());
   }
   return judged;
@@ -178,8 +184,8 @@ frame::Image referencePicture(const Reference& reference, int frame, int alterna
   const std::string& listed =
       alternate == 0 ? stored.pixels : stored.alternates.at(static_cast<std::size_t>(alternate) - 1);
   if (frame::pixelHash(picture) != listed)
-    fail(ExitCode::inputOutput, "baseline picture {} does not have the pixels that baseline.json lists",
-         file.string());
+    fail(ExitCode::inputOutput, "baseline picture {} does not have the pixels that baseline.json lists; {}",
+         file.string(), restoreIt);
   return picture;
 }
 

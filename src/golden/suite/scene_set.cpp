@@ -98,15 +98,11 @@ std::vector<SceneFile> filtered(const std::vector<SceneFile>& scenes, std::span<
   return kept;
 }
 
-std::vector<SceneFile> shardOf(const std::vector<SceneFile>& scenes, const std::string& shard) {
+std::pair<std::size_t, std::size_t> shardNumbers(const std::string& shard) {
   const auto numbers = integerPair(shard, '/');
   if (!numbers || numbers->first < 1 || numbers->first > numbers->second)
     fail(ExitCode::usage, "--shard takes k/n with 1 <= k <= n, for example 2/4, not \"{}\"", shard);
-  std::vector<SceneFile> kept;
-  const auto first = static_cast<std::size_t>(numbers->first - 1);
-  for (std::size_t i = first; i < scenes.size(); i += static_cast<std::size_t>(numbers->second))
-    kept.push_back(scenes[i]);
-  return kept;
+  return {static_cast<std::size_t>(numbers->first), static_cast<std::size_t>(numbers->second)};
 }
 
 }  // namespace simreel::golden

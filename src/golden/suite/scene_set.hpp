@@ -1,7 +1,9 @@
 #pragma once
+#include <cstddef>
 #include <filesystem>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace simreel::golden {
@@ -25,8 +27,15 @@ struct SceneFile {
 /// Whether the whole name matches the glob.
 [[nodiscard]] bool matches(const std::string& glob, const std::string& name);
 
-/// The k-th of n nearly equal parts, "k/n" counted from 1, as every n-th scene. Throws UserError(usage).
-[[nodiscard]] std::vector<SceneFile> shardOf(const std::vector<SceneFile>& scenes,
-                                             const std::string& shard);
+/// k and n of "k/n", 1 <= k <= n. Throws UserError(usage).
+[[nodiscard]] std::pair<std::size_t, std::size_t> shardNumbers(const std::string& shard);
+/// The k-th of n nearly equal parts, "k/n" counted from 1, as every n-th item. Throws UserError(usage).
+template <class Item>
+[[nodiscard]] std::vector<Item> shardOf(const std::vector<Item>& all, const std::string& shard) {
+  const auto [k, n] = shardNumbers(shard);
+  std::vector<Item> kept;
+  for (std::size_t i = k - 1; i < all.size(); i += n) kept.push_back(all[i]);
+  return kept;
+}
 
 }  // namespace simreel::golden

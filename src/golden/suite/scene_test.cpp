@@ -1,10 +1,9 @@
 #include "golden/suite/scene_test.hpp"
 
-#include "base/file.hpp"
 #include "base/version.hpp"
+#include "golden/baseline/stale.hpp"
 #include "golden/baseline/tolerance.hpp"
 #include "golden/compare/compare.hpp"
-#include "golden/compare/difference_image.hpp"
 #include "golden/trace/file.hpp"
 #include "golden/trace/stream.hpp"
 #include "golden/trace/trace.hpp"
@@ -22,17 +21,13 @@ namespace {
 
 /// steps.bin stays below what a repository should hold.
 constexpr std::size_t maxTraceBytes = std::size_t{96} << 10;
-
-std::string listOf(const std::set<int>& frames) {
-  std::string text;
-  for (const int frame : frames) text += (text.empty() ? "" : ", ") + std::to_string(frame);
-  return text;
-}
+/// Whose pictures are kept.
+constexpr std::size_t mostOtherRuns = 7;
 
 }  // namespace
 
-SceneTest::SceneTest(const SceneFile& file, const SuiteOptions& options, const Device& device)
-    : file_(file), options_(options), device_(device) {
+SceneTest::SceneTest(const SceneFile& file, const SuiteOptions& options, const Device& device, int attempt)
+    : file_(file), options_(options), device_(device), attempt_(attempt) {
   result_.name = file.name;
   result_.file = file.file.generic_string();
   result_.baselines = baselineFolder(file.file).generic_string();
@@ -51,7 +46,13 @@ void SceneTest::run() {
   if (result_.status == Status::nondeterministic) return keepPictures();
   locate();
   locatePasses();
-  if (options_.update != Update::none) update();
+  findFormerName();
+  if (options_.update == Update::prune) {
+    stale_ = staleParts(result_.baselines, frames_, exactPictures_, true);
+  } else {
+    if (options_.update != Update::none) update();
+    stale_ = staleParts(result_.baselines, frames_, exactPictures_, false);
+  }
   if (options_.artifacts.empty()) return;
   keepCandidate();
   keepPictures();
@@ -76,16 +77,14 @@ void SceneTest::load() {
     reference_ = findReference(result_.baselines, profile_, exact, origin_);
   } catch (const UserError& error) {
     if (options_.update != Update::all) throw;
+    checkReplaceable(result_.baselines, profile_, exact);
+    checkReplaceable(result_.baselines, sharedProfile, exact);
     result_.notes.push_back(fmt::format("{} (written anew)", error.what()));
     reference_ = {result_.baselines, std::nullopt, std::nullopt, exact, origin_, {}};
   }
   resolveTolerance();
   describeBaseline();
   if (exactPictures_) noteUnused();
-  if (!reference_.pictures) return;
-  for (const auto& [frame, stored] : reference_.pictures->frames)
-    if (std::find(frames_.begin(), frames_.end(), frame) == frames_.end())
-      result_.notes.push_back(fmt::format("the baseline has frame {}, which is not tested", frame));
 }
 
 /// Whose baseline the pictures are held against, and how closely.
@@ -106,21 +105,12 @@ void SceneTest::describeBaseline() {
   }
 }
 
-/// What exact pictures have no use for: bounds that somebody gave, and baselines of one family of drivers.
+/// What exact pictures have no use for: bounds that somebody gave.
 void SceneTest::noteUnused() {
   for (const auto& [field, bound] : result_.tolerance)
     if (bound.origin != "default")
       result_.notes.push_back(fmt::format(
           "tolerance without need: {} ({}), exact pictures have to be equal", field, bound.origin));
-  std::error_code error;
-  std::set<std::string> profiles;
-  for (const auto& entry : fs::directory_iterator(reference_.folder, error))
-    if (pathExists(entry.path() / "baseline.json")) profiles.insert(entry.path().filename().string());
-  profiles.erase(sharedProfile);
-  for (const std::string& profile : profiles)
-    result_.notes.push_back(
-        fmt::format("the baseline {} is not used: exact pictures have one for all machines",
-                    (reference_.folder / profile).generic_string()));
 }
 
 /// The command line wins over the baseline, which wins over the scene, which wins over the defaults.
@@ -145,20 +135,37 @@ void SceneTest::repeat() {
   for (; result_.repeats < options_.repeats; ++result_.repeats) {
     SceneRun again = runScene(scene_, frames_);
     result_.simulateSeconds += again.simulateSeconds;
+    const int number = result_.repeats + 1;
     const std::string difference = runDifference(run_, again);
-    if (difference.empty()) continue;
+    if (difference.empty()) {
+      likeFirst_.push_back(number);
+      continue;
+    }
+    if (result_.status != Status::nondeterministic)
+      result_.messages.push_back(fmt::format("runs 1 and {} of this program differ: {}", number, difference));
     result_.status = Status::nondeterministic;
-    result_.messages.push_back(
-        fmt::format("runs 1 and {} of this program differ: {}", result_.repeats + 1, difference));
-    ++result_.repeats;
-    other_ = std::move(again);
-    return;
+    const auto known = std::find_if(others_.begin(), others_.end(), [&](const OtherRun& other) {
+      return runDifference(other.run, again).empty();
+    });
+    if (known != others_.end())
+      known->numbers.push_back(number);
+    else if (others_.size() < mostOtherRuns)
+      others_.push_back({{number}, std::move(again)});
+    else
+      ++uncounted_;
+  }
+  if (options_.repeats > 2 && !others_.empty()) {
+    std::string groups = fmt::format("{}", fmt::join(likeFirst_, " "));
+    for (const OtherRun& other : others_) groups += fmt::format("; {}", fmt::join(other.numbers, " "));
+    result_.messages.push_back(fmt::format("of {} runs these agree: {}{}", result_.repeats, groups,
+                                           uncounted_ > 0 ? fmt::format("; {} more came out in other ways", uncounted_) : ""));
   }
 }
 
 void SceneTest::judge() {
   for (const RunFrame& made : run_.frames) {
-    auto [frame, pictureFails] = judgeFrame(made, reference_);
+    auto [frame, pictureFails, damaged] = judgeFrame(made, reference_);
+    damaged_ = damaged_ || damaged;
     if (pictureFails) failedPictures_.insert(frame.frame);
     if (!frame.message.empty()) frame.message = fmt::format("frame {}: {}", frame.frame, frame.message);
     result_.frames.push_back(frame);
@@ -172,22 +179,57 @@ void SceneTest::judge() {
     if (result_.status != Status::nondeterministic) result_.status = Status::fail;
     result_.messages.push_back(check.message);
   }
+  readStepsOfBaseline();
   for (const std::string& loose : looseBounds(result_.frames, reference_.tolerance))
     if (const auto& bound = result_.tolerance[loose.substr(0, loose.find(' '))]; bound.origin != "default")
       result_.notes.push_back(fmt::format("loose tolerance: {} ({})", loose, bound.origin));
 }
 
+/// Also where nothing asks for them: what is damaged now is missed later.
+void SceneTest::readStepsOfBaseline() {
+  if (!reference_.state) return;
+  const auto folder = stateFolder(reference_.folder, result_.profile, reference_.exact);
+  try {
+    if (const auto steps = readSteps(folder); !steps.empty())
+      steps_ = decodeTrace(steps, (folder / "steps.bin").string());
+  } catch (const UserError& error) {
+    damagedSteps_ = damaged_ = true;
+    result_.messages.emplace_back(error.what());
+    if (result_.status == Status::pass || result_.status == Status::missing) result_.status = Status::fail;
+  }
+}
+
 /// Where the state first leaves the baseline's.
 void SceneTest::locate() {
-  if (!stateIs("different")) return;
-  const auto folder = stateFolder(reference_.folder, result_.profile, reference_.exact);
-  const auto steps = readSteps(folder);
-  if (steps.empty()) {
+  if (!stateIs("different") || damagedSteps_) return;
+  if (!steps_) {
     result_.notes.push_back("the baseline has no steps.bin, so the step that differs is not known");
     return;
   }
-  result_.divergence = firstDivergence(scene_, decodeTrace(steps, (folder / "steps.bin").string()));
+  result_.divergence = firstDivergence(scene_, *steps_);
   if (result_.divergence) result_.messages.push_back(result_.divergence->message);
+}
+
+/// A scene without any baseline may have had another name, under which its pictures are.
+void SceneTest::findFormerName() {
+  if (result_.status != Status::missing || reference_.pictures || reference_.state) return;
+  for (const fs::path& folder : options_.orphans) {
+    std::optional<PictureBaseline> pictures;
+    try {
+      pictures = choosePictures(folder, profile_);
+    } catch (const UserError&) {
+      continue;  // it is named among what is stale
+    }
+    const bool same = pictures && std::all_of(run_.frames.begin(), run_.frames.end(), [&](const RunFrame& made) {
+                        const auto found = pictures->frames.find(made.frame);
+                        return found != pictures->frames.end() && found->second.pixels == made.pixels;
+                      });
+    if (!same) continue;
+    result_.renamedFrom = folder.generic_string();
+    result_.messages.push_back(fmt::format(
+        "its pictures are those of {}, whose scene is gone: renamed? --update moves that here", result_.renamedFrom));
+    return;
+  }
 }
 
 const std::map<int, PassHashes>& SceneTest::passes() {
@@ -236,132 +278,6 @@ bool SceneTest::hardFailed() const {
   const auto& bound = reference_.tolerance.hardFail;
   return bound && std::any_of(result_.frames.begin(), result_.frames.end(),
                               [&](const FrameResult& f) { return f.metrics && f.metrics->worst > *bound; });
-}
-
-// What is written: baselines when asked, and what a report and `simreel accept` need.
-
-bool SceneTest::stateIs(const char* what) const {
-  return std::any_of(result_.frames.begin(), result_.frames.end(),
-                     [&](const FrameResult& f) { return f.state == what; });
-}
-
-bool SceneTest::checkFails() const {
-  return std::any_of(result_.checks.begin(), result_.checks.end(),
-                     [](const CheckResult& check) { return !check.passed; });
-}
-
-std::string SceneTest::profileToPromote() const {
-  if (exactPictures_) return sharedProfile;
-  if (!options_.profile.empty()) return options_.profile;
-  return profileToWrite(reference_.folder, device_.profile, device_.origin.numerics);
-}
-
-void SceneTest::update() {
-  if (result_.status == Status::pass) {
-    // A pass may have changed without showing in the picture.
-    if (exactPictures_ && renewPasses(reference_.folder, profile_, passes()))
-      result_.notes.push_back("wrote hashes of passes; the pictures are the same");
-    return;
-  }
-  if (!result_.xfail.empty() || checkFails()) {
-    result_.notes.push_back(result_.xfail.empty() ? "not updated: a check fails"
-                                                  : "not updated: the scene is expected to fail");
-    return;
-  }
-  const bool changed = options_.update != Update::missing;
-  const bool missing = options_.update != Update::changed;
-  const std::string profile = profileToPromote();
-  std::set<int> written;
-  for (const FrameResult& frame : result_.frames)
-    if ((missing && frame.expectedPixels.empty()) || (changed && failedPictures_.contains(frame.frame)))
-      written.insert(frame.frame);
-  const bool writeState = (changed && stateIs("different")) || (missing && stateIs("missing"));
-  if (written.empty() && !writeState) return;
-  // A profile has to be complete: the next run compares with nothing else.
-  if (!written.empty() && profile != result_.profile) written.insert(frames_.begin(), frames_.end());
-
-  Candidate made = candidate(writeState);
-  if (!writeState) made.state.frames.clear();
-  for (const RunFrame& frame : run_.frames)
-    if (written.contains(frame.frame)) made.png[frame.frame] = frame::encodePng(frame.image, {});
-  promote(reference_.folder, profile, made, {options_.reason, false, !changed});
-
-  // Held against what was just written, every frame has to pass.
-  const auto before = std::exchange(result_.frames, {});
-  const scene::Tolerance tolerance = reference_.tolerance;
-  reference_ = findReference(reference_.folder, profile, reference_.exact, origin_);
-  reference_.tolerance = tolerance;
-  describeBaseline();
-  result_.divergence.reset();
-  result_.messages.clear();
-  result_.status = Status::pass;
-  failedPictures_.clear();
-  judge();
-  for (std::size_t i = 0; i < before.size(); ++i)
-    if (before[i].status != Status::pass && result_.frames[i].status == Status::pass)
-      result_.frames[i].status = Status::updated;
-  if (result_.status == Status::pass) result_.status = Status::updated;
-  result_.notes.push_back(
-      fmt::format("wrote {}{}{} to {}", written.empty() ? "" : "frames " + listOf(written),
-                  !written.empty() && writeState ? " and " : "", writeState ? "the state" : "",
-                  (reference_.folder / profile).generic_string()));
-}
-
-std::string SceneTest::keep(const std::string& name, const frame::Image& image) const {
-  const fs::path file = options_.artifacts / result_.name / name;
-  makeFolders(file.parent_path());
-  writeFileAtomically(file, frame::encodePng(image, {}));
-  return file.lexically_relative(options_.reportFolder).generic_string();
-}
-
-void SceneTest::keepPicture(FrameResult& frame, const frame::Image& made) {
-  const std::string number = fmt::format("{:06}", frame.frame);
-  if (frame.actualImage.empty()) frame.actualImage = keep(number + ".actual.png", made);
-  if (frame.expectedPixels.empty()) return;
-  try {
-    const frame::Image expected = referencePicture(reference_, frame.frame, frame.alternate);
-    frame.expectedImage = keep(number + ".expected.png", expected);
-    if (expected.width == made.width && expected.height == made.height)
-      frame.differenceImage = keep(number + ".difference.png", differenceImage(expected, made));
-  } catch (const UserError& error) {
-    if (error.code() != ExitCode::inputOutput)
-      throw;  // an unreadable baseline: the message says so already
-  }
-}
-
-void SceneTest::keepPictures() {
-  if (options_.artifacts.empty()) return;
-  for (std::size_t i = 0; i < result_.frames.size(); ++i) {
-    FrameResult& frame = result_.frames[i];
-    const frame::Image& made = run_.frames[i].image;
-    if (other_ && other_->frames[i].pixels != run_.frames[i].pixels) {
-      const frame::Image& other = other_->frames[i].image;
-      frame.status = Status::nondeterministic;
-      frame.message = "two runs of this program differ; shown are the first and the second";
-      const std::string number = fmt::format("{:06}", frame.frame);
-      frame.expectedImage = keep(number + ".run1.png", made);
-      frame.actualImage = keep(number + ".run2.png", other);
-      frame.differenceImage = keep(number + ".difference.png", differenceImage(made, other));
-    } else if (frame.status != Status::pass && frame.status != Status::updated) {
-      keepPicture(frame, made);
-    }
-  }
-}
-
-/// Everything that `simreel accept` would promote, laid out as the baselines are.
-void SceneTest::keepCandidate() {
-  const bool acceptable = result_.status == Status::fail || result_.status == Status::missing;
-  if (!acceptable || checkFails()) return;
-  const bool withState = stateIs("different") || stateIs("missing");
-  Candidate made = candidate(withState);
-  for (const RunFrame& frame : run_.frames) made.png[frame.frame] = frame::encodePng(frame.image, {});
-  const std::string profile = profileToPromote();
-  const fs::path folder = options_.artifacts / result_.name / "candidate";
-  promote(folder, profile, made, {"", false, false});
-  result_.candidate = folder.lexically_relative(options_.reportFolder).generic_string();
-  for (FrameResult& frame : result_.frames)
-    if (frame.status != Status::pass)
-      frame.actualImage = result_.candidate + "/" + profile + "/" + pictureName(frame.frame);
 }
 
 }  // namespace simreel::golden

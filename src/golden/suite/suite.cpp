@@ -3,6 +3,7 @@
 #include "base/clock.hpp"
 #include "golden/suite/scene_test.hpp"
 
+#include <algorithm>
 #include <sstream>
 #include <utility>
 
@@ -21,10 +22,11 @@ struct Try {
   SceneResult result;
   ExitCode error = ExitCode::ok;
   bool hardFailed = false;
+  std::vector<Stale> stale;
 };
 
-Try tryScene(const SceneFile& scene, const SuiteOptions& options, const Device& device) {
-  SceneTest test(scene, options, device);
+Try tryScene(const SceneFile& scene, const SuiteOptions& options, const Device& device, int attempt) {
+  SceneTest test(scene, options, device, attempt);
   Try made;
   try {
     test.run();
@@ -37,7 +39,27 @@ Try tryScene(const SceneFile& scene, const SuiteOptions& options, const Device& 
   }
   made.hardFailed = test.hardFailed();
   made.result = std::move(test.result());
+  made.stale = std::move(test.stale());
   return made;
+}
+
+/// Adds the pictures of an earlier attempt to the frames of the last.
+void addEarlier(const std::vector<FrameResult>& frames, const std::string& attempt, SceneResult& result) {
+  for (const FrameResult& from : frames) {
+    if (from.actualImage.empty()) continue;
+    auto to = std::find_if(result.frames.begin(), result.frames.end(),
+                           [&](const FrameResult& frame) { return frame.frame == from.frame; });
+    if (to == result.frames.end()) {
+      to = result.frames.emplace(to);
+      to->frame = from.frame;
+      to->time = from.time;
+      to->status = from.status;
+    }
+    if (from.others.empty()) to->others.push_back({attempt, from.actualImage});
+    for (const OtherPicture& other : from.others) to->others.push_back({attempt + ", " + other.label, other.image});
+    if (!from.differenceImage.empty()) to->others.push_back({attempt + ", difference", from.differenceImage});
+    if (to->expectedImage.empty() && from.others.empty()) to->expectedImage = from.expectedImage;
+  }
 }
 
 bool mayPassOnRetry(Status status) {
@@ -67,12 +89,14 @@ Suite::Suite(SuiteOptions options, Device device)
 SceneResult Suite::test(const SceneFile& scene) {
   const auto begin = Clock::now();
   std::vector<Attempt> attempts;
-  Try made = tryScene(scene, options_, device_);
+  std::vector<std::vector<FrameResult>> earlier;  // frames of those attempts
+  Try made = tryScene(scene, options_, device_, 1);
   bool everHardFailed = made.hardFailed;
   while (made.result.xfail.empty() && mayPassOnRetry(made.result.status) &&
          static_cast<int>(attempts.size()) < options_.retries) {
     attempts.push_back({made.result.status, made.result.messages});
-    made = tryScene(scene, options_, device_);
+    earlier.push_back(std::move(made.result.frames));
+    made = tryScene(scene, options_, device_, static_cast<int>(attempts.size()) + 1);
     everHardFailed = everHardFailed || made.hardFailed;
   }
   SceneResult& result = made.result;
@@ -84,23 +108,13 @@ SceneResult Suite::test(const SceneFile& scene) {
                                               : attempts.front().messages.front()));
   }
   result.attempts = std::move(attempts);
+  for (std::size_t i = 0; i < earlier.size(); ++i) addEarlier(earlier[i], fmt::format("attempt {}", i + 1), result);
+  stale_.insert(stale_.end(), made.stale.begin(), made.stale.end());
   applyExpectation(made);
   result.seconds = secondsSince(begin);
 
-  ++scenes_;
-  const bool flakyFails = result.status == Status::flaky && (!options_.allowFlaky || everHardFailed);
-  differs_ = differs_ || flakyFails || result.status == Status::fail ||
-             result.status == Status::nondeterministic || result.status == Status::xpass;
-  missing_ = missing_ || result.status == Status::missing;
-  if (result.status == Status::error && error_ == ExitCode::ok) error_ = made.error;
+  tally_.add(result.status, options_.allowFlaky && !everHardFailed, made.error);
   return std::move(made.result);
-}
-
-ExitCode Suite::exitCode() const {
-  if (scenes_ == 0) return ExitCode::nothingRan;
-  if (differs_) return ExitCode::different;
-  if (error_ != ExitCode::ok) return error_;
-  return missing_ ? ExitCode::baselineMissing : ExitCode::ok;
 }
 
 }  // namespace simreel::golden

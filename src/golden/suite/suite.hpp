@@ -4,6 +4,8 @@
 #include "golden/result.hpp"
 #include "golden/suite/scene_run.hpp"
 #include "golden/suite/scene_set.hpp"
+#include "golden/tally.hpp"
+#include "golden/update.hpp"
 
 #include <filesystem>
 #include <map>
@@ -11,8 +13,6 @@
 #include <vector>
 
 namespace simreel::golden {
-
-enum class Update { none, missing, changed, all };
 
 struct SuiteOptions {
   int repeats = 2;  ///< runs of each scene, which have to agree
@@ -25,6 +25,7 @@ struct SuiteOptions {
   std::map<std::string, double> tolerance;    ///< bounds from the command line, by field name
   std::filesystem::path reportFolder;         ///< of report.json; image paths are relative to it
   std::filesystem::path artifacts;            ///< pictures of failures go below it; empty: nowhere
+  std::vector<std::filesystem::path> orphans; ///< folders of baselines whose scene is gone
 };
 
 /// The device of this run.
@@ -41,16 +42,16 @@ class Suite {
   /// Runs, compares and, where asked, updates. A mistake in the scene or its baseline, or a lost device, is
   /// the scene's result; only Interrupted leaves.
   SceneResult test(const SceneFile& scene);
-  /// The code to exit with after the scenes so far: 1 when anything differs, else the code of the first
-  /// error, else 3 when a baseline is missing, else 0; 5 when there was no scene.
-  [[nodiscard]] ExitCode exitCode() const;
+  /// Of the scenes so far.
+  [[nodiscard]] Tally& tally() { return tally_; }
+  /// What of the baselines of scenes so far nothing was tested against.
+  [[nodiscard]] const std::vector<Stale>& stale() const { return stale_; }
 
  private:
   SuiteOptions options_;
   Device device_;
-  bool differs_ = false, missing_ = false;
-  ExitCode error_ = ExitCode::ok;
-  int scenes_ = 0;
+  Tally tally_;
+  std::vector<Stale> stale_;
 };
 
 }  // namespace simreel::golden

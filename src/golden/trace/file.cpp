@@ -2,6 +2,7 @@
 #include "golden/trace/file.hpp"
 
 #include "base/error.hpp"
+#include "golden/files/damage.hpp"
 #include "base/hash.hpp"
 #include "golden/trace/layout.hpp"
 #include "golden/trace/trace.hpp"
@@ -39,8 +40,7 @@ class Input {
   Input(std::span<const std::byte> bytes, const std::string& name) : bytes_(bytes), name_(&name) {}
 
   [[noreturn]] void wrong(const char* what) const {
-    fail(ExitCode::inputOutput, "baseline {} cannot be used: {}; write it anew with --update", *name_,
-         what);
+    fail(ExitCode::inputOutput, "baseline {} cannot be used: {}; {}", *name_, what, restoreIt);
   }
   std::span<const std::byte> take(std::size_t size) {
     if (size > bytes_.size()) wrong("it is cut off");

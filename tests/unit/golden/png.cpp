@@ -1,6 +1,6 @@
 // Which files count as holding the same pixels without decoding. What is refused:
 // tests/cli/golden/test_diff.py.
-#include "golden/compare/png_check.hpp"
+#include "golden/files/png_check.hpp"
 #include "unit/frame/help.hpp"
 
 #include <span>

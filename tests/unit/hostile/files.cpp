@@ -8,7 +8,7 @@
 #include "frame/file/manifest.hpp"
 #include "frame/image.hpp"
 #include "golden/baseline/baseline.hpp"
-#include "golden/compare/png_check.hpp"
+#include "golden/files/png_check.hpp"
 #include "golden/report/json.hpp"
 #include "golden/result.hpp"
 #include "golden/trace/lines.hpp"

@@ -1,4 +1,4 @@
-// The four views of a frame's pictures: side by side, swipe, blink, difference.
+// The views of a frame's pictures: side by side, swipe, blink, difference, and FLIP's map where there is one.
 
 const blink = {
   playing: !window.matchMedia("(prefers-reduced-motion: reduce)").matches,
@@ -10,8 +10,9 @@ const pictureKeys = ["expected", "actual", "difference"];
 
 /// What a picture is called; runs that disagree with each other have no expected one.
 function pictureLabel(frame, key) {
-  if (frame.status === "nondeterministic" && key !== "difference")
-    return key === "expected" ? "first run" : "second run";
+  if (frame.status === "nondeterministic" && key !== "difference" && frame.others.length > 1)
+    return frame.others[key === "expected" ? 0 : 1].label;
+  if (key === "flip") return "FLIP";
   if (key === "expected" && frame.alternate > 0) return "expected (alternate " + frame.alternate + ")";
   return key;
 }
@@ -49,7 +50,7 @@ function pictureElement(path) {
 function makeLayer(frame, key) {
   const path = frame[key + "Image"];
   const image = pictureElement(path);
-  image.alt = pictureLabel(frame, key) + ", frame " + frame.frame;
+  image.alt = pictureLabel(frame, key) + (ofPictures ? "" : ", frame " + frame.frame);
   return {box: element("div", {class: "layer"}, image), image, key, path};
 }
 
@@ -80,6 +81,7 @@ function addHandle(pane) {
 function makePanes(frame, existing) {
   const both = existing.includes("expected") && existing.includes("actual");
   if (state.view === "difference") return existing.includes("difference") ? [makePane(frame, ["difference"])] : [];
+  if (state.view === "flip") return frame.flipImage ? [makePane(frame, ["flip"])] : [];
   if (state.view === "side" || !both) {
     const keys = state.view === "side" ? existing : existing.filter((key) => key !== "difference");
     return keys.map((key) => makePane(frame, [key]));
@@ -95,10 +97,11 @@ function emptyText(frame, existing) {
   if (existing.length > 0)
     return existing.length === 1 ? "No difference picture: there is nothing to compare with." :
                                    "No difference picture: the pictures differ in size.";
+  if (state.view === "flip" && hasPictures(frame)) return "No map of FLIP: the pictures look equal.";
   if (frame.status === "updated") return "The baseline was written; its picture is not stored here.";
   if (frame.status === "pass") {
     const alternate = frame.alternate > 0 ? "its accepted alternate " + frame.alternate : "its baseline";
-    return "Frame " + frame.frame + " is " + (frame.metrics ? "within tolerance of " : "equal to ") + alternate +
+    return (ofPictures ? "The picture is " : "Frame " + frame.frame + " is ") + (frame.metrics ? "within tolerance of " : "equal to ") + alternate +
         "; its picture is not stored.";
   }
   return equalPixels(frame) ? "The pixels are equal, not stored." : "No pictures were stored.";

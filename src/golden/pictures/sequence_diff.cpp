@@ -1,4 +1,4 @@
-#include "golden/suite/sequence_diff.hpp"
+#include "golden/pictures/sequence_diff.hpp"
 
 #include "base/error.hpp"
 #include "base/file.hpp"
@@ -6,8 +6,10 @@
 #include "base/text.hpp"
 #include "frame/file/output_name.hpp"
 #include "golden/compare/compare.hpp"
-#include "golden/compare/difference_image.hpp"
-#include "golden/compare/png_check.hpp"
+#include "golden/compare/comparison.hpp"
+#include "golden/files/picture.hpp"
+#include "golden/files/png_check.hpp"
+#include "golden/pictures/picture_folder.hpp"
 
 #include <algorithm>
 #include <array>
@@ -16,6 +18,7 @@
 #include <span>
 #include <system_error>
 #include <tuple>
+#include <type_traits>
 #include <utility>
 
 #include <tbb/parallel_pipeline.h>
@@ -48,15 +51,21 @@ using Files = std::map<Key, fs::path>;
 template <class Key, class Name>
 PairList pairUp(const Files<Key>& a, const Files<Key>& b, const Name& name) {
   PairList list;
+  const auto only = [](const Key& key, const fs::path& file) {
+    if constexpr (std::is_same_v<Key, std::string>)
+      return key;
+    else
+      return file.filename().string();
+  };
   for (const auto& [key, file] : a) {
     const auto other = b.find(key);
     if (other == b.end())
-      list.onlyA.push_back(file.filename().string());
+      list.onlyA.push_back(only(key, file));
     else
       list.pairs.push_back({name(key, file, other->second), file, other->second});
   }
   for (const auto& [key, file] : b)
-    if (!a.contains(key)) list.onlyB.push_back(file.filename().string());
+    if (!a.contains(key)) list.onlyB.push_back(only(key, file));
   return list;
 }
 
@@ -83,27 +92,6 @@ Files<int> patternFiles(const std::string& text) {
   return files;
 }
 
-Files<std::string> folderFiles(const fs::path& folder) {
-  Files<std::string> files;
-  for (const std::string& name : fileNames(folder))
-    if (lowerExtension(name) == ".png") files[name] = folder / name;
-  return files;
-}
-
-frame::Image decode(const std::string& file, const fs::path& path) {
-  return frame::decodeImage(std::as_bytes(std::span(file)), path.string());
-}
-
-/// Width and height from a checked PNG's header, without decoding it.
-std::pair<int, int> sizeOf(const std::string& file) {
-  const auto at = [&](std::size_t i) {
-    int value = 0;
-    for (std::size_t k = 0; k < 4; ++k) value = value << 8 | static_cast<unsigned char>(file[i + k]);
-    return value;
-  };
-  return {at(16), at(20)};
-}
-
 Metrics equalMetrics() {
   Metrics metrics;
   metrics.psnr = std::numeric_limits<double>::infinity();
@@ -118,8 +106,17 @@ const char* outcomeName(PairResult::Outcome outcome) {
 }
 
 PairList pairFolders(const fs::path& a, const fs::path& b) {
-  return pairUp(folderFiles(a), folderFiles(b),
-                [](const std::string& name, const fs::path&, const fs::path&) { return name; });
+  const PictureFolder listA = listPictures(a), listB = listPictures(b);
+  const auto filesOf = [](const fs::path& folder, const PictureFolder& list) {
+    Files<std::string> files;
+    for (const std::string& name : list.pictures) files[name] = folder / name;
+    return files;
+  };
+  PairList list = pairUp(filesOf(a, listA), filesOf(b, listB),
+                         [](const std::string& name, const fs::path&, const fs::path&) { return name; });
+  for (const auto& [folder, others] : {std::pair(&a, &listA.others), std::pair(&b, &listB.others)})
+    for (const std::string& name : *others) list.passedOver.push_back((*folder / name).generic_string());
+  return list;
 }
 
 bool isPattern(const std::string& name) {
@@ -134,40 +131,50 @@ PairList pairPatterns(const std::string& a, const std::string& b) {
                 });
 }
 
-PairResult comparePair(const Pair& pair, const scene::Tolerance& tolerance, const fs::path& differenceFile,
-                       bool always) {
+PairResult comparePair(const Pair& pair, const scene::Tolerance& tolerance, const Allowance& allowance,
+                       const fs::path& differenceFile, bool always) {
   // Kept by each thread: fresh pages for every file cost more than all else where files are equal. Not to
-  // be used after decoding, because while measure() waits, this thread may begin another pair.
+  // be used after decoding, because while compare() waits, this thread may begin another pair.
   thread_local std::string fileA, fileB;
-  readPngFile(pair.a, "picture", fileA);
-  readPngFile(pair.b, "picture", fileB);
+  readBytes(pair.a, "picture", fileA);
+  checkPicture(fileA, "picture", pair.a.string());
+  readBytes(pair.b, "picture", fileB);
+  checkPicture(fileB, "picture", pair.b.string());
   PairResult result;
-  const auto sizeA = sizeOf(fileA), sizeB = sizeOf(fileB);
-  std::tie(result.width, result.height) = sizeA;
   const bool wantsImage = !differenceFile.empty();
-  if (sameEncodedPixels(std::as_bytes(std::span(fileA)), std::as_bytes(std::span(fileB)))) {
+  const auto bytesA = std::as_bytes(std::span(fileA)), bytesB = std::as_bytes(std::span(fileB));
+  // Checksums say that a PNG is whole; files of other kinds are decoded, or two that are cut off alike were
+  // equal.
+  if (const auto size = sizeOfPng(bytesA); size && sameEncodedPixels(bytesA, bytesB)) {
     result.metrics = equalMetrics();
+    std::tie(result.width, result.height) = *size;
     if (!wantsImage || !always) return result;
   }
-  const frame::Image a = decode(fileA, pair.a), b = decode(fileB, pair.b);
-  if (sizeA != sizeB) {
-    result.outcome = PairResult::Outcome::different;
-    result.broken.push_back(fmt::format("sizes differ: {} is {}x{}, {} is {}x{}", pair.a.string(), a.width,
-                                        a.height, pair.b.string(), b.width, b.height));
-    return result;
-  }
-  result.metrics = measure(a, b, tolerance);
-  result.broken = brokenBounds(*result.metrics, tolerance, a.width, a.height);
-  const bool differs = result.metrics->differentPixels > 0;
+  const Picture a = decodePicture(fileA, "picture", pair.a.string());
+  const Picture b = decodePicture(fileB, "picture", pair.b.string());
+  result.width = a.image.width;
+  result.height = a.image.height;
+  for (const auto& [file, picture] : {std::pair(&pair.a, &a), std::pair(&pair.b, &b)})
+    if (!picture->note.empty()) result.notes.push_back(file->string() + ": " + picture->note);
+  const Comparison made = compare(a, b, tolerance, allowance);
+  result.metrics = made.metrics;
+  if (!made.colours.empty()) result.notes.push_back(made.colours);
+  result.broken = brokenBounds(*result.metrics, tolerance, made.a.width, made.a.height);
+  if (!made.sizes.empty())
+    result.broken.insert(result.broken.begin(),
+                         fmt::format("sizes differ: {} is {}x{}, {} is {}x{}; compared as {}x{}, padded",
+                                     pair.a.string(), a.image.width, a.image.height, pair.b.string(),
+                                     b.image.width, b.image.height, made.a.width, made.a.height));
+  const bool differs = result.metrics->differentPixels > 0 || !made.sizes.empty();
   if (differs)
     result.outcome = result.broken.empty() ? PairResult::Outcome::within : PairResult::Outcome::different;
   if (wantsImage && (differs || always))
-    writeFileAtomically(differenceFile, frame::encodePng(differenceImage(a, b), {}));
+    writeFileAtomically(differenceFile, frame::encodePng(differenceImage(made), {}));
   return result;
 }
 
 void comparePairs(const std::vector<Pair>& pairs, const scene::Tolerance& tolerance,
-                  const fs::path& differenceFolder,
+                  const Allowance& allowance, const fs::path& differenceFolder,
                   const std::function<void(const Pair&, const PairResult&)>& done) {
   using Finished = std::pair<std::size_t, PairResult>;
   std::size_t at = 0;
@@ -178,8 +185,15 @@ void comparePairs(const std::vector<Pair>& pairs, const scene::Tolerance& tolera
   const auto compare = [&](std::size_t index) -> Finished {
     const Pair& pair = pairs[index];
     try {
-      const fs::path image = differenceFolder.empty() ? fs::path() : differenceFolder / pair.a.filename();
-      return {index, comparePair(pair, tolerance, image, false)};
+      fs::path image;
+      if (!differenceFolder.empty()) {
+        // The name is one below the folders, but for frames of patterns.
+        const bool named = pair.a.generic_string().ends_with(pair.name);
+        image = differenceFolder / (named ? fs::path(pair.name) : pair.a.filename());
+        if (lowerExtension(image) != ".png") image += ".png";
+        makeFolders(image.parent_path());
+      }
+      return {index, comparePair(pair, tolerance, allowance, image, false)};
     } catch (const UserError& error) {
       PairResult result;
       result.outcome = PairResult::Outcome::unreadable;

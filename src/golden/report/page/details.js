@@ -88,6 +88,8 @@ function toleranceTable(scene) {
 }
 
 function baselineCard(scene) {
+  if (ofPictures)
+    return facts("Baseline", "baseline", [["file", breakable(scene.baselines)], ["renamed from", scene.renamedFrom]]);
   const own = suite.environment.profile;
   const how = {
     exact: "pixel by pixel, exactly: drawn in exact arithmetic",
@@ -123,6 +125,21 @@ function attemptsCard(scene) {
   return lines("Attempts", "attempts", tries.map((text, i) => "attempt " + (i + 1) + ": " + text));
 }
 
+/// Pictures of other attempts and of runs that differ, each under its number.
+function othersCard(scene) {
+  const figures = scene.frames.flatMap((frame) => frame.others.map((other) =>
+      element("figure", {class: "other"},
+              element("a", {href: link(other.image)},
+                      element("img", {src: link(other.image), alt: other.label, loading: "lazy"})),
+              element("figcaption", {}, (ofPictures ? "" : "frame " + frame.frame + ": ") + other.label))));
+  return figures.length > 0 ? card("Attempts and runs", "others", element("div", {class: "others"}, ...figures)) : null;
+}
+
+function staleCard() {
+  const texts = suite.stale.map((one) => (one.removed ? "removed " : "") + one.path + ": " + one.message);
+  return lines("Stale baselines", "stale", texts);
+}
+
 function runCard() {
   const environment = suite.environment;
   const command = (text, label) => text ? element("span", {class: "command"}, ...commandLine(text, label)) : "";
@@ -141,17 +158,19 @@ function runCard() {
 }
 
 function sceneCard(scene) {
-  return facts("Scene", "sceneFacts", [
+  const simulated = ofPictures ? "" : ", " + seconds(scene.simulateSeconds) + " of it simulating";
+  return facts(ofPictures ? "Picture" : "Scene", "sceneFacts", [
     ["file", breakable(scene.file)],
-    ["took", seconds(scene.seconds) + ", " + seconds(scene.simulateSeconds) + " of it simulating"],
+    ["took", seconds(scene.seconds) + simulated],
     ["runs", scene.repeats > 1 ? String(scene.repeats) : ""],
   ]);
 }
 
 function showDetails(scene) {
-  const whole = [divergenceCard(scene), checksTable(scene)];
+  const whole = [divergenceCard(scene), othersCard(scene), checksTable(scene)];
   const others = [attemptsCard(scene), toleranceTable(scene), baselineCard(scene),
-                  lines("Notes", "notes", scene.notes), runCard(), sceneCard(scene)];
+                  lines("Notes", "notes", scene.notes), staleCard(),
+                  lines("Notes of the run", "runNotes", suite.notes), runCard(), sceneCard(scene)];
   const columns = element("div", {class: "columns"}, ...others.filter(Boolean));
   byId("details").replaceChildren(...whole.filter(Boolean), columns);
 }
@@ -214,7 +233,7 @@ function metricsOf(scene, frame) {
   const over = (field, value) => limit(field) !== null && value > limit(field);
   const bound = (field, text) => limit(field) === null ? "" : "≤ " + text(limit(field));
   return [
-    metric("worst", `${m.worst} at ${m.worstX}, ${m.worstY}`, over("hardFail", m.worst) || (near && m.worst > 2),
+    metric("worst", `${format(m.worst)} at ${m.worstX}, ${m.worstY}`, over("hardFail", m.worst) || (near && m.worst > 2),
            near ? "≤ 2" : bound("hardFail", format)),
     // Of exact pictures, and on the machine that drew the baseline, any difference is one too many, and no bound is in force.
     metric("differ", plural(m.differentPixels, "pixel"), exact && m.differentPixels > 0,
@@ -224,6 +243,8 @@ function metricsOf(scene, frame) {
            bound("maxDiffRatio", percent) || bound("maxDiffPixels", format)),
     metric(`densest ${side}×${side}`, percent(m.windowRatio) + ` at ${m.windowX}, ${m.windowY}`,
            over("maxWindowRatio", m.windowRatio), bound("maxWindowRatio", percent)),
+    ...[["masked", m.maskedPixels], ["of smoothed edges", m.antialiasedPixels], ["found nearby", m.movedPixels]]
+        .filter(([, count]) => count > 0).map(([what, count]) => metric(what, plural(count, "pixel") + " left out")),
     metric("PSNR", m.psnr === null ? "∞" : m.psnr.toFixed(1) + " dB"),
     metric("SSIM", format(m.ssim, 5)),
     metric("FLIP", format(m.flipMean, 3), over("maxFlipMean", m.flipMean) || (near && m.flipMean > 0.002),

@@ -167,7 +167,7 @@ function stepFrame(step) {
 
 function showFrames() {
   const scene = state.scene, frame = frameOf(scene);
-  byId("time").hidden = scene.frames.length === 0;
+  byId("time").hidden = ofPictures || scene.frames.length === 0;
   if (!frame) return;
   byId("frame").textContent = "frame " + frame.frame;
   byId("previous").disabled = state.frame === 0;

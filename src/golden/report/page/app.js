@@ -82,7 +82,7 @@ function nextTheme() {
 const keyGroups = [
   ["Scenes", [["j / k", "next, previous scene"], ["f / F", "next, previous failure"], ["/", "filter by text"]]],
   ["Frames", [["l / h or → / ←", "next, previous frame"], ["g / G", "first, last frame"]]],
-  ["Pictures", [["1 2 3 4", "side by side, swipe, blink, difference"], ["b", "blink; there: swap by hand"],
+  ["Pictures", [["1 2 3 4 5", "side by side, swipe, blink, difference, FLIP's map"], ["b", "blink; there: swap by hand"],
                 ["p", "blink by timer, on and off"], ["+ / −", "zoom"], ["0", "fit"], ["o", "1:1"],
                 ["w", "worst pixel"], ["m", "marks on and off"], ["shift + arrows", "pan"],
                 ["wheel, drag", "zoom about the pointer, pan"]]],
@@ -97,6 +97,7 @@ const keyActions = {
   f: () => stepFailure(1), F: () => stepFailure(-1),
   1: () => go({view: "side"}), 2: () => go({view: "swipe"}), 3: () => go({view: "blink"}),
   4: () => go({view: "difference"}),
+  5: () => views.some((view) => view.id === "flip") && go({view: "flip"}),
   b: blinkByHand, p: () => state.view === "blink" && toggleBlinkTimer(),
   "+": () => stepZoom(1), "=": () => stepZoom(1), "-": () => stepZoom(-1), 0: () => setScale(null),
   o: () => setScale(devicePixel()), w: goToWorst, m: toggleMarks,
@@ -151,17 +152,33 @@ function startKeys() {
 // ---- top of the page ----
 
 function showVerdict() {
-  const total = plural(suite.scenes.length, "scene");
+  const total = plural(suite.scenes.length, suite.unit);
   byId("verdict").className = failing.length > 0 ? "bad" : "good";
-  byId("verdict").textContent = suite.scenes.length === 0 ? "no scenes" :
+  byId("verdict").textContent = suite.scenes.length === 0 ? "no " + suite.unit + "s" :
       failing.length > 0 ? failing.length + " of " + total + " failed" : total + ": none failed";
+  const stale = suite.stale.filter((one) => !one.removed).length;
+  if (stale > 0) byId("verdict").textContent += ", " + plural(stale, "stale baseline");
+  if (stale > 0 && suite.strict) byId("verdict").className = "bad";
   const environment = suite.environment;
   const run = [environment.driver, environment.profile, seconds(suite.seconds)];
   byId("run").textContent = run.filter(Boolean).join(" · ");
-  byId("run").title = "numerics " + environment.fingerprint + ", " + environment.memoryPath;
+  if (!ofPictures) byId("run").title = "numerics " + environment.fingerprint + ", " + environment.memoryPath;
+}
+
+/// Of pictures the page says so.
+function namePictures() {
+  document.body.classList.add("ofPictures");
+  byId("filter").placeholder = "Filter pictures  ( / )";
+  byId("filter").setAttribute("aria-label", "Filter pictures by text");
+  byId("back").textContent = "‹ Pictures";
+  byId("back").setAttribute("aria-label", "Back to the list of pictures");
+  for (const [id, label] of [["side", "Pictures"], ["list", "Pictures"], ["scene", "Picture"], ["sort", "Order of pictures"]])
+    byId(id).setAttribute("aria-label", label);
+  byId("sort").title = "Order of pictures";
 }
 
 function start() {
+  if (ofPictures) namePictures();
   const kept = remembered("theme");
   showTheme(themes.includes(kept) ? kept : "auto");
   byId("theme").addEventListener("click", nextTheme);
@@ -176,7 +193,7 @@ function start() {
   if (suite.scenes.length === 0) {
     document.body.classList.add("none");
     byId("nothing").hidden = false;
-    byId("nothing").textContent = "This run tested no scene.";
+    byId("nothing").textContent = "This run tested no " + suite.unit + ".";
   } else if (followLink()) {
     showScenePage();
   } else {

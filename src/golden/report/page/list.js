@@ -23,7 +23,7 @@ function listOrders() {
 /// The second line of a row: why, in a few words.
 function summary(scene) {
   if (scene.status === "xfail" && scene.xfail) return scene.xfail;
-  return scene.messages[0] || scene.notes[0] || plural(scene.frames.length, "frame");
+  return scene.messages[0] || scene.notes[0] || (ofPictures ? statusWords[scene.status] : plural(scene.frames.length, "frame"));
 }
 
 /// One small mark a frame; many frames share marks, each as bad as the worst of its frames.
@@ -102,8 +102,8 @@ function filterList() {
   byId("rows").replaceChildren();
   byId("rows").style.height = list.shown.length * list.rowHeight + "px";
   byId("shown").textContent = list.shown.length === suite.scenes.length ?
-      plural(suite.scenes.length, "scene") :
-      list.shown.length + " of " + plural(suite.scenes.length, "scene") + " shown";
+      plural(suite.scenes.length, suite.unit) :
+      list.shown.length + " of " + plural(suite.scenes.length, suite.unit) + " shown";
   markSelected(true);
 }
 

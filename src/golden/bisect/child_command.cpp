@@ -1,4 +1,4 @@
-#include "golden/suite/child_command.hpp"
+#include "golden/bisect/child_command.hpp"
 
 #include "base/error.hpp"
 #include "base/process.hpp"

@@ -1,9 +1,9 @@
-#include "golden/suite/bisect.hpp"
+#include "golden/bisect/bisect.hpp"
 
 #include "base/error.hpp"
 #include "base/log.hpp"
 #include "base/process.hpp"
-#include "golden/suite/child_command.hpp"
+#include "golden/bisect/child_command.hpp"
 #include "golden/trace/traced_run.hpp"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 #pragma once
+#include "golden/compare/allowance.hpp"
 #include "golden/result.hpp"
 #include "scene/test.hpp"
 
@@ -19,20 +20,23 @@ struct Pair {
 struct PairList {
   std::vector<Pair> pairs;  ///< by name, or by frame number
   std::vector<std::string> onlyA, onlyB;
+  std::vector<std::string> passedOver;  ///< files that are no pictures, and hidden folders ("a/.git/")
 };
 
 struct PairResult {
   enum class Outcome { equal, within, different, unreadable };
   Outcome outcome = Outcome::equal;
   int width = 0, height = 0;        ///< of A; 0 when unreadable
-  std::optional<Metrics> metrics;   ///< none where sizes differ or a file could not be read
+  std::optional<Metrics> metrics;   ///< none where a file could not be read
   std::vector<std::string> broken;  ///< why they are different, a clause each
   std::string message;              ///< unreadable: why
+  std::vector<std::string> notes;   ///< what of the files is not compared
 };
 /// "equal", "within tolerance", "different", "unreadable".
 [[nodiscard]] const char* outcomeName(PairResult::Outcome outcome);
 
-/// The PNG files of two folders, by name. Throws UserError(inputOutput) for a folder that cannot be listed.
+/// The pictures of two folders and all below them, by path. Throws UserError(inputOutput) for a folder that
+/// cannot be listed.
 [[nodiscard]] PairList pairFolders(const std::filesystem::path& a, const std::filesystem::path& b);
 /// Whether the file name holds a frame number: #### or %04d.
 [[nodiscard]] bool isPattern(const std::string& name);
@@ -40,16 +44,18 @@ struct PairResult {
 /// inputOutput for a folder that cannot be listed.
 [[nodiscard]] PairList pairPatterns(const std::string& a, const std::string& b);
 
-/// Reads and compares two PNG files; metrics are filled in for equal pictures too. The difference image is
-/// written where a path is given and sizes are equal; for equal pictures only with `always`. Throws
-/// UserError(inputOutput) naming the file; nothing has been written then.
+/// Reads and compares two pictures; metrics are filled in for equal pictures too. Pictures of different
+/// sizes differ, and are measured padded. The difference image is written where a path is given; for equal
+/// pictures only with `always`. Throws UserError(inputOutput) naming the file; nothing has been written
+/// then.
 [[nodiscard]] PairResult comparePair(const Pair& pair, const scene::Tolerance& tolerance,
+                                     const Allowance& allowance,
                                      const std::filesystem::path& differenceFile, bool always);
 
 /// Compares pairs in parallel and hands results over in order, from one thread at a time. A pair that
 /// cannot be read is a result like any other. `differenceFolder` (empty: none) must exist.
 void comparePairs(const std::vector<Pair>& pairs, const scene::Tolerance& tolerance,
-                  const std::filesystem::path& differenceFolder,
+                  const Allowance& allowance, const std::filesystem::path& differenceFolder,
                   const std::function<void(const Pair&, const PairResult&)>& done);
 
 }  // namespace simreel::golden

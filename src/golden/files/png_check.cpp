@@ -1,17 +1,15 @@
-#include "golden/compare/png_check.hpp"
+#include "golden/files/png_check.hpp"
 
 #include "base/error.hpp"
+#include "golden/files/damage.hpp"
+#include "golden/files/picture.hpp"
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
 #include <cstdint>
-#include <cstdio>
-#include <cstring>
-#include <memory>
 #include <optional>
 #include <string_view>
-#include <system_error>
+#include <utility>
 
 #include <isa-l/crc.h>
 
@@ -62,22 +60,22 @@ bool isText(const Chunk& chunk) {
 /// What is wrong with the header's pixel format; empty when nothing is (PNG specification 11.2.2).
 std::string formatProblem(std::string_view header) {
   const int depth = static_cast<unsigned char>(header[8]), colour = static_cast<unsigned char>(header[9]);
-  if (depth == 16) return "has 16 bits per channel; convert it to 8-bit RGB";
-  if (colour == 3) return "has a palette; convert it to 8-bit RGB";
-  if (depth != 8)
-    return fmt::format("has {} bit{} per channel; convert it to 8-bit RGB", depth, depth == 1 ? "" : "s");
-  if (colour != 0 && colour != 2 && colour != 4 && colour != 6)
-    return fmt::format("is corrupt (colour type {}); make it again", colour);
-  return {};
+  constexpr std::array<std::uint32_t, 7> depths = {
+      1 | 2 | 4 | 8 | 16, 0, 8 | 16, 1 | 2 | 4 | 8, 8 | 16, 0, 8 | 16};
+  const bool known = colour < static_cast<int>(depths.size()) && (depth & (depth - 1)) == 0 &&
+                     (depths[static_cast<std::size_t>(colour)] & static_cast<unsigned>(depth)) != 0;
+  if (known) return {};
+  return fmt::format("is corrupt (colour type {} of {} bits); {}", colour, depth, restoreIt);
 }
 
 /// What is wrong with the file, to follow its name; empty when nothing is.
 std::string problem(std::string_view file) {
-  if (file.empty()) return "is empty; make it again";
+  if (const std::string other = standsForAnother(file); !other.empty()) return other;
+  if (file.empty()) return fmt::format("is empty; {}", restoreIt);
   // A file that ends inside the signature was a PNG, as far as one can tell.
   if (file.substr(0, signature.size()) != signature.substr(0, std::min(file.size(), signature.size())))
-    return "is not a PNG file; convert it to an 8-bit RGB PNG";
-  std::string cutOff = fmt::format("is cut off after {} bytes; make it again", file.size());
+    return "is not a PNG file; convert it to PNG";
+  std::string cutOff = fmt::format("is cut off after {} bytes; {}", file.size(), restoreIt);
   if (file.size() < signature.size()) return cutOff;
   std::string_view rest = file.substr(signature.size());
   bool first = true, pixels = false;
@@ -86,18 +84,18 @@ std::string problem(std::string_view file) {
     const auto chunk = takeChunk(rest);
     if (!chunk) return cutOff;
     if (!checksumHolds(*chunk))
-      return fmt::format("is corrupt (wrong checksum of the chunk at byte {}); make it again", at);
+      return fmt::format("is corrupt (wrong checksum of the chunk at byte {}); {}", at, restoreIt);
     if (first != (chunk->type == "IHDR") || (first && chunk->data.size() != 13))
-      return fmt::format("is corrupt (no header, or two, at byte {}); make it again", at);
+      return fmt::format("is corrupt (no header, or two, at byte {}); {}", at, restoreIt);
     if (first)
       if (auto wrong = formatProblem(chunk->data); !wrong.empty()) return wrong;
     if (chunk->type == "acTL") return "is an animated PNG; compare its frames as separate files";
     first = false;
     pixels = pixels || chunk->type == "IDAT";
     if (chunk->type != "IEND") continue;
-    if (!pixels) return "is corrupt (it holds no pixels); make it again";
+    if (!pixels) return fmt::format("is corrupt (it holds no pixels); {}", restoreIt);
     if (!rest.empty())
-      return fmt::format("is corrupt ({} bytes follow its end); make it again", rest.size());
+      return fmt::format("is corrupt ({} bytes follow its end); {}", rest.size(), restoreIt);
     return {};
   }
   return cutOff;
@@ -117,37 +115,23 @@ void checkPng(std::span<const std::byte> file, const char* what, const std::stri
   if (!wrong.empty()) fail(ExitCode::inputOutput, "{} {} {}", what, name, wrong);
 }
 
-void readPngFile(const std::filesystem::path& path, const char* what, std::string& file) {
-  const auto failed = [&](const char* verb) {
-    fail(ExitCode::inputOutput, "cannot {} {} {}: {}", verb, what, path.string(), std::strerror(errno));
-  };
-  // Opening a pipe that nobody writes into would wait for ever.
-  std::error_code unknown;
-  const auto kind = std::filesystem::status(path, unknown).type();
-  if (kind == std::filesystem::file_type::fifo || kind == std::filesystem::file_type::character ||
-      kind == std::filesystem::file_type::block || kind == std::filesystem::file_type::socket)
-    fail(ExitCode::inputOutput, "{} {} is a pipe, a device or a socket; copy what it gives into a file",
-         what, path.string());
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> stream(std::fopen(path.c_str(), "rbe"),
-                                                               &std::fclose);
-  if (!stream) failed("open");
-  std::setvbuf(stream.get(), nullptr, _IONBF, 0);  // straight into `file`
-  const auto size = std::filesystem::file_size(path, unknown);
-  file.resize(unknown ? 65536 : size + 1);
-  std::size_t used = 0;
-  while (const std::size_t got = std::fread(file.data() + used, 1, file.size() - used, stream.get())) {
-    used += got;
-    if (used == file.size()) file.resize(2 * used);
-  }
-  if (std::ferror(stream.get()) != 0) failed("read");
-  file.resize(used);
-  checkPng(std::as_bytes(std::span(file)), what, path.string());
-}
-
 frame::Image readPng(const std::filesystem::path& path, const char* what) {
   std::string file;
-  readPngFile(path, what, file);
-  return frame::decodeImage(std::as_bytes(std::span(file)), path.string());
+  readBytes(path, what, file);
+  checkPng(std::as_bytes(std::span(file)), what, path.string());
+  Picture picture = decodePicture(file, what, path.string());
+  if (picture.depth != Depth::unorm8)
+    fail(ExitCode::inputOutput, "{} {} has 16 bits per channel; convert it to 8-bit RGB", what,
+         path.string());
+  return std::move(picture.image);
+}
+
+std::optional<std::pair<int, int>> sizeOfPng(std::span<const std::byte> file) {
+  const std::string_view bytes = textOf(file);
+  constexpr std::size_t widthAt = 16, heightAt = 20, end = 24;
+  if (!bytes.starts_with(signature) || bytes.size() < end) return std::nullopt;
+  return std::pair(static_cast<int>(bigEndian(bytes.data() + widthAt)),
+                   static_cast<int>(bigEndian(bytes.data() + heightAt)));
 }
 
 bool sameEncodedPixels(std::span<const std::byte> a, std::span<const std::byte> b) {

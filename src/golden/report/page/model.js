@@ -1,6 +1,8 @@
 // The report's data, what is derived from it, and what is chosen: suite, scene, frame, view.
 
 const suite = JSON.parse(document.getElementById("data").textContent);
+/// Pictures of other programs have no frames, no device and no state.
+const ofPictures = suite.unit === "picture";
 
 /// In the order of the list: what needs attention first.
 const statusOrder =
@@ -31,6 +33,7 @@ const views = [
   {id: "swipe", label: "swipe"},
   {id: "blink", label: "blink"},
   {id: "difference", label: "difference"},
+  ...suite.scenes.some((scene) => scene.frames.some((frame) => frame.flipImage)) ? [{id: "flip", label: "FLIP"}] : [],
 ];
 
 /// What the curve can show, as a number of a frame's metrics; `bound` is the tolerance that limits it.
@@ -64,7 +67,8 @@ function largest(scene, of) {
 
 /// Index of the frame to show first: where the scene first fails.
 function firstFrame(scene) {
-  return Math.max(0, scene.frames.findIndex((frame) => frame.status !== "pass" && frame.status !== "updated"));
+  const telling = (frame) => (frame.status !== "pass" && frame.status !== "updated") || frame.others.length > 0;
+  return Math.max(0, scene.frames.findIndex(telling));
 }
 
 /// The value of a curve at a frame: 0 where the pixels are equal, null where nothing can be compared.

@@ -18,7 +18,7 @@ void accept(const std::string& report, const golden::Acceptance& how) {
   const auto all = golden::acceptReport(report, how);
   if (all.empty())
     fail(ExitCode::nothingRan, "nothing to accept: {}",
-         how.only.empty() ? "every scene of the report passed" : "no failing scene matches --only");
+         how.only.empty() ? "everything in the report passed" : "nothing that failed matches --only");
   int refused = 0;
   for (const golden::Accepted& one : all) {
     if (one.problem.empty()) {
@@ -40,12 +40,15 @@ void addAccept(CLI::App& app) {
   };
   auto o = std::make_shared<Arguments>();
   auto* command = app.add_subcommand(
-      "accept", "Make what a test run rendered the new baselines, without rendering again");
+      "accept", "Make what a test run rendered or compared the new baselines, without rendering again");
   command->add_option("report", o->report, "report.json, or the folder of --report")->required();
-  command->add_option("--only", o->how.only, "Only scenes whose name matches, repeatable")
+  command->add_option("--only", o->how.only, "Only scenes or pictures whose name matches, repeatable")
       ->allow_extra_args(false);
-  command->add_option("--reason", o->how.reason, "Why, kept in the baselines");
-  command->add_flag("--alternate", o->how.alternate, "Accept beside the baseline instead of in its place");
+  command->add_option("--reason", o->how.reason, "Why, kept in the baselines of scenes");
+  command->add_flag("--alternate", o->how.alternate,
+                    "Accept beside a scene's baseline instead of in its place");
+  command->add_option("--expected", o->how.expected,
+                      "Of pictures: the folder of the baselines (default: as tested)");
   command->callback([o] { accept(o->report, o->how); });
 }
 

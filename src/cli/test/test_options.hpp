@@ -1,0 +1,40 @@
+#pragma once
+#include "cli/allowance_options.hpp"
+#include "cli/test/outputs.hpp"
+#include "cli/tolerance_options.hpp"
+#include "gl/context.hpp"
+#include "golden/update.hpp"
+
+#include <string>
+#include <vector>
+
+namespace simreel::cli {
+
+struct TestOptions {
+  std::vector<std::string> paths;
+  std::vector<std::string> globs;
+  std::vector<std::string> assets;
+  std::string shard;
+  int repeat = 2;
+  int retries = 0;
+  bool allowFlaky = false;
+  bool strict = false;
+  TestOutputs outputs;
+  std::string update;
+  bool updateGiven = false;
+  std::string reason, profile;
+  gl::ContextOptions on;
+  bool list = false;
+  ToleranceOptions tolerance;
+  // Of pictures:
+  std::string expected, actual, run, rules;
+  AllowanceOptions allowance;
+  std::string command;  ///< as typed
+
+  [[nodiscard]] golden::Update updateMode() const;
+};
+
+/// `simreel test --expected DIR ...`: pictures that other programs made. Needs no device.
+void testPictures(const TestOptions& options);
+
+}  // namespace simreel::cli

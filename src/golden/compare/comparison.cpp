@@ -1,0 +1,155 @@
+#include "golden/compare/comparison.hpp"
+
+#include "base/error.hpp"
+#include "golden/compare/compare.hpp"
+#include "golden/compare/difference_image.hpp"
+#include "golden/compare/flip.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+namespace simreel::golden {
+
+namespace {
+
+/// What two pictures are held against each other by, where bytes do not tell.
+struct DeepPair {
+  std::vector<float> a, b;
+  bool sameDepth;
+  const Picture &pictureA, &pictureB;
+
+  /// Largest difference of a channel in units of 1/255, at most 255; above 0 wherever the files' numbers
+  /// differ.
+  [[nodiscard]] double apart(std::size_t pixel) const {
+    double worst = 0;
+    for (std::size_t i = 4 * pixel; i < 4 * pixel + 4; ++i) worst = std::max(worst, channelApart(i));
+    return worst;
+  }
+
+ private:
+  [[nodiscard]] double channelApart(std::size_t i) const {
+    if (sameDepth) {
+      const float x = pictureA.values[i], y = pictureB.values[i];
+      if (x == y || (std::isnan(x) && std::isnan(y))) return 0;
+    }
+    const double between = std::abs(double{a[i]} - double{b[i]});
+    if (std::isnan(between)) return 255;  // one is no number, or two infinities differ in sign
+    constexpr double hair = 1e-6;         // light that differs by less than its encoding resolves
+    return between == 0 ? (sameDepth ? hair : 0) : std::min(between, 255.0);
+  }
+};
+
+void padToEach(Picture& a, Picture& b) {
+  const int width = std::max(a.image.width, b.image.width);
+  const int height = std::max(a.image.height, b.image.height);
+  for (Picture* one : {&a, &b})
+    if (one->image.width != width || one->image.height != height) *one = padded(*one, width, height);
+}
+
+bool equalPixels(const Picture& a, const Picture& b) {
+  if (a.depth != b.depth) return false;
+  if (a.depth == Depth::unorm8) return a.image.bytes == b.image.bytes;
+  // Bits: two that are no numbers are equal.
+  return std::equal(a.values.begin(), a.values.end(), b.values.begin(), b.values.end(),
+                    [](float x, float y) { return x == y || (std::isnan(x) && std::isnan(y)); });
+}
+
+/// Gives `b` the pixels of `a` that are excused, and counts them.
+void excuse(const Picture& a, Picture& b, Comparison& made) {
+  for (std::size_t pixel = 0; pixel < made.excuses.size(); ++pixel) {
+    const Excuse why = made.excuses[pixel];
+    if (why == Excuse::none) continue;
+    ++(why == Excuse::masked        ? made.metrics.maskedPixels
+       : why == Excuse::antialiased ? made.metrics.antialiasedPixels
+                                    : made.metrics.movedPixels);
+    const auto at = static_cast<std::ptrdiff_t>(4 * pixel);
+    std::copy_n(a.image.bytes.begin() + at, 4, b.image.bytes.begin() + at);
+    if (!b.values.empty() && !a.values.empty())
+      std::copy_n(a.values.begin() + at, 4, b.values.begin() + at);
+  }
+}
+
+std::uint8_t mixed(std::uint8_t from, std::uint8_t to, double t) {
+  return static_cast<std::uint8_t>(std::lround(from + t * (to - from)));
+}
+
+}  // namespace
+
+Comparison compare(const Picture& baseline, const Picture& picture, const scene::Tolerance& tolerance,
+                   const Allowance& allowance) {
+  Comparison made;
+  Picture a = baseline, b = picture;
+  const frame::Image &sizeA = baseline.image, &sizeB = picture.image;
+  if (sizeA.width != sizeB.width || sizeA.height != sizeB.height) {
+    made.sizes = fmt::format("the picture is {}x{}, its baseline {}x{}", sizeB.width, sizeB.height,
+                             sizeA.width, sizeA.height);
+    padToEach(a, b);
+  }
+  if (a.colours != b.colours)
+    made.colours = fmt::format("the files differ in what their numbers mean, which is not compared: {}; {}",
+                               a.colours.empty() ? "as usual" : a.colours, b.colours.empty() ? "as usual" : b.colours);
+  const int width = a.image.width, height = a.image.height;
+  if (!allowance.mask.empty() && allowance.mask.size() != std::size_t(width) * std::size_t(height))
+    fail(ExitCode::usage, "the mask has {} pixels, the pictures that it masks {}x{}", allowance.mask.size(),
+         width, height);
+  const bool deep = a.depth != Depth::unorm8 || b.depth != Depth::unorm8;
+  if (!allowance.none() && (!equalPixels(a, b) || !allowance.mask.empty())) {
+    made.excuses = excuses(inUnits(a), inUnits(b), width, height, allowance, tolerance.maxChannelDiff);
+    excuse(a, b, made);
+  }
+  const Metrics counted = made.metrics;
+  if (equalPixels(a, b)) {
+    made.metrics = measure(a.image, a.image, tolerance);
+  } else if (!deep) {
+    made.metrics = measure(a.image, b.image, tolerance);
+  } else {
+    const DeepPair pair{inUnits(a), inUnits(b), a.depth == b.depth, a, b};
+    std::vector<float> apart(std::size_t(width) * std::size_t(height));
+    made.apart.resize(apart.size());
+    for (std::size_t pixel = 0; pixel < apart.size(); ++pixel) {
+      const bool excused = !made.excuses.empty() && made.excuses[pixel] != Excuse::none;
+      apart[pixel] = excused ? 0.0F : static_cast<float>(pair.apart(pixel));
+      made.apart[pixel] = static_cast<std::uint8_t>(std::ceil(apart[pixel]));
+    }
+    made.metrics = measureApart(apart, a.image, b.image, tolerance);
+  }
+  made.metrics.maskedPixels = counted.maskedPixels;
+  made.metrics.antialiasedPixels = counted.antialiasedPixels;
+  made.metrics.movedPixels = counted.movedPixels;
+  made.a = std::move(a.image);
+  made.b = std::move(b.image);
+  return made;
+}
+
+frame::Image differenceImage(const Comparison& comparison) {
+  frame::Image image = comparison.apart.empty() ? differenceImage(comparison.a, comparison.b)
+                                                : differenceImage(comparison.a, comparison.apart);
+  constexpr std::array<std::array<std::uint8_t, 3>, 4> tints = {
+      {{0, 0, 0}, {70, 30, 110}, {190, 190, 200}, {120, 80, 50}}};
+  for (std::size_t pixel = 0; pixel < comparison.excuses.size(); ++pixel) {
+    if (comparison.excuses[pixel] == Excuse::none) continue;
+    const auto& tint = tints[static_cast<std::size_t>(comparison.excuses[pixel])];
+    for (std::size_t c = 0; c < 3; ++c)
+      image.bytes[4 * pixel + c] = mixed(image.bytes[4 * pixel + c], tint[c], 0.75);
+  }
+  return image;
+}
+
+frame::Image flipImage(const Comparison& comparison) {
+  constexpr std::array<std::array<std::uint8_t, 3>, 5> stops = {
+      {{0, 0, 4}, {81, 18, 124}, {183, 55, 121}, {252, 137, 97}, {252, 253, 191}}};
+  const std::vector<float> map = flipMap(comparison.a, comparison.b);
+  frame::Image image{comparison.a.width, comparison.a.height,
+                     std::vector<std::uint8_t>(comparison.a.bytes.size(), 255)};
+  for (std::size_t pixel = 0; pixel < map.size(); ++pixel) {
+    const double at = std::clamp(double{map[pixel]}, 0.0, 1.0) * (stops.size() - 1);
+    const std::size_t stop = std::min(stops.size() - 2, static_cast<std::size_t>(at));
+    for (std::size_t c = 0; c < 3; ++c)
+      image.bytes[4 * pixel + c] = mixed(stops[stop][c], stops[stop + 1][c], at - double(stop));
+  }
+  return image;
+}
+
+}  // namespace simreel::golden

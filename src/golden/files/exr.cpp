@@ -1,0 +1,164 @@
+// OpenEXR, by its own library: scanlines and tiles, every compression, half, float and whole numbers.
+#include "base/error.hpp"
+#include "base/text.hpp"
+#include "golden/files/damage.hpp"
+#include "golden/files/picture.hpp"
+
+#include <ImfChannelList.h>
+#include <ImfChromaticitiesAttribute.h>
+#include <ImfFrameBuffer.h>
+#include <ImfHeader.h>
+#include <ImfIO.h>
+#include <ImfInputPart.h>
+#include <ImfMultiPartInputFile.h>
+#include <ImfPartType.h>
+#include <algorithm>
+#include <cstring>
+#include <exception>
+#include <vector>
+
+#include <fmt/ranges.h>
+
+namespace simreel::golden {
+
+namespace {
+
+constexpr int largestSide = 16384;
+constexpr double mostPixels = 1e8;
+
+class MemoryStream final : public Imf::IStream {
+ public:
+  explicit MemoryStream(std::string_view bytes) : IStream("picture"), bytes_(bytes) {}
+  bool read(char to[], int count) override {
+    const auto wanted = static_cast<std::size_t>(std::max(count, 0));
+    if (at_ > bytes_.size() || wanted > bytes_.size() - at_) {
+      beyond_ = true;
+      throw std::runtime_error("unexpected end");
+    }
+    std::memcpy(to, bytes_.data() + at_, wanted);
+    at_ += wanted;
+    return at_ < bytes_.size();
+  }
+  std::uint64_t tellg() override { return at_; }
+  void seekg(std::uint64_t position) override { at_ = position; }
+  void clear() override {}
+  /// Whether somebody asked for more than there is.
+  [[nodiscard]] bool beyond() const { return beyond_; }
+
+ private:
+  std::string_view bytes_;
+  std::size_t at_ = 0;
+  bool beyond_ = false;
+};
+
+struct Window {
+  int left, top, width, height;
+};
+
+Window windowOf(const Imath::Box2i& box) {
+  const auto side = [](int from, int to) {
+    const long length = long{to} - from + 1;
+    if (length < 1 || length > largestSide)
+      throw std::runtime_error(fmt::format("a window of {} pixels; 1 to {} are read", length, largestSide));
+    return static_cast<int>(length);
+  };
+  return {box.min.x, box.min.y, side(box.min.x, box.max.x), side(box.min.y, box.max.y)};
+}
+
+/// The channels that make the picture, for R, G, B and A; those that are not there are nullptr.
+struct Chosen {
+  std::vector<const char*> names;
+  std::vector<std::string> others;
+};
+
+Chosen choose(const Imf::ChannelList& channels) {
+  const auto has = [&](const char* name) { return channels.findChannel(name) != nullptr; };
+  const bool colour = has("R") || has("G") || has("B");
+  Chosen chosen;
+  for (const char* name : {"R", "G", "B"}) {
+    const char* source = colour ? name : "Y";
+    chosen.names.push_back(has(source) ? source : nullptr);
+  }
+  chosen.names.push_back(has("A") ? "A" : nullptr);
+  for (auto channel = channels.begin(); channel != channels.end(); ++channel) {
+    const std::string name = channel.name();
+    const bool used = std::any_of(chosen.names.begin(), chosen.names.end(),
+                                  [&](const char* one) { return one != nullptr && name == one; });
+    if (!used) chosen.others.push_back(oneLine(name));
+  }
+  if (std::all_of(chosen.names.begin(), chosen.names.end(),
+                  [](const char* name) { return name == nullptr; }))
+    throw std::runtime_error(
+        fmt::format("no channel R, G, B, Y or A, only {}", fmt::join(chosen.others, ", ")));
+  return chosen;
+}
+
+Picture read(MemoryStream& stream) {
+  Imf::MultiPartInputFile file(stream);
+  const Imf::Header& header = file.header(0);
+  if (header.hasType() && header.type() != Imf::SCANLINEIMAGE && header.type() != Imf::TILEDIMAGE)
+    throw std::runtime_error("deep pixels, which are not read");
+  const Window data = windowOf(header.dataWindow()), shown = windowOf(header.displayWindow());
+  if (double(data.width) * data.height > mostPixels || double(shown.width) * shown.height > mostPixels)
+    throw std::runtime_error("more than 100 million pixels");
+  const Chosen chosen = choose(header.channels());
+  Imf::InputPart part(file, 0);
+  std::vector<float> pixels(4 * std::size_t(data.width) * std::size_t(data.height), 0.0F);
+  Imf::FrameBuffer buffer;
+  // Three slices may read Y, and a buffer has a name once: it is copied below.
+  for (std::size_t c = 0; c < 4; ++c) {
+    const char* name = chosen.names[c];
+    if (name == nullptr || buffer.findSlice(name) != nullptr) continue;
+    if (header.channels().findChannel(name)->xSampling != 1 ||
+        header.channels().findChannel(name)->ySampling != 1)
+      throw std::runtime_error(fmt::format("a subsampled channel {}", name));
+    buffer.insert(name, Imf::Slice::Make(Imf::FLOAT, pixels.data() + c, header.dataWindow(), 16,
+                                         16 * std::size_t(data.width)));
+  }
+  part.setFrameBuffer(buffer);
+  part.readPixels(data.top, data.top + data.height - 1);
+  const bool grey = chosen.names[0] != nullptr && std::string_view(chosen.names[0]) == "Y";
+  for (std::size_t i = 0; i < pixels.size(); i += 4) {
+    if (grey) pixels[i + 1] = pixels[i + 2] = pixels[i];
+    if (chosen.names[3] == nullptr) pixels[i + 3] = 1;
+  }
+  Picture picture;
+  picture.values.assign(4 * std::size_t(shown.width) * std::size_t(shown.height), 0.0F);
+  for (int y = std::max(data.top, shown.top);
+       y < std::min(data.top + data.height, shown.top + shown.height); ++y) {
+    const int left = std::max(data.left, shown.left);
+    const int right = std::min(data.left + data.width, shown.left + shown.width);
+    if (left >= right) break;
+    const auto from = 4 * (std::ptrdiff_t{y - data.top} * data.width + (left - data.left));
+    const auto to = 4 * (std::ptrdiff_t{y - shown.top} * shown.width + (left - shown.left));
+    std::copy_n(pixels.begin() + from, std::ptrdiff_t{4} * (right - left), picture.values.begin() + to);
+  }
+  if (const auto* named = header.findTypedAttribute<Imf::ChromaticitiesAttribute>("chromaticities"))
+    if (const Imf::Chromaticities usual; !(named->value() == usual))
+      picture.colours = fmt::format("primaries of its own (red {:.3f} {:.3f}, green {:.3f} {:.3f})", named->value().red.x,
+                                    named->value().red.y, named->value().green.x, named->value().green.y);
+  std::vector<std::string> notes;
+  if (!chosen.others.empty()) notes.push_back(fmt::format("channels {}", fmt::join(chosen.others, ", ")));
+  if (file.parts() > 1) notes.push_back(fmt::format("parts 2 to {}", file.parts()));
+  if (data.left < shown.left || data.top < shown.top || data.left + data.width > shown.left + shown.width ||
+      data.top + data.height > shown.top + shown.height)
+    notes.emplace_back("pixels outside of the display window");
+  if (!notes.empty()) picture.note = fmt::format("{} are not compared", fmt::join(notes, "; "));
+  showLight(picture, shown.width, shown.height);
+  return picture;
+}
+
+}  // namespace
+
+Picture decodeExr(std::string_view bytes, const std::string& label) {
+  MemoryStream stream(bytes);
+  try {
+    return read(stream);
+  } catch (const std::exception& error) {
+    if (stream.beyond())
+      fail(ExitCode::inputOutput, "{} is cut off after {} bytes; {}", label, bytes.size(), restoreIt);
+    fail(ExitCode::inputOutput, "{} cannot be decoded ({})", label, oneLine(error.what()));
+  }
+}
+
+}  // namespace simreel::golden

@@ -1,0 +1,129 @@
+// Radiance HDR (G. Ward, "Real Pixels", Graphics Gems II; ray/src/common/color.c): a text header, then a
+// byte of mantissa for each of R, G and B and a shared exponent, run-length encoded.
+#include "base/error.hpp"
+#include "base/text.hpp"
+#include "golden/files/damage.hpp"
+#include "golden/files/picture.hpp"
+
+#include <cmath>
+
+namespace simreel::golden {
+
+namespace {
+
+constexpr int largestSide = 16384;
+
+class RadianceFile {
+ public:
+  RadianceFile(std::string_view bytes, const std::string& label)
+      : label_(label), whole_(bytes.size()), rest_(bytes) {}
+
+  Picture read() {
+    readHeader();
+    picture_.values.resize(4 * std::size_t(width_) * std::size_t(height_));
+    std::string scanline(4 * std::size_t(width_), '\0');
+    for (int y = 0; y < height_; ++y) {
+      readScanline(scanline);
+      for (int x = 0; x < width_; ++x) setPixel(x, y, scanline);
+    }
+    showLight(picture_, width_, height_);
+    return std::move(picture_);
+  }
+
+ private:
+  [[noreturn]] void refuse(const std::string& why) const {
+    fail(ExitCode::inputOutput, "{} {}", label_, why);
+  }
+  [[noreturn]] void cutOff() const {
+    refuse(fmt::format("is cut off after {} bytes; {}", whole_, restoreIt));
+  }
+
+  std::string_view line() {
+    const std::size_t end = rest_.find('\n');
+    if (end == std::string_view::npos) cutOff();
+    const std::string_view found = rest_.substr(0, end);
+    rest_.remove_prefix(end + 1);
+    return found;
+  }
+
+  void readHeader() {
+    static_cast<void>(line());  // #?RADIANCE or #?RGBE
+    for (std::string_view text = line(); !text.empty(); text = line())
+      if (text.starts_with("FORMAT=") && text != "FORMAT=32-bit_rle_rgbe")
+        refuse(fmt::format("has the format {}, and only 32-bit_rle_rgbe is read", oneLine(text.substr(7))));
+    std::string_view size = line();
+    const std::string shown = oneLine(size.substr(0, 40));
+    const auto number = [&](std::string_view before) {
+      if (!size.starts_with(before))
+        refuse(fmt::format("has its rows in another order ({}), and only -Y ... +X ... is read", shown));
+      size.remove_prefix(before.size());
+      const auto found = takeInteger(size);
+      if (!found || *found < 1 || *found > largestSide)
+        refuse(fmt::format("has no size from 1 to {} ({})", largestSide, shown));
+      return *found;
+    };
+    height_ = number("-Y ");
+    width_ = number(" +X ");
+    // A run of 127 takes two bytes in each of four planes.
+    if (double(width_) * height_ > double(rest_.size()) * 127 / 8 + 127) cutOff();
+  }
+
+  int byte() {
+    if (rest_.empty()) cutOff();
+    const int value = static_cast<unsigned char>(rest_.front());
+    rest_.remove_prefix(1);
+    return value;
+  }
+
+  /// Four planes (R, G, B, exponent) one after the other in the new form, or pixels as they are.
+  void readScanline(std::string& out) {
+    const auto size = std::size_t(width_);
+    const std::string mark = {2, 2, static_cast<char>(width_ >> 8), static_cast<char>(width_ & 255)};
+    planar_ = width_ >= 8 && width_ <= 0x7fff && rest_.starts_with(mark);
+    if (!planar_) {
+      if (rest_.size() < out.size()) cutOff();
+      if (rest_.starts_with("\1\1\1")) refuse("has the run-length encoding of before 1991; convert it");
+      out.assign(rest_.substr(0, out.size()));
+      rest_.remove_prefix(out.size());
+      return;
+    }
+    rest_.remove_prefix(mark.size());
+    for (std::size_t plane = 0; plane < 4; ++plane)
+      for (std::size_t at = 0; at < size;) {
+        int count = byte();
+        const bool run = count > 128;
+        if (run) count -= 128;
+        if (count == 0 || at + std::size_t(count) > size) refuse("is corrupt (a run leaves its row)");
+        const int value = run ? byte() : 0;
+        for (; count > 0; --count) out[plane * size + at++] = static_cast<char>(run ? value : byte());
+      }
+  }
+
+  /// (m + 0.5) / 256 * 2^(e - 128); e = 0 is black.
+  void setPixel(int x, int y, const std::string& scanline) {
+    const auto at = [&](std::size_t channel) {
+      const std::size_t i =
+          planar_ ? channel * std::size_t(width_) + std::size_t(x) : 4 * std::size_t(x) + channel;
+      return static_cast<unsigned char>(scanline[i]);
+    };
+    float* to = &picture_.values[4 * (std::size_t(y) * std::size_t(width_) + std::size_t(x))];
+    to[3] = 1;
+    for (std::size_t c = 0; c < 3; ++c)
+      to[c] = at(3) == 0 ? 0.0F : std::ldexp(float(at(c)) + 0.5F, int{at(3)} - (128 + 8));
+  }
+
+  const std::string& label_;
+  std::size_t whole_;
+  std::string_view rest_;
+  int width_ = 0, height_ = 0;
+  bool planar_ = false;
+  Picture picture_;
+};
+
+}  // namespace
+
+Picture decodeRadiance(std::string_view bytes, const std::string& label) {
+  return RadianceFile(bytes, label).read();
+}
+
+}  // namespace simreel::golden

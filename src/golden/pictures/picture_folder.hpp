@@ -1,0 +1,21 @@
+#pragma once
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace simreel::golden {
+
+/// What is below a folder, as paths relative to it with '/', sorted.
+struct PictureFolder {
+  std::vector<std::string> pictures;
+  std::vector<std::string> others;  ///< files that are no pictures, and hidden folders, which end in '/'
+};
+
+/// Searches the folder and all below it, links included; hidden folders are not entered. Throws
+/// UserError(inputOutput) for a folder that cannot be listed, and where links go round in a circle.
+[[nodiscard]] PictureFolder listPictures(const std::filesystem::path& folder);
+
+/// "notes.txt, .git/ and 3 more"
+[[nodiscard]] std::string someOf(const std::vector<std::string>& names);
+
+}  // namespace simreel::golden

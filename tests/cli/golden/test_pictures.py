@@ -1,0 +1,403 @@
+"""simreel test --expected DIR: pictures of any program, their baselines, rules, and commands that make them."""
+import json
+import shutil
+import struct
+import subprocess
+import unittest
+import zlib
+
+from common import Case, main
+from golden_common import png
+
+WIDTH, HEIGHT = 24, 16
+LFS = b"version https://git-lfs.github.com/spec/v1\noid sha256:4d7a\nsize 12345\n"
+
+
+def ramp(x, y):
+    return (7 * x) % 256, (9 * y) % 256, (x + y) % 256
+
+
+def picture(at=ramp, size=(WIDTH, HEIGHT), depth=8, kind=2):
+    def row(y):
+        values = [c for x in range(size[0]) for c in at(x, y)]
+        return struct.pack(f">{len(values)}H", *values) if depth == 16 else bytes(values)
+    return png(*size, [row(y) for y in range(size[1])], depth, kind)
+
+
+def changed(pixels, at=ramp, **options):
+    return picture(lambda x, y: pixels.get((x, y), at(x, y)), **options)
+
+
+def with_chunk(data, name, body):
+    """A PNG with one more chunk before its pixels."""
+    made = struct.pack(">I", len(body)) + name + body + struct.pack(">I", zlib.crc32(name + body))
+    return data[:33] + made + data[33:]
+
+
+def radiance(rows):
+    """Flat RGBE scanlines."""
+    return (f"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y {len(rows)} +X {len(rows[0])}\n".encode()
+            + b"".join(bytes(pixel) for row in rows for pixel in row))
+
+
+class PicturesCase(Case):
+    def setUp(self):
+        super().setUp()
+        for folder in ("expected", "actual"):
+            (self.folder / folder).mkdir()
+
+    def both(self, name, expected, actual=None):
+        self.write(f"expected/{name}", expected)
+        self.write(f"actual/{name}", expected if actual is None else actual)
+
+    def suite(self, code, *arguments, actual=("--actual", "actual"), **options):
+        """Runs the test, expects the code, returns the results by name and the run."""
+        done = self.run_program("test", "--expected", "expected", *actual, "--json", "report.json", *arguments, **options)
+        done.out = done.stdout.decode("utf-8", "replace")
+        self.assertEqual(done.returncode, code, (arguments, done.err, done.out))
+        done.report = json.loads((self.folder / "report.json").read_text(encoding="utf-8"))
+        return {one["name"]: one for one in done.report["scenes"]}, done
+
+    def statuses(self, code, *arguments, **options):
+        return {name: one["status"] for name, one in self.suite(code, *arguments, **options)[0].items()}
+
+    def usage(self, words, *arguments):
+        self.bad(2, words, "test", *arguments)
+
+
+class Kinds(PicturesCase):
+    def test_every_png(self):
+        def grey(x, y):
+            return ((x * 11 + y) % 256,)
+        for name, data, other in (
+                ("rgb.png", picture(), changed({(3, 4): (0, 0, 0)})),
+                ("deep.png", picture(lambda x, y: (x * 2000, y * 3000, 7), depth=16),
+                 picture(lambda x, y: (x * 2000 + (x == 3), y * 3000, 7), depth=16)),  # by 1 of 65535
+                ("grey.png", picture(grey, kind=0), changed({(0, 0): (9,)}, grey, kind=0)),
+                ("deep grey.png", picture(lambda x, y: (x * 999,), depth=16, kind=0),
+                 picture(lambda x, y: (x * 999 + (y == 1),), depth=16, kind=0)),
+                ("palette.png", picture(lambda x, y: ((x + y) % 2,), kind=3), picture(lambda x, y: (x % 2,), kind=3)),
+                ("sub folder/alpha.png", picture(lambda x, y: (*ramp(x, y), 255), kind=6),
+                 picture(lambda x, y: (*ramp(x, y), 255 - (x == 2)), kind=6)),
+                ("grey alpha.png", picture(lambda x, y: (x, 200), kind=4), picture(lambda x, y: (x, 200 - (y == 3)), kind=4)),
+                # What nobody sees is compared as well.
+                ("under.png", picture(lambda x, y: (1, 2, 3, 0), kind=6), picture(lambda x, y: (9, 2, 3, 0), kind=6))):
+            with self.subTest(name):
+                self.both(name, data)
+                self.assertEqual(self.statuses(0), {name: "pass"})
+                self.write(f"actual/{name}", other)
+                results, done = self.suite(1)
+                self.assertEqual(results[name]["status"], "fail")
+                self.assertRegex(results[name]["messages"][0], r"^\d+ pixels? differs? \(maxDiffPixels is 0\)|^\d+ pixels? differ")
+                self.assertIn(f"FAIL  {name}", done.out)
+                for folder in ("expected", "actual"):
+                    shutil.rmtree(self.folder / folder)
+
+    def test_depths_meet(self):
+        self.both("a.png", picture(), picture(lambda x, y: tuple(257 * c for c in ramp(x, y)), depth=16))
+        self.assertEqual(self.statuses(0), {"a.png": "pass"})
+
+    def test_radiance(self):
+        rows = [[(10 * x, 20, 30, 120 + y) for x in range(8)] for y in range(4)]
+        self.both("a.hdr", radiance(rows))
+        self.assertEqual(self.statuses(0), {"a.hdr": "pass"})
+        rows[2][5] = (51, 20, 30, 122)
+        self.write("actual/a.hdr", radiance(rows))
+        results, _ = self.suite(1)
+        metrics = results["a.hdr"]["frames"][0]["metrics"]
+        self.assertEqual((metrics["differentPixels"], metrics["worstX"], metrics["worstY"]), (1, 5, 2))
+        # Two that are cut off alike are not equal.
+        for folder in ("expected", "actual"):
+            self.write(f"{folder}/a.hdr", radiance(rows)[:-3])
+        results, _ = self.suite(6)
+        self.assertIn("is cut off after", results["a.hdr"]["messages"][0])
+        self.bad(6, ["cut off"], "diff", "expected/a.hdr", "actual/a.hdr")
+
+    @unittest.skipUnless(shutil.which("ffmpeg"), "ffmpeg is not installed (tools/setup does)")
+    def test_exr_and_jpeg(self):
+        source = self.write("source.png", picture())
+        def make(path, *filters):
+            self.folder.joinpath(path).parent.mkdir(exist_ok=True)
+            subprocess.run(["ffmpeg", "-v", "error", "-y", "-i", source, *filters, self.folder / path], check=True)
+        for name, pixels in (("a.exr", ["-pix_fmt", "gbrpf32le"]), ("b.jpg", [])):
+            make(f"expected/{name}", *pixels)
+            shutil.copy(self.folder / f"expected/{name}", self.folder / f"actual/{name}")
+        self.assertEqual(self.statuses(0), {"a.exr": "pass", "b.jpg": "pass"})
+        make("actual/a.exr", "-vf", "exposure=0.01", "-pix_fmt", "gbrpf32le")
+        make("actual/b.jpg", "-vf", "negate")
+        self.assertEqual(self.statuses(1), {"a.exr": "fail", "b.jpg": "fail"})
+        for name in ("a.exr", "b.jpg"):
+            shutil.copy(self.folder / f"expected/{name}", self.folder / f"actual/{name}")
+        for name in ("a.exr", "b.jpg"):
+            whole = (self.folder / f"expected/{name}").read_bytes()
+            for size in (20, len(whole) // 2, len(whole) - 1):
+                for folder in ("expected", "actual"):
+                    self.write(f"{folder}/{name}", whole[:size])
+                results, _ = self.suite(6)
+                self.assertEqual(results[name]["status"], "error", size)
+                self.assertIn("cut off", " ".join(results[name]["messages"]))
+                self.bad(6, [name], "diff", f"expected/{name}", f"actual/{name}")
+            self.both(name, whole)
+
+    def test_infinities_and_no_numbers(self):
+        if not shutil.which("ffmpeg"):
+            self.skipTest("ffmpeg is not installed (tools/setup does)")
+        raw = [0.25] * (4 * 2)
+        def exr(path, values):
+            self.write("raw", struct.pack("<24f", *values, *raw, *raw))
+            subprocess.run(["ffmpeg", "-v", "error", "-y", "-f", "rawvideo", "-pix_fmt", "gbrpf32le", "-s", "4x2", "-i",
+                            self.folder / "raw", "-format", "float", self.folder / path], check=True)
+        nan, inf = float("nan"), float("inf")
+        for a, b, code in ((nan, 0.25, 1), (0.25, nan, 1), (nan, nan, 0), (inf, 0.25, 1), (inf, inf, 0), (inf, -inf, 1),
+                           (0.25, 0.2500001, 1)):
+            with self.subTest((a, b)):
+                exr("expected/a.exr", [a, *raw[1:]])
+                exr("actual/a.exr", [b, *raw[1:]])
+                self.suite(code)
+        exr("actual/a.exr", [nan, *raw[1:]])
+        self.suite(1, "--search-radius", "2", "--ignore-antialiased", "--max-channel-diff", "254")
+
+
+class Differences(PicturesCase):
+    def test_sizes_are_padded_and_said(self):
+        self.both("a.png", picture(), picture(size=(WIDTH - 4, HEIGHT + 2)))
+        results, done = self.suite(1, "--report", "out")
+        self.assertIn(f"the picture is {WIDTH - 4}x{HEIGHT + 2}, its baseline {WIDTH}x{HEIGHT}; compared as "
+                      f"{WIDTH}x{HEIGHT + 2}, padded", done.out)
+        frame = results["a.png"]["frames"][0]
+        # 4 columns of the baseline, 2 rows of the picture.
+        self.assertEqual(frame["metrics"]["differentPixels"], 4 * HEIGHT + 2 * (WIDTH - 4))
+        self.suite(1, "--max-diff-ratio", "1")  # no bound excuses it
+
+    def test_missing_and_renamed(self):
+        self.both("same.png", picture())
+        self.write("expected/gone.png", changed({(1, 1): (1, 1, 1)}))
+        self.write("actual/new.png", changed({(2, 2): (2, 2, 2)}))
+        self.write("expected/was.png", changed({(3, 3): (3, 3, 3)}))
+        self.write("actual/sub/is.png", changed({(3, 3): (3, 3, 3)}))
+        results, done = self.suite(1, "--report", "out")
+        self.assertEqual({n: r["status"] for n, r in results.items()},
+                         {"same.png": "pass", "gone.png": "fail", "new.png": "missing", "sub/is.png": "missing"})
+        self.assertEqual(results["sub/is.png"]["renamedFrom"], "was.png")
+        self.assertIn("there is no picture for the baseline expected/gone.png", done.out)
+        done = self.run_program("accept", "out")
+        self.assertEqual(done.returncode, 1, done.err)
+        self.assert_words("gone.png", done)
+        self.assertEqual(sorted(p.relative_to(self.folder / "expected").as_posix()
+                                for p in (self.folder / "expected").rglob("*.png")),
+                         ["gone.png", "new.png", "same.png", "sub/is.png"])
+        self.suite(0, "--update=prune")
+        self.assertFalse((self.folder / "expected/gone.png").exists())
+        self.assertEqual(set(self.statuses(0).values()), {"pass"})
+
+    def test_nothing_is_passed_over_in_silence(self):
+        self.both("a.png", picture())
+        self.write("actual/notes.txt", "no picture")
+        self.write("actual/.hidden/b.png", picture())
+        self.both("without ending", picture(), changed({(0, 0): (9, 9, 9)}))
+        results, done = self.suite(1)
+        self.assertEqual(results["without ending"]["status"], "fail")
+        self.assertIn("passed over, no pictures: actual/.hidden/, actual/notes.txt", done.out)
+        self.write("actual/without ending", picture())
+        self.suite(0)
+        self.suite(1, "--strict")
+        self.write("expected/c.webp", b"RIFF\0\0\0\0WEBPVP8 ")
+        results, _ = self.suite(6)
+        self.assertIn("is a WebP picture", results["c.webp"]["messages"][0])
+
+    def test_colours_of_files(self):
+        self.both("a.png", picture(), with_chunk(picture(), b"gAMA", struct.pack(">I", 100000)))
+        results, _ = self.suite(0)
+        self.assertIn("gamma 1", results["a.png"]["notes"][0])
+        self.assertIn("note: ", self.good("diff", "expected/a.png", "actual/a.png").stdout.decode())
+        self.write("expected/a.png", with_chunk(picture(), b"gAMA", struct.pack(">I", 45455)))  # what sRGB is
+        self.write("actual/a.png", with_chunk(picture(), b"sRGB", b"\0"))
+        results, _ = self.suite(0)
+        self.assertEqual(results["a.png"]["notes"], [])
+
+    def test_damage_is_named_and_never_written_over(self):
+        whole = picture()
+        for content, words in ((LFS, "is a Git LFS pointer"), (b"", "is empty; restore it"),
+                               (whole[:60], "is cut off after 60 bytes; restore it"),
+                               (whole[:50] + bytes([whole[50] ^ 4]) + whole[51:], "is corrupt (wrong checksum"),
+                               (b"<<<<<<< HEAD\na\n=======\nb\n>>>>>>> x\n", "holds a merge conflict (line 1)"),
+                               (whole.replace(b"\r\n", b"\n", 1), "had its line ends converted"), (b"hello", "is not a picture")):
+            with self.subTest(words):
+                self.both("a.png", content, whole)
+                for more in ([], ["--update"], ["--report", "out"]):
+                    results, done = self.suite(6, *more)
+                    self.assertIn(f"baseline expected/a.png {words}", results["a.png"]["messages"][0])
+                    self.assertNotIn("To accept", done.out)
+                self.assertEqual((self.folder / "expected/a.png").read_bytes(), content)
+        self.both("a.png", whole, whole[:60])
+        results, _ = self.suite(6)
+        self.assertEqual(results["a.png"]["messages"], ["picture actual/a.png is cut off after 60 bytes"])
+
+    def test_usage(self):
+        self.both("a.png", picture())
+        base = ("--expected", "expected", "--actual", "actual")
+        self.usage(["--expected needs --actual"], "--expected", "expected")
+        self.usage(["--actual belongs to pictures"], "--actual", "actual")
+        self.usage(["nope is no folder"], "--expected", "expected", "--actual", "nope")
+        self.usage(["with --update it is made"], "--expected", "nope", "--actual", "actual")
+        self.usage(["the same folder"], "--expected", "expected", "--actual", "./expected")
+        self.usage(["--run needs {output}"], "--expected", "expected", "--run", "true {scene}", ".")
+        self.usage(["no {scene} to put it in"], "--expected", "expected", "--run", "true {output}", ".")
+        self.usage(["--reason"], *base, "--reason", "x", "--update")
+        self.bad(5, ["no picture to test"], "test", *base, "--filter", "nothing")
+        shutil.rmtree(self.folder / "expected")
+        self.assertEqual(self.statuses(0, "--update"), {"a.png": "updated"})
+
+    def test_full_disk(self):
+        self.both("a.png", picture(), changed({(1, 1): (9, 9, 9)}))
+        full = self.folder / "full"
+        full.symlink_to("/dev/full")
+        for flag in ("--json", "--junit"):
+            self.bad(6, ["full", "No space left"], "test", "--expected", "expected", "--actual", "actual", flag, "full")
+            self.assertTrue(full.is_symlink(), "a device is written to, not replaced")
+        self.write("actual/a.png", picture())
+        with open("/dev/full", "wb") as full:
+            done = self.run_program("test", "--expected", "expected", "--actual", "actual", stdout=full)
+        self.assertEqual(done.returncode, 6, done.err)
+
+
+class Allowances(PicturesCase):
+    def test_rules_by_folder_and_name(self):
+        self.both("ui/a.png", picture(), changed({(3, 4): (23, 37, 8)}))  # by 2
+        self.both("b.png", picture(), changed({(3, 4): (23, 37, 8)}))
+        self.write("rules.json", """{ // what holds for all, then for some
+            "tolerance": {"maxChannelDiff": 1},
+            "pictures": [{"match": "ui/", "tolerance": {"maxChannelDiff": 2}}, {"match": "none*"}]}""")
+        results, done = self.suite(1, "--rules", "rules.json")
+        self.assertEqual((results["ui/a.png"]["status"], results["b.png"]["status"]), ("pass", "fail"))
+        self.assertEqual(results["ui/a.png"]["tolerance"]["maxChannelDiff"]["origin"], 'rules.json, "ui/"')
+        self.assertIn('rules.json, "none*" matches no picture', done.out)
+        self.suite(0, "--rules", "rules.json", "--max-channel-diff", "2")  # the command line is stronger
+        self.write("rules.json", '{"pictures": [{"match": "b.png", "xfail": "known"}, {"match": "ui/a", "xfail": "gone"}]}')
+        self.assertEqual(self.statuses(0, "--rules", "rules.json"), {"ui/a.png": "xfail", "b.png": "xfail"})
+        self.write("actual/b.png", picture())
+        self.assertEqual(self.statuses(1, "--rules", "rules.json")["b.png"], "xpass")
+
+    def test_bad_rules(self):
+        self.both("a.png", picture())
+        for text, words in (('{"tolerance": {"maxChannelDif": 2}}', "tolerance.maxChannelDif is unknown"),
+                            ('{"pictures": [{"match": "a", "masks": [[0, 0]]}]}', "pictures[0].masks[0] must be"),
+                            ('{"searchRadius": 99}', "searchRadius must be"), ('{"foo": 1}', "foo is unknown"),
+                            ('{"pictures": [{"tolerance": {}}]}', "pictures[0].match is missing"), ("[", "rules.json")):
+            self.write("rules.json", text)
+            self.usage([words], "--expected", "expected", "--actual", "actual", "--rules", "rules.json")
+
+    def test_masks(self):
+        self.both("a.png", picture(), changed({(3, 4): (255, 255, 255)}))
+        self.write("mask.png", picture(lambda x, y: ((255,) if (x, y) == (3, 4) else (0,)), kind=0))
+        results, _ = self.suite(0, "--mask", "mask.png")
+        self.assertEqual(results["a.png"]["frames"][0]["metrics"]["maskedPixels"], 1)
+        for rectangle, code in (([3, 4, 1, 1], 0), ([0, 0, 3, 16], 1), ([2, 2, 100, 100], 0)):
+            self.write("rules.json", json.dumps({"pictures": [{"match": "a.png", "masks": [rectangle]}]}))
+            self.suite(code, "--rules", "rules.json")
+        self.write("rules.json", '{"pictures": [{"match": "a.png", "masks": [[30, 0, 1, 1]]}]}')
+        self.assertIn("lies outside", self.suite(6, "--rules", "rules.json")[0]["a.png"]["messages"][0])
+        self.write("small.png", picture(size=(3, 3)))
+        self.assertIn("3x3", self.suite(6, "--mask", "small.png")[0]["a.png"]["messages"][0])
+
+    def test_search_radius(self):
+        def box(left):
+            return picture(lambda x, y: (255, 255, 255) if left <= x < left + 5 and 4 <= y < 9 else (0, 0, 0))
+        self.both("a.png", box(6), box(8))
+        self.suite(1)
+        self.suite(1, "--search-radius", "1")
+        results, _ = self.suite(0, "--search-radius", "2")
+        self.assertEqual(results["a.png"]["frames"][0]["metrics"]["movedPixels"], 20)
+        # What is not there at all is not excused.
+        self.write("actual/a.png", picture(lambda x, y: (0, 0, 0)))
+        self.suite(1, "--search-radius", "2")
+
+    def test_antialiased_edges(self):
+        def slope(offset, soft):
+            def at(x, y):
+                inside = min(max((2 * x + y - 30 - offset) / 2 + 0.5, 0), 1) if soft else float(2 * x + y > 30 + offset)
+                return (round(40 + 200 * inside),) * 3
+            return picture(at)
+        self.both("a.png", slope(0, False), slope(0, True))
+        self.suite(1)
+        results, _ = self.suite(0, "--ignore-antialiased")
+        self.assertGreater(results["a.png"]["frames"][0]["metrics"]["antialiasedPixels"], 0)
+        self.write("actual/a.png", slope(8, False))  # another edge
+        self.suite(1, "--ignore-antialiased")
+
+
+class Commands(PicturesCase):
+    def test_each_scene(self):
+        self.write("in/one.txt", picture())
+        self.write("in/sub/it's two.txt", changed({(1, 1): (1, 1, 1)}))
+        run = ("--run", "cp {scene} {output}")
+        self.assertEqual(self.statuses(0, "in", "--update", actual=run), {"one.png": "updated", "sub/it's two.png": "updated"})
+        self.assertEqual(set(self.statuses(0, "in", actual=run).values()), {"pass"})
+        self.write("in/one.txt", changed({(2, 2): (2, 2, 2)}))
+        self.assertEqual(self.statuses(1, "in", actual=run), {"one.png": "fail", "sub/it's two.png": "pass"})
+        self.assertEqual(self.statuses(0, "in", "--filter", "sub/*", actual=run), {"sub/it's two.png": "pass"})
+        listed = self.good("test", "--expected", "expected", *run, "in", "--list").stdout.decode()
+        self.assertIn("cp in/one.txt one.png", listed)
+        results, _ = self.suite(6, "in", actual=("--run", "echo {scene} {output}; echo no licence >&2; exit 3"))
+        self.assertEqual({r["status"] for r in results.values()}, {"error"})
+        self.assertIn("no licence", results["one"]["messages"][0])
+        results, _ = self.suite(6, "in", actual=("--run", "true {scene} {output}"))
+        self.assertIn("made no picture", results["one"]["messages"][0])
+
+    def test_once(self):
+        self.write("one.png", picture())
+        run = ("--run", "mkdir -p {output}/sub && cp one.png {output}/sub/a.png")
+        self.assertEqual(self.statuses(0, "--update", actual=run), {"sub/a.png": "updated"})
+        self.assertEqual(self.statuses(0, actual=run), {"sub/a.png": "pass"})
+
+    def test_no_device_is_needed(self):
+        self.both("a.png", picture())
+        broken = {"__EGL_VENDOR_LIBRARY_FILENAMES": "/nonexistent.json", "LIBGL_DRIVERS_PATH": "/nonexistent"}
+        self.suite(0, env=broken)
+
+
+class Reports(PicturesCase):
+    def test_report_and_accept(self):
+        self.both("a.png", picture(), changed({(3, 4): (255, 0, 0)}))
+        self.both("b.png", picture())
+        summary = self.write("summary.md", "")
+        done = self.run_program("test", "--expected", "expected", "--actual", "actual", "--report", "out", "--junit", "out.xml",
+                                "--github", env={"GITHUB_STEP_SUMMARY": str(summary)})
+        self.assertEqual(done.returncode, 1, done.err)
+        report = json.loads((self.folder / "out/report.json").read_text())
+        self.assertEqual((report["unit"], report["expected"]), ("picture", "expected"))
+        frame = report["scenes"][0]["frames"][0]
+        for key in ("expectedImage", "actualImage", "differenceImage", "flipImage"):
+            self.assertTrue((self.folder / "out" / frame[key]).exists(), key)
+        self.assertIn("1 of 2 pictures failed", summary.read_text())
+        self.assertIn('name="a.png"', (self.folder / "out.xml").read_text())
+        self.assertIn("2 pictures: 1 passed, 1 failed (a.png)", done.stdout.decode())
+        self.good("accept", "out")
+        self.assertEqual((self.folder / "expected/a.png").read_bytes(), (self.folder / "actual/a.png").read_bytes())
+        self.assertIn("already accepted", self.good("accept", "out").stdout.decode())
+        # Somebody was faster.
+        self.write("expected/a.png", changed({(9, 9): (255, 0, 0)}))
+        done = self.run_program("accept", "out")
+        self.assertEqual(done.returncode, 1)
+        self.assert_words("has changed since", done)
+
+    def test_accept_stays_below(self):
+        self.both("a.png", picture(), changed({(3, 4): (255, 0, 0)}))
+        self.suite(1)
+        path = self.folder / "report.json"
+        report = json.loads(path.read_text())
+        for key, value in (("name", "../x.png"), ("name", "/tmp/x.png"), ("renamedFrom", "../../x.png"), ("name", "x.sh")):
+            report["scenes"][0] = {**json.loads(path.read_text())["scenes"][0], key: value}
+            self.write("other.json", json.dumps(report))
+            shutil.copytree(self.folder / "report-files", self.folder / "other-files", dirs_exist_ok=True)
+            done = self.run_program("accept", "other.json")
+            self.assertEqual(done.returncode, 1, (key, value))
+            self.assert_words("names no picture below", done)
+        report = json.loads(path.read_text())
+        self.write("other.json", json.dumps({**report, "expected": "/tmp"}))
+        self.bad(2, ["say so with --expected"], "accept", "other.json")
+        self.good("accept", "report.json", "--expected", str(self.folder / "expected"))
+
+
+if __name__ == "__main__":
+    main()
