@@ -29,10 +29,10 @@ struct ShaderSource {
   [[nodiscard]] std::string explain(std::string_view log) const;
 };
 
-/// Reads `path` (below glsl/), defines what its files mention of `defines`, and pastes each `#include "path/below/glsl"` in: a file counts once,
-/// where it is compiled first. Files come from
-/// $SIMREEL_GLSL, else share/simreel/glsl beside the program's folder, else the copies built in.
-/// Throws UserError(device) naming the file, line and what is missing.
+/// Reads `path` (below glsl/), defines what its files mention of `defines`, and pastes each `#include
+/// "path/below/glsl"` in: a file counts once, where it is compiled first. Files come from $SIMREEL_GLSL,
+/// else share/simreel/glsl beside the program's folder, else the copies built in. Throws UserError(device)
+/// naming the file, line and what is missing.
 [[nodiscard]] ShaderSource loadShader(const std::string& path, const Defines& defines);
 
 }  // namespace simreel::gl
