@@ -61,8 +61,8 @@ bool synced(int descriptor) {
   return result == 0 || errno == EINVAL || errno == EROFS || errno == EOPNOTSUPP;
 }
 
-/// Whether this is written into, as a device, a pipe or a socket is, and /dev/stdout whatever it leads to: another
-/// file must never take its name.
+/// Whether this is written into, as a device, a pipe or a socket is, and /dev/stdout whatever it leads to:
+/// another file must never take its name.
 bool isDevice(const std::filesystem::path& path) {
   struct stat status {};
   if (::stat(path.c_str(), &status) != 0) return false;

@@ -30,8 +30,8 @@ void writeFileAtomically(const std::filesystem::path& path, std::string_view tex
                          NameSync name = NameSync::now);
 
 /// A file that is written piece by piece, for what does not fit into memory: as `path` + ".part", which
-/// takes the name once it is whole; into what is no file (a device, a pipe) it goes at once. All of it throws UserError(inputOutput) naming the path and the
-/// system's reason.
+/// takes the name once it is whole; into what is no file (a device, a pipe) it goes at once. All of it
+/// throws UserError(inputOutput) naming the path and the system's reason.
 class PartFile {
  public:
   explicit PartFile(std::filesystem::path path);

@@ -61,7 +61,8 @@ void checkOptions(const TestOptions& o) {
   if (o.run.empty() && !o.paths.empty())
     fail(ExitCode::usage, "{} is given beside --expected; scenes go with --run", o.paths.front());
   if (!o.paths.empty() && o.run.find("{scene}") == std::string::npos)
-    fail(ExitCode::usage, "{} is given, but the command of --run has no {{scene}} to put it in", o.paths.front());
+    fail(ExitCode::usage, "{} is given, but the command of --run has no {{scene}} to put it in",
+         o.paths.front());
   if (!o.profile.empty() || !o.reason.empty() || o.retries > 0)
     fail(ExitCode::usage, "--profile, --reason and --retries are for scenes, not for pictures");
   std::error_code unknown;

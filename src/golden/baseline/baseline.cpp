@@ -113,8 +113,10 @@ Result parseBaseline(const std::string& text, const std::string& name, Result (*
     return result;
   } catch (const JsonError& mistake) {
     if (const auto last = text.find_last_not_of(" \t\r\n"); last == std::string::npos || text[last] != '}')
-      fail(ExitCode::inputOutput, "baseline {} is cut off after {} bytes; {}", name, text.size(), restoreIt);
-    fail(ExitCode::inputOutput, "baseline {} cannot be used: {}; restore it (git checkout -- FILE) or mend it", name,
+      fail(ExitCode::inputOutput, "baseline {} is cut off after {} bytes; {}", name, text.size(),
+           restoreIt);
+    fail(ExitCode::inputOutput,
+         "baseline {} cannot be used: {}; restore it (git checkout -- FILE) or mend it", name,
          mistake.what());
   }
 }
@@ -137,7 +139,8 @@ std::optional<Result> readBaseline(const fs::path& file,
   return parse(readWhole(file), file.string());
 }
 
-/// Throws UserError(inputOutput) where a file to be written holds the place of another, which exists and would be lost.
+/// Throws UserError(inputOutput) where a file to be written holds the place of another, which exists and
+/// would be lost.
 void refuseToReplace(const fs::path& file) {
   std::error_code unknown;
   if (!fs::is_regular_file(file, unknown)) return;
@@ -186,7 +189,8 @@ void removeUnlisted(const fs::path& folder, const PictureBaseline& baseline) {
       removeFile(entry.path());
 }
 
-/// What is there, or nothing where it cannot be read: then it is written anew, unless it stands for another file.
+/// What is there, or nothing where it cannot be read: then it is written anew, unless it stands for another
+/// file.
 template <class Result>
 Result orFresh(const std::function<std::optional<Result>()>& read) {
   try {
@@ -249,7 +253,8 @@ fs::path stateFolder(const fs::path& folder, const std::string& profile, bool ex
 
 void checkReplaceable(const fs::path& folder, const std::string& profile, bool exact) {
   refuseToReplace(folder / profile / "baseline.json");
-  for (const char* name : {"state.json", "steps.bin"}) refuseToReplace(stateFolder(folder, profile, exact) / name);
+  for (const char* name : {"state.json", "steps.bin"})
+    refuseToReplace(stateFolder(folder, profile, exact) / name);
 }
 
 std::optional<PictureBaseline> readPictures(const fs::path& folder, const std::string& profile) {

@@ -62,8 +62,8 @@ struct Candidate {
 [[nodiscard]] std::filesystem::path stateFolder(const std::filesystem::path& folder,
                                                 const std::string& profile, bool exact);
 
-/// Throws UserError(inputOutput) where a file of the baseline holds the place of another (standsForAnother()): that
-/// one exists, and would be lost if this were written anew.
+/// Throws UserError(inputOutput) where a file of the baseline holds the place of another
+/// (standsForAnother()): that one exists, and would be lost if this were written anew.
 void checkReplaceable(const std::filesystem::path& folder, const std::string& profile, bool exact);
 
 /// Nothing where there is no such file. Throws UserError(inputOutput) naming the file and the mistake.

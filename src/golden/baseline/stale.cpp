@@ -28,20 +28,25 @@ std::vector<fs::path> entriesOf(const fs::path& folder) {
 /// "000060.png", "000060.alt2.png"
 bool isPictureOfBaseline(const std::string& name) {
   const std::size_t digits = static_cast<std::size_t>(
-      std::find_if(name.begin(), name.end(), [](unsigned char c) { return std::isdigit(c) == 0; }) - name.begin());
+      std::find_if(name.begin(), name.end(), [](unsigned char c) { return std::isdigit(c) == 0; }) -
+      name.begin());
   const std::string rest = name.substr(digits);
   return digits >= 6 && (rest == ".png" || (rest.starts_with(".alt") && rest.ends_with(".png")));
 }
 
 bool isOfBaseline(const std::string& name) {
-  return name == "baseline.json" || name == "state.json" || name == "steps.bin" || isPictureOfBaseline(name);
+  return name == "baseline.json" || name == "state.json" || name == "steps.bin" ||
+         isPictureOfBaseline(name);
 }
 
 /// Of one scene.
 class StaleParts {
  public:
   StaleParts(const fs::path& folder, std::span<const int> frames, bool exactPictures, bool remove)
-      : folder_(folder), frames_(frames.begin(), frames.end()), exactPictures_(exactPictures), remove_(remove) {}
+      : folder_(folder),
+        frames_(frames.begin(), frames.end()),
+        exactPictures_(exactPictures),
+        remove_(remove) {}
 
   std::vector<Stale> find() {
     ofState(folder_);
@@ -104,12 +109,14 @@ class StaleParts {
   void ofFiles(const fs::path& place, const PictureBaseline& pictures, const std::set<int>& gone) {
     std::set<std::string> listed;
     for (const auto& [frame, stored] : pictures.frames)
-      for (int i = 0; i <= static_cast<int>(stored.alternates.size()); ++i) listed.insert(pictureName(frame, i));
+      for (int i = 0; i <= static_cast<int>(stored.alternates.size()); ++i)
+        listed.insert(pictureName(frame, i));
     for (const fs::path& file : entriesOf(place)) {
       const std::string name = file.filename().string();
       if (!isPictureOfBaseline(name) || listed.contains(name)) continue;
-      const bool named = std::any_of(gone.begin(), gone.end(),
-                                     [&](int frame) { return name.starts_with(fmt::format("{:06}.", frame)); });
+      const bool named = std::any_of(gone.begin(), gone.end(), [&](int frame) {
+        return name.starts_with(fmt::format("{:06}.", frame));
+      });
       if (!named) add(file, "no baseline.json lists it", remove_);
       if (remove_) removeFile(file);
     }
@@ -148,13 +155,15 @@ void searchGolden(const fs::path& golden, std::vector<fs::path>& found) {
     std::error_code unknown;
     fs::path scene = golden.parent_path() / entry.filename();
     scene += ".json";
-    if (fs::is_directory(entry, unknown) && !pathExists(scene) && holdsBaselines(entry)) found.push_back(entry);
+    if (fs::is_directory(entry, unknown) && !pathExists(scene) && holdsBaselines(entry))
+      found.push_back(entry);
   }
 }
 
 }  // namespace
 
-std::vector<Stale> staleParts(const fs::path& folder, std::span<const int> frames, bool exactPictures, bool remove) {
+std::vector<Stale> staleParts(const fs::path& folder, std::span<const int> frames, bool exactPictures,
+                              bool remove) {
   if (!pathExists(folder)) return {};
   return StaleParts(folder, frames, exactPictures, remove).find();
 }

@@ -88,8 +88,9 @@ Comparison compare(const Picture& baseline, const Picture& picture, const scene:
     padToEach(a, b);
   }
   if (a.colours != b.colours)
-    made.colours = fmt::format("the files differ in what their numbers mean, which is not compared: {}; {}",
-                               a.colours.empty() ? "as usual" : a.colours, b.colours.empty() ? "as usual" : b.colours);
+    made.colours =
+        fmt::format("the files differ in what their numbers mean, which is not compared: {}; {}",
+                    a.colours.empty() ? "as usual" : a.colours, b.colours.empty() ? "as usual" : b.colours);
   const int width = a.image.width, height = a.image.height;
   if (!allowance.mask.empty() && allowance.mask.size() != std::size_t(width) * std::size_t(height))
     fail(ExitCode::usage, "the mask has {} pixels, the pictures that it masks {}x{}", allowance.mask.size(),

@@ -12,9 +12,10 @@ namespace simreel::golden {
 
 /// Two pictures held against each other.
 struct Comparison {
-  Metrics metrics;              ///< of the pixels that count
-  std::string sizes;            ///< "the picture is 20x12, its baseline 19x12"; empty: equal
-  /// What the files say their numbers mean, where that differs: "the colour profile ..., which is not compared".
+  Metrics metrics;    ///< of the pixels that count
+  std::string sizes;  ///< "the picture is 20x12, its baseline 19x12"; empty: equal
+  /// What the files say their numbers mean, where that differs: "the colour profile ..., which is not
+  /// compared".
   std::string colours;
   frame::Image a, b;            ///< as screens show them; padded to the larger width and height
   std::vector<Excuse> excuses;  ///< of each pixel; empty: none

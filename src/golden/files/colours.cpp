@@ -43,7 +43,8 @@ Words ofPng(std::string_view bytes) {
     if (type == "iCCP") profile = profileWords(data.substr(0, data.find('\0')), data);
     if (type == "sRGB") srgb = true;
     constexpr std::uint32_t usual = 45455;  // 1 / 2.2
-    if (type == "gAMA" && number(data, 0, 4) != usual) gamma = fmt::format("gamma {:g}", number(data, 0, 4) / 1e5);
+    if (type == "gAMA" && number(data, 0, 4) != usual)
+      gamma = fmt::format("gamma {:g}", number(data, 0, 4) / 1e5);
     if (type == "cHRM" && (number(data, 0, 4) != 31270 || number(data, 8, 4) != 64000))
       primaries = fmt::format("primaries of their own ({})", hashHex(data).substr(0, 8));
     at += header + length + checksum;

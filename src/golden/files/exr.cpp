@@ -135,8 +135,9 @@ Picture read(MemoryStream& stream) {
   }
   if (const auto* named = header.findTypedAttribute<Imf::ChromaticitiesAttribute>("chromaticities"))
     if (const Imf::Chromaticities usual; !(named->value() == usual))
-      picture.colours = fmt::format("primaries of its own (red {:.3f} {:.3f}, green {:.3f} {:.3f})", named->value().red.x,
-                                    named->value().red.y, named->value().green.x, named->value().green.y);
+      picture.colours =
+          fmt::format("primaries of its own (red {:.3f} {:.3f}, green {:.3f} {:.3f})", named->value().red.x,
+                      named->value().red.y, named->value().green.x, named->value().green.y);
   std::vector<std::string> notes;
   if (!chosen.others.empty()) notes.push_back(fmt::format("channels {}", fmt::join(chosen.others, ", ")));
   if (file.parts() > 1) notes.push_back(fmt::format("parts 2 to {}", file.parts()));

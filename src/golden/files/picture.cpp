@@ -114,8 +114,8 @@ void readBytes(const fs::path& path, const char* what, std::string& bytes) {
 
 namespace {
 
-/// Calls `read`. A picture that some program just made is not restored but made again: what else than a baseline
-/// is damaged gets no such advice.
+/// Calls `read`. A picture that some program just made is not restored but made again: what else than a
+/// baseline is damaged gets no such advice.
 template <class Read>
 auto advised(const char* what, const Read& read) {
   try {
@@ -138,7 +138,8 @@ Picture decodeShallow(std::string_view bytes, const std::string& label, const st
     const std::string_view message = error.what();
     const auto open = message.rfind(" ("), close = message.rfind(')');
     if (open == std::string_view::npos || close == std::string_view::npos || close < open) throw;
-    fail(error.code(), "{} cannot be decoded{}; {}", label, message.substr(open, close - open + 1), restoreIt);
+    fail(error.code(), "{} cannot be decoded{}; {}", label, message.substr(open, close - open + 1),
+         restoreIt);
   }
 }
 
@@ -210,7 +211,8 @@ bool isPictureName(const fs::path& file) {
 bool holdsPicture(const fs::path& file) {
   std::error_code unknown;
   if (!fs::is_regular_file(file, unknown)) return false;
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> stream(std::fopen(file.c_str(), "rbe"), &std::fclose);
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> stream(std::fopen(file.c_str(), "rbe"),
+                                                               &std::fclose);
   std::array<char, 8> first{};
   const std::size_t read = stream ? std::fread(first.data(), 1, first.size(), stream.get()) : 0;
   const Kind kind = kindOf(std::string_view(first.data(), read));

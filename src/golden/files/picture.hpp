@@ -42,8 +42,8 @@ void checkPicture(std::string_view bytes, const char* what, const std::string& n
 /// refuses by name, so that none is passed over.
 [[nodiscard]] bool isPictureName(const std::filesystem::path& file);
 
-/// Whether a file begins as a picture of a kind that decodePicture reads, whatever its name. False for what cannot
-/// be read, and for text (PNM and Radiance begin as that, too).
+/// Whether a file begins as a picture of a kind that decodePicture reads, whatever its name. False for what
+/// cannot be read, and for text (PNM and Radiance begin as that, too).
 [[nodiscard]] bool holdsPicture(const std::filesystem::path& file);
 
 /// Hash of size, depth and all four channels, independent of the file's kind and encoder. 32 hexadecimal

@@ -37,8 +37,8 @@ struct Judgement {
 /// pass; then the frame fails where one of the two was drawn exactly and on the machine that drew the
 /// baseline; on another one with its fingerprints it has to be near (brokenNearness), and everywhere every
 /// bound of the tolerance must hold. Alternates count as the baseline does. Fills the metrics of pictures
-/// that differ; the image paths stay empty. Pictures of the baseline are read, and have to be those that are
-/// listed, where the hashes are equal, too.
+/// that differ; the image paths stay empty. Pictures of the baseline are read, and have to be those that
+/// are listed, where the hashes are equal, too.
 [[nodiscard]] Judgement judgeFrame(const RunFrame& made, const Reference& reference);
 
 /// The picture that judgeFrame compared with: number as in FrameResult::alternate. Throws

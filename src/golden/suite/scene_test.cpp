@@ -142,7 +142,8 @@ void SceneTest::repeat() {
       continue;
     }
     if (result_.status != Status::nondeterministic)
-      result_.messages.push_back(fmt::format("runs 1 and {} of this program differ: {}", number, difference));
+      result_.messages.push_back(
+          fmt::format("runs 1 and {} of this program differ: {}", number, difference));
     result_.status = Status::nondeterministic;
     const auto known = std::find_if(others_.begin(), others_.end(), [&](const OtherRun& other) {
       return runDifference(other.run, again).empty();
@@ -157,8 +158,9 @@ void SceneTest::repeat() {
   if (options_.repeats > 2 && !others_.empty()) {
     std::string groups = fmt::format("{}", fmt::join(likeFirst_, " "));
     for (const OtherRun& other : others_) groups += fmt::format("; {}", fmt::join(other.numbers, " "));
-    result_.messages.push_back(fmt::format("of {} runs these agree: {}{}", result_.repeats, groups,
-                                           uncounted_ > 0 ? fmt::format("; {} more came out in other ways", uncounted_) : ""));
+    result_.messages.push_back(
+        fmt::format("of {} runs these agree: {}{}", result_.repeats, groups,
+                    uncounted_ > 0 ? fmt::format("; {} more came out in other ways", uncounted_) : ""));
   }
 }
 
@@ -220,14 +222,16 @@ void SceneTest::findFormerName() {
     } catch (const UserError&) {
       continue;  // it is named among what is stale
     }
-    const bool same = pictures && std::all_of(run_.frames.begin(), run_.frames.end(), [&](const RunFrame& made) {
-                        const auto found = pictures->frames.find(made.frame);
-                        return found != pictures->frames.end() && found->second.pixels == made.pixels;
-                      });
+    const bool same =
+        pictures && std::all_of(run_.frames.begin(), run_.frames.end(), [&](const RunFrame& made) {
+          const auto found = pictures->frames.find(made.frame);
+          return found != pictures->frames.end() && found->second.pixels == made.pixels;
+        });
     if (!same) continue;
     result_.renamedFrom = folder.generic_string();
-    result_.messages.push_back(fmt::format(
-        "its pictures are those of {}, whose scene is gone: renamed? --update moves that here", result_.renamedFrom));
+    result_.messages.push_back(
+        fmt::format("its pictures are those of {}, whose scene is gone: renamed? --update moves that here",
+                    result_.renamedFrom));
     return;
   }
 }

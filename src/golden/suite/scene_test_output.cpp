@@ -64,7 +64,8 @@ void SceneTest::update() {
   for (const FrameResult& frame : result_.frames)
     if ((missing && frame.expectedPixels.empty()) || (changed && failedPictures_.contains(frame.frame)))
       written.insert(frame.frame);
-  const bool writeState = (changed && (stateIs("different") || damagedSteps_)) || (missing && stateIs("missing"));
+  const bool writeState =
+      (changed && (stateIs("different") || damagedSteps_)) || (missing && stateIs("missing"));
   if (written.empty() && !writeState) return;
   // A profile has to be complete: the next run compares with nothing else.
   if (!written.empty() && profile != result_.profile) written.insert(frames_.begin(), frames_.end());
@@ -112,7 +113,8 @@ void SceneTest::takeFormerBaseline() {
   std::error_code error;
   fs::rename(result_.renamedFrom, reference_.folder, error);
   if (error)
-    fail(ExitCode::inputOutput, "cannot move {} to {}: {}", result_.renamedFrom, result_.baselines, error.message());
+    fail(ExitCode::inputOutput, "cannot move {} to {}: {}", result_.renamedFrom, result_.baselines,
+         error.message());
   judgeAgain(profile_);
   result_.notes.push_back(fmt::format("moved {} to {}", result_.renamedFrom, result_.baselines));
 }
@@ -148,8 +150,8 @@ bool SceneTest::keepRuns(std::size_t index) {
   std::vector<Made> all = {{&run_.frames[index], likeFirst_}};
   for (const OtherRun& other : others_) {
     const RunFrame& made = other.run.frames[index];
-    const auto known =
-        std::find_if(all.begin(), all.end(), [&](const Made& one) { return one.frame->pixels == made.pixels; });
+    const auto known = std::find_if(all.begin(), all.end(),
+                                    [&](const Made& one) { return one.frame->pixels == made.pixels; });
     if (known == all.end())
       all.push_back({&made, other.numbers});
     else
@@ -159,13 +161,15 @@ bool SceneTest::keepRuns(std::size_t index) {
   FrameResult& frame = result_.frames[index];
   const std::string number = fmt::format("{:06}", frame.frame);
   for (const Made& one : all)
-    frame.others.push_back(
-        {runsText(one.runs), keep(fmt::format("{}.run{}.png", number, one.runs.front()), one.frame->image)});
+    frame.others.push_back({runsText(one.runs),
+                            keep(fmt::format("{}.run{}.png", number, one.runs.front()), one.frame->image)});
   frame.status = Status::nondeterministic;
-  frame.message = fmt::format("runs of this program differ; shown are {} and {}", all[0].runs.front(), all[1].runs.front());
+  frame.message = fmt::format("runs of this program differ; shown are {} and {}", all[0].runs.front(),
+                              all[1].runs.front());
   frame.expectedImage = frame.others[0].image;
   frame.actualImage = frame.others[1].image;
-  frame.differenceImage = keep(number + ".difference.png", differenceImage(all[0].frame->image, all[1].frame->image));
+  frame.differenceImage =
+      keep(number + ".difference.png", differenceImage(all[0].frame->image, all[1].frame->image));
   return true;
 }
 

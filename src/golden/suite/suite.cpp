@@ -56,8 +56,10 @@ void addEarlier(const std::vector<FrameResult>& frames, const std::string& attem
       to->status = from.status;
     }
     if (from.others.empty()) to->others.push_back({attempt, from.actualImage});
-    for (const OtherPicture& other : from.others) to->others.push_back({attempt + ", " + other.label, other.image});
-    if (!from.differenceImage.empty()) to->others.push_back({attempt + ", difference", from.differenceImage});
+    for (const OtherPicture& other : from.others)
+      to->others.push_back({attempt + ", " + other.label, other.image});
+    if (!from.differenceImage.empty())
+      to->others.push_back({attempt + ", difference", from.differenceImage});
     if (to->expectedImage.empty() && from.others.empty()) to->expectedImage = from.expectedImage;
   }
 }
@@ -108,7 +110,8 @@ SceneResult Suite::test(const SceneFile& scene) {
                                               : attempts.front().messages.front()));
   }
   result.attempts = std::move(attempts);
-  for (std::size_t i = 0; i < earlier.size(); ++i) addEarlier(earlier[i], fmt::format("attempt {}", i + 1), result);
+  for (std::size_t i = 0; i < earlier.size(); ++i)
+    addEarlier(earlier[i], fmt::format("attempt {}", i + 1), result);
   stale_.insert(stale_.end(), made.stale.begin(), made.stale.end());
   applyExpectation(made);
   result.seconds = secondsSince(begin);

@@ -19,13 +19,13 @@ struct SuiteOptions {
   int retries = 0;  ///< further tries of a scene that fails
   bool allowFlaky = false;
   Update update = Update::none;
-  std::string reason;                         ///< kept in baselines that are written
-  std::string profile;                        ///< instead of the driver's own; empty: that
-  std::vector<std::filesystem::path> assets;  ///< folders that scenes may read beside the usual ones
-  std::map<std::string, double> tolerance;    ///< bounds from the command line, by field name
-  std::filesystem::path reportFolder;         ///< of report.json; image paths are relative to it
-  std::filesystem::path artifacts;            ///< pictures of failures go below it; empty: nowhere
-  std::vector<std::filesystem::path> orphans; ///< folders of baselines whose scene is gone
+  std::string reason;                          ///< kept in baselines that are written
+  std::string profile;                         ///< instead of the driver's own; empty: that
+  std::vector<std::filesystem::path> assets;   ///< folders that scenes may read beside the usual ones
+  std::map<std::string, double> tolerance;     ///< bounds from the command line, by field name
+  std::filesystem::path reportFolder;          ///< of report.json; image paths are relative to it
+  std::filesystem::path artifacts;             ///< pictures of failures go below it; empty: nowhere
+  std::vector<std::filesystem::path> orphans;  ///< folders of baselines whose scene is gone
 };
 
 /// The device of this run.

@@ -2,8 +2,8 @@
 #include "golden/trace/file.hpp"
 
 #include "base/error.hpp"
-#include "golden/files/damage.hpp"
 #include "base/hash.hpp"
+#include "golden/files/damage.hpp"
 #include "golden/trace/layout.hpp"
 #include "golden/trace/trace.hpp"
 
