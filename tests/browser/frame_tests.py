@@ -112,7 +112,7 @@ class WordsTest(ReportTest):
 
     def test_other_statuses(self):
         b = self.open("#scene=particles%2Ffountain&view=side")
-        self.assertEqual(b.texts(".pane figcaption"), ["first run", "second run", "difference"])
+        self.assertEqual(b.texts(".pane figcaption"), ["run 1", "run 2", "difference"])
         self.assertEqual(b.text("#accept"), "Nothing was kept to accept.")
         self.scene("particles/new")
         b.keys("l")

@@ -66,10 +66,10 @@ Json metricsOf(const frame::Image& a, const frame::Image& b) {
 /// A frame whose pixels equal the baseline's.
 Json equalFrame(int frame) {
   const std::string hash = fmt::format("{:032x}", frame * 7919 + 1);
-  return {{"frame", frame},       {"time", frame / 60.0},   {"status", "pass"},    {"message", ""},
-          {"pixels", hash},       {"expectedPixels", hash}, {"alternate", 0},      {"state", "equal"},
-          {"asked", "tolerance"}, {"metrics", {}},          {"expectedImage", ""}, {"actualImage", ""},
-          {"differenceImage", ""}};
+  return {{"frame", frame},        {"time", frame / 60.0},   {"status", "pass"},       {"message", ""},
+          {"pixels", hash},        {"expectedPixels", hash}, {"alternate", 0},         {"state", "equal"},
+          {"asked", "tolerance"},  {"metrics", {}},          {"expectedImage", ""},    {"actualImage", ""},
+          {"differenceImage", ""}, {"flipImage", ""},        {"others", Json::array()}};
 }
 
 /// A frame that is `shift` of the wave's phase away from its baseline, with its pictures.
@@ -116,7 +116,8 @@ Json emptyScene(const std::string& name, const char* status) {
           {"frames", Json::array()},
           {"checks", Json::array()},
           {"divergence", {}},
-          {"candidate", ""}};
+          {"candidate", ""},
+          {"renamedFrom", ""}};
 }
 
 Json passedScene(const std::string& name, const char* status = "pass") {
@@ -185,6 +186,8 @@ Json nondeterministicScene(const Maker& make) {
   Json& frame = scene["frames"][1];
   frame["status"] = "nondeterministic";
   frame["message"] = "two runs of this program differ; shown are the first and the second";
+  frame["others"] = {{{"label", "run 1"}, {"image", frame["expectedImage"]}},
+                     {{"label", "run 2"}, {"image", frame["actualImage"]}}};
   frame["metrics"] = {};
   return scene;
 }
@@ -273,7 +276,9 @@ Json suiteOf(const Json& scenes) {
     counts[status] = counts.value(status, 0) + 1;
   }
   return {{"simreel", "0.1.0"},
-          {"format", 2},
+          {"format", 4},
+          {"unit", "scene"},
+          {"expected", ""},
           {"environment",
            {{"driver", "llvmpipe (LLVM 15.0.6, 256 bits), OpenGL 4.5 (Core Profile) Mesa 22.3.6"},
             {"profile", "llvmpipe"},
@@ -284,7 +289,10 @@ Json suiteOf(const Json& scenes) {
           {"command", "simreel test scenes --report out/report"},
           {"acceptCommand", "simreel accept out/report"},
           {"allowFlaky", true},
+          {"strict", false},
           {"seconds", 83.4},
+          {"notes", Json::array()},
+          {"stale", Json::array()},
           {"counts", counts},
           {"scenes", scenes}};
 }

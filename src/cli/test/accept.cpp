@@ -1,4 +1,4 @@
-#include "golden/suite/accept.hpp"
+#include "golden/accept/accept.hpp"
 
 #include "base/error.hpp"
 #include "base/log.hpp"

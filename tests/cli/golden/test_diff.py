@@ -177,8 +177,10 @@ class Pictures(DiffCase):
     def test_sizes(self):
         self.write_pair(BASE, [row[:-1] for row in BASE])
         done = self.diff(1, "a.png", "b.png", "-o", "out.png")
-        self.assertEqual(done.out, "different: sizes differ: a.png is 20x12, b.png is 19x12\n")
-        self.assertFalse((self.folder / "out.png").exists())
+        self.assertEqual(done.out.splitlines()[-1], "different: sizes differ: a.png is 20x12, b.png is 19x12; compared as "
+                                                    "20x12, padded; 12 pixels differ (maxDiffPixels is 0)")
+        self.assertIn("255 of 255 at x 19, y 0", done.out)
+        self.assertTrue((self.folder / "out.png").exists())
         self.assertIn("20x12", self.json(1, "a.png", "b.png")["broken"][0])
 
     def test_difference_image(self):
@@ -229,8 +231,8 @@ class BrokenFiles(DiffCase):
         self.refused(["no pixels"], whole[:33] + chunk(b"IEND", b""))
 
     def test_other_formats(self):
-        self.refused(["not a PNG", "8-bit RGB"], b"\xff\xd8\xff\xe0" + bytes(100))
-        self.refused(["not a PNG"], b"P6 1 1 255 abc")
+        self.refused(["cut off"], b"\xff\xd8\xff\xe0" + bytes(100))
+        self.refused(["not a picture"], b"P9 1 1 255 abc")
         self.refused(["16 bits", "8-bit RGB"], png(None, depth=16, size=(1, 1), raw=bytes(7)))
         self.refused(["palette", "8-bit RGB"], png(None, colour=3, size=(1, 1), raw=bytes(2),
                                                    extra=chunk(b"PLTE", bytes(3))))
@@ -279,7 +281,8 @@ class Sequences(DiffCase):
         lines = done.out.splitlines()
         self.assertRegex(lines[0], r"^0001.png: different: 1 pixel differs .*worst 198 at x 1, y 0")
         self.assertRegex(lines[1], r"^0003.png: different: ")
-        self.assertEqual(lines[2:], ["only in b/: more.png", "5 pairs: 3 equal, 2 different, 1 without a partner"])
+        self.assertEqual(lines[2:], ["only in b/: more.png", "passed over, no pictures: a/notes.txt",
+                                     "5 pairs: 3 equal, 2 different, 1 without a partner"])
         self.assertEqual(sorted(p.name for p in (self.folder / "out").iterdir()), ["0001.png", "0003.png"])
         result = self.json(1, "a", "b")
         self.assertEqual([f["result"] for f in result["frames"]], ["equal", "different", "equal", "different", "equal"])
@@ -313,7 +316,7 @@ class Sequences(DiffCase):
         done = self.diff(6, "a", "b")
         names = [line.split(":")[0] for line in done.out.splitlines()[:-1]]
         self.assertEqual(names, [f"{frame:04}.png" for frame in range(60)])
-        self.assertEqual(done.out.splitlines()[20], "0020.png: unreadable: picture b/0020.png is empty; make it again")
+        self.assertEqual(done.out.splitlines()[20], "0020.png: unreadable: picture b/0020.png is empty")
         self.assertEqual(done.out.splitlines()[-1], "60 pairs: 0 equal, 58 different, 2 unreadable")
         self.assert_words("2 of 60 pairs", done)
         self.assertEqual(self.json(6, "a", "b")["unreadable"], 2)

@@ -111,11 +111,19 @@ class Baselines(GoldenCase):
     def test_frames_that_are_no_longer_tested_leave_with_an_update(self):
         self.make_baselines()
         self.set_scene({"test.frames": [0, 4]})
-        scene = self.one(3)
-        self.assertTrue(any("frame 3" in note for note in scene["notes"]), scene["notes"])
-        self.one(0, "--update")
+        report, _ = self.run_suite(3)
+        stale = [f"scenes/golden/a/{name}" for name in ("state.json", "any/000003.png", "any/000005.png")]
+        self.assertEqual({s["path"] for s in report["stale"]}, set(stale))
+        for s in report["stale"]:
+            self.assertRegex(s["message"], "^frame [35] is not tested$")
+            self.assertFalse(s["removed"])
+        report, _ = self.run_suite(0, "--update")
+        self.assertEqual({s["path"] for s in report["stale"]}, set(stale), "an update adds; what goes is asked for")
+        self.assertEqual(self.run_suite(1, "--strict")[0]["stale"], report["stale"])
+        report, _ = self.run_suite(0, "--update=prune")
+        self.assertEqual({(s["path"], s["removed"]) for s in report["stale"]}, {(path, True) for path in stale})
         self.assertEqual(sorted(p.name for p in self.golden("a/any").glob("*.png")), ["000000.png", "000004.png"])
-        self.assertEqual(self.one(0)["notes"], [])
+        self.assertEqual(self.run_suite(0, "--strict")[0]["stale"], [])
 
     def test_alternates(self):
         self.make_baselines()
@@ -187,9 +195,10 @@ class Exact(GoldenCase):
         shutil.copytree(self.golden("a/any"), self.golden("a/mine"))
         self.set_scene(HAIR)
         self.one(0, "--update", "--profile", "mine")
-        scene = self.one(0, "--profile", "mine")
-        self.assertEqual((scene["profile"], scene["status"]), ("any", "pass"))
-        self.assertEqual(scene["notes"], ["the baseline scenes/golden/a/mine is not used: exact pictures have one for all machines"])
+        report, _ = self.run_suite(0, "--profile", "mine")
+        self.assertEqual([(s["profile"], s["status"]) for s in report["scenes"]], [("any", "pass")])
+        self.assertEqual([(s["path"], s["message"]) for s in report["stale"]],
+                         [("scenes/golden/a/mine", "exact pictures have one baseline for all machines")])
 
     def test_fast_numerics_are_of_their_driver(self):
         self.set_scene({"numerics": "fast"})

@@ -53,23 +53,54 @@ TEST_CASE("pictures are compared by channel, alpha too, and counted by pixel") {
   CHECK(metrics.ratioBeyond == doctest::Approx(3.0 / 15));
   CHECK(golden::measure(a, b, tolerance(2)).pixelsBeyond == 4);
   CHECK(golden::measure(a, b, tolerance(20)).pixelsBeyond == 0);
-  // Squares: 9 + 9 + 400 + 400 over 45 values.
-  CHECK(metrics.psnr == doctest::Approx(10 * std::log10(255.0 * 255 / (818.0 / 45))).epsilon(1e-12));
+  // Squares: 9 + 9 + 400 + 400 over 45 values where nothing is seen through. Of what is, the worse of over
+  // black, where round(100 / 255 of a value) is 39 beside 40, 38, 31 and 47 (and 35 for the alpha), and
+  // over white.
+  auto solid = a, other = b;
+  for (std::size_t i = 3; i < a.bytes.size(); i += 4) solid.bytes[i] = other.bytes[i] = 255;
+  const auto psnrOf = [](double squares) {
+    return doctest::Approx(10 * std::log10(255.0 * 255 / (squares / 45))).epsilon(1e-12);
+  };
+  CHECK(golden::measure(solid, other, tolerance(3)).psnr == psnrOf(818));
+  const auto squaresOver = [&](int background) {
+    double squares = 0;
+    for (std::size_t i = 0; i < a.bytes.size(); ++i) {
+      const auto over = [&](const frame::Image& image) {
+        const int alpha = image.bytes[i | 3];
+        return std::floor((image.bytes[i] * alpha + background * (255 - alpha)) / 255.0 + 0.5);
+      };
+      if (i % 4 != 3) squares += (over(a) - over(b)) * (over(a) - over(b));
+    }
+    return squares;
+  };
+  CHECK(squaresOver(0) != squaresOver(255));
+  CHECK(metrics.psnr == psnrOf(std::max(squaresOver(0), squaresOver(255))));
 }
 
-TEST_CASE("equal pictures, and those whose alpha alone differs, are equal to the eye") {
+TEST_CASE("equal pictures are equal to the eye; where alpha alone differs, a background shows it") {
   const auto a = frame::test::picture(40, 30);
   auto b = a;
-  const auto check = [&](int worst) {
-    const auto metrics = golden::measure(a, b, tolerance(0));
-    CHECK(metrics.worst == worst);
-    CHECK(std::isinf(metrics.psnr));
-    CHECK(metrics.ssim == 1);
-    CHECK(metrics.flipMean == 0);
-  };
-  check(0);
+  const auto equal = golden::measure(a, b, tolerance(0));
+  CHECK(equal.worst == 0);
+  CHECK(std::isinf(equal.psnr));
+  CHECK(equal.ssim == 1);
+  CHECK(equal.flipMean == 0);
   at(b, 7, 8, 3) = 250;
-  check(5);
+  const auto seen = golden::measure(a, b, tolerance(0));
+  CHECK(seen.worst == 5);
+  CHECK(seen.differentPixels == 1);
+  CHECK(seen.psnr > 60);
+  CHECK(std::isfinite(seen.psnr));
+  CHECK(seen.ssim < 1);
+  CHECK(seen.flipMean > 0);
+  // Nothing is seen of the colour where nothing is opaque.
+  auto c = a, d = a;
+  for (auto* image : {&c, &d}) at(*image, 7, 8, 3) = 0;
+  at(d, 7, 8, 0) = static_cast<std::uint8_t>(255 - at(c, 7, 8, 0));
+  const auto unseen = golden::measure(c, d, tolerance(0));
+  CHECK(unseen.differentPixels == 1);
+  CHECK(std::isinf(unseen.psnr));
+  CHECK(unseen.flipMean == 0);
 }
 
 TEST_CASE("the densest window is found wherever it lies, and clipped to small pictures") {

@@ -1,23 +1,10 @@
 #pragma once
+#include "golden/accept/acceptance.hpp"
+
 #include <filesystem>
-#include <span>
-#include <string>
 #include <vector>
 
 namespace simreel::golden {
-
-struct Acceptance {
-  std::vector<std::string> only;  ///< globs on scene names; empty: all
-  std::string reason;
-  bool alternate = false;  ///< as an alternate beside the baseline
-  std::string expected;    ///< of pictures: the folder of the baselines; empty: as the report says
-};
-
-struct Accepted {
-  std::string scene;
-  std::string problem;   ///< why it was not promoted; empty: it was
-  bool already = false;  ///< the baseline has these pixels and this state
-};
 
 /// Promotes what a report's run made to baselines, without rendering: the pictures whose pixels the report
 /// lists, and the state. Scenes that passed are left out. A scene whose baseline has changed since that

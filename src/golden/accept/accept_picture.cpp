@@ -1,4 +1,4 @@
-#include "golden/pictures/accept_picture.hpp"
+#include "golden/accept/accept_picture.hpp"
 
 #include "base/error.hpp"
 #include "base/file.hpp"

@@ -1,10 +1,10 @@
-#include "golden/suite/accept.hpp"
+#include "golden/accept/accept.hpp"
 
 #include "base/error.hpp"
 #include "base/file.hpp"
+#include "golden/accept/accept_picture.hpp"
 #include "golden/baseline/baseline.hpp"
 #include "golden/files/png_check.hpp"
-#include "golden/pictures/accept_picture.hpp"
 #include "golden/report/json.hpp"
 #include "golden/result.hpp"
 #include "golden/suite/scene_set.hpp"

@@ -1,6 +1,6 @@
 #pragma once
+#include "golden/accept/acceptance.hpp"
 #include "golden/result.hpp"
-#include "golden/suite/accept.hpp"
 
 #include <filesystem>
 

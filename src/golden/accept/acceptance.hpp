@@ -1,0 +1,21 @@
+#pragma once
+#include <string>
+#include <vector>
+
+namespace simreel::golden {
+
+/// What of a report becomes baselines.
+struct Acceptance {
+  std::vector<std::string> only;  ///< globs on scene names; empty: all
+  std::string reason;
+  bool alternate = false;  ///< as an alternate beside the baseline
+  std::string expected;    ///< of pictures: the folder of the baselines; empty: as the report says
+};
+
+struct Accepted {
+  std::string scene;
+  std::string problem;   ///< why it was not promoted; empty: it was
+  bool already = false;  ///< the baseline has these pixels and this state
+};
+
+}  // namespace simreel::golden
