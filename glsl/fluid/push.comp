@@ -1,6 +1,6 @@
 // Half of what pressure, friction and lift do, and vorticity confinement.
 #include "fluid/grid.glsl"
-#include "fluid/solve_control.glsl"
+#include "fluid/solver/solve_control.glsl"
 layout(local_size_x = 32, local_size_y = 2) in;
 STATE_ARRAY(nextFlowBinding, NextBlock, nextFlow)
 

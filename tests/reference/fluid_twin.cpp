@@ -59,11 +59,11 @@ struct FluidModel {
 #include "glsl/fluid/projected.glsl"
 // What becomes of them.
 #include "glsl/fluid/brush.glsl"
-#include "glsl/fluid/look.glsl"
+#include "glsl/fluid/look/look.glsl"
   int lineDetail = 1;
   float linePerDetail = 1, linePhase = 0;
 // Line integral convolution.
-#include "glsl/fluid/lines.glsl"
+#include "glsl/fluid/look/lines.glsl"
 #undef precise
 #undef FUNCTION
 };

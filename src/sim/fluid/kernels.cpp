@@ -131,10 +131,10 @@ FluidKernels::FluidKernels(const std::string& name, const FluidPlan& plan, bool 
   makeTiled(project_, "fluid/project.comp");
   for (const gl::Program* program : {&project_.open, &project_.others})
     program->set("lostSpeed", lostFluidSpeed * p.speed);
-  makeTiled(moveDye_, "fluid/dye.comp");
-  if (gl::memoryPath() == gl::MemoryPath::storage) make(dyeStrips_, "fluid/dye_strips.comp");
+  makeTiled(moveDye_, "fluid/dye/pass.comp");
+  if (gl::memoryPath() == gl::MemoryPath::storage) make(dyeStrips_, "fluid/dye/strips.comp");
   const bool lines = p.show == FluidParameters::Show::lines;
-  make(show_, lines ? "fluid/lines.comp" : "fluid/show.comp");
+  make(show_, lines ? "fluid/look/lines.comp" : "fluid/look/show.comp");
   show_.set("stopCount", static_cast<int>(p.display.colors().size()));
   show_.set("low", static_cast<float>(p.display.low));
   show_.set("perRange", static_cast<float>(1 / (p.display.high - p.display.low)));

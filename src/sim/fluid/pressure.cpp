@@ -19,7 +19,7 @@ namespace {
 
 namespace at = shader::fluid;
 
-constexpr std::size_t controlWords = 8;  // before the groups: glsl/fluid/solve_control.glsl
+constexpr std::size_t controlWords = 8;  // before the groups: glsl/fluid/solver/solve_control.glsl
 
 /// What the recurrence of residuals reaches may be exceeded by the flow itself, by rounding.
 constexpr float aim = 0.5F * maxFluidDivergence;
@@ -32,17 +32,17 @@ FluidPressure::FluidPressure(const std::string& name, const FluidPlan& plan, con
       cycles_(plan.parameters().cycles),
       weights_(name + " openings", std::span<const glm::uvec4>(plan.solidsAt(0, 0)->words())),
       solids_(name + " obstacles", sizeof(shader::FluidSolidSet)),
-      descend_(pairOf("fluid/descend.comp", defines)),
-      ascend_(pairOf("fluid/ascend.comp", defines)),
-      residual_(pairOf("fluid/residual.comp", defines)),
-      divergence_(gl::Program::compute("fluid/divergence.comp", defines)),
-      bottom_(pairOf("fluid/bottom.comp", defines).others),
-      decide_(gl::Program::compute("fluid/decide.comp", defines)),
+      descend_(pairOf("fluid/solver/descend.comp", defines)),
+      ascend_(pairOf("fluid/solver/ascend.comp", defines)),
+      residual_(pairOf("fluid/solver/residual.comp", defines)),
+      divergence_(gl::Program::compute("fluid/solver/divergence.comp", defines)),
+      bottom_(pairOf("fluid/solver/bottom.comp", defines).others),
+      decide_(gl::Program::compute("fluid/solver/decide.comp", defines)),
       tilesStart_(plan.solidsAt(0, 0)->tilesStart()),
       groups_(groupsOf(*plan.solidsAt(0, 0))) {
   gl::Defines judging = defines;
   judging.emplace_back("JUDGE", "1");
-  judge_ = gl::Program::compute("fluid/decide.comp", judging);
+  judge_ = gl::Program::compute("fluid/solver/decide.comp", judging);
   std::vector<std::uint32_t> words(controlWords + groups_.size());
   words.insert(words.end(), groups_.begin(), groups_.end());
   words.resize((words.size() + 3) / 4 * 4);

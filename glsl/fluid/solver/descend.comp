@@ -1,6 +1,6 @@
 // From no correction: a red-black sweep, and what it leaves missing in the red cells for the coarser level (the black ones
 // fulfil their equations). An invocation takes a block of 2x2 cells, and repeats what its sweep reads around.
-#include "fluid/levels.glsl"
+#include "fluid/solver/levels.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(std430, binding = poolOutBinding) writeonly buffer PoolOutBlock { float poolOut[]; };
 layout(std430, binding = raisedOutBinding) writeonly buffer RaisedOutBlock { vec4 raisedOut[]; };

@@ -1,4 +1,4 @@
-// dye.comp for storage blocks, and so for graphics cards: each flux is made once. A work group of
+// pass.comp for storage blocks, and so for graphics cards: each flux is made once. A work group of
 // 32 columns goes down `rows` rows: an invocation makes the fluxes through the left and the top face of its cells, and
 // what it needs of its neighbours passes through shared memory. Strips are 28 columns apart: the outermost ones
 // only serve the others.

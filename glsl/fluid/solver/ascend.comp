@@ -1,5 +1,5 @@
 // Adds the coarser level's correction, then a red-black sweep. As descend.comp, by blocks of 2x2 cells.
-#include "fluid/levels.glsl"
+#include "fluid/solver/levels.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(std430, binding = raisedOutBinding) writeonly buffer RaisedOutBlock { vec4 raisedOut[]; };
 
