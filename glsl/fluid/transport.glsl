@@ -109,10 +109,10 @@ FUNCTION vec2 nodeOf(int which, vec2 p) {
 
 FUNCTION Around around(bool ofCarried, int which, vec2 p) {
   vec2 node = nodeOf(which, p);
-  int x = min(int(floor(node.x)), size.x - 1);
-  int y = min(int(floor(node.y)), size.y - 1);
-  precise float fx = node.x - float(x);
-  precise float fy = node.y - float(y);
+  float column = min(floor(node.x), float(size.x - 1)), row = min(floor(node.y), float(size.y - 1));
+  precise float fx = node.x - column;
+  precise float fy = node.y - row;
+  int x = int(column), y = int(row);
   Around s;
   s.a = partOf(ofCarried ? carriedAt(x, y) : flowAt(x, y), which);
   s.b = partOf(ofCarried ? carriedAt(x + 1, y) : flowAt(x + 1, y), which);

@@ -290,7 +290,9 @@ void FluidKernels::moveDye(int passes) const {
   const glm::ivec2 size = plan_.size();
   constexpr int lanes = 32;
   const int columns = 2 * lanes - 4 * passes;
-  const int rows = std::clamp(size.x * size.y / 120000, 4, 64);
+  // About 2000 groups, which a large card runs all at once: fewer rows are taken twice, and none wait for
+  // others.
+  const int rows = std::clamp(static_cast<int>(std::int64_t{size.x} * size.y / 112000), 4, 1024);
   program.set("rows", rows);
   program.dispatch(((size.x - 1) / columns + 1) * lanes, (size.y - 1) / rows + 1);
 }

@@ -26,6 +26,13 @@ constexpr std::size_t controlWords = 8;  // before the groups: glsl/fluid/solver
 /// What the recurrence of residuals reaches may be exceeded by the flow itself, by rounding.
 constexpr float aim = 0.5F * maxFluidDivergence;
 
+/// For tiles in the open (1), the others (0) or both (2).
+gl::Program onTiles(const char* path, const gl::Defines& defines, int tiles) {
+  gl::Defines with = defines;
+  with.emplace_back("IN_THE_OPEN", std::to_string(tiles));
+  return gl::Program::compute(path, with);
+}
+
 }  // namespace
 
 // Dispatches for each level's tiles, those in the open and the others, and one for a single group.
@@ -36,9 +43,11 @@ FluidPressure::FluidPressure(const std::string& name, const FluidPlan& plan, con
       solids_(name + " obstacles", sizeof(shader::FluidSolidSet)),
       descend_(pairOf("fluid/solver/descend.comp", defines)),
       ascend_(pairOf("fluid/solver/ascend.comp", defines)),
-      residual_(pairOf("fluid/solver/residual.comp", defines)),
+      residual_{onTiles("fluid/solver/residual.comp", defines, 1),
+                onTiles("fluid/solver/residual.comp", defines, 0),
+                {}},
       divergence_(gl::Program::compute("fluid/solver/divergence.comp", defines)),
-      bottom_(pairOf("fluid/solver/bottom.comp", defines).others),
+      bottom_(onTiles("fluid/solver/bottom.comp", defines, 0)),
       decide_(gl::Program::compute("fluid/solver/decide.comp", defines)),
       firstCoarse_(plan.levels().levels().size() - 1),
       tilesStart_(plan.solidsAt(0, 0)->tilesStart()),
@@ -93,14 +102,12 @@ bool FluidPressure::joins(std::size_t level) const {
   return gl::memoryPath() == gl::MemoryPath::storage && level > 1 && levels_.levels()[level].hasOpenTiles();
 }
 
-FluidPressure::Pair FluidPressure::pairOf(const char* path, const gl::Defines& defines) {
-  gl::Program programs[3];
-  for (int i = 0; i < (gl::memoryPath() == gl::MemoryPath::storage ? 3 : 2); ++i) {
-    gl::Defines with = defines;
-    with.emplace_back("IN_THE_OPEN", std::to_string(i));
-    programs[i] = gl::Program::compute(path, with);
-  }
-  return {std::move(programs[1]), std::move(programs[0]), std::move(programs[2])};
+// The program for both is made only where a level joins its tiles: drivers take seconds for each.
+FluidPressure::Pair FluidPressure::pairOf(const char* path, const gl::Defines& defines) const {
+  bool any = false;
+  for (std::size_t i = 0; i < levels_.levels().size(); ++i) any = any || joins(i);
+  return {onTiles(path, defines, 1), onTiles(path, defines, 0),
+          any ? onTiles(path, defines, 2) : gl::Program()};
 }
 
 std::vector<std::uint32_t> FluidPressure::groupsOf(const FluidSolids& solids) const {

@@ -48,7 +48,7 @@ class FluidPressure {
   struct Pair {
     gl::Program open, others, both;
   };
-  [[nodiscard]] static Pair pairOf(const char* path, const gl::Defines& defines);
+  [[nodiscard]] Pair pairOf(const char* path, const gl::Defines& defines) const;
   /// Whether a level's tiles in the open and its others share a dispatch: on a graphics card, where those
   /// cost more than the work of small levels.
   [[nodiscard]] bool joins(std::size_t level) const;
