@@ -191,7 +191,8 @@ FUNCTION float limitedHalfSlope(float before, float after) {
 // rounding. Towards zero, so that no cell gives more than it has.
 const float perDyeUnit = 1048576.0f, dyeUnit = 9.5367431640625e-7f;
 FUNCTION float wholeDye(float amount) {
-  precise float whole = trunc(amount * perDyeUnit) * dyeUnit;
+  precise float units = amount * perDyeUnit;
+  precise float whole = trunc(units) * dyeUnit;
   return whole;
 }
 

@@ -79,8 +79,10 @@ void advance(int lane, inout Pass a, inout Pass b, vec4 ways, inout vec3 first, 
   seconds[lane] = b.here;
   barrier();
   vec3 left = seconds[before], right = firsts[after];
-  vec3 between_ = b.here - a.here;
-  vec3 slopeA = halfSlopes(a.here - left, between_), slopeB = halfSlopes(between_, right - b.here);
+  precise vec3 before_ = a.here - left;
+  precise vec3 between_ = b.here - a.here;
+  precise vec3 after_ = right - b.here;
+  vec3 slopeA = halfSlopes(before_, between_), slopeB = halfSlopes(between_, after_);
   slopes[lane] = slopeB;
   barrier();
   vec3 fromLeft = unitsThrough(ways.x, left, a.here, slopes[before], slopeA);
@@ -88,12 +90,19 @@ void advance(int lane, inout Pass a, inout Pass b, vec4 ways, inout vec3 first, 
   fluxes[lane] = fromLeft;
   barrier();
   vec3 toRight = fluxes[after];
-  vec3 downA = halfSlopes(a.here - a.above, first - a.here), downB = halfSlopes(b.here - b.above, second - b.here);
+  precise vec3 upA = a.here - a.above;
+  precise vec3 onA = first - a.here;
+  precise vec3 upB = b.here - b.above;
+  precise vec3 onB = second - b.here;
+  vec3 downA = halfSlopes(upA, onA), downB = halfSlopes(upB, onB);
   vec3 fluxA = unitsThrough(ways.y, a.above, a.here, a.slopeAbove, downA);
   vec3 fluxB = unitsThrough(ways.w, b.above, b.here, b.slopeAbove, downB);
-  vec3 outA = a.above - (a.sidesAbove + (fluxA - a.fromAbove)), outB = b.above - (b.sidesAbove + (fluxB - b.fromAbove));
-  a = Pass(first, a.here, downA, fluxA, middle - fromLeft);
-  b = Pass(second, b.here, downB, fluxB, toRight - middle);
+  precise vec3 outA = a.above - (a.sidesAbove + (fluxA - a.fromAbove));
+  precise vec3 outB = b.above - (b.sidesAbove + (fluxB - b.fromAbove));
+  precise vec3 sidesA = middle - fromLeft;
+  precise vec3 sidesB = toRight - middle;
+  a = Pass(first, a.here, downA, fluxA, sidesA);
+  b = Pass(second, b.here, downB, fluxB, sidesB);
   first = outA;
   second = outB;
 }
