@@ -1,10 +1,11 @@
 // Carries the flow along itself, once.
+#define PLANES_IN
+#define PLANES_OUT 3
 #include "fluid/grid.glsl"
 layout(local_size_x = 32, local_size_y = 2) in;
-STATE_ARRAY(nextFlowBinding, NextBlock, nextFlow)
 
 void main() {
   int x = int(gl_GlobalInvocationID.x) - 1, y = int(gl_GlobalInvocationID.y) - 1;
   if (x > size.x || y > size.y) return;
-  STORE_STATE(nextFlow, elementOf(x, y), carriedCell(x, y));
+  storeNext(x, y, carriedCell(x, y));
 }

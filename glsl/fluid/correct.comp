@@ -1,4 +1,5 @@
 // The flow after a step but for the pressure's correction: carried along itself, and pushed.
+#define PLANES_IN
 #define READS_CARRIED
 #if SINKS == 1
 #define READS_DYE

@@ -1,6 +1,6 @@
 // The speed of the flow's fastest, for a step that none went before: of a run that is resumed.
 #include "fluid/grid.glsl"
-#include "fluid/solve_control.glsl"
+#include "fluid/solver/solve_control.glsl"
 layout(local_size_x = 32, local_size_y = 2) in;
 
 void main() {

@@ -10,7 +10,7 @@
 layout(std140, binding = stepBinding) uniform FluidBlock { FluidStep stepData; };
 uniform ivec2 size;  // cells
 const int leftKind = LEFT, rightKind = RIGHT, topKind = TOP, bottomKind = BOTTOM;
-const bool heats = HEATS == 1, confines = CONFINES == 1, sinks = SINKS == 1;
+const bool heats = HEATS == 1, viscous = VISCOUS == 1, confines = CONFINES == 1, sinks = SINKS == 1;
 const bool secondOrder = ADVECTION == 0, cubic = ADVECTION == 2, obstacles = OBSTACLES == 1, obstaclesSlip = OBSTACLES_SLIP == 1;
 const bool obstaclesMove = OBSTACLES_MOVE == 1, pocketsGrow = POCKETS_GROW == 1;
 layout(std140, binding = solidsBinding) uniform SolidBlock { FluidSolidSet solidSet; };
@@ -20,16 +20,53 @@ int elementOf(int x, int y) {
   return (y + 1) * (size.x + 2) + x + 1;
 }
 
+// Between the kernels of a step, of storage blocks: all u, then all v and so on (PLANES_IN, PLANES_OUT), so that neighbouring
+// invocations load neighbouring words.
+#if defined PLANES_IN && !defined TEXEL_PATH
+#define PLANE_ARRAY(unit, block, name) layout(std430, binding = unit) readonly restrict buffer block { float name[]; };
+PLANE_ARRAY(flowBinding, FlowBlock, flow)
+vec4 flowAt(int x, int y) {
+  int i = elementOf(x, y), plane = (size.x + 2) * (size.y + 2);
+  return vec4(flow[i], flow[plane + i], flow[2 * plane + i], flow[3 * plane + i]);
+}
+#else
 INPUT_ARRAY(flowBinding, FlowBlock, flow)
 vec4 flowAt(int x, int y) {
   return LOAD_INPUT(flow, elementOf(x, y));
 }
+#endif
+
+#ifdef PLANES_OUT
+#ifdef TEXEL_PATH
+STATE_ARRAY(nextFlowBinding, NextBlock, nextFlow)
+void storeNext(int x, int y, vec4 cell) {
+  STORE_STATE(nextFlow, elementOf(x, y), cell);
+}
+#else
+layout(std430, binding = nextFlowBinding) writeonly restrict buffer NextBlock { float nextFlow[]; };
+void storeNext(int x, int y, vec4 cell) {
+  int i = elementOf(x, y), plane = (size.x + 2) * (size.y + 2);
+  nextFlow[i] = cell.x;
+  nextFlow[plane + i] = cell.y;
+  nextFlow[2 * plane + i] = cell.z;
+  if (PLANES_OUT == 4) nextFlow[3 * plane + i] = cell.w;
+}
+#endif
+#endif
 
 #ifdef READS_CARRIED
+#ifdef PLANE_ARRAY
+PLANE_ARRAY(carriedBinding, CarriedBlock, carried)
+vec4 carriedAt(int x, int y) {
+  int i = elementOf(x, y), plane = (size.x + 2) * (size.y + 2);
+  return vec4(carried[i], carried[plane + i], carried[2 * plane + i], 0.0);
+}
+#else
 INPUT_ARRAY(carriedBinding, CarriedBlock, carried)
 vec4 carriedAt(int x, int y) {
   return LOAD_INPUT(carried, elementOf(x, y));
 }
+#endif
 #else
 vec4 carriedAt(int x, int y) {
   return vec4(0.0);

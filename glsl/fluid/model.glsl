@@ -33,7 +33,8 @@ struct STD140 FluidLevelPlace {
   int coarseUp;
   int openTiles;     // the lists of tiles, those in the open,
   int otherTiles;    // and the others
-  int spare0, spare1;
+  int openRows;      // of groups for those in the open
+  int spare0;
 };
 
 // What stands in a fluid, as it moves in a step, and what closed pockets of fluid have to give way by.
@@ -178,32 +179,36 @@ FUNCTION float overrelaxed(float before, float aim) {
   return aim >= noCell ? noCell : exactFlush(value);
 }
 
-// The steepest slope that makes no new extremes: van Leer's monotonized central one.
-FUNCTION float limitedSlope(float before, float after) {
-  precise float mean = 0.5f * (before + after);
-  float least = min(abs(before), abs(after));
-  precise float twice = least + least;
-  float steepest = min(twice, abs(mean));
-  bool same = (before > 0.0f && after > 0.0f) || (before < 0.0f && after < 0.0f);
-  return same ? (mean < 0.0f ? -steepest : steepest) : 0.0f;
+// Half the steepest slope that makes no new extremes: van Leer's monotonized central one.
+FUNCTION float limitedHalfSlope(float before, float after) {
+  precise float quarter = 0.25f * (before + after);
+  float both = max(min(before, after), min(max(before, after), 0.0f));  // 0 unless they have the same sign
+  float half_ = min(abs(both), abs(quarter));
+  return both < 0.0f ? -half_ : half_;
 }
 
 // Dye comes in units of 2^-20: so sums and differences of what is below 16 are exact, and none is made or lost by
 // rounding. Towards zero, so that no cell gives more than it has.
+const float perDyeUnit = 1048576.0f, dyeUnit = 9.5367431640625e-7f;
 FUNCTION float wholeDye(float amount) {
-  precise float units = abs(amount) * 1048576.0f;
-  precise float whole = floor(units) * 9.5367431640625e-7f;
-  return amount < 0.0f ? -whole : whole;
+  precise float units = amount * perDyeUnit;
+  precise float whole = trunc(units) * dyeUnit;
+  return whole;
 }
 
-// What crosses a face in a pass: `way` of a cell; a, b | c, d are two cells before and two after it.
+// What crosses a face in a pass, before it is cut to whole units: `way` of a cell, of the cell it comes from.
+FUNCTION float dyeCarried(float way, float from, float halfSlope) {
+  precise float far = 1.0f - abs(way);
+  precise float amount = way * (from + (way > 0.0f ? far : -far) * halfSlope);
+  return amount;
+}
+
+// a, b | c, d are two cells before the face and two after it.
 FUNCTION float dyeFlux(float way, float a, float b, float c, float d) {
   bool on = way > 0.0f;
   precise float bc = c - b;
   precise float beyond = on ? b - a : d - c;
-  precise float far = 0.5f * (1.0f - abs(way));
-  precise float amount = way * ((on ? b : c) + (on ? far : -far) * limitedSlope(beyond, bc));
-  return wholeDye(amount);
+  return wholeDye(dyeCarried(way, on ? b : c, limitedHalfSlope(beyond, bc)));
 }
 
 FUNCTION vec4 dyeFluxes(float way, vec4 a, vec4 b, vec4 c, vec4 d) {

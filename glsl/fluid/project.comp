@@ -3,7 +3,7 @@
 #define READS_SUM
 #include "fluid/grid.glsl"
 #include "common/status.glsl"
-#include "fluid/solve_control.glsl"
+#include "fluid/solver/solve_control.glsl"
 #include "fluid/cells.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
 STATE_ARRAY(nextFlowBinding, NextBlock, nextFlow)

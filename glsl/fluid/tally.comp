@@ -3,7 +3,7 @@
 #define READS_DYE
 #include "fluid/grid.glsl"
 layout(local_size_x = 64) in;
-#include "fluid/solve_control.glsl"
+#include "fluid/solver/solve_control.glsl"
 
 struct Tallied {
   vec4 sums;

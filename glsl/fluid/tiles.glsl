@@ -1,7 +1,9 @@
 // Work groups of 8x8 that take four tiles each of 4x4 blocks of 2x2 cells, from lists in `weights` (FluidLevels::tileLists): those in the
 // open (IN_THE_OPEN), where up to four cells away all faces are open and a distance of 1 apart, or the others.
+const int groupRow = 64;  // groups along x where there are as many
+
 int groupNumber() {
-  return int(gl_WorkGroupID.y) * 64 + int(gl_WorkGroupID.x);
+  return int(gl_WorkGroupID.y) * groupRow + int(gl_WorkGroupID.x);
 }
 
 // The block of this invocation, in one of its group's four tiles of the list at `tilesStart`; beyond all of them where there is no tile.

@@ -109,10 +109,10 @@ FUNCTION vec2 nodeOf(int which, vec2 p) {
 
 FUNCTION Around around(bool ofCarried, int which, vec2 p) {
   vec2 node = nodeOf(which, p);
-  int x = min(int(floor(node.x)), size.x - 1);
-  int y = min(int(floor(node.y)), size.y - 1);
-  precise float fx = node.x - float(x);
-  precise float fy = node.y - float(y);
+  float column = min(floor(node.x), float(size.x - 1)), row = min(floor(node.y), float(size.y - 1));
+  precise float fx = node.x - column;
+  precise float fy = node.y - row;
+  int x = int(column), y = int(row);
   Around s;
   s.a = partOf(ofCarried ? carriedAt(x, y) : flowAt(x, y), which);
   s.b = partOf(ofCarried ? carriedAt(x + 1, y) : flowAt(x + 1, y), which);
@@ -241,6 +241,13 @@ FUNCTION float pullOn(bool ofCarried, int which, int x, int y) {
   return pull;
 }
 
+// Half of what friction does in a step.
+FUNCTION float frictionOn(bool ofCarried, int which, int x, int y) {
+  if (!viscous) return 0.0f;
+  precise float pull = 0.5f * stepData.viscosity * pullOn(ofCarried, which, x, y);
+  return pull;
+}
+
 // How much of the pressure of the step before is taken for what this one's will be, where the fastest of the flow goes at
 // `fastest` cells/s: all while it goes two cells in a step, nothing from three on. There vortices have turned on, what was carried
 // off by the pressure's slope is elsewhere, and the flow would gain energy from it. With nothing it is Chorin's
@@ -273,7 +280,7 @@ FUNCTION float pushedU(float kept, int x, int y) {
   float here = flowAt(x, y).x;
   if (faceAt(x, y).x == 0.0f || heldU(x, y)) return here;
   float spin = confines ? confinementX(x, y) : 0.0f;
-  precise float value = here + ((0.5f * stepData.viscosity * pullOn(false, 0, x, y) + spin) - pushOnU(kept, x, y));
+  precise float value = here + ((frictionOn(false, 0, x, y) + spin) - pushOnU(kept, x, y));
   return exactFlush(value);
 }
 
@@ -281,7 +288,7 @@ FUNCTION float pushedV(float kept, int x, int y) {
   float here = flowAt(x, y).y;
   if (faceAt(x, y).y == 0.0f || heldV(x, y)) return here;
   float spin = confines ? confinementY(x, y) : 0.0f;
-  precise float value = here + ((0.5f * stepData.viscosity * pullOn(false, 1, x, y) + spin) - pushOnV(false, kept, x, y));
+  precise float value = here + ((frictionOn(false, 1, x, y) + spin) - pushOnV(false, kept, x, y));
   return exactFlush(value);
 }
 
@@ -292,7 +299,7 @@ FUNCTION float steppedU(int x, int y) {
     vec2 from = seenFromU(x, y);
     return exactFlush(wallU(x, y, from, valueIn(around(true, 0, from))));
   }
-  precise float value = (movedPart(0, x, y) + 0.5f * stepData.viscosity * pullOn(true, 0, x, y)) - pushOnU(1.0f, x, y);
+  precise float value = (movedPart(0, x, y) + frictionOn(true, 0, x, y)) - pushOnU(1.0f, x, y);
   return exactFlush(value);
 }
 
@@ -307,7 +314,7 @@ FUNCTION float steppedV(int x, int y) {
     vec2 from = seenFromV(x, y);
     return exactFlush(wallV(x, y, from, valueIn(around(true, 1, from))));
   }
-  precise float value = (movedPart(1, x, y) + 0.5f * stepData.viscosity * pullOn(true, 1, x, y)) - pushOnV(true, 1.0f, x, y);
+  precise float value = (movedPart(1, x, y) + frictionOn(true, 1, x, y)) - pushOnV(true, 1.0f, x, y);
   if (sinks) {
     precise float fall = 0.166666667f * stepData.weight * (densityOf(dyeAt(x, y)) + densityOf(dyeAt(x, y - 1)));
     value = value + fall;

@@ -211,8 +211,10 @@ FUNCTION void floatSpread(FloatBody body, float column, float row, vec2 wide, ve
     }
 }
 
-// Point i of a body. `drive`: its own push for each m^3 under water (N/m^3); `turning`: its angular velocity; `extent`: floatExtent of a point's cuboid.
-FUNCTION FloatSum floatPoint(int i, FloatBody body, FloatTold t, vec3 turning, vec3 drive, vec3 extent, vec2 wide, vec2 per) {
+// Point i of a body. `drive`: its own push for each m^3 under water (N/m^3); `steering`: the same of a push about its middle, for each m off it;
+// `turning`: its angular velocity; `extent`: floatExtent of a point's cuboid.
+FUNCTION FloatSum floatPoint(int i, FloatBody body, FloatTold t, vec3 turning, vec3 drive, vec3 steering, vec3 extent, vec2 wide,
+                             vec2 per) {
   vec4 point = loadFloatPoint(i);
   vec3 arm = floatTurned(body.turn, vec3(point));
   precise vec3 at = body.at + arm;
@@ -241,9 +243,11 @@ FUNCTION FloatSum floatPoint(int i, FloatBody body, FloatTold t, vec3 turning, v
   precise float around = (body.level - at.y) * perHeight + 0.5f;
   around = clamp(around, 0.0f, 1.0f);
   precise float volume = point.w * around;
-  precise vec3 own = drive * (water.share > 0.0f ? volume : 0.0f);
-  precise float pullX = pushX + own.x;
-  precise float pullZ = pushZ + own.z;
+  float works = water.share > 0.0f ? volume : 0.0f;
+  precise vec3 own = drive * works;
+  precise vec3 aside = exactCross(steering, arm) * works;
+  precise float pullX = pushX + (own.x + aside.x);
+  precise float pullZ = pushZ + (own.z + aside.z);
   floatSpread(body, column, row, wide, per, volume, vec2(pullX, pullZ));
   // The ground, and walls at the grid's sides.
   precise float steep = 1.0f + water.bedX * water.bedX + water.bedZ * water.bedZ;
@@ -264,7 +268,7 @@ FUNCTION FloatSum floatPoint(int i, FloatBody body, FloatTold t, vec3 turning, v
   if (high > 0.0f) touch = touch + floatTouch(vec3(-1.0f, 0.0f, 0.0f), high, velocity, t.reach.z);
   if (back > 0.0f) touch = touch + floatTouch(vec3(0.0f, 0.0f, 1.0f), back, velocity, t.reach.z);
   if (front > 0.0f) touch = touch + floatTouch(vec3(0.0f, 0.0f, -1.0f), front, velocity, t.reach.z);
-  precise vec3 force = vec3(pushX, pushY, pushZ) + mass * touch;
+  precise vec3 force = (vec3(pushX, pushY, pushZ) + aside) + mass * touch;
   vec3 moment = exactCross(arm, force);
   force = force + own;  // as if at the middle of mass
   precise float wet = water.share > 0.0f ? point.w : 0.0f;
@@ -301,11 +305,13 @@ FUNCTION FloatSum floatLane(int lane, FloatBody body, FloatTold t) {
   precise float least = 0.02f * t.grain.w;
   precise float thrust = t.reach.w * exactReciprocal(max(body.under, least));
   precise vec3 drive = thrust * floatTurned(body.turn, vec3(0.0f, 0.0f, 1.0f));
+  precise float swing = t.head.z * exactReciprocal(max(body.under, least));
+  precise vec3 steering = swing * floatTurned(body.turn, vec3(0.0f, 1.0f, 0.0f));
   FloatSum sum;
   sum.push = vec4(0.0f);
   sum.turn = vec4(0.0f);
   sum.rest = vec4(0.0f);
   for (int i = int(t.turnA.w) + lane; i < int(t.turnB.w); i += floatLanes)
-    sum = floatAdded(sum, floatPoint(i, body, t, turning, drive, extent, vec2(wideX, wideY), vec2(perX, perY)));
+    sum = floatAdded(sum, floatPoint(i, body, t, turning, drive, steering, extent, vec2(wideX, wideY), vec2(perX, perY)));
   return sum;
 }

@@ -7,10 +7,7 @@ FUNCTION FloatBody floatMoved(int stepNumber, FloatBody body, FloatTold t, Float
   precise vec3 force = vec3(sum.push);
   precise vec3 moment = vec3(sum.turn);
   vec3 ahead = floatTurned(body.turn, vec3(0.0f, 0.0f, 1.0f));
-  vec3 up = floatTurned(body.turn, vec3(0.0f, 1.0f, 0.0f));
   vec3 turning = floatTurning(t, body.turn, body.spin);
-  float afloat = sum.push.w > 0.0f ? 1.0f : 0.0f;
-  precise vec3 steering = (t.head.z * afloat) * up;
   // The tow: a damped spring to where it should be by now.
   precise float passed = float(stepNumber) * floats.dt;
   precise float towX = t.mass.x * (t.pull.x * (t.tow.x + passed * t.tow.z - body.at.x) + t.pull.y * (t.tow.z - body.velocity.x));
@@ -20,7 +17,7 @@ FUNCTION FloatBody floatMoved(int stepNumber, FloatBody body, FloatTold t, Float
   off = facing < 0.0f ? (off < 0.0f ? -1.0f : 1.0f) : off;
   precise float swing = t.mass.w * (t.pull.z * off - t.pull.w * turning.y);
   force = force + vec3(towX, 0.0f, towZ);
-  moment = moment + steering + vec3(0.0f, swing, 0.0f);
+  moment = moment + vec3(0.0f, swing, 0.0f);
   precise vec3 velocity = body.velocity + floats.dt * t.mass.y * force;
   precise float falling = velocity.y - floats.dt * floats.gravity;
   velocity = vec3(clamp(velocity.x, -floats.most, floats.most), falling, clamp(velocity.z, -floats.most, floats.most));

@@ -40,7 +40,7 @@ struct FloatTold {
   vec4 drag;    // linear (1/s), quadratic (1/m), more of it sideways (factor - 1), mass by area and density (m)
   vec4 reach;   // half of its window (cells), share by which the level around it follows in a step, friction, push (N)
   vec4 tow;     // target at the frame's beginning (x, z), its speed
-  vec4 head;    // direction there (x, z), turning moment (N m), drag of the air (1/s)
+  vec4 head;    // direction there (x, z), turning moment over the mean square way of its volume off its y (N/m), drag of the air (1/s)
   vec4 pull;    // stiffness and damping of the tow (1/s^2, 1/s) and of the direction
   vec4 meet;    // numbers of its first probe, behind its last one, of its first distance; radius (m) of what is a sphere, else 0
   vec4 field;   // where the distances begin (m from the middle of mass), 1 / their spacing (1/m)

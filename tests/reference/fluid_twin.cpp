@@ -13,7 +13,8 @@ struct FluidModel {
   ivec2 size;
   FluidStep stepData;
   int leftKind, rightKind, topKind, bottomKind;
-  bool heats, confines, sinks, secondOrder, cubic, obstacles, obstaclesSlip, obstaclesMove, pocketsGrow;
+  bool heats, viscous, confines, sinks, secondOrder, cubic, obstacles, obstaclesSlip, obstaclesMove,
+      pocketsGrow;
   const std::vector<vec4>& flow;
   const std::vector<vec4>& carried;
   const std::vector<vec4>& dye;
@@ -59,11 +60,11 @@ struct FluidModel {
 #include "glsl/fluid/projected.glsl"
 // What becomes of them.
 #include "glsl/fluid/brush.glsl"
-#include "glsl/fluid/look.glsl"
+#include "glsl/fluid/look/look.glsl"
   int lineDetail = 1;
   float linePerDetail = 1, linePhase = 0;
 // Line integral convolution.
-#include "glsl/fluid/lines.glsl"
+#include "glsl/fluid/look/lines.glsl"
 #undef precise
 #undef FUNCTION
 };
@@ -79,6 +80,7 @@ FluidModel modelOf(const sim::FluidPlan& plan, const sim::FluidSolids& solids, c
           static_cast<int>(p.top.kind),
           static_cast<int>(p.bottom.kind),
           p.heats(),
+          p.viscous(),
           p.confines(),
           p.sinks(),
           p.advection == sim::FluidParameters::Advection::macCormack,

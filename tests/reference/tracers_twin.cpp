@@ -23,7 +23,7 @@ struct TracerModel {
   }
 #include "glsl/fluid/wind_model.glsl"
 // Above: what the wind is.
-#include "glsl/fluid/tracer_model.glsl"
+#include "glsl/fluid/tracers/tracer_model.glsl"
 };
 #undef precise
 #undef FUNCTION

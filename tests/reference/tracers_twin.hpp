@@ -7,7 +7,7 @@
 
 #include <glm/vec4.hpp>
 
-/// Tracers on the CPU: the kernels' own model (glsl/fluid/tracer_model.glsl compiled as C++).
+/// Tracers on the CPU: the kernels' own model (glsl/fluid/tracers/tracer_model.glsl compiled as C++).
 class TracersTwin {
  public:
   /// `solid`: a byte a cell.

@@ -43,6 +43,7 @@ gl::Defines definesOf(const FluidParameters& p, bool fast) {
   define("TOP", static_cast<int>(p.top.kind));
   define("BOTTOM", static_cast<int>(p.bottom.kind));
   define("HEATS", p.heats() ? 1 : 0);
+  define("VISCOUS", p.viscous() ? 1 : 0);
   define("CONFINES", p.confines() ? 1 : 0);
   define("SINKS", p.sinks() ? 1 : 0);
   define("ADVECTION", static_cast<int>(p.advection));
@@ -131,10 +132,14 @@ FluidKernels::FluidKernels(const std::string& name, const FluidPlan& plan, bool 
   makeTiled(project_, "fluid/project.comp");
   for (const gl::Program* program : {&project_.open, &project_.others})
     program->set("lostSpeed", lostFluidSpeed * p.speed);
-  makeTiled(moveDye_, "fluid/dye.comp");
-  if (gl::memoryPath() == gl::MemoryPath::storage) make(dyeStrips_, "fluid/dye_strips.comp");
+  makeTiled(moveDye_, "fluid/dye/pass.comp");
+  for (int i = 0; i < 2 && gl::memoryPath() == gl::MemoryPath::storage; ++i) {
+    gl::Defines strips = defines;
+    strips.emplace_back("PASSES", std::to_string(i + 1));
+    dyeStrips_[i] = compiled("fluid/dye/strips.comp", strips);
+  }
   const bool lines = p.show == FluidParameters::Show::lines;
-  make(show_, lines ? "fluid/lines.comp" : "fluid/show.comp");
+  make(show_, lines ? "fluid/look/lines.comp" : "fluid/look/show.comp");
   show_.set("stopCount", static_cast<int>(p.display.colors().size()));
   show_.set("low", static_cast<float>(p.display.low));
   show_.set("perRange", static_cast<float>(1 / (p.display.high - p.display.low)));
@@ -263,23 +268,33 @@ void FluidKernels::project(unsigned number) {
 }
 
 void FluidKernels::moveDye() {
-  for (int i = 0; i < plan_.dyePasses(); ++i) {
+  const bool strips = gl::memoryPath() == gl::MemoryPath::storage;
+  for (int left = plan_.dyePasses(); left > 0;) {
+    const int passes = strips ? std::min(left, 2) : 1;
     arrays_[flow_].bindInput(at::flowBinding);
     arrays_[dye_].bindInput(at::dyeBinding);
     arrays_[free_].bindState(at::nextDyeBinding);
-    moveDyeOnce();
+    if (strips)
+      moveDye(passes);
+    else
+      run(moveDye_);
     std::swap(dye_, free_);
+    left -= passes;
   }
 }
 
-void FluidKernels::moveDyeOnce() const {
-  if (gl::memoryPath() == gl::MemoryPath::texel) return run(moveDye_);
+void FluidKernels::moveDye(int passes) const {
   pressure_.bindSolids();
   gl::barrier();
+  const gl::Program& program = dyeStrips_[passes - 1];
   const glm::ivec2 size = plan_.size();
-  const int rows = std::clamp(size.x * size.y / 60000, 4, 32);
-  dyeStrips_.set("rows", rows);
-  dyeStrips_.dispatch(((size.x - 1) / 28 + 1) * 32, (size.y - 1) / rows + 1);
+  constexpr int lanes = 32;
+  const int columns = 2 * lanes - 4 * passes;
+  // About 2000 groups, which a large card runs all at once: fewer rows are taken twice, and none wait for
+  // others.
+  const int rows = std::clamp(static_cast<int>(std::int64_t{size.x} * size.y / 112000), 4, 1024);
+  program.set("rows", rows);
+  program.dispatch(((size.x - 1) / columns + 1) * lanes, (size.y - 1) / rows + 1);
 }
 
 void FluidKernels::start(double time) {

@@ -66,7 +66,8 @@ class FluidKernels {
   void paint(double time, int step, bool all);
   void project(unsigned number);
   void moveDye();
-  void moveDyeOnce() const;
+  /// One pass or two, from dye() to where it is free.
+  void moveDye(int passes) const;
 
   const FluidPlan& plan_;
   std::shared_ptr<const FluidSolids> solids_;
@@ -81,7 +82,7 @@ class FluidKernels {
   StepBlocks<shader::FluidStep> steps_;
   gl::Program push_, carry_, correct_, fastest_, paint_, paintBack_, show_;
   Tiled project_, moveDye_;
-  gl::Program dyeStrips_;  ///< of storage blocks
+  gl::Program dyeStrips_[2];  ///< of storage blocks: one pass, and two at once
   FluidPressure pressure_;
   Tally tally_;
   glm::vec4 perCells_{1};  ///< of the sums: means over open cells, and over corners in the open

@@ -232,6 +232,10 @@ bool FluidParameters::confines() const {
   return confinement.moves() || confinement.at(0) != 0;
 }
 
+bool FluidParameters::viscous() const {
+  return viscosity.moves() || viscosity.at(0) != 0;
+}
+
 bool FluidParameters::obstaclesMove() const {
   return std::any_of(obstacles.begin(), obstacles.end(), [](const FluidObstacle& o) { return o.moves(); });
 }

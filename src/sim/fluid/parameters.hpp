@@ -101,6 +101,7 @@ struct FluidParameters : ObjectParameters {
   [[nodiscard]] bool dyes() const;
   [[nodiscard]] bool sinks() const;
   [[nodiscard]] bool confines() const;
+  [[nodiscard]] bool viscous() const;
   [[nodiscard]] bool obstaclesMove() const;
   /// Whether closed pockets may have to grow or shrink.
   [[nodiscard]] bool pocketsGrow() const;

@@ -7,6 +7,8 @@
 #include <bit>
 #include <cstdint>
 #include <span>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace simreel::shader::fluid {
@@ -19,10 +21,17 @@ namespace {
 
 namespace at = shader::fluid;
 
-constexpr std::size_t controlWords = 8;  // before the groups: glsl/fluid/solve_control.glsl
+constexpr std::size_t controlWords = 8;  // before the groups: glsl/fluid/solver/solve_control.glsl
 
 /// What the recurrence of residuals reaches may be exceeded by the flow itself, by rounding.
 constexpr float aim = 0.5F * maxFluidDivergence;
+
+/// For tiles in the open (1), the others (0) or both (2).
+gl::Program onTiles(const char* path, const gl::Defines& defines, int tiles) {
+  gl::Defines with = defines;
+  with.emplace_back("IN_THE_OPEN", std::to_string(tiles));
+  return gl::Program::compute(path, with);
+}
 
 }  // namespace
 
@@ -32,24 +41,27 @@ FluidPressure::FluidPressure(const std::string& name, const FluidPlan& plan, con
       cycles_(plan.parameters().cycles),
       weights_(name + " openings", std::span<const glm::uvec4>(plan.solidsAt(0, 0)->words())),
       solids_(name + " obstacles", sizeof(shader::FluidSolidSet)),
-      descend_(pairOf("fluid/descend.comp", defines)),
-      ascend_(pairOf("fluid/ascend.comp", defines)),
-      residual_(pairOf("fluid/residual.comp", defines)),
-      divergence_(gl::Program::compute("fluid/divergence.comp", defines)),
-      bottom_(pairOf("fluid/bottom.comp", defines).others),
-      decide_(gl::Program::compute("fluid/decide.comp", defines)),
+      descend_(pairOf("fluid/solver/descend.comp", defines)),
+      ascend_(pairOf("fluid/solver/ascend.comp", defines)),
+      residual_{onTiles("fluid/solver/residual.comp", defines, 1),
+                onTiles("fluid/solver/residual.comp", defines, 0),
+                {}},
+      divergence_(gl::Program::compute("fluid/solver/divergence.comp", defines)),
+      bottom_(onTiles("fluid/solver/bottom.comp", defines, 0)),
+      decide_(gl::Program::compute("fluid/solver/decide.comp", defines)),
+      firstCoarse_(plan.levels().levels().size() - 1),
       tilesStart_(plan.solidsAt(0, 0)->tilesStart()),
       groups_(groupsOf(*plan.solidsAt(0, 0))) {
   gl::Defines judging = defines;
   judging.emplace_back("JUDGE", "1");
-  judge_ = gl::Program::compute("fluid/decide.comp", judging);
+  judge_ = gl::Program::compute("fluid/solver/decide.comp", judging);
   std::vector<std::uint32_t> words(controlWords + groups_.size());
   words.insert(words.end(), groups_.begin(), groups_.end());
   words.resize((words.size() + 3) / 4 * 4);
   control_ = gl::Buffer::of<std::uint32_t>(name + " solver", words);
   places_ =
       StepBlocks<shader::FluidLevelPlace>(name + " levels", static_cast<int>(levels_.levels().size()));
-  places_.upload(places());
+  places_.upload(places(*plan.solidsAt(0, 0)));
   bottom_.checkUniformBlock("LevelBlock", sizeof(shader::FluidLevelPlace));
   const auto& finest = levels_.levels().front();
   divergence_.set("size", finest.cells);
@@ -59,23 +71,61 @@ FluidPressure::FluidPressure(const std::string& name, const FluidPlan& plan, con
   decide_.set("tolerance", aim);
   judge_.set("tolerance", maxFluidDivergence);
   judge_.set("mostSpeed", plan.parameters().speed);
+  if (gl::memoryPath() == gl::MemoryPath::storage) makeCoarse(plan, defines);
 }
 
-FluidPressure::Pair FluidPressure::pairOf(const char* path, const gl::Defines& defines) {
-  gl::Defines open = defines, others = defines;
-  open.emplace_back("IN_THE_OPEN", "1");
-  others.emplace_back("IN_THE_OPEN", "0");
-  return {gl::Program::compute(path, open), gl::Program::compute(path, others)};
+void FluidPressure::makeCoarse(const FluidPlan& plan, const gl::Defines& defines) {
+  constexpr int most = 64;  // cells of a side
+  const std::vector<FluidLevel>& levels = levels_.levels();
+  const FluidParameters& p = plan.parameters();
+  const auto fits = [&](const FluidLevel& level) {
+    const bool odd = (p.wrapsX() && level.cells.x % 2 == 1) || (p.wrapsY() && level.cells.y % 2 == 1);
+    return level.cells.x <= most && level.cells.y <= most && !odd;
+  };
+  std::size_t first = levels.size();
+  while (first > 0 && fits(levels[first - 1])) --first;
+  if (first == levels.size()) return;
+  firstCoarse_ = first;
+  coarse_ = gl::Program::compute("fluid/solver/coarse.comp", defines);
+  int cells = 0;
+  for (std::size_t i = first; i < levels.size(); ++i) {
+    const std::string name = "levels[" + std::to_string(i - first) + "]";
+    coarse_.set(name.c_str(), glm::ivec4(levels[i].cells, levels[i].start, cells));
+    cells += levels[i].cells.x * levels[i].cells.y;
+  }
+  coarse_.set("levelCount", static_cast<int>(levels.size() - first));
+  coarse_.set("rhsStart", 2 * levels.front().elements() + levels[first].start);
+  coarse_.set("upStart", levels[first].start);
 }
 
-std::vector<std::uint32_t> FluidPressure::groupsOf(const FluidSolids& solids) {
+bool FluidPressure::joins(std::size_t level) const {
+  return gl::memoryPath() == gl::MemoryPath::storage && level > 1 && levels_.levels()[level].hasOpenTiles();
+}
+
+// The program for both is made only where a level joins its tiles: drivers take seconds for each.
+FluidPressure::Pair FluidPressure::pairOf(const char* path, const gl::Defines& defines) const {
+  bool any = false;
+  for (std::size_t i = 0; i < levels_.levels().size(); ++i) any = any || joins(i);
+  return {onTiles(path, defines, 1), onTiles(path, defines, 0),
+          any ? onTiles(path, defines, 2) : gl::Program()};
+}
+
+std::vector<std::uint32_t> FluidPressure::groupsOf(const FluidSolids& solids) const {
   constexpr auto row = static_cast<std::uint32_t>(FluidLevel::groupRow);
   std::vector<std::uint32_t> groups;
-  for (const glm::ivec2& counts : solids.tileGroups())
+  for (std::size_t level = 0; level < solids.tileGroups().size(); ++level) {
+    std::uint32_t rows = 0;
     for (int i = 0; i < 2; ++i) {
-      const auto count = static_cast<std::uint32_t>(counts[i]);
+      const auto count = static_cast<std::uint32_t>(solids.tileGroups()[level][i]);
+      rows += (count + row - 1) / row;
       groups.insert(groups.end(), {std::min(count, row), (count + row - 1) / row, 1U});
     }
+    // Whole rows of groups: what is left over finds no tile.
+    if (joins(level)) {
+      groups[groups.size() - 6] = row;
+      groups[groups.size() - 5] = rows;
+    }
+  }
   groups.insert(groups.end(), {1U, 1U, 1U});
   return groups;
 }
@@ -85,6 +135,7 @@ void FluidPressure::setSolids(const FluidSolids& solids) {
   const std::vector<std::uint32_t> groups = groupsOf(solids);
   if (groups != groups_) {
     gl::beforeWrites();
+    places_.upload(places(solids));
     control_.write(4 * (controlWords + groups.size()), std::as_bytes(std::span(groups)));
     groups_ = groups;
   }
@@ -96,7 +147,7 @@ void FluidPressure::bindSolids() const {
   solids_.bindUniform(at::solidsBinding, 0, solids_.bytes());
 }
 
-std::vector<shader::FluidLevelPlace> FluidPressure::places() const {
+std::vector<shader::FluidLevelPlace> FluidPressure::places(const FluidSolids& solids) const {
   const std::vector<FluidLevel>& levels = levels_.levels();
   const int finest = levels.front().elements();
   std::vector<shader::FluidLevelPlace> places;
@@ -112,6 +163,7 @@ std::vector<shader::FluidLevelPlace> FluidPressure::places() const {
     place.coarseUp = coarser;
     place.openTiles = tiles;
     place.otherTiles = tiles + levels[i].listElements();
+    place.openRows = (solids.tileGroups()[i].x + FluidLevel::groupRow - 1) / FluidLevel::groupRow;
     tiles += 2 * levels[i].listElements();
     places.push_back(place);
   }
@@ -126,18 +178,19 @@ void FluidPressure::indirect(const gl::Program& program, std::size_t number) con
 void FluidPressure::onLevel(const Pair& pair, std::size_t number) const {
   places_.bind(number, at::levelBinding);
   gl::barrier();
+  if (joins(number)) return indirect(pair.both, 2 * number);
   if (levels_.levels()[number].hasOpenTiles()) indirect(pair.open, 2 * number);
   indirect(pair.others, 2 * number + 1);
 }
 
 void FluidPressure::cycle() const {
-  const std::size_t coarsest = levels_.levels().size() - 1, single = 2 * levels_.levels().size();
+  const std::size_t single = 2 * levels_.levels().size();
   glMemoryBarrier(GL_COMMAND_BARRIER_BIT);  // how much there is to do
-  for (std::size_t i = 0; i < coarsest; ++i) onLevel(descend_, i);
-  places_.bind(coarsest, at::levelBinding);
+  for (std::size_t i = 0; i < firstCoarse_; ++i) onLevel(descend_, i);
+  places_.bind(firstCoarse_, at::levelBinding);
   gl::barrier();
-  indirect(bottom_, single);
-  for (std::size_t i = coarsest; i-- > 0;) onLevel(ascend_, i);
+  indirect(coarse_.name() != 0 ? coarse_ : bottom_, single);
+  for (std::size_t i = firstCoarse_; i-- > 0;) onLevel(ascend_, i);
   onLevel(residual_, 0);
   gl::barrier();
   indirect(decide_, single);

@@ -46,12 +46,17 @@ class FluidPressure {
  private:
   /// Kernels for tiles in the open and for the others.
   struct Pair {
-    gl::Program open, others;
+    gl::Program open, others, both;
   };
-  [[nodiscard]] static Pair pairOf(const char* path, const gl::Defines& defines);
+  [[nodiscard]] Pair pairOf(const char* path, const gl::Defines& defines) const;
+  /// Whether a level's tiles in the open and its others share a dispatch: on a graphics card, where those
+  /// cost more than the work of small levels.
+  [[nodiscard]] bool joins(std::size_t level) const;
+  /// Sets coarse_ up, if there is such a kernel.
+  void makeCoarse(const FluidPlan& plan, const gl::Defines& defines);
   /// Three words for each dispatch that a cycle may have.
-  [[nodiscard]] static std::vector<std::uint32_t> groupsOf(const FluidSolids& solids);
-  [[nodiscard]] std::vector<shader::FluidLevelPlace> places() const;
+  [[nodiscard]] std::vector<std::uint32_t> groupsOf(const FluidSolids& solids) const;
+  [[nodiscard]] std::vector<shader::FluidLevelPlace> places(const FluidSolids& solids) const;
   void indirect(const gl::Program& program, std::size_t number) const;
   void onLevel(const Pair& pair, std::size_t level) const;
   void cycle() const;
@@ -63,6 +68,8 @@ class FluidPressure {
   StepBlocks<shader::FluidLevelPlace> places_;  ///< a level each
   Pair descend_, ascend_, residual_;
   gl::Program divergence_, bottom_, decide_, judge_;
+  gl::Program coarse_;       ///< of storage blocks: levels from firstCoarse_ on
+  std::size_t firstCoarse_;  ///< the coarsest, unless coarse_ takes more
   int tilesStart_;
   std::vector<std::uint32_t> groups_;
 };

@@ -61,10 +61,10 @@ Tracers::Tracers(const std::string& name, const TracerParameters& parameters, co
   solid_ = gl::WordsArray(name + " solid cells", solidBits(solid));
   trail_ = gl::WordsArray(name + " trail", (size_.x * size_.y + 3) / 4);
   gl::Defines defines = gl::kernelDefines(fast);
-  fade_ = gl::Program::compute("fluid/trail_fade.comp", defines);
+  fade_ = gl::Program::compute("fluid/tracers/trail_fade.comp", defines);
   fade_.set("count", size_.x * size_.y);
   fade_.set("kept", trailKept(parameters, frameSeconds));
-  show_ = gl::Program::compute("fluid/trail_show.comp", defines);
+  show_ = gl::Program::compute("fluid/tracers/trail_show.comp", defines);
   show_.set("size", size_);
   show_.set("color", parameters.color);
   show_.set("perUnit", parameters.brightness / 4096.0F);
@@ -77,10 +77,10 @@ Tracers::Tracers(const std::string& name, const TracerParameters& parameters, co
     kernel.set("tracerData.wrapsX", step.wrapsX);
     kernel.set("tracerData.wrapsY", step.wrapsY);
   };
-  trace_ = gl::Program::compute("fluid/trace.comp", defines);
+  trace_ = gl::Program::compute("fluid/tracers/trace.comp", defines);
   tell(trace_);
   defines.emplace_back("FIRST", "1");
-  const gl::Program first = gl::Program::compute("fluid/trace.comp", defines);
+  const gl::Program first = gl::Program::compute("fluid/tracers/trace.comp", defines);
   tell(first);
   solid_.bindInput(shader::solidBinding);
   tracers_.bindState(shader::tracersBinding);

@@ -14,7 +14,7 @@
 #include <glm/vec3.hpp>
 
 namespace simreel::shader {
-#include "glsl/fluid/tracer_types.glsl"
+#include "glsl/fluid/tracers/tracer_types.glsl"
 }  // namespace simreel::shader
 
 namespace simreel::sim {

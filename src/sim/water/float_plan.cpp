@@ -180,7 +180,7 @@ std::vector<glm::vec4> FloatPlan::toldAt(double time) const {
     const WaterFloat& body = floats_[i];
     shader::FloatTold t = told_[i];
     t.reach.w = body.thrust.at(time);
-    t.head = four(0, 0, body.steering.at(time), body.air);
+    t.head = four(0, 0, static_cast<double>(body.steering.at(time)) / hulls_[i].aside2, body.air);
     if (body.towed) {
       const glm::dvec3 from(body.tow.at(time));
       const glm::dvec3 speed = (glm::dvec3(body.tow.at(time + frameSeconds_)) - from) / frameSeconds_;

@@ -189,6 +189,7 @@ Hull::Hull(const WaterFloat& body, const std::string& name) : mesh(meshOf(body))
     const glm::dvec3 at = part.moment / part.volume - middle;
     const double own = part.volume * perVolume;
     points.emplace_back(glm::vec3(at), static_cast<float>(own));
+    aside2 += own / volume * (at.x * at.x + at.z * at.z);
     // As if ballast were spread like the volume, about the middle of mass.
     const double kg = mass * own / volume;
     const glm::dvec3 r = at + glm::dvec3(body.ballast);

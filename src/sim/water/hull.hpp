@@ -31,6 +31,7 @@ struct Hull {
   double mass = 0;       ///< kg
   double height = 0;     ///< m, of the box around it
   double reach = 0;      ///< m: farthest vertex from the middle of mass
+  double aside2 = 0;     ///< m^2: mean square of its volume's way off the y axis through that
   FloatShape touched;    ///< what others touch of it
   /// kg m^2: xx, yy, zz, xy, xz, yz of the inertia tensor about the middle of mass.
   std::array<double, 6> inertia{};

@@ -72,6 +72,12 @@ Drift stepped(const sim::WaterParameters& p, const sim::Hull& hull, const Stream
   const double tall = std::abs(now.axes[0].y) * hull.grain.x + std::abs(now.axes[1].y) * hull.grain.y +
                       std::abs(now.axes[2].y) * hull.grain.z;
   const double lighter = rho * hull.volume / hull.mass;
+  // The steering's moment, by pushes across the way to the mast and as large as that is long.
+  double spread = 0;
+  for (const glm::vec4& point : hull.points)
+    spread += static_cast<double>(point.w) *
+              (static_cast<double>(point.x) * point.x + static_cast<double>(point.z) * point.z);
+  const double steered = static_cast<double>(body.steering.at(time)) * hull.volume / spread;
   Drift result;
   glm::dvec3 force(0), moment(0);
   double around = 0, risen = 0;
@@ -88,16 +94,16 @@ Drift stepped(const sim::WaterParameters& p, const sim::Hull& hull, const Stream
                         wet;
     const double laden = 1 + hull.mass / (hull.outline * rho) / (level - stream.bed);
     own -= hull.mass * volume / hull.volume * pace / (1 + pace * dt * laden * body.keel) * past;
+    const double within = volume * std::clamp((now.level - place.y) / tall + 0.5, 0.0, 1.0);
+    own += within / under * steered * outer(now.axes[1], arm);
     force += own;
     moment += outer(arm, own);
-    const double within = volume * std::clamp((now.level - place.y) / tall + 0.5, 0.0, 1.0);
     result.push += own + static_cast<double>(body.thrust.at(time)) * within / under * now.axes[2];
     around += within;
     risen += volume * (level - now.level);
   }
   result.displaced = around;
   force += static_cast<double>(body.thrust.at(time)) * around / under * now.axes[2];
-  moment += static_cast<double>(body.steering.at(time)) * now.axes[1];
   if (body.towed) {
     const glm::dvec3 target(body.tow.at(time));
     const glm::dvec3 pace = (glm::dvec3(body.tow.at(time + driftFrame)) - target) / driftFrame;
@@ -320,4 +326,40 @@ TEST_CASE("water floats: what an engine and drag give a body in a closed tank th
     CHECK(std::abs(off.x) < 1e-5 * impulse);
     CHECK(std::abs(off.y) < 1e-5 * impulse);
   }
+}
+
+TEST_CASE("water floats: what steering turns a body by turns the water the other way") {
+  auto p = driftTank(64, 0.2F, 1);
+  auto body = driftBox({0.8F, 0.4F, 1.6F}, 500);
+  body.rotation = {0, 35, 0};
+  body.steering = 60.0F;
+  p.floats = {body};
+  WaterTwin twin(sim::WaterPlan(p, "tank", 1, driftFrame));
+  const double mass = twin.plan().floats().hulls()[0].mass;
+  // About the y axis through the grid's middle: z p_x - x p_z.
+  const auto ofWater = [&] {
+    double sum = 0;
+    for (int y = 0, i = 0; y < p.size.y; ++y)
+      for (int x = 0; x < p.size.x; ++x, ++i) {
+        const double atX = (x + 0.5 - 0.5 * p.size.x) * 0.2, atZ = (y + 0.5 - 0.5 * p.size.y) * 0.2;
+        const glm::dvec4 cell(twin.cells[static_cast<std::size_t>(i)]);
+        sum += 1000 * 0.04 * (atZ * cell.y - atX * cell.z);
+      }
+    return sum;
+  };
+  const auto ofBody = [&] {
+    const glm::dvec3 at(twin.floats[0]), v(twin.floats[2]);
+    return static_cast<double>(twin.floats[3].y) + mass * (at.z * v.x - at.x * v.z);
+  };
+  const double dt = twin.plan().stepSeconds();
+  twin.drift(0, 0);
+  MESSAGE("in a step ", ofBody() / (60 * dt), " of the moment, the water ", ofWater() / (60 * dt));
+  CHECK(ofBody() == doctest::Approx(60 * dt).epsilon(0.02));
+  CHECK(ofWater() == doctest::Approx(-ofBody()).epsilon(0.01));
+  for (int i = 0; i < 30; ++i) twin.step(i * driftFrame);
+  MESSAGE("in a second ", ofBody() / 60, ", the water ", ofWater() / 60);
+  CHECK(ofBody() > 6);
+  CHECK(std::abs(ofBody() + ofWater()) < 0.05 * 60);
+  const glm::dvec2 along = waterMomentum(twin);
+  CHECK(std::abs(along.x) + std::abs(along.y) < 1);
 }

@@ -1,6 +1,6 @@
 // From no correction: a red-black sweep, and what it leaves missing in the red cells for the coarser level (the black ones
 // fulfil their equations). An invocation takes a block of 2x2 cells, and repeats what its sweep reads around.
-#include "fluid/levels.glsl"
+#include "fluid/solver/levels.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(std430, binding = poolOutBinding) writeonly buffer PoolOutBlock { float poolOut[]; };
 layout(std430, binding = raisedOutBinding) writeonly buffer RaisedOutBlock { vec4 raisedOut[]; };
@@ -12,8 +12,8 @@ void store(ivec2 block, int element, vec4 values, float left) {
   poolOut[4 * (level.coarseRhs + (block.y >> 1) * (coarse.x / 2 + 1) + (block.x >> 1)) + 2 * (block.y & 1) + (block.x & 1)] = left;
 }
 
-#if IN_THE_OPEN == 1
-void sweep(ivec2 block, int element, int row) {
+#if IN_THE_OPEN != 0
+void sweepOpen(ivec2 block, int element, int row) {
   vec4 here = LOAD_INPUT(pool, level.rhs + element);
   vec4 before = LOAD_INPUT(pool, level.rhs + element - 1), after = LOAD_INPUT(pool, level.rhs + element + 1);
   vec4 above = LOAD_INPUT(pool, level.rhs + element - row), below = LOAD_INPUT(pool, level.rhs + element + row);
@@ -30,8 +30,9 @@ void sweep(ivec2 block, int element, int row) {
   store(block, element, vec4(r00, b10, b01, r11),
         restricted(residualOpen(here.x, r00, bm0, b10, b0m, b01), residualOpen(here.w, r11, b01, b21, b10, b12)));
 }
+#endif
 
-#else
+#if IN_THE_OPEN != 1
 float redAt(ivec2 place) {
   ivec2 c = within(place);
   if (!isInside(c) || !isRed(c)) return 0.0;
@@ -52,7 +53,7 @@ float leftOver(ivec2 c, float value, float left, float right, float top, float b
   return residual(inPool(level.rhs, c), weightsOf(c), value, left, right, top, bottom);
 }
 
-void sweep(ivec2 block, int element, int row) {
+void sweepOther(ivec2 block, int element, int row) {
   ivec2 o = 2 * block;
   // By their places from the block's first cell: m is -1, n is -2.
   float r00 = redAt(o), r11 = redAt(o + ivec2(1, 1));
@@ -76,5 +77,10 @@ void main() {
   ivec2 blocks = blocksOf(level.cells);
   if (block.x >= blocks.x || block.y >= blocks.y) return;
   int element = block.y * blocks.x + block.x;
-  sweep(block, element, blocks.x);
+#if IN_THE_OPEN != 0
+  if (inTheOpen()) sweepOpen(block, element, blocks.x);
+#endif
+#if IN_THE_OPEN != 1
+  if (!inTheOpen()) sweepOther(block, element, blocks.x);
+#endif
 }

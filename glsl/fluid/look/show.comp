@@ -1,14 +1,14 @@
 // What is drawn of a fluid: colour in rgb, a value in a.
 #define READS_DYE
 #include "fluid/grid.glsl"
-#include "fluid/look.glsl"
+#include "fluid/look/look.glsl"
 layout(local_size_x = 32, local_size_y = 2) in;
 STATE_ARRAY(nextFlowBinding, NextBlock, shown)
 INPUT_ARRAY(carriedBinding, StopBlock, stops)  // of the colour map
 uniform float brightness;     // of dye
 uniform vec3 paper;           // where there is none
 uniform vec3 obstacleColor;
-#include "fluid/color_map.glsl"
+#include "fluid/look/color_map.glsl"
 
 void main() {
   int x = int(gl_GlobalInvocationID.x), y = int(gl_GlobalInvocationID.y);

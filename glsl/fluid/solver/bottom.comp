@@ -1,5 +1,5 @@
 // The coarsest level, at most 64 cells, by red-black sweeps that go farther than they should each time (SOR).
-#include "fluid/levels.glsl"
+#include "fluid/solver/levels.glsl"
 layout(local_size_x = 64) in;
 layout(std430, binding = raisedOutBinding) writeonly buffer RaisedOutBlock { float raisedOut[]; };
 shared float values[64];

@@ -79,11 +79,24 @@ float inRaised(int start, ivec2 c) {
 }
 
 #include "fluid/tiles.glsl"
+#if IN_THE_OPEN == 2
+// Groups for both in a dispatch, those in the open first.
+bool inTheOpen() {
+  return int(gl_WorkGroupID.y) < level.openRows;
+}
+ivec2 blockHere() {
+  return blockHere(inTheOpen() ? level.openTiles : level.otherTiles - groupRow * level.openRows);
+}
+#else
+bool inTheOpen() {
+  return IN_THE_OPEN == 1;
+}
 ivec2 blockHere() {
   return blockHere(IN_THE_OPEN == 1 ? level.openTiles : level.otherTiles);
 }
+#endif
 
-#if IN_THE_OPEN == 1
+#if IN_THE_OPEN != 0
 // neighbours(), relaxed() and residual() of a cell with weights of 1.
 float aroundOpen(float left, float right, float top, float bottom) {
   precise float sum = (left + right) + (top + bottom);

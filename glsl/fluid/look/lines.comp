@@ -7,8 +7,8 @@ INPUT_ARRAY(carriedBinding, StopBlock, stops)  // of the colour map
 uniform int lineDetail;
 uniform float linePerDetail, linePhase;
 uniform vec3 obstacleColor;
-#include "fluid/color_map.glsl"
-#include "fluid/lines.glsl"
+#include "fluid/look/color_map.glsl"
+#include "fluid/look/lines.glsl"
 
 void main() {
   int x = int(gl_GlobalInvocationID.x), y = int(gl_GlobalInvocationID.y);

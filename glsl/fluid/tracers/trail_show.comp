@@ -2,7 +2,7 @@
 #include "common/exact.glsl"
 #include "common/memory.glsl"
 #include "common/words.glsl"
-#include "fluid/tracer_types.glsl"
+#include "fluid/tracers/tracer_types.glsl"
 layout(local_size_x = 32, local_size_y = 2) in;
 STATE_ARRAY(shownBinding, ShownBlock, shown)
 INPUT_WORDS(trailBinding, TrailBlock, trail)

@@ -1,6 +1,6 @@
 // Minus the net flow out of each cell, in blocks of 2x2, and no correction yet.
 #include "fluid/grid.glsl"
-#include "fluid/solve_control.glsl"
+#include "fluid/solver/solve_control.glsl"
 layout(local_size_x = 16, local_size_y = 4) in;
 layout(std430, binding = poolOutBinding) writeonly buffer PoolOutBlock { vec4 poolOut[]; };
 uniform int rhsStart;

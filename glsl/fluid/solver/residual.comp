@@ -1,6 +1,6 @@
 // Adds the finest level's correction to the sum, and says what is still missing.
-#include "fluid/levels.glsl"
-#include "fluid/solve_control.glsl"
+#include "fluid/solver/levels.glsl"
+#include "fluid/solver/solve_control.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(std430, binding = poolOutBinding) writeonly buffer PoolOutBlock { vec4 poolOut[]; };
 

@@ -2,7 +2,7 @@
 #include "common/exact.glsl"
 #include "common/hash.glsl"
 #include "common/memory.glsl"
-#include "fluid/tracer_types.glsl"
+#include "fluid/tracers/tracer_types.glsl"
 layout(local_size_x = 64) in;
 layout(std430, binding = trailBinding) restrict buffer TrailBlock { uint trail[]; };
 uniform int count;

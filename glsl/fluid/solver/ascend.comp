@@ -1,9 +1,9 @@
 // Adds the coarser level's correction, then a red-black sweep. As descend.comp, by blocks of 2x2 cells.
-#include "fluid/levels.glsl"
+#include "fluid/solver/levels.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(std430, binding = raisedOutBinding) writeonly buffer RaisedOutBlock { vec4 raisedOut[]; };
 
-#if IN_THE_OPEN == 1
+#if IN_THE_OPEN != 0
 // Five coarse cells of a row, from two before a block's own one to two after it.
 struct Five {
   float a, b, c, d, e;
@@ -33,7 +33,7 @@ float openAt(float way, float here, float across, float down, float corner) {
   return raised(way, prolonged(here, across, down, corner));
 }
 
-vec4 swept(ivec2 block, int element, int row) {
+vec4 sweptOpen(ivec2 block, int element, int row) {
   int coarseRow = (level.cells.x + 1) / 2 / 2 + 1;
   int coarse = level.coarseUp + (block.y >> 1) * coarseRow + (block.x >> 1);
   bool odd = (block.x & 1) == 1, oddRow = (block.y & 1) == 1;
@@ -70,8 +70,9 @@ vec4 swept(ivec2 block, int element, int row) {
   float r02 = relaxedOpen(LOAD_INPUT(pool, level.rhs + element + row).x, aroundOpen(bm2, b12, b01, b03));
   return vec4(r00, relaxedOpen(rhs.y, aroundOpen(r00, r20, r1m, r11)), relaxedOpen(rhs.z, aroundOpen(rm1, r11, r00, r02)), r11);
 }
+#endif
 
-#else
+#if IN_THE_OPEN != 1
 // A coarse cell's correction; noCell beyond walls, and beyond open sides what makes it 0 there.
 float coarseAt(ivec2 c) {
   ivec2 count = (level.cells + 1) / 2;
@@ -110,7 +111,7 @@ float redAt(ivec2 place, float left, float right, float top, float bottom) {
   return isRed(within(place)) ? sweptAt(place, left, right, top, bottom) : raisedAt(place);
 }
 
-vec4 swept(ivec2 block, int element, int row) {
+vec4 sweptOther(ivec2 block, int element, int row) {
   ivec2 o = 2 * block;
   float b10 = raisedAt(o + ivec2(1, 0)), b01 = raisedAt(o + ivec2(0, 1));
   float bm0 = raisedAt(o + ivec2(-1, 0)), b0m = raisedAt(o + ivec2(0, -1));
@@ -132,5 +133,10 @@ void main() {
   ivec2 blocks = blocksOf(level.cells);
   if (block.x >= blocks.x || block.y >= blocks.y) return;
   int element = block.y * blocks.x + block.x;
-  raisedOut[level.up + element] = swept(block, element, blocks.x);
+#if IN_THE_OPEN != 0
+  if (inTheOpen()) raisedOut[level.up + element] = sweptOpen(block, element, blocks.x);
+#endif
+#if IN_THE_OPEN != 1
+  if (!inTheOpen()) raisedOut[level.up + element] = sweptOther(block, element, blocks.x);
+#endif
 }

@@ -3,7 +3,7 @@
 #include "common/exact.glsl"
 #include "common/status.glsl"
 #include "fluid/bindings.glsl"
-#include "fluid/solve_control.glsl"
+#include "fluid/solver/solve_control.glsl"
 layout(local_size_x = 1) in;
 uniform int dispatches;    // whose groups stand in control.groups
 uniform int first;         // 1: before the first cycle

@@ -1,5 +1,5 @@
 // Carries tracers along for a substep and draws their ways; FIRST: puts them where they begin.
-#include "fluid/tracers.glsl"
+#include "fluid/tracers/tracers.glsl"
 layout(std430, binding = trailBinding) restrict buffer TrailBlock { uint trail[]; };
 
 void main() {

@@ -1,0 +1,184 @@
+// pass.comp for storage blocks, and so for graphics cards: each flux is made once, and PASSES passes are taken at once. A work
+// group of 32 goes down `rows` rows, an invocation with two columns. What it needs of its neighbours passes through shared
+// memory, rows above and below are kept; a pass follows the one before it two rows later. The outermost columns, two for each
+// pass, only serve the others. Dye is counted in its units here (model.glsl), so that a flux is a whole number.
+#define READS_DYE
+#include "fluid/grid.glsl"
+const int lanes = 32, columns = 2 * lanes, margin = 2 * PASSES;
+layout(local_size_x = lanes) in;
+STATE_ARRAY(nextDyeBinding, NextBlock, nextDye)
+uniform int rows;  // of a strip
+
+shared vec3 firsts[lanes], seconds[lanes];  // of a row: values of both columns
+shared vec3 slopes[lanes];                  // of second columns
+shared vec3 fluxes[lanes];                  // into first columns from the left
+
+// A pass on its way down, of a column: the row in work, the one above it, half its slope downwards, the flux between them,
+// and what the row above loses to the sides.
+struct Pass {
+  vec3 here, above, slopeAbove, fromAbove, sidesAbove;
+};
+
+vec3 halfSlopes(vec3 before, vec3 after) {
+  return vec3(limitedHalfSlope(before.x, after.x), limitedHalfSlope(before.y, after.y), limitedHalfSlope(before.z, after.z));
+}
+
+// What crosses a face, in units.
+vec3 unitsThrough(float way, vec3 before, vec3 after, vec3 slopeBefore, vec3 slopeAfter) {
+  bool on = way > 0.0;
+  vec3 from = on ? before : after, slope = on ? slopeBefore : slopeAfter;
+  return trunc(vec3(dyeCarried(way, from.x, slope.x), dyeCarried(way, from.y, slope.y), dyeCarried(way, from.z, slope.z)));
+}
+
+int turned(int i, int count) {
+  return (i + 8 * count) % count;
+}
+
+// Of a column anywhere: where its dye lies, its velocities and faces.
+int columnOf(int x) {
+  return leftKind == periodicSide ? turned(x, size.x) : clamp(x, -1, size.x);
+}
+
+int rowOf(int y) {
+  return topKind == periodicSide ? turned(y, size.y) : clamp(y, -1, size.y);
+}
+
+vec3 loadUnits(int x, int y) {
+  precise vec3 units = LOAD_INPUT(dye, elementOf(x, y)).xyz * perDyeUnit;
+  return units;
+}
+
+// Ways through the left and the top face of a cell; beyond the grid there are none.
+vec2 waysAt(int x, int y) {
+  vec2 ways = vec2(0.0);
+  if (x < 0 || y < 0 || x > size.x || y > size.y) return ways;
+  if (y < size.y) ways.x = dyeWay(throughU(x, y));
+  if (x < size.x) ways.y = dyeWay(throughV(x, y));
+  return ways;
+}
+
+// A cell, and where it is at the border what of the ring is like it.
+void storeDye(int x, int y, vec3 units) {
+  precise vec3 amounts = units * dyeUnit;
+  vec4 value = vec4(amounts, 0.0);
+  STORE_STATE(nextDye, elementOf(x, y), value);
+  if (x > 0 && y > 0 && x < size.x - 1 && y < size.y - 1) return;
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) {
+      int atX = i == 0 ? x : i == 1 ? -1 : size.x;
+      int atY = j == 0 ? y : j == 1 ? -1 : size.y;
+      if ((i > 0 || j > 0) && insideX(atX) == x && insideY(atY) == y)
+        STORE_STATE(nextDye, elementOf(atX, atY), beyondOpen(atX, atY) ? vec4(0.0f) : value);
+    }
+}
+
+// The row below comes in, the row above goes out as it is after the pass. `ways`: of both columns' faces, of the row in work.
+void advance(int lane, inout Pass a, inout Pass b, vec4 ways, inout vec3 first, inout vec3 second) {
+  int before = max(lane - 1, 0), after = min(lane + 1, lanes - 1);
+  firsts[lane] = a.here;
+  seconds[lane] = b.here;
+  barrier();
+  vec3 left = seconds[before], right = firsts[after];
+  precise vec3 before_ = a.here - left;
+  precise vec3 between_ = b.here - a.here;
+  precise vec3 after_ = right - b.here;
+  vec3 slopeA = halfSlopes(before_, between_), slopeB = halfSlopes(between_, after_);
+  slopes[lane] = slopeB;
+  barrier();
+  vec3 fromLeft = unitsThrough(ways.x, left, a.here, slopes[before], slopeA);
+  vec3 middle = unitsThrough(ways.z, a.here, b.here, slopeA, slopeB);
+  fluxes[lane] = fromLeft;
+  barrier();
+  vec3 toRight = fluxes[after];
+  precise vec3 upA = a.here - a.above;
+  precise vec3 onA = first - a.here;
+  precise vec3 upB = b.here - b.above;
+  precise vec3 onB = second - b.here;
+  vec3 downA = halfSlopes(upA, onA), downB = halfSlopes(upB, onB);
+  vec3 fluxA = unitsThrough(ways.y, a.above, a.here, a.slopeAbove, downA);
+  vec3 fluxB = unitsThrough(ways.w, b.above, b.here, b.slopeAbove, downB);
+  precise vec3 outA = a.above - (a.sidesAbove + (fluxA - a.fromAbove));
+  precise vec3 outB = b.above - (b.sidesAbove + (fluxB - b.fromAbove));
+  precise vec3 sidesA = middle - fromLeft;
+  precise vec3 sidesB = toRight - middle;
+  a = Pass(first, a.here, downA, fluxA, sidesA);
+  b = Pass(second, b.here, downB, fluxB, sidesB);
+  first = outA;
+  second = outB;
+}
+
+#if PASSES > 1
+// Columns beyond sides that do not close on each other are as the ones within, or empty, after the first pass.
+void spread(int lane, ivec2 x, inout vec3 first, inout vec3 second) {
+  int from = x.x - 2 * lane;  // the strip's first column
+  firsts[lane] = first;
+  seconds[lane] = second;
+  barrier();
+  for (int k = 0; k < 2; ++k) {
+    int column = k == 0 ? x.x : x.y;
+    if (column >= 0 && column < size.x) continue;
+    int inside = clamp(clamp(column, 0, size.x - 1) - from, 0, columns - 1);
+    vec3 value = (inside & 1) == 0 ? firsts[inside >> 1] : seconds[inside >> 1];
+    if ((column < 0 ? leftKind : rightKind) == openSide) value = vec3(0.0);
+    if (k == 0)
+      first = value;
+    else
+      second = value;
+  }
+  barrier();
+}
+#endif
+
+void main() {
+  int lane = int(gl_LocalInvocationID.x);
+  int from = int(gl_WorkGroupID.x) * (columns - 2 * margin) - margin;
+  ivec2 x = ivec2(from + 2 * lane, from + 2 * lane + 1);
+  int top = int(gl_WorkGroupID.y) * rows;
+  int end = min(top + rows, size.y);
+  ivec2 at = ivec2(columnOf(x.x), columnOf(x.y));  // of dye
+  bool closes = leftKind == periodicSide;
+  ivec2 faces = closes ? at : x;
+  bvec2 writes = bvec2(2 * lane >= margin && 2 * lane < columns - margin && x.x < size.x,
+                       2 * lane >= margin && 2 * lane < columns - margin && x.y < size.x);
+  Pass a[PASSES], b[PASSES];
+  vec4 ways[2 * PASSES - 1];  // of the row in work, and of those above it
+  Pass none = Pass(vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0));
+  for (int i = 0; i < PASSES; ++i) a[i] = b[i] = none;
+  for (int i = 0; i < 2 * PASSES - 1; ++i) ways[i] = vec4(0.0);
+  int start = top - margin;
+  a[0].above = loadUnits(at.x, rowOf(start));
+  b[0].above = loadUnits(at.y, rowOf(start));
+  a[0].here = loadUnits(at.x, rowOf(start + 1));
+  b[0].here = loadUnits(at.y, rowOf(start + 1));
+  bool atSide = !closes && (from < 0 || from + columns > size.x);
+  for (int y = start + 1; y < end + margin - 1; ++y) {
+    int below = rowOf(y + 1);
+    vec3 first = loadUnits(at.x, below), second = loadUnits(at.y, below);
+    int row = topKind == periodicSide ? turned(y, size.y) : y;
+#if PASSES > 1
+    for (int i = 2 * PASSES - 2; i > 0; --i) ways[i] = ways[i - 1];
+#endif
+    ways[0] = vec4(waysAt(faces.x, row), waysAt(faces.y, row));
+    advance(lane, a[0], b[0], ways[0], first, second);
+#if PASSES > 1
+    // Of row y - 1. Rows beyond the sides: as columns.
+    if (atSide) spread(lane, x, first, second);
+    if (topKind != periodicSide && y - 1 <= 0) {
+      bool empty = topKind == openSide;
+      a[1].here = a[1].above = empty ? vec3(0.0) : first;
+      b[1].here = b[1].above = empty ? vec3(0.0) : second;
+    }
+    if (topKind != periodicSide && y - 1 >= size.y) {
+      bool empty = bottomKind == openSide;
+      first = empty ? vec3(0.0) : a[1].here;
+      second = empty ? vec3(0.0) : b[1].here;
+    }
+    advance(lane, a[1], b[1], ways[2], first, second);
+#endif
+    int done = y + 1 - 2 * PASSES;
+    if (done >= top && done < end) {
+      if (writes.x) storeDye(x.x, done, first);
+      if (writes.y) storeDye(x.y, done, second);
+    }
+  }
+}
