@@ -233,10 +233,11 @@ class BrokenFiles(DiffCase):
     def test_other_formats(self):
         self.refused(["cut off"], b"\xff\xd8\xff\xe0" + bytes(100))
         self.refused(["not a picture"], b"P9 1 1 255 abc")
-        self.refused(["16 bits", "8-bit RGB"], png(None, depth=16, size=(1, 1), raw=bytes(7)))
-        self.refused(["palette", "8-bit RGB"], png(None, colour=3, size=(1, 1), raw=bytes(2),
-                                                   extra=chunk(b"PLTE", bytes(3))))
-        self.refused(["1 bit per"], png(None, depth=1, colour=0, size=(1, 1), raw=bytes(2)))
+        for deep in (png(None, depth=16, size=(1, 1), raw=bytes(7)),
+                     png(None, colour=3, size=(1, 1), raw=bytes(2), extra=chunk(b"PLTE", bytes(3))),
+                     png(None, depth=1, colour=0, size=(1, 1), raw=bytes(2))):
+            self.write("deep.png", deep)
+            self.assertIn("deep.png is 1x1", self.diff(1, "a.png", "deep.png").out)
         self.refused(["animated"], png(BASE, extra=chunk(b"acTL", bytes(8))))
 
     def test_pixels_are_missing_inside(self):
