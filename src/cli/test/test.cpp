@@ -80,12 +80,13 @@ int runAll(const std::vector<golden::SceneFile>& scenes, golden::Suite& suite, c
 void addOrphans(const golden::SuiteOptions& options, golden::SuiteResult& result) {
   for (const fs::path& folder : options.orphans) {
     if (!pathExists(folder)) continue;
-    const auto heir = std::find_if(result.scenes.begin(), result.scenes.end(), [&](const golden::SceneResult& scene) {
-      return scene.renamedFrom == folder.generic_string();
-    });
+    const auto heir = std::find_if(
+        result.scenes.begin(), result.scenes.end(),
+        [&](const golden::SceneResult& scene) { return scene.renamedFrom == folder.generic_string(); });
     golden::Stale stale{folder.generic_string(), "its scene is gone", false};
     if (heir != result.scenes.end())
-      stale.message = fmt::format("its scene is gone; the pictures are those of {}: --update moves it there", heir->name);
+      stale.message = fmt::format(
+          "its scene is gone; the pictures are those of {}: --update moves it there", heir->name);
     else if (options.update == golden::Update::prune && !(stale.removed = golden::removeBaselines(folder)))
       stale.message = "its scene is gone; what is no baseline was left there";
     result.stale.push_back(std::move(stale));
@@ -125,7 +126,8 @@ void test(const TestOptions& o) {
   const gl::Context context(o.on);
   const golden::Device device = describeDevice(context, o.profile);
 
-  options.orphans = golden::baselinesWithoutScene(o.paths.empty() ? std::vector<std::string>{"."} : o.paths);
+  options.orphans =
+      golden::baselinesWithoutScene(o.paths.empty() ? std::vector<std::string>{"."} : o.paths);
   golden::Suite suite(options, device);
   golden::SuiteResult result;
   result.version = version();
@@ -141,7 +143,8 @@ void test(const TestOptions& o) {
   result.strict = o.strict;
   result.stale = suite.stale();
   addOrphans(options, result);
-  if (o.strict && std::any_of(result.stale.begin(), result.stale.end(), [](const auto& one) { return !one.removed; }))
+  if (o.strict &&
+      std::any_of(result.stale.begin(), result.stale.end(), [](const auto& one) { return !one.removed; }))
     suite.tally().addFailure();
   result.seconds = secondsSince(begin);
   o.outputs.write(result);
