@@ -78,7 +78,7 @@ std::string excusedText(const Metrics& m) {
 std::string notesText(const PairResult& result, const std::string& name = {}) {
   std::string text;
   for (const std::string& note : result.notes)
-    text += oneLine(name.empty() ? "note: " + note : name + ": note: " + note) + "\n";
+    text += oneLine(fmt::format("{}{}note: {}", name, name.empty() ? "" : ": ", note)) + "\n";
   return text;
 }
 

@@ -189,7 +189,7 @@ class PictureRun {
       for (std::string& unused : golden::unusedRules(options_.rules, all))
         suite_.notes.push_back(std::move(unused));
       std::erase_if(all, [&](const golden::PictureCase& one) { return !chosen(o_, one.name); });
-      if (!o_.shard.empty()) all = golden::shardOf(std::move(all), o_.shard);
+      if (!o_.shard.empty()) all = golden::shardOf(all, o_.shard);
       return std::move(all);
     }
     const bool whole = o_.globs.empty() && o_.shard.empty();

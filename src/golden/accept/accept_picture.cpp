@@ -54,7 +54,7 @@ void promotePicture(const fs::path& kept, const SceneResult& picture, const fs::
 fs::path expectedFolder(const SuiteResult& suite, const Acceptance& how) {
   if (!how.reason.empty() || how.alternate)
     fail(ExitCode::usage, "--reason and --alternate are for scenes, and this report is of pictures");
-  const fs::path folder = how.expected.empty() ? suite.expected : how.expected;
+  fs::path folder = how.expected.empty() ? suite.expected : how.expected;
   if (how.expected.empty() && !staysBelow(folder))
     fail(ExitCode::usage,
          "the baselines of this report are in {}, which is not below this folder; say so with --expected",
