@@ -39,7 +39,6 @@ Picture decodeDeepPng(std::string_view bytes, const std::string& label) {
   const auto refuse = [&](const std::string& why) {
     fail(ExitCode::inputOutput, "{} cannot be decoded ({})", label, oneLine(why));
   };
-  constexpr int largestSide = 16384;
   constexpr std::size_t forHeaders = 1 << 16;
   if (bytes.size() > std::size_t{1} << 30) refuse("larger than 1 GiB");
   const auto* data = reinterpret_cast<const stbi_uc*>(bytes.data());
@@ -48,8 +47,8 @@ Picture decodeDeepPng(std::string_view bytes, const std::string& label) {
   maxBytes = forHeaders;
   if (stbi_info_from_memory(data, size, &width, &height, &channels) == 0) refuse(stbi_failure_reason());
   if (width < 1 || height < 1) refuse("no width or no height");
-  if (std::max(width, height) > largestSide)
-    refuse(fmt::format("{}x{}, more than {} on a side", width, height, largestSide));
+  if (std::max(width, height) > largestPictureSide)
+    refuse(fmt::format("{}x{}, more than {} on a side", width, height, largestPictureSide));
   const std::size_t pixels = std::size_t(width) * std::size_t(height);
   // deflate makes at most 1032 bytes of one; a pixel has at least two.
   if (static_cast<double>(pixels) * 2 > static_cast<double>(bytes.size()) * 1032)

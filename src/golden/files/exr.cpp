@@ -23,7 +23,6 @@ namespace simreel::golden {
 
 namespace {
 
-constexpr int largestSide = 16384;
 constexpr double mostPixels = 1e8;
 
 class MemoryStream final : public Imf::IStream {
@@ -58,8 +57,9 @@ struct Window {
 Window windowOf(const Imath::Box2i& box) {
   const auto side = [](int from, int to) {
     const long length = long{to} - from + 1;
-    if (length < 1 || length > largestSide)
-      throw std::runtime_error(fmt::format("a window of {} pixels; 1 to {} are read", length, largestSide));
+    if (length < 1 || length > largestPictureSide)
+      throw std::runtime_error(
+          fmt::format("a window of {} pixels; 1 to {} are read", length, largestPictureSide));
     return static_cast<int>(length);
   };
   return {box.min.x, box.min.y, side(box.min.x, box.max.x), side(box.min.y, box.max.y)};

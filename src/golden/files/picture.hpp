@@ -8,6 +8,9 @@
 
 namespace simreel::golden {
 
+/// Pixels; a file that claims more is damaged, or nothing to compare.
+inline constexpr int largestPictureSide = 16384;
+
 /// What the numbers of a picture file are.
 enum class Depth {
   unorm8,   ///< 0 to 255, sRGB

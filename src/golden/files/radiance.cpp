@@ -11,8 +11,6 @@ namespace simreel::golden {
 
 namespace {
 
-constexpr int largestSide = 16384;
-
 class RadianceFile {
  public:
   RadianceFile(std::string_view bytes, const std::string& label)
@@ -58,8 +56,8 @@ class RadianceFile {
         refuse(fmt::format("has its rows in another order ({}), and only -Y ... +X ... is read", shown));
       size.remove_prefix(before.size());
       const auto found = takeInteger(size);
-      if (!found || *found < 1 || *found > largestSide)
-        refuse(fmt::format("has no size from 1 to {} ({})", largestSide, shown));
+      if (!found || *found < 1 || *found > largestPictureSide)
+        refuse(fmt::format("has no size from 1 to {} ({})", largestPictureSide, shown));
       return *found;
     };
     height_ = number("-Y ");
