@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <map>
+#include <numbers>
 #include <utility>
 
 #include <glm/geometric.hpp>
@@ -52,6 +53,17 @@ float depthOfFacets(const Triangles& sphere) {
     depth = std::max(depth, 1.0F - glm::length(sum) / 3.0F);
   }
   return depth;
+}
+
+/// Scale at which the facets' outline is as large as the unit sphere's, in the mean over directions: a convex body's is a
+/// quarter of its surface (Cauchy). Facets of points on the sphere look too small by up to 2% of the radius.
+float fullScale(const Triangles& sphere) {
+  double twice = 0;
+  for (std::size_t i = 0; i < sphere.corners.size(); i += 3) {
+    const glm::vec3& a = sphere.points[sphere.corners[i]];
+    twice += glm::length(glm::cross(sphere.points[sphere.corners[i + 1]] - a, sphere.points[sphere.corners[i + 2]] - a));
+  }
+  return static_cast<float>(std::sqrt(8.0 * std::numbers::pi / twice));
 }
 
 /// Each triangle in four, new points on the unit sphere.
@@ -131,8 +143,9 @@ InstanceShape InstanceShape::sphere() {
   Triangles t = icosahedron();
   for (int level = 0; level < sphereLevels; ++level) {
     if (level > 0) t = divided(t);
-    builder.add(t.points, t.points, t.corners, 0.5F);
-    depths.push_back(depthOfFacets(t));
+    const float scale = fullScale(t);
+    builder.add(t.points, t.points, t.corners, 0.5F * scale);
+    depths.push_back(std::max(1.0F - scale * (1.0F - depthOfFacets(t)), 0.0F));
   }
   InstanceShape shape = builder.build(static_cast<unsigned>(builder.vertices.size() / 2));
   for (std::size_t level = 0; level < depths.size(); ++level) shape.levels_[level].swell = depths[level];
