@@ -55,13 +55,15 @@ float depthOfFacets(const Triangles& sphere) {
   return depth;
 }
 
-/// Scale at which the facets' outline is as large as the unit sphere's, in the mean over directions: a convex body's is a
-/// quarter of its surface (Cauchy). Facets of points on the sphere look too small by up to 2% of the radius.
+/// Scale at which the facets' outline is as large as the unit sphere's, in the mean over directions: a
+/// convex body's is a quarter of its surface (Cauchy). Facets of points on the sphere look too small by up
+/// to 2% of the radius.
 float fullScale(const Triangles& sphere) {
   double twice = 0;
   for (std::size_t i = 0; i < sphere.corners.size(); i += 3) {
     const glm::vec3& a = sphere.points[sphere.corners[i]];
-    twice += glm::length(glm::cross(sphere.points[sphere.corners[i + 1]] - a, sphere.points[sphere.corners[i + 2]] - a));
+    twice += glm::length(
+        glm::cross(sphere.points[sphere.corners[i + 1]] - a, sphere.points[sphere.corners[i + 2]] - a));
   }
   return static_cast<float>(std::sqrt(8.0 * std::numbers::pi / twice));
 }

@@ -24,7 +24,8 @@ class InstanceShape {
   /// No vertex data, diameter 1. Level 0, for sprites of few pixels, is a point, or a square where `points`
   /// is false; level 1 is a square with corners 0 to 3.
   static InstanceShape sprite(bool points);
-  /// Icospheres whose outlines have the area of a disc of diameter 1 in the mean: level n has 20 * 4^n triangles.
+  /// Icospheres whose outlines have the area of a disc of diameter 1 in the mean: level n has 20 * 4^n
+  /// triangles.
   static InstanceShape sphere();
   /// Triangles with unit normals per vertex.
   static InstanceShape mesh(std::span<const glm::vec3> positions, std::span<const glm::vec3> normals,
