@@ -29,7 +29,7 @@ struct Matrix {
   explicit Matrix(const glm::dmat3& m) {
     for (int row = 0; row < 3; ++row)
       for (int column = 0; column < 3; ++column)
-        of[std::size_t(3 * row + column)] = static_cast<float>(m[column][row]);
+        of[std::size_t(row) * 3 + std::size_t(column)] = static_cast<float>(m[column][row]);
   }
   [[nodiscard]] std::array<Four, 3> operator()(Four x, Four y, Four z) const {
     return {of[0] * x + of[1] * y + of[2] * z, of[3] * x + of[4] * y + of[5] * z,

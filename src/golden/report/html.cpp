@@ -4,11 +4,17 @@
 #include "base/file.hpp"
 #include "golden/report/json.hpp"
 
+#include <map>
 #include <string_view>
+#include <utility>
+
+#include <nlohmann/json.hpp>
 
 namespace simreel::golden {
 
 namespace {
+
+using nlohmann::ordered_json;
 
 constexpr std::string_view dataName = "report.json";
 
@@ -33,6 +39,37 @@ std::string withoutMarkup(const std::string& json) {
   return text;
 }
 
+/// The data without what repeats, for the page's unpacked(): {"keys": [[...], ...], "data": ...}, where an
+/// object is [number of its keys, values...] and a list [-1, values...]. Of 500 failures that is a third.
+class Packer {
+ public:
+  ordered_json pack(const ordered_json& value) {
+    if (!value.is_structured()) return value;
+    ordered_json packed = {value.is_object() ? numberOfKeys(value) : -1};
+    for (const ordered_json& member : value) packed.push_back(pack(member));
+    return packed;
+  }
+  [[nodiscard]] const ordered_json& keys() const { return keys_; }
+
+ private:
+  int numberOfKeys(const ordered_json& object) {
+    ordered_json keys = ordered_json::array();
+    for (const auto& member : object.items()) keys.push_back(member.key());
+    const auto [found, isNew] = numbers_.try_emplace(keys.dump(), static_cast<int>(numbers_.size()));
+    if (isNew) keys_.push_back(std::move(keys));
+    return found->second;
+  }
+
+  std::map<std::string, int> numbers_;
+  ordered_json keys_ = ordered_json::array();
+};
+
+std::string packedData(const std::string& json) {
+  Packer packer;
+  ordered_json data = packer.pack(ordered_json::parse(json));
+  return ordered_json{{"keys", packer.keys()}, {"data", std::move(data)}}.dump();
+}
+
 }  // namespace
 
 std::string htmlReport(const std::string& reportJson) {
@@ -47,7 +84,7 @@ std::string htmlReport(const std::string& reportJson) {
     if (close == std::string_view::npos) return page;
     const std::string_view name = rest.substr(open + 2, close - open - 2);
     if (name == dataName)
-      page += withoutMarkup(reportJson);
+      page += withoutMarkup(packedData(reportJson));
     else
       page += pageFile(name);
     rest.remove_prefix(close + 2);
