@@ -110,6 +110,7 @@ class ManyTests:
         self.assertEqual({words for words, _ in groups}, GROUPS)
         self.assertEqual([count for _, count in groups], [COUNT // 4] * 4)
         self.assertEqual(b.value("document.querySelectorAll('.group').length"), 4)
+        b.value("document.querySelector('.failures').scrollIntoView()")
         self.assertTrue(self.until(f"document.querySelectorAll('.failures tbody tr').length === {COUNT}"))
         line = b.value("document.querySelector('.failures tbody tr').textContent")
         for word in ("it's", "maxDiffPixels 0", "100 %"):

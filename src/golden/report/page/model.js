@@ -1,9 +1,10 @@
 // The report's data, what is derived from it, and what is chosen: suite, scene, frame, view.
 
-/// Objects of the same keys are many: each is [number of its keys, values...], and a list [-1, values...].
-function unpacked({keys, data}) {
+/// Objects of the same keys are many: each is [number of its keys, values...], and a list [-1, values...]. A text that is
+/// there more than once is {"t": its number}.
+function unpacked({keys, texts, data}) {
   const open = (value) => {
-    if (!Array.isArray(value)) return value;
+    if (!Array.isArray(value)) return value !== null && typeof value === "object" ? texts[value.t] : value;
     const values = value.slice(1).map(open);
     return value[0] < 0 ? values : Object.fromEntries(keys[value[0]].map((key, i) => [key, values[i]]));
   };

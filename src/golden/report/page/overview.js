@@ -124,7 +124,7 @@ function groupCard(group) {
   const accept = element("button", {class: "accept"}, kept.length === 1 ? "accept it" : "accept these " + kept.length);
   accept.title = "Choose these, and copy the command that accepts them";
   accept.addEventListener("click", () => acceptGroup(group, accept));
-  return element("section", {class: "group " + group.status, "aria-label": group.words.join(", ")},
+  return element("section", {class: "group " + group.status + (scenes.length < 3 ? " few" : ""), "aria-label": group.words.join(", ")},
       element("header", {},
               kept.length > 0 ? chooser(kept, "choose this group") : null,
               element("span", {class: "count"}, String(scenes.length)),
@@ -168,14 +168,21 @@ function failureTable() {
 function makeOverview() {
   overview.groups = groupsOf(failing);
   const kept = failing.filter(acceptCommand);
-  byId("overview").replaceChildren(
+  byId("overviewPage").replaceChildren(
       element("div", {class: "overviewHead"},
               element("h2", {}, plural(failing.length, suite.unit) + " failed"),
               element("span", {class: "dim"}, "in " + plural(overview.groups.length, "group") + " of like differences"),
               kept.length > 0 ? element("label", {class: "all"}, chooser(kept, "choose all"), " all") : null),
       ...overview.groups.map(groupCard));
-  // After the groups are on the screen: it may have thousands of cells.
-  setTimeout(() => byId("overview").append(failureTable()));
+  // Made when it comes near: it may have thousands of cells.
+  const place = element("section", {class: "card failures later"}, "Every failure, with its tolerance");
+  byId("overviewPage").append(place);
+  const near = new IntersectionObserver((entries) => {
+    if (!entries.some((entry) => entry.isIntersecting)) return;
+    near.disconnect();
+    place.replaceWith(failureTable());
+  }, {root: byId("scene"), rootMargin: "400px"});
+  near.observe(place);
 }
 
 /// Instead of a scene. Made when it is first asked for.

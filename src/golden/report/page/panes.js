@@ -144,11 +144,10 @@ function sizePanes() {
 
 const amplified = {chosen: "auto", factors: [1, 4, 16, 64, 255]};
 
-/// The largest power of two with which the worst pixel still is below white, so that a difference of 1 is seen.
+/// A difference of 1 is seen beside any: as white where there is none larger, else as a dark grey.
 function factorOf(frame) {
   if (amplified.chosen !== "auto") return Number(amplified.chosen);
-  const worst = frame.metrics ? Math.max(1, frame.metrics.worst) : 1;
-  return worst <= 1 ? 255 : 2 ** Math.max(0, Math.floor(Math.log2(255 / worst)));
+  return frame.metrics && frame.metrics.worst > 1 ? 64 : 255;
 }
 
 /// |actual - expected| of each channel, times a factor. The browser blends the two: a page from disk may not read their
