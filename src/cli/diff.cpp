@@ -35,7 +35,7 @@ struct DiffOptions {
   std::string a, b, output;
   ToleranceOptions tolerance;
   AllowanceOptions allowance;
-  bool json = false;
+  bool json = false, quick = false;
 };
 
 golden::Allowance allowanceFor(const DiffOptions& options) {
@@ -48,6 +48,11 @@ golden::Allowance allowanceFor(const DiffOptions& options) {
   terms.masks.emplace_back(options.allowance.mask);
   allowance.mask = golden::allowanceOf(terms, size.width, size.height).mask;
   return allowance;
+}
+
+golden::PairTerms termsFor(const DiffOptions& options, const scene::Tolerance& tolerance) {
+  return {tolerance, allowanceFor(options),
+          options.quick ? golden::Measures::quick : golden::Measures::all};
 }
 
 /// Writing over what is compared would be a slip of the finger.
@@ -71,8 +76,8 @@ void comparePictures(const DiffOptions& options, const scene::Tolerance& toleran
       fail(ExitCode::usage, "-o {} is a folder; two pictures need a file name", options.output);
     checkOutput(options.output, options.a, options.b);
   }
-  const auto result = golden::comparePair({options.a, options.a, options.b}, tolerance,
-                                          allowanceFor(options), options.output, true);
+  const auto result = golden::comparePair({options.a, options.a, options.b}, termsFor(options, tolerance),
+                                          options.output, true);
   if (options.json)
     printJson(pairJson(options.a, options.b, result));
   else if (verbosity() != Verbosity::quiet)
@@ -102,7 +107,7 @@ void compareSequences(const DiffOptions& options, const scene::Tolerance& tolera
   report.onlyA = list.onlyA;
   report.onlyB = list.onlyB;
   report.passedOver = list.passedOver;
-  golden::comparePairs(list.pairs, tolerance, allowanceFor(options), options.output,
+  golden::comparePairs(list.pairs, termsFor(options, tolerance), options.output,
                        [&](const golden::Pair& pair, const golden::PairResult& result) {
                          report.add(pair, result);
                          if (text) printText(pairLine(pair, result));
@@ -121,6 +126,9 @@ void compareSequences(const DiffOptions& options, const scene::Tolerance& tolera
 
 void diff(const DiffOptions& options) {
   const scene::Tolerance tolerance = golden::strictTolerance(options.tolerance.given());
+  if (options.quick && tolerance.maxFlipMean)
+    fail(ExitCode::usage,
+         "--max-flip-mean is a bound on FLIP, which --quick does not measure; give one of them");
   const auto kindOf = [](const std::string& name) -> std::string {
     std::error_code unknown;
     if (fs::is_directory(name, unknown)) return "a folder";
@@ -148,6 +156,7 @@ void addDiff(CLI::App& app) {
                       "Difference image, blue (small) to red (large); a folder for sequences");
   options->tolerance.add(*command);
   options->allowance.add(*command);
+  command->add_flag("--quick", options->quick, "Without SSIM and FLIP, which take most of the time");
   command->add_flag("--json", options->json, "Print one JSON object instead of text");
   command->footer(
       "Without a bound, pictures must be equal. The window is 16 x 16 unless given. --max-channel-diff "

@@ -27,7 +27,8 @@ std::string verdict(const PairResult& result) {
 }
 
 ordered_json metricsJson(const Metrics& m) {
-  // JSON has no infinity.
+  // JSON has no infinity, and null says that nothing was measured, too.
+  const auto measured = [&](double value) { return m.quick ? ordered_json(nullptr) : ordered_json(value); };
   const ordered_json psnr = std::isfinite(m.psnr) ? ordered_json(m.psnr) : ordered_json(nullptr);
   return {{"worst", m.worst},
           {"worstX", m.worstX},
@@ -39,8 +40,8 @@ ordered_json metricsJson(const Metrics& m) {
           {"windowX", m.windowX},
           {"windowY", m.windowY},
           {"psnr", psnr},
-          {"ssim", m.ssim},
-          {"flipMean", m.flipMean},
+          {"ssim", measured(m.ssim)},
+          {"flipMean", measured(m.flipMean)},
           {"maskedPixels", m.maskedPixels},
           {"antialiasedPixels", m.antialiasedPixels},
           {"movedPixels", m.movedPixels}};
@@ -103,7 +104,7 @@ std::string pairText(const PairResult& result, const scene::Tolerance& tolerance
                         std::min(tolerance.windowSize, result.height), m.windowX, m.windowY);
   text += std::isfinite(m.psnr) ? fmt::format("\nPSNR            {:.3f} dB\n", m.psnr)
                                 : std::string("\nPSNR            infinite\n");
-  text += fmt::format("SSIM            {:.6f}\nFLIP mean       {:.6f}\n", m.ssim, m.flipMean);
+  if (!m.quick) text += fmt::format("SSIM            {:.6f}\nFLIP mean       {:.6f}\n", m.ssim, m.flipMean);
   return text + excusedText(m) + notesText(result) + verdict(result) + "\n";
 }
 
@@ -120,8 +121,9 @@ std::string pairLine(const golden::Pair& pair, const PairResult& result) {
   std::string line = oneLine(fmt::format("{}: {}", pair.name, verdict(result)));
   if (result.metrics) {
     const Metrics& m = *result.metrics;
-    line += fmt::format(" [worst {:.4g} at x {}, y {}; PSNR {:.2f} dB; SSIM {:.5f}; FLIP {:.5f}]", m.worst,
-                        m.worstX, m.worstY, m.psnr, m.ssim, m.flipMean);
+    line +=
+        fmt::format(" [worst {:.4g} at x {}, y {}; PSNR {:.2f} dB", m.worst, m.worstX, m.worstY, m.psnr);
+    line += m.quick ? "]" : fmt::format("; SSIM {:.5f}; FLIP {:.5f}]", m.ssim, m.flipMean);
   }
   return line + "\n" + notesText(result, pair.name);
 }

@@ -3,6 +3,7 @@
 #include "base/error.hpp"
 #include "base/hash.hpp"
 #include "base/text.hpp"
+#include "frame/plain_png.hpp"
 #include "sim/grid/picture_file.hpp"
 
 #include <algorithm>
@@ -239,6 +240,7 @@ void addText(std::vector<std::byte>& png, const ImageText& text) {
 }
 
 Image decodeImage(std::span<const std::byte> file, const std::string& name) {
+  if (auto image = decodePlainPng(file, largestSide)) return std::move(*image);
   try {
     sim::Picture picture = sim::decodePicture({reinterpret_cast<const char*>(file.data()), file.size()},
                                               name, "image", largestSide);

@@ -48,6 +48,7 @@ struct Metrics {
   double psnr = 0;               ///< dB over R, G and B; infinite when equal (null in JSON)
   double ssim = 1;
   double flipMean = 0;
+  bool quick = false;  ///< SSIM and FLIP were not measured: they are as of equal pictures
   /// Pixels that do not count: inside masks, of smoothed edges, found nearby.
   long maskedPixels = 0, antialiasedPixels = 0, movedPixels = 0;
   bool operator==(const Metrics&) const = default;

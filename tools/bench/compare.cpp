@@ -106,7 +106,7 @@ void pairOfFiles(benchmark::State& state, const std::vector<std::byte>& a,
                  const std::vector<std::byte>& b) {
   const Files files;
   const golden::Pair pair{"pair", files.write("a.png", a), files.write("b.png", b)};
-  for (auto _ : state) benchmark::DoNotOptimize(golden::comparePair(pair, exact(), {}, {}, false));
+  for (auto _ : state) benchmark::DoNotOptimize(golden::comparePair(pair, {exact(), {}}, {}, false));
   state.counters["file_KiB"] = double(a.size()) / 1024;
 }
 

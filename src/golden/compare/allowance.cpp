@@ -1,7 +1,7 @@
 #include "golden/compare/allowance.hpp"
 
 #include "base/error.hpp"
-#include "golden/compare/bands.hpp"
+#include "golden/compare/tiles.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,9 +1,9 @@
 #include "golden/compare/compare.hpp"
 
 #include "base/error.hpp"
-#include "golden/compare/bands.hpp"
 #include "golden/compare/flip.hpp"
 #include "golden/compare/ssim.hpp"
+#include "golden/compare/tiles.hpp"
 
 #include <algorithm>
 #include <cstdlib>
@@ -106,13 +106,15 @@ frame::Image over(const frame::Image& image, int background) {
 }
 
 /// PSNR, SSIM and FLIP, which know no alpha.
-void measureLook(const frame::Image& a, const frame::Image& b, Metrics& metrics) {
+void measureLook(const frame::Image& a, const frame::Image& b, Measures measures, Metrics& metrics) {
   if (hasHoles(a) || hasHoles(b)) {
-    for (const int background : {0, 255}) measureLook(over(a, background), over(b, background), metrics);
+    for (const int background : {0, 255})
+      measureLook(over(a, background), over(b, background), measures, metrics);
     return;
   }
   if (a.bytes == b.bytes) return;
   metrics.psnr = std::min(metrics.psnr, psnr(a, b));
+  if (measures == Measures::quick) return;
   metrics.ssim = std::min(metrics.ssim, ssim(a, b));
   metrics.flipMean = std::max(metrics.flipMean, flipMean(a, b));
 }
@@ -120,10 +122,11 @@ void measureLook(const frame::Image& a, const frame::Image& b, Metrics& metrics)
 /// compareRow(y, marks) finds what differs in a row and marks pixels beyond the tolerance.
 template <class CompareRow>
 Metrics measureRows(const frame::Image& a, const frame::Image& b, const scene::Tolerance& tolerance,
-                    const CompareRow& compareRow) {
+                    Measures measures, const CompareRow& compareRow) {
   const std::size_t width = std::size_t(a.width);
   Metrics metrics;
   metrics.psnr = std::numeric_limits<double>::infinity();
+  metrics.quick = measures == Measures::quick;
   std::vector<RowDifference> rows(std::size_t(a.height));
   std::vector<std::uint8_t> beyond(width * std::size_t(a.height), 0);
   forEachBand(a.height, [&](int first, int last) {
@@ -140,13 +143,14 @@ Metrics measureRows(const frame::Image& a, const frame::Image& b, const scene::T
   }
   metrics.ratioBeyond = double(metrics.pixelsBeyond) / (double(a.width) * a.height);
   if (metrics.pixelsBeyond > 0) densestWindow(beyond, a.width, a.height, tolerance.windowSize, metrics);
-  measureLook(a, b, metrics);
+  measureLook(a, b, measures, metrics);
   return metrics;
 }
 
 }  // namespace
 
-Metrics measure(const frame::Image& a, const frame::Image& b, const scene::Tolerance& tolerance) {
+Metrics measure(const frame::Image& a, const frame::Image& b, const scene::Tolerance& tolerance,
+                Measures measures) {
   SIMREEL_CHECK_EQ(a.width, b.width);
   SIMREEL_CHECK_EQ(a.height, b.height);
   SIMREEL_CHECK(a.width > 0 && a.height > 0 && tolerance.windowSize > 0);
@@ -156,17 +160,17 @@ Metrics measure(const frame::Image& a, const frame::Image& b, const scene::Toler
     return metrics;
   }
   const std::size_t stride = std::size_t(a.width) * 4;
-  return measureRows(a, b, tolerance, [&](std::size_t y, std::uint8_t* marks) {
+  return measureRows(a, b, tolerance, measures, [&](std::size_t y, std::uint8_t* marks) {
     return compareRow(a.bytes.data() + y * stride, b.bytes.data() + y * stride, a.width,
                       tolerance.maxChannelDiff, marks);
   });
 }
 
 Metrics measureApart(const std::vector<float>& apart, const frame::Image& a, const frame::Image& b,
-                     const scene::Tolerance& tolerance) {
+                     const scene::Tolerance& tolerance, Measures measures) {
   SIMREEL_CHECK_EQ(a.bytes.size(), 4 * apart.size());
   SIMREEL_CHECK_EQ(b.bytes.size(), 4 * apart.size());
-  return measureRows(a, b, tolerance, [&](std::size_t y, std::uint8_t* marks) {
+  return measureRows(a, b, tolerance, measures, [&](std::size_t y, std::uint8_t* marks) {
     RowDifference row;
     for (int x = 0; x < a.width; ++x)
       row.add(x, apart[y * std::size_t(a.width) + std::size_t(x)], tolerance.maxChannelDiff, marks);

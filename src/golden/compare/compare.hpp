@@ -8,18 +8,22 @@
 
 namespace simreel::golden {
 
+/// What is measured between pictures that differ. The quick ones are all that need no filters.
+enum class Measures { all, quick };
+
 /// Compares two pictures of equal size (an invariant; check before). A pixel differs where any of R, G, B,
 /// A does; PSNR, SSIM and FLIP cost time only where some do. They are of R, G and B; where a pixel is not
 /// opaque they are of the pictures over black and over white, and the worse of the two. The first of
 /// several equally bad pixels or windows, in reading order, is named. The result does not depend on the
 /// thread count.
 [[nodiscard]] Metrics measure(const frame::Image& a, const frame::Image& b,
-                              const scene::Tolerance& tolerance);
+                              const scene::Tolerance& tolerance, Measures measures = Measures::all);
 
 /// The same where each pixel's largest difference of a channel is known, in units of 1/255: of deeper
 /// pictures than `a` and `b`, which are what screens show of them.
 [[nodiscard]] Metrics measureApart(const std::vector<float>& apart, const frame::Image& a,
-                                   const frame::Image& b, const scene::Tolerance& tolerance);
+                                   const frame::Image& b, const scene::Tolerance& tolerance,
+                                   Measures measures = Measures::all);
 
 /// Fraction of all pixels that may differ: maxDiffRatio; 1 where only maxDiffPixels is given; 0.02 where
 /// neither is.

@@ -1,7 +1,6 @@
 #include "golden/compare/comparison.hpp"
 
 #include "base/error.hpp"
-#include "golden/compare/compare.hpp"
 #include "golden/compare/difference_image.hpp"
 #include "golden/compare/flip.hpp"
 
@@ -78,7 +77,7 @@ std::uint8_t mixed(std::uint8_t from, std::uint8_t to, double t) {
 }  // namespace
 
 Comparison compare(const Picture& baseline, const Picture& picture, const scene::Tolerance& tolerance,
-                   const Allowance& allowance) {
+                   const Allowance& allowance, Measures measures) {
   Comparison made;
   Picture a = baseline, b = picture;
   const frame::Image &sizeA = baseline.image, &sizeB = picture.image;
@@ -104,7 +103,7 @@ Comparison compare(const Picture& baseline, const Picture& picture, const scene:
   if (equalPixels(a, b)) {
     made.metrics = measure(a.image, a.image, tolerance);
   } else if (!deep) {
-    made.metrics = measure(a.image, b.image, tolerance);
+    made.metrics = measure(a.image, b.image, tolerance, measures);
   } else {
     const DeepPair pair{inUnits(a), inUnits(b), a.depth == b.depth, a, b};
     std::vector<float> apart(std::size_t(width) * std::size_t(height));
@@ -114,7 +113,7 @@ Comparison compare(const Picture& baseline, const Picture& picture, const scene:
       apart[pixel] = excused ? 0.0F : static_cast<float>(pair.apart(pixel));
       made.apart[pixel] = static_cast<std::uint8_t>(std::ceil(apart[pixel]));
     }
-    made.metrics = measureApart(apart, a.image, b.image, tolerance);
+    made.metrics = measureApart(apart, a.image, b.image, tolerance, measures);
   }
   made.metrics.maskedPixels = counted.maskedPixels;
   made.metrics.antialiasedPixels = counted.antialiasedPixels;

@@ -1,5 +1,6 @@
 #pragma once
 #include "golden/compare/allowance.hpp"
+#include "golden/compare/compare.hpp"
 #include "golden/files/picture.hpp"
 #include "golden/result.hpp"
 #include "scene/test.hpp"
@@ -27,7 +28,8 @@ struct Comparison {
 /// and what one has beside the other differs. Pixels with an excuse count as equal. A deeper picture's
 /// differences are fractions of 1/255; PSNR, SSIM and FLIP are of what a screen shows.
 [[nodiscard]] Comparison compare(const Picture& baseline, const Picture& picture,
-                                 const scene::Tolerance& tolerance, const Allowance& allowance);
+                                 const scene::Tolerance& tolerance, const Allowance& allowance,
+                                 Measures measures = Measures::all);
 
 /// As the other differenceImage(), and where a pixel is excused its reason: violet inside a mask, light
 /// grey on a smoothed edge, brown where it moved.

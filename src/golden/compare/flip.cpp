@@ -1,14 +1,16 @@
 #include "golden/compare/flip.hpp"
 
 #include "base/error.hpp"
-#include "golden/compare/bands.hpp"
 #include "golden/compare/filter.hpp"
 #include "golden/compare/flip_colour.hpp"
+#include "golden/compare/four.hpp"
+#include "golden/compare/tiles.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <numeric>
-#include <utility>
+#include <vector>
 
 namespace simreel::golden {
 
@@ -61,9 +63,10 @@ HalfKernel detector(double sd, int radius, bool second) {
 Filters makeFilters() {
   Filters f;
   const double achromatic = 0.0047, redGreen = 0.0053, blueYellow1 = 0.04, blueYellow2 = 0.025;
+  constexpr double negligible = 1e-9;  // of the middle's weight: less than floats resolve
   const int contrastRadius = static_cast<int>(std::ceil(3 * contrastSigma(blueYellow1)));
-  f.achromatic = gaussianKernel(contrastSigma(achromatic), contrastRadius);
-  f.redGreen = gaussianKernel(contrastSigma(redGreen), contrastRadius);
+  f.achromatic = gaussianKernel(contrastSigma(achromatic), contrastRadius, negligible);
+  f.redGreen = gaussianKernel(contrastSigma(redGreen), contrastRadius, negligible);
   f.blueYellow1 = gaussianKernel(contrastSigma(blueYellow1), contrastRadius);
   f.blueYellow2 = gaussianKernel(contrastSigma(blueYellow2), contrastRadius);
   const double weight1 = contrastWeight(34.1, blueYellow1, contrastRadius);
@@ -85,112 +88,136 @@ const Filters& filters() {
   return all;
 }
 
-/// One picture's band: opponent colours filtered along the rows, with `radius` more rows above and below.
-struct Band {
-  Band(const frame::Image& image, int first, int last);
-  Rows achromatic, redGreen, blueYellow1, blueYellow2, smooth, edge, point;
+/// The part of one picture around a tile, as seen: colours after the eye's filter in Hunt-adjusted L*a*b*,
+/// and the strength of its features. Row by row: down the columns first, then along what that made.
+class Seen {
+ public:
+  Seen(const frame::Image& image, const Tile& tile);
+  /// Fills the values of a row of the tile.
+  void look(int row);
+  [[nodiscard]] ThreeConstRows lab() const { return {made_.row(3), made_.row(4), made_.row(5)}; }
+  /// Lengths of the gradients. The detectors run on Y = 116 y.
+  [[nodiscard]] const float* edges() const { return made_.row(6); }
+  [[nodiscard]] const float* points() const { return made_.row(7); }
+
+ private:
+  void convert(const frame::Image& image, const Tile& tile);
+
+  int width_, wide_;  ///< of the tile; with the filters' radius on either side
+  Rows y_, cx_, cz_, down_, made_;
 };
 
-Band::Band(const frame::Image& image, int first, int last)
-    : achromatic(last - first + 2 * filters().radius, image.width),
-      redGreen(achromatic),
-      blueYellow1(achromatic),
-      blueYellow2(achromatic),
-      smooth(achromatic),
-      edge(achromatic),
-      point(achromatic) {
+Seen::Seen(const frame::Image& image, const Tile& tile)
+    : width_(tile.width),
+      wide_(tile.width + 2 * filters().radius),
+      y_(tile.height + 2 * filters().radius, wide_),
+      cx_(y_),
+      cz_(y_),
+      down_(7, wide_),
+      made_(10, wide_) {
+  convert(image, tile);
+}
+
+/// Outside, the border's pixels go on.
+void Seen::convert(const frame::Image& image, const Tile& tile) {
+  const int radius = filters().radius;
+  Rows light(3, wide_);
+  float *red = light.row(0), *green = light.row(1), *blue = light.row(2);
+  std::vector<std::ptrdiff_t> columns;
+  for (int x = tile.x - radius; x < tile.x + tile.width + radius; ++x)
+    columns.push_back(std::ptrdiff_t{4} * std::clamp(x, 0, image.width - 1));
+  for (int row = 0; row < tile.height + 2 * radius; ++row) {
+    const int y = std::clamp(tile.y - radius + row, 0, image.height - 1);
+    const std::uint8_t* from = image.bytes.data() + std::ptrdiff_t{4} * y * image.width;
+    toLinear(from, columns.data(), wide_, {red, green, blue});
+    toYcxcz({red, green, blue}, wide_, {y_.row(row), cx_.row(row), cz_.row(row)});
+  }
+}
+
+void Seen::look(int row) {
+  using enum Shape;
   const Filters& f = filters();
-  PaddedRow y(image.width, f.radius), cx(image.width, f.radius), cz(image.width, f.radius);
-  for (int line = 0; line < last - first + 2 * f.radius; ++line) {
-    const std::uint8_t* from = clampedRow(image, first - f.radius + line);
-    for (int x = 0; x < image.width; ++x) {
-      const Ycxcz colour = toYcxcz(linear(from[4 * x]), linear(from[4 * x + 1]), linear(from[4 * x + 2]));
-      y.data()[x] = colour.y;
-      cx.data()[x] = colour.cx;
-      cz.data()[x] = colour.cz;
+  const int middle = row + f.radius;
+  const std::ptrdiff_t step = y_.stride();
+  float *achromatic = down_.row(0), *smooth = down_.row(1), *edge = down_.row(2), *point = down_.row(3);
+  float *redGreen = down_.row(4), *wide = down_.row(5), *narrow = down_.row(6);
+  filterRow<even>(y_.row(middle), step, wide_, {{{&f.achromatic, achromatic}}});
+  filterRow<even, odd, bend>(y_.row(middle), step, wide_,
+                             {{{&f.smooth, smooth}, {&f.edge, edge}, {&f.point, point}}});
+  filterRow<even>(cx_.row(middle), step, wide_, {{{&f.redGreen, redGreen}}});
+  filterRow<even, even>(cz_.row(middle), step, wide_, {{{&f.blueYellow1, wide}, {&f.blueYellow2, narrow}}});
+
+  float *y = made_.row(0), *cx = made_.row(1), *cz = made_.row(2);
+  float *edges = made_.row(6), *points = made_.row(7), *across1 = made_.row(8), *across2 = made_.row(9);
+  const auto along = [&](const float* in) { return in + f.radius; };
+  filterRow<even>(along(achromatic), 1, width_, {{{&f.achromatic, y}}});
+  filterRow<even>(along(redGreen), 1, width_, {{{&f.redGreen, cx}}});
+  filterRow<even>(along(wide), 1, width_, {{{&f.blueYellow1, across1}}});
+  filterRow<even>(along(narrow), 1, width_, {{{&f.blueYellow2, across2}}});
+  for (int x = 0; x < width_; ++x) cz[x] = f.share1 * across1[x] + f.share2 * across2[x];
+  toHuntLab({y, cx, cz}, width_, {made_.row(3), made_.row(4), made_.row(5)});
+
+  filterRow<odd, bend>(along(smooth), 1, width_, {{{&f.edge, edges}, {&f.point, points}}});
+  filterRow<even>(along(edge), 1, width_, {{{&f.smooth, across1}}});
+  filterRow<even>(along(point), 1, width_, {{{&f.smooth, across2}}});
+  const auto addSquares = [&](float* row, const float* other) {
+    for (int x = 0; x < width_; x += 4) {
+      const Four along = load(row + x), down = load(other + x);
+      store(row + x, squareRoot(along * along + down * down));
     }
-    y.pad();
-    cx.pad();
-    cz.pad();
-    filterEven(y.data(), image.width, f.achromatic, achromatic.row(line));
-    filterEven(cx.data(), image.width, f.redGreen, redGreen.row(line));
-    filterEven(cz.data(), image.width, f.blueYellow1, blueYellow1.row(line));
-    filterEven(cz.data(), image.width, f.blueYellow2, blueYellow2.row(line));
-    filterEven(y.data(), image.width, f.smooth, smooth.row(line));
-    filterOdd(y.data(), image.width, f.edge, edge.row(line));
-    filterBend(y.data(), image.width, f.point, point.row(line));
+  };
+  addSquares(edges, across1);
+  addSquares(points, across2);
+}
+
+/// Equation: dE = dEc^(1 - dEf), dEf = (feature / sqrt(2))^0.5, feature the larger difference of the
+/// lengths of two gradients.
+void combine(const Seen& a, const Seen& b, int width, float* errors) {
+  colourErrors(a.lab(), b.lab(), width, errors);
+  constexpr float scale = 1 / (116 * std::numbers::sqrt2_v<float>);
+  for (int x = 0; x < width; x += 4) {
+    const Four edge = magnitude(load(a.edges() + x) - load(b.edges() + x));
+    const Four point = magnitude(load(a.points() + x) - load(b.points() + x));
+    store(errors + x, powerOf(load(errors + x), 1 - squareRoot(larger(edge, point) * scale)));
   }
 }
 
-/// One row, seen: colours after the eye's filter in Hunt-adjusted L*a*b*, and the strength of its features.
-struct SeenRow {
-  explicit SeenRow(int width) : values(7, width), colours(std::size_t(width)) {}
-  void look(const Band& band, int middle, int width);
-
-  Rows values;  ///< 0 to 2: Y, Cx, Cz; 3, 4: edges along x and y; 5, 6: points along x and y
-  std::vector<HuntLab> colours;
-};
-
-void SeenRow::look(const Band& band, int middle, int width) {
-  const Filters& f = filters();
-  for (const int row : {0, 1, 2, 3, 5}) std::fill(values.row(row), values.row(row) + width, 0.0f);
-  addEvenRows(band.achromatic, middle, width, f.achromatic, 1, values.row(0));
-  addEvenRows(band.redGreen, middle, width, f.redGreen, 1, values.row(1));
-  addEvenRows(band.blueYellow1, middle, width, f.blueYellow1, f.share1, values.row(2));
-  addEvenRows(band.blueYellow2, middle, width, f.blueYellow2, f.share2, values.row(2));
-  addEvenRows(band.edge, middle, width, f.smooth, 1, values.row(3));
-  filterOddRows(band.smooth, middle, width, f.edge, values.row(4));
-  addEvenRows(band.point, middle, width, f.smooth, 1, values.row(5));
-  filterBendRows(band.smooth, middle, width, f.point, values.row(6));
-  for (int x = 0; x < width; ++x)
-    colours[std::size_t(x)] =
-        toHuntLab(clampedLinearRgb({values.row(0)[x], values.row(1)[x], values.row(2)[x]}));
-}
-
-float length(const Rows& rows, int row, int x) {
-  const float along = rows.row(row)[x], down = rows.row(row + 1)[x];
-  return std::sqrt(along * along + down * down);
-}
-
-/// Difference of the lengths of two gradients. Detectors ran on Y = 116 y; dividing makes them those of y.
-float featureDifference(const Rows& a, const Rows& b, int row, int x) {
-  return std::abs(length(a, row, x) - length(b, row, x)) / 116;
-}
-
-void combine(const SeenRow& a, const SeenRow& b, int width, float* errors) {
-  for (int x = 0; x < width; ++x) {
-    const float colour = colourError(a.colours[std::size_t(x)], b.colours[std::size_t(x)]);
-    const float feature =
-        std::max(featureDifference(a.values, b.values, 3, x), featureDifference(a.values, b.values, 5, x));
-    // Equation: dE = dEc^(1 - dEf), dEf = (feature / sqrt(2))^0.5.
-    const float exponent = 1 - std::sqrt(feature * (1 / std::numbers::sqrt2_v<float>));
-    errors[x] = colour > 0 ? std::pow(colour, exponent) : 0;
-  }
+/// Calls use(tile, y, errors) for each row y of the picture in each tile that is not the same in both.
+template <class Use>
+void forEachErrorRow(const frame::Image& a, const frame::Image& b, const Use& use) {
+  SIMREEL_CHECK_EQ(a.width, b.width);
+  SIMREEL_CHECK_EQ(a.height, b.height);
+  forEachTile(a.width, a.height, [&](const Tile& tile) {
+    if (equalAround(a, b, tile, filters().radius)) return;
+    Seen seenA(a, tile), seenB(b, tile);
+    Rows row(1, tile.width);
+    float* errors = row.row(0);
+    for (int y = 0; y < tile.height; ++y) {
+      seenA.look(y);
+      seenB.look(y);
+      combine(seenA, seenB, tile.width, errors);
+      use(tile, tile.y + y, errors);
+    }
+  });
 }
 
 }  // namespace
 
 std::vector<float> flipMap(const frame::Image& a, const frame::Image& b) {
-  SIMREEL_CHECK_EQ(a.width, b.width);
-  SIMREEL_CHECK_EQ(a.height, b.height);
-  const int width = a.width, radius = filters().radius;
-  std::vector<float> errors(std::size_t(width) * std::size_t(a.height), 0.0f);
-  forEachBand(a.height, [&](int first, int last) {
-    if (equalRows(a, b, first, last, radius)) return;
-    const Band bandA(a, first, last), bandB(b, first, last);
-    SeenRow seenA(width), seenB(width);
-    for (int y = first; y < last; ++y) {
-      seenA.look(bandA, y - first + radius, width);
-      seenB.look(bandB, y - first + radius, width);
-      combine(seenA, seenB, width, errors.data() + std::size_t(y) * std::size_t(width));
-    }
+  std::vector<float> map(std::size_t(a.width) * std::size_t(a.height), 0.0f);
+  forEachErrorRow(a, b, [&](const Tile& tile, int y, const float* errors) {
+    std::copy_n(errors, tile.width, map.begin() + std::ptrdiff_t{y} * a.width + tile.x);
   });
-  return errors;
+  return map;
 }
 
 double flipMean(const frame::Image& a, const frame::Image& b) {
-  const std::vector<float> errors = flipMap(a, b);
-  return std::accumulate(errors.begin(), errors.end(), 0.0) / static_cast<double>(errors.size());
+  std::vector<double> sums(std::size_t(tilesOver(a.width, a.height)), 0.0);
+  forEachErrorRow(a, b, [&](const Tile& tile, int, const float* errors) {
+    double& sum = sums[std::size_t(tile.index)];
+    sum = std::accumulate(errors, errors + tile.width, sum);
+  });
+  return std::accumulate(sums.begin(), sums.end(), 0.0) / (double(a.width) * a.height);
 }
 
 }  // namespace simreel::golden

@@ -1,5 +1,7 @@
 #include "golden/compare/flip_colour.hpp"
 
+#include "golden/compare/four.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -22,11 +24,21 @@ glm::dmat3 relativeXyz() {
   return glm::transpose(glm::dmat3(relative(x), relative(y), relative(z)));
 }
 
-struct Matrices {
-  glm::mat3 toXyz = glm::mat3(relativeXyz());
-  glm::mat3 toRgb = glm::mat3(glm::inverse(relativeXyz()));
+/// Rows one after the other.
+struct Matrix {
+  explicit Matrix(const glm::dmat3& m) {
+    for (int row = 0; row < 3; ++row)
+      for (int column = 0; column < 3; ++column)
+        of[std::size_t(row) * 3 + std::size_t(column)] = static_cast<float>(m[column][row]);
+  }
+  [[nodiscard]] std::array<Four, 3> operator()(Four x, Four y, Four z) const {
+    return {of[0] * x + of[1] * y + of[2] * z, of[3] * x + of[4] * y + of[5] * z,
+            of[6] * x + of[7] * y + of[8] * z};
+  }
+
+  std::array<float, 9> of{};
 };
-const Matrices matrices;
+const Matrix xyzOfRgb{relativeXyz()}, rgbOfXyz{glm::inverse(relativeXyz())};
 
 std::array<float, 256> linearTable() {
   std::array<float, 256> table{};
@@ -38,49 +50,78 @@ std::array<float, 256> linearTable() {
 }
 const std::array<float, 256> linearOf = linearTable();
 
+Four unit(Four value) {
+  return smaller(larger(value, Four{}), Four{} + 1);
+}
+
 /// CIELAB's cube root, with its line near 0.
-float labRoot(float t) {
-  constexpr float delta = 6.0f / 29;
-  return t > delta * delta * delta ? std::cbrt(t) : t / (3 * delta * delta) + 4.0f / 29;
+Four labRoot(Four t) {
+  constexpr float delta = 6.0f / 29, knee = delta * delta * delta;
+  const Four line = t * (1 / (3 * delta * delta)) + 4.0f / 29, root = cubeRoot(larger(t, Four{} + knee));
+  return t > knee ? root : line;
 }
 
 /// |dL| + sqrt(da^2 + db^2), to the power of qc = 0.7.
-float poweredHyab(const HuntLab& a, const HuntLab& b) {
-  const float da = a.a - b.a, db = a.b - b.b;
-  return std::pow(std::abs(a.l - b.l) + std::sqrt(da * da + db * db), 0.7f);
+Four poweredHyab(Four dl, Four da, Four db) {
+  return powerOf(magnitude(dl) + squareRoot(da * da + db * db), Four{} + 0.7f);
+}
+
+/// Of the largest difference there is, of green and blue.
+float largestError() {
+  std::array<float, 4> red{}, green{1}, blue{0, 1}, y{}, cx{}, cz{}, l{}, a{}, b{};
+  toYcxcz({red.data(), green.data(), blue.data()}, 2, {y.data(), cx.data(), cz.data()});
+  toHuntLab({y.data(), cx.data(), cz.data()}, 2, {l.data(), a.data(), b.data()});
+  return poweredHyab(Four{} + (l[0] - l[1]), Four{} + (a[0] - a[1]), Four{} + (b[0] - b[1]))[0];
 }
 
 }  // namespace
 
-float linear(std::uint8_t value) {
-  return linearOf[value];
+void toLinear(const std::uint8_t* rgba, const std::ptrdiff_t* offsets, int count, const ThreeRows& rgb) {
+  for (int i = 0; i < count; ++i) {
+    const std::uint8_t* pixel = rgba + offsets[i];
+    rgb.first[i] = linearOf[pixel[0]];
+    rgb.second[i] = linearOf[pixel[1]];
+    rgb.third[i] = linearOf[pixel[2]];
+  }
 }
 
-Ycxcz toYcxcz(float r, float g, float b) {
-  const glm::vec3 xyz = matrices.toXyz * glm::vec3(r, g, b);
-  return {116 * xyz.y, 500 * (xyz.x - xyz.y), 200 * (xyz.y - xyz.z)};
+void toYcxcz(const ThreeConstRows& rgb, int count, const ThreeRows& ycxcz) {
+  const Matrix toXyz = xyzOfRgb;
+  for (int i = 0; i < count; i += 4) {
+    const auto [x, y, z] = toXyz(load(rgb.first + i), load(rgb.second + i), load(rgb.third + i));
+    store(ycxcz.first + i, 116 * y);
+    store(ycxcz.second + i, 500 * (x - y));
+    store(ycxcz.third + i, 200 * (y - z));
+  }
 }
 
-LinearRgb clampedLinearRgb(const Ycxcz& colour) {
-  const float y = colour.y / 116;
-  const glm::vec3 rgb = matrices.toRgb * glm::vec3(y + colour.cx / 500, y, y - colour.cz / 200);
-  return {std::clamp(rgb.x, 0.0f, 1.0f), std::clamp(rgb.y, 0.0f, 1.0f), std::clamp(rgb.z, 0.0f, 1.0f)};
+void toHuntLab(const ThreeConstRows& ycxcz, int count, const ThreeRows& lab) {
+  const Matrix toXyz = xyzOfRgb, toRgb = rgbOfXyz;
+  for (int i = 0; i < count; i += 4) {
+    const Four y = load(ycxcz.first + i) * (1 / 116.0f);
+    const auto [red, green, blue] =
+        toRgb(y + load(ycxcz.second + i) * (1 / 500.0f), y, y - load(ycxcz.third + i) * (1 / 200.0f));
+    const auto xyz = toXyz(unit(red), unit(green), unit(blue));
+    const Four rootX = labRoot(xyz[0]), rootY = labRoot(xyz[1]), rootZ = labRoot(xyz[2]);
+    const Four lightness = 116 * rootY - 16, hunt = 0.01f * lightness;
+    store(lab.first + i, lightness);
+    store(lab.second + i, hunt * 500 * (rootX - rootY));
+    store(lab.third + i, hunt * 200 * (rootY - rootZ));
+  }
 }
 
-HuntLab toHuntLab(const LinearRgb& colour) {
-  const glm::vec3 xyz = matrices.toXyz * glm::vec3(colour.r, colour.g, colour.b);
-  const float x = labRoot(xyz.x), y = labRoot(xyz.y), z = labRoot(xyz.z);
-  const float l = 116 * y - 16, hunt = 0.01f * l;
-  return {l, hunt * 500 * (x - y), hunt * 200 * (y - z)};
-}
-
-float colourError(const HuntLab& a, const HuntLab& b) {
+void colourErrors(const ThreeConstRows& a, const ThreeConstRows& b, int count, float* errors) {
   // Errors up to pc of the largest take the range up to pt, the rest what is left.
   constexpr float pc = 0.4f, pt = 0.95f;
-  static const float largest = poweredHyab(toHuntLab({0, 1, 0}), toHuntLab({0, 0, 1}));
-  const float error = poweredHyab(a, b), knee = pc * largest;
-  if (error < knee) return pt / knee * error;
-  return pt + (error - knee) / (largest - knee) * (1 - pt);
+  static const float largest = largestError();
+  const float knee = pc * largest, below = pt / knee, above = (1 - pt) / (largest - knee);
+  for (int i = 0; i < count; i += 4) {
+    const Four error =
+        poweredHyab(load(a.first + i) - load(b.first + i), load(a.second + i) - load(b.second + i),
+                    load(a.third + i) - load(b.third + i));
+    const Four low = below * error, high = pt + (error - knee) * above;
+    store(errors + i, error < knee ? low : high);
+  }
 }
 
 }  // namespace simreel::golden

@@ -1,14 +1,17 @@
 #include "golden/compare/ssim.hpp"
 
 #include "base/error.hpp"
-#include "golden/compare/bands.hpp"
 #include "golden/compare/filter.hpp"
+#include "golden/compare/tiles.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <numeric>
+#include <vector>
 
 namespace simreel::golden {
 
@@ -18,53 +21,99 @@ constexpr int radius = 5;
 constexpr float c1 = 0.01f * 255 * 0.01f * 255;
 constexpr float c2 = 0.03f * 255 * 0.03f * 255;
 
-/// Of one channel: a, b, a^2, b^2 and ab.
-constexpr int mapCount = 5;
-using Maps = std::array<Rows, mapCount>;
-
 const HalfKernel& window() {
   static const HalfKernel kernel = gaussianKernel(1.5, radius);
   return kernel;
 }
 
-/// The maps of rows first - radius to last + radius - 1, filtered along the rows.
-void filterAlong(const frame::Image& a, const frame::Image& b, int channel, int first, int last,
-                 std::array<PaddedRow, mapCount>& padded, Maps& maps) {
-  for (int y = first - radius; y < last + radius; ++y) {
-    const std::uint8_t* fromA = clampedRow(a, y) + channel;
-    const std::uint8_t* fromB = clampedRow(b, y) + channel;
-    for (int x = 0; x < a.width; ++x) {
-      const float valueA = fromA[4 * x], valueB = fromB[4 * x];
-      padded[0].data()[x] = valueA;
-      padded[1].data()[x] = valueB;
-      padded[2].data()[x] = valueA * valueA;
-      padded[3].data()[x] = valueB * valueB;
-      padded[4].data()[x] = valueA * valueB;
+/// Index of what lies at `i` of `count` values that are mirrored at their ends, those included:
+/// c b a | a b c | c b a.
+int mirrored(int i, int count) {
+  const int period = 2 * count, at = ((i % period) + period) % period;
+  return std::min(at, period - 1 - at);
+}
+
+/// Where windows have their middles along a side: all that lie inside, or where none does, everywhere.
+struct Span {
+  explicit Span(int side) : first(side > 2 * radius ? radius : 0), count(side - 2 * first) {}
+  int first, count;
+};
+
+/// SSIM in one tile of the windows' middles, channel by channel.
+class TileSsim {
+ public:
+  TileSsim(const frame::Image& a, const frame::Image& b, const Tile& tile);
+  /// The sum over a channel.
+  [[nodiscard]] double sum(int channel);
+
+ private:
+  /// Sums of the window over a, b, a^2 + b^2 and a b, of which all others are made.
+  static constexpr int mapCount = 4;
+
+  void load(int channel);
+  [[nodiscard]] double rowSum(int row);
+
+  const frame::Image &a_, &b_;
+  Tile tile_;
+  std::vector<std::ptrdiff_t> columns_;
+  std::array<Rows, mapCount> maps_;
+  Rows down_, made_;
+  std::vector<float> similar_;
+};
+
+TileSsim::TileSsim(const frame::Image& a, const frame::Image& b, const Tile& tile)
+    : a_(a),
+      b_(b),
+      tile_(tile),
+      maps_{Rows(tile.height + 2 * radius, tile.width + 2 * radius), maps_[0], maps_[0], maps_[0]},
+      down_(1, tile.width + 2 * radius),
+      made_(mapCount, tile.width),
+      similar_(std::size_t(tile.width)) {
+  for (int x = tile.x - radius; x < tile.x + tile.width + radius; ++x)
+    columns_.push_back(std::ptrdiff_t{4} * mirrored(x, a.width));
+}
+
+void TileSsim::load(int channel) {
+  for (int row = 0; row < tile_.height + 2 * radius; ++row) {
+    const std::ptrdiff_t start =
+        std::ptrdiff_t{4} * mirrored(tile_.y - radius + row, a_.height) * a_.width + channel;
+    const std::uint8_t *fromA = a_.bytes.data() + start, *fromB = b_.bytes.data() + start;
+    float *rowA = maps_[0].row(row), *rowB = maps_[1].row(row);
+    float* __restrict squares = maps_[2].row(row), * __restrict product = maps_[3].row(row);
+    const std::size_t count = columns_.size();
+    for (std::size_t x = 0; x < count; ++x) {
+      rowA[x] = fromA[columns_[x]];
+      rowB[x] = fromB[columns_[x]];
     }
-    for (std::size_t map = 0; map < mapCount; ++map) {
-      padded[map].pad();
-      filterEven(padded[map].data(), a.width, window(), maps[map].row(y - first + radius));
+    for (std::size_t x = 0; x < count; ++x) {
+      squares[x] = rowA[x] * rowA[x] + rowB[x] * rowB[x];
+      product[x] = rowA[x] * rowB[x];
     }
   }
 }
 
-/// The sum of SSIM over one row.
-double rowSum(const Maps& maps, int middle, int width, Rows& filtered) {
+double TileSsim::rowSum(int row) {
   for (int map = 0; map < mapCount; ++map) {
-    std::fill(filtered.row(map), filtered.row(map) + width, 0.0f);
-    addEvenRows(maps[std::size_t(map)], middle, width, window(), 1, filtered.row(map));
+    const Rows& rows = maps_[std::size_t(map)];
+    filterRow<Shape::even>(rows.row(row + radius), rows.stride(), tile_.width + 2 * radius,
+                           {{{&window(), down_.row(0)}}});
+    filterRow<Shape::even>(down_.row(0) + radius, 1, tile_.width, {{{&window(), made_.row(map)}}});
   }
-  const float *meanA = filtered.row(0), *meanB = filtered.row(1);
-  const float *squareA = filtered.row(2), *squareB = filtered.row(3), *product = filtered.row(4);
-  double sum = 0;
-  for (int x = 0; x < width; ++x) {
+  const float *meanA = made_.row(0), *meanB = made_.row(1), *square = made_.row(2), *product = made_.row(3);
+  float* __restrict similar = similar_.data();
+  for (int x = 0; x < tile_.width; ++x) {
     // (2 mA mB + C1)(2 sAB + C2) / ((mA^2 + mB^2 + C1)(sA^2 + sB^2 + C2))
-    const float both = meanA[x] * meanB[x];
-    const float squares = meanA[x] * meanA[x] + meanB[x] * meanB[x];
-    const float covariance = product[x] - both;
-    const float variances = (squareA[x] - meanA[x] * meanA[x]) + (squareB[x] - meanB[x] * meanB[x]);
-    sum += double((2 * both + c1) * (2 * covariance + c2) / ((squares + c1) * (variances + c2)));
+    const float both = meanA[x] * meanB[x], squares = meanA[x] * meanA[x] + meanB[x] * meanB[x];
+    const float covariance = product[x] - both, variances = square[x] - squares;
+    similar[x] = (2 * both + c1) * (2 * covariance + c2) / ((squares + c1) * (variances + c2));
   }
+  return std::accumulate(similar_.begin(), similar_.end(), 0.0);
+}
+
+double TileSsim::sum(int channel) {
+  load(channel);
+  double sum = 0;
+  for (int row = 0; row < tile_.height; ++row) sum += rowSum(row);
   return sum;
 }
 
@@ -83,7 +132,8 @@ double psnr(const frame::Image& a, const frame::Image& b) {
   SIMREEL_CHECK_EQ(a.width, b.width);
   SIMREEL_CHECK_EQ(a.height, b.height);
   const double squares = sumOfRows(a.height, [&](int y) {
-    const std::uint8_t *rowA = clampedRow(a, y), *rowB = clampedRow(b, y);
+    const std::uint8_t* rowA = a.bytes.data() + std::ptrdiff_t{4} * y * a.width;
+    const std::uint8_t* rowB = b.bytes.data() + std::ptrdiff_t{4} * y * b.width;
     std::int64_t sum = 0;
     for (int x = 0; x < a.width; ++x)
       for (int c = 0; c < 3; ++c) {
@@ -100,25 +150,20 @@ double psnr(const frame::Image& a, const frame::Image& b) {
 double ssim(const frame::Image& a, const frame::Image& b) {
   SIMREEL_CHECK_EQ(a.width, b.width);
   SIMREEL_CHECK_EQ(a.height, b.height);
-  const int width = a.width;
-  std::vector<double> sums(std::size_t(a.height), 0.0);
-  forEachBand(a.height, [&](int first, int last) {
-    if (equalRows(a, b, first, last, radius)) {
-      std::fill(sums.begin() + first, sums.begin() + last, 3.0 * width);
+  const Span across(a.width), down(a.height);
+  std::vector<double> sums(std::size_t(tilesOver(across.count, down.count)), 0.0);
+  forEachTile(across.count, down.count, [&](Tile tile) {
+    tile.x += across.first;
+    tile.y += down.first;
+    double& sum = sums[std::size_t(tile.index)];
+    if (equalAround(a, b, tile, radius)) {
+      sum = 3.0 * tile.width * tile.height;
       return;
     }
-    const Rows rows(last - first + 2 * radius, width);
-    const PaddedRow row(width, radius);
-    Maps maps = {rows, rows, rows, rows, rows};
-    std::array<PaddedRow, mapCount> padded = {row, row, row, row, row};
-    Rows filtered(mapCount, width);
-    for (int channel = 0; channel < 3; ++channel) {
-      filterAlong(a, b, channel, first, last, padded, maps);
-      for (int y = first; y < last; ++y)
-        sums[std::size_t(y)] += rowSum(maps, y - first + radius, width, filtered);
-    }
+    TileSsim of(a, b, tile);
+    for (int channel = 0; channel < 3; ++channel) sum += of.sum(channel);
   });
-  return std::accumulate(sums.begin(), sums.end(), 0.0) / (3.0 * width * a.height);
+  return std::accumulate(sums.begin(), sums.end(), 0.0) / (3.0 * across.count * down.count);
 }
 
 }  // namespace simreel::golden

@@ -5,7 +5,6 @@
 #include "base/processor.hpp"
 #include "base/text.hpp"
 #include "frame/file/output_name.hpp"
-#include "golden/compare/compare.hpp"
 #include "golden/compare/comparison.hpp"
 #include "golden/files/picture.hpp"
 #include "golden/files/png_check.hpp"
@@ -16,12 +15,15 @@
 #include <limits>
 #include <map>
 #include <span>
+#include <string_view>
 #include <system_error>
 #include <tuple>
 #include <type_traits>
 #include <utility>
 
+#include <tbb/parallel_invoke.h>
 #include <tbb/parallel_pipeline.h>
+#include <tbb/task_arena.h>
 
 namespace simreel::golden {
 
@@ -98,6 +100,17 @@ Metrics equalMetrics() {
   return metrics;
 }
 
+/// Both pictures at a time. Isolated: a thread that waits here must not begin another pair, which would
+/// read its files into the same memory.
+std::pair<Picture, Picture> decodeBoth(const Pair& pair, std::string_view fileA, std::string_view fileB) {
+  std::pair<Picture, Picture> both;
+  tbb::this_task_arena::isolate([&] {
+    tbb::parallel_invoke([&] { both.first = decodePicture(fileA, "picture", pair.a.string()); },
+                         [&] { both.second = decodePicture(fileB, "picture", pair.b.string()); });
+  });
+  return both;
+}
+
 }  // namespace
 
 const char* outcomeName(PairResult::Outcome outcome) {
@@ -131,8 +144,8 @@ PairList pairPatterns(const std::string& a, const std::string& b) {
                 });
 }
 
-PairResult comparePair(const Pair& pair, const scene::Tolerance& tolerance, const Allowance& allowance,
-                       const fs::path& differenceFile, bool always) {
+PairResult comparePair(const Pair& pair, const PairTerms& terms, const fs::path& differenceFile,
+                       bool always) {
   // Kept by each thread: fresh pages for every file cost more than all else where files are equal. Not to
   // be used after decoding, because while compare() waits, this thread may begin another pair.
   thread_local std::string fileA, fileB;
@@ -150,16 +163,15 @@ PairResult comparePair(const Pair& pair, const scene::Tolerance& tolerance, cons
     std::tie(result.width, result.height) = *size;
     if (!wantsImage || !always) return result;
   }
-  const Picture a = decodePicture(fileA, "picture", pair.a.string());
-  const Picture b = decodePicture(fileB, "picture", pair.b.string());
+  const auto [a, b] = decodeBoth(pair, fileA, fileB);
   result.width = a.image.width;
   result.height = a.image.height;
   for (const auto& [file, picture] : {std::pair(&pair.a, &a), std::pair(&pair.b, &b)})
     if (!picture->note.empty()) result.notes.push_back(file->string() + ": " + picture->note);
-  const Comparison made = compare(a, b, tolerance, allowance);
+  const Comparison made = compare(a, b, terms.tolerance, terms.allowance, terms.measures);
   result.metrics = made.metrics;
   if (!made.colours.empty()) result.notes.push_back(made.colours);
-  result.broken = brokenBounds(*result.metrics, tolerance, made.a.width, made.a.height);
+  result.broken = brokenBounds(*result.metrics, terms.tolerance, made.a.width, made.a.height);
   if (!made.sizes.empty())
     result.broken.insert(result.broken.begin(),
                          fmt::format("sizes differ: {} is {}x{}, {} is {}x{}; compared as {}x{}, padded",
@@ -173,8 +185,7 @@ PairResult comparePair(const Pair& pair, const scene::Tolerance& tolerance, cons
   return result;
 }
 
-void comparePairs(const std::vector<Pair>& pairs, const scene::Tolerance& tolerance,
-                  const Allowance& allowance, const fs::path& differenceFolder,
+void comparePairs(const std::vector<Pair>& pairs, const PairTerms& terms, const fs::path& differenceFolder,
                   const std::function<void(const Pair&, const PairResult&)>& done) {
   using Finished = std::pair<std::size_t, PairResult>;
   std::size_t at = 0;
@@ -193,7 +204,7 @@ void comparePairs(const std::vector<Pair>& pairs, const scene::Tolerance& tolera
         if (lowerExtension(image) != ".png") image += ".png";
         makeFolders(image.parent_path());
       }
-      return {index, comparePair(pair, tolerance, allowance, image, false)};
+      return {index, comparePair(pair, terms, image, false)};
     } catch (const UserError& error) {
       PairResult result;
       result.outcome = PairResult::Outcome::unreadable;

@@ -1,5 +1,6 @@
 #pragma once
 #include "golden/compare/allowance.hpp"
+#include "golden/compare/compare.hpp"
 #include "golden/result.hpp"
 #include "scene/test.hpp"
 
@@ -15,6 +16,13 @@ namespace simreel::golden {
 struct Pair {
   std::string name;  ///< of the file, or "frame 12" where the files are named differently
   std::filesystem::path a, b;
+};
+
+/// How they are compared.
+struct PairTerms {
+  scene::Tolerance tolerance;
+  Allowance allowance;
+  Measures measures = Measures::all;
 };
 
 struct PairList {
@@ -48,14 +56,13 @@ struct PairResult {
 /// sizes differ, and are measured padded. The difference image is written where a path is given; for equal
 /// pictures only with `always`. Throws UserError(inputOutput) naming the file; nothing has been written
 /// then.
-[[nodiscard]] PairResult comparePair(const Pair& pair, const scene::Tolerance& tolerance,
-                                     const Allowance& allowance,
+[[nodiscard]] PairResult comparePair(const Pair& pair, const PairTerms& terms,
                                      const std::filesystem::path& differenceFile, bool always);
 
 /// Compares pairs in parallel and hands results over in order, from one thread at a time. A pair that
 /// cannot be read is a result like any other. `differenceFolder` (empty: none) must exist.
-void comparePairs(const std::vector<Pair>& pairs, const scene::Tolerance& tolerance,
-                  const Allowance& allowance, const std::filesystem::path& differenceFolder,
+void comparePairs(const std::vector<Pair>& pairs, const PairTerms& terms,
+                  const std::filesystem::path& differenceFolder,
                   const std::function<void(const Pair&, const PairResult&)>& done);
 
 }  // namespace simreel::golden

@@ -1,5 +1,5 @@
 """SSIM straight from its definition (Wang, Bovik, Sheikh, Simoncelli 2004, equations 13 to 16), for any window. With
-ffmpeg's window it is compared with ffmpeg, and with the Gaussian one the renderer's is compared with it.
+ffmpeg's window it is compared with ffmpeg, with the Gaussian one with scikit-image, and the renderer's with that.
 
 A picture is a list of rows of (r, g, b), 0 to 255."""
 import math
@@ -19,12 +19,18 @@ def block_window():
     return {(x, y): 1 / 64 for x in range(8) for y in range(8)}
 
 
+def mirrored(i, count):
+    """c b a | a b c | c b a, as scipy.ndimage's "reflect"."""
+    i %= 2 * count
+    return min(i, 2 * count - 1 - i)
+
+
 def local_ssim(a, b, channel, at, window, variance_scale):
-    """Around (or from) one pixel; outside, the border's values go on."""
+    """Around (or from) one pixel; outside, the picture is mirrored."""
     height, width = len(a), len(a[0])
 
     def mean(value):
-        return math.fsum(weight * value(min(max(at[0] + dx, 0), width - 1), min(max(at[1] + dy, 0), height - 1))
+        return math.fsum(weight * value(mirrored(at[0] + dx, width), mirrored(at[1] + dy, height))
                          for (dx, dy), weight in window.items())
 
     def one(picture):
@@ -42,9 +48,14 @@ def mean_ssim(a, b, places, window, variance_scale=1):
     return math.fsum(values) / len(values)
 
 
+def middles(side):
+    """Where scikit-image looks: not within 5 of the border. It refuses sides below 11; there, everywhere."""
+    return range(5, side - 5) if side > 10 else range(side)
+
+
 def gaussian_ssim(a, b):
-    """Around every pixel."""
-    return mean_ssim(a, b, [(x, y) for y in range(len(a)) for x in range(len(a[0]))], gaussian_window())
+    """scikit-image's structural_similarity with gaussian_weights, sigma 1.5 and use_sample_covariance=False."""
+    return mean_ssim(a, b, [(x, y) for y in middles(len(a)) for x in middles(len(a[0]))], gaussian_window())
 
 
 def ffmpeg_ssim(a, b):

@@ -9,6 +9,12 @@ import subprocess
 import unittest
 import zlib
 
+try:
+    import numpy
+    from skimage import metrics as skimage
+except ImportError:
+    skimage = None
+
 from common import Case, main, png_rows
 from flip_reference import flip_mean
 from ssim_reference import ffmpeg_ssim, gaussian_ssim
@@ -105,6 +111,22 @@ class Metrics(DiffCase):
             with self.subTest(name):
                 self.assertAlmostEqual(self.metrics(a, b)["ssim"], gaussian_ssim(a, b), delta=1e-5)
 
+    def test_ssim_of_small_pictures(self):
+        for width, height in ((7, 9), (1, 3), (10, 11), (11, 11), (12, 31), (33, 17), (40, 10)):
+            with self.subTest(f"{width}x{height}"):
+                a, b = picture(width, height, ramp), noisy((width, height), 50, seed=width)
+                self.assertAlmostEqual(self.metrics(a, b)["ssim"], gaussian_ssim(a, b), delta=1e-5)
+
+    @unittest.skipUnless(skimage, "scikit-image is not installed (tools/setup does)")
+    def test_the_definition_of_ssim_is_that_of_scikit_image(self):
+        for width, height in ((11, 11), (12, 31), (33, 17), (64, 48)):
+            with self.subTest(f"{width}x{height}"):
+                a, b = picture(width, height, ramp), noisy((width, height), 50, seed=width)
+                channels = [skimage.structural_similarity(
+                    *(numpy.array([[p[c] for p in row] for row in rows], dtype=float) for rows in (a, b)),
+                    data_range=255, gaussian_weights=True, sigma=1.5, use_sample_covariance=False) for c in range(3)]
+                self.assertAlmostEqual(gaussian_ssim(a, b), sum(channels) / 3, delta=1e-9)
+
     @unittest.skipUnless(shutil.which("ffmpeg"), "ffmpeg is not installed (tools/setup does)")
     def test_the_definition_of_ssim_is_that_of_ffmpeg_but_for_the_window(self):
         for name, (a, b) in PAIRS.items():
@@ -150,6 +172,20 @@ class Pictures(DiffCase):
         result = self.json(0, "a.png", "b.png")
         self.assertEqual((result["result"], result["metrics"]["psnr"]), ("equal", None))
         self.assertEqual(self.diff(0, "a.png", "b.png", "-q").out, "")
+
+    def test_quick_leaves_out_ssim_and_flip(self):
+        self.write_pair(BASE, changed({(9, 6): (0, 0, 0)}))
+        whole, quick = (self.json(1, "a.png", "b.png", *flags)["metrics"] for flags in ((), ("--quick",)))
+        self.assertEqual(quick, {**whole, "ssim": None, "flipMean": None})
+        self.assertLess(whole["ssim"], 1)
+        text = self.diff(1, "a.png", "b.png", "--quick").out
+        self.assertIn("PSNR", text)
+        for left_out in ("SSIM", "FLIP"):
+            self.assertNotIn(left_out, text)
+        self.bad(2, ["--max-flip-mean", "--quick"], "diff", "a.png", "b.png", "--quick", "--max-flip-mean", "0.1")
+        for name in "ab":
+            self.write(f"{name}/x.png", (self.folder / f"{name}.png").read_bytes())
+        self.assertRegex(self.diff(1, "a", "b", "--quick").out, r"x.png: different: .* PSNR [0-9.]+ dB\]\n")
 
     def test_exact_without_bounds(self):
         self.write_pair(BASE, changed({(0, 0): (41, 30, 200)}))

@@ -8,6 +8,7 @@ function go(change, keepLink) {
   state.view = change.view || state.view;
   state.frame = change.frame !== undefined ? change.frame : otherScene ? firstFrame(scene) : state.frame;
   state.scene = scene;
+  document.body.classList.remove("overview");
   if (otherScene) {
     viewer.scale = null;
     byId("scene").scrollTop = 0;
@@ -22,13 +23,20 @@ function go(change, keepLink) {
   if (!keepLink) writeLink(otherScene);
 }
 
-// ---- link: #scene=name&frame=119&view=swipe ----
+// ---- link: #scene=name&frame=119&view=swipe, or #overview ----
+
+/// Of one failure there is nothing to group.
+const beginsWithOverview = failing.length > 1;
 
 function writeLink(push) {
   const frame = frameOf(state.scene);
   const link = "#scene=" + encodeURIComponent(state.scene.name) + (frame ? "&frame=" + frame.frame : "") +
       "&view=" + state.view;
   document.title = state.scene.name + " – simreel test report";
+  changeLink(link, push);
+}
+
+function changeLink(link, push) {
   if (link === location.hash) return;
   try {
     history[push ? "pushState" : "replaceState"](null, "", link);
@@ -39,6 +47,10 @@ function writeLink(push) {
 
 /// Whether the link names a scene of this report.
 function followLink() {
+  if (location.hash === "#overview" || (location.hash === "" && beginsWithOverview)) {
+    showOverview(true);
+    return location.hash !== "";
+  }
   const given = new URLSearchParams(location.hash.slice(1).replaceAll("+", "%2B"));
   const scene = byName.get(given.get("scene"));
   if (!scene) return false;
@@ -57,6 +69,12 @@ function showListPage() {
   document.body.classList.add("showList");
   markSelected(true);
   byId("list").focus({preventScroll: true});
+}
+
+/// Hides the list, or shows it again.
+function toggleWide() {
+  const wide = document.body.classList.toggle("wide");
+  byId("wide").setAttribute("aria-pressed", String(wide));
 }
 
 // ---- light and dark ----
@@ -82,11 +100,12 @@ function nextTheme() {
 const keyGroups = [
   ["Scenes", [["j / k", "next, previous scene"], ["f / F", "next, previous failure"], ["/", "filter by text"]]],
   ["Frames", [["l / h or → / ←", "next, previous frame"], ["g / G", "first, last frame"]]],
-  ["Pictures", [["1 2 3 4 5", "side by side, swipe, blink, difference, FLIP's map"], ["b", "blink; there: swap by hand"],
+  ["Pictures", [["1 2 3 4 5", "side by side, swipe, blink, difference, FLIP's map"], ["a", "amplified difference"], ["b", "blink; there: swap by hand"],
                 ["p", "blink by timer, on and off"], ["+ / −", "zoom"], ["0", "fit"], ["o", "1:1"],
                 ["w", "worst pixel"], ["m", "marks on and off"], ["shift + arrows", "pan"],
                 ["wheel, drag", "zoom about the pointer, pan"]]],
-  ["Report", [["c", "copy the command that accepts the scene"], ["t", "light, dark, as the system"],
+  ["Report", [["v", "overview: groups of like failures"], ["c", "copy the command that accepts the scene"],
+              ["s", "the whole window for pictures"], ["t", "light, dark, as the system"],
               ["?", "this help"], ["esc", "leave the filter or the help"]]],
 ];
 
@@ -98,7 +117,7 @@ const keyActions = {
   1: () => go({view: "side"}), 2: () => go({view: "swipe"}), 3: () => go({view: "blink"}),
   4: () => go({view: "difference"}),
   5: () => views.some((view) => view.id === "flip") && go({view: "flip"}),
-  b: blinkByHand, p: () => state.view === "blink" && toggleBlinkTimer(),
+  a: () => go({view: "amplified"}), v: () => showOverview(), s: toggleWide, b: blinkByHand, p: () => state.view === "blink" && toggleBlinkTimer(),
   "+": () => stepZoom(1), "=": () => stepZoom(1), "-": () => stepZoom(-1), 0: () => setScale(null),
   o: () => setScale(devicePixel()), w: goToWorst, m: toggleMarks,
   c: () => byId("accept").querySelector(".copy")?.click(), t: nextTheme,
@@ -189,15 +208,19 @@ function start() {
   startPanes();
   startFrames();
   startList();
+  startOverview();
+  byId("wide").addEventListener("click", toggleWide);
   window.addEventListener("popstate", followLink);
   if (suite.scenes.length === 0) {
     document.body.classList.add("none");
     byId("nothing").hidden = false;
     byId("nothing").textContent = "This run tested no " + suite.unit + ".";
-  } else if (followLink()) {
+  } else if (location.hash !== "" && followLink()) {
     showScenePage();
+    if (!state.scene) go({scene: list.shown[0]}, true), showOverview(true);
   } else {
     go({scene: list.shown[0]}, true);
+    if (beginsWithOverview) showOverview(true);
   }
 }
 

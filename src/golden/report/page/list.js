@@ -40,6 +40,13 @@ function frameMarks(scene) {
   return marks;
 }
 
+/// Rows exist only while they are visible, and so do their pictures.
+function rowPicture(scene) {
+  const frame = tellingFrame(scene), path = frame && (frame.actualImage || frame.expectedImage);
+  return element("span", {class: "rowPicture"},
+                 path ? element("img", {src: link(path), alt: "", decoding: "async", draggable: "false"}) : null);
+}
+
 function listRow(scene, index) {
   const row = element("div", {
     class: "row", role: "option", id: "row" + index, "aria-posinset": index + 1, "aria-setsize": list.shown.length,
@@ -47,7 +54,8 @@ function listRow(scene, index) {
     "aria-label": scene.name + ", " + statusWords[scene.status],
   },
   element("span", {class: "glyph " + scene.status, "aria-hidden": "true"}, statusGlyphs[scene.status]),
-  element("span", {class: "rowName"}, scene.name), frameMarks(scene),
+  rowPicture(scene),
+  element("span", {class: "rowName"}, element("bdi", {dir: "ltr"}, scene.name)), frameMarks(scene),
   element("span", {class: "why"}, summary(scene)));
   row.addEventListener("click", () => {
     showScenePage();

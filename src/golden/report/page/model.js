@@ -1,6 +1,17 @@
 // The report's data, what is derived from it, and what is chosen: suite, scene, frame, view.
 
-const suite = JSON.parse(document.getElementById("data").textContent);
+/// Objects of the same keys are many: each is [number of its keys, values...], and a list [-1, values...]. A text that is
+/// there more than once is {"t": its number}.
+function unpacked({keys, texts, data}) {
+  const open = (value) => {
+    if (!Array.isArray(value)) return value !== null && typeof value === "object" ? texts[value.t] : value;
+    const values = value.slice(1).map(open);
+    return value[0] < 0 ? values : Object.fromEntries(keys[value[0]].map((key, i) => [key, values[i]]));
+  };
+  return open(data);
+}
+
+const suite = unpacked(JSON.parse(document.getElementById("data").textContent));
 /// Pictures of other programs have no frames, no device and no state.
 const ofPictures = suite.unit === "picture";
 
@@ -34,6 +45,7 @@ const views = [
   {id: "blink", label: "blink"},
   {id: "difference", label: "difference"},
   ...suite.scenes.some((scene) => scene.frames.some((frame) => frame.flipImage)) ? [{id: "flip", label: "FLIP"}] : [],
+  {id: "amplified", label: "amplified", key: "a"},
 ];
 
 /// What the curve can show, as a number of a frame's metrics; `bound` is the tolerance that limits it.

@@ -87,6 +87,7 @@ function makePanes(frame, existing) {
     return keys.map((key) => makePane(frame, [key]));
   }
   const pane = makePane(frame, ["expected", "actual"]);
+  if (state.view === "amplified") amplify(pane, frame);
   if (state.view === "swipe") addHandle(pane);
   return [pane];
 }
@@ -122,6 +123,7 @@ function showPictures() {
   for (const id of ["zoomIn", "zoomOut", "fit", "oneToOne", "marks"]) byId(id).disabled = viewer.panes.length === 0;
   byId("worst").disabled = viewer.panes.length === 0 || !frame.metrics || frame.metrics.worst === 0;
   byId("pixel").textContent = "";
+  byId("amplifyTools").hidden = state.view !== "amplified" || viewer.panes.length === 0;
   startBlink();
   sizePanes();
 }
@@ -131,11 +133,33 @@ function sizePanes() {
   const box = byId("panes");
   const columns = getComputedStyle(box).gridTemplateColumns.split(" ").length;
   const width = box.clientWidth / Math.max(1, columns);
-  const most = window.innerHeight * (columns > 1 || viewer.panes.length === 1 ? 0.45 : 0.42);
+  const most = window.innerHeight * (columns > 1 || viewer.panes.length === 1 ? 0.78 : 0.6);
   const shape = viewer.size.height / viewer.size.width;
   const height = viewer.panes.length === 0 ? 84 : clamp(width * shape, 150, Math.max(150, most));
   box.style.setProperty("--pane", Math.round(height) + "px");
   drawPanes();
+}
+
+// ---- amplified ----
+
+const amplified = {chosen: "auto", factors: [1, 4, 16, 64, 255]};
+
+/// A difference of 1 is seen beside any: as white where there is none larger, else as a dark grey.
+function factorOf(frame) {
+  if (amplified.chosen !== "auto") return Number(amplified.chosen);
+  return frame.metrics && frame.metrics.worst > 1 ? 64 : 255;
+}
+
+/// |actual - expected| of each channel, times a factor. The browser blends the two: a page from disk may not read their
+/// pixels, but it may show them so.
+function amplify(pane, frame) {
+  const factor = factorOf(frame);
+  const box = element("div", {class: "amplified", style: `filter: brightness(${factor})`}, ...pane.layers.map((layer) => layer.box));
+  pane.box.prepend(box);
+  const caption = element("figcaption", {}, `|actual − expected| × ${factor}`);
+  pane.captions.forEach((one) => one.remove());
+  pane.captions = [caption];
+  pane.box.append(caption);
 }
 
 // ---- blink ----
@@ -182,9 +206,15 @@ function toggleBlinkTimer() {
 function startPanes() {
   views.forEach((view, index) => {
     byId("views").append(element("button", {"data-view": view.id, "aria-pressed": "false",
-                                            title: view.label + " (" + (index + 1) + ")",
+                                            title: view.label + " (" + (view.key || index + 1) + ")",
                                             onclick: () => go({view: view.id})},
                                  view.label));
+  });
+  for (const factor of ["auto", ...amplified.factors])
+    byId("factor").append(element("option", {value: factor}, String(factor)));
+  byId("factor").addEventListener("change", () => {
+    amplified.chosen = byId("factor").value;
+    showPictures();
   });
   byId("play").addEventListener("click", toggleBlinkTimer);
   byId("swap").addEventListener("click", blinkByHand);

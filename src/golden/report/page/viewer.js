@@ -30,6 +30,15 @@ function placement(pane) {
   return {scale, left: snap(pane.box.clientWidth / 2 - x * scale), top: snap(pane.box.clientHeight / 2 - y * scale)};
 }
 
+/// Scaled, an image's edge is smoothed; where two are subtracted that would show, so there it has whole screen pixels.
+function placeImage(image, place, wholePixels) {
+  const move = `translate(${place.left}px, ${place.top}px)`;
+  const side = (size) => wholePixels ? Math.round(size * place.scale / devicePixel()) * devicePixel() + "px" : "";
+  image.style.transform = wholePixels ? move : move + ` scale(${place.scale})`;
+  image.style.width = side(image.naturalWidth);
+  image.style.height = side(image.naturalHeight);
+}
+
 function placeMark(mark, place, x, y, size, visible) {
   mark.hidden = !visible;
   if (!visible) return;
@@ -49,7 +58,7 @@ function drawPanes() {
   for (const pane of viewer.panes) {
     const place = placement(pane);
     for (const layer of pane.layers) {
-      layer.image.style.transform = `translate(${place.left}px, ${place.top}px) scale(${place.scale})`;
+      placeImage(layer.image, place, state.view === "amplified");
       layer.image.classList.toggle("shrunk", place.scale < devicePixel());
     }
     const metrics = frameOf(state.scene) ? frameOf(state.scene).metrics : null;

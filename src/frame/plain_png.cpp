@@ -1,0 +1,178 @@
+// PNG specification (ISO/IEC 15948): 5 chunks, 9 filtering, 10 compression.
+#include "frame/plain_png.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <cstdlib>
+#include <limits>
+#include <memory>
+#include <string_view>
+#include <vector>
+
+#include <isa-l/igzip_lib.h>
+
+namespace simreel::frame {
+
+namespace {
+
+using Byte = std::uint8_t;
+
+std::uint32_t bigEndian(const char* bytes) {
+  std::uint32_t value = 0;
+  for (int i = 0; i < 4; ++i) value = value << 8 | static_cast<Byte>(bytes[i]);
+  return value;
+}
+
+struct Header {
+  std::size_t width = 0, height = 0, channels = 0;
+};
+
+std::optional<Header> readHeader(std::string_view data, int maxSide) {
+  constexpr std::size_t headerSize = 13;
+  if (data.size() != headerSize) return std::nullopt;
+  const std::uint32_t width = bigEndian(data.data()), height = bigEndian(data.data() + 4);
+  const auto largest = static_cast<std::uint32_t>(maxSide);
+  if (width < 1 || height < 1 || width > largest || height > largest) return std::nullopt;
+  const std::string_view format = data.substr(8);  // bits, colour type, compression, filters, interlacing
+  if (format == std::string_view("\x08\x02\0\0\0", 5)) return Header{width, height, 3};
+  if (format == std::string_view("\x08\x06\0\0\0", 5)) return Header{width, height, 4};
+  return std::nullopt;
+}
+
+struct PlainFile {
+  Header header;
+  std::vector<std::string_view> pixels;  ///< what the IDAT chunks hold
+};
+
+/// Nothing where the file holds something that matters and is not known here. Checksums are not looked at.
+std::optional<PlainFile> readChunks(std::string_view rest, int maxSide) {
+  constexpr std::string_view signature("\x89PNG\r\n\x1a\n", 8);
+  constexpr std::size_t frame = 12;  // length, type, checksum
+  if (!rest.starts_with(signature)) return std::nullopt;
+  rest.remove_prefix(signature.size());
+  std::optional<PlainFile> file;
+  while (rest.size() >= frame) {
+    const std::size_t length = bigEndian(rest.data());
+    if (length > rest.size() - frame) return std::nullopt;
+    const std::string_view type = rest.substr(4, 4), data = rest.substr(8, length);
+    rest.remove_prefix(length + frame);
+    if (type == "IHDR") {
+      const auto header = readHeader(data, maxSide);
+      if (file || !header) return std::nullopt;
+      file = PlainFile{*header, {}};
+      continue;
+    }
+    const bool ancillary = (static_cast<Byte>(type[0]) & 0x20) != 0;
+    if (!file || type == "tRNS") return std::nullopt;
+    if (type == "IDAT")
+      file->pixels.push_back(data);
+    else if (type == "IEND")
+      return file->pixels.empty() ? std::nullopt : file;
+    else if (!ancillary)
+      return std::nullopt;
+  }
+  return std::nullopt;
+}
+
+/// Whether the chunks inflate to exactly so many bytes as `rows` has room for.
+bool inflate(const std::vector<std::string_view>& chunks, std::vector<Byte>& rows) {
+  if (rows.size() > std::numeric_limits<std::uint32_t>::max()) return false;
+  const auto kept = std::make_unique<inflate_state>();  // too large for a stack
+  inflate_state& state = *kept;
+  isal_inflate_init(&state);
+  state.crc_flag = ISAL_ZLIB;
+  state.next_out = rows.data();
+  state.avail_out = static_cast<std::uint32_t>(rows.size());
+  for (const std::string_view chunk : chunks) {
+    // ISA-L does not write through next_in.
+    state.next_in = const_cast<Byte*>(reinterpret_cast<const Byte*>(chunk.data()));
+    state.avail_in = static_cast<std::uint32_t>(chunk.size());
+    if (isal_inflate(&state) != ISAL_DECOMP_OK || state.avail_in != 0) return false;
+  }
+  return state.block_state == ISAL_BLOCK_FINISH && state.avail_out == 0;
+}
+
+Byte paeth(int left, int above, int corner) {
+  const int toLeft = std::abs(above - corner), toAbove = std::abs(left - corner);
+  const int toCorner = std::abs(left + above - 2 * corner);
+  const int other = toAbove <= toCorner ? above : corner;
+  return static_cast<Byte>(toLeft <= std::min(toAbove, toCorner) ? left : other);
+}
+
+/// Adds to each byte what `predicted(left, above, corner)` makes of those of its neighbours; they are 0
+/// before the first pixel.
+template <std::size_t channels, class Predicted>
+void addTo(Byte* row, const Byte* above, std::size_t size, const Predicted& predicted) {
+  Byte left[channels] = {}, corner[channels] = {};
+  for (std::size_t x = 0; x < size; x += channels)
+    for (std::size_t c = 0; c < channels; ++c) {
+      const Byte up = above[x + c];
+      left[c] = static_cast<Byte>(row[x + c] + predicted(left[c], up, corner[c]));
+      corner[c] = up;
+      row[x + c] = left[c];
+    }
+}
+
+template <std::size_t channels>
+bool unfilter(int filter, Byte* row, const Byte* above, std::size_t size) {
+  switch (filter) {
+    case 0:
+      return true;
+    case 1:
+      addTo<channels>(row, above, size, [](int left, int, int) { return left; });
+      return true;
+    case 2:
+      for (std::size_t x = 0; x < size; ++x) row[x] = static_cast<Byte>(row[x] + above[x]);
+      return true;
+    case 3:
+      addTo<channels>(row, above, size, [](int left, int up, int) { return (left + up) / 2; });
+      return true;
+    case 4:
+      addTo<channels>(row, above, size, paeth);
+      return true;
+    default:
+      return false;
+  }
+}
+
+/// Whether every row says a filter that exists. `rows`: of each row its filter, then the bytes.
+template <std::size_t channels>
+bool makePixels(const Header& header, std::vector<Byte>& rows, std::vector<Byte>& rgba) {
+  const std::size_t size = header.width * channels;
+  const std::vector<Byte> nothing(size);
+  const Byte* above = nothing.data();
+  Byte* out = rgba.data();
+  for (std::size_t y = 0; y < header.height; ++y) {
+    Byte* row = rows.data() + y * (size + 1) + 1;
+    if (!unfilter<channels>(row[-1], row, above, size)) return false;
+    above = row;
+    if constexpr (channels == 4)
+      out = std::copy_n(row, size, out);
+    else
+      for (std::size_t x = 0; x < header.width; ++x, out += 4) {
+        for (std::size_t c = 0; c < channels; ++c) out[c] = row[channels * x + c];
+        out[3] = 255;
+      }
+  }
+  return true;
+}
+
+}  // namespace
+
+std::optional<Image> decodePlainPng(std::span<const std::byte> bytes, int maxSide) {
+  const auto file = readChunks({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, maxSide);
+  if (!file) return std::nullopt;
+  const Header& header = file->header;
+  const std::size_t size = header.height * (header.width * header.channels + 1);
+  // Deflate makes at most 1032 bytes of one: a small file does not take all memory.
+  if (size > bytes.size() * 1032) return std::nullopt;
+  std::vector<Byte> rows(size);
+  if (!inflate(file->pixels, rows)) return std::nullopt;
+  Image image{static_cast<int>(header.width), static_cast<int>(header.height),
+              std::vector<Byte>(header.width * header.height * 4)};
+  const bool made = header.channels == 3 ? makePixels<3>(header, rows, image.bytes)
+                                         : makePixels<4>(header, rows, image.bytes);
+  return made ? std::optional(std::move(image)) : std::nullopt;
+}
+
+}  // namespace simreel::frame

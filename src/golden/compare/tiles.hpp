@@ -1,0 +1,56 @@
+#pragma once
+#include "frame/image.hpp"
+
+#include <algorithm>
+#include <cstring>
+
+#include <tbb/parallel_for.h>
+
+namespace simreel::golden {
+
+/// A part of a picture that is worked on at a time; small enough that what filters make of it stays in a
+/// core's cache.
+struct Tile {
+  int index = 0;  ///< in reading order
+  int x = 0, y = 0;
+  int width = 0, height = 0;
+};
+
+inline constexpr int tileWidth = 256, tileHeight = 64;
+[[nodiscard]] constexpr int tilesOver(int width, int height) {
+  return ((width + tileWidth - 1) / tileWidth) * ((height + tileHeight - 1) / tileHeight);
+}
+
+/// Calls work(tile) for each tile of a picture, in any order and in parallel. What a tile computes must not
+/// depend on the others, so results do not depend on the thread count.
+template <class Work>
+void forEachTile(int width, int height, const Work& work) {
+  const int across = (width + tileWidth - 1) / tileWidth;
+  tbb::parallel_for(0, tilesOver(width, height), [&](int index) {
+    const int x = index % across * tileWidth, y = index / across * tileHeight;
+    work(Tile{index, x, y, std::min(tileWidth, width - x), std::min(tileHeight, height - y)});
+  });
+}
+
+/// The same for bands of 32 whole rows: work(first, last).
+template <class Work>
+void forEachBand(int height, const Work& work) {
+  constexpr int rows = 32;
+  tbb::parallel_for(0, (height + rows - 1) / rows,
+                    [&](int band) { work(band * rows, std::min(height, (band + 1) * rows)); });
+}
+
+/// Whether two pictures of one size are equal in a tile and `margin` pixels around it, byte by byte.
+[[nodiscard]] inline bool equalAround(const frame::Image& a, const frame::Image& b, const Tile& tile,
+                                      int margin) {
+  const int left = std::max(0, tile.x - margin), right = std::min(a.width, tile.x + tile.width + margin);
+  const int top = std::max(0, tile.y - margin), bottom = std::min(a.height, tile.y + tile.height + margin);
+  for (int y = top; y < bottom; ++y) {
+    const std::size_t at = (std::size_t(y) * std::size_t(a.width) + std::size_t(left)) * 4;
+    if (std::memcmp(a.bytes.data() + at, b.bytes.data() + at, std::size_t(right - left) * 4) != 0)
+      return false;
+  }
+  return true;
+}
+
+}  // namespace simreel::golden

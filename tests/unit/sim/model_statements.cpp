@@ -1,0 +1,76 @@
+// Rules of models against a second statement of them in double: the twins compile the kernels' own, so that
+// a mistake in it is in both.
+#include "sim/core/shader_code.hpp"
+#include "sim/particles/gravity_tree.hpp"
+#include "sim/spread/epidemic_plan.hpp"
+
+#include <bit>
+#include <cmath>
+#include <limits>
+
+#include <doctest/doctest.h>
+#include <glm/vec4.hpp>
+
+namespace {
+
+namespace models {
+
+using namespace simreel::shader;
+
+inline int findLSB(int x) {
+  return std::countr_zero(static_cast<unsigned>(x));
+}
+
+#define FUNCTION inline
+#define precise
+#define REAL float
+struct Epidemic {
+  const EpidemicStep& stepData;
+#include "glsl/spread/epidemic/model.glsl"
+};
+struct GravityTree {
+  [[nodiscard]] static vec4 loadBody(int /*unused*/) { return vec4(0); }
+#include "glsl/particles/tree/model.glsl"
+};
+#undef REAL
+#undef precise
+#undef FUNCTION
+
+}  // namespace models
+
+}  // namespace
+
+TEST_CASE("epidemic: meeting eight of everybody infects with 1 - (1 - beta share)^8") {
+  constexpr double people = 1e6;
+  for (const double beta : {0.02, 0.3, 0.9})
+    for (const unsigned infected : {0U, 1U, 4095U, 4096U, 300000U, 999999U}) {
+      simreel::shader::EpidemicStep step{};
+      step.perInfected = static_cast<float>(beta / people);
+      step.per4096 = static_cast<float>(beta / people * 4096);
+      const double expected = (1 - std::pow(1 - beta * infected / people, 8)) * 0x1p31;
+      CAPTURE(beta);
+      CAPTURE(infected);
+      // Thresholds are even.
+      CHECK(std::abs(models::Epidemic{step}.mixedThreshold(infected) - expected) <= 2 + 1e-6 * expected);
+    }
+}
+
+TEST_CASE("gravity tree: which bodies take part, by place and mass to the last bit") {
+  const auto takesPart = [](float x, float y, float z, float mass) {
+    return models::GravityTree().takesPart({x, y, z, mass});
+  };
+  const float far = 1e18F, below = std::nextafter(far, 0.0F);
+  for (const float sign : {-1.0F, 1.0F}) {
+    CHECK(takesPart(sign * below, sign * below, sign * below, 1));
+    CHECK_FALSE(takesPart(sign * far, 0, 0, 1));
+    CHECK_FALSE(takesPart(0, sign * far, 0, 1));
+    CHECK_FALSE(takesPart(0, 0, sign * far, 1));
+  }
+  CHECK_FALSE(takesPart(std::numeric_limits<float>::quiet_NaN(), 0, 0, 1));
+  const float light = 1e-30F, heavy = 1e30F;
+  CHECK_FALSE(takesPart(0, 0, 0, light));
+  CHECK(takesPart(0, 0, 0, std::nextafter(light, 1.0F)));
+  CHECK(takesPart(0, 0, 0, std::nextafter(heavy, 0.0F)));
+  CHECK_FALSE(takesPart(0, 0, 0, heavy));
+  CHECK_FALSE(takesPart(0, 0, 0, -1));
+}
