@@ -78,9 +78,9 @@ vec3 loadUnits(int x, int y) {
   return units;
 }
 
-// Ways through the left and the top face of a cell; beyond the grid there are none.
+// Ways through the left and the top face of a cell; beyond the ring anything, for what comes of it is not used.
 vec2 waysAt(int x, int y) {
-  return ways[elementOf(x > size.x ? -1 : max(x, -1), y > size.y ? -1 : max(y, -1))];
+  return ways[elementOf(clamp(x, -1, size.x), clamp(y, -1, size.y))];
 }
 
 // A cell, and where it is at the border what of the ring is like it.
