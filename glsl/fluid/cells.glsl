@@ -1,5 +1,5 @@
-// Kernels that give four cells to an invocation: a block of 2x2 in a tile, or four of the ring around the grid. After
-// grid.glsl.
+// Kernels that take each cell by itself, in tiles or on the ring around the grid: four to an invocation, a block of 2x2 in a tile; of
+// storage blocks one, a tile to a work group, since there they are long programs for few cells. After grid.glsl.
 #include "fluid/tiles.glsl"
 uniform int tilesStart;  // elements: where the list is; below 0: the ring
 
@@ -11,9 +11,22 @@ ivec2 ringCell(int i) {
   return sides >= 2 * size.y ? size + 2 : c;
 }
 
-// Cell k of this invocation, from 0 to 3; beyond the grid and its ring where there is none.
+#ifdef TEXEL_PATH
+const int cellsEach = 4;
+// Cell k of this invocation, below cellsEach; beyond the grid and its ring where there is none.
 ivec2 cellHere(int k) {
   ivec2 inTile = 2 * blockHere(tilesStart) + ivec2(k & 1, k >> 1);
   if (inTile.x >= size.x || inTile.y >= size.y) inTile = size + 2;
   return tilesStart < 0 ? ringCell(4 * (64 * groupNumber() + int(gl_LocalInvocationIndex)) + k) : inTile;
 }
+#else
+const int cellsEach = 1;
+ivec2 cellHere(int k) {
+  int number = groupNumber();
+  if (tilesStart < 0) return ringCell(64 * number + int(gl_LocalInvocationIndex));
+  uvec4 four = LOAD_INPUT_WORDS(weights, tilesStart + (number >> 2));
+  uint tile = (number & 2) == 0 ? ((number & 1) == 0 ? four.x : four.y) : (number & 1) == 0 ? four.z : four.w;
+  ivec2 c = 8 * ivec2(tile & 0xffffu, tile >> 16u) + ivec2(gl_LocalInvocationID.xy);
+  return c.x >= size.x || c.y >= size.y ? size + 2 : c;
+}
+#endif

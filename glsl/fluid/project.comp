@@ -83,7 +83,7 @@ void main() {
 #else
 void main() {
   float missing = 0.0, speed = 0.0;
-  for (int k = 0; k < 4; ++k) {
+  for (int k = 0; k < cellsEach; ++k) {
     ivec2 c = cellHere(k);
     if (c.x > size.x || c.y > size.y) continue;
     vec4 cell = finishedCell(c.x, c.y);

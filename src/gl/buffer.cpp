@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 #include "gl/errors.hpp"
+#include "gl/large_pages.hpp"
 #include "gl/limits.hpp"
 
 #include <algorithm>
@@ -13,6 +14,8 @@ namespace {
 
 /// Up to which size a buffer is written directly, and how much a large one takes at a time.
 constexpr std::size_t directBytes = 4 << 20, stagedBytes = 64 << 20;
+/// From which on it matters how its addresses are looked up.
+constexpr std::size_t largePagesBytes = 32 << 20;
 
 GLuint createBuffer() {
   GLuint name = 0;
@@ -45,7 +48,8 @@ Buffer::Buffer(const std::string& label, std::size_t bytes, const void* items)
     glNamedBufferStorage(name(), static_cast<GLsizeiptr>(std::max<std::size_t>(bytes, 1)),
                          zero ? zeros.data() : items, GL_DYNAMIC_STORAGE_BIT);
   else {
-    glNamedBufferStorage(name(), static_cast<GLsizeiptr>(bytes), nullptr, 0);
+    if (bytes < largePagesBytes || !storeInLargePages(name(), bytes))
+      glNamedBufferStorage(name(), static_cast<GLsizeiptr>(bytes), nullptr, 0);
     for (std::size_t at = 0; at < bytes; at += stagedBytes)
       copyStaged(at, zero ? zeros.data() : static_cast<const std::byte*>(items) + at,
                  std::min(stagedBytes, bytes - at));

@@ -48,7 +48,7 @@ void main() {
 }
 #else
 void main() {
-  for (int k = 0; k < 4; ++k) {
+  for (int k = 0; k < cellsEach; ++k) {
     ivec2 c = cellHere(k);
     if (c.x <= size.x && c.y <= size.y) STORE_STATE(nextDye, elementOf(c.x, c.y), dyedCell(c.x, c.y));
   }

@@ -1,17 +1,47 @@
 // pass.comp for storage blocks, and so for graphics cards: each flux is made once, and PASSES passes are taken at once. A work
-// group of 32 goes down `rows` rows, an invocation with two columns. What it needs of its neighbours passes through shared
-// memory, rows above and below are kept; a pass follows the one before it two rows later. The outermost columns, two for each
-// pass, only serve the others. Dye is counted in its units here (model.glsl), so that a flux is a whole number.
+// group of 32 goes down `rows` rows, an invocation with two columns. What it needs of its neighbours they tell it from their
+// registers (SUBGROUPS) or through shared memory, rows above and below are kept; a pass follows the one before it two rows later. The
+// outermost columns, two for each pass, only serve the others. Dye is counted in its units here (model.glsl), so that a flux is
+// a whole number. How far it goes through each face is the same in all passes of a step, so ways.comp has found it.
+#ifdef SUBGROUPS
+#extension GL_KHR_shader_subgroup_shuffle_relative : require
+#endif
 #define READS_DYE
 #include "fluid/grid.glsl"
 const int lanes = 32, columns = 2 * lanes, margin = 2 * PASSES;
 layout(local_size_x = lanes) in;
 STATE_ARRAY(nextDyeBinding, NextBlock, nextDye)
+layout(std430, binding = carriedBinding) readonly restrict buffer WayBlock { vec2 ways[]; };
 uniform int rows;  // of a strip
 
+#if !defined SUBGROUPS || PASSES > 1
 shared vec3 firsts[lanes], seconds[lanes];  // of a row: values of both columns
-shared vec3 slopes[lanes];                  // of second columns
-shared vec3 fluxes[lanes];                  // into first columns from the left
+#endif
+
+// Values of the invocation to the left and of the one to the right; at the strip's ends anything.
+#ifdef SUBGROUPS
+vec3 ofLeft(int lane, vec3 value) {
+  return subgroupShuffleUp(value, 1u);
+}
+
+vec3 ofRight(int lane, vec3 value) {
+  return subgroupShuffleDown(value, 1u);
+}
+#else
+vec3 ofLeft(int lane, vec3 value) {
+  barrier();
+  seconds[lane] = value;
+  barrier();
+  return seconds[max(lane - 1, 0)];
+}
+
+vec3 ofRight(int lane, vec3 value) {
+  barrier();
+  firsts[lane] = value;
+  barrier();
+  return firsts[min(lane + 1, lanes - 1)];
+}
+#endif
 
 // A pass on its way down, of a column: the row in work, the one above it, half its slope downwards, the flux between them,
 // and what the row above loses to the sides.
@@ -48,13 +78,9 @@ vec3 loadUnits(int x, int y) {
   return units;
 }
 
-// Ways through the left and the top face of a cell; beyond the grid there are none.
+// Ways through the left and the top face of a cell; beyond the ring anything, for what comes of it is not used.
 vec2 waysAt(int x, int y) {
-  vec2 ways = vec2(0.0);
-  if (x < 0 || y < 0 || x > size.x || y > size.y) return ways;
-  if (y < size.y) ways.x = dyeWay(throughU(x, y));
-  if (x < size.x) ways.y = dyeWay(throughV(x, y));
-  return ways;
+  return ways[elementOf(clamp(x, -1, size.x), clamp(y, -1, size.y))];
 }
 
 // A cell, and where it is at the border what of the ring is like it.
@@ -72,31 +98,23 @@ void storeDye(int x, int y, vec3 units) {
     }
 }
 
-// The row below comes in, the row above goes out as it is after the pass. `ways`: of both columns' faces, of the row in work.
-void advance(int lane, inout Pass a, inout Pass b, vec4 ways, inout vec3 first, inout vec3 second) {
-  int before = max(lane - 1, 0), after = min(lane + 1, lanes - 1);
-  firsts[lane] = a.here;
-  seconds[lane] = b.here;
-  barrier();
-  vec3 left = seconds[before], right = firsts[after];
+// The row below comes in, the row above goes out as it is after the pass. `through_`: ways of both columns' faces, of the row in work.
+void advance(int lane, inout Pass a, inout Pass b, vec4 through_, inout vec3 first, inout vec3 second) {
+  vec3 left = ofLeft(lane, b.here), right = ofRight(lane, a.here);
   precise vec3 before_ = a.here - left;
   precise vec3 between_ = b.here - a.here;
   precise vec3 after_ = right - b.here;
   vec3 slopeA = halfSlopes(before_, between_), slopeB = halfSlopes(between_, after_);
-  slopes[lane] = slopeB;
-  barrier();
-  vec3 fromLeft = unitsThrough(ways.x, left, a.here, slopes[before], slopeA);
-  vec3 middle = unitsThrough(ways.z, a.here, b.here, slopeA, slopeB);
-  fluxes[lane] = fromLeft;
-  barrier();
-  vec3 toRight = fluxes[after];
+  vec3 fromLeft = unitsThrough(through_.x, left, a.here, ofLeft(lane, slopeB), slopeA);
+  vec3 middle = unitsThrough(through_.z, a.here, b.here, slopeA, slopeB);
+  vec3 toRight = ofRight(lane, fromLeft);
   precise vec3 upA = a.here - a.above;
   precise vec3 onA = first - a.here;
   precise vec3 upB = b.here - b.above;
   precise vec3 onB = second - b.here;
   vec3 downA = halfSlopes(upA, onA), downB = halfSlopes(upB, onB);
-  vec3 fluxA = unitsThrough(ways.y, a.above, a.here, a.slopeAbove, downA);
-  vec3 fluxB = unitsThrough(ways.w, b.above, b.here, b.slopeAbove, downB);
+  vec3 fluxA = unitsThrough(through_.y, a.above, a.here, a.slopeAbove, downA);
+  vec3 fluxB = unitsThrough(through_.w, b.above, b.here, b.slopeAbove, downB);
   precise vec3 outA = a.above - (a.sidesAbove + (fluxA - a.fromAbove));
   precise vec3 outB = b.above - (b.sidesAbove + (fluxB - b.fromAbove));
   precise vec3 sidesA = middle - fromLeft;
@@ -111,6 +129,7 @@ void advance(int lane, inout Pass a, inout Pass b, vec4 ways, inout vec3 first, 
 // Columns beyond sides that do not close on each other are as the ones within, or empty, after the first pass.
 void spread(int lane, ivec2 x, inout vec3 first, inout vec3 second) {
   int from = x.x - 2 * lane;  // the strip's first column
+  barrier();
   firsts[lane] = first;
   seconds[lane] = second;
   barrier();
@@ -125,7 +144,6 @@ void spread(int lane, ivec2 x, inout vec3 first, inout vec3 second) {
     else
       second = value;
   }
-  barrier();
 }
 #endif
 
@@ -141,10 +159,10 @@ void main() {
   bvec2 writes = bvec2(2 * lane >= margin && 2 * lane < columns - margin && x.x < size.x,
                        2 * lane >= margin && 2 * lane < columns - margin && x.y < size.x);
   Pass a[PASSES], b[PASSES];
-  vec4 ways[2 * PASSES - 1];  // of the row in work, and of those above it
+  vec4 through_[2 * PASSES - 1];  // ways, of the row in work and of those above it
   Pass none = Pass(vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0));
   for (int i = 0; i < PASSES; ++i) a[i] = b[i] = none;
-  for (int i = 0; i < 2 * PASSES - 1; ++i) ways[i] = vec4(0.0);
+  for (int i = 0; i < 2 * PASSES - 1; ++i) through_[i] = vec4(0.0);
   int start = top - margin;
   a[0].above = loadUnits(at.x, rowOf(start));
   b[0].above = loadUnits(at.y, rowOf(start));
@@ -156,10 +174,10 @@ void main() {
     vec3 first = loadUnits(at.x, below), second = loadUnits(at.y, below);
     int row = topKind == periodicSide ? turned(y, size.y) : y;
 #if PASSES > 1
-    for (int i = 2 * PASSES - 2; i > 0; --i) ways[i] = ways[i - 1];
+    for (int i = 2 * PASSES - 2; i > 0; --i) through_[i] = through_[i - 1];
 #endif
-    ways[0] = vec4(waysAt(faces.x, row), waysAt(faces.y, row));
-    advance(lane, a[0], b[0], ways[0], first, second);
+    through_[0] = vec4(waysAt(faces.x, row), waysAt(faces.y, row));
+    advance(lane, a[0], b[0], through_[0], first, second);
 #if PASSES > 1
     // Of row y - 1. Rows beyond the sides: as columns.
     if (atSide) spread(lane, x, first, second);
@@ -173,7 +191,7 @@ void main() {
       first = empty ? vec3(0.0) : a[1].here;
       second = empty ? vec3(0.0) : b[1].here;
     }
-    advance(lane, a[1], b[1], ways[2], first, second);
+    advance(lane, a[1], b[1], through_[2], first, second);
 #endif
     int done = y + 1 - 2 * PASSES;
     if (done >= top && done < end) {

@@ -132,11 +132,16 @@ FluidKernels::FluidKernels(const std::string& name, const FluidPlan& plan, bool 
   makeTiled(project_, "fluid/project.comp");
   for (const gl::Program* program : {&project_.open, &project_.others})
     program->set("lostSpeed", lostFluidSpeed * p.speed);
-  makeTiled(moveDye_, "fluid/dye/pass.comp");
-  for (int i = 0; i < 2 && gl::memoryPath() == gl::MemoryPath::storage; ++i) {
-    gl::Defines strips = defines;
-    strips.emplace_back("PASSES", std::to_string(i + 1));
-    dyeStrips_[i] = compiled("fluid/dye/strips.comp", strips);
+  if (gl::memoryPath() == gl::MemoryPath::texel)
+    makeTiled(moveDye_, "fluid/dye/pass.comp");
+  else {
+    make(dyeWays_, "fluid/dye/ways.comp");
+    for (int i = 0; i < 2; ++i) {
+      gl::Defines strips = defines;
+      strips.emplace_back("PASSES", std::to_string(i + 1));
+      if (gl::limits().shuffle32) strips.emplace_back("SUBGROUPS", "1");
+      dyeStrips_[i] = compiled("fluid/dye/strips.comp", strips);
+    }
   }
   const bool lines = p.show == FluidParameters::Show::lines;
   make(show_, lines ? "fluid/look/lines.comp" : "fluid/look/show.comp");
@@ -190,7 +195,7 @@ void FluidKernels::run(const gl::Program& program) const {
   program.dispatch(plan_.size().x + 2, plan_.size().y + 2);
 }
 
-/// Four cells to an invocation.
+/// The long programs for few cells come first: what is in the open fills the device up while they run.
 void FluidKernels::run(const Tiled& tiled) const {
   constexpr int side = 8, row = FluidLevel::groupRow;
   pressure_.bindSolids();
@@ -201,10 +206,13 @@ void FluidKernels::run(const Tiled& tiled) const {
   };
   const glm::ivec2 count = solids_->tileGroups().front();
   const int start = solids_->tilesStart(), list = plan_.levels().levels().front().listElements();
-  groups(tiled.open, start, count.x);
-  groups(tiled.others, start + list, count.y);
+  // glsl/fluid/cells.glsl
+  const bool four = gl::memoryPath() == gl::MemoryPath::texel;
+  const int each = four ? 4 : 1, tiles = four ? FluidLevel::groupTiles : 1;
+  groups(tiled.others, start + list, count.y * FluidLevel::groupTiles / tiles);
   const int ring = 2 * (plan_.size().x + plan_.size().y + 2);
-  groups(tiled.others, -1, (ring + 4 * side * side - 1) / (4 * side * side));
+  groups(tiled.others, -1, (ring + each * side * side - 1) / (each * side * side));
+  groups(tiled.open, start, count.x);
 }
 
 /// Where brushes reach a small part of the cells only that is painted, and taken back to the rest.
@@ -269,9 +277,15 @@ void FluidKernels::project(unsigned number) {
 
 void FluidKernels::moveDye() {
   const bool strips = gl::memoryPath() == gl::MemoryPath::storage;
+  if (plan_.dyePasses() == 0) return;
+  arrays_[flow_].bindInput(at::flowBinding);
+  if (strips) {
+    arrays_[spare_].bindState(at::nextFlowBinding);
+    run(dyeWays_);
+    arrays_[spare_].bindInput(at::carriedBinding);
+  }
   for (int left = plan_.dyePasses(); left > 0;) {
     const int passes = strips ? std::min(left, 2) : 1;
-    arrays_[flow_].bindInput(at::flowBinding);
     arrays_[dye_].bindInput(at::dyeBinding);
     arrays_[free_].bindState(at::nextDyeBinding);
     if (strips)
@@ -284,15 +298,13 @@ void FluidKernels::moveDye() {
 }
 
 void FluidKernels::moveDye(int passes) const {
-  pressure_.bindSolids();
   gl::barrier();
   const gl::Program& program = dyeStrips_[passes - 1];
   const glm::ivec2 size = plan_.size();
   constexpr int lanes = 32;
   const int columns = 2 * lanes - 4 * passes;
-  // About 2000 groups, which a large card runs all at once: fewer rows are taken twice, and none wait for
-  // others.
-  const int rows = std::clamp(static_cast<int>(std::int64_t{size.x} * size.y / 112000), 4, 1024);
+  // About 4000 groups: fewer do not keep a large card busy, more take too many rows twice.
+  const int rows = std::clamp(static_cast<int>(std::int64_t{size.x} * size.y / 224000), 4, 1024);
   program.set("rows", rows);
   program.dispatch(((size.x - 1) / columns + 1) * lanes, (size.y - 1) / rows + 1);
 }

@@ -82,7 +82,7 @@ class FluidKernels {
   StepBlocks<shader::FluidStep> steps_;
   gl::Program push_, carry_, correct_, fastest_, paint_, paintBack_, show_;
   Tiled project_, moveDye_;
-  gl::Program dyeStrips_[2];  ///< of storage blocks: one pass, and two at once
+  gl::Program dyeWays_, dyeStrips_[2];  ///< of storage blocks: one pass, and two at once
   FluidPressure pressure_;
   Tally tally_;
   glm::vec4 perCells_{1};  ///< of the sums: means over open cells, and over corners in the open

@@ -179,8 +179,8 @@ void FluidPressure::onLevel(const Pair& pair, std::size_t number) const {
   places_.bind(number, at::levelBinding);
   gl::barrier();
   if (joins(number)) return indirect(pair.both, 2 * number);
-  if (levels_.levels()[number].hasOpenTiles()) indirect(pair.open, 2 * number);
   indirect(pair.others, 2 * number + 1);
+  if (levels_.levels()[number].hasOpenTiles()) indirect(pair.open, 2 * number);
 }
 
 void FluidPressure::cycle() const {

@@ -1,6 +1,7 @@
 // Fluid beside a plain loop: its buffers, what a step moves through memory, and where its time goes.
 #include "beside/memory.hpp"
 #include "beside/subject.hpp"
+#include "gl/context.hpp"
 #include "plain/plain.hpp"
 #include "reference/fluid_twin.hpp"
 #include "sim/fluid/kernels.hpp"
@@ -21,12 +22,18 @@ constexpr double cells = double(tankSide) * tankSide;
 // cells here; so do tiles that do not lie in the open, where the solver, the projection and dye read
 // openings.
 //   push 16 + 16 + 4, carry 16 + 16 + 4, correct 16 + 16 + 16 + 4, divergence 16 + 4 and 12 written,
-//   projection 16 + 8 + 16, a pass of dye 16 + 16 + 16. A cycle: descent 4 and 5 written, ascent 4 + 1 + 4
-//   and 4 written, on all levels 4/3 of the finest; there the sum with what it lost 16 and 12 written.
-constexpr double stepBytes = 36 + 36 + 52 + 32 + 40, passBytes = 48, cycleBytes = 22 * 4.0 / 3 + 28;
+//   projection 16 + 8 + 16, a pass of dye 16 + 16 + 16; on graphics cards its ways 16 + 4 and 8 written,
+//   and two passes together 16 + 8 + 16. A cycle: descent 4 and 5 written, ascent 4 + 1 + 4 and 4 written,
+//   on all levels 4/3 of the finest; there the sum with what it lost 16 and 12 written.
+constexpr double stepBytes = 36 + 36 + 52 + 32 + 40, cycleBytes = 22 * 4.0 / 3 + 28;
+
+double dyeBytes(int passes) {
+  const bool strips = gl::memoryPath() == gl::MemoryPath::storage;
+  return strips ? 28 + (passes + 1) / 2 * 40 : passes * 48;
+}
 
 double movedBytes(const sim::FluidPlan& plan, double cycles) {
-  return stepBytes + plan.dyePasses() * passBytes + cycles * cycleBytes;
+  return stepBytes + dyeBytes(plan.dyePasses()) + cycles * cycleBytes;
 }
 
 sim::FluidParameters tank(int side) {

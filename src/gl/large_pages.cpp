@@ -1,0 +1,51 @@
+#include "gl/large_pages.hpp"
+
+#include "base/error.hpp"
+#include "gl/vulkan_memory.hpp"
+
+#include <cstdlib>
+#include <string_view>
+
+namespace simreel::gl {
+
+namespace {
+
+/// The device that the context draws on, as Vulkan numbers it; null where there is none, or OpenGL takes no
+/// memory.
+const VulkanMemory* memoryOfDevice() {
+  static const VulkanMemory* const memory = []() -> const VulkanMemory* {
+    // NOLINTNEXTLINE(concurrency-mt-unsafe): the environment is only read.
+    const char* asked = std::getenv("SIMREEL_LARGE_PAGES");
+    const std::string_view wanted = asked != nullptr ? asked : "yes";
+    if (wanted != "yes" && wanted != "no")
+      fail(ExitCode::usage, "SIMREEL_LARGE_PAGES is \"yes\" or \"no\", not \"{}\"", wanted);
+    if (wanted == "no") return nullptr;
+    if (!epoxy_has_gl_extension("GL_EXT_memory_object_fd")) return nullptr;
+    VulkanMemory::Uuid device{};
+    glGetUnsignedBytei_vEXT(GL_DEVICE_UUID_EXT, 0, device.data());
+    // Lives as long as the process: what it has given may outlast every object here.
+    return VulkanMemory::of(device).release();
+  }();
+  return memory;
+}
+
+}  // namespace
+
+bool storeInLargePages(GLuint buffer, std::size_t bytes) {
+  const VulkanMemory* memory = memoryOfDevice();
+  if (memory == nullptr) return false;
+  constexpr std::size_t page = 1 << 16;
+  const std::size_t whole = (bytes + page - 1) / page * page;
+  const int file = memory->lend(whole);
+  if (file < 0) return false;
+  GLuint lent = 0;
+  glCreateMemoryObjectsEXT(1, &lent);
+  glImportMemoryFdEXT(lent, whole, GL_HANDLE_TYPE_OPAQUE_FD_EXT, file);  // OpenGL closes it
+  glNamedBufferStorageMemEXT(buffer, static_cast<GLsizeiptr>(bytes), lent, 0);
+  glDeleteMemoryObjectsEXT(1, &lent);  // the buffer keeps what it has
+  GLint immutable = 0;
+  glGetNamedBufferParameteriv(buffer, GL_BUFFER_IMMUTABLE_STORAGE, &immutable);
+  return immutable != 0;
+}
+
+}  // namespace simreel::gl
