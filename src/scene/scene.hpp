@@ -165,6 +165,7 @@ struct Scene {
   std::vector<Object> objects;
   Test test;
   std::vector<Check> checks;
+  std::vector<std::filesystem::path> files;  ///< that it names, found
   std::string hash;                    ///< of the scene's text and overrides; 32 hexadecimal digits
   std::vector<std::string> overrides;  ///< "path=value" of each, as they were applied
 

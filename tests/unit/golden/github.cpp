@@ -1,4 +1,5 @@
 #include "golden/report/github.hpp"
+#include "golden/report/markdown.hpp"
 
 #include "golden/report/words.hpp"
 #include "unit/frame/help.hpp"
@@ -96,7 +97,7 @@ TEST_CASE("annotations: one line each whatever the names hold") {
 }
 
 TEST_CASE("summary: heading, table, command and what passed") {
-  const std::string text = githubSummary(golden::test::fullSuite());
+  const std::string text = markdownSummary(golden::test::fullSuite());
   CHECK(text.starts_with(
       "## simreel: 6 of 9 scenes failed\n\n1 pass, 1 updated, 1 xfail, 1 flaky, 1 fail, "));
   CHECK(contains(
@@ -113,16 +114,16 @@ TEST_CASE("summary: heading, table, command and what passed") {
   CHECK(contains(text, "<details><summary>3 scenes did not fail</summary>\n\n- waves: pass (2.1 s)\n"));
   SuiteResult good;
   good.scenes = {golden::test::scene("waves", Status::pass)};
-  CHECK(githubSummary(good).starts_with("## simreel: 1 scene good\n"));
-  CHECK(!contains(githubSummary(good), "| Status"));
-  CHECK(!contains(githubSummary(good), "```"));
+  CHECK(markdownSummary(good).starts_with("## simreel: 1 scene good\n"));
+  CHECK(!contains(markdownSummary(good), "| Status"));
+  CHECK(!contains(markdownSummary(good), "```"));
 }
 
 TEST_CASE("summary: names and messages are shown, not read") {
   SuiteResult suite = golden::test::oddSuite();
   suite.scenes = {suite.scenes[1]};
   suite.acceptCommand = "simreel accept ```` x";
-  const std::string text = githubSummary(suite);
+  const std::string text = markdownSummary(suite);
   CHECK(!contains(text, "<b>"));
   CHECK(!contains(text, "</script>"));
   CHECK(contains(text, "&#60;b&#62; &#124; &#96; &#42;x&#42; 100% a,b:c second line"));
@@ -141,7 +142,7 @@ TEST_CASE("summary: thousands of scenes stay below GitHub's limit") {
   }
   suite.driver = longWords;
   suite.acceptCommand = std::string(40000, 'x');
-  const std::string text = githubSummary(suite);
+  const std::string text = markdownSummary(suite);
   CHECK(text.size() < 1'000'000);
   CHECK(text.size() > 900'000);
   const long shown = linesWith(text, "| fail ");
@@ -152,6 +153,6 @@ TEST_CASE("summary: thousands of scenes stay below GitHub's limit") {
       text, fmt::format("\n{} more good scenes are left out here", 3000 - linesWith(text, "- passing"))));
   CHECK(text.ends_with("</details>\n"));
   suite.acceptCommand = std::string(2'000'000, 'x');
-  CHECK(githubSummary(suite).size() < 1'000'000);
-  CHECK(contains(githubSummary(suite), "too long to be shown"));
+  CHECK(markdownSummary(suite).size() < 1'000'000);
+  CHECK(contains(markdownSummary(suite), "too long to be shown"));
 }
