@@ -39,6 +39,12 @@ golden::SuiteResult forElsewhere(golden::SuiteResult suite) {
   return suite;
 }
 
+/// From the root, without a slash at its end; empty is the current folder.
+fs::path wholePath(const fs::path& folder) {
+  const fs::path whole = (fs::current_path() / folder).lexically_normal();
+  return whole.has_filename() ? whole : whole.parent_path();
+}
+
 /// What stands in the src of images, of pictures that the report has in `folder`.
 golden::PictureAddress pictureAddress(const std::string& how, const fs::path& folder, const fs::path& from) {
   if (how == "none") return {};
@@ -47,19 +53,20 @@ golden::PictureAddress pictureAddress(const std::string& how, const fs::path& fo
       return golden::dataAddress(folder / picture, golden::thumbnailWidth);
     };
   std::string before = how;
-  if (how == "files") before = golden::addressOf(fs::absolute(folder).lexically_relative(fs::absolute(from)).generic_string());
+  if (how == "files")
+    before = golden::addressOf(wholePath(folder).lexically_relative(wholePath(from)).generic_string());
   if (!before.empty() && !before.ends_with('/')) before += '/';
   return [before](const std::string& picture) { return before + golden::addressOf(picture); };
 }
 
 /// The report's folder as GitLab and Jenkins have it: relative to that of the project, where it is below.
 fs::path folderInProject(const fs::path& folder) {
-  fs::path project = fs::current_path();
+  fs::path project;
   for (const char* name : {"WORKSPACE", "CI_PROJECT_DIR"})
     // NOLINTNEXTLINE(concurrency-mt-unsafe): the environment is only read.
     if (const char* given = std::getenv(name); given != nullptr && *given != '\0') project = given;
-  const fs::path whole = fs::absolute(folder.empty() ? fs::path(".") : folder).lexically_normal();
-  const fs::path below = whole.lexically_relative(project.lexically_normal());
+  const fs::path whole = wholePath(folder);
+  const fs::path below = whole.lexically_relative(wholePath(project));
   return below.empty() || *below.begin() == ".." ? whole : below;
 }
 
@@ -167,10 +174,12 @@ void TestOutputs::write(golden::SuiteResult& suite) const {
   const bool kept = !artifacts().empty();
   if (!junit.empty())
     writeFileAtomically(junit, golden::junitText(suite, kept ? folderInProject(place) : fs::path()));
-  if (!markdown.empty())
-    writeFileAtomically(markdown, golden::markdownSummary(
-                                      suite, pictureAddress(pictures.empty() ? "files" : pictures, place,
-                                                            fs::path(markdown).parent_path())));
+  if (!markdown.empty()) {
+    const fs::path beside = fs::path(markdown).parent_path();
+    makeFolders(beside);
+    const auto address = pictureAddress(pictures.empty() ? "files" : pictures, place, beside);
+    writeFileAtomically(markdown, golden::markdownSummary(suite, address));
+  }
   // A summary has no files beside it.
   if (github)
     writeGithub(suite, pictureAddress(pictures.empty() ? "data" : pictures == "files" ? "none" : pictures,

@@ -87,11 +87,12 @@ void addStale(const Stale& stale, std::vector<Stale>& all) {
     return other.path == stale.path &&
            (other.message == stale.message || stale.message.starts_with("its scene is gone"));
   });
-  if (known == all.end())
+  if (known == all.end()) {
     all.push_back(stale);
-  else if (stale.message.size() > known->message.size())
-    known->message = stale.message;
-  if (known != all.end()) known->removed = known->removed || stale.removed;
+    return;
+  }
+  if (stale.message.size() > known->message.size()) known->message = stale.message;
+  known->removed = known->removed || stale.removed;
 }
 
 std::string shardNotes(const std::vector<PartReport>& parts, std::vector<std::string>& missing) {

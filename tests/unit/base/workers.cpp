@@ -26,6 +26,7 @@ WorkForce force(std::size_t workers, std::size_t items, Heard& heard,
   made.workers = workers;
   made.items = items;
   made.work = [items, end](WorkerLine& line) {
+    std::signal(SIGTERM, SIG_DFL);
     line.ready("hello");
     while (const auto item = line.next()) {
       ::usleep(static_cast<useconds_t>(2000 * (items - *item)));

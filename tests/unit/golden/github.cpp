@@ -54,11 +54,12 @@ TEST_CASE("text for any reader") {
 TEST_CASE("annotations: an error for each failing scene, with the command that accepts it") {
   const std::string text = githubAnnotations(golden::test::fullSuite());
   CHECK(linesOf(text)[0] ==
-        "::error file=assets/scenes/flag.json,title=simreel%3A flag (fail)::frame 60: 312 pixels differ%0A"
+        "::error file=assets/scenes/flag.json,line=12,title=simreel%3A flag (fail)::frame 60: 312 pixels "
+        "differ%0A"
         "To accept: simreel accept out/report.json");
   CHECK(linesWith(text, "::error file=") == 6);
   CHECK(linesWith(text,
-                  "::warning file=assets/scenes/flag.json,title=simreel%3A flag (tolerance)::"
+                  "::warning file=assets/scenes/flag.json,line=12,title=simreel%3A flag (tolerance)::"
                   "maxDiffRatio is 40 times looser") == 1);
   CHECK(linesWith(text, "::warning") == 1);
   CHECK(linesWith(text, "::notice file=assets/scenes/is-updated.json,") == 1);
@@ -84,6 +85,7 @@ TEST_CASE("annotations: one line each whatever the names hold") {
   suite.scenes = {suite.scenes[1]};
   suite.scenes[0].notes.clear();
   suite.scenes[0].file = "./a,b:c%\n.json";
+  suite.scenes[0].blame.reset();
   suite.acceptCommand = "simreel accept\n::stop-commands::x";
   const std::string text = githubAnnotations(suite);
   CHECK(linesOf(text).size() == 1);
@@ -94,6 +96,43 @@ TEST_CASE("annotations: one line each whatever the names hold") {
       CHECK(line.starts_with("::"));
       CHECK(line.find_first_of("\r\x1B\xFF") == std::string::npos);
     }
+}
+
+TEST_CASE("annotations: nine of a kind and one that counts the rest") {
+  SuiteResult suite;
+  const auto fill = [&](Status status, int count) {
+    for (int i = 0; i < count; ++i) suite.scenes.push_back(golden::test::scene("s" + std::to_string(i), status));
+  };
+  fill(Status::fail, 10);
+  fill(Status::updated, 30);
+  CHECK(linesWith(githubAnnotations(suite), "::error file=") == 10);
+  fill(Status::fail, 1);
+  const std::string text = githubAnnotations(suite);
+  CHECK(linesWith(text, "::error file=") == 9);
+  CHECK(linesWith(text, "::error title=simreel::2 more; the summary and the report have all") == 1);
+  CHECK(linesWith(text, "::notice file=") == 9);
+  CHECK(linesWith(text, "::notice title=simreel::21 more;") == 1);
+}
+
+TEST_CASE("summary: pictures of the worst frame, as many as fit") {
+  SuiteResult suite = golden::test::fullSuite();
+  const auto plain = [](const std::string& picture) { return "at/" + picture; };
+  CHECK(contains(markdownSummary(suite, plain),
+                 "\n| Scene | Before | After | Difference |\n|---|---|---|---|\n"
+                 "| flag | <img src=\"at/images/flag/119-expected.png\" width=\"160\" alt=\"before "
+                 "(images/flag/119-expected.png)\"> | <img src=\"at/images/flag/119-actual.png\""));
+  CHECK(!contains(markdownSummary(suite), "<img"));
+  CHECK(!contains(markdownSummary(suite, [](const std::string&) { return std::string(); }), "<img"));
+  suite.scenes.assign(40, golden::test::failedScene());
+  const std::string text =
+      markdownSummary(suite, [](const std::string&) { return std::string(20'000, 'x'); });
+  CHECK(text.size() < 1'000'000);
+  CHECK(text.size() > 900'000);
+  const long shown = linesWith(text, "| flag | <img");
+  CHECK(shown > 10);
+  CHECK(contains(text, fmt::format("\nPictures of {} more are in the report.\n", 40 - shown)));
+  suite.scenes.assign(60, golden::test::failedScene());
+  CHECK(linesWith(markdownSummary(suite, plain), "| flag | <img") == 50);
 }
 
 TEST_CASE("summary: heading, table, command and what passed") {
