@@ -267,10 +267,9 @@ class Employer {
     const int status = waitFor(worker);
     if (force_.interrupted() != 0) return;
     if (worker.failure.empty())
-      worker.failure = WIFSIGNALED(status)
-                           ? fmt::format("was ended by signal {} ({})", WTERMSIG(status),
-                                         ::strsignal(WTERMSIG(status)))
-                           : fmt::format("ended with status {}", WEXITSTATUS(status));
+      worker.failure = WIFSIGNALED(status) ? fmt::format("was ended by signal {} ({})", WTERMSIG(status),
+                                                         ::strsignal(WTERMSIG(status)))
+                                           : fmt::format("ended with status {}", WEXITSTATUS(status));
     const bool wellDone = WIFEXITED(status) && WEXITSTATUS(status) == 0 && !worker.item && worker.ready;
     if (!wellDone && firstFailure_.empty()) {
       firstFailure_ = worker.failure;

@@ -31,7 +31,8 @@ struct WorkForce {
   std::function<void(const std::string&)> ready;
   /// Called in the order of the items.
   std::function<void(std::size_t item, const std::string& answer)> done;
-  /// The same for an item whose worker ended before it answered, and how ("was ended by signal 9 (Killed)").
+  /// The same for an item whose worker ended before it answered, and how ("was ended by signal 9
+  /// (Killed)").
   std::function<void(std::size_t item, const std::string& how)> lost;
   /// Items that may not be done beside each other, nor out of order.
   std::function<bool(std::size_t item)> alone;

@@ -69,8 +69,8 @@ void chooseDriverThreads() {
   }
   // It hands each thread one equal part of a kernel's work, and all wait for the slowest. With two parts a
   // processor those done first take over; more parts gain little for kernels, and pictures lose.
-  // Processes that share them fill each other's gaps; a thread beside the one that waits for it costs one that has a
-  // single processor a tenth of its time.
+  // Processes that share them fill each other's gaps; a thread beside the one that waits for it costs one
+  // that has a single processor a tenth of its time.
   if (sharers > 1) return setThreads(processors == 1 ? 0 : processors);
   const std::size_t parts = std::min(2 * processors, most);
   const bool room = !addressSpaceBelow(rlim_t{16} << 30) && canStart(needed(parts));

@@ -2,9 +2,9 @@
 #include "base/error.hpp"
 #include "fuzz/reader.hpp"
 #include "golden/report/github.hpp"
-#include "golden/report/markdown.hpp"
 #include "golden/report/json.hpp"
 #include "golden/report/junit.hpp"
+#include "golden/report/markdown.hpp"
 #include "golden/report/text.hpp"
 #include "golden/result.hpp"
 

@@ -46,7 +46,8 @@ fs::path wholePath(const fs::path& folder) {
 }
 
 /// What stands in the src of images, of pictures that the report has in `folder`.
-golden::PictureAddress pictureAddress(const std::string& how, const fs::path& folder, const fs::path& from) {
+golden::PictureAddress pictureAddress(const std::string& how, const fs::path& folder,
+                                      const fs::path& from) {
   if (how == "none") return {};
   if (how == "data")
     return [folder](const std::string& picture) {
@@ -135,8 +136,8 @@ void TestOutputs::check() const {
          "--markdown-pictures takes files, data, none or an address that begins with https://, not \"{}\"",
          pictures);
   if (pictures.find_first_of("\"<> \n") != std::string::npos)
-    fail(ExitCode::usage, "--markdown-pictures takes an address without spaces, quotes and brackets, not \"{}\"",
-         pictures);
+    fail(ExitCode::usage,
+         "--markdown-pictures takes an address without spaces, quotes and brackets, not \"{}\"", pictures);
 }
 
 void TestOutputs::prepare() const {
@@ -182,7 +183,9 @@ void TestOutputs::write(golden::SuiteResult& suite) const {
   }
   // A summary has no files beside it.
   if (github)
-    writeGithub(suite, pictureAddress(pictures.empty() ? "data" : pictures == "files" ? "none" : pictures,
+    writeGithub(suite, pictureAddress(pictures.empty()      ? "data"
+                                      : pictures == "files" ? "none"
+                                                            : pictures,
                                       place, {}));
   if (verbosity() != Verbosity::quiet) printPainted(golden::closingText(suite, colored(), report));
 }

@@ -23,7 +23,8 @@ struct TestOutputs {
 
   /// Of report.json, which the paths of images are relative to; empty: images are not kept.
   [[nodiscard]] std::filesystem::path folder() const;
-  /// Where pictures of failures go: <report>/files, or beside the JSON report or the Markdown; empty: nowhere.
+  /// Where pictures of failures go: <report>/files, or beside the JSON report or the Markdown; empty:
+  /// nowhere.
   [[nodiscard]] std::filesystem::path artifacts() const;
   /// Removes an earlier report. Throws UserError(usage) for a folder that holds something else.
   void prepare() const;

@@ -267,7 +267,7 @@ class PictureRun {
   fs::path folder_;  ///< of the pictures
   std::vector<golden::SceneFile> scenes_;
   std::map<std::string, golden::Inputs> inputs_;  ///< by scene
-  std::vector<std::string> failed_;  ///< scenes whose command failed
+  std::vector<std::string> failed_;               ///< scenes whose command failed
   bool emptyShard_ = false;
   std::string shardNote_;
   golden::Tally tally_;

@@ -23,7 +23,8 @@ namespace fs = std::filesystem;
 /// What is merged must not lie where the result goes: that is emptied first.
 void checkApart(const fs::path& report, const fs::path& folder) {
   std::error_code unknown;
-  const fs::path file = fs::weakly_canonical(report, unknown), place = fs::weakly_canonical(folder, unknown);
+  const fs::path file = fs::weakly_canonical(report, unknown),
+                 place = fs::weakly_canonical(folder, unknown);
   if (std::mismatch(place.begin(), place.end(), file.begin(), file.end()).first == place.end())
     fail(ExitCode::usage, "-o {} holds {}, which is to be merged; give another folder", folder.string(),
          report.string());
@@ -64,7 +65,8 @@ void addReport(CLI::App& app) {
   auto* merging = command->add_subcommand(
       "merge", "Make one report of several, as --shard makes them; ends as one test of all would have");
   merging->add_option("reports", o->reports, "Folders of --report, or files of --json")->required();
-  merging->add_option("-o,--report", o->outputs.report, "Folder for the report and its pictures")->required();
+  merging->add_option("-o,--report", o->outputs.report, "Folder for the report and its pictures")
+      ->required();
   o->outputs.addFiles(*merging);
   merging->callback([o] { merge(o->reports, o->outputs); });
 }

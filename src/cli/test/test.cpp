@@ -69,9 +69,10 @@ void addTest(CLI::App& app) {
   command->add_option("--filter", o->globs, "Only scenes whose name or path matches, repeatable")
       ->allow_extra_args(false);
   command->add_option("--shard", o->shard, "Only the k-th of n parts, for example 2/4");
-  command->add_option("-j,--jobs", o->jobs,
-                      "Scenes (or commands of --run) at once, each in a process of its own with an equal "
-                      "part of the processors; auto: one a processor")
+  command
+      ->add_option("-j,--jobs", o->jobs,
+                   "Scenes (or commands of --run) at once, each in a process of its own with an equal "
+                   "part of the processors; auto: one a processor")
       ->capture_default_str();
   command->add_option("--repeat", o->repeat, "Runs of each scene, which have to agree")
       ->check(CLI::Range(1, 1000))

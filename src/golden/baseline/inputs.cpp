@@ -65,7 +65,8 @@ std::vector<fs::path> buffersOf(const fs::path& file) {
 
 Inputs inputsOf(const fs::path& scene, std::span<const fs::path> named) {
   Inputs inputs;
-  for (const fs::path& file : {scene, scene::sidecarOf(scene)}) inputs[file.generic_string()] = hashOf(file);
+  for (const fs::path& file : {scene, scene::sidecarOf(scene)})
+    inputs[file.generic_string()] = hashOf(file);
   for (const fs::path& file : named) {
     inputs[nameOf(file)] = hashOf(file);
     for (const fs::path& buffer : buffersOf(file)) inputs[nameOf(buffer)] = hashOf(buffer);
@@ -78,10 +79,11 @@ void checkUnchanged(const Inputs& inputs) {
     const fs::path file = fileOf(name);
     const bool there = pathExists(file);
     if (!there && !hash.empty())
-      fail(ExitCode::usage, "{} is gone since that run; run the test again, and accept what that makes", name);
+      fail(ExitCode::usage, "{} is gone since that run; run the test again, and accept what that makes",
+           name);
     if (hashOf(file) != hash)
-      fail(ExitCode::usage, "{} has {} since that run; run the test again, and accept what that makes", name,
-           hash.empty() ? "come" : "changed");
+      fail(ExitCode::usage, "{} has {} since that run; run the test again, and accept what that makes",
+           name, hash.empty() ? "come" : "changed");
   }
 }
 

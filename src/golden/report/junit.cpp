@@ -77,7 +77,8 @@ std::string attachments(const SceneResult& scene, const std::filesystem::path& p
     if (!path.empty() && std::find(paths.begin(), paths.end(), path) == paths.end()) paths.push_back(path);
   };
   const auto addFrame = [&](const FrameResult& frame) {
-    for (const std::string& path : {frame.actualImage, frame.expectedImage, frame.differenceImage}) add(path);
+    for (const std::string& path : {frame.actualImage, frame.expectedImage, frame.differenceImage})
+      add(path);
     for (const OtherPicture& other : frame.others) add(other.image);
   };
   if (const FrameResult* worst = worstFrame(scene)) addFrame(*worst);

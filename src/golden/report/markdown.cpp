@@ -128,9 +128,9 @@ std::string pictureRow(const SceneResult& scene, const PictureAddress& address) 
   if (frame == nullptr || !address) return "";
   std::string row;
   bool any = false;
-  for (const auto& [what, picture] : {std::pair("before", &frame->expectedImage),
-                                      std::pair("after", &frame->actualImage),
-                                      std::pair("difference", &frame->differenceImage)}) {
+  for (const auto& [what, picture] :
+       {std::pair("before", &frame->expectedImage), std::pair("after", &frame->actualImage),
+        std::pair("difference", &frame->differenceImage)}) {
     const std::string where = picture->empty() ? "" : address(*picture);
     any = any || !where.empty();
     row += where.empty() ? " – |"

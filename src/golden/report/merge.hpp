@@ -23,8 +23,9 @@ struct Merged {
 };
 
 /// One report of the scenes of several, each of which one report holds. Their pictures are copied below
-/// `folder`/files; one that is gone is noted. Throws UserError(usage) for a scene or a shard that two reports
-/// hold, and for reports that do not belong together.
-[[nodiscard]] Merged mergeReports(const std::vector<PartReport>& parts, const std::filesystem::path& folder);
+/// `folder`/files; one that is gone is noted. Throws UserError(usage) for a scene or a shard that two
+/// reports hold, and for reports that do not belong together.
+[[nodiscard]] Merged mergeReports(const std::vector<PartReport>& parts,
+                                  const std::filesystem::path& folder);
 
 }  // namespace simreel::golden

@@ -82,7 +82,7 @@ class SceneTest {
   std::set<int> failedPictures_;
   std::optional<StepTrace> steps_;  ///< of the baseline
   Inputs inputs_;
-  bool damaged_ = false;            ///< some file of the baseline cannot be used
+  bool damaged_ = false;  ///< some file of the baseline cannot be used
   bool damagedSteps_ = false;
   std::vector<Stale> stale_;
   std::map<int, PassHashes> passes_;  ///< filled when somebody asks

@@ -1,6 +1,5 @@
 """What CI servers show of a test: annotations, Markdown with pictures, attachments of JUnit; and the steps of tools/ci."""
 import base64
-import json
 import os
 import re
 import shutil
@@ -9,7 +8,7 @@ import urllib.parse
 import xml.etree.ElementTree as ElementTree
 
 from common import PROGRAM, SOURCE, main, png_rows
-from golden_common import RED, TESTED, GoldenCase, with_values
+from golden_common import RED, GoldenCase, png
 
 STEPS = SOURCE / "tools/ci/steps.sh"
 # Variables that a server running these tests sets itself.
@@ -58,63 +57,65 @@ class Servers(GoldenCase):
         for count, shown in ((10, 10), (12, 10)):
             for i in range(count):
                 self.write(f"scenes/s{i:02}.json", "no json")
-            self.write("scenes/a.json", "no json")
-            (self.folder / "scenes/a.json").unlink()
+            (self.folder / "scenes/a.json").unlink(missing_ok=True)
             made = self.annotations(code=2)
             self.assertEqual(len(made), shown)
         self.assertEqual(made[9][1:], ("", "", "simreel", "3 more; the summary and the report have all"))
         self.assertEqual(made[8][1], "scenes/s08.json")
 
+    def pictures(self):
+        """x.png, drawn otherwise than its baseline."""
+        def picture(value):
+            return png(320, 20, [b"".join(bytes([value, x % 251, 9]) for x in range(320))] * 20)
+        self.write("old/x.png", picture(10))
+        self.write("new/x.png", picture(200))
+
+    def compare(self, code, *arguments, **env):
+        done = self.run_program("test", "--expected", "old", "--actual", "new", *arguments, env={**SERVER, **env})
+        self.assertEqual(done.returncode, code, done.err)
+
     def test_markdown(self):
-        self.make_baselines()
-        self.set_scene(RED)
-        # Files: small ones are not made, the page shows those of the report.
-        self.run_suite(1, "--markdown", "deep/s.md", "--report", "r & d")
-        text = (self.folder / "deep/s.md").read_text(encoding="utf-8")
-        images = self.images(text)
+        self.pictures()
+        read = lambda name: (self.folder / name).read_text(encoding="utf-8")
+        # Files: the page shows small those of the report.
+        self.compare(1, "--markdown", "deep/s.md", "--report", "r & d")
+        images = self.images(read("deep/s.md"))
         self.assertEqual([what for _, what in images], ["before", "after", "difference"])
         for address, _ in images:
             self.assertTrue((self.folder / "deep" / urllib.parse.unquote(address)).is_file(), address)
         # Alone it keeps the pictures beside it.
-        self.run_program("test", "scenes", "--markdown", "s.md")
-        self.assertTrue(all((self.folder / address).is_file() for address, _ in self.images(self.folder.joinpath("s.md").read_text())))
-        # Within the text, also in a job summary; an address; none.
+        self.compare(1, "--markdown", "s.md")
+        self.assertEqual([(self.folder / address).is_file() for address, _ in self.images(read("s.md"))], [True] * 3)
+        # Within the text, as in a job summary; an address; none.
         summary = self.write("summary", "earlier\n")
-        server = {**SERVER, "GITHUB_STEP_SUMMARY": str(summary)}
-        self.run_suite(1, "--report", "r", "--github", env=server)
-        text = summary.read_text(encoding="utf-8")
-        self.assertTrue(text.startswith("earlier\n"))
-        self.assertLess(len(text), 1 << 20)
-        before, after, difference = (base64.b64decode(a.removeprefix("data:image/png;base64,")) for a, _ in self.images(text))
-        self.assertEqual(png_rows(before)[:2], (64, 36))
-        self.assertEqual(len({before, after, difference}), 3)
-        for how, start in (("https://host/x", "https://host/x/files/a/"), ("https://host/", "https://host/files/a/")):
-            self.run_suite(1, "--report", "r", "--markdown", "s.md", "--markdown-pictures", how)
-            addresses = [a for a, _ in self.images((self.folder / "s.md").read_text(encoding="utf-8"))]
-            self.assertEqual([a.startswith(start) for a in addresses], [True] * 3)
-        self.run_suite(1, "--report", "r", "--markdown", "s.md", "--markdown-pictures", "none")
-        self.assertEqual(self.images((self.folder / "s.md").read_text(encoding="utf-8")), [])
+        self.compare(1, "--report", "r", "--github", GITHUB_STEP_SUMMARY=str(summary))
+        self.assertTrue(read("summary").startswith("earlier\n"))
+        within = [base64.b64decode(a.removeprefix("data:image/png;base64,")) for a, _ in self.images(read("summary"))]
+        self.assertEqual([png_rows(picture)[:2] for picture in within], [(160, 10)] * 3)
+        self.assertEqual(len(set(within)), 3)
+        for how, start in (("https://host/x", "https://host/x/files/x.png/"), ("https://host/", "https://host/files/x.png/")):
+            self.compare(1, "--report", "r", "--markdown", "s.md", "--markdown-pictures", how)
+            self.assertEqual([a.startswith(start) for a, _ in self.images(read("s.md"))], [True] * 3)
+        self.compare(1, "--report", "r", "--markdown", "s.md", "--markdown-pictures", "none")
+        self.assertEqual(self.images(read("s.md")), [])
         for bad in ("ftp://x", "x", 'https://x"onload', "https://x y"):
             self.bad(2, "--markdown-pictures takes", "test", "scenes", "--markdown", "s.md", "--markdown-pictures", bad)
 
     def test_attachments(self):
-        self.make_baselines()
-        self.set_scene(RED)
-        self.run_suite(1, "--report", "out/r", "--junit", "j.xml", env=SERVER)
+        self.pictures()
+        self.compare(1, "--report", "out/r", "--junit", "j.xml")
         paths = self.attachments("j.xml")
-        self.assertEqual(len(paths), 9)  # of three frames: before, after, difference
-        self.assertEqual(len(set(paths)), 9)
-        self.assertIn("candidate", paths[0])  # GitLab shows the first: what was drawn
+        self.assertEqual([path.rpartition("/")[2] for path in paths], ["actual.png", "expected.png", "difference.png"])
         for path in paths:
             self.assertTrue((self.folder / path).is_file(), path)
         # The project's folder, where the server says it; else the one that it ran in.
         for name in ("CI_PROJECT_DIR", "WORKSPACE"):
-            self.run_suite(1, "--report", "out/r", "--junit", "j.xml", env={**SERVER, name: str(self.folder / "out")})
-            self.assertTrue(all((self.folder / "out" / path).is_file() for path in self.attachments("j.xml")))
-            self.run_suite(1, "--report", "out/r", "--junit", "j.xml", env={**SERVER, name: "/nowhere"})
+            self.compare(1, "--report", "out/r", "--junit", "j.xml", **{name: str(self.folder / "out")})
+            self.assertEqual(self.attachments("j.xml")[0], paths[0].removeprefix("out/"))
+            self.compare(1, "--report", "out/r", "--junit", "j.xml", **{name: "/nowhere"})
             self.assertEqual(self.attachments("j.xml")[0], str(self.folder / paths[0]))
         # Nothing that is not kept.
-        self.run_program("test", "scenes", "--junit", "j.xml")
+        self.compare(1, "--junit", "j.xml")
         self.assertNotIn("ATTACHMENT", (self.folder / "j.xml").read_text(encoding="utf-8"))
 
 

@@ -68,7 +68,8 @@ class Jobs(Several):
         (self.folder / "scenes/c.json").unlink()
         self.assertEqual(self.run_program("test", "scenes", "--jobs", "auto", "--filter", "[ab]").returncode, 1)
         for jobs in ("1", "3"):
-            done = self.run_program("test", "scenes", "--report", f"r{jobs}", "--junit", f"r{jobs}/j.xml", "--jobs", jobs)
+            done = self.run_program("test", "scenes", "--report", f"r{jobs}", "--junit", f"r{jobs}/j.xml", "--jobs", jobs,
+                                    "--repeat", "1")
             self.assertEqual(done.returncode, 1, done.err)
             (self.folder / f"r{jobs}/out").write_bytes(re.sub(rb"[0-9.]+ s\b", b"", done.stdout))
             xml = self.folder / f"r{jobs}/j.xml"
@@ -80,10 +81,10 @@ class Jobs(Several):
 
     def test_baselines_are_the_same(self):
         self.set_scene(RED, "b")
-        self.good("test", "scenes", "--update", "--jobs", "1")
+        self.good("test", "scenes", "--update", "--repeat", "1", "--jobs", "1")
         one = self.tree("scenes/golden")
         shutil.rmtree(self.golden())
-        self.good("test", "scenes", "--update", "--jobs", "4")
+        self.good("test", "scenes", "--update", "--repeat", "1", "--jobs", "4")
         self.assertEqual(self.tree("scenes/golden"), one)
         # Of two new scenes that look like one that is gone, the first takes its baseline: whoever is quicker.
         (self.folder / "scenes/b.json").unlink()
@@ -303,11 +304,11 @@ class Accepting(Several):
 
     def test_two_runs_at_once(self):
         """Who writes the same baselines may be stopped by the other: every file is whole, and once more mends the rest."""
-        both = [self.start("test", "scenes", "--update", "--jobs", "2", "--report", f"r{i}") for i in range(2)]
+        both = [self.start("test", "scenes/a.json", "scenes/b.json", "--repeat", "1", "--update", "--jobs", "2", "--report", f"r{i}") for i in range(2)]
         for process in both:
             self.assertIn(process.wait(timeout=120), (0, 6))
-        self.good("test", "scenes", "--update")
-        both = [self.start("test", "scenes", "--jobs", "2", "--report", f"r{i}") for i in range(2)]
+        self.good("test", "scenes/a.json", "scenes/b.json", "--repeat", "1", "--update")
+        both = [self.start("test", "scenes/a.json", "scenes/b.json", "--repeat", "1", "--jobs", "2", "--report", f"r{i}") for i in range(2)]
         self.assertEqual([process.wait(timeout=120) for process in both], [0, 0])
 
 

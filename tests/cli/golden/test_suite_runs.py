@@ -149,7 +149,7 @@ class Outputs(GoldenCase):
         summary = self.write("summary.md", "# Before\n")
         done = self.run_program("test", "scenes", "--github", env={"GITHUB_STEP_SUMMARY": str(summary)})
         self.assertEqual(done.returncode, 1)
-        self.assertIn("::error file=scenes/a.json,title=", done.stdout.decode())
+        self.assertIn("::error file=scenes/a.json,line=", done.stdout.decode())
         text = summary.read_text(encoding="utf-8")
         self.assertTrue(text.startswith("# Before\n"))
         self.assertIn("| a |", text.replace("`", ""))

@@ -19,8 +19,9 @@ struct Heard {
 };
 
 /// Answers "item 3", late for early items, unless `end` ends the process first.
-WorkForce force(std::size_t workers, std::size_t items, Heard& heard,
-                const std::function<void(std::size_t)>& end = [](std::size_t) {}) {
+WorkForce force(
+    std::size_t workers, std::size_t items, Heard& heard,
+    const std::function<void(std::size_t)>& end = [](std::size_t) {}) {
   std::signal(SIGPIPE, SIG_IGN);
   WorkForce made;
   made.workers = workers;
@@ -56,8 +57,8 @@ TEST_CASE("workers: answers come in order, however long each took") {
   for (const std::size_t workers : {1U, 3U, 20U}) {
     Heard heard;
     employ(force(workers, 7, heard));
-    CHECK(heard.said == std::vector<std::string>{"item 0", "item 1", "item 2", "item 3", "item 4", "item 5",
-                                                 "item 6"});
+    CHECK(heard.said ==
+          std::vector<std::string>{"item 0", "item 1", "item 2", "item 3", "item 4", "item 5", "item 6"});
     CHECK(heard.ready == 1);
   }
   Heard none;

@@ -1,6 +1,6 @@
 #include "golden/report/github.hpp"
-#include "golden/report/markdown.hpp"
 
+#include "golden/report/markdown.hpp"
 #include "golden/report/words.hpp"
 #include "unit/frame/help.hpp"
 #include "unit/golden/suite.hpp"
@@ -101,7 +101,8 @@ TEST_CASE("annotations: one line each whatever the names hold") {
 TEST_CASE("annotations: nine of a kind and one that counts the rest") {
   SuiteResult suite;
   const auto fill = [&](Status status, int count) {
-    for (int i = 0; i < count; ++i) suite.scenes.push_back(golden::test::scene("s" + std::to_string(i), status));
+    for (int i = 0; i < count; ++i)
+      suite.scenes.push_back(golden::test::scene("s" + std::to_string(i), status));
   };
   fill(Status::fail, 10);
   fill(Status::updated, 30);

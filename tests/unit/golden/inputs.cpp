@@ -13,7 +13,9 @@ using namespace simreel::golden;
 TEST_CASE("inputs: the scene, its sidecar, what it names and the buffers of glTF") {
   const frame::test::TemporaryFolder folder;
   const auto file = [&](const std::string& name) { return folder / name; };
-  const auto write = [&](const std::string& name, std::string_view text) { writeFileAtomically(file(name), text); };
+  const auto write = [&](const std::string& name, std::string_view text) {
+    writeFileAtomically(file(name), text);
+  };
   write("a.json", "{}");
   write("m.gltf", R"({"buffers": [{"uri": "my%20buffer.bin"}, {"uri": "data:;base64,AA"}, {}]})");
   write("my buffer.bin", "123");
@@ -28,8 +30,8 @@ TEST_CASE("inputs: the scene, its sidecar, what it names and the buffers of glTF
   CHECK(inputs.contains("<assets>/scenes/flag.json") != inputs.contains("assets/scenes/flag.json"));
   CHECK_NOTHROW(checkUnchanged(inputs));
   write("my buffer.bin", "124");
-  CHECK_THROWS_WITH_AS(checkUnchanged(inputs), doctest::Contains("my buffer.bin has changed since that run"),
-                       UserError);
+  CHECK_THROWS_WITH_AS(checkUnchanged(inputs),
+                       doctest::Contains("my buffer.bin has changed since that run"), UserError);
   removeFile(file("my buffer.bin"));
   CHECK_THROWS_WITH_AS(checkUnchanged(inputs), doctest::Contains("my buffer.bin is gone since that run"),
                        UserError);
