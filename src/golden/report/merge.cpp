@@ -3,6 +3,7 @@
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "golden/report/json.hpp"
+#include "golden/report/words.hpp"
 #include "golden/suite/scene_set.hpp"
 
 #include <algorithm>
@@ -47,14 +48,15 @@ class Luggage {
     // Links are not followed: a report from elsewhere must not fetch files of this machine.
     const fs::file_status status = fs::symlink_status(source, unknown);
     if (fs::is_directory(status)) {
+      std::vector<fs::path> files;  // first of all: the copies may go below
       for (const auto& entry : fs::recursive_directory_iterator(source, unknown))
-        if (entry.is_regular_file(unknown) && !entry.is_symlink(unknown))
-          copy(entry.path(), to_ / path / entry.path().lexically_relative(source));
+        if (entry.is_regular_file(unknown) && !entry.is_symlink(unknown)) files.push_back(entry.path());
+      for (const fs::path& file : files) copy(file, to_ / path / file.lexically_relative(source));
     } else if (fs::is_regular_file(status)) {
       copy(source, to_ / path);
     } else {
-      notes_.push_back(fmt::format("{} of {} is gone; what is left out of {} cannot be accepted",
-                                   source.generic_string(), scene.name, from_.generic_string()));
+      notes_.push_back(fmt::format("{} of {} is gone; the folder of a report goes with it",
+                                   source.generic_string(), scene.name));
       path.clear();
     }
   }
@@ -108,7 +110,7 @@ std::string shardNotes(const std::vector<PartReport>& parts, std::vector<std::st
   for (const auto& [n, known] : reports)
     for (std::size_t k = 1; k <= n; ++k)
       if (!known.contains(k)) missing.push_back(fmt::format("{}/{}", k, n));
-  return fmt::format("merged from {} reports", parts.size());
+  return "merged from " + counted(static_cast<long>(parts.size()), "report");
 }
 
 void mergeEnvironment(const SuiteResult& part, SuiteResult& all) {
