@@ -7,6 +7,7 @@
 #include <signal.h>
 #include <spawn.h>
 #include <sys/mman.h>
+#include <sys/prctl.h>
 #include <time.h>
 #include <unistd.h>
 
@@ -15,10 +16,17 @@ namespace simreel {
 namespace {
 
 // Signal handlers read these. One too many is not watched.
-constexpr std::size_t maxWatched = 8;
+constexpr std::size_t maxWatched = 264;
 std::array<std::atomic<pid_t>, maxWatched> running{};
 std::atomic<bool> ended = false;
 static_assert(std::atomic<pid_t>::is_always_lock_free);
+
+void watch(pid_t child) {
+  for (std::atomic<pid_t>& slot : running) {
+    pid_t none = 0;
+    if (slot.compare_exchange_strong(none, child)) return;
+  }
+}
 
 class SpawnSettings {
  public:
@@ -70,10 +78,23 @@ int startProcess(const std::vector<std::string>& arguments, const ChildStreams& 
   const int error = SpawnSettings(streams).spawn(started, pointers.front(), pointers.data());
   if (error != 0) return error;
   child = started;
-  for (std::atomic<pid_t>& slot : running) {
-    pid_t none = 0;
-    if (slot.compare_exchange_strong(none, started)) break;
+  watch(started);
+  return 0;
+}
+
+pid_t forkProcess() {
+  const pid_t parent = ::getpid();
+  const pid_t child = ::fork();
+  if (child < 0) return child;
+  if (child > 0) {
+    ::setpgid(child, child);  // both do: whoever comes first
+    watch(child);
+    return child;
   }
+  ::setpgid(0, 0);
+  for (std::atomic<pid_t>& slot : running) slot = 0;
+  ::prctl(PR_SET_PDEATHSIG, SIGTERM);
+  if (::getppid() != parent) ::_exit(1);  // it ended before that held
   return 0;
 }
 

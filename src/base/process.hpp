@@ -18,6 +18,11 @@ struct ChildStreams {
 [[nodiscard]] int startProcess(const std::vector<std::string>& arguments, const ChildStreams& streams,
                                pid_t& child);
 
+/// A copy of this process, in a process group of its own as well, which SIGTERM reaches when this one ends.
+/// Returns 0 in the copy, which knows nothing of the children of this one; -1 with errno set where there is
+/// none. Call it while no other thread runs.
+[[nodiscard]] pid_t forkProcess();
+
 /// Call before a child is reaped, or right after.
 void childEnded(pid_t child) noexcept;
 /// Kills every child that has not ended, with its group. For signal handlers, too.

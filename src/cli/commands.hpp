@@ -32,6 +32,7 @@ void addTrace(CLI::App& app);
 void addBisect(CLI::App& app);
 void addBench(CLI::App& app);
 void addAccept(CLI::App& app);
+void addReport(CLI::App& app);
 
 /// What was typed, quoted for a shell where needed.
 [[nodiscard]] const std::string& commandLine();

@@ -96,7 +96,7 @@ void addCommands(CLI::App& app) {
   app.add_flag_callback(
       "-v,--verbose", [] { setVerbosity(Verbosity::verbose); }, "Say more");
   for (const auto add : {addRender, addValidate, addSchema, addList, addDoctor, addBake, addTest, addTrace,
-                         addBisect, addAccept, addDiff, addBench})
+                         addBisect, addAccept, addReport, addDiff, addBench})
     add(app);
 }
 

@@ -19,6 +19,8 @@ namespace simreel::gl {
 
 namespace {
 
+std::size_t sharers = 1;
+
 /// Whether so many threads can live at once besides those there are.
 bool canStart(std::size_t count) {
   std::vector<std::thread> threads;
@@ -46,10 +48,14 @@ void setThreads(std::size_t count) {
 
 }  // namespace
 
+void shareProcessors(std::size_t processes) {
+  sharers = std::max<std::size_t>(processes, 1);
+}
+
 void chooseDriverThreads() {
   // llvmpipe starts so many threads for pictures and so many for kernels, 32 at most; then come ours.
   constexpr std::size_t most = 32;
-  const std::size_t processors = std::min(processorCount(), most);
+  const std::size_t processors = std::clamp<std::size_t>(processorCount() / sharers, 1, most);
   const auto needed = [&](std::size_t threads) { return 2 * threads + processors + 4; };
   // Measured: 1.4 GB on 4 processors with a thread each, most of it reserved for threads.
   const bool little = addressSpaceBelow(rlim_t{3} << 30);
@@ -63,6 +69,9 @@ void chooseDriverThreads() {
   }
   // It hands each thread one equal part of a kernel's work, and all wait for the slowest. With two parts a
   // processor those done first take over; more parts gain little for kernels, and pictures lose.
+  // Processes that share them fill each other's gaps; a thread beside the one that waits for it costs one
+  // that has a single processor a tenth of its time.
+  if (sharers > 1) return setThreads(processors == 1 ? 0 : processors);
   const std::size_t parts = std::min(2 * processors, most);
   const bool room = !addressSpaceBelow(rlim_t{16} << 30) && canStart(needed(parts));
   setThreads(room ? parts : processors);

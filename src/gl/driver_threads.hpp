@@ -1,6 +1,11 @@
 #pragma once
+#include <cstddef>
 
 namespace simreel::gl {
+
+/// Says that so many processes like this one share the processors: each gets an equal part of them, a
+/// thread of the driver on each. Call before the first context.
+void shareProcessors(std::size_t processes);
 
 /// Call before the first context. How many threads a software driver shall use, as $LP_NUM_THREADS, which
 /// stays where it is set: two a processor, so that no processor waits for a slower one. Where the

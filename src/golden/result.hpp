@@ -1,4 +1,6 @@
 #pragma once
+#include "base/error.hpp"
+
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -125,6 +127,13 @@ struct Attempt {
   bool operator==(const Attempt&) const = default;
 };
 
+/// What somebody wrote that a result is about.
+struct Place {
+  std::string file;
+  int line = 1;  ///< from 1
+  bool operator==(const Place&) const = default;
+};
+
 struct SceneResult {
   std::string name;  ///< unique in the run: the scene's path below the folder, without extension
   std::string file;
@@ -147,6 +156,9 @@ struct SceneResult {
   std::optional<Divergence> divergence;
   /// Folder with what `simreel accept` would promote, relative to report.json; or empty.
   std::string candidate;
+  /// Of what has a candidate: the files that the scene was made of, and their hashes (baseline/inputs.hpp).
+  std::map<std::string, std::string> inputs;
+  std::optional<Place> blame;  ///< of a scene that did not pass
   /// Of a picture without a baseline: the baseline without a picture that has its pixels; or empty.
   std::string renamedFrom;
   bool operator==(const SceneResult&) const = default;
@@ -160,6 +172,14 @@ struct Stale {
   bool operator==(const Stale&) const = default;
 };
 
+/// What the test of one scene makes of it.
+struct Outcome {
+  SceneResult scene;
+  ExitCode error = ExitCode::ok;  ///< what kept a scene of Status::error from being tested
+  bool hardFailed = false;        ///< on some try: nothing excuses that
+  std::vector<Stale> stale;       ///< what of its baselines nothing was tested against
+};
+
 struct SuiteResult {
   std::string version;
   std::string unit = "scene";  ///< what was tested: "scene" or "picture"
@@ -167,6 +187,7 @@ struct SuiteResult {
   /// Of this run; fingerprints of numerics and of drawing.
   std::string driver, processor, profile, fingerprint, drawing, memoryPath;
   std::string command;        ///< as typed
+  std::string shard;          ///< "2/4" where this is a part of a run; empty: all of it
   std::string acceptCommand;  ///< to promote this run; empty where nothing was kept
   bool allowFlaky = false;    ///< a flaky scene does not fail the run
   bool strict = false;        ///< stale baselines fail the run

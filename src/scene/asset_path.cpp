@@ -57,7 +57,7 @@ fs::path AssetFolders::find(const std::string& name, std::string& problem) const
     }
     const fs::file_status status = fs::status(file, error);
     if (error || !fs::exists(status)) continue;
-    if (fs::is_regular_file(status)) return file;
+    if (fs::is_regular_file(status)) return *found_.insert(file).first;
     problem = fmt::format("{} is not a file", inQuotes(name));
     return {};
   }

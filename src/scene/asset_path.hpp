@@ -1,5 +1,6 @@
 #pragma once
 #include <filesystem>
+#include <set>
 #include <span>
 #include <string>
 #include <vector>
@@ -17,9 +18,12 @@ class AssetFolders {
 
   /// Full path of the file; empty, with the reason in `problem`, when it is missing or outside.
   [[nodiscard]] std::filesystem::path find(const std::string& name, std::string& problem) const;
+  /// What find() has found so far.
+  [[nodiscard]] const std::set<std::filesystem::path>& found() const { return found_; }
 
  private:
   std::vector<std::filesystem::path> roots_;  ///< canonical
+  mutable std::set<std::filesystem::path> found_;
 };
 
 }  // namespace simreel::scene

@@ -208,6 +208,7 @@ Scene parse(std::string_view text, const std::filesystem::path& file, const std:
   }
   if (!diagnostics.empty()) throw UserError(ExitCode::usage, diagnostics.report(), UserError::Form::report);
 
+  scene.files.assign(assets.found().begin(), assets.found().end());
   std::string hashed(text);
   for (const Override& change : with.overrides) {
     scene.overrides.push_back(change.path + "=" + change.value);

@@ -165,8 +165,9 @@ struct Scene {
   std::vector<Object> objects;
   Test test;
   std::vector<Check> checks;
-  std::string hash;                    ///< of the scene's text and overrides; 32 hexadecimal digits
-  std::vector<std::string> overrides;  ///< "path=value" of each, as they were applied
+  std::vector<std::filesystem::path> files;  ///< that it names, found
+  std::string hash;                          ///< of the scene's text and overrides; 32 hexadecimal digits
+  std::vector<std::string> overrides;        ///< "path=value" of each, as they were applied
 
   [[nodiscard]] int frameCount() const;
   /// Whether its pictures have the same bytes on every machine.

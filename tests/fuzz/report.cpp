@@ -4,6 +4,7 @@
 #include "golden/report/github.hpp"
 #include "golden/report/json.hpp"
 #include "golden/report/junit.hpp"
+#include "golden/report/markdown.hpp"
 #include "golden/report/text.hpp"
 #include "golden/result.hpp"
 
@@ -13,7 +14,7 @@ void simreel::fuzz::read(std::string_view bytes) {
   SIMREEL_CHECK_EQ(golden::reportText(golden::parseReport(text, "again.json")), text);
   static_cast<void>(golden::junitText(suite));
   static_cast<void>(golden::githubAnnotations(suite));
-  static_cast<void>(golden::githubSummary(suite));
+  static_cast<void>(golden::markdownSummary(suite));
   static_cast<void>(golden::closingText(suite));
   for (const auto& scene : suite.scenes) static_cast<void>(golden::sceneLine(scene));
 }

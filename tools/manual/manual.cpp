@@ -78,12 +78,24 @@ Command commandOf(const CLI::App& app) {
   return command;
 }
 
+/// With those below it: "report merge reports..." is told as one.
+Command wholeCommandOf(const CLI::App& app) {
+  Command command = commandOf(app);
+  for (const CLI::App* below : app.get_subcommands([](const CLI::App*) { return true; })) {
+    const Command part = commandOf(*below);
+    command.arguments += " " + part.name + part.arguments;
+    command.doc += ". " + part.name + ": " + part.doc;
+    command.flags.insert(command.flags.end(), part.flags.begin(), part.flags.end());
+  }
+  return command;
+}
+
 /// The program's own flags, which go anywhere, as a command without a name; then its commands.
 std::vector<Command> commandsOf(const CLI::App& app) {
   std::vector<Command> all = {commandOf(app)};
   all.front().name.clear();
   for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
-    all.push_back(commandOf(*command));
+    all.push_back(wholeCommandOf(*command));
   return all;
 }
 

@@ -8,7 +8,9 @@
 #include "golden/report/html.hpp"
 #include "golden/report/json.hpp"
 #include "golden/report/junit.hpp"
+#include "golden/report/markdown.hpp"
 #include "golden/report/text.hpp"
+#include "golden/report/thumbnail.hpp"
 
 #include <algorithm>
 #include <cstdio>
@@ -37,7 +39,39 @@ golden::SuiteResult forElsewhere(golden::SuiteResult suite) {
   return suite;
 }
 
-void writeGithub(const golden::SuiteResult& suite) {
+/// From the root, without a slash at its end; empty is the current folder.
+fs::path wholePath(const fs::path& folder) {
+  const fs::path whole = (fs::current_path() / folder).lexically_normal();
+  return whole.has_filename() ? whole : whole.parent_path();
+}
+
+/// What stands in the src of images, of pictures that the report has in `folder`.
+golden::PictureAddress pictureAddress(const std::string& how, const fs::path& folder,
+                                      const fs::path& from) {
+  if (how == "none") return {};
+  if (how == "data")
+    return [folder](const std::string& picture) {
+      return golden::dataAddress(folder / picture, golden::thumbnailWidth);
+    };
+  std::string before = how;
+  if (how == "files")
+    before = golden::addressOf(wholePath(folder).lexically_relative(wholePath(from)).generic_string());
+  if (!before.empty() && !before.ends_with('/')) before += '/';
+  return [before](const std::string& picture) { return before + golden::addressOf(picture); };
+}
+
+/// The report's folder as GitLab and Jenkins have it: relative to that of the project, where it is below.
+fs::path folderInProject(const fs::path& folder) {
+  fs::path project;
+  for (const char* name : {"WORKSPACE", "CI_PROJECT_DIR"})
+    // NOLINTNEXTLINE(concurrency-mt-unsafe): the environment is only read.
+    if (const char* given = std::getenv(name); given != nullptr && *given != '\0') project = given;
+  const fs::path whole = wholePath(folder);
+  const fs::path below = whole.lexically_relative(wholePath(project));
+  return below.empty() || *below.begin() == ".." ? whole : below;
+}
+
+void writeGithub(const golden::SuiteResult& suite, const golden::PictureAddress& address) {
   // The one text that is made of commands.
   const std::string commands = golden::githubAnnotations(suite);
   static_cast<void>(std::fwrite(commands.data(), 1, commands.size(), stdout));
@@ -46,7 +80,7 @@ void writeGithub(const golden::SuiteResult& suite) {
   if (place == nullptr || *place == '\0') return;
   // Earlier steps of the job may have written there.
   std::FILE* file = std::fopen(place, "a");
-  const std::string text = golden::githubSummary(suite);
+  const std::string text = golden::markdownSummary(suite, address);
   const bool written = file != nullptr && std::fwrite(text.data(), 1, text.size(), file) == text.size();
   if ((file != nullptr && std::fclose(file) != 0) || !written)
     fail(ExitCode::inputOutput, "cannot write the job summary to {}", place);
@@ -69,21 +103,45 @@ std::string acceptCommand(const golden::SuiteResult& suite, const std::string& r
 
 void TestOutputs::add(CLI::App& command) {
   command.add_option("--report", report, "Folder for the HTML report, its pictures and report.json");
+  addFiles(command);
+}
+
+void TestOutputs::addFiles(CLI::App& command) {
   command.add_option("--junit", junit, "JUnit XML file");
   command.add_option("--json", json, "JSON report; without --report, pictures of failures go beside it");
+  command.add_option("--markdown", markdown,
+                     "A summary with small pictures, for a comment or a page; without --report and --json, "
+                     "pictures of failures go beside it");
+  command.add_option("--markdown-pictures", pictures,
+                     "How they get there: files (the default), data (within the text; the default of job "
+                     "summaries, though github.com leaves those out), none, or the address (https://...) "
+                     "that the report's folder is served at");
   command.add_flag("--github", github, "Print annotations and write the job summary of GitHub Actions");
 }
 
 fs::path TestOutputs::folder() const {
-  return report.empty() ? fs::path(json).parent_path() : fs::path(report);
+  return report.empty() ? fs::path(json.empty() ? markdown : json).parent_path() : fs::path(report);
 }
 
 fs::path TestOutputs::artifacts() const {
   if (!report.empty()) return fs::path(report) / "files";
-  return json.empty() ? fs::path() : fs::path(fs::path(json).replace_extension().string() + "-files");
+  const std::string& file = json.empty() ? markdown : json;
+  return file.empty() ? fs::path() : fs::path(fs::path(file).replace_extension().string() + "-files");
+}
+
+void TestOutputs::check() const {
+  if (!pictures.empty() && pictures != "files" && pictures != "data" && pictures != "none" &&
+      !pictures.starts_with("http://") && !pictures.starts_with("https://"))
+    fail(ExitCode::usage,
+         "--markdown-pictures takes files, data, none or an address that begins with https://, not \"{}\"",
+         pictures);
+  if (pictures.find_first_of("\"<> \n") != std::string::npos)
+    fail(ExitCode::usage,
+         "--markdown-pictures takes an address without spaces, quotes and brackets, not \"{}\"", pictures);
 }
 
 void TestOutputs::prepare() const {
+  check();
   if (report.empty()) return;
   std::error_code error;
   const fs::path place = report;
@@ -113,8 +171,22 @@ void TestOutputs::write(golden::SuiteResult& suite) const {
   }
   if (!json.empty())
     writeFileAtomically(json, golden::reportText(report.empty() ? suite : forElsewhere(suite)));
-  if (!junit.empty()) writeFileAtomically(junit, golden::junitText(suite));
-  if (github) writeGithub(suite);
+  const fs::path place = folder();
+  const bool kept = !artifacts().empty();
+  if (!junit.empty())
+    writeFileAtomically(junit, golden::junitText(suite, kept ? folderInProject(place) : fs::path()));
+  if (!markdown.empty()) {
+    const fs::path beside = fs::path(markdown).parent_path();
+    makeFolders(beside);
+    const auto address = pictureAddress(pictures.empty() ? "files" : pictures, place, beside);
+    writeFileAtomically(markdown, golden::markdownSummary(suite, address));
+  }
+  // A summary has no files beside it.
+  if (github)
+    writeGithub(suite, pictureAddress(pictures.empty()      ? "data"
+                                      : pictures == "files" ? "none"
+                                                            : pictures,
+                                      place, {}));
   if (verbosity() != Verbosity::quiet) printPainted(golden::closingText(suite, colored(), report));
 }
 

@@ -9,6 +9,7 @@
 #include "cli/commands.hpp"
 #include "cli/test/test_options.hpp"
 #include "frame/interrupt.hpp"
+#include "golden/baseline/inputs.hpp"
 #include "golden/pictures/picture_folder.hpp"
 #include "golden/pictures/picture_test.hpp"
 #include "golden/pictures/render_command.hpp"
@@ -16,6 +17,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -63,6 +65,9 @@ void checkOptions(const TestOptions& o) {
   if (!o.paths.empty() && o.run.find("{scene}") == std::string::npos)
     fail(ExitCode::usage, "{} is given, but the command of --run has no {{scene}} to put it in",
          o.paths.front());
+  if (!o.shard.empty() && o.updateMode() == golden::Update::prune)
+    fail(ExitCode::usage,
+         "--update=prune has to know all pictures, and --shard leaves some out; give one of them");
   if (!o.profile.empty() || !o.reason.empty() || o.retries > 0)
     fail(ExitCode::usage, "--profile, --reason and --retries are for scenes, not for pictures");
   std::error_code unknown;
@@ -105,6 +110,7 @@ class PictureRun {
  public:
   explicit PictureRun(const TestOptions& o) : o_(o), begin_(Clock::now()) {
     checkOptions(o);
+    jobs_ = o.jobCount();
     options_.expected = o.expected;
     options_.rules = rulesOf(o);
     options_.update = o.updateMode();
@@ -117,6 +123,7 @@ class PictureRun {
     suite_.expected = fs::path(o.expected).generic_string();
     suite_.command = o.command;
     suite_.strict = o.strict;
+    suite_.shard = o.shard;
   }
 
   void run() {
@@ -154,8 +161,18 @@ class PictureRun {
       fail(ExitCode::usage, "--run with {{scene}} needs scenes: files or folders of them");
     std::erase_if(scenes_ = golden::findInputs(o_.paths),
                   [&](const golden::SceneFile& scene) { return !chosen(o_, scene.name); });
-    if (!o_.shard.empty()) scenes_ = golden::shardOf(scenes_, o_.shard);
-    if (scenes_.empty()) fail(ExitCode::nothingRan, "no scene matches --filter and --shard");
+    if (scenes_.empty()) fail(ExitCode::nothingRan, "no scene matches --filter");
+    takeShard(scenes_, "scene");
+  }
+
+  /// The part of this run.
+  template <class Item>
+  void takeShard(std::vector<Item>& all, const char* unit) {
+    if (o_.shard.empty()) return;
+    const std::size_t whole = all.size();
+    all = golden::shardOf(all, o_.shard);
+    emptyShard_ = all.empty();
+    shardNote_ = golden::shardNote(o_.shard, all.size(), whole, unit);
   }
 
   void render() {
@@ -165,18 +182,22 @@ class PictureRun {
     if (folder_.empty()) folder_ = temporary_.emplace().path();
     makeFolders(folder_);
     command_.folder = folder_;
-    if (!command_.eachScene()) return command_.run({});
-    for (const golden::SceneFile& scene : scenes_) try {
-        command_.run(scene);
-      } catch (const UserError& error) {
-        golden::SceneResult result;
-        result.name = scene.name;
-        result.file = scene.file.generic_string();
-        result.status = golden::Status::error;
-        result.messages.emplace_back(error.what());
-        failed_.push_back(scene.name);
-        add(std::move(result), error.code());
-      }
+    if (!command_.eachScene()) {
+      if (const auto mistake = command_.runAll({{}}, 1).front()) throw UserError(*mistake);
+      return;
+    }
+    for (const golden::SceneFile& scene : scenes_) inputs_[scene.name] = golden::inputsOf(scene.file, {});
+    const auto mistakes = command_.runAll(scenes_, jobs_);
+    for (std::size_t i = 0; i < scenes_.size(); ++i) {
+      if (!mistakes[i]) continue;
+      golden::SceneResult result;
+      result.name = scenes_[i].name;
+      result.file = scenes_[i].file.generic_string();
+      result.status = golden::Status::error;
+      result.messages.emplace_back(mistakes[i]->what());
+      failed_.push_back(scenes_[i].name);
+      add(std::move(result), mistakes[i]->code());
+    }
   }
 
   /// Those that were chosen, of scenes that were rendered.
@@ -189,7 +210,7 @@ class PictureRun {
       for (std::string& unused : golden::unusedRules(options_.rules, all))
         suite_.notes.push_back(std::move(unused));
       std::erase_if(all, [&](const golden::PictureCase& one) { return !chosen(o_, one.name); });
-      if (!o_.shard.empty()) all = golden::shardOf(all, o_.shard);
+      if (!all.empty()) takeShard(all, "picture");
       return std::move(all);
     }
     const bool whole = o_.globs.empty() && o_.shard.empty();
@@ -203,11 +224,21 @@ class PictureRun {
 
   void compare() {
     const auto all = cases();
-    if (all.empty() && suite_.scenes.empty())
+    if (all.empty() && suite_.scenes.empty() && !emptyShard_)
       fail(ExitCode::nothingRan, "no picture to test: neither {} nor {} has one{}", o_.expected,
-           folder_.string(),
-           o_.globs.empty() && o_.shard.empty() ? "" : " that matches --filter and --shard");
-    golden::testPictures(all, options_, [&](golden::SceneResult&& result) { add(std::move(result)); });
+           folder_.string(), o_.globs.empty() ? "" : " that matches --filter");
+    golden::testPictures(all, options_, [&](golden::SceneResult&& result) {
+      if (command_.eachScene()) nameScene(result);
+      add(std::move(result));
+    });
+  }
+
+  /// What a picture was rendered from.
+  void nameScene(golden::SceneResult& result) const {
+    const golden::SceneFile* owner = golden::ownerOf(result.name, scenes_);
+    if (owner == nullptr) return;
+    if (!result.candidate.empty()) result.inputs = inputs_.at(owner->name);
+    if (golden::isFailure(result.status, false)) result.blame = {owner->file.generic_string(), 1};
   }
 
   void add(golden::SceneResult&& result, ExitCode error = ExitCode::inputOutput) {
@@ -219,19 +250,26 @@ class PictureRun {
   void finish(int signal) {
     suite_.seconds = secondsSince(begin_);
     if (o_.strict && !suite_.notes.empty()) tally_.addFailure();
+    if (!shardNote_.empty()) suite_.notes.push_back(shardNote_);
     o_.outputs.write(suite_);
     if (signal != 0) info("simreel: interrupted after {} pictures", suite_.scenes.size());
-    setExitCode(signal != 0 ? 128 + signal : static_cast<int>(tally_.exitCode()));
+    // A part that no picture falls into is tested well: the other parts have them.
+    const ExitCode code = emptyShard_ && suite_.scenes.empty() ? ExitCode::ok : tally_.exitCode();
+    setExitCode(signal != 0 ? 128 + signal : static_cast<int>(code));
   }
 
   const TestOptions& o_;
   Clock::time_point begin_;
+  std::size_t jobs_ = 1;
   golden::PictureOptions options_;
   golden::RenderCommand command_;
   std::optional<TemporaryFolder> temporary_;
   fs::path folder_;  ///< of the pictures
   std::vector<golden::SceneFile> scenes_;
-  std::vector<std::string> failed_;  ///< scenes whose command failed
+  std::map<std::string, golden::Inputs> inputs_;  ///< by scene
+  std::vector<std::string> failed_;               ///< scenes whose command failed
+  bool emptyShard_ = false;
+  std::string shardNote_;
   golden::Tally tally_;
   golden::SuiteResult suite_;
 };

@@ -1,29 +1,16 @@
-#include "base/clock.hpp"
 #include "base/error.hpp"
-#include "base/file.hpp"
 #include "base/log.hpp"
-#include "base/text.hpp"
-#include "base/version.hpp"
+#include "base/processor.hpp"
 #include "cli/commands.hpp"
 #include "cli/device_options.hpp"
 #include "cli/scene_options.hpp"
 #include "cli/test/test_options.hpp"
-#include "draw/screen/picture_probe.hpp"
-#include "frame/interrupt.hpp"
-#include "gl/context.hpp"
-#include "gl/machine.hpp"
-#include "golden/baseline/profile.hpp"
-#include "golden/baseline/stale.hpp"
-#include "golden/suite/suite.hpp"
-#include "sim/core/numerics.hpp"
 
 #include <algorithm>
-#include <cstdio>
-#include <filesystem>
+#include <charconv>
 #include <memory>
-#include <optional>
 #include <string>
-#include <vector>
+#include <system_error>
 
 #include <CLI/CLI.hpp>
 
@@ -31,125 +18,11 @@ namespace simreel::cli {
 
 namespace {
 
-namespace fs = std::filesystem;
-
-/// A profile is a folder beside the scenes.
-void checkProfile(const std::string& name) {
-  constexpr const char* plain = "abcdefghijklmnopqrstuvwxyz0123456789-";
-  if (name.find_first_not_of(plain) != std::string::npos || name.size() > 64)
-    fail(ExitCode::usage, "--profile takes a name of small letters, digits and '-', not \"{}\"", name);
-}
-
-golden::Device describeDevice(const gl::Context& context, const std::string& profile) {
-  const auto numerics = sim::probeNumerics();
-  const auto machine = gl::machineOf(context);
-  golden::Device device;
-  device.origin = {numerics.fingerprint, draw::probePictures(), machine.processor, machine.driver};
-  device.profile = profile.empty() ? golden::ownProfile(context.device().name) : profile;
-  device.memoryPath = gl::memoryPath() == gl::MemoryPath::texel ? "texel" : "storage";
-  if (!numerics.exactHolds) device.inexact = numerics.firstFailure;
-  return device;
-}
-
-std::vector<golden::SceneFile> chosenScenes(const TestOptions& o) {
-  const std::vector<std::string> here = {"."};
-  const auto all = golden::findScenes(o.paths.empty() ? here : o.paths);
-  auto chosen = golden::filtered(all, o.globs);
-  if (!o.shard.empty()) chosen = golden::shardOf(chosen, o.shard);
-  if (chosen.empty())
-    fail(ExitCode::nothingRan, "no scene to test: {} found, {} of them match --filter and --shard",
-         all.size(), chosen.size());
-  return chosen;
-}
-
-/// Runs the scenes, printing each as it ends. Returns the signal that interrupted, or 0.
-int runAll(const std::vector<golden::SceneFile>& scenes, golden::Suite& suite, const TestOutputs& outputs,
-           golden::SuiteResult& result) {
-  for (const golden::SceneFile& scene : scenes) {
-    try {
-      result.scenes.push_back(suite.test(scene));
-    } catch (const frame::Interrupted& interrupted) {
-      return interrupted.signal;
-    }
-    outputs.show(result.scenes.back(), result.unit);
-  }
-  return 0;
-}
-
-/// Those that no scene took over.
-void addOrphans(const golden::SuiteOptions& options, golden::SuiteResult& result) {
-  for (const fs::path& folder : options.orphans) {
-    if (!pathExists(folder)) continue;
-    const auto heir = std::find_if(
-        result.scenes.begin(), result.scenes.end(),
-        [&](const golden::SceneResult& scene) { return scene.renamedFrom == folder.generic_string(); });
-    golden::Stale stale{folder.generic_string(), "its scene is gone", false};
-    if (heir != result.scenes.end())
-      stale.message = fmt::format(
-          "its scene is gone; the pictures are those of {}: --update moves it there", heir->name);
-    else if (options.update == golden::Update::prune && !(stale.removed = golden::removeBaselines(folder)))
-      stale.message = "its scene is gone; what is no baseline was left there";
-    result.stale.push_back(std::move(stale));
-  }
-}
-
 void test(const TestOptions& o) {
   if (o.outputs.github) avoidWorkflowCommands();
   const bool pictures = !o.expected.empty() || !o.actual.empty() || !o.run.empty() || !o.rules.empty();
   if (pictures) return testPictures(o);
-  if (o.allowance.ignoreAntialiased || o.allowance.searchRadius || !o.allowance.mask.empty())
-    fail(
-        ExitCode::usage,
-        "--ignore-antialiased, --search-radius and --mask are for pictures (--expected); scenes are exact");
-  checkProfile(o.profile);
-  golden::SuiteOptions options;
-  options.repeats = o.repeat;
-  options.retries = o.retries;
-  options.allowFlaky = o.allowFlaky;
-  options.update = o.updateMode();
-  options.reason = o.reason;
-  options.profile = o.profile;
-  options.tolerance = o.tolerance.given();
-  options.assets = assetFolders(o.assets);
-  options.reportFolder = o.outputs.folder();
-  options.artifacts = o.outputs.artifacts();
-  const auto scenes = chosenScenes(o);
-  if (o.list) {
-    for (const golden::SceneFile& scene : scenes)
-      printText(oneLine(scene.name) + "\t" + oneLine(scene.file.string()) + "\n");
-    return;
-  }
-  o.outputs.prepare();
-  frame::catchInterrupts();
-  frame::ignoreBrokenPipes();
-  const Clock::time_point begin = Clock::now();
-  const gl::Context context(o.on);
-  const golden::Device device = describeDevice(context, o.profile);
-
-  options.orphans =
-      golden::baselinesWithoutScene(o.paths.empty() ? std::vector<std::string>{"."} : o.paths);
-  golden::Suite suite(options, device);
-  golden::SuiteResult result;
-  result.version = version();
-  result.driver = device.origin.driver;
-  result.processor = device.origin.processor;
-  result.profile = device.profile;
-  result.fingerprint = device.origin.numerics;
-  result.drawing = device.origin.drawing;
-  result.memoryPath = device.memoryPath;
-  result.command = o.command;
-  result.allowFlaky = o.allowFlaky;
-  const int signal = runAll(scenes, suite, o.outputs, result);
-  result.strict = o.strict;
-  result.stale = suite.stale();
-  addOrphans(options, result);
-  if (o.strict &&
-      std::any_of(result.stale.begin(), result.stale.end(), [](const auto& one) { return !one.removed; }))
-    suite.tally().addFailure();
-  result.seconds = secondsSince(begin);
-  o.outputs.write(result);
-  if (signal != 0) info("simreel: interrupted after {} of {} scenes", result.scenes.size(), scenes.size());
-  setExitCode(signal != 0 ? 128 + signal : static_cast<int>(suite.tally().exitCode()));
+  testScenes(o);
 }
 
 void addPictures(CLI::App& command, TestOptions& o) {
@@ -166,6 +39,17 @@ void addPictures(CLI::App& command, TestOptions& o) {
 }
 
 }  // namespace
+
+std::size_t TestOptions::jobCount() const {
+  constexpr int most = 256;
+  if (jobs == "auto") return std::min<std::size_t>(processorCount(), most);
+  int count = 0;
+  const char* const end = jobs.data() + jobs.size();
+  const auto read = std::from_chars(jobs.data(), end, count);
+  if (read.ec != std::errc() || read.ptr != end || count < 1 || count > most)
+    fail(ExitCode::usage, "--jobs takes a number from 1 to {}, or auto, not \"{}\"", most, jobs);
+  return static_cast<std::size_t>(count);
+}
 
 golden::Update TestOptions::updateMode() const {
   if (!updateGiven) {
@@ -185,6 +69,11 @@ void addTest(CLI::App& app) {
   command->add_option("--filter", o->globs, "Only scenes whose name or path matches, repeatable")
       ->allow_extra_args(false);
   command->add_option("--shard", o->shard, "Only the k-th of n parts, for example 2/4");
+  command
+      ->add_option("-j,--jobs", o->jobs,
+                   "Scenes (or commands of --run) at once, each in a process of its own with an equal "
+                   "part of the processors; auto: one a processor")
+      ->capture_default_str();
   command->add_option("--repeat", o->repeat, "Runs of each scene, which have to agree")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();

@@ -5,6 +5,7 @@
 #include "gl/context.hpp"
 #include "golden/update.hpp"
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,7 @@ struct TestOptions {
   std::vector<std::string> globs;
   std::vector<std::string> assets;
   std::string shard;
+  std::string jobs = "1";
   int repeat = 2;
   int retries = 0;
   bool allowFlaky = false;
@@ -32,7 +34,12 @@ struct TestOptions {
   std::string command;  ///< as typed
 
   [[nodiscard]] golden::Update updateMode() const;
+  /// Throws UserError(usage).
+  [[nodiscard]] std::size_t jobCount() const;
 };
+
+/// `simreel test SCENES`.
+void testScenes(const TestOptions& options);
 
 /// `simreel test --expected DIR ...`: pictures that other programs made. Needs no device.
 void testPictures(const TestOptions& options);

@@ -4,6 +4,7 @@
 #include "base/file.hpp"
 #include "golden/accept/accept_picture.hpp"
 #include "golden/baseline/baseline.hpp"
+#include "golden/baseline/inputs.hpp"
 #include "golden/files/png_check.hpp"
 #include "golden/report/json.hpp"
 #include "golden/result.hpp"
@@ -49,7 +50,7 @@ Candidate readCandidate(const fs::path& folder, const SceneResult& scene) {
 }
 
 /// Frames whose baseline is what the report saw are promoted; another one means that somebody was faster.
-void checkUnchanged(const SceneResult& scene, const Candidate& kept) {
+void checkBaseline(const SceneResult& scene, const Candidate& kept) {
   const auto current =
       scene.profile.empty() ? std::nullopt : readPictures(baselineFolder(scene.file), scene.profile);
   for (const FrameResult& frame : scene.frames) {
@@ -94,11 +95,15 @@ Accepted acceptScene(const fs::path& reportFolder, const SceneResult& scene, con
     if (!pathExists(scene.file))
       fail(ExitCode::usage, "there is no {} here; accept from the folder in which the test ran",
            scene.file);
+    if (!scene.inputs.contains(scene.file))
+      fail(ExitCode::usage, "the report does not say what {} was when it was made; run the test again",
+           scene.file);
+    checkUnchanged(scene.inputs);
     // Where baselines are follows from the scene: a report from elsewhere does not choose it.
     const fs::path baselines = baselineFolder(scene.file);
     const fs::path folder = reportFolder / scene.candidate;
     Candidate kept = readCandidate(folder, scene);
-    checkUnchanged(scene, kept);
+    checkBaseline(scene, kept);
     const std::string profile = profileOf(folder);
     leaveOutPassed(scene, profile, kept);
     result.already = holdsAlready(baselines, profile, kept);

@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 #include "base/file.hpp"
+#include "golden/baseline/inputs.hpp"
 #include "golden/files/picture.hpp"
 
 #include <algorithm>
@@ -77,6 +78,7 @@ Accepted acceptPicture(const fs::path& reportFolder, const SceneResult& picture,
         (!picture.renamedFrom.empty() &&
          !(staysBelow(picture.renamedFrom) && isPictureName(picture.renamedFrom))))
       fail(ExitCode::usage, "the report names no picture below {}", expected.string());
+    checkUnchanged(picture.inputs);
     promotePicture(reportFolder / picture.candidate / fs::path(picture.name).filename(), picture, expected,
                    result);
   } catch (const UserError& mistake) {

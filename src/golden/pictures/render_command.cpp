@@ -8,6 +8,10 @@
 #include "golden/pictures/picture_folder.hpp"
 
 #include <algorithm>
+#include <atomic>
+#include <exception>
+#include <mutex>
+#include <thread>
 
 namespace simreel::golden {
 
@@ -56,18 +60,22 @@ std::string RenderCommand::of(const SceneFile& scene) const {
   return made;
 }
 
-void RenderCommand::run(const SceneFile& scene) const {
-  const auto made = [&] {
-    std::vector<std::string> own;
-    for (const std::string& picture : listPictures(folder).pictures)
-      if (!eachScene() || isOf(picture, scene.name)) own.push_back(picture);
-    return own;
-  };
+std::vector<std::string> RenderCommand::madeOf(const SceneFile& scene) const {
+  std::vector<std::string> own;
+  for (const std::string& picture : listPictures(folder).pictures)
+    if (!eachScene() || isOf(picture, scene.name)) own.push_back(picture);
+  return own;
+}
+
+void RenderCommand::makeRoom(const SceneFile& scene) const {
   makeFolders((folder / scene.name).parent_path());
+  if (!eachScene()) return;
   // A folder of its own: {output}/####.png expects it.
-  if (text.find("{output}/") != std::string::npos && eachScene()) makeFolders(folder / scene.name);
-  if (eachScene())
-    for (const std::string& picture : made()) removeFile(folder / picture);
+  if (text.find("{output}/") != std::string::npos) makeFolders(folder / scene.name);
+  for (const std::string& picture : madeOf(scene)) removeFile(folder / picture);
+}
+
+void RenderCommand::run(const SceneFile& scene) const {
   const std::string command = of(scene);
   // What it prints goes with its messages: only the end of those is ever shown.
   ChildCommand child("{ " + command + "\n} >&2", "the command");
@@ -77,10 +85,47 @@ void RenderCommand::run(const SceneFile& scene) const {
   } catch (const UserError& error) {
     throw UserError(ExitCode::inputOutput, fmt::format("{} ({})", error.what(), oneLine(command)));
   }
-  if (made().empty())
+}
+
+void RenderCommand::checkMade(const SceneFile& scene) const {
+  if (madeOf(scene).empty())
     fail(ExitCode::inputOutput, "the command ended well but made no picture {} ({})",
          eachScene() ? (folder / scene.name).string() + ".*" : "below " + folder.string(),
-         oneLine(command));
+         oneLine(of(scene)));
+}
+
+std::vector<std::optional<UserError>> RenderCommand::runAll(const std::vector<SceneFile>& scenes,
+                                                            std::size_t jobs) const {
+  std::vector<std::optional<UserError>> mistakes(scenes.size());
+  const auto trying = [&](std::size_t i, auto step) {
+    try {
+      if (!mistakes[i]) (this->*step)(scenes[i]);
+    } catch (const UserError& error) {
+      mistakes[i] = error;
+    }
+  };
+  // Before any runs: "a" would take "a.b.png" of "a.b" for its own.
+  for (std::size_t i = 0; i < scenes.size(); ++i) trying(i, &RenderCommand::makeRoom);
+  std::atomic<std::size_t> next = 0;
+  std::exception_ptr end;  // of all: an interrupt
+  std::mutex guard;
+  const auto work = [&] {
+    try {
+      for (std::size_t i = next++; i < scenes.size(); i = next++) trying(i, &RenderCommand::run);
+    } catch (...) {
+      const std::lock_guard lock(guard);
+      end = std::current_exception();
+      next = scenes.size();
+    }
+  };
+  {
+    std::vector<std::jthread> others;
+    for (std::size_t i = 1; i < std::min(jobs, scenes.size()); ++i) others.emplace_back(work);
+    work();
+  }
+  if (end) std::rethrow_exception(end);
+  for (std::size_t i = 0; i < scenes.size(); ++i) trying(i, &RenderCommand::checkMade);
+  return mistakes;
 }
 
 std::vector<SceneFile> findInputs(std::span<const std::string> paths) {

@@ -1,7 +1,10 @@
 #pragma once
+#include "base/error.hpp"
 #include "golden/suite/scene_set.hpp"
 
+#include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -21,9 +24,17 @@ struct RenderCommand {
   [[nodiscard]] bool eachScene() const { return text.find("{scene}") != std::string::npos; }
   /// Both words quoted for the shell.
   [[nodiscard]] std::string of(const SceneFile& scene) const;
-  /// Removes what an earlier run left of this scene's pictures, runs the command and throws UserError where
-  /// it fails or leaves none; Interrupted after a signal.
+  /// For each scene: removes what an earlier run left of its pictures, runs the command, and tells how that
+  /// failed, or that it made none. So many run at once. Throws Interrupted after a signal.
+  [[nodiscard]] std::vector<std::optional<UserError>> runAll(const std::vector<SceneFile>& scenes,
+                                                             std::size_t jobs) const;
+
+ private:
+  void makeRoom(const SceneFile& scene) const;
   void run(const SceneFile& scene) const;
+  void checkMade(const SceneFile& scene) const;
+  /// What lies in the folder of its pictures.
+  [[nodiscard]] std::vector<std::string> madeOf(const SceneFile& scene) const;
 };
 
 /// The files to render: those given, and all below folders given, hidden ones apart; named by their paths

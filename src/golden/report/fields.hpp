@@ -102,6 +102,12 @@ void fields(Visit& visit, Is<Bound> auto& b) {
 }
 
 template <class Visit>
+void fields(Visit& visit, Is<Place> auto& p) {
+  visit("file", p.file);
+  visit("line", p.line);
+}
+
+template <class Visit>
 void fields(Visit& visit, Is<Attempt> auto& a) {
   visit("status", a.status);
   visit("messages", a.messages);
@@ -131,6 +137,8 @@ void fields(Visit& visit, Is<SceneResult> auto& s) {
   visit("checks", s.checks);
   visit("divergence", s.divergence);
   visit.path("candidate", s.candidate);
+  visit("inputs", s.inputs);
+  visit("blame", s.blame);
   visit("renamedFrom", s.renamedFrom);
 }
 
@@ -156,6 +164,7 @@ void fields(Visit& visit, Is<SuiteResult> auto& s) {
     inside("memoryPath", s.memoryPath);
   });
   visit("command", s.command);
+  visit("shard", s.shard);
   visit("acceptCommand", s.acceptCommand);
   visit("allowFlaky", s.allowFlaky);
   visit("strict", s.strict);

@@ -24,7 +24,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int reportFormat = 4;
+constexpr int reportFormat = 5;
 
 Json statusCounts(const SuiteResult& suite) {
   Json counts = Json::object();

@@ -70,13 +70,33 @@ std::string outputText(const SuiteResult& suite, const SceneResult& scene) {
   return text + imageLines(suite, scene);
 }
 
+/// A line each, and nothing else in it.
+std::string attachments(const SceneResult& scene, const std::filesystem::path& pictures) {
+  std::vector<std::string> paths;
+  const auto add = [&](const std::string& path) {
+    if (!path.empty() && std::find(paths.begin(), paths.end(), path) == paths.end()) paths.push_back(path);
+  };
+  const auto addFrame = [&](const FrameResult& frame) {
+    for (const std::string& path : {frame.actualImage, frame.expectedImage, frame.differenceImage})
+      add(path);
+    for (const OtherPicture& other : frame.others) add(other.image);
+  };
+  if (const FrameResult* worst = worstFrame(scene)) addFrame(*worst);
+  for (const FrameResult& frame : scene.frames) addFrame(frame);
+  std::string lines;
+  for (const std::string& path : paths)
+    lines += fmt::format("[[ATTACHMENT|{}]]\n", (pictures / path).lexically_normal().generic_string());
+  return lines;
+}
+
 std::string folderOf(const SceneResult& scene) {
   std::string folder = std::filesystem::path(scene.file).parent_path().string();
   if (!folder.empty()) return folder;
   return scene.file.empty() ? "simreel" : scene.file;
 }
 
-void addCase(xml_node suiteNode, const SuiteResult& suite, const SceneResult& scene) {
+void addCase(xml_node suiteNode, const SuiteResult& suite, const SceneResult& scene,
+             const std::filesystem::path& pictures) {
   xml_node node = suiteNode.append_child("testcase");
   setText(node, "classname", folderOf(scene));
   setText(node, "name", scene.name);
@@ -90,8 +110,9 @@ void addCase(xml_node suiteNode, const SuiteResult& suite, const SceneResult& sc
     setText(outcome, "message", firstReason(scene));
     addBody(outcome, failureBody(suite, scene));
   }
-  if (const std::string text = outputText(suite, scene); !text.empty())
-    addBody(node.append_child("system-out"), text);
+  std::string text = outputText(suite, scene);
+  if (!pictures.empty()) text += attachments(scene, pictures);
+  if (!text.empty()) addBody(node.append_child("system-out"), text);
 }
 
 void setCounts(xml_node node, const SuiteResult& suite) {
@@ -105,7 +126,7 @@ void setCounts(xml_node node, const SuiteResult& suite) {
 
 }  // namespace
 
-std::string junitText(const SuiteResult& suite) {
+std::string junitText(const SuiteResult& suite, const std::filesystem::path& pictures) {
   pugi::xml_document document;
   xml_node declaration = document.append_child(pugi::node_declaration);
   declaration.append_attribute("version") = "1.0";
@@ -132,7 +153,7 @@ std::string junitText(const SuiteResult& suite) {
   property("fingerprint", suite.fingerprint);
   property("drawing", suite.drawing);
   property("version", suite.version);
-  for (const SceneResult& scene : suite.scenes) addCase(node, suite, scene);
+  for (const SceneResult& scene : suite.scenes) addCase(node, suite, scene, pictures);
   std::string about;
   for (const Stale& stale : suite.stale)
     about += fmt::format("{}: {}: {}\n", stale.removed ? "removed" : "stale", stale.path, stale.message);

@@ -108,6 +108,16 @@ long countOf(const SuiteResult& suite, Status status) {
                        [&](const SceneResult& scene) { return scene.status == status; });
 }
 
+const FrameResult* worstFrame(const SceneResult& scene) {
+  const auto rank = [](const FrameResult& f) {
+    return f.metrics ? std::pair(f.metrics->pixelsBeyond, f.metrics->worst) : std::pair(-1L, -1.0);
+  };
+  const FrameResult* worst = nullptr;
+  for (const FrameResult& frame : scene.frames)
+    if (frame.status != Status::pass && (worst == nullptr || rank(frame) > rank(*worst))) worst = &frame;
+  return worst;
+}
+
 std::vector<const SceneResult*> failures(const SuiteResult& suite) {
   std::vector<const SceneResult*> found;
   for (const SceneResult& scene : suite.scenes)

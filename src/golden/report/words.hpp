@@ -31,6 +31,9 @@ namespace simreel::golden {
 [[nodiscard]] std::string comparedText(const SuiteResult& suite);
 /// How many scenes came out so.
 [[nodiscard]] long countOf(const SuiteResult& suite, Status status);
+/// The frame that stands for a scene: the one with most pixels beyond the tolerance among those that did
+/// not pass; null where all did.
+[[nodiscard]] const FrameResult* worstFrame(const SceneResult& scene);
 /// Those that make the run fail, in order.
 [[nodiscard]] std::vector<const SceneResult*> failures(const SuiteResult& suite);
 

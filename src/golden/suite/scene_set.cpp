@@ -105,4 +105,8 @@ std::pair<std::size_t, std::size_t> shardNumbers(const std::string& shard) {
   return {static_cast<std::size_t>(numbers->first), static_cast<std::size_t>(numbers->second)};
 }
 
+std::string shardNote(const std::string& shard, std::size_t tested, std::size_t whole, const char* unit) {
+  return fmt::format("shard {}: {} of {} {}{}", shard, tested, whole, unit, whole == 1 ? "" : "s");
+}
+
 }  // namespace simreel::golden

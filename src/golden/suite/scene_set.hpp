@@ -37,5 +37,8 @@ template <class Item>
   for (std::size_t i = k - 1; i < all.size(); i += n) kept.push_back(all[i]);
   return kept;
 }
+/// "shard 2/4: 8 of 33 scenes"
+[[nodiscard]] std::string shardNote(const std::string& shard, std::size_t tested, std::size_t whole,
+                                    const char* unit);
 
 }  // namespace simreel::golden

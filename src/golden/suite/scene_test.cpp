@@ -60,6 +60,7 @@ void SceneTest::run() {
 
 void SceneTest::load() {
   scene_ = scene::loadTestScene(file_.file, {}, sim::kinds(), options_.assets);
+  if (!options_.artifacts.empty()) inputs_ = inputsOf(file_.file, scene_.files);
   result_.xfail = scene_.test.xfail;
   scene_.render.size = scene_.test.size;
   if (scene_.test.samples) scene_.render.samples = *scene_.test.samples;

@@ -1,4 +1,5 @@
 #pragma once
+#include "golden/baseline/inputs.hpp"
 #include "golden/suite/judge.hpp"
 #include "golden/suite/suite.hpp"
 #include "golden/trace/passes.hpp"
@@ -80,7 +81,8 @@ class SceneTest {
   int uncounted_ = 0;                 ///< further ones, which are not in others_
   std::set<int> failedPictures_;
   std::optional<StepTrace> steps_;  ///< of the baseline
-  bool damaged_ = false;            ///< some file of the baseline cannot be used
+  Inputs inputs_;
+  bool damaged_ = false;  ///< some file of the baseline cannot be used
   bool damagedSteps_ = false;
   std::vector<Stale> stale_;
   std::map<int, PassHashes> passes_;  ///< filled when somebody asks

@@ -195,6 +195,7 @@ void SceneTest::keepCandidate() {
   const fs::path folder = artifacts() / "candidate";
   promote(folder, profile, made, {"", false, false});
   result_.candidate = folder.lexically_relative(options_.reportFolder).generic_string();
+  result_.inputs = inputs_;
   for (FrameResult& frame : result_.frames)
     if (frame.status != Status::pass)
       frame.actualImage = result_.candidate + "/" + profile + "/" + pictureName(frame.frame);

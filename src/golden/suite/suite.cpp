@@ -1,6 +1,7 @@
 #include "golden/suite/suite.hpp"
 
 #include "base/clock.hpp"
+#include "golden/suite/blame.hpp"
 #include "golden/suite/scene_test.hpp"
 
 #include <algorithm>
@@ -18,16 +19,9 @@ std::vector<std::string> lines(const std::string& text) {
   return all;
 }
 
-struct Try {
-  SceneResult result;
-  ExitCode error = ExitCode::ok;
-  bool hardFailed = false;
-  std::vector<Stale> stale;
-};
-
-Try tryScene(const SceneFile& scene, const SuiteOptions& options, const Device& device, int attempt) {
+Outcome tryScene(const SceneFile& scene, const SuiteOptions& options, const Device& device, int attempt) {
   SceneTest test(scene, options, device, attempt);
-  Try made;
+  Outcome made;
   try {
     test.run();
   } catch (const UserError& error) {
@@ -38,7 +32,7 @@ Try tryScene(const SceneFile& scene, const SuiteOptions& options, const Device& 
     messages.insert(messages.end(), text.begin(), text.end());
   }
   made.hardFailed = test.hardFailed();
-  made.result = std::move(test.result());
+  made.scene = std::move(test.result());
   made.stale = std::move(test.stale());
   return made;
 }
@@ -69,8 +63,8 @@ bool mayPassOnRetry(Status status) {
 }
 
 /// A failure that the scene announces is expected, unless hardFail forbids it.
-void applyExpectation(Try& made) {
-  SceneResult& result = made.result;
+void applyExpectation(Outcome& made) {
+  SceneResult& result = made.scene;
   if (result.xfail.empty()) return;
   if (result.status == Status::pass) {
     result.status = Status::xpass;
@@ -85,23 +79,20 @@ void applyExpectation(Try& made) {
 
 }  // namespace
 
-Suite::Suite(SuiteOptions options, Device device)
-    : options_(std::move(options)), device_(std::move(device)) {}
-
-SceneResult Suite::test(const SceneFile& scene) {
+Outcome testScene(const SceneFile& scene, const SuiteOptions& options, const Device& device) {
   const auto begin = Clock::now();
   std::vector<Attempt> attempts;
   std::vector<std::vector<FrameResult>> earlier;  // frames of those attempts
-  Try made = tryScene(scene, options_, device_, 1);
+  Outcome made = tryScene(scene, options, device, 1);
   bool everHardFailed = made.hardFailed;
-  while (made.result.xfail.empty() && mayPassOnRetry(made.result.status) &&
-         static_cast<int>(attempts.size()) < options_.retries) {
-    attempts.push_back({made.result.status, made.result.messages});
-    earlier.push_back(std::move(made.result.frames));
-    made = tryScene(scene, options_, device_, static_cast<int>(attempts.size()) + 1);
+  while (made.scene.xfail.empty() && mayPassOnRetry(made.scene.status) &&
+         static_cast<int>(attempts.size()) < options.retries) {
+    attempts.push_back({made.scene.status, made.scene.messages});
+    earlier.push_back(std::move(made.scene.frames));
+    made = tryScene(scene, options, device, static_cast<int>(attempts.size()) + 1);
     everHardFailed = everHardFailed || made.hardFailed;
   }
-  SceneResult& result = made.result;
+  SceneResult& result = made.scene;
   if (!attempts.empty() && result.status == Status::pass) {
     result.status = Status::flaky;
     result.messages.push_back(fmt::format("passed on try {}; before that: {}", attempts.size() + 1,
@@ -112,12 +103,11 @@ SceneResult Suite::test(const SceneFile& scene) {
   result.attempts = std::move(attempts);
   for (std::size_t i = 0; i < earlier.size(); ++i)
     addEarlier(earlier[i], fmt::format("attempt {}", i + 1), result);
-  stale_.insert(stale_.end(), made.stale.begin(), made.stale.end());
   applyExpectation(made);
+  if (isFailure(result.status, false)) result.blame = blameOf(result);
+  made.hardFailed = everHardFailed;
   result.seconds = secondsSince(begin);
-
-  tally_.add(result.status, options_.allowFlaky && !everHardFailed, made.error);
-  return std::move(made.result);
+  return made;
 }
 
 }  // namespace simreel::golden

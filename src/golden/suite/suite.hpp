@@ -4,7 +4,6 @@
 #include "golden/result.hpp"
 #include "golden/suite/scene_run.hpp"
 #include "golden/suite/scene_set.hpp"
-#include "golden/tally.hpp"
 #include "golden/update.hpp"
 
 #include <filesystem>
@@ -35,23 +34,8 @@ struct Device {
   std::string inexact;  ///< why exact numerics do not hold; empty: they do
 };
 
-/// Tests scenes one after the other on the current context.
-class Suite {
- public:
-  Suite(SuiteOptions options, Device device);
-  /// Runs, compares and, where asked, updates. A mistake in the scene or its baseline, or a lost device, is
-  /// the scene's result; only Interrupted leaves.
-  SceneResult test(const SceneFile& scene);
-  /// Of the scenes so far.
-  [[nodiscard]] Tally& tally() { return tally_; }
-  /// What of the baselines of scenes so far nothing was tested against.
-  [[nodiscard]] const std::vector<Stale>& stale() const { return stale_; }
-
- private:
-  SuiteOptions options_;
-  Device device_;
-  Tally tally_;
-  std::vector<Stale> stale_;
-};
+/// Runs a scene on the current context, compares and, where asked, updates. A mistake in the scene or its
+/// baseline, or a lost device, is the scene's result; only Interrupted leaves.
+[[nodiscard]] Outcome testScene(const SceneFile& scene, const SuiteOptions& options, const Device& device);
 
 }  // namespace simreel::golden

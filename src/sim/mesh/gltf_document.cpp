@@ -53,7 +53,8 @@ std::string decodeBase64(std::string_view text) {
   return bytes;
 }
 
-/// "my%20buffer.bin" names "my buffer.bin".
+}  // namespace
+
 std::string decodePercent(const std::string& uri) {
   std::string name;
   for (std::size_t i = 0; i < uri.size(); ++i) {
@@ -69,8 +70,6 @@ std::string decodePercent(const std::string& uri) {
   }
   return name;
 }
-
-}  // namespace
 
 GltfDocument::GltfDocument(const std::filesystem::path& file, std::string_view text) : file_(file) {
   if (text.substr(0, 4) == "glTF") text = openGlb(text);

@@ -13,6 +13,9 @@
 
 namespace simreel::sim {
 
+/// "my%20buffer.bin" names "my buffer.bin".
+[[nodiscard]] std::string decodePercent(const std::string& uri);
+
 /// The JSON of a glTF file and the bytes that it describes. Throws UserError, as loadMesh() does, and
 /// JsonError, for what is not so.
 class GltfDocument {

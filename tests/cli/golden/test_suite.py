@@ -75,6 +75,7 @@ class Baselines(GoldenCase):
         shutil.copytree(self.folder / "report-files", self.folder / "kept")
         self.set_scene(HAIR)
         self.good("test", "scenes", "--update")
+        self.set_scene(RED)
         self.bad(1, ["a:", "frame 0 has changed since"], "accept", "old.json")
         # A picture that is not the one of that run.
         self.set_scene(RED)

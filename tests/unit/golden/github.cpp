@@ -1,5 +1,6 @@
 #include "golden/report/github.hpp"
 
+#include "golden/report/markdown.hpp"
 #include "golden/report/words.hpp"
 #include "unit/frame/help.hpp"
 #include "unit/golden/suite.hpp"
@@ -53,11 +54,12 @@ TEST_CASE("text for any reader") {
 TEST_CASE("annotations: an error for each failing scene, with the command that accepts it") {
   const std::string text = githubAnnotations(golden::test::fullSuite());
   CHECK(linesOf(text)[0] ==
-        "::error file=assets/scenes/flag.json,title=simreel%3A flag (fail)::frame 60: 312 pixels differ%0A"
+        "::error file=assets/scenes/flag.json,line=12,title=simreel%3A flag (fail)::frame 60: 312 pixels "
+        "differ%0A"
         "To accept: simreel accept out/report.json");
   CHECK(linesWith(text, "::error file=") == 6);
   CHECK(linesWith(text,
-                  "::warning file=assets/scenes/flag.json,title=simreel%3A flag (tolerance)::"
+                  "::warning file=assets/scenes/flag.json,line=12,title=simreel%3A flag (tolerance)::"
                   "maxDiffRatio is 40 times looser") == 1);
   CHECK(linesWith(text, "::warning") == 1);
   CHECK(linesWith(text, "::notice file=assets/scenes/is-updated.json,") == 1);
@@ -83,6 +85,7 @@ TEST_CASE("annotations: one line each whatever the names hold") {
   suite.scenes = {suite.scenes[1]};
   suite.scenes[0].notes.clear();
   suite.scenes[0].file = "./a,b:c%\n.json";
+  suite.scenes[0].blame.reset();
   suite.acceptCommand = "simreel accept\n::stop-commands::x";
   const std::string text = githubAnnotations(suite);
   CHECK(linesOf(text).size() == 1);
@@ -95,8 +98,46 @@ TEST_CASE("annotations: one line each whatever the names hold") {
     }
 }
 
+TEST_CASE("annotations: nine of a kind and one that counts the rest") {
+  SuiteResult suite;
+  const auto fill = [&](Status status, int count) {
+    for (int i = 0; i < count; ++i)
+      suite.scenes.push_back(golden::test::scene("s" + std::to_string(i), status));
+  };
+  fill(Status::fail, 10);
+  fill(Status::updated, 30);
+  CHECK(linesWith(githubAnnotations(suite), "::error file=") == 10);
+  fill(Status::fail, 1);
+  const std::string text = githubAnnotations(suite);
+  CHECK(linesWith(text, "::error file=") == 9);
+  CHECK(linesWith(text, "::error title=simreel::2 more; the summary and the report have all") == 1);
+  CHECK(linesWith(text, "::notice file=") == 9);
+  CHECK(linesWith(text, "::notice title=simreel::21 more;") == 1);
+}
+
+TEST_CASE("summary: pictures of the worst frame, as many as fit") {
+  SuiteResult suite = golden::test::fullSuite();
+  const auto plain = [](const std::string& picture) { return "at/" + picture; };
+  CHECK(contains(markdownSummary(suite, plain),
+                 "\n| Scene | Before | After | Difference |\n|---|---|---|---|\n"
+                 "| flag | <img src=\"at/images/flag/119-expected.png\" width=\"160\" alt=\"before "
+                 "(images/flag/119-expected.png)\"> | <img src=\"at/images/flag/119-actual.png\""));
+  CHECK(!contains(markdownSummary(suite), "<img"));
+  CHECK(!contains(markdownSummary(suite, [](const std::string&) { return std::string(); }), "<img"));
+  suite.scenes.assign(40, golden::test::failedScene());
+  const std::string text =
+      markdownSummary(suite, [](const std::string&) { return std::string(20'000, 'x'); });
+  CHECK(text.size() < 1'000'000);
+  CHECK(text.size() > 900'000);
+  const long shown = linesWith(text, "| flag | <img");
+  CHECK(shown > 10);
+  CHECK(contains(text, fmt::format("\nPictures of {} more are in the report.\n", 40 - shown)));
+  suite.scenes.assign(60, golden::test::failedScene());
+  CHECK(linesWith(markdownSummary(suite, plain), "| flag | <img") == 50);
+}
+
 TEST_CASE("summary: heading, table, command and what passed") {
-  const std::string text = githubSummary(golden::test::fullSuite());
+  const std::string text = markdownSummary(golden::test::fullSuite());
   CHECK(text.starts_with(
       "## simreel: 6 of 9 scenes failed\n\n1 pass, 1 updated, 1 xfail, 1 flaky, 1 fail, "));
   CHECK(contains(
@@ -113,16 +154,16 @@ TEST_CASE("summary: heading, table, command and what passed") {
   CHECK(contains(text, "<details><summary>3 scenes did not fail</summary>\n\n- waves: pass (2.1 s)\n"));
   SuiteResult good;
   good.scenes = {golden::test::scene("waves", Status::pass)};
-  CHECK(githubSummary(good).starts_with("## simreel: 1 scene good\n"));
-  CHECK(!contains(githubSummary(good), "| Status"));
-  CHECK(!contains(githubSummary(good), "```"));
+  CHECK(markdownSummary(good).starts_with("## simreel: 1 scene good\n"));
+  CHECK(!contains(markdownSummary(good), "| Status"));
+  CHECK(!contains(markdownSummary(good), "```"));
 }
 
 TEST_CASE("summary: names and messages are shown, not read") {
   SuiteResult suite = golden::test::oddSuite();
   suite.scenes = {suite.scenes[1]};
   suite.acceptCommand = "simreel accept ```` x";
-  const std::string text = githubSummary(suite);
+  const std::string text = markdownSummary(suite);
   CHECK(!contains(text, "<b>"));
   CHECK(!contains(text, "</script>"));
   CHECK(contains(text, "&#60;b&#62; &#124; &#96; &#42;x&#42; 100% a,b:c second line"));
@@ -141,7 +182,7 @@ TEST_CASE("summary: thousands of scenes stay below GitHub's limit") {
   }
   suite.driver = longWords;
   suite.acceptCommand = std::string(40000, 'x');
-  const std::string text = githubSummary(suite);
+  const std::string text = markdownSummary(suite);
   CHECK(text.size() < 1'000'000);
   CHECK(text.size() > 900'000);
   const long shown = linesWith(text, "| fail ");
@@ -152,6 +193,6 @@ TEST_CASE("summary: thousands of scenes stay below GitHub's limit") {
       text, fmt::format("\n{} more good scenes are left out here", 3000 - linesWith(text, "- passing"))));
   CHECK(text.ends_with("</details>\n"));
   suite.acceptCommand = std::string(2'000'000, 'x');
-  CHECK(githubSummary(suite).size() < 1'000'000);
-  CHECK(contains(githubSummary(suite), "too long to be shown"));
+  CHECK(markdownSummary(suite).size() < 1'000'000);
+  CHECK(contains(markdownSummary(suite), "too long to be shown"));
 }

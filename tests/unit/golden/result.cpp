@@ -98,15 +98,15 @@ TEST_CASE("numbers that JSON does not have") {
 TEST_CASE("the keys of a report, in their order") {
   const Json json = Json::parse(reportText(golden::test::fullSuite()));
   CHECK(keysOf(json) ==
-        "simreel format unit expected environment command acceptCommand allowFlaky strict seconds notes "
-        "stale counts scenes");
+        "simreel format unit expected environment command shard acceptCommand allowFlaky strict seconds "
+        "notes stale counts scenes");
   CHECK(keysOf(json["environment"]) == "driver processor profile fingerprint drawing memoryPath");
   const Json& scene = json["scenes"][1];
   CHECK(keysOf(scene) ==
         "name file baselines status messages notes xfail profile asked baselineDriver baselineProcessor "
         "baselineVersion "
         "baselineReason tolerance seconds simulateSeconds repeats attempts frames checks divergence "
-        "candidate renamedFrom");
+        "candidate inputs blame renamedFrom");
   CHECK(keysOf(scene["tolerance"]["maxDiffRatio"]) == "value origin");
   CHECK(keysOf(scene["attempts"][0]) == "status messages");
   CHECK(keysOf(scene["frames"][1]) ==
@@ -120,7 +120,7 @@ TEST_CASE("the keys of a report, in their order") {
   CHECK(keysOf(scene["frames"][1]["pass"]) == "pass x y shows message");
   CHECK(keysOf(scene["checks"][0]) == "what frame value least most passed message");
   CHECK(keysOf(scene["divergence"]) == "frame step steps object buffer firstElement lastElement message");
-  CHECK(json["format"] == 4);
+  CHECK(json["format"] == 5);
   CHECK(json["counts"].dump() ==
         R"({"pass":1,"updated":1,"xfail":1,"flaky":1,"fail":1,"nondeterministic":1,"missing":1,"xpass":1,)"
         R"("error":1})");
@@ -175,9 +175,9 @@ TEST_CASE("missing, unknown and repeated keys of a report") {
 
 TEST_CASE("a report of another format, or whose counts are wrong, is refused") {
   CHECK(refusalOf([](Json& j) { j["format"] = 1; }) ==
-        "out/report.json: format must be 4: this program reads no other; run simreel test again");
+        "out/report.json: format must be 5: this program reads no other; run simreel test again");
   CHECK(refusalOf([](Json& j) { j["format"] = "3"; }) ==
-        "out/report.json: format must be 4: this program reads no other; run simreel test again");
+        "out/report.json: format must be 5: this program reads no other; run simreel test again");
   CHECK(contains(refusalOf([](Json& j) { j["counts"]["pass"] = 2; }), "counts must be {\"error\":1"));
   CHECK(contains(refusalOf([](Json& j) { j["counts"].erase("fail"); }), "as the scenes say"));
 }

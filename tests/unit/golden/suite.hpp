@@ -64,6 +64,8 @@ inline SceneResult failedScene() {
   s.divergence =
       Divergence{-2, 3, 16, "flag", "positions", 4096, 5000000000L, "frame -2, step 3 of 16: flag"};
   s.candidate = "candidates/flag";
+  s.inputs = {{"assets/scenes/flag.json", "dd"}, {"<assets>/silk.png", "ee"}};
+  s.blame = Place{"assets/scenes/flag.json", 12};
   return s;
 }
 
@@ -79,6 +81,7 @@ inline SuiteResult fullSuite() {
   suite.memoryPath = "texel";
   suite.command = "simreel test assets/scenes --report out";
   suite.acceptCommand = "simreel accept out/report.json";
+  suite.shard = "2/4";
   suite.seconds = 6.25;
   suite.scenes = {scene("waves", Status::pass), failedScene()};
   for (const Status status : {Status::updated, Status::xfail, Status::flaky, Status::nondeterministic,

@@ -1,0 +1,336 @@
+#include "base/workers.hpp"
+
+#include "base/error.hpp"
+#include "base/log.hpp"
+#include "base/process.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdint>
+#include <cstdio>
+#include <cstring>
+#include <exception>
+#include <fcntl.h>
+#include <list>
+#include <map>
+#include <poll.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace simreel {
+
+namespace {
+
+constexpr int patience = 50;  ///< ms between looks for a signal, which may arrive just before a wait
+
+enum class Word : std::uint32_t { ready, answer, mistake, failure };
+
+/// What goes before each text that a worker sends. Both ends are the same program.
+struct Head {
+  Word word = Word::ready;
+  std::uint32_t code = 0;  ///< of a mistake
+  std::uint64_t item = 0, bytes = 0;
+};
+
+bool writeAll(int descriptor, const void* bytes, std::size_t count) {
+  const char* at = static_cast<const char*>(bytes);
+  while (count > 0) {
+    const ssize_t put = ::write(descriptor, at, count);
+    if (put < 0 && errno == EINTR) continue;
+    if (put < 0) return false;
+    at += put;
+    count -= static_cast<std::size_t>(put);
+  }
+  return true;
+}
+
+/// Where nobody listens any more there is nothing left to do.
+void send(int descriptor, Head head, std::string_view text) {
+  head.bytes = text.size();
+  if (!writeAll(descriptor, &head, sizeof head) || !writeAll(descriptor, text.data(), text.size()))
+    ::_exit(1);
+}
+
+struct Worker {
+  pid_t process = -1;
+  int work = -1, answers = -1;
+  std::string heard;  ///< not yet a whole text
+  bool ready = false;
+  bool told = false;  ///< that it shall end
+  std::optional<std::size_t> item;
+  std::string failure;  ///< what it said of its end
+  std::optional<ExitCode> mistake;
+};
+
+class Employer {
+ public:
+  explicit Employer(const WorkForce& force) : force_(force), begun_(force.items, false) {}
+  ~Employer() {
+    // Left by an exception: nobody takes what they do.
+    for (Worker& worker : workers_) {
+      ::kill(-worker.process, SIGKILL);
+      closeLines(worker);
+      static_cast<void>(waitFor(worker));
+    }
+  }
+  Employer(const Employer&) = delete;
+  Employer& operator=(const Employer&) = delete;
+  Employer(Employer&&) = delete;
+  Employer& operator=(Employer&&) = delete;
+
+  void run() {
+    for (std::size_t i = 0; i < std::min(force_.workers, force_.items); ++i)
+      if (!start()) break;
+    while (!workers_.empty()) {
+      if (force_.interrupted() != 0) stopAll();
+      handOut();
+      listen();
+    }
+    if (force_.interrupted() != 0) {
+      while (!waiting_.empty()) handOn();  // with gaps between them
+      return;
+    }
+    if (!everReady_ && firstMistake_) throw UserError(*firstMistake_, firstFailure_);
+    if (!everReady_) fail(ExitCode::device, "the process that was to do the work {}", firstFailure_);
+    for (std::size_t item = 0; item < begun_.size(); ++item)
+      if (!begun_[item]) finish(item, Lost{"could not be started again: " + firstFailure_});
+  }
+
+ private:
+  struct Lost {
+    std::string how;
+  };
+  using End = std::variant<std::string, Lost>;
+
+  bool start() {
+    int work[2] = {-1, -1}, answers[2] = {-1, -1};
+    // Of this thread's own making, closed by hand: a fork inherits what exec would close.
+    const bool lines = ::pipe2(work, O_CLOEXEC) == 0 && ::pipe2(answers, O_CLOEXEC) == 0;
+    std::fflush(nullptr);
+    const pid_t process = lines ? forkProcess() : -1;
+    if (process == 0) {
+      for (const Worker& other : workers_) {
+        ::close(other.work);
+        ::close(other.answers);
+      }
+      ::close(work[1]);
+      ::close(answers[0]);
+      live(work[0], answers[1]);
+    }
+    const int error = errno;
+    for (const int end : {work[0], answers[1]})
+      if (end >= 0) ::close(end);
+    if (process > 0) {
+      workers_.push_back({process, work[1], answers[0], {}, false, false, {}, {}, {}});
+      return true;
+    }
+    for (const int end : {work[1], answers[0]})
+      if (end >= 0) ::close(end);
+    if (workers_.empty() && !everReady_)
+      fail(ExitCode::inputOutput, "cannot start a process to work in: {}", std::strerror(error));
+    if (firstFailure_.empty()) firstFailure_ = std::strerror(error);
+    warn("cannot start another process to work in: {}", std::strerror(error));
+    return false;
+  }
+
+  /// In the worker. No destructor of a static object runs and no buffer is written: they are the parent's.
+  [[noreturn]] void live(int in, int out) const {
+    WorkerLine line(in, out);
+    try {
+      force_.work(line);
+    } catch (const UserError& error) {
+      send(out, {Word::mistake, static_cast<std::uint32_t>(error.code()), 0, 0}, error.what());
+      ::_exit(1);
+    } catch (const std::exception& error) {
+      send(out, {Word::failure, 0, 0, 0}, error.what());
+      ::_exit(1);
+    } catch (...) {
+      if (const int number = force_.interrupted(); number != 0) ::_exit(128 + number);
+      send(out, {Word::failure, 0, 0, 0}, "unknown reason");
+      ::_exit(1);
+    }
+    ::_exit(0);
+  }
+
+  void stopAll() {
+    for (Worker& worker : workers_)
+      if (!std::exchange(worker.told, true)) {
+        ::kill(worker.process, SIGTERM);
+        closeWork(worker);
+      }
+  }
+
+  static void closeWork(Worker& worker) {
+    if (worker.work >= 0) ::close(std::exchange(worker.work, -1));
+  }
+  static void closeLines(Worker& worker) {
+    closeWork(worker);
+    if (worker.answers >= 0) ::close(std::exchange(worker.answers, -1));
+  }
+
+  [[nodiscard]] std::optional<std::size_t> nextItem() const {
+    bool aloneWaits = std::any_of(workers_.begin(), workers_.end(), [&](const Worker& worker) {
+      return worker.item && force_.alone(*worker.item);
+    });
+    for (std::size_t item = 0; item < begun_.size(); ++item) {
+      if (begun_[item]) continue;
+      if (!force_.alone(item)) return item;
+      if (!aloneWaits) return item;
+      aloneWaits = true;
+    }
+    return std::nullopt;
+  }
+
+  void handOut() {
+    for (Worker& worker : workers_) {
+      if (!worker.ready || worker.item || worker.work < 0) continue;
+      const auto item = nextItem();
+      const bool all = std::find(begun_.begin(), begun_.end(), false) == begun_.end();
+      if (all) closeWork(worker);
+      if (!item) continue;
+      const std::uint64_t number = *item;
+      // One that is dead already is heard of below, and the item is still to be done.
+      if (!writeAll(worker.work, &number, sizeof number)) {
+        closeWork(worker);
+        continue;
+      }
+      begun_[*item] = true;
+      worker.item = item;
+    }
+  }
+
+  void listen() {
+    std::vector<pollfd> lines;
+    for (const Worker& worker : workers_) lines.push_back({worker.answers, POLLIN, 0});
+    if (::poll(lines.data(), lines.size(), patience) <= 0) return;
+    std::size_t at = 0;
+    for (auto worker = workers_.begin(); at < lines.size(); ++at) {
+      const auto here = worker++;
+      if (lines[at].revents != 0 && !hear(*here)) buried(here);
+    }
+  }
+
+  /// False at the end of the line.
+  bool hear(Worker& worker) {
+    char block[1 << 16];
+    const ssize_t got = ::read(worker.answers, block, sizeof block);
+    if (got < 0) return errno == EINTR;
+    worker.heard.append(block, static_cast<std::size_t>(got));
+    while (worker.heard.size() >= sizeof(Head)) {
+      Head head;
+      std::memcpy(&head, worker.heard.data(), sizeof head);
+      if (worker.heard.size() - sizeof head < head.bytes) break;
+      std::string text = worker.heard.substr(sizeof head, head.bytes);
+      worker.heard.erase(0, sizeof head + head.bytes);
+      heard(worker, head, std::move(text));
+    }
+    return got > 0;
+  }
+
+  void heard(Worker& worker, const Head& head, std::string&& text) {
+    switch (head.word) {
+      case Word::ready:
+        worker.ready = true;
+        if (!std::exchange(everReady_, true)) force_.ready(text);
+        break;
+      case Word::answer:
+        if (!worker.item || *worker.item != head.item) break;
+        worker.item.reset();
+        finish(head.item, std::move(text));
+        break;
+      case Word::mistake:
+        worker.mistake = static_cast<ExitCode>(head.code);
+        worker.failure = std::move(text);
+        break;
+      case Word::failure:
+        worker.failure = "failed: " + text;
+        break;
+    }
+  }
+
+  static int waitFor(const Worker& worker) {
+    int status = 0;
+    while (::waitpid(worker.process, &status, 0) < 0 && errno == EINTR) {
+    }
+    childEnded(worker.process);
+    return status;
+  }
+
+  void buried(std::list<Worker>::iterator place) {
+    Worker worker = std::move(*place);
+    workers_.erase(place);
+    closeLines(worker);
+    const int status = waitFor(worker);
+    if (force_.interrupted() != 0) return;
+    if (worker.failure.empty())
+      worker.failure = WIFSIGNALED(status) ? fmt::format("was ended by signal {} ({})", WTERMSIG(status),
+                                                         ::strsignal(WTERMSIG(status)))
+                                           : fmt::format("ended with status {}", WEXITSTATUS(status));
+    const bool wellDone = WIFEXITED(status) && WEXITSTATUS(status) == 0 && !worker.item && worker.ready;
+    if (!wellDone && firstFailure_.empty()) {
+      firstFailure_ = worker.failure;
+      firstMistake_ = worker.mistake;
+    }
+    if (!worker.ready && everReady_) warn("one process less to work in: it {}", worker.failure);
+    if (worker.item) finish(*worker.item, Lost{worker.failure});
+    const bool more = std::find(begun_.begin(), begun_.end(), false) != begun_.end();
+    if (worker.ready && !wellDone && more) static_cast<void>(start());
+  }
+
+  /// Answers come as they come, and are handed on in order.
+  void finish(std::size_t item, End&& end) {
+    begun_[item] = true;
+    waiting_.emplace(item, std::move(end));
+    while (!waiting_.empty() && waiting_.begin()->first == handedOn_) handOn();
+  }
+
+  void handOn() {
+    const auto first = waiting_.extract(waiting_.begin());
+    handedOn_ = first.key() + 1;
+    if (const auto* lost = std::get_if<Lost>(&first.mapped()))
+      force_.lost(first.key(), lost->how);
+    else
+      force_.done(first.key(), std::get<std::string>(first.mapped()));
+  }
+
+  const WorkForce& force_;
+  std::list<Worker> workers_;
+  std::vector<bool> begun_;
+  std::map<std::size_t, End> waiting_;
+  std::size_t handedOn_ = 0;
+  bool everReady_ = false;
+  std::string firstFailure_;
+  std::optional<ExitCode> firstMistake_;
+};
+
+}  // namespace
+
+void WorkerLine::ready(std::string_view text) {
+  send(out_, {Word::ready, 0, 0, 0}, text);
+}
+
+std::optional<std::size_t> WorkerLine::next() {
+  std::uint64_t item = 0;
+  std::size_t have = 0;
+  while (have < sizeof item) {
+    const ssize_t got = ::read(in_, reinterpret_cast<char*>(&item) + have, sizeof item - have);
+    if (got < 0 && errno == EINTR) continue;
+    if (got <= 0) return std::nullopt;
+    have += static_cast<std::size_t>(got);
+  }
+  return item;
+}
+
+void WorkerLine::answer(std::size_t item, std::string_view text) {
+  send(out_, {Word::answer, 0, item, 0}, text);
+}
+
+void employ(const WorkForce& force) {
+  Employer(force).run();
+}
+
+}  // namespace simreel

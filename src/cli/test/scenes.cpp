@@ -1,0 +1,252 @@
+// simreel test SCENES: scenes against their baselines, one after the other or in several processes.
+#include "base/clock.hpp"
+#include "base/error.hpp"
+#include "base/file.hpp"
+#include "base/log.hpp"
+#include "base/text.hpp"
+#include "base/version.hpp"
+#include "base/workers.hpp"
+#include "cli/commands.hpp"
+#include "cli/scene_options.hpp"
+#include "cli/test/test_options.hpp"
+#include "draw/screen/picture_probe.hpp"
+#include "frame/interrupt.hpp"
+#include "gl/context.hpp"
+#include "gl/driver_threads.hpp"
+#include "gl/machine.hpp"
+#include "golden/baseline/baseline.hpp"
+#include "golden/baseline/profile.hpp"
+#include "golden/baseline/stale.hpp"
+#include "golden/report/outcome.hpp"
+#include "golden/suite/suite.hpp"
+#include "golden/tally.hpp"
+#include "sim/core/numerics.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace simreel::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A profile is a folder beside the scenes.
+void checkProfile(const std::string& name) {
+  constexpr const char* plain = "abcdefghijklmnopqrstuvwxyz0123456789-";
+  if (name.find_first_not_of(plain) != std::string::npos || name.size() > 64)
+    fail(ExitCode::usage, "--profile takes a name of small letters, digits and '-', not \"{}\"", name);
+}
+
+golden::Device describeDevice(const gl::Context& context, const std::string& profile) {
+  const auto numerics = sim::probeNumerics();
+  const auto machine = gl::machineOf(context);
+  golden::Device device;
+  device.origin = {numerics.fingerprint, draw::probePictures(), machine.processor, machine.driver};
+  device.profile = profile.empty() ? golden::ownProfile(context.device().name) : profile;
+  device.memoryPath = gl::memoryPath() == gl::MemoryPath::texel ? "texel" : "storage";
+  if (!numerics.exactHolds) device.inexact = numerics.firstFailure;
+  return device;
+}
+
+void setEnvironment(const golden::Device& device, golden::SuiteResult& result) {
+  result.driver = device.origin.driver;
+  result.processor = device.origin.processor;
+  result.profile = device.profile;
+  result.fingerprint = device.origin.numerics;
+  result.drawing = device.origin.drawing;
+  result.memoryPath = device.memoryPath;
+}
+
+/// One run of the test.
+class SceneRun {
+ public:
+  explicit SceneRun(const TestOptions& o) : o_(o) {
+    if (o.allowance.ignoreAntialiased || o.allowance.searchRadius || !o.allowance.mask.empty())
+      fail(ExitCode::usage,
+           "--ignore-antialiased, --search-radius and --mask are for pictures (--expected); scenes are "
+           "exact");
+    checkProfile(o.profile);
+    options_.repeats = o.repeat;
+    options_.retries = o.retries;
+    options_.allowFlaky = o.allowFlaky;
+    options_.update = o.updateMode();
+    options_.reason = o.reason;
+    options_.profile = o.profile;
+    options_.tolerance = o.tolerance.given();
+    options_.assets = assetFolders(o.assets);
+    options_.reportFolder = o.outputs.folder();
+    options_.artifacts = o.outputs.artifacts();
+    jobs_ = o.jobCount();
+    chooseScenes();
+  }
+
+  void run() {
+    if (o_.list) {
+      for (const golden::SceneFile& scene : scenes_)
+        printText(oneLine(scene.name) + "\t" + oneLine(scene.file.string()) + "\n");
+      return;
+    }
+    o_.outputs.prepare();
+    frame::catchInterrupts();
+    frame::ignoreBrokenPipes();
+    const Clock::time_point begin = Clock::now();
+    options_.orphans =
+        golden::baselinesWithoutScene(o_.paths.empty() ? std::vector<std::string>{"."} : o_.paths);
+    result_.version = version();
+    result_.command = o_.command;
+    result_.allowFlaky = o_.allowFlaky;
+    result_.strict = o_.strict;
+    jobs_ = std::min(jobs_, scenes_.size());
+    if (jobs_ == 1)
+      testHere();
+    else if (jobs_ > 1)
+      testBeside();
+    addOrphans();
+    if (o_.strict && std::any_of(result_.stale.begin(), result_.stale.end(),
+                                 [](const auto& one) { return !one.removed; }))
+      tally_.addFailure();
+    result_.seconds = secondsSince(begin);
+    finish();
+  }
+
+ private:
+  void chooseScenes() {
+    const std::vector<std::string> here = {"."};
+    const auto all = golden::findScenes(o_.paths.empty() ? here : o_.paths);
+    scenes_ = golden::filtered(all, o_.globs);
+    if (scenes_.empty())
+      fail(ExitCode::nothingRan, "no scene to test: {} found, 0 of them match --filter", all.size());
+    if (o_.shard.empty()) return;
+    if (options_.update == golden::Update::prune)
+      fail(ExitCode::usage,
+           "--update=prune has to know all scenes, and --shard leaves some out; give one of them");
+    result_.shard = o_.shard;
+    const std::size_t whole = scenes_.size();
+    scenes_ = golden::shardOf(scenes_, o_.shard);
+    result_.notes.push_back(golden::shardNote(o_.shard, scenes_.size(), whole, "scene"));
+  }
+
+  /// In this process, on all processors.
+  void testHere() {
+    const gl::Context context(o_.on);
+    const golden::Device device = describeDevice(context, o_.profile);
+    setEnvironment(device, result_);
+    try {
+      for (const golden::SceneFile& scene : scenes_) take(golden::testScene(scene, options_, device));
+    } catch (const frame::Interrupted& interrupted) {
+      signal_ = interrupted.signal;
+    }
+  }
+
+  void testBeside() {
+    gl::shareProcessors(jobs_);
+    WorkForce force;
+    force.workers = jobs_;
+    force.items = scenes_.size();
+    force.work = [this](WorkerLine& line) { testAsWorker(line); };
+    force.ready = [this](const std::string& text) {
+      const auto said = golden::parseReport(text, "worker");
+      result_.driver = said.driver;
+      result_.processor = said.processor;
+      result_.profile = said.profile;
+      result_.fingerprint = said.fingerprint;
+      result_.drawing = said.drawing;
+      result_.memoryPath = said.memoryPath;
+    };
+    force.done = [this](std::size_t item, const std::string& text) {
+      golden::Outcome outcome = golden::parseOutcome(text);
+      nameScene(scenes_[item], outcome.scene);  // what JSON does not hold: bytes that are no UTF-8
+      take(std::move(outcome));
+    };
+    force.lost = [this](std::size_t item, const std::string& how) {
+      golden::Outcome outcome;
+      nameScene(scenes_[item], outcome.scene);
+      outcome.scene.status = golden::Status::error;
+      outcome.scene.messages.push_back(fmt::format(
+          "the process that tested it {}: out of memory, or a crash of the driver? Run it alone: simreel "
+          "test {}",
+          how, outcome.scene.file));
+      outcome.error = ExitCode::device;
+      take(std::move(outcome));
+    };
+    // A renamed scene takes its baseline from those that have no scene: the first in order has to get it.
+    const bool mayMove = options_.update != golden::Update::none && !options_.orphans.empty();
+    force.alone = [this, mayMove](std::size_t item) {
+      return mayMove && !pathExists(golden::baselineFolder(scenes_[item].file));
+    };
+    force.interrupted = [] { return frame::interruptSignal(); };
+    employ(force);
+    signal_ = frame::interruptSignal();
+  }
+
+  static void nameScene(const golden::SceneFile& scene, golden::SceneResult& result) {
+    result.name = scene.name;
+    result.file = scene.file.generic_string();
+    result.baselines = golden::baselineFolder(scene.file).generic_string();
+  }
+
+  void testAsWorker(WorkerLine& line) {
+    const gl::Context context(o_.on);
+    const golden::Device device = describeDevice(context, o_.profile);
+    golden::SuiteResult about;
+    setEnvironment(device, about);
+    line.ready(golden::reportText(about));
+    while (const auto item = line.next())
+      line.answer(*item, golden::outcomeText(golden::testScene(scenes_[*item], options_, device)));
+  }
+
+  void take(golden::Outcome&& outcome) {
+    tally_.add(outcome.scene.status, options_.allowFlaky && !outcome.hardFailed, outcome.error);
+    result_.stale.insert(result_.stale.end(), outcome.stale.begin(), outcome.stale.end());
+    o_.outputs.show(outcome.scene, result_.unit);
+    result_.scenes.push_back(std::move(outcome.scene));
+  }
+
+  /// Those that no scene took over.
+  void addOrphans() {
+    for (const fs::path& folder : options_.orphans) {
+      if (!pathExists(folder)) continue;
+      const auto heir = std::find_if(
+          result_.scenes.begin(), result_.scenes.end(),
+          [&](const golden::SceneResult& scene) { return scene.renamedFrom == folder.generic_string(); });
+      golden::Stale stale{folder.generic_string(), "its scene is gone", false};
+      if (heir != result_.scenes.end())
+        stale.message = fmt::format(
+            "its scene is gone; the pictures are those of {}: --update moves it there", heir->name);
+      else if (options_.update == golden::Update::prune &&
+               !(stale.removed = golden::removeBaselines(folder)))
+        stale.message = "its scene is gone; what is no baseline was left there";
+      result_.stale.push_back(std::move(stale));
+    }
+  }
+
+  void finish() {
+    o_.outputs.write(result_);
+    if (signal_ != 0)
+      info("simreel: interrupted after {} of {} scenes", result_.scenes.size(), scenes_.size());
+    // A part that no scene falls into is tested well: the other parts have them.
+    const ExitCode code = scenes_.empty() ? ExitCode::ok : tally_.exitCode();
+    setExitCode(signal_ != 0 ? 128 + signal_ : static_cast<int>(code));
+  }
+
+  const TestOptions& o_;
+  golden::SuiteOptions options_;
+  std::size_t jobs_ = 1;
+  std::vector<golden::SceneFile> scenes_;
+  golden::Tally tally_;
+  golden::SuiteResult result_;
+  int signal_ = 0;
+};
+
+}  // namespace
+
+void testScenes(const TestOptions& options) {
+  SceneRun(options).run();
+}
+
+}  // namespace simreel::cli

@@ -1,0 +1,34 @@
+#include "golden/report/outcome.hpp"
+
+#include "base/error.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace simreel::golden {
+
+// Two characters, the exit code as a letter from '0' on and whether a hardFail was broken, and the report
+// of a run of this one scene.
+
+std::string outcomeText(Outcome outcome) {
+  SuiteResult alone;
+  alone.stale = std::move(outcome.stale);
+  alone.scenes.push_back(std::move(outcome.scene));
+  std::string head = {static_cast<char>('0' + static_cast<int>(outcome.error)),
+                      outcome.hardFailed ? '1' : '0'};
+  return head + reportText(alone);
+}
+
+Outcome parseOutcome(const std::string& text) {
+  SuiteResult alone = parseReport(text.substr(std::min<std::size_t>(2, text.size())), "worker");
+  if (alone.scenes.size() != 1)
+    fail(ExitCode::inputOutput, "a process that tested a scene told of {}", alone.scenes.size());
+  Outcome outcome;
+  outcome.error = static_cast<ExitCode>(text[0] - '0');
+  outcome.hardFailed = text[1] == '1';
+  outcome.scene = std::move(alone.scenes.front());
+  outcome.stale = std::move(alone.stale);
+  return outcome;
+}
+
+}  // namespace simreel::golden

@@ -1,0 +1,316 @@
+"""`simreel test` in several processes and on several machines: --jobs, --shard, `simreel report merge`, and accepting what
+they made."""
+import json
+import os
+import pathlib
+import re
+import shutil
+import signal
+import time
+
+from common import SLOW, main
+from golden_common import HAIR, RED, TESTED, GoldenCase, with_values
+
+# A scene that takes minutes.
+LONG = with_values({**SLOW, "time.duration": 60, "test": {"frames": [1799], "size": [64, 36], "samples": 1}}, TESTED)
+TIMES = re.compile(rb'"(seconds|simulateSeconds|command|acceptCommand)": [^\n]*')
+
+
+def alive(pid):
+    try:
+        return pathlib.Path(f"/proc/{pid}/stat").read_text(encoding="ascii").rsplit(")", 1)[1].split()[0] != "Z"
+    except OSError:
+        return False
+
+
+class Several(GoldenCase):
+    """Four scenes that are the same, and nobody changes one by running it."""
+    made = {}  # the baselines of one, made once
+
+    def setUp(self):
+        super().setUp()
+        for name in ("b", "c", "d"):
+            self.set_scene({}, name)
+
+    def make_baselines(self):
+        if not self.made:
+            self.good("test", "scenes/a.json", "--update")
+            self.made.update(self.tree("scenes/golden/a"))
+        for name in "abcd":
+            for path, content in self.made.items():
+                self.write(f"scenes/golden/{name}/{path}", content)
+
+    def same_but_times(self, one, other):
+        """Two report folders."""
+        def told(name):
+            return {path: TIMES.sub(b"", content.replace(name.encode(), b"R")) for path, content in self.tree(name).items()}
+        self.assertEqual(told(one), told(other))
+
+    def workers_of(self, process):
+        return [int(word) for word in pathlib.Path(f"/proc/{process.pid}/task/{process.pid}/children").read_text().split()]
+
+    def wait_for(self, what, seconds=60):
+        end = time.monotonic() + seconds
+        while not (found := what()):
+            self.assertLess(time.monotonic(), end, "it never came")
+            time.sleep(0.01)
+        return found
+
+
+class Jobs(Several):
+    def test_reports_are_the_same(self):
+        """Of scenes that pass, fail, are missing, are no scenes, and of baselines without a scene."""
+        self.make_baselines()
+        self.set_scene(RED, "b")
+        self.set_scene({"checks": [{"what": "mass", "max": 0.001}]}, "d")
+        self.write("scenes/e.json", "no json")
+        self.write("scenes/f.json", TESTED)
+        (self.folder / "scenes/c.json").unlink()
+        self.assertEqual(self.run_program("test", "scenes", "--jobs", "auto", "--filter", "[ab]").returncode, 1)
+        for jobs in ("1", "3"):
+            done = self.run_program("test", "scenes", "--report", f"r{jobs}", "--junit", f"r{jobs}/j.xml", "--jobs", jobs,
+                                    "--repeat", "1")
+            self.assertEqual(done.returncode, 1, done.err)
+            (self.folder / f"r{jobs}/out").write_bytes(re.sub(rb"[0-9.]+ s\b", b"", done.stdout))
+            xml = self.folder / f"r{jobs}/j.xml"
+            xml.write_bytes(re.sub(rb' time="[0-9.]+"', b"", xml.read_bytes()))
+        report = json.loads((self.folder / "r3/report.json").read_text(encoding="utf-8"))
+        self.assertEqual([s["status"] for s in report["scenes"]], ["pass", "fail", "fail", "error", "missing"])
+        self.assertIn("c", report["stale"][0]["path"])
+        self.same_but_times("r1", "r3")
+
+    def test_baselines_are_the_same(self):
+        self.set_scene(RED, "b")
+        self.good("test", "scenes", "--update", "--repeat", "1", "--jobs", "1")
+        one = self.tree("scenes/golden")
+        shutil.rmtree(self.golden())
+        self.good("test", "scenes", "--update", "--repeat", "1", "--jobs", "4")
+        self.assertEqual(self.tree("scenes/golden"), one)
+        # Of two new scenes that look like one that is gone, the first takes its baseline: whoever is quicker.
+        (self.folder / "scenes/b.json").unlink()
+        for name in ("m", "n", "o"):
+            self.set_scene(RED, name)
+        self.good("test", "scenes", "--update", "--jobs", "4", "--json", "report.json")
+        report = json.loads((self.folder / "report.json").read_text(encoding="utf-8"))
+        self.assertEqual([s["name"] for s in report["scenes"] if any("moved" in n for n in s["notes"])], ["m"])
+
+    def test_a_worker_that_is_killed_costs_its_scene_alone(self):
+        self.make_baselines()
+        self.write("scenes/b.json", LONG)
+        process = self.start("test", "scenes", "--jobs", "2", "--report", "r", "--repeat", "1")
+        self.wait_for(lambda: len(self.workers_of(process)) == 2)
+        # The worker of the long scene is the one that is there after the others are done.
+        self.wait_for(lambda: len(self.workers_of(process)) == 1)
+        for worker in self.workers_of(process):
+            os.kill(worker, signal.SIGKILL)
+        process.communicate(timeout=60)
+        self.assertEqual(process.returncode, 4)
+        report = json.loads((self.folder / "r/report.json").read_text(encoding="utf-8"))
+        self.assertEqual([s["status"] for s in report["scenes"]], ["pass", "error", "pass", "pass"])
+        self.assertIn("was ended by signal 9", report["scenes"][1]["messages"][0])
+        self.assertIn("simreel test scenes/b.json", report["scenes"][1]["messages"][0])
+
+    def test_an_interrupt_keeps_what_is_done(self):
+        self.make_baselines()
+        self.write("scenes/a.json", LONG)
+        process = self.start("test", "scenes", "--jobs", "2", "--report", "r", "--repeat", "1")
+        self.wait_for(lambda: len(self.workers_of(process)) == 2)
+        workers = self.workers_of(process)
+        self.wait_for(lambda: len(self.workers_of(process)) == 1)
+        process.send_signal(signal.SIGINT)
+        messages = process.communicate(timeout=60)[1].decode()
+        self.assertEqual(process.returncode, 130, messages)
+        self.assertIn("interrupted after 3 of 4 scenes", messages)
+        report = json.loads((self.folder / "r/report.json").read_text(encoding="utf-8"))
+        self.assertEqual([s["name"] for s in report["scenes"]], ["b", "c", "d"])
+        self.assertFalse(any(map(alive, workers)))
+
+    def test_no_worker_outlives_the_program(self):
+        self.write("scenes/a.json", LONG)
+        process = self.start("test", "scenes/a.json", "scenes/b.json", "--jobs", "2")
+        self.wait_for(lambda: len(self.workers_of(process)) == 2)
+        workers = self.workers_of(process)
+        time.sleep(0.3)
+        process.kill()
+        process.communicate(timeout=60)
+        self.wait_for(lambda: not any(map(alive, workers)))
+
+    def test_bad_input(self):
+        for jobs in ("0", "-1", "257", "two", "1.5", "1e9", " 1"):
+            self.bad(2, "--jobs takes a number from 1 to 256, or auto", "test", "scenes", f"--jobs={jobs}")
+        self.bad(4, "--device", "test", "scenes", "--jobs", "2", "--device", "nobody's")
+
+    def test_commands_run_at_once(self):
+        """Each waits for the other."""
+        for name in ("x", "y"):
+            self.write(f"in/{name}.txt", name)
+        command = ("cp scenes/golden/a/any/000000.png {output}; touch here-$(basename {scene}); "
+                   "for i in $(seq 600); do [ $(ls here-* | wc -l) = 2 ] && exit 0; sleep 0.05; done; exit 1")
+        self.make_baselines()
+        self.good("test", "--expected", "baselines", "--run", command, "in", "--jobs", "2", "--update")
+        self.assertEqual(sorted(self.tree("baselines")), ["x.png", "y.png"])
+
+
+class Shards(Several):
+    def run_shards(self, count, code=None, *arguments):
+        for k in range(1, count + 1):
+            done = self.run_program("test", "scenes", "--shard", f"{k}/{count}", "--report", f"part{k}", *arguments)
+            if code is not None:
+                self.assertEqual(done.returncode, code, done.err)
+        return [f"part{k}" for k in range(1, count + 1)]
+
+    def report(self, folder):
+        return json.loads((self.folder / folder / "report.json").read_text(encoding="utf-8"))
+
+    def test_merged_is_what_one_run_tells(self):
+        self.make_baselines()
+        self.set_scene(RED, "b")
+        self.set_scene(HAIR, "c")
+        (self.folder / "scenes/d.json").rename(self.folder / "scenes/e.json")
+        whole = self.run_program("test", "scenes", "--report", "whole")
+        parts = self.run_shards(2)
+        self.assertEqual(self.report("part1")["shard"], "1/2")
+        self.assertEqual(self.report("part1")["notes"], ["shard 1/2: 2 of 4 scenes"])
+        done = self.run_program("report", "merge", *parts, "-o", "all", "--junit", "all/j.xml", "--markdown", "all/s.md")
+        self.assertEqual((whole.returncode, done.returncode), (1, 1), done.err)
+        one, merged = self.report("whole"), self.report("all")
+        self.assertEqual(merged.pop("notes"), ["merged from 2 reports"])
+        for report in (one, merged):
+            for key in ("seconds", "command", "acceptCommand", "shard"):
+                report.pop(key)
+            for scene in report["scenes"]:
+                scene.pop("seconds"), scene.pop("simulateSeconds")
+        one.pop("notes")
+        self.assertEqual(one, merged)
+        self.assertEqual(self.tree("whole/files"), self.tree("all/files"))
+        self.assertIn(b'tests="4"', (self.folder / "all/j.xml").read_bytes())
+        self.assertIn("files/b/", (self.folder / "all/s.md").read_text(encoding="utf-8"))
+        self.good("accept", "all/report.json", "--only", "[bc]")
+        report, _ = self.run_suite(3)
+        self.assertEqual([s["status"] for s in report["scenes"]], ["pass", "pass", "pass", "missing"])
+
+    def test_a_shard_without_scenes_and_one_without_a_report(self):
+        self.make_baselines()
+        parts = self.run_shards(6, 0)
+        self.assertEqual(self.report("part6")["notes"], ["shard 6/6: 0 of 4 scenes"])
+        self.good("report", "merge", *parts, "-o", "all")
+        self.assertEqual(len(self.report("all")["scenes"]), 4)
+        done = self.run_program("report", "merge", *parts[:2], *parts[3:], "-o", "less")
+        self.assertEqual(done.returncode, 5, done.err)
+        self.assertIn("there is no report of shard 3/6", done.stdout.decode())
+
+    def test_what_does_not_belong_together(self):
+        self.make_baselines()
+        self.set_scene(RED, "b")
+        one, two = self.run_shards(2)
+        merge = lambda code, words, *parts, to="all": self.bad(code, words, "report", "merge", *parts, "-o", to)
+        merge(2, "part1/report.json are both of shard 1/2", one, two, "part1/report.json")
+        self.good("test", "scenes/a.json", "--report", "a")
+        merge(2, ["a is in part1/report.json and in a/report.json", "give each scene once"], one, two, "a")
+        merge(2, "holds part1", one, two, to="part1")
+        merge(2, "holds part1/report.json", "part1/report.json", two, to=".")
+        merge(2, "nowhere", one, "nowhere")
+        merge(2, "is not empty and holds no report", one, two, to="scenes")
+        self.write("other/report.json", "{}")
+        merge(2, "other/report.json", one, "other")
+        (self.folder / "older").mkdir()
+        text = (self.folder / "part1/report.json").read_text(encoding="utf-8")
+        self.write("older/report.json", text.replace('"format": 5', '"format": 4'))
+        merge(2, ["older/report.json: format must be 5", "run simreel test again"], "older", two)
+        self.write("older/report.json", text.replace('"simreel": "', '"simreel": "9.'))
+        merge(2, ["do not belong together", "version"], "older", two)
+        self.write("older/report.json", text[:100])
+        merge(2, "older/report.json", "older", two)
+        shutil.copytree(self.folder / "part2", self.folder / "torn")
+        shutil.rmtree(self.folder / "torn/files")
+        done = self.run_program("report", "merge", one, "torn", "-o", "all")
+        self.assertEqual(done.returncode, 1, done.err)
+        self.assertIn("torn/files/b/candidate of b is gone", done.stdout.decode())
+        self.bad(1, "b: ", "accept", "all")
+        self.assertFalse((self.folder / "part1/all").exists())
+
+    def test_links_are_not_followed(self):
+        self.make_baselines()
+        self.set_scene(RED, "b")
+        one, two = self.run_shards(2)
+        picture = next((self.folder / "part2/files/b").rglob("*.actual.png"), None) or \
+            next((self.folder / "part2/files/b").rglob("*.expected.png"))
+        picture.unlink()
+        picture.symlink_to("/etc/passwd")
+        self.run_program("report", "merge", one, two, "-o", "all")
+        self.assertNotIn(pathlib.Path("/etc/passwd").read_bytes(), self.tree("all").values())
+
+    def test_pictures(self):
+        self.make_baselines()
+        for name in ("x", "y", "z"):
+            source = self.golden("a/any/000000.png" if name != "y" else "a/any/000005.png")
+            shutil.copy(source, self.write(f"new/{name}.png", b""))
+            shutil.copy(self.golden("a/any/000000.png"), self.write(f"old/{name}.png", b""))
+        shutil.copy(self.golden("a/any/000003.png"), self.write("old/gone.png", b""))
+        given = ["test", "--expected", "old", "--actual", "new"]
+        whole = self.run_program(*given, "--json", "whole.json")
+        codes = [self.run_program(*given, "--shard", f"{k}/5", "--report", f"part{k}").returncode for k in range(1, 6)]
+        self.assertEqual((whole.returncode, codes), (1, [1, 0, 1, 0, 0]))
+        self.run_program("report", "merge", *(f"part{k}" for k in range(1, 6)), "-o", "all")
+        names = [(s["name"], s["status"]) for s in self.report("all")["scenes"]]
+        self.assertEqual(names, [("gone.png", "fail"), ("x.png", "pass"), ("y.png", "fail"), ("z.png", "pass")])
+        self.good("accept", "all", "--only", "y.png")
+        self.assertEqual(self.run_program(*given, "--shard", "3/5").returncode, 0)
+        self.bad(2, "--update=prune", *given, "--shard", "1/2", "--update=prune")
+        self.bad(2, "--update=prune", "test", "scenes", "--shard", "1/2", "--update=prune")
+
+
+class Accepting(Several):
+    def test_a_scene_that_has_changed_since(self):
+        self.make_baselines()
+        self.set_scene(RED, "b")
+        self.run_suite(1, "--filter", "b")
+        before = self.tree("scenes/golden")
+        kept = (self.folder / "scenes/b.json").read_bytes()
+        self.set_scene(HAIR, "b")
+        self.bad(1, ["b: scenes/b.json has changed since that run", "run the test again"], "accept", "report.json")
+        (self.folder / "scenes/b.json").write_bytes(kept)
+        self.write("scenes/b.test.json", {"test": {"frames": [0, 3, 5], "size": [64, 36], "samples": 1}})
+        self.bad(1, "b: scenes/b.test.json has come since that run", "accept", "report.json")
+        (self.folder / "scenes/b.test.json").unlink()
+        self.assertEqual(self.tree("scenes/golden"), before)
+        self.edit_json(self.folder / "report.json", lambda report: report["scenes"][0].update(inputs={}))
+        self.bad(1, "does not say what scenes/b.json was", "accept", "report.json")
+        self.run_suite(1, "--filter", "b")
+        self.good("accept", "report.json")
+
+    def test_what_the_scene_reads_has_changed_since(self):
+        picture = self.golden("a/any/000000.png")
+        self.make_baselines()
+        shutil.copy(picture, self.folder / "scenes/cloth.png")
+        self.set_scene({"objects.flag.material": {"texture": "cloth.png"}}, "b")
+        self.run_suite(1, "--filter", "b")
+        shutil.copy(self.golden("a/any/000005.png"), self.folder / "scenes/cloth.png")
+        self.bad(1, "b: scenes/cloth.png has changed since that run", "accept", "report.json")
+        (self.folder / "scenes/cloth.png").unlink()
+        self.bad(1, "b: scenes/cloth.png is gone since that run", "accept", "report.json")
+        shutil.copy(picture, self.folder / "scenes/cloth.png")
+        self.good("accept", "report.json")
+
+    def test_what_a_picture_was_rendered_from(self):
+        self.make_baselines()
+        self.write("in/x.txt", "scenes/golden/a/any/000000.png")
+        given = ["test", "--expected", "old", "--run", "cp $(cat {scene}) {output}", "in", "--report", "r"]
+        self.good(*given, "--update")
+        self.write("in/x.txt", "scenes/golden/a/any/000005.png")
+        self.assertEqual(self.run_program(*given).returncode, 1)
+        self.write("in/x.txt", "scenes/golden/a/any/000003.png")
+        self.bad(1, "in/x.txt has changed since that run", "accept", "r")
+
+    def test_two_runs_at_once(self):
+        """Who writes the same baselines may be stopped by the other: every file is whole, and once more mends the rest."""
+        both = [self.start("test", "scenes/a.json", "scenes/b.json", "--repeat", "1", "--update", "--jobs", "2", "--report", f"r{i}") for i in range(2)]
+        for process in both:
+            self.assertIn(process.wait(timeout=120), (0, 6))
+        self.good("test", "scenes/a.json", "scenes/b.json", "--repeat", "1", "--update")
+        both = [self.start("test", "scenes/a.json", "scenes/b.json", "--repeat", "1", "--jobs", "2", "--report", f"r{i}") for i in range(2)]
+        self.assertEqual([process.wait(timeout=120) for process in both], [0, 0])
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,136 @@
+#include "base/workers.hpp"
+
+#include "base/error.hpp"
+
+#include <csignal>
+#include <string>
+#include <unistd.h>
+#include <vector>
+
+#include <doctest/doctest.h>
+
+using namespace simreel;
+
+namespace {
+
+struct Heard {
+  std::vector<std::string> said;  ///< in the order in which it was handed on
+  int ready = 0;
+};
+
+/// Answers "item 3", late for early items, unless `end` ends the process first.
+WorkForce force(
+    std::size_t workers, std::size_t items, Heard& heard,
+    const std::function<void(std::size_t)>& end = [](std::size_t) {}) {
+  std::signal(SIGPIPE, SIG_IGN);
+  WorkForce made;
+  made.workers = workers;
+  made.items = items;
+  made.work = [items, end](WorkerLine& line) {
+    std::signal(SIGTERM, SIG_DFL);
+    line.ready("hello");
+    while (const auto item = line.next()) {
+      ::usleep(static_cast<useconds_t>(2000 * (items - *item)));
+      end(*item);
+      line.answer(*item, "item " + std::to_string(*item) + std::string(200'000, '.'));
+    }
+  };
+  made.ready = [&heard](const std::string& text) {
+    CHECK(text == "hello");
+    ++heard.ready;
+  };
+  made.done = [&heard](std::size_t item, const std::string& text) {
+    CHECK(text.size() == 200'000 + 5 + std::to_string(item).size());
+    heard.said.push_back(text.substr(0, text.find('.')));
+  };
+  made.lost = [&heard](std::size_t item, const std::string& how) {
+    heard.said.push_back("lost " + std::to_string(item) + ": " + how);
+  };
+  made.alone = [](std::size_t) { return false; };
+  made.interrupted = [] { return 0; };
+  return made;
+}
+
+}  // namespace
+
+TEST_CASE("workers: answers come in order, however long each took") {
+  for (const std::size_t workers : {1U, 3U, 20U}) {
+    Heard heard;
+    employ(force(workers, 7, heard));
+    CHECK(heard.said ==
+          std::vector<std::string>{"item 0", "item 1", "item 2", "item 3", "item 4", "item 5", "item 6"});
+    CHECK(heard.ready == 1);
+  }
+  Heard none;
+  employ(force(2, 1, none));
+  CHECK(none.said == std::vector<std::string>{"item 0"});
+}
+
+TEST_CASE("workers: one that ends costs what it had in hand, and says how") {
+  Heard heard;
+  employ(force(2, 6, heard, [](std::size_t item) {
+    if (item == 1) ::raise(SIGKILL);
+    if (item == 3) ::_exit(7);
+    if (item == 4) throw std::runtime_error("no more paper");
+  }));
+  CHECK(heard.said == std::vector<std::string>{"item 0", "lost 1: was ended by signal 9 (Killed)", "item 2",
+                                               "lost 3: ended with status 7",
+                                               "lost 4: failed: no more paper", "item 5"});
+}
+
+TEST_CASE("workers: every one dies at every item") {
+  Heard heard;
+  employ(force(2, 5, heard, [](std::size_t) { ::_exit(9); }));
+  CHECK(heard.said.size() == 5);
+  for (const std::string& said : heard.said) CHECK(said.ends_with(": ended with status 9"));
+}
+
+TEST_CASE("workers: what keeps all of them from working is thrown") {
+  Heard heard;
+  WorkForce refused = force(2, 3, heard);
+  refused.work = [](WorkerLine&) { fail(ExitCode::device, "no paint"); };
+  CHECK_THROWS_WITH_AS(employ(refused), "no paint", UserError);
+  refused.work = [](WorkerLine&) { ::raise(SIGKILL); };
+  CHECK_THROWS_WITH_AS(employ(refused),
+                       "the process that was to do the work was ended by signal 9 (Killed)", UserError);
+  CHECK(heard.said.empty());
+}
+
+TEST_CASE("workers: what is to be alone is, and in order") {
+  Heard heard;
+  int pipe[2] = {-1, -1};
+  REQUIRE(::pipe(pipe) == 0);
+  WorkForce careful = force(4, 6, heard);
+  careful.alone = [](std::size_t item) { return item % 2 == 1; };
+  careful.work = [&](WorkerLine& line) {
+    line.ready("hello");
+    while (const auto item = line.next()) {
+      const auto mark = [&](char c) { CHECK(::write(pipe[1], &c, 1) == 1); };
+      if (*item % 2 == 1) mark(static_cast<char>('0' + *item));
+      ::usleep(5000);
+      if (*item % 2 == 1) mark('.');
+      line.answer(*item, "item " + std::to_string(*item) + std::string(200'000, '.'));
+    }
+  };
+  employ(careful);
+  char marks[7] = {};
+  CHECK(::read(pipe[0], marks, 6) == 6);
+  CHECK(std::string(marks) == "1.3.5.");
+  CHECK(heard.said.size() == 6);
+  ::close(pipe[0]);
+  ::close(pipe[1]);
+}
+
+TEST_CASE("workers: after an interrupt what is finished is kept") {
+  Heard heard;
+  int signal = 0;
+  WorkForce stopped = force(1, 5, heard);
+  stopped.interrupted = [&] { return signal; };
+  const auto done = stopped.done;
+  stopped.done = [&](std::size_t item, const std::string& text) {
+    done(item, text);
+    if (item == 1) signal = SIGINT;
+  };
+  employ(stopped);
+  CHECK(heard.said == std::vector<std::string>{"item 0", "item 1"});
+}

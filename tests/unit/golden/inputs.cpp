@@ -1,0 +1,38 @@
+#include "golden/baseline/inputs.hpp"
+
+#include "base/error.hpp"
+#include "base/file.hpp"
+#include "base/hash.hpp"
+#include "unit/frame/help.hpp"
+
+#include <doctest/doctest.h>
+
+using namespace simreel;
+using namespace simreel::golden;
+
+TEST_CASE("inputs: the scene, its sidecar, what it names and the buffers of glTF") {
+  const frame::test::TemporaryFolder folder;
+  const auto file = [&](const std::string& name) { return folder / name; };
+  const auto write = [&](const std::string& name, std::string_view text) {
+    writeFileAtomically(file(name), text);
+  };
+  write("a.json", "{}");
+  write("m.gltf", R"({"buffers": [{"uri": "my%20buffer.bin"}, {"uri": "data:;base64,AA"}, {}]})");
+  write("my buffer.bin", "123");
+  write("torn.gltf", "{");
+  const std::vector<std::filesystem::path> named = {file("m.gltf"), file("torn.gltf"),
+                                                    assetFolder() / "scenes/flag.json"};
+  const Inputs inputs = inputsOf(file("a.json"), named);
+  CHECK(inputs.size() == 6);
+  CHECK(inputs.at(file("a.json").string()) == hashHex(std::string_view("{}")));
+  CHECK(inputs.at(file("a.test.json").string()).empty());
+  CHECK(inputs.at(file("my buffer.bin").string()) == hashHex(std::string_view("123")));
+  CHECK(inputs.contains("<assets>/scenes/flag.json") != inputs.contains("assets/scenes/flag.json"));
+  CHECK_NOTHROW(checkUnchanged(inputs));
+  write("my buffer.bin", "124");
+  CHECK_THROWS_WITH_AS(checkUnchanged(inputs),
+                       doctest::Contains("my buffer.bin has changed since that run"), UserError);
+  removeFile(file("my buffer.bin"));
+  CHECK_THROWS_WITH_AS(checkUnchanged(inputs), doctest::Contains("my buffer.bin is gone since that run"),
+                       UserError);
+}
