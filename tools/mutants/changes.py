@@ -7,6 +7,7 @@ import re
 import shutil
 import struct
 
+from mutants import code
 from mutants.equivalent import EQUIVALENT
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
@@ -119,8 +120,8 @@ def mutants_of(file, seed, every=False):
 
 def all_files():
     """Those that have places."""
-    names = sorted(str(file.relative_to(GLSL)) for file in (GLSL / "draw").rglob("*") if file.is_file())
-    return [file for file in names if not NOT_MUTATED.search(file)]
+    names = sorted(str(file.relative_to(GLSL)) for file in GLSL.rglob("*") if file.suffix in (".glsl", ".comp", ".vert", ".frag"))
+    return [file for file in names if code.chosen.has(file) and not NOT_MUTATED.search(file)]
 
 
 def drawn_lots(files, seed, every=False):

@@ -5,6 +5,7 @@ import re
 import shutil
 import subprocess
 
+from mutants import code
 from mutants.changes import GLSL
 
 
@@ -75,7 +76,7 @@ class Files:
 
 
 def lines_of(folder, files, known):
-    """{(file, line)} of glsl/draw that sources in `folder` compile; `known` keeps what is found of a source."""
+    """{(file, line)} of the chosen code that sources in `folder` compile; `known` keeps what is found of a source."""
     found = set()
     for source in pathlib.Path(folder).glob("*.glsl") if shutil.which("cpp") else ():
         if source.name not in known:
@@ -87,6 +88,6 @@ def lines_of(folder, files, known):
                 while line < len(lines) and lines[line - 1].endswith("\\"):
                     line += 1
                     here.add((name, line))
-            known[source.name] = {(name, line) for name, line in here if name and name.startswith("draw/")}
+            known[source.name] = {(name, line) for name, line in here if name and code.chosen.has(name)}
         found |= known[source.name]
     return found

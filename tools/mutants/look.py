@@ -14,15 +14,13 @@ import threading
 import time
 
 import exact_pictures
-from mutants import compiled
+from mutants import code, compiled
 from mutants.changes import GLSL, ROOT
 from mutants.processes import run
 
-FIRST_SCENES = 5  # are drawn before the tests of exact drawing, which take as long as ten, run
+FIRST_SCENES = 5  # are drawn before the first group of tests, which takes as long as ten, runs
 FRAME = 8  # of the small pictures
 PATIENCE = 120  # s that a picture may take: a mutant that never ends is caught
-EXACT_TESTS = "--source-file=*gpu/draw/exact/*"
-OTHER_TESTS = ["--source-file=*gpu/draw/*", "--source-file-exclude=*gpu/draw/exact/*"]
 ARGUMENTS = []  # a variant's
 
 
@@ -68,7 +66,7 @@ def take_variant(name):
 
 
 def looked_through(folder, program, scene, frame):
-    """The scene's exact picture, the files of glsl/draw that it is made with, how long it takes (s), and a folder with
+    """The scene's exact picture, the files of the chosen code that it is made with, how long it takes (s), and a folder with
     what the driver compiles for it."""
     copy, sources = pathlib.Path(folder) / scene, pathlib.Path(folder) / f"{scene}-sources"
     shutil.copytree(GLSL, copy)
@@ -84,7 +82,7 @@ def looked_through(folder, program, scene, frame):
     shutil.rmtree(copy)
     if not read:
         sys.exit(f"{folder} does not note when files are read; set TMPDIR to a place that does")
-    return entry, {name for name in read if name.startswith("draw/")}, seconds, sources
+    return entry, {name for name in read if code.chosen.has(name)}, seconds, sources
 
 
 class Scenes:
@@ -169,7 +167,7 @@ def tested_frames_differ(program, scene, glsl, frames=None):
 def check_tests(names=None):
     """They (or those of `names`) notice nothing where nothing is changed."""
     folder = tempfile.gettempdir()
-    groups = [[EXACT_TESTS], OTHER_TESTS] if names is None else [["--test-case=" + ",".join(map(pattern, names))]]
+    groups = code.chosen.tests if names is None else [["--test-case=" + ",".join(map(pattern, names))]]
     for group in groups:
         if test := test_that_fails(folder, GLSL, *group):
             sys.exit(f"without a change, too, a test fails: {test}")
@@ -220,12 +218,13 @@ def outcome(mutant, scenes, with_tests):
             small = small or words and f"{scene} {words}, not its baseline"
             if count + 1 != min(FIRST_SCENES, len(names)):
                 continue
-            if with_tests and scenes.reads(mutant, folder) and (test := test_that_fails(folder, glsl, EXACT_TESTS)):
+            if with_tests and scenes.reads(mutant, folder) and (test := test_that_fails(folder, glsl, *code.chosen.tests[0])):
                 return "caught", "test_gpu", test
         if not scenes.reads(mutant, folder):
             return "not reached", "", ""
-        if with_tests and (test := test_that_fails(folder, glsl, *OTHER_TESTS)):
-            return "caught", "test_gpu", test
+        for group in code.chosen.tests[1:] if with_tests else ():
+            if test := test_that_fails(folder, glsl, *group):
+                return "caught", "test_gpu", test
         for scene in scenes.reading(mutant.file) if with_tests else []:
             if scenes.baseline_differs(scene, glsl):
                 return "caught", f"{scene} (test)", ""
