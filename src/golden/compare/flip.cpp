@@ -160,10 +160,10 @@ void Seen::look(int row) {
   filterRow<odd, bend>(along(smooth), 1, width_, {{{&f.edge, edges}, {&f.point, points}}});
   filterRow<even>(along(edge), 1, width_, {{{&f.smooth, across1}}});
   filterRow<even>(along(point), 1, width_, {{{&f.smooth, across2}}});
-  const auto addSquares = [&](float* row, const float* other) {
+  const auto addSquares = [&](float* sum, const float* other) {
     for (int x = 0; x < width_; x += 4) {
-      const Four along = load(row + x), down = load(other + x);
-      store(row + x, squareRoot(along * along + down * down));
+      const Four one = load(sum + x), two = load(other + x);
+      store(sum + x, squareRoot(one * one + two * two));
     }
   };
   addSquares(edges, across1);
