@@ -147,7 +147,7 @@ InstanceShape InstanceShape::sphere() {
     if (level > 0) t = divided(t);
     const float scale = fullScale(t);
     builder.add(t.points, t.points, t.corners, 0.5F * scale);
-    depths.push_back(std::max(1.0F - scale * (1.0F - depthOfFacets(t)), 0.0F));
+    depths.push_back(scale * depthOfFacets(t));
   }
   InstanceShape shape = builder.build(static_cast<unsigned>(builder.vertices.size() / 2));
   for (std::size_t level = 0; level < depths.size(); ++level) shape.levels_[level].swell = depths[level];

@@ -18,7 +18,7 @@ class InstanceShape {
     int firstIndex = 0;
     int indexCount = 0;  ///< of all copies
     int batch = 1;
-    float swell = 0;  ///< of spheres: fraction of the radius by which facets lie inside it
+    float swell = 0;  ///< of spheres: fraction of the radius by which facets lie below the corners
   };
 
   /// No vertex data, diameter 1. Level 0, for sprites of few pixels, is a point, or a square where `points`
