@@ -19,11 +19,11 @@ struct Kernel {
   const TwinTexture& texture;
 #include "glsl/draw/exact/fixed.glsl"
 #include "glsl/draw/exact/ground_plane.glsl"
-#include "glsl/draw/exact/surface/footprint.glsl"
 #include "glsl/draw/exact/unit_vector.glsl"
 #include "glsl/draw/exact/weights.glsl"
 #include "glsl/draw/screen/lens.glsl"
 #include "glsl/draw/sky.glsl"
+#include "glsl/draw/surface/footprint.glsl"
 #include "glsl/draw/surface/ground_light.glsl"
 #include "glsl/draw/surface/lighting.glsl"
 

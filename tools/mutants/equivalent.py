@@ -64,7 +64,7 @@ EQUIVALENT = {
         "a wider span, of which every sample is tested",
     ("draw/exact/triangles/triangle.glsl", "return uint(low1) > uint(low2) ? 1 : low1 == low2 ? 1 : -1;"):
         "a triangle of no area covers no sample: of its edges at least one is neither a left nor a top one",
-    ("draw/exact/surface/footprint.glsl", "print.part = beyond ? 1.0f : part;"):
+    ("draw/surface/footprint.glsl", "print.part = beyond ? 1.0f : part;"):
         "beyond the last level the next one is the last, too",
     ("draw/exact/copies/cull_copies.comp", "precise float reach = radius * exactReciprocal(lightTexel()) + 0.0f;"):
         "what covers a texel's middle reaches half a texel into the map, more than is lost by rounding",

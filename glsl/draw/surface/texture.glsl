@@ -1,9 +1,20 @@
 // A material's texture, by uv or from three sides (three_sides.glsl), and the relief that its brightness makes. TRIPLANAR, BUMPED.
+#include "draw/surface/footprint.glsl"
 layout(binding = albedoUnit) uniform sampler2D albedo;
 
-// The texture where `shift` pixels to the right and up see it.
+// The texture where `shift` pixels to the right and up see it, by the taps of the exact rasterizer: where drivers filter
+// anisotropically at all, each does so in its own way.
 vec3 textureAt(vec2 place, vec2 shift) {
-  return texture(albedo, place + dFdx(place) * shift.x + dFdy(place) * shift.y).rgb;
+  Seen seen = Seen(place, dFdx(place), dFdy(place));
+  TextureShape shape = TextureShape(textureSize(albedo, 0), textureQueryLevels(albedo), true);
+  Footprint print = footprintOf(seen, shape);
+  vec2 middle = place + seen.across * shift.x + seen.up * shift.y;
+  vec3 sum = vec3(0);
+  for (int i = 0; i < print.taps; ++i) {
+    float aside = (float(i) + 0.5) * perTap(print.taps) - 0.5;
+    sum += textureLod(albedo, middle + print.along * aside, float(print.level) + print.part).rgb;
+  }
+  return sum * perTap(print.taps);
 }
 
 // Texels that a pixel covers of a place in uv.

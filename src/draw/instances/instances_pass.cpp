@@ -123,13 +123,13 @@ void InstancesPass::fill(const sim::Instances& instances, std::size_t i, Viewer 
   const CullPrograms& programs = cullPrograms(viewer, static_cast<int>(form.levels().size()));
   setInstance(programs.cull, instances, viewer);
   const bool forLight = viewer != Viewer::camera;
-  // Coarser on the CPU, where triangles cost most, and for shadows, which are filtered.
-  const bool coarse = forLight || (gl::softwareDriver() && !isSprite(instances));
-  const bool coarsest = forLight && gl::softwareDriver() && !isSprite(instances);
+  // Coarser on the CPU, where triangles cost most. Not in shadows: of a ball of few texels the surface
+  // shows each.
+  const bool coarse = !forLight && gl::softwareDriver() && !isSprite(instances);
   // A square of a disk's area misses the disk by 1/8 of the radius; a glow is the same as a point.
   const float maxGlow = GlowSums::takes(instances) ? maxSmallSum : maxPointGlow;
-  programs.cull.set("pointPixels", instances.additive ? maxGlow : coarse ? 4.0F : 1.6F);
-  programs.cull.set("levelError", coarsest ? 1.5F : coarse ? 0.5F : 0.2F);
+  programs.cull.set("pointPixels", instances.additive ? maxGlow : forLight ? 4.0F : 1.6F);
+  programs.cull.set("levelError", coarse ? 0.5F : 0.2F);
   const auto& list = viewer == Viewer::camera ? own.forCamera
                      : viewer == Viewer::sun  ? own.forLight
                                               : own.forLamps;

@@ -1,11 +1,9 @@
 #include "draw/surface/texture_store.hpp"
 
 #include "draw/surface/mip_levels.hpp"
-#include "gl/context.hpp"
 #include "gl/limits.hpp"
 #include "sim/grid/picture_file.hpp"
 
-#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -25,9 +23,6 @@ gl::Texture readPicture(const std::filesystem::path& file) {
   };
   upload(picture.size, picture.rgba);
   for (const MipLevel& level : mipLevels(picture.size, picture.rgba)) upload(level.size, level.rgba);
-  // llvmpipe filters anisotropically in software: even 2 takes the flag from 15.9 to 11.6 frames/s.
-  const float anisotropy = std::min(gl::limits().anisotropy, gl::softwareDriver() ? 1.0F : 8.0F);
-  if (anisotropy > 1.0F) glTextureParameterf(texture.name(), GL_TEXTURE_MAX_ANISOTROPY_EXT, anisotropy);
   return texture;
 }
 

@@ -7,7 +7,7 @@
 namespace simreel::draw {
 
 /// Pictures of materials: each file is read once. sRGB is decoded on reading a texel; mip maps
-/// of mip_levels.hpp, anisotropic filtering. Row 0 of the file is v = 0.
+/// of mip_levels.hpp. Row 0 of the file is v = 0.
 class TextureStore {
  public:
   /// Null for an empty path. Throws UserError: usage for a file that is no picture, inputOutput (or what

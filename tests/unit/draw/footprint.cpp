@@ -17,7 +17,7 @@ using namespace simreel::shader;  // NOLINT: the model is written in GLSL's name
 struct TextureReads {
   std::vector<std::vector<float>> levels;
   glm::ivec2 size;
-#include "glsl/draw/exact/surface/footprint.glsl"
+#include "glsl/draw/surface/footprint.glsl"
   [[nodiscard]] float texel(int x, int y, int level) const {
     const ivec2 side = max(size >> level, ivec2(1));
     REQUIRE(x >= 0);

@@ -1,7 +1,7 @@
 // Materials grown from a field (draw/surface/skin.glsl), by reads of our own.
 #include "common/once.glsl"
 #include "draw/bindings.glsl"
-#include "draw/exact/surface/footprint.glsl"
+#include "draw/surface/footprint.glsl"
 #include "draw/surface/skin_values.glsl"
 float skinThreshold_ = once(skinThreshold), skinRoughness_ = once(skinRoughness), skinDepth_ = once(skinDepth);
 vec3 skinLow_ = once(skinLow), skinHigh_ = once(skinHigh);

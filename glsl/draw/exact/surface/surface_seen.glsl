@@ -1,6 +1,6 @@
 // How a pixel sees what is laid over a spot of a surface: by uv, or TRIPLANAR from three sides in the surface's own space.
 #include "common/once.glsl"
-#include "draw/exact/surface/footprint.glsl"
+#include "draw/surface/footprint.glsl"
 #include "draw/surface/three_sides.glsl"
 uniform vec2 textureScale;  // repeats along u and v, or a metre
 vec2 textureScale_ = once(textureScale);

@@ -2,7 +2,7 @@
 // those of a buffer several times as fast as those of a 2-D texture. Each has its neighbour to the right beside it.
 #include "common/once.glsl"
 #include "draw/bindings.glsl"
-#include "draw/exact/surface/footprint.glsl"
+#include "draw/surface/footprint.glsl"
 layout(binding = albedoUnit) uniform usamplerBuffer albedo;
 uniform ivec2 albedoSize;
 ivec2 albedoSize_ = once(albedoSize);
