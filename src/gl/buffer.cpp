@@ -1,6 +1,7 @@
 #include "gl/buffer.hpp"
 
 #include "base/error.hpp"
+#include "gl/context.hpp"
 #include "gl/errors.hpp"
 #include "gl/large_pages.hpp"
 #include "gl/limits.hpp"
@@ -43,8 +44,13 @@ Buffer::Buffer(const std::string& label, std::size_t bytes, const void* items)
   // Zeros come as data, not through glClearNamedBufferData: with NVIDIA's driver 580 a clear overtakes a
   // large glNamedBufferSubData issued after it.
   const bool zero = items == nullptr || bytes == 0;
-  const std::vector<std::byte> zeros(zero ? std::clamp<std::size_t>(bytes, 1, stagedBytes) : 0);
-  if (!staged())
+  const bool cleared = zero && softwareDriver();
+  const std::vector<std::byte> zeros(zero && !cleared ? std::clamp<std::size_t>(bytes, 1, stagedBytes) : 0);
+  if (cleared) {
+    glNamedBufferStorage(name(), static_cast<GLsizeiptr>(std::max<std::size_t>(bytes, 1)), nullptr,
+                         GL_DYNAMIC_STORAGE_BIT);
+    glClearNamedBufferData(name(), GL_R8UI, GL_RED_INTEGER, GL_UNSIGNED_BYTE, nullptr);
+  } else if (!staged())
     glNamedBufferStorage(name(), static_cast<GLsizeiptr>(std::max<std::size_t>(bytes, 1)),
                          zero ? zeros.data() : items, GL_DYNAMIC_STORAGE_BIT);
   else {
@@ -62,9 +68,10 @@ Buffer::Buffer(const std::string& label, std::size_t bytes, const void* items)
 
 // NVIDIA's driver 580 keeps a second copy of a large buffer that the CPU may write, and kernels that step 1
 // GiB of such buffers ran at a third of their speed from time to time; never where the buffer is the GPU's
-// alone. What the CPU writes to a large buffer comes by way of another one.
+// alone. What the CPU writes to a large buffer comes by way of another one. To a software driver it is all
+// one memory, and touching pages for the first time is much of what a short run takes.
 bool Buffer::staged() const {
-  return bytes_ > directBytes && memory_ == nullptr;
+  return bytes_ > directBytes && memory_ == nullptr && !softwareDriver();
 }
 
 void Buffer::copyStaged(std::size_t offset, const std::byte* items, std::size_t bytes) {
