@@ -49,25 +49,26 @@ FUNCTION float giveOf(float stretch, bool pinned) {
   return max(give, 3.0517578125e-5f);
 }
 
-// Of a link by the cosines of its angles to those before and after (0: there is none) and the inverse masses of its ends.
-FUNCTION LineRow lineRow(float before, float stretch, float after, float massA, float massB) {
+// Of a link by what its row has beside the diagonal and on the right, and the inverse masses of its ends.
+FUNCTION LineRow lineRow(float lower, float right, float upper, float massA, float massB) {
   precise float weight = massA + massB;
   precise float give = weight * lineGive;
   precise float diagonal = weight + max(give, lineCompliance);
-  precise float lower = before * -massA;
-  precise float upper = after * -massB;
   LineRow row;
   row.lower = lower;
   row.diagonal = weight > 0.0f ? diagonal : 1.0f;
   row.upper = upper;
-  row.right = weight > 0.0f ? -stretch : 0.0f;
+  row.right = right;
   return row;
 }
 
-// Of the link whose row this is, by what is left of the segment and the next link; `before` is of the link before it.
-FUNCTION Reach reachAhead(LineRow row, Reach before) {
+// 1 / pivot of the link whose row this is; `before` is of the link before it.
+FUNCTION float pivotInverse(LineRow row, Reach before) {
   precise float pivot = row.diagonal - row.lower * before.right;
-  float inverse = exactReciprocal(pivot);
+  return exactReciprocal(pivot);
+}
+// Of that link by what is left of the segment and the next link.
+FUNCTION Reach reachAhead(LineRow row, Reach before, float inverse) {
   precise float fixed_ = (row.right - row.lower * before.fixed_) * inverse;
   precise float left = row.lower * before.left * -inverse;
   precise float right = row.upper * inverse;

@@ -1,7 +1,7 @@
 // A segment of a line, of links `first` to `last`. Compiles as GLSL and as C++, after line_model.glsl. Whoever includes it
 // provides lineParticle(int), xyz and inverse mass of the k-th particle of the line, lineBefore(int), the same at the substep's
 // beginning, lineSoftening, which weighs the masses of lines that keep energy (cloth/keeping.glsl; 1 of others), and, of the invocation, which arrays a
-// compiler keeps where it is cheap: lineCosine[segmentLinks + 1], lineMass[segmentLinks + 1], lineStretch[segmentLinks].
+// compiler keeps where it is cheap: lineLower[segmentLinks + 1], lineMass[segmentLinks + 1], lineStretch[segmentLinks].
 
 // How much of the stretch of link k is to be undone.
 FUNCTION float undone(int k, float stretch) {
@@ -14,8 +14,8 @@ FUNCTION float undone(int k, float stretch) {
   return all;
 }
 
-// Makes every link of the segment: into lineCosine, from the one before the segment on, of the angle to the next, lineStretch
-// and lineMass. How much longer than at rest all of them are together (m).
+// Makes the row of every link of the segment: into lineLower what it has before the diagonal, which the row before has after it,
+// into lineStretch the right side, and lineMass. How much longer than at rest all of them are together (m).
 FUNCTION float readSegment(int first, int last) {
   precise float sum = 0.0f;
   vec4 a = lineParticle(first);
@@ -23,17 +23,21 @@ FUNCTION float readSegment(int first, int last) {
   Link before = linkBetween(lineParticle(max(first - 1, 0)), a, first > 0);
   Link here = linkBetween(a, b, true);
   float cosine = exactDot(before.along, here.along);
-  lineCosine[0] = cosine;
   precise float mass = a.w * lineSoftening;
+  precise float lower = cosine * -mass;
+  lineLower[0] = lower;
   lineMass[0] = mass;
   for (int k = first; k <= last; ++k) {
     vec4 c = lineParticle(min(k + 2, lineLinks));
     Link after = linkBetween(b, c, k + 1 < lineLinks);
     cosine = exactDot(here.along, after.along);
-    lineCosine[k - first + 1] = cosine;
     precise float next = b.w * lineSoftening;
+    precise float upper = cosine * -next;
+    lineLower[k - first + 1] = upper;
     lineMass[k - first + 1] = next;
-    lineStretch[k - first] = undone(k, here.stretch);
+    precise float weight = mass + next;
+    lineStretch[k - first] = weight > 0.0f ? -undone(k, here.stretch) : 0.0f;
+    mass = next;
     sum = sum + here.stretch;
     b = c;
     here = after;
@@ -64,14 +68,7 @@ FUNCTION float keptGive(float pins) {
 
 // Of the i-th link of the segment.
 FUNCTION LineRow segmentRow(int i) {
-  return lineRow(lineCosine[i], lineStretch[i], lineCosine[i + 1], lineMass[i], lineMass[i + 1]);
-}
-
-// The last link of a segment by what is to the left of the segment and the link to its right.
-FUNCTION Reach lastOfSegment(int links) {
-  Reach reach = reachAtStart();
-  for (int i = 0; i < links; ++i) reach = reachAhead(segmentRow(i), reach);
-  return reach;
+  return lineRow(lineLower[i], lineStretch[i], lineLower[i + 1], lineMass[i], lineMass[i + 1]);
 }
 
 // The first link of a segment by what is to the left of the segment and its last link.
@@ -81,24 +78,32 @@ FUNCTION Reach firstOfSegment(int links) {
   return reach;
 }
 
-// The multipliers of a segment between its separators: into lineStretch, which are no longer needed, as cosines are not
-// where they become what a multiplier takes from the next one.
+// The last link of a segment by what is to the left of the segment and the link to its right. Leaves the pivots' reciprocals in
+// lineMass, which is no longer needed: solveSegment has the same pivots.
+FUNCTION Reach lastOfSegment(int links) {
+  Reach reach = reachAtStart();
+  for (int i = 0; i < links; ++i) {
+    LineRow row = segmentRow(i);
+    float inverse = pivotInverse(row, reach);
+    reach = reachAhead(row, reach, inverse);
+    lineMass[i] = inverse;
+  }
+  return reach;
+}
+
+// The multipliers of a segment between its separators, after lastOfSegment: into lineStretch, which is no longer needed.
 FUNCTION void solveSegment(int links, float leftOne, float lastOne) {
-  Eliminated eliminated;
-  eliminated.onto = leftOne;
-  eliminated.from = 0.0f;
-  float before = lineCosine[0];
+  float before = leftOne;
   for (int i = 0; i < links - 1; ++i) {
-    float next = lineCosine[i + 1];
-    eliminated = eliminate(lineRow(before, lineStretch[i], next, lineMass[i], lineMass[i + 1]), eliminated);
-    lineStretch[i] = eliminated.onto;
-    lineCosine[i] = eliminated.from;
-    before = next;
+    precise float onto = (lineStretch[i] - lineLower[i] * before) * lineMass[i];
+    lineStretch[i] = onto;
+    before = onto;
   }
   lineStretch[links - 1] = lastOne;
   float after = lastOne;
   for (int i = links - 2; i >= 0; --i) {
-    after = substituted(lineStretch[i], lineCosine[i], after);
+    precise float from = lineLower[i + 1] * lineMass[i];
+    after = substituted(lineStretch[i], from, after);
     lineStretch[i] = after;
   }
 }

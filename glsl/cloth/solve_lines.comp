@@ -41,10 +41,11 @@ vec4 lineBefore(int k) {
 #endif
 }
 #include "cloth/line_model.glsl"
-float lineCosine[segmentLinks + 1], lineMass[segmentLinks + 1], lineStretch[segmentLinks];
+float lineLower[segmentLinks + 1], lineMass[segmentLinks + 1], lineStretch[segmentLinks];
 #include "cloth/segment.glsl"
 
-shared float lastFixed[SEGMENTS * LINES], lastLeft[SEGMENTS * LINES], lastRight[SEGMENTS * LINES];
+// Of each segment: how long it is, then the row of its separator, which becomes the multiplier; what its first link is made of.
+shared vec4 separators[SEGMENTS * LINES];
 shared float firstFixed[SEGMENTS * LINES], firstLeft[SEGMENTS * LINES], firstRight[SEGMENTS * LINES];
 
 #if KEEPS
@@ -96,23 +97,24 @@ void leave(int k, vec4 here) {
 }
 #endif
 
-// Leaves the separators of a line of the group in lastFixed.
+// Leaves the multipliers of a line of the group in x. What the next step reads is loaded before this one's chain of operations.
 void solveSeparators(int slot, int segments) {
   Eliminated eliminated = Eliminated(0.0f, 0.0f);
+  vec4 row = separators[slot];
   for (int s = 0; s < segments; ++s) {
-    int i = s * LINES + slot, j = i + LINES;
-    Reach mine = Reach(lastFixed[i], lastLeft[i], lastRight[i]);
-    Reach next = Reach(0.0f, 0.0f, 0.0f);
-    if (s + 1 < segments) next = Reach(firstFixed[j], firstLeft[j], firstRight[j]);
-    eliminated = eliminate(separatorRow(mine, next), eliminated);
-    lastFixed[i] = eliminated.onto;
-    lastRight[i] = eliminated.from;
+    int i = s * LINES + slot;
+    vec4 next = separators[min(s + 1, segments - 1) * LINES + slot];
+    eliminated = eliminate(LineRow(row.x, row.y, row.z, row.w), eliminated);
+    separators[i].xy = vec2(eliminated.onto, eliminated.from);
+    row = next;
   }
   float after = 0.0f;
   for (int s = segments - 1; s >= 0; --s) {
-    int i = s * LINES + slot;
-    after = substituted(lastFixed[i], lastRight[i], after);
-    lastFixed[i] = after;
+    int i = s * LINES + slot, j = max(s - 1, 0) * LINES + slot;
+    vec2 next = separators[j].xy;
+    after = substituted(eliminated.onto, eliminated.from, after);
+    separators[i].x = after;
+    eliminated = Eliminated(next.x, next.y);
   }
 }
 
@@ -144,14 +146,14 @@ void main() {
   int first = segment * segmentLinks, last = min(first + segmentLinks, lineLinks) - 1;
   int links = last - first + 1;
   bool mine = line < lines && segment < segments;
-  if (mine) lastFixed[me] = readSegment(first, last);
+  if (mine) separators[me].x = readSegment(first, last);
 #if KEEPS
-  if (mine) lastFixed[me] = pinsOf(first, links);
+  if (mine) separators[me].x = pinsOf(first, links);
 #endif
   barrier();
   if (mine && segment == 0) {
     precise float sum = 0.0f;
-    for (int s = 0; s < segments; ++s) sum = sum + lastFixed[s * LINES + slot];
+    for (int s = 0; s < segments; ++s) sum = sum + separators[s * LINES + slot].x;
     bool pinned = lineParticle(0).w == 0.0f && lineParticle(lineLinks).w == 0.0f;
 #if KEEPS
     firstFixed[slot] = keptGive(sum);
@@ -162,14 +164,20 @@ void main() {
   barrier();
   if (mine) lineGive = firstFixed[slot];
   barrier();
+  Reach end = reachAtStart();
   if (mine) {
-    Reach end = lastOfSegment(links), begin = firstOfSegment(links);
-    lastFixed[me] = end.fixed_;
-    lastLeft[me] = end.left;
-    lastRight[me] = end.right;
+    Reach begin = firstOfSegment(links);
+    end = lastOfSegment(links);
     firstFixed[me] = begin.fixed_;
     firstLeft[me] = begin.left;
     firstRight[me] = begin.right;
+  }
+  barrier();
+  if (mine) {
+    Reach next = Reach(0.0f, 0.0f, 0.0f);
+    if (segment + 1 < segments) next = Reach(firstFixed[me + LINES], firstLeft[me + LINES], firstRight[me + LINES]);
+    LineRow row = separatorRow(end, next);
+    separators[me] = vec4(row.lower, row.diagonal, row.upper, row.right);
   }
   barrier();
   if (mine && segment == 0) solveSeparators(slot, segments);
@@ -177,8 +185,8 @@ void main() {
   vec4 before = vec4(0.0f), beyond = vec4(0.0f);
   float leftOne = 0.0f;
   if (mine) {
-    if (segment > 0) leftOne = lastFixed[me - LINES];
-    solveSegment(links, leftOne, lastFixed[me]);
+    if (segment > 0) leftOne = separators[me - LINES].x;
+    solveSegment(links, leftOne, separators[me].x);
     // Loads that stay before the barrier.
     before = LOAD_STATE(nextPositions, lineStart + max(first - 1, 0) * linePace);
     beyond = LOAD_STATE(nextPositions, lineStart + (last + 1) * linePace);

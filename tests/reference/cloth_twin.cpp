@@ -4,6 +4,7 @@
 #include "sim/core/shader_code.hpp"
 
 #include <algorithm>
+#include <array>
 #include <span>
 #include <utility>
 
@@ -39,7 +40,8 @@ struct Kernel : WindKernel {
   float lineRest = 0, lineCompliance = 0, lineGive = 0, lineKept = 0, lineSoftening = 1;
   bool keeps = false;
   const vec4* past = nullptr;  // positions at the substep's beginning
-  float lineCosine[segmentLinks + 1] = {}, lineMass[segmentLinks + 1] = {}, lineStretch[segmentLinks] = {};
+  std::array<float, segmentLinks + 1> lineLower{}, lineMass{};
+  std::array<float, segmentLinks> lineStretch{};
   [[nodiscard]] vec4 lineParticle(int k) const { return source[lineStart + k * linePace]; }
   [[nodiscard]] vec4 lineBefore(int k) const { return past[lineStart + k * linePace]; }
 #include "glsl/cloth/line_model.glsl"
@@ -98,10 +100,16 @@ void solveLine(Kernel& kernel, std::vector<vec4>& particles, std::vector<vec4>& 
   kernel.lineGive = kernel.keeps ? kernel.keptGive(pins) : kernel.giveOf(stretch, pinned);
   std::vector<Kernel::Reach> firsts, lasts;
   std::vector<Kernel::Eliminated> separators;
+  struct Made {
+    decltype(kernel.lineLower) lower, mass;
+    decltype(kernel.lineStretch) stretch;
+  };
+  std::vector<Made> made;  // of each segment
   for (const auto& [first, last] : segments) {
     kernel.readSegment(first, last);
     firsts.push_back(kernel.firstOfSegment(last - first + 1));
     lasts.push_back(kernel.lastOfSegment(last - first + 1));
+    made.push_back({kernel.lineLower, kernel.lineMass, kernel.lineStretch});
   }
   Kernel::Eliminated eliminated{0, 0};
   for (std::size_t s = 0; s < segments.size(); ++s) {
@@ -117,10 +125,12 @@ void solveLine(Kernel& kernel, std::vector<vec4>& particles, std::vector<vec4>& 
   }
   for (std::size_t s = 0; s < segments.size(); ++s) {
     const auto [first, last] = segments[s];
-    kernel.readSegment(first, last);
+    kernel.lineLower = made[s].lower;
+    kernel.lineMass = made[s].mass;
+    kernel.lineStretch = made[s].stretch;
     kernel.solveSegment(last - first + 1, s > 0 ? separators[s - 1].onto : 0.0F, separators[s].onto);
     for (int k = first; k <= last; ++k)
-      multipliers[static_cast<std::size_t>(k)] = kernel.lineStretch[k - first];
+      multipliers[static_cast<std::size_t>(k)] = kernel.lineStretch[static_cast<std::size_t>(k - first)];
   }
   std::vector<vec4> moved;
   vec3 before(0);

@@ -358,19 +358,24 @@ class Cloth : public Simulation, public LockStep {
 
   void relaxInTiles() const {
     using namespace shader::cloth;
-    const int x = ((size_.x - 1) / relaxInnerX + 1) * relaxGroupX;
-    const int y = ((size_.y - 1) / relaxInnerY + 1) * relaxGroupY;
     if (!bends()) {
-      step_.dispatch(x, y);
+      dispatchTiles(step_, relaxDiagonalHalo);
       return;
     }
     between_.bindState(nextPositionsBinding);
-    step_.dispatch(x, y);
+    dispatchTiles(step_, relaxDiagonalHalo);
     gl::barrier();
     between_.bindInput(positionsBinding);
     positions_[1].bindState(nextPositionsBinding);
-    constrain_.dispatch(x, y);
+    dispatchTiles(constrain_, relaxBendHalo);
     positions_[0].bindInput(positionsBinding);
+  }
+  /// Tiles that leave all of the sheet, of which each leaves what is `halo` from its sides.
+  void dispatchTiles(const gl::Program& program, int halo) const {
+    using namespace shader::cloth;
+    const glm::ivec2 tile(relaxTileX, relaxTileY);
+    const glm::ivec2 tiles = (size_ + relaxBefore - halo - 1) / (tile - 2 * halo) + 1;
+    program.dispatch(tiles.x * (tile.x / 2), tiles.y * tile.y);
   }
   /// By constraints.
   [[nodiscard]] bool bends() const { return relaxedFamilies(plan_.parameters()).size() > 2; }
