@@ -2,6 +2,7 @@
 #include "base/error.hpp"
 #include "base/log.hpp"
 #include "batch/render/render_job.hpp"
+#include "batch/sweep/measurements.hpp"
 #include "cli/commands.hpp"
 #include "cli/device_options.hpp"
 #include "cli/pieces.hpp"
@@ -91,9 +92,15 @@ void render(const RenderOptions& o) {
   frame::ignoreBrokenPipes();
 
   const gl::Context context(o.on);
+  // Who reads events hears of the scene's checks, too.
+  std::optional<batch::Measurements> checks;
+  if (frame::parseProgressMode(o.progress) == frame::Progress::Mode::ndjson && !job.scene().checks.empty())
+    checks.emplace(job.scene(), job.frames(), "", [&](const golden::CheckResult& check) {
+      progress.check(check.what, check.frame, check.value, check.passed);
+    });
   frame::SequenceResult result;
   try {
-    result = job.run(context, progress, began);
+    result = job.run(context, progress, began, checks ? &*checks : nullptr);
   } catch (const UserError& error) {
     const int signal = frame::interruptSignal();
     if (signal == 0 || error.code() != ExitCode::inputOutput) throw;

@@ -21,6 +21,8 @@
 #include <string_view>
 #include <utility>
 
+#include <nlohmann/json.hpp>
+
 namespace simreel::batch {
 
 namespace {

@@ -72,26 +72,24 @@ std::vector<std::string> shellWords(const std::string& text) {
   std::vector<std::string> words;
   std::optional<std::string> word;
   char quote = 0;
-  bool literal = false;
-  for (const char c : text) {
-    if (std::exchange(literal, quote == 0 && !literal && c == '\\')) {
-      if (!word) word.emplace();
-      *word += c;
-    } else if (literal) {
-      continue;
-    } else if (quote != 0) {
-      if (c == quote)
-        quote = 0;
-      else
-        *word += c;
-    } else if (c == '\'' || c == '"') {
+  const auto add = [&](char c) {
+    if (!word) word.emplace();
+    *word += c;
+  };
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    const bool blank = std::isspace(static_cast<unsigned char>(c)) != 0;
+    if (c == quote) {
+      quote = 0;
+    } else if (quote == 0 && (c == '\'' || c == '"')) {
       quote = c;
-      if (!word) word.emplace();
-    } else if (std::isspace(static_cast<unsigned char>(c)) != 0) {
-      if (word) words.push_back(*std::exchange(word, std::nullopt));
-    } else {
-      if (!word) word.emplace();
-      *word += c;
+      if (!word) word.emplace();  // '' is an empty word
+    } else if (quote == 0 && c == '\\' && i + 1 < text.size()) {
+      add(text[++i]);
+    } else if (quote != 0 || !blank) {
+      add(c);
+    } else if (word) {
+      words.push_back(*std::exchange(word, std::nullopt));
     }
   }
   if (quote != 0) fail(ExitCode::usage, "--sbatch {}: a {} is not closed", text, quote);
@@ -123,7 +121,7 @@ std::vector<std::vector<std::size_t>> splitArray(const std::vector<std::size_t>&
   return parts;
 }
 
-Slurm::Slurm(fs::path folder, std::vector<std::string> more)
+Slurm::Slurm(const fs::path& folder, std::vector<std::string> more)
     : folder_(fs::absolute(folder).lexically_normal()), more_(std::move(more)) {
   const Answer config = ask({"scontrol", "show", "config"});
   if (config.error == ENOENT)

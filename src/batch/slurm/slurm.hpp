@@ -12,7 +12,7 @@ class Slurm {
  public:
   /// `folder`: where scripts and what jobs say go, seen by every node. `more`: further words for sbatch.
   /// Throws UserError(usage) where there is no sbatch.
-  Slurm(std::filesystem::path folder, std::vector<std::string> more);
+  Slurm(const std::filesystem::path& folder, std::vector<std::string> more);
 
   /// What one job, or each of an array, runs.
   struct Work {

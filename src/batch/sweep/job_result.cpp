@@ -40,6 +40,7 @@ std::string jsonLines(const std::vector<Json>& items) {
 
 std::vector<Json> itemsOf(const std::vector<golden::CheckResult>& checks) {
   std::vector<Json> items;
+  items.reserve(checks.size());
   for (const golden::CheckResult& check : checks)
     items.push_back({{"what", check.what},
                      {"frame", check.frame},
@@ -97,6 +98,8 @@ bool JobResult::checksPassed() const {
 
 std::string resultText(const JobResult& result) {
   std::vector<Json> quantities, counts;
+  quantities.reserve(result.quantities.size());
+  counts.reserve(result.counts.size());
   for (const MeasuredQuantity& one : result.quantities)
     quantities.push_back(
         {{"what", one.what}, {"unit", one.unit}, {"frame", one.frame}, {"value", numberOrNull(one.value)}});

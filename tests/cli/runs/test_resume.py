@@ -288,7 +288,7 @@ class Determinism(Case):
     def test_some_frames_equal_those_of_all(self):
         self.good("render", "scene.json", "-o", "a/")
         self.good("render", "scene.json", "-o", "b/", "--frames", "5")
-        self.assertEqual(set(self.content("b")), {"000005.png", "manifest.json"})
+        self.assertEqual(set(self.content("b")), {"000005.png", "as-run.json", "manifest.json"})
         self.assertEqual(self.content("b")["000005.png"], self.content("a")["000005.png"])
         self.assertEqual(self.manifest("b")["frames"], self.manifest("a")["frames"][5:])
         self.good("render", "scene.json", "-o", "b/", "--frames", "0-4")

@@ -64,7 +64,8 @@ function show(i) {
     if (job.cells[c] === "") return;
     const row = make($("numbers"), "tr");
     make(row, "td", name);
-    make(row, "td", job.cells[c]).className = job.cells[c] === "no" ? "failed" : "";
+    const number = Number(job.cells[c]);
+    make(row, "td", isNaN(number) ? job.cells[c] : String(Number(number.toPrecision(6)))).className = job.cells[c] === "no" ? "failed" : "";
   });
 }
 
