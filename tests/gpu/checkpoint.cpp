@@ -33,6 +33,7 @@ frame::RunInfo runOf(const scene::Scene& scene) {
   frame::RunInfo run;
   run.sceneHash = scene.hash;
   run.seed = scene.seed;
+  run.numerics = "exact";
   run.fingerprint = "test";
   run.simulation = scene.hash;
   return run;

@@ -21,7 +21,7 @@ using simreel::frame::test::TemporaryFolder;
 
 namespace {
 
-constexpr const char* scene = R"({"version": 1, "objects": {"dish": {"grayScott": {"size": [16, 16]}}}})";
+constexpr const char* dish = R"({"version": 1, "objects": {"dish": {"grayScott": {"size": [16, 16]}}}})";
 
 SweepPlan planIn(const std::string& folder) {
   SweepPlan plan;
@@ -34,7 +34,7 @@ SweepPlan planIn(const std::string& folder) {
        combine({parseVary("objects.dish.grayScott.feed=0.03,0.04"), parseVary("render.samples=1,4")},
                Combination::grid, 0, 1))
     plan.jobs.push_back({std::move(values), {}});
-  checkJobs(plan, scene);
+  checkJobs(plan, dish);
   return plan;
 }
 
@@ -71,7 +71,7 @@ TEST_CASE("sweep: the first job with a mistake is the one that is told of") {
   SweepPlan plan;
   plan.varied = {"objects.dish.grayScott.feed"};
   for (const char* feed : {"0.03", "9", "\"much\""}) plan.jobs.push_back({{{plan.varied[0], feed}}, {}});
-  CHECK_THROWS_WITH_AS(checkJobs(plan, scene), doctest::Contains("feed=9"), UserError);
+  CHECK_THROWS_WITH_AS(checkJobs(plan, dish), doctest::Contains("feed=9"), UserError);
 }
 
 TEST_CASE("sweep: names as short as they differ") {
