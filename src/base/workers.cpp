@@ -57,6 +57,7 @@ void send(int descriptor, Head head, std::string_view text) {
 
 struct Worker {
   pid_t process = -1;
+  std::size_t place = 0;
   int work = -1, answers = -1;
   std::string heard;  ///< not yet a whole text
   bool ready = false;
@@ -106,7 +107,17 @@ class Employer {
   };
   using End = std::variant<std::string, Lost>;
 
+  /// The least number that no living worker has.
+  [[nodiscard]] std::size_t freePlace() const {
+    std::size_t place = 0;
+    while (std::any_of(workers_.begin(), workers_.end(),
+                       [&](const Worker& worker) { return worker.place == place; }))
+      ++place;
+    return place;
+  }
+
   bool start() {
+    const std::size_t place = freePlace();
     int work[2] = {-1, -1}, answers[2] = {-1, -1};
     // Of this thread's own making, closed by hand: a fork inherits what exec would close.
     const bool lines = ::pipe2(work, O_CLOEXEC) == 0 && ::pipe2(answers, O_CLOEXEC) == 0;
@@ -119,13 +130,13 @@ class Employer {
       }
       ::close(work[1]);
       ::close(answers[0]);
-      live(work[0], answers[1]);
+      live(work[0], answers[1], place);
     }
     const int error = errno;
     for (const int end : {work[0], answers[1]})
       if (end >= 0) ::close(end);
     if (process > 0) {
-      workers_.push_back({process, work[1], answers[0], {}, false, false, {}, {}, {}});
+      workers_.push_back({process, place, work[1], answers[0], {}, false, false, {}, {}, {}});
       return true;
     }
     for (const int end : {work[1], answers[0]})
@@ -138,8 +149,8 @@ class Employer {
   }
 
   /// In the worker. No destructor of a static object runs and no buffer is written: they are the parent's.
-  [[noreturn]] void live(int in, int out) const {
-    WorkerLine line(in, out);
+  [[noreturn]] void live(int in, int out, std::size_t place) const {
+    WorkerLine line(in, out, place);
     try {
       force_.work(line);
     } catch (const UserError& error) {

@@ -10,7 +10,10 @@ namespace simreel {
 /// A worker's end of its line to the program that started it.
 class WorkerLine {
  public:
-  WorkerLine(int in, int out) : in_(in), out_(out) {}
+  WorkerLine(int in, int out, std::size_t place) : in_(in), out_(out), place_(place) {}
+  /// Of the workers that there may be at once the how manieth this is, from 0; who takes the place of one
+  /// that ended has its number.
+  [[nodiscard]] std::size_t place() const { return place_; }
   /// Once, before the first item: that it can work, and what the others have to know of it.
   void ready(std::string_view text);
   /// The next piece of work; nothing at the end of all.
@@ -19,6 +22,7 @@ class WorkerLine {
 
  private:
   int in_, out_;
+  std::size_t place_;
 };
 
 /// Pieces of work, numbered from 0, that processes do beside each other. Only `work` runs in them.

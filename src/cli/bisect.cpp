@@ -2,6 +2,7 @@
 #include "base/error.hpp"
 #include "base/log.hpp"
 #include "base/process.hpp"
+#include "batch/render/chosen_frames.hpp"
 #include "cli/bisect_report.hpp"
 #include "cli/commands.hpp"
 #include "cli/device_options.hpp"
@@ -71,7 +72,7 @@ void bisect(const BisectOptions& o) {
          "bisect runs the scene several times, and standard input comes once; give a file");
   const scene::Scene scene = o.scene.load();
   const int last = lastFrame(o, scene);
-  warnBeyondEnd(last, scene);
+  batch::warnBeyondEnd(last, scene);
   const std::string own = ownCommand();
   const auto here = side("this side", own, o, o.on.device, o.on.memoryPath);
   const auto there =

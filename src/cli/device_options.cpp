@@ -1,7 +1,5 @@
 #include "cli/device_options.hpp"
 
-#include "base/error.hpp"
-
 #include <CLI/CLI.hpp>
 
 namespace simreel::cli {
@@ -11,13 +9,6 @@ void addDevice(CLI::App& command, gl::ContextOptions& options) {
   command.add_option("--memory-path", options.memoryPath,
                      "storage (kernels read memory as GPUs like it, and finish the picture) or texel (as "
                      "software drivers do); by driver if not given");
-}
-
-void requireExact(const scene::Scene& scene, const sim::Numerics& numerics) {
-  if (scene.numerics == scene::Numerics::exact && !numerics.exactHolds)
-    fail(ExitCode::device,
-         "this driver does not compute exactly ({}); use another device, or \"numerics\": \"fast\"",
-         numerics.firstFailure);
 }
 
 }  // namespace simreel::cli

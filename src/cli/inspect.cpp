@@ -34,7 +34,7 @@ struct ValidateOptions {
 
 /// What only a device can tell: its limits, and the first frame.
 void checkOnDevice(const scene::Scene& scene, const sim::Numerics& numerics) {
-  requireExact(scene, numerics);
+  sim::requireExact(scene, numerics);
   sim::World world(scene);
   draw::Renderer renderer(scene, scene.render.size, scene.render.samples);
   frame::drawWorld(renderer, world);

@@ -1,23 +1,25 @@
 #include "base/clock.hpp"
 #include "base/error.hpp"
 #include "base/log.hpp"
+#include "batch/render/render_job.hpp"
+#include "batch/sweep/measurements.hpp"
 #include "cli/commands.hpp"
 #include "cli/device_options.hpp"
+#include "cli/pieces.hpp"
 #include "cli/scene_options.hpp"
-#include "frame/file/output_name.hpp"
-#include "frame/file/run_info.hpp"
+#include "cli/slurm_options.hpp"
+#include "frame/frames_spec.hpp"
 #include "frame/interrupt.hpp"
-#include "frame/sink/field_files.hpp"
-#include "frame/sink/open_sink.hpp"
 #include "frame/sink/progress.hpp"
 #include "frame/sink/sequence.hpp"
 #include "gl/context.hpp"
-#include "gl/machine.hpp"
-#include "sim/core/numerics.hpp"
 
+#include <cstddef>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 
@@ -38,6 +40,11 @@ struct RenderOptions {
   bool skipExisting = false;
   bool noCounts = false;
   std::optional<double> checkpoint;
+  std::optional<std::string> checkpointAt;
+  std::string from;
+  std::optional<std::size_t> pieces;
+  std::string jobs = "1";
+  SlurmOptions cluster;
 };
 
 frame::Existing existingPolicy(const RenderOptions& o) {
@@ -49,58 +56,58 @@ frame::Existing existingPolicy(const RenderOptions& o) {
                           : frame::Existing::error;
 }
 
+std::set<int> checkpointFrames(const std::optional<std::string>& text) {
+  if (!text) return {};
+  const std::vector<int> frames = frame::parseFrames(*text, "--checkpoint-at");
+  return {frames.begin(), frames.end()};
+}
+
+batch::RenderRequest requestOf(const RenderOptions& o) {
+  return {
+      .scene = o.scene.file,
+      .overrides = o.scene.changes(),
+      .assets = assetFolders(o.scene.assets),
+      .output = o.output,
+      .frames = o.frames,
+      .existing = existingPolicy(o),
+      .fields = o.fields,
+      .counts = !o.noCounts,
+      .checkpoint = o.checkpoint,
+      .checkpointAt = checkpointFrames(o.checkpointAt),
+      .from = o.from,
+      .streamFormat = o.streamFormat,
+      .command = commandLine(),
+  };
+}
+
 void render(const RenderOptions& o) {
   const auto began = Clock::now();
-  const auto existing = existingPolicy(o);
+  if (o.pieces) return renderInPieces({requestOf(o), *o.pieces, o.jobs, o.cluster, o.on});
+  if (o.cluster.slurm || !o.cluster.scratch.empty())
+    fail(ExitCode::usage, "--slurm and --scratch go with --pieces");
   frame::Progress progress(frame::parseProgressMode(o.progress));
-  const scene::Scene scene = o.scene.load();
-  const auto frames = chosenFrames(o.frames, scene);
   // A senseless name fails before a device starts.
-  const frame::OutputName output = frame::parseOutput(o.output, frames.size());
-  std::optional<frame::FieldFiles> fields;
-  if (o.fields) fields.emplace(output, frame::parseFieldFormat(*o.fields), existing, frames);
-  if (o.checkpoint && output.checkpointFile().empty())
-    fail(ExitCode::usage, "--checkpoint: a video or stream cannot be resumed; render a folder of pictures");
+  batch::RenderJob job(requestOf(o));
   frame::catchInterrupts();
   frame::ignoreBrokenPipes();
 
   const gl::Context context(o.on);
-  const auto numerics = sim::probeNumerics();
-  requireExact(scene, numerics);
-  const auto machine = gl::machineOf(context);
-  const frame::RunInfo run{
-      .title = scene.title,
-      .sceneHash = scene.hash,
-      .seed = scene.seed,
-      .width = scene.render.size.x,
-      .height = scene.render.size.y,
-      .fps = scene.time.fps,
-      .numerics = scene.numerics == scene::Numerics::exact ? "exact" : "fast",
-      .fingerprint = numerics.fingerprint,
-      .driver = machine.driver,
-      .processor = machine.processor,
-      .rasterizer = scene.render.rasterizer == scene::Rasterizer::exact ? "exact" : "driver",
-      .overrides = scene.overrides,
-  };
-  const auto sink = frame::openSink(output, existing, run, frames, o.streamFormat);
-  frame::BesideFrames beside;
-  if (fields) beside.fields = &*fields;
-  beside.counts = !o.noCounts;
-  beside.began = began;
-  beside.checkpoints.file = output.checkpointFile();
-  beside.checkpoints.resume = existing == frame::Existing::resume;
-  beside.checkpoints.run = run;
-  if (o.checkpoint) beside.checkpoints.seconds = *o.checkpoint;
+  // Who reads events hears of the scene's checks, too.
+  std::optional<batch::Measurements> checks;
+  if (frame::parseProgressMode(o.progress) == frame::Progress::Mode::ndjson && !job.scene().checks.empty())
+    checks.emplace(job.scene(), job.frames(), "", [&](const golden::CheckResult& check) {
+      progress.check(check.what, check.frame, check.value, check.passed);
+    });
   frame::SequenceResult result;
   try {
-    result = frame::renderSequence(scene, context, frames, *sink, progress, beside);
+    result = job.run(context, progress, began, checks ? &*checks : nullptr);
   } catch (const UserError& error) {
     const int signal = frame::interruptSignal();
     if (signal == 0 || error.code() != ExitCode::inputOutput) throw;
     printError(error);  // of its end: the cause is the signal
     return setExitCode(128 + signal);
   }
-  info("{}", frame::closingLine(result.frames, result.seconds, result.stages, sink->summary()));
+  info("{}", frame::closingLine(result.frames, result.seconds, result.stages, job.summary()));
   if (result.signal != 0) {
     info("simreel: interrupted; what is listed in the manifest is whole, --resume goes on from there");
     setExitCode(128 + result.signal);
@@ -117,7 +124,9 @@ void addRender(CLI::App& app) {
       ->add_option("-o,--output", o->output,
                    "Folder, pattern (out/flag_####.png), picture, video file, or -")
       ->required();
-  command->add_option("--frames", o->frames, "Frames to write, for example 0-99x2,150; all are simulated");
+  command->add_option("--frames", o->frames,
+                      "Frames to write, for example 0-99x2,150; all are simulated. none: draw nothing, for "
+                      "--checkpoint-at");
   command
       ->add_option("--fields", o->fields,
                    "Also the raw values of every field, beside each picture: npy or pfm")
@@ -136,6 +145,20 @@ void addRender(CLI::App& app) {
           "Seconds after which the state is kept beside the frames, for --resume to go on from; 0: "
           "never (default: 60)")
       ->check(CLI::Range(0.0, 1e6));
+  command->add_option("--checkpoint-at", o->checkpointAt,
+                      "Frames whose states are kept for good, beside the frames as checkpoint.000500, for "
+                      "example 0,500,1000");
+  command->add_option("--from", o->from,
+                      "Begin at this checkpoint instead of at the scene's start; of any run whose "
+                      "simulation is the same, whatever it drew");
+  command
+      ->add_option(
+          "--pieces", o->pieces,
+          "Draw the sequence in so many pieces, beside each other (--jobs), and join them: the same "
+          "bytes as without")
+      ->check(CLI::Range(std::size_t{1}, std::size_t{10'000}));
+  command->add_option("-j,--jobs", o->jobs, "Pieces at once; auto: one a processor")->capture_default_str();
+  o->cluster.add(*command);
   command->add_flag("--skip-existing", o->skipExisting, "Keep every frame whose file exists");
   command->add_flag(
       "--no-counts", o->noCounts,

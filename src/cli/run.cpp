@@ -95,8 +95,9 @@ void addCommands(CLI::App& app) {
       "-q,--quiet", [] { setVerbosity(Verbosity::quiet); }, "Say nothing but errors");
   app.add_flag_callback(
       "-v,--verbose", [] { setVerbosity(Verbosity::verbose); }, "Say more");
-  for (const auto add : {addRender, addValidate, addSchema, addList, addDoctor, addBake, addTest, addTrace,
-                         addBisect, addAccept, addReport, addDiff, addBench})
+  for (const auto add :
+       {addRender, addSweep, addPieces, addReproduce, addValidate, addSchema, addList, addDoctor, addBake,
+        addTest, addTrace, addBisect, addAccept, addReport, addDiff, addBench})
     add(app);
 }
 

@@ -1,12 +1,8 @@
 #include "cli/scene_options.hpp"
 
 #include "base/error.hpp"
-#include "base/log.hpp"
 #include "base/text.hpp"
-#include "frame/frames_spec.hpp"
 #include "sim/world/list.hpp"
-
-#include <numeric>
 
 #include <CLI/CLI.hpp>
 
@@ -39,24 +35,6 @@ void addAssets(CLI::App& command, std::vector<std::string>& folders) {
       ->allow_extra_args(false);
 }
 
-void warnBeyondEnd(int frame, const scene::Scene& scene) {
-  const int last = scene.frameCount() - 1;
-  if (frame > last)
-    warn("frame {} is beyond the scene's end, frame {} ({:g} s); it is simulated on from there", frame,
-         last, scene.time.duration);
-}
-
-std::vector<int> chosenFrames(const std::optional<std::string>& text, const scene::Scene& scene) {
-  if (text) {
-    std::vector<int> frames = frame::parseFrames(*text);
-    warnBeyondEnd(frames.back(), scene);
-    return frames;
-  }
-  std::vector<int> all(static_cast<std::size_t>(scene.frameCount()));
-  std::iota(all.begin(), all.end(), 0);
-  return all;
-}
-
 std::vector<std::filesystem::path> assetFolders(const std::vector<std::string>& folders) {
   for (const std::string& folder : folders)
     if (std::error_code error; !std::filesystem::is_directory(folder, error))
@@ -65,7 +43,12 @@ std::vector<std::filesystem::path> assetFolders(const std::vector<std::string>& 
 }
 
 void SceneOptions::add(CLI::App& command) {
-  command.add_option("scene", file, "Scene file, or - for standard input")->required();
+  addOptional(command);
+  command.get_option("scene")->required();
+}
+
+void SceneOptions::addOptional(CLI::App& command) {
+  command.add_option("scene", file, "Scene file, or - for standard input");
   command.add_option("-D", overrides, "Override any value of the scene: path=value, repeatable")
       ->allow_extra_args(false);
   command.add_option("--seed", seed, "Seed of all random numbers");
@@ -76,13 +59,18 @@ void SceneOptions::add(CLI::App& command) {
   addAssets(command, assets);
 }
 
-scene::Scene SceneOptions::load(const std::vector<scene::Override>& more) const {
+std::vector<scene::Override> SceneOptions::changes() const {
   auto all = parseOverrides(overrides);
   if (seed) all.push_back({"seed", std::to_string(*seed)});
   if (size) all.push_back({"render.size", sizeValue(*size)});
   if (fps) all.push_back({"time.fps", fmt::format("{}", *fps)});
   if (samples) all.push_back({"render.samples", std::to_string(*samples)});
   if (rasterizer) all.push_back({"render.rasterizer", *rasterizer});
+  return all;
+}
+
+scene::Scene SceneOptions::load(const std::vector<scene::Override>& more) const {
+  auto all = changes();
   all.insert(all.end(), more.begin(), more.end());
   return scene::loadScene(file, all, sim::kinds(), assetFolders(assets));
 }

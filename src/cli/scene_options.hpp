@@ -23,6 +23,10 @@ struct SceneOptions {
   std::optional<std::string> rasterizer;
   std::vector<std::string> assets;  ///< folders that the scene may read, too
   void add(CLI::App& command);
+  /// The same for a command that can do without a scene: `file` is empty then.
+  void addOptional(CLI::App& command);
+  /// All of them as overrides. Throws UserError(usage).
+  [[nodiscard]] std::vector<scene::Override> changes() const;
   /// Reads the scene with all of them applied. --size, --fps, --samples and --seed are shorthands of -D, so
   /// the scene's hash tells them apart. `more` comes last.
   [[nodiscard]] scene::Scene load(const std::vector<scene::Override>& more = {}) const;
@@ -34,11 +38,6 @@ struct SceneOptions {
 void addAssets(CLI::App& command, std::vector<std::string>& folders);
 /// They as paths. Throws UserError(usage) for one that is no folder.
 [[nodiscard]] std::vector<std::filesystem::path> assetFolders(const std::vector<std::string>& folders);
-/// The frames that --frames names, ascending; not given: all of the scene. Warns of those beyond its end.
-[[nodiscard]] std::vector<int> chosenFrames(const std::optional<std::string>& text,
-                                            const scene::Scene& scene);
-/// Warns where a frame that is asked for lies beyond the scene's end.
-void warnBeyondEnd(int frame, const scene::Scene& scene);
 /// Each "path=value" of -D. Throws UserError(usage).
 [[nodiscard]] std::vector<scene::Override> parseOverrides(const std::vector<std::string>& texts);
 

@@ -3,6 +3,7 @@
 #include "base/file.hpp"
 #include "base/text.hpp"
 #include "base/version.hpp"
+#include "batch/render/chosen_frames.hpp"
 #include "cli/commands.hpp"
 #include "cli/device_options.hpp"
 #include "cli/scene_options.hpp"
@@ -163,7 +164,7 @@ void trace(const TraceOptions& o) {
     return;
   }
   const Range range = parseRange(o.frames.value_or("all"), first, scene.frameCount());
-  warnBeyondEnd(range.last, scene);
+  batch::warnBeyondEnd(range.last, scene);
   if (putLine(golden::headerLine(header(world, context))))
     golden::traceFrames(world, range.first, range.last, putLine, o.passes ? &scene : nullptr);
 }

@@ -11,7 +11,7 @@ namespace {
 
 class Reader {
  public:
-  explicit Reader(const std::string& text) : text_(text) {}
+  Reader(const std::string& text, const char* option) : text_(text), option_(option) {}
 
   std::vector<int> read() {
     std::vector<int> frames;
@@ -60,18 +60,31 @@ class Reader {
   }
 
   [[noreturn]] void wrong(std::size_t at, const std::string& what) const {
-    fail(ExitCode::usage, "--frames {}: {} at character {}; write for example 0-99, 0-99x2, or 0-9,20",
+    fail(ExitCode::usage, "{} {}: {} at character {}; write for example 0-99, 0-99x2, or 0-9,20", option_,
          text_, what, at + 1);
   }
 
   const std::string& text_;
+  const char* option_;
   std::size_t at_ = 0;
 };
 
 }  // namespace
 
-std::vector<int> parseFrames(const std::string& text) {
-  return Reader(text).read();
+std::vector<int> parseFrames(const std::string& text, const char* option) {
+  return Reader(text, option).read();
+}
+
+std::string framesText(const std::set<int>& frames) {
+  std::string text;
+  for (auto at = frames.begin(); at != frames.end();) {
+    const int first = *at;
+    int last = first;
+    while (++at != frames.end() && *at == last + 1) last = *at;
+    text += fmt::format("{}{}", text.empty() ? "" : ",", first);
+    if (last > first) text += fmt::format("-{}", last);
+  }
+  return text;
 }
 
 }  // namespace simreel::frame

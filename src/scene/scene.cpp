@@ -8,6 +8,7 @@
 #include "scene/json_node.hpp"
 #include "scene/override.hpp"
 #include "scene/reader.hpp"
+#include "scene/scene_source.hpp"
 #include "scene/sections.hpp"
 #include "scene/value_reader.hpp"
 #include "scene/words.hpp"
@@ -218,17 +219,6 @@ Scene parse(std::string_view text, const std::filesystem::path& file, const std:
   return scene;
 }
 
-/// A scene's text (of a file of some kind's own format: that of the scene around it), and the file that
-/// messages and assets go by.
-std::pair<std::string, std::filesystem::path> source(const std::filesystem::path& file,
-                                                     const Kinds& kinds) {
-  if (file == "-") return {standardInput("scene", maxSceneBytes), "<stdin>"};
-  for (const Kind& kind : kinds.list)
-    if (kind.sceneAround)
-      if (std::string text = kind.sceneAround(file); !text.empty()) return {std::move(text), file};
-  return {readFile(file, "scene", maxSceneBytes), file};
-}
-
 }  // namespace
 
 Scene parseScene(std::string_view text, const std::filesystem::path& file,
@@ -240,7 +230,7 @@ Scene parseScene(std::string_view text, const std::filesystem::path& file,
 
 Scene loadScene(const std::filesystem::path& file, std::span<const Override> overrides, const Kinds& kinds,
                 std::span<const std::filesystem::path> folders) {
-  const auto [text, name] = source(file, kinds);
+  const auto [text, name] = readSceneSource(file, kinds);
   return parseScene(text, name, overrides, kinds, folders);
 }
 
@@ -250,7 +240,7 @@ std::filesystem::path sidecarOf(const std::filesystem::path& sceneFile) {
 
 Scene loadTestScene(const std::filesystem::path& file, std::span<const Override> overrides,
                     const Kinds& kinds, std::span<const std::filesystem::path> folders) {
-  const auto [text, name] = source(file, kinds);
+  const auto [text, name] = readSceneSource(file, kinds);
   const With with{overrides, kinds, folders};
   const std::filesystem::path beside = sidecarOf(file);
   if (file == "-" || !pathExists(beside)) return parse(text, name, nullptr, with, true);

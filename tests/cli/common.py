@@ -154,8 +154,12 @@ class Case(unittest.TestCase):
         return json.loads((self.folder / folder / "manifest.json").read_text(encoding="utf-8"))
 
     def content(self, folder):
-        """Bytes of every file of a folder, by name."""
-        return {p.name: p.read_bytes() for p in (self.folder / folder).iterdir()}
+        """Bytes of every file of a folder, by name; but for run.json, which tells of machines and times."""
+        return {p.name: p.read_bytes() for p in (self.folder / folder).iterdir() if p.name != "run.json"}
+
+    def runs(self, folder):
+        """What run.json tells of those who made a folder."""
+        return json.loads((self.folder / folder / "run.json").read_text(encoding="utf-8"))["runs"]
 
     def assert_manifest_is_whole(self, folder):
         """Every frame that the manifest lists exists and decodes; returns their numbers."""

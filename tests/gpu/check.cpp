@@ -46,7 +46,7 @@ std::vector<golden::CheckResult> run(const scene::Scene& scene, const std::vecto
   std::sort(all.begin(), all.end());
   for (const int frame : all) {
     world.advanceTo(frame);
-    checker.frame(frame, world, nullptr);
+    checker.state(frame, world);
   }
   return checker.results();
 }
@@ -204,7 +204,7 @@ TEST_CASE("checks: a NaN in the state is found and named") {
         glNamedBufferSubData(state.buffer->name(), static_cast<GLintptr>((17 * 4 + component) * 4), 4,
                              &value);
     golden::Checker checker(scene, world, tested);
-    checker.frame(0, world, nullptr);
+    checker.state(0, world);
     return checker.results();
   };
   for (const auto& result : resultsWith("velocities", 2, 0.5F)) CHECK(result.message.empty());
@@ -229,7 +229,8 @@ TEST_CASE("checks: a blank picture is found") {
     frame::Image image{10, 10, std::vector<std::uint8_t>(400, 80)};
     for (std::size_t c = 0; c < 3; ++c) image.bytes[200 + c] = onePixel;
     golden::Checker checker(scene, world, tested);
-    checker.frame(0, world, &image);
+    checker.state(0, world);
+    checker.picture(0, image);
     CHECK(checker.results().at(0).what == "not-blank");
     return checker.results().at(0).message;
   };

@@ -4,6 +4,7 @@
 #include "base/log.hpp"
 #include "base/text.hpp"
 #include "base/version.hpp"
+#include "batch/render/chosen_frames.hpp"
 #include "cli/bake/files.hpp"
 #include "cli/bake/maps.hpp"
 #include "cli/bake/sequences.hpp"
@@ -121,7 +122,7 @@ void bake(BakeOptions o) {
                      .overwrite = o.overwrite});
   if (!o.look.empty()) fail(ExitCode::usage, "--look belongs to --format maps");
   const scene::Scene scene = o.scene.load();
-  const std::vector<int> frames = chosenFrames(o.frames, scene);
+  const std::vector<int> frames = batch::chosenFrames(o.frames, scene);
   frame::catchInterrupts();
   const gl::Context context(o.on);
   sim::World world(scene);

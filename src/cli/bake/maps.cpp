@@ -4,6 +4,7 @@
 #include "base/file.hpp"
 #include "base/log.hpp"
 #include "base/version.hpp"
+#include "batch/render/chosen_frames.hpp"
 #include "cli/bake/files.hpp"
 #include "cli/commands.hpp"
 #include "draw/overlay/field_textures.hpp"
@@ -155,7 +156,7 @@ void bakeMaps(const MapsOptions& o) {
   if (!o.look.empty()) wearOwnField(o, scene);
   const auto objects = bakedSkins(o, scene);
   const std::vector<int> frames =
-      o.frames ? chosenFrames(o.frames, scene) : std::vector<int>{scene.frameCount() - 1};
+      o.frames ? batch::chosenFrames(o.frames, scene) : std::vector<int>{scene.frameCount() - 1};
   refuseExisting(o, objects, frames);
   frame::catchInterrupts();
   const gl::Context context(o.on);

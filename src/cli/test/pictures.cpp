@@ -7,6 +7,7 @@
 #include "base/text.hpp"
 #include "base/version.hpp"
 #include "cli/commands.hpp"
+#include "cli/job_count.hpp"
 #include "cli/test/test_options.hpp"
 #include "frame/interrupt.hpp"
 #include "golden/baseline/inputs.hpp"
@@ -110,7 +111,7 @@ class PictureRun {
  public:
   explicit PictureRun(const TestOptions& o) : o_(o), begin_(Clock::now()) {
     checkOptions(o);
-    jobs_ = o.jobCount();
+    jobs_ = jobCount(o.jobs);
     options_.expected = o.expected;
     options_.rules = rulesOf(o);
     options_.update = o.updateMode();

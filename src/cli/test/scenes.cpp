@@ -7,6 +7,7 @@
 #include "base/version.hpp"
 #include "base/workers.hpp"
 #include "cli/commands.hpp"
+#include "cli/job_count.hpp"
 #include "cli/scene_options.hpp"
 #include "cli/test/test_options.hpp"
 #include "draw/screen/picture_probe.hpp"
@@ -81,7 +82,7 @@ class SceneRun {
     options_.assets = assetFolders(o.assets);
     options_.reportFolder = o.outputs.folder();
     options_.artifacts = o.outputs.artifacts();
-    jobs_ = o.jobCount();
+    jobs_ = jobCount(o.jobs);
     chooseScenes();
   }
 

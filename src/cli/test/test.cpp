@@ -1,16 +1,12 @@
 #include "base/error.hpp"
 #include "base/log.hpp"
-#include "base/processor.hpp"
 #include "cli/commands.hpp"
 #include "cli/device_options.hpp"
 #include "cli/scene_options.hpp"
 #include "cli/test/test_options.hpp"
 
-#include <algorithm>
-#include <charconv>
 #include <memory>
 #include <string>
-#include <system_error>
 
 #include <CLI/CLI.hpp>
 
@@ -39,17 +35,6 @@ void addPictures(CLI::App& command, TestOptions& o) {
 }
 
 }  // namespace
-
-std::size_t TestOptions::jobCount() const {
-  constexpr int most = 256;
-  if (jobs == "auto") return std::min<std::size_t>(processorCount(), most);
-  int count = 0;
-  const char* const end = jobs.data() + jobs.size();
-  const auto read = std::from_chars(jobs.data(), end, count);
-  if (read.ec != std::errc() || read.ptr != end || count < 1 || count > most)
-    fail(ExitCode::usage, "--jobs takes a number from 1 to {}, or auto, not \"{}\"", most, jobs);
-  return static_cast<std::size_t>(count);
-}
 
 golden::Update TestOptions::updateMode() const {
   if (!updateGiven) {

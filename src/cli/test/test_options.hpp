@@ -5,7 +5,6 @@
 #include "gl/context.hpp"
 #include "golden/update.hpp"
 
-#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -34,8 +33,6 @@ struct TestOptions {
   std::string command;  ///< as typed
 
   [[nodiscard]] golden::Update updateMode() const;
-  /// Throws UserError(usage).
-  [[nodiscard]] std::size_t jobCount() const;
 };
 
 /// `simreel test SCENES`.

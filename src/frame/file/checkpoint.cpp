@@ -6,7 +6,6 @@
 #include "base/log.hpp"
 #include "base/strict_json.hpp"
 #include "base/version.hpp"
-#include "frame/file/manifest.hpp"
 #include "frame/file/run_info.hpp"
 
 #include <cstdint>
@@ -65,15 +64,52 @@ void Checkpoint::write(const std::filesystem::path& file, const RunInfo& run, co
   Json parts = Json::array();
   Saver saver(payload, parts);
   world.carryOver(saver, [&](const std::string& object) { saver.begin(object); });
-  const Json header = {
-      {"format", checkpointFormat}, {"program", version()}, {"run", Json::parse(manifestText({run, {}}))},
-      {"frame", world.frame()},     {"state", stateHash},   {"counts", counts.size()},
-      {"parts", std::move(parts)}};
+  Json header = {{"format", checkpointFormat}, {"program", version()},     {"simulation", run.simulation},
+                 {"numerics", run.numerics},   {"frame", world.frame()},   {"state", stateHash},
+                 {"counts", counts.size()},    {"parts", std::move(parts)}};
+  if (run.numerics != "exact") header["fingerprint"] = run.fingerprint;
   std::string text = header.dump() + "\n";
   text.reserve(text.size() + payload.size() + hashDigits);
   text += payload;
   text += hashHex(text);
   writeFileAtomically(file, text);
+}
+
+Checkpoint Checkpoint::load(const std::filesystem::path& file) {
+  Checkpoint c;
+  c.file_ = file;
+  c.text_ = readFile(file, "checkpoint", std::numeric_limits<std::size_t>::max() / 2);
+  try {
+    c.readHeader();
+  } catch (const JsonError& error) {
+    fail(ExitCode::usage, "checkpoint {} cannot be used: {}", file.string(), error.what());
+  }
+  return c;
+}
+
+void Checkpoint::readHeader() {
+  checkHash(text_);
+  payload_ = text_.find('\n') + 1;
+  const auto json = parseStrictJson(std::string_view(text_).substr(0, payload_));
+  const JsonValue header(json);
+  if (!header.at("format").is(checkpointFormat)) throw JsonError("it is no checkpoint");
+  if (const std::string program = header.at("program").text(); program != version())
+    throw JsonError(fmt::format("simreel {} wrote it", program));
+  simulation_ = header.at("simulation").text();
+  numerics_ = header.at("numerics").text();
+  fingerprint_ = textIfThere(header, "fingerprint");
+  frame_ = header.at("frame").integer(0);
+  readParts(header);
+}
+
+std::optional<std::string> Checkpoint::mismatch(const RunInfo& run) const {
+  if (simulation_ != run.simulation)
+    return "it is of another simulation: seed, times, numerics, ground or an object differ";
+  if (numerics_ != "exact" && fingerprint_ != run.fingerprint)
+    return fmt::format(
+        "its numerics are fast, and its driver's (fingerprint {}) are others than this one's ({})",
+        fingerprint_, run.fingerprint);
+  return std::nullopt;
 }
 
 std::optional<Checkpoint> Checkpoint::read(const std::filesystem::path& file, const RunInfo& run,
@@ -83,19 +119,10 @@ std::optional<Checkpoint> Checkpoint::read(const std::filesystem::path& file, co
     Checkpoint c;
     c.file_ = file;
     c.text_ = readFile(file, "checkpoint", std::numeric_limits<std::size_t>::max() / 2);
-    checkHash(c.text_);
-    c.payload_ = c.text_.find('\n') + 1;
-    const auto json = parseStrictJson(std::string_view(c.text_).substr(0, c.payload_));
-    const JsonValue header(json);
-    if (!header.at("format").is(checkpointFormat)) throw JsonError("it is no checkpoint");
-    if (const std::string program = header.at("program").text(); program != version())
-      throw JsonError(fmt::format("simreel {} wrote it", program));
-    if (const auto difference = runDifference(run, manifestOf(header.at("run")).run))
-      throw JsonError(*difference);
-    c.frame_ = header.at("frame").integer(0);
+    c.readHeader();
+    if (const auto difference = c.mismatch(run)) throw JsonError(*difference);
     if (c.frame_ > lastFrame)
       throw JsonError(fmt::format("it is of frame {}, and the run has 0 to {}", c.frame_, lastFrame));
-    c.readParts(header);
     return c;
   } catch (const std::bad_alloc&) {
     warn("checkpoint {} is not used: there is not enough memory to read it", file.string());

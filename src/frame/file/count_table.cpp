@@ -63,6 +63,15 @@ void CountTable::resume(std::string_view text) {
   rows_ = std::count(text.begin(), text.end(), '\n') - 1;
 }
 
+std::string_view CountTable::header() const {
+  return std::string_view(text_).substr(0, text_.find('\n'));
+}
+
+std::string_view CountTable::lastRow() const {
+  const std::string_view all = std::string_view(text_).substr(0, text_.size() - 1);
+  return all.substr(all.rfind('\n') + 1);
+}
+
 void CountTable::addRow(double time, const std::vector<const glm::uvec4*>& counts) {
   text_ += fmt::format("{},{:.6f}", rows_++, time);
   for (std::size_t i = 0; i < counts.size(); ++i)

@@ -22,6 +22,9 @@ class CountTable {
   /// Without counting objects, or before the first frame.
   [[nodiscard]] bool empty() const { return names_.empty() || rows_ == 0; }
   [[nodiscard]] const std::string& text() const { return text_; }
+  /// Names of the columns, and the last row; comma separated.
+  [[nodiscard]] std::string_view header() const;
+  [[nodiscard]] std::string_view lastRow() const;
 
  private:
   void addRow(double time, const std::vector<const glm::uvec4*>& counts);

@@ -17,12 +17,11 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr const char* manifestFormat = "simreel-manifest";
-constexpr int formatVersion = 2;  // 2: hashes of files
+constexpr int formatVersion = 3;  // 2: hashes of files; 3: machines are in run.json
 
 ManifestFrame readFrame(const JsonValue& item) {
   ManifestFrame frame = {item.at("file").text(), item.at("bytes").text(), item.at("pixels").text(),
                          item.at("state").text()};
-  frame.machine = textIfThere(item, "machine");
   if (const auto files = item.find("files"))
     files->eachMember(
         [&](const std::string& name, const JsonValue& hash) { frame.files[name] = hash.text(); });
@@ -33,12 +32,12 @@ ManifestFrame readFrame(const JsonValue& item) {
 
 std::string manifestText(const Manifest& manifest) {
   const RunInfo& run = manifest.run;
-  Json object = {{"format", manifestFormat},     {"version", formatVersion},       {"program", version()},
-                 {"title", run.title},           {"scene", run.sceneHash},         {"seed", run.seed},
-                 {"width", run.width},           {"height", run.height},           {"fps", run.fps},
-                 {"numerics", run.numerics},     {"fingerprint", run.fingerprint}, {"driver", run.driver},
-                 {"rasterizer", run.rasterizer}, {"overrides", run.overrides}};
-  if (!run.processor.empty()) object["processor"] = run.processor;
+  Json object = {{"format", manifestFormat}, {"version", formatVersion},     {"program", version()},
+                 {"title", run.title},       {"scene", run.sceneHash},       {"seed", run.seed},
+                 {"width", run.width},       {"height", run.height},         {"fps", run.fps},
+                 {"numerics", run.numerics}, {"rasterizer", run.rasterizer}, {"overrides", run.overrides}};
+  if (!run.exact()) object["fingerprint"] = run.fingerprint;
+  if (!run.asRunHash.empty()) object["asRun"] = run.asRunHash;
   const auto dump = [](const Json& value, int indent) {
     return value.dump(indent, ' ', false, Json::error_handler_t::replace);
   };
@@ -54,7 +53,6 @@ std::string manifestText(const Manifest& manifest) {
                  {"bytes", frame.bytes},
                  {"pixels", frame.pixels},
                  {"state", frame.state}};
-    if (!frame.machine.empty()) item["machine"] = frame.machine;
     if (!frame.files.empty()) item["files"] = frame.files;
     text += separator + ("    " + dump(item, -1));
     separator = ",\n";
@@ -77,10 +75,9 @@ Manifest manifestOf(const JsonValue& object) {
   run.height = object.at("height").integer();
   run.fps = object.at("fps").number();
   run.numerics = object.at("numerics").text();
-  run.fingerprint = object.at("fingerprint").text();
-  run.driver = object.at("driver").text();
-  run.processor = textIfThere(object, "processor");
-  if (const auto rasterizer = object.find("rasterizer")) run.rasterizer = rasterizer->text();
+  run.rasterizer = object.at("rasterizer").text();
+  run.fingerprint = textIfThere(object, "fingerprint");
+  run.asRunHash = textIfThere(object, "asRun");
   result.counts = textIfThere(object, "counts");
   object.at("frames").eachItem(
       [&](const JsonValue& item) { result.frames[item.at("frame").integer()] = readFrame(item); });
@@ -124,10 +121,6 @@ std::optional<std::string> runDifference(const RunInfo& wanted, const RunInfo& s
   if (!wanted.exact() && wanted.fingerprint != stored.fingerprint)
     return say("numerics fingerprint (driver and memory path)", wanted.fingerprint, stored.fingerprint);
   return std::nullopt;
-}
-
-std::string machineOf(const RunInfo& run) {
-  return run.exact() || run.processor.empty() ? std::string() : run.processor + "; " + run.driver;
 }
 
 std::string runIdentity(const RunInfo& run) {

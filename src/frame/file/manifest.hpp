@@ -15,11 +15,12 @@ struct ManifestFrame {
   std::string pixels;                             ///< pixelHash; empty when unknown
   std::string state;                              ///< state hash; empty when unknown
   std::map<std::string, std::string> files = {};  ///< hashes of the files beside it (fields), by name
-  std::string machine = {};  ///< machineOf() another run, whose picture this is; empty: of the manifest's
+  bool drawn = false;                             ///< by this very run; for run.json
 };
 
-/// What is written beside the frames: the run, and the hashes of each frame. Holds no time and no
-/// path, so two runs of one scene write the same bytes.
+/// What is written beside the frames: the run, and the hashes of each frame. Holds no time, no path and
+/// nothing of the machine, so all runs of one scene write the same bytes; of pictures that depend on the
+/// driver the fingerprint of its numerics.
 struct Manifest {
   RunInfo run;
   std::string counts = {};  ///< hash of the table of counts; empty: there is none
@@ -36,9 +37,6 @@ struct Manifest {
 /// "seed is 1 in this run and 2 in the earlier one": the first item in which frames of the two runs could
 /// differ by more than a few bits of their pixels.
 [[nodiscard]] std::optional<std::string> runDifference(const RunInfo& wanted, const RunInfo& stored);
-/// Processor and driver of a run, or empty where they are not known or do not matter (exact pictures).
-/// Pictures of one scene on two machines of the same fingerprints may differ in a few bits.
-[[nodiscard]] std::string machineOf(const RunInfo& run);
 /// The same for any two runs in which runDifference() finds nothing, and for no others.
 [[nodiscard]] std::string runIdentity(const RunInfo& run);
 

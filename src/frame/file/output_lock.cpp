@@ -147,6 +147,15 @@ OutputLock::Shared::~Shared() {
   if (file_ >= 0) leave(file_, sharedFiles);
 }
 
+bool isOutputLocked(const std::filesystem::path& manifest) {
+  const int file = ::open((manifest.string() + ".lock").c_str(), O_RDONLY | O_CLOEXEC);
+  if (file < 0) return false;
+  struct flock lock = description(F_WRLCK, {sharedFiles.begin, 0});
+  const bool held = ::fcntl(file, F_OFD_GETLK, &lock) == 0 && lock.l_type != F_UNLCK;
+  ::close(file);
+  return held;
+}
+
 bool OutputLock::ownsCheckpoint() const {
   return file_ < 0 || take(file_, checkpoint);
 }

@@ -54,4 +54,7 @@ class OutputLock {
   std::filesystem::path path_;
 };
 
+/// Whether a running program has frames of the output with this manifest, as far as locks tell.
+[[nodiscard]] bool isOutputLocked(const std::filesystem::path& manifest);
+
 }  // namespace simreel::frame

@@ -120,12 +120,29 @@ std::filesystem::path OutputName::manifestFile() const {
   return besideFrames("manifest.json");
 }
 
+std::filesystem::path OutputName::runFile() const {
+  return besideFrames("run.json");
+}
+
+std::filesystem::path OutputName::sceneFile() const {
+  return besideFrames("as-run.json");
+}
+
 std::filesystem::path OutputName::countFile() const {
   return besideFrames("counts.csv");
 }
 
 std::filesystem::path OutputName::checkpointFile() const {
   return kind == Kind::video ? std::filesystem::path() : besideFrames("checkpoint");
+}
+
+std::filesystem::path OutputName::checkpointFile(int frame) const {
+  const std::filesystem::path file = checkpointFile();
+  return file.empty() ? file : std::filesystem::path(fmt::format("{}.{:06}", file.string(), frame));
+}
+
+std::filesystem::path OutputName::piecesFolder() const {
+  return besideFrames("pieces");
 }
 
 std::filesystem::path OutputName::besideFrames(const char* ending) const {

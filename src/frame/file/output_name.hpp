@@ -25,11 +25,19 @@ struct OutputName {
   [[nodiscard]] std::string fileName(int frame) const;
   /// Where the manifest goes. Empty for standard output.
   [[nodiscard]] std::filesystem::path manifestFile() const;
+  /// Where what is known of the runs that made it goes (run_log.hpp), beside the manifest.
+  [[nodiscard]] std::filesystem::path runFile() const;
+  /// Where the scene as it was run goes, beside the manifest.
+  [[nodiscard]] std::filesystem::path sceneFile() const;
   /// Where the counts of simulations go, beside the manifest. Empty for standard output.
   [[nodiscard]] std::filesystem::path countFile() const;
   /// Where checkpoints go, beside the manifest. Empty where nothing can be resumed: videos, standard
   /// output.
   [[nodiscard]] std::filesystem::path checkpointFile() const;
+  /// Where the checkpoint of a frame goes that is to be kept: "checkpoint.000500".
+  [[nodiscard]] std::filesystem::path checkpointFile(int frame) const;
+  /// Where the pieces go of which it is made, until it is whole.
+  [[nodiscard]] std::filesystem::path piecesFolder() const;
 
  private:
   [[nodiscard]] std::filesystem::path besideFrames(const char* ending) const;

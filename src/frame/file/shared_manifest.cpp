@@ -23,12 +23,6 @@ std::vector<int> claimed(const OutputName& output, std::span<const int> frames) 
   return {frames.begin(), frames.end()};
 }
 
-/// A frame is of the machine of its manifest unless it says otherwise; here of that of `run`.
-std::string machineSeenFrom(const RunInfo& run, const Manifest& manifest, const ManifestFrame& frame) {
-  const std::string machine = frame.machine.empty() ? machineOf(manifest.run) : frame.machine;
-  return machine == machineOf(run) ? std::string() : machine;
-}
-
 std::string contentOf(const std::filesystem::path& file) {
   if (!pathExists(file)) return {};
   try {
@@ -43,7 +37,8 @@ std::string contentOf(const std::filesystem::path& file) {
 SharedManifest::SharedManifest(const OutputName& output, const RunInfo& run, std::span<const int> frames)
     : output_(output),
       own_(frames.begin(), frames.end()),
-      lock_(output.manifestFile(), runIdentity(run), claimed(output, frames)) {
+      lock_(output.manifestFile(), runIdentity(run), claimed(output, frames)),
+      record_(beginRecord(run)) {
   others_.run = run;
 }
 
@@ -63,10 +58,10 @@ std::map<int, ManifestFrame> SharedManifest::inherit(Existing existing) {
     return {};
   }
   others_.counts = old->counts;
+  log_ = readRunLog(output_.runFile());
   std::map<int, ManifestFrame> own;
   for (auto& [number, frame] : old->frames) {
     if (number < 0 || frame.file != output_.fileName(number) || !pathExists(output_.file(number))) continue;
-    frame.machine = machineSeenFrom(others_.run, *old, frame);
     if (own_.contains(number))
       own[number] = std::move(frame);
     else if (output_.kind == OutputName::Kind::sequence)
@@ -84,6 +79,11 @@ void SharedManifest::write(Manifest manifest, std::string_view counts) {
   } catch (const UserError&) {
     failure = std::current_exception();  // the frames are whole all the same
   }
+  try {
+    storeRuns(manifest);
+  } catch (const UserError&) {
+    if (!failure) failure = std::current_exception();
+  }
   store(std::move(manifest));
   if (failure) std::rethrow_exception(failure);
 }
@@ -93,6 +93,29 @@ void SharedManifest::storeCounts(std::string_view counts) {
   if (present.starts_with(counts) && hashHex(present) == others_.counts) return;
   writeFileAtomically(output_.countFile(), counts, NameSync::later);
   others_.counts = hashHex(counts);
+}
+
+std::string SharedManifest::otherMachineOf(int frame) const {
+  if (others_.run.exact()) return {};
+  const std::string machine = log_.machineOf(frame);
+  return machine == record_.machine() ? std::string() : machine;
+}
+
+void SharedManifest::storeScene() {
+  if (std::exchange(hasScene_, true) || others_.run.asRun.empty()) return;
+  writeFileAtomically(output_.sceneFile(), others_.run.asRun, NameSync::later);
+}
+
+/// What other programs have put there meanwhile stays, and goes first: a manifest is never without it.
+void SharedManifest::storeRuns(const Manifest& manifest) {
+  record_.frames.clear();
+  for (const auto& [number, frame] : manifest.frames)
+    if (frame.drawn) record_.frames.insert(number);
+  if (record_.frames.empty()) return;
+  record_.seconds = secondsSince(began_);
+  RunLog log = readRunLog(output_.runFile());
+  log.put(record_);
+  writeFileAtomically(output_.runFile(), runLogText(log), NameSync::later);
 }
 
 SharedManifest::Version SharedManifest::versionOnDisk() const {
@@ -111,9 +134,7 @@ void SharedManifest::merge() {
     others_.counts = found->counts;
     others_.frames.clear();
     for (auto& [number, frame] : found->frames) {
-      if (own_.contains(number)) continue;
-      frame.machine = machineSeenFrom(others_.run, *found, frame);
-      others_.frames[number] = std::move(frame);
+      if (!own_.contains(number)) others_.frames[number] = std::move(frame);
     }
   } catch (const UserError&) {  // NOLINT(bugprone-empty-catch): it is replaced.
   }
@@ -123,6 +144,7 @@ void SharedManifest::store(Manifest manifest) {
   manifest.counts = others_.counts;
   manifest.frames.insert(others_.frames.begin(), others_.frames.end());  // those that are not in it
   if (manifest.frames.empty()) return;
+  storeScene();
   syncFolder(output_.folder);
   writeFileAtomically(output_.manifestFile(), manifestText(manifest));
   known_ = versionOnDisk();

@@ -1,8 +1,8 @@
 #include "frame/sink/checkpoint_keeper.hpp"
 
 #include "base/error.hpp"
+#include "base/file.hpp"
 #include "base/log.hpp"
-#include "frame/file/checkpoint.hpp"
 
 #include <algorithm>
 #include <system_error>
@@ -15,23 +15,53 @@ CheckpointKeeper::CheckpointKeeper(Checkpoints how, const FrameSink& sink, int l
 
 void CheckpointKeeper::resume(const std::vector<int>& frames, const std::function<bool(int)>& isMissing,
                               sim::World& world, CountTable& counts) {
-  if (how_.file.empty() || !how_.resume) return;
-  const int last = std::max(lastFrame_, frames.empty() ? 0 : frames.back());
-  const auto checkpoint = Checkpoint::read(how_.file, how_.run, last);
-  stored_ = checkpoint ? checkpoint->frame() : beforeAll;
-  if (!checkpoint) return;
-  for (const int frame : frames) {
-    if (frame >= checkpoint->frame()) break;
-    if (!isMissing(frame)) continue;
-    info("frame {} is missing, the checkpoint is of frame {}: simulating from the start", frame,
-         checkpoint->frame());
-    return;
+  if (!how_.file.empty() && how_.resume) {
+    const int last = std::max({lastFrame_, frames.empty() ? 0 : frames.back(), lastKept()});
+    const auto checkpoint = found(last);
+    // Kept states that are there need no work; one that is not lies before no checkpoint to go on from.
+    std::erase_if(how_.keep, [&](const auto& kept) {
+      return checkpoint && kept.first <= checkpoint->frame() && pathExists(kept.second);
+    });
+    if (checkpoint) {
+      auto missing = std::find_if(frames.begin(), frames.end(), isMissing);
+      if (missing != frames.end() && *missing < checkpoint->frame())
+        info("frame {} is missing, the checkpoint is of frame {}: simulating from the start", *missing,
+             checkpoint->frame());
+      else if (!how_.keep.empty() && how_.keep.begin()->first < checkpoint->frame())
+        info("the state of frame {} is missing, the checkpoint is of frame {}: simulating from the start",
+             how_.keep.begin()->first, checkpoint->frame());
+      else
+        return begin(*checkpoint, world, counts);
+    }
   }
-  checkpoint->restore(world);
-  counts.resume(checkpoint->counts());
-  resumedFrame_ = checkpoint->frame();
-  resumedHash_ = checkpoint->stateHash();
+  if (how_.from.empty()) return;
+  const Checkpoint given = Checkpoint::load(how_.from);
+  if (const auto difference = given.mismatch(how_.run))
+    fail(ExitCode::usage, "cannot begin at checkpoint {}: {}", how_.from.string(), *difference);
+  begin(given, world, counts);
+}
+
+/// The run's own, or else the last of those that are to be kept.
+std::optional<Checkpoint> CheckpointKeeper::found(int last) {
+  auto checkpoint = Checkpoint::read(how_.file, how_.run, last);
+  stored_ = checkpoint ? checkpoint->frame() : beforeAll;
+  for (auto kept = how_.keep.rbegin(); kept != how_.keep.rend() && !checkpoint; ++kept)
+    checkpoint = Checkpoint::read(kept->second, how_.run, last);
+  return checkpoint;
+}
+
+void CheckpointKeeper::begin(const Checkpoint& checkpoint, sim::World& world, CountTable& counts) {
+  checkpoint.restore(world);
+  counts.resume(checkpoint.counts());
+  resumedFrame_ = checkpoint.frame();
+  resumedHash_ = checkpoint.stateHash();
+  resumedFile_ = checkpoint.file();
   info("going on from the checkpoint of frame {}", resumedFrame_);
+}
+
+void CheckpointKeeper::keep(const std::string& stateHash, const std::string& counts,
+                            sim::World& world) const {
+  Checkpoint::write(how_.keep.at(world.frame()), how_.run, stateHash, counts, world);
 }
 
 bool CheckpointKeeper::isAfterResume(const sim::World::Summary& summary) const {
@@ -40,7 +70,7 @@ bool CheckpointKeeper::isAfterResume(const sim::World::Summary& summary) const {
     fail(ExitCode::different,
          "the state of frame {} is {} after going on from checkpoint {}, and was {}; remove it to simulate "
          "from the start",
-         summary.frame, summary.stateHash, how_.file.string(), resumedHash_);
+         summary.frame, summary.stateHash, resumedFile_.string(), resumedHash_);
   return false;
 }
 

@@ -72,6 +72,9 @@ std::vector<std::string> ffmpegArguments(const std::filesystem::path& file, int 
                                      "-i",       "pipe:0"};
   const std::vector<std::string> encoder = encoderArguments(lowerExtension(file));
   result.insert(result.end(), encoder.begin(), encoder.end());
+  // What x264 and others write depends on how many threads they are, which is by processors unless given;
+  // more than a machine has cost little.
+  result.insert(result.end(), {"-threads", "8"});
   // Bit-exact: no version or time in the file. "file:" keeps a name with - or : from being read otherwise.
   result.insert(result.end(), {"-fflags", "+bitexact", "-flags:v", "+bitexact", "file:" + file.string()});
   return result;

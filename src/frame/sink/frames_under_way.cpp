@@ -84,6 +84,7 @@ void FramesUnderWay::store(Waiting waiting) {
     SIMREEL_CHECK_EQ(taken->first, waiting.frame);
     image.bytes = std::move(taken->second);
   }
+  if (hear_) hear_(waiting.frame, image);
   const Stopwatch time = timers_.watch(&StageTimes::wait);
   sink_.add({waiting.frame, *std::move(waiting.stateHash), std::move(waiting.files)}, std::move(image));
 }

@@ -2,6 +2,7 @@
 #include "draw/screen/readback.hpp"
 #include "draw/screen/renderer.hpp"
 #include "frame/file/run_info.hpp"
+#include "frame/image.hpp"
 #include "frame/sink/field_files.hpp"
 #include "frame/sink/frame_sink.hpp"
 #include "frame/sink/progress.hpp"
@@ -13,6 +14,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <glm/vec2.hpp>
@@ -28,6 +30,8 @@ class FramesUnderWay {
   FramesUnderWay(const scene::Scene& scene, FrameSink& sink, const FieldFiles* fields, Progress& progress,
                  StageTimers& timers, std::function<void()> awaitSummary);
 
+  /// Who hears of each picture before the sink gets it.
+  void onPicture(std::function<void(int frame, const Image& image)> hear) { hear_ = std::move(hear); }
   /// Whether anything of a frame is to be written.
   [[nodiscard]] bool misses(int frame) const;
   /// The present frame of the world, drawn if it is wanted. Waits for an older one where too many are under
@@ -58,6 +62,7 @@ class FramesUnderWay {
   Progress& progress_;
   StageTimers& timers_;
   std::function<void()> awaitSummary_;
+  std::function<void(int frame, const Image& image)> hear_;
   glm::ivec2 size_;
   draw::Renderer renderer_;
   draw::Readback readback_;

@@ -33,7 +33,7 @@ void Progress::start(int total) {
   total_ = total;
   done_ = 0;
   begin_ = Clock::now();
-  if (mode_ == Mode::ndjson) write(fmt::format("{{\"event\":\"start\",\"frames\":{}}}\n", total));
+  event(fmt::format("{{\"event\":\"start\",\"frames\":{}}}", total));
   if (mode_ == Mode::terminal) show();
 }
 
@@ -41,8 +41,8 @@ void Progress::prepare(long done, long total) {
   if (done < total && Clock::now() - lastShown_ < showEvery) return;
   if (mode_ == Mode::ndjson) {
     lastShown_ = Clock::now();
-    write(fmt::format("{{\"event\":\"prepare\",\"done\":{},\"total\":{},\"seconds\":{:.3f}}}\n", done,
-                      total, secondsSince(begin_)));
+    event(fmt::format("{{\"event\":\"prepare\",\"done\":{},\"total\":{},\"seconds\":{:.3f}}}", done, total,
+                      secondsSince(begin_)));
   }
   if (mode_ != Mode::terminal) return;
   lastShown_ = Clock::now();
@@ -54,19 +54,42 @@ void Progress::prepare(long done, long total) {
 
 void Progress::frame(int number, const StageTimes& stages) {
   ++done_;
-  if (mode_ == Mode::ndjson)
-    write(
-        fmt::format("{{\"event\":\"frame\",\"frame\":{},\"done\":{},\"total\":{},\"seconds\":{:.3f},"
-                    "\"simulate\":{:.6f},\"draw\":{:.6f},\"readBack\":{:.6f},\"encode\":{:.6f}}}\n",
-                    number, done_, total_, secondsSince(begin_), stages.simulate, stages.draw,
-                    stages.readBack, stages.encode));
+  event(
+      fmt::format("{{\"event\":\"frame\",\"frame\":{},\"done\":{},\"total\":{},\"seconds\":{:.3f},"
+                  "\"simulate\":{:.6f},\"draw\":{:.6f},\"readBack\":{:.6f},\"encode\":{:.6f}}}",
+                  number, done_, total_, secondsSince(begin_), stages.simulate, stages.draw,
+                  stages.readBack, stages.encode));
   if (mode_ == Mode::terminal && (done_ == total_ || Clock::now() - lastShown_ >= showEvery)) show();
 }
 
+void Progress::check(const std::string& what, int frame, std::optional<double> value, bool passed) {
+  if (mode_ != Mode::ndjson) return;
+  const bool finite = value && std::isfinite(*value);
+  event(fmt::format("{{\"event\":\"check\",\"what\":\"{}\",\"frame\":{},\"value\":{},\"passed\":{}}}", what,
+                    frame, finite ? fmt::format("{}", *value) : "null", passed));
+}
+
+void Progress::counts(int frame, std::string_view names, std::string_view row) {
+  if (mode_ != Mode::ndjson) return;
+  std::string line = fmt::format("{{\"event\":\"counts\",\"frame\":{}", frame);
+  while (!names.empty()) {
+    const std::string_view name = names.substr(0, names.find(','));
+    const std::string_view value = row.substr(0, row.find(','));
+    const bool finite = value.find_first_of("nN") == std::string_view::npos;
+    if (!value.empty()) line += fmt::format(",\"{}\":{}", name, finite ? value : "null");
+    names.remove_prefix(std::min(names.size(), name.size() + 1));
+    row.remove_prefix(std::min(row.size(), value.size() + 1));
+  }
+  event(line + "}");
+}
+
+void Progress::event(const std::string& object) const {
+  if (mode_ != Mode::ndjson) return;
+  write((job_.empty() ? object : fmt::format("{{\"job\":\"{}\",{}", job_, object.substr(1))) + "\n");
+}
+
 void Progress::finish(const char* status) {
-  if (mode_ == Mode::ndjson)
-    write(
-        fmt::format("{{\"event\":\"end\",\"status\":\"{}\",\"done\":{},\"total\":{},\"seconds\":{:.3f}}}\n",
+  event(fmt::format("{{\"event\":\"end\",\"status\":\"{}\",\"done\":{},\"total\":{},\"seconds\":{:.3f}}}",
                     status, done_, total_, secondsSince(begin_)));
   if (shown_) write("\r\x1b[K");
   shown_ = false;

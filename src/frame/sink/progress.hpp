@@ -1,7 +1,10 @@
 #pragma once
 #include "base/clock.hpp"
 
+#include <optional>
 #include <string>
+#include <string_view>
+#include <utility>
 
 namespace simreel::frame {
 
@@ -27,6 +30,14 @@ class Progress {
   void prepare(long done, long total);
   /// One frame is done (or was already there). `stages` are the times of this frame alone.
   void frame(int number, const StageTimes& stages);
+  /// A check of the scene was made.
+  void check(const std::string& what, int frame, std::optional<double> value, bool passed);
+  /// Counts as they are now: names and numbers, comma separated.
+  void counts(int frame, std::string_view names, std::string_view row);
+  /// An event of somebody else's making, a JSON object; ndjson only.
+  void event(const std::string& object) const;
+  /// From here on each event says that it is of this job of several.
+  void ofJob(std::string job) { job_ = std::move(job); }
   /// Clears the bar. `status` is "ok", "interrupted" or "failed".
   void finish(const char* status = "ok");
 
@@ -36,6 +47,7 @@ class Progress {
 
   Mode mode_;
   int descriptor_;
+  std::string job_;
   int total_ = 0;
   int done_ = 0;
   bool shown_ = false;

@@ -9,7 +9,9 @@
 #include "frame/summaries.hpp"
 #include "sim/world/world.hpp"
 
+#include <algorithm>
 #include <exception>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -32,10 +34,15 @@ class Run {
         counts_(scene.time.fps, world_.countNames()),
         counting_(!world_.countNames().empty()),
         summaries_(world_, [this](const auto& summary) { hear(summary); }),
-        frames_(scene, sink, beside.fields, progress, timers_, [this] { summaries_.takeOldest(); }) {}
+        frames_(scene, sink, beside.fields, progress, timers_, [this] { summaries_.takeOldest(); }),
+        watch_(beside.watch) {
+    if (watch_ != nullptr)
+      frames_.onPicture([this](int frame, const Image& image) { watch_->drawn(frame, image); });
+  }
 
   /// Call first. Goes on from a checkpoint before which no frame is missing, where that is asked for.
   void begin(const std::vector<int>& frames) {
+    if (watch_ != nullptr) watch_->begin(world_);
     if (fields_ != nullptr) fields_->begin(world_.drawables().fields);
     keeper_.resume(
         frames, [&](int frame) { return frames_.misses(frame); }, world_, counts_);
@@ -51,6 +58,11 @@ class Run {
     context_.check();
   }
 
+  /// On to the last state that is to be kept.
+  void simulateRest() {
+    if (keeper_.lastKept() >= 0) simulateTo(keeper_.lastKept());
+  }
+
   void drain() { frames_.drain(); }
 
   /// Every count that is there, also of a run that ended early.
@@ -61,18 +73,15 @@ class Run {
   /// Between two frames: stores all before, then the state.
   void saveCheckpoint() {
     if (!started_ || world_.frame() < 0 || !keeper_.writes()) return;
-    frames_.drain();
-    if (!seen_) {
-      world_.show();
-      seen_ = true;
-      summaries_.start();
-    }
-    summaries_.takeAll();
+    lookAtPresent();
     const Stopwatch time = timers_.watch(&StageTimes::wait);
     sink_.settle();
     keeper_.save(latest_->stateHash, counts_.text(), world_);
   }
-  void removeCheckpoint(int last) const { keeper_.removeUnneeded(last); }
+  void removeCheckpoint(const std::vector<int>& frames) const {
+    keeper_.removeUnneeded(frames.empty() ? std::numeric_limits<int>::max()
+                                          : std::max(frames.back(), keeper_.lastKept()));
+  }
 
   [[nodiscard]] int delivered() const { return frames_.delivered(); }
   [[nodiscard]] const StageTimes& stages() { return timers_.stages(); }
@@ -101,6 +110,23 @@ class Run {
     }
   }
 
+  /// Its summary is the latest then.
+  void lookAtPresent() {
+    frames_.drain();
+    if (!seen_) {
+      world_.show();
+      seen_ = true;
+      summaries_.start();
+    }
+    summaries_.takeAll();
+  }
+
+  void keepState() {
+    lookAtPresent();
+    const Stopwatch time = timers_.watch(&StageTimes::wait);
+    keeper_.keep(latest_->stateHash, counts_.text(), world_);
+  }
+
   /// The pre-roll is watched too: frame 0's summary tells of everything before it. Only counts need each of
   /// its frames.
   [[nodiscard]] int nextFrame() const {
@@ -113,15 +139,23 @@ class Run {
     while (world_.frame() < frame || !started_) {
       if (started_) throwIfInterrupted();
       const int next = nextFrame();
-      timers_.run(&StageTimes::simulate, next, [&] { advanceTo(next, next >= frame || counting_); });
+      const bool watched = watch_ != nullptr && watch_->wants(next);
+      const bool seen = next >= frame || counting_ || watched || keeper_.keeps(next);
+      timers_.run(&StageTimes::simulate, next, [&] { advanceTo(next, seen); });
       started_ = true;
       summaries_.start();
+      if (watched) watch_->made(world_);
+      if (keeper_.keeps(next)) keepState();
       if (keeper_.isDue()) saveCheckpoint();
     }
   }
 
   void hear(const sim::World::Summary& summary) {
-    if (keeper_.isAfterResume(summary)) counts_.add(summary);
+    if (keeper_.isAfterResume(summary)) {
+      counts_.add(summary);
+      if (!counts_.empty() && summary.frame >= 0)
+        progress_.counts(summary.frame, counts_.header(), counts_.lastRow());
+    }
     timers_.collect(summary.frame - 1);  // a frame's summary comes after all of the frame before
     frames_.know(summary.frame, summary.stateHash);
     latest_ = summary;
@@ -140,6 +174,7 @@ class Run {
   bool counting_;
   Summaries summaries_;
   FramesUnderWay frames_;
+  FrameWatch* watch_;
   std::optional<sim::World::Summary> latest_;
   bool started_ = false;
   bool seen_ = true;  ///< whether the present frame was stepped, not passed
@@ -164,6 +199,7 @@ SequenceResult renderSequence(const scene::Scene& scene, const gl::Context& cont
           throwIfInterrupted();
           run.render(frame);
         }
+        run.simulateRest();
       } catch (const Interrupted& interrupted) {
         result.signal = interrupted.signal;
       }
@@ -183,7 +219,7 @@ SequenceResult renderSequence(const scene::Scene& scene, const gl::Context& cont
     result.frames = run.delivered();
     result.stages = run.stages();
     result.stages.start = start;
-    if (whole && !failure && !frames.empty()) run.removeCheckpoint(frames.back());
+    if (whole && !failure) run.removeCheckpoint(frames);
   } catch (const Interrupted& interrupted) {  // before there was anything
     result.signal = interrupted.signal;
   } catch (...) {

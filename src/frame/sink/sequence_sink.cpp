@@ -41,7 +41,8 @@ class SequenceSink final : public FrameSink {
         file_(output_, run, frames) {
     manifest_.run = run;
     if (existing == Existing::error) refuseExisting();
-    constexpr std::size_t runBytes = 1024, frameBytes = 256;  // of a manifest, or more
+    // Of a manifest, or more; run.json beside it.
+    constexpr std::size_t runBytes = 16384, frameBytes = 256;
     room_ = ReservedRoom(output_.folder, runBytes + frameBytes * frames_.size());
     auto known = file_.inherit(existing);
     if (existing == Existing::skip || existing == Existing::resume)
@@ -159,9 +160,10 @@ class SequenceSink final : public FrameSink {
     std::size_t count = 0;
     std::string machine;
     for (const auto& [number, frame] : kept_) {
-      if (frame.machine.empty()) continue;
+      const std::string other = file_.otherMachineOf(number);
+      if (other.empty()) continue;
       ++count;
-      machine = frame.machine;
+      machine = other;
     }
     if (count > 0)
       warn(
@@ -217,6 +219,7 @@ class SequenceSink final : public FrameSink {
       entry.bytes = hashHex(png.file);
       entry.pixels = std::move(png.pixels);
       entry.state = info.stateHash;
+      entry.drawn = true;
     }
     record(info.frame, std::move(entry));
   }
@@ -252,8 +255,8 @@ class SequenceSink final : public FrameSink {
                       {"simreel:scene", manifest_.run.sceneHash},
                       {"simreel:seed", fmt::format("{}", manifest_.run.seed)},
                       {"simreel:frame", fmt::format("{}", info.frame)},
-                      {"simreel:state", info.stateHash},
-                      {"simreel:driver", manifest_.run.driver}};
+                      {"simreel:state", info.stateHash}};
+    if (!manifest_.run.exact()) text.emplace_back("simreel:driver", manifest_.run.driver);
     if (!manifest_.run.overrides.empty())
       text.emplace_back("simreel:overrides", scene::asArguments(manifest_.run.overrides));
     return text;

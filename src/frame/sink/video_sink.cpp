@@ -122,7 +122,9 @@ class VideoSink final : public FrameSink {
     SIMREEL_CHECK_EQ(image.width, manifest_.run.width);
     SIMREEL_CHECK_EQ(image.height, manifest_.run.height);
     ffmpeg_->write(std::as_bytes(std::span(image.bytes)));
-    manifest_.frames[info.frame] = {output_.fileName(info.frame), "", pixelHash(image), info.stateHash};
+    ManifestFrame& frame = manifest_.frames[info.frame];
+    frame = {output_.fileName(info.frame), "", pixelHash(image), info.stateHash};
+    frame.drawn = true;
   }
 
   void removePart() const noexcept {

@@ -214,21 +214,15 @@ std::vector<int> Checker::frames() const {
   return {wanted.begin(), wanted.end()};
 }
 
-void Checker::frame(int frame, const sim::World& world, const frame::Image* image) {
+void Checker::state(int frame, const sim::World& world) {
   SIMREEL_CHECK(frame > lastFrame_);
   SIMREEL_CHECK_EQ(frame, world.frame());
   lastFrame_ = frame;
   StateOfFrame state(world);
-  for (Item& item : items_) {
-    if (!std::binary_search(item.frames.begin(), item.frames.end(), frame)) continue;
-    CheckResult result;
-    result.what = item.label;
-    result.frame = frame;
+  evaluate(frame, [&](Item& item, CheckResult& result) {
     switch (item.kind) {
       case Item::Kind::notBlank:
-        SIMREEL_CHECK(image != nullptr);
-        checkContrast(*image, result);
-        break;
+        return false;
       case Item::Kind::noNan:
         checkFinite(item, state, result);
         break;
@@ -241,9 +235,51 @@ void Checker::frame(int frame, const sim::World& world, const frame::Image* imag
         checkBounds(item, state.quantity(item.objects.front(), item.index), result);
         break;
     }
+    return true;
+  });
+}
+
+void Checker::picture(int frame, const frame::Image& image) {
+  evaluate(frame, [&](const Item& item, CheckResult& result) {
+    if (item.kind != Item::Kind::notBlank) return false;
+    checkContrast(image, result);
+    return true;
+  });
+}
+
+/// What of a frame `look` looks at, as it says.
+template <class Look>
+void Checker::evaluate(int frame, const Look& look) {
+  for (std::size_t i = 0; i < items_.size(); ++i) {
+    if (!std::binary_search(items_[i].frames.begin(), items_[i].frames.end(), frame)) continue;
+    CheckResult result;
+    result.what = items_[i].label;
+    result.frame = frame;
+    if (!look(items_[i], result)) continue;
     result.passed = result.message.empty();
-    results_.push_back(std::move(result));
+    results_[{frame, i}] = std::move(result);
   }
+}
+
+void Checker::resume(const std::vector<CheckResult>& earlier) {
+  for (const CheckResult& result : earlier)
+    for (std::size_t i = 0; i < items_.size(); ++i) {
+      Item& item = items_[i];
+      const bool isOf = item.label == result.what &&
+                        std::binary_search(item.frames.begin(), item.frames.end(), result.frame) &&
+                        !results_.contains({result.frame, i});
+      if (!isOf) continue;
+      if (!item.first && result.frame == item.frames.front()) item.first = result.value;
+      results_[{result.frame, i}] = result;
+      break;
+    }
+}
+
+std::vector<CheckResult> Checker::results() const {
+  std::vector<CheckResult> all;
+  all.reserve(results_.size());
+  for (const auto& [place, result] : results_) all.push_back(result);
+  return all;
 }
 
 void Checker::checkContrast(const frame::Image& image, CheckResult& result) {

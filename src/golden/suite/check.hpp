@@ -6,9 +6,11 @@
 #include "sim/world/world.hpp"
 
 #include <cstddef>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace simreel::golden {
@@ -22,12 +24,16 @@ class Checker {
   Checker(const scene::Scene& scene, const sim::World& world, std::span<const int> testedFrames);
   /// Frames, besides the tested ones, that some check wants; ascending.
   [[nodiscard]] std::vector<int> frames() const;
-  /// The world stands at this frame and the picture shows it (null where no picture was drawn). Waits for
-  /// the GPU and reads state back, only where a check of this frame needs it. Frames must ascend.
-  void frame(int frame, const sim::World& world, const frame::Image* image);
+  /// The world stands at this frame. Waits for the GPU and reads state back, only where a check of this
+  /// frame needs it. Frames must ascend.
+  void state(int frame, const sim::World& world);
+  /// The picture of a tested frame, before or after its state.
+  void picture(int frame, const frame::Image& image);
+  /// What an earlier run of the scene came to at frames that this one does not make again.
+  void resume(const std::vector<CheckResult>& earlier);
   /// One result for each check and frame so far: by frame, then in the scene's order. Of a check with drift
   /// `least` and `most` are the tighter ones of its bounds and the drift's.
-  [[nodiscard]] const std::vector<CheckResult>& results() const { return results_; }
+  [[nodiscard]] std::vector<CheckResult> results() const;
 
  private:
   /// A check and what it means in this world.
@@ -46,6 +52,8 @@ class Checker {
   class Resolver;
   class StateOfFrame;
 
+  template <class Look>
+  void evaluate(int frame, const Look& look);
   static void checkContrast(const frame::Image& image, CheckResult& result);
   void checkFinite(const Item& item, StateOfFrame& state, CheckResult& result) const;
   static void checkBounds(Item& item, double value, CheckResult& result);
@@ -53,7 +61,7 @@ class Checker {
   std::vector<std::string> names_;  ///< of the scene's objects
   std::vector<int> tested_;
   std::vector<Item> items_;
-  std::vector<CheckResult> results_;
+  std::map<std::pair<int, std::size_t>, CheckResult> results_;  ///< by frame and check
   int lastFrame_ = -1;
 };
 

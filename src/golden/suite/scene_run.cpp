@@ -35,11 +35,12 @@ class Runner {
     for (const int frame : stops) {
       simulateTo(frame);
       if (std::find(frames.begin(), frames.end(), frame) == frames.end()) {
-        checker_.frame(frame, world_, nullptr);
+        checker_.state(frame, world_);
         continue;
       }
       result_.frames.push_back(draw(frame));
-      checker_.frame(frame, world_, &result_.frames.back().image);
+      checker_.state(frame, world_);
+      checker_.picture(frame, result_.frames.back().image);
     }
     result_.checks = checker_.results();
     return std::move(result_);

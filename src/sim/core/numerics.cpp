@@ -1,9 +1,11 @@
 #include "sim/core/numerics.hpp"
 
+#include "base/error.hpp"
 #include "base/hash.hpp"
 #include "gl/buffer.hpp"
 #include "gl/element_array.hpp"
 #include "gl/program.hpp"
+#include "scene/scene.hpp"
 #include "sim/core/shader_code.hpp"
 
 #include <algorithm>
@@ -94,6 +96,13 @@ unsigned probeLoop() {
   program.dispatch(1);
   gl::barrier();
   return out.readAll<unsigned>().front();
+}
+
+void requireExact(const scene::Scene& scene, const Numerics& numerics) {
+  if (scene.numerics == scene::Numerics::exact && !numerics.exactHolds)
+    fail(ExitCode::device,
+         "this driver does not compute exactly ({}); use another device, or \"numerics\": \"fast\"",
+         numerics.firstFailure);
 }
 
 }  // namespace simreel::sim

@@ -1,6 +1,10 @@
 #pragma once
 #include <string>
 
+namespace simreel::scene {
+struct Scene;
+}
+
 namespace simreel::sim {
 
 /// How the current context computes.
@@ -12,6 +16,8 @@ struct Numerics {
   std::string fingerprint;
 };
 [[nodiscard]] Numerics probeNumerics();
+/// Throws UserError(device) where the scene wants exact numerics and the device does not compute so.
+void requireExact(const scene::Scene& scene, const Numerics& numerics);
 
 /// Iterations a shader loop of 70,001 rounds really makes.
 [[nodiscard]] unsigned probeLoop();

@@ -163,7 +163,7 @@ class InputOutput(Case):
             self.assertGreaterEqual(len(frames), 8)
             # Whatever was written is listed, and nothing else lies about, no .part either.
             listed = [frame["file"] for frame in self.manifest("disk")["frames"]]
-            self.assertEqual(sorted(p.name for p in disk.iterdir()), sorted([*listed, "manifest.json", "other"]))
+            self.assertEqual(sorted(p.name for p in disk.iterdir()), sorted([*listed, "as-run.json", "manifest.json", "other", "run.json"]))
             times = {name: (disk / name).stat().st_mtime_ns for name in listed}
             subprocess.run(["mount", "-o", "remount,size=4m", disk], check=True)
             self.good(*arguments, "--resume")

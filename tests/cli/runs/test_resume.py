@@ -175,20 +175,27 @@ class Resume(Case):
         self.bad(2, ["cannot resume", "out/manifest.json"], "render", "scene.json", "-o", "out/", "--resume")
         self.assertEqual(self.content("out"), self.whole)
 
-    def change_manifest(self, old, new):
-        text = (self.folder / "out/manifest.json").read_text(encoding="utf-8")
+    def change_manifest(self, old, new, name="manifest.json"):
+        text = (self.folder / "out" / name).read_text(encoding="utf-8")
         self.assertIn(old, text)
-        self.write("out/manifest.json", text.replace(old, new))
+        self.write(f"out/{name}", text.replace(old, new))
+
+    def change_run(self, old, new):
+        self.change_manifest(old, new, "run.json")
 
     def test_another_machine(self):
         """Exact pictures are everybody's: whoever drew some, the others are the same."""
         self.assertEqual(self.manifest("out")["rasterizer"], "exact")
-        self.change_manifest(self.manifest("out")["processor"], "Testium 3")
-        self.change_manifest('"fingerprint": "', '"fingerprint": "0')
+        for word in ("fingerprint", "driver", "processor", "machine"):
+            self.assertNotIn(word, self.manifest("out"))
+        self.change_run(self.runs("out")[0]["processor"], "Testium 3")
+        self.change_run('"fingerprint":"', '"fingerprint":"0')
         (self.folder / "out/000004.png").unlink()
         done = self.good("render", "scene.json", "-o", "out/", "--resume")
         self.assertNotIn("another machine", done.err)
         self.assertEqual(self.content("out"), self.whole)
+        self.assertEqual([(r["processor"] == "Testium 3", r["frames"]) for r in self.runs("out")],
+                         [(True, "0-3,5"), (False, "4")])
 
     def test_another_rasterizer(self):
         self.change_manifest('"rasterizer": "exact"', '"rasterizer": "driver"')
@@ -200,36 +207,32 @@ class Resume(Case):
         self.write("scene.json", with_values({"render.rasterizer": "driver"}))
         self.good("render", "scene.json", "-o", "out/", "--overwrite")
         self.whole = self.content("out")
-        change = self.change_manifest
-        processor = self.manifest("out")["processor"]
-        change(processor, "Testium 3")
+        processor = self.runs("out")[0]["processor"]
+        self.change_run(processor, "Testium 3")
         (self.folder / "out/000004.png").unlink()
         done = self.good("render", "scene.json", "-o", "out/", "--resume")
         self.assertIn("5 of 5 kept frames were drawn on another machine (Testium 3; ", done.err)
-        after = self.manifest("out")
-        self.assertEqual(after["processor"], processor)
-        machines = [frame.get("machine", "") for frame in after["frames"]]
-        self.assertEqual([m.split(";")[0] for m in machines], ["Testium 3"] * 4 + ["", "Testium 3"])
+        self.assertEqual([(r["processor"], r["frames"]) for r in self.runs("out")],
+                         [("Testium 3", "0-3,5"), (processor, "4")])
+        self.assertEqual(self.content("out"), self.whole)
         # Back where they were drawn: nothing of theirs is strange any more.
-        change(f'"processor": "{processor}"', '"processor": "Testium 3"')
-        change("Testium 3; ", processor + "; ")
+        self.change_run("Testium 3", processor)
         (self.folder / "out/000004.png").unlink()
         done = self.good("render", "scene.json", "-o", "out/", "--resume")
         self.assertNotIn("another machine", done.err)
         self.assertEqual(self.content("out"), self.whole)
-        # Manifests of before machines were noted.
-        text = self.whole["manifest.json"].decode()
-        self.write("out/manifest.json", "".join(l for l in text.splitlines(True) if '"processor"' not in l))
+        # Where nothing tells of machines.
+        self.write("out/run.json", "{")
         done = self.good("render", "scene.json", "-o", "out/", "--resume")
         self.assertNotIn("another machine", done.err)
         # Numerics that differ are another matter.
-        change('"fingerprint": "', '"fingerprint": "0')
+        self.change_manifest('"fingerprint": "', '"fingerprint": "0')
         self.bad(2, ["cannot resume", "fingerprint"], "render", "scene.json", "-o", "out/", "--resume")
 
     def test_malformed_manifests(self):
         """Nothing can be trusted then: all starts over, and says so."""
         whole = self.whole["manifest.json"].decode()
-        for text in ("", "{", "[]", "null", "{}", "\0\0", whole[:-30], whole.replace('"version": 2', '"version": 99'),
+        for text in ("", "{", "[]", "null", "{}", "\0\0", whole[:-30], whole.replace('"version": 3', '"version": 99'),
                      whole.replace('"frame":0', '"frame":"a"'), whole.replace('"frame":0', '"frame":1e99'),
                      whole.replace('"fps": 30.0', '"fps": 1e999'), "[" * 100000):
             self.write("out/manifest.json", text)
@@ -285,7 +288,7 @@ class Determinism(Case):
     def test_some_frames_equal_those_of_all(self):
         self.good("render", "scene.json", "-o", "a/")
         self.good("render", "scene.json", "-o", "b/", "--frames", "5")
-        self.assertEqual(set(self.content("b")), {"000005.png", "manifest.json"})
+        self.assertEqual(set(self.content("b")), {"000005.png", "as-run.json", "manifest.json"})
         self.assertEqual(self.content("b")["000005.png"], self.content("a")["000005.png"])
         self.assertEqual(self.manifest("b")["frames"], self.manifest("a")["frames"][5:])
         self.good("render", "scene.json", "-o", "b/", "--frames", "0-4")

@@ -13,7 +13,7 @@ class Success(Case):
     def test_folder(self):
         done = self.good("render", "scene.json", "-o", "out/")
         self.assertEqual(self.assert_manifest_is_whole("out"), list(range(FRAMES)))
-        names = {f"{i:06}.png" for i in range(FRAMES)} | {"manifest.json"}
+        names = {f"{i:06}.png" for i in range(FRAMES)} | {"as-run.json", "manifest.json"}
         self.assertEqual(set(self.content("out")), names)
         self.assertEqual(done.stdout, b"")
         self.assertIn("6 frames", done.err)

@@ -73,7 +73,7 @@ class TwoRuns(Case):
         for process in runs:
             self.finish(process)
         self.assertEqual(self.assert_manifest_is_whole("out"), list(range(6)))
-        self.assertEqual(len(self.content("out")), 7)
+        self.assertEqual(len(self.content("out")), 8)
 
     def test_one_video(self):
         fake = self.write("bin/ffmpeg", "#!/bin/sh\ncat >/dev/null\nfor last; do :; done\necho video > \"${last#file:}\"\n")

@@ -53,7 +53,7 @@ class Fields(Case):
     def test_values_are_beside_the_pictures(self):
         self.good(*self.render("--fields", "npy"))
         files = self.content("out")
-        self.assertEqual(sorted(files), sorted(["manifest.json"] + [f"{i:06}.{kind}" for i in range(4)
+        self.assertEqual(sorted(files), sorted(["as-run.json", "manifest.json"] + [f"{i:06}.{kind}" for i in range(4)
                                                                     for kind in ("png", "dish.npy", "dish.u.npy")]))
         rows, columns, values = read_npy(files["000000.dish.npy"])
         self.assertEqual((rows, columns), (4, 5))

@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 
+#include <algorithm>
 #include <csignal>
 #include <string>
 #include <unistd.h>
@@ -76,6 +77,26 @@ TEST_CASE("workers: one that ends costs what it had in hand, and says how") {
   CHECK(heard.said == std::vector<std::string>{"item 0", "lost 1: was ended by signal 9 (Killed)", "item 2",
                                                "lost 3: ended with status 7",
                                                "lost 4: failed: no more paper", "item 5"});
+}
+
+TEST_CASE("workers: each has a place, which who follows on one that ended takes") {
+  Heard heard;
+  WorkForce placed = force(2, 6, heard);
+  placed.work = [](WorkerLine& line) {
+    line.ready("hello");
+    while (const auto item = line.next()) {
+      if (*item == 2) ::_exit(3);
+      ::usleep(20'000);
+      line.answer(*item, std::to_string(line.place()));
+    }
+  };
+  std::string places;
+  placed.done = [&](std::size_t, const std::string& place) { places += place; };
+  employ(placed);
+  CHECK(places.size() == 5);
+  CHECK(std::count(places.begin(), places.end(), '0') + std::count(places.begin(), places.end(), '1') == 5);
+  CHECK(places.find('1') != std::string::npos);
+  CHECK(places.find('0') != std::string::npos);
 }
 
 TEST_CASE("workers: every one dies at every item") {

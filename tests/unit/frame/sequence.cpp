@@ -1,6 +1,7 @@
 #include "frame/file/manifest.hpp"
 #include "frame/file/output_name.hpp"
 #include "frame/file/run_info.hpp"
+#include "frame/file/run_log.hpp"
 #include "frame/sink/frame_sink.hpp"
 #include "frame/sink/open_sink.hpp"
 #include "help.hpp"
@@ -57,6 +58,55 @@ TEST_CASE("sequence: two runs write the same bytes") {
   CHECK(read.frames.at(3).pixels == pixelHash(picture(32, 18, 3)));
   CHECK(read.frames.at(3).state == "state3");
   CHECK(contains(text(folder / "a/000003.png"), std::string("simreel:state\0state3", 20)));
+}
+
+TEST_CASE(
+    "sequence: exact pictures and their manifest are the same on every machine, run.json tells which") {
+  const TemporaryFolder folder;
+  RunInfo here = runInfo();
+  here.rasterizer = "exact";
+  here.processor = "Testium 3";
+  RunInfo there = here;
+  there.driver = "another";
+  there.processor = "Testium 4";
+  there.fingerprint = "else";
+  const auto bytes = [&](const char* name, const RunInfo& run) {
+    renderInto((folder / name).string(), Existing::overwrite, 3, run);
+    return text(folder / name / "manifest.json") + text(folder / name / "000002.png");
+  };
+  CHECK(bytes("a", here) == bytes("b", there));
+  CHECK(readRunLog(folder / "b/run.json").machineOf(2) == "Testium 4; another");
+  // What a driver draws depends on it.
+  here.rasterizer = there.rasterizer = "driver";
+  CHECK(bytes("c", here) != bytes("d", there));
+  CHECK(contains(text(folder / "c/manifest.json"), "\"fingerprint\": \"fingerprint\""));
+}
+
+TEST_CASE("run.json: frames are of who drew them last") {
+  RunRecord first;
+  first.host = "a";
+  first.processor = "p";
+  first.driver = "d";
+  first.frames = {0, 1, 2, 3, 7};
+  RunRecord second = first;
+  second.host = "b \"quoted\"";
+  second.seconds = 1.5;
+  second.folders = {"/x"};
+  second.frames = {1, 2};
+  RunLog log;
+  log.put(first);
+  log.put(second);
+  const std::string written = runLogText(log);
+  CHECK(runLogText(parseRunLog(written, "run.json")) == written);
+  CHECK(contains(written, "\"frames\":\"0,3,7\""));
+  CHECK(contains(written, "\"frames\":\"1-2\""));
+  second.frames = {0, 1, 2, 3, 7};
+  log.put(second);
+  CHECK(log.runs.size() == 1);
+  CHECK(log.runs.front().host == second.host);
+  for (const char* broken : {"", "[]", "{\"format\":\"simreel-run\",\"version\":9,\"runs\":[]}",
+                             "{\"format\":\"simreel-run\",\"version\":1,\"runs\":[{}]}"})
+    CHECK(errorOf([&] { static_cast<void>(parseRunLog(broken, "run.json")); }).first == ExitCode::usage);
 }
 
 TEST_CASE("sequence: existing frames are refused before anything is drawn") {

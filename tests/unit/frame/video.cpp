@@ -9,6 +9,7 @@
 #include <csignal>
 #include <cstdlib>
 #include <fcntl.h>
+#include <sched.h>
 #include <sys/stat.h>
 #include <thread>
 #include <unistd.h>
@@ -84,6 +85,24 @@ std::string throughPipe(const Write& write) {
 
 }  // namespace
 
+TEST_CASE("video: the same bytes whatever the number of processors") {
+  if (!ffmpegInstalled()) return;
+  const TemporaryFolder folder;
+  cpu_set_t all, one;
+  REQUIRE(::sched_getaffinity(0, sizeof all, &all) == 0);
+  CPU_ZERO(&one);
+  for (int i = 0; i < CPU_SETSIZE && CPU_COUNT(&one) == 0; ++i)
+    if (CPU_ISSET(i, &all)) CPU_SET(i, &one);
+  for (const char* name : {".mp4", ".webm", ".avi"}) {
+    renderVideo((folder / (std::string("all") + name)).string(), Existing::error, runInfo(320, 180));
+    REQUIRE(::sched_setaffinity(0, sizeof one, &one) == 0);  // what ffmpeg inherits
+    renderVideo((folder / (std::string("one") + name)).string(), Existing::error, runInfo(320, 180));
+    REQUIRE(::sched_setaffinity(0, sizeof all, &all) == 0);
+    CHECK(readFile(folder / (std::string("all") + name), "video") ==
+          readFile(folder / (std::string("one") + name), "video"));
+  }
+}
+
 TEST_CASE("video: ffmpeg writes each kind, with a manifest") {
   if (!ffmpegInstalled()) {
     MESSAGE("skipped: ffmpeg is not installed");
@@ -145,7 +164,7 @@ TEST_CASE("video: an interrupted run keeps the frames so far, an abandoned one l
   }
   std::size_t files = 0;
   for ([[maybe_unused]] const auto& entry : std::filesystem::directory_iterator(folder.string())) ++files;
-  CHECK(files == 2);
+  CHECK(files == 3);
 }
 
 TEST_CASE("video: a missing or dying ffmpeg is one line, and never a hang") {

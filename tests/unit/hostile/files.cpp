@@ -82,7 +82,7 @@ TEST_CASE("JSON a million deep is refused in manifest, checkpoint, report, basel
   checkHas(refusal([&] { static_cast<void>(golden::parseReport(deep, "r.json")); }), "nested deeper");
   checkHas(refusal([&] { static_cast<void>(golden::parseState(deep, "b.json")); }), "nested deeper");
   checkHas(refusal([&] { static_cast<void>(golden::readHeaderLine(deep)); }), "nested deeper");
-  const std::string header = R"({"format":"simreel-checkpoint","program":"","run":)" + deep + "}\n";
+  const std::string header = R"({"format":"simreel-checkpoint","program":"","simulation":)" + deep + "}\n";
   const TemporaryFile file("deep.checkpoint", header + hashHex(header));
   const std::string none = refusal([&] { CHECK(!frame::Checkpoint::read(file.path(), {}, 10)); });
   CHECK(none == "nothing was refused");  // it warns and starts over
@@ -93,8 +93,9 @@ TEST_CASE("a checkpoint that holds more or less than it says is not used, whatev
   run.width = run.height = 8;
   const auto reads = [&](const char* sizes, const char* payload) {
     const std::string text =
-        fmt::format(R"({{"format":"simreel-checkpoint","program":"{}","run":{},"frame":3,"state":"s",{}}})",
-                    version(), nlohmann::json::parse(frame::manifestText({run, {}})).dump(), sizes) +
+        fmt::format(R"({{"format":"simreel-checkpoint","program":"{}","simulation":"","numerics":"exact",)"
+                    R"("frame":3,"state":"s",{}}})",
+                    version(), sizes) +
         "\n" + payload;
     const TemporaryFile file("sizes.checkpoint", text + hashHex(text));
     return frame::Checkpoint::read(file.path(), run, 10).has_value();

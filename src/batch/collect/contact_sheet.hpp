@@ -1,0 +1,13 @@
+#pragma once
+#include "batch/collect/sweep_tables.hpp"
+#include "frame/image.hpp"
+
+#include <optional>
+
+namespace simreel::batch {
+
+/// One picture of every job, reduced, below the values that made it. Of a full grid each row has one value
+/// of the last parameter in each column. Jobs without a picture are grey, and say their state.
+[[nodiscard]] frame::Image contactSheet(const CollectedSweep& sweep, std::optional<int> frame);
+
+}  // namespace simreel::batch

@@ -1,0 +1,118 @@
+#include "batch/collect/sweep_tables.hpp"
+
+#include "base/error.hpp"
+#include "base/file.hpp"
+#include "frame/file/manifest.hpp"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+namespace simreel::batch {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A cell as RFC 4180 has it.
+std::string cell(const std::string& text) {
+  if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return quoted + "\"";
+}
+
+std::string numberText(const std::optional<double>& value) {
+  return value ? fmt::format("{}", *value) : std::string();
+}
+
+/// Names of columns in the order in which jobs bring them, and each job's cells.
+class Columns {
+ public:
+  void set(std::size_t job, const std::string& name, std::string value) {
+    if (std::find(names_.begin(), names_.end(), name) == names_.end()) names_.push_back(name);
+    cells_[{job, name}] = std::move(value);
+  }
+  [[nodiscard]] const std::vector<std::string>& names() const { return names_; }
+  [[nodiscard]] std::string at(std::size_t job, const std::string& name) const {
+    const auto found = cells_.find({job, name});
+    return found == cells_.end() ? std::string() : found->second;
+  }
+
+ private:
+  std::vector<std::string> names_;
+  std::map<std::pair<std::size_t, std::string>, std::string> cells_;
+};
+
+std::string withUnit(const MeasuredQuantity& quantity) {
+  return quantity.unit.empty() ? quantity.what : fmt::format("{} ({})", quantity.what, quantity.unit);
+}
+
+}  // namespace
+
+CollectedSweep collect(SweepPlan plan) {
+  CollectedSweep sweep{std::move(plan), {}};
+  for (std::size_t i = 0; i < sweep.plan.jobs.size(); ++i) sweep.jobs.push_back(statusOf(sweep.plan, i));
+  return sweep;
+}
+
+fs::path CollectedSweep::pictureOf(std::size_t job, std::optional<int> frame) const {
+  const fs::path folder = plan.jobFolder(job);
+  try {
+    const auto manifest = frame::readManifest(folder / "manifest.json");
+    if (!manifest || manifest->frames.empty()) return {};
+    const auto found = frame ? manifest->frames.find(*frame) : std::prev(manifest->frames.end());
+    if (found == manifest->frames.end() || found->second.file.find('/') != std::string::npos) return {};
+    return folder / found->second.file;
+  } catch (const UserError&) {
+    return {};
+  }
+}
+
+std::string tableText(const CollectedSweep& sweep) {
+  Columns columns;
+  for (std::size_t i = 0; i < sweep.jobs.size(); ++i) {
+    if (!sweep.jobs[i].result) continue;
+    const JobResult& result = *sweep.jobs[i].result;
+    std::map<std::string, bool> passed;
+    for (const golden::CheckResult& check : result.checks) {
+      columns.set(i, "check " + check.what, numberText(check.value));
+      const bool all = passed.try_emplace(check.what, true).first->second &= check.passed;
+      columns.set(i, "passed " + check.what, all ? "yes" : "no");
+    }
+    for (const MeasuredQuantity& quantity : result.quantities)
+      columns.set(i, withUnit(quantity), numberText(quantity.value));
+    for (const auto& [name, value] : result.counts) columns.set(i, name, value);
+  }
+  std::string text = "job,state";
+  for (const std::string& path : sweep.plan.varied) text += "," + cell(path);
+  for (const std::string& name : columns.names()) text += "," + cell(name);
+  text += "\n";
+  for (std::size_t i = 0; i < sweep.jobs.size(); ++i) {
+    text += fmt::format("{},{}", sweep.plan.name(i), stateName(sweep.jobs[i].state));
+    for (const scene::Override& value : sweep.plan.jobs[i].values) text += "," + cell(value.value);
+    for (const std::string& name : columns.names()) text += "," + cell(columns.at(i, name));
+    text += "\n";
+  }
+  return text;
+}
+
+std::string countsText(const CollectedSweep& sweep) {
+  std::string text;
+  for (std::size_t i = 0; i < sweep.jobs.size(); ++i) {
+    const fs::path file = sweep.plan.jobFolder(i) / "counts.csv";
+    if (sweep.jobs[i].state != JobState::done || !pathExists(file)) continue;
+    const std::string table = readFile(file, "table of counts");
+    for (std::size_t begin = 0; begin < table.size();) {
+      const std::size_t end = std::min(table.find('\n', begin), table.size());
+      // The first line, of names, is that of all.
+      if (begin > 0 || text.empty())
+        text += (begin == 0 ? std::string("job") : sweep.plan.name(i)) + "," +
+                table.substr(begin, end - begin) + "\n";
+      begin = end + 1;
+    }
+  }
+  return text;
+}
+
+}  // namespace simreel::batch

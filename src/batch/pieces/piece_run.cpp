@@ -1,0 +1,130 @@
+#include "batch/pieces/piece_run.hpp"
+
+#include "base/clock.hpp"
+#include "base/error.hpp"
+#include "base/file.hpp"
+#include "base/log.hpp"
+#include "base/workers.hpp"
+#include "batch/render/scratch.hpp"
+#include "frame/file/manifest.hpp"
+#include "frame/interrupt.hpp"
+#include "gl/driver_threads.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+namespace simreel::batch {
+
+namespace {
+
+/// What workers do: the simulation, or a piece.
+struct Step {
+  std::optional<std::size_t> piece;  ///< nothing: the simulation
+  [[nodiscard]] std::string name() const { return piece ? fmt::format("piece {}", *piece) : "simulation"; }
+};
+
+int runStep(const PiecePlan& plan, const Step& step, const gl::Context& context, frame::Progress& progress,
+            const LocalPieces& how) {
+  return step.piece ? drawPiece(plan, *step.piece, context, progress, how.command, how.scratch)
+                    : simulatePieces(plan, context, progress, how.command);
+}
+
+/// Beside each other. Throws the first mistake.
+void runSteps(const PiecePlan& plan, const std::vector<Step>& steps, const LocalPieces& how) {
+  WorkForce force;
+  force.workers = std::min(how.workers, steps.size());
+  force.items = steps.size();
+  gl::shareProcessors(force.workers);
+  force.work = [&](WorkerLine& line) {
+    const gl::Context context(how.on);
+    line.ready("");
+    while (const auto item = line.next()) {
+      frame::Progress progress(frame::Progress::Mode::none);
+      // The code as a letter, then the message.
+      std::string answer = "0";
+      try {
+        if (const int signal = runStep(plan, steps[*item], context, progress, how); signal != 0)
+          throw frame::Interrupted{signal};
+      } catch (const UserError& error) {
+        if (frame::interruptSignal() != 0) throw frame::Interrupted{frame::interruptSignal()};
+        answer = static_cast<char>('0' + static_cast<int>(error.code())) + std::string(error.what());
+      }
+      line.answer(*item, answer);
+    }
+  };
+  std::optional<UserError> mistake;
+  const auto note = [&](std::size_t item, ExitCode code, const std::string& what) {
+    if (!mistake) mistake.emplace(code, fmt::format("{}: {}", steps[item].name(), what));
+  };
+  force.ready = [](const std::string& /*text*/) {};
+  force.done = [&](std::size_t item, const std::string& answer) {
+    if (answer[0] == '0')
+      info("{}: done", steps[item].name());
+    else
+      note(item, static_cast<ExitCode>(answer[0] - '0'), answer.substr(1));
+  };
+  force.lost = [&](std::size_t item, const std::string& ended) {
+    note(item, ExitCode::device, "its process " + ended);
+  };
+  force.alone = [](std::size_t /*item*/) { return false; };
+  force.interrupted = [] { return frame::interruptSignal(); };
+  if (!steps.empty()) employ(force);
+  if (mistake && frame::interruptSignal() == 0) throw UserError(*mistake);
+}
+
+}  // namespace
+
+bool isSimulated(const PiecePlan& plan) {
+  for (std::size_t i = 1; i < plan.pieces.size(); ++i)
+    if (!pathExists(plan.drawing(i, "").from)) return false;
+  return true;
+}
+
+bool isDrawn(const PiecePlan& plan, std::size_t piece) {
+  try {
+    const auto manifest = frame::readManifest(plan.pieceOutput(piece).manifestFile());
+    const auto& frames = plan.pieces[piece].frames;
+    return manifest && std::all_of(frames.begin(), frames.end(),
+                                   [&](int frame) { return manifest->frames.contains(frame); });
+  } catch (const UserError&) {
+    return false;
+  }
+}
+
+int simulatePieces(const PiecePlan& plan, const gl::Context& context, frame::Progress& progress,
+                   const std::string& command) {
+  if (plan.pieces.size() < 2) return 0;
+  return RenderJob(plan.simulation(command)).run(context, progress, Clock::now()).signal;
+}
+
+int drawPiece(const PiecePlan& plan, std::size_t piece, const gl::Context& context,
+              frame::Progress& progress, const std::string& command, const std::filesystem::path& scratch) {
+  RenderRequest request = plan.drawing(piece, command);
+  Scratch place(plan.pieceOutput(piece).folder, scratch);
+  // A pattern's name stays.
+  const std::string name = std::filesystem::path(request.output).filename().string();
+  request.output = name.empty() ? place.folder().string() + "/" : (place.folder() / name).string();
+  int signal = 0;
+  try {
+    signal = RenderJob(std::move(request)).run(context, progress, Clock::now()).signal;
+  } catch (...) {
+    place.deliver();
+    throw;
+  }
+  place.deliver();
+  return signal;
+}
+
+int makePieces(const PiecePlan& plan, const LocalPieces& how) {
+  // The first piece begins where the simulation does.
+  std::vector<Step> first, rest;
+  if (!isSimulated(plan)) first.push_back({});
+  for (std::size_t i = 0; i < plan.pieces.size(); ++i)
+    if (!isDrawn(plan, i)) (i == 0 ? first : rest).push_back({i});
+  runSteps(plan, first, how);
+  if (frame::interruptSignal() == 0) runSteps(plan, rest, how);
+  return frame::interruptSignal();
+}
+
+}  // namespace simreel::batch

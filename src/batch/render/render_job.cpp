@@ -1,0 +1,116 @@
+#include "batch/render/render_job.hpp"
+
+#include "base/error.hpp"
+#include "base/file.hpp"
+#include "base/hash.hpp"
+#include "batch/render/chosen_frames.hpp"
+#include "frame/file/checkpoint.hpp"
+#include "frame/sink/open_sink.hpp"
+#include "gl/machine.hpp"
+#include "scene/as_run.hpp"
+#include "sim/core/numerics.hpp"
+#include "sim/world/list.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace simreel::batch {
+
+namespace fs = std::filesystem;
+
+RenderJob::RenderJob(RenderRequest request)
+    : request_(std::move(request)),
+      scene_(scene::loadScene(request_.scene, request_.overrides, sim::kinds(), request_.assets)),
+      asRun_(scene::sceneAsRun(request_.scene, request_.overrides, sim::kinds())) {
+  chooseFrames();
+  output_ = frame::parseOutput(request_.output, frames_.size());
+  if (request_.fields)
+    fields_.emplace(output_, frame::parseFieldFormat(*request_.fields), request_.existing, frames_);
+  chooseCheckpoints();
+}
+
+void RenderJob::chooseFrames() {
+  if (request_.frames == "none") {
+    if (request_.checkpointAt.empty())
+      fail(ExitCode::usage, "--frames none draws nothing; say what to keep: --checkpoint-at 0,500");
+    return;
+  }
+  if (request_.from.empty()) {
+    frames_ = chosenFrames(request_.frames, scene_);
+    return;
+  }
+  const int first = frame::Checkpoint::load(request_.from).frame();
+  frames_ = chosenFrames(request_.frames, scene_);
+  if (!request_.frames) std::erase_if(frames_, [&](int frame) { return frame < first; });
+  if (frames_.empty() || frames_.front() < first)
+    fail(ExitCode::usage, "--from {}: it is of frame {}, and {}; choose others with --frames {}-...",
+         request_.from.string(), first,
+         frames_.empty() ? fmt::format("the scene ends before, at {}", scene_.frameCount() - 1)
+                         : fmt::format("frame {} lies before it", frames_.front()),
+         first);
+}
+
+void RenderJob::chooseCheckpoints() {
+  const bool none = output_.checkpointFile().empty();
+  if (none && (request_.checkpoint || !request_.checkpointAt.empty()))
+    fail(ExitCode::usage, "{}: a video or stream cannot be resumed; render a folder of pictures",
+         request_.checkpoint ? "--checkpoint" : "--checkpoint-at");
+  for (const int frame : request_.checkpointAt) {
+    const fs::path file = output_.checkpointFile(frame);
+    if (request_.existing == frame::Existing::error && pathExists(file))
+      fail(ExitCode::inputOutput, "{} exists; use --overwrite or --resume", file.string());
+    kept_[frame] = file;
+  }
+}
+
+frame::RunInfo RenderJob::runInfo(const gl::Context& context) const {
+  const auto numerics = sim::probeNumerics();
+  sim::requireExact(scene_, numerics);
+  const auto machine = gl::machineOf(context);
+  std::vector<std::string> folders;
+  if (request_.scene != "-")
+    folders.push_back(fs::absolute(request_.scene).lexically_normal().parent_path().string());
+  for (const fs::path& folder : request_.assets)
+    folders.push_back(fs::absolute(folder).lexically_normal().string());
+  return {
+      .title = scene_.title,
+      .sceneHash = scene_.hash,
+      .seed = scene_.seed,
+      .width = scene_.render.size.x,
+      .height = scene_.render.size.y,
+      .fps = scene_.time.fps,
+      .numerics = scene_.numerics == scene::Numerics::exact ? "exact" : "fast",
+      .fingerprint = numerics.fingerprint,
+      .driver = machine.driver,
+      .processor = machine.processor,
+      .rasterizer = scene_.render.rasterizer == scene::Rasterizer::exact ? "exact" : "driver",
+      .overrides = scene_.overrides,
+      .simulation = scene::simulationHash(asRun_),
+      .asRun = asRun_,
+      .asRunHash = hashHex(asRun_),
+      .command = request_.command,
+      .folders = std::move(folders),
+  };
+}
+
+frame::SequenceResult RenderJob::run(const gl::Context& context, frame::Progress& progress,
+                                     Clock::time_point began, frame::FrameWatch* watch) {
+  const frame::RunInfo run = runInfo(context);
+  const auto sink = frame::openSink(output_, request_.existing, run, frames_, request_.streamFormat);
+  frame::BesideFrames beside;
+  if (fields_) beside.fields = &*fields_;
+  beside.counts = request_.counts;
+  beside.began = began;
+  beside.checkpoints.file = output_.checkpointFile();
+  beside.checkpoints.resume = request_.existing == frame::Existing::resume;
+  beside.checkpoints.run = run;
+  beside.checkpoints.keep = kept_;
+  beside.checkpoints.from = request_.from;
+  if (request_.checkpoint) beside.checkpoints.seconds = *request_.checkpoint;
+  beside.watch = watch;
+  auto result = frame::renderSequence(scene_, context, frames_, *sink, progress, beside);
+  summary_ = sink->summary();
+  return result;
+}
+
+}  // namespace simreel::batch

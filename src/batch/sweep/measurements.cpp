@@ -1,0 +1,81 @@
+#include "batch/sweep/measurements.hpp"
+
+#include "base/file.hpp"
+#include "batch/sweep/job_result.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace simreel::batch {
+
+Measurements::Measurements(scene::Scene& scene, std::span<const int> drawn, std::filesystem::path file,
+                           std::function<void(const golden::CheckResult&)> hear)
+    : scene_(scene), file_(std::move(file)), hear_(std::move(hear)) {
+  const auto isDrawn = [&](int frame) { return std::binary_search(drawn.begin(), drawn.end(), frame); };
+  tested_ = scene.testFrames();
+  // What is to show something needs its picture.
+  for (scene::Check& check : scene.checks) {
+    if (check.what != "not-blank" || check.frames.empty()) continue;
+    std::erase_if(check.frames, [&](int frame) { return !isDrawn(frame); });
+    tested_.insert(tested_.end(), check.frames.begin(), check.frames.end());
+    if (check.frames.empty()) check.what.clear();
+  }
+  std::erase_if(scene.checks, [](const scene::Check& check) { return check.what.empty(); });
+  std::erase_if(tested_, [&](int frame) { return !isDrawn(frame); });
+  if (!drawn.empty()) tested_.push_back(drawn.back());
+  std::sort(tested_.begin(), tested_.end());
+  tested_.erase(std::unique(tested_.begin(), tested_.end()), tested_.end());
+}
+
+void Measurements::begin(const sim::World& world) {
+  checker_.emplace(scene_, world, tested_);
+  wanted_ = checker_->frames();
+  wanted_.insert(wanted_.end(), tested_.begin(), tested_.end());
+  std::sort(wanted_.begin(), wanted_.end());
+  if (!file_.empty()) checker_->resume(readChecks(file_));
+  heard_ = checker_->results().size();
+}
+
+bool Measurements::wants(int frame) const {
+  return std::binary_search(wanted_.begin(), wanted_.end(), frame);
+}
+
+void Measurements::made(const sim::World& world) {
+  checker_->state(world.frame(), world);
+  news();
+  if (tested_.empty() || world.frame() != tested_.back()) return;
+  quantities_.clear();
+  for (std::size_t i = 0; i < scene_.objects.size(); ++i) {
+    const scene::Object& object = scene_.objects[i];
+    if (!object.parameters->measures()) continue;
+    const auto table = object.parameters->quantities();
+    const std::vector<double> values = world.object(i).measure();
+    for (std::size_t q = 0; q < std::min(table.size(), values.size()); ++q)
+      quantities_.push_back({fmt::format("{} of {}", table[q].name, object.name), table[q].unit,
+                             world.frame(),
+                             std::isfinite(values[q]) ? std::optional(values[q]) : std::nullopt});
+  }
+}
+
+void Measurements::drawn(int frame, const frame::Image& image) {
+  if (!std::binary_search(tested_.begin(), tested_.end(), frame)) return;
+  checker_->picture(frame, image);
+  news();
+}
+
+void Measurements::news() {
+  const auto results = checker_->results();
+  if (results.size() == heard_) return;
+  heard_ = results.size();
+  if (!file_.empty()) writeFileAtomically(file_, checksText(results), NameSync::later);
+  if (!hear_) return;
+  for (const golden::CheckResult& result : results)
+    if (told_.insert({result.frame, result.what}).second) hear_(result);
+}
+
+std::vector<golden::CheckResult> Measurements::checks() const {
+  return checker_ ? checker_->results() : std::vector<golden::CheckResult>();
+}
+
+}  // namespace simreel::batch

@@ -1,0 +1,227 @@
+#include "batch/sweep/sweep_job.hpp"
+
+#include "base/clock.hpp"
+#include "base/error.hpp"
+#include "base/file.hpp"
+#include "base/strict_json.hpp"
+#include "batch/render/render_job.hpp"
+#include "batch/render/scratch.hpp"
+#include "batch/sweep/measurements.hpp"
+#include "frame/file/output_lock.hpp"
+#include "frame/interrupt.hpp"
+
+#include <new>
+#include <utility>
+
+#include <nlohmann/json.hpp>
+
+namespace simreel::batch {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+fs::path begunFile(const fs::path& folder) {
+  return folder / "job.json";
+}
+fs::path resultFile(const fs::path& folder) {
+  return folder / "result.json";
+}
+
+/// What job the folder was begun for; empty where none was.
+std::string begunHash(const fs::path& folder) {
+  if (!pathExists(begunFile(folder))) return {};
+  try {
+    const auto json = parseStrictJson(readFile(begunFile(folder), "job"));
+    return JsonValue(json).at("hash").text();
+  } catch (const JsonError&) {
+    return {};
+  } catch (const UserError&) {
+    return {};
+  }
+}
+
+std::optional<JobResult> storedResult(const SweepPlan& plan, std::size_t job) {
+  const fs::path file = resultFile(plan.jobFolder(job));
+  if (!pathExists(file)) return std::nullopt;
+  try {
+    JobResult result = parseResult(readFile(file, "result"), file.string());
+    if (result.hash == plan.jobs[job].hash) return result;
+  } catch (const UserError&) {  // NOLINT(bugprone-empty-catch): then there is none.
+  }
+  return std::nullopt;
+}
+
+/// What stands there of another job under this name, such as one of an earlier plan, goes.
+void begin(const SweepPlan& plan, std::size_t job) {
+  const fs::path folder = plan.jobFolder(job);
+  const std::string& hash = plan.jobs[job].hash;
+  std::error_code error;
+  if (begunHash(folder) != hash) fs::remove_all(folder, error);
+  makeFolders(folder);
+  removeFile(resultFile(folder));
+  Json values = Json::object();
+  for (const scene::Override& value : plan.jobs[job].values) values[value.path] = value.value;
+  const Json text = {{"job", job}, {"hash", hash}, {"values", values}};
+  writeFileAtomically(begunFile(folder), text.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+}
+
+/// The last row of a table, by column.
+std::vector<std::pair<std::string, std::string>> lastRow(const fs::path& table) {
+  if (!pathExists(table)) return {};
+  std::string text = readFile(table, "table of counts");
+  while (!text.empty() && text.back() == '\n') text.pop_back();
+  const auto cells = [](const std::string& line) {
+    std::vector<std::string> parts(1);
+    for (const char c : line)
+      if (c == ',')
+        parts.emplace_back();
+      else
+        parts.back() += c;
+    return parts;
+  };
+  const auto names = cells(text.substr(0, text.find('\n')));
+  const auto values = cells(text.substr(text.rfind('\n') + 1));
+  std::vector<std::pair<std::string, std::string>> row;
+  // The first two are step and time.
+  for (std::size_t i = 2; i < std::min(names.size(), values.size()); ++i)
+    row.emplace_back(names[i], values[i]);
+  return row;
+}
+
+fs::path checksFile(const fs::path& folder) {
+  return folder / "checks.part.json";
+}
+
+/// In a folder, which is the job's or stands for it.
+void render(const SweepPlan& plan, std::size_t job, const gl::Context& context, frame::Progress& progress,
+            const std::string& command, const fs::path& folder, JobEnd& end) {
+  const auto began = Clock::now();
+  RenderRequest request;
+  request.scene = plan.sceneFile();
+  request.overrides = plan.overridesOf(job);
+  request.assets = plan.assets;
+  request.output = folder.string() + "/";
+  if (!plan.frames.empty()) request.frames = plan.frames;
+  if (!plan.fields.empty()) request.fields = plan.fields;
+  request.existing = frame::Existing::resume;
+  request.command = command;
+  if (plan.sharedFrame && pathExists(plan.sharedCheckpoint())) request.from = plan.sharedCheckpoint();
+  RenderJob rendering(std::move(request));
+  Measurements measurements(rendering.scene(), rendering.frames(), checksFile(folder),
+                            [&](const golden::CheckResult& check) {
+                              progress.check(check.what, check.frame, check.value, check.passed);
+                            });
+  const auto done = rendering.run(context, progress, began, &measurements);
+  end.signal = done.signal;
+  if (end.signal != 0) return;
+  end.result.frames = done.frames;
+  end.result.checks = measurements.checks();
+  end.result.quantities = measurements.quantities();
+  end.result.counts = lastRow(rendering.output().countFile());
+}
+
+}  // namespace
+
+const char* stateName(JobState state) {
+  switch (state) {
+    case JobState::missing:
+      return "missing";
+    case JobState::running:
+      return "running";
+    case JobState::aborted:
+      return "aborted";
+    case JobState::failed:
+      return "failed";
+    case JobState::done:
+      break;
+  }
+  return "done";
+}
+
+JobStatus statusOf(const SweepPlan& plan, std::size_t job) {
+  JobStatus status;
+  status.result = storedResult(plan, job);
+  if (status.result) {
+    status.state = status.result->code == 0 ? JobState::done : JobState::failed;
+    return status;
+  }
+  const fs::path folder = plan.jobFolder(job);
+  if (frame::isOutputLocked(folder / "manifest.json"))
+    status.state = JobState::running;
+  else if (begunHash(folder) == plan.jobs[job].hash)
+    status.state = JobState::aborted;
+  return status;
+}
+
+JobEnd runSweepJob(const SweepPlan& plan, std::size_t job, const gl::Context& context,
+                   frame::Progress& progress, const std::string& command, const fs::path& scratch) {
+  JobEnd end;
+  end.result.hash = plan.jobs[job].hash;
+  const fs::path folder = plan.jobFolder(job);
+  if (frame::isOutputLocked(folder / "manifest.json")) {
+    end.result.code = static_cast<int>(ExitCode::inputOutput);
+    end.result.message = fmt::format("{} is being rendered by another simreel", folder.string());
+    return end;
+  }
+  try {
+    begin(plan, job);
+    Scratch place(folder, scratch);
+    try {
+      render(plan, job, context, progress, command, place.folder(), end);
+    } catch (...) {
+      place.deliver();
+      throw;
+    }
+    place.deliver();
+    if (end.signal != 0) return end;
+    removeFile(checksFile(folder));
+  } catch (const UserError& error) {
+    end.signal = frame::interruptSignal();
+    end.result.code = static_cast<int>(error.code());
+    end.result.message = error.what();
+  } catch (const std::bad_alloc&) {
+    end.result.code = static_cast<int>(ExitCode::device);
+    end.result.message = "not enough memory";
+  }
+  if (end.signal != 0) return end;
+  try {
+    writeFileAtomically(resultFile(folder), resultText(end.result));
+  } catch (const UserError& error) {
+    if (end.result.code != 0) return end;  // the first error is the cause
+    end.result.code = static_cast<int>(error.code());
+    end.result.message = error.what();
+  }
+  return end;
+}
+
+bool lacksShared(const SweepPlan& plan) {
+  return plan.sharedFrame && !pathExists(plan.sharedCheckpoint());
+}
+
+int makeShared(const SweepPlan& plan, const gl::Context& context, frame::Progress& progress,
+               const std::string& command) {
+  if (!lacksShared(plan)) return 0;
+  RenderRequest request;
+  request.scene = plan.sceneFile();
+  request.overrides = plan.overridesOf(0);  // what varies is not simulated
+  request.assets = plan.assets;
+  request.output = plan.sharedFolder().string() + "/";
+  request.frames = "none";
+  request.checkpointAt = {*plan.sharedFrame};
+  request.existing = frame::Existing::resume;
+  request.command = command;
+  return RenderJob(std::move(request)).run(context, progress, Clock::now()).signal;
+}
+
+void writeLostResult(const SweepPlan& plan, std::size_t job, const std::string& how) {
+  JobResult result;
+  result.hash = plan.jobs[job].hash;
+  result.code = static_cast<int>(ExitCode::device);
+  result.message = fmt::format("the process that rendered it {}", how);
+  makeFolders(plan.jobFolder(job));
+  writeFileAtomically(resultFile(plan.jobFolder(job)), resultText(result));
+}
+
+}  // namespace simreel::batch

@@ -1,0 +1,143 @@
+#include "batch/sweep/sweep_run.hpp"
+
+#include "base/log.hpp"
+#include "base/workers.hpp"
+#include "frame/interrupt.hpp"
+#include "frame/sink/progress.hpp"
+#include "gl/driver_threads.hpp"
+
+#include <algorithm>
+
+#include <nlohmann/json.hpp>
+
+namespace simreel::batch {
+
+namespace {
+
+constexpr int failedCode = 1, missingCode = 3, abortedCode = 7;
+
+void tell(const SweepPlan& plan, std::size_t job, const JobResult& result, std::size_t count,
+          const LocalRun& how) {
+  if (how.ndjson) {
+    const nlohmann::ordered_json event = {
+        {"event", "job"},      {"job", plan.name(job)},     {"values", plan.label(job)},
+        {"code", result.code}, {"message", result.message}, {"checksPassed", result.checksPassed()}};
+    const frame::Progress progress(frame::Progress::Mode::ndjson);
+    progress.event(event.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+    return;
+  }
+  std::string end = "done";
+  if (result.code != 0)
+    end = fmt::format("failed ({}): {}", result.code, result.message);
+  else if (!result.checksPassed())
+    end = "done, but " + std::find_if(result.checks.begin(), result.checks.end(), [](const auto& check) {
+                           return !check.passed;
+                         })->message;
+  info("[{}/{}] {} {}: {}", count, plan.jobs.size(), plan.name(job), plan.label(job), end);
+}
+
+}  // namespace
+
+void SweepTally::add(const JobStatus& status) {
+  switch (status.state) {
+    case JobState::missing:
+      ++missing;
+      break;
+    case JobState::running:
+      ++running;
+      break;
+    case JobState::aborted:
+      ++aborted;
+      break;
+    case JobState::failed:
+      ++failed;
+      break;
+    case JobState::done:
+      ++done;
+      if (!status.result->checksPassed()) ++checksFailed;
+      break;
+  }
+}
+
+std::string SweepTally::text() const {
+  std::string text = fmt::format("{} job{}: {} done", jobs(), jobs() == 1 ? "" : "s", done);
+  if (checksFailed > 0) text += fmt::format(" ({} with failed checks)", checksFailed);
+  for (const auto& [count, word] :
+       {std::pair(failed, "failed"), {aborted, "aborted"}, {running, "running"}, {missing, "missing"}})
+    if (count > 0) text += fmt::format(", {} {}", count, word);
+  return text;
+}
+
+int SweepTally::exitCode() const {
+  if (failed + checksFailed > 0) return failedCode;
+  if (aborted + running > 0) return abortedCode;
+  return missing > 0 ? missingCode : 0;
+}
+
+namespace {
+
+/// In a process of its own, as the jobs are. Without it they take longer, so nothing that goes wrong ends
+/// here.
+void shareWork(const SweepPlan& plan, const LocalRun& how) {
+  WorkForce force;
+  force.items = 1;
+  force.work = [&](WorkerLine& line) {
+    gl::ContextOptions on = how.on;
+    if (!how.devices.empty()) on.device = how.devices.front();
+    const gl::Context context(on);
+    line.ready("");
+    while (const auto item = line.next()) {
+      frame::Progress progress(frame::Progress::Mode::none);
+      if (const int signal = makeShared(plan, context, progress, how.command); signal != 0)
+        throw frame::Interrupted{signal};
+      line.answer(*item, "");
+    }
+  };
+  force.ready = [](const std::string& /*text*/) {};
+  force.done = [](std::size_t /*item*/, const std::string& /*answer*/) {};
+  force.lost = [](std::size_t /*item*/, const std::string& ended) {
+    warn("what all jobs share is simulated by each: the process that was to do it {}", ended);
+  };
+  force.alone = [](std::size_t /*item*/) { return false; };
+  force.interrupted = [] { return frame::interruptSignal(); };
+  employ(force);
+}
+
+}  // namespace
+
+int runJobs(const SweepPlan& plan, const std::vector<std::size_t>& jobs, const LocalRun& how) {
+  if (jobs.size() > 1 && lacksShared(plan)) shareWork(plan, how);
+  if (frame::interruptSignal() != 0) return frame::interruptSignal();
+  WorkForce force;
+  force.workers = std::max<std::size_t>(1, std::min(how.workers, jobs.size()));
+  force.items = jobs.size();
+  if (force.workers > 1) gl::shareProcessors(force.workers);
+  force.work = [&](WorkerLine& line) {
+    gl::ContextOptions on = how.on;
+    if (!how.devices.empty()) on.device = how.devices[line.place() % how.devices.size()];
+    const gl::Context context(on);
+    line.ready("");
+    while (const auto item = line.next()) {
+      frame::Progress progress(how.ndjson ? frame::Progress::Mode::ndjson : frame::Progress::Mode::none);
+      progress.ofJob(plan.name(jobs[*item]));
+      const JobEnd end = runSweepJob(plan, jobs[*item], context, progress, how.command, how.scratch);
+      if (end.signal != 0) throw frame::Interrupted{end.signal};
+      line.answer(*item, resultText(end.result));
+    }
+  };
+  std::size_t count = 0;
+  force.ready = [](const std::string& /*text*/) {};
+  force.done = [&](std::size_t item, const std::string& text) {
+    tell(plan, jobs[item], parseResult(text, "worker"), ++count, how);
+  };
+  force.lost = [&](std::size_t item, const std::string& ended) {
+    writeLostResult(plan, jobs[item], ended);
+    tell(plan, jobs[item], *statusOf(plan, jobs[item]).result, ++count, how);
+  };
+  force.alone = [](std::size_t /*item*/) { return false; };
+  force.interrupted = [] { return frame::interruptSignal(); };
+  employ(force);
+  return frame::interruptSignal();
+}
+
+}  // namespace simreel::batch

@@ -1,0 +1,231 @@
+// simreel render --pieces, and simreel pieces: its steps one by one, as a cluster runs them.
+#include "cli/pieces.hpp"
+
+#include "base/error.hpp"
+#include "base/file.hpp"
+#include "base/log.hpp"
+#include "batch/pieces/join.hpp"
+#include "batch/pieces/piece_plan.hpp"
+#include "batch/pieces/piece_run.hpp"
+#include "batch/render/scratch.hpp"
+#include "cli/commands.hpp"
+#include "cli/device_options.hpp"
+#include "cli/job_count.hpp"
+#include "frame/file/output_name.hpp"
+#include "frame/interrupt.hpp"
+#include "frame/sink/progress.hpp"
+#include "scene/scene_source.hpp"
+#include "sim/world/list.hpp"
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+namespace simreel::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+void checkRequest(const PiecesRequest& request, const frame::OutputName& output) {
+  const batch::RenderRequest& render = request.render;
+  if (output.kind != frame::OutputName::Kind::sequence && output.kind != frame::OutputName::Kind::video)
+    fail(ExitCode::usage, "--pieces makes a folder of pictures or a video, not {}", render.output);
+  if (!render.from.empty() || !render.checkpointAt.empty())
+    fail(ExitCode::usage,
+         "--pieces keeps checkpoints of its own: it goes without --from and --checkpoint-at");
+  if (render.existing == frame::Existing::skip)
+    fail(ExitCode::usage, "--pieces goes with --resume or --overwrite, not with --skip-existing");
+  if (output.kind == frame::OutputName::Kind::video && render.fields)
+    fail(ExitCode::usage, "--fields: raw values lie beside pictures, and a video has none");
+}
+
+/// What would be written over.
+void refuseExisting(const batch::PiecePlan& plan, const frame::OutputName& output) {
+  if (pathExists(plan.planFile()))
+    fail(ExitCode::inputOutput, "{} is of pieces that were not joined; use --resume or --overwrite",
+         plan.planFile().string());
+  for (const int frame : plan.allFrames())
+    if (pathExists(output.file(frame)))
+      fail(ExitCode::inputOutput, "{} exists; use --overwrite", output.file(frame).string());
+}
+
+batch::PiecePlan planOf(const PiecesRequest& request) {
+  batch::RenderJob job(request.render);  // finds every mistake before anything is written
+  checkRequest(request, job.output());
+  const batch::RenderRequest& render = request.render;
+  batch::PiecePlan plan;
+  plan.folder = job.output().piecesFolder();
+  // parseOutput() tells a folder by what there is: what this was stays so.
+  plan.output = fs::absolute(render.output).lexically_normal().string();
+  if (job.output().wholeFolder && !plan.output.ends_with('/')) plan.output += '/';
+  if (render.scene != "-")
+    plan.assets.push_back(fs::absolute(render.scene).lexically_normal().parent_path());
+  for (const fs::path& folder : render.assets)
+    plan.assets.push_back(fs::absolute(folder).lexically_normal());
+  plan.overrides = render.overrides;
+  plan.fields = render.fields.value_or("");
+  plan.counts = render.counts;
+  plan.pieces = batch::splitFrames(job.frames(), request.pieces);
+  return plan;
+}
+
+void storePlan(const batch::PiecePlan& plan, const PiecesRequest& request,
+               const frame::OutputName& output) {
+  const std::string scene = scene::readSceneSource(request.render.scene, sim::kinds()).first;
+  const std::string text = planText(plan);
+  if (request.render.existing == frame::Existing::resume && pathExists(plan.planFile())) {
+    if (readFile(plan.planFile(), "plan") == text && readFile(plan.sceneFile(), "scene") == scene) return;
+    fail(ExitCode::usage, "cannot resume: {} is of another run; use --overwrite to start afresh",
+         plan.planFile().string());
+  }
+  if (request.render.existing == frame::Existing::error) refuseExisting(plan, output);
+  std::error_code ignored;
+  fs::remove_all(plan.folder, ignored);
+  makeFolders(plan.folder);
+  writeFileAtomically(plan.sceneFile(), scene);
+  writeFileAtomically(plan.planFile(), text);
+}
+
+struct StepOptions {
+  std::string folder;
+  std::vector<std::size_t> pieces;
+  gl::ContextOptions on;
+  std::string progress = "auto";
+  SlurmOptions cluster;
+};
+
+void endedBy(int signal) {
+  if (signal == 0) return;
+  info("simreel: interrupted; the same command goes on from there");
+  setExitCode(128 + signal);
+}
+
+void simulate(const StepOptions& o) {
+  const batch::PiecePlan plan = batch::readPiecePlan(o.folder);
+  frame::Progress progress(frame::parseProgressMode(o.progress));
+  frame::catchInterrupts();
+  if (batch::isSimulated(plan)) return info("the states that the pieces begin with are there");
+  const gl::Context context(o.on);
+  endedBy(batch::simulatePieces(plan, context, progress, commandLine()));
+}
+
+void draw(const StepOptions& o) {
+  const batch::PiecePlan plan = batch::readPiecePlan(o.folder);
+  for (const std::size_t piece : o.pieces)
+    if (piece >= plan.pieces.size())
+      fail(ExitCode::usage, "there is no piece {}; the sequence has 0 to {}", piece,
+           plan.pieces.size() - 1);
+  frame::Progress progress(frame::parseProgressMode(o.progress));
+  frame::catchInterrupts();
+  frame::ignoreBrokenPipes();
+  const fs::path scratch = batch::scratchRoot(o.cluster.scratch);
+  const gl::Context context(o.on);
+  for (const std::size_t piece : o.pieces)
+    if (const int signal = batch::drawPiece(plan, piece, context, progress, commandLine(), scratch);
+        signal != 0)
+      return endedBy(signal);
+}
+
+void joinAll(const batch::PiecePlan& plan) {
+  try {
+    batch::joinPieces(plan);
+    info("{} frames of {} pieces -> {}", plan.allFrames().size(), plan.pieces.size(), plan.output);
+  } catch (const frame::Interrupted& interrupted) {
+    endedBy(interrupted.signal);
+  }
+}
+
+void join(const StepOptions& o) {
+  frame::catchInterrupts();
+  frame::ignoreBrokenPipes();
+  joinAll(batch::readPiecePlan(o.folder));
+}
+
+/// 0: all is there to be joined; else 3.
+void status(const StepOptions& o) {
+  const batch::PiecePlan plan = batch::readPiecePlan(o.folder);
+  std::size_t drawn = 0;
+  for (std::size_t i = 0; i < plan.pieces.size(); ++i) {
+    const bool whole = batch::isDrawn(plan, i);
+    drawn += whole ? 1 : 0;
+    const auto& frames = plan.pieces[i].frames;
+    printText(fmt::format("{:04}  {:7}  frames {} to {}\n", i, whole ? "done" : "missing", frames.front(),
+                          frames.back()));
+  }
+  printText(fmt::format("{} pieces: {} done, states {}\n", plan.pieces.size(), drawn,
+                        batch::isSimulated(plan) ? "there" : "missing"));
+  if (drawn < plan.pieces.size()) setExitCode(static_cast<int>(ExitCode::baselineMissing));
+}
+
+/// The simulation, the pieces that begin with its states, and their join, each after the one before.
+void submitPieces(const batch::PiecePlan& plan, const PiecesRequest& request) {
+  batch::Slurm slurm = request.cluster.cluster(plan.folder / "slurm");
+  std::vector<std::string> device;
+  if (!request.on.device.empty()) device.push_back("--device=" + request.on.device);
+  if (!request.on.memoryPath.empty()) device.push_back("--memory-path=" + request.on.memoryPath);
+  const std::string folder = fs::absolute(plan.folder).lexically_normal().string();
+  batch::Slurm::Work simulation{
+      .name = "simulate", .arguments = {"pieces", "simulate", folder}, .numbers = {}};
+  batch::Slurm::Work drawing{.name = "draw", .arguments = {"pieces", "draw"}, .numbers = {}};
+  for (batch::Slurm::Work* work : {&simulation, &drawing})
+    work->arguments.insert(work->arguments.end(), device.begin(), device.end());
+  for (const std::string& word : request.cluster.arguments()) drawing.arguments.push_back(word);
+  drawing.arguments.push_back(folder);
+  for (std::size_t i = 0; i < plan.pieces.size(); ++i)
+    if (!batch::isDrawn(plan, i)) drawing.numbers.push_back(i);
+  if (!batch::isSimulated(plan)) drawing.after = slurm.submit(simulation);
+  batch::Slurm::Work join{.name = "join", .arguments = {"pieces", "join", folder}, .numbers = {}};
+  if (!drawing.numbers.empty()) join.after = slurm.submit(drawing);
+  const auto last = slurm.submit(join);
+  info("{} pieces submitted, joined by job {}; see `simreel pieces status {}`", drawing.numbers.size(),
+       last.front(), plan.folder.string());
+}
+
+}  // namespace
+
+void renderInPieces(const PiecesRequest& request) {
+  const batch::PiecePlan plan = planOf(request);
+  const std::size_t workers = jobCount(request.jobs);
+  frame::catchInterrupts();
+  frame::ignoreBrokenPipes();
+  storePlan(plan, request, plan.wholeOutput());
+  if (request.cluster.slurm) return submitPieces(plan, request);
+  const batch::LocalPieces how{workers, request.on, batch::scratchRoot(request.cluster.scratch),
+                               commandLine()};
+  if (const int signal = batch::makePieces(plan, how); signal != 0) {
+    info("simreel: interrupted; --resume goes on from there");
+    return setExitCode(128 + signal);
+  }
+  joinAll(plan);
+}
+
+void addPieces(CLI::App& app) {
+  auto* pieces =
+      app.add_subcommand("pieces", "The steps of `render --pieces`, one by one: on any machines");
+  pieces->require_subcommand(1);
+  auto o = std::make_shared<StepOptions>();
+  const auto add = [&](const char* name, const char* doc, void (*act)(const StepOptions&)) {
+    auto* command = pieces->add_subcommand(name, doc);
+    command->add_option("folder", o->folder, "Folder of the pieces, which holds plan.json")->required();
+    command->callback([o, act] { act(*o); });
+    return command;
+  };
+  const auto onDevice = [&](CLI::App* command) {
+    addDevice(*command, o->on);
+    command->add_option("--progress", o->progress, "auto, tty, ndjson or none");
+  };
+  onDevice(add("simulate", "Simulate, and keep the states that pieces begin with", simulate));
+  auto* drawing = add("draw", "Draw pieces, or go on with them", draw);
+  drawing->add_option("pieces", o->pieces, "Their numbers, from 0")->required();
+  onDevice(drawing);
+  o->cluster.addScratch(*drawing);
+  add("join", "Verify all pieces, and make one output of them", join);
+  add("status", "Which pieces are drawn", status);
+}
+
+}  // namespace simreel::cli

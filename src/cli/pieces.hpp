@@ -1,0 +1,21 @@
+#pragma once
+#include "batch/render/render_job.hpp"
+#include "cli/slurm_options.hpp"
+#include "gl/context.hpp"
+
+#include <cstddef>
+#include <string>
+
+namespace simreel::cli {
+
+/// `simreel render --pieces N`.
+struct PiecesRequest {
+  batch::RenderRequest render;
+  std::size_t pieces = 1;
+  std::string jobs = "1";
+  SlurmOptions cluster;
+  gl::ContextOptions on;
+};
+void renderInPieces(const PiecesRequest& request);
+
+}  // namespace simreel::cli

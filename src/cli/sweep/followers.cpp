@@ -1,0 +1,221 @@
+// What follows a plan: status, retry, collect, and the single job that a cluster runs.
+#include "base/error.hpp"
+#include "base/file.hpp"
+#include "base/log.hpp"
+#include "base/text.hpp"
+#include "batch/collect/contact_sheet.hpp"
+#include "batch/collect/sweep_page.hpp"
+#include "batch/collect/sweep_tables.hpp"
+#include "batch/plan/sweep_plan.hpp"
+#include "batch/render/scratch.hpp"
+#include "batch/sweep/sweep_job.hpp"
+#include "batch/sweep/sweep_run.hpp"
+#include "cli/commands.hpp"
+#include "cli/device_options.hpp"
+#include "cli/job_count.hpp"
+#include "cli/sweep/sweep_options.hpp"
+#include "frame/image.hpp"
+#include "frame/interrupt.hpp"
+#include "frame/sink/progress.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <numeric>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+#include <fmt/ranges.h>
+
+namespace simreel::cli {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+struct FollowerOptions {
+  std::string folder;
+  std::vector<std::size_t> jobs;
+  std::optional<int> frame;
+  SweepRunOptions run;
+};
+
+batch::SweepTally tallyOf(const batch::CollectedSweep& sweep) {
+  batch::SweepTally tally;
+  for (const batch::JobStatus& job : sweep.jobs) tally.add(job);
+  return tally;
+}
+
+/// A line for each job that is not well, and the sum.
+void status(const FollowerOptions& o) {
+  const auto sweep = batch::collect(batch::readSweepPlan(o.folder));
+  for (std::size_t i = 0; i < sweep.jobs.size(); ++i) {
+    const batch::JobStatus& job = sweep.jobs[i];
+    if (job.state == batch::JobState::done && job.result->checksPassed()) continue;
+    std::string why = job.result ? job.result->message : "";
+    if (job.result && job.result->code == 0)
+      for (const auto& check : job.result->checks)
+        if (!check.passed) why += (why.empty() ? "" : "; ") + check.message;
+    printText(oneLine(fmt::format("{}  {:7}  {}{}{}", sweep.plan.name(i), stateName(job.state),
+                                  sweep.plan.label(i), why.empty() ? "" : "  ", why)) +
+              "\n");
+  }
+  const batch::SweepTally tally = tallyOf(sweep);
+  printText(tally.text() + "\n");
+  setExitCode(tally.exitCode());
+}
+
+void retry(const FollowerOptions& o) {
+  const batch::SweepPlan plan = batch::readSweepPlan(o.folder);
+  std::vector<std::size_t> all(plan.jobs.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  runSweep(plan, all, o.run);
+}
+
+void writeCollected(const FollowerOptions& o) {
+  const auto sweep = batch::collect(batch::readSweepPlan(o.folder));
+  const auto& folder = sweep.plan.folder;
+  writeFileAtomically(folder / "table.csv", batch::tableText(sweep));
+  std::string made = "table.csv, ";
+  if (const std::string counts = batch::countsText(sweep); !counts.empty()) {
+    writeFileAtomically(folder / "counts.csv", counts);
+    made += "counts.csv, ";
+  }
+  writeFileAtomically(folder / "index.html", batch::sweepPage(sweep, o.frame));
+  writeFileAtomically(folder / "sheet.png", frame::encodePng(batch::contactSheet(sweep, o.frame), {}));
+  const batch::SweepTally tally = tallyOf(sweep);
+  info("{} -> {}sheet.png, index.html in {}", tally.text(), made, folder.string());
+  setExitCode(tally.exitCode());
+}
+
+/// In this process, one after the other.
+void job(const FollowerOptions& o) {
+  const batch::SweepPlan plan = batch::readSweepPlan(o.folder);
+  for (const std::size_t number : o.jobs)
+    if (number >= plan.jobs.size())
+      fail(ExitCode::usage, "there is no job {}; the sweep has 0 to {}", number, plan.jobs.size() - 1);
+  frame::Progress progress(frame::parseProgressMode(o.run.progress));
+  frame::catchInterrupts();
+  frame::ignoreBrokenPipes();
+  const fs::path scratch = batch::scratchRoot(o.run.cluster.scratch);
+  const gl::Context context(o.run.on);
+  int code = 0;
+  for (const std::size_t number : o.jobs) {
+    progress.ofJob(plan.name(number));
+    const batch::JobEnd end = batch::runSweepJob(plan, number, context, progress, commandLine(), scratch);
+    if (end.signal != 0) return setExitCode(128 + end.signal);
+    if (end.result.code != 0)
+      printError(UserError(static_cast<ExitCode>(end.result.code), end.result.message));
+    if (code == 0) code = end.result.code;
+  }
+  setExitCode(code);
+}
+
+void shared(const FollowerOptions& o) {
+  const batch::SweepPlan plan = batch::readSweepPlan(o.folder);
+  frame::Progress progress(frame::parseProgressMode(o.run.progress));
+  frame::catchInterrupts();
+  if (!batch::lacksShared(plan)) return info("nothing is to be done that all jobs share");
+  const gl::Context context(o.run.on);
+  if (const int signal = batch::makeShared(plan, context, progress, commandLine()); signal != 0)
+    setExitCode(128 + signal);
+}
+
+}  // namespace
+
+void SweepRunOptions::add(CLI::App& command) {
+  command
+      .add_option(
+          "-j,--jobs", jobs,
+          "Jobs at once, each in a process of its own with an equal part of the processors; auto: one a "
+          "processor")
+      ->capture_default_str();
+  command.add_option(
+      "--device", devices,
+      "Index or part of a name (see `simreel doctor`); of several, 0,1, each process takes the next");
+  command.add_option("--memory-path", on.memoryPath, "storage or texel; by driver if not given");
+  command.add_option("--progress", progress, "auto, ndjson or none");
+  cluster.add(command);
+}
+
+namespace {
+
+/// The jobs as arrays of a cluster, which runs `simreel sweep job` for each.
+void submitSweep(const batch::SweepPlan& plan, const std::vector<std::size_t>& jobs,
+                 const SweepRunOptions& how) {
+  batch::Slurm slurm = how.cluster.cluster(plan.folder / "slurm");
+  if (jobs.empty()) return;
+  batch::Slurm::Work work{.name = "sweep", .arguments = {"sweep", "job"}, .numbers = jobs};
+  const std::string folder = fs::absolute(plan.folder).lexically_normal().string();
+  work.however = true;  // jobs can do without what they share
+  if (jobs.size() > 1 && batch::lacksShared(plan))
+    work.after = slurm.submit({.name = "shared", .arguments = {"sweep", "shared", folder}, .numbers = {}});
+  if (how.devices.find(',') != std::string::npos)
+    fail(ExitCode::usage, "--device {}: with --slurm the cluster gives each job its device", how.devices);
+  if (!how.devices.empty()) work.arguments.push_back("--device=" + how.devices);
+  if (!how.on.memoryPath.empty()) work.arguments.push_back("--memory-path=" + how.on.memoryPath);
+  for (const std::string& word : how.cluster.arguments()) work.arguments.push_back(word);
+  work.arguments.push_back(folder);
+  const auto ids = slurm.submit(work);
+  info("{} jobs submitted as {}; see `simreel sweep status {}`", jobs.size(), fmt::join(ids, ", "),
+       plan.folder.string());
+}
+
+}  // namespace
+
+void runSweep(const batch::SweepPlan& plan, const std::vector<std::size_t>& jobs,
+              const SweepRunOptions& how) {
+  std::vector<std::size_t> waiting;
+  for (const std::size_t number : jobs) {
+    const auto state = batch::statusOf(plan, number).state;
+    if (state != batch::JobState::done && state != batch::JobState::running) waiting.push_back(number);
+  }
+  if (waiting.size() < jobs.size())
+    info("{} of {} jobs are done or being rendered", jobs.size() - waiting.size(), jobs.size());
+  if (how.cluster.slurm) return submitSweep(plan, waiting, how);
+  batch::LocalRun local;
+  local.workers = jobCount(how.jobs);
+  local.on = how.on;
+  local.ndjson = frame::parseProgressMode(how.progress) == frame::Progress::Mode::ndjson;
+  local.command = commandLine();
+  local.scratch = batch::scratchRoot(how.cluster.scratch);
+  std::string rest = how.devices;
+  while (!rest.empty()) {
+    const std::size_t comma = std::min(rest.find(','), rest.size());
+    local.devices.push_back(rest.substr(0, comma));
+    rest.erase(0, comma + 1);
+  }
+  frame::catchInterrupts();
+  frame::ignoreBrokenPipes();
+  const int signal = waiting.empty() ? 0 : batch::runJobs(plan, waiting, local);
+  const batch::SweepTally tally = tallyOf(batch::collect(plan));
+  info("{} -> {}", tally.text(), plan.folder.string());
+  if (signal != 0)
+    info("simreel: interrupted; `simreel sweep retry {}` goes on from there", plan.folder.string());
+  setExitCode(signal != 0 ? 128 + signal : tally.exitCode());
+}
+
+void addSweepFollowers(CLI::App& sweep) {
+  auto o = std::make_shared<FollowerOptions>();
+  const auto add = [&](const char* name, const char* doc, void (*act)(const FollowerOptions&)) {
+    auto* command = sweep.add_subcommand(name, doc);
+    command->add_option("folder", o->folder, "Folder of the sweep")->required();
+    command->callback([o, act] { act(*o); });
+    return command;
+  };
+  add("status", "What has become of each job", status);
+  o->run.add(*add("retry", "Run what failed, was aborted or is missing", retry));
+  auto* collect = add("collect", "Write table.csv, counts.csv, sheet.png and index.html", writeCollected);
+  collect->add_option("--frame", o->frame, "The frame to show (default: each job's last)");
+  addDevice(*add("shared", "Simulate once what all jobs begin with, where there is any", shared),
+            o->run.on);
+  auto* one = add("job", "Run single jobs in this process, as a cluster does", job);
+  one->add_option("jobs", o->jobs, "Numbers of the jobs, from 0")->required();
+  addDevice(*one, o->run.on);
+  one->add_option("--progress", o->run.progress, "auto, tty, ndjson or none");
+  o->run.cluster.addScratch(*one);
+}
+
+}  // namespace simreel::cli

@@ -1,0 +1,124 @@
+// simreel sweep SCENE --vary ...: a plan, and the runs that it asks for.
+#include "base/error.hpp"
+#include "base/file.hpp"
+#include "base/log.hpp"
+#include "batch/plan/sweep_plan.hpp"
+#include "batch/plan/vary.hpp"
+#include "cli/commands.hpp"
+#include "cli/sweep/sweep_options.hpp"
+#include "scene/scene_source.hpp"
+#include "sim/world/list.hpp"
+
+#include <filesystem>
+#include <memory>
+#include <numeric>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+namespace simreel::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+void checkOptions(const SweepOptions& o) {
+  if (o.scene.file.empty())
+    fail(ExitCode::usage, "sweep: which scene? simreel sweep scene.json --vary path=a,b,c -o folder/");
+  if (o.vary.empty()) fail(ExitCode::usage, "sweep: nothing varies; give at least one --vary path=a,b,c");
+  if (o.output.empty()) fail(ExitCode::usage, "sweep: give a folder for its jobs: -o folder/");
+  if (int{o.zip} + int{o.grid} + int{o.sample.has_value()} > 1)
+    fail(ExitCode::usage, "--zip, --grid and --sample exclude each other");
+  if (o.scene.seed && !o.sample)
+    fail(ExitCode::usage, "--seed is that of --sample here; the scene's own is -D seed={}", *o.scene.seed);
+}
+
+batch::SweepPlan planOf(const SweepOptions& o, const std::string& text) {
+  std::vector<batch::Vary> varied;
+  for (const std::string& one : o.vary) varied.push_back(batch::parseVary(one));
+  const auto how = o.zip      ? batch::Combination::zip
+                   : o.sample ? batch::Combination::sample
+                              : batch::Combination::grid;
+  batch::SweepPlan plan;
+  plan.folder = o.output;
+  if (o.scene.file != "-")
+    plan.assets.push_back(fs::absolute(o.scene.file).lexically_normal().parent_path());
+  for (const fs::path& folder : assetFolders(o.scene.assets))
+    plan.assets.push_back(fs::absolute(folder).lexically_normal());
+  SceneOptions scene = o.scene;
+  scene.seed.reset();
+  plan.overrides = scene.changes();
+  plan.frames = o.frames;
+  plan.fields = o.fields;
+  for (const batch::Vary& one : varied) plan.varied.push_back(one.path);
+  const auto seed = static_cast<std::uint64_t>(o.scene.seed.value_or(1));
+  for (auto& values : batch::combine(varied, how, o.sample.value_or(0), seed))
+    plan.jobs.push_back({std::move(values), {}});
+  batch::checkJobs(plan, text);
+  return plan;
+}
+
+/// Of a folder that holds a plan already it has to be this one.
+void store(const batch::SweepPlan& plan, const std::string& scene, bool overwrite) {
+  const std::string text = planText(plan);
+  if (pathExists(plan.planFile())) {
+    const bool same = readFile(plan.planFile(), "plan") == text && pathExists(plan.sceneFile()) &&
+                      readFile(plan.sceneFile(), "scene") == scene;
+    if (same) return;
+    if (!overwrite)
+      fail(ExitCode::inputOutput, "{} is of another sweep; use --overwrite, or another folder",
+           plan.planFile().string());
+  }
+  makeFolders(plan.folder);
+  writeFileAtomically(plan.sceneFile(), scene);
+  writeFileAtomically(plan.planFile(), text);
+}
+
+void sweep(const SweepOptions& o) {
+  checkOptions(o);
+  const std::string text = scene::readSceneSource(o.scene.file, sim::kinds()).first;
+  const batch::SweepPlan plan = planOf(o, text);
+  store(plan, text, o.overwrite);
+  if (o.planOnly) {
+    info("{} jobs -> {}", plan.jobs.size(), plan.planFile().string());
+    return;
+  }
+  std::vector<std::size_t> all(plan.jobs.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  runSweep(plan, all, o.run);
+}
+
+}  // namespace
+
+void addSweep(CLI::App& app) {
+  auto o = std::make_shared<SweepOptions>();
+  auto* command = app.add_subcommand("sweep", "Render a scene with many values of its parameters");
+  command->require_subcommand(0, 1);
+  o->scene.addOptional(*command);
+  command
+      ->add_option("--vary", o->vary,
+                   "A parameter and its values: path=a,b,c or path=first:last:step; repeatable")
+      ->allow_extra_args(false);
+  command->add_option("-o,--output", o->output, "Folder for the plan and a folder of each job");
+  command->add_flag("--grid", o->grid, "Each value with each of the others (default)");
+  command->add_flag("--zip", o->zip, "The first values together, then the second ones, ...");
+  command
+      ->add_option("--sample", o->sample,
+                   "So many jobs drawn from the values, and from ranges path=low:high, by --seed")
+      ->check(CLI::Range(std::size_t{1}, batch::maxJobs));
+  command->add_option("--frames", o->frames, "Frames of each job, for example 0-99x2,150");
+  command->add_option("--fields", o->fields, "Also the raw values of every field: npy or pfm")
+      ->check(CLI::IsMember({"npy", "pfm"}));
+  command->add_flag("--plan-only", o->planOnly,
+                    "Only write plan.json: run its jobs by `simreel sweep job FOLDER NUMBER`, wherever");
+  command->add_flag("--overwrite", o->overwrite, "Replace another sweep in the folder");
+  o->run.add(*command);
+  addSweepFollowers(*command);
+  command->callback([o, command] {
+    if (command->get_subcommands().empty()) sweep(*o);
+  });
+}
+
+}  // namespace simreel::cli

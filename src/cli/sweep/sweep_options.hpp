@@ -1,0 +1,48 @@
+#pragma once
+#include "batch/plan/sweep_plan.hpp"
+#include "cli/scene_options.hpp"
+#include "cli/slurm_options.hpp"
+#include "gl/context.hpp"
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+}
+
+namespace simreel::cli {
+
+/// How the jobs of a sweep are run: of `simreel sweep SCENE` and `sweep retry`.
+struct SweepRunOptions {
+  std::string jobs = "1";
+  gl::ContextOptions on;
+  std::string devices;  ///< "0,1"
+  std::string progress = "auto";
+  SlurmOptions cluster;
+
+  void add(CLI::App& command);
+};
+
+struct SweepOptions {
+  SceneOptions scene;
+  std::vector<std::string> vary;
+  bool zip = false, grid = false;
+  std::optional<std::size_t> sample;
+  std::string output;
+  std::string frames, fields;
+  bool planOnly = false;
+  bool overwrite = false;
+  SweepRunOptions run;
+};
+
+/// Runs those of the jobs that are not done, here or by Slurm, and sets the exit code by all jobs.
+void runSweep(const batch::SweepPlan& plan, const std::vector<std::size_t>& jobs,
+              const SweepRunOptions& how);
+
+/// status, retry, collect and job, below `sweep`.
+void addSweepFollowers(CLI::App& sweep);
+
+}  // namespace simreel::cli

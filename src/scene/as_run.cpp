@@ -1,0 +1,123 @@
+#include "scene/as_run.hpp"
+
+#include "base/error.hpp"
+#include "base/hash.hpp"
+#include "scene/json_node.hpp"
+#include "scene/override.hpp"
+#include "scene/scene_source.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace simreel::scene {
+
+namespace {
+
+/// Members of a scene that no simulation hears of.
+constexpr std::array<std::string_view, 9> drawingMembers = {"$schema", "title",  "render", "camera", "sun",
+                                                            "sky",     "lights", "test",   "checks"};
+
+std::string quoted(const std::string& text) {
+  return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+/// As short as it is still itself.
+std::string numberText(double value) {
+  constexpr double exact = 9007199254740992.0;  // 2^53: a whole number below is written as one
+  if (value == std::floor(value) && std::abs(value) < exact && !(value == 0 && std::signbit(value)))
+    return fmt::format("{}", static_cast<long long>(value));
+  return fmt::format("{}", value);
+}
+
+bool isSimple(const Node& node) {
+  return node.kind != Node::Kind::list && node.kind != Node::Kind::object;
+}
+
+void write(const Node& node, const std::string& indent, std::string& text) {
+  switch (node.kind) {
+    case Node::Kind::null:
+      text += "null";
+      return;
+    case Node::Kind::boolean:
+      text += node.boolean ? "true" : "false";
+      return;
+    case Node::Kind::number:
+      text += numberText(node.number);
+      return;
+    case Node::Kind::text:
+      text += quoted(node.text);
+      return;
+    case Node::Kind::list:
+    case Node::Kind::object:
+      break;
+  }
+  const bool isList = node.kind == Node::Kind::list;
+  // A list of numbers or lists of them stays on its line.
+  const bool oneLine = std::all_of(node.children.begin(), node.children.end(), [&](const Node& child) {
+    return isSimple(child) || (isList && child.kind == Node::Kind::list &&
+                               std::all_of(child.children.begin(), child.children.end(), isSimple));
+  });
+  const std::string inner = indent + "  ";
+  text += isList ? "[" : "{";
+  for (std::size_t i = 0; i < node.children.size(); ++i) {
+    if (i > 0) text += oneLine ? ", " : ",";
+    if (!oneLine) text += "\n" + inner;
+    if (!isList) text += quoted(node.children[i].key) + ": ";
+    write(node.children[i], inner, text);
+  }
+  if (!oneLine) text += "\n" + indent;
+  text += isList ? "]" : "}";
+}
+
+void remove(Node& object, std::string_view key) {
+  std::erase_if(object.children, [&](const Node& child) { return child.key == key; });
+}
+
+}  // namespace
+
+std::string sceneAsRun(const std::filesystem::path& file, std::span<const Override> overrides,
+                       const Kinds& kinds) {
+  const auto [text, name] = readSceneSource(file, kinds);
+  Diagnostics diagnostics(name.string(), text);
+  std::string result;
+  if (std::optional<Node> root = parseJson(text, 0, 0, diagnostics)) {
+    for (const Override& change : overrides) applyOverride(*root, change, diagnostics);
+    write(*root, "", result);
+  }
+  if (!diagnostics.empty()) throw UserError(ExitCode::usage, diagnostics.report(), UserError::Form::report);
+  return result + "\n";
+}
+
+std::string simulationHash(std::string_view asRun) {
+  Diagnostics diagnostics("scene", asRun);
+  std::optional<Node> root = parseJson(asRun, 0, 0, diagnostics);
+  if (!root) fail(ExitCode::usage, "the scene as run is no JSON");
+  for (const std::string_view key : drawingMembers) remove(*root, key);
+  if (Node* time = root->find("time")) {
+    remove(*time, "duration");
+    if (time->children.empty()) remove(*root, "time");
+  }
+  if (Node* objects = root->find("objects"))
+    for (Node& object : objects->children) remove(object, "material");
+  std::string text;
+  write(*root, "", text);
+  return hashHex(text);
+}
+
+bool touchesSimulation(std::string_view path) {
+  if (path == "time.duration") return false;
+  const std::string_view first = path.substr(0, path.find('.'));
+  if (std::find(drawingMembers.begin(), drawingMembers.end(), first) != drawingMembers.end()) return false;
+  if (first != "objects") return true;
+  const std::size_t name = path.find('.', first.size() + 1);
+  if (name == std::string_view::npos) return true;
+  const std::string_view member = path.substr(name + 1);
+  return member != "material" && !member.starts_with("material.");
+}
+
+}  // namespace simreel::scene

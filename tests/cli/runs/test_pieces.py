@@ -1,0 +1,156 @@
+"""Sequences in pieces, kept checkpoints: the same bytes as one run."""
+import json
+import signal
+import time
+
+from common import SLOW, Case, main, with_values
+
+TOWN = {"version": 1, "render": {"size": [64, 36], "samples": 1}, "time": {"fps": 30, "duration": 0.5, "start": 0.2},
+        "objects": {"town": {"epidemic": {"size": [65, 33], "infected": 0.05, "stepsPerSecond": 90}},
+                    "flag": with_values({})["objects"]["flag"]}}
+
+
+class Pieces(Case):
+    whole = {}
+
+    def setUp(self):
+        super().setUp()
+        self.write("town.json", TOWN)
+
+    def assert_whole(self, folder, *more):
+        if more not in self.whole:
+            self.good("render", "town.json", "-o", "whole/", *more)
+            self.whole[more] = self.content("whole")
+        self.assertEqual(sorted(self.content(folder)), sorted(self.whole[more]))
+        self.assertEqual(self.content(folder), self.whole[more])
+
+    def test_the_same_bytes(self):
+        """Pictures, fields, counts with a pre-roll, manifest; nothing else is left."""
+        self.good("render", "town.json", "-o", "out/", "--pieces", "4", "--jobs", "2", "--fields", "npy")
+        self.assert_whole("out", "--fields", "npy")
+        runs = self.runs("out")
+        self.assertEqual(sorted(run["frames"] for run in runs), ["0-2", "11-14", "3-6", "7-10"])
+
+    def test_patterns_some_frames_and_one_piece(self):
+        self.good("render", "town.json", "-o", "out/a_###.png", "--pieces", "3", "--frames", "0-14x2")
+        self.good("render", "town.json", "-o", "one/a_###.png", "--pieces", "1", "--frames", "0-14x2")
+        self.good("render", "town.json", "-o", "whole/a_###.png", "--frames", "0-14x2")
+        out, one, whole = ({name: data for name, data in self.content(folder).items() if name != "a.run.json"}
+                           for folder in ("out", "one", "whole"))
+        self.assertEqual(out, whole)
+        self.assertEqual(one, whole)
+
+    def test_video(self):
+        self.good("render", "town.json", "-o", "a.mp4", "--pieces", "3", "--jobs", "2")
+        self.good("render", "town.json", "-o", "b/a.mp4")
+        mine = {p.name: p.read_bytes() for p in self.folder.glob("a.mp4*") if p.name != "a.mp4.run.json"}
+        theirs = {p.name: p.read_bytes() for p in (self.folder / "b").iterdir() if p.name != "a.mp4.run.json"}
+        self.assertEqual(sorted(mine), ["a.mp4", "a.mp4.as-run.json", "a.mp4.counts.csv", "a.mp4.manifest.json"])
+        self.assertEqual(mine, theirs)
+
+    def test_steps_by_hand_and_what_is_damaged(self):
+        self.write("slow.json", with_values(SLOW))
+        steps = self.start("render", "slow.json", "-o", "out/", "--pieces", "3")
+        plan = self.folder / "out/pieces/plan.json"
+        while not plan.exists():
+            time.sleep(0.01)
+        steps.send_signal(signal.SIGTERM)
+        self.assertEqual(steps.wait(30), 128 + signal.SIGTERM)
+        folder = "out/pieces"
+        self.bad(6, "use --resume or --overwrite", "render", "slow.json", "-o", "out/", "--pieces", "3")
+        self.bad(2, "cannot resume", "render", "slow.json", "-o", "out/", "--pieces", "4", "--resume")
+        self.bad(3, "piece 0", "pieces", "join", folder)
+        # The simulation ends early, and goes on; so does a piece, killed or not.
+        self.good("pieces", "simulate", folder)
+        self.assertEqual(sorted(p.name for p in (self.folder / folder).glob("checkpoint*")), ["checkpoint.000020", "checkpoint.000040"])
+        code, _ = self.signal_after(3, "out/pieces/0001", signal.SIGTERM, "pieces", "draw", folder, "1")
+        self.assertEqual(code, 128 + signal.SIGTERM)
+        self.assertTrue((self.folder / folder / "0001/checkpoint").exists())
+        self.signal_after(9, "out/pieces/0001", signal.SIGKILL, "pieces", "draw", folder, "1")
+        done = self.run_program("pieces", "status", folder)
+        self.assertEqual(done.returncode, 3)
+        self.assertIn("3 pieces: 0 done, states there", done.stdout.decode())
+        self.good("pieces", "draw", folder, "2", "1", "0")
+        # What was changed behind its back is noticed, and nothing has been moved.
+        picture = self.folder / folder / "0001/000023.png"
+        bytes_of = picture.read_bytes()
+        picture.write_bytes(bytes_of[:-20] + b"x" * 20)
+        self.bad(1, ["000023.png", "draw its piece anew"], "pieces", "join", folder)
+        picture.write_bytes(bytes_of)
+        manifest = self.folder / folder / "0001/manifest.json"
+        text = manifest.read_text()
+        state = json.loads(text)["frames"][0]["state"]
+        manifest.write_text(text.replace(state, "0" * 32))
+        self.bad(1, ["frame 20", "pieces 0 and 1", "its state differs"], "pieces", "join", folder)
+        manifest.write_text(text.replace('"rasterizer": "exact"', '"rasterizer": "driver"'))
+        self.bad(2, ["piece 1 does not go with piece 0", "rasterizer"], "pieces", "join", folder)
+        manifest.write_text(text)
+        self.assertEqual([p for p in self.folder.glob("out/*.png")], [])
+        self.good("pieces", "join", folder)
+        self.good("render", "slow.json", "-o", "whole/")
+        self.assertEqual(self.content("out"), self.content("whole"))
+
+    def test_pieces_of_several_machines(self):
+        """Of exact pictures nobody asks; those that a driver draws are one machine's."""
+        for rasterizer in ("exact", "driver"):
+            out = f"{rasterizer}/"
+            made = self.start("render", "town.json", "-o", out, "--pieces", "2", "--rasterizer", rasterizer)
+            self.assertEqual(made.wait(60), 0)
+            process = self.start("render", "town.json", "-o", out, "--pieces", "2", "--rasterizer", rasterizer, "--overwrite")
+            run = self.folder / rasterizer / "pieces/0001/run.json"
+            while not run.exists() and process.poll() is None:
+                time.sleep(0.005)
+            process.send_signal(signal.SIGSTOP)
+            if not run.exists():  # it was faster
+                process.send_signal(signal.SIGCONT)
+                process.wait()
+                continue
+            process.kill()
+            process.wait()
+            folder = f"{rasterizer}/pieces"
+            self.good("pieces", "draw", folder, "0", "1")
+            processor = self.runs(f"{folder}/0001")[0]["processor"]
+            run.write_text(run.read_text().replace(processor, "Testium 3"))
+            if rasterizer == "exact":
+                self.good("pieces", "join", folder)
+            else:
+                self.bad(2, ["piece 1 was drawn by Testium 3", "piece 0 by", "pictures that a driver draws depend"], "pieces", "join", folder)
+
+    def test_kept_checkpoints(self):
+        self.good("render", "town.json", "-o", "keep/", "--frames", "none", "--checkpoint-at", "0,5,10")
+        self.assertEqual(sorted(self.content("keep")), ["checkpoint.000000", "checkpoint.000005", "checkpoint.000010"])
+        for first in (0, 5, 10):
+            self.good("render", "town.json", "-o", f"from{first}/", "--from", f"keep/checkpoint.{first:06}")
+        self.assert_whole("from0")
+        five, whole = self.content("from5"), self.content("from0")
+        self.assertEqual(set(whole) - set(five), {f"{i:06}.png" for i in range(5)})
+        self.assertEqual([name for name in five if name != "manifest.json" and five[name] != whole[name]], [])
+        # While pictures are drawn, and of another camera and size.
+        self.good("render", "town.json", "-o", "beside/", "--checkpoint-at", "5", "--frames", "0-3")
+        self.assertEqual(self.content("beside")["checkpoint.000005"], self.content("keep")["checkpoint.000005"])
+        small = ("--size", "32x18", "-D", "camera.position=[0,1,4]")
+        self.good("render", "town.json", "-o", "small/", "--from", "keep/checkpoint.000010", *small)
+        self.good("render", "town.json", "-o", "plain/", "--frames", "10-14", *small)
+        self.assertEqual(self.content("small"), self.content("plain"))
+
+    def test_mistakes(self):
+        self.good("render", "town.json", "-o", "keep/", "--frames", "none", "--checkpoint-at", "5")
+        at = "keep/checkpoint.000005"
+        self.bad(2, [at, "another simulation"], "render", "town.json", "-o", "out/", "--from", at, "--seed", "9")
+        self.bad(2, [at, "frame 2 lies before it", "--frames 5-"], "render", "town.json", "-o", "out/", "--from", at, "--frames", "2-9")
+        self.bad(2, "nowhere", "render", "town.json", "-o", "out/", "--from", "nowhere")
+        self.bad(2, ["town.json cannot be used"], "render", "town.json", "-o", "out/", "--from", "town.json")
+        self.bad(2, ["none draws nothing", "--checkpoint-at"], "render", "town.json", "-o", "out/", "--frames", "none")
+        self.bad(2, ["--checkpoint-at", "character 3"], "render", "town.json", "-o", "out/", "--checkpoint-at", "5,x")
+        self.bad(2, ["--checkpoint-at", "cannot be resumed"], "render", "town.json", "-o", "a.mp4", "--checkpoint-at", "5")
+        self.bad(6, [at, "exists"], "render", "town.json", "-o", "keep/", "--checkpoint-at", "5")
+        self.bad(2, ["--pieces 99", "15 frames"], "render", "town.json", "-o", "out/", "--pieces", "99")
+        self.bad(2, ["--pieces", "not -"], "render", "town.json", "-o", "-", "--pieces", "2")
+        self.bad(2, ["--pieces", "--from"], "render", "town.json", "-o", "out/", "--pieces", "2", "--from", at)
+        self.bad(2, ["--slurm", "--pieces"], "render", "town.json", "-o", "out/", "--slurm")
+        self.bad(2, ["nowhere holds no pieces"], "pieces", "join", "nowhere")
+        self.assertFalse((self.folder / "out").exists())
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,199 @@
+"""simreel sweep: plan, jobs, what becomes of them, and what is collected."""
+import csv
+import json
+import os
+import signal
+import subprocess
+import time
+
+from common import PROGRAM, SLOW, Case, main, png_rows, with_values
+
+DISH = {"version": 1, "render": {"size": [64, 36], "samples": 1}, "time": {"fps": 30, "duration": 0.1},
+        "objects": {"dish": {"grayScott": {"size": [48, 48], "steps": 20}},
+                    "town": {"epidemic": {"size": [32, 24], "infected": 0.1, "display": {"layer": "behind"}}}},
+        "checks": [{"what": "no-nan"}, {"what": "meanV", "frames": [1, 2], "max": 0.325}, {"what": "not-blank", "frames": [1, 2]}]}
+FEED, KILL = "objects.dish.grayScott.feed", "objects.dish.grayScott.kill"
+
+
+class Sweep(Case):
+    def setUp(self):
+        super().setUp()
+        self.write("dish.json", DISH)
+
+    def status(self, code):
+        done = self.run_program("sweep", "status", "sw")
+        self.assertEqual(done.returncode, code, done.stdout)
+        return done.stdout.decode().splitlines()
+
+    def result(self, job):
+        return json.loads((self.folder / f"sw/jobs/{job:04}/result.json").read_text())
+
+    def test_from_plan_to_page(self):
+        vary = ("--vary", f"{FEED}=0.02:0.04:0.01", "--vary", f"{KILL}=0.055,0.06")
+        self.good("sweep", "dish.json", *vary, "-o", "sw/", "--plan-only")
+        self.assertEqual(self.status(3), [f"{i:04}  missing  feed={f} kill={k}" for i, (f, k) in enumerate(
+            (f, k) for f in ("0.02", "0.03", "0.04") for k in ("0.055", "0.06"))] + ["6 jobs: 0 done, 6 missing"])
+        self.good("sweep", "job", "sw", "5", "2")  # as somebody else's scheduler does
+        self.assertEqual(self.status(3)[-1], "6 jobs: 2 done, 4 missing")  # 2 and 5 stay below the check's bound
+        done = self.run_program("sweep", "dish.json", *vary, "-o", "sw/", "--jobs", "2", "--progress", "ndjson")
+        # A check fails where much has grown: the pictures are there all the same.
+        self.assertEqual(done.returncode, 1, done.err)
+        events = [json.loads(line) for line in done.err.splitlines()]
+        self.assertEqual(sorted(e["job"] for e in events if e["event"] == "job"), ["0000", "0001", "0003", "0004"])
+        self.assertEqual(len([e for e in events if e["event"] == "check" and e["job"] == "0000"]), 3 + 2 + 2)
+        self.assertEqual([e["town.infected"] > 0 for e in events if e["event"] == "counts" and e["job"] == "0000"], [True] * 3)
+        lines = self.status(1)
+        self.assertRegex(lines[-1], r"^6 jobs: 6 done \(\d with failed checks\)$")
+        self.assertIn("meanV of dish is 0.3", lines[0])
+        # A job is what render makes of its values.
+        self.good("render", "dish.json", "-o", "alone/", "-D", f"{FEED}=0.04", "-D", f"{KILL}=0.055")
+        job, alone = self.content("sw/jobs/0004"), self.content("alone")
+        self.assertEqual({name: job[name] for name in alone}, alone)
+        self.assertEqual(sorted(set(job) - set(alone)), ["job.json", "result.json"])
+        self.assertEqual(json.loads(job["job.json"])["values"], {FEED: "0.04", KILL: "0.055"})
+
+        done = self.run_program("sweep", "collect", "sw")
+        self.assertEqual(done.returncode, 1)
+        rows = list(csv.DictReader((self.folder / "sw/table.csv").read_text().splitlines()))
+        self.assertEqual([(row[FEED], row[KILL], row["state"]) for row in rows[:3]],
+                         [("0.02", "0.055", "done"), ("0.02", "0.06", "done"), ("0.03", "0.055", "done")])
+        last = {q["what"]: q["value"] for q in self.result(3)["quantities"]}
+        self.assertEqual(float(rows[3]["meanU of dish"]), last["meanU of dish"])
+        self.assertEqual(rows[3]["town.infected"], dict(self.result(3)["counts"])["town.infected"])
+        self.assertEqual({row["passed meanV of dish"] for row in rows}, {"yes", "no"})
+        counts = (self.folder / "sw/counts.csv").read_text().splitlines()
+        one = job["counts.csv"].decode().splitlines()
+        self.assertEqual(counts[0], "job," + one[0])
+        self.assertEqual([c[5:] for c in counts if c.startswith("0004,")], one[1:])
+        width, height, _ = png_rows((self.folder / "sw/sheet.png").read_bytes())
+        self.assertTrue(width > 2 * 64 and height > 3 * 36, (width, height))
+        page = (self.folder / "sw/index.html").read_text()
+        data = json.loads(page.split('id="data">')[1].split("</script>")[0])
+        self.assertEqual([j["values"] for j in data["jobs"][:2]], [["0.02", "0.055"], ["0.02", "0.06"]])
+        self.assertTrue(all(j["picture"].startswith("data:image/png;base64,") for j in data["jobs"]))
+        self.assertTrue(all((self.folder / "sw" / j["file"]).exists() for j in data["jobs"]))
+        self.assertNotIn("http", page.replace("http-equiv", ""))
+
+    def test_failed_aborted_and_missing(self):
+        self.write("slow.json", with_values(SLOW | {"time.duration": 30}))
+        self.good("sweep", "slow.json", "--vary", "objects.flag.cloth.air.velocity=[1,0,0],[2,0,0],[3,0,0]", "-o", "sw/", "--plan-only",
+                  "--frames", "0-899")
+        # The first cannot be written; the second is interrupted; the third has not begun.
+        self.write("sw/jobs", "a file")
+        self.bad(6, "sw/jobs/0000", "sweep", "job", "sw", "0")
+        (self.folder / "sw/jobs").unlink()
+        self.write("sw/jobs/0000/000000.png", {"no": "picture"})
+        (self.folder / "sw/jobs/0000/result.json").write_text(json.dumps(
+            {"format": "simreel-job", "version": 1, "hash": json.loads((self.folder / "sw/plan.json").read_text())["jobs"][0]["hash"],
+             "code": 6, "message": "No space left", "frames": 0, "checks": [], "quantities": [], "counts": []}))
+        code, _ = self.signal_after(3, "sw/jobs/0001", signal.SIGTERM, "sweep", "job", "sw", "1")
+        self.assertEqual(code, 128 + signal.SIGTERM)
+        self.assertTrue((self.folder / "sw/jobs/0001/checkpoint").exists())
+        lines = self.status(1)
+        self.assertEqual([line.split()[1] for line in lines[:3]], ["failed", "aborted", "missing"])
+        self.assertIn("No space left", lines[0])
+        process = self.start("sweep", "job", "sw", "1")
+        deadline = time.monotonic() + 40
+        while "running" not in "".join(self.status(1)) and time.monotonic() < deadline:
+            time.sleep(0.05)
+        self.assertEqual(self.status(1)[-1], "3 jobs: 0 done, 1 failed, 1 running, 1 missing")
+        process.kill()
+        process.communicate()
+        (self.folder / "sw/jobs/0000/result.json").unlink()
+        self.assertEqual(self.status(7)[-1], "3 jobs: 0 done, 1 aborted, 2 missing")
+
+    def test_interrupted_and_retried_is_undisturbed(self):
+        """Also the results of checks made before the interrupt."""
+        scene = with_values(SLOW | {"time.duration": 0.7})
+        scene["checks"] = [{"what": "energy", "frames": [1, 2, 18], "drift": 9}, {"what": "not-blank", "frames": [1, 20]}]
+        scene["test"] = {"frames": [1, 20]}
+        self.write("slow.json", scene)
+        sweep = ("sweep", "slow.json", "--vary", "objects.flag.cloth.air.velocity=[1,0,0]", "-o")
+        process = self.start(*sweep, "sw/")
+        deadline = time.monotonic() + 40
+        while len(list((self.folder / "sw/jobs/0000").glob("*.png"))) < 5 and time.monotonic() < deadline:
+            time.sleep(0.01)
+        process.send_signal(signal.SIGINT)
+        messages = process.communicate(timeout=40)[1].decode()
+        self.assertEqual(process.returncode, 130, messages)
+        self.assertIn("sweep retry", messages)
+        self.assertEqual(self.status(7)[-1], "1 job: 0 done, 1 aborted")
+        self.good("sweep", "retry", "sw")
+        self.good(*sweep, "whole/")
+        self.assertEqual(self.content("sw/jobs/0000"), self.content("whole/jobs/0000"))
+        self.assertEqual([c["frame"] for c in self.result(0)["checks"]], [1, 1, 2, 18, 20])
+
+    def test_a_killed_process_costs_its_job_alone(self):
+        self.write("slow.json", with_values(SLOW | {"time.duration": 0.5}))
+        process = self.start("sweep", "slow.json", "--vary", "seed=1,2", "-o", "sw/")
+        run = self.folder / "sw/jobs/0000/run.json"
+        deadline = time.monotonic() + 40
+        while not run.exists() and time.monotonic() < deadline:
+            time.sleep(0.01)
+        os.kill(self.runs("sw/jobs/0000")[0]["process"], signal.SIGKILL)
+        process.communicate(timeout=60)
+        self.assertEqual(process.returncode, 1)
+        self.assertIn("failed", self.status(1)[0])
+        self.assertIn("signal 9", self.status(1)[0])
+        self.good("sweep", "retry", "sw")
+        self.assertEqual(self.status(0), ["2 jobs: 2 done"])
+
+    def test_shared_work_is_done_once(self):
+        """A pre-roll, presteps and counts, and nothing that varies touches them."""
+        scene = with_values({"time.start": 0.5, "objects.dish.grayScott.presteps": 300}, DISH)
+        self.write("dish.json", scene)
+        vary = ("--vary", "camera.roll=0,10", "--vary", "render.exposure=0,1")
+        done = self.run_program("sweep", "dish.json", *vary, "-o", "sw/")
+        self.assertEqual(done.err.count("going on from the checkpoint of frame 0"), 4, done.err)
+        self.assertEqual(sorted(self.content("sw/shared")), ["checkpoint.000000"])
+        self.good("render", "dish.json", "-o", "alone/", "-D", "camera.roll=10", "-D", "render.exposure=0")
+        job, alone = self.content("sw/jobs/0002"), self.content("alone")
+        self.assertEqual({name: job[name] for name in alone}, alone)
+        # What varies is simulated.
+        self.run_program("sweep", "dish.json", *vary, "--vary", f"{FEED}=0.03,0.04", "-o", "other/", "--plan-only")
+        self.assertIsNone(json.loads((self.folder / "other/plan.json").read_text())["sharedFrame"])
+
+    def test_scratch(self):
+        (self.folder / "node").mkdir()
+        sweep = ("sweep", "dish.json", "--vary", f"{FEED}=0.03")
+        self.run_program(*sweep, "-o", "sw/", "--scratch", "$NODE/disk", env={"NODE": str(self.folder / "node")})
+        self.run_program(*sweep, "-o", "plain/")
+        self.assertEqual(self.content("sw/jobs/0000"), self.content("plain/jobs/0000"))
+        self.assertEqual(list((self.folder / "node/disk").iterdir()), [])
+        self.bad(2, "$NOWHERE is not set", *sweep, "-o", "sw2/", "--scratch", "$NOWHERE")
+
+    def test_a_thousand_jobs_are_planned_in_a_second(self):
+        begin = time.process_time(), os.times()
+        self.good("sweep", "dish.json", "--vary", f"{FEED}=0:0.0999:0.0001", "-o", "sw/", "--plan-only")
+        used = os.times().children_user - begin[1].children_user + os.times().children_system - begin[1].children_system
+        self.assertLess(used, 1)
+        self.assertEqual((self.folder / "sw/plan.json").read_text().count('{"job":'), 1000)
+
+    def test_mistakes(self):
+        vary = ("--vary", f"{FEED}=0.02,0.03")
+        for words, arguments in (
+                (["--vary", "first:last:step"], ("dish.json", "--vary", FEED, "-o", "sw/")),
+                (["nothing varies"], ("dish.json", "-o", "sw/")),
+                (["which scene"], (*vary, "-o", "sw/")),
+                (["-o folder"], ("dish.json", *vary)),
+                (["exclude each other"], ("dish.json", *vary, "-o", "sw/", "--zip", "--grid")),
+                (["--sample", "-D seed=3"], ("dish.json", *vary, "-o", "sw/", "--seed", "3")),
+                (["without a step", "--sample"], ("dish.json", "--vary", f"{FEED}=0:1", "-o", "sw/")),
+                (["--jobs"], ("dish.json", *vary, "-o", "sw/", "--jobs", "none")),
+                (["--sbatch", "not closed"], ("dish.json", *vary, "-o", "sw/", "--slurm", "--sbatch", "'x")),
+                (["holds no sweep"], ("status", "nowhere"))):
+            self.bad(2, words, "sweep", *arguments)
+        self.bad_scene([f"-D {FEED}=9: error"], "sweep", "dish.json", "--vary", f"{FEED}=0.02,9", "-o", "other/")
+        self.assertFalse((self.folder / "other").exists())
+        self.good("sweep", "dish.json", *vary, "-o", "sw/", "--plan-only")
+        self.bad(6, ["another sweep", "--overwrite"], "sweep", "dish.json", "--vary", f"{FEED}=0.02", "-o", "sw/")
+        self.bad(2, ["no job 2", "0 to 1"], "sweep", "job", "sw", "2")
+        self.bad(2, ["scontrol", "--plan-only"], "sweep", "retry", "sw", "--slurm", env={"PATH": "/nowhere"})
+        text = (self.folder / "sw/plan.json").read_text()
+        for wrong in ("", "{", text.replace('"version": 1', '"version": 7'), text.replace('"job":1', '"job":5')):
+            self.write("sw/plan.json", wrong)
+            self.bad(2, ["plan sw/plan.json cannot be read"], "sweep", "status", "sw")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,158 @@
+#!/usr/bin/env python3
+"""Sweeps and pieces on a real Slurm of three nodes, all on this machine (cluster.py).
+
+Skips with 77 where Slurm or munge are not installed; fails then where $SIMREEL_REQUIRE_SLURM is set.
+"""
+import os
+import pathlib
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "cli"))
+from cluster import Cluster, missing_programs  # noqa: E402
+from common import PROGRAM, SLOW, Case, with_values  # noqa: E402
+
+DISH = {"version": 1, "render": {"size": [64, 36], "samples": 1}, "time": {"fps": 30, "duration": 0.1},
+        "objects": {"dish": {"grayScott": {"size": [48, 48], "steps": 20}}}, "checks": [{"what": "no-nan"}]}
+# Drawing takes longer than all else: a piece of 25 frames about a second.
+FLAG = with_values(SLOW | {"render.size": [640, 360], "render.samples": 4, "time.duration": 5, "objects.flag.cloth.substeps": 16})
+
+
+def parent(pid):
+    return int(pathlib.Path(f"/proc/{pid}/stat").read_text().rpartition(")")[2].split()[1])
+
+
+class OnCluster(Case):
+    @classmethod
+    def setUpClass(cls):
+        cls.place = pathlib.Path(tempfile.mkdtemp(prefix="simreel-slurm-"))
+        cls.addClassCleanup(shutil.rmtree, cls.place, True)
+        cls.cluster = Cluster(cls.place, max_array=20)
+        cls.addClassCleanup(cls.cluster.stop)
+        cls.cluster.start()
+
+    def simreel(self, code, *arguments):
+        done = self.run_program(*arguments, env=self.cluster.environment | {"LP_NUM_THREADS": "1"})
+        self.assertEqual(done.returncode, code, done.err + done.stdout.decode())
+        return done.err + done.stdout.decode()
+
+    def queue(self, states=""):
+        """[job, node] of each that waits or runs."""
+        extra = ["-t", states] if states else []
+        return [line.split("|") for line in self.cluster.call("squeue", "-h", "-r", "-o", "%i|%N|%T|%j", *extra).splitlines()]
+
+    def start_waiting(self):
+        """Slurm lets what it has requeued wait for two minutes."""
+        for job, _, state, _ in self.queue("PENDING"):
+            reason = self.cluster.call("squeue", "-h", "-r", "-j", job, "-o", "%r").strip()
+            if reason == "BeginTime":
+                self.cluster.call("scontrol", "update", f"JobId={job}", "StartTime=now")
+
+    def wait_for(self, until, seconds=60):
+        end = time.monotonic() + seconds
+        while not until():
+            self.assertLess(time.monotonic(), end, self.cluster.call("squeue", "-r") + self.cluster.logs()[-3000:])
+            self.start_waiting()
+            time.sleep(0.2)
+
+    def logs(self, folder):
+        return "".join(f"{p.name}: {p.read_text()}" for p in sorted((self.folder / folder / "slurm").glob("*.log")))
+
+    def test_sweep_and_a_full_disk(self):
+        """24 jobs in two arrays; one node's own disk is full at first."""
+        self.write("dish.json", DISH)
+        small = self.place / "scratch/n2"
+        small.mkdir(parents=True)
+        full = os.getuid() == 0 and subprocess.run(["mount", "-t", "tmpfs", "-o", "size=8k", "none", str(small)]).returncode == 0
+        if full:
+            self.addCleanup(subprocess.run, ["umount", str(small)], capture_output=True)
+        sweep = ("sweep", "dish.json", "--vary", "objects.dish.grayScott.feed=0.02:0.055:0.005", "--vary",
+                 "objects.dish.grayScott.kill=0.055,0.06,0.065", "-o", "sweep/", "--slurm", "--scratch",
+                 f"{self.place}/scratch/$SLURMD_NODENAME")
+        self.assertIn("24 jobs submitted as ", self.simreel(0, *sweep))
+        self.wait_for(lambda: not self.queue())
+        if full:
+            told = self.simreel(1, "sweep", "status", "sweep")
+            self.assertIn("No space left on device", told)
+            self.assertRegex(told, r"24 jobs: \d+ done, \d+ failed")
+            subprocess.run(["umount", str(small)], check=True)
+            self.simreel(0, "sweep", "retry", "sweep", "--slurm")
+            self.wait_for(lambda: not self.queue())
+        self.assertEqual(self.simreel(0, "sweep", "status", "sweep"), "24 jobs: 24 done\n", self.logs("sweep"))
+        self.simreel(0, "sweep", "collect", "sweep")
+        table = (self.folder / "sweep/table.csv").read_text().splitlines()
+        self.assertEqual(len(table), 25)
+        for name in ("sheet.png", "index.html"):
+            self.assertTrue((self.folder / "sweep" / name).exists())
+        # Its job is the run that a user would make by hand.
+        self.good("render", "dish.json", "-o", "alone/", "-D", "objects.dish.grayScott.feed=0.03", "-D",
+                  "objects.dish.grayScott.kill=0.065")
+        job, alone = self.content("sweep/jobs/0008"), self.content("alone")
+        self.assertEqual({name: job[name] for name in alone}, alone)
+        self.assertEqual(sorted(set(job) - set(alone)), ["job.json", "result.json"])
+
+    def drawing(self):
+        """{piece: process} of those that are being drawn and have drawn a frame."""
+        folder = self.folder / "out/pieces"
+        found = {}
+        for process in pathlib.Path("/proc").glob("[0-9]*"):
+            try:
+                words = (process / "cmdline").read_text().split("\0")
+            except OSError:
+                continue
+            if words[1:4] == ["pieces", "draw", str(folder)] and list((folder / f"{int(words[4]):04}").glob("*.png")):
+                found[int(words[4])] = int(process.name)
+        return found
+
+    def catch_one(self, on=None):
+        """(piece, process, Slurm's job) of one that is being drawn, perhaps on a certain node."""
+        end = time.monotonic() + 60
+        while time.monotonic() < end:
+            for piece, process in self.drawing().items():
+                for job, node, _, name in self.queue("RUNNING"):
+                    if name == "simreel-draw" and job.endswith(f"_{piece}") and on in (None, node):
+                        return piece, process, job
+            time.sleep(0.01)
+            self.start_waiting()
+        self.fail(f"nothing is drawn on {on}: {self.queue()}")
+
+    def test_pieces_a_requeue_and_a_node_that_dies(self):
+        self.write("flag.json", FLAG)
+        self.good("render", "flag.json", "-o", "whole/", env={"LP_NUM_THREADS": "2"})
+        self.simreel(0, "render", "flag.json", "-o", "out/", "--pieces", "6", "--slurm")
+        # A node dies with what it does: Slurm finds out, and starts that elsewhere.
+        piece, process, job = self.catch_one("n3")
+        step = parent(process)
+        self.cluster.daemons["n3"].kill()
+        self.cluster.daemons.pop("n3").wait()
+        os.kill(step, signal.SIGKILL)
+        os.kill(process, signal.SIGKILL)
+        dead = piece
+        # A requeue: the program hears of it, and goes on from what it has left. One may just have ended.
+        checkpoint = None
+        for _ in range(4):
+            piece, process, job = self.catch_one()
+            self.cluster.call("scontrol", "requeue", job)
+            self.wait_for(lambda: not pathlib.Path(f"/proc/{process}").exists())
+            checkpoint = self.folder / f"out/pieces/{piece:04}/checkpoint"
+            if checkpoint.exists():
+                break
+        self.assertTrue(checkpoint.exists(), self.logs("out/pieces"))
+        self.wait_for(lambda: not self.queue(), 120)
+        self.assertTrue((self.folder / "out/manifest.json").exists(), self.logs("out/pieces"))
+        self.assertEqual(self.content("out"), self.content("whole"))
+        # Who was requeued and who was killed were two processes each; the killed one may have noted nothing.
+        self.assertNotEqual(piece, dead)
+        self.assertGreaterEqual(len(self.runs("out")), 7)
+
+
+if __name__ == "__main__":
+    if missing := missing_programs():
+        print("skipped: not installed:", *missing)
+        sys.exit(1 if os.environ.get("SIMREEL_REQUIRE_SLURM") else 77)
+    unittest.main(verbosity=2)
