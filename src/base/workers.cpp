@@ -1,5 +1,6 @@
 #include "base/workers.hpp"
 
+#include "base/clock.hpp"
 #include "base/error.hpp"
 #include "base/log.hpp"
 #include "base/process.hpp"
@@ -25,7 +26,7 @@ namespace simreel {
 
 namespace {
 
-constexpr int patience = 50;  ///< ms between looks for a signal, which may arrive just before a wait
+constexpr int glance = 50;  ///< ms between looks for a signal, which may arrive just before a wait
 
 enum class Word : std::uint32_t { ready, answer, mistake, failure };
 
@@ -63,13 +64,16 @@ struct Worker {
   bool ready = false;
   bool told = false;  ///< that it shall end
   std::optional<std::size_t> item;
+  Clock::time_point begin;  ///< of that item
+  bool late = false;
   std::string failure;  ///< what it said of its end
   std::optional<ExitCode> mistake;
 };
 
 class Employer {
  public:
-  explicit Employer(const WorkForce& force) : force_(force), begun_(force.items, false) {}
+  explicit Employer(const WorkForce& force)
+      : force_(force), begun_(force.items, false), losses_(force.items, 0) {}
   ~Employer() {
     // Left by an exception: nobody takes what they do.
     for (Worker& worker : workers_) {
@@ -90,6 +94,7 @@ class Employer {
       if (force_.interrupted() != 0) stopAll();
       handOut();
       listen();
+      endLate();
     }
     if (force_.interrupted() != 0) {
       while (!waiting_.empty()) handOn();  // with gaps between them
@@ -98,14 +103,11 @@ class Employer {
     if (!everReady_ && firstMistake_) throw UserError(*firstMistake_, firstFailure_);
     if (!everReady_) fail(ExitCode::device, "the process that was to do the work {}", firstFailure_);
     for (std::size_t item = 0; item < begun_.size(); ++item)
-      if (!begun_[item]) finish(item, Lost{"could not be started again: " + firstFailure_});
+      if (!begun_[item]) finish(item, Loss{"could not be started again: " + firstFailure_, false});
   }
 
  private:
-  struct Lost {
-    std::string how;
-  };
-  using End = std::variant<std::string, Lost>;
+  using End = std::variant<std::string, Loss>;
 
   /// The least number that no living worker has.
   [[nodiscard]] std::size_t freePlace() const {
@@ -136,7 +138,11 @@ class Employer {
     for (const int end : {work[0], answers[1]})
       if (end >= 0) ::close(end);
     if (process > 0) {
-      workers_.push_back({process, place, work[1], answers[0], {}, false, false, {}, {}, {}});
+      Worker& worker = workers_.emplace_back();
+      worker.process = process;
+      worker.place = place;
+      worker.work = work[1];
+      worker.answers = answers[0];
       return true;
     }
     for (const int end : {work[1], answers[0]})
@@ -203,26 +209,34 @@ class Employer {
       const bool all = std::find(begun_.begin(), begun_.end(), false) == begun_.end();
       if (all) closeWork(worker);
       if (!item) continue;
-      const std::uint64_t number = *item;
+      const Task task{*item, losses_[*item]};
       // One that is dead already is heard of below, and the item is still to be done.
-      if (!writeAll(worker.work, &number, sizeof number)) {
+      if (!writeAll(worker.work, &task, sizeof task)) {
         closeWork(worker);
         continue;
       }
       begun_[*item] = true;
       worker.item = item;
+      worker.begin = Clock::now();
     }
   }
 
   void listen() {
     std::vector<pollfd> lines;
     for (const Worker& worker : workers_) lines.push_back({worker.answers, POLLIN, 0});
-    if (::poll(lines.data(), lines.size(), patience) <= 0) return;
+    if (::poll(lines.data(), lines.size(), glance) <= 0) return;
     std::size_t at = 0;
     for (auto worker = workers_.begin(); at < lines.size(); ++at) {
       const auto here = worker++;
       if (lines[at].revents != 0 && !hear(*here)) buried(here);
     }
+  }
+
+  void endLate() {
+    if (force_.patience <= 0) return;
+    for (Worker& worker : workers_)
+      if (worker.item && secondsSince(worker.begin) > force_.patience && !std::exchange(worker.late, true))
+        ::kill(-worker.process, SIGKILL);
   }
 
   /// False at the end of the line.
@@ -277,7 +291,9 @@ class Employer {
     closeLines(worker);
     const int status = waitFor(worker);
     if (force_.interrupted() != 0) return;
-    if (worker.failure.empty())
+    if (worker.late)
+      worker.failure = fmt::format("took longer than {:g} s, and was ended", force_.patience);
+    else if (worker.failure.empty())
       worker.failure = WIFSIGNALED(status) ? fmt::format("was ended by signal {} ({})", WTERMSIG(status),
                                                          ::strsignal(WTERMSIG(status)))
                                            : fmt::format("ended with status {}", WEXITSTATUS(status));
@@ -287,9 +303,17 @@ class Employer {
       firstMistake_ = worker.mistake;
     }
     if (!worker.ready && everReady_) warn("one process less to work in: it {}", worker.failure);
-    if (worker.item) finish(*worker.item, Lost{worker.failure});
+    if (worker.item) lose(*worker.item, {worker.failure, worker.late});
     const bool more = std::find(begun_.begin(), begun_.end(), false) != begun_.end();
     if (worker.ready && !wellDone && more) static_cast<void>(start());
+  }
+
+  void lose(std::size_t item, Loss&& loss) {
+    ++losses_[item];
+    if (force_.again(item, loss))
+      begun_[item] = false;
+    else
+      finish(item, std::move(loss));
   }
 
   /// Answers come as they come, and are handed on in order.
@@ -302,8 +326,8 @@ class Employer {
   void handOn() {
     const auto first = waiting_.extract(waiting_.begin());
     handedOn_ = first.key() + 1;
-    if (const auto* lost = std::get_if<Lost>(&first.mapped()))
-      force_.lost(first.key(), lost->how);
+    if (const auto* loss = std::get_if<Loss>(&first.mapped()))
+      force_.lost(first.key(), *loss);
     else
       force_.done(first.key(), std::get<std::string>(first.mapped()));
   }
@@ -311,6 +335,7 @@ class Employer {
   const WorkForce& force_;
   std::list<Worker> workers_;
   std::vector<bool> begun_;
+  std::vector<int> losses_;
   std::map<std::size_t, End> waiting_;
   std::size_t handedOn_ = 0;
   bool everReady_ = false;
@@ -324,16 +349,16 @@ void WorkerLine::ready(std::string_view text) {
   send(out_, {Word::ready, 0, 0, 0}, text);
 }
 
-std::optional<std::size_t> WorkerLine::next() {
-  std::uint64_t item = 0;
+std::optional<Task> WorkerLine::next() {
+  Task task;
   std::size_t have = 0;
-  while (have < sizeof item) {
-    const ssize_t got = ::read(in_, reinterpret_cast<char*>(&item) + have, sizeof item - have);
+  while (have < sizeof task) {
+    const ssize_t got = ::read(in_, reinterpret_cast<char*>(&task) + have, sizeof task - have);
     if (got < 0 && errno == EINTR) continue;
     if (got <= 0) return std::nullopt;
     have += static_cast<std::size_t>(got);
   }
-  return item;
+  return task;
 }
 
 void WorkerLine::answer(std::size_t item, std::string_view text) {

@@ -7,6 +7,18 @@
 
 namespace simreel {
 
+/// A piece of work in a worker's hand.
+struct Task {
+  std::size_t item = 0;
+  int losses = 0;  ///< workers that ended with it in hand before
+};
+
+/// How a worker ended that had a piece of work in hand.
+struct Loss {
+  std::string how;    ///< "was ended by signal 9 (Killed)"
+  bool late = false;  ///< it took longer than WorkForce::patience
+};
+
 /// A worker's end of its line to the program that started it.
 class WorkerLine {
  public:
@@ -17,7 +29,7 @@ class WorkerLine {
   /// Once, before the first item: that it can work, and what the others have to know of it.
   void ready(std::string_view text);
   /// The next piece of work; nothing at the end of all.
-  [[nodiscard]] std::optional<std::size_t> next();
+  [[nodiscard]] std::optional<Task> next();
   void answer(std::size_t item, std::string_view text);
 
  private:
@@ -35,9 +47,12 @@ struct WorkForce {
   std::function<void(const std::string&)> ready;
   /// Called in the order of the items.
   std::function<void(std::size_t item, const std::string& answer)> done;
-  /// The same for an item whose worker ended before it answered, and how ("was ended by signal 9
-  /// (Killed)").
-  std::function<void(std::size_t item, const std::string& how)> lost;
+  /// The same for an item whose worker ended before it answered.
+  std::function<void(std::size_t item, const Loss&)> lost;
+  /// Asked at once where a worker ends: whether another one shall do that item. If not, it is lost.
+  std::function<bool(std::size_t item, const Loss&)> again;
+  /// Seconds that a worker may take for an item; it is killed then, with all that it has started. 0: any.
+  double patience = 0;
   /// Items that may not be done beside each other, nor out of order.
   std::function<bool(std::size_t item)> alone;
   /// Not 0: no more work is begun, workers get SIGTERM, and what they have finished is taken.

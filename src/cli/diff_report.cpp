@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -28,7 +29,9 @@ std::string verdict(const PairResult& result) {
 
 ordered_json metricsJson(const Metrics& m) {
   // JSON has no infinity, and null says that nothing was measured, too.
-  const auto measured = [&](double value) { return m.quick ? ordered_json(nullptr) : ordered_json(value); };
+  const auto measured = [](const std::optional<double>& value) {
+    return value ? ordered_json(*value) : ordered_json(nullptr);
+  };
   const ordered_json psnr = std::isfinite(m.psnr) ? ordered_json(m.psnr) : ordered_json(nullptr);
   return {{"worst", m.worst},
           {"worstX", m.worstX},
@@ -104,7 +107,8 @@ std::string pairText(const PairResult& result, const scene::Tolerance& tolerance
                         std::min(tolerance.windowSize, result.height), m.windowX, m.windowY);
   text += std::isfinite(m.psnr) ? fmt::format("\nPSNR            {:.3f} dB\n", m.psnr)
                                 : std::string("\nPSNR            infinite\n");
-  if (!m.quick) text += fmt::format("SSIM            {:.6f}\nFLIP mean       {:.6f}\n", m.ssim, m.flipMean);
+  if (m.ssim && m.flipMean)
+    text += fmt::format("SSIM            {:.6f}\nFLIP mean       {:.6f}\n", *m.ssim, *m.flipMean);
   return text + excusedText(m) + notesText(result) + verdict(result) + "\n";
 }
 
@@ -123,7 +127,7 @@ std::string pairLine(const golden::Pair& pair, const PairResult& result) {
     const Metrics& m = *result.metrics;
     line +=
         fmt::format(" [worst {:.4g} at x {}, y {}; PSNR {:.2f} dB", m.worst, m.worstX, m.worstY, m.psnr);
-    line += m.quick ? "]" : fmt::format("; SSIM {:.5f}; FLIP {:.5f}]", m.ssim, m.flipMean);
+    line += m.ssim && m.flipMean ? fmt::format("; SSIM {:.5f}; FLIP {:.5f}]", *m.ssim, *m.flipMean) : "]";
   }
   return line + "\n" + notesText(result, pair.name);
 }

@@ -46,11 +46,10 @@ struct Metrics {
   long pixelsBeyond = 0;       ///< with a channel further apart than maxChannelDiff
   double ratioBeyond = 0;      ///< pixelsBeyond / pixels
   double windowRatio = 0;      ///< fraction of pixelsBeyond in the densest window
-  int windowX = 0, windowY = 0;  ///< its top left corner
-  double psnr = 0;               ///< dB over R, G and B; infinite when equal (null in JSON)
-  double ssim = 1;
-  double flipMean = 0;
-  bool quick = false;  ///< SSIM and FLIP were not measured: they are as of equal pictures
+  int windowX = 0, windowY = 0;    ///< its top left corner
+  double psnr = 0;                 ///< dB over R, G and B; infinite when equal (null in JSON)
+  std::optional<double> ssim = 1;  ///< nothing: not measured (null in JSON), as is
+  std::optional<double> flipMean = 0;
   /// Pixels that do not count: inside masks, of smoothed edges, found nearby.
   long maskedPixels = 0, antialiasedPixels = 0, movedPixels = 0;
   bool operator==(const Metrics&) const = default;

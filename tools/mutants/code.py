@@ -6,7 +6,7 @@ import dataclasses
 class Code:
     folders: tuple  # below glsl
     others: bool    # all folders but these
-    tests: tuple    # arguments of test_gpu, of each group of tests; the first is asked before all scenes were
+    tests: tuple    # of drawing: arguments of test_gpu, of each group of tests; the first is asked before all scenes were
     bar: float      # of the mutants that have to be caught
 
     def has(self, file):
@@ -16,7 +16,7 @@ class Code:
 KNOWN = {
     "drawing": Code(("draw/",), False, (("--source-file=*gpu/draw/exact/*",),
                                         ("--source-file=*gpu/draw/*", "--source-file-exclude=*gpu/draw/exact/*")), 0.95),
-    "simulations": Code(("draw/", "probe/"), True, (("--source-file=*gpu/sim/*",),), 0.90),
+    "simulations": Code(("draw/", "probe/"), True, (), 0.90),
 }
 chosen = KNOWN["drawing"]
 

@@ -240,4 +240,11 @@ EQUIVALENT = {
     ("draw/overlay/chart_shading.glsl",
      "if (zero > 0.0f && p.x > 0.0f && p.x <= plotSize.x) sum = covered(sum, vec3(1.0f), zeroAlpha);"):
         "the plot's sides are whole, middles of pixels are not",
+    # Of simulations:
+    ("fluid/solver/decide.comp", "float each = exactReciprocal(max(speed, 0.0));"):
+        "of a speed of 1e-20 and less the share is 0, whatever this is",
+    ("water/float_motion.glsl", "int y = int(floor(clamp(row, -30000.0f, 60600.0f))) - reach;"):
+        "water has 16,384 rows at most: either is beyond them",
+    ("cloth/motion.glsl", "return max(distance, speed) >= 0x501502f9;"):
+        "one number of all, 1e10 to the last bit, and what moves does not stay there",
 }

@@ -47,9 +47,9 @@ def interrupted(number, _frame):
     os._exit(128 + number)
 
 
-def run(command, timeout, **options):
+def run(command, timeout, stderr=subprocess.DEVNULL, **options):
     """Ends with all its children where it takes longer. Returns (exit code or None then, stdout)."""
-    with subprocess.Popen(list(map(str, command)), stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True, errors="replace",
+    with subprocess.Popen(list(map(str, command)), stdout=subprocess.PIPE, stderr=stderr, text=True, errors="replace",
                           preexec_fn=dies_with_us, **options) as process:  # pylint: disable=subprocess-popen-preexec-fn
         try:
             words = process.communicate(timeout=timeout)[0]

@@ -69,8 +69,8 @@ void checkOptions(const TestOptions& o) {
   if (!o.shard.empty() && o.updateMode() == golden::Update::prune)
     fail(ExitCode::usage,
          "--update=prune has to know all pictures, and --shard leaves some out; give one of them");
-  if (!o.profile.empty() || !o.reason.empty() || o.retries > 0)
-    fail(ExitCode::usage, "--profile, --reason and --retries are for scenes, not for pictures");
+  if (!o.profile.empty() || !o.reason.empty() || o.retries > 0 || o.timeout > 0)
+    fail(ExitCode::usage, "--profile, --reason, --retries and --timeout are for scenes, not for pictures");
   std::error_code unknown;
   if (!fs::is_directory(o.expected, unknown) && o.updateMode() != golden::Update::all &&
       o.updateMode() != golden::Update::missing)
@@ -115,6 +115,7 @@ class PictureRun {
     options_.expected = o.expected;
     options_.rules = rulesOf(o);
     options_.update = o.updateMode();
+    options_.measures = o.measures();
     options_.reportFolder = o.outputs.folder();
     options_.artifacts = o.outputs.artifacts();
     command_.text = o.run;

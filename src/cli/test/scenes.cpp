@@ -25,6 +25,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -75,6 +76,7 @@ class SceneRun {
     options_.repeats = o.repeat;
     options_.retries = o.retries;
     options_.allowFlaky = o.allowFlaky;
+    options_.measures = o.measures();
     options_.update = o.updateMode();
     options_.reason = o.reason;
     options_.profile = o.profile;
@@ -103,9 +105,10 @@ class SceneRun {
     result_.allowFlaky = o_.allowFlaky;
     result_.strict = o_.strict;
     jobs_ = std::min(jobs_, scenes_.size());
-    if (jobs_ == 1)
+    // Only a process can be ended in the middle of a scene.
+    if (jobs_ == 1 && o_.timeout == 0)
       testHere();
-    else if (jobs_ > 1)
+    else if (jobs_ > 0)
       testBeside();
     addOrphans();
     if (o_.strict && std::any_of(result_.stale.begin(), result_.stale.end(),
@@ -162,19 +165,24 @@ class SceneRun {
     force.done = [this](std::size_t item, const std::string& text) {
       golden::Outcome outcome = golden::parseOutcome(text);
       nameScene(scenes_[item], outcome.scene);  // what JSON does not hold: bytes that are no UTF-8
+      golden::addLosses(losses_[item], outcome);
       take(std::move(outcome));
     };
-    force.lost = [this](std::size_t item, const std::string& how) {
+    force.again = [this](std::size_t item, const Loss& loss) {
+      if (static_cast<int>(losses_[item].size()) >= options_.retries) return false;
+      losses_[item].push_back(lossText(item, loss));
+      return true;
+    };
+    force.lost = [this](std::size_t item, const Loss& loss) {
       golden::Outcome outcome;
       nameScene(scenes_[item], outcome.scene);
       outcome.scene.status = golden::Status::error;
-      outcome.scene.messages.push_back(fmt::format(
-          "the process that tested it {}: out of memory, or a crash of the driver? Run it alone: simreel "
-          "test {}",
-          how, outcome.scene.file));
+      outcome.scene.messages.push_back(lossText(item, loss));
       outcome.error = ExitCode::device;
+      golden::addLosses(losses_[item], outcome);
       take(std::move(outcome));
     };
+    force.patience = o_.timeout;
     // A renamed scene takes its baseline from those that have no scene: the first in order has to get it.
     const bool mayMove = options_.update != golden::Update::none && !options_.orphans.empty();
     force.alone = [this, mayMove](std::size_t item) {
@@ -183,6 +191,12 @@ class SceneRun {
     force.interrupted = [] { return frame::interruptSignal(); };
     employ(force);
     signal_ = frame::interruptSignal();
+  }
+
+  [[nodiscard]] std::string lossText(std::size_t item, const Loss& loss) const {
+    return fmt::format("the process that tested it {}{} Run it alone: simreel test {}", loss.how,
+                       loss.late ? " (--timeout)." : ": out of memory, or a crash of the driver?",
+                       scenes_[item].file.generic_string());
   }
 
   static void nameScene(const golden::SceneFile& scene, golden::SceneResult& result) {
@@ -197,8 +211,10 @@ class SceneRun {
     golden::SuiteResult about;
     setEnvironment(device, about);
     line.ready(golden::reportText(about));
-    while (const auto item = line.next())
-      line.answer(*item, golden::outcomeText(golden::testScene(scenes_[*item], options_, device)));
+    while (const auto task = line.next()) {
+      const auto outcome = golden::testScene(scenes_[task->item], options_, device, task->losses);
+      line.answer(task->item, golden::outcomeText(outcome));
+    }
   }
 
   void take(golden::Outcome&& outcome) {
@@ -239,6 +255,7 @@ class SceneRun {
   golden::SuiteOptions options_;
   std::size_t jobs_ = 1;
   std::vector<golden::SceneFile> scenes_;
+  std::map<std::size_t, std::vector<std::string>> losses_;  ///< of scenes that were done again
   golden::Tally tally_;
   golden::SuiteResult result_;
   int signal_ = 0;

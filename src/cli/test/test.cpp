@@ -36,6 +36,14 @@ void addPictures(CLI::App& command, TestOptions& o) {
 
 }  // namespace
 
+golden::Measures TestOptions::measures() const {
+  if (!quick) return golden::Measures::all;
+  if (tolerance.given().contains("maxFlipMean"))
+    fail(ExitCode::usage,
+         "--max-flip-mean is a bound on FLIP, which --quick does not measure; give one of them");
+  return golden::Measures::quick;
+}
+
 golden::Update TestOptions::updateMode() const {
   if (!updateGiven) {
     if (!reason.empty()) fail(ExitCode::usage, "--reason is kept in baselines; give it with --update");
@@ -62,8 +70,18 @@ void addTest(CLI::App& app) {
   command->add_option("--repeat", o->repeat, "Runs of each scene, which have to agree")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
-  command->add_option("--retries", o->retries, "Further tries of a scene that fails; passing then is flaky")
+  command
+      ->add_option("--retries", o->retries,
+                   "Further tries of a scene that fails, or whose process ends; passing then is flaky")
       ->check(CLI::Range(0, 100));
+  command
+      ->add_option(
+          "--timeout", o->timeout,
+          "Seconds that a process may take for a scene; it is ended then, and the scene is an error "
+          "(default: any)")
+      ->check(CLI::Range(0.1, 1e6));
+  command->add_flag("--quick", o->quick,
+                    "Without SSIM and FLIP, which take most of the time, where no bound is on them");
   command->add_flag("--allow-flaky", o->allowFlaky, "Flaky scenes do not fail the run");
   o->outputs.add(*command);
   command

@@ -3,6 +3,7 @@
 #include "cli/test/outputs.hpp"
 #include "cli/tolerance_options.hpp"
 #include "gl/context.hpp"
+#include "golden/compare/compare.hpp"
 #include "golden/update.hpp"
 
 #include <string>
@@ -18,6 +19,8 @@ struct TestOptions {
   std::string jobs = "1";
   int repeat = 2;
   int retries = 0;
+  double timeout = 0;
+  bool quick = false;
   bool allowFlaky = false;
   bool strict = false;
   TestOutputs outputs;
@@ -33,6 +36,8 @@ struct TestOptions {
   std::string command;  ///< as typed
 
   [[nodiscard]] golden::Update updateMode() const;
+  /// Throws UserError(usage).
+  [[nodiscard]] golden::Measures measures() const;
 };
 
 /// `simreel test SCENES`.

@@ -44,6 +44,7 @@ class InstancesPass {
 
   /// Of drawables.instances[i], for tests.
   [[nodiscard]] const VisibleList& visible(std::size_t i) const { return *entries_.at(i).forCamera; }
+  [[nodiscard]] const VisibleList& visibleToSun(std::size_t i) const { return *entries_.at(i).forLight; }
 
  private:
   /// Who sees the instances.

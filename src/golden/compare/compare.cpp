@@ -115,8 +115,8 @@ void measureLook(const frame::Image& a, const frame::Image& b, Measures measures
   if (a.bytes == b.bytes) return;
   metrics.psnr = std::min(metrics.psnr, psnr(a, b));
   if (measures == Measures::quick) return;
-  metrics.ssim = std::min(metrics.ssim, ssim(a, b));
-  metrics.flipMean = std::max(metrics.flipMean, flipMean(a, b));
+  metrics.ssim = std::min(metrics.ssim.value_or(1), ssim(a, b));
+  metrics.flipMean = std::max(metrics.flipMean.value_or(0), flipMean(a, b));
 }
 
 /// compareRow(y, marks) finds what differs in a row and marks pixels beyond the tolerance.
@@ -126,7 +126,7 @@ Metrics measureRows(const frame::Image& a, const frame::Image& b, const scene::T
   const std::size_t width = std::size_t(a.width);
   Metrics metrics;
   metrics.psnr = std::numeric_limits<double>::infinity();
-  metrics.quick = measures == Measures::quick;
+  if (measures == Measures::quick) metrics.ssim = metrics.flipMean = std::nullopt;
   std::vector<RowDifference> rows(std::size_t(a.height));
   std::vector<std::uint8_t> beyond(width * std::size_t(a.height), 0);
   forEachBand(a.height, [&](int first, int last) {
@@ -203,9 +203,10 @@ std::vector<std::string> brokenBounds(const Metrics& metrics, const scene::Toler
                                  percent(metrics.windowRatio), std::min(tolerance.windowSize, width),
                                  std::min(tolerance.windowSize, height), metrics.windowX, metrics.windowY,
                                  apart, *tolerance.maxWindowRatio));
-  if (tolerance.maxFlipMean && metrics.flipMean > *tolerance.maxFlipMean)
-    broken.push_back(fmt::format("the mean FLIP error is {:.4g} (maxFlipMean is {})", metrics.flipMean,
-                                 *tolerance.maxFlipMean));
+  if (const double flip = metrics.flipMean.value_or(0);
+      tolerance.maxFlipMean && flip > *tolerance.maxFlipMean)
+    broken.push_back(
+        fmt::format("the mean FLIP error is {:.4g} (maxFlipMean is {})", flip, *tolerance.maxFlipMean));
   return broken;
 }
 
@@ -219,9 +220,9 @@ std::vector<std::string> brokenNearness(const Metrics& metrics, int width, int h
   if (ratio > nearRatio)
     broken.push_back(fmt::format("{} of the pixels differ (on another machine {} at most)", percent(ratio),
                                  percent(nearRatio)));
-  if (metrics.flipMean > nearFlipMean)
-    broken.push_back(fmt::format("the mean FLIP error is {:.4g} (on another machine {} at most)",
-                                 metrics.flipMean, nearFlipMean));
+  if (const double flip = metrics.flipMean.value_or(0); flip > nearFlipMean)
+    broken.push_back(
+        fmt::format("the mean FLIP error is {:.4g} (on another machine {} at most)", flip, nearFlipMean));
   return broken;
 }
 

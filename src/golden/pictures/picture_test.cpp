@@ -119,7 +119,8 @@ class PictureTest {
                     wider.begin() + std::ptrdiff_t{y} * width);
       allowance.mask = std::move(wider);
     }
-    made_ = compare(expected_->picture, actual_->picture, terms_.tolerance, allowance);
+    made_ = compare(expected_->picture, actual_->picture, terms_.tolerance, allowance,
+                    terms_.tolerance.maxFlipMean ? Measures::all : options_.measures);
     if (!made_->colours.empty()) result_.notes.push_back(made_->colours);
     if (!case_.renamedFrom.empty()) return;
     const auto broken = brokenBounds(made_->metrics, terms_.tolerance, made_->a.width, made_->a.height);
@@ -188,7 +189,7 @@ class PictureTest {
     if (actual_) frame_.actualImage = show("actual", *actual_, case_.actual);
     if (made_ && (frame_.metrics || !made_->sizes.empty())) {
       frame_.differenceImage = write("difference.png", differenceImage(*made_));
-      if (made_->metrics.flipMean > 0) frame_.flipImage = write("flip.png", flipImage(*made_));
+      if (made_->metrics.flipMean.value_or(0) > 0) frame_.flipImage = write("flip.png", flipImage(*made_));
     }
     if (!actual_ || !result_.xfail.empty()) return;
     const std::string kept = "candidate/" + fs::path(case_.name).filename().string();

@@ -1,4 +1,5 @@
 #pragma once
+#include "golden/compare/compare.hpp"
 #include "golden/pictures/picture_set.hpp"
 #include "golden/pictures/rules.hpp"
 #include "golden/result.hpp"
@@ -16,6 +17,7 @@ struct PictureOptions {
   std::filesystem::path expected;  ///< folder of the baselines
   std::vector<Rule> rules;
   Update update = Update::none;
+  Measures measures = Measures::all;   ///< quick: SSIM and FLIP only where a bound needs them
   std::filesystem::path reportFolder;  ///< of report.json; image paths are relative to it
   std::filesystem::path artifacts;     ///< pictures of failures go below it; empty: nowhere
 };

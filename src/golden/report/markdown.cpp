@@ -47,8 +47,8 @@ std::string failureRow(const SuiteResult& suite, const SceneResult& scene) {
     if (f->metrics) {
       worst = fmt::format("{:.4g}", f->metrics->worst);
       beyond = fmt::format("{} ({:.2f}%)", f->metrics->pixelsBeyond, 100 * f->metrics->ratioBeyond);
-      ssim = fmt::format("{:.4f}", f->metrics->ssim);
-      flip = fmt::format("{:.4f}", f->metrics->flipMean);
+      if (f->metrics->ssim) ssim = fmt::format("{:.4f}", *f->metrics->ssim);
+      if (f->metrics->flipMean) flip = fmt::format("{:.4f}", *f->metrics->flipMean);
     }
   }
   if (suite.unit == "picture")

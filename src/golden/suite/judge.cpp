@@ -68,12 +68,14 @@ struct Nearest {
 
 /// The baseline or alternate that breaks the fewest bounds; among equals the one with the fewest pixels
 /// beyond, then with the fewest that differ.
-Nearest nearest(const RunFrame& made, const Reference& reference, const PictureBaseline::Frame& stored) {
+Nearest nearest(const RunFrame& made, const Reference& reference, const PictureBaseline::Frame& stored,
+                Measures measures) {
   const bool near = asked(stored.origin, reference.here) == Asked::near;
+  if (near || reference.tolerance.maxFlipMean) measures = Measures::all;
   std::optional<Nearest> best;
   for (int i = 0; i <= static_cast<int>(stored.alternates.size()); ++i) {
     const auto picture = referencePicture(reference, made.frame, i);
-    const auto metrics = measure(made.image, picture, reference.tolerance);
+    const auto metrics = measure(made.image, picture, reference.tolerance, measures);
     auto broken = brokenBounds(metrics, reference.tolerance, picture.width, picture.height);
     if (near)
       for (std::string& clause : brokenNearness(metrics, picture.width, picture.height))
@@ -102,7 +104,7 @@ std::string unequal(const Metrics& metrics, const Origin& there, const Origin& h
 }
 
 /// Whether the picture fails.
-bool judgePixels(const RunFrame& made, const Reference& reference, FrameResult& result) {
+bool judgePixels(const RunFrame& made, const Reference& reference, Measures measures, FrameResult& result) {
   const PictureBaseline::Frame* stored = find(reference, made.frame);
   if (stored == nullptr) {
     addMessage(result, Status::missing, "no baseline picture");
@@ -128,7 +130,7 @@ bool judgePixels(const RunFrame& made, const Reference& reference, FrameResult& 
       static_cast<void>(referencePicture(reference, made.frame, i));
     return false;
   }
-  Nearest found = nearest(made, reference, *stored);
+  Nearest found = nearest(made, reference, *stored, measures);
   result.alternate = found.alternate;
   result.metrics = found.metrics;
   if (asked(stored->origin, reference.here) <= Asked::equal) {
@@ -154,7 +156,7 @@ Reference findReference(const fs::path& folder, const std::string& ownProfile, b
   return reference;
 }
 
-Judgement judgeFrame(const RunFrame& made, const Reference& reference) {
+Judgement judgeFrame(const RunFrame& made, const Reference& reference, Measures measures) {
   Judgement judged;
   FrameResult& result = judged.frame;
   result.frame = made.frame;
@@ -165,7 +167,7 @@ Judgement judgeFrame(const RunFrame& made, const Reference& reference) {
   const bool sameNumerics = stored == nullptr || stored->origin.numerics == reference.here.numerics;
   judgeState(made, reference, sameNumerics, result);
   try {
-    judged.pictureFails = judgePixels(made, reference, result);
+    judged.pictureFails = judgePixels(made, reference, measures, result);
   } catch (const UserError& error) {
     judged.pictureFails = judged.damaged = true;
     addMessage(result, Status::fail, error.what());
@@ -240,7 +242,7 @@ std::vector<std::string> looseBounds(const std::vector<FrameResult>& frames,
     raise("maxDiffPixels", static_cast<double>(m.pixelsBeyond));
     raise("maxDiffRatio", m.ratioBeyond);
     raise("maxWindowRatio", m.windowRatio);
-    raise("maxFlipMean", m.flipMean);
+    raise("maxFlipMean", m.flipMean.value_or(0));
     raise("hardFail", m.worst);
   }
   constexpr double muchLooser = 10;

@@ -1,5 +1,6 @@
 #pragma once
 #include "golden/baseline/baseline.hpp"
+#include "golden/compare/compare.hpp"
 #include "golden/result.hpp"
 #include "golden/suite/scene_run.hpp"
 #include "golden/trace/passes.hpp"
@@ -38,8 +39,10 @@ struct Judgement {
 /// baseline; on another one with its fingerprints it has to be near (brokenNearness), and everywhere every
 /// bound of the tolerance must hold. Alternates count as the baseline does. Fills the metrics of pictures
 /// that differ; the image paths stay empty. Pictures of the baseline are read, and have to be those that
-/// are listed, where the hashes are equal, too.
-[[nodiscard]] Judgement judgeFrame(const RunFrame& made, const Reference& reference);
+/// are listed, where the hashes are equal, too. Quick measures are without SSIM and FLIP, but for the FLIP
+/// that a verdict needs.
+[[nodiscard]] Judgement judgeFrame(const RunFrame& made, const Reference& reference,
+                                   Measures measures = Measures::all);
 
 /// The picture that judgeFrame compared with: number as in FrameResult::alternate. Throws
 /// UserError(inputOutput).

@@ -167,7 +167,7 @@ void SceneTest::repeat() {
 
 void SceneTest::judge() {
   for (const RunFrame& made : run_.frames) {
-    auto [frame, pictureFails, damaged] = judgeFrame(made, reference_);
+    auto [frame, pictureFails, damaged] = judgeFrame(made, reference_, options_.measures);
     damaged_ = damaged_ || damaged;
     if (pictureFails) failedPictures_.insert(frame.frame);
     if (!frame.message.empty()) frame.message = fmt::format("frame {}: {}", frame.frame, frame.message);

@@ -77,37 +77,51 @@ void applyExpectation(Outcome& made) {
   }
 }
 
+/// A pass after a failure.
+void makeFlaky(const Attempt& first, int attempt, SceneResult& result) {
+  result.status = Status::flaky;
+  result.messages.push_back(
+      fmt::format("passed on try {}; before that: {}", attempt,
+                  first.messages.empty() ? statusName(first.status) : first.messages.front()));
+}
+
 }  // namespace
 
-Outcome testScene(const SceneFile& scene, const SuiteOptions& options, const Device& device) {
+Outcome testScene(const SceneFile& scene, const SuiteOptions& options, const Device& device, int losses) {
   const auto begin = Clock::now();
   std::vector<Attempt> attempts;
   std::vector<std::vector<FrameResult>> earlier;  // frames of those attempts
-  Outcome made = tryScene(scene, options, device, 1);
+  int attempt = losses + 1;
+  Outcome made = tryScene(scene, options, device, attempt);
   bool everHardFailed = made.hardFailed;
-  while (made.scene.xfail.empty() && mayPassOnRetry(made.scene.status) &&
-         static_cast<int>(attempts.size()) < options.retries) {
+  while (made.scene.xfail.empty() && mayPassOnRetry(made.scene.status) && attempt <= options.retries) {
     attempts.push_back({made.scene.status, made.scene.messages});
     earlier.push_back(std::move(made.scene.frames));
-    made = tryScene(scene, options, device, static_cast<int>(attempts.size()) + 1);
+    made = tryScene(scene, options, device, ++attempt);
     everHardFailed = everHardFailed || made.hardFailed;
   }
   SceneResult& result = made.scene;
-  if (!attempts.empty() && result.status == Status::pass) {
-    result.status = Status::flaky;
-    result.messages.push_back(fmt::format("passed on try {}; before that: {}", attempts.size() + 1,
-                                          attempts.front().messages.empty()
-                                              ? statusName(attempts.front().status)
-                                              : attempts.front().messages.front()));
-  }
+  if (!attempts.empty() && result.status == Status::pass) makeFlaky(attempts.front(), attempt, result);
   result.attempts = std::move(attempts);
   for (std::size_t i = 0; i < earlier.size(); ++i)
-    addEarlier(earlier[i], fmt::format("attempt {}", i + 1), result);
+    addEarlier(earlier[i], fmt::format("attempt {}", std::size_t(losses) + i + 1), result);
   applyExpectation(made);
   if (isFailure(result.status, false)) result.blame = blameOf(result);
   made.hardFailed = everHardFailed;
   result.seconds = secondsSince(begin);
   return made;
+}
+
+void addLosses(const std::vector<std::string>& losses, Outcome& made) {
+  if (losses.empty()) return;
+  SceneResult& result = made.scene;
+  std::vector<Attempt> attempts;
+  for (const std::string& loss : losses) attempts.push_back({Status::error, {loss}});
+  if (result.status == Status::pass) {
+    makeFlaky(attempts.front(), static_cast<int>(losses.size()) + 1, result);
+    result.blame = blameOf(result);
+  }
+  result.attempts.insert(result.attempts.begin(), attempts.begin(), attempts.end());
 }
 
 }  // namespace simreel::golden

@@ -1,6 +1,7 @@
 #pragma once
 #include "base/error.hpp"
 #include "golden/baseline/baseline.hpp"
+#include "golden/compare/compare.hpp"
 #include "golden/result.hpp"
 #include "golden/suite/scene_run.hpp"
 #include "golden/suite/scene_set.hpp"
@@ -17,6 +18,7 @@ struct SuiteOptions {
   int repeats = 2;  ///< runs of each scene, which have to agree
   int retries = 0;  ///< further tries of a scene that fails
   bool allowFlaky = false;
+  Measures measures = Measures::all;  ///< quick: SSIM and FLIP only where a verdict needs them
   Update update = Update::none;
   std::string reason;                          ///< kept in baselines that are written
   std::string profile;                         ///< instead of the driver's own; empty: that
@@ -35,7 +37,12 @@ struct Device {
 };
 
 /// Runs a scene on the current context, compares and, where asked, updates. A mistake in the scene or its
-/// baseline, or a lost device, is the scene's result; only Interrupted leaves.
-[[nodiscard]] Outcome testScene(const SceneFile& scene, const SuiteOptions& options, const Device& device);
+/// baseline, or a lost device, is the scene's result; only Interrupted leaves. `losses`: processes that
+/// ended with this scene in hand before, each of which was a try.
+[[nodiscard]] Outcome testScene(const SceneFile& scene, const SuiteOptions& options, const Device& device,
+                                int losses = 0);
+
+/// Puts tries whose processes ended, with what each said of it, before those of a scene that was then done.
+void addLosses(const std::vector<std::string>& losses, Outcome& made);
 
 }  // namespace simreel::golden

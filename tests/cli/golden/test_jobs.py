@@ -113,6 +113,34 @@ class Jobs(Several):
         self.assertIn("was ended by signal 9", report["scenes"][1]["messages"][0])
         self.assertIn("simreel test scenes/b.json", report["scenes"][1]["messages"][0])
 
+    def test_a_scene_whose_worker_was_killed_is_tried_again(self):
+        self.make_baselines()
+        self.write("scenes/b.json", LONG)
+        process = self.start("test", "scenes", "--jobs", "2", "--report", "r", "--repeat", "1", "--retries", "1")
+        self.wait_for(lambda: len(self.workers_of(process)) == 2)
+        first = self.wait_for(lambda: (found := self.workers_of(process)) and len(found) == 1 and found)
+        # By the second try it is a scene that passes.
+        self.set_scene({}, "b")
+        os.kill(first[0], signal.SIGKILL)
+        process.communicate(timeout=60)
+        self.assertEqual(process.returncode, 1)
+        report = json.loads((self.folder / "r/report.json").read_text(encoding="utf-8"))
+        self.assertEqual([s["status"] for s in report["scenes"]], ["pass", "flaky", "pass", "pass"])
+        tried = report["scenes"][1]
+        self.assertEqual([attempt["status"] for attempt in tried["attempts"]], ["error"])
+        self.assertIn("was ended by signal 9", tried["attempts"][0]["messages"][0])
+        self.assertRegex(tried["messages"][0], "^passed on try 2; before that: .*signal 9")
+
+    def test_a_scene_that_takes_too_long_is_ended(self):
+        self.make_baselines()
+        self.write("scenes/b.json", LONG)
+        done = self.run_program("test", "scenes", "--report", "r", "--repeat", "1", "--timeout", "5")
+        self.assertEqual(done.returncode, 4, done.err)
+        report = json.loads((self.folder / "r/report.json").read_text(encoding="utf-8"))
+        self.assertEqual([s["status"] for s in report["scenes"]], ["pass", "error", "pass", "pass"])
+        self.assertEqual(report["scenes"][1]["messages"], ["the process that tested it took longer than 5 s, and was ended "
+                                                           "(--timeout). Run it alone: simreel test scenes/b.json"])
+
     def test_an_interrupt_keeps_what_is_done(self):
         self.make_baselines()
         self.write("scenes/a.json", LONG)
@@ -142,6 +170,8 @@ class Jobs(Several):
         for jobs in ("0", "-1", "257", "two", "1.5", "1e9", " 1"):
             self.bad(2, "--jobs takes a number from 1 to 256, or auto", "test", "scenes", f"--jobs={jobs}")
         self.bad(4, "--device", "test", "scenes", "--jobs", "2", "--device", "nobody's")
+        self.bad(2, "--timeout", "test", "scenes", "--timeout", "0")
+        self.bad(2, "--timeout", "test", "--expected", "scenes", "--actual", "scenes/golden", "--timeout", "9")
 
     def test_commands_run_at_once(self):
         """Each waits for the other."""

@@ -287,6 +287,16 @@ class Allowances(PicturesCase):
             self.write("rules.json", text)
             self.usage([words], "--expected", "expected", "--actual", "actual", "--rules", "rules.json")
 
+    def test_quick_measures_what_bounds_need(self):
+        self.both("a.png", picture(), changed({(3, 4): (0, 0, 0)}))
+        whole, quick = (self.suite(1, *flags)[0]["a.png"]["frames"][0] for flags in ((), ("--quick",)))
+        self.assertEqual(quick["metrics"], {**whole["metrics"], "ssim": None, "flipMean": None})
+        self.assertEqual(quick["flipImage"], "")
+        self.write("rules.json", {"tolerance": {"maxFlipMean": 1e-9}})
+        bound = self.suite(1, "--rules", "rules.json", "--quick")[0]["a.png"]["frames"][0]
+        self.assertEqual(bound["metrics"]["flipMean"], whole["metrics"]["flipMean"])
+        self.usage(["--max-flip-mean", "--quick"], "--expected", "expected", "--actual", "actual", "--quick", "--max-flip-mean", "0.1")
+
     def test_masks(self):
         self.both("a.png", picture(), changed({(3, 4): (255, 255, 255)}))
         self.write("mask.png", picture(lambda x, y: ((255,) if (x, y) == (3, 4) else (0,)), kind=0))

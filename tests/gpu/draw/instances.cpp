@@ -1,9 +1,5 @@
 // Instances: which are drawn, in which order, where, in which colours.
-#include "draw/camera.hpp"
-#include "draw/frame_values.hpp"
-#include "draw/instances/instances_pass.hpp"
-#include "draw/screen/targets.hpp"
-#include "gpu/draw/instance_stage.hpp"
+#include "gpu/draw/pass_stage.hpp"
 #include "gpu/gl_calls.hpp"
 
 #include <algorithm>
@@ -53,32 +49,6 @@ Sight inSight(const glm::mat4& matrix, glm::vec4 place, double radius) {
       if (distance < -radius + 1e-4) sight = Sight::edge;
     }
   return sight;
-}
-
-/// A pass by itself, with the frame's values bound.
-struct PassStage {
-  PassStage(const scene::Scene& scene, glm::ivec2 size)
-      : values(draw::frameValues(scene, size, 0, {})),
-        buffer("frame values", sizeof values),
-        targets(size, 1),
-        lamps(scene),
-        shadow(scene.sun),
-        pass(shadow, lamps, targets.scene, size, 1) {
-    buffer.write(0, std::as_bytes(std::span(&values, 1)));
-    buffer.bindUniform(0, 0, sizeof values);
-  }
-  shader::Frame values;
-  gl::Buffer buffer;
-  draw::Targets targets;
-  draw::Lamps lamps;
-  draw::ShadowPass shadow;
-  draw::InstancesPass pass;
-};
-
-scene::Scene plainScene() {
-  scene::Scene scene = darkScene();
-  scene.sun.shadow = false;
-  return scene;
 }
 
 long callsOfFrame(int count) {

@@ -3,7 +3,10 @@
 #include "gpu/draw/skin_stage.hpp"
 #include "sim/mesh/shapes.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
+#include <utility>
 
 #include <doctest/doctest.h>
 #include <glm/ext/matrix_transform.hpp>
@@ -255,6 +258,31 @@ TEST_CASE("skin: cracks glow in the dark, other looks do not") {
   const auto dark = [](scene::Scene& scene, sim::Surface&) { scene.sun.intensity = 0.0F; };
   CHECK(worn(grown(Look::cracks), field, squareMesh(), dark).brightness(65, 65) > 300);
   CHECK(worn(grown(Look::leather), field, squareMesh(), dark).brightness(65, 65) < 10);
+}
+
+TEST_CASE("skin: cracks glow by how far the field is above the threshold") {
+  testContext();
+  scene::Material material = grown(Look::cracks);
+  material.skin.bump = 0;
+  material.skin.high = glm::vec3(0.5F, 0.3F, 0.15F);
+  const auto dark = [](scene::Scene& scene, sim::Surface&) { scene.sun.intensity = 0.0F; };
+  // Of the last one hardly anything can be above the threshold: its range counts as 0.05.
+  for (const auto& [threshold, value] :
+       {std::pair(0.4, 0.3), {0.4, 0.45}, {0.4, 0.6}, {0.4, 0.8}, {0.4, 1.0}, {0.97, 1.0}}) {
+    CAPTURE(threshold);
+    CAPTURE(value);
+    FieldStage field(Cells::floats, {4, 4}, [&value = value](int, int) { return value; });
+    field.field.range = {0, 1};
+    material.skin.threshold = threshold;
+    const Picture picture = worn(material, field, squareMesh(), dark);
+    glm::dvec3 mean(0);
+    for (int y = 55; y < 75; ++y)
+      for (int x = 55; x < 75; ++x) mean += glm::dvec3(picture.at(x, y)) / 400.0;
+    const double heat = std::clamp((value - threshold) / std::max(1 - threshold, 0.05), 0.0, 1.0);
+    const double glow = value > threshold ? 0.3 + 0.7 * heat * heat * (3 - 2 * heat) : 0.0;
+    const auto wanted = filmByte({0.5 * glow, 0.3 * glow, 0.15 * glow});
+    for (int i = 0; i < 3; ++i) CHECK(std::abs(mean[i] - wanted[static_cast<std::size_t>(i)]) < 0.4);
+  }
 }
 
 TEST_CASE("skin: grids wear skins, lost numbers and missing fields do no harm") {

@@ -22,7 +22,7 @@ struct Heard {
 /// Answers "item 3", late for early items, unless `end` ends the process first.
 WorkForce force(
     std::size_t workers, std::size_t items, Heard& heard,
-    const std::function<void(std::size_t)>& end = [](std::size_t) {}) {
+    const std::function<void(const Task&)>& end = [](const Task&) {}) {
   std::signal(SIGPIPE, SIG_IGN);
   WorkForce made;
   made.workers = workers;
@@ -30,10 +30,11 @@ WorkForce force(
   made.work = [items, end](WorkerLine& line) {
     std::signal(SIGTERM, SIG_DFL);
     line.ready("hello");
-    while (const auto item = line.next()) {
-      ::usleep(static_cast<useconds_t>(2000 * (items - *item)));
-      end(*item);
-      line.answer(*item, "item " + std::to_string(*item) + std::string(200'000, '.'));
+    while (const auto task = line.next()) {
+      const std::size_t item = task->item;
+      ::usleep(static_cast<useconds_t>(2000 * (items - item)));
+      end(*task);
+      line.answer(item, "item " + std::to_string(item) + std::string(200'000, '.'));
     }
   };
   made.ready = [&heard](const std::string& text) {
@@ -44,9 +45,10 @@ WorkForce force(
     CHECK(text.size() == 200'000 + 5 + std::to_string(item).size());
     heard.said.push_back(text.substr(0, text.find('.')));
   };
-  made.lost = [&heard](std::size_t item, const std::string& how) {
-    heard.said.push_back("lost " + std::to_string(item) + ": " + how);
+  made.lost = [&heard](std::size_t item, const Loss& loss) {
+    heard.said.push_back((loss.late ? "late " : "lost ") + std::to_string(item) + ": " + loss.how);
   };
+  made.again = [](std::size_t, const Loss&) { return false; };
   made.alone = [](std::size_t) { return false; };
   made.interrupted = [] { return 0; };
   return made;
@@ -69,10 +71,10 @@ TEST_CASE("workers: answers come in order, however long each took") {
 
 TEST_CASE("workers: one that ends costs what it had in hand, and says how") {
   Heard heard;
-  employ(force(2, 6, heard, [](std::size_t item) {
-    if (item == 1) ::raise(SIGKILL);
-    if (item == 3) ::_exit(7);
-    if (item == 4) throw std::runtime_error("no more paper");
+  employ(force(2, 6, heard, [](const Task& task) {
+    if (task.item == 1) ::raise(SIGKILL);
+    if (task.item == 3) ::_exit(7);
+    if (task.item == 4) throw std::runtime_error("no more paper");
   }));
   CHECK(heard.said == std::vector<std::string>{"item 0", "lost 1: was ended by signal 9 (Killed)", "item 2",
                                                "lost 3: ended with status 7",
@@ -101,9 +103,49 @@ TEST_CASE("workers: each has a place, which who follows on one that ended takes"
 
 TEST_CASE("workers: every one dies at every item") {
   Heard heard;
-  employ(force(2, 5, heard, [](std::size_t) { ::_exit(9); }));
+  employ(force(2, 5, heard, [](const Task&) { ::_exit(9); }));
   CHECK(heard.said.size() == 5);
   for (const std::string& said : heard.said) CHECK(said.ends_with(": ended with status 9"));
+}
+
+TEST_CASE("workers: what was lost is done again by another, who knows how often it was") {
+  Heard heard;
+  std::vector<std::string> losses;
+  WorkForce patient = force(2, 4, heard, [](const Task& task) {
+    if (task.item == 0 || (task.item == 2 && task.losses < 2)) ::_exit(3 + task.losses);
+  });
+  patient.again = [&losses](std::size_t item, const Loss& loss) {
+    losses.push_back(std::to_string(item) + " " + loss.how);
+    return std::count_if(losses.begin(), losses.end(), [&](const std::string& known) {
+             return known.starts_with(std::to_string(item));
+           }) < 3;
+  };
+  employ(patient);
+  CHECK(heard.said ==
+        std::vector<std::string>{"lost 0: ended with status 5", "item 1", "item 2", "item 3"});
+  std::sort(losses.begin(), losses.end());
+  CHECK(losses == std::vector<std::string>{"0 ended with status 3", "0 ended with status 4",
+                                           "0 ended with status 5", "2 ended with status 3",
+                                           "2 ended with status 4"});
+}
+
+TEST_CASE("workers: one that takes too long is ended with all that it started, the others are not") {
+  Heard heard;
+  int pipe[2] = {-1, -1};
+  REQUIRE(::pipe(pipe) == 0);
+  WorkForce hurried = force(2, 4, heard, [&](const Task& task) {
+    if (task.item != 1) return;
+    if (::fork() == 0) ::pause();  // holds the pipe open for as long as it lives
+    ::pause();
+  });
+  hurried.patience = 1.5;
+  employ(hurried);
+  CHECK(heard.said == std::vector<std::string>{"item 0", "late 1: took longer than 1.5 s, and was ended",
+                                               "item 2", "item 3"});
+  ::close(pipe[1]);
+  char none = 0;
+  CHECK(::read(pipe[0], &none, 1) == 0);  // at its end: nobody is left who could write
+  ::close(pipe[0]);
 }
 
 TEST_CASE("workers: what keeps all of them from working is thrown") {
@@ -125,12 +167,13 @@ TEST_CASE("workers: what is to be alone is, and in order") {
   careful.alone = [](std::size_t item) { return item % 2 == 1; };
   careful.work = [&](WorkerLine& line) {
     line.ready("hello");
-    while (const auto item = line.next()) {
+    while (const auto task = line.next()) {
+      const std::size_t item = task->item;
       const auto mark = [&](char c) { CHECK(::write(pipe[1], &c, 1) == 1); };
-      if (*item % 2 == 1) mark(static_cast<char>('0' + *item));
+      if (item % 2 == 1) mark(static_cast<char>('0' + item));
       ::usleep(5000);
-      if (*item % 2 == 1) mark('.');
-      line.answer(*item, "item " + std::to_string(*item) + std::string(200'000, '.'));
+      if (item % 2 == 1) mark('.');
+      line.answer(item, "item " + std::to_string(item) + std::string(200'000, '.'));
     }
   };
   employ(careful);

@@ -65,10 +65,11 @@ class Baseline {
   Baseline& operator=(Baseline&&) = delete;
 
   [[nodiscard]] FrameResult judged(const RunFrame& frame, const Origin& here,
-                                   const scene::Tolerance& tolerance = {}) const {
+                                   const scene::Tolerance& tolerance = {},
+                                   Measures measures = Measures::all) const {
     Reference reference = findReference(folder_, "llvmpipe", true, here);
     reference.tolerance = tolerance;
-    return judgeFrame(frame, reference).frame;
+    return judgeFrame(frame, reference, measures).frame;
   }
   [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
 
@@ -139,6 +140,26 @@ TEST_CASE("judge: the mean FLIP error counts on another machine") {
   metrics.flipMean = 0.0021;
   REQUIRE(brokenNearness(metrics, width, height).size() == 1);
   simreel::test::checkHas(brokenNearness(metrics, width, height).front(), "FLIP error is 0.0021");
+}
+
+TEST_CASE("judge: quick measures leave out SSIM and FLIP where no verdict needs them") {
+  const Baseline baseline(maker);
+  Origin other = otherMachine();
+  other.numerics = "others";
+  const auto quick = [&](const Origin& here, const scene::Tolerance& tolerance) {
+    return *baseline.judged(made(1200, 12), here, tolerance, Measures::quick).metrics;
+  };
+  const Metrics whole = *baseline.judged(made(1200, 12), maker).metrics;
+  REQUIRE((whole.ssim < 1 && whole.flipMean > 0));
+  for (const Origin& here : {maker, other}) {
+    Metrics wanted = whole;
+    wanted.ssim = wanted.flipMean = std::nullopt;
+    CHECK(quick(here, {}) == wanted);
+  }
+  scene::Tolerance bound;
+  bound.maxFlipMean = 0.5;
+  CHECK(quick(other, bound) == whole);
+  CHECK(quick(otherMachine(), {}) == whole);  // is held to a mean error of FLIP, too
 }
 
 TEST_CASE("judge: other numerics have the scene's tolerance") {

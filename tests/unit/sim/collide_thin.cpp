@@ -116,6 +116,7 @@ struct Passage {
   double nearest = 1e9;  ///< m, of an edge to the axis
   bool through = false;  ///< whether the axis went through a face
   bool ahead = true;     ///< whether the cloth stayed before the middle
+  double fastest = 0;    ///< m/s, of the vertices
 };
 
 /// After each substep of some frames.
@@ -141,6 +142,8 @@ Passage flyInto(Twin twin, int frames) {
         if (goesThrough(a, b, p[0], p[1], p[2])) passage.through = true;
       }
       passage.ahead = passage.ahead && before > 0;
+      for (const glm::vec4& v : twin.velocities)
+        passage.fastest = std::max(passage.fastest, glm::length(glm::dvec3(v)));
     }
   }
   return passage;
@@ -188,6 +191,8 @@ TEST_CASE("collide: a ball that fits between the vertices does not pass, fast or
           flyInto(kind, flying(0.01F, 0, {}, {0.02F, -0.031F, -0.05F}, speed), speed > 1 ? 3 : 20);
       CHECK(p.ahead);
       CHECK(p.nearest > 0.005);
+      CHECK(p.fastest < 99);
+      MESSAGE(p.fastest);
     }
   }
 }

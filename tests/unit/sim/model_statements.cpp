@@ -4,6 +4,7 @@
 #include "sim/particles/gravity_tree.hpp"
 #include "sim/spread/epidemic_plan.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <limits>
@@ -27,6 +28,9 @@ inline int findLSB(int x) {
 struct Epidemic {
   const EpidemicStep& stepData;
 #include "glsl/spread/epidemic/model.glsl"
+};
+struct Gale {
+#include "glsl/spread/wildfire/gale.glsl"
 };
 struct GravityTree {
   [[nodiscard]] static vec4 loadBody(int /*unused*/) { return vec4(0); }
@@ -52,6 +56,30 @@ TEST_CASE("epidemic: meeting eight of everybody infects with 1 - (1 - beta share
       CAPTURE(infected);
       // Thresholds are even.
       CHECK(std::abs(models::Epidemic{step}.mixedThreshold(infected) - expected) <= 2 + 1e-6 * expected);
+    }
+}
+
+TEST_CASE("wildfire: a gale is the wind in 2048ths, at most 15.99, and blows along as its exponential") {
+  models::Gale model;
+  CHECK(model.galeOf(0, 0, 1) == model.stillAir);
+  CHECK(model.stillAir == 0);  // of maps that no wind blows over
+  const int neighbours[8][2] = {{-1, -1}, {0, -1}, {1, -1}, {-1, 0}, {1, 0}, {-1, 1}, {0, 1}, {1, 1}};
+  for (const double u : {0.0, 0.7, -3.1, 31.9, -31.9, 90.0, -90.0})
+    for (const double v : {0.0, -0.2, 5.3, 70.0, -70.0}) {
+      CAPTURE(u);
+      CAPTURE(v);
+      const auto gale = model.galeOf(static_cast<float>(u), static_cast<float>(v), 0.5F);
+      const double x = std::clamp(0.5 * u, -15.99, 15.99), y = std::clamp(0.5 * v, -15.99, 15.99);
+      const auto parts = model.galeParts(gale);
+      CHECK(parts.x == static_cast<int>(std::floor(2048 * x + 0.5)));
+      CHECK(parts.y == static_cast<int>(std::floor(2048 * y + 0.5)));
+      for (unsigned d = 0; d < 8; ++d)
+        for (const unsigned chance : {1U, 300U, 40000U, 65536U}) {
+          const auto& way = neighbours[d];
+          const double along = -(way[0] * parts.x + way[1] * parts.y) / 2048.0 / std::hypot(way[0], way[1]);
+          const double expected = std::min(chance * std::exp(along), 65536.0);
+          CHECK(std::abs(model.blownOver(chance, d, gale) - expected) <= 1 + 2e-5 * expected);
+        }
     }
 }
 

@@ -53,7 +53,7 @@ const curves = [
   {id: "worst", label: "worst channel", of: (m) => m.worst, bound: "hardFail", text: (v) => format(v, 3)},
   {id: "ratioBeyond", label: "pixels beyond", of: (m) => m.ratioBeyond, bound: "maxDiffRatio", text: percent},
   {id: "flipMean", label: "FLIP mean", of: (m) => m.flipMean, bound: "maxFlipMean", text: (v) => format(v, 3)},
-  {id: "ssim", label: "1 − SSIM", of: (m) => 1 - m.ssim, bound: null, text: (v) => format(v, 3)},
+  {id: "ssim", label: "1 − SSIM", of: (m) => m.ssim === null ? null : 1 - m.ssim, bound: null, text: (v) => format(v, 3)},
 ];
 
 /// What is chosen. Change it with go(), which redraws and writes the link.
