@@ -310,7 +310,7 @@ class Employer {
 
   void lose(std::size_t item, Loss&& loss) {
     ++losses_[item];
-    if (force_.again(item, loss))
+    if (force_.again && force_.again(item, loss))
       begun_[item] = false;
     else
       finish(item, std::move(loss));

@@ -49,7 +49,8 @@ struct WorkForce {
   std::function<void(std::size_t item, const std::string& answer)> done;
   /// The same for an item whose worker ended before it answered.
   std::function<void(std::size_t item, const Loss&)> lost;
-  /// Asked at once where a worker ends: whether another one shall do that item. If not, it is lost.
+  /// Asked at once where a worker ends: whether another one shall do that item. If not, or where nobody is
+  /// asked, it is lost.
   std::function<bool(std::size_t item, const Loss&)> again;
   /// Seconds that a worker may take for an item; it is killed then, with all that it has started. 0: any.
   double patience = 0;

@@ -39,18 +39,18 @@ void runSteps(const PiecePlan& plan, const std::vector<Step>& steps, const Local
   force.work = [&](WorkerLine& line) {
     const gl::Context context(how.on);
     line.ready("");
-    while (const auto item = line.next()) {
+    while (const auto task = line.next()) {
       frame::Progress progress(frame::Progress::Mode::none);
       // The code as a letter, then the message.
       std::string answer = "0";
       try {
-        if (const int signal = runStep(plan, steps[*item], context, progress, how); signal != 0)
+        if (const int signal = runStep(plan, steps[task->item], context, progress, how); signal != 0)
           throw frame::Interrupted{signal};
       } catch (const UserError& error) {
         if (frame::interruptSignal() != 0) throw frame::Interrupted{frame::interruptSignal()};
         answer = static_cast<char>('0' + static_cast<int>(error.code())) + std::string(error.what());
       }
-      line.answer(*item, answer);
+      line.answer(task->item, answer);
     }
   };
   std::optional<UserError> mistake;
@@ -64,8 +64,8 @@ void runSteps(const PiecePlan& plan, const std::vector<Step>& steps, const Local
     else
       note(item, static_cast<ExitCode>(answer[0] - '0'), answer.substr(1));
   };
-  force.lost = [&](std::size_t item, const std::string& ended) {
-    note(item, ExitCode::device, "its process " + ended);
+  force.lost = [&](std::size_t item, const Loss& loss) {
+    note(item, ExitCode::device, "its process " + loss.how);
   };
   force.alone = [](std::size_t /*item*/) { return false; };
   force.interrupted = [] { return frame::interruptSignal(); };

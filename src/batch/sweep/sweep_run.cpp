@@ -86,17 +86,17 @@ void shareWork(const SweepPlan& plan, const LocalRun& how) {
     if (!how.devices.empty()) on.device = how.devices.front();
     const gl::Context context(on);
     line.ready("");
-    while (const auto item = line.next()) {
+    while (const auto task = line.next()) {
       frame::Progress progress(frame::Progress::Mode::none);
       if (const int signal = makeShared(plan, context, progress, how.command); signal != 0)
         throw frame::Interrupted{signal};
-      line.answer(*item, "");
+      line.answer(task->item, "");
     }
   };
   force.ready = [](const std::string& /*text*/) {};
   force.done = [](std::size_t /*item*/, const std::string& /*answer*/) {};
-  force.lost = [](std::size_t /*item*/, const std::string& ended) {
-    warn("what all jobs share is simulated by each: the process that was to do it {}", ended);
+  force.lost = [](std::size_t /*item*/, const Loss& loss) {
+    warn("what all jobs share is simulated by each: the process that was to do it {}", loss.how);
   };
   force.alone = [](std::size_t /*item*/) { return false; };
   force.interrupted = [] { return frame::interruptSignal(); };
@@ -117,12 +117,12 @@ int runJobs(const SweepPlan& plan, const std::vector<std::size_t>& jobs, const L
     if (!how.devices.empty()) on.device = how.devices[line.place() % how.devices.size()];
     const gl::Context context(on);
     line.ready("");
-    while (const auto item = line.next()) {
+    while (const auto task = line.next()) {
       frame::Progress progress(how.ndjson ? frame::Progress::Mode::ndjson : frame::Progress::Mode::none);
-      progress.ofJob(plan.name(jobs[*item]));
-      const JobEnd end = runSweepJob(plan, jobs[*item], context, progress, how.command, how.scratch);
+      progress.ofJob(plan.name(jobs[task->item]));
+      const JobEnd end = runSweepJob(plan, jobs[task->item], context, progress, how.command, how.scratch);
       if (end.signal != 0) throw frame::Interrupted{end.signal};
-      line.answer(*item, resultText(end.result));
+      line.answer(task->item, resultText(end.result));
     }
   };
   std::size_t count = 0;
@@ -130,8 +130,8 @@ int runJobs(const SweepPlan& plan, const std::vector<std::size_t>& jobs, const L
   force.done = [&](std::size_t item, const std::string& text) {
     tell(plan, jobs[item], parseResult(text, "worker"), ++count, how);
   };
-  force.lost = [&](std::size_t item, const std::string& ended) {
-    writeLostResult(plan, jobs[item], ended);
+  force.lost = [&](std::size_t item, const Loss& loss) {
+    writeLostResult(plan, jobs[item], loss.how);
     tell(plan, jobs[item], *statusOf(plan, jobs[item]).result, ++count, how);
   };
   force.alone = [](std::size_t /*item*/) { return false; };

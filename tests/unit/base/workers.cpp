@@ -86,10 +86,10 @@ TEST_CASE("workers: each has a place, which who follows on one that ended takes"
   WorkForce placed = force(2, 6, heard);
   placed.work = [](WorkerLine& line) {
     line.ready("hello");
-    while (const auto item = line.next()) {
-      if (*item == 2) ::_exit(3);
+    while (const auto task = line.next()) {
+      if (task->item == 2) ::_exit(3);
       ::usleep(20'000);
-      line.answer(*item, std::to_string(line.place()));
+      line.answer(task->item, std::to_string(line.place()));
     }
   };
   std::string places;

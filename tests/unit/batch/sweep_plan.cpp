@@ -30,9 +30,9 @@ SweepPlan planIn(const std::string& folder) {
   plan.overrides = {{"seed", "3"}};
   plan.frames = "0-3";
   plan.varied = {"objects.dish.grayScott.feed", "render.samples"};
-  for (auto& values :
-       combine({parseVary("objects.dish.grayScott.feed=0.03,0.04"), parseVary("render.samples=1,4")},
-               Combination::grid, 0, 1))
+  for (auto& values : combine({simreel::batch::parseVary("objects.dish.grayScott.feed=0.03,0.04"),
+                               simreel::batch::parseVary("render.samples=1,4")},
+                              Combination::grid, 0, 1))
     plan.jobs.push_back({std::move(values), {}});
   checkJobs(plan, dish);
   return plan;

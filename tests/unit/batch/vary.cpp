@@ -16,14 +16,14 @@ using namespace simreel::batch;
 namespace {
 
 std::vector<std::string> valuesOf(const std::string& text) {
-  return parseVary(text).values;
+  return simreel::batch::parseVary(text).values;
 }
 
 /// Jobs as "a=1 b=x".
 std::vector<std::string> jobsOf(const std::vector<std::string>& texts, Combination how,
                                 std::size_t samples = 0, std::uint64_t seed = 1) {
   std::vector<Vary> varied;
-  for (const std::string& text : texts) varied.push_back(parseVary(text));
+  for (const std::string& text : texts) varied.push_back(simreel::batch::parseVary(text));
   std::vector<std::string> lines;
   for (const auto& job : combine(varied, how, samples, seed)) {
     std::string line;
@@ -47,13 +47,13 @@ TEST_CASE("vary: lists, ranges and what commas belong to") {
   CHECK(valuesOf("render.size=[320,180],[640,360]") == List{"[320,180]", "[640,360]"});
   CHECK(valuesOf(R"(a={"x":[1,2]},"b,c",d)") == List{R"({"x":[1,2]})", R"("b,c")", "d"});
   CHECK(valuesOf("a=silk") == List{"silk"});
-  const Vary range = parseVary("a=-1.5:2");
+  const Vary range = simreel::batch::parseVary("a=-1.5:2");
   CHECK(range.isRange());
   CHECK(range.low == -1.5);
   CHECK(range.high == 2);
   for (const char* wrong : {"", "a", "a=", "=1", "a=1,,2", "a=1,1", "a=0:1:0", "a=0:1:-0.1",
                             "a=0:9:0.00001", "a=2:1", "a=0:1,5"})
-    CHECK_THROWS_AS(static_cast<void>(parseVary(wrong)), UserError);
+    CHECK_THROWS_AS(static_cast<void>(simreel::batch::parseVary(wrong)), UserError);
 }
 
 TEST_CASE("vary: grid, zip") {

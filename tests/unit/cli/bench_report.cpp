@@ -142,20 +142,20 @@ TEST_CASE("bench: the chart is well-formed and to scale") {
 }
 
 TEST_CASE("bench: values of --vary") {
-  const auto sizes = parseVary("objects.a.cloth.size=[9,7],[11,7]");
+  const auto sizes = simreel::cli::parseVary("objects.a.cloth.size=[9,7],[11,7]");
   REQUIRE(sizes.size() == 2);
   CHECK(sizes[1].name == "size=[11,7]");
   CHECK(sizes[1].changes[0].path == "objects.a.cloth.size");
   CHECK(sizes[1].changes[0].value == "[11,7]");
-  CHECK(parseVary(R"(title="a,b","\",",c)").size() == 3);
+  CHECK(simreel::cli::parseVary(R"(title="a,b","\",",c)").size() == 3);
   for (const char* bad : {"", "a", "=1", "a=", "a=1,,2", "a=1,"})
-    CHECK_THROWS_AS(static_cast<void>(parseVary(bad)), UserError);
-  const auto cases = combine(std::vector{sizes, parseVary("seed=1,2,3")}, "plain");
+    CHECK_THROWS_AS(static_cast<void>(simreel::cli::parseVary(bad)), UserError);
+  const auto cases = combine(std::vector{sizes, simreel::cli::parseVary("seed=1,2,3")}, "plain");
   REQUIRE(cases.size() == 6);
   CHECK(cases[1].name == "size=[9,7], seed=2");
   CHECK(cases[5].changes.size() == 2);
   CHECK(combine({}, "plain")[0].name == "plain");
-  const std::vector<std::vector<BenchChoice>> many(7, parseVary("seed=1,2"));
+  const std::vector<std::vector<BenchChoice>> many(7, simreel::cli::parseVary("seed=1,2"));
   CHECK_THROWS_AS(static_cast<void>(combine(many, "plain")), UserError);
 }
 
