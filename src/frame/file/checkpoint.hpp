@@ -12,8 +12,8 @@
 namespace simreel::frame {
 
 /// The state between two frames of a simulation, on disk: a line of JSON that says of which simulation and
-/// frame it is and which parts follow, their bytes, and a hash of all that (src/batch/README.md). Only the program
-/// version that wrote it reads it, for any run of the same simulation, whatever that draws of it.
+/// frame it is and which parts follow, their bytes, and a hash of all that (src/batch/README.md). Only the
+/// program version that wrote it reads it, for any run of the same simulation, whatever that draws of it.
 class Checkpoint {
  public:
   /// Reads the world's state back and writes it atomically. `counts`: the table of counts so far. Throws

@@ -203,7 +203,7 @@ TEST_CASE("deform: prints are as deep as what presses, their rims fall off besid
   step.trail.perRimWidth = 4;
   step.presserCount = 4;
   step.pressers[0] = presserOf({-1, 0.35F, -1}, {-1, 0.35F, -1}, 0.4F);      // reaches 0.15 in
-  step.pressers[1] = presserOf({1, -0.2F, 0.5F}, {1, -0.2F, 0.5F}, 0.515F);    // its middle below the surface
+  step.pressers[1] = presserOf({1, -0.2F, 0.5F}, {1, -0.2F, 0.5F}, 0.515F);  // its middle below the surface
   step.pressers[2] = presserOf({-1, 0.5F, 0.8F}, {0.4F, 0.1F, 1.2F}, 0.3F);  // a capsule that goes in
   step.pressers[3] = presserOf({0.5F, 1.5F, -1}, {0.5F, 0.3F, -1}, 0.25F);   // one that stands
   const sim::Mesh mesh = cloud();
