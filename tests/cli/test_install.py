@@ -10,8 +10,8 @@ import common
 from common import PROGRAM, Case, main, png_rows
 
 BUILD = pathlib.Path(PROGRAM).parent
-COMMANDS = ["render", "validate", "schema", "list", "doctor", "bake", "test", "trace", "bisect", "accept", "report",
-            "diff", "bench"]
+COMMANDS = ["render", "sweep", "pieces", "reproduce", "validate", "schema", "list", "doctor", "bake", "test", "trace",
+            "bisect", "accept", "report", "diff", "bench"]
 
 
 def run(*command, **options):
