@@ -178,10 +178,10 @@ def pattern(test):
     return re.sub(r"[,*]", "?", test)
 
 
-def test_that_fails(folder, glsl, *files):
+def test_that_fails(folder, glsl, *files, env=None):
     """The name of the first test that notices, or nothing."""
     done, words = run([pathlib.Path(tempfile.gettempdir()) / "test_gpu", *files, "--no-colors", "--abort-after=1"], 6 * PATIENCE, cwd=folder,
-                      env={**os.environ, "SIMREEL_GLSL": str(glsl), "TMPDIR": folder})
+                      env=env or {**os.environ, "SIMREEL_GLSL": str(glsl), "TMPDIR": folder})
     if done == 0:
         return None
     named = re.findall(r"^TEST CASE: +(.*)", words, re.M)

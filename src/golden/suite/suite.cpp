@@ -116,6 +116,7 @@ void addLosses(const std::vector<std::string>& losses, Outcome& made) {
   if (losses.empty()) return;
   SceneResult& result = made.scene;
   std::vector<Attempt> attempts;
+  attempts.reserve(losses.size());
   for (const std::string& loss : losses) attempts.push_back({Status::error, {loss}});
   if (result.status == Status::pass) {
     makeFlaky(attempts.front(), static_cast<int>(losses.size()) + 1, result);

@@ -1,0 +1,135 @@
+"""Who notices a mutant of a kernel that steps: states of shipped scenes at their last tested frame, tests of test_gpu, and
+last the scenes' baselines. Each is asked only where it compiles the line, the quickest first."""
+import concurrent.futures
+import json
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import threading
+import time
+
+import exact_pictures
+from mutants import code, compiled, look
+from mutants.changes import GLSL, ROOT
+from mutants.processes import run
+
+def scene_file(scene):
+    return ROOT / f"assets/scenes/{scene}.json"
+
+
+def last_tested_frame(scene):
+    """A string is kept, a comment goes."""
+    text = re.sub(r'("(?:\\.|[^"\\])*")|//[^\n]*', lambda m: m.group(1) or "", scene_file(scene).read_text(encoding="utf-8"))
+    return max(json.loads(text)["test"]["frames"])
+
+
+class Watchers:
+    """All of them, what each compiles, and how long it takes."""
+
+    def __init__(self, program, jobs, kept, with_tests):
+        self.program, self.with_tests = program, with_tests
+        self.lock, self.sound = threading.Lock(), set()
+        kept = pathlib.Path(kept) if kept else None
+        if kept and kept.exists():
+            self.all = json.loads(kept.read_text(encoding="utf-8"))
+        else:
+            self.all = self.found(jobs)
+            if kept:
+                kept.write_text(json.dumps(self.all), encoding="utf-8")
+        for watcher in self.all:
+            watcher["lines"] = {(file, line) for file, line in watcher["lines"]}
+        if not with_tests:
+            self.all = [watcher for watcher in self.all if watcher["kind"] == "trace"]
+        self.all.sort(key=lambda watcher: watcher["seconds"])
+
+    def found(self, jobs):
+        names = [("trace", scene) for scene in exact_pictures.scenes()]
+        if self.with_tests:
+            names += [("test", name) for name in tests()]
+        files, known = compiled.Files(), {}
+        with tempfile.TemporaryDirectory(prefix="simreel-watch-") as folder, concurrent.futures.ThreadPoolExecutor(jobs) as pool:
+            def one(at):
+                return self.looked_at(pathlib.Path(folder) / str(at), *names[at])
+            each = []
+            for watcher, sources in pool.map(one, range(len(names))):
+                watcher["lines"] = sorted(compiled.lines_of(sources, files, known))
+                shutil.rmtree(sources)
+                each.append(watcher)
+        return [watcher for watcher in each if watcher["lines"]]
+
+    def looked_at(self, sources, kind, name):
+        sources.mkdir()
+        begin = time.monotonic()
+        words = self.said(kind, name, GLSL, {"MESA_SHADER_DUMP_PATH": str(sources)})
+        if words.startswith("failed"):
+            sys.exit(f"without a change, too, {name} fails: {words}")
+        return {"kind": kind, "name": name, "seconds": time.monotonic() - begin, "words": words}, sources
+
+    def said(self, kind, name, glsl, env=None):
+        """A state's hash or that the test passes; else why not, after "failed"."""
+        environment = {**os.environ, "SIMREEL_GLSL": str(glsl), "SIMREEL_ASSETS": str(ROOT / "assets"), **(env or {})}
+        if kind == "trace":
+            done, words = run([self.program, "trace", scene_file(name), "--frames", last_tested_frame(name), *look.ARGUMENTS],
+                              2 * look.PATIENCE, stderr=subprocess.STDOUT, env=environment)
+            hashes = re.findall(r"\b[0-9a-f]{16,}\b", words)
+            return " ".join(hashes) if done == 0 and hashes else f"failed ({done}) {words[-400:]}"
+        failed = look.test_that_fails(tempfile.gettempdir(), glsl, f"--test-case={look.pattern(name)}",
+                                      env={**environment, "TMPDIR": tempfile.gettempdir()})
+        return f"failed {failed}" if failed else "passed"
+
+    def files(self):
+        return sorted({file for watcher in self.all for file, _ in watcher["lines"]})
+
+    def of(self, mutant):
+        return [watcher for watcher in self.all if (mutant.file, mutant.number) in watcher["lines"]]
+
+    def baseline_differs(self, scene, glsl):
+        with self.lock:
+            if scene not in self.sound and look.tested_frames_differ(self.program, scene, GLSL):
+                print(f"without a change, too, {scene} is not as its baseline", file=sys.stderr, flush=True)
+                os._exit(2)
+            self.sound.add(scene)
+        return look.tested_frames_differ(self.program, scene, glsl)
+
+    def outcome(self, mutant):
+        """As look.outcome."""
+        asked = self.of(mutant)
+        if not asked:
+            return "not reached", "", ""
+        with tempfile.TemporaryDirectory(prefix="mutant-") as folder:
+            glsl = mutant.written(folder)
+            for watcher in asked:
+                words = self.said(watcher["kind"], watcher["name"], glsl)
+                if words == watcher["words"]:
+                    continue
+                if re.search(r"does not (compile|link)|syntax error", words) or not self.compiles(watcher, glsl):
+                    return "not compiled", watcher["name"], ""
+                if watcher["kind"] == "test":
+                    return "caught", "test_gpu", watcher["name"]
+                return "caught", f"{watcher['name']} {'failed' if words.startswith('failed') else 'state'}", ""
+            for watcher in asked:
+                if watcher["kind"] == "trace" and self.baseline_differs(watcher["name"], glsl):
+                    return "caught", f"{watcher['name']} (test)", ""
+        return ("equivalent" if mutant.changes_nothing() else "survived"), "", ""
+
+    def compiles(self, watcher, glsl):
+        """A test says only that it fails; what its kernels are made of says why not."""
+        if watcher["kind"] == "trace":
+            return True
+        done, words = run([pathlib.Path(tempfile.gettempdir()) / "test_gpu", f"--test-case={look.pattern(watcher['name'])}",
+                           "--no-colors"], 6 * look.PATIENCE, stderr=subprocess.STDOUT, cwd=tempfile.gettempdir(),
+                          env={**os.environ, "SIMREEL_GLSL": str(glsl), "TMPDIR": tempfile.gettempdir()})
+        return done is None or not re.search(r"does not (compile|link)|syntax error", words)
+
+
+def tests():
+    """Names of test_gpu's that step: all but those of drawing."""
+    done, words = run([pathlib.Path(tempfile.gettempdir()) / "test_gpu", "--list-test-cases", "--no-colors",
+                       "--source-file-exclude=*gpu/draw/*"], look.PATIENCE)
+    if done != 0:
+        sys.exit(f"test_gpu does not list its tests: exit code {done}")
+    return [line.strip() for line in words.splitlines() if line.strip() and not line.startswith(("[doctest]", "==="))]
