@@ -130,6 +130,7 @@ void bake(BakeOptions o) {
   const auto all = bakedFiles(world, o);
   if (!o.sequence) return bakeFrames(o, scene, world, all, frames);
   std::vector<std::size_t> objects;
+  objects.reserve(all.size());
   for (const BakedFile& baked : all) objects.push_back(baked.object);
   bakeSequences(world, {.format = o.format,
                         .output = o.output,
