@@ -8,8 +8,7 @@ namespace simreel::gl {
 
 namespace {
 
-Handle<DeleteShader> compile(GLenum stage, const std::string& path, const Defines& defines) {
-  const ShaderSource source = loadShader(path, defines);
+Handle<DeleteShader> compile(GLenum stage, const std::string& path, const ShaderSource& source) {
   Handle<DeleteShader> shader(glCreateShader(stage));
   const char* text = source.text.c_str();
   glShaderSource(shader.get(), 1, &text, nullptr);
@@ -49,9 +48,17 @@ void Program::link(const std::string& label) {
 }
 
 Program Program::compute(const std::string& path, const Defines& defines) {
+  return computeFrom(path, loadShader(path, defines));
+}
+
+Program Program::computeText(const std::string& name, const std::string& text, const Defines& defines) {
+  return computeFrom(name, loadShaderText(name, text, defines));
+}
+
+Program Program::computeFrom(const std::string& path, const ShaderSource& source) {
   Program program;
   program.handle_ = Handle<DeleteProgram>(glCreateProgram());
-  const auto shader = compile(GL_COMPUTE_SHADER, path, defines);
+  const auto shader = compile(GL_COMPUTE_SHADER, path, source);
   glAttachShader(program.name(), shader.get());
   program.link(path);
   glDetachShader(program.name(), shader.get());
@@ -63,8 +70,8 @@ Program Program::graphics(const std::string& vertexPath, const std::string& frag
                           const Defines& defines) {
   Program program;
   program.handle_ = Handle<DeleteProgram>(glCreateProgram());
-  const auto vertex = compile(GL_VERTEX_SHADER, vertexPath, defines);
-  const auto fragment = compile(GL_FRAGMENT_SHADER, fragmentPath, defines);
+  const auto vertex = compile(GL_VERTEX_SHADER, vertexPath, loadShader(vertexPath, defines));
+  const auto fragment = compile(GL_FRAGMENT_SHADER, fragmentPath, loadShader(fragmentPath, defines));
   glAttachShader(program.name(), vertex.get());
   glAttachShader(program.name(), fragment.get());
   program.link(vertexPath + " + " + fragmentPath);

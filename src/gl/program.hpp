@@ -19,6 +19,8 @@ class Program {
  public:
   Program() = default;
   static Program compute(const std::string& path, const Defines& defines = {});
+  /// Of a text in place of a file below glsl/, which it may include: for tests of what those files define.
+  static Program computeText(const std::string& name, const std::string& text, const Defines& defines = {});
   static Program graphics(const std::string& vertexPath, const std::string& fragmentPath,
                           const Defines& defines = {});
 
@@ -47,6 +49,7 @@ class Program {
  private:
   [[nodiscard]] GLint location(const char* uniform) const;
   void link(const std::string& label);
+  static Program computeFrom(const std::string& label, const ShaderSource& source);
 
   Handle<DeleteProgram> handle_;
   std::string label_;

@@ -7,7 +7,9 @@
 #include <cctype>
 #include <cstdlib>
 #include <filesystem>
+#include <functional>
 #include <sstream>
+#include <utility>
 #include <vector>
 
 namespace simreel::gl {
@@ -39,6 +41,11 @@ class Paster {
   explicit Paster(ShaderSource& source) : source_(source) {}
 
   void paste(const std::string& path, const std::string& asker) {
+    pasteText(path, asker, [&] { return shaderText(path, asker); });
+  }
+
+  void pasteText(const std::string& path, const std::string& asker,
+                 const std::function<std::string()>& text) {
     if (std::find(open_.begin(), open_.end(), path) != open_.end())
       fail(ExitCode::device, "{}: {} includes itself", asker, path);
     const std::size_t number = numberOf(path);
@@ -46,7 +53,7 @@ class Paster {
     certain_[number] = conditions_ == 0;
     open_.push_back(path);
     source_.text += fmt::format("#ifndef PASTED_{0}\n#define PASTED_{0}\n#line 1 {0}\n", number);
-    pasteLines(path, number, shaderText(path, asker));
+    pasteLines(path, number, text());
     source_.text += "#endif\n";
     open_.pop_back();
   }
@@ -115,6 +122,19 @@ Defines mentioned(const std::string& files, const Defines& defines) {
   return result;
 }
 
+/// With the lines that come before all others.
+ShaderSource headed(ShaderSource source, const Defines& defines) {
+  std::string head = "#version 450 core\n";
+  for (const auto& [name, value] : defines)
+    if (name == extensionDefine) head += fmt::format("#extension {} : require\n", value);
+  // What the files that are C++, too, mark for it (glsl/common/cpp.hpp).
+  head += "#define FUNCTION\n#define STD140\n#define DEFAULT(value)\n";
+  for (const auto& [name, value] : mentioned(source.text, defines))
+    head += fmt::format("#define {} {}\n", name, value);
+  source.text.insert(0, head);
+  return source;
+}
+
 }  // namespace
 
 std::string ShaderSource::explain(std::string_view log) const {
@@ -142,15 +162,13 @@ std::string ShaderSource::explain(std::string_view log) const {
 ShaderSource loadShader(const std::string& path, const Defines& defines) {
   ShaderSource source;
   Paster(source).paste(path, "the program");
-  std::string head = "#version 450 core\n";
-  for (const auto& [name, value] : defines)
-    if (name == extensionDefine) head += fmt::format("#extension {} : require\n", value);
-  // What the files that are C++, too, mark for it (glsl/common/cpp.hpp).
-  head += "#define FUNCTION\n#define STD140\n#define DEFAULT(value)\n";
-  for (const auto& [name, value] : mentioned(source.text, defines))
-    head += fmt::format("#define {} {}\n", name, value);
-  source.text.insert(0, head);
-  return source;
+  return headed(std::move(source), defines);
+}
+
+ShaderSource loadShaderText(const std::string& name, const std::string& text, const Defines& defines) {
+  ShaderSource source;
+  Paster(source).pasteText(name, "the program", [&] { return text; });
+  return headed(std::move(source), defines);
 }
 
 }  // namespace simreel::gl

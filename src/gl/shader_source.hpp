@@ -34,5 +34,8 @@ struct ShaderSource {
 /// else share/simreel/glsl beside the program's folder, else the copies built in. Throws UserError(device)
 /// naming the file, line and what is missing.
 [[nodiscard]] ShaderSource loadShader(const std::string& path, const Defines& defines);
+/// The same of a text that is no file below glsl/, called `name`.
+[[nodiscard]] ShaderSource loadShaderText(const std::string& name, const std::string& text,
+                                          const Defines& defines);
 
 }  // namespace simreel::gl

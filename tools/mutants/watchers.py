@@ -31,25 +31,24 @@ class Watchers:
     """All of them, what each compiles, and how long it takes."""
 
     def __init__(self, program, jobs, kept, with_tests):
-        self.program, self.with_tests = program, with_tests
+        self.program = program
         self.lock, self.sound = threading.Lock(), set()
         kept = pathlib.Path(kept) if kept else None
-        if kept and kept.exists():
-            self.all = json.loads(kept.read_text(encoding="utf-8"))
-        else:
-            self.all = self.found(jobs)
+        self.all = json.loads(kept.read_text(encoding="utf-8")) if kept and kept.exists() else []
+        known = {(watcher["kind"], watcher["name"]) for watcher in self.all}
+        names = [("trace", scene) for scene in exact_pictures.scenes()]
+        if with_tests:
+            names += [("test", name) for name in tests()]
+        self.all = [watcher for watcher in self.all if (watcher["kind"], watcher["name"]) in names]
+        if more := [name for name in names if name not in known]:
+            self.all += self.found(jobs, more)
             if kept:
                 kept.write_text(json.dumps(self.all), encoding="utf-8")
         for watcher in self.all:
             watcher["lines"] = {(file, line) for file, line in watcher["lines"]}
-        if not with_tests:
-            self.all = [watcher for watcher in self.all if watcher["kind"] == "trace"]
         self.all.sort(key=lambda watcher: watcher["seconds"])
 
-    def found(self, jobs):
-        names = [("trace", scene) for scene in exact_pictures.scenes()]
-        if self.with_tests:
-            names += [("test", name) for name in tests()]
+    def found(self, jobs, names):
         files, known = compiled.Files(), {}
         with tempfile.TemporaryDirectory(prefix="simreel-watch-") as folder, concurrent.futures.ThreadPoolExecutor(jobs) as pool:
             def one(at):
@@ -59,7 +58,7 @@ class Watchers:
                 watcher["lines"] = sorted(compiled.lines_of(sources, files, known))
                 shutil.rmtree(sources)
                 each.append(watcher)
-        return [watcher for watcher in each if watcher["lines"]]
+        return each
 
     def looked_at(self, sources, kind, name):
         sources.mkdir()
