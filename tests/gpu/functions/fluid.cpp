@@ -1,0 +1,26 @@
+// Apart from water: the sides of both have the same names.
+#include "gpu/functions/ask.hpp"
+#include "sim/core/shader_code.hpp"
+#include "sim/fluid/plan.hpp"
+
+#include <doctest/doctest.h>
+
+namespace {
+
+using namespace simreel::shader;
+
+#define FUNCTION
+#define precise
+#include "gpu/functions/inputs.glsl"
+
+struct Tanks {
+#include "gpu/functions/fluid.glsl"
+};
+#undef precise
+#undef FUNCTION
+
+}  // namespace
+
+TEST_CASE("functions: what becomes of a fluid's cell") {
+  checkAll<Tanks>("fluid.glsl", "#include \"fluid/model.glsl\"\n");
+}
