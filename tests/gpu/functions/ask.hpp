@@ -16,16 +16,26 @@
 
 constexpr int questions = 30011;
 
+/// A file of this folder, with what it includes of it, which no shader knows where to find.
+inline std::string functionsText(const std::string& name) {
+  const std::string there = "gpu/functions/";
+  std::string text = simreel::readFile(sourceFolder() + "/tests/" + there + name, "shader");
+  const std::string include = "#include \"" + there;
+  for (auto at = text.find(include); at != std::string::npos; at = text.find(include)) {
+    const auto begin = at + include.size(), end = text.find('"', begin);
+    text.replace(at, end + 1 - at, functionsText(text.substr(begin, end - begin)));
+  }
+  return text;
+}
+
 /// What asked(i) of tests/gpu/functions/`name` is on the device.
 inline std::vector<glm::vec4> answersOfDevice(const std::string& name, const std::string& before) {
   testContext();
-  const std::string here = sourceFolder() + "/tests/gpu/functions/";
   const std::string text = "#include \"common/exact.glsl\"\n#include \"common/hash.glsl\"\n" + before +
                            "layout(local_size_x = 64) in;\n"
                            "layout(std430, binding = 0) writeonly buffer AnswerBlock { vec4 answers[]; };\n"
                            "uniform int questions;\n" +
-                           simreel::readFile(here + "inputs.glsl", "shader") +
-                           simreel::readFile(here + name, "shader") +
+                           functionsText("inputs.glsl") + functionsText(name) +
                            "void main() {\n"
                            "  int i = int(gl_GlobalInvocationID.x);\n"
                            "  if (i < questions) answers[i] = asked(i);\n"

@@ -1,11 +1,14 @@
 #include "gpu/functions/ask.hpp"
+#include "sim/cloth/plan.hpp"
 #include "sim/collide/colliders.hpp"
 #include "sim/collide/mesh_colliders.hpp"
 #include "sim/contact/plan.hpp"
 #include "sim/contour/wall_plan.hpp"
 #include "sim/core/shader_code.hpp"
+#include "sim/fluid/wind.hpp"
 #include "sim/mesh/deform_plan.hpp"
 #include "sim/mesh/height_plan.hpp"
+#include "sim/particles/parameters.hpp"
 #include "sim/spread/wildfire_plan.hpp"
 #include "sim/water/float_plan.hpp"
 #include "sim/water/plan.hpp"
@@ -17,6 +20,8 @@ using namespace simreel;
 namespace {
 
 using namespace simreel::shader;
+#include "glsl/cloth/segment_links.glsl"
+#include "glsl/cloth/thin_rounds.glsl"
 
 #define SEA 1
 #define FUNCTION
@@ -49,6 +54,12 @@ struct Walls {
 };
 struct Shapes {
 #include "gpu/functions/deform.glsl"
+};
+struct Sheets {
+#include "gpu/functions/cloth.glsl"
+};
+struct Crowds {
+#include "gpu/functions/particles.glsl"
 };
 struct Pairs {
 #include "gpu/functions/contact.glsl"
@@ -100,4 +111,12 @@ TEST_CASE("functions: deformation") {
 
 TEST_CASE("functions: contact of faces and edges") {
   checkAll<Pairs>("contact.glsl", "#include \"contact/types.glsl\"\n");
+}
+
+TEST_CASE("functions: cloth, its lines, its corners against thin things") {
+  checkAll<Sheets>("cloth.glsl", "#include \"cloth/segment_links.glsl\"\n");
+}
+
+TEST_CASE("functions: particles, their births and fields") {
+  checkAll<Crowds>("particles.glsl");
 }
