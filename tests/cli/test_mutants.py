@@ -2,6 +2,7 @@
 """tools/mutate: what of a source is compiled, and which mutants are known to change nothing."""
 import pathlib
 import shutil
+import subprocess
 import sys
 import tempfile
 import unittest
@@ -35,6 +36,12 @@ class Compiled(unittest.TestCase):
     @unittest.skipIf(shutil.which("cpp") is None, "there is no cpp")
     def test_kept_lines(self):
         self.assertEqual({1, 3, 7, 11}, compiled.kept(SOURCE_TEXT))
+
+
+class Program(unittest.TestCase):
+    def test_it_starts(self):
+        done = subprocess.run([SOURCE / "tools/mutate", "--of", "simulations", "--help"], capture_output=True, text=True, check=True)
+        self.assertIn("--again REPORT", done.stdout)
 
 
 class Reported(unittest.TestCase):

@@ -247,4 +247,16 @@ EQUIVALENT = {
         "water has 16,384 rows at most: either is beyond them",
     ("cloth/motion.glsl", "return max(distance, speed) >= 0x501502f9;"):
         "one number of all, 1e10 to the last bit, and what moves does not stay there",
+    ("cloth/motion.glsl", "int distance = floatBitsToInt(exactDot(m.position, m.position)) & 0x7ffffffd;"):
+        "the second last bit of a square, which is compared with 1e10",
+    ("contact/start.comp", "keepPoint(startSection, v, vec4(carriedTo(pointAt(nowSection, v), up, down), 1.0f));"):
+        "only xyz of that section are read",
+    ("grid/tally_join.comp", "vec4 most = vec4(-0.0f);"):
+        "what is kept the most of is never negative: speeds, depths, shares and counts",
+    ("common/once.glsl", "return max(x, ivec4(-0x7fffffdf));"):
+        "no uniform is that far below 0",
+    ("cave/nearest.comp", "if (gl_GlobalInvocationID.x >= 33u * uint(rowWords)) return;"):
+        "beyond the end of a row is the next row's cell, of which the same is found",
+    ("particles/drift.comp", "if (i > stepData.count) return;"):
+        "what is stored behind the last particle is dropped, or lies where nothing reads",
 }

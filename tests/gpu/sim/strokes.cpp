@@ -1,5 +1,7 @@
 // Strokes in every simulation that takes them: what is due at the start is in the first state, and goes
 // round a torus.
+#include "base/file.hpp"
+#include "frame/image.hpp"
 #include "gpu/sim/spread.hpp"
 #include "sim/gray_scott/gray_scott.hpp"
 #include "sim/gray_scott/parameters.hpp"
@@ -18,7 +20,7 @@ using namespace simreel;
 namespace {
 
 constexpr glm::ivec2 size(61, 47);
-constexpr double frame = 1.0 / 30;
+constexpr double frameTime = 1.0 / 30;
 
 template <class Parameters>
 std::unique_ptr<sim::Simulation> make(const sim::SimulationKind& kind, const Parameters& parameters,
@@ -29,7 +31,7 @@ std::unique_ptr<sim::Simulation> make(const sim::SimulationKind& kind, const Par
   object.kind = kind.kind.name;
   object.parameters = std::make_unique<Parameters>(parameters);
   static const std::vector<sim::ColliderShape> colliders;
-  sim::Setting setting{false, 5, frame, &colliders};
+  sim::Setting setting{false, 5, frameTime, &colliders};
   setting.startTime = start;
   return kind.make(object, setting);
 }
@@ -54,22 +56,26 @@ const sim::StrokeParameters brush(double at) {
   return spread::dot({0.3F, 46.2F, 0}, 5.2F, 1, at);
 }
 
-std::vector<bool> lifeCells(bool torus, double at, double start, int frames) {
+std::vector<bool> lifeCellsOf(const sim::StrokeParameters& stroke, bool torus, double start, int frames) {
   sim::LifeParameters p;
   p.size = size;
   p.fill = 0;
   p.rule = "B/S012345678";  // nothing changes by itself
   p.stepsPerSecond = 30;
   p.border = torus ? sim::LifeBorder::torus : sim::LifeBorder::dead;
-  p.strokes = {brush(at)};
+  p.strokes = {stroke};
   const auto gpu = make(sim::lifeKind(), p, start);
-  for (int i = 0; i < frames; ++i) gpu->step(start + i * frame, {});
+  for (int i = 0; i < frames; ++i) gpu->step(start + i * frameTime, {});
   const auto words = gpu->state()[0].buffer->readAll<std::uint32_t>();
   std::vector<bool> cells;
   for (int y = 0; y < size.y; ++y)
     for (int x = 0; x < size.x; ++x)
       cells.push_back((words[static_cast<std::size_t>(4 * y + x / 32)] >> (x % 32) & 1U) != 0);
   return cells;
+}
+
+std::vector<bool> lifeCells(bool torus, double at, double start, int frames) {
+  return lifeCellsOf(brush(at), torus, start, frames);
 }
 
 std::vector<bool> grayScottCells(bool /*torus*/, double at, double start, int frames) {
@@ -82,7 +88,7 @@ std::vector<bool> grayScottCells(bool /*torus*/, double at, double start, int fr
   p.steps = 1;
   p.strokes = {brush(at)};
   const auto gpu = make(sim::grayScottKind(), p, start);
-  for (int i = 0; i < frames; ++i) gpu->step(start + i * frame, {});
+  for (int i = 0; i < frames; ++i) gpu->step(start + i * frameTime, {});
   const auto pairs = gpu->state()[0].buffer->readAll<glm::vec4>();
   std::vector<bool> cells;
   for (int y = 0; y < size.y; ++y)
@@ -100,7 +106,7 @@ std::vector<bool> spreadCells(const sim::SimulationKind& kind, Parameters p, dou
   p.size = size;
   p.strokes = {brush(at)};
   const auto gpu = make(kind, p, start);
-  for (int i = 0; i < frames; ++i) gpu->step(start + i * frame, {});
+  for (int i = 0; i < frames; ++i) gpu->step(start + i * frameTime, {});
   const auto state = spread::cellsOf(*gpu, size);
   std::vector<bool> cells;
   glm::uvec4 counts(0);
@@ -158,10 +164,31 @@ TEST_CASE(
   const std::vector<bool> none(painted.size());
   for (const Painted& kind : paintedKinds) {
     INFO(kind.name);
-    CHECK(kind.cells(true, 0, -3 * frame, 2) == none);
-    CHECK(kind.cells(true, 0, -3 * frame, 3) == painted);
-    CHECK(kind.cells(true, -3 * frame, -3 * frame, 0) == painted);
-    CHECK(kind.cells(true, 1.5 * frame, 0, 1) == none);
-    CHECK(kind.cells(true, 1.5 * frame, 0, 2) == painted);
+    CHECK(kind.cells(true, 0, -3 * frameTime, 2) == none);
+    CHECK(kind.cells(true, 0, -3 * frameTime, 3) == painted);
+    CHECK(kind.cells(true, -3 * frameTime, -3 * frameTime, 0) == painted);
+    CHECK(kind.cells(true, 1.5 * frameTime, 0, 1) == none);
+    CHECK(kind.cells(true, 1.5 * frameTime, 0, 2) == painted);
   }
+}
+
+TEST_CASE("strokes: a picture paints its own pixels, none beside it") {
+  // Its first column and row are light: what is read beyond the end of a row is the next one's first pixel.
+  constexpr glm::ivec2 stamp(9, 5), at(20, 11);
+  frame::Image picture{stamp.x, stamp.y, {}};
+  std::vector<bool> expected(static_cast<std::size_t>(size.x) * size.y);
+  for (int y = 0; y < stamp.y; ++y)
+    for (int x = 0; x < stamp.x; ++x) {
+      const bool light = x == 0 || y == 0 || (x + y) % 3 == 0;
+      const auto level = static_cast<std::uint8_t>(light ? 255 : 0);
+      picture.bytes.insert(picture.bytes.end(), {level, level, level, 255});
+      expected[static_cast<std::size_t>((y + at.y) * size.x + x + at.x)] = light;
+    }
+  const auto file = temporaryFile("stamp.png");
+  writeFileAtomically(file, frame::encodePng(picture, {}));
+  sim::StrokeParameters stroke = spread::dot({at.x, at.y, 0}, 1, 1, 0);
+  stroke.shape = sim::StrokeParameters::Shape::image;
+  stroke.image = file;
+  CHECK(lifeCellsOf(stroke, false, 0, 0) == expected);
+  std::filesystem::remove(file);
 }
