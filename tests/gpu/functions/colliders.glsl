@@ -60,8 +60,8 @@ FUNCTION vec4 asked(int i) {
   m.position = somePlace(i, 0);
   m.velocity = 4.0f * somePlace(i, 1);
   precise vec3 near = m.position - m.velocity * 0.03125f;
-  precise vec3 far = 4.0f * somePlace(i, 2);
-  vec3 before = i % 5 < 2 ? near : far;
+  precise vec3 within = 0.5f * somePlace(i, 2);
+  vec3 before = i % 5 < 2 ? near : i % 5 == 2 ? 8.0f * within : within;
   if (i % 3 == 0) {
     FieldPoint p = fieldAt(0, 1.5f * m.position);
     return vec4(p.slope, p.there ? p.distance_ : -1.0f - p.distance_);
