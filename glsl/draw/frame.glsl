@@ -27,6 +27,8 @@ struct STD140 Frame {
   float sunGlow;           // factor of the glow around the sun
   float shadowTexels;      // on a side of the shadow map
   float shadowSoftness;    // radius of the shadow's filter (texels)
+  float sunSpread;         // tangent of half the sun's angular diameter
+  float shadowReach;       // how far from its caster's edge a shadow may reach (texels)
   float groundHeight;      // m
   float groundRoughness;
   float groundReach;       // half the side of the drawn square (m)

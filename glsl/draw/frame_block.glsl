@@ -30,6 +30,8 @@ Frame frameOnce() {  // each member of Frame
   one.sunGlow = once(frameBlock.sunGlow);
   one.shadowTexels = once(frameBlock.shadowTexels);
   one.shadowSoftness = once(frameBlock.shadowSoftness);
+  one.sunSpread = once(frameBlock.sunSpread);
+  one.shadowReach = once(frameBlock.shadowReach);
   one.groundHeight = once(frameBlock.groundHeight);
   one.groundRoughness = once(frameBlock.groundRoughness);
   one.groundReach = once(frameBlock.groundReach);

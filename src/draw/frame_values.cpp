@@ -14,6 +14,10 @@ namespace simreel::draw {
 
 namespace {
 
+constexpr double radiansPerDegree = 0.017453292519943295;
+/// Of the shadow map's side: radius of the widest penumbra. The map has as much room around what casts.
+constexpr float penumbraShare = 0.12F;
+
 void setSun(shader::Frame& frame, const scene::Sun& sun, double seconds) {
   const glm::vec3 given = sun.direction.at(seconds);
   const glm::vec3 direction = glm::length(given) > 1e-6F ? glm::normalize(given) : glm::vec3(0, 1, 0);
@@ -26,6 +30,9 @@ void setSun(shader::Frame& frame, const scene::Sun& sun, double seconds) {
   frame.lightUp = glm::vec4(glm::cross(direction, right), 0);
   frame.shadowTexels = static_cast<float>(sun.shadowSize);
   frame.shadowSoftness = sun.shadowSoftness;
+  frame.sunSpread = static_cast<float>(ieee::tan(0.5 * radiansPerDegree * sun.diameter));
+  frame.shadowReach = sun.diameter > 0 ? std::max(sun.shadowSoftness, penumbraShare * frame.shadowTexels)
+                                       : sun.shadowSoftness;
 }
 
 /// The exact cosine-weighted mean of the gradient in glsl/draw/sky.glsl is nearly the zenith alone,

@@ -191,6 +191,7 @@ struct Quantity {
 /// A box along the axes of the scene.
 struct Box {
   glm::vec3 min{0}, max{0};  ///< m
+  bool round = false;        ///< what is in it has none of its corners, as a ball
 };
 
 /// The least box that has the point, too.
@@ -210,6 +211,10 @@ struct Parameters {
   /// What a camera has in view that the scene places nowhere; nothing of kinds that leave it alone. May
   /// read the files that they name, and says nothing of those that cannot be read.
   [[nodiscard]] virtual std::optional<Box> framed() const { return std::nullopt; }
+  /// How it looks where nobody says so (stage.hpp): what shines wants darkness around it, a landscape is
+  /// surroundings itself.
+  enum class Looks { solid, cloth, shining, landscape };
+  [[nodiscard]] virtual Looks looks() const { return Looks::solid; }
 };
 
 /// One line of the list of simulations: what a scene calls it, one sentence, and how to make its

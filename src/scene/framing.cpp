@@ -8,13 +8,11 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
+#include <glm/vec2.hpp>
 
 namespace simreel::scene {
 
 namespace {
-
-/// Shares of the picture's half height and width that the box may take.
-constexpr float taken = 0.92F;
 
 /// From the target to the camera. What lies is looked at from above; what stands or hangs almost level, and
 /// from the side a little, so that its depth shows.
@@ -24,48 +22,114 @@ glm::vec3 backFrom(const Box& box) {
   return glm::normalize(tall ? glm::vec3(-0.5F, 0.4F, 1) : glm::vec3(0, 1.15F, 1));
 }
 
-std::optional<Box> boxOf(const Scene& scene) {
-  std::optional<Box> all;
-  for (const Object& object : scene.objects) {
-    const std::optional<Box> one = object.parameters ? object.parameters->framed() : std::nullopt;
-    if (!one) continue;
-    if (!all) all = one;
-    all = Box{glm::min(all->min, one->min), glm::max(all->max, one->max)};
+void addCorners(const Box& box, std::vector<glm::vec3>& points) {
+  for (int i = 0; i < 8; ++i)
+    points.emplace_back((i & 1) == 0 ? box.min.x : box.max.x, (i & 2) == 0 ? box.min.y : box.max.y,
+                        (i & 4) == 0 ? box.min.z : box.max.z);
+}
+
+/// Of the ellipsoid that touches the box's sides: some hundred, evenly enough.
+void addEllipsoid(const Box& box, std::vector<glm::vec3>& points) {
+  constexpr int reach = 2;
+  for (int x = -reach; x <= reach; ++x)
+    for (int y = -reach; y <= reach; ++y)
+      for (int z = -reach; z <= reach; ++z)
+        if (const glm::vec3 way(x, y, z); way != glm::vec3(0))
+          points.push_back(0.5F * (box.min + box.max) +
+                           0.5F * (box.max - box.min) * (way / glm::length(way)));
+}
+
+/// A camera that looks at a point from the direction `back`, and the tangents of its half angles.
+struct Look {
+  glm::vec3 back, right, up;
+  float wide, high;
+};
+
+/// How far from `target` all points are within the picture. A point c is from the distance d where
+/// |c . up| <= high (d - c . back), and so with right.
+float distanceOf(const Look& look, const glm::vec3& target, const std::vector<glm::vec3>& points) {
+  float distance = 0;
+  for (const glm::vec3& point : points) {
+    const glm::vec3 from = point - target;
+    const float before = glm::dot(from, look.back);
+    distance = std::max({distance, before + std::abs(glm::dot(from, look.up)) / look.high,
+                         before + std::abs(glm::dot(from, look.right)) / look.wide});
   }
-  return all;
+  return distance;
+}
+
+/// The target moved across so that the margins around what is seen are even, as near as a few looks get.
+glm::vec3 centred(const Look& look, glm::vec3 target, const std::vector<glm::vec3>& points) {
+  constexpr int looks = 4;
+  for (int i = 0; i < looks; ++i) {
+    const float distance = distanceOf(look, target, points);
+    glm::vec2 low(1e9F);
+    glm::vec2 high(-1e9F);
+    for (const glm::vec3& point : points) {
+      const glm::vec3 from = point - target;
+      const glm::vec2 seen = glm::vec2(glm::dot(from, look.right), glm::dot(from, look.up)) /
+                             std::max(distance - glm::dot(from, look.back), 1e-3F * distance);
+      low = glm::min(low, seen);
+      high = glm::max(high, seen);
+    }
+    const glm::vec2 aside = 0.5F * distance * (low + high);
+    target += aside.x * look.right + aside.y * look.up;
+  }
+  return target;
 }
 
 }  // namespace
 
-void frameObjects(Scene& scene) {
+std::vector<Box> framedBoxes(const Scene& scene) {
+  std::vector<Box> boxes;
+  for (const Object& object : scene.objects)
+    if (const std::optional<Box> box = object.parameters ? object.parameters->framed() : std::nullopt)
+      boxes.push_back(*box);
+  return boxes;
+}
+
+Box boxAround(const std::vector<Box>& boxes) {
+  Box all = boxes.front();
+  for (const Box& box : boxes) all = {glm::min(all.min, box.min), glm::max(all.max, box.max)};
+  return all;
+}
+
+glm::vec3 stageBack(const Box& box) {
+  const glm::vec3 extent = box.max - box.min;
+  const float height = std::min(extent.y / std::max(0.5F * std::max(extent.x, extent.z), 1e-6F), 1.0F);
+  return glm::normalize(glm::vec3(-0.62F, 0.8F - 0.42F * height, 1));
+}
+
+void frameObjects(Scene& scene, const std::vector<Box>& boxes) {
   Camera& camera = scene.camera;
-  const std::optional<Box> box = camera.placed ? std::nullopt : boxOf(scene);
-  if (!box) return;
-  const glm::vec3 back = backFrom(*box);
-  const glm::vec3 right = glm::normalize(glm::vec3(back.z, 0, -back.x));
-  const glm::vec3 up = glm::normalize(glm::vec3(0, 1, 0) - back * back.y);
+  if (camera.placed || boxes.empty()) return;
+  constexpr float stageLens = 26.0F;  // degrees
+  if (scene.staged && !camera.hasLens) camera.fieldOfView = stageLens;
+  // Shares of the picture's half height and width that may be taken.
+  const float taken = scene.staged ? 0.8F : 0.92F;
+  const Box box = boxAround(boxes);
   const float half = 0.5F * glm::radians(camera.fieldOfView.at(0));
-  const float high = taken * static_cast<float>(ieee::tan(static_cast<double>(half)));
-  const float wide =
-      high * static_cast<float>(scene.render.size.x) / static_cast<float>(scene.render.size.y);
-  const glm::vec3 middle = 0.5F * (box->min + box->max);
-  // A corner c is in view from the distance d where |c . up| <= high (d - c . back), and so with right.
-  float distance = 0;
-  float nearest = 0;  // of the corners, towards the camera
-  for (int i = 0; i < 8; ++i) {
-    const glm::vec3 corner =
-        glm::vec3((i & 1) == 0 ? box->min.x : box->max.x, (i & 2) == 0 ? box->min.y : box->max.y,
-                  (i & 4) == 0 ? box->min.z : box->max.z) -
-        middle;
-    const float before = glm::dot(corner, back);
-    nearest = std::max(nearest, before);
-    distance = std::max({distance, before + std::abs(glm::dot(corner, up)) / high,
-                         before + std::abs(glm::dot(corner, right)) / wide});
+  Look look{};
+  look.back = scene.staged ? stageBack(box) : backFrom(box);
+  look.right = glm::normalize(glm::vec3(look.back.z, 0, -look.back.x));
+  look.up = glm::normalize(glm::vec3(0, 1, 0) - look.back * look.back.y);
+  look.high = taken * static_cast<float>(ieee::tan(static_cast<double>(half)));
+  look.wide = look.high * static_cast<float>(scene.render.size.x) / static_cast<float>(scene.render.size.y);
+  glm::vec3 target = 0.5F * (box.min + box.max);
+  std::vector<glm::vec3> points;
+  if (scene.staged) {
+    for (const Box& one : boxes) one.round ? addEllipsoid(one, points) : addCorners(one, points);
+    target = centred(look, target, points);
+  } else {
+    addCorners(box, points);
   }
-  camera.target = middle;
-  camera.position = middle + distance * back;
+  float nearest = 0;  // of the points, towards the camera
+  for (const glm::vec3& point : points) nearest = std::max(nearest, glm::dot(point - target, look.back));
+  const float distance = distanceOf(look, target, points);
+  camera.target = target;
+  camera.position = target + distance * look.back;
   camera.near = std::min(camera.near, 0.5F * (distance - nearest));
-  camera.far = std::max(camera.far, 4.0F * distance);
+  camera.far = std::max(camera.far, (scene.staged ? 12.0F : 4.0F) * distance);
 }
 
 }  // namespace simreel::scene

@@ -10,6 +10,7 @@
 #include "scene/reader.hpp"
 #include "scene/scene_source.hpp"
 #include "scene/sections.hpp"
+#include "scene/stage.hpp"
 #include "scene/value_reader.hpp"
 #include "scene/words.hpp"
 
@@ -41,6 +42,7 @@ Object readObject(const Node& node, ReadContext context, std::span<const Kind> k
   bool unknown = false;
   for (const Node& member : node.children) {
     if (member.key == "material") {
+      object.hasMaterial = true;
       Reader::readObject(member, context, [&](Reader& fields) { object.material.describe(fields); });
       continue;
     }
@@ -176,7 +178,11 @@ void readScene(const Node& root, ReadContext context, const Kinds& kinds, bool h
   // A length that could not be read says nothing about the frames.
   const bool lengthKnown = heldToLength && context.diagnostics.count() == errorsBefore;
   if (const Node* objects = fields.take("objects")) readObjects(*objects, context, kinds, scene.objects);
-  if (context.diagnostics.count() == 0) frameObjects(scene);  // which may read files that it names
+  if (context.diagnostics.count() == 0) {
+    const std::vector<Box> boxes = framedBoxes(scene);  // which may read files that the scene names
+    if (givesNoStage(root)) setStage(scene, boxes);
+    frameObjects(scene, boxes);
+  }
   describeTests(fields, scene, lengthKnown ? std::optional(scene.frameCount()) : std::nullopt);
   std::string schemaAddress;  // for editors
   fields.text("$schema", schemaAddress, "");

@@ -92,8 +92,9 @@ struct Camera {
   Animated<float> fieldOfView = 40.0F;  ///< degrees, vertical
   Animated<float> roll = 0.0F;          ///< degrees
   bool follows = false;
-  Follow follow;        ///< instead of position and target
-  bool placed = false;  ///< whether the scene says where it stands or what it looks at
+  Follow follow;         ///< instead of position and target
+  bool placed = false;   ///< whether the scene says where it stands or what it looks at
+  bool hasLens = false;  ///< whether the scene gives its field of view
   float near = 0.05F;
   float far = 200.0F;
   void describe(Fields& fields);
@@ -103,6 +104,7 @@ struct Sun {
   Animated<glm::vec3> direction = glm::vec3(0.4F, 0.8F, 0.45F);  ///< towards the light
   Animated<glm::vec3> color = glm::vec3(1, 0.92F, 0.80F);
   Animated<float> intensity = 4.0F;
+  float diameter = 0.0F;  ///< degrees, as seen from here: what penumbras grow by; 0: they do not grow
   bool shadow = true;
   int shadowSize = 1024;        ///< texels on a side
   float shadowSoftness = 1.5F;  ///< radius of the filter, texels
@@ -135,6 +137,7 @@ struct Object {
   std::string kind;  ///< a name from the list of simulations
   std::unique_ptr<Parameters> parameters;
   Material material;
+  bool hasMaterial = false;  ///< whether the scene gives it
 };
 
 /// Reports a mistake of an object at the place of the value that `path` leads to from it, or of the last on
@@ -159,6 +162,7 @@ struct Scene {
   Camera camera;
   Sun sun;
   Sky sky;
+  bool staged = false;  ///< whether sun, sky, ground, lights and plain materials are a stage's (stage.hpp)
   bool hasGround = false;
   Ground ground;
   std::vector<Light> lights;  ///< at most maxLights, maxShadowedLights of them with shadows

@@ -12,11 +12,20 @@ namespace {
 constexpr const char* renderDoc = "Size and look of the images.";
 constexpr const char* timeDoc = "Frame rate and length.";
 constexpr const char* cameraDoc = "Where the images are taken from.";
-constexpr const char* sunDoc = "The one directional light and its shadow.";
-constexpr const char* skyDoc = "Ambient light and background gradient.";
-constexpr const char* groundDoc = "A ground plane, drawn and collided with.";
-constexpr const char* lightsDoc = "Lights at places of the scene, each {position, intensity, ...} by name.";
-constexpr const char* materialDoc = "Surface of an object.";
+constexpr const char* sunDoc =
+    "The one directional light and its shadow. A scene of solids with none of sun, sky, ground and lights "
+    "stands on a stage, whose these are.";
+constexpr const char* skyDoc =
+    "Ambient light and background gradient; left out with sun, ground and lights those of a stage.";
+constexpr const char* groundDoc =
+    "A ground plane, drawn and collided with; left out with sun, sky and lights a stage's, below all, "
+    "which "
+    "nothing collides with.";
+constexpr const char* lightsDoc =
+    "Lights at places of the scene, each {position, intensity, ...} by name; left out with sun, sky and "
+    "ground a stage's.";
+constexpr const char* materialDoc =
+    "Surface of an object; left out as a whole on a stage a colour of its palette.";
 
 template <class T>
 Section section(const char* name, const char* doc) {
@@ -111,13 +120,17 @@ void Follow::describe(Fields& fields) {
 
 void Camera::describe(Fields& fields) {
   fields.vector("position", position, anyNumber, "m", "Where the camera stands.");
-  fields.leftOut("position", "[0,1.5,6], or a whole cave, contour, cloth, mesh, body or ball is in view");
+  fields.leftOut("position",
+                 "[0,1.5,6], or whole caves, contours, cloths, meshes, bodies, balls and "
+                 "particles are in view");
   fields.vector("target", target, anyNumber, "m", "What it looks at.");
   fields.leftOut("target", "[0,0,0], or its middle");
   fields.number("fieldOfView", fieldOfView, {1, 170}, "degrees", "Vertical angle of view.");
+  fields.leftOut("fieldOfView", "40, or 26 on a stage that is in view as a whole");
   fields.number("roll", roll, anyNumber, "degrees", "Turn about the line of sight.");
   fields.optionalGroup("follow", follows, "Goes along a path that an object has found.",
                        [&](Fields& f) { follow.describe(f); });
+  hasLens = fields.given("fieldOfView");
   placed = follows || fields.given("position") || fields.given("target");
   for (const char* name : {"position", "target"})
     if (follows && fields.given(name))
@@ -137,6 +150,9 @@ void Sun::describe(Fields& fields) {
   fields.vector("color", color, notNegative, "", "Colour of its light, linear RGB.");
   fields.number("intensity", intensity, notNegative, "lx",
                 "Illuminance of what faces it, for the colour 1.");
+  fields.number("diameter", diameter, {0, 60}, "degrees",
+                "Of its disc, by which penumbras grow with the distance from what casts them; ours has "
+                "0.53. 0: they do not grow. The driver's rasterizer knows 0 alone.");
   fields.boolean("shadow", shadow, "Whether it casts shadows.");
   fields.integer("shadowSize", shadowSize, {16, 8192}, "texels", "Side of the shadow map.");
   fields.number("shadowSoftness", shadowSoftness, {0, 16}, "texels", "Radius of the shadow's soft edge.");

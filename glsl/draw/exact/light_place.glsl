@@ -16,3 +16,7 @@ vec3 lightPlace(vec3 p) {
 float lightTexel() {
   return lightSize.x;
 }
+// Of the map (m).
+float lightDepth() {
+  return lightSize.z;
+}

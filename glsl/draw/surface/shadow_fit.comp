@@ -26,7 +26,7 @@ void main() {
   }
   // No caster lies within `margin` texels of the border, so reading past the border finds no shadow.
   float texels = frame.shadowTexels;
-  precise float softness = ceil(frame.shadowSoftness) + 2.0;
+  precise float softness = ceil(frame.shadowReach) + 2.0;
   precise float quarter = 0.25 * texels;
   float margin = min(softness, quarter);
   precise vec3 extent = high - low;

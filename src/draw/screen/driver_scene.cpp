@@ -1,5 +1,6 @@
 #include "draw/screen/driver_scene.hpp"
 
+#include "base/log.hpp"
 #include "draw/instances/instances_pass.hpp"
 #include "draw/lights/lamp_shadows.hpp"
 #include "draw/lights/lamps.hpp"
@@ -50,7 +51,13 @@ struct DriverScene::State {
 
 DriverScene::DriverScene(const Shared& shared, int samples)
     : state_(std::make_unique<State>(
-          shared, glm::ivec2(shared.picture.color.width(), shared.picture.color.height()), samples)) {}
+          shared, glm::ivec2(shared.picture.color.width(), shared.picture.color.height()), samples)) {
+  const scene::Scene& scene = shared.scene;
+  if (scene.sun.diameter > 0 && scene.sun.shadow && !scene.staged)
+    warn(
+        "sun.diameter: the driver's rasterizer has shadows of one softness (shadowSoftness); penumbras "
+        "grow in pictures of \"rasterizer\": \"exact\" alone");
+}
 DriverScene::~DriverScene() = default;
 
 void DriverScene::draw(double seconds, const sim::Drawables& all, const Watch& watch) {

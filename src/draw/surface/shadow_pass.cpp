@@ -35,6 +35,7 @@ gl::Texture makeMap(int size) {
 ShadowPass::ShadowPass(const scene::Sun& sun) : on_(sun.shadow), softness_(sun.shadowSoftness) {
   if (!on_) return;
   defines_ = {{"SHADOW", "1"}, {"SHADOW_TAPS", softness_ <= 2.0F ? "4" : "16"}};
+  if (sun.diameter > 0) defines_.emplace_back("SUN_DISC", "1");
   bounds_ = gl::Program::compute("draw/surface/shadow_bounds.comp");
   fit_ = gl::Program::compute("draw/surface/shadow_fit.comp");
   draw_ = gl::Program::graphics("draw/surface/shadow.vert", "draw/surface/shadow.frag");

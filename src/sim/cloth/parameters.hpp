@@ -102,6 +102,7 @@ struct ClothParameters : ObjectParameters, shader::ClothConstants {
 
   [[nodiscard]] bool feelsFaces() const override { return hasContact; }
   [[nodiscard]] bool isCloth() const override { return true; }
+  [[nodiscard]] Looks looks() const override { return Looks::cloth; }
   /// The same with as many substeps as what it touches takes; 0: its own.
   [[nodiscard]] ClothParameters inStep(int contactSubsteps) const;
   /// Fewest substeps of a frame that "auto" takes of cloth in contact: it is solved by a round or two in

@@ -4,6 +4,7 @@
 #include "sim/core/collider.hpp"
 #include "sim/mesh/shapes.hpp"
 
+#include <cmath>
 #include <cstdint>
 
 #include <fmt/format.h>
@@ -151,6 +152,15 @@ std::optional<scene::Box> MeshParameters::framed() const {
   } catch (const UserError&) {
     return std::nullopt;  // whoever makes it says why
   }
+  if (!box) return box;
+  float swell = 0;  // m, up and down
+  for (const DisplacementParameters& one : deform.list) {
+    if (one.ripple.on) swell += std::abs(one.ripple.amplitude);
+    for (const Wave& wave : one.waves) swell += std::abs(wave.amplitude);
+  }
+  box->min.y -= swell;
+  box->max.y += swell;
+  box->round = (shape == MeshShape::sphere || shape == MeshShape::torus) && !position.moves();
   return box;
 }
 

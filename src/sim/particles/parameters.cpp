@@ -3,7 +3,10 @@
 #include "sim/grid/color_map.hpp"
 #include "sim/particles/plan.hpp"
 
+#include <algorithm>
+
 #include <fmt/format.h>
+#include <glm/geometric.hpp>
 
 namespace simreel::sim {
 
@@ -14,6 +17,41 @@ struct ColorStop {
 };
 
 constexpr const char* colorMaps[] = {"viridis", "magma", "inferno", "plasma", "turbo", "grey"};
+
+/// Scale lengths within which most of a Plummer sphere or a disk is.
+constexpr float scaleLengths = 3.0F;
+
+void includeBall(std::optional<scene::Box>& box, const glm::vec3& middle, const glm::vec3& half) {
+  scene::include(box, middle - half);
+  scene::include(box, middle + half);
+}
+
+/// At the start: where it goes is its own affair.
+void includeGroup(std::optional<scene::Box>& box, const ParticleGroup& group) {
+  using Shape = ParticleGroup::Shape;
+  if (group.shape == Shape::file) return;
+  const bool open = group.shape == Shape::plummer || group.shape == Shape::disk;
+  const float radius = group.radius * (open ? scaleLengths : 1.0F);
+  glm::vec3 half(radius);
+  if (group.shape == Shape::disk && group.rotation == glm::vec3(0))
+    half.y = radius * std::min(group.thickness * scaleLengths, 1.0F);
+  includeBall(box, group.position, half);
+}
+
+/// The flight of a life without damping and attraction, and how far its particles go apart: they leave
+/// within a cone about the velocity.
+void includeEmitter(std::optional<scene::Box>& box, const Emitter& emitter, const glm::vec3& acceleration) {
+  constexpr int looks = 16;
+  const float apart = std::min(emitter.spread / 57.29578F, 1.0F);
+  for (const auto& key : emitter.position.keys()) {
+    const glm::vec3 velocity = emitter.velocity.at(key.time);
+    for (int i = 0; i <= looks; ++i) {
+      const float t = emitter.lifetime * static_cast<float>(i) / looks;
+      includeBall(box, key.value + velocity * t + acceleration * (0.5F * t * t),
+                  glm::vec3(emitter.radius + 0.7F * apart * glm::length(velocity) * t));
+    }
+  }
+}
 
 }  // namespace
 
@@ -168,6 +206,17 @@ std::span<const scene::Quantity> ParticleParameters::quantities() const {
                                           {"momentum", "kg m/s", "Size of the sum of mass times velocity."},
                                           {"kineticEnergy", "J", "Sum of m v^2 / 2."}};
   return table;
+}
+
+std::optional<scene::Box> ParticleParameters::framed() const {
+  std::optional<scene::Box> box;
+  for (const ParticleGroup& group : groups) includeGroup(box, group);
+  for (const Emitter& emitter : emitters) includeEmitter(box, emitter, acceleration.at(0));
+  if (!box) return box;
+  box->min -= 0.5F * size;
+  box->max += 0.5F * size;
+  box->round = emitters.empty() && groups.size() == 1 && groups[0].shape != ParticleGroup::Shape::cube;
+  return box;
 }
 
 }  // namespace simreel::sim

@@ -89,6 +89,8 @@ struct ParticleParameters : ObjectParameters, shader::ParticleConstants {
 
   void describe(scene::Fields& fields) override;
   [[nodiscard]] std::span<const scene::Quantity> quantities() const override;
+  [[nodiscard]] std::optional<scene::Box> framed() const override;
+  [[nodiscard]] Looks looks() const override { return additive ? Looks::shining : Looks::solid; }
   [[nodiscard]] bool asksToCollide() const override { return collides; }
   [[nodiscard]] double touchMargin() const override { return collides ? margin : -1; }
   [[nodiscard]] std::string meetsWalls() const override { return walls; }

@@ -57,6 +57,7 @@ std::optional<scene::Box> ShapeParameters::framed() const {
       scene::include(box, middle - shape.radius);
       scene::include(box, middle + shape.radius);
     }
+  if (box) box->round = shape.length == 0 && !shape.position.moves();
   return box;
 }
 

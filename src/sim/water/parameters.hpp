@@ -112,6 +112,7 @@ struct WaterParameters : ObjectParameters {
   [[nodiscard]] std::span<const scene::Quantity> quantities() const override;
   [[nodiscard]] bool publishesHeights() const override { return collides; }
   [[nodiscard]] std::optional<scene::Box> framed() const override;
+  [[nodiscard]] Looks looks() const override { return Looks::landscape; }
   [[nodiscard]] bool isTorus() const;
 
  private:

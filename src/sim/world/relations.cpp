@@ -217,7 +217,7 @@ void checkRelations(std::span<const scene::Object> objects, const scene::Report&
 
 std::vector<std::string> relationMistakes(const scene::Scene& scene) {
   std::vector<std::string> mistakes = followMistakes(scene);
-  bool touched = scene.hasGround;
+  bool touched = scene.hasGround && !scene.staged;
   for (const scene::Object& object : scene.objects)
     if (const auto* parameters = parametersAt(object))
       touched = touched || parameters->isTouched() || parameters->feelsFaces();

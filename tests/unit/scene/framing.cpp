@@ -27,7 +27,7 @@ scene::Scene with(std::initializer_list<scene::Box> boxes, glm::ivec2 size) {
     scene::Object& object = scene.objects.emplace_back();
     object.parameters = std::make_unique<Boxed>(box);
   }
-  scene::frameObjects(scene);
+  if (boxes.size() > 0) scene::frameObjects(scene, std::vector<scene::Box>(boxes));
   return scene;
 }
 
@@ -83,7 +83,7 @@ TEST_CASE("a camera frames all that ask for it together, and stays where a scene
   scene::Scene placed;
   placed.camera.placed = true;
   placed.objects.emplace_back().parameters = std::make_unique<Boxed>(left);
-  scene::frameObjects(placed);
+  scene::frameObjects(placed, scene::framedBoxes(placed));
   CHECK(placed.camera.position.at(0) == scene::Camera().position.at(0));
   CHECK(with({}, {64, 64}).camera.position.at(0) == scene::Camera().position.at(0));
 }

@@ -2,6 +2,7 @@
 #include "sim/body/parameters.hpp"
 #include "sim/cloth/parameters.hpp"
 #include "sim/mesh/parameters.hpp"
+#include "sim/particles/parameters.hpp"
 #include "sim/shape/shape.hpp"
 #include "source_folder.hpp"
 
@@ -92,4 +93,29 @@ TEST_CASE("framed: cloth of a mesh at rest, and where it falls or hangs") {
   checkFramed(cloth, {-1.5F, 0, -0.5F}, {1.5F, 2, 0.5F});
   cloth.pins.emplace_back().vertices = {0};
   checkFramed(cloth, {-1.5F, -1, -0.5F}, {1.5F, 2, 0.5F});
+}
+
+TEST_CASE("framed: particles where they start, and as far as sources throw them") {
+  sim::ParticleParameters cloud;
+  cloud.size = 0;
+  CHECK_FALSE(cloud.framed());
+  sim::ParticleGroup group;
+  group.shape = sim::ParticleGroup::Shape::ball;
+  group.radius = 0.5F;
+  group.position = glm::vec3(1, 2, 3);
+  cloud.groups = {group};
+  checkFramed(cloud, {0.5F, 1.5F, 2.5F}, {1.5F, 2.5F, 3.5F});
+  CHECK(cloud.framed()->round);
+  cloud.groups[0].shape = sim::ParticleGroup::Shape::disk;
+  checkFramed(cloud, {-0.5F, 1.775F, 1.5F}, {2.5F, 2.225F, 4.5F});
+  sim::Emitter fountain;
+  fountain.spread = 0;
+  fountain.radius = 0;
+  fountain.lifetime = 2;
+  fountain.velocity = glm::vec3(0, 4, 0);
+  cloud.groups.clear();
+  cloud.emitters = {fountain};
+  cloud.acceleration = glm::vec3(1, -4, 0);
+  checkFramed(cloud, {0, 0, 0}, {2, 2, 0});  // up for a second, and down again
+  CHECK_FALSE(cloud.framed()->round);
 }

@@ -1,9 +1,34 @@
-// Fraction of the sun that reaches a place, filtered over frame.shadowSoftness texels of the sun's map. SHADOW_TAPS.
+// Fraction of the sun that reaches a place, filtered over frame.shadowSoftness texels of the sun's map: SHADOW_TAPS; or
+// over the penumbra of its disc: SUN_DISC.
 #include "draw/exact/light_place.glsl"
 #include "draw/exact/shadows/shadow_filter.glsl"
 layout(binding = mapUnit) uniform usamplerBuffer sunMap;
 
-float sunFraction(vec3 place) {
+#ifdef SUN_DISC
+float casterNear(ivec2 texel) {
+  int side = int(frame.shadowTexels);
+  ivec2 at = clamp(texel, ivec2(0), ivec2(side - 1));
+  uint key = texelFetch(sunMap, at.y * side + at.x).x;
+  return key > nearKey(0.0f) ? -1e30f : intBitsToFloat(int(nearKey(0.0f) - key));
+}
+#include "draw/exact/shadows/disc_points.glsl"
+#include "draw/exact/shadows/sun_disc.glsl"
+
+// `normal`: of a surface that does not shade itself as far as it is flat.
+float sunFraction(vec3 place, vec3 normal) {
+  float perDepth = exactReciprocal(lightDepth());
+  precise float perTexel = lightTexel() * perDepth;  // depth that a texel is long
+  float along = max(exactDot(normal, frame.sunDirection.xyz), 0.1f);
+  precise vec2 across = vec2(exactDot(normal, frame.lightRight.xyz), exactDot(normal, frame.lightUp.xyz));
+  precise vec2 rise = across * (-perTexel * exactReciprocal(along));
+  precise vec2 middle = place.xy * frame.shadowTexels;
+  precise float near = 1.0f - place.z;
+  precise float spread = frame.sunSpread * exactReciprocal(perTexel);
+  precise float least = 0.5f + frame.shadowSoftness;
+  return sunDiscFraction(SunReceiver(middle, near, rise, spread, least, frame.shadowReach));
+}
+#else
+float sunFraction(vec3 place, vec3 normal) {
   int side = int(frame.shadowTexels);
   precise float near = 1.0f - place.z;
   uint key = nearKey(max(near, 0.0f));  // behind every caster still counts as inside the map
@@ -15,11 +40,12 @@ float sunFraction(vec3 place) {
   return litBySixteen(sunMap, map, middle, key, frame.shadowSoftness);
 #endif
 }
+#endif
 
 // A step to the lit side of a surface: looked up there, it does not shade itself.
 float sunFractionOn(vec3 p, vec3 normal) {
   precise float turned = 4.0f * exactDot(normal, frame.sunDirection.xyz);
   precise float lift = clamp(turned, -1.0f, 1.0f) * lightTexel() * (0.5f + 0.5f * frame.shadowSoftness);
   precise vec3 lifted = p + normal * lift;
-  return sunFraction(lightPlace(lifted));
+  return sunFraction(lightPlace(lifted), normal);
 }

@@ -24,7 +24,7 @@ void lightGround(ivec2 pixel) {
   }
   vec3 p = placeOnRay(ray, depth);
 #ifdef SHADOWED
-  float fraction = sunFraction(lightPlace(p));
+  float fraction = sunFraction(lightPlace(p), vec3(0, 1, 0));
 #else
   const float fraction = 1.0f;
 #endif

@@ -30,6 +30,7 @@ inline simreel::shader::Frame writtenFrame() {
   frame.lightUp = glm::vec4(-0.36F, 0.8F, -0.48F, 0);
   frame.shadowTexels = 512;
   frame.shadowSoftness = 1.7F;
+  frame.shadowReach = 1.7F;
   frame.groundHeight = -0.3F;
   frame.size = glm::vec2(97, 55);
   return frame;

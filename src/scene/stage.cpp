@@ -1,0 +1,127 @@
+#include "scene/stage.hpp"
+
+#include "scene/framing.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+namespace simreel::scene {
+
+namespace {
+
+/// Linear RGB, in the order of objects: neighbours differ in hue and in brightness.
+constexpr std::array<glm::vec3, 8> palette = {glm::vec3(0.70F, 0.105F, 0.045F),    // vermilion
+                                              glm::vec3(0.014F, 0.17F, 0.19F),     // petrol
+                                              glm::vec3(0.76F, 0.37F, 0.025F),     // saffron
+                                              glm::vec3(0.045F, 0.085F, 0.30F),    // ultramarine
+                                              glm::vec3(0.82F, 0.74F, 0.63F),      // ivory
+                                              glm::vec3(0.20F, 0.030F, 0.085F),    // plum
+                                              glm::vec3(0.20F, 0.36F, 0.17F),      // sage
+                                              glm::vec3(0.035F, 0.039F, 0.048F)};  // graphite
+
+constexpr glm::vec3 flame(1.0F, 0.52F, 0.22F);  // of what shines
+
+/// The light of a stage: what the ground looks like lit, what it fades into, and the lamps.
+struct Mood {
+  glm::vec3 floor, horizon, zenith;  ///< linear light
+  float ambient;
+  glm::vec3 keyColor;
+  float key;  ///< lx
+  glm::vec3 rimColor;
+  float rim;   ///< lx in the middle of the stage
+  float most;  ///< reflectance of the ground
+};
+constexpr Mood day{{0.62F, 0.55F, 0.47F},
+                   {0.33F, 0.32F, 0.33F},
+                   {0.28F, 0.32F, 0.40F},
+                   0.62F,
+                   {1.0F, 0.93F, 0.84F},
+                   3.3F,
+                   {1.0F, 0.96F, 0.92F},
+                   2.2F,
+                   0.8F};
+constexpr Mood night{{0.012F, 0.013F, 0.018F},
+                     {0.030F, 0.036F, 0.062F},
+                     {0.010F, 0.012F, 0.022F},
+                     1.0F,
+                     {0.75F, 0.85F, 1.0F},
+                     0.8F,
+                     {0.6F, 0.75F, 1.0F},
+                     0.4F,
+                     0.1F};
+
+bool anyIs(Parameters::Looks looks, const Scene& scene) {
+  return std::any_of(scene.objects.begin(), scene.objects.end(),
+                     [&](const Object& object) { return object.parameters->looks() == looks; });
+}
+
+void dress(Object& object, std::size_t number) {
+  const Parameters::Looks looks = object.parameters->looks();
+  const bool cloth = looks == Parameters::Looks::cloth;
+  object.material.color = looks == Parameters::Looks::shining ? flame : palette.at(number % palette.size());
+  object.material.roughness = cloth ? 0.7F : 0.38F;
+  object.material.translucency = cloth ? 0.2F : 0.0F;
+}
+
+}  // namespace
+
+bool givesNoStage(const Node& scene) {
+  return std::none_of(scene.children.begin(), scene.children.end(), [](const Node& member) {
+    return member.key == "sun" || member.key == "sky" || member.key == "ground" || member.key == "lights";
+  });
+}
+
+void setStage(Scene& scene, const std::vector<Box>& boxes) {
+  using Looks = Parameters::Looks;
+  if (boxes.empty() || anyIs(Looks::landscape, scene)) return;
+  scene.staged = true;
+  const Mood& mood = anyIs(Looks::shining, scene) ? night : day;
+  const Box box = boxAround(boxes);
+  const float radius = std::max(0.5F * glm::length(box.max - box.min), 1e-3F);
+  const glm::vec3 middle = 0.5F * (box.min + box.max);
+  const glm::vec3 back = glm::normalize(glm::vec3(1, 0, 1) * stageBack(box));
+  const glm::vec3 right(back.z, 0, -back.x);
+
+  // From the left of the camera, above it.
+  const glm::vec3 key = glm::normalize(0.7F * back - 0.65F * right + glm::vec3(0, 1, 0));
+  scene.sun.direction = key;
+  scene.sun.color = mood.keyColor;
+  scene.sun.intensity = mood.key;
+  scene.sun.diameter = 9.0F;
+  scene.sun.shadowSize = 2048;
+  scene.sky.zenith = mood.zenith;
+  scene.sky.horizon = mood.horizon;
+  scene.sky.ground = mood.floor;
+  scene.sky.ambient = mood.ambient;
+
+  // What lies flat hovers a little.
+  const float thin = box.max.y - box.min.y < 0.02F * radius ? 0.1F * radius : 0.0F;
+  scene.hasGround = true;
+  Ground& ground = scene.ground;
+  ground.height = box.min.y - std::max(thin, 1e-3F * radius);
+  ground.fadeStart = 2.0F * radius;
+  ground.fadeEnd = 9.0F * radius;
+  ground.roughness = 0.9F;
+  // So that it has the background's light where nothing stands in its own: see groundLight in glsl/draw.
+  const glm::vec3 fill = mood.ambient * glm::mix(mood.zenith, mood.horizon, 0.3F);
+  const glm::vec3 direct = mood.keyColor * (mood.key * 0.31830989F * key.y);
+  ground.color = glm::min(mood.floor / (fill + direct), glm::vec3(mood.most));
+
+  Light& rim = scene.lights.emplace_back();
+  rim.name = "rim";
+  const float far = 3.0F * radius;
+  rim.position = middle + far * glm::normalize(-0.8F * back + 0.75F * right + glm::vec3(0, 0.9F, 0));
+  rim.color = mood.rimColor;
+  rim.intensity = mood.rim * far * far;
+  rim.radius = 0.5F * radius;
+  rim.glow = 0.0F;
+  rim.shadow = false;
+
+  for (std::size_t i = 0; i < scene.objects.size(); ++i)
+    if (!scene.objects[i].hasMaterial) dress(scene.objects[i], i);
+}
+
+}  // namespace simreel::scene

@@ -1,0 +1,104 @@
+// The penumbra of a sun with a disc, by its shader file on the CPU.
+#include "base/file.hpp"
+#include "draw/picture_code.hpp"
+#include "source_folder.hpp"
+
+#include <array>
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <regex>
+#include <string>
+
+#include <doctest/doctest.h>
+#include <glm/vec2.hpp>
+
+using namespace simreel;
+
+namespace {
+
+/// What the map holds.
+std::function<float(glm::ivec2)> casters;
+
+using namespace simreel::shader;  // NOLINT: the model is written in GLSL's names
+/// As the shader file has them.
+std::array<glm::vec2, 32> pointsOfFile() {
+  std::array<glm::vec2, 32> points{};
+  const std::string text = readFile(sourceFolder() + "/glsl/draw/exact/shadows/disc_points.glsl", "points");
+  const std::regex point(R"(vec2\((-?[0-9.]+)f, (-?[0-9.]+)f\))");
+  std::size_t found = 0;
+  for (std::sregex_iterator i(text.begin(), text.end(), point), end; i != end; ++i, ++found)
+    points.at(found) = glm::vec2(std::stof((*i)[1]), std::stof((*i)[2]));
+  REQUIRE(found == points.size());
+  return points;
+}
+const std::array<glm::vec2, 32>& discPoints() {
+  static const std::array<glm::vec2, 32> points = pointsOfFile();
+  return points;
+}
+float casterNear(glm::ivec2 texel) {
+  return casters(texel);
+}
+#define FUNCTION inline
+#define precise
+#define discPoints discPoints()
+#include "glsl/draw/exact/shadows/sun_disc.glsl"
+#undef discPoints
+#undef precise
+#undef FUNCTION
+
+/// 100 texels of radius for all of the map's depth.
+SunReceiver receiver(glm::vec2 middle, float near) {
+  return {middle, near, {0, 0}, 100.0F, 1.0F, 60.0F};
+}
+
+/// Of a disc of radius 1 the share beyond x from its middle: what an edge leaves of the sun.
+double beyond(double x) {
+  if (x <= -1 || x >= 1) return x < 0 ? 1 : 0;
+  return (std::acos(x) - x * std::sqrt(1 - x * x)) / std::numbers::pi;
+}
+
+}  // namespace
+
+TEST_CASE(
+    "sun disc: behind an edge light grows as the share of the disc that is seen, as wide as the gap") {
+  casters = [](glm::ivec2 texel) { return texel.x < 500 ? 0.9F : -1e30F; };
+  for (const float gap : {0.1F, 0.25F, 0.5F}) {
+    const double radius = 100.0 * static_cast<double>(gap);  // texels
+    double worst = 0;
+    for (float x = 430; x <= 570; x += 0.71F) {
+      const double wanted = beyond((500.0 - static_cast<double>(x)) / radius);
+      const double found = static_cast<double>(sunDiscFraction(receiver({x, 300.3F}, 0.9F - gap)));
+      worst = std::max(worst, std::abs(found - wanted));
+    }
+    CAPTURE(gap);
+    CHECK(worst < 0.04);  // 32 points of a disc
+  }
+}
+
+TEST_CASE("sun disc: a penumbra is as narrow and as wide as it may be at least and at most") {
+  casters = [](glm::ivec2 texel) { return texel.x < 500 ? 0.9F : -1e30F; };
+  const auto at = [](float x, float near) { return sunDiscFraction(receiver({x, 300.3F}, near)); };
+  CHECK(at(502.5F, 0.899F) == 1);
+  CHECK(at(497.5F, 0.899F) == 0);
+  CHECK(at(500.0F, 0.899F) == doctest::Approx(0.5).epsilon(0.1));
+  CHECK(at(561.5F, -0.5F) == 1);
+  CHECK(at(438.5F, -0.5F) == 0);
+  CHECK(at(450.0F, -0.5F) > 0);
+  CHECK(at(700.0F, -20.0F) == 1);  // far behind all there is
+}
+
+TEST_CASE("sun disc: what lies in the receiver's plane does not shade it, what stands on it does") {
+  // A plane that rises by 0.004 a texel along x and falls by 0.002 along y.
+  const glm::vec2 rise(0.004F, -0.002F);
+  const auto plane = [&](glm::vec2 at) { return 0.5F + rise.x * (at.x - 400) + rise.y * (at.y - 400); };
+  SunReceiver r = receiver({400, 400}, 0.5F + 5e-3F);
+  r.rise = rise;
+  casters = [&](glm::ivec2 texel) { return plane(glm::vec2(texel)); };
+  CHECK(sunDiscFraction(r) == 1);
+  r.rise = {0, 0};
+  CHECK(sunDiscFraction(r) < 0.7F);
+  r.rise = rise;
+  casters = [&](glm::ivec2 texel) { return plane(glm::vec2(texel)) + (texel.x > 400 ? 0.2F : 0.0F); };
+  CHECK(sunDiscFraction(r) == doctest::Approx(0.5).epsilon(0.1));
+}

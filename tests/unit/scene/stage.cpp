@@ -1,0 +1,125 @@
+// A scene that says nothing of its surroundings stands on a stage.
+#include "draw/camera.hpp"
+#include "draw/frame_values.hpp"
+#include "scene/framing.hpp"
+#include "scene/scene.hpp"
+#include "sim/world/list.hpp"
+#include "source_folder.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+#include <glm/vec4.hpp>
+
+using namespace simreel;
+
+namespace {
+
+scene::Scene parsed(const std::string& objects, const std::string& more = "") {
+  return scene::parseScene(fmt::format(R"({{"version": 1, {}"objects": {}}})", more, objects),
+                           sourceFolder() + "/assets/scenes/x.json", {}, sim::kinds());
+}
+
+const std::string ball = R"({"m": {"sphere": {}}})";
+
+}  // namespace
+
+TEST_CASE("stage: a scene of one line has ground, light from three sides, and a colour") {
+  const scene::Scene scene = parsed(ball);
+  CHECK(scene.staged);
+  CHECK(scene.hasGround);
+  CHECK(scene.ground.height == doctest::Approx(-1).epsilon(0.01));
+  CHECK(scene.ground.height < -1);
+  CHECK(scene.sun.diameter > 1);
+  CHECK(scene.lights.size() == 1);
+  CHECK(scene.objects[0].material.color != scene::Material().color);
+  // The lamp shines from behind, the sun from the camera's side.
+  const glm::vec3 eye = scene.camera.position.at(0);
+  const glm::vec3 lamp = scene.lights[0].position.at(0);
+  const glm::vec3 sun = scene.sun.direction.at(0);
+  CHECK(lamp.x * eye.x + lamp.z * eye.z < 0);
+  CHECK(sun.x * eye.x + sun.z * eye.z > 0);
+}
+
+TEST_CASE("stage: any of sun, sky, ground and lights says that there is none") {
+  for (const char* given : {"sun", "sky", "ground", "lights"}) {
+    const scene::Scene scene = parsed(ball, fmt::format(R"("{}": {{}}, )", given));
+    CHECK_FALSE(scene.staged);
+    CHECK(scene.hasGround == (std::string(given) == "ground"));
+    CHECK(scene.lights.empty());
+    CHECK(scene.sun.diameter == 0);
+    CHECK(scene.sun.intensity.at(0) == scene::Sun().intensity.at(0));
+    CHECK(scene.sky.zenith.at(0) == scene::Sky().zenith.at(0));
+    CHECK(scene.objects[0].material.color == scene::Material().color);
+    CHECK(scene.camera.fieldOfView.at(0) == scene::Camera().fieldOfView.at(0));
+  }
+}
+
+TEST_CASE("stage: cameras and materials that a scene gives stay") {
+  const scene::Scene placed = parsed(ball, R"("camera": {"position": [1, 2, 9]}, )");
+  CHECK(placed.staged);
+  CHECK(placed.camera.position.at(0) == glm::vec3(1, 2, 9));
+  CHECK(placed.camera.fieldOfView.at(0) == scene::Camera().fieldOfView.at(0));
+  const scene::Scene wide = parsed(ball, R"("camera": {"fieldOfView": 70}, )");
+  CHECK(wide.camera.fieldOfView.at(0) == 70);
+  const scene::Scene painted =
+      parsed(R"({"m": {"sphere": {}, "material": {"metallic": 1}}, "n": {"sphere": {}}})");
+  CHECK(painted.objects[0].material.color == scene::Material().color);
+  CHECK(painted.objects[1].material.color != scene::Material().color);
+}
+
+TEST_CASE("stage: pictures of fields and landscapes have none") {
+  CHECK_FALSE(parsed(R"({"m": {"life": {}}})").staged);
+  CHECK_FALSE(parsed(R"({"m": {"water": {}}})").staged);
+}
+
+TEST_CASE("stage: neighbours differ in colour, and what shines stands in the dark") {
+  const scene::Scene two = parsed(R"({"a": {"sphere": {}}, "b": {"sphere": {}}})");
+  CHECK(two.objects[0].material.color != two.objects[1].material.color);
+  const char* cloud = R"({{"a": {{"particles": {{"groups": [{{}}], "look": {{"additive": {}}}}}}}}})";
+  const scene::Scene dark = parsed(fmt::format(fmt::runtime(cloud), true));
+  const scene::Scene bright = parsed(fmt::format(fmt::runtime(cloud), false));
+  CHECK(dark.sky.ground.at(0).x < 0.05F);
+  CHECK(bright.sky.ground.at(0).x > 0.3F);
+}
+
+TEST_CASE("stage: the ground in the sun has the brightness of what it fades into") {
+  for (const bool dark : {false, true}) {
+    const scene::Scene scene = parsed(
+        fmt::format(R"({{"a": {{"particles": {{"groups": [{{}}], "look": {{"additive": {}}}}}}}}})", dark));
+    const shader::Frame frame = draw::frameValues(scene, {64, 36}, 0, {});
+    for (int i = 0; i < 3; ++i)
+      CHECK(frame.groundColor[i] * (frame.sunLight[i] * frame.sunDirection.y + frame.ambientUp[i]) ==
+            doctest::Approx(frame.nadir[i]).epsilon(1e-4).scale(0));
+  }
+}
+
+TEST_CASE("stage: what stands there is in the middle of the picture and fills it") {
+  for (const char* size : {"[640, 360]", "[300, 900]"}) {
+    const scene::Scene scene =
+        parsed(R"({"a": {"capsule": {"position": [7, 3, 1]}}, "b": {"sphere": {"position": [9, 3, 0]}}})",
+               fmt::format(R"("render": {{"size": {}}}, )", size));
+    const draw::View view = draw::viewAt(scene.camera, 0, scene.render.size, {});
+    glm::vec2 low(9), high(-9);
+    // The ball's outline, and the rod's ends.
+    for (int i = 0; i < 4000; ++i) {
+      const float turn = 0.6180340F * 6.2831853F * static_cast<float>(i);
+      const float y = -1 + (static_cast<float>(i) + 0.5F) / 2000;
+      const float r = std::sqrt(1 - y * y);
+      const glm::vec3 way(r * std::cos(turn), y, r * std::sin(turn));
+      for (const glm::vec3& point :
+           {glm::vec3(9, 3, 0) + way, glm::vec3(7, 4, 1) + 0.1F * way, glm::vec3(7, 2, 1) + 0.1F * way}) {
+        const glm::vec4 seen = view.viewProjection * glm::vec4(point, 1);
+        low = glm::min(low, glm::vec2(seen) / seen.w);
+        high = glm::max(high, glm::vec2(seen) / seen.w);
+      }
+    }
+    CHECK(std::max(high.x, high.y) < 0.82F);
+    CHECK(std::max(high.x, high.y) > 0.7F);
+    CHECK(std::abs(low.x + high.x) < 0.1F);
+    CHECK(std::abs(low.y + high.y) < 0.1F);
+  }
+}
