@@ -86,8 +86,10 @@ void emptyFolder(const fs::path& folder) {
   for (const fs::path& path : all) fs::remove_all(path, error);
 }
 
-bool holdsFiles(const fs::path& folder) {
+/// Where no job has begun.
+bool holdsOthersFiles(const fs::path& folder) {
   std::error_code error;
+  if (pathExists(begunFile(folder)) || pathExists(resultFile(folder))) return false;
   return std::any_of(fs::directory_iterator(folder, error), fs::directory_iterator(),
                      [](const auto& entry) {
                        const fs::path ending = entry.path().extension();
@@ -99,10 +101,6 @@ bool holdsFiles(const fs::path& folder) {
 void begin(const SweepPlan& plan, std::size_t job) {
   const fs::path folder = plan.jobFolder(job);
   const std::string& hash = plan.jobs[job].hash;
-  if (!pathExists(begunFile(folder)) && holdsFiles(folder))
-    fail(ExitCode::inputOutput,
-         "{} holds files that are no job's; move them away, or choose another folder for the sweep",
-         folder.string());
   if (begunHash(folder) != hash) emptyFolder(folder);
   removeFile(resultFile(folder));
   Json values = Json::object();
@@ -184,6 +182,7 @@ void render(const SweepPlan& plan, std::size_t job, const gl::Context& context, 
   const auto done = rendering.run(context, progress, began, &measurements);
   end.signal = done.signal;
   if (end.signal != 0) return;
+  measurements.lookAtKept([&](int frame) { return rendering.output().file(frame); });
   end.result.frames = done.frames;
   end.result.checks = measurements.checks();
   end.result.quantities = measurements.quantities();
@@ -244,6 +243,13 @@ JobEnd runSweepJob(const SweepPlan& plan, std::size_t job, const gl::Context& co
     // Submitted twice, or done by another machine meanwhile.
     if (auto stored = storedResult(plan, job); stored && stored->code == 0 && missingFiles(folder) == 0) {
       end.result = std::move(*stored);
+      return end;
+    }
+    if (holdsOthersFiles(folder)) {
+      end.result.code = static_cast<int>(ExitCode::inputOutput);
+      end.result.message = fmt::format(
+          "{} holds files that are no job's; move them away, or choose another folder for the sweep",
+          folder.string());
       return end;
     }
     begin(plan, job);

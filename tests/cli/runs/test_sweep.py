@@ -164,7 +164,7 @@ class Sweep(Case):
         self.assertEqual(state.read_bytes(), whole)
         self.assertEqual(self.content("sw/jobs/0002"), job)
         self.write("dish.json", scene | {"seed": 5})
-        again = ("sweep", "dish.json", "--vary", "camera.roll=0,10", "-o", "sw/", "--frames", "1")
+        again = ("sweep", "dish.json", "--vary", "camera.roll=0,10", "-o", "sw/")
         self.bad(6, "another sweep", *again)
         self.assertEqual(self.run_program("-v", *again, "--overwrite").err.count(begins), 2)
         self.assertNotEqual(state.read_bytes(), whole)
@@ -184,6 +184,7 @@ class Sweep(Case):
         self.good(*sweep, "-o", "sw/", "--plan-only")
         self.write("sw/jobs/0000/mine.txt", "kept")
         self.bad(6, ["sw/jobs/0000 holds files that are no job's"], "sweep", "job", "sw", "0")
+        self.assertEqual(list(self.content("sw/jobs/0000")), ["mine.txt"])
         (self.folder / "sw/jobs/0000/mine.txt").unlink()
         process = self.start("sweep", "job", "sw", "0", *scratch, env=env)
         drawn = pathlib.Path(disk) / "disk"
