@@ -202,7 +202,10 @@ void addSweepFollowers(CLI::App& sweep) {
     command->callback([o, act] { act(*o); });
     return command;
   };
-  add("status", "What has become of each job", status);
+  add("status",
+      "What has become of each job; exit code 0: all is well, 1: one failed, 7: one is under way, 3: "
+      "missing",
+      status);
   o->run.add(*add("retry", "Run what failed, was aborted or is missing", retry));
   auto* collect = add("collect", "Write table.csv, counts.csv, sheet.png and index.html", writeCollected);
   collect->add_option("--frame", o->frame, "The frame to show (default: each job's last)");
