@@ -61,13 +61,17 @@ bool synced(int descriptor) {
   return result == 0 || errno == EINVAL || errno == EROFS || errno == EOPNOTSUPP;
 }
 
-/// Whether this is written into, as a device, a pipe or a socket is, and /dev/stdout whatever it leads to:
-/// another file must never take its name.
+/// Whether this is written into, as a device, a pipe or a socket is, and /dev/stdout or /dev/fd/3, links of
+/// the system's, whatever they lead to: another file must never take its name. /dev/shm is a disk.
 bool isDevice(const std::filesystem::path& path) {
-  struct stat status {};
+  struct stat status {
+  }, own{};
   if (::stat(path.c_str(), &status) != 0) return false;
-  return !S_ISDIR(status.st_mode) && (!S_ISREG(status.st_mode) || path.native().starts_with("/dev/") ||
-                                      path.native().starts_with("/proc/"));
+  if (!S_ISREG(status.st_mode)) return !S_ISDIR(status.st_mode);
+  const std::string& name = path.native();
+  const bool ofSystem =
+      (name.starts_with("/dev/") && !name.starts_with("/dev/shm/")) || name.starts_with("/proc/");
+  return ofSystem && ::lstat(path.c_str(), &own) == 0 && S_ISLNK(own.st_mode);
 }
 
 /// With errno set: removes the temporary file and throws.

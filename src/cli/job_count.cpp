@@ -20,4 +20,8 @@ std::size_t jobCount(const std::string& jobs) {
   return static_cast<std::size_t>(count);
 }
 
+std::size_t jobCount(const std::string& jobs, const gl::ContextOptions& on) {
+  return std::max(jobCount(jobs), on.deviceCount());
+}
+
 }  // namespace simreel::cli

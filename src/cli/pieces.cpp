@@ -3,6 +3,7 @@
 
 #include "base/error.hpp"
 #include "base/file.hpp"
+#include "base/hash.hpp"
 #include "base/log.hpp"
 #include "batch/pieces/join.hpp"
 #include "batch/pieces/piece_plan.hpp"
@@ -11,15 +12,20 @@
 #include "cli/commands.hpp"
 #include "cli/device_options.hpp"
 #include "cli/job_count.hpp"
+#include "frame/file/manifest.hpp"
 #include "frame/file/output_name.hpp"
 #include "frame/interrupt.hpp"
 #include "frame/sink/progress.hpp"
+#include "scene/as_run.hpp"
 #include "scene/scene_source.hpp"
 #include "sim/world/list.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <string_view>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -38,6 +44,8 @@ void checkRequest(const PiecesRequest& request, const frame::OutputName& output)
   if (!render.from.empty() || !render.checkpointAt.empty())
     fail(ExitCode::usage,
          "--pieces keeps checkpoints of its own: it goes without --from and --checkpoint-at");
+  if (render.checkpoint)
+    fail(ExitCode::usage, "--pieces goes without --checkpoint: each piece keeps its state every 60 s");
   if (render.existing == frame::Existing::skip)
     fail(ExitCode::usage, "--pieces goes with --resume or --overwrite, not with --skip-existing");
   if (output.kind == frame::OutputName::Kind::video && render.fields)
@@ -72,6 +80,29 @@ batch::PiecePlan planOf(const PiecesRequest& request) {
   plan.counts = render.counts;
   plan.pieces = batch::splitFrames(job.frames(), request.pieces);
   return plan;
+}
+
+/// Whether a run that is to be resumed has ended well before: pieces are gone then.
+bool isWhole(const batch::PiecePlan& plan, const PiecesRequest& request) {
+  const frame::OutputName output = plan.wholeOutput();
+  if (request.render.existing != frame::Existing::resume || !pathExists(output.manifestFile()))
+    return false;
+  try {
+    const auto manifest = frame::readManifest(output.manifestFile());
+    const std::string asRun =
+        scene::sceneAsRun(request.render.scene, request.render.overrides, sim::kinds());
+    if (!manifest || manifest->run.asRunHash != hashHex(asRun)) return false;
+    const bool video = output.kind == frame::OutputName::Kind::video;
+    const auto frames = plan.allFrames();
+    return std::all_of(frames.begin(), frames.end(), [&](int number) {
+      const auto frame = manifest->frames.find(number);
+      if (frame == manifest->frames.end() || !pathExists(output.file(number))) return false;
+      if (!plan.fields.empty() && frame->second.files.empty()) return false;
+      return video || hashHex(readFile(output.file(number), "frame")) == frame->second.bytes;
+    });
+  } catch (const UserError&) {
+    return false;
+  }
 }
 
 void storePlan(const batch::PiecePlan& plan, const PiecesRequest& request,
@@ -109,7 +140,6 @@ void simulate(const StepOptions& o) {
   const batch::PiecePlan plan = batch::readPiecePlan(o.folder);
   frame::Progress progress(frame::parseProgressMode(o.progress));
   frame::catchInterrupts();
-  if (batch::isSimulated(plan)) return info("the states that the pieces begin with are there");
   const gl::Context context(o.on);
   endedBy(batch::simulatePieces(plan, context, progress, commandLine()));
 }
@@ -146,8 +176,22 @@ void join(const StepOptions& o) {
   joinAll(batch::readPiecePlan(o.folder));
 }
 
-/// 0: all is there to be joined; else 3.
+/// The manifest beside a folder of pieces that is there no more; empty where there is none.
+std::string joinedOutput(const std::string& folder) {
+  fs::path pieces(folder);
+  if (!pieces.has_filename()) pieces = pieces.parent_path();
+  const std::string name = pieces.filename().string();
+  constexpr std::string_view ending = "pieces";
+  if (!name.ends_with(ending) || pathExists(pieces / "plan.json")) return {};
+  const fs::path manifest =
+      pieces.parent_path() / (name.substr(0, name.size() - ending.size()) + "manifest.json");
+  return pathExists(manifest) ? manifest.string() : std::string();
+}
+
+/// 0: all is there to be joined, or is joined; else 3.
 void status(const StepOptions& o) {
+  if (const std::string whole = joinedOutput(o.folder); !whole.empty())
+    return printText(fmt::format("all pieces are joined: {}\n", whole));
   const batch::PiecePlan plan = batch::readPiecePlan(o.folder);
   std::size_t drawn = 0;
   for (std::size_t i = 0; i < plan.pieces.size(); ++i) {
@@ -165,6 +209,9 @@ void status(const StepOptions& o) {
 /// The simulation, the pieces that begin with its states, and their join, each after the one before.
 void submitPieces(const batch::PiecePlan& plan, const PiecesRequest& request) {
   batch::Slurm slurm = request.cluster.cluster(plan.folder / "slurm");
+  if (request.on.deviceCount() > 1)
+    fail(ExitCode::usage, "--device {}: with --slurm the cluster gives each job its device",
+         request.on.device);
   std::vector<std::string> device;
   if (!request.on.device.empty()) device.push_back("--device=" + request.on.device);
   if (!request.on.memoryPath.empty()) device.push_back("--memory-path=" + request.on.memoryPath);
@@ -178,7 +225,7 @@ void submitPieces(const batch::PiecePlan& plan, const PiecesRequest& request) {
   drawing.arguments.push_back(folder);
   for (std::size_t i = 0; i < plan.pieces.size(); ++i)
     if (!batch::isDrawn(plan, i)) drawing.numbers.push_back(i);
-  if (!batch::isSimulated(plan)) drawing.after = slurm.submit(simulation);
+  if (!batch::isSimulated(plan, true)) drawing.after = slurm.submit(simulation);
   batch::Slurm::Work join{.name = "join", .arguments = {"pieces", "join", folder}, .numbers = {}};
   if (!drawing.numbers.empty()) join.after = slurm.submit(drawing);
   const auto last = slurm.submit(join);
@@ -190,12 +237,19 @@ void submitPieces(const batch::PiecePlan& plan, const PiecesRequest& request) {
 
 void renderInPieces(const PiecesRequest& request) {
   const batch::PiecePlan plan = planOf(request);
-  const std::size_t workers = jobCount(request.jobs);
+  const std::size_t workers = jobCount(request.jobs, request.on);
+  const bool ndjson = frame::parseProgressMode(request.progress) == frame::Progress::Mode::ndjson;
   frame::catchInterrupts();
   frame::ignoreBrokenPipes();
+  if (isWhole(plan, request)) {
+    info("all {} frames are there: {}", plan.allFrames().size(), plan.output);
+    std::error_code ignored;
+    fs::remove_all(plan.folder, ignored);
+    return;
+  }
   storePlan(plan, request, plan.wholeOutput());
   if (request.cluster.slurm) return submitPieces(plan, request);
-  const batch::LocalPieces how{workers, request.on, batch::scratchRoot(request.cluster.scratch),
+  const batch::LocalPieces how{workers, request.on, ndjson, batch::scratchRoot(request.cluster.scratch),
                                commandLine()};
   if (const int signal = batch::makePieces(plan, how); signal != 0) {
     info("simreel: interrupted; --resume goes on from there");
@@ -211,7 +265,8 @@ void addPieces(CLI::App& app) {
   auto o = std::make_shared<StepOptions>();
   const auto add = [&](const char* name, const char* doc, void (*act)(const StepOptions&)) {
     auto* command = pieces->add_subcommand(name, doc);
-    command->add_option("folder", o->folder, "Folder of the pieces, which holds plan.json")->required();
+    command->add_option("folder", o->folder, "Folder of the pieces, which holds plan.json: OUTPUT/pieces")
+        ->required();
     command->callback([o, act] { act(*o); });
     return command;
   };

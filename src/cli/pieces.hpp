@@ -15,6 +15,7 @@ struct PiecesRequest {
   std::string jobs = "1";
   SlurmOptions cluster;
   gl::ContextOptions on;
+  std::string progress = "auto";
 };
 void renderInPieces(const PiecesRequest& request);
 

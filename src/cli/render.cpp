@@ -82,7 +82,7 @@ batch::RenderRequest requestOf(const RenderOptions& o) {
 
 void render(const RenderOptions& o) {
   const auto began = Clock::now();
-  if (o.pieces) return renderInPieces({requestOf(o), *o.pieces, o.jobs, o.cluster, o.on});
+  if (o.pieces) return renderInPieces({requestOf(o), *o.pieces, o.jobs, o.cluster, o.on, o.progress});
   if (o.cluster.slurm || !o.cluster.scratch.empty())
     fail(ExitCode::usage, "--slurm and --scratch go with --pieces");
   frame::Progress progress(frame::parseProgressMode(o.progress));
@@ -131,7 +131,7 @@ void addRender(CLI::App& app) {
       ->add_option("--fields", o->fields,
                    "Also the raw values of every field, beside each picture: npy or pfm")
       ->check(CLI::IsMember({"npy", "pfm"}));
-  addDevice(*command, o->on);
+  addDevices(*command, o->on);
   command->add_option("--progress", o->progress, "auto, tty, ndjson or none");
   command->add_option("--stream-format", o->streamFormat, "Of -o -: rgba or y4m")
       ->check(CLI::IsMember({"rgba", "y4m"}));

@@ -41,7 +41,9 @@ void addReproduce(CLI::App& app) {
   auto o = std::make_shared<ReproduceOptions>();
   auto* command =
       app.add_subcommand("reproduce", "Render a picture's frame again, and say whether it is the same");
-  command->add_option("file", o->request.file, "A picture that simreel rendered, or a manifest")
+  command
+      ->add_option("file", o->request.file,
+                   "A picture that simreel rendered, a manifest, or a folder or video that has one")
       ->required();
   command->add_option("--frame", o->request.frame, "Of a manifest (default: its last)");
   command->add_option("--scene", o->request.scene,

@@ -207,6 +207,32 @@ bool softwareDriver() {
   return currentIsSoftware;
 }
 
+namespace {
+
+std::vector<std::string> deviceList(const std::string& text) {
+  std::vector<std::string> devices(1);
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == ',' && i + 1 < text.size() && text[i + 1] != ' ')
+      devices.emplace_back();
+    else
+      devices.back() += text[i];
+  }
+  return devices;
+}
+
+}  // namespace
+
+ContextOptions ContextOptions::ofWorker(std::size_t place) const {
+  ContextOptions one = *this;
+  const auto devices = deviceList(device);
+  one.device = devices[place % devices.size()];
+  return one;
+}
+
+std::size_t ContextOptions::deviceCount() const {
+  return deviceList(device).size();
+}
+
 std::vector<DeviceInfo> listDevices() {
   std::vector<DeviceInfo> result;
   for (const EGLDeviceEXT device : enumerate()) {

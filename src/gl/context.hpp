@@ -1,4 +1,5 @@
 #pragma once
+#include <cstddef>
 #include <memory>
 #include <string>
 #include <vector>
@@ -26,6 +27,12 @@ struct ContextOptions {
   std::string device;  ///< index or part of a name, case ignored; empty: hardware before software
   bool debug = false;  ///< debug context: high-severity messages become UserError(device) at the next check
   std::string memoryPath;  ///< "storage", "texel" or empty: by driver
+
+  /// Of several processes beside each other, `place` of which is counted from 0: each takes the next device
+  /// of a list, "0,1". A comma before a blank is part of a name.
+  [[nodiscard]] ContextOptions ofWorker(std::size_t place) const;
+  /// How many devices `device` lists, at least 1.
+  [[nodiscard]] std::size_t deviceCount() const;
 };
 
 /// An OpenGL 4.5 core context without a surface, current on the thread that made it. Throws

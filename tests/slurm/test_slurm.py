@@ -97,7 +97,7 @@ class OnCluster(Case):
         self.assertEqual(sorted(set(job) - set(alone)), ["job.json", "result.json"])
 
     def drawing(self):
-        """{piece: process} of those that are being drawn and have drawn a frame."""
+        """{piece: (process, frames there)} of those that are being drawn."""
         folder = self.folder / "out/pieces"
         found = {}
         for process in pathlib.Path("/proc").glob("[0-9]*"):
@@ -105,15 +105,19 @@ class OnCluster(Case):
                 words = (process / "cmdline").read_text().split("\0")
             except OSError:
                 continue
-            if words[1:4] == ["pieces", "draw", str(folder)] and list((folder / f"{int(words[4]):04}").glob("*.png")):
-                found[int(words[4])] = int(process.name)
+            if words[1:4] == ["pieces", "draw", str(folder)]:
+                found[int(words[4])] = int(process.name), len(list((folder / f"{int(words[4]):04}").glob("*.png")))
         return found
 
     def catch_one(self, on=None):
         """(piece, process, Slurm's job) of one that is being drawn, perhaps on a certain node."""
         end = time.monotonic() + 60
+        first = {}
         while time.monotonic() < end:
-            for piece, process in self.drawing().items():
+            for piece, (process, frames) in self.drawing().items():
+                # Frames may be left of an earlier attempt: one more is its own.
+                if frames == first.setdefault(process, frames):
+                    continue
                 for job, node, _, name in self.queue("RUNNING"):
                     if name == "simreel-draw" and job.endswith(f"_{piece}") and on in (None, node):
                         return piece, process, job

@@ -6,6 +6,7 @@
 #include "base/log.hpp"
 #include "frame/file/manifest.hpp"
 #include "frame/file/run_log.hpp"
+#include "frame/file/shared_manifest.hpp"
 #include "frame/image.hpp"
 #include "frame/interrupt.hpp"
 #include "frame/sink/open_sink.hpp"
@@ -53,11 +54,13 @@ class Join {
     const bool video = whole_.kind == frame::OutputName::Kind::video;
     makeFolders(whole_.folder);
     checkFiles(!video);
-    if (video)
+    std::optional<frame::SharedManifest> claim;
+    if (video) {
       makeVideo();
-    else
-      moveFrames();
-    writeFileAtomically(whole_.runFile(), runLogText(mergedLog()));
+      writeFileAtomically(whole_.runFile(), runLogText(mergedLog({})));
+    } else {
+      moveFrames(claim);
+    }
     std::error_code error;
     fs::remove_all(plan_.folder, error);
     if (error)
@@ -168,7 +171,15 @@ class Join {
 
   [[nodiscard]] fs::path countFile() const { return drawn_.back().output.countFile(); }
 
-  void moveFrames() const {
+  /// Other frames of the same run that lie there already stay in the manifest.
+  void moveFrames(std::optional<frame::SharedManifest>& claim) const {
+    frame::RunInfo run = manifest_.run;
+    if (const fs::path scene = drawn_[0].output.sceneFile(); pathExists(scene))
+      run.asRun = readFile(scene, "scene");
+    const std::vector<int> frames = plan_.allFrames();
+    claim.emplace(whole_, run, frames);
+    const auto before = frame::readRunLog(whole_.runFile());
+    static_cast<void>(claim->inherit(frame::Existing::overwrite));
     for (const Move& move : moves(true)) {
       frame::throwIfInterrupted();
       if (!pathExists(move.from)) continue;  // by an earlier attempt
@@ -179,13 +190,11 @@ class Join {
       writeFileAtomically(move.to, readFile(move.from, "frame"), NameSync::later);
       removeFile(move.from);
     }
-    if (!manifest_.counts.empty())
-      writeFileAtomically(whole_.countFile(), readFile(countFile(), "table of counts"), NameSync::later);
-    const fs::path scene = drawn_[0].output.sceneFile();
-    if (pathExists(scene))
-      writeFileAtomically(whole_.sceneFile(), readFile(scene, "scene"), NameSync::later);
-    syncFolder(whole_.folder);
-    writeFileAtomically(whole_.manifestFile(), frame::manifestText(manifest_));
+    writeFileAtomically(whole_.runFile(), runLogText(mergedLog(before)), NameSync::later);
+    Manifest manifest = manifest_;
+    for (auto& [number, frame] : manifest.frames) frame.drawn = false;  // by others: they are in the log
+    claim->write(std::move(manifest),
+                 manifest_.counts.empty() ? std::string() : readFile(countFile(), "table of counts"));
   }
 
   void makeVideo() const {
@@ -204,8 +213,7 @@ class Join {
     sink->finish();
   }
 
-  [[nodiscard]] frame::RunLog mergedLog() const {
-    frame::RunLog merged;
+  [[nodiscard]] frame::RunLog mergedLog(frame::RunLog merged) const {
     for (std::size_t i = 0; i < drawn_.size(); ++i)
       for (frame::RunRecord record : drawn_[i].log.runs) {
         std::erase_if(record.frames, [&](int number) {

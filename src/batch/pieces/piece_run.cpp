@@ -6,11 +6,14 @@
 #include "base/log.hpp"
 #include "base/workers.hpp"
 #include "batch/render/scratch.hpp"
+#include "frame/file/checkpoint.hpp"
 #include "frame/file/manifest.hpp"
+#include "frame/file/output_lock.hpp"
 #include "frame/interrupt.hpp"
 #include "gl/driver_threads.hpp"
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <utility>
 
@@ -37,10 +40,11 @@ void runSteps(const PiecePlan& plan, const std::vector<Step>& steps, const Local
   force.items = steps.size();
   gl::shareProcessors(force.workers);
   force.work = [&](WorkerLine& line) {
-    const gl::Context context(how.on);
+    const gl::Context context(how.on.ofWorker(line.place()));
     line.ready("");
     while (const auto task = line.next()) {
-      frame::Progress progress(frame::Progress::Mode::none);
+      frame::Progress progress(how.ndjson ? frame::Progress::Mode::ndjson : frame::Progress::Mode::none);
+      progress.ofJob(steps[task->item].name());
       // The code as a letter, then the message.
       std::string answer = "0";
       try {
@@ -73,11 +77,40 @@ void runSteps(const PiecePlan& plan, const std::vector<Step>& steps, const Local
   if (mistake && frame::interruptSignal() == 0) throw UserError(*mistake);
 }
 
+void requireState(const PiecePlan& plan, const std::filesystem::path& checkpoint) {
+  if (checkpoint.empty()) return;
+  try {
+    static_cast<void>(frame::Checkpoint::load(checkpoint));
+  } catch (const UserError& error) {
+    fail(error.code(), "{}; `simreel pieces simulate {}` makes it again", error.what(),
+         plan.folder.string());
+  }
+}
+
+/// On a scratch folder nobody else would see the lock of what is drawn there.
+frame::OutputLock lockOf(const std::filesystem::path& folder, std::size_t piece) {
+  constexpr std::array all{0};
+  try {
+    return {folder / "piece", std::to_string(piece), all};
+  } catch (const UserError&) {
+    if (!frame::isOutputLocked(folder / "piece")) throw;
+    fail(ExitCode::inputOutput, "piece {} is being drawn by another simreel", piece);
+  }
+}
+
 }  // namespace
 
-bool isSimulated(const PiecePlan& plan) {
-  for (std::size_t i = 1; i < plan.pieces.size(); ++i)
-    if (!pathExists(plan.drawing(i, "").from)) return false;
+bool isSimulated(const PiecePlan& plan, bool read) {
+  for (std::size_t i = 1; i < plan.pieces.size(); ++i) {
+    const auto checkpoint = plan.drawing(i, "").from;
+    if (!pathExists(checkpoint)) return false;
+    if (!read) continue;
+    try {
+      static_cast<void>(frame::Checkpoint::load(checkpoint));
+    } catch (const UserError&) {
+      return false;
+    }
+  }
   return true;
 }
 
@@ -101,7 +134,11 @@ int simulatePieces(const PiecePlan& plan, const gl::Context& context, frame::Pro
 int drawPiece(const PiecePlan& plan, std::size_t piece, const gl::Context& context,
               frame::Progress& progress, const std::string& command, const std::filesystem::path& scratch) {
   RenderRequest request = plan.drawing(piece, command);
-  Scratch place(plan.pieceOutput(piece).folder, scratch);
+  requireState(plan, request.from);
+  const std::filesystem::path folder = plan.pieceOutput(piece).folder;
+  makeFolders(folder);
+  const frame::OutputLock lock = lockOf(folder, piece);
+  Scratch place(folder, scratch);
   // A pattern's name stays.
   const std::string name = std::filesystem::path(request.output).filename().string();
   request.output = name.empty() ? place.folder().string() + "/" : (place.folder() / name).string();
@@ -119,7 +156,7 @@ int drawPiece(const PiecePlan& plan, std::size_t piece, const gl::Context& conte
 int makePieces(const PiecePlan& plan, const LocalPieces& how) {
   // The first piece begins where the simulation does.
   std::vector<Step> first, rest;
-  if (!isSimulated(plan)) first.push_back({});
+  if (!isSimulated(plan, true)) first.push_back({});
   for (std::size_t i = 0; i < plan.pieces.size(); ++i)
     if (!isDrawn(plan, i)) (i == 0 ? first : rest).push_back({i});
   runSteps(plan, first, how);

@@ -9,8 +9,9 @@
 
 namespace simreel::batch {
 
-/// Whether the states that pieces begin with are there; whether a piece's frames are, as its manifest says.
-[[nodiscard]] bool isSimulated(const PiecePlan& plan);
+/// Whether the states that pieces begin with are there, and whole if they are read; whether a piece's
+/// frames are, as its manifest says.
+[[nodiscard]] bool isSimulated(const PiecePlan& plan, bool read = false);
 [[nodiscard]] bool isDrawn(const PiecePlan& plan, std::size_t piece);
 
 /// Simulates up to the last piece, going on where an earlier pass ended. Returns the signal that
@@ -18,7 +19,7 @@ namespace simreel::batch {
 [[nodiscard]] int simulatePieces(const PiecePlan& plan, const gl::Context& context,
                                  frame::Progress& progress, const std::string& command);
 /// Draws a piece, or goes on with it. Throws UserError: usage also where the state that it begins with was
-/// simulated by a driver whose numerics differ and matter.
+/// simulated by a driver whose numerics differ and matter, inputOutput also where another process draws it.
 [[nodiscard]] int drawPiece(const PiecePlan& plan, std::size_t piece, const gl::Context& context,
                             frame::Progress& progress, const std::string& command,
                             const std::filesystem::path& scratch = {});
@@ -26,7 +27,8 @@ namespace simreel::batch {
 /// How pieces are made on this machine.
 struct LocalPieces {
   std::size_t workers = 1;
-  gl::ContextOptions on;
+  gl::ContextOptions on;          ///< may list devices: each worker takes the next
+  bool ndjson = false;            ///< events of every piece on standard error
   std::filesystem::path scratch;  ///< a folder of this machine's own to draw in; empty: none
   std::string command;
 };

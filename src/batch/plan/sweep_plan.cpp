@@ -48,6 +48,7 @@ SweepPlan parsePlan(const std::string& text) {
   const JsonValue object(json);
   expectFormat(object, planFormat, planVersion);
   SweepPlan plan;
+  plan.program = object.at("program").text();
   plan.assets = foldersIn(object.at("assets"));
   plan.overrides = overridesIn(object.at("overrides"));
   plan.frames = object.at("frames").text();
@@ -117,6 +118,16 @@ std::vector<std::string> shortNames(const std::vector<std::string>& paths) {
   return names;
 }
 
+std::string jobHash(const std::string& sceneHash, const std::string& frames, const std::string& fields) {
+  return hashHex(fmt::format("{} {} {} {}", version(), sceneHash, frames, fields));
+}
+
+void checkProgram(const SweepPlan& plan) {
+  if (plan.program != version())
+    fail(ExitCode::usage, "{} was written by simreel {}, this is {}; plan the sweep again with --overwrite",
+         plan.planFile().string(), plan.program, version());
+}
+
 void checkJobs(SweepPlan& plan, const std::string& text) {
   if (!plan.frames.empty()) static_cast<void>(frame::parseFrames(plan.frames));
   std::mutex mutex;
@@ -126,8 +137,7 @@ void checkJobs(SweepPlan& plan, const std::string& text) {
   tbb::parallel_for(std::size_t{0}, plan.jobs.size(), [&](std::size_t i) {
     try {
       const auto scene = scene::parseScene(text, plan.sceneFile(), plan.overridesOf(i), kinds, plan.assets);
-      plan.jobs[i].hash =
-          hashHex(fmt::format("{} {} {} {}", version(), scene.hash, plan.frames, plan.fields));
+      plan.jobs[i].hash = jobHash(scene.hash, plan.frames, plan.fields);
     } catch (const UserError&) {
       const std::lock_guard lock(mutex);
       if (i >= firstBad) return;

@@ -19,6 +19,7 @@ struct PlannedJob {
 /// All that there is to do in a sweep's folder: plan.json in it, a line for each job.
 struct SweepPlan {
   std::filesystem::path folder;               ///< where the plan lies; not written
+  std::string program;                        ///< version that wrote it
   std::vector<std::filesystem::path> assets;  ///< absolute: the scene's own folder first
   std::vector<scene::Override> overrides;     ///< of every job, before its values
   std::string frames;                         ///< as --frames takes them; empty: all
@@ -46,6 +47,12 @@ struct SweepPlan {
 
 /// The parameters' paths cut from the front as far as they stay different, and at least to one name.
 [[nodiscard]] std::vector<std::string> shortNames(const std::vector<std::string>& paths);
+
+[[nodiscard]] std::string jobHash(const std::string& sceneHash, const std::string& frames,
+                                  const std::string& fields);
+/// Throws UserError(usage) where another version of the program has written the plan: its jobs' results
+/// would be said to be that one's.
+void checkProgram(const SweepPlan& plan);
 
 /// Sets the jobs' hashes, and what they share. Throws UserError(usage) with the report of the first job
 /// whose scene has mistakes; `text` is the scene's.

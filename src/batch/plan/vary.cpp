@@ -4,6 +4,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <map>
 #include <numeric>
 #include <set>
 #include <string_view>
@@ -138,9 +139,14 @@ Vary parseVary(const std::string& text) {
       result.values.push_back(part);
     }
   }
-  std::set<std::string> seen;
-  for (const std::string& value : result.values)
-    if (!seen.insert(value).second) fail(ExitCode::usage, "--vary {}: {} stands there twice", text, value);
+  std::map<std::string, std::string> seen;  // numbers by value: 0.50 is 0.5
+  for (const std::string& value : result.values) {
+    const auto number = numberOf(value);
+    const auto [first, isNew] = seen.emplace(number ? fmt::format("{}", *number) : value, value);
+    if (!isNew)
+      fail(ExitCode::usage, "--vary {}: {} stands there twice{}", text, value,
+           first->second == value ? "" : fmt::format(", also as {}", first->second));
+  }
   return result;
 }
 

@@ -35,7 +35,7 @@ void RenderJob::chooseFrames() {
       fail(ExitCode::usage, "--frames none draws nothing; say what to keep: --checkpoint-at 0,500");
     return;
   }
-  if (request_.from.empty()) {
+  if (request_.from.empty() || request_.mayDoWithout) {
     frames_ = chosenFrames(request_.frames, scene_);
     return;
   }
@@ -106,6 +106,7 @@ frame::SequenceResult RenderJob::run(const gl::Context& context, frame::Progress
   beside.checkpoints.run = run;
   beside.checkpoints.keep = kept_;
   beside.checkpoints.from = request_.from;
+  beside.checkpoints.mayDoWithout = request_.mayDoWithout;
   if (request_.checkpoint) beside.checkpoints.seconds = *request_.checkpoint;
   beside.watch = watch;
   auto result = frame::renderSequence(scene_, context, frames_, *sink, progress, beside);

@@ -31,6 +31,7 @@ struct RenderRequest {
   std::optional<double> checkpoint;  ///< s between two; else the default
   std::set<int> checkpointAt;        ///< frames whose states are kept for good
   std::filesystem::path from;        ///< checkpoint to begin at; empty: the scene's start
+  bool mayDoWithout = false;         ///< begin at the scene's start where `from` cannot be used
   std::string streamFormat = "rgba";
   std::string command;  ///< for run.json
 };

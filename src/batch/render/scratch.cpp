@@ -3,14 +3,16 @@
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "base/hash.hpp"
-#include "base/log.hpp"
+#include "base/text.hpp"
 
 #include <algorithm>
 #include <cctype>
+#include <cerrno>
 #include <cstdlib>
 #include <limits>
-#include <set>
+#include <signal.h>
 #include <string>
+#include <string_view>
 #include <unistd.h>
 #include <utility>
 #include <vector>
@@ -40,6 +42,11 @@ std::vector<fs::path> filesOf(const fs::path& folder) {
   return files;
 }
 
+void removeAll(const fs::path& folder) {
+  std::error_code ignored;
+  fs::remove_all(folder, ignored);
+}
+
 }  // namespace
 
 fs::path scratchRoot(const std::string& text) {
@@ -66,34 +73,56 @@ fs::path scratchRoot(const std::string& text) {
 
 Scratch::Scratch(fs::path shared, const fs::path& root) : shared_(std::move(shared)) {
   if (root.empty()) return;
-  own_ = root / fmt::format("simreel-{}-{}", hashHex(fs::absolute(shared_).string()), ::getpid());
+  const std::string name = fmt::format("simreel-{}-", hashHex(fs::absolute(shared_).string()));
+  removeLeftovers(root, name);
+  own_ = root / fmt::format("{}{}", name, ::getpid());
   makeFolders(own_);
-  for (const fs::path& file : filesOf(shared_))
-    writeFileAtomically(own_ / file.filename(), readFile(file, "file", anySize), NameSync::later);
+  try {
+    bring();
+  } catch (...) {
+    removeAll(own_);
+    throw;
+  }
 }
 
 Scratch::~Scratch() {
-  if (own_.empty()) return;
-  std::error_code ignored;
-  fs::remove_all(own_, ignored);
+  if (!own_.empty()) removeAll(own_);
+}
+
+/// Of processes that were killed at this very work; it would fill the disk.
+void Scratch::removeLeftovers(const fs::path& root, const std::string& name) const {
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(root, error)) {
+    const std::string found = entry.path().filename().string();
+    if (!found.starts_with(name)) continue;
+    std::string_view digits = std::string_view(found).substr(name.size());
+    const auto process = takeInteger(digits);
+    if (process && *process > 0 && digits.empty() && ::kill(*process, 0) != 0 && errno == ESRCH)
+      removeAll(entry.path());
+  }
+}
+
+void Scratch::bring() {
+  for (const fs::path& file : filesOf(shared_)) {
+    writeFileAtomically(own_ / file.filename(), readFile(file, "file", anySize), NameSync::later);
+    brought_.insert(file.filename().string());
+  }
 }
 
 void Scratch::deliver() {
   if (own_.empty()) return;
   makeFolders(shared_);
-  std::set<std::string> names;
   bool synced = false;
   for (const fs::path& file : filesOf(own_)) {
     const fs::path to = shared_ / file.filename();
-    names.insert(file.filename().string());
+    brought_.erase(file.filename().string());
     if (isManifest(file) && !std::exchange(synced, true)) syncFolder(shared_);
     const std::string bytes = readFile(file, "file", anySize);
     if (pathExists(to) && readFile(to, "file", anySize) == bytes) continue;
     writeFileAtomically(to, bytes, NameSync::later);
   }
   // A checkpoint that is needed no more, and the like.
-  for (const fs::path& file : filesOf(shared_))
-    if (!names.contains(file.filename().string())) removeFile(file);
+  for (const std::string& name : brought_) removeFile(shared_ / name);
   syncFolder(shared_);
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 #include <filesystem>
+#include <set>
 #include <string>
 
 namespace simreel::batch {
@@ -23,12 +24,17 @@ class Scratch {
   Scratch& operator=(Scratch&&) = delete;
 
   [[nodiscard]] const std::filesystem::path& folder() const { return own_.empty() ? shared_ : own_; }
-  /// Copies back all that differs, each file as a whole and manifests last: what they list is there.
-  /// Nothing is renamed from one file system to the other. Throws UserError(inputOutput).
+  /// Copies back all that differs, each file as a whole and manifests last: what they list is there; of
+  /// what was brought removes what the run has removed. Nothing is renamed from one file system to the
+  /// other. Throws UserError(inputOutput).
   void deliver();
 
  private:
+  void removeLeftovers(const std::filesystem::path& root, const std::string& name) const;
+  void bring();
+
   std::filesystem::path shared_, own_;
+  std::set<std::string> brought_;
 };
 
 }  // namespace simreel::batch

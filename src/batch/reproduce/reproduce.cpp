@@ -94,15 +94,24 @@ std::optional<std::pair<fs::path, int>> manifestFor(const fs::path& picture, fra
   return std::nullopt;
 }
 
+/// The manifest itself, or that of a folder or of a video; empty for a picture.
+fs::path manifestNamed(const fs::path& file) {
+  if (isManifestName(file)) return file;
+  std::error_code error;
+  if (fs::is_directory(file, error)) return file / "manifest.json";
+  const fs::path beside = file.string() + ".manifest.json";
+  return pathExists(beside) ? beside : fs::path();
+}
+
 Wanted wantedOf(const ReproduceRequest& request) {
   Wanted wanted;
-  if (isManifestName(request.file)) {
-    const auto manifest = frame::parseManifest(readFile(request.file, "manifest"), request.file.string());
-    if (manifest.frames.empty()) fail(ExitCode::usage, "manifest {} lists no frame", request.file.string());
+  if (const fs::path file = manifestNamed(request.file); !file.empty()) {
+    const auto manifest = frame::parseManifest(readFile(file, "manifest"), file.string());
+    if (manifest.frames.empty()) fail(ExitCode::usage, "manifest {} lists no frame", file.string());
     const int number = request.frame.value_or(manifest.frames.rbegin()->first);
     if (!manifest.frames.contains(number))
-      fail(ExitCode::usage, "manifest {} has no frame {}", request.file.string(), number);
-    takeManifest(request.file, manifest, number, wanted);
+      fail(ExitCode::usage, "manifest {} has no frame {}", file.string(), number);
+    takeManifest(file, manifest, number, wanted);
     return wanted;
   }
   if (request.frame) fail(ExitCode::usage, "--frame is for manifests; a picture is of one frame");

@@ -9,7 +9,7 @@
 namespace simreel::batch {
 
 struct ReproduceRequest {
-  std::filesystem::path file;   ///< a picture, or a manifest
+  std::filesystem::path file;   ///< a picture, a manifest, or a folder or video that has one
   std::optional<int> frame;     ///< of a manifest; else its last one
   std::filesystem::path scene;  ///< empty: the scene as run that lies beside
   std::vector<std::filesystem::path> assets;

@@ -2,9 +2,11 @@
 
 #include "base/file.hpp"
 #include "batch/sweep/job_result.hpp"
+#include "frame/image.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <utility>
 
 namespace simreel::batch {
@@ -61,6 +63,19 @@ void Measurements::made(const sim::World& world) {
 void Measurements::drawn(int frame, const frame::Image& image) {
   if (!std::binary_search(tested_.begin(), tested_.end(), frame)) return;
   checker_->picture(frame, image);
+  drawn_.insert(frame);
+  news();
+}
+
+void Measurements::lookAtKept(const std::function<std::filesystem::path(int frame)>& fileOf) {
+  const bool looks = std::any_of(scene_.checks.begin(), scene_.checks.end(),
+                                 [](const scene::Check& check) { return check.what == "not-blank"; });
+  for (const int frame : tested_) {
+    if (!looks || drawn_.contains(frame)) continue;
+    const std::filesystem::path file = fileOf(frame);
+    const std::string bytes = readFile(file, "frame");
+    checker_->picture(frame, frame::decodeImage(std::as_bytes(std::span(bytes)), file.string()));
+  }
   news();
 }
 

@@ -39,6 +39,10 @@ class Measurements final : public frame::FrameWatch {
   void made(const sim::World& world) override;
   void drawn(int frame, const frame::Image& image) override;
 
+  /// Once the run is over: pictures that it kept from an earlier attempt are looked at where they lie.
+  /// Throws UserError where one cannot be read.
+  void lookAtKept(const std::function<std::filesystem::path(int frame)>& fileOf);
+
   [[nodiscard]] std::vector<golden::CheckResult> checks() const;
   [[nodiscard]] const std::vector<MeasuredQuantity>& quantities() const { return quantities_; }
 
@@ -51,6 +55,7 @@ class Measurements final : public frame::FrameWatch {
   std::filesystem::path file_;
   std::function<void(const golden::CheckResult&)> hear_;
   std::optional<golden::Checker> checker_;
+  std::set<int> drawn_;  ///< of the tested ones
   std::size_t heard_ = 0;
   std::set<std::pair<int, std::string>> told_;
   std::vector<MeasuredQuantity> quantities_;

@@ -7,11 +7,18 @@
 #include "batch/render/render_job.hpp"
 #include "batch/render/scratch.hpp"
 #include "batch/sweep/measurements.hpp"
+#include "frame/file/checkpoint.hpp"
+#include "frame/file/manifest.hpp"
 #include "frame/file/output_lock.hpp"
 #include "frame/interrupt.hpp"
 
+#include <algorithm>
+#include <array>
 #include <new>
+#include <set>
+#include <system_error>
 #include <utility>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
@@ -53,13 +60,48 @@ std::optional<JobResult> storedResult(const SweepPlan& plan, std::size_t job) {
   return std::nullopt;
 }
 
+/// Held by who renders a job, wherever that is drawn: on a scratch folder, too.
+std::optional<frame::OutputLock> lockOf(const SweepPlan& plan, std::size_t job) {
+  const fs::path begun = begunFile(plan.jobFolder(job));
+  makeFolders(plan.jobFolder(job));
+  constexpr std::array all{0};
+  try {
+    return frame::OutputLock(begun, plan.jobs[job].hash, all);
+  } catch (const UserError&) {
+    if (!frame::isOutputLocked(begun)) throw;
+    return std::nullopt;
+  }
+}
+
+bool isRunning(const fs::path& folder) {
+  return frame::isOutputLocked(begunFile(folder));
+}
+
+/// But for the lock.
+void emptyFolder(const fs::path& folder) {
+  std::error_code error;
+  std::vector<fs::path> all;
+  for (const auto& entry : fs::directory_iterator(folder, error))
+    if (entry.path().extension() != ".lock") all.push_back(entry.path());
+  for (const fs::path& path : all) fs::remove_all(path, error);
+}
+
+/// Where no job has begun.
+bool holdsOthersFiles(const fs::path& folder) {
+  std::error_code error;
+  if (pathExists(begunFile(folder)) || pathExists(resultFile(folder))) return false;
+  return std::any_of(fs::directory_iterator(folder, error), fs::directory_iterator(),
+                     [](const auto& entry) {
+                       const fs::path ending = entry.path().extension();
+                       return ending != ".lock" && ending != ".part";
+                     });
+}
+
 /// What stands there of another job under this name, such as one of an earlier plan, goes.
 void begin(const SweepPlan& plan, std::size_t job) {
   const fs::path folder = plan.jobFolder(job);
   const std::string& hash = plan.jobs[job].hash;
-  std::error_code error;
-  if (begunHash(folder) != hash) fs::remove_all(folder, error);
-  makeFolders(folder);
+  if (begunHash(folder) != hash) emptyFolder(folder);
   removeFile(resultFile(folder));
   Json values = Json::object();
   for (const scene::Override& value : plan.jobs[job].values) values[value.path] = value.value;
@@ -94,6 +136,26 @@ fs::path checksFile(const fs::path& folder) {
   return folder / "checks.part.json";
 }
 
+/// Of the files that a done job's manifest lists: how many are not there. Their content is not read.
+std::size_t missingFiles(const fs::path& folder) {
+  std::set<std::string> names;
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(folder, error))
+    names.insert(entry.path().filename().string());
+  std::size_t missing = 0;
+  try {
+    const auto manifest = frame::readManifest(folder / "manifest.json");
+    if (!manifest) return 1;
+    for (const auto& [number, frame] : manifest->frames) {
+      missing += names.contains(frame.file) ? 0 : 1;
+      for (const auto& [name, hash] : frame.files) missing += names.contains(name) ? 0 : 1;
+    }
+  } catch (const UserError&) {
+    return 1;
+  }
+  return missing;
+}
+
 /// In a folder, which is the job's or stands for it.
 void render(const SweepPlan& plan, std::size_t job, const gl::Context& context, frame::Progress& progress,
             const std::string& command, const fs::path& folder, JobEnd& end) {
@@ -108,7 +170,11 @@ void render(const SweepPlan& plan, std::size_t job, const gl::Context& context, 
   request.existing = frame::Existing::resume;
   request.command = command;
   if (plan.sharedFrame && pathExists(plan.sharedCheckpoint())) request.from = plan.sharedCheckpoint();
+  request.mayDoWithout = true;
   RenderJob rendering(std::move(request));
+  if (jobHash(rendering.scene().hash, plan.frames, plan.fields) != plan.jobs[job].hash)
+    fail(ExitCode::usage, "{} was changed after the sweep was planned; plan it again with --overwrite",
+         plan.sceneFile().string());
   Measurements measurements(rendering.scene(), rendering.frames(), checksFile(folder),
                             [&](const golden::CheckResult& check) {
                               progress.check(check.what, check.frame, check.value, check.passed);
@@ -116,6 +182,7 @@ void render(const SweepPlan& plan, std::size_t job, const gl::Context& context, 
   const auto done = rendering.run(context, progress, began, &measurements);
   end.signal = done.signal;
   if (end.signal != 0) return;
+  measurements.lookAtKept([&](int frame) { return rendering.output().file(frame); });
   end.result.frames = done.frames;
   end.result.checks = measurements.checks();
   end.result.quantities = measurements.quantities();
@@ -143,15 +210,21 @@ const char* stateName(JobState state) {
 JobStatus statusOf(const SweepPlan& plan, std::size_t job) {
   JobStatus status;
   status.result = storedResult(plan, job);
+  const fs::path folder = plan.jobFolder(job);
   if (status.result) {
     status.state = status.result->code == 0 ? JobState::done : JobState::failed;
-    return status;
+    const std::size_t missing = status.state == JobState::done ? missingFiles(folder) : 0;
+    if (missing == 0) return status;
+    status.result.reset();
+    status.why =
+        fmt::format("it was done, and {} of its files {} gone", missing, missing == 1 ? "is" : "are");
   }
-  const fs::path folder = plan.jobFolder(job);
-  if (frame::isOutputLocked(folder / "manifest.json"))
+  if (isRunning(folder))
     status.state = JobState::running;
   else if (begunHash(folder) == plan.jobs[job].hash)
     status.state = JobState::aborted;
+  else
+    status.state = JobState::missing;
   return status;
 }
 
@@ -160,12 +233,25 @@ JobEnd runSweepJob(const SweepPlan& plan, std::size_t job, const gl::Context& co
   JobEnd end;
   end.result.hash = plan.jobs[job].hash;
   const fs::path folder = plan.jobFolder(job);
-  if (frame::isOutputLocked(folder / "manifest.json")) {
-    end.result.code = static_cast<int>(ExitCode::inputOutput);
-    end.result.message = fmt::format("{} is being rendered by another simreel", folder.string());
-    return end;
-  }
+  std::optional<frame::OutputLock> lock;
   try {
+    lock = lockOf(plan, job);
+    if (!lock) {
+      end.elsewhere = true;
+      return end;
+    }
+    // Submitted twice, or done by another machine meanwhile.
+    if (auto stored = storedResult(plan, job); stored && stored->code == 0 && missingFiles(folder) == 0) {
+      end.result = std::move(*stored);
+      return end;
+    }
+    if (holdsOthersFiles(folder)) {
+      end.result.code = static_cast<int>(ExitCode::inputOutput);
+      end.result.message = fmt::format(
+          "{} holds files that are no job's; move them away, or choose another folder for the sweep",
+          folder.string());
+      return end;
+    }
     begin(plan, job);
     Scratch place(folder, scratch);
     try {
@@ -197,7 +283,14 @@ JobEnd runSweepJob(const SweepPlan& plan, std::size_t job, const gl::Context& co
 }
 
 bool lacksShared(const SweepPlan& plan) {
-  return plan.sharedFrame && !pathExists(plan.sharedCheckpoint());
+  if (!plan.sharedFrame) return false;
+  if (!pathExists(plan.sharedCheckpoint())) return true;
+  try {
+    static_cast<void>(frame::Checkpoint::load(plan.sharedCheckpoint()));
+    return false;
+  } catch (const UserError&) {
+    return true;
+  }
 }
 
 int makeShared(const SweepPlan& plan, const gl::Context& context, frame::Progress& progress,
@@ -215,13 +308,31 @@ int makeShared(const SweepPlan& plan, const gl::Context& context, frame::Progres
   return RenderJob(std::move(request)).run(context, progress, Clock::now()).signal;
 }
 
-void writeLostResult(const SweepPlan& plan, std::size_t job, const std::string& how) {
+JobResult writeLostResult(const SweepPlan& plan, std::size_t job, const std::string& how) {
   JobResult result;
   result.hash = plan.jobs[job].hash;
   result.code = static_cast<int>(ExitCode::device);
   result.message = fmt::format("the process that rendered it {}", how);
   makeFolders(plan.jobFolder(job));
   writeFileAtomically(resultFile(plan.jobFolder(job)), resultText(result));
+  return result;
+}
+
+void removeOthers(const SweepPlan& old, const SweepPlan& next) {
+  for (std::size_t job = 0; job < old.jobs.size(); ++job)
+    if (isRunning(old.jobFolder(job)))
+      fail(ExitCode::inputOutput, "{} is being rendered by another simreel; wait for it, or end it first",
+           old.jobFolder(job).string());
+  std::error_code error;
+  for (std::size_t job = 0; job < old.jobs.size(); ++job) {
+    const fs::path folder = old.jobFolder(job);
+    const bool stays = job < next.jobs.size() && old.name(job) == next.name(job) &&
+                       begunHash(folder) == next.jobs[job].hash;
+    if (!stays && pathExists(begunFile(folder))) fs::remove_all(folder, error);
+  }
+  fs::remove_all(old.sharedFolder(), error);
+  for (const char* collected : {"table.csv", "counts.csv", "sheet.png", "index.html"})
+    removeFile(old.folder / collected);
 }
 
 }  // namespace simreel::batch

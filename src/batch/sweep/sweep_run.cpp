@@ -1,5 +1,6 @@
 #include "batch/sweep/sweep_run.hpp"
 
+#include "base/error.hpp"
 #include "base/log.hpp"
 #include "base/workers.hpp"
 #include "frame/interrupt.hpp"
@@ -16,8 +17,11 @@ namespace {
 
 constexpr int failedCode = 1, missingCode = 3, abortedCode = 7;
 
+/// A worker's answer in place of a result.
+constexpr const char* elsewhere = "elsewhere";
+
 void tell(const SweepPlan& plan, std::size_t job, const JobResult& result, std::size_t count,
-          const LocalRun& how) {
+          std::size_t all, const LocalRun& how) {
   if (how.ndjson) {
     const nlohmann::ordered_json event = {
         {"event", "job"},      {"job", plan.name(job)},     {"values", plan.label(job)},
@@ -33,7 +37,7 @@ void tell(const SweepPlan& plan, std::size_t job, const JobResult& result, std::
     end = "done, but " + std::find_if(result.checks.begin(), result.checks.end(), [](const auto& check) {
                            return !check.passed;
                          })->message;
-  info("[{}/{}] {} {}: {}", count, plan.jobs.size(), plan.name(job), plan.label(job), end);
+  info("[{}/{}] {} {}: {}", count, all, plan.name(job), plan.label(job), end);
 }
 
 }  // namespace
@@ -82,9 +86,7 @@ void shareWork(const SweepPlan& plan, const LocalRun& how) {
   WorkForce force;
   force.items = 1;
   force.work = [&](WorkerLine& line) {
-    gl::ContextOptions on = how.on;
-    if (!how.devices.empty()) on.device = how.devices.front();
-    const gl::Context context(on);
+    const gl::Context context(how.on.ofWorker(line.place()));
     line.ready("");
     while (const auto task = line.next()) {
       frame::Progress progress(frame::Progress::Mode::none);
@@ -113,26 +115,32 @@ int runJobs(const SweepPlan& plan, const std::vector<std::size_t>& jobs, const L
   force.items = jobs.size();
   if (force.workers > 1) gl::shareProcessors(force.workers);
   force.work = [&](WorkerLine& line) {
-    gl::ContextOptions on = how.on;
-    if (!how.devices.empty()) on.device = how.devices[line.place() % how.devices.size()];
-    const gl::Context context(on);
+    const gl::Context context(how.on.ofWorker(line.place()));
     line.ready("");
     while (const auto task = line.next()) {
       frame::Progress progress(how.ndjson ? frame::Progress::Mode::ndjson : frame::Progress::Mode::none);
       progress.ofJob(plan.name(jobs[task->item]));
       const JobEnd end = runSweepJob(plan, jobs[task->item], context, progress, how.command, how.scratch);
       if (end.signal != 0) throw frame::Interrupted{end.signal};
-      line.answer(task->item, resultText(end.result));
+      line.answer(task->item, end.elsewhere ? elsewhere : resultText(end.result));
     }
   };
   std::size_t count = 0;
   force.ready = [](const std::string& /*text*/) {};
   force.done = [&](std::size_t item, const std::string& text) {
-    tell(plan, jobs[item], parseResult(text, "worker"), ++count, how);
+    ++count;
+    if (text == elsewhere)
+      info("[{}/{}] {} {}: another simreel is at it", count, jobs.size(), plan.name(jobs[item]),
+           plan.label(jobs[item]));
+    else
+      tell(plan, jobs[item], parseResult(text, "worker"), count, jobs.size(), how);
   };
   force.lost = [&](std::size_t item, const Loss& loss) {
-    writeLostResult(plan, jobs[item], loss.how);
-    tell(plan, jobs[item], *statusOf(plan, jobs[item]).result, ++count, how);
+    try {
+      tell(plan, jobs[item], writeLostResult(plan, jobs[item], loss.how), ++count, jobs.size(), how);
+    } catch (const UserError& error) {
+      warn("{}: the process that rendered it {}, and {}", plan.name(jobs[item]), loss.how, error.what());
+    }
   };
   force.alone = [](std::size_t /*item*/) { return false; };
   force.interrupted = [] { return frame::interruptSignal(); };

@@ -27,8 +27,7 @@ struct SweepTally {
 /// How a sweep is run on this machine.
 struct LocalRun {
   std::size_t workers = 1;
-  gl::ContextOptions on;
-  std::vector<std::string> devices;  ///< one after the other for the workers; empty: that of `on`
+  gl::ContextOptions on;          ///< may list devices: each worker takes the next
   bool ndjson = false;            ///< an event on standard error for each check, and at the end of each job
   std::filesystem::path scratch;  ///< empty: jobs render into their own folders
   std::string command;

@@ -54,7 +54,7 @@ void status(const FollowerOptions& o) {
   for (std::size_t i = 0; i < sweep.jobs.size(); ++i) {
     const batch::JobStatus& job = sweep.jobs[i];
     if (job.state == batch::JobState::done && job.result->checksPassed()) continue;
-    std::string why = job.result ? job.result->message : "";
+    std::string why = job.result ? job.result->message : job.why;
     if (job.result && job.result->code == 0)
       for (const auto& check : job.result->checks)
         if (!check.passed) why += (why.empty() ? "" : "; ") + check.message;
@@ -93,6 +93,7 @@ void writeCollected(const FollowerOptions& o) {
 /// In this process, one after the other.
 void job(const FollowerOptions& o) {
   const batch::SweepPlan plan = batch::readSweepPlan(o.folder);
+  batch::checkProgram(plan);
   for (const std::size_t number : o.jobs)
     if (number >= plan.jobs.size())
       fail(ExitCode::usage, "there is no job {}; the sweep has 0 to {}", number, plan.jobs.size() - 1);
@@ -106,6 +107,9 @@ void job(const FollowerOptions& o) {
     progress.ofJob(plan.name(number));
     const batch::JobEnd end = batch::runSweepJob(plan, number, context, progress, commandLine(), scratch);
     if (end.signal != 0) return setExitCode(128 + end.signal);
+    if (end.elsewhere)
+      fail(ExitCode::inputOutput, "{} is being rendered by another simreel",
+           plan.jobFolder(number).string());
     if (end.result.code != 0)
       printError(UserError(static_cast<ExitCode>(end.result.code), end.result.message));
     if (code == 0) code = end.result.code;
@@ -115,6 +119,7 @@ void job(const FollowerOptions& o) {
 
 void shared(const FollowerOptions& o) {
   const batch::SweepPlan plan = batch::readSweepPlan(o.folder);
+  batch::checkProgram(plan);
   frame::Progress progress(frame::parseProgressMode(o.run.progress));
   frame::catchInterrupts();
   if (!batch::lacksShared(plan)) return info("nothing is to be done that all jobs share");
@@ -132,10 +137,7 @@ void SweepRunOptions::add(CLI::App& command) {
           "Jobs at once, each in a process of its own with an equal part of the processors; auto: one a "
           "processor")
       ->capture_default_str();
-  command.add_option(
-      "--device", devices,
-      "Index or part of a name (see `simreel doctor`); of several, 0,1, each process takes the next");
-  command.add_option("--memory-path", on.memoryPath, "storage or texel; by driver if not given");
+  addDevices(command, on);
   command.add_option("--progress", progress, "auto, ndjson or none");
   cluster.add(command);
 }
@@ -150,11 +152,11 @@ void submitSweep(const batch::SweepPlan& plan, const std::vector<std::size_t>& j
   batch::Slurm::Work work{.name = "sweep", .arguments = {"sweep", "job"}, .numbers = jobs};
   const std::string folder = fs::absolute(plan.folder).lexically_normal().string();
   work.however = true;  // jobs can do without what they share
+  if (how.on.deviceCount() > 1)
+    fail(ExitCode::usage, "--device {}: with --slurm the cluster gives each job its device", how.on.device);
   if (jobs.size() > 1 && batch::lacksShared(plan))
     work.after = slurm.submit({.name = "shared", .arguments = {"sweep", "shared", folder}, .numbers = {}});
-  if (how.devices.find(',') != std::string::npos)
-    fail(ExitCode::usage, "--device {}: with --slurm the cluster gives each job its device", how.devices);
-  if (!how.devices.empty()) work.arguments.push_back("--device=" + how.devices);
+  if (!how.on.device.empty()) work.arguments.push_back("--device=" + how.on.device);
   if (!how.on.memoryPath.empty()) work.arguments.push_back("--memory-path=" + how.on.memoryPath);
   for (const std::string& word : how.cluster.arguments()) work.arguments.push_back(word);
   work.arguments.push_back(folder);
@@ -167,6 +169,7 @@ void submitSweep(const batch::SweepPlan& plan, const std::vector<std::size_t>& j
 
 void runSweep(const batch::SweepPlan& plan, const std::vector<std::size_t>& jobs,
               const SweepRunOptions& how) {
+  batch::checkProgram(plan);
   std::vector<std::size_t> waiting;
   for (const std::size_t number : jobs) {
     const auto state = batch::statusOf(plan, number).state;
@@ -176,17 +179,11 @@ void runSweep(const batch::SweepPlan& plan, const std::vector<std::size_t>& jobs
     info("{} of {} jobs are done or being rendered", jobs.size() - waiting.size(), jobs.size());
   if (how.cluster.slurm) return submitSweep(plan, waiting, how);
   batch::LocalRun local;
-  local.workers = jobCount(how.jobs);
+  local.workers = jobCount(how.jobs, how.on);
   local.on = how.on;
   local.ndjson = frame::parseProgressMode(how.progress) == frame::Progress::Mode::ndjson;
   local.command = commandLine();
   local.scratch = batch::scratchRoot(how.cluster.scratch);
-  std::string rest = how.devices;
-  while (!rest.empty()) {
-    const std::size_t comma = std::min(rest.find(','), rest.size());
-    local.devices.push_back(rest.substr(0, comma));
-    rest.erase(0, comma + 1);
-  }
   frame::catchInterrupts();
   frame::ignoreBrokenPipes();
   const int signal = waiting.empty() ? 0 : batch::runJobs(plan, waiting, local);
@@ -205,7 +202,10 @@ void addSweepFollowers(CLI::App& sweep) {
     command->callback([o, act] { act(*o); });
     return command;
   };
-  add("status", "What has become of each job", status);
+  add("status",
+      "What has become of each job; exit code 0: all is well, 1: one failed, 7: one is under way, 3: "
+      "missing",
+      status);
   o->run.add(*add("retry", "Run what failed, was aborted or is missing", retry));
   auto* collect = add("collect", "Write table.csv, counts.csv, sheet.png and index.html", writeCollected);
   collect->add_option("--frame", o->frame, "The frame to show (default: each job's last)");

@@ -2,8 +2,10 @@
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "base/log.hpp"
+#include "base/version.hpp"
 #include "batch/plan/sweep_plan.hpp"
 #include "batch/plan/vary.hpp"
+#include "batch/sweep/sweep_job.hpp"
 #include "cli/commands.hpp"
 #include "cli/sweep/sweep_options.hpp"
 #include "scene/scene_source.hpp"
@@ -12,6 +14,7 @@
 #include <filesystem>
 #include <memory>
 #include <numeric>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -43,6 +46,7 @@ batch::SweepPlan planOf(const SweepOptions& o, const std::string& text) {
                               : batch::Combination::grid;
   batch::SweepPlan plan;
   plan.folder = o.output;
+  plan.program = version();
   if (o.scene.file != "-")
     plan.assets.push_back(fs::absolute(o.scene.file).lexically_normal().parent_path());
   for (const fs::path& folder : assetFolders(o.scene.assets))
@@ -70,6 +74,12 @@ void store(const batch::SweepPlan& plan, const std::string& scene, bool overwrit
     if (!overwrite)
       fail(ExitCode::inputOutput, "{} is of another sweep; use --overwrite, or another folder",
            plan.planFile().string());
+    std::optional<batch::SweepPlan> old;
+    try {
+      old = batch::readSweepPlan(plan.folder);
+    } catch (const UserError&) {  // NOLINT(bugprone-empty-catch): what it had made is not known then.
+    }
+    if (old) batch::removeOthers(*old, plan);
   }
   makeFolders(plan.folder);
   writeFileAtomically(plan.sceneFile(), scene);
@@ -82,7 +92,7 @@ void sweep(const SweepOptions& o) {
   const batch::SweepPlan plan = planOf(o, text);
   store(plan, text, o.overwrite);
   if (o.planOnly) {
-    info("{} jobs -> {}", plan.jobs.size(), plan.planFile().string());
+    info("{} job{} -> {}", plan.jobs.size(), plan.jobs.size() == 1 ? "" : "s", plan.planFile().string());
     return;
   }
   std::vector<std::size_t> all(plan.jobs.size());

@@ -19,7 +19,6 @@ namespace simreel::cli {
 struct SweepRunOptions {
   std::string jobs = "1";
   gl::ContextOptions on;
-  std::string devices;  ///< "0,1"
   std::string progress = "auto";
   SlurmOptions cluster;
 

@@ -84,7 +84,7 @@ class SceneRun {
     options_.assets = assetFolders(o.assets);
     options_.reportFolder = o.outputs.folder();
     options_.artifacts = o.outputs.artifacts();
-    jobs_ = jobCount(o.jobs);
+    jobs_ = jobCount(o.jobs, o.on);
     chooseScenes();
   }
 
@@ -137,7 +137,7 @@ class SceneRun {
 
   /// In this process, on all processors.
   void testHere() {
-    const gl::Context context(o_.on);
+    const gl::Context context(o_.on.ofWorker(0));
     const golden::Device device = describeDevice(context, o_.profile);
     setEnvironment(device, result_);
     try {
@@ -206,7 +206,7 @@ class SceneRun {
   }
 
   void testAsWorker(WorkerLine& line) {
-    const gl::Context context(o_.on);
+    const gl::Context context(o_.on.ofWorker(line.place()));
     const golden::Device device = describeDevice(context, o_.profile);
     golden::SuiteResult about;
     setEnvironment(device, about);

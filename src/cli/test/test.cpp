@@ -99,7 +99,7 @@ void addTest(CLI::App& app) {
   command->add_option("--reason", o->reason, "Why, kept in the baselines that are written");
   command->add_option("--profile", o->profile, "Name of the numerics family (default: by driver)");
   addAssets(*command, o->assets);
-  addDevice(*command, o->on);
+  addDevices(*command, o->on);
   command->add_flag("--debug", o->on.debug, "Ask the driver for debug messages; serious ones are errors");
   command->add_flag("--list", o->list, "Only print the scenes that would be tested");
   command->add_flag("--strict", o->strict, "Baselines that nothing is tested against fail the run, too");

@@ -18,9 +18,10 @@ void CheckpointKeeper::resume(const std::vector<int>& frames, const std::functio
   if (!how_.file.empty() && how_.resume) {
     const int last = std::max({lastFrame_, frames.empty() ? 0 : frames.back(), lastKept()});
     const auto checkpoint = found(last);
-    // Kept states that are there need no work; one that is not lies before no checkpoint to go on from.
+    // Kept states that are whole need no work; one that is not lies before no checkpoint to go on from.
     std::erase_if(how_.keep, [&](const auto& kept) {
-      return checkpoint && kept.first <= checkpoint->frame() && pathExists(kept.second);
+      return checkpoint && kept.first <= checkpoint->frame() &&
+             (kept.second == checkpoint->file() || Checkpoint::read(kept.second, how_.run, last));
     });
     if (checkpoint) {
       auto missing = std::find_if(frames.begin(), frames.end(), isMissing);
@@ -35,10 +36,20 @@ void CheckpointKeeper::resume(const std::vector<int>& frames, const std::functio
     }
   }
   if (how_.from.empty()) return;
-  const Checkpoint given = Checkpoint::load(how_.from);
-  if (const auto difference = given.mismatch(how_.run))
-    fail(ExitCode::usage, "cannot begin at checkpoint {}: {}", how_.from.string(), *difference);
-  begin(given, world, counts);
+  if (const auto checkpoint = given()) begin(*checkpoint, world, counts);
+}
+
+std::optional<Checkpoint> CheckpointKeeper::given() const {
+  try {
+    Checkpoint checkpoint = Checkpoint::load(how_.from);
+    if (const auto difference = checkpoint.mismatch(how_.run))
+      fail(ExitCode::usage, "cannot begin at checkpoint {}: {}", how_.from.string(), *difference);
+    return checkpoint;
+  } catch (const UserError& error) {
+    if (!how_.mayDoWithout) throw;
+    warn("{}; simulating from the start", error.what());
+    return std::nullopt;
+  }
 }
 
 /// The run's own, or else the last of those that are to be kept.
@@ -56,7 +67,10 @@ void CheckpointKeeper::begin(const Checkpoint& checkpoint, sim::World& world, Co
   resumedFrame_ = checkpoint.frame();
   resumedHash_ = checkpoint.stateHash();
   resumedFile_ = checkpoint.file();
-  info("going on from the checkpoint of frame {}", resumedFrame_);
+  if (resumedFile_ == how_.from)
+    detail("beginning at frame {} of {}", resumedFrame_, resumedFile_.string());
+  else
+    info("going on from the checkpoint of frame {}", resumedFrame_);
 }
 
 void CheckpointKeeper::keep(const std::string& stateHash, const std::string& counts,

@@ -23,9 +23,10 @@ struct Checkpoints {
   double seconds = 60;         ///< between two; 0: none are written
   bool resume = false;         ///< go on from the one that is there
   RunInfo run = {};
-  /// Frames whose states are kept for good, and where. With `resume` those that are there stay.
+  /// Frames whose states are kept for good, and where. With `resume` those that are there, and whole, stay.
   std::map<int, std::filesystem::path> keep = {};
   std::filesystem::path from = {};  ///< where the run begins; empty: at the scene's start
+  bool mayDoWithout = false;        ///< where `from` cannot be used: from the start then, with a warning
 };
 
 /// Writes the checkpoint of one run, goes on from one, and removes it.
@@ -63,6 +64,7 @@ class CheckpointKeeper {
   static constexpr int beforeAll = std::numeric_limits<int>::min();
 
   [[nodiscard]] std::optional<Checkpoint> found(int last);
+  [[nodiscard]] std::optional<Checkpoint> given() const;
   void begin(const Checkpoint& checkpoint, sim::World& world, CountTable& counts);
 
   Checkpoints how_;

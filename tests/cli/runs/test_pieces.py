@@ -26,7 +26,8 @@ class Pieces(Case):
 
     def test_the_same_bytes(self):
         """Pictures, fields, counts with a pre-roll, manifest; nothing else is left."""
-        self.good("render", "town.json", "-o", "out/", "--pieces", "4", "--jobs", "2", "--fields", "npy")
+        done = self.good("render", "town.json", "-o", "out/", "--pieces", "4", "--device", "0,none", "--fields", "npy")
+        self.assertIn("no device matches --device none", done.err)  # which a second process was for
         self.assert_whole("out", "--fields", "npy")
         runs = self.runs("out")
         self.assertEqual(sorted(run["frames"] for run in runs), ["0-2", "11-14", "3-6", "7-10"])
@@ -89,6 +90,42 @@ class Pieces(Case):
         self.good("pieces", "join", folder)
         self.good("render", "slow.json", "-o", "whole/")
         self.assertEqual(self.content("out"), self.content("whole"))
+        # Nothing is left to do, and that is said.
+        self.assertIn("joined: out/manifest.json", self.good("pieces", "status", folder).stdout.decode())
+        made = (self.folder / "out/000030.png").stat().st_ino
+        self.assertIn("all 60 frames are there", self.good("render", "slow.json", "-o", "out/", "--pieces", "3", "--resume").err)
+        self.assertEqual((self.folder / "out/000030.png").stat().st_ino, made)
+
+    def test_beside_other_frames_and_a_damaged_state(self):
+        """Of the same run: they stay in its manifest and log."""
+        self.good("render", "town.json", "-o", "out/", "--frames", "0-5")
+        beside = ("render", "town.json", "-o", "out/", "--frames", "6-14", "--pieces", "3")
+        process = self.start(*beside)
+        folder = self.folder / "out/pieces"
+        while not list(folder.glob("0000/*.png")) and process.poll() is None:
+            time.sleep(0.005)
+        process.terminate()
+        process.wait()
+        self.good("pieces", "simulate", "out/pieces")
+        state = folder / "checkpoint.000009"
+        whole = state.read_bytes()
+        state.write_bytes(whole[:100] + b"?" + whole[101:])
+        self.bad(2, ["checkpoint.000009 cannot be used", "`simreel pieces simulate out/pieces` makes it again"], "pieces", "draw", "out/pieces", "1")
+        self.good("pieces", "simulate", "out/pieces")
+        self.assertEqual(state.read_bytes(), whole)
+        # Two at one piece, one of them on a disk of its own.
+        process = self.start("pieces", "draw", "out/pieces", "1", "--scratch", str(self.folder / "disk"))
+        while not list(self.folder.glob("disk/*")) and process.poll() is None:
+            time.sleep(0.002)
+        process.send_signal(signal.SIGSTOP)
+        if process.poll() is None:
+            self.bad(6, "piece 1 is being drawn by another simreel", "pieces", "draw", "out/pieces", "1")
+        process.send_signal(signal.SIGCONT)
+        self.assertEqual(process.wait(40), 0)
+        done = self.good(*beside, "--resume", "--progress", "ndjson")
+        self.assertIn("piece 2", [json.loads(line).get("job") for line in done.err.splitlines()])
+        self.assert_whole("out")
+        self.assertLessEqual({"0-5", "9-11", "12-14"}, {run["frames"] for run in self.runs("out")})
 
     def test_pieces_of_several_machines(self):
         """Of exact pictures nobody asks; those that a driver draws are one machine's."""
@@ -147,6 +184,7 @@ class Pieces(Case):
         self.bad(2, ["--pieces 99", "15 frames"], "render", "town.json", "-o", "out/", "--pieces", "99")
         self.bad(2, ["--pieces", "not -"], "render", "town.json", "-o", "-", "--pieces", "2")
         self.bad(2, ["--pieces", "--from"], "render", "town.json", "-o", "out/", "--pieces", "2", "--from", at)
+        self.bad(2, ["--pieces", "--checkpoint"], "render", "town.json", "-o", "out/", "--pieces", "2", "--checkpoint", "5")
         self.bad(2, ["--slurm", "--pieces"], "render", "town.json", "-o", "out/", "--slurm")
         self.bad(2, ["nowhere holds no pieces"], "pieces", "join", "nowhere")
         self.assertFalse((self.folder / "out").exists())

@@ -14,7 +14,7 @@ class Reproduce(Case):
         (self.folder / "scene.json").unlink()  # nothing else is needed
         done = self.good("reproduce", "out/000003.png")
         self.assertEqual(done.stdout, b"out/000003.png: frame 3 is the same, in state and in every pixel\n")
-        self.assertIn(b"frame 5 is the same", self.good("reproduce", "out/manifest.json").stdout)
+        self.assertIn(b"frame 5 is the same", self.good("reproduce", "out").stdout)
         self.good("reproduce", "out/manifest.json", "--frame", "2", "-o", "again/")
         self.assertEqual(sorted(self.content("again")), ["000002.png", "as-run.json", "manifest.json"])
         self.assertEqual(self.content("again")["as-run.json"], self.content("out")["as-run.json"])
@@ -55,6 +55,8 @@ class Reproduce(Case):
         self.assertTrue((self.folder / "poster.as-run.json").exists())
         self.assertEqual(json.loads((self.folder / "poster.as-run.json").read_text()), json.loads((self.folder / "scene.json").read_text()))
         self.good("reproduce", "poster.png")
+        self.good("render", "scene.json", "-o", "a.mp4", "--frames", "0-3")
+        self.assertIn(b"a.mp4: frame 2 is the same", self.good("reproduce", "a.mp4", "--frame", "2").stdout)
 
 
 if __name__ == "__main__":

@@ -2,11 +2,13 @@
 import csv
 import json
 import os
+import pathlib
+import shutil
 import signal
-import subprocess
+import tempfile
 import time
 
-from common import PROGRAM, SLOW, Case, main, png_rows, with_values
+from common import SLOW, Case, main, png_rows, with_values
 
 DISH = {"version": 1, "render": {"size": [64, 36], "samples": 1}, "time": {"fps": 30, "duration": 0.1},
         "objects": {"dish": {"grayScott": {"size": [48, 48], "steps": 20}},
@@ -143,24 +145,90 @@ class Sweep(Case):
         scene = with_values({"time.start": 0.5, "objects.dish.grayScott.presteps": 300}, DISH)
         self.write("dish.json", scene)
         vary = ("--vary", "camera.roll=0,10", "--vary", "render.exposure=0,1")
-        done = self.run_program("sweep", "dish.json", *vary, "-o", "sw/")
-        self.assertEqual(done.err.count("going on from the checkpoint of frame 0"), 4, done.err)
+        begins = "beginning at frame 0 of sw/shared/checkpoint.000000"
+        done = self.run_program("-v", "sweep", "dish.json", *vary, "-o", "sw/")
+        self.assertEqual(done.err.count(begins), 4, done.err)
         self.assertEqual(sorted(self.content("sw/shared")), ["checkpoint.000000"])
         self.good("render", "dish.json", "-o", "alone/", "-D", "camera.roll=10", "-D", "render.exposure=0")
         job, alone = self.content("sw/jobs/0002"), self.content("alone")
         self.assertEqual({name: job[name] for name in alone}, alone)
+        # A damaged one is made anew, or done without; so is that of a plan which is no more, whose jobs go.
+        state = self.folder / "sw/shared/checkpoint.000000"
+        whole = state.read_bytes()
+        (self.folder / "sw/jobs/0002/000001.png").unlink()
+        state.write_bytes(whole[:-9])
+        self.assertIn("simulating from the start", self.run_program("sweep", "job", "sw", "2").err)
+        (self.folder / "sw/jobs/0002/result.json").unlink()
+        (self.folder / "sw/jobs/0003/result.json").unlink()
+        self.assertNotIn("simulating from the start", self.run_program("sweep", "retry", "sw").err)
+        self.assertEqual(state.read_bytes(), whole)
+        self.assertEqual(self.content("sw/jobs/0002"), job)
+        self.write("dish.json", scene | {"seed": 5})
+        again = ("sweep", "dish.json", "--vary", "camera.roll=0,10", "-o", "sw/")
+        self.bad(6, "another sweep", *again)
+        self.assertEqual(self.run_program("-v", *again, "--overwrite").err.count(begins), 2)
+        self.assertNotEqual(state.read_bytes(), whole)
+        self.assertEqual(sorted(p.name for p in (self.folder / "sw/jobs").iterdir()), ["0000", "0001"])
         # What varies is simulated.
         self.run_program("sweep", "dish.json", *vary, "--vary", f"{FEED}=0.03,0.04", "-o", "other/", "--plan-only")
         self.assertIsNone(json.loads((self.folder / "other/plan.json").read_text())["sharedFrame"])
 
     def test_scratch(self):
-        (self.folder / "node").mkdir()
-        sweep = ("sweep", "dish.json", "--vary", f"{FEED}=0.03")
-        self.run_program(*sweep, "-o", "sw/", "--scratch", "$NODE/disk", env={"NODE": str(self.folder / "node")})
-        self.run_program(*sweep, "-o", "plain/")
-        self.assertEqual(self.content("sw/jobs/0000"), self.content("plain/jobs/0000"))
-        self.assertEqual(list((self.folder / "node/disk").iterdir()), [])
+        """On another file system, where there is one. A job that is drawn there is seen to be under way."""
+        disk = tempfile.mkdtemp(prefix="simreel-node-", dir="/dev/shm" if os.access("/dev/shm", os.W_OK) else None)
+        self.addCleanup(shutil.rmtree, disk, True)
+        scratch = ("--scratch", "$NODE/disk")
+        env = os.environ | {"NODE": disk}
+        self.write("slow.json", with_values(SLOW | {"time.duration": 0.5}))
+        sweep = ("sweep", "slow.json", "--vary", "seed=1")
+        self.good(*sweep, "-o", "sw/", "--plan-only")
+        self.write("sw/jobs/0000/mine.txt", "kept")
+        self.bad(6, ["sw/jobs/0000 holds files that are no job's"], "sweep", "job", "sw", "0")
+        self.assertEqual(list(self.content("sw/jobs/0000")), ["mine.txt"])
+        (self.folder / "sw/jobs/0000/mine.txt").unlink()
+        process = self.start("sweep", "job", "sw", "0", *scratch, env=env)
+        drawn = pathlib.Path(disk) / "disk"
+        deadline = time.monotonic() + 40
+        while not list(drawn.glob("*/*.png")) and time.monotonic() < deadline:
+            time.sleep(0.01)
+        process.send_signal(signal.SIGSTOP)
+        self.assertEqual(self.status(7)[-1], "1 job: 0 done, 1 running")
+        self.bad(6, "is being rendered by another simreel", "sweep", "job", "sw", "0")
+        self.bad(6, "sw/jobs/0000 is being rendered", *sweep, "-o", "sw/", "--frames", "1", "--overwrite")
+        process.kill()
+        process.communicate()
+        self.assertEqual(len(list(drawn.iterdir())), 1)  # what it left there goes with the next attempt
+        self.write("sw/jobs/0000/mine.txt", "kept")
+        self.good("sweep", "retry", "sw", *scratch, env=env)
+        self.good(*sweep, "-o", "plain/")
+        job = self.content("sw/jobs/0000")
+        self.assertEqual(job.pop("mine.txt"), b"kept")
+        self.assertEqual(job, self.content("plain/jobs/0000"))
+        self.assertEqual(list(drawn.iterdir()), [])
         self.bad(2, "$NOWHERE is not set", *sweep, "-o", "sw2/", "--scratch", "$NOWHERE")
+
+    def test_what_was_lost_is_made_again(self):
+        self.write("dish.json", with_values({"checks": []}, DISH))
+        self.good("sweep", "dish.json", "--vary", f"{FEED}=0.03,0.02", "-o", "sw/")
+        job = self.content("sw/jobs/0001")
+        (self.folder / "sw/jobs/0001/000001.png").unlink()
+        self.assertEqual(self.status(7)[0], "0001  aborted  feed=0.02  it was done, and 1 of its files is gone")
+        # Of two at it each does what the other does not.
+        both = [self.start("sweep", "retry", "sw") for _ in range(2)]
+        for process in both:
+            self.assertIn(process.wait(40), (0, 7))
+        self.assertEqual(self.content("sw/jobs/0001"), job)
+        # A job that is done is left alone.
+        before = (self.folder / "sw/jobs/0001/manifest.json").stat().st_ino
+        self.good("sweep", "job", "sw", "1")
+        self.assertEqual((self.folder / "sw/jobs/0001/manifest.json").stat().st_ino, before)
+
+    def test_devices(self):
+        """One process a device, whatever --jobs says; a scene's test does the same."""
+        self.write("dish.json", with_values({"checks": []}, DISH))
+        done = self.good("sweep", "dish.json", "--vary", f"{FEED}=0.02,0.021,0.022", "-o", "sw/", "--frames", "0", "--device", "0,none")
+        self.assertIn("one process less to work in: it no device matches --device none", done.err.replace("was ended: ", ""))
+        self.assertEqual(self.status(0), ["3 jobs: 3 done"])
 
     def test_a_thousand_jobs_are_planned_in_a_second(self):
         begin = time.process_time(), os.times()
@@ -188,8 +256,15 @@ class Sweep(Case):
         self.good("sweep", "dish.json", *vary, "-o", "sw/", "--plan-only")
         self.bad(6, ["another sweep", "--overwrite"], "sweep", "dish.json", "--vary", f"{FEED}=0.02", "-o", "sw/")
         self.bad(2, ["no job 2", "0 to 1"], "sweep", "job", "sw", "2")
+        self.bad(2, ["0.020", "twice, also as 0.02"], "sweep", "dish.json", "--vary", f"{FEED}=0.02,0.020", "-o", "other/")
+        scene = (self.folder / "sw/scene.json").read_text()
+        self.write("sw/scene.json", scene.replace("48", "40"))
+        self.bad(2, ["sw/scene.json was changed after the sweep was planned", "--overwrite"], "sweep", "job", "sw", "0")
+        self.write("sw/scene.json", scene)
         self.bad(2, ["scontrol", "--plan-only"], "sweep", "retry", "sw", "--slurm", env={"PATH": "/nowhere"})
         text = (self.folder / "sw/plan.json").read_text()
+        self.write("sw/plan.json", text.replace('"program": "', '"program": "9'))
+        self.bad(2, ["sw/plan.json was written by simreel 9", "this is"], "sweep", "retry", "sw")
         for wrong in ("", "{", text.replace('"version": 1', '"version": 7'), text.replace('"job":1', '"job":5')):
             self.write("sw/plan.json", wrong)
             self.bad(2, ["plan sw/plan.json cannot be read"], "sweep", "status", "sw")

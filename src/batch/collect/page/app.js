@@ -35,13 +35,30 @@ const sliders = data.names.map((name, p) => {
   return { input, output };
 });
 
+// A grid's last parameter goes from left to right, all others from top to bottom.
+const across = values.length > 1 ? values[values.length - 1] : [];
+const isGrid = across.length > 1 && across.length <= 16 && data.jobs.length % across.length === 0 &&
+  data.jobs.every((job, i) => job.values.every((value, p) =>
+    p === values.length - 1 ? value === data.jobs[i % across.length].values[p]
+                            : value === data.jobs[i - i % across.length].values[p]));
+if (isGrid) {
+  $("tiles").style.gridTemplateColumns = `max-content repeat(${across.length}, minmax(4.5rem, 12rem))`;
+  make($("tiles"), "span");
+  for (let c = 0; c < across.length; ++c)
+    make($("tiles"), "span", `${data.names.at(-1)}\n${data.jobs[c].values.at(-1)}`).className = "head";
+}
+
 const tiles = data.jobs.map((job, i) => {
+  if (isGrid && i % across.length === 0)
+    make($("tiles"), "span", data.names.slice(0, -1).map((name, p) => `${name}\n${job.values[p]}`).join("\n")).className = "head row";
   const tile = make($("tiles"), "button");
-  tile.title = data.names.map((name, p) => `${name}=${job.values[p]}`).join("\n");
+  const well = job.state === "done" && job.passed;
+  tile.title = [job.name, ...data.names.map((name, p) => `${name}=${job.values[p]}`), ...(well ? [] : [job.message || job.state])].join("\n");
   if (job.picture) Object.assign(make(tile, "img"), { src: job.picture, alt: tile.title, loading: "lazy" });
   else make(tile, "span").className = "none";
-  make(tile, "span", job.values.join(" "));
-  tile.className = job.state === "done" && job.passed ? "" : "failed";
+  if (!isGrid) make(tile, "span", job.values.join(" "));
+  if (!well) make(tile, "span", (isGrid ? "" : " ") + (job.state === "done" ? "\u2717 check" : job.state));
+  tile.className = well ? "" : "failed";
   tile.addEventListener("click", () => show(i));
   return tile;
 });
@@ -60,14 +77,22 @@ function show(i) {
   $("caption").textContent = `${job.name}: ${job.state}${job.message ? ": " + job.message : ""}`;
   $("caption").className = job.state === "done" && job.passed ? "" : "failed";
   $("numbers").textContent = "";
+  make($("numbers"), "caption", "At the last frame");
   data.columns.forEach((name, c) => {
-    if (job.cells[c] === "") return;
+    if (name.startsWith("passed ")) return;  // told with its check
+    const passed = name.startsWith("check ") ? job.cells[data.columns.indexOf("passed " + name.slice(6))] : undefined;
+    if (job.cells[c] === "" && !passed) return;
     const row = make($("numbers"), "tr");
     make(row, "td", name);
     const number = Number(job.cells[c]);
-    make(row, "td", isNaN(number) ? job.cells[c] : String(Number(number.toPrecision(6)))).className = job.cells[c] === "no" ? "failed" : "";
+    const text = job.cells[c] === "" || isNaN(number) ? job.cells[c] : String(Number(number.toPrecision(6)));
+    const cell = make(row, "td", passed ? `${text} ${passed === "yes" ? "\u2713" : "\u2717"}` : text);
+    if (passed) cell.className = passed === "yes" ? "passed" : "failed";
   });
 }
+
+// From blue over grey to orange: readable for the color blind, on light and dark paper.
+const color = (share) => share < 0.5 ? `hsl(215 ${90 - 160 * share}% ${50 + 20 * share}%)` : `hsl(28 ${160 * share - 70}% ${70 - 20 * share}%)`;
 
 function paint() {
   const c = data.columns.indexOf($("by").value);
@@ -75,9 +100,13 @@ function paint() {
   const known = numbers.filter((n) => !isNaN(n));
   const low = Math.min(...known), high = Math.max(...known);
   tiles.forEach((tile, i) => {
-    const share = (numbers[i] - low) / (high - low || 1);
-    tile.style.background = isNaN(numbers[i]) ? "none" : `hsl(${240 - 240 * share} 70% 50% / 0.6)`;
+    tile.style.background = isNaN(numbers[i]) ? "none" : color((numbers[i] - low) / (high - low || 1));
   });
+  $("scale").hidden = c < 0;
+  if (c < 0) return;
+  $("low").textContent = Number(low.toPrecision(4));
+  $("high").textContent = Number(high.toPrecision(4));
+  $("ramp").style.setProperty("--ramp", [0, 0.25, 0.5, 0.75, 1].map(color).join(","));
 }
 make($("by"), "option", "nothing");
 data.columns.forEach((name, c) => {

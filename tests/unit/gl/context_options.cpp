@@ -1,0 +1,20 @@
+#include "gl/context.hpp"
+
+#include <doctest/doctest.h>
+
+using simreel::gl::ContextOptions;
+
+TEST_CASE("context options: each process takes the next device of a list") {
+  const ContextOptions two{.device = "0,1", .debug = true, .memoryPath = "texel"};
+  CHECK(two.deviceCount() == 2);
+  CHECK(two.ofWorker(0).device == "0");
+  CHECK(two.ofWorker(1).device == "1");
+  CHECK(two.ofWorker(4).device == "0");
+  CHECK(two.ofWorker(1).debug);
+  CHECK(two.ofWorker(1).memoryPath == "texel");
+  CHECK(ContextOptions{}.deviceCount() == 1);
+  CHECK(ContextOptions{}.ofWorker(3).device.empty());
+  const ContextOptions named{.device = "llvmpipe (LLVM 15.0.6, 256 bits),NVIDIA"};
+  CHECK(named.deviceCount() == 2);
+  CHECK(named.ofWorker(2).device == "llvmpipe (LLVM 15.0.6, 256 bits)");
+}
