@@ -56,7 +56,8 @@ def main():
     listed = subprocess.run(["ctest", "--test-dir", options.build, "--show-only=json-v1", *(w for pair in chosen for w in pair)],
                             check=True, capture_output=True, text=True)
     tests = json.loads(listed.stdout)["tests"]
-    tests.sort(key=lambda test: -properties(test).get("COST", 0))
+    # What ctest runs after others goes last.
+    tests.sort(key=lambda test: (bool(properties(test).get("DEPENDS")), -properties(test).get("COST", 0)))
     start = time.monotonic()
     with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
         results = sorted(pool.map(run, tests), reverse=True)

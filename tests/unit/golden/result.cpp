@@ -254,10 +254,16 @@ TEST_CASE("any value of a report replaced by any kind of value does no more than
                          Json::array(),
                          Json::object(),
                          Json::array({Json::array()})};
+  // The elements of an array are read alike: the first that has a member stands for all.
+  const auto kind = [](std::string path) {
+    std::erase_if(path, [](char c) { return c >= '0' && c <= '9'; });
+    return path;
+  };
   std::set<std::string> done;
   for (const auto& item : flat.items()) {
     const Json::json_pointer pointer(item.key());
-    for (Json::json_pointer at = pointer; !at.empty() && done.insert(at.to_string()).second; at.pop_back())
+    for (Json::json_pointer at = pointer; !at.empty() && done.insert(kind(at.to_string())).second;
+         at.pop_back())
       for (const Json& value : values) {
         Json changed = whole;
         changed[at] = value;
