@@ -14,7 +14,8 @@ TEST_CASE("context options: each process takes the next device of a list") {
   CHECK(two.ofWorker(1).memoryPath == "texel");
   CHECK(ContextOptions{}.deviceCount() == 1);
   CHECK(ContextOptions{}.ofWorker(3).device.empty());
-  const ContextOptions named{.device = "llvmpipe (LLVM 15.0.6, 256 bits),NVIDIA"};
+  ContextOptions named;
+  named.device = "llvmpipe (LLVM 15.0.6, 256 bits),NVIDIA";
   CHECK(named.deviceCount() == 2);
   CHECK(named.ofWorker(2).device == "llvmpipe (LLVM 15.0.6, 256 bits)");
 }

@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 namespace {
 
 std::string asRun(const std::string& text, const std::vector<std::string>& changes = {}) {
-  const test::TemporaryFile file("scene.json", text);
+  const simreel::test::TemporaryFile file("scene.json", text);
   std::vector<scene::Override> overrides;
   for (const std::string& change : changes) overrides.push_back(scene::parseOverride(change));
   return scene::sceneAsRun(file.path(), overrides, sim::kinds());
@@ -41,7 +41,7 @@ TEST_CASE("scene as run: every shipped scene's is that scene again") {
     if (entry.path().extension() != ".json" || entry.path().stem().extension() == ".test") continue;
     CAPTURE(entry.path().string());
     const std::string text = scene::sceneAsRun(entry.path(), {}, sim::kinds());
-    const test::TemporaryFile file("again.json", text);
+    const simreel::test::TemporaryFile file("again.json", text);
     CHECK(scene::sceneAsRun(file.path(), {}, sim::kinds()) == text);
   }
 }
