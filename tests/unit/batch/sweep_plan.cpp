@@ -6,6 +6,7 @@
 #include "batch/plan/vary.hpp"
 #include "batch/sweep/job_result.hpp"
 #include "batch/sweep/sweep_run.hpp"
+#include "frame/file/manifest.hpp"
 #include "unit/frame/help.hpp"
 
 #include <limits>
@@ -97,6 +98,12 @@ TEST_CASE("sweep: results keep every number, and what is missing or failed is to
   };
   result.hash = plan.jobs[0].hash;
   store(0, result);
+  CHECK(statusOf(plan, 0).state == JobState::missing);  // no manifest says what it left
+  frame::Manifest manifest;
+  manifest.frames[0].file = "000000.png";
+  writeFileAtomically(plan.jobFolder(0) / "manifest.json", frame::manifestText(manifest));
+  CHECK(statusOf(plan, 0).state == JobState::missing);  // its picture is gone
+  writeFileAtomically(plan.jobFolder(0) / "000000.png", std::string("a picture"));
   CHECK(resultText(*statusOf(plan, 0).result) == resultText(result));
   result.hash = "of an earlier plan";
   store(1, result);
