@@ -27,6 +27,15 @@ def parent(pid):
     return int(pathlib.Path(f"/proc/{pid}/stat").read_text().rpartition(")")[2].split()[1])
 
 
+def sent(process, number):
+    """Whether there was somebody to get the signal."""
+    try:
+        os.kill(process, number)
+        return True
+    except ProcessLookupError:
+        return False
+
+
 class OnCluster(Case):
     @classmethod
     def setUpClass(cls):
@@ -110,19 +119,26 @@ class OnCluster(Case):
         return found
 
     def catch_one(self, on=None):
-        """(piece, process, Slurm's job) of one that is being drawn, perhaps on a certain node."""
+        """(piece, process, Slurm's job) of one that is being drawn, perhaps on a certain node; the process is stopped, or it
+        might have ended before Slurm has said whose it is."""
         end = time.monotonic() + 60
-        first = {}
+        first, asked = {}, 0
         while time.monotonic() < end:
-            for piece, (process, frames) in self.drawing().items():
-                # Frames may be left of an earlier attempt: one more is its own.
-                if frames == first.setdefault(process, frames):
-                    continue
-                for job, node, _, name in self.queue("RUNNING"):
-                    if name == "simreel-draw" and job.endswith(f"_{piece}") and on in (None, node):
-                        return piece, process, job
+            # Frames may be left of an earlier attempt: one more is its own.
+            held = [(piece, process) for piece, (process, frames) in self.drawing().items()
+                    if frames != first.setdefault(process, frames) and sent(process, signal.SIGSTOP)]
+            running = self.queue("RUNNING") if held else []
+            caught = [(piece, process, job) for piece, process in held for job, node, _, name in running
+                      if name == "simreel-draw" and job.endswith(f"_{piece}") and on in (None, node)]
+            for _, process in held:
+                if not caught or process != caught[0][1]:
+                    sent(process, signal.SIGCONT)
+            if caught:
+                return caught[0]
+            if time.monotonic() > asked + 1:
+                self.start_waiting()
+                asked = time.monotonic()
             time.sleep(0.01)
-            self.start_waiting()
         self.fail(f"nothing is drawn on {on}: {self.queue()}")
 
     def test_pieces_a_requeue_and_a_node_that_dies(self):
@@ -142,6 +158,7 @@ class OnCluster(Case):
         for _ in range(4):
             piece, process, job = self.catch_one()
             self.cluster.call("scontrol", "requeue", job)
+            sent(process, signal.SIGCONT)
             self.wait_for(lambda: not pathlib.Path(f"/proc/{process}").exists())
             checkpoint = self.folder / f"out/pieces/{piece:04}/checkpoint"
             if checkpoint.exists():
