@@ -40,6 +40,10 @@ Lamps::Lamps(const scene::Scene& scene, Rasterizer rasterizer)
   glows_.colorBy = sim::Instances::ColorBy::age;
   glows_.colors = &glowColors_;
   glows_.additive = true;
+  // Those that never glow cost a pass of their own for nothing.
+  glow_ = std::ranges::any_of(order_.lights, [](const scene::Light* light) {
+    return std::ranges::any_of(light->glow.keys(), [](const auto& key) { return key.value > 0; });
+  });
   glows_.discs = true;  // at a border, round ones would reach less far in
   glows_.material = &glowMaterial_;
 }
@@ -73,6 +77,7 @@ void Lamps::updateGlows(double seconds) {
 
 sim::Drawables Lamps::withGlows(const sim::Drawables& drawables) const {
   sim::Drawables all = drawables;
+  if (!glow_) return all;
   all.instances.push_back(glows_);
   return all;
 }

@@ -50,6 +50,7 @@ class Lamps {
   gl::Buffer glowPlaces_, glowAges_;
   gl::Texture glowPlacesView_, glowAgesView_;
   sim::Instances glows_;
+  bool glow_ = false;  ///< whether any of them ever does
 };
 
 }  // namespace simreel::draw

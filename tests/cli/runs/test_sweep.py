@@ -226,9 +226,9 @@ class Sweep(Case):
     def test_devices(self):
         """One process a device, whatever --jobs says; a scene's test does the same."""
         self.write("dish.json", with_values({"checks": []}, DISH))
-        done = self.good("sweep", "dish.json", "--vary", f"{FEED}=0.02,0.021,0.022", "-o", "sw/", "--frames", "0", "--device", "0,none")
+        done = self.good("sweep", "dish.json", "--vary", f"{FEED}=0.02:0.0209:0.0001", "-o", "sw/", "--frames", "0", "--device", "0,none")
         self.assertIn("one process less to work in: it no device matches --device none", done.err.replace("was ended: ", ""))
-        self.assertEqual(self.status(0), ["3 jobs: 3 done"])
+        self.assertEqual(self.status(0), ["10 jobs: 10 done"])
 
     def test_a_thousand_jobs_are_planned_in_a_second(self):
         begin = time.process_time(), os.times()
