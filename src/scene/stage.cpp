@@ -34,24 +34,24 @@ struct Mood {
   float rim;   ///< lx in the middle of the stage
   float most;  ///< reflectance of the ground
 };
-constexpr Mood day{{0.62F, 0.55F, 0.47F},
-                   {0.33F, 0.32F, 0.33F},
-                   {0.28F, 0.32F, 0.40F},
-                   0.62F,
-                   {1.0F, 0.93F, 0.84F},
-                   3.3F,
-                   {1.0F, 0.96F, 0.92F},
-                   2.2F,
-                   0.8F};
-constexpr Mood night{{0.012F, 0.013F, 0.018F},
-                     {0.030F, 0.036F, 0.062F},
-                     {0.010F, 0.012F, 0.022F},
-                     1.0F,
-                     {0.75F, 0.85F, 1.0F},
-                     0.8F,
-                     {0.6F, 0.75F, 1.0F},
-                     0.4F,
-                     0.1F};
+constexpr Mood day{.floor = {0.62F, 0.55F, 0.47F},
+                   .horizon = {0.33F, 0.32F, 0.33F},
+                   .zenith = {0.28F, 0.32F, 0.40F},
+                   .ambient = 0.62F,
+                   .keyColor = {1.0F, 0.93F, 0.84F},
+                   .key = 3.3F,
+                   .rimColor = {1.0F, 0.96F, 0.92F},
+                   .rim = 2.2F,
+                   .most = 0.8F};
+constexpr Mood night{.floor = {0.012F, 0.013F, 0.018F},
+                     .horizon = {0.030F, 0.036F, 0.062F},
+                     .zenith = {0.010F, 0.012F, 0.022F},
+                     .ambient = 1.0F,
+                     .keyColor = {0.75F, 0.85F, 1.0F},
+                     .key = 0.8F,
+                     .rimColor = {0.6F, 0.75F, 1.0F},
+                     .rim = 0.4F,
+                     .most = 0.1F};
 
 bool anyIs(Parameters::Looks looks, const Scene& scene) {
   return std::any_of(scene.objects.begin(), scene.objects.end(),

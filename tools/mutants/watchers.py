@@ -1,6 +1,7 @@
 """Who notices a mutant of a kernel that steps: states of shipped scenes at their last tested frame, tests of test_gpu, and
 last the scenes' baselines. Each is asked only where it compiles the line, the quickest first."""
 import concurrent.futures
+import hashlib
 import json
 import os
 import pathlib
@@ -16,6 +17,16 @@ import exact_pictures
 from mutants import code, compiled, look
 from mutants.changes import GLSL, ROOT
 from mutants.processes import run
+
+
+def shaders_hash():
+    """Of the shaders below the chosen folders and of the shipped scenes."""
+    whole = hashlib.sha256()
+    for file in sorted([*GLSL.rglob("*.glsl"), *GLSL.rglob("*.comp"), *(ROOT / "assets/scenes").glob("*.json")]):
+        if not file.is_relative_to(GLSL) or code.chosen.has(str(file.relative_to(GLSL))):
+            whole.update(file.name.encode() + b"\0" + file.read_bytes())
+    return whole.hexdigest()
+
 
 def scene_file(scene):
     return ROOT / f"assets/scenes/{scene}.json"
@@ -34,7 +45,11 @@ class Watchers:
         self.program = program
         self.lock, self.sound = threading.Lock(), set()
         kept = pathlib.Path(kept) if kept else None
-        self.all = json.loads(kept.read_text(encoding="utf-8")) if kept and kept.exists() else []
+        self.all, of = [], shaders_hash()
+        if kept and kept.exists():
+            stored = json.loads(kept.read_text(encoding="utf-8"))
+            # Of other shaders, lines and states are others.
+            self.all = stored["watchers"] if stored["shaders"] == of else []
         known = {(watcher["kind"], watcher["name"]) for watcher in self.all}
         names = [("trace", scene) for scene in exact_pictures.scenes()]
         if with_tests:
@@ -43,7 +58,7 @@ class Watchers:
         if more := [name for name in names if name not in known]:
             self.all += self.found(jobs, more)
             if kept:
-                kept.write_text(json.dumps(self.all), encoding="utf-8")
+                kept.write_text(json.dumps({"shaders": of, "watchers": self.all}), encoding="utf-8")
         for watcher in self.all:
             watcher["lines"] = {(file, line) for file, line in watcher["lines"]}
         self.all.sort(key=lambda watcher: watcher["seconds"])

@@ -1,4 +1,5 @@
 #include "gpu/functions/ask.hpp"
+#include "reference/disc_points.hpp"
 #include "sim/cloth/plan.hpp"
 #include "sim/collide/colliders.hpp"
 #include "sim/collide/mesh_colliders.hpp"
@@ -61,6 +62,11 @@ struct Sheets {
 struct Crowds {
 #include "gpu/functions/particles.glsl"
 };
+#define discPoints discPoints()
+struct Penumbras {
+#include "gpu/functions/sun_disc.glsl"
+};
+#undef discPoints
 struct Pairs {
 #include "gpu/functions/contact.glsl"
 };
@@ -119,4 +125,8 @@ TEST_CASE("functions: cloth, its lines, its corners against thin things") {
 
 TEST_CASE("functions: particles, their births and fields") {
   checkAll<Crowds>("particles.glsl");
+}
+
+TEST_CASE("functions: penumbra of the sun's disc") {
+  checkAll<Penumbras>("sun_disc.glsl", "#include \"draw/exact/shadows/disc_points.glsl\"\n");
 }

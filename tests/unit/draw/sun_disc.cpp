@@ -1,14 +1,10 @@
 // The penumbra of a sun with a disc, by its shader file on the CPU.
-#include "base/file.hpp"
 #include "draw/picture_code.hpp"
-#include "source_folder.hpp"
+#include "reference/disc_points.hpp"
 
-#include <array>
 #include <cmath>
 #include <functional>
 #include <numbers>
-#include <regex>
-#include <string>
 
 #include <doctest/doctest.h>
 #include <glm/vec2.hpp>
@@ -21,21 +17,6 @@ namespace {
 std::function<float(glm::ivec2)> casters;
 
 using namespace simreel::shader;  // NOLINT: the model is written in GLSL's names
-/// As the shader file has them.
-std::array<glm::vec2, 32> pointsOfFile() {
-  std::array<glm::vec2, 32> points{};
-  const std::string text = readFile(sourceFolder() + "/glsl/draw/exact/shadows/disc_points.glsl", "points");
-  const std::regex point(R"(vec2\((-?[0-9.]+)f, (-?[0-9.]+)f\))");
-  std::size_t found = 0;
-  for (std::sregex_iterator i(text.begin(), text.end(), point), end; i != end; ++i, ++found)
-    points.at(found) = glm::vec2(std::stof((*i)[1]), std::stof((*i)[2]));
-  REQUIRE(found == points.size());
-  return points;
-}
-const std::array<glm::vec2, 32>& discPoints() {
-  static const std::array<glm::vec2, 32> points = pointsOfFile();
-  return points;
-}
 float casterNear(glm::ivec2 texel) {
   return casters(texel);
 }
