@@ -197,7 +197,14 @@ class Sweep(Case):
         self.bad(6, "sw/jobs/0000 is being rendered", *sweep, "-o", "sw/", "--frames", "1", "--overwrite")
         process.kill()
         process.communicate()
-        self.assertEqual(len(list(drawn.iterdir())), 1)  # what it left there goes with the next attempt
+        self.assertEqual(len(left := list(drawn.iterdir())), 1)  # what it left there goes with the next attempt
+        # Interrupted, it brings its state home; once that is used it goes, there too.
+        process = self.start("sweep", "job", "sw", "0", *scratch, env=env)
+        while not [file for own in drawn.iterdir() if own not in left for file in own.glob("*.png")] and time.monotonic() < deadline:
+            time.sleep(0.01)
+        process.terminate()
+        process.communicate()
+        self.assertTrue((self.folder / "sw/jobs/0000/checkpoint").exists())
         self.write("sw/jobs/0000/mine.txt", "kept")
         self.good("sweep", "retry", "sw", *scratch, env=env)
         self.good(*sweep, "-o", "plain/")

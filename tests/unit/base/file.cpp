@@ -1,9 +1,11 @@
 #include "base/file.hpp"
 
 #include <cstdlib>
+#include <fcntl.h>
 #include <filesystem>
 #include <string>
 #include <unistd.h>
+#include <vector>
 
 #include <doctest/doctest.h>
 
@@ -18,4 +20,38 @@ TEST_CASE("files: memory below /dev/shm is a disk, what is written there takes t
   writeFileAtomically(file, std::string_view("second"));
   CHECK(readFile(file, "text") == "second");
   std::filesystem::remove_all(folder);
+}
+
+TEST_CASE("files: what a link of the system's leads to is written into and keeps its name") {
+  std::string folder = (std::filesystem::temp_directory_path() / "simreel-test-XXXXXX").string();
+  REQUIRE(::mkdtemp(folder.data()) != nullptr);
+  const std::filesystem::path file = folder + "/a", other = folder + "/b";
+  writeFileAtomically(file, std::string_view(""));
+  std::filesystem::create_hard_link(file, other);  // one file as long as nothing takes the name
+  const int descriptor = ::open(file.c_str(), O_WRONLY | O_CLOEXEC);
+  REQUIRE(descriptor >= 0);
+  writeFileAtomically("/proc/self/fd/" + std::to_string(descriptor), std::string_view("told"));
+  ::close(descriptor);
+  CHECK(readFile(other, "text") == "told");
+  writeFileAtomically(file, std::string_view("new"));
+  CHECK(readFile(other, "text") == "told");
+  std::filesystem::remove_all(folder);
+}
+
+TEST_CASE("files: a link below /dev/shm is taken for what it is on any disk") {
+  if (::access("/dev/shm", W_OK) != 0) return;
+  std::vector<std::string> left;
+  for (const std::string& disk :
+       {std::filesystem::temp_directory_path().string(), std::string("/dev/shm")}) {
+    std::string folder = disk + "/simreel-test-XXXXXX";
+    REQUIRE(::mkdtemp(folder.data()) != nullptr);
+    const std::filesystem::path file = folder + "/a", link = folder + "/link", other = folder + "/b";
+    writeFileAtomically(file, std::string_view("first, and longer"));
+    std::filesystem::create_hard_link(file, other);
+    std::filesystem::create_symlink(file, link);
+    writeFileAtomically(link, std::string_view("second"));
+    left.push_back(readFile(link, "text") + "|" + readFile(file, "text") + "|" + readFile(other, "text"));
+    std::filesystem::remove_all(folder);
+  }
+  CHECK(left[0] == left[1]);
 }
