@@ -33,7 +33,7 @@ struct STD140 FluidLevelPlace {
   int coarseUp;
   int openTiles;     // the lists of tiles, those in the open,
   int otherTiles;    // and the others
-  int openRows;      // of groups for those in the open
+  int otherRows;     // of groups for those, where both share a dispatch
   int spare0;
 };
 
@@ -125,11 +125,18 @@ FUNCTION float neighbours(vec4 w, float left, float right, float top, float bott
   return sum;
 }
 
-// The x of a cell that fulfils sum w (x - neighbour) = rhs.
-FUNCTION float relaxed(float rhs, float sum, float diag) {
-  float each = exactReciprocal(max(diag, 1e-6f));
+// The x of a cell that fulfils sum w (x - neighbour) = rhs, given what its diagonal makes of that.
+FUNCTION float relaxing(float diag) {
+  return exactReciprocal(max(diag, 1e-6f));
+}
+
+FUNCTION float relaxedBy(float each, float rhs, float sum, float diag) {
   precise float value = (rhs + sum) * each;
   return diag > 0.0f ? exactFlush(value) : noCell;
+}
+
+FUNCTION float relaxed(float rhs, float sum, float diag) {
+  return relaxedBy(relaxing(diag), rhs, sum, diag);
 }
 
 // rhs - sum w (value - neighbour): by differences, which are small beside the values.

@@ -1,4 +1,5 @@
 #include "base/error.hpp"
+#include "gl/condition.hpp"
 #include "gl/element_array.hpp"
 #include "gl/large_pages.hpp"
 #include "gl/limits.hpp"
@@ -157,4 +158,38 @@ TEST_CASE("limits are named before anything is allocated") {
                        doctest::Contains("GL_MAX_SHADER_STORAGE_BLOCK_SIZE"), UserError);
   CHECK_THROWS_WITH_AS(gl::Texture::image("wide", GL_RGBA8, gl::limits().textureSize + 1, 1),
                        doctest::Contains("GL_MAX_TEXTURE_SIZE"), UserError);
+}
+
+TEST_CASE("dispatches are left out where a command has no groups, and nothing else changes") {
+  testContext();
+  const gl::Program count = gl::Program::computeText(
+      "count",
+      "layout(local_size_x = 1) in;\nlayout(std430, binding = 0) buffer Counts { uint counts[]; };\n"
+      "void main() { counts[3] += 1u; }\n");
+  const gl::Condition condition;
+  GLint before[4] = {}, after[4] = {};
+  glGetIntegerv(GL_VIEWPORT, before);
+  for (const unsigned groups : {0U, 1U, 5U}) {
+    const unsigned words[] = {groups, 1, 1, 0};
+    const gl::Buffer buffer = gl::Buffer::of<unsigned>("counts", words);
+    const auto step = [&] {
+      gl::barrier();
+      count.use();
+      buffer.bindStorage(0);
+      glDispatchCompute(1, 1, 1);
+    };
+    step();
+    glMemoryBarrier(GL_COMMAND_BARRIER_BIT);
+    condition.begin(buffer.name(), 0);
+    step();
+    step();
+    condition.end();
+    step();
+    gl::barrier();
+    unsigned found = 0;
+    buffer.read(12, std::as_writable_bytes(std::span(&found, 1)));
+    CHECK(found == (groups == 0 ? 2U : 4U));
+  }
+  glGetIntegerv(GL_VIEWPORT, after);
+  CHECK(std::equal(before, before + 4, after));
 }

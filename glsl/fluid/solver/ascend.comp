@@ -72,7 +72,61 @@ vec4 sweptOpen(ivec2 block, int element, int row) {
 }
 #endif
 
-#if IN_THE_OPEN != 1
+#ifdef TILE_A_GROUP
+#include "fluid/solver/block.glsl"
+const int windowStride = 14;
+shared float values[14 * 14];
+#include "fluid/solver/window.glsl"
+
+// As below.
+float coarseAt(ivec2 c) {
+  ivec2 count = level.cells / 2 + (level.cells & 1);
+#if LEFT == 4
+  c.x = c.x < 0 ? c.x + count.x : c.x >= count.x ? c.x - count.x : c.x;
+#endif
+#if TOP == 4
+  c.y = c.y < 0 ? c.y + count.y : c.y >= count.y ? c.y - count.y : c.y;
+#endif
+  if (walledOff(c, count)) return noCell;
+  ivec2 near = clamp(c, ivec2(0), count - 1);
+  float value = raisedPool[level.coarseUp + (near.y >> 1) * (count.x / 2 + 1) + (near.x >> 1)][2 * (near.y & 1) + (near.x & 1)];
+  return value < noCell && near != c ? -value : value;
+}
+
+vec3 coarseRow(ivec2 c) {
+  return vec3(coarseAt(c - ivec2(1, 0)), coarseAt(c), coarseAt(c + ivec2(1, 0)));
+}
+
+void sweepTile(ivec2 tile) {
+  ivec2 lane = ivec2(gl_LocalInvocationID.xy);
+  ivec2 block = 4 * tile + lane - 1;
+  bool used = lane.x < 6 && lane.y < 6;
+  ivec2 place = blockWithin(block, level.cells);
+  int at = used ? cornerOf(lane) : cornerOf(ivec2(0)), element = place.y * blocksOf(level.cells).x + place.x;
+  Block b;
+  vec4 here = vec4(0.0);
+  if (used) {
+    b = blockAt(place, level.cells, level.weights);
+    if (b.inside != 0) {
+      b.rhs = LOAD_INPUT(pool, level.rhs + element);
+      here = LOAD_INPUT(raisedPool, level.way + element);
+      raiseBlock(b, here, coarseRow(place - ivec2(0, 1)), coarseRow(place), coarseRow(place + ivec2(0, 1)));
+    }
+    putReds(at, here);
+    putBlacks(at, here);
+  }
+  barrier();
+  if (used) {
+    sweepReds(b, here, besideReds(at));
+    putReds(at, here);
+  }
+  barrier();
+  bool own = lane.x > 0 && lane.y > 0 && lane.x < 5 && lane.y < 5;
+  if (!own || place != block || b.inside == 0) return;
+  sweepBlacks(b, here, besideBlacks(at));
+  raisedOut[level.up + element] = here;
+}
+#elif IN_THE_OPEN != 1
 // A coarse cell's correction; noCell beyond walls, and beyond open sides what makes it 0 there.
 float coarseAt(ivec2 c) {
   ivec2 count = (level.cells + 1) / 2;
@@ -129,6 +183,13 @@ vec4 sweptOther(ivec2 block, int element, int row) {
 #endif
 
 void main() {
+#ifdef TILE_A_GROUP
+  if (!inTheOpen()) {
+    ivec2 tile = tileHere();
+    if (tile.x < 0xffff) sweepTile(tile);
+    return;
+  }
+#endif
   ivec2 block = blockHere();
   ivec2 blocks = blocksOf(level.cells);
   if (block.x >= blocks.x || block.y >= blocks.y) return;
@@ -136,7 +197,7 @@ void main() {
 #if IN_THE_OPEN != 0
   if (inTheOpen()) raisedOut[level.up + element] = sweptOpen(block, element, blocks.x);
 #endif
-#if IN_THE_OPEN != 1
+#if IN_THE_OPEN != 1 && !defined TILE_A_GROUP
   if (!inTheOpen()) raisedOut[level.up + element] = sweptOther(block, element, blocks.x);
 #endif
 }

@@ -1,15 +1,18 @@
 // The coarsest levels, of at most 64x64 cells, by a single work group: down, the very coarsest by sweeps that go farther than they
 // should each time (SOR), and up again, as descend.comp, bottom.comp and ascend.comp. Corrections stay in shared memory, each in
 // its place; so on no level may a torus be an odd number of cells around, where cells of a colour would meet.
+#ifdef SUBGROUPS
+#extension GL_KHR_shader_subgroup_basic : require
+#endif
 #include "common/bindings.glsl"
 #include "common/exact.glsl"
 #include "common/memory.glsl"
 #include "common/words.glsl"
 #include "fluid/bindings.glsl"
 #include "fluid/model.glsl"
-const int lanes = 256;
+const int lanes = 1024;
 layout(local_size_x = lanes) in;
-layout(std430, binding = poolBinding) readonly restrict buffer PoolBlock { float pool[]; };
+layout(std430, binding = poolBinding) readonly restrict buffer PoolBlock { vec4 pool[]; };
 layout(std430, binding = raisedOutBinding) writeonly restrict buffer RaisedOutBlock { vec4 raisedOut[]; };
 INPUT_WORDS(weightsBinding, WeightBlock, weights)
 uniform ivec4 levels[4];  // the finest first: cells; elements: where its openings start; its first cell in `values`
@@ -18,7 +21,8 @@ uniform int rhsStart, upStart;  // of the finest: elements of `pool` and `raised
 
 shared float values[5440];  // 64x64 cells, and a quarter of them on each coarser level
 shared float missing[1344];  // of all but the finest
-shared float others[bottomCells];
+shared float others[bottomCells + 1];  // of the coarsest, and 0 for what is beyond it
+#include "fluid/solver/block.glsl"
 
 ivec2 within(ivec2 c, ivec2 cells) {
 #if LEFT == 4
@@ -34,141 +38,199 @@ bool isInside(ivec2 c, ivec2 cells) {
   return c.x >= 0 && c.y >= 0 && c.x < cells.x && c.y < cells.y;
 }
 
-vec2 facesOf(ivec4 grid, ivec2 c) {
-  uvec4 four = LOAD_INPUT_WORDS(weights, grid.z + (c.y >> 1) * (grid.x / 2 + 1) + (c.x >> 1));
-  return faceWeights((c.y & 1) == 0 ? ((c.x & 1) == 0 ? four.x : four.y) : ((c.x & 1) == 0 ? four.z : four.w));
-}
-
-vec4 weightsOf(ivec4 grid, ivec2 c) {
-  vec2 own = facesOf(grid, c);
-  return vec4(own.x, facesOf(grid, c + ivec2(1, 0)).x, own.y, facesOf(grid, c + ivec2(0, 1)).y);
-}
-
-float missingAt(int number, ivec4 grid, ivec2 c) {
-  if (number > 0) return missing[grid.w - levels[0].x * levels[0].y + c.y * grid.x + c.x];
-  return pool[4 * (rhsStart + (c.y >> 1) * (grid.x / 2 + 1) + (c.x >> 1)) + 2 * (c.y & 1) + (c.x & 1)];
-}
-
 float valueAt(ivec4 grid, ivec2 place) {
   ivec2 c = within(place, grid.xy);
   return isInside(c, grid.xy) ? values[grid.w + c.y * grid.x + c.x] : 0.0;
 }
 
-// Cell i of a colour, row by row; beyond the grid where there is none.
-ivec2 cellOf(int i, int color, ivec4 grid) {
-  int along = (grid.x + 1) / 2;
-  int y = i / along;
-  return ivec2(2 * (i - y * along) + ((y + color) & 1), y);
+float missingAt(ivec4 grid, ivec2 c) {
+  return isInside(c, grid.xy) ? missing[grid.w - levels[0].x * levels[0].y + c.y * grid.x + c.x] : 0.0;
 }
 
-void sweep(int number, ivec4 grid, int color, bool fromNothing) {
-  int count = (grid.x + 1) / 2 * grid.y;
-  for (int i = int(gl_LocalInvocationIndex); i < count; i += lanes) {
-    ivec2 c = cellOf(i, color, grid);
-    if (c.x >= grid.x) continue;
-    vec4 w = weightsOf(grid, c);
-    float sum = 0.0;
-    if (!fromNothing)
-      sum = neighbours(w, valueAt(grid, c - ivec2(1, 0)), valueAt(grid, c + ivec2(1, 0)), valueAt(grid, c - ivec2(0, 1)),
-                       valueAt(grid, c + ivec2(0, 1)));
-    values[grid.w + c.y * grid.x + c.x] = relaxed(missingAt(number, grid, c), sum, diagonal(w));
+// The block of this invocation on a level, of at most 32 in a row on the finest, half of that on the next.
+ivec2 blockHere(int number) {
+  int i = int(gl_LocalInvocationIndex), bits = 5 - number;
+  return ivec2(i & ((1 << bits) - 1), i >> bits);
+}
+
+void put(ivec4 grid, ivec2 block, int inside, vec4 here) {
+  int at = grid.w + 2 * block.y * grid.x + 2 * block.x;
+  if ((inside & 1) != 0) values[at] = here.x;
+  if ((inside & 2) != 0) values[at + 1] = here.y;
+  if ((inside & 4) != 0) values[at + grid.x] = here.z;
+  if ((inside & 8) != 0) values[at + grid.x + 1] = here.w;
+}
+
+// For sweepReds and leftInReds.
+vec4 besideReds(ivec4 grid, ivec2 c) {
+  return vec4(valueAt(grid, c - ivec2(1, 0)), valueAt(grid, c - ivec2(0, 1)), valueAt(grid, c + ivec2(2, 1)),
+              valueAt(grid, c + ivec2(1, 2)));
+}
+
+// For sweepBlacks.
+vec4 besideBlacks(ivec4 grid, ivec2 c) {
+  return vec4(valueAt(grid, c + ivec2(2, 0)), valueAt(grid, c + ivec2(1, -1)), valueAt(grid, c + ivec2(-1, 1)),
+              valueAt(grid, c + ivec2(0, 2)));
+}
+
+void descend(int number, inout Block b, inout vec4 here) {
+  ivec4 grid = levels[number], coarse = levels[number + 1];
+  ivec2 block = blockHere(number), c = 2 * block;
+  if (number > 0)
+    b.rhs = vec4(missingAt(grid, c), missingAt(grid, c + ivec2(1, 0)), missingAt(grid, c + ivec2(0, 1)), missingAt(grid, c + ivec2(1, 1)));
+  here = vec4(0.0);
+  sweepFirstReds(b, here);
+  put(grid, block, b.inside, here);
+  barrier();
+  if (b.inside != 0) {
+    sweepBlacks(b, here, besideBlacks(grid, c));
+    put(grid, block, b.inside & 6, here);
   }
+  barrier();
+  if (b.inside != 0)
+    missing[coarse.w - levels[0].x * levels[0].y + block.y * coarse.x + block.x] = leftInReds(b, here, besideReds(grid, c));
   barrier();
 }
 
-float leftOver(int number, ivec4 grid, ivec2 c) {
-  if (!isInside(c, grid.xy)) return 0.0;
-  return residual(missingAt(number, grid, c), weightsOf(grid, c), valueAt(grid, c), valueAt(grid, c - ivec2(1, 0)),
-                  valueAt(grid, c + ivec2(1, 0)), valueAt(grid, c - ivec2(0, 1)), valueAt(grid, c + ivec2(0, 1)));
-}
-
-void restrict_(int number, ivec4 grid, ivec4 coarse) {
-  int start = coarse.w - levels[0].x * levels[0].y;
-  for (int i = int(gl_LocalInvocationIndex); i < coarse.x * coarse.y; i += lanes) {
-    int y = i / coarse.x;
-    ivec2 c = 2 * ivec2(i - y * coarse.x, y);
-    missing[start + i] = restricted(leftOver(number, grid, c), leftOver(number, grid, c + ivec2(1, 1)));
-  }
-  barrier();
+vec2 facesOf(ivec4 grid, ivec2 c) {
+  uvec4 four = LOAD_INPUT_WORDS(weights, grid.z + (c.y >> 1) * (grid.x / 2 + 1) + (c.x >> 1));
+  return faceWeights((c.y & 1) == 0 ? ((c.x & 1) == 0 ? four.x : four.y) : ((c.x & 1) == 0 ? four.z : four.w));
 }
 
 // As ascend.comp has it.
 float coarseAt(ivec4 coarse, ivec2 place) {
   ivec2 c = within(place, coarse.xy);
-  bool wall = (c.x < 0 && LEFT != openSide) || (c.x >= coarse.x && RIGHT != openSide) || (c.y < 0 && TOP != openSide) ||
-              (c.y >= coarse.y && BOTTOM != openSide);
-  if (wall) return noCell;
+  if (walledOff(c, coarse.xy)) return noCell;
   ivec2 near = clamp(c, ivec2(0), coarse.xy - 1);
   float value = values[coarse.w + near.y * coarse.x + near.x];
   return value < noCell && near != c ? -value : value;
 }
 
-void raise(ivec4 grid, ivec4 coarse) {
-  for (int i = int(gl_LocalInvocationIndex); i < grid.x * grid.y; i += lanes) {
-    int y = i / grid.x;
-    ivec2 c = ivec2(i - y * grid.x, y), here = c >> 1, to = here + 2 * (c & 1) - 1;
-    float more = prolonged(coarseAt(coarse, here), coarseAt(coarse, ivec2(to.x, here.y)), coarseAt(coarse, ivec2(here.x, to.y)),
-                           coarseAt(coarse, to));
-    values[grid.w + i] = raised(values[grid.w + i], more);
+vec3 coarseRow(ivec4 coarse, ivec2 c) {
+  return vec3(coarseAt(coarse, c - ivec2(1, 0)), coarseAt(coarse, c), coarseAt(coarse, c + ivec2(1, 0)));
+}
+
+void ascend(int number, Block b, inout vec4 here) {
+  ivec4 grid = levels[number], coarse = levels[number + 1];
+  ivec2 block = blockHere(number), c = 2 * block;
+  if (b.inside != 0) {
+    raiseBlock(b, here, coarseRow(coarse, block - ivec2(0, 1)), coarseRow(coarse, block), coarseRow(coarse, block + ivec2(0, 1)));
+    put(grid, block, b.inside, here);
+  }
+  barrier();
+  if (b.inside != 0) {
+    sweepReds(b, here, besideReds(grid, c));
+    put(grid, block, b.inside & 9, here);
+  }
+  barrier();
+  if (b.inside != 0) {
+    sweepBlacks(b, here, besideBlacks(grid, c));
+    put(grid, block, b.inside & 6, here);
   }
   barrier();
 }
 
-float otherAt(ivec4 grid, ivec2 place, bool odd) {
+// A cell of the coarsest level: how its neighbours lie in `others`, the last place there for those that are none.
+struct Bottom {
+  int parity;  // -1: no cell
+  ivec4 beside;
+  vec4 weights;
+  float each, diag, rhs, here;
+};
+
+int placeBeside(ivec4 grid, ivec2 place) {
   ivec2 c = within(place, grid.xy);
-  if (!isInside(c, grid.xy)) return 0.0;
-  int i = c.y * grid.x + c.x;
-  return odd ? others[i] : values[grid.w + i];
+  return isInside(c, grid.xy) ? c.y * grid.x + c.x : bottomCells;
 }
 
-void solveCoarsest(int number, ivec4 grid) {
-  int i = int(gl_LocalInvocationIndex);
-  bool used = i < grid.x * grid.y;
+Bottom bottomAt(ivec4 grid, int i) {
   ivec2 c = ivec2(i % grid.x, i / grid.x);
-  float rhs = used ? missingAt(number, grid, c) : 0.0;
-  vec4 w = used ? weightsOf(grid, c) : vec4(0.0);
-  float diag = diagonal(w), here = 0.0;
-  if (used) values[grid.w + i] = 0.0;
+  Bottom b = Bottom(-1, ivec4(bottomCells), vec4(0.0), 0.0, 0.0, 0.0, 0.0);
+  if (i >= bottomCells || c.y >= grid.y) return b;
+  b.parity = (c.x + c.y) & 1;
+  b.beside = ivec4(placeBeside(grid, c - ivec2(1, 0)), placeBeside(grid, c + ivec2(1, 0)), placeBeside(grid, c - ivec2(0, 1)),
+                   placeBeside(grid, c + ivec2(0, 1)));
+  vec2 own = facesOf(grid, c);
+  b.weights = vec4(own.x, facesOf(grid, c + ivec2(1, 0)).x, own.y, facesOf(grid, c + ivec2(0, 1)).y);
+  b.diag = diagonal(b.weights);
+  b.each = relaxing(b.diag);
+  return b;
+}
+
+void sweepBottom(inout Bottom b, int i, int color) {
+  if (b.parity != color) return;
+  float sum = neighbours(b.weights, others[b.beside.x], others[b.beside.y], others[b.beside.z], others[b.beside.w]);
+  b.here = overrelaxed(b.here, relaxedBy(b.each, b.rhs, sum, b.diag));
+  others[i] = b.here;
+}
+
+// What is missing in a cell of the coarsest level; where there is no other it has been put into `values`.
+float missingAtBottom(ivec4 grid, int i, bool alone) {
+  ivec2 c = ivec2(i % grid.x, i / grid.x);
+  return alone ? valueAt(grid, c) : missingAt(grid, c);
+}
+
+// A cell an invocation; two of each in a subgroup, which then waits for nobody.
+void solveCoarsest(ivec4 grid, Bottom a, Bottom b, bool alone) {
+  int lane = int(gl_LocalInvocationIndex);
+  a.rhs = missingAtBottom(grid, lane, alone);
+  if (lane <= bottomCells) others[lane] = 0.0;
+#ifdef SUBGROUPS
+  b.rhs = missingAtBottom(grid, lane + 32, alone);
   barrier();
-  // To and fro between two arrays.
-  for (int half_ = 0; half_ < 2 * bottomSweeps; ++half_) {
-    bool odd = (half_ & 1) == 1;
-    if (used) {
-      float sum = neighbours(w, otherAt(grid, c - ivec2(1, 0), odd), otherAt(grid, c + ivec2(1, 0), odd),
-                             otherAt(grid, c - ivec2(0, 1), odd), otherAt(grid, c + ivec2(0, 1), odd));
-      here = ((c.x + c.y + half_) & 1) == 0 ? overrelaxed(here, relaxed(rhs, sum, diag)) : here;
-      if (odd)
-        values[grid.w + i] = here;
-      else
-        others[i] = here;
-    }
+  if (lane < 32)
+    for (int i = 0; i < bottomSweeps; ++i)
+      for (int color = 0; color < 2; ++color) {
+        sweepBottom(a, lane, color);
+        sweepBottom(b, lane + 32, color);
+        subgroupMemoryBarrierShared();
+        subgroupBarrier();
+      }
+#else
+  barrier();
+  for (int i = 0; i < 2 * bottomSweeps; ++i) {
+    sweepBottom(a, lane, i & 1);
     barrier();
   }
+#endif
+  barrier();
+  if (lane < grid.x * grid.y) values[grid.w + lane] = others[lane];
+  barrier();
+}
+
+Block loaded(int number, int last) {
+  ivec4 grid = levels[number];
+  Block none = Block(uvec4(0u), uvec2(0u), uvec2(0u), vec4(0.0), 0);
+  if (number >= last) return none;
+  return blockAt(blockHere(number), grid.xy, grid.z);
 }
 
 void main() {
-  int last = levelCount - 1;
-  for (int n = 0; n < last; ++n) {
-    ivec4 grid = levels[n];
-    sweep(n, grid, 0, true);
-    sweep(n, grid, 1, false);
-    restrict_(n, grid, levels[n + 1]);
-  }
-  solveCoarsest(last, levels[last]);
-  for (int n = last - 1; n >= 0; --n) {
-    ivec4 grid = levels[n];
-    raise(grid, levels[n + 1]);
-    sweep(n, grid, 0, false);
-    sweep(n, grid, 1, false);
-  }
-  ivec4 grid = levels[0];
-  ivec2 blocks = (grid.xy + 1) / 2;
-  for (int i = int(gl_LocalInvocationIndex); i < blocks.x * blocks.y; i += lanes) {
-    int y = i / blocks.x;
-    ivec2 block = ivec2(i - y * blocks.x, y), c = 2 * block;
-    raisedOut[upStart + block.y * (grid.x / 2 + 1) + block.x] =
-        vec4(valueAt(grid, c), c.x + 1 < grid.x ? valueAt(grid, c + ivec2(1, 0)) : 0.0,
-             c.y + 1 < grid.y ? valueAt(grid, c + ivec2(0, 1)) : 0.0,
-             c.x + 1 < grid.x && c.y + 1 < grid.y ? valueAt(grid, c + ivec2(1, 1)) : 0.0);
-  }
+  int last = levelCount - 1, lane = int(gl_LocalInvocationIndex);
+  // All that comes from afar at once.
+  Block first = loaded(0, last), second = loaded(1, last), third = loaded(2, last);
+  Bottom cell = bottomAt(levels[last], lane), other = cell;
+#ifdef SUBGROUPS
+  if (lane >= 32) cell.parity = -1;
+  other = bottomAt(levels[last], lane < 32 ? lane + 32 : bottomCells);
+#endif
+  ivec2 block = blockHere(0), c = 2 * block;
+  int element = block.y * (levels[0].x / 2 + 1) + block.x, inside = cellsInside(block, levels[0].xy);
+  vec4 rhs = vec4(0.0), ofFirst = vec4(0.0), ofSecond = vec4(0.0), ofThird = vec4(0.0);
+  if (inside != 0) rhs = pool[rhsStart + element];
+  first.rhs = rhs;
+  if (last > 0)
+    descend(0, first, ofFirst);
+  else
+    put(levels[0], block, inside, rhs);
+  if (last > 1) descend(1, second, ofSecond);
+  if (last > 2) descend(2, third, ofThird);
+  barrier();
+  solveCoarsest(levels[last], cell, other, last == 0);
+  if (last > 2) ascend(2, third, ofThird);
+  if (last > 1) ascend(1, second, ofSecond);
+  if (last > 0) ascend(0, first, ofFirst);
+  if (inside != 0)
+    raisedOut[upStart + element] = vec4(valueAt(levels[0], c), valueAt(levels[0], c + ivec2(1, 0)), valueAt(levels[0], c + ivec2(0, 1)),
+                                        valueAt(levels[0], c + ivec2(1, 1)));
 }

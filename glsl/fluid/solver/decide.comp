@@ -4,7 +4,8 @@
 #include "common/status.glsl"
 #include "fluid/bindings.glsl"
 #include "fluid/solver/solve_control.glsl"
-layout(local_size_x = 1) in;
+const int lanes = 64;
+layout(local_size_x = lanes) in;
 uniform int dispatches;    // whose groups stand in control.groups
 uniform int first;         // 1: before the first cycle
 uniform float tolerance;   // of flow / speed
@@ -13,6 +14,7 @@ uniform float mostSpeed;   // what the scene says
 void main() {
   float flow = uintBitsToFloat(control.flow), speed = uintBitsToFloat(control.speed);
 #ifdef JUDGE
+  if (gl_LocalInvocationIndex > 0u) return;
   float each = exactReciprocal(max(speed, 1e-20));
   precise float share = speed > 1e-20 ? flow * each : 0.0;
   control.lastShare = floatBitsToUint(share);
@@ -25,10 +27,13 @@ void main() {
   control.speed = 0u;
 #else
   precise float most = tolerance * speed;
-  bool met = flow <= most;
+  bool met = flow <= most, over = first == 0 && control.groups[3 * dispatches - 1] == 0u;  // of the last, which a cycle always has
+  barrier();
+  if (over) return;
+  int lane = int(gl_LocalInvocationIndex);
+  for (int i = lane; i < 3 * dispatches; i += lanes) control.groups[i] = met ? 0u : control.groups[3 * dispatches + i];
+  if (lane > 0) return;
   if (first == 1) control.lastSpeed = 0u;
-  if (first == 0 && control.groups[3 * dispatches - 1] == 0u) return;  // of the last, which a cycle always has
-  for (int i = 0; i < 3 * dispatches; ++i) control.groups[i] = met ? 0u : control.groups[3 * dispatches + i];
   if (!met) control.cycles += 1u;
   control.flow = 0u;
 #endif

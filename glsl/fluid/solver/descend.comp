@@ -1,5 +1,6 @@
 // From no correction: a red-black sweep, and what it leaves missing in the red cells for the coarser level (the black ones
-// fulfil their equations). An invocation takes a block of 2x2 cells, and repeats what its sweep reads around.
+// fulfil their equations). An invocation takes a block of 2x2 cells, and repeats what its sweep reads around; of tiles that do not lie in
+// the open a group shares the cells of one (TILE_A_GROUP), for their programs are long and their number is small.
 #include "fluid/solver/levels.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(std430, binding = poolOutBinding) writeonly buffer PoolOutBlock { float poolOut[]; };
@@ -32,7 +33,37 @@ void sweepOpen(ivec2 block, int element, int row) {
 }
 #endif
 
-#if IN_THE_OPEN != 1
+#ifdef TILE_A_GROUP
+#include "fluid/solver/block.glsl"
+const int windowStride = 14;
+shared float values[14 * 14];
+#include "fluid/solver/window.glsl"
+
+void sweepTile(ivec2 tile) {
+  ivec2 lane = ivec2(gl_LocalInvocationID.xy);
+  ivec2 block = 4 * tile + lane - 1;
+  bool used = lane.x < 6 && lane.y < 6;
+  ivec2 place = blockWithin(block, level.cells);
+  int at = used ? cornerOf(lane) : cornerOf(ivec2(0));
+  Block b;
+  vec4 here = vec4(0.0);
+  if (used) {
+    b = blockAt(place, level.cells, level.weights);
+    if (b.inside != 0) b.rhs = LOAD_INPUT(pool, level.rhs + place.y * blocksOf(level.cells).x + place.x);
+    sweepFirstReds(b, here);
+    putReds(at, here);
+  }
+  barrier();
+  if (used) {
+    sweepBlacks(b, here, besideBlacks(at));
+    putBlacks(at, here);
+  }
+  barrier();
+  bool own = lane.x > 0 && lane.y > 0 && lane.x < 5 && lane.y < 5;
+  if (!own || place != block || b.inside == 0) return;
+  store(block, block.y * blocksOf(level.cells).x + block.x, here, leftInReds(b, here, besideReds(at)));
+}
+#elif IN_THE_OPEN != 1
 float redAt(ivec2 place) {
   ivec2 c = within(place);
   if (!isInside(c) || !isRed(c)) return 0.0;
@@ -73,6 +104,13 @@ void sweepOther(ivec2 block, int element, int row) {
 #endif
 
 void main() {
+#ifdef TILE_A_GROUP
+  if (!inTheOpen()) {
+    ivec2 tile = tileHere();
+    if (tile.x < 0xffff) sweepTile(tile);
+    return;
+  }
+#endif
   ivec2 block = blockHere();
   ivec2 blocks = blocksOf(level.cells);
   if (block.x >= blocks.x || block.y >= blocks.y) return;
@@ -80,7 +118,7 @@ void main() {
 #if IN_THE_OPEN != 0
   if (inTheOpen()) sweepOpen(block, element, blocks.x);
 #endif
-#if IN_THE_OPEN != 1
+#if IN_THE_OPEN != 1 && !defined TILE_A_GROUP
   if (!inTheOpen()) sweepOther(block, element, blocks.x);
 #endif
 }

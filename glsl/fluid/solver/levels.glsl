@@ -80,12 +80,12 @@ float inRaised(int start, ivec2 c) {
 
 #include "fluid/tiles.glsl"
 #if IN_THE_OPEN == 2
-// Groups for both in a dispatch, those in the open first.
+// Groups for both in a dispatch, the others first: they take longer.
 bool inTheOpen() {
-  return int(gl_WorkGroupID.y) < level.openRows;
+  return int(gl_WorkGroupID.y) >= level.otherRows;
 }
 ivec2 blockHere() {
-  return blockHere(inTheOpen() ? level.openTiles : level.otherTiles - groupRow * level.openRows);
+  return blockHere(inTheOpen() ? level.openTiles - groupRow * level.otherRows : level.otherTiles);
 }
 #else
 bool inTheOpen() {
@@ -93,6 +93,15 @@ bool inTheOpen() {
 }
 ivec2 blockHere() {
   return blockHere(IN_THE_OPEN == 1 ? level.openTiles : level.otherTiles);
+}
+#endif
+
+// Of a group that takes one of the others by itself; beyond all of them where there is no tile.
+#ifdef TILE_A_GROUP
+ivec2 tileHere() {
+  int number = groupNumber();
+  uint tile = LOAD_INPUT_WORDS(weights, level.otherTiles + (number >> 2))[number & 3];
+  return ivec2(tile & 0xffffu, tile >> 16u);
 }
 #endif
 

@@ -4,8 +4,8 @@
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(std430, binding = poolOutBinding) writeonly buffer PoolOutBlock { vec4 poolOut[]; };
 
-#if IN_THE_OPEN == 1
-vec4 leftOf(vec4 rhs, vec4 here, ivec2 block, int element, int row) {
+#if IN_THE_OPEN != 0
+vec4 leftOpen(vec4 rhs, vec4 here, ivec2 block, int element, int row) {
   vec4 before = LOAD_INPUT(raisedPool, element - 1), after = LOAD_INPUT(raisedPool, element + 1);
   vec4 above = LOAD_INPUT(raisedPool, element - row), below = LOAD_INPUT(raisedPool, element + row);
   return vec4(residualOpen(rhs.x, here.x, before.y, here.y, above.z, here.z),
@@ -13,8 +13,9 @@ vec4 leftOf(vec4 rhs, vec4 here, ivec2 block, int element, int row) {
               residualOpen(rhs.z, here.z, before.w, here.w, here.x, below.x),
               residualOpen(rhs.w, here.w, here.z, after.z, here.y, below.y));
 }
+#endif
 
-#else
+#if IN_THE_OPEN != 1
 float valueAt(ivec2 place) {
   return inRaised(0, within(place));
 }
@@ -24,14 +25,30 @@ float leftOver(ivec2 c, float rhs) {
   return residual(rhs, weightsOf(c), inRaised(0, c), valueAt(c - ivec2(1, 0)), valueAt(c + ivec2(1, 0)),
                   valueAt(c - ivec2(0, 1)), valueAt(c + ivec2(0, 1)));
 }
+#endif
 
-vec4 leftOf(vec4 rhs, vec4 here, ivec2 block, int element, int row) {
+#ifdef TILE_A_GROUP
+// An invocation a cell.
+float takenInCell(ivec2 c, ivec2 blocks) {
+  int element = blockOf(c), k = 2 * (c.y & 1) + (c.x & 1), ofLost = blocks.x * blocks.y + element;
+  float left = leftOver(c, pool[level.rhs + element][k]);
+  float more = raisedPool[element][k];
+  more = more >= noCell ? 0.0 : more;
+  float sum = pool[element][k];
+  poolOut[ofLost][k] = added(pool[ofLost][k], lostInSum(sum, more));
+  poolOut[element][k] = added(sum, more);
+  poolOut[level.rhs + element][k] = left;
+  return left;
+}
+#elif IN_THE_OPEN != 1
+vec4 leftOther(vec4 rhs, ivec2 block) {
   ivec2 o = 2 * block;
   return vec4(leftOver(o, rhs.x), leftOver(o + ivec2(1, 0), rhs.y), leftOver(o + ivec2(0, 1), rhs.z),
               leftOver(o + ivec2(1, 1), rhs.w));
 }
 #endif
 
+#if IN_THE_OPEN != 0 || !defined TILE_A_GROUP
 vec4 addedTo(vec4 a, vec4 b) {
   return vec4(added(a.x, b.x), added(a.y, b.y), added(a.z, b.z), added(a.w, b.w));
 }
@@ -45,7 +62,13 @@ vec4 takenIn(ivec2 block, ivec2 blocks) {
   int element = block.y * blocks.x + block.x, ofLost = blocks.x * blocks.y + element;
   vec4 rhs = LOAD_INPUT(pool, level.rhs + element);
   vec4 more = LOAD_INPUT(raisedPool, element);
-  vec4 left = leftOf(rhs, more, block, element, blocks.x);
+#if IN_THE_OPEN == 1 || defined TILE_A_GROUP
+  vec4 left = leftOpen(rhs, more, block, element, blocks.x);
+#elif IN_THE_OPEN == 0
+  vec4 left = leftOther(rhs, block);
+#else
+  vec4 left = inTheOpen() ? leftOpen(rhs, more, block, element, blocks.x) : leftOther(rhs, block);
+#endif
   more = vec4(more.x >= noCell ? 0.0 : more.x, more.y >= noCell ? 0.0 : more.y, more.z >= noCell ? 0.0 : more.z,
               more.w >= noCell ? 0.0 : more.w);
   vec4 sum = LOAD_INPUT(pool, element), lost = LOAD_INPUT(pool, ofLost);
@@ -54,12 +77,26 @@ vec4 takenIn(ivec2 block, ivec2 blocks) {
   poolOut[level.rhs + element] = left;
   return left;
 }
+#endif
+
+float missingHere() {
+  ivec2 blocks = blocksOf(level.cells);
+#ifdef TILE_A_GROUP
+  if (!inTheOpen()) {
+    ivec2 c = 8 * tileHere() + ivec2(gl_LocalInvocationID.xy);
+    return c.x < level.cells.x && c.y < level.cells.y ? abs(takenInCell(c, blocks)) : 0.0;
+  }
+#endif
+#if IN_THE_OPEN != 0 || !defined TILE_A_GROUP
+  ivec2 block = blockHere();
+  if (block.x >= blocks.x || block.y >= blocks.y) return 0.0;
+  vec4 sizes = abs(takenIn(block, blocks));
+  return max(max(sizes.x, sizes.y), max(sizes.z, sizes.w));
+#else
+  return 0.0;
+#endif
+}
 
 void main() {
-  ivec2 block = blockHere();
-  ivec2 blocks = blocksOf(level.cells);
-  vec4 left = vec4(0.0);
-  if (block.x < blocks.x && block.y < blocks.y) left = takenIn(block, blocks);
-  vec4 sizes = abs(left);
-  noteMost(max(max(sizes.x, sizes.y), max(sizes.z, sizes.w)), 0.0, 0.0);
+  noteMissing(missingHere());
 }

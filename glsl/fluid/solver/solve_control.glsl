@@ -42,3 +42,18 @@ void noteMost(float flow, float speed, float fastest) {
   if (speedBits > control.speed) atomicMax(control.speed, speedBits);
   if (fastestBits > control.lastSpeed) atomicMax(control.lastSpeed, fastestBits);
 }
+
+// The same of what is missing alone.
+void noteMissing(float flow) {
+  uint flowBits = floatBitsToUint(flow);
+#ifndef TEXEL_PATH
+  int lane = int(gl_LocalInvocationIndex);
+  flowsOfGroup[lane] = flowBits;
+  for (int others = 32; others > 0; others >>= 1) {
+    barrier();
+    if (lane < others) flowsOfGroup[lane] = flowBits = max(flowBits, flowsOfGroup[lane + others]);
+  }
+  if (lane > 0) return;
+#endif
+  if (flowBits > control.flow) atomicMax(control.flow, flowBits);
+}

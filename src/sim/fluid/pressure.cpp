@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 #include "gl/errors.hpp"
+#include "gl/limits.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -26,6 +27,22 @@ constexpr std::size_t controlWords = 8;  // before the groups: glsl/fluid/solver
 /// What the recurrence of residuals reaches may be exceeded by the flow itself, by rounding.
 constexpr float aim = 0.5F * maxFluidDivergence;
 
+/// Between the solver's kernels, which hand each other storage blocks only where there are no texels:
+/// waiting for more takes a card longer than a kernel that is empty.
+void barrier() {
+  if (gl::memoryPath() == gl::MemoryPath::storage)
+    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+  else
+    gl::barrier();
+}
+
+/// Cycles that most projections want; those beyond them, if any, are left out together.
+constexpr int usualCycles = 6;
+
+GLintptr groupsAt(std::size_t dispatch) {
+  return static_cast<GLintptr>((controlWords + 3 * dispatch) * 4);
+}
+
 /// For tiles in the open (1), the others (0) or both (2).
 gl::Program onTiles(const char* path, const gl::Defines& defines, int tiles) {
   gl::Defines with = defines;
@@ -33,28 +50,42 @@ gl::Program onTiles(const char* path, const gl::Defines& defines, int tiles) {
   return gl::Program::compute(path, with);
 }
 
+/// Whether on a torus all levels but the coarsest are an even number of cells around.
+bool isEven(const FluidPlan& plan) {
+  const std::vector<FluidLevel>& levels = plan.levels().levels();
+  return std::all_of(levels.begin(), levels.end() - 1, [&](const FluidLevel& level) {
+    return (!plan.parameters().wrapsX() || level.cells.x % 2 == 0) &&
+           (!plan.parameters().wrapsY() || level.cells.y % 2 == 0);
+  });
+}
+
 }  // namespace
 
-// Dispatches for each level's tiles, those in the open and the others, and one for a single group.
+// Dispatches for each level's tiles, those in the open and the others, for a single group, and for down_
+// and up_.
 FluidPressure::FluidPressure(const std::string& name, const FluidPlan& plan, const gl::Defines& defines)
     : levels_(plan.levels()),
       cycles_(plan.parameters().cycles),
+      tileAGroup_(gl::memoryPath() == gl::MemoryPath::storage && isEven(plan)),
       weights_(name + " openings", std::span<const glm::uvec4>(plan.solidsAt(0, 0)->words())),
       solids_(name + " obstacles", sizeof(shader::FluidSolidSet)),
       descend_(pairOf("fluid/solver/descend.comp", defines)),
       ascend_(pairOf("fluid/solver/ascend.comp", defines)),
-      residual_{onTiles("fluid/solver/residual.comp", defines, 1),
-                onTiles("fluid/solver/residual.comp", defines, 0),
-                {}},
+      residual_(pairOf("fluid/solver/residual.comp", defines)),
       divergence_(gl::Program::compute("fluid/solver/divergence.comp", defines)),
       bottom_(onTiles("fluid/solver/bottom.comp", defines, 0)),
       decide_(gl::Program::compute("fluid/solver/decide.comp", defines)),
       firstCoarse_(plan.levels().levels().size() - 1),
-      tilesStart_(plan.solidsAt(0, 0)->tilesStart()),
-      groups_(groupsOf(*plan.solidsAt(0, 0))) {
+      firstDown_(firstCoarse_),
+      firstUp_(firstCoarse_),
+      tilesStart_(plan.solidsAt(0, 0)->tilesStart()) {
   gl::Defines judging = defines;
   judging.emplace_back("JUDGE", "1");
   judge_ = gl::Program::compute("fluid/solver/decide.comp", judging);
+  if (gl::memoryPath() == gl::MemoryPath::storage) makeCoarse(plan, defines);
+  if (tileAGroup_ && coarse_.name() != 0) makeMiddle(defines);
+  if (gl::memoryPath() == gl::MemoryPath::storage) condition_.emplace();
+  groups_ = groupsOf(*plan.solidsAt(0, 0));
   std::vector<std::uint32_t> words(controlWords + groups_.size());
   words.insert(words.end(), groups_.begin(), groups_.end());
   words.resize((words.size() + 3) / 4 * 4);
@@ -71,7 +102,6 @@ FluidPressure::FluidPressure(const std::string& name, const FluidPlan& plan, con
   decide_.set("tolerance", aim);
   judge_.set("tolerance", maxFluidDivergence);
   judge_.set("mostSpeed", plan.parameters().speed);
-  if (gl::memoryPath() == gl::MemoryPath::storage) makeCoarse(plan, defines);
 }
 
 void FluidPressure::makeCoarse(const FluidPlan& plan, const gl::Defines& defines) {
@@ -85,8 +115,10 @@ void FluidPressure::makeCoarse(const FluidPlan& plan, const gl::Defines& defines
   std::size_t first = levels.size();
   while (first > 0 && fits(levels[first - 1])) --first;
   if (first == levels.size()) return;
-  firstCoarse_ = first;
-  coarse_ = gl::Program::compute("fluid/solver/coarse.comp", defines);
+  firstCoarse_ = firstDown_ = firstUp_ = first;
+  gl::Defines with = defines;
+  if (gl::limits().shuffle32) with.emplace_back("SUBGROUPS", "1");
+  coarse_ = gl::Program::compute("fluid/solver/coarse.comp", with);
   int cells = 0;
   for (std::size_t i = first; i < levels.size(); ++i) {
     const std::string name = "levels[" + std::to_string(i - first) + "]";
@@ -98,16 +130,42 @@ void FluidPressure::makeCoarse(const FluidPlan& plan, const gl::Defines& defines
   coarse_.set("upStart", levels[first].start);
 }
 
+// On the way down windows grow by each level, so fewer share a dispatch.
+void FluidPressure::makeMiddle(const gl::Defines& defines) {
+  const std::vector<FluidLevel>& levels = levels_.levels();
+  const auto make = [&](const char* path, std::size_t most, std::size_t& from) {
+    const std::size_t count = std::min(firstCoarse_, most);
+    if (count == 0) return gl::Program();
+    from = firstCoarse_ - count;
+    gl::Defines with = defines;
+    with.emplace_back("LEVELS", std::to_string(count));
+    gl::Program program = gl::Program::compute(path, with);
+    for (std::size_t i = 0; i <= count; ++i) {
+      const FluidLevel& level = levels[from + i];
+      program.set(("levels[" + std::to_string(i) + "]").c_str(), glm::ivec4(level.cells, level.start, 0));
+    }
+    program.set("rhsStart", 2 * levels.front().elements());
+    program.set("wayStart", levels_.elements());
+    return program;
+  };
+  down_ = make("fluid/solver/down.comp", 3, firstDown_);
+  up_ = make("fluid/solver/up.comp", 4, firstUp_);
+}
+
 bool FluidPressure::joins(std::size_t level) const {
-  return gl::memoryPath() == gl::MemoryPath::storage && level > 1 && levels_.levels()[level].hasOpenTiles();
+  return gl::memoryPath() == gl::MemoryPath::storage && levels_.levels()[level].hasOpenTiles();
 }
 
 // The program for both is made only where a level joins its tiles: drivers take seconds for each.
 FluidPressure::Pair FluidPressure::pairOf(const char* path, const gl::Defines& defines) const {
+  gl::Defines others = defines;
+  if (tileAGroup_) others.emplace_back("TILE_A_GROUP", "1");
   bool any = false;
   for (std::size_t i = 0; i < levels_.levels().size(); ++i) any = any || joins(i);
-  return {onTiles(path, defines, 1), onTiles(path, defines, 0),
-          any ? onTiles(path, defines, 2) : gl::Program()};
+  // Without any all tiles are others there.
+  const bool storage = gl::memoryPath() == gl::MemoryPath::storage;
+  return {storage ? gl::Program() : onTiles(path, defines, 1), onTiles(path, others, 0),
+          any ? onTiles(path, others, 2) : gl::Program()};
 }
 
 std::vector<std::uint32_t> FluidPressure::groupsOf(const FluidSolids& solids) const {
@@ -116,7 +174,8 @@ std::vector<std::uint32_t> FluidPressure::groupsOf(const FluidSolids& solids) co
   for (std::size_t level = 0; level < solids.tileGroups().size(); ++level) {
     std::uint32_t rows = 0;
     for (int i = 0; i < 2; ++i) {
-      const auto count = static_cast<std::uint32_t>(solids.tileGroups()[level][i]);
+      const auto count =
+          static_cast<std::uint32_t>(i == 0 ? solids.tileGroups()[level].x : otherGroups(solids, level));
       rows += (count + row - 1) / row;
       groups.insert(groups.end(), {std::min(count, row), (count + row - 1) / row, 1U});
     }
@@ -127,7 +186,16 @@ std::vector<std::uint32_t> FluidPressure::groupsOf(const FluidSolids& solids) co
     }
   }
   groups.insert(groups.end(), {1U, 1U, 1U});
+  for (const std::size_t first : {firstDown_, firstUp_}) {
+    constexpr int tile = 32;  // down.comp, up.comp
+    const glm::uvec2 tiles((levels_.levels()[first].cells - 1) / tile + 1);
+    groups.insert(groups.end(), {tiles.x, tiles.y, 1U});
+  }
   return groups;
+}
+
+int FluidPressure::otherGroups(const FluidSolids& solids, std::size_t level) const {
+  return solids.tileGroups()[level].y * (tileAGroup_ ? FluidLevel::groupTiles : 1);
 }
 
 void FluidPressure::setSolids(const FluidSolids& solids) {
@@ -163,7 +231,7 @@ std::vector<shader::FluidLevelPlace> FluidPressure::places(const FluidSolids& so
     place.coarseUp = coarser;
     place.openTiles = tiles;
     place.otherTiles = tiles + levels[i].listElements();
-    place.openRows = (solids.tileGroups()[i].x + FluidLevel::groupRow - 1) / FluidLevel::groupRow;
+    place.otherRows = (otherGroups(solids, i) + FluidLevel::groupRow - 1) / FluidLevel::groupRow;
     tiles += 2 * levels[i].listElements();
     places.push_back(place);
   }
@@ -172,12 +240,12 @@ std::vector<shader::FluidLevelPlace> FluidPressure::places(const FluidSolids& so
 
 void FluidPressure::indirect(const gl::Program& program, std::size_t number) const {
   program.use();
-  glDispatchComputeIndirect(static_cast<GLintptr>((controlWords + 3 * number) * 4));
+  glDispatchComputeIndirect(groupsAt(number));
 }
 
 void FluidPressure::onLevel(const Pair& pair, std::size_t number) const {
   places_.bind(number, at::levelBinding);
-  gl::barrier();
+  barrier();
   if (joins(number)) return indirect(pair.both, 2 * number);
   indirect(pair.others, 2 * number + 1);
   if (levels_.levels()[number].hasOpenTiles()) indirect(pair.open, 2 * number);
@@ -185,15 +253,19 @@ void FluidPressure::onLevel(const Pair& pair, std::size_t number) const {
 
 void FluidPressure::cycle() const {
   const std::size_t single = 2 * levels_.levels().size();
+  const auto alone = [&](const gl::Program& program, std::size_t number) {
+    barrier();
+    indirect(program, number);
+  };
   glMemoryBarrier(GL_COMMAND_BARRIER_BIT);  // how much there is to do
-  for (std::size_t i = 0; i < firstCoarse_; ++i) onLevel(descend_, i);
+  for (std::size_t i = 0; i < firstDown_; ++i) onLevel(descend_, i);
+  if (firstDown_ < firstCoarse_) alone(down_, single + 1);
   places_.bind(firstCoarse_, at::levelBinding);
-  gl::barrier();
-  indirect(coarse_.name() != 0 ? coarse_ : bottom_, single);
-  for (std::size_t i = firstCoarse_; i-- > 0;) onLevel(ascend_, i);
+  alone(coarse_.name() != 0 ? coarse_ : bottom_, single);
+  if (firstUp_ < firstCoarse_) alone(up_, single + 2);
+  for (std::size_t i = firstUp_; i-- > 0;) onLevel(ascend_, i);
   onLevel(residual_, 0);
-  gl::barrier();
-  indirect(decide_, single);
+  alone(decide_, single);
 }
 
 void FluidPressure::solve(const gl::Vec4Array& flow, const gl::Vec4Array& pool,
@@ -213,7 +285,15 @@ void FluidPressure::solve(const gl::Vec4Array& flow, const gl::Vec4Array& pool,
   raised.bindInput(at::raisedBinding);
   raised.buffer().bindStorage(at::raisedOutBinding);
   glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, control_.name());
-  for (int i = 0; i < cycles_; ++i) cycle();
+  const bool leaves = condition_ && cycles_ > usualCycles;
+  for (int i = 0; i < cycles_; ++i) {
+    if (leaves && i == usualCycles) {
+      glMemoryBarrier(GL_COMMAND_BARRIER_BIT);
+      condition_->begin(control_.name(), groupsAt(2 * levels_.levels().size()));
+    }
+    cycle();
+  }
+  if (leaves) condition_->end();
   glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, 0);
   gl::barrier();
 }

@@ -1,10 +1,12 @@
 #pragma once
+#include "gl/condition.hpp"
 #include "gl/element_array.hpp"
 #include "gl/program.hpp"
 #include "sim/core/step_blocks.hpp"
 #include "sim/fluid/plan.hpp"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -52,8 +54,10 @@ class FluidPressure {
   /// Whether a level's tiles in the open and its others share a dispatch: on a graphics card, where those
   /// cost more than the work of small levels.
   [[nodiscard]] bool joins(std::size_t level) const;
-  /// Sets coarse_ up, if there is such a kernel.
+  /// Sets coarse_ up, if there is such a kernel, and down_ and up_.
   void makeCoarse(const FluidPlan& plan, const gl::Defines& defines);
+  void makeMiddle(const gl::Defines& defines);
+  [[nodiscard]] int otherGroups(const FluidSolids& solids, std::size_t level) const;
   /// Three words for each dispatch that a cycle may have.
   [[nodiscard]] std::vector<std::uint32_t> groupsOf(const FluidSolids& solids) const;
   [[nodiscard]] std::vector<shader::FluidLevelPlace> places(const FluidSolids& solids) const;
@@ -63,6 +67,7 @@ class FluidPressure {
 
   const FluidLevels& levels_;  ///< but for their weights
   int cycles_;
+  bool tileAGroup_;         ///< whether a group takes one of the tiles that are not in the open, not four
   gl::WordsArray weights_;  ///< FluidSolids::words
   gl::Buffer solids_, control_;
   StepBlocks<shader::FluidLevelPlace> places_;  ///< a level each
@@ -70,6 +75,9 @@ class FluidPressure {
   gl::Program divergence_, bottom_, decide_, judge_;
   gl::Program coarse_;       ///< of storage blocks: levels from firstCoarse_ on
   std::size_t firstCoarse_;  ///< the coarsest, unless coarse_ takes more
+  gl::Program down_, up_;    ///< several levels before firstCoarse_ at once
+  std::size_t firstDown_, firstUp_;
+  std::optional<gl::Condition> condition_;  ///< of cycles that are seldom wanted
   int tilesStart_;
   std::vector<std::uint32_t> groups_;
 };

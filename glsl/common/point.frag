@@ -1,0 +1,2 @@
+// Nothing but whether there is a point.
+void main() {}
