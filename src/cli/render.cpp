@@ -94,8 +94,8 @@ void render(const RenderOptions& o) {
   const gl::Context context(o.on);
   // Who reads events hears of the scene's checks, too.
   std::optional<batch::Measurements> checks;
-  if (frame::parseProgressMode(o.progress) == frame::Progress::Mode::ndjson && !job.scene().checks.empty())
-    checks.emplace(job.scene(), job.frames(), "", [&](const golden::CheckResult& check) {
+  if (progress.tellsEvents() && !job.scene().checks.empty())
+    checks.emplace(job.scene(), job.frames(), batch::CheckFiles(), [&](const golden::CheckResult& check) {
       progress.check(check.what, check.frame, check.value, check.passed);
     });
   frame::SequenceResult result;

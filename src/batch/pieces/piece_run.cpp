@@ -5,6 +5,7 @@
 #include "base/file.hpp"
 #include "base/log.hpp"
 #include "base/workers.hpp"
+#include "batch/pieces/piece_checks.hpp"
 #include "batch/render/scratch.hpp"
 #include "frame/file/checkpoint.hpp"
 #include "frame/file/manifest.hpp"
@@ -128,7 +129,9 @@ bool isDrawn(const PiecePlan& plan, std::size_t piece) {
 int simulatePieces(const PiecePlan& plan, const gl::Context& context, frame::Progress& progress,
                    const std::string& command) {
   if (plan.pieces.size() < 2) return 0;
-  return RenderJob(plan.simulation(command)).run(context, progress, Clock::now()).signal;
+  RenderJob job(plan.simulation(command));
+  auto checks = checksOfSimulation(plan, job.scene(), progress);
+  return job.run(context, progress, Clock::now(), checks ? &*checks : nullptr).signal;
 }
 
 int drawPiece(const PiecePlan& plan, std::size_t piece, const gl::Context& context,
@@ -144,7 +147,9 @@ int drawPiece(const PiecePlan& plan, std::size_t piece, const gl::Context& conte
   request.output = name.empty() ? place.folder().string() + "/" : (place.folder() / name).string();
   int signal = 0;
   try {
-    signal = RenderJob(std::move(request)).run(context, progress, Clock::now()).signal;
+    RenderJob job(std::move(request));
+    auto checks = checksOfPiece(plan, piece, job.scene(), progress);
+    signal = job.run(context, progress, Clock::now(), checks ? &*checks : nullptr).signal;
   } catch (...) {
     place.deliver();
     throw;

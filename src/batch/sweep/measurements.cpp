@@ -11,9 +11,9 @@
 
 namespace simreel::batch {
 
-Measurements::Measurements(scene::Scene& scene, std::span<const int> drawn, std::filesystem::path file,
-                           std::function<void(const golden::CheckResult&)> hear)
-    : scene_(scene), file_(std::move(file)), hear_(std::move(hear)) {
+Measurements::Measurements(scene::Scene& scene, std::span<const int> drawn, CheckFiles files,
+                           std::function<void(const golden::CheckResult&)> hear, bool ends)
+    : scene_(scene), files_(std::move(files)), hear_(std::move(hear)) {
   const auto isDrawn = [&](int frame) { return std::binary_search(drawn.begin(), drawn.end(), frame); };
   tested_ = scene.testFrames();
   // What is to show something needs its picture.
@@ -25,7 +25,7 @@ Measurements::Measurements(scene::Scene& scene, std::span<const int> drawn, std:
   }
   std::erase_if(scene.checks, [](const scene::Check& check) { return check.what.empty(); });
   std::erase_if(tested_, [&](int frame) { return !isDrawn(frame); });
-  if (!drawn.empty()) tested_.push_back(drawn.back());
+  if (ends && !drawn.empty()) tested_.push_back(drawn.back());
   std::sort(tested_.begin(), tested_.end());
   tested_.erase(std::unique(tested_.begin(), tested_.end()), tested_.end());
 }
@@ -35,8 +35,10 @@ void Measurements::begin(const sim::World& world) {
   wanted_ = checker_->frames();
   wanted_.insert(wanted_.end(), tested_.begin(), tested_.end());
   std::sort(wanted_.begin(), wanted_.end());
-  if (!file_.empty()) checker_->resume(readChecks(file_));
-  heard_ = checker_->results().size();
+  if (!files_.earlier.empty()) checker_->resume(readChecks(files_.earlier));
+  const auto earlier = checker_->results();
+  heard_ = earlier.size();
+  for (const golden::CheckResult& result : earlier) told_.insert({result.frame, result.what});
 }
 
 bool Measurements::wants(int frame) const {
@@ -83,7 +85,7 @@ void Measurements::news() {
   const auto results = checker_->results();
   if (results.size() == heard_) return;
   heard_ = results.size();
-  if (!file_.empty()) writeFileAtomically(file_, checksText(results), NameSync::later);
+  if (!files_.kept.empty()) writeFileAtomically(files_.kept, checksText(results), NameSync::later);
   if (!hear_) return;
   for (const golden::CheckResult& result : results)
     if (told_.insert({result.frame, result.what}).second) hear_(result);

@@ -23,16 +23,22 @@ struct MeasuredQuantity {
   std::optional<double> value;  ///< nothing where it is no finite number
 };
 
+/// Where results of checks lie; empty: nowhere.
+struct CheckFiles {
+  std::filesystem::path
+      earlier;  ///< of a run before this one, which goes on from its checkpoint; may be missing
+  std::filesystem::path kept;  ///< those so far, for a run after this one
+};
+
 /// Evaluates a scene's checks while it is rendered, and measures every quantity at the last frame.
 class Measurements final : public frame::FrameWatch {
  public:
   /// Checks without frames of their own are made at the frames that a test compares, as far as they are
-  /// drawn, and at the last one; those of frames beyond the last are not made. The scene, from whose checks
-  /// "not-blank" of frames without picture are taken, has to live longer. `file`: where the results so
-  /// far are kept for a run that goes on from a checkpoint; empty: nowhere. `hear`: each result as it
-  /// comes.
-  Measurements(scene::Scene& scene, std::span<const int> drawn, std::filesystem::path file,
-               std::function<void(const golden::CheckResult&)> hear = {});
+  /// drawn, and (`ends`) at the last one; those of frames beyond the last are not made. The scene, from
+  /// whose checks "not-blank" of frames without picture are taken, has to live longer. `hear`: each result
+  /// as it comes, but for those of an earlier run.
+  Measurements(scene::Scene& scene, std::span<const int> drawn, CheckFiles files,
+               std::function<void(const golden::CheckResult&)> hear = {}, bool ends = true);
 
   void begin(const sim::World& world) override;
   [[nodiscard]] bool wants(int frame) const override;
@@ -52,7 +58,7 @@ class Measurements final : public frame::FrameWatch {
   const scene::Scene& scene_;
   std::vector<int> tested_;  ///< frames that are drawn and compared
   std::vector<int> wanted_;  ///< ascending
-  std::filesystem::path file_;
+  CheckFiles files_;
   std::function<void(const golden::CheckResult&)> hear_;
   std::optional<golden::Checker> checker_;
   std::set<int> drawn_;  ///< of the tested ones

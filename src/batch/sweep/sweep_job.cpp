@@ -175,7 +175,7 @@ void render(const SweepPlan& plan, std::size_t job, const gl::Context& context, 
   if (jobHash(rendering.scene().hash, plan.frames, plan.fields) != plan.jobs[job].hash)
     fail(ExitCode::usage, "{} was changed after the sweep was planned; plan it again with --overwrite",
          plan.sceneFile().string());
-  Measurements measurements(rendering.scene(), rendering.frames(), checksFile(folder),
+  Measurements measurements(rendering.scene(), rendering.frames(), {checksFile(folder), checksFile(folder)},
                             [&](const golden::CheckResult& check) {
                               progress.check(check.what, check.frame, check.value, check.passed);
                             });

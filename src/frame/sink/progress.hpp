@@ -36,6 +36,8 @@ class Progress {
   void counts(int frame, std::string_view names, std::string_view row);
   /// An event of somebody else's making, a JSON object; ndjson only.
   void event(const std::string& object) const;
+  /// Whether anybody reads events: ndjson.
+  [[nodiscard]] bool tellsEvents() const { return mode_ == Mode::ndjson; }
   /// From here on each event says that it is of this job of several.
   void ofJob(std::string job) { job_ = std::move(job); }
   /// Clears the bar. `status` is "ok", "interrupted" or "failed".

@@ -1,6 +1,7 @@
 #include "golden/suite/check.hpp"
 
 #include "base/error.hpp"
+#include "base/log.hpp"
 #include "scene/words.hpp"
 
 #include <algorithm>
@@ -227,13 +228,11 @@ void Checker::state(int frame, const sim::World& world) {
         checkFinite(item, state, result);
         break;
       case Item::Kind::statistic:
-        checkBounds(
+        return checkBounds(
             item, statistic(item.statistic, item.component, state.array(item.objects.front(), item.index)),
             result);
-        break;
       case Item::Kind::quantity:
-        checkBounds(item, state.quantity(item.objects.front(), item.index), result);
-        break;
+        return checkBounds(item, state.quantity(item.objects.front(), item.index), result);
     }
     return true;
   });
@@ -319,8 +318,16 @@ void Checker::checkFinite(const Item& item, StateOfFrame& state, CheckResult& re
         fmt::format(", and {} more number{} not finite", count - 1, count > 2 ? "s are" : " is");
 }
 
-void Checker::checkBounds(Item& item, double value, CheckResult& result) {
+bool Checker::checkBounds(Item& item, double value, CheckResult& result) {
   const scene::Check& check = item.check;
+  const int since = item.frames.front();
+  if (!item.first && check.drift && result.frame != since) {
+    if (!item.told)
+      warn("drift of {} is not judged: this run did not begin before frame {}, from which it is counted",
+           item.label, since);
+    item.told = true;
+    return false;
+  }
   if (!item.first) item.first = value;
   result.value = value;
   result.min = check.min;
@@ -333,15 +340,15 @@ void Checker::checkBounds(Item& item, double value, CheckResult& result) {
     result.message = fmt::format("{}{:.9g}, below {}", head, value, *check.min);
   else if (check.max && value > *check.max)
     result.message = fmt::format("{}{:.9g}, above {}", head, value, *check.max);
-  if (!check.drift) return;
+  if (!check.drift) return true;
   // |v - v0| <= drift max(|v0|, tiny)
   const double room = *check.drift * std::max(std::abs(first), tiny);
   if (result.message.empty() && !(std::abs(value - first) <= room))
-    result.message =
-        fmt::format("{}{:.9g}, {:.3g} away from {:.9g} at frame {}; drift {} allows {:.3g}", head, value,
-                    std::abs(value - first), first, item.frames.front(), *check.drift, room);
+    result.message = fmt::format("{}{:.9g}, {:.3g} away from {:.9g} at frame {}; drift {} allows {:.3g}",
+                                 head, value, std::abs(value - first), first, since, *check.drift, room);
   result.min = std::max(first - room, check.min.value_or(first - room));
   result.max = std::min(first + room, check.max.value_or(first + room));
+  return true;
 }
 
 }  // namespace simreel::golden

@@ -48,6 +48,7 @@ class Checker {
     Component component = Component::x;
     std::vector<int> frames;                     ///< ascending
     std::optional<double> first = std::nullopt;  ///< value at the first of the frames
+    bool told = false;                           ///< that there is none
   };
   class Resolver;
   class StateOfFrame;
@@ -56,7 +57,8 @@ class Checker {
   void evaluate(int frame, const Look& look);
   static void checkContrast(const frame::Image& image, CheckResult& result);
   void checkFinite(const Item& item, StateOfFrame& state, CheckResult& result) const;
-  static void checkBounds(Item& item, double value, CheckResult& result);
+  /// Whether it could be judged: drift counts from the first of the check's frames.
+  static bool checkBounds(Item& item, double value, CheckResult& result);
 
   std::vector<std::string> names_;  ///< of the scene's objects
   std::vector<int> tested_;

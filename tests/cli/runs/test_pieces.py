@@ -96,6 +96,27 @@ class Pieces(Case):
         self.assertIn("all 60 frames are there", self.good("render", "slow.json", "-o", "out/", "--pieces", "3", "--resume").err)
         self.assertEqual((self.folder / "out/000030.png").stat().st_ino, made)
 
+    def test_checks_are_told_once_and_as_by_one_run(self):
+        checks = [{"what": "not-blank"}, {"what": "not-blank", "frames": [2, 7, 14]}, {"what": "no-nan", "frames": [0, 6, 7, 12, 14]},
+                  {"what": "energy", "drift": 0.001, "frames": [1, 3, 14]}, {"what": "mean", "of": "positions.y", "min": 9}]
+        self.write("checked.json", {**TOWN, "test": {"frames": [2, 7, 10, 14]}, "checks": checks})
+        def told(*more):
+            done = self.good("render", "checked.json", "-o", "out/", "--overwrite", "--progress", "ndjson", *more)
+            events = [json.loads(line) for line in done.err.splitlines()]
+            return sorted((e["what"], e["frame"], e["value"], e["passed"]) for e in events if e["event"] == "check"), done.err
+        one = told()[0]
+        self.assertIn(False, [passed for *_, passed in one])
+        self.assertGreater(len(one), 12)
+        for pieces in ("1", "2", "4"):
+            found, text = told("--pieces", pieces)
+            self.assertEqual(found, one, pieces)
+            self.assertNotIn("not judged", text)
+        # What a drift is counted from was before its time: said, not guessed.
+        self.good("render", "checked.json", "-o", "kept/", "--frames", "none", "--checkpoint-at", "6")
+        done = self.good("render", "checked.json", "-o", "late/", "--frames", "6-14", "--from", "kept/checkpoint.000006", "--progress", "ndjson")
+        self.assertIn("drift of energy of flag is not judged: this run did not begin before frame 1", done.err)
+        self.assertEqual([line for line in done.err.splitlines() if '"check"' in line and "energy" in line], [])
+
     def test_beside_other_frames_and_a_damaged_state(self):
         """Of the same run: they stay in its manifest and log."""
         self.good("render", "town.json", "-o", "out/", "--frames", "0-5")
