@@ -9,6 +9,7 @@
 #include "batch/pieces/piece_plan.hpp"
 #include "batch/pieces/piece_run.hpp"
 #include "batch/render/scratch.hpp"
+#include "batch/slurm/queue.hpp"
 #include "cli/commands.hpp"
 #include "cli/device_options.hpp"
 #include "cli/job_count.hpp"
@@ -188,27 +189,48 @@ std::string joinedOutput(const std::string& folder) {
   return pathExists(manifest) ? manifest.string() : std::string();
 }
 
-/// 0: all is there to be joined, or is joined; else 3.
+fs::path slurmFolder(const batch::PiecePlan& plan) {
+  return plan.folder / "slurm";
+}
+
+/// 0: all is there to be joined, or is joined; 7: the cluster still has what is missing; else 3.
 void status(const StepOptions& o) {
   if (const std::string whole = joinedOutput(o.folder); !whole.empty())
     return printText(fmt::format("all pieces are joined: {}\n", whole));
   const batch::PiecePlan plan = batch::readPiecePlan(o.folder);
-  std::size_t drawn = 0;
+  // Before the pieces, which may begin in between.
+  const batch::SlurmQueue queue(slurmFolder(plan));
+  std::size_t drawn = 0, queued = 0;
   for (std::size_t i = 0; i < plan.pieces.size(); ++i) {
     const bool whole = batch::isDrawn(plan, i);
+    const bool waits = !whole && queue.has("draw", i);
     drawn += whole ? 1 : 0;
+    queued += waits ? 1 : 0;
     const auto& frames = plan.pieces[i].frames;
-    printText(fmt::format("{:04}  {:7}  frames {} to {}\n", i, whole ? "done" : "missing", frames.front(),
-                          frames.back()));
+    printText(fmt::format("{:04}  {:7}  frames {} to {}\n", i,
+                          whole   ? "done"
+                          : waits ? "queued"
+                                  : "missing",
+                          frames.front(), frames.back()));
   }
-  printText(fmt::format("{} pieces: {} done, states {}\n", plan.pieces.size(), drawn,
-                        batch::isSimulated(plan) ? "there" : "missing"));
+  const char* const states = batch::isSimulated(plan)   ? "there"
+                             : queue.has("simulate", 0) ? "under way"
+                                                        : "missing";
+  printText(fmt::format("{} pieces: {} done{}, states {}\n", plan.pieces.size(), drawn,
+                        queued > 0 ? fmt::format(", {} queued or being drawn", queued) : "", states));
+  constexpr int underWay = 7;
+  if (drawn + queued == plan.pieces.size() && !queue.empty()) return setExitCode(underWay);
   if (drawn < plan.pieces.size()) setExitCode(static_cast<int>(ExitCode::baselineMissing));
 }
 
 /// The simulation, the pieces that begin with its states, and their join, each after the one before.
 void submitPieces(const batch::PiecePlan& plan, const PiecesRequest& request) {
-  batch::Slurm slurm = request.cluster.cluster(plan.folder / "slurm");
+  batch::Slurm slurm = request.cluster.cluster(slurmFolder(plan));
+  // Who draws what it has already would only find the piece taken.
+  if (!batch::SlurmQueue(slurmFolder(plan)).empty())
+    fail(ExitCode::usage,
+         "{}: the cluster still has jobs of these pieces; wait for them or end them (scancel)",
+         plan.folder.string());
   if (request.on.deviceCount() > 1)
     fail(ExitCode::usage, "--device {}: with --slurm the cluster gives each job its device",
          request.on.device);

@@ -83,7 +83,12 @@ class OnCluster(Case):
         sweep = ("sweep", "dish.json", "--vary", "objects.dish.grayScott.feed=0.02:0.055:0.005", "--vary",
                  "objects.dish.grayScott.kill=0.055,0.06,0.065", "-o", "sweep/", "--slurm", "--scratch",
                  f"{self.place}/scratch/$SLURMD_NODENAME")
-        self.assertIn("24 jobs submitted as ", self.simreel(0, *sweep))
+        self.assertIn("24 jobs submitted as ", self.simreel(0, *sweep, "--sbatch", "--hold"))
+        self.assertIn("24 jobs: 0 done, 24 queued", self.simreel(7, "sweep", "status", "sweep"))
+        self.assertIn("24 of 24 jobs are queued already", self.simreel(0, "sweep", "retry", "sweep", "--slurm"))
+        held = sorted(job for job, *_ in self.queue())
+        self.assertEqual(len(held), 24)
+        self.cluster.call("scontrol", "release", ",".join(sorted({job.partition("_")[0] for job in held})))
         self.wait_for(lambda: not self.queue())
         if full:
             told = self.simreel(1, "sweep", "status", "sweep")
@@ -144,7 +149,10 @@ class OnCluster(Case):
     def test_pieces_a_requeue_and_a_node_that_dies(self):
         self.write("flag.json", FLAG)
         self.good("render", "flag.json", "-o", "whole/", env={"LP_NUM_THREADS": "2"})
-        self.simreel(0, "render", "flag.json", "-o", "out/", "--pieces", "6", "--slurm")
+        pieces = ("render", "flag.json", "-o", "out/", "--pieces", "6", "--slurm")
+        self.simreel(0, *pieces)
+        self.assertIn("0 done, 6 queued or being drawn, states under way", self.simreel(7, "pieces", "status", "out/pieces"))
+        self.assertIn("the cluster still has jobs of these pieces", self.simreel(2, *pieces, "--resume"))
         # A node dies with what it does: Slurm finds out, and starts that elsewhere.
         piece, process, job = self.catch_one("n3")
         step = parent(process)

@@ -3,15 +3,15 @@
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "base/process.hpp"
+#include "batch/slurm/ask.hpp"
+#include "batch/slurm/queue.hpp"
 
+#include <algorithm>
 #include <cctype>
 #include <cerrno>
 #include <charconv>
-#include <cstring>
 #include <optional>
 #include <string_view>
-#include <sys/wait.h>
-#include <unistd.h>
 #include <utility>
 
 namespace simreel::batch {
@@ -19,35 +19,6 @@ namespace simreel::batch {
 namespace {
 
 namespace fs = std::filesystem;
-
-struct Answer {
-  int error = 0;  ///< errno where it could not be started
-  int status = 0;
-  std::string output, messages;
-};
-
-Answer ask(const std::vector<std::string>& words) {
-  Answer answer;
-  const int output = makeMemoryFile("simreel-output"), messages = makeMemoryFile("simreel-messages");
-  pid_t child = -1;
-  answer.error = output < 0 || messages < 0
-                     ? errno
-                     : startProcess(words, {.input = -1, .output = output, .messages = messages}, child);
-  if (answer.error == 0) {
-    while (::waitpid(child, &answer.status, 0) < 0 && errno == EINTR) {
-    }
-    childEnded(child);
-    answer.output = endOfMemoryFile(output);
-    answer.messages = endOfMemoryFile(messages);
-  }
-  for (const int descriptor : {output, messages})
-    if (descriptor >= 0) ::close(descriptor);
-  return answer;
-}
-
-std::string firstLine(const std::string& text) {
-  return text.substr(0, text.find('\n'));
-}
 
 /// The number after "MaxArraySize = "; Slurm's own default where none is told.
 std::size_t maxArraySizeOf(const std::string& config) {
@@ -128,9 +99,7 @@ Slurm::Slurm(const fs::path& folder, std::vector<std::string> more)
     fail(ExitCode::usage,
          "--slurm: there is no scontrol here; use it on a machine that submits to a Slurm cluster, or run "
          "the plan in another way (--plan-only)");
-  if (config.error != 0 || config.status != 0)
-    fail(ExitCode::inputOutput, "--slurm: the cluster does not answer: {}",
-         config.error != 0 ? std::strerror(config.error) : firstLine(config.messages));
+  if (!config.fine()) fail(ExitCode::inputOutput, "--slurm: the cluster does not answer: {}", config.why());
   maxArraySize_ = maxArraySizeOf(config.output);
 }
 
@@ -170,11 +139,12 @@ std::string Slurm::submitOne(const Work& work, const std::string& array, std::si
   words.insert(words.end(), more_.begin(), more_.end());
   words.push_back(script.string());
   const Answer answer = ask(words);
-  if (answer.error != 0 || answer.status != 0)
-    fail(ExitCode::inputOutput, "sbatch did not take {}: {}", script.string(),
-         answer.error != 0 ? std::strerror(answer.error) : firstLine(answer.messages));
-  const std::string id = firstLine(answer.output);
-  return id.substr(0, id.find(';'));  // a cluster's name may follow
+  if (!answer.fine())
+    fail(ExitCode::inputOutput, "sbatch did not take {}: {}", script.string(), answer.why());
+  std::string id = firstLine(answer.output);
+  id.resize(std::min(id.size(), id.find(';')));  // a cluster's name may follow
+  noteSubmitted(folder_, {work.name, id, offset});
+  return id;
 }
 
 }  // namespace simreel::batch

@@ -195,6 +195,8 @@ const char* stateName(JobState state) {
   switch (state) {
     case JobState::missing:
       return "missing";
+    case JobState::queued:
+      return "queued";
     case JobState::running:
       return "running";
     case JobState::aborted:

@@ -14,6 +14,7 @@ namespace simreel::batch {
 /// Where a job of a sweep is.
 enum class JobState {
   missing,  ///< nobody has begun it
+  queued,   ///< nobody is at it, and a cluster still has it
   running,  ///< some process has its folder
   aborted,  ///< begun, and nobody is at it any more: it goes on from its checkpoint
   failed,   ///< ended with an error

@@ -47,6 +47,9 @@ void SweepTally::add(const JobStatus& status) {
     case JobState::missing:
       ++missing;
       break;
+    case JobState::queued:
+      ++queued;
+      break;
     case JobState::running:
       ++running;
       break;
@@ -66,15 +69,18 @@ void SweepTally::add(const JobStatus& status) {
 std::string SweepTally::text() const {
   std::string text = fmt::format("{} job{}: {} done", jobs(), jobs() == 1 ? "" : "s", done);
   if (checksFailed > 0) text += fmt::format(" ({} with failed checks)", checksFailed);
-  for (const auto& [count, word] :
-       {std::pair(failed, "failed"), {aborted, "aborted"}, {running, "running"}, {missing, "missing"}})
+  for (const auto& [count, word] : {std::pair(failed, "failed"),
+                                    {aborted, "aborted"},
+                                    {running, "running"},
+                                    {queued, "queued"},
+                                    {missing, "missing"}})
     if (count > 0) text += fmt::format(", {} {}", count, word);
   return text;
 }
 
 int SweepTally::exitCode() const {
   if (failed + checksFailed > 0) return failedCode;
-  if (aborted + running > 0) return abortedCode;
+  if (aborted + running + queued > 0) return abortedCode;
   return missing > 0 ? missingCode : 0;
 }
 

@@ -12,15 +12,15 @@ namespace simreel::batch {
 
 /// How many jobs of a sweep are where.
 struct SweepTally {
-  std::size_t done = 0, failed = 0, aborted = 0, running = 0, missing = 0;
+  std::size_t done = 0, failed = 0, aborted = 0, running = 0, queued = 0, missing = 0;
   std::size_t checksFailed = 0;  ///< of those done
 
   void add(const JobStatus& status);
-  [[nodiscard]] std::size_t jobs() const { return done + failed + aborted + running + missing; }
+  [[nodiscard]] std::size_t jobs() const { return done + failed + aborted + running + queued + missing; }
   /// "24 jobs: 20 done (1 with failed checks), 3 failed, 1 missing".
   [[nodiscard]] std::string text() const;
-  /// 1: one failed, or a check did; 7: one was begun and is not done; 3: one is missing; 0: all are done.
-  /// The first of these that holds.
+  /// 1: one failed, or a check did; 7: one was begun or is queued and is not done; 3: one is missing; 0:
+  /// all are done. The first of these that holds.
   [[nodiscard]] int exitCode() const;
 };
 

@@ -8,6 +8,7 @@
 #include "batch/collect/sweep_tables.hpp"
 #include "batch/plan/sweep_plan.hpp"
 #include "batch/render/scratch.hpp"
+#include "batch/slurm/queue.hpp"
 #include "batch/sweep/sweep_job.hpp"
 #include "batch/sweep/sweep_run.hpp"
 #include "cli/commands.hpp"
@@ -48,9 +49,25 @@ batch::SweepTally tallyOf(const batch::CollectedSweep& sweep) {
   return tally;
 }
 
+fs::path slurmFolder(const batch::SweepPlan& plan) {
+  return plan.folder / "slurm";
+}
+constexpr const char* slurmWork = "sweep";
+
+/// Of what nobody is at the cluster may still have something.
+batch::JobState stateIn(const batch::SlurmQueue& queue, std::size_t job, batch::JobState state) {
+  const bool idle = state == batch::JobState::missing || state == batch::JobState::aborted;
+  return idle && queue.has(slurmWork, job) ? batch::JobState::queued : state;
+}
+
 /// A line for each job that is not well, and the sum.
 void status(const FollowerOptions& o) {
-  const auto sweep = batch::collect(batch::readSweepPlan(o.folder));
+  const batch::SweepPlan plan = batch::readSweepPlan(o.folder);
+  // Before the jobs, which may begin in between.
+  const batch::SlurmQueue queue(slurmFolder(plan));
+  auto sweep = batch::collect(plan);
+  for (std::size_t i = 0; i < sweep.jobs.size(); ++i)
+    sweep.jobs[i].state = stateIn(queue, i, sweep.jobs[i].state);
   for (std::size_t i = 0; i < sweep.jobs.size(); ++i) {
     const batch::JobStatus& job = sweep.jobs[i];
     if (job.state == batch::JobState::done && job.result->checksPassed()) continue;
@@ -147,9 +164,9 @@ namespace {
 /// The jobs as arrays of a cluster, which runs `simreel sweep job` for each.
 void submitSweep(const batch::SweepPlan& plan, const std::vector<std::size_t>& jobs,
                  const SweepRunOptions& how) {
-  batch::Slurm slurm = how.cluster.cluster(plan.folder / "slurm");
+  batch::Slurm slurm = how.cluster.cluster(slurmFolder(plan));
   if (jobs.empty()) return;
-  batch::Slurm::Work work{.name = "sweep", .arguments = {"sweep", "job"}, .numbers = jobs};
+  batch::Slurm::Work work{.name = slurmWork, .arguments = {"sweep", "job"}, .numbers = jobs};
   const std::string folder = fs::absolute(plan.folder).lexically_normal().string();
   work.however = true;  // jobs can do without what they share
   if (how.on.deviceCount() > 1)
@@ -171,12 +188,19 @@ void runSweep(const batch::SweepPlan& plan, const std::vector<std::size_t>& jobs
               const SweepRunOptions& how) {
   batch::checkProgram(plan);
   std::vector<std::size_t> waiting;
+  std::size_t queued = 0;
+  // What the cluster has already it is not given again; here it may be made meanwhile.
+  const batch::SlurmQueue queue(how.cluster.slurm ? slurmFolder(plan) : fs::path());
   for (const std::size_t number : jobs) {
-    const auto state = batch::statusOf(plan, number).state;
-    if (state != batch::JobState::done && state != batch::JobState::running) waiting.push_back(number);
+    const auto state = stateIn(queue, number, batch::statusOf(plan, number).state);
+    if (state == batch::JobState::queued)
+      ++queued;
+    else if (state != batch::JobState::done && state != batch::JobState::running)
+      waiting.push_back(number);
   }
-  if (waiting.size() < jobs.size())
-    info("{} of {} jobs are done or being rendered", jobs.size() - waiting.size(), jobs.size());
+  if (waiting.size() + queued < jobs.size())
+    info("{} of {} jobs are done or being rendered", jobs.size() - waiting.size() - queued, jobs.size());
+  if (queued > 0) info("{} of {} jobs are queued already", queued, jobs.size());
   if (how.cluster.slurm) return submitSweep(plan, waiting, how);
   batch::LocalRun local;
   local.workers = jobCount(how.jobs, how.on);
@@ -203,7 +227,8 @@ void addSweepFollowers(CLI::App& sweep) {
     return command;
   };
   add("status",
-      "What has become of each job; exit code 0: all is well, 1: one failed, 7: one is under way, 3: "
+      "What has become of each job; exit code 0: all is well, 1: one failed, 7: one is under way or "
+      "queued, 3: "
       "missing",
       status);
   o->run.add(*add("retry", "Run what failed, was aborted or is missing", retry));

@@ -30,6 +30,26 @@ class Sweep(Case):
     def result(self, job):
         return json.loads((self.folder / f"sw/jobs/{job:04}/result.json").read_text())
 
+    def test_what_a_cluster_still_has(self):
+        """By a squeue of ours: a plan of several submissions, one with an offset; jobs of others; no answer."""
+        self.good("sweep", "dish.json", "--vary", f"{FEED}=0.02:0.04:0.01", "-o", "sw/", "--plan-only")
+        self.write("sw/slurm/submitted.txt", "shared 11 0\nsweep 12 0\nsweep 13 2\n")
+        self.write("bin/squeue", "#!/bin/sh\nprintf '%s\\n' 11 12_1 13_0 12_7 14_0 112_0 12_x\n")
+        (self.folder / "bin/squeue").chmod(0o755)
+        path = {"PATH": f"{self.folder}/bin:{os.environ['PATH']}"}
+        done = self.run_program("sweep", "status", "sw", env=path)
+        self.assertEqual((done.returncode, done.stdout.decode().splitlines()), (7, [
+            "0000  missing  feed=0.02", "0001  queued   feed=0.03", "0002  queued   feed=0.04", "3 jobs: 0 done, 2 queued, 1 missing"]))
+        self.good("sweep", "job", "sw", "1", "0")
+        done = self.run_program("sweep", "status", "sw", env=path)
+        self.assertEqual((done.returncode, done.stdout.decode().splitlines()[-1]), (7, "3 jobs: 2 done, 1 queued"))
+        done = self.run_program("sweep", "status", "sw", env={"PATH": "/nowhere"})
+        self.assertEqual((done.returncode, done.stdout.decode().splitlines()[-1]), (3, "3 jobs: 2 done, 1 missing"))
+        self.assertIn("squeue does not answer (No such file or directory)", done.err)
+        # Nobody waits for the cluster who makes it here.
+        self.good("sweep", "retry", "sw", env=path)
+        self.assertEqual(self.status(0), ["3 jobs: 3 done"])
+
     def test_from_plan_to_page(self):
         vary = ("--vary", f"{FEED}=0.02:0.04:0.01", "--vary", f"{KILL}=0.055,0.06")
         self.good("sweep", "dish.json", *vary, "-o", "sw/", "--plan-only")
