@@ -261,6 +261,7 @@ class Employer {
       case Word::ready:
         worker.ready = true;
         if (!std::exchange(everReady_, true)) force_.ready(text);
+        tellUnready();
         break;
       case Word::answer:
         if (!worker.item || *worker.item != head.item) break;
@@ -302,10 +303,18 @@ class Employer {
       firstFailure_ = worker.failure;
       firstMistake_ = worker.mistake;
     }
-    if (!worker.ready && everReady_) warn("one process less to work in: it {}", worker.failure);
+    if (!worker.ready) unready_.push_back(worker.failure);
+    tellUnready();
     if (worker.item) lose(*worker.item, {worker.failure, worker.late});
     const bool more = std::find(begun_.begin(), begun_.end(), false) != begun_.end();
     if (worker.ready && !wellDone && more) static_cast<void>(start());
+  }
+
+  /// Of processes that could not begin, once another could: else that is the mistake of it all.
+  void tellUnready() {
+    if (!everReady_) return;
+    for (const std::string& failure : unready_) warn("one process less to work in: it {}", failure);
+    unready_.clear();
   }
 
   void lose(std::size_t item, Loss&& loss) {
@@ -339,6 +348,7 @@ class Employer {
   std::map<std::size_t, End> waiting_;
   std::size_t handedOn_ = 0;
   bool everReady_ = false;
+  std::vector<std::string> unready_;  ///< what they said, not yet told
   std::string firstFailure_;
   std::optional<ExitCode> firstMistake_;
 };

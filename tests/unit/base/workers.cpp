@@ -1,6 +1,7 @@
 #include "base/workers.hpp"
 
 #include "base/error.hpp"
+#include "base/process.hpp"
 
 #include <algorithm>
 #include <csignal>
@@ -157,6 +158,27 @@ TEST_CASE("workers: what keeps all of them from working is thrown") {
   CHECK_THROWS_WITH_AS(employ(refused),
                        "the process that was to do the work was ended by signal 9 (Killed)", UserError);
   CHECK(heard.said.empty());
+}
+
+TEST_CASE("workers: of one that cannot begin is told, whether another had begun before or does later") {
+  for (const unsigned later : {0U, 1U}) {
+    Heard heard;
+    WorkForce some = force(2, 3, heard);
+    const auto work = some.work;
+    some.work = [&](WorkerLine& line) {
+      ::usleep(line.place() == later ? 60'000 : 0);
+      if (line.place() == 1) fail(ExitCode::device, "no brush");
+      work(line);
+    };
+    const int screen = ::dup(2), said = makeMemoryFile("said");
+    ::dup2(said, 2);
+    employ(some);
+    ::dup2(screen, 2);
+    ::close(screen);
+    CHECK(endOfMemoryFile(said) == "simreel: warning: one process less to work in: it no brush\n");
+    ::close(said);
+    CHECK(heard.said.size() == 3);
+  }
 }
 
 TEST_CASE("workers: what is to be alone is, and in order") {
