@@ -104,7 +104,7 @@ void frameObjects(Scene& scene, const std::vector<Box>& boxes) {
   Camera& camera = scene.camera;
   if (camera.placed || boxes.empty()) return;
   constexpr float stageLens = 26.0F;  // degrees
-  if (scene.staged && !camera.hasLens) camera.fieldOfView = stageLens;
+  if (scene.staged && !camera.hasAngle) camera.fieldOfView = stageLens;
   // Shares of the picture's half height and width that may be taken.
   const float taken = scene.staged ? 0.8F : 0.92F;
   const Box box = boxAround(boxes);

@@ -86,6 +86,16 @@ struct Follow : PathPlace {
   void describe(Fields& fields);
 };
 
+/// A camera's lens: what does not lie at the distance that it is focused on is blurred.
+struct Lens {
+  Animated<float> fNumber = 2.8F;  ///< focal length / diameter of the opening, for a picture 24 mm high
+  Animated<float> focus = 1.0F;    ///< m along the line of sight
+  bool focused = false;            ///< whether the scene says so; else it is what the camera looks at
+  int blades = 0;                  ///< sides of the opening; 0: it is round
+  int samples = 32;                ///< points of the opening through which each picture is drawn
+  void describe(Fields& fields);
+};
+
 struct Camera {
   Animated<glm::vec3> position = glm::vec3(0, 1.5F, 6);
   Animated<glm::vec3> target = glm::vec3(0, 0, 0);
@@ -94,7 +104,9 @@ struct Camera {
   bool follows = false;
   Follow follow;         ///< instead of position and target
   bool placed = false;   ///< whether the scene says where it stands or what it looks at
-  bool hasLens = false;  ///< whether the scene gives its field of view
+  bool hasAngle = false;  ///< whether the scene gives its field of view
+  bool hasLens = false;   ///< else all is sharp
+  Lens lens;
   float near = 0.05F;
   float far = 200.0F;
   void describe(Fields& fields);

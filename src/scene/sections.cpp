@@ -118,6 +118,26 @@ void Follow::describe(Fields& fields) {
   fields.number("ahead", ahead, positive, "m", "How far ahead on the path it looks.");
 }
 
+void Lens::describe(Fields& fields) {
+  fields.number(
+      "fNumber", fNumber, {0.01, 1000}, "",
+      "Focal length over the diameter of the opening; the smaller, the more is blurred. The focal "
+      "length is that of a picture 24 mm high: 33 mm at 40 degrees.");
+  fields.number("focus", focus, {0.001, 1e6}, "m",
+                "Distance along the line of sight at which all is sharp.");
+  fields.leftOut("focus", "the distance of the target");
+  focused = fields.given("focus");
+  fields.integer("blades", blades, {0, 16}, "", "Sides of the opening, 3 or more; 0: it is round.");
+  fields.integer(
+      "samples", samples, {2, 1024}, "",
+      "Points of the opening: so many times each picture is drawn. Too few show as copies beside "
+      "each other where the blur is wide.");
+  if (blades == 1 || blades == 2)
+    fields.error(
+        "blades",
+        fmt::format("an opening of {} blades is none; give 0 for a round one, or 3 to 16", blades));
+}
+
 void Camera::describe(Fields& fields) {
   fields.vector("position", position, anyNumber, "m", "Where the camera stands.");
   fields.leftOut("position",
@@ -130,7 +150,12 @@ void Camera::describe(Fields& fields) {
   fields.number("roll", roll, anyNumber, "degrees", "Turn about the line of sight.");
   fields.optionalGroup("follow", follows, "Goes along a path that an object has found.",
                        [&](Fields& f) { follow.describe(f); });
-  hasLens = fields.given("fieldOfView");
+  fields.switchable("lens");
+  fields.optionalGroup("lens", hasLens,
+                       "Depth of field: what is nearer or farther than the focus is blurred. The driver's "
+                       "rasterizer has none.",
+                       [&](Fields& f) { lens.describe(f); });
+  hasAngle = fields.given("fieldOfView");
   placed = follows || fields.given("position") || fields.given("target");
   for (const char* name : {"position", "target"})
     if (follows && fields.given(name))

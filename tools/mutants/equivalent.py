@@ -5,6 +5,10 @@ EQUIVALENT = {
     ("draw/half.glsl",
      "return vec2(abs(held.x) < 6.2e-5 ? 0.0 : held.x, abs(held.y) <= 6.2e-5 ? 0.0 : held.y);"):
         "no half float is 6.2e-5",
+    ("collide/distance/model.glsl", "float left = boxSquared(p, loadBox(2 * child), loadBox(1 * child + 1));"):
+        "where the search begins: all that is nearer is found all the same",
+    ("collide/distance/model.glsl", "int box = 0;"): "where the search begins: all that is nearer is found all the same",
+    ("collide/distance/model.glsl", "s.squared = 1.01e+30f;"): "no face is farther than 1e15 m",
     ("draw/overlay/chart_shading.glsl", "(p.y >= plotSize.y && p.y < foot && p.x >= -unit && p.x <= plotSize.x);"):
         "the plot's sides are whole, middles of pixels are not",
     ("draw/overlay/chart_shading.glsl", "bool within = p.x >= 0.0f && p.y >= 0.0f && p.x <= size.x && p.y < size.y;"):

@@ -8,18 +8,23 @@
 
 namespace simreel::draw {
 
-shader::ExactView exactView(const View& view, const scene::Camera& camera, glm::ivec2 size) {
+shader::ExactView exactView(const View& view, const scene::Camera& camera, glm::ivec2 size,
+                            const LensPoint& through) {
   // A place p has the depth d = f . (p - e); on the picture it is half the width to the right of the middle
   // where r . (p - e) = d reach.x. So its pixel times d is linear in p - e.
   const glm::vec2 half = 0.5F * glm::vec2(size);
   const glm::vec3 across = view.right / (view.reach.x * view.reach.x);
   const glm::vec3 up = view.up / (view.reach.y * view.reach.y);
+  // From an eye that is moved by o, a place at the distance of the focus is where it was if rays turn by -o
+  // / focus.
+  const glm::vec3 turned = through.aside / through.focus;
+  const float right = glm::dot(across, turned), above = glm::dot(up, turned);
   shader::ExactView exact{};
-  exact.eye = glm::vec4(view.eye, 0);
-  exact.across = glm::vec4(half.x * (across + view.forward), 0);
-  exact.down = glm::vec4(half.y * (view.forward - up), 0);
+  exact.eye = glm::vec4(view.eye + through.aside, 0);
+  exact.across = glm::vec4(half.x * (across + (1 + right) * view.forward), 0);
+  exact.down = glm::vec4(half.y * ((1 - above) * view.forward - up), 0);
   exact.forward = glm::vec4(view.forward, 0);
-  exact.ray = glm::vec4(view.forward - view.right + view.up, 0);
+  exact.ray = glm::vec4((view.forward - turned) - view.right + view.up, 0);
   exact.rayAcross = glm::vec4(view.right / half.x, 0);
   exact.rayDown = glm::vec4(view.up / -half.y, 0);
   exact.size = size;

@@ -1,5 +1,6 @@
 #pragma once
 #include "draw/camera.hpp"
+#include "draw/lens.hpp"
 #include "glsl/common/cpp.hpp"
 
 namespace simreel::shader {
@@ -10,8 +11,10 @@ namespace simreel::shader {
 
 namespace simreel::draw {
 
-/// How the exact rasterizer sees the scene from there: the same bits on every machine.
-[[nodiscard]] shader::ExactView exactView(const View& view, const scene::Camera& camera, glm::ivec2 size);
+/// How the exact rasterizer sees the scene from there, through a point of the lens: the same bits on every
+/// machine.
+[[nodiscard]] shader::ExactView exactView(const View& view, const scene::Camera& camera, glm::ivec2 size,
+                                          const LensPoint& through = {});
 
 /// From which row of the band to before which one rays may meet a ground of that height (m); rows count
 /// from the band's first, in whole multiples of `step`.

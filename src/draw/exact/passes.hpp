@@ -27,7 +27,8 @@ inline constexpr std::array<const char*, 6> passNames = {"visibility", "shadow",
 /// What a pass left, or a part of it: rows from the top.
 struct PassArray {
   std::string pass;
-  std::string part;    ///< "keys", "numbers"; "sun", "lamps"; "glows", "fields"; "film", "finished"
+  std::string part;    ///< "keys", "numbers"; "sun", "lamps"; "lens", the mean of all its points; "glows",
+                       ///< "fields"; "film", "finished"
   int width = 0;       ///< pixels; texels of a map or of what is scattered
   int height = 0;      ///< the same
   int each = 1;        ///< words of a pixel: one a sample, or RGBA of light

@@ -33,7 +33,7 @@ class Renderer {
 
   /// Called when the commands of a stage have been issued; stages that have nothing to do are left out. A
   /// stage may come in parts. Names: "shadow", "visibility", "surfaces", "instances", "ground",
-  /// "bloom", "tone map".
+  /// "lens", "bloom", "tone map".
   using StageWatch = std::function<void(const char* stage)>;
   /// Issues the commands for the frame at `seconds` (of scene time); does not wait.
   void draw(double seconds, const sim::Drawables& drawables, const StageWatch& watch = {});

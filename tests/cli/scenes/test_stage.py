@@ -1,11 +1,20 @@
-"""Scenes of one line stand on a stage: their pictures, against baselines beside them."""
+"""Scenes of one line stand on a stage, a lens: their pictures, against baselines beside them."""
 from common import SOURCE, Case, main
 
 
 class Stage(Case):
     def test_pictures_of_scenes_of_one_line(self):
         done = self.good("test", str(SOURCE / "tests/cli/scenes/stage"))
-        self.assertIn("4 scenes: 4 passed", done.stdout.decode())
+        self.assertIn("5 scenes: 5 passed", done.stdout.decode())
+
+
+    def test_what_the_driver_cannot_do_is_said(self):
+        self.write("ball.json", {"version": 1, "camera": {"lens": {"samples": 4}}, "objects": {"ball": {"sphere": {}}}})
+        small = ("render", "ball.json", "--frames", "0", "--size", "32x18")
+        self.assertIn("camera.lens: the driver's rasterizer draws all of the picture sharp",
+                      self.good(*small, "-o", "a/", "--rasterizer", "driver").err)
+        self.assertEqual(self.good(*small, "-o", "b/", "-q").err, "")
+        self.bad_scene(["-D camera.lens.blades=2: error: an opening of 2 blades is none", "3 to 16"], *small, "-o", "c/", "-D", "camera.lens.blades=2")
 
 
 if __name__ == "__main__":

@@ -6,6 +6,7 @@
 #include "sim/world/world.hpp"
 
 #include <bit>
+#include <cmath>
 #include <cstdint>
 #include <string>
 
@@ -15,6 +16,21 @@
 using namespace simreel;
 
 namespace {
+
+/// What a world shows of its fluid, cell by cell.
+std::vector<glm::vec4> shownBy(const sim::World& world) {
+  const sim::Field field = world.drawables().fields.at(0);
+  GLint buffer = 0;
+  glGetTextureLevelParameteriv(field.words->name(), 0, GL_TEXTURE_BUFFER_DATA_STORE_BINDING, &buffer);
+  std::vector<glm::vec4> cells;
+  for (int y = 0; y < field.size.y; ++y)
+    for (int x = 0; x < field.size.x; ++x) {
+      glm::vec4& cell = cells.emplace_back();
+      const GLintptr word = field.firstWord + GLintptr{field.rowWords} * y + GLintptr{field.cellWords} * x;
+      glGetNamedBufferSubData(static_cast<GLuint>(buffer), 4 * word, sizeof cell, &cell);
+    }
+  return cells;
+}
 
 void checkTracers(const std::string& sides) {
   testContext();
@@ -62,6 +78,41 @@ void checkTracers(const std::string& sides) {
 }
 
 }  // namespace
+
+// over = color + (under - color) exp(-trail brightness / 4096)
+TEST_CASE("tracers: streaks lie over what is shown, cell by cell") {
+  testContext();
+  const auto worldOf = [](const std::string& more) {
+    return scene::parseScene(fmt::format(R"({{"version": 1, "seed": 9, "objects": {{"it": {{"fluid": {{
+      "size": [45, 29], "speed": 200, "flow": [40, 9, 0], "sides": {{"left": {{"kind": "inflow", "velocity": [40, 0, 0]}}, "right": "open"}},
+      "display": {{"layer": "over"}}, {} "strokes": [{{"from": [9, 14, 0], "radius": 4, "color": [0.7, 0.2, 0.1]}}]}}}}}}}})",
+                                         more),
+                             "test.json", {}, sim::kinds());
+  };
+  const auto
+      plain = worldOf(""),
+      streaked = worldOf(
+          R"("tracers": {"count": 300, "seconds": 0.4, "streak": 0.1, "color": [0.9, 0.5, 0.3], "brightness": 3},)");
+  sim::World without(plain), with(streaked);
+  without.advanceTo(5);
+  with.advanceTo(5);
+  gl::barrier();
+  const auto under = shownBy(without), over = shownBy(with);
+  const auto trail = with.object(0).state().at(3).buffer->readAll<std::uint32_t>();
+  REQUIRE(over.size() == 45 * 29);
+  const glm::dvec3 color(0.9F, 0.5F, 0.3F);
+  int drawn = 0, empty = 0;
+  for (std::size_t i = 0; i < over.size(); ++i) {
+    (trail[i] > 0 ? drawn : empty) += 1;
+    const double through = std::exp(-3.0 / 4096 * trail[i]);
+    const glm::dvec3 expected = color + (glm::dvec3(under[i]) - color) * through;
+    for (int c = 0; c < 3; ++c)
+      CHECK(static_cast<double>(over[i][c]) == doctest::Approx(expected[c]).epsilon(1e-5).scale(1));
+    CHECK(over[i].w == under[i].w);
+  }
+  CHECK(drawn > 100);
+  CHECK(empty > 100);
+}
 
 TEST_CASE("tracers: those of a channel equal their CPU twin") {
   checkTracers(R"("left": {"kind": "inflow", "velocity": [40, 0, 0]}, "right": "open")");

@@ -71,6 +71,8 @@ struct ExactScene::State {
   }
   void drawShadows(const sim::Drawables& drawables);
   void drawBand(const sim::Drawables& drawables, const shader::ExactView& values, const Watch& watch);
+  void drawThrough(const sim::Drawables& drawables, shader::ExactView values, const Watch& watch);
+  void addThrough(std::size_t point, std::size_t points);
   void gather();
   void shadeAll();
   void keepVisibility(glm::ivec2 rows) const;
@@ -96,9 +98,10 @@ struct ExactScene::State {
   SurfaceShading surfaces;
   ExactInstances instances;
   Bloom bloom;
-  gl::Program litGround, shadedGround, picture;
+  gl::Program litGround, shadedGround, lensSum, picture;
   PassPicture* passes = nullptr;  ///< where they are kept
   gl::Texture sums;               ///< light of each pixel, and in alpha how much of it is covered
+  gl::Texture total;              ///< of points of the lens so far, if there are several
 };
 
 ExactScene::State::State(const scene::Scene& shown, glm::ivec2 pixels, int count, int rows)
@@ -120,6 +123,10 @@ ExactScene::State::State(const scene::Scene& shown, glm::ivec2 pixels, int count
       bloom(shown.render.bloom, pixels),
       picture(gl::Program::compute("draw/exact/screen/picture.comp", pictureDefines())),
       sums(gl::Texture::image("light", GL_RGBA32F, pixels.x, pixels.y)) {
+  if (shown.camera.hasLens) {
+    lensSum = gl::Program::compute("draw/exact/screen/lens_sum.comp", {});
+    total = gl::Texture::image("light through the lens", GL_RGBA32F, pixels.x, pixels.y);
+  }
   if (shadow.on()) {
     map.emplace("the shadow map", shadow.size(), 1, false);
     casters.emplace(TriangleRaster::Into::sunMap, 1);
@@ -237,6 +244,29 @@ void ExactScene::State::drawBand(const sim::Drawables& drawables, const shader::
   if (watch && ExactInstances::anyAdd(drawables)) watch("instances");
 }
 
+/// The light of the picture as it is seen through a point of the lens.
+void ExactScene::State::drawThrough(const sim::Drawables& drawables, shader::ExactView values,
+                                    const Watch& watch) {
+  constexpr std::array<GLfloat, 4> none = {0, 0, 0, 0};
+  if (!ShadedTiles::emptiesLight()) glClearTexImage(sums.name(), 0, GL_RGBA, GL_FLOAT, none.data());
+  for (int row = 0; row < size.y; row += bandRows) {
+    values.rows = {row, std::min(row + bandRows, size.y)};
+    view.write(0, std::as_bytes(std::span(&values, 1)));
+    drawBand(drawables, values, watch);
+  }
+  glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
+}
+
+void ExactScene::State::addThrough(std::size_t point, std::size_t points) {
+  sums.bindImage(sumImage, GL_READ_WRITE);
+  total.bindImage(lightImage, GL_READ_WRITE);
+  lensSum.set("first", point == 0 ? 1 : 0);
+  lensSum.set("share", point + 1 == points ? 1.0F / static_cast<float>(points) : 0.0F);
+  lensSum.dispatch(size.x, size.y);
+  glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT |
+                  GL_TEXTURE_UPDATE_BARRIER_BIT);
+}
+
 void ExactScene::draw(double seconds, const sim::Drawables& published, const Overlays& overlays,
                       const gl::Texture& picture, const Watch& watch) {
   State& s = *state_;
@@ -247,8 +277,8 @@ void ExactScene::draw(double seconds, const sim::Drawables& published, const Ove
   const auto issued = [&](const char* stage) {
     if (watch) watch(stage);
   };
-  shader::ExactView values =
-      exactView(viewAt(s.scene.camera, seconds, s.size, drawables), s.scene.camera, s.size);
+  const View seen = viewAt(s.scene.camera, seconds, s.size, drawables);
+  const shader::ExactView values = exactView(seen, s.scene.camera, s.size);
   s.view.write(0, std::as_bytes(std::span(&values, 1)));
   s.joins = s.joined.join(drawables.surfaces);
   sim::Drawables casting = drawables;
@@ -262,14 +292,20 @@ void ExactScene::draw(double seconds, const sim::Drawables& published, const Ove
     s.drawShadows(casting);
     issued("shadow");
   }
-  constexpr std::array<GLfloat, 4> none = {0, 0, 0, 0};
-  if (!ShadedTiles::emptiesLight()) glClearTexImage(s.sums.name(), 0, GL_RGBA, GL_FLOAT, none.data());
-  for (int row = 0; row < s.size.y; row += s.bandRows) {
-    values.rows = {row, std::min(row + s.bandRows, s.size.y)};
-    s.view.write(0, std::as_bytes(std::span(&values, 1)));
-    s.drawBand(drawables, values, watch);
+  const std::vector<LensPoint> points = lensPoints(s.scene.camera, seen, seconds);
+  // Passes are kept of the first one, and of the mean.
+  PassPicture* const kept = s.passes;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    s.drawThrough(drawables, exactView(seen, s.scene.camera, s.size, points[i]), watch);
+    s.passes = nullptr;
+    if (s.scene.camera.hasLens) s.addThrough(i, points.size());
   }
-  glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
+  s.passes = kept;
+  if (s.scene.camera.hasLens) {
+    s.view.write(0, std::as_bytes(std::span(&values, 1)));  // the sky is seen through the middle
+    if (s.passes) s.passes->keepLight("light", "lens", s.sums, {0, s.size.y});
+    issued("lens");
+  }
   if (s.passes && ExactInstances::anyAdd(drawables))
     s.passes->keepLight("glow", "glows", s.sums, {0, s.size.y});
   overlays.fields.drawBehind(drawables, seconds, s.sums, true);

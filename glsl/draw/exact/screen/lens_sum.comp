@@ -1,0 +1,22 @@
+// The mean of pictures of light, one for each point of a lens, added one by one: `sums` has the next of them, and the mean
+// after the last.
+#include "common/exact.glsl"
+#include "draw/frame_block.glsl"
+#include "draw/exact/view_block.glsl"
+#include "draw/exact/bindings.glsl"
+layout(local_size_x = 8, local_size_y = 8) in;
+layout(rgba32f, binding = sumImage) restrict uniform image2D sums;
+layout(rgba32f, binding = lightImage) restrict uniform image2D total;
+uniform int first;    // 1: of the first one
+uniform float share;  // 1 / their number, of the last one; else 0
+
+void main() {
+  ivec2 at = ivec2(gl_GlobalInvocationID.xy);
+  if (at.x >= view.size.x || at.y >= view.size.y) return;
+  precise vec4 sum = min(imageLoad(sums, at), 6e4f) + (first == 1 ? vec4(0.0) : imageLoad(total, at));
+  precise vec4 mean = sum * share;
+  if (share > 0.0)
+    imageStore(sums, at, mean);
+  else
+    imageStore(total, at, sum);
+}

@@ -1,0 +1,62 @@
+#include "draw/lens.hpp"
+
+#include "base/ieee.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+
+namespace simreel::draw {
+
+namespace {
+
+constexpr double pi = 3.141592653589793;
+constexpr double pictureHeight = 0.024;  // m, of what the focal length belongs to
+
+/// Whether a place of the disc lies within the polygon.
+bool isOpen(glm::dvec2 at, int blades) {
+  if (blades == 0) return true;
+  const double side = ieee::cos(pi / blades);  // distance of the sides from the middle
+  for (int i = 0; i < blades; ++i) {
+    const double angle = pi * (2 * i + 1) / blades;
+    if (at.x * ieee::sin(angle) + at.y * ieee::cos(angle) > side) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+// A spiral by the golden angle (Vogel 1979): the i-th of n points at the radius sqrt((i + 1/2) / n). As
+// many on the disc as leave `count` in the polygon.
+std::vector<glm::vec2> openingPoints(int count, int blades) {
+  const double golden = pi * (3 - std::sqrt(5.0));
+  std::vector<glm::vec2> points;
+  for (int all = count; points.size() < static_cast<std::size_t>(count); ++all) {
+    points.clear();
+    for (int i = 0; i < all; ++i) {
+      const double radius = std::sqrt((i + 0.5) / all), angle = golden * i;
+      const glm::dvec2 at(radius * ieee::cos(angle), radius * ieee::sin(angle));
+      if (isOpen(at, blades)) points.emplace_back(at);
+    }
+  }
+  points.resize(static_cast<std::size_t>(count));
+  return points;
+}
+
+std::vector<LensPoint> lensPoints(const scene::Camera& camera, const View& view, double seconds) {
+  if (!camera.hasLens) return {LensPoint{}};
+  const scene::Lens& lens = camera.lens;
+  const float focus = lens.focused ? lens.focus.at(seconds) : glm::length(view.target - view.eye);
+  // reach.y is the tangent of half the angle of view, so the focal length is half the picture's height over
+  // that.
+  const double focal = 0.5 * pictureHeight / static_cast<double>(view.reach.y);
+  const auto radius = static_cast<float>(0.5 * focal / static_cast<double>(lens.fNumber.at(seconds)));
+  const glm::vec3 right = view.right / view.reach.x, up = view.up / view.reach.y;
+  std::vector<LensPoint> points;
+  for (const glm::vec2& at : openingPoints(lens.samples, lens.blades))
+    points.push_back({radius * (at.x * right + at.y * up), std::max(focus, camera.near)});
+  return points;
+}
+
+}  // namespace simreel::draw
