@@ -85,7 +85,7 @@ TEST_CASE("tracers: streaks lie over what is shown, cell by cell") {
   const auto worldOf = [](const std::string& more) {
     return scene::parseScene(fmt::format(R"({{"version": 1, "seed": 9, "objects": {{"it": {{"fluid": {{
       "size": [45, 29], "speed": 200, "flow": [40, 9, 0], "sides": {{"left": {{"kind": "inflow", "velocity": [40, 0, 0]}}, "right": "open"}},
-      "display": {{"layer": "over"}}, {} "strokes": [{{"from": [9, 14, 0], "radius": 4, "color": [0.7, 0.2, 0.1]}}]}}}}}}}})",
+      "display": {{"layer": "over"}}, {} "strokes": [{{"from": [9, 14, 0], "radius": 4, "dye": [0.7, 0.2, 0.1]}}]}}}}}}}})",
                                          more),
                              "test.json", {}, sim::kinds());
   };
