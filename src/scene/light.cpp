@@ -9,8 +9,22 @@ void Flicker::describe(Fields& fields) {
                 "How far the light moves about its position; its shadows move with it.");
 }
 
+void Spot::describe(Fields& fields) {
+  fields.vector("target", target, anyNumber, "m", "What the middle of the cone points at.");
+  fields.number("angle", angle, {0.1, 179}, "degrees",
+                "Of the cone, from edge to edge; beyond it there is no light.");
+  fields.number("softness", softness, {0, 1}, "",
+                "Share of the angle over which the light fades towards the edge; 0: a sharp edge.");
+}
+
 void Light::describe(Fields& fields) {
-  fields.choice("type", type, {"point"}, "point: the same light in all directions.");
+  fields.choice("type", type, {"point", "spot"},
+                "point: the same light in all directions. spot: within a cone, as \"spot\" says.");
+  bool given = false;
+  fields.optionalGroup("spot", given, "The cone of a light of type spot.",
+                       [&](Fields& inner) { spot.describe(inner); });
+  if (given && type != Type::spot)
+    fields.error("spot", "\"spot\" is for lights of \"type\": \"spot\", and this one is a point");
   fields.vector("position", position, anyNumber, "m", "Where it is.");
   fields.optionalGroup("follow", follows,
                        "By a path that an object has found; it is dark while there is none.",

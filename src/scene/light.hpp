@@ -22,11 +22,20 @@ struct Flicker {
   void describe(Fields& fields);
 };
 
+/// The cone of a spot light.
+struct Spot {
+  Animated<glm::vec3> target = glm::vec3(0, 0, 0);  ///< what its middle points at
+  Animated<float> angle = 45.0F;                    ///< degrees from edge to edge
+  Animated<float> softness = 0.2F;  ///< share of the angle over which it fades towards the edge
+  void describe(Fields& fields);
+};
+
 /// A light at a place of the scene. Fields that only one type has go into a group of that type's name.
 struct Light {
-  enum class Type { point };
+  enum class Type { point, spot };
   std::string name;
   Type type = Type::point;
+  Spot spot;  ///< of that type
   Animated<glm::vec3> position = glm::vec3(0, 1, 0);
   bool follows = false;
   PathPlace follow;  ///< instead of the position; there is no light while there is no path

@@ -102,8 +102,8 @@ struct Camera {
   Animated<float> fieldOfView = 40.0F;  ///< degrees, vertical
   Animated<float> roll = 0.0F;          ///< degrees
   bool follows = false;
-  Follow follow;         ///< instead of position and target
-  bool placed = false;   ///< whether the scene says where it stands or what it looks at
+  Follow follow;          ///< instead of position and target
+  bool placed = false;    ///< whether the scene says where it stands or what it looks at
   bool hasAngle = false;  ///< whether the scene gives its field of view
   bool hasLens = false;   ///< else all is sharp
   Lens lens;

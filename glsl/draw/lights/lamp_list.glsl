@@ -24,3 +24,6 @@ vec4 lampMaps(int i) {
 vec4 lampSampling(int i) {
   return LAMP_MEMBER(i, sampling, 3);
 }
+vec4 lampCone(int i) {
+  return LAMP_MEMBER(i, cone, 4);
+}

@@ -1,4 +1,4 @@
-// What all lamps together give a surface. LAMPS, SHADOWED_LAMPS; TRANSLUCENT: some light comes from behind.
+// What all lamps together give a surface. LAMPS, SHADOWED_LAMPS; SPOTS: some have cones; TRANSLUCENT: some light comes from behind.
 #include "draw/lights/lamp_list.glsl"
 #include "draw/lights/point_light.glsl"
 #include "draw/surface/shading.glsl"
@@ -32,6 +32,15 @@ LampLight withLamp(LampLight sum, int i, Arrival a, float fraction, vec3 normal,
   return LampLight(matt, mirror);
 }
 
+// What lamp i sends into the direction of the place.
+float sentBy(int i, Arrival a) {
+#ifdef SPOTS
+  return coneShare(a.towards, lampCone(i));
+#else
+  return 1.0f;
+#endif
+}
+
 LampLight lampLight(vec3 p, vec3 normal, vec3 view, float roughness, float translucent) {
   LampLight sum = LampLight(vec3(0), vec3(0));
   float alpha = roughAlpha(roughness);
@@ -40,13 +49,15 @@ LampLight lampLight(vec3 p, vec3 normal, vec3 view, float roughness, float trans
   for (int i = 0; i < SHADOWED_LAMPS; ++i) {
     Arrival a = arrivalAt(p, lampPlace(i), lampPower(i).w);
     ROUNDED vec3 from = p - lampPlace(i).xyz;
-    float fraction = lampFraction(i, from, normal, dotted(normal, a.towards));
+    ROUNDED float fraction = lampFraction(i, from, normal, dotted(normal, a.towards)) * sentBy(i, a);
     sum = withLamp(sum, i, a, fraction, normal, view, alpha, translucent);
   }
 #endif
 #if SHADOWED_LAMPS < LAMPS
-  for (int i = SHADOWED_LAMPS; i < LAMPS; ++i)
-    sum = withLamp(sum, i, arrivalAt(p, lampPlace(i), lampPower(i).w), 1.0f, normal, view, alpha, translucent);
+  for (int i = SHADOWED_LAMPS; i < LAMPS; ++i) {
+    Arrival a = arrivalAt(p, lampPlace(i), lampPower(i).w);
+    sum = withLamp(sum, i, a, sentBy(i, a), normal, view, alpha, translucent);
+  }
 #endif
   return sum;
 }

@@ -27,6 +27,15 @@ FUNCTION Arrival arrivalAt(vec3 p, vec4 ball, float perRadius2) {
   return arrival;
 }
 
+// What a cone lets through in the direction from the light, -towards: all of it in the middle, none beyond the edge, and in
+// between the square of a straight line in the angle's cosine. `cone`: Lamp.cone.
+FUNCTION float coneShare(vec3 towards, vec4 cone) {
+  ROUNDED float line = cone.w - dotted(towards, vec3(cone));
+  float share = clamp(line, 0.0f, 1.0f);
+  ROUNDED float squared = share * share;
+  return squared;
+}
+
 // The alpha of a GGX lobe seen by a ball instead of a point: half vectors spread by half the angle of the light, and the
 // variances of the two spreads add up. The lobe stays one of GGX, so it keeps its energy.
 FUNCTION float widenedAlpha(float alpha, float spread) {

@@ -9,9 +9,10 @@ struct STD140 Lamp {
                   // the atlas; w fraction of a map's side that 90 degrees span, the rest being margin for the filter
   vec4 sampling;  // x distance of the nearest caster (m), y texel of a map at distance 1 (m), z filter's radius (texels),
                   // w 1 / texels on a side of a map
+  vec4 cone;      // xyz times the direction from a spot light, plus w: its share, within 0 and 1, before it is squared
 };
 
-const int lampTexels = 4;  // texels of a Lamp in a buffer of vec4
+const int lampTexels = 5;  // texels of a Lamp in a buffer of vec4
 const int lampFaces = 6;   // shadow maps of a lamp
 
 #endif

@@ -1,11 +1,14 @@
 #include "draw/lights/lamp_values.hpp"
 
+#include "base/ieee.hpp"
 #include "draw/lights/flicker.hpp"
 #include "sim/core/path.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
+
+#include <glm/geometric.hpp>
 
 namespace simreel::draw {
 
@@ -31,6 +34,21 @@ void setMaps(shader::Lamp& lamp, const LampOrder& order, std::size_t i) {
   lamp.maps =
       glm::vec4(side / atlas.x, side / atlas.y, static_cast<float>(order.rows[i]) / atlas.y, inner / side);
   lamp.sampling = glm::vec4(lamp.place.w, 2.0F / inner, light.shadowSoftness, 1.0F / side);
+}
+
+/// cos(half the angle) at the edge, where the share is 0, and at where it is 1. A point light has 1
+/// everywhere.
+glm::vec4 coneOf(const scene::Light& light, glm::vec3 place, double seconds) {
+  if (light.type != scene::Light::Type::spot) return {0, 0, 0, 1};
+  constexpr double radiansPerDegree = 0.017453292519943295;
+  constexpr double least = 1e-4;  // between the two cosines
+  const double half = 0.5 * radiansPerDegree * static_cast<double>(light.spot.angle.at(seconds));
+  const double inner = half * (1 - static_cast<double>(light.spot.softness.at(seconds)));
+  const double edge = ieee::cos(half), full = std::max(ieee::cos(inner), edge + least);
+  const glm::vec3 along = light.spot.target.at(seconds) - place;
+  const glm::vec3 direction = glm::length(along) > 1e-6F ? glm::normalize(along) : glm::vec3(0, -1, 0);
+  const auto scale = static_cast<float>(1 / (full - edge));
+  return {scale * direction, static_cast<float>(-edge / (full - edge))};
 }
 
 }  // namespace
@@ -62,6 +80,7 @@ std::vector<shader::Lamp> lampValues(const LampOrder& order, int seed, double se
     shader::Lamp& lamp = lamps.emplace_back();
     lamp.place = glm::vec4(place.value_or(glm::vec3(0)) + unrest.moved, radius);
     lamp.power = glm::vec4(light.color.at(seconds) * (candela * perPi), 1.0F / (radius * radius));
+    lamp.cone = coneOf(light, glm::vec3(lamp.place), seconds);
     if (light.shadow) setMaps(lamp, order, i);
   }
   return lamps;

@@ -21,6 +21,9 @@ Lamps::Lamps(const scene::Scene& scene, Rasterizer rasterizer)
   defines_ = {{"LAMPS", std::to_string(count)},
               {"SHADOWED_LAMPS", std::to_string(order_.shadowed)},
               {"LAMP_TAPS", softest <= 2.0F ? "4" : "16"}};
+  if (std::ranges::any_of(order_.lights,
+                          [](const auto* light) { return light->type == scene::Light::Type::spot; }))
+    defines_.emplace_back("SPOTS", "1");
   shadowDefines_ = {{"LAMPS", std::to_string(order_.shadowed)}};
   if (gl::memoryPath() == gl::MemoryPath::storage)
     for (gl::Defines* defines : {&defines_, &shadowDefines_}) defines->emplace_back("LAMP_BLOCK", "1");

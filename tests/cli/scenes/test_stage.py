@@ -1,11 +1,11 @@
-"""Scenes of one line stand on a stage, a lens: their pictures, against baselines beside them."""
+"""Scenes of one line stand on a stage; a lens, spot lights: their pictures, against baselines beside them."""
 from common import SOURCE, Case, main
 
 
 class Stage(Case):
     def test_pictures_of_scenes_of_one_line(self):
         done = self.good("test", str(SOURCE / "tests/cli/scenes/stage"))
-        self.assertIn("5 scenes: 5 passed", done.stdout.decode())
+        self.assertIn("6 scenes: 6 passed", done.stdout.decode())
 
 
     def test_what_the_driver_cannot_do_is_said(self):
@@ -15,6 +15,12 @@ class Stage(Case):
                       self.good(*small, "-o", "a/", "--rasterizer", "driver").err)
         self.assertEqual(self.good(*small, "-o", "b/", "-q").err, "")
         self.bad_scene(["-D camera.lens.blades=2: error: an opening of 2 blades is none", "3 to 16"], *small, "-o", "c/", "-D", "camera.lens.blades=2")
+
+
+    def test_a_cone_is_of_a_spot(self):
+        light = {"position": [0, 2, 0], "spot": {"angle": 30}}
+        self.write("ball.json", {"version": 1, "lights": {"key": light}, "objects": {"ball": {"sphere": {}}}})
+        self.bad_scene(["\"spot\" is for lights of \"type\": \"spot\""], "render", "ball.json", "-o", "a/", "--frames", "0")
 
 
 if __name__ == "__main__":

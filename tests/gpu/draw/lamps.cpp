@@ -68,6 +68,48 @@ TEST_CASE("lights: a plane below a point has the illuminance I cos^3(theta) / h^
     }
 }
 
+TEST_CASE("lights: a spot lights what lies within its cone, and fades towards the edge") {
+  testContext();
+  for (const bool shadow : {false, true})
+    for (const float softness : {0.0F, 0.4F, 1.0F}) {
+      CAPTURE(shadow);
+      CAPTURE(softness);
+      scene::Scene scene = fromAbove();
+      scene.ground.color = glm::vec3(0.5F);
+      const glm::vec3 place(0.9F, 1.5F, -0.7F), target(-0.4F, 0.2F, 0.5F);
+      scene.lights = {lampAt(place, 6, shadow), lampAt({-3, 2, -3}, 1, !shadow)};
+      scene.lights[0].type = scene::Light::Type::spot;
+      scene.lights[0].spot.target = target;
+      scene.lights[0].spot.angle = 70.0F;
+      scene.lights[0].spot.softness = softness;
+      const Picture picture = drawn(scene, {}, {65, 65});
+      const double edge = std::cos(35 * pi / 180),
+                   full = std::cos(35 * (1 - static_cast<double>(softness)) * pi / 180);
+      int within = 0, between = 0, beyond = 0;
+      for (int y = 1; y < 65; y += 4)
+        for (int x = 2; x < 65; x += 4) {
+          const glm::dvec3 p = placeOf(x, y, 65);
+          const auto lit = [&](glm::dvec3 from, double candela) {
+            const glm::dvec3 to = from - p;
+            const double d = glm::length(to);
+            const glm::dvec3 view = glm::normalize(glm::dvec3(0, 20, 0) - p);
+            return candela * to.y / (d * d * d) / pi *
+                   (0.5 + 0.04 * lobeOf({0, 1, 0}, view, to / d, 0.9, 0.01 / d));
+          };
+          const double cosine =
+              glm::dot(glm::normalize(p - glm::dvec3(place)), glm::normalize(glm::dvec3(target - place)));
+          if (softness == 0 && std::abs(cosine - edge) < 0.03) continue;  // half a pixel
+          const double line = softness == 0 ? (cosine > edge ? 1 : 0)
+                                            : std::clamp((cosine - edge) / (full - edge), 0.0, 1.0);
+          (line == 0 ? beyond : line == 1 ? within : between) += 1;
+          const double light = lit(place, 6 * line * line) + lit({-3, 2, -3}, 1);
+          CHECK_MESSAGE(near(picture.at(x, y), filmByte({light, light, light}), 3), x, " ", y);
+        }
+      CHECK(beyond > 50);
+      CHECK((softness == 1 ? between : within) > 10);
+    }
+}
+
 TEST_CASE("lights: what mirrors shows the ball that shines, as wide as it is") {
   testContext();
   for (const float radius : {0.01F, 0.9F})
