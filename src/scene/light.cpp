@@ -31,6 +31,10 @@ void Light::describe(Fields& fields) {
                        [&](Fields& inner) { follow.describe(inner); });
   if (follows && fields.given("position"))
     fields.error("position", "\"follow\" says where the light is; leave out \"position\"");
+  if (type == Type::spot && !follows && !position.moves() && !spot.target.moves() &&
+      position.at(0) == spot.target.at(0))
+    fields.error(given ? "spot" : "position",
+                 "the light stands where its \"spot\" points at, so it shines nowhere; move \"target\"");
   fields.vector("color", color, notNegative, "", "Colour of its light, linear RGB.");
   fields.number("intensity", intensity, notNegative, "cd",
                 "Luminous intensity. 1 cd gives 1 lux at 1 m; the sun's intensity is in lux.");
