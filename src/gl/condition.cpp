@@ -26,6 +26,7 @@ void Condition::begin(GLuint commands, GLintptr offset) const {
   point_.use();
   glBindBuffer(GL_DRAW_INDIRECT_BUFFER, commands);
   glBeginQuery(GL_ANY_SAMPLES_PASSED, query_.get());
+  // NOLINTNEXTLINE(performance-no-int-to-ptr): OpenGL takes an offset for a pointer.
   glDrawArraysIndirect(GL_POINTS, reinterpret_cast<const void*>(offset));
   glEndQuery(GL_ANY_SAMPLES_PASSED);
   glBindBuffer(GL_DRAW_INDIRECT_BUFFER, 0);
