@@ -26,6 +26,10 @@ FUNCTION float powerOfTwo(float x) {
   precise float natural = x * 0.69314718f;
   return exactExp(natural);
 }
+FUNCTION float logarithmOfTwo(float x) {
+  precise float logarithm = exactLog(x) * 1.44269504f;
+  return logarithm;
+}
 #else
 #define ROUNDED
 
@@ -46,6 +50,9 @@ float inverse(float x) {
 }
 float powerOfTwo(float x) {
   return exp2(x);
+}
+float logarithmOfTwo(float x) {
+  return log2(x);
 }
 #endif
 

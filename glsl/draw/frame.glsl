@@ -21,6 +21,9 @@ struct STD140 Frame {
   vec4 lightRight;         // xyz first axis across the light
   vec4 lightUp;            // xyz second axis
   vec4 groundColor;        // rgb albedo
+  vec4 whiteRed;           // rgb what red light of 1 becomes by the white balance,
+  vec4 whiteGreen;         //     green,
+  vec4 whiteBlue;          //     and blue
   vec2 size;               // of the picture (pixels)
   float exposure;          // factor
   float vignette;

@@ -24,6 +24,9 @@ Frame frameOnce() {  // each member of Frame
   one.lightRight = once(frameBlock.lightRight);
   one.lightUp = once(frameBlock.lightUp);
   one.groundColor = once(frameBlock.groundColor);
+  one.whiteRed = once(frameBlock.whiteRed);
+  one.whiteGreen = once(frameBlock.whiteGreen);
+  one.whiteBlue = once(frameBlock.whiteBlue);
   one.size = once(frameBlock.size);
   one.exposure = once(frameBlock.exposure);
   one.vignette = once(frameBlock.vignette);

@@ -18,6 +18,9 @@ void passFrame() {
   passed.horizon = frame.horizon;
   passed.nadir = frame.nadir;
   passed.groundColor = frame.groundColor;
+  passed.whiteRed = frame.whiteRed;
+  passed.whiteGreen = frame.whiteGreen;
+  passed.whiteBlue = frame.whiteBlue;
   passed.size = frame.size;
   passed.exposure = frame.exposure;
   passed.vignette = frame.vignette;

@@ -11,6 +11,9 @@ PASSED PassedFrame {
   flat vec4 horizon;
   flat vec4 nadir;
   flat vec4 groundColor;
+  flat vec4 whiteRed;
+  flat vec4 whiteGreen;
+  flat vec4 whiteBlue;
   flat vec2 size;
   flat float exposure;
   flat float vignette;

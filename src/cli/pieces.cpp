@@ -42,6 +42,8 @@ void checkRequest(const PiecesRequest& request, const frame::OutputName& output)
   const batch::RenderRequest& render = request.render;
   if (output.kind != frame::OutputName::Kind::sequence && output.kind != frame::OutputName::Kind::video)
     fail(ExitCode::usage, "--pieces makes a folder of pictures or a video, not {}", render.output);
+  if (output.isLight())
+    fail(ExitCode::usage, "--pieces makes PNG pictures or a video, not {}", render.output);
   if (!render.from.empty() || !render.checkpointAt.empty())
     fail(ExitCode::usage,
          "--pieces keeps checkpoints of its own: it goes without --from and --checkpoint-at");

@@ -14,6 +14,7 @@
 #include "frame/sink/sequence.hpp"
 #include "gl/context.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <memory>
 #include <optional>
@@ -35,6 +36,7 @@ struct RenderOptions {
   gl::ContextOptions on;
   std::string progress = "auto";
   std::string streamFormat = "rgba";
+  std::vector<std::string> layers;
   bool overwrite = false;
   bool resume = false;
   bool skipExisting = false;
@@ -62,6 +64,14 @@ std::set<int> checkpointFrames(const std::optional<std::string>& text) {
   return {frames.begin(), frames.end()};
 }
 
+std::vector<draw::Layer> layersOf(const std::vector<std::string>& names) {
+  std::vector<draw::Layer> layers;
+  for (std::size_t i = 0; i < draw::layerNames.size(); ++i)
+    if (std::find(names.begin(), names.end(), draw::layerNames[i]) != names.end())
+      layers.push_back(static_cast<draw::Layer>(i));
+  return layers;
+}
+
 batch::RenderRequest requestOf(const RenderOptions& o) {
   return {
       .scene = o.scene.file,
@@ -76,6 +86,7 @@ batch::RenderRequest requestOf(const RenderOptions& o) {
       .checkpointAt = checkpointFrames(o.checkpointAt),
       .from = o.from,
       .streamFormat = o.streamFormat,
+      .layers = layersOf(o.layers),
       .command = commandLine(),
   };
 }
@@ -131,6 +142,12 @@ void addRender(CLI::App& app) {
       ->add_option("--fields", o->fields,
                    "Also the raw values of every field, beside each picture: npy or pfm")
       ->check(CLI::IsMember({"npy", "pfm"}));
+  command
+      ->add_option("--layers", o->layers,
+                   "Of OpenEXR pictures (-o NAME_####.exr), besides light before lens and film: depth (Z), "
+                   "position (P.X, P.Y, P.Z), object (Cryptomatte)")
+      ->delimiter(',')
+      ->check(CLI::IsMember(std::vector<std::string>(draw::layerNames.begin(), draw::layerNames.end())));
   addDevices(*command, o->on);
   command->add_option("--progress", o->progress, "auto, tty, ndjson or none");
   command->add_option("--stream-format", o->streamFormat, "Of -o -: rgba or y4m")

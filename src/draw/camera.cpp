@@ -1,6 +1,7 @@
 #include "draw/camera.hpp"
 
 #include "base/error.hpp"
+#include "base/ieee.hpp"
 #include "sim/core/path.hpp"
 #include "sim/core/shader_code.hpp"
 
@@ -15,6 +16,7 @@ namespace {
 constexpr float radiansPerDegree = 0.017453293F;
 
 Stand standOf(const scene::Camera& camera, double seconds, const sim::Drawables& drawables) {
+  if (camera.orbits) return standAround(camera.target.at(seconds), camera.orbit, seconds);
   if (!camera.follows) return {camera.position.at(seconds), camera.target.at(seconds)};
   if (const sim::Path* path = sim::pathOf(drawables, camera.follow.object))
     return standOn(*path->points, camera.follow, seconds);
@@ -25,6 +27,15 @@ Stand standOf(const scene::Camera& camera, double seconds, const sim::Drawables&
 }
 
 }  // namespace
+
+Stand standAround(const glm::vec3& target, const scene::Orbit& orbit, double seconds) {
+  constexpr double perDegree = 0.017453292519943295;
+  const double turn = perDegree * static_cast<double>(orbit.turn.at(seconds));
+  const double rise = perDegree * static_cast<double>(orbit.elevation.at(seconds));
+  const glm::dvec3 back(ieee::cos(rise) * ieee::sin(turn), ieee::sin(rise),
+                        ieee::cos(rise) * ieee::cos(turn));
+  return {target + orbit.distance.at(seconds) * glm::vec3(back), target};
+}
 
 Stand standOn(const std::vector<glm::vec3>& path, const scene::Follow& follow, double seconds) {
   constexpr int looks = 8;

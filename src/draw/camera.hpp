@@ -28,6 +28,8 @@ struct View {
 struct Stand {
   glm::vec3 eye{0}, target{0};
 };
+/// Of one that goes round its target, at that time (s).
+[[nodiscard]] Stand standAround(const glm::vec3& target, const scene::Orbit& orbit, double seconds);
 /// At that time (s). What it looks at is the mean of the way ahead, so it turns before
 /// a corner; beyond the end the path goes straight on.
 [[nodiscard]] Stand standOn(const std::vector<glm::vec3>& path, const scene::Follow& follow,

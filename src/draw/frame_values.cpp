@@ -2,6 +2,7 @@
 
 #include "base/ieee.hpp"
 #include "draw/camera.hpp"
+#include "draw/lights/black_body.hpp"
 #include "gl/context.hpp"
 
 #include <algorithm>
@@ -25,7 +26,8 @@ void setSun(shader::Frame& frame, const scene::Sun& sun, double seconds) {
   const glm::vec3 right = glm::normalize(glm::cross(helper, direction));
   frame.sunDirection = glm::vec4(direction, 0);
   frame.sunGlow = 0.12F;
-  frame.sunLight = glm::vec4(sun.color.at(seconds) * (sun.intensity.at(seconds) * 0.31830989F), 0);
+  const glm::vec3 color = sun.temperature ? blackBodyColor(*sun.temperature) : sun.color.at(seconds);
+  frame.sunLight = glm::vec4(color * (sun.intensity.at(seconds) * 0.31830989F), 0);
   frame.lightRight = glm::vec4(right, 0);
   frame.lightUp = glm::vec4(glm::cross(direction, right), 0);
   frame.shadowTexels = static_cast<float>(sun.shadowSize);
@@ -78,7 +80,21 @@ shader::Frame frameValues(const scene::Scene& scene, glm::ivec2 size, double sec
   frame.size = size;
   frame.exposure = static_cast<float>(ieee::exp2(static_cast<double>(scene.render.exposure.at(seconds))));
   frame.vignette = scene.render.vignette;
+  const glm::mat3 balance = scene.render.balanced
+                                ? whiteBalance(static_cast<double>(scene.render.whiteBalance.at(seconds)))
+                                : glm::mat3(1);
+  frame.whiteRed = glm::vec4(balance[0], 0);
+  frame.whiteGreen = glm::vec4(balance[1], 0);
+  frame.whiteBlue = glm::vec4(balance[2], 0);
   return frame;
+}
+
+gl::Defines filmDefines(const scene::Render& render) {
+  gl::Defines defines;
+  if (render.tone != scene::Tone::aces)
+    defines.emplace_back("TONE", std::to_string(static_cast<int>(render.tone)));
+  if (render.balanced) defines.emplace_back("WHITE_BALANCE", "1");
+  return defines;
 }
 
 gl::Defines withFrame(gl::Defines defines) {

@@ -20,6 +20,9 @@ namespace simreel::draw {
 [[nodiscard]] shader::Frame frameValues(const scene::Scene& scene, glm::ivec2 size, double seconds,
                                         const sim::Drawables& drawables);
 
+/// Defines of a program with glsl/draw/screen/film.glsl and lens.glsl, for how light becomes a picture.
+[[nodiscard]] gl::Defines filmDefines(const scene::Render& render);
+
 /// Defines of a program both of whose shaders know glsl/draw/passed_frame.glsl: says where its fragments
 /// find the frame's values.
 [[nodiscard]] gl::Defines withFrame(gl::Defines defines);

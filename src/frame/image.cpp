@@ -102,12 +102,24 @@ constexpr std::size_t emptyChunk = 12;
 
 using Bytes = std::span<const unsigned char>;
 
-/// RGB of an image in a buffer that each thread keeps until its next image: fresh pages for every frame
-/// cost as much as a tenth of the encoding.
-Bytes packRgb(const Image& image) {
+/// Whether nothing would show through.
+bool isOpaque(const Image& image) {
+  for (std::size_t i = 3; i < image.bytes.size(); i += 4)
+    if (image.bytes[i] != 255) return false;
+  return true;
+}
+
+std::size_t channelsOf(const Image& image) {
+  return image.alpha ? 4 : 3;
+}
+
+/// RGB of an image, or RGBA `withAlpha`, in a buffer that each thread keeps until its next image: fresh pages for every
+/// frame cost as much as a tenth of the encoding.
+Bytes packed(const Image& image, bool withAlpha) {
   const std::size_t pixels = std::size_t(image.width) * std::size_t(image.height);
   SIMREEL_CHECK(image.width > 0 && image.height > 0);
   SIMREEL_CHECK_EQ(image.bytes.size(), pixels * 4);
+  if (withAlpha) return image.bytes;
   // Four bytes are copied for each three; the next pixel overwrites the fourth.
   thread_local std::vector<unsigned char> rgb;
   rgb.resize(pixels * 3 + 1);
@@ -120,9 +132,8 @@ Bytes packRgb(const Image& image) {
 /// Rows as PNG stores them, filter Sub (the difference to the pixel on the left) before each. Measured by
 /// tools/bench/png.cpp: Paeth alone takes longer than all else, None and Sub have the smallest worst file,
 /// and Sub is smaller on the average. Kept as packRgb's are.
-Bytes filterRows(Bytes rgb, std::size_t stride) {
+Bytes filterRows(Bytes rgb, std::size_t stride, std::size_t pixel) {
   constexpr unsigned char sub = 1;
-  constexpr std::size_t pixel = 3;
   thread_local std::vector<unsigned char> rows;
   const std::size_t height = rgb.size() / stride;
   rows.resize(height * (stride + 1));
@@ -190,18 +201,24 @@ void appendText(File& file, const std::string& keyword, std::string_view value) 
       keyword + std::string(text.fitsLatin1 ? 1 : 5, '\0') + (text.fitsLatin1 ? text.latin1 : text.utf8));
 }
 
-std::string hashOf(const Image& image, Bytes rgb) {
-  return hashHex(fmt::format("{}x{} {}", image.width, image.height, hashHex(std::as_bytes(rgb))));
+/// The same for an image with an alpha channel that hides all as for one without.
+std::string hashOf(const Image& image) {
+  const bool withAlpha = image.alpha && !isOpaque(image);
+  return hashHex(fmt::format("{}x{} {}{}", image.width, image.height, withAlpha ? "alpha " : "",
+                             hashHex(std::as_bytes(packed(image, withAlpha)))));
 }
 
-File encode(const Image& image, Bytes rgb, const ImageText& text) {
+File encode(const Image& image, const ImageText& text) {
   SIMREEL_CHECK(image.width <= largestSide && image.height <= largestSide);
   std::string header;
   for (const int side : {image.width, image.height})
     for (const int shift : {24, 16, 8, 0}) header += static_cast<char>((side >> shift) & 0xff);
-  header += {8, 2, 0, 0, 0};  // bits, RGB, deflate, filtered by row, not interlaced
+  // Bits, RGB or RGBA, deflate, filtered by row, not interlaced.
+  header += {8, static_cast<char>(image.alpha ? 6 : 2), 0, 0, 0};
 
-  const Bytes rows = filterRows(rgb, std::size_t(image.width) * 3);
+  const std::size_t channels = channelsOf(image);
+  const Bytes rows =
+      filterRows(packed(image, image.alpha), std::size_t(image.width) * channels, channels);
   thread_local std::vector<unsigned char> compressed;
   compressed.resize(zlibBound(rows.size()));
   const auto size = compressZlib(rows, compressed);
@@ -224,12 +241,11 @@ File encode(const Image& image, Bytes rgb, const ImageText& text) {
 }  // namespace
 
 std::vector<std::byte> encodePng(const Image& image, const ImageText& text) {
-  return encode(image, packRgb(image), text);
+  return encode(image, text);
 }
 
-HashedPng encodeHashedPng(const Image& image, const ImageText& text) {
-  const Bytes rgb = packRgb(image);
-  return {encode(image, rgb, text), hashOf(image, rgb)};
+HashedFile encodeHashedPng(const Image& image, const ImageText& text) {
+  return {encode(image, text), hashOf(image)};
 }
 
 void addText(std::vector<std::byte>& png, const ImageText& text) {
@@ -240,18 +256,22 @@ void addText(std::vector<std::byte>& png, const ImageText& text) {
 }
 
 Image decodeImage(std::span<const std::byte> file, const std::string& name) {
-  if (auto image = decodePlainPng(file, largestSide)) return std::move(*image);
+  const auto whole = [](Image image) {
+    image.alpha = !isOpaque(image);
+    return image;
+  };
+  if (auto image = decodePlainPng(file, largestSide)) return whole(std::move(*image));
   try {
     sim::Picture picture = sim::decodePicture({reinterpret_cast<const char*>(file.data()), file.size()},
                                               name, "image", largestSide);
-    return {picture.size.x, picture.size.y, std::move(picture.rgba)};
+    return whole({picture.size.x, picture.size.y, std::move(picture.rgba)});
   } catch (const UserError& error) {
     throw UserError(ExitCode::inputOutput, error.what());
   }
 }
 
 std::string pixelHash(const Image& image) {
-  return hashOf(image, packRgb(image));
+  return hashOf(image);
 }
 
 }  // namespace simreel::frame

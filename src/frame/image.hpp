@@ -13,24 +13,27 @@ struct Image {
   int width = 0;
   int height = 0;
   std::vector<std::uint8_t> bytes;
+  bool alpha = false;  ///< whether alpha is part of it, straight; else it is left out of files and hashes
 };
 
 /// Text chunks of a PNG, keyword and value.
 using ImageText = std::vector<std::pair<std::string, std::string>>;
 
-/// RGBA image -> RGB PNG file. Alpha is dropped. Safe to call from several threads.
+/// Image -> PNG file, RGBA where alpha is part of it, else RGB. Safe to call from several threads.
 [[nodiscard]] std::vector<std::byte> encodePng(const Image& image, const ImageText& text);
 /// The same file and its pixelHash, for less than both.
-struct HashedPng {
+struct HashedFile {
   std::vector<std::byte> file;
   std::string pixels;
 };
-[[nodiscard]] HashedPng encodeHashedPng(const Image& image, const ImageText& text);
+[[nodiscard]] HashedFile encodeHashedPng(const Image& image, const ImageText& text);
 /// Puts text chunks after the header of a whole PNG file.
 void addText(std::vector<std::byte>& png, const ImageText& text);
-/// PNG (or any format stb_image reads) -> RGBA. `name` is used in the UserError(inputOutput) thrown.
+/// PNG (or any format stb_image reads) -> RGBA; alpha is part of it unless it is opaque. `name` is used in
+/// the UserError(inputOutput) thrown.
 [[nodiscard]] Image decodeImage(std::span<const std::byte> file, const std::string& name);
-/// Hash of size and RGB values (alpha left out), independent of the encoder. 32 hexadecimal digits.
+/// Hash of size and RGB values, and of alpha where that lets something through, independent of the encoder.
+/// 32 hexadecimal digits.
 [[nodiscard]] std::string pixelHash(const Image& image);
 
 }  // namespace simreel::frame

@@ -78,6 +78,60 @@ glm::vec3 centred(const Look& look, glm::vec3 target, const std::vector<glm::vec
   return target;
 }
 
+/// All points that the boxes have, round ones by their ellipsoids.
+std::vector<glm::vec3> pointsOf(const std::vector<Box>& boxes) {
+  std::vector<glm::vec3> points;
+  for (const Box& one : boxes) one.round ? addEllipsoid(one, points) : addCorners(one, points);
+  return points;
+}
+
+constexpr float stageLens = 26.0F;  // degrees
+/// Shares of the picture's half height and width that may be taken.
+float taken(const Scene& scene) {
+  return scene.staged ? 0.8F : 0.92F;
+}
+
+/// The tangents of the half angles that may be taken, of one that looks from there.
+Look lookFrom(const glm::vec3& back, const Scene& scene) {
+  Look look{};
+  const float half = 0.5F * glm::radians(scene.camera.fieldOfView.at(0));
+  look.back = back;
+  look.right = glm::normalize(glm::vec3(back.z, 0, -back.x));
+  look.up = glm::normalize(glm::vec3(0, 1, 0) - back * back.y);
+  look.high = taken(scene) * static_cast<float>(ieee::tan(static_cast<double>(half)));
+  look.wide = look.high * static_cast<float>(scene.render.size.x) / static_cast<float>(scene.render.size.y);
+  return look;
+}
+
+void reach(Camera& camera, float distance, float nearest, bool staged) {
+  camera.near = std::min(camera.near, 0.5F * (distance - nearest));
+  camera.far = std::max(camera.far, (staged ? 12.0F : 4.0F) * distance);
+}
+
+/// Round the middle, as far away as all is in view from wherever it may come.
+void frameOrbit(Scene& scene, const std::vector<Box>& boxes) {
+  Camera& camera = scene.camera;
+  if (scene.staged && !camera.hasAngle) camera.fieldOfView = stageLens;
+  const Box box = boxAround(boxes);
+  const glm::vec3 target = 0.5F * (box.min + box.max);
+  const std::vector<glm::vec3> points = pointsOf(boxes);
+  constexpr int turns = 24;
+  constexpr double radiansPerDegree = 0.017453292519943295;
+  float distance = 0, nearest = 0;
+  for (const auto& key : camera.orbit.elevation.keys())
+    for (int i = 0; i < turns; ++i) {
+      const double turn = 360.0 / turns * i * radiansPerDegree;
+      const double rise = static_cast<double>(key.value) * radiansPerDegree;
+      const glm::vec3 back(ieee::cos(rise) * ieee::sin(turn), ieee::sin(rise),
+                           ieee::cos(rise) * ieee::cos(turn));
+      distance = std::max(distance, distanceOf(lookFrom(back, scene), target, points));
+      for (const glm::vec3& point : points) nearest = std::max(nearest, glm::dot(point - target, back));
+    }
+  camera.target = target;
+  camera.orbit.distance = distance;
+  reach(camera, distance, nearest, scene.staged);
+}
+
 }  // namespace
 
 std::vector<Box> framedBoxes(const Scene& scene) {
@@ -103,22 +157,14 @@ glm::vec3 stageBack(const Box& box) {
 void frameObjects(Scene& scene, const std::vector<Box>& boxes) {
   Camera& camera = scene.camera;
   if (camera.placed || boxes.empty()) return;
-  constexpr float stageLens = 26.0F;  // degrees
+  if (camera.orbits) return frameOrbit(scene, boxes);
   if (scene.staged && !camera.hasAngle) camera.fieldOfView = stageLens;
-  // Shares of the picture's half height and width that may be taken.
-  const float taken = scene.staged ? 0.8F : 0.92F;
   const Box box = boxAround(boxes);
-  const float half = 0.5F * glm::radians(camera.fieldOfView.at(0));
-  Look look{};
-  look.back = scene.staged ? stageBack(box) : backFrom(box);
-  look.right = glm::normalize(glm::vec3(look.back.z, 0, -look.back.x));
-  look.up = glm::normalize(glm::vec3(0, 1, 0) - look.back * look.back.y);
-  look.high = taken * static_cast<float>(ieee::tan(static_cast<double>(half)));
-  look.wide = look.high * static_cast<float>(scene.render.size.x) / static_cast<float>(scene.render.size.y);
+  const Look look = lookFrom(scene.staged ? stageBack(box) : backFrom(box), scene);
   glm::vec3 target = 0.5F * (box.min + box.max);
   std::vector<glm::vec3> points;
   if (scene.staged) {
-    for (const Box& one : boxes) one.round ? addEllipsoid(one, points) : addCorners(one, points);
+    points = pointsOf(boxes);
     target = centred(look, target, points);
   } else {
     addCorners(box, points);
@@ -128,8 +174,7 @@ void frameObjects(Scene& scene, const std::vector<Box>& boxes) {
   const float distance = distanceOf(look, target, points);
   camera.target = target;
   camera.position = target + distance * look.back;
-  camera.near = std::min(camera.near, 0.5F * (distance - nearest));
-  camera.far = std::max(camera.far, (scene.staged ? 12.0F : 4.0F) * distance);
+  reach(camera, distance, nearest, scene.staged);
 }
 
 }  // namespace simreel::scene

@@ -2,6 +2,15 @@
 
 namespace simreel::scene {
 
+void describeTemperature(Fields& fields, std::optional<double>& temperature) {
+  fields.optionalNumber("temperature", temperature, blackBodyRange, "K",
+                        "Colour of its light as that of a black body so hot: candles 1900, lamps 2700, "
+                        "daylight 6500.");
+  fields.leftOut("temperature", "the colour");
+  if (fields.given("temperature") && fields.given("color"))
+    fields.error("temperature", "\"temperature\" says which colour the light has; leave out \"color\"");
+}
+
 void Flicker::describe(Fields& fields) {
   fields.number("amount", amount, fraction, "", "Share of the intensity that comes and goes.");
   fields.number("rate", rate, {0.001, 1000}, "1/s", "How often it changes.");
@@ -36,8 +45,12 @@ void Light::describe(Fields& fields) {
     fields.error(given ? "spot" : "position",
                  "the light stands where its \"spot\" points at, so it shines nowhere; move \"target\"");
   fields.vector("color", color, notNegative, "", "Colour of its light, linear RGB.");
-  fields.number("intensity", intensity, notNegative, "cd",
-                "Luminous intensity. 1 cd gives 1 lux at 1 m; the sun's intensity is in lux.");
+  describeTemperature(fields, temperature);
+  fields.choice("unit", unit, {"cd", "lm", "W"},
+                "Of the intensity. cd: luminous intensity, 1 cd gives 1 lx at 1 m. lm: luminous flux, of "
+                "all that it sends. W: watts of light (not of electricity), 179 lm each.");
+  fields.number("intensity", intensity, notNegative, "",
+                "How bright it is, in its unit, for the colour 1; the sun's intensity is in lx.");
   fields.number("radius", radius, {0.001, 1000}, "m",
                 "Of the ball that shines: widens highlights; what lies within it casts no shadow.");
   fields.number("glow", glow, notNegative, "",

@@ -4,6 +4,7 @@
 #include "scene/path_place.hpp"
 
 #include <cstddef>
+#include <optional>
 #include <string>
 
 #include <glm/vec3.hpp>
@@ -13,6 +14,11 @@ namespace simreel::scene {
 inline constexpr std::size_t maxLights = 16;
 /// Each of them draws what casts shadows six times over.
 inline constexpr std::size_t maxShadowedLights = 8;
+
+/// K: where a black body's colour is known (draw/lights/black_body.hpp).
+inline constexpr Range blackBodyRange{1667, 25000};
+/// The colour of a light as a temperature, beside its "color".
+void describeTemperature(Fields& fields, std::optional<double>& temperature);
 
 /// A flame's unrest: smooth noise of time (draw/lights/flicker.hpp).
 struct Flicker {
@@ -33,6 +39,8 @@ struct Spot {
 /// A light at a place of the scene. Fields that only one type has go into a group of that type's name.
 struct Light {
   enum class Type { point, spot };
+  /// Of the intensity: luminous intensity, luminous flux, or watts of light.
+  enum class Unit { candela, lumen, watt };
   std::string name;
   Type type = Type::point;
   Spot spot;  ///< of that type
@@ -40,7 +48,9 @@ struct Light {
   bool follows = false;
   PathPlace follow;  ///< instead of the position; there is no light while there is no path
   Animated<glm::vec3> color = glm::vec3(1, 0.72F, 0.42F);  ///< linear RGB
-  Animated<float> intensity = 20.0F;                       ///< cd, for the colour 1
+  std::optional<double> temperature;  ///< K: its colour is that of a black body, instead of `color`
+  Unit unit = Unit::candela;
+  Animated<float> intensity = 20.0F;                       ///< of that unit, for the colour 1
   Animated<float> radius = 0.05F;                          ///< m
   Animated<float> glow = 1.0F;  ///< factor on the light itself as the camera sees it
   bool hasFlicker = false;

@@ -12,9 +12,10 @@ namespace simreel::scene {
 
 namespace {
 
-/// One `[time, value]`; `readOne` reads the value.
+/// One `[time, value]` after those before; `readOne` reads the value.
 template <class T, class ReadOne>
-std::optional<typename Animated<T>::Key> readKey(const Node& node, const double* timeBefore,
+std::optional<typename Animated<T>::Key> readKey(const Node& node,
+                                                 const std::vector<typename Animated<T>::Key>& before,
                                                  Diagnostics& diagnostics, ReadOne readOne) {
   if (node.kind != Node::Kind::list || node.children.size() != 2) {
     diagnostics.add(node.place(), "expected a keyframe [time, value]");
@@ -22,9 +23,14 @@ std::optional<typename Animated<T>::Key> readKey(const Node& node, const double*
   }
   const auto time = ValueReader("time", anyNumber, "s", diagnostics).number(node.children[0]);
   const auto value = readOne(node.children[1]);
-  if (time && timeBefore != nullptr && !(*time > *timeBefore)) {
+  if (time && !before.empty() && *time < before.back().time) {
+    diagnostics.add(node.children[0].place(), fmt::format("keyframe times must increase; {} s follows {} s",
+                                                          *time, before.back().time));
+    return std::nullopt;
+  }
+  if (time && before.size() > 1 && *time == before.back().time && *time == before[before.size() - 2].time) {
     diagnostics.add(node.children[0].place(),
-                    fmt::format("keyframe times must increase; {} s follows {} s", *time, *timeBefore));
+                    fmt::format("two keyframes at one time are a jump; this is the third at {} s", *time));
     return std::nullopt;
   }
   if (!time || !value) return std::nullopt;
@@ -118,16 +124,14 @@ class MemberReader {
     int ease = 0;
     Reader::readObject(node_, context_, [&](Reader& fields) {
       const Node* list = fields.take("keys");
-      fields.oneOf("ease", ease, {"linear", "smooth"}, "");
+      fields.oneOf("ease", ease, {easeWords.begin(), easeWords.end()}, "");
       if (list == nullptr) {
         context_.diagnostics.add(node_.headPlace(), "keyframes need \"keys\": [[time, value], ...]");
       } else if (list->kind != Node::Kind::list || list->children.empty()) {
         context_.diagnostics.add(list->place(), "expected at least one keyframe, [[time, value], ...]");
       } else {
         for (const Node& item : list->children) {
-          const double* before = keys.empty() ? nullptr : &keys.back().time;
-          if (const auto key = readKey<T>(item, before, context_.diagnostics, readOne))
-            keys.push_back(*key);
+          if (const auto key = readKey<T>(item, keys, context_.diagnostics, readOne)) keys.push_back(*key);
         }
       }
     });

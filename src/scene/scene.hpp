@@ -63,11 +63,24 @@ struct Bloom {
 /// Who finds out what is visible, and shades it.
 enum class Rasterizer { exact, driver };
 
+/// How much is spent on the light of a picture. standard: draft, and creases and gaps get less of the
+/// surroundings' light.
+enum class Quality { draft, standard };
+
+/// The curve from light to the numbers of a picture (glsl/draw/screen/film.glsl).
+enum class Tone { aces, agx, filmic, plain };
+
 struct Render {
   Rasterizer rasterizer = Rasterizer::exact;
+  Quality quality = Quality::draft;
+  std::optional<double> occlusionRadius;  ///< m; none: a share of the distance to the target
   glm::ivec2 size{1280, 720};  ///< pixels
   int samples = 4;  ///< per pixel: 1, 2, 4, 8 or 16 (of the driver: those it has, 1 and 4 always)
   Animated<float> exposure = 0.0F;  ///< EV
+  Tone tone = Tone::aces;
+  bool balanced = false;                   ///< whether the scene gives a white balance
+  Animated<float> whiteBalance = 6504.0F;  ///< K: light of this colour is shown without one
+  bool transparent = false;                ///< whether the background is left out
   float vignette = 0.0F;
   Bloom bloom;
   void describe(Fields& fields);
@@ -96,6 +109,15 @@ struct Lens {
   void describe(Fields& fields);
 };
 
+/// A camera that goes round its target.
+struct Orbit {
+  Animated<float> turn = 0.0F;        ///< degrees about the vertical, from +z towards +x
+  Animated<float> elevation = 20.0F;  ///< degrees above the horizon
+  Animated<float> distance = 6.0F;    ///< m
+  bool distanced = false;             ///< whether the scene gives the distance
+  void describe(Fields& fields);
+};
+
 struct Camera {
   Animated<glm::vec3> position = glm::vec3(0, 1.5F, 6);
   Animated<glm::vec3> target = glm::vec3(0, 0, 0);
@@ -103,6 +125,8 @@ struct Camera {
   Animated<float> roll = 0.0F;          ///< degrees
   bool follows = false;
   Follow follow;          ///< instead of position and target
+  bool orbits = false;
+  Orbit orbit;            ///< instead of position
   bool placed = false;    ///< whether the scene says where it stands or what it looks at
   bool hasAngle = false;  ///< whether the scene gives its field of view
   bool hasLens = false;   ///< else all is sharp
@@ -115,6 +139,7 @@ struct Camera {
 struct Sun {
   Animated<glm::vec3> direction = glm::vec3(0.4F, 0.8F, 0.45F);  ///< towards the light
   Animated<glm::vec3> color = glm::vec3(1, 0.92F, 0.80F);
+  std::optional<double> temperature;  ///< K: its colour is that of a black body, instead of `color`
   Animated<float> intensity = 4.0F;
   float diameter = 0.0F;  ///< degrees, as seen from here: what penumbras grow by; 0: they do not grow
   bool shadow = true;

@@ -41,7 +41,7 @@ Json animatedSchema(const Json& plain) {
                      {"items", key},
                      {"minItems", 1},
                      {"description", "[time, value], times strictly increasing."}};
-  const Json ease = {{"enum", {"linear", "smooth"}}, {"default", "linear"}};
+  const Json ease = {{"enum", easeWords}, {"default", easeWords[0]}};
   const Json keyframes = {{"type", "object"},
                           {"properties", {{"keys", keys}, {"ease", ease}}},
                           {"required", Json::array({"keys"})},

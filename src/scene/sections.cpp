@@ -86,7 +86,25 @@ void Render::describe(Fields& fields) {
       "rasterizer", rasterizer, {"exact", "driver"},
       "exact: kernels in exact arithmetic draw, with the same bytes on every machine; driver: vertex and "
       "fragment shaders, with the edges and filters of that driver.");
+  fields.choice("quality", quality, {"draft", "standard"},
+                "standard: creases, folds and what stands close together get less light from around them "
+                "(ambient occlusion), by what is in the picture. The driver's rasterizer knows draft alone.");
+  fields.optionalNumber("occlusionRadius", occlusionRadius, positive, "m",
+                        "How far away what keeps that light out may be.");
+  fields.leftOut("occlusionRadius", "a sixth of the distance to the target");
   fields.number("exposure", exposure, {-20, 20}, "EV", "Brightness; one more doubles it.");
+  fields.choice("tone", tone, {"aces", "agx", "filmic", "plain"},
+                "The curve from light to the picture. aces: contrasty; agx: bright colours go to white "
+                "softly; filmic: a gentle shoulder; plain: none, what is brighter than white is cut.");
+  fields.number("whiteBalance", whiteBalance, blackBodyRange, "K",
+                "Light of a black body so hot is shown as white.");
+  fields.leftOut("whiteBalance", "none: light is shown as it is");
+  balanced = fields.given("whiteBalance");
+  fields.boolean("transparent", transparent,
+                 "Whether the background is left out: pictures have an alpha channel (straight, not "
+                 "multiplied), and neither sky nor what the sky is seen through.");
+  if (transparent && rasterizer == Rasterizer::driver)
+    fields.error("transparent", "only the exact rasterizer leaves the background out");
   fields.number("vignette", vignette, fraction, "", "Darkening towards the corners.");
   fields.group("bloom", "Light scattered around what is bright.",
                [&](Fields& inner) { bloom.describe(inner); });
@@ -138,6 +156,15 @@ void Lens::describe(Fields& fields) {
         fmt::format("an opening of {} blades is none; give 0 for a round one, or 3 to 16", blades));
 }
 
+void Orbit::describe(Fields& fields) {
+  fields.number("turn", turn, {-1e6, 1e6}, "degrees",
+                "Where it stands around the target: 0 on the side of +z, 90 on that of +x.");
+  fields.number("elevation", elevation, {-89, 89}, "degrees", "How high it stands above the horizon.");
+  fields.number("distance", distance, positive, "m", "From the target.");
+  fields.leftOut("distance", "6, or all of it is in view where \"target\" is left out, too");
+  distanced = fields.given("distance");
+}
+
 void Camera::describe(Fields& fields) {
   fields.vector("position", position, anyNumber, "m", "Where the camera stands.");
   fields.leftOut("position",
@@ -150,13 +177,19 @@ void Camera::describe(Fields& fields) {
   fields.number("roll", roll, anyNumber, "degrees", "Turn about the line of sight.");
   fields.optionalGroup("follow", follows, "Goes along a path that an object has found.",
                        [&](Fields& f) { follow.describe(f); });
+  fields.optionalGroup("orbit", orbits, "Goes round its target, instead of standing at \"position\".",
+                       [&](Fields& f) { orbit.describe(f); });
+  if (orbits && follows)
+    fields.error("orbit", "\"follow\" says where the camera is; leave out \"orbit\"");
+  else if (orbits && fields.given("position"))
+    fields.error("position", "\"orbit\" says where the camera is; leave out \"position\"");
   fields.switchable("lens");
   fields.optionalGroup("lens", hasLens,
                        "Depth of field: what is nearer or farther than the focus is blurred. The driver's "
                        "rasterizer has none.",
                        [&](Fields& f) { lens.describe(f); });
   hasAngle = fields.given("fieldOfView");
-  placed = follows || fields.given("position") || fields.given("target");
+  placed = follows || fields.given("position") || fields.given("target") || (orbits && orbit.distanced);
   for (const char* name : {"position", "target"})
     if (follows && fields.given(name))
       fields.error(name, fmt::format("\"follow\" says where the camera is; leave out \"{}\"", name));
@@ -165,7 +198,7 @@ void Camera::describe(Fields& fields) {
   if (!(near < far))
     fields.error(fields.given("near") ? "near" : "far",
                  fmt::format("\"near\" ({} m) must be less than \"far\" ({} m)", near, far));
-  if (!position.moves() && !target.moves() && position.at(0) == target.at(0))
+  if (!orbits && !position.moves() && !target.moves() && position.at(0) == target.at(0))
     fields.error(fields.given("target") ? "target" : "position",
                  "\"position\" and \"target\" are the same point; the camera looks nowhere");
 }
@@ -173,6 +206,7 @@ void Camera::describe(Fields& fields) {
 void Sun::describe(Fields& fields) {
   fields.vector("direction", direction, anyNumber, "", "Towards the sun; its length does not matter.");
   fields.vector("color", color, notNegative, "", "Colour of its light, linear RGB.");
+  describeTemperature(fields, temperature);
   fields.number("intensity", intensity, notNegative, "lx",
                 "Illuminance of what faces it, for the colour 1.");
   fields.number("diameter", diameter, {0, 60}, "degrees",

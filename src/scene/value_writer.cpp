@@ -36,7 +36,7 @@ class Writer {
     Json keys = Json::array();
     for (const auto& key : value.keys())
       keys.push_back(Json::array({shortest(key.time), (*this)(key.value)}));
-    return {{"keys", keys}, {"ease", value.ease() == Ease::smooth ? "smooth" : "linear"}};
+    return {{"keys", keys}, {"ease", easeWords[static_cast<std::size_t>(value.ease())]}};
   }
 
  private:

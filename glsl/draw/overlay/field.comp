@@ -25,7 +25,7 @@ void put(ivec2 at) {
   ivec2 texel = ivec2(at.x, lastRow_ < 0 ? at.y : lastRow_ - at.y);
 #ifdef OVER
 #ifdef OPAQUE
-  const vec4 below = vec4(0.0);
+  const vec4 below = vec4(0.0, 0.0, 0.0, 255.0);
 #else
   vec4 below = bytesOf(imageLoad(target, texel));
 #endif

@@ -12,10 +12,17 @@ FUNCTION vec4 storedBytes(vec4 bytes) {
   return stored;
 }
 
-// The bytes of a colour times its opacity, and its opacity, over what is there.
+// A colour times its opacity, and its opacity, over the bytes that are there. Those are straight: where they hide nothing they
+// have no part in the colour.
 FUNCTION vec4 laidOver(vec4 bytes, vec4 pixel) {
   ROUNDED vec4 sum = pixel * 255.0f + bytes * (1.0f - pixel.w) + 0.5f;
-  return floor(sum);
+  if (bytes.w > 254.5f) return floor(sum);
+  ROUNDED float hidden = bytes.w * 0.00392156863f * (1.0f - pixel.w);
+  ROUNDED float cover = pixel.w + hidden;
+  if (cover < 1e-4f) return vec4(0.0f);
+  ROUNDED vec3 color = (vec3(pixel) * 255.0f + vec3(bytes) * hidden) * inverse(cover) + 0.5f;
+  ROUNDED float alpha = cover * 255.0f + 0.5f;
+  return floor(vec4(color, alpha));
 }
 
 // Light times coverage, and coverage: `front` stays in front of what is laid behind it.

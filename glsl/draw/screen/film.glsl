@@ -1,10 +1,13 @@
-// From light to the numbers of a picture. Compiles as GLSL and as C++.
+// From light to the numbers of a picture. TONE: the curve, a scene::Tone; 0 unless it is said. Compiles as GLSL and as C++.
 #include "draw/arithmetic.glsl"
+#ifndef TONE
+#define TONE 0
+#endif
 
 // Rows of the two matrices around the curve, and the curve, of a fit of the ACES reference rendering and sRGB output
 // transforms by Stephen Hill (BakingLab, ToneMapping.hlsl). The factor makes matt white under the default sun come out
 // just short of white.
-FUNCTION vec3 filmed(vec3 light) {
+FUNCTION vec3 filmedAces(vec3 light) {
   ROUNDED vec3 bright = 1.3f * light;
   ROUNDED vec3 v = vec3(0.59719f, 0.07600f, 0.02840f) * bright.x + vec3(0.35458f, 0.90834f, 0.13383f) * bright.y +
                    vec3(0.04823f, 0.01566f, 0.83777f) * bright.z;
@@ -14,6 +17,53 @@ FUNCTION vec3 filmed(vec3 light) {
   ROUNDED vec3 shown = vec3(1.60475f, -0.10208f, -0.00327f) * curve.x + vec3(-0.53108f, 1.10813f, -0.07276f) * curve.y +
                        vec3(-0.07367f, -0.00605f, 1.07602f) * curve.z;
   return clamp(shown, 0.0f, 1.0f);
+}
+
+// AgX by Troy Sobotka, in Benjamin Wrensch's fit (iolite-engine.com, "Minimal AgX Implementation"): primaries moved
+// inwards, so that bright colours go to white; the curve, a polynomial over 16.5 stops; back, and from its numbers, which
+// are those of a display of gamma 2.2, to light.
+FUNCTION float agxCurve(float light) {
+  ROUNDED float stops = (logarithmOfTwo(max(light, 1e-10f)) + 12.47393f) * 0.0606060661f;
+  float x = clamp(stops, 0.0f, 1.0f);
+  ROUNDED float curve = (((((15.5f * x - 40.14f) * x + 31.96f) * x - 6.868f) * x + 0.4298f) * x + 0.1191f) * x - 0.00232f;
+  return curve;
+}
+FUNCTION float fromGamma(float x) {
+  ROUNDED float doublings = 2.2f * logarithmOfTwo(max(x, 1e-6f));
+  return powerOfTwo(doublings);
+}
+FUNCTION vec3 filmedAgx(vec3 light) {
+  ROUNDED vec3 v = vec3(0.842479062f, 0.042328242f, 0.042375655f) * light.x +
+                   vec3(0.078433600f, 0.878468636f, 0.078433600f) * light.y +
+                   vec3(0.079223745f, 0.079166127f, 0.879142974f) * light.z;
+  vec3 curve = vec3(agxCurve(v.x), agxCurve(v.y), agxCurve(v.z));
+  ROUNDED vec3 shown = vec3(1.196879005f, -0.052896852f, -0.052971636f) * curve.x +
+                       vec3(-0.098020881f, 1.151903130f, -0.098043450f) * curve.y +
+                       vec3(-0.099029744f, -0.098961177f, 1.151073673f) * curve.z;
+  return vec3(fromGamma(clamp(shown.x, 0.0f, 1.0f)), fromGamma(clamp(shown.y, 0.0f, 1.0f)),
+              fromGamma(clamp(shown.z, 0.0f, 1.0f)));
+}
+
+// John Hable's curve for "Uncharted 2" (GDC 2010, "HDR Lighting") with a linear white of 11.2 after doubling:
+// h(x) = (x (0.15 x + 0.05) + 0.004) / (x (0.15 x + 0.5) + 0.06) - 0.02 / 0.3, over h(11.2).
+FUNCTION vec3 filmedFilmic(vec3 light) {
+  ROUNDED vec3 x = 2.0f * light;
+  ROUNDED vec3 over = x * (0.15f * x + 0.05f) + 0.004f;
+  ROUNDED vec3 under = x * (0.15f * x + 0.5f) + 0.06f;
+  ROUNDED vec3 shown = (over * vec3(inverse(under.x), inverse(under.y), inverse(under.z)) - 0.0666666667f) * 1.37906429f;
+  return clamp(shown, 0.0f, 1.0f);
+}
+
+FUNCTION vec3 filmed(vec3 light) {
+#if TONE == 1
+  return filmedAgx(light);
+#elif TONE == 2
+  return filmedFilmic(light);
+#elif TONE == 3
+  return clamp(light, 0.0f, 1.0f);
+#else
+  return filmedAces(light);
+#endif
 }
 
 // Linear -> sRGB (IEC 61966-2-1). x^(1/2.4) from square roots, within 0.001 (a quarter of a byte's

@@ -1,9 +1,14 @@
-// The lens darkens towards the corners of the picture. Compiles as GLSL and as C++.
+// The lens darkens towards the corners of the picture. WHITE_BALANCE: what light of some colour sends is shown as white.
+// Compiles as GLSL and as C++.
 #include "draw/arithmetic.glsl"
 
 // What the film gets of the light at the middle `aside` of a pixel, -1 to 1 over the picture.
 FUNCTION vec3 throughLens(vec3 light, vec2 aside) {
   ROUNDED float dark = frame.vignette * 0.5f * (aside.x * aside.x + aside.y * aside.y);
   ROUNDED vec3 through = light * (frame.exposure * (1.0f - dark));
+#ifdef WHITE_BALANCE
+  ROUNDED vec3 balanced = vec3(frame.whiteRed) * through.x + vec3(frame.whiteGreen) * through.y + vec3(frame.whiteBlue) * through.z;
+  through = max(balanced, 0.0f);
+#endif
   return through;
 }

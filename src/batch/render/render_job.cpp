@@ -24,9 +24,29 @@ RenderJob::RenderJob(RenderRequest request)
       asRun_(scene::sceneAsRun(request_.scene, request_.overrides, sim::kinds())) {
   chooseFrames();
   output_ = frame::parseOutput(request_.output, frames_.size());
+  const bool stream = output_.kind == frame::OutputName::Kind::stream;
+  if (scene_.render.transparent && (output_.kind == frame::OutputName::Kind::video ||
+                                    (stream && request_.streamFormat != "rgba")))
+    fail(ExitCode::usage,
+         "--output {}: {} has no alpha channel for render.transparent; write pictures, or render with -D "
+         "render.transparent=false",
+         request_.output, stream ? "y4m" : "a video");
+  chooseLayers();
   if (request_.fields)
     fields_.emplace(output_, frame::parseFieldFormat(*request_.fields), request_.existing, frames_);
   chooseCheckpoints();
+}
+
+void RenderJob::chooseLayers() {
+  if (!output_.isLight()) {
+    if (!request_.layers.empty())
+      fail(ExitCode::usage, "--layers: OpenEXR pictures have them; write --output NAME_####.exr");
+    return;
+  }
+  if (scene_.render.rasterizer != scene::Rasterizer::exact)
+    fail(ExitCode::usage, "--output {}: only the exact rasterizer hands out light before the film",
+         request_.output);
+  layers_.emplace(request_.layers);
 }
 
 void RenderJob::chooseFrames() {
@@ -109,6 +129,7 @@ frame::SequenceResult RenderJob::run(const gl::Context& context, frame::Progress
   beside.checkpoints.mayDoWithout = request_.mayDoWithout;
   if (request_.checkpoint) beside.checkpoints.seconds = *request_.checkpoint;
   beside.watch = watch;
+  beside.layers = layers_;
   auto result = frame::renderSequence(scene_, context, frames_, *sink, progress, beside);
   summary_ = sink->summary();
   return result;

@@ -33,6 +33,7 @@ struct RenderRequest {
   std::filesystem::path from;        ///< checkpoint to begin at; empty: the scene's start
   bool mayDoWithout = false;         ///< begin at the scene's start where `from` cannot be used
   std::string streamFormat = "rgba";
+  std::vector<draw::Layer> layers;  ///< of OpenEXR pictures, besides colour
   std::string command;  ///< for run.json
 };
 
@@ -54,11 +55,13 @@ class RenderJob {
  private:
   void chooseFrames();
   void chooseCheckpoints();
+  void chooseLayers();
   [[nodiscard]] frame::RunInfo runInfo(const gl::Context& context) const;
 
   RenderRequest request_;
   scene::Scene scene_;
   std::vector<int> frames_;
+  std::optional<std::vector<draw::Layer>> layers_;  ///< of OpenEXR pictures
   frame::OutputName output_;
   std::optional<frame::FieldFiles> fields_;
   std::map<int, std::filesystem::path> kept_;

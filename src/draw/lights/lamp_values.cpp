@@ -1,6 +1,7 @@
 #include "draw/lights/lamp_values.hpp"
 
 #include "base/ieee.hpp"
+#include "draw/lights/black_body.hpp"
 #include "draw/lights/flicker.hpp"
 #include "sim/core/path.hpp"
 
@@ -36,19 +37,38 @@ void setMaps(shader::Lamp& lamp, const LampOrder& order, std::size_t i) {
   lamp.sampling = glm::vec4(lamp.place.w, 2.0F / inner, light.shadowSoftness, 1.0F / side);
 }
 
-/// cos(half the angle) at the edge, where the share is 0, and at where it is 1. A point light has 1
-/// everywhere.
+constexpr double pi = 3.141592653589793;
+
+/// Cosines of half a cone's angle at the edge, where its share of the light is 0, and at where it is 1.
+struct Cone {
+  double edge, full;
+};
+Cone coneAt(const scene::Spot& spot, double seconds) {
+  constexpr double radiansPerDegree = pi / 180;
+  constexpr double least = 1e-4;  // between the two
+  const double half = 0.5 * radiansPerDegree * static_cast<double>(spot.angle.at(seconds));
+  const double inner = half * (1 - static_cast<double>(spot.softness.at(seconds)));
+  const double edge = ieee::cos(half);
+  return {edge, std::max(ieee::cos(inner), edge + least)};
+}
+
+/// As coneShare of glsl/draw/lights/point_light.glsl reads it. A point light has 1 everywhere.
 glm::vec4 coneOf(const scene::Light& light, glm::vec3 place, double seconds) {
   if (light.type != scene::Light::Type::spot) return {0, 0, 0, 1};
-  constexpr double radiansPerDegree = 0.017453292519943295;
-  constexpr double least = 1e-4;  // between the two cosines
-  const double half = 0.5 * radiansPerDegree * static_cast<double>(light.spot.angle.at(seconds));
-  const double inner = half * (1 - static_cast<double>(light.spot.softness.at(seconds)));
-  const double edge = ieee::cos(half), full = std::max(ieee::cos(inner), edge + least);
+  const auto [edge, full] = coneAt(light.spot, seconds);
   const glm::vec3 along = light.spot.target.at(seconds) - place;
   const glm::vec3 direction = glm::length(along) > 1e-6F ? glm::normalize(along) : glm::vec3(0, -1, 0);
   const auto scale = static_cast<float>(1 / (full - edge));
   return {scale * direction, static_cast<float>(-edge / (full - edge))};
+}
+
+/// Steradians that a light fills as brightly as its middle: what it sends in all is that times its
+/// intensity. Of a cone, 2 pi times the integral of its share over the cosine: 1 up to `full`, from there the
+/// square of a line, whose mean is 1/3.
+double filledBy(const scene::Light& light, double seconds) {
+  if (light.type != scene::Light::Type::spot) return 4 * pi;
+  const auto [edge, full] = coneAt(light.spot, seconds);
+  return 2 * pi * ((1 - full) + (full - edge) / 3);
 }
 
 }  // namespace
@@ -66,6 +86,22 @@ LampOrder::LampOrder(const scene::Scene& scene) {
   }
 }
 
+float candelas(const scene::Light& light, double seconds) {
+  // Luminous efficacy of white light (Ward, "The RADIANCE lighting simulation and rendering system",
+  // SIGGRAPH 1994), lm / W.
+  constexpr double lumensPerWatt = 179;
+  const double given = static_cast<double>(light.intensity.at(seconds));
+  switch (light.unit) {
+    case scene::Light::Unit::lumen:
+      return static_cast<float>(given / filledBy(light, seconds));
+    case scene::Light::Unit::watt:
+      return static_cast<float>(given * lumensPerWatt / filledBy(light, seconds));
+    case scene::Light::Unit::candela:
+      break;
+  }
+  return light.intensity.at(seconds);
+}
+
 std::vector<shader::Lamp> lampValues(const LampOrder& order, int seed, double seconds,
                                      const sim::Drawables& drawables) {
   constexpr float perPi = 0.31830989F;
@@ -76,10 +112,12 @@ std::vector<shader::Lamp> lampValues(const LampOrder& order, int seed, double se
         light.hasFlicker ? flickered(light.flicker, light.name, seed, seconds) : Flickered{};
     const float radius = light.radius.at(seconds);
     const std::optional<glm::vec3> place = placeOf(light, seconds, drawables);
-    const float candela = place ? light.intensity.at(seconds) * unrest.factor : 0.0F;
+    const float candela = place ? candelas(light, seconds) * unrest.factor : 0.0F;
     shader::Lamp& lamp = lamps.emplace_back();
     lamp.place = glm::vec4(place.value_or(glm::vec3(0)) + unrest.moved, radius);
-    lamp.power = glm::vec4(light.color.at(seconds) * (candela * perPi), 1.0F / (radius * radius));
+    const glm::vec3 color =
+        light.temperature ? blackBodyColor(*light.temperature) : light.color.at(seconds);
+    lamp.power = glm::vec4(color * (candela * perPi), 1.0F / (radius * radius));
     lamp.cone = coneOf(light, glm::vec3(lamp.place), seconds);
     if (light.shadow) setMaps(lamp, order, i);
   }

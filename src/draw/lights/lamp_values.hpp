@@ -31,6 +31,10 @@ struct LampOrder {
 [[nodiscard]] std::vector<shader::Lamp> lampValues(const LampOrder& order, int seed, double seconds,
                                                    const sim::Drawables& drawables);
 
+/// Luminous intensity (cd) of a light at that time, in the middle of its cone if it has one, whatever its
+/// unit.
+[[nodiscard]] float candelas(const scene::Light& light, double seconds);
+
 /// Says in `maps` where the maps lie in whole texels, as glsl/draw/exact/shadows/lamp_maps.glsl reads it.
 void setTexels(std::vector<shader::Lamp>& lamps, const LampOrder& order);
 

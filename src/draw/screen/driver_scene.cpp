@@ -30,7 +30,7 @@ struct DriverScene::State {
         ground(scene, shadow, lamps),
         resolve(size, samples),
         bloom(scene.render.bloom, size, resolve.samples()),
-        toneMap(resolve.samples(), bloom.on()) {}
+        toneMap(scene.render, resolve.samples(), bloom.on()) {}
 
   const scene::Scene& scene;
   const FieldTextures& fieldTextures;

@@ -91,6 +91,15 @@ void Renderer::keepPasses(PassPicture* passes) {
   state_->exact->keepPasses(passes);
 }
 
+void Renderer::keepLayers(std::span<const Layer> wanted) {
+  SIMREEL_CHECK(state_->exact.has_value());
+  state_->exact->keepLayers(wanted);
+}
+
+PictureLayers Renderer::takeLayers() {
+  return state_->exact->takeLayers();
+}
+
 const gl::Framebuffer& Renderer::target() const {
   return state_->picture.framebuffer;
 }

@@ -1,5 +1,6 @@
 #pragma once
 #include "draw/exact/passes.hpp"
+#include "draw/exact/scene/picture_layers.hpp"
 #include "gl/texture.hpp"
 #include "scene/scene.hpp"
 #include "sim/core/drawable.hpp"
@@ -7,6 +8,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 
 #include <glm/vec2.hpp>
 
@@ -41,6 +43,12 @@ class Renderer {
   /// From now on the passes of a picture are kept there as it is drawn, in place of those before; null:
   /// nowhere. They are copied to the CPU, which waits for the device. The rasterizer must be the exact one.
   void keepPasses(PassPicture* passes);
+
+  /// From now on what a picture is before lens and film is kept as it is drawn, with these layers; the CPU
+  /// waits for it. The rasterizer must be the exact one.
+  void keepLayers(std::span<const Layer> wanted);
+  /// That of the last picture.
+  [[nodiscard]] PictureLayers takeLayers();
 
   /// RGBA8, sRGB-encoded; row 0 of a read-back is the picture's top row.
   [[nodiscard]] const gl::Framebuffer& target() const;

@@ -9,16 +9,17 @@ namespace simreel::draw {
 
 namespace {
 
-gl::Defines definesFor(int samples, bool bloom) {
-  gl::Defines defines = {{"SAMPLES", std::to_string(samples)}};
+gl::Defines definesFor(const scene::Render& render, int samples, bool bloom) {
+  gl::Defines defines = filmDefines(render);
+  defines.emplace_back("SAMPLES", std::to_string(samples));
   if (bloom) defines.emplace_back("BLOOM", "1");
   return withFrame(std::move(defines));
 }
 
 }  // namespace
 
-ToneMapPass::ToneMapPass(int samples, bool bloom)
-    : program_("draw/screen/tone_map.glsl", "rgba8", definesFor(samples, bloom),
+ToneMapPass::ToneMapPass(const scene::Render& render, int samples, bool bloom)
+    : program_("draw/screen/tone_map.glsl", "rgba8", definesFor(render, samples, bloom),
                "draw/screen/tone_map.vert") {
   program_.program().checkUniformBlock("FrameBlock", sizeof(shader::Frame));
 }

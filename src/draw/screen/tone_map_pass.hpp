@@ -1,6 +1,7 @@
 #pragma once
 #include "draw/screen/screen_program.hpp"
 #include "draw/screen/targets.hpp"
+#include "scene/scene.hpp"
 
 namespace simreel::draw {
 
@@ -8,8 +9,8 @@ namespace simreel::draw {
 /// sRGB.
 class ToneMapPass {
  public:
-  /// `samples`: of the light that draw() gets.
-  ToneMapPass(int samples, bool bloom);
+  /// `render`: how light becomes a picture. `samples`: of the light that draw() gets.
+  ToneMapPass(const scene::Render& render, int samples, bool bloom);
   /// Fills the picture. `glow` times `strength` is added to the light; null without bloom.
   void draw(const gl::Texture& light, const Picture& picture, const gl::Texture* glow,
             float strength) const;

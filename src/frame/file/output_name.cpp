@@ -20,7 +20,7 @@ constexpr std::array<std::string_view, 10> videoExtensions = {".mp4", ".webm", "
                                                               ".avi", ".apng", ".m4v", ".ogv", ".mpg"};
 constexpr int maxDigits = 20;  ///< of a frame number
 constexpr const char* supported =
-    "supported are a folder, NAME_####.png, NAME.png for one frame, a video (.mp4, .webm, .gif, .mkv, "
+    "supported are a folder, NAME_####.png or .exr, NAME.png or .exr for one frame, a video (.mp4, .webm, .gif, .mkv, "
     ".mov, .avi, .apng, .m4v, .ogv, .mpg), or - for standard output";
 
 /// Where the frame number stands in a file name.
@@ -85,8 +85,9 @@ std::optional<OutputName> patternOutput(const std::string& output) {
   if (placeholders.empty()) return std::nullopt;
   if (placeholders.size() > 1)
     fail(ExitCode::usage, "--output {}: the frame number may stand once only", output);
-  if (lowerExtension(name) != ".png")
-    fail(ExitCode::usage, "--output {}: numbered frames are PNG files, so the name must end in .png",
+  if (lowerExtension(name) != ".png" && lowerExtension(name) != ".exr")
+    fail(ExitCode::usage,
+         "--output {}: numbered frames are PNG or OpenEXR files, so the name must end in .png or .exr",
          output);
   const Placeholder& at = placeholders.front();
   OutputName result;
@@ -110,6 +111,10 @@ OutputName fileOutput(OutputName::Kind kind, const fs::path& path) {
 std::string OutputName::fileName(int frame) const {
   if (kind != Kind::sequence) return prefix;
   return fmt::format("{}{:0{}}{}", prefix, frame, digits, suffix);
+}
+
+bool OutputName::isLight() const {
+  return (kind == Kind::sequence || kind == Kind::single) && lowerExtension(fileName(0)) == ".exr";
 }
 
 std::filesystem::path OutputName::file(int frame) const {
@@ -169,10 +174,10 @@ OutputName parseOutput(const std::string& output, std::size_t frameCount) {
 
   const std::string extension = lowerExtension(path);
   if (extension.empty()) return folderOutput(path);
-  if (extension == ".png") {
+  if (extension == ".png" || extension == ".exr") {
     if (frameCount != 1)
-      fail(ExitCode::usage, "--output {}: one name for {} frames; write {}_####.png", output, frameCount,
-           (path.parent_path() / path.stem()).string());
+      fail(ExitCode::usage, "--output {}: one name for {} frames; write {}_####{}", output, frameCount,
+           (path.parent_path() / path.stem()).string(), extension);
     return fileOutput(OutputName::Kind::single, path);
   }
   if (std::find(videoExtensions.begin(), videoExtensions.end(), extension) != videoExtensions.end())

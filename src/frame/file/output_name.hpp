@@ -15,10 +15,12 @@ struct OutputName {
   Kind kind = Kind::sequence;
   std::filesystem::path folder;  ///< of the files; empty for the current one
   std::string prefix;            ///< sequence: before the number. Otherwise the whole file name
-  std::string suffix;            ///< sequence: after the number, ".png" included
+  std::string suffix;            ///< sequence: after the number, ".png" or ".exr" included
   int digits = 0;                ///< sequence: the number is padded with zeros to so many
   bool wholeFolder = false;      ///< sequence: the folder was given, not a pattern
 
+  /// Whether pictures are OpenEXR files, of light before lens and film; else their bytes are shown ones.
+  [[nodiscard]] bool isLight() const;
   /// Where a frame of a sequence goes; the one file of any other kind.
   [[nodiscard]] std::filesystem::path file(int frame) const;
   /// Name of that file without its folder.

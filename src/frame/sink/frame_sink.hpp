@@ -1,4 +1,5 @@
 #pragma once
+#include "draw/exact/scene/picture_layers.hpp"
 #include "frame/file/run_info.hpp"
 #include "frame/image.hpp"
 
@@ -15,6 +16,7 @@ struct FrameInfo {
   int frame = 0;
   std::string stateHash;
   std::vector<FrameFile> files = {};  ///< to be stored with it
+  std::shared_ptr<const draw::PictureLayers> layers = nullptr;  ///< where the output has them
 };
 
 /// Where rendered frames go: a numbered sequence, one picture, a video file, or standard output.

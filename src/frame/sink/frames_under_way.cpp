@@ -16,8 +16,14 @@ FramesUnderWay::FramesUnderWay(const scene::Scene& scene, FrameSink& sink, const
       timers_(timers),
       awaitSummary_(std::move(awaitSummary)),
       size_(scene.render.size),
+      alpha_(scene.render.transparent),
       renderer_(scene, scene.render.size, scene.render.samples),
       readback_(scene.render.size) {}
+
+void FramesUnderWay::keepLayers(std::span<const draw::Layer> wanted) {
+  renderer_.keepLayers(wanted);
+  keepsLayers_ = true;
+}
 
 bool FramesUnderWay::misses(int frame) const {
   return sink_.wants(frame) || (fields_ != nullptr && fields_->misses(frame, sink_));
@@ -30,7 +36,9 @@ void FramesUnderWay::draw(sim::World& world, std::optional<std::string> stateHas
     timers_.run(&StageTimes::draw, frame, [&] { drawWorld(renderer_, world); });
     readback_.start(renderer_.target(), frame);
   }
-  waiting_.push_back({frame, wanted, {}, std::move(stateHash)});
+  waiting_.push_back({frame, wanted, {}, nullptr, std::move(stateHash)});
+  if (wanted && keepsLayers_)
+    waiting_.back().layers = std::make_shared<const draw::PictureLayers>(renderer_.takeLayers());
   if (fields_ != nullptr) {
     const Stopwatch time = timers_.watch(&StageTimes::readBack);
     waiting_.back().files = fields_->read(frame, world.drawables().fields, sink_);
@@ -76,7 +84,7 @@ void FramesUnderWay::store(Waiting waiting) {
   // A software driver draws in the background: waiting for it is drawing time.
   timers_.wait(&StageTimes::draw, [&] { readback_.waitForOldest(); });
   timers_.collect(waiting.frame);
-  Image image{size_.x, size_.y, {}};
+  Image image{size_.x, size_.y, {}, alpha_};
   {
     const Stopwatch time = timers_.watch(&StageTimes::readBack);
     auto taken = readback_.take(true);
@@ -86,7 +94,9 @@ void FramesUnderWay::store(Waiting waiting) {
   }
   if (hear_) hear_(waiting.frame, image);
   const Stopwatch time = timers_.watch(&StageTimes::wait);
-  sink_.add({waiting.frame, *std::move(waiting.stateHash), std::move(waiting.files)}, std::move(image));
+  sink_.add({waiting.frame, *std::move(waiting.stateHash), std::move(waiting.files),
+             std::move(waiting.layers)},
+            std::move(image));
 }
 
 void FramesUnderWay::compareWithStored(Waiting waiting) {

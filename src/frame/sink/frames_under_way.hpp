@@ -12,7 +12,9 @@
 
 #include <deque>
 #include <functional>
+#include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -30,6 +32,8 @@ class FramesUnderWay {
   FramesUnderWay(const scene::Scene& scene, FrameSink& sink, const FieldFiles* fields, Progress& progress,
                  StageTimers& timers, std::function<void()> awaitSummary);
 
+  /// From now on pictures have layers, and light before lens and film.
+  void keepLayers(std::span<const draw::Layer> wanted);
   /// Who hears of each picture before the sink gets it.
   void onPicture(std::function<void(int frame, const Image& image)> hear) { hear_ = std::move(hear); }
   /// Whether anything of a frame is to be written.
@@ -50,6 +54,7 @@ class FramesUnderWay {
     int frame;
     bool drawn;
     std::vector<FrameFile> files;  ///< stored when the frame is known to be sound
+    std::shared_ptr<const draw::PictureLayers> layers;
     std::optional<std::string> stateHash;
   };
 
@@ -64,6 +69,8 @@ class FramesUnderWay {
   std::function<void()> awaitSummary_;
   std::function<void(int frame, const Image& image)> hear_;
   glm::ivec2 size_;
+  bool alpha_;  ///< whether pictures have it
+  bool keepsLayers_ = false;
   draw::Renderer renderer_;
   draw::Readback readback_;
   std::deque<Waiting> waiting_;

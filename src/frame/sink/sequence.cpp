@@ -36,6 +36,7 @@ class Run {
         summaries_(world_, [this](const auto& summary) { hear(summary); }),
         frames_(scene, sink, beside.fields, progress, timers_, [this] { summaries_.takeOldest(); }),
         watch_(beside.watch) {
+    if (beside.layers) frames_.keepLayers(*beside.layers);
     if (watch_ != nullptr)
       frames_.onPicture([this](int frame, const Image& image) { watch_->drawn(frame, image); });
   }

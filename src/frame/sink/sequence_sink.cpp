@@ -7,6 +7,7 @@
 #include "base/log.hpp"
 #include "base/processor.hpp"
 #include "base/version.hpp"
+#include "frame/exr.hpp"
 #include "frame/file/output_name.hpp"
 #include "frame/file/reserved_room.hpp"
 #include "frame/file/run_info.hpp"
@@ -213,11 +214,13 @@ class SequenceSink final : public FrameSink {
       entry.files[file.name] = hashHex(file.bytes);
     }
     if (image) {
-      HashedPng png = encodeHashedPng(*image, chunks(info));
-      writeFileAtomically(output_.file(info.frame), png.file, NameSync::later);
+      const HashedFile picture =
+          info.layers ? HashedFile{encodeExr(*info.layers, chunks(info)), pixelHash(*info.layers)}
+                      : encodeHashedPng(*image, chunks(info));
+      writeFileAtomically(output_.file(info.frame), picture.file, NameSync::later);
       entry.file = output_.fileName(info.frame);
-      entry.bytes = hashHex(png.file);
-      entry.pixels = std::move(png.pixels);
+      entry.bytes = hashHex(picture.file);
+      entry.pixels = picture.pixels;
       entry.state = info.stateHash;
       entry.drawn = true;
     }

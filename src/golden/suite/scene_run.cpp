@@ -24,6 +24,7 @@ class Runner {
         renderer_(scene, scene.render.size, scene.render.samples),
         readback_(scene.render.size),
         size_(scene.render.size),
+        alpha_(scene.render.transparent),
         checker_(scene, world_, frames) {}
 
   SceneRun run(std::span<const int> frames) {
@@ -63,7 +64,7 @@ class Runner {
   RunFrame draw(int frame) {
     frame::drawWorld(renderer_, world_);
     readback_.start(renderer_.target(), frame);
-    RunFrame made{frame, world_.time(), {size_.x, size_.y, {}}, {}, {}};
+    RunFrame made{frame, world_.time(), {size_.x, size_.y, {}, alpha_}, {}, {}};
     made.image.bytes = readback_.take(true)->second;
     made.pixels = frame::pixelHash(made.image);
     const auto arrays = world_.arrays();
@@ -78,6 +79,7 @@ class Runner {
   draw::Renderer renderer_;
   draw::Readback readback_;
   glm::ivec2 size_;
+  bool alpha_;  ///< whether pictures have it
   Checker checker_;
   sim::World::Summary summary_;  ///< the latest
   SceneRun result_;

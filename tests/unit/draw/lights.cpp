@@ -216,3 +216,38 @@ TEST_CASE("point light: a ball widens the lobe by half the angle it spans, a poi
   CHECK(widenedAlpha(0.3F, 0.8F) == doctest::Approx(0.5));
   CHECK(widenedAlpha(0, 1) == doctest::Approx(0.5));
 }
+
+TEST_CASE("lights: lumens are the integral of the intensity over all directions") {
+  scene::Light light;
+  light.intensity = 800.0F;
+  CHECK(draw::candelas(light, 0) == 800.0F);
+  light.unit = scene::Light::Unit::lumen;
+  CHECK(draw::candelas(light, 0) == doctest::Approx(800 / (4 * std::numbers::pi)));
+  light.unit = scene::Light::Unit::watt;
+  CHECK(draw::candelas(light, 0) == doctest::Approx(800 * 179 / (4 * std::numbers::pi)));
+  light.unit = scene::Light::Unit::lumen;
+  light.type = scene::Light::Type::spot;
+  light.position = glm::vec3(0, 3, 0);
+  light.spot.target = glm::vec3(0, 0, 0);
+  for (const float angle : {10.0F, 45.0F, 120.0F})
+    for (const float softness : {0.0F, 0.3F, 1.0F}) {
+      light.spot.angle = angle;
+      light.spot.softness = softness;
+      scene::Scene scene;
+      scene.lights = {light};
+      const shader::Lamp lamp = draw::lampValues(draw::LampOrder(scene), 1, 0, {}).at(0);
+      double sum = 0;
+      constexpr int steps = 200000;
+      for (int i = 0; i < steps; ++i) {
+        const double cosine = -1 + 2 * (i + 0.5) / steps;
+        const double sine = std::sqrt(1 - cosine * cosine);
+        // `towards` the light; the cone's middle points down.
+        const glm::vec3 towards(sine, cosine, 0);
+        sum += static_cast<double>(coneShare(towards, lamp.cone)) * 2 / steps;
+      }
+      CAPTURE(angle);
+      CAPTURE(softness);
+      CHECK(2 * std::numbers::pi * sum * static_cast<double>(draw::candelas(light, 0)) ==
+            doctest::Approx(800).epsilon(0.01));
+    }
+}

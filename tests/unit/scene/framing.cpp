@@ -87,3 +87,26 @@ TEST_CASE("a camera frames all that ask for it together, and stays where a scene
   CHECK(placed.camera.position.at(0) == scene::Camera().position.at(0));
   CHECK(with({}, {64, 64}).camera.position.at(0) == scene::Camera().position.at(0));
 }
+
+TEST_CASE("a camera that goes round has all in view from everywhere, and from somewhere little more") {
+  for (const bool round : {false, true})
+    for (const float elevation : {-15.0F, 0.0F, 20.0F, 70.0F}) {
+      CAPTURE(round);
+      CAPTURE(elevation);
+      const scene::Box box{{-1, 0.5F, -0.2F}, {2, 1.5F, 0.4F}, round};
+      scene::Scene scene;
+      scene.camera.orbits = true;
+      scene.camera.orbit.elevation = elevation;
+      scene::Object& object = scene.objects.emplace_back();
+      object.parameters = std::make_unique<Boxed>(box);
+      scene::frameObjects(scene, {box});
+      float most = 0;
+      for (int turn = 0; turn < 360; turn += 5) {
+        scene.camera.orbit.turn = static_cast<float>(turn);
+        const float reached = reach(scene, box);
+        CHECK(reached < (round ? 1.5F : 0.93F));  // corners of a box around a ball are outside of it
+        most = std::max(most, reached);
+      }
+      CHECK(most > 0.85F);
+    }
+}

@@ -195,8 +195,10 @@ TEST_CASE("mistakes in keyframes") {
     INFO(report);
     return has(report, message);
   };
-  CHECK(says(R"({"keys": [[0, 1], [0, 2]]})",
-             "s.json:3:29: error: keyframe times must increase; 0 s follows 0 s"));
+  CHECK(says(R"({"keys": [[1, 1], [0, 2]]})",
+             "s.json:3:29: error: keyframe times must increase; 0 s follows 1 s"));
+  CHECK(says(R"({"keys": [[0, 1], [0, 2], [0, 3]]})",
+             "s.json:3:37: error: two keyframes at one time are a jump; this is the third at 0 s"));
   CHECK(says(R"({"keys": [[0, 9]]})", "s.json:3:24: error: \"gust\" must be between 0 and 5 m/s, found 9"));
   CHECK(says(R"({"keys": [[0, [1]]]})", "expected a number, found a list"));
   CHECK(says(R"({"keys": [3]})", "expected a keyframe [time, value]"));

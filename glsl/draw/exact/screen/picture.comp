@@ -1,5 +1,5 @@
-// The finished picture: light over the sky, through lens and film, as bytes. BLOOM: adds scattered light. An invocation does ROWS
-// pixels, one below the other.
+// The finished picture: light over the sky, or over nothing (TRANSPARENT), through lens and film, as bytes. BLOOM: adds scattered
+// light. LINEAR: the light itself, of both, instead. An invocation does ROWS pixels, one below the other.
 #define EXACT_PICTURE
 #include "draw/frame_block.glsl"
 #include "draw/exact/view_block.glsl"
@@ -8,9 +8,14 @@
 #include "draw/sky.glsl"
 #include "draw/screen/film.glsl"
 #include "draw/screen/lens.glsl"
+#include "draw/screen/cover.glsl"
 layout(local_size_x = 8, local_size_y = 8 / ROWS) in;
 LIGHT_PICTURE(sceneUnit, lightImage, sums);
+#ifdef LINEAR
+layout(rgba32f, binding = pictureImage) writeonly restrict uniform image2D picture;
+#else
 layout(rgba8, binding = pictureImage) writeonly restrict uniform image2D picture;
+#endif
 uniform vec2 perSize;  // 2 / the picture's size
 vec2 perSize_ = once(perSize);
 #ifdef BLOOM
@@ -29,14 +34,33 @@ float asByte(float x) {
 void finish(ivec2 at) {
   vec4 drawn = min(LIGHT_AT(sums, at), 6e4f);
   precise vec2 place = vec2(at) + 0.5f;
+#ifdef TRANSPARENT
+  precise vec3 light = drawn.rgb;
+#else
   vec3 direction = unitOf(rayThrough(place));
   precise vec3 light = drawn.rgb + (1.0f - drawn.a) * skyInDirection(direction);
+#endif
 #ifdef BLOOM
   light = light + bloomStrength_ * scatteredAt(at);
 #endif
   precise vec2 aside = place * perSize_ - 1.0f;
+#ifdef TRANSPARENT
+  precise vec3 more = light - drawn.rgb;
+  vec3 added = drawn.a > 0.0f ? more : light;
+#ifdef LINEAR
+  imageStore(picture, at, vec4(light, drawn.a));
+#else
+  float cover = coverOf(drawn.a, throughLens(added, aside));
+  precise vec3 color = encoded(filmed(lightOfCover(throughLens(light, aside), cover))) + dither(at);
+  color = cover < 1e-4f ? vec3(0.0f) : color;
+  imageStore(picture, at, vec4(asByte(color.r), asByte(color.g), asByte(color.b), asByte(cover)));
+#endif
+#elif defined LINEAR
+  imageStore(picture, at, vec4(light, 1.0f));
+#else
   precise vec3 color = encoded(filmed(throughLens(light, aside))) + dither(at);
   imageStore(picture, at, vec4(asByte(color.r), asByte(color.g), asByte(color.b), 1.0f));
+#endif
 }
 
 void main() {

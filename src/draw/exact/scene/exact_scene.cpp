@@ -11,6 +11,7 @@
 #include "draw/exact/shaded_tiles.hpp"
 #include "draw/exact/surface_shading.hpp"
 #include "draw/exact/triangle_raster.hpp"
+#include "draw/frame_values.hpp"
 #include "draw/rows_at_once.hpp"
 #include "draw/surface/shadow_pass.hpp"
 #include "gl/element_array.hpp"
@@ -21,6 +22,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace simreel::draw {
@@ -64,6 +66,8 @@ struct ExactScene::State {
   }
   [[nodiscard]] gl::Defines pictureDefines() const {
     gl::Defines defines = lightDefines();
+    for (auto& define : filmDefines(scene.render)) defines.push_back(std::move(define));
+    if (scene.render.transparent) defines.emplace_back("TRANSPARENT", "1");
     defines.emplace_back("ROWS", std::to_string(rowsAtOnce()));
     if (bloom.on()) defines.emplace_back("BLOOM", "1");
     if (scene.numerics == scene::Numerics::fast) defines.emplace_back("FAST_NUMERICS", "1");
@@ -76,6 +80,8 @@ struct ExactScene::State {
   void gather();
   void shadeAll();
   void keepVisibility(glm::ivec2 rows) const;
+  void keepLayers(const shader::ExactView& values);
+  void keepLight();
 
   const scene::Scene& scene;
   glm::ivec2 size;
@@ -100,6 +106,11 @@ struct ExactScene::State {
   Bloom bloom;
   gl::Program litGround, shadedGround, lensSum, picture;
   PassPicture* passes = nullptr;  ///< where they are kept
+  std::optional<std::vector<Layer>> wantedLayers;
+  PictureLayers layers;
+  std::optional<LayerKeeper> layerKeeper;  ///< while the layers' view is drawn
+  gl::Program linear;                      ///< of those alone
+  gl::Texture light;
   gl::Texture sums;               ///< light of each pixel, and in alpha how much of it is covered
   gl::Texture total;              ///< of points of the lens so far, if there are several
 };
@@ -208,6 +219,40 @@ void ExactScene::keepPasses(PassPicture* passes) {
   state_->passes = passes;
 }
 
+void ExactScene::keepLayers(std::span<const Layer> wanted) {
+  State& s = *state_;
+  s.wantedLayers.emplace(wanted.begin(), wanted.end());
+  gl::Defines defines = s.pictureDefines();
+  defines.emplace_back("LINEAR", "1");
+  s.linear = gl::Program::compute("draw/exact/screen/picture.comp", defines);
+  s.light = gl::Texture::image("light before the film", GL_RGBA32F, s.size.x, s.size.y);
+}
+
+PictureLayers ExactScene::takeLayers() {
+  return std::move(state_->layers);
+}
+
+void ExactScene::State::keepLayers(const shader::ExactView& values) {
+  std::vector<DrawnThing> things;
+  for (const TriangleRaster::Drawn& drawn : triangles.drawn())
+    things.push_back({objectName(*drawn.surface), "triangle", drawn.firstId, 1});
+  instances.describe(things);
+  layerKeeper->add(visibility, values, things);
+}
+
+/// What picture.comp makes a picture of.
+void ExactScene::State::keepLight() {
+  light.bindImage(pictureImage, GL_WRITE_ONLY);
+  linear.dispatch(size.x, (size.y + rowsAtOnce() - 1) / rowsAtOnce());
+  glMemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT);
+  layers.alpha = scene.render.transparent;
+  layers.light.resize(4 * static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y));
+  glGetTextureImage(light.name(), 0, GL_RGBA, GL_FLOAT,
+                    static_cast<GLsizei>(layers.light.size() * sizeof(float)), layers.light.data());
+  // Which of two zeros a minimum is, devices may choose.
+  for (float& value : layers.light) value += 0.0F;
+}
+
 void ExactScene::State::drawBand(const sim::Drawables& drawables, const shader::ExactView& values,
                                  const Watch& watch) {
   const glm::ivec2 rows = values.rows;
@@ -235,7 +280,8 @@ void ExactScene::State::drawBand(const sim::Drawables& drawables, const shader::
   sums.bindImage(sumImage, GL_READ_WRITE);
   const GroundPlace place{rowsTowardsGround(values, scene.ground.height, ShadedTiles::side),
                           nearOfGround(values, scene.ground.height), raysAside(values)};
-  tiles.list(firstIds, visibility, place, ExactInstances::anyAdd(drawables));
+  tiles.list(firstIds, visibility, place, ExactInstances::anyAdd(drawables) || layerKeeper);
+  if (layerKeeper) keepLayers(values);
   if (passes != nullptr) keepVisibility(rows);
   shadeAll();
   if (passes != nullptr) passes->keepLight("light", "", sums, rows);
@@ -295,9 +341,11 @@ void ExactScene::draw(double seconds, const sim::Drawables& published, const Ove
   const std::vector<LensPoint> points = lensPoints(s.scene.camera, seen, seconds);
   // Passes are kept of the first one, and of the mean.
   PassPicture* const kept = s.passes;
+  if (s.wantedLayers) s.layerKeeper.emplace(s.layers, *s.wantedLayers, s.size, s.samples);
   for (std::size_t i = 0; i < points.size(); ++i) {
     s.drawThrough(drawables, exactView(seen, s.scene.camera, s.size, points[i]), watch);
     s.passes = nullptr;
+    s.layerKeeper.reset();
     if (s.scene.camera.hasLens) s.addThrough(i, points.size());
   }
   s.passes = kept;
@@ -314,7 +362,8 @@ void ExactScene::draw(double seconds, const sim::Drawables& published, const Ove
     const gl::Texture& scattered = s.bloom.draw(s.sums);
     if (s.passes) s.passes->keepLight("bloom", "", scattered, {0, scattered.height()});
     bindLight(scattered, bloomUnit, scatteredImage);
-    s.picture.set("bloomStrength", s.scene.render.bloom.strength.at(seconds));
+    for (const gl::Program* program : {&s.picture, &s.linear})
+      if (program->name() != 0) program->set("bloomStrength", s.scene.render.bloom.strength.at(seconds));
     issued("bloom");
   }
   bindLight(s.sums, sceneUnit, lightImage);
@@ -324,6 +373,7 @@ void ExactScene::draw(double seconds, const sim::Drawables& published, const Ove
   glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT |
                   GL_FRAMEBUFFER_BARRIER_BIT | GL_PIXEL_BUFFER_BARRIER_BIT);
   if (s.passes) s.passes->keepBytes("picture", "film", picture);
+  if (s.wantedLayers) s.keepLight();
   issued("tone map");
 }
 

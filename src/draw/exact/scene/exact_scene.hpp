@@ -1,5 +1,6 @@
 #pragma once
 #include "draw/exact/passes.hpp"
+#include "draw/exact/scene/picture_layers.hpp"
 #include "draw/overlay/field_pass.hpp"
 #include "draw/overlay/field_textures.hpp"
 #include "gl/texture.hpp"
@@ -8,6 +9,7 @@
 
 #include <functional>
 #include <memory>
+#include <span>
 
 #include <glm/vec2.hpp>
 
@@ -37,6 +39,11 @@ class ExactScene {
             const gl::Texture& picture, const Watch& watch);
   /// From now on a picture's passes are kept there, in place of those before; null: nowhere.
   void keepPasses(PassPicture* passes);
+  /// From now on what a picture is before lens and film is kept as it is drawn, with these layers; the CPU
+  /// waits for it. Where a camera has a lens layers are those of its first point.
+  void keepLayers(std::span<const Layer> wanted);
+  /// That of the last picture.
+  [[nodiscard]] PictureLayers takeLayers();
 
  private:
   struct State;

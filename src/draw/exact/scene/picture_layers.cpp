@@ -1,0 +1,97 @@
+#include "draw/exact/scene/picture_layers.hpp"
+
+#include "draw/exact/exact_view.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cstddef>
+#include <limits>
+
+#include <glm/vec3.hpp>
+
+namespace simreel::draw {
+
+namespace {
+
+constexpr unsigned groundNumber = 0xfffffffeU, noNumber = 0xffffffffU;  // tile_lists.glsl
+constexpr unsigned farthestKey = 0x7fffffffU;                           // nearKey of triangle.glsl
+
+}  // namespace
+
+LayerKeeper::LayerKeeper(PictureLayers& into, std::span<const Layer> wanted, glm::ivec2 size, int samples)
+    : layers_(into), wanted_(wanted.begin(), wanted.end()), samples_(samples) {
+  const auto pixels = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
+  layers_ = {};
+  layers_.size = size;
+  const bool places = wants(Layer::position);
+  if (wants(Layer::depth)) layers_.depth.assign(pixels, std::numeric_limits<float>::infinity());
+  if (places) layers_.position.assign(3 * pixels, 0.0F);
+  if (!wants(Layer::object)) return;
+  layers_.ranks = std::min(samples, PictureLayers::mostRanks);
+  layers_.shares.resize(pixels * static_cast<std::size_t>(layers_.ranks));
+}
+
+bool LayerKeeper::wants(Layer layer) const {
+  return std::find(wanted_.begin(), wanted_.end(), layer) != wanted_.end();
+}
+
+std::uint32_t LayerKeeper::numbered(const std::string& name) {
+  std::vector<std::string>& objects = layers_.objects;
+  const auto found = std::find(objects.begin(), objects.end(), name);
+  if (found != objects.end()) return static_cast<std::uint32_t>(found - objects.begin());
+  objects.push_back(name);
+  return static_cast<std::uint32_t>(objects.size() - 1);
+}
+
+std::uint32_t LayerKeeper::objectOf(unsigned number, std::span<const DrawnThing> things) {
+  if (number == groundNumber) return numbered("ground");
+  const auto after = std::upper_bound(things.begin(), things.end(), number,
+                                      [](unsigned n, const DrawnThing& thing) { return n < thing.firstId; });
+  if (after == things.begin() || (after - 1)->object.empty()) return numbered("unnamed");
+  return numbered((after - 1)->object);
+}
+
+// A key is less the nearer it is: most - the bits of near / depth.
+void LayerKeeper::add(const Visibility& visibility, const shader::ExactView& view,
+                      std::span<const DrawnThing> things) {
+  const std::vector<GLuint> keys = visibility.readKeys();
+  const std::vector<GLuint> numbers =
+      wants(Layer::object) ? visibility.readNumbers() : std::vector<GLuint>();
+  const auto each = static_cast<std::size_t>(samples_), wide = static_cast<std::size_t>(view.size.x);
+  std::vector<PictureLayers::Share> found;
+  for (int y = view.rows.x; y < view.rows.y; ++y)
+    for (std::size_t x = 0; x < wide; ++x) {
+      const std::size_t pixel = static_cast<std::size_t>(y) * wide + x;
+      const std::size_t first = (static_cast<std::size_t>(y - view.rows.x) * wide + x) * each;
+      const unsigned key = *std::min_element(&keys[first], &keys[first] + each);
+      if (key <= farthestKey) {
+        const float depth = view.near / std::bit_cast<float>(farthestKey - key);
+        const glm::vec3 place = glm::vec3(view.eye) + depth * (glm::vec3(view.ray) +
+                                                               (static_cast<float>(x) + 0.5F) *
+                                                                   glm::vec3(view.rayAcross) +
+                                                               (static_cast<float>(y) + 0.5F) *
+                                                                   glm::vec3(view.rayDown));
+        if (!layers_.depth.empty()) layers_.depth[pixel] = depth;
+        for (int i = 0; i < 3 && !layers_.position.empty(); ++i)
+          layers_.position[3 * pixel + static_cast<std::size_t>(i)] = place[i];
+      }
+      if (numbers.empty()) continue;
+      found.clear();
+      for (std::size_t s = 0; s < each; ++s) {
+        if (numbers[first + s] == noNumber) continue;
+        const std::uint32_t object = objectOf(numbers[first + s], things);
+        const auto same = std::find_if(found.begin(), found.end(),
+                                       [&](const auto& share) { return share.object == object; });
+        if (same == found.end())
+          found.push_back({object, 1.0F / static_cast<float>(samples_)});
+        else
+          same->coverage += 1.0F / static_cast<float>(samples_);
+      }
+      std::stable_sort(found.begin(), found.end(),
+                       [](const auto& a, const auto& b) { return a.coverage > b.coverage; });
+      const std::size_t kept = std::min(found.size(), static_cast<std::size_t>(layers_.ranks));
+      std::copy_n(found.begin(), kept, &layers_.shares[pixel * static_cast<std::size_t>(layers_.ranks)]);
+    }
+}
+
+}  // namespace simreel::draw

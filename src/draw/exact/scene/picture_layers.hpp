@@ -1,0 +1,61 @@
+#pragma once
+#include "draw/exact/passes.hpp"
+#include "draw/exact/visibility.hpp"
+#include "glsl/common/cpp.hpp"
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <glm/vec2.hpp>
+
+namespace simreel::shader {
+struct ExactView;
+}  // namespace simreel::shader
+
+namespace simreel::draw {
+
+/// What may be known of a picture besides its colour, and what it is called.
+enum class Layer { depth, position, object };
+inline constexpr std::array<const char*, 3> layerNames = {"depth", "position", "object"};
+
+/// A picture before lens and film, linear light (Rec. 709 primaries), and layers of those that were asked for.
+/// Rows from the top.
+struct PictureLayers {
+  /// How much of a pixel an object covers.
+  struct Share {
+    std::uint32_t object = 0;  ///< its number in `objects`
+    float coverage = 0;        ///< 0 to 1
+  };
+  static constexpr int mostRanks = 6;
+
+  glm::ivec2 size{0};
+  std::vector<float> light;     ///< RGBA; alpha is how much is covered, times which light already is
+  bool alpha = false;           ///< whether it has one; else it is 1
+  std::vector<float> depth;     ///< m along the line of sight, of the nearest; infinite where nothing is
+  std::vector<float> position;  ///< three a pixel: where that is (m)
+  std::vector<std::string> objects;
+  int ranks = 0;  ///< shares of a pixel in `shares`, the largest first; what is left over covers nothing
+  std::vector<Share> shares;
+};
+
+/// Makes layers of what is visible, band by band, on the CPU.
+class LayerKeeper {
+ public:
+  LayerKeeper(PictureLayers& into, std::span<const Layer> wanted, glm::ivec2 size, int samples);
+  /// Waits for the device. `things`: what has numbers, their first ones ascending.
+  void add(const Visibility& visibility, const shader::ExactView& view, std::span<const DrawnThing> things);
+
+ private:
+  [[nodiscard]] bool wants(Layer layer) const;
+  std::uint32_t objectOf(unsigned number, std::span<const DrawnThing> things);
+  std::uint32_t numbered(const std::string& name);
+
+  PictureLayers& layers_;
+  std::vector<Layer> wanted_;
+  int samples_;
+};
+
+}  // namespace simreel::draw

@@ -1,0 +1,197 @@
+// OpenEXR files, by its own library.
+#include "base/error.hpp"
+#include "base/hash.hpp"
+#include "frame/exr.hpp"
+
+#include <ImfChannelList.h>
+#include <ImfChromaticitiesAttribute.h>
+#include <ImfFrameBuffer.h>
+#include <ImfHeader.h>
+#include <ImfIO.h>
+#include <ImfOutputFile.h>
+#include <ImfStringAttribute.h>
+#include <algorithm>
+#include <bit>
+#include <cstring>
+#include <deque>
+#include <exception>
+#include <new>
+#include <span>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace simreel::frame {
+
+namespace {
+
+using draw::PictureLayers;
+constexpr const char* matteName = "CryptoObject";
+
+class MemoryStream final : public Imf::OStream {
+ public:
+  MemoryStream() : OStream("picture") {}
+  void write(const char from[], int count) override {
+    const auto size = static_cast<std::size_t>(count);
+    if (at_ + size > bytes_.size()) bytes_.resize(at_ + size);
+    std::memcpy(bytes_.data() + at_, from, size);
+    at_ += size;
+  }
+  std::uint64_t tellp() override { return at_; }
+  void seekp(std::uint64_t position) override { at_ = position; }
+  [[nodiscard]] std::vector<std::byte> take() { return std::move(bytes_); }
+
+ private:
+  std::vector<std::byte> bytes_;
+  std::size_t at_ = 0;
+};
+
+/// Channels whose values are kept until the file is written.
+class Channels {
+ public:
+  explicit Channels(glm::ivec2 size)
+      : width_(static_cast<std::size_t>(size.x)), height_(static_cast<std::size_t>(size.y)) {}
+
+  /// Every `stride`-th float, from the first one.
+  void add(Imf::Header& header, const std::string& name, const float* values, std::size_t stride,
+           Imf::PixelType type) {
+    header.channels().insert(name.c_str(), Imf::Channel(type));
+    std::vector<float>& kept = values_.emplace_back(width_ * height_);
+    for (std::size_t i = 0; i < kept.size(); ++i) kept[i] = values[i * stride];
+    if (type == Imf::HALF) {
+      std::vector<half>& halves = halves_.emplace_back(kept.size());
+      std::transform(kept.begin(), kept.end(), halves.begin(), asHalf);
+      return insert(name, type, halves.data());
+    }
+    insert(name, type, kept.data());
+  }
+  [[nodiscard]] const Imf::FrameBuffer& frame() const { return frame_; }
+
+ private:
+  /// What is brighter than any half is the brightest of them, not infinite.
+  static half asHalf(float value) { return half(std::min(value, 65504.0F)); }
+
+  template <class Value>
+  void insert(const std::string& name, Imf::PixelType type, Value* first) {
+    frame_.insert(name.c_str(), Imf::Slice(type, reinterpret_cast<char*>(first), sizeof(Value),
+                                           sizeof(Value) * width_));
+  }
+
+  std::size_t width_, height_;
+  std::deque<std::vector<float>> values_;
+  std::deque<std::vector<half>> halves_;
+  Imf::FrameBuffer frame_;
+};
+
+std::string manifestOf(const std::vector<std::string>& objects) {
+  std::string manifest = "{";
+  for (const std::string& name : objects)
+    manifest += fmt::format("{}\"{}\":\"{:08x}\"", manifest.size() > 1 ? "," : "", name,
+                            cryptomatteId(name));
+  return manifest + "}";
+}
+
+void addMatte(Imf::Header& header, Channels& channels, const PictureLayers& picture) {
+  const std::string key = fmt::format("cryptomatte/{:08x}", cryptomatteId(matteName)).substr(0, 12 + 7);
+  header.insert(key + "/name", Imf::StringAttribute(matteName));
+  header.insert(key + "/hash", Imf::StringAttribute("MurmurHash3_32"));
+  header.insert(key + "/conversion", Imf::StringAttribute("uint32_to_float32"));
+  header.insert(key + "/manifest", Imf::StringAttribute(manifestOf(picture.objects)));
+  std::vector<float> ids;
+  for (const std::string& name : picture.objects) ids.push_back(std::bit_cast<float>(cryptomatteId(name)));
+  const auto ranks = static_cast<std::size_t>(picture.ranks);
+  const std::size_t pixels = picture.shares.size() / ranks;
+  for (std::size_t rank = 0; rank < ranks; rank += 2) {
+    std::vector<float> values(4 * pixels);
+    for (std::size_t i = 0; i < pixels; ++i)
+      for (std::size_t k = 0; k < 2 && rank + k < ranks; ++k) {
+        const PictureLayers::Share& share = picture.shares[i * ranks + rank + k];
+        if (share.coverage <= 0) continue;
+        values[4 * i + 2 * k] = ids[share.object];
+        values[4 * i + 2 * k + 1] = share.coverage;
+      }
+    for (std::size_t c = 0; c < 4; ++c)
+      channels.add(header, fmt::format("{}{:02}.{}", matteName, rank / 2, "RGBA"[c]), values.data() + c, 4,
+                   Imf::FLOAT);
+  }
+}
+
+/// Its bytes, beside what was hashed before.
+void addTo(std::string& all, const char* what, const std::vector<float>& values) {
+  if (!values.empty()) all += fmt::format(" {} {}", what, hashHex(std::as_bytes(std::span(values))));
+}
+
+}  // namespace
+
+std::vector<std::byte> encodeExr(const PictureLayers& picture, const ImageText& text) {
+  const glm::ivec2 size = picture.size;
+  SIMREEL_CHECK_EQ(picture.light.size(),
+                   4 * static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y));
+  Imf::Header header(size.x, size.y);
+  header.compression() = Imf::ZIP_COMPRESSION;
+  header.insert("chromaticities", Imf::ChromaticitiesAttribute(Imf::Chromaticities()));  // Rec. 709
+  for (const auto& [keyword, value] : text) header.insert(keyword, Imf::StringAttribute(value));
+  Channels channels(size);
+  for (std::size_t c = 0; c < (picture.alpha ? 4 : 3); ++c)
+    channels.add(header, std::string(1, "RGBA"[c]), picture.light.data() + c, 4, Imf::HALF);
+  if (!picture.depth.empty()) channels.add(header, "Z", picture.depth.data(), 1, Imf::FLOAT);
+  if (!picture.position.empty())
+    for (std::size_t c = 0; c < 3; ++c)
+      channels.add(header, fmt::format("P.{}", "XYZ"[c]), picture.position.data() + c, 3, Imf::FLOAT);
+  if (!picture.shares.empty()) addMatte(header, channels, picture);
+  MemoryStream stream;
+  try {
+    Imf::OutputFile file(stream, header, 1);
+    file.setFrameBuffer(channels.frame());
+    file.writePixels(size.y);
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const std::exception& error) {
+    fail(ExitCode::inputOutput, "cannot encode a {}x{} OpenEXR picture: {}", size.x, size.y,
+         error.what());
+  }
+  return stream.take();
+}
+
+std::string pixelHash(const PictureLayers& picture) {
+  std::string all = fmt::format("{}x{}{}", picture.size.x, picture.size.y, picture.alpha ? " alpha" : "");
+  addTo(all, "light", picture.light);
+  addTo(all, "depth", picture.depth);
+  addTo(all, "position", picture.position);
+  for (const std::string& object : picture.objects) all += " " + object;
+  std::vector<float> shares;
+  for (const PictureLayers::Share& share : picture.shares) {
+    shares.push_back(static_cast<float>(share.object));
+    shares.push_back(share.coverage);
+  }
+  addTo(all, "objects", shares);
+  return hashHex(all);
+}
+
+// Austin Appleby's MurmurHash3_x86_32: words of four bytes are mixed in one by one, then what is left over,
+// then the length.
+std::uint32_t cryptomatteId(const std::string& name) {
+  const auto mixed = [](std::uint32_t word) {
+    return std::rotl(word * 0xcc9e2d51U, 15) * 0x1b873593U;
+  };
+  std::uint32_t hash = 0;
+  std::size_t i = 0;
+  for (; i + 4 <= name.size(); i += 4) {
+    std::uint32_t word = 0;
+    for (std::size_t k = 0; k < 4; ++k)
+      word |= std::uint32_t{static_cast<unsigned char>(name[i + k])} << (8 * k);
+    hash = std::rotl(hash ^ mixed(word), 13) * 5 + 0xe6546b64U;
+  }
+  std::uint32_t rest = 0;
+  for (std::size_t k = 0; i + k < name.size(); ++k)
+    rest |= std::uint32_t{static_cast<unsigned char>(name[i + k])} << (8 * k);
+  hash ^= mixed(rest);
+  hash ^= static_cast<std::uint32_t>(name.size());
+  hash = (hash ^ (hash >> 16)) * 0x85ebca6bU;
+  hash = (hash ^ (hash >> 13)) * 0xc2b2ae35U;
+  hash ^= hash >> 16;
+  const std::uint32_t exponent = (hash >> 23) & 0xffU;
+  return exponent == 0 || exponent == 255 ? hash ^ (1U << 23) : hash;
+}
+
+}  // namespace simreel::frame

@@ -1,0 +1,39 @@
+// Cameras that go round their target.
+#include "draw/camera.hpp"
+
+#include <cmath>
+
+#include <doctest/doctest.h>
+#include <glm/geometric.hpp>
+
+using namespace simreel;
+
+TEST_CASE("orbit: turn, elevation and distance say where the camera stands") {
+  scene::Orbit orbit;
+  orbit.distance = 4.0F;
+  orbit.elevation = 0.0F;
+  const glm::vec3 target(1, 2, 3);
+  const auto eye = [&] { return draw::standAround(target, orbit, 0).eye - target; };
+  CHECK(glm::length(eye() - glm::vec3(0, 0, 4)) < 1e-5F);
+  orbit.turn = 90.0F;
+  CHECK(glm::length(eye() - glm::vec3(4, 0, 0)) < 1e-5F);
+  orbit.turn = -90.0F;
+  CHECK(glm::length(eye() - glm::vec3(-4, 0, 0)) < 1e-5F);
+  orbit.elevation = 30.0F;
+  orbit.turn = 180.0F;
+  CHECK(glm::length(eye() - glm::vec3(0, 2, -4 * std::sqrt(0.75F))) < 1e-5F);
+}
+
+TEST_CASE("orbit: the view looks at the target from there, and turns with time") {
+  scene::Camera camera;
+  camera.orbits = true;
+  camera.target = glm::vec3(0, 1, 0);
+  camera.orbit.turn = scene::Animated<float>({{0, 0.0F}, {2, 360.0F}}, scene::Ease::linear);
+  camera.orbit.distance = 5.0F;
+  for (const double time : {0.0, 0.3, 1.0, 1.7}) {
+    const draw::View view = draw::viewAt(camera, time, {320, 180}, {});
+    CHECK(glm::length(view.eye - view.target) == doctest::Approx(5));
+    CHECK(view.eye.x == doctest::Approx(5 * std::cos(0.3490659F) * std::sin(3.14159265 * time)).scale(1));
+    CHECK(glm::dot(view.forward, glm::normalize(view.target - view.eye)) == doctest::Approx(1));
+  }
+}

@@ -1,0 +1,65 @@
+// Keyframes: how values move between them.
+#include "scene/animated.hpp"
+
+#include <cmath>
+#include <vector>
+
+#include <doctest/doctest.h>
+#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
+
+using simreel::scene::Animated;
+using simreel::scene::Ease;
+
+TEST_CASE("keyframes: a spline goes through its keys at a speed that changes steadily") {
+  const Animated<float> value({{0, 1.0F}, {1, 2.0F}, {3, 7.0F}, {3.5, 7.5F}, {5, 3.0F}}, Ease::spline);
+  for (const auto& key : value.keys()) CHECK(value.at(key.time) == key.value);
+  const auto speed = [&](double time) { return (value.at(time + 1e-4) - value.at(time - 1e-4)) / 2e-4; };
+  for (const double time : {0.0, 1.0, 3.0, 3.5, 5.0}) {
+    CAPTURE(time);
+    CHECK(speed(time - 2e-3) == doctest::Approx(speed(time + 2e-3)).epsilon(0.02).scale(1));
+  }
+  CHECK(speed(0.002) == doctest::Approx(0).scale(1).epsilon(0.02));
+  CHECK(speed(1) > 0.5);
+  // Fritsch and Butland: weighted harmonic means of the slopes 1 and 2.5 over 1 and 2 s.
+  CHECK(speed(1) == doctest::Approx((5 + 4) / (5 / 1.0 + 4 / 2.5)).epsilon(0.01));
+  for (int i = 0; i < 1000; ++i) {
+    const double time = 5.0 * i / 1000;
+    CHECK(value.at(time) >= 1.0F);  // nothing goes beyond the keys
+    CHECK(value.at(time) <= 7.5F);
+    if (time < 3.5) CHECK(value.at(time + 0.005) >= value.at(time));
+  }
+}
+
+TEST_CASE("keyframes: a spline of even steps is nearly straight between its ends") {
+  const Animated<glm::vec3> place({{0, glm::vec3(0)}, {1, {1, 2, -1}}, {2, {2, 4, -2}}, {3, {3, 6, -3}}},
+                                  Ease::spline);
+  for (int i = 0; i <= 10; ++i) {
+    const double time = 1 + 0.1 * i;
+    CHECK(glm::length(place.at(time) - static_cast<float>(time) * glm::vec3(1, 2, -1)) < 1e-5F);
+  }
+}
+
+TEST_CASE("keyframes: what is held stays until the next key") {
+  const Animated<float> value({{0, 1.0F}, {1, 2.0F}, {2, 5.0F}}, Ease::hold);
+  CHECK(value.at(-1) == 1.0F);
+  CHECK(value.at(0.999) == 1.0F);
+  CHECK(value.at(1) == 2.0F);
+  CHECK(value.at(1.999) == 2.0F);
+  CHECK(value.at(9) == 5.0F);
+}
+
+TEST_CASE("keyframes: two at one time are a jump") {
+  for (const Ease ease : {Ease::linear, Ease::smooth, Ease::spline, Ease::hold}) {
+    CAPTURE(static_cast<int>(ease));
+    const Animated<float> value({{0, 0.0F}, {1, 2.0F}, {1, 10.0F}, {2, 12.0F}}, ease);
+    CHECK(value.at(1) == 10.0F);
+    if (ease == Ease::hold) continue;
+    CHECK(value.at(1 - 1e-6) == doctest::Approx(2).epsilon(1e-4));
+    CHECK(value.at(1 + 1e-6) == doctest::Approx(10).epsilon(1e-4));
+  }
+  // A spline neither slows down before it nor starts at rest behind it.
+  const Animated<float> cut({{0, 0.0F}, {1, 2.0F}, {1, 10.0F}, {2, 12.0F}}, Ease::spline);
+  CHECK((cut.at(1 - 1e-3) - cut.at(1 - 2e-3)) / 1e-3 == doctest::Approx(2).epsilon(0.02));
+  CHECK((cut.at(1 + 2e-3) - cut.at(1 + 1e-3)) / 1e-3 == doctest::Approx(2).epsilon(0.02));
+}
