@@ -1,8 +1,8 @@
 #include "draw/frame_values.hpp"
 
 #include "base/ieee.hpp"
+#include "draw/black_body.hpp"
 #include "draw/camera.hpp"
-#include "draw/lights/black_body.hpp"
 #include "gl/context.hpp"
 
 #include <algorithm>

@@ -1,7 +1,8 @@
 // OpenEXR files, by its own library.
+#include "frame/exr.hpp"
+
 #include "base/error.hpp"
 #include "base/hash.hpp"
-#include "frame/exr.hpp"
 
 #include <ImfChannelList.h>
 #include <ImfChromaticitiesAttribute.h>
@@ -73,8 +74,8 @@ class Channels {
 
   template <class Value>
   void insert(const std::string& name, Imf::PixelType type, Value* first) {
-    frame_.insert(name.c_str(), Imf::Slice(type, reinterpret_cast<char*>(first), sizeof(Value),
-                                           sizeof(Value) * width_));
+    frame_.insert(name.c_str(),
+                  Imf::Slice(type, reinterpret_cast<char*>(first), sizeof(Value), sizeof(Value) * width_));
   }
 
   std::size_t width_, height_;
@@ -86,8 +87,8 @@ class Channels {
 std::string manifestOf(const std::vector<std::string>& objects) {
   std::string manifest = "{";
   for (const std::string& name : objects)
-    manifest += fmt::format("{}\"{}\":\"{:08x}\"", manifest.size() > 1 ? "," : "", name,
-                            cryptomatteId(name));
+    manifest +=
+        fmt::format("{}\"{}\":\"{:08x}\"", manifest.size() > 1 ? "," : "", name, cryptomatteId(name));
   return manifest + "}";
 }
 
@@ -147,8 +148,7 @@ std::vector<std::byte> encodeExr(const PictureLayers& picture, const ImageText& 
   } catch (const std::bad_alloc&) {
     throw;
   } catch (const std::exception& error) {
-    fail(ExitCode::inputOutput, "cannot encode a {}x{} OpenEXR picture: {}", size.x, size.y,
-         error.what());
+    fail(ExitCode::inputOutput, "cannot encode a {}x{} OpenEXR picture: {}", size.x, size.y, error.what());
   }
   return stream.take();
 }
@@ -171,9 +171,7 @@ std::string pixelHash(const PictureLayers& picture) {
 // Austin Appleby's MurmurHash3_x86_32: words of four bytes are mixed in one by one, then what is left over,
 // then the length.
 std::uint32_t cryptomatteId(const std::string& name) {
-  const auto mixed = [](std::uint32_t word) {
-    return std::rotl(word * 0xcc9e2d51U, 15) * 0x1b873593U;
-  };
+  const auto mixed = [](std::uint32_t word) { return std::rotl(word * 0xcc9e2d51U, 15) * 0x1b873593U; };
   std::uint32_t hash = 0;
   std::size_t i = 0;
   for (; i + 4 <= name.size(); i += 4) {

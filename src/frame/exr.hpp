@@ -9,9 +9,9 @@
 
 namespace simreel::frame {
 
-/// -> OpenEXR file: R, G, B and, where there is one, A as halves; of layers that it has depth as Z, position
-/// as P.X, P.Y, P.Z, and objects as Cryptomatte "CryptoObject" (Friedman and Jones, specification 1.2), in
-/// floats. Texts are attributes of the header. Safe to call from several threads.
+/// -> OpenEXR file: R, G, B and, where there is one, A as halves; of layers that it has depth as Z,
+/// position as P.X, P.Y, P.Z, and objects as Cryptomatte "CryptoObject" (Friedman and Jones,
+/// specification 1.2), in floats. Texts are attributes of the header. Safe to call from several threads.
 [[nodiscard]] std::vector<std::byte> encodeExr(const draw::PictureLayers& picture, const ImageText& text);
 /// Hash of all that it holds, independent of the encoder. 32 hexadecimal digits.
 [[nodiscard]] std::string pixelHash(const draw::PictureLayers& picture);

@@ -113,8 +113,8 @@ std::size_t channelsOf(const Image& image) {
   return image.alpha ? 4 : 3;
 }
 
-/// RGB of an image, or RGBA `withAlpha`, in a buffer that each thread keeps until its next image: fresh pages for every
-/// frame cost as much as a tenth of the encoding.
+/// RGB of an image, or RGBA `withAlpha`, in a buffer that each thread keeps until its next image: fresh
+/// pages for every frame cost as much as a tenth of the encoding.
 Bytes packed(const Image& image, bool withAlpha) {
   const std::size_t pixels = std::size_t(image.width) * std::size_t(image.height);
   SIMREEL_CHECK(image.width > 0 && image.height > 0);
@@ -217,8 +217,7 @@ File encode(const Image& image, const ImageText& text) {
   header += {8, static_cast<char>(image.alpha ? 6 : 2), 0, 0, 0};
 
   const std::size_t channels = channelsOf(image);
-  const Bytes rows =
-      filterRows(packed(image, image.alpha), std::size_t(image.width) * channels, channels);
+  const Bytes rows = filterRows(packed(image, image.alpha), std::size_t(image.width) * channels, channels);
   thread_local std::vector<unsigned char> compressed;
   compressed.resize(zlibBound(rows.size()));
   const auto size = compressZlib(rows, compressed);

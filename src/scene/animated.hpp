@@ -8,8 +8,8 @@
 
 namespace simreel::scene {
 
-/// How a value moves between two keys. linear: straight. smooth: at rest in each key. spline: through them at
-/// a speed that changes steadily, at rest in the first and the last. hold: it stays until the next.
+/// How a value moves between two keys. linear: straight. smooth: at rest in each key. spline: through them
+/// at a speed that changes steadily, at rest in the first and the last. hold: it stays until the next.
 enum class Ease { linear, smooth, spline, hold };
 inline constexpr std::array<const char*, 4> easeWords = {"linear", "smooth", "spline", "hold"};
 
@@ -58,8 +58,8 @@ class Animated {
   [[nodiscard]] double slope(std::size_t k, int i) const {
     return (part(keys_[k + 1].value, i) - part(keys_[k].value, i)) / (keys_[k + 1].time - keys_[k].time);
   }
-  /// Of component i in key k, seen from the stretch before or after it: that of Fritsch and Butland (1984), a
-  /// weighted harmonic mean of both slopes, so that nothing goes beyond the keys; 0 in the first and the
+  /// Of component i in key k, seen from the stretch before or after it: that of Fritsch and Butland (1984),
+  /// a weighted harmonic mean of both slopes, so that nothing goes beyond the keys; 0 in the first and the
   /// last; beside a jump that of its own stretch.
   [[nodiscard]] double speedAt(std::size_t k, int i) const {
     if (k == 0 || k + 1 == keys_.size()) return 0;

@@ -15,7 +15,7 @@ inline constexpr std::size_t maxLights = 16;
 /// Each of them draws what casts shadows six times over.
 inline constexpr std::size_t maxShadowedLights = 8;
 
-/// K: where a black body's colour is known (draw/lights/black_body.hpp).
+/// K: where a black body's colour is known (draw/black_body.hpp).
 inline constexpr Range blackBodyRange{1667, 25000};
 /// The colour of a light as a temperature, beside its "color".
 void describeTemperature(Fields& fields, std::optional<double>& temperature);
@@ -50,9 +50,9 @@ struct Light {
   Animated<glm::vec3> color = glm::vec3(1, 0.72F, 0.42F);  ///< linear RGB
   std::optional<double> temperature;  ///< K: its colour is that of a black body, instead of `color`
   Unit unit = Unit::candela;
-  Animated<float> intensity = 20.0F;                       ///< of that unit, for the colour 1
-  Animated<float> radius = 0.05F;                          ///< m
-  Animated<float> glow = 1.0F;  ///< factor on the light itself as the camera sees it
+  Animated<float> intensity = 20.0F;  ///< of that unit, for the colour 1
+  Animated<float> radius = 0.05F;     ///< m
+  Animated<float> glow = 1.0F;        ///< factor on the light itself as the camera sees it
   bool hasFlicker = false;
   Flicker flicker;
   bool shadow = true;

@@ -74,7 +74,7 @@ struct Render {
   Rasterizer rasterizer = Rasterizer::exact;
   Quality quality = Quality::draft;
   std::optional<double> occlusionRadius;  ///< m; none: a share of the distance to the target
-  glm::ivec2 size{1280, 720};  ///< pixels
+  glm::ivec2 size{1280, 720};             ///< pixels
   int samples = 4;  ///< per pixel: 1, 2, 4, 8 or 16 (of the driver: those it has, 1 and 4 always)
   Animated<float> exposure = 0.0F;  ///< EV
   Tone tone = Tone::aces;
@@ -124,7 +124,7 @@ struct Camera {
   Animated<float> fieldOfView = 40.0F;  ///< degrees, vertical
   Animated<float> roll = 0.0F;          ///< degrees
   bool follows = false;
-  Follow follow;          ///< instead of position and target
+  Follow follow;  ///< instead of position and target
   bool orbits = false;
   Orbit orbit;            ///< instead of position
   bool placed = false;    ///< whether the scene says where it stands or what it looks at

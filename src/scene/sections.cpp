@@ -86,9 +86,10 @@ void Render::describe(Fields& fields) {
       "rasterizer", rasterizer, {"exact", "driver"},
       "exact: kernels in exact arithmetic draw, with the same bytes on every machine; driver: vertex and "
       "fragment shaders, with the edges and filters of that driver.");
-  fields.choice("quality", quality, {"draft", "standard"},
-                "standard: creases, folds and what stands close together get less light from around them "
-                "(ambient occlusion), by what is in the picture. The driver's rasterizer knows draft alone.");
+  fields.choice(
+      "quality", quality, {"draft", "standard"},
+      "standard: creases, folds and what stands close together get less light from around them "
+      "(ambient occlusion), by what is in the picture. The driver's rasterizer knows draft alone.");
   fields.optionalNumber("occlusionRadius", occlusionRadius, positive, "m",
                         "How far away what keeps that light out may be.");
   fields.leftOut("occlusionRadius", "a sixth of the distance to the target");
@@ -102,7 +103,7 @@ void Render::describe(Fields& fields) {
   balanced = fields.given("whiteBalance");
   fields.boolean("transparent", transparent,
                  "Whether the background is left out: pictures have an alpha channel (straight, not "
-                 "multiplied), and neither sky nor what the sky is seen through.");
+                 "multiplied), and no sky; on a stage no ground, either.");
   if (transparent && rasterizer == Rasterizer::driver)
     fields.error("transparent", "only the exact rasterizer leaves the background out");
   fields.number("vignette", vignette, fraction, "", "Darkening towards the corners.");

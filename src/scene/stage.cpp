@@ -101,6 +101,7 @@ void setStage(Scene& scene, const std::vector<Box>& boxes) {
   const float thin = box.max.y - box.min.y < 0.02F * radius ? 0.1F * radius : 0.0F;
   scene.hasGround = true;
   Ground& ground = scene.ground;
+  ground.visible = !scene.render.transparent;  // it is background
   ground.height = box.min.y - std::max(thin, 1e-3F * radius);
   ground.fadeStart = 2.0F * radius;
   ground.fadeEnd = 9.0F * radius;

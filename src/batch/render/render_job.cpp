@@ -25,8 +25,8 @@ RenderJob::RenderJob(RenderRequest request)
   chooseFrames();
   output_ = frame::parseOutput(request_.output, frames_.size());
   const bool stream = output_.kind == frame::OutputName::Kind::stream;
-  if (scene_.render.transparent && (output_.kind == frame::OutputName::Kind::video ||
-                                    (stream && request_.streamFormat != "rgba")))
+  if (scene_.render.transparent &&
+      (output_.kind == frame::OutputName::Kind::video || (stream && request_.streamFormat != "rgba")))
     fail(ExitCode::usage,
          "--output {}: {} has no alpha channel for render.transparent; write pictures, or render with -D "
          "render.transparent=false",

@@ -34,7 +34,7 @@ struct RenderRequest {
   bool mayDoWithout = false;         ///< begin at the scene's start where `from` cannot be used
   std::string streamFormat = "rgba";
   std::vector<draw::Layer> layers;  ///< of OpenEXR pictures, besides colour
-  std::string command;  ///< for run.json
+  std::string command;              ///< for run.json
 };
 
 /// One run of one scene. Made before there is a device: what is wrong with the request shows then.

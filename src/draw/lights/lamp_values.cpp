@@ -1,7 +1,7 @@
 #include "draw/lights/lamp_values.hpp"
 
 #include "base/ieee.hpp"
-#include "draw/lights/black_body.hpp"
+#include "draw/black_body.hpp"
 #include "draw/lights/flicker.hpp"
 #include "sim/core/path.hpp"
 
@@ -63,8 +63,8 @@ glm::vec4 coneOf(const scene::Light& light, glm::vec3 place, double seconds) {
 }
 
 /// Steradians that a light fills as brightly as its middle: what it sends in all is that times its
-/// intensity. Of a cone, 2 pi times the integral of its share over the cosine: 1 up to `full`, from there the
-/// square of a line, whose mean is 1/3.
+/// intensity. Of a cone, 2 pi times the integral of its share over the cosine: 1 up to `full`, from there
+/// the square of a line, whose mean is 1/3.
 double filledBy(const scene::Light& light, double seconds) {
   if (light.type != scene::Light::Type::spot) return 4 * pi;
   const auto [edge, full] = coneAt(light.spot, seconds);

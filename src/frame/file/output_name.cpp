@@ -20,7 +20,8 @@ constexpr std::array<std::string_view, 10> videoExtensions = {".mp4", ".webm", "
                                                               ".avi", ".apng", ".m4v", ".ogv", ".mpg"};
 constexpr int maxDigits = 20;  ///< of a frame number
 constexpr const char* supported =
-    "supported are a folder, NAME_####.png or .exr, NAME.png or .exr for one frame, a video (.mp4, .webm, .gif, .mkv, "
+    "supported are a folder, NAME_####.png or .exr, NAME.png or .exr for one frame, a video (.mp4, .webm, "
+    ".gif, .mkv, "
     ".mov, .avi, .apng, .m4v, .ogv, .mpg), or - for standard output";
 
 /// Where the frame number stands in a file name.

@@ -15,7 +15,7 @@ namespace simreel::frame {
 struct FrameInfo {
   int frame = 0;
   std::string stateHash;
-  std::vector<FrameFile> files = {};  ///< to be stored with it
+  std::vector<FrameFile> files = {};                            ///< to be stored with it
   std::shared_ptr<const draw::PictureLayers> layers = nullptr;  ///< where the output has them
 };
 

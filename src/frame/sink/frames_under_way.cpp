@@ -94,9 +94,9 @@ void FramesUnderWay::store(Waiting waiting) {
   }
   if (hear_) hear_(waiting.frame, image);
   const Stopwatch time = timers_.watch(&StageTimes::wait);
-  sink_.add({waiting.frame, *std::move(waiting.stateHash), std::move(waiting.files),
-             std::move(waiting.layers)},
-            std::move(image));
+  sink_.add(
+      {waiting.frame, *std::move(waiting.stateHash), std::move(waiting.files), std::move(waiting.layers)},
+      std::move(image));
 }
 
 void FramesUnderWay::compareWithStored(Waiting waiting) {

@@ -1,5 +1,5 @@
 // Colours of black bodies, and white balance.
-#include "draw/lights/black_body.hpp"
+#include "draw/black_body.hpp"
 
 #include <cmath>
 

@@ -30,8 +30,8 @@ glm::dvec3 agx(glm::dvec3 light) {
   glm::dvec3 v = inset * light;
   for (int i = 0; i < 3; ++i) {
     const double x = std::fmin(std::fmax((std::log2(v[i]) + 12.47393) / (12.47393 + 4.026069), 0), 1);
-    v[i] = 15.5 * std::pow(x, 6) - 40.14 * std::pow(x, 5) + 31.96 * std::pow(x, 4) - 6.868 * std::pow(x, 3) +
-           0.4298 * x * x + 0.1191 * x - 0.00232;
+    v[i] = 15.5 * std::pow(x, 6) - 40.14 * std::pow(x, 5) + 31.96 * std::pow(x, 4) -
+           6.868 * std::pow(x, 3) + 0.4298 * x * x + 0.1191 * x - 0.00232;
   }
   v = glm::inverse(inset) * v;
   for (int i = 0; i < 3; ++i) v[i] = std::pow(std::fmin(std::fmax(v[i], 0), 1), 2.2);

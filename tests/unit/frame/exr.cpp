@@ -96,8 +96,8 @@ TEST_CASE("exr: the golden runner reads what is written") {
   draw::PictureLayers made = picture();
   made.alpha = false;
   const auto bytes = frame::encodeExr(made, {});
-  const golden::Picture read =
-      golden::decodePicture({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, "picture", "x.exr");
+  const golden::Picture read = golden::decodePicture(
+      {reinterpret_cast<const char*>(bytes.data()), bytes.size()}, "picture", "x.exr");
   CHECK(read.depth == golden::Depth::linear);
   CHECK(read.image.width == 5);
   CHECK(read.image.height == 3);

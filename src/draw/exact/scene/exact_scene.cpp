@@ -111,8 +111,8 @@ struct ExactScene::State {
   std::optional<LayerKeeper> layerKeeper;  ///< while the layers' view is drawn
   gl::Program linear;                      ///< of those alone
   gl::Texture light;
-  gl::Texture sums;               ///< light of each pixel, and in alpha how much of it is covered
-  gl::Texture total;              ///< of points of the lens so far, if there are several
+  gl::Texture sums;   ///< light of each pixel, and in alpha how much of it is covered
+  gl::Texture total;  ///< of points of the lens so far, if there are several
 };
 
 ExactScene::State::State(const scene::Scene& shown, glm::ivec2 pixels, int count, int rows)

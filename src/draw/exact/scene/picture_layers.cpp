@@ -45,8 +45,9 @@ std::uint32_t LayerKeeper::numbered(const std::string& name) {
 
 std::uint32_t LayerKeeper::objectOf(unsigned number, std::span<const DrawnThing> things) {
   if (number == groundNumber) return numbered("ground");
-  const auto after = std::upper_bound(things.begin(), things.end(), number,
-                                      [](unsigned n, const DrawnThing& thing) { return n < thing.firstId; });
+  const auto after =
+      std::upper_bound(things.begin(), things.end(), number,
+                       [](unsigned n, const DrawnThing& thing) { return n < thing.firstId; });
   if (after == things.begin() || (after - 1)->object.empty()) return numbered("unnamed");
   return numbered((after - 1)->object);
 }
@@ -66,11 +67,10 @@ void LayerKeeper::add(const Visibility& visibility, const shader::ExactView& vie
       const unsigned key = *std::min_element(&keys[first], &keys[first] + each);
       if (key <= farthestKey) {
         const float depth = view.near / std::bit_cast<float>(farthestKey - key);
-        const glm::vec3 place = glm::vec3(view.eye) + depth * (glm::vec3(view.ray) +
-                                                               (static_cast<float>(x) + 0.5F) *
-                                                                   glm::vec3(view.rayAcross) +
-                                                               (static_cast<float>(y) + 0.5F) *
-                                                                   glm::vec3(view.rayDown));
+        const glm::vec3 place =
+            glm::vec3(view.eye) +
+            depth * (glm::vec3(view.ray) + (static_cast<float>(x) + 0.5F) * glm::vec3(view.rayAcross) +
+                     (static_cast<float>(y) + 0.5F) * glm::vec3(view.rayDown));
         if (!layers_.depth.empty()) layers_.depth[pixel] = depth;
         for (int i = 0; i < 3 && !layers_.position.empty(); ++i)
           layers_.position[3 * pixel + static_cast<std::size_t>(i)] = place[i];

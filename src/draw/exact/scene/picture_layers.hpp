@@ -21,8 +21,8 @@ namespace simreel::draw {
 enum class Layer { depth, position, object };
 inline constexpr std::array<const char*, 3> layerNames = {"depth", "position", "object"};
 
-/// A picture before lens and film, linear light (Rec. 709 primaries), and layers of those that were asked for.
-/// Rows from the top.
+/// A picture before lens and film, linear light (Rec. 709 primaries), and layers of those that were asked
+/// for. Rows from the top.
 struct PictureLayers {
   /// How much of a pixel an object covers.
   struct Share {

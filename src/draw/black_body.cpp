@@ -1,4 +1,4 @@
-#include "draw/lights/black_body.hpp"
+#include "draw/black_body.hpp"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
