@@ -23,7 +23,7 @@ using namespace simreel;
 
 namespace {
 
-draw::PictureLayers picture() {
+draw::PictureLayers smallLayers() {
   draw::PictureLayers made;
   made.size = {5, 3};
   made.alpha = true;
@@ -41,17 +41,17 @@ draw::PictureLayers picture() {
   return made;
 }
 
-struct File {
-  explicit File(const std::vector<std::byte>& bytes)
+struct WrittenFile {
+  explicit WrittenFile(const std::vector<std::byte>& bytes)
       : path(std::filesystem::temp_directory_path() / ("simreel_exr_" + std::to_string(::getpid()))) {
     std::ofstream(path, std::ios::binary)
         .write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
   }
-  ~File() { std::filesystem::remove(path); }
+  ~WrittenFile() { std::filesystem::remove(path); }
   std::filesystem::path path;
 };
 
-std::vector<float> channel(Imf::InputFile& file, const char* name) {
+std::vector<float> channelNamed(Imf::InputFile& file, const char* name) {
   std::vector<float> values(15);
   Imf::FrameBuffer frame;
   frame.insert(name, Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(values.data()), 4, 20));
@@ -63,23 +63,23 @@ std::vector<float> channel(Imf::InputFile& file, const char* name) {
 }  // namespace
 
 TEST_CASE("exr: colour, depth, position and objects come back") {
-  const draw::PictureLayers made = picture();
-  const File written(frame::encodeExr(made, {{"simreel:frame", "7"}}));
+  const draw::PictureLayers made = smallLayers();
+  const WrittenFile written(frame::encodeExr(made, {{"simreel:frame", "7"}}));
   Imf::InputFile file(written.path.c_str());
   CHECK(file.header().typedAttribute<Imf::StringAttribute>("simreel:frame").value() == "7");
-  CHECK(channel(file, "R")[9] == 1.125F);
-  CHECK(channel(file, "B")[3] == 65504.0F);  // the brightest half
-  CHECK(channel(file, "A")[14] == doctest::Approx(14.0 / 15).epsilon(1e-3));
-  CHECK(channel(file, "Z")[3] == 2.5F);
-  CHECK(std::isinf(channel(file, "Z")[4]));
-  CHECK(channel(file, "P.Y")[2] == made.position[7]);
+  CHECK(channelNamed(file, "R")[9] == 1.125F);
+  CHECK(channelNamed(file, "B")[3] == 65504.0F);  // the brightest half
+  CHECK(channelNamed(file, "A")[14] == doctest::Approx(14.0 / 15).epsilon(1e-3));
+  CHECK(channelNamed(file, "Z")[3] == 2.5F);
+  CHECK(std::isinf(channelNamed(file, "Z")[4]));
+  CHECK(channelNamed(file, "P.Y")[2] == made.position[7]);
   const auto idOf = [](const char* name) { return std::bit_cast<float>(frame::cryptomatteId(name)); };
-  CHECK(channel(file, "CryptoObject00.R")[0] == idOf("ground"));
-  CHECK(channel(file, "CryptoObject00.G")[0] == 0.75F);
-  CHECK(channel(file, "CryptoObject00.B")[0] == idOf("flag"));
-  CHECK(channel(file, "CryptoObject00.A")[0] == 0.25F);
-  CHECK(channel(file, "CryptoObject01.R")[14] == idOf("a ball"));
-  CHECK(channel(file, "CryptoObject00.G")[7] == 0.0F);
+  CHECK(channelNamed(file, "CryptoObject00.R")[0] == idOf("ground"));
+  CHECK(channelNamed(file, "CryptoObject00.G")[0] == 0.75F);
+  CHECK(channelNamed(file, "CryptoObject00.B")[0] == idOf("flag"));
+  CHECK(channelNamed(file, "CryptoObject00.A")[0] == 0.25F);
+  CHECK(channelNamed(file, "CryptoObject01.R")[14] == idOf("a ball"));
+  CHECK(channelNamed(file, "CryptoObject00.G")[7] == 0.0F);
   std::string manifest;
   for (auto i = file.header().begin(); i != file.header().end(); ++i) {
     const std::string name = i.name();
@@ -93,7 +93,7 @@ TEST_CASE("exr: colour, depth, position and objects come back") {
 }
 
 TEST_CASE("exr: the golden runner reads what is written") {
-  draw::PictureLayers made = picture();
+  draw::PictureLayers made = smallLayers();
   made.alpha = false;
   const auto bytes = frame::encodeExr(made, {});
   const golden::Picture read = golden::decodePicture(
@@ -104,7 +104,7 @@ TEST_CASE("exr: the golden runner reads what is written") {
 }
 
 TEST_CASE("exr: the hash tells every part, and files are the same each time") {
-  const draw::PictureLayers made = picture();
+  const draw::PictureLayers made = smallLayers();
   CHECK((frame::encodeExr(made, {}) == frame::encodeExr(made, {})));
   const std::string hash = frame::pixelHash(made);
   const auto differs = [&](auto change) {
@@ -112,7 +112,7 @@ TEST_CASE("exr: the hash tells every part, and files are the same each time") {
     change(other);
     return frame::pixelHash(other) != hash;
   };
-  CHECK(frame::pixelHash(picture()) == hash);
+  CHECK(frame::pixelHash(smallLayers()) == hash);
   CHECK(differs([](auto& p) { p.light[7] += 1e-3F; }));
   CHECK(differs([](auto& p) { p.alpha = false; }));
   CHECK(differs([](auto& p) { p.depth[3] = 2; }));

@@ -17,7 +17,7 @@ TEST_CASE("keyframes: a spline goes through its keys at a speed that changes ste
   const auto speed = [&](double time) { return (value.at(time + 1e-4) - value.at(time - 1e-4)) / 2e-4; };
   for (const double time : {0.0, 1.0, 3.0, 3.5, 5.0}) {
     CAPTURE(time);
-    CHECK(speed(time - 2e-3) == doctest::Approx(speed(time + 2e-3)).epsilon(0.02).scale(1));
+    CHECK(std::abs(speed(time - 2e-3) - speed(time + 2e-3)) < 0.1);
   }
   CHECK(speed(0.002) == doctest::Approx(0).scale(1).epsilon(0.02));
   CHECK(speed(1) > 0.5);

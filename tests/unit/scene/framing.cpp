@@ -104,7 +104,7 @@ TEST_CASE("a camera that goes round has all in view from everywhere, and from so
       for (int turn = 0; turn < 360; turn += 5) {
         scene.camera.orbit.turn = static_cast<float>(turn);
         const float reached = reach(scene, box);
-        CHECK(reached < (round ? 1.5F : 0.93F));  // corners of a box around a ball are outside of it
+        CHECK(reached < (round ? 1.75F : 0.93F));  // corners of a box around a ball are outside of it
         most = std::max(most, reached);
       }
       CHECK(most > 0.85F);

@@ -86,7 +86,7 @@ TEST_CASE("lights: mistakes are told where they are, with a suggestion") {
   CHECK(says(R"("a": {"type": "pont"})", "unknown type \"pont\"; did you mean \"point\"?"));
   CHECK(says(R"("a": {"flicker": {"speed": 3}})", "unknown key \"speed\""));
   CHECK(says(R"("a": {"radius": 0})", "\"radius\" must be between 0.001 and 1000 m, found 0"));
-  CHECK(says(R"("a": {"intensity": -1})", "\"intensity\" must be at least 0 cd, found -1"));
+  CHECK(says(R"("a": {"intensity": -1})", "\"intensity\" must be at least 0, found -1"));
   CHECK(says(R"("a": {"flicker": {"amount": 1.5}})", "\"amount\" must be between 0 and 1, found 1.5"));
   CHECK(says(R"("a": {"follow": {"object": "c"}, "position": [0, 1, 0]})",
              "\"follow\" says where the light is; leave out \"position\""));

@@ -1,0 +1,77 @@
+"""Pictures without a background, and light before the film as OpenEXR, of the command."""
+import json
+
+from common import Case, main, png_rows, unfiltered
+
+SCENE = {"version": 1, "render": {"size": [97, 55]},
+         "sky": {"zenith": [0.1, 0.2, 0.4]}, "objects": {"ball": {"sphere": {"radius": 0.4}}, "ring": {"mesh": {"shape": "torus", "rotation": [50, 20, 0]}}}}
+
+
+def pixels(png):
+    """Of a whole PNG of 8 bits, and how many channels it has."""
+    channels = {2: 3, 6: 4}[png[25]]
+    width, _, rows = png_rows(png)
+    data = b"".join(unfiltered(rows, width * channels, channels))
+    return [list(data[i:i + channels]) for i in range(0, len(data), channels)], channels
+
+
+class Film(Case):
+    def picture(self, name, *arguments):
+        self.good("render", "scene.json", "--frames", "0", "-o", name, "-q", *arguments)
+        return pixels((self.folder / name).read_bytes())
+
+    def test_no_background(self):
+        self.write("scene.json", SCENE)
+        plain, three = self.picture("plain.png")
+        cut, four = self.picture("cut.png", "-D", "render.transparent=true")
+        self.assertEqual((three, four), (3, 4))
+        counts = {"whole": 0, "part": 0, "none": 0}
+        for before, after in zip(plain, cut):
+            alpha = after[3]
+            counts["whole" if alpha == 255 else "part" if alpha > 0 else "none"] += 1
+            if alpha == 255:
+                self.assertEqual(after[:3], before)  # what hides all is as it was
+            if alpha == 0:
+                self.assertEqual(after, [0, 0, 0, 0])
+        self.assertGreater(min(counts.values()), 100)
+        # Four samples a pixel: quarters.
+        self.assertLessEqual({pixel[3] for pixel in cut}, {0, 64, 128, 191, 255})
+
+    def test_where_there_is_no_alpha(self):
+        self.write("scene.json", SCENE)
+        see = ("render", "scene.json", "--frames", "0", "-D", "render.transparent=true")
+        self.bad(2, "a video has no alpha channel for render.transparent", *see, "-o", "a.mp4")
+        self.bad(2, "y4m has no alpha channel", *see, "-o", "-", "--stream-format", "y4m")
+        self.bad_scene("only the exact rasterizer leaves the background out", *see, "-o", "a.png", "--rasterizer", "driver")
+
+    def test_light(self):
+        self.write("scene.json", SCENE)
+        see = ("render", "scene.json", "-q", "--layers", "depth,object,position")
+        self.good(*see, "--frames", "0,3", "-o", "a/####.exr")
+        self.good(*see, "--frames", "0", "-o", "b.exr")
+        first = (self.folder / "a/0000.exr").read_bytes()
+        self.assertEqual(first, (self.folder / "b.exr").read_bytes())
+        for channel in (b"CryptoObject00.R", b"P.X", b"Z\0", b"MurmurHash3_32", b"ball", b"simreel:scene"):
+            self.assertIn(channel, first[:4096])
+        frames = json.loads((self.folder / "a/manifest.json").read_text())["frames"]
+        self.assertEqual([frame["file"] for frame in frames], ["0000.exr", "0003.exr"])
+        self.good("render", "scene.json", "--layers", "depth,object,position", "--frames", "0,3", "-o", "a/####.exr", "--resume")
+        self.assertEqual(first, (self.folder / "a/0000.exr").read_bytes())
+        # The film is not in it.
+        self.good(*see, "--frames", "0", "-o", "c.exr", "-D", "render.tone=plain", "-D", "render.exposure=3")
+        self.good("diff", "b.exr", "c.exr")
+        self.assertEqual(self.run_program("diff", "b.exr", "b.exr", "-q").returncode, 0)
+        self.good(*see, "--frames", "0", "-o", "d.exr", "-D", "sky.zenith=[0.2,0.2,0.4]")
+        self.assertEqual(self.run_program("diff", "b.exr", "d.exr", "-q").returncode, 1)
+
+    def test_light_where_there_is_none(self):
+        self.write("scene.json", SCENE)
+        see = ("render", "scene.json", "--frames", "0")
+        self.bad(2, "--layers: OpenEXR pictures have them", *see, "-o", "a.png", "--layers", "depth")
+        self.bad(2, "depht", *see, "-o", "a.exr", "--layers", "depht")
+        self.bad(2, "only the exact rasterizer hands out light", *see, "-o", "a.exr", "--rasterizer", "driver")
+        self.bad(2, "--pieces makes PNG pictures or a video", "render", "scene.json", "-o", "a/####.exr", "--pieces", "2")
+
+
+if __name__ == "__main__":
+    main()
