@@ -28,6 +28,7 @@ struct STD140 Frame {
   float exposure;          // factor
   float vignette;
   float sunGlow;           // factor of the glow around the sun
+  float ambient;           // factor on the light that falls from the sky onto surfaces
   float shadowTexels;      // on a side of the shadow map
   float shadowSoftness;    // radius of the shadow's filter (texels)
   float sunSpread;         // tangent of half the sun's angular diameter

@@ -31,6 +31,7 @@ Frame frameOnce() {  // each member of Frame
   one.exposure = once(frameBlock.exposure);
   one.vignette = once(frameBlock.vignette);
   one.sunGlow = once(frameBlock.sunGlow);
+  one.ambient = once(frameBlock.ambient);
   one.shadowTexels = once(frameBlock.shadowTexels);
   one.shadowSoftness = once(frameBlock.shadowSoftness);
   one.sunSpread = once(frameBlock.sunSpread);

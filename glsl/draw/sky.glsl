@@ -1,7 +1,12 @@
-// The sky's gradient by the height y of a unit direction, and the light it gives. Compiles as GLSL and as C++.
+// The sky's gradient by the height y of a unit direction, and the light it gives; with ENVIRONMENT a picture's instead.
+// Compiles as GLSL and as C++.
 #ifndef DRAW_SKY
 #define DRAW_SKY
 #include "draw/arithmetic.glsl"
+#ifdef ENVIRONMENT
+#include "draw/environment_read.glsl"
+#include "draw/environment.glsl"
+#endif
 
 FUNCTION vec3 skyRadiance(float y) {
   ROUNDED float up = 1.0f - clamp(y, 0.0f, 1.0f);
@@ -14,6 +19,9 @@ FUNCTION vec3 skyRadiance(float y) {
 
 // Radiance of the sky in a unit direction with the glow around the sun: a lobe cos^16 around it.
 FUNCTION vec3 skyInDirection(vec3 direction) {
+#ifdef ENVIRONMENT
+  return environmentAt(direction, 0);
+#else
   ROUNDED float glow = max(dotted(direction, vec3(frame.sunDirection)), 0.0f);
   glow = glow * glow;
   glow = glow * glow;
@@ -21,6 +29,7 @@ FUNCTION vec3 skyInDirection(vec3 direction) {
   glow = glow * glow;
   ROUNDED vec3 light = skyRadiance(direction.y) + vec3(frame.sunLight) * (frame.sunGlow * glow);
   return light;
+#endif
 }
 
 // Irradiance / pi on a surface whose normal has height y.
@@ -29,5 +38,24 @@ FUNCTION vec3 ambientLight(float y) {
   ROUNDED vec3 light = side + max(y, 0.0f) * (vec3(frame.ambientUp) - side) +
                        max(-y, 0.0f) * (vec3(frame.ambientDown) - side);
   return light;
+}
+
+// The same of a picture, too.
+FUNCTION vec3 ambientOn(vec3 normal) {
+#ifdef ENVIRONMENT
+  ROUNDED vec3 light = environmentAmbient(normal) * frame.ambient;
+  return light;
+#else
+  return ambientLight(normal.y);
+#endif
+}
+
+// What a surface of that roughness mirrors of a direction.
+FUNCTION vec3 skyMirrored(vec3 direction, float roughness) {
+#ifdef ENVIRONMENT
+  return environmentMirrored(direction, roughness);
+#else
+  return blend(skyRadiance(direction.y), ambientLight(direction.y), roughness);
+#endif
 }
 #endif

@@ -184,6 +184,22 @@ double cos(double x) {
   return sinOf(of);
 }
 
+// With the quotient at most 1, halved twice by tan(a / 2) = t / (1 + sqrt(1 + t^2)) to below tan(pi / 16),
+// then Taylor's series up to t^27.
+double atan2(double y, double x) {
+  constexpr double pi = 0x1.921fb54442d18p+1;
+  const double high = std::fmax(std::fabs(x), std::fabs(y)), low = std::fmin(std::fabs(x), std::fabs(y));
+  if (high == 0) return 0;
+  double t = low / high;
+  for (int i = 0; i < 2; ++i) t = t / (1 + std::sqrt(1 + t * t));
+  double sum = 0;
+  for (int i = 27; i >= 1; i -= 2) sum = 1.0 / i - t * t * sum;
+  double angle = 4 * t * sum;
+  if (std::fabs(y) > std::fabs(x)) angle = pi / 2 - angle;
+  if (x < 0) angle = pi - angle;
+  return y < 0 ? -angle : angle;
+}
+
 double tan(double x) {
   const Turned of = turned(x);
   const double s = sinOf(of.r);

@@ -45,6 +45,7 @@ void setSky(shader::Frame& frame, const scene::Sky& sky, double seconds) {
   const glm::vec3 horizon = sky.horizon.at(seconds);
   const glm::vec3 ground = sky.ground.at(seconds);
   const float ambient = sky.ambient.at(seconds);
+  frame.ambient = ambient;
   frame.zenith = glm::vec4(zenith, 0);
   frame.horizon = glm::vec4(horizon, 0);
   frame.nadir = glm::vec4(ground, 0);

@@ -148,8 +148,11 @@ struct Sun {
   void describe(Fields& fields);
 };
 
-/// Ambient light and the background gradient.
+/// Ambient light and the background: a gradient, or a picture all around.
 struct Sky {
+  std::filesystem::path picture;  ///< of light, equirectangular: its middle lies towards -z; empty: none
+  float strength = 1.0F;          ///< factor on the picture's light
+  float turn = 0.0F;              ///< degrees that the picture is turned about the vertical
   Animated<glm::vec3> zenith = glm::vec3(0.08F, 0.22F, 0.52F);
   Animated<glm::vec3> horizon = glm::vec3(0.68F, 0.80F, 0.93F);
   Animated<glm::vec3> ground = glm::vec3(0.26F, 0.23F, 0.20F);

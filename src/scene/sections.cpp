@@ -210,6 +210,7 @@ void Sun::describe(Fields& fields) {
   describeTemperature(fields, temperature);
   fields.number("intensity", intensity, notNegative, "lx",
                 "Illuminance of what faces it, for the colour 1.");
+  fields.leftOut("intensity", "4, or 0 without a \"sun\" where the sky is a picture");
   fields.number("diameter", diameter, {0, 60}, "degrees",
                 "Of its disc, by which penumbras grow with the distance from what casts them; ours has "
                 "0.53. 0: they do not grow. The driver's rasterizer knows 0 alone.");
@@ -224,6 +225,18 @@ void Sun::describe(Fields& fields) {
 }
 
 void Sky::describe(Fields& fields) {
+  fields.asset("picture", picture,
+               "Light from all around instead of a gradient: an equirectangular Radiance (.hdr) or OpenEXR "
+               "picture, whose middle lies towards -z. It is seen, mirrored, and lights the scene.");
+  fields.number("strength", strength, {0, 1e4}, "", "Factor on the picture's light.");
+  fields.number("turn", turn, {-1e6, 1e6}, "degrees",
+                "By how much the picture is turned about the vertical; 90 moves its middle to +x.");
+  for (const char* name : {"zenith", "horizon", "ground"})
+    if (!picture.empty() && fields.given(name))
+      fields.error(name, fmt::format("the sky is a \"picture\"; leave out \"{}\"", name));
+  for (const char* name : {"strength", "turn"})
+    if (picture.empty() && fields.given(name))
+      fields.error(name, fmt::format("\"{}\" is for a sky with a \"picture\"", name));
   fields.vector("zenith", zenith, notNegative, "", "Colour overhead, linear RGB.");
   fields.vector("horizon", horizon, notNegative, "", "Colour at the horizon, linear RGB.");
   fields.vector("ground", ground, notNegative, "", "Colour below the horizon, linear RGB.");
@@ -259,6 +272,10 @@ void describeScene(Fields& fields, Scene& scene) {
   fields.group("camera", cameraDoc, [&](Fields& inner) { scene.camera.describe(inner); });
   fields.group("sun", sunDoc, [&](Fields& inner) { scene.sun.describe(inner); });
   fields.group("sky", skyDoc, [&](Fields& inner) { scene.sky.describe(inner); });
+  if (!scene.sky.picture.empty() && !fields.given("sun")) {
+    scene.sun.intensity = 0.0F;
+    scene.sun.shadow = false;
+  }
   fields.optionalGroup("ground", scene.hasGround, groundDoc,
                        [&](Fields& inner) { scene.ground.describe(inner); });
   describeLights(fields, scene);

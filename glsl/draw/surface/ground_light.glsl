@@ -10,15 +10,24 @@ FUNCTION vec4 groundLight(vec3 p, vec3 view, float fraction) {
   vec3 sun = vec3(frame.sunDirection), sunLight = vec3(frame.sunLight), color = vec3(frame.groundColor);
   ROUNDED float lit = max(sun.y, 0.0f) * fraction;
   vec3 normal = vec3(0, 1, 0);
+#ifdef ENVIRONMENT
+  vec3 ambientUp = ambientOn(normal);
+#else
+  vec3 ambientUp = vec3(frame.ambientUp);
+#endif
   ROUNDED float mirrored = 0.04f * sunLobe(normal, view, sun, frame.groundRoughness) * lit;
-  ROUNDED vec3 light = color * (sunLight * lit + vec3(frame.ambientUp)) + sunLight * mirrored;
+  ROUNDED vec3 light = color * (sunLight * lit + ambientUp) + sunLight * mirrored;
 #ifdef LAMPS
   LampLight lamps = lampLight(p, normal, view, frame.groundRoughness, 0.0f);
   light = light + color * lamps.matt + 0.04f * lamps.mirror;
 #endif
 #ifdef REFLECTIVE
   vec2 weight = ambientLobe(frame.groundRoughness, abs(view.y));
-  vec3 around = blend(skyRadiance(abs(view.y)), vec3(frame.ambientUp), frame.groundRoughness);
+#ifdef ENVIRONMENT
+  vec3 around = environmentMirrored(vec3(-view.x, abs(view.y), -view.z), frame.groundRoughness);
+#else
+  vec3 around = blend(skyRadiance(abs(view.y)), ambientUp, frame.groundRoughness);
+#endif
   light = light + (0.04f * weight.x + weight.y) * around;
 #endif
   ROUNDED vec3 aside = p - vec3(frame.target);

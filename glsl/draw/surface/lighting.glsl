@@ -44,10 +44,10 @@ FUNCTION vec3 surfaceLight(Look look, vec3 normal, vec3 view, float fraction) {
 #ifdef TRANSLUCENT
   ROUNDED float behind = max(-nl, 0.0f) * fraction;
   ROUNDED float direct = lit + (behind - lit) * look.translucency;
-  vec3 ambient = blend(ambientLight(normal.y), ambientLight(-normal.y), look.translucency);
+  vec3 ambient = blend(ambientOn(normal), ambientOn(-normal), look.translucency);
 #else
   float direct = lit;
-  vec3 ambient = ambientLight(normal.y);
+  vec3 ambient = ambientOn(normal);
 #endif
   ROUNDED vec3 light = matt * (sunLight * direct + look.openness * ambient) + mirror * (sunLight * lobed);
 #ifdef REFLECTIVE
@@ -55,9 +55,9 @@ FUNCTION vec3 surfaceLight(Look look, vec3 normal, vec3 view, float fraction) {
   if (!mirrors) return light;
 #endif
   float nv = dotted(normal, view);
-  ROUNDED float height = 2.0f * nv * normal.y - view.y;  // of the mirrored direction
+  ROUNDED vec3 direction = 2.0f * nv * normal - view;
   vec2 weight = ambientLobe(look.roughness, abs(nv));
-  vec3 around = blend(skyRadiance(height), ambientLight(height), look.roughness);
+  vec3 around = skyMirrored(direction, look.roughness);
   light = light + look.openness * (mirror * weight.x + weight.y) * around;
 #endif
   return light;

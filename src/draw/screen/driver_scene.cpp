@@ -57,6 +57,10 @@ DriverScene::DriverScene(const Shared& shared, int samples)
     warn(
         "sun.diameter: the driver's rasterizer has shadows of one softness (shadowSoftness); penumbras "
         "grow in pictures of \"rasterizer\": \"exact\" alone");
+  if (!scene.sky.picture.empty())
+    warn(
+        "sky.picture: the driver's rasterizer draws a gradient of its mean light; the picture itself is of "
+        "\"rasterizer\": \"exact\" alone");
   if (scene.camera.hasLens)
     warn(
         "camera.lens: the driver's rasterizer draws all of the picture sharp; depth of field is of "

@@ -1,6 +1,7 @@
 #include "draw/screen/renderer.hpp"
 
 #include "base/error.hpp"
+#include "draw/environment.hpp"
 #include "draw/exact/scene/exact_scene.hpp"
 #include "draw/frame_values.hpp"
 #include "draw/overlay/axes_pass.hpp"
@@ -26,8 +27,9 @@ struct Renderer::State {
         axes(pixels, rasterizer),
         charts(pixels, rasterizer),
         frame("frame values", sizeof(shader::Frame)) {
+    if (!shown.sky.picture.empty()) environment.emplace(shown.sky);
     if (rasterizer == Rasterizer::exact)
-      exact.emplace(shown, pixels, samples, options.visibilityBytes);
+      exact.emplace(shown, environment ? &*environment : nullptr, pixels, samples, options.visibilityBytes);
     else
       driver.emplace(DriverScene::Shared{shown, fieldTextures, fields, picture}, samples);
   }
@@ -40,6 +42,7 @@ struct Renderer::State {
   AxesPass axes;
   ChartPass charts;
   gl::Buffer frame;
+  std::optional<Environment> environment;
   std::optional<DriverScene> driver;
   std::optional<ExactScene> exact;
   PassPicture* passes = nullptr;
@@ -55,7 +58,8 @@ Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 void Renderer::draw(double seconds, const sim::Drawables& drawables, const StageWatch& watch) {
   State& s = *state_;
   if (s.passes != nullptr) *s.passes = {};
-  const shader::Frame values = frameValues(s.scene, s.size, seconds, drawables);
+  shader::Frame values = frameValues(s.scene, s.size, seconds, drawables);
+  if (s.environment) s.environment->setGradient(values, values.ambient);
   s.frame.write(0, std::as_bytes(std::span(&values, 1)));
   s.frame.bindUniform(frameBinding, 0, sizeof values);
   // Whatever the simulations wrote, vertex pulling and index fetch see it.

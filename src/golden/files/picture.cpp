@@ -6,6 +6,7 @@
 #include "golden/files/colours.hpp"
 #include "golden/files/damage.hpp"
 #include "golden/files/png_check.hpp"
+#include "sim/light/light_file.hpp"
 
 #include <algorithm>
 #include <array>
@@ -27,8 +28,8 @@ enum class Kind { png, jpeg, exr, radiance, pnm, other };
 Kind kindOf(std::string_view bytes) {
   if (bytes.starts_with("\x89PNG")) return Kind::png;
   if (bytes.starts_with("\xff\xd8\xff")) return Kind::jpeg;
-  if (bytes.starts_with("\x76\x2f\x31\x01")) return Kind::exr;
-  if (bytes.starts_with("#?")) return Kind::radiance;
+  if (sim::isExr(bytes)) return Kind::exr;
+  if (sim::isRadiance(bytes)) return Kind::radiance;
   if (bytes.starts_with("P5") || bytes.starts_with("P6")) return Kind::pnm;
   return Kind::other;
 }
@@ -172,11 +173,28 @@ void check(std::string_view bytes, const char* what, const std::string& name) {
   }
 }
 
+/// Fills `image` from `values`, which are light.
+void showLight(Picture& picture, int width, int height) {
+  picture.depth = Depth::linear;
+  picture.image = {width, height, std::vector<std::uint8_t>(picture.values.size())};
+  for (std::size_t i = 0; i < picture.values.size(); ++i)
+    picture.image.bytes[i] = rounded(255 * (i % 4 == 3 ? picture.values[i] : encoded(picture.values[i])));
+}
+
+Picture ofLight(sim::LightFile file) {
+  Picture picture;
+  picture.values = std::move(file.values);
+  picture.colours = std::move(file.colours);
+  if (!file.note.empty()) picture.note = file.note + " are not compared";
+  showLight(picture, file.size.x, file.size.y);
+  return picture;
+}
+
 Picture decode(std::string_view bytes, const char* what, const std::string& name) {
   check(bytes, what, name);
   const Kind kind = kindOf(bytes);
-  if (kind == Kind::exr) return decodeExr(bytes, labelOf(what, name));
-  if (kind == Kind::radiance) return decodeRadiance(bytes, labelOf(what, name));
+  if (kind == Kind::exr) return ofLight(sim::decodeExr(bytes, labelOf(what, name), restoreIt));
+  if (kind == Kind::radiance) return ofLight(sim::decodeRadiance(bytes, labelOf(what, name), restoreIt));
   constexpr std::size_t bitsInHeader = 24;  // of IHDR, which checkPng has seen
   if (kind == Kind::png && bytes[bitsInHeader] == 16) return decodeDeepPng(bytes, labelOf(what, name));
   return decodeShallow(bytes, labelOf(what, name), name);
@@ -251,13 +269,6 @@ Picture padded(const Picture& picture, int width, int height) {
   made.image.width = width;
   made.image.height = height;
   return made;
-}
-
-void showLight(Picture& picture, int width, int height) {
-  picture.depth = Depth::linear;
-  picture.image = {width, height, std::vector<std::uint8_t>(picture.values.size())};
-  for (std::size_t i = 0; i < picture.values.size(); ++i)
-    picture.image.bytes[i] = rounded(255 * (i % 4 == 3 ? picture.values[i] : encoded(picture.values[i])));
 }
 
 }  // namespace simreel::golden

@@ -60,13 +60,7 @@ void checkPicture(std::string_view bytes, const char* what, const std::string& n
 /// The picture at the top left of a larger one, the rest transparent black.
 [[nodiscard]] Picture padded(const Picture& picture, int width, int height);
 
-// One kind each; `bytes` begin as that kind does. Throw UserError(inputOutput) with `label` ("baseline
-// a.exr") first.
+/// PNG of 16 bits. Throws UserError(inputOutput) with `label` ("baseline a.png") first.
 [[nodiscard]] Picture decodeDeepPng(std::string_view bytes, const std::string& label);
-[[nodiscard]] Picture decodeRadiance(std::string_view bytes, const std::string& label);
-[[nodiscard]] Picture decodeExr(std::string_view bytes, const std::string& label);
-
-/// Fills `image` from `values`, which are light.
-void showLight(Picture& picture, int width, int height);
 
 }  // namespace simreel::golden

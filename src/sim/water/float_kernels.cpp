@@ -1,17 +1,14 @@
 #include "sim/water/float_kernels.hpp"
 
-#include <utility>
+#include "sim/water/bindings.hpp"
 
-namespace simreel::shader::floating {
-#include "glsl/water/bindings.glsl"
-#include "glsl/water/float_bindings.glsl"
-}  // namespace simreel::shader::floating
+#include <utility>
 
 namespace simreel::sim {
 
 namespace {
 
-namespace at = shader::floating;
+namespace at = shader::water;
 
 std::vector<glm::vec4> texelsOf(const std::vector<glm::vec3>& vectors) {
   std::vector<glm::vec4> texels;

@@ -10,6 +10,7 @@
 #include "sim/grid/picture_file.hpp"
 #include "sim/grid/tally.hpp"
 #include "sim/mesh/height_field.hpp"
+#include "sim/water/bindings.hpp"
 #include "sim/water/float_kernels.hpp"
 #include "sim/water/ground.hpp"
 #include "sim/water/plan.hpp"
@@ -23,10 +24,6 @@
 #include <utility>
 
 #include <fmt/format.h>
-
-namespace simreel::shader::water {
-#include "glsl/water/bindings.glsl"
-}
 
 namespace simreel::sim {
 

@@ -5,7 +5,7 @@ from common import SOURCE, Case, main
 class Stage(Case):
     def test_pictures_of_scenes_of_one_line(self):
         done = self.good("test", str(SOURCE / "tests/cli/scenes/stage"))
-        self.assertIn("8 scenes: 8 passed", done.stdout.decode())
+        self.assertIn("9 scenes: 9 passed", done.stdout.decode())
 
 
     def test_what_the_driver_cannot_do_is_said(self):
@@ -23,6 +23,24 @@ class Stage(Case):
         self.write("where.json", {"version": 1, "lights": {"key": {"type": "spot", "position": [0, 0, 0]}}, "objects": {"ball": {"sphere": {}}}})
         self.bad_scene(["shines nowhere; move \"target\""], "render", "where.json", "-o", "a/", "--frames", "0")
         self.bad_scene(["\"spot\" is for lights of \"type\": \"spot\""], "render", "ball.json", "-o", "a/", "--frames", "0")
+
+
+    def test_skies_of_pictures(self):
+        self.write("ball.json", {"version": 1, "sky": {"picture": "sky.hdr"}, "objects": {"ball": {"sphere": {}}}})
+        see = ("render", "ball.json", "--frames", "0", "--size", "32x18")
+        self.bad_scene("sky.hdr", *see, "-o", "a/")
+        studio = (SOURCE / "assets/textures/studio.hdr").read_bytes()
+        self.write("sky.hdr", studio)
+        self.assertIn("sky.picture: the driver's rasterizer draws a gradient of its mean light",
+                      self.good(*see, "-o", "b/", "--rasterizer", "driver").err)
+        self.assertEqual(self.good(*see, "-o", "c/", "-q").err, "")
+        self.bad_scene("leave out \"zenith\"", *see, "-o", "d/", "-D", "sky.zenith=[0,0,0]")
+        self.write("sky.hdr", studio[:2000])
+        self.bad(6, ["sky.hdr is cut off after 2000 bytes"], *see, "-o", "e/")
+        self.write("sky.hdr", (SOURCE / "assets/textures/boat.png").read_bytes())
+        self.bad(6, ["is neither Radiance HDR nor OpenEXR"], *see, "-o", "f/")
+        self.write("sky.hdr", b"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 2 +X 2\n" + bytes(16))
+        self.bad(6, ["2x2 pixels; one of all around is twice as wide as high"], *see, "-o", "g/")
 
 
 if __name__ == "__main__":

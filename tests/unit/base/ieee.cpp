@@ -130,3 +130,17 @@ TEST_CASE("elementary functions of doubles have these bits with every compiler")
   CHECK(bitsOf(ieee::tan(1.57)) == 0x40939f0ff737e7f3ULL);
   CHECK(bitsOf(ieee::tan(-12345.6)) == 0x3ff28d5b3daaede1ULL);
 }
+
+TEST_CASE("elementary functions of doubles: angles against the C library") {
+  long double worst = 0;
+  for (int i = -2003; i <= 2003; ++i)
+    for (const double x : {-3.0, -1.0, -0.37, -1e-9, 0.0, 1e-12, 0.2, 1.0, 7.5}) {
+      const double y = i / 977.0;
+      if (x == 0 && y == 0) continue;
+      const long double right = std::atan2(static_cast<long double>(y), static_cast<long double>(x));
+      worst = std::max(worst, std::abs(static_cast<long double>(ieee::atan2(y, x)) - right));
+    }
+  CHECK(static_cast<double>(worst) < 3.2 * 8.9e-16);
+  CHECK(ieee::atan2(0, 0) == 0);
+  CHECK(ieee::atan2(0, -1) == 3.141592653589793);
+}

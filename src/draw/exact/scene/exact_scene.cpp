@@ -52,7 +52,7 @@ int rowsOfBands(glm::ivec2 size, int samples, std::size_t bytes) {
 }  // namespace
 
 struct ExactScene::State {
-  State(const scene::Scene& shown, glm::ivec2 pixels, int count, int rows);
+  State(const scene::Scene& shown, const Environment* around, glm::ivec2 pixels, int count, int rows);
 
   /// Defines of what shades.
   [[nodiscard]] gl::Defines lighting(int count) const {
@@ -60,12 +60,16 @@ struct ExactScene::State {
     if (scene.numerics == scene::Numerics::fast) defines.emplace_back("FAST_NUMERICS", "1");
     defines.emplace_back("SAMPLES", std::to_string(count));
     defines.emplace_back("ROWS", std::to_string(rowsAtOnce()));
-    for (const gl::Defines& more : {shadow.defines(), lamps.defines()})
+    for (const gl::Defines& more : {shadow.defines(), lamps.defines(), aroundDefines()})
       defines.insert(defines.end(), more.begin(), more.end());
     return defines;
   }
+  [[nodiscard]] gl::Defines aroundDefines() const {
+    return environment == nullptr ? gl::Defines() : environment->defines();
+  }
   [[nodiscard]] gl::Defines pictureDefines() const {
     gl::Defines defines = lightDefines();
+    for (auto& define : aroundDefines()) defines.push_back(std::move(define));
     for (auto& define : filmDefines(scene.render)) defines.push_back(std::move(define));
     if (scene.render.transparent) defines.emplace_back("TRANSPARENT", "1");
     defines.emplace_back("ROWS", std::to_string(rowsAtOnce()));
@@ -84,6 +88,7 @@ struct ExactScene::State {
   void keepLight();
 
   const scene::Scene& scene;
+  const Environment* environment;  ///< null: the sky is a gradient
   glm::ivec2 size;
   int samples;
   int bandRows;  ///< of the picture at most, whose visibility there is at once
@@ -115,8 +120,10 @@ struct ExactScene::State {
   gl::Texture total;  ///< of points of the lens so far, if there are several
 };
 
-ExactScene::State::State(const scene::Scene& shown, glm::ivec2 pixels, int count, int rows)
+ExactScene::State::State(const scene::Scene& shown, const Environment* around, glm::ivec2 pixels, int count,
+                         int rows)
     : scene(shown),
+      environment(around),
       size(pixels),
       samples(count),
       bandRows(rows),
@@ -151,10 +158,11 @@ ExactScene::State::State(const scene::Scene& shown, glm::ivec2 pixels, int count
   shadedGround = gl::Program::compute("draw/exact/tiles/shade_ground.comp", defines);
 }
 
-ExactScene::ExactScene(const scene::Scene& scene, glm::ivec2 size, int samples,
-                       std::size_t visibilityBytes) {
+ExactScene::ExactScene(const scene::Scene& scene, const Environment* environment, glm::ivec2 size,
+                       int samples, std::size_t visibilityBytes) {
   checkSamples(samples);
-  state_ = std::make_unique<State>(scene, size, samples, rowsOfBands(size, samples, visibilityBytes));
+  state_ = std::make_unique<State>(scene, environment, size, samples,
+                                   rowsOfBands(size, samples, visibilityBytes));
 }
 ExactScene::~ExactScene() = default;
 
@@ -316,6 +324,7 @@ void ExactScene::State::addThrough(std::size_t point, std::size_t points) {
 void ExactScene::draw(double seconds, const sim::Drawables& published, const Overlays& overlays,
                       const gl::Texture& picture, const Watch& watch) {
   State& s = *state_;
+  if (s.environment != nullptr) s.environment->bind();
   s.skins.update(overlays.textures);
   s.surfaces.prepare(s.skins);
   if (s.lamps.on()) s.lamps.update(seconds, published);

@@ -1,4 +1,5 @@
 #pragma once
+#include "draw/environment.hpp"
 #include "draw/exact/passes.hpp"
 #include "draw/exact/scene/picture_layers.hpp"
 #include "draw/overlay/field_pass.hpp"
@@ -20,8 +21,10 @@ namespace simreel::draw {
 class ExactScene {
  public:
   /// Visibility that comes to more than `visibilityBytes` is found band by band, 8 rows at least each.
-  /// Throws UserError: usage for what it cannot draw, device for limits. The scene must outlive it.
-  ExactScene(const scene::Scene& scene, glm::ivec2 size, int samples, std::size_t visibilityBytes);
+  /// Throws UserError: usage for what it cannot draw, device for limits. The scene must outlive it, and so
+  /// the sky's picture, if there is one.
+  ExactScene(const scene::Scene& scene, const Environment* environment, glm::ivec2 size, int samples,
+             std::size_t visibilityBytes);
   ~ExactScene();
   ExactScene(ExactScene&&) = delete;
   ExactScene& operator=(ExactScene&&) = delete;

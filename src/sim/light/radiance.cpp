@@ -2,21 +2,20 @@
 // byte of mantissa for each of R, G and B and a shared exponent, run-length encoded.
 #include "base/error.hpp"
 #include "base/text.hpp"
-#include "golden/files/damage.hpp"
-#include "golden/files/picture.hpp"
+#include "sim/light/light_file.hpp"
 
 #include <cmath>
 
-namespace simreel::golden {
+namespace simreel::sim {
 
 namespace {
 
 class RadianceFile {
  public:
-  RadianceFile(std::string_view bytes, const std::string& label)
-      : label_(label), whole_(bytes.size()), rest_(bytes) {}
+  RadianceFile(std::string_view bytes, const std::string& label, const std::string& advice)
+      : label_(label), advice_(advice), whole_(bytes.size()), rest_(bytes) {}
 
-  Picture read() {
+  LightFile read() {
     readHeader();
     picture_.values.resize(4 * std::size_t(width_) * std::size_t(height_));
     std::string scanline(4 * std::size_t(width_), '\0');
@@ -24,7 +23,7 @@ class RadianceFile {
       readScanline(scanline);
       for (int x = 0; x < width_; ++x) setPixel(x, y, scanline);
     }
-    showLight(picture_, width_, height_);
+    picture_.size = {width_, height_};
     return std::move(picture_);
   }
 
@@ -33,7 +32,7 @@ class RadianceFile {
     fail(ExitCode::inputOutput, "{} {}", label_, why);
   }
   [[noreturn]] void cutOff() const {
-    refuse(fmt::format("is cut off after {} bytes; {}", whole_, restoreIt));
+    refuse(fmt::format("is cut off after {} bytes; {}", whole_, advice_));
   }
 
   std::string_view line() {
@@ -56,8 +55,8 @@ class RadianceFile {
         refuse(fmt::format("has its rows in another order ({}), and only -Y ... +X ... is read", shown));
       size.remove_prefix(before.size());
       const auto found = takeInteger(size);
-      if (!found || *found < 1 || *found > largestPictureSide)
-        refuse(fmt::format("has no size from 1 to {} ({})", largestPictureSide, shown));
+      if (!found || *found < 1 || *found > LightFile::largestSide)
+        refuse(fmt::format("has no size from 1 to {} ({})", LightFile::largestSide, shown));
       return *found;
     };
     height_ = number("-Y ");
@@ -111,17 +110,22 @@ class RadianceFile {
   }
 
   const std::string& label_;
+  const std::string& advice_;
   std::size_t whole_;
   std::string_view rest_;
   int width_ = 0, height_ = 0;
   bool planar_ = false;
-  Picture picture_;
+  LightFile picture_;
 };
 
 }  // namespace
 
-Picture decodeRadiance(std::string_view bytes, const std::string& label) {
-  return RadianceFile(bytes, label).read();
+bool isRadiance(std::string_view bytes) {
+  return bytes.starts_with("#?");
 }
 
-}  // namespace simreel::golden
+LightFile decodeRadiance(std::string_view bytes, const std::string& label, const std::string& advice) {
+  return RadianceFile(bytes, label, advice).read();
+}
+
+}  // namespace simreel::sim

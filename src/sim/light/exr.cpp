@@ -1,8 +1,7 @@
 // OpenEXR, by its own library: scanlines and tiles, every compression, half, float and whole numbers.
 #include "base/error.hpp"
 #include "base/text.hpp"
-#include "golden/files/damage.hpp"
-#include "golden/files/picture.hpp"
+#include "sim/light/light_file.hpp"
 
 #include <ImfChannelList.h>
 #include <ImfChromaticitiesAttribute.h>
@@ -19,7 +18,7 @@
 
 #include <fmt/ranges.h>
 
-namespace simreel::golden {
+namespace simreel::sim {
 
 namespace {
 
@@ -57,9 +56,9 @@ struct Window {
 Window windowOf(const Imath::Box2i& box) {
   const auto side = [](int from, int to) {
     const long length = long{to} - from + 1;
-    if (length < 1 || length > largestPictureSide)
+    if (length < 1 || length > LightFile::largestSide)
       throw std::runtime_error(
-          fmt::format("a window of {} pixels; 1 to {} are read", length, largestPictureSide));
+          fmt::format("a window of {} pixels; 1 to {} are read", length, LightFile::largestSide));
     return static_cast<int>(length);
   };
   return {box.min.x, box.min.y, side(box.min.x, box.max.x), side(box.min.y, box.max.y)};
@@ -93,7 +92,7 @@ Chosen choose(const Imf::ChannelList& channels) {
   return chosen;
 }
 
-Picture read(MemoryStream& stream) {
+LightFile read(MemoryStream& stream) {
   Imf::MultiPartInputFile file(stream);
   const Imf::Header& header = file.header(0);
   if (header.hasType() && header.type() != Imf::SCANLINEIMAGE && header.type() != Imf::TILEDIMAGE)
@@ -122,7 +121,8 @@ Picture read(MemoryStream& stream) {
     if (grey) pixels[i + 1] = pixels[i + 2] = pixels[i];
     if (chosen.names[3] == nullptr) pixels[i + 3] = 1;
   }
-  Picture picture;
+  LightFile picture;
+  picture.size = {shown.width, shown.height};
   picture.values.assign(4 * std::size_t(shown.width) * std::size_t(shown.height), 0.0F);
   for (int y = std::max(data.top, shown.top);
        y < std::min(data.top + data.height, shown.top + shown.height); ++y) {
@@ -144,22 +144,25 @@ Picture read(MemoryStream& stream) {
   if (data.left < shown.left || data.top < shown.top || data.left + data.width > shown.left + shown.width ||
       data.top + data.height > shown.top + shown.height)
     notes.emplace_back("pixels outside of the display window");
-  if (!notes.empty()) picture.note = fmt::format("{} are not compared", fmt::join(notes, "; "));
-  showLight(picture, shown.width, shown.height);
+  picture.note = fmt::format("{}", fmt::join(notes, "; "));
   return picture;
 }
 
 }  // namespace
 
-Picture decodeExr(std::string_view bytes, const std::string& label) {
+bool isExr(std::string_view bytes) {
+  return bytes.starts_with("\x76\x2f\x31\x01");
+}
+
+LightFile decodeExr(std::string_view bytes, const std::string& label, const std::string& advice) {
   MemoryStream stream(bytes);
   try {
     return read(stream);
   } catch (const std::exception& error) {
     if (stream.beyond())
-      fail(ExitCode::inputOutput, "{} is cut off after {} bytes; {}", label, bytes.size(), restoreIt);
+      fail(ExitCode::inputOutput, "{} is cut off after {} bytes; {}", label, bytes.size(), advice);
     fail(ExitCode::inputOutput, "{} cannot be decoded ({})", label, oneLine(error.what()));
   }
 }
 
-}  // namespace simreel::golden
+}  // namespace simreel::sim
