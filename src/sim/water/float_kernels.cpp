@@ -2,8 +2,12 @@
 
 #include <utility>
 
-namespace simreel::shader::floating {
+namespace simreel::shader::water {
 #include "glsl/water/bindings.glsl"
+}
+
+namespace simreel::shader::floating {
+using water::cellsBinding;
 #include "glsl/water/float_bindings.glsl"
 }  // namespace simreel::shader::floating
 
