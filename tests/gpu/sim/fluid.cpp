@@ -80,8 +80,8 @@ void compareFluid(const sim::FluidParameters& parameters, int frames) {
     gpu->step(frame * fluidFrame, {});
     twin.step(frame * fluidFrame);
   }
-  checkFluid(gpu->state()[0].buffer->readAll<glm::vec4>(), twin.flow, "flow");
-  checkFluid(gpu->state()[1].buffer->readAll<glm::vec4>(), twin.dye, "dye");
+  checkFluid(gpu->state()[0].readAll<glm::vec4>(), twin.flow, "flow");
+  checkFluid(gpu->state()[1].readAll<glm::vec4>(), twin.dye, "dye");
   CHECK(gpu->measure()[0] <= sim::maxFluidDivergence);
 }
 
@@ -271,8 +271,9 @@ TEST_CASE("lines of flow equal their CPU twin, round obstacles and over a seam")
     glGetTextureLevelParameteriv(kernels.shownWords().name(), 0, GL_TEXTURE_BUFFER_DATA_STORE_BINDING,
                                  &buffer);
     std::vector<glm::vec4> got(want.size());
-    glGetNamedBufferSubData(static_cast<GLuint>(buffer), 0, static_cast<GLsizeiptr>(got.size() * 16),
-                            got.data());
+    glGetNamedBufferSubData(static_cast<GLuint>(buffer),
+                            static_cast<GLintptr>(kernels.shownWords().offset()),
+                            static_cast<GLsizeiptr>(got.size() * 16), got.data());
     int different = 0;
     for (std::size_t i = 0; i < want.size(); ++i) different += got[i].w != want[i] ? 1 : 0;
     CHECK(different == 0);
@@ -304,8 +305,9 @@ TEST_CASE("what a fluid shows equals its CPU twin") {
     glGetTextureLevelParameteriv(kernels.shownWords().name(), 0, GL_TEXTURE_BUFFER_DATA_STORE_BINDING,
                                  &buffer);
     std::vector<glm::vec4> got(static_cast<std::size_t>(plan.elements()));
-    glGetNamedBufferSubData(static_cast<GLuint>(buffer), 0, static_cast<GLsizeiptr>(got.size() * 16),
-                            got.data());
+    glGetNamedBufferSubData(static_cast<GLuint>(buffer),
+                            static_cast<GLintptr>(kernels.shownWords().offset()),
+                            static_cast<GLsizeiptr>(got.size() * 16), got.data());
     int different = 0;
     for (int y = 0; y < p.size.y; ++y)
       for (int x = 0; x < p.size.x; ++x) {
