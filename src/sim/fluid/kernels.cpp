@@ -85,7 +85,7 @@ FluidKernels::FluidKernels(const std::string& name, const FluidPlan& plan, bool 
       arrays_(name, plan, plan.firstFlow(startTime)) {
   const FluidParameters& p = plan.parameters();
   stops_ = gl::Vec4Array(name + " colours", stopElements(p.display.colors()));
-  constexpr unsigned fine[] = {0xffffffffU, 0, 0, 0};
+  constexpr unsigned fine[] = {0xffffffffU, 0xffffffffU, 0, 0};
   status_ = gl::Buffer::of<unsigned>(name + " status", fine);
   brushes_ = gl::Buffer(name + " brushes", sizeof(shader::FluidBrush) * shader::maxBrushes);
   steps_ = StepBlocks<shader::FluidStep>(name + " steps", plan.substeps());

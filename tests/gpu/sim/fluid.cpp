@@ -248,6 +248,35 @@ TEST_CASE("fluid with obstacles that move, turn, are pictures or squeeze a pocke
   std::filesystem::remove(file);
 }
 
+TEST_CASE("fluid: the first step and the lowest cell of a flow that is lost are noted") {
+  testContext();
+  auto p = jets(75, 59);
+  p.speed = 0.01F;  // the jets go 60
+  p.substeps = 1;
+  for (sim::FluidStroke& stroke : p.strokes) stroke.at = 0.05;  // in the second step
+  scene::Object object;
+  object.name = "bath";
+  object.kind = "fluid";
+  object.parameters = std::make_unique<sim::FluidParameters>(p);
+  const std::vector<sim::ColliderShape> none;
+  const auto gpu = sim::fluidKind().make(object, {false, 5, fluidFrame, &none});
+  FluidTwin twin(sim::FluidPlan(p, "bath", 5, fluidFrame));
+  gpu->step(0, {});
+  twin.step(0);
+  CHECK(gpu->status()->readAll<unsigned>()[0] == 0xffffffffU);
+  gpu->step(fluidFrame, {});
+  twin.step(fluidFrame);
+  const auto speedOf = [&](int cell) {
+    const glm::vec4& here = twin.flow[twin.index(cell % p.size.x, cell / p.size.x)];
+    return std::max(std::abs(here.x), std::abs(here.y));
+  };
+  int lowest = 0;
+  while (lowest < p.size.x * p.size.y && speedOf(lowest) <= sim::lostFluidSpeed * p.speed) ++lowest;
+  const auto status = gpu->status()->readAll<unsigned>();
+  CHECK(status[0] == 2);
+  CHECK(status[1] == static_cast<unsigned>(lowest));
+}
+
 TEST_CASE("lines of flow equal their CPU twin, round obstacles and over a seam") {
   for (const bool torus : {false, true}) {
     auto p = jets(31, 22);
