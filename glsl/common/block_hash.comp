@@ -3,9 +3,9 @@
 #include "common/bindings.glsl"
 #include "common/hash.glsl"
 layout(local_size_x = 64) in;
-layout(binding = wordsBinding) uniform usamplerBuffer words;
 layout(std430, binding = sumsBinding) restrict buffer SumBlock { uint sums[]; };
 uniform int texels;
+#include "common/state_words.glsl"
 uniform int perInvocation;  // divides perBlock
 uniform int perBlock;
 uniform int place;  // of the array's sums: one for each block, then the weighted one
@@ -17,7 +17,7 @@ void main() {
   uint total = 0u;
   uint weighted = 0u;
   for (int i = first; i < last; ++i) {
-    uvec4 w = texelFetch(words, i);
+    uvec4 w = elementAt(i);
     uvec3 a = hash3(uvec3(w.x ^ uint(i), w.y, w.z));
     uint h = hash3(uvec3(w.w + a.x, a.y, a.z ^ uint(i))).x;
     total += h;

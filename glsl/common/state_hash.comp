@@ -3,14 +3,14 @@
 // invocations read neighbouring words, and a group adds up before it adds to the sum.
 #include "common/bindings.glsl"
 #include "common/hash.glsl"
-layout(binding = wordsBinding) uniform usamplerBuffer words;
 layout(std430, binding = sumsBinding) restrict buffer SumBlock { uint sums[]; };
 uniform int texels;
 uniform int slot;
 uniform uint salt;
+#include "common/state_words.glsl"
 
 uvec4 hashOf(int i) {
-  uvec4 w = texelFetch(words, i);
+  uvec4 w = elementAt(i);
   uvec3 a = hash3(uvec3(w.x ^ uint(i), w.y, w.z ^ salt));
   uvec3 b = hash3(uvec3(w.w + a.x, a.y, a.z ^ uint(i)));
   return uvec4(a.x ^ b.y, b);

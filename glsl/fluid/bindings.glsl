@@ -5,6 +5,7 @@ const int flowBinding = 0;      // u, v, temperature, pressure
 const int carriedBinding = 1;   // the flow carried along once
 const int dyeBinding = 2;
 const int nextFlowBinding = 3;
+const int keptBinding = 8;      // kept.glsl
 const int nextDyeBinding = 4;
 const int weightsBinding = 5;
 const int controlBinding = 6;   // solve_control.glsl

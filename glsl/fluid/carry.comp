@@ -1,6 +1,5 @@
 // Carries the flow along itself, once.
-#define PLANES_IN
-#define PLANES_OUT 3
+#define NEXT_FLOW
 #include "fluid/grid.glsl"
 layout(local_size_x = 32, local_size_y = 2) in;
 

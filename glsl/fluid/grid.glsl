@@ -1,5 +1,5 @@
 // What a fluid's kernels read, and how its cells lie in memory: rows of size.x + 2 elements, the ring's first. Before
-// including: READS_CARRIED and READS_DYE where those are bound. The sides' kinds are LEFT, RIGHT, TOP, BOTTOM.
+// including: READS_CARRIED, READS_DYE and NEXT_DYE where those are bound. The sides' kinds are LEFT, RIGHT, TOP, BOTTOM.
 #include "common/bindings.glsl"
 #include "common/exact.glsl"
 #include "common/memory.glsl"
@@ -20,53 +20,78 @@ int elementOf(int x, int y) {
   return (y + 1) * (size.x + 2) + x + 1;
 }
 
-// Between the kernels of a step, of storage blocks: all u, then all v and so on (PLANES_IN, PLANES_OUT), so that neighbouring
-// invocations load neighbouring words.
-#if defined PLANES_IN && !defined TEXEL_PATH
-#define PLANE_ARRAY(unit, block, name) layout(std430, binding = unit) readonly restrict buffer block { float name[]; };
-PLANE_ARRAY(flowBinding, FlowBlock, flow)
-vec4 flowAt(int x, int y) {
-  int i = elementOf(x, y), plane = (size.x + 2) * (size.y + 2);
-  return vec4(flow[i], flow[plane + i], flow[2 * plane + i], flow[3 * plane + i]);
+// Arrays of texels hold an element of four floats a cell. Those of storage blocks hold all u, then all v and so on, so that
+// neighbouring invocations load neighbouring words, and no more of these planes than there is something in
+// (src/sim/fluid/arrays.hpp): the flow u, v, temperature and pressure; what a step makes of it before it is projected the first
+// three, and the pressure stays where it is, of which `kept` (kept.glsl) is left until then; dye its three colours.
+int planeSize() {
+  return (size.x + 2) * (size.y + 2);
 }
+
+#ifdef TEXEL_PATH
+#define CELL_INPUT(unit, block, name) INPUT_ARRAY(unit, block, name)
+#define LOAD_CELL(name, element) LOAD_INPUT(name, element)
 #else
-INPUT_ARRAY(flowBinding, FlowBlock, flow)
-vec4 flowAt(int x, int y) {
-  return LOAD_INPUT(flow, elementOf(x, y));
-}
+#define CELL_INPUT(unit, block, name) layout(std430, binding = unit) readonly restrict buffer block { float name[]; };
+#define LOAD_CELL(name, element) vec4(name[element], name[planeSize() + (element)], name[2 * planeSize() + (element)], 0.0)
 #endif
 
-#ifdef PLANES_OUT
+// Before including: NEXT_FLOW where a kernel makes flow, PRESSURE_APART where what it reads has no pressure with it, that being
+// where the next flow will be; FLOW_IN_PLACE where it changes what it reads.
+#if defined TEXEL_PATH || !defined FLOW_IN_PLACE
+CELL_INPUT(flowBinding, FlowBlock, flow)
+#else
+layout(std430, binding = flowBinding) restrict buffer FlowBlock { float flow[]; };
+#endif
+#ifdef NEXT_FLOW
 #ifdef TEXEL_PATH
 STATE_ARRAY(nextFlowBinding, NextBlock, nextFlow)
 void storeNext(int x, int y, vec4 cell) {
   STORE_STATE(nextFlow, elementOf(x, y), cell);
 }
 #else
-layout(std430, binding = nextFlowBinding) writeonly restrict buffer NextBlock { float nextFlow[]; };
+layout(std430, binding = nextFlowBinding) restrict buffer NextBlock { float nextFlow[]; };
 void storeNext(int x, int y, vec4 cell) {
-  int i = elementOf(x, y), plane = (size.x + 2) * (size.y + 2);
+  int i = elementOf(x, y);
   nextFlow[i] = cell.x;
-  nextFlow[plane + i] = cell.y;
-  nextFlow[2 * plane + i] = cell.z;
-  if (PLANES_OUT == 4) nextFlow[3 * plane + i] = cell.w;
+  nextFlow[planeSize() + i] = cell.y;
+  nextFlow[2 * planeSize() + i] = cell.z;
 }
 #endif
 #endif
 
-#ifdef READS_CARRIED
-#ifdef PLANE_ARRAY
-PLANE_ARRAY(carriedBinding, CarriedBlock, carried)
-vec4 carriedAt(int x, int y) {
-  int i = elementOf(x, y), plane = (size.x + 2) * (size.y + 2);
-  return vec4(carried[i], carried[plane + i], carried[2 * plane + i], 0.0);
+#ifdef TEXEL_PATH
+vec4 flowIn(int element) {
+  return LOAD_INPUT(flow, element);
 }
 #else
-INPUT_ARRAY(carriedBinding, CarriedBlock, carried)
-vec4 carriedAt(int x, int y) {
-  return LOAD_INPUT(carried, elementOf(x, y));
+#ifdef READS_KEPT
+#include "fluid/kept.glsl"
+#endif
+float pressureIn(int element) {
+#ifdef PRESSURE_APART
+  float pressure = nextFlow[3 * planeSize() + element];
+#else
+  float pressure = flow[3 * planeSize() + element];
+#endif
+#ifdef READS_KEPT
+  pressure = keptOf(pressure);
+#endif
+  return pressure;
+}
+vec4 flowIn(int element) {
+  return vec4(flow[element], flow[planeSize() + element], flow[2 * planeSize() + element], pressureIn(element));
 }
 #endif
+vec4 flowAt(int x, int y) {
+  return flowIn(elementOf(x, y));
+}
+
+#ifdef READS_CARRIED
+CELL_INPUT(carriedBinding, CarriedBlock, carried)
+vec4 carriedAt(int x, int y) {
+  return LOAD_CELL(carried, elementOf(x, y));
+}
 #else
 vec4 carriedAt(int x, int y) {
   return vec4(0.0);
@@ -75,16 +100,31 @@ vec4 carriedAt(int x, int y) {
 
 // Two cells beyond the border, too: there what follows on a torus, else the ring.
 #ifdef READS_DYE
-INPUT_ARRAY(dyeBinding, DyeBlock, dye)
+CELL_INPUT(dyeBinding, DyeBlock, dye)
 vec4 dyeAt(int x, int y) {
   int i = LEFT == periodicSide ? (x < 0 ? x + size.x : x >= size.x ? x - size.x : x) : clamp(x, -1, size.x);
   int j = TOP == periodicSide ? (y < 0 ? y + size.y : y >= size.y ? y - size.y : y) : clamp(y, -1, size.y);
-  return LOAD_INPUT(dye, elementOf(i, j));
+  return LOAD_CELL(dye, elementOf(i, j));
 }
 #else
 vec4 dyeAt(int x, int y) {
   return vec4(0.0);
 }
+#endif
+#ifdef NEXT_DYE
+#ifdef TEXEL_PATH
+STATE_ARRAY(nextDyeBinding, NextDyeBlock, nextDye)
+void storeDye(int element, vec4 value) {
+  STORE_STATE(nextDye, element, value);
+}
+#else
+layout(std430, binding = nextDyeBinding) writeonly restrict buffer NextDyeBlock { float nextDye[]; };
+void storeDye(int element, vec4 value) {
+  nextDye[element] = value.x;
+  nextDye[planeSize() + element] = value.y;
+  nextDye[2 * planeSize() + element] = value.z;
+}
+#endif
 #endif
 
 // Blocks of 2x2 cells an element, their openings (model.glsl: faceWeights); of the finest level those of size.x + 1

@@ -1,11 +1,11 @@
 // Brushes, all that are due at once. firstBrush and endBrush are uniform, so loops are as long as there are brushes.
+#define NEXT_FLOW
+#define NEXT_DYE
 #define READS_DYE
 #include "common/hash.glsl"
 #include "fluid/grid.glsl"
 #include "grid/stroke.glsl"
 layout(local_size_x = 32, local_size_y = 2) in;
-STATE_ARRAY(nextFlowBinding, NextFlowBlock, nextFlow)
-STATE_ARRAY(nextDyeBinding, NextDyeBlock, nextDye)
 INPUT_WORDS(stampsBinding, StampBlock, stamps)
 layout(std140, binding = brushesBinding) uniform BrushBlock { FluidBrush brushes[maxBrushes]; };
 uniform int firstBrush, endBrush;  // others reach none of these cells
@@ -37,6 +37,6 @@ void main() {
   ivec2 at = ivec2(gl_GlobalInvocationID.xy);
   if (at.x >= box.z || at.y >= box.w) return;
   int x = at.x + box.x, y = at.y + box.y;
-  STORE_STATE(nextFlow, elementOf(x, y), paintedCell(x, y));
-  STORE_STATE(nextDye, elementOf(x, y), paintedDye(x, y));
+  storeNext(x, y, paintedCell(x, y));
+  storeDye(elementOf(x, y), paintedDye(x, y));
 }

@@ -1,11 +1,14 @@
 // Takes the slope of the corrections' sum off the flow, continues it into obstacles and around the grid, and looks at what
-// it has become.
+// it has become. On the storage path only of tiles that do not lie in the open and of the ring, to where the solver was:
+// project_open.comp, settle.comp and check.comp do the rest.
 #define READS_SUM
+#define READS_KEPT
 #include "fluid/grid.glsl"
 #include "common/status.glsl"
 #include "fluid/solver/solve_control.glsl"
 #include "fluid/cells.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
+#ifdef TEXEL_PATH
 STATE_ARRAY(nextFlowBinding, NextBlock, nextFlow)
 uniform uint number;      // of the step, for the status
 uniform float lostSpeed;  // cells/s that no flow should have
@@ -18,6 +21,7 @@ void noteCell(int x, int y, vec4 cell) {
   if (speedOf(cell) > lostSpeed || !isNumber(cell.x) || !isNumber(cell.y) || !isNumber(cell.z))
     noteLost(number, uint(y * size.x + x));
 }
+#endif
 
 #if IN_THE_OPEN == 1
 float slowed(float speed, vec2 from, vec2 to) {
@@ -80,7 +84,7 @@ void main() {
   if (2 * block.x < size.x) most = projected(block);
   noteMost(most.x, most.y, most.y);
 }
-#else
+#elif defined TEXEL_PATH
 void main() {
   float missing = 0.0, speed = 0.0;
   for (int k = 0; k < cellsEach; ++k) {
@@ -94,5 +98,12 @@ void main() {
     noteCell(c.x, c.y, cell);
   }
   noteMost(missing, speed, speed);
+}
+#else
+#include "fluid/settling.glsl"
+
+void main() {
+  ivec2 c = cellHere(0);
+  if (c.x <= size.x && c.y <= size.y) settleLater(elementOf(c.x, c.y), finishedCell(c.x, c.y));
 }
 #endif

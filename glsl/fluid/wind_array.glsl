@@ -3,10 +3,19 @@
 #include "fluid/wind_types.glsl"
 const bool blown = true;
 uniform WindGrid windGrid;
+#ifdef TEXEL_PATH
 INPUT_ARRAY(windBinding, WindBlock, windCells)
+#else
+layout(std430, binding = windBinding) readonly restrict buffer WindBlock { float windCells[]; };  // all u, then all v
+#endif
 
 vec4 loadWindCell(int x, int y) {
-  return LOAD_INPUT(windCells, (y + 1) * (windGrid.size.x + 2) + x + 1);
+  int i = (y + 1) * (windGrid.size.x + 2) + x + 1;
+#ifdef TEXEL_PATH
+  return LOAD_INPUT(windCells, i);
+#else
+  return vec4(windCells[i], windCells[(windGrid.size.x + 2) * (windGrid.size.y + 2) + i], 0.0, 0.0);
+#endif
 }
 #include "fluid/wind_model.glsl"
 #else

@@ -40,6 +40,19 @@ Buffer::Buffer(const std::string& label, std::size_t bytes) : Buffer(label, byte
 Buffer::Buffer(const std::string& label, std::size_t bytes, const void* items)
     : handle_(createBuffer()), bytes_(bytes) {
   checkBlock(label, bytes);
+  store(label, items);
+}
+
+Buffer Buffer::inParts(const std::string& label, std::size_t bytes) {
+  Buffer buffer;
+  buffer.handle_ = Handle<DeleteBuffer>(createBuffer());
+  buffer.bytes_ = bytes;
+  buffer.store(label, nullptr);
+  return buffer;
+}
+
+void Buffer::store(const std::string& label, const void* items) {
+  const std::size_t bytes = bytes_;
   checkCalls();
   // Zeros come as data, not through glClearNamedBufferData: with NVIDIA's driver 580 a clear overtakes a
   // large glNamedBufferSubData issued after it.

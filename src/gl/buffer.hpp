@@ -23,6 +23,9 @@ class Buffer {
     return Buffer(label, items.size_bytes(), items.data());
   }
 
+  /// Of which kernels get parts (BufferPart), each within the device's block limit; zeros.
+  static Buffer inParts(const std::string& label, std::size_t bytes);
+
   /// Memory that stays mapped for the buffer's whole life, coherent, for writing by the CPU (`writing`) or
   /// for reading; whoever uses it keeps away, by fences, from what the GPU is at. Contents are undefined.
   static Buffer mapped(const std::string& label, std::size_t bytes, bool writing);
@@ -52,12 +55,30 @@ class Buffer {
  private:
   /// Null: zeros.
   Buffer(const std::string& label, std::size_t bytes, const void* items);
+  void store(const std::string& label, const void* items);
   [[nodiscard]] bool staged() const;
   void copyStaged(std::size_t offset, const std::byte* items, std::size_t bytes);
 
   Handle<DeleteBuffer> handle_;
   std::size_t bytes_ = 0;
   void* memory_ = nullptr;  ///< as long as the buffer
+};
+
+/// A part of a buffer, which outlives it. Kernels get it as if it were one by itself.
+struct BufferPart {
+  const Buffer* buffer = nullptr;
+  std::size_t offset = 0;  ///< bytes, a multiple of `alignment`
+  std::size_t bytes = 0;
+
+  /// What every device is content with, of storage blocks and of texel views.
+  static constexpr std::size_t alignment = 256;
+  [[nodiscard]] static std::size_t aligned(std::size_t bytes) {
+    return (bytes + alignment - 1) / alignment * alignment;
+  }
+  void bindStorage(GLuint binding) const {
+    glBindBufferRange(GL_SHADER_STORAGE_BUFFER, binding, buffer->name(), static_cast<GLintptr>(offset),
+                      static_cast<GLsizeiptr>(bytes));
+  }
 };
 
 /// What kernels have written so far comes before what Buffer::write writes from now on: waits for the

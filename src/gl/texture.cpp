@@ -24,12 +24,12 @@ void checkSize(const std::string& label, int width, int height) {
          label, width, height, max, max);
 }
 
-void checkTexels(const std::string& label, const Buffer& buffer, std::size_t texelBytes) {
+void checkTexels(const std::string& label, std::size_t bytes, std::size_t texelBytes) {
   const auto max = static_cast<std::size_t>(limits().texelBufferTexels);
-  if (buffer.bytes() / texelBytes > max)
+  if (bytes / texelBytes > max)
     fail(ExitCode::device,
          "{} has {} elements, this device allows {} in a texel view (GL_MAX_TEXTURE_BUFFER_SIZE)", label,
-         buffer.bytes() / texelBytes, max);
+         bytes / texelBytes, max);
 }
 
 }  // namespace
@@ -62,7 +62,7 @@ Texture Texture::multisampled(const std::string& label, GLenum format, int width
 
 Texture Texture::view(const std::string& label, GLenum format, const Buffer& buffer,
                       std::size_t texelBytes) {
-  checkTexels(label, buffer, texelBytes);
+  checkTexels(label, buffer.bytes(), texelBytes);
   Texture texture;
   texture.handle_ = Handle<DeleteTexture>(createTexture(GL_TEXTURE_BUFFER, label));
   texture.format_ = format;
@@ -70,8 +70,20 @@ Texture Texture::view(const std::string& label, GLenum format, const Buffer& buf
   return texture;
 }
 
+Texture Texture::view(const std::string& label, GLenum format, const BufferPart& part,
+                      std::size_t texelBytes) {
+  checkTexels(label, part.bytes, texelBytes);
+  Texture texture;
+  texture.handle_ = Handle<DeleteTexture>(createTexture(GL_TEXTURE_BUFFER, label));
+  texture.format_ = format;
+  texture.offset_ = part.offset;
+  glTextureBufferRange(texture.name(), format, part.buffer->name(), static_cast<GLintptr>(part.offset),
+                       static_cast<GLsizeiptr>(part.bytes));
+  return texture;
+}
+
 void Texture::show(const Buffer& buffer, std::size_t texelBytes) {
-  checkTexels("a buffer", buffer, texelBytes);
+  checkTexels("a buffer", buffer.bytes(), texelBytes);
   glTextureBuffer(name(), format_, buffer.name());
 }
 

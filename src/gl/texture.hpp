@@ -19,6 +19,10 @@ class Texture {
   static Texture view(const std::string& label, GLenum format, const Buffer& buffer,
                       std::size_t texelBytes = 16);
 
+  /// Of a part of one.
+  static Texture view(const std::string& label, GLenum format, const BufferPart& part,
+                      std::size_t texelBytes = 16);
+
   /// From now on a view of another buffer, or of one that was made anew.
   void show(const Buffer& buffer, std::size_t texelBytes);
 
@@ -40,6 +44,8 @@ class Texture {
   [[nodiscard]] GLuint name() const { return handle_.get(); }
   [[nodiscard]] int width() const { return width_; }
   [[nodiscard]] int height() const { return height_; }
+  /// Of a view: where in its buffer it begins, bytes.
+  [[nodiscard]] std::size_t offset() const { return offset_; }
   explicit operator bool() const { return static_cast<bool>(handle_); }
 
  private:
@@ -47,6 +53,7 @@ class Texture {
   GLenum format_ = GL_NONE;
   int width_ = 0;
   int height_ = 0;
+  std::size_t offset_ = 0;
 };
 
 /// Colour and optional depth attachments.

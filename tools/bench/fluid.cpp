@@ -9,8 +9,9 @@
 // and how fast they are on this device, one figure a process: whole steps of a cell a second, bytes moved
 // beside what copying moves, every buffer in bytes a cell.
 //
-//   bench_fluid speed [SIDE [CYCLES]]        a fluid, SIDE 4096 on a GPU, 512 on a software driver; at most
-//                                            CYCLES a projection: what those cost that are empty
+//   bench_fluid speed [SIDE [CYCLES [PATH]]] a fluid, SIDE 4096 on a GPU, 512 on a software driver; at most
+//                                            CYCLES a projection: what those cost that are empty (0: as it
+//                                            is); of the memory path "storage" or "texel"
 //   bench_fluid water [SIDE]                 water, SIDE 8192 on a GPU, 1024 on a software driver
 //
 // Exits with 1 where a figure is beyond its bar.
@@ -102,7 +103,7 @@ bool cavity(int cells, double reynolds, Advection advection, double turns) {
   parameters.advection = advection;
   const auto fluid = fluidOf(parameters, frame);
   for (int i = 0; i * frame < turns; ++i) fluid->pass(i * frame);
-  const auto flow = fluid->state()[0].buffer->readAll<glm::vec4>();
+  const auto flow = fluid->state()[0].readAll<glm::vec4>();
   bool fine = within("from Ghia et al.", flows::ghiaError(flows::ghia(reynolds), cells, flow), {0, 0.02});
   if (reynolds != 1000) return fine;
   const flows::Extremes got = flows::extremesOf(cells, flow), want = flows::botellaPeyret;
@@ -126,10 +127,10 @@ int main(int argc, char** argv) {
   if (!speed && what != "cylinder" && what != "wide" && what != "cavity" && what != "quick") {
     fmt::print(stderr,
                "usage: bench_fluid cylinder|wide|cavity|quick [CELLS [SECONDS|RE [macCormack]]]\n"
-               "       bench_fluid speed|water [SIDE [CYCLES]]\n");
+               "       bench_fluid speed|water [SIDE [CYCLES [PATH]]]\n");
     return 2;
   }
-  const gl::Context context;
+  const gl::Context context({.device = "", .memoryPath = speed && argc > 4 ? argv[4] : ""});
   fmt::print("device: {}\n", context.device().name);
   const WakeBars published{{0.295, 0.305}, {3.23 * 0.97, 3.23 * 1.03}, {0.9, 1.1}};
   if (speed) {

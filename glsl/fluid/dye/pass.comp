@@ -1,9 +1,9 @@
 // A pass of dye: what leaves a cell through a face arrives in the next one.
 #define READS_DYE
+#define NEXT_DYE
 #include "fluid/grid.glsl"
 #include "fluid/cells.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
-STATE_ARRAY(nextDyeBinding, NextBlock, nextDye)
 
 #if IN_THE_OPEN == 1
 vec4 dyeThere(int element) {
@@ -41,16 +41,16 @@ void main() {
   vec4 topRight = dyeFluxes(dyeWay(flowRight.y), dyeThere(e - 2 * row + 1), c, right, corner);
   vec4 acrossRight = dyeFluxes(dyeWay(flowCorner.y), c, right, corner, d);
   vec4 bottomRight = dyeFluxes(dyeWay(LOAD_INPUT(flow, f + row + 1).y), right, corner, d, dyeThere(f + 2 * row + 1));
-  STORE_STATE(nextDye, e, dyedBetween(here, left, middle, top, across));
-  STORE_STATE(nextDye, e + 1, dyedBetween(right, middle, end, topRight, acrossRight));
-  STORE_STATE(nextDye, f, dyedBetween(below, leftBelow, middleBelow, across, bottom));
-  STORE_STATE(nextDye, f + 1, dyedBetween(corner, middleBelow, endBelow, acrossRight, bottomRight));
+  storeDye(e, dyedBetween(here, left, middle, top, across));
+  storeDye(e + 1, dyedBetween(right, middle, end, topRight, acrossRight));
+  storeDye(f, dyedBetween(below, leftBelow, middleBelow, across, bottom));
+  storeDye(f + 1, dyedBetween(corner, middleBelow, endBelow, acrossRight, bottomRight));
 }
 #else
 void main() {
   for (int k = 0; k < cellsEach; ++k) {
     ivec2 c = cellHere(k);
-    if (c.x <= size.x && c.y <= size.y) STORE_STATE(nextDye, elementOf(c.x, c.y), dyedCell(c.x, c.y));
+    if (c.x <= size.x && c.y <= size.y) storeDye(elementOf(c.x, c.y), dyedCell(c.x, c.y));
   }
 }
 #endif

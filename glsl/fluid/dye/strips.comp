@@ -2,15 +2,15 @@
 // group of 32 goes down `rows` rows, an invocation with two columns. What it needs of its neighbours they tell it from their
 // registers (SUBGROUPS) or through shared memory, rows above and below are kept; a pass follows the one before it two rows later. The
 // outermost columns, two for each pass, only serve the others. Dye is counted in its units here (model.glsl), so that a flux is
-// a whole number. How far it goes through each face is the same in all passes of a step, so ways.comp has found it.
+// a whole number. How far it goes through each face is the same in all passes of a step, so check.comp has found it.
 #ifdef SUBGROUPS
 #extension GL_KHR_shader_subgroup_shuffle_relative : require
 #endif
 #define READS_DYE
+#define NEXT_DYE
 #include "fluid/grid.glsl"
 const int lanes = 32, columns = 2 * lanes, margin = 2 * PASSES;
 layout(local_size_x = lanes) in;
-STATE_ARRAY(nextDyeBinding, NextBlock, nextDye)
 layout(std430, binding = carriedBinding) readonly restrict buffer WayBlock { vec2 ways[]; };
 uniform int rows;  // of a strip
 
@@ -74,7 +74,7 @@ int rowOf(int y) {
 }
 
 vec3 loadUnits(int x, int y) {
-  precise vec3 units = LOAD_INPUT(dye, elementOf(x, y)).xyz * perDyeUnit;
+  precise vec3 units = LOAD_CELL(dye, elementOf(x, y)).xyz * perDyeUnit;
   return units;
 }
 
@@ -84,17 +84,17 @@ vec2 waysAt(int x, int y) {
 }
 
 // A cell, and where it is at the border what of the ring is like it.
-void storeDye(int x, int y, vec3 units) {
+void storeUnits(int x, int y, vec3 units) {
   precise vec3 amounts = units * dyeUnit;
   vec4 value = vec4(amounts, 0.0);
-  STORE_STATE(nextDye, elementOf(x, y), value);
+  storeDye(elementOf(x, y), value);
   if (x > 0 && y > 0 && x < size.x - 1 && y < size.y - 1) return;
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j) {
       int atX = i == 0 ? x : i == 1 ? -1 : size.x;
       int atY = j == 0 ? y : j == 1 ? -1 : size.y;
       if ((i > 0 || j > 0) && insideX(atX) == x && insideY(atY) == y)
-        STORE_STATE(nextDye, elementOf(atX, atY), beyondOpen(atX, atY) ? vec4(0.0f) : value);
+        storeDye(elementOf(atX, atY), beyondOpen(atX, atY) ? vec4(0.0f) : value);
     }
 }
 
@@ -195,8 +195,8 @@ void main() {
 #endif
     int done = y + 1 - 2 * PASSES;
     if (done >= top && done < end) {
-      if (writes.x) storeDye(x.x, done, first);
-      if (writes.y) storeDye(x.y, done, second);
+      if (writes.x) storeUnits(x.x, done, first);
+      if (writes.y) storeUnits(x.y, done, second);
     }
   }
 }

@@ -180,9 +180,9 @@ class Checker::StateOfFrame {
     if (!isNew) return place->second;
     const sim::StateArray array = world_.object(object).state().at(index);
     if (array.integers)
-      for (const glm::uvec4& words : array.buffer->readAll<glm::uvec4>()) place->second.emplace_back(words);
+      for (const glm::uvec4& words : array.readAll<glm::uvec4>()) place->second.emplace_back(words);
     else
-      place->second = array.buffer->readAll<glm::vec4>();
+      place->second = array.readAll<glm::vec4>();
     return place->second;
   }
   [[nodiscard]] double quantity(std::size_t object, std::size_t index) {

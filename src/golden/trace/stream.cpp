@@ -93,7 +93,7 @@ void traceSteps(sim::World& world, int frame, const TakeLine& take) {
     std::vector<glm::uvec4> sums(state.size(), glm::uvec4(0));
     const auto buffer = gl::Buffer::of<glm::uvec4>("step hash", sums);
     gl::barrier();
-    for (std::size_t k = 0; k < state.size(); ++k) hash.add(*state[k].buffer, first[object] + k, buffer, k);
+    for (std::size_t k = 0; k < state.size(); ++k) hash.add(state[k], first[object] + k, buffer, k);
     gl::barrier();
     buffer.read(0, std::as_writable_bytes(std::span(sums)));
     StateLine line{frame, world.objectName(object), step, world.object(object).stepsPerFrame(), {}};
@@ -115,7 +115,7 @@ StateDump dumpState(sim::World& world, int frame, int step) {
     gl::barrier();
     const auto state = world.object(object).state();
     for (std::size_t k = 0; k < state.size(); ++k)
-      dump.arrays[first[object] + k].words = state[k].buffer->readAll<std::uint32_t>();
+      dump.arrays[first[object] + k].words = state[k].readAll<std::uint32_t>();
   };
   if (frame == world.firstFrame() && step == 0) {
     for (std::size_t i = 0; i < world.objectCount(); ++i) copy(i);

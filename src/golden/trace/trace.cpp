@@ -7,6 +7,7 @@
 #include "glsl/common/cpp.hpp"
 #include "golden/trace/layout.hpp"
 #include "golden/trace/traced_run.hpp"
+#include "sim/core/state_hash.hpp"
 #include "sim/world/world.hpp"
 
 #include <algorithm>
@@ -59,25 +60,29 @@ class Tracer {
     for (std::size_t i = 0; i < layout.arrays.size(); ++i) {
       const StepTrace::Array& array = layout.arrays[i];
       if (owners_[i] == object)
-        addArray(*world_.object(object).state()[ofObject++].buffer, array, place + step * array.words());
+        addArray(world_.object(object).state()[ofObject++], array, place + step * array.words());
       place += array.words() * (single ? 1 : array.steps);
     }
   }
 
-  void addArray(const gl::Buffer& buffer, const StepTrace::Array& array, std::uint32_t place) {
-    const gl::Texture words = gl::Texture::view("state words", GL_RGBA32UI, buffer);
-    words.bind(shader::wordsBinding);
+  void addArray(const sim::StateArray& state, const StepTrace::Array& array, std::uint32_t place) {
+    const bool planes = state.planes.count > 0;
+    if (planes && ofPlanes_.name() == 0)
+      ofPlanes_ = gl::Program::compute("common/block_hash.comp", {{"PLANES", "1"}});
+    const gl::Program& hash = planes ? ofPlanes_ : hash_;
+    const sim::StateWords words(state);
+    words.bind(hash);
     sums_.bindStorage(shader::sumsBinding);
     const std::uint32_t perInvocation = elementsPerInvocation(array.perBlock);
-    hash_.set("texels", static_cast<int>(array.elements));
-    hash_.set("perInvocation", static_cast<int>(perInvocation));
-    hash_.set("perBlock", static_cast<int>(array.perBlock));
-    hash_.set("place", static_cast<int>(place));
-    hash_.dispatch(static_cast<int>((array.elements - 1) / perInvocation + 1));
+    hash.set("texels", static_cast<int>(array.elements));
+    hash.set("perInvocation", static_cast<int>(perInvocation));
+    hash.set("perBlock", static_cast<int>(array.perBlock));
+    hash.set("place", static_cast<int>(place));
+    hash.dispatch(static_cast<int>((array.elements - 1) / perInvocation + 1));
   }
 
   sim::World world_;
-  gl::Program hash_;
+  gl::Program hash_, ofPlanes_;  ///< of elements; of planes, once there are some
   gl::Buffer sums_;
   AfterStep afterStep_;
   std::vector<std::size_t> owners_;  ///< object of each array

@@ -4,6 +4,7 @@
 #include "sim/core/carry_over.hpp"
 #include "sim/core/collider.hpp"
 #include "sim/core/drawable.hpp"
+#include "sim/core/state_array.hpp"
 
 #include <functional>
 #include <memory>
@@ -60,13 +61,6 @@ struct Setting {
   /// Hears how many of its steps before the first frame an object has done; may throw to end them. Empty:
   /// nobody listens.
   std::function<void(long done, long total)> presteps = {};
-};
-
-/// State that is hashed, compared and can be read back: whole elements of four words, floats unless said.
-struct StateArray {
-  const char* name;
-  const gl::Buffer* buffer;
-  bool integers = false;  ///< bits or counts: no word of them is a NaN
 };
 
 /// What a simulation counts in each step: for a table beside the frames.

@@ -1,7 +1,6 @@
 #include "sim/core/state_hash.hpp"
 
 #include "gl/context.hpp"
-#include "gl/texture.hpp"
 #include "glsl/common/cpp.hpp"
 
 #include <algorithm>
@@ -20,28 +19,51 @@ bool grouped() {
   return gl::memoryPath() == gl::MemoryPath::storage;
 }
 
+gl::Defines defines() {
+  return grouped() ? gl::Defines{{"GROUPED", "1"}} : gl::Defines{};
+}
+
 }  // namespace
 
-StateHash::StateHash()
-    : program_(gl::Program::compute("common/state_hash.comp",
-                                    grouped() ? gl::Defines{{"GROUPED", "1"}} : gl::Defines{})) {}
+StateWords::StateWords(const StateArray& array) : array_(array) {
+  if (array.planes.count == 0) view_ = gl::Texture::view("state words", GL_RGBA32UI, *array.buffer);
+}
+
+void StateWords::bind(const gl::Program& program) const {
+  if (array_.planes.count == 0) return view_.bind(shader::wordsBinding);
+  array_.planes.part.bindStorage(shader::planesBinding);
+  program.set("planes", array_.planes.count);
+}
+
+StateHash::StateHash() : program_(gl::Program::compute("common/state_hash.comp", defines())) {}
 
 void StateHash::add(const gl::Buffer& array, std::size_t number, const gl::Buffer& sums,
                     std::size_t place) const {
-  const gl::Texture words = gl::Texture::view("state words", GL_RGBA32UI, array);
-  const int texels = static_cast<int>(array.bytes() / 16);
-  words.bind(shader::wordsBinding);
+  add(StateArray{"", &array}, number, sums, place);
+}
+
+void StateHash::add(const StateArray& array, std::size_t number, const gl::Buffer& sums,
+                    std::size_t place) const {
+  const int texels = static_cast<int>(array.elements());
+  if (array.planes.count > 0 && ofPlanes_.name() == 0) {
+    gl::Defines with = defines();
+    with.emplace_back("PLANES", "1");
+    ofPlanes_ = gl::Program::compute("common/state_hash.comp", with);
+  }
+  const gl::Program& program = array.planes.count > 0 ? ofPlanes_ : program_;
+  const StateWords words(array);
+  words.bind(program);
   sums.bindStorage(shader::sumsBinding);
-  program_.set("texels", texels);
-  program_.set("slot", static_cast<int>(place));
-  program_.set("salt", static_cast<unsigned>(number + 1) * 0x9e3779b9U);
+  program.set("texels", texels);
+  program.set("slot", static_cast<int>(place));
+  program.set("salt", static_cast<unsigned>(number + 1) * 0x9e3779b9U);
   if (grouped()) {
     const int invocations = std::min((texels - 1) / groupSize + 1, maxGroups) * groupSize;
-    program_.set("invocations", invocations);
-    program_.dispatch(invocations);
+    program.set("invocations", invocations);
+    program.dispatch(invocations);
   } else {
-    program_.set("perInvocation", texelsPerInvocation);
-    program_.dispatch((texels - 1) / texelsPerInvocation + 1);
+    program.set("perInvocation", texelsPerInvocation);
+    program.dispatch((texels - 1) / texelsPerInvocation + 1);
   }
 }
 

@@ -1,6 +1,8 @@
 #pragma once
 #include "gl/buffer.hpp"
 #include "gl/program.hpp"
+#include "gl/texture.hpp"
+#include "sim/core/state_array.hpp"
 
 #include <cstddef>
 #include <string>
@@ -8,6 +10,18 @@
 #include <glm/vec4.hpp>
 
 namespace simreel::sim {
+
+/// A state array as kernels of glsl/common/state_words.glsl read it, for as long as it lives; PLANES is
+/// defined for arrays that are in planes.
+class StateWords {
+ public:
+  explicit StateWords(const StateArray& array);
+  void bind(const gl::Program& program) const;
+
+ private:
+  StateArray array_;
+  gl::Texture view_;
+};
 
 /// 128-bit hashes of state arrays, made on the GPU: sums of integers, so no order of work groups changes
 /// them.
@@ -18,11 +32,13 @@ class StateHash {
   /// are hashed, from 0: it tells arrays of equal content apart. Writes of earlier dispatches must be
   /// visible (gl::barrier).
   void add(const gl::Buffer& array, std::size_t number, const gl::Buffer& sums, std::size_t place) const;
+  void add(const StateArray& array, std::size_t number, const gl::Buffer& sums, std::size_t place) const;
   /// 32 hexadecimal digits.
   [[nodiscard]] static std::string text(const glm::uvec4& hash);
 
  private:
   gl::Program program_;
+  mutable gl::Program ofPlanes_;  ///< made for the first array that is in planes
 };
 
 }  // namespace simreel::sim

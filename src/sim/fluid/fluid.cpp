@@ -21,7 +21,7 @@ class Fluid : public Simulation {
         frameSeconds_(setting.frameSeconds),
         kernels_(name_, plan_, setting.fast, setting.startTime),
         wind_(plan_.parameters().plane, plan_.size(), plan_.parameters().speed,
-              [this]() -> const gl::Vec4Array& { return flow(); }),
+              [this]() -> const FluidArray& { return kernels_.arrays().flow(); }),
         colors_(plan_.parameters().display.colors()) {
     constexpr const char* channels[] = {"u", "v", "temperature", "pressure", "red", "green", "blue"};
     for (std::size_t i = 0; i < channelNames_.size(); ++i)
@@ -33,7 +33,7 @@ class Fluid : public Simulation {
                                     p.wrapsX(), p.wrapsY()),
                          setting.frameSeconds, setting.fast);
     kernels_.start(setting.startTime);
-    if (p.hasTracers) tracers_.show(kernels_.shown());
+    if (p.hasTracers) tracers_.show(kernels_.arrays().shown());
     kernels_.measure();
     if (!p.hasChart) return;
     chart_ = FluidChart(name_, p.chart, setting.frameSeconds);
@@ -70,8 +70,6 @@ class Fluid : public Simulation {
     field.range = {static_cast<float>(p.display.low), static_cast<float>(p.display.high)};
     field.colors = &colors_;
     field.display = &p.display;
-    const int first = field.firstWord;
-    const int rowWords = field.rowWords;
     if (p.show == FluidParameters::Show::lines) {
       field.size = p.size * p.lineDetail;
       field.rowWords = 4 * field.size.x;
@@ -83,26 +81,26 @@ class Fluid : public Simulation {
     field.cells = Field::Cells::floats;
     field.display = nullptr;
     field.size = p.size;
-    field.rowWords = rowWords;
+    field.cellWords = kernels_.arrays().cellWords();
+    field.rowWords = field.cellWords * (p.size.x + 2);
     for (int i = 0; i < static_cast<int>(channelNames_.size()); ++i) {
       field.name = &channelNames_[static_cast<std::size_t>(i)];
-      field.words = i < 4 ? &kernels_.flowWords() : &kernels_.dyeWords();
-      field.firstWord = first + i % 4;
+      const FluidArrays& arrays = kernels_.arrays();
+      field.words = i < 4 ? &arrays.flow().words() : &arrays.dye().words();
+      field.firstWord = field.rowWords + field.cellWords + i % 4 * arrays.floatWords();
       drawables.fields.push_back(field);
     }
   }
 
   void carryOver(CarryOver& carry) override {
-    carry.array("flow", kernels_.flow().buffer());
-    carry.array("dye", kernels_.dye().buffer());
+    kernels_.arrays().carryOver(carry);
     carry.array("solver", kernels_.pressure().control());
     carry.number("steps", steps_);
     if (plan_.parameters().hasTracers) tracers_.carryOver(carry);
     if (plan_.parameters().hasChart) chart_.carryOver(carry);
   }
   [[nodiscard]] std::vector<StateArray> state() const override {
-    std::vector<StateArray> arrays = {{"flow", &kernels_.flow().buffer()},
-                                      {"dye", &kernels_.dye().buffer()}};
+    std::vector<StateArray> arrays = {kernels_.arrays().flowState(), kernels_.arrays().dyeState()};
     if (plan_.parameters().hasTracers)
       for (const StateArray& array : tracers_.state()) arrays.push_back(array);
     return arrays;
@@ -135,17 +133,17 @@ class Fluid : public Simulation {
     return fmt::format("fluid \"{}\": by frame {} {}", name_, frame, text);
   }
   [[nodiscard]] std::vector<double> measure() const override {
-    return measureFluid(plan_, kernels_.solids(), kernels_.flow().buffer().readAll<glm::vec4>(),
-                        kernels_.dye().buffer().readAll<glm::vec4>(), kernels_.pressure().report(), time_);
+    return measureFluid(plan_, kernels_.solids(), kernels_.arrays().flowState().readAll<glm::vec4>(),
+                        kernels_.arrays().dyeState().readAll<glm::vec4>(), kernels_.pressure().report(),
+                        time_);
   }
 
   [[nodiscard]] const FluidWind* wind() const override { return &wind_; }
 
  private:
-  [[nodiscard]] const gl::Vec4Array& flow() const { return kernels_.flow(); }
   void show(double time) {
     kernels_.show(time);
-    if (plan_.parameters().hasTracers) tracers_.show(kernels_.shown());
+    if (plan_.parameters().hasTracers) tracers_.show(kernels_.arrays().shown());
     kernels_.measure();
   }
   void advance(double time, const StepWatch& watch) {

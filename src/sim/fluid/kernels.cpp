@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 #include "gl/limits.hpp"
+#include "sim/fluid/brush_boxes.hpp"
 #include "sim/fluid/quantities.hpp"
 
 #include <algorithm>
@@ -70,25 +71,6 @@ std::vector<glm::vec4> stopElements(const std::vector<glm::vec3>& colors) {
   return elements;
 }
 
-/// Cells that a brush's box may change, columns and rows of the ring among them: faces beyond it, too, and
-/// on a torus whatever lies on the other side. First column and row, how many of each.
-glm::ivec4 changedBy(const shader::FluidBrush& brush, const FluidParameters& p) {
-  glm::ivec4 changed;
-  for (int i = 0; i < 2; ++i) {
-    int from = brush.box[i], end = from + brush.box[i + 2] + 1;
-    const bool first = from == 0, last = end > p.size[i], wraps = i == 0 ? p.wrapsX() : p.wrapsY();
-    if (first || (wraps && last)) from = -1;
-    if (wraps && first) end = p.size[i] + 1;
-    changed[i] = from;
-    changed[i + 2] = end - from;
-  }
-  return changed;
-}
-
-bool meet(const glm::ivec4& a, const glm::ivec4& b) {
-  return a.x < b.x + b.z && b.x < a.x + a.z && a.y < b.y + b.w && b.y < a.y + a.w;
-}
-
 /// As `name` is checked before the arrays are made.
 const std::string& checked(const std::string& name, const FluidPlan& plan) {
   checkLimits(name, plan.size());
@@ -98,15 +80,12 @@ const std::string& checked(const std::string& name, const FluidPlan& plan) {
 }  // namespace
 
 FluidKernels::FluidKernels(const std::string& name, const FluidPlan& plan, bool fast, double startTime)
-    : plan_(plan), pressure_(checked(name, plan), plan, definesOf(plan.parameters(), fast)) {
+    : plan_(plan),
+      pressure_(checked(name, plan), plan, definesOf(plan.parameters(), fast)),
+      arrays_(name, plan, plan.firstFlow(startTime)) {
   const FluidParameters& p = plan.parameters();
-  const char* const labels[] = {" flow", " dye", " scratch", " more scratch"};
-  arrays_[flow_] = gl::Vec4Array(name + labels[0], plan.firstFlow(startTime));
-  for (int i = 1; i < 4; ++i) arrays_[i] = gl::Vec4Array(name + labels[i], plan.arrayElements());
-  for (int i = 0; i < 4; ++i)
-    words_[i] = gl::Texture::view(name + " words", GL_RGBA32UI, arrays_[i].buffer());
   stops_ = gl::Vec4Array(name + " colours", stopElements(p.display.colors()));
-  constexpr unsigned fine[] = {0xffffffffU, 0, 0, 0};
+  constexpr unsigned fine[] = {0xffffffffU, 0xffffffffU, 0, 0};
   status_ = gl::Buffer::of<unsigned>(name + " status", fine);
   brushes_ = gl::Buffer(name + " brushes", sizeof(shader::FluidBrush) * shader::maxBrushes);
   steps_ = StepBlocks<shader::FluidStep>(name + " steps", plan.substeps());
@@ -118,24 +97,33 @@ FluidKernels::FluidKernels(const std::string& name, const FluidPlan& plan, bool 
     return program;
   };
   const auto make = [&](gl::Program& program, const char* path) { program = compiled(path, defines); };
-  const auto makeTiled = [&](Tiled& tiled, const char* path) {
+  const auto makeTiled = [&](Tiled& tiled, const char* ofOpen, const char* ofOthers) {
     gl::Defines open = defines, others = defines;
     open.emplace_back("IN_THE_OPEN", "1");
     others.emplace_back("IN_THE_OPEN", "0");
-    tiled = {compiled(path, open), compiled(path, others)};
+    tiled = {compiled(ofOpen, open), compiled(ofOthers, others)};
   };
   make(push_, "fluid/push.comp");
   make(carry_, "fluid/carry.comp");
   make(correct_, "fluid/correct.comp");
   correct_.checkUniformBlock("FluidBlock", sizeof(shader::FluidStep));
   make(fastest_, "fluid/fastest.comp");
-  makeTiled(project_, "fluid/project.comp");
-  for (const gl::Program* program : {&project_.open, &project_.others})
-    program->set("lostSpeed", lostFluidSpeed * p.speed);
-  if (gl::memoryPath() == gl::MemoryPath::texel)
-    makeTiled(moveDye_, "fluid/dye/pass.comp");
-  else {
-    make(dyeWays_, "fluid/dye/ways.comp");
+  if (gl::memoryPath() == gl::MemoryPath::texel) {
+    makeTiled(project_, "fluid/project.comp", "fluid/project.comp");
+    for (const gl::Program* program : {&project_.open, &project_.others})
+      program->set("lostSpeed", lostFluidSpeed * p.speed);
+    makeTiled(moveDye_, "fluid/dye/pass.comp", "fluid/dye/pass.comp");
+  } else {
+    constexpr float all[] = {1, 0, 0, 0};
+    kept_ = gl::Buffer::of<float>(name + " kept pressure", all);
+    makeTiled(project_, "fluid/project_open.comp", "fluid/project.comp");
+    make(settle_, "fluid/settle.comp");
+    for (const gl::Program* program : {&project_.others, &settle_})
+      program->set("heatStart", arrays_.planeBesideSums());
+    gl::Defines checks = defines;
+    if (plan.dyePasses() > 0) checks.emplace_back("WAYS", "1");
+    check_ = compiled("fluid/check.comp", checks);
+    check_.set("lostSpeed", lostFluidSpeed * p.speed);
     for (int i = 0; i < 2; ++i) {
       gl::Defines strips = defines;
       strips.emplace_back("PASSES", std::to_string(i + 1));
@@ -166,8 +154,7 @@ FluidKernels::FluidKernels(const std::string& name, const FluidPlan& plan, bool 
   stamps_ = gl::WordsArray(name + " brush images", stampElements(plan.strokes().imageBits()));
   make(paint_, "fluid/paint.comp");
   paint_.checkUniformBlock("BrushBlock", brushes_.bytes());
-  paintBack_ = gl::Program::compute("fluid/paint_back.comp", defines);
-  paintBack_.set("size", plan.size());
+  make(paintBack_, "fluid/paint_back.comp");
 }
 
 void FluidKernels::beginFrame(double time) {
@@ -195,104 +182,119 @@ void FluidKernels::run(const gl::Program& program) const {
   program.dispatch(plan_.size().x + 2, plan_.size().y + 2);
 }
 
-/// The long programs for few cells come first: what is in the open fills the device up while they run.
-void FluidKernels::run(const Tiled& tiled) const {
+void FluidKernels::runTiles(const gl::Program& program, int start, int count) const {
   constexpr int side = 8, row = FluidLevel::groupRow;
-  pressure_.bindSolids();
-  gl::barrier();
-  const auto groups = [&](const gl::Program& program, int start, int count) {
-    program.set("tilesStart", start);
-    program.dispatch(std::min(count, row) * side, (count + row - 1) / row * side);
-  };
-  const glm::ivec2 count = solids_->tileGroups().front();
-  const int start = solids_->tilesStart(), list = plan_.levels().levels().front().listElements();
-  // glsl/fluid/cells.glsl
-  const bool four = gl::memoryPath() == gl::MemoryPath::texel;
-  const int each = four ? 4 : 1, tiles = four ? FluidLevel::groupTiles : 1;
-  groups(tiled.others, start + list, count.y * FluidLevel::groupTiles / tiles);
-  const int ring = 2 * (plan_.size().x + plan_.size().y + 2);
-  groups(tiled.others, -1, (ring + each * side * side - 1) / (each * side * side));
-  groups(tiled.open, start, count.x);
+  program.set("tilesStart", start);
+  program.dispatch(std::min(count, row) * side, (count + row - 1) / row * side);
 }
 
-/// Where brushes reach a small part of the cells only that is painted, and taken back to the rest.
+/// Over tiles that do not lie in the open, and the ring around the grid.
+void FluidKernels::runOthers(const gl::Program& program) const {
+  // glsl/fluid/cells.glsl
+  const bool four = gl::memoryPath() == gl::MemoryPath::texel;
+  const int each = four ? 4 * 64 : 64, tiles = four ? FluidLevel::groupTiles : 1;
+  const int list = plan_.levels().levels().front().listElements();
+  runTiles(program, solids_->tilesStart() + list,
+           solids_->tileGroups().front().y * FluidLevel::groupTiles / tiles);
+  const int ring = 2 * (plan_.size().x + plan_.size().y + 2);
+  runTiles(program, -1, (ring + each - 1) / each);
+}
+
+void FluidKernels::runOpen(const gl::Program& program) const {
+  runTiles(program, solids_->tilesStart(), solids_->tileGroups().front().x);
+}
+
+/// The long programs for few cells come first: what is in the open fills the device up while they run.
+void FluidKernels::run(const Tiled& tiled) const {
+  pressure_.bindSolids();
+  gl::barrier();
+  runOthers(tiled.others);
+  runOpen(tiled.open);
+}
+
+/// Where brushes reach a small part of the cells only that is painted. It is taken back to the rest, unless
+/// it is all there is, and may stay where it is.
 void FluidKernels::paint(double time, int step, bool all) {
   const std::vector<shader::FluidBrush> brushes = plan_.brushesAt(time, step).brushes;
   if (brushes.empty()) return;
   brushes_.write(0, std::as_bytes(std::span(brushes)));
   brushes_.bindUniform(at::brushesBinding, 0, brushes_.bytes());
   stamps_.bindInput(at::stampsBinding);
-  arrays_[flow_].bindInput(at::flowBinding);
-  arrays_[dye_].bindInput(at::dyeBinding);
-  arrays_[free_].bindState(at::nextFlowBinding);
-  arrays_[spare_].bindState(at::nextDyeBinding);
+  arrays_.flow().bindInput(at::flowBinding);
+  arrays_.dye().bindInput(at::dyeBinding);
+  arrays_.scratch().bindState(at::nextFlowBinding);
+  arrays_.spare().bindState(at::nextDyeBinding);
   pressure_.bindSolids();
-  const glm::ivec2 size = plan_.size() + 2;
-  std::vector<glm::ivec4> boxes;
-  std::int64_t cells = 0;
-  for (const shader::FluidBrush& brush : brushes) {
-    boxes.push_back(changedBy(brush, plan_.parameters()));
-    cells += std::int64_t{boxes.back().z} * boxes.back().w;
-  }
-  all = all || 2 * cells > std::int64_t{size.x} * size.y;
-  if (all) boxes = {glm::ivec4(-1, -1, size)};
+  const std::vector<BrushBox> boxes = brushBoxes(brushes, plan_.parameters(), all);
   const auto run = [&](const gl::Program& program) {
     gl::barrier();
-    for (std::size_t i = 0; i < boxes.size(); ++i) {
-      // Those that reach into it; a box may be painted twice, and is the same each time.
-      std::size_t first = 0, end = brushes.size();
-      while (!all && !meet(boxes[first], boxes[i])) ++first;
-      while (!all && !meet(boxes[end - 1], boxes[i])) --end;
-      program.set("firstBrush", static_cast<int>(first));
-      program.set("endBrush", static_cast<int>(end));
-      program.set("box", boxes[i]);
-      program.dispatch(boxes[i].z, boxes[i].w);
+    for (const BrushBox& box : boxes) {  // a cell in two of them is the same each time
+      program.set("firstBrush", static_cast<int>(box.first));
+      program.set("endBrush", static_cast<int>(box.end));
+      program.set("box", box.cells);
+      program.dispatch(box.cells.z, box.cells.w);
     }
   };
   run(paint_);
-  std::swap(flow_, free_);
-  std::swap(dye_, spare_);
-  if (all) return;
-  arrays_[flow_].bindInput(at::flowBinding);
-  arrays_[dye_].bindInput(at::dyeBinding);
-  arrays_[free_].bindState(at::nextFlowBinding);
-  arrays_[spare_].bindState(at::nextDyeBinding);
+  if (all && arrays_.alike()) {
+    arrays_.turnFlow(true);
+    arrays_.turnDye();
+    return;
+  }
+  arrays_.scratch().bindInput(at::flowBinding);
+  arrays_.spare().bindInput(at::dyeBinding);
+  arrays_.flow().bindState(at::nextFlowBinding);
+  arrays_.dye().bindState(at::nextDyeBinding);
   run(paintBack_);
-  std::swap(flow_, free_);
-  std::swap(dye_, spare_);
 }
 
 void FluidKernels::project(unsigned number) {
-  pressure_.solve(arrays_[flow_], arrays_[free_], arrays_[spare_]);
-  arrays_[flow_].bindInput(at::flowBinding);
-  arrays_[free_].bindInput(at::carriedBinding);
-  arrays_[spare_].bindState(at::nextFlowBinding);
+  pressure_.solve(arrays_.flow(), arrays_.scratch(), arrays_.spare());
+  arrays_.flow().bindInput(at::flowBinding);
+  arrays_.scratch().bindInput(at::carriedBinding);
+  arrays_.spare().bindState(at::nextFlowBinding);
   pressure_.control().bindStorage(at::controlBinding);
   status_.bindStorage(shader::statusBinding);
-  for (const gl::Program* program : {&project_.open, &project_.others}) program->set("number", number);
-  run(project_);
-  std::swap(flow_, spare_);
+  if (gl::memoryPath() == gl::MemoryPath::storage)
+    projectInPlace(number);
+  else {
+    for (const gl::Program* program : {&project_.open, &project_.others}) program->set("number", number);
+    run(project_);
+    arrays_.turnFlow(false);
+  }
   pressure_.judge(status_);
+}
+
+/// Cells at walls read what is around them, so what they become waits until all of them have; cells in the
+/// open look at corrections only.
+void FluidKernels::projectInPlace(unsigned number) {
+  pressure_.bindSolids();
+  kept_.bindStorage(at::keptBinding);
+  arrays_.scratch().bindStorage(at::nextDyeBinding);
+  gl::barrier();
+  runOthers(project_.others);
+  gl::barrier();
+  runOthers(settle_);
+  runOpen(project_.open);
+  arrays_.scratch().bindStorage(at::nextFlowBinding);
+  check_.set("number", number);
+  gl::barrier();
+  check_.dispatch(plan_.size().x + 2, (plan_.size().y + 5) / 4);  // four rows an invocation
 }
 
 void FluidKernels::moveDye() {
   const bool strips = gl::memoryPath() == gl::MemoryPath::storage;
-  if (plan_.dyePasses() == 0) return;
-  arrays_[flow_].bindInput(at::flowBinding);
-  if (strips) {
-    arrays_[spare_].bindState(at::nextFlowBinding);
-    run(dyeWays_);
-    arrays_[spare_].bindInput(at::carriedBinding);
-  }
+  arrays_.flow().bindInput(at::flowBinding);
+  if (strips) arrays_.scratch().bindInput(at::carriedBinding);  // ways, of check_
   for (int left = plan_.dyePasses(); left > 0;) {
     const int passes = strips ? std::min(left, 2) : 1;
-    arrays_[dye_].bindInput(at::dyeBinding);
-    arrays_[free_].bindState(at::nextDyeBinding);
+    arrays_.dye().bindInput(at::dyeBinding);
+    arrays_.spare().bindState(at::nextDyeBinding);
     if (strips)
       moveDye(passes);
     else
       run(moveDye_);
-    std::swap(dye_, free_);
+    arrays_.turnDye();
     left -= passes;
   }
 }
@@ -323,7 +325,7 @@ void FluidKernels::resume(double time) {
   place(time, 0);
   steps_.bind(0);
   pressure_.resume();
-  arrays_[flow_].bindInput(at::flowBinding);
+  arrays_.flow().bindInput(at::flowBinding);
   pressure_.control().bindStorage(at::controlBinding);
   run(fastest_);
   gl::barrier();
@@ -332,20 +334,18 @@ void FluidKernels::resume(double time) {
 void FluidKernels::advance(double time, int step, unsigned number) {
   place(time, step);
   steps_.bind(static_cast<std::size_t>(step) - 1);
-  arrays_[flow_].bindInput(at::flowBinding);
-  arrays_[free_].bindState(at::nextFlowBinding);
+  arrays_.flow().bindInput(at::flowBinding);
+  arrays_.scratch().bindState(at::nextFlowBinding);
   pressure_.control().bindStorage(at::controlBinding);
+  if (kept_.name() != 0) kept_.bindStorage(at::keptBinding);
   run(push_);
-  std::swap(flow_, free_);
-  arrays_[flow_].bindInput(at::flowBinding);
-  arrays_[free_].bindState(at::nextFlowBinding);
+  arrays_.scratch().bindInput(at::flowBinding);
+  arrays_.spare().bindState(at::nextFlowBinding);
   run(carry_);
-  arrays_[flow_].bindInput(at::flowBinding);
-  arrays_[free_].bindInput(at::carriedBinding);
-  arrays_[dye_].bindInput(at::dyeBinding);
-  arrays_[spare_].bindState(at::nextFlowBinding);
+  arrays_.spare().bindInput(at::carriedBinding);
+  arrays_.dye().bindInput(at::dyeBinding);
+  arrays_.flow().bindState(at::nextFlowBinding);
   run(correct_);
-  std::swap(flow_, spare_);
   paint(time, step, false);
   steps_.bind(static_cast<std::size_t>(step) - 1);
   project(number);
@@ -355,8 +355,8 @@ void FluidKernels::advance(double time, int step, unsigned number) {
 
 void FluidKernels::measure() {
   steps_.bind(0);
-  arrays_[flow_].bindInput(at::flowBinding);
-  arrays_[dye_].bindInput(at::dyeBinding);
+  arrays_.flow().bindInput(at::flowBinding);
+  arrays_.dye().bindInput(at::dyeBinding);
   pressure_.bindSolids();
   pressure_.control().bindStorage(at::controlBinding);
   tally_.take(perCells_, {1, plan_.stepAt(0, 0).dt, 1, 1});
@@ -370,11 +370,14 @@ CountTable FluidKernels::counts() const {
 void FluidKernels::show(double time) {
   const bool lines = plan_.parameters().show == FluidParameters::Show::lines;
   steps_.bind(0);
-  arrays_[flow_].bindInput(at::flowBinding);
+  arrays_.flow().bindInput(at::flowBinding);
   stops_.bindInput(at::carriedBinding);
-  arrays_[dye_].bindInput(at::dyeBinding);
+  arrays_.dye().bindInput(at::dyeBinding);
   pressure_.bindSolids();
-  (lines ? lines_ : arrays_[free_]).bindState(at::nextFlowBinding);
+  if (lines)
+    lines_.bindState(at::nextFlowBinding);
+  else
+    arrays_.shown().bindState(at::nextFlowBinding);
   gl::barrier();
   if (lines) show_.set("linePhase", plan_.linePhase(time));
   const glm::ivec2 places = plan_.size() * (lines ? plan_.parameters().lineDetail : 1);

@@ -2,6 +2,7 @@
 #include "gl/element_array.hpp"
 #include "gl/program.hpp"
 #include "sim/core/step_blocks.hpp"
+#include "sim/fluid/arrays.hpp"
 #include "sim/fluid/plan.hpp"
 #include "sim/fluid/pressure.hpp"
 #include "sim/grid/tally.hpp"
@@ -13,8 +14,7 @@
 
 namespace simreel::sim {
 
-/// A fluid's cells on the GPU and the kernels that step them. Four arrays of an element a cell: the flow,
-/// the dye, and two that are free, in which a step leaves what it is at; so they change places.
+/// A fluid's cells on the GPU and the kernels that step them.
 class FluidKernels {
  public:
   /// Throws UserError(device) when the grid is beyond a limit of the device.
@@ -38,17 +38,12 @@ class FluidKernels {
   void measure();
   [[nodiscard]] CountTable counts() const;
 
-  [[nodiscard]] gl::Vec4Array& flow() { return arrays_[flow_]; }
-  [[nodiscard]] gl::Vec4Array& dye() { return arrays_[dye_]; }
-  [[nodiscard]] const gl::Vec4Array& flow() const { return arrays_[flow_]; }
-  [[nodiscard]] const gl::Vec4Array& dye() const { return arrays_[dye_]; }
-  /// As words, for Field.
-  [[nodiscard]] const gl::Texture& flowWords() const { return words_[flow_]; }
-  [[nodiscard]] const gl::Texture& dyeWords() const { return words_[dye_]; }
-  /// What is shown with a ring, unless it is lines.
-  [[nodiscard]] const gl::Vec4Array& shown() const { return arrays_[free_]; }
-  /// Colour in rgb, what is shown in a; of lines, with lineDetail places a cell and no ring.
-  [[nodiscard]] const gl::Texture& shownWords() const { return lineWords_ ? lineWords_ : words_[free_]; }
+  [[nodiscard]] FluidArrays& arrays() { return arrays_; }
+  [[nodiscard]] const FluidArrays& arrays() const { return arrays_; }
+  /// Colour in rgb, what is shown in a, with a ring; of lines, with lineDetail places a cell and no ring.
+  [[nodiscard]] const gl::Texture& shownWords() const {
+    return lineWords_ ? lineWords_ : arrays_.shown().words();
+  }
   [[nodiscard]] const gl::Buffer& status() const { return status_; }
   /// The obstacles of the present state.
   [[nodiscard]] const FluidSolids& solids() const { return *solids_; }
@@ -62,28 +57,32 @@ class FluidKernels {
   };
   void run(const gl::Program& program) const;
   void run(const Tiled& tiled) const;
+  void runOthers(const gl::Program& program) const;
+  void runOpen(const gl::Program& program) const;
+  void runTiles(const gl::Program& program, int start, int count) const;
   /// `all`: the ring around the grid, too, wherever brushes are.
   void paint(double time, int step, bool all);
   void project(unsigned number);
+  /// Of storage blocks: in place, and what is told of it by a kernel that finds ways for dye, too.
+  void projectInPlace(unsigned number);
   void moveDye();
-  /// One pass or two, from dye() to where it is free.
+  /// One pass or two, from where dye is to where it is free.
   void moveDye(int passes) const;
 
   const FluidPlan& plan_;
   std::shared_ptr<const FluidSolids> solids_;
-  gl::Vec4Array arrays_[4];
-  gl::Texture words_[4];
   gl::Vec4Array lines_;  ///< where lines are shown
   gl::Texture lineWords_;
-  int flow_ = 0, dye_ = 1, free_ = 2, spare_ = 3;
   gl::WordsArray stamps_;
   gl::Vec4Array stops_;
   gl::Buffer status_, brushes_;
+  gl::Buffer kept_;  ///< glsl/fluid/kept.glsl
   StepBlocks<shader::FluidStep> steps_;
   gl::Program push_, carry_, correct_, fastest_, paint_, paintBack_, show_;
   Tiled project_, moveDye_;
-  gl::Program dyeWays_, dyeStrips_[2];  ///< of storage blocks: one pass, and two at once
+  gl::Program settle_, check_, dyeStrips_[2];  ///< of storage blocks; one pass of dye, and two at once
   FluidPressure pressure_;
+  FluidArrays arrays_;
   Tally tally_;
   glm::vec4 perCells_{1};  ///< of the sums: means over open cells, and over corners in the open
 };

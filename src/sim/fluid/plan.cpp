@@ -93,11 +93,6 @@ std::shared_ptr<const FluidSolids> FluidPlan::solidsAt(double time, int step) co
   return std::make_shared<FluidSolids>(p, pictures_, time + step * dt, dt, stepAt(time, step));
 }
 
-int FluidPlan::arrayElements() const {
-  return std::max({elements(), 2 * levels().levels().front().elements() + levels().elements(),
-                   2 * levels().elements()});
-}
-
 // Faces that let nothing through have the velocity of their side, or none. What lies around the grid is the
 // first projection's.
 std::vector<glm::vec4> FluidPlan::firstFlow(double time) const {
@@ -105,7 +100,7 @@ std::vector<glm::vec4> FluidPlan::firstFlow(double time) const {
   const glm::vec3 flow = parameters_.flow;
   const shader::FluidStep sides = stepAt(time, 0);
   const auto solids = solidsAt(time, 0);
-  std::vector<glm::vec4> cells(static_cast<std::size_t>(arrayElements()), glm::vec4(0));
+  std::vector<glm::vec4> cells(static_cast<std::size_t>(elements()), glm::vec4(0));
   for (int y = 0; y <= size.y; ++y)
     for (int x = 0; x <= size.x; ++x) {
       const int number = y / 2 * (size.x / 2 + 1) + x / 2;

@@ -31,8 +31,6 @@ class FluidPlan {
   [[nodiscard]] glm::ivec2 size() const { return parameters_.size; }
   /// Of an array of cells and the ring around them.
   [[nodiscard]] int elements() const { return (size().x + 2) * (size().y + 2); }
-  /// Of every array of the simulation: those, and what the multigrid keeps in one at most.
-  [[nodiscard]] int arrayElements() const;
   [[nodiscard]] int substeps() const { return substeps_; }
   /// Passes of dye in each substep; none where no stroke sets any.
   [[nodiscard]] int dyePasses() const { return dyePasses_; }

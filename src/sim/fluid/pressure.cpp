@@ -268,12 +268,11 @@ void FluidPressure::cycle() const {
   alone(decide_, single);
 }
 
-void FluidPressure::solve(const gl::Vec4Array& flow, const gl::Vec4Array& pool,
-                          const gl::Vec4Array& raised) {
+void FluidPressure::solve(const FluidArray& flow, const FluidArray& pool, const FluidArray& raised) {
   const glm::ivec2 blocks = levels_.levels().front().blocks();
   flow.bindInput(at::flowBinding);
   bindSolids();
-  pool.buffer().bindStorage(at::poolOutBinding);
+  pool.bindStorage(at::poolOutBinding);
   control_.bindStorage(at::controlBinding);
   gl::barrier();
   divergence_.dispatch(blocks.x, blocks.y);
@@ -283,7 +282,7 @@ void FluidPressure::solve(const gl::Vec4Array& flow, const gl::Vec4Array& pool,
   decide_.set("first", 0);
   pool.bindInput(at::poolBinding);
   raised.bindInput(at::raisedBinding);
-  raised.buffer().bindStorage(at::raisedOutBinding);
+  raised.bindStorage(at::raisedOutBinding);
   glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, control_.name());
   const bool leaves = condition_ && cycles_ > usualCycles;
   for (int i = 0; i < cycles_; ++i) {

@@ -3,6 +3,7 @@
 #include "gl/element_array.hpp"
 #include "gl/program.hpp"
 #include "sim/core/step_blocks.hpp"
+#include "sim/fluid/array.hpp"
 #include "sim/fluid/plan.hpp"
 
 #include <cstdint>
@@ -32,7 +33,7 @@ class FluidPressure {
   void bindSolids() const;
 
   /// Of `flow`; the sum of corrections is left in the front of `pool`. `raised` is overwritten, too.
-  void solve(const gl::Vec4Array& flow, const gl::Vec4Array& pool, const gl::Vec4Array& raised);
+  void solve(const FluidArray& flow, const FluidArray& pool, const FluidArray& raised);
   /// Once the projected flow has been noted in control(): whether it is good enough, and not too fast.
   void judge(const gl::Buffer& status) const;
 

@@ -110,7 +110,7 @@ void Tracers::advance() {
   gl::barrier();
 }
 
-void Tracers::show(const gl::Vec4Array& shown) const {
+void Tracers::show(const FluidArray& shown) const {
   trail_.bindInput(shader::trailBinding);
   shown.bindState(shader::shownBinding);
   gl::barrier();

@@ -51,7 +51,7 @@ class Tracers {
   /// A substep, once the fluid has made it.
   void advance();
   /// Over what is shown: the fluid's cells and their ring.
-  void show(const gl::Vec4Array& shown) const;
+  void show(const FluidArray& shown) const;
   void carryOver(CarryOver& carry);
   [[nodiscard]] std::vector<StateArray> state() const;
 

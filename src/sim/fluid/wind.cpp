@@ -27,7 +27,7 @@ shader::WindGrid fluidWindGrid(const FluidPlane& plane, glm::ivec2 size) {
 }
 
 FluidWind::FluidWind(const FluidPlane& plane, glm::ivec2 size, float speed,
-                     std::function<const gl::Vec4Array&()> flow)
+                     std::function<const FluidArray&()> flow)
     : grid_(fluidWindGrid(plane, size)), speed_(speed), flow_(std::move(flow)) {}
 
 void FluidWind::bind() const {

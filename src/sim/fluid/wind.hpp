@@ -1,7 +1,7 @@
 #pragma once
-#include "gl/element_array.hpp"
 #include "gl/program.hpp"
 #include "glsl/common/cpp.hpp"
+#include "sim/fluid/array.hpp"
 
 #include <functional>
 
@@ -32,8 +32,7 @@ class FluidWind {
  public:
   /// `flow`: the array that holds it at the moment of the call.
   /// `speed` (cells/s): the greatest that is expected.
-  FluidWind(const FluidPlane& plane, glm::ivec2 size, float speed,
-            std::function<const gl::Vec4Array&()> flow);
+  FluidWind(const FluidPlane& plane, glm::ivec2 size, float speed, std::function<const FluidArray&()> flow);
 
   /// For glsl/fluid/wind_array.glsl of a kernel.
   void bind() const;
@@ -45,7 +44,7 @@ class FluidWind {
  private:
   shader::WindGrid grid_;
   float speed_;
-  std::function<const gl::Vec4Array&()> flow_;
+  std::function<const FluidArray&()> flow_;
 };
 
 /// Defines of a kernel that includes wind_array.glsl; `wind` null: none blows.

@@ -24,7 +24,8 @@ std::vector<std::uint32_t> wordsOf(const Field& field) {
   SIMREEL_CHECK(buffer != 0);
   std::vector<std::uint32_t> words(static_cast<std::size_t>(count));
   glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
-  glGetNamedBufferSubData(static_cast<GLuint>(buffer), GLintptr{field.firstWord} * 4,
+  glGetNamedBufferSubData(static_cast<GLuint>(buffer),
+                          static_cast<GLintptr>(field.words->offset()) + GLintptr{field.firstWord} * 4,
                           static_cast<GLsizeiptr>(words.size() * 4), words.data());
   gl::checkCalls();
   return words;

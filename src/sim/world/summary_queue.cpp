@@ -29,7 +29,7 @@ SummaryQueue::SummaryQueue(Objects objects, std::span<const std::string> names)
     : objects_(objects), names_(names), remarked_(objects.size()) {
   for (std::size_t i = 0; i < objects_.size(); ++i)
     for (const StateArray& array : objects_[i]->state())
-      arrays_.push_back({names_[i], array.name, static_cast<long>(array.buffer->bytes() / 16)});
+      arrays_.push_back({names_[i], array.name, array.elements()});
   for (std::size_t i = 0; i < objects_.size(); ++i)
     if (objects_[i]->counts().steps != nullptr) {
       counting_.push_back({i, countRowsOfSlot_});
@@ -68,7 +68,7 @@ void SummaryQueue::start(int frame) {
   std::size_t array = 0;
   for (std::size_t i = 0; i < objects_.size(); ++i) {
     for (const StateArray& state : objects_[i]->state()) {
-      hash_.add(*state.buffer, array, sums_, array);
+      hash_.add(state, array, sums_, array);
       ++array;
     }
     if (const gl::Buffer* status = objects_[i]->status()) {

@@ -27,7 +27,8 @@ std::vector<glm::vec4> shownBy(const sim::World& world) {
     for (int x = 0; x < field.size.x; ++x) {
       glm::vec4& cell = cells.emplace_back();
       const GLintptr word = field.firstWord + GLintptr{field.rowWords} * y + GLintptr{field.cellWords} * x;
-      glGetNamedBufferSubData(static_cast<GLuint>(buffer), 4 * word, sizeof cell, &cell);
+      glGetNamedBufferSubData(static_cast<GLuint>(buffer),
+                              static_cast<GLintptr>(field.words->offset()) + 4 * word, sizeof cell, &cell);
     }
   return cells;
 }
@@ -64,7 +65,7 @@ void checkTracers(const std::string& sides) {
   for (int frame = 1; frame <= 6; ++frame) {
     twin.beginFrame();
     world.advanceTo(frame, [&](std::size_t, int) {
-      wind.flow = world.object(0).state()[0].buffer->readAll<glm::vec4>();
+      wind.flow = world.object(0).state()[0].readAll<glm::vec4>();
       twin.advance(wind);
     });
     same();
@@ -98,7 +99,7 @@ TEST_CASE("tracers: streaks lie over what is shown, cell by cell") {
   with.advanceTo(5);
   gl::barrier();
   const auto under = shownBy(without), over = shownBy(with);
-  const auto trail = with.object(0).state().at(3).buffer->readAll<std::uint32_t>();
+  const auto trail = with.object(0).state().at(3).readAll<std::uint32_t>();
   REQUIRE(over.size() == 45 * 29);
   const glm::dvec3 color(0.9F, 0.5F, 0.3F);
   int drawn = 0, empty = 0;

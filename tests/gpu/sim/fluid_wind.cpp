@@ -52,7 +52,7 @@ void checkInWind(const scene::Scene& scene, Twin twin, int frames) {
   for (int frame = 1; frame <= frames; ++frame) {
     world.advanceTo(frame);
     CAPTURE(frame);
-    twin.wind->flow = world.object(1).state()[0].buffer->readAll<glm::vec4>();
+    twin.wind->flow = world.object(1).state()[0].readAll<glm::vec4>();
     twin.step((frame - 1) * windFrame);
     const auto state = world.object(0).state();
     REQUIRE(wordsThatDiffer(*state[0].buffer, twin.positions) == 0);
@@ -115,11 +115,11 @@ TEST_CASE("fluid wind: a wildfire equals its CPU twin") {
     const auto start = twin.cells;
     for (int frame = 1; frame <= 24; ++frame) {
       world.advanceTo(frame);
-      twin.wind->flow = world.object(1).state()[0].buffer->readAll<glm::vec4>();
+      twin.wind->flow = world.object(1).state()[0].readAll<glm::vec4>();
       twin.blow((frame - 1) * windFrame, fluid.speed);
       twin.step((frame - 1) * windFrame);
     }
-    const auto got = world.object(0).state()[0].buffer->readAll<glm::uvec4>();
+    const auto got = world.object(0).state()[0].readAll<glm::uvec4>();
     CHECK(got == sim::packedCells(twin.cells, p.size));
     CHECK(twin.cells != start);
   }

@@ -83,6 +83,36 @@ TEST_CASE("trace: the sums are those of the CPU, in blocks of every size") {
   }
 }
 
+// On the storage path its arrays are in planes.
+TEST_CASE("trace: the sums of a fluid are those of its elements") {
+  testContext();
+  const auto scene = scene::parseScene(R"({"version": 1, "objects": {"bath": {"fluid": {"size": [37, 22],
+      "speed": 75, "substeps": 1, "strokes": [{"until": 9, "radius": 3, "from": [9, 9, 0], "velocity": [60, 9, 0],
+      "dye": [1, 0.5, 0.2]}]}}}})",
+                                       "test.json", {}, sim::kinds());
+  sim::World world(scene);
+  world.advanceTo(1);
+  for (const std::size_t max : {ample, std::size_t{300}}) {
+    const auto trace = traceRun(scene, 1, max);
+    REQUIRE(trace.arrays.size() == 2);
+    std::size_t at = trace.frameWords(0);
+    for (std::size_t a = 0; a < 2; ++a) {
+      const StepTrace::Array& array = trace.arrays[a];
+      const auto words = world.object(0).state()[a].readAll<std::uint32_t>();
+      REQUIRE(words.size() == std::size_t{4} * array.elements);
+      std::vector<std::uint32_t> expected(array.words());
+      for (std::uint32_t i = 0; i < array.elements; ++i) {
+        const std::uint32_t h = elementHash(&words[i * 4], i);
+        expected[i / array.perBlock] += h;
+        expected.back() += (i + 1) * h;
+      }
+      INFO(max, " ", array.name, " in blocks of ", array.perBlock);
+      CHECK(std::vector(&trace.words[at], &trace.words[at] + array.words()) == expected);
+      at += array.words();
+    }
+  }
+}
+
 TEST_CASE("trace: a run does not leave its own trace, through the file and however fine") {
   testContext();
   const auto scene = odd();

@@ -75,6 +75,37 @@ TEST_CASE("the state hash takes in every word of small and large arrays") {
   }
 }
 
+TEST_CASE("the state hash of planes is that of their elements, which are read as such") {
+  testContext();
+  const sim::StateHash kernel;
+  for (const int planes : {1, 3, 4})
+    for (const unsigned count : {1U, 257U, 300007U}) {
+      CAPTURE(planes);
+      CAPTURE(count);
+      std::vector<glm::uvec4> elements(count, glm::uvec4(0));
+      const std::size_t before = gl::BufferPart::alignment / 4;
+      std::vector<std::uint32_t> words(before, 9U);
+      for (int plane = 0; plane < planes; ++plane)
+        for (unsigned i = 0; i < count; ++i) {
+          words.push_back(shader::hash3({i, static_cast<unsigned>(plane), 5}).x);
+          elements[i][plane] = words.back();
+        }
+      const auto buffer = gl::Buffer::of<std::uint32_t>("planes", words);
+      const sim::StateArray array{
+          "planes", &buffer, true, {{&buffer, 4 * before, 4 * (words.size() - before)}, planes, count}};
+      CHECK(array.elements() == count);
+      CHECK(array.readAll<glm::uvec4>() == elements);
+      const gl::Buffer sums = gl::Buffer::of<glm::uvec4>("sums", std::vector<glm::uvec4>(2, glm::uvec4(0)));
+      kernel.add(array, 4, sums, 1);
+      gl::barrier();
+      kernel.add(gl::Buffer::of<glm::uvec4>("elements", elements), 4, sums, 0);
+      gl::barrier();
+      const auto found = sums.readAll<glm::uvec4>();
+      CHECK(found[0] == found[1]);
+      CHECK(found[0] != glm::uvec4(0));
+    }
+}
+
 TEST_CASE("a blow-up is found within its frame, with step, particle and advice") {
   testContext();
   const auto scene =

@@ -17,23 +17,25 @@ namespace {
 constexpr int tankSide = 512;
 constexpr double cells = double(tankSide) * tankSide;
 
-// Bytes that a whole step of a cell moves if every kernel reads and writes each of its elements once: flow
-// and dye are 16 bytes each, openings 4, a correction, a residual or a right-hand side 4. Brushes reach few
-// cells here; so do tiles that do not lie in the open, where the solver, the projection and dye read
-// openings.
-//   push 16 + 16 + 4, carry 16 + 16 + 4, correct 16 + 16 + 16 + 4, divergence 16 + 4 and 12 written,
-//   projection 16 + 8 + 16, a pass of dye 16 + 16 + 16; on graphics cards its ways 16 + 4 and 8 written,
-//   and two passes together 16 + 8 + 16. A cycle: descent 4 and 5 written, ascent 4 + 1 + 4 and 4 written,
-//   on all levels 4/3 of the finest; there the sum with what it lost 16 and 12 written.
-constexpr double stepBytes = 36 + 36 + 52 + 32 + 40, cycleBytes = 22 * 4.0 / 3 + 28;
-
-double dyeBytes(int passes) {
-  const bool strips = gl::memoryPath() == gl::MemoryPath::storage;
-  return strips ? 28 + (passes + 1) / 2 * 40 : passes * 48;
-}
+// Bytes that a whole step of a cell moves if every kernel reads and writes each of its elements once: of
+// texels flow and dye are 16 bytes each, on graphics cards a float of them 4; openings 4, a correction, a
+// residual or a right-hand side 4. Brushes reach few cells here; so do tiles that do not lie in the open,
+// where the solver, the projection and dye read openings.
+//   Of texels push 16 + 16 + 4, carry 16 + 16 + 4, correct 16 + 16 + 16 + 4, divergence 16 + 4 and 12
+//   written, projection 16 + 8 + 16, a pass of dye 16 + 16 + 16.
+//   On graphics cards push 16 + 4 and 12 written, carry 12 + 4 and 12, correct 12 + 12 + 4 + 4 and 12,
+//   divergence 8 + 4 and 12, projection 12 + 8 and 12, its check with ways for dye 12 + 4 and 8, two passes
+//   of dye 12 + 8 and 12.
+//   A cycle: descent 4 and 5 written, ascent 4 + 1 + 4 and 4 written, on all levels 4/3 of the finest;
+//   there the sum with what it lost 16 and 12 written.
+constexpr double cycleBytes = 22 * 4.0 / 3 + 28;
 
 double movedBytes(const sim::FluidPlan& plan, double cycles) {
-  return stepBytes + dyeBytes(plan.dyePasses()) + cycles * cycleBytes;
+  const bool texels = gl::memoryPath() == gl::MemoryPath::texel;
+  const int passes = plan.dyePasses();
+  const int step = texels ? 36 + 36 + 52 + 32 + 40 : 32 + 28 + 44 + 24 + 32 + 24;
+  const int dye = texels ? passes * 48 : (passes + 1) / 2 * 32;
+  return step + dye + cycles * cycleBytes;
 }
 
 sim::FluidParameters tank(int side) {

@@ -1,0 +1,19 @@
+// The planes of a state (grid.glsl) as elements of four floats for files, or (SCATTER) back from there.
+#include "fluid/bindings.glsl"
+layout(local_size_x = 64) in;
+layout(std430, binding = flowBinding) restrict buffer PlaneBlock { uint apart[]; };
+layout(std430, binding = carriedBinding) restrict buffer ElementBlock { uint together[]; };
+uniform int planes;    // what an element has beyond them is 0
+uniform int elements;
+
+void main() {
+  int i = int(gl_GlobalInvocationID.x);
+  if (i >= elements) return;
+  for (int k = 0; k < 4; ++k) {
+#ifdef SCATTER
+    if (k < planes) apart[k * elements + i] = together[4 * i + k];
+#else
+    together[4 * i + k] = k < planes ? apart[k * elements + i] : 0u;
+#endif
+  }
+}

@@ -1,0 +1,16 @@
+// What project.comp has made of tiles that do not lie in the open and of the ring, to where the flow is.
+#define FLOW_IN_PLACE
+#include "fluid/grid.glsl"
+#include "fluid/cells.glsl"
+#include "fluid/settling.glsl"
+layout(local_size_x = 8, local_size_y = 8) in;
+
+void main() {
+  ivec2 c = cellHere(0);
+  if (c.x > size.x || c.y > size.y) return;
+  int i = elementOf(c.x, c.y), plane = planeSize();
+  flow[i] = settling[i];
+  flow[plane + i] = settling[plane + i];
+  flow[3 * plane + i] = settling[2 * plane + i];
+  if (settlesHeat) flow[2 * plane + i] = settlingHeat[heatStart + i];
+}
