@@ -33,12 +33,14 @@ Occlusion::Occlusion(glm::ivec2 size, const Visibility& visibility, bool ground)
   nearest.push_back(rows);
   if (ground) nearest.emplace_back("GROUND", "1");
   nearest_ = gl::Program::compute("draw/exact/occlusion/half_nearness.comp", nearest);
-  horizons_ = gl::Program::compute(
-      "draw/exact/occlusion/horizons.comp",
-      {rows, {"SLICES", std::to_string(slices)}, {"STEPS", std::to_string(steps)}});
-  smooth_ = gl::Program::compute("draw/exact/occlusion/smooth_arcs.comp", {rows});
+  horizons_ =
+      gl::Program::compute("draw/exact/occlusion/horizons.comp",
+                           {rows, {"SLICES", std::to_string(slices)}, {"STEPS", std::to_string(steps)}});
+  across_ = gl::Program::compute("draw/exact/occlusion/smooth_arcs.comp", {rows});
+  down_ = gl::Program::compute("draw/exact/occlusion/smooth_arcs.comp", {rows, {"DOWN", "1"}});
   nearness_ = gl::Texture::image("nearness", GL_R32F, half_.x, half_.y);
-  arcs_ = gl::Texture::image("light that is lost", GL_RG32F, half_.x, half_.y);
+  arcs_ = gl::Texture::image("light that is lost", GL_RGBA32F, half_.x, half_.y);
+  smooth_ = gl::Texture::image("light that is lost, along rows", GL_RGBA32F, half_.x, half_.y);
   openness_ = gl::Texture::image("openness", GL_RG32F, half_.x, half_.y);
 }
 
@@ -55,8 +57,11 @@ void Occlusion::find(const shader::ExactView& view, float radius) const {
   horizons_.set("reach", reachOnPicture(view, radius));
   run(horizons_, half_.x, half_.y);
   arcs_.bindImage(arcImage, GL_READ_ONLY);
+  smooth_.bindImage(smoothArcImage, GL_WRITE_ONLY);
+  run(across_, half_.x, half_.y);
+  smooth_.bindImage(arcImage, GL_READ_ONLY);
   openness_.bindImage(opennessImage, GL_WRITE_ONLY);
-  run(smooth_, half_.x, half_.y);
+  run(down_, half_.x, half_.y);
 }
 
 void Occlusion::bind() const {

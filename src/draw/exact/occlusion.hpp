@@ -13,7 +13,7 @@ namespace simreel::draw {
 class Occlusion {
  public:
   /// Slices a half pixel, and steps of each to either side.
-  static constexpr int slices = 2, steps = 4;
+  static constexpr int slices = 2, steps = 5;
   /// None.
   Occlusion() = default;
   /// Of pictures of which `visibility` holds all rows, or a band of them. `ground`: it is drawn.
@@ -32,8 +32,8 @@ class Occlusion {
 
  private:
   glm::ivec2 half_{0};
-  gl::Program nearest_, horizons_, smooth_;
-  gl::Texture nearness_, arcs_, openness_;
+  gl::Program nearest_, horizons_, across_, down_;
+  gl::Texture nearness_, arcs_, smooth_, openness_;
 };
 
 /// What Occlusion::find() tells the kernel: how far away what counts may be (m), at most (half pixels), and

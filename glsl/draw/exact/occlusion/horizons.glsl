@@ -67,14 +67,14 @@ FUNCTION float arcTo(float cosine, float normalSine, float normalCosine) {
   return arc;
 }
 
-// The cosine of the horizon's angle on a side, 1 or -1. What is as far as the reach does not count, what is nearer than 3/8 of it
+// The cosine of the horizon's angle on a side, 1 or -1. What is as far as the reach does not count, what is nearer than 4/9 of it
 // does in full. Steps are shorter the nearer they are; `shift` (0 to 1) of one.
 FUNCTION float horizonOf(HalfPlace place, Slice slice, float side, float shift) {
   precise float low = -side * slice.sine;
   precise float horizon = low;
   for (int k = 0; k < STEPS; ++k) {
     precise float part = (float(k) + shift) * exactReciprocal(float(STEPS));
-    precise float away = (1.0f + (place.reach - 1.0f) * part * part) * side;
+    precise float away = (1.0f + (place.reach - 1.0f) * part * (0.7f + 0.3f * part)) * side;
     precise vec2 exact = slice.along * away;
     precise vec2 later = exact + 0.5f;
     vec2 middle = floor(later);
@@ -85,8 +85,8 @@ FUNCTION float horizonOf(HalfPlace place, Slice slice, float side, float shift) 
     precise float over = away * slice.across;
     precise float square = up * up + over * over;
     float perLength = exactInverseSqrt(square);
-    precise float distance_ = square * perLength * place.perReach * exactReciprocal(max(nearness, 1e-9f));
-    precise float counts = (1.0f - distance_) * 1.6f;
+    precise float perAway = place.perReach * exactReciprocal(max(nearness, 1e-9f));
+    precise float counts = 1.25f - 1.25f * square * perAway * perAway;
     float share = seen > 0.0f ? clamp(counts, 0.0f, 1.0f) : 0.0f;
     precise float higher = low + (up * perLength - low) * share;
     horizon = max(horizon, higher);
