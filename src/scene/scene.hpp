@@ -73,6 +73,7 @@ enum class Tone { aces, agx, filmic, plain };
 struct Render {
   Rasterizer rasterizer = Rasterizer::exact;
   Quality quality = Quality::draft;
+  bool hasQuality = false;                ///< whether the scene gives it
   std::optional<double> occlusionRadius;  ///< m; none: a share of the distance to the target
   glm::ivec2 size{1280, 720};             ///< pixels
   int samples = 4;  ///< per pixel: 1, 2, 4, 8 or 16 (of the driver: those it has, 1 and 4 always)

@@ -90,6 +90,8 @@ void Render::describe(Fields& fields) {
       "quality", quality, {"draft", "standard"},
       "standard: creases, folds and what stands close together get less light from around them "
       "(ambient occlusion), by what is in the picture. The driver's rasterizer knows draft alone.");
+  fields.leftOut("quality", "draft, or standard on a stage");
+  hasQuality = fields.given("quality");
   fields.optionalNumber("occlusionRadius", occlusionRadius, positive, "m",
                         "How far away what keeps that light out may be.");
   fields.leftOut("occlusionRadius", "a sixth of the distance to the target");

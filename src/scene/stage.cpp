@@ -78,6 +78,8 @@ void setStage(Scene& scene, const std::vector<Box>& boxes) {
   using Looks = Parameters::Looks;
   if (boxes.empty() || anyIs(Looks::landscape, scene)) return;
   scene.staged = true;
+  if (!scene.render.hasQuality && scene.render.rasterizer == Rasterizer::exact)
+    scene.render.quality = Quality::standard;
   const Mood& mood = anyIs(Looks::shining, scene) ? night : day;
   const Box box = boxAround(boxes);
   const float radius = std::max(0.5F * glm::length(box.max - box.min), 1e-3F);

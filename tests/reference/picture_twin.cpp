@@ -121,7 +121,7 @@ vec4 groundAt(Kernel& kernel, ivec2 pixel, int sample) {
     ray = kernel.rayThrough(kernel.placeOf(pixel, sample));
     depth = kernel.groundDepth(ray);
   }
-  return kernel.groundLight(kernel.placeOnRay(ray, depth), unitOf(-ray), 1.0F);
+  return kernel.groundLight(kernel.placeOnRay(ray, depth), unitOf(-ray), 1.0F, 1.0F);
 }
 
 /// Light of a pixel's samples, each primitive once, the ground last.

@@ -16,4 +16,5 @@ const int fanBinding = 8, binBinding = 9, nodeBinding = 10, cornerBinding = 11;
 const int outNormalBinding = 5;
 // Images.
 const int sumImage = 0, pictureImage = 1, lightImage = 2, scatteredImage = 3;
+const int nearnessImage = 4, arcImage = 5, smoothArcImage = 6, opennessImage = 7;
 #endif

@@ -1,12 +1,12 @@
 // Light of the ground times its alpha, and alpha: it fades out far from what the camera looks at. `fraction` of the sun
-// reaches the place. Variants: REFLECTIVE, LAMPS. Compiles as GLSL and as C++.
+// reaches the place, and of what is around it `openness`. Variants: REFLECTIVE, LAMPS. Compiles as GLSL and as C++.
 #include "draw/sky.glsl"
 #include "draw/surface/shading.glsl"
 #ifdef LAMPS
 #include "draw/lights/lamps.glsl"
 #endif
 
-FUNCTION vec4 groundLight(vec3 p, vec3 view, float fraction) {
+FUNCTION vec4 groundLight(vec3 p, vec3 view, float fraction, float openness) {
   vec3 sun = vec3(frame.sunDirection), sunLight = vec3(frame.sunLight), color = vec3(frame.groundColor);
   ROUNDED float lit = max(sun.y, 0.0f) * fraction;
   vec3 normal = vec3(0, 1, 0);
@@ -16,7 +16,7 @@ FUNCTION vec4 groundLight(vec3 p, vec3 view, float fraction) {
   vec3 ambientUp = vec3(frame.ambientUp);
 #endif
   ROUNDED float mirrored = 0.04f * sunLobe(normal, view, sun, frame.groundRoughness) * lit;
-  ROUNDED vec3 light = color * (sunLight * lit + ambientUp) + sunLight * mirrored;
+  ROUNDED vec3 light = color * (sunLight * lit + openness * ambientUp) + sunLight * mirrored;
 #ifdef LAMPS
   LampLight lamps = lampLight(p, normal, view, frame.groundRoughness, 0.0f);
   light = light + color * lamps.matt + 0.04f * lamps.mirror;
@@ -28,7 +28,7 @@ FUNCTION vec4 groundLight(vec3 p, vec3 view, float fraction) {
 #else
   vec3 around = blend(skyRadiance(abs(view.y)), ambientUp, frame.groundRoughness);
 #endif
-  light = light + (0.04f * weight.x + weight.y) * around;
+  light = light + openness * (0.04f * weight.x + weight.y) * around;
 #endif
   ROUNDED vec3 aside = p - vec3(frame.target);
   ROUNDED float distance2 = aside.x * aside.x + aside.z * aside.z;

@@ -8,6 +8,14 @@
 
 #include <doctest/doctest.h>
 
+#define FUNCTION inline
+#define precise
+namespace simreel::shader {
+#include "glsl/common/exact_acos.glsl"
+}  // namespace simreel::shader
+#undef precise
+#undef FUNCTION
+
 using namespace simreel;
 
 namespace {
@@ -112,6 +120,18 @@ TEST_CASE("exact arithmetic: logarithm and power") {
   CHECK(worst < 4e-7);
   CHECK(shader::exactPow(0.0F, 0.5F) == 0.0F);
   CHECK(shader::exactPow(0.0F, 0.0F) == 1.0F);
+}
+
+TEST_CASE("exact arithmetic: acos") {
+  double worst = 0;
+  for (int i = -100000; i <= 100000; ++i) {
+    const float x = static_cast<float>(i) * 1e-5F;
+    worst = std::max(
+        worst, std::abs(static_cast<double>(shader::exactAcos(x)) - std::acos(static_cast<double>(x))));
+  }
+  CHECK(worst < 1e-6);
+  CHECK(shader::exactAcos(1.0F) == 0.0F);
+  CHECK(shader::exactAcos(-1.0F) == 3.14159265F);
 }
 
 TEST_CASE("exact arithmetic: the encoding of a picture's light") {

@@ -1,5 +1,5 @@
 // Light of copies of a mesh on their tiles: each triangle of a pixel once, in the pixel's middle if that is on it, else at the
-// first of its samples. Variants: those of draw/surface/lighting.glsl, SHADOW (with SHADOW_TAPS). SAMPLES.
+// first of its samples. Variants: those of draw/surface/lighting.glsl, SHADOW (with SHADOW_TAPS), OCCLUSION. SAMPLES.
 #define EXACT_PICTURE
 #include "common/once.glsl"
 #include "draw/exact/tiles/lit_tile.glsl"
@@ -8,6 +8,7 @@
 #include "draw/exact/ground_plane.glsl"
 #include "draw/exact/weights.glsl"
 #include "draw/instances/instance_list.glsl"
+#include "draw/exact/occlusion/openness_read.glsl"
 #include "draw/surface/lighting.glsl"
 #ifdef SHADOW
 #include "draw/exact/shadows/sun_map.glsl"
@@ -41,7 +42,7 @@ vec4 lightOf(ivec2 pixel, uint number, int firstSample) {
 #endif
   precise vec3 towards = -ray;
   vec3 tint = tintOf(texelFetch(positions, slot), texelFetch(velocities, slot));
-  return vec4(allLight(Look(tint, material_.x, material_.y, material_.z, 1.0f), p, normal, unitOf(towards), fraction), 1.0f);
+  return vec4(allLight(Look(tint, material_.x, material_.y, material_.z, opennessOn(pixel, p)), p, normal, unitOf(towards), fraction), 1.0f);
 }
 
 void main() {

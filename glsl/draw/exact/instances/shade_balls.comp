@@ -1,7 +1,7 @@
 // Light of balls on their tiles: each one of a pixel once, in the pixel's middle if that is on it, else at the first of its
 // samples. Those of few pixels are lit at four corners of a square of their outlines' area, as the driver's are
 // (draw/instances/small_sprites.comp): else they would twinkle. Variants: those of draw/surface/lighting.glsl, SHADOW (with
-// SHADOW_TAPS). SAMPLES.
+// SHADOW_TAPS), OCCLUSION. SAMPLES.
 #define EXACT_PICTURE
 #include "common/once.glsl"
 #include "draw/exact/tiles/lit_tile.glsl"
@@ -9,6 +9,7 @@
 #include "draw/exact/instances/rays.glsl"
 #include "draw/instances/instance_list.glsl"
 #include "draw/surface/facing.glsl"
+#include "draw/exact/occlusion/openness_read.glsl"
 #include "draw/surface/lighting.glsl"
 #ifdef SHADOW
 #include "draw/exact/shadows/sun_map.glsl"
@@ -62,7 +63,7 @@ vec4 lightOf(ivec2 pixel, uint slot, int firstSample) {
   const float fraction = 1.0f;
 #endif
   vec3 tint = tintOf(position, velocity);
-  Look look = Look(tint, material_.x, material_.y, material_.z, 1.0f);
+  Look look = Look(tint, material_.x, material_.y, material_.z, opennessOn(pixel, lit));
   precise float perHalf = 1.1283792f * exactReciprocal(ball.radius);
   vec3 firstNormal = unitOf(place.outwards);
   precise vec3 light = vec3(0.0f);

@@ -1,6 +1,6 @@
 // Light of one surface on its tiles: each primitive of a pixel once, in the pixel's middle if that is on it, else at the
 // first of its samples. JOINED: of several surfaces that have nothing laid over them. Variants: those of draw/surface/lighting.glsl,
-// SHADOW (with SHADOW_TAPS), PALETTE, DOUBLE_SIDED, TEXTURED (BUMPED) or SKIN (LOOK_ one of draw/surface/skin_look.glsl), by uv, of
+// SHADOW (with SHADOW_TAPS), OCCLUSION, PALETTE, DOUBLE_SIDED, TEXTURED (BUMPED) or SKIN (LOOK_ one of draw/surface/skin_look.glsl), by uv, of
 // a GRID or a mesh, or TRIPLANAR. SAMPLES.
 #define EXACT_PICTURE
 #include "common/once.glsl"
@@ -13,6 +13,7 @@ bool mirrors = false, bothSides = false;  // of the surface that is being shaded
 #include "draw/exact/tiles/lit_tile.glsl"
 #include "draw/exact/triangles/surface_triangle.glsl"
 #include "draw/exact/surface/surface_spot.glsl"
+#include "draw/exact/occlusion/openness_read.glsl"
 #include "draw/surface/lighting.glsl"
 #if defined TEXTURED || defined SKIN
 #include "draw/exact/surface/surface_seen.glsl"
@@ -72,14 +73,15 @@ vec4 lightOf(ivec2 pixel, uint triangle, int firstSample) {
 #else
   const float fraction = 1.0f;
 #endif
-  Look look = Look(base, material_.x, material_.y, material_.z, 1.0f);
+  Look look = Look(base, material_.x, material_.y, material_.z, opennessOn(pixel, spot.place));
   precise vec3 light = vec3(0);
 #ifdef SKIN
   SpotSkin found = skinOn(spot, normal);
   normal = found.normal;
   look.base = found.skin.albedo;
   look.roughness = found.skin.roughness;
-  look.openness = found.skin.openness;
+  precise float open = look.openness * found.skin.openness;
+  look.openness = open;
   light = found.skin.emission;
 #endif
   light = light + allLight(look, spot.place, normal, spot.view, fraction);

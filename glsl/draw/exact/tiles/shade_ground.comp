@@ -1,7 +1,8 @@
-// Light of the ground on its tiles. Variants: SHADOWED (with SHADOW_TAPS), REFLECTIVE, LAMPS. SAMPLES.
+// Light of the ground on its tiles. Variants: SHADOWED (with SHADOW_TAPS), REFLECTIVE, LAMPS, OCCLUSION. SAMPLES.
 #define EXACT_PICTURE
 #include "draw/exact/tiles/shaded_tile.glsl"
 #include "draw/exact/ground_plane.glsl"
+#include "draw/exact/occlusion/openness_read.glsl"
 #include "draw/surface/ground_light.glsl"
 #ifdef SHADOWED
 #include "draw/exact/shadows/sun_map.glsl"
@@ -29,7 +30,7 @@ void lightGround(ivec2 pixel) {
   const float fraction = 1.0f;
 #endif
   precise vec3 towards = -ray;
-  addLight(pixel, groundLight(p, unitOf(towards), fraction), samples);
+  addLight(pixel, groundLight(p, unitOf(towards), fraction, opennessOn(pixel, p)), samples);
 }
 
 void main() {

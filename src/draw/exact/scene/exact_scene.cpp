@@ -7,6 +7,7 @@
 #include "draw/exact/instances/exact_instances.hpp"
 #include "draw/exact/joined_surfaces.hpp"
 #include "draw/exact/light_pictures.hpp"
+#include "draw/exact/occlusion.hpp"
 #include "draw/exact/scene/lamp_maps.hpp"
 #include "draw/exact/shaded_tiles.hpp"
 #include "draw/exact/surface_shading.hpp"
@@ -24,6 +25,8 @@
 #include <string>
 #include <utility>
 #include <vector>
+
+#include <glm/geometric.hpp>
 
 namespace simreel::draw {
 
@@ -49,6 +52,11 @@ int rowsOfBands(glm::ivec2 size, int samples, std::size_t bytes) {
   return std::min(size.y, std::max(static_cast<int>(rows) / side * side, side));
 }
 
+float occlusionRadiusOf(const scene::Scene& scene, const View& view) {
+  if (scene.render.occlusionRadius) return static_cast<float>(*scene.render.occlusionRadius);
+  return std::max(glm::distance(view.eye, view.target) / 6.0F, 1e-6F);
+}
+
 }  // namespace
 
 struct ExactScene::State {
@@ -60,10 +68,12 @@ struct ExactScene::State {
     if (scene.numerics == scene::Numerics::fast) defines.emplace_back("FAST_NUMERICS", "1");
     defines.emplace_back("SAMPLES", std::to_string(count));
     defines.emplace_back("ROWS", std::to_string(rowsAtOnce()));
+    if (occludes()) defines.emplace_back("OCCLUSION", "1");
     for (const gl::Defines& more : {shadow.defines(), lamps.defines(), aroundDefines()})
       defines.insert(defines.end(), more.begin(), more.end());
     return defines;
   }
+  [[nodiscard]] bool occludes() const { return scene.render.quality == scene::Quality::standard; }
   [[nodiscard]] gl::Defines aroundDefines() const {
     return environment == nullptr ? gl::Defines() : environment->defines();
   }
@@ -78,6 +88,8 @@ struct ExactScene::State {
     return defines;
   }
   void drawShadows(const sim::Drawables& drawables);
+  std::vector<unsigned> findVisible(const sim::Drawables& drawables);
+  void findOpenness(const shader::ExactView& values, const Watch& watch);
   void drawBand(const sim::Drawables& drawables, const shader::ExactView& values, const Watch& watch);
   void drawThrough(const sim::Drawables& drawables, shader::ExactView values, const Watch& watch);
   void addThrough(std::size_t point, std::size_t points);
@@ -106,6 +118,8 @@ struct ExactScene::State {
   std::optional<TriangleRaster> casters;
   LampMaps lampMaps;
   ShadedTiles tiles;
+  Occlusion occlusion;
+  float occlusionRadius = 0;  ///< of this picture (m)
   SurfaceShading surfaces;
   ExactInstances instances;
   Bloom bloom;
@@ -141,6 +155,7 @@ ExactScene::State::State(const scene::Scene& shown, const Environment* around, g
       bloom(shown.render.bloom, pixels),
       picture(gl::Program::compute("draw/exact/screen/picture.comp", pictureDefines())),
       sums(gl::Texture::image("light", GL_RGBA32F, pixels.x, pixels.y)) {
+  if (occludes()) occlusion = Occlusion(pixels, visibility, ground);
   if (shown.camera.hasLens) {
     lensSum = gl::Program::compute("draw/exact/screen/lens_sum.comp", {});
     total = gl::Texture::image("light through the lens", GL_RGBA32F, pixels.x, pixels.y);
@@ -199,6 +214,7 @@ void ExactScene::State::gather() {
 void ExactScene::State::shadeAll() {
   if (map) map->nearKeys().bind(mapUnit);
   lampMaps.bind();
+  if (occlusion.on()) occlusion.bind();
   for (std::size_t i = 0; i < gathered.size(); ++i)
     if (gathered[i].size() == 1)
       surfaces.shade(triangles, gathered[i].front(), skins, tiles, static_cast<int>(i));
@@ -217,6 +233,8 @@ void ExactScene::State::keepVisibility(glm::ivec2 rows) const {
   passes->keep("visibility", "numbers", visibility.readNumbers(), band, samples);
   if (rows.x > 0) return;
   if (map) passes->keep("shadow", "sun", map->readKeys(), map->size(), 1);
+  if (occlusion.on())
+    passes->keepLight("shadow", "openness", occlusion.openness(), {0, occlusion.openness().height()});
   if (lampMaps.on()) passes->keep("shadow", "lamps", lampMaps.keys().readKeys(), lampMaps.keys().size(), 1);
   for (const TriangleRaster::Drawn& drawn : triangles.drawn())
     passes->things.push_back({objectName(*drawn.surface), "triangle", drawn.firstId, 1});
@@ -261,9 +279,8 @@ void ExactScene::State::keepLight() {
   for (float& value : layers.light) value += 0.0F;
 }
 
-void ExactScene::State::drawBand(const sim::Drawables& drawables, const shader::ExactView& values,
-                                 const Watch& watch) {
-  const glm::ivec2 rows = values.rows;
+/// Of the band that the view's block has. First numbers of what is shaded.
+std::vector<unsigned> ExactScene::State::findVisible(const sim::Drawables& drawables) {
   std::vector<const sim::Surface*> shown;
   for (const sim::Surface& surface : drawables.surfaces) shown.push_back(&surface);
   triangles.number(shown);
@@ -284,7 +301,23 @@ void ExactScene::State::drawBand(const sim::Drawables& drawables, const shader::
   else
     triangles.draw(visibility);
   instances.drawNumbers(visibility);
+  return firstIds;
+}
+
+void ExactScene::State::findOpenness(const shader::ExactView& values, const Watch& watch) {
+  occlusion.find(values, occlusionRadius);
+  if (watch) watch("occlusion");
+}
+
+void ExactScene::State::drawBand(const sim::Drawables& drawables, const shader::ExactView& values,
+                                 const Watch& watch) {
+  const glm::ivec2 rows = values.rows;
+  const std::vector<unsigned> firstIds = findVisible(drawables);
   if (watch) watch("visibility");
+  if (occlusion.on() && bandRows >= size.y) {
+    occlusion.add(visibility, values);
+    findOpenness(values, watch);
+  }
   sums.bindImage(sumImage, GL_READ_WRITE);
   const GroundPlace place{rowsTowardsGround(values, scene.ground.height, ShadedTiles::side),
                           nearOfGround(values, scene.ground.height), raysAside(values)};
@@ -303,11 +336,22 @@ void ExactScene::State::drawThrough(const sim::Drawables& drawables, shader::Exa
                                     const Watch& watch) {
   constexpr std::array<GLfloat, 4> none = {0, 0, 0, 0};
   if (!ShadedTiles::emptiesLight()) glClearTexImage(sums.name(), 0, GL_RGBA, GL_FLOAT, none.data());
-  for (int row = 0; row < size.y; row += bandRows) {
-    values.rows = {row, std::min(row + bandRows, size.y)};
-    view.write(0, std::as_bytes(std::span(&values, 1)));
-    drawBand(drawables, values, watch);
+  const auto eachBand = [&](const auto& draw) {
+    for (int row = 0; row < size.y; row += bandRows) {
+      values.rows = {row, std::min(row + bandRows, size.y)};
+      view.write(0, std::as_bytes(std::span(&values, 1)));
+      draw();
+    }
+  };
+  // What keeps light out may be in another band.
+  if (occlusion.on() && bandRows < size.y) {
+    eachBand([&] {
+      findVisible(drawables);
+      occlusion.add(visibility, values);
+    });
+    findOpenness(values, watch);
   }
+  eachBand([&] { drawBand(drawables, values, watch); });
   glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
 }
 
@@ -335,6 +379,7 @@ void ExactScene::draw(double seconds, const sim::Drawables& published, const Ove
   const View seen = viewAt(s.scene.camera, seconds, s.size, drawables);
   const shader::ExactView values = exactView(seen, s.scene.camera, s.size);
   s.view.write(0, std::as_bytes(std::span(&values, 1)));
+  s.occlusionRadius = occlusionRadiusOf(s.scene, seen);
   s.joins = s.joined.join(drawables.surfaces);
   sim::Drawables casting = drawables;
   if (s.joins) casting.surfaces = {s.joined.surface()};

@@ -19,10 +19,11 @@ using Kind = sim::Instances::Shape;
 /// Everything at once: a sheet that leaves the picture, balls, copies and their lights, ground that
 /// mirrors, a sun and a lamp with shadows, bloom.
 struct BandStage {
-  BandStage()
+  explicit BandStage(scene::Quality quality)
       : sheet({{-9, 0.3F, -4}, {9, 0.4F, -4}, {-9, 1.1F, 3}, {9, 0.2F, 3}}, {0, 2, 1, 1, 2, 3},
               std::vector<glm::vec3>(4, glm::vec3(0, 1, 0))) {
     sheet.surface.doubleSided = true;
+    scene.render.quality = quality;
     writeFileAtomically(dart,
                         "v 0 0 0.6\nv 0.34 0.03 -0.4\nv -0.34 0.03 -0.4\nv 0 -0.14 -0.4\n"
                         "f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
@@ -67,10 +68,15 @@ struct BandStage {
 
 TEST_CASE("exact: pictures drawn in bands have the bytes of those drawn at once") {
   testContext();
-  const BandStage stage;
   const glm::ivec2 size(75, 61);
-  for (const int samples : {1, 4}) {
+  for (const auto& [quality, samples] : {std::pair(scene::Quality::draft, 1),
+                                         {scene::Quality::draft, 4},
+                                         {scene::Quality::standard, 1},
+                                         {scene::Quality::standard, 4}}) {
     CAPTURE(samples);
+    CAPTURE(quality == scene::Quality::standard);
+    const BandStage stage(quality);
+    // Beyond the band, too, things keep light out.
     const auto banded = [&](int rows) {
       return drawn(
           stage.scene, stage.drawables, size, samples,
@@ -88,7 +94,7 @@ TEST_CASE("exact: pictures drawn in bands have the bytes of those drawn at once"
 
 TEST_CASE("exact: passes of pictures drawn in bands are those of pictures drawn at once") {
   testContext();
-  const BandStage stage;
+  const BandStage stage(scene::Quality::standard);
   const glm::ivec2 size(75, 61);
   const auto passes = [&](int rows) {
     draw::Renderer renderer(stage.scene, size, 4,

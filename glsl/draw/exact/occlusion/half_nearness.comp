@@ -1,0 +1,47 @@
+// How near the nearest of each half pixel of the band is, with the ground (GROUND). SAMPLES, PAIRED. An invocation does ROWS half
+// pixels, one below the other.
+#define EXACT_PICTURE
+#include "draw/frame_block.glsl"
+#include "draw/exact/view_block.glsl"
+#include "draw/exact/sample_read.glsl"
+#include "draw/exact/ground_plane.glsl"
+layout(local_size_x = 8, local_size_y = 8 / ROWS) in;
+layout(r32f, binding = nearnessImage) writeonly restrict uniform image2D nearness;
+float perNear = exactReciprocal(view.near);
+
+uint nearestKey(ivec2 pixel) {
+  int first = firstSample(pixel);
+  uint key = 0xffffffffu;
+#if SAMPLES < 4
+  for (int s = 0; s < SAMPLES; ++s) key = min(key, keyAt(first + s));
+#else
+  for (int s = 0; s < SAMPLES; s += 4) {
+    uvec4 four = fourKeysAt(first + s);
+    key = min(key, min(min(four.x, four.y), min(four.z, four.w)));
+  }
+#endif
+  return key;
+}
+
+float nearnessOf(ivec2 at) {
+  ivec2 first = 2 * at, last = min(first + 1, ivec2(view.size.x, view.rows.y) - 1);
+  uint key = min(min(nearestKey(first), nearestKey(ivec2(last.x, first.y))),
+                 min(nearestKey(ivec2(first.x, last.y)), nearestKey(last)));
+  float near = key <= 0x7fffffffu ? intBitsToFloat(int(0x7fffffffu - key)) : 0.0f;
+#ifdef GROUND
+  float depth = groundDepth(rayThrough(vec2(first + 1)));
+  float perDepth = exactReciprocal(max(depth, 1e-6f));
+  precise float ground = view.near * perDepth;
+  near = max(near, depth >= view.near && ground >= view.nearOverFar ? ground : 0.0f);
+#endif
+  precise float perMetre = near * perNear;
+  return perMetre;
+}
+
+void main() {
+  ivec2 first = ivec2(gl_GlobalInvocationID.xy) * ivec2(1, ROWS) + ivec2(0, view.rows.x / 2);
+  for (int row = 0; row < ROWS; ++row) {
+    ivec2 at = first + ivec2(0, row);
+    if (2 * at.x < view.size.x && 2 * at.y < view.rows.y) imageStore(nearness, at, vec4(nearnessOf(at)));
+  }
+}

@@ -1,0 +1,31 @@
+// What is lost of the surroundings' light at each half pixel, what there were of it, and nearness (draw/exact/occlusion/horizons.glsl).
+// SLICES, STEPS. An invocation does ROWS half pixels, one below the other.
+#define EXACT_PICTURE
+#include "draw/frame_block.glsl"
+#include "draw/exact/view_block.glsl"
+layout(local_size_x = 8, local_size_y = 8 / ROWS) in;
+layout(r32f, binding = nearnessImage) readonly restrict uniform image2D nearness;
+layout(rgba32f, binding = arcImage) writeonly restrict uniform image2D arcs;
+uniform vec3 reach;  // how far away what counts may be (m), at most (half pixels), and half pixels a metre at depth 1
+vec3 reach_ = once(reach);
+ivec2 halfSize = (view.size + 1) / 2;
+
+float nearnessAt(ivec2 at) {
+  ivec2 held = clamp(at, ivec2(0), halfSize - 1);
+  float found = imageLoad(nearness, held).x;
+  return held == at ? found : 0.0f;
+}
+#include "draw/exact/occlusion/horizons.glsl"
+
+void main() {
+  ivec2 first = ivec2(gl_GlobalInvocationID.xy) * ivec2(1, ROWS);
+  for (int row = 0; row < ROWS; ++row) {
+    ivec2 at = first + ivec2(0, row);
+    if (at.x >= halfSize.x || at.y >= halfSize.y) continue;
+    float here = nearnessAt(at);
+    // In a loop, which ends at once where nothing is: software drivers run both sides of a branch.
+    Arcs found = Arcs(0.0f, 0.0f);
+    for (int i = here > 0.0f ? 0 : 1; i < 1; ++i) found = arcsOf(halfPlaceOf(at, here));
+    imageStore(arcs, at, vec4(found.lost, found.all_, here, 0.0f));
+  }
+}

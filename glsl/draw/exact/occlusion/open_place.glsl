@@ -1,0 +1,25 @@
+// How open a place is to the surroundings' light: the mean of the four half pixels around its pixel, of those that show what is
+// about as far away. Compiles as GLSL and as C++. Whoever includes it has `view`, and vec2 opennessAt(ivec2 half pixel): openness
+// and nearness.
+#include "common/exact.glsl"
+
+FUNCTION float opennessOn(ivec2 pixel, vec3 p) {
+  ivec2 own = ivec2(pixel.x >> 1, pixel.y >> 1), last = ivec2((view.size.x - 1) >> 1, (view.size.y - 1) >> 1);
+  ivec2 aside = clamp(own + ivec2((pixel.x & 1) * 2 - 1, (pixel.y & 1) * 2 - 1), ivec2(0), last);
+  precise vec3 from = p - vec3(view.eye);
+  float depth = exactDot(from, vec3(view.forward));
+  precise float open = 0.0f;
+  precise float sum = 0.0f;
+  for (int i = 0; i < 4; ++i) {
+    ivec2 at = ivec2((i & 1) == 0 ? own.x : aside.x, i < 2 ? own.y : aside.y);
+    vec2 found = opennessAt(at);
+    precise float off = found.y * depth - 1.0f;
+    precise float near = 1.0f - 33.0f * abs(off);
+    precise float like = max(near, 0.0f) + 1e-3f;
+    precise float weight = like * ((i & 1) == 0 ? 0.75f : 0.25f) * (i < 2 ? 0.75f : 0.25f);
+    open = open + found.x * weight;
+    sum = sum + weight;
+  }
+  precise float mean = open * exactReciprocal(sum);
+  return min(mean, 1.0f);
+}

@@ -1,0 +1,14 @@
+// How open shaded places are: OCCLUSION, else all are.
+#ifdef OCCLUSION
+#include "draw/exact/bindings.glsl"
+layout(rg32f, binding = opennessImage) readonly restrict uniform image2D openness;
+
+vec2 opennessAt(ivec2 at) {
+  return imageLoad(openness, at).xy;
+}
+#include "draw/exact/occlusion/open_place.glsl"
+#else
+float opennessOn(ivec2 pixel, vec3 p) {
+  return 1.0f;
+}
+#endif

@@ -1,0 +1,43 @@
+#pragma once
+#include "draw/exact/exact_view.hpp"
+#include "draw/exact/visibility.hpp"
+#include "gl/program.hpp"
+#include "gl/texture.hpp"
+
+#include <glm/vec2.hpp>
+
+namespace simreel::draw {
+
+/// How much of the surroundings' light gets to what a picture shows, by what the picture shows around it
+/// (glsl/draw/exact/occlusion/horizons.glsl): at half its size.
+class Occlusion {
+ public:
+  /// Slices a half pixel, and steps of each to either side.
+  static constexpr int slices = 2, steps = 5;
+  /// None.
+  Occlusion() = default;
+  /// Of pictures of which `visibility` holds all rows, or a band of them. `ground`: it is drawn.
+  Occlusion(glm::ivec2 size, const Visibility& visibility, bool ground);
+
+  [[nodiscard]] bool on() const { return horizons_.name() != 0; }
+  /// Takes over how near things are in the band that is visible, and the ground. The frame's uniform block
+  /// and the view's are bound.
+  void add(const Visibility& visibility, const shader::ExactView& view) const;
+  /// Once all of the picture is there. `radius`: how far away what counts may be (m).
+  void find(const shader::ExactView& view, float radius) const;
+  /// For kernels that include draw/exact/occlusion/openness_read.glsl.
+  void bind() const;
+  /// Openness, from 0 to 1, and nearness of each half pixel (1/m), 0 where nothing is: RG32F.
+  [[nodiscard]] const gl::Texture& openness() const { return openness_; }
+
+ private:
+  glm::ivec2 half_{0};
+  gl::Program nearest_, horizons_, across_, down_;
+  gl::Texture nearness_, arcs_, smooth_, openness_;
+};
+
+/// What Occlusion::find() tells the kernel: how far away what counts may be (m), at most (half pixels), and
+/// half pixels a metre at depth 1.
+[[nodiscard]] glm::vec3 reachOnPicture(const shader::ExactView& view, float radius);
+
+}  // namespace simreel::draw

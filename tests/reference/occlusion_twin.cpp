@@ -1,0 +1,101 @@
+#include "reference/occlusion_twin.hpp"
+
+#include "draw/picture_code.hpp"
+
+#include <algorithm>
+
+namespace {
+
+using namespace simreel::shader;  // NOLINT: the model is written in GLSL's names
+
+const simreel::shader::Frame noFrame{};
+
+#define FUNCTION inline
+#define precise
+#define EXACT_PICTURE
+#define SLICES twin.slices
+#define STEPS twin.steps
+/// What the kernels see.
+struct Kernel {
+  const OcclusionTwin& twin;
+  const ExactView& view = twin.view;
+  const Frame& frame = noFrame;
+  vec3 reach_ = twin.reach;
+  std::vector<vec4> arcs = {};
+  const std::vector<float>* open = nullptr;
+
+  [[nodiscard]] std::size_t indexOf(ivec2 at) const {
+    return static_cast<std::size_t>(at.y) * static_cast<std::size_t>(twin.half().x) +
+           static_cast<std::size_t>(at.x);
+  }
+  [[nodiscard]] bool within(ivec2 at) const { return at == clamp(at, ivec2(0), twin.half() - 1); }
+  [[nodiscard]] float nearnessAt(ivec2 at) const { return within(at) ? twin.nearness[indexOf(at)] : 0.0F; }
+  [[nodiscard]] vec4 arcsAt(ivec2 at) const { return within(at) ? arcs[indexOf(at)] : vec4(0); }
+  [[nodiscard]] vec2 opennessAt(ivec2 at) const { return {(*open)[indexOf(at)], nearnessAt(at)}; }
+#include "glsl/draw/exact/occlusion/horizons.glsl"
+#include "glsl/draw/exact/occlusion/open_place.glsl"
+#include "glsl/draw/exact/occlusion/smooth_arcs.glsl"
+
+  template <class F>
+  void each(const F& f) const {
+    for (int y = 0; y < twin.half().y; ++y)
+      for (int x = 0; x < twin.half().x; ++x) f(ivec2(x, y));
+  }
+};
+#undef STEPS
+#undef SLICES
+#undef EXACT_PICTURE
+#undef precise
+#undef FUNCTION
+
+}  // namespace
+
+void OcclusionTwin::see(const simreel::shader::Frame& frame, int samples,
+                        const std::vector<std::uint32_t>& keys, bool ground) {
+  Kernel kernel{*this, view, frame};
+  nearness.clear();
+  kernel.each([&](ivec2 at) {
+    std::uint32_t key = 0xffffffffU;
+    for (int y = 2 * at.y; y < min(2 * at.y + 2, view.size.y); ++y)
+      for (int x = 2 * at.x; x < min(2 * at.x + 2, view.size.x); ++x)
+        for (int s = 0; s < samples; ++s)
+          key = min(key, keys[static_cast<std::size_t>((y * view.size.x + x) * samples + s)]);
+    float near = key <= 0x7fffffffU ? intBitsToFloat(static_cast<int>(0x7fffffffU - key)) : 0.0F;
+    if (ground) {
+      const float depth = kernel.groundDepth(kernel.rayThrough(vec2(2 * at + 1)));
+      const float there = view.near * exactReciprocal(max(depth, 1e-6F));
+      if (depth >= view.near && there >= view.nearOverFar) near = max(near, there);
+    }
+    nearness.push_back(near * exactReciprocal(view.near));
+  });
+}
+
+std::vector<float> OcclusionTwin::openness() const {
+  Kernel kernel{*this};
+  std::vector<vec4> found;
+  kernel.each([&](ivec2 at) {
+    const float here = kernel.nearnessAt(at);
+    const Kernel::Arcs arcs =
+        here > 0.0F ? kernel.arcsOf(kernel.halfPlaceOf(at, here)) : Kernel::Arcs{0.0F, 0.0F};
+    found.emplace_back(arcs.lost, arcs.all_, here, 0.0F);
+  });
+  kernel.arcs = found;
+  std::vector<vec4> across;
+  kernel.each([&](ivec2 at) {
+    const float here = kernel.nearnessAt(at);
+    across.emplace_back(here > 0.0F ? kernel.smoothArcs(at, {1, 0}) : vec2(0, 1), here, 0.0F);
+  });
+  kernel.arcs = across;
+  std::vector<float> open;
+  kernel.each([&](ivec2 at) {
+    open.push_back(
+        kernel.opennessOf(kernel.nearnessAt(at) > 0.0F ? kernel.smoothArcs(at, {0, 1}) : vec2(0, 1)));
+  });
+  return open;
+}
+
+float OcclusionTwin::opennessOn(const std::vector<float>& openness, glm::ivec2 pixel, glm::vec3 p) const {
+  Kernel kernel{*this};
+  kernel.open = &openness;
+  return kernel.opennessOn(pixel, p);
+}
