@@ -15,7 +15,10 @@ namespace simreel::draw {
 /// Passes of an exact picture, each made of those before it:
 ///
 ///     visibility  what is nearest at each sample: keys of depth, and numbers of primitives, ground
-///     included shadow      the maps of the sun and of the lamps light       of what is opaque, per pixel
+///                 included
+///     shadow      the maps of the sun and of the lamps; with quality "standard", how open half the
+///                 picture's pixels are, and how near
+///     light       of what is opaque, per pixel
 ///     glow        the same with what adds light, then with fields that lie behind the scene
 ///     bloom       what is scattered around bright places
 ///     picture     bytes: after lens and film, then with fields, axes and charts over it
@@ -27,11 +30,11 @@ inline constexpr std::array<const char*, 6> passNames = {"visibility", "shadow",
 /// What a pass left, or a part of it: rows from the top.
 struct PassArray {
   std::string pass;
-  std::string part;    ///< "keys", "numbers"; "sun", "lamps"; "lens", the mean of all its points; "glows",
-                       ///< "fields"; "film", "finished"
-  int width = 0;       ///< pixels; texels of a map or of what is scattered
-  int height = 0;      ///< the same
-  int each = 1;        ///< words of a pixel: one a sample, or RGBA of light
+  std::string part;  ///< "keys", "numbers"; "sun", "lamps", "openness"; "lens", the mean of all its points;
+                     ///< "glows", "fields"; "film", "finished"
+  int width = 0;     ///< pixels; texels of a map or of what is scattered
+  int height = 0;    ///< the same
+  int each = 1;      ///< words of a pixel: one a sample, or RGBA of light
   bool light = false;  ///< words are floats; there is no -0
   std::vector<std::uint32_t> words;
 };

@@ -5,7 +5,7 @@ from common import SOURCE, Case, main
 class Stage(Case):
     def test_pictures_of_scenes_of_one_line(self):
         done = self.good("test", str(SOURCE / "tests/cli/scenes/stage"))
-        self.assertIn("9 scenes: 9 passed", done.stdout.decode())
+        self.assertIn("10 scenes: 10 passed", done.stdout.decode())
 
 
     def test_what_the_driver_cannot_do_is_said(self):
@@ -14,6 +14,9 @@ class Stage(Case):
         self.assertIn("camera.lens: the driver's rasterizer draws all of the picture sharp",
                       self.good(*small, "-o", "a/", "--rasterizer", "driver").err)
         self.assertEqual(self.good(*small, "-o", "b/", "-q").err, "")
+        said = self.good(*small, "-o", "d/", "--rasterizer", "driver", "-D", "render.quality=standard").err
+        self.assertEqual(said.count("render.quality: the driver's rasterizer draws drafts alone"), 1)
+        self.assertEqual(self.good(*small, "-o", "e/", "-q", "-D", "render.quality=standard").err, "")
         self.bad_scene(["-D camera.lens.blades=2: error: an opening of 2 blades is none", "3 to 16"], *small, "-o", "c/", "-D", "camera.lens.blades=2")
 
 

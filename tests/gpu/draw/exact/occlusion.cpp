@@ -1,5 +1,6 @@
 #include "draw/exact/occlusion.hpp"
 
+#include "base/file.hpp"
 #include "gpu/draw/draw_stage.hpp"
 #include "gpu/draw/exact/stage.hpp"
 #include "gpu/draw/instance_stage.hpp"
@@ -298,6 +299,79 @@ TEST_CASE("occlusion: in a pit, in the picture's middle and towards its side") {
     const std::vector<float> open = twin.openness();
     const double wanted = radius * radius / (radius * radius + high * high);
     CHECK(std::abs(static_cast<double>(open[shownAt(twin, {0, 0, 0}).index]) - wanted) < 0.02);
+  }
+}
+
+// Under the sky alone, light is what it is in a draft times the openness of the place.
+TEST_CASE("exact: all that is shaded gets as much of the sky's light as it is open") {
+  testContext();
+  const auto mesh = temporaryFile("occlusion_dart.obj");
+  writeFileAtomically(mesh,
+                      "v 0 0 0.6\nv 0.34 0.03 -0.4\nv -0.34 0.03 -0.4\nv 0 -0.14 -0.4\n"
+                      "f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
+  FoldStage stage;
+  InstanceStage darts({{-0.2F, 0.5F, 1}, {0.9F, 0.3F, 0.5F}, {-1.1F, 0.5F, 0.2F}});
+  darts.instances.shape = sim::Instances::Shape::mesh;
+  darts.instances.mesh = mesh;
+  darts.instances.size = 0.8F;
+  stage.drawables.instances.push_back(darts.instances);
+  scene::Scene scene = standardScene();
+  scene.hasGround = true;
+  scene.ground.height = -0.15F;
+  scene.sun.intensity = 0.0F;
+  scene.sun.shadow = false;
+  const glm::ivec2 size(120, 81);
+  const Seen seen = seenOf(scene, stage.drawables, size, 4);
+  scene.render.quality = scene::Quality::draft;
+  draw::Renderer renderer(scene, size, 4, {.rasterizer = scene::Rasterizer::exact});
+  draw::PassPicture draft;
+  renderer.keepPasses(&draft);
+  renderer.draw(0, stage.drawables);
+  for (const draw::PassArray& array : draft.arrays) CHECK(array.part != "openness");
+  const std::vector<std::uint32_t>& keys = part(seen.kept, "visibility", "keys").words;
+  const std::vector<std::uint32_t>& numbers = part(seen.kept, "visibility", "numbers").words;
+  CHECK(part(draft, "visibility", "numbers").words == numbers);
+  const std::vector<std::uint32_t>& lit = part(seen.kept, "light", "").words;
+  const std::vector<std::uint32_t>& drafted = part(draft, "light", "").words;
+  OcclusionTwin twin;
+  twin.view = draw::exactView(draw::viewAt(scene.camera, 0, size, stage.drawables), scene.camera, size);
+  twin.nearness = seen.nearness;
+  int checked[3] = {0, 0, 0};  // ground, sheet, instances
+  float least[3] = {1, 1, 1};
+  for (int y = 0; y < size.y; ++y)
+    for (int x = 0; x < size.x; ++x) {
+      const auto pixel = static_cast<std::size_t>(y * size.x + x);
+      const std::uint32_t number = numbers[4 * pixel];
+      if (number == 0xffffffffU || std::count(&numbers[4 * pixel], &numbers[4 * pixel] + 4, number) != 4)
+        continue;
+      const bool ground = number == 0xfffffffeU;
+      const glm::vec3 ray = glm::vec3(twin.view.ray) +
+                            (static_cast<float>(x) + 0.5F) * glm::vec3(twin.view.rayAcross) +
+                            (static_cast<float>(y) + 0.5F) * glm::vec3(twin.view.rayDown);
+      float depth = (scene.ground.height - twin.view.eye.y) / ray.y;
+      if (!ground) {
+        float near = 0;
+        for (std::size_t s = 0; s < 4; ++s)
+          near += 0.25F * std::bit_cast<float>(0x7fffffffU - keys[4 * pixel + s]);
+        depth = twin.view.near / near;
+      }
+      const float before = std::bit_cast<float>(drafted[4 * pixel + 1]),
+                  after = std::bit_cast<float>(lit[4 * pixel + 1]);
+      if (before < 1e-4F) continue;
+      const float open = twin.opennessOn(seen.openness, {x, y}, glm::vec3(twin.view.eye) + depth * ray);
+      const int kind = ground ? 0 : number < 4 ? 1 : 2;
+      CAPTURE(kind);
+      CAPTURE(x);
+      CAPTURE(y);
+      // The middle of the samples' depths is not quite the place that is shaded.
+      CHECK(std::abs(after / before - open) < (ground ? 1e-4F : 0.05F));
+      ++checked[kind];
+      least[kind] = std::min(least[kind], after / before);
+    }
+  for (int kind = 0; kind < 3; ++kind) {
+    CAPTURE(kind);
+    CHECK(checked[kind] > 100);
+    CHECK(least[kind] < 0.95F);
   }
 }
 
