@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <span>
 #include <string>
 
@@ -20,7 +21,7 @@ namespace simreel::draw {
 
 namespace {
 
-constexpr double pi = 3.141592653589793;
+using std::numbers::pi;
 constexpr int finestSide = 1024, coarsestSide = 64;  // of what is seen
 constexpr int terms = 9;
 

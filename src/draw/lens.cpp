@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include <glm/geometric.hpp>
 
@@ -11,7 +12,7 @@ namespace simreel::draw {
 
 namespace {
 
-constexpr double pi = 3.141592653589793;
+using std::numbers::pi;
 constexpr double pictureHeight = 0.024;  // m, of what the focal length belongs to
 
 /// Whether a place of the disc lies within the polygon.

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <optional>
 
 #include <glm/geometric.hpp>
@@ -37,14 +38,12 @@ void setMaps(shader::Lamp& lamp, const LampOrder& order, std::size_t i) {
   lamp.sampling = glm::vec4(lamp.place.w, 2.0F / inner, light.shadowSoftness, 1.0F / side);
 }
 
-constexpr double pi = 3.141592653589793;
-
 /// Cosines of half a cone's angle at the edge, where its share of the light is 0, and at where it is 1.
 struct Cone {
   double edge, full;
 };
 Cone coneAt(const scene::Spot& spot, double seconds) {
-  constexpr double radiansPerDegree = pi / 180;
+  constexpr double radiansPerDegree = std::numbers::pi / 180;
   constexpr double least = 1e-4;  // between the two
   const double half = 0.5 * radiansPerDegree * static_cast<double>(spot.angle.at(seconds));
   const double inner = half * (1 - static_cast<double>(spot.softness.at(seconds)));
@@ -66,9 +65,9 @@ glm::vec4 coneOf(const scene::Light& light, glm::vec3 place, double seconds) {
 /// intensity. Of a cone, 2 pi times the integral of its share over the cosine: 1 up to `full`, from there
 /// the square of a line, whose mean is 1/3.
 double filledBy(const scene::Light& light, double seconds) {
-  if (light.type != scene::Light::Type::spot) return 4 * pi;
+  if (light.type != scene::Light::Type::spot) return 4 * std::numbers::pi;
   const auto [edge, full] = coneAt(light.spot, seconds);
-  return 2 * pi * ((1 - full) + (full - edge) / 3);
+  return 2 * std::numbers::pi * ((1 - full) + (full - edge) / 3);
 }
 
 }  // namespace
