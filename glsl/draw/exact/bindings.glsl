@@ -14,7 +14,8 @@ const int outVertexBinding = 0, nearBinding = 1, idBinding = 2, largeBinding = 3
 const int tileListBinding = 5, dispatchBinding = 6, drawArgumentBinding = 7;
 const int fanBinding = 8, binBinding = 9, nodeBinding = 10, cornerBinding = 11;
 const int outNormalBinding = 5;
+const int halfPixelBinding = 0;  // of what kernels of occlusion make
 // Images.
 const int sumImage = 0, pictureImage = 1, lightImage = 2, scatteredImage = 3;
-const int nearnessImage = 4, arcImage = 5, smoothArcImage = 6, opennessImage = 7;
+const int nearnessImage = 4, arcImage = 5, opennessImage = 6;
 #endif

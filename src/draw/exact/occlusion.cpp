@@ -8,17 +8,19 @@
 
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
 
 namespace simreel::draw {
 
-namespace {
+Occlusion::Kept::Kept(const std::string& label, GLenum format, std::size_t bytes, glm::ivec2 size)
+    : buffer(label, static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) * bytes),
+      view(gl::Texture::view(label, format, buffer, bytes)) {}
 
-void run(const gl::Program& program, int width, int height) {
-  program.dispatch(width, (height + rowsAtOnce() - 1) / rowsAtOnce());
-  glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT);
+void Occlusion::run(const gl::Program& program, const Kept& result, int height) const {
+  result.buffer.bindStorage(halfPixelBinding);
+  program.dispatch(half_.x, (height + rowsAtOnce() - 1) / rowsAtOnce());
+  glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
 }
-
-}  // namespace
 
 glm::vec3 reachOnPicture(const shader::ExactView& view, float radius) {
   // Of the picture's height a third, whatever its size: larger ones show the same.
@@ -38,34 +40,30 @@ Occlusion::Occlusion(glm::ivec2 size, const Visibility& visibility, bool ground)
                            {rows, {"SLICES", std::to_string(slices)}, {"STEPS", std::to_string(steps)}});
   across_ = gl::Program::compute("draw/exact/occlusion/smooth_arcs.comp", {rows});
   down_ = gl::Program::compute("draw/exact/occlusion/smooth_arcs.comp", {rows, {"DOWN", "1"}});
-  nearness_ = gl::Texture::image("nearness", GL_R32F, half_.x, half_.y);
-  arcs_ = gl::Texture::image("light that is lost", GL_RGBA32F, half_.x, half_.y);
-  smooth_ = gl::Texture::image("light that is lost, along rows", GL_RGBA32F, half_.x, half_.y);
-  openness_ = gl::Texture::image("openness", GL_RG32F, half_.x, half_.y);
+  nearness_ = Kept("nearness", GL_R32F, sizeof(float), half_);
+  arcs_ = Kept("light that is lost", GL_RGBA32F, sizeof(glm::vec4), half_);
+  smooth_ = Kept("light that is lost, along rows", GL_RGBA32F, sizeof(glm::vec4), half_);
+  openness_ = Kept("openness", GL_RG32F, sizeof(glm::vec2), half_);
 }
 
 void Occlusion::add(const Visibility& visibility, const shader::ExactView& view) const {
   gl::barrier();
   visibility.bind();
-  nearness_.bindImage(nearnessImage, GL_WRITE_ONLY);
-  run(nearest_, half_.x, (view.rows.y - view.rows.x + 1) / 2);
+  run(nearest_, nearness_, (view.rows.y - view.rows.x + 1) / 2);
 }
 
 void Occlusion::find(const shader::ExactView& view, float radius) const {
-  nearness_.bindImage(nearnessImage, GL_READ_ONLY);
-  arcs_.bindImage(arcImage, GL_WRITE_ONLY);
+  nearness_.view.bindImage(nearnessImage, GL_READ_ONLY);
   horizons_.set("reach", reachOnPicture(view, radius));
-  run(horizons_, half_.x, half_.y);
-  arcs_.bindImage(arcImage, GL_READ_ONLY);
-  smooth_.bindImage(smoothArcImage, GL_WRITE_ONLY);
-  run(across_, half_.x, half_.y);
-  smooth_.bindImage(arcImage, GL_READ_ONLY);
-  openness_.bindImage(opennessImage, GL_WRITE_ONLY);
-  run(down_, half_.x, half_.y);
+  run(horizons_, arcs_, half_.y);
+  arcs_.view.bindImage(arcImage, GL_READ_ONLY);
+  run(across_, smooth_, half_.y);
+  smooth_.view.bindImage(arcImage, GL_READ_ONLY);
+  run(down_, openness_, half_.y);
 }
 
 void Occlusion::bind() const {
-  openness_.bindImage(opennessImage, GL_READ_ONLY);
+  openness_.view.bindImage(opennessImage, GL_READ_ONLY);
 }
 
 }  // namespace simreel::draw

@@ -1,10 +1,16 @@
 #pragma once
 #include "draw/exact/exact_view.hpp"
 #include "draw/exact/visibility.hpp"
+#include "gl/buffer.hpp"
 #include "gl/program.hpp"
 #include "gl/texture.hpp"
 
+#include <cstddef>
+#include <string>
+#include <vector>
+
 #include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
 
 namespace simreel::draw {
 
@@ -27,13 +33,24 @@ class Occlusion {
   void find(const shader::ExactView& view, float radius) const;
   /// For kernels that include draw/exact/occlusion/openness_read.glsl.
   void bind() const;
-  /// Openness, from 0 to 1, and nearness of each half pixel (1/m), 0 where nothing is: RG32F.
-  [[nodiscard]] const gl::Texture& openness() const { return openness_; }
+  [[nodiscard]] glm::ivec2 size() const { return half_; }
+  /// Waits for the device and copies out, row by row: openness, from 0 to 1, and nearness (1/m), 0 where
+  /// nothing is, of each half pixel.
+  [[nodiscard]] std::vector<GLuint> read() const { return openness_.buffer.readAll<GLuint>(); }
 
  private:
+  /// Of each half pixel: kernels store it as a block, which software drivers do faster than into an image.
+  struct Kept {
+    Kept() = default;
+    Kept(const std::string& label, GLenum format, std::size_t bytes, glm::ivec2 size);
+    gl::Buffer buffer;
+    gl::Texture view;
+  };
+  void run(const gl::Program& program, const Kept& result, int height) const;
+
   glm::ivec2 half_{0};
   gl::Program nearest_, horizons_, across_, down_;
-  gl::Texture nearness_, arcs_, smooth_, openness_;
+  Kept nearness_, arcs_, smooth_, openness_;
 };
 
 /// What Occlusion::find() tells the kernel: how far away what counts may be (m), at most (half pixels), and

@@ -6,7 +6,7 @@
 #include "draw/exact/sample_read.glsl"
 #include "draw/exact/ground_plane.glsl"
 layout(local_size_x = 8, local_size_y = 8 / ROWS) in;
-layout(r32f, binding = nearnessImage) writeonly restrict uniform image2D nearness;
+layout(std430, binding = halfPixelBinding) writeonly restrict buffer NearnessBlock { float nearness[]; };
 float perNear = exactReciprocal(view.near);
 
 uint nearestKey(ivec2 pixel) {
@@ -42,6 +42,6 @@ void main() {
   ivec2 first = ivec2(gl_GlobalInvocationID.xy) * ivec2(1, ROWS) + ivec2(0, view.rows.x / 2);
   for (int row = 0; row < ROWS; ++row) {
     ivec2 at = first + ivec2(0, row);
-    if (2 * at.x < view.size.x && 2 * at.y < view.rows.y) imageStore(nearness, at, vec4(nearnessOf(at)));
+    if (2 * at.x < view.size.x && 2 * at.y < view.rows.y) nearness[at.y * ((view.size.x + 1) / 2) + at.x] = nearnessOf(at);
   }
 }

@@ -4,15 +4,15 @@
 #include "draw/frame_block.glsl"
 #include "draw/exact/view_block.glsl"
 layout(local_size_x = 8, local_size_y = 8 / ROWS) in;
-layout(r32f, binding = nearnessImage) readonly restrict uniform image2D nearness;
-layout(rgba32f, binding = arcImage) writeonly restrict uniform image2D arcs;
+layout(r32f, binding = nearnessImage) readonly restrict uniform imageBuffer nearness;
+layout(std430, binding = halfPixelBinding) writeonly restrict buffer ArcBlock { vec4 arcs[]; };
 uniform vec3 reach;  // how far away what counts may be (m), at most (half pixels), and half pixels a metre at depth 1
 vec3 reach_ = once(reach);
 ivec2 halfSize = (view.size + 1) / 2;
 
 float nearnessAt(ivec2 at) {
   ivec2 held = clamp(at, ivec2(0), halfSize - 1);
-  float found = imageLoad(nearness, held).x;
+  float found = imageLoad(nearness, held.y * halfSize.x + held.x).x;
   return held == at ? found : 0.0f;
 }
 #include "draw/exact/occlusion/horizons.glsl"
@@ -26,6 +26,6 @@ void main() {
     // In a loop, which ends at once where nothing is: software drivers run both sides of a branch.
     Arcs found = Arcs(0.0f, 0.0f);
     for (int i = here > 0.0f ? 0 : 1; i < 1; ++i) found = arcsOf(halfPlaceOf(at, here));
-    imageStore(arcs, at, vec4(found.lost, found.all_, here, 0.0f));
+    arcs[at.y * halfSize.x + at.x] = vec4(found.lost, found.all_, here, 0.0f);
   }
 }

@@ -1,10 +1,10 @@
 // How open shaded places are: OCCLUSION, else all are.
 #ifdef OCCLUSION
 #include "draw/exact/bindings.glsl"
-layout(rg32f, binding = opennessImage) readonly restrict uniform image2D openness;
+layout(rg32f, binding = opennessImage) readonly restrict uniform imageBuffer openness;
 
 vec2 opennessAt(ivec2 at) {
-  return imageLoad(openness, at).xy;
+  return imageLoad(openness, at.y * ((view.size.x + 1) / 2) + at.x).xy;
 }
 #include "draw/exact/occlusion/open_place.glsl"
 #else

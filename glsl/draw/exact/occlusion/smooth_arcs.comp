@@ -3,19 +3,19 @@
 #define EXACT_PICTURE
 #include "draw/exact/view_block.glsl"
 layout(local_size_x = 8, local_size_y = 8 / ROWS) in;
-layout(rgba32f, binding = arcImage) readonly restrict uniform image2D arcs;
+layout(rgba32f, binding = arcImage) readonly restrict uniform imageBuffer arcs;
 #ifdef DOWN
-layout(rg32f, binding = opennessImage) writeonly restrict uniform image2D openness;
+layout(std430, binding = halfPixelBinding) writeonly restrict buffer OpennessBlock { vec2 openness[]; };
 const ivec2 along = ivec2(0, 1);
 #else
-layout(rgba32f, binding = smoothArcImage) writeonly restrict uniform image2D smooth_;
+layout(std430, binding = halfPixelBinding) writeonly restrict buffer SmoothBlock { vec4 smooth_[]; };
 const ivec2 along = ivec2(1, 0);
 #endif
 ivec2 halfSize = (view.size + 1) / 2;
 
 vec4 arcsAt(ivec2 at) {
   ivec2 held = clamp(at, ivec2(0), halfSize - 1);
-  vec4 found = imageLoad(arcs, held);
+  vec4 found = imageLoad(arcs, held.y * halfSize.x + held.x);
   return held == at ? found : vec4(0.0f);
 }
 #include "draw/exact/occlusion/smooth_arcs.glsl"
@@ -30,9 +30,9 @@ void main() {
     vec2 sums = vec2(0.0f, 1.0f);
     for (int i = here > 0.0f ? 0 : 1; i < 1; ++i) sums = smoothArcs(at, along);
 #ifdef DOWN
-    imageStore(openness, at, vec4(opennessOf(sums), here, 0.0f, 0.0f));
+    openness[at.y * halfSize.x + at.x] = vec2(opennessOf(sums), here);
 #else
-    imageStore(smooth_, at, vec4(sums, here, 0.0f));
+    smooth_[at.y * halfSize.x + at.x] = vec4(sums, here, 0.0f);
 #endif
   }
 }

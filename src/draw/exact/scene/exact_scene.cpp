@@ -233,8 +233,7 @@ void ExactScene::State::keepVisibility(glm::ivec2 rows) const {
   passes->keep("visibility", "numbers", visibility.readNumbers(), band, samples);
   if (rows.x > 0) return;
   if (map) passes->keep("shadow", "sun", map->readKeys(), map->size(), 1);
-  if (occlusion.on())
-    passes->keepLight("shadow", "openness", occlusion.openness(), {0, occlusion.openness().height()});
+  if (occlusion.on()) passes->keep("shadow", "openness", occlusion.read(), occlusion.size(), 2);
   if (lampMaps.on()) passes->keep("shadow", "lamps", lampMaps.keys().readKeys(), lampMaps.keys().size(), 1);
   for (const TriangleRaster::Drawn& drawn : triangles.drawn())
     passes->things.push_back({objectName(*drawn.surface), "triangle", drawn.firstId, 1});

@@ -42,7 +42,7 @@ Seen seenOf(const scene::Scene& scene, const sim::Drawables& drawables, glm::ive
   const draw::PassArray& array = part(seen.kept, "shadow", "openness");
   CHECK(array.width == (size.x + 1) / 2);
   CHECK(array.height == (size.y + 1) / 2);
-  for (std::size_t i = 0; i + 3 < array.words.size(); i += 4) {
+  for (std::size_t i = 0; i + 1 < array.words.size(); i += 2) {
     seen.openness.push_back(std::bit_cast<float>(array.words[i]));
     seen.nearness.push_back(std::bit_cast<float>(array.words[i + 1]));
   }
