@@ -10,12 +10,14 @@
 #include <doctest/doctest.h>
 
 /// Something under or before an overlay: every pixel another one, opacities too.
-inline OverlayPicture<OverlayBytes> someBytes(glm::ivec2 size) {
+/// Drivers blend what is `opaque` as the kernels do; else those know of straight alpha.
+inline OverlayPicture<OverlayBytes> someBytes(glm::ivec2 size, bool opaque = false) {
   OverlayPicture<OverlayBytes> picture{size, {}};
   std::minstd_rand random(7);
   for (int i = 0; i < size.x * size.y; ++i) {
     OverlayBytes bytes{};
     for (auto& byte : bytes) byte = static_cast<std::uint8_t>(random() >> 8U);
+    if (opaque) bytes[3] = 255;
     picture.pixels.push_back(bytes);
   }
   return picture;

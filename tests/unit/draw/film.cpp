@@ -12,6 +12,7 @@
 #define precise
 #define EXACT_PICTURE
 namespace simreel::shader {
+#include "glsl/draw/overlay/pixel.glsl"
 #include "glsl/draw/screen/cover.glsl"
 }  // namespace simreel::shader
 #undef EXACT_PICTURE
@@ -97,4 +98,24 @@ TEST_CASE("transparent: the light of what hides a part of a pixel is its own") {
   CHECK(shader::coverOf(0, glm::vec3(9)) == 1.0F);
   CHECK(shader::coverOf(1, glm::vec3(0)) == 1.0F);
   CHECK(shader::lightOfCover(glm::vec3(0), 0) == glm::vec3(0));
+}
+
+TEST_CASE("transparent: what is laid over a picture looks the same over anything behind it") {
+  for (const double alpha : {0., 1., 100., 254., 255.})
+    for (const float opacity : {0.0F, 0.3F, 0.85F, 1.0F}) {
+      const glm::vec3 color(0.9F, 0.2F, 0.5F);
+      const glm::dvec3 before(200, 30, 90);
+      const glm::vec4 made =
+          shader::laidOver(glm::vec4(glm::vec3(before), alpha), glm::vec4(color * opacity, opacity));
+      const double cover = static_cast<double>(made.w) / 255;
+      CHECK(cover == doctest::Approx(opacity + (1 - opacity) * alpha / 255).epsilon(0.003).scale(0.3));
+      for (const double behind : {0., 128., 255.})
+        for (int i = 0; i < 3; ++i) {
+          const double seen = before[i] * alpha / 255 + behind * (1 - alpha / 255);
+          const double wanted =
+              255 * static_cast<double>(color[i] * opacity) + seen * (1 - static_cast<double>(opacity));
+          const double got = static_cast<double>(made[i]) * cover + behind * (1 - cover);
+          CHECK(std::abs(got - wanted) < 1.3);
+        }
+    }
 }

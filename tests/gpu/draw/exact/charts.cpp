@@ -110,7 +110,7 @@ TEST_CASE("exact charts: with letters, the driver's picture within its rounding"
     for (const int steps : {0, 7, 300}) {
       CountStage stage(steps, 600, 65536, waves);
       if (steps == 300) stage.chart.zero = 0.5F;
-      const auto below = someBytes(size);
+      const auto below = someBytes(size, true);
       const Distance apart = distance(charted(stage.chart, below, draw::Rasterizer::exact),
                                       charted(stage.chart, below, draw::Rasterizer::driver));
       // The software driver blends in 8 bits.

@@ -83,7 +83,7 @@ OverlayPicture<OverlayBytes> over(const std::vector<sim::Field>& fields,
 TEST_CASE(
     "exact fields: every kind has the bits of its twin over a picture, and the driver's within rounding") {
   testContext();
-  const auto below = someBytes(odd);
+  const auto below = someBytes(odd), opaque = someBytes(odd, true);
   for (const auto& stage : allKinds()) {
     const FieldOnPicture there(*stage, odd);
     CAPTURE(there.inputs.cellKind);
@@ -96,7 +96,11 @@ TEST_CASE(
     const auto exact = over({stage->field}, below, draw::Rasterizer::exact);
     CHECK(differing(exact, wanted) == 0);
     CHECK(differing(exact, below) > 0);
-    const Distance apart = distance(exact, over({stage->field}, below, draw::Rasterizer::driver));
+    auto wantedOpaque = opaque;
+    there.twin().over(wantedOpaque, there.part);
+    const auto exactOpaque = over({stage->field}, opaque, draw::Rasterizer::exact);
+    CHECK(differing(exactOpaque, wantedOpaque) == 0);
+    const Distance apart = distance(exactOpaque, over({stage->field}, opaque, draw::Rasterizer::driver));
     CHECK(apart.max <= 1);
     // The software driver blends in 8 bits: half a step here and there. A card rounds one byte in forty to
     // the next.
