@@ -16,7 +16,7 @@ FUNCTION vec4 storedBytes(vec4 bytes) {
 // have no part in the colour.
 FUNCTION vec4 laidOver(vec4 bytes, vec4 pixel) {
   ROUNDED vec4 sum = pixel * 255.0f + bytes * (1.0f - pixel.w) + 0.5f;
-  if (bytes.w > 254.5f) return floor(sum);
+  if (bytes.w > 254.5f || pixel.w >= 1.0f) return floor(sum);
   ROUNDED float hidden = bytes.w * 0.00392156863f * (1.0f - pixel.w);
   ROUNDED float cover = pixel.w + hidden;
   if (cover < 1e-4f) return vec4(0.0f);

@@ -21,6 +21,9 @@ namespace simreel::sim {
 class FluidArrays {
  public:
   FluidArrays(const std::string& name, const FluidPlan& plan, std::span<const glm::vec4> flow);
+  ~FluidArrays() = default;
+  FluidArrays(FluidArrays&&) = delete;
+  FluidArrays& operator=(FluidArrays&&) = delete;
   FluidArrays(const FluidArrays&) = delete;
   FluidArrays& operator=(const FluidArrays&) = delete;
 

@@ -39,7 +39,7 @@ glm::dvec3 looksAt(int x, int y, glm::ivec2 size) {
   return {std::sin(v) * std::sin(u), std::cos(v), -std::sin(v) * std::cos(u)};
 }
 
-sim::LightFile pictureOf(const std::function<glm::dvec3(glm::dvec3)>& light, glm::ivec2 size = {128, 64}) {
+sim::LightFile pictureOf(const std::function<glm::dvec3(glm::dvec3)>& light, glm::ivec2 size = {64, 32}) {
   sim::LightFile file;
   file.size = size;
   for (int y = 0; y < size.y; ++y)
@@ -166,6 +166,6 @@ TEST_CASE("environment: what is no panorama is told") {
   sim::LightFile file = pictureOf([](glm::dvec3) { return glm::dvec3(1); }, {64, 64});
   CHECK(says(file, "has 64x64 pixels; one of all around is twice as wide as high"));
   file = pictureOf([](glm::dvec3) { return glm::dvec3(1); });
-  file.values[4 * (128 * 3 + 7) + 1] = NAN;
+  file.values[4 * (64 * 3 + 7) + 1] = NAN;
   CHECK(says(file, "has the value nan at column 7, row 3, which is no light"));
 }
