@@ -1,4 +1,5 @@
 #pragma once
+#include "sim/fluid/model.hpp"
 #include "sim/fluid/parameters.hpp"
 
 #include <cstddef>

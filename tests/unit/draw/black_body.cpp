@@ -2,6 +2,7 @@
 #include "draw/black_body.hpp"
 
 #include <cmath>
+#include <initializer_list>
 
 #include <doctest/doctest.h>
 #include <glm/geometric.hpp>
