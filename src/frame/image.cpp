@@ -201,14 +201,16 @@ void appendText(File& file, const std::string& keyword, std::string_view value) 
       keyword + std::string(text.fitsLatin1 ? 1 : 5, '\0') + (text.fitsLatin1 ? text.latin1 : text.utf8));
 }
 
-/// The same for an image with an alpha channel that hides all as for one without.
-std::string hashOf(const Image& image) {
+/// Of `bytes`, which are packed; the same for an image with an alpha channel that hides all as for one
+/// without.
+std::string hashOf(const Image& image, Bytes bytes) {
   const bool withAlpha = image.alpha && !isOpaque(image);
+  if (image.alpha && !withAlpha) bytes = packed(image, false);
   return hashHex(fmt::format("{}x{} {}{}", image.width, image.height, withAlpha ? "alpha " : "",
-                             hashHex(std::as_bytes(packed(image, withAlpha)))));
+                             hashHex(std::as_bytes(bytes))));
 }
 
-File encode(const Image& image, const ImageText& text) {
+File encode(const Image& image, Bytes bytes, const ImageText& text) {
   SIMREEL_CHECK(image.width <= largestSide && image.height <= largestSide);
   std::string header;
   for (const int side : {image.width, image.height})
@@ -217,7 +219,7 @@ File encode(const Image& image, const ImageText& text) {
   header += {8, static_cast<char>(image.alpha ? 6 : 2), 0, 0, 0};
 
   const std::size_t channels = channelsOf(image);
-  const Bytes rows = filterRows(packed(image, image.alpha), std::size_t(image.width) * channels, channels);
+  const Bytes rows = filterRows(bytes, std::size_t(image.width) * channels, channels);
   thread_local std::vector<unsigned char> compressed;
   compressed.resize(zlibBound(rows.size()));
   const auto size = compressZlib(rows, compressed);
@@ -240,11 +242,12 @@ File encode(const Image& image, const ImageText& text) {
 }  // namespace
 
 std::vector<std::byte> encodePng(const Image& image, const ImageText& text) {
-  return encode(image, text);
+  return encode(image, packed(image, image.alpha), text);
 }
 
 HashedFile encodeHashedPng(const Image& image, const ImageText& text) {
-  return {encode(image, text), hashOf(image)};
+  const Bytes bytes = packed(image, image.alpha);
+  return {encode(image, bytes, text), hashOf(image, bytes)};
 }
 
 void addText(std::vector<std::byte>& png, const ImageText& text) {
@@ -270,7 +273,7 @@ Image decodeImage(std::span<const std::byte> file, const std::string& name) {
 }
 
 std::string pixelHash(const Image& image) {
-  return hashOf(image);
+  return hashOf(image, packed(image, image.alpha));
 }
 
 }  // namespace simreel::frame
