@@ -1,7 +1,7 @@
 """Pictures without a background, and light before the film as OpenEXR, of the command."""
 import json
 
-from common import Case, main, png_rows, unfiltered
+from common import SOURCE, Case, main, png_rows, unfiltered
 
 SCENE = {"version": 1, "render": {"size": [97, 55]},
          "sky": {"zenith": [0.1, 0.2, 0.4]}, "objects": {"ball": {"sphere": {"radius": 0.4}}, "ring": {"mesh": {"shape": "torus", "rotation": [50, 20, 0]}}}}
@@ -36,6 +36,18 @@ class Film(Case):
         self.assertGreater(min(counts.values()), 100)
         # Four samples a pixel: quarters.
         self.assertLessEqual({pixel[3] for pixel in cut}, {0, 64, 128, 191, 255})
+
+    def test_glows_look_the_same_over_black(self):
+        galaxy = (str(SOURCE / "assets/scenes/galaxy.json"), "--frames", "0", "--size", "97x55", "-q")
+        self.good("render", *galaxy, "-o", "plain.png")
+        self.good("render", *galaxy, "-o", "cut.png", "-D", "render.transparent=true")
+        plain, _ = pixels((self.folder / "plain.png").read_bytes())
+        cut, _ = pixels((self.folder / "cut.png").read_bytes())
+        self.assertGreater(len({pixel[3] for pixel in cut}), 50)
+        # But for the sky, which is nearly black, and rounding.
+        apart = [abs(before[i] - after[i] * after[3] / 255) for before, after in zip(plain, cut) for i in range(3)]
+        self.assertLessEqual(max(apart), 6)
+        self.assertLess(sum(apart) / len(apart), 1.5)
 
     def test_where_there_is_no_alpha(self):
         self.write("scene.json", SCENE)

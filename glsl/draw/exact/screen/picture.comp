@@ -50,8 +50,10 @@ void finish(ivec2 at) {
 #ifdef LINEAR
   imageStore(picture, at, vec4(light, drawn.a));
 #else
-  float cover = coverOf(drawn.a, throughLens(added, aside));
-  precise vec3 color = encoded(filmed(lightOfCover(throughLens(light, aside), cover))) + dither(at);
+  vec3 shown = encoded(filmed(throughLens(added, aside)));
+  float cover = coverOf(drawn.a, shown);
+  vec3 own = drawn.a > 0.0f ? encoded(filmed(lightOfCover(throughLens(light, aside), cover))) : lightOfCover(shown, cover);
+  precise vec3 color = own + dither(at);
   color = cover < 1e-4f ? vec3(0.0f) : color;
   imageStore(picture, at, vec4(asByte(color.r), asByte(color.g), asByte(color.b), asByte(cover)));
 #endif
