@@ -4,6 +4,13 @@
 
 namespace simreel::frame {
 
+/// From now on the renderer hears of the frame before each that the world advances to, as motion blur asks
+/// for.
+inline void followMotion(const scene::Scene& scene, draw::Renderer& renderer, sim::World& world) {
+  if (scene.camera.hasShutter)
+    world.onFrameBefore([&renderer](const sim::Drawables& before) { renderer.keepBefore(before); });
+}
+
 /// Draws the world as it is. What turns out to have lacked memory gets it, and everything is drawn again,
 /// so that no frame leaves without it; where all had enough, which is nearly always, the device is never
 /// idle: it draws while the CPU hears so.

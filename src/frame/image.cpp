@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <initializer_list>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -191,6 +192,20 @@ void appendChunk(File& file, std::string_view kind, std::string_view body) {
                                         file.size() - checked));
 }
 
+/// What the numbers mean: sRGB, rendering intent perceptual, and for readers that do not know that, the
+/// gamma and primaries nearest to it (PNG specification 11.3.3.5).
+void appendColorSpace(File& file) {
+  const auto words = [](std::initializer_list<std::uint32_t> values) {
+    std::string bytes;
+    for (const std::uint32_t value : values)
+      for (const int shift : {24, 16, 8, 0}) bytes += static_cast<char>((value >> shift) & 0xff);
+    return bytes;
+  };
+  appendChunk(file, "sRGB", std::string_view("\0", 1));
+  appendChunk(file, "gAMA", words({45455}));
+  appendChunk(file, "cHRM", words({31270, 32900, 64000, 33000, 30000, 60000, 15000, 6000}));
+}
+
 /// tEXt holds Latin-1 only; anything else goes into an uncompressed iTXt (PNG specification 11.3.4).
 void appendText(File& file, const std::string& keyword, std::string_view value) {
   SIMREEL_CHECK(!keyword.empty() && keyword.size() <= 79);
@@ -228,6 +243,7 @@ File encode(const Image& image, Bytes bytes, const ImageText& text) {
          image.height);
 
   File texts;
+  appendColorSpace(texts);
   for (const auto& [keyword, value] : text) appendText(texts, keyword, value);
   File file;
   file.reserve(signatureAndHeader + texts.size() + *size + 2 * emptyChunk);

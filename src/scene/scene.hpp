@@ -110,6 +110,13 @@ struct Lens {
   void describe(Fields& fields);
 };
 
+/// How long each picture is exposed: what moves meanwhile is blurred.
+struct Shutter {
+  float angle = 180.0F;  ///< degrees: 360 is from one frame to the next
+  int samples = 16;      ///< moments that each picture is drawn at
+  void describe(Fields& fields);
+};
+
 /// A camera that goes round its target.
 struct Orbit {
   Animated<float> turn = 0.0F;        ///< degrees about the vertical, from +z towards +x
@@ -132,6 +139,8 @@ struct Camera {
   bool hasAngle = false;  ///< whether the scene gives its field of view
   bool hasLens = false;   ///< else all is sharp
   Lens lens;
+  bool hasShutter = false;  ///< else each picture is of one moment
+  Shutter shutter;
   float near = 0.05F;
   float far = 200.0F;
   void describe(Fields& fields);

@@ -159,6 +159,14 @@ void Lens::describe(Fields& fields) {
         fmt::format("an opening of {} blades is none; give 0 for a round one, or 3 to 16", blades));
 }
 
+void Shutter::describe(Fields& fields) {
+  fields.number("angle", angle, {1, 360}, "degrees",
+                "How long it is open: 360 is from the frame before to this one, 180 the second half of that.");
+  fields.integer("samples", samples, {2, 256}, "",
+                 "Moments meanwhile: so many times each picture is drawn, or as often as the lens asks for. "
+                 "Too few show as copies beside each other where things are fast.");
+}
+
 void Orbit::describe(Fields& fields) {
   fields.number("turn", turn, {-1e6, 1e6}, "degrees",
                 "Where it stands around the target: 0 on the side of +z, 90 on that of +x.");
@@ -191,6 +199,12 @@ void Camera::describe(Fields& fields) {
                        "Depth of field: what is nearer or farther than the focus is blurred. The driver's "
                        "rasterizer has none.",
                        [&](Fields& f) { lens.describe(f); });
+  fields.switchable("shutter");
+  fields.optionalGroup("shutter", hasShutter,
+                       "Motion blur: the picture is the mean over the time before its frame. Surfaces, "
+                       "particles, lights and the camera move; fields, charts and caves are those of the "
+                       "frame. The driver's rasterizer has none.",
+                       [&](Fields& f) { shutter.describe(f); });
   hasAngle = fields.given("fieldOfView");
   placed = follows || fields.given("position") || fields.given("target") || (orbits && orbit.distanced);
   for (const char* name : {"position", "target"})

@@ -65,6 +65,10 @@ DriverScene::DriverScene(const Shared& shared, int samples)
     warn(
         "camera.lens: the driver's rasterizer draws all of the picture sharp; depth of field is of "
         "\"rasterizer\": \"exact\" alone");
+  if (scene.camera.hasShutter)
+    warn(
+        "camera.shutter: the driver's rasterizer draws one moment; motion blur is of \"rasterizer\": "
+        "\"exact\" alone");
   if (scene.render.quality != scene::Quality::draft)
     warn(
         "render.quality: the driver's rasterizer draws drafts alone; ambient occlusion is of "

@@ -2,12 +2,14 @@
 
 #include "base/error.hpp"
 #include "draw/environment.hpp"
+#include "draw/exact/motion/motion.hpp"
 #include "draw/exact/scene/exact_scene.hpp"
 #include "draw/frame_values.hpp"
 #include "draw/overlay/axes_pass.hpp"
 #include "draw/overlay/chart_pass.hpp"
 #include "draw/overlay/field_pass.hpp"
 #include "draw/overlay/field_textures.hpp"
+#include "draw/overlay/writing_pass.hpp"
 #include "draw/screen/driver_scene.hpp"
 #include "draw/screen/targets.hpp"
 
@@ -26,8 +28,11 @@ struct Renderer::State {
         fields(pixels, rasterizer),
         axes(pixels, rasterizer),
         charts(pixels, rasterizer),
+        writings(pixels),
         frame("frame values", sizeof(shader::Frame)) {
     if (!shown.sky.picture.empty()) environment.emplace(shown.sky);
+    if (rasterizer == Rasterizer::exact && shown.camera.hasShutter)
+      motion.emplace(shown.numerics == scene::Numerics::fast);
     if (rasterizer == Rasterizer::exact)
       exact.emplace(shown, environment ? &*environment : nullptr, pixels, samples, options.visibilityBytes);
     else
@@ -41,12 +46,45 @@ struct Renderer::State {
   FieldPass fields;
   AxesPass axes;
   ChartPass charts;
+  WritingPass writings;
   gl::Buffer frame;
   std::optional<Environment> environment;
   std::optional<DriverScene> driver;
   std::optional<ExactScene> exact;
+  std::optional<Motion> motion;
   PassPicture* passes = nullptr;
+
+  void tellFrame(double seconds, const sim::Drawables& drawables);
+  void drawExactly(const ExactScene::Moment& shown, const StageWatch& watch);
 };
+
+void Renderer::State::tellFrame(double seconds, const sim::Drawables& drawables) {
+  shader::Frame values = frameValues(scene, size, seconds, drawables);
+  if (environment) environment->setGradient(values, values.ambient);
+  frame.write(0, std::as_bytes(std::span(&values, 1)));
+  frame.bindUniform(frameBinding, 0, sizeof values);
+}
+
+/// Moments in the middles of equal parts of the time that the shutter is open; the first one is the latest.
+void Renderer::State::drawExactly(const ExactScene::Moment& shown, const StageWatch& watch) {
+  ExactScene::Exposure exposure{1, [&](int) { return shown; }};
+  if (motion) {
+    const scene::Shutter& shutter = scene.camera.shutter;
+    const double frameSeconds = 1.0 / scene.time.fps;
+    motion->begin(*shown.drawables, frameSeconds);
+    exposure.moments = shutter.samples;
+    exposure.at = [=, this](int i) -> ExactScene::Moment {
+      const double open = static_cast<double>(shutter.angle) / 360;
+      const double ago = open * (i + 0.5) / shutter.samples;
+      const ExactScene::Moment moment{shown.seconds - ago * frameSeconds,
+                                      &motion->between(static_cast<float>(1 - ago))};
+      tellFrame(moment.seconds, *moment.drawables);
+      return moment;
+    };
+    exposure.close = [=, this] { tellFrame(shown.seconds, *shown.drawables); };
+  }
+  exact->draw(exposure, shown, {fieldTextures, fields}, picture.color, watch);
+}
 
 Renderer::Renderer(const scene::Scene& scene, glm::ivec2 size, int samples, const RendererOptions& options)
     : state_(std::make_unique<State>(scene, size, samples, options,
@@ -58,10 +96,7 @@ Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 void Renderer::draw(double seconds, const sim::Drawables& drawables, const StageWatch& watch) {
   State& s = *state_;
   if (s.passes != nullptr) *s.passes = {};
-  shader::Frame values = frameValues(s.scene, s.size, seconds, drawables);
-  if (s.environment) s.environment->setGradient(values, values.ambient);
-  s.frame.write(0, std::as_bytes(std::span(&values, 1)));
-  s.frame.bindUniform(frameBinding, 0, sizeof values);
+  s.tellFrame(seconds, drawables);
   // Whatever the simulations wrote, vertex pulling and index fetch see it.
   glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_ELEMENT_ARRAY_BARRIER_BIT);
   s.fieldTextures.update(drawables);
@@ -69,7 +104,7 @@ void Renderer::draw(double seconds, const sim::Drawables& drawables, const Stage
   if (watch && !drawables.fields.empty()) watch("fields");
   if (!s.fields.hidesAll(drawables, seconds)) {
     if (s.exact)
-      s.exact->draw(seconds, drawables, {s.fieldTextures, s.fields}, s.picture.color, watch);
+      s.drawExactly({seconds, &drawables}, watch);
     else
       s.driver->draw(seconds, drawables, watch);
   }
@@ -77,6 +112,7 @@ void Renderer::draw(double seconds, const sim::Drawables& drawables, const Stage
     s.fields.drawOver(drawables, seconds, s.picture.color);
     s.axes.draw(drawables, seconds, s.picture.color);
     s.charts.draw(drawables, s.picture.color);
+    s.writings.draw(drawables, s.picture.color);
     glMemoryBarrier(GL_FRAMEBUFFER_BARRIER_BIT | GL_PIXEL_BUFFER_BARRIER_BIT |
                     GL_TEXTURE_FETCH_BARRIER_BIT);
     if (s.passes != nullptr) s.passes->keepBytes("picture", "finished", s.picture.color);
@@ -85,8 +121,13 @@ void Renderer::draw(double seconds, const sim::Drawables& drawables, const Stage
     s.fields.draw(drawables, sim::FieldDisplay::Layer::over, seconds);
     s.axes.draw(drawables, seconds);
     s.charts.draw(drawables);
+    s.writings.draw(drawables, s.picture.color);
   }
   if (watch && !(drawables.fields.empty() && drawables.charts.empty())) watch("fields");
+}
+
+void Renderer::keepBefore(const sim::Drawables& before) {
+  if (state_->motion) state_->motion->keep(before);
 }
 
 void Renderer::keepPasses(PassPicture* passes) {

@@ -10,8 +10,12 @@
 
 namespace simreel::frame {
 
-CheckpointKeeper::CheckpointKeeper(Checkpoints how, const FrameSink& sink, int lastFrame)
-    : how_(std::move(how)), sink_(sink), lastFrame_(lastFrame), stored_(lastFrame) {}
+CheckpointKeeper::CheckpointKeeper(Checkpoints how, const FrameSink& sink, int lastFrame, bool needsBefore)
+    : how_(std::move(how)),
+      sink_(sink),
+      lastFrame_(lastFrame),
+      needsBefore_(needsBefore),
+      stored_(lastFrame) {}
 
 void CheckpointKeeper::resume(const std::vector<int>& frames, const std::function<bool(int)>& isMissing,
                               sim::World& world, CountTable& counts) {
@@ -25,7 +29,7 @@ void CheckpointKeeper::resume(const std::vector<int>& frames, const std::functio
     });
     if (checkpoint) {
       auto missing = std::find_if(frames.begin(), frames.end(), isMissing);
-      if (missing != frames.end() && *missing < checkpoint->frame())
+      if (missing != frames.end() && !mayDraw(*missing, *checkpoint))
         info("frame {} is missing, the checkpoint is of frame {}: simulating from the start", *missing,
              checkpoint->frame());
       else if (!how_.keep.empty() && how_.keep.begin()->first < checkpoint->frame())
@@ -36,14 +40,20 @@ void CheckpointKeeper::resume(const std::vector<int>& frames, const std::functio
     }
   }
   if (how_.from.empty()) return;
-  if (const auto checkpoint = given()) begin(*checkpoint, world, counts);
+  if (const auto checkpoint = given(frames)) begin(*checkpoint, world, counts);
 }
 
-std::optional<Checkpoint> CheckpointKeeper::given() const {
+std::optional<Checkpoint> CheckpointKeeper::given(const std::vector<int>& frames) const {
   try {
     Checkpoint checkpoint = Checkpoint::load(how_.from);
     if (const auto difference = checkpoint.mismatch(how_.run))
       fail(ExitCode::usage, "cannot begin at checkpoint {}: {}", how_.from.string(), *difference);
+    if (needsBefore_ && !frames.empty() && !mayDraw(frames.front(), checkpoint)) {
+      info("motion blur of frame {} needs the frame before it, and the checkpoint is of frame {}: simulating "
+           "from the start",
+           frames.front(), checkpoint.frame());
+      return std::nullopt;
+    }
     return checkpoint;
   } catch (const UserError& error) {
     if (!how_.mayDoWithout) throw;

@@ -32,8 +32,8 @@ struct Checkpoints {
 /// Writes the checkpoint of one run, goes on from one, and removes it.
 class CheckpointKeeper {
  public:
-  /// `lastFrame` of the scene.
-  CheckpointKeeper(Checkpoints how, const FrameSink& sink, int lastFrame);
+  /// `lastFrame` of the scene. `needsBefore`: a picture needs the frame before its own, too.
+  CheckpointKeeper(Checkpoints how, const FrameSink& sink, int lastFrame, bool needsBefore);
 
   /// Goes on from a checkpoint before which nothing that is wanted is missing, where that is asked for;
   /// else begins at the one that was given, if any.
@@ -64,12 +64,16 @@ class CheckpointKeeper {
   static constexpr int beforeAll = std::numeric_limits<int>::min();
 
   [[nodiscard]] std::optional<Checkpoint> found(int last);
-  [[nodiscard]] std::optional<Checkpoint> given() const;
+  [[nodiscard]] std::optional<Checkpoint> given(const std::vector<int>& frames) const;
+  [[nodiscard]] bool mayDraw(int frame, const Checkpoint& checkpoint) const {
+    return frame >= checkpoint.frame() + (needsBefore_ ? 1 : 0);
+  }
   void begin(const Checkpoint& checkpoint, sim::World& world, CountTable& counts);
 
   Checkpoints how_;
   const FrameSink& sink_;
   int lastFrame_;
+  bool needsBefore_;
   int stored_;  ///< frame of the checkpoint on disk: the scene's last one where that is not known
   int resumedFrame_ = beforeAll;
   std::string resumedHash_;

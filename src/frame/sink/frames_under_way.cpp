@@ -20,6 +20,10 @@ FramesUnderWay::FramesUnderWay(const scene::Scene& scene, FrameSink& sink, const
       renderer_(scene, scene.render.size, scene.render.samples),
       readback_(scene.render.size) {}
 
+void FramesUnderWay::follow(const scene::Scene& scene, sim::World& world) {
+  followMotion(scene, renderer_, world);
+}
+
 void FramesUnderWay::keepLayers(std::span<const draw::Layer> wanted) {
   renderer_.keepLayers(wanted);
   keepsLayers_ = true;

@@ -32,6 +32,8 @@ class FramesUnderWay {
   FramesUnderWay(const scene::Scene& scene, FrameSink& sink, const FieldFiles* fields, Progress& progress,
                  StageTimers& timers, std::function<void()> awaitSummary);
 
+  /// From now on draws know of the frame before theirs, where the scene's pictures have motion blur.
+  void follow(const scene::Scene& scene, sim::World& world);
   /// From now on pictures have layers, and light before lens and film.
   void keepLayers(std::span<const draw::Layer> wanted);
   /// Who hears of each picture before the sink gets it.

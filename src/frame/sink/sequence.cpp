@@ -29,13 +29,14 @@ class Run {
         progress_(progress),
         fields_(beside.fields),
         writesCounts_(beside.counts),
-        keeper_(beside.checkpoints, sink, scene.frameCount() - 1),
+        keeper_(beside.checkpoints, sink, scene.frameCount() - 1, scene.camera.hasShutter),
         world_(scene, false, [this](long done, long total) { prestepped(done, total); }),
         counts_(scene.time.fps, world_.countNames()),
         counting_(!world_.countNames().empty()),
         summaries_(world_, [this](const auto& summary) { hear(summary); }),
         frames_(scene, sink, beside.fields, progress, timers_, [this] { summaries_.takeOldest(); }),
         watch_(beside.watch) {
+    frames_.follow(scene, world_);
     if (beside.layers) frames_.keepLayers(*beside.layers);
     if (watch_ != nullptr)
       frames_.onPicture([this](int frame, const Image& image) { watch_->drawn(frame, image); });

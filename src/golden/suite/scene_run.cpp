@@ -25,7 +25,9 @@ class Runner {
         readback_(scene.render.size),
         size_(scene.render.size),
         alpha_(scene.render.transparent),
-        checker_(scene, world_, frames) {}
+        checker_(scene, world_, frames) {
+    frame::followMotion(scene, renderer_, world_);
+  }
 
   SceneRun run(std::span<const int> frames) {
     std::vector<int> stops(frames.begin(), frames.end());

@@ -21,11 +21,17 @@ namespace {
 /// Draws a world as it is, and keeps the passes.
 class PassDrawer {
  public:
-  explicit PassDrawer(const scene::Scene& scene) : renderer_(made(scene)) {
+  PassDrawer(const scene::Scene& scene, sim::World& world) : world_(world), renderer_(made(scene)) {
     renderer_.keepPasses(&passes_);
+    frame::followMotion(scene, renderer_, world_);
   }
-  [[nodiscard]] const draw::PassPicture& draw(sim::World& world) {
-    frame::drawWorld(renderer_, world);
+  ~PassDrawer() { world_.onFrameBefore({}); }
+  PassDrawer(const PassDrawer&) = delete;
+  PassDrawer& operator=(const PassDrawer&) = delete;
+  PassDrawer(PassDrawer&&) = delete;
+  PassDrawer& operator=(PassDrawer&&) = delete;
+  [[nodiscard]] const draw::PassPicture& draw() {
+    frame::drawWorld(renderer_, world_);
     return passes_;
   }
 
@@ -36,6 +42,7 @@ class PassDrawer {
     return {scene, scene.render.size, scene.render.samples};
   }
 
+  sim::World& world_;
   draw::Renderer renderer_;
   draw::PassPicture passes_;
 };
@@ -44,12 +51,12 @@ class PassDrawer {
 
 void drawPasses(const scene::Scene& scene, sim::World& world, std::span<const int> frames,
                 const std::function<void(const PassDump& drawn)>& take) {
-  PassDrawer drawer(scene);
+  PassDrawer drawer(scene, world);
   for (const int frame : frames) {
     frame::throwIfInterrupted();
     world.advanceTo(frame);
     frame::checkState(world);
-    take({frame, drawer.draw(world)});
+    take({frame, drawer.draw()});
   }
 }
 
@@ -58,7 +65,7 @@ void traceFrames(sim::World& world, int first, int last, const TakeLine& take,
   const auto arrays = describeWorld(world).arrays;
   bool wanted = true;
   std::optional<PassDrawer> drawer;
-  if (pictures != nullptr) drawer.emplace(*pictures);
+  if (pictures != nullptr) drawer.emplace(*pictures, world);
   std::map<int, PassHashes> passes;  // of frames whose lines are not out yet
   frame::Summaries summaries(world, [&](const sim::World::Summary& summary) {
     if (!wanted) return;
@@ -74,7 +81,7 @@ void traceFrames(sim::World& world, int first, int last, const TakeLine& take,
   });
   for (int frame = first; wanted && frame <= last; ++frame) {
     world.advanceTo(frame);
-    if (drawer && frame >= 0) passes[frame] = hashesOf(drawer->draw(world));
+    if (drawer && frame >= 0) passes[frame] = hashesOf(drawer->draw());
     summaries.start();
   }
   if (wanted) summaries.takeAll();

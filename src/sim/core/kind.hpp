@@ -42,6 +42,12 @@ struct ObjectParameters : scene::Parameters {
     std::vector<std::string> path;
   };
   [[nodiscard]] virtual std::vector<Tie> ties() const { return {}; }
+  /// Quantities of other objects that it tells of, and where its parameters name them.
+  struct Named {
+    std::string object, quantity;
+    std::vector<std::string> path;
+  };
+  [[nodiscard]] virtual std::vector<Named> namesQuantities() const { return {}; }
   /// Whether it is a solid that others may collide with, and the name of that which it collides with
   /// itself; empty: none.
   [[nodiscard]] virtual bool hasWalls() const { return false; }

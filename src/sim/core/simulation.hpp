@@ -56,6 +56,9 @@ struct Setting {
   /// The bone of a body, from its own space to the world; needs no context. Throws UserError(usage) for a
   /// body or a bone that is not there, and what its file's reader throws.
   std::function<Carrier(const std::string& body, const std::string& bone)> boneNamed = {};
+  /// A quantity of an object as it is now; waits for the GPU. Only for names that the scene's check has
+  /// found (ObjectParameters::namesQuantities).
+  std::function<double(const std::string& object, const std::string& quantity)> quantityNamed = {};
   HeldBySkin heldBySkin = {};  ///< needs no context
   double startTime = 0;  ///< s of scene time of the first state: minus what is simulated before frame 0
   /// Hears how many of its steps before the first frame an object has done; may throw to end them. Empty:

@@ -13,6 +13,7 @@
 #include "sim/shape/shape.hpp"
 #include "sim/spread/epidemic.hpp"
 #include "sim/spread/wildfire.hpp"
+#include "sim/text/text.hpp"
 #include "sim/water/water.hpp"
 #include "sim/world/relations.hpp"
 
@@ -25,7 +26,7 @@ std::span<const SimulationKind> simulations() {
   static const std::vector<SimulationKind> list = {
       clothKind(),    particlesKind(), lifeKind(),   grayScottKind(), epidemicKind(),
       wildfireKind(), fluidKind(),     waterKind(),  caveKind(),      contourKind(),
-      meshKind(),     bodyKind(),      sphereKind(), capsuleKind(),   planeKind(),
+      meshKind(),     bodyKind(),      sphereKind(), capsuleKind(),   planeKind(), textKind(),
   };
   return list;
 }

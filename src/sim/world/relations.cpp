@@ -152,6 +152,41 @@ void checkTies(const scene::Object& object, std::span<const scene::Object> objec
   }
 }
 
+/// Quantities that an object tells of.
+void checkQuantities(const scene::Object& object, std::span<const scene::Object> objects,
+                     const scene::Report& report) {
+  const auto* parameters = parametersAt(object);
+  if (parameters == nullptr) return;
+  for (const ObjectParameters::Named& wanted : parameters->namesQuantities()) {
+    std::vector<std::string> path = {object.kind};
+    path.insert(path.end(), wanted.path.begin(), wanted.path.end());
+    std::vector<std::string> names;
+    const scene::Object* named = nullptr;
+    for (const scene::Object& candidate : objects) {
+      if (candidate.name == wanted.object) named = &candidate;
+      if (candidate.parameters != nullptr && candidate.parameters->measures())
+        names.push_back(candidate.name);
+    }
+    if (named == nullptr) {
+      report(object, path,
+             fmt::format("no object is named {}; {}", scene::inQuotes(wanted.object),
+                         names.empty() ? "none of this scene measures anything"
+                                       : scene::suggestion(wanted.object, names)));
+      continue;
+    }
+    if (named->parameters == nullptr) continue;  // a mistake of its own
+    std::vector<std::string> known;
+    if (named->parameters->measures())
+      for (const scene::Quantity& quantity : named->parameters->quantities())
+        known.emplace_back(quantity.name);
+    if (std::find(known.begin(), known.end(), wanted.quantity) != known.end()) continue;
+    report(object, path,
+           fmt::format("object \"{}\" does not measure {}; {}", wanted.object,
+                       scene::inQuotes(wanted.quantity),
+                       known.empty() ? "it measures nothing" : scene::suggestion(wanted.quantity, known)));
+  }
+}
+
 /// One surface of heights.
 void checkHeights(std::span<const scene::Object> objects, const scene::Report& report) {
   const scene::Object* surface = nullptr;
@@ -210,6 +245,7 @@ void checkRelations(std::span<const scene::Object> objects, const scene::Report&
     checkWind(object, objects, report);
     checkCloth(object, objects, report);
     checkTies(object, objects, report);
+    checkQuantities(object, objects, report);
   }
   checkHeights(objects, report);
   checkFaces(objects, report);

@@ -31,7 +31,10 @@ struct World::State {
   std::unique_ptr<ContactGroup> contact;
   std::vector<std::size_t> order;  ///< in which objects are made and stepped
   std::vector<std::string> names;
+  std::vector<std::vector<std::string>> quantities;  ///< that each object measures
   std::unique_ptr<SummaryQueue> summaries;
+  std::function<void(const Drawables& before)> hearBefore;
+  bool passed = false;  ///< whether nobody may look at the present frame
 
   State(const scene::Scene& scene, bool timing, const std::function<void(long, long)>& presteps)
       : fps(scene.time.fps),
@@ -48,7 +51,15 @@ struct World::State {
     for (const std::string& remark : relationRemarks(scene)) warn("{}", remark);
     setting.startTime = startOf(scene);
     setting.presteps = presteps;
-    for (const scene::Object& object : scene.objects) names.push_back(object.name);
+    for (const scene::Object& object : scene.objects) {
+      names.push_back(object.name);
+      quantities.emplace_back();
+      for (const scene::Quantity& quantity : object.parameters->quantities())
+        quantities.back().emplace_back(quantity.name);
+    }
+    setting.quantityNamed = [this](const std::string& name, const std::string& quantity) {
+      return quantityNamed(name, quantity);
+    };
     setting.fieldNamed = [this](const std::string& name) { return fieldNamed(name); };
     setting.wallsNamed = [this](const std::string& name) -> const Walls& { return wallsNamed(name); };
     setting.windNamed = [this](const std::string& name) -> const FluidWind& { return windNamed(name); };
@@ -113,6 +124,17 @@ struct World::State {
     fail(ExitCode::usage, "no object has a field named \"{}\"", name);
   }
 
+  [[nodiscard]] double quantityNamed(const std::string& name, const std::string& quantity) const {
+    for (std::size_t i = 0; i < objects.size(); ++i) {
+      if (!objects[i] || name != names[i]) continue;
+      const auto& known = quantities[i];
+      const auto found = std::find(known.begin(), known.end(), quantity);
+      if (found != known.end())
+        return objects[i]->measure().at(static_cast<std::size_t>(found - known.begin()));
+    }
+    fail(ExitCode::usage, "no object \"{}\" measures \"{}\"", name, quantity);
+  }
+
   [[nodiscard]] const Walls& wallsNamed(const std::string& name) const {
     for (std::size_t i = 0; i < objects.size(); ++i)
       if (objects[i] && name == names[i])
@@ -145,6 +167,8 @@ World& World::operator=(World&&) noexcept = default;
 void World::advanceTo(int frame, const Watch& watch, const Stepped& stepped) {
   SIMREEL_CHECK(frame + state_->preroll >= state_->done);
   for (; state_->done < frame + state_->preroll; ++state_->done) {
+    if (state_->hearBefore && state_->done + 1 == frame + state_->preroll) tellBefore();
+    state_->passed = false;
     const double time = (state_->done - state_->preroll) / state_->fps;
     for (const std::size_t i : state_->order) {
       if (state_->isTouching(i)) continue;
@@ -161,7 +185,18 @@ void World::advanceTo(int frame, const Watch& watch, const Stepped& stepped) {
   }
 }
 
+void World::onFrameBefore(std::function<void(const Drawables& before)> hear) {
+  state_->hearBefore = std::move(hear);
+}
+
+void World::tellBefore() {
+  if (state_->passed) show();
+  do state_->hearBefore(drawables());
+  while (settle());
+}
+
 void World::passTo(int frame) {
+  if (state_->done < frame + state_->preroll) state_->passed = true;
   for (; state_->done < frame + state_->preroll; ++state_->done) {
     for (const std::size_t i : state_->order)
       if (!state_->isTouching(i)) state_->objects[i]->pass(time());
@@ -170,6 +205,7 @@ void World::passTo(int frame) {
 }
 
 void World::show() {
+  state_->passed = false;
   for (const std::size_t i : state_->order) state_->objects[i]->resumed(time());
 }
 
@@ -221,6 +257,8 @@ Drawables World::drawables() const {
     for (std::size_t k = surfaces; k < all.surfaces.size(); ++k) all.surfaces[k].object = &state_->names[i];
     for (std::size_t k = instances; k < all.instances.size(); ++k)
       all.instances[k].object = &state_->names[i];
+    for (sim::Writing& writing : all.writings)
+      if (writing.object == nullptr) writing.object = &state_->names[i];
   }
   return all;
 }

@@ -39,6 +39,8 @@ class World {
   using Stepped = std::function<void(std::size_t object)>;
   /// Simulates up to `frame` (0: the pre-roll only). Never goes back.
   void advanceTo(int frame, const Watch& watch = {}, const Stepped& stepped = {});
+  /// Hears what is to be drawn of the frame before each that advanceTo() goes to, where that takes a step.
+  void onFrameBefore(std::function<void(const Drawables& before)> hear);
   /// The same, but nobody may look at the state there: neither draw, nor read, nor believe its hash, until
   /// advanceTo() goes further or show() is called.
   void passTo(int frame);
@@ -81,6 +83,8 @@ class World {
 
  private:
   struct State;
+  void tellBefore();
+
   std::unique_ptr<State> state_;
 };
 

@@ -94,17 +94,30 @@ TEST_CASE("png: text chunks stand after the header, Latin-1 or international") {
                                               {"Broken", std::string("a\xff\x80z\0!", 6)},
                                               {"Empty", ""}});
   const auto chunks = chunksOf(file);
-  REQUIRE(chunks.size() == 8);
+  REQUIRE(chunks.size() == 11);
   CHECK(chunks[0].type == "IHDR");
-  CHECK(chunks[1].type == "tEXt");
-  CHECK(chunks[1].data == std::string("Software\0simreel", 16));
-  CHECK(chunks[2].data == std::string("simreel:scene\0caf\xe9", 18));
-  CHECK(chunks[3].type == "iTXt");
-  CHECK(chunks[3].data == std::string("Title\0\0\0\0\0\xe9\x9b\xaa and \xc3\xa9", 20));
-  CHECK(chunks[4].data == std::string("Broken\0a??z?!", 13));
-  CHECK(chunks[5].data == std::string("Empty\0", 6));
-  CHECK(chunks[6].type == "IDAT");
+  CHECK(chunks[4].type == "tEXt");
+  CHECK(chunks[4].data == std::string("Software\0simreel", 16));
+  CHECK(chunks[5].data == std::string("simreel:scene\0caf\xe9", 18));
+  CHECK(chunks[6].type == "iTXt");
+  CHECK(chunks[6].data == std::string("Title\0\0\0\0\0\xe9\x9b\xaa and \xc3\xa9", 20));
+  CHECK(chunks[7].data == std::string("Broken\0a??z?!", 13));
+  CHECK(chunks[8].data == std::string("Empty\0", 6));
+  CHECK(chunks[9].type == "IDAT");
   CHECK(decodeImage(file, "test").width == 8);
+}
+
+TEST_CASE("png: says that its numbers are sRGB, with the gamma and primaries of the specification") {
+  const auto chunks = chunksOf(encodePng(picture(8, 8), {}));
+  REQUIRE(chunks.size() == 6);
+  CHECK(chunks[1].type == "sRGB");
+  CHECK(chunks[1].data == std::string(1, '\0'));
+  // PNG specification, table of 11.3.3.5.
+  CHECK(chunks[2].type == "gAMA");
+  CHECK(chunks[2].data == std::string("\x00\x00\xb1\x8f", 4));
+  CHECK(chunks[3].type == "cHRM");
+  CHECK(chunks[3].data.substr(0, 8) == std::string("\x00\x00\x7a\x26\x00\x00\x80\x84", 8));
+  CHECK(chunks[3].data.size() == 32);
 }
 
 TEST_CASE("png: a broken file is a user error that names it") {
@@ -167,7 +180,7 @@ TEST_CASE("png: the first bytes are stored, for a compressor without history has
   REQUIRE(data != chunks.end());
   CHECK(data->data.starts_with(std::string("\x78\x01\x00\x20\x00\xdf\xff", 7)));
   CHECK(chunksOf(encodePng(picture(1, 1), {}))
-            .at(1)
+            .at(4)
             .data.starts_with(std::string("\x78\x01\x01\x04\x00\xfb\xff\x01", 8)));
 }
 

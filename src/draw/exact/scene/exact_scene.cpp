@@ -92,7 +92,9 @@ struct ExactScene::State {
   void findOpenness(const shader::ExactView& values, const Watch& watch);
   void drawBand(const sim::Drawables& drawables, const shader::ExactView& values, const Watch& watch);
   void drawThrough(const sim::Drawables& drawables, shader::ExactView values, const Watch& watch);
-  void addThrough(std::size_t point, std::size_t points);
+  void addThrough(int number, int pictures);
+  View prepare(const Moment& moment, sim::Drawables& drawables, const Watch& watch);
+  bool expose(const Exposure& exposure, const Watch& watch);
   void gather();
   void shadeAll();
   void keepVisibility(glm::ivec2 rows) const;
@@ -131,7 +133,8 @@ struct ExactScene::State {
   gl::Program linear;                      ///< of those alone
   gl::Texture light;
   gl::Texture sums;   ///< light of each pixel, and in alpha how much of it is covered
-  gl::Texture total;  ///< of points of the lens so far, if there are several
+  gl::Texture total;  ///< of moments and points of the lens so far, if there are several
+  shader::ExactView middle;  ///< of the first moment, where there are several of them
 };
 
 ExactScene::State::State(const scene::Scene& shown, const Environment* around, glm::ivec2 pixels, int count,
@@ -156,7 +159,7 @@ ExactScene::State::State(const scene::Scene& shown, const Environment* around, g
       picture(gl::Program::compute("draw/exact/screen/picture.comp", pictureDefines())),
       sums(gl::Texture::image("light", GL_RGBA32F, pixels.x, pixels.y)) {
   if (occludes()) occlusion = Occlusion(pixels, visibility, ground);
-  if (shown.camera.hasLens) {
+  if (shown.camera.hasLens || shown.camera.hasShutter) {
     lensSum = gl::Program::compute("draw/exact/screen/lens_sum.comp", {});
     total = gl::Texture::image("light through the lens", GL_RGBA32F, pixels.x, pixels.y);
   }
@@ -354,61 +357,90 @@ void ExactScene::State::drawThrough(const sim::Drawables& drawables, shader::Exa
   glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
 }
 
-void ExactScene::State::addThrough(std::size_t point, std::size_t points) {
+void ExactScene::State::addThrough(int number, int pictures) {
   sums.bindImage(sumImage, GL_READ_WRITE);
   total.bindImage(lightImage, GL_READ_WRITE);
-  lensSum.set("first", point == 0 ? 1 : 0);
-  lensSum.set("share", point + 1 == points ? 1.0F / static_cast<float>(points) : 0.0F);
+  lensSum.set("first", number == 0 ? 1 : 0);
+  lensSum.set("share", number + 1 == pictures ? 1.0F / static_cast<float>(pictures) : 0.0F);
   lensSum.dispatch(size.x, size.y);
   glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT |
                   GL_TEXTURE_UPDATE_BARRIER_BIT);
 }
 
-void ExactScene::draw(double seconds, const sim::Drawables& published, const Overlays& overlays,
+/// Shadow maps, the view and what it is seen through, of a moment. `drawables`: what is there, and room for
+/// it with the lamps' own light.
+View ExactScene::State::prepare(const Moment& moment, sim::Drawables& drawables, const Watch& watch) {
+  if (lamps.on()) lamps.update(moment.seconds, *moment.drawables);
+  drawables = lamps.on() ? lamps.withGlows(*moment.drawables) : *moment.drawables;
+  const View seen = viewAt(scene.camera, moment.seconds, size, drawables);
+  const shader::ExactView values = exactView(seen, scene.camera, size);
+  view.write(0, std::as_bytes(std::span(&values, 1)));
+  occlusionRadius = occlusionRadiusOf(scene, seen);
+  joins = joined.join(drawables.surfaces);
+  sim::Drawables casting = drawables;
+  if (joins) casting.surfaces = {joined.surface()};
+  if (lampMaps.on()) {
+    lampMaps.draw(casting, lamps, instances);
+    if (watch) watch("shadow");
+  }
+  view.bindUniform(viewBinding, 0, sizeof values);
+  if (shadow.on()) {
+    drawShadows(casting);
+    if (watch) watch("shadow");
+  }
+  return seen;
+}
+
+/// The mean of all moments, and of all points of the lens, into `sums`. Whether it has light that is only added.
+bool ExactScene::State::expose(const Exposure& exposure, const Watch& watch) {
+  // Passes and layers are kept of the first one, and of the mean.
+  PassPicture* const kept = passes;
+  if (wantedLayers) layerKeeper.emplace(layers, *wantedLayers, size, samples);
+  const int moments = exposure.moments;
+  const int points = scene.camera.hasLens ? scene.camera.lens.samples : 1;
+  const int pictures = std::max(moments, points);
+  bool shines = false;
+  int drawn = 0;
+  sim::Drawables drawables;
+  for (int m = 0; m < moments; ++m) {
+    const Moment moment = exposure.at(m);
+    const View seen = prepare(moment, drawables, watch);
+    const std::vector<LensPoint> opening = lensPoints(scene.camera, seen, moment.seconds);
+    // Each moment through points that lie evenly over all of the lens; each point and each moment once at
+    // least.
+    for (int i = m; i < pictures; i += moments, ++drawn) {
+      const LensPoint& point = opening[static_cast<std::size_t>(i % points)];
+      drawThrough(drawables, exactView(seen, scene.camera, size, point), watch);
+      passes = nullptr;
+      layerKeeper.reset();
+      if (pictures > 1) addThrough(drawn, pictures);
+    }
+    shines = shines || ExactInstances::anyAdd(drawables);
+    if (pictures > 1 && m == 0) middle = exactView(seen, scene.camera, size);
+  }
+  passes = kept;
+  if (exposure.close) exposure.close();
+  if (pictures > 1) {
+    view.write(0, std::as_bytes(std::span(&middle, 1)));  // the sky is seen through the middle
+    if (passes) passes->keepLight("light", "lens", sums, {0, size.y});
+    if (watch) watch("lens");
+  }
+  return shines;
+}
+
+void ExactScene::draw(const Exposure& exposure, const Moment& frame, const Overlays& overlays,
                       const gl::Texture& picture, const Watch& watch) {
   State& s = *state_;
+  const double seconds = frame.seconds;
+  const sim::Drawables& drawables = *frame.drawables;
   if (s.environment != nullptr) s.environment->bind();
   s.skins.update(overlays.textures);
   s.surfaces.prepare(s.skins);
-  if (s.lamps.on()) s.lamps.update(seconds, published);
-  const sim::Drawables drawables = s.lamps.on() ? s.lamps.withGlows(published) : published;
   const auto issued = [&](const char* stage) {
     if (watch) watch(stage);
   };
-  const View seen = viewAt(s.scene.camera, seconds, s.size, drawables);
-  const shader::ExactView values = exactView(seen, s.scene.camera, s.size);
-  s.view.write(0, std::as_bytes(std::span(&values, 1)));
-  s.occlusionRadius = occlusionRadiusOf(s.scene, seen);
-  s.joins = s.joined.join(drawables.surfaces);
-  sim::Drawables casting = drawables;
-  if (s.joins) casting.surfaces = {s.joined.surface()};
-  if (s.lampMaps.on()) {
-    s.lampMaps.draw(casting, s.lamps, s.instances);
-    issued("shadow");
-  }
-  s.view.bindUniform(viewBinding, 0, sizeof values);
-  if (s.shadow.on()) {
-    s.drawShadows(casting);
-    issued("shadow");
-  }
-  const std::vector<LensPoint> points = lensPoints(s.scene.camera, seen, seconds);
-  // Passes are kept of the first one, and of the mean.
-  PassPicture* const kept = s.passes;
-  if (s.wantedLayers) s.layerKeeper.emplace(s.layers, *s.wantedLayers, s.size, s.samples);
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    s.drawThrough(drawables, exactView(seen, s.scene.camera, s.size, points[i]), watch);
-    s.passes = nullptr;
-    s.layerKeeper.reset();
-    if (s.scene.camera.hasLens) s.addThrough(i, points.size());
-  }
-  s.passes = kept;
-  if (s.scene.camera.hasLens) {
-    s.view.write(0, std::as_bytes(std::span(&values, 1)));  // the sky is seen through the middle
-    if (s.passes) s.passes->keepLight("light", "lens", s.sums, {0, s.size.y});
-    issued("lens");
-  }
-  if (s.passes && ExactInstances::anyAdd(drawables))
-    s.passes->keepLight("glow", "glows", s.sums, {0, s.size.y});
+  const bool shines = s.expose(exposure, watch);
+  if (s.passes && shines) s.passes->keepLight("glow", "glows", s.sums, {0, s.size.y});
   overlays.fields.drawBehind(drawables, seconds, s.sums, true);
   if (s.passes && anyBehind(drawables)) s.passes->keepLight("glow", "fields", s.sums, {0, s.size.y});
   if (s.bloom.on()) {

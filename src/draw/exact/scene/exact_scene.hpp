@@ -37,13 +37,27 @@ class ExactScene {
     FieldPass& fields;
   };
   using Watch = std::function<void(const char* stage)>;
-  /// Into an RGBA8 picture, row 0 at the top. The frame's uniform block is bound.
-  void draw(double seconds, const sim::Drawables& drawables, const Overlays& overlays,
+  /// What is to be seen at a time.
+  struct Moment {
+    double seconds = 0;  ///< of scene time
+    const sim::Drawables* drawables = nullptr;
+  };
+  /// Moments of which a picture is the mean.
+  struct Exposure {
+    int moments = 1;
+    /// Number i, which lives until the next is asked for; the frame's uniform block is that moment's then.
+    std::function<Moment(int i)> at;
+    std::function<void()> close = {};  ///< after the last: the uniform block is to be the frame's again
+  };
+  /// Into an RGBA8 picture, row 0 at the top. `frame`: what fields, bloom and film are of. The frame's
+  /// uniform block is bound.
+  void draw(const Exposure& exposure, const Moment& frame, const Overlays& overlays,
             const gl::Texture& picture, const Watch& watch);
   /// From now on a picture's passes are kept there, in place of those before; null: nowhere.
   void keepPasses(PassPicture* passes);
   /// From now on what a picture is before lens and film is kept as it is drawn, with these layers; the CPU
-  /// waits for it. Where a camera has a lens layers are those of its first point.
+  /// waits for it. Where a camera has a lens or a shutter layers are those
+  /// of the first point at the first moment.
   void keepLayers(std::span<const Layer> wanted);
   /// That of the last picture.
   [[nodiscard]] PictureLayers takeLayers();

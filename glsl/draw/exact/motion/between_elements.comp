@@ -1,0 +1,29 @@
+// Instances between two frames. One that was not there before, or is another now (it is younger, or farther away than
+// twice what both velocities lead to), comes along its velocity.
+#include "draw/bindings.glsl"
+#include "draw/exact/bindings.glsl"
+#include "draw/exact/motion/between.glsl"
+layout(local_size_x = 64) in;
+layout(binding = positionUnit) uniform samplerBuffer placesBefore;
+layout(binding = velocityUnit) uniform samplerBuffer velocitiesBefore;
+layout(binding = vertexUnit) uniform samplerBuffer placesNow;
+layout(binding = ownerUnit) uniform samplerBuffer velocitiesNow;
+layout(std430, binding = outVertexBinding) writeonly restrict buffer PlaceBlock { vec4 places[]; };
+layout(std430, binding = outNormalBinding) writeonly restrict buffer VelocityBlock { vec4 motions[]; };
+uniform int elementCount;
+uniform float seconds;  // between the frames
+
+void main() {
+  int i = int(gl_WorkGroupID.y * gl_NumWorkGroups.x * 64u + gl_GlobalInvocationID.x);
+  if (i >= elementCount) return;
+  vec4 before = texelFetch(placesBefore, i), now = texelFetch(placesNow, i);
+  vec4 velocityBefore = texelFetch(velocitiesBefore, i), velocity = texelFetch(velocitiesNow, i);
+  precise vec3 way = now.xyz - before.xyz;
+  precise float swiftest = 2.0f * (exactDot(velocity.xyz, velocity.xyz) + exactDot(velocityBefore.xyz, velocityBefore.xyz));
+  precise float farthest = 4.0f * swiftest * seconds * seconds;  // (2 (|v| + |v before|) t)^2 at most
+  bool same = velocityBefore.w >= 0.0f && velocity.w >= velocityBefore.w && exactDot(way, way) <= farthest;
+  precise float rest = (1.0f - part) * seconds;
+  precise vec3 along = now.xyz - rest * velocity.xyz;
+  places[i] = vec4(same ? between(before.xyz, now.xyz) : along, now.w);
+  motions[i] = velocity;
+}

@@ -1,0 +1,19 @@
+// Vertices of a surface in world space, with their normals: what is between two frames is made of. Variants: GRID,
+// DEFORMED, PALETTE.
+#include "draw/exact/bindings.glsl"
+#include "draw/exact/triangles/world_vertex.glsl"
+layout(local_size_x = 64) in;
+layout(std430, binding = outVertexBinding) writeonly restrict buffer PlaceBlock { vec4 places[]; };
+layout(std430, binding = outNormalBinding) writeonly restrict buffer NormalBlock { vec4 directions[]; };
+uniform int vertexCount;
+
+void main() {
+  int i = int(gl_WorkGroupID.y * gl_NumWorkGroups.x * 64u + gl_GlobalInvocationID.x);
+  if (i >= vertexCount) return;
+  float color = 0.0f;
+#ifdef PALETTE
+  color = float(vertexColor(i));
+#endif
+  places[i] = vec4(worldPlace(i), color);
+  directions[i] = vec4(worldNormal(i), 0.0f);
+}

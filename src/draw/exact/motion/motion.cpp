@@ -1,0 +1,162 @@
+#include "draw/exact/motion/motion.hpp"
+
+#include "base/error.hpp"
+#include "draw/draw_state.hpp"
+#include "draw/exact/bindings.hpp"
+#include "draw/exact/reserve.hpp"
+#include "draw/exact/triangle_raster.hpp"
+#include "draw/exact/visibility.hpp"
+#include "gl/element_array.hpp"
+
+#include <utility>
+
+#include <glm/vec4.hpp>
+
+namespace simreel::draw {
+
+void Motion::Elements::makeRoom(int count) {
+  const std::size_t bytes = static_cast<std::size_t>(count) * sizeof(glm::vec4);
+  reserve(first, firstView, "places between frames", bytes, GL_RGBA32F, sizeof(glm::vec4));
+  reserve(second, secondView, "directions between frames", bytes, GL_RGBA32F, sizeof(glm::vec4));
+}
+
+void Motion::Elements::bindOutput() const {
+  first.bindStorage(outVertexBinding);
+  second.bindStorage(outNormalBinding);
+}
+
+const gl::Program& Motion::program(const std::string& name, const gl::Defines& defines) {
+  std::string key = name;
+  for (const auto& define : defines) key += " " + define.first;
+  const auto found = programs_.find(key);
+  if (found != programs_.end()) return found->second;
+  gl::Defines all = defines;
+  if (fast_) all.emplace_back("FAST_NUMERICS", "1");
+  return programs_.emplace(key, gl::Program::compute("draw/exact/motion/" + name, all)).first->second;
+}
+
+void Motion::toWorld(const sim::Surface& surface, const Elements& into) {
+  gl::Defines defines;
+  if (surface.normals == nullptr) defines.emplace_back("GRID", "1");
+  if (surface.deform != nullptr) defines.emplace_back("DEFORMED", "1");
+  if (surface.palette != nullptr) defines.emplace_back("PALETTE", "1");
+  const gl::Program& kernel = program("world_vertices.comp", defines);
+  bindPositions(surface, kernel);
+  if (surface.normals != nullptr) surface.normals->bind(normalUnit);
+  bindDeformation(surface);
+  into.bindOutput();
+  kernel.set("model", surface.model);
+  kernel.set("grid", surface.grid);
+  kernel.set("vertexCount", verticesOf(surface));
+  dispatchRows(kernel, verticesOf(surface));
+}
+
+void Motion::keep(const sim::Drawables& before) {
+  glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
+  surfaces_.resize(before.surfaces.size());
+  for (std::size_t i = 0; i < surfaces_.size(); ++i) {
+    const sim::Surface& surface = before.surfaces[i];
+    Moving& moving = surfaces_[i];
+    moving.object = objectName(surface);
+    moving.count = surface.arguments != nullptr ? 0 : verticesOf(surface);
+    moving.indices = surface.indexCount;
+    moving.still = surface.still;
+    moving.model = surface.model;
+    if (moving.count == 0) continue;
+    moving.before.makeRoom(moving.count);
+    toWorld(surface, moving.before);
+  }
+  instances_.resize(before.instances.size());
+  for (std::size_t i = 0; i < instances_.size(); ++i) {
+    const sim::Instances& instances = before.instances[i];
+    Moving& moving = instances_[i];
+    moving.object = objectName(instances);
+    moving.count = instances.capacity;
+    if (moving.count == 0) continue;
+    moving.before.makeRoom(moving.count);
+    const gl::Program& kernel = program("keep_elements.comp");
+    instances.positions->bind(positionUnit);
+    instances.velocities->bind(velocityUnit);
+    moving.before.bindOutput();
+    kernel.set("elementCount", moving.count);
+    dispatchRows(kernel, moving.count);
+  }
+  gl::barrier();
+}
+
+void Motion::begin(const sim::Drawables& now, double seconds) {
+  drawables_ = &now;
+  seconds_ = seconds;
+  surfaces_.resize(now.surfaces.size());
+  instances_.resize(now.instances.size());
+  for (std::size_t i = 0; i < surfaces_.size(); ++i) {
+    const sim::Surface& surface = now.surfaces[i];
+    Moving& moving = surfaces_[i];
+    const bool same = moving.count > 0 && moving.object == objectName(surface) &&
+                      surface.arguments == nullptr && moving.count == verticesOf(surface) &&
+                      moving.indices == surface.indexCount;
+    const bool stays =
+        surface.still != 0 && surface.still == moving.still && surface.model == moving.model;
+    moving.moves = same && !stays;
+    if (!moving.moves) continue;
+    moving.now.makeRoom(moving.count);
+    moving.shown.makeRoom(moving.count);
+    toWorld(surface, moving.now);
+  }
+  for (std::size_t i = 0; i < instances_.size(); ++i) {
+    const sim::Instances& instances = now.instances[i];
+    Moving& moving = instances_[i];
+    moving.moves =
+        moving.count > 0 && moving.object == objectName(instances) && moving.count == instances.capacity;
+    if (moving.moves) moving.shown.makeRoom(moving.count);
+  }
+  gl::barrier();
+}
+
+void Motion::place(sim::Surface& surface, Moving& moving, float part) {
+  const gl::Program& kernel = program("between_vertices.comp");
+  moving.before.firstView.bind(positionUnit);
+  moving.before.secondView.bind(normalUnit);
+  moving.now.firstView.bind(vertexUnit);
+  moving.now.secondView.bind(ownerUnit);
+  moving.shown.bindOutput();
+  kernel.set("part", part);
+  kernel.set("vertexCount", moving.count);
+  dispatchRows(kernel, moving.count);
+  surface.positions = &moving.shown.firstView;
+  if (surface.normals != nullptr) surface.normals = &moving.shown.secondView;
+  surface.heights = nullptr;
+  surface.deform = nullptr;
+  surface.trail = nullptr;
+  surface.model = glm::mat4(1.0F);
+  surface.still = 0;
+}
+
+void Motion::place(sim::Instances& instances, Moving& moving, float part) {
+  const gl::Program& kernel = program("between_elements.comp");
+  moving.before.firstView.bind(positionUnit);
+  moving.before.secondView.bind(velocityUnit);
+  instances.positions->bind(vertexUnit);
+  instances.velocities->bind(ownerUnit);
+  moving.shown.bindOutput();
+  kernel.set("part", part);
+  kernel.set("seconds", static_cast<float>(seconds_));
+  kernel.set("elementCount", moving.count);
+  dispatchRows(kernel, moving.count);
+  instances.positions = &moving.shown.firstView;
+  instances.velocities = &moving.shown.secondView;
+}
+
+const sim::Drawables& Motion::between(float part) {
+  SIMREEL_CHECK(drawables_ != nullptr);
+  shown_ = *drawables_;
+  gl::barrier();  // the moment before may still be drawn
+  for (std::size_t i = 0; i < surfaces_.size(); ++i)
+    if (surfaces_[i].moves) place(shown_.surfaces[i], surfaces_[i], part);
+  for (std::size_t i = 0; i < instances_.size(); ++i)
+    if (instances_[i].moves) place(shown_.instances[i], instances_[i], part);
+  gl::barrier();
+  return shown_;
+}
+
+}  // namespace simreel::draw

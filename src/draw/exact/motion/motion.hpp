@@ -1,0 +1,65 @@
+#pragma once
+#include "gl/buffer.hpp"
+#include "gl/program.hpp"
+#include "gl/texture.hpp"
+#include "sim/core/drawable.hpp"
+
+#include <cstddef>
+#include <map>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <glm/mat4x4.hpp>
+
+namespace simreel::draw {
+
+/// Moments between two frames: vertices and instances go straight from where they were to where they are,
+/// as of two motion steps of a path tracer. Surfaces whose triangles the GPU makes anew (those with
+/// `arguments`), fields and charts stay as they are.
+class Motion {
+ public:
+  /// `fast`: built-in arithmetic.
+  explicit Motion(bool fast) : fast_(fast) {}
+
+  /// What was drawn, or would have been, of the frame before.
+  void keep(const sim::Drawables& before);
+  /// What is drawn of the frame, `seconds` after that one. Its pointers have to live as long as between()
+  /// is asked.
+  void begin(const sim::Drawables& now, double seconds);
+  /// At a part of the way, 0 at the frame before and 1 at this one; lives until the next call. Things that
+  /// were not there before are as they are.
+  [[nodiscard]] const sim::Drawables& between(float part);
+
+ private:
+  /// Two vec4 an element: places and normals, or places and velocities.
+  struct Elements {
+    gl::Buffer first, second;
+    gl::Texture firstView, secondView;
+    void makeRoom(int count);
+    void bindOutput() const;
+  };
+  struct Moving {
+    std::string object;
+    int count = 0;  ///< of elements; 0: it does not move
+    int indices = 0;
+    unsigned still = 0;
+    glm::mat4 model{1.0F};
+    bool moves = false;  ///< between the two frames, as far as the CPU knows
+    Elements before, now, shown;
+  };
+
+  const gl::Program& program(const std::string& name, const gl::Defines& defines = {});
+  void toWorld(const sim::Surface& surface, const Elements& into);
+  void place(sim::Surface& surface, Moving& moving, float part);
+  void place(sim::Instances& instances, Moving& moving, float part);
+
+  bool fast_;
+  double seconds_ = 0;
+  std::map<std::string, gl::Program> programs_;
+  std::vector<Moving> surfaces_, instances_;
+  const sim::Drawables* drawables_ = nullptr;  ///< of the frame
+  sim::Drawables shown_;
+};
+
+}  // namespace simreel::draw

@@ -1,0 +1,63 @@
+#include "draw/overlay/writing_pass.hpp"
+
+#include "draw/draw_state.hpp"
+#include "draw/overlay/box_kernel.hpp"
+#include "draw/picture_code.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <utility>
+
+#include <glm/common.hpp>
+#include <glm/vec4.hpp>
+
+namespace simreel::draw {
+
+void WritingPass::cover(const sim::Writing& writing, Kept& kept) const {
+  const glm::dvec2 size(picture_);
+  const double unit = static_cast<double>(writing.height) * size.y;
+  const glm::dvec2 place = glm::dvec2(writing.place) * size;
+  std::vector<std::vector<glm::dvec2>> polygons;
+  for (const auto& polygon : *writing.outlines) {
+    auto& put = polygons.emplace_back();
+    for (const glm::vec2& point : polygon)
+      put.push_back(place + unit * glm::dvec2(static_cast<double>(point.x), -static_cast<double>(point.y)));
+  }
+  if (polygons == kept.polygons) return;
+  kept.polygons = std::move(polygons);
+  kept.coverage = coverageOf(kept.polygons, picture_);
+  if (kept.coverage.share.empty()) return;
+  kept.shares = gl::Buffer::of<std::uint8_t>("letters", kept.coverage.share);
+  kept.view = gl::Texture::view("letters", GL_R8UI, kept.shares, 1);
+}
+
+void WritingPass::draw(const sim::Drawables& drawables, const gl::Texture& picture) {
+  if (drawables.writings.empty()) return;
+  if (program_.name() == 0) program_ = gl::Program::compute("draw/overlay/writing.comp");
+  kept_.resize(drawables.writings.size());
+  for (std::size_t i = 0; i < kept_.size(); ++i) {
+    const sim::Writing& writing = drawables.writings[i];
+    Kept& kept = kept_[i];
+    cover(writing, kept);
+    const Coverage& coverage = kept.coverage;
+    if (coverage.share.empty() || !(writing.opacity > 0)) continue;
+    imageBarrier();
+    // The panel reaches half a capital's height beyond the letters.
+    const auto margin = static_cast<int>(0.5F * writing.height * static_cast<float>(picture_.y) + 0.5F);
+    const int around = writing.backdrop > 0 ? margin : 0;
+    const glm::ivec2 from = glm::max(coverage.corner - around, glm::ivec2(0));
+    const glm::ivec2 end = glm::min(coverage.corner + coverage.size + around, picture_);
+    kept.view.bind(boxUnit);
+    picture.bindImage(targetImage, GL_READ_WRITE);
+    program_.set("panel", glm::ivec4(from, end));
+    program_.set("box", glm::ivec4(coverage.corner, coverage.corner + coverage.size));
+    program_.set("color", shader::encoded(glm::clamp(writing.color, 0.0F, 1.0F)));
+    program_.set("opacity", writing.opacity);
+    program_.set("backdrop", writing.backdrop);
+    program_.dispatch(end.x - from.x, end.y - from.y);
+  }
+  imageBarrier();
+}
+
+}  // namespace simreel::draw

@@ -1,0 +1,160 @@
+#include "sim/text/font.hpp"
+
+#include "base/error.hpp"
+#include "base/file.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include <ft2build.h>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include FT_FREETYPE_H
+#include FT_OUTLINE_H
+
+namespace simreel::sim {
+
+namespace {
+
+constexpr double tolerance = 1e-3;  // heights of H
+constexpr int mostPieces = 64;
+
+/// Collects the polygons of an outline.
+struct Pen {
+  double perUnit;
+  Outlines outlines;
+
+  [[nodiscard]] glm::dvec2 place(const FT_Vector* at) const {
+    return perUnit * glm::dvec2(static_cast<double>(at->x), static_cast<double>(at->y));
+  }
+  /// Of a curve that leaves its chords by `bend` / (8 n^2) at most, when it is cut into n.
+  static int pieces(double bend) {
+    return std::clamp(static_cast<int>(std::ceil(std::sqrt(bend / (8 * tolerance)))), 1, mostPieces);
+  }
+  static int move(const FT_Vector* to, void* user) {
+    auto& pen = *static_cast<Pen*>(user);
+    pen.outlines.push_back({pen.place(to)});
+    return 0;
+  }
+  static int line(const FT_Vector* to, void* user) {
+    auto& pen = *static_cast<Pen*>(user);
+    pen.outlines.back().push_back(pen.place(to));
+    return 0;
+  }
+  // Deviation from the chord of a piece: max |B''| / (8 n^2); B'' of a conic is 2 (a - 2 b + c).
+  static int conic(const FT_Vector* control, const FT_Vector* to, void* user) {
+    auto& pen = *static_cast<Pen*>(user);
+    const glm::dvec2 a = pen.outlines.back().back(), b = pen.place(control), c = pen.place(to);
+    const int count = pieces(2 * glm::length(a - 2.0 * b + c));
+    for (int i = 1; i <= count; ++i) {
+      const double u = static_cast<double>(i) / count, v = 1 - u;
+      pen.outlines.back().push_back(i == count ? c : v * v * a + 2 * u * v * b + u * u * c);
+    }
+    return 0;
+  }
+  static int cubic(const FT_Vector* first, const FT_Vector* second, const FT_Vector* to, void* user) {
+    auto& pen = *static_cast<Pen*>(user);
+    const glm::dvec2 a = pen.outlines.back().back(), b = pen.place(first), c = pen.place(second),
+                     d = pen.place(to);
+    const double bend = std::max(glm::length(a - 2.0 * b + c), glm::length(b - 2.0 * c + d));
+    const int count = pieces(6 * bend);
+    for (int i = 1; i <= count; ++i) {
+      const double u = static_cast<double>(i) / count, v = 1 - u;
+      pen.outlines.back().push_back(
+          i == count ? d : v * v * v * a + 3 * u * v * v * b + 3 * u * u * v * c + u * u * u * d);
+    }
+    return 0;
+  }
+};
+
+/// Without points that lie on the one before, and without what is no polygon then.
+void clean(Outlines& outlines) {
+  for (auto& polygon : outlines) {
+    polygon.erase(std::unique(polygon.begin(), polygon.end()), polygon.end());
+    while (polygon.size() > 1 && polygon.front() == polygon.back()) polygon.pop_back();
+  }
+  std::erase_if(outlines, [](const auto& polygon) { return polygon.size() < 3; });
+}
+
+}  // namespace
+
+struct Font::Library {
+  Library() {
+    if (FT_Init_FreeType(&library) != 0) fail(ExitCode::device, "FreeType cannot start");
+  }
+  ~Library() {
+    if (face != nullptr) FT_Done_Face(face);
+    FT_Done_FreeType(library);
+  }
+  Library(const Library&) = delete;
+  Library& operator=(const Library&) = delete;
+  Library(Library&&) = delete;
+  Library& operator=(Library&&) = delete;
+
+  std::string bytes;  ///< which FreeType reads from
+  FT_Library library = nullptr;
+  FT_Face face = nullptr;
+};
+
+Font::Font(std::filesystem::path file) : file_(std::move(file)), library_(std::make_unique<Library>()) {
+  constexpr std::size_t mostBytes = std::size_t{64} << 20;
+  Library& l = *library_;
+  l.bytes = readFile(file_, "font", mostBytes);
+  if (FT_New_Memory_Face(l.library, reinterpret_cast<const FT_Byte*>(l.bytes.data()),
+                         static_cast<FT_Long>(l.bytes.size()), 0, &l.face) != 0)
+    fail(ExitCode::usage, "cannot read font {}: it is no TrueType or OpenType file", file_.string());
+  if ((l.face->face_flags & FT_FACE_FLAG_SCALABLE) == 0 || l.face->units_per_EM == 0)
+    fail(ExitCode::usage, "cannot use font {}: it has no outlines", file_.string());
+  perUnit_ = 1.0 / static_cast<double>(l.face->units_per_EM);
+  double height = 0;
+  if (has(U'H'))
+    for (const auto& polygon : glyph(U'H').outlines)
+      for (const glm::dvec2& point : polygon) height = std::max(height, point.y);
+  if (!(height > 0)) height = 0.7;  // of the em, as most fonts have it
+  perUnit_ /= height;
+  glyphs_.clear();
+}
+Font::~Font() = default;
+
+bool Font::has(char32_t character) const {
+  return FT_Get_Char_Index(library_->face, character) != 0;
+}
+
+const Font::Glyph& Font::glyph(char32_t character) {
+  const auto known = glyphs_.find(character);
+  if (known != glyphs_.end()) return known->second;
+  FT_Face face = library_->face;
+  if (FT_Load_Glyph(face, FT_Get_Char_Index(face, character), FT_LOAD_NO_SCALE) != 0)
+    fail(ExitCode::usage, "cannot read font {}: the outline of U+{:04X} is damaged", file_.string(),
+         static_cast<unsigned>(character));
+  Pen pen{perUnit_, {}};
+  FT_Outline_Funcs calls{};
+  calls.move_to = Pen::move;
+  calls.line_to = Pen::line;
+  calls.conic_to = Pen::conic;
+  calls.cubic_to = Pen::cubic;
+  if (face->glyph->format == FT_GLYPH_FORMAT_OUTLINE &&
+      FT_Outline_Decompose(&face->glyph->outline, &calls, &pen) != 0)
+    fail(ExitCode::usage, "cannot read font {}: the outline of U+{:04X} is damaged", file_.string(),
+         static_cast<unsigned>(character));
+  clean(pen.outlines);
+  Glyph glyph{std::move(pen.outlines), perUnit_ * static_cast<double>(face->glyph->metrics.horiAdvance)};
+  return glyphs_.emplace(character, std::move(glyph)).first->second;
+}
+
+double Font::kerning(char32_t first, char32_t second) const {
+  FT_Face face = library_->face;
+  if (!FT_HAS_KERNING(face)) return 0;
+  FT_Vector apart{};
+  if (FT_Get_Kerning(face, FT_Get_Char_Index(face, first), FT_Get_Char_Index(face, second),
+                     FT_KERNING_UNSCALED, &apart) != 0)
+    return 0;
+  return perUnit_ * static_cast<double>(apart.x);
+}
+
+double Font::lineHeight() const {
+  return perUnit_ * static_cast<double>(library_->face->height);
+}
+
+}  // namespace simreel::sim

@@ -1,0 +1,130 @@
+#include "sim/text/parameters.hpp"
+
+#include "base/error.hpp"
+#include "base/file.hpp"
+#include "base/text.hpp"
+#include "sim/core/collider.hpp"
+
+#include <stdexcept>
+
+#include <fmt/format.h>
+#include <glm/vec4.hpp>
+
+namespace simreel::sim {
+
+namespace {
+
+/// Nothing where it has a mistake, which describe() reports.
+std::optional<TextContent> readContent(const std::string& text) {
+  try {
+    return TextContent(text);
+  } catch (const std::invalid_argument&) {
+    return std::nullopt;
+  }
+}
+
+}  // namespace
+
+void ScreenText::describe(scene::Fields& f) {
+  f.number("x", x, {-10, 10}, "", "Where its anchor is: fraction of the picture's width, from the left.");
+  f.number("y", y, {-10, 10}, "", "The same of its height, from the top.");
+  f.number("height", height, {0.001, 10}, "", "Of its capitals, as a fraction of the picture's height.");
+  f.vector("color", color, scene::notNegative, "", "Linear RGB; it is not tone mapped.");
+  f.number("opacity", opacity, scene::fraction, "", "0: not to be seen.");
+  f.number("backdrop", backdrop, scene::fraction, "", "Opacity of a dark panel behind it.");
+}
+
+void TextParameters::describe(scene::Fields& f) {
+  f.text("text", text,
+         "What it says, in UTF-8; \"\\n\" begins a line. {frame}, {time} (s) and {OBJECT.QUANTITY} stand for "
+         "numbers, {time:1} for one with one digit after the point; \"{{\" is a brace.");
+  f.asset("font", font, "A TrueType or OpenType file.");
+  f.leftOut("font", "Open Sans, which ships with simreel");
+  f.choice("weight", weight, {"regular", "bold"}, "Of the font that ships.");
+  if (f.given("font") && f.given("weight"))
+    f.error("weight", "\"weight\" is of the font that ships; a \"font\" of yours has its own");
+  f.choice("align", anchor.across, {"left", "center", "right"},
+           "Which point of each line lies at its place.");
+  f.leftOut("align", "\"center\", or \"left\" on the screen");
+  f.choice("vertical", anchor.down, {"baseline", "top", "middle", "bottom"},
+           "Which height lies at its place: the first baseline, the top of its capitals, the middle, or the "
+           "last baseline.");
+  f.leftOut("vertical", "\"baseline\", or \"top\" on the screen");
+  f.number("spacing", spacing, {0, 100}, "", "Of lines, times the font's own.");
+  f.number("height", height, {1e-4, 1e4}, "m", "Of its capitals.");
+  f.number("depth", depth, {0, 1e4}, "m", "How thick it is; 0: flat, seen from both sides.");
+  f.vector("position", position, scene::anyNumber, "m", "Where its anchor is.");
+  f.vector("rotation", rotation, scene::anyNumber, "degrees", "About x, then y, then z.");
+  f.number("scale", scale, {1e-6, 1e6}, "", "Factor on its size.");
+  f.optionalGroup("screen", onScreen, "Over the picture instead of in the world, sharp, in one colour.",
+                  [&](scene::Fields& inner) { screen.describe(inner); });
+  for (const char* name : {"height", "depth", "position", "rotation", "scale"})
+    if (onScreen && f.given(name))
+      f.error(name, fmt::format("\"{}\" is of text in the world; on the \"screen\" leave it out", name));
+  if (onScreen && !f.given("align")) anchor.across = TextAnchor::Across::left;
+  if (onScreen && !f.given("vertical")) anchor.down = TextAnchor::Down::top;
+  constexpr std::size_t longest = 4096;
+  if (text.size() > longest)
+    f.error("text", fmt::format("{} bytes of text; {} at most", text.size(), longest));
+  if (!isUtf8(text)) f.error("text", "the text is not UTF-8");
+  try {
+    static_cast<void>(TextContent(text));
+  } catch (const std::invalid_argument& mistake) {
+    f.error("text", mistake.what());
+  }
+}
+
+std::vector<ObjectParameters::Named> TextParameters::namesQuantities() const {
+  std::vector<Named> named;
+  const std::optional<TextContent> content = readContent(text);
+  if (!content) return named;
+  for (const TextContent::Part& part : content->parts())
+    if (part.number == TextContent::Part::Number::quantity)
+      named.push_back({part.object, part.quantity, {"text"}});
+  return named;
+}
+
+std::filesystem::path TextParameters::fontFile() const {
+  if (!font.empty()) return font;
+  return assetFolder() / "fonts" /
+         (weight == Weight::bold ? "OpenSans-Bold.ttf" : "OpenSans-Regular.ttf");
+}
+
+glm::mat4 TextParameters::model(double seconds) const {
+  glm::mat4 matrix = rotationMatrix(rotation.at(seconds));
+  for (int i = 0; i < 3; ++i) matrix[i] *= scale.at(seconds);
+  matrix[3] = glm::vec4(position.at(seconds), 1.0F);
+  return matrix;
+}
+
+std::optional<scene::Box> TextParameters::framed() const {
+  if (onScreen) return std::nullopt;
+  Outlines outlines;
+  const std::optional<TextContent> content = readContent(text);
+  if (!content) return std::nullopt;
+  try {
+    Font file(fontFile());
+    outlines = written(file, content->at(0, 0, [](const auto&, const auto&) { return 0.0; }), anchor,
+                       static_cast<double>(spacing));
+  } catch (const UserError&) {
+    return std::nullopt;
+  }
+  std::optional<scene::Box> own, box;
+  for (const auto& polygon : outlines)
+    for (const glm::dvec2& point : polygon) {
+      const glm::vec2 at = height * glm::vec2(point);
+      scene::include(own, glm::vec3(at, -0.5F * depth));
+      scene::include(own, glm::vec3(at, 0.5F * depth));
+    }
+  if (!own) return std::nullopt;
+  for (const auto& key : position.keys())
+    for (int corner = 0; corner < 8; ++corner) {
+      const glm::vec3 at((corner & 1) != 0 ? own->max.x : own->min.x,
+                         (corner & 2) != 0 ? own->max.y : own->min.y,
+                         (corner & 4) != 0 ? own->max.z : own->min.z);
+      scene::include(box, glm::vec3(model(key.time) * glm::vec4(at, 1.0F)));
+    }
+  return box;
+}
+
+}  // namespace simreel::sim

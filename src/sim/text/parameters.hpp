@@ -1,0 +1,53 @@
+#pragma once
+#include "scene/fields.hpp"
+#include "sim/core/kind.hpp"
+#include "sim/text/content.hpp"
+#include "sim/text/layout.hpp"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
+
+namespace simreel::sim {
+
+/// Text that lies over the picture instead of standing in the world.
+struct ScreenText {
+  scene::Animated<float> x = 0.04F;  ///< of the anchor, fraction of the picture's width, from the left
+  scene::Animated<float> y = 0.06F;  ///< fraction of its height, from the top
+  scene::Animated<float> height = 0.03F;  ///< of capitals, fraction of the picture's height
+  scene::Animated<glm::vec3> color = glm::vec3(1);  ///< linear RGB
+  scene::Animated<float> opacity = 1.0F;
+  scene::Animated<float> backdrop = 0.0F;  ///< opacity of the dark panel behind it
+  void describe(scene::Fields& fields);
+};
+
+/// Parameters of the kind text.
+struct TextParameters : ObjectParameters {
+  enum class Weight { regular, bold };
+  std::string text = "simreel";
+  std::filesystem::path font;  ///< empty: the shipped one
+  Weight weight = Weight::bold;
+  TextAnchor anchor;
+  float spacing = 1.0F;  ///< of lines
+  float height = 0.5F;   ///< m, of capitals
+  float depth = 0.1F;    ///< m
+  scene::Animated<glm::vec3> position = glm::vec3(0);  ///< m
+  scene::Animated<glm::vec3> rotation = glm::vec3(0);  ///< degrees
+  scene::Animated<float> scale = 1.0F;
+  bool onScreen = false;
+  ScreenText screen;  ///< instead of height, depth, place and material
+
+  void describe(scene::Fields& fields) override;
+  [[nodiscard]] std::optional<scene::Box> framed() const override;
+  [[nodiscard]] std::vector<Named> namesQuantities() const override;
+
+  [[nodiscard]] std::filesystem::path fontFile() const;
+  /// From the text's own space to the world's.
+  [[nodiscard]] glm::mat4 model(double seconds) const;
+};
+
+}  // namespace simreel::sim

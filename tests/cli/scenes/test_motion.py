@@ -1,0 +1,100 @@
+"""Motion blur and text of the command: what a picture is does not depend on which frames are drawn before it."""
+import json
+
+from common import SOURCE, Case, main, png_rows, unfiltered
+
+FALL = {"version": 1, "render": {"size": [96, 54], "samples": 1}, "time": {"fps": 12, "duration": 1},
+        "camera": {"position": [0, 0.3, 3], "target": [0, 0, 0], "shutter": {"angle": 360, "samples": 4}},
+        "objects": {"sheet": {"cloth": {"size": [7, 9]}},
+                    "drops": {"particles": {"emitters": [{"rate": 40, "life": [0.3, 0.6]}], "look": {"as": "spheres", "size": 0.08}}},
+                    "rod": {"capsule": {"rotation": {"keys": [[0, [0, 0, 0]], [1, [0, 0, 300]]]}, "radius": 0.1, "length": 0.8}}}}
+
+
+def pixels(png):
+    width, _, rows = png_rows(png)
+    data = b"".join(unfiltered(rows, width * 3, 3))
+    return [tuple(data[i:i + 3]) for i in range(0, len(data), 3)]
+
+
+class Motion(Case):
+    def frame(self, folder, number):
+        return (self.folder / folder / f"frame_{number:05}.png").read_bytes()
+
+    def test_a_frame_alone_is_what_it_is_in_a_sequence(self):
+        self.write("scene.json", FALL)
+        self.good("render", "scene.json", "-o", "all/", "-q")
+        for number in (0, 1, 7):
+            self.good("render", "scene.json", "-o", f"one{number}/", "--frames", str(number), "-q")
+            self.assertEqual(pixels(self.frame(f"one{number}", number)), pixels(self.frame("all", number)), number)
+        self.good("render", "scene.json", "-o", "sharp/", "-D", "camera.shutter=false", "-q")
+        self.assertEqual(pixels(self.frame("sharp", 0)), pixels(self.frame("all", 0)))  # nothing is known of before
+        self.assertNotEqual(pixels(self.frame("sharp", 7)), pixels(self.frame("all", 7)))
+        states = [json.loads((self.folder / name / "manifest.json").read_text())["frames"] for name in ("all", "sharp")]
+        self.assertEqual([[frame["state"] for frame in one] for one in states][0], [frame["state"] for frame in states[1]])
+
+    def test_resumed_and_in_pieces_it_is_the_same(self):
+        self.write("scene.json", FALL)
+        self.good("render", "scene.json", "-o", "all/", "-q")
+        for number in (5, 6):  # the frame of a kept state, and the one after it
+            with self.subTest(number):
+                self.good("render", "scene.json", "-o", "part/", "--frames", "0-5", "--checkpoint-at", "5", "-q", "--overwrite")
+                self.frame("part", number) if number == 5 else None
+                (self.folder / "part" / "frame_00005.png").unlink(missing_ok=number == 6)
+                self.good("render", "scene.json", "-o", "part/", "--resume", "-q")
+                for each in range(12):
+                    self.assertEqual(pixels(self.frame("part", each)), pixels(self.frame("all", each)), each)
+
+    def test_the_other_memory_path_draws_it_alike(self):
+        self.write("scene.json", FALL)
+        for path in ("texel", "storage"):
+            self.good("render", "scene.json", "-o", f"{path}/", "--frames", "7", "--memory-path", path, "-q")
+        self.assertEqual(pixels(self.frame("texel", 7)), pixels(self.frame("storage", 7)))
+
+
+class Text(Case):
+    def scene(self, text, **more):
+        return {"version": 1, "render": {"size": [97, 55]}, "objects": {"a": {"text": {"text": text, **more}}}}
+
+    def test_what_is_said_changes_with_the_frame(self):
+        fire = json.loads((SOURCE / "assets/scenes/wildfire.json").read_text())
+        name = next(iter(fire["objects"]))
+        fire["objects"]["words"] = {"text": {"text": "{frame} {time:1}", "screen": {"height": 0.2}}}
+        self.write("scene.json", fire)
+        drawn = {}
+        for frame in (0, 5):
+            self.good("render", "scene.json", "-o", "a.png", "--frames", str(frame), "--size", "161x91", "-q", "--overwrite")
+            with_text = pixels((self.folder / "a.png").read_bytes())
+            self.good("render", "scene.json", "-o", "b.png", "--frames", str(frame), "--size", "161x91", "-q", "--overwrite",
+                      "-D", "objects.words.text.text= ")
+            drawn[frame] = [at for at, (a, b) in enumerate(zip(with_text, pixels((self.folder / "b.png").read_bytes()))) if a != b]
+        self.assertGreater(min(map(len, drawn.values())), 100)
+        self.assertNotEqual(drawn[0], drawn[5])
+        self.assertIn(name, fire["objects"])
+
+    def test_both_rasterizers_write_the_same_letters(self):
+        scene = self.scene("same", screen={"height": 0.3, "color": [1, 0, 0]})
+        self.write("scene.json", scene)
+        found = []
+        for rasterizer in ("exact", "driver"):
+            self.good("render", "scene.json", "-o", f"{rasterizer}.png", "--frames", "0", "--rasterizer", rasterizer, "-q")
+            picture = pixels((self.folder / f"{rasterizer}.png").read_bytes())
+            found.append([at for at, color in enumerate(picture) if color == (255, 0, 0)])
+        self.assertGreater(len(found[0]), 100)
+        self.assertEqual(*found)
+
+    def test_mistakes(self):
+        for text, more, said in (("{fame}", {}, "none of {frame}, {time} and {OBJECT.QUANTITY}"),
+                                 ("{b.energy}", {}, "no object is named \"b\""),
+                                 ("{a.energy}", {}, "object \"a\" does not measure \"energy\"; it measures nothing"),
+                                 ("{time:33}", {}, "how many digits"),
+                                 ("x", {"height": 1, "screen": {}}, "on the \"screen\" leave it out"),
+                                 ("x", {"font": "no.ttf"}, "no.ttf")):
+            with self.subTest(text):
+                self.write("scene.json", self.scene(text, **more))
+                self.bad_scene(said, "render", "scene.json", "-o", "a.png", "--frames", "0")
+        self.write("scene.json", self.scene("\u96ea"))
+        self.bad(2, "text \"a\": the font has no \"\u96ea\" (U+96EA)", "render", "scene.json", "-o", "a.png", "--frames", "0")
+
+
+if __name__ == "__main__":
+    main()

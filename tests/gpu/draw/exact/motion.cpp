@@ -1,0 +1,228 @@
+// Motion blur: what a shutter makes of a sheet before a sky, by how much of each pixel it covers; and what moves between frames.
+#include "draw/exact/motion/motion.hpp"
+
+#include "gpu/draw/draw_stage.hpp"
+#include "gpu/draw/exact/stage.hpp"
+
+#include <bit>
+#include <cmath>
+#include <vector>
+
+#include <doctest/doctest.h>
+
+using namespace simreel;  // NOLINT
+
+namespace {
+
+struct Smear {
+  double area = 0;                  ///< pixels
+  glm::dvec2 middle{0}, spread{0};  ///< mean and variance (pixels)
+};
+
+Smear smearOf(const draw::PassPicture& kept, glm::ivec2 size) {
+  Smear smear;
+  for (const draw::PassArray& array : kept.arrays) {
+    if (array.pass != "light" || array.part != "lens") continue;
+    glm::dvec2 squares(0);
+    for (std::size_t i = 3; i < array.words.size(); i += 4) {
+      const auto share = static_cast<double>(std::bit_cast<float>(array.words[i]));
+      const auto pixel = static_cast<int>(i / 4);
+      const glm::dvec2 at(pixel % size.x, pixel / size.x);
+      smear.area += share;
+      smear.middle += share * at;
+      squares += share * at * at;
+    }
+    smear.middle /= smear.area;
+    smear.spread = squares / smear.area - smear.middle * smear.middle;
+  }
+  return smear;
+}
+
+std::unique_ptr<TriangleStage> sheetAt(glm::vec2 at) {
+  const glm::vec3 to(at, 0);
+  return std::make_unique<TriangleStage>(
+      std::vector<glm::vec3>{to + glm::vec3(-0.2F, -0.15F, -1), to + glm::vec3(0.2F, -0.15F, -1),
+                             to + glm::vec3(-0.2F, 0.15F, -1), to + glm::vec3(0.2F, 0.15F, -1)},
+      std::vector<unsigned>{0, 1, 2, 2, 1, 3}, std::vector<glm::vec3>(4, glm::vec3(0, 0, 1)));
+}
+
+/// What a texel view shows.
+std::vector<glm::vec4> read(const gl::Texture& view, std::size_t count) {
+  GLint buffer = 0;
+  glGetTextureLevelParameteriv(view.name(), 0, GL_TEXTURE_BUFFER_DATA_STORE_BINDING, &buffer);
+  std::vector<glm::vec4> items(count);
+  glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+  glGetNamedBufferSubData(static_cast<GLuint>(buffer), 0,
+                          static_cast<GLsizeiptr>(count * sizeof(glm::vec4)), items.data());
+  return items;
+}
+
+constexpr glm::ivec2 size(191, 143);
+
+scene::Scene sceneOfSheet(float angle, int samples) {
+  scene::Scene scene;
+  scene.sun.shadow = false;
+  scene.camera.position = glm::vec3(0, 0, 3);  // 4 m away
+  scene.camera.target = glm::vec3(0, 0, -1);
+  scene.camera.hasShutter = true;
+  scene.camera.shutter.angle = angle;
+  scene.camera.shutter.samples = samples;
+  return scene;
+}
+
+double pixelsPerMetre(const scene::Scene& scene) {
+  const draw::View view = draw::viewAt(scene.camera, 0, size, {});
+  return 0.5 * size.y / (4 * static_cast<double>(view.reach.y));
+}
+
+}  // namespace
+
+TEST_CASE("exact: a shutter spreads what moves over its way while it is open, and keeps what it covers") {
+  testContext();
+  const auto before = sheetAt({-0.3F, 0.1F}), now = sheetAt({0.5F, -0.2F}), still = sheetAt({0, 0});
+  const glm::dvec2 way(0.8, 0.3);  // to the right and down
+  for (const float angle : {90.0F, 360.0F}) {
+    CAPTURE(angle);
+    constexpr int samples = 13;
+    const scene::Scene scene = sceneOfSheet(angle, samples);
+    const double metre = pixelsPerMetre(scene), open = static_cast<double>(angle) / 360;
+    draw::PassPicture kept;
+    draw::Renderer renderer(scene, size, 4, {.rasterizer = scene::Rasterizer::exact});
+    renderer.keepPasses(&kept);
+    renderer.draw(0, {.surfaces = {still->surface}});
+    const Smear rest = smearOf(kept, size);
+    renderer.keepBefore({.surfaces = {before->surface}});
+    renderer.draw(1, {.surfaces = {now->surface}});
+    const Smear seen = smearOf(kept, size);
+    CHECK(seen.area == doctest::Approx(rest.area).epsilon(0.01));
+    // Moments in the middles of equal parts, up to the frame: evenly about the middle of that time.
+    const glm::dvec2 end(0.5, 0.2);
+    for (int i = 0; i < 2; ++i) {
+      CHECK(seen.middle[i] - rest.middle[i] ==
+            doctest::Approx(metre * (end[i] - 0.5 * open * way[i])).epsilon(0.01));
+      const double spread = metre * open * way[i];
+      CHECK(seen.spread[i] - rest.spread[i] ==
+            doctest::Approx(spread * spread / 12 * (1 - 1.0 / (samples * samples))).epsilon(0.02));
+    }
+  }
+}
+
+TEST_CASE("exact: a shutter sees the camera move, and a frame before which nothing is known stand still") {
+  testContext();
+  const auto sheet = sheetAt({0, 0});
+  scene::Scene scene = sceneOfSheet(360, 9);
+  const double metre = pixelsPerMetre(scene);
+  scene.time.fps = 10;
+  using Keys = scene::Animated<glm::vec3>;
+  scene.camera.position = Keys({{0, glm::vec3(-0.4F, 0, 3)}, {1, glm::vec3(0.4F, 0, 3)}}, scene::Ease::linear);
+  scene.camera.target = Keys({{0, glm::vec3(-0.4F, 0, -1)}, {1, glm::vec3(0.4F, 0, -1)}}, scene::Ease::linear);
+  draw::PassPicture kept;
+  draw::Renderer renderer(scene, size, 4, {.rasterizer = scene::Rasterizer::exact});
+  renderer.keepPasses(&kept);
+  renderer.draw(5, {.surfaces = {sheet->surface}});  // after the keys
+  const Smear rest = smearOf(kept, size);
+  renderer.draw(0.5, {.surfaces = {sheet->surface}});
+  const Smear seen = smearOf(kept, size);
+  CHECK(seen.area == doctest::Approx(rest.area).epsilon(0.01));
+  // 0.08 m to the right in the tenth of a second before: the sheet goes to the left.
+  CHECK(seen.middle.x - rest.middle.x == doctest::Approx(metre * (0.4 + 0.04)).epsilon(0.01));
+  const double spread = metre * 0.08;
+  CHECK(seen.spread.x - rest.spread.x == doctest::Approx(spread * spread / 12 * (1 - 1.0 / 81)).epsilon(0.05));
+  CHECK(std::abs(seen.spread.y - rest.spread.y) < 0.02);
+}
+
+TEST_CASE("exact: with a lens each moment is seen through other points of it, all of them once") {
+  testContext();
+  const auto sheet = sheetAt({0, 0});
+  scene::Scene scene = sceneOfSheet(180, 5);
+  scene.camera.hasLens = true;
+  scene.camera.lens.fNumber = 0.06F;
+  scene.camera.lens.samples = 37;
+  scene.camera.lens.focused = true;
+  scene.camera.lens.focus = 7.0F;
+  draw::PassPicture kept;
+  draw::Renderer renderer(scene, size, 4, {.rasterizer = scene::Rasterizer::exact});
+  renderer.keepPasses(&kept);
+  renderer.draw(0, {.surfaces = {sheet->surface}});
+  const Smear seen = smearOf(kept, size);
+  scene.camera.hasShutter = false;
+  draw::PassPicture lens;
+  draw::Renderer alone(scene, size, 4, {.rasterizer = scene::Rasterizer::exact});
+  alone.keepPasses(&lens);
+  alone.draw(0, {.surfaces = {sheet->surface}});
+  const Smear wanted = smearOf(lens, size);
+  // The same pictures, added in another order.
+  CHECK(seen.area == doctest::Approx(wanted.area).epsilon(1e-5));
+  for (int i = 0; i < 2; ++i) {
+    CHECK(seen.middle[i] == doctest::Approx(wanted.middle[i]).epsilon(1e-5));
+    CHECK(seen.spread[i] == doctest::Approx(wanted.spread[i]).epsilon(1e-4));
+  }
+}
+
+TEST_CASE("motion: instances go straight, and newborn ones along their velocities") {
+  testContext();
+  // Number 1 died and another was born in its place, 2 was not there, 3 dies, 4 jumps farther than it is fast.
+  const std::vector<glm::vec4> placesBefore = {
+      {0, 0, 0, 2}, {1, 0, 0, 2}, {5, 5, 5, 2}, {0, 1, 0, 2}, {0, 0, 1, 2}};
+  const std::vector<glm::vec4> placesNow = {
+      {0.1F, 0.2F, 0, 2}, {1, 0.2F, 0, 2}, {0, 0, 0, 3}, {0, 1, 0.1F, 2}, {9, 0, 1, 2}};
+  const std::vector<glm::vec4> motionBefore = {
+      {1, 2, 0, 0.5F}, {0, 1, 0, 0.9F}, {0, 0, 0, -1}, {0, 0, 1, 0.9F}, {1, 0, 0, 0.1F}};
+  const std::vector<glm::vec4> motionNow = {
+      {1, 2, 0, 0.6F}, {0, 3, 0, 0.01F}, {1, 0, 0, 0}, {0, 0, 1, -1}, {2, 0, 0, 0.2F}};
+  const auto bufferOf = [](const std::vector<glm::vec4>& items) {
+    return gl::Buffer::of<glm::vec4>("elements", items);
+  };
+  const gl::Buffer buffers[] = {bufferOf(placesBefore), bufferOf(motionBefore), bufferOf(placesNow),
+                                bufferOf(motionNow)};
+  std::vector<gl::Texture> views;
+  for (const gl::Buffer& buffer : buffers) views.push_back(gl::Texture::view("elements", GL_RGBA32F, buffer));
+  const scene::Material material;
+  sim::Instances before;
+  before.positions = views.data();
+  before.velocities = &views[1];
+  before.capacity = 5;
+  before.material = &material;
+  sim::Instances now = before;
+  now.positions = &views[2];
+  now.velocities = &views[3];
+  draw::Motion motion(false);
+  motion.keep({.instances = {before}});
+  const sim::Drawables present{.instances = {now}};
+  motion.begin(present, 0.1);
+  const sim::Drawables& seen = motion.between(0.75F);
+  const auto places = read(*seen.instances.front().positions, 5);
+  const auto motions = read(*seen.instances.front().velocities, 5);
+  const glm::vec3 wanted[] = {{0.075F, 0.15F, 0}, {1, 0.125F, 0}, {-0.025F, 0, 0}, {0, 1, 0.075F}, {8.95F, 0, 1}};
+  for (std::size_t i = 0; i < 5; ++i) {
+    CAPTURE(i);
+    CHECK(motions[i].w == motionNow[i].w);
+    CHECK(places[i].w == placesNow[i].w);
+    if (motionNow[i].w >= 0) CHECK(glm::length(glm::vec3(places[i]) - wanted[i]) < 1e-6F);
+  }
+}
+
+TEST_CASE("motion: grids, turned meshes and still ones between two frames") {
+  testContext();
+  const GridStage before({5, 3}, {0, 0, 0}, {1, 0, 0}, {0, -1, 0});
+  const GridStage now({5, 3}, {0, 0, 2}, {1, 0, 0}, {0, -1, 0});
+  const auto mesh = sheetAt({0, 0});
+  sim::Surface turned = mesh->surface, resting = mesh->surface;
+  resting.still = 7;
+  turned.model[3] = glm::vec4(2, 0, 0, 1);
+  draw::Motion motion(false);
+  motion.keep({.surfaces = {before.surface, mesh->surface, resting}});
+  const sim::Drawables present{.surfaces = {now.surface, turned, resting}};
+  motion.begin(present, 0.1);
+  const sim::Drawables& seen = motion.between(0.25F);
+  for (const glm::vec4& place : read(*seen.surfaces[0].positions, 15)) CHECK(place.z == 0.5F);
+  CHECK(seen.surfaces[0].normals == nullptr);  // they come from neighbours
+  CHECK(seen.surfaces[0].grid == glm::ivec2(5, 3));
+  const auto places = read(*seen.surfaces[1].positions, 4);
+  CHECK(places[0].x == doctest::Approx(0.3));
+  CHECK(places[3].x == doctest::Approx(0.7));
+  CHECK(seen.surfaces[1].model == glm::mat4(1.0F));
+  CHECK(read(*seen.surfaces[1].normals, 4)[2].z == 1.0F);
+  CHECK(seen.surfaces[2].positions == resting.positions);
+  CHECK(seen.surfaces[2].still == 7);
+}
