@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -31,6 +32,7 @@ struct World::State {
   std::unique_ptr<ContactGroup> contact;
   std::vector<std::size_t> order;  ///< in which objects are made and stepped
   std::vector<std::string> names;
+  std::optional<std::size_t> tracked;  ///< the object that the camera looks at
   std::unique_ptr<SummaryQueue> summaries;
 
   State(const scene::Scene& scene, bool timing, const std::function<void(long, long)>& presteps)
@@ -66,6 +68,8 @@ struct World::State {
       if (objects[i]->heights() != nullptr) setting.heights = objects[i]->heights();
     }
     keepInStep(scene, setting);
+    for (std::size_t i = 0; i < names.size(); ++i)
+      if (scene.camera.tracks && scene.camera.track.object == names[i]) tracked = i;
     summaries = std::make_unique<SummaryQueue>(objects, names);
   }
 
@@ -222,6 +226,9 @@ Drawables World::drawables() const {
     for (std::size_t k = instances; k < all.instances.size(); ++k)
       all.instances[k].object = &state_->names[i];
   }
+  if (const auto tracked = state_->tracked)
+    if (const auto middle = state_->objects[*tracked]->middle(time()))
+      all.places.push_back({&state_->names[*tracked], *middle});
   return all;
 }
 
