@@ -99,7 +99,7 @@ TEST_CASE("lights: mistakes are told where they are, with a suggestion") {
 
 TEST_CASE("lights: at most sixteen, and eight with shadows") {
   CHECK(parse(several(16, 8)).lights.size() == 16);
-  CHECK(has(mistakes(several(17, 0)), "a scene has at most 16 lights, found 17"));
+  CHECK(has(mistakes(several(257, 0)), "a scene has at most 256 lights, found 257"));
   CHECK(has(mistakes(several(16, 9)),
             "9 lights cast shadows, and at most 8 may; give the others \"shadow\": false"));
   CHECK(has(mistakes(several(9, 9)), "s.json:1:26: error: 9 lights"));
