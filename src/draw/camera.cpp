@@ -15,9 +15,18 @@ namespace {
 
 constexpr float radiansPerDegree = 0.017453293F;
 
+/// What a camera that does not follow a path looks at.
+glm::vec3 targetOf(const scene::Camera& camera, double seconds, const sim::Drawables& drawables) {
+  if (!camera.tracks) return camera.target.at(seconds);
+  for (const sim::Place& place : drawables.places)
+    if (*place.object == camera.track.object) return place.middle + camera.track.offset;
+  fail(ExitCode::usage, "the camera looks at \"{}\", of which nothing is there at {:g} s",
+       camera.track.object, seconds);
+}
+
 Stand standOf(const scene::Camera& camera, double seconds, const sim::Drawables& drawables) {
-  if (camera.orbits) return standAround(camera.target.at(seconds), camera.orbit, seconds);
-  if (!camera.follows) return {camera.position.at(seconds), camera.target.at(seconds)};
+  if (camera.orbits) return standAround(targetOf(camera, seconds, drawables), camera.orbit, seconds);
+  if (!camera.follows) return {camera.position.at(seconds), targetOf(camera, seconds, drawables)};
   if (const sim::Path* path = sim::pathOf(drawables, camera.follow.object))
     return standOn(*path->points, camera.follow, seconds);
   fail(ExitCode::usage,

@@ -1,5 +1,9 @@
 #include "scene/light.hpp"
 
+#include <cstddef>
+
+#include <fmt/format.h>
+
 namespace simreel::scene {
 
 void describeTemperature(Fields& fields, std::optional<double>& temperature) {
@@ -26,14 +30,31 @@ void Spot::describe(Fields& fields) {
                 "Share of the angle over which the light fades towards the edge; 0: a sharp edge.");
 }
 
+void Area::describe(Fields& fields) {
+  fields.vector("target", target, anyNumber, "m", "What the middle of its front faces.");
+  fields.number("width", width, {0.001, 1e4}, "m", "Of its level sides.");
+  fields.number("height", height, {0.001, 1e4}, "m", "Of the others.");
+}
+
 void Light::describe(Fields& fields) {
-  fields.choice("type", type, {"point", "spot"},
-                "point: the same light in all directions. spot: within a cone, as \"spot\" says.");
-  bool given = false;
+  constexpr const char* typeNames[] = {"point", "spot", "area"};
+  fields.choice("type", type, {typeNames[0], typeNames[1], typeNames[2]},
+                "point: the same light in all directions. spot: within a cone, as \"spot\" says. area: from "
+                "the front of a rectangle, as \"area\" says.");
+  bool given = false, isRectangle = false;
   fields.optionalGroup("spot", given, "The cone of a light of type spot.",
                        [&](Fields& inner) { spot.describe(inner); });
+  fields.optionalGroup("area", isRectangle, "The rectangle of a light of type area.",
+                       [&](Fields& inner) { area.describe(inner); });
+  const char* const own = typeNames[static_cast<std::size_t>(type)];
   if (given && type != Type::spot)
-    fields.error("spot", "\"spot\" is for lights of \"type\": \"spot\", and this one is a point");
+    fields.error("spot",
+                 fmt::format("\"spot\" is for lights of \"type\": \"spot\", and this one is of type \"{}\"", own));
+  if (isRectangle && type != Type::area)
+    fields.error("area",
+                 fmt::format("\"area\" is for lights of \"type\": \"area\", and this one is of type \"{}\"", own));
+  if (type == Type::area && fields.given("glow"))
+    fields.error("glow", "a light of type \"area\" is not seen by the camera; leave out \"glow\"");
   fields.vector("position", position, anyNumber, "m", "Where it is.");
   fields.optionalGroup("follow", follows,
                        "By a path that an object has found; it is dark while there is none.",
@@ -44,15 +65,23 @@ void Light::describe(Fields& fields) {
       position.at(0) == spot.target.at(0))
     fields.error(given ? "spot" : "position",
                  "the light stands where its \"spot\" points at, so it shines nowhere; move \"target\"");
+  if (type == Type::area && !follows && !position.moves() && !area.target.moves() &&
+      position.at(0) == area.target.at(0))
+    fields.error(isRectangle ? "area" : "position",
+                 "the light stands where its \"area\" faces, so it faces nowhere; move \"target\"");
   fields.vector("color", color, notNegative, "", "Colour of its light, linear RGB.");
   describeTemperature(fields, temperature);
   fields.choice("unit", unit, {"cd", "lm", "W"},
-                "Of the intensity. cd: luminous intensity, 1 cd gives 1 lx at 1 m. lm: luminous flux, of "
+                "Of the intensity. cd: luminous intensity, in front of a rectangle; 1 cd gives 1 lx at 1 m. lm: luminous flux, of "
                 "all that it sends. W: watts of light (not of electricity), 179 lm each.");
   fields.number("intensity", intensity, notNegative, "",
                 "How bright it is, in its unit, for the colour 1; the sun's intensity is in lx.");
   fields.number("radius", radius, {0.001, 1000}, "m",
-                "Of the ball that shines: widens highlights; what lies within it casts no shadow.");
+                "Of the ball that shines: widens highlights; what lies within it casts no shadow. Of a "
+                "rectangle only the latter.");
+  fields.number("range", range, {0, 1e6}, "m",
+                "Where its light ends, going out evenly by (1 - (d / range)^4)^2; of many lights without "
+                "shadow only those are computed that reach a place. 0: it reaches everywhere.");
   fields.number("glow", glow, notNegative, "",
                 "Factor on the shining ball as the camera sees it; 0 hides it.");
   fields.optionalGroup("flicker", hasFlicker, "Unrest of a flame, by a hash of name, time and seed.",

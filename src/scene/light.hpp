@@ -11,7 +11,7 @@
 
 namespace simreel::scene {
 
-inline constexpr std::size_t maxLights = 16;
+inline constexpr std::size_t maxLights = 256;
 /// Each of them draws what casts shadows six times over.
 inline constexpr std::size_t maxShadowedLights = 8;
 
@@ -36,14 +36,23 @@ struct Spot {
   void describe(Fields& fields);
 };
 
+/// The rectangle of an area light.
+struct Area {
+  Animated<glm::vec3> target = glm::vec3(0, 0, 0);  ///< what it faces
+  Animated<float> width = 1.0F;                     ///< m, level
+  Animated<float> height = 1.0F;                    ///< m
+  void describe(Fields& fields);
+};
+
 /// A light at a place of the scene. Fields that only one type has go into a group of that type's name.
 struct Light {
-  enum class Type { point, spot };
+  enum class Type { point, spot, area };
   /// Of the intensity: luminous intensity, luminous flux, or watts of light.
   enum class Unit { candela, lumen, watt };
   std::string name;
   Type type = Type::point;
   Spot spot;  ///< of that type
+  Area area;  ///< the same
   Animated<glm::vec3> position = glm::vec3(0, 1, 0);
   bool follows = false;
   PathPlace follow;  ///< instead of the position; there is no light while there is no path
@@ -52,6 +61,7 @@ struct Light {
   Unit unit = Unit::candela;
   Animated<float> intensity = 20.0F;  ///< of that unit, for the colour 1
   Animated<float> radius = 0.05F;     ///< m
+  float range = 0.0F;                 ///< m: beyond it there is nothing of it; 0: it reaches everywhere
   Animated<float> glow = 1.0F;        ///< factor on the light itself as the camera sees it
   bool hasFlicker = false;
   Flicker flicker;

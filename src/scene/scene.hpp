@@ -100,6 +100,13 @@ struct Follow : PathPlace {
   void describe(Fields& fields);
 };
 
+/// A camera that looks at an object wherever that is.
+struct Track {
+  std::string object;
+  glm::vec3 offset{0};  ///< m, from its middle to what is looked at
+  void describe(Fields& fields);
+};
+
 /// A camera's lens: what does not lie at the distance that it is focused on is blurred.
 struct Lens {
   Animated<float> fNumber = 2.8F;  ///< focal length / diameter of the opening, for a picture 24 mm high
@@ -133,6 +140,8 @@ struct Camera {
   Animated<float> roll = 0.0F;          ///< degrees
   bool follows = false;
   Follow follow;  ///< instead of position and target
+  bool tracks = false;
+  Track track;  ///< instead of target
   bool orbits = false;
   Orbit orbit;            ///< instead of position
   bool placed = false;    ///< whether the scene says where it stands or what it looks at

@@ -139,6 +139,11 @@ void Follow::describe(Fields& fields) {
   fields.number("ahead", ahead, positive, "m", "How far ahead on the path it looks.");
 }
 
+void Track::describe(Fields& fields) {
+  fields.text("object", object, "Name of the object; its middle is what is looked at.");
+  fields.vector("offset", offset, anyNumber, "m", "From its middle to what is looked at.");
+}
+
 void Lens::describe(Fields& fields) {
   fields.number(
       "fNumber", fNumber, {0.01, 1000}, "",
@@ -188,6 +193,15 @@ void Camera::describe(Fields& fields) {
   fields.number("roll", roll, anyNumber, "degrees", "Turn about the line of sight.");
   fields.optionalGroup("follow", follows, "Goes along a path that an object has found.",
                        [&](Fields& f) { follow.describe(f); });
+  fields.shorthand("track", "object");
+  fields.optionalGroup("track", tracks,
+                       "Looks at an object wherever that is in each frame, instead of at \"target\"; with "
+                       "\"orbit\" it goes along with it.",
+                       [&](Fields& f) { track.describe(f); });
+  if (tracks && follows)
+    fields.error("track", "\"follow\" says what the camera looks at; leave out \"track\"");
+  else if (tracks && fields.given("target"))
+    fields.error("target", "\"track\" says what the camera looks at; leave out \"target\"");
   fields.optionalGroup("orbit", orbits, "Goes round its target, instead of standing at \"position\".",
                        [&](Fields& f) { orbit.describe(f); });
   if (orbits && follows)
@@ -206,7 +220,7 @@ void Camera::describe(Fields& fields) {
                        "frame. The driver's rasterizer has none.",
                        [&](Fields& f) { shutter.describe(f); });
   hasAngle = fields.given("fieldOfView");
-  placed = follows || fields.given("position") || fields.given("target") || (orbits && orbit.distanced);
+  placed = follows || tracks || fields.given("position") || fields.given("target") || (orbits && orbit.distanced);
   for (const char* name : {"position", "target"})
     if (follows && fields.given(name))
       fields.error(name, fmt::format("\"follow\" says where the camera is; leave out \"{}\"", name));
@@ -215,7 +229,7 @@ void Camera::describe(Fields& fields) {
   if (!(near < far))
     fields.error(fields.given("near") ? "near" : "far",
                  fmt::format("\"near\" ({} m) must be less than \"far\" ({} m)", near, far));
-  if (!orbits && !position.moves() && !target.moves() && position.at(0) == target.at(0))
+  if (!orbits && !tracks && !position.moves() && !target.moves() && position.at(0) == target.at(0))
     fields.error(fields.given("target") ? "target" : "position",
                  "\"position\" and \"target\" are the same point; the camera looks nowhere");
 }

@@ -24,6 +24,12 @@ vec4 lampMaps(int i) {
 vec4 lampSampling(int i) {
   return LAMP_MEMBER(i, sampling, 3);
 }
+vec4 lampAcross(int i) {
+  return LAMP_MEMBER(i, across, 4);
+}
+vec4 lampUp(int i) {
+  return LAMP_MEMBER(i, up, 5);
+}
 vec4 lampCone(int i) {
-  return LAMP_MEMBER(i, cone, 4);
+  return LAMP_MEMBER(i, cone, 6);
 }

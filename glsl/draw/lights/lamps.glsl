@@ -1,6 +1,14 @@
-// What all lamps together give a surface. LAMPS, SHADOWED_LAMPS; SPOTS: some have cones; TRANSLUCENT: some light comes from behind.
+// What all lamps together give a surface. LAMPS: those with shadows, SHADOWED_LAMPS, come first, then those without, and last
+// RANGED_LAMPS of them that have a range. SPOTS: some have cones; AREAS: some are rectangles; RANGES: some have a range;
+// TRANSLUCENT: some light comes from behind.
 #include "draw/lights/lamp_list.glsl"
 #include "draw/lights/point_light.glsl"
+#ifdef AREAS
+#include "draw/lights/area_light.glsl"
+#endif
+#ifdef RANGES
+#include "draw/lights/range.glsl"
+#endif
 #include "draw/surface/shading.glsl"
 #if SHADOWED_LAMPS > 0
 #include "draw/lights/faces.glsl"
@@ -33,13 +41,66 @@ LampLight withLamp(LampLight sum, int i, Arrival a, float fraction, vec3 normal,
 }
 
 // What lamp i sends into the direction of the place.
-float sentBy(int i, Arrival a) {
+float sentBy(int i, Arrival a, vec3 p) {
+  float sent = 1.0f;
 #ifdef SPOTS
-  return coneShare(a.towards, lampCone(i));
-#else
-  return 1.0f;
+  sent = coneShare(a.towards, lampCone(i));
 #endif
+#ifdef RANGES
+  ROUNDED vec3 way = lampPlace(i).xyz - p;
+  ROUNDED float within = sent * rangeShare(dotted(way, way), lampAcross(i).w);
+  sent = within;
+#endif
+  return sent;
 }
+
+#ifdef AREAS
+// The share of rectangle i.
+LampLight withRectangle(LampLight sum, int i, vec3 p, float fraction, vec3 normal, vec3 view, float alpha,
+                        float translucent) {
+  vec3 middle = lampPlace(i).xyz, across = lampAcross(i).xyz, up = lampUp(i).xyz;
+  float lit = rectangleShare(p, normal, middle, across, up);
+#ifdef TRANSLUCENT
+  ROUNDED float direct = lit + (rectangleShare(p, -normal, middle, across, up) - lit) * translucent;
+#else
+  float direct = lit;
+#endif
+  ROUNDED vec3 bright = lampPower(i).rgb * (lampUp(i).w * fraction);
+  ROUNDED vec3 mirrored = 2.0f * dotted(normal, view) * normal - view;
+  vec3 towards = towardsRectangle(p, mirrored, middle, across, up);
+  float lobed = rectangleLobe(normal, view, towards, alpha, rectangleSpread(p, middle, across, up));
+  ROUNDED vec3 matt = sum.matt + bright * direct;
+  ROUNDED vec3 mirror = sum.mirror + bright * (lit * lobed);
+  return LampLight(matt, mirror);
+}
+#endif
+
+// Of lamp i, of which `fraction` is not in shadow.
+LampLight withAny(LampLight sum, int i, vec3 p, Arrival a, float fraction, vec3 normal, vec3 view, float alpha,
+                  float translucent) {
+  ROUNDED float reaching = fraction * sentBy(i, a, p);
+#ifdef AREAS
+  if (lampUp(i).w > 0.0f) return withRectangle(sum, i, p, reaching, normal, view, alpha, translucent);
+#endif
+  return withLamp(sum, i, a, reaching, normal, view, alpha, translucent);
+}
+
+#if RANGED_LAMPS > 0
+layout(binding = lampCellUnit) uniform usamplerBuffer lampCells;
+
+vec3 lampCellVector(int first) {
+  return vec3(uintBitsToFloat(texelFetch(lampCells, first).x), uintBitsToFloat(texelFetch(lampCells, first + 1).x),
+              uintBitsToFloat(texelFetch(lampCells, first + 2).x));
+}
+// First word of the cell of a place; negative where no lamp with a range reaches.
+int lampCellAt(vec3 p) {
+  ROUNDED vec3 place = (p - lampCellVector(0)) * lampCellVector(3);
+  ivec3 at = ivec3(floor(clamp(place, -1.0f, 64.0f)));
+  ivec3 count = ivec3(lampCellsAcross, lampCellsUp, lampCellsAcross);
+  if (any(lessThan(at, ivec3(0))) || any(greaterThanEqual(at, count))) return -1;
+  return lampCellHead + ((at.y * count.z + at.z) * count.x + at.x) * ((RANGED_LAMPS + 31) / 32);
+}
+#endif
 
 LampLight lampLight(vec3 p, vec3 normal, vec3 view, float roughness, float translucent) {
   LampLight sum = LampLight(vec3(0), vec3(0));
@@ -49,15 +110,24 @@ LampLight lampLight(vec3 p, vec3 normal, vec3 view, float roughness, float trans
   for (int i = 0; i < SHADOWED_LAMPS; ++i) {
     Arrival a = arrivalAt(p, lampPlace(i), lampPower(i).w);
     ROUNDED vec3 from = p - lampPlace(i).xyz;
-    ROUNDED float fraction = lampFraction(i, from, normal, dotted(normal, a.towards)) * sentBy(i, a);
-    sum = withLamp(sum, i, a, fraction, normal, view, alpha, translucent);
+    float fraction = lampFraction(i, from, normal, dotted(normal, a.towards));
+    sum = withAny(sum, i, p, a, fraction, normal, view, alpha, translucent);
   }
 #endif
-#if SHADOWED_LAMPS < LAMPS
-  for (int i = SHADOWED_LAMPS; i < LAMPS; ++i) {
+#if SHADOWED_LAMPS < LAMPS - RANGED_LAMPS
+  for (int i = SHADOWED_LAMPS; i < LAMPS - RANGED_LAMPS; ++i) {
     Arrival a = arrivalAt(p, lampPlace(i), lampPower(i).w);
-    sum = withLamp(sum, i, a, sentBy(i, a), normal, view, alpha, translucent);
+    sum = withAny(sum, i, p, a, 1.0f, normal, view, alpha, translucent);
   }
+#endif
+#if RANGED_LAMPS > 0
+  int cell = lampCellAt(p);
+  for (int word = 0; cell >= 0 && word < (RANGED_LAMPS + 31) / 32; ++word)
+    for (uint left = texelFetch(lampCells, cell + word).x; left != 0u; left &= left - 1u) {
+      int i = LAMPS - RANGED_LAMPS + 32 * word + findLSB(left);
+      Arrival a = arrivalAt(p, lampPlace(i), lampPower(i).w);
+      sum = withAny(sum, i, p, a, 1.0f, normal, view, alpha, translucent);
+    }
 #endif
   return sum;
 }

@@ -31,7 +31,9 @@ void setMaps(shader::Lamp& lamp, const LampOrder& order, std::size_t i) {
   const auto side = static_cast<float>(light.shadowSize);
   const glm::vec2 atlas(order.atlas);
   // The filter, with its bilinear taps, stays on the map of one face.
-  const float margin = std::min(std::ceil(light.shadowSoftness) + 2.0F, 0.25F * side);
+  const float margin = light.type == scene::Light::Type::area
+                           ? 0.125F * side
+                           : std::min(std::ceil(light.shadowSoftness) + 2.0F, 0.25F * side);
   const float inner = side - 2.0F * margin;
   lamp.maps =
       glm::vec4(side / atlas.x, side / atlas.y, static_cast<float>(order.rows[i]) / atlas.y, inner / side);
@@ -65,17 +67,33 @@ glm::vec4 coneOf(const scene::Light& light, glm::vec3 place, double seconds) {
 /// intensity. Of a cone, 2 pi times the integral of its share over the cosine: 1 up to `full`, from there
 /// the square of a line, whose mean is 1/3.
 double filledBy(const scene::Light& light, double seconds) {
+  if (light.type == scene::Light::Type::area) return std::numbers::pi;  // by its cosine, to one side
   if (light.type != scene::Light::Type::spot) return 4 * std::numbers::pi;
   const auto [edge, full] = coneAt(light.spot, seconds);
   return 2 * std::numbers::pi * ((1 - full) + (full - edge) / 3);
 }
 
+/// Level sides, then the others; its front, to the side of their cross product, faces the target.
+void setRectangle(shader::Lamp& lamp, const scene::Area& area, double seconds) {
+  const glm::vec3 along = area.target.at(seconds) - glm::vec3(lamp.place);
+  const glm::vec3 front = glm::length(along) > 1e-6F ? glm::normalize(along) : glm::vec3(0, -1, 0);
+  const bool steep = std::abs(front.y) > 0.9999F;
+  const glm::vec3 across = glm::normalize(glm::cross(steep ? glm::vec3(0, 0, -1) : glm::vec3(0, 1, 0), front));
+  const float width = area.width.at(seconds), height = area.height.at(seconds);
+  lamp.across = glm::vec4(0.5F * width * across, lamp.across.w);
+  lamp.up = glm::vec4(0.5F * height * glm::cross(front, across), 1.0F / (width * height));
+}
+
 }  // namespace
 
 LampOrder::LampOrder(const scene::Scene& scene) {
-  for (const bool wanted : {true, false})
+  for (const scene::Light& light : scene.lights)
+    if (light.shadow) lights.push_back(&light);
+  for (const bool ends : {false, true})
     for (const scene::Light& light : scene.lights)
-      if (light.shadow == wanted) lights.push_back(&light);
+      if (!light.shadow && (light.range > 0) == ends) lights.push_back(&light);
+  ranged = static_cast<int>(std::ranges::count_if(
+      lights, [](const scene::Light* light) { return !light->shadow && light->range > 0; }));
   for (const scene::Light* light : lights) {
     if (!light->shadow) break;
     ++shadowed;
@@ -117,6 +135,8 @@ std::vector<shader::Lamp> lampValues(const LampOrder& order, int seed, double se
     const glm::vec3 color =
         light.temperature ? blackBodyColor(*light.temperature) : light.color.at(seconds);
     lamp.power = glm::vec4(color * (candela * perPi), 1.0F / (radius * radius));
+    if (light.range > 0) lamp.across.w = 1.0F / (light.range * light.range);
+    if (light.type == scene::Light::Type::area) setRectangle(lamp, light.area, seconds);
     lamp.cone = coneOf(light, glm::vec3(lamp.place), seconds);
     if (light.shadow) setMaps(lamp, order, i);
   }

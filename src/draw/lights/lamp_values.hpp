@@ -3,6 +3,7 @@
 #include "scene/scene.hpp"
 #include "sim/core/drawable.hpp"
 
+#include <cstdint>
 #include <vector>
 
 #include <glm/vec2.hpp>
@@ -21,6 +22,7 @@ struct LampOrder {
   explicit LampOrder(const scene::Scene& scene);
   std::vector<const scene::Light*> lights;
   int shadowed = 0;
+  int ranged = 0;          ///< those without shadow that have a range: the last ones
   std::vector<int> rows;   ///< texels below the row of each that has shadows
   glm::ivec2 atlas{0, 0};  ///< texels; zero without shadows
 };
@@ -34,6 +36,10 @@ struct LampOrder {
 /// Luminous intensity (cd) of a light at that time, in the middle of its cone if it has one, whatever its
 /// unit.
 [[nodiscard]] float candelas(const scene::Light& light, double seconds);
+
+/// Words that say which of the last `ranged` lamps reach into which cell of the box around what they reach,
+/// as lampCells of glsl/draw/lights/lamps.glsl.
+[[nodiscard]] std::vector<std::uint32_t> lampCells(const std::vector<shader::Lamp>& lamps, int ranged);
 
 /// Says in `maps` where the maps lie in whole texels, as glsl/draw/exact/shadows/lamp_maps.glsl reads it.
 void setTexels(std::vector<shader::Lamp>& lamps, const LampOrder& order);

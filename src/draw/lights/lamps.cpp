@@ -20,10 +20,16 @@ Lamps::Lamps(const scene::Scene& scene, Rasterizer rasterizer)
     softest = std::max(softest, order_.lights[static_cast<std::size_t>(i)]->shadowSoftness);
   defines_ = {{"LAMPS", std::to_string(count)},
               {"SHADOWED_LAMPS", std::to_string(order_.shadowed)},
+              {"RANGED_LAMPS", std::to_string(order_.ranged)},
               {"LAMP_TAPS", softest <= 2.0F ? "4" : "16"}};
   if (std::ranges::any_of(order_.lights,
                           [](const auto* light) { return light->type == scene::Light::Type::spot; }))
     defines_.emplace_back("SPOTS", "1");
+  if (std::ranges::any_of(order_.lights,
+                          [](const auto* light) { return light->type == scene::Light::Type::area; }))
+    defines_.emplace_back("AREAS", "1");
+  if (std::ranges::any_of(order_.lights, [](const auto* light) { return light->range > 0; }))
+    defines_.emplace_back("RANGES", "1");
   shadowDefines_ = {{"LAMPS", std::to_string(order_.shadowed)}};
   if (gl::memoryPath() == gl::MemoryPath::storage)
     for (gl::Defines* defines : {&defines_, &shadowDefines_}) defines->emplace_back("LAMP_BLOCK", "1");
@@ -45,7 +51,7 @@ Lamps::Lamps(const scene::Scene& scene, Rasterizer rasterizer)
   glows_.additive = true;
   // Those that never glow cost a pass of their own for nothing.
   glow_ = std::ranges::any_of(order_.lights, [](const scene::Light* light) {
-    return std::ranges::any_of(light->glow.keys(), [](const auto& key) { return key.value > 0; });
+    return light->type != scene::Light::Type::area && std::ranges::any_of(light->glow.keys(), [](const auto& key) { return key.value > 0; });
   });
   glows_.discs = true;  // at a border, round ones would reach less far in
   glows_.material = &glowMaterial_;
@@ -57,6 +63,15 @@ void Lamps::update(double seconds, const sim::Drawables& drawables) {
   lamps_.write(0, std::as_bytes(std::span(values_)));
   lamps_.bindUniform(lampBinding, 0, lamps_.bytes());
   lampsView_.bind(lampUnit);
+  if (order_.ranged > 0) {
+    const std::vector<std::uint32_t> cells = lampCells(values_, order_.ranged);
+    if (cells_.name() == 0) {
+      cells_ = gl::Buffer("lamps of places", cells.size() * sizeof(std::uint32_t));
+      cellsView_ = gl::Texture::view("lamps of places", GL_R32UI, cells_, sizeof(std::uint32_t));
+    }
+    cells_.write(0, std::as_bytes(std::span(cells)));
+    cellsView_.bind(lampCellUnit);
+  }
   updateGlows(seconds);
 }
 
@@ -68,7 +83,8 @@ void Lamps::updateGlows(double seconds) {
   for (std::size_t i = 0; i < values_.size(); ++i) {
     const shader::Lamp& lamp = values_[i];
     // Over the disc, (1 - (r/R)^2)^2 has the mean 1/3; power has the factor 1 / pi already.
-    const float glow = order_.lights[i]->glow.at(seconds);
+    const bool isRectangle = order_.lights[i]->type == scene::Light::Type::area;
+    const float glow = isRectangle ? 0.0F : order_.lights[i]->glow.at(seconds);
     glowColors_[i] = glm::vec3(lamp.power) * (3.0F * lamp.power.w * glow);
     places.emplace_back(glm::vec3(lamp.place), lamp.place.w);
     const float last = static_cast<float>(glowColors_.size() - 1);

@@ -44,6 +44,8 @@ class Lamps {
   std::vector<shader::Lamp> values_;
   gl::Buffer lamps_;
   gl::Texture lampsView_;
+  gl::Buffer cells_;  ///< lampCells() of those that have a range
+  gl::Texture cellsView_;
 
   scene::Material glowMaterial_;
   std::vector<glm::vec3> glowColors_;

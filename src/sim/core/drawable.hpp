@@ -162,6 +162,12 @@ struct Path {
   const std::vector<glm::vec3>* points = nullptr;  ///< m, in the scene's space, on the ground; one at least
 };
 
+/// Where the middle of an object is that a camera looks at.
+struct Place {
+  const std::string* object = nullptr;  ///< its name in the scene
+  glm::vec3 middle{0};                  ///< m
+};
+
 /// What a simulation publishes for drawing: a list per kind, one pass each.
 struct Drawables {
   std::vector<Surface> surfaces = {};
@@ -170,6 +176,7 @@ struct Drawables {
   std::vector<Chart> charts = {};
   std::vector<Path> paths = {};
   std::vector<Writing> writings = {};
+  std::vector<Place> places = {};  ///< of the object that the scene's camera looks at, if there is one
 };
 
 }  // namespace simreel::sim

@@ -24,6 +24,10 @@ class Shape : public Simulation {
 
   void step(double /*time*/, const StepWatch& /*watch*/) override {}
 
+  [[nodiscard]] std::optional<glm::vec3> middle(double time) const override {
+    return parameters_.shape.position.at(time);
+  }
+
   void publish(double time, Drawables& drawables) const override {
     if (!parameters_.visible) return;
     Surface surface = buffers_.surface();

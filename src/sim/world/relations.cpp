@@ -230,6 +230,15 @@ std::vector<std::string> followMistakes(const scene::Scene& scene) {
         fmt::format("{}.follow.object: no object with a path is named {}; {}", where, scene::inQuotes(name),
                     finders.empty() ? "the scene has none: add a cave" : scene::suggestion(name, finders)));
   };
+  if (scene.camera.tracks) {
+    std::vector<std::string> names;
+    for (const scene::Object& object : scene.objects) names.push_back(object.name);
+    const std::string& wanted = scene.camera.track.object;
+    if (std::find(names.begin(), names.end(), wanted) == names.end())
+      mistakes.push_back(
+          fmt::format("camera.track.object: no object is named {}; {}", scene::inQuotes(wanted),
+                      names.empty() ? "the scene has none" : scene::suggestion(wanted, names)));
+  }
   if (scene.camera.follows) check("camera", scene.camera.follow.object);
   for (const scene::Light& light : scene.lights)
     if (light.follows) check("lights." + light.name, light.follow.object);

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -32,6 +33,7 @@ struct World::State {
   std::vector<std::size_t> order;  ///< in which objects are made and stepped
   std::vector<std::string> names;
   std::vector<std::vector<std::string>> quantities;  ///< that each object measures
+  std::optional<std::size_t> tracked;  ///< the object that the camera looks at
   std::unique_ptr<SummaryQueue> summaries;
   std::function<void(const Drawables& before)> hearBefore;
   bool passed = false;  ///< whether nobody may look at the present frame
@@ -77,6 +79,8 @@ struct World::State {
       if (objects[i]->heights() != nullptr) setting.heights = objects[i]->heights();
     }
     keepInStep(scene, setting);
+    for (std::size_t i = 0; i < names.size(); ++i)
+      if (scene.camera.tracks && scene.camera.track.object == names[i]) tracked = i;
     summaries = std::make_unique<SummaryQueue>(objects, names);
   }
 
@@ -260,6 +264,9 @@ Drawables World::drawables() const {
     for (sim::Writing& writing : all.writings)
       if (writing.object == nullptr) writing.object = &state_->names[i];
   }
+  if (const auto tracked = state_->tracked)
+    if (const auto middle = state_->objects[*tracked]->middle(time()))
+      all.places.push_back({&state_->names[*tracked], *middle});
   return all;
 }
 

@@ -2,6 +2,7 @@
 #include "draw/camera.hpp"
 
 #include <cmath>
+#include <string>
 
 #include <doctest/doctest.h>
 #include <glm/geometric.hpp>
@@ -36,4 +37,26 @@ TEST_CASE("orbit: the view looks at the target from there, and turns with time")
     CHECK(view.eye.x == doctest::Approx(5 * std::cos(0.3490659F) * std::sin(3.14159265 * time)).scale(1));
     CHECK(glm::dot(view.forward, glm::normalize(view.target - view.eye)) == doctest::Approx(1));
   }
+}
+
+TEST_CASE("track: the view looks at the object's middle, and goes along with it on an orbit") {
+  scene::Camera camera;
+  camera.tracks = true;
+  camera.track.object = "ball";
+  camera.track.offset = glm::vec3(0, 0.5F, 0);
+  camera.position = glm::vec3(3, 1, 4);
+  const std::string name = "ball", other = "cup";
+  const sim::Drawables drawables{.places = {{&other, glm::vec3(9)}, {&name, glm::vec3(1, 2, -1)}}};
+  const glm::vec3 target(1, 2.5F, -1);
+  draw::View view = draw::viewAt(camera, 0, {320, 180}, drawables);
+  CHECK(view.target == target);
+  CHECK(view.eye == glm::vec3(3, 1, 4));
+  CHECK(glm::length(view.forward - glm::normalize(target - view.eye)) < 1e-6F);
+  camera.orbits = true;
+  camera.orbit.elevation = 0.0F;
+  camera.orbit.distance = 2.0F;
+  view = draw::viewAt(camera, 0, {320, 180}, drawables);
+  CHECK(glm::length(view.eye - (target + glm::vec3(0, 0, 2))) < 1e-5F);
+  CHECK_THROWS_WITH(draw::viewAt(camera, 1.5, {320, 180}, {}),
+                    "the camera looks at \"ball\", of which nothing is there at 1.5 s");
 }

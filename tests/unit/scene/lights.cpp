@@ -97,9 +97,9 @@ TEST_CASE("lights: mistakes are told where they are, with a suggestion") {
   CHECK(has(mistakes(R"({"version": 1, "light": {}})"), "did you mean \"lights\"?"));
 }
 
-TEST_CASE("lights: at most sixteen, and eight with shadows") {
-  CHECK(parse(several(16, 8)).lights.size() == 16);
-  CHECK(has(mistakes(several(17, 0)), "a scene has at most 16 lights, found 17"));
+TEST_CASE("lights: at most 256, and eight with shadows") {
+  CHECK(parse(several(256, 8)).lights.size() == 256);
+  CHECK(has(mistakes(several(257, 0)), "a scene has at most 256 lights, found 257"));
   CHECK(has(mistakes(several(16, 9)),
             "9 lights cast shadows, and at most 8 may; give the others \"shadow\": false"));
   CHECK(has(mistakes(several(9, 9)), "s.json:1:26: error: 9 lights"));

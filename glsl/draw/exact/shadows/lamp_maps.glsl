@@ -3,6 +3,9 @@
 // where its own begin, w fraction of a map's side that 90 degrees span.
 #include "draw/lights/faces.glsl"
 #include "draw/exact/shadows/shadow_filter.glsl"
+#ifdef AREAS
+#include "draw/exact/shadows/area_disc.glsl"
+#endif
 layout(binding = lampMapUnit) uniform usamplerBuffer lampKeys;
 
 // `nl`: cosine between normal and lamp. Looked up a step to the lit side of the surface, it does not shade itself.
@@ -22,6 +25,22 @@ float lampFraction(int lamp, vec3 from, vec3 normal, float nl) {
   int first = row * stride;
   first += face * side;
   ShadowMap map = ShadowMap(side, first, stride);
+#ifdef AREAS
+  vec4 up = lampUp(lamp);
+  if (up.w > 0.0f) {
+    // Its area's disc, in texels of a map at a distance of 1 m; the surface's plane on the map.
+    vec3 turned = onFace(face, normal);
+    float perTexel = exactReciprocal(sampling.y);
+    precise float area = 0.318309886f * exactReciprocal(up.w);
+    precise float spread = exactSqrt(area) * perTexel * exactReciprocal(sampling.x);
+    precise float off = exactDot(turned, q);
+    precise float perOff = sampling.x * sampling.y * exactReciprocal(off < 0.0f ? min(off, -1e-4f) : max(off, 1e-4f));
+    precise vec2 rise = turned.yz * perOff;
+    precise float most = 0.125f * maps.x - 2.0f;
+    precise float least = 0.5f + sampling.z;
+    return areaDiscFraction(lampKeys, map, AreaReceiver(middle, min(near, 1.0f), rise, spread, least, max(most, least)));
+  }
+#endif
 #if LAMP_TAPS == 4
   return litByFour(lampKeys, map, middle, key, sampling.z);
 #else

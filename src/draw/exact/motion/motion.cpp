@@ -8,8 +8,10 @@
 #include "draw/exact/visibility.hpp"
 #include "gl/element_array.hpp"
 
+#include <algorithm>
 #include <utility>
 
+#include <glm/common.hpp>
 #include <glm/vec4.hpp>
 
 namespace simreel::draw {
@@ -81,6 +83,7 @@ void Motion::keep(const sim::Drawables& before) {
     kernel.set("elementCount", moving.count);
     dispatchRows(kernel, moving.count);
   }
+  places_ = before.places;
   gl::barrier();
 }
 
@@ -155,6 +158,8 @@ const sim::Drawables& Motion::between(float part) {
     if (surfaces_[i].moves) place(shown_.surfaces[i], surfaces_[i], part);
   for (std::size_t i = 0; i < instances_.size(); ++i)
     if (instances_[i].moves) place(shown_.instances[i], instances_[i], part);
+  for (std::size_t i = 0; i < std::min(places_.size(), shown_.places.size()); ++i)
+    shown_.places[i].middle = glm::mix(places_[i].middle, shown_.places[i].middle, part);
   gl::barrier();
   return shown_;
 }

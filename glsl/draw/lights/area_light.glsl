@@ -1,0 +1,115 @@
+// Light of an evenly shining rectangle, from its front alone. Compiles as GLSL and as C++.
+//
+// What a polygon of luminance L gives a surface of normal n is E = L n.F with the vector irradiance
+// F = 1/2 sum over its sides of (angle that the side spans) (unit normal of the plane of eye and side), of the part of it
+// above the surface's horizon (Lambert 1760; for instance Arvo, "Applications of irradiance tensors", SIGGRAPH 1995).
+#include "draw/arithmetic.glsl"
+
+// acos(c) / sqrt(1 - c^2), by Abramowitz and Stegun, 4.4.46: acos(x) = sqrt(1 - x) (a0 + a1 x + ...) within 2e-8.
+FUNCTION float angleOverSine(float c) {
+  float x = min(abs(c), 1.0f);
+  ROUNDED float high = ((-0.0012624911f * x + 0.0066700901f) * x - 0.0170881256f) * x + 0.0308918810f;
+  ROUNDED float series = (((high * x - 0.0501743046f) * x + 0.0889789874f) * x - 0.2145988016f) * x + 1.5707963050f;
+  ROUNDED float acute = series * inverseRoot(1.0f + x);
+  if (c >= 0.0f) return acute;
+  ROUNDED float sine2 = 1.0f - x * x;
+  ROUNDED float obtuse = 3.14159265f * inverseRoot(max(sine2, 1e-12f)) - acute;
+  return obtuse;
+}
+
+// Twice what the side from a to b, seen from its right, adds to n.F.
+FUNCTION float sideShare(vec3 a, vec3 b, vec3 normal) {
+  vec3 from = unitOf(a), to = unitOf(b);
+  ROUNDED float share = dotted(crossed(to, from), normal) * angleOverSine(dotted(from, to));
+  return share;
+}
+
+// A walk round a polygon that leaves out what lies below the horizon of `normal`.
+struct Horizon {
+  vec3 normal;
+  vec3 left;     // where it went below the horizon,
+  vec3 back;     // and where it came up again
+  float crossed; // how often
+  float sum;     // of its sides' shares
+};
+FUNCTION Horizon walked(Horizon h, vec3 a, vec3 b) {
+  float up = dotted(a, h.normal), after = dotted(b, h.normal);
+  if (up <= 0.0f && after <= 0.0f) return h;
+  ROUNDED vec3 way = b - a;
+  if (up > 0.0f && after > 0.0f) {
+    ROUNDED float both = h.sum + sideShare(a, b, h.normal);
+    h.sum = both;
+    return h;
+  }
+  ROUNDED float along = up * inverse(up - after);
+  ROUNDED vec3 level = a + along * way;
+  ROUNDED float one = h.sum + (up > 0.0f ? sideShare(a, level, h.normal) : sideShare(level, b, h.normal));
+  h.sum = one;
+  h.crossed = h.crossed + 1.0f;
+  if (up > 0.0f)
+    h.left = level;
+  else
+    h.back = level;
+  return h;
+}
+
+// n.F at a place, of the rectangle `middle` +- `across` +- `up` (m), whose front is to the side of their cross product.
+FUNCTION float rectangleShare(vec3 p, vec3 normal, vec3 middle, vec3 across, vec3 up) {
+  ROUNDED vec3 to = middle - p;
+  if (dotted(to, crossed(across, up)) >= 0.0f) return 0.0f;
+  ROUNDED vec3 a = to - across - up;
+  ROUNDED vec3 b = to + across - up;
+  ROUNDED vec3 c = to + across + up;
+  ROUNDED vec3 d = to - across + up;
+  Horizon h;
+  h.normal = normal;
+  h.left = to;
+  h.back = to;
+  h.crossed = 0.0f;
+  h.sum = 0.0f;
+  h = walked(h, a, b);
+  h = walked(h, b, c);
+  h = walked(h, c, d);
+  h = walked(h, d, a);
+  ROUNDED float closed = h.sum + (h.crossed > 1.5f ? sideShare(h.left, h.back, normal) : 0.0f);
+  ROUNDED float share = 0.5f * closed;
+  return max(share, 0.0f);
+}
+
+// Unit, from p to the place of the rectangle where a ray in direction `mirrored` comes nearest.
+FUNCTION vec3 towardsRectangle(vec3 p, vec3 mirrored, vec3 middle, vec3 across, vec3 up) {
+  vec3 front = unitOf(crossed(across, up));
+  ROUNDED vec3 to = middle - p;
+  ROUNDED float along = dotted(to, front) * inverse(min(dotted(mirrored, front), -1e-3f));
+  ROUNDED vec3 hit = along * mirrored - to;
+  ROUNDED float x = dotted(hit, across) * inverse(dotted(across, across));
+  ROUNDED float y = dotted(hit, up) * inverse(dotted(up, up));
+  ROUNDED vec3 place = to + clamp(x, -1.0f, 1.0f) * across + clamp(y, -1.0f, 1.0f) * up;
+  return unitOf(place);
+}
+
+// The lobe of shading.glsl seen in that direction, times alpha^2 / (alpha^2 + spread^2 / 4): what it is wider by it is lower
+// by, as of a ball (widenedAlpha of point_light.glsl; Karis, "Real shading in Unreal Engine 4", SIGGRAPH 2013). `spread2`:
+// the rectangle's solid angle / pi.
+FUNCTION float rectangleLobe(vec3 normal, vec3 view, vec3 light, float alpha, float spread2) {
+  if (dotted(normal, light) <= 0.0f) return 0.0f;
+  ROUNDED vec3 sum = view + light;
+  vec3 halfway = unitOf(sum);
+  float nh = max(dotted(normal, halfway), 0.0f);
+  float lh = dotted(light, halfway);
+  ROUNDED float lh2 = lh * lh;
+  ROUNDED float alpha2 = alpha * alpha;
+  ROUNDED float d = nh * nh * (alpha2 - 1.0f) + 1.00001f;
+  ROUNDED float under = d * d * max(lh2, 0.1f) * (alpha * 4.0f + 2.0f) * (alpha2 + 0.25f * spread2);
+  ROUNDED float value = alpha2 * alpha2 * inverse(max(under, 1e-20f));
+  return min(value, 60.0f);
+}
+
+// About the solid angle / pi of it.
+FUNCTION float rectangleSpread(vec3 p, vec3 middle, vec3 across, vec3 up) {
+  ROUNDED vec3 to = p - middle;
+  float perDistance = inverseRoot(max(dotted(to, to), 1e-12f));
+  ROUNDED float facing = 4.0f * dotted(to, crossed(across, up)) * perDistance;
+  ROUNDED float spread2 = max(facing, 0.0f) * perDistance * perDistance * 0.318309886f;
+  return min(spread2, 1.0f);
+}
