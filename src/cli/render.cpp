@@ -37,6 +37,7 @@ struct RenderOptions {
   std::string progress = "auto";
   std::string streamFormat = "rgba";
   std::vector<std::string> layers;
+  std::optional<int> bits;
   bool overwrite = false;
   bool resume = false;
   bool skipExisting = false;
@@ -87,6 +88,7 @@ batch::RenderRequest requestOf(const RenderOptions& o) {
       .from = o.from,
       .streamFormat = o.streamFormat,
       .layers = layersOf(o.layers),
+      .bits = o.bits,
       .command = commandLine(),
   };
 }
@@ -148,6 +150,11 @@ void addRender(CLI::App& app) {
                    "position (P.X, P.Y, P.Z), object (Cryptomatte)")
       ->delimiter(',')
       ->check(CLI::IsMember(std::vector<std::string>(draw::layerNames.begin(), draw::layerNames.end())));
+  command
+      ->add_option("--bits", o->bits,
+                   "Of each number of a picture: of PNG 8 (the default) or 16, which are not dithered; of "
+                   "OpenEXR's light 16 (the default) or 32")
+      ->check(CLI::IsMember({8, 16, 32}));
   addDevices(*command, o->on);
   command->add_option("--progress", o->progress, "auto, tty, ndjson or none");
   command->add_option("--stream-format", o->streamFormat, "Of -o -: rgba or y4m")

@@ -134,7 +134,8 @@ std::vector<std::byte> encodeExr(const PictureLayers& picture, const ImageText& 
   for (const auto& [keyword, value] : text) header.insert(keyword, Imf::StringAttribute(value));
   Channels channels(size);
   for (std::size_t c = 0; c < (picture.alpha ? 4 : 3); ++c)
-    channels.add(header, std::string(1, "RGBA"[c]), picture.light.data() + c, 4, Imf::HALF);
+    channels.add(header, std::string(1, "RGBA"[c]), picture.light.data() + c, 4,
+                 picture.bits == 32 ? Imf::FLOAT : Imf::HALF);
   if (!picture.depth.empty()) channels.add(header, "Z", picture.depth.data(), 1, Imf::FLOAT);
   if (!picture.position.empty())
     for (std::size_t c = 0; c < 3; ++c)
@@ -153,8 +154,24 @@ std::vector<std::byte> encodeExr(const PictureLayers& picture, const ImageText& 
   return stream.take();
 }
 
+std::vector<std::byte> encodeDeepPng(const PictureLayers& picture, const ImageText& text) {
+  SIMREEL_CHECK(picture.filmed);
+  const std::size_t channels = picture.alpha ? 4 : 3;
+  std::vector<std::uint8_t> bytes;
+  bytes.reserve(picture.light.size() / 4 * channels * 2);
+  for (std::size_t i = 0; i < picture.light.size(); ++i) {
+    if (i % 4 >= channels) continue;
+    const float scaled = std::min(std::max(picture.light[i], 0.0F), 1.0F) * 65535.0F + 0.5F;
+    const auto number = static_cast<std::uint32_t>(scaled);
+    bytes.push_back(static_cast<std::uint8_t>(number >> 8U));
+    bytes.push_back(static_cast<std::uint8_t>(number & 0xffU));
+  }
+  return encodePng({picture.size, static_cast<int>(channels), 16, bytes}, text);
+}
+
 std::string pixelHash(const PictureLayers& picture) {
-  std::string all = fmt::format("{}x{}{}", picture.size.x, picture.size.y, picture.alpha ? " alpha" : "");
+  std::string all = fmt::format("{}x{}{}{}", picture.size.x, picture.size.y, picture.alpha ? " alpha" : "",
+                                picture.filmed ? " filmed" : "");
   addTo(all, "light", picture.light);
   addTo(all, "depth", picture.depth);
   addTo(all, "position", picture.position);

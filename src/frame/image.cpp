@@ -110,8 +110,8 @@ bool isOpaque(const Image& image) {
   return true;
 }
 
-std::size_t channelsOf(const Image& image) {
-  return image.alpha ? 4 : 3;
+PackedPixels pixelsOf(const Image& image, Bytes bytes) {
+  return {{image.width, image.height}, image.alpha ? 4 : 3, 8, bytes};
 }
 
 /// RGB of an image, or RGBA `withAlpha`, in a buffer that each thread keeps until its next image: fresh
@@ -225,22 +225,22 @@ std::string hashOf(const Image& image, Bytes bytes) {
                              hashHex(std::as_bytes(bytes))));
 }
 
-File encode(const Image& image, Bytes bytes, const ImageText& text) {
-  SIMREEL_CHECK(image.width <= largestSide && image.height <= largestSide);
+File encode(const PackedPixels& pixels, const ImageText& text) {
+  SIMREEL_CHECK(pixels.size.x <= largestSide && pixels.size.y <= largestSide);
   std::string header;
-  for (const int side : {image.width, image.height})
+  for (const int side : {pixels.size.x, pixels.size.y})
     for (const int shift : {24, 16, 8, 0}) header += static_cast<char>((side >> shift) & 0xff);
   // Bits, RGB or RGBA, deflate, filtered by row, not interlaced.
-  header += {8, static_cast<char>(image.alpha ? 6 : 2), 0, 0, 0};
+  header += {static_cast<char>(pixels.bits), static_cast<char>(pixels.channels == 4 ? 6 : 2), 0, 0, 0};
 
-  const std::size_t channels = channelsOf(image);
-  const Bytes rows = filterRows(bytes, std::size_t(image.width) * channels, channels);
+  const auto pixel = static_cast<std::size_t>(pixels.channels * pixels.bits / 8);
+  const Bytes rows = filterRows(pixels.bytes, std::size_t(pixels.size.x) * pixel, pixel);
   thread_local std::vector<unsigned char> compressed;
   compressed.resize(zlibBound(rows.size()));
   const auto size = compressZlib(rows, compressed);
   if (!size)
-    fail(ExitCode::inputOutput, "cannot encode a {}x{} PNG; is there enough memory?", image.width,
-         image.height);
+    fail(ExitCode::inputOutput, "cannot encode a {}x{} PNG; is there enough memory?", pixels.size.x,
+         pixels.size.y);
 
   File texts;
   appendColorSpace(texts);
@@ -258,12 +258,16 @@ File encode(const Image& image, Bytes bytes, const ImageText& text) {
 }  // namespace
 
 std::vector<std::byte> encodePng(const Image& image, const ImageText& text) {
-  return encode(image, packed(image, image.alpha), text);
+  return encode(pixelsOf(image, packed(image, image.alpha)), text);
+}
+
+std::vector<std::byte> encodePng(const PackedPixels& pixels, const ImageText& text) {
+  return encode(pixels, text);
 }
 
 HashedFile encodeHashedPng(const Image& image, const ImageText& text) {
   const Bytes bytes = packed(image, image.alpha);
-  return {encode(image, bytes, text), hashOf(image, bytes)};
+  return {encode(pixelsOf(image, bytes), text), hashOf(image, bytes)};
 }
 
 void addText(std::vector<std::byte>& png, const ImageText& text) {

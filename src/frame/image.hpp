@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include <glm/vec2.hpp>
+
 namespace simreel::frame {
 
 /// Rows from the top, RGBA, 8 bits each, sRGB encoded: bytes.size() == width * height * 4.
@@ -21,6 +23,14 @@ using ImageText = std::vector<std::pair<std::string, std::string>>;
 
 /// Image -> PNG file, RGBA where alpha is part of it, else RGB. Safe to call from several threads.
 [[nodiscard]] std::vector<std::byte> encodePng(const Image& image, const ImageText& text);
+/// Numbers as PNG has them, rows from the top, RGB or RGBA, of 16 bits the higher byte first.
+struct PackedPixels {
+  glm::ivec2 size;
+  int channels;
+  int bits;
+  std::span<const std::uint8_t> bytes;
+};
+[[nodiscard]] std::vector<std::byte> encodePng(const PackedPixels& pixels, const ImageText& text);
 /// The same file and its pixelHash, for less than both.
 struct HashedFile {
   std::vector<std::byte> file;

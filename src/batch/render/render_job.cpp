@@ -38,15 +38,26 @@ RenderJob::RenderJob(RenderRequest request)
 }
 
 void RenderJob::chooseLayers() {
+  const int bits = request_.bits.value_or(output_.isLight() ? 16 : 8);
   if (!output_.isLight()) {
     if (!request_.layers.empty())
       fail(ExitCode::usage, "--layers: OpenEXR pictures have them; write --output NAME_####.exr");
+    if (bits == 8) return;
+    const bool picture = output_.kind != frame::OutputName::Kind::video &&
+                         output_.kind != frame::OutputName::Kind::stream;
+    if (bits != 16 || !picture)
+      fail(ExitCode::usage, "--bits {}: {}", bits,
+           picture ? "PNG has 8 or 16; write OpenEXR for 32" : "videos and streams have 8");
+    if (scene_.render.rasterizer != scene::Rasterizer::exact)
+      fail(ExitCode::usage, "--bits 16: only the exact rasterizer hands out more than 8");
+    layers_ = draw::LightRequest{{}, true, 16};
     return;
   }
+  if (bits == 8) fail(ExitCode::usage, "--bits 8: OpenEXR has 16 or 32");
   if (scene_.render.rasterizer != scene::Rasterizer::exact)
     fail(ExitCode::usage, "--output {}: only the exact rasterizer hands out light before the film",
          request_.output);
-  layers_.emplace(request_.layers);
+  layers_ = draw::LightRequest{request_.layers, false, bits};
 }
 
 void RenderJob::chooseFrames() {

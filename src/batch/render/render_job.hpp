@@ -34,6 +34,7 @@ struct RenderRequest {
   bool mayDoWithout = false;         ///< begin at the scene's start where `from` cannot be used
   std::string streamFormat = "rgba";
   std::vector<draw::Layer> layers;  ///< of OpenEXR pictures, besides colour
+  std::optional<int> bits;          ///< of each number: of PNG 8 or 16, of OpenEXR's colour 16 or 32
   std::string command;              ///< for run.json
 };
 
@@ -61,7 +62,7 @@ class RenderJob {
   RenderRequest request_;
   scene::Scene scene_;
   std::vector<int> frames_;
-  std::optional<std::vector<draw::Layer>> layers_;  ///< of OpenEXR pictures
+  std::optional<draw::LightRequest> layers_;  ///< of pictures that are not made of their bytes
   frame::OutputName output_;
   std::optional<frame::FieldFiles> fields_;
   std::map<int, std::filesystem::path> kept_;

@@ -12,11 +12,31 @@
 #include "draw/overlay/writing_pass.hpp"
 #include "draw/screen/driver_scene.hpp"
 #include "draw/screen/targets.hpp"
+#include "sim/grid/field_display.hpp"
 
 #include <optional>
 #include <span>
 
 namespace simreel::draw {
+
+namespace {
+
+/// What lies over pictures has 8 bits.
+void refuseOverlays(const sim::Drawables& drawables) {
+  const char* found = nullptr;
+  for (const sim::Field& field : drawables.fields)
+    if (field.display != nullptr && field.display->layer == sim::FieldDisplay::Layer::over)
+      found = "a field";
+  if (!drawables.charts.empty()) found = "a chart";
+  if (!drawables.writings.empty()) found = "text";
+  if (found != nullptr)
+    fail(ExitCode::usage,
+         "--bits 16: {} lies over the picture, and what does has 8 bits; leave it out of the scene, or write "
+         "OpenEXR",
+         found);
+}
+
+}  // namespace
 
 struct Renderer::State {
   State(const scene::Scene& shown, glm::ivec2 pixels, int samples, const RendererOptions& options,
@@ -53,6 +73,7 @@ struct Renderer::State {
   std::optional<ExactScene> exact;
   std::optional<Motion> motion;
   PassPicture* passes = nullptr;
+  bool filmed = false;  ///< whether the light that is kept is what the film shows
 
   void tellFrame(double seconds, const sim::Drawables& drawables);
   void drawExactly(const ExactScene::Moment& shown, const StageWatch& watch);
@@ -96,6 +117,7 @@ Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 void Renderer::draw(double seconds, const sim::Drawables& drawables, const StageWatch& watch) {
   State& s = *state_;
   if (s.passes != nullptr) *s.passes = {};
+  if (s.filmed) refuseOverlays(drawables);
   s.tellFrame(seconds, drawables);
   // Whatever the simulations wrote, vertex pulling and index fetch see it.
   glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_ELEMENT_ARRAY_BARRIER_BIT);
@@ -136,8 +158,9 @@ void Renderer::keepPasses(PassPicture* passes) {
   state_->exact->keepPasses(passes);
 }
 
-void Renderer::keepLayers(std::span<const Layer> wanted) {
+void Renderer::keepLayers(const LightRequest& wanted) {
   SIMREEL_CHECK(state_->exact.has_value());
+  state_->filmed = wanted.filmed;
   state_->exact->keepLayers(wanted);
 }
 

@@ -48,9 +48,10 @@ class Renderer {
   /// nowhere. They are copied to the CPU, which waits for the device. The rasterizer must be the exact one.
   void keepPasses(PassPicture* passes);
 
-  /// From now on what a picture is before lens and film is kept as it is drawn, with these layers; the CPU
-  /// waits for it. The rasterizer must be the exact one.
-  void keepLayers(std::span<const Layer> wanted);
+  /// From now on the light of a picture is kept as it is drawn, with layers; the CPU waits for it. The
+  /// rasterizer must be the exact one. What the film shows is kept of pictures over which nothing lies;
+  /// draw() throws UserError(usage) for others.
+  void keepLayers(const LightRequest& wanted);
   /// That of the last picture.
   [[nodiscard]] PictureLayers takeLayers();
 

@@ -24,7 +24,7 @@ void FramesUnderWay::follow(const scene::Scene& scene, sim::World& world) {
   followMotion(scene, renderer_, world);
 }
 
-void FramesUnderWay::keepLayers(std::span<const draw::Layer> wanted) {
+void FramesUnderWay::keepLayers(const draw::LightRequest& wanted) {
   renderer_.keepLayers(wanted);
   keepsLayers_ = true;
 }

@@ -34,8 +34,8 @@ class FramesUnderWay {
 
   /// From now on draws know of the frame before theirs, where the scene's pictures have motion blur.
   void follow(const scene::Scene& scene, sim::World& world);
-  /// From now on pictures have layers, and light before lens and film.
-  void keepLayers(std::span<const draw::Layer> wanted);
+  /// From now on pictures have their light, and layers.
+  void keepLayers(const draw::LightRequest& wanted);
   /// Who hears of each picture before the sink gets it.
   void onPicture(std::function<void(int frame, const Image& image)> hear) { hear_ = std::move(hear); }
   /// Whether anything of a frame is to be written.

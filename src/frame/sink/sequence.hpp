@@ -42,8 +42,8 @@ struct BesideFrames {
   bool counts = true;                      ///< what the simulations count goes to the sink
   Checkpoints checkpoints = {};
   FrameWatch* watch = nullptr;  ///< null: nobody looks
-  /// What pictures have besides light before lens and film, where they have that at all.
-  std::optional<std::vector<draw::Layer>> layers = std::nullopt;
+  /// Of pictures that are not made of their bytes.
+  std::optional<draw::LightRequest> layers = std::nullopt;
 };
 
 /// Simulates the scene from its start, or from a checkpoint that no missing frame lies before, draws the

@@ -215,7 +215,9 @@ class SequenceSink final : public FrameSink {
     }
     if (image) {
       const HashedFile picture =
-          info.layers ? HashedFile{encodeExr(*info.layers, chunks(info)), pixelHash(*info.layers)}
+          info.layers ? HashedFile{info.layers->filmed ? encodeDeepPng(*info.layers, chunks(info))
+                                                       : encodeExr(*info.layers, chunks(info)),
+                                   pixelHash(*info.layers)}
                       : encodeHashedPng(*image, chunks(info));
       writeFileAtomically(output_.file(info.frame), picture.file, NameSync::later);
       entry.file = output_.fileName(info.frame);

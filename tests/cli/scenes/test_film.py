@@ -56,6 +56,29 @@ class Film(Case):
         self.bad(2, "y4m has no alpha channel", *see, "-o", "-", "--stream-format", "y4m")
         self.bad_scene("only the exact rasterizer leaves the background out", *see, "-o", "a.png", "--rasterizer", "driver")
 
+    def test_sixteen_bits(self):
+        for transparent in ("false", "true"):
+            with self.subTest(transparent):
+                self.write("scene.json", SCENE)
+                see = ("render", "scene.json", "--frames", "0", "-q", "--overwrite", "-D", f"render.transparent={transparent}")
+                self.good(*see, "-o", "deep.png", "--bits", "16")
+                self.good(*see, "-o", "plain.png")
+                deep, plain = ((self.folder / name).read_bytes() for name in ("deep.png", "plain.png"))
+                self.assertEqual((deep[24], deep[25]), (16, 6 if transparent == "true" else 2))
+                width, _, rows = png_rows(deep)
+                channels = 4 if transparent == "true" else 3
+                data = b"".join(unfiltered(rows, width * 2 * channels, 2 * channels))
+                numbers = [256 * data[i] + data[i + 1] for i in range(0, len(data), 2)]
+                shown = [value for pixel in pixels(plain)[0] for value in pixel]
+                # But for the dither, which is half a step at most.
+                self.assertLessEqual(max(abs(a / 257 - b) for a, b in zip(numbers, shown)), 1.01)
+                self.assertGreater(len(set(numbers)), 4 * len(set(shown)))
+        self.bad(2, "PNG has 8 or 16", *see, "-o", "a.png", "--bits", "32")
+        self.bad(2, "OpenEXR has 16 or 32", *see, "-o", "a.exr", "--bits", "8")
+        self.bad(2, "videos and streams have 8", *see[:5], "-o", "a.mp4", "--bits", "16")
+        life = str(SOURCE / "assets/scenes/life.json")
+        self.bad(2, "lies over the picture", "render", life, "-o", "life.png", "--frames", "0", "--bits", "16")
+
     def test_light(self):
         self.write("scene.json", SCENE)
         see = ("render", "scene.json", "-q", "--layers", "depth,object,position")

@@ -1,5 +1,5 @@
 // The finished picture: light over the sky, or over nothing (TRANSPARENT), through lens and film, as bytes. BLOOM: adds scattered
-// light. LINEAR: the light itself, of both, instead. An invocation does ROWS pixels, one below the other.
+// light. LINEAR: the light itself, of both, instead. DEEP: what the film shows of it, not rounded to bytes. An invocation does ROWS pixels, one below the other.
 #define EXACT_PICTURE
 #include "draw/frame_block.glsl"
 #include "draw/exact/view_block.glsl"
@@ -11,7 +11,7 @@
 #include "draw/screen/cover.glsl"
 layout(local_size_x = 8, local_size_y = 8 / ROWS) in;
 LIGHT_PICTURE(sceneUnit, lightImage, sums);
-#ifdef LINEAR
+#if defined LINEAR || defined DEEP
 layout(rgba32f, binding = pictureImage) writeonly restrict uniform image2D picture;
 #else
 layout(rgba8, binding = pictureImage) writeonly restrict uniform image2D picture;
@@ -53,12 +53,18 @@ void finish(ivec2 at) {
   vec3 shown = encoded(filmed(throughLens(added, aside)));
   float cover = coverOf(drawn.a, shown);
   vec3 own = drawn.a > 0.0f ? encoded(filmed(lightOfCover(throughLens(light, aside), cover))) : lightOfCover(shown, cover);
+#ifdef DEEP
+  imageStore(picture, at, cover < 1e-4f ? vec4(0.0f) : vec4(own, cover));
+  return;
+#endif
   precise vec3 color = own + dither(at);
   color = cover < 1e-4f ? vec3(0.0f) : color;
   imageStore(picture, at, vec4(asByte(color.r), asByte(color.g), asByte(color.b), asByte(cover)));
 #endif
 #elif defined LINEAR
   imageStore(picture, at, vec4(light, 1.0f));
+#elif defined DEEP
+  imageStore(picture, at, vec4(encoded(filmed(throughLens(light, aside))), 1.0f));
 #else
   precise vec3 color = encoded(filmed(throughLens(light, aside))) + dither(at);
   imageStore(picture, at, vec4(asByte(color.r), asByte(color.g), asByte(color.b), 1.0f));

@@ -127,7 +127,7 @@ struct ExactScene::State {
   Bloom bloom;
   gl::Program litGround, shadedGround, lensSum, picture;
   PassPicture* passes = nullptr;  ///< where they are kept
-  std::optional<std::vector<Layer>> wantedLayers;
+  std::optional<LightRequest> wanted;  ///< besides pictures
   PictureLayers layers;
   std::optional<LayerKeeper> layerKeeper;  ///< while the layers' view is drawn
   gl::Program linear;                      ///< of those alone
@@ -247,11 +247,11 @@ void ExactScene::keepPasses(PassPicture* passes) {
   state_->passes = passes;
 }
 
-void ExactScene::keepLayers(std::span<const Layer> wanted) {
+void ExactScene::keepLayers(const LightRequest& wanted) {
   State& s = *state_;
-  s.wantedLayers.emplace(wanted.begin(), wanted.end());
+  s.wanted = wanted;
   gl::Defines defines = s.pictureDefines();
-  defines.emplace_back("LINEAR", "1");
+  defines.emplace_back(wanted.filmed ? "DEEP" : "LINEAR", "1");
   s.linear = gl::Program::compute("draw/exact/screen/picture.comp", defines);
   s.light = gl::Texture::image("light before the film", GL_RGBA32F, s.size.x, s.size.y);
 }
@@ -271,9 +271,12 @@ void ExactScene::State::keepLayers(const shader::ExactView& values) {
 /// What picture.comp makes a picture of.
 void ExactScene::State::keepLight() {
   light.bindImage(pictureImage, GL_WRITE_ONLY);
+  linear.set("perSize", 2.0F / glm::vec2(size));
   linear.dispatch(size.x, (size.y + rowsAtOnce() - 1) / rowsAtOnce());
   glMemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT);
   layers.alpha = scene.render.transparent;
+  layers.filmed = wanted->filmed;
+  layers.bits = wanted->bits;
   layers.light.resize(4 * static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y));
   glGetTextureImage(light.name(), 0, GL_RGBA, GL_FLOAT,
                     static_cast<GLsizei>(layers.light.size() * sizeof(float)), layers.light.data());
@@ -395,7 +398,7 @@ View ExactScene::State::prepare(const Moment& moment, sim::Drawables& drawables,
 bool ExactScene::State::expose(const Exposure& exposure, const Watch& watch) {
   // Passes and layers are kept of the first one, and of the mean.
   PassPicture* const kept = passes;
-  if (wantedLayers) layerKeeper.emplace(layers, *wantedLayers, size, samples);
+  if (wanted) layerKeeper.emplace(layers, wanted->layers, size, samples);
   const int moments = exposure.moments;
   const int points = scene.camera.hasLens ? scene.camera.lens.samples : 1;
   const int pictures = std::max(moments, points);
@@ -458,7 +461,7 @@ void ExactScene::draw(const Exposure& exposure, const Moment& frame, const Overl
   glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT |
                   GL_FRAMEBUFFER_BARRIER_BIT | GL_PIXEL_BUFFER_BARRIER_BIT);
   if (s.passes) s.passes->keepBytes("picture", "film", picture);
-  if (s.wantedLayers) s.keepLight();
+  if (s.wanted) s.keepLight();
   issued("tone map");
 }
 

@@ -21,8 +21,15 @@ namespace simreel::draw {
 enum class Layer { depth, position, object };
 inline constexpr std::array<const char*, 3> layerNames = {"depth", "position", "object"};
 
-/// A picture before lens and film, linear light (Rec. 709 primaries), and layers of those that were asked
-/// for. Rows from the top.
+/// What is kept of pictures besides their bytes.
+struct LightRequest {
+  std::vector<Layer> layers = {};
+  bool filmed = false;  ///< light as the film shows it, sRGB encoded, instead of before lens and film
+  int bits = 16;        ///< of each of its numbers in a file: 16, or 32 of OpenEXR
+};
+
+/// A picture before lens and film, linear light (Rec. 709 primaries), or after, and layers of those that
+/// were asked for. Rows from the top.
 struct PictureLayers {
   /// How much of a pixel an object covers.
   struct Share {
@@ -32,7 +39,9 @@ struct PictureLayers {
   static constexpr int mostRanks = 6;
 
   glm::ivec2 size{0};
-  std::vector<float> light;     ///< RGBA; alpha is how much is covered, times which light already is
+  bool filmed = false;          ///< as LightRequest has it, and the next
+  int bits = 16;
+  std::vector<float> light;     ///< RGBA; alpha is how much is covered, times which linear light already is
   bool alpha = false;           ///< whether it has one; else it is 1
   std::vector<float> depth;     ///< m along the line of sight, of the nearest; infinite where nothing is
   std::vector<float> position;  ///< three a pixel: where that is (m)
