@@ -51,6 +51,49 @@ class Motion(Case):
         self.assertEqual(pixels(self.frame("texel", 7)), pixels(self.frame("storage", 7)))
 
 
+class Track(Case):
+    SCENE = {"version": 1, "render": {"size": [97, 55], "transparent": True}, "time": {"fps": 10, "duration": 2},
+             "camera": {"position": [0.5, 1, 4], "track": "ball"},
+             "objects": {"ball": {"sphere": {"radius": 0.3, "position": {"keys": [[0, [-1, 0, 0]], [2, [1.5, 0.6, -1]]]}}}}}
+
+    def middle(self, *arguments):
+        self.good("render", "scene.json", "-o", "a.png", "-q", "--overwrite", *arguments)
+        width, height, rows = png_rows((self.folder / "a.png").read_bytes())
+        alpha = b"".join(unfiltered(rows, width * 4, 4))[3::4]
+        total = sum(alpha)
+        return [sum(share * (at % width) for at, share in enumerate(alpha)) / total - (width - 1) / 2,
+                sum(share * (at // width) for at, share in enumerate(alpha)) / total - (height - 1) / 2], total
+
+    def test_what_is_tracked_stays_in_the_middle(self):
+        self.write("scene.json", self.SCENE)
+        orbit = ("-D", "camera={\"track\": \"ball\", \"orbit\": {\"distance\": 4}}")
+        sizes = []
+        for frame in ("0", "7", "19"):
+            for more in ((), orbit, ("-D", "camera.shutter=true")):
+                at, size = self.middle("--frames", frame, *more)
+                self.assertLess(max(map(abs, at)), 0.5, (frame, more))
+                if more == orbit:
+                    sizes.append(size)
+        self.assertLess(max(sizes) - min(sizes), 0.01 * max(sizes))  # it goes along
+        at, _ = self.middle("--frames", "7", "-D", "camera.track={\"object\": \"ball\", \"offset\": [0, 0.3, 0]}")
+        self.assertGreater(at[1], 3)  # looking above it
+
+    def test_things_that_are_simulated_are_tracked(self):
+        scene = json.loads(json.dumps(self.SCENE))
+        scene["objects"] = {"ball": {"cloth": {"size": [9, 9]}}}
+        self.write("scene.json", scene)
+        at, _ = self.middle("--frames", "5")
+        self.assertLess(max(map(abs, at)), 6)
+
+    def test_mistakes(self):
+        self.write("scene.json", {**self.SCENE, "camera": {"track": "bal"}})
+        self.bad(2, "camera.track.object: no object is named \"bal\"; did you mean \"ball\"?", "render", "scene.json", "-o", "a.png", "--frames", "0")
+        for camera, said in (({"track": "ball", "target": [0, 0, 0]}, "\"track\" says what the camera looks at"),
+                             ({"track": "ball", "follow": {"object": "ball"}}, "leave out \"track\"")):
+            self.write("scene.json", {**self.SCENE, "camera": camera})
+            self.bad_scene(said, "render", "scene.json", "-o", "a.png", "--frames", "0")
+
+
 class Text(Case):
     def scene(self, text, **more):
         return {"version": 1, "render": {"size": [97, 55]}, "objects": {"a": {"text": {"text": text, **more}}}}
