@@ -6,7 +6,7 @@ from common import SOURCE, Case, main, png_rows, unfiltered
 FALL = {"version": 1, "render": {"size": [96, 54], "samples": 1}, "time": {"fps": 12, "duration": 1},
         "camera": {"position": [0, 0.3, 3], "target": [0, 0, 0], "shutter": {"angle": 360, "samples": 4}},
         "objects": {"sheet": {"cloth": {"size": [7, 9]}},
-                    "drops": {"particles": {"emitters": [{"rate": 40, "life": [0.3, 0.6]}], "look": {"as": "spheres", "size": 0.08}}},
+                    "drops": {"particles": {"emitters": [{"rate": 40, "lifetime": 0.5}], "look": {"shape": "sphere", "size": 0.08}}},
                     "rod": {"capsule": {"rotation": {"keys": [[0, [0, 0, 0]], [1, [0, 0, 300]]]}, "radius": 0.1, "length": 0.8}}}}
 
 
@@ -18,7 +18,7 @@ def pixels(png):
 
 class Motion(Case):
     def frame(self, folder, number):
-        return (self.folder / folder / f"frame_{number:05}.png").read_bytes()
+        return (self.folder / folder / f"{number:06}.png").read_bytes()
 
     def test_a_frame_alone_is_what_it_is_in_a_sequence(self):
         self.write("scene.json", FALL)
@@ -39,7 +39,7 @@ class Motion(Case):
             with self.subTest(number):
                 self.good("render", "scene.json", "-o", "part/", "--frames", "0-5", "--checkpoint-at", "5", "-q", "--overwrite")
                 self.frame("part", number) if number == 5 else None
-                (self.folder / "part" / "frame_00005.png").unlink(missing_ok=number == 6)
+                (self.folder / "part" / "000005.png").unlink(missing_ok=number == 6)
                 self.good("render", "scene.json", "-o", "part/", "--resume", "-q")
                 for each in range(12):
                     self.assertEqual(pixels(self.frame("part", each)), pixels(self.frame("all", each)), each)

@@ -18,36 +18,38 @@ float mapNear(usamplerBuffer keys, ShadowMap map, vec2 place) {
   return key > nearKey(0.0f) ? -1e30f : intBitsToFloat(int(nearKey(0.0f) - key));
 }
 
-float areaDiscFraction(usamplerBuffer keys, ShadowMap map, AreaReceiver r) {
-  precise float widest = (1.0f - r.near) * r.spread;
-  float search = clamp(widest, r.least, r.most);
-  int casters = 0;
-  precise float sum = 0.0f;
-  for (int i = 0; i < 32; ++i) {
-    precise vec2 way = search * discPoints[i];
-    precise vec2 place = r.middle + way;
-    precise float plane = r.near + r.rise.x * way.x + r.rise.y * way.y;
-    float near = mapNear(keys, map, place);
-    bool shades = near > plane;
-    sum = sum + (shades ? near : 0.0f);
-    casters += shades ? 1 : 0;
-  }
-  if (casters == 0) return 1.0f;
-  precise float between = sum * exactReciprocal(float(casters)) - r.near;
-  precise float wide = between * r.spread;
-  float radius = clamp(wide, r.least, r.most);
+// What shades among 128 places evenly over a disc: how many, and the sum of their nearness.
+struct Casters {
+  int count;
+  float near;
+};
+Casters castersWithin(usamplerBuffer keys, ShadowMap map, AreaReceiver r, float radius) {
   precise vec2 aside = radius * vec2(0.033f, 0.1f);
   vec2 turned = vec2(-aside.y, aside.x);
-  int lit = 0;
+  Casters found = Casters(0, 0.0f);
   for (int i = 0; i < 32; ++i) {
     precise vec2 middle = (0.94f * radius) * discPoints[i];
     for (int k = 0; k < 4; ++k) {  // a square of the side that the points are apart
       precise vec2 way = middle + ((k & 1) == 0 ? 1.0f : -1.0f) * ((k & 2) == 0 ? aside : turned);
       precise vec2 place = r.middle + way;
       precise float plane = r.near + r.rise.x * way.x + r.rise.y * way.y;
-      lit += mapNear(keys, map, place) > plane ? 0 : 1;
+      float near = mapNear(keys, map, place);
+      bool shades = near > plane;
+      precise float sum = found.near + (shades ? near : 0.0f);
+      found.near = sum;
+      found.count += shades ? 1 : 0;
     }
   }
-  precise float fraction = float(lit) * 0.0078125f;
+  return found;
+}
+
+float areaDiscFraction(usamplerBuffer keys, ShadowMap map, AreaReceiver r) {
+  precise float widest = (1.0f - r.near) * r.spread;
+  Casters casters = castersWithin(keys, map, r, clamp(widest, r.least, r.most));
+  if (casters.count == 0) return 1.0f;
+  precise float between = casters.near * exactReciprocal(float(casters.count)) - r.near;
+  precise float wide = between * r.spread;
+  int shaded = castersWithin(keys, map, r, clamp(wide, r.least, r.most)).count;
+  precise float fraction = float(128 - shaded) * 0.0078125f;
   return fraction;
 }

@@ -13,6 +13,10 @@ float lampFraction(int lamp, vec3 from, vec3 normal, float nl) {
   vec4 maps = lampMaps(lamp), sampling = lampSampling(lamp);
   vec3 a = abs(from);
   precise float turned = 4.0f * nl;
+#ifdef AREAS
+  // A part of a rectangle may be above the horizon while its middle is below.
+  turned = lampUp(lamp).w > 0.0f ? 1.0f : turned;
+#endif
   precise float lift = clamp(turned, -1.0f, 1.0f) * (sampling.y * max(a.x, max(a.y, a.z))) * (0.5f + 0.5f * sampling.z);
   precise vec3 lifted = from + normal * lift;
   int face = faceOf(lifted);
@@ -29,13 +33,13 @@ float lampFraction(int lamp, vec3 from, vec3 normal, float nl) {
   vec4 up = lampUp(lamp);
   if (up.w > 0.0f) {
     // Its area's disc, in texels of a map at a distance of 1 m; the surface's plane on the map.
-    vec3 turned = onFace(face, normal);
+    vec3 across = onFace(face, normal);
     float perTexel = exactReciprocal(sampling.y);
     precise float area = 0.318309886f * exactReciprocal(up.w);
     precise float spread = exactSqrt(area) * perTexel * exactReciprocal(sampling.x);
-    precise float off = exactDot(turned, q);
-    precise float perOff = sampling.x * sampling.y * exactReciprocal(off < 0.0f ? min(off, -1e-4f) : max(off, 1e-4f));
-    precise vec2 rise = turned.yz * perOff;
+    precise float least_ = -0.15f * exactSqrt(exactDot(q, q));  // flatter light would make of its plane a wall
+    precise float perOff = sampling.x * sampling.y * exactReciprocal(min(exactDot(across, q), least_));
+    precise vec2 rise = across.yz * perOff;
     precise float most = 0.125f * maps.x - 2.0f;
     precise float least = 0.5f + sampling.z;
     return areaDiscFraction(lampKeys, map, AreaReceiver(middle, min(near, 1.0f), rise, spread, least, max(most, least)));
