@@ -4,6 +4,15 @@
 #ifdef LAMPS
 #include "draw/lights/lamp_list.glsl"
 #include "draw/lights/point_light.glsl"
+#ifdef AREAS
+#include "draw/lights/area_light.glsl"
+#endif
+#ifdef RANGES
+#include "draw/lights/range.glsl"
+#endif
+#if RANGED_LAMPS > 0
+#include "draw/lights/lamp_cells.glsl"
+#endif
 #endif
 
 // Steradians of the sun; 0: a point.
@@ -49,11 +58,43 @@ float skyFactor(float roughness, float share) {
 }
 
 #ifdef LAMPS
+#ifdef AREAS
+// The same of a rectangle of luminance 1 / pi.
+vec3 rectangleLightOn(Facet f, int i) {
+  vec3 middle = lampPlace(i).xyz, across = lampAcross(i).xyz, up = lampUp(i).xyz;
+  float lit = rectangleShare(f.place, f.normal, middle, across, up);
+  precise float direct = lit;
+  if (f.translucency > 0.0f) {
+    float behind = rectangleShare(f.place, -f.normal, middle, across, up);
+    direct = lit + (behind - lit) * f.translucency;
+  }
+  precise vec3 mirrored = 2.0f * exactDot(f.normal, f.view) * f.normal - f.view;
+  vec3 towards = towardsRectangle(f.place, mirrored, middle, across, up);
+  float lobed = rectangleLobe(f.normal, f.view, towards, f.alpha, rectangleSpread(f.place, middle, across, up));
+  precise vec3 light = (f.matt * direct + f.f0 * (lit * lobed)) * lampUp(i).w;
+  return light;
+}
+#endif
+
 // Light of lamp i if nothing is in between; the lamp's lobe is widened by its size (draw/lights/point_light.glsl).
 vec3 lampLightOn(Facet f, int i) {
   Arrival a = arrivalAt(f.place, lampPlace(i), lampPower(i).w);
   float nl = exactDot(f.normal, a.towards);
   precise float share = a.perArea;
+#ifdef RANGES
+  precise vec3 way = f.place - lampPlace(i).xyz;
+  float kept = rangeShare(exactDot(way, way), lampAcross(i).w);
+  share = share * kept;
+#endif
+#ifdef AREAS
+  if (lampUp(i).w > 0.0f) {
+#ifndef RANGES
+    const float kept = 1.0f;
+#endif
+    precise vec3 bright = lampPower(i).rgb * kept * rectangleLightOn(f, i);
+    return bright;
+  }
+#endif
 #ifdef SPOTS
   share = share * coneShare(a.towards, lampCone(i));
 #endif
@@ -66,6 +107,13 @@ vec3 lampLightOn(Facet f, int i) {
 // A place of the lamp's ball, as a disc that faces p.
 vec3 lampPlaceAt(vec3 p, int i, float u, float v) {
   vec4 ball = lampPlace(i);
+#ifdef AREAS
+  if (lampUp(i).w > 0.0f) {
+    precise vec2 part = 2.0f * vec2(u, v) - 1.0f;
+    precise vec3 place = ball.xyz + lampAcross(i).xyz * part.x + lampUp(i).xyz * part.y;
+    return place;
+  }
+#endif
   precise vec3 to = ball.xyz - p;
   precise float square = max(exactDot(to, to), 1e-12f);
   precise vec3 towards = to * exactInverseSqrt(square);
@@ -79,8 +127,14 @@ vec3 lampPlaceAt(vec3 p, int i, float u, float v) {
 vec3 openLamps(Facet f) {
   precise vec3 sum = vec3(0);
 #if defined LAMPS
-#if SHADOWED_LAMPS < LAMPS
-  for (int i = SHADOWED_LAMPS; i < LAMPS; ++i) sum = sum + lampLightOn(f, i);
+#if SHADOWED_LAMPS < LAMPS - RANGED_LAMPS
+  for (int i = SHADOWED_LAMPS; i < LAMPS - RANGED_LAMPS; ++i) sum = sum + lampLightOn(f, i);
+#endif
+#if RANGED_LAMPS > 0
+  int cell = lampCellAt(f.place);
+  for (int word = 0; cell >= 0 && word < (RANGED_LAMPS + 31) / 32; ++word)
+    for (uint left = texelFetch(lampCells, cell + word).x; left != 0u; left &= left - 1u)
+      sum = sum + lampLightOn(f, LAMPS - RANGED_LAMPS + 32 * word + findLSB(left));
 #endif
 #endif
   return sum;
