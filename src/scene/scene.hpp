@@ -64,8 +64,8 @@ struct Bloom {
 enum class Rasterizer { exact, driver };
 
 /// How much is spent on the light of a picture. standard: draft, and creases and gaps get less of the
-/// surroundings' light.
-enum class Quality { draft, standard };
+/// surroundings' light. high: light is found by rays through the scene.
+enum class Quality { draft, standard, high };
 
 /// The curve from light to the numbers of a picture (glsl/draw/screen/film.glsl).
 enum class Tone { aces, agx, filmic, plain };
@@ -75,6 +75,7 @@ struct Render {
   Quality quality = Quality::draft;
   bool hasQuality = false;                ///< whether the scene gives it
   std::optional<double> occlusionRadius;  ///< m; none: a share of the distance to the target
+  int raySamples = 64;                    ///< of a pixel's light, with quality high
   glm::ivec2 size{1280, 720};             ///< pixels
   int samples = 4;  ///< per pixel: 1, 2, 4, 8 or 16 (of the driver: those it has, 1 and 4 always)
   Animated<float> exposure = 0.0F;  ///< EV

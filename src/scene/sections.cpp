@@ -87,14 +87,18 @@ void Render::describe(Fields& fields) {
       "exact: kernels in exact arithmetic draw, with the same bytes on every machine; driver: vertex and "
       "fragment shaders, with the edges and filters of that driver.");
   fields.choice(
-      "quality", quality, {"draft", "standard"},
+      "quality", quality, {"draft", "standard", "high"},
       "standard: creases, folds and what stands close together get less light from around them "
-      "(ambient occlusion), by what is in the picture. The driver's rasterizer knows draft alone.");
+      "(ambient occlusion), by what is in the picture. high: rays find the light, with soft shadows, one "
+      "bounce, and mirrors that show the scene. The driver's rasterizer knows draft alone.");
   fields.leftOut("quality", "draft, or standard on a stage");
   hasQuality = fields.given("quality");
   fields.optionalNumber("occlusionRadius", occlusionRadius, positive, "m",
                         "How far away what keeps that light out may be.");
   fields.leftOut("occlusionRadius", "a sixth of the distance to the target");
+  fields.integer(
+      "raySamples", raySamples, {1, 1024}, "",
+      "With quality high: how often a pixel's light is sampled. Noise halves with four times as many.");
   fields.number("exposure", exposure, {-20, 20}, "EV", "Brightness; one more doubles it.");
   fields.choice("tone", tone, {"aces", "agx", "filmic", "plain"},
                 "The curve from light to the picture. aces: contrasty; agx: bright colours go to white "

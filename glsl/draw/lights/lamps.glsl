@@ -86,20 +86,7 @@ LampLight withAny(LampLight sum, int i, vec3 p, Arrival a, float fraction, vec3 
 }
 
 #if RANGED_LAMPS > 0
-layout(binding = lampCellUnit) uniform usamplerBuffer lampCells;
-
-vec3 lampCellVector(int first) {
-  return vec3(uintBitsToFloat(texelFetch(lampCells, first).x), uintBitsToFloat(texelFetch(lampCells, first + 1).x),
-              uintBitsToFloat(texelFetch(lampCells, first + 2).x));
-}
-// First word of the cell of a place; negative where no lamp with a range reaches.
-int lampCellAt(vec3 p) {
-  ROUNDED vec3 place = (p - lampCellVector(0)) * lampCellVector(3);
-  ivec3 at = ivec3(floor(clamp(place, -1.0f, 64.0f)));
-  ivec3 count = ivec3(lampCellsAcross, lampCellsUp, lampCellsAcross);
-  if (any(lessThan(at, ivec3(0))) || any(greaterThanEqual(at, count))) return -1;
-  return lampCellHead + ((at.y * count.z + at.z) * count.x + at.x) * ((RANGED_LAMPS + 31) / 32);
-}
+#include "draw/lights/lamp_cells.glsl"
 #endif
 
 LampLight lampLight(vec3 p, vec3 normal, vec3 view, float roughness, float translucent) {

@@ -1,5 +1,5 @@
 // Light of copies of a mesh on their tiles: each triangle of a pixel once, in the pixel's middle if that is on it, else at the
-// first of its samples. Variants: those of draw/surface/lighting.glsl, SHADOW (with SHADOW_TAPS), OCCLUSION. SAMPLES.
+// first of its samples. Variants: those of draw/surface/lighting.glsl, SHADOW (with SHADOW_TAPS), OCCLUSION, RAYS. SAMPLES.
 #define EXACT_PICTURE
 #include "common/once.glsl"
 #include "draw/exact/tiles/lit_tile.glsl"
@@ -13,10 +13,14 @@
 #ifdef SHADOW
 #include "draw/exact/shadows/sun_map.glsl"
 #endif
+#ifdef RAYS
+#include "draw/exact/rays/spots.glsl"
+#include "draw/exact/rays/rounded_place.glsl"
+#endif
 uniform vec3 material;  // roughness, metallic, translucency
 vec3 material_ = once(material);
 
-vec4 lightOf(ivec2 pixel, uint number, int firstSample) {
+vec4 lightOf(ivec2 pixel, uint number, int sampleAt) {
   int slot = int(number / triangles_);
   Copy copy = copyOf(slot);
   ivec3 corners = cornersOf(number % triangles_);
@@ -25,7 +29,7 @@ vec4 lightOf(ivec2 pixel, uint number, int firstSample) {
   vec2 place = shadingPlace(pixel, -1);
   Weights weights = weightsAt(a, b, c, place);
   if (!weights.within) {
-    place = shadingPlace(pixel, firstSample);
+    place = shadingPlace(pixel, sampleAt);
     weights = weightsAt(a, b, c, place);
   }
   vec3 w = weights.of;
@@ -35,6 +39,22 @@ vec4 lightOf(ivec2 pixel, uint number, int firstSample) {
   precise vec3 mean = w.x * normalOf(copy, corners.x) + w.y * normalOf(copy, corners.y) + w.z * normalOf(copy, corners.z);
   vec3 normal = unitOf(mean);
   normal = weights.turned ? -normal : normal;  // a mesh may be open
+#ifdef RAYS
+  vec3 ca = pointOf(copy, corners.x), cb = pointOf(copy, corners.y), cc = pointOf(copy, corners.z);
+  precise vec3 first = cb - ca;
+  precise vec3 second = cc - ca;
+  vec3 across = exactCross(first, second);
+  float square = exactDot(across, across);
+  precise vec3 facing = square < 1e-30f ? normal : across * exactInverseSqrt(square);
+  facing = exactDot(facing, ray) > 0.0f ? -facing : facing;
+  bool turned_ = exactDot(normal, facing) < 0.0f;
+  vec3 na = unitOf(normalOf(copy, corners.x)), nb = unitOf(normalOf(copy, corners.y)), nc = unitOf(normalOf(copy, corners.z));
+  bool away = turned_ != weights.turned;
+  vec3 lifted = roundedPlace(p, ca, cb, cc, away ? -na : na, away ? -nb : nb, away ? -nc : nc, w);
+  vec3 color = tintOf(texelFetch(positions, slot), texelFetch(velocities, slot));
+  keepSpot(firstSample(pixel) + sampleAt, lifted, facing, turned_ ? -normal : normal, color, material_, 1.0f);
+  return vec4(0.0f, 0.0f, 0.0f, 1.0f);
+#endif
 #ifdef SHADOW
   float fraction = sunFractionOn(p, normal);
 #else

@@ -1,7 +1,7 @@
 // Light of balls on their tiles: each one of a pixel once, in the pixel's middle if that is on it, else at the first of its
 // samples. Those of few pixels are lit at four corners of a square of their outlines' area, as the driver's are
 // (draw/instances/small_sprites.comp): else they would twinkle. Variants: those of draw/surface/lighting.glsl, SHADOW (with
-// SHADOW_TAPS), OCCLUSION. SAMPLES.
+// SHADOW_TAPS), OCCLUSION, RAYS. SAMPLES.
 #define EXACT_PICTURE
 #include "common/once.glsl"
 #include "draw/exact/tiles/lit_tile.glsl"
@@ -13,6 +13,9 @@
 #include "draw/surface/lighting.glsl"
 #ifdef SHADOW
 #include "draw/exact/shadows/sun_map.glsl"
+#endif
+#ifdef RAYS
+#include "draw/exact/rays/spots.glsl"
 #endif
 uniform vec3 material;  // roughness, metallic, translucency
 vec3 material_ = once(material);
@@ -46,13 +49,20 @@ float weightOf(Ball ball, Facing facing, vec2 corner, float perHalf, ivec2 pixel
   return weight;
 }
 
-vec4 lightOf(ivec2 pixel, uint slot, int firstSample) {
+vec4 lightOf(ivec2 pixel, uint slot, int sampleAt) {
   int number = int(slot);
   vec4 position = texelFetch(positions, number), velocity = texelFetch(velocities, number);
   Ball ball = ballOf(position, velocity);
   bool small = pixelRadius(position.xyz, ball.radius) <= squarePixels_;
+#ifdef RAYS
+  Place seen = placeOn(ball, pixel, sampleAt);
+  precise vec3 onBall = position.xyz + seen.outwards;
+  vec3 outwards = unitOf(seen.outwards);
+  keepSpot(firstSample(pixel) + sampleAt, onBall, outwards, outwards, tintOf(position, velocity), material_, 1.0f);
+  return vec4(0.0f, 0.0f, 0.0f, 1.0f);
+#endif
   Facing facing = facingEye(position.xyz);
-  Place place = placeOn(ball, pixel, firstSample);
+  Place place = placeOn(ball, pixel, sampleAt);
   precise vec3 backwards = -place.ray;
   vec3 towards = small ? facing.towards : unitOf(backwards);
   precise vec3 middle = 0.6666667f * facing.towards;  // the part of a ball that is seen faces the eye by 2/3 in the mean

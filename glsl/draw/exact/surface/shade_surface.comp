@@ -1,6 +1,6 @@
 // Light of one surface on its tiles: each primitive of a pixel once, in the pixel's middle if that is on it, else at the
 // first of its samples. JOINED: of several surfaces that have nothing laid over them. Variants: those of draw/surface/lighting.glsl,
-// SHADOW (with SHADOW_TAPS), OCCLUSION, PALETTE, DOUBLE_SIDED, TEXTURED (BUMPED) or SKIN (LOOK_ one of draw/surface/skin_look.glsl), by uv, of
+// SHADOW (with SHADOW_TAPS), OCCLUSION, RAYS, PALETTE, DOUBLE_SIDED, TEXTURED (BUMPED) or SKIN (LOOK_ one of draw/surface/skin_look.glsl), by uv, of
 // a GRID or a mesh, or TRIPLANAR. SAMPLES.
 #define EXACT_PICTURE
 #include "common/once.glsl"
@@ -27,6 +27,9 @@ bool mirrors = false, bothSides = false;  // of the surface that is being shaded
 #ifdef SHADOW
 #include "draw/exact/shadows/sun_map.glsl"
 #endif
+#ifdef RAYS
+#include "draw/exact/rays/surface_spots.glsl"
+#endif
 uniform uint firstId;
 uint firstId_ = once(firstId);
 #ifdef JOINED
@@ -47,12 +50,12 @@ uniform vec3 material;  // roughness, metallic, translucency
 vec3 material_ = once(material);
 #endif
 
-vec4 lightOf(ivec2 pixel, uint triangle, int firstSample) {
+vec4 lightOf(ivec2 pixel, uint triangle, int sampleAt) {
 #ifdef JOINED
   triangle += firstId_;
   takeLook(triangle);
 #endif
-  Spot spot = spotOf(cornersOf(int(triangle)), pixel, firstSample);
+  Spot spot = spotOf(cornersOf(int(triangle)), pixel, sampleAt);
   precise vec3 base = color_;
 #ifdef PALETTE
   base = paletteColor(spot);
@@ -84,7 +87,11 @@ vec4 lightOf(ivec2 pixel, uint triangle, int firstSample) {
   look.openness = open;
   light = found.skin.emission;
 #endif
+#ifdef RAYS
+  keepSurfaceSpot(spot, look, normal, firstSample(pixel) + sampleAt);
+#else
   light = light + allLight(look, spot.place, normal, spot.view, fraction);
+#endif
   return vec4(light, 1.0f);
 }
 

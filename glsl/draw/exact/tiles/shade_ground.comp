@@ -1,4 +1,4 @@
-// Light of the ground on its tiles. Variants: SHADOWED (with SHADOW_TAPS), REFLECTIVE, LAMPS, OCCLUSION. SAMPLES.
+// Light of the ground on its tiles. Variants: SHADOWED (with SHADOW_TAPS), REFLECTIVE, LAMPS, OCCLUSION, RAYS. SAMPLES.
 #define EXACT_PICTURE
 #include "draw/exact/tiles/shaded_tile.glsl"
 #include "draw/exact/ground_plane.glsl"
@@ -6,6 +6,10 @@
 #include "draw/surface/ground_light.glsl"
 #ifdef SHADOWED
 #include "draw/exact/shadows/sun_map.glsl"
+#endif
+#ifdef RAYS
+#include "draw/exact/rays/spots.glsl"
+#include "draw/exact/rays/ground_ray.glsl"
 #endif
 
 void lightGround(ivec2 pixel) {
@@ -28,6 +32,13 @@ void lightGround(ivec2 pixel) {
   float fraction = sunFraction(lightPlace(p), vec3(0, 1, 0));
 #else
   const float fraction = 1.0f;
+#endif
+#ifdef RAYS
+  float alpha = groundAlpha(p);
+  keepSpot(firstSample(pixel) + first, p, vec3(0, 1, 0), vec3(0, 1, 0), frame.groundColor.rgb,
+           vec3(frame.groundRoughness, 0.0f, 0.0f), alpha);
+  addLight(pixel, vec4(0.0f, 0.0f, 0.0f, alpha), samples);
+  return;
 #endif
   precise vec3 towards = -ray;
   addLight(pixel, groundLight(p, unitOf(towards), fraction, opennessOn(pixel, p)), samples);

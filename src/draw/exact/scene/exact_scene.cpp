@@ -1,6 +1,8 @@
 #include "draw/exact/scene/exact_scene.hpp"
 
 #include "base/error.hpp"
+#include "base/ieee.hpp"
+#include "base/log.hpp"
 #include "draw/exact/bindings.hpp"
 #include "draw/exact/bloom.hpp"
 #include "draw/exact/exact_view.hpp"
@@ -8,6 +10,7 @@
 #include "draw/exact/joined_surfaces.hpp"
 #include "draw/exact/light_pictures.hpp"
 #include "draw/exact/occlusion.hpp"
+#include "draw/exact/rays/ray_light.hpp"
 #include "draw/exact/scene/lamp_maps.hpp"
 #include "draw/exact/shaded_tiles.hpp"
 #include "draw/exact/surface_shading.hpp"
@@ -52,6 +55,31 @@ int rowsOfBands(glm::ivec2 size, int samples, std::size_t bytes) {
   return std::min(size.y, std::max(static_cast<int>(rows) / side * side, side));
 }
 
+/// Rays need no shadow map.
+scene::Sun mappedSun(const scene::Scene& scene) {
+  scene::Sun sun = scene.sun;
+  sun.shadow = sun.shadow && scene.render.quality != scene::Quality::high;
+  return sun;
+}
+
+/// As many bytes of visibility as rays have room for places.
+std::size_t bytesOfBands(const scene::Scene& scene, std::size_t bytes) {
+  if (scene.render.quality != scene::Quality::high) return bytes;
+  return std::min(bytes, RayLight::mostSamples * Visibility::sampleBytes);
+}
+
+/// What light finds by way of other things is plainer than what the camera sees.
+void tellOfRays(const scene::Scene& scene) {
+  const auto laidOver =
+      std::count_if(scene.objects.begin(), scene.objects.end(), [](const scene::Object& object) {
+        return object.material.hasSkin || !object.material.texture.empty();
+      });
+  if (laidOver > 0)
+    warn(
+        "render.quality \"high\": mirrors and light that comes by way of other things know no textures and "
+        "skins, but the material's colour");
+}
+
 float occlusionRadiusOf(const scene::Scene& scene, const View& view) {
   if (scene.render.occlusionRadius) return static_cast<float>(*scene.render.occlusionRadius);
   return std::max(glm::distance(view.eye, view.target) / 6.0F, 1e-6F);
@@ -69,10 +97,22 @@ struct ExactScene::State {
     defines.emplace_back("SAMPLES", std::to_string(count));
     defines.emplace_back("ROWS", std::to_string(rowsAtOnce()));
     if (occludes()) defines.emplace_back("OCCLUSION", "1");
+    if (traces()) {
+      defines.emplace_back("RAYS", "1");
+      return defines;
+    }
     for (const gl::Defines& more : {shadow.defines(), lamps.defines(), aroundDefines()})
       defines.insert(defines.end(), more.begin(), more.end());
     return defines;
   }
+  /// Of what lights by rays.
+  [[nodiscard]] gl::Defines rayLighting(int count) const {
+    gl::Defines defines = lighting(count);
+    for (const gl::Defines& more : {lamps.defines(), aroundDefines()})
+      defines.insert(defines.end(), more.begin(), more.end());
+    return defines;
+  }
+  [[nodiscard]] bool traces() const { return scene.render.quality == scene::Quality::high; }
   [[nodiscard]] bool occludes() const { return scene.render.quality == scene::Quality::standard; }
   [[nodiscard]] gl::Defines aroundDefines() const {
     return environment == nullptr ? gl::Defines() : environment->defines();
@@ -118,12 +158,14 @@ struct ExactScene::State {
   std::vector<std::span<const TriangleRaster::Drawn>> gathered;  ///< surfaces that are shaded together
   std::optional<Visibility> map;
   std::optional<TriangleRaster> casters;
-  LampMaps lampMaps;
+  std::optional<LampMaps> lampMaps;
   ShadedTiles tiles;
   Occlusion occlusion;
   float occlusionRadius = 0;  ///< of this picture (m)
+  float white = 1;            ///< light that it shows as white
   SurfaceShading surfaces;
   ExactInstances instances;
+  std::optional<RayLight> rays;
   Bloom bloom;
   gl::Program litGround, shadedGround, lensSum, picture;
   PassPicture* passes = nullptr;  ///< where they are kept
@@ -147,11 +189,10 @@ ExactScene::State::State(const scene::Scene& shown, const Environment* around, g
       ground(shown.hasGround && shown.ground.visible),
       skins(shown),
       lamps(shown, Rasterizer::exact),
-      shadow(shown.sun),
+      shadow(mappedSun(shown)),
       view("view", sizeof(shader::ExactView)),
       visibility("the picture", {pixels.x, rows}, count, true),
       triangles(TriangleRaster::Into::picture, count),
-      lampMaps(lamps),
       tiles(visibility, ground, shadow.on()),
       surfaces(shown, lighting(count)),
       instances(count, lighting(count)),
@@ -159,6 +200,16 @@ ExactScene::State::State(const scene::Scene& shown, const Environment* around, g
       picture(gl::Program::compute("draw/exact/screen/picture.comp", pictureDefines())),
       sums(gl::Texture::image("light", GL_RGBA32F, pixels.x, pixels.y)) {
   if (occludes()) occlusion = Occlusion(pixels, visibility, ground);
+  if (lamps.order().shadowed > 0 && !traces()) lampMaps.emplace(lamps);
+  if (traces()) {
+    const std::size_t held = static_cast<std::size_t>(pixels.x) * static_cast<std::size_t>(rows) *
+                             static_cast<std::size_t>(count);
+    rays.emplace(
+        RayLight::Options{
+            .raySamples = shown.render.raySamples, .ground = ground, .openSun = !shown.sun.shadow},
+        rayLighting(count), held);
+    tellOfRays(shown);
+  }
   if (shown.camera.hasLens || shown.camera.hasShutter) {
     lensSum = gl::Program::compute("draw/exact/screen/lens_sum.comp", {});
     total = gl::Texture::image("light through the lens", GL_RGBA32F, pixels.x, pixels.y);
@@ -180,7 +231,7 @@ ExactScene::ExactScene(const scene::Scene& scene, const Environment* environment
                        int samples, std::size_t visibilityBytes) {
   checkSamples(samples);
   state_ = std::make_unique<State>(scene, environment, size, samples,
-                                   rowsOfBands(size, samples, visibilityBytes));
+                                   rowsOfBands(size, samples, bytesOfBands(scene, visibilityBytes)));
 }
 ExactScene::~ExactScene() = default;
 
@@ -216,7 +267,7 @@ void ExactScene::State::gather() {
 
 void ExactScene::State::shadeAll() {
   if (map) map->nearKeys().bind(mapUnit);
-  lampMaps.bind();
+  if (lampMaps) lampMaps->bind();
   if (occlusion.on()) occlusion.bind();
   for (std::size_t i = 0; i < gathered.size(); ++i)
     if (gathered[i].size() == 1)
@@ -237,7 +288,7 @@ void ExactScene::State::keepVisibility(glm::ivec2 rows) const {
   if (rows.x > 0) return;
   if (map) passes->keep("shadow", "sun", map->readKeys(), map->size(), 1);
   if (occlusion.on()) passes->keep("shadow", "openness", occlusion.read(), occlusion.size(), 2);
-  if (lampMaps.on()) passes->keep("shadow", "lamps", lampMaps.keys().readKeys(), lampMaps.keys().size(), 1);
+  if (lampMaps) passes->keep("shadow", "lamps", lampMaps->keys().readKeys(), lampMaps->keys().size(), 1);
   for (const TriangleRaster::Drawn& drawn : triangles.drawn())
     passes->things.push_back({objectName(*drawn.surface), "triangle", drawn.firstId, 1});
   instances.describe(passes->things);
@@ -329,7 +380,9 @@ void ExactScene::State::drawBand(const sim::Drawables& drawables, const shader::
   tiles.list(firstIds, visibility, place, ExactInstances::anyAdd(drawables) || layerKeeper);
   if (layerKeeper) keepLayers(values);
   if (passes != nullptr) keepVisibility(rows);
+  if (rays) rays->bind();
   shadeAll();
+  if (rays) rays->add(visibility, sums, rows.y - rows.x, white);
   if (passes != nullptr) passes->keepLight("light", "", sums, rows);
   if (watch) watch("surfaces");
   instances.addLight(drawables, visibility);
@@ -379,11 +432,16 @@ View ExactScene::State::prepare(const Moment& moment, sim::Drawables& drawables,
   const shader::ExactView values = exactView(seen, scene.camera, size);
   view.write(0, std::as_bytes(std::span(&values, 1)));
   occlusionRadius = occlusionRadiusOf(scene, seen);
+  if (rays) {
+    white = static_cast<float>(ieee::exp2(-static_cast<double>(scene.render.exposure.at(moment.seconds))));
+    rays->build(drawables);
+    if (watch) watch("rays");
+  }
   joins = joined.join(drawables.surfaces);
   sim::Drawables casting = drawables;
   if (joins) casting.surfaces = {joined.surface()};
-  if (lampMaps.on()) {
-    lampMaps.draw(casting, lamps, instances);
+  if (lampMaps) {
+    lampMaps->draw(casting, lamps, instances);
     if (watch) watch("shadow");
   }
   view.bindUniform(viewBinding, 0, sizeof values);
@@ -413,6 +471,7 @@ bool ExactScene::State::expose(const Exposure& exposure, const Watch& watch) {
     // least.
     for (int i = m; i < pictures; i += moments, ++drawn) {
       const LensPoint& point = opening[static_cast<std::size_t>(i % points)];
+      if (rays) rays->seeThrough(drawn, pictures);
       drawThrough(drawables, exactView(seen, scene.camera, size, point), watch);
       passes = nullptr;
       layerKeeper.reset();

@@ -1,0 +1,103 @@
+// What the rays onwards meet: the sky, whose light counts; or a place of the scene, from where a ray goes towards a light and another
+// onwards, which brings the sky's light if nothing is in its way. SAMPLES; LAMPS and so on; ENVIRONMENT; TRIANGLES, BALLS, GROUND.
+#define EXACT_PICTURE
+#include "draw/frame_block.glsl"
+#include "draw/exact/rays/spot_read.glsl"
+#include "draw/exact/rays/lights.glsl"
+#include "draw/exact/rays/path_rays.glsl"
+#include "draw/exact/rays/ground_ray.glsl"
+#include "draw/exact/rays/found_facet.glsl"
+layout(local_size_x = 64) in;
+layout(binding = rayUnit) uniform samplerBuffer rays;
+layout(binding = rayHitUnit) uniform usamplerBuffer rayHits;
+layout(binding = rayLightUnit) uniform samplerBuffer onwardLight;
+
+// Sky beyond, `share` of it: with the sun if the ray is the lobe's and meets it.
+vec3 beyond(vec3 direction, float factor, float density, float share) {
+  precise vec3 light = skyLight(direction, factor);
+  float angle = sunAngle();
+  precise float likely = density * angle;
+  bool sun = likely > 0.0f && isOnSun(direction);
+  // Radiance is irradiance / angle; the share of the lobe's own rays is density / (density + 1 / angle).
+  precise float both = 1.0f + likely;
+  precise vec3 ofSun = frame.sunLight.rgb * (3.14159265f * density * exactReciprocal(both));
+  precise vec3 sum = (sun ? light + ofSun : light) * share;
+  return sum;
+}
+
+// One light, the more often the more it gives. What nothing can keep out.
+vec3 towardsLight(int path, Facet f, vec3 weight, vec3 u) {
+  vec3 direction = sunDirectionAt(u.x, u.y);
+  float nl = exactDot(f.normal, direction);
+  precise vec3 ofSun = frame.sunLight.rgb * (f.matt * mattCosine(f, nl) + f.f0 * (max(nl, 0.0f) * lobe(f.normal, f.view, direction, f.alpha)));
+  precise vec3 light = ofSun;
+  float far = farAway;
+#ifdef LAMPS
+#if SHADOWED_LAMPS > 0
+  precise float lamps = 0.0f;
+  for (int i = 0; i < SHADOWED_LAMPS; ++i) lamps = lamps + brightnessOf(lampLightOn(f, i));
+  float sunWeight = brightnessOf(ofSun);
+  precise float all_ = sunWeight + lamps;
+  precise float wanted = u.z * all_;
+  bool sun = wanted < sunWeight;
+  precise float rest = (wanted - sunWeight) * exactReciprocal(max(lamps, 1e-25f));
+  Chosen chosen = chosenLamp(f, clamp(rest, 0.0f, 0.999999f));
+  precise vec3 throughSun = ofSun * (all_ * exactReciprocal(max(sunWeight, 1e-25f)));
+  precise vec3 throughLamp = chosen.light * (all_ * exactReciprocal(max(lamps, 1e-25f)));
+  if (sun) {
+    light = throughSun;
+  } else if (chosen.lamp >= 0) {
+    precise vec3 to = lampPlaceAt(f.place, chosen.lamp, u.x, u.y) - f.place;
+    direction = unitOf(to);
+    precise float reach = exactSqrt(exactDot(to, to)) * 0.9999f;
+    far = reach;
+    light = throughLamp;
+  }
+#endif
+#endif
+  precise vec3 brings = light * weight;
+#ifdef OPEN_SUN
+  if (far == farAway) {
+    putNone(nextLightKind, path);
+    return brings;
+  }
+#endif
+  bool any_ = max(brings.x, max(brings.y, brings.z)) > 0.0f;
+  putRay(nextLightKind, path, beginning(f, direction), 0.0f, direction, any_ ? far : 0.0f, vec4(brings, 0.0f));
+  return vec3(0);
+}
+
+void main() {
+  int path = int(gl_WorkGroupID.y * gl_NumWorkGroups.x * 64u + gl_GlobalInvocationID.x);
+  if (path >= paths) return;
+  int ray = onwardKind * paths + path;
+  vec4 from = texelFetch(rays, 2 * ray), towards = texelFetch(rays, 2 * ray + 1), weight = texelFetch(onwardLight, ray);
+  uvec4 hit = texelFetch(rayHits, ray);
+  int at = int(hit.y);
+  bool there = towards.w > 0.0f;
+  PathStart start = pathStart(path);
+  float roughness = uintBitsToFloat(texelFetch(spots, 3 * start.at + 2).x);
+  float share = at < 0 ? 0.0f : 1.0f;
+  vec3 p = placeAlong(from.xyz, towards.xyz, uintBitsToFloat(hit.x));
+#ifdef GROUND
+  share = at == groundHit ? groundAlpha(p) : share;
+#endif
+  precise float open = 1.0f - share;
+  precise vec3 sure = weight.rgb * beyond(towards.xyz, skyFactor(roughness, from.w), weight.w, open);
+  if (!there || share <= 0.0f) {
+    putNone(nextLightKind, path);
+    putNone(nextOnwardKind, path);
+    rayLight[nextSure * paths + path] = vec4(there ? sure : vec3(0), 0.0f);
+    return;
+  }
+  // What rough surfaces gather from smooth ones would be rare and bright: there those are no smoother.
+  precise float least = 0.7f + (roughness - 0.7f) * from.w;
+  Facet f = foundFacet(at, p, towards.xyz, uintBitsToFloat(hit.x), uintBitsToFloat(hit.zw), least);
+  precise vec3 through = weight.rgb * share;
+  vec3 certain = towardsLight(path, f, through, samplePoint(start.number, sampleMask, start.seed, 3u));
+  Onward onward = onwardFrom(f, samplePoint(start.number, sampleMask, start.seed, 4u));
+  precise vec3 brings = through * onward.weight * skyLight(onward.direction, skyFactor(f.roughness, onward.share));
+  putRay(nextOnwardKind, path, beginning(f, onward.direction), 0.0f, onward.direction, farAway, vec4(brings, 0.0f));
+  sure = sure + certain + through * openLamps(f);
+  rayLight[nextSure * paths + path] = vec4(sure, 0.0f);
+}

@@ -1,0 +1,24 @@
+// The box around all triangles or (BALLS) balls, as ordered keys. An invocation reduces a strided share of them first.
+#include "draw/exact/rays/solids.glsl"
+#include "draw/ordered_key.glsl"
+layout(local_size_x = 64) in;
+layout(std430, binding = rayBoundsBinding) restrict buffer BoundsBlock { uint bounds[]; };  // low xyz, high xyz
+uniform int count;
+uniform int invocations;
+
+void main() {
+  int first = int(gl_GlobalInvocationID.x);
+  if (first >= min(invocations, count)) return;
+  vec3 low = vec3(3.4e38), high = vec3(-3.4e38);
+  for (int i = first; i < count; i += invocations) {
+    Solid solid = solidOf(i);
+    if (!solid.there) continue;
+    low = min(low, solid.low);
+    high = max(high, solid.high);
+  }
+  if (low.x > high.x) return;
+  for (int axis = 0; axis < 3; ++axis) {
+    atomicMin(bounds[axis], orderedKey(low[axis]));
+    atomicMax(bounds[3 + axis], orderedKey(high[axis]));
+  }
+}

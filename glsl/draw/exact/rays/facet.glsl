@@ -1,0 +1,147 @@
+// A place of the scene as rays find it, and what it does with light: a GGX lobe, and beneath it a matt surface that gets what the lobe
+// leaves. Light is irradiance / pi, as in draw/surface/shading.glsl. Compiles as GLSL and as C++.
+#ifndef EXACT_RAY_FACET
+#define EXACT_RAY_FACET
+#include "draw/surface/shading.glsl"
+#include "draw/exact/rays/directions.glsl"
+
+struct Facet {
+  vec3 place;
+  vec3 facing;  // unit, on the side that is seen, as is
+  vec3 normal;
+  vec3 view;    // to where it is seen from; unit
+  vec3 matt;    // colour
+  vec3 f0;
+  float roughness;
+  float alpha;
+  float translucency;
+  float off;    // how far from the place rays begin (m)
+  float nv;     // cosine of normal and view, above 0
+  float mirrors;  // probability with which a sample goes on by the lobe
+};
+
+FUNCTION float brightnessOf(vec3 c) {
+  precise float b = 0.2126f * c.x + 0.7152f * c.y + 0.0722f * c.z;
+  return b;
+}
+
+// `material`: roughness, metallic, translucency. `reach`: from where it is seen (m).
+FUNCTION Facet facetOf(vec3 place, vec3 facing, vec3 normal, vec3 view, vec3 base, vec3 material, float reach) {
+  Facet f;
+  f.place = place;
+  f.view = view;
+  f.facing = exactDot(facing, view) < 0.0f ? -facing : facing;
+  // A normal that shading turns away from who looks is turned back as far as needed.
+  float seen = exactDot(normal, view);
+  precise float missing = 0.02f - seen;
+  precise vec3 bent = normal + view * max(missing, 0.0f);
+  f.normal = unitOf(bent);
+  f.nv = clamp(exactDot(f.normal, view), 1e-3f, 1.0f);
+  f.roughness = material.x;
+  f.alpha = roughAlpha(material.x);
+  f.translucency = material.z;
+  f.f0 = blend(vec3(0.04f), base, material.y);
+  vec2 lobed = ambientLobe(material.x, f.nv);
+  precise float lost = 0.04f * lobed.x + lobed.y;
+  precise float kept = 1.0f - clamp(lost, 0.0f, 1.0f);
+  precise vec3 matt = base * ((1.0f - material.y) * kept);
+  f.matt = matt;
+  precise vec3 mirrored = f.f0 * lobed.x + lobed.y;
+  float lobeShare = max(brightnessOf(mirrored), 1e-4f), mattShare = max(brightnessOf(matt), 0.0f);
+  precise float all_ = lobeShare + mattShare;
+  // At a grazing angle the lobe mirrors much more than in the mean: samples that take it do not get too rare.
+  precise float likely = lobeShare * exactReciprocal(all_);
+  f.mirrors = mattShare > 0.0f ? max(likely, 0.2f) : 1.0f;
+  float largest = max(abs(place.x), max(abs(place.y), abs(place.z)));
+  precise float off = 1e-5f * max(largest, reach);
+  f.off = off;
+  return f;
+}
+
+// Of the matt surface: the cosine, some of the light coming through from behind.
+FUNCTION float mattCosine(Facet f, float nl) {
+  float lit = max(nl, 0.0f);
+  precise float direct = lit + (max(-nl, 0.0f) - lit) * f.translucency;
+  return direct;
+}
+
+// Where a ray into that direction begins: on its side of what lets light through, else on the side that is seen.
+FUNCTION vec3 beginning(Facet f, vec3 direction) {
+  bool through = f.translucency > 0.0f && exactDot(f.facing, direction) < 0.0f;
+  precise vec3 p = f.place + f.facing * (through ? -f.off : f.off);
+  return p;
+}
+
+// Of light from there: what the lobe sends to the view times the cosine, pi of it; and the density of the lobe's own directions.
+struct Lobed {
+  vec3 light;
+  float density;
+};
+FUNCTION Lobed lobeTowards(Facet f, vec3 direction) {
+  Lobed none;
+  none.light = vec3(0.0f);
+  none.density = 0.0f;
+  float nl = exactDot(f.normal, direction);
+  precise vec3 sum = f.view + direction;
+  vec3 half_ = unitOf(sum);
+  float nh = clamp(exactDot(f.normal, half_), 0.0f, 1.0f), lh = clamp(exactDot(direction, half_), 0.0f, 1.0f);
+  float d = ggxDensity(nh, f.alpha), seen = ggxLambda(f.nv, f.alpha), lit = ggxLambda(max(nl, 1e-3f), f.alpha);
+  precise float both = 1.0f + seen + lit;
+  precise float one = 1.0f + seen;
+  precise float quarter = 0.25f * d * exactReciprocal(f.nv);
+  precise float density = quarter * exactReciprocal(one);
+  precise vec3 light = fresnel(f.f0, lh) * (3.14159265f * quarter * exactReciprocal(both));
+  if (nl <= 0.0f) return none;
+  Lobed found;
+  found.light = light;
+  found.density = density;
+  return found;
+}
+
+// How often samples go on into a direction (1/sr).
+FUNCTION float densityTowards(Facet f, Lobed lobed, float nl) {
+  precise float matts = 1.0f - f.mirrors;
+  precise float density = f.mirrors * lobed.density + matts * mattCosine(f, nl) * 0.31830989f;
+  return density;
+}
+
+// Where a sample goes on, by the lobe or by the matt surface, and what of the light that comes from there counts: all that both do with
+// it, over how often either goes there (Veach and Guibas, "Optimally Combining Sampling Techniques", SIGGRAPH 1995).
+struct Onward {
+  vec3 direction;
+  vec3 weight;
+  float density;  // how often (1/sr)
+  float share;    // of the lobe in what counts
+};
+FUNCTION Onward onwardFrom(Facet f, vec3 u) {
+  bool mirror = u.z < f.mirrors;
+  precise float matts = 1.0f - f.mirrors;
+  precise float rest = (u.z - f.mirrors) * exactReciprocal(max(matts, 1e-6f));
+  bool through = !mirror && rest < f.translucency;
+  vec3 right = rightOf(f.normal), up = upOf(f.normal);
+  vec3 own = vec3(exactDot(right, f.view), exactDot(up, f.view), f.nv);
+  vec3 h = visibleNormal(own, f.alpha, u.x, u.y);
+  precise vec3 facet = right * h.x + up * h.y + f.normal * h.z;
+  precise vec3 mirrored = facet * (2.0f * exactDot(f.view, facet)) - f.view;
+  vec3 direction = mirror ? mirrored : cosineDirection(through ? -f.normal : f.normal, u.x, u.y);
+  // What shading turns into the surface comes back out of it.
+  float side = exactDot(f.facing, direction);
+  precise float away = through ? max(side, 0.0f) : min(side, 0.0f);
+  precise vec3 outside = direction - f.facing * (2.0f * away);
+  direction = unitOf(outside);
+  float nl = exactDot(f.normal, direction);
+  Lobed lobed = lobeTowards(f, direction);
+  float density = densityTowards(f, lobed, nl);
+  precise vec3 ofMatt = f.matt * mattCosine(f, nl);
+  float lobeLight = brightnessOf(lobed.light), mattLight = brightnessOf(ofMatt);
+  precise float all_ = lobeLight + mattLight;
+  precise float share = lobeLight * exactReciprocal(max(all_, 1e-25f));
+  precise vec3 weight = (ofMatt + lobed.light) * (0.31830989f * exactReciprocal(max(density, 1e-12f)));
+  Onward onward;
+  onward.direction = direction;
+  onward.weight = density > 1e-12f ? weight : vec3(0.0f);
+  onward.density = density;
+  onward.share = share;
+  return onward;
+}
+#endif

@@ -1,0 +1,55 @@
+// Puts a surface's vertices in world space behind those of others, with what shading reads of them, and its triangles. A vertex's
+// words: its normal, its colour (halfs) and whose it is. Variants: GRID, DEFORMED, COUNTED, PALETTE.
+#include "draw/exact/rays/bindings.glsl"
+#include "draw/exact/bindings.glsl"
+#include "draw/exact/triangles/world_vertex.glsl"
+#include "draw/exact/unit_vector.glsl"
+#include "draw/half.glsl"
+layout(local_size_x = 64) in;
+layout(binding = indexUnit) uniform usamplerBuffer indices;
+layout(std430, binding = outPlaceBinding) writeonly restrict buffer PlaceBlock { vec4 places[]; };
+layout(std430, binding = outWordBinding) writeonly restrict buffer WordBlock { uvec4 words[]; };
+layout(std430, binding = outCornerBinding) writeonly restrict buffer CornerBlock { uint corners[]; };
+#ifdef COUNTED
+layout(std430, binding = drawArgumentBinding) readonly restrict buffer DrawArgumentBlock { uint drawArguments[]; };
+#endif
+#ifdef PALETTE
+layout(binding = paletteUnit) uniform samplerBuffer palette;
+#endif
+uniform int vertexCount;
+uniform int firstVertex;
+uniform int triangleCount;
+uniform int firstTriangle;
+uniform ivec2 rowOf;  // as draw/exact/triangles/surface_triangle.glsl has it
+uniform uint owner;
+uniform vec3 color;
+
+void main() {
+  int i = int(gl_WorkGroupID.y * gl_NumWorkGroups.x * 64u + gl_GlobalInvocationID.x);
+  if (i < vertexCount) {
+    vec3 p = worldPlace(i);
+    precise float far = abs(p.x) + abs(p.y) + abs(p.z);
+    bool there = isNumber(far) && far < 1e9f;
+    places[firstVertex + i] = there ? vec4(p, 1.0f) : vec4(0);
+    vec3 n = worldNormal(i);
+    precise float square = exactDot(n, n);
+    bool turned = isNumber(square) && square > 1e-30f && square < 1e30f;
+    vec3 tint = color;
+#ifdef PALETTE
+    tint = texelFetch(palette, vertexColor(i)).rgb;
+#endif
+    vec4 held = asHalf(vec4(tint, 0.0f));
+    words[firstVertex + i] =
+        uvec4(packedUnit(turned ? n : vec3(0, 1, 0)), packHalf2x16(held.xy), packHalf2x16(held.zw), owner);
+  }
+  if (i >= triangleCount) return;
+#ifdef COUNTED
+  bool drawn = i < int(drawArguments[0] / 3u);
+#else
+  const bool drawn = true;
+#endif
+  int row = rowOf.x > 0 ? i / rowOf.x : 0;
+  int first = 3 * (i - row * rowOf.x), vertex = firstVertex + row * rowOf.y;
+  for (int k = 0; k < 3; ++k)
+    corners[3 * (firstTriangle + i) + k] = uint(vertex) + (drawn ? texelFetch(indices, first + k).x : 0u);
+}

@@ -1,0 +1,171 @@
+// Sun, lamps and sky where rays find their light. LAMPS, SHADOWED_LAMPS, SPOTS, as in draw/lights/lamps.glsl; ENVIRONMENT.
+#include "draw/sky.glsl"
+#include "draw/exact/rays/facet.glsl"
+#ifdef LAMPS
+#include "draw/lights/lamp_list.glsl"
+#include "draw/lights/point_light.glsl"
+#ifdef AREAS
+#include "draw/lights/area_light.glsl"
+#endif
+#ifdef RANGES
+#include "draw/lights/range.glsl"
+#endif
+#if RANGED_LAMPS > 0
+#include "draw/lights/lamp_cells.glsl"
+#endif
+#endif
+
+// Steradians of the sun; 0: a point.
+float sunAngle() {
+  precise float angle = 3.14159265f * frame.sunSpread * frame.sunSpread;
+  return angle;
+}
+
+vec3 sunDirectionAt(float u, float v) {
+  vec2 at = onDisc(u, v);
+  precise vec2 aside = at * frame.sunSpread;
+  precise vec3 to = frame.sunDirection.xyz + frame.lightRight.xyz * aside.x + frame.lightUp.xyz * aside.y;
+  return unitOf(to);
+}
+
+bool isOnSun(vec3 direction) {
+  float along = exactDot(direction, frame.sunDirection.xyz);
+  precise vec2 aside = vec2(exactDot(direction, frame.lightRight.xyz), exactDot(direction, frame.lightUp.xyz));
+  precise float square = aside.x * aside.x + aside.y * aside.y;
+  precise float edge = frame.sunSpread * along;
+  precise float edge2 = edge * edge;
+  return along > 0.0f && square < edge2;
+}
+
+// The sky's light on a surface, from one direction: what falls onto matt ones has the factor `ambient`, mirrors show the sky as it is.
+vec3 skyLight(vec3 direction, float factor) {
+#ifdef ENVIRONMENT
+  precise vec3 light = environmentAt(direction, 0) * factor;
+#else
+  precise vec3 light = skyRadiance(direction.y) * factor;
+#endif
+  return light;
+}
+// `share`: of the lobe in what counts.
+float skyFactor(float roughness, float share) {
+#ifdef ENVIRONMENT
+  precise float factor = frame.ambient + (1.0f - frame.ambient) * share;
+#else
+  precise float mirrored = 1.0f + (frame.ambient - 1.0f) * roughness;
+  precise float factor = frame.ambient + (mirrored - frame.ambient) * share;
+#endif
+  return factor;
+}
+
+#ifdef LAMPS
+#ifdef AREAS
+// The same of a rectangle of luminance 1 / pi.
+vec3 rectangleLightOn(Facet f, int i) {
+  vec3 middle = lampPlace(i).xyz, across = lampAcross(i).xyz, up = lampUp(i).xyz;
+  float lit = rectangleShare(f.place, f.normal, middle, across, up);
+  precise float direct = lit;
+  if (f.translucency > 0.0f) {
+    float behind = rectangleShare(f.place, -f.normal, middle, across, up);
+    direct = lit + (behind - lit) * f.translucency;
+  }
+  precise vec3 mirrored = 2.0f * exactDot(f.normal, f.view) * f.normal - f.view;
+  vec3 towards = towardsRectangle(f.place, mirrored, middle, across, up);
+  float lobed = rectangleLobe(f.normal, f.view, towards, f.alpha, rectangleSpread(f.place, middle, across, up));
+  precise vec3 light = (f.matt * direct + f.f0 * (lit * lobed)) * lampUp(i).w;
+  return light;
+}
+#endif
+
+// Light of lamp i if nothing is in between; the lamp's lobe is widened by its size (draw/lights/point_light.glsl).
+vec3 lampLightOn(Facet f, int i) {
+  Arrival a = arrivalAt(f.place, lampPlace(i), lampPower(i).w);
+  float nl = exactDot(f.normal, a.towards);
+  precise float share = a.perArea;
+#ifdef RANGES
+  precise vec3 way = f.place - lampPlace(i).xyz;
+  float kept = rangeShare(exactDot(way, way), lampAcross(i).w);
+  share = share * kept;
+#endif
+#ifdef AREAS
+  if (lampUp(i).w > 0.0f) {
+#ifndef RANGES
+    const float kept = 1.0f;
+#endif
+    precise vec3 bright = lampPower(i).rgb * kept * rectangleLightOn(f, i);
+    return bright;
+  }
+#endif
+#ifdef SPOTS
+  share = share * coneShare(a.towards, lampCone(i));
+#endif
+  float lit = max(nl, 0.0f);
+  precise vec3 of = f.matt * mattCosine(f, nl) + f.f0 * (lit * lobe(f.normal, f.view, a.towards, widenedAlpha(f.alpha, a.spread)));
+  precise vec3 light = lampPower(i).rgb * share * of;
+  return light;
+}
+
+// A place of the lamp's ball, as a disc that faces p.
+vec3 lampPlaceAt(vec3 p, int i, float u, float v) {
+  vec4 ball = lampPlace(i);
+#ifdef AREAS
+  if (lampUp(i).w > 0.0f) {
+    precise vec2 part = 2.0f * vec2(u, v) - 1.0f;
+    precise vec3 place = ball.xyz + lampAcross(i).xyz * part.x + lampUp(i).xyz * part.y;
+    return place;
+  }
+#endif
+  precise vec3 to = ball.xyz - p;
+  precise float square = max(exactDot(to, to), 1e-12f);
+  precise vec3 towards = to * exactInverseSqrt(square);
+  precise vec2 at = onDisc(u, v) * ball.w;
+  precise vec3 q = ball.xyz + rightOf(towards) * at.x + upOf(towards) * at.y;
+  return q;
+}
+#endif
+
+// Light of the lamps that cast no shadows.
+vec3 openLamps(Facet f) {
+  precise vec3 sum = vec3(0);
+#if defined LAMPS
+#if SHADOWED_LAMPS < LAMPS - RANGED_LAMPS
+  for (int i = SHADOWED_LAMPS; i < LAMPS - RANGED_LAMPS; ++i) sum = sum + lampLightOn(f, i);
+#endif
+#if RANGED_LAMPS > 0
+  int cell = lampCellAt(f.place);
+  for (int word = 0; cell >= 0 && word < (RANGED_LAMPS + 31) / 32; ++word)
+    for (uint left = texelFetch(lampCells, cell + word).x; left != 0u; left &= left - 1u)
+      sum = sum + lampLightOn(f, LAMPS - RANGED_LAMPS + 32 * word + findLSB(left));
+#endif
+#endif
+  return sum;
+}
+
+// One of the lamps that cast shadows, the more often the more light it gives: its light through the probability.
+struct Chosen {
+  int lamp;  // -1: none
+  vec3 light;
+};
+Chosen chosenLamp(Facet f, float u) {
+  Chosen chosen = Chosen(-1, vec3(0));
+#if defined LAMPS
+#if SHADOWED_LAMPS > 0
+  precise float all_ = 0.0f;
+  for (int i = 0; i < SHADOWED_LAMPS; ++i) all_ = all_ + brightnessOf(lampLightOn(f, i));
+  precise float wanted = u * all_;
+  precise float before = 0.0f;
+  for (int i = 0; i < SHADOWED_LAMPS; ++i) {
+    vec3 light = lampLightOn(f, i);
+    float weight = brightnessOf(light);
+    precise float after = before + weight;
+    bool here = weight > 0.0f && (wanted < after || chosen.lamp < 0);
+    precise vec3 counts = light * (all_ * exactReciprocal(max(weight, 1e-25f)));
+    if (here && (chosen.lamp < 0 || wanted >= before)) {
+      chosen.lamp = i;
+      chosen.light = counts;
+    }
+    before = after;
+  }
+#endif
+#endif
+  return chosen;
+}

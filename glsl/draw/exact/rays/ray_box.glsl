@@ -1,0 +1,85 @@
+// Boxes of a hierarchy, and rays through them. Compiles as GLSL and as C++.
+//
+// A box is on a grid of 32,768 cells along each axis of the whole; it is at least a cell larger on each side than what it holds. Where
+// a ray crosses the planes of the grid is q a + c, which never falls as q grows, or never rises: so what a box holds is never
+// entered before the box, to the bit, and no order in which boxes are visited can change what is found.
+#ifndef EXACT_RAY_BOX
+#define EXACT_RAY_BOX
+#include "common/exact.glsl"
+
+// Of a grid: where its cell 0 begins, and the size of a cell (m).
+struct RayGrid {
+  vec3 low;
+  vec3 cell;
+};
+
+FUNCTION RayGrid rayGrid(vec3 low, vec3 high) {
+  precise vec3 size = high - low;
+  float most = max(max(size.x, max(size.y, size.z)), 1e-6f);
+  precise float least = most * 1e-4f;
+  precise vec3 cell = max(size, vec3(least)) * 3.0521e-5f;  // 1/32764
+  precise vec3 first = low - cell * 1.5f;
+  RayGrid grid;
+  grid.low = first;
+  grid.cell = cell;
+  return grid;
+}
+
+FUNCTION vec3 perCell(RayGrid grid) {
+  return vec3(exactReciprocal(grid.cell.x), exactReciprocal(grid.cell.y), exactReciprocal(grid.cell.z));
+}
+
+FUNCTION uvec3 asCells(vec3 cells) {
+  vec3 held = clamp(cells, vec3(0.0f), vec3(32767.0f));
+  return uvec3(uint(int(held.x)), uint(int(held.y)), uint(int(held.z)));
+}
+
+// low and high in three words: x and y, z and x, y and z.
+FUNCTION uvec3 packedBox(RayGrid grid, vec3 low, vec3 high) {
+  vec3 per = perCell(grid);
+  precise vec3 lowCell = (low - grid.low) * per;
+  precise vec3 highCell = (high - grid.low) * per;
+  precise vec3 from = floor(lowCell) - 1.0f;
+  precise vec3 to = floor(highCell) + 2.0f;
+  uvec3 a = asCells(from), b = asCells(to);
+  return uvec3(a.x | a.y << 16, a.z | b.x << 16, b.y | b.z << 16);
+}
+FUNCTION uvec3 joinedBox(uvec3 a, uvec3 b) {
+  uint lowX = min(a.x & 0x7fffu, b.x & 0x7fffu), lowY = min(a.x >> 16 & 0x7fffu, b.x >> 16 & 0x7fffu);
+  uint lowZ = min(a.y & 0x7fffu, b.y & 0x7fffu), highX = max(a.y >> 16 & 0x7fffu, b.y >> 16 & 0x7fffu);
+  uint highY = max(a.z & 0x7fffu, b.z & 0x7fffu), highZ = max(a.z >> 16 & 0x7fffu, b.z >> 16 & 0x7fffu);
+  return uvec3(lowX | lowY << 16, lowZ | highX << 16, highY | highZ << 16);
+}
+// Of nothing; no ray enters it, and it adds nothing to others.
+const uint emptyBoxX = 0x7fff7fffu, emptyBoxY = 0x00007fffu, emptyBoxZ = 0u;
+
+// A ray: where it crosses the planes of the grid, at q a + c (m along it).
+struct RayPlanes {
+  vec3 a;
+  vec3 c;
+};
+
+FUNCTION float heldAway(float x) {
+  return abs(x) < 1e-9f ? (x < 0.0f ? -1e-9f : 1e-9f) : x;
+}
+FUNCTION RayPlanes rayPlanes(RayGrid grid, vec3 origin, vec3 direction) {
+  vec3 per = vec3(exactReciprocal(heldAway(direction.x)), exactReciprocal(heldAway(direction.y)),
+                  exactReciprocal(heldAway(direction.z)));
+  precise vec3 a = grid.cell * per;
+  precise vec3 c = (grid.low - origin) * per;
+  RayPlanes planes;
+  planes.a = a;
+  planes.c = c;
+  return planes;
+}
+
+// From where to where the ray is in a box (m along it); the second is less where it misses it.
+FUNCTION vec2 spanIn(RayPlanes planes, uint x, uint y, uint z) {
+  vec3 low = vec3(float(int(x & 0x7fffu)), float(int(x >> 16 & 0x7fffu)), float(int(y & 0x7fffu)));
+  vec3 high = vec3(float(int(y >> 16 & 0x7fffu)), float(int(z & 0x7fffu)), float(int(z >> 16 & 0x7fffu)));
+  precise vec3 one = low * planes.a + planes.c;
+  precise vec3 other = high * planes.a + planes.c;
+  vec3 first = min(one, other), last = max(one, other);
+  return vec2(max(max(first.x, first.y), max(first.z, 0.0f)), min(last.x, min(last.y, last.z)));
+}
+#endif

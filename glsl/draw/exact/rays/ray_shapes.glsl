@@ -1,0 +1,93 @@
+// Where rays meet triangles and balls. Compiles as GLSL and as C++.
+//
+// A triangle's corners are seen along the ray: turned into coordinates across it (two) and along it. Three products of those say on
+// which side of each edge the ray passes. Two triangles with an edge in common have the same numbers for it, but for their sign:
+// no ray gets through between them, and one exactly through the edge meets both. What is seen edge-on, so that the
+// three sum up to nothing, is not met. Of what is met as far away, the first in the hierarchy's order counts.
+#ifndef EXACT_RAY_SHAPES
+#define EXACT_RAY_SHAPES
+#include "draw/exact/rays/ray_box.glsl"
+
+struct Ray {
+  vec3 origin;  // m
+  vec3 along;   // unit
+  vec3 right;   // unit, across it, as is
+  vec3 up;
+};
+
+struct RayHit {
+  float t;   // m along the ray
+  int at;    // place in the hierarchy's order; -1: none
+  vec2 weight;  // of the second and the third corner
+};
+
+// Axes across a unit vector (Duff et al., "Building an Orthonormal Basis, Revisited", JCGT 6(1), 2017).
+FUNCTION vec3 rightOf(vec3 n) {
+  float side = n.z < 0.0f ? -1.0f : 1.0f;
+  precise float sum = side + n.z;
+  precise float a = -exactReciprocal(sum);
+  precise vec3 right = vec3(1.0f + side * n.x * n.x * a, side * n.x * n.y * a, -side * n.x);
+  return right;
+}
+FUNCTION vec3 upOf(vec3 n) {
+  float side = n.z < 0.0f ? -1.0f : 1.0f;
+  precise float sum = side + n.z;
+  precise float a = -exactReciprocal(sum);
+  precise vec3 up = vec3(n.x * n.y * a, side + n.y * n.y * a, -n.y);
+  return up;
+}
+
+FUNCTION Ray rayOf(vec3 origin, vec3 along) {
+  Ray ray;
+  ray.origin = origin;
+  ray.along = along;
+  ray.right = rightOf(along);
+  ray.up = upOf(along);
+  return ray;
+}
+
+FUNCTION vec3 alongRay(Ray ray, vec3 p) {
+  precise vec3 from = p - ray.origin;
+  return vec3(exactDot(ray.right, from), exactDot(ray.up, from), exactDot(ray.along, from));
+}
+
+// The hit of a triangle, if it is nearer than `best`. `span`: of the ray in its box.
+FUNCTION RayHit nearerTriangle(Ray ray, vec3 a, vec3 b, vec3 c, vec2 span, int at, RayHit best) {
+  vec3 u = alongRay(ray, a), v = alongRay(ray, b), w = alongRay(ray, c);
+  precise float wa = v.x * w.y - v.y * w.x;
+  precise float wb = w.x * u.y - w.y * u.x;
+  precise float wc = u.x * v.y - u.y * v.x;
+  precise float sum = wa + wb + wc;
+  bool met = (min(wa, min(wb, wc)) >= 0.0f || max(wa, max(wb, wc)) <= 0.0f) && abs(sum) > 1e-28f && span.x <= span.y;
+  float per = exactReciprocal(met ? sum : 1.0f);
+  precise vec3 part = vec3(wa, wb, wc) * per;
+  precise float distance_ = part.x * u.z + part.y * v.z + part.z * w.z;
+  float t = max(distance_, span.x);
+  met = met && distance_ > 0.0f && (t < best.t || (t == best.t && at < best.at));
+  RayHit hit = best;
+  hit.t = met ? t : best.t;
+  hit.at = met ? at : best.at;
+  hit.weight = met ? vec2(part.y, part.z) : best.weight;
+  return hit;
+}
+
+// Where a ray enters a ball, or leaves it if it begins inside: below 0, it does not meet it. With a the place of the ray that is
+// nearest to the middle, seen from there.
+FUNCTION RayHit nearerBall(Ray ray, vec3 middle, float radius, vec2 span, int at, RayHit best) {
+  precise vec3 to = middle - ray.origin;
+  float nearest = exactDot(to, ray.along);
+  precise vec3 aside = ray.along * nearest - to;
+  precise float square = radius * radius - exactDot(aside, aside);
+  float half_ = exactSqrt(max(square, 0.0f));
+  precise float enters = nearest - half_;
+  precise float leaves = nearest + half_;
+  float distance_ = enters > 0.0f ? enters : leaves;
+  float t = max(distance_, span.x);
+  bool met = square > 0.0f && distance_ > 0.0f && span.x <= span.y && (t < best.t || (t == best.t && at < best.at));
+  RayHit hit = best;
+  hit.t = met ? t : best.t;
+  hit.at = met ? at : best.at;
+  hit.weight = met ? vec2(0.0f) : best.weight;
+  return hit;
+}
+#endif

@@ -1,0 +1,24 @@
+// Adds the light of spots to that of pixels. SAMPLES, PAIRED.
+#include "draw/exact/rays/bindings.glsl"
+#include "draw/exact/rays/pixel_spots.glsl"
+#include "draw/exact/fixed.glsl"
+layout(local_size_x = 8, local_size_y = 8) in;
+layout(binding = spotUnit) uniform usamplerBuffer spots;
+layout(binding = spotLightUnit) uniform samplerBuffer spotLight;
+layout(rgba32f, binding = sumImage) restrict uniform image2D sums;
+uniform int raySamples;
+
+void main() {
+  ivec2 pixel = ivec2(gl_GlobalInvocationID.xy) + ivec2(0, view.rows.x);
+  if (pixel.x >= view.size.x || pixel.y >= view.rows.y) return;
+  int first = firstSample(pixel);
+  precise vec4 sum = imageLoad(sums, pixel);
+  for (int s = 0; s < SAMPLES; ++s) {
+    int same = samplesShowing(first, s);
+    if (same == 0) continue;
+    float share = uintBitsToFloat(texelFetch(spots, 3 * (first + s) + 2).w);
+    precise float factor = share * float(same) * perSamples() * exactReciprocal(float(raysOf(same, raySamples)));
+    sum = sum + vec4(texelFetch(spotLight, first + s).rgb, 0.0f) * factor;
+  }
+  imageStore(sums, pixel, sum);
+}

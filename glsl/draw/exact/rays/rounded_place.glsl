@@ -1,0 +1,19 @@
+// Shading by corners' normals. Compiles as GLSL and as C++.
+//
+// Where a place of a flat triangle is if its corners' normals say how it is curved: so that what looks round is not shaded by its own
+// facets (Hanika, "Hacking the Shadow Terminator", Ray Tracing Gems II, 2021). The normals are on the side that is seen.
+#ifndef EXACT_ROUNDED_PLACE
+#define EXACT_ROUNDED_PLACE
+#include "common/exact.glsl"
+
+FUNCTION vec3 fromTangent(vec3 p, vec3 corner, vec3 n) {
+  precise vec3 from = p - corner;
+  float above = min(exactDot(from, n), 0.0f);
+  precise vec3 moved = n * -above;
+  return moved;
+}
+FUNCTION vec3 roundedPlace(vec3 p, vec3 a, vec3 b, vec3 c, vec3 na, vec3 nb, vec3 nc, vec3 weight) {
+  precise vec3 q = p + fromTangent(p, a, na) * weight.x + fromTangent(p, b, nb) * weight.y + fromTangent(p, c, nc) * weight.z;
+  return q;
+}
+#endif

@@ -1,0 +1,68 @@
+// Points of a unit cube for the samples of a pixel's light: three dimensions of Sobol's sequence (direction numbers of Joe and Kuo, 2008),
+// the order of the points and each coordinate scrambled as Owen (1995) does, by a hash that lets a bit depend on those above it
+// alone (Laine and Karras, "Stratified Sampling for Stochastic Transparency", 2011). Whole numbers throughout. Compiles as GLSL
+// and as C++, after common/hash.glsl.
+#ifndef EXACT_RAY_SEQUENCE
+#define EXACT_RAY_SEQUENCE
+
+FUNCTION uint reversedBits(uint x) {
+  uint r = (x >> 16) | (x << 16);
+  r = ((r & 0xff00ff00u) >> 8) | ((r & 0x00ff00ffu) << 8);
+  r = ((r & 0xf0f0f0f0u) >> 4) | ((r & 0x0f0f0f0fu) << 4);
+  r = ((r & 0xccccccccu) >> 2) | ((r & 0x33333333u) << 2);
+  r = ((r & 0xaaaaaaaau) >> 1) | ((r & 0x55555555u) << 1);
+  return r;
+}
+
+// Each bit may change by those below it.
+FUNCTION uint mixedUpwards(uint x, uint seed) {
+  uint r = x + seed;
+  r ^= r * 0x5a3e9c66u;
+  r += (seed >> 16) | 1u;
+  r ^= r * 0xb6d2a8d2u;
+  r ^= r * 0x2c9277b4u;
+  return r;
+}
+
+// Each bit changes by those above it.
+FUNCTION uint owenScrambled(uint x, uint seed) {
+  return reversedBits(mixedUpwards(reversedBits(x), seed));
+}
+
+const int sequenceBits = 10;  // of a sample's number
+
+// Bit b of the number chooses these: of the second and the third dimension.
+FUNCTION uint sobolSecond(uint i) {
+  uint x = 0u, v = 0x80000000u;
+  for (int b = 0; b < sequenceBits; ++b) {
+    x ^= (i >> uint(b) & 1u) * v;
+    v ^= v >> 1;
+  }
+  return x;
+}
+FUNCTION uint sobolThird(uint i) {
+  uint x = 0u, v = 0x80000000u, next = 0xc0000000u;
+  for (int b = 0; b < sequenceBits; ++b) {
+    x ^= (i >> uint(b) & 1u) * v;
+    uint after = next ^ (v >> 2) ^ (next >> 1);
+    v = next;
+    next = after;
+  }
+  return x;
+}
+
+FUNCTION float unitFraction(uint bits) {
+  precise float u = float(int(bits >> 8)) * 5.9604645e-8f;
+  return u;
+}
+
+// Sample i of the set `which` of a pixel whose seed that is; `mask`: of the numbers that samples have, all bits.
+FUNCTION vec3 samplePoint(uint i, uint mask, uint seed, uint which) {
+  uvec3 seeds = hash3(uvec3(seed, which, 0x9e3779b9u)), more = hash3(uvec3(which, seed, 0x85ebca6bu));
+  uint at = owenScrambled(i, seeds.x) & mask;
+  uint x = owenScrambled(reversedBits(at), seeds.y);
+  uint y = owenScrambled(sobolSecond(at), seeds.z);
+  uint z = owenScrambled(sobolThird(at), more.x);
+  return vec3(unitFraction(x), unitFraction(y), unitFraction(z));
+}
+#endif

@@ -1,0 +1,65 @@
+// Paths begin at what pixels show: rays towards the sun, towards a lamp, and onwards. SAMPLES; LAMPS and so on; ENVIRONMENT.
+#define EXACT_PICTURE
+#include "draw/frame_block.glsl"
+#include "draw/exact/rays/spot_read.glsl"
+#include "draw/exact/rays/lights.glsl"
+#include "draw/exact/rays/path_rays.glsl"
+layout(local_size_x = 64) in;
+
+Facet facetAt(int at) {
+  uvec4 first = texelFetch(spots, 3 * at), second = texelFetch(spots, 3 * at + 1), third = texelFetch(spots, 3 * at + 2);
+  vec3 place = uintBitsToFloat(first.xyz);
+  precise vec3 to = view.eye.xyz - place;
+  float square = max(exactDot(to, to), 1e-12f);
+  return facetOf(place, unpackedUnit(first.w), unpackedUnit(second.w), unitOf(to), uintBitsToFloat(second.xyz),
+                 uintBitsToFloat(third.xyz), exactSqrt(square));
+}
+
+// The sun is found both by rays towards it and by those onwards; each counts as it is likely. What nothing can keep
+// out (OPEN_SUN).
+vec3 towardsSun(int path, Facet f, vec3 u) {
+  vec3 direction = sunDirectionAt(u.x, u.y);
+  float nl = exactDot(f.normal, direction), angle = sunAngle();
+  Lobed lobed = lobeTowards(f, direction);
+  precise float both = 1.0f + densityTowards(f, lobed, nl) * angle;
+  precise vec3 light = frame.sunLight.rgb * (f.matt * mattCosine(f, nl) + lobed.light) * exactReciprocal(both);
+#ifdef OPEN_SUN
+  putNone(sunKind, path);
+  return light;
+#endif
+  bool any_ = max(light.x, max(light.y, light.z)) > 0.0f;
+  putRay(sunKind, path, beginning(f, direction), 0.0f, direction, any_ ? farAway : 0.0f, vec4(light, 0.0f));
+  return vec3(0);
+}
+
+void towardsLamp(int path, Facet f, vec3 u) {
+  Chosen chosen = chosenLamp(f, u.z);
+#ifdef LAMPS
+  if (chosen.lamp >= 0) {
+    precise vec3 to = lampPlaceAt(f.place, chosen.lamp, u.x, u.y) - f.place;
+    vec3 direction = unitOf(to);
+    precise float far = exactSqrt(exactDot(to, to)) * 0.9999f;
+    putRay(lampKind, path, beginning(f, direction), 0.0f, direction, far, vec4(chosen.light, 0.0f));
+    return;
+  }
+#endif
+  putNone(lampKind, path);
+}
+
+void main() {
+  int path = int(gl_WorkGroupID.y * gl_NumWorkGroups.x * 64u + gl_GlobalInvocationID.x);
+  if (path >= paths) return;
+  PathStart start = pathStart(path);
+  if (!start.there) {
+    for (int kind = sunKind; kind <= onwardKind; ++kind) putNone(kind, path);
+    rayLight[spotSure * paths + path] = vec4(0);
+    return;
+  }
+  Facet f = facetAt(start.at);
+  precise vec3 sure = openLamps(f) + towardsSun(path, f, samplePoint(start.number, sampleMask, start.seed, 0u));
+  towardsLamp(path, f, samplePoint(start.number, sampleMask, start.seed, 1u));
+  Onward onward = onwardFrom(f, samplePoint(start.number, sampleMask, start.seed, 2u));
+  putRay(onwardKind, path, beginning(f, onward.direction), onward.share, onward.direction, farAway,
+         vec4(onward.weight, onward.density));
+  rayLight[spotSure * paths + path] = vec4(sure, 0.0f);
+}

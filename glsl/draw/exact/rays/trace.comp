@@ -1,0 +1,57 @@
+// What rays meet: an invocation each. A ray is its origin and a number that is not read here, its unit direction and how far it goes (m;
+// 0: it is none). Of each: how far, the place in the order of triangles (-1: nothing; from ballBit on: of balls; groundHit) and
+// weights of the triangle's second and third corner. ANY_HIT: instead, how much of the light gets through (x), what casts no shadow
+// being passed. Variants: TRIANGLES, BALLS, GROUND.
+#define EXACT_PICTURE
+#include "draw/frame_block.glsl"
+#include "draw/exact/rays/bindings.glsl"
+#include "draw/exact/rays/grid_block.glsl"
+#include "draw/exact/rays/traverse.glsl"
+#include "draw/exact/rays/ground_ray.glsl"
+layout(local_size_x = 64) in;
+layout(binding = rayUnit) uniform samplerBuffer rays;
+layout(std430, binding = outHitBinding) writeonly restrict buffer HitBlock { uvec4 hits[]; };
+uniform int solidCount, solidLeaves, ballCount, ballLeaves;
+int solidCount_ = once(solidCount), solidLeaves_ = once(solidLeaves), ballCount_ = once(ballCount), ballLeaves_ = once(ballLeaves);
+uniform int firstRay;
+uniform int rayCount;
+
+void main() {
+  int i = int(gl_WorkGroupID.y * gl_NumWorkGroups.x * 64u + gl_GlobalInvocationID.x);
+  if (i >= rayCount) return;
+  i += firstRay;
+  vec4 from = texelFetch(rays, 2 * i), towards = texelFetch(rays, 2 * i + 1);
+  Ray ray = rayOf(from.xyz, towards.xyz);
+  RayPlanes planes = rayPlanes(gridOfAll(), from.xyz, towards.xyz);
+  RayHit best = RayHit(towards.w, -1, vec2(0));
+#ifdef ANY_HIT
+  precise float open = 1.0f;
+#ifdef GROUND
+  float ground = groundAlong(from.xyz, towards.xyz);
+  bool met = ground > 0.0f && ground < towards.w;
+  open = met ? 1.0f - groundAlpha(placeAlong(from.xyz, towards.xyz, ground)) : 1.0f;
+  best.t = open > 0.0f ? best.t : 0.0f;
+#endif
+#ifdef TRIANGLES
+  best = walkTriangles(ray, planes, best, solidCount_, solidLeaves_);
+#endif
+#ifdef BALLS
+  best = walkBalls(ray, planes, best, ballCount_, ballLeaves_);
+#endif
+  hits[i] = uvec4(floatBitsToUint(best.at < 0 ? open : 0.0f), 0u, 0u, 0u);
+#else
+#ifdef TRIANGLES
+  best = walkTriangles(ray, planes, best, solidCount_, solidLeaves_);
+#endif
+#ifdef BALLS
+  best = walkBalls(ray, planes, best, ballCount_, ballLeaves_);
+#endif
+#ifdef GROUND
+  float ground = groundAlong(from.xyz, towards.xyz);
+  bool met = ground > 0.0f && ground < best.t;
+  best.t = met ? ground : best.t;
+  best.at = met ? groundHit : best.at;
+#endif
+  hits[i] = uvec4(floatBitsToUint(best.t), uint(best.at), floatBitsToUint(best.weight));
+#endif
+}

@@ -1,0 +1,31 @@
+// The way of a ray through a hierarchy, nearest children first, without a stack: the tree is complete, so the bits of `trail` say at
+// which levels above a node its sibling is still to be seen. A function NAME that reads NODES and tries what a leaf holds by TEST; it ends
+// early where WALK_OVER. Compiles as GLSL and as C++.
+#include "draw/exact/rays/ray_shapes.glsl"
+#include "draw/exact/rays/leaf.glsl"
+
+#define WALK(NAME, NODES, TEST)                                                                                \
+  RayHit NAME(Ray ray, RayPlanes planes, RayHit best, int count, int leaves) {                                 \
+    int end_ = 2 * leaves;                                                                                     \
+    int node = count > 0 && best.t > 0.0f ? 1 : end_;                                                          \
+    uint trail = 0u;                                                                                           \
+    while (node < end_) {                                                                                      \
+      while (node < leaves) {                                                                                  \
+        uvec4 left = texelFetch(NODES, 2 * node), right = texelFetch(NODES, 2 * node + 1);                     \
+        vec2 a = spanIn(planes, left.x, left.y, left.z), b = spanIn(planes, right.x, right.y, right.z);        \
+        bool first = a.x <= min(a.y, best.t), second = b.x <= min(b.y, best.t);                                \
+        bool rightFirst = second && (!first || b.x < a.x), down = first || second, over = trail == 0u;         \
+        int up_ = over ? 0 : findLSB(trail);                                                                   \
+        int sibling = over ? end_ : (node >> up_) ^ 1;                                                         \
+        node = down ? 2 * node + (rightFirst ? 1 : 0) : sibling;                                               \
+        trail = down ? trail << 1 | (first && second ? 1u : 0u) : over ? 0u : (trail >> up_) ^ 1u;             \
+      }                                                                                                        \
+      ivec2 held = node < end_ ? heldBy(node - leaves, count, leaves) : ivec2(0);                              \
+      for (int i = held.x; i < held.y; ++i) best = TEST(ray, planes, best, i);                                 \
+      bool over = trail == 0u || WALK_OVER(best);                                                              \
+      int up_ = over ? 0 : findLSB(trail);                                                                     \
+      node = over ? end_ : (node >> up_) ^ 1;                                                                  \
+      trail = over ? 0u : (trail >> up_) ^ 1u;                                                                 \
+    }                                                                                                          \
+    return best;                                                                                               \
+  }

@@ -1,0 +1,18 @@
+// Which of the last RANGED_LAMPS lamps reach a place: a bit each in the words of its cell (src/draw/lights/lamp_cells.cpp).
+#include "draw/arithmetic.glsl"
+#include "draw/bindings.glsl"
+#include "draw/lights/types.glsl"
+layout(binding = lampCellUnit) uniform usamplerBuffer lampCells;
+
+vec3 lampCellVector(int first) {
+  return vec3(uintBitsToFloat(texelFetch(lampCells, first).x), uintBitsToFloat(texelFetch(lampCells, first + 1).x),
+              uintBitsToFloat(texelFetch(lampCells, first + 2).x));
+}
+// First word of the cell of a place; negative where no lamp with a range reaches.
+int lampCellAt(vec3 p) {
+  ROUNDED vec3 place = (p - lampCellVector(0)) * lampCellVector(3);
+  ivec3 at = ivec3(floor(clamp(place, -1.0f, 64.0f)));
+  ivec3 count = ivec3(lampCellsAcross, lampCellsUp, lampCellsAcross);
+  if (any(lessThan(at, ivec3(0))) || any(greaterThanEqual(at, count))) return -1;
+  return lampCellHead + ((at.y * count.z + at.z) * count.x + at.x) * ((RANGED_LAMPS + 31) / 32);
+}

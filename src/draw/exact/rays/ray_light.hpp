@@ -1,0 +1,58 @@
+#pragma once
+#include "draw/exact/rays/ray_scene.hpp"
+#include "draw/exact/visibility.hpp"
+#include "gl/buffer.hpp"
+#include "gl/program.hpp"
+#include "gl/texture.hpp"
+#include "sim/core/drawable.hpp"
+
+#include <map>
+#include <string>
+
+namespace simreel::draw {
+
+/// The light of what a picture shows, found by rays: of the sun, of lamps, of the sky, and what comes by
+/// way of one other place. Shading kernels with RAYS keep spots instead of lighting them; here paths begin
+/// there.
+class RayLight {
+ public:
+  /// No ray brings more light by way of something else (of the picture's white, before film).
+  static constexpr float mostOnward = 10.0F;
+  /// Samples of a band at most: what is kept of each comes to 72 bytes.
+  static constexpr std::size_t mostSamples = std::size_t{1} << 20U;
+
+  struct Options {
+    int raySamples = 64;  ///< of each pixel
+    bool ground = false;
+    bool openSun = false;  ///< nothing keeps its light out
+  };
+  /// `defines`: of SAMPLES, of how they lie, and of the lights. `samples`: of a band.
+  RayLight(const Options& options, gl::Defines defines, std::size_t samples);
+
+  /// For each picture. The frame's uniform block is bound.
+  void build(const sim::Drawables& drawables) { scene_.build(drawables); }
+  /// Of how many points of a lens this is one, and which.
+  void seeThrough(int point, int points);
+  /// Before spots are kept.
+  void bind() const { spots_.bindStorage(outSpotUnitBinding); }
+  /// Adds the light of a band's spots to the bound sums. What is visible, the view, the lights and the
+  /// frame are bound. `white`: light that a picture shows as white.
+  void add(const Visibility& visibility, const gl::Texture& sums, int rows, float white);
+
+ private:
+  static const unsigned outSpotUnitBinding;
+  const gl::Program& program(const char* path);
+  [[nodiscard]] int listSpots(const Visibility& visibility, int rows);
+  void follow(int firstSpot, int spots, int firstSample, int samples, float white);
+
+  Options options_;
+  gl::Defines defines_;
+  RayScene scene_;
+  int raySamples_;  ///< through this point of the lens
+  unsigned sampleMask_ = 0, samplesBefore_ = 0;
+  std::map<std::string, gl::Program> programs_;
+  gl::Buffer spots_, spotLight_, list_, count_, rays_, hits_, light_;
+  gl::Texture spotView_, spotLightView_, listView_, rayView_, hitView_, lightView_;
+};
+
+}  // namespace simreel::draw
