@@ -7,6 +7,7 @@
 #include "sim/mesh/before_library.hpp"
 #include "sim/mesh/builder.hpp"
 #include "sim/mesh/gltf_file.hpp"
+#include "sim/mesh/library_materials.hpp"
 
 #include <algorithm>
 #include <assimp/DefaultIOSystem.h>
@@ -48,9 +49,15 @@ class Gatherer {
   Gatherer(const std::filesystem::path& file, const aiScene& scene)
       : file_(file), scene_(scene), builder_(file) {}
 
-  Mesh gather() {
+  /// `looks`: the materials of the library's scene, too.
+  Mesh gather(bool looks) {
     node(*scene_.mRootNode, glm::mat4(1), 0);
-    return builder_.finish();
+    Mesh mesh = builder_.finish();
+    if (looks)
+      addLibraryMaterials(file_, scene_, mesh);
+    else
+      mesh.materialOf.clear();
+    return mesh;
   }
 
  private:
@@ -67,7 +74,8 @@ class Gatherer {
   void add(const aiMesh& part, const glm::mat4& transform) {
     if ((part.mPrimitiveTypes & aiPrimitiveType_TRIANGLE) == 0) return;
     const bool textured = part.HasTextureCoords(0);
-    builder_.begin(part.mNumVertices, part.mNumFaces, transform, textured);
+    builder_.begin(part.mNumVertices, part.mNumFaces, transform, textured,
+                   static_cast<int>(part.mMaterialIndex));
     for (unsigned i = 0; i < part.mNumVertices; ++i)
       builder_.vertex(toVec(part.mVertices[i]), part.HasNormals() ? toVec(part.mNormals[i]) : glm::vec3(0),
                       textured ? pictureUv(part.mTextureCoords[0][i]) : glm::vec2(0));
@@ -129,7 +137,7 @@ class FolderOnly : public Assimp::DefaultIOSystem {
   mutable std::string refused_;
 };
 
-Mesh readWithLibrary(const std::filesystem::path& file) {
+Mesh readWithLibrary(const std::filesystem::path& file, bool looks) {
   Assimp::Importer importer;
   importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE, aiPrimitiveType_POINT | aiPrimitiveType_LINE);
   auto* const io = new FolderOnly(file);  // the importer's own from here
@@ -146,7 +154,7 @@ Mesh readWithLibrary(const std::filesystem::path& file) {
   scene = importer.ApplyPostProcessing(aiProcess_Triangulate | aiProcess_SortByPType |
                                        aiProcess_JoinIdenticalVertices);
   if (scene == nullptr || scene->mRootNode == nullptr) refuseMesh(file, "cannot be divided into triangles");
-  return Gatherer(file, *scene).gather();
+  return Gatherer(file, *scene).gather(looks);
 }
 
 }  // namespace
@@ -164,7 +172,7 @@ Mesh importMesh(const std::filesystem::path& file) {
   if (isGltf(file)) return readGltf(file, text);
   if (extension == ".ply") checkPly(file, text);
   if (extension == ".obj") checkObj(file, text);
-  return readWithLibrary(file);
+  return readWithLibrary(file, extension == ".obj" && namesMaterials(text));
 }
 
 std::string readApart(const std::filesystem::path& file, const std::function<std::string()>& read) {
