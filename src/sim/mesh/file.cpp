@@ -13,6 +13,7 @@
 #include <assimp/DefaultIOSystem.h>
 #include <assimp/Importer.hpp>
 #include <assimp/config.h>
+#include <assimp/material.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 #include <cctype>
@@ -49,14 +50,14 @@ class Gatherer {
   Gatherer(const std::filesystem::path& file, const aiScene& scene)
       : file_(file), scene_(scene), builder_(file) {}
 
-  /// `looks`: the materials of the library's scene, too.
-  Mesh gather(bool looks) {
+  /// With the materials of those libraries.
+  Mesh gather(const std::vector<std::string>& libraries) {
     node(*scene_.mRootNode, glm::mat4(1), 0);
     Mesh mesh = builder_.finish();
-    if (looks)
-      addLibraryMaterials(file_, scene_, mesh);
-    else
-      mesh.materialOf.clear();
+    std::vector<std::string> names;
+    for (unsigned i = 0; i < scene_.mNumMaterials; ++i)
+      names.emplace_back(scene_.mMaterials[i]->GetName().C_Str());
+    addLibraryMaterials(file_, libraries, names, mesh);
     return mesh;
   }
 
@@ -137,7 +138,7 @@ class FolderOnly : public Assimp::DefaultIOSystem {
   mutable std::string refused_;
 };
 
-Mesh readWithLibrary(const std::filesystem::path& file, bool looks) {
+Mesh readWithLibrary(const std::filesystem::path& file, const std::vector<std::string>& libraries) {
   Assimp::Importer importer;
   importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE, aiPrimitiveType_POINT | aiPrimitiveType_LINE);
   auto* const io = new FolderOnly(file);  // the importer's own from here
@@ -154,7 +155,7 @@ Mesh readWithLibrary(const std::filesystem::path& file, bool looks) {
   scene = importer.ApplyPostProcessing(aiProcess_Triangulate | aiProcess_SortByPType |
                                        aiProcess_JoinIdenticalVertices);
   if (scene == nullptr || scene->mRootNode == nullptr) refuseMesh(file, "cannot be divided into triangles");
-  return Gatherer(file, *scene).gather(looks);
+  return Gatherer(file, *scene).gather(libraries);
 }
 
 }  // namespace
@@ -172,7 +173,7 @@ Mesh importMesh(const std::filesystem::path& file) {
   if (isGltf(file)) return readGltf(file, text);
   if (extension == ".ply") checkPly(file, text);
   if (extension == ".obj") checkObj(file, text);
-  return readWithLibrary(file, extension == ".obj" && namesMaterials(text));
+  return readWithLibrary(file, extension == ".obj" ? librariesOf(text) : std::vector<std::string>());
 }
 
 std::string readApart(const std::filesystem::path& file, const std::function<std::string()>& read) {

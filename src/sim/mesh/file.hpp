@@ -32,6 +32,7 @@ struct MeshMaterial {
   glm::vec3 color{1};
   float opacity = 1, roughness = 1, metallic = 1;
   MeshMap colorMap, normals, metalRough, occlusion, emissionMap;
+  MeshMap opacityMap;  ///< instead of the colour's map's own: its opacity, or its brightness
   float normalStrength = 1, occlusionStrength = 1;
   glm::vec3 emission{0};
   float emissionStrength = 1;

@@ -3,6 +3,7 @@
 #include "sim/grid/picture_file.hpp"
 
 #include <algorithm>
+#include <cstdint>
 #include <memory>
 #include <utility>
 
@@ -32,6 +33,28 @@ scene::Map mapOf(const MeshMap& map, const Images& images) {
   return {{}, images.at(static_cast<std::size_t>(map.image)), map.repeats};
 }
 
+/// The colour's map with the opacity of another, which has that or is brighter where there is more of it.
+scene::Map withOpacity(const scene::Map& color, const scene::Image& from) {
+  const bool itsOwn = std::any_of(from.rgba.begin(), from.rgba.end(), [&, at = 0](std::uint8_t byte) mutable {
+    return at++ % 4 == 3 && byte < 255;
+  });
+  scene::Image image = color.image ? *color.image : scene::Image{from.name, from.size, {}};
+  if (!color.image) image.rgba.assign(from.rgba.size(), 255);
+  const Picture opacity{from.size, from.rgba};
+  for (int y = 0; y < image.size.y; ++y)
+    for (int x = 0; x < image.size.x; ++x) {
+      const int fromX = static_cast<int>(std::int64_t{x} * from.size.x / image.size.x);
+      const int fromY = static_cast<int>(std::int64_t{y} * from.size.y / image.size.y);
+      const std::size_t there = 4 * (static_cast<std::size_t>(fromY) * static_cast<std::size_t>(from.size.x) +
+                                     static_cast<std::size_t>(fromX));
+      const std::size_t here = 4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(image.size.x) +
+                                    static_cast<std::size_t>(x));
+      image.rgba[here + 3] =
+          itsOwn ? from.rgba[there + 3] : static_cast<std::uint8_t>(opacity.level(fromX, fromY));
+    }
+  return {{}, std::make_shared<const scene::Image>(std::move(image)), color.repeats};
+}
+
 scene::Material materialOf(const MeshMaterial& from, const Images& images, bool castsShadow) {
   scene::Material material;
   material.castsShadow = castsShadow;
@@ -40,6 +63,8 @@ scene::Material materialOf(const MeshMaterial& from, const Images& images, bool 
   material.metallic = from.metallic;
   scene::Finish& finish = material.finish;
   finish.color = mapOf(from.colorMap, images);
+  if (from.opacityMap.image >= 0)
+    finish.color = withOpacity(finish.color, *images.at(static_cast<std::size_t>(from.opacityMap.image)));
   finish.normals = mapOf(from.normals, images);
   finish.normalStrength = from.normalStrength;
   finish.metalRough = mapOf(from.metalRough, images);

@@ -110,7 +110,10 @@ float shareOf(ivec2 pixel, int samples, float alpha) {
 // A sum and light of these of the pixel's samples; alpha is the part of the pixel that something covers.
 vec4 withLight(ivec2 pixel, vec4 before, vec4 light, int samples) {
   float share = shareOf(pixel, samples, light.a);
-  precise vec4 sum = before + vec4(light.rgb, 1.0f) * share;
+#ifdef BLENDED
+  light.a = 1.0f;
+#endif
+  precise vec4 sum = before + light * share;
   return sum;
 }
 
