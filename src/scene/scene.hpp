@@ -1,6 +1,7 @@
 #pragma once
 #include "scene/animated.hpp"
 #include "scene/fields.hpp"
+#include "scene/finish.hpp"
 #include "scene/light.hpp"
 #include "scene/path_place.hpp"
 #include "scene/test.hpp"
@@ -49,6 +50,7 @@ struct Material {
   bool castsShadow = true;    ///< in the light of sun and lamps
   bool hasSkin = false;
   Skin skin;  ///< replaces colour and roughness
+  Finish finish;
   void describe(Fields& fields);
 };
 

@@ -62,6 +62,11 @@ void Material::describe(Fields& fields) {
                  "Whether it keeps the light of sun and lamps from what lies behind it.");
   fields.optionalGroup("skin", hasSkin, "A live material grown from a field of the scene.",
                        [&](Fields& inner) { skin.describe(inner); });
+  finish.describe(fields);
+  if (finish.used() && bump != 0)
+    fields.error("bump", "\"bump\" is for a material without maps beside its texture; use a \"normalMap\"");
+  if (finish.used() && hasSkin)
+    fields.error("skin", "a skin replaces what maps, coats and opacity are laid on; leave out one of both");
 }
 
 void Skin::describe(Fields& fields) {

@@ -8,12 +8,15 @@ const int viewBinding = 3;
 const int vertexUnit = 19, indexUnit = 20, idUnit = 21, nearUnit = 22, mapUnit = 23;
 const int firstIdUnit = 24, tileListUnit = 25, largeUnit = 26, counterUnit = 27, nearFoursUnit = 28, idFoursUnit = 29;
 const int lampMapUnit = 30, fanUnit = 31;
+const int mapTexelUnit = 41, throughUnit = 42;  // maps of materials; what layers leave of the light behind them
+const int layerNearUnit = 43, layerIdUnit = 44, behindUnit = 45;  // of the layer before, and of what is opaque
 const int ownerUnit = 1, lookUnit = 2;  // of joined surfaces, whose normals and uvs nobody asks for where they are drawn
 // Storage blocks.
 const int outVertexBinding = 0, nearBinding = 1, idBinding = 2, largeBinding = 3, counterBinding = 4;
 const int tileListBinding = 5, dispatchBinding = 6, drawArgumentBinding = 7;
 const int fanBinding = 8, binBinding = 9, nodeBinding = 10, cornerBinding = 11;
 const int outNormalBinding = 5;
+const int throughBinding = 12;
 const int halfPixelBinding = 0;  // of what kernels of occlusion make
 // Images.
 const int sumImage = 0, pictureImage = 1, lightImage = 2, scatteredImage = 3;

@@ -22,6 +22,9 @@
 struct LampLight {
   vec3 matt;    // irradiance / pi, for the albedo
   vec3 mirror;  // light of the lobes, for the colour F0
+#ifdef SHEEN
+  vec3 sheen;   // of those of fibres, for their colour
+#endif
 };
 
 // Adds the share of number i, of which `fraction` reaches the place.
@@ -37,7 +40,12 @@ LampLight withLamp(LampLight sum, int i, Arrival a, float fraction, vec3 normal,
   ROUNDED vec3 arriving = lampPower(i).rgb * (a.perArea * fraction);
   ROUNDED vec3 matt = sum.matt + arriving * direct;
   ROUNDED vec3 mirror = sum.mirror + arriving * (lit * lobe(normal, view, a.towards, widenedAlpha(alpha, a.spread)));
+#ifdef SHEEN
+  ROUNDED vec3 sheen = sum.sheen + arriving * (lit * sheenLobe(normal, view, a.towards, sheenRoughness_));
+  return LampLight(matt, mirror, sheen);
+#else
   return LampLight(matt, mirror);
+#endif
 }
 
 // What lamp i sends into the direction of the place.
@@ -71,7 +79,12 @@ LampLight withRectangle(LampLight sum, int i, vec3 p, float fraction, vec3 norma
   float lobed = rectangleLobe(normal, view, towards, alpha, rectangleSpread(p, middle, across, up));
   ROUNDED vec3 matt = sum.matt + bright * direct;
   ROUNDED vec3 mirror = sum.mirror + bright * (lit * lobed);
+#ifdef SHEEN
+  ROUNDED vec3 sheen = sum.sheen + bright * (lit * sheenLobe(normal, view, towards, sheenRoughness_));
+  return LampLight(matt, mirror, sheen);
+#else
   return LampLight(matt, mirror);
+#endif
 }
 #endif
 
@@ -90,7 +103,11 @@ LampLight withAny(LampLight sum, int i, vec3 p, Arrival a, float fraction, vec3 
 #endif
 
 LampLight lampLight(vec3 p, vec3 normal, vec3 view, float roughness, float translucent) {
+#ifdef SHEEN
+  LampLight sum = LampLight(vec3(0), vec3(0), vec3(0));
+#else
   LampLight sum = LampLight(vec3(0), vec3(0));
+#endif
   float alpha = roughAlpha(roughness);
   // Two loops: software drivers run both sides of a branch.
 #if SHADOWED_LAMPS > 0

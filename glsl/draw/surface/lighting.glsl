@@ -1,8 +1,11 @@
 // Light that a metal/rough surface under sun, sky and lamps sends to the eye. Variants: TRANSLUCENT, REFLECTIVE, LAMPS.
-// JOINED: of surfaces of which some are such; `mirrors` says whether this one is REFLECTIVE.
+// SHEEN: fibres stand up from it, of the colour sheen_ and the roughness sheenRoughness_. JOINED: of surfaces of which some are such; `mirrors` says whether this one is REFLECTIVE.
 // Compiles as GLSL and as C++.
 #include "draw/sky.glsl"
 #include "draw/surface/shading.glsl"
+#ifdef SHEEN
+#include "draw/surface/sheen.glsl"
+#endif
 #ifdef LAMPS
 #include "draw/lights/lamps.glsl"
 #endif
@@ -70,6 +73,14 @@ FUNCTION vec3 allLight(Look look, vec3 p, vec3 normal, vec3 view, float fraction
   LampLight lamps = lampLight(p, normal, view, look.roughness, look.translucency);
   ROUNDED vec3 sum = light + mattPart(look) * lamps.matt + mirrorPart(look) * lamps.mirror;
   light = sum;
+#endif
+#ifdef SHEEN
+  ROUNDED float lit = max(dotted(normal, vec3(frame.sunDirection)), 0.0f) * fraction;
+  ROUNDED vec3 fibres = vec3(frame.sunLight) * (lit * sheenLobe(normal, view, vec3(frame.sunDirection), sheenRoughness_));
+#ifdef LAMPS
+  fibres = fibres + lamps.sheen;
+#endif
+  light = underFibres(light, fibres, ambientOn(normal) * look.openness, sheen_, sheenRoughness_, abs(dotted(normal, view)));
 #endif
   return light;
 }

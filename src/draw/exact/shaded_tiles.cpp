@@ -7,6 +7,7 @@
 #include "gl/context.hpp"
 #include "gl/element_array.hpp"
 
+#include <algorithm>
 #include <span>
 #include <string>
 
@@ -34,16 +35,22 @@ glm::ivec4 fourOf(const std::vector<unsigned>& numbers, std::size_t first) {
 
 }  // namespace
 
-ShadedTiles::ShadedTiles(const Visibility& visibility, bool ground, bool shadow)
+ShadedTiles::ShadedTiles(const Visibility& visibility, bool ground, bool shadow, bool empties)
     : size_(visibility.size()),
       tiles_((size_ + side - 1) / side),
       defines_(definesOf(visibility.layout())),
       ground_(ground) {
   defines_.emplace_back("SAMPLES", std::to_string(visibility.samples()));
   defines_.emplace_back("ROWS", std::to_string(rowsAtOnce()));
-  if (emptiesLight()) defines_.emplace_back("EMPTIES", "1");
+  if (empties && emptiesLight()) defines_.emplace_back("EMPTIES", "1");
   if (shadow) defines_.emplace_back("SHADOW", "1");
   program((ground ? onGround : 0U) | few | fours);
+}
+
+bool ShadedTiles::any() const {
+  std::vector<GLuint> counts(static_cast<std::size_t>(things_));
+  counters_.read(0, std::as_writable_bytes(std::span(counts)));
+  return std::any_of(counts.begin(), counts.end(), [](GLuint count) { return count > 0; });
 }
 
 bool ShadedTiles::emptiesLight() {

@@ -23,8 +23,10 @@ struct GroundPlace {
 class ShadedTiles {
  public:
   static constexpr int side = 8;  ///< pixels of a tile: tileSide of glsl/draw/exact/fixed.glsl
-  /// For pictures like that one.
-  ShadedTiles(const Visibility& visibility, bool ground, bool shadow);
+  /// For pictures like that one; `empties`: list() may empty the light of its pixels.
+  ShadedTiles(const Visibility& visibility, bool ground, bool shadow, bool empties = true);
+  /// Whether list() has found anything to shade. Waits for the device.
+  [[nodiscard]] bool any() const;
 
   /// Whether list() empties the light of its pixels on this device: cards for computing clear textures in
   /// ten times the time that it takes there.

@@ -21,27 +21,53 @@ constexpr unsigned skinned = 1U << 9U;
 constexpr unsigned joinedOnes = 1U << 10U;
 constexpr const char* featureNames[] = {"DOUBLE_SIDED", "TRANSLUCENT", "REFLECTIVE", "PALETTE",
                                         "COUNTED",      "TEXTURED",    "GRID",       "TRIPLANAR",
-                                        "BUMPED",       "SKIN",        "JOINED"};
+                                        "BUMPED",       "SKIN",        "JOINED",     "BASE_MAP",
+                                        "NORMAL_MAP",   "METAL_ROUGH_MAP", "OCCLUSION_MAP", "EMISSION",
+                                        "EMISSION_MAP", "COAT",        "SHEEN",      "BLENDED"};
+constexpr unsigned blendedLayer = 1U << 19U;
+
+/// The map of a material's colour: its finish's own, or its texture.
+scene::Map colorMapOf(const scene::Material& material) {
+  if (!material.finish.color.empty()) return material.finish.color;
+  return {material.texture, nullptr, true};
+}
 
 unsigned featuresOf(const sim::Surface& surface, bool skin) {
   const scene::Material& material = *surface.material;
   scene::Material shown = material;
   if (skin) shown.roughness = lookOf(material.skin).roughness;
-  const bool textured = !skin && !material.texture.empty();
+  const scene::Finish& finish = material.finish;
+  const bool finished = !skin && finish.used();
+  const bool textured = !skin && !finished && !material.texture.empty();
+  const bool colored = finished && !colorMapOf(material).empty();
+  const bool emits = finished && finish.emits();
+  const bool glowMap = emits && !finish.emissionMap.empty();
+  const bool mapped = finished && (colored || !finish.normals.empty() || !finish.metalRough.empty() ||
+                                   !finish.occlusion.empty() || glowMap);
   const bool grid = surface.normals == nullptr;
   const bool byUv = (grid || surface.uvs != nullptr) &&
                     !(skin && material.skin.projection != scene::Skin::Projection::uv);
-  const bool laidOn = skin || textured;
+  const bool laidOn = skin || textured || mapped;
   const bool wanted[] = {surface.doubleSided,
                          material.translucency > 0,
-                         isReflective(shown),
+                         isReflective(shown) || (finished && (finish.coat > 0 || !finish.metalRough.empty())),
                          !skin && surface.palette != nullptr,
                          surface.arguments != nullptr,
                          textured,
                          laidOn && byUv && grid,
                          laidOn && !byUv,
                          textured && material.bump != 0,
-                         skin};
+                         skin,
+                         false,
+                         colored,
+                         finished && !finish.normals.empty(),
+                         finished && !finish.metalRough.empty(),
+                         finished && !finish.occlusion.empty(),
+                         emits,
+                         glowMap,
+                         finished && finish.coat > 0,
+                         finished && finish.sheen != glm::vec3(0),
+                         finished && finish.alpha == scene::Alpha::blend};
   unsigned features = 0;
   for (std::size_t i = 0; i < std::size(wanted); ++i) features |= wanted[i] ? 1U << i : 0U;
   return features;
@@ -65,13 +91,16 @@ void setSeen(const sim::Surface& surface, glm::vec2 repeats, const gl::Program& 
 
 SurfaceShading::SurfaceShading(const scene::Scene& scene, gl::Defines defines)
     : scene_(scene), defines_(std::move(defines)) {
-  for (const scene::Object& object : scene.objects) textures_.load(object.material.texture);
+  for (const scene::Object& object : scene.objects)
+    if (!object.material.finish.used()) textures_.load(object.material.texture);
 }
 
 const gl::Program& SurfaceShading::program(unsigned features, int look) {
   const auto found = programs_.find({features, look});
   if (found != programs_.end()) return found->second;
   gl::Defines defines = defines_;
+  if ((features & blendedLayer) != 0)  // they are before what keeps light out, and nothing is behind them
+    std::erase_if(defines, [](const auto& define) { return define.first == "OCCLUSION" || define.first == "BEHIND"; });
   for (std::size_t i = 0; i < std::size(featureNames); ++i)
     if ((features >> i & 1U) != 0) defines.emplace_back(featureNames[i], "1");
   if (look >= 0) {
@@ -105,6 +134,8 @@ void SurfaceShading::shade(const TriangleRaster& raster, const TriangleRaster::D
   if (surface.palette != nullptr) surface.palette->bind(paletteUnit);
   if (skin != nullptr)
     setSkin(surface, *skin, shader);
+  else if (material.finish.used())
+    setFinish(surface, shader);
   else if (const TexelLists::List* albedo = textures_.load(material.texture))
     setTexture(surface, *albedo, shader);
   tiles.shade(thing, shader);
@@ -112,7 +143,7 @@ void SurfaceShading::shade(const TriangleRaster& raster, const TriangleRaster::D
 
 bool SurfaceShading::isPlain(const sim::Surface& surface, const SkinTextures& skins) {
   const scene::Material& material = *surface.material;
-  return material.texture.empty() && surface.palette == nullptr &&
+  return material.texture.empty() && surface.palette == nullptr && !material.finish.used() &&
          !(material.hasSkin && skins.find(material.skin) != nullptr);
 }
 
@@ -131,6 +162,38 @@ void SurfaceShading::shadeJoined(const JoinedSurfaces& joined, const TriangleRas
   shader.set("firstId", drawn.front().firstId);
   shader.set("triangleCount", triangles);
   tiles.shade(thing, shader);
+}
+
+void SurfaceShading::setFinish(const sim::Surface& surface, const gl::Program& shader) {
+  using Holds = MapTexels::Holds;
+  const scene::Material& material = *surface.material;
+  const scene::Finish& finish = material.finish;
+  setSeen(surface, glm::vec2(material.textureScale), shader);
+  shader.set("colorMap", maps_.place(colorMapOf(material), Holds::color));
+  shader.set("normalMap", maps_.place(finish.normals, Holds::numbers));
+  shader.set("normalStrength", finish.normalStrength);
+  shader.set("metalRoughMap", maps_.place(finish.metalRough, Holds::numbers));
+  shader.set("occlusionMap", maps_.place(finish.occlusion, Holds::numbers));
+  shader.set("occlusionStrength", finish.occlusionStrength);
+  shader.set("emission", finish.emission * finish.emissionStrength);
+  shader.set("emissionMap", maps_.place(finish.emissionMap, Holds::color));
+  shader.set("coat", glm::vec2(finish.coat, finish.coatRoughness));
+  shader.set("sheen", finish.sheen);
+  shader.set("sheenRoughness", finish.sheenRoughness);
+  shader.set("opacity", finish.opacity);
+  maps_.bind();
+}
+
+bool SurfaceShading::hasHoles(const sim::Surface& surface) {
+  return surface.material->finish.alpha != scene::Alpha::opaque && !colorMapOf(*surface.material).empty();
+}
+
+void SurfaceShading::setHoles(const sim::Surface& surface, float least, const gl::Program& kernel) {
+  const scene::Material& material = *surface.material;
+  setSeen(surface, glm::vec2(material.textureScale), kernel);
+  kernel.set("colorMap", maps_.place(colorMapOf(material), MapTexels::Holds::color));
+  kernel.set("opacityLimit", glm::vec2(material.finish.opacity, least));
+  maps_.bind();
 }
 
 void SurfaceShading::setSkin(const sim::Surface& surface, const SkinTextures::Entry& entry,

@@ -1,5 +1,6 @@
 #pragma once
 #include "draw/exact/joined_surfaces.hpp"
+#include "draw/exact/map_texels.hpp"
 #include "draw/exact/shaded_tiles.hpp"
 #include "draw/exact/skin_texels.hpp"
 #include "draw/exact/texel_lists.hpp"
@@ -32,12 +33,23 @@ class SurfaceShading {
   void shadeJoined(const JoinedSurfaces& joined, const TriangleRaster& raster,
                    std::span<const TriangleRaster::Drawn> drawn, const ShadedTiles& tiles, int thing);
 
+  /// Whether a surface's opacity is different from place to place; what then kernels that draw it read
+  /// (glsl/draw/exact/triangles/cutout.glsl), which leave out what has less than `least`.
+  [[nodiscard]] static bool hasHoles(const sim::Surface& surface);
+  void setHoles(const sim::Surface& surface, float least, const gl::Program& kernel);
+  /// From now on programs have these defines.
+  void define(gl::Defines defines) {
+    defines_ = std::move(defines);
+    programs_.clear();
+  }
+
  private:
   /// A look's number is -1 without a skin.
   const gl::Program& program(unsigned features, int look);
   static void setTexture(const sim::Surface& surface, const TexelLists::List& albedo,
                          const gl::Program& shader);
 
+  void setFinish(const sim::Surface& surface, const gl::Program& shader);
   void setSkin(const sim::Surface& surface, const SkinTextures::Entry& entry,
                const gl::Program& shader) const;
 
@@ -46,6 +58,7 @@ class SurfaceShading {
   std::map<std::pair<unsigned, int>, gl::Program> programs_;
   TexelLists textures_;
   SkinTexels skinTexels_;
+  MapTexels maps_;
 };
 
 }  // namespace simreel::draw

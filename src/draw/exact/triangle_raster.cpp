@@ -44,7 +44,7 @@ TriangleRaster::TriangleRaster(Into into, int samples, int smallPixels, int fanR
       binRoom_(binRoom),
       bins_(intoDefines(), samples) {}
 
-void TriangleRaster::number(const std::vector<const sim::Surface*>& surfaces) {
+void TriangleRaster::number(const std::vector<const sim::Surface*>& surfaces, unsigned firstId) {
   std::int64_t vertices = 0;
   std::int64_t triangles = 0;
   int fans = 0;
@@ -56,7 +56,7 @@ void TriangleRaster::number(const std::vector<const sim::Surface*>& surfaces) {
     next.firstVertex = static_cast<int>(vertices);
     next.firstIndex = static_cast<int>(3 * triangles);
     next.maxTriangles = maxTrianglesOf(*surface);
-    next.firstId = static_cast<unsigned>(triangles);
+    next.firstId = firstId + static_cast<unsigned>(triangles);
     if (next.indices)
       next.indices.show(*surface->indices, sizeof(GLuint));
     else
@@ -66,7 +66,7 @@ void TriangleRaster::number(const std::vector<const sim::Surface*>& surfaces) {
     fans += next.fans;
     vertices += verticesOf(*surface);
     triangles += next.maxTriangles;
-    if (3 * triangles > INT32_MAX || vertices > INT32_MAX || triangles > maxIds)
+    if (3 * triangles > INT32_MAX || vertices > INT32_MAX || firstId + triangles > maxIds)
       fail(ExitCode::device,
            "the exact rasterizer numbers {} triangles of one picture, and these are more; set "
            "\"rasterizer\" "
@@ -147,6 +147,9 @@ const gl::Program& TriangleRaster::program(const Variant& variant) {
   if (variant.joined) defines.emplace_back("JOINED", "1");
   if (variant.faces)
     defines.emplace_back("FACES", variant.path == largePath ? "gl_WorkGroupID.y" : "gl_WorkGroupID.z");
+  if (variant.cut) defines.emplace_back("CUTOUT", "1");
+  if (variant.cut && variant.grid) defines.emplace_back("GRID", "1");
+  if (variant.layer) defines.emplace_back("LAYER", "1");
   for (const auto& define : intoDefines()) defines.push_back(define);
   return programs_.emplace(variant, gl::Program::compute(variant.path, defines)).first->second;
 }
@@ -230,14 +233,21 @@ void TriangleRaster::run(const char* path, int pass, const Visibility& into, boo
     const bool counted = into_ == Into::lampMap || drawn.surface->arguments != nullptr;
     const bool doubleSided = into_ == Into::lampMap || drawn.surface->doubleSided;
     const bool bins = binned_ && path != mediumPath;
+    const sim::Surface* const own = into_ == Into::lampMap ? fragments_.only : drawn.surface;
+    const bool cuts = path == largePath && own != nullptr && fragments_.cut && fragments_.cut(*own);
     const gl::Program& kernel = program({.path = path,
                                          .pass = pass,
                                          .layout = into.layout(),
                                          .counted = counted,
                                          .clips = clips,
                                          .bins = bins,
-                                         .joined = joined_ != nullptr});
+                                         .joined = joined_ != nullptr,
+                                         .cut = cuts,
+                                         .grid = cuts && own->normals == nullptr,
+                                         .layer = path == largePath && fragments_.layers});
     bind(drawn, kernel);
+    if (cuts) fragments_.tell(*own, kernel);
+    if (fragments_.layers && path == largePath) tellLayers(kernel);
     if (bins) bins_.bind(kernel, drawn.list);
     kernel.set("doubleSided", static_cast<int>(doubleSided));
     kernel.set("draw_", static_cast<int>(i));
@@ -361,9 +371,32 @@ void TriangleRaster::drawJoined(const Visibility& into, const JoinedSurfaces& jo
   drawAsked(into, {});
 }
 
+void TriangleRaster::tellLayers(const gl::Program& kernel) const {
+  kernel.set("firstLayer", static_cast<int>(fragments_.before == nullptr));
+  const Visibility& before = fragments_.before != nullptr ? *fragments_.before : *fragments_.behind;
+  before.nearKeys().bind(layerNearUnit);
+  if (before.layout() == SampleLayout::apart) before.numbers().bind(layerIdUnit);
+  fragments_.behind->nearKeys().bind(behindUnit);
+}
+
+void TriangleRaster::drawNearest(const Visibility& into) {
+  asked_ = drawn_;
+  joined_ = nullptr;
+  if (!asked_.empty()) drawNearestAsked(into, {});
+}
+
+void TriangleRaster::drawNumbers(const Visibility& into) {
+  if (!asked_.empty()) drawNumbersAsked(into);
+}
+
 void TriangleRaster::drawAsked(const Visibility& into, const MapPart& part) {
-  constexpr GLuint zero = 0;
   if (asked_.empty()) return;
+  drawNearestAsked(into, part);
+  drawNumbersAsked(into);
+}
+
+void TriangleRaster::drawNearestAsked(const Visibility& into, const MapPart& part) {
+  constexpr GLuint zero = 0;
   glClearNamedBufferData(counters_.name(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, &zero);
   glm::ivec2 largest(0);
   if (into_ != Into::lampMap) {
@@ -389,6 +422,9 @@ void TriangleRaster::drawAsked(const Visibility& into, const MapPart& part) {
   runLists(0, into);
   gl::barrier();
   if (binned_) drawBinned(into);
+}
+
+void TriangleRaster::drawNumbersAsked(const Visibility& into) {
   if (into_ != Into::picture || into.layout() == SampleLayout::wholes) return;
   if (!binned_) run(trianglesPath, 1, into);
   runLists(1, into);

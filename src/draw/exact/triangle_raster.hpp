@@ -8,6 +8,7 @@
 #include <compare>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <span>
 #include <string>
@@ -71,8 +72,25 @@ class TriangleRaster {
     MapFace face;          ///< and where that is
   };
 
-  /// Numbers the triangles: see drawn(). Throws UserError(device) where there are more than numbers.
-  void number(const std::vector<const sim::Surface*>& surfaces);
+  /// What cuts holes into surfaces and tells layers of blended ones apart; all must outlive what draws.
+  struct Fragments {
+    /// Whether a surface has holes, and then what glsl/draw/exact/triangles/cutout.glsl reads.
+    std::function<bool(const sim::Surface&)> cut = {};
+    std::function<void(const sim::Surface&, const gl::Program&)> tell = {};
+    const sim::Surface* only = nullptr;  ///< of which a lamp's lists of triangles are
+    bool layers = false;                 ///< what is behind `before` (null: all) is drawn,
+    const Visibility* before = nullptr;
+    const Visibility* behind = nullptr;  ///< and not behind that
+  };
+  /// One that draws each sample by itself, whole triangles by groups: for surfaces that Fragments tells
+  /// about.
+  static TriangleRaster ofFragments(Into into, int samples) {
+    return {into, samples, 0, 0, 0, 0};
+  }
+  void tellFragments(Fragments fragments) { fragments_ = std::move(fragments); }
+
+  /// Numbers the triangles, from `firstId` on: see drawn(). Throws UserError(device) where there are more than numbers.
+  void number(const std::vector<const sim::Surface*>& surfaces, unsigned firstId = 0);
   /// For lamps' maps instead: face i shows the triangles of list i. All of it holds until they are drawn.
   void number(const TriangleLists& lists, const std::vector<MapFace>& faces);
   /// The same, of which `views` holds those of all maps one behind the other, face 0's number `first`: they
@@ -82,6 +100,10 @@ class TriangleRaster {
   /// Draws them into what is cleared. The uniform blocks, and for the sun's map the light's place, are
   /// bound; into lamps' maps, it binds the faces' views.
   void draw(const Visibility& into, const MapPart& part = {});
+  /// The two halves of draw() into a picture: what is nearest, before anything draws numbers; the numbers,
+  /// when everything has drawn what is nearest.
+  void drawNearest(const Visibility& into);
+  void drawNumbers(const Visibility& into);
   /// The same surfaces, joined, in one go.
   void drawJoined(const Visibility& into, const JoinedSurfaces& joined);
   [[nodiscard]] const std::vector<Drawn>& drawn() const { return drawn_; }
@@ -102,11 +124,17 @@ class TriangleRaster {
     bool bins = false;     ///< small ones are binned
     bool joined = false;   ///< surfaces are
     bool faces = false;    ///< of lamps' maps, all in one go
+    bool cut = false;      ///< the surface has holes
+    bool grid = false;     ///< and is a grid
+    bool layer = false;    ///< it is blended
     // NOLINTNEXTLINE(modernize-use-nullptr): none is written
     auto operator<=>(const Variant&) const = default;
   };
   const gl::Program& program(const Variant& variant);
   void drawAsked(const Visibility& into, const MapPart& part);
+  void drawNearestAsked(const Visibility& into, const MapPart& part);
+  void drawNumbersAsked(const Visibility& into);
+  void tellLayers(const gl::Program& kernel) const;
   void makeVertices(const Visibility& into);
   void clipLarge(const Visibility& into);
   void prepareLarge(glm::ivec2 size);
@@ -120,6 +148,7 @@ class TriangleRaster {
   void runLists(int pass, const Visibility& into);
 
   Into into_;
+  Fragments fragments_;
   int samples_;
   int smallPixels_;
   int fanRoom_;

@@ -43,6 +43,8 @@ class Visibility {
   [[nodiscard]] SampleLayout layout() const { return layout_; }
   /// Keys, or both where they lie together.
   [[nodiscard]] const gl::Texture& nearKeys() const { return nearView_; }
+  /// The numbers, where they lie apart.
+  [[nodiscard]] const gl::Texture& numbers() const { return idView_; }
   /// Waits for the device and copies out: `samples` a pixel, row by row from the top.
   [[nodiscard]] std::vector<GLuint> readKeys() const;
   [[nodiscard]] std::vector<GLuint> readNumbers() const;

@@ -12,6 +12,9 @@
 #include "draw/surface/skin_textures.hpp"
 #include "draw/surface/surface_pass.hpp"
 
+#include <set>
+#include <string>
+
 namespace simreel::draw {
 
 struct DriverScene::State {
@@ -32,6 +35,18 @@ struct DriverScene::State {
         bloom(scene.render.bloom, size, resolve.samples()),
         toneMap(scene.render, resolve.samples(), bloom.on()) {}
 
+  /// Says once of each object what of its materials is left out.
+  void sayFinishes(const sim::Drawables& drawables) {
+    for (const sim::Surface& surface : drawables.surfaces) {
+      if (!surface.material->finish.used() || !saidOf.insert(sim::objectName(surface)).second) continue;
+      warn(
+          "{}: the driver's rasterizer draws the colour, roughness and metal of its materials; maps, light "
+          "of their own, opacity, coats and sheen are of \"rasterizer\": \"exact\" alone",
+          sim::objectName(surface));
+    }
+  }
+
+  std::set<std::string> saidOf;  ///< objects
   const scene::Scene& scene;
   const FieldTextures& fieldTextures;
   FieldPass& fields;
@@ -78,6 +93,7 @@ DriverScene::~DriverScene() = default;
 
 void DriverScene::draw(double seconds, const sim::Drawables& all, const Watch& watch) {
   State& s = *state_;
+  s.sayFinishes(all);
   if (s.lamps.on()) s.lamps.update(seconds, all);
   const sim::Drawables drawables = s.lamps.on() ? s.lamps.withGlows(all) : all;
   const auto issued = [&](const char* stage, bool any = true) {

@@ -26,7 +26,7 @@ bool liesBeside(const fs::path& mesh, const fs::path& named) {
 }
 
 void MeshBuilder::begin(std::size_t vertices, std::size_t triangles, const glm::mat4& transform,
-                        bool hasUvs) {
+                        bool hasUvs, int material) {
   if (mesh_.positions.size() + vertices > maxMeshItems ||
       mesh_.indices.size() / 3 + triangles > maxMeshItems)
     refuseMesh(file_, fmt::format("has more than {} vertices or triangles; simplify it", maxMeshItems));
@@ -37,6 +37,7 @@ void MeshBuilder::begin(std::size_t vertices, std::size_t triangles, const glm::
   first_ = mesh_.positions.size();
   count_ = vertices;
   hasUvs_ = hasUvs_ || hasUvs;
+  material_ = material;
 }
 
 void MeshBuilder::vertex(const glm::vec3& position, const glm::vec3& normal, const glm::vec2& uv) {
@@ -57,6 +58,7 @@ void MeshBuilder::triangle(const std::array<unsigned, 3>& corners) {
       refuseMesh(file_, fmt::format("has a triangle with vertex {} of {}", corners[k], count_));
     mesh_.indices.push_back(static_cast<unsigned>(first_ + corners[k]));
   }
+  mesh_.materialOf.push_back(material_);
 }
 
 Mesh MeshBuilder::finish() {

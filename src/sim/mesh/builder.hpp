@@ -28,8 +28,9 @@ class MeshBuilder {
  public:
   explicit MeshBuilder(const std::filesystem::path& file) : file_(file) {}
 
-  /// A part of that many vertices and triangles follows.
-  void begin(std::size_t vertices, std::size_t triangles, const glm::mat4& transform, bool hasUvs);
+  /// A part of that many vertices and triangles follows; `material`: its number, -1: none.
+  void begin(std::size_t vertices, std::size_t triangles, const glm::mat4& transform, bool hasUvs,
+             int material = -1);
   /// The next vertex; a normal of 0 is computed from the triangles around it.
   void vertex(const glm::vec3& position, const glm::vec3& normal, const glm::vec2& uv);
   /// Corners by number within the part.
@@ -45,6 +46,7 @@ class MeshBuilder {
   glm::mat3 turn_{1};  ///< of normals
   bool mirrored_ = false;
   bool hasUvs_ = false;
+  int material_ = -1;
   std::size_t first_ = 0;  ///< vertex of the part
   std::size_t count_ = 0;  ///< vertices of the part
 };

@@ -7,11 +7,13 @@
 #include "sim/mesh/before_library.hpp"
 #include "sim/mesh/builder.hpp"
 #include "sim/mesh/gltf_file.hpp"
+#include "sim/mesh/library_materials.hpp"
 
 #include <algorithm>
 #include <assimp/DefaultIOSystem.h>
 #include <assimp/Importer.hpp>
 #include <assimp/config.h>
+#include <assimp/material.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 #include <cctype>
@@ -48,9 +50,15 @@ class Gatherer {
   Gatherer(const std::filesystem::path& file, const aiScene& scene)
       : file_(file), scene_(scene), builder_(file) {}
 
-  Mesh gather() {
+  /// With the materials of those libraries.
+  Mesh gather(const std::vector<std::string>& libraries) {
     node(*scene_.mRootNode, glm::mat4(1), 0);
-    return builder_.finish();
+    Mesh mesh = builder_.finish();
+    std::vector<std::string> names;
+    for (unsigned i = 0; i < scene_.mNumMaterials; ++i)
+      names.emplace_back(scene_.mMaterials[i]->GetName().C_Str());
+    addLibraryMaterials(file_, libraries, names, mesh);
+    return mesh;
   }
 
  private:
@@ -67,7 +75,8 @@ class Gatherer {
   void add(const aiMesh& part, const glm::mat4& transform) {
     if ((part.mPrimitiveTypes & aiPrimitiveType_TRIANGLE) == 0) return;
     const bool textured = part.HasTextureCoords(0);
-    builder_.begin(part.mNumVertices, part.mNumFaces, transform, textured);
+    builder_.begin(part.mNumVertices, part.mNumFaces, transform, textured,
+                   static_cast<int>(part.mMaterialIndex));
     for (unsigned i = 0; i < part.mNumVertices; ++i)
       builder_.vertex(toVec(part.mVertices[i]), part.HasNormals() ? toVec(part.mNormals[i]) : glm::vec3(0),
                       textured ? pictureUv(part.mTextureCoords[0][i]) : glm::vec2(0));
@@ -129,7 +138,7 @@ class FolderOnly : public Assimp::DefaultIOSystem {
   mutable std::string refused_;
 };
 
-Mesh readWithLibrary(const std::filesystem::path& file) {
+Mesh readWithLibrary(const std::filesystem::path& file, const std::vector<std::string>& libraries) {
   Assimp::Importer importer;
   importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE, aiPrimitiveType_POINT | aiPrimitiveType_LINE);
   auto* const io = new FolderOnly(file);  // the importer's own from here
@@ -146,7 +155,7 @@ Mesh readWithLibrary(const std::filesystem::path& file) {
   scene = importer.ApplyPostProcessing(aiProcess_Triangulate | aiProcess_SortByPType |
                                        aiProcess_JoinIdenticalVertices);
   if (scene == nullptr || scene->mRootNode == nullptr) refuseMesh(file, "cannot be divided into triangles");
-  return Gatherer(file, *scene).gather();
+  return Gatherer(file, *scene).gather(libraries);
 }
 
 }  // namespace
@@ -164,7 +173,7 @@ Mesh importMesh(const std::filesystem::path& file) {
   if (isGltf(file)) return readGltf(file, text);
   if (extension == ".ply") checkPly(file, text);
   if (extension == ".obj") checkObj(file, text);
-  return readWithLibrary(file);
+  return readWithLibrary(file, extension == ".obj" ? librariesOf(text) : std::vector<std::string>());
 }
 
 std::string readApart(const std::filesystem::path& file, const std::function<std::string()>& read) {

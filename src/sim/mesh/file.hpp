@@ -9,6 +9,41 @@
 
 namespace simreel::sim {
 
+/// A picture of a mesh's materials as its file has it: PNG or JPEG.
+struct MeshImage {
+  std::string name;  ///< what messages call it
+  std::string bytes;
+
+  template <class Archive>
+  void pack(Archive& archive) {
+    archive(name);
+    archive(bytes);
+  }
+};
+
+/// One of a mesh's pictures laid over a material.
+struct MeshMap {
+  int image = -1;  ///< its number; -1: none
+  bool repeats = true;
+};
+
+/// A material as a mesh's file has it: scene::Material and scene::Finish say what its values are.
+struct MeshMaterial {
+  glm::vec3 color{1};
+  float opacity = 1, roughness = 1, metallic = 1;
+  MeshMap colorMap, normals, metalRough, occlusion, emissionMap;
+  MeshMap opacityMap;  ///< instead of the colour's map's own: its opacity, or its brightness
+  float normalStrength = 1, occlusionStrength = 1;
+  glm::vec3 emission{0};
+  float emissionStrength = 1;
+  int alpha = 0;  ///< a scene::Alpha
+  float cutoff = 0.5F;
+  bool doubleSided = false;
+  float coat = 0, coatRoughness = 0;
+  glm::vec3 sheen{0};
+  float sheenRoughness = 0;
+};
+
 /// Indexed triangles. Positions in m, unit normals, one of each per vertex; uvs are empty when the file has
 /// none, v counts from a picture's first row.
 struct Mesh {
@@ -16,6 +51,10 @@ struct Mesh {
   std::vector<glm::vec3> normals;
   std::vector<glm::vec2> uvs;
   std::vector<unsigned> indices;  ///< three a triangle, counter-clockwise seen from outside
+  std::vector<MeshMaterial> materials;  ///< empty where the file has none
+  std::vector<int> materialOf;          ///< of each triangle, -1: none; empty where there are no materials
+  std::vector<MeshImage> images;
+  std::vector<std::string> ignored;  ///< what of the materials is not drawn: a key and whose it is
 
   template <class Archive>
   void pack(Archive& archive) {
@@ -23,6 +62,10 @@ struct Mesh {
     archive(normals);
     archive(uvs);
     archive(indices);
+    archive(materials);
+    archive(materialOf);
+    archive(images);
+    archive(ignored);
   }
 };
 

@@ -180,6 +180,11 @@ std::string_view GltfDocument::view(std::size_t number, std::size_t& stride) con
   return bytes.substr(offset, length);
 }
 
+std::string GltfDocument::bytesOfView(std::size_t number) const {
+  std::size_t stride = 0;
+  return std::string(view(number, stride));
+}
+
 GltfDocument::Values GltfDocument::slice(const JsonValue& place, std::uint64_t type, std::size_t components,
                                          std::size_t count) const {
   const std::size_t element = components * componentBytes(type);

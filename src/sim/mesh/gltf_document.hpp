@@ -42,6 +42,11 @@ class GltfDocument {
   /// The values of an accessor of whole numbers.
   [[nodiscard]] std::vector<std::uint32_t> indices(std::size_t accessor) const;
 
+  /// The bytes that an object's "uri" names, in the text or beside the file,
+  [[nodiscard]] std::string bytesAt(const std::string& uri) const { return bytesOf(uri, 0); }
+  /// and those of a buffer view.
+  [[nodiscard]] std::string bytesOfView(std::size_t number) const;
+
   [[noreturn]] void refuse(const std::string& why) const;
 
  private:

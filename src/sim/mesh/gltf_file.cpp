@@ -1,10 +1,12 @@
 #include "sim/mesh/gltf_file.hpp"
 
 #include "sim/mesh/builder.hpp"
+#include "sim/mesh/gltf_materials.hpp"
 #include "sim/mesh/gltf_parts.hpp"
 
 #include <array>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -31,7 +33,13 @@ class GltfReader {
     for (const Placed& mesh : placed) parts_.count(mesh.mesh);
     for (const Placed& mesh : placed)
       parts_.eachPart(mesh.mesh, false, [&](const GltfPart& part) { add(part, mesh.transform); });
-    return builder_.finish();
+    Mesh mesh = builder_.finish();
+    GltfMaterials looks = readMaterials(parts_.document());
+    mesh.materials = std::move(looks.materials);
+    mesh.images = std::move(looks.images);
+    mesh.ignored = std::move(looks.ignored);
+    if (mesh.materials.empty()) mesh.materialOf.clear();
+    return mesh;
   }
 
  private:
@@ -86,7 +94,7 @@ class GltfReader {
   }
 
   void add(const GltfPart& part, const glm::mat4& transform) {
-    builder_.begin(part.vertices.size(), part.triangles.size(), transform, part.hasUvs);
+    builder_.begin(part.vertices.size(), part.triangles.size(), transform, part.hasUvs, part.material);
     for (const GltfVertex& vertex : part.vertices) {
       const std::array<float, 8>& v = vertex.values;
       builder_.vertex({v[0], v[1], v[2]}, {v[3], v[4], v[5]}, {v[6], v[7]});

@@ -104,6 +104,11 @@ GltfPart GltfParts::part(std::size_t mesh, const JsonValue& primitive, bool skin
   if (skinned) addBones(mesh, primitive, all);
   GltfPart part;
   part.hasUvs = !uvs.empty();
+  const std::size_t materials = document_.size("materials");
+  const std::uint64_t material = GltfDocument::number(primitive, "material", materials);
+  if (material > materials)
+    document_.refuse(fmt::format("names number {} of its {} materials", material, materials));
+  if (material < materials) part.material = static_cast<int>(material);
   part.triangles = trianglesOf(primitive, count);
   std::unordered_map<GltfVertex, unsigned, VertexHash> known;
   std::vector<unsigned> first(count);

@@ -24,6 +24,7 @@ struct GltfVertex {
 /// normals are smooth.
 struct GltfPart {
   bool hasUvs = false;
+  int material = -1;  ///< its number; -1: none
   std::vector<GltfVertex> vertices;
   std::vector<std::array<unsigned, 3>> triangles;
 };

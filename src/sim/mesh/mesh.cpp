@@ -7,9 +7,12 @@
 #include "sim/mesh/deform.hpp"
 #include "sim/mesh/deform_plan.hpp"
 #include "sim/mesh/deform_rest.hpp"
+#include "sim/mesh/looks.hpp"
 #include "sim/mesh/parameters.hpp"
 
 #include <optional>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace simreel::sim {
@@ -26,6 +29,11 @@ class RigidMesh : public Simulation, public ContactSolid {
         frameSeconds_(setting.frameSeconds),
         time_(setting.startTime),
         buffers_(object.name, mesh) {
+    for (MeshLook& look : looksOf(object, mesh)) {
+      Part part{std::move(look.material), std::nullopt};
+      if (!look.mesh.indices.empty()) part.buffers.emplace(object.name, look.mesh);
+      parts_.push_back(std::move(part));
+    }
     if (!parameters_.byFaces) return;
     std::vector<glm::vec4> positions;
     for (const glm::vec3& p : mesh.positions) positions.emplace_back(p, 1.0F);
@@ -40,11 +48,15 @@ class RigidMesh : public Simulation, public ContactSolid {
 
   void publish(double time, Drawables& drawables) const override {
     if (!parameters_.visible) return;
-    Surface surface = buffers_.surface();
-    surface.model = parameters_.model(time);
-    surface.doubleSided = parameters_.doubleSided();
-    surface.material = &material_;
-    drawables.surfaces.push_back(surface);
+    const auto show = [&](const MeshBuffers& buffers, const scene::Material& material) {
+      Surface surface = buffers.surface();
+      surface.model = parameters_.model(time);
+      surface.doubleSided = parameters_.doubleSided();
+      surface.material = &material;
+      drawables.surfaces.push_back(surface);
+    };
+    if (parts_.empty()) show(buffers_, material_);
+    for (const Part& part : parts_) show(part.buffers ? *part.buffers : buffers_, part.material);
   }
 
   [[nodiscard]] std::optional<MeshTable> mesh() const override {
@@ -63,11 +75,18 @@ class RigidMesh : public Simulation, public ContactSolid {
   [[nodiscard]] const gl::Vec4Array& next() const override { return touched_->next(); }
 
  private:
+  /// What has one of the materials of the mesh's file.
+  struct Part {
+    scene::Material material;
+    std::optional<MeshBuffers> buffers;  ///< else all of the mesh
+  };
+
   MeshParameters parameters_;
   scene::Material material_;
   double frameSeconds_;
   double time_;  ///< s, of the present frame
   MeshBuffers buffers_;
+  std::vector<Part> parts_;  ///< empty: all has material_
   std::optional<MovedVertices> touched_;  ///< of a mesh that collides by its faces
 };
 
@@ -81,12 +100,18 @@ Mesh readMesh(const scene::Object& object, const Setting& setting) {
   if (mesh.uvs.empty() && !object.material.hasSkin && !object.material.texture.empty())
     warn("mesh \"{}\": {} has no texture coordinates, so its texture shows the colour of one corner",
          object.name, parameters.file.string());
+  if (const std::string ignored = ignoredLooks(object, mesh); !ignored.empty())
+    warn("mesh \"{}\": {} has what is not drawn: {}", object.name, parameters.file.string(), ignored);
+  if (!parameters.deform.list.empty() && !mesh.materials.empty() && !object.hasMaterial)
+    warn("mesh \"{}\": it is deformed, so the materials of {} are not drawn; give it a \"material\"",
+         object.name, parameters.file.string());
   return mesh;
 }
 
 void checkMesh(const scene::Object& object, const Setting& setting) {
   const auto& parameters = parametersOf<MeshParameters>(object);
   const Mesh mesh = readMesh(object, setting);
+  static_cast<void>(looksOf(object, mesh));
   if (parameters.deform.list.empty()) return;
   static_cast<void>(DeformPlan(object.name, parameters, mesh, *setting.colliders));
   static_cast<void>(RestMesh(object.name, mesh));

@@ -258,7 +258,10 @@ Drawables World::drawables() const {
     const std::size_t surfaces = all.surfaces.size();
     const std::size_t instances = all.instances.size();
     state_->objects[i]->publish(time(), all);
-    for (std::size_t k = surfaces; k < all.surfaces.size(); ++k) all.surfaces[k].object = &state_->names[i];
+    for (std::size_t k = surfaces; k < all.surfaces.size(); ++k) {
+      all.surfaces[k].object = &state_->names[i];
+      if (all.surfaces[k].material->finish.doubleSided) all.surfaces[k].doubleSided = true;
+    }
     for (std::size_t k = instances; k < all.instances.size(); ++k)
       all.instances[k].object = &state_->names[i];
     for (sim::Writing& writing : all.writings)

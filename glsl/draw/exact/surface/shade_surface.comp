@@ -1,7 +1,7 @@
 // Light of one surface on its tiles: each primitive of a pixel once, in the pixel's middle if that is on it, else at the
 // first of its samples. JOINED: of several surfaces that have nothing laid over them. Variants: those of draw/surface/lighting.glsl,
 // SHADOW (with SHADOW_TAPS), OCCLUSION, RAYS, PALETTE, DOUBLE_SIDED, TEXTURED (BUMPED) or SKIN (LOOK_ one of draw/surface/skin_look.glsl), by uv, of
-// a GRID or a mesh, or TRIPLANAR. SAMPLES.
+// a GRID or a mesh, or TRIPLANAR; maps (surface_maps.glsl), EMISSION, COAT, SHEEN. BLENDED: of a layer. SAMPLES.
 #define EXACT_PICTURE
 #include "common/once.glsl"
 #ifdef JOINED
@@ -14,8 +14,17 @@ bool mirrors = false, bothSides = false;  // of the surface that is being shaded
 #include "draw/exact/triangles/surface_triangle.glsl"
 #include "draw/exact/surface/surface_spot.glsl"
 #include "draw/exact/occlusion/openness_read.glsl"
+#ifdef SHEEN
+uniform vec3 sheen;
+vec3 sheen_ = once(sheen);
+uniform float sheenRoughness;
+float sheenRoughness_ = once(sheenRoughness);
+#endif
 #include "draw/surface/lighting.glsl"
-#if defined TEXTURED || defined SKIN
+#if defined BASE_MAP || defined NORMAL_MAP || defined METAL_ROUGH_MAP || defined OCCLUSION_MAP || defined EMISSION_MAP
+#define MAPPED
+#endif
+#if defined TEXTURED || defined SKIN || defined MAPPED
 #include "draw/exact/surface/surface_seen.glsl"
 #endif
 #ifdef TEXTURED
@@ -23,6 +32,22 @@ bool mirrors = false, bothSides = false;  // of the surface that is being shaded
 #endif
 #ifdef SKIN
 #include "draw/exact/surface/surface_skin.glsl"
+#endif
+#ifdef MAPPED
+#include "draw/exact/surface/surface_maps.glsl"
+#endif
+#ifdef EMISSION
+uniform vec3 emission;
+vec3 emission_ = once(emission);
+#endif
+#ifdef COAT
+#include "draw/surface/coat.glsl"
+uniform vec2 coat;  // strength, roughness
+vec2 coat_ = once(coat);
+#endif
+#ifdef BLENDED
+uniform float opacity;
+float opacity_ = once(opacity);
 #endif
 #ifdef SHADOW
 #include "draw/exact/shadows/sun_map.glsl"
@@ -61,8 +86,19 @@ vec4 lightOf(ivec2 pixel, uint triangle, int sampleAt) {
   base = paletteColor(spot);
 #endif
   vec3 normal = spot.normal;
+#ifdef MAPPED
+  SurfaceSeen seen = surfaceSeen(spot);
+#endif
+#ifdef NORMAL_MAP
+  Relief relief = reliefOn(seen, spot);
+  normal = relief.normal;
+#endif
 #ifdef DOUBLE_SIDED
   normal = spot.turned && bothSides ? -normal : normal;
+#endif
+#ifdef BASE_MAP
+  vec4 texel = mapOn(seen, colorMap_);
+  base = base * texel.rgb;
 #endif
 #ifdef TEXTURED
   Patch patch_ = patchSeen(surfaceSeen(spot));
@@ -77,7 +113,27 @@ vec4 lightOf(ivec2 pixel, uint triangle, int sampleAt) {
   const float fraction = 1.0f;
 #endif
   Look look = Look(base, material_.x, material_.y, material_.z, opennessOn(pixel, spot.place));
+#ifdef METAL_ROUGH_MAP
+  vec4 made = mapOn(seen, metalRoughMap_);
+  precise float rough = look.roughness * made.g;
+  precise float metal = look.metallic * made.b;
+  look.roughness = rough;
+  look.metallic = metal;
+#endif
+#ifdef NORMAL_MAP
+  look.roughness = spreadRoughness(look.roughness, relief.mean);
+#endif
+#ifdef OCCLUSION_MAP
+  precise float openThere = look.openness * openOn(seen);
+  look.openness = openThere;
+#endif
   precise vec3 light = vec3(0);
+#ifdef EMISSION
+  light = emission_;
+#ifdef EMISSION_MAP
+  light = light * mapOn(seen, emissionMap_).rgb;
+#endif
+#endif
 #ifdef SKIN
   SpotSkin found = skinOn(spot, normal);
   normal = found.normal;
@@ -91,8 +147,33 @@ vec4 lightOf(ivec2 pixel, uint triangle, int sampleAt) {
   keepSurfaceSpot(spot, look, normal, firstSample(pixel) + sampleAt);
 #else
   light = light + allLight(look, spot.place, normal, spot.view, fraction);
+#ifdef COAT
+#ifdef SHEEN
+  vec3 fibres = sheen_;
+  sheen_ = vec3(0);  // those are under it
 #endif
+  vec3 smoothNormal = spot.normal;
+#ifdef DOUBLE_SIDED
+  smoothNormal = spot.turned && bothSides ? -smoothNormal : smoothNormal;
+#endif
+  Look film = Look(vec3(0), coat_.y, 0.0f, 0.0f, look.openness);
+  vec3 mirrored = allLight(film, spot.place, smoothNormal, spot.view, fraction);
+#ifdef SHEEN
+  sheen_ = fibres;
+#endif
+  light = coated(light, mirrored, coat_.x, coat_.y, abs(exactDot(smoothNormal, spot.view)));
+#endif
+#endif
+#ifdef BLENDED
+  float alpha = opacity_;
+#ifdef BASE_MAP
+  precise float there = alpha * texel.a;
+  alpha = there;
+#endif
+  return vec4(light, alpha);
+#else
   return vec4(light, 1.0f);
+#endif
 }
 
 void main() {

@@ -29,7 +29,7 @@ void lightTile(uint firstId, uint numbers) {
   vec4 sum = imageLoad(sums, pixel);
   for (int left = samplesOf(shown, firstId, numbers); left != 0;) {
     int first = firstToLight(shown, left), same = samplesLike(shown, first);
-    sum = withLight(sum, lightOf(pixel, idAt(pixel, first) - firstId, first), bitCount(same));
+    sum = withLight(pixel, sum, lightOf(pixel, idAt(pixel, first) - firstId, first), same);
     left &= ~same;
   }
   imageStore(sums, pixel, sum);
@@ -52,7 +52,7 @@ void lightTile(uint firstId, uint numbers) {
       int first = firstToLight(shown, left >> (i * SAMPLES) & ((1 << SAMPLES) - 1));
       int same = samplesLike(shown, first);
       vec4 light = lightOf(pixel, idAt(pixel, first) - firstId, first);
-      imageStore(sums, pixel, withLight(imageLoad(sums, pixel), light, bitCount(same)));
+      addLight(pixel, light, same);
       left &= ~(same << (i * SAMPLES));
     }
   }

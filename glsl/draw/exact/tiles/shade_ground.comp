@@ -17,7 +17,7 @@ void lightGround(ivec2 pixel) {
   int samples = 0, first = 0;
   for (int s = SAMPLES - 1; s >= 0; --s)
     if (shown.of[s] == groundId) {
-      ++samples;
+      samples |= 1 << s;
       first = s;
     }
   if (samples == 0) return;

@@ -70,15 +70,55 @@ int samplesLike(PixelIds shown, int first) {
   return same;
 }
 
-// A sum and light of so many of the pixel's samples; alpha is the part of the pixel that something covers.
-vec4 withLight(vec4 before, vec4 light, int samples) {
-  precise float share = float(samples) * perSamples();
+// What of the pixel the light of these samples (a bit each) has. BEHIND: behind layers that leave so much of it. BLENDED: of
+// the next layer, which leaves less of what lies behind it.
+#ifdef BLENDED
+layout(std430, binding = throughBinding) restrict buffer ThroughBlock { float through[]; };
+
+float shareOf(ivec2 pixel, int samples, float alpha) {
+  int first = firstSample(pixel);
+  precise float sum = 0.0f;
+  for (int s = 0; s < SAMPLES; ++s) {
+    if ((samples >> s & 1) == 0) continue;
+    float before = through[first + s];
+    precise float part = before * alpha;
+    precise float left = before - part;
+    through[first + s] = left;
+    sum = sum + part;
+  }
+  precise float share = sum * perSamples();
+  return share;
+}
+#elif defined BEHIND
+layout(binding = throughUnit) uniform samplerBuffer through;
+
+float shareOf(ivec2 pixel, int samples, float alpha) {
+  int first = firstSample(pixel);
+  precise float sum = 0.0f;
+  for (int s = 0; s < SAMPLES; ++s)
+    if ((samples >> s & 1) != 0) sum = sum + texelFetch(through, first + s).x;
+  precise float share = sum * perSamples();
+  return share;
+}
+#else
+float shareOf(ivec2 pixel, int samples, float alpha) {
+  precise float share = float(bitCount(samples)) * perSamples();
+  return share;
+}
+#endif
+
+// A sum and light of these of the pixel's samples; alpha is the part of the pixel that something covers.
+vec4 withLight(ivec2 pixel, vec4 before, vec4 light, int samples) {
+  float share = shareOf(pixel, samples, light.a);
+#ifdef BLENDED
+  light.a = 1.0f;
+#endif
   precise vec4 sum = before + light * share;
   return sum;
 }
 
 void addLight(ivec2 pixel, vec4 light, int samples) {
-  imageStore(sums, pixel, withLight(imageLoad(sums, pixel), light, samples));
+  imageStore(sums, pixel, withLight(pixel, imageLoad(sums, pixel), light, samples));
 }
 
 // Middle of the pixel (-1), or a sample, in pixels.

@@ -26,6 +26,9 @@ void drawLarge(int entry) {
 #if defined SUN_MAP || defined CLIPS
   ivec3 corners = cornersOf(number);
   uvec4 a = vertexOf(corners.x), b = vertexOf(corners.y), c = vertexOf(corners.z);
+#ifdef CUTOUT
+  cutTriangle(corners, placeOf(a), placeOf(b), placeOf(c));
+#endif
 #ifdef SUN_MAP
   fillTiles(drawnTriangle(cornerOfVertex(a), cornerOfVertex(b), cornerOfVertex(c)), id);  // never clipped
 #else

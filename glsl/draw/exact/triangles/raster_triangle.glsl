@@ -1,8 +1,15 @@
 // Drawing triangles that some kernel has made. Variants of visible_sample.glsl; into shadow maps they are moved away by
-// their slope. ADDS: they add light to the sums of glows.
+// their slope. ADDS: they add light to the sums of glows. CUTOUT:
+// they have holes; LAYER: they are of a layer of blended ones.
 #include "draw/exact/visible_sample.glsl"
 #include "draw/exact/triangles/triangle.glsl"
 #include "draw/exact/triangles/clip.glsl"
+#ifdef CUTOUT
+#include "draw/exact/triangles/cutout.glsl"
+#endif
+#ifdef LAYER
+#include "draw/exact/triangles/layer.glsl"
+#endif
 #ifdef SUN_MAP
 uniform float slopeOffset;  // texels whose slope the map is moved by
 const float nearest = 0.0f;
@@ -56,11 +63,17 @@ void putSample(Triangle t, ivec2 pixel, int s, uint before, uint id) {
 #ifndef SUN_MAP
   if (near < view.nearOverFar) return;
 #endif
+#ifdef LAYER
+  if (!inLayer(sampleIndex(pixel, s), nearKey(near), id)) return;
+#endif
   keep(sampleIndex(pixel, s), nearKey(near), before, id);
 }
 
 // The samples that the mask has, of one pixel.
 void putPixel(Triangle t, ivec2 pixel, int mask, uint id) {
+#ifdef CUTOUT
+  mask = uncut(pixel, mask);
+#endif
 #if SAMPLES < 4
   for (int s = 0; s < SAMPLES; ++s)
     if ((mask >> s & 1) != 0) putSample(t, pixel, s, keyAt(sampleIndex(pixel, s)), id);

@@ -20,6 +20,11 @@ class ExactInstances {
   /// `lighting`: SAMPLES and those of the lights.
   ExactInstances(int samples, gl::Defines lighting) : samples_(samples), lighting_(std::move(lighting)) {}
 
+  /// From now on what shades has these.
+  void define(gl::Defines lighting) {
+    lighting_ = std::move(lighting);
+    programs_.clear();
+  }
   /// Grows the sun's bounds; see ShadowPass::fit.
   void growBounds(const sim::Drawables& drawables) { bounds_.grow(drawables, shapes_); }
   /// Into the sun's map, where other things may be drawn already. The light's place is bound.

@@ -11,6 +11,7 @@
 #include "draw/exact/light_pictures.hpp"
 #include "draw/exact/occlusion.hpp"
 #include "draw/exact/rays/ray_light.hpp"
+#include "draw/exact/scene/apart.hpp"
 #include "draw/exact/scene/lamp_maps.hpp"
 #include "draw/exact/shaded_tiles.hpp"
 #include "draw/exact/surface_shading.hpp"
@@ -97,6 +98,7 @@ struct ExactScene::State {
     defines.emplace_back("SAMPLES", std::to_string(count));
     defines.emplace_back("ROWS", std::to_string(rowsAtOnce()));
     if (occludes()) defines.emplace_back("OCCLUSION", "1");
+    if (layered) defines.emplace_back("BEHIND", "1");
     if (traces()) {
       defines.emplace_back("RAYS", "1");
       return defines;
@@ -127,6 +129,8 @@ struct ExactScene::State {
     if (scene.numerics == scene::Numerics::fast) defines.emplace_back("FAST_NUMERICS", "1");
     return defines;
   }
+  void makeGround();
+  void beginLayers();
   void drawShadows(const sim::Drawables& drawables);
   std::vector<unsigned> findVisible(const sim::Drawables& drawables);
   void findOpenness(const shader::ExactView& values, const Watch& watch);
@@ -134,8 +138,10 @@ struct ExactScene::State {
   void drawThrough(const sim::Drawables& drawables, shader::ExactView values, const Watch& watch);
   void addThrough(int number, int pictures);
   View prepare(const Moment& moment, sim::Drawables& drawables, const Watch& watch);
+  void refuseWhatRaysLack(const sim::Drawables& drawables) const;
   bool expose(const Exposure& exposure, const Watch& watch);
   void gather();
+  void bindShadows() const;
   void shadeAll();
   void keepVisibility(glm::ivec2 rows) const;
   void keepLayers(const shader::ExactView& values);
@@ -147,6 +153,7 @@ struct ExactScene::State {
   int samples;
   int bandRows;  ///< of the picture at most, whose visibility there is at once
   bool ground;
+  bool layered = false;  ///< whether what shades may be behind layers
   SkinTextures skins;
   Lamps lamps;
   ShadowPass shadow;
@@ -164,6 +171,8 @@ struct ExactScene::State {
   float occlusionRadius = 0;  ///< of this picture (m)
   float white = 1;            ///< light that it shows as white
   SurfaceShading surfaces;
+  ApartSurfaces apart;
+  unsigned numbers = 0;  ///< that have been given in this band
   ExactInstances instances;
   std::optional<RayLight> rays;
   Bloom bloom;
@@ -195,6 +204,7 @@ ExactScene::State::State(const scene::Scene& shown, const Environment* around, g
       triangles(TriangleRaster::Into::picture, count),
       tiles(visibility, ground, shadow.on()),
       surfaces(shown, lighting(count)),
+      apart({pixels.x, rows}, count, surfaces),
       instances(count, lighting(count)),
       bloom(shown.render.bloom, pixels),
       picture(gl::Program::compute("draw/exact/screen/picture.comp", pictureDefines())),
@@ -218,13 +228,27 @@ ExactScene::State::State(const scene::Scene& shown, const Environment* around, g
     map.emplace("the shadow map", shadow.size(), 1, false);
     casters.emplace(TriangleRaster::Into::sunMap, 1);
   }
+  makeGround();
+}
+
+void ExactScene::State::makeGround() {
   if (!ground) return;
-  gl::Defines defines = lighting(count);
+  const scene::Scene& shown = scene;
+  gl::Defines defines = lighting(samples);
   if (shown.ground.roughness < 0.6F) defines.emplace_back("REFLECTIVE", "1");
   litGround = gl::Program::compute("draw/exact/tiles/shade_ground.comp", defines);
   if (!shadow.on()) return;
   defines.emplace_back("SHADOWED", "1");
   shadedGround = gl::Program::compute("draw/exact/tiles/shade_ground.comp", defines);
+}
+
+/// What shades is made anew for scenes with blended surfaces, so that others do not pay for them.
+void ExactScene::State::beginLayers() {
+  if (layered) return;
+  layered = true;
+  surfaces.define(lighting(samples));
+  instances.define(lighting(samples));
+  makeGround();
 }
 
 ExactScene::ExactScene(const scene::Scene& scene, const Environment* environment, glm::ivec2 size,
@@ -239,7 +263,9 @@ void ExactScene::State::drawShadows(const sim::Drawables& drawables) {
   std::vector<const sim::Surface*> casting;
   for (const sim::Surface& surface : drawables.surfaces)
     if (castsShadow(surface)) casting.push_back(&surface);
-  shadow.fit(drawables, [&] { instances.growBounds(drawables); });
+  sim::Drawables bounding = drawables;
+  bounding.surfaces.insert(bounding.surfaces.end(), apart.casting().begin(), apart.casting().end());
+  shadow.fit(bounding, [&] { instances.growBounds(drawables); });
   shadow.bind();
   map->clear();
   gl::barrier();
@@ -247,6 +273,7 @@ void ExactScene::State::drawShadows(const sim::Drawables& drawables) {
   const MapPart part{.slopeOffset = 1.5F + scene.sun.shadowSoftness};
   casters->number(casting);
   casters->draw(*map, part);
+  apart.castSun(*map, part);
   instances.castShadows(drawables, *map, part);
 }
 
@@ -265,16 +292,21 @@ void ExactScene::State::gather() {
   }
 }
 
-void ExactScene::State::shadeAll() {
+void ExactScene::State::bindShadows() const {
   if (map) map->nearKeys().bind(mapUnit);
   if (lampMaps) lampMaps->bind();
+}
+
+void ExactScene::State::shadeAll() {
+  bindShadows();
   if (occlusion.on()) occlusion.bind();
   for (std::size_t i = 0; i < gathered.size(); ++i)
     if (gathered[i].size() == 1)
       surfaces.shade(triangles, gathered[i].front(), skins, tiles, static_cast<int>(i));
     else
       surfaces.shadeJoined(joined, triangles, gathered[i], tiles, static_cast<int>(i));
-  instances.shade(tiles, static_cast<int>(gathered.size()));
+  apart.shade(skins, tiles, static_cast<int>(gathered.size()));
+  instances.shade(tiles, static_cast<int>(gathered.size()) + apart.things());
   if (!ground) return;
   tiles.shade(tiles.things(), litGround);
   if (shadow.on()) tiles.shade(tiles.things() + 1, shadedGround);
@@ -291,6 +323,7 @@ void ExactScene::State::keepVisibility(glm::ivec2 rows) const {
   if (lampMaps) passes->keep("shadow", "lamps", lampMaps->keys().readKeys(), lampMaps->keys().size(), 1);
   for (const TriangleRaster::Drawn& drawn : triangles.drawn())
     passes->things.push_back({objectName(*drawn.surface), "triangle", drawn.firstId, 1});
+  apart.describe(passes->things);
   instances.describe(passes->things);
 }
 
@@ -315,6 +348,7 @@ void ExactScene::State::keepLayers(const shader::ExactView& values) {
   std::vector<DrawnThing> things;
   for (const TriangleRaster::Drawn& drawn : triangles.drawn())
     things.push_back({objectName(*drawn.surface), "triangle", drawn.firstId, 1});
+  apart.describe(things);
   instances.describe(things);
   layerKeeper->add(visibility, values, things);
 }
@@ -342,20 +376,23 @@ std::vector<unsigned> ExactScene::State::findVisible(const sim::Drawables& drawa
   triangles.number(shown);
   gather();
   std::vector<unsigned> firstIds;
-  unsigned numbers = 0;
+  numbers = 0;
   for (const auto& together : gathered) {
     firstIds.push_back(together.front().firstId);
     numbers = together.back().firstId + static_cast<unsigned>(together.back().maxTriangles);
   }
+  numbers = apart.number(numbers, firstIds);
   instances.number(drawables, numbers, firstIds);
   gl::barrier();  // another band may still be read
   visibility.clear();
   gl::barrier();
   instances.drawNearest(visibility);  // before triangles draw numbers
+  apart.drawNearest(visibility);
   if (joins)
     triangles.drawJoined(visibility, joined);
   else
     triangles.draw(visibility);
+  apart.drawNumbers(visibility);
   instances.drawNumbers(visibility);
   return firstIds;
 }
@@ -377,10 +414,15 @@ void ExactScene::State::drawBand(const sim::Drawables& drawables, const shader::
   sums.bindImage(sumImage, GL_READ_WRITE);
   const GroundPlace place{rowsTowardsGround(values, scene.ground.height, ShadedTiles::side),
                           nearOfGround(values, scene.ground.height), raysAside(values)};
-  tiles.list(firstIds, visibility, place, ExactInstances::anyAdd(drawables) || layerKeeper);
+  tiles.list(firstIds, visibility, place, ExactInstances::anyAdd(drawables) || layerKeeper || layered);
   if (layerKeeper) keepLayers(values);
   if (passes != nullptr) keepVisibility(rows);
   if (rays) rays->bind();
+  if (layered) {
+    bindShadows();
+    apart.addLayers(visibility, 0, skins);
+    apart.bind();
+  }
   shadeAll();
   if (rays) rays->add(visibility, sums, rows.y - rows.x, white);
   if (passes != nullptr) passes->keepLight("light", "", sums, rows);
@@ -423,11 +465,26 @@ void ExactScene::State::addThrough(int number, int pictures) {
                   GL_TEXTURE_UPDATE_BARRIER_BIT);
 }
 
+void ExactScene::State::refuseWhatRaysLack(const sim::Drawables& drawables) const {
+  const char* what = apart.any() ? "has holes or lets light through" : nullptr;
+  for (const sim::Surface& surface : drawables.surfaces)
+    if (surface.material->finish.coat > 0 || surface.material->finish.sheen != glm::vec3(0))
+      what = "has a coat or a sheen";
+  if (what != nullptr)
+    fail(ExitCode::usage,
+         "render.quality \"high\": a surface of the scene {}, which its rays do not know; set it to "
+         "\"standard\"",
+         what);
+}
+
 /// Shadow maps, the view and what it is seen through, of a moment. `drawables`: what is there, and room for
 /// it with the lamps' own light.
 View ExactScene::State::prepare(const Moment& moment, sim::Drawables& drawables, const Watch& watch) {
   if (lamps.on()) lamps.update(moment.seconds, *moment.drawables);
   drawables = lamps.on() ? lamps.withGlows(*moment.drawables) : *moment.drawables;
+  apart.take(drawables.surfaces);
+  if (traces()) refuseWhatRaysLack(drawables);
+  if (apart.anyBlended()) beginLayers();
   const View seen = viewAt(scene.camera, moment.seconds, size, drawables);
   const shader::ExactView values = exactView(seen, scene.camera, size);
   view.write(0, std::as_bytes(std::span(&values, 1)));
@@ -441,7 +498,7 @@ View ExactScene::State::prepare(const Moment& moment, sim::Drawables& drawables,
   sim::Drawables casting = drawables;
   if (joins) casting.surfaces = {joined.surface()};
   if (lampMaps) {
-    lampMaps->draw(casting, lamps, instances);
+    lampMaps->draw(casting, lamps, instances, &apart);
     if (watch) watch("shadow");
   }
   view.bindUniform(viewBinding, 0, sizeof values);

@@ -2,6 +2,7 @@
 
 #include "draw/exact/bindings.hpp"
 #include "draw/exact/exact_view.hpp"
+#include "draw/exact/scene/apart.hpp"
 #include "gl/element_array.hpp"
 #include "gl/limits.hpp"
 
@@ -62,7 +63,8 @@ LampMaps::LampMaps(const Lamps& lamps, bool sparing, bool together)
   allViews_ = gl::Buffer("views of the lamps", shader::maxFaceViews * sizeof(shader::ExactView));
 }
 
-void LampMaps::draw(const sim::Drawables& drawables, const Lamps& lamps, ExactInstances& instances) {
+void LampMaps::draw(const sim::Drawables& drawables, const Lamps& lamps, ExactInstances& instances,
+                    ApartSurfaces* apart) {
   std::vector<const sim::Surface*> casting;
   for (const sim::Surface& surface : drawables.surfaces)
     if (castsShadow(surface)) casting.push_back(&surface);
@@ -97,15 +99,21 @@ void LampMaps::draw(const sim::Drawables& drawables, const Lamps& lamps, ExactIn
                               .firstKey = order.rows[lamp] * order.atlas.x + i % shader::lampFaces * side,
                               .keyStride = order.atlas.x}});
   }
-  if (!casting.empty()) drawMesh(casting, faces);
+  if (!casting.empty()) drawMesh(*raster_, casting, faces, together_);
+  const std::vector<sim::Surface> none;
+  for (const sim::Surface& surface : apart != nullptr ? apart->casting() : none) {
+    if (!holeRaster_) holeRaster_.emplace(TriangleRaster::ofFragments(TriangleRaster::Into::lampMap, 1));
+    holeRaster_->tellFragments(apart->holesOf(&surface));
+    drawMesh(*holeRaster_, {&surface}, faces, false);
+  }
   for (const MapFace& face : faces) {
     views_.bindUniform(viewBinding, face.view, sizeof(shader::ExactView));
     instances.castLampShadows(drawables, *keys_, face.part);
   }
 }
 
-void LampMaps::drawMesh(const std::vector<const sim::Surface*>& casting,
-                        const std::vector<MapFace>& faces) {
+void LampMaps::drawMesh(TriangleRaster& raster, const std::vector<const sim::Surface*>& casting,
+                        const std::vector<MapFace>& faces, bool together) {
   mesh_->merge(casting);
   if (mesh_->maxTriangles() == 0) return;
   const int all = static_cast<int>(faces.size());
@@ -115,11 +123,11 @@ void LampMaps::drawMesh(const std::vector<const sim::Surface*>& casting,
     const TriangleLists& lists =
         sparing_ ? lists_->find(*mesh_, first, some) : lists_->all(*mesh_, mesh_->maxTriangles(), some);
     const std::vector<MapFace> shown(faces.begin() + first, faces.begin() + first + some);
-    if (together_)
-      raster_->number(lists, shown, allViews_, first);
+    if (together)
+      raster.number(lists, shown, allViews_, first);
     else
-      raster_->number(lists, shown);
-    raster_->draw(*keys_);
+      raster.number(lists, shown);
+    raster.draw(*keys_);
   }
 }
 

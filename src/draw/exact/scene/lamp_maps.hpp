@@ -12,6 +12,8 @@
 
 namespace simreel::draw {
 
+class ApartSurfaces;
+
 /// Shadow maps around the lamps, six for each, drawn by the exact rasterizer: every one is seen as a
 /// picture is.
 class LampMaps {
@@ -21,16 +23,19 @@ class LampMaps {
   /// by one. The maps are the same.
   explicit LampMaps(const Lamps& lamps, bool sparing = true, bool together = joinsSurfaces());
   [[nodiscard]] bool on() const { return count_ > 0; }
-  /// Draws all of them for the lamps as they were updated last; the view's block is bound to others
+  /// Draws all of them for the lamps as they were updated last, with those that `apart` has taken (null:
+  /// none); the view's block is bound to others
   /// afterwards.
-  void draw(const sim::Drawables& drawables, const Lamps& lamps, ExactInstances& instances);
+  void draw(const sim::Drawables& drawables, const Lamps& lamps, ExactInstances& instances,
+            ApartSurfaces* apart = nullptr);
   /// All of the maps, as they lie in memory.
   [[nodiscard]] const Visibility& keys() const { return *keys_; }
   /// Makes them readable by shaders.
   void bind() const;
 
  private:
-  void drawMesh(const std::vector<const sim::Surface*>& casting, const std::vector<MapFace>& faces);
+  void drawMesh(TriangleRaster& raster, const std::vector<const sim::Surface*>& casting,
+                const std::vector<MapFace>& faces, bool together);
 
   bool sparing_;
   bool together_;
@@ -39,6 +44,7 @@ class LampMaps {
   std::size_t viewStride_ = 0;  ///< bytes from one map's view to the next
   std::optional<Visibility> keys_;
   std::optional<TriangleRaster> raster_;
+  std::optional<TriangleRaster> holeRaster_;  ///< of surfaces with holes
   std::optional<MergedMesh> mesh_;
   std::optional<FaceLists> lists_;
   gl::Buffer views_;

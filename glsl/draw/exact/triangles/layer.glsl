@@ -1,0 +1,31 @@
+// What of blended surfaces the next layer may show: at each sample what lies behind that which the layer before shows there, of
+// equally near triangles the next number, and not behind what is opaque. LAYER.
+#include "draw/exact/bindings.glsl"
+uniform bool firstLayer;
+#ifdef PAIRED
+layout(binding = layerNearUnit) uniform usamplerBuffer layerPairs;
+layout(binding = behindUnit) uniform usamplerBuffer opaquePairs;
+uvec2 layerBefore(int at) {
+  return texelFetch(layerPairs, at).yx;
+}
+uint opaqueKey(int at) {
+  return texelFetch(opaquePairs, at).y;
+}
+#else
+layout(binding = layerNearUnit) uniform usamplerBuffer layerKeys;
+layout(binding = layerIdUnit) uniform usamplerBuffer layerIds;
+layout(binding = behindUnit) uniform usamplerBuffer opaqueKeys;
+uvec2 layerBefore(int at) {
+  return uvec2(texelFetch(layerKeys, at).x, texelFetch(layerIds, at).x);
+}
+uint opaqueKey(int at) {
+  return texelFetch(opaqueKeys, at).x;
+}
+#endif
+
+bool inLayer(int at, uint key, uint id) {
+  if (key > opaqueKey(at)) return false;
+  if (firstLayer) return true;
+  uvec2 before = layerBefore(at);
+  return key > before.x || (key == before.x && id > before.y);
+}

@@ -1,0 +1,25 @@
+// What rises along a surface, from how it is laid on there. Compiles as GLSL and as C++.
+#ifndef DRAW_RISE
+#define DRAW_RISE
+#include "draw/arithmetic.glsl"
+
+// The gradient of q, per cell, along a surface whose place changes by `across` and `up` over a pixel to the right and up,
+// and its uv by `right` and `above`: Mikkelsen, "Surface gradient-based bump mapping framework", JCGT 9(3), 2020. Holds for mirrored uvs and for both faces.
+FUNCTION vec3 riseByUv(vec2 slope, vec3 normal, vec3 across, vec3 up, vec2 right, vec2 above) {
+  vec3 first = crossed(up, normal), second = crossed(normal, across);
+  float turned = dotted(across, first) < 0.0f ? -1.0f : 1.0f;
+  ROUNDED vec3 u = first * right.x + second * above.x;
+  ROUNDED vec3 v = first * right.y + second * above.y;
+  ROUNDED vec3 alongU = u * inverseRoot(max(dotted(u, u), 1e-30f));
+  ROUNDED vec3 alongV = v * inverseRoot(max(dotted(v, v), 1e-30f));
+  ROUNDED vec3 rise = turned * (slope.x * alongU + slope.y * alongV);
+  return rise;
+}
+
+// The same in the surface's own space, of slopes seen along its three axes.
+FUNCTION vec3 riseFromSides(vec3 weight, vec3 side, vec2 x, vec2 y, vec2 z) {
+  ROUNDED vec3 rise = weight.x * vec3(0, -x.y, -side.x * x.x) + weight.y * vec3(y.x, 0, side.y * y.y) +
+                      weight.z * vec3(side.z * z.x, -z.y, 0);
+  return rise;
+}
+#endif

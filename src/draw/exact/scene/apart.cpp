@@ -1,0 +1,144 @@
+#include "draw/exact/scene/apart.hpp"
+
+#include "draw/exact/bindings.hpp"
+#include "gl/element_array.hpp"
+
+#include <cstddef>
+
+namespace simreel::draw {
+
+namespace {
+
+constexpr float visibleOpacity = 1.0F / 512;  ///< less than a byte shows
+constexpr float shadingOpacity = 0.5F;        ///< from where on blended surfaces cast shadows
+
+std::vector<const sim::Surface*> pointersTo(const std::vector<sim::Surface>& surfaces) {
+  std::vector<const sim::Surface*> pointers;
+  for (const sim::Surface& surface : surfaces) pointers.push_back(&surface);
+  return pointers;
+}
+
+}  // namespace
+
+ApartSurfaces::ApartSurfaces(glm::ivec2 band, int samples, SurfaceShading& shading)
+    : band_(band),
+      samples_(samples),
+      shading_(shading),
+      cut_(TriangleRaster::ofFragments(TriangleRaster::Into::picture, samples)),
+      layer_(TriangleRaster::ofFragments(TriangleRaster::Into::picture, samples)) {
+  cut_.tellFragments({.cut = SurfaceShading::hasHoles,
+                      .tell = [this](const sim::Surface& surface, const gl::Program& kernel) {
+                        shading_.setHoles(surface, leastOf(surface, false), kernel);
+                      }});
+}
+
+float ApartSurfaces::leastOf(const sim::Surface& surface, bool shadow) {
+  const scene::Finish& finish = surface.material->finish;
+  return finish.alpha == scene::Alpha::cut ? finish.cutoff : shadow ? shadingOpacity : visibleOpacity;
+}
+
+TriangleRaster::Fragments ApartSurfaces::holesOf(const sim::Surface* only) {
+  return {.cut = SurfaceShading::hasHoles,
+          .tell =
+              [this](const sim::Surface& surface, const gl::Program& kernel) {
+                shading_.setHoles(surface, leastOf(surface, true), kernel);
+              },
+          .only = only};
+}
+
+void ApartSurfaces::take(std::vector<sim::Surface>& surfaces) {
+  cutSurfaces_.clear();
+  blended_.clear();
+  casting_.clear();
+  std::vector<sim::Surface> others;
+  for (const sim::Surface& surface : surfaces) {
+    const scene::Finish& finish = surface.material->finish;
+    const bool holes = SurfaceShading::hasHoles(surface);
+    const bool even = !holes && finish.alpha == scene::Alpha::cut;
+    if (finish.alpha == scene::Alpha::opaque || (even && finish.opacity >= finish.cutoff)) {
+      others.push_back(surface);
+      continue;
+    }
+    if (even || finish.opacity < visibleOpacity) continue;
+    (finish.alpha == scene::Alpha::cut ? cutSurfaces_ : blended_).push_back(surface);
+    if (castsShadow(surface) && (holes || finish.opacity >= leastOf(surface, true)))
+      casting_.push_back(surface);
+  }
+  surfaces = std::move(others);
+}
+
+void ApartSurfaces::castSun(const Visibility& map, const MapPart& part) {
+  if (casting_.empty()) return;
+  if (!sunCasters_) {
+    sunCasters_.emplace(TriangleRaster::ofFragments(TriangleRaster::Into::sunMap, 1));
+    sunCasters_->tellFragments(holesOf());
+  }
+  sunCasters_->number(pointersTo(casting_));
+  sunCasters_->draw(map, part);
+}
+
+unsigned ApartSurfaces::number(unsigned firstId, std::vector<unsigned>& firstIds) {
+  cut_.number(pointersTo(cutSurfaces_), firstId);
+  unsigned next = firstId;
+  for (const TriangleRaster::Drawn& drawn : cut_.drawn()) {
+    firstIds.push_back(drawn.firstId);
+    next = drawn.firstId + static_cast<unsigned>(drawn.maxTriangles);
+  }
+  return next;
+}
+
+void ApartSurfaces::describe(std::vector<DrawnThing>& things) const {
+  for (const TriangleRaster::Drawn& drawn : cut_.drawn())
+    things.push_back({objectName(*drawn.surface), "triangle", drawn.firstId, 1});
+}
+
+void ApartSurfaces::shade(const SkinTextures& skins, const ShadedTiles& tiles, int firstThing) {
+  for (const TriangleRaster::Drawn& drawn : cut_.drawn()) shading_.shade(cut_, drawn, skins, tiles, firstThing++);
+}
+
+void ApartSurfaces::makeRoom() {
+  if (through_.name() != 0) return;
+  for (auto& layer : layers_) layer.emplace("a layer", band_, samples_, true);
+  tiles_.emplace(*layers_[0], false, false, false);
+  const std::size_t samples = static_cast<std::size_t>(band_.x) * static_cast<std::size_t>(band_.y) *
+                              static_cast<std::size_t>(samples_);
+  through_ = gl::Buffer("what layers let through", samples * sizeof(float));
+  throughView_ = gl::Texture::view("what layers let through", GL_R32F, through_, sizeof(float));
+}
+
+void ApartSurfaces::addLayers(const Visibility& picture, unsigned firstId, const SkinTextures& skins) {
+  constexpr float all = 1;
+  makeRoom();
+  gl::barrier();
+  glClearNamedBufferData(through_.name(), GL_R32F, GL_RED, GL_FLOAT, &all);
+  layer_.number(pointersTo(blended_), firstId);
+  std::vector<unsigned> firstIds;
+  for (const TriangleRaster::Drawn& drawn : layer_.drawn()) firstIds.push_back(drawn.firstId);
+  for (int i = 0; i < most; ++i) {
+    const Visibility& layer = *layers_[static_cast<std::size_t>(i % 2)];
+    layer_.tellFragments({.cut = SurfaceShading::hasHoles,
+                          .tell =
+                              [this](const sim::Surface& surface, const gl::Program& kernel) {
+                                shading_.setHoles(surface, leastOf(surface, false), kernel);
+                              },
+                          .layers = true,
+                          .before = i == 0 ? nullptr : &*layers_[static_cast<std::size_t>((i + 1) % 2)],
+                          .behind = &picture});
+    gl::barrier();
+    layer.clear();
+    gl::barrier();
+    layer_.draw(layer);
+    tiles_->list(firstIds, layer, {});
+    if (!tiles_->any()) break;
+    through_.bindStorage(throughBinding);
+    int thing = 0;
+    for (const TriangleRaster::Drawn& drawn : layer_.drawn()) {
+      shading_.shade(layer_, drawn, skins, *tiles_, thing++);
+      gl::barrier();
+    }
+  }
+  gl::barrier();
+  picture.bind();
+}
+
+}  // namespace simreel::draw

@@ -1,0 +1,73 @@
+#pragma once
+#include "draw/exact/passes.hpp"
+#include "draw/exact/shaded_tiles.hpp"
+#include "draw/exact/surface_shading.hpp"
+#include "draw/exact/triangle_raster.hpp"
+#include "draw/exact/visibility.hpp"
+#include "gl/buffer.hpp"
+#include "gl/texture.hpp"
+#include "sim/core/drawable.hpp"
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include <glm/vec2.hpp>
+
+namespace simreel::draw {
+
+/// Surfaces that are not opaque everywhere, which are drawn apart from the others: those with holes, found
+/// together with what is opaque, and blended ones. Of these each sample has layers, from the nearest to
+/// what is opaque, found one by one (Everitt, "Interactive order-independent transparency", 2001): each is
+/// lit for as much as those before it let through, and what is opaque for what is left. The order is that of
+/// depth at each sample, of equally near triangles of their numbers, so that it does not depend on the
+/// device; a sample has at most `most` layers, and what of blended surfaces lies behind those is left out.
+class ApartSurfaces {
+ public:
+  static constexpr int most = 16;
+  /// `band`: the pixels whose visibility is found at once.
+  ApartSurfaces(glm::ivec2 band, int samples, SurfaceShading& shading);
+
+  /// Takes from a picture's surfaces those that are drawn here.
+  void take(std::vector<sim::Surface>& surfaces);
+  [[nodiscard]] bool any() const { return !cutSurfaces_.empty() || !blended_.empty(); }
+  [[nodiscard]] bool anyBlended() const { return !blended_.empty(); }
+
+  /// Those that cast shadows: with holes where they have them, blended ones where they hide one half of what
+  /// lies behind at least.
+  [[nodiscard]] const std::vector<sim::Surface>& casting() const { return casting_; }
+  void castSun(const Visibility& map, const MapPart& part);
+  /// What cuts those holes into what is drawn of one of them.
+  [[nodiscard]] TriangleRaster::Fragments holesOf(const sim::Surface* only = nullptr);
+
+  /// Of those with holes, as ExactInstances has it.
+  unsigned number(unsigned firstId, std::vector<unsigned>& firstIds);
+  void drawNearest(const Visibility& picture) { cut_.drawNearest(picture); }
+  void drawNumbers(const Visibility& picture) { cut_.drawNumbers(picture); }
+  void describe(std::vector<DrawnThing>& things) const;
+  [[nodiscard]] int things() const { return static_cast<int>(cutSurfaces_.size()); }
+  void shade(const SkinTextures& skins, const ShadedTiles& tiles, int firstThing);
+
+  /// Adds the light of the layers before what is visible to the bound sums. Numbers have to lie beyond
+  /// `firstId`.
+  void addLayers(const Visibility& picture, unsigned firstId, const SkinTextures& skins);
+  /// Makes readable what they let through.
+  void bind() const { throughView_.bind(throughUnit); }
+
+ private:
+  void makeRoom();
+  [[nodiscard]] static float leastOf(const sim::Surface& surface, bool shadow);
+
+  glm::ivec2 band_;
+  int samples_;
+  SurfaceShading& shading_;
+  std::vector<sim::Surface> cutSurfaces_, blended_, casting_;
+  TriangleRaster cut_, layer_;
+  std::optional<TriangleRaster> sunCasters_;
+  std::array<std::optional<Visibility>, 2> layers_;  ///< this layer, and the one before
+  std::optional<ShadedTiles> tiles_;                 ///< of a layer
+  gl::Buffer through_;                               ///< fraction of light, of each sample
+  gl::Texture throughView_;
+};
+
+}  // namespace simreel::draw

@@ -1,0 +1,47 @@
+#include "scene/finish.hpp"
+
+#include <fmt/format.h>
+
+namespace simreel::scene {
+
+void Finish::describe(Fields& fields) {
+  fields.asset("normalMap", normals.file,
+               "Picture of normals in tangent space: red along u, green up the picture, blue outwards.");
+  fields.number("normalStrength", normalStrength, {-10, 10}, "",
+                "Factor on the slopes of the normal map; negative: what stood out is sunk.");
+  fields.asset("metallicRoughnessMap", metalRough.file,
+               "Picture of factors as glTF has it: green on \"roughness\", blue on \"metallic\".");
+  fields.asset("occlusionMap", occlusion.file,
+               "Picture whose red says how much of the surroundings' light gets there.");
+  fields.number("occlusionStrength", occlusionStrength, fraction, "", "How far the occlusion map goes.");
+  fields.vector("emission", emission, notNegative, "",
+                "Light of its own, linear RGB; it lights nothing else.");
+  fields.number("emissionStrength", emissionStrength, notNegative, "", "Factor on \"emission\".");
+  fields.asset("emissionMap", emissionMap.file, "sRGB picture, a factor on \"emission\".");
+  fields.choice("alpha", alpha, {"opaque", "cut", "blend"},
+                "What becomes of the opacity, which is that of the texture's alpha channel times \"opacity\". "
+                "opaque: nothing; cut: below \"alphaCutoff\" there is a hole; blend: so much of what lies "
+                "behind is hidden.");
+  fields.number("opacity", opacity, fraction, "", "0 is not to be seen, 1 hides what lies behind.");
+  fields.number("alphaCutoff", cutoff, fraction, "", "Least opacity that is drawn with \"alpha\": \"cut\".");
+  fields.boolean("doubleSided", doubleSided,
+                 "Whether backs are drawn, too; false: as the object has it by itself.");
+  fields.number("clearCoat", coat, fraction, "", "Strength of a clear coat over it, such as lacquer.");
+  fields.number("clearCoatRoughness", coatRoughness, fraction, "", "0 mirrors, 1 is matt.");
+  fields.vector("sheen", sheen, fraction, "", "Colour of fibres that stand up from cloth, linear RGB.");
+  fields.number("sheenRoughness", sheenRoughness, {0.07, 1}, "",
+                "Low: seen along the edges alone; high: all over.");
+  const auto needs = [&](const char* name, bool there, const char* what) {
+    if (fields.given(name) && !there)
+      fields.error(name, fmt::format("\"{}\" is for a material with {}", name, what));
+  };
+  needs("normalStrength", !normals.empty(), "a \"normalMap\"");
+  needs("occlusionStrength", !occlusion.empty(), "an \"occlusionMap\"");
+  needs("emissionMap", emits(), "an \"emission\", which it is a factor on");
+  needs("opacity", alpha != Alpha::opaque, "\"alpha\": \"cut\" or \"blend\"");
+  needs("alphaCutoff", alpha == Alpha::cut, "\"alpha\": \"cut\"");
+  needs("clearCoatRoughness", coat > 0, "a \"clearCoat\"");
+  needs("sheenRoughness", sheen != glm::vec3(0), "a \"sheen\"");
+}
+
+}  // namespace simreel::scene

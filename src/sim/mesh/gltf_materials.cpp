@@ -1,0 +1,168 @@
+#include "sim/mesh/gltf_materials.hpp"
+
+#include "scene/finish.hpp"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace simreel::sim {
+
+namespace {
+
+constexpr std::uint64_t repeatWrap = 10497, mirrorWrap = 33648;  // GL_REPEAT, GL_MIRRORED_REPEAT
+constexpr std::size_t maxMaterials = 4096;
+
+class MaterialReader {
+ public:
+  explicit MaterialReader(const GltfDocument& document) : document_(document) {}
+
+  GltfMaterials read() {
+    const std::size_t count = document_.size("materials");
+    if (count > maxMaterials)
+      document_.refuse(fmt::format("has {} materials, more than {}", count, maxMaterials));
+    for (std::size_t i = 0; i < count; ++i) {
+      const JsonValue material = document_.item("materials", i);
+      const auto name = material.find("name");
+      name_ = name ? fmt::format("\"{}\"", name->text()) : fmt::format("number {}", i);
+      all_.materials.push_back(readOne(material));
+    }
+    return std::move(all_);
+  }
+
+ private:
+  void ignore(const std::string& key) { all_.ignored.push_back(fmt::format("{} of material {}", key, name_)); }
+
+  static float number(const JsonValue& object, const char* key, float otherwise) {
+    const auto found = object.find(key);
+    return found ? static_cast<float>(found->number()) : otherwise;
+  }
+  /// A factor, held between 0 and 1 as glTF has it.
+  static float share(const JsonValue& object, const char* key, float otherwise) {
+    return std::clamp(number(object, key, otherwise), 0.0F, 1.0F);
+  }
+  static glm::vec3 color(const JsonValue& object, const char* key, glm::vec3 otherwise) {
+    const std::vector<float> v = GltfDocument::numbers(object, key, 3);
+    return v.empty() ? otherwise : glm::clamp(glm::vec3(v[0], v[1], v[2]), 0.0F, 1e6F);
+  }
+
+  MeshMaterial readOne(const JsonValue& json) {
+    MeshMaterial material;
+    if (const auto pbr = json.find("pbrMetallicRoughness")) {
+      const std::vector<float> base = GltfDocument::numbers(*pbr, "baseColorFactor", 4);
+      if (!base.empty()) {
+        material.color = glm::clamp(glm::vec3(base[0], base[1], base[2]), 0.0F, 1.0F);
+        material.opacity = std::clamp(base[3], 0.0F, 1.0F);
+      }
+      material.metallic = share(*pbr, "metallicFactor", 1);
+      material.roughness = share(*pbr, "roughnessFactor", 1);
+      material.colorMap = map(*pbr, "baseColorTexture");
+      material.metalRough = map(*pbr, "metallicRoughnessTexture");
+    }
+    material.normals = map(json, "normalTexture");
+    if (const auto normals = json.find("normalTexture"))
+      material.normalStrength = std::clamp(number(*normals, "scale", 1), -10.0F, 10.0F);
+    material.occlusion = map(json, "occlusionTexture");
+    if (const auto occlusion = json.find("occlusionTexture"))
+      material.occlusionStrength = share(*occlusion, "strength", 1);
+    material.emission = color(json, "emissiveFactor", glm::vec3(0));
+    material.emissionMap = map(json, "emissiveTexture");
+    if (const auto sides = json.find("doubleSided")) material.doubleSided = sides->boolean();
+    const auto mode = json.find("alphaMode");
+    const std::string word = mode ? mode->text() : "OPAQUE";
+    if (word == "MASK")
+      material.alpha = static_cast<int>(scene::Alpha::cut);
+    else if (word == "BLEND")
+      material.alpha = static_cast<int>(scene::Alpha::blend);
+    else if (word != "OPAQUE")
+      ignore(fmt::format("alphaMode {}", word));
+    material.cutoff = share(json, "alphaCutoff", 0.5F);
+    if (const auto extensions = json.find("extensions"))
+      extensions->eachMember(
+          [&](const std::string& key, const JsonValue& value) { extend(material, key, value); });
+    return material;
+  }
+
+  void extend(MeshMaterial& material, const std::string& key, const JsonValue& value) {
+    if (key == "KHR_materials_emissive_strength") {
+      material.emissionStrength = std::clamp(number(value, "emissiveStrength", 1), 0.0F, 1e6F);
+    } else if (key == "KHR_materials_clearcoat") {
+      material.coat = share(value, "clearcoatFactor", 0);
+      material.coatRoughness = share(value, "clearcoatRoughnessFactor", 0);
+      for (const char* map : {"clearcoatTexture", "clearcoatRoughnessTexture", "clearcoatNormalTexture"})
+        if (value.has(map)) ignore(map);
+    } else if (key == "KHR_materials_sheen") {
+      material.sheen = glm::min(color(value, "sheenColorFactor", glm::vec3(0)), glm::vec3(1));
+      material.sheenRoughness = std::max(share(value, "sheenRoughnessFactor", 0), 0.07F);
+      for (const char* map : {"sheenColorTexture", "sheenRoughnessTexture"})
+        if (value.has(map)) ignore(map);
+    } else {
+      ignore(key);
+    }
+  }
+
+  /// A texture that an object names, its picture among those that are kept.
+  MeshMap map(const JsonValue& object, const char* key) {
+    const auto found = object.find(key);
+    if (!found) return {};
+    if (GltfDocument::number(*found, "texCoord", 0) != 0) {
+      ignore(fmt::format("{} (its texCoord is not 0)", key));
+      return {};
+    }
+    if (const auto extensions = found->find("extensions"))
+      extensions->eachMember([&](const std::string& name, const JsonValue&) {
+        ignore(fmt::format("{} of {}", name, key));
+      });
+    const JsonValue texture = document_.item("textures", GltfDocument::number(*found, "index"));
+    const auto source = texture.find("source");
+    if (!source) {
+      ignore(fmt::format("{} (its picture is none that glTF itself knows)", key));
+      return {};
+    }
+    MeshMap map;
+    map.image = imageNumber(GltfDocument::number(texture, "source"));
+    if (!texture.has("sampler")) return map;
+    const JsonValue sampler = document_.item("samplers", GltfDocument::number(texture, "sampler"));
+    const std::uint64_t s = GltfDocument::number(sampler, "wrapS", repeatWrap);
+    const std::uint64_t t = GltfDocument::number(sampler, "wrapT", repeatWrap);
+    if (s == mirrorWrap || t == mirrorWrap || s != t) ignore(fmt::format("wrapS, wrapT of {}", key));
+    map.repeats = s == repeatWrap || s == mirrorWrap;
+    return map;
+  }
+
+  int imageNumber(std::uint64_t image) {
+    const auto known = numbers_.find(image);
+    if (known != numbers_.end()) return known->second;
+    const JsonValue described = document_.item("images", image);
+    MeshImage kept;
+    if (const auto uri = described.find("uri")) {
+      const std::string text = uri->text();
+      kept.name = text.starts_with("data:") ? fmt::format("image {}", image) : decodePercent(text);
+      kept.bytes = document_.bytesAt(text);
+    } else {
+      const auto name = described.find("name");
+      kept.name = name ? name->text() : fmt::format("image {}", image);
+      kept.bytes = document_.bytesOfView(GltfDocument::number(described, "bufferView"));
+    }
+    const int number = static_cast<int>(all_.images.size());
+    all_.images.push_back(std::move(kept));
+    numbers_.emplace(image, number);
+    return number;
+  }
+
+  const GltfDocument& document_;
+  std::string name_;  ///< of the material that is read
+  std::map<std::uint64_t, int> numbers_;
+  GltfMaterials all_;
+};
+
+}  // namespace
+
+GltfMaterials readMaterials(const GltfDocument& document) {
+  return MaterialReader(document).read();
+}
+
+}  // namespace simreel::sim

@@ -1,0 +1,21 @@
+#pragma once
+#include "sim/mesh/file.hpp"
+#include "sim/mesh/gltf_document.hpp"
+
+#include <string>
+#include <vector>
+
+namespace simreel::sim {
+
+/// The materials of a glTF 2.0 file: metallic-roughness with its maps, and of the extensions
+/// KHR_materials_emissive_strength, KHR_materials_clearcoat and KHR_materials_sheen their numbers.
+struct GltfMaterials {
+  std::vector<MeshMaterial> materials;
+  std::vector<MeshImage> images;     ///< those that the materials use, as their files have them
+  std::vector<std::string> ignored;  ///< what is not drawn: a key and whose it is
+};
+
+/// Throws as GltfDocument does.
+[[nodiscard]] GltfMaterials readMaterials(const GltfDocument& document);
+
+}  // namespace simreel::sim

@@ -1,0 +1,194 @@
+#include "sim/mesh/library_materials.hpp"
+
+#include "base/file.hpp"
+#include "scene/finish.hpp"
+#include "sim/grid/picture_file.hpp"
+#include "sim/mesh/builder.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <map>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace simreel::sim {
+
+namespace {
+
+constexpr std::string_view betweenWords = " \t\r";
+constexpr int librarySide = 16384;
+
+std::string_view withoutBlanks(std::string_view text) {
+  const std::size_t first = text.find_first_not_of(betweenWords);
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(betweenWords) - first + 1);
+}
+
+/// Calls each(key, rest) for the lines of a text.
+template <class Each>
+void eachKey(std::string_view text, const Each& each) {
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    const std::string_view line = withoutBlanks(text.substr(0, end));
+    text.remove_prefix(std::min(end + 1, text.size()));
+    const std::size_t key = std::min(line.find_first_of(betweenWords), line.size());
+    if (!line.empty() && line[0] != '#') each(line.substr(0, key), withoutBlanks(line.substr(key)));
+  }
+}
+
+/// The first numbers of a text, held between 0 and `most`; one stands for all that follow.
+std::array<float, 3> numbersIn(std::string_view text, float most) {
+  std::array<float, 3> numbers{};
+  const std::string copy(text);
+  const char* at = copy.c_str();
+  for (std::size_t i = 0; i < 3; ++i) {
+    char* end = nullptr;
+    const double value = std::strtod(at, &end);
+    numbers[i] = end == at ? (i == 0 ? 0.0F : numbers[i - 1])
+                           : static_cast<float>(std::isfinite(value) ? std::clamp(value, 0.0, double{most}) : 0);
+    at = end;
+  }
+  return numbers;
+}
+
+glm::vec3 colorIn(std::string_view text, float most) {
+  const std::array<float, 3> v = numbersIn(text, most);
+  return {v[0], v[1], v[2]};
+}
+
+class LibraryReader {
+ public:
+  LibraryReader(const std::filesystem::path& file, Mesh& mesh) : file_(file), mesh_(mesh) {}
+
+  void read(const std::string& library) {
+    eachKey(beside(library, "material library"), [&](std::string_view key, std::string_view rest) {
+      if (key == "newmtl") {
+        name_ = rest;
+        MeshMaterial fresh;
+        fresh.metallic = 0;
+        all_[name_] = fresh;
+      } else if (!name_.empty()) {
+        take(all_[name_], key, rest);
+      }
+    });
+  }
+
+  [[nodiscard]] const std::map<std::string, MeshMaterial, std::less<>>& all() const { return all_; }
+
+ private:
+  std::string beside(const std::string& name, const char* what) const {
+    const std::filesystem::path path = file_.parent_path() / name;
+    if (!liesBeside(file_, path))
+      refuseMesh(file_, fmt::format("names {}, which lies outside its folder", path.string()));
+    std::error_code error;
+    if (!std::filesystem::is_regular_file(path, error))
+      refuseMesh(file_, fmt::format("names {}, which is not there, or no plain file", path.string()));
+    return readFile(path, what);
+  }
+
+  void ignore(std::string_view key) {
+    mesh_.ignored.push_back(fmt::format("{} of material \"{}\"", key, name_));
+  }
+
+  void take(MeshMaterial& material, std::string_view key, std::string_view rest) {
+    if (key == "Kd") {
+      material.color = colorIn(rest, 1);
+    } else if (key == "Ke") {
+      material.emission = colorIn(rest, 1e6F);
+    } else if (key == "Pr") {
+      material.roughness = numbersIn(rest, 1)[0];
+      hasRoughness_.insert_or_assign(name_, true);
+    } else if (key == "Pm") {
+      material.metallic = numbersIn(rest, 1)[0];
+    } else if (key == "Ns") {
+      // Blinn and Phong's exponent n has about the lobe of alpha^2 = 2 / (n + 2).
+      if (hasRoughness_.count(name_) == 0)
+        material.roughness = std::pow(2.0F / (numbersIn(rest, 1e6F)[0] + 2), 0.25F);
+    } else if (key == "Pc") {
+      material.coat = numbersIn(rest, 1)[0];
+    } else if (key == "Pcr") {
+      material.coatRoughness = numbersIn(rest, 1)[0];
+    } else if (key == "d" || key == "Tr") {
+      const float number = numbersIn(rest, 1)[0];
+      material.opacity = key == "d" ? number : 1 - number;
+      if (material.opacity < 1) material.alpha = static_cast<int>(scene::Alpha::blend);
+    } else if (key == "map_Kd") {
+      material.colorMap = map(rest);
+    } else if (key == "map_Ke") {
+      material.emissionMap = map(rest);
+      if (material.emission == glm::vec3(0)) material.emission = glm::vec3(1);
+    } else if (key == "map_d") {
+      material.opacityMap = map(rest);
+      material.alpha = static_cast<int>(scene::Alpha::cut);
+    } else if (key == "norm" || key == "map_Bump" || key == "map_bump" || key == "bump") {
+      const MeshMap found = map(rest);
+      if (key != "norm" && !holdsNormals(found)) return ignore(fmt::format("{} (heights)", key));
+      material.normals = found;
+    } else if (key.starts_with("map_") || key == "disp" || key == "refl" || key == "Ps") {
+      ignore(key);
+    }
+  }
+
+  /// The picture that a line names, behind its options.
+  MeshMap map(std::string_view rest) {
+    const std::size_t last = rest.find_last_of(betweenWords);
+    const std::string name(rest.starts_with('-') && last != std::string_view::npos ? rest.substr(last + 1) : rest);
+    const auto known = numbers_.find(name);
+    if (known != numbers_.end()) return {known->second, true};
+    const int number = static_cast<int>(mesh_.images.size());
+    mesh_.images.push_back({name, beside(name, "texture")});
+    numbers_.emplace(name, number);
+    return {number, true};
+  }
+
+  /// Normals point outwards, so their pictures are blue in the mean.
+  [[nodiscard]] bool holdsNormals(const MeshMap& map) const {
+    const MeshImage& image = mesh_.images.at(static_cast<std::size_t>(map.image));
+    const Picture picture = decodePicture(image.bytes, image.name, "texture", librarySide);
+    std::array<double, 3> mean{};
+    for (std::size_t at = 0; at < picture.rgba.size(); at += 4)
+      for (std::size_t k = 0; k < 3; ++k) mean[k] += picture.rgba[at + k];
+    const double texels = static_cast<double>(picture.rgba.size()) / 4;
+    return mean[2] > 160 * texels && std::abs(mean[0] - 128 * texels) < 40 * texels &&
+           std::abs(mean[1] - 128 * texels) < 40 * texels;
+  }
+
+  const std::filesystem::path& file_;
+  Mesh& mesh_;
+  std::string name_;  ///< of the material whose lines these are
+  std::map<std::string, MeshMaterial, std::less<>> all_;
+  std::map<std::string, bool> hasRoughness_;
+  std::map<std::string, int> numbers_;
+};
+
+}  // namespace
+
+std::vector<std::string> librariesOf(std::string_view text) {
+  std::vector<std::string> names;
+  eachKey(text, [&](std::string_view key, std::string_view rest) {
+    if (key == "mtllib" && !rest.empty()) names.emplace_back(rest);
+  });
+  return names;
+}
+
+void addLibraryMaterials(const std::filesystem::path& file, const std::vector<std::string>& libraries,
+                         const std::vector<std::string>& names, Mesh& mesh) {
+  LibraryReader reader(file, mesh);
+  for (const std::string& library : libraries) reader.read(library);
+  std::vector<int> numbers;  // of the library's materials among the mesh's
+  for (const std::string& name : names) {
+    const auto found = reader.all().find(name);
+    numbers.push_back(found == reader.all().end() ? -1 : static_cast<int>(mesh.materials.size()));
+    if (found != reader.all().end()) mesh.materials.push_back(found->second);
+  }
+  for (int& material : mesh.materialOf) {
+    const auto at = static_cast<std::size_t>(material);
+    material = material >= 0 && at < numbers.size() ? numbers[at] : -1;
+  }
+  if (mesh.materials.empty()) mesh.materialOf.clear();
+}
+
+}  // namespace simreel::sim

@@ -1,0 +1,170 @@
+// Normal maps, clear coat and sheen: their shader files on the CPU against the equations stated anew in double precision.
+#include "draw/picture_code.hpp"
+#include "unit/help.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include <doctest/doctest.h>
+#include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+using namespace simreel;
+
+namespace {
+
+namespace finish {
+using namespace simreel::shader;  // NOLINT: the model is written in GLSL's names
+#define FUNCTION inline
+#define precise
+#define ROUNDED
+#include "glsl/draw/surface/coat.glsl"
+#include "glsl/draw/surface/normal_map.glsl"
+#include "glsl/draw/surface/sheen.glsl"
+#undef ROUNDED
+#undef precise
+#undef FUNCTION
+}  // namespace finish
+
+constexpr double pi = std::numbers::pi;
+
+/// Numbers from -1 to 1.
+struct Numbers {
+  double operator()() { return from(engine); }
+  glm::dvec3 unit() {
+    glm::dvec3 v(0);
+    while (glm::length(v) < 0.1 || glm::length(v) > 1) v = {(*this)(), (*this)(), (*this)()};
+    return glm::normalize(v);
+  }
+  std::mt19937 engine{7};
+  std::uniform_real_distribution<double> from{-1, 1};
+};
+
+/// A triangle's plane with uvs: place = origin + u tangent + v bitangent, any two vectors.
+struct Plane {
+  glm::dvec3 tangent, bitangent;
+  [[nodiscard]] glm::dvec3 normal() const { return glm::normalize(glm::cross(tangent, bitangent)); }
+  /// The change of uv along a vector of the plane.
+  [[nodiscard]] glm::dvec2 uvAlong(glm::dvec3 step) const {
+    const glm::dvec3 solved = glm::inverse(glm::dmat3(tangent, bitangent, normal())) * step;
+    return {solved.x, solved.y};
+  }
+};
+
+/// MikkTSpace's frame: tangent along u, bitangent by a cross product with the sign of the uv's handedness;
+/// glTF's y is against v.
+glm::dvec3 mikkNormal(const Plane& plane, glm::dvec3 front, glm::dvec3 t) {
+  const glm::dvec3 n = front;
+  const glm::dvec3 along = glm::normalize(plane.tangent - n * glm::dot(n, plane.tangent));
+  glm::dvec3 up = glm::cross(n, along);
+  if (glm::dot(up, plane.bitangent) > 0) up = -up;
+  return glm::normalize(t.x * along + t.y * up + t.z * n);
+}
+
+glm::dvec3 mapped(const Plane& plane, glm::dvec3 normal, glm::dvec3 t, glm::dvec3 across, glm::dvec3 above) {
+  return finish::mappedNormal(glm::vec3(t), glm::vec3(normal), glm::vec3(across), glm::vec3(above),
+                              glm::vec2(plane.uvAlong(across)), glm::vec2(plane.uvAlong(above)));
+}
+
+}  // namespace
+
+TEST_CASE("normal maps: tangent frames as MikkTSpace has them, whatever way uvs and pixels lie") {
+  Numbers number;
+  double worst = 0;
+  for (int i = 0; i < 2000; ++i) {
+    Plane plane{number.unit() * 0.3, number.unit() * 2.0};
+    if (glm::length(glm::cross(plane.tangent, plane.bitangent)) < 0.1) continue;
+    const glm::dvec3 flat = plane.normal() * (i % 2 == 0 ? 1.0 : -1.0);
+    const glm::dvec3 aside = glm::normalize(glm::cross(flat, number.unit()));
+    const double turn = number();
+    const glm::dvec3 across = 1e-3 * aside;
+    const glm::dvec3 above = 1.7e-3 * (glm::cross(flat, aside) * (i % 3 == 0 ? -1.0 : 1.0) + 0.4 * turn * aside);
+    const glm::dvec3 t = glm::normalize(glm::dvec3(number(), number(), 1.2));
+    worst = std::max(worst, glm::distance(mapped(plane, flat, t, across, above), mikkNormal(plane, flat, t)));
+  }
+  CHECK(worst < 2e-5);
+}
+
+TEST_CASE("normal maps: red leans along u, green up the picture") {
+  const Plane plane{{1, 0, 0}, {0, -1, 0}};  // v downwards, as a picture that is seen from +z
+  const glm::dvec3 n(0, 0, 1), across(0.01, 0, 0), above(0, 0.01, 0);
+  CHECK(mapped(plane, n, {0.6, 0, 0.8}, across, above).x == doctest::Approx(0.6));
+  CHECK(mapped(plane, n, {0, 0.6, 0.8}, across, above).y == doctest::Approx(0.6));
+  const Plane mirrored{{-1, 0, 0}, {0, -1, 0}};
+  CHECK(mapped(mirrored, n, {0.6, 0, 0.8}, across, above).x == doctest::Approx(-0.6));
+  CHECK(mapped(mirrored, n, {0, 0.6, 0.8}, across, above).y == doctest::Approx(0.6));
+  const glm::vec3 half = finish::tangentNormal({0.75F, 0.5F, 1.0F}, 0.5F);
+  CHECK(half.x == doctest::Approx(0.25));
+  CHECK(finish::tangentNormal({0.75F, 0.5F, 0.2F}, 1).z == doctest::Approx(0.05));
+  // None where there are no uvs.
+  CHECK(finish::mappedNormal({0.6F, 0, 0.8F}, {0, 0, 1}, {0.01F, 0, 0}, {0, 0.01F, 0}, {0, 0}, {0, 0}).z ==
+        doctest::Approx(1));
+}
+
+TEST_CASE("normal maps: what differs within a pixel is rougher there") {
+  CHECK(finish::spreadRoughness(0.3F, {0.5F, 0.5F, 1.0F}) == 0.3F);
+  CHECK(finish::spreadRoughness(0.3F, {0.5F, 0.5F, 0.996F}) == 0.3F);  // rounded to a byte
+  const double length = 0.8;
+  const double shorter = (0.99 - length) / length;
+  const double wanted = std::pow(std::pow(0.3, 4) + 2 * shorter, 0.25);
+  CHECK(finish::spreadRoughness(0.3F, {0.5F, 0.5F, 0.9F}) == doctest::Approx(wanted).epsilon(1e-4));
+}
+
+TEST_CASE("clear coat: what it mirrors is kept from what is below") {
+  for (const float roughness : {0.0F, 0.2F, 0.7F})
+    for (const float nv : {0.05F, 0.4F, 1.0F}) {
+      // Karis' fit of the share that a lobe of F0 = 0.04 mirrors, in double.
+      const double r = 1.0 - roughness;
+      const double a = std::min(r * r, std::exp2(-9.28 * nv)) * r + 0.0425 - 0.0275 * roughness;
+      const double mirrored = 0.04 * (-1.04 * a + 1.04 - 0.572 * roughness) + 1.04 * a + 0.022 * roughness - 0.04;
+      const glm::vec3 light = finish::coated({1, 2, 4}, {0.5F, 0, 0}, 0.6F, roughness, nv);
+      CHECK(light.y == doctest::Approx(2 * (1 - 0.6 * mirrored)).epsilon(1e-5));
+      CHECK(light.x == doctest::Approx((1 - 0.6 * mirrored) + 0.6 * 0.5).epsilon(1e-5));
+    }
+  CHECK(finish::coated({1, 2, 4}, {9, 9, 9}, 0, 0.1F, 0.5F) == glm::vec3(1, 2, 4));
+}
+
+TEST_CASE("sheen: the lobe of fibres, and its integral over the surroundings") {
+  Numbers number;
+  const glm::dvec3 n(0, 0, 1);
+  for (int i = 0; i < 500; ++i) {
+    glm::dvec3 view = number.unit(), light = number.unit();
+    view.z = std::abs(view.z) + 0.05;
+    light.z = std::abs(light.z) + 0.05;
+    view = glm::normalize(view);
+    light = glm::normalize(light);
+    const double roughness = 0.2 + 0.4 * (number() + 1);
+    const double alpha = roughness * roughness;
+    const double cosine = glm::normalize(view + light).z;
+    const double spread = (2 + 1 / alpha) * std::pow(1 - cosine * cosine, 0.5 / alpha) / (2 * pi);
+    const double seen = 1 / (4 * (light.z + view.z - light.z * view.z));
+    const double lobe = finish::sheenLobe(n, glm::vec3(view), glm::vec3(light), static_cast<float>(roughness));
+    CHECK(lobe == doctest::Approx(pi * spread * seen).epsilon(2e-3).scale(0.01));
+  }
+  // Light of 1 from all around: the integral of D V cos over half a sphere, by the middles of 200 x 200 parts.
+  for (const double roughness : {0.3, 0.5, 0.9})
+    for (const double nv : {0.3, 0.6, 1.0}) {
+      const glm::dvec3 view(std::sqrt(1 - nv * nv), 0, nv);
+      double sum = 0;
+      constexpr int parts = 200;
+      for (int i = 0; i < parts; ++i)
+        for (int j = 0; j < parts; ++j) {
+          const double polar = (i + 0.5) / parts * pi / 2, turn = (j + 0.5) / parts * 2 * pi;
+          const glm::dvec3 light(std::sin(polar) * std::cos(turn), std::sin(polar) * std::sin(turn),
+                                 std::cos(polar));
+          sum += finish::sheenLobe(n, glm::vec3(view), glm::vec3(light), static_cast<float>(roughness)) / pi *
+                 light.z * std::sin(polar) * (pi / 2 / parts) * (2 * pi / parts);
+        }
+      CHECK(std::abs(finish::sheenAlbedo(static_cast<float>(roughness), static_cast<float>(nv)) - sum) < 0.06);
+    }
+  // Fibres take from what is below as much as they send back.
+  const float kept = finish::underFibres({1, 1, 1}, {0, 0, 0}, {0, 0, 0}, {0.5F, 0.25F, 0}, 0.5F, 0.3F).x;
+  CHECK(kept == doctest::Approx(1 - 0.5 * finish::sheenAlbedo(0.5F, 0.3F)));
+  const glm::vec3 own = finish::underFibres({0, 0, 0}, {2, 2, 2}, {1, 1, 1}, {0.5F, 0.25F, 0}, 0.5F, 0.3F);
+  CHECK(own.y == doctest::Approx(0.25 * (2 + finish::sheenAlbedo(0.5F, 0.3F))));
+}
