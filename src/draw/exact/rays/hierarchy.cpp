@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cstdlib>
 
 namespace simreel::draw {
 
@@ -59,7 +60,8 @@ void Hierarchy::build(const Solids& solids, const gl::Buffer& bounds) {
   if (count_ == 0) return;
   makePrograms();
   const auto count = static_cast<std::size_t>(count_);
-  leaves_ = static_cast<int>(std::bit_floor(static_cast<unsigned>(std::max(count_ / leastOfLeaf, 1))));
+  leaves_ = static_cast<int>(std::bit_floor(
+      static_cast<unsigned>(std::max(count_ / (getenv("LEAF") ? atoi(getenv("LEAF")) : leastOfLeaf), 1))));
   if (room_ < count_) {
     sort_.emplace(of_ == Of::balls ? "balls that rays meet" : "triangles that rays meet", count_);
     room_ = count_;

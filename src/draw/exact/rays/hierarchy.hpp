@@ -36,6 +36,7 @@ class Hierarchy {
   /// Of triangles: the number that each had, in their order.
   [[nodiscard]] const gl::Texture& ids() const { return idView_; }
   [[nodiscard]] const gl::Buffer& sorted() const { return sorted_; }
+  [[nodiscard]] const gl::Buffer& nodes() const { return nodeBoxes_; }
 
  private:
   [[nodiscard]] gl::Program made(const char* path, bool leaves = false) const;
