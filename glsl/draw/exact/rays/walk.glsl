@@ -19,8 +19,8 @@ FUNCTION int lowestBit(uint bits) {
       while (node < leaves) {                                                                                  \
         uvec4 left = texelFetch(NODES, 2 * node), right = texelFetch(NODES, 2 * node + 1);                     \
         vec2 a = spanIn(planes, left.x, left.y, left.z), b = spanIn(planes, right.x, right.y, right.z);        \
-        bool first = a.x <= min(a.y, best.t), second = b.x <= min(b.y, best.t);                                \
-        bool rightFirst = second && (!first || b.x < a.x), down = first || second, over = trail == 0u;         \
+        bool first = isWithin(a.x, a.y) && isWithin(a.x, best.t), second = isWithin(b.x, b.y) && isWithin(b.x, best.t);                                \
+        bool rightFirst = second && !(first && isWithin(a.x, b.x)), down = first || second, over = trail == 0u;         \
         int up_ = over ? 0 : lowestBit(trail);                                                                   \
         int sibling = over ? end_ : (node >> up_) ^ 1;                                                         \
         node = down ? 2 * node + (rightFirst ? 1 : 0) : sibling;                                               \

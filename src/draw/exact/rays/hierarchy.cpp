@@ -7,14 +7,13 @@
 
 #include <algorithm>
 #include <bit>
-#include <cstdlib>
 
 namespace simreel::draw {
 
 namespace {
 
 /// Triangles that a leaf holds at least, if there are so many.
-constexpr int leastOfLeaf = 1;
+constexpr int leastOfLeaf = 2;
 constexpr int boundsInvocations = 4096;
 /// Of a key that sorting looks at: keys.comp.
 constexpr int lowKeyBits = 12, highKeyBits = 24;
@@ -60,8 +59,7 @@ void Hierarchy::build(const Solids& solids, const gl::Buffer& bounds) {
   if (count_ == 0) return;
   makePrograms();
   const auto count = static_cast<std::size_t>(count_);
-  leaves_ = static_cast<int>(std::bit_floor(
-      static_cast<unsigned>(std::max(count_ / (getenv("LEAF") ? atoi(getenv("LEAF")) : leastOfLeaf), 1))));
+  leaves_ = static_cast<int>(std::bit_floor(static_cast<unsigned>(std::max(count_ / leastOfLeaf, 1))));
   if (room_ < count_) {
     sort_.emplace(of_ == Of::balls ? "balls that rays meet" : "triangles that rays meet", count_);
     room_ = count_;

@@ -9,8 +9,8 @@
 namespace simreel::draw {
 
 /// Triangles or balls in their order along a space-filling curve, and over them a complete binary tree of
-/// boxes, made by kernels: node 1 is the root, the children of n are 2n and 2n + 1, a leaf holds one to
-/// three. The same bits on every machine.
+/// boxes, made by kernels: node 1 is the root, the children of n are 2n and 2n + 1, a leaf holds two to
+/// four, or one. The same bits on every machine.
 class Hierarchy {
  public:
   enum class Of { triangles, balls };
