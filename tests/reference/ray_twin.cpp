@@ -28,9 +28,6 @@ RayTwin::Hit asHit(const RayHit& hit) {
 
 constexpr int ballBit = 0x40000000;
 
-int findLSB(std::uint32_t bits) {
-  return std::countr_zero(bits);
-}
 /// What the kernel reads.
 struct Walk {
   std::span<const uvec4> nodes, sorted;

@@ -15,46 +15,6 @@ def place(p):
     return Vector((p[0], -p[2], p[1]))
 
 
-def material(name, given):
-    """A GGX lobe over a matt surface, by Fresnel's term of F0 0.04; a metal: the lobe alone."""
-    made = bpy.data.materials.new(name)
-    made.use_nodes = True
-    nodes, links = made.node_tree.nodes, made.node_tree.links
-    nodes.clear()
-    color = (*given.get("color", [0.8, 0.8, 0.8]), 1)
-    roughness = given.get("roughness", 0.8)
-    out = nodes.new("ShaderNodeOutputMaterial")
-    lobe = nodes.new("ShaderNodeBsdfGlossy")
-    lobe.distribution = "GGX"
-    lobe.inputs["Roughness"].default_value = roughness
-    if given.get("metallic", 0) == 1:
-        # Schlick's term of a metal: its colour, white at a grazing angle.
-        blend = nodes.new("ShaderNodeMixRGB")
-        blend.inputs["Color1"].default_value = color
-        blend.inputs["Color2"].default_value = (1, 1, 1, 1)
-        facing = nodes.new("ShaderNodeLayerWeight")
-        facing.inputs["Blend"].default_value = 0.5
-        fifth = nodes.new("ShaderNodeMath")
-        fifth.operation = "POWER"
-        fifth.inputs[1].default_value = 5
-        links.new(facing.outputs["Facing"], fifth.inputs[0])
-        links.new(fifth.outputs[0], blend.inputs["Fac"])
-        links.new(blend.outputs["Color"], lobe.inputs["Color"])
-        links.new(lobe.outputs[0], out.inputs["Surface"])
-        return made
-    lobe.inputs["Color"].default_value = (1, 1, 1, 1)
-    matt = nodes.new("ShaderNodeBsdfDiffuse")
-    matt.inputs["Color"].default_value = color
-    fresnel = nodes.new("ShaderNodeFresnel")
-    fresnel.inputs["IOR"].default_value = 1.5
-    mix = nodes.new("ShaderNodeMixShader")
-    links.new(fresnel.outputs[0], mix.inputs["Fac"])
-    links.new(matt.outputs[0], mix.inputs[1])
-    links.new(lobe.outputs[0], mix.inputs[2])
-    links.new(mix.outputs[0], out.inputs["Surface"])
-    return made
-
-
 def math_node(nodes, links, operation, first, second=None, clamp=False):
     node = nodes.new("ShaderNodeMath")
     node.operation = operation
@@ -65,6 +25,46 @@ def math_node(nodes, links, operation, first, second=None, clamp=False):
         elif value is not None:
             links.new(value, node.inputs[i])
     return node.outputs[0]
+
+
+def material(name, given):
+    """A GGX lobe of F0 0.04 over a matt surface that gets what the lobe leaves (glsl/draw/exact/rays/facet.glsl); a metal: the lobe
+    alone."""
+    made = bpy.data.materials.new(name)
+    made.use_nodes = True
+    nodes, links = made.node_tree.nodes, made.node_tree.links
+    nodes.clear()
+    color = (*given.get("color", [0.8, 0.8, 0.8]), 1)
+    r = given.get("roughness", 0.8)
+    metal = given.get("metallic", 0) == 1
+    out = nodes.new("ShaderNodeOutputMaterial")
+    lobe = nodes.new("ShaderNodeBsdfPrincipled")
+    lobe.distribution = "GGX"
+    lobe.inputs["Roughness"].default_value = r
+    lobe.inputs["Metallic"].default_value = float(metal)
+    lobe.inputs["Specular"].default_value = 0.5
+    lobe.inputs["Base Color"].default_value = color if metal else (0, 0, 0, 1)
+    if metal:
+        links.new(lobe.outputs[0], out.inputs["Surface"])
+        return made
+    facing = nodes.new("ShaderNodeLayerWeight")
+    facing.inputs["Blend"].default_value = 0.5
+    cosine = math_node(nodes, links, "SUBTRACT", 1.0, facing.outputs["Facing"])
+    fall = math_node(nodes, links, "POWER", 2.0, math_node(nodes, links, "MULTIPLY", cosine, -9.28))
+    least = math_node(nodes, links, "MULTIPLY", math_node(nodes, links, "MINIMUM", fall, (1 - r) ** 2), 1 - r)
+    mirrored = math_node(nodes, links, "MULTIPLY", math_node(nodes, links, "ADD", least, 0.0425 - 0.0275 * r), 0.9984)
+    kept = math_node(nodes, links, "SUBTRACT", 1 - 0.0016 + 0.00088 * r, mirrored)
+    tint = nodes.new("ShaderNodeMixRGB")
+    tint.inputs["Color1"].default_value = (0, 0, 0, 1)
+    tint.inputs["Color2"].default_value = color
+    links.new(kept, tint.inputs["Fac"])
+    matt = nodes.new("ShaderNodeBsdfDiffuse")
+    links.new(tint.outputs[0], matt.inputs["Color"])
+    both = nodes.new("ShaderNodeAddShader")
+    links.new(matt.outputs[0], both.inputs[0])
+    links.new(lobe.outputs[0], both.inputs[1])
+    links.new(both.outputs[0], out.inputs["Surface"])
+    return made
 
 
 def sky(given):

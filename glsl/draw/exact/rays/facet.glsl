@@ -124,9 +124,10 @@ FUNCTION Onward onwardFrom(Facet f, vec3 u) {
   precise vec3 facet = right * h.x + up * h.y + f.normal * h.z;
   precise vec3 mirrored = facet * (2.0f * exactDot(f.view, facet)) - f.view;
   vec3 direction = mirror ? mirrored : cosineDirection(through ? -f.normal : f.normal, u.x, u.y);
-  // What shading turns into the surface comes back out of it.
-  float side = exactDot(f.facing, direction);
-  precise float away = through ? max(side, 0.0f) : min(side, 0.0f);
+  // What shading alone turns into the surface comes back out of it.
+  float side = exactDot(f.facing, direction), shaded = exactDot(f.normal, direction);
+  bool turned = through ? side > 0.0f && shaded < 0.0f : side < 0.0f && shaded > 0.0f;
+  float away = turned ? side : 0.0f;
   precise vec3 outside = direction - f.facing * (2.0f * away);
   direction = unitOf(outside);
   float nl = exactDot(f.normal, direction);

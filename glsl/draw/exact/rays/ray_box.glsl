@@ -53,10 +53,13 @@ FUNCTION uvec3 joinedBox(uvec3 a, uvec3 b) {
 // Of nothing; no ray enters it, and it adds nothing to others.
 const uint emptyBoxX = 0x7fff7fffu, emptyBoxY = 0x00007fffu, emptyBoxZ = 0u;
 
-// A ray: where it crosses the planes of the grid, at q a + c (m along it).
+// A ray: where it crosses the planes of the grid, at q a + c (m along it), and which axes it goes down.
 struct RayPlanes {
   vec3 a;
   vec3 c;
+  bool backX;
+  bool backY;
+  bool backZ;
 };
 
 FUNCTION float heldAway(float x) {
@@ -70,16 +73,33 @@ FUNCTION RayPlanes rayPlanes(RayGrid grid, vec3 origin, vec3 direction) {
   RayPlanes planes;
   planes.a = a;
   planes.c = c;
+  planes.backX = per.x < 0.0f;
+  planes.backY = per.y < 0.0f;
+  planes.backZ = per.z < 0.0f;
   return planes;
 }
 
-// From where to where the ray is in a box (m along it); the second is less where it misses it.
+// The greatest of these and 0, and, if none is below 0, the least of these: the bits of positive floats are in the order of the values,
+// and drivers are quicker at whole numbers, which are never NaN.
+FUNCTION float greatestFromZero(vec3 v) {
+  return intBitsToFloat(max(max(floatBitsToInt(v.x), floatBitsToInt(v.y)), max(floatBitsToInt(v.z), 0)));
+}
+FUNCTION float leastAbove(vec3 v) {
+  return intBitsToFloat(min(min(floatBitsToInt(v.x), floatBitsToInt(v.y)), floatBitsToInt(v.z)));
+}
+// Of numbers that are not below 0, or (the second) are.
+FUNCTION bool isWithin(float from, float to) {
+  return floatBitsToInt(from) <= floatBitsToInt(to);
+}
+
+// From where to where the ray is in a box (m along it); the second is less, or below 0, where it misses it.
 FUNCTION vec2 spanIn(RayPlanes planes, uint x, uint y, uint z) {
-  vec3 low = vec3(float(int(x & 0x7fffu)), float(int(x >> 16 & 0x7fffu)), float(int(y & 0x7fffu)));
-  vec3 high = vec3(float(int(y >> 16 & 0x7fffu)), float(int(z & 0x7fffu)), float(int(z >> 16 & 0x7fffu)));
-  precise vec3 one = low * planes.a + planes.c;
-  precise vec3 other = high * planes.a + planes.c;
-  vec3 first = min(one, other), last = max(one, other);
-  return vec2(max(max(first.x, first.y), max(first.z, 0.0f)), min(last.x, min(last.y, last.z)));
+  int lowX = int(x & 0x7fffu), lowY = int(x >> 16 & 0x7fffu), lowZ = int(y & 0x7fffu);
+  int highX = int(y >> 16 & 0x7fffu), highY = int(z & 0x7fffu), highZ = int(z >> 16 & 0x7fffu);
+  vec3 near = vec3(float(planes.backX ? highX : lowX), float(planes.backY ? highY : lowY), float(planes.backZ ? highZ : lowZ));
+  vec3 far = vec3(float(planes.backX ? lowX : highX), float(planes.backY ? lowY : highY), float(planes.backZ ? lowZ : highZ));
+  precise vec3 enters = near * planes.a + planes.c;
+  precise vec3 leaves = far * planes.a + planes.c;
+  return vec2(greatestFromZero(enters), leastAbove(leaves));
 }
 #endif

@@ -58,11 +58,12 @@ FUNCTION RayHit nearerTriangle(Ray ray, vec3 a, vec3 b, vec3 c, vec2 span, int a
   precise float wb = w.x * u.y - w.y * u.x;
   precise float wc = u.x * v.y - u.y * v.x;
   precise float sum = wa + wb + wc;
-  bool met = (min(wa, min(wb, wc)) >= 0.0f || max(wa, max(wb, wc)) <= 0.0f) && abs(sum) > 1e-28f && span.x <= span.y;
+  bool left = wa >= 0.0f && wb >= 0.0f && wc >= 0.0f, right = wa <= 0.0f && wb <= 0.0f && wc <= 0.0f;
+  bool met = (left || right) && abs(sum) > 1e-28f && isWithin(span.x, span.y);
   float per = exactReciprocal(met ? sum : 1.0f);
   precise vec3 part = vec3(wa, wb, wc) * per;
   precise float distance_ = part.x * u.z + part.y * v.z + part.z * w.z;
-  float t = max(distance_, span.x);
+  float t = distance_ > span.x ? distance_ : span.x;
   met = met && distance_ > 0.0f && (t < best.t || (t == best.t && at < best.at));
   RayHit hit = best;
   hit.t = met ? t : best.t;
@@ -82,8 +83,8 @@ FUNCTION RayHit nearerBall(Ray ray, vec3 middle, float radius, vec2 span, int at
   precise float enters = nearest - half_;
   precise float leaves = nearest + half_;
   float distance_ = enters > 0.0f ? enters : leaves;
-  float t = max(distance_, span.x);
-  bool met = square > 0.0f && distance_ > 0.0f && span.x <= span.y && (t < best.t || (t == best.t && at < best.at));
+  float t = distance_ > span.x ? distance_ : span.x;
+  bool met = square > 0.0f && distance_ > 0.0f && isWithin(span.x, span.y) && (t < best.t || (t == best.t && at < best.at));
   RayHit hit = best;
   hit.t = met ? t : best.t;
   hit.at = met ? at : best.at;

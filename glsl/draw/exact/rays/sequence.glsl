@@ -44,7 +44,7 @@ FUNCTION uint sobolThird(uint i) {
   uint x = 0u, v = 0x80000000u, next = 0xc0000000u;
   for (int b = 0; b < sequenceBits; ++b) {
     x ^= (i >> uint(b) & 1u) * v;
-    uint after = next ^ (v >> 2) ^ (next >> 1);
+    uint after = next ^ v ^ (v >> 2);
     v = next;
     next = after;
   }

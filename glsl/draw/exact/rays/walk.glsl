@@ -4,6 +4,12 @@
 #include "draw/exact/rays/ray_shapes.glsl"
 #include "draw/exact/rays/leaf.glsl"
 
+// Its number; by a float's exponent, since drivers make many operations of findLSB.
+FUNCTION int lowestBit(uint bits) {
+  uint lowest = bits & (~bits + 1u);
+  return (floatBitsToInt(float(int(lowest))) >> 23) - 127;
+}
+
 #define WALK(NAME, NODES, TEST)                                                                                \
   RayHit NAME(Ray ray, RayPlanes planes, RayHit best, int count, int leaves) {                                 \
     int end_ = 2 * leaves;                                                                                     \
@@ -13,9 +19,9 @@
       while (node < leaves) {                                                                                  \
         uvec4 left = texelFetch(NODES, 2 * node), right = texelFetch(NODES, 2 * node + 1);                     \
         vec2 a = spanIn(planes, left.x, left.y, left.z), b = spanIn(planes, right.x, right.y, right.z);        \
-        bool first = a.x <= min(a.y, best.t), second = b.x <= min(b.y, best.t);                                \
-        bool rightFirst = second && (!first || b.x < a.x), down = first || second, over = trail == 0u;         \
-        int up_ = over ? 0 : findLSB(trail);                                                                   \
+        bool first = isWithin(a.x, a.y) && isWithin(a.x, best.t), second = isWithin(b.x, b.y) && isWithin(b.x, best.t);                                \
+        bool rightFirst = second && !(first && isWithin(a.x, b.x)), down = first || second, over = trail == 0u;         \
+        int up_ = over ? 0 : lowestBit(trail);                                                                   \
         int sibling = over ? end_ : (node >> up_) ^ 1;                                                         \
         node = down ? 2 * node + (rightFirst ? 1 : 0) : sibling;                                               \
         trail = down ? trail << 1 | (first && second ? 1u : 0u) : over ? 0u : (trail >> up_) ^ 1u;             \
@@ -23,7 +29,7 @@
       ivec2 held = node < end_ ? heldBy(node - leaves, count, leaves) : ivec2(0);                              \
       for (int i = held.x; i < held.y; ++i) best = TEST(ray, planes, best, i);                                 \
       bool over = trail == 0u || WALK_OVER(best);                                                              \
-      int up_ = over ? 0 : findLSB(trail);                                                                     \
+      int up_ = over ? 0 : lowestBit(trail);                                                                     \
       node = over ? end_ : (node >> up_) ^ 1;                                                                  \
       trail = over ? 0u : (trail >> up_) ^ 1u;                                                                 \
     }                                                                                                          \

@@ -13,7 +13,7 @@ namespace simreel::draw {
 namespace {
 
 /// Triangles that a leaf holds at least, if there are so many.
-constexpr int leastOfLeaf = 1;
+constexpr int leastOfLeaf = 2;
 constexpr int boundsInvocations = 4096;
 /// Of a key that sorting looks at: keys.comp.
 constexpr int lowKeyBits = 12, highKeyBits = 24;

@@ -9,8 +9,8 @@
 namespace simreel::draw {
 
 /// Triangles or balls in their order along a space-filling curve, and over them a complete binary tree of
-/// boxes, made by kernels: node 1 is the root, the children of n are 2n and 2n + 1, a leaf holds one to
-/// three. The same bits on every machine.
+/// boxes, made by kernels: node 1 is the root, the children of n are 2n and 2n + 1, a leaf holds two to
+/// four, or one. The same bits on every machine.
 class Hierarchy {
  public:
   enum class Of { triangles, balls };
@@ -36,6 +36,7 @@ class Hierarchy {
   /// Of triangles: the number that each had, in their order.
   [[nodiscard]] const gl::Texture& ids() const { return idView_; }
   [[nodiscard]] const gl::Buffer& sorted() const { return sorted_; }
+  [[nodiscard]] const gl::Buffer& nodes() const { return nodeBoxes_; }
 
  private:
   [[nodiscard]] gl::Program made(const char* path, bool leaves = false) const;
