@@ -141,9 +141,9 @@ int ReactionParameters::painted(const ReactionStroke& stroke) const {
 }
 
 std::span<const scene::Quantity> ReactionParameters::quantities() const {
-  static const scene::Quantity table[] = {{"mean", "", "Of what is shown."},
-                                          {"least", "", "Of what is shown."},
-                                          {"most", "", "Of what is shown."},
+  static const scene::Quantity table[] = {{"meanValue", "", "Of what is shown."},
+                                          {"leastValue", "", "Of what is shown."},
+                                          {"mostValue", "", "Of what is shown."},
                                           {"deviation", "", "Root of the variance of what is shown."},
                                           {"wavelength", "cells", "Of most of that variance."}};
   return table;
