@@ -15,7 +15,7 @@ uniform int stepNumber;
 
 int rowAt(int y) {
 #if BOUNDARY == 0
-  return y < 0 ? y + size.y : y >= size.y ? y - size.y : y;
+  return y < 0 ? y + size.y : y >= size.y ? min(y - size.y, size.y - 1) : y;
 #else
   return clamp(y, 0, size.y - 1);
 #endif
@@ -64,16 +64,17 @@ vec4 kept(vec4 cells, int x) {
   return cells;
 }
 
-// The greatest exponent, as bits; of what is not a number 0x7f800000.
-int exponentOf(vec4 cells) {
-  ivec4 bits = floatBitsToInt(cells) & 0x7f800000;
+// The greatest exponent of four cells, as bits, and below it who has it: 31 - 4 plane - cell. Of what is not a number it is
+// lostBits or more.
+const int lostBits = 0x7f800000;
+int exponentOf(vec4 cells, int plane) {
+  ivec4 bits = (floatBitsToInt(cells) & lostBits) | (ivec4(31, 30, 29, 28) - 4 * plane);
   return max(max(bits.x, bits.y), max(bits.z, bits.w));
 }
 
-int noteCells(vec4 cells, int plane, int x, int y) {
-  for (int i = 0; i < 4; ++i)
-    if (!isNumber(cells[i])) noteLost(uint(stepNumber), uint((plane * size.y + y) * size.x + min(4 * x + i, size.x - 1)));
-  return 0;
+void noteCell(int bits, int x, int y) {
+  int who = 31 - (bits & 31);
+  noteLost(uint(stepNumber), uint(((who >> 2) * size.y + y) * size.x + min(4 * x + (who & 3), size.x - 1)));
 }
 
 vec4 grained(vec4 x, float grain) {

@@ -1,10 +1,11 @@
-// Steps of a rule that a scene wrote (Gray-Scott's equations as expressions) beside the hand-written kernels of the same
-// stencil, its evaluator on the CPU, a plain loop and what memory alone would allow. Items are cell-steps; a pass reads
-// and writes two numbers a cell, 16 bytes.
+// Steps of a rule that a scene wrote (Gray-Scott's equations as expressions) beside the hand-written
+// kernels of the same stencil, its evaluator on the CPU, a plain loop and what memory alone would allow.
+// Items are cell-steps; a pass reads and writes two numbers a cell, 16 bytes.
 //
 //   bench_reaction [SIDE]     8192 on a GPU, 512 on a software driver
 //
-// Before that: what the kernel of each preset takes to compile, the driver's cache left out where MESA_SHADER_CACHE_DISABLE=1.
+// Before that: what the kernel of each preset takes to compile, the driver's cache left out where
+// MESA_SHADER_CACHE_DISABLE=1.
 #include "gl/context.hpp"
 #include "plain/plain.hpp"
 #include "sim/gray_scott/kernels.hpp"
@@ -100,7 +101,8 @@ void evaluator(benchmark::State& state) {
 void plainLoop(benchmark::State& state) {
   const int side = static_cast<int>(state.range(0));
   plain::GrayScott field(side, side);
-  for (int i = 0; i < side; ++i) field.v[static_cast<std::size_t>(i) * static_cast<std::size_t>(side) / 2] = 0.5F;
+  for (int i = 0; i < side; ++i)
+    field.v[static_cast<std::size_t>(i) * static_cast<std::size_t>(side) / 2] = 0.5F;
   for (auto _ : state) field.step(0.21F, 0.105F, 0.04F, 0.06F, 1);
   report(state, side, 1);
 }
@@ -156,7 +158,8 @@ int main(int argc, char** argv) {
   using Cut = sim::GrayScottKernels::Cut;
   const Cut single = software ? Cut{1, 4, 32, 4, 0} : Cut{1, 1, 32, 4};
   add("by hand, one step a pass", side, handWritten, single, steps);
-  add("by hand, several steps a pass", side, handWritten, sim::GrayScottKernels::bestCut({side, side}), steps);
+  add("by hand, several steps a pass", side, handWritten, sim::GrayScottKernels::bestCut({side, side}),
+      steps);
   for (const int rows : {1, 2, 4, 8})
     add(fmt::format("rule, one step a pass, {} rows", rows), side, rule, sim::RuleCut{rows}, steps);
   add("evaluator, one thread", side, evaluator);

@@ -1,4 +1,5 @@
-// Recursive descent, a function for each level of binding. What is nested too deep ends before the stack does.
+// Recursive descent, a function for each level of binding. What is nested too deep ends before the stack
+// does.
 #include "base/text.hpp"
 #include "scene/expression/tree.hpp"
 #include "scene/words.hpp"
@@ -20,9 +21,10 @@ class Parser {
  public:
   explicit Parser(std::string_view text) : text_(text) {
     if (text.size() > maxExpressionBytes)
-      throw ExpressionMistake{0, 1,
-                              fmt::format("an expression has at most {} bytes, this one {}; split it by \"lets\"",
-                                          maxExpressionBytes, text.size())};
+      throw ExpressionMistake{
+          0, 1,
+          fmt::format("an expression has at most {} bytes, this one {}; split it by \"lets\"",
+                      maxExpressionBytes, text.size())};
   }
 
   ExpressionTree whole() {
@@ -177,7 +179,8 @@ class Parser {
   }
 
   int value() {
-    if (at_ >= text_.size()) fail(at_ > 0 ? at_ - 1 : 0, at_, "the expression ends where a value is missing");
+    if (at_ >= text_.size())
+      fail(at_ > 0 ? at_ - 1 : 0, at_, "the expression ends where a value is missing");
     const char c = text_[at_];
     const std::size_t begin = at_;
     if (take("(")) {
@@ -195,8 +198,10 @@ class Parser {
     ExpressionNode node;
     node.begin = at_;
     const auto [end, error] = std::from_chars(text_.data() + at_, text_.data() + text_.size(), node.number);
-    node.end = error == std::errc::invalid_argument ? at_ + 1 : static_cast<std::size_t>(end - text_.data());
-    if (error == std::errc::invalid_argument) fail(at_, at_ + 1, "expected a number, a name or (, found \".\"");
+    node.end =
+        error == std::errc::invalid_argument ? at_ + 1 : static_cast<std::size_t>(end - text_.data());
+    if (error == std::errc::invalid_argument)
+      fail(at_, at_ + 1, "expected a number, a name or (, found \".\"");
     if (error != std::errc() || node.number > 1e30)
       fail(node.begin, node.end, "numbers are between 1e-30 and 1e30, or 0");
     if (node.end < text_.size() && (isWord(text_[node.end]) || text_[node.end] == '.'))
@@ -248,7 +253,8 @@ class Parser {
       } while (take(","));
       end = at_;
       if (arguments.size() <= 64 && !take(")"))
-        fail(begin, nameEnd, fmt::format("the ( of \"{}\" is not closed before {}", function.name, found()));
+        fail(begin, nameEnd,
+             fmt::format("the ( of \"{}\" is not closed before {}", function.name, found()));
     }
     const auto count = static_cast<int>(arguments.size());
     if (count < function.least || count > function.most)

@@ -145,8 +145,7 @@ std::span<const ExpressionFunction> expressionFunctions() {
 bool isExpressionName(std::string_view name) {
   const auto letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; };
   if (name.empty() || name.size() > 64 || !letter(name[0])) return false;
-  if (!std::all_of(name.begin(), name.end(),
-                   [&](char c) { return letter(c) || (c >= '0' && c <= '9'); }))
+  if (!std::all_of(name.begin(), name.end(), [&](char c) { return letter(c) || (c >= '0' && c <= '9'); }))
     return false;
   constexpr std::array<std::string_view, 10> words = {"and", "or", "not", "x",     "y",
                                                       "t",   "pi", "pow", "width", "height"};

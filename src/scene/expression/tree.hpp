@@ -22,13 +22,13 @@ enum class Operation : std::uint8_t {
   lessEqual,
   equal,
   notEqual,
-  both,       ///< and
-  either,     ///< or
-  opposite,   ///< not
+  both,      ///< and
+  either,    ///< or
+  opposite,  ///< not
   min,
   max,
-  clamp,      ///< min(max(x, low), high)
-  step,       ///< step(edge, x): 0 where x < edge, else 1
+  clamp,  ///< min(max(x, low), high)
+  step,   ///< step(edge, x): 0 where x < edge, else 1
   abs,
   floor,
   sqrt,
@@ -37,15 +37,15 @@ enum class Operation : std::uint8_t {
   sin,
   cos,
   tanh,
-  choose,     ///< if(condition, then, else); both are computed
-  laplacian,  ///< the continuous operator on a grid, to second order of the spacing
-  ddx,        ///< d/dx by the difference of the two neighbours, to second order; x grows to the right
-  ddy,        ///< the same of y, which grows downwards
-  diffuse,    ///< diffuse(D, u): div(D grad u), to second order; keeps the sum of u
-  neighbours, ///< sum of the four that share an edge
-  corners,    ///< sum of the four that share a corner
-  noise,      ///< noise(k): another number of -1 to 1 in every cell and step
-  random,     ///< random(k): another number of -1 to 1 in every cell
+  choose,      ///< if(condition, then, else); both are computed
+  laplacian,   ///< the continuous operator on a grid, to second order of the spacing
+  ddx,         ///< d/dx by the difference of the two neighbours, to second order; x grows to the right
+  ddy,         ///< the same of y, which grows downwards
+  diffuse,     ///< diffuse(D, u): div(D grad u), to second order; keeps the sum of u
+  neighbours,  ///< sum of the four that share an edge
+  corners,     ///< sum of the four that share a corner
+  noise,       ///< noise(k): another number of -1 to 1 in every cell and step
+  random,      ///< random(k): another number of -1 to 1 in every cell
 };
 
 /// A function that expressions may call.

@@ -33,7 +33,8 @@ class PlaneView {
       y = std::clamp(y, 0, size.y - 1);
     }
     const auto& cells = field_.array(plane_.array)[static_cast<std::size_t>(plane_.plane)];
-    return cells[static_cast<std::size_t>(y) * static_cast<std::size_t>(size.x) + static_cast<std::size_t>(x)];
+    return cells[static_cast<std::size_t>(y) * static_cast<std::size_t>(size.x) +
+                 static_cast<std::size_t>(x)];
   }
   [[nodiscard]] float sides(int x, int y) const { return at(x - 1, y) + at(x + 1, y); }
 
@@ -63,7 +64,8 @@ class PlaneView {
 
 /// Of inputs that are no planes.
 float inputNumber(const RuleNode& node, const RuleField& field, int x, int y, unsigned step) {
-  const auto cell = static_cast<unsigned>(y) * static_cast<unsigned>(field.size.x) + static_cast<unsigned>(x);
+  const auto cell =
+      static_cast<unsigned>(y) * static_cast<unsigned>(field.size.x) + static_cast<unsigned>(x);
   const auto salt = static_cast<unsigned>(node.index) * 2654435761U + field.seed;
   switch (node.op) {
     case RuleOp::x:
@@ -119,10 +121,10 @@ std::vector<float> toldOf(const RuleGraph& graph, const RulePass& pass, std::spa
   for (int i = 0; i < count; ++i) {
     if (!needed[static_cast<std::size_t>(i)]) continue;
     const RuleNode& node = graph.at(i);
-    of[static_cast<std::size_t>(i)] = node.op == RuleOp::constant ? node.number
-                                      : node.op == RuleOp::told
-                                          ? values[static_cast<std::size_t>(node.index)]
-                                          : computed(node.op, argument(node.a), argument(node.b), argument(node.c));
+    of[static_cast<std::size_t>(i)] =
+        node.op == RuleOp::constant ? node.number
+        : node.op == RuleOp::told   ? values[static_cast<std::size_t>(node.index)]
+                                  : computed(node.op, argument(node.a), argument(node.b), argument(node.c));
   }
   std::vector<float> told;
   for (const int node : pass.told) {
@@ -148,7 +150,8 @@ void evaluatePass(const RuleGraph& graph, const RulePass& pass, std::span<const 
     for (const RulePass::Read& read : pass.reads) {
       const PlaneView plane(field, read.plane);
       std::vector<float>& row = rowOf(read.node);
-      for (int x = 0; x < field.size.x; ++x) row[static_cast<std::size_t>(x)] = plane.stencil(read.op, x, y);
+      for (int x = 0; x < field.size.x; ++x)
+        row[static_cast<std::size_t>(x)] = plane.stencil(read.op, x, y);
     }
     for (const int i : pass.nodes) {
       const RuleNode& node = graph.at(i);

@@ -27,7 +27,8 @@ struct RuleField {
 };
 
 /// The numbers of a pass that are the same in all cells, by its list `told`; `values`: by ToldPlaces.
-[[nodiscard]] std::vector<float> toldOf(const RuleGraph& graph, const RulePass& pass, std::span<const float> values);
+[[nodiscard]] std::vector<float> toldOf(const RuleGraph& graph, const RulePass& pass,
+                                        std::span<const float> values);
 
 /// Runs a pass over all cells: `told` from toldOf, `step`: number of the step, for noise.
 void evaluatePass(const RuleGraph& graph, const RulePass& pass, std::span<const float> told, unsigned step,

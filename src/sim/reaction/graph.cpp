@@ -107,9 +107,9 @@ int RuleGraph::constant(double value) {
 }
 
 int RuleGraph::input(RuleOp op, int index) {
-  const int quantum = op == RuleOp::x || op == RuleOp::y             ? -1
+  const int quantum = op == RuleOp::x || op == RuleOp::y            ? -1
                       : op == RuleOp::noise || op == RuleOp::random ? -23
-                                                                     : storedQuantum;
+                                                                    : storedQuantum;
   return add({op, 0, index}, quantum, false);
 }
 
@@ -175,13 +175,16 @@ int RuleGraph::function(RuleOp op, int a) {
 
 int RuleGraph::function(RuleOp op, int a, int b) {
   const bool decides = op == RuleOp::less || op == RuleOp::lessEqual || op == RuleOp::equal;
-  return make({op, 0, 0, a, b}, decides ? 0 : op == RuleOp::power ? -123 : std::min(quantum(a), quantum(b)));
+  return make({op, 0, 0, a, b}, decides               ? 0
+                                : op == RuleOp::power ? -123
+                                                      : std::min(quantum(a), quantum(b)));
 }
 
 int RuleGraph::choose(int condition, int then, int otherwise) {
   if (isConstant(condition)) return at(condition).number != 0 ? then : otherwise;
   if (then == otherwise) return then;
-  return make({RuleOp::choose, 0, 0, condition, then, otherwise}, std::min(quantum(then), quantum(otherwise)));
+  return make({RuleOp::choose, 0, 0, condition, then, otherwise},
+              std::min(quantum(then), quantum(otherwise)));
 }
 
 }  // namespace simreel::sim

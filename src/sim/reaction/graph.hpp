@@ -9,26 +9,26 @@ namespace simreel::sim {
 /// What a node of a rule computes, all in single precision and each rounded once. Those of `exact...` are
 /// functions of glsl/common/exact.glsl and glsl/reaction/functions.glsl.
 enum class RuleOp : std::uint8_t {
-  constant,    ///< `number`
-  told,        ///< uniform: number `index` of what a step is told
-  species,     ///< of this cell: species `index`
-  weight,      ///< map `index` of this cell, 0 to 1
-  base,        ///< species `index` at the step's beginning
-  sum,         ///< what earlier stages of the step left for species `index`
-  x,           ///< cells from the left edge to this cell's middle
-  y,           ///< from the top
-  noise,       ///< of salt `index`: a number in [-1, 1) of cell and step
-  random,      ///< of the cell
-  lap20,       ///< 4 edges + corners - 20 centre of the argument: 6 h^2 times the Laplacian
-  edges,       ///< sum of the four neighbours
-  corners,     ///< sum of the four at the corners
-  across,      ///< right less left neighbour
-  down,        ///< the one below less the one above
+  constant,  ///< `number`
+  told,      ///< uniform: number `index` of what a step is told
+  species,   ///< of this cell: species `index`
+  weight,    ///< map `index` of this cell, 0 to 1
+  base,      ///< species `index` at the step's beginning
+  sum,       ///< what earlier stages of the step left for species `index`
+  x,         ///< cells from the left edge to this cell's middle
+  y,         ///< from the top
+  noise,     ///< of salt `index`: a number in [-1, 1) of cell and step
+  random,    ///< of the cell
+  lap20,     ///< 4 edges + corners - 20 centre of the argument: 6 h^2 times the Laplacian
+  edges,     ///< sum of the four neighbours
+  corners,   ///< sum of the four at the corners
+  across,    ///< right less left neighbour
+  down,      ///< the one below less the one above
   add,
   subtract,
   multiply,
-  flush,       ///< rounded to a multiple of 2^-96 where it is below 2^-73
-  settle,      ///< rounded to a multiple of 2^-60 where it is below 2^-37: what is stored
+  flush,   ///< rounded to a multiple of 2^-96 where it is below 2^-73
+  settle,  ///< rounded to a multiple of 2^-60 where it is below 2^-37: what is stored
   reciprocal,
   min,
   max,
@@ -40,11 +40,11 @@ enum class RuleOp : std::uint8_t {
   sin,
   cos,
   tanh,
-  power,       ///< a^b for a >= 0
-  less,        ///< 1 or 0
+  power,  ///< a^b for a >= 0
+  less,   ///< 1 or 0
   lessEqual,
   equal,
-  choose,      ///< a != 0 ? b : c
+  choose,  ///< a != 0 ? b : c
 };
 
 struct RuleNode {

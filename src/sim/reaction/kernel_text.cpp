@@ -36,12 +36,14 @@ std::string nameOf(const RulePlane& plane) {
 
 class KernelWriter {
  public:
-  KernelWriter(const Rule& rule, const RulePass& pass, RuleBoundary boundary, unsigned seed, const RuleCut& cut)
+  KernelWriter(const Rule& rule, const RulePass& pass, RuleBoundary boundary, unsigned seed,
+               const RuleCut& cut)
       : rule_(rule), pass_(pass), boundary_(boundary), seed_(seed), cut_(cut) {
     for (const RulePass::Read& read : pass.reads) {
       Use& use = uses_[read.plane];
       use.above = use.above || read.op != RuleOp::species;
-      use.sides = use.sides || read.op == RuleOp::lap20 || read.op == RuleOp::edges || read.op == RuleOp::corners;
+      use.sides =
+          use.sides || read.op == RuleOp::lap20 || read.op == RuleOp::edges || read.op == RuleOp::corners;
       use.across = use.across || read.op == RuleOp::across;
     }
   }
@@ -72,10 +74,10 @@ class KernelWriter {
     std::set<RuleArray> read;
     for (const auto& [plane, use] : uses_) read.insert(plane.array);
     for (const RuleArray array : read)
-      if (array != RuleArray::sum)
-        line("INPUT_ARRAY({0}Binding, {0}Block, {0})", nameOf(array));
+      if (array != RuleArray::sum) line("INPUT_ARRAY({0}Binding, {0}Block, {0})", nameOf(array));
     bool sums = read.contains(RuleArray::sum);
-    for (const RulePass::Output& output : pass_.outputs) sums = sums || output.plane.array == RuleArray::sum;
+    for (const RulePass::Output& output : pass_.outputs)
+      sums = sums || output.plane.array == RuleArray::sum;
     if (sums) line("STATE_ARRAY(sumBinding, sumBlock, sum)");
     line("STATE_ARRAY(nextBinding, nextBlock, next)");
   }
@@ -138,15 +140,15 @@ class KernelWriter {
         const std::string name = nameOf(plane);
         line("  {0}Row {0}Above = {0}RowAt(x, top - 1), {0}Here = {0}RowAt(x, top);", name);
       }
+    line("  int lost = 0, lostRow = 0;");
     line("  for (int j = 0; j < {}; ++j) {{", cut_.rows);
     line("    int y = top + j;");
-    line("    if (y >= size.y) return;");
     for (const auto& [plane, use] : uses_) {
       const std::string name = nameOf(plane);
       if (use.above)
         line("    {0}Row {0}Below = {0}RowAt(x, y + 1);", name);
       else
-        line("    vec4 {0}Cells = {0}At(x, y);", name);
+        line("    vec4 {0}Cells = {0}At(x, min(y, size.y - 1));", name);
       if (use.sides) {
         line("    precise vec4 {0}Corners = {0}Above.sides + {0}Below.sides;", name);
         line("    precise vec4 {0}Edges = {0}Here.sides + ({0}Above.here + {0}Below.here);", name);
@@ -158,6 +160,7 @@ class KernelWriter {
     for (const auto& [plane, use] : uses_)
       if (use.above) line("    {0}Above = {0}Here; {0}Here = {0}Below;", nameOf(plane));
     line("  }}");
+    line("  if (lost >= lostBits) noteCell(lost, x, lostRow);");
     line("}}");
   }
 
@@ -167,7 +170,8 @@ class KernelWriter {
     switch (read.op) {
       case RuleOp::lap20:
         // The product by four is exact: the same bits in one instruction as in two.
-        line("    precise vec4 v{0} = fma(vec4(4.0), {1}Edges, {1}Corners) - 20.0 * {1}Here.here;", n, name);
+        line("    precise vec4 v{0} = fma(vec4(4.0), {1}Edges, {1}Corners) - 20.0 * {1}Here.here;", n,
+             name);
         break;
       case RuleOp::edges:
         line("    vec4 v{} = {}Edges;", n, name);
@@ -274,21 +278,24 @@ class KernelWriter {
     }
   }
 
+  // A lost cell is looked for in all rows and noted once: software drivers run the code of every branch.
   void writeOutputs() {
-    std::string worst = "0";
-    for (const RulePass::Output& output : pass_.outputs) {
-      const bool sum = output.plane.array == RuleArray::sum;
-      line("    STORE_STATE({}, ({} * size.y + y) * columns + x, kept({}, x));", sum ? "sum" : "next",
-           output.plane.plane, value(output.node));
-      if (output.plane.array == RuleArray::next)
-        worst = fmt::format("max({}, exponentOf({}))", worst, value(output.node));
-    }
-    if (worst == "0") return;
-    line("    if ({} == 0x7f800000) {{", worst);
+    line("    if (y < size.y) {{");
     for (const RulePass::Output& output : pass_.outputs)
-      if (output.plane.array == RuleArray::next)
-        line("      noteCells(kept({}, x), {}, x, y);", value(output.node), output.plane.plane);
+      line("      STORE_STATE({}, ({} * size.y + y) * columns + x, kept({}, x));",
+           output.plane.array == RuleArray::sum ? "sum" : "next", output.plane.plane, value(output.node));
     line("    }}");
+    std::string worst;
+    for (const RulePass::Output& output : pass_.outputs)
+      if (output.plane.array == RuleArray::next) {
+        const std::string one =
+            fmt::format("exponentOf(kept({}, x), {})", value(output.node), output.plane.plane);
+        worst = worst.empty() ? one : fmt::format("max({}, {})", worst, one);
+      }
+    if (worst.empty()) return;
+    line("    int worst = y < size.y ? {} : 0;", worst);
+    line("    lostRow = worst >= lostBits && lost < lostBits ? y : lostRow;");
+    line("    lost = lost < lostBits ? worst : lost;");
   }
 
   const Rule& rule_;

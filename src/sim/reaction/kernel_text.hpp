@@ -8,7 +8,7 @@ namespace simreel::sim {
 
 /// How a kernel is cut up; every choice gives the same bits.
 struct RuleCut {
-  int rows = 4;  ///< that an invocation goes down
+  int rows = 2;  ///< that an invocation goes down
   int groupX = 32, groupY = 4;
 };
 
@@ -17,7 +17,7 @@ struct RuleCut {
 
 /// The compute shader of a pass, for gl::Program::computeText: names of a scene do not occur in it, only
 /// numbers of planes and of what is told. `seed`: of noise.
-[[nodiscard]] std::string kernelText(const Rule& rule, const RulePass& pass, RuleBoundary boundary, unsigned seed,
-                                     const RuleCut& cut);
+[[nodiscard]] std::string kernelText(const Rule& rule, const RulePass& pass, RuleBoundary boundary,
+                                     unsigned seed, const RuleCut& cut);
 
 }  // namespace simreel::sim

@@ -21,7 +21,8 @@ void checkRuleLimits(const std::string& name, glm::ivec2 size, std::int64_t plan
   const auto refuse = [&](std::int64_t need, const char* what, std::int64_t max, const char* limit) {
     if (need > max)
       fail(ExitCode::device,
-           "reaction \"{}\" of {}x{} cells needs {} {} in one buffer, this device allows {} ({}); make it smaller",
+           "reaction \"{}\" of {}x{} cells needs {} {} in one buffer, this device allows {} ({}); make it "
+           "smaller",
            name, size.x, size.y, need, what, max, limit);
   };
   refuse(elements * 16, "bytes", gl::limits().storageBlockBytes, "GL_MAX_SHADER_STORAGE_BLOCK_SIZE");
@@ -37,17 +38,26 @@ std::vector<glm::uvec4> stampElements(const std::vector<std::uint32_t>& words) {
 
 }  // namespace
 
-ReactionKernels::ReactionKernels(const std::string& name, const ReactionPlan& plan, bool fast, const RuleCut& cut)
+RuleCut ReactionKernels::bestCut() {
+  RuleCut cut;
+  cut.rows = gl::memoryPath() == gl::MemoryPath::texel ? 2 : 1;
+  return cut;
+}
+
+ReactionKernels::ReactionKernels(const std::string& name, const ReactionPlan& plan, bool fast,
+                                 const RuleCut& cut)
     : plan_(plan), size_(plan.parameters().size), columns_((size_.x + 3) / 4), cut_(cut) {
   const RuleProgram& program = plan.program();
-  checkRuleLimits(name, size_,
-              std::max({static_cast<std::int64_t>(plan.parameters().species.size()), std::int64_t{program.lets},
-                        static_cast<std::int64_t>(plan.parameters().parameters.size())}));
+  checkRuleLimits(
+      name, size_,
+      std::max({static_cast<std::int64_t>(plan.parameters().species.size()), std::int64_t{program.lets},
+                static_cast<std::int64_t>(plan.parameters().parameters.size())}));
   const RuleField field = plan.firstField();
   const std::vector<glm::vec4> first = packed(field.stage);
   cells_[0] = gl::Vec4Array(name + " cells", first);
   cells_[1] = gl::Vec4Array(name + " next cells", first);
-  for (int i = 0; i < 2; ++i) words_[i] = gl::Texture::view(name + " words", GL_RGBA32UI, cells_[i].buffer());
+  for (int i = 0; i < 2; ++i)
+    words_[i] = gl::Texture::view(name + " words", GL_RGBA32UI, cells_[i].buffer());
   const auto elements = static_cast<int>(first.size());
   if (program.stages.size() > 1) {
     stages_[0] = gl::Vec4Array(name + " stage", elements);
@@ -75,7 +85,8 @@ ReactionKernels::ReactionKernels(const std::string& name, const ReactionPlan& pl
     const RulePass& pass = program.passes[i];
     Kernel kernel;
     kernel.program = gl::Program::computeText(
-        "reaction/rule", kernelText(plan.rule(), pass, plan.parameters().boundary, plan.noiseSeed(), cut_), defines);
+        "reaction/rule", kernelText(plan.rule(), pass, plan.parameters().boundary, plan.noiseSeed(), cut_),
+        defines);
     kernel.program.set("size", size_);
     kernel.program.set("columns", columns_);
     kernel.told = gl::Buffer(name + " told", toldVectors(pass) * sizeof(glm::vec4));
@@ -90,7 +101,8 @@ std::vector<glm::vec4> ReactionKernels::packed(const RulePlanes& planes) const {
     for (std::size_t y = 0; y < static_cast<std::size_t>(size_.y); ++y)
       for (std::size_t x = 0; x < width; x += 4) {
         glm::vec4& element = elements.emplace_back(0.0F);
-        for (std::size_t i = 0; i < 4 && x + i < width; ++i) element[static_cast<int>(i)] = plane[y * width + x + i];
+        for (std::size_t i = 0; i < 4 && x + i < width; ++i)
+          element[static_cast<int>(i)] = plane[y * width + x + i];
       }
   return elements;
 }

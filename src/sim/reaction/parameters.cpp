@@ -48,7 +48,8 @@ void ReactionParameters::describe(scene::Fields& f) {
   f.pair("size", size, {4, 32768}, "cells", "Width and height.");
   std::vector<const char*> names;
   for (const ReactionPreset& known : reactionPresets()) names.push_back(known.name);
-  f.oneOf("preset", preset, names, "Equations by name, below; what else is given changes or completes them.");
+  f.oneOf("preset", preset, names,
+          "Equations by name, below; what else is given changes or completes them.");
   if (f.given("preset") && preset >= 0) reactionPresets()[static_cast<std::size_t>(preset)].apply(*this);
   const auto presets = [&](const char* name, const char* other) {
     f.leftOut(name, fmt::format("the preset's, or {}", other).c_str());
@@ -62,9 +63,11 @@ void ReactionParameters::describe(scene::Fields& f) {
   presets("method", "euler");
   f.integer("steps", steps, {0, 100000}, "per frame", "Steps a frame takes.");
   presets("steps", "8");
-  f.integer("presteps", presteps, {0, 1e7}, "", "Steps before the first frame, with the parameters of time 0.");
-  f.choice("boundary", boundary, {"torus", "no-flux", "fixed"},
-           "Left meets right and top bottom; nothing crosses the edges; or each species has a value beyond.");
+  f.integer("presteps", presteps, {0, 1e7}, "",
+            "Steps before the first frame, with the parameters of time 0.");
+  f.choice(
+      "boundary", boundary, {"torus", "no-flux", "fixed"},
+      "Left meets right and top bottom; nothing crosses the edges; or each species has a value beyond.");
   f.shorthand("parameters", "value");
   completed(f, "parameters", "Numbers that expressions name.", "parameter", 64, parameters,
             [](scene::Fields& p, ReactionParameter& parameter) {
@@ -81,18 +84,18 @@ void ReactionParameters::describe(scene::Fields& f) {
                         "\"across\", \"down\" and \"image\" exclude each other");
             });
   f.shorthand("lets", "is");
-  completed(f, "lets", "Names for expressions, which others may use; a stencil may be laid over them.", "let", 32,
-            lets, [](scene::Fields& l, ReactionLet& let) {
-              l.text("is", let.is, "An expression.");
-            });
-  completed(f, "species", "What there is in each cell.", "species", maxSpecies, species,
-            [](scene::Fields& s, ReactionSpecies& one) {
-              s.number("diffusion", one.diffusion, {0, 1e6}, "lengths^2 per unit of time",
-                       "D of the term D laplacian(u) in its rate.");
-              s.text("rate", one.rate, "The rest of its rate of change: an expression.");
-              s.text("start", one.start, "In the first state: an expression of x, y, random(k) and parameters.");
-              s.number("edge", one.edge, scene::anyNumber, "", "Beyond the edges of \"boundary\": \"fixed\".");
-            });
+  completed(f, "lets", "Names for expressions, which others may use; a stencil may be laid over them.",
+            "let", 32, lets,
+            [](scene::Fields& l, ReactionLet& let) { l.text("is", let.is, "An expression."); });
+  completed(
+      f, "species", "What there is in each cell.", "species", maxSpecies, species,
+      [](scene::Fields& s, ReactionSpecies& one) {
+        s.number("diffusion", one.diffusion, {0, 1e6}, "lengths^2 per unit of time",
+                 "D of the term D laplacian(u) in its rate.");
+        s.text("rate", one.rate, "The rest of its rate of change: an expression.");
+        s.text("start", one.start, "In the first state: an expression of x, y, random(k) and parameters.");
+        s.number("edge", one.edge, scene::anyNumber, "", "Beyond the edges of \"boundary\": \"fixed\".");
+      });
   f.text("show", show, "What is drawn: a species, or any expression.");
   f.leftOut("show", "the preset's, or the first species");
   f.list("strokes", strokes, "Timed strokes of a brush.", [](scene::Fields& s, ReactionStroke& stroke) {
@@ -108,13 +111,15 @@ void ReactionParameters::describe(scene::Fields& f) {
     return;
   }
   if (species.size() > maxSpecies)
-    f.error("species", fmt::format("at most {} species, with those of the preset; found {}", maxSpecies, species.size()));
+    f.error("species", fmt::format("at most {} species, with those of the preset; found {}", maxSpecies,
+                                   species.size()));
   std::vector<std::string> known;
   for (const ReactionSpecies& one : species) known.push_back(one.name);
   for (const ReactionStroke& stroke : strokes)
     if (painted(stroke) < 0)
-      f.error("strokes", fmt::format("a stroke paints the species {}, which is not there; {}",
-                                     scene::inQuotes(stroke.species), scene::suggestion(stroke.species, known)));
+      f.error("strokes",
+              fmt::format("a stroke paints the species {}, which is not there; {}",
+                          scene::inQuotes(stroke.species), scene::suggestion(stroke.species, known)));
   try {
     static_cast<void>(understandRule(ruleText()));
   } catch (const RuleMistake& mistake) {
@@ -125,7 +130,8 @@ void ReactionParameters::describe(scene::Fields& f) {
 RuleText ReactionParameters::ruleText() const {
   RuleText text;
   for (const ReactionSpecies& one : species)
-    text.species.push_back({one.name, one.rate, one.start, one.diffusion.moves() || one.diffusion.at(0) != 0});
+    text.species.push_back(
+        {one.name, one.rate, one.start, one.diffusion.moves() || one.diffusion.at(0) != 0});
   for (const ReactionParameter& parameter : parameters)
     text.parameters.push_back({parameter.name, parameter.isMapped(), parameter.isPresets});
   for (const ReactionLet& let : lets) text.lets.push_back({let.name, let.is});

@@ -31,13 +31,14 @@ ReactionPlan::ReactionPlan(ReactionParameters parameters, const std::string& obj
       frameSeconds_(frameSeconds),
       rule_(understandRule(parameters_.ruleText())),
       program_(programOf(rule_, parameters_.method)),
-      strokes_(plainStrokes(parameters_.strokes), seed,
-               {parameters_.size, parameters_.boundary == RuleBoundary::torus, "reaction \"" + object + "\""}) {
+      strokes_(
+          plainStrokes(parameters_.strokes), seed,
+          {parameters_.size, parameters_.boundary == RuleBoundary::torus, "reaction \"" + object + "\""}) {
   warnOfSteps(object);
 }
 
-// The fastest mode of the nine points, the checkerboard, has the eigenvalue -(16/3) / h^2; explicit methods of
-// order 1 and 2 are stable for -2 <= dt lambda, that of order 4 for -2.785.
+// The fastest mode of the nine points, the checkerboard, has the eigenvalue -(16/3) / h^2; explicit methods
+// of order 1 and 2 are stable for -2 <= dt lambda, that of order 4 for -2.785.
 void ReactionPlan::warnOfSteps(const std::string& object) const {
   const ReactionParameters& p = parameters_;
   const double limit = p.method == RuleMethod::rk4 ? 2.785 : 2;
@@ -47,9 +48,11 @@ void ReactionPlan::warnOfSteps(const std::string& object) const {
     const double number = p.dt * most / (p.spacing * p.spacing);
     const double greatest = limit * 3 / 16;
     if (number > greatest)
-      warn("reaction \"{}\": dt diffusion / spacing^2 of \"{}\" is {:.3g}, and a step is stable up to {:.3g}; "
-           "lower dt to {:.3g}",
-           object, species.name, number, greatest, p.dt * greatest / number);
+      warn(
+          "reaction \"{}\": dt diffusion / spacing^2 of \"{}\" is {:.3g}, and a step is stable up to "
+          "{:.3g}; "
+          "lower dt to {:.3g}",
+          object, species.name, number, greatest, p.dt * greatest / number);
   }
 }
 
@@ -71,7 +74,8 @@ std::vector<float> ReactionPlan::weightsOf(const ReactionParameter& parameter) c
   weights.reserve(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y));
   if (!parameter.image.empty()) {
     const Picture picture = loadPicture(parameter.image, "map of a parameter", maxRuleMapSide);
-    for (const std::uint8_t level : levelsOnGrid(picture, size)) weights.push_back(static_cast<float>(level) / 255.0F);
+    for (const std::uint8_t level : levelsOnGrid(picture, size))
+      weights.push_back(static_cast<float>(level) / 255.0F);
     return weights;
   }
   for (int y = 0; y < size.y; ++y)
@@ -104,7 +108,9 @@ RuleField ReactionPlan::firstField() const {
 std::vector<float> ReactionPlan::valuesAt(double time) const {
   const ReactionParameters& p = parameters_;
   std::vector<float> values(static_cast<std::size_t>(rule_.told.count()));
-  const auto set = [&](int place, double value) { values[static_cast<std::size_t>(place)] = stored(value); };
+  const auto set = [&](int place, double value) {
+    values[static_cast<std::size_t>(place)] = stored(value);
+  };
   set(ToldPlaces::dt, p.dt);
   set(ToldPlaces::halfDt, p.dt / 2);
   set(ToldPlaces::sixthDt, p.dt / 6);
@@ -116,8 +122,8 @@ std::vector<float> ReactionPlan::valuesAt(double time) const {
   for (std::size_t i = 0; i < p.parameters.size(); ++i) {
     const ReactionParameter& parameter = p.parameters[i];
     const auto now = static_cast<double>(parameter.value.at(time));
-    const double end = parameter.across ? *parameter.across
-                       : parameter.down ? *parameter.down
+    const double end = parameter.across          ? *parameter.across
+                       : parameter.down          ? *parameter.down
                        : parameter.image.empty() ? now
                                                  : parameter.white;
     set(ToldPlaces::value(static_cast<int>(i)), now);
@@ -144,10 +150,12 @@ std::vector<ReactionPlan::Painted> ReactionPlan::strokesAt(double time, int step
   const double seconds = frameSeconds_ / std::max(parameters_.steps, 1);
   const double now = time + step * seconds;
   std::vector<int> numbers;
-  const std::vector<shader::Stroke> active = strokes_.into(now, seconds, std::lround(now / seconds), &numbers);
+  const std::vector<shader::Stroke> active =
+      strokes_.into(now, seconds, std::lround(now / seconds), &numbers);
   std::vector<Painted> painted;
   for (std::size_t i = 0; i < active.size(); ++i)
-    painted.push_back({active[i], parameters_.painted(parameters_.strokes[static_cast<std::size_t>(numbers[i])])});
+    painted.push_back(
+        {active[i], parameters_.painted(parameters_.strokes[static_cast<std::size_t>(numbers[i])])});
   return painted;
 }
 
@@ -166,8 +174,8 @@ void evaluateStep(const ReactionPlan& plan, std::vector<float> values, long numb
   }
 }
 
-std::vector<float> evaluateShown(const ReactionPlan& plan, std::vector<float> values, long number, long first,
-                                 RuleField& field) {
+std::vector<float> evaluateShown(const ReactionPlan& plan, std::vector<float> values, long number,
+                                 long first, RuleField& field) {
   const RuleProgram& program = plan.program();
   if (program.showing.empty()) return field.stage[static_cast<std::size_t>(program.shown)];
   values[ToldPlaces::time] = plan.modelTime(number, first, 0);

@@ -29,8 +29,8 @@ class ReactionPlan {
   [[nodiscard]] std::vector<float> valuesAt(double time) const;
   /// Steps of time up to `time` (s) of the scene, from its second 0.
   [[nodiscard]] long stepAt(double time) const;
-  /// The model's time (units of time) at a step and `later`, a share of one; `first`: the number of the first
-  /// state, before the presteps.
+  /// The model's time (units of time) at a step and `later`, a share of one; `first`: the number of the
+  /// first state, before the presteps.
   [[nodiscard]] float modelTime(long step, long first, double later) const;
   struct Painted {
     shader::Stroke stroke;
@@ -56,7 +56,7 @@ class ReactionPlan {
 void evaluateStep(const ReactionPlan& plan, std::vector<float> values, long number, long first,
                   RuleField& field);
 /// What is shown of the state in field.stage, which step `number` begins with.
-[[nodiscard]] std::vector<float> evaluateShown(const ReactionPlan& plan, std::vector<float> values, long number,
-                                               long first, RuleField& field);
+[[nodiscard]] std::vector<float> evaluateShown(const ReactionPlan& plan, std::vector<float> values,
+                                               long number, long first, RuleField& field);
 
 }  // namespace simreel::sim

@@ -139,7 +139,8 @@ class Planning {
   /// The place where a node's plane lies, if it has one that is there before a pass of this level.
   [[nodiscard]] const int* storedBefore(int node, int level) const {
     const auto plane = planes_.find(node);
-    return plane != planes_.end() && levels_[static_cast<std::size_t>(node)] < level ? &plane->second : nullptr;
+    return plane != planes_.end() && levels_[static_cast<std::size_t>(node)] < level ? &plane->second
+                                                                                     : nullptr;
   }
 
   RulePass passOf(const Outputs& outputs, int level) {

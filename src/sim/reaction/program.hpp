@@ -34,7 +34,7 @@ struct RulePass {
   std::vector<int> nodes;  ///< that are computed, arguments first
   std::vector<int> told;   ///< uniform nodes, computed on the CPU
   std::vector<Output> outputs;
-  bool usesTime = false;   ///< what is told changes from step to step
+  bool usesTime = false;  ///< what is told changes from step to step
   bool usesNoise = false;
 
   /// Its place among `told`; -1: it is none.
@@ -45,7 +45,7 @@ struct RulePass {
 struct RuleProgram {
   struct Stage {
     std::vector<int> passes;
-    double time = 0;   ///< of the step, in steps
+    double time = 0;    ///< of the step, in steps
     bool last = false;  ///< its outputs are the new state
   };
   std::vector<RulePass> passes;

@@ -30,7 +30,8 @@ class Reaction : public Simulation {
       speciesNames_.push_back(name_ + "." + species.name);
     kernels_.setValues(plan_.valuesAt(0));
     prestep(setting);
-    for (const auto& [stroke, species] : plan_.strokesAt(setting.startTime, 0)) kernels_.paint(stroke, species);
+    for (const auto& [stroke, species] : plan_.strokesAt(setting.startTime, 0))
+      kernels_.paint(stroke, species);
     gl::barrier();
     kernels_.show(now_, first_);
   }
@@ -88,10 +89,12 @@ class Reaction : public Simulation {
   [[nodiscard]] std::string explainLoss(unsigned step, unsigned element) const override {
     const auto width = static_cast<unsigned>(plan_.parameters().size.x);
     const auto height = static_cast<unsigned>(plan_.parameters().size.y);
-    return fmt::format("reaction \"{}\": {} of cell ({}, {}) is infinite or no number after step {}; a smaller \"dt\" or another "
-                       "\"method\" may keep it finite",
-                       name_, speciesName(element / width / height), element % width, element / width % height,
-                       static_cast<int>(step) + 1 - static_cast<int>(first_));
+    return fmt::format(
+        "reaction \"{}\": {} of cell ({}, {}) is infinite or no number after step {}; a smaller \"dt\" or "
+        "another "
+        "\"method\" may keep it finite",
+        name_, speciesName(element / width / height), element % width, element / width % height,
+        static_cast<int>(step) + 1 - static_cast<int>(first_));
   }
 
   [[nodiscard]] std::vector<double> measure() const override {
@@ -113,8 +116,9 @@ class Reaction : public Simulation {
  private:
   [[nodiscard]] std::string speciesName(long plane) const {
     const auto& species = plan_.parameters().species;
-    return plane < static_cast<long>(species.size()) ? "\"" + species[static_cast<std::size_t>(plane)].name + "\""
-                                                     : "a species";
+    return plane < static_cast<long>(species.size())
+               ? "\"" + species[static_cast<std::size_t>(plane)].name + "\""
+               : "a species";
   }
 
   void advance(double time, const StepWatch& watch) {
@@ -168,9 +172,11 @@ class Reaction : public Simulation {
 
 SimulationKind reactionKind() {
   SimulationKind kind = kindOf<ReactionParameters>(
-      "reaction", "Equations of your own on a grid: du/dt = D laplacian(u) + an expression, or one of many presets.",
+      "reaction",
+      "Equations of your own on a grid: du/dt = D laplacian(u) + an expression, or one of many presets.",
       [](const scene::Object& object, const Setting& setting) {
-        ReactionPlan(parametersOf<ReactionParameters>(object), object.name, setting.seed, setting.frameSeconds)
+        ReactionPlan(parametersOf<ReactionParameters>(object), object.name, setting.seed,
+                     setting.frameSeconds)
             .checkPictures();
       },
       makeSimulation<Reaction>);

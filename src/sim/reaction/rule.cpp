@@ -24,7 +24,8 @@ class Understanding {
   explicit Understanding(const RuleText& text) : text_(text) {
     rule_.told.parameters = static_cast<int>(text.parameters.size());
     checkNames();
-    for (const RuleText::Let& let : text.lets) lets_[let.name] = {parsed({"lets", let.name, "is"}, let.text), {}};
+    for (const RuleText::Let& let : text.lets)
+      lets_[let.name] = {parsed({"lets", let.name, "is"}, let.text), {}};
   }
 
   Rule whole() {
@@ -35,11 +36,13 @@ class Understanding {
       const auto i = static_cast<int>(rates.size()) - 1;
       int rate = nodeOf(path, rates.back());
       if (species.diffuses)
-        rate = graph().sum(rate, graph().product(graph().told(rule_.told.diffusion(i)),
-                                                 graph().stencil(RuleOp::lap20, graph().input(RuleOp::species, i))));
+        rate = graph().sum(
+            rate, graph().product(graph().told(rule_.told.diffusion(i)),
+                                  graph().stencil(RuleOp::lap20, graph().input(RuleOp::species, i))));
       rule_.rates.push_back(rate);
     }
-    for (const RuleText::Let& let : text_.lets) static_cast<void>(letNode(let.name, {"lets", let.name, "is"}, 0, 1));
+    for (const RuleText::Let& let : text_.lets)
+      static_cast<void>(letNode(let.name, {"lets", let.name, "is"}, 0, 1));
     const std::string show = text_.show.empty() ? text_.species[0].name : text_.show;
     rule_.shown = nodeOf({"show"}, parsed({"show"}, show));
     starting_ = true;
@@ -49,11 +52,12 @@ class Understanding {
     }
     for (const RuleText::Parameter& parameter : text_.parameters)
       if (!parameter.mayBeIdle && std::find(used_.begin(), used_.end(), parameter.name) == used_.end())
-        throw RuleMistake{{"parameters", parameter.name},
-                          0,
-                          0,
-                          fmt::format("no expression has the parameter {}; leave it out, or {}",
-                                      scene::inQuotes(parameter.name), scene::suggestion(parameter.name, used_))};
+        throw RuleMistake{
+            {"parameters", parameter.name},
+            0,
+            0,
+            fmt::format("no expression has the parameter {}; leave it out, or {}",
+                        scene::inQuotes(parameter.name), scene::suggestion(parameter.name, used_))};
     weigh();
     write(rates);
     return std::move(rule_);
@@ -79,11 +83,11 @@ class Understanding {
                                       "first, not x, y, t, pi and no function",
                                       scene::inQuotes(name))};
       if (const auto before = known.emplace(name, group); !before.second)
-        throw RuleMistake{{group, name},
-                          0,
-                          0,
-                          fmt::format("{} is a name in \"{}\" already", scene::inQuotes(name),
-                                      before.first->second)};
+        throw RuleMistake{
+            {group, name},
+            0,
+            0,
+            fmt::format("{} is a name in \"{}\" already", scene::inQuotes(name), before.first->second)};
     };
     for (const auto& species : text_.species) check(species.name, "species");
     for (const auto& parameter : text_.parameters) check(parameter.name, "parameters");
@@ -133,7 +137,8 @@ class Understanding {
     for (std::size_t i = 0; i < text_.species.size(); ++i)
       if (text_.species[i].name == name) {
         if (starting_)
-          throw RuleMistake{path, node.begin, node.end, "\"start\" knows parameters, x, y and random alone"};
+          throw RuleMistake{path, node.begin, node.end,
+                            "\"start\" knows parameters, x, y and random alone"};
         return g.input(RuleOp::species, static_cast<int>(i));
       }
     if (lets_.contains(name)) return letNode(name, path, node.begin, node.end);
@@ -141,14 +146,14 @@ class Understanding {
     for (const auto& species : text_.species) known.push_back(species.name);
     for (const auto& parameter : text_.parameters) known.push_back(parameter.name);
     for (const auto& let : text_.lets) known.push_back(let.name);
-    throw RuleMistake{path, node.begin, node.end,
-                      fmt::format("unknown name {}; {}", scene::inQuotes(name), scene::suggestion(name, known))};
+    throw RuleMistake{
+        path, node.begin, node.end,
+        fmt::format("unknown name {}; {}", scene::inQuotes(name), scene::suggestion(name, known))};
   }
 
   int letNode(const std::string& name, const Path& path, std::size_t begin, std::size_t end) {
     LetState& let = lets_.at(name);
-    if (starting_)
-      throw RuleMistake{path, begin, end, "\"start\" knows parameters, x, y and random alone"};
+    if (starting_) throw RuleMistake{path, begin, end, "\"start\" knows parameters, x, y and random alone"};
     if (let.isOpen) {
       open_.push_back(name);
       open_.erase(open_.begin(), std::find(open_.begin(), open_.end(), name));
@@ -263,7 +268,8 @@ class Understanding {
     RuleGraph& g = graph();
     if (g.isUniform(d)) return g.product(d, laplacian(u));
     const int lap = g.stencil(RuleOp::lap20, u), both = g.stencil(RuleOp::lap20, g.product(d, u));
-    const int twice = g.difference(g.sum(g.product(d, lap), both), g.product(u, g.stencil(RuleOp::lap20, d)));
+    const int twice =
+        g.difference(g.sum(g.product(d, lap), both), g.product(u, g.stencil(RuleOp::lap20, d)));
     return g.product(g.product(g.constant(0.5), g.told(ToldPlaces::perLaplacian)), twice);
   }
 
@@ -328,12 +334,13 @@ class Understanding {
         if (argument >= 0) asked[static_cast<std::size_t>(argument)] = true;
     }
     if (rule_.cost > maxRuleCost)
-      throw RuleMistake{{"species"},
-                        0,
-                        0,
-                        fmt::format("the rates cost {} additions and multiplications a cell and step, at most {} "
-                                    "are allowed; make them simpler",
-                                    rule_.cost, maxRuleCost)};
+      throw RuleMistake{
+          {"species"},
+          0,
+          0,
+          fmt::format("the rates cost {} additions and multiplications a cell and step, at most {} "
+                      "are allowed; make them simpler",
+                      rule_.cost, maxRuleCost)};
   }
 
   void write(const std::vector<ExpressionTree>& rates) {

@@ -24,9 +24,9 @@ namespace simreel::sim {
 
 std::span<const SimulationKind> simulations() {
   static const std::vector<SimulationKind> list = {
-      clothKind(),    particlesKind(), lifeKind(),   grayScottKind(), reactionKind(), epidemicKind(),
-      wildfireKind(), fluidKind(),     waterKind(),  caveKind(),      contourKind(),
-      meshKind(),     bodyKind(),      sphereKind(), capsuleKind(),   planeKind(),
+      clothKind(),    particlesKind(), lifeKind(),    grayScottKind(), reactionKind(), epidemicKind(),
+      wildfireKind(), fluidKind(),     waterKind(),   caveKind(),      contourKind(),  meshKind(),
+      bodyKind(),     sphereKind(),    capsuleKind(), planeKind(),
   };
   return list;
 }

@@ -1,4 +1,5 @@
-// Rules on the GPU: the same bits as their evaluator on the CPU, whatever the boundary, the method and the width.
+// Rules on the GPU: the same bits as their evaluator on the CPU, whatever the boundary, the method and the
+// width.
 #include "sim/reaction/reaction.hpp"
 
 #include "base/error.hpp"
@@ -59,12 +60,13 @@ void comparePlanes(const std::vector<float>& got, const std::vector<float>& want
   std::size_t different = 0, first = 0;
   float least = want[0], most = want[0];
   for (std::size_t i = 0; i < got.size(); ++i) {
-    if (std::bit_cast<std::uint32_t>(got[i]) != std::bit_cast<std::uint32_t>(want[i]) && different++ == 0) first = i;
+    if (std::bit_cast<std::uint32_t>(got[i]) != std::bit_cast<std::uint32_t>(want[i]) && different++ == 0)
+      first = i;
     least = std::min(least, want[i]);
     most = std::max(most, want[i]);
   }
-  CHECK_MESSAGE(different == 0, different, " of ", got.size(), " cells differ, first ", first, ": ", got[first],
-                " for ", want[first]);
+  CHECK_MESSAGE(different == 0, different, " of ", got.size(), " cells differ, first ", first, ": ",
+                got[first], " for ", want[first]);
   CHECK(std::isfinite(most - least));
   CHECK(most - least > 1e-3F);  // something happens
 }
@@ -114,7 +116,8 @@ TEST_CASE("reaction: every function equals the evaluator, on every boundary, by 
 }
 
 TEST_CASE("reaction equals its evaluator on widths down to four") {
-  for (const glm::ivec2 size : {glm::ivec2(4, 5), glm::ivec2(5, 4), glm::ivec2(6, 9), glm::ivec2(7, 6), glm::ivec2(131, 13)})
+  for (const glm::ivec2 size :
+       {glm::ivec2(4, 5), glm::ivec2(5, 4), glm::ivec2(6, 9), glm::ivec2(7, 6), glm::ivec2(131, 13)})
     for (const char* boundary : {"torus", "no-flux", "fixed"}) {
       CAPTURE(size.x);
       CAPTURE(size.y);

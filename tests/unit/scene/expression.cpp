@@ -81,8 +81,10 @@ TEST_CASE("an expression that is too long, too deep or too large is refused befo
   CHECK(mistakeIn(repeated("2^", 1000) + "a").ends_with(deep));
   CHECK(mistakeIn(repeated("not ", 1000) + "a").ends_with(deep));
   CHECK(mistakeIn(repeated("sin(", 1000)).ends_with(deep));
-  CHECK(mistakeIn("a" + repeated("+a", 3000)).find("an expression has at most 2000 operations") != std::string::npos);
+  CHECK(mistakeIn("a" + repeated("+a", 3000)).find("an expression has at most 2000 operations") !=
+        std::string::npos);
   for (const char* part : {"(", "-", "a+", "sin("})
-    CHECK(mistakeIn(repeated(part, 1'000'000)).find("an expression has at most 16384 bytes") != std::string::npos);
+    CHECK(mistakeIn(repeated(part, 1'000'000)).find("an expression has at most 16384 bytes") !=
+          std::string::npos);
   CHECK(asC("a" + repeated("+a", 900)).size() > 900);
 }

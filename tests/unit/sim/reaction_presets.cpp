@@ -1,5 +1,5 @@
-// Presets against theory. What is expected is computed here in double, from the equations as papers have them: Jacobians of
-// homogeneous states, the symbol of the nine points, exact solutions.
+// Presets against theory. What is expected is computed here in double, from the equations as papers have
+// them: Jacobians of homogeneous states, the symbol of the nine points, exact solutions.
 #include "scene/scene.hpp"
 #include "sim/reaction/plan.hpp"
 #include "sim/reaction/presets.hpp"
@@ -32,8 +32,7 @@ sim::ReactionParameters equations(const std::string& members) {
 sim::RuleField after(const sim::ReactionParameters& parameters, int steps) {
   const sim::ReactionPlan plan(parameters, "r", 1, second);
   sim::RuleField field = plan.firstField();
-  for (int i = 0; i < steps; ++i)
-    sim::evaluateStep(plan, plan.valuesAt(0), i, 0, field);
+  for (int i = 0; i < steps; ++i) sim::evaluateStep(plan, plan.valuesAt(0), i, 0, field);
   return field;
 }
 
@@ -44,7 +43,8 @@ double meanOf(const std::vector<float>& cells) {
 using Matrix = std::array<std::array<double, 2>, 2>;
 using Amplitudes = std::array<double, 2>;
 
-/// A preset at a homogeneous state: that, and the rates of a small wave there whose Laplacian is L times it.
+/// A preset at a homogeneous state: that, and the rates of a small wave there whose Laplacian is L times
+/// it.
 struct Homogeneous {
   const char* preset;
   Amplitudes state;
@@ -65,27 +65,66 @@ std::vector<Homogeneous> homogeneousStates() {
   const double q = 0.002, f = 3, half = (1 - f - q) / 2, o = half + std::sqrt(half * half + q * (1 + f));
   const double d = (o + q) * (o + q);
   return {
-      {"heat", {0.4, 0}, [](double L) { return Matrix{{{L, 0}, {0, 0}}}; }},
-      {"wave", {0, 0}, [](double L) { return Matrix{{{0, 1}, {L, -0.001}}}; }},
-      {"fitzHughNagumo", {u, v},
-       [=](double L) { return Matrix{{{1 - 3 * u * u + L, -1}, {e, -e * a1 + 4 * L}}}; }},
-      {"brusselator", {4.5, 7.5 / 4.5},
-       [](double L) { return Matrix{{{7.5 - 1 + 2 * L, 4.5 * 4.5}, {-7.5, -4.5 * 4.5 + 16 * L}}}; }},
-      {"schnakenberg", {1, 0.9},
-       [](double L) { return Matrix{{{-1 + 2 * 0.9 + L, 1}, {-2 * 0.9, -1 + 40 * L}}}; }},
-      {"giererMeinhardt", {ga, gh},
+      {"heat",
+       {0.4, 0},
+       [](double L) {
+         return Matrix{{{L, 0}, {0, 0}}};
+       }},
+      {"wave",
+       {0, 0},
+       [](double L) {
+         return Matrix{{{0, 1}, {L, -0.001}}};
+       }},
+      {"fitzHughNagumo",
+       {u, v},
+       [=](double L) {
+         return Matrix{{{1 - 3 * u * u + L, -1}, {e, -e * a1 + 4 * L}}};
+       }},
+      {"brusselator",
+       {4.5, 7.5 / 4.5},
+       [](double L) {
+         return Matrix{{{7.5 - 1 + 2 * L, 4.5 * 4.5}, {-7.5, -4.5 * 4.5 + 16 * L}}};
+       }},
+      {"schnakenberg",
+       {1, 0.9},
+       [](double L) {
+         return Matrix{{{-1 + 2 * 0.9 + L, 1}, {-2 * 0.9, -1 + 40 * L}}};
+       }},
+      {"giererMeinhardt",
+       {ga, gh},
        [=](double L) {
          return Matrix{{{2 * ga / gh - 1 + L, -ga * ga / (gh * gh)}, {2 * ga, -1.5 + 30 * L}}};
        }},
-      {"barkley", {0, 0}, [](double L) { return Matrix{{{-0.02 / 0.75 / 0.02 + L, 0}, {1, -1}}}; }},
-      {"ginzburgLandau", {0, 0}, [](double L) { return Matrix{{{1 + L, 0}, {0, 1 + L}}}; }},
-      {"swiftHohenberg", {0, 0}, [](double L) { return Matrix{{{0.3 - (1 + L) * (1 + L), 0}, {0, 0}}}; }},
-      {"cahnHilliard", {0.2, 0},
-       [](double L) { return Matrix{{{L * (3 * 0.2 * 0.2 - 1 - 0.5 * L), 0}, {0, 0}}}; }},
-      {"kuramotoSivashinsky", {0, 0}, [](double L) { return Matrix{{{-L - L * L, 0}, {0, 0}}}; }},
-      {"oregonator", {o, o},
+      {"barkley",
+       {0, 0},
+       [](double L) {
+         return Matrix{{{-0.02 / 0.75 / 0.02 + L, 0}, {1, -1}}};
+       }},
+      {"ginzburgLandau",
+       {0, 0},
+       [](double L) {
+         return Matrix{{{1 + L, 0}, {0, 1 + L}}};
+       }},
+      {"swiftHohenberg",
+       {0, 0},
+       [](double L) {
+         return Matrix{{{0.3 - (1 + L) * (1 + L), 0}, {0, 0}}};
+       }},
+      {"cahnHilliard",
+       {0.2, 0},
+       [](double L) {
+         return Matrix{{{L * (3 * 0.2 * 0.2 - 1 - 0.5 * L), 0}, {0, 0}}};
+       }},
+      {"kuramotoSivashinsky",
+       {0, 0},
+       [](double L) {
+         return Matrix{{{-L - L * L, 0}, {0, 0}}};
+       }},
+      {"oregonator",
+       {o, o},
        [=](double L) {
-         return Matrix{{{(1 - 2 * o - f * o * 2 * q / d) / 0.03 + L, -f * (o - q) / (o + q) / 0.03}, {1, -1}}};
+         return Matrix{
+             {{(1 - 2 * o - f * o * 2 * q / d) / 0.03 + L, -f * (o - q) / (o + q) / 0.03}, {1, -1}}};
        },
        1e-5},
   };
@@ -126,12 +165,14 @@ TEST_CASE("reaction: a small wave on each preset's homogeneous state grows as th
       CAPTURE(waves.x);
       auto p = equations(fmt::format("\"preset\": \"{}\"", at.preset));
       p.size = {37, 29};
-      const glm::dvec2 k(2 * std::numbers::pi * waves.x / p.size.x, 2 * std::numbers::pi * waves.y / p.size.y);
+      const glm::dvec2 k(2 * std::numbers::pi * waves.x / p.size.x,
+                         2 * std::numbers::pi * waves.y / p.size.y);
       const double L = (8 * (std::cos(k.x) + std::cos(k.y)) + 4 * std::cos(k.x) * std::cos(k.y) - 20) /
                        (6 * p.spacing * p.spacing);
       const Matrix rates = at.rates(L);
       const Amplitudes start = {at.wave, -0.4 * at.wave};
-      std::erase_if(p.parameters, [](const auto& parameter) { return parameter.name == "mean"; });  // of a start
+      std::erase_if(p.parameters,
+                    [](const auto& parameter) { return parameter.name == "mean"; });  // of a start
       for (std::size_t i = 0; i < p.species.size(); ++i)
         p.species[i].start = fmt::format("{:.9g} + {:.9g}*cos({:.9g}*x + {:.9g}*y)", at.state[i], start[i],
                                          k.x / p.spacing, k.y / p.spacing);
@@ -157,12 +198,14 @@ TEST_CASE("reaction: a small wave on each preset's homogeneous state grows as th
 
 TEST_CASE("reaction: Euler, Heun and Runge-Kutta are of order 1, 2 and 4 in time") {
   // The complex Ginzburg-Landau equation has the solution A = e^(-i beta t).
-  for (const auto& [method, order] : {std::pair(std::string("euler"), 1), std::pair(std::string("heun"), 2), std::pair(std::string("rk4"), 4)}) {
+  for (const auto& [method, order] : {std::pair(std::string("euler"), 1), std::pair(std::string("heun"), 2),
+                                      std::pair(std::string("rk4"), 4)}) {
     double errors[2];
     for (int half = 0; half < 2; ++half) {
-      auto p = equations(fmt::format(R"X("preset": "ginzburgLandau", "method": "{}", "parameters": {{"beta": 3}},
+      auto p =
+          equations(fmt::format(R"X("preset": "ginzburgLandau", "method": "{}", "parameters": {{"beta": 3}},
                                         "species": {{"u": {{"start": "1"}}, "v": {{"start": "0"}}}})X",
-                                     method));
+                                method));
       p.size = {5, 4};
       const int steps = (half == 0 ? 8 : 16) * 16 / (order * order);
       p.dt = 1.0 / steps;
@@ -176,7 +219,8 @@ TEST_CASE("reaction: Euler, Heun and Runge-Kutta are of order 1, 2 and 4 in time
 }
 
 TEST_CASE("reaction: time, keys and moving rates come at the right moment") {
-  // du/dt = t^3: order 4 is exact but for rounding; Euler's sum of 8 steps of 1/8 is (28/64)^2... of whole numbers.
+  // du/dt = t^3: order 4 is exact but for rounding; Euler's sum of 8 steps of 1/8 is (28/64)^2... of whole
+  // numbers.
   auto p = equations(R"X("species": {"u": {"rate": "t^3"}}, "method": "rk4")X");
   p.size = {4, 4};
   p.dt = 0.125;
@@ -185,10 +229,12 @@ TEST_CASE("reaction: time, keys and moving rates come at the right moment") {
   CHECK(after(p, 8).stage[0][5] == doctest::Approx(28.0 * 28 / 4096).epsilon(1e-6));
 }
 
-TEST_CASE("reaction: what spreads is conserved: heat, Cahn-Hilliard's concentration, heat in a varying plate") {
+TEST_CASE(
+    "reaction: what spreads is conserved: heat, Cahn-Hilliard's concentration, heat in a varying plate") {
   const std::string varying = R"X("parameters": {"d": {"value": 0.2, "across": 1}}, "dt": 0.1,
     "species": {"u": {"start": "if(x > 9 and y < 12, 1, 0)", "rate": "diffuse(d, u)"}})X";
-  for (const std::string& members : {std::string("\"preset\": \"heat\""), std::string("\"preset\": \"cahnHilliard\""), varying})
+  for (const std::string& members :
+       {std::string("\"preset\": \"heat\""), std::string("\"preset\": \"cahnHilliard\""), varying})
     for (const char* boundary : {"torus", "no-flux"}) {
       CAPTURE(members);
       CAPTURE(boundary);
@@ -204,13 +250,15 @@ TEST_CASE("reaction: what spreads is conserved: heat, Cahn-Hilliard's concentrat
 }
 
 TEST_CASE("reaction: derivatives of a wave are those of the continuous operators to second order") {
-  for (const char* expression : {"laplacian(u)", "ddx(u)", "ddy(u)", "laplacian(laplacian(u))", "diffuse(1 + 0*u, u)"}) {
+  for (const char* expression :
+       {"laplacian(u)", "ddx(u)", "ddy(u)", "laplacian(laplacian(u))", "diffuse(1 + 0*u, u)"}) {
     CAPTURE(std::string(expression));
     double errors[2];
     for (int fine = 0; fine < 2; ++fine) {
       const int side = fine == 0 ? 12 : 24;
-      auto p = equations(fmt::format(R"X("species": {{"u": {{"start": "sin(2*pi*x) * cos(2*pi*y)"}}, "w": {{"rate": "{}"}}}})X",
-                                     expression));
+      auto p = equations(fmt::format(
+          R"X("species": {{"u": {{"start": "sin(2*pi*x) * cos(2*pi*y)"}}, "w": {{"rate": "{}"}}}})X",
+          expression));
       p.size = {side, side};
       p.spacing = 1.0 / side;
       p.dt = 1;
@@ -226,7 +274,8 @@ TEST_CASE("reaction: derivatives of a wave are those of the continuous operators
                               : what == "ddy(u)"                  ? -w * std::sin(px) * std::sin(py)
                               : what == "laplacian(laplacian(u))" ? 4 * w * w * w * w * wave
                                                                   : -2 * w * w * wave;
-          most = std::max(most, std::abs(static_cast<double>(got[static_cast<std::size_t>(y * side + x)]) - want));
+          most = std::max(
+              most, std::abs(static_cast<double>(got[static_cast<std::size_t>(y * side + x)]) - want));
         }
       errors[fine] = most;
     }
@@ -235,7 +284,8 @@ TEST_CASE("reaction: derivatives of a wave are those of the continuous operators
 }
 
 TEST_CASE("reaction: fixed edges hold a gradient between them, closed ones none") {
-  auto p = equations(R"X("boundary": "fixed", "dt": 0.3, "species": {"u": {"diffusion": 1, "edge": 2, "start": "0"}})X");
+  auto p = equations(
+      R"X("boundary": "fixed", "dt": 0.3, "species": {"u": {"diffusion": 1, "edge": 2, "start": "0"}})X");
   p.size = {9, 7};
   const sim::RuleField field = after(p, 600);
   for (const float cell : field.stage[0]) CHECK(cell == doctest::Approx(2).epsilon(1e-3));

@@ -37,7 +37,8 @@ bool shows(const std::string& refused, const std::string& message, const std::st
   const std::size_t line = refused.rfind('\n', caret - 2) + 1;
   const std::size_t at = refused.find_first_of('^', caret) - caret;
   const std::size_t length = refused.size() - caret - at;
-  const bool right = refused.find(message) != std::string::npos && refused.substr(line + at, length) == marked;
+  const bool right =
+      refused.find(message) != std::string::npos && refused.substr(line + at, length) == marked;
   if (!right) MESSAGE(refused);
   return right;
 }
@@ -54,9 +55,12 @@ TEST_CASE("reaction: what is wrong in a rate is marked inside its text") {
   CHECK(shows(rate("a", R"X("lets": {"a": "1 + b", "b": "2*c", "c": "a - u"}, )X"),
               "lets go round in a circle: a needs b needs c needs a", "a"));
   CHECK(shows(rate("a", R"X("lets": {"a": "1 + a"}, )X"), "lets go round in a circle: a needs a", "a"));
-  CHECK(shows(rate("u", R"X("parameters": {"unused": 2}, )X"), "no expression has the parameter \"unused\"", "2"));
-  CHECK(shows(refusal(R"X("species": {"u": {"rate": "u", "start": "0.5*u"}})X"), "\"start\" knows parameters", "u"));
-  CHECK(shows(refusal(R"X("species": {"u": {"start": "noise(1)"}})X"), "no neighbours and no noise", "noise(1)"));
+  CHECK(shows(rate("u", R"X("parameters": {"unused": 2}, )X"), "no expression has the parameter \"unused\"",
+              "2"));
+  CHECK(shows(refusal(R"X("species": {"u": {"rate": "u", "start": "0.5*u"}})X"),
+              "\"start\" knows parameters", "u"));
+  CHECK(shows(refusal(R"X("species": {"u": {"start": "noise(1)"}})X"), "no neighbours and no noise",
+              "noise(1)"));
   CHECK(shows(refusal(R"X("show": "u + w", "species": {"u": {}})X"), "unknown name \"w\"", "w"));
   CHECK(rate("u").find("none") == 0);
 }
@@ -67,13 +71,15 @@ TEST_CASE("reaction: a place in a text is found behind escapes, too") {
 
 TEST_CASE("reaction: what is wrong with a rule as a whole") {
   CHECK(refusal("").find("there are no equations: give a \"preset\" or \"species\"") != std::string::npos);
-  CHECK(refusal(R"X("species": {"2u": {}})X").find("\"2u\" cannot be a name in expressions") != std::string::npos);
+  CHECK(refusal(R"X("species": {"2u": {}})X").find("\"2u\" cannot be a name in expressions") !=
+        std::string::npos);
   CHECK(refusal(R"X("species": {"sin": {}})X").find("\"sin\" cannot be a name") != std::string::npos);
-  CHECK(refusal(R"X("parameters": {"u": 1}, "species": {"u": {}})X").find("is a name in \"species\" already") !=
-        std::string::npos);
+  CHECK(refusal(R"X("parameters": {"u": 1}, "species": {"u": {}})X")
+            .find("is a name in \"species\" already") != std::string::npos);
   CHECK(refusal(R"X("preset": "barkely")X").find("did you mean \"barkley\"?") != std::string::npos);
-  CHECK(refusal(R"X("preset": "barkley", "parameters": {"epsilom": 1})X").find("did you mean \"epsilon\"?") !=
-        std::string::npos);
+  CHECK(
+      refusal(R"X("preset": "barkley", "parameters": {"epsilom": 1})X").find("did you mean \"epsilon\"?") !=
+      std::string::npos);
   std::string nine;
   for (int i = 0; i < 9; ++i) nine += fmt::format("{}\"s{}\": {{}}", i > 0 ? ", " : "", i);
   CHECK(refusal("\"species\": {" + nine + "}").find("at most 8 species, found 9") != std::string::npos);
@@ -88,8 +94,9 @@ TEST_CASE("reaction: what is wrong with a rule as a whole") {
 
 TEST_CASE("reaction: a preset is what its page shows, and a scene changes parts of it") {
   const auto read = [](const std::string& members) {
-    const auto scene = scene::parseScene(
-        "{\"version\": 1, \"objects\": {\"r\": {\"reaction\": {" + members + "}}}}", "s.json", {}, sim::kinds());
+    const auto scene =
+        scene::parseScene("{\"version\": 1, \"objects\": {\"r\": {\"reaction\": {" + members + "}}}}",
+                          "s.json", {}, sim::kinds());
     return dynamic_cast<const sim::ReactionParameters&>(*scene.objects.at(0).parameters);
   };
   for (const sim::ReactionPreset& preset : sim::reactionPresets()) {
@@ -99,7 +106,8 @@ TEST_CASE("reaction: a preset is what its page shows, and a scene changes parts 
     const std::string text = sim::understandRule(p.ruleText()).text;
     CHECK(sim::reactionPresetsText().find(text.substr(0, text.find('\n'))) != std::string::npos);
   }
-  const auto p = read(R"X("preset": "barkley", "parameters": {"a": 0.9, "b": {"keys": [[0, 0.01], [1, 0.05]]}},
+  const auto p =
+      read(R"X("preset": "barkley", "parameters": {"a": 0.9, "b": {"keys": [[0, 0.01], [1, 0.05]]}},
                          "species": {"v": {"diffusion": 0.5}, "w": {"rate": "u - w"}}, "dt": 0.002)X");
   CHECK(p.species.size() == 3);
   CHECK(p.species[0].rate == "u*(1 - u)*(u - (v + b)/a)/epsilon");
